@@ -1,0 +1,90 @@
+"""How the figures look: sizes in print, fonts, colours, line styles, and how a figure is laid out and saved.
+
+Everything is placed in millimetres of print, so that text and lines have the stated size on paper.
+"""
+
+import math
+
+import matplotlib
+from matplotlib.figure import Figure
+
+TWO_COLUMNS = 175.0  # width of a figure over both columns of the page [mm]
+POINTS_PER_MM = 72.0 / 25.4
+PNG_DPI = 220
+PDF_DPI = 600  # of what is rasterised inside the PDF
+
+# Colours of Okabe and Ito (2008), told apart with any colour vision; the dashes tell them apart without colour.
+LINES = {
+    "A": ("#000000", "-"), "B": ("#E69F00", (0, (6, 1.6))), "C": ("#56B4E9", "-"), "D": ("#009E73", (0, (2.4, 1.2))),
+    "E": ("#D55E00", (0, (6, 1.4, 1.2, 1.4))), "F": ("#0072B2", (0, (1.1, 1.1))),
+    "G": ("#000000", "-"), "H": ("#D55E00", (0, (6, 1.6))), "I": ("#0072B2", (0, (2.4, 1.2))),
+    "J": ("#E69F00", (0, (6, 1.4, 1.2, 1.4))),
+}
+STRAIN_MAP = "viridis"
+
+GREY = "#6b6b6b"
+
+RC = {
+    "font.family": "sans-serif", "font.size": 8, "axes.labelsize": 8, "axes.titlesize": 8.5,
+    "xtick.labelsize": 7.5, "ytick.labelsize": 7.5, "legend.fontsize": 8, "mathtext.fontset": "dejavusans",
+    "axes.linewidth": 0.6, "xtick.major.width": 0.6, "ytick.major.width": 0.6, "xtick.major.size": 2.4,
+    "ytick.major.size": 2.4, "xtick.major.pad": 2.2, "ytick.major.pad": 2.2, "axes.labelpad": 2.5,
+    "axes.spines.top": False, "axes.spines.right": False, "lines.linewidth": 1.2, "lines.dash_capstyle": "butt",
+    "legend.frameon": False, "hatch.linewidth": 0.5, "pdf.fonttype": 42,
+}
+
+NORMS = {"half": r"$\sqrt{\frac{1}{2}\,\mathbf{e}:\mathbf{e}}$",
+         "von_mises": r"$\sqrt{\frac{2}{3}\,\mathbf{e}:\mathbf{e}}$"}
+
+
+def total_strain_label(norm):
+    """What eps_deviatoric is, with its norm; one line."""
+    return f"total deviatoric strain  {NORMS.get(norm, norm)}"
+
+
+def plastic_strain_label():
+    """What eps_eq_p is, with its norm, Eq. (6); one line."""
+    increments = r"$\sum\sqrt{\frac{1}{2}\,\mathrm{d}\mathbf{e}_p:\mathrm{d}\mathbf{e}_p}$"
+    return rf"plastic deviatoric strain  $\varepsilon_{{eq,p}}$ = {increments}"
+
+
+def new_figure(width, height):
+    """An empty figure of this size in print [mm]."""
+    return Figure(figsize=(width / 25.4, height / 25.4))
+
+
+def add_panel(figure, left, top, width, height):
+    """Axes whose upper left corner lies `left` and `top` mm from that of the figure [mm]."""
+    w, h = (size * 25.4 for size in figure.get_size_inches())
+    return figure.add_axes([left / w, 1 - (top + height) / h, width / w, height / h])
+
+
+def save_figure(figure, path):
+    """Write PATH.png and PATH.pdf; the same input gives the same bytes. Returns both paths."""
+    png, pdf = path.with_suffix(".png"), path.with_suffix(".pdf")
+    figure.savefig(png, dpi=PNG_DPI, metadata={"Software": None})
+    figure.savefig(pdf, dpi=PDF_DPI, metadata={"CreationDate": None})
+    return [png, pdf]
+
+
+def house_style():
+    """Context in which figures are drawn and saved."""
+    return matplotlib.rc_context(RC)
+
+
+def round_up(value):
+    """The next number of the kind a colour bar ends well with: 1, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten."""
+    if not value > 0:
+        return 1.0
+    power = 10.0 ** math.floor(math.log10(value))
+    steps = (1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10)
+    return next(step * power for step in steps if value <= step * power * (1 + 1e-9))
+
+
+def scale_ticks(end):
+    """Ticks from 0 to `end`, in steps of 1, 2 or 5 times a power of ten where that divides it."""
+    for n in (5, 4, 6, 3):
+        mantissa = end / n / 10.0 ** math.floor(math.log10(end / n) + 1e-9)
+        if min(abs(mantissa - plain) for plain in (1, 2, 5)) < 1e-6:
+            return [end * k / n for k in range(n + 1)]
+    return [end * k / 5 for k in range(6)]

@@ -1,0 +1,24 @@
+// The number, index and size types that every room uses.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace terp {
+
+using Real = double;
+using Index = std::int32_t;
+
+/// Independent components of a symmetric tensor: xx yy zz xy (yz zx). Plane strain keeps zz.
+template <int Dim>
+inline constexpr int n_sym = Dim == 2 ? 4 : 6;
+
+/// Nodes, and also Gauss points, of one cell: 4 of a quadrilateral, 8 of a hexahedron.
+template <int Dim>
+inline constexpr int n_corners = 1 << Dim;
+
+template <int Dim>
+using Vec = std::array<Real, Dim>;
+
+}  // namespace terp

@@ -1,0 +1,116 @@
+#include "boundary/conditions.hpp"
+
+#include "base/errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace terp {
+namespace {
+
+Real dot(Vec<2> a, Vec<2> b) { return a[0] * b[0] + a[1] * b[1]; }
+
+const NamedSide& find_side(const Mesh<2>& mesh, const std::string& name)
+{
+  for (const auto& side : mesh.sides)
+    if (side.name == name) return side;
+  throw InputError(Problem{"boundary." + name, "the mesh has no side `" + name + "`", "", "boundary", true});
+}
+
+/// Sum of outward edge normals times length, and of half lengths, for each node of a side.
+struct EdgeSums {
+  Vec<2> normal{0.0, 0.0};
+  Real half_length = 0.0;
+};
+
+std::map<Index, EdgeSums> sum_edges(const Mesh<2>& mesh, const NamedSide& side)
+{
+  std::map<Index, EdgeSums> nodes;
+  for (const CellSide& edge : side.edges) {
+    const Index a = mesh.cells[edge.cell][edge.side], b = mesh.cells[edge.cell][(edge.side + 1) % 4];
+    const Vec<2> along{mesh.nodes[b][0] - mesh.nodes[a][0], mesh.nodes[b][1] - mesh.nodes[a][1]};
+    for (const Index i : {a, b}) {
+      nodes[i].normal[0] += along[1];  // the cell lies to the left of a -> b
+      nodes[i].normal[1] -= along[0];
+      nodes[i].half_length += 0.5 * std::hypot(along[0], along[1]);
+    }
+  }
+  return nodes;
+}
+
+bool is_contact(Hold hold) { return hold == Hold::contact || hold == Hold::separating; }
+
+/// Contacts first, so that a roller at a corner has the last word on its direction.
+void order_and_pin(NodeCondition& c)
+{
+  if (c.n == 2 && !is_contact(c.holds[0].hold) && is_contact(c.holds[1].hold)) std::swap(c.holds[0], c.holds[1]);
+  const bool across = c.n == 2 && std::abs(dot(c.holds[0].normal, c.holds[1].normal)) < 0.996;  // more than 5 degrees apart
+  const auto stops = [](Hold h) { return h == Hold::normal || h == Hold::contact; };
+  c.pinned = across && stops(c.holds[0].hold) && stops(c.holds[1].hold);
+}
+
+/// Impulses of a contact plane on a node: normal, then tangential up to adhesion and friction.
+void apply_contact(const NodeHold& hold, Real mass, Real dt, Vec<2>& v)
+{
+  const Real v_n = dot(v, hold.normal);
+  if (hold.hold == Hold::separating && v_n < 0.0) return;
+  for (int d = 0; d < 2; ++d) v[d] -= v_n * hold.normal[d];
+  const Real speed = std::hypot(v[0], v[1]);
+  const Real impulse = hold.adhesion_force * dt + hold.friction * mass * std::max(v_n, 0.0);
+  const Real kept = speed * mass > impulse ? 1.0 - impulse / (speed * mass) : 0.0;
+  for (Real& component : v) component *= kept;
+}
+
+void stop_across(const NodeHold& hold, Vec<2>& v)
+{
+  const Real v_n = dot(v, hold.normal);
+  if (hold.hold == Hold::separating && v_n < 0.0) return;
+  for (int d = 0; d < 2; ++d) v[d] -= v_n * hold.normal[d];
+}
+
+}  // namespace
+
+Boundary::Boundary(const Mesh<2>& mesh, const std::vector<SideCondition>& sides) : condition_of_node_(mesh.nodes.size(), -1)
+{
+  for (const auto& side : sides)
+    for (const auto& [node, sums] : sum_edges(mesh, find_side(mesh, side.side))) {
+      if (condition_of_node_[node] < 0) {
+        condition_of_node_[node] = static_cast<Index>(conditions_.size());
+        conditions_.emplace_back();
+      }
+      NodeCondition& c = conditions_[condition_of_node_[node]];
+      if (c.n == 2) throw InputError(Problem{"boundary." + side.side, "a node lies on more than two sides with conditions", "", "boundary", true});
+      const Real length = std::hypot(sums.normal[0], sums.normal[1]);
+      c.holds[c.n++] = {side.hold, {sums.normal[0] / length, sums.normal[1] / length}, side.adhesion * sums.half_length,
+                        side.friction, side.velocity};
+    }
+  for (auto& c : conditions_) order_and_pin(c);
+}
+
+void Boundary::constrain(Index node, Real mass, Real dt, Vec<2>& v) const
+{
+  const NodeCondition* c = at(node);
+  if (c == nullptr) return;
+  for (int k = 0; k < c->n; ++k) {
+    const NodeHold& hold = c->holds[k];
+    if (is_contact(hold.hold)) apply_contact(hold, mass, dt, v);
+    if (hold.hold == Hold::normal) stop_across(hold, v);
+  }
+  if (c->pinned) v = {0.0, 0.0};
+  for (int k = 0; k < c->n; ++k)
+    if (c->holds[k].hold == Hold::all) v = c->holds[k].velocity;
+}
+
+void Boundary::clamp(Index node, Vec<2>& v) const
+{
+  const NodeCondition* c = at(node);
+  if (c == nullptr) return;
+  for (int k = 0; k < c->n; ++k)
+    if (c->holds[k].hold != Hold::all) stop_across(c->holds[k], v);
+  if (c->pinned) v = {0.0, 0.0};
+  for (int k = 0; k < c->n; ++k)
+    if (c->holds[k].hold == Hold::all) v = c->holds[k].velocity;
+}
+
+}  // namespace terp

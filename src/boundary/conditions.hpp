@@ -1,0 +1,64 @@
+// What the sides of the mesh do to its nodes: rollers, fixed nodes, prescribed velocity, contact planes.
+#pragma once
+
+#include "mesh/mesh.hpp"
+
+#include <string>
+#include <vector>
+
+namespace terp {
+
+/// How a side acts on the velocity of its nodes.
+enum class Hold {
+  normal,      ///< roller: no velocity across the side
+  all,         ///< fixed, or with a prescribed velocity
+  contact,     ///< bilateral contact plane: no velocity across it, adhesion and friction along it (reading R15)
+  separating,  ///< contact plane that the soil may leave
+};
+
+/// One side's condition with its contact strength.
+struct SideCondition {
+  std::string side;
+  Hold hold = Hold::normal;
+  Real adhesion = 0.0;  ///< a [Pa]
+  Real friction = 0.0;  ///< tangent of the friction angle [-]
+  Vec<2> velocity{0.0, 0.0};  ///< of Hold::all [m/s]
+};
+
+/// A side's condition at one node.
+struct NodeHold {
+  Hold hold;
+  Vec<2> normal;        ///< outward, mean of the node's edges on this side weighted by length [-]
+  Real adhesion_force;  ///< a L_i, L_i half lengths of the node's edges on this side [N per m]
+  Real friction;        ///< [-]
+  Vec<2> velocity;      ///< of Hold::all [m/s]
+};
+
+/// A node may lie on two sides (a corner) and so have two holds; contacts act first.
+struct NodeCondition {
+  int n = 0;
+  std::array<NodeHold, 2> holds;
+  bool pinned = false;  ///< two holds with different normals that both stop motion across them: no motion at all
+};
+
+class Boundary {
+ public:
+  Boundary() = default;
+  Boundary(const Mesh<2>& mesh, const std::vector<SideCondition>& sides);
+
+  /// Corrects the trial velocity v* of a node (step 2 of docs/methods.md). mass [kg per m], dt [s].
+  void constrain(Index node, Real mass, Real dt, Vec<2>& v) const;
+  /// Clamps the second nodal velocity at constrained components; contact acts along its normal only (step 4).
+  void clamp(Index node, Vec<2>& v) const;
+  /// The node's condition, or nullptr.
+  const NodeCondition* at(Index node) const
+  {
+    return condition_of_node_[node] < 0 ? nullptr : &conditions_[condition_of_node_[node]];
+  }
+
+ private:
+  std::vector<Index> condition_of_node_;  // shape [n_nodes], -1: free
+  std::vector<NodeCondition> conditions_;
+};
+
+}  // namespace terp

@@ -1,0 +1,23 @@
+// The ground surface as the material points draw it: the highest point in each column of one cell's width.
+#pragma once
+
+#include "points/point_blocks.hpp"
+
+#include <vector>
+
+namespace terp {
+
+/// Columns of equal width side by side.
+struct Columns {
+  Real left = 0.0;   ///< left edge of the first column [m]
+  Real width = 0.0;  ///< [m]
+  Index n = 0;
+};
+
+/// Height of the highest point in each column [m], shape [n]; minus infinity where a column holds no point.
+std::vector<Real> surface_heights(const PointBlocks<2>& points, const Columns& columns);
+
+/// Largest x of all material points [m].
+Real front(const PointBlocks<2>& points);
+
+}  // namespace terp

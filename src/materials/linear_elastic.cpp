@@ -1,0 +1,36 @@
+// Isotropic linear elasticity: d_sigma = K tr(d_eps) I + 2 G dev(d_eps).
+
+#include "materials/elastic_constants.hpp"
+#include "materials/law.hpp"
+
+namespace terp {
+namespace {
+
+struct LinearElastic {
+  static constexpr std::array parameters{shear_modulus_info, poisson_ratio_info};
+  static constexpr std::array<StateInfo, 0> state{};
+  static constexpr std::array<DerivedInfo, 0> derived{};
+
+  explicit LinearElastic(std::span<const Real> values) : shear(values[0]), bulk(bulk_from_poisson(values[0], values[1])) {}
+
+  template <class R, int Dim>
+  R update(SymTensor<R, Dim>& sigma, std::array<R, 0>&, const SymTensor<R, Dim>& d_eps) const
+  {
+    add_elastic_stress(sigma, d_eps, bulk, shear);
+    return R(0.0);
+  }
+
+  Real bulk_modulus() const { return bulk; }
+  Real shear_modulus() const { return shear; }
+  Real derived_value(int, const Real*) const { return 0.0; }
+  std::vector<ParameterProblem> check() const { return {}; }
+
+  Real shear;  // G [Pa]
+  Real bulk;   // K [Pa]
+};
+
+}  // namespace
+
+TERP_MATERIAL_DEFINITION(linear_elastic, LinearElastic, "isotropic linear elasticity")
+
+}  // namespace terp

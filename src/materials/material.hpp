@@ -1,0 +1,110 @@
+// What a constitutive model is to the rest of Terp: two small tables and one update over arrays.
+// Not for: any particular law (one file each), nor for where the arrays come from (the schemes).
+#pragma once
+
+#include "base/types.hpp"
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace terp {
+
+/// Most state variables that one law may have.
+inline constexpr int max_state = 4;
+
+/// Closed or open interval of allowed values.
+struct Range {
+  Real low = -std::numeric_limits<Real>::infinity();
+  Real high = std::numeric_limits<Real>::infinity();
+  bool low_open = false;
+  bool high_open = false;
+  bool contains(Real value) const
+  {
+    return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);  // false for NaN
+  }
+};
+inline constexpr Range any_number{};
+inline constexpr Range positive{0.0, std::numeric_limits<Real>::infinity(), true, false};
+inline constexpr Range not_negative{0.0, std::numeric_limits<Real>::infinity(), false, false};
+constexpr Range between_open(Real low, Real high) { return {low, high, true, true}; }
+constexpr Range between(Real low, Real high) { return {low, high, false, false}; }
+
+/// One number that the case file gives to a law.
+struct ParameterInfo {
+  std::string_view name;
+  std::string_view unit;                  ///< "-" if it has none
+  Range range;
+  std::string_view meaning;
+  std::optional<Real> fallback = {};      ///< default; none: the key must be given
+  Range usual = any_number;               ///< outside: warn of a wrong order of magnitude
+};
+
+/// How MPM-Mixed averages a state variable (reading R9).
+enum class Averaging { cell, sub_cell };
+
+/// One history variable of a law, kept at the material points and in checkpoints.
+struct StateInfo {
+  std::string_view name;
+  std::string_view unit;
+  Averaging averaging;
+  std::string_view meaning;
+};
+
+/// A field that results show and that follows from the state, e.g. the current strength.
+struct DerivedInfo {
+  std::string_view name;
+  std::string_view unit;
+  std::string_view meaning;
+};
+
+/// The arrays of one call of Material::update, each of n entries, n a multiple of pack_width.
+template <int Dim>
+struct StressArrays {
+  std::array<Real*, n_sym<Dim>> sigma;        ///< in: stress at the start of the step [Pa]; out: at its end
+  std::array<Real*, max_state> state;         ///< in, out: state variables in the order of the law's table
+  std::array<const Real*, n_sym<Dim>> d_eps;  ///< strain increment of the step, tensorial shear [-]
+  Real* plastic_work;                         ///< out: plastic work of the step per volume [J/m^3]
+  Index n;
+};
+
+/// A law with its parameters.
+class Material {
+ public:
+  virtual ~Material() = default;
+  virtual void update(const StressArrays<2>& arrays) const = 0;
+  virtual Real bulk_modulus() const = 0;   ///< K [Pa]
+  virtual Real shear_modulus() const = 0;  ///< G [Pa]
+  /// Value of derived field k (order of MaterialType::derived) for one point. state: shape [n_state].
+  virtual Real derived(int k, const Real* state) const = 0;
+
+  Real p_wave_modulus() const { return bulk_modulus() + 4.0 / 3.0 * shear_modulus(); }  ///< K + 4G/3 [Pa]
+};
+
+/// What is wrong with a set of parameters that are each in range.
+struct ParameterProblem {
+  std::string parameter, what, detail;
+};
+
+/// A law without its parameters: what materials.def lists.
+struct MaterialType {
+  std::string_view name;
+  std::string_view summary;
+  std::span<const ParameterInfo> parameters;
+  std::span<const StateInfo> state;
+  std::span<const DerivedInfo> derived;
+  /// values: one per entry of `parameters`, in that order, each in its range.
+  std::vector<ParameterProblem> (*check)(std::span<const Real> values);
+  std::unique_ptr<Material> (*make)(std::span<const Real> values);
+};
+
+/// Every law in this build, in the order of materials.def.
+std::span<const MaterialType* const> all_materials();
+/// nullptr if there is no such law.
+const MaterialType* find_material(std::string_view name);
+
+}  // namespace terp

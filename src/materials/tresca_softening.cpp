@@ -1,0 +1,170 @@
+// Tresca soil whose undrained shear strength softens with plastic strain.
+//
+//   S_u = S_u,r + (S_u,p - S_u,r) exp(-eta e)     Eq. (5), sign by decision 0001
+//   e   = sum sqrt(1/2 de_p : de_p)               Eq. (6), norm by decision 0002
+//
+// Exact implicit return in sorted 3-D principal space: to the main plane, or to one of the two edges where the middle
+// stress equals the major (triaxial extension) or the minor one (triaxial compression). The pressure never changes.
+
+#include "materials/elastic_constants.hpp"
+#include "materials/law.hpp"
+#include "materials/principal.hpp"
+
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+/// A point counts as yielding when sigma_1 - sigma_3 exceeds 2 S_u by more than this part of it: the stress of a
+/// returned point, rebuilt from its principal values, repeats to about 1e-13 in the worst cases met.
+constexpr Real yield_round_off = 1e-11;
+
+/// Newton steps of the returns. Measured (residual over S_u, tests/materials/tresca_softening_test.cpp): round-off after five
+/// on the plane and six on an edge for every softening that check() admits.
+constexpr int plane_steps = 5;
+constexpr int edge_steps = 6;
+
+struct TrescaSoftening {
+  static constexpr std::array parameters{
+      shear_modulus_info, poisson_ratio_info,
+      ParameterInfo{"su_peak", "Pa", positive, "peak undrained shear strength S_u,p", {}, {100.0, 1e7, false, false}},
+      ParameterInfo{"su_residual", "Pa", positive, "residual undrained shear strength S_u,r", {}, {10.0, 1e7, false, false}},
+      ParameterInfo{"eta", "-", not_negative, "shape factor of Eq. (5); S_u is 95 % softened at a strain of 3/eta", 0.0},
+  };
+  static constexpr std::array state{
+      StateInfo{"eps_eq_p", "-", Averaging::cell, "accumulated equivalent plastic strain, Eq. (6)"},
+  };
+  static constexpr std::array derived{
+      DerivedInfo{"su", "Pa", "current undrained shear strength, Eq. (5)"},
+  };
+
+  explicit TrescaSoftening(std::span<const Real> v)
+      : shear(v[0]), bulk(bulk_from_poisson(v[0], v[1])), su_peak(v[2]), su_residual(v[3]), eta(v[4])
+  {
+  }
+
+  template <class R, int Dim>
+  R update(SymTensor<R, Dim>& sigma, std::array<R, 1>& state, const SymTensor<R, Dim>& d_eps) const
+  {
+    add_elastic_stress(sigma, d_eps, bulk, shear);
+    auto principal = principal_values(sigma);
+    const Sorted<R> trial = sort_principal_values(principal);
+    const R strength = R(2.0) * undrained_strength(state[0]);
+    const auto yields = trial.major - trial.minor > strength * R(1.0 + yield_round_off);
+    if (!any_of(yields)) return R(0.0);
+
+    R d_e;  // the step's part of Eq. (6)
+    const Sorted<R> returned = return_to_yield_surface(trial, state[0], d_e);
+    assign_by_rank(returned, principal);
+    const SymTensor<R, Dim> on_surface = from_principal_values(principal);
+    for (int k = 0; k < n_sym<Dim>; ++k) sigma[k] = select(yields, on_surface[k], sigma[k]);
+    state[0] = select(yields, state[0] + d_e, state[0]);
+    return select(yields, plastic_work(trial, returned), R(0.0));
+  }
+
+  /// S_u - S_u,r [Pa], Eq. (5).
+  template <class R>
+  R drop(R eps_eq_p) const
+  {
+    return R(su_peak - su_residual) * exponential(R(-eta) * eps_eq_p);
+  }
+  template <class R>
+  R undrained_strength(R eps_eq_p) const
+  {
+    return R(su_residual) + drop(eps_eq_p);
+  }
+
+  template <class R>
+  Sorted<R> return_to_yield_surface(const Sorted<R>& trial, R eps_eq_p, R& d_e) const
+  {
+    d_e = plane_multiplier(trial, eps_eq_p);
+    const R shift = R(2.0 * shear) * d_e;
+    Sorted<R> result{trial.major - shift, trial.middle, trial.minor + shift};
+    const auto past_major = result.major < trial.middle;
+    const auto past_minor = trial.middle < result.minor;
+    const auto on_edge = past_major | past_minor;
+    if (!any_of(on_edge)) return result;
+
+    // Direction of the edge: (2, 2, -4)/3 where major = middle, (4, -2, -2)/3 where middle = minor, both times S_u.
+    const R upper(2.0 / 3.0), lower(-4.0 / 3.0);
+    const Sorted<R> edge{select(past_major, upper, -lower), select(past_major, upper, -upper), select(past_major, lower, -upper)};
+    R edge_d_e = d_e;
+    const Sorted<R> at_edge = return_to_edge(trial, edge, eps_eq_p, edge_d_e);
+    d_e = select(on_edge, edge_d_e, d_e);
+    return {select(on_edge, at_edge.major, result.major), select(on_edge, at_edge.middle, result.middle),
+            select(on_edge, at_edge.minor, result.minor)};
+  }
+
+  /// Solves s1 - s3 - 4 G d = 2 S_u(eps_eq_p + d) for d >= 0. From d = 0 the first step overshoots, the rest fall.
+  template <class R>
+  R plane_multiplier(const Sorted<R>& trial, R eps_eq_p) const
+  {
+    const R radius = (trial.major - trial.minor) * R(0.5);
+    R d(0.0);
+    for (int step = 0; step < plane_steps; ++step) {
+      const R left = drop(eps_eq_p + d);
+      const R excess = radius - R(2.0 * shear) * d - (R(su_residual) + left);
+      d = max(R(0.0), d + excess / (R(2.0 * shear) - R(eta) * left));
+    }
+    return d;
+  }
+
+  /// Solves 2 G d = |t - S_u(eps_eq_p + d) e|, |a| = sqrt(1/2 a:a), with t the trial deviator and e the edge.
+  template <class R>
+  Sorted<R> return_to_edge(const Sorted<R>& trial, const Sorted<R>& edge, R eps_eq_p, R& d) const
+  {
+    const R p = (trial.major + trial.middle + trial.minor) * R(1.0 / 3.0);
+    for (int step = 0; step < edge_steps; ++step) {
+      const R left = drop(eps_eq_p + d);
+      const R su = R(su_residual) + left;
+      const R a = trial.major - p - su * edge.major, b = trial.middle - p - su * edge.middle;
+      const R c = trial.minor - p - su * edge.minor;
+      const R distance = max(sqrt((a * a + b * b + c * c) * R(0.5)), R(tiny * shear));
+      const R slope = (a * edge.major + b * edge.middle + c * edge.minor) * R(0.5) / distance;  // -d(distance)/d(S_u)
+      d = max(R(0.0), d - (R(2.0 * shear) * d - distance) / (R(2.0 * shear) - slope * (R(eta) * left)));
+    }
+    const R su = undrained_strength(eps_eq_p + d);
+    return {p + su * edge.major, p + su * edge.middle, p + su * edge.minor};
+  }
+
+  /// sigma : d_eps_p [J/m^3] with d_eps_p,i = (trial_i - returned_i) / 2G.
+  template <class R>
+  R plastic_work(const Sorted<R>& trial, const Sorted<R>& returned) const
+  {
+    const R sum = returned.major * (trial.major - returned.major) + returned.middle * (trial.middle - returned.middle) +
+                  returned.minor * (trial.minor - returned.minor);
+    return sum * R(0.5 / shear);
+  }
+
+  Real bulk_modulus() const { return bulk; }
+  Real shear_modulus() const { return shear; }
+  Real derived_value(int, const Real* state) const { return undrained_strength(state[0]); }
+
+  std::vector<ParameterProblem> check() const
+  {
+    std::vector<ParameterProblem> problems;
+    if (su_residual > su_peak)
+      problems.push_back({"su_residual", "the residual strength exceeds the peak strength",
+                          fmt::format("su_residual = {} Pa, at most su_peak = {} Pa.", su_residual, su_peak)});
+    const Real steepness = eta * (su_peak - su_residual), limit = 1.5 * shear;
+    if (steepness > limit)
+      problems.push_back({"eta", "softening is too steep",
+                          fmt::format("eta (su_peak - su_residual) = {:.3g} Pa, at most 1.5 G = {:.3g} Pa\n"
+                                      "(beyond sqrt(3) G the return mapping has no unique answer). Use eta <= {:.3g}, or a stiffer soil.",
+                                      steepness, limit, limit / (su_peak - su_residual))});
+    return problems;
+  }
+
+  static constexpr Real tiny = 1e-30;  // keeps 0/0 from lanes that are not on an edge
+  Real shear;                          // G [Pa]
+  Real bulk;                           // K [Pa]
+  Real su_peak;                        // S_u,p [Pa]
+  Real su_residual;                    // S_u,r [Pa]
+  Real eta;                            // shape factor [-]
+};
+
+}  // namespace
+
+TERP_MATERIAL_DEFINITION(tresca_softening, TrescaSoftening, "Tresca with exponential softening of the undrained shear strength")
+
+}  // namespace terp

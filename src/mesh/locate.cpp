@@ -1,0 +1,72 @@
+#include "mesh/locate.hpp"
+
+#include <algorithm>
+
+namespace terp {
+namespace {
+
+Vec<2> local_in(const Mesh<2>& mesh, Index cell, Vec<2> x)
+{
+  const auto local = local_coordinates(mesh.geometry(cell), x[0] - mesh.centres[cell][0], x[1] - mesh.centres[cell][1]);
+  return {local[0], local[1]};
+}
+
+bool owns(Vec<2> l) { return l[0] >= -1.0 && l[0] < 1.0 && l[1] >= -1.0 && l[1] < 1.0; }
+
+bool accepts(Vec<2> l)
+{
+  constexpr Real limit = 1.0 + location_tolerance;
+  return std::abs(l[0]) <= limit && std::abs(l[1]) <= limit;
+}
+
+/// Sides that the place lies beyond, the worst first; at most two.
+int crossed_sides(Vec<2> l, std::array<int, 2>& sides)
+{
+  int n = 0;
+  if (l[0] < -1.0 || l[0] >= 1.0) sides[n++] = l[0] < 0.0 ? 3 : 1;
+  if (l[1] < -1.0 || l[1] >= 1.0) sides[n++] = l[1] < 0.0 ? 0 : 2;
+  if (n == 2 && std::abs(l[1]) > std::abs(l[0])) std::swap(sides[0], sides[1]);
+  return n;
+}
+
+/// The walk. Ends in the owner, or in a cell whose crossed sides all lie on the mesh's boundary, or gives up.
+Location walk(const Mesh<2>& mesh, Vec<2> x, Index cell)
+{
+  Index previous = outside;
+  Location at{cell, local_in(mesh, cell, x), false};
+  for (Index step = 0; step < 4 + 2 * mesh.n_cells(); ++step) {
+    if (owns(at.local)) return {at.cell, at.local, true};
+    std::array<int, 2> sides{};
+    const int n = crossed_sides(at.local, sides);
+    Index next = outside;
+    for (int k = 0; k < n && next == outside; ++k) next = mesh.neighbours[at.cell][sides[k]];
+    const bool back = next == previous && previous != outside;  // a place on a side that both cells disown by round-off
+    if (next == outside || back) return {at.cell, at.local, accepts(at.local)};
+    previous = at.cell;
+    at = {next, local_in(mesh, next, x), false};
+  }
+  return at;
+}
+
+}  // namespace
+
+Location locate(const Mesh<2>& mesh, Vec<2> x, Index first_guess)
+{
+  const Location found = walk(mesh, x, first_guess);
+  if (found.inside || !std::isfinite(x[0] + x[1])) return found;
+  for (Index e = 0; e < mesh.n_cells(); ++e) {
+    const Vec<2> local = local_in(mesh, e, x);
+    if (accepts(local)) return {e, local, true};
+  }
+  return found;
+}
+
+Vec<2> place_in_cell(const Mesh<2>& mesh, Index cell, Vec<2> local)
+{
+  const auto offset = offset_from_centre(mesh.geometry(cell), local[0], local[1]);
+  return {mesh.centres[cell][0] + offset[0], mesh.centres[cell][1] + offset[1]};
+}
+
+Vec<2> clamp_to_cell(Vec<2> local) { return {std::clamp(local[0], -1.0, 1.0), std::clamp(local[1], -1.0, 1.0)}; }
+
+}  // namespace terp

@@ -1,0 +1,63 @@
+// The background mesh: nodes, cells, neighbours and named sides. Never changes during a run.
+// Not for: reading mesh files or for anything that moves.
+#pragma once
+
+#include "mesh/cell_geometry.hpp"
+
+#include <string>
+#include <vector>
+
+namespace terp {
+
+inline constexpr Index outside = -1;
+
+/// One side of one cell.
+struct CellSide {
+  Index cell;
+  int side;  ///< 0 ... 3, see shape_functions.hpp
+};
+
+/// A part of the boundary that the case file can name.
+struct NamedSide {
+  std::string name;
+  std::vector<CellSide> edges;
+};
+
+/// A cell around a node, and which of its corners the node is.
+struct CellCorner {
+  Index cell;
+  Index corner;
+};
+
+template <int Dim>
+struct Mesh {
+  std::vector<Vec<Dim>> nodes;                                ///< [m], shape [n_nodes]
+  std::vector<std::array<Index, n_corners<Dim>>> cells;       ///< corners, counter-clockwise, shape [n_cells]
+  std::vector<std::array<Index, 2 * Dim>> neighbours;         ///< cell over each side, or `outside`, shape [n_cells]
+  std::vector<NamedSide> sides;
+  std::vector<Vec<Dim>> centres;                              ///< mean of the corners [m], shape [n_cells]
+  std::vector<CellGeometry<Dim>> geometries;                  ///< distinct shapes; equal cells share one
+  std::vector<Index> geometry_of_cell;                        ///< shape [n_cells]
+  std::vector<Index> first_cell_of_node;                      ///< into cells_of_node, shape [n_nodes + 1]
+  std::vector<CellCorner> cells_of_node;                      ///< in order of cell number
+  Real smallest_altitude = 0.0;                               ///< [m]
+  Index cell_of_smallest_altitude = 0;
+
+  Index n_nodes() const { return static_cast<Index>(nodes.size()); }
+  Index n_cells() const { return static_cast<Index>(cells.size()); }
+  const CellGeometry<Dim>& geometry(Index cell) const { return geometries[geometry_of_cell[cell]]; }
+  std::array<Vec<Dim>, n_corners<Dim>> corners(Index cell) const
+  {
+    std::array<Vec<Dim>, n_corners<Dim>> x;
+    for (int i = 0; i < n_corners<Dim>; ++i) x[i] = nodes[cells[cell][i]];
+    return x;
+  }
+};
+
+/// Fills everything that follows from nodes and cells: neighbours, centres, geometries, cells of nodes.
+void connect(Mesh<2>& mesh);
+
+/// Regular rectangle with sides "left", "right", "bottom", "top". n: cells per direction. Cells run along x first.
+Mesh<2> make_rectangle(Vec<2> origin, Vec<2> size, std::array<Index, 2> n);
+
+}  // namespace terp

@@ -1,0 +1,136 @@
+#include "parallel/threads.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <sched.h>
+#include <string>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+namespace terp {
+namespace {
+
+constexpr std::uint32_t leave = 0x80000000u;
+constexpr std::uint32_t used_up = 0xffffffffu;
+constexpr int spins_before_sleep = 2000;  // about 20-60 us: longer than the gap between two passes of a step
+
+void pause_briefly()
+{
+#if defined(__x86_64__)
+  _mm_pause();
+#endif
+}
+
+/// Processors that the control group grants (cgroup v2), or a large number.
+int control_group_processors()
+{
+  std::ifstream file("/sys/fs/cgroup/cpu.max");
+  std::string quota;
+  double period = 0.0;
+  if (!(file >> quota >> period) || quota == "max" || period <= 0.0) return 1 << 20;
+  return std::max(1, static_cast<int>(std::stod(quota) / period + 0.5));
+}
+
+/// First chunk of a thread's part.
+Index first_of_part(Index n_chunks, int thread, int n_threads)
+{
+  return static_cast<Index>(static_cast<std::int64_t>(n_chunks) * thread / n_threads);
+}
+
+}  // namespace
+
+int available_processors()
+{
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  int allowed = static_cast<int>(std::thread::hardware_concurrency());
+  if (sched_getaffinity(0, sizeof set, &set) == 0) allowed = CPU_COUNT(&set);
+  return std::max(1, std::min(allowed, control_group_processors()));
+}
+
+Threads::Threads(int n) : shares_(std::make_unique<Share[]>(n))
+{
+  workers_.reserve(n - 1);
+  for (int thread = 1; thread < n; ++thread) workers_.emplace_back([this, thread] { wait_for_jobs(thread); });
+}
+
+Threads::~Threads()
+{
+  job_.fetch_or(leave);
+  job_.notify_all();
+  for (auto& worker : workers_) worker.join();
+}
+
+void Threads::run(Index n_chunks, Task task, void* context)
+{
+  if (n_chunks == 0) return;
+  if (workers_.empty()) {
+    for (Index chunk = 0; chunk < n_chunks; ++chunk) task(context, chunk);
+    return;
+  }
+  // A late worker may still be on its way through the previous job. It claims a chunk only if the share carries its own job's
+  // number, so the shares are closed under the new number before the fields change, and opened after.
+  const std::uint32_t job = (job_.load(std::memory_order_relaxed) + 1) & ~leave;
+  const auto numbered = [job](std::uint32_t chunk) { return std::uint64_t{job} << 32 | chunk; };
+  for (int t = 0; t < count(); ++t) shares_[t].next.store(numbered(used_up));
+  task_.store(task);
+  context_.store(context);
+  n_chunks_.store(n_chunks);
+  done_.store(0);
+  for (int t = 0; t < count(); ++t)
+    shares_[t].next.store(numbered(static_cast<std::uint32_t>(first_of_part(n_chunks, t, count()))));
+  job_.store(job);
+  if (sleepers_.load() > 0) job_.notify_all();
+  work(0, job);
+  for (int spin = 0; done_.load(std::memory_order_acquire) != n_chunks; ++spin) {
+    if (spin < spins_before_sleep)
+      pause_briefly();
+    else
+      std::this_thread::yield();
+  }
+}
+
+/// Does chunks of the job, from this thread's part first and then from the others', until none is left.
+void Threads::work(int thread, std::uint32_t job)
+{
+  const Task task = task_.load();
+  void* const context = context_.load();
+  const Index n = n_chunks_.load();
+  if (job_.load() != job) return;  // the fields may belong to a newer job
+  for (int k = 0; k < count(); ++k) {
+    const int part = (thread + k) % count();
+    const auto end = static_cast<std::uint32_t>(first_of_part(n, part + 1, count()));
+    std::uint64_t next = shares_[part].next.load();
+    while (next >> 32 == job && static_cast<std::uint32_t>(next) < end) {
+      if (!shares_[part].next.compare_exchange_weak(next, next + 1)) continue;
+      task(context, static_cast<Index>(static_cast<std::uint32_t>(next)));
+      done_.fetch_add(1, std::memory_order_acq_rel);
+      next = shares_[part].next.load();
+    }
+  }
+}
+
+void Threads::wait_for_jobs(int thread)
+{
+  std::uint32_t seen = 0;
+  while (true) {
+    std::uint32_t job = job_.load();
+    for (int spin = 0; job == seen && spin < spins_before_sleep; ++spin) {
+      pause_briefly();
+      job = job_.load();
+    }
+    if (job == seen) {
+      sleepers_.fetch_add(1);
+      job_.wait(seen);
+      sleepers_.fetch_sub(1);
+      job = job_.load();
+    }
+    if (job & leave) return;
+    work(thread, job);
+    seen = job;
+  }
+}
+
+}  // namespace terp

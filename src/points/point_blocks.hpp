@@ -1,0 +1,121 @@
+// Material points, stored in blocks: a block holds the points of one material in one cell, structure of arrays inside,
+// padded to whole packs. Several materials in a cell are several blocks (decision 0022).
+// Not for: deciding where a point belongs (move.hpp) or what it is worth (transfer, schemes).
+#pragma once
+
+#include "base/types.hpp"
+#include "parallel/pack.hpp"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace terp {
+
+/// The fields of a material point, as rows of a block. Row r of a block is data + r * capacity, one Real per point.
+template <int Dim>
+struct PointRows {
+  static constexpr int x = 0;                         ///< position [m], Dim rows
+  static constexpr int xi = x + Dim;                  ///< local coordinates in the cell [-], Dim rows; follow from x
+  static constexpr int v = xi + Dim;                  ///< velocity [m/s], Dim rows
+  static constexpr int mass = v + Dim;                ///< [kg per m]
+  static constexpr int volume = mass + 1;             ///< Omega_p [m^2]
+  static constexpr int sigma = volume + 1;            ///< Cauchy stress [Pa], n_sym rows
+  static constexpr int strain = sigma + n_sym<Dim>;   ///< accumulated total strain [-], n_sym rows
+  static constexpr int id = strain + n_sym<Dim>;      ///< whole number, exact as a Real
+  static constexpr int state = id + 1;                ///< state variables of the material
+};
+
+/// Points of one material in one cell. Lanes n ... capacity are padding: mass, volume and velocity zero, never moved.
+template <int Dim>
+struct PointBlock {
+  Real* data = nullptr;   ///< 64-byte aligned, shape [n_rows, capacity]
+  Index capacity = 0;     ///< multiple of pack_width
+  Index n = 0;            ///< points in use, lanes 0 ... n-1
+  Index cell = -1;
+  Index material = -1;    ///< index into Model::materials
+  Index next = -1;        ///< next block of the same cell, larger material number; -1: last
+
+  Real* row(int r) const { return data + static_cast<std::ptrdiff_t>(r) * capacity; }
+  Index n_padded() const { return round_up_to_pack(n); }
+};
+
+/// All blocks. Memory comes in slabs that never move; a freed block is used again for the next one of its size.
+template <int Dim>
+class PointBlocks {
+ public:
+  using Rows = PointRows<Dim>;
+
+  PointBlocks() = default;
+  /// n_state: rows of state per point, the most that any material needs.
+  PointBlocks(Index n_cells, int n_state);
+
+  int n_rows() const { return n_rows_; }
+  std::int64_t n_points() const { return n_points_; }
+
+  /// Makes room for n points in the block of (cell, material) before they are added: no growth, no waste.
+  void expect(Index cell, Index material, Index n);
+  /// Adds a point with its n_rows() values to the block of (cell, material), making one if needed.
+  void add(Index cell, Index material, std::span<const Real> values);
+  /// Copies the values of a point out and removes it; the block's last point takes its lane.
+  void take(Index block, Index lane, std::span<Real> values);
+  /// Sets aside blocks for about n more points so that the run does not ask for memory.
+  void reserve(std::int64_t n);
+  /// Renews `occupied` and `slot_of_cell` after cells were filled or emptied, and frees empty blocks.
+  /// Returns true if any cell was filled or emptied.
+  bool update_occupied();
+
+  PointBlock<Dim>& block(Index b) { return blocks_[b]; }
+  const PointBlock<Dim>& block(Index b) const { return blocks_[b]; }
+  /// First block of a cell, or -1.
+  Index first_block(Index cell) const { return first_block_[cell]; }
+
+  /// Cells that hold points, ascending, shape [n_occupied].
+  const std::vector<Index>& occupied() const { return occupied_; }
+  /// Place of a cell in `occupied`, or -1, shape [n_cells].
+  const std::vector<Index>& slot_of_cell() const { return slot_of_cell_; }
+  /// Upper bound of block numbers.
+  Index n_blocks() const { return static_cast<Index>(blocks_.size()); }
+  /// Memory held for points [bytes].
+  std::int64_t bytes() const;
+
+ private:
+  Index make_block(Index cell, Index material, Index capacity);
+  void grow(PointBlock<Dim>& block);
+  void merge_new_cells();
+  void release(Index block);
+  Real* allocate(Index capacity);
+
+  struct FreeSlab {
+    void operator()(Real* p) const;
+  };
+  int n_rows_ = 0;
+  std::int64_t n_points_ = 0;
+  std::vector<PointBlock<Dim>> blocks_;
+  std::vector<Index> unused_;                      // numbers of blocks that may be used again
+  std::vector<std::vector<Real*>> free_;           // by capacity / pack_width
+  std::vector<std::unique_ptr<Real[], FreeSlab>> slabs_;
+  std::size_t slab_used_ = 0, slab_size_ = 0;      // of the last slab [Reals]
+  std::int64_t total_reals_ = 0;
+  std::vector<Index> first_block_, slot_of_cell_, occupied_, new_cells_;
+  bool occupation_changed_ = false;
+};
+
+/// Calls f(block) for every block of a cell, in order of material.
+template <int Dim, class F>
+void for_each_block(const PointBlocks<Dim>& points, Index cell, F&& f)
+{
+  for (Index b = points.first_block(cell); b >= 0; b = points.block(b).next) f(points.block(b), b);
+}
+
+/// Calls f(block, lane) for every point, cells ascending: the fixed order of checkpoints and reports.
+template <int Dim, class F>
+void for_each_point(const PointBlocks<Dim>& points, F&& f)
+{
+  for (const Index cell : points.occupied())
+    for_each_block(points, cell, [&](const PointBlock<Dim>& block, Index) {
+      for (Index lane = 0; lane < block.n; ++lane) f(block, lane);
+    });
+}
+
+}  // namespace terp

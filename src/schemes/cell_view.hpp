@@ -1,0 +1,140 @@
+// What a scheme sees of the cell it works on, and the helpers that more than one scheme uses.
+#pragma once
+
+#include "base/tensor.hpp"
+#include "forces/internal_force.hpp"
+#include "forces/point_gradients.hpp"
+#include "transfer/gauss_average.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace terp {
+
+/// A law with its parameters, under the user's name.
+struct SoilMaterial {
+  std::string name;
+  const MaterialType* type = nullptr;
+  std::unique_ptr<Material> law;
+  Real density = 0.0;  ///< rho at t = 0 [kg/m^3]
+  int n_state() const { return static_cast<int>(type->state.size()); }
+};
+
+/// Choices and laws: the same for every cell of a run.
+struct SchemeContext {
+  const MethodOptions& method;
+  const std::vector<SoilMaterial>& materials;
+};
+
+/// One occupied cell.
+struct CellView {
+  Index cell;
+  const CellGeometry<2>& geometry;
+  PointBlocks<2>& points;
+  std::vector<GaussValues<2>>& gauss;  ///< shape [n_blocks], by block number
+  CornerSums<2>& corners;
+};
+
+/// What the stress pass adds up for the ledger.
+struct StressSums {
+  Real plastic_work = 0.0;  ///< [J per m]
+};
+
+/// Points that one call of Material::update takes at most: its arrays stay in the first cache.
+inline constexpr Index strip_length = 8 * pack_width;
+
+/// Strain increments and plastic work of a strip of points.
+struct alignas(64) StripArrays {
+  Real d_eps[n_sym<2>][strip_length];
+  Real plastic_work[strip_length];
+};
+
+/// Rows of a block from point `first` on, as a law takes them.
+inline StressArrays<2> stress_arrays(const PointBlock<2>& block, Index first, Index n, StripArrays& strip)
+{
+  using Rows = PointRows<2>;
+  StressArrays<2> arrays{};
+  for (int k = 0; k < n_sym<2>; ++k) arrays.sigma[k] = block.row(Rows::sigma + k) + first;
+  for (int k = 0; k < max_state; ++k) arrays.state[k] = block.row(Rows::state + k) + first;
+  for (int k = 0; k < n_sym<2>; ++k) arrays.d_eps[k] = strip.d_eps[k];
+  arrays.plastic_work = strip.plastic_work;
+  arrays.n = n;
+  return arrays;
+}
+
+/// First-order Jaumann rotation: sigma += w sigma - sigma w, w = d_spin of the step (reading R17).
+template <class R>
+void rotate_stress(SymTensor<R, 2>& sigma, R d_spin)
+{
+  const R shear = sigma[3] * d_spin;
+  const R difference = sigma[0] - sigma[1];
+  sigma[0] = sigma[0] - R(2.0) * shear;
+  sigma[1] = sigma[1] + R(2.0) * shear;
+  sigma[3] = sigma[3] + difference * d_spin;
+}
+
+/// Sum of Omega_p times plastic work per volume over a strip [J per m].
+inline Real sum_plastic_work(const PointBlock<2>& block, Index first, Index n, const StripArrays& strip)
+{
+  Pack work(0.0);
+  for (Index p = 0; p < n; p += pack_width)
+    work = fma(Pack::load(block.row(PointRows<2>::volume) + first + p), Pack::load(strip.plastic_work + p), work);
+  return sum(work);
+}
+
+/// Adds a strain increment to the accumulated strain of eight points and returns its trace.
+inline Pack accumulate_strain(const PointBlock<2>& block, Index p, const SymTensor<Pack, 2>& d_eps)
+{
+  for (int k = 0; k < n_sym<2>; ++k) {
+    Real* strain = block.row(PointRows<2>::strain + k) + p;
+    (Pack::load(strain) + d_eps[k]).store(strain);
+  }
+  return trace(d_eps);
+}
+
+/// Omega_p *= 1 + tr d_eps.
+inline void scale_volume(const PointBlock<2>& block, Index p, Pack volumetric_strain)
+{
+  Real* volume = block.row(PointRows<2>::volume) + p;
+  const Pack old = Pack::load(volume);
+  fma(old, volumetric_strain, old).store(volume);
+}
+
+/// The strain increment of each point's own Gauss point (reading R11).
+inline SymTensor<Pack, 2> strain_at_points(const GaussStrain<2>& strain, Mask right, Mask upper)
+{
+  SymTensor<Pack, 2> d_eps;
+  for (int k = 0; k < n_sym<2>; ++k) d_eps[k] = at_sub_cell<Pack>(strain.d_eps[k], right, upper);
+  return d_eps;
+}
+
+inline Mask right_half(const PointBlock<2>& block, Index p) { return Pack::load(block.row(PointRows<2>::xi) + p) >= Pack(-tie); }
+inline Mask upper_half(const PointBlock<2>& block, Index p) { return Pack::load(block.row(PointRows<2>::xi + 1) + p) >= Pack(-tie); }
+
+/// Gauss values, weights, smooth pressure and internal force of a cell for the schemes that integrate at Gauss points.
+/// n_state(block): state variables to average too; finish(block, gauss): what the scheme adds before the force.
+/// Returns true if a pressure was cut to the tension limit.
+template <class NState, class Finish>
+bool gather_at_gauss_points(const SchemeContext& context, const CellView& view, NState&& n_state, Finish&& finish)
+{
+  std::array<Real, 4> cell_volume{};
+  for_each_block(view.points, view.cell, [&](const PointBlock<2>& block, Index b) {
+    sum_over_sub_cells(block, n_state(block), view.gauss[b]);
+    for (int g = 0; g < 4; ++g) cell_volume[g] += view.gauss[b].volume[g];
+  });
+  const Real volume = (cell_volume[0] + cell_volume[1]) + (cell_volume[2] + cell_volume[3]);
+  const bool part_filled = filled_share(view.geometry, volume, context.method) < 1.0;
+  bool cut = false;
+  for_each_block(view.points, view.cell, [&](const PointBlock<2>& block, Index b) {
+    GaussValues<2>& gauss = view.gauss[b];
+    set_weights(view.geometry, cell_volume, context.method, gauss);                       // R3
+    divide_by_volume(n_state(block), gauss);                                              // Eq. (1)
+    cut |= smooth_pressure(part_filled, context.method, gauss);                           // Eqs. (2), (3)
+    finish(block, gauss);
+    add_internal_force(view.geometry, gauss, context.method.force_operator, view.corners);  // Eq. (4)
+  });
+  return cut;
+}
+
+}  // namespace terp

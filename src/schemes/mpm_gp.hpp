@@ -1,0 +1,59 @@
+// MPM-GP, paper Sec. 2.2: the material points own the history; Gauss points only carry force and strain.
+#pragma once
+
+#include "schemes/cell_view.hpp"
+
+namespace terp {
+
+struct MpmGp {
+  /// Gauss stress and internal force, Eqs. (1) to (4). The state stays at the points.
+  static bool gather(const SchemeContext& context, const CellView& view)
+  {
+    return gather_at_gauss_points(context, view, [](const auto&) { return 0; }, [](const auto&, auto&) {});
+  }
+
+  /// New stress and state in each material point from the strain of its own Gauss point (instead of Steps 3 and 4).
+  static void update_stress(const SchemeContext& context, const CellView& view, const CornerVectors& du, StressSums& sums)
+  {
+    const GaussStrain<2> strain = strain_at_gauss_points(view.geometry, du, context.method.b_bar);  // Step 2
+    for_each_block(view.points, view.cell, [&](const PointBlock<2>& block, Index b) {
+      for (Index first = 0; first < block.n_padded(); first += strip_length) {
+        const Index n = std::min(strip_length, block.n_padded() - first);
+        StripArrays strip;
+        for (Index p = 0; p < n; p += pack_width) prepare_points(context.method, block, first + p, strain, view.gauss[b].pressure, strip, p);
+        context.materials[block.material].law->update(stress_arrays(block, first, n, strip));
+        sums.plastic_work += sum_plastic_work(block, first, n, strip);
+        for (Index p = 0; p < n; p += pack_width) add_strain(block, first + p, strip, p);
+      }
+    });
+  }
+
+ private:
+  /// Start stress (reading R10, objective rate) and strain increment of eight points.
+  static void prepare_points(const MethodOptions& method, const PointBlock<2>& block, Index p, const GaussStrain<2>& strain,
+                             Real cell_pressure, StripArrays& strip, Index at)
+  {
+    const Mask right = right_half(block, p), upper = upper_half(block, p);
+    const SymTensor<Pack, 2> d_eps = strain_at_points(strain, right, upper);
+    for (int k = 0; k < n_sym<2>; ++k) d_eps[k].store(strip.d_eps[k] + at);
+    if (method.point_pressure == PointPressure::own && method.objective_rate == ObjectiveRate::none) return;
+
+    SymTensor<Pack, 2> sigma;
+    for (int k = 0; k < n_sym<2>; ++k) sigma[k] = Pack::load(block.row(PointRows<2>::sigma + k) + p);
+    const Real share = method.point_pressure == PointPressure::cell    ? 1.0
+                       : method.point_pressure == PointPressure::relax ? method.pressure_relaxation
+                                                                       : 0.0;
+    add_isotropic(sigma, Pack(share) * (Pack(cell_pressure) - trace(sigma) * Pack(1.0 / 3.0)));
+    if (method.objective_rate == ObjectiveRate::jaumann) rotate_stress(sigma, at_sub_cell<Pack>(strain.d_spin, right, upper));
+    for (int k = 0; k < n_sym<2>; ++k) sigma[k].store(block.row(PointRows<2>::sigma + k) + p);
+  }
+
+  static void add_strain(const PointBlock<2>& block, Index p, const StripArrays& strip, Index at)
+  {
+    SymTensor<Pack, 2> d_eps;
+    for (int k = 0; k < n_sym<2>; ++k) d_eps[k] = Pack::load(strip.d_eps[k] + at);
+    scale_volume(block, p, accumulate_strain(block, p, d_eps));
+  }
+};
+
+}  // namespace terp

@@ -1,0 +1,57 @@
+// Standard MPM: force and strain at the material points, with B at the point. The baseline: it locks and oscillates.
+#pragma once
+
+#include "schemes/cell_view.hpp"
+
+namespace terp {
+
+struct StandardMpm {
+  static bool gather(const SchemeContext&, const CellView& view)
+  {
+    for_each_block(view.points, view.cell,
+                   [&](const PointBlock<2>& block, Index) { add_internal_force_of_points(view.geometry, block, view.corners); });
+    return false;
+  }
+
+  static void update_stress(const SchemeContext& context, const CellView& view, const CornerVectors& du, StressSums& sums)
+  {
+    for_each_block(view.points, view.cell, [&](const PointBlock<2>& block, Index) {
+      for (Index first = 0; first < block.n_padded(); first += strip_length) {
+        const Index n = std::min(strip_length, block.n_padded() - first);
+        StripArrays strip;
+        for (Index p = 0; p < n; p += pack_width) prepare_points(context.method, view.geometry, du, block, first + p, strip, p);
+        context.materials[block.material].law->update(stress_arrays(block, first, n, strip));
+        sums.plastic_work += sum_plastic_work(block, first, n, strip);
+        for (Index p = 0; p < n; p += pack_width) add_strain(block, first + p, strip, p);
+      }
+    });
+  }
+
+ private:
+  static void prepare_points(const MethodOptions& method, const CellGeometry<2>& cell, const CornerVectors& du,
+                             const PointBlock<2>& block, Index p, StripArrays& strip, Index at)
+  {
+    using Rows = PointRows<2>;
+    const auto gradient = gradients_at(cell, Pack::load(block.row(Rows::xi) + p), Pack::load(block.row(Rows::xi + 1) + p));
+    const auto l = displacement_gradient(gradient, du);
+    l[0][0].store(strip.d_eps[0] + at);
+    l[1][1].store(strip.d_eps[1] + at);
+    Pack(0.0).store(strip.d_eps[2] + at);
+    ((l[0][1] + l[1][0]) * Pack(0.5)).store(strip.d_eps[3] + at);
+    if (method.objective_rate == ObjectiveRate::none) return;
+
+    SymTensor<Pack, 2> sigma;
+    for (int k = 0; k < n_sym<2>; ++k) sigma[k] = Pack::load(block.row(Rows::sigma + k) + p);
+    rotate_stress(sigma, (l[1][0] - l[0][1]) * Pack(0.5));
+    for (int k = 0; k < n_sym<2>; ++k) sigma[k].store(block.row(Rows::sigma + k) + p);
+  }
+
+  static void add_strain(const PointBlock<2>& block, Index p, const StripArrays& strip, Index at)
+  {
+    SymTensor<Pack, 2> d_eps;
+    for (int k = 0; k < n_sym<2>; ++k) d_eps[k] = Pack::load(strip.d_eps[k] + at);
+    scale_volume(block, p, accumulate_strain(block, p, d_eps));
+  }
+};
+
+}  // namespace terp

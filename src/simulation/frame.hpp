@@ -1,0 +1,19 @@
+// The fields that results show, gathered from the blocks and sorted by id.
+#pragma once
+
+#include "simulation/model.hpp"
+#include "simulation/observer.hpp"
+#include "simulation/state.hpp"
+
+namespace terp {
+
+/// All points as they are now, with the fields that the case asks for (all if it names none).
+Frame make_frame(const Model& model, const State& state);
+
+/// Rows of history.csv for the named points.
+std::vector<HistoryRow> make_history(const Model& model, const State& state);
+
+/// Deviatoric measure of a strain tensor (xx yy zz xy): sqrt(1/2 e:e), or von Mises sqrt(2/3 e:e) (reading R18) [-].
+Real deviatoric_strain(const std::array<Real, 4>& strain, DeviatoricNorm norm);
+
+}  // namespace terp

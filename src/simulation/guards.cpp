@@ -1,0 +1,91 @@
+#include "simulation/guards.hpp"
+
+#include "points/move.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+using Rows = PointRows<2>;
+
+struct BadPoint {
+  std::int64_t id = -1;
+  Index cell = -1, material = -1;
+  Vec<2> x{0.0, 0.0};
+  const char* what = "";
+};
+
+const char* fault_of(const PointBlock<2>& block, Index lane)
+{
+  const auto bad = [&](int row, int n) {
+    for (int k = 0; k < n; ++k)
+      if (!std::isfinite(block.row(row + k)[lane])) return true;
+    return false;
+  };
+  if (bad(Rows::sigma, n_sym<2>)) return "stress";
+  if (bad(Rows::v, 2)) return "velocity";
+  if (bad(Rows::x, 2)) return "position";
+  if (bad(Rows::volume, 1)) return "volume";
+  return nullptr;
+}
+
+BadPoint find_bad_point(const State& state)
+{
+  BadPoint found;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const char* what = fault_of(block, lane);
+    if (what == nullptr || found.id >= 0) return;
+    found = {static_cast<std::int64_t>(block.row(Rows::id)[lane]), block.cell, block.material,
+             {block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]}, what};
+  });
+  return found;
+}
+
+/// Smallest mass of a node that moves [kg per m].
+Real smallest_nodal_mass(const Workspace& work)
+{
+  Real smallest = INFINITY;
+  for (const Index i : work.active_nodes)
+    if (work.node[i].mass > 0.0) smallest = std::min(smallest, work.node[i].mass);
+  return smallest;
+}
+
+std::string describe_not_finite(const Model& model, const State& state, const Workspace& work, Real speed)
+{
+  const BadPoint bad = find_bad_point(state);
+  const std::string head = fmt::format("step {}, t = {:.4f} s: ", state.step, state.time);
+  std::string where = "a node of the background mesh", what = "a nodal acceleration";
+  if (bad.id >= 0) {
+    const SoilMaterial& m = model.materials[bad.material];
+    const Vec<2> c = model.mesh.centres[bad.cell];
+    what = fmt::format("the {} of material point {}", bad.what, bad.id);
+    where = fmt::format("cell {} at x = {:.2f} m, y = {:.2f} m; material `{}` ({})", bad.cell, c[0], c[1], m.name, m.type->name);
+  }
+  return head + fmt::format("{} is not a number\n\n"
+                            "  where    {}\n"
+                            "  before   largest 99.9 % speed {:.3g} m/s; dt = {:.3g} s, courant {:.2f}\n"
+                            "  likely   an unstable time step, or a nearly empty node: smallest nodal mass {:.2g} kg "
+                            "(docs/troubleshooting.md#not-a-number)",
+                            what, where, speed, model.dt, model.description.time.courant, smallest_nodal_mass(work));
+}
+
+std::string describe_clamped(const State& state)
+{
+  return fmt::format("step {}, t = {:.4f} s: {} points had to be put back at the walls, more than {:.1f} % of all\n\n"
+                     "  likely   soil flies out of the mesh, or runs against a side that is `free`\n"
+                     "  try      a larger mesh.size, or a `roller` on that side (docs/troubleshooting.md#clamped-points)",
+                     state.step, state.time, state.clamped, 100.0 * most_clamped);
+}
+
+}  // namespace
+
+std::string find_fault(const Model& model, const State& state, const Workspace& work, Real speed)
+{
+  if (!work.finite) return describe_not_finite(model, state, work, speed);
+  if (static_cast<Real>(state.clamped) > most_clamped * static_cast<Real>(state.points.n_points()) + 1.0) return describe_clamped(state);
+  return {};
+}
+
+}  // namespace terp

@@ -1,0 +1,89 @@
+#include "simulation/initial.hpp"
+
+#include "base/errors.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+/// Density of the body on top at a place, 0 where there is none [kg/m^3].
+Real density_at(const Model& model, Vec<2> x)
+{
+  Real density = 0.0;
+  for (const BodyCase& body : model.description.bodies)
+    if (contains(body.polygon, x))
+      for (const SoilMaterial& m : model.materials)
+        if (m.name == body.material) density = m.density;
+  return density;
+}
+
+/// Mass per area of the soil above a place [kg/m^2].
+Real mass_above(const Model& model, Vec<2> x)
+{
+  std::vector<Real> heights{x[1]};
+  for (const BodyCase& body : model.description.bodies)
+    for (const Real y : crossings_of_vertical(body.polygon, x[0]))
+      if (y > x[1]) heights.push_back(y);
+  std::sort(heights.begin(), heights.end());
+  Real mass = 0.0;
+  for (std::size_t k = 1; k < heights.size(); ++k)
+    mass += (heights[k] - heights[k - 1]) * density_at(model, {x[0], 0.5 * (heights[k] + heights[k - 1])});
+  return mass;
+}
+
+/// Velocity, strain and history to zero; positions stay and become the initial ones.
+void reset_history(State& state, int n_state)
+{
+  using Rows = PointRows<2>;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
+    for (int d = 0; d < 2; ++d) {
+      block.row(Rows::v + d)[lane] = 0.0;
+      state.x_initial[2 * id + d] = block.row(Rows::x + d)[lane];
+    }
+    for (int k = 0; k < n_sym<2>; ++k) block.row(Rows::strain + k)[lane] = 0.0;
+    for (int k = 0; k < n_state; ++k) block.row(Rows::state + k)[lane] = 0.0;
+  });
+  state.work = {};
+  state.step = 0;
+  state.time = 0.0;
+}
+
+}  // namespace
+
+void set_initial_stress(const Model& model, State& state)
+{
+  using Rows = PointRows<2>;
+  if (model.description.initial.stress != InitialStress::k0) return;
+  const Real k0 = model.description.initial.k0;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const Real vertical = model.gravity[1] * mass_above(model, {block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]});
+    block.row(Rows::sigma)[lane] = k0 * vertical;
+    block.row(Rows::sigma + 1)[lane] = vertical;
+    block.row(Rows::sigma + 2)[lane] = k0 * vertical;
+  });
+}
+
+void seek_equilibrium(const Model& model, State& state, Workspace& work)
+{
+  const InitialCase& initial = model.description.initial;
+  work.damping_local = initial.damping;
+  for (Index n = 0; n < initial.max_steps; ++n) {
+    model.step(model, state, work);
+    if (!work.finite) throw RunError("the search for equilibrium met a value that is not a number");
+    if (n < 10 || work.unbalanced_ratio > initial.limit) continue;
+    work.damping_local = model.damping.local;
+    reset_history(state, model.n_state);
+    state.crest = start_crest_history(state.points, state.crest.columns.left,
+                                      state.crest.columns.left + state.crest.columns.n * state.crest.columns.width, state.crest.columns.width);
+    return;
+  }
+  throw RunError(fmt::format("no equilibrium: after {} steps the out-of-balance force is {:.2e} of the weight, limit {:.2e}\n\n"
+                             "  likely   the body cannot stand under its own weight, or needs more steps\n"
+                             "  try      initial.stress = \"none\" or \"k0\", a stronger soil, or a larger initial.max_steps",
+                             initial.max_steps, work.unbalanced_ratio, initial.limit));
+}
+
+}  // namespace terp

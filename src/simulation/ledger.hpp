@@ -1,0 +1,30 @@
+// The books of a run: energy, mass, momentum, and the audit of the strain history.
+#pragma once
+
+#include "simulation/model.hpp"
+#include "simulation/observer.hpp"
+#include "simulation/state.hpp"
+
+namespace terp {
+
+/// Kinetic energy of the points plus elastic energy stored in them [J per m].
+Real kinetic_and_elastic_energy(const Model& model, const State& state);
+
+/// The books as they stand; enters the crest into state.crest, the speed into state.largest_v_999, and audits the history:
+/// a point whose eps_eq_p fell, or whose S_u rose, since the row before is marked for good.
+LedgerRow keep_ledger(const Model& model, State& state);
+
+/// Sizes the audit for the points of a new state.
+void start_audit(const Model& model, State& state);
+
+/// Share of the volume with S_u below half of its value at no plastic strain; 0 where no material has S_u [-].
+Real softened_fraction(const Model& model, const State& state);
+
+/// Which state variable of a material is called eps_eq_p, and which derived field su; -1 if none.
+int find_eps_eq_p(const MaterialType& type);
+int find_su(const MaterialType& type);
+
+/// State variables of one point, shape [max_state].
+std::array<Real, max_state> state_of(const PointBlock<2>& block, Index lane, int n_state);
+
+}  // namespace terp

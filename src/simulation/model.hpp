@@ -1,0 +1,35 @@
+// What never changes during a run.
+#pragma once
+
+#include "boundary/conditions.hpp"
+#include "forces/damping.hpp"
+#include "points/seed.hpp"
+#include "schemes/cell_view.hpp"
+#include "simulation/case.hpp"
+
+namespace terp {
+
+struct Model;
+struct State;
+struct Workspace;
+/// One step of one scheme (simulation/step.hpp).
+using StepFunction = void (*)(const Model&, State&, Workspace&);
+
+struct Model {
+  Case description;                      ///< as the user gave it
+  Mesh<2> mesh;
+  std::vector<SoilMaterial> materials;
+  MethodOptions method;
+  Boundary boundary;
+  Vec<2> gravity{0.0, 0.0};              ///< [m/s^2]
+  Damping damping;
+  StepFunction step = nullptr;
+  Real dt = 0.0;                         ///< [s]; end time over a whole number of steps
+  std::int64_t n_steps = 0;
+  Real largest_density = 0.0;            ///< [kg/m^3], for the small-mass limit
+  std::vector<std::int64_t> history_ids; ///< ids of the named points, in the order of the case
+  int n_state = 0;                       ///< rows of state per point: the most that any material has
+  int threads = 1;
+};
+
+}  // namespace terp

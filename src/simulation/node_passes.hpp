@@ -1,0 +1,92 @@
+// What the step does at one node: sum of the cells, forces, boundary, and the works of the step.
+#pragma once
+
+#include "simulation/state.hpp"
+#include "simulation/workspace.hpp"
+
+namespace terp {
+
+/// Sums of the cells around a node.
+struct NodeGather {
+  Real mass = 0.0;
+  Vec<2> momentum{0.0, 0.0}, internal_force{0.0, 0.0};
+};
+
+/// Adds the contributions of the occupied cells around a node, in order of cell number.
+inline NodeGather sum_cells(const Model& model, const State& state, const Workspace& work, Index node)
+{
+  NodeGather sum;
+  for (Index k = model.mesh.first_cell_of_node[node]; k < model.mesh.first_cell_of_node[node + 1]; ++k) {
+    const auto [cell, corner] = model.mesh.cells_of_node[k];
+    const Index slot = state.points.slot_of_cell()[cell];
+    if (slot < 0) continue;
+    const CornerSums<2>& from = work.corners[slot];
+    sum.mass += from.mass[corner];
+    for (int d = 0; d < 2; ++d) {
+      sum.momentum[d] += from.momentum[d][corner];
+      sum.internal_force[d] += from.internal_force[d][corner];
+    }
+  }
+  return sum;
+}
+
+/// Smallest mass of a node that may move: small_mass rho V_e of the largest cell around it [kg per m].
+inline Real mass_limit(const Model& model, Index node)
+{
+  const auto& first = model.mesh.first_cell_of_node;
+  return model.method.small_mass * model.largest_density * model.mesh.geometry(model.mesh.cells_of_node[first[node]].cell).volume;
+}
+
+/// Step 2: out-of-balance force, damping, acceleration, boundary.
+inline void accelerate_node(const Model& model, const NodeGather& sum, Index i, Workspace& work, NodeSums& sums)
+{
+  NodeValues& node = work.node[i];
+  node = {};
+  node.mass = sum.mass;
+  if (!(sum.mass >= mass_limit(model, i))) {
+    sums.finite &= sum.mass == sum.mass;
+    return;
+  }
+  const Damping damping{.local = work.damping_local, .viscous = model.damping.viscous};
+  Vec<2> v_0, v_free;
+  for (int d = 0; d < 2; ++d) {
+    v_0[d] = sum.momentum[d] / sum.mass;
+    const Real out_of_balance = sum.mass * model.gravity[d] - sum.internal_force[d];
+    node.internal[d] = -sum.internal_force[d];
+    node.damping[d] = damping_force(damping, out_of_balance, sum.mass, v_0[d]);
+    v_free[d] = v_0[d] + (out_of_balance + node.damping[d]) / sum.mass * model.dt;
+  }
+  node.v = v_free;
+  model.boundary.constrain(i, sum.mass, model.dt, node.v);
+  for (int d = 0; d < 2; ++d) {
+    node.dv[d] = node.v[d] - v_0[d];
+    node.boundary[d] = sum.mass * (node.v[d] - v_free[d]) / model.dt;
+    sums.unbalanced += std::abs(sum.mass * node.dv[d] / model.dt);
+    sums.weight += std::abs(sum.mass * model.gravity[d]);
+    sums.finite &= std::isfinite(node.dv[d]);
+  }
+}
+
+/// Works of the step with the remapped velocity, which moves and strains the points. With it they add up to the change of the
+/// points' kinetic energy plus 1/2 sum m_p |dv_p|^2 exactly (docs/methods.md, energy).
+inline void add_works(const Model& model, const NodeValues& node, NodeSums& sums)
+{
+  for (int d = 0; d < 2; ++d) {
+    const Real path = node.v[d] * model.dt;
+    sums.gravity += node.mass * model.gravity[d] * path;
+    sums.damping += node.damping[d] * path;
+    sums.internal += node.internal[d] * path;
+    sums.boundary += node.boundary[d] * path;
+  }
+}
+
+/// Step 4: velocity from the updated momentum of the points (MUSL), clamped at the boundary.
+inline void remap_velocity(const Model& model, const NodeGather& sum, Index i, NodeValues& node, NodeSums& sums)
+{
+  if (!(node.mass >= mass_limit(model, i))) return;
+  for (int d = 0; d < 2; ++d) node.v[d] = sum.momentum[d] / node.mass;
+  model.boundary.clamp(i, node.v);
+  add_works(model, node, sums);
+}
+
+}  // namespace terp

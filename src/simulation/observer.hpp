@@ -1,0 +1,92 @@
+// What a run shows to the outside. simulation/ calls an Observer; output/ and app/ implement it.
+#pragma once
+
+#include "base/types.hpp"
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace terp {
+
+/// One field of all material points, sorted by id, so that entry k is the same point in every frame.
+struct PointField {
+  std::string name;          ///< "velocity", "stress", "eps_eq_p", ...
+  std::string unit;          ///< "m/s", "Pa", "-", ...
+  int n_components = 1;
+  std::vector<Real> values;  ///< shape [n_points, n_components], row-major
+};
+
+/// All material points at one time.
+struct Frame {
+  Real time = 0.0;           ///< [s]
+  std::int64_t step = 0;
+  std::vector<Real> x;       ///< positions [m], shape [n_points, 2]
+  std::vector<PointField> fields;  ///< same names, order and sizes in every frame of a run
+};
+
+/// One row of history.csv.
+struct HistoryRow {
+  Real time;                 ///< [s]
+  std::string point;         ///< the user's name, "A"
+  std::int64_t id;
+  Real x, y;                 ///< [m]
+  Real eps_deviatoric, eps_eq_p;  ///< [-]
+  Real su;                   ///< [Pa]; NaN where the material has none
+  Real pressure;             ///< tr(sigma)/3, tension positive [Pa]
+};
+
+/// One row of ledger.csv. Energies in J per metre of thickness; work is positive when it adds energy to the soil.
+struct LedgerRow {
+  Real time = 0.0;
+  std::int64_t step = 0;
+  Real kinetic = 0.0;        ///< of the material points
+  Real elastic = 0.0;        ///< stored
+  Real plastic = 0.0;        ///< dissipated so far
+  Real gravity_work = 0.0, damping_work = 0.0, boundary_work = 0.0;  ///< so far
+  Real numerical = 0.0;      ///< gained by the balance: kinetic + elastic + plastic - works - their start
+  Real mass = 0.0;           ///< [kg per m]
+  Real momentum_x = 0.0, momentum_y = 0.0;  ///< [kg m/s per m]
+  std::int64_t clamped = 0;  ///< points put back at a wall so far
+  Real front_x = 0.0, crest_x = 0.0;  ///< [m]; NaN if not defined
+  Real v_max = 0.0, v_999 = 0.0;      ///< largest speed, and its 99.9 % quantile [m/s]
+};
+
+/// A named array of a checkpoint.
+struct NamedArray {
+  std::string name;
+  std::vector<std::int64_t> shape;
+  std::variant<std::vector<Real>, std::vector<std::int64_t>> values;
+};
+
+/// Everything a checkpoint holds.
+struct StateImage {
+  Real time = 0.0;
+  std::int64_t step = 0;
+  std::vector<NamedArray> arrays;
+};
+
+/// How far a run is.
+struct Progress {
+  Real time, end_time;       ///< [s]
+  std::int64_t step, n_steps, n_points;
+  double wall_s;             ///< spent solving in this process
+  double point_steps_per_s;  ///< over this process
+  double eta_s;              ///< to the end
+};
+
+/// Called by the run, in the run's own thread. Times are those of the schedule (docs/formats.md).
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  virtual void frame(const Frame&) {}
+  virtual void history(const std::vector<HistoryRow>&) {}
+  virtual void ledger(const LedgerRow&) {}
+  virtual void checkpoint(const StateImage&) {}
+  virtual void progress(const Progress&) {}
+  /// Keeps the state of a run that stopped itself; returns where it was saved, or nothing.
+  virtual std::string save_failed(const StateImage&) { return {}; }
+};
+
+}  // namespace terp

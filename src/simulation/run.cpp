@@ -1,0 +1,148 @@
+#include "simulation/run.hpp"
+
+#include "base/errors.hpp"
+#include "simulation/frame.hpp"
+#include "simulation/guards.hpp"
+#include "simulation/initial.hpp"
+#include "simulation/ledger.hpp"
+#include "simulation/state_image.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace terp {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+constexpr double progress_every = 0.25;  // of wall time [s]
+
+struct Loop {
+  const Model& model;
+  State& state;
+  std::span<Observer* const> observers;
+  Clock::time_point start = Clock::now();
+  double last_progress = -progress_every;
+  double wall_before = 0.0;
+  std::int64_t first_step = 0;
+
+  template <class F>
+  void tell(F&& f) const
+  {
+    for (Observer* observer : observers) f(*observer);
+  }
+
+  void write_due(bool last)
+  {
+    const OutputCase& output = model.description.output;
+    const auto now = [&](Real every) { return last || state.step == 0 || due(state.step, model.dt, every); };
+    if (now(output.ledger_every)) tell([row = keep_ledger(model, state)](Observer& o) { o.ledger(row); });
+    if (now(output.history_every)) tell([rows = make_history(model, state)](Observer& o) { o.history(rows); });
+    if (now(output.fields_every)) {
+      state.softened_fraction.emplace_back(state.time, softened_fraction(model, state));
+      tell([frame = make_frame(model, state)](Observer& o) { o.frame(frame); });
+    }
+    if (last || (state.step > 0 && due(state.step, model.dt, output.checkpoint_every))) write_checkpoint();
+  }
+
+  void write_checkpoint()
+  {
+    state.wall_s = wall_before + seconds_since(start);
+    tell([image = make_image(state)](Observer& o) { o.checkpoint(image); });
+  }
+
+  void tell_progress(bool last)
+  {
+    const double wall = seconds_since(start);
+    if (!last && wall - last_progress < progress_every) return;
+    last_progress = wall;
+    const auto done = static_cast<double>(state.step - first_step);
+    const double rate = wall > 0.0 ? done * static_cast<double>(state.points.n_points()) / wall : 0.0;
+    const double eta = done > 0.0 ? wall / done * static_cast<double>(model.n_steps - state.step) : 0.0;
+    tell([&](Observer& o) {
+      o.progress({state.time, model.description.time.end, state.step, model.n_steps, state.points.n_points(), wall, rate, eta});
+    });
+  }
+};
+
+void start_run(const Model& model, State& state, Workspace& work)
+{
+  if (model.description.initial.stress == InitialStress::equilibrium) seek_equilibrium(model, state, work);
+  state.start_energy = kinetic_and_elastic_energy(model, state);
+  start_audit(model, state);
+}
+
+/// Keeps the evidence of a run that must stop, and stops it.
+[[noreturn]] void stop_run(const Loop& loop, std::string message)
+{
+  for (Observer* observer : loop.observers) {
+    const std::string saved = observer->save_failed(make_image(loop.state));
+    if (!saved.empty()) message += "\n  saved    " + saved;
+  }
+  throw RunError(message);
+}
+
+}  // namespace
+
+bool due(std::int64_t step, Real dt, Real every)
+{
+  if (every <= 0.0) return false;
+  const Real multiple = std::round(static_cast<Real>(step) * dt / every);
+  return std::llround(multiple * every / dt) == step;
+}
+
+Outcome run(const Model& model, State& state, std::span<Observer* const> observers, const std::atomic<bool>& stop)
+{
+  Workspace work(model, state);
+  Loop loop{.model = model, .state = state, .observers = observers, .wall_before = state.wall_s, .first_step = state.step};
+  if (state.step == 0) {
+    start_run(model, state, work);
+    loop.write_due(false);
+  }
+  while (state.step < model.n_steps) {
+    if (stop.load(std::memory_order_relaxed)) {
+      loop.write_checkpoint();
+      return Outcome::interrupted;
+    }
+    const Real before = state.largest_v_999;
+    model.step(model, state, work);
+    if (const std::string fault = find_fault(model, state, work, before); !fault.empty()) stop_run(loop, fault);
+    loop.write_due(state.step == model.n_steps);
+    loop.tell_progress(state.step == model.n_steps);
+  }
+  state.wall_s = loop.wall_before + seconds_since(loop.start);
+  return Outcome::finished;
+}
+
+Summary summarise(const Model& model, const State& state)
+{
+  Summary s;
+  s.scheme = model.description.scheme;
+  s.n_points = state.points.n_points();
+  s.n_cells = model.mesh.n_cells();
+  s.n_steps = state.step;
+  s.dt = model.dt;
+  s.wall_s = state.wall_s;
+  s.point_steps_per_s = state.wall_s > 0.0 ? static_cast<double>(s.n_points) * static_cast<double>(s.n_steps) / state.wall_s : 0.0;
+  s.threads = model.threads;
+  s.front_x = front(state.points);
+  const Real crest = find_crest(state.crest, state.points);
+  if (crest > state.crest.columns.left) s.crest_x = crest;
+  s.second_failure_time = second_failure_time(state.crest);
+  const auto& eps = state.audit.last_eps_eq_p;
+  s.max_eps_eq_p = eps.empty() ? 0.0 : *std::max_element(eps.begin(), eps.end());
+  s.softened_fraction = state.softened_fraction;
+  s.points_eps_eq_p_fell = std::count(state.audit.fell.begin(), state.audit.fell.end(), 1);
+  s.points_su_rose = std::count(state.audit.rose.begin(), state.audit.rose.end(), 1);
+  const WorkTotals& w = state.work;
+  const Real numerical = kinetic_and_elastic_energy(model, state) + w.plastic - state.start_energy - (w.gravity + w.damping + w.boundary);
+  s.energy_balance_error = w.gravity != 0.0 ? std::abs(numerical / w.gravity) : 0.0;
+  s.clamped_points = state.clamped;
+  s.v_999 = state.largest_v_999;
+  return s;
+}
+
+}  // namespace terp

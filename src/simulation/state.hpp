@@ -1,0 +1,40 @@
+// What changes during a run and must survive it: exactly what a checkpoint holds.
+#pragma once
+
+#include "events/crest.hpp"
+#include "points/point_blocks.hpp"
+
+#include <vector>
+
+namespace terp {
+
+/// Work done so far [J per m]; positive when it adds energy to the soil.
+struct WorkTotals {
+  Real gravity = 0.0, damping = 0.0, boundary = 0.0;
+  Real plastic = 0.0;     ///< dissipated
+  Real internal = 0.0;    ///< of the internal forces on the nodes
+};
+
+/// What the history audit remembers of each point; by id. Judged at ledger rows.
+struct HistoryAudit {
+  std::vector<Real> last_eps_eq_p, last_su;   ///< at the last ledger row
+  std::vector<std::uint8_t> fell, rose;       ///< 1 where eps_eq_p ever fell, S_u ever rose
+};
+
+struct State {
+  Real time = 0.0;            ///< [s]
+  std::int64_t step = 0;
+  PointBlocks<2> points;
+  std::vector<Real> x_initial;    ///< by id, shape [n_points, 2] [m]
+  WorkTotals work;
+  Real start_energy = 0.0;        ///< kinetic + elastic at t = 0 [J per m]
+  std::int64_t clamped = 0;       ///< points put back at a wall
+  std::int64_t tension_cut = 0;   ///< cell-steps in which a pressure was cut to the tension limit
+  HistoryAudit audit;
+  CrestHistory crest;
+  std::vector<std::pair<Real, Real>> softened_fraction;  ///< at the frame times
+  Real largest_v_999 = 0.0;       ///< [m/s]
+  double wall_s = 0.0;            ///< spent solving, over all processes
+};
+
+}  // namespace terp

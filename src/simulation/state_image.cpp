@@ -1,0 +1,132 @@
+#include "simulation/state_image.hpp"
+
+#include "base/errors.hpp"
+
+#include <algorithm>
+
+namespace terp {
+namespace {
+
+using Rows = PointRows<2>;
+
+void put(StateImage& image, std::string name, std::vector<Real> values)
+{
+  const auto n = static_cast<std::int64_t>(values.size());
+  image.arrays.push_back({std::move(name), {n}, std::move(values)});
+}
+
+void put(StateImage& image, std::string name, std::vector<std::int64_t> values)
+{
+  const auto n = static_cast<std::int64_t>(values.size());
+  image.arrays.push_back({std::move(name), {n}, std::move(values)});
+}
+
+template <class T>
+const std::vector<T>& get(const StateImage& image, std::string_view name, std::size_t size = SIZE_MAX)
+{
+  for (const NamedArray& array : image.arrays) {
+    if (array.name != name) continue;
+    const auto* values = std::get_if<std::vector<T>>(&array.values);
+    if (values == nullptr || (size != SIZE_MAX && values->size() != size)) break;
+    return *values;
+  }
+  throw FileError("the checkpoint does not fit this case: array `" + std::string(name) + "` is missing or has another size");
+}
+
+void put_points(const State& state, StateImage& image)
+{
+  const auto n = static_cast<std::size_t>(state.points.n_points());
+  const int n_rows = state.points.n_rows();
+  std::vector<std::int64_t> cell, material;
+  std::vector<Real> rows;
+  rows.reserve(n * n_rows);
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    cell.push_back(block.cell);
+    material.push_back(block.material);
+    for (int r = 0; r < n_rows; ++r) rows.push_back(block.row(r)[lane]);
+  });
+  put(image, "points/cell", std::move(cell));
+  put(image, "points/material", std::move(material));
+  put(image, "points/rows", std::move(rows));
+  image.arrays.back().shape = {static_cast<std::int64_t>(n), n_rows};
+}
+
+void get_points(const Model& model, const StateImage& image, State& state)
+{
+  state.points = PointBlocks<2>(model.mesh.n_cells(), model.n_state);
+  const auto n_rows = static_cast<std::size_t>(state.points.n_rows());
+  const auto& cell = get<std::int64_t>(image, "points/cell");
+  const auto& material = get<std::int64_t>(image, "points/material", cell.size());
+  const auto& rows = get<Real>(image, "points/rows", cell.size() * n_rows);
+  const auto fits = [](const std::vector<std::int64_t>& values, std::size_t limit) {
+    return std::all_of(values.begin(), values.end(), [&](std::int64_t v) { return v >= 0 && v < static_cast<std::int64_t>(limit); });
+  };
+  if (!fits(cell, model.mesh.cells.size()) || !fits(material, model.materials.size()))
+    throw FileError("the checkpoint does not fit this case: a point lies in a cell or has a material that the case does not have");
+  for (std::size_t k = 0, end = 0; k < cell.size(); k = end) {
+    while (end < cell.size() && cell[end] == cell[k] && material[end] == material[k]) ++end;
+    state.points.expect(static_cast<Index>(cell[k]), static_cast<Index>(material[k]), static_cast<Index>(end - k));
+  }
+  for (std::size_t k = 0; k < cell.size(); ++k)
+    state.points.add(static_cast<Index>(cell[k]), static_cast<Index>(material[k]), {rows.data() + k * n_rows, n_rows});
+  state.points.update_occupied();
+  state.points.reserve(static_cast<std::int64_t>(cell.size() / 4));
+}
+
+std::vector<std::int64_t> widen(const std::vector<std::uint8_t>& flags) { return {flags.begin(), flags.end()}; }
+
+}  // namespace
+
+StateImage make_image(const State& state)
+{
+  StateImage image{.time = state.time, .step = state.step, .arrays = {}};
+  put_points(state, image);
+  put(image, "x_initial", state.x_initial);
+  const WorkTotals& w = state.work;
+  put(image, "work", std::vector<Real>{w.gravity, w.damping, w.boundary, w.plastic, w.internal, state.start_energy, state.largest_v_999});
+  put(image, "wall_s", std::vector<Real>{state.wall_s});  // the one number that differs between equal runs
+  put(image, "counts", std::vector<std::int64_t>{state.clamped, state.tension_cut});
+  put(image, "audit/last_eps_eq_p", state.audit.last_eps_eq_p);
+  put(image, "audit/last_su", state.audit.last_su);
+  put(image, "audit/fell", widen(state.audit.fell));
+  put(image, "audit/rose", widen(state.audit.rose));
+  put(image, "crest/initial_heights", state.crest.initial_heights);
+  put(image, "crest/columns", std::vector<Real>{state.crest.columns.left, state.crest.columns.width});
+  put(image, "crest/time", state.crest.time);
+  put(image, "crest/x", state.crest.x);
+  std::vector<Real> softened;
+  for (const auto& [time, fraction] : state.softened_fraction) softened.insert(softened.end(), {time, fraction});
+  put(image, "softened_fraction", std::move(softened));
+  return image;
+}
+
+State restore(const Model& model, const StateImage& image)
+{
+  State state;
+  state.time = image.time;
+  state.step = image.step;
+  get_points(model, image, state);
+  const auto n = static_cast<std::size_t>(state.points.n_points());
+  state.x_initial = get<Real>(image, "x_initial", 2 * n);
+  const auto& w = get<Real>(image, "work", 7);
+  state.work = {.gravity = w[0], .damping = w[1], .boundary = w[2], .plastic = w[3], .internal = w[4]};
+  state.start_energy = w[5];
+  state.largest_v_999 = w[6];
+  state.wall_s = get<Real>(image, "wall_s", 1)[0];
+  const auto& counts = get<std::int64_t>(image, "counts", 2);
+  state.clamped = counts[0];
+  state.tension_cut = counts[1];
+  const auto& fell = get<std::int64_t>(image, "audit/fell", n);
+  const auto& rose = get<std::int64_t>(image, "audit/rose", n);
+  state.audit = {get<Real>(image, "audit/last_eps_eq_p", n), get<Real>(image, "audit/last_su", n), {fell.begin(), fell.end()}, {rose.begin(), rose.end()}};
+  state.crest.initial_heights = get<Real>(image, "crest/initial_heights");
+  const auto& columns = get<Real>(image, "crest/columns", 2);
+  state.crest.columns = {columns[0], columns[1], static_cast<Index>(state.crest.initial_heights.size())};
+  state.crest.time = get<Real>(image, "crest/time");
+  state.crest.x = get<Real>(image, "crest/x", state.crest.time.size());
+  const auto& softened = get<Real>(image, "softened_fraction");
+  for (std::size_t k = 0; k + 1 < softened.size(); k += 2) state.softened_fraction.emplace_back(softened[k], softened[k + 1]);
+  return state;
+}
+
+}  // namespace terp

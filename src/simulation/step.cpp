@@ -1,0 +1,143 @@
+// The score: one explicit step as a short list of named, timed passes. Equation numbers are the paper's.
+
+#include "simulation/step.hpp"
+
+#include "points/move.hpp"
+#include "schemes/mpm_gp.hpp"
+#include "schemes/mpm_mixed.hpp"
+#include "schemes/standard_mpm.hpp"
+#include "simulation/cell_passes.hpp"
+#include "simulation/node_passes.hpp"
+
+namespace terp {
+namespace {
+
+template <class F>
+void timed(Workspace& work, Pass pass, F&& f)
+{
+  const auto start = std::chrono::steady_clock::now();
+  f();
+  work.seconds[pass] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+template <class F>
+void for_each_cell(const Model& model, State& state, Workspace& work, F&& f)
+{
+  work.threads.for_each_range(static_cast<Index>(state.points.occupied().size()), cells_per_chunk,
+                              [&](Index begin, Index end, Index chunk) {
+                                for (Index slot = begin; slot < end; ++slot) f(view_cell(model, state, work, slot), work.cell_sums[chunk]);
+                              });
+}
+
+template <class F>
+void for_each_node(Workspace& work, F&& f)
+{
+  work.threads.for_each_range(static_cast<Index>(work.active_nodes.size()), nodes_per_chunk, [&](Index begin, Index end, Index chunk) {
+    for (Index k = begin; k < end; ++k) f(work.active_nodes[k], work.node_sums[chunk]);
+  });
+}
+
+void start_sums(Workspace& work)
+{
+  for (NodeSums& sums : work.node_sums) sums = {};
+  for (CellSums& sums : work.cell_sums) {
+    sums.plastic = 0.0;
+    sums.tension_cut = 0;
+    sums.leavers.clear();
+  }
+}
+
+/// Adds the sums of the chunks to the totals, in order of chunk.
+void finish_sums(State& state, Workspace& work)
+{
+  NodeSums total;
+  for (const NodeSums& sums : work.node_sums) {
+    total.gravity += sums.gravity;
+    total.damping += sums.damping;
+    total.boundary += sums.boundary;
+    total.internal += sums.internal;
+    total.unbalanced += sums.unbalanced;
+    total.weight += sums.weight;
+    total.finite &= sums.finite;
+  }
+  state.work.gravity += total.gravity;
+  state.work.damping += total.damping;
+  state.work.boundary += total.boundary;
+  state.work.internal += total.internal;
+  for (const CellSums& sums : work.cell_sums) {
+    state.work.plastic += sums.plastic;
+    state.tension_cut += sums.tension_cut;
+  }
+  work.finite = total.finite;
+  work.unbalanced_ratio = total.weight > 0.0 ? total.unbalanced / total.weight : 0.0;
+}
+
+void move_leavers(const Model& model, State& state, Workspace& work)
+{
+  for (const CellSums& sums : work.cell_sums)
+    for (std::size_t k = sums.leavers.size(); k-- > 0;)  // from the last lane of a block to the first: see take()
+      state.clamped += move_to_new_cell(model.mesh, state.points, sums.leavers[k].block, sums.leavers[k].lane, work.leaver);
+  if (state.points.update_occupied()) work.fit(model, state);
+}
+
+template <class Scheme>
+void step(const Model& model, State& state, Workspace& work)
+{
+  const SchemeContext context{model.method, model.materials};
+  const Mesh<2>& mesh = model.mesh;
+  start_sums(work);
+
+  timed(work, points_to_cells, [&] {
+    for_each_cell(model, state, work, [&](const CellView& cell, CellSums& sums) {
+      cell.corners = {};
+      for_each_block(cell.points, cell.cell, [&](const PointBlock<2>& block, Index) { map_mass_and_momentum(block, cell.corners); });
+      sums.tension_cut += Scheme::gather(context, cell);                                        // Eqs. (1) to (4)
+    });
+  });
+  timed(work, nodes, [&] {
+    for_each_node(work, [&](Index i, NodeSums& sums) { accelerate_node(model, sum_cells(model, state, work, i), i, work, sums); });
+  });
+  timed(work, cells_to_points, [&] {
+    for_each_cell(model, state, work, [&](const CellView& cell, CellSums&) {
+      const CornerVectors dv = corner_values(mesh, work.node, cell.cell, &NodeValues::dv, 1.0);
+      const CornerVectors v_star = corner_values(mesh, work.node, cell.cell, &NodeValues::v, 1.0);
+      cell.corners.momentum = {};
+      for_each_block(cell.points, cell.cell, [&](PointBlock<2> block, Index) {
+        accelerate_points(dv, v_star, model.method.flip, block);
+        map_momentum(block, cell.corners);
+      });
+    });
+  });
+  timed(work, velocities, [&] {
+    for_each_node(work, [&](Index i, NodeSums& sums) { remap_velocity(model, sum_cells(model, state, work, i), i, work.node[i], sums); });
+  });
+  timed(work, stress, [&] {
+    for_each_cell(model, state, work, [&](const CellView& cell, CellSums& sums) {
+      const CornerVectors du = corner_values(mesh, work.node, cell.cell, &NodeValues::v, model.dt);
+      StressSums stress_sums;
+      Scheme::update_stress(context, cell, du, stress_sums);                                    // Steps 2 to 4, or Sec. 2.2
+      sums.plastic += stress_sums.plastic_work;
+      for_each_block(cell.points, cell.cell, [&](const PointBlock<2>& block, Index b) {
+        advance_points(cell, mesh.centres[cell.cell], du, block, b, sums.leavers);
+      });
+    });
+  });
+  timed(work, move, [&] { move_leavers(model, state, work); });
+
+  finish_sums(state, work);
+  ++state.step;
+  state.time = static_cast<Real>(state.step) * model.dt;
+}
+
+}  // namespace
+
+StepFunction find_step(std::string_view scheme)
+{
+#define TERP_SCHEME(name, Type, summary) \
+  if (scheme == #name) return &step<Type>;
+#include "schemes/schemes.def"
+#undef TERP_SCHEME
+  return nullptr;
+}
+
+}  // namespace terp

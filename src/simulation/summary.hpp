@@ -1,0 +1,33 @@
+// The numbers that remain of a run: what summary.json holds.
+#pragma once
+
+#include "base/types.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace terp {
+
+struct Summary {
+  std::string scheme;
+  std::int64_t n_points = 0, n_cells = 0, n_steps = 0;
+  Real dt = 0.0;                          ///< [s]
+  double wall_s = 0.0;                    ///< spent solving, over all processes that worked on the run
+  double point_steps_per_s = 0.0;
+  int threads = 1;
+  Real front_x = 0.0;                     ///< at the end [m]
+  std::optional<Real> crest_x;            ///< at the end [m]; none if the body has no level surface left
+  std::optional<Real> second_failure_time;  ///< [s], definition in docs/formats.md
+  Real max_eps_eq_p = 0.0;                ///< at the end [-]
+  std::vector<std::pair<Real, Real>> softened_fraction;  ///< (time [s], share of the volume with S_u below half its peak [-])
+  std::int64_t points_eps_eq_p_fell = 0;  ///< points whose eps_eq_p ever fell between two ledger rows
+  std::int64_t points_su_rose = 0;        ///< points whose S_u ever rose between two ledger rows
+  Real energy_balance_error = 0.0;        ///< |numerical| of the last ledger row over the gravity work [-]
+  std::int64_t clamped_points = 0;
+  Real v_999 = 0.0;                       ///< largest 99.9 % quantile of the speed over all ledger rows [m/s]
+};
+
+}  // namespace terp

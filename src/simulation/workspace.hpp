@@ -1,0 +1,64 @@
+// Scratch that every step writes anew, and the clock of the passes.
+#pragma once
+
+#include "parallel/threads.hpp"
+#include "simulation/model.hpp"
+
+#include <chrono>
+
+namespace terp {
+
+/// A node of the background mesh during a step.
+struct NodeValues {
+  Real mass = 0.0;         ///< m_i [kg per m]
+  Vec<2> v{0.0, 0.0};      ///< velocity: at the start of the step, v* after pass 2, remapped after pass 4 [m/s]
+  Vec<2> dv{0.0, 0.0};     ///< a_i dt [m/s]
+  Vec<2> internal{0.0, 0.0}, damping{0.0, 0.0}, boundary{0.0, 0.0};  ///< forces of the step, kept for the ledger [N per m]
+};
+
+/// Sums over the nodes of one chunk.
+struct NodeSums {
+  Real gravity = 0.0, damping = 0.0, boundary = 0.0, internal = 0.0;  ///< work of the step [J per m]
+  Real unbalanced = 0.0, weight = 0.0;                                ///< sum of |m a|, of |m g| [N per m]
+  bool finite = true;
+};
+
+/// Sums over the cells of one chunk, and the points that left their cell.
+struct CellSums {
+  Real plastic = 0.0;              ///< work of the step [J per m]
+  std::int64_t tension_cut = 0;
+  struct Leaver {
+    Index block, lane;
+  };
+  std::vector<Leaver> leavers;
+};
+
+inline constexpr Index cells_per_chunk = 16;   // 400 points at 5 x 5: about 10 us, long against claiming a chunk
+inline constexpr Index nodes_per_chunk = 128;
+
+enum Pass { points_to_cells, nodes, cells_to_points, velocities, stress, move, n_passes };
+inline constexpr std::array<const char*, n_passes> pass_names{"points to cells", "nodes",  "cells to points",
+                                                              "velocities",      "stress", "move"};
+
+struct Workspace {
+  explicit Workspace(const Model& model, const State& state);
+
+  /// Fits the arrays to the occupied cells; asks for memory only when they grew.
+  void fit(const Model& model, const State& state);
+
+  Threads threads;
+  std::vector<CornerSums<2>> corners;      ///< shape [n_occupied]
+  std::vector<GaussValues<2>> gauss;       ///< shape [n_blocks]
+  std::vector<NodeValues> node;            ///< shape [n_nodes]
+  std::vector<Index> active_nodes;         ///< nodes of occupied cells, ascending
+  std::vector<std::uint64_t> node_bits;
+  std::vector<NodeSums> node_sums;         ///< by chunk
+  std::vector<CellSums> cell_sums;         ///< by chunk
+  std::vector<Real> leaver;                ///< values of the point being moved
+  std::array<double, n_passes> seconds{};  ///< spent in each pass
+  Real damping_local = 0.0;                ///< alpha in force: the model's, or that of the search for equilibrium
+  bool finite = true;                      ///< no nodal value was NaN or infinite in the last step
+  Real unbalanced_ratio = 0.0;             ///< sum |m a| over sum |m g| in the last step
+};
+
+}  // namespace terp

@@ -1,0 +1,87 @@
+// Points to the corners of their cell and back: mass, momentum, velocity increments. Pure sums over one block.
+#pragma once
+
+#include "mesh/shape_functions.hpp"
+#include "transfer/cell_sums.hpp"
+
+namespace terp {
+
+/// m_i += sum N_i m_p; (m v)_i += sum N_i m_p v_p.
+inline void map_mass_and_momentum(const PointBlock<2>& block, CornerSums<2>& corners)
+{
+  using Rows = PointRows<2>;
+  std::array<Pack, 12> sums{};
+  for (Pack& s : sums) s = Pack(0.0);
+  for (Index p = 0; p < block.n; p += pack_width) {
+    const auto N = shape_functions(Pack::load(block.row(Rows::xi) + p), Pack::load(block.row(Rows::xi + 1) + p));
+    const Pack m = Pack::load(block.row(Rows::mass) + p);
+    const Pack vx = Pack::load(block.row(Rows::v) + p), vy = Pack::load(block.row(Rows::v + 1) + p);
+    for (int i = 0; i < 4; ++i) {
+      const Pack weight = N[i] * m;
+      sums[i] += weight;
+      sums[4 + i] = fma(weight, vx, sums[4 + i]);
+      sums[8 + i] = fma(weight, vy, sums[8 + i]);
+    }
+  }
+  for (int i = 0; i < 4; ++i) {
+    corners.mass[i] += sum(sums[i]);
+    corners.momentum[0][i] += sum(sums[4 + i]);
+    corners.momentum[1][i] += sum(sums[8 + i]);
+  }
+}
+
+/// (m v)_i += sum N_i m_p v_p, with the updated velocities (MUSL).
+inline void map_momentum(const PointBlock<2>& block, CornerSums<2>& corners)
+{
+  using Rows = PointRows<2>;
+  std::array<Pack, 8> sums;
+  for (Pack& s : sums) s = Pack(0.0);
+  for (Index p = 0; p < block.n; p += pack_width) {
+    const auto N = shape_functions(Pack::load(block.row(Rows::xi) + p), Pack::load(block.row(Rows::xi + 1) + p));
+    const Pack m = Pack::load(block.row(Rows::mass) + p);
+    const Pack px = m * Pack::load(block.row(Rows::v) + p), py = m * Pack::load(block.row(Rows::v + 1) + p);
+    for (int i = 0; i < 4; ++i) {
+      sums[i] = fma(N[i], px, sums[i]);
+      sums[4 + i] = fma(N[i], py, sums[4 + i]);
+    }
+  }
+  for (int i = 0; i < 4; ++i) {
+    corners.momentum[0][i] += sum(sums[i]);
+    corners.momentum[1][i] += sum(sums[4 + i]);
+  }
+}
+
+/// Nodal values of one cell's corners, shape [d][corner].
+using CornerVectors = std::array<std::array<Real, 4>, 2>;
+
+/// sum_i N_i a_i at eight points.
+inline std::array<Pack, 2> interpolate(const CornerVectors& a, const std::array<Pack, 4>& N)
+{
+  std::array<Pack, 2> value;
+  for (int d = 0; d < 2; ++d) {
+    value[d] = N[0] * Pack(a[d][0]);
+    for (int i = 1; i < 4; ++i) value[d] = fma(N[i], Pack(a[d][i]), value[d]);
+  }
+  return value;
+}
+
+/// v_p += dt sum N_i a_i (FLIP); with flip < 1 blended with sum N_i v*_i (PIC).
+///
+/// dv        dt a_i [m/s], v_star  v* of the nodes [m/s]
+inline void accelerate_points(const CornerVectors& dv, const CornerVectors& v_star, Real flip, PointBlock<2>& block)
+{
+  using Rows = PointRows<2>;
+  for (Index p = 0; p < block.n; p += pack_width) {
+    const auto N = shape_functions(Pack::load(block.row(Rows::xi) + p), Pack::load(block.row(Rows::xi + 1) + p));
+    const auto increment = interpolate(dv, N);
+    std::array<Pack, 2> v;
+    for (int d = 0; d < 2; ++d) v[d] = Pack::load(block.row(Rows::v + d) + p) + increment[d];
+    if (flip < 1.0) {
+      const auto pic = interpolate(v_star, N);
+      for (int d = 0; d < 2; ++d) v[d] = fma(Pack(flip), v[d], Pack(1.0 - flip) * pic[d]);
+    }
+    for (int d = 0; d < 2; ++d) v[d].store(block.row(Rows::v + d) + p);
+  }
+}
+
+}  // namespace terp

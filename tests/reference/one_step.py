@@ -1,0 +1,262 @@
+"""NumPy twin of Terp's time step: the oracle of the C++ tests, written from the paper and the readings R1-R20 alone.
+
+Pure explicit MUSL with FLIP, plane strain, 4-node quadrilaterals; schemes standard_mpm, mpm_mixed and mpm_gp.
+Run it to check the twin against identities that hold exactly and to write one_step.json beside this file.
+Not for: speed, or points that leave their cell (the step asserts that none does).
+
+Units are SI, tension is positive. Inside, a stress or strain is a full 3 x 3 tensor; in the file it is xx yy zz xy.
+"""
+from collections import Counter
+from pathlib import Path
+
+import numpy as np
+
+CORNERS = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])  # of the cell and, scaled, of the Gauss rule
+GAUSS = CORNERS / np.sqrt(3.0)  # weights w_g are all 1
+CENTRE = np.zeros(2)
+EYE = np.eye(3)
+SMALL_MASS = 1e-9  # nodes lighter than this times rho V_e keep v = a = 0
+TIE = 1e-9         # |xi| below this counts as 0, reading R7
+met = Counter()    # which branches the scenarios went through, to show that none is left out
+
+
+# --- geometry of one cell; `corners` are its nodes' coordinates, shape [4, 2] ---
+
+def shape_functions(xi):
+    return (1 + CORNERS[:, 0] * xi[0]) * (1 + CORNERS[:, 1] * xi[1]) / 4
+
+
+def jacobian(corners, xi):
+    """dN_i/dxi_a, shape [4, 2], and dx_b/dxi_a, shape [2, 2]."""
+    dn = np.stack([CORNERS[:, 0] * (1 + CORNERS[:, 1] * xi[1]), CORNERS[:, 1] * (1 + CORNERS[:, 0] * xi[0])], 1) / 4
+    return dn, dn.T @ corners
+
+
+def gradients(corners, xi):
+    """dN_i/dx_b, shape [4, 2]."""
+    dn, jac = jacobian(corners, xi)
+    return dn @ np.linalg.inv(jac).T
+
+
+def gauss_volumes(corners):
+    """w_g detJ(xi_g), shape [4]; their sum is the cell's volume V_e."""
+    return np.array([np.linalg.det(jacobian(corners, xi)[1]) for xi in GAUSS])
+
+
+def local_coordinates(corners, x):
+    xi = np.zeros(2)
+    for _ in range(50):
+        d_xi = np.linalg.solve(jacobian(corners, xi)[1].T, x - shape_functions(xi) @ corners)
+        xi = xi + d_xi
+        if np.abs(d_xi).max() < 1e-15:
+            break
+    assert np.abs(xi).max() < 1, "a point left its cell"
+    return xi
+
+
+def sub_cell(xi):
+    right, upper = xi[0] > -TIE, xi[1] > -TIE
+    return {(False, False): 0, (True, False): 1, (True, True): 2, (False, True): 3}[bool(right), bool(upper)]
+
+
+def velocity_gradient(grad, v):
+    """L_ab = dv_a/dx_b as a 3 x 3 tensor; v of the cell's nodes, shape [4, 2]."""
+    full = np.zeros((3, 3))
+    full[:2, :2] = v.T @ grad
+    return full
+
+
+def strain_and_spin(corners, xi, u, b_bar):
+    """Increments from nodal displacements u = v dt; B-bar takes the centre's volumetric strain, reading R5."""
+    l = velocity_gradient(gradients(corners, xi), u)
+    d_eps, d_spin = (l + l.T) / 2, (l - l.T) / 2
+    if b_bar:
+        theta_0 = np.trace(velocity_gradient(gradients(corners, CENTRE), u))
+        d_eps = d_eps + (theta_0 - np.trace(d_eps)) / 3 * EYE
+    return d_eps, d_spin
+
+
+# --- constitutive laws ---
+
+def bulk_modulus(mat):
+    nu = mat["poisson_ratio"]
+    return 2 * mat["shear_modulus"] * (1 + nu) / (3 * (1 - 2 * nu))
+
+
+def strength(mat, eps):
+    """S_u, Eq. (5) with the sign of reading R1."""
+    return mat["su_residual"] + (mat["su_peak"] - mat["su_residual"]) * np.exp(-mat["eta"] * eps)
+
+
+def bisect(excess, low, high):
+    """Root of a function that is >= 0 at low and <= 0 at high, to the last bit."""
+    while True:
+        middle = (low + high) / 2
+        if middle in (low, high):
+            return middle
+        low, high = (middle, high) if excess(middle) > 0 else (low, middle)
+
+
+def update_law(mat, sigma, eps_eq_p, d_eps):
+    """New stress and eps_eq_p: elastic trial, then the implicit Tresca return in sorted principal space."""
+    g = mat["shear_modulus"]
+    theta = np.trace(d_eps)
+    trial = sigma + bulk_modulus(mat) * theta * EYE + 2 * g * (d_eps - theta / 3 * EYE)
+    if mat["law"] == "linear_elastic":
+        return trial, eps_eq_p
+    s_t, directions = np.linalg.eigh(trial)
+    s_t, directions = s_t[::-1], directions[:, ::-1]  # s1 >= s2 >= s3
+    if s_t[0] - s_t[2] - 2 * strength(mat, eps_eq_p) <= 0:
+        met["elastic"] += 1
+        return trial, eps_eq_p
+    s, d_eq = tresca_return(mat, s_t, eps_eq_p)
+    return directions @ np.diag(s) @ directions.T, eps_eq_p + d_eq
+
+
+def tresca_return(mat, s_t, eps):
+    """Principal stresses on the yield surface and the increment of Eq. (6)."""
+    g = mat["shear_modulus"]
+    d = bisect(lambda d: s_t[0] - s_t[2] - 4 * g * d - 2 * strength(mat, eps + d), 0.0, (s_t[0] - s_t[2]) / (4 * g))
+    s = s_t + 2 * g * d * np.array([-1.0, 0.0, 1.0])
+    if s[0] >= s[1] >= s[2]:
+        met["face"] += 1
+        return s, d
+    upper = s[0] < s[1]  # else s2 < s3
+    met["edge s1 = s2" if upper else "edge s2 = s3"] += 1
+    ratio = np.array([2.0, 2.0, -4.0]) / 3 if upper else np.array([4.0, -2.0, -2.0]) / 3
+    on_edge = lambda d: s_t.mean() + ratio * strength(mat, eps + d)
+    increment = lambda d: np.sqrt(np.sum(((s_t - on_edge(d)) / (2 * g)) ** 2) / 2)
+    d = bisect(lambda d: increment(d) - d, 0.0, max(increment(0.0), increment(np.inf)))
+    return on_edge(d), d
+
+
+# --- the step ---
+
+def gauss_values(case, corners, pts, members, subs):
+    """Weights, sigma_hat, p_e and the cell's eps_eq_p, all of the start: Eqs. (1)-(3), readings R3, R6, R8, R9."""
+    omega, volumes = pts["volume"][members], gauss_volumes(corners)
+    filled = omega.sum() >= case["options"]["filled_fraction"] * volumes.sum()
+    met["filled cell" if filled else "part-filled cell"] += 1
+    mean = lambda field, chosen: np.tensordot(omega[chosen], field[members][chosen], 1) / omega[chosen].sum()
+    weight, sigma, eps = np.zeros(4), np.zeros((4, 3, 3)), np.zeros(4)
+    for g in range(4):
+        chosen = subs == g
+        if not chosen.any():
+            met["empty sub-cell, filled" if filled else "empty sub-cell, part-filled"] += 1
+            if not filled:
+                continue
+            chosen = np.full(len(members), True)
+        weight[g] = volumes[g] if filled else omega[chosen].sum()
+        sigma[g], eps[g] = mean(pts["sigma"], chosen), mean(pts["eps_eq_p"], chosen)  # Eq. (1)
+    p_g = np.trace(sigma, axis1=1, axis2=2) / 3
+    p_e = weight @ p_g / weight.sum()                                                 # Eq. (2)
+    return weight, sigma - (p_g - p_e)[:, None, None] * EYE, p_e, weight @ eps / weight.sum()  # Eq. (3)
+
+
+def gauss_force(case, corners, weight, sigma):
+    """Eq. (4) of one cell with B-bar transposed (reading R4), shape [4, 2]."""
+    force, grad_0 = np.zeros((4, 2)), gradients(corners, CENTRE)
+    for g in range(4):
+        grad = gradients(corners, GAUSS[g])
+        force += weight[g] * grad @ sigma[g, :2, :2]
+        if case["options"]["force_operator"] == "b_bar":
+            force += weight[g] * np.trace(sigma[g]) / 3 * (grad_0 - grad)
+    return force
+
+
+def correct_at_boundary(case, v, m):
+    """Rollers, then bilateral contact with adhesion and friction on a horizontal base, reading R15. Changes v."""
+    v[case["mesh"]["fixed"]] = 0
+    contact = case["mesh"]["contact"]
+    for i, a, mu, length in zip(contact["nodes"], contact["adhesion"], contact["friction"], contact["length"]):
+        normal, tangential = -m[i] * v[i, 1], m[i] * v[i, 0]
+        limit = a * length * case["dt"] + mu * max(0.0, normal)
+        met["contact sticks" if abs(tangential) <= limit else "contact slides"] += tangential != 0
+        met["contact pushes" if normal > 0 else "contact pulls"] += normal != 0
+        v[i] = [np.sign(tangential) * max(0.0, abs(tangential) - limit) / m[i] if m[i] > 0 else 0.0, 0.0]
+
+
+def accelerate_nodes(case, m, momentum, f_int, moving):
+    """Nodal acceleration: gravity, local damping (reading R13), boundaries."""
+    o, v, a = case["options"], np.zeros_like(momentum), np.zeros_like(momentum)
+    v[moving] = momentum[moving] / m[moving, None]
+    r = m[:, None] * o["gravity"] - f_int
+    r -= o["local_damping"] * np.abs(r) * np.sign(v)
+    a[moving] = r[moving] / m[moving, None]
+    v_1 = v + a * case["dt"]
+    correct_at_boundary(case, v_1, m)
+    return np.where(moving[:, None], (v_1 - v) / case["dt"], 0)
+
+
+def nodal_velocity(case, m, momentum, moving):
+    """Velocity after the second map; fixed components and the contact's normal one are clamped."""
+    v = np.zeros_like(momentum)
+    v[moving] = momentum[moving] / m[moving, None]
+    v[case["mesh"]["fixed"]] = 0
+    v[case["mesh"]["contact"]["nodes"], 1] = 0
+    return v
+
+
+def start_stress(case, pts, p, gauss, sub):
+    """Stress and eps_eq_p that the law starts from."""
+    if case["scheme"] == "standard_mpm":
+        return pts["sigma"][p], pts["eps_eq_p"][p]
+    _, sigma_hat, p_e, eps_e = gauss
+    if case["scheme"] == "mpm_mixed":
+        return sigma_hat[sub], eps_e
+    own = pts["sigma"][p]
+    return own + (p_e - np.trace(own) / 3) * EYE, pts["eps_eq_p"][p]  # reading R10
+
+
+def step(case, pts):
+    """Points after one step, and what the checks look at. pts: arrays of n points, not changed."""
+    mesh, dt, standard = case["mesh"], case["dt"], case["scheme"] == "standard_mpm"
+    pts, n_nodes, points = {k: a.copy() for k, a in pts.items()}, len(mesh["nodes"]), range(len(pts["mass"]))
+    nodes = mesh["cells"][pts["cell"]]  # of each point, shape [n, 4]
+    corners = mesh["nodes"][nodes]
+    xi = np.array([local_coordinates(corners[p], pts["x"][p]) for p in points])
+    n = np.array([shape_functions(xi[p]) for p in points])
+    subs = np.array([sub_cell(xi[p]) for p in points])
+    to_nodes = lambda f: sum_to_nodes(n_nodes, nodes, n[:, :, None] * f[:, None, :])
+
+    m = to_nodes(pts["mass"][:, None])[:, 0]                                       # 1. points to cells and nodes
+    smallest = min(gauss_volumes(x_e).sum() for x_e in mesh["nodes"][mesh["cells"]])  # V_e
+    moving = m >= SMALL_MASS * case["material"]["density"] * smallest
+    gauss, f_int = {}, np.zeros((n_nodes, 2))
+    if standard:
+        f_int = sum_to_nodes(n_nodes, nodes, np.array(
+            [pts["volume"][p] * gradients(corners[p], xi[p]) @ pts["sigma"][p, :2, :2] for p in points]))
+    else:
+        for e in np.unique(pts["cell"]):
+            members, x_e = np.flatnonzero(pts["cell"] == e), mesh["nodes"][mesh["cells"][e]]
+            gauss[e] = gauss_values(case, x_e, pts, members, subs[members])
+            f_int[mesh["cells"][e]] += gauss_force(case, x_e, *gauss[e][:2])
+
+    a = accelerate_nodes(case, m, to_nodes(pts["mass"][:, None] * pts["v"]), f_int, moving)  # 2. nodes
+    pts["v"] += dt * np.einsum("pi,pia->pa", n, a[nodes])                          # 3. cells to points
+    v = nodal_velocity(case, m, to_nodes(pts["mass"][:, None] * pts["v"]), moving)  # 4. nodes
+    d_eps = np.zeros_like(pts["strain"])
+    for p in points:                                                               # 5. strain, stress, volume, places
+        d_eps[p], w = strain_and_spin(corners[p], xi[p] if standard else GAUSS[subs[p]], v[nodes[p]] * dt, not standard)
+        sigma, eps_eq_p = start_stress(case, pts, p, gauss.get(pts["cell"][p]), subs[p])
+        if case["options"]["objective_rate"] == "jaumann":
+            sigma = sigma + w @ sigma - sigma @ w
+        pts["sigma"][p], pts["eps_eq_p"][p] = update_law(case["material"], sigma, eps_eq_p, d_eps[p])
+    pts["strain"] += d_eps
+    pts["volume"] *= 1 + np.trace(d_eps, axis1=1, axis2=2)
+    pts["x"] += dt * np.einsum("pi,pia->pa", n, v[nodes])
+    return pts, {"f_int": f_int, "v": v, "d_eps": d_eps, "m": m, "sub_cell": subs}
+
+
+def sum_to_nodes(n_nodes, nodes, contributions):
+    total = np.zeros((n_nodes, contributions.shape[2]))
+    np.add.at(total, nodes, contributions)
+    return total
+
+
+if __name__ == "__main__":
+    from one_step_checks import check_identities
+    from one_step_scenarios import write_scenarios
+
+    check_identities()
+    write_scenarios(Path(__file__).with_suffix(".json"))
