@@ -94,9 +94,8 @@ bool due(std::int64_t step, Real dt, Real every)
   return std::llround(multiple * every / dt) == step;
 }
 
-Outcome run(const Model& model, State& state, std::span<Observer* const> observers, const std::atomic<bool>& stop)
+Outcome run(const Model& model, State& state, Workspace& work, std::span<Observer* const> observers, const std::atomic<bool>& stop)
 {
-  Workspace work(model, state);
   Loop loop{.model = model, .state = state, .observers = observers, .wall_before = state.wall_s, .first_step = state.step};
   if (state.step == 0) {
     start_run(model, state, work);

@@ -1,0 +1,85 @@
+// terp check: what would run, and how long it would take, without running it.
+
+#include "commands.hpp"
+#include "input/case_file.hpp"
+#include "parallel/threads.hpp"
+#include "progress.hpp"
+#include "simulation/run.hpp"
+#include "simulation/setup.hpp"
+
+#include <chrono>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+constexpr double trial_seconds = 1.0;      // of steps actually made
+constexpr std::int64_t fewest_trial_steps = 20;
+
+/// Seconds per step, from a trial on the case itself.
+double time_a_step(const Model& model, State& state)
+{
+  using Clock = std::chrono::steady_clock;
+  Workspace work(model, state);
+  for (int k = 0; k < 5; ++k) model.step(model, state, work);  // warm caches, wake threads
+  const auto start = Clock::now();
+  double seconds = 0.0;
+  std::int64_t n = 0;
+  for (; n < model.n_steps && (n < fewest_trial_steps || seconds < trial_seconds); ++n) {
+    model.step(model, state, work);
+    seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  return seconds / static_cast<double>(n);
+}
+
+Real total_mass(const State& state)
+{
+  Real mass = 0.0;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) { mass += block.row(PointRows<2>::mass)[lane]; });
+  return mass;
+}
+
+std::int64_t bytes_of(const Model& model, const State& state)
+{
+  const auto cells = static_cast<std::int64_t>(state.points.occupied().size());
+  const std::int64_t mesh = model.mesh.n_nodes() * std::int64_t{sizeof(Vec<2>) + sizeof(NodeValues)} + model.mesh.n_cells() * std::int64_t{80};
+  return state.points.bytes() + mesh + 2 * cells * std::int64_t{sizeof(CornerSums<2>) + sizeof(GaussValues<2>)} + 16 * state.points.n_points();
+}
+
+void print_check(const CaseFile& file, const Model& model, State& state)
+{
+  const Mesh<2>& mesh = model.mesh;
+  const Vec<2> at = mesh.centres[mesh.cell_of_smallest_altitude];
+  fmt::print("{}\n", file.values.title.empty() ? file.values.name : file.values.title);
+  fmt::print("  scheme         {}\n", file.values.scheme);
+  fmt::print("  cells          {} ({} hold soil)\n", mesh.n_cells(), state.points.occupied().size());
+  fmt::print("  smallest cell  {:.4g} m high, at x = {:.4g} m, y = {:.4g} m\n", mesh.smallest_altitude, at[0], at[1]);
+  fmt::print("  points         {}\n", state.points.n_points());
+  fmt::print("  mass           {:.6g} kg per m\n", total_mass(state));
+  fmt::print("  time step      {:.4g} s\n", model.dt);
+  fmt::print("  steps          {} to t = {:g} s\n", model.n_steps, file.values.time.end);
+  fmt::print("  memory         {:.0f} MB\n", static_cast<double>(bytes_of(model, state)) / 1e6);
+  const double step_s = time_a_step(model, state);
+  fmt::print("  expected time  {} on {} thread{} ({:.1f} M point-steps/s in a trial)\n",
+             readable_duration(step_s * static_cast<double>(model.n_steps)), model.threads, model.threads == 1 ? "" : "s",
+             static_cast<double>(state.points.n_points()) / step_s / 1e6);
+  fmt::print("nothing was run\n");
+}
+
+}  // namespace
+
+int check_case(const RunOptions& options)
+{
+  const CaseFile file = read_case(options.path, options.changes);
+  fmt::print(stderr, "{}", render_warnings(file));
+  try {
+    Model model = build_model(file.values, options.threads > 0 ? options.threads : available_processors());
+    State state = build_state(model);
+    print_check(file, model, state);
+    return solved;
+  } catch (const InputError& error) {
+    throw CaseError(render(error.problems(), file));
+  }
+}
+
+}  // namespace terp

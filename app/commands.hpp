@@ -1,0 +1,24 @@
+// The commands of the program, one function each. Each returns the exit status.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace terp {
+
+/// Exit statuses, as the help promises.
+enum Status { solved = 0, failed = 1, bad_input = 2, stopped_itself = 3 };
+
+struct RunOptions {
+  std::string path;                  ///< case file, or run folder or checkpoint for resume
+  std::string output;                ///< run folder; empty: runs/<case>
+  std::vector<std::string> changes;  ///< KEY=VALUE of --set
+  int threads = 0;                   ///< 0: what this job may use
+  bool force = false, quiet = false, verbose = false;
+};
+
+int run_case(const RunOptions& options);
+int resume_run(const RunOptions& options);
+int check_case(const RunOptions& options);
+
+}  // namespace terp

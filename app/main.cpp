@@ -1,0 +1,116 @@
+// The program: reads the command line and calls one function per command.
+
+#include "commands.hpp"
+#include "input/case_file.hpp"
+#include "input/explain.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace {
+
+constexpr const char* help_text = R"(terp: explicit material point method for soil (MPM-Mixed and MPM-GP)
+
+Usage: terp COMMAND [options]
+
+Solve
+  run CASE.toml           solve a case; results go to runs/<case name>/
+  resume RUN              continue from the newest checkpoint of a run folder,
+                          or from the checkpoint file that is named
+
+Understand
+  check CASE.toml         read and validate, print what would run, solve nothing
+  explain TOPIC           a material, scheme or key: meaning, unit, range, equation
+  list                    materials, schemes and outputs in this build
+
+Options
+  -o, --output DIR        where results go
+  -j, --threads N         CPU threads (default: what this job may use)
+      --set KEY=VALUE     change one key of the case; may be given several times
+      --force             replace the results of an earlier run
+  -q, --quiet    -v, --verbose    --version    -h, --help
+
+Try
+  terp check cases/column_collapse/model_2.toml
+  terp run   cases/column_collapse/model_2.toml --set scheme="mpm_mixed" -o runs/mixed
+
+Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else
+)";
+
+struct CommandLine {
+  terp::RunOptions options;
+  std::string topic;
+};
+
+CLI::App* add_case_command(CLI::App& app, const char* name, CommandLine& line)
+{
+  CLI::App* command = app.add_subcommand(name);
+  command->add_option("case", line.options.path)->required();
+  command->add_option("-j,--threads", line.options.threads)->check(CLI::Range(1, 1024));
+  command->add_flag("-q,--quiet", line.options.quiet);
+  command->add_flag("-v,--verbose", line.options.verbose);
+  return command;
+}
+
+void declare(CLI::App& app, CommandLine& line)
+{
+  app.set_help_flag();
+  app.set_help_all_flag();
+  app.require_subcommand(1);
+  CLI::App* run = add_case_command(app, "run", line);
+  run->add_option("-o,--output", line.options.output);
+  run->add_flag("--force", line.options.force);
+  CLI::App* check = add_case_command(app, "check", line);
+  add_case_command(app, "resume", line);
+  for (CLI::App* command : {run, check})
+    command->add_option("--set", line.options.changes)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_subcommand("explain")->add_option("topic", line.topic)->required();
+  app.add_subcommand("list");
+}
+
+int call(const CLI::App& app, const CommandLine& line)
+{
+  if (app.got_subcommand("run")) return terp::run_case(line.options);
+  if (app.got_subcommand("resume")) return terp::resume_run(line.options);
+  if (app.got_subcommand("check")) return terp::check_case(line.options);
+  fmt::print("{}", app.got_subcommand("explain") ? terp::explain(line.topic) : terp::list());
+  return terp::solved;
+}
+
+/// Help and version are answered wherever they stand on the line.
+bool answer_help(int argc, char** argv)
+{
+  for (int k = 1; k < argc; ++k) {
+    const std::string_view word = argv[k];
+    if (word == "-h" || word == "--help" || (k == 1 && word == "help")) return fmt::print("{}", help_text), true;
+    if (word == "--version") return fmt::print("terp {}\n", TERP_VERSION), true;
+  }
+  if (argc == 1) fmt::print("{}", help_text);
+  return argc == 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  if (answer_help(argc, argv)) return terp::solved;
+  CLI::App app;
+  CommandLine line;
+  declare(app, line);
+  try {
+    app.parse(argc, argv);
+    return call(app, line);
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "error: {}\nUsage: terp COMMAND [options]; see terp --help\n", error.what());
+    return terp::bad_input;
+  } catch (const terp::CaseError& error) {
+    fmt::print(stderr, "{}", error.what());
+    return terp::bad_input;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "error: not enough memory for this case. `terp check CASE.toml` says how much it needs.\n");
+    return terp::failed;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return terp::failed;
+  }
+}

@@ -1,0 +1,45 @@
+#include "progress.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace terp {
+
+std::string readable_duration(double seconds)
+{
+  if (!(seconds < 60.0 * 60.0 * 24.0 * 1000.0)) return "-";
+  if (seconds < 10.0) return fmt::format("{:.1f} s", seconds);
+  const auto whole = static_cast<long>(std::lround(seconds));
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
+}
+
+ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDOUT_FILENO) == 1) {}
+
+void ProgressLine::progress(const Progress& p)
+{
+  if (quiet_ || p.n_steps == 0) return;
+  const double part = static_cast<double>(p.step) / static_cast<double>(p.n_steps);
+  const std::string line = fmt::format("{:5.1f} %  t = {:.3f} of {:g} s  step {} of {}  {:.1f} M point-steps/s  ETA {}", 100.0 * part, p.time,
+                                       p.end_time, p.step, p.n_steps, p.point_steps_per_s / 1e6, readable_duration(p.eta_s));
+  if (terminal_) {
+    fmt::print("\r\033[K{}", line);
+    open_ = true;
+  } else if (10.0 * part >= next_tenth_) {
+    fmt::print("{}\n", line);
+    next_tenth_ = static_cast<int>(10.0 * part) + 1;
+  }
+  std::fflush(stdout);
+}
+
+void ProgressLine::finish()
+{
+  if (open_) fmt::print("\n");
+  open_ = false;
+  std::fflush(stdout);
+}
+
+}  // namespace terp

@@ -1,0 +1,116 @@
+#include "input/case_file.hpp"
+
+#include "input/check_case.hpp"
+#include "input/closest.hpp"
+#include "input/overrides.hpp"
+#include "input/reader.hpp"
+#include "input/render.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace terp {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse_file(const std::string& path, const std::string& what, const std::string& detail)
+{
+  const std::string lines = detail.empty() ? "" : "  " + detail + "\n";
+  throw CaseError(fmt::format("error: {}: {}\n{}\n1 error; nothing was run.\n", path, what, lines));
+}
+
+/// A .toml file in the same folder with a name much like it.
+std::string similar_file(const fs::path& path)
+{
+  std::error_code ignored;
+  std::vector<std::string> names;
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  const std::string nearest = closest(path.filename().string(), names);
+  return nearest.empty() ? nearest : (path.parent_path() / nearest).string();
+}
+
+std::string read_text(const std::string& path)
+{
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored))
+    refuse_file(path, "this is a folder, not a case file", "Give the .toml file in it.");
+  if (!fs::exists(path, ignored)) {
+    const std::string similar = similar_file(path);
+    refuse_file(path, "there is no such file", similar.empty() ? "" : fmt::format("Did you mean `{}`?", similar));
+  }
+  std::ifstream file(path, std::ios::binary);
+  if (!file) refuse_file(path, fmt::format("the file cannot be read: {}", std::strerror(errno)), "");
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+Document parse_document(const std::string& text, const std::string& path)
+{
+  try {
+    return {path, text, parse_toml(text)};
+  } catch (const SyntaxError& error) {
+    const std::string why = error.what();
+    const bool unquoted = why.find("could not determine value type") != std::string::npos;
+    const std::string hint =
+        unquoted ? "\nText stands in quotes, as in scheme = \"mpm_gp\"; numbers are written 8.0e3." : "";
+    throw CaseError(render_at(path, text, error.place,
+                              {"", "this is not valid TOML", why + hint + "\nThe format: https://toml.io", ""}));
+  }
+}
+
+/// The text that stands for the whole case: the user's own, or written anew if anything was changed.
+std::string text_for_the_record(const Document& document, const std::vector<std::string>& overrides)
+{
+  if (overrides.empty()) return document.text;
+  std::string head = fmt::format("# {}, changed by\n", document.path);
+  for (std::string change : overrides) {
+    std::replace_if(
+        change.begin(), change.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    head += "#   --set " + change + '\n';
+  }
+  return head + '\n' + write_toml(document.root);
+}
+
+}  // namespace
+
+CaseFile read_case_text(const std::string& text, const std::string& path, const std::vector<std::string>& overrides)
+{
+  CaseFile file;
+  file.path = path;
+  file.source = parse_document(text, path);
+  Findings findings;
+  for (const std::string& change : overrides)
+    if (auto problem = apply_override(file.source.root, change)) findings.problems.push_back(*problem);
+  file.values.name = fs::path(path).stem().string();
+  read_values(file.source.root, file.values, findings);
+  check_case(file.source.root, file.values, findings);
+  file.warnings = findings.warnings;  // shown with errors too: a wrong unit is often what an error comes from
+  if (!findings.problems.empty()) throw CaseError(render_warnings(file) + render(findings.problems, file));
+  file.text = text_for_the_record(file.source, overrides);
+  return file;
+}
+
+CaseFile read_case(const std::string& path, const std::vector<std::string>& overrides)
+{
+  return read_case_text(read_text(path), path, overrides);
+}
+
+std::string render(const std::vector<Problem>& problems, const CaseFile& file)
+{
+  return render_errors(problems, file.source);
+}
+
+std::string render_warnings(const CaseFile& file) { return render_warnings(file.warnings, file.source); }
+
+}  // namespace terp

@@ -1,0 +1,42 @@
+// Reads a case file, with the changes of the command line, into a Case; or says exactly what is wrong.
+// Not for: anything that needs the mesh or the points (simulation/setup).
+#pragma once
+
+#include "base/errors.hpp"
+#include "input/document.hpp"
+#include "simulation/case.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace terp {
+
+struct CaseFile {
+  Case values;
+  std::string path;               ///< as the user wrote it
+  std::string text;               ///< TOML of the case as it runs, with every --set, for the record
+  std::vector<Problem> warnings;  ///< doubtful, but it may run
+  Document source;                ///< what the user wrote, and where
+};
+
+/// The case cannot be read. what() is the full message for the user; exit status 2.
+class CaseError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Reads a file. overrides: "KEY=VALUE" each, applied in order. Throws CaseError.
+CaseFile read_case(const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// The same for a text that is already in memory; `path` is what messages call it.
+CaseFile read_case_text(const std::string& text, const std::string& path,
+                        const std::vector<std::string>& overrides = {});
+
+/// Problems found later (InputError), shown at the keys of this file.
+std::string render(const std::vector<Problem>& problems, const CaseFile& file);
+
+/// The file's own warnings as the user sees them; empty if there are none.
+std::string render_warnings(const CaseFile& file);
+
+}  // namespace terp

@@ -1,0 +1,165 @@
+#include "input/check_case.hpp"
+
+#include "input/closest.hpp"
+#include "input/key_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace terp {
+namespace {
+
+using Problems = std::vector<Problem>;
+
+void check_shape(const Node& body, const std::string& path, Problems& problems)
+{
+  const bool box = find_item(body, "box") != nullptr, polygon = find_item(body, "polygon") != nullptr;
+  if (box && polygon)
+    problems.push_back(
+        {path + ".polygon", "a body has either `box` or `polygon`, not both", "Remove one of the two.", "body", true});
+  if (!box && !polygon)
+    problems.push_back({path, "the body has no shape",
+                        "Give box = [[x0, y0], [x1, y1]] or polygon = [[x, y], [x, y], [x, y], ...] in m.", "body",
+                        true});
+}
+
+void check_bodies(const Node& root, const Case& values, Problems& problems)
+{
+  std::vector<std::string> names;
+  for (const MaterialCase& material : values.materials) names.push_back(material.name);
+  const Node* list = find_item(root, "body");
+  for (std::size_t k = 0; k < values.bodies.size(); ++k) {
+    const std::string path = fmt::format("body[{}]", k), &name = values.bodies[k].material;
+    if (list->items[k].kind == NodeKind::table) check_shape(list->items[k], path, problems);
+    if (name.empty() || names.empty() || std::find(names.begin(), names.end(), name) != names.end()) continue;
+    const std::string nearest = closest(name, names);
+    const std::string hint = nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest);
+    problems.push_back({path + ".material", fmt::format("there is no material `{}`", name),
+                        hint + fmt::format("Materials of this case: {}", plain_list(names)), "body.material"});
+  }
+  if (list != nullptr && list->kind == NodeKind::list && list->items.empty())
+    problems.push_back({"body", "the case has no body", "Write at least one [[body]].", "body", true});
+}
+
+/// The law's own limits, where every parameter is there and in range.
+void check_parameters(const Case& values, Problems& problems)
+{
+  for (const MaterialCase& material : values.materials) {
+    const MaterialType* law = find_material(material.model);
+    if (law == nullptr) continue;
+    const auto is_missing = [](Real value) { return std::isnan(value); };
+    if (std::any_of(material.parameters.begin(), material.parameters.end(), is_missing)) continue;
+    for (const ParameterProblem& problem : law->check(material.parameters))
+      problems.push_back({join_path(join_path("material", material.name), problem.parameter), problem.what,
+                          problem.detail, std::string(law->name)});
+  }
+}
+
+void check_unused_materials(const Case& values, Problems& warnings)
+{
+  for (const MaterialCase& material : values.materials) {
+    const auto uses = [&](const BodyCase& body) { return body.material.empty() || body.material == material.name; };
+    if (std::none_of(values.bodies.begin(), values.bodies.end(), uses))
+      warnings.push_back({join_path("material", material.name),
+                          fmt::format("no body uses the material `{}`", material.name), "", "body.material", true});
+  }
+}
+
+void check_side(const Node& side, const std::string& path, Problems& problems)
+{
+  if (side.kind != NodeKind::table) return;
+  const auto has = [&](const char* name) { return find_item(side, name) != nullptr; };
+  if (has("velocity") && (has("contact") || has("adhesion") || has("friction")))
+    problems.push_back({path + ".velocity", "a side has either a contact or a velocity, not both",
+                        "A prescribed velocity leaves nothing to slide. Remove one of the two.", "boundary", true});
+  for (const char* name : {"adhesion", "friction"})
+    if (has(name) && !has("contact") && !has("velocity"))
+      problems.push_back(
+          {path + '.' + name, fmt::format("`{}` needs a contact", name),
+           fmt::format("Free, roller and fixed sides do not slide with resistance. Write {} = {{ contact = "
+                       "\"bilateral\", {} = ... }}, or \"separating\".",
+                       side.name, name),
+           "boundary", true});
+  if (side.items.empty())
+    problems.push_back({path, fmt::format("`{}` is empty", side.name),
+                        "Give contact or velocity, or one of \"free\", \"roller\", \"fixed\".", "boundary", true});
+}
+
+void check_sides(const Node& root, Problems& problems)
+{
+  const Node* boundary = find_item(root, "boundary");
+  if (boundary == nullptr || boundary->kind != NodeKind::table) return;
+  for (const Node& side : boundary->items) check_side(side, join_path("boundary", side.name), problems);
+}
+
+void check_cells(const Case& values, Problems& problems)
+{
+  constexpr Real tolerance = 1e-6;  // of a cell: the file holds rounded decimals
+  const char* const words[] = {"width", "height"};
+  for (int k = 0; k < 2; ++k) {
+    const Real size = values.mesh.size[k], cell = values.mesh.cell[k];
+    if (!(size > 0.0) || !(cell > 0.0)) continue;
+    const Real n = size / cell;
+    if (n >= 0.5 && std::abs(n - std::round(n)) <= tolerance) continue;
+    problems.push_back({"mesh.cell", fmt::format("the {} of the mesh is not a whole number of cells", words[k]),
+                        fmt::format("{} m / {} m = {:.6g}; nearest that fits: {:.6g} m.", size, cell, n,
+                                    size / std::max(std::round(n), 1.0)),
+                        "mesh.cell"});
+  }
+}
+
+void check_initial(const Node& root, const Case& values, Findings& findings)
+{
+  const InitialStress stress = values.initial.stress;
+  const bool weightless = values.forces.gravity == Vec<2>{0.0, 0.0};
+  const auto about_forces = [](const Problem& problem) { return problem.key.starts_with("forces"); };
+  const bool forces_read = std::none_of(findings.problems.begin(), findings.problems.end(), about_forces);
+  if (stress != InitialStress::none && weightless && forces_read)
+    findings.problems.push_back({"initial.stress", "an initial stress needs gravity",
+                                 "Set gravity = [0.0, -9.81] in [forces], or stress = \"none\".", "initial"});
+  const auto warn_unless = [&](const char* key, InitialStress used, const char* word) {
+    const std::string path = std::string("initial.") + key;
+    if (stress != used && find_node(root, path) != nullptr)
+      findings.warnings.push_back({path, fmt::format("`{}` has no effect", key),
+                                   fmt::format("It counts with stress = \"{}\" only.", word), path, true});
+  };
+  warn_unless("k0", InitialStress::k0, "k0");
+  for (const char* key : {"damping", "limit", "max_steps"}) warn_unless(key, InitialStress::equilibrium, "equilibrium");
+}
+
+/// Fields of laws that no material of this case follows.
+void check_fields(const Case& values, Problems& warnings)
+{
+  const auto names_it = [](const MaterialType& law, const std::string& field) {
+    const auto same = [&](const auto& info) { return info.name == field; };
+    return std::any_of(law.state.begin(), law.state.end(), same) ||
+           std::any_of(law.derived.begin(), law.derived.end(), same);
+  };
+  for (std::size_t k = 0; k < values.output.field_names.size(); ++k) {
+    const std::string& field = values.output.field_names[k];
+    bool of_a_law = false, given = false;
+    for (const MaterialType* law : all_materials()) of_a_law = of_a_law || names_it(*law, field);
+    for (const MaterialCase& material : values.materials)
+      if (const MaterialType* law = find_material(material.model)) given = given || names_it(*law, field);
+    if (of_a_law && !given)
+      warnings.push_back({fmt::format("output.fields.names[{}]", k),
+                          fmt::format("no material of this case has `{}`", field), "", "output.fields.names"});
+  }
+}
+
+}  // namespace
+
+void check_case(const Node& root, const Case& values, Findings& findings)
+{
+  check_bodies(root, values, findings.problems);
+  check_parameters(values, findings.problems);
+  check_sides(root, findings.problems);
+  check_cells(values, findings.problems);
+  check_initial(root, values, findings);
+  check_unused_materials(values, findings.warnings);
+  check_fields(values, findings.warnings);
+}
+
+}  // namespace terp

@@ -1,0 +1,217 @@
+#include "input/document.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace terp {
+namespace {
+
+Place place_of(const toml::source_region& region)
+{
+  const int line = static_cast<int>(region.begin.line), column = static_cast<int>(region.begin.column);
+  const bool one_line = region.end.line == region.begin.line;
+  const int length = one_line ? static_cast<int>(region.end.column) - column : 0;  // 0: to the end of the line
+  return {line, column, length};
+}
+
+Node to_node(const toml::node& source);
+
+void add_entries(const toml::table& source, Node& table)
+{
+  for (auto&& [key, value] : source) {
+    Node& item = table.items.emplace_back(to_node(value));
+    item.name = std::string(key.str());
+    item.key = place_of(key.source());
+  }
+  const auto before = [](const Node& a, const Node& b) {
+    return std::pair(a.key.line, a.key.column) < std::pair(b.key.line, b.key.column);
+  };
+  std::stable_sort(table.items.begin(), table.items.end(), before);
+}
+
+Node to_node(const toml::node& source)
+{
+  Node node;
+  node.value = place_of(source.source());
+  if (const auto* table = source.as_table()) {
+    add_entries(*table, node);
+  } else if (const auto* list = source.as_array()) {
+    node.kind = NodeKind::list;
+    for (const toml::node& item : *list) node.items.push_back(to_node(item));
+  } else if (const auto* text = source.as_string()) {
+    node.kind = NodeKind::text, node.text = text->get();
+  } else if (const auto* integer = source.as_integer()) {
+    node.kind = NodeKind::integer, node.integer = integer->get();
+  } else if (const auto* number = source.as_floating_point()) {
+    node.kind = NodeKind::number, node.number = number->get();
+  } else if (const auto* boolean = source.as_boolean()) {
+    node.kind = NodeKind::boolean, node.boolean = boolean->get();
+  } else {
+    node.kind = NodeKind::date;
+  }
+  return node;
+}
+
+std::string quote(std::string_view text)
+{
+  std::string quoted = "\"";
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\')
+      quoted += '\\', quoted += c;
+    else if (code < 0x20 || code == 0x7f)
+      quoted += fmt::format("\\u{:04x}", code);
+    else
+      quoted += c;
+  }
+  return quoted + '"';
+}
+
+std::string write_key(std::string_view name)
+{
+  const auto is_bare = [](unsigned char c) { return c < 0x80 && (std::isalnum(c) || c == '_' || c == '-'); };
+  return !name.empty() && std::all_of(name.begin(), name.end(), is_bare) ? std::string(name) : quote(name);
+}
+
+std::string write_number(Real value)
+{
+  const std::string text = fmt::format("{}", value);
+  return text.find_first_of(".eni") == std::string::npos ? text + ".0" : text;  // "ni": nan, inf
+}
+
+std::string write_value(const Node& node)
+{
+  switch (node.kind) {
+    case NodeKind::boolean:
+      return node.boolean ? "true" : "false";
+    case NodeKind::integer:
+      return fmt::format("{}", node.integer);
+    case NodeKind::number:
+      return write_number(node.number);
+    case NodeKind::list:
+    case NodeKind::table:
+      break;
+    default:
+      return quote(node.text);
+  }
+  std::string inside;
+  for (const Node& item : node.items) {
+    if (!inside.empty()) inside += ", ";
+    if (node.kind == NodeKind::table) inside += write_key(item.name) + " = ";
+    inside += write_value(item);
+  }
+  return (node.kind == NodeKind::list ? '[' : '{') + inside + (node.kind == NodeKind::list ? ']' : '}');
+}
+
+bool is_list_of_tables(const Node& node)
+{
+  const auto is_table = [](const Node& item) { return item.kind == NodeKind::table; };
+  return node.kind == NodeKind::list && !node.items.empty() &&
+         std::all_of(node.items.begin(), node.items.end(), is_table);
+}
+
+/// Values first, then the tables below: TOML gives a value to the last header above it.
+void write_table(const Node& table, const std::string& path, std::string& out)
+{
+  const auto below = [](const Node& item) { return item.kind == NodeKind::table || is_list_of_tables(item); };
+  for (const Node& item : table.items)
+    if (!below(item)) out += write_key(item.name) + " = " + write_value(item) + '\n';
+  for (const Node& item : table.items) {
+    if (!below(item)) continue;
+    const std::string name = path.empty() ? write_key(item.name) : path + '.' + write_key(item.name);
+    const bool is_list = item.kind == NodeKind::list;
+    if (is_list) {
+      for (const Node& entry : item.items) out += "\n[[" + name + "]]\n", write_table(entry, name, out);
+    } else {
+      const bool implied = !item.items.empty() && std::all_of(item.items.begin(), item.items.end(), below);
+      if (!implied) out += "\n[" + name + "]\n";
+      write_table(item, name, out);
+    }
+  }
+}
+
+std::string read_quoted(std::string_view path, std::size_t& k)
+{
+  const char mark = path[k++];
+  const std::size_t end = std::min(path.find(mark, k), path.size());
+  const std::string part(path.substr(k, end - k));
+  k = std::min(end + 1, path.size());
+  return part;
+}
+
+}  // namespace
+
+Node parse_toml(std::string_view text)
+{
+  try {
+    const toml::table table = toml::parse(text);
+    return to_node(table);
+  } catch (const toml::parse_error& error) {
+    const toml::source_position at = error.source().begin;
+    throw SyntaxError(std::string(error.description()), {static_cast<int>(at.line), static_cast<int>(at.column), 1});
+  }
+}
+
+std::string write_toml(const Node& root)
+{
+  std::string out;
+  write_table(root, "", out);
+  return out;
+}
+
+const Node* find_item(const Node& table, std::string_view name)
+{
+  for (const Node& item : table.items)
+    if (table.kind == NodeKind::table && item.name == name) return &item;
+  return nullptr;
+}
+
+Node* find_item(Node& table, std::string_view name)
+{
+  return const_cast<Node*>(find_item(static_cast<const Node&>(table), name));
+}
+
+std::vector<std::string> split_path(std::string_view path)
+{
+  std::vector<std::string> parts;
+  for (std::size_t k = 0; k < path.size();) {
+    if (path[k] == '.') {
+      ++k;
+    } else if (path[k] == '"' || path[k] == '\'') {
+      parts.push_back(read_quoted(path, k));
+    } else {
+      const bool is_index = path[k] == '[';
+      const std::size_t end = is_index ? path.find(']', k) : path.find_first_of(".[", k);
+      const std::size_t next = std::min(end == std::string_view::npos ? path.size() : end + is_index, path.size());
+      parts.emplace_back(path.substr(k, next - k));
+      k = next;
+    }
+  }
+  return parts;
+}
+
+std::string join_path(std::string_view path, std::string_view name)
+{
+  const bool plain = !name.empty() && name.find_first_of(".[]\"'") == std::string_view::npos;
+  const std::string part = plain ? std::string(name) : '"' + std::string(name) + '"';
+  return path.empty() ? part : std::string(path) + '.' + part;
+}
+
+const Node* find_node(const Node& root, std::string_view path)
+{
+  const Node* node = &root;
+  for (const std::string& part : split_path(path)) {
+    if (node == nullptr || node->kind != NodeKind::list) {
+      node = node == nullptr ? nullptr : find_item(*node, part);
+      continue;
+    }
+    const std::size_t index = part.starts_with('[') ? std::strtoul(part.c_str() + 1, nullptr, 10) : node->items.size();
+    node = index < node->items.size() ? &node->items[index] : nullptr;
+  }
+  return node;
+}
+
+}  // namespace terp

@@ -1,0 +1,191 @@
+#include "input/explain.hpp"
+
+#include "input/case_file.hpp"
+#include "input/closest.hpp"
+#include "input/key_text.hpp"
+#include "input/keys.hpp"
+#include "schemes/scheme_info.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace terp {
+namespace {
+
+/// Parts of a path without entry numbers: "body[0].box" and "body[].box" -> body, box.
+std::vector<std::string> named_parts(std::string_view path)
+{
+  auto parts = split_path(path);
+  std::erase_if(parts, [](const std::string& part) { return part.starts_with('['); });
+  return parts;
+}
+
+/// Whether "material.clay.eta" or "material.eta" means "material.NAME.eta".
+bool means(const std::string& topic, const std::string& pattern)
+{
+  const auto is_any = [](const std::string& part) { return part == "NAME" || part == "SIDE"; };
+  const auto same = [&](const std::string& a, const std::string& b) { return a == b || is_any(b); };
+  const auto asked = named_parts(topic);
+  auto known = named_parts(pattern);
+  if (std::equal(asked.begin(), asked.end(), known.begin(), known.end(), same)) return true;
+  std::erase_if(known, is_any);
+  return asked == known;
+}
+
+bool is_last_part(const std::string& topic, const std::string& path) { return topic == last_part(path); }
+
+std::string row(std::string_view label, const std::string& text)
+{
+  return text.empty() || text == "-" ? "" : fmt::format("    {:<10}{}\n", label, text);
+}
+
+/// Lines of at most 96 characters, each with the margin.
+std::string wrapped(const std::string& text, const std::string& margin)
+{
+  constexpr std::size_t width = 96;
+  std::string out, line;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    if (!line.empty() && line.size() + 1 + word.size() > width) out += margin + line + '\n', line.clear();
+    line += (line.empty() ? "" : " ") + word;
+    begin = end + 1;
+  }
+  return out + margin + line + '\n';
+}
+
+std::string describe_key(const KeyInfo& key, const std::string& name)
+{
+  std::string fallback = key.required ? "none: the key is required" : key.default_text;
+  return "  " + name + '\n' + wrapped(key.meaning, "    ") + row("equation", key.equation) + row("unit", key.unit) +
+         row("allowed", allowed_text(key)) + row("default", fallback);
+}
+
+std::string describe_law(const MaterialType& law)
+{
+  std::string out = fmt::format("{}: material model\n  {}\n\nKeys of [material.NAME] with model = \"{}\"\n", law.name,
+                                law.summary, law.name);
+  out += describe_key(*find_key("material.NAME.density"), "density");
+  for (const KeyInfo& key : keys_of_law(law)) out += describe_key(key, last_part(key.path));
+  if (!law.state.empty()) out += "\nState of a material point, also an output field\n";
+  for (const StateInfo& state : law.state)
+    out += fmt::format("  {}\n    {}\n", state.name, state.meaning) + row("unit", std::string(state.unit)) +
+           row("averaged",
+               state.averaging == Averaging::cell ? "over the cell in mpm_mixed" : "over the sub-cell in mpm_mixed");
+  if (!law.derived.empty()) out += "\nOutput fields that follow from it\n";
+  for (const DerivedInfo& derived : law.derived)
+    out += fmt::format("  {}\n    {}\n", derived.name, derived.meaning) + row("unit", std::string(derived.unit));
+  return out;
+}
+
+std::string describe_scheme(const SchemeInfo& scheme)
+{
+  return fmt::format(
+      "{0}: scheme\n  {1}\n  Choose it with scheme = \"{0}\" at the top of the case file; its equations are in "
+      "docs/methods.md.\n",
+      scheme.name, scheme.summary);
+}
+
+std::string describe_section(const SectionInfo& section)
+{
+  const std::string need = section.required ? "required" : "may be left out";
+  std::string out =
+      fmt::format("{}: section of the case file, {}\n  {}\n\nKeys\n", header_of(section.path), need, section.meaning);
+  for (const KeyInfo& key : all_keys()) {
+    const std::string parent = parent_path(key.path);
+    const bool of_side = section.path == "boundary" && parent == "boundary.SIDE";
+    if (parent == section.path || of_side)
+      out += describe_key(key, of_side ? "SIDE." + last_part(key.path) : key.path.substr(parent.size() + 1));
+  }
+  for (const SectionInfo& below : all_sections())
+    if (parent_path(below.path) == section.path)
+      out += fmt::format("  {}\n    {}\n", header_of(below.path), below.meaning);
+  if (section.path == "material.NAME")
+    out += fmt::format("  and those of the model: terp explain MODEL, one of {}\n", plain_list(material_model_names()));
+  return out;
+}
+
+using Match = bool (*)(const std::string& topic, const std::string& path);
+
+/// Everything that a topic may mean, one block each.
+std::vector<std::string> find_blocks(const std::string& topic, Match match)
+{
+  std::vector<std::string> blocks;
+  for (const SectionInfo& section : all_sections())
+    if (match(topic, section.path)) blocks.push_back(describe_section(section));
+  for (const KeyInfo& key : all_keys())
+    if (match(topic, key.path) && key.path != "boundary.SIDE")  // shown with its section
+      blocks.push_back("key of the case file\n" + describe_key(key, topic_of(key.path)));
+  for (const MaterialType* law : all_materials())
+    for (const KeyInfo& key : keys_of_law(*law))
+      if (match(topic, key.path))
+        blocks.push_back(fmt::format("key of material model `{}`\n", law->name) +
+                         describe_key(key, topic_of(key.path)));
+  return blocks;
+}
+
+std::vector<std::string> all_topics()
+{
+  std::vector<std::string> topics = material_model_names();
+  for (const SchemeInfo& scheme : all_schemes()) topics.emplace_back(scheme.name);
+  const auto add = [&](const std::string& path) {
+    topics.push_back(topic_of(path)), topics.push_back(last_part(path));
+  };
+  for (const SectionInfo& section : all_sections()) add(section.path);
+  for (const KeyInfo& key : all_keys()) add(key.path);
+  for (const MaterialType* law : all_materials())
+    for (const KeyInfo& key : keys_of_law(*law)) add(key.path);
+  return topics;
+}
+
+[[noreturn]] void refuse_topic(const std::string& topic)
+{
+  const std::string nearest = closest(topic, all_topics());
+  std::vector<std::string> schemes, sections;
+  for (const SchemeInfo& scheme : all_schemes()) schemes.emplace_back(scheme.name);
+  for (const SectionInfo& section : all_sections()) sections.push_back(topic_of(section.path));
+  throw CaseError(
+      fmt::format("error: there is nothing to explain about `{}`\n\n{}"
+                  "  Material models: {}\n  Schemes: {}\n  Sections: {}\n"
+                  "  Keys: dotted or by their last part, as in mesh.cell or courant\n",
+                  topic, nearest.empty() ? "" : fmt::format("  Did you mean `{}`?\n", nearest),
+                  plain_list(material_model_names()), plain_list(schemes), plain_list(sections)));
+}
+
+template <class Infos>
+std::string list_of(const char* title, const Infos& infos)
+{
+  std::string out = fmt::format("{}\n", title);
+  for (const auto& [name, text] : infos) out += fmt::format("  {:<20}{}\n", name, text);
+  return out;
+}
+
+}  // namespace
+
+std::string explain(const std::string& topic)
+{
+  if (const MaterialType* law = find_material(topic)) return describe_law(*law);
+  for (const SchemeInfo& scheme : all_schemes())
+    if (scheme.name == topic) return describe_scheme(scheme);
+  auto blocks = find_blocks(topic, means);
+  if (blocks.empty()) blocks = find_blocks(topic, is_last_part);
+  if (blocks.empty()) refuse_topic(topic);
+  std::string out;
+  for (const std::string& block : blocks) out += (out.empty() ? "" : "\n") + block;
+  return out;
+}
+
+std::string list()
+{
+  using Rows = std::vector<std::pair<std::string, std::string>>;
+  Rows materials, schemes, fields = {{"position, id", "[m, -] always written"}};
+  for (const MaterialType* law : all_materials()) materials.emplace_back(law->name, law->summary);
+  for (const SchemeInfo& scheme : all_schemes()) schemes.emplace_back(scheme.name, scheme.summary);
+  for (const FieldInfo& field : all_output_fields())
+    fields.emplace_back(field.name, fmt::format("[{}] {}", field.unit, field.meaning));
+  return list_of("Materials", materials) + '\n' + list_of("Schemes", schemes) + '\n' +
+         list_of("Output fields", fields) + "\nMore: terp explain NAME, for a material, scheme, section or key\n";
+}
+
+}  // namespace terp

@@ -1,0 +1,152 @@
+#include "input/key_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+namespace terp {
+namespace {
+
+template <class... Ts>
+struct Overload : Ts... {
+  using Ts::operator()...;
+};
+template <class... Ts>
+Overload(Ts...) -> Overload<Ts...>;
+
+/// A case with one of everything, so that every key's field exists.
+Case& prototype()
+{
+  static Case one = [] {
+    Case c;
+    c.bodies.resize(1);
+    c.materials.push_back({"", "", 0.0, std::vector<Real>(64, 0.0)});
+    c.sides.resize(1);
+    return c;
+  }();
+  return one;
+}
+
+std::string with_unit(std::string text, std::string_view unit)
+{
+  if (unit != "-" && !unit.empty()) text += ' ', text += unit;
+  return text;
+}
+
+}  // namespace
+
+std::string number_text(Real value, std::string_view unit) { return with_unit(fmt::format("{}", value), unit); }
+
+std::string range_text(const Range& range, std::string_view unit)
+{
+  std::string text;
+  if (std::isfinite(range.low)) text = fmt::format("{} {}", range.low_open ? "more than" : "at least", range.low);
+  if (std::isfinite(range.high)) {
+    if (!text.empty()) text += " and ";
+    text += fmt::format("{} {}", range.high_open ? "less than" : "at most", range.high);
+  }
+  return text.empty() ? text : with_unit(text, unit);
+}
+
+std::string usual_text(const Range& usual, std::string_view unit)
+{
+  const bool is_closed = std::isfinite(usual.low) && std::isfinite(usual.high);
+  return is_closed ? with_unit(fmt::format("{} to {}", usual.low, usual.high), unit) : range_text(usual, unit);
+}
+
+std::string type_text(const KeyInfo& key)
+{
+  const Overload type{
+      [](Real*) { return "a number"; },
+      [](Index*) { return "an integer"; },
+      [](bool*) { return "true or false"; },
+      [](std::string*) { return "text"; },
+      [](Vec<2>*) { return "two numbers [x, y]"; },
+      [](const WordField&) { return "text"; },
+      [](const NumberOrPair&) { return "a number or two numbers [x, y]"; },
+      [](const CountOrPair&) { return "an integer or two integers [nx, ny]"; },
+      [](const Box&) { return "two corners [[x0, y0], [x1, y1]]"; },
+      [](const Polygon&) { return "at least three corners [[x, y], [x, y], [x, y]]"; },
+      [](const NameList&) { return "a list of names"; },
+      [](const NamedPlaces&) { return "a table { NAME = [x, y] }"; },
+  };
+  return std::visit(type, key.field(prototype(), 0));
+}
+
+std::string allowed_text(const KeyInfo& key)
+{
+  const bool is_list = std::holds_alternative<NameList>(key.field(prototype(), 0));
+  if (key.words != nullptr) return (is_list ? "a list of " : "") + quoted_list(key.words());
+  const std::string range = range_text(key.range, key.unit);
+  if (range.empty()) return type_text(key) + (key.unit == "-" ? "" : " in " + key.unit);
+  return type_text(key) + ", " + range;
+}
+
+std::string default_text(const KeyInfo& key)
+{
+  if (key.required) return "";
+  const std::string_view unit = key.unit;
+  const auto pair = [&](const auto& v) { return with_unit(fmt::format("[{}, {}]", v[0], v[1]), unit); };
+  const auto word = [&](const WordField& field) {
+    const auto words = key.words();
+    const int index = field.get();
+    return index >= 0 && index < static_cast<int>(words.size()) ? quoted_list({words[index]}) : std::string();
+  };
+  const Overload text{
+      [&](const Real* value) { return number_text(*value, unit); },
+      [&](const Index* value) { return fmt::format("{}", *value); },
+      [&](const bool* value) { return fmt::format("{}", *value); },
+      [&](const std::string* value) { return quoted_list({*value}); },
+      [&](const Vec<2>* value) { return pair(*value); },
+      [&](const WordField& field) { return word(field); },
+      [&](const NumberOrPair& field) { return pair(*field.value); },
+      [&](const CountOrPair& field) { return pair(*field.value); },
+      [](const Box&) { return std::string(); },
+      [](const Polygon&) { return std::string(); },
+      [](const NameList&) { return std::string("all"); },
+      [](const NamedPlaces&) { return std::string("none"); },
+  };
+  return std::visit(text, key.field(prototype(), 0));
+}
+
+std::string quoted_list(const std::vector<std::string>& words)
+{
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "\"" : ", \"") + word + '"';
+  return list;
+}
+
+std::string plain_list(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
+
+std::string last_part(std::string_view path)
+{
+  if (path.ends_with(".NAME") || path.ends_with(".SIDE")) path.remove_suffix(5);
+  if (path.ends_with("[]")) path.remove_suffix(2);
+  const std::size_t dot = path.rfind('.');
+  return std::string(dot == std::string_view::npos ? path : path.substr(dot + 1));
+}
+
+std::string parent_path(std::string_view path)
+{
+  if (path.ends_with(".NAME")) path.remove_suffix(5);
+  const std::size_t dot = path.rfind('.');
+  return std::string(dot == std::string_view::npos ? "" : path.substr(0, dot));
+}
+
+std::string topic_of(std::string_view path)
+{
+  std::string topic(path);
+  for (const std::string_view mark : {"[]", ".NAME", ".SIDE"})
+    if (const std::size_t at = topic.find(mark); at != std::string::npos) topic.erase(at, mark.size());
+  return topic;
+}
+
+std::string header_of(std::string_view section)
+{
+  const bool is_list = section.ends_with("[]");
+  if (is_list) section.remove_suffix(2);
+  return is_list ? fmt::format("[[{}]]", section) : fmt::format("[{}]", section);
+}
+
+}  // namespace terp

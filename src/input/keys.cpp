@@ -1,0 +1,372 @@
+// The table. A new key is one entry here and one member in simulation/case.hpp.
+
+#include "input/keys.hpp"
+
+#include "input/key_text.hpp"
+#include "schemes/scheme_info.hpp"
+
+namespace terp {
+namespace {
+
+using Words = std::vector<std::string>;
+
+Words scheme_words()
+{
+  Words words;
+  for (const SchemeInfo& scheme : all_schemes()) words.emplace_back(scheme.name);
+  return words;
+}
+// In the order of the enums in case.hpp and method_options.hpp.
+Words stress_words() { return {"none", "k0", "equilibrium"}; }
+Words side_words() { return {"free", "roller", "fixed"}; }
+Words contact_words() { return {"bilateral", "separating"}; }
+Words weights_words() { return {"hybrid", "summed", "gauss"}; }
+Words force_operator_words() { return {"b_bar", "b"}; }
+Words point_pressure_words() { return {"cell", "own", "relax"}; }
+Words state_averaging_words() { return {"as_declared", "cell", "sub_cell"}; }
+Words objective_rate_words() { return {"none", "jaumann"}; }
+Words deviatoric_norm_words() { return {"half", "von_mises"}; }
+
+/// first: the value of the enum that the first word stands for.
+template <class Enum>
+WordField word_field(Enum& value, Enum first = Enum{})
+{
+  return {[&value, first] { return static_cast<int>(value) - static_cast<int>(first); },
+          [&value, first](int word) { value = static_cast<Enum>(static_cast<int>(first) + word); }};
+}
+
+std::vector<KeyInfo> frame_keys()
+{
+  return {
+      {.path = "title", .field = [](Case& c, std::size_t) { return &c.title; }, .meaning = "one line for reports"},
+      {.path = "scheme",
+       .field = [](Case& c, std::size_t) { return &c.scheme; },
+       .words = scheme_words,
+       .meaning = "how the soil is integrated; see `terp list`"},
+
+      {.path = "time.end",
+       .field = [](Case& c, std::size_t) { return &c.time.end; },
+       .unit = "s", .range = positive, .usual = {1e-3, 1e4}, .required = true,
+       .meaning = "time at which the run ends; it starts at 0"},
+      {.path = "time.courant",
+       .field = [](Case& c, std::size_t) { return &c.time.courant; },
+       .range = {0.0, 1.0, true, false},
+       .meaning = "share of the stable time step that is used (reading R19)",
+       .equation = "dt = courant min_e(L_e) / c_p,  c_p = sqrt((K + 4G/3) / rho)"},
+
+      {.path = "mesh.origin",
+       .field = [](Case& c, std::size_t) { return &c.mesh.origin; },
+       .unit = "m", .meaning = "lower left corner of the background mesh"},
+      {.path = "mesh.size",
+       .field = [](Case& c, std::size_t) { return &c.mesh.size; },
+       .unit = "m", .range = positive, .usual = {1e-2, 1e4}, .required = true,
+       .meaning = "width and height of the background mesh"},
+      {.path = "mesh.cell",
+       .field = [](Case& c, std::size_t) { return NumberOrPair{&c.mesh.cell}; },
+       .unit = "m", .range = positive, .usual = {1e-3, 1e2}, .required = true,
+       .meaning = "width and height of a cell; one number for both"},
+  };
+}
+
+std::vector<KeyInfo> soil_keys()
+{
+  return {
+      {.path = "body[].material",
+       .field = [](Case& c, std::size_t i) { return &c.bodies[i].material; },
+       .required = true, .meaning = "NAME of the [material.NAME] that the body is made of"},
+      {.path = "body[].box",
+       .field = [](Case& c, std::size_t i) { return Box{&c.bodies[i].polygon}; },
+       .unit = "m", .meaning = "lower left and upper right corner of the body; either this or polygon"},
+      {.path = "body[].polygon",
+       .field = [](Case& c, std::size_t i) { return Polygon{&c.bodies[i].polygon}; },
+       .unit = "m", .meaning = "corners of the body in order, without repeating the first; either this or box"},
+      {.path = "body[].points_per_cell",
+       .field = [](Case& c, std::size_t i) { return CountOrPair{&c.bodies[i].points_per_cell}; },
+       .range = between(1, 100), .meaning = "material points along x and y in each cell; one number for both"},
+      {.path = "body[].velocity",
+       .field = [](Case& c, std::size_t i) { return &c.bodies[i].velocity; },
+       .unit = "m/s", .usual = {1e-6, 1e3}, .meaning = "velocity of the body at t = 0"},
+
+      {.path = "material.NAME.model",
+       .field = [](Case& c, std::size_t i) { return &c.materials[i].model; },
+       .words = material_model_names, .required = true, .meaning = "constitutive law; see `terp list`"},
+      {.path = "material.NAME.density",
+       .field = [](Case& c, std::size_t i) { return &c.materials[i].density; },
+       .unit = "kg/m^3", .range = positive, .usual = {500.0, 5000.0}, .required = true,
+       .meaning = "mass per volume of the soil with its water (reading R16)"},
+  };
+}
+
+std::vector<KeyInfo> load_keys()
+{
+  return {
+      {.path = "forces.gravity",
+       .field = [](Case& c, std::size_t) { return &c.forces.gravity; },
+       .unit = "m/s^2", .usual = {0.1, 5000.0}, .meaning = "acceleration of gravity, acting fully from t = 0"},
+      {.path = "forces.damping.local",
+       .field = [](Case& c, std::size_t) { return &c.forces.local_damping; },
+       .range = {0.0, 1.0, false, true},
+       .meaning = "local (Cundall) damping alpha at the nodes (reading R13); free fall sees g (1 - alpha)",
+       .equation = "R_i <- R_i - alpha |R_i| sign(v_i)"},
+      {.path = "forces.damping.viscous",
+       .field = [](Case& c, std::size_t) { return &c.forces.viscous_damping; },
+       .unit = "1/s", .range = not_negative,
+       .meaning = "damping c in proportion to the nodal mass (reading R13)",
+       .equation = "R_i <- R_i - c m_i v_i"},
+
+      {.path = "initial.stress",
+       .field = [](Case& c, std::size_t) { return word_field(c.initial.stress); },
+       .words = stress_words,
+       .meaning = "stress at t = 0 (reading R14): none, from the overburden (k0), or by settling under gravity with "
+                  "strong damping, after which displacements and strains are set to zero (equilibrium)"},
+      {.path = "initial.k0",
+       .field = [](Case& c, std::size_t) { return &c.initial.k0; },
+       .range = not_negative, .usual = {0.2, 4.0}, .meaning = "horizontal over vertical stress, for stress = \"k0\""},
+      {.path = "initial.damping",
+       .field = [](Case& c, std::size_t) { return &c.initial.damping; },
+       .range = {0.0, 1.0, false, true}, .meaning = "local damping while seeking equilibrium"},
+      {.path = "initial.limit",
+       .field = [](Case& c, std::size_t) { return &c.initial.limit; },
+       .range = between_open(0.0, 1.0), .meaning = "out-of-balance force over weight at which equilibrium is reached"},
+      {.path = "initial.max_steps",
+       .field = [](Case& c, std::size_t) { return &c.initial.max_steps; },
+       .range = {1.0}, .meaning = "steps after which the search for equilibrium gives up"},
+  };
+}
+
+std::vector<KeyInfo> side_keys()
+{
+  return {
+      {.path = "boundary.SIDE",
+       .field = [](Case& c, std::size_t i) { return word_field(c.sides[i].kind); },
+       .words = side_words,
+       .meaning = "what holds the side of the mesh: left, right, bottom or top. roller: no motion across; "
+                  "fixed: no motion; or a table with contact or velocity, as below"},
+      {.path = "boundary.SIDE.contact",
+       .field = [](Case& c, std::size_t i) { return word_field(c.sides[i].kind, SideKind::contact_bilateral); },
+       .words = contact_words,
+       .meaning = "contact plane (reading R15): bilateral never opens, separating opens under tension",
+       .equation = "|tangential impulse of a node| <= (a L_i + mu N_i) dt"},
+      {.path = "boundary.SIDE.adhesion",
+       .field = [](Case& c, std::size_t i) { return &c.sides[i].adhesion; },
+       .unit = "Pa", .range = not_negative, .usual = {10.0, 1e7}, .meaning = "adhesion a of the contact plane"},
+      {.path = "boundary.SIDE.friction",
+       .field = [](Case& c, std::size_t i) { return &c.sides[i].friction; },
+       .range = not_negative, .usual = {0.0, 2.0},
+       .meaning = "tangent mu of the friction angle of the contact plane, not the angle itself"},
+      {.path = "boundary.SIDE.velocity",
+       .field = [](Case& c, std::size_t i) { return &c.sides[i].velocity; },
+       .unit = "m/s", .usual = {1e-6, 1e3}, .meaning = "prescribed velocity of the side"},
+  };
+}
+
+std::vector<KeyInfo> method_keys()
+{
+  return {
+      {.path = "method.weights",
+       .field = [](Case& c, std::size_t) { return word_field(c.method.weights); },
+       .words = weights_words,
+       .meaning = "weight of a Gauss point (reading R3): the Gauss rule in filled cells and the volume of the points "
+                  "elsewhere (hybrid), the volume of the points (summed), the Gauss rule (gauss)"},
+      {.path = "method.filled_fraction",
+       .field = [](Case& c, std::size_t) { return &c.method.filled_fraction; },
+       .range = {0.0, 1.0, true, false},
+       .meaning = "a cell is filled when its points fill at least this part of it (reading R3)",
+       .equation = "sum_p Omega_p >= filled_fraction V_e"},
+      {.path = "method.filled_blend",
+       .field = [](Case& c, std::size_t) { return &c.method.filled_blend; },
+       .range = between(0.0, 0.5),
+       .meaning = "half width of a linear blend of the two weights about filled_fraction; 0: a jump"},
+      {.path = "method.b_bar",
+       .field = [](Case& c, std::size_t) { return &c.method.b_bar; },
+       .meaning = "volumetric strain of the cell centre at all Gauss points, against locking (reading R5)",
+       .equation = "d_eps_bar = d_eps + (theta_0 - tr d_eps) I / 3,  theta_0 = tr d_eps(0)"},
+      {.path = "method.force_operator",
+       .field = [](Case& c, std::size_t) { return word_field(c.method.force_operator); },
+       .words = force_operator_words, .meaning = "operator of the internal force, Eq. (4) (reading R4)"},
+      {.path = "method.point_pressure",
+       .field = [](Case& c, std::size_t) { return word_field(c.method.point_pressure); },
+       .words = point_pressure_words,
+       .meaning = "pressure of a material point in mpm_gp (reading R10): of its cell, its own, or its own drawn "
+                  "towards that of the cell (relax)"},
+      {.path = "method.pressure_relaxation",
+       .field = [](Case& c, std::size_t) { return &c.method.pressure_relaxation; },
+       .range = between(0.0, 1.0),
+       .meaning = "share of the cell's pressure that a point takes per step, for point_pressure = \"relax\""},
+      {.path = "method.state_averaging",
+       .field = [](Case& c, std::size_t) { return word_field(c.method.state_averaging); },
+       .words = state_averaging_words,
+       .meaning = "how mpm_mixed averages the state (reading R9): as each state variable declares, or all by cell or "
+                  "by sub-cell"},
+      {.path = "method.objective_rate",
+       .field = [](Case& c, std::size_t) { return word_field(c.method.objective_rate); },
+       .words = objective_rate_words,
+       .meaning = "whether the stress turns with the soil (reading R17)",
+       .equation = "jaumann: sigma += (d_omega sigma - sigma d_omega)"},
+      {.path = "method.flip",
+       .field = [](Case& c, std::size_t) { return &c.method.flip; },
+       .range = between(0.0, 1.0), .meaning = "share of FLIP in the velocity of the points; 0: pure PIC",
+       .equation = "v_p <- flip (v_p + dt sum N a_i) + (1 - flip) sum N v*_i"},
+      {.path = "method.tension_limit",
+       .field = [](Case& c, std::size_t) { return &c.method.tension_limit; },
+       .unit = "Pa", .range = not_negative, .usual = {10.0}, .may_be_infinite = true,
+       .meaning = "largest mean tension of a cell that is not filled; inf: no limit"},
+      {.path = "method.small_mass",
+       .field = [](Case& c, std::size_t) { return &c.method.small_mass; },
+       .range = {0.0, 1.0, false, true},
+       .meaning = "nodes lighter than this part of a full cell stay at rest",
+       .equation = "m_i < small_mass rho V_e: v_i = a_i = 0"},
+  };
+}
+
+std::vector<KeyInfo> output_keys()
+{
+  return {
+      {.path = "output.deviatoric_norm",
+       .field = [](Case& c, std::size_t) { return word_field(c.output.deviatoric_norm); },
+       .words = deviatoric_norm_words, .meaning = "norm of the total deviatoric strain in results (reading R18)",
+       .equation = "half: sqrt(1/2 e:e);  von_mises: sqrt(2/3 e:e)"},
+      {.path = "output.fields.every",
+       .field = [](Case& c, std::size_t) { return &c.output.fields_every; },
+       .unit = "s", .range = not_negative, .meaning = "interval of the fields of all points; 0: only first and last"},
+      {.path = "output.fields.names",
+       .field = [](Case& c, std::size_t) { return NameList{&c.output.field_names}; },
+       .words = output_field_names, .meaning = "fields to write besides position and id; left out or empty: all"},
+      {.path = "output.history.every",
+       .field = [](Case& c, std::size_t) { return &c.output.history_every; },
+       .unit = "s", .range = positive, .meaning = "interval of the rows of history.csv"},
+      {.path = "output.history.points",
+       .field = [](Case& c, std::size_t) { return NamedPlaces{&c.output.history_points}; },
+       .unit = "m", .meaning = "names and initial places; the nearest material point is followed (reading R21)"},
+      {.path = "output.ledger.every",
+       .field = [](Case& c, std::size_t) { return &c.output.ledger_every; },
+       .unit = "s", .range = positive, .meaning = "interval of the rows of ledger.csv: mass, momentum, energy"},
+      {.path = "output.checkpoint.every",
+       .field = [](Case& c, std::size_t) { return &c.output.checkpoint_every; },
+       .unit = "s", .range = not_negative,
+       .meaning = "interval of the files to resume from; 0: only at the end and when stopped"},
+      {.path = "output.checkpoint.keep",
+       .field = [](Case& c, std::size_t) { return &c.output.checkpoint_keep; },
+       .range = not_negative, .meaning = "how many of the newest checkpoints are kept; 0: all"},
+  };
+}
+
+}  // namespace
+
+const std::vector<KeyInfo>& all_keys()
+{
+  static const std::vector<KeyInfo> keys = [] {
+    std::vector<KeyInfo> list;
+    for (auto part : {frame_keys, soil_keys, load_keys, side_keys, method_keys, output_keys})
+      for (KeyInfo& key : part()) list.push_back(std::move(key));
+    for (KeyInfo& key : list) key.default_text = default_text(key);
+    return list;
+  }();
+  return keys;
+}
+
+const std::vector<SectionInfo>& all_sections()
+{
+  static const std::vector<SectionInfo> sections = {
+      {"time", "how long to solve, in which steps", true},
+      {"mesh", "the background mesh: a rectangle of equal cells", true},
+      {"body[]", "one piece of soil, filled with material points; as many as needed", true},
+      {"material.NAME", "a material with the name that bodies use", true},
+      {"forces", "gravity and damping"},
+      {"forces.damping", "damping of the nodal motion"},
+      {"initial", "the stress before t = 0"},
+      {"boundary", "the sides of the mesh; a side that is not named is free"},
+      {"method", "numerical choices; the defaults suit soil that fails (docs/methods.md)"},
+      {"output", "what is written, and when"},
+      {"output.fields", "fields of all material points: results.vtkhdf"},
+      {"output.history", "named points over time: history.csv"},
+      {"output.ledger", "balances over time: ledger.csv"},
+      {"output.checkpoint", "files to resume from"},
+  };
+  return sections;
+}
+
+std::vector<KeyInfo> keys_of_law(const MaterialType& law)
+{
+  std::vector<KeyInfo> keys;
+  for (std::size_t k = 0; k < law.parameters.size(); ++k) {
+    const ParameterInfo& parameter = law.parameters[k];
+    keys.push_back({.path = "material.NAME." + std::string(parameter.name),
+                    .field = [k](Case& c, std::size_t i) { return &c.materials[i].parameters[k]; },
+                    .unit = std::string(parameter.unit), .range = parameter.range, .usual = parameter.usual,
+                    .required = !parameter.fallback, .meaning = std::string(parameter.meaning)});
+    if (parameter.fallback) keys.back().default_text = number_text(*parameter.fallback, keys.back().unit);
+  }
+  return keys;
+}
+
+std::vector<FieldInfo> all_output_fields()
+{
+  std::vector<FieldInfo> fields = {
+      {"velocity", "m/s", "velocity"},
+      {"displacement", "m", "displacement since t = 0"},
+      {"stress", "Pa", "Cauchy stress xx yy zz xy, tension positive"},
+      {"volume", "m^3/m", "current volume per metre of thickness"},
+      {"material", "-", "number of the material, from 0 in the order of the case file"},
+      {"cell", "-", "number of the cell that holds the point"},
+      {"strain", "-", "total strain xx yy zz xy, tensorial shear"},
+      {"eps_deviatoric", "-", "total deviatoric strain in output.deviatoric_norm"},
+  };
+  const auto add = [&fields](auto&& info) {
+    for (const FieldInfo& field : fields)
+      if (field.name == info.name) return;
+    fields.push_back({std::string(info.name), std::string(info.unit), std::string(info.meaning)});
+  };
+  for (const MaterialType* law : all_materials()) {
+    for (const StateInfo& state : law->state) add(state);
+    for (const DerivedInfo& derived : law->derived) add(derived);
+  }
+  return fields;
+}
+
+std::vector<std::string> output_field_names()
+{
+  std::vector<std::string> names;
+  for (const FieldInfo& field : all_output_fields()) names.push_back(field.name);
+  return names;
+}
+
+std::vector<std::string> material_model_names()
+{
+  std::vector<std::string> names;
+  for (const MaterialType* law : all_materials()) names.emplace_back(law->name);
+  return names;
+}
+
+const std::vector<std::string>& side_names()
+{
+  static const std::vector<std::string> names = {"left", "right", "bottom", "top"};
+  return names;
+}
+
+const KeyInfo* find_key(std::string_view path)
+{
+  for (const KeyInfo& key : all_keys())
+    if (key.path == path) return &key;
+  return nullptr;
+}
+
+const SectionInfo* find_section(std::string_view path)
+{
+  for (const SectionInfo& section : all_sections())
+    if (section.path == path) return &section;
+  return nullptr;
+}
+
+std::vector<std::string> names_in_section(std::string_view section)
+{
+  std::vector<std::string> names;
+  const auto add = [&](std::string_view path) {
+    if (parent_path(path) == section) names.push_back(last_part(path));
+  };
+  for (const KeyInfo& key : all_keys()) add(key.path);
+  for (const SectionInfo& below : all_sections()) add(below.path);
+  return names;
+}
+
+}  // namespace terp

@@ -1,0 +1,84 @@
+// Every key of a case file, each declared once: where it is kept, unit, range, meaning. Reading, checks, warnings and
+// help all follow from these tables. Not for: what the keys contradict among each other (check_case.hpp).
+#pragma once
+
+#include "materials/material.hpp"
+#include "simulation/case.hpp"
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace terp {
+
+/// A choice from KeyInfo::words, kept as an enum: the index of the word.
+struct WordField {
+  std::function<int()> get;
+  std::function<void(int)> set;
+};
+struct NumberOrPair {
+  Vec<2>* value;
+};  ///< 0.1 means [0.1, 0.1]
+struct CountOrPair {
+  std::array<Index, 2>* value;
+};  ///< 5 means [5, 5]
+struct Box {
+  std::vector<Vec<2>>* corners;
+};  ///< two corners in the file, four in the case
+struct Polygon {
+  std::vector<Vec<2>>* corners;
+};
+struct NameList {
+  std::vector<std::string>* names;
+};
+struct NamedPlaces {
+  std::vector<std::pair<std::string, Vec<2>>>* places;
+};
+
+/// Where a key is kept. Its type is the key's type.
+using Field = std::variant<Real*, Index*, bool*, std::string*, Vec<2>*, WordField, NumberOrPair, CountOrPair, Box,
+                           Polygon, NameList, NamedPlaces>;
+
+struct KeyInfo {
+  std::string path;  ///< "time.end", "body[].box", "material.NAME.density", "boundary.SIDE.contact"
+  std::function<Field(Case&, std::size_t)> field;  ///< in the body, material or side of that number
+  std::string unit = "-";
+  Range range = any_number;                       ///< of the number or of each of its numbers
+  Range usual = any_number;                       ///< of |number|; outside, but not 0: warn
+  std::vector<std::string> (*words)() = nullptr;  ///< allowed texts; none: any
+  bool required = false;
+  bool may_be_infinite = false;
+  std::string meaning;
+  std::string equation = "";
+  std::string default_text = "";  ///< filled in from the structs of case.hpp
+};
+
+struct SectionInfo {
+  std::string path;  ///< "time", "body[]", "material.NAME", "output.fields"
+  std::string meaning;
+  bool required = false;
+};
+
+/// A field of the results.
+struct FieldInfo {
+  std::string name, unit, meaning;
+};
+
+const std::vector<KeyInfo>& all_keys();  ///< without those of the laws
+const std::vector<SectionInfo>& all_sections();
+std::vector<KeyInfo> keys_of_law(const MaterialType& law);  ///< as "material.NAME.eta"
+std::vector<FieldInfo> all_output_fields();                 ///< that output.fields.names may hold
+std::vector<std::string> output_field_names();
+std::vector<std::string> material_model_names();
+const std::vector<std::string>& side_names();  ///< of the built-in rectangle
+
+const KeyInfo* find_key(std::string_view path);
+const SectionInfo* find_section(std::string_view path);
+
+/// Names that a section may hold: its keys, then the sections directly inside. "" is the file itself.
+std::vector<std::string> names_in_section(std::string_view section);
+
+}  // namespace terp

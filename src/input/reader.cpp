@@ -1,0 +1,224 @@
+#include "input/reader.hpp"
+
+#include "input/closest.hpp"
+#include "input/key_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace terp {
+namespace {
+
+/// One table of the file and what may stand in it.
+struct Section {
+  const Node& table;
+  std::string path;     ///< in this file: "body[0]", "material.clay"; "" for the file itself
+  std::string pattern;  ///< in the table of keys: "body[]", "material.NAME"
+  std::size_t number;   ///< of the body, material or side in the case
+  std::vector<KeyInfo> law_keys = {};
+  std::string law = "";
+};
+
+class CaseReader {
+ public:
+  CaseReader(Case& values, Findings& findings) : values_(values), findings_(findings) {}
+  void read_section(const Section& section);
+
+ private:
+  void read_below(const Node& node, const std::string& path, const SectionInfo& info);
+  void read_bodies(const Node& list);
+  void read_materials(const Node& table);
+  void read_material(const Node& table, const std::string& path);
+  void read_sides(const Node& table);
+  void read_side(const Node& node, const std::string& path);
+  void report_unknown(const Section& section, const Node& item, std::vector<std::string>& meant);
+  void report_missing(const Section& section, const std::vector<std::string>& meant);
+  bool is_table(const Node& node, const std::string& path, const std::string& header);
+  void report(Problem problem) { findings_.problems.push_back(std::move(problem)); }
+
+  Case& values_;
+  Findings& findings_;
+};
+
+const KeyInfo* find_key_in(const Section& section, const std::string& name)
+{
+  const std::string path = section.pattern.empty() ? name : section.pattern + '.' + name;
+  for (const KeyInfo& key : section.law_keys)
+    if (key.path == path) return &key;
+  return find_key(path);
+}
+
+std::vector<std::string> names_in(const Section& section)
+{
+  if (section.pattern == "boundary") return side_names();
+  std::vector<std::string> names = names_in_section(section.pattern);
+  for (const KeyInfo& key : section.law_keys) names.push_back(last_part(key.path));
+  return names;
+}
+
+std::string title_of(const Section& section)
+{
+  if (!section.law.empty()) return fmt::format("material model `{}`", section.law);
+  if (section.path.empty()) return "a case file";
+  if (section.pattern == "boundary.SIDE") return "a side";
+  return section.pattern == "body[]" ? "[[body]]" : fmt::format("[{}]", section.path);
+}
+
+void CaseReader::read_section(const Section& section)
+{
+  std::vector<std::string> meant;
+  for (const Node& item : section.table.items) {
+    const std::string path = join_path(section.path, item.name);
+    const std::string pattern = section.pattern.empty() ? item.name : section.pattern + '.' + item.name;
+    const bool is_name = item.name.find_first_of(".[") == std::string::npos;  // no quoted "time.end" at the root
+    if (!is_name) {
+      report_unknown(section, item, meant);
+    } else if (const KeyInfo* key = find_key_in(section, item.name)) {
+      store_value({item, path, *key}, key->field(values_, section.number), findings_);
+    } else if (item.name == "body" && section.path.empty()) {
+      read_bodies(item);
+    } else if (item.name == "material" && section.path.empty()) {
+      read_materials(item);
+    } else if (const SectionInfo* below = find_section(pattern)) {
+      read_below(item, path, *below);
+    } else {
+      report_unknown(section, item, meant);
+    }
+  }
+  report_missing(section, meant);
+}
+
+void CaseReader::read_below(const Node& node, const std::string& path, const SectionInfo& info)
+{
+  if (!is_table(node, path, header_of(info.path))) return;
+  if (info.path == "boundary")
+    read_sides(node);
+  else
+    read_section({node, path, info.path, 0});
+}
+
+void CaseReader::read_bodies(const Node& list)
+{
+  if (list.kind != NodeKind::list)
+    return report({"body", "`body` must be a list of tables", "Write [[body]], with two brackets, above each body.",
+                   "body", true});
+  for (std::size_t k = 0; k < list.items.size(); ++k) {
+    values_.bodies.emplace_back();
+    const std::string path = fmt::format("body[{}]", k);
+    if (is_table(list.items[k], path, "[[body]]")) read_section({list.items[k], path, "body[]", k});
+  }
+}
+
+void CaseReader::read_materials(const Node& table)
+{
+  if (!is_table(table, "material", "[material.NAME]")) return;
+  for (const Node& item : table.items) {
+    const std::string path = join_path("material", item.name);
+    if (is_table(item, path, fmt::format("[{}]", path))) read_material(item, path);
+  }
+}
+
+void CaseReader::read_material(const Node& table, const std::string& path)
+{
+  const Node* model = find_item(table, "model");
+  const MaterialType* law = model != nullptr ? find_material(model->text) : nullptr;
+  MaterialCase& material = values_.materials.emplace_back();
+  material.name = table.name;
+  const std::size_t number = values_.materials.size() - 1;
+  if (law == nullptr) {  // then the law's keys cannot be told from unknown ones: only the common ones are read
+    Node common = table;
+    std::erase_if(common.items, [](const Node& item) { return item.name != "model" && item.name != "density"; });
+    return read_section({common, path, "material.NAME", number});
+  }
+  for (const ParameterInfo& parameter : law->parameters)
+    material.parameters.push_back(parameter.fallback.value_or(std::numeric_limits<Real>::quiet_NaN()));
+  read_section({table, path, "material.NAME", number, keys_of_law(*law), std::string(law->name)});
+}
+
+void CaseReader::read_sides(const Node& table)
+{
+  const Section boundary{table, "boundary", "boundary", 0};
+  const auto& sides = side_names();
+  std::vector<std::string> meant;
+  for (const Node& item : table.items) {
+    if (std::find(sides.begin(), sides.end(), item.name) == sides.end())
+      report_unknown(boundary, item, meant);
+    else
+      read_side(item, join_path("boundary", item.name));
+  }
+}
+
+void CaseReader::read_side(const Node& node, const std::string& path)
+{
+  values_.sides.emplace_back();
+  const std::size_t number = values_.sides.size() - 1;
+  values_.sides[number].side = node.name;
+  const KeyInfo& kind = *find_key("boundary.SIDE");
+  if (node.kind == NodeKind::text) {
+    store_value({node, path, kind}, kind.field(values_, number), findings_);
+  } else if (node.kind == NodeKind::table) {
+    if (find_item(node, "velocity") != nullptr) values_.sides[number].kind = SideKind::velocity;
+    read_section({node, path, "boundary.SIDE", number});
+  } else {
+    report({path, fmt::format("`{}` must be text or a table", node.name),
+            fmt::format("Got {}; allowed: {} or a table with contact or velocity.", describe_value(node),
+                        allowed_text(kind)),
+            "boundary"});
+  }
+}
+
+bool CaseReader::is_table(const Node& node, const std::string& path, const std::string& header)
+{
+  if (node.kind == NodeKind::table) return true;
+  const bool listed = node.kind == NodeKind::list;
+  report({path, fmt::format("`{}` must be a table", path),
+          fmt::format("Got {}; write {} {}.", listed ? "a list" : describe_value(node), header,
+                      listed ? "with one bracket" : "on a line of its own, its keys below"),
+          topic_of(path), true});
+  return false;
+}
+
+void CaseReader::report_unknown(const Section& section, const Node& item, std::vector<std::string>& meant)
+{
+  auto names = names_in(section);
+  const std::string nearest = closest(item.name, names);
+  meant.push_back(nearest);
+  if (!section.law.empty()) std::erase(names, "model");
+  std::string detail = nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest);
+  detail += fmt::format("Keys of {}: {}", title_of(section), plain_list(names));
+  report({join_path(section.path, item.name), fmt::format("unknown key `{}`", item.name), detail,
+          section.law.empty() ? topic_of(section.pattern) : section.law, true});
+}
+
+void CaseReader::report_missing(const Section& section, const std::vector<std::string>& meant)
+{
+  const auto is_missing = [&](const std::string& name) {
+    return find_item(section.table, name) == nullptr && std::find(meant.begin(), meant.end(), name) == meant.end();
+  };
+  const auto check_key = [&](const KeyInfo& key) {
+    const std::string name = last_part(key.path);
+    if (!key.required || parent_path(key.path) != section.pattern || !is_missing(name)) return;
+    report({section.path, fmt::format("the key `{}` is missing from {}", name, title_of(section)),
+            fmt::format("Meaning: {}\nAllowed: {}", key.meaning, allowed_text(key)),
+            section.law.empty() ? topic_of(key.path) : section.law, true});
+  };
+  for (const KeyInfo& key : all_keys()) check_key(key);
+  for (const KeyInfo& key : section.law_keys) check_key(key);
+  for (const SectionInfo& below : all_sections())
+    if (below.required && section.path.empty() && is_missing(last_part(below.path)))
+      report({"", fmt::format("the section {} is missing", header_of(below.path)),
+              fmt::format("Meaning: {}\nKeys: {}{}", below.meaning, plain_list(names_in_section(below.path)),
+                          below.path == "material.NAME" ? ", and those of the model" : ""),
+              topic_of(below.path)});
+}
+
+}  // namespace
+
+void read_values(const Node& root, Case& values, Findings& findings)
+{
+  CaseReader(values, findings).read_section({root, "", "", 0});
+}
+
+}  // namespace terp

@@ -1,0 +1,164 @@
+#include "input/render.hpp"
+
+#include "input/key_text.hpp"
+#include "input/keys.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace terp {
+namespace {
+
+/// Where a message points: into the file, at a --set, or at the file as a whole.
+struct Spot {
+  Place place;  ///< line 0: none
+  std::string override_text;
+  bool exact = true;  ///< false: the key is not there, the spot is a table above it
+};
+
+bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }  // of a UTF-8 character
+
+std::string line_of(const std::string& text, int line)
+{
+  std::size_t begin = 0;
+  for (int k = 1; k < line && begin != std::string::npos; ++k) {
+    begin = text.find('\n', begin);
+    if (begin != std::string::npos) ++begin;
+  }
+  if (begin == std::string::npos) return "";
+  std::string found = text.substr(begin, text.find('\n', begin) - begin);
+  if (!found.empty() && found.back() == '\r') found.pop_back();
+  return found;
+}
+
+/// The underline: tabs stay tabs, so that it lines up in any terminal.
+std::string carets(const std::string& line, const Place& place)
+{
+  std::string marks;
+  int column = 1;
+  const std::string shown = line.substr(0, line.find_last_not_of(" \t") + 1);
+  for (const char c : shown) {
+    if (is_continuation(c)) continue;
+    const bool inside = column >= place.column && (place.length == 0 || column < place.column + place.length);
+    if (inside)
+      marks += '^';
+    else if (column < place.column)
+      marks += c == '\t' ? '\t' : ' ';
+    ++column;
+  }
+  for (; column < place.column; ++column) marks += ' ';
+  return marks.find('^') == std::string::npos ? marks + '^' : marks;
+}
+
+std::string frame(const std::string& text, const Place& place)
+{
+  const std::string line = line_of(text, place.line);
+  return fmt::format("\n{:>5} | {}\n      | {}\n", place.line, line, carets(line, place));
+}
+
+std::string indented(const std::string& detail)
+{
+  std::string out = "  ";
+  for (const char c : detail) {
+    out += c;
+    if (c == '\n') out += "  ";
+  }
+  return out + '\n';
+}
+
+/// The path without its last part: "body[0].box" -> "body[0]" -> "body" -> "".
+std::string above(const std::string& path)
+{
+  auto parts = split_path(path);
+  std::string shorter;
+  if (!parts.empty()) parts.pop_back();
+  for (const std::string& part : parts) shorter = part.starts_with('[') ? shorter + part : join_path(shorter, part);
+  return shorter;
+}
+
+Spot find_spot(const Problem& problem, const Document& document)
+{
+  if (problem.key.starts_with("--set ")) return {{}, problem.key, true};
+  for (std::string path = problem.key; !path.empty(); path = above(path)) {
+    const Node* node = find_node(document.root, path);
+    if (node == nullptr) continue;
+    const bool exact = path == problem.key;
+    const bool at_key = (problem.at_key || !exact) && node->key.line > 0;
+    Place place = at_key ? node->key : node->value;
+    const bool is_header = node->kind == NodeKind::table && node->key.line > 0 && node->value.line == node->key.line;
+    if (is_header && !at_key) place = node->key;
+    return {place, node->override_text, exact};
+  }
+  return {{}, "", problem.key.empty()};
+}
+
+std::string location(const std::string& path, const Spot& spot)
+{
+  if (!spot.override_text.empty()) return spot.override_text;
+  if (spot.place.line == 0) return path;
+  return fmt::format("{}:{}:{}", path, spot.place.line, spot.place.column);
+}
+
+/// "`initial.k0` is not given; its default is 1." for a problem with a key that the file does not hold.
+std::string note_on_default(const Problem& problem)
+{
+  const KeyInfo* key = find_key(problem.key);
+  if (key == nullptr || key->default_text.empty()) return "";
+  return fmt::format("`{}` is not given; its default is {}.", problem.key, key->default_text);
+}
+
+std::string render_one(const char* word, const Problem& problem, const Document& document)
+{
+  const Spot spot = find_spot(problem, document);
+  std::string out = fmt::format("{}: {}: {}\n", word, location(document.path, spot), problem.what);
+  if (spot.override_text.empty() && spot.place.line > 0) out += frame(document.text, spot.place);
+  if (!problem.detail.empty()) out += indented(problem.detail);
+  if (!spot.exact && !note_on_default(problem).empty()) out += indented(note_on_default(problem));
+  if (!problem.topic.empty()) out += indented("More: terp explain " + problem.topic);
+  return out + '\n';
+}
+
+std::vector<Problem> in_file_order(std::vector<Problem> problems, const Document& document)
+{
+  const auto rank = [&](const Problem& problem) {
+    const Place place = find_spot(problem, document).place;
+    return std::pair(place.line == 0 ? std::numeric_limits<int>::max() : place.line, place.column);
+  };
+  std::stable_sort(problems.begin(), problems.end(),
+                   [&](const Problem& a, const Problem& b) { return rank(a) < rank(b); });
+  return problems;
+}
+
+std::string render_all(const char* word, const std::vector<Problem>& problems, const Document& document)
+{
+  std::string out;
+  const auto ordered = in_file_order(problems, document);
+  for (std::size_t k = 0; k < std::min(ordered.size(), max_shown); ++k) out += render_one(word, ordered[k], document);
+  if (ordered.size() > max_shown) out += fmt::format("and {} more\n\n", ordered.size() - max_shown);
+  return out;
+}
+
+}  // namespace
+
+std::string render_errors(const std::vector<Problem>& problems, const Document& document)
+{
+  const char* const noun = problems.size() == 1 ? "error" : "errors";
+  return render_all("error", problems, document) + fmt::format("{} {}; nothing was run.\n", problems.size(), noun);
+}
+
+std::string render_warnings(const std::vector<Problem>& warnings, const Document& document)
+{
+  return render_all("warning", warnings, document);
+}
+
+std::string render_at(const std::string& path, const std::string& text, Place place, const Problem& problem)
+{
+  std::string out = fmt::format("error: {}: {}\n", location(path, {place, "", true}), problem.what);
+  if (place.line > 0) out += frame(text, place);
+  return out + indented(problem.detail) + "\n1 error; nothing was run.\n";
+}
+
+}  // namespace terp

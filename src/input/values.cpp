@@ -1,0 +1,252 @@
+#include "input/values.hpp"
+
+#include "input/closest.hpp"
+#include "input/key_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace terp {
+namespace {
+
+bool is_number(const Node& node) { return node.kind == NodeKind::number || node.kind == NodeKind::integer; }
+
+Real to_number(const Node& node)
+{
+  return node.kind == NodeKind::integer ? static_cast<Real>(node.integer) : node.number;
+}
+
+/// Reads values of one entry. `node` and `path` may be a part of it: one number of a pair.
+class ValueReader {
+ public:
+  ValueReader(const Entry& entry, Findings& findings) : entry_(entry), key_(entry.key), findings_(findings) {}
+
+  bool operator()(Real* value) { return read_number(entry_.node, entry_.path, *value); }
+  bool operator()(Index* value) { return read_count(entry_.node, entry_.path, *value); }
+  bool operator()(Vec<2>* value) { return read_pair(entry_.node, entry_.path, *value); }
+  bool operator()(bool* value)
+  {
+    if (entry_.node.kind != NodeKind::boolean) return wrong_type(entry_.node, entry_.path);
+    *value = entry_.node.boolean;
+    return true;
+  }
+  bool operator()(std::string* value)
+  {
+    if (!read_word(entry_.node, entry_.path)) return false;
+    *value = entry_.node.text;
+    return true;
+  }
+  bool operator()(const WordField& field)
+  {
+    if (!read_word(entry_.node, entry_.path)) return false;
+    const auto words = key_.words();
+    field.set(static_cast<int>(std::find(words.begin(), words.end(), entry_.node.text) - words.begin()));
+    return true;
+  }
+  bool operator()(const NumberOrPair& field)
+  {
+    if (entry_.node.kind == NodeKind::list) return read_pair(entry_.node, entry_.path, *field.value);
+    Real both = 0.0;
+    if (!read_number(entry_.node, entry_.path, both)) return false;
+    *field.value = {both, both};
+    return true;
+  }
+  bool operator()(const CountOrPair& field);
+  bool operator()(const Box& field);
+  bool operator()(const Polygon& field);
+  bool operator()(const NameList& field);
+  bool operator()(const NamedPlaces& field);
+
+ private:
+  bool read_number(const Node& node, const std::string& path, Real& value);
+  bool read_count(const Node& node, const std::string& path, Index& value);
+  bool read_pair(const Node& node, const std::string& path, Vec<2>& value);
+  bool read_places(std::vector<Vec<2>>& places);
+  bool read_word(const Node& node, const std::string& path);
+
+  bool wrong_type(const Node& node, const std::string& path);
+  bool out_of_range(const std::string& path, const std::string& got);
+  bool fail(const std::string& path, std::string what, std::string detail);
+  std::string name() const { return last_part(entry_.path); }
+
+  const Entry& entry_;
+  const KeyInfo& key_;
+  Findings& findings_;
+};
+
+bool ValueReader::fail(const std::string& path, std::string what, std::string detail)
+{
+  findings_.problems.push_back({path, std::move(what), std::move(detail), topic_of(key_.path)});
+  return false;
+}
+
+bool ValueReader::wrong_type(const Node& node, const std::string& path)
+{
+  return fail(path, fmt::format("`{}` must be {}", name(), type_text(key_)),
+              fmt::format("Got {}; allowed: {}.", describe_value(node), allowed_text(key_)));
+}
+
+bool ValueReader::out_of_range(const std::string& path, const std::string& got)
+{
+  const std::string range = range_text(key_.range, key_.unit);
+  return fail(path, fmt::format("`{}` is out of range", name()),
+              fmt::format("Got {}; allowed: {}.", got, range.empty() ? "any finite number" : range));
+}
+
+bool ValueReader::read_number(const Node& node, const std::string& path, Real& value)
+{
+  if (!is_number(node)) return wrong_type(node, path);
+  const Real number = to_number(node);
+  const bool finite = std::isfinite(number) || (key_.may_be_infinite && !std::isnan(number));
+  if (!finite || !key_.range.contains(number)) return out_of_range(path, number_text(number, key_.unit));
+  if (number != 0.0 && std::isfinite(number) && !key_.usual.contains(std::abs(number)))
+    findings_.warnings.push_back(
+        {path, fmt::format("`{}` = {} is unusual", name(), number_text(number, key_.unit)),
+         fmt::format("Usual: {}. Terp reads SI units: m, kg, s, Pa.", usual_text(key_.usual, key_.unit)),
+         topic_of(key_.path)});
+  value = number;
+  return true;
+}
+
+bool ValueReader::read_count(const Node& node, const std::string& path, Index& value)
+{
+  if (node.kind != NodeKind::integer) return wrong_type(node, path);
+  const bool fits =
+      node.integer >= std::numeric_limits<Index>::min() && node.integer <= std::numeric_limits<Index>::max();
+  if (!fits || !key_.range.contains(static_cast<Real>(node.integer)))
+    return out_of_range(path, fmt::format("{}", node.integer));
+  value = static_cast<Index>(node.integer);
+  return true;
+}
+
+bool ValueReader::read_pair(const Node& node, const std::string& path, Vec<2>& value)
+{
+  if (node.kind != NodeKind::list || node.items.size() != 2) return wrong_type(node, path);
+  const bool first = read_number(node.items[0], path + "[0]", value[0]);
+  return read_number(node.items[1], path + "[1]", value[1]) && first;
+}
+
+bool ValueReader::read_places(std::vector<Vec<2>>& places)
+{
+  const Node& list = entry_.node;
+  if (list.kind != NodeKind::list) return wrong_type(list, entry_.path);
+  places.resize(list.items.size());
+  for (std::size_t k = 0; k < places.size(); ++k)
+    if (!read_pair(list.items[k], fmt::format("{}[{}]", entry_.path, k), places[k])) return false;
+  return true;
+}
+
+bool ValueReader::read_word(const Node& node, const std::string& path)
+{
+  if (node.kind != NodeKind::text) return wrong_type(node, path);
+  if (key_.words == nullptr) return true;
+  const auto words = key_.words();
+  if (std::find(words.begin(), words.end(), node.text) != words.end()) return true;
+  const std::string nearest = closest(node.text, words);
+  const std::string hint = nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest);
+  return fail(path, fmt::format("`{}` cannot be \"{}\"", name(), node.text), hint + "Allowed: " + quoted_list(words));
+}
+
+bool ValueReader::operator()(const CountOrPair& field)
+{
+  const Node& node = entry_.node;
+  auto& counts = *field.value;
+  if (node.kind != NodeKind::list) {
+    if (!read_count(node, entry_.path, counts[0])) return false;
+    counts[1] = counts[0];
+    return true;
+  }
+  if (node.items.size() != 2) return wrong_type(node, entry_.path);
+  return read_count(node.items[0], entry_.path + "[0]", counts[0]) &&
+         read_count(node.items[1], entry_.path + "[1]", counts[1]);
+}
+
+bool ValueReader::operator()(const Box& field)
+{
+  std::vector<Vec<2>> corners;
+  if (!read_places(corners)) return false;
+  if (corners.size() != 2) return wrong_type(entry_.node, entry_.path);
+  const auto [low, high] = std::pair(corners[0], corners[1]);
+  if (low[0] >= high[0] || low[1] >= high[1])
+    return fail(entry_.path, fmt::format("`{}` has no area", name()),
+                fmt::format("Got [[{}, {}], [{}, {}]] m; the lower left corner comes first, then the upper right.",
+                            low[0], low[1], high[0], high[1]));
+  *field.corners = {low, {high[0], low[1]}, high, {low[0], high[1]}};
+  return true;
+}
+
+bool ValueReader::operator()(const Polygon& field)
+{
+  std::vector<Vec<2>> corners;
+  if (!read_places(corners)) return false;
+  if (corners.size() < 3) return wrong_type(entry_.node, entry_.path);
+  Real twice_area = 0.0, scale = 0.0;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vec<2>&a = corners[k], &b = corners[(k + 1) % corners.size()];
+    twice_area += a[0] * b[1] - b[0] * a[1];
+    scale += std::abs(a[0] * b[1]) + std::abs(b[0] * a[1]);
+  }
+  constexpr Real round_off = 1e-12;
+  if (std::abs(twice_area) <= round_off * scale)
+    return fail(entry_.path, fmt::format("`{}` has no area", name()), "Give the corners in order around the body.");
+  if (twice_area < 0.0) std::reverse(corners.begin(), corners.end());
+  *field.corners = corners;
+  return true;
+}
+
+bool ValueReader::operator()(const NameList& field)
+{
+  const Node& list = entry_.node;
+  if (list.kind != NodeKind::list) return wrong_type(list, entry_.path);
+  bool good = true;
+  for (std::size_t k = 0; k < list.items.size(); ++k)
+    good = read_word(list.items[k], fmt::format("{}[{}]", entry_.path, k)) && good;
+  for (const Node& item : list.items)
+    if (good) field.names->push_back(item.text);
+  return good;
+}
+
+bool ValueReader::operator()(const NamedPlaces& field)
+{
+  const Node& table = entry_.node;
+  if (table.kind != NodeKind::table) return wrong_type(table, entry_.path);
+  bool good = true;
+  for (const Node& item : table.items) {
+    Vec<2> place{};
+    good = read_pair(item, join_path(entry_.path, item.name), place) && good;
+    field.places->emplace_back(item.name, place);
+  }
+  return good;
+}
+
+}  // namespace
+
+bool store_value(const Entry& entry, const Field& field, Findings& findings)
+{
+  return std::visit(ValueReader(entry, findings), field);
+}
+
+std::string describe_value(const Node& node)
+{
+  switch (node.kind) {
+    case NodeKind::boolean:
+      return node.boolean ? "true" : "false";
+    case NodeKind::integer:
+      return fmt::format("the integer {}", node.integer);
+    case NodeKind::number:
+      return fmt::format("the number {}", node.number);
+    case NodeKind::text:
+      return fmt::format("the text \"{}\"", node.text);
+    case NodeKind::list:
+      return fmt::format("a list of {}", node.items.size());
+    case NodeKind::table:
+      return "a table";
+    case NodeKind::date:
+      break;
+  }
+  return "a date or time";
+}
+
+}  // namespace terp

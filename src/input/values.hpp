@@ -1,0 +1,31 @@
+// One value of the file: type, range and unit against its entry in the table, then into the case.
+#pragma once
+
+#include "base/errors.hpp"
+#include "input/document.hpp"
+#include "input/keys.hpp"
+
+#include <string>
+#include <vector>
+
+namespace terp {
+
+/// What was found while reading: problems stop the run, warnings do not.
+struct Findings {
+  std::vector<Problem> problems, warnings;
+};
+
+/// One key of the file and its declaration.
+struct Entry {
+  const Node& node;
+  std::string path;  ///< "body[0].box"
+  const KeyInfo& key;
+};
+
+/// Stores the value in the field. False, with a problem added, if it is not allowed.
+bool store_value(const Entry& entry, const Field& field, Findings& findings);
+
+/// "the text "four"", "the number 4", "a list of 3".
+std::string describe_value(const Node& node);
+
+}  // namespace terp

@@ -1,0 +1,44 @@
+// checkpoint_<step>.h5: everything a run needs to go on, to the bit, with a checksum (docs/formats.md).
+// Not for: looking at results (vtkhdf).
+#pragma once
+
+#include "simulation/observer.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace terp {
+
+/// Writes a checkpoint under a temporary name and moves it into place: a full disk or a crash leaves no half one.
+/// Names of arrays are unique; a '/' in them makes groups in the file.
+void write_checkpoint(const std::string& path, const StateImage& image);
+
+/// Throws FileError with the file and what is wrong unless every bit is as it was written.
+StateImage read_checkpoint(const std::string& path);
+
+/// FNV-1a, 64 bit, over the time, the step, and each array's name, type, shape and values, in their order.
+std::uint64_t checksum_of(const StateImage& image);
+
+/// A checkpoint that could not be used, and why.
+struct SkippedCheckpoint {
+  std::string path, reason;
+};
+
+/// What newest_good_checkpoint finds.
+struct CheckpointSearch {
+  std::optional<StateImage> image;         ///< none if the folder holds no good checkpoint
+  std::string path;                        ///< of the good one
+  std::vector<SkippedCheckpoint> skipped;  ///< newer ones that are bad, newest first
+};
+
+/// The checkpoint of the latest step in a run folder that can be read.
+CheckpointSearch newest_good_checkpoint(const std::string& folder);
+
+/// Removes all but the `n_kept` newest checkpoints; 0 keeps all.
+void remove_old_checkpoints(const std::string& folder, Index n_kept);
+
+/// Removes the checkpoints of steps after `step`.
+void remove_checkpoints_after(const std::string& folder, std::int64_t step);
+
+}  // namespace terp

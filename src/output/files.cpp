@@ -1,0 +1,127 @@
+// Plain files: see files.hpp.
+#include "output/files.hpp"
+
+#include "base/errors.hpp"
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace terp {
+namespace {
+
+/// 0, or the errno of the write that failed.
+int write_all(int descriptor, std::string_view text)
+{
+  while (!text.empty()) {
+    const ssize_t n = ::write(descriptor, text.data(), text.size());
+    if (n < 0 && errno != EINTR) return errno;
+    if (n > 0) text.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return 0;
+}
+
+}  // namespace
+
+void throw_file_error(std::string_view doing, const std::string& path, int error_number)
+{
+  throw FileError(fmt::format("cannot {} {}: {}", doing, path, std::generic_category().message(error_number)));
+}
+
+std::string folder_of(const std::string& path)
+{
+  const auto parent = std::filesystem::path(path).parent_path().string();
+  return parent.empty() ? "." : parent;
+}
+
+std::string temporary_name(const std::string& path) { return path + ".tmp"; }
+
+std::string read_file(const std::string& path)
+{
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (!in) throw_file_error("read", path, errno ? errno : EIO);
+  return text;
+}
+
+void write_whole(const std::string& path, const std::function<void(const std::string&)>& write)
+{
+  const std::string temporary = temporary_name(path);
+  try {
+    write(temporary);
+    sync_to_disk(temporary);
+    if (::rename(temporary.c_str(), path.c_str()) != 0) throw_file_error("write", path, errno);
+  } catch (...) {
+    ::unlink(temporary.c_str());
+    throw;
+  }
+  sync_to_disk(folder_of(path));
+}
+
+void write_file_atomically(const std::string& path, std::string_view text)
+{
+  write_whole(path, [&](const std::string& temporary) {
+    const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (descriptor < 0) throw_file_error("write", path, errno);
+    int error = write_all(descriptor, text);
+    if (::close(descriptor) != 0 && error == 0) error = errno;
+    if (error != 0) throw_file_error("write", path, error);
+  });
+}
+
+void sync_to_disk(const std::string& path)
+{
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) throw_file_error("open", path, errno);
+  const int error = ::fsync(descriptor) == 0 ? 0 : errno;
+  ::close(descriptor);
+  if (error != 0 && error != EINVAL) throw_file_error("write", path, error);  // EINVAL: not a thing to sync
+}
+
+void reserve_space(const std::string& path, std::int64_t n_bytes)
+{
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) throw_file_error("write", path, errno);
+  struct stat before = {};
+  int error = ::fstat(descriptor, &before) == 0 ? 0 : errno;
+  if (error == 0) error = ::posix_fallocate(descriptor, before.st_size, n_bytes);
+  const bool restored = error == 0 || ::ftruncate(descriptor, before.st_size) == 0;
+  ::close(descriptor);
+  if (error != 0) throw_file_error(restored ? "write" : "restore", path, error);
+}
+
+AppendFile::AppendFile(const std::string& path) : path_(path)
+{
+  descriptor_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) throw_file_error("write", path, errno);
+}
+
+AppendFile::~AppendFile()
+{
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+AppendFile::AppendFile(AppendFile&& other) noexcept
+    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1))
+{
+}
+
+void AppendFile::append(std::string_view text)
+{
+  struct stat before = {};
+  const bool has_size = ::fstat(descriptor_, &before) == 0 && S_ISREG(before.st_mode);
+  const int error = write_all(descriptor_, text);
+  if (error == 0) return;
+  if (has_size && ::ftruncate(descriptor_, before.st_size) != 0) throw_file_error("restore", path_, errno);
+  throw_file_error("write", path_, error);
+}
+
+}  // namespace terp

@@ -1,0 +1,55 @@
+// Plain files on a disk that may be full, read-only or gone: whole or not at all, and errors that name the path.
+// Not for: what stands in the files.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace terp {
+
+/// Throws FileError "cannot <doing> <path>: <the system's reason>". error_number: errno of the failed call.
+[[noreturn]] void throw_file_error(std::string_view doing, const std::string& path, int error_number);
+
+/// The whole content of a file.
+std::string read_file(const std::string& path);
+
+/// Replaces the content of a file: readers see the old one or the new.
+void write_file_atomically(const std::string& path, std::string_view text);
+
+/// The name under which a file is written before it is moved to `path`.
+std::string temporary_name(const std::string& path);
+
+/// Lets `write` make a file under a temporary name, then moves it into place: it is there whole, or not at all,
+/// even after a power cut. If `write` throws, the temporary file is removed.
+void write_whole(const std::string& path, const std::function<void(const std::string& temporary)>& write);
+
+/// Waits until a file or folder is on the disk.
+void sync_to_disk(const std::string& path);
+
+/// Makes a file longer by n_bytes that are surely on the disk, so that writing them cannot fail for want of space.
+/// Throws FileError and leaves the file as it was if there is no room.
+void reserve_space(const std::string& path, std::int64_t n_bytes);
+
+/// The folder that holds a file: "." for a bare name.
+std::string folder_of(const std::string& path);
+
+/// A file that only grows. Each append is whole or leaves the file as it was.
+class AppendFile {
+ public:
+  explicit AppendFile(const std::string& path);
+  ~AppendFile();
+  AppendFile(AppendFile&& other) noexcept;
+  AppendFile(const AppendFile&) = delete;
+  AppendFile& operator=(const AppendFile&) = delete;
+  AppendFile& operator=(AppendFile&&) = delete;
+
+  void append(std::string_view text);
+
+ private:
+  std::string path_;
+  int descriptor_ = -1;
+};
+
+}  // namespace terp

@@ -1,0 +1,52 @@
+// A run's folder, runs/<case>/: making it, guarding earlier results, the names of the files in it.
+// Not for: what stands in the files.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace terp {
+
+/// The case as the user gave it.
+struct CaseText {
+  std::string name;  ///< of the case file without .toml
+  std::string toml;  ///< the exact text, with what --set changed
+};
+
+inline constexpr std::string_view case_file = "case.toml";
+inline constexpr std::string_view results_file = "results.vtkhdf";
+inline constexpr std::string_view history_file = "history.csv";
+inline constexpr std::string_view ledger_file = "ledger.csv";
+inline constexpr std::string_view summary_file = "summary.json";
+std::string checkpoint_file(std::int64_t step);  ///< "checkpoint_000000123.h5"
+std::string failed_file(std::int64_t step);      ///< "failed_000000123.h5"
+
+/// The step in a checkpoint's name; -1 for any other file.
+std::int64_t step_of_checkpoint(std::string_view file_name);
+
+/// True for the names of files that Terp writes into a run folder, temporary ones included.
+bool is_written_by_terp(std::string_view file_name);
+
+/// Path of a file in a folder.
+std::string path_in(const std::string& folder, std::string_view file_name);
+
+/// Keeps a second Terp out of a run folder for as long as it lives. The system lets go of it if the process dies.
+class FolderLock {
+ public:
+  explicit FolderLock(const std::string& folder);
+  ~FolderLock();
+  FolderLock(FolderLock&& other) noexcept;
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+  FolderLock& operator=(FolderLock&&) = delete;
+
+ private:
+  int descriptor_ = -1;
+};
+
+/// Makes the folder ready for a new run, and locks it. One that holds anything is refused with FileError, unless
+/// `force`: then the files of the earlier run are removed, and no others.
+FolderLock prepare_run_folder(const std::string& folder, bool force);
+
+}  // namespace terp

@@ -1,0 +1,57 @@
+// Writes all that a run shows into its folder. The one class that app/ needs from this room to solve a case.
+// Not for: when something is written (simulation's schedule), nor the formats (the other files of this room).
+#pragma once
+
+#include "output/files.hpp"
+#include "output/run_folder.hpp"
+#include "output/vtkhdf.hpp"
+#include "simulation/observer.hpp"
+#include "simulation/summary.hpp"
+
+#include <memory>
+#include <string>
+
+namespace terp {
+
+struct RunWriterSettings {
+  std::string folder;  ///< "runs/model_2"
+  CaseText case_text;
+  Index checkpoint_keep = 2;  ///< how many of the newest checkpoints are kept; 0: all
+};
+
+/// Each call writes to the disk before it returns; on failure it throws FileError and leaves what was there before.
+///
+/// Order that a resumed run relies on: at one step, the checkpoint comes after the frame and the rows of that step,
+/// and a resumed run does not write those of its first step again, unless that is step 0.
+class RunWriter : public Observer {
+ public:
+  /// A new run: prepares the folder and writes case.toml.
+  static std::unique_ptr<RunWriter> start(RunWriterSettings settings, bool force);
+
+  /// A run that continues from a checkpoint: drops all that was written after it.
+  /// time [s] and step are those of the checkpoint.
+  static std::unique_ptr<RunWriter> resume(RunWriterSettings settings, std::int64_t step, Real time);
+
+  void frame(const Frame& frame) override;
+  void history(const std::vector<HistoryRow>& rows) override;
+  void ledger(const LedgerRow& row) override;
+  void checkpoint(const StateImage& image) override;
+
+  /// Keeps the state of a run that stopped itself, for a look at it; `resume` does not use it. Returns its path.
+  std::string write_failed(const StateImage& image) const;
+  /// The same for a run that is about to say why it stopped: does not throw, but returns why nothing was kept.
+  std::string save_failed(const StateImage& image) override;
+
+  /// summary.json. finished: the run reached its end time.
+  void summary(const Summary& summary, bool finished) const;
+
+ private:
+  RunWriter(RunWriterSettings settings, FolderLock lock);
+
+  RunWriterSettings settings_;
+  FolderLock lock_;
+  ResultsFile results_;
+  AppendFile history_, ledger_;
+};
+
+}  // namespace terp

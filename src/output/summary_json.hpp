@@ -1,0 +1,16 @@
+// summary.json: the numbers that remain of a run, and the case that gave them (docs/formats.md).
+#pragma once
+
+#include "output/run_folder.hpp"
+#include "simulation/summary.hpp"
+
+#include <string>
+
+namespace terp {
+
+/// The text of summary.json. finished: the run reached its end time.
+std::string summary_text(const Summary& summary, bool finished, const CaseText& case_text);
+
+void write_summary(const std::string& path, const Summary& summary, bool finished, const CaseText& case_text);
+
+}  // namespace terp

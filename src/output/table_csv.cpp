@@ -1,0 +1,111 @@
+// history.csv and ledger.csv: see table_csv.hpp.
+#include "output/table_csv.hpp"
+
+#include "base/errors.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+void add_number(std::string& line, Real value)
+{
+  if (std::isnan(value))
+    line += "nan";  // never "-nan"
+  else
+    fmt::format_to(std::back_inserter(line), "{}", value);
+}
+
+void add_numbers(std::string& line, std::initializer_list<Real> values)
+{
+  for (const Real value : values) {
+    line += ',';
+    add_number(line, value);
+  }
+}
+
+/// A name that holds a comma or a quotation mark is quoted; a line break becomes a blank.
+std::string quoted(const std::string& name)
+{
+  const bool plain = name.find_first_of(",\"\n\r") == std::string::npos;
+  if (plain) return name;
+  std::string text = "\"";
+  for (const char c : name) {
+    if (c == '"') text += '"';
+    text += c == '\n' || c == '\r' ? ' ' : c;
+  }
+  return text + '"';
+}
+
+/// The time of a row, not a number if there is none.
+Real time_of(std::string_view row)
+{
+  Real time = std::nan("");
+  std::from_chars(row.data(), row.data() + row.size(), time);
+  return time;
+}
+
+/// Bytes from the start of the table to the end of its last whole row with a time of at most `time`.
+std::size_t length_until(std::string_view table, Real time)
+{
+  std::size_t end = table.find('\n') + 1;
+  while (end < table.size()) {
+    const std::size_t line_end = table.find('\n', end);
+    if (line_end == std::string_view::npos || !(time_of(table.substr(end, line_end - end)) <= time)) break;
+    end = line_end + 1;
+  }
+  return end;
+}
+
+}  // namespace
+
+std::string csv_lines(const std::vector<HistoryRow>& rows)
+{
+  std::string lines;
+  for (const auto& row : rows) {
+    add_number(lines, row.time);
+    fmt::format_to(std::back_inserter(lines), ",{},{}", quoted(row.point), row.id);
+    add_numbers(lines, {row.x, row.y, row.eps_deviatoric, row.eps_eq_p, row.su, row.pressure});
+    lines += '\n';
+  }
+  return lines;
+}
+
+std::string csv_line(const LedgerRow& row)
+{
+  std::string line;
+  add_number(line, row.time);
+  fmt::format_to(std::back_inserter(line), ",{}", row.step);
+  add_numbers(line, {row.kinetic, row.elastic, row.plastic, row.gravity_work, row.damping_work, row.boundary_work,
+                     row.numerical, row.mass, row.momentum_x, row.momentum_y});
+  fmt::format_to(std::back_inserter(line), ",{}", row.clamped);
+  add_numbers(line, {row.front_x, row.crest_x, row.v_max, row.v_999});
+  return line + '\n';
+}
+
+void drop_rows_after(const std::string& path, std::string_view header, Real time)
+{
+  if (!std::filesystem::exists(path)) return;
+  const std::string table = read_file(path);
+  if (!table.starts_with(std::string(header) + '\n')) {
+    throw FileError(fmt::format("cannot continue {}: its columns are not those of terp {}", path, TERP_VERSION));
+  }
+  const std::size_t length = length_until(table, time);
+  if (length < table.size()) write_file_atomically(path, std::string_view(table).substr(0, length));
+}
+
+AppendFile open_table(const std::string& path, std::string_view header)
+{
+  std::error_code no_file;
+  const bool is_new = std::filesystem::file_size(path, no_file) == 0 || no_file;
+  AppendFile file(path);
+  if (is_new) file.append(std::string(header) + '\n');
+  return file;
+}
+
+}  // namespace terp

@@ -1,0 +1,29 @@
+// history.csv and ledger.csv: tables with a header line and the time in the first column (docs/formats.md).
+#pragma once
+
+#include "output/files.hpp"
+#include "simulation/observer.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace terp {
+
+inline constexpr std::string_view history_header = "time,point,id,x,y,eps_deviatoric,eps_eq_p,su,pressure";
+inline constexpr std::string_view ledger_header =
+    "time,step,kinetic,elastic,plastic,gravity_work,damping_work,boundary_work,numerical,mass,momentum_x,momentum_y,"
+    "clamped,front_x,crest_x,v_max,v_999";
+
+/// Lines with their line ends. Numbers are the shortest that read back to the same bits; not a number is "nan".
+std::string csv_lines(const std::vector<HistoryRow>& rows);
+std::string csv_line(const LedgerRow& row);
+
+/// Drops the rows later than `time` [s], and a last line that was cut short. Without a file, nothing is done.
+/// Throws FileError if the columns are not those of `header`.
+void drop_rows_after(const std::string& path, std::string_view header, Real time);
+
+/// Opens a table for appending; a new one gets its header.
+AppendFile open_table(const std::string& path, std::string_view header);
+
+}  // namespace terp

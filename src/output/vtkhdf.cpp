@@ -1,0 +1,238 @@
+// results.vtkhdf in the VTKHDF format 2.0, type UnstructuredGrid, temporal: one vertex cell per material point.
+//
+// The cells are the same in all frames: Connectivity, Offsets, Types and the sizes are written once, and PartOffsets,
+// CellOffsets and ConnectivityIdOffsets are 0 in every step. (VTK starts reading Offsets at CellOffsets + PartOffsets,
+// so a part per step would need the cells once per step.) Points and fields of the frames follow each other.
+#include "output/vtkhdf.hpp"
+
+#include "base/errors.hpp"
+#include "output/files.hpp"
+#include "output/hdf5_file.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+constexpr int compression = 3;                    // higher levels: 1 % smaller, twice the time (docs/formats.md)
+constexpr std::int64_t chunk_bytes = 1 << 20;     // HDF5's default chunk cache
+constexpr std::int64_t header_bytes = 16 << 10;   // more than a table's headers and index grow by in one frame
+constexpr std::int64_t cutting_bytes = 16 << 20;  // a rewritten chunk for each of 16 fields
+constexpr std::uint8_t vtk_vertex = 1;            // VTK_VERTEX of vtkCellType.h
+
+const std::string root = "/VTKHDF";
+const std::string steps = root + "/Steps";
+const std::string point_data = root + "/PointData";
+const std::string point_data_offsets = steps + "/PointDataOffsets";
+
+std::int64_t n_points(const Frame& frame) { return std::ssize(frame.x) / 2; }
+
+/// Columns in the file: 0 for scalars (one-dimensional); vectors get a z, as VTK wants them.
+int n_columns(int n_components) { return n_components == 1 ? 0 : std::max(3, n_components); }
+
+std::string component_names(int n_columns)
+{
+  switch (n_columns) {
+    case 3:
+      return "x y z";
+    case 4:
+      return "xx yy zz xy";
+    case 6:
+      return "xx yy zz xy yz zx";
+    default:
+      return "";
+  }
+}
+
+/// Rows of two components become rows of three with z = 0.
+std::vector<Real> with_z(const std::vector<Real>& values)
+{
+  std::vector<Real> rows(values.size() / 2 * 3, 0.0);
+  for (std::size_t k = 0; k < values.size() / 2; ++k) {
+    rows[3 * k] = values[2 * k];
+    rows[3 * k + 1] = values[2 * k + 1];
+  }
+  return rows;
+}
+
+/// At least what a frame, or the cells, take in the file, should they not compress at all.
+std::int64_t largest_size(const Frame& frame)
+{
+  const std::int64_t n_tables = 15 + 2 * std::ssize(frame.fields);
+  std::int64_t n_values = 4 * n_points(frame);  // places; Offsets, Connectivity, Types and id take less
+  for (const auto& field : frame.fields) n_values += n_points(frame) * std::max(1, n_columns(field.n_components));
+  return n_values * std::int64_t{sizeof(Real)} + n_tables * header_bytes;
+}
+
+/// Chunks of equal size that fill a frame and stay within chunk_bytes.
+Hdf5File::TableLayout point_layout(std::int64_t n_rows, int n_columns)
+{
+  const std::int64_t row_bytes = std::max(1, n_columns) * std::int64_t{sizeof(Real)};
+  const std::int64_t n_chunks = n_rows * row_bytes / chunk_bytes + 1;
+  return {n_columns, (n_rows + n_chunks - 1) / n_chunks, compression};
+}
+
+template <class T>
+void add_table(Hdf5File& file, const std::string& name, const Hdf5File::TableLayout& layout, const std::vector<T>& rows)
+{
+  file.create_table<T>(name, layout);
+  file.write_rows<T>(name, 0, rows);
+}
+
+void add_topology(Hdf5File& file, std::int64_t n)
+{
+  for (const char* name : {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"}) {
+    file.write<std::int64_t>(root + "/" + name, {1}, std::vector<std::int64_t>{n});
+  }
+  std::vector<std::int64_t> counting(static_cast<std::size_t>(n + 1));
+  std::iota(counting.begin(), counting.end(), 0);
+  add_table(file, root + "/Offsets", point_layout(n + 1, 0), counting);
+  counting.pop_back();
+  add_table(file, root + "/Connectivity", point_layout(n, 0), counting);
+  add_table(file, root + "/Types", point_layout(n, 0),
+            std::vector<std::uint8_t>(static_cast<std::size_t>(n), vtk_vertex));
+  add_table(file, point_data + "/id", point_layout(n, 0), counting);
+  file.set_text(point_data + "/id", "unit", "-");
+}
+
+void add_steps(Hdf5File& file)
+{
+  file.set_integers(steps, "NSteps", {0});
+  file.create_table<Real>(steps + "/Values", {});
+  file.set_text(steps + "/Values", "unit", "s");
+  for (const char* name : {"step", "PartOffsets", "NumberOfParts", "PointOffsets"}) {
+    file.create_table<std::int64_t>(steps + "/" + name, {});
+  }
+  for (const char* name : {"CellOffsets", "ConnectivityIdOffsets"}) {
+    file.create_table<std::int64_t>(steps + "/" + name, {.n_columns = 1});
+  }
+  file.create_table<std::int64_t>(point_data_offsets + "/id", {});
+}
+
+void add_field(Hdf5File& file, const PointField& field, std::int64_t n)
+{
+  const std::string name = point_data + "/" + field.name;
+  const int columns = n_columns(field.n_components);
+  file.create_table<Real>(name, point_layout(n, columns));
+  file.set_text(name, "unit", field.unit);
+  if (!component_names(columns).empty()) file.set_text(name, "components", component_names(columns));
+  file.create_table<std::int64_t>(point_data_offsets + "/" + field.name, {});
+}
+
+/// A file with no frame yet.
+void write_empty(const std::string& path, const Frame& frame)
+{
+  Hdf5File file(path, Hdf5File::Mode::create, largest_size(frame));
+  for (const auto& group : {root, steps, point_data, point_data_offsets}) file.create_group(group);
+  file.set_integers(root, "Version", {2, 0});
+  file.set_text(root, "Type", "UnstructuredGrid");
+  file.set_text("/", "terp_version", TERP_VERSION);
+  add_steps(file);
+  add_topology(file, n_points(frame));
+  file.create_table<Real>(root + "/Points", point_layout(n_points(frame), 3));
+  file.set_text(root + "/Points", "unit", "m");
+  for (const auto& field : frame.fields) add_field(file, field, n_points(frame));
+  file.close();
+}
+
+void create(const std::string& path, const Frame& frame)
+{
+  write_whole(path, [&](const std::string& temporary) { write_empty(temporary, frame); });
+}
+
+/// Throws if the file was made for other points or fields than those of the frame.
+void check_fit(const Hdf5File& file, const std::string& path, const Frame& frame)
+{
+  const auto refuse = [&](const std::string& why) {
+    throw FileError(fmt::format("cannot add the frame of step {} to {}: {}", frame.step, path, why));
+  };
+  const std::int64_t n = file.read<std::int64_t>(root + "/NumberOfPoints").at(0);
+  if (n != n_points(frame)) refuse(fmt::format("the file has {} points, the run {}", n, n_points(frame)));
+  for (const auto& field : frame.fields) {
+    const std::string name = point_data + "/" + field.name;
+    if (!file.exists(name)) refuse("the file has no field " + field.name);
+    const auto shape = file.shape(name);
+    const bool same = (shape.size() == 1 ? 0 : shape[1]) == n_columns(field.n_components);
+    if (!same || std::ssize(field.values) != n * field.n_components)
+      refuse("field " + field.name + " has another size");
+  }
+  const std::size_t n_fields = file.members(point_data).size() - 1;  // besides id
+  if (n_fields != frame.fields.size())
+    refuse(fmt::format("the file has {} fields, the run {}", n_fields, frame.fields.size()));
+}
+
+void write_integer(Hdf5File& file, const std::string& name, std::int64_t row, std::int64_t value)
+{
+  file.write_rows<std::int64_t>(name, row, std::span(&value, 1));
+}
+
+void write_step(Hdf5File& file, const Frame& frame, std::int64_t k)
+{
+  file.write_rows<Real>(steps + "/Values", k, std::span(&frame.time, 1));
+  write_integer(file, steps + "/step", k, frame.step);
+  write_integer(file, steps + "/NumberOfParts", k, 1);
+  for (const char* name : {"PartOffsets", "CellOffsets", "ConnectivityIdOffsets"}) {
+    write_integer(file, steps + "/" + name, k, 0);
+  }
+  const std::int64_t first_row = k * n_points(frame);
+  write_integer(file, steps + "/PointOffsets", k, first_row);
+  write_integer(file, point_data_offsets + "/id", k, 0);
+  for (const auto& field : frame.fields) write_integer(file, point_data_offsets + "/" + field.name, k, first_row);
+}
+
+void write_points(Hdf5File& file, const Frame& frame, std::int64_t k)
+{
+  const std::int64_t first_row = k * n_points(frame);
+  file.write_rows<Real>(root + "/Points", first_row, with_z(frame.x));
+  for (const auto& field : frame.fields) {
+    const std::string name = point_data + "/" + field.name;
+    if (field.n_components == 2)
+      file.write_rows<Real>(name, first_row, with_z(field.values));
+    else
+      file.write_rows<Real>(name, first_row, field.values);
+  }
+}
+
+}  // namespace
+
+void ResultsFile::append(const Frame& frame)
+{
+  if (!std::filesystem::exists(path_)) create(path_, frame);
+  Hdf5File file(path_, Hdf5File::Mode::change, largest_size(frame));
+  check_fit(file, path_, frame);
+  const std::int64_t k = file.integers(steps, "NSteps").at(0);
+  write_points(file, frame, k);
+  write_step(file, frame, k);
+  file.flush();
+  file.set_integers(steps, "NSteps", {k + 1});  // last: until here, readers see the frames before
+  file.close();
+}
+
+void ResultsFile::truncate_after(std::int64_t step)
+{
+  if (!std::filesystem::exists(path_)) return;
+  Hdf5File file(path_, Hdf5File::Mode::change, cutting_bytes);
+  const auto step_numbers = file.read<std::int64_t>(steps + "/step");
+  const std::int64_t n_before = std::min(file.integers(steps, "NSteps").at(0), std::ssize(step_numbers));
+  const auto end = std::upper_bound(step_numbers.begin(), step_numbers.begin() + n_before, step);
+  const std::int64_t n_steps = end - step_numbers.begin();
+  file.set_integers(steps, "NSteps", {n_steps});  // first: what follows is no longer part of the results
+  file.flush();
+
+  const std::int64_t n_rows = n_steps * file.read<std::int64_t>(root + "/NumberOfPoints").at(0);
+  file.cut_rows(root + "/Points", n_rows);
+  for (const auto& name : file.members(point_data)) {
+    if (name != "id") file.cut_rows(point_data + "/" + name, n_rows);
+    file.cut_rows(point_data_offsets + "/" + name, n_steps);
+  }
+  for (const auto& name : file.members(steps)) {
+    if (steps + "/" + name != point_data_offsets) file.cut_rows(steps + "/" + name, n_steps);
+  }
+  file.close();
+}
+
+}  // namespace terp
