@@ -11,7 +11,9 @@ from terp import style
 from terp.pairs import SCHEME_TITLES
 
 TIME_TOLERANCE = 0.01  # a frame this near to the wanted time counts as of that time [s]
-QUANTILE = 0.99        # of the strain in the last frame, where the colour scale ends
+STRAINED = 0.06        # strain that counts as having sheared: 95 % of the softening of the paper's soil
+QUANTILE = 0.75        # of the strain of the sheared points in the last frame, where the colour scale ends: the thin
+                       # basal layer shears ten times as much as the slip surfaces and would leave those dark
 SIDES = (2.0, 1.15)    # of a square over the lattice spacing: the large ones lie below, in the gaps of stretched soil
 SAMPLE = 200           # points whose neighbours are measured to find the lattice spacing
 
@@ -80,10 +82,13 @@ def body_limits(frames):
 
 
 def colour_limit(frames, field):
-    """End of the colour scale: a high quantile over these frames (None is left out), rounded up."""
+    """End of the colour scale: the upper quartile of the strain of the points that have sheared, rounded up; None frames are left out."""
     values = np.concatenate([frame[field] for frame in frames if frame])
     values = values[np.isfinite(values)]
-    return style.round_up(np.quantile(values, QUANTILE) or values.max()) if len(values) else 1.0
+    sheared = values[values > STRAINED]
+    if len(sheared):
+        return style.round_up(np.quantile(sheared, QUANTILE))
+    return style.round_up(values.max() or 1.0) if len(values) else 1.0
 
 
 def lay_out(n_rows, limits):

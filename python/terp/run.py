@@ -218,7 +218,8 @@ class _Group:
 def _rows(root, name, k):
     """The rows of frame k in a data set that holds frame after frame."""
     offsets = root["Steps/PointOffsets"]
-    n = int(root["NumberOfPoints"][k]) if "NumberOfPoints" in root else len(root["Points"]) // len(offsets)
+    part = int(root["Steps/PartOffsets"][k]) if "Steps/PartOffsets" in root else k
+    n = int(root["NumberOfPoints"][part]) if "NumberOfPoints" in root else len(root["Points"]) // len(offsets)
     own = f"Steps/PointDataOffsets/{name}"
     first = int((root[own] if name and own in root else offsets)[k])
     return slice(first, first + n)

@@ -6,10 +6,50 @@
 namespace terp {
 namespace {
 
-constexpr Real crest_tolerance = 0.05;    // of the surface height [m]
-constexpr Real settled_for = 0.3;         // the crest has not moved for this long [s]
-constexpr Real retreat = 0.1;             // that counts as a failure [m]
-constexpr Real round_off = 1e-9;          // of crest places, which are whole columns [m]
+constexpr Real crest_tolerance = 0.05;  // of the surface height [m]
+constexpr Real settled_for = 0.3;       // the crest has not retreated by more than a column for this long [s]
+constexpr Real slide_retreat = 0.25;    // retreat that counts as a slide, in heights of the first surface [-]
+constexpr Real round_off = 1e-9;        // of crest places, which are whole columns [m]
+
+/// First row whose crest holds its place, to one column, for `settled_for`; the number of rows if there is none.
+std::size_t find_settled(const CrestHistory& crest, std::size_t k)
+{
+  const auto& t = crest.time;
+  for (std::size_t end = k; k < t.size(); ++k) {
+    end = k;
+    while (end < t.size() && crest.x[end] >= crest.x[k] - crest.columns.width - round_off && t[end] - t[k] < settled_for - round_off) ++end;
+    if (end == t.size()) return end;
+    if (crest.x[end] >= crest.x[k] - crest.columns.width - round_off) return end;
+  }
+  return k;
+}
+
+/// First row after k by which the crest has retreated by `length` within `settled_for`: a slide, not creep.
+std::size_t find_slide(const CrestHistory& crest, std::size_t k, Real length)
+{
+  for (std::size_t end = k; end < crest.x.size(); ++end) {
+    while (crest.time[end] - crest.time[k] > settled_for + round_off) ++k;
+    for (std::size_t from = k; from < end; ++from)
+      if (crest.x[end] <= crest.x[from] - length + round_off) return end;
+  }
+  return crest.x.size();
+}
+
+/// First row from k on whose crest lies at or left of x.
+std::size_t find_retreat(const CrestHistory& crest, std::size_t k, Real x)
+{
+  while (k < crest.x.size() && crest.x[k] > x + round_off) ++k;
+  return k;
+}
+
+/// Retreat of the crest that counts as a slide: a quarter of the height of the first surface, at least two columns [m].
+Real slide_length(const CrestHistory& crest)
+{
+  Real highest = 0.0;
+  for (const Real h : crest.initial_heights)
+    if (std::isfinite(h)) highest = std::max(highest, h - crest.base);
+  return std::max(slide_retreat * highest, 2.0 * crest.columns.width);
+}
 
 }  // namespace
 
@@ -18,6 +58,7 @@ CrestHistory start_crest_history(const PointBlocks<2>& points, Real left, Real r
   CrestHistory crest;
   crest.columns = {left, column_width, static_cast<Index>(std::ceil((right - left) / column_width - 1e-9))};
   crest.initial_heights = surface_heights(points, crest.columns);
+  crest.base = lowest(points);
   return crest;
 }
 
@@ -35,20 +76,14 @@ Real find_crest(const CrestHistory& crest, const PointBlocks<2>& points)
 std::optional<Real> second_failure_time(const CrestHistory& crest)
 {
   const auto& x = crest.x;
-  const auto& t = crest.time;
-  std::size_t k = 0;
-  while (k < x.size() && x[k] > x[0] - retreat + round_off) ++k;  // the first slide has begun
-  std::size_t settled = k;
-  while (settled < x.size() && !(t[settled] - t[k] >= settled_for - round_off)) {
-    ++settled;
-    if (settled < x.size() && x[settled] < x[k] - round_off) k = settled;  // still retreating
-  }
-  for (std::size_t later = settled; later < x.size(); ++later) {
-    if (x[later] > x[k] - retreat + round_off) continue;
-    while (x[later - 1] < x[k] - round_off) --later;  // back to where this retreat began
-    return t[later];
-  }
-  return std::nullopt;
+  if (x.empty()) return std::nullopt;
+  const std::size_t first_slide = find_retreat(crest, 0, x[0] - slide_length(crest));
+  const std::size_t settled = find_settled(crest, first_slide);
+  if (settled == x.size()) return std::nullopt;
+  std::size_t second = find_slide(crest, settled, slide_length(crest));
+  if (second == x.size()) return std::nullopt;
+  while (second > settled && x[second - 1] < x[settled] - crest.columns.width - round_off) --second;  // where it began
+  return crest.time[second];
 }
 
 }  // namespace terp

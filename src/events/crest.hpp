@@ -11,6 +11,7 @@ namespace terp {
 struct CrestHistory {
   Columns columns;
   std::vector<Real> initial_heights;  ///< of the surface at t = 0 [m], shape [columns.n]
+  Real base = 0.0;                    ///< height of the lowest point at t = 0 [m]
   std::vector<Real> time;             ///< [s]
   std::vector<Real> x;                ///< crest [m]; left edge of the first column if the whole surface has moved
 };

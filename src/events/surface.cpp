@@ -25,4 +25,11 @@ Real front(const PointBlocks<2>& points)
   return x;
 }
 
+Real lowest(const PointBlocks<2>& points)
+{
+  Real y = std::numeric_limits<Real>::infinity();
+  for_each_point(points, [&](const PointBlock<2>& block, Index lane) { y = std::min(y, block.row(PointRows<2>::x + 1)[lane]); });
+  return y;
+}
+
 }  // namespace terp

@@ -20,4 +20,7 @@ std::vector<Real> surface_heights(const PointBlocks<2>& points, const Columns& c
 /// Largest x of all material points [m].
 Real front(const PointBlocks<2>& points);
 
+/// Smallest y of all material points [m].
+Real lowest(const PointBlocks<2>& points);
+
 }  // namespace terp

@@ -91,7 +91,7 @@ StateImage make_image(const State& state)
   put(image, "audit/fell", widen(state.audit.fell));
   put(image, "audit/rose", widen(state.audit.rose));
   put(image, "crest/initial_heights", state.crest.initial_heights);
-  put(image, "crest/columns", std::vector<Real>{state.crest.columns.left, state.crest.columns.width});
+  put(image, "crest/columns", std::vector<Real>{state.crest.columns.left, state.crest.columns.width, state.crest.base});
   put(image, "crest/time", state.crest.time);
   put(image, "crest/x", state.crest.x);
   std::vector<Real> softened;
@@ -120,8 +120,9 @@ State restore(const Model& model, const StateImage& image)
   const auto& rose = get<std::int64_t>(image, "audit/rose", n);
   state.audit = {get<Real>(image, "audit/last_eps_eq_p", n), get<Real>(image, "audit/last_su", n), {fell.begin(), fell.end()}, {rose.begin(), rose.end()}};
   state.crest.initial_heights = get<Real>(image, "crest/initial_heights");
-  const auto& columns = get<Real>(image, "crest/columns", 2);
+  const auto& columns = get<Real>(image, "crest/columns", 3);
   state.crest.columns = {columns[0], columns[1], static_cast<Index>(state.crest.initial_heights.size())};
+  state.crest.base = columns[2];
   state.crest.time = get<Real>(image, "crest/time");
   state.crest.x = get<Real>(image, "crest/x", state.crest.time.size());
   const auto& softened = get<Real>(image, "softened_fraction");
