@@ -104,10 +104,10 @@ void check_cells(const Case& values, Problems& problems)
     const Real n = size / cell;
     if (n >= 0.5 && std::abs(n - std::round(n)) <= tolerance) continue;
     const Real fits = size / std::max(std::round(n), 1.0);
-    problems.push_back({"mesh.cell", fmt::format("the {} of the mesh is not a whole number of cells", words[k]),
-                        fmt::format("{} m / {} m = {:.6g}; the nearest {} that fits is {:.6g} m.", size, cell, n, words[k],
-                                    fits),
-                        "mesh.cell"});
+    problems.push_back(
+        {"mesh.cell", fmt::format("the {} of the mesh is not a whole number of cells", words[k]),
+         fmt::format("{} m / {} m = {:.6g}; the nearest {} that fits is {:.6g} m.", size, cell, n, words[k], fits),
+         "mesh.cell"});
   }
 }
 

@@ -5,10 +5,37 @@
 namespace terp {
 namespace {
 
+constexpr Real arrival_tolerance = 1e-3;  // of the altitude: nearer than this, Newton's method is on its way to the right answer
+
+/// Coordinates that say which straight side a place lies beyond, for where Newton's method does not arrive: 1 + distance over the
+/// cell's altitude across that side, inside [-1, 1] otherwise.
+Vec<2> beyond_sides(const Mesh<2>& mesh, Index cell, Vec<2> x, Vec<2> guess)
+{
+  const auto corners = mesh.corners(cell);
+  Vec<2> local{};
+  for (int d = 0; d < 2; ++d) local[d] = std::isfinite(guess[d]) ? std::clamp(guess[d], -1.0, 1.0) : 0.0;
+  std::array<Real, 2> farthest{0.0, 0.0};
+  for (int side = 0; side < 4; ++side) {
+    const Vec<2>&a = corners[side], &b = corners[(side + 1) % 4];
+    const Vec<2> along{b[0] - a[0], b[1] - a[1]};
+    const Real distance = ((x[0] - a[0]) * along[1] - (x[1] - a[1]) * along[0]) / std::hypot(along[0], along[1]);
+    const int d = side % 2 == 0 ? 1 : 0;
+    if (distance <= farthest[d]) continue;
+    farthest[d] = distance;
+    local[d] = (side == 1 || side == 2 ? 1.0 : -1.0) * (1.0 + distance / mesh.geometry(cell).altitude);
+  }
+  return local;
+}
+
+/// Newton's method may stop anywhere, even in [-1, 1], for a place far from a twisted cell: only what maps back to x counts.
 Vec<2> local_in(const Mesh<2>& mesh, Index cell, Vec<2> x)
 {
-  const auto local = local_coordinates(mesh.geometry(cell), x[0] - mesh.centres[cell][0], x[1] - mesh.centres[cell][1]);
-  return {local[0], local[1]};
+  const CellGeometry<2>& geometry = mesh.geometry(cell);
+  const auto [xi, eta] = local_coordinates(geometry, x[0] - mesh.centres[cell][0], x[1] - mesh.centres[cell][1]);
+  if (geometry.affine || !std::isfinite(x[0] + x[1])) return {xi, eta};
+  const Vec<2> back = place_in_cell(mesh, cell, {xi, eta});
+  const bool arrived = std::hypot(back[0] - x[0], back[1] - x[1]) <= arrival_tolerance * geometry.altitude;
+  return arrived ? Vec<2>{xi, eta} : beyond_sides(mesh, cell, x, {xi, eta});
 }
 
 bool owns(Vec<2> l) { return l[0] >= -1.0 && l[0] < 1.0 && l[1] >= -1.0 && l[1] < 1.0; }

@@ -7,6 +7,7 @@ Not for: speed, or points that leave their cell (the step asserts that none does
 Units are SI, tension is positive. Inside, a stress or strain is a full 3 x 3 tensor; in the file it is xx yy zz xy.
 """
 from collections import Counter
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -256,7 +257,11 @@ def sum_to_nodes(n_nodes, nodes, contributions):
 
 if __name__ == "__main__":
     from one_step_checks import check_identities
-    from one_step_scenarios import write_scenarios
+    from one_step_scenarios import differs, scenarios_text
 
     check_identities()
-    write_scenarios(Path(__file__).with_suffix(".json"))
+    file, text = Path(__file__).with_suffix(".json"), scenarios_text()
+    if "--check" not in sys.argv:
+        file.write_text(text)
+    elif differs(text, file):
+        sys.exit(f"{file.name} is not what the twin gives: run {Path(__file__).name} and review the change")

@@ -1,0 +1,39 @@
+# Thin: each target is one or two commands that you could type yourself.
+BUILD   ?= build
+RUNS    ?= runs
+FIGURES ?= figures
+TERP     = $(BUILD)/terp
+CASES    = cases/column_collapse
+PYTHON   = PYTHONPATH=python /usr/bin/python3
+
+.DEFAULT_GOAL := help
+.PHONY: help install build demo test clean
+
+help:            ## this list
+	@echo "Terp: explicit material point method for soil that softens and fails"
+	@echo
+	@sed -n 's/^\([a-z-]*\): *[a-z-]* *## */  make \1\t/p' $(MAKEFILE_LIST) | expand -t 22
+
+install:         ## install what is missing from Debian (tools/install-dependencies)
+	@tools/install-dependencies
+
+build: install   ## build the program: build/terp
+	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=OFF >/dev/null
+	@cmake --build $(BUILD)
+
+demo: build      ## run the paper's models with both schemes, draw figures 1 to 9, compare
+	@for model in 1 2; do for scheme in mixed gp; do \
+	   echo "model $$model, MPM-$$scheme:"; \
+	   $(TERP) run $(CASES)/model_$$model.toml --set scheme=mpm_$$scheme -o $(RUNS)/model_$${model}_$$scheme --force || exit; \
+	 done; done
+	@$(PYTHON) -m terp.figures $(RUNS)/model_1_mixed $(RUNS)/model_1_gp $(RUNS)/model_2_mixed $(RUNS)/model_2_gp -o $(FIGURES)
+	@$(PYTHON) -m terp.table $(RUNS)/model_1_mixed $(RUNS)/model_1_gp $(RUNS)/model_2_mixed $(RUNS)/model_2_gp
+	@echo "figures in $(FIGURES)/, runs in $(RUNS)/"
+
+test: install    ## install, build and run all tests
+	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null
+	@cmake --build $(BUILD)
+	@ctest --test-dir $(BUILD) --output-on-failure -j 2
+
+clean:           ## remove the build folder
+	@rm -rf $(BUILD)

@@ -1,0 +1,203 @@
+// Checkpoints come back to the bit or not at all.
+#include "output/checkpoint.hpp"
+
+#include "output/files.hpp"
+#include "output/hdf5_file.hpp"
+#include "output/run_folder.hpp"
+#include "output/samples.hpp"
+#include "output/small_disk.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+
+/// For the leak sanitizer: HDF5 1.10 itself loses memory when it refuses a damaged file.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
+
+namespace terp {
+namespace {
+
+using test::file_error_of;
+using test::sample_image;
+using testing::HasSubstr;
+
+bool same(const StateImage& a, const StateImage& b)
+{
+  const auto equal = [](const NamedArray& x, const NamedArray& y) {
+    return x.name == y.name && x.shape == y.shape && x.values == y.values;
+  };
+  return a.time == b.time && a.step == b.step &&
+         std::equal(a.arrays.begin(), a.arrays.end(), b.arrays.begin(), b.arrays.end(), equal);
+}
+
+std::string write_sample(const std::string& folder, std::int64_t step)
+{
+  const std::string path = path_in(folder, checkpoint_file(step));
+  write_checkpoint(path, sample_image(step));
+  return path;
+}
+
+/// Changes a file without care, as a failing disk does.
+void flip_bit(const std::string& path, std::size_t k)
+{
+  std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+  file.seekg(static_cast<std::streamoff>(k));
+  const char byte = static_cast<char>(file.get() ^ 0x10);
+  file.seekp(static_cast<std::streamoff>(k));
+  file.put(byte);
+}
+
+void cut_in_half(const std::string& path) { std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2); }
+
+TEST(Checkpoint, ComesBackToTheBit)
+{
+  const test::ScratchFolder folder;
+  const StateImage image = read_checkpoint(write_sample(folder.path(), 1234));
+  EXPECT_TRUE(same(image, sample_image(1234)));
+  EXPECT_TRUE(std::signbit(std::get<std::vector<Real>>(image.arrays[0].values)[2]));  // -0.0
+}
+
+TEST(Checkpoint, LeavesNoTemporaryFile)
+{
+  const test::ScratchFolder folder;
+  EXPECT_FALSE(std::filesystem::exists(temporary_name(write_sample(folder.path(), 1))));
+}
+
+TEST(Checkpoint, TheChecksumOfNoArraysIsThatOfTheTwoNumbers)
+{
+  // FNV-1a of 16 zero bytes, by hand: basis * prime^16 modulo 2^64.
+  std::uint64_t expected = 0xcbf29ce484222325u;
+  for (int k = 0; k < 16; ++k) expected *= 0x100000001b3u;
+  EXPECT_EQ(checksum_of(StateImage{}), expected);
+}
+
+TEST(Checkpoint, TheChecksumSeesNamesShapesAndValues)
+{
+  const StateImage image = sample_image(5);
+  StateImage renamed = image, reshaped = image, altered = image;
+  renamed.arrays[0].name = "y";
+  reshaped.arrays[0].shape = {4, 1};
+  std::get<std::vector<Real>>(altered.arrays[0].values)[2] = 0.0;  // was -0.0: one bit
+  for (const auto& other : {renamed, reshaped, altered}) EXPECT_NE(checksum_of(other), checksum_of(image));
+}
+
+TEST(Checkpoint, ThatIsTruncatedIsRefusedByName)
+{
+  const test::ScratchFolder folder;
+  const std::string path = write_sample(folder.path(), 1);
+  cut_in_half(path);
+  EXPECT_THAT(file_error_of([&] { read_checkpoint(path); }),
+              testing::AllOf(HasSubstr("cannot read " + path), HasSubstr("truncated")));
+}
+
+TEST(Checkpoint, WhoseNumbersWereAlteredIsRefusedByName)
+{
+  const test::ScratchFolder folder;
+  const std::string path = write_sample(folder.path(), 1);
+  {
+    Hdf5File file(path, Hdf5File::Mode::change);
+    file.set_real("/", "time", 0.0010000001);
+    file.close();
+  }
+  EXPECT_EQ(file_error_of([&] { read_checkpoint(path); }),
+            "cannot use " + path + ": its checksum does not match; the file was altered or damaged");
+}
+
+TEST(Checkpoint, WithAnyByteFlippedIsRefusedOrComesBackToTheBit)
+{
+  const test::ScratchFolder folder;
+  const std::string path = write_sample(folder.path(), 1);
+  const std::size_t n_bytes = std::filesystem::file_size(path);
+  int n_refused = 0;
+  for (std::size_t k = 0; k < n_bytes; ++k) {
+    flip_bit(path, k);
+    try {
+      EXPECT_TRUE(same(read_checkpoint(path), sample_image(1))) << "byte " << k;
+    } catch (const FileError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(path));
+      ++n_refused;
+    }
+    flip_bit(path, k);  // back
+  }
+  EXPECT_GT(n_refused, 64 + 16);  // at least the numbers of the four arrays
+}
+
+TEST(Checkpoint, OfAnotherFormatNamesBothVersions)
+{
+  const test::ScratchFolder folder;
+  const std::string path = write_sample(folder.path(), 1);
+  {
+    Hdf5File file(path, Hdf5File::Mode::change);
+    file.set_integers("/", "format_version", {99});
+    file.close();
+  }
+  EXPECT_THAT(file_error_of([&] { read_checkpoint(path); }),
+              testing::AllOf(HasSubstr("checkpoint format 99"), HasSubstr("reads format 1")));
+}
+
+TEST(Checkpoint, AnArrayWhoseShapeDoesNotFitIsRefused)
+{
+  const test::ScratchFolder folder;
+  const std::string path = folder.path() + "/a.h5";
+  const StateImage image{0.0, 0, {{"x", {3}, std::vector<Real>{1.0}}}};
+  EXPECT_THAT(file_error_of([&] { write_checkpoint(path, image); }),
+              HasSubstr("array `x` holds 1 values, its shape says 3"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(Checkpoint, TheNewestGoodOneIsFoundAndTheBadOnesAreReported)
+{
+  const test::ScratchFolder folder;
+  write_sample(folder.path(), 100);
+  const std::string good = write_sample(folder.path(), 200), bad = write_sample(folder.path(), 300);
+  const std::string no_hdf5 = path_in(folder.path(), checkpoint_file(1000000000));  // ten digits: later, not earlier
+  cut_in_half(bad);
+  write_file_atomically(no_hdf5, "");
+  const CheckpointSearch search = newest_good_checkpoint(folder.path());
+  EXPECT_EQ(search.path, good);
+  ASSERT_TRUE(search.image);
+  EXPECT_EQ(search.image->step, 200);
+  ASSERT_EQ(search.skipped.size(), 2u);
+  EXPECT_EQ(search.skipped[0].path, no_hdf5);
+  EXPECT_EQ(search.skipped[1].path, bad);
+  EXPECT_THAT(search.skipped[1].reason, HasSubstr("truncated"));
+}
+
+TEST(Checkpoint, AFolderWithoutAGoodOneGivesNone)
+{
+  const test::ScratchFolder folder;
+  EXPECT_FALSE(newest_good_checkpoint(folder.path()).image);
+  EXPECT_THAT(file_error_of([] { newest_good_checkpoint("/no/such"); }),
+              HasSubstr("cannot open the run folder /no/such: "));
+}
+
+TEST(Checkpoint, OnlyTheNewestAreKept)
+{
+  const test::ScratchFolder folder;
+  for (const std::int64_t step : {100, 300, 200}) write_sample(folder.path(), step);
+  remove_old_checkpoints(folder.path(), 0);
+  EXPECT_TRUE(std::filesystem::exists(path_in(folder.path(), checkpoint_file(100))));
+  remove_old_checkpoints(folder.path(), 2);
+  EXPECT_FALSE(std::filesystem::exists(path_in(folder.path(), checkpoint_file(100))));
+  EXPECT_TRUE(std::filesystem::exists(path_in(folder.path(), checkpoint_file(200))));
+  remove_checkpoints_after(folder.path(), 200);
+  EXPECT_FALSE(std::filesystem::exists(path_in(folder.path(), checkpoint_file(300))));
+  EXPECT_TRUE(std::filesystem::exists(path_in(folder.path(), checkpoint_file(200))));
+}
+
+TEST(Checkpoint, AFullDiskLeavesTheEarlierOneAndNoHalfOne)
+{
+  const test::SmallDisk disk(256 << 10);
+  if (!disk.is_there()) GTEST_SKIP() << "cannot mount a small disk";
+  const std::string earlier = write_sample(disk.path(), 1), later = path_in(disk.path(), checkpoint_file(2));
+  const StateImage big{0.0, 2, {{"x", {100000}, std::vector<Real>(100000, 1.5)}}};
+  EXPECT_THAT(file_error_of([&] { write_checkpoint(later, big); }),
+              testing::AllOf(HasSubstr(temporary_name(later)), HasSubstr(": No space left on device")));
+  EXPECT_TRUE(same(read_checkpoint(earlier), sample_image(1)));
+  EXPECT_FALSE(std::filesystem::exists(later));
+  EXPECT_FALSE(std::filesystem::exists(temporary_name(later)));
+}
+
+}  // namespace
+}  // namespace terp

@@ -1,0 +1,95 @@
+// Writing files whole or not at all.
+#include "output/files.hpp"
+
+#include "output/samples.hpp"
+#include "output/small_disk.hpp"
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using test::file_error_of;
+using testing::HasSubstr;
+
+TEST(Files, AnAtomicWriteReplacesTheContentAndLeavesNoTemporaryFile)
+{
+  const test::ScratchFolder folder;
+  const std::string path = folder.path() + "/a.txt";
+  write_file_atomically(path, "old and long");
+  write_file_atomically(path, "new");
+  EXPECT_EQ(read_file(path), "new");
+  EXPECT_FALSE(std::filesystem::exists(temporary_name(path)));
+}
+
+TEST(Files, AMissingFileIsNamedWithTheReason)
+{
+  EXPECT_EQ(file_error_of([] { read_file("/no/such/file"); }), "cannot read /no/such/file: No such file or directory");
+}
+
+TEST(Files, AFolderThatIsAFileIsNamedWithTheReason)
+{
+  const test::ScratchFolder folder;
+  const std::string path = folder.path() + "/file/a.txt";
+  write_file_atomically(folder.path() + "/file", "");
+  EXPECT_EQ(file_error_of([&] { write_file_atomically(path, "x"); }), "cannot write " + path + ": Not a directory");
+}
+
+TEST(Files, AppendingToAFullDeviceSaysSo)
+{
+  AppendFile file("/dev/full");
+  EXPECT_EQ(file_error_of([&] { file.append("x\n"); }), "cannot write /dev/full: No space left on device");
+}
+
+TEST(Files, AFullDiskLeavesTheOldContentWhole)
+{
+  const test::SmallDisk disk(64 << 10);
+  if (!disk.is_there()) GTEST_SKIP() << "cannot mount a small disk";
+  AppendFile file(disk.path() + "/rows.csv");
+  file.append("first\n");
+  write_file_atomically(disk.path() + "/summary.json", "{}\n");
+  disk.fill();
+  const std::string long_text(100000, 'y');
+  EXPECT_THAT(file_error_of([&] { file.append(long_text); }), HasSubstr("No space left on device"));
+  EXPECT_THAT(file_error_of([&] { write_file_atomically(disk.path() + "/summary.json", long_text); }),
+              HasSubstr("No space left on device"));
+  EXPECT_EQ(read_file(disk.path() + "/rows.csv"), "first\n");
+  EXPECT_EQ(read_file(disk.path() + "/summary.json"), "{}\n");
+  EXPECT_FALSE(std::filesystem::exists(disk.path() + "/summary.json.tmp"));
+}
+
+TEST(Files, ReservedSpaceMakesTheFileLongerAndKeepsItsContent)
+{
+  const test::ScratchFolder folder;
+  const std::string path = folder.path() + "/a";
+  write_file_atomically(path, "abc");
+  reserve_space(path, 10000);
+  EXPECT_EQ(std::filesystem::file_size(path), 10003u);
+  EXPECT_EQ(read_file(path).substr(0, 3), "abc");
+}
+
+TEST(Files, ReservingMoreThanThereIsLeavesTheFileAsItWas)
+{
+  const test::SmallDisk disk(64 << 10);
+  if (!disk.is_there()) GTEST_SKIP() << "cannot mount a small disk";
+  const std::string path = disk.path() + "/a";
+  write_file_atomically(path, "abc");
+  EXPECT_EQ(file_error_of([&] { reserve_space(path, 1 << 20); }), "cannot write " + path + ": No space left on device");
+  EXPECT_EQ(read_file(path), "abc");
+}
+
+TEST(Files, AWriterThatFailsLeavesNothingBehind)
+{
+  const test::ScratchFolder folder;
+  const auto fail_half_way = [](const std::string& temporary) {
+    write_file_atomically(temporary, "half");
+    throw FileError("stop");
+  };
+  EXPECT_EQ(file_error_of([&] { write_whole(folder.path() + "/a", fail_half_way); }), "stop");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+}  // namespace
+}  // namespace terp

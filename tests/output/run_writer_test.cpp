@@ -1,0 +1,179 @@
+// The files of a whole run, and of one that was resumed.
+#include "output/run_writer.hpp"
+
+#include "output/checkpoint.hpp"
+#include "output/hdf5_file.hpp"
+#include "output/samples.hpp"
+#include "output/small_disk.hpp"
+#include "output/table_csv.hpp"
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using test::file_error_of;
+using test::sample_frame;
+using test::sample_history;
+using test::sample_image;
+using test::sample_ledger;
+using testing::HasSubstr;
+
+RunWriterSettings settings_for(const std::string& folder) { return {folder, {"model_2", "title = \"column\"\n"}, 2}; }
+
+/// What a run shows at output k: rows, frame, then the checkpoint of step 100 k at time 0.1 k.
+void write_outputs(RunWriter& writer, int first, int last)
+{
+  for (int k = first; k <= last; ++k) {
+    StateImage image = sample_image(100 * k);
+    image.time = 0.1 * k;
+    writer.history(sample_history(0.1 * k));
+    writer.ledger(sample_ledger(0.1 * k));
+    writer.frame(sample_frame(k));
+    writer.checkpoint(image);
+  }
+}
+
+TEST(RunWriter, ANewRunHasItsCaseAndTheHeadersOfItsTables)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/runs/model_2";
+  RunWriter::start(settings_for(folder), false);
+  EXPECT_EQ(read_file(folder + "/case.toml"), "title = \"column\"\n");
+  EXPECT_EQ(read_file(folder + "/history.csv"), std::string(history_header) + "\n");
+  EXPECT_EQ(read_file(folder + "/ledger.csv"), std::string(ledger_header) + "\n");
+}
+
+TEST(RunWriter, ARowIsInTheFileAsSoonAsItIsGiven)
+{
+  const test::ScratchFolder scratch;
+  const auto writer = RunWriter::start(settings_for(scratch.path()), false);
+  writer->ledger(sample_ledger(0.5));
+  EXPECT_THAT(read_file(scratch.path() + "/ledger.csv"), testing::EndsWith(csv_line(sample_ledger(0.5))));
+}
+
+TEST(RunWriter, KeepsAsManyCheckpointsAsAsked)
+{
+  const test::ScratchFolder scratch;
+  write_outputs(*RunWriter::start(settings_for(scratch.path()), false), 0, 3);
+  EXPECT_FALSE(std::filesystem::exists(path_in(scratch.path(), checkpoint_file(100))));
+  EXPECT_TRUE(std::filesystem::exists(path_in(scratch.path(), checkpoint_file(200))));
+  EXPECT_TRUE(std::filesystem::exists(path_in(scratch.path(), checkpoint_file(300))));
+}
+
+TEST(RunWriter, AResumedRunEndsInTheSameTablesAsOneInOneGo)
+{
+  const test::ScratchFolder one_go, resumed;
+  write_outputs(*RunWriter::start(settings_for(one_go.path()), false), 0, 5);
+  write_outputs(*RunWriter::start(settings_for(resumed.path()), false), 0, 4);
+  std::filesystem::remove(path_in(resumed.path(), checkpoint_file(400)));
+  const StateImage image = newest_good_checkpoint(resumed.path()).image.value();
+  write_outputs(*RunWriter::resume(settings_for(resumed.path()), image.step, image.time), 4, 5);
+  for (const char* name : {"history.csv", "ledger.csv", "case.toml"}) {
+    EXPECT_EQ(read_file(path_in(resumed.path(), name)), read_file(path_in(one_go.path(), name))) << name;
+  }
+  const Hdf5File a(path_in(one_go.path(), results_file), Hdf5File::Mode::read);
+  const Hdf5File b(path_in(resumed.path(), results_file), Hdf5File::Mode::read);
+  for (const char* name : {"/VTKHDF/Points", "/VTKHDF/PointData/stress", "/VTKHDF/Steps/Values"}) {
+    EXPECT_EQ(a.read<Real>(name), b.read<Real>(name)) << name;
+  }
+}
+
+TEST(RunWriter, ResumingDropsTheCheckpointsOfTheAbandonedSteps)
+{
+  const test::ScratchFolder scratch;
+  write_outputs(*RunWriter::start(settings_for(scratch.path()), false), 0, 3);
+  RunWriter::resume(settings_for(scratch.path()), 200, 0.2);
+  EXPECT_EQ(newest_good_checkpoint(scratch.path()).image->step, 200);
+}
+
+TEST(RunWriter, ForceReplacesTheEarlierRun)
+{
+  const test::ScratchFolder scratch;
+  write_outputs(*RunWriter::start(settings_for(scratch.path()), false), 0, 2);
+  EXPECT_THAT(file_error_of([&] { RunWriter::start(settings_for(scratch.path()), false); }), HasSubstr("--force"));
+  write_outputs(*RunWriter::start(settings_for(scratch.path()), true), 0, 0);
+  const Hdf5File file(path_in(scratch.path(), results_file), Hdf5File::Mode::read);
+  EXPECT_EQ(file.integers("/VTKHDF/Steps", "NSteps").at(0), 1);
+  EXPECT_EQ(newest_good_checkpoint(scratch.path()).image->step, 0);
+}
+
+TEST(RunWriter, TwoAtOnceInOneFolderAreRefused)
+{
+  const test::ScratchFolder scratch;
+  const auto writer = RunWriter::start(settings_for(scratch.path()), false);
+  EXPECT_THAT(file_error_of([&] { RunWriter::start(settings_for(scratch.path()), true); }), HasSubstr("another terp"));
+  EXPECT_THAT(file_error_of([&] { RunWriter::resume(settings_for(scratch.path()), 0, 0.0); }),
+              HasSubstr("another terp"));
+}
+
+TEST(RunWriter, AFailedStateIsKeptBesideTheCheckpoints)
+{
+  const test::ScratchFolder scratch;
+  const auto writer = RunWriter::start(settings_for(scratch.path()), false);
+  const std::string path = writer->write_failed(sample_image(104));
+  EXPECT_EQ(path, scratch.path() + "/failed_000000104.h5");
+  EXPECT_EQ(read_checkpoint(path).step, 104);
+  EXPECT_FALSE(newest_good_checkpoint(scratch.path()).image);
+}
+
+TEST(RunWriter, AFailedStateThatCannotBeKeptSaysWhy)
+{
+  const test::ScratchFolder scratch;
+  const auto writer = RunWriter::start(settings_for(scratch.path() + "/run"), false);
+  EXPECT_EQ(writer->save_failed(sample_image(104)), scratch.path() + "/run/failed_000000104.h5");
+  std::filesystem::remove_all(scratch.path() + "/run");
+  EXPECT_THAT(writer->save_failed(sample_image(105)), testing::StartsWith("nothing: cannot write " + scratch.path()));
+}
+
+TEST(RunWriter, ARunResumedAtItsStartShowsTheStartOnce)
+{
+  const test::ScratchFolder scratch;
+  write_outputs(*RunWriter::start(settings_for(scratch.path()), false), 0, 0);
+  write_outputs(*RunWriter::resume(settings_for(scratch.path()), 0, 0.0), 0, 0);
+  EXPECT_EQ(read_file(scratch.path() + "/ledger.csv"),
+            std::string(ledger_header) + "\n" + csv_line(sample_ledger(0.0)));
+  const Hdf5File file(path_in(scratch.path(), results_file), Hdf5File::Mode::read);
+  EXPECT_EQ(file.integers("/VTKHDF/Steps", "NSteps").at(0), 1);
+}
+
+TEST(RunWriter, TheSummaryNamesTheCase)
+{
+  const test::ScratchFolder scratch;
+  RunWriter::start(settings_for(scratch.path()), false)->summary(Summary{}, true);
+  EXPECT_THAT(read_file(scratch.path() + "/summary.json"), HasSubstr("\"case_name\": \"model_2\""));
+}
+
+TEST(RunWriter, AFolderBelowAFileIsRefusedBeforeAnythingRuns)
+{
+  const test::ScratchFolder scratch;
+  write_file_atomically(scratch.path() + "/file", "");
+  EXPECT_THAT(file_error_of([&] { RunWriter::start(settings_for(scratch.path() + "/file/sub"), false); }),
+              testing::AllOf(HasSubstr(scratch.path() + "/file/sub"), HasSubstr("Not a directory")));
+}
+
+TEST(RunWriter, OnAFullDiskEveryWriteFailsAndNothingEarlierIsHarmed)
+{
+  const test::SmallDisk disk(2 << 20);
+  if (!disk.is_there()) GTEST_SKIP() << "cannot mount a small disk";
+  const std::string folder = disk.path() + "/run";
+  const auto writer = RunWriter::start(settings_for(folder), false);
+  write_outputs(*writer, 0, 1);
+  disk.fill();
+  const std::vector<HistoryRow> many(1000, sample_history(0.2)[0]);
+  const char* full = "No space left on device";
+  EXPECT_THAT(file_error_of([&] { writer->frame(sample_frame(2)); }), HasSubstr(full));
+  EXPECT_THAT(file_error_of([&] { writer->history(many); }), HasSubstr(full));
+  EXPECT_THAT(file_error_of([&] { writer->checkpoint(sample_image(200)); }), HasSubstr(full));
+  EXPECT_THAT(file_error_of([&] { writer->summary(Summary{}, false); }), HasSubstr(full));
+  EXPECT_THAT(read_file(folder + "/history.csv"), testing::EndsWith(csv_lines(sample_history(0.1))));
+  EXPECT_EQ(newest_good_checkpoint(folder).image->step, 100);
+  EXPECT_TRUE(newest_good_checkpoint(folder).skipped.empty());
+  const Hdf5File file(path_in(folder, results_file), Hdf5File::Mode::read);
+  EXPECT_EQ(file.integers("/VTKHDF/Steps", "NSteps").at(0), 2);
+}
+
+}  // namespace
+}  // namespace terp

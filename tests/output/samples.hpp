@@ -1,0 +1,66 @@
+// Small results with no two equal numbers, for the tests of the output room.
+#pragma once
+
+#include "base/errors.hpp"
+#include "simulation/observer.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace terp::test {
+
+/// Frame k of five points with one scalar, one vector and one stress.
+inline Frame sample_frame(int k)
+{
+  Frame frame{.time = 0.1 * k,
+              .step = 100 * k,
+              .x = {},
+              .fields = {{"su", "Pa", 1, {}}, {"velocity", "m/s", 2, {}}, {"stress", "Pa", 4, {}}}};
+  for (int p = 0; p < 5; ++p) {
+    const Real base = 1000.0 * k + 10.0 * p;
+    frame.x.insert(frame.x.end(), {base + 0.1, base + 0.2});
+    frame.fields[0].values.push_back(base + 0.3);
+    for (const Real part : {0.4, 0.5}) frame.fields[1].values.push_back(base + part);
+    for (const Real part : {0.6, 0.7, 0.8, 0.9}) frame.fields[2].values.push_back(base + part);
+  }
+  return frame;
+}
+
+inline std::vector<HistoryRow> sample_history(Real time)
+{
+  return {{time, "A", 7, 1.5, 0.25, 0.01, 0.002, 8000.0, -125.5},
+          {time, "B", 9, 2.5, 0.75, 0.03, 0.0, std::nan(""), 1.0 / 3.0}};
+}
+
+inline LedgerRow sample_ledger(Real time)
+{
+  LedgerRow row{.time = time, .step = 100, .kinetic = 1.25, .elastic = 2.5, .plastic = 3.75};
+  row.gravity_work = 4.5, row.damping_work = -5.5, row.boundary_work = -6.5, row.numerical = 1e-12, row.mass = 31840.0;
+  row.momentum_x = 7.5, row.momentum_y = -8.5, row.clamped = 3, row.front_x = 13.1, row.crest_x = std::nan("");
+  row.v_max = 6.25, row.v_999 = 5.75;
+  return row;
+}
+
+inline StateImage sample_image(std::int64_t step)
+{
+  return {0.001 * static_cast<Real>(step),
+          step,
+          {{"points/x", {2, 2}, std::vector<Real>{0.1, 1.0 / 3.0, -0.0, 1e-300}},
+           {"points/id", {2}, std::vector<std::int64_t>{-1, std::int64_t{1} << 53}},
+           {"counters", {}, std::vector<std::int64_t>{static_cast<std::int64_t>(step)}},
+           {"empty", {0, 3}, std::vector<Real>{}}}};
+}
+
+/// The text of the FileError that `call` throws; fails the test through an empty text if it throws none.
+template <class Call>
+std::string file_error_of(Call&& call)
+{
+  try {
+    call();
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace terp::test

@@ -1,0 +1,82 @@
+// summary.json.
+#include "output/summary_json.hpp"
+
+#include "output/files.hpp"
+#include "support/paths.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace terp {
+namespace {
+
+using nlohmann::json;
+
+Summary sample_summary()
+{
+  Summary summary;
+  summary.scheme = "mpm_gp", summary.n_points = 40000, summary.n_cells = 1600, summary.n_steps = 6598;
+  summary.dt = 6.0623e-4, summary.wall_s = 33.5;
+  summary.point_steps_per_s = 7.9e6, summary.threads = 2, summary.front_x = 13.25, summary.crest_x = 3.75;
+  summary.max_eps_eq_p = 2.5, summary.softened_fraction = {{0.5, 0.125}, {1.0, 0.25}}, summary.points_su_rose = 4;
+  summary.points_eps_eq_p_fell = 3, summary.energy_balance_error = 1e-3, summary.clamped_points = 6,
+  summary.v_999 = 5.5;
+  return summary;
+}
+
+json written(const Summary& summary, bool finished)
+{
+  return json::parse(summary_text(summary, finished, {"model_2", "title = \"column\"\n"}));
+}
+
+TEST(SummaryJson, HoldsEveryNumberUnderItsName)
+{
+  EXPECT_EQ(written(sample_summary(), true),
+            json::parse(R"({
+    "terp_version": ")" TERP_VERSION
+                        R"(", "finished": true, "scheme": "mpm_gp", "points": 40000, "cells": 1600, "steps": 6598,
+    "dt": 6.0623e-4, "wall_s": 33.5, "point_steps_per_s": 7.9e6, "threads": 2, "front_x": 13.25, "crest_x": 3.75,
+    "second_failure_time": null, "max_eps_eq_p": 2.5,
+    "softened_fraction": [{"time": 0.5, "fraction": 0.125}, {"time": 1.0, "fraction": 0.25}],
+    "points_eps_eq_p_fell": 3, "points_su_rose": 4, "energy_balance_error": 1e-3, "clamped_points": 6, "v_999": 5.5,
+    "case_name": "model_2", "case": "title = \"column\"\n"})"));
+}
+
+TEST(SummaryJson, WhatIsNotANumberIsNull)
+{
+  Summary summary = sample_summary();
+  summary.crest_x.reset();
+  summary.second_failure_time = 2.25;
+  summary.energy_balance_error = std::nan("");
+  summary.softened_fraction = {{0.5, std::nan("")}};
+  const json text = written(summary, false);
+  EXPECT_TRUE(text["crest_x"].is_null());
+  EXPECT_EQ(text["second_failure_time"], 2.25);
+  EXPECT_TRUE(text["energy_balance_error"].is_null());
+  EXPECT_TRUE(text["softened_fraction"][0]["fraction"].is_null());
+  EXPECT_EQ(text["finished"], false);
+}
+
+TEST(SummaryJson, NumbersComeBackToTheBit)
+{
+  Summary summary = sample_summary();
+  summary.front_x = 0.1 + 0.2;
+  EXPECT_EQ(written(summary, true)["front_x"].get<Real>(), 0.1 + 0.2);
+}
+
+TEST(SummaryJson, ACaseThatIsNotUtf8DoesNotStopTheWriting)
+{
+  EXPECT_NO_THROW(json::parse(summary_text(sample_summary(), true, {"model_2", "# \xff\n"})));
+}
+
+TEST(SummaryJson, IsWrittenToItsPath)
+{
+  const test::ScratchFolder folder;
+  write_summary(folder.path() + "/summary.json", sample_summary(), true, {"model_2", ""});
+  EXPECT_EQ(json::parse(read_file(folder.path() + "/summary.json"))["steps"], 6598);
+}
+
+}  // namespace
+}  // namespace terp

@@ -1,0 +1,91 @@
+// history.csv and ledger.csv.
+#include "output/table_csv.hpp"
+
+#include "output/samples.hpp"
+#include "support/paths.hpp"
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using test::file_error_of;
+using test::sample_history;
+using test::sample_ledger;
+
+TEST(TableCsv, AHistoryRowIsWrittenWithShortestNumbersAndNan)
+{
+  EXPECT_EQ(csv_lines(sample_history(0.1)),
+            "0.1,A,7,1.5,0.25,0.01,0.002,8000,-125.5\n"
+            "0.1,B,9,2.5,0.75,0.03,0,nan,0.3333333333333333\n");
+}
+
+TEST(TableCsv, ANegativeNanIsNanToo)
+{
+  auto rows = sample_history(0.1);
+  rows[0].su = -std::nan("");
+  EXPECT_THAT(csv_lines(rows), testing::HasSubstr(",nan,-125.5\n"));
+}
+
+TEST(TableCsv, ANameWithACommaOrAQuotationMarkIsQuoted)
+{
+  auto rows = sample_history(0.0);
+  rows[0].point = "toe, \"left\"";
+  EXPECT_THAT(csv_lines(rows), testing::StartsWith("0,\"toe, \"\"left\"\"\",7,"));
+}
+
+TEST(TableCsv, ALedgerRowFollowsItsHeader)
+{
+  EXPECT_EQ(csv_line(sample_ledger(0.5)),
+            "0.5,100,1.25,2.5,3.75,4.5,-5.5,-6.5,1e-12,31840,7.5,-8.5,3,13.1,nan,6.25,5.75\n");
+  EXPECT_EQ(std::count(ledger_header.begin(), ledger_header.end(), ','), 16);
+}
+
+TEST(TableCsv, OpeningWritesTheHeaderOnce)
+{
+  const test::ScratchFolder folder;
+  const std::string path = folder.path() + "/history.csv";
+  open_table(path, history_header).append(csv_lines(sample_history(0.1)));
+  open_table(path, history_header).append(csv_lines(sample_history(0.2)));
+  EXPECT_EQ(read_file(path),
+            std::string(history_header) + "\n" + csv_lines(sample_history(0.1)) + csv_lines(sample_history(0.2)));
+}
+
+TEST(TableCsv, RowsAfterATimeAreDroppedAndThatTimeStays)
+{
+  const test::ScratchFolder folder;
+  const std::string path = folder.path() + "/ledger.csv";
+  const Real exact = 0.1 + 0.2;  // not 0.3: only the exact bits keep the row
+  AppendFile table = open_table(path, ledger_header);
+  for (const Real time : {0.1, exact, std::nextafter(exact, 1.0)}) table.append(csv_line(sample_ledger(time)));
+  drop_rows_after(path, ledger_header, exact);
+  EXPECT_EQ(read_file(path),
+            std::string(ledger_header) + "\n" + csv_line(sample_ledger(0.1)) + csv_line(sample_ledger(exact)));
+}
+
+TEST(TableCsv, ALastRowThatWasCutShortIsDropped)
+{
+  const test::ScratchFolder folder;
+  const std::string path = folder.path() + "/ledger.csv";
+  open_table(path, ledger_header).append(csv_line(sample_ledger(0.1)) + "0.2,100,1.2");
+  drop_rows_after(path, ledger_header, 5.0);
+  EXPECT_EQ(read_file(path), std::string(ledger_header) + "\n" + csv_line(sample_ledger(0.1)));
+}
+
+TEST(TableCsv, ATableOfOtherColumnsIsRefused)
+{
+  const test::ScratchFolder folder;
+  const std::string path = folder.path() + "/history.csv";
+  write_file_atomically(path, "time,x\n0.1,2\n");
+  EXPECT_EQ(file_error_of([&] { drop_rows_after(path, history_header, 1.0); }),
+            "cannot continue " + path + ": its columns are not those of terp " TERP_VERSION);
+}
+
+TEST(TableCsv, WithoutATableThereIsNothingToDrop)
+{
+  const test::ScratchFolder folder;
+  EXPECT_NO_THROW(drop_rows_after(folder.path() + "/history.csv", history_header, 1.0));
+}
+
+}  // namespace
+}  // namespace terp
