@@ -5,7 +5,9 @@
 namespace terp {
 namespace {
 
-constexpr Real arrival_tolerance = 1e-3;  // of the altitude: nearer than this, Newton's method is on its way to the right answer
+/// Newton's method has arrived when its answer maps back to the place within this part of the cell's altitude: far above the
+/// round-off of coordinates, far below any cell.
+constexpr Real arrival_tolerance = 1e-9;
 
 /// Coordinates that say which straight side a place lies beyond, for where Newton's method does not arrive: 1 + distance over the
 /// cell's altitude across that side, inside [-1, 1] otherwise.

@@ -23,6 +23,12 @@ struct NamedSide {
   std::vector<CellSide> edges;
 };
 
+/// Cells that the case file can name, e.g. a soil layer of a mesh file.
+struct NamedRegion {
+  std::string name;
+  std::vector<Index> cells;  ///< ascending
+};
+
 /// A cell around a node, and which of its corners the node is.
 struct CellCorner {
   Index cell;
@@ -35,6 +41,7 @@ struct Mesh {
   std::vector<std::array<Index, n_corners<Dim>>> cells;       ///< corners, counter-clockwise, shape [n_cells]
   std::vector<std::array<Index, 2 * Dim>> neighbours;         ///< cell over each side, or `outside`, shape [n_cells]
   std::vector<NamedSide> sides;
+  std::vector<NamedRegion> regions;                           ///< empty for the built-in meshes
   std::vector<Vec<Dim>> centres;                              ///< mean of the corners [m], shape [n_cells]
   std::vector<CellGeometry<Dim>> geometries;                  ///< distinct shapes; equal cells share one
   std::vector<Index> geometry_of_cell;                        ///< shape [n_cells]

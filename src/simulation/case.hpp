@@ -13,7 +13,8 @@
 namespace terp {
 
 enum class InitialStress { none, k0, equilibrium };                               ///< reading R14
-enum class SideKind { free, roller, fixed, velocity, contact_bilateral, contact_separating };  ///< reading R15
+enum class MeshKind { rectangle, graded, mapped, file, polygon };
+enum class SideKind { free, open, roller, fixed, velocity, contact_bilateral, contact_separating };  ///< reading R15
 enum class DeviatoricNorm { half, von_mises };                                    ///< reading R18
 
 struct TimeCase {
@@ -21,15 +22,42 @@ struct TimeCase {
   Real courant = 0.98;  ///< dt = courant * min(L_e) / c_p, reading R19
 };
 
-struct MeshCase {
-  Vec<2> origin{0.0, 0.0};  ///< lower left corner [m]
-  Vec<2> size{0.0, 0.0};    ///< width and height [m]
-  Vec<2> cell{0.0, 0.0};    ///< width and height of a cell [m]
+/// Smaller cells near a line or in a box.
+struct RefineCase {
+  std::vector<Vec<2>> line;   ///< two or more places [m]; empty: a box
+  Vec<2> low{0.0, 0.0}, high{0.0, 0.0};  ///< corners of the box [m]
+  Real cell = 0.0;            ///< target cell size there [m]
+  Real distance = 0.0;        ///< from the line over which the size grows back [m]
 };
 
+/// A named part of the boundary of a polygon mesh.
+struct EdgesCase {
+  std::string side;
+  std::vector<Index> edges;   ///< edge k runs from corner k of the polygon to corner k + 1
+};
+
+struct MeshCase {
+  MeshKind kind = MeshKind::rectangle;
+  Vec<2> origin{0.0, 0.0};    ///< rectangle, graded: lower left corner [m]
+  Vec<2> size{0.0, 0.0};      ///< rectangle, graded: width and height [m]
+  Vec<2> cell{0.0, 0.0};      ///< rectangle: width and height of a cell; polygon: target size (both equal) [m]
+  std::array<Index, 2> cells{0, 0};   ///< graded, mapped: number of cells along each direction
+  Vec<2> grading{1.0, 1.0};   ///< graded, mapped: size of the last cell over the first, in x and y [-]
+  std::array<std::vector<Vec<2>>, 4> sides;  ///< mapped: polylines bottom, right, top, left; bottom and top run to +x, left and right to +y [m]
+  std::string file;           ///< file: gmsh mesh, relative to the case file
+  std::vector<Vec<2>> polygon;       ///< polygon: corners of the domain, counter-clockwise [m]
+  std::vector<EdgesCase> edges;      ///< polygon: names of its sides
+  std::vector<RefineCase> refine;    ///< polygon
+  bool follow_bodies = true;         ///< polygon: cells follow the outlines of the bodies
+};
+
+/// Exactly one of polygon, region and points_file says where a body is.
 struct BodyCase {
   std::string material;
   std::vector<Vec<2>> polygon;           ///< corners [m]; a box is stored as its four corners, counter-clockwise
+  std::vector<std::vector<Vec<2>>> holes;  ///< [m]
+  std::string region;                    ///< of a mesh file: all its cells
+  std::string points_file;               ///< CSV with header x,y,volume,material, relative to the case file
   std::array<Index, 2> points_per_cell{5, 5};
   Vec<2> velocity{0.0, 0.0};             ///< at t = 0 [m/s]
 };
@@ -42,7 +70,7 @@ struct MaterialCase {
 };
 
 struct SideCase {
-  std::string side;  ///< "left", "right", "bottom", "top"
+  std::string side;  ///< of the mesh: "left", "right", "bottom", "top" of the built-in rectangle
   SideKind kind = SideKind::free;
   Real adhesion = 0.0;          ///< a [Pa]
   Real friction = 0.0;          ///< tangent of the contact friction angle [-]
@@ -77,6 +105,7 @@ struct OutputCase {
 struct Case {
   std::string title;
   std::string name;             ///< of the file without .toml: the run folder's name
+  std::string folder;           ///< that holds the case file: other files are named relative to it
   std::string scheme = "mpm_gp";
   TimeCase time;
   MeshCase mesh;

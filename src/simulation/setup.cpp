@@ -42,6 +42,7 @@ std::vector<SideCondition> make_sides(const Case& c)
     const auto add = [&](Hold hold) { sides.push_back({s.side, hold, s.adhesion, s.friction, s.velocity}); };
     switch (s.kind) {
       case SideKind::free: break;
+      case SideKind::open: break;
       case SideKind::roller: add(Hold::normal); break;
       case SideKind::fixed: add(Hold::all); break;
       case SideKind::velocity: add(Hold::all); break;
