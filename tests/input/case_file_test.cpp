@@ -1,0 +1,110 @@
+#include "input/case_file.hpp"
+
+#include "input/samples.hpp"
+#include "support/paths.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+namespace terp {
+namespace {
+
+using testing::HasSubstr;
+using namespace test;
+
+std::string error_of(const std::string& path)
+{
+  try {
+    read_case(path);
+  } catch (const CaseError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(CaseFile, ModelTwoIsThePaperColumnWithSoftening)
+{
+  const CaseFile file = read_case(source_path("cases/column_collapse/model_2.toml"));
+  EXPECT_TRUE(file.warnings.empty()) << render_warnings(file);
+  const Case& c = file.values;
+  EXPECT_EQ(c.name, "model_2");
+  EXPECT_EQ(c.mesh.size, (Vec<2>{16.0, 3.0}));
+  EXPECT_EQ(c.mesh.cell, (Vec<2>{0.1, 0.1}));
+  EXPECT_THAT(c.materials.at(0).parameters, testing::ElementsAre(2.0e6, 0.48, 8.0e3, 2.0e3, 50.0));
+  ASSERT_EQ(c.sides.size(), 3u);
+  EXPECT_EQ(c.sides[2].kind, SideKind::contact_bilateral);
+  EXPECT_EQ(c.sides[2].adhesion, 8.0e3);
+  ASSERT_EQ(c.output.history_points.size(), 10u);
+  EXPECT_EQ(c.output.history_points[2].second, (Vec<2>{7.13, 1.09}));
+  EXPECT_EQ(c.output.history_points[9].first, "J");
+  EXPECT_TRUE(c.output.field_names.empty());
+  EXPECT_EQ(c.output.checkpoint_every, 1.0);
+}
+
+TEST(CaseFile, ModelOneKeepsItsStrengthOnASmoothBase)
+{
+  const CaseFile file = read_case(source_path("cases/column_collapse/model_1.toml"));
+  EXPECT_TRUE(file.warnings.empty()) << render_warnings(file);
+  EXPECT_EQ(file.values.materials.at(0).parameters.at(3), 8.0e3);
+  EXPECT_EQ(file.values.sides.at(2).kind, SideKind::roller);
+}
+
+TEST(CaseFile, KeepsTheTextOfAnUnchangedCase) { EXPECT_EQ(read_case_text(small_case, "case.toml").text, small_case); }
+
+TEST(CaseFile, RecordsChangesInATextThatReadsTheSame)
+{
+  const std::string model_2 = source_path("cases/column_collapse/model_2.toml");
+  const CaseFile changed = read_case(model_2, {"scheme=mpm_mixed", "mesh.cell=0.2", "time.end=0.30000000000000004"});
+  EXPECT_THAT(changed.text, HasSubstr("#   --set scheme=mpm_mixed\n"));
+  const CaseFile again = read_case_text(changed.text, "case.toml");
+  EXPECT_EQ(again.values.scheme, "mpm_mixed");
+  EXPECT_EQ(again.values.mesh.cell, (Vec<2>{0.2, 0.2}));
+  EXPECT_EQ(again.values.time.end, 0.30000000000000004);
+  EXPECT_EQ(again.values.output.history_points, changed.values.output.history_points);
+  EXPECT_EQ(again.values.sides[2].kind, SideKind::contact_bilateral);
+  EXPECT_EQ(again.values.bodies[0].polygon, changed.values.bodies[0].polygon);
+}
+
+TEST(CaseFile, SaysThatThereIsNoSuchFile)
+{
+  const ScratchFolder folder;
+  std::ofstream(folder.path() + "/model_2.toml") << small_case;
+  EXPECT_EQ(error_of(folder.path() + "/model2.toml"),
+            "error: " + folder.path() + "/model2.toml: there is no such file\n  Did you mean `" + folder.path() +
+                "/model_2.toml`?\n\n1 error; nothing was run.\n");
+  EXPECT_THAT(error_of(folder.path() + "/nothing/at_all.toml"), HasSubstr("there is no such file\n\n1 error"));
+}
+
+TEST(CaseFile, SaysThatAFolderIsNoCase)
+{
+  const ScratchFolder folder;
+  EXPECT_THAT(error_of(folder.path()), HasSubstr("this is a folder, not a case file\n  Give the .toml file in it.\n"));
+}
+
+TEST(CaseFile, ShowsWhereTheTextIsNotToml)
+{
+  EXPECT_EQ(message_for("title = \"a\"\nscheme = mpm_gp\n"),
+            "error: case.toml:2:10: this is not valid TOML\n"
+            "\n"
+            "    2 | scheme = mpm_gp\n"
+            "      |          ^\n"
+            "  Error while parsing value: could not determine value type\n"
+            "  Text stands in quotes, as in scheme = \"mpm_gp\"; numbers are written 8.0e3.\n"
+            "  The format: https://toml.io\n"
+            "\n"
+            "1 error; nothing was run.\n");
+  EXPECT_THAT(message_for("a = 1\na = 2\n"), HasSubstr("case.toml:2:5: this is not valid TOML"));
+  EXPECT_THAT(message_for("a = [1\n"), HasSubstr("this is not valid TOML"));
+}
+
+TEST(CaseFile, AnEmptyFileLacksTheRequiredSections)
+{
+  const std::string seen = message_for("");
+  for (const char* header : {"[time]", "[mesh]", "[[body]]", "[material.NAME]"})
+    EXPECT_THAT(seen, HasSubstr(std::string("the section ") + header + " is missing"));
+  EXPECT_THAT(seen, HasSubstr("4 errors; nothing was run."));
+}
+
+}  // namespace
+}  // namespace terp

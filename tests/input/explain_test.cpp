@@ -1,0 +1,72 @@
+#include "input/explain.hpp"
+
+#include "input/case_file.hpp"
+#include "input/key_text.hpp"
+#include "schemes/scheme_info.hpp"
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Explain, KnowsEveryKeyDottedAndByItsLastPart)
+{
+  for (const KeyInfo& key : all_keys()) {
+    EXPECT_THAT(explain(topic_of(key.path)), HasSubstr(last_part(key.path))) << key.path;
+    EXPECT_FALSE(explain(last_part(key.path)).empty()) << key.path;
+  }
+}
+
+TEST(Explain, KnowsEveryLawSchemeAndSection)
+{
+  for (const MaterialType* law : all_materials())
+    EXPECT_THAT(explain(std::string(law->name)), HasSubstr(std::string(law->summary)));
+  for (const SchemeInfo& scheme : all_schemes())
+    EXPECT_THAT(explain(std::string(scheme.name)), HasSubstr(std::string(scheme.summary)));
+  for (const SectionInfo& section : all_sections())
+    EXPECT_THAT(explain(topic_of(section.path)), HasSubstr(section.meaning));
+}
+
+TEST(Explain, GivesMeaningEquationAllowedAndDefault)
+{
+  EXPECT_EQ(explain("courant"),
+            "key of the case file\n"
+            "  time.courant\n"
+            "    share of the stable time step that is used (reading R19)\n"
+            "    equation  dt = courant min_e(L_e) / c_p,  c_p = sqrt((K + 4G/3) / rho)\n"
+            "    allowed   a number, more than 0 and at most 1\n"
+            "    default   0.98\n");
+}
+
+TEST(Explain, TakesKeysAsTheyStandInACase)
+{
+  EXPECT_THAT(explain("material.clay.eta"), HasSubstr("shape factor"));
+  EXPECT_THAT(explain("body[0].box"), HasSubstr("lower left"));
+  EXPECT_THAT(explain("boundary.bottom.adhesion"), HasSubstr("unit      Pa"));
+  EXPECT_THAT(explain("su_peak"), HasSubstr("key of material model `tresca_softening`"));
+}
+
+TEST(Explain, SaysThatAKeyIsRequired) { EXPECT_THAT(explain("time.end"), HasSubstr("none: the key is required")); }
+
+TEST(Explain, OffersTheNearestTopic)
+{
+  try {
+    explain("tresca_softning");
+    FAIL();
+  } catch (const CaseError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("error: there is nothing to explain about `tresca_softning`\n\n  Did you mean "
+                                        "`tresca_softening`?\n  Material models: linear_elastic"));
+  }
+}
+
+TEST(List, NamesMaterialsSchemesAndFields)
+{
+  for (const char* name :
+       {"linear_elastic", "tresca_softening", "standard_mpm", "mpm_mixed", "mpm_gp", "eps_eq_p", "su"})
+    EXPECT_THAT(list(), HasSubstr(std::string("\n  ") + name + " "));
+}
+
+}  // namespace
+}  // namespace terp

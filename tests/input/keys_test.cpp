@@ -1,0 +1,87 @@
+#include "input/keys.hpp"
+
+#include "input/key_text.hpp"
+
+#include <gmock/gmock.h>
+
+#include <set>
+
+namespace terp {
+namespace {
+
+using testing::Contains;
+
+TEST(Keys, AreDeclaredOnceEach)
+{
+  std::set<std::string> paths;
+  for (const KeyInfo& key : all_keys()) EXPECT_TRUE(paths.insert(key.path).second) << key.path;
+}
+
+TEST(Keys, EachKeyHasItsOwnPlaceInTheCase)
+{
+  Case values;
+  values.bodies.resize(1), values.materials.resize(1), values.sides.resize(1);
+  std::set<const Real*> places;
+  for (const KeyInfo& key : all_keys()) {
+    const Field field = key.field(values, 0);
+    if (const auto* place = std::get_if<Real*>(&field)) {
+      EXPECT_TRUE(places.insert(*place).second) << key.path;
+    }
+  }
+}
+
+TEST(Keys, EachBelongsToADeclaredSection)
+{
+  for (const KeyInfo& key : all_keys()) {
+    const std::string parent = parent_path(key.path);
+    EXPECT_TRUE(parent.empty() || parent == "boundary.SIDE" || find_section(parent) != nullptr) << key.path;
+  }
+}
+
+TEST(Keys, DefaultsAreInTheirRange)
+{
+  Case values;
+  values.bodies.resize(1), values.materials.resize(1), values.sides.resize(1);
+  for (const KeyInfo& key : all_keys()) {
+    const Field field = key.field(values, 0);
+    const auto* number = std::get_if<Real*>(&field);
+    if (number != nullptr && !key.required) {
+      EXPECT_TRUE(key.range.contains(**number)) << key.path;
+    }
+  }
+}
+
+TEST(Keys, WordsStandForTheEnumsOfTheSameName)
+{
+  Case values;
+  const auto set = [&](const char* path, int word) { std::get<WordField>(find_key(path)->field(values, 0)).set(word); };
+  set("method.weights", 2);
+  EXPECT_EQ(find_key("method.weights")->words()[2], "gauss");
+  EXPECT_EQ(values.method.weights, Weights::gauss);
+  set("initial.stress", 1);
+  EXPECT_EQ(find_key("initial.stress")->words()[1], "k0");
+  EXPECT_EQ(values.initial.stress, InitialStress::k0);
+}
+
+TEST(Keys, OfALawFollowItsTable)
+{
+  const MaterialType& law = *find_material("tresca_softening");
+  const auto keys = keys_of_law(law);
+  ASSERT_EQ(keys.size(), law.parameters.size());
+  EXPECT_EQ(keys[2].path, "material.NAME.su_peak");
+  EXPECT_EQ(keys[2].unit, "Pa");
+  EXPECT_TRUE(keys[2].required);
+}
+
+TEST(Keys, OutputFieldsHoldTheStateOfEveryLaw)
+{
+  const auto names = output_field_names();
+  for (const MaterialType* law : all_materials()) {
+    for (const StateInfo& state : law->state) EXPECT_THAT(names, Contains(std::string(state.name)));
+    for (const DerivedInfo& derived : law->derived) EXPECT_THAT(names, Contains(std::string(derived.name)));
+  }
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+}
+
+}  // namespace
+}  // namespace terp

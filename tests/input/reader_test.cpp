@@ -1,0 +1,259 @@
+// Every key arrives at its place, and keys that are unknown, missing or of the wrong shape are named.
+
+#include "input/reader.hpp"
+
+#include "input/key_text.hpp"
+#include "input/samples.hpp"
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using namespace test;
+
+/// Every key, each with a value that is not its default.
+const std::string every_key = R"(title = "all"
+scheme = "mpm_mixed"
+[time]
+end = 2.5
+courant = 0.5
+[mesh]
+origin = [-1.0, 1.0]
+size = [16.0, 3.0]
+cell = [0.5, 0.25]
+[[body]]
+material = "clay"
+box = [[0.0, 1.0], [8.0, 2.0]]
+points_per_cell = [3, 4]
+velocity = [0.5, -0.25]
+[[body]]
+material = "rock"
+polygon = [[9, 1], [10, 1], [9, 2]]
+points_per_cell = 2
+[material.clay]
+model = "tresca_softening"
+density = 1990.0
+shear_modulus = 2.0e6
+poisson_ratio = 0.48
+su_peak = 8.0e3
+su_residual = 2.0e3
+eta = 50.0
+[material.rock]
+model = "linear_elastic"
+density = 2600
+shear_modulus = 1.0e9
+poisson_ratio = 0.25
+[forces]
+gravity = [1.0, -9.81]
+damping = { local = 0.125, viscous = 0.25 }
+[initial]
+stress = "equilibrium"
+k0 = 0.75
+damping = 0.7
+limit = 1e-4
+max_steps = 123
+[boundary]
+left = "roller"
+right = { velocity = [0.125, 0.5] }
+bottom = { contact = "separating", adhesion = 8.0e3, friction = 0.5 }
+top = "fixed"
+[method]
+weights = "summed"
+filled_fraction = 0.8
+filled_blend = 0.05
+b_bar = false
+force_operator = "b"
+point_pressure = "relax"
+pressure_relaxation = 0.2
+state_averaging = "sub_cell"
+objective_rate = "jaumann"
+flip = 0.95
+tension_limit = 1e4
+small_mass = 1e-8
+[output]
+fields = { every = 0.5, names = ["su", "stress"] }
+history = { every = 0.02, points = { B = [7.6, 1.9], A = [7.5, 0.5] } }
+ledger = { every = 0.03 }
+checkpoint = { every = 1.5, keep = 3 }
+deviatoric_norm = "von_mises"
+)";
+
+Case read_every_key() { return read_case_text(every_key, "folder/all.toml").values; }
+
+TEST(Reader, TheSampleHoldsEveryDeclaredKey)
+{
+  const Node root = parse_toml(every_key);
+  const auto concrete = [](std::string path) {
+    const auto swap = [&](const std::string& from, const std::string& to) {
+      if (const auto at = path.find(from); at != std::string::npos) path.replace(at, from.size(), to);
+    };
+    swap("body[].polygon", "body[1].polygon"), swap("[]", "[0]"), swap("NAME", "clay");
+    swap("SIDE.velocity", "right.velocity"), swap("SIDE", "bottom");
+    return path;
+  };
+  for (const KeyInfo& key : all_keys()) EXPECT_NE(find_node(root, concrete(key.path)), nullptr) << key.path;
+}
+
+TEST(Reader, FillsFrameTimeAndMesh)
+{
+  const Case c = read_every_key();
+  EXPECT_EQ(c.title, "all");
+  EXPECT_EQ(c.name, "all");
+  EXPECT_EQ(c.scheme, "mpm_mixed");
+  EXPECT_EQ(c.time.end, 2.5);
+  EXPECT_EQ(c.time.courant, 0.5);
+  EXPECT_EQ(c.mesh.origin, (Vec<2>{-1.0, 1.0}));
+  EXPECT_EQ(c.mesh.size, (Vec<2>{16.0, 3.0}));
+  EXPECT_EQ(c.mesh.cell, (Vec<2>{0.5, 0.25}));
+}
+
+TEST(Reader, FillsBodiesAndMaterials)
+{
+  const Case c = read_every_key();
+  ASSERT_EQ(c.bodies.size(), 2u);
+  EXPECT_EQ(c.bodies[0].material, "clay");
+  EXPECT_EQ(c.bodies[0].points_per_cell, (std::array<Index, 2>{3, 4}));
+  EXPECT_EQ(c.bodies[0].velocity, (Vec<2>{0.5, -0.25}));
+  EXPECT_EQ(c.bodies[1].points_per_cell, (std::array<Index, 2>{2, 2}));
+  EXPECT_THAT(c.bodies[1].polygon, ElementsAre(Vec<2>{9, 1}, Vec<2>{10, 1}, Vec<2>{9, 2}));
+  ASSERT_EQ(c.materials.size(), 2u);
+  EXPECT_EQ(c.materials[0].name, "clay");
+  EXPECT_EQ(c.materials[0].model, "tresca_softening");
+  EXPECT_THAT(c.materials[0].parameters, ElementsAre(2.0e6, 0.48, 8.0e3, 2.0e3, 50.0));
+  EXPECT_EQ(c.materials[1].density, 2600.0);
+  EXPECT_THAT(c.materials[1].parameters, ElementsAre(1.0e9, 0.25));
+}
+
+TEST(Reader, FillsForcesAndInitialState)
+{
+  const Case c = read_every_key();
+  EXPECT_EQ(c.forces.gravity, (Vec<2>{1.0, -9.81}));
+  EXPECT_EQ(c.forces.local_damping, 0.125);
+  EXPECT_EQ(c.forces.viscous_damping, 0.25);
+  EXPECT_EQ(c.initial.stress, InitialStress::equilibrium);
+  EXPECT_EQ(c.initial.k0, 0.75);
+  EXPECT_EQ(c.initial.damping, 0.7);
+  EXPECT_EQ(c.initial.limit, 1e-4);
+  EXPECT_EQ(c.initial.max_steps, 123);
+}
+
+TEST(Reader, FillsSides)
+{
+  const Case c = read_every_key();
+  ASSERT_EQ(c.sides.size(), 4u);
+  EXPECT_EQ(c.sides[0].side, "left");
+  EXPECT_EQ(c.sides[0].kind, SideKind::roller);
+  EXPECT_EQ(c.sides[1].kind, SideKind::velocity);
+  EXPECT_EQ(c.sides[1].velocity, (Vec<2>{0.125, 0.5}));
+  EXPECT_EQ(c.sides[2].kind, SideKind::contact_separating);
+  EXPECT_EQ(c.sides[2].adhesion, 8.0e3);
+  EXPECT_EQ(c.sides[2].friction, 0.5);
+  EXPECT_EQ(c.sides[3].kind, SideKind::fixed);
+}
+
+TEST(Reader, FillsTheMethod)
+{
+  const MethodOptions m = read_every_key().method;
+  EXPECT_EQ(m.weights, Weights::summed);
+  EXPECT_EQ(m.filled_fraction, 0.8);
+  EXPECT_EQ(m.filled_blend, 0.05);
+  EXPECT_FALSE(m.b_bar);
+  EXPECT_EQ(m.force_operator, ForceOperator::b);
+  EXPECT_EQ(m.point_pressure, PointPressure::relax);
+  EXPECT_EQ(m.pressure_relaxation, 0.2);
+  EXPECT_EQ(m.state_averaging, StateAveraging::sub_cell);
+  EXPECT_EQ(m.objective_rate, ObjectiveRate::jaumann);
+  EXPECT_EQ(m.flip, 0.95);
+  EXPECT_EQ(m.tension_limit, 1e4);
+  EXPECT_EQ(m.small_mass, 1e-8);
+}
+
+TEST(Reader, FillsTheOutput)
+{
+  const OutputCase o = read_every_key().output;
+  EXPECT_EQ(o.fields_every, 0.5);
+  EXPECT_THAT(o.field_names, ElementsAre("su", "stress"));
+  EXPECT_EQ(o.history_every, 0.02);
+  ASSERT_EQ(o.history_points.size(), 2u);
+  EXPECT_EQ(o.history_points[0].first, "B");
+  EXPECT_EQ(o.history_points[0].second, (Vec<2>{7.6, 1.9}));
+  EXPECT_EQ(o.ledger_every, 0.03);
+  EXPECT_EQ(o.checkpoint_every, 1.5);
+  EXPECT_EQ(o.checkpoint_keep, 3);
+  EXPECT_EQ(o.deviatoric_norm, DeviatoricNorm::von_mises);
+}
+
+TEST(Reader, LeavesDefaultsWhereKeysAreMissing)
+{
+  const Case c = read_case_text(small_case, "case.toml").values;
+  EXPECT_EQ(c.scheme, "mpm_gp");
+  EXPECT_EQ(c.time.courant, 0.98);
+  EXPECT_EQ(c.method.weights, Weights::hybrid);
+  EXPECT_TRUE(c.sides.empty());
+}
+
+TEST(Reader, AnUnlimitedTensionMayBeWritten)
+{
+  const Case c = read_case_text(small_case + "[method]\ntension_limit = inf\n", "case.toml").values;
+  EXPECT_GT(c.method.tension_limit, 1e300);
+}
+
+class WrongKey : public testing::TestWithParam<Change> {};
+
+TEST_P(WrongKey, IsNamedWithWhatMayStandThere)
+{
+  const auto& [line, instead, message] = GetParam();
+  EXPECT_THAT(message_for(replaced(small_case, line, instead)), HasSubstr(message));
+}
+
+const Change wrong_keys[] = {
+    {"su_residual = 2.0e3", "su_resdiual = 2.0e3",
+     "error: case.toml:15:1: unknown key `su_resdiual`\n\n   15 | su_resdiual = 2.0e3\n      | ^^^^^^^^^^^\n  Did you "
+     "mean `su_residual`?\n  Keys of material model `tresca_softening`: density, shear_modulus, poisson_ratio, "
+     "su_peak, su_residual, eta\n  More: terp explain tresca_softening\n\n1 error; nothing was run.\n"},
+    {"end = 4.0", "end = 4.0\ncurant = 0.5",
+     "unknown key `curant`\n\n    3 | curant = 0.5\n      | ^^^^^^\n  Did you mean `courant`?\n  Keys of [time]: end, "
+     "courant\n  More: terp explain time\n"},
+    {"[time]", "[tiem]",
+     "unknown key `tiem`\n\n    1 | [tiem]\n      |  ^^^^\n  Did you mean `time`?\n  Keys of a case file: title, "
+     "scheme, time, mesh, body, material, forces, initial, boundary, method, output\n"},
+    {"[time]", "[boundary]\nbotom = \"roller\"\n[time]",
+     "Did you mean `bottom`?\n  Keys of [boundary]: left, right, bottom, top\n"},
+    {"[time]", "[boundary]\nbottom = { contact = \"bilateral\", adhesoin = 3 }\n[time]",
+     "Did you mean `adhesion`?\n  Keys of a side: contact, adhesion, friction, velocity\n  More: terp explain "
+     "boundary\n"},
+    {"[time]", "\"time.end\" = 3\n[time]", "unknown key `time.end`"},
+    {"[time]", "\"material.NAME.density\" = 3\n[time]", "unknown key `material.NAME.density`"},
+    {"end = 4.0", "courant = 0.5",
+     "error: case.toml:1:2: the key `end` is missing from [time]\n\n    1 | [time]\n      |  ^^^^\n  Meaning: time at "
+     "which the run ends; it starts at 0\n  Allowed: a number, more than 0 s\n  More: terp explain time.end\n"},
+    {"material = \"clay\"\n", "",
+     "the key `material` is missing from [[body]]\n\n    6 | [[body]]\n      | ^^^^^^^^\n"},
+    {"eta = 50.0", "", "accepted"},
+    {"su_peak = 8.0e3\n", "", "the key `su_peak` is missing from material model `tresca_softening`"},
+    {"model = \"tresca_softening\"\n", "", "the key `model` is missing from [material.clay]"},
+    {"[mesh]\nsize = [16.0, 3.0]\ncell = 0.5\n", "",
+     "error: case.toml: the section [mesh] is missing\n  Meaning: the background mesh: a rectangle of equal cells\n  "
+     "Keys: origin, size, cell\n  More: terp explain mesh\n"},
+    {"[[body]]", "[body]",
+     "`body` must be a list of tables\n\n    6 | [body]\n      |  ^^^^\n  Write [[body]], with two brackets, above "
+     "each body.\n"},
+    {"[time]\nend = 4.0", "time = 4.0",
+     "`time` must be a table\n\n    1 | time = 4.0\n      | ^^^^\n  Got the number 4; write [time] on a line of its "
+     "own, its keys below.\n"},
+    {"[mesh]", "[[mesh]]", "Got a list; write [mesh] with one bracket.\n"},
+    {"[time]", "[boundary]\nleft = 3\n[time]",
+     "`left` must be text or a table\n\n    2 | left = 3\n      |        ^\n  Got the integer 3; allowed: \"free\", "
+     "\"roller\", \"fixed\" or a table with contact or velocity.\n"},
+    {"[time]", "[boundary]\nleft = \"rollr\"\n[time]",
+     "`left` cannot be \"rollr\"\n\n    2 | left = \"rollr\"\n      |        ^^^^^^^\n  Did you mean `roller`?\n  "
+     "Allowed: \"free\", \"roller\", \"fixed\"\n"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, WrongKey, testing::ValuesIn(wrong_keys));
+
+}  // namespace
+}  // namespace terp

@@ -1,0 +1,108 @@
+#include "input/render.hpp"
+
+#include "input/samples.hpp"
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+using namespace test;
+
+std::string shown(const Problem& problem, const std::vector<std::string>& overrides = {})
+{
+  return render({problem}, read_case_text(small_case, "case.toml", overrides));
+}
+
+TEST(Render, ShowsFileLineColumnAndTheUnderlinedText)
+{
+  EXPECT_EQ(shown({"body[0].box", "the body lies outside the mesh", "first line\nsecond line", "body"}),
+            "error: case.toml:8:7: the body lies outside the mesh\n"
+            "\n"
+            "    8 | box = [[0.0, 0.0], [8.0, 2.0]]\n"
+            "      |       ^^^^^^^^^^^^^^^^^^^^^^^^\n"
+            "  first line\n"
+            "  second line\n"
+            "  More: terp explain body\n"
+            "\n"
+            "1 error; nothing was run.\n");
+}
+
+TEST(Render, PointsAtTheKeyWhenAsked)
+{
+  EXPECT_THAT(shown({"material.clay.eta", "w", "", "", true}),
+              HasSubstr("case.toml:16:1: w\n\n   16 | eta = 50.0\n      | ^^^\n"));
+}
+
+TEST(Render, FallsBackToTheNearestTableAbove)
+{
+  EXPECT_THAT(shown({"mesh.origin", "w", "", ""}),
+              StartsWith("error: case.toml:3:2: w\n\n    3 | [mesh]\n      |  ^^^^\n"));
+  EXPECT_THAT(shown({"body[0].velocity", "w", "", ""}),
+              StartsWith("error: case.toml:6:1: w\n\n    6 | [[body]]\n      | ^^^^^^^^\n"));
+  EXPECT_THAT(shown({"body[7].box", "w", "", ""}), StartsWith("error: case.toml:6:3: w\n"));
+}
+
+TEST(Render, SaysTheDefaultOfAKeyThatIsNotThere)
+{
+  EXPECT_THAT(shown({"initial.k0", "w", "", ""}),
+              StartsWith("error: case.toml: w\n  `initial.k0` is not given; its default is 1.\n"));
+}
+
+TEST(Render, NamesTheOverrideThatSetTheValue)
+{
+  EXPECT_THAT(shown({"mesh.cell", "too small", "d", ""}, {"mesh.cell=0.25"}),
+              StartsWith("error: --set mesh.cell=0.25: too small\n  d\n"));
+  EXPECT_THAT(shown({"mesh.size", "w", "", ""}, {"mesh.cell=0.25"}), StartsWith("error: case.toml:4:8: w\n"));
+  EXPECT_THAT(shown({"initial.k0", "w", "", ""}, {"initial.stress=none"}),
+              StartsWith("error: --set initial.stress=none: w\n"));
+}
+
+TEST(Render, CountsTheRestBeyondTen)
+{
+  std::string text;
+  for (int k = 0; k < 12; ++k) text += "wrong_" + std::to_string(k) + " = 1\n";
+  const std::string seen = message_for(text + small_case);
+  EXPECT_THAT(seen, HasSubstr("unknown key `wrong_9`"));
+  EXPECT_THAT(seen, testing::Not(HasSubstr("unknown key `wrong_10`")));
+  EXPECT_THAT(seen, HasSubstr("and 2 more\n\n12 errors; nothing was run.\n"));
+}
+
+TEST(Render, GoesInTheOrderOfTheFile)
+{
+  const std::string seen = render({{"time.end", "third", "", ""}, {"", "last", "", ""}, {"time", "first", "", ""}},
+                                  read_case_text(small_case, "case.toml"));
+  EXPECT_LT(seen.find("first"), seen.find("third"));
+  EXPECT_LT(seen.find("third"), seen.find("last"));
+}
+
+TEST(Render, UnderlinesCharactersNotBytes)
+{
+  EXPECT_THAT(message_for("title = \"äöü\"; x\n" + small_case),
+              HasSubstr("\n    1 | title = \"äöü\"; x\n      |              ^\n"));
+  EXPECT_THAT(message_for(replaced(small_case, "end = 4.0", "end\t=\t-4.0")),
+              HasSubstr("    2 | end\t=\t-4.0\n      |    \t \t^^^^\n"));
+}
+
+TEST(Render, UnderlinesTheFirstLineOfALongValue)
+{
+  EXPECT_THAT(message_for(replaced(small_case, "size = [16.0, 3.0]", "size = [16.0,\n3.0, 1.0]")),
+              HasSubstr("    4 | size = [16.0,\n      |        ^^^^^^\n"));
+}
+
+TEST(Render, LeavesOutCarriageReturns)
+{
+  EXPECT_THAT(message_for(replaced(small_case, "end = 4.0", "end = -4.0\r")), HasSubstr("    2 | end = -4.0\n"));
+}
+
+TEST(Render, ShowsWarningsBesideErrors)
+{
+  const std::string seen = message_for(replaced(small_case, "shear_modulus = 2.0e6", "shear_modulus = 2.0e3"));
+  EXPECT_THAT(seen, StartsWith("warning: case.toml:12:17: `shear_modulus` = 2000 Pa is unusual\n"));
+  EXPECT_THAT(seen, HasSubstr("error: case.toml:16:7: softening is too steep\n"));
+}
+
+}  // namespace
+}  // namespace terp
