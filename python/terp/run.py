@@ -17,13 +17,13 @@ UNITS = {
     "volume": "m^3 per m", "strain": "-", "eps_deviatoric": "-", "eps_eq_p": "-", "id": "-", "material": "-",
     "cell": "-", "time": "s", "step": "-", "kinetic": "J per m", "elastic": "J per m", "plastic": "J per m",
     "gravity_work": "J per m", "damping_work": "J per m", "boundary_work": "J per m", "numerical": "J per m",
-    "mass": "kg per m", "momentum_x": "kg m/s per m", "momentum_y": "kg m/s per m", "clamped": "-",
+    "mass": "kg per m", "momentum_x": "kg m/s per m", "momentum_y": "kg m/s per m", "clamped": "-", "left": "-",
     "front_x": "m", "crest_x": "m", "v_max": "m/s", "v_999": "m/s",
 }
 """Unit of each field and column; "per m" is per metre of thickness."""
 
 TEXT_COLUMNS = {"point"}
-INTEGER_COLUMNS = {"id", "step", "clamped"}
+INTEGER_COLUMNS = {"id", "step", "clamped", "left"}
 
 
 class RunError(Exception):

@@ -11,13 +11,6 @@ namespace {
 
 Real dot(Vec<2> a, Vec<2> b) { return a[0] * b[0] + a[1] * b[1]; }
 
-const NamedSide& find_side(const Mesh<2>& mesh, const std::string& name)
-{
-  for (const auto& side : mesh.sides)
-    if (side.name == name) return side;
-  throw InputError(Problem{"boundary." + name, "the mesh has no side `" + name + "`", "", "boundary", true});
-}
-
 /// Sum of outward edge normals times length, and of half lengths, for each node of a side.
 struct EdgeSums {
   Vec<2> normal{0.0, 0.0};
@@ -70,6 +63,16 @@ void stop_across(const NodeHold& hold, Vec<2>& v)
 }
 
 }  // namespace
+
+const NamedSide& find_side(const Mesh<2>& mesh, const std::string& name)
+{
+  std::string known;
+  for (const auto& side : mesh.sides) {
+    if (side.name == name) return side;
+    known += (known.empty() ? "" : ", ") + side.name;
+  }
+  throw InputError(Problem{"boundary." + name, "the mesh has no side `" + name + "`", "Sides of this mesh: " + known, "boundary", true});
+}
 
 Boundary::Boundary(const Mesh<2>& mesh, const std::vector<SideCondition>& sides) : condition_of_node_(mesh.nodes.size(), -1)
 {

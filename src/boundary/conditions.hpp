@@ -41,6 +41,9 @@ struct NodeCondition {
   bool pinned = false;  ///< two holds with different normals that both stop motion across them: no motion at all
 };
 
+/// The side of a mesh with this name. Throws InputError with the names that there are.
+const NamedSide& find_side(const Mesh<2>& mesh, const std::string& name);
+
 class Boundary {
  public:
   Boundary() = default;

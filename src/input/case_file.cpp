@@ -1,7 +1,8 @@
 #include "input/case_file.hpp"
 
 #include "input/check_case.hpp"
-#include "input/closest.hpp"
+#include "input/check_mesh.hpp"
+#include "input/other_files.hpp"
 #include "input/overrides.hpp"
 #include "input/reader.hpp"
 #include "input/render.hpp"
@@ -26,26 +27,13 @@ namespace fs = std::filesystem;
   throw CaseError(fmt::format("error: {}: {}\n{}\n1 error; nothing was run.\n", path, what, lines));
 }
 
-/// A .toml file in the same folder with a name much like it.
-std::string similar_file(const fs::path& path)
-{
-  std::error_code ignored;
-  std::vector<std::string> names;
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  for (const auto& entry : fs::directory_iterator(folder, ignored))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());
-  const std::string nearest = closest(path.filename().string(), names);
-  return nearest.empty() ? nearest : (path.parent_path() / nearest).string();
-}
-
 std::string read_text(const std::string& path)
 {
   std::error_code ignored;
   if (fs::is_directory(path, ignored))
     refuse_file(path, "this is a folder, not a case file", "Give the .toml file in it.");
   if (!fs::exists(path, ignored)) {
-    const std::string similar = similar_file(path);
+    const std::string similar = similar_file(path, ".toml");
     refuse_file(path, "there is no such file", similar.empty() ? "" : fmt::format("Did you mean `{}`?", similar));
   }
   std::ifstream file(path, std::ios::binary);
@@ -69,17 +57,23 @@ Document parse_document(const std::string& text, const std::string& path)
   }
 }
 
-/// The text that stands for the whole case: the user's own, or written anew if anything was changed.
-std::string text_for_the_record(const Document& document, const std::vector<std::string>& overrides)
+/// The text that stands for the whole case, read from any folder: the user's own, or written anew if anything was
+/// changed by --set or names a file beside it.
+std::string text_for_the_record(const Document& document, const std::string& folder,
+                                const std::vector<std::string>& overrides)
 {
-  if (overrides.empty()) return document.text;
-  std::string head = fmt::format("# {}, changed by\n", document.path);
+  Node root = document.root;
+  const bool moved = make_files_absolute(root, folder);
+  if (!moved && overrides.empty()) return document.text;
+  std::string head =
+      fmt::format("# {}, {}\n", document.path, overrides.empty() ? "with the full names of its files" : "changed by");
   for (std::string change : overrides) {
     std::replace_if(
         change.begin(), change.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
     head += "#   --set " + change + '\n';
   }
-  return head + '\n' + write_toml(document.root);
+  if (moved && !overrides.empty()) head += "# and with the full names of its files\n";
+  return head + '\n' + write_toml(root);
 }
 
 }  // namespace
@@ -93,11 +87,13 @@ CaseFile read_case_text(const std::string& text, const std::string& path, const 
   for (const std::string& change : overrides)
     if (auto problem = apply_override(file.source.root, change)) findings.problems.push_back(*problem);
   file.values.name = fs::path(path).stem().string();
+  file.values.folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path().string() : ".";
   read_values(file.source.root, file.values, findings);
   check_case(file.source.root, file.values, findings);
   file.warnings = findings.warnings;  // shown with errors too: a wrong unit is often what an error comes from
   if (!findings.problems.empty()) throw CaseError(render_warnings(file) + render(findings.problems, file));
-  file.text = text_for_the_record(file.source, overrides);
+  turn_counter_clockwise(file.values.mesh);  // not before: messages speak of the edges as the user counts them
+  file.text = text_for_the_record(file.source, file.values.folder, overrides);
   return file;
 }
 

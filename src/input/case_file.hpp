@@ -15,7 +15,7 @@ namespace terp {
 struct CaseFile {
   Case values;
   std::string path;               ///< as the user wrote it
-  std::string text;               ///< TOML of the case as it runs, with every --set, for the record
+  std::string text;               ///< TOML of the case as it runs, with every --set and full names of files, for the record
   std::vector<Problem> warnings;  ///< doubtful, but it may run
   Document source;                ///< what the user wrote, and where
 };

@@ -1,7 +1,9 @@
 #include "input/check_case.hpp"
 
+#include "input/check_mesh.hpp"
 #include "input/closest.hpp"
 #include "input/key_text.hpp"
+#include "input/other_files.hpp"
 
 #include <fmt/format.h>
 
@@ -13,27 +15,81 @@ namespace {
 
 using Problems = std::vector<Problem>;
 
+constexpr const char* shapes[] = {"box", "polygon", "region", "points"};
+
 void check_shape(const Node& body, const std::string& path, Problems& problems)
 {
-  const bool box = find_item(body, "box") != nullptr, polygon = find_item(body, "polygon") != nullptr;
-  if (box && polygon)
-    problems.push_back(
-        {path + ".polygon", "a body has either `box` or `polygon`, not both", "Remove one of the two.", "body", true});
-  if (!box && !polygon)
+  std::vector<std::string> given;
+  for (const char* shape : shapes)
+    if (find_item(body, shape) != nullptr) given.emplace_back(shape);
+  if (given.empty())
     problems.push_back({path, "the body has no shape",
-                        "Give box = [[x0, y0], [x1, y1]] or polygon = [[x, y], [x, y], [x, y], ...] in m.", "body",
-                        true});
+                        "Give box = [[x0, y0], [x1, y1]] or polygon = [[x, y], [x, y], [x, y], ...] in m,\nor region = "
+                        "\"NAME\" of a mesh file, or points = \"FILE.csv\".",
+                        "body", true});
+  for (std::size_t k = 1; k < given.size(); ++k)
+    problems.push_back({path + '.' + given[k],
+                        fmt::format("a body has either `{}` or `{}`, not both", given[0], given[k]),
+                        "Remove one of the two.", "body", true});
 }
 
-void check_bodies(const Node& root, const Case& values, Problems& problems)
+/// Keys that count with some shapes only.
+void check_body_keys(const Node& body, const std::string& path, MeshKind mesh, Findings& findings)
 {
+  const auto has = [&](const char* name) { return find_item(body, name) != nullptr; };
+  if (has("holes") && (has("region") || has("points")))
+    findings.problems.push_back({path + ".holes", "`holes` belongs to a box or polygon",
+                                 fmt::format("Leave it out with `{}`.", has("region") ? "region" : "points"),
+                                 "body.holes", true});
+  if (has("region") && mesh != MeshKind::file)
+    findings.problems.push_back({path + ".region", "a region needs a mesh from a file",
+                                 "Regions are physical groups of [mesh] file = \"NAME.msh\". Give box or polygon here.",
+                                 "body.region", true});
+  if (!has("points")) return;
+  if (has("points_per_cell"))
+    findings.problems.push_back({path + ".points_per_cell", "`points_per_cell` does not go with `points`",
+                                 "The file holds every material point. Remove one of the two.", "body.points", true});
+  if (has("material"))
+    findings.warnings.push_back({path + ".material", "`material` has no effect",
+                                 "The file of points names the material of each one.", "body.points", true});
+}
+
+/// A hole that cuts nothing out: the boxes about hole and body do not overlap.
+void check_holes(const BodyCase& body, const std::string& path, Problems& warnings)
+{
+  const auto extreme = [](const std::vector<Vec<2>>& corners, int axis) {
+    const auto less = [axis](const Vec<2>& a, const Vec<2>& b) { return a[axis] < b[axis]; };
+    const auto [low, high] = std::minmax_element(corners.begin(), corners.end(), less);
+    return std::pair((*low)[axis], (*high)[axis]);
+  };
+  for (std::size_t k = 0; k < body.holes.size(); ++k)
+    for (int axis = 0; axis < 2 && !body.polygon.empty() && !body.holes[k].empty(); ++axis) {
+      const auto [low, high] = extreme(body.polygon, axis);
+      const auto [from, to] = extreme(body.holes[k], axis);
+      if (from < high && to > low) continue;
+      warnings.push_back({fmt::format("{}.holes[{}]", path, k), "the hole lies outside the body",
+                          fmt::format("It covers {0} = {1} to {2} m, the body {0} = {3} to {4} m.",
+                                      axis == 0 ? 'x' : 'y', from, to, low, high),
+                          "body.holes"});
+      break;
+    }
+}
+
+void check_bodies(const Node& root, const Case& values, Findings& findings)
+{
+  Problems& problems = findings.problems;
   std::vector<std::string> names;
   for (const MaterialCase& material : values.materials) names.push_back(material.name);
   const Node* list = find_item(root, "body");
   for (std::size_t k = 0; k < values.bodies.size(); ++k) {
     const std::string path = fmt::format("body[{}]", k), &name = values.bodies[k].material;
-    if (list->items[k].kind == NodeKind::table) check_shape(list->items[k], path, problems);
-    if (name.empty() || names.empty() || std::find(names.begin(), names.end(), name) != names.end()) continue;
+    if (list->items[k].kind == NodeKind::table) {
+      check_shape(list->items[k], path, problems);
+      check_body_keys(list->items[k], path, values.mesh.kind, findings);
+    }
+    check_holes(values.bodies[k], path, findings.warnings);
+    const bool named = !name.empty() && values.bodies[k].points_file.empty();
+    if (!named || names.empty() || std::find(names.begin(), names.end(), name) != names.end()) continue;
     const std::string nearest = closest(name, names);
     const std::string hint = nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest);
     problems.push_back({path + ".material", fmt::format("there is no material `{}`", name),
@@ -60,7 +116,9 @@ void check_parameters(const Case& values, Problems& problems)
 void check_unused_materials(const Case& values, Problems& warnings)
 {
   for (const MaterialCase& material : values.materials) {
-    const auto uses = [&](const BodyCase& body) { return body.material.empty() || body.material == material.name; };
+    const auto uses = [&](const BodyCase& body) {
+      return body.material.empty() || !body.points_file.empty() || body.material == material.name;
+    };
     if (std::none_of(values.bodies.begin(), values.bodies.end(), uses))
       warnings.push_back({join_path("material", material.name),
                           fmt::format("no body uses the material `{}`", material.name), "", "body.material", true});
@@ -78,13 +136,14 @@ void check_side(const Node& side, const std::string& path, Problems& problems)
     if (has(name) && !has("contact") && !has("velocity"))
       problems.push_back(
           {path + '.' + name, fmt::format("`{}` needs a contact", name),
-           fmt::format("Free, roller and fixed sides do not slide with resistance. Write {} = {{ contact = "
+           fmt::format("Free, open, roller and fixed sides do not slide with resistance. Write {} = {{ contact = "
                        "\"bilateral\", {} = ... }}, or \"separating\".",
                        side.name, name),
            "boundary", true});
   if (side.items.empty())
     problems.push_back({path, fmt::format("`{}` is empty", side.name),
-                        "Give contact or velocity, or one of \"free\", \"roller\", \"fixed\".", "boundary", true});
+                        "Give contact or velocity, or one of \"free\", \"open\", \"roller\", \"fixed\".", "boundary",
+                        true});
 }
 
 void check_sides(const Node& root, Problems& problems)
@@ -92,23 +151,6 @@ void check_sides(const Node& root, Problems& problems)
   const Node* boundary = find_item(root, "boundary");
   if (boundary == nullptr || boundary->kind != NodeKind::table) return;
   for (const Node& side : boundary->items) check_side(side, join_path("boundary", side.name), problems);
-}
-
-void check_cells(const Case& values, Problems& problems)
-{
-  constexpr Real tolerance = 1e-6;  // of a cell: the file holds rounded decimals
-  const char* const words[] = {"width", "height"};
-  for (int k = 0; k < 2; ++k) {
-    const Real size = values.mesh.size[k], cell = values.mesh.cell[k];
-    if (!(size > 0.0) || !(cell > 0.0)) continue;
-    const Real n = size / cell;
-    if (n >= 0.5 && std::abs(n - std::round(n)) <= tolerance) continue;
-    const Real fits = size / std::max(std::round(n), 1.0);
-    problems.push_back(
-        {"mesh.cell", fmt::format("the {} of the mesh is not a whole number of cells", words[k]),
-         fmt::format("{} m / {} m = {:.6g}; the nearest {} that fits is {:.6g} m.", size, cell, n, words[k], fits),
-         "mesh.cell"});
-  }
 }
 
 void check_initial(const Node& root, const Case& values, Findings& findings)
@@ -154,10 +196,11 @@ void check_fields(const Case& values, Problems& warnings)
 
 void check_case(const Node& root, const Case& values, Findings& findings)
 {
-  check_bodies(root, values, findings.problems);
+  check_mesh(root, values.mesh, findings);
+  check_bodies(root, values, findings);
+  check_files(root, values.folder, findings.problems);
   check_parameters(values, findings.problems);
   check_sides(root, findings.problems);
-  check_cells(values, findings.problems);
   check_initial(root, values, findings);
   check_unused_materials(values, findings.warnings);
   check_fields(values, findings.warnings);

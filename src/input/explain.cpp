@@ -4,6 +4,7 @@
 #include "input/closest.hpp"
 #include "input/key_text.hpp"
 #include "input/keys.hpp"
+#include "input/mesh_kinds.hpp"
 #include "schemes/scheme_info.hpp"
 
 #include <fmt/format.h>
@@ -58,6 +59,7 @@ std::string wrapped(const std::string& text, const std::string& margin)
 std::string describe_key(const KeyInfo& key, const std::string& name)
 {
   std::string fallback = key.required ? "none: the key is required" : key.default_text;
+  if (!key.required_for.empty()) fallback = "none: required for " + key.required_for;
   return "  " + name + '\n' + wrapped(key.meaning, "    ") + row("equation", key.equation) + row("unit", key.unit) +
          row("allowed", allowed_text(key)) + row("default", fallback);
 }
@@ -101,6 +103,7 @@ std::string describe_section(const SectionInfo& section)
   for (const SectionInfo& below : all_sections())
     if (parent_path(below.path) == section.path)
       out += fmt::format("  {}\n    {}\n", header_of(below.path), below.meaning);
+  if (section.path == "mesh") out += "\nKeys that belong together\n" + mesh_kinds_text("  ");
   if (section.path == "material.NAME")
     out += fmt::format("  and those of the model: terp explain MODEL, one of {}\n", plain_list(material_model_names()));
   return out;

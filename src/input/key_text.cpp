@@ -23,6 +23,7 @@ Case& prototype()
     c.bodies.resize(1);
     c.materials.push_back({"", "", 0.0, std::vector<Real>(64, 0.0)});
     c.sides.resize(1);
+    c.mesh.refine.resize(1);
     return c;
   }();
   return one;
@@ -67,7 +68,11 @@ std::string type_text(const KeyInfo& key)
       [](const NumberOrPair&) { return "a number or two numbers [x, y]"; },
       [](const CountOrPair&) { return "an integer or two integers [nx, ny]"; },
       [](const Box&) { return "two corners [[x0, y0], [x1, y1]]"; },
+      [](const BoxCorners&) { return "two corners [[x0, y0], [x1, y1]]"; },
       [](const Polygon&) { return "at least three corners [[x, y], [x, y], [x, y]]"; },
+      [](const PolygonList&) { return "a list of polygons [[[x, y], [x, y], [x, y]], ...], each of three or more"; },
+      [](const Polyline&) { return "at least two places [[x, y], [x, y]]"; },
+      [](const NamedEdges&) { return "a table { NAME = [k, ...] } of edge numbers"; },
       [](const NameList&) { return "a list of names"; },
       [](const NamedPlaces&) { return "a table { NAME = [x, y] }"; },
   };
@@ -85,7 +90,7 @@ std::string allowed_text(const KeyInfo& key)
 
 std::string default_text(const KeyInfo& key)
 {
-  if (key.required) return "";
+  if (key.required || !key.required_for.empty()) return "";
   const std::string_view unit = key.unit;
   const auto pair = [&](const auto& v) { return with_unit(fmt::format("[{}, {}]", v[0], v[1]), unit); };
   const auto word = [&](const WordField& field) {
@@ -97,13 +102,17 @@ std::string default_text(const KeyInfo& key)
       [&](const Real* value) { return number_text(*value, unit); },
       [&](const Index* value) { return fmt::format("{}", *value); },
       [&](const bool* value) { return fmt::format("{}", *value); },
-      [&](const std::string* value) { return quoted_list({*value}); },
+      [&](const std::string* value) { return value->empty() ? *value : quoted_list({*value}); },
       [&](const Vec<2>* value) { return pair(*value); },
       [&](const WordField& field) { return word(field); },
       [&](const NumberOrPair& field) { return pair(*field.value); },
       [&](const CountOrPair& field) { return pair(*field.value); },
       [](const Box&) { return std::string(); },
+      [](const BoxCorners&) { return std::string(); },
       [](const Polygon&) { return std::string(); },
+      [](const PolygonList&) { return std::string("none"); },
+      [](const Polyline&) { return std::string(); },
+      [](const NamedEdges&) { return std::string("none"); },
       [](const NameList&) { return std::string("all"); },
       [](const NamedPlaces&) { return std::string("none"); },
   };

@@ -18,7 +18,7 @@ Words scheme_words()
 }
 // In the order of the enums in case.hpp and method_options.hpp.
 Words stress_words() { return {"none", "k0", "equilibrium"}; }
-Words side_words() { return {"free", "roller", "fixed"}; }
+Words side_words() { return {"free", "open", "roller", "fixed"}; }
 Words contact_words() { return {"bilateral", "separating"}; }
 Words weights_words() { return {"hybrid", "summed", "gauss"}; }
 Words force_operator_words() { return {"b_bar", "b"}; }
@@ -54,17 +54,78 @@ std::vector<KeyInfo> frame_keys()
        .meaning = "share of the stable time step that is used (reading R19)",
        .equation = "dt = courant min_e(L_e) / c_p,  c_p = sqrt((K + 4G/3) / rho)"},
 
+  };
+}
+
+constexpr Range cell_sizes = between(1e-3, 1e2);  // usual ones [m]
+
+std::vector<KeyInfo> mesh_keys()
+{
+  return {
       {.path = "mesh.origin",
        .field = [](Case& c, std::size_t) { return &c.mesh.origin; },
-       .unit = "m", .meaning = "lower left corner of the background mesh"},
+       .unit = "m", .meaning = "lower left corner of a rectangle"},
       {.path = "mesh.size",
        .field = [](Case& c, std::size_t) { return &c.mesh.size; },
-       .unit = "m", .range = positive, .usual = {1e-2, 1e4}, .required = true,
-       .meaning = "width and height of the background mesh"},
+       .unit = "m", .range = positive, .usual = {1e-2, 1e4}, .required_for = "a rectangle, graded or not",
+       .meaning = "width and height of a rectangle"},
       {.path = "mesh.cell",
        .field = [](Case& c, std::size_t) { return NumberOrPair{&c.mesh.cell}; },
-       .unit = "m", .range = positive, .usual = {1e-3, 1e2}, .required = true,
-       .meaning = "width and height of a cell; one number for both"},
+       .unit = "m", .range = positive, .usual = cell_sizes, .required_for = "a rectangle of equal cells or a polygon",
+       .meaning = "width and height of a cell, one number for both; with polygon: the size to aim at, one number"},
+      {.path = "mesh.cells",
+       .field = [](Case& c, std::size_t) { return CountOrPair{&c.mesh.cells}; },
+       .range = between(1, 100000), .required_for = "a graded rectangle or a grid between four sides",
+       .meaning = "number of cells along x and along y, or along bottom and along left; one number for both"},
+      {.path = "mesh.grading",
+       .field = [](Case& c, std::size_t) { return &c.mesh.grading; },
+       .range = positive, .usual = {0.01, 100.0},
+       .meaning = "size of the last cell over the size of the first, along x and along y; 1: all equal",
+       .equation = "h_k = h_1 grading^((k - 1) / (n - 1))"},
+      {.path = "mesh.file",
+       .field = [](Case& c, std::size_t) { return &c.mesh.file; },
+       .required_for = "a mesh from a file",
+       .meaning = "gmsh mesh of quadrilaterals (MSH 4.1 or 2.2), relative to the case file; its physical groups name "
+                  "sides and regions"},
+      {.path = "mesh.polygon",
+       .field = [](Case& c, std::size_t) { return Polygon{&c.mesh.polygon, true}; },
+       .unit = "m", .required_for = "a mesh from a polygon",
+       .meaning = "corners of the domain in order, without repeating the first; gmsh fills it with quadrilaterals"},
+      {.path = "mesh.edges",
+       .field = [](Case& c, std::size_t) { return NamedEdges{&c.mesh.edges}; },
+       .range = not_negative,
+       .meaning = "names of parts of the boundary and their edges; edge k of the polygon runs from its corner k to "
+                  "corner k + 1, counted from 0"},
+      {.path = "mesh.follow_bodies",
+       .field = [](Case& c, std::size_t) { return &c.mesh.follow_bodies; },
+       .meaning = "whether the cells of a polygon follow the outlines of the bodies"},
+
+      {.path = "mesh.sides.bottom",
+       .field = [](Case& c, std::size_t) { return Polyline{&c.mesh.sides[0]}; },
+       .unit = "m", .required = true, .meaning = "line from the lower left to the lower right corner of the grid"},
+      {.path = "mesh.sides.right",
+       .field = [](Case& c, std::size_t) { return Polyline{&c.mesh.sides[1]}; },
+       .unit = "m", .required = true, .meaning = "line from the lower right to the upper right corner of the grid"},
+      {.path = "mesh.sides.top",
+       .field = [](Case& c, std::size_t) { return Polyline{&c.mesh.sides[2]}; },
+       .unit = "m", .required = true, .meaning = "line from the upper left to the upper right corner of the grid"},
+      {.path = "mesh.sides.left",
+       .field = [](Case& c, std::size_t) { return Polyline{&c.mesh.sides[3]}; },
+       .unit = "m", .required = true, .meaning = "line from the lower left to the upper left corner of the grid"},
+
+      {.path = "mesh.refine[].line",
+       .field = [](Case& c, std::size_t i) { return Polyline{&c.mesh.refine[i].line}; },
+       .unit = "m", .meaning = "line along which the cells are smaller; either this or box"},
+      {.path = "mesh.refine[].box",
+       .field = [](Case& c, std::size_t i) { return BoxCorners{&c.mesh.refine[i].low, &c.mesh.refine[i].high}; },
+       .unit = "m", .meaning = "lower left and upper right corner of the place with smaller cells; either this or line"},
+      {.path = "mesh.refine[].cell",
+       .field = [](Case& c, std::size_t i) { return &c.mesh.refine[i].cell; },
+       .unit = "m", .range = positive, .usual = cell_sizes, .required = true, .meaning = "size of the cells there"},
+      {.path = "mesh.refine[].distance",
+       .field = [](Case& c, std::size_t i) { return &c.mesh.refine[i].distance; },
+       .unit = "m", .range = not_negative, .required_for = "a line",
+       .meaning = "distance from the line or box over which the cells grow back to mesh.cell"},
   };
 }
 
@@ -73,13 +134,25 @@ std::vector<KeyInfo> soil_keys()
   return {
       {.path = "body[].material",
        .field = [](Case& c, std::size_t i) { return &c.bodies[i].material; },
-       .required = true, .meaning = "NAME of the [material.NAME] that the body is made of"},
+       .required_for = "a body with box, polygon or region",
+       .meaning = "NAME of the [material.NAME] that the body is made of; the file of points names its own"},
       {.path = "body[].box",
        .field = [](Case& c, std::size_t i) { return Box{&c.bodies[i].polygon}; },
-       .unit = "m", .meaning = "lower left and upper right corner of the body; either this or polygon"},
+       .unit = "m", .meaning = "lower left and upper right corner of the body; one of box, polygon, region, points"},
       {.path = "body[].polygon",
        .field = [](Case& c, std::size_t i) { return Polygon{&c.bodies[i].polygon}; },
-       .unit = "m", .meaning = "corners of the body in order, without repeating the first; either this or box"},
+       .unit = "m",
+       .meaning = "corners of the body in order, without repeating the first; one of box, polygon, region, points"},
+      {.path = "body[].holes",
+       .field = [](Case& c, std::size_t i) { return PolygonList{&c.bodies[i].holes}; },
+       .unit = "m", .meaning = "polygons that are cut out of the box or polygon"},
+      {.path = "body[].region",
+       .field = [](Case& c, std::size_t i) { return &c.bodies[i].region; },
+       .meaning = "physical group of mesh.file whose cells the body fills; one of box, polygon, region, points"},
+      {.path = "body[].points",
+       .field = [](Case& c, std::size_t i) { return &c.bodies[i].points_file; },
+       .meaning = "CSV file with the head x,y,volume,material (m, m, m^3 per m, NAME), one material point per line, "
+                  "relative to the case file; one of box, polygon, region, points"},
       {.path = "body[].points_per_cell",
        .field = [](Case& c, std::size_t i) { return CountOrPair{&c.bodies[i].points_per_cell}; },
        .range = between(1, 100), .meaning = "material points along x and y in each cell; one number for both"},
@@ -140,8 +213,9 @@ std::vector<KeyInfo> side_keys()
       {.path = "boundary.SIDE",
        .field = [](Case& c, std::size_t i) { return word_field(c.sides[i].kind); },
        .words = side_words,
-       .meaning = "what holds the side of the mesh: left, right, bottom or top. roller: no motion across; "
-                  "fixed: no motion; or a table with contact or velocity, as below"},
+       .meaning = "what holds the side of the mesh: left, right, bottom or top, or a name of mesh.edges or of a "
+                  "physical group of mesh.file. open: soil that reaches the side leaves the model and is entered in "
+                  "left_the_mesh.csv; roller: no motion across; fixed: no motion; or a table with contact or velocity, as below"},
       {.path = "boundary.SIDE.contact",
        .field = [](Case& c, std::size_t i) { return word_field(c.sides[i].kind, SideKind::contact_bilateral); },
        .words = contact_words,
@@ -257,7 +331,7 @@ const std::vector<KeyInfo>& all_keys()
 {
   static const std::vector<KeyInfo> keys = [] {
     std::vector<KeyInfo> list;
-    for (auto part : {frame_keys, soil_keys, load_keys, side_keys, method_keys, output_keys})
+    for (auto part : {frame_keys, mesh_keys, soil_keys, load_keys, side_keys, method_keys, output_keys})
       for (KeyInfo& key : part()) list.push_back(std::move(key));
     for (KeyInfo& key : list) key.default_text = default_text(key);
     return list;
@@ -269,7 +343,9 @@ const std::vector<SectionInfo>& all_sections()
 {
   static const std::vector<SectionInfo> sections = {
       {"time", "how long to solve, in which steps", true},
-      {"mesh", "the background mesh: a rectangle of equal cells", true},
+      {"mesh", "the background mesh; its kind follows from the keys that are given", true},
+      {"mesh.sides", "four lines between which a grid is spanned; they meet at the corners"},
+      {"mesh.refine[]", "a place with smaller cells in a mesh from a polygon; as many as needed"},
       {"body[]", "one piece of soil, filled with material points; as many as needed", true},
       {"material.NAME", "a material with the name that bodies use", true},
       {"forces", "gravity and damping"},

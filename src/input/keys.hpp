@@ -28,8 +28,21 @@ struct CountOrPair {
 struct Box {
   std::vector<Vec<2>>* corners;
 };  ///< two corners in the file, four in the case
+struct BoxCorners {
+  Vec<2>*low, *high;
+};
 struct Polygon {
   std::vector<Vec<2>>* corners;
+  bool keeps_order = false;  ///< otherwise turned counter-clockwise
+};
+struct PolygonList {
+  std::vector<std::vector<Vec<2>>>* polygons;
+};
+struct Polyline {
+  std::vector<Vec<2>>* places;
+};
+struct NamedEdges {
+  std::vector<EdgesCase>* sides;
 };
 struct NameList {
   std::vector<std::string>* names;
@@ -40,16 +53,17 @@ struct NamedPlaces {
 
 /// Where a key is kept. Its type is the key's type.
 using Field = std::variant<Real*, Index*, bool*, std::string*, Vec<2>*, WordField, NumberOrPair, CountOrPair, Box,
-                           Polygon, NameList, NamedPlaces>;
+                           BoxCorners, Polygon, PolygonList, Polyline, NamedEdges, NameList, NamedPlaces>;
 
 struct KeyInfo {
   std::string path;  ///< "time.end", "body[].box", "material.NAME.density", "boundary.SIDE.contact"
-  std::function<Field(Case&, std::size_t)> field;  ///< in the body, material or side of that number
+  std::function<Field(Case&, std::size_t)> field;  ///< in the body, refinement, material or side of that number
   std::string unit = "-";
   Range range = any_number;                       ///< of the number or of each of its numbers
   Range usual = any_number;                       ///< of |number|; outside, but not 0: warn
   std::vector<std::string> (*words)() = nullptr;  ///< allowed texts; none: any
   bool required = false;
+  std::string required_for = "";  ///< where it is not always required: what needs it, in words
   bool may_be_infinite = false;
   std::string meaning;
   std::string equation = "";

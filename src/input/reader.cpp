@@ -2,6 +2,7 @@
 
 #include "input/closest.hpp"
 #include "input/key_text.hpp"
+#include "input/mesh_kinds.hpp"
 
 #include <fmt/format.h>
 
@@ -16,19 +17,19 @@ struct Section {
   const Node& table;
   std::string path;     ///< in this file: "body[0]", "material.clay"; "" for the file itself
   std::string pattern;  ///< in the table of keys: "body[]", "material.NAME"
-  std::size_t number;   ///< of the body, material or side in the case
+  std::size_t number;   ///< of the body, refinement, material or side in the case
   std::vector<KeyInfo> law_keys = {};
   std::string law = "";
 };
 
 class CaseReader {
  public:
-  CaseReader(Case& values, Findings& findings) : values_(values), findings_(findings) {}
+  CaseReader(const Node& root, Case& values, Findings& findings) : root_(root), values_(values), findings_(findings) {}
   void read_section(const Section& section);
 
  private:
   void read_below(const Node& node, const std::string& path, const SectionInfo& info);
-  void read_bodies(const Node& list);
+  void read_list(const Node& list, const std::string& path, const SectionInfo& info);
   void read_materials(const Node& table);
   void read_material(const Node& table, const std::string& path);
   void read_sides(const Node& table);
@@ -38,6 +39,9 @@ class CaseReader {
   bool is_table(const Node& node, const std::string& path, const std::string& header);
   void report(Problem problem) { findings_.problems.push_back(std::move(problem)); }
 
+  std::vector<std::string> names_in(const Section& section) const;
+
+  const Node& root_;
   Case& values_;
   Findings& findings_;
 };
@@ -50,9 +54,9 @@ const KeyInfo* find_key_in(const Section& section, const std::string& name)
   return find_key(path);
 }
 
-std::vector<std::string> names_in(const Section& section)
+std::vector<std::string> CaseReader::names_in(const Section& section) const
 {
-  if (section.pattern == "boundary") return side_names();
+  if (section.pattern == "boundary") return sides_of_mesh(root_).value_or(std::vector<std::string>{});
   std::vector<std::string> names = names_in_section(section.pattern);
   for (const KeyInfo& key : section.law_keys) names.push_back(last_part(key.path));
   return names;
@@ -63,7 +67,24 @@ std::string title_of(const Section& section)
   if (!section.law.empty()) return fmt::format("material model `{}`", section.law);
   if (section.path.empty()) return "a case file";
   if (section.pattern == "boundary.SIDE") return "a side";
-  return section.pattern == "body[]" ? "[[body]]" : fmt::format("[{}]", section.path);
+  return header_of(section.pattern.ends_with("[]") ? section.pattern : section.path);
+}
+
+/// One more of what a list of tables holds.
+void add_entry(const std::string& pattern, Case& values)
+{
+  if (pattern == "body[]")
+    values.bodies.emplace_back();
+  else
+    values.mesh.refine.emplace_back();
+}
+
+/// Whether a key must stand in this section; some depend on the other keys beside it.
+bool is_required(const Section& section, const KeyInfo& key)
+{
+  if (section.pattern == "mesh") return is_needed(mesh_kind_of(section.table), last_part(key.path));
+  if (key.path == "body[].material") return find_item(section.table, "points") == nullptr;
+  return key.required;
 }
 
 void CaseReader::read_section(const Section& section)
@@ -77,8 +98,8 @@ void CaseReader::read_section(const Section& section)
       report_unknown(section, item, meant);
     } else if (const KeyInfo* key = find_key_in(section, item.name)) {
       store_value({item, path, *key}, key->field(values_, section.number), findings_);
-    } else if (item.name == "body" && section.path.empty()) {
-      read_bodies(item);
+    } else if (const SectionInfo* list = find_section(pattern + "[]")) {
+      read_list(item, path, *list);
     } else if (item.name == "material" && section.path.empty()) {
       read_materials(item);
     } else if (const SectionInfo* below = find_section(pattern)) {
@@ -99,15 +120,16 @@ void CaseReader::read_below(const Node& node, const std::string& path, const Sec
     read_section({node, path, info.path, 0});
 }
 
-void CaseReader::read_bodies(const Node& list)
+void CaseReader::read_list(const Node& list, const std::string& path, const SectionInfo& info)
 {
+  const std::string header = header_of(info.path);
   if (list.kind != NodeKind::list)
-    return report({"body", "`body` must be a list of tables", "Write [[body]], with two brackets, above each body.",
-                   "body", true});
+    return report({path, fmt::format("`{}` must be a list of tables", list.name),
+                   fmt::format("Write {}, with two brackets, above each one.", header), topic_of(info.path), true});
   for (std::size_t k = 0; k < list.items.size(); ++k) {
-    values_.bodies.emplace_back();
-    const std::string path = fmt::format("body[{}]", k);
-    if (is_table(list.items[k], path, "[[body]]")) read_section({list.items[k], path, "body[]", k});
+    add_entry(info.path, values_);
+    const std::string entry = fmt::format("{}[{}]", path, k);
+    if (is_table(list.items[k], entry, header)) read_section({list.items[k], entry, info.path, k});
   }
 }
 
@@ -140,10 +162,10 @@ void CaseReader::read_material(const Node& table, const std::string& path)
 void CaseReader::read_sides(const Node& table)
 {
   const Section boundary{table, "boundary", "boundary", 0};
-  const auto& sides = side_names();
+  const auto sides = sides_of_mesh(root_);
   std::vector<std::string> meant;
   for (const Node& item : table.items) {
-    if (std::find(sides.begin(), sides.end(), item.name) == sides.end())
+    if (sides && std::find(sides->begin(), sides->end(), item.name) == sides->end())
       report_unknown(boundary, item, meant);
     else
       read_side(item, join_path("boundary", item.name));
@@ -187,7 +209,8 @@ void CaseReader::report_unknown(const Section& section, const Node& item, std::v
   meant.push_back(nearest);
   if (!section.law.empty()) std::erase(names, "model");
   std::string detail = nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest);
-  detail += fmt::format("Keys of {}: {}", title_of(section), plain_list(names));
+  detail += names.empty() ? "No side of this mesh has a name. Name them as in edges = { base = [0] } in [mesh]."
+                          : fmt::format("Keys of {}: {}", title_of(section), plain_list(names));
   report({join_path(section.path, item.name), fmt::format("unknown key `{}`", item.name), detail,
           section.law.empty() ? topic_of(section.pattern) : section.law, true});
 }
@@ -199,9 +222,10 @@ void CaseReader::report_missing(const Section& section, const std::vector<std::s
   };
   const auto check_key = [&](const KeyInfo& key) {
     const std::string name = last_part(key.path);
-    if (!key.required || parent_path(key.path) != section.pattern || !is_missing(name)) return;
+    if (parent_path(key.path) != section.pattern || !is_required(section, key) || !is_missing(name)) return;
+    const std::string others = key.path == "mesh.size" ? "\nKeys that belong together:\n" + mesh_kinds_text("  ") : "";
     report({section.path, fmt::format("the key `{}` is missing from {}", name, title_of(section)),
-            fmt::format("Meaning: {}\nAllowed: {}", key.meaning, allowed_text(key)),
+            fmt::format("Meaning: {}\nAllowed: {}{}", key.meaning, allowed_text(key), others),
             section.law.empty() ? topic_of(key.path) : section.law, true});
   };
   for (const KeyInfo& key : all_keys()) check_key(key);
@@ -218,7 +242,9 @@ void CaseReader::report_missing(const Section& section, const std::vector<std::s
 
 void read_values(const Node& root, Case& values, Findings& findings)
 {
-  CaseReader(values, findings).read_section({root, "", "", 0});
+  const Node* mesh = find_item(root, "mesh");
+  if (mesh != nullptr) values.mesh.kind = mesh_kind_of(*mesh).kind;
+  CaseReader(root, values, findings).read_section({root, "", "", 0});
 }
 
 }  // namespace terp

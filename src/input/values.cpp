@@ -18,6 +18,42 @@ Real to_number(const Node& node)
   return node.kind == NodeKind::integer ? static_cast<Real>(node.integer) : node.number;
 }
 
+/// Twice the area of the triangle a b c, positive if it runs counter-clockwise.
+Real cross(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c)
+{
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/// 1: counter-clockwise, -1: clockwise, 0: no area up to round-off.
+int turn_of(const std::vector<Vec<2>>& corners)
+{
+  Real twice_area = 0.0, scale = 0.0;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vec<2>&a = corners[k], &b = corners[(k + 1) % corners.size()];
+    twice_area += a[0] * b[1] - b[0] * a[1];
+    scale += std::abs(a[0] * b[1]) + std::abs(b[0] * a[1]);
+  }
+  constexpr Real round_off = 1e-12;
+  if (std::abs(twice_area) <= round_off * scale) return 0;
+  return twice_area > 0.0 ? 1 : -1;
+}
+
+/// Two edges of a polygon that cross, in words; empty if none do. Edges that only touch do not cross.
+std::string describe_crossing(const std::vector<Vec<2>>& corners)
+{
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 2; j < n; ++j) {
+      const Vec<2>&a = corners[i], &b = corners[i + 1], &c = corners[j], &d = corners[(j + 1) % n];
+      if (cross(a, b, c) * cross(a, b, d) < 0.0 && cross(c, d, a) * cross(c, d, b) < 0.0)
+        return fmt::format(
+            "The edge from ({}, {}) to ({}, {}) m crosses that from ({}, {}) to ({}, {}) m.\n"
+            "Give the corners in order along the outline.",
+            a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1]);
+    }
+  return "";
+}
+
 /// Reads values of one entry. `node` and `path` may be a part of it: one number of a pair.
 class ValueReader {
  public:
@@ -55,7 +91,14 @@ class ValueReader {
   }
   bool operator()(const CountOrPair& field);
   bool operator()(const Box& field);
-  bool operator()(const Polygon& field);
+  bool operator()(const BoxCorners& field) { return read_box(*field.low, *field.high); }
+  bool operator()(const Polygon& field)
+  {
+    return read_polygon(entry_.node, entry_.path, field.keeps_order, *field.corners);
+  }
+  bool operator()(const PolygonList& field);
+  bool operator()(const Polyline& field);
+  bool operator()(const NamedEdges& field);
   bool operator()(const NameList& field);
   bool operator()(const NamedPlaces& field);
 
@@ -63,7 +106,9 @@ class ValueReader {
   bool read_number(const Node& node, const std::string& path, Real& value);
   bool read_count(const Node& node, const std::string& path, Index& value);
   bool read_pair(const Node& node, const std::string& path, Vec<2>& value);
-  bool read_places(std::vector<Vec<2>>& places);
+  bool read_places(const Node& list, const std::string& path, std::vector<Vec<2>>& places);
+  bool read_box(Vec<2>& low, Vec<2>& high);
+  bool read_polygon(const Node& list, const std::string& path, bool keeps_order, std::vector<Vec<2>>& polygon);
   bool read_word(const Node& node, const std::string& path);
 
   bool wrong_type(const Node& node, const std::string& path);
@@ -128,13 +173,12 @@ bool ValueReader::read_pair(const Node& node, const std::string& path, Vec<2>& v
   return read_number(node.items[1], path + "[1]", value[1]) && first;
 }
 
-bool ValueReader::read_places(std::vector<Vec<2>>& places)
+bool ValueReader::read_places(const Node& list, const std::string& path, std::vector<Vec<2>>& places)
 {
-  const Node& list = entry_.node;
-  if (list.kind != NodeKind::list) return wrong_type(list, entry_.path);
+  if (list.kind != NodeKind::list) return wrong_type(list, path);
   places.resize(list.items.size());
   for (std::size_t k = 0; k < places.size(); ++k)
-    if (!read_pair(list.items[k], fmt::format("{}[{}]", entry_.path, k), places[k])) return false;
+    if (!read_pair(list.items[k], fmt::format("{}[{}]", path, k), places[k])) return false;
   return true;
 }
 
@@ -163,37 +207,84 @@ bool ValueReader::operator()(const CountOrPair& field)
          read_count(node.items[1], entry_.path + "[1]", counts[1]);
 }
 
-bool ValueReader::operator()(const Box& field)
+bool ValueReader::read_box(Vec<2>& low, Vec<2>& high)
 {
   std::vector<Vec<2>> corners;
-  if (!read_places(corners)) return false;
+  if (!read_places(entry_.node, entry_.path, corners)) return false;
   if (corners.size() != 2) return wrong_type(entry_.node, entry_.path);
-  const auto [low, high] = std::pair(corners[0], corners[1]);
+  low = corners[0], high = corners[1];
   if (low[0] >= high[0] || low[1] >= high[1])
     return fail(entry_.path, fmt::format("`{}` has no area", name()),
                 fmt::format("Got [[{}, {}], [{}, {}]] m; the lower left corner comes first, then the upper right.",
                             low[0], low[1], high[0], high[1]));
+  return true;
+}
+
+bool ValueReader::operator()(const Box& field)
+{
+  Vec<2> low{}, high{};
+  if (!read_box(low, high)) return false;
   *field.corners = {low, {high[0], low[1]}, high, {low[0], high[1]}};
   return true;
 }
 
-bool ValueReader::operator()(const Polygon& field)
+bool ValueReader::read_polygon(const Node& list, const std::string& path, bool keeps_order,
+                               std::vector<Vec<2>>& polygon)
 {
   std::vector<Vec<2>> corners;
-  if (!read_places(corners)) return false;
-  if (corners.size() < 3) return wrong_type(entry_.node, entry_.path);
-  Real twice_area = 0.0, scale = 0.0;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Vec<2>&a = corners[k], &b = corners[(k + 1) % corners.size()];
-    twice_area += a[0] * b[1] - b[0] * a[1];
-    scale += std::abs(a[0] * b[1]) + std::abs(b[0] * a[1]);
-  }
-  constexpr Real round_off = 1e-12;
-  if (std::abs(twice_area) <= round_off * scale)
-    return fail(entry_.path, fmt::format("`{}` has no area", name()), "Give the corners in order around the body.");
-  if (twice_area < 0.0) std::reverse(corners.begin(), corners.end());
-  *field.corners = corners;
+  if (!read_places(list, path, corners)) return false;
+  if (corners.size() < 3) return wrong_type(list, path);
+  const std::string crossing = describe_crossing(corners);
+  if (!crossing.empty()) return fail(path, fmt::format("`{}` crosses itself", last_part(path)), crossing);
+  const int turn = turn_of(corners);
+  if (turn == 0)
+    return fail(path, fmt::format("`{}` has no area", last_part(path)), "Give the corners in order along the outline.");
+  if (turn < 0 && !keeps_order) std::reverse(corners.begin(), corners.end());
+  polygon = corners;
   return true;
+}
+
+bool ValueReader::operator()(const PolygonList& field)
+{
+  const Node& list = entry_.node;
+  if (list.kind != NodeKind::list) return wrong_type(list, entry_.path);
+  bool good = true;
+  for (std::size_t k = 0; k < list.items.size(); ++k)
+    good = read_polygon(list.items[k], fmt::format("{}[{}]", entry_.path, k), false, field.polygons->emplace_back()) &&
+           good;
+  return good;
+}
+
+bool ValueReader::operator()(const Polyline& field)
+{
+  std::vector<Vec<2>> places;
+  if (!read_places(entry_.node, entry_.path, places)) return false;
+  if (places.size() < 2) return wrong_type(entry_.node, entry_.path);
+  const auto twice = std::adjacent_find(places.begin(), places.end());
+  if (twice != places.end())
+    return fail(entry_.path, fmt::format("`{}` names the same place twice in a row", name()),
+                fmt::format("({}, {}) m. Remove one of the two.", (*twice)[0], (*twice)[1]));
+  *field.places = places;
+  return true;
+}
+
+bool ValueReader::operator()(const NamedEdges& field)
+{
+  const Node& table = entry_.node;
+  if (table.kind != NodeKind::table) return wrong_type(table, entry_.path);
+  bool good = true;
+  for (const Node& side : table.items) {
+    const std::string path = join_path(entry_.path, side.name);
+    if (side.kind != NodeKind::list || side.items.empty()) {
+      good = wrong_type(side, path);
+      continue;
+    }
+    std::vector<Index> edges(side.items.size());
+    for (std::size_t k = 0; k < edges.size(); ++k)
+      good = read_count(side.items[k], fmt::format("{}[{}]", path, k), edges[k]) && good;
+    field.sides->push_back({side.name, edges});
+  }
+  return good;
 }
 
 bool ValueReader::operator()(const NameList& field)

@@ -10,7 +10,7 @@ namespace terp {
 
 /// A law in the form that the rest of Terp calls.
 ///
-/// Law has: static constexpr tables `parameters` (ParameterInfo[]), `state` (StateInfo[]) and `derived` (DerivedInfo[]),
+/// Law has: static constexpr std::string_view `equations`; static constexpr tables `parameters` (ParameterInfo[]), `state` (StateInfo[]) and `derived` (DerivedInfo[]),
 /// as std::array; `explicit Law(std::span<const Real>)`; bulk_modulus(), shear_modulus(), derived_value(k, state);
 /// template <class R, int Dim> R update(SymTensor<R, Dim>& sigma, std::array<R, n>& state, const SymTensor<R, Dim>& d_eps)
 /// const, which returns the plastic work per volume [J/m^3].
@@ -62,5 +62,5 @@ std::unique_ptr<Material> make_law(std::span<const Real> values)
 /// Defines `material_NAME`, which materials.def lists.
 #define TERP_MATERIAL_DEFINITION(name, Law, summary)                                                               \
   extern const MaterialType material_##name;                                                                       \
-  const MaterialType material_##name{#name,       summary,         Law::parameters, Law::state, Law::derived,      \
+  const MaterialType material_##name{#name,       summary,         Law::equations, Law::parameters, Law::state, Law::derived,      \
                                      &check_law<Law>, &make_law<Law>};

@@ -7,6 +7,8 @@ namespace terp {
 namespace {
 
 struct LinearElastic {
+  static constexpr std::string_view equations =
+      "d_sigma = K tr(d_eps) I + 2 G dev(d_eps),  K = 2 G (1 + nu) / (3 (1 - 2 nu))\n";
   static constexpr std::array parameters{shear_modulus_info, poisson_ratio_info};
   static constexpr std::array<StateInfo, 0> state{};
   static constexpr std::array<DerivedInfo, 0> derived{};

@@ -94,6 +94,7 @@ struct ParameterProblem {
 struct MaterialType {
   std::string_view name;
   std::string_view summary;
+  std::string_view equations;  ///< lines of text for `terp explain`
   std::span<const ParameterInfo> parameters;
   std::span<const StateInfo> state;
   std::span<const DerivedInfo> derived;

@@ -1,4 +1,4 @@
-// Which cell holds a place: a walk over the crossed sides from a first guess, then a search of the whole mesh.
+// Which cell holds a place: a walk over the crossed sides from a first guess, then a search of all cells near the place.
 #pragma once
 
 #include "mesh/mesh.hpp"
@@ -16,6 +16,9 @@ struct Location {
 
 /// Cells are half-open, [-1, 1) in xi and eta, so that a place on a side has one owner; the mesh's own boundary is closed.
 Location locate(const Mesh<2>& mesh, Vec<2> x, Index first_guess);
+
+/// The same without a first guess. For a place outside the mesh the cell is some cell, not the nearest.
+Location locate(const Mesh<2>& mesh, Vec<2> x);
 
 /// Global place of local coordinates in a cell [m].
 Vec<2> place_in_cell(const Mesh<2>& mesh, Index cell, Vec<2> local);

@@ -73,6 +73,15 @@ void list_cells_of_nodes(Mesh<2>& mesh)
     for (Index c = 0; c < 4; ++c) mesh.cells_of_node[next[mesh.cells[e][c]]++] = {e, c};
 }
 
+/// Boxes are widened so that a place accepted by round-off (location_tolerance, 1e-10) lies in the box of its cell.
+void make_cell_grid(Mesh<2>& mesh)
+{
+  std::vector<BoundingBox> boxes;
+  boxes.reserve(mesh.cells.size());
+  for (Index e = 0; e < mesh.n_cells(); ++e) boxes.push_back(widened(box_around(mesh.corners(e)), 1e-8));
+  mesh.cell_grid = make_box_grid(boxes);
+}
+
 void find_smallest_altitude(Mesh<2>& mesh)
 {
   mesh.smallest_altitude = std::numeric_limits<Real>::infinity();
@@ -91,6 +100,7 @@ void connect(Mesh<2>& mesh)
   share_geometries(mesh);
   list_cells_of_nodes(mesh);
   find_smallest_altitude(mesh);
+  make_cell_grid(mesh);
 }
 
 Mesh<2> make_rectangle(Vec<2> origin, Vec<2> size, std::array<Index, 2> n)

@@ -2,6 +2,7 @@
 // Not for: reading mesh files or for anything that moves.
 #pragma once
 
+#include "mesh/box_grid.hpp"
 #include "mesh/cell_geometry.hpp"
 
 #include <string>
@@ -49,6 +50,9 @@ struct Mesh {
   std::vector<CellCorner> cells_of_node;                      ///< in order of cell number
   Real smallest_altitude = 0.0;                               ///< [m]
   Index cell_of_smallest_altitude = 0;
+  BoxGrid cell_grid;                                          ///< of the cells' boxes, for places without a first guess
+  std::vector<std::int64_t> node_numbers;                     ///< of the mesh file, shape [n_nodes]; empty for the built-in meshes
+  std::vector<std::int64_t> cell_numbers;                     ///< of the mesh file, shape [n_cells]; empty for the built-in meshes
 
   Index n_nodes() const { return static_cast<Index>(nodes.size()); }
   Index n_cells() const { return static_cast<Index>(cells.size()); }
@@ -61,7 +65,7 @@ struct Mesh {
   }
 };
 
-/// Fills everything that follows from nodes and cells: neighbours, centres, geometries, cells of nodes.
+/// Fills everything that follows from nodes and cells: neighbours, centres, geometries, cells of nodes, grid of cells.
 void connect(Mesh<2>& mesh);
 
 /// Regular rectangle with sides "left", "right", "bottom", "top". n: cells per direction. Cells run along x first.

@@ -40,6 +40,7 @@ std::unique_ptr<RunWriter> RunWriter::resume(RunWriterSettings settings, std::in
   }
   drop_rows_after(path_in(folder, history_file), history_header, time);
   drop_rows_after(path_in(folder, ledger_file), ledger_header, time);
+  drop_rows_after(path_in(folder, left_file), left_header, time);
   ResultsFile(path_in(folder, results_file)).truncate_after(step);
   remove_checkpoints_after(folder, std::max<std::int64_t>(step, 0));
   return std::unique_ptr<RunWriter>(new RunWriter(std::move(settings), std::move(lock)));
@@ -51,9 +52,15 @@ void RunWriter::history(const std::vector<HistoryRow>& rows) { history_.append(c
 
 void RunWriter::ledger(const LedgerRow& row) { ledger_.append(csv_line(row)); }
 
+void RunWriter::left(const std::vector<LeftPoint>& points)
+{
+  if (!left_) left_.emplace(open_table(path_in(settings_.folder, left_file), left_header));
+  left_->append(csv_lines(points));
+}
+
 void RunWriter::checkpoint(const StateImage& image)
 {
-  for (const auto name : {results_file, history_file, ledger_file}) {  // on the disk before what relies on them
+  for (const auto name : {results_file, history_file, ledger_file, left_file}) {  // on the disk before what relies on them
     const std::string path = path_in(settings_.folder, name);
     if (std::filesystem::exists(path)) sync_to_disk(path);
   }

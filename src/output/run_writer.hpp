@@ -9,6 +9,7 @@
 #include "simulation/summary.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace terp {
@@ -35,6 +36,7 @@ class RunWriter : public Observer {
   void frame(const Frame& frame) override;
   void history(const std::vector<HistoryRow>& rows) override;
   void ledger(const LedgerRow& row) override;
+  void left(const std::vector<LeftPoint>& points) override;
   void checkpoint(const StateImage& image) override;
 
   /// Keeps the state of a run that stopped itself, for a look at it; `resume` does not use it. Returns its path.
@@ -52,6 +54,7 @@ class RunWriter : public Observer {
   FolderLock lock_;
   ResultsFile results_;
   AppendFile history_, ledger_;
+  std::optional<AppendFile> left_;  // from the first point on that leaves the mesh
 };
 
 }  // namespace terp

@@ -50,6 +50,7 @@ std::string summary_text(const Summary& summary, bool finished, const CaseText& 
       {"points_su_rose", summary.points_su_rose},
       {"energy_balance_error", number(summary.energy_balance_error)},
       {"clamped_points", summary.clamped_points},
+      {"points_left", summary.points_left},
       {"v_999", number(summary.v_999)},
       {"case_name", case_text.name},
       {"case", case_text.toml},

@@ -76,6 +76,18 @@ std::string csv_lines(const std::vector<HistoryRow>& rows)
   return lines;
 }
 
+std::string csv_lines(const std::vector<LeftPoint>& points)
+{
+  std::string lines;
+  for (const auto& point : points) {
+    add_number(lines, point.time);
+    fmt::format_to(std::back_inserter(lines), ",{}", point.id);
+    add_numbers(lines, {point.x[0], point.x[1], point.v[0], point.v[1], point.mass});
+    lines += '\n';
+  }
+  return lines;
+}
+
 std::string csv_line(const LedgerRow& row)
 {
   std::string line;
@@ -83,7 +95,7 @@ std::string csv_line(const LedgerRow& row)
   fmt::format_to(std::back_inserter(line), ",{}", row.step);
   add_numbers(line, {row.kinetic, row.elastic, row.plastic, row.gravity_work, row.damping_work, row.boundary_work,
                      row.numerical, row.mass, row.momentum_x, row.momentum_y});
-  fmt::format_to(std::back_inserter(line), ",{}", row.clamped);
+  fmt::format_to(std::back_inserter(line), ",{},{}", row.clamped, row.left);
   add_numbers(line, {row.front_x, row.crest_x, row.v_max, row.v_999});
   return line + '\n';
 }

@@ -13,11 +13,13 @@ namespace terp {
 inline constexpr std::string_view history_header = "time,point,id,x,y,eps_deviatoric,eps_eq_p,su,pressure";
 inline constexpr std::string_view ledger_header =
     "time,step,kinetic,elastic,plastic,gravity_work,damping_work,boundary_work,numerical,mass,momentum_x,momentum_y,"
-    "clamped,front_x,crest_x,v_max,v_999";
+    "clamped,left,front_x,crest_x,v_max,v_999";
+inline constexpr std::string_view left_header = "time,id,x,y,v_x,v_y,mass";
 
 /// Lines with their line ends. Numbers are the shortest that read back to the same bits; not a number is "nan".
 std::string csv_lines(const std::vector<HistoryRow>& rows);
 std::string csv_line(const LedgerRow& row);
+std::string csv_lines(const std::vector<LeftPoint>& points);
 
 /// Drops the rows later than `time` [s], and a last line that was cut short. Without a file, nothing is done.
 /// Throws FileError if the columns are not those of `header`.

@@ -3,27 +3,41 @@
 #include "mesh/locate.hpp"
 
 namespace terp {
+namespace {
 
-int move_to_new_cell(const Mesh<2>& mesh, PointBlocks<2>& points, Index b, Index lane, std::span<Real> values)
+/// True if a place beyond its cell lies beyond an open side of it.
+bool beyond_open_side(std::uint8_t open, Vec<2> local)
+{
+  const auto is_open = [open](int side) { return (open >> side & 1) != 0; };
+  return (local[1] < -1.0 && is_open(0)) || (local[0] > 1.0 && is_open(1)) || (local[1] > 1.0 && is_open(2)) || (local[0] < -1.0 && is_open(3));
+}
+
+}  // namespace
+
+Moved move_to_new_cell(const Mesh<2>& mesh, const OpenSides& open, PointBlocks<2>& points, PointPlace at, std::span<Real> values)
 {
   using Rows = PointRows<2>;
-  const PointBlock<2>& block = points.block(b);
-  Vec<2> x{block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]};
+  const PointBlock<2>& block = points.block(at.block);
+  Vec<2> x{block.row(Rows::x)[at.lane], block.row(Rows::x + 1)[at.lane]};
   Location to = locate(mesh, x, block.cell);
+  if (!to.inside && beyond_open_side(open[to.cell], to.local)) {
+    points.take(at.block, at.lane, values);
+    return Moved::left;
+  }
   if (!to.inside) {
     to.local = clamp_to_cell(to.local);
     x = place_in_cell(mesh, to.cell, to.local);
   }
   for (int d = 0; d < 2; ++d) {
-    block.row(Rows::x + d)[lane] = x[d];
-    block.row(Rows::xi + d)[lane] = to.local[d];
+    block.row(Rows::x + d)[at.lane] = x[d];
+    block.row(Rows::xi + d)[at.lane] = to.local[d];
   }
   if (to.cell != block.cell) {
     const Index material = block.material;
-    points.take(b, lane, values);
+    points.take(at.block, at.lane, values);
     points.add(to.cell, material, values);
   }
-  return to.inside ? 0 : 1;
+  return to.inside ? Moved::inside : Moved::put_back;
 }
 
 }  // namespace terp

@@ -6,8 +6,18 @@
 
 namespace terp {
 
-/// Moves the point at (block, lane) to the cell that holds its position. A place outside the mesh is put back on the wall it
-/// crossed (hazard 5). values: scratch, shape [n_rows]. Returns 1 if the point had to be put back, else 0.
-int move_to_new_cell(const Mesh<2>& mesh, PointBlocks<2>& points, Index block, Index lane, std::span<Real> values);
+/// What became of a point that left its cell.
+enum class Moved {
+  inside,    ///< it is in its new cell
+  put_back,  ///< it was outside the mesh and is back on the wall that it crossed (hazard 5)
+  left,      ///< it crossed an open side and is no longer among the points
+};
+
+/// Sides of each cell that soil may leave by: bit s of entry e is set if side s of cell e is open, shape [n_cells].
+using OpenSides = std::vector<std::uint8_t>;
+
+/// Moves the point at (block, lane) to the cell that holds its position. values: shape [n_rows]; scratch, but the point's own values
+/// if it left.
+Moved move_to_new_cell(const Mesh<2>& mesh, const OpenSides& open, PointBlocks<2>& points, PointPlace at, std::span<Real> values);
 
 }  // namespace terp

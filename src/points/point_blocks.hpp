@@ -40,6 +40,11 @@ struct PointBlock {
   Index n_padded() const { return round_up_to_pack(n); }
 };
 
+/// Where a point is stored.
+struct PointPlace {
+  Index block, lane;
+};
+
 /// All blocks. Memory comes in slabs that never move; a freed block is used again for the next one of its size.
 template <int Dim>
 class PointBlocks {

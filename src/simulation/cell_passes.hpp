@@ -34,7 +34,7 @@ inline Real largest(const CornerVectors& du)
 
 /// x_p += sum N_i du_i; new local coordinates; lanes that left the half-open cell go to `leavers`.
 inline void advance_points(const CellView& view, Vec<2> centre, const CornerVectors& du, const PointBlock<2>& block, Index b,
-                           std::vector<CellSums::Leaver>& leavers)
+                           std::vector<PointPlace>& leavers)
 {
   using Rows = PointRows<2>;
   const int newton_steps = newton_steps_for(view.geometry, largest(du));

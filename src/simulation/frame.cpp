@@ -91,6 +91,17 @@ bool wanted(const Model& model, const std::string& name)
   return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// Points that left the mesh stay in the frames where they left, with volume 0, material -1 and cell -1.
+void mark_left(const State& state, Frame& frame)
+{
+  for (const LeftPoint& point : state.left) {
+    const auto id = static_cast<std::size_t>(point.id);
+    for (int d = 0; d < 2; ++d) frame.x[2 * id + d] = point.x[d];
+    for (PointField& field : frame.fields)
+      if (field.name == "material" || field.name == "cell") field.values[id] = -1.0;
+  }
+}
+
 HistoryRow history_of(const Model& model, const State& state, const PointBlock<2>& block, Index lane)
 {
   const SoilMaterial& material = model.materials[block.material];
@@ -124,7 +135,7 @@ Frame make_frame(const Model& model, const State& state)
   add_material_recipes(model, recipes);
   std::erase_if(recipes, [&](const FieldRecipe& r) { return !wanted(model, r.name); });
 
-  const auto n = static_cast<std::size_t>(state.points.n_points());
+  const auto n = static_cast<std::size_t>(state.n_ids());
   Frame frame{.time = state.time, .step = state.step, .x = std::vector<Real>(2 * n), .fields = {}};
   for (const FieldRecipe& r : recipes) frame.fields.push_back({r.name, r.unit, r.n_components, std::vector<Real>(n * r.n_components, 0.0)});
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
@@ -132,6 +143,7 @@ Frame make_frame(const Model& model, const State& state)
     for (int d = 0; d < 2; ++d) frame.x[2 * id + d] = block.row(Rows::x + d)[lane];
     for (std::size_t k = 0; k < recipes.size(); ++k) recipes[k].read(block, lane, &frame.fields[k].values[id * recipes[k].n_components]);
   });
+  mark_left(state, frame);
   return frame;
 }
 

@@ -98,7 +98,7 @@ Real kinetic_and_elastic_energy(const Model& model, const State& state)
 
 void start_audit(const Model& model, State& state)
 {
-  const auto n = static_cast<std::size_t>(state.points.n_points());
+  const auto n = static_cast<std::size_t>(state.n_ids());
   state.audit.last_eps_eq_p.assign(n, 0.0);
   state.audit.last_su.assign(n, std::numeric_limits<Real>::infinity());
   state.audit.fell.assign(n, 0);
@@ -118,6 +118,7 @@ LedgerRow keep_ledger(const Model& model, State& state)
   row.boundary_work = state.work.boundary;
   row.numerical = row.kinetic + row.elastic + row.plastic - state.start_energy - (row.gravity_work + row.damping_work + row.boundary_work);
   row.clamped = state.clamped;
+  row.left = static_cast<std::int64_t>(state.left.size());
   row.front_x = front(state.points);
   row.crest_x = find_crest(state.crest, state.points);
   state.crest.time.push_back(row.time);

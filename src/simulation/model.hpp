@@ -3,6 +3,7 @@
 
 #include "boundary/conditions.hpp"
 #include "forces/damping.hpp"
+#include "points/move.hpp"
 #include "points/seed.hpp"
 #include "schemes/cell_view.hpp"
 #include "simulation/case.hpp"
@@ -21,6 +22,7 @@ struct Model {
   std::vector<SoilMaterial> materials;
   MethodOptions method;
   Boundary boundary;
+  OpenSides open_sides;                  ///< sides that soil may leave by, shape [n_cells]
   Vec<2> gravity{0.0, 0.0};              ///< [m/s^2]
   Damping damping;
   StepFunction step = nullptr;

@@ -37,6 +37,15 @@ struct HistoryRow {
   Real pressure;             ///< tr(sigma)/3, tension positive [Pa]
 };
 
+/// One row of left_the_mesh.csv: a point that crossed an open side.
+struct LeftPoint {
+  Real time;                 ///< [s]
+  std::int64_t id;
+  Vec<2> x;                  ///< where [m]
+  Vec<2> v;                  ///< how fast [m/s]
+  Real mass;                 ///< [kg per m]
+};
+
 /// One row of ledger.csv. Energies in J per metre of thickness; work is positive when it adds energy to the soil.
 struct LedgerRow {
   Real time = 0.0;
@@ -49,6 +58,7 @@ struct LedgerRow {
   Real mass = 0.0;           ///< [kg per m]
   Real momentum_x = 0.0, momentum_y = 0.0;  ///< [kg m/s per m]
   std::int64_t clamped = 0;  ///< points put back at a wall so far
+  std::int64_t left = 0;     ///< points that left through open sides so far
   Real front_x = 0.0, crest_x = 0.0;  ///< [m]; NaN if not defined
   Real v_max = 0.0, v_999 = 0.0;      ///< largest speed, and its 99.9 % quantile [m/s]
 };
@@ -83,6 +93,7 @@ class Observer {
   virtual void frame(const Frame&) {}
   virtual void history(const std::vector<HistoryRow>&) {}
   virtual void ledger(const LedgerRow&) {}
+  virtual void left(const std::vector<LeftPoint>&) {}
   virtual void checkpoint(const StateImage&) {}
   virtual void progress(const Progress&) {}
   /// Keeps the state of a run that stopped itself; returns where it was saved, or nothing.

@@ -39,6 +39,7 @@ struct Loop {
   {
     const OutputCase& output = model.description.output;
     const auto now = [&](Real every) { return last || state.step == 0 || due(state.step, model.dt, every); };
+    if (now(output.ledger_every)) tell_left();
     if (now(output.ledger_every)) tell([row = keep_ledger(model, state)](Observer& o) { o.ledger(row); });
     if (now(output.history_every)) tell([rows = make_history(model, state)](Observer& o) { o.history(rows); });
     if (now(output.fields_every)) {
@@ -48,8 +49,18 @@ struct Loop {
     if (last || (state.step > 0 && due(state.step, model.dt, output.checkpoint_every))) write_checkpoint();
   }
 
+  /// The points that left through open sides since this was last called.
+  void tell_left()
+  {
+    if (state.left_told == state.left.size()) return;
+    const std::vector<LeftPoint> fresh(state.left.begin() + static_cast<std::ptrdiff_t>(state.left_told), state.left.end());
+    tell([&](Observer& o) { o.left(fresh); });
+    state.left_told = state.left.size();
+  }
+
   void write_checkpoint()
   {
+    tell_left();
     state.wall_s = wall_before + seconds_since(start);
     tell([image = make_image(state)](Observer& o) { o.checkpoint(image); });
   }
@@ -140,6 +151,7 @@ Summary summarise(const Model& model, const State& state)
   const Real numerical = kinetic_and_elastic_energy(model, state) + w.plastic - state.start_energy - (w.gravity + w.damping + w.boundary);
   s.energy_balance_error = w.gravity != 0.0 ? std::abs(numerical / w.gravity) : 0.0;
   s.clamped_points = state.clamped;
+  s.points_left = static_cast<std::int64_t>(state.left.size());
   s.v_999 = state.largest_v_999;
   return s;
 }

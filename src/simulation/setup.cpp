@@ -53,6 +53,16 @@ std::vector<SideCondition> make_sides(const Case& c)
   return sides;
 }
 
+/// Sides that the case calls "open".
+OpenSides make_open_sides(const Case& c, const Mesh<2>& mesh)
+{
+  OpenSides open(mesh.cells.size(), 0);
+  for (const SideCase& s : c.sides)
+    if (s.kind == SideKind::open)
+      for (const CellSide& edge : find_side(mesh, s.side).edges) open[edge.cell] |= static_cast<std::uint8_t>(1u << edge.side);
+  return open;
+}
+
 Index material_number(const Model& model, const std::string& name)
 {
   for (std::size_t k = 0; k < model.materials.size(); ++k)
@@ -152,6 +162,7 @@ Model build_model(const Case& description, int threads)
   model.materials = make_materials(description);
   model.method = description.method;
   model.boundary = Boundary(model.mesh, make_sides(description));
+  model.open_sides = make_open_sides(description, model.mesh);
   model.gravity = description.forces.gravity;
   model.damping = {description.forces.local_damping, description.forces.viscous_damping};
   model.step = find_step(description.scheme);

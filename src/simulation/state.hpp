@@ -3,6 +3,7 @@
 
 #include "events/crest.hpp"
 #include "points/point_blocks.hpp"
+#include "simulation/observer.hpp"
 
 #include <vector>
 
@@ -30,10 +31,14 @@ struct State {
   Real start_energy = 0.0;        ///< kinetic + elastic at t = 0 [J per m]
   std::int64_t clamped = 0;       ///< points put back at a wall
   std::int64_t tension_cut = 0;   ///< cell-steps in which a pressure was cut to the tension limit
+  std::vector<LeftPoint> left;    ///< points that crossed an open side, in the order in which they did
+  std::size_t left_told = 0;      ///< how many of them the observers know
   HistoryAudit audit;
   CrestHistory crest;
   std::vector<std::pair<Real, Real>> softened_fraction;  ///< at the frame times
   Real largest_v_999 = 0.0;       ///< [m/s]
+  /// Points at t = 0; ids run from 0 to this.
+  std::int64_t n_ids() const { return static_cast<std::int64_t>(x_initial.size() / 2); }
   double wall_s = 0.0;            ///< spent solving, over all processes
 };
 

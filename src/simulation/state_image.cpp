@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace terp {
 namespace {
@@ -73,6 +74,40 @@ void get_points(const Model& model, const StateImage& image, State& state)
   state.points.reserve(static_cast<std::int64_t>(cell.size() / 4));
 }
 
+void put_left(const State& state, StateImage& image)
+{
+  std::vector<std::int64_t> ids;
+  std::vector<Real> values;
+  for (const LeftPoint& p : state.left) {
+    ids.push_back(p.id);
+    values.insert(values.end(), {p.time, p.x[0], p.x[1], p.v[0], p.v[1], p.mass});
+  }
+  put(image, "left/id", std::move(ids));
+  put(image, "left/values", std::move(values));
+}
+
+void get_left(const StateImage& image, State& state)
+{
+  const auto& ids = get<std::int64_t>(image, "left/id");
+  const auto& values = get<Real>(image, "left/values", 6 * ids.size());
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    const Real* v = &values[6 * k];
+    state.left.push_back({.time = v[0], .id = ids[k], .x = {v[1], v[2]}, .v = {v[3], v[4]}, .mass = v[5]});
+  }
+  state.left_told = state.left.size();
+}
+
+/// Every id, of points and of those that left, must lie in the range that x_initial spans: other arrays are indexed by it.
+void check_ids(const State& state)
+{
+  const auto n = static_cast<Real>(state.n_ids());
+  const auto fits = [n](Real id) { return id >= 0.0 && id < n && id == std::floor(id); };
+  bool all_fit = static_cast<Real>(state.points.n_points()) + static_cast<Real>(state.left.size()) == n;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) { all_fit &= fits(block.row(Rows::id)[lane]); });
+  for (const LeftPoint& p : state.left) all_fit &= fits(static_cast<Real>(p.id));
+  if (!all_fit) throw FileError("the checkpoint does not fit this case: its points are not those that the case seeds");
+}
+
 std::vector<std::int64_t> widen(const std::vector<std::uint8_t>& flags) { return {flags.begin(), flags.end()}; }
 
 }  // namespace
@@ -86,6 +121,7 @@ StateImage make_image(const State& state)
   put(image, "work", std::vector<Real>{w.gravity, w.damping, w.boundary, w.plastic, w.internal, state.start_energy, state.largest_v_999});
   put(image, "wall_s", std::vector<Real>{state.wall_s});  // the one number that differs between equal runs
   put(image, "counts", std::vector<std::int64_t>{state.clamped, state.tension_cut});
+  put_left(state, image);
   put(image, "audit/last_eps_eq_p", state.audit.last_eps_eq_p);
   put(image, "audit/last_su", state.audit.last_su);
   put(image, "audit/fell", widen(state.audit.fell));
@@ -106,8 +142,10 @@ State restore(const Model& model, const StateImage& image)
   state.time = image.time;
   state.step = image.step;
   get_points(model, image, state);
-  const auto n = static_cast<std::size_t>(state.points.n_points());
-  state.x_initial = get<Real>(image, "x_initial", 2 * n);
+  state.x_initial = get<Real>(image, "x_initial");
+  get_left(image, state);
+  const auto n = static_cast<std::size_t>(state.n_ids());
+  check_ids(state);
   const auto& w = get<Real>(image, "work", 7);
   state.work = {.gravity = w[0], .damping = w[1], .boundary = w[2], .plastic = w[3], .internal = w[4]};
   state.start_energy = w[5];

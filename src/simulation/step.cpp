@@ -72,11 +72,25 @@ void finish_sums(State& state, Workspace& work)
   work.unbalanced_ratio = total.weight > 0.0 ? total.unbalanced / total.weight : 0.0;
 }
 
+/// Enters a point that crossed an open side in the list of those that left.
+void enter_left(std::span<const Real> values, Real dt, State& state)
+{
+  using Rows = PointRows<2>;
+  state.left.push_back({.time = static_cast<Real>(state.step + 1) * dt,
+                        .id = static_cast<std::int64_t>(values[Rows::id]),
+                        .x = {values[Rows::x], values[Rows::x + 1]},
+                        .v = {values[Rows::v], values[Rows::v + 1]},
+                        .mass = values[Rows::mass]});
+}
+
 void move_leavers(const Model& model, State& state, Workspace& work)
 {
   for (const CellSums& sums : work.cell_sums)
-    for (std::size_t k = sums.leavers.size(); k-- > 0;)  // from the last lane of a block to the first: see take()
-      state.clamped += move_to_new_cell(model.mesh, state.points, sums.leavers[k].block, sums.leavers[k].lane, work.leaver);
+    for (std::size_t k = sums.leavers.size(); k-- > 0;) {  // from the last lane of a block to the first: see take()
+      const Moved moved = move_to_new_cell(model.mesh, model.open_sides, state.points, sums.leavers[k], work.leaver);
+      if (moved == Moved::put_back) ++state.clamped;
+      if (moved == Moved::left) enter_left(work.leaver, model.dt, state);
+    }
   if (state.points.update_occupied()) work.fit(model, state);
 }
 

@@ -27,6 +27,7 @@ struct Summary {
   std::int64_t points_su_rose = 0;        ///< points whose S_u ever rose between two ledger rows
   Real energy_balance_error = 0.0;        ///< |numerical| of the last ledger row over the gravity work [-]
   std::int64_t clamped_points = 0;
+  std::int64_t points_left = 0;           ///< through open sides
   Real v_999 = 0.0;                       ///< largest 99.9 % quantile of the speed over all ledger rows [m/s]
 };
 

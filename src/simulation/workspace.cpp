@@ -24,10 +24,21 @@ Workspace::Workspace(const Model& model, const State& state) : threads(model.thr
 {
   node.resize(model.mesh.nodes.size());
   active_nodes.reserve(model.mesh.nodes.size());
+  node_sums.reserve(Threads::n_chunks(model.mesh.n_nodes(), nodes_per_chunk));
   leaver.resize(state.points.n_rows());
   corners.reserve(2 * state.points.occupied().size());
   gauss.reserve(2 * state.points.n_blocks());
+  make_cell_sums(2 * state.points.occupied().size());
   fit(model, state);
+}
+
+void Workspace::make_cell_sums(std::size_t n_cells)
+{
+  const auto n_chunks = static_cast<std::size_t>(Threads::n_chunks(static_cast<Index>(n_cells), cells_per_chunk));
+  for (std::size_t chunk = cell_sums.size(); chunk < n_chunks; ++chunk) {
+    cell_sums.emplace_back();
+    cell_sums.back().leavers.reserve(64 * cells_per_chunk);
+  }
 }
 
 void Workspace::fit(const Model& model, const State& state)
@@ -36,11 +47,7 @@ void Workspace::fit(const Model& model, const State& state)
   corners.resize(cells.size());
   gauss.resize(state.points.n_blocks());
   list_active_nodes(model.mesh, cells, *this);
-  const auto n_cell_chunks = static_cast<std::size_t>(Threads::n_chunks(static_cast<Index>(cells.size()), cells_per_chunk));
-  for (std::size_t chunk = cell_sums.size(); chunk < n_cell_chunks; ++chunk) {
-    cell_sums.emplace_back();
-    cell_sums.back().leavers.reserve(64 * cells_per_chunk);
-  }
+  make_cell_sums(cells.size());
   node_sums.resize(Threads::n_chunks(static_cast<Index>(active_nodes.size()), nodes_per_chunk));
 }
 

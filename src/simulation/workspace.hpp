@@ -27,10 +27,7 @@ struct NodeSums {
 struct CellSums {
   Real plastic = 0.0;              ///< work of the step [J per m]
   std::int64_t tension_cut = 0;
-  struct Leaver {
-    Index block, lane;
-  };
-  std::vector<Leaver> leavers;
+  std::vector<PointPlace> leavers;
 };
 
 inline constexpr Index cells_per_chunk = 16;   // 400 points at 5 x 5: about 10 us, long against claiming a chunk
@@ -45,6 +42,8 @@ struct Workspace {
 
   /// Fits the arrays to the occupied cells; asks for memory only when they grew.
   void fit(const Model& model, const State& state);
+  /// Sums for the chunks of n cells, if there are fewer.
+  void make_cell_sums(std::size_t n_cells);
 
   Threads threads;
   std::vector<CornerSums<2>> corners;      ///< shape [n_occupied]

@@ -66,6 +66,40 @@ TEST(CaseFile, RecordsChangesInATextThatReadsTheSame)
   EXPECT_EQ(again.values.bodies[0].polygon, changed.values.bodies[0].polygon);
 }
 
+TEST(CaseFile, KnowsTheFolderOfTheCase)
+{
+  EXPECT_EQ(read_case_text(small_case, "case.toml").values.folder, ".");
+  EXPECT_EQ(read_case_text(small_case, "cases/dike/case.toml").values.folder, "cases/dike");
+}
+
+const char* const case_with_files = "file = \"sub/../a.msh\"\n[[body]]\npoints = \"a.csv\"";
+
+TEST(CaseFile, RecordsFullNamesOfOtherFilesSoThatARunFolderCanBeResumed)
+{
+  const ScratchFolder folder, run;
+  std::ofstream(folder.path() + "/a.msh"), std::ofstream(folder.path() + "/a.csv");
+  const CaseFile file = read_case_text(small_case_on(case_with_files), folder.path() + "/case.toml");
+  EXPECT_EQ(file.values.mesh.file, "sub/../a.msh");
+  EXPECT_THAT(file.text, HasSubstr("case.toml, with the full names of its files\n\n[time]\n"));
+  std::ofstream(run.path() + "/case.toml") << file.text;
+  const CaseFile again = read_case(run.path() + "/case.toml");
+  EXPECT_EQ(again.values.mesh.file, folder.path() + "/a.msh");
+  EXPECT_EQ(again.values.bodies[0].points_file, folder.path() + "/a.csv");
+  EXPECT_EQ(again.values.bodies[1].polygon, file.values.bodies[1].polygon);
+  EXPECT_EQ(again.text, file.text);
+}
+
+TEST(CaseFile, RecordsChangesAndFullNamesTogether)
+{
+  const ScratchFolder folder;
+  std::ofstream(folder.path() + "/a.msh"), std::ofstream(folder.path() + "/b.msh"),
+      std::ofstream(folder.path() + "/a.csv");
+  const CaseFile file =
+      read_case_text(small_case_on(case_with_files), folder.path() + "/case.toml", {"mesh.file=b.msh"});
+  EXPECT_THAT(file.text, HasSubstr("changed by\n#   --set mesh.file=b.msh\n# and with the full names of its files\n"));
+  EXPECT_THAT(file.text, HasSubstr("file = \"" + folder.path() + "/b.msh\"\n"));
+}
+
 TEST(CaseFile, SaysThatThereIsNoSuchFile)
 {
   const ScratchFolder folder;

@@ -3,8 +3,11 @@
 #include "input/check_case.hpp"
 
 #include "input/samples.hpp"
+#include "support/paths.hpp"
 
 #include <gmock/gmock.h>
+
+#include <fstream>
 
 namespace terp {
 namespace {
@@ -28,7 +31,12 @@ const Change contradictions[] = {
      "error: case.toml:8:1: a body has either `box` or `polygon`, not both\n"},
     {"box = [[0.0, 0.0], [8.0, 2.0]]\n", "",
      "error: case.toml:6:1: the body has no shape\n\n    6 | [[body]]\n      | ^^^^^^^^\n  Give box = [[x0, y0], [x1, "
-     "y1]] or polygon = "},
+     "y1]] or polygon = [[x, y], [x, y], [x, y], ...] in m,\n  or region = \"NAME\" of a mesh file, or points = "
+     "\"FILE.csv\".\n"},
+    {"box = [[0.0, 0.0], [8.0, 2.0]]\n", "region = \"core\"\n",
+     "error: case.toml:8:1: a region needs a mesh from a file\n\n    8 | region = \"core\"\n      | ^^^^^^\n  Regions "
+     "are "
+     "physical groups of [mesh] file = \"NAME.msh\". Give box or polygon here.\n  More: terp explain body.region\n"},
     {"material = \"clay\"", "material = \"caly\"",
      "error: case.toml:7:12: there is no material `caly`\n\n    7 | material = \"caly\"\n      |            ^^^^^^\n  "
      "Did you mean `clay`?\n  Materials of this case: clay\n"},
@@ -43,7 +51,8 @@ const Change contradictions[] = {
     {"cell = 0.5", "cell = [0.5, 4.0]", "the height of the mesh is not a whole number of cells"},
     {"[time]", "[boundary]\nbottom = { adhesion = 8e3 }\n[time]",
      "error: case.toml:2:12: `adhesion` needs a contact\n\n    2 | bottom = { adhesion = 8e3 }\n      |            "
-     "^^^^^^^^\n  Free, roller and fixed sides do not slide with resistance. Write bottom = { contact = \"bilateral\", "
+     "^^^^^^^^\n  Free, open, roller and fixed sides do not slide with resistance. Write bottom = { contact = "
+     "\"bilateral\", "
      "adhesion = ... }, or \"separating\".\n"},
     {"[time]", "[boundary]\nbottom = { contact = \"bilateral\", velocity = [1, 0] }\n[time]",
      "a side has either a contact or a velocity, not both"},
@@ -67,6 +76,10 @@ TEST_P(Doubt, IsAWarning)
 const Change doubts[] = {
     {"[time]", "[initial]\nk0 = 0.5\n[time]",
      "case.toml:2:1: `k0` has no effect\n\n    2 | k0 = 0.5\n      | ^^\n  It counts with stress = \"k0\" only.\n"},
+    {"material = \"clay\"", "material = \"clay\"\nholes = [[[0, 2.5], [1, 2.5], [1, 3]]]",
+     "case.toml:8:10: the hole lies outside the body\n\n    8 | holes = [[[0, 2.5], [1, 2.5], [1, 3]]]\n      |        "
+     "  "
+     "^^^^^^^^^^^^^^^^^^^^^^^^^^^^\n  It covers y = 2.5 to 3 m, the body y = 0 to 2 m.\n"},
     {"[time]", "[initial]\nlimit = 0.5\n[time]", "It counts with stress = \"equilibrium\" only."},
     {"[time]",
      "[material.rock]\nmodel = \"linear_elastic\"\ndensity = 2000\nshear_modulus = 1e7\npoisson_ratio = 0.3\n[time]",
@@ -83,6 +96,63 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, Doubt, testing::ValuesIn(doubts));
 TEST(CheckCase, TakesCellsThatFitUpToRoundOff)
 {
   EXPECT_THAT(message_for(replaced(small_case, "cell = 0.5", "cell = 0.1")), StartsWith("accepted"));
+}
+
+/// small_case with its body's two lines replaced, on a mesh and with points from files that exist.
+class BodyFromAFile : public testing::Test {
+ protected:
+  BodyFromAFile() { std::ofstream(folder_.path() + "/a.msh"), std::ofstream(folder_.path() + "/a.csv"); }
+  std::string seen_with(const std::string& mesh, const std::string& body) const
+  {
+    const std::string text = replaced(small_case_on(mesh), "material = \"clay\"\nbox = [[0.0, 0.0], [8.0, 2.0]]", body);
+    try {
+      return "accepted\n" + render_warnings(read_case_text(text, folder_.path() + "/case.toml"));
+    } catch (const CaseError& error) {
+      return error.what();
+    }
+  }
+  const ScratchFolder folder_;
+};
+
+const char* const rectangle = "size = [16.0, 3.0]\ncell = 0.5";
+const char* const from_file = "file = \"a.msh\"";
+
+TEST_F(BodyFromAFile, MayBeARegionOfAMeshFile)
+{
+  EXPECT_EQ(seen_with(from_file, "material = \"clay\"\nregion = \"core\""), "accepted\n");
+}
+
+TEST_F(BodyFromAFile, MayBeAFileOfPointsWithoutAMaterial)
+{
+  EXPECT_EQ(seen_with(rectangle, "points = \"a.csv\"\nvelocity = [1.0, 0.0]"), "accepted\n");
+}
+
+TEST_F(BodyFromAFile, OfPointsTakesNoPointsPerCell)
+{
+  EXPECT_THAT(seen_with(rectangle, "points = \"a.csv\"\npoints_per_cell = 3"),
+              HasSubstr(":8:1: `points_per_cell` does not go with `points`\n\n    8 | points_per_cell = 3\n      | "
+                        "^^^^^^^^^^^^^^^\n  The file holds every material point. Remove one of the two.\n"));
+}
+
+TEST_F(BodyFromAFile, OfPointsTakesNoMaterial)
+{
+  EXPECT_THAT(seen_with(rectangle, "points = \"a.csv\"\nmaterial = \"caly\""), HasSubstr("`material` has no effect"));
+}
+
+TEST_F(BodyFromAFile, HasOneShapeOnly)
+{
+  const std::string seen = seen_with(from_file, "points = \"a.csv\"\nregion = \"core\"\nbox = [[0, 0], [1, 1]]");
+  EXPECT_THAT(seen, HasSubstr(":7:1: a body has either `box` or `region`, not both"));
+  EXPECT_THAT(seen, HasSubstr(":6:1: a body has either `box` or `points`, not both"));
+}
+
+TEST_F(BodyFromAFile, HasNoHoles)
+{
+  const std::string holes = "\nholes = [[[0, 0], [1, 0], [0, 1]]]";
+  EXPECT_THAT(seen_with(rectangle, "points = \"a.csv\"" + holes),
+              HasSubstr(":8:1: `holes` belongs to a box or polygon"));
+  EXPECT_THAT(seen_with(from_file, "material = \"clay\"\nregion = \"core\"" + holes),
+              HasSubstr("Leave it out with `region`."));
 }
 
 TEST(CheckCase, DoesNotBlameMissingGravityOnAWrongOne)

@@ -50,6 +50,26 @@ TEST(Explain, TakesKeysAsTheyStandInACase)
 
 TEST(Explain, SaysThatAKeyIsRequired) { EXPECT_THAT(explain("time.end"), HasSubstr("none: the key is required")); }
 
+TEST(Explain, SaysWhatAKeyIsRequiredFor)
+{
+  EXPECT_THAT(explain("mesh.size"), HasSubstr("default   none: required for a rectangle, graded or not\n"));
+  EXPECT_THAT(explain("body.material"), HasSubstr("none: required for a body with box, polygon or region\n"));
+}
+
+TEST(Explain, HasAMeaningForEveryKeyAndSection)
+{
+  for (const KeyInfo& key : all_keys()) EXPECT_GT(key.meaning.size(), 10u) << key.path;
+  for (const SectionInfo& section : all_sections()) EXPECT_GT(section.meaning.size(), 10u) << section.path;
+}
+
+TEST(Explain, SaysWhichKeysOfAMeshBelongTogether)
+{
+  EXPECT_THAT(explain("mesh"),
+              HasSubstr("Keys that belong together\n  size, cell (origin): a rectangle of equal cells\n"));
+  EXPECT_THAT(explain("mesh.refine"), HasSubstr("[[mesh.refine]]: section of the case file, may be left out\n"));
+  EXPECT_THAT(explain("boundary"), HasSubstr("left_the_mesh.csv"));
+}
+
 TEST(Explain, OffersTheNearestTopic)
 {
   try {

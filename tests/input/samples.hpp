@@ -36,6 +36,12 @@ inline std::string replaced(std::string text, const std::string& from, const std
   return text.replace(text.find(from), from.size(), to);  // find fails: std::out_of_range
 }
 
+/// small_case on another mesh: `keys` stand in [mesh] from line 4 on.
+inline std::string small_case_on(const std::string& keys)
+{
+  return replaced(small_case, "size = [16.0, 3.0]\ncell = 0.5\n", keys + '\n');
+}
+
 /// One change of small_case and a part of what the user then reads.
 struct Change {
   const char* line;

@@ -42,6 +42,17 @@ const Change wrong_values[] = {
     {"box = [[0.0, 0.0], [8.0, 2.0]]", "box = [[8.0, 0.0]]", "`box` must be two corners [[x0, y0], [x1, y1]]"},
     {"box = [[0.0, 0.0], [8.0, 2.0]]", "polygon = [[0, 0], [1, 0]]", "`polygon` must be at least three corners"},
     {"box = [[0.0, 0.0], [8.0, 2.0]]", "polygon = [[0, 0], [1, 1], [2, 2]]", "`polygon` has no area"},
+    {"box = [[0.0, 0.0], [8.0, 2.0]]", "polygon = [[0, 0], [2, 2], [2, 0], [0, 1]]",
+     "error: case.toml:8:11: `polygon` crosses itself\n\n    8 | polygon = [[0, 0], [2, 2], [2, 0], [0, 1]]\n      |  "
+     "         ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^\n  The edge from (0, 0) to (2, 2) m crosses that from (2, 0) to (0, 1) "
+     "m.\n  Give the corners in order along the outline.\n"},
+    {"material = \"clay\"", "material = \"clay\"\nholes = [[1, 1], [2, 1], [2, 2]]",
+     "error: case.toml:8:11: `holes` must be a list of polygons [[[x, y], [x, y], [x, y]], ...]"},
+    {"material = \"clay\"", "material = \"clay\"\nholes = [[[1, 1], [2, 1], [2, 2]], [[1, 1], [2, 1]]]",
+     "error: case.toml:8:38: `holes` must be a list of polygons"},
+    {"material = \"clay\"", "material = \"clay\"\nholes = [[[1, 1], [2, 1], [3, 1]]]", "`holes[0]` has no area"},
+    {"material = \"clay\"", "material = \"clay\"\nholes = 3", "Got the integer 3; allowed: a list of polygons"},
+    {"[time]", "[boundary]\nleft = \"opne\"\n[time]", "Did you mean `open`?"},
     {"material = \"clay\"", "material = \"clay\"\npoints_per_cell = 5.5",
      "`points_per_cell` must be an integer or two integers [nx, ny]\n\n    8 | points_per_cell = 5.5\n"},
     {"material = \"clay\"", "material = \"clay\"\npoints_per_cell = 0", "Got 0; allowed: at least 1 and at most 100."},
@@ -102,6 +113,12 @@ TEST(Values, PolygonsAreTurnedCounterClockwise)
   const std::string text = replaced(small_case, "box = [[0.0, 0.0], [8.0, 2.0]]", "polygon = [[0, 0], [0, 1], [1, 0]]");
   const auto corners = read_case_text(text, "case.toml").values.bodies[0].polygon;
   EXPECT_THAT(corners, testing::ElementsAre(Vec<2>{1, 0}, Vec<2>{0, 1}, Vec<2>{0, 0}));
+}
+
+TEST(Values, APolygonMayTouchItself)
+{
+  const std::string slit = "polygon = [[0, 0], [3, 0], [3, 3], [1, 1], [2, 1], [1, 1], [3, 3], [0, 3]]";
+  EXPECT_EQ(message_for(replaced(small_case, "box = [[0.0, 0.0], [8.0, 2.0]]", slit)), "accepted\n");
 }
 
 TEST(Values, ABoxIsKeptAsFourCornersCounterClockwise)

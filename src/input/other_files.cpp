@@ -1,0 +1,91 @@
+#include "input/other_files.hpp"
+
+#include "input/closest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+
+namespace terp {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The keys that name files, where they are given as text: their paths and nodes.
+std::vector<std::pair<std::string, Node*>> find_file_keys(Node& root)
+{
+  std::vector<std::pair<std::string, Node*>> found;
+  const auto add = [&](const std::string& path, Node& table, const char* name) {
+    Node* node = find_item(table, name);
+    if (node != nullptr && node->kind == NodeKind::text) found.emplace_back(path + '.' + name, node);
+  };
+  if (Node* mesh = find_item(root, "mesh")) add("mesh", *mesh, "file");
+  if (Node* bodies = find_item(root, "body"))
+    for (std::size_t k = 0; bodies->kind == NodeKind::list && k < bodies->items.size(); ++k)
+      add(fmt::format("body[{}]", k), bodies->items[k], "points");
+  return found;
+}
+
+/// What is wrong with a file, or an empty text.
+std::string fault_of_file(const fs::path& path)
+{
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return "this is a folder, not a file";
+  if (!fs::exists(path, ignored)) return "there is no such file";
+  if (!std::ifstream(path)) return fmt::format("the file cannot be read: {}", std::strerror(errno));
+  return "";
+}
+
+fs::path absolute_path(const std::string& folder, const std::string& name)
+{
+  return fs::absolute(fs::path(folder) / name).lexically_normal();
+}
+
+}  // namespace
+
+void check_files(const Node& root, const std::string& folder, std::vector<Problem>& problems)
+{
+  Node copy = root;
+  for (const auto& [path, node] : find_file_keys(copy)) {
+    const fs::path file = fs::path(folder) / node->text;
+    const std::string fault = fault_of_file(file);
+    if (fault.empty()) continue;
+    const std::string similar = similar_file(file.string(), path == "mesh.file" ? ".msh" : ".csv");
+    std::string detail =
+        similar.empty() ? "" : fmt::format("Did you mean `{}`?\n", fs::path(similar).filename().string());
+    detail +=
+        fmt::format("Looked for {}; names are relative to the case file.", absolute_path(folder, node->text).string());
+    problems.push_back({path, fault, detail, path == "mesh.file" ? path : "body.points"});
+  }
+}
+
+bool make_files_absolute(Node& root, const std::string& folder)
+{
+  bool changed = false;
+  for (const auto& [path, node] : find_file_keys(root)) {
+    if (fs::path(node->text).is_absolute()) continue;
+    node->text = absolute_path(folder, node->text).string();
+    changed = true;
+  }
+  return changed;
+}
+
+std::string similar_file(const std::string& path, const std::string& ending)
+{
+  const fs::path missing(path);
+  std::error_code ignored;
+  std::vector<std::string> names;
+  const fs::path folder = missing.has_parent_path() ? missing.parent_path() : fs::path(".");
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (entry.path().extension() == ending) names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  const std::string nearest = closest(missing.filename().string(), names);
+  return nearest.empty() ? nearest : (missing.parent_path() / nearest).string();
+}
+
+}  // namespace terp

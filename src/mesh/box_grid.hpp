@@ -1,0 +1,37 @@
+// Finds the boxes around a place without asking all of them: equal buckets, each with the boxes that touch it.
+// Not for: deciding which cell holds a place (locate.hpp).
+#pragma once
+
+#include "base/types.hpp"
+
+#include <span>
+#include <vector>
+
+namespace terp {
+
+struct BoundingBox {
+  Vec<2> low, high;  ///< [m]
+};
+
+/// Smallest box around places; at least one place.
+BoundingBox box_around(std::span<const Vec<2>> places);
+
+/// The box with a margin of `share` of its diagonal on every side.
+BoundingBox widened(const BoundingBox& box, Real share);
+
+struct BoxGrid {
+  Vec<2> low{0.0, 0.0};                  ///< lower left corner of the first bucket [m]
+  Vec<2> high{0.0, 0.0};                 ///< upper right corner of the last bucket [m]
+  Vec<2> buckets_per_metre{0.0, 0.0};    ///< [1/m]
+  std::array<Index, 2> n{0, 0};          ///< buckets in x and y
+  std::vector<Index> first_of_bucket;    ///< into boxes, shape [n_buckets + 1]
+  std::vector<Index> boxes;              ///< ascending within a bucket
+};
+
+/// About one bucket per box. Memory stays below 16 entries per box, whatever the sizes of the boxes.
+BoxGrid make_box_grid(std::span<const BoundingBox> boxes);
+
+/// Numbers, ascending, of boxes that may hold the place; none that does is left out. Empty for a place that is not finite.
+std::span<const Index> boxes_near(const BoxGrid& grid, Vec<2> place);
+
+}  // namespace terp

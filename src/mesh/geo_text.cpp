@@ -1,0 +1,140 @@
+#include "mesh/geo_text.hpp"
+
+#include "mesh/check_mesh.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace terp {
+namespace {
+
+Real distance_to_line(const std::vector<Vec<2>>& line, Vec<2> x)
+{
+  Real least = std::numeric_limits<Real>::infinity();
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    const Vec<2>&a = line[k - 1], &b = line[k];
+    const Vec<2> along{b[0] - a[0], b[1] - a[1]};
+    const Real squared = along[0] * along[0] + along[1] * along[1];
+    const Real t = squared > 0.0 ? std::clamp(((x[0] - a[0]) * along[0] + (x[1] - a[1]) * along[1]) / squared, 0.0, 1.0) : 0.0;
+    least = std::min(least, std::hypot(x[0] - a[0] - t * along[0], x[1] - a[1] - t * along[1]));
+  }
+  return least;
+}
+
+Real distance_to_box(const Refinement& refine, Vec<2> x)
+{
+  const Real dx = std::max({refine.low[0] - x[0], x[0] - refine.high[0], 0.0});
+  const Real dy = std::max({refine.low[1] - x[1], x[1] - refine.high[1], 0.0});
+  return std::hypot(dx, dy);
+}
+
+std::string geometry(const PlanarMap& map)
+{
+  std::string text;
+  for (std::size_t i = 0; i < map.places.size(); ++i)
+    text += fmt::format("Point({}) = {{{:.17g}, {:.17g}, 0}};\n", i + 1, map.places[i][0], map.places[i][1]);
+  for (std::size_t k = 0; k < map.lines.size(); ++k)
+    text += fmt::format("Line({}) = {{{}, {}}};\n", k + 1, map.lines[k].a + 1, map.lines[k].b + 1);
+  std::vector<std::size_t> surfaces;
+  std::size_t n_loops = 0;
+  for (const Face& face : map.faces) {
+    std::vector<std::size_t> loops;
+    for (const auto& loop : face) {
+      loops.push_back(++n_loops);
+      text += fmt::format("Curve Loop({}) = {{{}}};\n", n_loops, fmt::join(loop, ", "));
+    }
+    surfaces.push_back(surfaces.size() + 1);
+    text += fmt::format("Plane Surface({}) = {{{}}};\n", surfaces.back(), fmt::join(loops, ", "));
+  }
+  return text + fmt::format("Physical Surface(\"domain\") = {{{}}};\n", fmt::join(surfaces, ", "));
+}
+
+std::string sides(const PolygonMesh& mesh, const PlanarMap& map)
+{
+  std::string text;
+  for (const NamedEdges& named : mesh.edges) {
+    std::vector<std::size_t> lines;
+    for (std::size_t k = 0; k < map.lines.size(); ++k)
+      if (std::count(named.edges.begin(), named.edges.end(), map.lines[k].edge) > 0) lines.push_back(k + 1);
+    if (!lines.empty()) text += fmt::format("Physical Curve(\"{}\") = {{{}}};\n", named.side, fmt::join(lines, ", "));
+  }
+  return text;
+}
+
+/// The line as loose places, half a cell apart: gmsh measures distances to them.
+std::string distance_field(const Refinement& refine, std::size_t field, std::size_t& n_points)
+{
+  std::string text;
+  const std::size_t first = n_points + 1;
+  for (std::size_t k = 1; k < refine.line.size(); ++k) {
+    const Vec<2>&a = refine.line[k - 1], &b = refine.line[k];
+    const int n = std::max(1, static_cast<int>(std::ceil(std::hypot(b[0] - a[0], b[1] - a[1]) / (0.5 * refine.cell))));
+    for (int i = k == 1 ? 0 : 1; i <= n; ++i)
+      text += fmt::format("Point({}) = {{{:.17g}, {:.17g}, 0}};\n", ++n_points, a[0] + (b[0] - a[0]) * i / n, a[1] + (b[1] - a[1]) * i / n);
+  }
+  return text + fmt::format("Field[{0}] = Distance;\nField[{0}].PointsList = {{{1}:{2}}};\n", field, first, n_points);
+}
+
+/// Fields whose least value is the size of the triangles.
+std::string size_fields(const PolygonMesh& mesh, const PlanarMap& map, Real factor)
+{
+  std::string text;
+  std::vector<std::size_t> fields;
+  std::size_t n_fields = 0, n_points = map.places.size();
+  for (const Refinement& refine : mesh.refine) {
+    const Real near = std::min(refine.cell, mesh.cell) * factor, far = mesh.cell * factor;
+    if (refine.line.empty()) {
+      text += fmt::format("Field[{0}] = Box;\nField[{0}].VIn = {1:.17g};\nField[{0}].VOut = {2:.17g};\nField[{0}].Thickness = {3:.17g};\n"
+                          "Field[{0}].XMin = {4:.17g};\nField[{0}].XMax = {5:.17g};\nField[{0}].YMin = {6:.17g};\nField[{0}].YMax = {7:.17g};\n"
+                          "Field[{0}].ZMin = -1;\nField[{0}].ZMax = 1;\n",
+                          ++n_fields, near, far, refine.distance, refine.low[0], refine.high[0], refine.low[1], refine.high[1]);
+    } else {
+      text += distance_field(refine, ++n_fields, n_points);
+      text += fmt::format("Field[{0}] = Threshold;\nField[{0}].InField = {1};\nField[{0}].DistMin = {2:.17g};\n"
+                          "Field[{0}].DistMax = {3:.17g};\nField[{0}].SizeMin = {4:.17g};\nField[{0}].SizeMax = {5:.17g};\n",
+                          n_fields + 1, n_fields, refine.cell, refine.cell + std::max(refine.distance, refine.cell), near, far);
+      ++n_fields;
+    }
+    fields.push_back(n_fields);
+  }
+  if (fields.empty()) return text;
+  return text + fmt::format("Field[{0}] = Min;\nField[{0}].FieldsList = {{{1}}};\nBackground Field = {0};\n", n_fields + 1, fmt::join(fields, ", "));
+}
+
+/// Fixed seed, nothing from the geometry's points: only the fields and the target size decide.
+std::string options(const PolygonMesh& mesh, const Recipe& recipe)
+{
+  return fmt::format("Mesh.Algorithm = {};\nMesh.RecombinationAlgorithm = {};\nMesh.RandomSeed = {};\nMesh.MeshSizeMax = {:.17g};\n"
+                     "Mesh.RecombineAll = 1;\nMesh.SubdivisionAlgorithm = 1;\nMesh.Smoothing = 10;\nMesh.MeshSizeExtendFromBoundary = 0;\n"
+                     "Mesh.MeshSizeFromPoints = 0;\nMesh.MshFileVersion = 4.1;\nMesh.Binary = 1;\nMesh.SaveAll = 0;\n",
+                     recipe.algorithm, recipe.recombination, recipe.seed, 2.0 * recipe.size_factor * mesh.cell);
+}
+
+}  // namespace
+
+Real target_size(const PolygonMesh& mesh, Vec<2> x)
+{
+  Real size = mesh.cell;
+  for (const Refinement& refine : mesh.refine) {
+    const bool box = refine.line.empty();
+    const Real away = box ? distance_to_box(refine, x) : std::max(0.0, distance_to_line(refine.line, x) - refine.cell);
+    const Real over = box ? refine.distance : std::max(refine.distance, refine.cell);
+    const Real part = over > 0.0 ? std::min(1.0, away / over) : (away > 0.0 ? 1.0 : 0.0);
+    size = std::min(size, refine.cell + part * (mesh.cell - refine.cell));
+  }
+  return size;
+}
+
+std::string geo_text(const PolygonMesh& mesh, const PlanarMap& map, const Recipe& recipe)
+{
+  for (const NamedEdges& named : mesh.edges)
+    if (named.side.empty() || named.side.find_first_of("\"\\\n") != std::string::npos)
+      throw MeshError(fmt::format("a side cannot be named `{}`: use letters, digits, spaces and _", named.side));
+  return geometry(map) + sides(mesh, map) + size_fields(mesh, map, 2.0 * recipe.size_factor) + options(mesh, recipe);
+}
+
+}  // namespace terp

@@ -1,0 +1,26 @@
+// The script from which gmsh makes a mesh, and the target size that it asks for.
+// Not for: running gmsh. generate.hpp does.
+#pragma once
+
+#include "mesh/planar_map.hpp"
+#include "mesh/polygon_mesh.hpp"
+
+#include <string>
+
+namespace terp {
+
+/// A way for gmsh to make quadrilaterals: triangles of twice the size, paired where that is good, then everything halved.
+struct Recipe {
+  int algorithm;      ///< gmsh's Mesh.Algorithm for the triangles
+  int recombination;  ///< gmsh's Mesh.RecombinationAlgorithm for the pairs
+  int seed;           ///< gmsh's Mesh.RandomSeed
+  Real size_factor;   ///< of the triangles, so that the median cell has the target size [-], measured
+};
+
+/// Target size at a place: the smallest that the mesh or a refinement asks for [m].
+Real target_size(const PolygonMesh& mesh, Vec<2> x);
+
+/// The same numbers give the same text to the last character.
+std::string geo_text(const PolygonMesh& mesh, const PlanarMap& map, const Recipe& recipe);
+
+}  // namespace terp

@@ -1,0 +1,52 @@
+#include "mesh/mesh_error.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+constexpr std::int64_t most_shown = 10;
+
+std::int64_t node_number(const Mesh<2>& mesh, Index node) { return mesh.node_numbers.empty() ? node : mesh.node_numbers[node]; }
+
+}  // namespace
+
+std::string cell_name(const Mesh<2>& mesh, Index cell)
+{
+  if (mesh.cell_numbers.empty()) return fmt::format("cell {}", cell);
+  return fmt::format("cell {} (element {} of the file)", cell, mesh.cell_numbers[cell]);
+}
+
+std::string node_name(const Mesh<2>& mesh, Index node)
+{
+  return fmt::format("node {} at ({:.6g}, {:.6g}) m", node_number(mesh, node), mesh.nodes[node][0], mesh.nodes[node][1]);
+}
+
+std::string corner_names(const Mesh<2>& mesh, Index cell)
+{
+  std::string text = "nodes";
+  for (const Index i : mesh.cells[cell])
+    text += fmt::format(" {} at ({:.6g}, {:.6g}),", node_number(mesh, i), mesh.nodes[i][0], mesh.nodes[i][1]);
+  text.back() = ' ';
+  return text + "m";
+}
+
+void MeshFaults::add(const std::string& what, const std::string& places, const std::string& advice)
+{
+  if (++n_ > most_shown) return;
+  text_ += "\n  " + what;
+  if (!places.empty()) text_ += "\n    " + places;
+  if (!advice.empty() && std::find(advice_.begin(), advice_.end(), advice) == advice_.end()) advice_.push_back(advice);
+}
+
+void MeshFaults::stop_if_any(const std::string& title) const
+{
+  if (empty()) return;
+  std::string text = fmt::format("{} has {} fault{}:{}", title, n_, n_ == 1 ? "" : "s", text_);
+  if (n_ > most_shown) text += fmt::format("\n  and {} more", n_ - most_shown);
+  for (const auto& advice : advice_) text += "\n  " + advice;
+  throw MeshError(text);
+}
+
+}  // namespace terp

@@ -1,0 +1,43 @@
+// What is wrong with a mesh, in words that name the place: the error, and how cells and nodes are called in it.
+#pragma once
+
+#include "mesh/mesh.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace terp {
+
+/// The mesh or its file cannot be used. The text has every fault found, up to ten, and what to do.
+class MeshError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// "cell 412", with the mesh file's own number where there is one: "cell 412 (element 1033 of the file)".
+std::string cell_name(const Mesh<2>& mesh, Index cell);
+
+/// "node 57 at (3.1, 0.4) m"; the mesh file's own number where there is one.
+std::string node_name(const Mesh<2>& mesh, Index node);
+
+/// All four corners of a cell: "nodes 57 at (3.1, 0.4), ... m".
+std::string corner_names(const Mesh<2>& mesh, Index cell);
+
+/// Collects faults: shows the first ten, counts all, says each advice once.
+class MeshFaults {
+ public:
+  /// what: one line on what is wrong and where, without full stop. places: nodes and coordinates; may be empty.
+  /// advice: a sentence on what to do; may be empty.
+  void add(const std::string& what, const std::string& places, const std::string& advice);
+  bool empty() const { return n_ == 0; }
+  /// Throws MeshError if there is any. title: what has the faults, e.g. "the mesh".
+  void stop_if_any(const std::string& title) const;
+
+ private:
+  std::int64_t n_ = 0;
+  std::string text_;
+  std::vector<std::string> advice_;
+};
+
+}  // namespace terp

@@ -1,0 +1,42 @@
+// What a gmsh mesh file holds, as it stands there: MSH 2.2 and 4.1, text and binary.
+// Not for: cells, sides and regions (gmsh_file.hpp).
+#pragma once
+
+#include "base/types.hpp"
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace terp {
+
+/// The element types that Terp tells apart, by gmsh's numbers.
+inline constexpr int msh_line = 1, msh_quad = 3, msh_point = 15;
+
+struct MshElement {
+  std::int64_t number;                ///< gmsh's
+  int type;                           ///< gmsh's
+  int n_nodes;                        ///< of the type; the first four are kept
+  std::array<std::int64_t, 4> nodes;  ///< gmsh's node numbers
+  Index groups;                       ///< into MshContent::group_sets
+};
+
+struct MshContent {
+  std::string version;                                   ///< "2.2" or "4.1"
+  std::vector<std::int64_t> node_numbers;                ///< gmsh's, in file order
+  std::vector<std::array<Real, 3>> places;               ///< of the nodes, in file order
+  std::vector<MshElement> lines, quads;                  ///< in file order
+  std::vector<MshElement> others;                        ///< the first few elements that are neither, nor points
+  std::int64_t n_others = 0;
+  std::vector<std::vector<int>> group_sets;              ///< numbers of the physical groups an element belongs to
+  std::map<std::pair<int, int>, std::string> group_names;  ///< by dimension and number
+};
+
+/// "triangle", "line with 3 nodes"; empty for a type that Terp has never heard of.
+std::string msh_type_name(int type);
+
+/// Throws MeshError with the path and the line (text) or byte (binary) of what it cannot read. path: for messages; text: the whole file.
+MshContent read_msh(const std::string& path, std::string text);
+
+}  // namespace terp

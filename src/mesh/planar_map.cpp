@@ -1,0 +1,268 @@
+#include "mesh/planar_map.hpp"
+
+#include "mesh/check_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace terp {
+namespace {
+
+using Polygon = std::vector<Vec<2>>;
+
+Vec<2> between(Vec<2> a, Vec<2> b, Real t) { return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])}; }
+Real distance(Vec<2> a, Vec<2> b) { return std::hypot(b[0] - a[0], b[1] - a[1]); }
+Real cross(Vec<2> a, Vec<2> b, Vec<2> c) { return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]); }
+
+/// Part of the way from a to b at which x projects.
+Real projection(Vec<2> a, Vec<2> b, Vec<2> x)
+{
+  const Real length = distance(a, b);
+  return ((x[0] - a[0]) * (b[0] - a[0]) + (x[1] - a[1]) * (b[1] - a[1])) / (length * length);
+}
+
+Real area(const Polygon& x)
+{
+  Real sum = 0.0;
+  for (std::size_t k = 0; k < x.size(); ++k) sum += 0.5 * cross(x[0], x[k], x[(k + 1) % x.size()]);
+  return sum;
+}
+
+/// Even-odd rule.
+bool holds(const Polygon& polygon, Vec<2> x)
+{
+  bool inside = false;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec<2>&a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    if ((a[1] > x[1]) != (b[1] > x[1]) && x[0] < a[0] + (x[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) inside = !inside;
+  }
+  return inside;
+}
+
+/// Places and lines while they are cut. The polygon's own lines come first.
+class Cutter {
+ public:
+  Cutter(const Polygon& polygon, Real tolerance) : polygon_(polygon), tolerance_(tolerance), places_(polygon)
+  {
+    const Index n = static_cast<Index>(polygon.size());
+    for (Index k = 0; k < n; ++k) {
+      lines_.push_back({k, (k + 1) % n, k});
+      tolerance_ = std::min(tolerance_, 0.1 * distance(polygon[k], polygon[(k + 1) % n]));
+    }
+  }
+
+  void add_outline(const Polygon& outline)
+  {
+    std::vector<Index> at;
+    for (const Vec<2>& x : outline) at.push_back(place(onto_edge(x)));
+    for (std::size_t k = 0; k < at.size(); ++k)
+      if (at[k] != at[(k + 1) % at.size()]) lines_.push_back({at[k], at[(k + 1) % at.size()], -1});
+  }
+
+  void add_crossings()
+  {
+    for (std::size_t k = 0; k < lines_.size(); ++k)
+      for (std::size_t other = k + 1; other < lines_.size(); ++other) add_crossing(lines_[k], lines_[other]);
+  }
+
+  /// Lines from place to place, each once, inside the polygon, without loose ends.
+  std::vector<CutLine> split() const
+  {
+    std::vector<CutLine> parts;
+    std::map<std::pair<Index, Index>, bool> known;
+    for (const CutLine& line : lines_) {
+      const std::vector<Index> cuts = places_on(line);
+      for (std::size_t k = 1; k < cuts.size(); ++k) {
+        const CutLine part{cuts[k - 1], cuts[k], line.edge};
+        const bool inside = line.edge >= 0 || holds(polygon_, between(places_[part.a], places_[part.b], 0.5));
+        if (inside && known.try_emplace(std::minmax(part.a, part.b), true).second) parts.push_back(part);
+      }
+    }
+    while (drop_loose_ends(parts)) {
+    }
+    return parts;
+  }
+
+  const std::vector<Vec<2>>& places() const { return places_; }
+
+ private:
+  Vec<2> onto_edge(Vec<2> x) const
+  {
+    for (std::size_t k = 0; k < polygon_.size(); ++k) {
+      const Vec<2>&a = polygon_[k], &b = polygon_[(k + 1) % polygon_.size()];
+      const Real t = projection(a, b, x);
+      if (t > 0.0 && t < 1.0 && distance(between(a, b, t), x) <= tolerance_) return between(a, b, t);
+    }
+    return x;
+  }
+
+  Index place(Vec<2> x)
+  {
+    Index nearest = 0;
+    for (Index i = 1; i < static_cast<Index>(places_.size()); ++i)
+      if (distance(places_[i], x) < distance(places_[nearest], x)) nearest = i;
+    if (distance(places_[nearest], x) <= tolerance_) return nearest;
+    places_.push_back(x);
+    return static_cast<Index>(places_.size()) - 1;
+  }
+
+  void add_crossing(const CutLine& first, const CutLine& second)
+  {
+    const Vec<2> a = places_[first.a], b = places_[first.b], c = places_[second.a], d = places_[second.b];
+    const Real at_a = cross(c, d, a), at_b = cross(c, d, b), at_c = cross(a, b, c), at_d = cross(a, b, d);
+    if (at_a * at_b >= 0.0 || at_c * at_d >= 0.0) return;
+    const Vec<2> x = between(a, b, at_a / (at_a - at_b));
+    if (first.edge >= 0 && second.edge >= 0)
+      throw MeshError(fmt::format("the polygon crosses itself: edges {} and {} meet at x = {:.6g} m, y = {:.6g} m", first.edge, second.edge, x[0], x[1]));
+    place(x);
+  }
+
+  std::vector<Index> places_on(const CutLine& line) const
+  {
+    const Vec<2> a = places_[line.a], b = places_[line.b];
+    std::vector<std::pair<Real, Index>> found{{0.0, line.a}, {1.0, line.b}};
+    // On an edge of the polygon only what lies on it to round-off: it must not bend.
+    const Real reach = line.edge >= 0 ? 1e-12 * (std::abs(a[0]) + std::abs(a[1]) + std::abs(b[0]) + std::abs(b[1])) : tolerance_;
+    for (Index i = 0; i < static_cast<Index>(places_.size()); ++i) {
+      const Real t = projection(a, b, places_[i]);
+      if (i != line.a && i != line.b && t > 0.0 && t < 1.0 && distance(between(a, b, t), places_[i]) <= reach) found.emplace_back(t, i);
+    }
+    std::sort(found.begin(), found.end());
+    std::vector<Index> order;
+    for (const auto& [t, i] : found) order.push_back(i);
+    return order;
+  }
+
+  bool drop_loose_ends(std::vector<CutLine>& parts) const
+  {
+    std::vector<int> uses(places_.size(), 0);
+    for (const CutLine& part : parts) ++uses[part.a], ++uses[part.b];
+    return std::erase_if(parts, [&](const CutLine& part) { return uses[part.a] == 1 || uses[part.b] == 1; }) > 0;
+  }
+
+  const Polygon& polygon_;
+  Real tolerance_;
+  std::vector<Vec<2>> places_;
+  std::vector<CutLine> lines_;
+};
+
+/// Closed walk along lines with the same face to the left, and what is needed to sort walks into faces.
+struct Loop {
+  std::vector<Index> lines;  ///< signed, see Face
+  Polygon outline;
+  Real area = 0.0;           ///< negative: a hole, or the outside of everything
+  Index part = 0;            ///< connected part of the map that it belongs to
+};
+
+/// Both directions of line k are 2k and 2k + 1: from a to b, from b to a.
+class LoopFinder {
+ public:
+  LoopFinder(const std::vector<Vec<2>>& places, const std::vector<CutLine>& lines) : places_(places), lines_(lines), leaving_(places.size())
+  {
+    for (Index half = 0; half < 2 * static_cast<Index>(lines.size()); ++half) leaving_[from(half)].push_back(half);
+    for (auto& halves : leaving_)
+      std::sort(halves.begin(), halves.end(), [&](Index k, Index other) { return angle(k) < angle(other); });
+    number_parts();
+  }
+
+  std::vector<Loop> loops() const
+  {
+    std::vector<Loop> found;
+    std::vector<bool> walked(2 * lines_.size(), false);
+    for (Index start = 0; start < static_cast<Index>(walked.size()); ++start) {
+      if (walked[start]) continue;
+      Loop loop;
+      for (Index half = start; !walked[half]; half = next(half)) {
+        walked[half] = true;
+        loop.lines.push_back(half % 2 == 0 ? half / 2 + 1 : -(half / 2 + 1));
+        loop.outline.push_back(places_[from(half)]);
+      }
+      loop.area = area(loop.outline);
+      loop.part = part_of_place_[from(start)];
+      found.push_back(std::move(loop));
+    }
+    return found;
+  }
+
+ private:
+  Index from(Index half) const { return half % 2 == 0 ? lines_[half / 2].a : lines_[half / 2].b; }
+  Index to(Index half) const { return from(half ^ 1); }
+  Real angle(Index half) const
+  {
+    return std::atan2(places_[to(half)][1] - places_[from(half)][1], places_[to(half)][0] - places_[from(half)][0]);
+  }
+
+  /// The sharpest turn to the left: the one before the way back, counter-clockwise.
+  Index next(Index half) const
+  {
+    const auto& halves = leaving_[to(half)];
+    const auto back = std::find(halves.begin(), halves.end(), half ^ 1) - halves.begin();
+    return halves[(back + static_cast<Index>(halves.size()) - 1) % halves.size()];
+  }
+
+  void number_parts()
+  {
+    part_of_place_.resize(places_.size());
+    std::iota(part_of_place_.begin(), part_of_place_.end(), 0);
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (const CutLine& line : lines_) {
+        Index &a = part_of_place_[line.a], &b = part_of_place_[line.b];
+        changed = changed || a != b;
+        a = b = std::min(a, b);
+      }
+    }
+  }
+
+  const std::vector<Vec<2>>& places_;
+  const std::vector<CutLine>& lines_;
+  std::vector<std::vector<Index>> leaving_;  ///< directions that leave a place, counter-clockwise
+  std::vector<Index> part_of_place_;
+};
+
+std::vector<Face> faces_of(const std::vector<Loop>& loops)
+{
+  std::vector<Face> faces;
+  std::vector<const Loop*> outer;
+  for (const Loop& loop : loops)
+    if (loop.area > 0.0) {
+      faces.push_back({loop.lines});
+      outer.push_back(&loop);
+    }
+  for (const Loop& hole : loops) {
+    if (hole.area > 0.0) continue;
+    std::size_t around = outer.size();
+    for (std::size_t k = 0; k < outer.size(); ++k)
+      if (outer[k]->part != hole.part && holds(outer[k]->outline, hole.outline[0]) &&
+          (around == outer.size() || outer[k]->area < outer[around]->area))
+        around = k;
+    if (around < outer.size()) faces[around].push_back(hole.lines);
+  }
+  return faces;
+}
+
+}  // namespace
+
+PlanarMap cut_polygon(const Polygon& polygon, const std::vector<Polygon>& follow, Real tolerance)
+{
+  if (polygon.size() < 3) throw MeshError(fmt::format("the polygon has {} corners; at least three are needed", polygon.size()));
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+    if (polygon[k] == polygon[(k + 1) % polygon.size()])
+      throw MeshError(fmt::format("edge {} of the polygon has no length, at x = {:.6g} m, y = {:.6g} m", k, polygon[k][0], polygon[k][1]));
+  if (!(area(polygon) > 0.0))
+    throw MeshError(fmt::format("the polygon's area is {:.6g} m^2: give its corners counter-clockwise", area(polygon)));
+  Cutter cutter(polygon, tolerance);
+  for (const Polygon& outline : follow) cutter.add_outline(outline);
+  cutter.add_crossings();
+  PlanarMap map{cutter.places(), cutter.split(), {}};
+  map.faces = faces_of(LoopFinder(map.places, map.lines).loops());
+  return map;
+}
+
+}  // namespace terp

@@ -1,0 +1,31 @@
+// A polygon cut by lines: places, lines that meet only at places, and the faces between them.
+// Not for: meshing. geo_text.hpp hands the faces to gmsh.
+#pragma once
+
+#include "base/types.hpp"
+
+#include <vector>
+
+namespace terp {
+
+/// From place `a` to place `b`.
+struct CutLine {
+  Index a, b;
+  Index edge;  ///< of the polygon: from its corner `edge` to the next; -1: a followed line inside
+};
+
+/// Loops of lines, the face to their left: the outer loop first, then the holes. Line k is written k + 1, or -(k + 1) if it runs from b to a.
+using Face = std::vector<std::vector<Index>>;
+
+struct PlanarMap {
+  std::vector<Vec<2>> places;  ///< [m]; the corners of the polygon come first, exact to the bit
+  std::vector<CutLine> lines;
+  std::vector<Face> faces;
+};
+
+/// Cuts a polygon (counter-clockwise) by the outlines to follow. What lies outside is dropped. Followed places closer to another place or
+/// to an edge than `tolerance` [m] are moved onto it, so that no sliver remains; the polygon itself is never moved.
+/// Throws MeshError if the polygon has no area, runs clockwise or crosses itself.
+PlanarMap cut_polygon(const std::vector<Vec<2>>& polygon, const std::vector<std::vector<Vec<2>>>& follow, Real tolerance);
+
+}  // namespace terp

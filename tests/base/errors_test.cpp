@@ -1,0 +1,27 @@
+// What errors say, and that a broken assumption is not survived.
+
+#include "base/errors.hpp"
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+TEST(InputError, NamesItsFirstProblemAndKeepsThemAll)
+{
+  const InputError error({{"mesh.cell", "not positive", "", "", false}, {"time.end", "missing", "", "", false}});
+  EXPECT_STREQ(error.what(), "mesh.cell: not positive");
+  EXPECT_EQ(error.problems().size(), 2u);
+  EXPECT_EQ(error.problems()[1].key, "time.end");
+}
+
+TEST(InputError, WithoutProblemsStillSaysSomething) { EXPECT_STREQ(InputError(std::vector<Problem>{}).what(), "bad input"); }
+
+TEST(FailAssert, EndsTheProgramAndAsksForAReport)
+{
+  EXPECT_DEATH(fail_assert("n > 0", "points.cpp", 42),
+               "terp: internal error at points.cpp:42: n > 0 does not hold. Please report it.");
+}
+
+}  // namespace
+}  // namespace terp

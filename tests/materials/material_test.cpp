@@ -1,0 +1,36 @@
+// The list of laws and the ranges of their parameters.
+
+#include "materials/material.hpp"
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+TEST(Materials, AreFoundByNameAndOnlyByName)
+{
+  ASSERT_NE(find_material("tresca_softening"), nullptr);
+  EXPECT_EQ(find_material("tresca_softening")->name, "tresca_softening");
+  EXPECT_EQ(find_material("linear_elastic")->name, "linear_elastic");
+  EXPECT_EQ(find_material("tresca"), nullptr);
+  EXPECT_EQ(find_material(""), nullptr);
+}
+
+TEST(Range, KnowsOpenFromClosedEnds)
+{
+  EXPECT_FALSE(positive.contains(0.0));
+  EXPECT_TRUE(not_negative.contains(0.0));
+  EXPECT_TRUE(between(0.0, 0.5).contains(0.5));
+  EXPECT_FALSE(between_open(0.0, 0.5).contains(0.5));
+  EXPECT_FALSE(between_open(0.0, 0.5).contains(0.0));
+  EXPECT_TRUE(any_number.contains(-1e300));
+}
+
+TEST(Range, HoldsNothingThatIsNotANumber)
+{
+  EXPECT_FALSE(any_number.contains(std::numeric_limits<Real>::quiet_NaN()));
+  EXPECT_FALSE(positive.contains(std::numeric_limits<Real>::quiet_NaN()));
+}
+
+}  // namespace
+}  // namespace terp

@@ -1,0 +1,413 @@
+// Tresca with softening: returns to the face and to both edges against an independent bisection, and Eqs. (5) and (6).
+
+#include "materials/probe.hpp"
+#include "support/random.hpp"
+
+#include <gmock/gmock.h>
+#include <numbers>
+
+namespace terp {
+namespace {
+
+using test::Probe;
+using test::sorted_principal;
+using test::Stress;
+
+struct Soil {
+  Real G = 2e6, nu = 0.48, su_peak = 8e3, su_residual = 2e3, eta = 50.0;  // the paper's, model 2
+
+  Probe probe() const { return {*find_material("tresca_softening"), {G, nu, su_peak, su_residual, eta}}; }
+  Real su(Real eps_eq_p) const { return su_residual + (su_peak - su_residual) * std::exp(-eta * eps_eq_p); }
+};
+
+/// Where zz stands among the principal stresses of a trial.
+enum class Zz { major, middle, minor };
+
+/// A stress with these principal values, largest first, turned by `angle` in the plane.
+Stress stress_of(std::array<Real, 3> s, Zz zz, Real angle = 0.4)
+{
+  const Stress straight = zz == Zz::major    ? Stress{{s[1], s[2], s[0], 0.0}}
+                          : zz == Zz::middle ? Stress{{s[0], s[2], s[1], 0.0}}
+                                             : Stress{{s[0], s[1], s[2], 0.0}};
+  return test::rotated(straight, -angle);
+}
+
+/// A point that was put to a trial stress outside the yield surface and returned.
+Probe returned_from(const Soil& soil, const Stress& trial, Real eps_eq_p)
+{
+  Probe point = soil.probe();
+  point.sigma = trial;
+  point.state[0] = eps_eq_p;
+  point.strain(Stress{});
+  return point;
+}
+
+/// Root of a falling function between low and high, to the last bit.
+template <class F>
+Real bisect(F&& f, Real low, Real high)
+{
+  for (int k = 0; k < 200; ++k) {
+    const Real middle = 0.5 * (low + high);
+    (f(middle) > 0.0 ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+struct Answer {
+  std::array<Real, 3> s;  // largest first
+  Real d_e;
+  int where;  // 0 face, 1 edge where the two larger are equal, 2 edge where the two smaller are equal
+};
+
+/// The exact return by bisection, written from method.md section 3.
+Answer exact_return(const Soil& soil, const std::array<Real, 3>& t, Real e)
+{
+  const Real far = (t[0] - t[2]) / soil.G;
+  const Real d = bisect([&](Real x) { return t[0] - t[2] - 4.0 * soil.G * x - 2.0 * soil.su(e + x); }, 0.0, far);
+  const Answer face{{t[0] - 2.0 * soil.G * d, t[1], t[2] + 2.0 * soil.G * d}, d, 0};
+  if (face.s[0] >= face.s[1] && face.s[1] >= face.s[2]) return face;
+  const Real p = (t[0] + t[1] + t[2]) / 3.0;
+  const bool larger = face.s[0] < face.s[1];
+  const auto corner = [&](Real x) {
+    const Real su = soil.su(e + x);
+    return larger ? std::array{p + 2.0 / 3.0 * su, p + 2.0 / 3.0 * su, p - 4.0 / 3.0 * su}
+                  : std::array{p + 4.0 / 3.0 * su, p - 2.0 / 3.0 * su, p - 2.0 / 3.0 * su};
+  };
+  const auto missing = [&](Real x) {
+    Real square = 0.0;
+    for (int k = 0; k < 3; ++k) square += std::pow((t[k] - corner(x)[k]) / (2.0 * soil.G), 2);
+    return std::sqrt(0.5 * square) - x;
+  };
+  const Real x = bisect(missing, 0.0, far);
+  return {corner(x), x, larger ? 1 : 2};
+}
+
+void expect_exact_return(const Soil& soil, const std::array<Real, 3>& t, Real e, int where)
+{
+  const Answer exact = exact_return(soil, t, e);
+  ASSERT_EQ(exact.where, where) << "the trial does not lie where this test means it to";
+  for (const Zz zz : {Zz::major, Zz::middle, Zz::minor}) {
+    const Probe point = returned_from(soil, stress_of(t, zz), e);
+    const auto s = sorted_principal(point.sigma);
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(s[k], exact.s[k], 1e-11 * soil.su_peak) << "stress " << k << ", zz at " << int(zz);
+    EXPECT_NEAR(point.state[0], e + exact.d_e, 1e-14);
+  }
+}
+
+TEST(TrescaSoftening, Eq5_DropsBy95PercentAtSixPercentStrain)  // decision 0001
+{
+  const Soil soil;
+  const auto point = soil.probe();
+  const std::array<Real, max_state> state{0.06};
+  const Real su = point.law().derived(0, state.data());
+  EXPECT_NEAR((soil.su_peak - su) / (soil.su_peak - soil.su_residual), 0.95, 0.001);
+  EXPECT_NEAR(su, 2e3 + 6e3 * std::exp(-3.0), 1e-9);
+}
+
+TEST(TrescaSoftening, Eq5_RunsFromPeakToResidual)
+{
+  const auto point = Soil{}.probe();
+  EXPECT_EQ(point.law().derived(0, std::array<Real, max_state>{0.0}.data()), 8e3);
+  EXPECT_NEAR(point.law().derived(0, std::array<Real, max_state>{1.0}.data()), 2e3, 1e-9);
+}
+
+TEST(TrescaSoftening, Eq5_IsTheStrengthThatStressesMeet)
+{
+  auto point = Soil{}.probe();
+  for (int k = 0; k < 200; ++k) point.strain({{0.0, 0.0, 0.0, 1e-3}});
+  EXPECT_NEAR(point.sigma[3], Soil{}.su(point.state[0]), 1e-9);
+}
+
+TEST(TrescaSoftening, Eq6_OnAFaceTheNormIsThePlasticMultiplier)  // decision 0002: half the plastic engineering shear
+{
+  auto point = Soil{}.probe();
+  Real gamma = 0.0;
+  for (int k = 0; k < 50; ++k) {
+    point.strain({{0.0, 0.0, 0.0, 1e-3}});
+    gamma += 2e-3;
+  }
+  const Real plastic_gamma = gamma - point.sigma[3] / 2e6;
+  EXPECT_NEAR(point.state[0], 0.5 * plastic_gamma, 1e-14);
+}
+
+TEST(TrescaSoftening, Eq6_OnAnEdgeTheNormIsTheRootOfHalfTheSquares)
+{
+  const Soil soil{.eta = 0.0};
+  const std::array<Real, 3> trial{30e3, 29e3, -20e3};
+  const auto point = returned_from(soil, stress_of(trial, Zz::middle), 0.0);
+  const auto s = sorted_principal(point.sigma);
+  Real square = 0.0;
+  for (int k = 0; k < 3; ++k) square += std::pow((trial[k] - s[k]) / (2.0 * soil.G), 2);
+  EXPECT_NEAR(point.state[0], std::sqrt(0.5 * square), 1e-15);
+}
+
+TEST(TrescaSoftening, Eq6_AddsIncrementsToAPathLength)  // there and back counts twice
+{
+  auto point = Soil{.eta = 0.0}.probe();
+  point.strain({{0.0, 0.0, 0.0, 0.01}});
+  const Real there = point.state[0];
+  point.strain({{0.0, 0.0, 0.0, -0.01}});
+  EXPECT_NEAR(there, 0.01 - 8e3 / 4e6, 1e-15);
+  EXPECT_NEAR(point.state[0] - there, 0.01 - 2.0 * 8e3 / 4e6, 1e-15);
+}
+
+TEST(TrescaSoftening, WithoutSofteningReturnsToTheFaceOfTheClosedForm)
+{
+  const Soil soil{.eta = 0.0};
+  for (const Zz zz : {Zz::major, Zz::middle, Zz::minor}) {
+    const auto s = sorted_principal(returned_from(soil, stress_of({20e3, 3e3, -10e3}, zz), 0.0).sigma);
+    EXPECT_NEAR(s[0], 5e3 + 8e3, 1e-8);
+    EXPECT_NEAR(s[1], 3e3, 1e-8);
+    EXPECT_NEAR(s[2], 5e3 - 8e3, 1e-8);
+  }
+}
+
+TEST(TrescaSoftening, WithoutSofteningReturnsToTheEdgesOfTheClosedForm)
+{
+  const Soil soil{.eta = 0.0};
+  for (const Zz zz : {Zz::major, Zz::middle, Zz::minor}) {
+    const auto upper = sorted_principal(returned_from(soil, stress_of({20e3, 19e3, -12e3}, zz), 0.0).sigma);  // p = 9 kPa
+    EXPECT_NEAR(upper[0], 9e3 + 2.0 / 3.0 * 8e3, 1e-8);
+    EXPECT_NEAR(upper[1], 9e3 + 2.0 / 3.0 * 8e3, 1e-8);
+    EXPECT_NEAR(upper[2], 9e3 - 4.0 / 3.0 * 8e3, 1e-8);
+    const auto lower = sorted_principal(returned_from(soil, stress_of({20e3, -11e3, -12e3}, zz), 0.0).sigma);  // p = -1 kPa
+    EXPECT_NEAR(lower[0], -1e3 + 4.0 / 3.0 * 8e3, 1e-8);
+    EXPECT_NEAR(lower[1], -1e3 - 2.0 / 3.0 * 8e3, 1e-8);
+    EXPECT_NEAR(lower[2], -1e3 - 2.0 / 3.0 * 8e3, 1e-8);
+  }
+}
+
+TEST(TrescaSoftening, ReturnsToTheFaceOfTheBisection)
+{
+  for (const Real e : {0.0, 0.004, 0.06}) {
+    expect_exact_return({}, {25e3, 4.8e3, -15e3}, e, 0);
+    expect_exact_return({.su_residual = 500.0, .eta = 350.0}, {-40e3, -55e3, -70e3}, e, 0);
+  }
+}
+
+TEST(TrescaSoftening, ReturnsToTheEdgeWhereTheTwoLargerAreEqual)
+{
+  for (const Real e : {0.0, 0.004, 0.06}) {
+    expect_exact_return({}, {25e3, 24e3, -15e3}, e, 1);
+    expect_exact_return({}, {25e3, 25e3, -15e3}, e, 1);
+    expect_exact_return({.su_residual = 500.0, .eta = 350.0}, {-40e3, -41e3, -80e3}, e, 1);
+  }
+}
+
+TEST(TrescaSoftening, ReturnsToTheEdgeWhereTheTwoSmallerAreEqual)
+{
+  for (const Real e : {0.0, 0.004, 0.06}) {
+    expect_exact_return({}, {25e3, -14e3, -15e3}, e, 2);
+    expect_exact_return({}, {25e3, -15e3, -15e3}, e, 2);
+    expect_exact_return({.su_residual = 500.0, .eta = 350.0}, {-40e3, -78e3, -80e3}, e, 2);
+  }
+}
+
+/// Soils up to the steepest softening that check() admits, states, radii from 1 + 1e-9 to 11 times the strength, middle
+/// stresses from the major to the minor one; calls f(soil, eps_eq_p, strength, trial).
+template <class F>
+void for_each_hard_trial(F&& f)
+{
+  for (const Real su_residual : {10.0, 2e3, 7e3})
+    for (const Real part : {0.0, 0.3, 0.7, 0.95, 1.0}) {
+      Soil soil{.su_residual = su_residual};
+      soil.eta = part * 1.5 * soil.G / (soil.su_peak - su_residual);
+      for (const Real e : {0.0, 1e-4, 1e-3, 0.01, 0.1})
+        for (int k = 0; k <= 80; ++k) {
+          const Real radius = soil.su(e) * (1.0 + std::pow(10.0, -9.0 + k / 8.0));
+          for (int m = 0; m <= 12; ++m) {
+            const Real part_way =
+                m <= 6 ? std::pow(m / 6.0, 3) : 2.0 - std::pow((12 - m) / 6.0, 3);  // dense near both edges
+            f(soil, e, soil.su(e), std::array{radius, radius * (1.0 - part_way), -radius});
+          }
+        }
+    }
+}
+
+TEST(TrescaSoftening, SolvesItsImplicitEquationsForEverySofteningThatIsAdmitted)
+{
+  Real worst_face = 0.0, worst_edge = 0.0;
+  for_each_hard_trial([&](const Soil& soil, Real e, Real strength, const std::array<Real, 3>& t) {
+    const Probe point = returned_from(soil, stress_of(t, Zz::middle, 0.0), e);
+    const auto s = sorted_principal(point.sigma);
+    const Real d_e = point.state[0] - e;
+    const bool on_edge = s[0] - s[1] < 1e-9 * strength || s[1] - s[2] < 1e-9 * strength;
+    // Face: s1 - s3 = s1t - s3t - 4 G d_e. Edge: d_e is the norm of the plastic strain. Both: s1 - s3 = 2 S_u(e + d_e).
+    Real square = 0.0;
+    for (int k = 0; k < 3; ++k) square += 0.5 * (t[k] - s[k]) * (t[k] - s[k]);
+    const Real flow =
+        on_edge ? std::sqrt(square) - 2.0 * soil.G * d_e : 0.5 * (t[0] - t[2] - s[0] + s[2]) - 2.0 * soil.G * d_e;
+    const Real yield = 0.5 * (s[0] - s[2]) - soil.su(point.state[0]);
+    const Real residual = std::max(std::abs(flow), std::abs(yield));
+    const Real round_off = 8e-16 * (t[0] + soil.G * point.state[0]);  // of the numbers that this check itself subtracts
+    Real& worst = on_edge ? worst_edge : worst_face;
+    worst = std::max(worst, std::max(0.0, residual - round_off) / strength);
+  });
+  EXPECT_LT(worst_face, 5e-14);  // measured 3e-14 with five steps, 4e-7 with four
+  EXPECT_LT(worst_edge, 1e-14);  // measured round-off with four or more steps, 5e-9 with three
+}
+
+TEST(TrescaSoftening, FindsTheUniqueAnswerForEverySofteningThatIsAdmitted)
+{
+  Real worst = 0.0;
+  for_each_hard_trial([&](const Soil& soil, Real e, Real strength, const std::array<Real, 3>& t) {
+    const auto s = sorted_principal(returned_from(soil, stress_of(t, Zz::middle, 0.0), e).sigma);
+    const Answer exact = exact_return(soil, t, e);
+    for (int k = 0; k < 3; ++k) worst = std::max(worst, std::abs(s[k] - exact.s[k]) / std::max(strength, 1e-2 * t[0]));
+  });
+  EXPECT_LT(worst, 1e-11);
+}
+
+TEST(TrescaSoftening, IsContinuousFromTheFaceOntoBothEdges)
+{
+  const Soil soil{.eta = 400.0};
+  const std::array<Real, 3> t{20e3, 0.0, -20e3};
+  const Real shift = 2.0 * soil.G * exact_return(soil, t, 0.001).d_e;
+  for (const Real border : {t[0] - shift, t[2] + shift}) {
+    const auto below = returned_from(soil, stress_of({t[0], border - 1e-5, t[2]}, Zz::middle), 0.001);
+    const auto above = returned_from(soil, stress_of({t[0], border + 1e-5, t[2]}, Zz::middle), 0.001);
+    for (int c = 0; c < 4; ++c) EXPECT_NEAR(above.sigma[c], below.sigma[c], 1e-4);
+    EXPECT_NEAR(above.state[0], below.state[0], 1e-10);
+    EXPECT_NEAR(above.plastic_work, below.plastic_work, 1e-6);
+  }
+}
+
+TEST(TrescaSoftening, IsContinuousWhereZzChangesItsRank)
+{
+  const Soil soil;
+  for (const Real zz : {12e3, -18e3}) {  // the in-plane pair is 12 and -18 kPa
+    const auto below = returned_from(soil, test::rotated({{12e3, -18e3, zz - 1e-5, 0.0}}, 0.3), 0.0);
+    const auto above = returned_from(soil, test::rotated({{12e3, -18e3, zz + 1e-5, 0.0}}, 0.3), 0.0);
+    for (int c = 0; c < 4; ++c) EXPECT_NEAR(above.sigma[c], below.sigma[c], 1e-4);
+  }
+}
+
+TEST(TrescaSoftening, TheEdgeReturnLiesBetweenTheTwoFacesThatMeetThere)  // both plastic multipliers are not negative
+{
+  for_each_hard_trial([&](const Soil& soil, Real e, Real strength, const std::array<Real, 3>& t) {
+    const auto s = sorted_principal(returned_from(soil, stress_of(t, Zz::middle, 0.0), e).sigma);
+    ASSERT_GE(t[0] - s[0], -1e-12 * t[0]);
+    ASSERT_LE(t[2] - s[2], 1e-12 * t[0]);
+    const Real middle = t[1] - s[1];
+    ASSERT_TRUE(s[0] - s[1] >= 1e-9 * strength || middle >= -1e-10 * t[0]);
+    ASSERT_TRUE(s[1] - s[2] >= 1e-9 * strength || middle <= 1e-10 * t[0]);
+  });
+}
+
+TEST(TrescaSoftening, NeverChangesThePressure)
+{
+  test::Random random(71);
+  for (int k = 0; k < 2000; ++k) {
+    Stress trial;
+    for (int c = 0; c < 4; ++c) trial[c] = random.between(-50e3, 50e3);
+    const auto point = returned_from({}, trial, random.between(0.0, 0.1));
+    EXPECT_NEAR(trace(point.sigma), trace(trial), 1e-9);
+  }
+}
+
+TEST(TrescaSoftening, KeepsTheDirectionsOfTheTrialStress)
+{
+  for (const Real angle : {0.0, 0.3, 1.2, -0.8}) {
+    const auto point = returned_from({}, stress_of({25e3, 2e3, -15e3}, Zz::middle, angle), 0.0);
+    EXPECT_NEAR(test::rotated(point.sigma, angle)[3], 0.0, 1e-10);
+    EXPECT_GT(test::rotated(point.sigma, angle)[0], test::rotated(point.sigma, angle)[1]);
+  }
+}
+
+TEST(TrescaSoftening, PlasticWorkIsStressTimesPlasticStrainAndPositive)
+{
+  test::Random random(72);
+  int n_plastic = 0;
+  for (int k = 0; k < 2000; ++k) {
+    Stress trial, d_eps_p;
+    for (int c = 0; c < 4; ++c) trial[c] = random.between(-30e3, 30e3);
+    const auto point = returned_from({}, trial, random.between(0.0, 0.1));
+    for (int c = 0; c < 4; ++c) d_eps_p[c] = (trial[c] - point.sigma[c]) / (2.0 * Soil{}.G);
+    EXPECT_NEAR(point.plastic_work, double_dot(point.sigma, d_eps_p), 1e-10);
+    n_plastic += point.plastic_work > 0.0 ? 1 : 0;
+    const auto t = sorted_principal(trial), s = sorted_principal(point.sigma);
+    EXPECT_EQ(point.plastic_work > 0.0, t[0] - t[2] > s[0] - s[2] + 1e-6);
+  }
+  EXPECT_GT(n_plastic, 1500);
+}
+
+TEST(TrescaSoftening, IsElasticBelowItsStrength)
+{
+  const Stress trial = stress_of({7e3, 0.0, -8.9e3}, Zz::middle);
+  const auto point = returned_from({}, trial, 0.0);
+  EXPECT_EQ(point.sigma.c, trial.c);
+  EXPECT_EQ(point.state[0], 0.0);
+  EXPECT_EQ(point.plastic_work, 0.0);
+  EXPECT_GT(returned_from({}, trial, 0.01).state[0], 0.01) << "the softened soil yields under the same stress";
+}
+
+TEST(TrescaSoftening, CarriesAnyPressureAndAnyTension)
+{
+  for (const Real p : {-1e6, 3e5}) {
+    const Stress trial{{p, p, p, 7e3}};
+    EXPECT_EQ(returned_from({}, trial, 0.0).sigma.c, trial.c);
+  }
+}
+
+TEST(TrescaSoftening, NeverGetsItsStrengthBack)
+{
+  auto point = Soil{}.probe();
+  test::Random random(73);
+  Real before = 0.0;
+  for (int k = 0; k < 3000; ++k) {
+    point.strain({{random.between(-0.003, 0.003), random.between(-0.003, 0.003), random.between(-0.003, 0.003),
+                   random.between(-0.003, 0.003)}});
+    ASSERT_GE(point.state[0], before);
+    before = point.state[0];
+  }
+  EXPECT_GT(before, 0.06);
+}
+
+TEST(TrescaSoftening, IsDeterminedByStressAloneOnceResidual)  // far beyond the softening the result is perfect plasticity
+{
+  const Stress trial = stress_of({25e3, 2e3, -15e3}, Zz::middle);
+  const auto softened = returned_from({}, trial, 5.0);
+  const auto residual = returned_from({.su_peak = 2e3, .eta = 0.0}, trial, 0.0);
+  for (int c = 0; c < 4; ++c) EXPECT_NEAR(softened.sigma[c], residual.sigma[c], 1e-9);
+}
+
+std::vector<ParameterProblem> problems_of(const Soil& s)
+{
+  return find_material("tresca_softening")->check(std::vector<Real>{s.G, s.nu, s.su_peak, s.su_residual, s.eta});
+}
+
+TEST(TrescaSofteningCheck, RefusesSofteningThatIsTooSteep)
+{
+  const auto problems = problems_of({.eta = 800.0});
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].parameter, "eta");
+  EXPECT_EQ(problems[0].what, "softening is too steep");
+  EXPECT_EQ(problems[0].detail,
+            "eta (su_peak - su_residual) = 4.8e+06 Pa, at most 1.5 G = 3e+06 Pa\n"
+            "(beyond sqrt(3) G the return mapping has no unique answer). Use eta <= 500, or a stiffer soil.");
+}
+
+TEST(TrescaSofteningCheck, AdmitsTheLimitItself)
+{
+  EXPECT_TRUE(problems_of({.eta = 500.0}).empty());
+  EXPECT_EQ(problems_of({.eta = 500.001}).size(), 1u);
+}
+
+TEST(TrescaSofteningCheck, RefusesAResidualStrengthAboveThePeak)
+{
+  const auto problems = problems_of({.su_residual = 9e3});
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].parameter, "su_residual");
+  EXPECT_EQ(problems[0].what, "the residual strength exceeds the peak strength");
+  EXPECT_EQ(problems[0].detail, "su_residual = 9000 Pa, at most su_peak = 8000 Pa.");
+}
+
+TEST(TrescaSofteningCheck, AdmitsSoilThatDoesNotSoften)
+{
+  EXPECT_TRUE(problems_of({.su_residual = 8e3}).empty());
+  EXPECT_TRUE(problems_of({.eta = 0.0}).empty());
+}
+
+}  // namespace
+}  // namespace terp

@@ -1,0 +1,146 @@
+// Packs: eight numbers at once give what one number at a time gives, and the exponential is exact to 1e-15.
+
+#include "parallel/pack.hpp"
+
+#include "support/random.hpp"
+
+#include <gmock/gmock.h>
+#include <limits>
+
+namespace terp {
+namespace {
+
+constexpr Real infinity = std::numeric_limits<Real>::infinity();
+constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
+
+Pack pack_of(const std::array<Real, 8>& a)
+{
+  alignas(64) std::array<Real, 8> aligned = a;
+  return Pack::load(aligned.data());
+}
+
+std::array<Real, 8> lanes_of(Pack a)
+{
+  alignas(64) std::array<Real, 8> lanes;
+  a.store(lanes.data());
+  return lanes;
+}
+
+const std::array<Real, 8> some{3.0, -1.0, 0.5, 7.0, -2.25, 0.0, 11.0, 1e-3};
+const std::array<Real, 8> other{-4.0, 2.0, 0.5, 8.0, -3.0, 1.0, 10.0, 1e3};
+
+TEST(Pack, LoadsAndStoresLanesInOrder) { EXPECT_EQ(lanes_of(pack_of(some)), some); }
+
+TEST(Pack, LaneNumbersCountFromZero) { EXPECT_THAT(lanes_of(lane_numbers()), testing::ElementsAre(0, 1, 2, 3, 4, 5, 6, 7)); }
+
+TEST(Pack, ArithmeticActsLaneByLane)
+{
+  const Pack a = pack_of(some), b = pack_of(other);
+  Pack sum_in_place = a, difference_in_place = a, product_in_place = a;
+  sum_in_place += b;
+  difference_in_place -= b;
+  product_in_place *= b;
+  for (int k = 0; k < 8; ++k) {
+    EXPECT_EQ((a + b)[k], some[k] + other[k]);
+    EXPECT_EQ((a - b)[k], some[k] - other[k]);
+    EXPECT_EQ((a * b)[k], some[k] * other[k]);
+    EXPECT_EQ((a / b)[k], some[k] / other[k]);
+    EXPECT_EQ((-a)[k], -some[k]);
+    EXPECT_EQ(sum_in_place[k], some[k] + other[k]);
+    EXPECT_EQ(difference_in_place[k], some[k] - other[k]);
+    EXPECT_EQ(product_in_place[k], some[k] * other[k]);
+  }
+}
+
+TEST(Pack, ComparisonsChooseLaneByLane)
+{
+  const Pack a = pack_of(some), b = pack_of(other);
+  EXPECT_EQ(to_bits(a < b), 0b10101010u);
+  EXPECT_EQ(to_bits(a > b), 0b01010001u);
+  EXPECT_EQ(to_bits(a <= b), 0b10101110u);
+  EXPECT_EQ(to_bits(a >= b), 0b01010101u);
+  EXPECT_EQ(to_bits((a < b) & (a > Pack(0.0))), 0b10001000u);
+  EXPECT_EQ(to_bits((a < b) | (a > Pack(0.0))), 0b11101111u);
+  EXPECT_EQ(to_bits(!(a < b)), 0b01010101u);
+  EXPECT_TRUE(any_of(a < b));
+  EXPECT_FALSE(any_of(a > Pack(100.0)));
+  for (int k = 0; k < 8; ++k) {
+    EXPECT_EQ(select(a < b, a, b)[k], select(some[k] < other[k], some[k], other[k]));
+    EXPECT_EQ(min(a, b)[k], std::fmin(some[k], other[k]));
+    EXPECT_EQ(max(a, b)[k], std::fmax(some[k], other[k]));
+    EXPECT_EQ(abs(a)[k], std::fabs(some[k]));
+  }
+}
+
+TEST(Pack, RootAndFusedProductAreTheSameAsAlone)
+{
+  const Pack a = pack_of(some), b = pack_of(other), c = pack_of({1e-17, -2.0, 0.25, 1e17, 3.0, -0.5, 1.0, 9.0});
+  for (int k = 0; k < 8; ++k) {
+    EXPECT_EQ(fma(a, b, c)[k], fma(some[k], other[k], c[k]));
+    EXPECT_EQ(sqrt(abs(a))[k], std::sqrt(std::fabs(some[k])));
+  }
+}
+
+TEST(Pack, SumsInTheOrderItPromises)
+{
+  Real expected = ((1.0 + 1e16) + (3.0 - 1e16)) + ((2.0 + 0.5) + (4.0 + 0.25));
+  EXPECT_EQ(sum(pack_of({1.0, 2.0, 3.0, 4.0, 1e16, 0.5, -1e16, 0.25})), expected);
+  EXPECT_NE(expected, 1.0 + 2.0 + 3.0 + 4.0 + 1e16 + 0.5 - 1e16 + 0.25) << "the numbers do not tell orders apart";
+}
+
+TEST(Pack, RoundsCountsUpToWholePacks)
+{
+  EXPECT_EQ(round_up_to_pack(0), 0);
+  EXPECT_EQ(round_up_to_pack(1), 8);
+  EXPECT_EQ(round_up_to_pack(8), 8);
+  EXPECT_EQ(round_up_to_pack(25), 32);
+}
+
+TEST(Exponential, IsWithin1eMinus15OverItsWholeRange)
+{
+  test::Random random(1);
+  long double worst = 0.0L;
+  for (int k = 0; k < 400000; ++k) {
+    const Real x = k % 2 ? random.between(-700.0, 700.0) : random.between(-30.0, 1.0);
+    const long double exact = std::exp(static_cast<long double>(x));
+    worst = std::max(worst, std::abs(exponential(x) / exact - 1.0L));
+  }
+  EXPECT_LT(worst, 1e-15L);
+}
+
+TEST(Exponential, AgreesWithTheStandardLibraryAtTheEnds)
+{
+  for (const Real x : {-700.0, -699.99, -1e-300, 0.0, 1e-17, 1.0, 699.99, 700.0})
+    EXPECT_NEAR(exponential(x) / std::exp(x), 1.0, 1e-15) << "x = " << x;
+  EXPECT_EQ(exponential(0.0), 1.0);
+}
+
+TEST(Exponential, IsTheSameInAPackAndAlone)
+{
+  test::Random random(2);
+  for (int k = 0; k < 10000; ++k) {
+    std::array<Real, 8> x;
+    for (Real& value : x) value = random.between(-750.0, 750.0);
+    const auto y = lanes_of(exponential(pack_of(x)));
+    for (int lane = 0; lane < 8; ++lane) ASSERT_EQ(y[lane], exponential(x[lane])) << "x = " << x[lane];
+  }
+}
+
+TEST(Exponential, StaysAtItsLimitsOutsideItsRange)
+{
+  EXPECT_EQ(exponential(800.0), exponential(700.0));
+  EXPECT_EQ(exponential(-1e6), exponential(-700.0));
+  EXPECT_EQ(exponential(infinity), exponential(700.0));
+  EXPECT_EQ(exponential(-infinity), exponential(-700.0));
+}
+
+TEST(Exponential, KeepsNotANumber)
+{
+  EXPECT_TRUE(std::isnan(exponential(not_a_number)));
+  const auto y = lanes_of(exponential(pack_of({0.0, not_a_number, 1.0, 0.0, 0.0, 0.0, 0.0, -not_a_number})));
+  EXPECT_TRUE(std::isnan(y[1]) && std::isnan(y[7]));
+  EXPECT_EQ(y[0], 1.0);
+}
+
+}  // namespace
+}  // namespace terp

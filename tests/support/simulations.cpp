@@ -1,0 +1,95 @@
+#include "support/simulations.hpp"
+
+#include "simulation/setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace terp::test {
+
+using Rows = PointRows<2>;
+
+Simulation::Simulation(const Case& description, int threads)
+    : model(build_model(description, threads)), state(build_state(model)), work(model, state)
+{
+}
+
+Simulation::Simulation(Model ready_model, State ready_state)
+    : model(std::move(ready_model)), state(std::move(ready_state)), work(model, state)
+{
+}
+
+void Simulation::step(std::int64_t n)
+{
+  for (std::int64_t k = 0; k < n; ++k) model.step(model, state, work);
+}
+
+std::vector<Point> points_by_id(const State& state)
+{
+  std::vector<Point> points;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const auto at = [&](int row) { return block.row(row)[lane]; };
+    Point p{.id = static_cast<std::int64_t>(at(Rows::id)), .cell = block.cell, .material = block.material,
+            .x = {at(Rows::x), at(Rows::x + 1)}, .local = {at(Rows::xi), at(Rows::xi + 1)}, .v = {at(Rows::v), at(Rows::v + 1)},
+            .mass = at(Rows::mass), .volume = at(Rows::volume), .sigma = {}, .strain = {}, .values = {}};
+    for (int k = 0; k < 4; ++k) {
+      p.sigma[k] = at(Rows::sigma + k);
+      p.strain[k] = at(Rows::strain + k);
+    }
+    for (int k = 0; k < state.points.n_rows() - Rows::state; ++k) p.values[k] = at(Rows::state + k);
+    points.push_back(p);
+  });
+  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.id < b.id; });
+  return points;
+}
+
+Vec<2> momentum(const State& state)
+{
+  Vec<2> sum{0.0, 0.0};
+  for (const Point& p : points_by_id(state))
+    for (int d = 0; d < 2; ++d) sum[d] += p.mass * p.v[d];
+  return sum;
+}
+
+Real momentum_scale(const State& state)
+{
+  Real sum = 0.0;
+  for (const Point& p : points_by_id(state)) sum += p.mass * std::hypot(p.v[0], p.v[1]);
+  return sum;
+}
+
+Real kinetic_energy(const std::vector<Point>& points)
+{
+  Real sum = 0.0;
+  for (const Point& p : points) sum += 0.5 * p.mass * (p.v[0] * p.v[0] + p.v[1] * p.v[1]);
+  return sum;
+}
+
+namespace {
+
+template <class T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b)
+{
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+bool same_array(const NamedArray& a, const NamedArray& b)
+{
+  if (a.name != b.name || a.shape != b.shape || a.values.index() != b.values.index()) return false;
+  if (const auto* reals = std::get_if<std::vector<Real>>(&a.values)) return same_bits(*reals, std::get<std::vector<Real>>(b.values));
+  return same_bits(std::get<std::vector<std::int64_t>>(a.values), std::get<std::vector<std::int64_t>>(b.values));
+}
+
+}  // namespace
+
+std::string first_difference(const StateImage& a, const StateImage& b)
+{
+  if (a.time != b.time || a.step != b.step) return "time or step";
+  if (a.arrays.size() != b.arrays.size()) return "number of arrays";
+  for (std::size_t k = 0; k < a.arrays.size(); ++k)
+    if (a.arrays[k].name != "wall_s" && !same_array(a.arrays[k], b.arrays[k])) return a.arrays[k].name;
+  return "";
+}
+
+}  // namespace terp::test

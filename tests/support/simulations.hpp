@@ -1,0 +1,55 @@
+// A case that is ready to step, and its material points as a test looks at them.
+#pragma once
+
+#include "simulation/model.hpp"
+#include "simulation/observer.hpp"
+#include "simulation/state.hpp"
+#include "simulation/workspace.hpp"
+
+#include <string>
+
+namespace terp::test {
+
+struct Simulation {
+  /// Builds everything; seeks no equilibrium and starts no audit.
+  explicit Simulation(const Case& description, int threads = 1);
+  Simulation(Model ready_model, State ready_state);
+
+  void step(std::int64_t n = 1);
+
+  Model model;
+  State state;
+  Workspace work;
+};
+
+/// One material point.
+struct Point {
+  std::int64_t id;
+  Index cell, material;
+  Vec<2> x, local, v;
+  Real mass, volume;
+  std::array<Real, 4> sigma, strain;  ///< xx yy zz xy
+  std::array<Real, max_state> values;  ///< state variables
+  Real eps_eq_p() const { return values[0]; }
+};
+
+/// All points, sorted by id.
+std::vector<Point> points_by_id(const State& state);
+
+/// Sum over the points of mass times velocity [kg m/s per m].
+Vec<2> momentum(const State& state);
+/// Sum over the points of mass times |v|: what a change of momentum is measured against [kg m/s per m].
+Real momentum_scale(const State& state);
+Real kinetic_energy(const std::vector<Point>& points);
+
+/// Calls change(point's block, lane) for every point; the block's rows may be written to.
+template <class F>
+void edit_points(State& state, F&& change)
+{
+  for_each_point(state.points, change);
+}
+
+/// Name of the first array that differs in any bit, "" if none does. The clock, wall_s, does not count.
+std::string first_difference(const StateImage& a, const StateImage& b);
+
+}  // namespace terp::test

@@ -1,0 +1,209 @@
+#include "support/twin.hpp"
+
+#include "simulation/step.hpp"
+#include "support/paths.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace terp::test {
+namespace {
+
+using Json = nlohmann::json;
+using Rows = PointRows<2>;
+
+const Json& scenarios()
+{
+  static const Json all = Json::parse(std::ifstream(source_path("tests/reference/one_step.json"))).at("scenarios");
+  return all;
+}
+
+const Json& find_scenario(const std::string& name)
+{
+  for (const Json& s : scenarios())
+    if (s.at("name") == name) return s;
+  throw std::runtime_error("no scenario " + name);
+}
+
+/// All sides of cells on the mesh's boundary with both nodes chosen.
+template <class Chosen>
+NamedSide side_of(const Mesh<2>& mesh, const char* name, Chosen&& chosen)
+{
+  NamedSide side{name, {}};
+  for (Index e = 0; e < mesh.n_cells(); ++e)
+    for (int s = 0; s < 4; ++s)
+      if (mesh.neighbours[e][s] == outside && chosen(mesh.cells[e][s]) && chosen(mesh.cells[e][(s + 1) % 4])) side.edges.push_back({e, s});
+  return side;
+}
+
+Mesh<2> make_mesh(const Json& j)
+{
+  Mesh<2> mesh;
+  mesh.nodes = j.at("nodes").get<std::vector<Vec<2>>>();
+  mesh.cells = j.at("cells").get<std::vector<std::array<Index, 4>>>();
+  connect(mesh);
+  const auto fixed = j.at("fixed").get<std::vector<std::array<int, 2>>>();
+  const auto contact = j.at("contact").at("nodes").get<std::vector<Index>>();
+  mesh.sides.push_back(side_of(mesh, "wall", [&](Index i) { return fixed[i][0] == 1; }));
+  mesh.sides.push_back(side_of(mesh, "base", [&](Index i) { return fixed[i][1] == 1; }));
+  mesh.sides.push_back(side_of(mesh, "slab", [&](Index i) { return std::count(contact.begin(), contact.end(), i) == 1; }));
+  return mesh;
+}
+
+/// One number for all nodes of the contact; 0 without contact.
+Real common_value(const Json& list)
+{
+  return list.empty() ? 0.0 : list.at(0).get<Real>();
+}
+
+Boundary make_boundary(const Mesh<2>& mesh, const Json& contact)
+{
+  return Boundary(mesh, {{"wall", Hold::normal, 0.0, 0.0, {}},
+                         {"base", Hold::normal, 0.0, 0.0, {}},
+                         {"slab", Hold::contact, common_value(contact.at("adhesion")), common_value(contact.at("friction")), {}}});
+}
+
+const NodeHold* find_hold(const Boundary& boundary, Index node, Hold kind, int direction)
+{
+  const NodeCondition* c = boundary.at(node);
+  for (int k = 0; c != nullptr && k < c->n; ++k)
+    if (c->holds[k].hold == kind && std::abs(c->holds[k].normal[direction]) > 0.5) return &c->holds[k];
+  return nullptr;
+}
+
+/// The JSON's flags and contact lists against what the sides gave.
+void check_boundary(const Boundary& boundary, const Json& mesh)
+{
+  const auto require = [](bool holds, const std::string& what) {
+    if (!holds) throw std::runtime_error("the scenario's boundary is not that of the sides: " + what);
+  };
+  const Json &fixed = mesh.at("fixed"), &contact = mesh.at("contact");
+  for (std::size_t i = 0; i < fixed.size(); ++i)
+    for (int d = 0; d < 2; ++d)
+      require((find_hold(boundary, static_cast<Index>(i), Hold::normal, d) != nullptr) == (fixed[i][d] == 1), "fixed");
+  for (std::size_t k = 0; k < contact.at("nodes").size(); ++k) {
+    const NodeHold* hold = find_hold(boundary, contact.at("nodes")[k], Hold::contact, 1);
+    const Real force = contact.at("adhesion")[k].get<Real>() * contact.at("length")[k].get<Real>();
+    require(hold != nullptr && std::abs(hold->adhesion_force - force) < 1e-12 * force, "adhesion");
+    require(hold->friction == contact.at("friction")[k].get<Real>(), "friction");
+  }
+}
+
+SoilMaterial make_material(const Json& j)
+{
+  const MaterialType* type = find_material(j.at("law").get<std::string>());
+  std::vector<Real> values;
+  for (const ParameterInfo& p : type->parameters) values.push_back(j.at(std::string(p.name)).get<Real>());
+  return {"soil", type, type->make(values), j.at("density").get<Real>()};
+}
+
+Model make_model(const Json& j)
+{
+  const Json& o = j.at("options");
+  Model model;
+  model.mesh = make_mesh(j.at("mesh"));
+  model.materials.push_back(make_material(j.at("material")));
+  model.method.filled_fraction = o.at("filled_fraction");
+  model.method.force_operator = o.at("force_operator") == "b" ? ForceOperator::b : ForceOperator::b_bar;
+  model.method.objective_rate = o.at("objective_rate") == "jaumann" ? ObjectiveRate::jaumann : ObjectiveRate::none;
+  model.gravity = o.at("gravity").get<Vec<2>>();
+  model.damping.local = o.at("local_damping");
+  model.step = find_step(j.at("scheme").get<std::string>());
+  model.dt = j.at("dt");
+  model.largest_density = model.materials[0].density;
+  model.n_state = model.materials[0].n_state();
+  return model;
+}
+
+void put_row(const Json& value, int row, std::vector<Real>& values)
+{
+  if (value.is_number()) {
+    values[row] = value;
+    return;
+  }
+  for (std::size_t k = 0; k < value.size(); ++k) values[row + static_cast<int>(k)] = value[k];
+}
+
+State make_state(const Model& model, const Json& points)
+{
+  State state;
+  state.points = PointBlocks<2>(model.mesh.n_cells(), model.n_state);
+  const std::size_t n = points.at("x").size();
+  for (std::size_t p = 0; p < n; ++p) {
+    std::vector<Real> values(state.points.n_rows(), 0.0);
+    const Index cell = points.at("cell")[p];
+    put_row(points.at("x")[p], Rows::x, values);
+    put_row(points.at("v")[p], Rows::v, values);
+    put_row(points.at("mass")[p], Rows::mass, values);
+    put_row(points.at("volume")[p], Rows::volume, values);
+    put_row(points.at("sigma")[p], Rows::sigma, values);
+    put_row(points.at("strain")[p], Rows::strain, values);
+    if (model.n_state > 0) put_row(points.at("eps_eq_p")[p], Rows::state, values);
+    values[Rows::id] = static_cast<Real>(p);
+    const Vec<2> centre = model.mesh.centres[cell];
+    const auto local = local_coordinates(model.mesh.geometry(cell), values[Rows::x] - centre[0], values[Rows::x + 1] - centre[1]);
+    for (int d = 0; d < 2; ++d) values[Rows::xi + d] = local[d];
+    state.points.add(cell, 0, values);
+  }
+  state.points.update_occupied();
+  state.x_initial.resize(2 * n);
+  return state;
+}
+
+std::vector<Real> flat(const Json& rows)
+{
+  std::vector<Real> values;
+  for (const Json& row : rows) {
+    const std::vector<Real> numbers = row.is_number() ? std::vector<Real>{row.get<Real>()} : row.get<std::vector<Real>>();
+    values.insert(values.end(), numbers.begin(), numbers.end());
+  }
+  return values;
+}
+
+}  // namespace
+
+std::vector<std::string> scenario_names()
+{
+  std::vector<std::string> names;
+  for (const Json& s : scenarios()) names.push_back(s.at("name"));
+  return names;
+}
+
+Scenario load_scenario(const std::string& name)
+{
+  const Json& j = find_scenario(name);
+  Scenario s{.name = name, .n_steps = j.at("n_steps"), .model = make_model(j), .state = {}, .expected = {}};
+  s.model.boundary = make_boundary(s.model.mesh, j.at("mesh").at("contact"));
+  check_boundary(s.model.boundary, j.at("mesh"));
+  s.state = make_state(s.model, j.at("points"));
+  for (const char* field : {"x", "v", "volume", "sigma", "strain", "eps_eq_p"}) s.expected.push_back({field, flat(j.at("expected").at(field))});
+  return s;
+}
+
+Scenario load_free_scenario(const std::string& name)
+{
+  Scenario s = load_scenario(name);
+  s.model.boundary = Boundary(s.model.mesh, {});
+  s.model.damping.local = 0.0;
+  return s;
+}
+
+std::vector<Real> field_values(const State& state, const std::string& name)
+{
+  std::vector<Real> values;
+  const auto put = [&](const auto& numbers) { values.insert(values.end(), numbers.begin(), numbers.end()); };
+  for (const Point& p : points_by_id(state)) {
+    if (name == "x") put(p.x);
+    if (name == "v") put(p.v);
+    if (name == "volume") values.push_back(p.volume);
+    if (name == "sigma") put(p.sigma);
+    if (name == "strain") put(p.strain);
+    if (name == "eps_eq_p") values.push_back(p.eps_eq_p());
+  }
+  return values;
+}
+
+}  // namespace terp::test
