@@ -4,6 +4,7 @@
 #include "input/case_file.hpp"
 #include "output/checkpoint.hpp"
 #include "output/run_writer.hpp"
+#include "output/summary_json.hpp"
 #include "parallel/threads.hpp"
 #include "progress.hpp"
 #include "simulation/run.hpp"
@@ -66,6 +67,7 @@ int solve(const Model& model, State& state, RunWriter& writer, const RunOptions&
   ProgressLine progress(options.quiet);
   Observer* const observers[] = {&writer, &progress};
   Workspace work(model, state);
+  writer.summary(summarise(model, state), false);  // also names the case for `resume`
   try {
     const Outcome outcome = run(model, state, work, observers, stop_requested);
     progress.finish();
@@ -132,7 +134,7 @@ int resume_run(const RunOptions& options)
   Model model = build_model(file.values, threads_of(options));
   build_state(model);  // names the history points
   State state = restore(model, image);
-  const std::string name = file.values.name;
+  const std::string name = case_name_in(folder);
   const auto writer = RunWriter::resume({folder, {name, file.text}, file.values.output.checkpoint_keep}, image.step, image.time);
   if (!options.quiet) fmt::print("resuming {} at t = {:.4g} s, step {} of {}\n", folder, state.time, state.step, model.n_steps);
   return solve(model, state, *writer, options, folder);

@@ -103,7 +103,7 @@ std::string describe_section(const SectionInfo& section)
   for (const SectionInfo& below : all_sections())
     if (parent_path(below.path) == section.path)
       out += fmt::format("  {}\n    {}\n", header_of(below.path), below.meaning);
-  if (section.path == "mesh") out += "\nKeys that belong together\n" + mesh_kinds_text("  ");
+  if (section.path == "mesh") out += "\nKeys that belong together\n" + mesh_kinds_text("  ") + '\n';
   if (section.path == "material.NAME")
     out += fmt::format("  and those of the model: terp explain MODEL, one of {}\n", plain_list(material_model_names()));
   return out;

@@ -43,7 +43,9 @@ std::string fault_of_file(const fs::path& path)
 
 fs::path absolute_path(const std::string& folder, const std::string& name)
 {
-  return fs::absolute(fs::path(folder) / name).lexically_normal();
+  std::error_code error;
+  const fs::path path = fs::absolute(fs::path(folder) / name), real = fs::weakly_canonical(path, error);
+  return error ? path : real;
 }
 
 }  // namespace

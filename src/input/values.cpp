@@ -279,10 +279,15 @@ bool ValueReader::operator()(const NamedEdges& field)
       good = wrong_type(side, path);
       continue;
     }
-    std::vector<Index> edges(side.items.size());
-    for (std::size_t k = 0; k < edges.size(); ++k)
-      good = read_count(side.items[k], fmt::format("{}[{}]", path, k), edges[k]) && good;
-    field.sides->push_back({side.name, edges});
+    EdgesCase& edges = field.sides->emplace_back();
+    edges.side = side.name;
+    for (std::size_t k = 0; k < side.items.size(); ++k) {
+      Index edge = 0;
+      if (read_count(side.items[k], fmt::format("{}[{}]", path, k), edge))
+        edges.edges.push_back(edge);
+      else
+        good = false;
+    }
   }
   return good;
 }

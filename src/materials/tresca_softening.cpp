@@ -109,12 +109,14 @@ struct TrescaSoftening {
             select(on_edge, at_edge.minor, result.minor)};
   }
 
-  /// True where a Newton step still matters: the strength changed by more than round-off over it, and so did its slope.
+  /// True where a Newton step still matters: the strength changed by more than round-off over it, and so did its slope. strength:
+  /// before the step; a long step back from an overshoot leads to where far more of it is left than it says.
   template <class R>
   auto unsettled(R step, const Strength<R>& strength) const
   {
     const R change = abs(step) * R(eta);
-    return (change > R(settled_change)) & (change * strength.left > R(settled_strength) * strength.su);
+    const auto long_way_back = R(-eta) * step > R(1.0);
+    return (change > R(settled_change)) & (long_way_back | (change * strength.left > R(settled_strength) * strength.su));
   }
 
   /// Solves s1 - s3 - 4 G d = 2 S_u(eps_eq_p + d) for d >= 0. From d = 0 the first step overshoots, the rest fall.

@@ -45,8 +45,9 @@ std::array<std::array<R, 2>, 2> jacobian(const CellGeometry<2>& cell, R xi, R et
   return j;
 }
 
-/// Newton steps of the inverse map from the parallelogram's answer. Measured on quadrilaterals with nodes moved by up to 35 % of
-/// the side, for places up to half a cell outside: round-off after six (tests/mesh/cell_geometry_test.cpp).
+/// Newton steps of the inverse map from the parallelogram's answer. Measured (tests/mesh/cell_geometry_test.cpp): round-off after six
+/// in squares with corners moved by up to 30 % of the side, and with 25 % also a tenth of the side beyond. At 35 %, where a corner
+/// may be almost straight, 1e-4 of the side after six, round-off after ten.
 inline constexpr int inverse_map_steps = 6;
 
 /// Improves local coordinates of a place, given as offset from the cell's centre [m], by Newton steps.

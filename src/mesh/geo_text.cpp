@@ -1,6 +1,6 @@
 #include "mesh/geo_text.hpp"
 
-#include "mesh/check_mesh.hpp"
+#include "mesh/mesh_error.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

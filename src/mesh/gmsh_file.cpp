@@ -7,9 +7,9 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
+#include <sstream>
 #include <unordered_map>
 
 namespace terp {
@@ -22,9 +22,9 @@ const std::string all_quads_advice =
 std::string contents_of(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file || text.empty()) throw MeshError(fmt::format("{}: there is no such file, it cannot be read, or it is empty", path));
-  return text;
+  std::ostringstream text;
+  if (!file || !(text << file.rdbuf())) throw MeshError(fmt::format("{}: there is no such file, it cannot be read, or it is empty", path));
+  return std::move(text).str();
 }
 
 /// Where a node of the file stands in MshContent, by gmsh's number.
@@ -62,7 +62,9 @@ void refuse_other_elements(const MshContent& content, const NodeTable& table)
   for (const MshElement& element : content.others)
     faults.add(fmt::format("element {} is a {}", element.number, msh_type_name(element.type)), places_of(content, table, element), all_quads_advice);
   faults.count_more(content.n_others - static_cast<std::int64_t>(content.others.size()));
-  if (content.n_others == 0 && content.quads.empty()) faults.add("it holds no quadrilaterals", "", all_quads_advice + " With physical groups gmsh saves only what is in a group: put the surfaces in one.");
+  if (content.n_others == 0 && content.quads.empty())
+    faults.add("it holds no quadrilaterals", "",
+               all_quads_advice + " Where there are physical groups gmsh saves only what is in one: put the surfaces in a group.");
   faults.stop_if_any("the file");
 }
 
@@ -84,6 +86,14 @@ struct FileCell {
   std::vector<int> groups;
 };
 
+/// Gives the cell a group it does not have yet. False if there is none.
+bool join(FileCell& cell, const std::vector<int>& groups)
+{
+  if (groups.empty() || std::find(cell.groups.begin(), cell.groups.end(), groups[0]) != cell.groups.end()) return false;
+  cell.groups.push_back(groups[0]);
+  return true;
+}
+
 std::vector<FileCell> merge_groups(const MshContent& content, const NodeTable& table)
 {
   std::vector<FileCell> cells;
@@ -92,13 +102,7 @@ std::vector<FileCell> merge_groups(const MshContent& content, const NodeTable& t
     const auto& groups = content.group_sets[quad.groups];
     if (content.version == "2.2") {
       const auto [at, is_new] = known.try_emplace(quad.nodes, cells.size());
-      auto& all = cells.size() > at->second ? cells[at->second].groups : cells.emplace_back().groups;
-      const bool another_group = !groups.empty() && std::find(all.begin(), all.end(), groups[0]) == all.end();
-      if (!is_new && another_group) {
-        all.push_back(groups[0]);
-        continue;
-      }
-      if (is_new) cells.pop_back();
+      if (!is_new && join(cells[at->second], groups)) continue;
     }
     FileCell cell{{}, quad.number, groups};
     for (int k = 0; k < 4; ++k) cell.nodes[k] = static_cast<Index>(table.at(quad.nodes[k]));
@@ -113,8 +117,7 @@ Real signed_area(const MshContent& content, const std::array<Index, 4>& nodes)
   return 0.5 * ((c[0] - a[0]) * (d[1] - b[1]) - (c[1] - a[1]) * (d[0] - b[0]));
 }
 
-/// Distance along the Hilbert curve of order 16 through a square of 65536 x 65536, after the algorithm in
-/// J. Skilling, "Programming the Hilbert curve", AIP Conf. Proc. 707 (2004), in its well-known 2-D form.
+/// Distance along the Hilbert curve through a square of 65536 x 65536: quadrant by quadrant, each turned so that the ends meet.
 std::uint64_t hilbert_distance(std::uint32_t x, std::uint32_t y)
 {
   constexpr std::uint32_t size = 1u << 16;
@@ -237,32 +240,38 @@ EdgeTable cells_of_edges(const Mesh<2>& mesh)
   return table;
 }
 
+/// What lines are matched with.
+struct LineTables {
+  const MshContent& content;
+  const NodeTable& table;             // of the file's nodes
+  const std::vector<Index>& place;    // of the file's nodes in the mesh, or -1
+  EdgeTable edges;
+};
+
 /// The side of a cell that a line of the file lies on; a fault and nothing if it is not on the boundary.
-const CellSide* side_of_line(const MshContent& content, const NodeTable& table, const std::vector<Index>& place, const EdgeTable& edges,
-                             const MshElement& line, const std::string& name, MeshFaults& faults)
+const CellSide* side_of_line(const LineTables& tables, const MshElement& line, const std::string& name, MeshFaults& faults)
 {
-  const Index a = place[table.at(line.nodes[0])], b = place[table.at(line.nodes[1])];
-  const auto edge = edges.find(std::minmax(a, b));
-  if (edge != edges.end() && edge->second.size() == 1) return &edge->second[0];
-  const char* what = edge == edges.end() ? "is not the side of a cell" : "lies inside the mesh, between two cells";
-  faults.add(fmt::format("line {} of side `{}` {}", line.number, name, what), places_of(content, table, line),
+  const Index a = tables.place[tables.table.at(line.nodes[0])], b = tables.place[tables.table.at(line.nodes[1])];
+  const auto edge = tables.edges.find(std::minmax(a, b));
+  if (edge != tables.edges.end() && edge->second.size() == 1) return &edge->second[0];
+  const char* what = edge == tables.edges.end() ? "is not the side of a cell" : "lies inside the mesh, between two cells";
+  faults.add(fmt::format("line {} of side `{}` {}", line.number, name, what), places_of(tables.content, tables.table, line),
              "Physical groups of dimension 1 name parts of the boundary. Take other curves out of them.");
   return nullptr;
 }
 
-void add_sides(const MshContent& content, const NodeTable& table, const std::vector<Index>& place, Mesh<2>& mesh)
+void add_sides(const LineTables& tables, Mesh<2>& mesh)
 {
-  const EdgeTable edges = cells_of_edges(mesh);
   std::map<int, std::vector<CellSide>> sides_of_group;
   std::set<std::array<Index, 3>> known;  // group, cell, side: a line may be there twice
   MeshFaults faults;
-  for (const MshElement& line : content.lines)
-    for (const int group : content.group_sets[line.groups]) {
-      const CellSide* side = side_of_line(content, table, place, edges, line, name_of_group(content, 1, group), faults);
+  for (const MshElement& line : tables.content.lines)
+    for (const int group : tables.content.group_sets[line.groups]) {
+      const CellSide* side = side_of_line(tables, line, name_of_group(tables.content, 1, group), faults);
       if (side != nullptr && known.insert({group, side->cell, side->side}).second) sides_of_group[group].push_back(*side);
     }
   faults.stop_if_any("the mesh");
-  mesh.sides = named_in_order<NamedSide>(content, 1, sides_of_group);
+  mesh.sides = named_in_order<NamedSide>(tables.content, 1, sides_of_group);
 }
 
 Mesh<2> make_mesh(const MshContent& content)
@@ -276,7 +285,7 @@ Mesh<2> make_mesh(const MshContent& content)
   const std::vector<Index> place = add_nodes_and_cells(content, cells, mesh);
   check_mesh(mesh);
   add_regions(content, cells, mesh);
-  add_sides(content, table, place, mesh);
+  add_sides({content, table, place, cells_of_edges(mesh)}, mesh);
   connect(mesh);
   return mesh;
 }

@@ -1,6 +1,6 @@
 #include "mesh/gmsh_nodes.hpp"
 
-#include "mesh/check_mesh.hpp"
+#include "mesh/mesh_error.hpp"
 
 #include <cstring>
 #include <unordered_map>

@@ -34,7 +34,9 @@ std::string corner_names(const Mesh<2>& mesh, Index cell)
 
 void MeshFaults::add(const std::string& what, const std::string& places, const std::string& advice)
 {
-  if (++n_ > most_shown) return;
+  ++n_;
+  if (n_shown_ == most_shown) return;
+  ++n_shown_;
   text_ += "\n  " + what;
   if (!places.empty()) text_ += "\n    " + places;
   if (!advice.empty() && std::find(advice_.begin(), advice_.end(), advice) == advice_.end()) advice_.push_back(advice);
@@ -44,7 +46,7 @@ void MeshFaults::stop_if_any(const std::string& title) const
 {
   if (empty()) return;
   std::string text = fmt::format("{} has {} fault{}:{}", title, n_, n_ == 1 ? "" : "s", text_);
-  if (n_ > most_shown) text += fmt::format("\n  and {} more", n_ - most_shown);
+  if (n_ > n_shown_) text += fmt::format("\n  and {} more", n_ - n_shown_);
   for (const auto& advice : advice_) text += "\n  " + advice;
   throw MeshError(text);
 }

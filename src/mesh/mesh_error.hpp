@@ -30,12 +30,14 @@ class MeshFaults {
   /// what: one line on what is wrong and where, without full stop. places: nodes and coordinates; may be empty.
   /// advice: a sentence on what to do; may be empty.
   void add(const std::string& what, const std::string& places, const std::string& advice);
+  /// Counts faults that are not shown.
+  void count_more(std::int64_t n) { n_ += n; }
   bool empty() const { return n_ == 0; }
   /// Throws MeshError if there is any. title: what has the faults, e.g. "the mesh".
   void stop_if_any(const std::string& title) const;
 
  private:
-  std::int64_t n_ = 0;
+  std::int64_t n_ = 0, n_shown_ = 0;
   std::string text_;
   std::vector<std::string> advice_;
 };

@@ -1,6 +1,6 @@
 #include "mesh/planar_map.hpp"
 
-#include "mesh/check_mesh.hpp"
+#include "mesh/mesh_error.hpp"
 
 #include <fmt/format.h>
 

@@ -4,6 +4,8 @@
 #include "output/files.hpp"
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 #include <nlohmann/json.hpp>
 
@@ -56,6 +58,14 @@ std::string summary_text(const Summary& summary, bool finished, const CaseText& 
       {"case", case_text.toml},
   };
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string case_name_in(const std::string& folder)
+{
+  std::ifstream file(path_in(folder, summary_file));
+  const auto summary = nlohmann::json::parse(file, nullptr, false);
+  if (summary.is_object() && summary.contains("case_name") && summary["case_name"].is_string()) return summary["case_name"];
+  return std::filesystem::path(folder).lexically_normal().filename().string();
 }
 
 void write_summary(const std::string& path, const Summary& summary, bool finished, const CaseText& case_text)

@@ -11,6 +11,9 @@ namespace terp {
 /// The text of summary.json. finished: the run reached its end time.
 std::string summary_text(const Summary& summary, bool finished, const CaseText& case_text);
 
+/// The case's name in the summary of a run folder; the folder's own name if there is none to be read.
+std::string case_name_in(const std::string& folder);
+
 void write_summary(const std::string& path, const Summary& summary, bool finished, const CaseText& case_text);
 
 }  // namespace terp

@@ -19,6 +19,7 @@ Moved move_to_new_cell(const Mesh<2>& mesh, const OpenSides& open, PointBlocks<2
   using Rows = PointRows<2>;
   const PointBlock<2>& block = points.block(at.block);
   Vec<2> x{block.row(Rows::x)[at.lane], block.row(Rows::x + 1)[at.lane]};
+  values[Rows::id] = block.row(Rows::id)[at.lane];
   Location to = locate(mesh, x, block.cell);
   if (!to.inside && beyond_open_side(open[to.cell], to.local)) {
     points.take(at.block, at.lane, values);

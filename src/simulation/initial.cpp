@@ -1,7 +1,5 @@
 #include "simulation/initial.hpp"
 
-#include "base/errors.hpp"
-
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -66,24 +64,25 @@ void set_initial_stress(const Model& model, State& state)
   });
 }
 
-void seek_equilibrium(const Model& model, State& state, Workspace& work)
+std::string seek_equilibrium(const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop)
 {
   const InitialCase& initial = model.description.initial;
   work.damping_local = initial.damping;
   for (Index n = 0; n < initial.max_steps; ++n) {
     model.step(model, state, work);
-    if (!work.finite) throw RunError("the search for equilibrium met a value that is not a number");
+    if (!work.finite) return "the search for equilibrium met a value that is not a number (docs/troubleshooting.md#not-a-number)";
+    if (stop.load(std::memory_order_relaxed)) return fmt::format("stopped after {} steps of the search for equilibrium; run the case anew", n + 1);
     if (n < 10 || work.unbalanced_ratio > initial.limit) continue;
     work.damping_local = model.damping.local;
     reset_history(state, model.n_state);
     state.crest = start_crest_history(state.points, state.crest.columns.left,
                                       state.crest.columns.left + state.crest.columns.n * state.crest.columns.width, state.crest.columns.width);
-    return;
+    return {};
   }
-  throw RunError(fmt::format("no equilibrium: after {} steps the out-of-balance force is {:.2e} of the weight, limit {:.2e}\n\n"
+  return fmt::format("no equilibrium: after {} steps the out-of-balance force is {:.2e} of the weight, limit {:.2e}\n\n"
                              "  likely   the body cannot stand under its own weight, or needs more steps\n"
-                             "  try      initial.stress = \"none\" or \"k0\", a stronger soil, or a larger initial.max_steps",
-                             initial.max_steps, work.unbalanced_ratio, initial.limit));
+                             "  try      initial.stress = \"none\" or \"k0\", a stronger soil, or a larger initial.max_steps (docs/troubleshooting.md#no-equilibrium)",
+                             initial.max_steps, work.unbalanced_ratio, initial.limit);
 }
 
 }  // namespace terp

@@ -5,13 +5,17 @@
 #include "simulation/state.hpp"
 #include "simulation/workspace.hpp"
 
+#include <atomic>
+#include <string>
+
 namespace terp {
 
 /// InitialStress::k0: sigma_yy = weight of the soil above, sigma_xx = sigma_zz = k0 sigma_yy. None: zero.
 void set_initial_stress(const Model& model, State& state);
 
 /// InitialStress::equilibrium: steps with strong local damping until the out-of-balance ratio is below the limit; then
-/// displacement, velocity, strain and history are reset and the clock is set to zero. Throws RunError if the limit is not met.
-void seek_equilibrium(const Model& model, State& state, Workspace& work);
+/// displacement, velocity, strain and history are reset and the clock is set to zero. Returns what went wrong, or nothing:
+/// the limit was not met, a value was not a number, or `stop` was set.
+std::string seek_equilibrium(const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop);
 
 }  // namespace terp

@@ -30,7 +30,7 @@ inline NodeGather sum_cells(const Model& model, const State& state, const Worksp
   return sum;
 }
 
-/// Smallest mass of a node that may move: small_mass rho V_e of the largest cell around it [kg per m].
+/// Smallest mass of a node that may move: small_mass rho V_e of the first cell around it [kg per m].
 inline Real mass_limit(const Model& model, Index node)
 {
   const auto& first = model.mesh.first_cell_of_node;

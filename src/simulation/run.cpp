@@ -79,11 +79,14 @@ struct Loop {
   }
 };
 
-void start_run(const Model& model, State& state, Workspace& work)
+/// Returns what went wrong, or nothing.
+std::string start_run(const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop)
 {
-  if (model.description.initial.stress == InitialStress::equilibrium) seek_equilibrium(model, state, work);
+  if (model.description.initial.stress == InitialStress::equilibrium)
+    if (std::string fault = seek_equilibrium(model, state, work, stop); !fault.empty()) return fault;
   state.start_energy = kinetic_and_elastic_energy(model, state);
   start_audit(model, state);
+  return {};
 }
 
 /// Keeps the evidence of a run that must stop, and stops it.
@@ -109,7 +112,7 @@ Outcome run(const Model& model, State& state, Workspace& work, std::span<Observe
 {
   Loop loop{.model = model, .state = state, .observers = observers, .wall_before = state.wall_s, .first_step = state.step};
   if (state.step == 0) {
-    start_run(model, state, work);
+    if (const std::string fault = start_run(model, state, work, stop); !fault.empty()) stop_run(loop, fault);
     loop.write_due(false);
   }
   while (state.step < model.n_steps) {

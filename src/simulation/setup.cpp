@@ -101,7 +101,7 @@ void check_bodies_in_mesh(const Case& c)
       for (int d = 0; d < 2; ++d) {
         const Real slack = 1e-9 * c.mesh.size[d];
         if (x[d] >= low[d] - slack && x[d] <= high[d] + slack) continue;
-        throw InputError(Problem{fmt::format("body[{}].box", b), "the body lies outside the mesh",
+        throw InputError(Problem{fmt::format("body[{}]", b), "the body lies outside the mesh",
                                  fmt::format("corner ({}, {}) m; the mesh covers x = {} to {} m, y = {} to {} m.\nEnlarge mesh.size or move the body.",
                                              x[0], x[1], low[0], high[0], low[1], high[1]),
                                  "mesh"});
@@ -188,6 +188,7 @@ State build_state(Model& model)
   State state;
   state.points = PointBlocks<2>(model.mesh.n_cells(), model.n_state);
   state.x_initial.resize(2 * seeds.size());
+  state.put_back.assign(seeds.size(), 0);
   add_points(model, seeds, state);
   state.points.update_occupied();
   state.points.reserve(static_cast<std::int64_t>(seeds.size() / 4));

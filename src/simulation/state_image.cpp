@@ -74,6 +74,8 @@ void get_points(const Model& model, const StateImage& image, State& state)
   state.points.reserve(static_cast<std::int64_t>(cell.size() / 4));
 }
 
+std::vector<std::int64_t> widen(const std::vector<std::uint8_t>& flags) { return {flags.begin(), flags.end()}; }
+
 void put_left(const State& state, StateImage& image)
 {
   std::vector<std::int64_t> ids;
@@ -108,8 +110,6 @@ void check_ids(const State& state)
   if (!all_fit) throw FileError("the checkpoint does not fit this case: its points are not those that the case seeds");
 }
 
-std::vector<std::int64_t> widen(const std::vector<std::uint8_t>& flags) { return {flags.begin(), flags.end()}; }
-
 }  // namespace
 
 StateImage make_image(const State& state)
@@ -122,6 +122,7 @@ StateImage make_image(const State& state)
   put(image, "wall_s", std::vector<Real>{state.wall_s});  // the one number that differs between equal runs
   put(image, "counts", std::vector<std::int64_t>{state.clamped, state.tension_cut});
   put_left(state, image);
+  put(image, "put_back", widen(state.put_back));
   put(image, "audit/last_eps_eq_p", state.audit.last_eps_eq_p);
   put(image, "audit/last_su", state.audit.last_su);
   put(image, "audit/fell", widen(state.audit.fell));
@@ -154,6 +155,8 @@ State restore(const Model& model, const StateImage& image)
   const auto& counts = get<std::int64_t>(image, "counts", 2);
   state.clamped = counts[0];
   state.tension_cut = counts[1];
+  const auto& put_back = get<std::int64_t>(image, "put_back", n);
+  state.put_back.assign(put_back.begin(), put_back.end());
   const auto& fell = get<std::int64_t>(image, "audit/fell", n);
   const auto& rose = get<std::int64_t>(image, "audit/rose", n);
   state.audit = {get<Real>(image, "audit/last_eps_eq_p", n), get<Real>(image, "audit/last_su", n), {fell.begin(), fell.end()}, {rose.begin(), rose.end()}};

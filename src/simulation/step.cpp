@@ -83,12 +83,20 @@ void enter_left(std::span<const Real> values, Real dt, State& state)
                         .mass = values[Rows::mass]});
 }
 
+/// Counts a point that had to be put back at a wall, once.
+void enter_put_back(std::span<const Real> values, State& state)
+{
+  std::uint8_t& before = state.put_back[static_cast<std::size_t>(values[PointRows<2>::id])];
+  if (before == 0) ++state.clamped;
+  before = 1;
+}
+
 void move_leavers(const Model& model, State& state, Workspace& work)
 {
   for (const CellSums& sums : work.cell_sums)
     for (std::size_t k = sums.leavers.size(); k-- > 0;) {  // from the last lane of a block to the first: see take()
       const Moved moved = move_to_new_cell(model.mesh, model.open_sides, state.points, sums.leavers[k], work.leaver);
-      if (moved == Moved::put_back) ++state.clamped;
+      if (moved == Moved::put_back) enter_put_back(work.leaver, state);
       if (moved == Moved::left) enter_left(work.leaver, model.dt, state);
     }
   if (state.points.update_occupied()) work.fit(model, state);

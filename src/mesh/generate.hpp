@@ -1,0 +1,16 @@
+// A mesh of quadrilaterals from a polygon, made by gmsh (Debian's program, run as a separate process) and kept for the next time.
+// Not for: reading the mesh. gmsh_file.hpp does.
+#pragma once
+
+#include "mesh/polygon_mesh.hpp"
+
+#include <string>
+
+namespace terp {
+
+/// Path of a mesh file (MSH 4.1, binary) of quadrilaterals, with the named sides and the region "domain". Made at the first call, later found by
+/// its content in ${XDG_CACHE_HOME:-~/.cache}/terp/meshes, or in the folder for temporary files if that cannot be written.
+/// The same input and the same gmsh give the same bytes. Throws MeshError with what to do.
+std::string generate_mesh_file(const PolygonMesh& mesh);
+
+}  // namespace terp

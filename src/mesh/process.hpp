@@ -1,0 +1,23 @@
+// Runs another program and waits for it: no shell, its output kept for a message.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace terp {
+
+struct ProcessResult {
+  bool found = false;      ///< false: no such program in PATH
+  bool timed_out = false;  ///< it was ended after its time
+  int signal = 0;          ///< that ended it; 0: none did
+  int status = 0;          ///< its exit status
+  std::string output;      ///< both its streams, in order, at most the last 16 kB
+
+  bool succeeded() const { return found && !timed_out && signal == 0 && status == 0; }
+};
+
+/// arguments: the program, looked up in PATH, then its arguments. environment: "NAME=value" added to ours.
+/// The program ends with us when Ctrl-C is pressed: it stays in our process group and takes the signal's default.
+ProcessResult run_process(const std::vector<std::string>& arguments, double seconds, const std::vector<std::string>& environment = {});
+
+}  // namespace terp
