@@ -15,10 +15,13 @@ struct RunOptions {
   std::vector<std::string> changes;  ///< KEY=VALUE of --set
   int threads = 0;                   ///< 0: what this job may use
   bool force = false, quiet = false, verbose = false;
+  long steps = 100, warm_steps = 50; ///< of bench: in each of five trials, and before them
+  bool json = false;                 ///< of bench
 };
 
 int run_case(const RunOptions& options);
 int resume_run(const RunOptions& options);
 int check_case(const RunOptions& options);
+int bench_case(const RunOptions& options);
 
 }  // namespace terp

@@ -22,6 +22,8 @@ Understand
   check CASE.toml         read and validate, print what would run, solve nothing
   explain TOPIC           a material, scheme or key: meaning, unit, range, equation
   list                    materials, schemes and outputs in this build
+  bench [CASE.toml]       how fast the step is here, pass by pass; without a case:
+                          the paper's column (--steps, --warm, --json)
 
 Options
   -o, --output DIR        where results go
@@ -62,7 +64,13 @@ void declare(CLI::App& app, CommandLine& line)
   run->add_flag("--force", line.options.force);
   CLI::App* check = add_case_command(app, "check", line);
   add_case_command(app, "resume", line);
-  for (CLI::App* command : {run, check})
+  CLI::App* bench = app.add_subcommand("bench");
+  bench->add_option("case", line.options.path);
+  bench->add_option("-j,--threads", line.options.threads)->check(CLI::Range(1, 1024));
+  bench->add_option("--steps", line.options.steps)->check(CLI::Range(1, 1000000));
+  bench->add_option("--warm", line.options.warm_steps)->check(CLI::Range(0, 1000000));
+  bench->add_flag("--json", line.options.json);
+  for (CLI::App* command : {run, check, bench})
     command->add_option("--set", line.options.changes)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_subcommand("explain")->add_option("topic", line.topic)->required();
   app.add_subcommand("list");
@@ -73,6 +81,7 @@ int call(const CLI::App& app, const CommandLine& line)
   if (app.got_subcommand("run")) return terp::run_case(line.options);
   if (app.got_subcommand("resume")) return terp::resume_run(line.options);
   if (app.got_subcommand("check")) return terp::check_case(line.options);
+  if (app.got_subcommand("bench")) return terp::bench_case(line.options);
   fmt::print("{}", app.got_subcommand("explain") ? terp::explain(line.topic) : terp::list());
   return terp::solved;
 }

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
 #include <fstream>
 
 namespace terp {
@@ -77,10 +78,11 @@ const char* const case_with_files = "file = \"sub/../a.msh\"\n[[body]]\npoints =
 TEST(CaseFile, RecordsFullNamesOfOtherFilesSoThatARunFolderCanBeResumed)
 {
   const ScratchFolder folder, run;
+  std::filesystem::create_directory(folder.path() + "/sub");
   std::ofstream(folder.path() + "/a.msh"), std::ofstream(folder.path() + "/a.csv");
   const CaseFile file = read_case_text(small_case_on(case_with_files), folder.path() + "/case.toml");
   EXPECT_EQ(file.values.mesh.file, "sub/../a.msh");
-  EXPECT_THAT(file.text, HasSubstr("case.toml, with the full names of its files\n\n[time]\n"));
+  EXPECT_THAT(file.text, HasSubstr("case.toml, with the full names of its files\n"));
   std::ofstream(run.path() + "/case.toml") << file.text;
   const CaseFile again = read_case(run.path() + "/case.toml");
   EXPECT_EQ(again.values.mesh.file, folder.path() + "/a.msh");

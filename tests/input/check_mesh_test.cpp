@@ -139,7 +139,6 @@ TEST_P(WrongMesh, IsRefused)
 
 // "s:", "c:", "p:", "r:": changes of `graded`, `mapped`, `polygon` or the rectangle of small_case.
 const Change wrong_meshes[] = {
-    {"r:cell", "file = \"a.msh\"\ncell", "error: case.toml:4:1: `size`, `cell` do not belong to a mesh from a file\n"},
     {"r:cell", "grading = [1, 2]\ncell",
      "error: case.toml:5:1: `grading` does not belong to a rectangle of equal cells\n\n    5 | grading = [1, 2]\n      "
      "| "
@@ -204,13 +203,13 @@ const Change wrong_meshes[] = {
      "itself.\n"},
     {"p:[8, 1], [4, 3]", "[4, 3], [8, 1]", "`polygon` crosses itself\n"},
     {"p:[2, 3]", "[2, 7]",
-     "error: case.toml:6:37: the polygon has no edge 7\n\n    6 | edges = { base = [0], slope = [2, 7] }\n      |      "
-     "       "
-     "                        ^\n  It has 5 corners and so the edges 0 to 4; edge k runs from corner k to corner k + "
+     "error: case.toml:6:35: the polygon has no edge 7\n\n    6 | edges = { base = [0], slope = [2, 7] }\n      | "
+     "                                  ^\n  It has 5 corners and so the edges 0 to 4; edge k runs from corner k to "
+     "corner k + "
      "1, edge "
      "4 back to corner 0.\n"},
     {"p:[2, 3]", "[2, -1]", "Got -1; allowed: at least 0."},
-    {"p:[2, 3]", "[2, 0.5]", "`slope[1]`"},
+    {"p:[2, 3]", "[2, 0.5]", "Got the number 0.5; allowed: a table { NAME = [k, ...] }"},
     {"p:[2, 3]", "[2, 0]", "the edge 0 is named twice\n"},
     {"p:[2, 3]", "[2, 0]", "In `base` and in `slope`; an edge is part of one side only.\n"},
     {"p:[2, 3]", "[2, 2]", "Both times in `slope`.\n"},
@@ -227,6 +226,12 @@ const Change wrong_meshes[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, WrongMesh, testing::ValuesIn(wrong_meshes));
+
+TEST(CheckMesh, RefusesAFileBesideARectangle)
+{
+  EXPECT_THAT(message_for(small_case_on("size = [16.0, 3.0]\ncell = 0.5\nfile = \"a.msh\"")),
+              HasSubstr("error: case.toml:4:1: `size`, `cell` do not belong to a mesh from a file\n"));
+}
 
 TEST(CheckMesh, RefusesARefinementThatIsNoListOfTables)
 {

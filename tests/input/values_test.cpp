@@ -49,7 +49,7 @@ const Change wrong_values[] = {
     {"material = \"clay\"", "material = \"clay\"\nholes = [[1, 1], [2, 1], [2, 2]]",
      "error: case.toml:8:11: `holes` must be a list of polygons [[[x, y], [x, y], [x, y]], ...]"},
     {"material = \"clay\"", "material = \"clay\"\nholes = [[[1, 1], [2, 1], [2, 2]], [[1, 1], [2, 1]]]",
-     "error: case.toml:8:38: `holes` must be a list of polygons"},
+     "error: case.toml:8:36: `holes` must be a list of polygons"},
     {"material = \"clay\"", "material = \"clay\"\nholes = [[[1, 1], [2, 1], [3, 1]]]", "`holes[0]` has no area"},
     {"material = \"clay\"", "material = \"clay\"\nholes = 3", "Got the integer 3; allowed: a list of polygons"},
     {"[time]", "[boundary]\nleft = \"opne\"\n[time]", "Did you mean `open`?"},

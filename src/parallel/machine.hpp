@@ -1,0 +1,18 @@
+// What this machine can do at most: how fast it streams memory and how fast it multiplies and adds.
+// Not for: what Terp makes of it (simulation/pass_costs, `terp bench`).
+#pragma once
+
+#include "base/types.hpp"
+
+namespace terp {
+
+/// Rate of a[k] = b[k] + s c[k] over arrays of `bytes` in all, on one thread [GB/s]; three streams are counted.
+double measure_triad(std::size_t bytes);
+
+/// Rate of multiply-adds on packs that stay in registers, on one thread [GFLOP/s]; a multiply-add counts two.
+double measure_multiply_add();
+
+/// Instructions that this program was compiled for: "AVX-512", "AVX2", "SSE2".
+const char* instruction_set();
+
+}  // namespace terp
