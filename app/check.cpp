@@ -2,6 +2,7 @@
 
 #include "commands.hpp"
 #include "input/case_file.hpp"
+#include "mesh/mesh_quality.hpp"
 #include "parallel/threads.hpp"
 #include "progress.hpp"
 #include "simulation/run.hpp"
@@ -49,11 +50,10 @@ std::int64_t bytes_of(const Model& model, const State& state)
 void print_check(const CaseFile& file, const Model& model, State& state)
 {
   const Mesh<2>& mesh = model.mesh;
-  const Vec<2> at = mesh.centres[mesh.cell_of_smallest_altitude];
   fmt::print("{}\n", file.values.title.empty() ? file.values.name : file.values.title);
   fmt::print("  scheme         {}\n", file.values.scheme);
-  fmt::print("  cells          {} ({} hold soil)\n", mesh.n_cells(), state.points.occupied().size());
-  fmt::print("  smallest cell  {:.4g} m high, at x = {:.4g} m, y = {:.4g} m\n", mesh.smallest_altitude, at[0], at[1]);
+  fmt::print("{}", describe(measure_quality(mesh)));
+  fmt::print("  cells of soil  {}\n", state.points.occupied().size());
   fmt::print("  points         {}\n", state.points.n_points());
   fmt::print("  mass           {:.6g} kg per m\n", total_mass(state));
   fmt::print("  time step      {:.4g} s\n", model.dt);

@@ -3,11 +3,11 @@
 #include "mesh/mesh_error.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace terp {
 namespace {
@@ -32,6 +32,15 @@ Real distance_to_box(const Refinement& refine, Vec<2> x)
   return std::hypot(dx, dy);
 }
 
+/// "1, 2, -3".
+template <class T>
+std::string listed(const std::vector<T>& numbers)
+{
+  std::string text;
+  for (const T& number : numbers) text += (text.empty() ? "" : ", ") + std::to_string(number);
+  return text;
+}
+
 std::string geometry(const PlanarMap& map)
 {
   std::string text;
@@ -45,12 +54,12 @@ std::string geometry(const PlanarMap& map)
     std::vector<std::size_t> loops;
     for (const auto& loop : face) {
       loops.push_back(++n_loops);
-      text += fmt::format("Curve Loop({}) = {{{}}};\n", n_loops, fmt::join(loop, ", "));
+      text += fmt::format("Curve Loop({}) = {{{}}};\n", n_loops, listed(loop));
     }
     surfaces.push_back(surfaces.size() + 1);
-    text += fmt::format("Plane Surface({}) = {{{}}};\n", surfaces.back(), fmt::join(loops, ", "));
+    text += fmt::format("Plane Surface({}) = {{{}}};\n", surfaces.back(), listed(loops));
   }
-  return text + fmt::format("Physical Surface(\"domain\") = {{{}}};\n", fmt::join(surfaces, ", "));
+  return text + fmt::format("Physical Surface(\"domain\") = {{{}}};\n", listed(surfaces));
 }
 
 std::string sides(const PolygonMesh& mesh, const PlanarMap& map)
@@ -60,7 +69,7 @@ std::string sides(const PolygonMesh& mesh, const PlanarMap& map)
     std::vector<std::size_t> lines;
     for (std::size_t k = 0; k < map.lines.size(); ++k)
       if (std::count(named.edges.begin(), named.edges.end(), map.lines[k].edge) > 0) lines.push_back(k + 1);
-    if (!lines.empty()) text += fmt::format("Physical Curve(\"{}\") = {{{}}};\n", named.side, fmt::join(lines, ", "));
+    if (!lines.empty()) text += fmt::format("Physical Curve(\"{}\") = {{{}}};\n", named.side, listed(lines));
   }
   return text;
 }
@@ -79,9 +88,18 @@ std::string distance_field(const Refinement& refine, std::size_t field, std::siz
   return text + fmt::format("Field[{0}] = Distance;\nField[{0}].PointsList = {{{1}:{2}}};\n", field, first, n_points);
 }
 
-/// Fields whose least value is the size of the triangles.
-std::string size_fields(const PolygonMesh& mesh, const PlanarMap& map, Real factor)
+/// Between 0.97 and 1.03 times the size: waves about seven triangles long, shifted by the number of the variant.
+std::string wavering_field(std::size_t field, Real size, int variant)
 {
+  const Real wave = 2.0 * std::numbers::pi / (7.0 * size);
+  return fmt::format("Field[{0}] = MathEval;\nField[{0}].F = \"{1:.17g}*(1+0.03*Sin({2:.17g}*x+{3})*Cos({2:.17g}*y+{4}))\";\n", field, size, wave,
+                     1.7 * variant, 2.9 * variant);
+}
+
+/// Fields whose least value is the size of the triangles.
+std::string size_fields(const PolygonMesh& mesh, const PlanarMap& map, const Recipe& recipe)
+{
+  const Real factor = 2.0 * recipe.size_factor;
   std::string text;
   std::vector<std::size_t> fields;
   std::size_t n_fields = 0, n_points = map.places.size();
@@ -101,17 +119,22 @@ std::string size_fields(const PolygonMesh& mesh, const PlanarMap& map, Real fact
     }
     fields.push_back(n_fields);
   }
+  if (recipe.variant > 0) {
+    fields.push_back(++n_fields);
+    text += wavering_field(n_fields, mesh.cell * factor, recipe.variant);
+  }
   if (fields.empty()) return text;
-  return text + fmt::format("Field[{0}] = Min;\nField[{0}].FieldsList = {{{1}}};\nBackground Field = {0};\n", n_fields + 1, fmt::join(fields, ", "));
+  return text + fmt::format("Field[{0}] = Min;\nField[{0}].FieldsList = {{{1}}};\nBackground Field = {0};\n", n_fields + 1, listed(fields));
 }
 
 /// Fixed seed, nothing from the geometry's points: only the fields and the target size decide.
 std::string options(const PolygonMesh& mesh, const Recipe& recipe)
 {
-  return fmt::format("Mesh.Algorithm = {};\nMesh.RecombinationAlgorithm = {};\nMesh.RandomSeed = {};\nMesh.MeshSizeMax = {:.17g};\n"
+  const Real largest = recipe.variant > 0 ? 1.03 : 1.0;  // see wavering_field
+  return fmt::format("Mesh.Algorithm = {};\nMesh.RecombinationAlgorithm = {};\nMesh.RandomSeed = 1;\nMesh.MeshSizeMax = {:.17g};\n"
                      "Mesh.RecombineAll = 1;\nMesh.SubdivisionAlgorithm = 1;\nMesh.Smoothing = 10;\nMesh.MeshSizeExtendFromBoundary = 0;\n"
                      "Mesh.MeshSizeFromPoints = 0;\nMesh.MshFileVersion = 4.1;\nMesh.Binary = 1;\nMesh.SaveAll = 0;\n",
-                     recipe.algorithm, recipe.recombination, recipe.seed, 2.0 * recipe.size_factor * mesh.cell);
+                     recipe.algorithm, recipe.recombination, 2.0 * largest * recipe.size_factor * mesh.cell);
 }
 
 }  // namespace
@@ -134,7 +157,7 @@ std::string geo_text(const PolygonMesh& mesh, const PlanarMap& map, const Recipe
   for (const NamedEdges& named : mesh.edges)
     if (named.side.empty() || named.side.find_first_of("\"\\\n") != std::string::npos)
       throw MeshError(fmt::format("a side cannot be named `{}`: use letters, digits, spaces and _", named.side));
-  return geometry(map) + sides(mesh, map) + size_fields(mesh, map, 2.0 * recipe.size_factor) + options(mesh, recipe);
+  return geometry(map) + sides(mesh, map) + size_fields(mesh, map, recipe) + options(mesh, recipe);
 }
 
 }  // namespace terp

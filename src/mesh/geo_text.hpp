@@ -13,7 +13,7 @@ namespace terp {
 struct Recipe {
   int algorithm;      ///< gmsh's Mesh.Algorithm for the triangles
   int recombination;  ///< gmsh's Mesh.RecombinationAlgorithm for the pairs
-  int seed;           ///< gmsh's Mesh.RandomSeed
+  int variant;        ///< 0: sizes as asked; otherwise they waver by 3 %, for each number in another way
   Real size_factor;   ///< of the triangles, so that the median cell has the target size [-], measured
 };
 

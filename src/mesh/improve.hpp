@@ -14,7 +14,7 @@ struct Freedom {
 };
 
 /// nodes [m], shape [n_nodes], in and out; cells counter-clockwise, shape [n_cells]; freedom, shape [n_nodes];
-/// target: wanted size of each cell [m], shape [n_cells]. No altitude over target becomes smaller than the worst was.
+/// target: wanted size of each cell [m], shape [n_cells].
 /// One thread, fixed order: the same bits each time.
 void enlarge_altitudes(const std::vector<std::array<Index, 4>>& cells, const std::vector<Freedom>& freedom, const std::vector<Real>& target,
                        std::vector<Vec<2>>& nodes);

@@ -103,12 +103,12 @@ void connect(Mesh<2>& mesh)
   make_cell_grid(mesh);
 }
 
-Mesh<2> make_rectangle(Vec<2> origin, Vec<2> size, std::array<Index, 2> n)
+Mesh<2> make_grid(std::vector<Vec<2>> nodes, std::array<Index, 2> n)
 {
+  TERP_ASSERT(static_cast<Index>(nodes.size()) == (n[0] + 1) * (n[1] + 1));
   Mesh<2> mesh;
+  mesh.nodes = std::move(nodes);
   const auto node = [&](Index i, Index j) { return j * (n[0] + 1) + i; };
-  for (Index j = 0; j <= n[1]; ++j)
-    for (Index i = 0; i <= n[0]; ++i) mesh.nodes.push_back({origin[0] + size[0] * i / n[0], origin[1] + size[1] * j / n[1]});
   NamedSide left{"left", {}}, right{"right", {}}, bottom{"bottom", {}}, top{"top", {}};
   for (Index j = 0; j < n[1]; ++j)
     for (Index i = 0; i < n[0]; ++i) {
@@ -122,6 +122,14 @@ Mesh<2> make_rectangle(Vec<2> origin, Vec<2> size, std::array<Index, 2> n)
   mesh.sides = {left, right, bottom, top};
   connect(mesh);
   return mesh;
+}
+
+Mesh<2> make_rectangle(Vec<2> origin, Vec<2> size, std::array<Index, 2> n)
+{
+  std::vector<Vec<2>> nodes;
+  for (Index j = 0; j <= n[1]; ++j)
+    for (Index i = 0; i <= n[0]; ++i) nodes.push_back({origin[0] + size[0] * i / n[0], origin[1] + size[1] * j / n[1]});
+  return make_grid(std::move(nodes), n);
 }
 
 }  // namespace terp

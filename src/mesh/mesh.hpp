@@ -68,6 +68,9 @@ struct Mesh {
 /// Fills everything that follows from nodes and cells: neighbours, centres, geometries, cells of nodes, grid of cells.
 void connect(Mesh<2>& mesh);
 
+/// Cells between (n[0] + 1) x (n[1] + 1) nodes that run along x first; n: cells per direction. Sides "left", "right", "bottom", "top".
+Mesh<2> make_grid(std::vector<Vec<2>> nodes, std::array<Index, 2> n);
+
 /// Regular rectangle with sides "left", "right", "bottom", "top". n: cells per direction. Cells run along x first.
 Mesh<2> make_rectangle(Vec<2> origin, Vec<2> size, std::array<Index, 2> n);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <fmt/format.h>
 
@@ -52,9 +53,9 @@ std::string MshScanner::next_section()
 {
   for (; at_ < text_.size(); at_ = std::min(text_.size(), at_ + rest_of_line().size() + 1)) {
     skip_blanks();
-    last_ = at_;
     const std::string_view line = without_end_blanks(rest_of_line());
     if (!line.starts_with('$')) continue;
+    last_ = at_;
     at_ = std::min(text_.size(), at_ + rest_of_line().size() + 1);
     return printable(line.substr(1));
   }
@@ -120,7 +121,7 @@ Real MshScanner::real(const char* what)
   const std::string_view text = token(what);
   Real value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool too_small = error == std::errc::result_out_of_range && std::abs(value) < 1.0;  // 1e-400 is zero
+  const bool too_small = error == std::errc::result_out_of_range && std::abs(std::strtod(std::string(text).c_str(), nullptr)) < 1.0;  // a zero
   if ((error != std::errc{} && !too_small) || end != text.data() + text.size())
     fail(fmt::format("{} is expected, got `{}`", what, printable(text)));
   return value;

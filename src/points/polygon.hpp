@@ -1,9 +1,9 @@
-// Plane polygons: the outlines of bodies.
+// Plane polygons: what outlines of bodies are made of.
+// Not for: bodies with holes (body_outline.hpp), sharing a cell between bodies (overlay.hpp).
 #pragma once
 
-#include "base/types.hpp"
+#include "mesh/box_grid.hpp"
 
-#include <span>
 #include <vector>
 
 namespace terp {
@@ -18,5 +18,15 @@ std::vector<Real> crossings_of_vertical(std::span<const Vec<2>> polygon, Real x)
 
 /// Area, positive when the corners run counter-clockwise [m^2].
 Real signed_area(std::span<const Vec<2>> polygon);
+
+/// True if closed boxes share a place.
+bool overlap(const BoundingBox& a, const BoundingBox& b);
+
+/// True if the line from a to b and the closed box share a place, or nearly do.
+bool crosses(const BoundingBox& box, Vec<2> a, Vec<2> b);
+
+/// The part of a polygon in a box. Where the polygon leaves the box it is closed along the box, there and back again if need be: areas
+/// and the even-odd rule inside the box are those of the polygon.
+Polygon clip_to_box(std::span<const Vec<2>> polygon, const BoundingBox& box);
 
 }  // namespace terp

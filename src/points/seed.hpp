@@ -2,15 +2,9 @@
 #pragma once
 
 #include "mesh/mesh.hpp"
-#include "points/polygon.hpp"
+#include "points/body_outline.hpp"
 
 namespace terp {
-
-/// What to fill with points.
-struct BodyOutline {
-  Polygon polygon;
-  std::array<Index, 2> points_per_cell;
-};
 
 /// A new point: where, in which cell, of which body, and how much volume it stands for.
 struct Seed {
@@ -18,10 +12,11 @@ struct Seed {
   Vec<2> local;     ///< xi, eta in the cell
   Index cell;
   Index body;
-  Real volume;      ///< Omega_p = share of the cell by detJ at the point [m^2]
+  Real volume;      ///< Omega_p [m^2]
 };
 
-/// Points in order of cell, then row, then column.
+/// Points in order of cell, then body, then row, then column of the lattice. The volumes of a body add up to the area of its outline in
+/// the mesh, less what later bodies cover, to round-off. The outlines are sound: check_outline.
 std::vector<Seed> seed_points(const Mesh<2>& mesh, std::span<const BodyOutline> bodies);
 
 }  // namespace terp

@@ -49,6 +49,7 @@ struct MeshCase {
   std::vector<EdgesCase> edges;      ///< polygon: names of its sides
   std::vector<RefineCase> refine;    ///< polygon
   bool follow_bodies = true;         ///< polygon: cells follow the outlines of the bodies
+  Index variant = 0;                 ///< polygon: 1, 2, ... are other meshes of the same size, to see what depends on the mesh
 };
 
 /// Exactly one of polygon, region and points_file says where a body is.
@@ -101,6 +102,12 @@ struct OutputCase {
   Index checkpoint_keep = 2;    ///< how many of the newest are kept; 0: all
   DeviatoricNorm deviatoric_norm = DeviatoricNorm::half;
 };
+
+/// Path of a file that a case names, relative to the case's own folder.
+inline std::string path_of(const std::string& folder, const std::string& file)
+{
+  return file.starts_with('/') || folder.empty() ? file : folder + "/" + file;
+}
 
 struct Case {
   std::string title;

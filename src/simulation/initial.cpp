@@ -1,33 +1,49 @@
 #include "simulation/initial.hpp"
 
+#include "simulation/setup_points.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 
 namespace terp {
 namespace {
 
-/// Density of the body on top at a place, 0 where there is none [kg/m^3].
-Real density_at(const Model& model, Vec<2> x)
+/// Bodies with an outline, and the density of each [kg/m^3].
+struct DrawnBodies {
+  std::vector<BodyOutline> outlines;
+  std::vector<Real> densities;
+};
+
+DrawnBodies find_drawn_bodies(const Model& model)
 {
-  Real density = 0.0;
-  for (const BodyCase& body : model.description.bodies)
-    if (contains(body.polygon, x))
-      for (const SoilMaterial& m : model.materials)
-        if (m.name == body.material) density = m.density;
-  return density;
+  DrawnBodies drawn;
+  for (const BodyCase& body : model.description.bodies) {
+    if (body.polygon.empty()) continue;
+    drawn.outlines.push_back({.polygon = body.polygon, .points_per_cell = body.points_per_cell, .holes = body.holes, .cells = {}});
+    drawn.densities.push_back(model.materials[material_number(model, body.material)].density);
+  }
+  return drawn;
+}
+
+/// Density of the body on top at a place, 0 where there is none [kg/m^3].
+Real density_at(const DrawnBodies& drawn, Vec<2> x)
+{
+  for (std::size_t b = drawn.outlines.size(); b-- > 0;)
+    if (covers(drawn.outlines[b], x)) return drawn.densities[b];
+  return 0.0;
 }
 
 /// Mass per area of the soil above a place [kg/m^2].
-Real mass_above(const Model& model, Vec<2> x)
+Real mass_above(const DrawnBodies& drawn, Vec<2> x)
 {
   std::vector<Real> heights{x[1]};
-  for (const BodyCase& body : model.description.bodies)
-    for (const Real y : crossings_of_vertical(body.polygon, x[0]))
+  for (const BodyOutline& outline : drawn.outlines)
+    for (const Real y : crossings_of_vertical(outline, x[0]))
       if (y > x[1]) heights.push_back(y);
   std::sort(heights.begin(), heights.end());
   Real mass = 0.0;
   for (std::size_t k = 1; k < heights.size(); ++k)
-    mass += (heights[k] - heights[k - 1]) * density_at(model, {x[0], 0.5 * (heights[k] + heights[k - 1])});
+    mass += (heights[k] - heights[k - 1]) * density_at(drawn, {x[0], 0.5 * (heights[k] + heights[k - 1])});
   return mass;
 }
 
@@ -56,8 +72,9 @@ void set_initial_stress(const Model& model, State& state)
   using Rows = PointRows<2>;
   if (model.description.initial.stress != InitialStress::k0) return;
   const Real k0 = model.description.initial.k0;
+  const DrawnBodies drawn = find_drawn_bodies(model);
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
-    const Real vertical = model.gravity[1] * mass_above(model, {block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]});
+    const Real vertical = model.gravity[1] * mass_above(drawn, {block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]});
     block.row(Rows::sigma)[lane] = k0 * vertical;
     block.row(Rows::sigma + 1)[lane] = vertical;
     block.row(Rows::sigma + 2)[lane] = k0 * vertical;

@@ -3,26 +3,18 @@
 #include "base/errors.hpp"
 #include "forces/time_step.hpp"
 #include "simulation/initial.hpp"
+#include "simulation/setup_mesh.hpp"
+#include "simulation/setup_points.hpp"
 #include "simulation/step.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace terp {
 namespace {
 
 constexpr std::int64_t most_steps = 1'000'000'000;  // beyond: a time step that has collapsed, not a case
-
-Index whole_cells(Real size, Real cell)
-{
-  const Real n = size / cell;
-  if (std::abs(n - std::round(n)) > 1e-6 * n || n < 0.5)
-    throw InputError(Problem{"mesh.cell", "the mesh is not a whole number of cells",
-                             fmt::format("size {} m over cell {} m is {:.6g} cells. Use {:.6g} m.", size, cell, n,
-                                         size / std::max<Real>(1.0, std::round(n))),
-                             "mesh"});
-  if (n > 1e5) throw InputError(Problem{"mesh.cell", "the mesh has too many cells", fmt::format("{:.3g} cells in one direction, at most 100000.", n), "mesh"});
-  return static_cast<Index>(std::round(n));
-}
 
 std::vector<SoilMaterial> make_materials(const Case& c)
 {
@@ -63,22 +55,26 @@ OpenSides make_open_sides(const Case& c, const Mesh<2>& mesh)
   return open;
 }
 
-Index material_number(const Model& model, const std::string& name)
+/// Materials that points may have: those of the bodies, or all of them if a file of points names its own.
+std::vector<const SoilMaterial*> used_materials(const Model& model)
 {
-  for (std::size_t k = 0; k < model.materials.size(); ++k)
-    if (model.materials[k].name == name) return static_cast<Index>(k);
-  throw InputError(Problem{"body", "no material `" + name + "`", "", "body"});
+  std::vector<const SoilMaterial*> used;
+  for (const BodyCase& body : model.description.bodies) {
+    if (body.points_file.empty()) used.push_back(&model.materials[material_number(model, body.material)]);
+    if (!body.points_file.empty())
+      for (const SoilMaterial& m : model.materials) used.push_back(&m);
+  }
+  return used;
 }
 
-/// Only materials that a body uses decide the time step.
+/// dt is the stable step, shortened so that the end is a whole number of steps (decision 0024).
 void set_time_step(Model& model)
 {
   Real fastest = 0.0;
-  for (const BodyCase& body : model.description.bodies) {
-    const SoilMaterial& m = model.materials[material_number(model, body.material)];
-    fastest = std::max(fastest, wave_speed(m.law->p_wave_modulus(), m.density));
-    model.largest_density = std::max(model.largest_density, m.density);
-    model.n_state = std::max(model.n_state, m.n_state());
+  for (const SoilMaterial* m : used_materials(model)) {
+    fastest = std::max(fastest, wave_speed(m->law->p_wave_modulus(), m->density));
+    model.largest_density = std::max(model.largest_density, m->density);
+    model.n_state = std::max(model.n_state, m->n_state());
   }
   const TimeCase& time = model.description.time;
   const Real stable = stable_time_step(time.courant, model.mesh.smallest_altitude, fastest);
@@ -92,9 +88,10 @@ void set_time_step(Model& model)
   model.dt = time.end / n;
 }
 
-/// Every corner of every body must lie in the mesh.
+/// Every corner of every body must lie in the built-in rectangle (other meshes: setup_points).
 void check_bodies_in_mesh(const Case& c)
 {
+  if (c.mesh.kind != MeshKind::rectangle && c.mesh.kind != MeshKind::graded) return;
   const Vec<2> low = c.mesh.origin, high{low[0] + c.mesh.size[0], low[1] + c.mesh.size[1]};
   for (std::size_t b = 0; b < c.bodies.size(); ++b)
     for (const auto& x : c.bodies[b].polygon)
@@ -108,32 +105,36 @@ void check_bodies_in_mesh(const Case& c)
       }
 }
 
-void add_points(const Model& model, const std::vector<Seed>& seeds, State& state)
+/// Makes blocks of the right size before they are filled: no growth, no waste.
+void expect_points(const std::vector<NewPoint>& points, State& state)
+{
+  std::vector<std::pair<Index, Index>> places;
+  for (const NewPoint& p : points) places.emplace_back(p.cell, p.material);
+  std::sort(places.begin(), places.end());
+  for (std::size_t k = 0, end = 0; k < places.size(); k = end) {
+    while (end < places.size() && places[end] == places[k]) ++end;
+    state.points.expect(places[k].first, places[k].second, static_cast<Index>(end - k));
+  }
+}
+
+void add_points(const Model& model, const std::vector<NewPoint>& points, State& state)
 {
   using Rows = PointRows<2>;
   std::vector<Real> values(state.points.n_rows());
-  std::vector<Index> materials;
-  for (const BodyCase& body : model.description.bodies) materials.push_back(material_number(model, body.material));
-  for (std::size_t k = 0, end = 0; k < seeds.size(); k = end) {
-    while (end < seeds.size() && seeds[end].cell == seeds[k].cell && seeds[end].body == seeds[k].body) ++end;
-    state.points.expect(seeds[k].cell, materials[seeds[k].body], static_cast<Index>(end - k));
-  }
-  for (std::size_t k = 0; k < seeds.size(); ++k) {
-    const Seed& seed = seeds[k];
-    const Index material = materials[seed.body];
+  expect_points(points, state);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const NewPoint& p = points[k];
     std::fill(values.begin(), values.end(), 0.0);
-    const auto local = local_coordinates(model.mesh.geometry(seed.cell), seed.x[0] - model.mesh.centres[seed.cell][0],
-                                         seed.x[1] - model.mesh.centres[seed.cell][1]);
     for (int d = 0; d < 2; ++d) {
-      values[Rows::x + d] = seed.x[d];
-      values[Rows::xi + d] = local[d];
-      values[Rows::v + d] = model.description.bodies[seed.body].velocity[d];
-      state.x_initial[2 * k + d] = seed.x[d];
+      values[Rows::x + d] = p.x[d];
+      values[Rows::xi + d] = p.local[d];
+      values[Rows::v + d] = p.v[d];
+      state.x_initial[2 * k + d] = p.x[d];
     }
-    values[Rows::mass] = seed.volume * model.materials[material].density;
-    values[Rows::volume] = seed.volume;
+    values[Rows::mass] = p.volume * model.materials[p.material].density;
+    values[Rows::volume] = p.volume;
     values[Rows::id] = static_cast<Real>(k);
-    state.points.add(seed.cell, material, values);
+    state.points.add(p.cell, p.material, values);
   }
 }
 
@@ -154,11 +155,15 @@ std::int64_t nearest_point(const std::vector<Real>& x, Vec<2> place)
 
 Model build_model(const Case& description, int threads)
 {
+  check_bodies_in_mesh(description);
+  return build_model(description, build_mesh(description), threads);
+}
+
+Model build_model(const Case& description, Mesh<2> mesh, int threads)
+{
   Model model;
   model.description = description;
-  const MeshCase& mesh = description.mesh;
-  check_bodies_in_mesh(description);
-  model.mesh = make_rectangle(mesh.origin, mesh.size, {whole_cells(mesh.size[0], mesh.cell[0]), whole_cells(mesh.size[1], mesh.cell[1])});
+  model.mesh = std::move(mesh);
   model.materials = make_materials(description);
   model.method = description.method;
   model.boundary = Boundary(model.mesh, make_sides(description));
@@ -172,30 +177,20 @@ Model build_model(const Case& description, int threads)
   return model;
 }
 
-std::vector<Seed> seed_bodies(const Model& model)
-{
-  std::vector<BodyOutline> outlines;
-  for (const BodyCase& body : model.description.bodies) outlines.push_back({body.polygon, body.points_per_cell});
-  return seed_points(model.mesh, outlines);
-}
-
 State build_state(Model& model)
 {
-  const auto seeds = seed_bodies(model);
-  if (seeds.empty())
-    throw InputError(Problem{"body[0]", "no material points",
-                             "The bodies hold no point of the seeding lattice. Use a larger body, smaller cells or more points per cell.", "body"});
+  const auto points = make_points(model);
   State state;
   state.points = PointBlocks<2>(model.mesh.n_cells(), model.n_state);
-  state.x_initial.resize(2 * seeds.size());
-  state.put_back.assign(seeds.size(), 0);
-  add_points(model, seeds, state);
+  state.x_initial.resize(2 * points.size());
+  state.put_back.assign(points.size(), 0);
+  add_points(model, points, state);
   state.points.update_occupied();
-  state.points.reserve(static_cast<std::int64_t>(seeds.size() / 4));
+  state.points.reserve(static_cast<std::int64_t>(points.size() / 4));
   set_initial_stress(model, state);
   for (const auto& [name, place] : model.description.output.history_points) model.history_ids.push_back(nearest_point(state.x_initial, place));
-  const MeshCase& mesh = model.description.mesh;
-  state.crest = start_crest_history(state.points, mesh.origin[0], mesh.origin[0] + mesh.size[0], mesh.cell[0]);
+  const Vec<2> x = extent_in_x(model.mesh);
+  state.crest = start_crest_history(state.points, x[0], x[1], typical_cell_size(model.mesh));
   return state;
 }
 

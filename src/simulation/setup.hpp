@@ -9,10 +9,10 @@ namespace terp {
 /// Throws InputError with the key of the case that is at fault.
 Model build_model(const Case& description, int threads);
 
+/// The same on a mesh that is already there; what the case says of the mesh is not used.
+Model build_model(const Case& description, Mesh<2> mesh, int threads);
+
 /// Seeds the points and sets the initial stress (none or k0; "equilibrium" is sought by the run). Throws InputError.
 State build_state(Model& model);
-
-/// The points that seeding gives, without making a state.
-std::vector<Seed> seed_bodies(const Model& model);
 
 }  // namespace terp

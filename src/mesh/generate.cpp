@@ -1,0 +1,143 @@
+#include "mesh/generate.hpp"
+
+#include "mesh/geo_text.hpp"
+#include "mesh/gmsh_nodes.hpp"
+#include "mesh/improve.hpp"
+#include "mesh/mesh_cache.hpp"
+#include "mesh/mesh_error.hpp"
+#include "mesh/process.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace terp {
+namespace {
+
+constexpr double longest_run = 600.0;         // [s] that gmsh may take
+constexpr Real merged_share = 0.05;           // of a cell: followed places closer than this are one
+constexpr const char* improvement = "1";      // part of the key: raise it when improve.cpp gives other meshes
+
+/// In the order in which they are tried. Size factors: measured on a rectangle, a curved domain and a dike section. Packed parallelograms
+/// (algorithm 9) gave the largest smallest altitude everywhere, and squares where squares fit; Frontal-Delaunay (6) with Blossom pairs
+/// gives meshes without a grain.
+std::vector<Recipe> recipes(int variant)
+{
+  if (variant == 0) return {{9, 0, 0, 1.0}, {6, 1, 0, 1.08}, {5, 1, 0, 1.13}};
+  return {{6, 1, variant, 1.08}, {5, 1, variant, 1.13}};
+}
+
+ProcessResult run_gmsh(std::vector<std::string> arguments, const std::string& home)
+{
+  arguments.insert(arguments.begin(), "gmsh");
+  // A home of its own: the user's gmsh options must not change the mesh.
+  const ProcessResult result = run_process(arguments, longest_run, {"GMSH_HOME=" + home, "LC_ALL=C", "OMP_NUM_THREADS=1"});
+  if (!result.found)
+    throw MeshError("gmsh is not installed; Terp needs it to make a mesh from a polygon\n"
+                    "  Install it: apt-get install gmsh\n"
+                    "  or bring a mesh that you have made elsewhere: [mesh] file = \"section.msh\"");
+  if (result.signal == 2) throw MeshError("gmsh was interrupted");
+  return result;
+}
+
+std::string gmsh_version(const std::string& home)
+{
+  const ProcessResult result = run_gmsh({"--version"}, home);
+  if (!result.succeeded()) throw MeshError("`gmsh --version` fails: " + result.output);
+  return result.output.substr(0, result.output.find_last_not_of(" \n") + 1);
+}
+
+std::string bytes_of(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+std::vector<Freedom> freedom_of(const GmshNodes& file, const PlanarMap& map)
+{
+  std::vector<Freedom> freedom(file.nodes.size());
+  for (std::size_t i = 0; i < freedom.size(); ++i) {
+    freedom[i].n = file.dimension[i];
+    if (file.dimension[i] != 1) continue;
+    const CutLine& line = map.lines.at(file.number[i] - 1);
+    const Vec<2>&a = map.places[line.a], &b = map.places[line.b];
+    const Real length = std::hypot(b[0] - a[0], b[1] - a[1]);
+    freedom[i].along = {(b[0] - a[0]) / length, (b[1] - a[1]) / length};
+  }
+  return freedom;
+}
+
+std::vector<Real> targets_of(const GmshNodes& file, const PolygonMesh& mesh)
+{
+  std::vector<Real> target;
+  for (const auto& cell : file.cells) {
+    Vec<2> centre{0.0, 0.0};
+    for (const Index i : cell)
+      for (int d = 0; d < 2; ++d) centre[d] += 0.25 * file.nodes[i][d];
+    target.push_back(target_size(mesh, centre));
+  }
+  return target;
+}
+
+/// What gmsh writes for one recipe, with better cells; empty, and the reason in `why`, if they are not all convex quadrilaterals.
+std::string try_recipe(const PolygonMesh& mesh, const PlanarMap& map, const Recipe& recipe, const std::string& folder, std::string& why)
+{
+  const std::string script = folder + "/section.geo", result = folder + "/section.msh";
+  std::ofstream(script) << geo_text(mesh, map, recipe);
+  std::filesystem::remove(result);
+  const ProcessResult run = run_gmsh({"-2", script, "-o", result, "-nt", "1", "-v", "2"}, folder);
+  why = run.timed_out ? fmt::format("gmsh did not finish in {:g} s", longest_run) : run.signal != 0 ? fmt::format("gmsh crashed (signal {})", run.signal) : run.output;
+  std::string bytes = bytes_of(result);
+  if (!run.succeeded() || bytes.empty()) return "";
+  GmshNodes file = find_nodes(bytes);
+  if (file.cells.empty() || !file.all_quads) return "";
+  enlarge_altitudes(file.cells, freedom_of(file, map), targets_of(file, mesh), file.nodes);
+  why = "some of its cells are not convex";
+  for (const auto& cell : file.cells)
+    if (!(smallest_altitude(cell, file.nodes) > 0.0)) return "";
+  put_nodes(file, bytes);
+  return bytes;
+}
+
+std::string make_mesh(const PolygonMesh& mesh, const PlanarMap& map, const std::string& folder)
+{
+  std::string why;
+  for (const Recipe& recipe : recipes(mesh.variant)) {
+    std::string bytes = try_recipe(mesh, map, recipe, folder, why);
+    if (!bytes.empty()) return bytes;
+  }
+  throw MeshError(fmt::format("gmsh made no mesh of quadrilaterals from the polygon: {}\n"
+                              "  Make the cells smaller than the shortest edge, follow fewer outlines, or bring a mesh: [mesh] file = \"section.msh\"", why));
+}
+
+void check_sizes(const PolygonMesh& mesh)
+{
+  const auto positive = [](Real size) { return std::isfinite(size) && size > 0.0; };
+  if (!positive(mesh.cell)) throw MeshError(fmt::format("the cell size is {:g} m; it must be positive", mesh.cell));
+  for (const Refinement& refine : mesh.refine)
+    if (!positive(refine.cell)) throw MeshError(fmt::format("the cell size of a refinement is {:g} m; it must be positive", refine.cell));
+  for (const NamedEdges& named : mesh.edges)
+    for (const Index edge : named.edges)
+      if (edge < 0 || edge >= static_cast<Index>(mesh.polygon.size()))
+        throw MeshError(fmt::format("side `{}` has edge {}; the polygon has edges 0 to {}", named.side, edge, mesh.polygon.size() - 1));
+}
+
+}  // namespace
+
+std::string generate_mesh_file(const PolygonMesh& mesh)
+{
+  check_sizes(mesh);
+  const PlanarMap map = cut_polygon(mesh.polygon, mesh.follow, merged_share * mesh.cell);
+  const WorkFolder folder;
+  std::string content = gmsh_version(folder.path()) + "\n" + improvement + "\n";
+  for (const Recipe& recipe : recipes(mesh.variant)) content += geo_text(mesh, map, recipe);
+  const std::string key = content_key(content), kept = cached_mesh_path(key);
+  if (std::filesystem::exists(kept)) return kept;
+  return keep_mesh(key, make_mesh(mesh, map, folder.path()));
+}
+
+}  // namespace terp

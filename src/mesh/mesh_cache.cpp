@@ -1,0 +1,77 @@
+#include "mesh/mesh_cache.hpp"
+
+#include "base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+namespace terp {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string new_temporary_folder()
+{
+  std::string pattern = (fs::temp_directory_path() / "terp-mesh-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) throw FileError("cannot make a folder for temporary files: " + pattern);
+  return pattern;
+}
+
+/// Written beside its place under a name of this process, then renamed: nobody sees half a file.
+bool write_whole(const fs::path& path, const std::string& bytes)
+{
+  std::error_code problem;
+  fs::create_directories(path.parent_path(), problem);
+  const fs::path unfinished = path.string() + fmt::format(".{}", getpid());
+  std::ofstream file(unfinished, std::ios::binary);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  if (file) fs::rename(unfinished, path, problem);
+  if (file && !problem) return true;
+  fs::remove(unfinished, problem);
+  return false;
+}
+
+}  // namespace
+
+WorkFolder::WorkFolder() : path_(new_temporary_folder()) {}
+
+WorkFolder::~WorkFolder()
+{
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+std::string content_key(std::string_view text)
+{
+  std::uint64_t hash = 14695981039346656037u;  // FNV-1a: offset basis and prime for 64 bits
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  return fmt::format("{:016x}", hash);
+}
+
+std::string cached_mesh_path(const std::string& key)
+{
+  const char *cache = std::getenv("XDG_CACHE_HOME"), *home = std::getenv("HOME");
+  fs::path folder;
+  if (cache != nullptr && fs::path(cache).is_absolute())  // others are to be ignored: XDG Base Directory Specification
+    folder = cache;
+  else if (home != nullptr && *home != '\0')
+    folder = fs::path(home) / ".cache";
+  return folder.empty() ? "" : (folder / "terp" / "meshes" / (key + ".msh")).string();
+}
+
+std::string keep_mesh(const std::string& key, const std::string& bytes)
+{
+  const std::string path = cached_mesh_path(key);
+  if (!path.empty() && write_whole(path, bytes)) return path;
+  const std::string other = new_temporary_folder() + "/" + key + ".msh";
+  if (!write_whole(other, bytes)) throw FileError("cannot write " + other);
+  return other;
+}
+
+}  // namespace terp

@@ -1,0 +1,31 @@
+// The folder where generated meshes are kept, by content, and files that appear in it whole or not at all.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace terp {
+
+/// A new empty folder for work in progress, removed with its contents at the end of the scope.
+class WorkFolder {
+ public:
+  WorkFolder();
+  ~WorkFolder();
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+/// 16 hexadecimal digits that depend on every character (FNV-1a, 64 bits).
+std::string content_key(std::string_view text);
+
+/// Path of the kept file, whether it is there or not: ${XDG_CACHE_HOME:-~/.cache}/terp/meshes/<key>.msh; empty if neither variable is set.
+std::string cached_mesh_path(const std::string& key);
+
+/// Keeps `bytes` under the key and returns the path. If the cache cannot be written: in a new folder for temporary files.
+std::string keep_mesh(const std::string& key, const std::string& bytes);
+
+}  // namespace terp

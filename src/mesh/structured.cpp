@@ -1,0 +1,123 @@
+#include "mesh/structured.hpp"
+
+#include "mesh/mesh_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace terp {
+namespace {
+
+using Polyline = std::vector<Vec<2>>;
+
+constexpr Real corner_tolerance = 1e-9;  // over the length of the side: above round-off of input, below any cell
+
+Vec<2> between(Vec<2> a, Vec<2> b, Real t) { return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])}; }
+Real distance(Vec<2> a, Vec<2> b) { return std::hypot(b[0] - a[0], b[1] - a[1]); }
+
+void check_counts(std::array<Index, 2> n, Vec<2> grading)
+{
+  for (int d = 0; d < 2; ++d) {
+    if (n[d] < 1) throw MeshError(fmt::format("the mesh has {} cells in {}; at least 1 is needed", n[d], "xy"[d]));
+    if (!(std::isfinite(grading[d]) && grading[d] > 0.0))
+      throw MeshError(fmt::format("the grading in {} is {:g}; it is the last cell over the first and must be positive", "xy"[d], grading[d]));
+  }
+}
+
+Real length(const Polyline& line)
+{
+  Real sum = 0.0;
+  for (std::size_t k = 1; k < line.size(); ++k) sum += distance(line[k - 1], line[k]);
+  return sum;
+}
+
+/// Places at shares of the arc length, shape [shares]; ends exact.
+Polyline along(const Polyline& line, const std::vector<Real>& shares)
+{
+  Polyline places;
+  const Real whole = length(line);
+  std::size_t k = 1;
+  Real before = 0.0;
+  for (const Real share : shares) {
+    while (k + 1 < line.size() && before + distance(line[k - 1], line[k]) < share * whole) {
+      before += distance(line[k - 1], line[k]);
+      ++k;
+    }
+    const Real part = (share * whole - before) / distance(line[k - 1], line[k]);
+    places.push_back(part >= 1.0 ? line[k] : between(line[k - 1], line[k], part));
+  }
+  places.front() = line.front();
+  places.back() = line.back();
+  return places;
+}
+
+void check_sides(const std::array<Polyline, 4>& sides)
+{
+  static constexpr const char* name[] = {"bottom", "right", "top", "left"};
+  for (int s = 0; s < 4; ++s) {
+    if (sides[s].size() < 2) throw MeshError(fmt::format("side `{}` has {} places; at least two are needed", name[s], sides[s].size()));
+    for (std::size_t k = 1; k < sides[s].size(); ++k)
+      if (!(distance(sides[s][k - 1], sides[s][k]) > 0.0))
+        throw MeshError(fmt::format("side `{}` has the place ({:.6g}, {:.6g}) m twice in a row", name[s], sides[s][k][0], sides[s][k][1]));
+  }
+  struct Corner {
+    int first, second;
+    Vec<2> a, b;
+  };
+  const Corner corners[] = {{0, 3, sides[0].front(), sides[3].front()}, {0, 1, sides[0].back(), sides[1].front()},
+                            {2, 1, sides[2].back(), sides[1].back()}, {2, 3, sides[2].front(), sides[3].back()}};
+  for (const Corner& corner : corners)
+    if (!(distance(corner.a, corner.b) <= corner_tolerance * length(sides[corner.first])))
+      throw MeshError(fmt::format("sides `{}` and `{}` do not meet: ({:.9g}, {:.9g}) m and ({:.9g}, {:.9g}) m\n"
+                                  "  bottom and top run to +x, left and right to +y",
+                                  name[corner.first], name[corner.second], corner.a[0], corner.a[1], corner.b[0], corner.b[1]));
+}
+
+}  // namespace
+
+std::vector<Real> graded_shares(Index n, Real grading)
+{
+  std::vector<Real> shares{0.0};
+  Real cell = 1.0, sum = 0.0;
+  const Real ratio = n > 1 ? std::pow(grading, 1.0 / (n - 1)) : 1.0;
+  for (Index k = 0; k < n; ++k, cell *= ratio) shares.push_back(sum += cell);
+  for (Real& share : shares) share /= sum;
+  if (grading == 1.0)
+    for (Index k = 0; k <= n; ++k) shares[k] = static_cast<Real>(k) / n;
+  return shares;
+}
+
+Mesh<2> make_graded_rectangle(Vec<2> origin, Vec<2> size, std::array<Index, 2> n, Vec<2> grading)
+{
+  check_counts(n, grading);
+  for (int d = 0; d < 2; ++d)
+    if (!(std::isfinite(size[d]) && size[d] > 0.0)) throw MeshError(fmt::format("the size in {} is {:g} m; it must be positive", "xy"[d], size[d]));
+  const auto x = graded_shares(n[0], grading[0]), y = graded_shares(n[1], grading[1]);
+  std::vector<Vec<2>> nodes;
+  for (const Real b : y)
+    for (const Real a : x) nodes.push_back({origin[0] + size[0] * a, origin[1] + size[1] * b});
+  return make_grid(std::move(nodes), n);
+}
+
+Mesh<2> make_mapped_rectangle(const std::array<Polyline, 4>& sides, std::array<Index, 2> n, Vec<2> grading)
+{
+  check_counts(n, grading);
+  check_sides(sides);
+  const auto s = graded_shares(n[0], grading[0]), t = graded_shares(n[1], grading[1]);
+  const Polyline bottom = along(sides[0], s), right = along(sides[1], t), top = along(sides[2], s), left = along(sides[3], t);
+  const Vec<2> corner_00 = bottom.front(), corner_10 = bottom.back(), corner_01 = top.front(), corner_11 = top.back();
+  std::vector<Vec<2>> nodes;
+  for (Index j = 0; j <= n[1]; ++j)
+    for (Index i = 0; i <= n[0]; ++i) {
+      const Vec<2> up = between(bottom[i], top[i], t[j]), across = between(left[j], right[j], s[i]);
+      const Vec<2> twice = between(between(corner_00, corner_10, s[i]), between(corner_01, corner_11, s[i]), t[j]);
+      nodes.push_back({up[0] + across[0] - twice[0], up[1] + across[1] - twice[1]});
+    }
+  for (Index i = 0; i <= n[0]; ++i) nodes[i] = bottom[i], nodes[n[1] * (n[0] + 1) + i] = top[i];
+  for (Index j = 0; j <= n[1]; ++j) nodes[j * (n[0] + 1)] = left[j], nodes[j * (n[0] + 1) + n[0]] = right[j];
+  return make_grid(std::move(nodes), n);
+}
+
+}  // namespace terp

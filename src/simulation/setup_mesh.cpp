@@ -1,0 +1,98 @@
+#include "simulation/setup_mesh.hpp"
+
+#include "base/errors.hpp"
+#include "mesh/check_mesh.hpp"
+#include "mesh/generate.hpp"
+#include "mesh/gmsh_file.hpp"
+#include "mesh/structured.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+constexpr Real most_cells = 1e5;  // in one direction of the built-in rectangle: beyond, a wrong unit
+
+Index whole_cells(Real size, Real cell)
+{
+  const Real n = size / cell;
+  if (std::abs(n - std::round(n)) > 1e-6 * n || n < 0.5)
+    throw InputError(Problem{"mesh.cell", "the mesh is not a whole number of cells",
+                             fmt::format("size {} m over cell {} m is {:.6g} cells. Use {:.6g} m.", size, cell, n,
+                                         size / std::max<Real>(1.0, std::round(n))),
+                             "mesh"});
+  if (n > most_cells)
+    throw InputError(Problem{"mesh.cell", "the mesh has too many cells", fmt::format("{:.3g} cells in one direction, at most {:.0f}.", n, most_cells), "mesh"});
+  return static_cast<Index>(std::round(n));
+}
+
+Mesh<2> generate_mesh(const Case& description)
+{
+  const MeshCase& mesh = description.mesh;
+  PolygonMesh polygon;
+  polygon.polygon = mesh.polygon;
+  polygon.cell = mesh.cell[0];
+  polygon.variant = mesh.variant;
+  for (const EdgesCase& e : mesh.edges) polygon.edges.push_back({e.side, e.edges});
+  for (const RefineCase& r : mesh.refine) polygon.refine.push_back({r.line, r.low, r.high, r.cell, r.distance});
+  if (mesh.follow_bodies)
+    for (const BodyCase& body : description.bodies) {
+      if (!body.polygon.empty()) polygon.follow.push_back(body.polygon);
+      polygon.follow.insert(polygon.follow.end(), body.holes.begin(), body.holes.end());
+    }
+  return read_gmsh(generate_mesh_file(polygon));
+}
+
+Mesh<2> make_mesh(const Case& description)
+{
+  const MeshCase& mesh = description.mesh;
+  switch (mesh.kind) {
+    case MeshKind::rectangle:
+      return make_rectangle(mesh.origin, mesh.size, {whole_cells(mesh.size[0], mesh.cell[0]), whole_cells(mesh.size[1], mesh.cell[1])});
+    case MeshKind::graded: return make_graded_rectangle(mesh.origin, mesh.size, mesh.cells, mesh.grading);
+    case MeshKind::mapped: return make_mapped_rectangle(mesh.sides, mesh.cells, mesh.grading);
+    case MeshKind::file: return read_gmsh(path_of(description.folder, mesh.file));
+    case MeshKind::polygon: return generate_mesh(description);
+  }
+  throw InputError(Problem{"mesh", "no such kind of mesh", "", "mesh"});
+}
+
+const char* key_of(MeshKind kind)
+{
+  switch (kind) {
+    case MeshKind::mapped: return "mesh.sides";
+    case MeshKind::file: return "mesh.file";
+    case MeshKind::polygon: return "mesh.polygon";
+    default: return "mesh.size";
+  }
+}
+
+}  // namespace
+
+Mesh<2> build_mesh(const Case& description)
+{
+  try {
+    Mesh<2> mesh = make_mesh(description);
+    if (description.mesh.kind != MeshKind::rectangle) check_mesh(mesh);  // the built-in rectangle is sound by construction
+    return mesh;
+  } catch (const MeshError& error) {
+    throw InputError(Problem{key_of(description.mesh.kind), "the mesh cannot be used", error.what(), "mesh"});
+  }
+}
+
+Real typical_cell_size(const Mesh<2>& mesh)
+{
+  Real area = 0.0;
+  for (Index e = 0; e < mesh.n_cells(); ++e) area += mesh.geometry(e).volume;
+  return std::sqrt(area / static_cast<Real>(mesh.n_cells()));
+}
+
+Vec<2> extent_in_x(const Mesh<2>& mesh)
+{
+  const auto [low, high] = std::minmax_element(mesh.nodes.begin(), mesh.nodes.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; });
+  return {(*low)[0], (*high)[0]};
+}
+
+}  // namespace terp

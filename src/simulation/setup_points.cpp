@@ -1,0 +1,111 @@
+#include "simulation/setup_points.hpp"
+
+#include "base/errors.hpp"
+#include "mesh/locate.hpp"
+#include "points/points_csv.hpp"
+
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+std::string body_key(std::size_t body, std::string_view key) { return fmt::format("body[{}].{}", body, key); }
+
+const std::vector<Index>& cells_of_region(const Mesh<2>& mesh, const std::string& name, std::size_t body)
+{
+  std::string known;
+  for (const NamedRegion& region : mesh.regions) {
+    if (region.name == name) return region.cells;
+    known += (known.empty() ? "" : ", ") + region.name;
+  }
+  throw InputError(Problem{body_key(body, "region"), "the mesh has no region `" + name + "`", "Regions of this mesh: " + known, "body"});
+}
+
+BodyOutline outline_of(const Model& model, std::size_t b)
+{
+  const BodyCase& body = model.description.bodies[b];
+  BodyOutline outline{.polygon = body.polygon, .points_per_cell = body.points_per_cell, .holes = body.holes, .cells = {}};
+  if (!body.region.empty()) outline.cells = cells_of_region(model.mesh, body.region, b);
+  return outline;
+}
+
+void check_outlines(const Model& model, const std::vector<BodyOutline>& outlines)
+{
+  std::size_t k = 0;
+  for (std::size_t b = 0; b < model.description.bodies.size(); ++b) {
+    if (!model.description.bodies[b].points_file.empty()) continue;
+    const BodyOutline& outline = outlines[k++];
+    if (!outline.cells.empty()) continue;
+    for (const std::string& text : check_outline(outline)) throw InputError(Problem{body_key(b, "polygon"), "the outline of the body is not usable", text, "body"});
+    for (const Vec<2>& x : outline.polygon) {
+      if (locate(model.mesh, x, 0).inside) continue;
+      throw InputError(Problem{fmt::format("body[{}]", b), "the body lies outside the mesh",
+                               fmt::format("corner ({}, {}) m lies in no cell. Enlarge the mesh or move the body.", x[0], x[1]), "mesh"});
+    }
+  }
+}
+
+std::vector<CsvPoint> read_file(const std::string& path, std::size_t b)
+{
+  try {
+    return read_points_csv(path);
+  } catch (const PointsFileError& error) {
+    throw InputError(Problem{body_key(b, "points"), "the file of points cannot be used", error.what(), "body"});
+  }
+}
+
+/// Points of one file, each found in the mesh.
+void add_points_of_file(const Model& model, std::size_t b, std::vector<NewPoint>& points)
+{
+  const BodyCase& body = model.description.bodies[b];
+  Index guess = 0;
+  const std::string path = path_of(model.description.folder, body.points_file);
+  for (const CsvPoint& p : read_file(path, b)) {
+    const Location at = locate(model.mesh, p.x, guess);
+    if (!at.inside)
+      throw InputError(Problem{body_key(b, "points"), "a point lies outside the mesh",
+                               fmt::format("{}:{}: ({}, {}) m lies in no cell.", path, p.line, p.x[0], p.x[1]), "body"});
+    points.push_back({p.x, at.local, body.velocity, p.volume, at.cell, material_number(model, p.material)});
+    guess = at.cell;
+  }
+}
+
+}  // namespace
+
+Index material_number(const Model& model, const std::string& name)
+{
+  for (std::size_t k = 0; k < model.materials.size(); ++k)
+    if (model.materials[k].name == name) return static_cast<Index>(k);
+  throw InputError(Problem{"material", "no material `" + name + "`", "", "body"});
+}
+
+std::vector<BodyOutline> outlines_of(const Model& model)
+{
+  std::vector<BodyOutline> outlines;
+  for (std::size_t b = 0; b < model.description.bodies.size(); ++b)
+    if (model.description.bodies[b].points_file.empty()) outlines.push_back(outline_of(model, b));
+  return outlines;
+}
+
+std::vector<NewPoint> make_points(const Model& model)
+{
+  const auto outlines = outlines_of(model);
+  check_outlines(model, outlines);
+  std::vector<std::size_t> drawn;  // number of each outline among the bodies of the case
+  for (std::size_t b = 0; b < model.description.bodies.size(); ++b)
+    if (model.description.bodies[b].points_file.empty()) drawn.push_back(b);
+
+  std::vector<NewPoint> points;
+  for (const Seed& seed : seed_points(model.mesh, outlines)) {
+    const BodyCase& body = model.description.bodies[drawn[seed.body]];
+    points.push_back({seed.x, seed.local, body.velocity, seed.volume, seed.cell, material_number(model, body.material)});
+  }
+  for (std::size_t b = 0; b < model.description.bodies.size(); ++b)
+    if (!model.description.bodies[b].points_file.empty()) add_points_of_file(model, b, points);
+  if (points.empty())
+    throw InputError(Problem{"body[0]", "no material points",
+                             "The bodies hold no point of the seeding lattice. Use a larger body, smaller cells or more points per cell.", "body"});
+  return points;
+}
+
+}  // namespace terp

@@ -1,0 +1,27 @@
+// The first material points of a case: seeded bodies and points from files.
+#pragma once
+
+#include "points/seed.hpp"
+#include "simulation/model.hpp"
+
+namespace terp {
+
+/// A material point at t = 0.
+struct NewPoint {
+  Vec<2> x;          ///< [m]
+  Vec<2> local;      ///< xi, eta in its cell
+  Vec<2> v;          ///< [m/s]
+  Real volume;       ///< [m^2]
+  Index cell, material;
+};
+
+/// All points, in the order of their ids. Throws InputError.
+std::vector<NewPoint> make_points(const Model& model);
+
+/// Outlines of the bodies that are drawn (not of those that come as points), in the order of the case.
+std::vector<BodyOutline> outlines_of(const Model& model);
+
+/// Number of a material by its name in the case. Throws InputError.
+Index material_number(const Model& model, const std::string& name);
+
+}  // namespace terp
