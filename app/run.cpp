@@ -47,7 +47,7 @@ void print_summary(const Summary& s, const std::string& folder)
   fmt::print("  crest            {}\n", optional_number(s.crest_x, "m"));
   fmt::print("  second failure   {}\n", optional_number(s.second_failure_time, "s"));
   fmt::print("  largest eps_eq_p {:.3g}\n", s.max_eps_eq_p);
-  fmt::print("  energy balance   {:.2g} % of the gravity work\n", 100.0 * s.energy_balance_error);
+  fmt::print("  energy balance   {:.2g} % of the energy exchanged\n", 100.0 * s.energy_balance_error);
   fmt::print("  points lost: 0; put back at walls: {}; left through open sides: {}\n", s.clamped_points, s.points_left);
   fmt::print("results in {}\n", folder);
 }

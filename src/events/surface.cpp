@@ -20,7 +20,7 @@ std::vector<Real> surface_heights(const PointBlocks<2>& points, const Columns& c
 
 Real front(const PointBlocks<2>& points)
 {
-  Real x = -std::numeric_limits<Real>::infinity();
+  Real x = points.n_points() > 0 ? -std::numeric_limits<Real>::infinity() : std::numeric_limits<Real>::quiet_NaN();
   for_each_point(points, [&](const PointBlock<2>& block, Index lane) { x = std::max(x, block.row(PointRows<2>::x)[lane]); });
   return x;
 }

@@ -25,7 +25,7 @@ Real length(Vec<2> a) { return std::hypot(a[0], a[1]); }
 /// Faults after which nothing else can be looked at.
 void check_numbers(const Mesh<2>& mesh)
 {
-  MeshFaults faults;
+  MeshFaults faults("the mesh");
   if (mesh.cells.empty()) faults.add("it has no cells", "", "");
   for (Index i = 0; i < mesh.n_nodes(); ++i)
     for (const Real x : mesh.nodes[i])
@@ -37,7 +37,7 @@ void check_numbers(const Mesh<2>& mesh)
   for (Index e = 0; e < mesh.n_cells(); ++e)
     for (const Index i : mesh.cells[e])
       if (i < 0 || i >= mesh.n_nodes()) faults.add(fmt::format("{} names node {}, of {}", cell_name(mesh, e), i, mesh.n_nodes()), "", "");
-  faults.stop_if_any("the mesh");
+  faults.stop_if_any();
 }
 
 /// Corner by corner: detJ, and detJ over the lengths of the two sides (the sine of the angle).
@@ -232,14 +232,14 @@ void check_overlap(const Mesh<2>& mesh, MeshFaults& faults)
 void check_mesh(const Mesh<2>& mesh)
 {
   check_numbers(mesh);
-  MeshFaults faults;
+  MeshFaults faults("the mesh");
   std::vector<char> usable(mesh.cells.size(), true);
   check_shapes(mesh, usable, faults);
   check_duplicates(mesh, usable, faults);
   const std::vector<Edge> boundary = check_edges(mesh, usable, faults);
   check_boundary_nodes(mesh, boundary, faults);
   if (faults.empty()) check_overlap(mesh, faults);
-  faults.stop_if_any("the mesh");
+  faults.stop_if_any();
 }
 
 }  // namespace terp

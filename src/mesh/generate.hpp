@@ -10,7 +10,8 @@ namespace terp {
 
 /// Path of a mesh file (MSH 4.1, binary) of quadrilaterals, with the named sides and the region "domain". Made at the first call, later found by
 /// its content in ${XDG_CACHE_HOME:-~/.cache}/terp/meshes, or in the folder for temporary files if that cannot be written.
-/// The same input and the same gmsh give the same bytes. Throws MeshError with what to do.
+/// Places of followed outlines closer to each other, to a corner or to an edge than a fifth of a cell count as one for the mesh (not for the
+/// bodies), lest a sliver sets the time step. The same input and the same gmsh give the same bytes. Throws MeshError with what to do.
 std::string generate_mesh_file(const PolygonMesh& mesh);
 
 }  // namespace terp

@@ -33,11 +33,11 @@ using NodeTable = std::unordered_map<std::int64_t, std::size_t>;
 NodeTable number_nodes(const MshContent& content)
 {
   NodeTable table;
-  MeshFaults faults;
+  MeshFaults faults("the file");
   for (std::size_t k = 0; k < content.node_numbers.size(); ++k)
     if (!table.try_emplace(content.node_numbers[k], k).second)
       faults.add(fmt::format("node {} is there twice", content.node_numbers[k]), "", "Save the mesh again with gmsh.");
-  faults.stop_if_any("the file");
+  faults.stop_if_any();
   return table;
 }
 
@@ -58,25 +58,25 @@ std::string places_of(const MshContent& content, const NodeTable& table, const M
 
 void refuse_other_elements(const MshContent& content, const NodeTable& table)
 {
-  MeshFaults faults;
+  MeshFaults faults("the file");
   for (const MshElement& element : content.others)
     faults.add(fmt::format("element {} is a {}", element.number, msh_type_name(element.type)), places_of(content, table, element), all_quads_advice);
   faults.count_more(content.n_others - static_cast<std::int64_t>(content.others.size()));
   if (content.n_others == 0 && content.quads.empty())
     faults.add("it holds no quadrilaterals", "",
                all_quads_advice + " Where there are physical groups gmsh saves only what is in one: put the surfaces in a group.");
-  faults.stop_if_any("the file");
+  faults.stop_if_any();
 }
 
 void refuse_unknown_nodes(const MshContent& content, const NodeTable& table)
 {
-  MeshFaults faults;
+  MeshFaults faults("the file");
   for (const auto* elements : {&content.quads, &content.lines})
     for (const MshElement& element : *elements)
       if (std::any_of(element.nodes.begin(), element.nodes.begin() + element.n_nodes, [&](std::int64_t node) { return !table.contains(node); }))
         faults.add(fmt::format("element {} names a node that is not there", element.number), places_of(content, table, element),
                    "Save the mesh again with gmsh.");
-  faults.stop_if_any("the file");
+  faults.stop_if_any();
 }
 
 /// A quad may stand in the file once per physical group (MSH 2.2): one cell, all its groups.
@@ -167,7 +167,8 @@ void check_plane(const MshContent& content, const std::vector<Index>& used)
   const Real size = std::max(box.high[0] - box.low[0], box.high[1] - box.low[1]);
   const Real low = content.places[*lowest][2], high = content.places[*highest][2];
   if (high - low <= degenerate_share * size) return;
-  throw MeshError(fmt::format("the mesh does not lie in a plane z = constant: z = {:.6g} m at node {}, {:.6g} m at node {}\n  Draw the section in x and y.",
+  throw MeshError(fmt::format("the mesh does not lie in a plane z = constant: z = {:.6g} m at node {}, {:.6g} m at node {}\n"
+                              "  Draw the section in x and y.",
                               low, content.node_numbers[*lowest], high, content.node_numbers[*highest]));
 }
 
@@ -264,13 +265,13 @@ void add_sides(const LineTables& tables, Mesh<2>& mesh)
 {
   std::map<int, std::vector<CellSide>> sides_of_group;
   std::set<std::array<Index, 3>> known;  // group, cell, side: a line may be there twice
-  MeshFaults faults;
+  MeshFaults faults("the mesh");
   for (const MshElement& line : tables.content.lines)
     for (const int group : tables.content.group_sets[line.groups]) {
       const CellSide* side = side_of_line(tables, line, name_of_group(tables.content, 1, group), faults);
       if (side != nullptr && known.insert({group, side->cell, side->side}).second) sides_of_group[group].push_back(*side);
     }
-  faults.stop_if_any("the mesh");
+  faults.stop_if_any();
   mesh.sides = named_in_order<NamedSide>(tables.content, 1, sides_of_group);
 }
 

@@ -4,7 +4,6 @@
 
 #include <cstring>
 #include <unordered_map>
-#include <utility>
 
 namespace terp {
 namespace {
@@ -85,12 +84,6 @@ void read_cells(const std::string& bytes, const Tags& tags, GmshNodes& file)
   }
 }
 
-bool runs_clockwise(const std::array<Index, 4>& cell, const std::vector<Vec<2>>& x)
-{
-  const Vec<2>&a = x[cell[0]], &b = x[cell[1]], &c = x[cell[2]], &d = x[cell[3]];
-  return (c[0] - a[0]) * (d[1] - b[1]) < (c[1] - a[1]) * (d[0] - b[0]);
-}
-
 }  // namespace
 
 GmshNodes find_nodes(const std::string& bytes)
@@ -98,8 +91,6 @@ GmshNodes find_nodes(const std::string& bytes)
   GmshNodes file;
   const Tags tags = read_nodes(bytes, file);
   read_cells(bytes, tags, file);
-  for (auto& cell : file.cells)
-    if (runs_clockwise(cell, file.nodes)) std::swap(cell[1], cell[3]);
   return file;
 }
 

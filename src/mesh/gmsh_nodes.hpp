@@ -13,7 +13,7 @@ struct GmshNodes {
   std::vector<Vec<2>> nodes;               ///< [m]
   std::vector<int> dimension;              ///< of the thing a node lies on: 0 a place, 1 a line, 2 a face; shape [n_nodes]
   std::vector<Index> number;               ///< of that place, line or face in the script, from 1; shape [n_nodes]
-  std::vector<std::array<Index, 4>> cells; ///< corners, counter-clockwise
+  std::vector<std::array<Index, 4>> cells; ///< corners in gmsh's order: counter-clockwise unless a cell is inverted, for our faces are
   std::vector<std::size_t> offset;         ///< of a node's x in the bytes of the file, shape [n_nodes]
   bool all_quads = true;                   ///< no triangle is left
 };

@@ -8,7 +8,8 @@
 namespace terp {
 namespace {
 
-// Measured on rectangles, curved and refined domains and a dike section: more sweeps of either kind gain less than 1 %.
+// Measured on 24 meshes of a rectangle, a curved and a refined domain and a dike section: three times as many sweeps of either kind enlarge
+// the smallest altitude by at most 2 %.
 constexpr int n_sweeps = 60;           // over all nodes
 constexpr int n_worst_sweeps = 240;    // over the nodes of the worst cells: what a wedge lacks comes from far along its sides
 constexpr Real worst_share = 1.2;      // a cell is one of the worst if its altitude over target is at most this times the smallest

@@ -13,14 +13,15 @@ Real cross(Vec<2> a, Vec<2> b) { return a[0] * b[1] - a[1] * b[0]; }
 
 /// Inverse map in closed form. The map p = a xi + b eta + t xi eta gives cross(p - a xi, b + t xi) = 0, quadratic in xi, and the same
 /// for eta with a and b changed; of the roots the one with detJ > 0. Both discriminants are detJ^2 at the answer. Unlike Newton's
-/// method it finds places beside a corner that is almost straight; two Newton steps take off its round-off. Not a number without root.
+/// method it finds places beside a corner that is almost straight. There its round-off is 3e-13 of the side; one Newton step leaves 2e-16.
+/// Not a number where there is no root.
 Vec<2> inverse_map(const CellGeometry<2>& cell, Vec<2> p)
 {
   const Vec<2>&a = cell.axis_xi, &b = cell.axis_eta, &t = cell.twist;
   const Real with_xi = cross(a, b) - cross(p, t), with_eta = cross(a, b) + cross(p, t);
   Real xi = 2.0 * cross(p, b) / (with_xi + std::sqrt(with_xi * with_xi + 4.0 * cross(a, t) * cross(p, b)));
   Real eta = -2.0 * cross(p, a) / (with_eta + std::sqrt(with_eta * with_eta + 4.0 * cross(b, t) * cross(p, a)));
-  improve_local_coordinates(cell, p[0], p[1], 2, xi, eta);
+  improve_local_coordinates(cell, p[0], p[1], 1, xi, eta);
   return {xi, eta};
 }
 

@@ -6,7 +6,7 @@
 namespace terp {
 namespace {
 
-constexpr std::int64_t most_shown = 10;
+constexpr std::int64_t most_shown = 10, most_counted = 1000;
 
 std::int64_t node_number(const Mesh<2>& mesh, Index node) { return mesh.node_numbers.empty() ? node : mesh.node_numbers[node]; }
 
@@ -34,7 +34,7 @@ std::string corner_names(const Mesh<2>& mesh, Index cell)
 
 void MeshFaults::add(const std::string& what, const std::string& places, const std::string& advice)
 {
-  ++n_;
+  if (++n_ >= most_counted) stop_if_any();
   if (n_shown_ == most_shown) return;
   ++n_shown_;
   text_ += "\n  " + what;
@@ -42,10 +42,10 @@ void MeshFaults::add(const std::string& what, const std::string& places, const s
   if (!advice.empty() && std::find(advice_.begin(), advice_.end(), advice) == advice_.end()) advice_.push_back(advice);
 }
 
-void MeshFaults::stop_if_any(const std::string& title) const
+void MeshFaults::stop_if_any() const
 {
   if (empty()) return;
-  std::string text = fmt::format("{} has {} fault{}:{}", title, n_, n_ == 1 ? "" : "s", text_);
+  std::string text = fmt::format("{} has {} fault{}:{}", title_, n_, n_ == 1 ? "" : n_ == most_counted ? "s or more" : "s", text_);
   if (n_ > n_shown_) text += fmt::format("\n  and {} more", n_ - n_shown_);
   for (const auto& advice : advice_) text += "\n  " + advice;
   throw MeshError(text);

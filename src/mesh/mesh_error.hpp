@@ -24,19 +24,22 @@ std::string node_name(const Mesh<2>& mesh, Index node);
 /// All four corners of a cell: "nodes 57 at (3.1, 0.4), ... m".
 std::string corner_names(const Mesh<2>& mesh, Index cell);
 
-/// Collects faults: shows the first ten, counts all, says each advice once.
+/// Collects faults: shows the first ten, counts the rest, says each advice once.
 class MeshFaults {
  public:
+  /// title: what has the faults, e.g. "the mesh".
+  explicit MeshFaults(std::string title) : title_(std::move(title)) {}
   /// what: one line on what is wrong and where, without full stop. places: nodes and coordinates; may be empty.
-  /// advice: a sentence on what to do; may be empty.
+  /// advice: a sentence on what to do; may be empty. The thousandth fault stops at once: nobody reads on, and a hopeless file costs no time.
   void add(const std::string& what, const std::string& places, const std::string& advice);
   /// Counts faults that are not shown.
   void count_more(std::int64_t n) { n_ += n; }
   bool empty() const { return n_ == 0; }
-  /// Throws MeshError if there is any. title: what has the faults, e.g. "the mesh".
-  void stop_if_any(const std::string& title) const;
+  /// Throws MeshError if there is any.
+  void stop_if_any() const;
 
  private:
+  std::string title_;
   std::int64_t n_ = 0, n_shown_ = 0;
   std::string text_;
   std::vector<std::string> advice_;

@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::int64_t most_others = 16;  // kept for the message
 
+const std::string save_again = "Save the mesh as 4.1 or 2.2: `gmsh FILE -save -format msh41 -o NEW.msh`";
+
 struct ElementType {
   int n_nodes;
   const char* name;
@@ -59,11 +61,13 @@ class MshReader {
 
   void read_format()
   {
-    if (scan_.next_section() != "MeshFormat")
+    const std::string first = scan_.next_section();
+    if (first == "NOD") scan_.fail("MSH version 1 is not read. " + save_again);
+    if (first != "MeshFormat")
       scan_.fail("this is not a gmsh mesh: section $MeshFormat is expected first. A .geo file is meshed by `gmsh -2 -format msh41 FILE.geo`");
     const Real version = scan_.real("the version of the format");
     if (version != 2.2 && version != 4.1)
-      scan_.fail(fmt::format("MSH version {:g} is not read. Save the mesh as 4.1 or 2.2: `gmsh FILE -save -format msh41 -o NEW.msh`", version));
+      scan_.fail(fmt::format("MSH version {:g} is not read. {}", version, save_again));
     content_.version = version == 4.1 ? "4.1" : "2.2";
     const std::int64_t form = scan_.integer(Width::four, "0 (text) or 1 (binary)");
     if (form != 0 && form != 1) scan_.fail(fmt::format("0 (text) or 1 (binary) is expected, got {}", form));
@@ -88,6 +92,8 @@ class MshReader {
       is_4() ? read_elements_4() : read_elements_2();
     else if (name == "PartitionedEntities")
       scan_.fail("the mesh is cut into partitions. Save it in one piece, before it is partitioned");
+    else if (name == "ParametricNodes")
+      scan_.fail("nodes with parameters are not read in MSH 2.2. Save the mesh with Mesh.SaveParametric = 0, or as 4.1");
     else
       return scan_.skip_section(name);
     scan_.end_section(name);

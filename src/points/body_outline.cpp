@@ -104,7 +104,8 @@ bool check_ring(const Polygon& polygon, const std::string& name, std::vector<std
   const BoundingBox box = box_around(corners);
   const Real extent = std::max(box.high[0] - box.low[0], box.high[1] - box.low[1]);
   if (std::abs(signed_area(corners)) > no_area * extent * extent) return true;
-  found.push_back(fmt::format("{} has no area: all its corners lie on a line through {} and {} m", name, place_text(box.low), place_text(box.high)));
+  found.push_back(fmt::format("{} has no area: all its corners lie on a line in the box from {} to {} m", name, place_text(box.low),
+                              place_text(box.high)));
   return false;
 }
 

@@ -8,7 +8,7 @@
 namespace terp {
 
 /// Pieces smaller than this share of their part of the lattice are merged. A fifth keeps the masses of points within a factor of six
-/// or so of each other, and moves a point that takes a sliver by less than a sixth of the distance to it (decision 0026).
+/// or so of each other; a whole part that takes a sliver moves by less than a sixth of the way to it (decision 0026).
 inline constexpr Real smallest_share = 0.2;
 
 /// A point to be: a piece of one part of the lattice, or several such pieces.

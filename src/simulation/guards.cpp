@@ -52,6 +52,16 @@ Real smallest_nodal_mass(const Workspace& work)
   return smallest;
 }
 
+std::string describe_clamped(const State& state)
+{
+  return fmt::format("step {}, t = {:.4f} s: {} points had to be put back at the walls, more than {:.1f} % of all\n\n"
+                     "  likely   soil flies out of the mesh, or runs against a side that is `free`\n"
+                     "  try      a larger mesh.size, or a `roller` on that side (docs/troubleshooting.md#clamped-points)",
+                     state.step, state.time, state.clamped, 100.0 * most_clamped);
+}
+
+}  // namespace
+
 std::string describe_not_finite(const Model& model, const State& state, const Workspace& work, Real speed)
 {
   const BadPoint bad = find_bad_point(state);
@@ -70,16 +80,6 @@ std::string describe_not_finite(const Model& model, const State& state, const Wo
                             "(docs/troubleshooting.md#not-a-number)",
                             what, where, speed, model.dt, model.description.time.courant, smallest_nodal_mass(work));
 }
-
-std::string describe_clamped(const State& state)
-{
-  return fmt::format("step {}, t = {:.4f} s: {} points had to be put back at the walls, more than {:.1f} % of all\n\n"
-                     "  likely   soil flies out of the mesh, or runs against a side that is `free`\n"
-                     "  try      a larger mesh.size, or a `roller` on that side (docs/troubleshooting.md#clamped-points)",
-                     state.step, state.time, state.clamped, 100.0 * most_clamped);
-}
-
-}  // namespace
 
 std::string find_fault(const Model& model, const State& state, const Workspace& work, Real speed)
 {

@@ -1,5 +1,6 @@
 #include "simulation/initial.hpp"
 
+#include "simulation/guards.hpp"
 #include "simulation/setup_points.hpp"
 
 #include <algorithm>
@@ -61,8 +62,8 @@ void reset_history(State& state, int n_state)
     for (int k = 0; k < n_state; ++k) block.row(Rows::state + k)[lane] = 0.0;
   });
   state.work = {};
-  state.step = 0;
-  state.time = 0.0;
+  state.clamped = state.tension_cut = 0;
+  std::fill(state.put_back.begin(), state.put_back.end(), 0);
 }
 
 }  // namespace
@@ -84,22 +85,28 @@ void set_initial_stress(const Model& model, State& state)
 std::string seek_equilibrium(const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop)
 {
   const InitialCase& initial = model.description.initial;
+  constexpr std::int64_t fewest_steps = 10;  // before the ratio says anything
   work.damping_local = initial.damping;
-  for (Index n = 0; n < initial.max_steps; ++n) {
+  while (state.equilibrium_steps < initial.max_steps && !stop.load(std::memory_order_relaxed)) {
     model.step(model, state, work);
-    if (!work.finite) return "the search for equilibrium met a value that is not a number (docs/troubleshooting.md#not-a-number)";
-    if (stop.load(std::memory_order_relaxed)) return fmt::format("stopped after {} steps of the search for equilibrium; run the case anew", n + 1);
-    if (n < 10 || work.unbalanced_ratio > initial.limit) continue;
+    ++state.equilibrium_steps;
+    state.step = 0;
+    state.time = 0.0;
+    if (std::string fault = find_fault(model, state, work, 0.0); !fault.empty()) return "in the search for equilibrium: " + fault;
+    if (!state.left.empty()) return "in the search for equilibrium soil left through an open side; give that side a `roller`, or start with \"k0\"";
+    if (state.equilibrium_steps < fewest_steps || work.unbalanced_ratio > initial.limit) continue;
     work.damping_local = model.damping.local;
     reset_history(state, model.n_state);
-    state.crest = start_crest_history(state.points, state.crest.columns.left,
-                                      state.crest.columns.left + state.crest.columns.n * state.crest.columns.width, state.crest.columns.width);
+    const Columns columns = state.crest.columns;
+    state.crest = start_crest_history(state.points, columns.left, columns.left + columns.n * columns.width, columns.width);
     return {};
   }
+  if (state.equilibrium_steps < initial.max_steps) return {};
   return fmt::format("no equilibrium: after {} steps the out-of-balance force is {:.2e} of the weight, limit {:.2e}\n\n"
-                             "  likely   the body cannot stand under its own weight, or needs more steps\n"
-                             "  try      initial.stress = \"none\" or \"k0\", a stronger soil, or a larger initial.max_steps (docs/troubleshooting.md#no-equilibrium)",
-                             initial.max_steps, work.unbalanced_ratio, initial.limit);
+                     "  likely   the body cannot stand under its own weight, or needs more steps\n"
+                     "  try      initial.stress = \"none\" or \"k0\", a stronger soil, or a larger initial.max_steps "
+                     "(docs/troubleshooting.md#no-equilibrium)",
+                     initial.max_steps, work.unbalanced_ratio, initial.limit);
 }
 
 }  // namespace terp

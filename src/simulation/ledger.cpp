@@ -46,6 +46,7 @@ void enter_points(const Model& model, const State& state, LedgerRow& row)
     row.elastic += elastic_energy(*model.materials[block.material].law, block, lane);
     speeds.push_back(speed_squared(block, lane));
   });
+  if (speeds.empty()) return;  // all soil has left
   const auto quantile = speeds.begin() + static_cast<std::ptrdiff_t>(0.999 * static_cast<double>(speeds.size() - 1));
   std::nth_element(speeds.begin(), quantile, speeds.end());
   row.v_999 = std::sqrt(*quantile);
@@ -141,7 +142,7 @@ Real softened_fraction(const Model& model, const State& state)
     const auto values = state_of(block, lane, material.n_state());
     if (material.law->derived(su, values.data()) < 0.5 * material.law->derived(su, fresh.data())) soft += volume;
   });
-  return soft / all;
+  return all > 0.0 ? soft / all : 0.0;
 }
 
 }  // namespace terp

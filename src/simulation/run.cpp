@@ -20,9 +20,20 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 
 constexpr double progress_every = 0.25;  // of wall time [s]
 
+/// Keeps the evidence of a run that must stop, and stops it.
+[[noreturn]] void stop_run(const State& state, std::span<Observer* const> observers, std::string message)
+{
+  for (Observer* observer : observers) {
+    const std::string saved = observer->save_failed(make_image(state));
+    if (!saved.empty()) message += "\n  saved    " + saved;
+  }
+  throw RunError(message);
+}
+
 struct Loop {
   const Model& model;
   State& state;
+  const Workspace& work;
   std::span<Observer* const> observers;
   Clock::time_point start = Clock::now();
   double last_progress = -progress_every;
@@ -40,13 +51,20 @@ struct Loop {
     const OutputCase& output = model.description.output;
     const auto now = [&](Real every) { return last || state.step == 0 || due(state.step, model.dt, every); };
     if (now(output.ledger_every)) tell_left();
-    if (now(output.ledger_every)) tell([row = keep_ledger(model, state)](Observer& o) { o.ledger(row); });
+    if (now(output.ledger_every)) write_ledger();
     if (now(output.history_every)) tell([rows = make_history(model, state)](Observer& o) { o.history(rows); });
     if (now(output.fields_every)) {
       state.softened_fraction.emplace_back(state.time, softened_fraction(model, state));
       tell([frame = make_frame(model, state)](Observer& o) { o.frame(frame); });
     }
     if (last || (state.step > 0 && due(state.step, model.dt, output.checkpoint_every))) write_checkpoint();
+  }
+
+  void write_ledger()
+  {
+    const LedgerRow row = keep_ledger(model, state);
+    tell([&](Observer& o) { o.ledger(row); });
+    if (!std::isfinite(row.kinetic + row.elastic)) stop_run(state, observers, describe_not_finite(model, state, work, row.v_999));
   }
 
   /// The points that left through open sides since this was last called.
@@ -82,21 +100,12 @@ struct Loop {
 /// Returns what went wrong, or nothing.
 std::string start_run(const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop)
 {
+  start_audit(model, state);  // sizes what a checkpoint holds, before anything can stop the search
   if (model.description.initial.stress == InitialStress::equilibrium)
     if (std::string fault = seek_equilibrium(model, state, work, stop); !fault.empty()) return fault;
   state.start_energy = kinetic_and_elastic_energy(model, state);
   start_audit(model, state);
   return {};
-}
-
-/// Keeps the evidence of a run that must stop, and stops it.
-[[noreturn]] void stop_run(const Loop& loop, std::string message)
-{
-  for (Observer* observer : loop.observers) {
-    const std::string saved = observer->save_failed(make_image(loop.state));
-    if (!saved.empty()) message += "\n  saved    " + saved;
-  }
-  throw RunError(message);
 }
 
 }  // namespace
@@ -110,9 +119,13 @@ bool due(std::int64_t step, Real dt, Real every)
 
 Outcome run(const Model& model, State& state, Workspace& work, std::span<Observer* const> observers, const std::atomic<bool>& stop)
 {
-  Loop loop{.model = model, .state = state, .observers = observers, .wall_before = state.wall_s, .first_step = state.step};
+  Loop loop{.model = model, .state = state, .work = work, .observers = observers, .wall_before = state.wall_s, .first_step = state.step};
   if (state.step == 0) {
-    if (const std::string fault = start_run(model, state, work, stop); !fault.empty()) stop_run(loop, fault);
+    if (const std::string fault = start_run(model, state, work, stop); !fault.empty()) stop_run(state, observers, fault);
+    if (stop.load(std::memory_order_relaxed)) {
+      loop.write_checkpoint();
+      return Outcome::interrupted;
+    }
     loop.write_due(false);
   }
   while (state.step < model.n_steps) {
@@ -122,7 +135,7 @@ Outcome run(const Model& model, State& state, Workspace& work, std::span<Observe
     }
     const Real before = state.largest_v_999;
     model.step(model, state, work);
-    if (const std::string fault = find_fault(model, state, work, before); !fault.empty()) stop_run(loop, fault);
+    if (const std::string fault = find_fault(model, state, work, before); !fault.empty()) stop_run(state, observers, fault);
     loop.write_due(state.step == model.n_steps);
     loop.tell_progress(state.step == model.n_steps);
   }
@@ -151,8 +164,9 @@ Summary summarise(const Model& model, const State& state)
   s.points_eps_eq_p_fell = std::count(state.audit.fell.begin(), state.audit.fell.end(), 1);
   s.points_su_rose = std::count(state.audit.rose.begin(), state.audit.rose.end(), 1);
   const WorkTotals& w = state.work;
+  const Real exchanged = std::abs(w.gravity) + std::abs(w.damping) + std::abs(w.boundary) + w.plastic + state.start_energy;
   const Real numerical = kinetic_and_elastic_energy(model, state) + w.plastic - state.start_energy - (w.gravity + w.damping + w.boundary);
-  s.energy_balance_error = w.gravity != 0.0 ? std::abs(numerical / w.gravity) : 0.0;
+  s.energy_balance_error = exchanged > 0.0 ? std::abs(numerical) / exchanged : 0.0;
   s.clamped_points = state.clamped;
   s.points_left = static_cast<std::int64_t>(state.left.size());
   s.v_999 = state.largest_v_999;

@@ -120,7 +120,7 @@ StateImage make_image(const State& state)
   const WorkTotals& w = state.work;
   put(image, "work", std::vector<Real>{w.gravity, w.damping, w.boundary, w.plastic, w.internal, state.start_energy, state.largest_v_999});
   put(image, "wall_s", std::vector<Real>{state.wall_s});  // the one number that differs between equal runs
-  put(image, "counts", std::vector<std::int64_t>{state.clamped, state.tension_cut});
+  put(image, "counts", std::vector<std::int64_t>{state.clamped, state.tension_cut, state.equilibrium_steps});
   put_left(state, image);
   put(image, "put_back", widen(state.put_back));
   put(image, "audit/last_eps_eq_p", state.audit.last_eps_eq_p);
@@ -152,9 +152,10 @@ State restore(const Model& model, const StateImage& image)
   state.start_energy = w[5];
   state.largest_v_999 = w[6];
   state.wall_s = get<Real>(image, "wall_s", 1)[0];
-  const auto& counts = get<std::int64_t>(image, "counts", 2);
+  const auto& counts = get<std::int64_t>(image, "counts", 3);
   state.clamped = counts[0];
   state.tension_cut = counts[1];
+  state.equilibrium_steps = counts[2];
   const auto& put_back = get<std::int64_t>(image, "put_back", n);
   state.put_back.assign(put_back.begin(), put_back.end());
   const auto& fell = get<std::int64_t>(image, "audit/fell", n);

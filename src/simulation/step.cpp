@@ -144,9 +144,9 @@ void step(const Model& model, State& state, Workspace& work)
       });
     });
   });
+  finish_sums(state, work);  // before points move and the chunks change
   timed(work, move, [&] { move_leavers(model, state, work); });
 
-  finish_sums(state, work);
   ++state.step;
   state.time = static_cast<Real>(state.step) * model.dt;
 }

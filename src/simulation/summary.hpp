@@ -25,7 +25,7 @@ struct Summary {
   std::vector<std::pair<Real, Real>> softened_fraction;  ///< (time [s], share of the volume with S_u below half its peak [-])
   std::int64_t points_eps_eq_p_fell = 0;  ///< points whose eps_eq_p ever fell between two ledger rows
   std::int64_t points_su_rose = 0;        ///< points whose S_u ever rose between two ledger rows
-  Real energy_balance_error = 0.0;        ///< |numerical| of the last ledger row over the gravity work [-]
+  Real energy_balance_error = 0.0;        ///< |numerical| at the end over the energy exchanged: works, plastic, start [-]
   std::int64_t clamped_points = 0;
   std::int64_t points_left = 0;           ///< through open sides
   Real v_999 = 0.0;                       ///< largest 99.9 % quantile of the speed over all ledger rows [m/s]

@@ -1,4 +1,4 @@
-// A disk of a given size that a test may fill. Not for: anything outside tests/output.
+// A disk of a given size that a test of output or of the program may fill.
 #pragma once
 
 #include "support/paths.hpp"

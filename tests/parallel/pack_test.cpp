@@ -105,7 +105,7 @@ TEST(Exponential, IsWithin1eMinus15OverItsWholeRange)
     const long double exact = std::exp(static_cast<long double>(x));
     worst = std::max(worst, std::abs(exponential(x) / exact - 1.0L));
   }
-  EXPECT_LT(worst, 1e-15L);
+  EXPECT_LT(worst, 3e-16L);  // promised 1e-15; measured 1.4e-16, and 3.6e-16 without the last term of the polynomial
 }
 
 TEST(Exponential, AgreesWithTheStandardLibraryAtTheEnds)

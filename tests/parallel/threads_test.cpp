@@ -72,13 +72,32 @@ TEST_P(EveryThreadCount, GivesTheSameBits)
 
 TEST_P(EveryThreadCount, WakesSleepersForTheNextJob)
 {
+  if (GetParam() == 1) return;  // nobody to wake
   Threads threads(GetParam());
-  for (int repeat = 0; repeat < 5; ++repeat) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));  // far longer than the workers spin
-    std::atomic<int> done{0};
-    threads.for_each_chunk(100, [&](Index) { done.fetch_add(1); });
-    ASSERT_EQ(done.load(), 100);
-  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));  // far longer than the workers spin
+  const auto caller = std::this_thread::get_id();
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  std::atomic<bool> helped{false};
+  threads.for_each_chunk(100, [&](Index) {
+    if (std::this_thread::get_id() != caller) helped = true;
+    while (!helped && std::chrono::steady_clock::now() < give_up) std::this_thread::yield();
+  });
+  EXPECT_TRUE(helped) << "the caller had to do all the work";
+}
+
+TEST_P(EveryThreadCount, AThreadThatIsHeldUpKeepsTheOthersFromOneChunkOnly)
+{
+  if (GetParam() == 1) return;  // no others
+  Threads threads(GetParam());
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  std::atomic<int> done{0};
+  bool all_others_done = false;
+  threads.for_each_chunk(64, [&](Index chunk) {
+    while (chunk == 0 && done.load() < 63 && std::chrono::steady_clock::now() < give_up) std::this_thread::yield();
+    if (chunk == 0) all_others_done = done.load() == 63;
+    done.fetch_add(1);
+  });
+  EXPECT_TRUE(all_others_done);
 }
 
 INSTANTIATE_TEST_SUITE_P(Counts, EveryThreadCount, testing::Range(1, 9));

@@ -150,6 +150,7 @@ State make_state(const Model& model, const Json& points)
   }
   state.points.update_occupied();
   state.x_initial.resize(2 * n);
+  state.put_back.resize(n);
   return state;
 }
 

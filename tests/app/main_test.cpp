@@ -1,0 +1,79 @@
+// The command line: help, version, words that are not commands, and the commands that only tell.
+#include "support/process.hpp"
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using test::Finished;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+TEST(Help, NamesTheCommandsOptionsAndExitStatuses)
+{
+  for (const auto& words : std::vector<std::vector<std::string>>{{"--help"}, {"-h"}, {"help"}, {"run", "--help"}}) {
+    const Finished f = test::terp(words);
+    EXPECT_EQ(f.status, 0);
+    EXPECT_THAT(f.out, StartsWith("terp: explicit material point method for soil"));
+    for (const char* part : {"run CASE.toml", "resume RUN", "check CASE.toml", "explain TOPIC", "  list ", "--set KEY=VALUE",
+                             "--threads N", "--force", "Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else"})
+      EXPECT_THAT(f.out, HasSubstr(part));
+    EXPECT_EQ(f.err, "");
+  }
+}
+
+TEST(Help, IsWhatTerpAloneSays)
+{
+  const Finished f = test::terp({});
+  EXPECT_EQ(f.status, 0);
+  EXPECT_EQ(f.out, test::terp({"--help"}).out);
+}
+
+TEST(Version, IsOneLine)
+{
+  const Finished f = test::terp({"--version"});
+  EXPECT_EQ(f.status, 0);
+  EXPECT_EQ(f.out, "terp " TERP_VERSION "\n");
+}
+
+TEST(CommandLine, WhatItDoesNotKnowIsBadInputAndPointsToTheHelp)
+{
+  for (const auto& words : std::vector<std::vector<std::string>>{
+           {"solve"}, {"run"}, {"run", "a.toml", "--fast"}, {"run", "a.toml", "-j", "0"}, {"run", "a.toml", "b.toml"}, {"explain"},
+           {"list", "all"}}) {
+    const Finished f = test::terp(words);
+    EXPECT_EQ(f.status, 2) << words[0];
+    EXPECT_EQ(f.out, "");
+    EXPECT_THAT(f.err, AllOf(StartsWith("error: "), HasSubstr("see terp --help\n")));
+  }
+}
+
+TEST(Explain, TellsOfAMaterialASchemeAndAKey)
+{
+  const Finished law = test::terp({"explain", "tresca_softening"});
+  EXPECT_EQ(law.status, 0);
+  EXPECT_THAT(law.out, AllOf(HasSubstr("su_peak"), HasSubstr("Pa"), HasSubstr("Eq. (5)")));
+  EXPECT_THAT(test::terp({"explain", "mpm_gp"}).out, HasSubstr("material points own the history"));
+  EXPECT_THAT(test::terp({"explain", "mesh.cell"}).out, HasSubstr(" m"));
+}
+
+TEST(Explain, OffersTheNearestTopicForOneThatIsNone)
+{
+  const Finished f = test::terp({"explain", "tresca_softning"});
+  EXPECT_EQ(f.status, 2);
+  EXPECT_EQ(f.out, "");
+  EXPECT_THAT(f.err, HasSubstr("tresca_softening"));
+}
+
+TEST(List, NamesEverySchemeMaterialAndOutput)
+{
+  const Finished f = test::terp({"list"});
+  EXPECT_EQ(f.status, 0);
+  for (const char* name : {"standard_mpm", "mpm_mixed", "mpm_gp", "linear_elastic", "tresca_softening", "eps_deviatoric", "velocity"})
+    EXPECT_THAT(f.out, HasSubstr(name));
+}
+
+}  // namespace
+}  // namespace terp

@@ -1,0 +1,274 @@
+// terp run and terp resume, as a user meets them: files, messages, exit statuses.
+#include "app/coarse_column.hpp"
+#include "output/checkpoint.hpp"
+#include "output/hdf5_file.hpp"
+#include "output/small_disk.hpp"
+#include "support/simulations.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+/// For the leak sanitizer: HDF5 1.10 itself loses memory.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
+
+namespace terp {
+namespace {
+
+using test::Finished;
+using test::run_column;
+using test::text_of;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string last_checkpoint = "/checkpoint_000000066.h5";
+
+TEST(Run, LeavesAllItsFilesAndSaysWhereTheyAre)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run";
+  const Finished f = run_column(folder);
+  EXPECT_EQ(f.status, 0);
+  EXPECT_EQ(f.err, "");
+  EXPECT_THAT(f.out, AllOf(HasSubstr("solved in "), HasSubstr(": 1600 points, 66 steps of 0.00303 s, "), HasSubstr(" on 1 thread\n"),
+                           HasSubstr("points lost: 0; put back at walls: 0; left through open sides: 0\n"), HasSubstr("results in " + folder + "\n")));
+  EXPECT_THAT(test::names_in(folder),
+              testing::IsSupersetOf({"case.toml", "checkpoint_000000066.h5", "history.csv", "ledger.csv", "results.vtkhdf", "summary.json"}));
+  const auto summary = nlohmann::json::parse(text_of(folder + "/summary.json"));
+  EXPECT_EQ(summary.at("finished"), true);
+  EXPECT_EQ(summary.at("steps"), 66);
+  EXPECT_EQ(summary.at("points"), 1600);
+  EXPECT_EQ(summary.at("scheme"), "mpm_gp");
+  EXPECT_THAT(text_of(folder + "/history.csv"), HasSubstr("\n0,A,"));
+}
+
+TEST(Run, GoesToRunsAndTheNameOfTheCaseByDefault)
+{
+  const test::ScratchFolder scratch;
+  EXPECT_EQ(test::terp(test::column_command("run", {"-q"}), scratch.path()).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(scratch.path() + "/runs/model_2/summary.json"));
+}
+
+TEST(Run, NotOnATerminalTellsPlainLinesWithoutControlCharacters)
+{
+  const test::ScratchFolder scratch;
+  const Finished f = run_column(scratch.path() + "/run");
+  EXPECT_TRUE(std::all_of(f.out.begin(), f.out.end(), [](unsigned char c) { return c == '\n' || c >= ' '; }));
+  EXPECT_THAT(f.out, HasSubstr("100.0 %  t = 0.200 of 0.2 s  step 66 of 66  "));
+  EXPECT_THAT(f.out, HasSubstr("M point-steps/s  ETA "));
+}
+
+TEST(Run, OnATerminalTellsItsProgressInOneLineThatIsWrittenAnew)
+{
+  const test::ScratchFolder scratch;
+  if (std::system("command -v script > /dev/null") != 0) GTEST_SKIP() << "needs script(1)";
+  const std::string command = "script -qec '" + std::string(TERP_PROGRAM) + " run " + test::column_file +
+                              " --set mesh.cell=0.5 --set time.end=0.2 -j 1 -o " + scratch.path() + "/run' /dev/null < /dev/null > " +
+                              scratch.path() + "/seen";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  EXPECT_THAT(text_of(scratch.path() + "/seen"), AllOf(HasSubstr("\r\033[K100.0 %  t = 0.200 of 0.2 s"), HasSubstr("solved in ")));
+}
+
+TEST(Run, QuietSaysNothing)
+{
+  const test::ScratchFolder scratch;
+  const Finished f = run_column(scratch.path() + "/run", {"-q"});
+  EXPECT_EQ(f.status, 0);
+  EXPECT_EQ(f.out + f.err, "");
+}
+
+TEST(Run, VerboseTellsTheTimeOfEachPass)
+{
+  const test::ScratchFolder scratch;
+  const Finished f = run_column(scratch.path() + "/run", {"-v"});
+  for (const char* pass : {"points to cells", "nodes", "cells to points", "velocities", "stress", "move"}) EXPECT_THAT(f.out, HasSubstr(pass));
+}
+
+TEST(Run, DoesNotTouchAnEarlierRunWithoutForce)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run";
+  ASSERT_EQ(run_column(folder).status, 0);
+  const std::string summary = text_of(folder + "/summary.json"), checkpoint = text_of(folder + last_checkpoint);
+  const Finished refused = run_column(folder, {"--set", "scheme=mpm_mixed"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, AllOf(StartsWith("error: "), HasSubstr(folder), HasSubstr("--force")));
+  EXPECT_EQ(text_of(folder + "/summary.json"), summary);
+  EXPECT_EQ(text_of(folder + last_checkpoint), checkpoint);
+  EXPECT_EQ(run_column(folder, {"--set", "scheme=mpm_mixed", "--force"}).status, 0);
+  EXPECT_THAT(text_of(folder + "/summary.json"), HasSubstr("mpm_mixed"));
+}
+
+TEST(Run, OfABadCaseNamesFileAndLineAndLeavesNothing)
+{
+  const test::ScratchFolder scratch;
+  std::string text = text_of(test::column_file);
+  text.replace(text.find("su_residual   = 2.0e3"), 11, "su_resdiual");
+  test::write_text(scratch.path() + "/bad.toml", text);
+  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find("su_resdiual")), '\n');
+  const Finished f = test::terp({"run", "bad.toml", "-o", "run"}, scratch.path());
+  EXPECT_EQ(f.status, 2);
+  EXPECT_EQ(f.out, "");
+  EXPECT_THAT(f.err, AllOf(StartsWith("error: bad.toml:" + std::to_string(line) + ":1: unknown key `su_resdiual`"),
+                           HasSubstr("Did you mean `su_residual`?"), HasSubstr("nothing was run")));
+  EXPECT_THAT(test::names_in(scratch.path()), ElementsAre("bad.toml"));
+}
+
+TEST(Run, OfAFileThatIsNotThereIsBadInput)
+{
+  const Finished f = test::terp({"run", "no/such/case.toml"});
+  EXPECT_EQ(f.status, 2);
+  EXPECT_THAT(f.err, HasSubstr("no/such/case.toml"));
+}
+
+TEST(Run, IntoAPlaceThatIsNoFolderFails)
+{
+  const test::ScratchFolder scratch;
+  test::write_text(scratch.path() + "/file", "mine");
+  const Finished f = run_column(scratch.path() + "/file/run");
+  EXPECT_EQ(f.status, 1);
+  EXPECT_THAT(f.err, AllOf(StartsWith("error: "), HasSubstr(scratch.path() + "/file")));
+  EXPECT_EQ(text_of(scratch.path() + "/file"), "mine");
+}
+
+TEST(Run, OnAFullDiskFailsWithThePathAndTheReason)
+{
+  const test::SmallDisk disk(600 * 1024);  // less than the first frame and a checkpoint
+  if (!disk.is_there()) GTEST_SKIP() << "needs the right to mount a tmpfs";
+  const std::string folder = disk.path() + "/run";
+  const Finished f = run_column(folder, {"--set", "output.fields.every=0.01"});
+  EXPECT_EQ(f.status, 1);
+  EXPECT_THAT(f.err, AllOf(StartsWith("error: "), HasSubstr(folder), HasSubstr("No space left on device")));
+}
+
+TEST(Run, ThatStopsItselfHasAStatusOfItsOwnAndKeepsItsState)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run";
+  const Finished f = run_column(folder, {"--set", "body[0].velocity=[60.0, 0.0]", "--set", "boundary.right=\"free\"", "--set", "time.end=0.3"});
+  EXPECT_EQ(f.status, 3);
+  EXPECT_THAT(f.err, AllOf(HasSubstr("points had to be put back at the walls"), HasSubstr("  saved    " + folder + "/failed_")));
+  EXPECT_THAT(test::names_in(folder), testing::Contains(StartsWith("failed_")));
+  EXPECT_EQ(nlohmann::json::parse(text_of(folder + "/summary.json")).at("finished"), false);
+}
+
+/// Results of two runs of the same case: every point, field, row and bit of the final state.
+void expect_same_results(const std::string& a, const std::string& b, const std::string& checkpoint)
+{
+  EXPECT_EQ(test::first_difference(read_checkpoint(a + checkpoint), read_checkpoint(b + checkpoint)), "");
+  EXPECT_EQ(text_of(a + "/history.csv"), text_of(b + "/history.csv"));
+  EXPECT_EQ(text_of(a + "/ledger.csv"), text_of(b + "/ledger.csv"));
+  const Hdf5File first(a + "/results.vtkhdf", Hdf5File::Mode::read), second(b + "/results.vtkhdf", Hdf5File::Mode::read);
+  std::vector<std::string> tables{"/VTKHDF/Points", "/VTKHDF/Steps/Values"};
+  for (const std::string& name : first.members("/VTKHDF/PointData")) tables.push_back("/VTKHDF/PointData/" + name);
+  EXPECT_GT(tables.size(), 10u);
+  for (const std::string& table : tables) {
+    const bool same = first.holds_reals(table) ? first.read<Real>(table) == second.read<Real>(table)
+                                               : first.read<std::int64_t>(table) == second.read<std::int64_t>(table);
+    EXPECT_TRUE(same) << table;
+  }
+}
+
+TEST(Run, OnTwoThreadsGivesTheResultsOfOne)
+{
+  const test::ScratchFolder scratch;
+  const std::string one = scratch.path() + "/one", two = scratch.path() + "/two";
+  ASSERT_EQ(run_column(one, {"-q"}).status, 0);
+  std::vector<std::string> words = test::column_command("run", {"-o", two, "-q"});
+  *(std::find(words.begin(), words.end(), "-j") + 1) = "2";
+  ASSERT_EQ(test::terp(words).status, 0);
+  expect_same_results(one, two, last_checkpoint);
+}
+
+TEST(Run, OfTheCaseInARunFolderRepeatsIt)
+{
+  const test::ScratchFolder scratch;
+  const std::string first = scratch.path() + "/first", again = scratch.path() + "/again";
+  ASSERT_EQ(run_column(first, {"-q"}).status, 0);
+  ASSERT_EQ(test::terp({"run", first + "/case.toml", "-o", again, "-q", "-j", "1"}).status, 0);
+  expect_same_results(first, again, last_checkpoint);
+}
+
+std::vector<std::string> longer_run(const std::string& folder, const char* threads)
+{
+  return {"run", test::column_file, "--set", "mesh.cell=0.25", "--set", "time.end=2.0", "-o", folder, "-j", threads};
+}
+
+/// Waits until a run has written some rows of its ledger.
+void wait_for_rows(const std::string& folder)
+{
+  for (int k = 0; k < 2000; ++k) {
+    const std::string rows = text_of(folder + "/ledger.csv");
+    if (std::count(rows.begin(), rows.end(), '\n') > 3) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  FAIL() << "the run does not start";
+}
+
+TEST(Resume, AfterCtrlCEndsInTheResultsOfARunThatWasNotStopped)
+{
+  const test::ScratchFolder scratch;
+  const std::string whole = scratch.path() + "/whole", stopped = scratch.path() + "/stopped";
+  test::Process running(longer_run(stopped, "1"));
+  wait_for_rows(stopped);
+  running.send(SIGINT);
+  const Finished f = running.wait();
+  EXPECT_EQ(f.status, 1);
+  EXPECT_THAT(f.out, AllOf(HasSubstr("stopped at t = "), HasSubstr("a checkpoint is written. Go on with:\n  terp resume " + stopped + "\n")));
+  EXPECT_EQ(nlohmann::json::parse(text_of(stopped + "/summary.json")).at("finished"), false);
+
+  const Finished resumed = test::terp({"resume", stopped, "-j", "2"});
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_THAT(resumed.out, AllOf(StartsWith("resuming " + stopped + " at t = "), HasSubstr("solved in ")));
+  EXPECT_EQ(nlohmann::json::parse(text_of(stopped + "/summary.json")).at("finished"), true);
+  ASSERT_EQ(test::terp(longer_run(whole, "1")).status, 0);
+  expect_same_results(whole, stopped, "/checkpoint_000001320.h5");
+}
+
+TEST(Resume, FromACheckpointThatIsNamedEndsInTheSameResults)
+{
+  const test::ScratchFolder scratch;
+  const std::string whole = scratch.path() + "/whole", again = scratch.path() + "/again";
+  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}"}).status, 0);
+  std::filesystem::copy(whole, again);
+  const Finished f = test::terp({"resume", again + "/checkpoint_000000033.h5", "-j", "1"});
+  EXPECT_EQ(f.status, 0) << f.err;
+  EXPECT_THAT(f.out, HasSubstr("step 33 of 66\n"));
+  expect_same_results(whole, again, last_checkpoint);
+}
+
+TEST(Resume, SkipsADamagedCheckpointAndSaysSo)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run";
+  ASSERT_EQ(run_column(folder, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}"}).status, 0);
+  std::filesystem::resize_file(folder + last_checkpoint, 1000);
+  const Finished f = test::terp({"resume", folder, "-j", "1"});
+  EXPECT_EQ(f.status, 0);
+  EXPECT_THAT(f.err, HasSubstr("warning: skipped " + folder + last_checkpoint));
+  EXPECT_NO_THROW(read_checkpoint(folder + last_checkpoint));
+}
+
+TEST(Resume, WithoutARunOrACheckpointFails)
+{
+  const test::ScratchFolder scratch;
+  const Finished nowhere = test::terp({"resume", scratch.path() + "/none"});
+  EXPECT_EQ(nowhere.status, 1);
+  EXPECT_EQ(nowhere.err, "error: " + scratch.path() + "/none: no such run folder\n");
+  const std::string folder = scratch.path() + "/run";
+  ASSERT_EQ(run_column(folder, {"-q"}).status, 0);
+  std::filesystem::remove(folder + last_checkpoint);
+  const Finished f = test::terp({"resume", folder});
+  EXPECT_EQ(f.status, 1);
+  EXPECT_EQ(f.err, "error: " + folder + ": no checkpoint to resume from. Start the case anew with `terp run`.\n");
+}
+
+}  // namespace
+}  // namespace terp

@@ -1,0 +1,270 @@
+// What sides do to nodal velocities: rollers, fixed and driven sides, contact planes, corners, inclined sides.
+
+#include "boundary/conditions.hpp"
+
+#include "base/errors.hpp"
+#include "support/meshes.hpp"
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using testing::DoubleEq;
+using testing::DoubleNear;
+using testing::ElementsAre;
+
+constexpr Real mass = 30.0, dt = 0.002;
+
+// Nodes 0 1 2 3 at the bottom, 4 5 6 7, 8 9 10 11 at the top; cells 1 m x 0.5 m.
+Mesh<2> mesh_3x2() { return make_rectangle({0.0, 0.0}, {3.0, 1.0}, {3, 2}); }
+
+Vec<2> constrained(const Boundary& boundary, Index node, Vec<2> v)
+{
+  boundary.constrain(node, mass, dt, v);
+  return v;
+}
+
+Vec<2> clamped(const Boundary& boundary, Index node, Vec<2> v)
+{
+  boundary.clamp(node, v);
+  return v;
+}
+
+/// Two cells on a base that rises: (0,0) - (1,0) - (3,1) with the ground below.
+Mesh<2> inclined_mesh()
+{
+  Mesh<2> mesh;
+  mesh.nodes = {{0.0, 0.0}, {1.0, 0.0}, {3.0, 1.0}, {0.0, 1.5}, {1.1, 1.4}, {2.8, 2.5}};
+  mesh.cells = {{0, 1, 4, 3}, {1, 2, 5, 4}};
+  mesh.sides = {{"base", {{0, 0}, {1, 0}}}, {"front", {{1, 1}}}};
+  connect(mesh);
+  return mesh;
+}
+
+TEST(Roller, StopsMotionAcrossTheSideBothWays)
+{
+  const Boundary boundary(mesh_3x2(), {{.side = "left"}});
+  EXPECT_THAT(constrained(boundary, 4, {-3.0, 4.0}), ElementsAre(0.0, 4.0));
+  EXPECT_THAT(constrained(boundary, 4, {3.0, -4.0}), ElementsAre(0.0, -4.0));
+  EXPECT_THAT(clamped(boundary, 4, {3.0, -4.0}), ElementsAre(0.0, -4.0));
+}
+
+TEST(Boundary, LeavesOtherNodesAlone)
+{
+  const Boundary boundary(mesh_3x2(), {{.side = "left"}, {.side = "bottom", .hold = Hold::all}});
+  for (const Index node : {5, 6, 7, 9, 10, 11}) {
+    EXPECT_EQ(boundary.at(node), nullptr);
+    EXPECT_THAT(constrained(boundary, node, {-3.0, 4.0}), ElementsAre(-3.0, 4.0));
+    EXPECT_THAT(clamped(boundary, node, {-3.0, 4.0}), ElementsAre(-3.0, 4.0));
+  }
+}
+
+TEST(FixedSide, StopsAllMotion)
+{
+  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::all}});
+  EXPECT_THAT(constrained(boundary, 2, {-3.0, 4.0}), ElementsAre(0.0, 0.0));
+  EXPECT_THAT(clamped(boundary, 2, {-3.0, 4.0}), ElementsAre(0.0, 0.0));
+}
+
+TEST(DrivenSide, TakesThePrescribedVelocityEverywhereAlsoInItsCorners)
+{
+  const Boundary boundary(mesh_3x2(), {{.side = "right", .hold = Hold::all, .velocity = {-0.2, 0.1}}, {.side = "bottom"}});
+  for (const Index node : {3, 7, 11}) {
+    EXPECT_THAT(constrained(boundary, node, {5.0, 5.0}), ElementsAre(-0.2, 0.1));
+    EXPECT_THAT(clamped(boundary, node, {5.0, 5.0}), ElementsAre(-0.2, 0.1));
+  }
+}
+
+TEST(ContactPlane, TheTangentialImpulseIsAtMostAdhesionTimesLength)
+{
+  const Real a = 6e3;
+  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::contact, .adhesion = a}});
+  EXPECT_THAT(constrained(boundary, 1, {2.0, -1.0}), ElementsAre(DoubleEq(2.0 - a * 1.0 * dt / mass), 0.0));
+  EXPECT_THAT(constrained(boundary, 1, {-2.0, -1.0}), ElementsAre(DoubleEq(-2.0 + a * 1.0 * dt / mass), 0.0));
+  EXPECT_THAT(constrained(boundary, 0, {2.0, -1.0}), ElementsAre(DoubleEq(2.0 - a * 0.5 * dt / mass), 0.0))
+      << "half the length at an end";
+}
+
+TEST(ContactPlane, SticksWhereTheAdhesionIsEnough)
+{
+  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::contact, .adhesion = 6e3}});
+  EXPECT_THAT(constrained(boundary, 1, {0.39, -1.0}), ElementsAre(0.0, 0.0));
+  EXPECT_GT(constrained(boundary, 1, {0.41, -1.0})[0], 0.0);
+}
+
+TEST(ContactPlane, TakesFrictionTimesTheNormalImpulse)
+{
+  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::contact, .friction = 0.4}});
+  EXPECT_THAT(constrained(boundary, 1, {2.0, -1.5}), ElementsAre(DoubleEq(2.0 - 0.4 * 1.5), 0.0));
+  EXPECT_THAT(constrained(boundary, 1, {0.5, -1.5}), ElementsAre(0.0, 0.0));
+  EXPECT_THAT(constrained(boundary, 1, {2.0, 1.5}), ElementsAre(2.0, 0.0)) << "no friction under tension, but held";
+}
+
+TEST(ContactPlane, AddsAdhesionToFriction)
+{
+  const Boundary boundary(mesh_3x2(), {{.side = "top", .hold = Hold::contact, .adhesion = 3e3, .friction = 0.4}});
+  EXPECT_THAT(constrained(boundary, 9, {-2.0, 1.5}), ElementsAre(DoubleEq(-2.0 + 0.4 * 1.5 + 3e3 * dt / mass), 0.0));
+}
+
+TEST(ContactPlane, WithoutStrengthIsARoller)
+{
+  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::contact}});
+  EXPECT_THAT(constrained(boundary, 1, {2.0, -1.5}), ElementsAre(2.0, 0.0));
+}
+
+TEST(ContactPlane, ClampsTheRemappedVelocityAlongItsNormalOnly)  // the tangential law is not applied twice
+{
+  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::contact, .adhesion = 6e3, .friction = 0.4}});
+  EXPECT_THAT(clamped(boundary, 1, {2.0, -1.5}), ElementsAre(2.0, 0.0));
+}
+
+TEST(ContactPlane, ABilateralContactHoldsUnderTensionAndASeparatingOneLetsGo)
+{
+  const Boundary bilateral(mesh_3x2(), {{.side = "bottom", .hold = Hold::contact}});
+  const Boundary separating(mesh_3x2(), {{.side = "bottom", .hold = Hold::separating}});
+  EXPECT_THAT(constrained(bilateral, 1, {2.0, 0.7}), ElementsAre(2.0, 0.0));
+  EXPECT_THAT(constrained(separating, 1, {2.0, 0.7}), ElementsAre(2.0, 0.7));
+}
+
+TEST(SeparatingPlane, LetsGoOfWhatMovesAwayWhateverItsStrength)
+{
+  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::separating, .adhesion = 6e3, .friction = 0.4}});
+  EXPECT_THAT(constrained(boundary, 1, {2.0, 0.7}), ElementsAre(2.0, 0.7));
+  EXPECT_THAT(clamped(boundary, 1, {2.0, 0.7}), ElementsAre(2.0, 0.7));
+}
+
+TEST(SeparatingPlane, ActsLikeAContactWhereItIsPressed)
+{
+  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::separating, .adhesion = 6e3, .friction = 0.4}});
+  EXPECT_THAT(constrained(boundary, 1, {2.0, -1.5}), ElementsAre(DoubleEq(2.0 - 0.4 - 0.6), 0.0));
+  EXPECT_THAT(clamped(boundary, 1, {2.0, -1.5}), ElementsAre(2.0, 0.0));
+}
+
+TEST(Corner, OfTwoSidesThatHoldPinsBothDirections)
+{
+  for (const Hold base : {Hold::normal, Hold::contact}) {
+    const Boundary boundary(mesh_3x2(), {{.side = "left"}, {.side = "bottom", .hold = base}});
+    EXPECT_THAT(constrained(boundary, 0, {2.0, -1.5}), ElementsAre(0.0, 0.0));
+    EXPECT_THAT(clamped(boundary, 0, {-2.0, 1.5}), ElementsAre(0.0, 0.0));
+  }
+}
+
+TEST(Corner, OfARollerAndASeparatingPlaneStaysFreeToLift)
+{
+  const Boundary boundary(mesh_3x2(), {{.side = "left"}, {.side = "bottom", .hold = Hold::separating}});
+  EXPECT_THAT(constrained(boundary, 0, {2.0, 1.5}), ElementsAre(0.0, 1.5));
+  EXPECT_THAT(constrained(boundary, 0, {2.0, -1.5}), ElementsAre(0.0, 0.0));
+}
+
+TEST(Corner, DoesNotDependOnTheOrderOfTheSides)
+{
+  const SideCondition left{.side = "left"},
+      bottom{.side = "bottom", .hold = Hold::separating, .adhesion = 2e3, .friction = 0.3};
+  const auto mesh = mesh_3x2();
+  for (const Vec<2> v : {Vec<2>{2.0, -1.5}, Vec<2>{-2.0, 1.5}, Vec<2>{0.1, -0.1}})
+    EXPECT_EQ(constrained(Boundary(mesh, {left, bottom}), 0, v), constrained(Boundary(mesh, {bottom, left}), 0, v));
+}
+
+TEST(Corner, LeavesTheLastWordToARollerThatMeetsASeparatingPlane)
+{
+  const auto mesh = inclined_mesh();
+  const SideCondition base{.side = "base", .hold = Hold::separating}, front{.side = "front"};
+  for (const Boundary& boundary : {Boundary(mesh, {base, front}), Boundary(mesh, {front, base})}) {
+    const Vec<2> v = constrained(boundary, 2, {5.0, -1.0});
+    const Vec<2> normal{1.5 / std::hypot(1.5, 0.2), 0.2 / std::hypot(1.5, 0.2)};
+    EXPECT_NEAR(v[0] * normal[0] + v[1] * normal[1], 0.0, 1e-14);
+  }
+}
+
+TEST(InclinedSide, HasOutwardNormalsWeightedByLength)
+{
+  const auto mesh = inclined_mesh();
+  const Boundary boundary(mesh, {{.side = "base"}});
+  const Real s = std::sqrt(5.0);
+  EXPECT_THAT(boundary.at(0)->holds[0].normal, ElementsAre(0.0, -1.0));
+  EXPECT_THAT(boundary.at(2)->holds[0].normal, ElementsAre(DoubleEq(1.0 / s), DoubleEq(-2.0 / s)));
+  // node 1: edge vectors (1, 0) and (2, 1) give the sum (1, -3) of normals times length
+  EXPECT_THAT(boundary.at(1)->holds[0].normal,
+              ElementsAre(DoubleEq(1.0 / std::sqrt(10.0)), DoubleEq(-3.0 / std::sqrt(10.0))));
+}
+
+TEST(InclinedSide, HasHalfTheLengthOfEachEdge)
+{
+  const Real a = 7e3;
+  const Boundary boundary(inclined_mesh(), {{.side = "base", .hold = Hold::contact, .adhesion = a}});
+  EXPECT_DOUBLE_EQ(boundary.at(0)->holds[0].adhesion_force, a * 0.5);
+  EXPECT_DOUBLE_EQ(boundary.at(1)->holds[0].adhesion_force, a * 0.5 * (1.0 + std::sqrt(5.0)));
+  EXPECT_DOUBLE_EQ(boundary.at(2)->holds[0].adhesion_force, a * 0.5 * std::sqrt(5.0));
+}
+
+TEST(InclinedSide, LetsSoilSlideAlongItOnly)
+{
+  const Boundary boundary(inclined_mesh(), {{.side = "base"}});
+  // along (2, 1)/sqrt(5) at node 2
+  EXPECT_THAT(constrained(boundary, 2, {4.0, 2.0}), ElementsAre(DoubleNear(4.0, 1e-15), DoubleNear(2.0, 1e-15)));
+  EXPECT_THAT(constrained(boundary, 2, {1.0, -2.0}), ElementsAre(DoubleNear(0.0, 1e-15), DoubleNear(0.0, 1e-15)));
+  EXPECT_THAT(constrained(boundary, 2, {5.0, 0.0}), ElementsAre(DoubleNear(4.0, 1e-15), DoubleNear(2.0, 1e-15)));
+}
+
+TEST(InclinedSide, TakesFrictionAlongTheSlope)
+{
+  const Boundary boundary(inclined_mesh(), {{.side = "base", .hold = Hold::contact, .friction = 0.5}});
+  // (5, 0) = (4, 2) along + (1, -2) across: speed sqrt(20); friction takes half of sqrt(5), a quarter of that
+  EXPECT_THAT(constrained(boundary, 2, {5.0, 0.0}), ElementsAre(DoubleNear(3.0, 1e-14), DoubleNear(1.5, 1e-14)));
+}
+
+TEST(InclinedSide, PinsTheCornerWithASideThatIsNotAtRightAngles)
+{
+  const Boundary boundary(inclined_mesh(), {{.side = "base"}, {.side = "front"}});
+  EXPECT_TRUE(boundary.at(2)->pinned);
+  EXPECT_THAT(constrained(boundary, 2, {5.0, 1.0}), ElementsAre(0.0, 0.0));
+}
+
+TEST(Corner, OfTwoPartsOfAStraightBaseSlides)
+{
+  auto mesh = mesh_3x2();
+  mesh.sides.push_back({"base left", {{0, 0}}});
+  mesh.sides.push_back({"base right", {{1, 0}, {2, 0}}});
+  const Boundary boundary(mesh, {{.side = "base left"}, {.side = "base right"}});
+  EXPECT_FALSE(boundary.at(1)->pinned);
+  EXPECT_THAT(constrained(boundary, 1, {2.0, -1.5}), ElementsAre(2.0, 0.0));
+}
+
+TEST(Corner, OfTwoContactPartsOfAStraightBaseHasTheAdhesionOfBothHalves)
+{
+  auto mesh = mesh_3x2();
+  mesh.sides.push_back({"base left", {{0, 0}}});
+  mesh.sides.push_back({"base right", {{1, 0}, {2, 0}}});
+  const Boundary boundary(mesh, {{.side = "base left", .hold = Hold::contact, .adhesion = 6e3},
+                                 {.side = "base right", .hold = Hold::contact, .adhesion = 3e3}});
+  EXPECT_THAT(constrained(boundary, 1, {2.0, -1.5}), ElementsAre(DoubleEq(2.0 - (3e3 + 1.5e3) * dt / mass), 0.0));
+}
+
+TEST(Boundary, NamesASideThatTheMeshDoesNotHave)
+{
+  try {
+    const Boundary boundary(mesh_3x2(), {{.side = "botom"}});
+    FAIL() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "boundary.botom: the mesh has no side `botom`");
+    EXPECT_EQ(error.problems().at(0).detail, "Sides of this mesh: left, right, bottom, top");
+    EXPECT_EQ(error.problems().at(0).topic, "boundary");
+    EXPECT_TRUE(error.problems().at(0).at_key);
+  }
+}
+
+TEST(Boundary, RefusesAThirdSideAtANode)
+{
+  auto mesh = mesh_3x2();
+  mesh.sides.push_back({"base left", {{0, 0}}});
+  try {
+    const Boundary boundary(mesh, {{.side = "left"}, {.side = "bottom"}, {.side = "base left"}});
+    FAIL() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "boundary.base left: a node lies on more than two sides with conditions");
+  }
+}
+
+}  // namespace
+}  // namespace terp

@@ -1,0 +1,150 @@
+// The crest and the second failure, on histories made by hand.
+#include "events/crest.hpp"
+
+#include "mesh/mesh.hpp"
+#include "support/blocks.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace terp {
+namespace {
+
+/// A flat surface of columns of 0.1 m over 8 m, 2 m high: a slide is a retreat of 0.5 m.
+CrestHistory column_history()
+{
+  CrestHistory crest;
+  crest.columns = {.left = 0.0, .width = 0.1, .n = 160};
+  crest.initial_heights.assign(160, -INFINITY);
+  std::fill_n(crest.initial_heights.begin(), 80, 1.96);
+  crest.base = 0.04;
+  return crest;
+}
+
+/// Goes on to `time` in rows of 0.01 s, the crest on a straight line to x, in whole columns.
+void go_on(CrestHistory& crest, Real time, Real x)
+{
+  if (crest.time.empty()) {
+    crest.time.push_back(0.0);
+    crest.x.push_back(x);
+  }
+  const Real t_0 = crest.time.back(), x_0 = crest.x.back();
+  const int n = static_cast<int>(std::lround((time - t_0) / 0.01));
+  for (int k = 1; k <= n; ++k) {
+    crest.time.push_back(t_0 + 0.01 * k);
+    crest.x.push_back(0.1 * std::round(10.0 * (x_0 + (x - x_0) * k / n)));
+  }
+}
+
+/// First slide from 0.3 s to 0.7 s, then rest.
+CrestHistory after_first_slide()
+{
+  CrestHistory crest = column_history();
+  go_on(crest, 0.3, 8.0);
+  go_on(crest, 0.7, 6.0);
+  go_on(crest, 2.0, 6.0);
+  return crest;
+}
+
+TEST(SecondFailure, IsTheTimeAtWhichTheSettledCrestBeginsToSlideAgain)
+{
+  CrestHistory crest = after_first_slide();
+  go_on(crest, 2.3, 4.5);
+  go_on(crest, 4.0, 4.5);
+  ASSERT_TRUE(second_failure_time(crest).has_value());
+  EXPECT_NEAR(*second_failure_time(crest), 2.0, 0.05);  // in whole columns, of which the first is within the tolerance
+}
+
+TEST(SecondFailure, IsNotTheCreepOfASettledCrest)
+{
+  CrestHistory crest = after_first_slide();
+  go_on(crest, 4.0, 4.5);  // 1.5 m, but over 2 s: 0.23 m in any 0.3 s
+  EXPECT_FALSE(second_failure_time(crest).has_value());
+}
+
+TEST(SecondFailure, AfterCreepIsWhenTheCrestLeavesTheSettledPlace)
+{
+  CrestHistory crest = after_first_slide();
+  go_on(crest, 3.0, 5.8);
+  go_on(crest, 3.2, 4.6);
+  EXPECT_TRUE(second_failure_time(crest).has_value());
+}
+
+TEST(SecondFailure, IsNotASlideOfLessThanAQuarterOfTheHeight)
+{
+  CrestHistory crest = after_first_slide();
+  go_on(crest, 2.1, 5.6);
+  go_on(crest, 4.0, 5.6);
+  EXPECT_FALSE(second_failure_time(crest).has_value());
+  crest = after_first_slide();
+  go_on(crest, 2.1, 5.4);
+  go_on(crest, 4.0, 5.4);
+  EXPECT_TRUE(second_failure_time(crest).has_value());
+}
+
+TEST(SecondFailure, NeedsAFirstSlide)
+{
+  CrestHistory crest = column_history();
+  go_on(crest, 2.0, 8.0);
+  EXPECT_FALSE(second_failure_time(crest).has_value());
+  go_on(crest, 3.0, 7.7);  // creeps, then stands
+  go_on(crest, 5.0, 7.7);
+  EXPECT_FALSE(second_failure_time(crest).has_value());
+}
+
+TEST(SecondFailure, NeedsAFirstSlideThatHasSettled)
+{
+  CrestHistory crest = column_history();
+  go_on(crest, 0.3, 8.0);
+  go_on(crest, 3.0, 1.0);  // never rests for 0.3 s
+  EXPECT_FALSE(second_failure_time(crest).has_value());
+}
+
+TEST(SecondFailure, IsNotSeenBeforeTheCrestHasRestedLongEnough)
+{
+  CrestHistory crest = column_history();
+  go_on(crest, 0.3, 8.0);
+  go_on(crest, 0.7, 6.0);
+  go_on(crest, 0.9, 6.0);
+  go_on(crest, 1.1, 4.5);  // still the first
+  go_on(crest, 4.0, 4.5);
+  EXPECT_FALSE(second_failure_time(crest).has_value());
+}
+
+TEST(SecondFailure, OfAnEmptyHistoryDoesNotExist) { EXPECT_FALSE(second_failure_time(column_history()).has_value()); }
+
+/// Two rows of points, eight columns of 0.5 m, heights by column.
+PointBlocks<2> ground(const std::vector<Real>& heights)
+{
+  const Mesh<2> mesh = make_rectangle({0.0, 0.0}, {4.0, 2.0}, {8, 4});
+  PointBlocks<2> points(mesh.n_cells(), 0);
+  for (std::size_t k = 0; k < heights.size(); ++k)
+    for (const Real y : {0.1, heights[k]}) {
+      const Location at = locate(mesh, {0.25 + 0.5 * static_cast<Real>(k), y}, 0);
+      test::add_point(mesh, at.cell, {.local = at.local}, points);
+    }
+  points.update_occupied();
+  return points;
+}
+
+TEST(Crest, StartsAtTheRightEdgeOfTheBody)
+{
+  const auto points = ground({1.5, 1.5, 1.5, 1.5});
+  const CrestHistory crest = start_crest_history(points, 0.0, 4.0, 0.5);
+  EXPECT_EQ(crest.columns.n, 8);
+  EXPECT_NEAR(crest.base, 0.1, 1e-12);
+  EXPECT_EQ(find_crest(crest, points), 2.0);
+}
+
+TEST(Crest, IsTheLastColumnToWhoseLeftAllStandWithinFiveCentimetres)
+{
+  const CrestHistory crest = start_crest_history(ground({1.5, 1.5, 1.5, 1.5}), 0.0, 4.0, 0.5);
+  EXPECT_EQ(find_crest(crest, ground({1.5, 1.46, 1.54, 1.44})), 1.5);
+  EXPECT_EQ(find_crest(crest, ground({1.5, 1.44, 1.5, 1.5})), 0.5);  // what stands beyond a gap does not count
+  EXPECT_EQ(find_crest(crest, ground({1.56, 1.5, 1.5, 1.5})), 0.0);  // heave is motion too
+  EXPECT_EQ(find_crest(crest, ground({1.5, 1.5, 1.5, 1.5, 1.5})), 2.0);  // soil that came later has no first height
+}
+
+}  // namespace
+}  // namespace terp

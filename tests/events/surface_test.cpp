@@ -1,0 +1,53 @@
+#include "events/surface.hpp"
+
+#include "mesh/mesh.hpp"
+#include "support/blocks.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using testing::ElementsAre;
+
+/// Points at these places in a mesh of 4 x 2 cells of 1 m.
+PointBlocks<2> points_at(const std::vector<Vec<2>>& places)
+{
+  const Mesh<2> mesh = make_rectangle({0.0, 0.0}, {4.0, 2.0}, {4, 2});
+  PointBlocks<2> points(mesh.n_cells(), 0);
+  for (const Vec<2>& x : places) {
+    const Location at = locate(mesh, x, 0);
+    test::add_point(mesh, at.cell, {.local = at.local}, points);
+  }
+  points.update_occupied();
+  return points;
+}
+
+TEST(Surface, IsTheHighestPointOfEachColumn)
+{
+  const auto heights = surface_heights(points_at({{0.2, 0.5}, {0.9, 1.25}, {2.5, 0.75}}), {.left = 0.0, .width = 1.0, .n = 4});
+  EXPECT_THAT(heights, ElementsAre(1.25, -INFINITY, 0.75, -INFINITY));
+}
+
+TEST(Surface, LooksOnlyAtItsColumns)
+{
+  const auto heights = surface_heights(points_at({{0.25, 0.5}, {1.25, 0.5}, {3.5, 1.5}}), {.left = 1.0, .width = 0.5, .n = 2});
+  EXPECT_THAT(heights, ElementsAre(0.5, -INFINITY));
+}
+
+TEST(Surface, APlaceOnAnEdgeBelongsToTheColumnOnItsRight)
+{
+  EXPECT_THAT(surface_heights(points_at({{1.0, 0.5}}), {.left = 0.0, .width = 1.0, .n = 2}), ElementsAre(-INFINITY, 0.5));
+}
+
+TEST(Surface, FrontAndLowestAreTheExtremesOfAllPoints)
+{
+  const auto points = points_at({{0.25, 0.5}, {3.25, 1.75}, {1.5, 0.125}});
+  EXPECT_EQ(front(points), 3.25);
+  EXPECT_EQ(lowest(points), 0.125);
+}
+
+}  // namespace
+}  // namespace terp

@@ -1,0 +1,78 @@
+// Damaged gmsh files, thousands of them: each gives a mesh that passes the checks, or a MeshError. Never a crash, never a hang.
+
+#include "mesh/check_mesh.hpp"
+#include "mesh/gmsh_file.hpp"
+#include "support/paths.hpp"
+#include "support/random.hpp"
+
+#include <fstream>
+#include <gmock/gmock.h>
+#include <sstream>
+
+namespace terp {
+namespace {
+
+const std::string formats[] = {"41", "41_binary", "22", "22_binary"};
+
+std::string bytes_of_file(const std::string& format)
+{
+  std::ifstream file(test::source_path("tests/mesh/data/two_layers_" + format + ".msh"), std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return std::move(text).str();
+}
+
+/// True if the text was read. Anything but MeshError fails the test.
+bool is_read(const std::string& text)
+{
+  try {
+    const Mesh<2> mesh = read_gmsh_text("m.msh", text);
+    check_mesh(mesh);
+    return true;
+  } catch (const MeshError& error) {
+    EXPECT_EQ(std::string(error.what()).substr(0, 5), "m.msh");
+    return false;
+  }
+}
+
+TEST(DamagedFiles, CutOffAnywhereAreRefused)
+{
+  for (const auto& format : formats) {
+    const std::string whole = bytes_of_file(format);
+    ASSERT_TRUE(is_read(whole));
+    const std::size_t end = whole.rfind("$EndElements") + std::string("$EndElements").size();
+    for (std::size_t n = 0; n < end; n += 3) EXPECT_FALSE(is_read(whole.substr(0, n))) << format << " cut off at byte " << n;
+  }
+}
+
+TEST(DamagedFiles, WithAWrongByteAreReadOrRefused)
+{
+  for (const auto& format : formats) {
+    const std::string whole = bytes_of_file(format);
+    test::Random random(5);
+    for (std::size_t at = 0; at < whole.size(); at += 3) {
+      std::string text = whole;
+      text[at] = static_cast<char>(random.below(256));
+      is_read(text);
+      text[at] = static_cast<char>(whole[at] ^ (1 << random.below(8)));
+      is_read(text);
+    }
+  }
+}
+
+TEST(DamagedFiles, WithAPieceMissingOrDoubledAreReadOrRefused)
+{
+  for (const auto& format : formats) {
+    const std::string whole = bytes_of_file(format);
+    test::Random random(6);
+    const auto size = static_cast<Index>(whole.size());
+    for (int trial = 0; trial < 1000; ++trial) {
+      const Index from = random.below(size), n = 1 + random.below(60), to = random.below(size);
+      is_read(std::string(whole).erase(from, n));
+      is_read(std::string(whole).insert(to, whole.substr(from, n)));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace terp

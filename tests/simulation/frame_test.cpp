@@ -1,0 +1,135 @@
+// The fields that results show: sorted by id, with the names, units and sizes that the formats promise.
+#include "simulation/frame.hpp"
+
+#include "simulation/setup.hpp"
+#include "support/cases.hpp"
+#include "support/simulations.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using test::Point;
+using test::Simulation;
+using testing::ElementsAre;
+
+const PointField& field(const Frame& frame, const std::string& name)
+{
+  for (const PointField& f : frame.fields)
+    if (f.name == name) return f;
+  throw std::runtime_error("no field " + name);
+}
+
+std::vector<std::string> names(const Frame& frame)
+{
+  std::vector<std::string> list;
+  for (const PointField& f : frame.fields) list.push_back(f.name + " [" + f.unit + "] x" + std::to_string(f.n_components));
+  return list;
+}
+
+TEST(Frame, HoldsTheFieldsOfEveryPointAndOfItsMaterial)
+{
+  const Simulation s(test::column("mpm_gp"));
+  EXPECT_THAT(names(make_frame(s.model, s.state)),
+              ElementsAre("velocity [m/s] x3", "displacement [m] x3", "stress [Pa] x4", "volume [m^2] x1", "material [-] x1", "cell [-] x1",
+                          "strain [-] x4", "eps_deviatoric [-] x1", "eps_eq_p [-] x1", "su [Pa] x1"));
+}
+
+TEST(Frame, HoldsTheFieldsThatTheCaseChooses)
+{
+  Case c = test::column("mpm_gp");
+  c.output.field_names = {"su", "velocity"};
+  const Simulation s(c);
+  EXPECT_THAT(names(make_frame(s.model, s.state)), ElementsAre("velocity [m/s] x3", "su [Pa] x1"));
+}
+
+TEST(Frame, EntryKIsThePointWithIdK)
+{
+  Case c = test::column("mpm_gp");
+  c.bodies[0].velocity = {3.0, 0.0};
+  Simulation s(c);
+  s.step(100);  // the blocks no longer lie in the order of ids
+  const Frame frame = make_frame(s.model, s.state);
+  EXPECT_EQ(frame.time, s.state.time);
+  EXPECT_EQ(frame.step, 100);
+  const auto points = test::points_by_id(s.state);
+  ASSERT_EQ(frame.x.size(), 2 * points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Point& p = points[k];
+    for (int d = 0; d < 2; ++d) {
+      EXPECT_EQ(frame.x[2 * k + d], p.x[d]);
+      EXPECT_EQ(field(frame, "velocity").values[3 * k + d], p.v[d]);
+      EXPECT_EQ(field(frame, "displacement").values[3 * k + d], p.x[d] - s.state.x_initial[2 * k + d]);
+    }
+    EXPECT_EQ(field(frame, "velocity").values[3 * k + 2], 0.0);
+    for (int i = 0; i < 4; ++i) EXPECT_EQ(field(frame, "stress").values[4 * k + i], p.sigma[i]);
+    for (int i = 0; i < 4; ++i) EXPECT_EQ(field(frame, "strain").values[4 * k + i], p.strain[i]);
+    EXPECT_EQ(field(frame, "cell").values[k], p.cell);
+    EXPECT_EQ(field(frame, "eps_eq_p").values[k], p.eps_eq_p());
+    EXPECT_NEAR(field(frame, "su").values[k], 2000.0 + 6000.0 * std::exp(-50.0 * p.eps_eq_p()), 1e-8);
+    EXPECT_EQ(field(frame, "eps_deviatoric").values[k], deviatoric_strain(p.strain, DeviatoricNorm::half));
+  }
+}
+
+TEST(Frame, AFieldThatAMaterialDoesNotHaveIsNotANumber)
+{
+  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});
+  c.materials.push_back(test::elastic(2e6, 0.3, 2500.0));
+  c.bodies.push_back(test::body("rock", {1.25, 0.5}, {1.5, 1.0}));
+  const Simulation s(c);
+  const Frame frame = make_frame(s.model, s.state);
+  for (const Point& p : test::points_by_id(s.state)) {
+    EXPECT_EQ(field(frame, "material").values[p.id], p.material);
+    EXPECT_EQ(std::isnan(field(frame, "eps_eq_p").values[p.id]), p.material == 1);
+    EXPECT_EQ(std::isnan(field(frame, "su").values[p.id]), p.material == 1);
+  }
+}
+
+TEST(DeviatoricStrain, IsTheNormOfTheDeviatorByHand)
+{
+  // Simple shear of 2 %: e_xy = 0.01, sqrt(1/2 * 2 * 0.01^2) = 0.01.
+  EXPECT_NEAR(deviatoric_strain({0.0, 0.0, 0.0, 0.01}, DeviatoricNorm::half), 0.01, 1e-16);
+  EXPECT_NEAR(deviatoric_strain({0.0, 0.0, 0.0, 0.01}, DeviatoricNorm::von_mises), 0.02 / std::sqrt(3.0), 1e-16);
+  // Pure volume change has none.
+  EXPECT_NEAR(deviatoric_strain({0.03, 0.03, 0.03, 0.0}, DeviatoricNorm::half), 0.0, 1e-16);
+  // (0.02, -0.01, -0.01): 1/2 (4 + 1 + 1) 1e-4.
+  EXPECT_NEAR(deviatoric_strain({0.02, -0.01, -0.01, 0.0}, DeviatoricNorm::half), std::sqrt(3e-4), 1e-16);
+}
+
+TEST(Frame, TheCaseChoosesTheNorm)
+{
+  Case c = test::clamped_cell("mpm_gp");
+  c.output.deviatoric_norm = DeviatoricNorm::von_mises;
+  Simulation s(c);
+  test::edit_points(s.state, [](const PointBlock<2>& block, Index lane) { block.row(PointRows<2>::strain + 3)[lane] = 0.01; });
+  EXPECT_NEAR(field(make_frame(s.model, s.state), "eps_deviatoric").values[2], 0.02 / std::sqrt(3.0), 1e-16);
+}
+
+TEST(History, HoldsOneRowForEachNamedPointInTheOrderOfTheCase)
+{
+  Case c = test::column("mpm_gp");
+  c.output.history_points = {{"B", {7.6, 1.93}}, {"A", {7.6, 0.07}}};
+  Model model = build_model(c, 1);
+  State state = build_state(model);
+  Simulation s(std::move(model), std::move(state));
+  s.step(60);
+  const auto rows = make_history(s.model, s.state);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].point, "B");
+  EXPECT_EQ(rows[1].point, "A");
+  const Point p = test::points_by_id(s.state)[rows[1].id];
+  EXPECT_EQ(rows[1].time, s.state.time);
+  EXPECT_EQ(rows[1].x, p.x[0]);
+  EXPECT_EQ(rows[1].y, p.x[1]);
+  EXPECT_EQ(rows[1].eps_eq_p, p.eps_eq_p());
+  EXPECT_GT(rows[1].eps_eq_p, 0.0);
+  EXPECT_NEAR(rows[1].su, 2000.0 + 6000.0 * std::exp(-50.0 * p.eps_eq_p()), 1e-8);
+  EXPECT_NEAR(rows[1].pressure, (p.sigma[0] + p.sigma[1] + p.sigma[2]) / 3.0, 1e-9);
+  EXPECT_LT(rows[1].pressure, -1000.0);  // tension positive: compressed at the toe
+}
+
+}  // namespace
+}  // namespace terp

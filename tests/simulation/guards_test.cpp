@@ -1,0 +1,143 @@
+// What makes a run stop itself, and what it then says.
+#include "simulation/guards.hpp"
+
+#include "base/errors.hpp"
+#include "simulation/run.hpp"
+#include "support/cases.hpp"
+#include "support/simulations.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using test::Simulation;
+using testing::HasSubstr;
+using Rows = PointRows<2>;
+
+TEST(Guards, AHealthyStateHasNoFault)
+{
+  Simulation s(test::column("mpm_gp"));
+  s.step(5);
+  EXPECT_EQ(find_fault(s.model, s.state, s.work, 0.0), "");
+}
+
+TEST(Guards, AValueThatIsNotANumberIsNamedWithPointCellMaterialAndLikelyCause)
+{
+  Simulation s(test::column("mpm_gp"));
+  s.step(5);
+  test::edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
+    if (block.row(Rows::id)[lane] == 30.0) block.row(Rows::v)[lane] = NAN;
+  });
+  s.work.finite = false;
+  const std::string smallest = fmt::format("{:.2g}", s.work.node[s.work.active_nodes[0]].mass);  // at the corner of the column
+  EXPECT_EQ(find_fault(s.model, s.state, s.work, 0.25),
+            "step 5, t = 0.0152 s: the velocity of material point 30 is not a number\n\n"
+            "  where    cell 1 at x = 0.75 m, y = 0.25 m; material `clay` (tresca_softening)\n"
+            "  before   largest 99.9 % speed 0.25 m/s; dt = 0.00303 s, courant 0.98\n"
+            "  likely   an unstable time step, or a nearly empty node: smallest nodal mass " +
+                smallest + " kg (docs/troubleshooting.md#not-a-number)");
+}
+
+TEST(Guards, EachKindOfValueHasItsName)
+{
+  const auto fault_in = [](int row) {
+    Simulation s(test::column("mpm_gp"));
+    s.step();
+    test::edit_points(s.state, [row](const PointBlock<2>& block, Index lane) {
+      if (block.row(Rows::id)[lane] == 7.0) block.row(row)[lane] = INFINITY;
+    });
+    s.work.finite = false;
+    return find_fault(s.model, s.state, s.work, 0.0);
+  };
+  EXPECT_THAT(fault_in(Rows::sigma + 3), HasSubstr("the stress of material point 7 "));
+  EXPECT_THAT(fault_in(Rows::x + 1), HasSubstr("the position of material point 7 "));
+  EXPECT_THAT(fault_in(Rows::volume), HasSubstr("the volume of material point 7 "));
+}
+
+TEST(Guards, WithoutABadPointTheNodesAreNamed)
+{
+  Simulation s(test::column("mpm_gp"));
+  s.step();
+  s.work.finite = false;
+  EXPECT_THAT(find_fault(s.model, s.state, s.work, 0.0),
+              AllOf(HasSubstr("a nodal acceleration is not a number"), HasSubstr("where    a node of the background mesh")));
+}
+
+TEST(Guards, TooManyPointsPutBackAtWallsAreAFault)
+{
+  Simulation s(test::column("mpm_gp"));  // 1600 points: at most 1.6 + 1
+  s.step();
+  s.state.clamped = 2;
+  EXPECT_EQ(find_fault(s.model, s.state, s.work, 0.0), "");
+  s.state.clamped = 3;
+  EXPECT_EQ(find_fault(s.model, s.state, s.work, 0.0),
+            "step 1, t = 0.0030 s: 3 points had to be put back at the walls, more than 0.1 % of all\n\n"
+            "  likely   soil flies out of the mesh, or runs against a side that is `free`\n"
+            "  try      a larger mesh.size, or a `roller` on that side (docs/troubleshooting.md#clamped-points)");
+}
+
+/// Spoils a point's velocity at a step, and keeps what a run that stops itself hands over.
+struct Saboteur : Observer {
+  State* state = nullptr;
+  std::int64_t at_step = -1;
+  std::vector<std::int64_t> saved_steps;
+
+  void ledger(const LedgerRow& row) override
+  {
+    if (row.step != at_step) return;
+    for_each_point(state->points, [](const PointBlock<2>& block, Index lane) {
+      if (block.row(Rows::id)[lane] == 700.0) block.row(Rows::v)[lane] = NAN;
+    });
+  }
+  std::string save_failed(const StateImage& image) override
+  {
+    saved_steps.push_back(image.step);
+    return "runs/column/failed.h5";
+  }
+};
+
+std::string message_of_run(Simulation& s, Saboteur& saboteur)
+{
+  saboteur.state = &s.state;
+  Observer* const observers[] = {&saboteur};
+  const std::atomic<bool> go_on{false};
+  try {
+    run(s.model, s.state, s.work, observers, go_on);
+  } catch (const RunError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Guards, ARunThatMeetsNotANumberStopsAfterThatStepAndKeepsItsState)
+{
+  Case c = test::column("mpm_gp");
+  c.output.ledger_every = 1e-9;  // every step
+  Simulation s(c);
+  Saboteur saboteur;
+  saboteur.at_step = 4;
+  const std::string message = message_of_run(s, saboteur);
+  EXPECT_THAT(message, HasSubstr("step 5, t = 0.0152 s: the "));
+  EXPECT_THAT(message, testing::ContainsRegex("of material point [0-9]+ is not a number"));
+  EXPECT_THAT(message, HasSubstr("material `clay` (tresca_softening)"));
+  EXPECT_THAT(message, testing::EndsWith("\n  saved    runs/column/failed.h5"));
+  EXPECT_EQ(saboteur.saved_steps, std::vector<std::int64_t>{5});
+}
+
+TEST(Guards, ARunWhoseSoilFliesOutOfTheMeshStops)
+{
+  Case c = test::free_box("mpm_gp", {3.0, 0.5}, {3.75, 1.25});
+  c.bodies[0].velocity = {10.0, 0.0};
+  Simulation s(c);
+  Saboteur saboteur;
+  EXPECT_THAT(message_of_run(s, saboteur), HasSubstr("points had to be put back at the walls"));
+  EXPECT_EQ(saboteur.saved_steps.size(), 1u);
+  EXPECT_EQ(s.state.points.n_points(), 9 * 25);  // none is lost
+}
+
+}  // namespace
+}  // namespace terp

@@ -1,0 +1,182 @@
+// The stress with which a run starts.
+#include "simulation/initial.hpp"
+
+#include "base/errors.hpp"
+#include "simulation/run.hpp"
+#include "simulation/state_image.hpp"
+#include "support/cases.hpp"
+#include "support/simulations.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using test::Point;
+using test::Simulation;
+
+constexpr Real g = 9.81;
+
+/// The search for equilibrium; what went wrong, or nothing.
+std::string seek(Simulation& s, bool stopped = false)
+{
+  const std::atomic<bool> stop{stopped};
+  return seek_equilibrium(s.model, s.state, s.work, stop);
+}
+
+/// An elastic box between rollers.
+Case confined_box(InitialStress stress)
+{
+  Case c = test::free_box("mpm_gp", {0.0, 0.0}, {4.0, 1.5}, test::elastic(2e6, 0.3, 2000.0));
+  c.forces.gravity = {0.0, -g};
+  c.forces.local_damping = 0.1;
+  c.initial.stress = stress;
+  for (const char* name : {"left", "right", "bottom"}) c.sides.push_back(test::side(name, SideKind::roller));
+  return c;
+}
+
+TEST(InitialStress, NoneStartsWithoutStress)
+{
+  for (const Point& p : test::points_by_id(Simulation(confined_box(InitialStress::none)).state)) EXPECT_EQ(p.sigma, (std::array<Real, 4>{}));
+}
+
+TEST(InitialStress, K0CarriesTheWeightOfTheSoilAbove)
+{
+  Case c = confined_box(InitialStress::k0);
+  c.initial.k0 = 0.7;
+  for (const Point& p : test::points_by_id(Simulation(c).state)) {
+    const Real vertical = -2000.0 * g * (1.5 - p.x[1]);
+    EXPECT_NEAR(p.sigma[1], vertical, 1e-9);
+    EXPECT_NEAR(p.sigma[0], 0.7 * vertical, 1e-9);
+    EXPECT_NEAR(p.sigma[2], 0.7 * vertical, 1e-9);
+    EXPECT_EQ(p.sigma[3], 0.0);
+  }
+}
+
+TEST(InitialStress, K0CountsEachLayerWithItsOwnDensityAndAnOverlapOnce)
+{
+  Case c = confined_box(InitialStress::k0);
+  c.materials.push_back(test::clay());                                  // 1990 kg/m^3
+  c.bodies.push_back(test::body("clay", {0.0, 1.0}, {2.0, 1.75}));      // lies on top of the left half, and on part of it
+  for (const Point& p : test::points_by_id(Simulation(c).state)) {
+    const bool left = p.x[0] < 2.0;
+    const Real top = left ? 1.75 : 1.5, border = left ? 1.0 : 1.5;
+    const Real clay = left ? 1990.0 * (top - std::max(p.x[1], border)) : 0.0;
+    const Real rock = 2000.0 * std::max(0.0, border - p.x[1]);
+    EXPECT_NEAR(p.sigma[1], -g * (clay + rock), 1e-9);
+  }
+}
+
+TEST(InitialStress, K0SkipsTheGapUnderAnOverhang)
+{
+  Case c = confined_box(InitialStress::k0);
+  c.bodies[0].polygon = {{0.0, 0.0}, {4.0, 0.0}, {4.0, 1.5}, {1.0, 1.5}, {1.0, 1.0}, {3.0, 1.0}, {3.0, 0.5}, {0.0, 0.5}};
+  for (const Point& p : test::points_by_id(Simulation(c).state)) {
+    if (p.x[0] < 1.0 || p.x[0] > 3.0 || p.x[1] > 0.5) continue;
+    EXPECT_NEAR(p.sigma[1], -2000.0 * g * (0.5 - p.x[1] + 0.5), 1e-9);
+  }
+}
+
+TEST(Equilibrium, AnElasticBoxComesToRestUnderItsWeight)
+{
+  Simulation s(confined_box(InitialStress::equilibrium));
+  ASSERT_EQ(seek(s), "");
+  EXPECT_LE(s.work.unbalanced_ratio, 1e-3);
+  std::vector<Vec<2>> mean(s.model.mesh.cells.size(), {0.0, 0.0});  // stress xx, yy of each cell [Pa]
+  for (const Point& p : test::points_by_id(s.state))
+    for (int k = 0; k < 2; ++k) mean[p.cell][k] += p.sigma[k] / 25.0;
+  for (Index cell = 0; cell < 6 * 16; ++cell) {
+    const Real vertical = -2000.0 * g * (1.5 - s.model.mesh.centres[cell][1]);
+    EXPECT_NEAR(mean[cell][1], vertical, 0.02 * 2000.0 * g * 1.5);
+    EXPECT_NEAR(mean[cell][0], 0.3 / 0.7 * vertical, 0.02 * 2000.0 * g * 1.5);  // nu / (1 - nu), confined
+  }
+}
+
+TEST(Equilibrium, MotionAndHistoryStartAnewWhenItIsReached)
+{
+  Simulation s(confined_box(InitialStress::equilibrium));
+  ASSERT_EQ(seek(s), "");
+  for (const Point& p : test::points_by_id(s.state)) {
+    EXPECT_EQ(p.v, (Vec<2>{0.0, 0.0}));
+    EXPECT_EQ(p.strain, (std::array<Real, 4>{}));
+    for (int d = 0; d < 2; ++d) EXPECT_EQ(s.state.x_initial[2 * p.id + d], p.x[d]);
+  }
+  EXPECT_EQ(s.state.step, 0);
+  EXPECT_EQ(s.state.time, 0.0);
+  EXPECT_EQ(s.state.work.gravity, 0.0);
+  EXPECT_EQ(s.work.damping_local, 0.1);  // no longer that of the search
+}
+
+TEST(Equilibrium, PlasticStrainIsResetToo)
+{
+  Case c = confined_box(InitialStress::equilibrium);
+  c.materials = {test::clay({.poisson_ratio = 0.3, .su_peak = 5e3, .su_residual = 5e3})};
+  c.bodies[0].material = "clay";
+  Simulation s(c);
+  const std::atomic<bool> go_on{false};
+  s.model.n_steps = 0;
+  run(s.model, s.state, s.work, {}, go_on);  // seeks, then audits
+  for (const Point& p : test::points_by_id(s.state)) EXPECT_EQ(p.eps_eq_p(), 0.0);
+  for (const Real eps : s.state.audit.last_eps_eq_p) EXPECT_EQ(eps, 0.0);
+}
+
+TEST(Equilibrium, AColumnThatCannotStandIsRefused)
+{
+  Case c = test::column("mpm_gp");
+  c.initial.stress = InitialStress::equilibrium;
+  c.initial.max_steps = 500;
+  Simulation s(c);
+  const char* expected =
+      "no equilibrium: after 500 steps the out-of-balance force is [0-9.e-]+ of the weight, limit 1[.]00e-03\n\n"
+      "  likely   the body cannot stand under its own weight, or needs more steps\n"
+      "  try      initial[.]stress = \"none\" or \"k0\", a stronger soil, or a larger initial[.]max_steps "
+      "[(]docs/troubleshooting[.]md#no-equilibrium[)]";
+  EXPECT_THAT(seek(s), testing::MatchesRegex(expected));
+}
+
+TEST(Equilibrium, ARunThatFindsNoneStopsItself)
+{
+  Case c = test::column("mpm_gp");
+  c.initial.stress = InitialStress::equilibrium;
+  c.initial.max_steps = 50;
+  Simulation s(c);
+  const std::atomic<bool> go_on{false};
+  EXPECT_THAT([&] { run(s.model, s.state, s.work, {}, go_on); },
+              testing::ThrowsMessage<RunError>(testing::StartsWith("no equilibrium: after 50 steps ")));
+}
+
+TEST(Equilibrium, ASearchThatIsStoppedGoesOnWhereItWas)
+{
+  Simulation stopped(confined_box(InitialStress::equilibrium)), whole(confined_box(InitialStress::equilibrium));
+  EXPECT_EQ(seek(stopped, true), "");
+  EXPECT_EQ(stopped.state.equilibrium_steps, 0);
+  stopped.model.description.initial.max_steps = 50;
+  EXPECT_NE(seek(stopped), "");  // not yet
+  stopped.model.description.initial.max_steps = whole.model.description.initial.max_steps;
+  ASSERT_EQ(seek(stopped), "");
+  ASSERT_EQ(seek(whole), "");
+  EXPECT_GT(whole.state.equilibrium_steps, 50);
+  EXPECT_EQ(test::first_difference(make_image(stopped.state), make_image(whole.state)), "");
+}
+
+TEST(Equilibrium, SoilThatLeavesEndsTheSearch)
+{
+  Case c = confined_box(InitialStress::equilibrium);
+  c.materials = {test::elastic(1e5, 0.3, 2000.0)};  // soft: it bulges by more than half the distance between points
+  c.sides[1].kind = SideKind::open;
+  Simulation s(c);
+  EXPECT_EQ(seek(s), "in the search for equilibrium soil left through an open side; give that side a `roller`, or start with \"k0\"");
+}
+
+TEST(Equilibrium, AValueThatIsNotANumberEndsTheSearch)
+{
+  Case c = confined_box(InitialStress::equilibrium);
+  c.bodies[0].velocity = {NAN, 0.0};
+  Simulation s(c);
+  EXPECT_THAT(seek(s), testing::StartsWith("in the search for equilibrium: step 0, t = 0.0000 s: the "));
+}
+
+}  // namespace
+}  // namespace terp

@@ -1,0 +1,166 @@
+// What every step keeps, whatever the scheme: mass, momentum, and the works of the step against the energy of the points.
+#include "support/cases.hpp"
+#include "support/twin.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace terp {
+namespace {
+
+using test::Point;
+using test::Simulation;
+
+class EveryScheme : public testing::TestWithParam<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(Schemes, EveryScheme, testing::Values("standard_mpm", "mpm_mixed", "mpm_gp"),
+                         [](const auto& info) { return std::string(info.param); });
+
+/// The twin's scattered points on its distorted mesh, without boundaries and damping.
+Simulation free_simulation(const std::string& scheme)
+{
+  test::Scenario s = test::load_free_scenario(scheme + "_distorted");
+  return Simulation(std::move(s.model), std::move(s.state));
+}
+
+TEST_P(EveryScheme, KeepsMomentumWithoutGravityAndBase)
+{
+  Case c = test::free_box(GetParam(), {1.0, 0.5}, {2.5, 1.5});
+  c.bodies.push_back(test::body("clay", {2.5, 0.75}, {3.25, 1.25}));
+  c.bodies[0].velocity = {2.11, 0.37};
+  c.bodies[1].velocity = {-3.3, -0.21};  // they collide and yield
+  Simulation s(c);
+  const Vec<2> before = test::momentum(s.state);
+  const Real scale = test::momentum_scale(s.state), energy = test::kinetic_energy(test::points_by_id(s.state));
+  s.step(200);
+  const Vec<2> after = test::momentum(s.state);
+  for (int d = 0; d < 2; ++d) EXPECT_NEAR(after[d], before[d], 1e-12 * scale);
+  EXPECT_LT(test::kinetic_energy(test::points_by_id(s.state)), 0.9 * energy);  // forces did act
+}
+
+TEST_P(EveryScheme, GainsTheImpulseOfGravityInAStep)
+{
+  Simulation s = free_simulation(GetParam());
+  const Vec<2> before = test::momentum(s.state);
+  Real mass = 0.0;
+  for (const Point& p : test::points_by_id(s.state)) mass += p.mass;
+  s.step();
+  const Vec<2> after = test::momentum(s.state);
+  for (int d = 0; d < 2; ++d) {
+    const Real impulse = mass * s.model.gravity[d] * s.model.dt;
+    EXPECT_NEAR(after[d] - before[d], impulse, 1e-12 * test::momentum_scale(s.state));
+  }
+}
+
+TEST_P(EveryScheme, KeepsTheMassOfEveryPointToTheBit)
+{
+  Case c = test::column(GetParam());
+  c.bodies[0].velocity = {1.0, 0.0};
+  Simulation s(c);
+  const auto before = test::points_by_id(s.state);
+  s.step(300);
+  const auto after = test::points_by_id(s.state);
+  ASSERT_EQ(after.size(), before.size());
+  int moved = 0;
+  for (std::size_t p = 0; p < after.size(); ++p) {
+    EXPECT_EQ(after[p].id, static_cast<std::int64_t>(p));
+    EXPECT_EQ(after[p].mass, before[p].mass);
+    moved += after[p].cell != before[p].cell;
+  }
+  EXPECT_GT(moved, 20);
+}
+
+TEST_P(EveryScheme, FallsFreelyWithOneMinusAlphaTimesGravity)
+{
+  Case c = test::free_box(GetParam(), {1.0, 1.0}, {2.0, 1.75});
+  c.forces.gravity = {0.0, -9.81};
+  c.forces.local_damping = 0.1;
+  Simulation s(c);
+  s.step(51);
+  // No damping at v = 0, so the first step sees the whole of g (method of local damping).
+  const Real expected = -9.81 * s.model.dt * (1.0 + 50.0 * 0.9);
+  for (const Point& p : test::points_by_id(s.state)) {
+    EXPECT_NEAR(p.v[0], 0.0, 1e-13);
+    EXPECT_NEAR(p.v[1], expected, 1e-12 * std::abs(expected));
+  }
+}
+
+/// Work of the internal forces in one step, less minus the sum over the points of Omega_p sigma_p : d_eps; relative.
+Real power_gap(Simulation s)
+{
+  const auto before = test::points_by_id(s.state);
+  s.step();
+  const auto after = test::points_by_id(s.state);
+  Real sum = 0.0, scale = 0.0;
+  for (std::size_t p = 0; p < before.size(); ++p) {
+    Real power = 0.0;
+    for (int k = 0; k < 4; ++k) power += (k == 3 ? 2.0 : 1.0) * before[p].sigma[k] * (after[p].strain[k] - before[p].strain[k]);
+    sum += before[p].volume * power;
+    scale += std::abs(before[p].volume * power);
+  }
+  return std::abs(s.state.work.internal + sum) / scale;
+}
+
+Simulation with_method(const std::string& scheme, Weights weights, ForceOperator op)
+{
+  test::Scenario s = test::load_free_scenario(scheme + "_distorted");
+  s.model.method.weights = weights;
+  s.model.method.force_operator = op;
+  return Simulation(std::move(s.model), std::move(s.state));
+}
+
+TEST(Energy, NodalInternalPowerIsThatOfThePointsWithSummedWeightsAndBBarTransposed)
+{
+  EXPECT_LT(power_gap(free_simulation("standard_mpm")), 1e-12);
+  for (const char* scheme : {"mpm_mixed", "mpm_gp"}) {
+    EXPECT_LT(power_gap(with_method(scheme, Weights::summed, ForceOperator::b_bar)), 1e-12) << scheme;
+    EXPECT_GT(power_gap(with_method(scheme, Weights::summed, ForceOperator::b)), 1e-4) << scheme;
+    EXPECT_GT(power_gap(with_method(scheme, Weights::hybrid, ForceOperator::b_bar)), 1e-4) << scheme;
+  }
+}
+
+Real total_work(const WorkTotals& w) { return w.gravity + w.damping + w.boundary + w.internal; }
+
+/// Change of the points' kinetic energy plus 1/2 sum m |dv|^2 in one step, less all works; relative to the terms.
+Real kinetic_gap(Simulation& s)
+{
+  const auto before = test::points_by_id(s.state);
+  const WorkTotals earlier = s.state.work;
+  s.step();
+  const auto after = test::points_by_id(s.state);
+  Real jumps = 0.0;
+  for (std::size_t p = 0; p < before.size(); ++p)
+    for (int d = 0; d < 2; ++d) jumps += 0.5 * before[p].mass * std::pow(after[p].v[d] - before[p].v[d], 2);
+  const Real gained = test::kinetic_energy(after) - test::kinetic_energy(before) + jumps;
+  const WorkTotals& w = s.state.work;
+  const Real scale = std::abs(w.internal - earlier.internal) + std::abs(w.gravity - earlier.gravity) + std::abs(gained);
+  return std::abs(gained - (total_work(w) - total_work(earlier))) / scale;
+}
+
+TEST_P(EveryScheme, TheWorksOfAStepAddUpToTheKineticEnergyOfTheFreePoints)
+{
+  test::Scenario free = test::load_free_scenario(std::string(GetParam()) + "_distorted");
+  free.model.damping = {.local = 0.1, .viscous = 3.0};
+  Simulation s(std::move(free.model), std::move(free.state));
+  for (int step = 0; step < 3; ++step) EXPECT_LT(kinetic_gap(s), 1e-12);
+  EXPECT_NE(s.state.work.damping, 0.0);
+}
+
+TEST_P(EveryScheme, GravityWorkIsTheChangeOfPotential)
+{
+  Simulation s(test::column(GetParam()));
+  const auto potential = [&] {
+    Real sum = 0.0;
+    for (const Point& p : test::points_by_id(s.state)) sum -= p.mass * (s.model.gravity[0] * p.x[0] + s.model.gravity[1] * p.x[1]);
+    return sum;
+  };
+  const Real start = potential();
+  s.step(300);
+  EXPECT_EQ(s.state.clamped, 0);
+  EXPECT_NEAR(start - potential(), s.state.work.gravity, 1e-12 * start);
+  EXPECT_GT(s.state.work.gravity, 1e-4 * start);
+}
+
+}  // namespace
+}  // namespace terp

@@ -1,0 +1,134 @@
+// The node passes by hand, on one cell with one point in its middle: each corner has a quarter of its mass.
+#include "simulation/node_passes.hpp"
+
+#include "simulation/setup.hpp"
+#include "support/cases.hpp"
+#include "support/simulations.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace terp {
+namespace {
+
+using test::Simulation;
+using Rows = PointRows<2>;
+
+constexpr Real quarter = 1990.0 / 4.0;  // mass of a node [kg per m]
+constexpr Real dt = 1e-3;
+
+/// One point of 1 m^2 in a cell of 1 m x 1 m.
+Simulation one_point(Vec<2> v, Vec<2> gravity, const Damping& damping = {}, const std::vector<SideCase>& sides = {})
+{
+  Case c = test::clamped_cell("mpm_gp");
+  c.bodies[0].points_per_cell = {1, 1};
+  c.bodies[0].velocity = v;
+  c.forces.gravity = gravity;
+  c.forces.local_damping = damping.local;
+  c.forces.viscous_damping = damping.viscous;
+  c.sides = sides;
+  Model model = build_model(c, 1);
+  model.dt = dt;
+  State state = build_state(model);
+  return Simulation(std::move(model), std::move(state));
+}
+
+TEST(NodePasses, GravityAndDampingAccelerateANode)
+{
+  Simulation s = one_point({2.0, -3.0}, {1.0, -10.0}, {.local = 0.2, .viscous = 5.0});
+  s.step();
+  const NodeValues& node = s.work.node[0];
+  EXPECT_DOUBLE_EQ(node.mass, quarter);
+  EXPECT_NEAR(node.damping[0], quarter * (-0.2 * 1.0 - 5.0 * 2.0), 1e-9);
+  EXPECT_NEAR(node.damping[1], quarter * (0.2 * 10.0 + 5.0 * 3.0), 1e-9);
+  EXPECT_NEAR(node.dv[0], dt * (1.0 - 0.2 - 10.0), 1e-15);
+  EXPECT_NEAR(node.dv[1], dt * (-10.0 + 2.0 + 15.0), 1e-15);
+}
+
+TEST(NodePasses, TheInternalForceAcceleratesANode)
+{
+  Simulation s = one_point({0.0, 0.0}, {0.0, 0.0});
+  test::edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
+    for (int k = 0; k < 3; ++k) block.row(Rows::sigma + k)[lane] = -6000.0;
+  });
+  s.step();
+  // Corner 0 of a unit square under pressure: -p/2 in both directions away from the cell.
+  for (int d = 0; d < 2; ++d) {
+    EXPECT_NEAR(s.work.node[0].internal[d], -3000.0, 1e-9);
+    EXPECT_NEAR(s.work.node[0].dv[d], -3000.0 / quarter * dt, 1e-12);
+  }
+}
+
+TEST(NodePasses, ARollerGivesTheForceThatStopsTheNode)
+{
+  Simulation s = one_point({2.0, -3.0}, {0.0, -10.0}, {}, {test::side("bottom", SideKind::roller)});
+  s.step();
+  const NodeValues& held = s.work.node[0];
+  EXPECT_NEAR(held.boundary[1], quarter * (3.0 + 10.0 * dt) / dt, 1e-6);
+  EXPECT_NEAR(held.boundary[0], 0.0, 1e-9);
+  EXPECT_EQ(held.v[1], 0.0);
+  EXPECT_NEAR(s.work.node[2].boundary[1], 0.0, 1e-9);
+  EXPECT_LT(s.work.node[2].v[1], -1.0);  // free, and moved by the point
+}
+
+TEST(NodePasses, AContactActsAlongItselfBeforeTheRemapOnly)
+{
+  SideCase base = test::side("bottom", SideKind::contact_bilateral);
+  base.adhesion = 1000.0;
+  Simulation s = one_point({2.0, 0.0}, {0.0, 0.0}, {}, {base});
+  s.step();
+  const Real slowed = 1000.0 * 0.5 * dt / quarter;  // a L_i dt / m_i at the two nodes of the base
+  EXPECT_NEAR(s.work.node[0].dv[0], -slowed, 1e-15);
+  // The point loses half of it (two of four nodes), and the remapped node has the point's velocity.
+  EXPECT_NEAR(test::points_by_id(s.state)[0].v[0], 2.0 - 0.5 * slowed, 1e-15);
+  EXPECT_NEAR(s.work.node[0].v[0], 2.0 - 0.5 * slowed, 1e-15);
+}
+
+TEST(NodePasses, TheWorksOfAStepAreForcesTimesTheMotionOfTheirNodes)
+{
+  SideCase base = test::side("bottom", SideKind::contact_bilateral);
+  base.adhesion = 1000.0;
+  Simulation s = one_point({2.0, 0.0}, {3.0, 0.0}, {.local = 0.1}, {base});
+  s.step();
+  const Real path = test::points_by_id(s.state)[0].v[0] * dt;  // of all four nodes [m]
+  EXPECT_NEAR(s.state.work.boundary, -1000.0 * 1.0 * path, 1e-12);
+  EXPECT_NEAR(s.state.work.gravity, 1990.0 * 3.0 * path, 1e-12);
+  EXPECT_NEAR(s.state.work.damping, -0.1 * 1990.0 * 3.0 * path, 1e-12);
+}
+
+TEST(NodePasses, NodesLighterThanTheLimitDoNotMove)
+{
+  Simulation s = one_point({2.0, 0.0}, {0.0, -10.0});
+  s.model.method.small_mass = 0.26;  // of rho V_e: just above the quarter that each node has
+  s.step();
+  for (const Index i : s.work.active_nodes) {
+    EXPECT_EQ(s.work.node[i].v, (Vec<2>{0.0, 0.0}));
+    EXPECT_EQ(s.work.node[i].dv, (Vec<2>{0.0, 0.0}));
+  }
+  EXPECT_EQ(s.state.work.gravity, 0.0);
+  Simulation heavier = one_point({2.0, 0.0}, {0.0, -10.0});
+  heavier.model.method.small_mass = 0.24;
+  heavier.step();
+  EXPECT_NE(heavier.work.node[0].v[0], 0.0);
+}
+
+TEST(NodePasses, TheOutOfBalanceRatioIsThatOfTheForces)
+{
+  Simulation falling = one_point({0.0, 0.0}, {0.0, -10.0});
+  falling.step();
+  EXPECT_NEAR(falling.work.unbalanced_ratio, 1.0, 1e-14);  // free fall: m a = m g
+  Simulation held = one_point({0.0, 0.0}, {0.0, -10.0}, {}, {test::side("bottom", SideKind::fixed)});
+  held.step();
+  EXPECT_NEAR(held.work.unbalanced_ratio, 0.5, 1e-14);  // two of the four nodes
+}
+
+TEST(NodePasses, AVelocityThatIsNotANumberIsNoticed)
+{
+  Simulation s = one_point({NAN, 0.0}, {0.0, 0.0});
+  s.step();
+  EXPECT_FALSE(s.work.finite);
+}
+
+}  // namespace
+}  // namespace terp

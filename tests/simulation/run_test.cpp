@@ -1,0 +1,204 @@
+// The loop: when outputs are due, how a run ends, and how it goes on.
+#include "simulation/run.hpp"
+
+#include "simulation/setup.hpp"
+#include "simulation/state_image.hpp"
+#include "support/cases.hpp"
+#include "support/simulations.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using test::Simulation;
+using testing::ElementsAre;
+
+TEST(Due, IsTheStepNearestToEachMultiple)
+{
+  std::vector<std::int64_t> steps;
+  for (std::int64_t step = 0; step <= 14; ++step)
+    if (due(step, 0.3, 1.0)) steps.push_back(step);
+  EXPECT_THAT(steps, ElementsAre(0, 3, 7, 10, 13));  // 0, 0.9, 2.1, 3.0, 3.9 s
+}
+
+TEST(Due, EveryStepIsDueWhenTheIntervalIsShorterThanAStep)
+{
+  for (std::int64_t step = 0; step < 20; ++step) EXPECT_TRUE(due(step, 0.3, 0.1)) << step;
+}
+
+TEST(Due, NothingIsDueWithoutAnInterval)
+{
+  for (std::int64_t step = 0; step < 5; ++step) EXPECT_FALSE(due(step, 0.3, 0.0));
+}
+
+/// Keeps the steps at which it was called, and may ask for a stop.
+struct Recorder : Observer {
+  std::vector<std::int64_t> frames, ledgers, checkpoints;
+  std::vector<Real> histories;
+  std::vector<Progress> progresses;
+  StateImage last_checkpoint;
+  LedgerRow last_row;
+  std::int64_t stop_after = -1;
+  std::atomic<bool> stop{false};
+
+  void frame(const Frame& f) override { frames.push_back(f.step); }
+  void history(const std::vector<HistoryRow>& rows) override { histories.push_back(rows.at(0).time); }
+  void ledger(const LedgerRow& row) override
+  {
+    ledgers.push_back(row.step);
+    last_row = row;
+    if (row.step == stop_after) stop = true;
+  }
+  void checkpoint(const StateImage& image) override
+  {
+    checkpoints.push_back(image.step);
+    last_checkpoint = image;
+  }
+  void progress(const Progress& p) override { progresses.push_back(p); }
+};
+
+/// 33 steps of 1/330 s.
+Case short_column()
+{
+  Case c = test::column("mpm_gp");
+  c.time.end = 0.1;
+  c.bodies[0].velocity = {2.0, 0.0};
+  c.output.fields_every = 0.04;
+  c.output.history_every = 0.05;
+  c.output.ledger_every = 0.02;
+  c.output.checkpoint_every = 0.03;
+  c.output.history_points = {{"A", {7.6, 0.07}}};
+  return c;
+}
+
+Outcome solve(Simulation& s, Recorder& recorder)
+{
+  Observer* const observers[] = {&recorder};
+  return run(s.model, s.state, s.work, observers, recorder.stop);
+}
+
+TEST(Run, TellsItsObserversAtTheStartAtEachDueStepAndAtTheEnd)
+{
+  Simulation s(short_column());
+  ASSERT_EQ(s.model.n_steps, 33);
+  Recorder recorder;
+  EXPECT_EQ(solve(s, recorder), Outcome::finished);
+  EXPECT_THAT(recorder.frames, ElementsAre(0, 13, 26, 33));          // 13.2, 26.4
+  EXPECT_THAT(recorder.ledgers, ElementsAre(0, 7, 13, 20, 26, 33));  // 6.6, 13.2, 19.8, 26.4, 33
+  EXPECT_THAT(recorder.checkpoints, ElementsAre(10, 20, 30, 33));    // not at the start
+  EXPECT_EQ(recorder.histories.size(), 3u);                          // 0, 16.5, 33
+  EXPECT_EQ(recorder.progresses.back().step, 33);
+  EXPECT_EQ(recorder.progresses.back().n_points, 1600);
+}
+
+TEST(Run, WithoutIntervalsTellsTheFirstAndTheLast)
+{
+  Case c = short_column();
+  c.output.fields_every = c.output.checkpoint_every = 0.0;
+  Simulation s(c);
+  Recorder recorder;
+  solve(s, recorder);
+  EXPECT_THAT(recorder.frames, ElementsAre(0, 33));
+  EXPECT_THAT(recorder.checkpoints, ElementsAre(33));
+}
+
+TEST(Run, ThatIsStoppedFinishesItsStepAndWritesACheckpoint)
+{
+  Simulation s(short_column());
+  Recorder recorder;
+  recorder.stop_after = 13;
+  EXPECT_EQ(solve(s, recorder), Outcome::interrupted);
+  EXPECT_EQ(s.state.step, 13);
+  EXPECT_THAT(recorder.checkpoints, ElementsAre(10, 13));
+}
+
+TEST(Run, ThatWasStoppedGoesOnToTheSameBitsAndTellsNothingTwice)
+{
+  Simulation whole(short_column()), first(short_column());
+  Recorder all, before, after;
+  solve(whole, all);
+  before.stop_after = 20;
+  solve(first, before);
+  Simulation second(build_model(short_column(), 2), restore(first.model, before.last_checkpoint));
+  second.model.history_ids = whole.model.history_ids;
+  EXPECT_EQ(solve(second, after), Outcome::finished);
+  EXPECT_EQ(test::first_difference(all.last_checkpoint, after.last_checkpoint), "");
+  const auto join = [](auto a, const auto& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+  };
+  EXPECT_EQ(join(before.frames, after.frames), all.frames);
+  EXPECT_EQ(join(before.ledgers, after.ledgers), all.ledgers);
+  EXPECT_EQ(join(before.histories, after.histories), all.histories);
+}
+
+TEST(Run, AtItsEndHasNothingLeftToDo)
+{
+  Simulation s(short_column());
+  Recorder first, again;
+  solve(s, first);
+  EXPECT_EQ(solve(s, again), Outcome::finished);
+  EXPECT_EQ(s.state.step, 33);
+  EXPECT_TRUE(again.frames.empty());
+}
+
+TEST(Summarise, TellsTheNumbersOfTheRun)
+{
+  Simulation s(short_column());
+  Recorder recorder;
+  solve(s, recorder);
+  s.state.audit.fell[5] = s.state.audit.fell[6] = s.state.audit.rose[7] = 1;
+  s.state.clamped = 4;
+  const Summary summary = summarise(s.model, s.state);
+  EXPECT_EQ(summary.scheme, "mpm_gp");
+  EXPECT_EQ(summary.n_points, 1600);
+  EXPECT_EQ(summary.n_cells, 32 * 6);
+  EXPECT_EQ(summary.n_steps, 33);
+  EXPECT_EQ(summary.dt, s.model.dt);
+  EXPECT_EQ(summary.threads, 1);
+  EXPECT_NEAR(summary.front_x, 8.14, 0.02);  // 7.95 m + 2 m/s * 0.1 s, less the base's pull
+  EXPECT_FALSE(summary.second_failure_time.has_value());
+  EXPECT_EQ(summary.softened_fraction.size(), 4u);
+  EXPECT_EQ(summary.points_eps_eq_p_fell, 2);
+  EXPECT_EQ(summary.points_su_rose, 1);
+  EXPECT_EQ(summary.clamped_points, 4);
+  EXPECT_GT(summary.wall_s, 0.0);
+  EXPECT_NEAR(summary.point_steps_per_s * summary.wall_s, 1600.0 * 33.0, 1e-6);
+  EXPECT_EQ(summary.v_999, s.state.largest_v_999);
+}
+
+TEST(Summarise, TheBalanceErrorIsAShareOfTheEnergyExchanged)
+{
+  Simulation s(short_column());
+  Recorder recorder;
+  solve(s, recorder);
+  const LedgerRow& row = recorder.last_row;
+  const Real exchanged = std::abs(row.gravity_work) + std::abs(row.damping_work) + std::abs(row.boundary_work) + row.plastic + s.state.start_energy;
+  EXPECT_GT(std::abs(row.numerical), 1e-6 * exchanged);
+  EXPECT_NEAR(summarise(s.model, s.state).energy_balance_error, std::abs(row.numerical) / exchanged, 1e-12);
+}
+
+TEST(Summarise, ABodyWithoutALevelSurfaceHasNoCrest)
+{
+  Simulation s(short_column());
+  test::edit_points(s.state, [](const PointBlock<2>& block, Index lane) { block.row(PointRows<2>::x + 1)[lane] -= 0.06; });
+  EXPECT_FALSE(summarise(s.model, s.state).crest_x.has_value());
+}
+
+TEST(Run, TheBooksBalanceToAFewPercentOfTheGravityWork)
+{
+  for (const char* scheme : {"mpm_mixed", "mpm_gp"}) {
+    Case c = test::column(scheme, 0.25);
+    c.time.end = 1.0;
+    Simulation s(c);
+    const std::atomic<bool> go_on{false};
+    run(s.model, s.state, s.work, {}, go_on);
+    EXPECT_LT(summarise(s.model, s.state).energy_balance_error, 0.05) << scheme;
+  }
+}
+
+}  // namespace
+}  // namespace terp

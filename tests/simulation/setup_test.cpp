@@ -1,0 +1,162 @@
+// From a case to a model and its points: what follows from the case, and what is refused.
+#include "simulation/setup.hpp"
+
+#include "base/errors.hpp"
+#include "support/cases.hpp"
+#include "support/simulations.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using test::Point;
+using testing::AllOf;
+using testing::Field;
+
+/// The only problem of a case that is refused; an empty one if it is accepted.
+Problem problem_of(const Case& c)
+{
+  try {
+    Model model = build_model(c, 1);
+    build_state(model);
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problems().size(), 1u);
+    return error.problems().front();
+  }
+  return {};
+}
+
+TEST(Setup, TheTimeStepIsTheCourantNumberTimesTheSmallestAltitudeOverTheWaveSpeed)
+{
+  Case c = test::column("mpm_gp", 0.1);
+  const Model model = build_model(c, 1);
+  // K = 49.33 MPa, G = 2 MPa, rho = 1990 kg/m^3: c_p = 161.65 m/s (reading R19).
+  const Real stable = 0.98 * 0.1 / std::sqrt((2.0 * 2e6 * 1.48 / (3.0 * 0.04) + 4.0 / 3.0 * 2e6) / 1990.0);
+  EXPECT_EQ(model.n_steps, 6598);
+  EXPECT_EQ(model.dt, 4.0 / 6598);
+  EXPECT_LE(model.dt, stable);
+  EXPECT_GT(model.dt, 0.999 * stable);
+}
+
+TEST(Setup, OnlyMaterialsOfBodiesDecideTheTimeStep)
+{
+  Case c = test::column("mpm_gp");
+  const Real dt = build_model(c, 1).dt;
+  c.materials.push_back(test::elastic(1e12, 0.3, 3000.0));
+  const Model model = build_model(c, 1);
+  EXPECT_EQ(model.dt, dt);
+  EXPECT_EQ(model.largest_density, 1990.0);
+  EXPECT_EQ(model.n_state, 1);
+}
+
+TEST(Setup, SeedsBodiesWithTheirVelocityMassAndLocalPlaces)
+{
+  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});
+  c.bodies[0].points_per_cell = {2, 3};
+  c.bodies[0].velocity = {1.5, -0.5};
+  Model model = build_model(c, 1);
+  const State state = build_state(model);
+  const auto points = test::points_by_id(state);
+  ASSERT_EQ(points.size(), 4u * 6u);
+  for (const Point& p : points) {
+    EXPECT_NEAR(p.volume, 0.0625 / 6.0, 1e-15);
+    EXPECT_NEAR(p.mass, 1990.0 * 0.0625 / 6.0, 1e-12);
+    EXPECT_EQ(p.v, (Vec<2>{1.5, -0.5}));
+    EXPECT_EQ(state.x_initial[2 * p.id], p.x[0]);
+    EXPECT_EQ(state.x_initial[2 * p.id + 1], p.x[1]);
+    EXPECT_NEAR(std::abs(p.local[0]), 0.5, 1e-12);
+    EXPECT_EQ(p.sigma, (std::array<Real, 4>{}));
+  }
+}
+
+TEST(Setup, FollowsTheNearestPointAndOfEqualOnesThatWithLowerXThenLowerY)
+{
+  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});  // points at 1.025, 1.075, ...
+  c.output.history_points = {{"A", {1.13, 0.68}}, {"B", {1.1, 0.6}}, {"C", {9.0, 9.0}}};
+  Model model = build_model(c, 1);
+  const State state = build_state(model);
+  ASSERT_EQ(model.history_ids.size(), 3u);
+  const auto place = [&](int k) { return Vec<2>{state.x_initial[2 * model.history_ids[k]], state.x_initial[2 * model.history_ids[k] + 1]}; };
+  const auto expect_place = [&](int k, Real x, Real y) {
+    EXPECT_NEAR(place(k)[0], x, 1e-12);
+    EXPECT_NEAR(place(k)[1], y, 1e-12);
+  };
+  expect_place(0, 1.125, 0.675);
+  expect_place(1, 1.075, 0.575);  // four points are 35 mm away
+  expect_place(2, 1.475, 0.975);
+}
+
+TEST(Setup, LaterBodiesLieOnTopOfEarlierOnes)
+{
+  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.0});
+  c.materials.push_back(test::elastic(2e6, 0.3, 2500.0));
+  c.bodies.push_back(test::body("rock", {1.5, 0.5}, {2.0, 1.0}));
+  Model model = build_model(c, 1);
+  const State state = build_state(model);
+  EXPECT_EQ(state.points.n_points(), 8 * 25);
+  for (const Point& p : test::points_by_id(state)) EXPECT_EQ(p.material, p.x[0] > 1.5 ? 1 : 0);
+}
+
+TEST(Setup, ABodyOutsideTheMeshIsRefused)
+{
+  const Problem p = problem_of(test::free_box("mpm_gp", {1.0, 0.5}, {4.5, 1.0}));
+  EXPECT_EQ(p.key, "body[0]");
+  EXPECT_EQ(p.what, "the body lies outside the mesh");
+  EXPECT_EQ(p.detail, "corner (4.5, 0.5) m; the mesh covers x = 0 to 4 m, y = 0 to 2 m.\nEnlarge mesh.size or move the body.");
+}
+
+TEST(Setup, AMeshThatIsNoWholeNumberOfCellsIsRefused)
+{
+  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});
+  c.mesh.cell = {0.25, 0.3};
+  const Problem p = problem_of(c);
+  EXPECT_EQ(p.key, "mesh.cell");
+  EXPECT_EQ(p.what, "the mesh is not a whole number of cells");
+  EXPECT_EQ(p.detail, "size 2 m over cell 0.3 m is 6.66667 cells. Use 0.285714 m.");
+}
+
+TEST(Setup, AMeshOfTooManyCellsIsRefused)
+{
+  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});
+  c.mesh.cell = {1e-5, 0.25};
+  EXPECT_THAT(problem_of(c), AllOf(Field(&Problem::key, "mesh.cell"), Field(&Problem::what, "the mesh has too many cells"),
+                                   Field(&Problem::detail, "4e+05 cells in one direction, at most 100000.")));
+}
+
+TEST(Setup, BodiesWithoutAnyPointAreRefused)
+{
+  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});
+  c.bodies[0].holes = {c.bodies[0].polygon};
+  const Problem p = problem_of(c);
+  EXPECT_EQ(p.key, "body[0]");
+  EXPECT_EQ(p.what, "no material points");
+  EXPECT_EQ(p.detail, "The bodies hold no point of the seeding lattice. Use a larger body, smaller cells or more points per cell.");
+}
+
+TEST(Setup, ATimeStepThatHasCollapsedIsRefused)
+{
+  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0}, test::elastic(1e23, 0.25, 1000.0));
+  const Problem p = problem_of(c);
+  EXPECT_EQ(p.key, "time.end");
+  EXPECT_EQ(p.what, "the time step has collapsed");
+  // c_p = sqrt(3 G / rho) = 1.732e10 m/s at nu = 0.25
+  EXPECT_EQ(p.detail, "1 s need 7.07e+10 steps of 1.41e-11 s (smallest cell altitude 0.25 m, wave speed 1.732e+10 m/s).");
+}
+
+TEST(Setup, AnUnknownSchemeModelOrMaterialIsRefused)
+{
+  Case c = test::column("mpm_gpp");
+  EXPECT_EQ(problem_of(c).what, "no such scheme");
+  c = test::column("mpm_gp");
+  c.materials[0].model = "mohr";
+  EXPECT_EQ(problem_of(c).key, "material.clay.model");
+  c = test::column("mpm_gp");
+  c.bodies[0].material = "sand";
+  EXPECT_EQ(problem_of(c).what, "no material `sand`");
+}
+
+}  // namespace
+}  // namespace terp

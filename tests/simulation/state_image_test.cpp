@@ -1,0 +1,112 @@
+// The state as named arrays: all of it, to the bit, or refused.
+#include "simulation/state_image.hpp"
+
+#include "base/errors.hpp"
+#include "simulation/ledger.hpp"
+#include "simulation/setup.hpp"
+#include "support/cases.hpp"
+#include "support/simulations.hpp"
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using test::first_difference;
+using test::Simulation;
+
+/// A column on the move, with books.
+Case moving_column(const char* scheme)
+{
+  Case c = test::column(scheme);
+  c.bodies[0].velocity = {2.0, 0.0};
+  return c;
+}
+
+TEST(StateImage, ARestoredRunGoesOnInTheSameBits)
+{
+  for (const char* scheme : {"standard_mpm", "mpm_mixed", "mpm_gp"}) {
+    Simulation whole(moving_column(scheme));
+    start_audit(whole.model, whole.state);
+    whole.step(150);
+    keep_ledger(whole.model, whole.state);
+    Simulation rest(build_model(moving_column(scheme), 1), restore(whole.model, make_image(whole.state)));
+    EXPECT_EQ(first_difference(make_image(whole.state), make_image(rest.state)), "") << scheme;
+    for (Simulation* s : {&whole, &rest}) {
+      s->step(150);
+      keep_ledger(s->model, s->state);
+    }
+    EXPECT_EQ(first_difference(make_image(whole.state), make_image(rest.state)), "") << scheme;
+  }
+}
+
+TEST(StateImage, HoldsEverythingThatAStateRemembers)
+{
+  Simulation s(moving_column("mpm_gp"));
+  start_audit(s.model, s.state);
+  s.step(3);
+  keep_ledger(s.model, s.state);
+  State& state = s.state;
+  state.work = {1.0, 2.0, 3.0, 4.0, 5.0};
+  state.start_energy = 6.0;
+  state.clamped = 7;
+  state.tension_cut = 8;
+  state.largest_v_999 = 9.0;
+  state.wall_s = 10.0;
+  state.audit.fell[3] = 1;
+  state.audit.rose[5] = 1;
+  state.softened_fraction = {{0.5, 0.25}};
+  const State back = restore(s.model, make_image(state));
+  EXPECT_EQ(back.step, 3);
+  EXPECT_EQ(back.time, state.time);
+  EXPECT_EQ(back.work.gravity, 1.0);
+  EXPECT_EQ(back.work.damping, 2.0);
+  EXPECT_EQ(back.work.boundary, 3.0);
+  EXPECT_EQ(back.work.plastic, 4.0);
+  EXPECT_EQ(back.work.internal, 5.0);
+  EXPECT_EQ(back.start_energy, 6.0);
+  EXPECT_EQ(back.clamped, 7);
+  EXPECT_EQ(back.tension_cut, 8);
+  EXPECT_EQ(back.largest_v_999, 9.0);
+  EXPECT_EQ(back.wall_s, 10.0);
+  EXPECT_EQ(back.audit.fell, state.audit.fell);
+  EXPECT_EQ(back.audit.rose, state.audit.rose);
+  EXPECT_EQ(back.audit.last_su, state.audit.last_su);
+  EXPECT_EQ(back.crest.x, state.crest.x);
+  EXPECT_EQ(back.crest.time, state.crest.time);
+  EXPECT_EQ(back.crest.initial_heights, state.crest.initial_heights);
+  EXPECT_EQ(back.crest.base, state.crest.base);
+  EXPECT_EQ(back.crest.columns.n, state.crest.columns.n);
+  EXPECT_EQ(back.softened_fraction, state.softened_fraction);
+  EXPECT_EQ(back.x_initial, state.x_initial);
+}
+
+TEST(StateImage, WithoutOneOfItsArraysIsRefused)
+{
+  const Simulation s(moving_column("mpm_gp"));
+  const StateImage image = make_image(s.state);
+  for (std::size_t k = 0; k < image.arrays.size(); ++k) {
+    StateImage cut = image;
+    cut.arrays.erase(cut.arrays.begin() + static_cast<std::ptrdiff_t>(k));
+    EXPECT_THROW(restore(s.model, cut), FileError) << image.arrays[k].name;
+  }
+}
+
+TEST(StateImage, OfAnotherCaseIsRefused)
+{
+  const Simulation s(moving_column("mpm_gp"));
+  StateImage image = make_image(s.state);
+  Case elastic = moving_column("mpm_gp");
+  elastic.materials = {test::elastic(2e6, 0.3, 2000.0)};
+  elastic.bodies[0].material = "rock";
+  EXPECT_THAT([&] { restore(Simulation(elastic).model, image); },
+              testing::ThrowsMessage<FileError>(
+                  "the checkpoint does not fit this case: array `points/rows` is missing or has another size"));
+  std::get<std::vector<std::int64_t>>(image.arrays[0].values)[4] = 1000000;
+  EXPECT_THAT([&] { restore(s.model, image); },
+              testing::ThrowsMessage<FileError>(
+                  "the checkpoint does not fit this case: a point lies in a cell or has a material that the case does not have"));
+}
+
+}  // namespace
+}  // namespace terp

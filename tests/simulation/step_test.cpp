@@ -1,0 +1,66 @@
+// Whole steps against the NumPy twin, which was written from the paper and the readings and not from the C++.
+#include "simulation/step.hpp"
+
+#include "support/twin.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using test::Simulation;
+
+/// Largest difference over the field's largest value; over 1 where the field is zero.
+Real relative_error(const std::vector<Real>& got, const std::vector<Real>& expected)
+{
+  if (got.size() != expected.size()) return INFINITY;
+  Real difference = 0.0, largest = 0.0;
+  for (std::size_t k = 0; k < got.size(); ++k) {
+    if (!std::isfinite(got[k])) return INFINITY;
+    difference = std::max(difference, std::abs(got[k] - expected[k]));
+    largest = std::max(largest, std::abs(expected[k]));
+  }
+  return difference / (largest > 0.0 ? largest : 1.0);
+}
+
+class TwinStep : public testing::TestWithParam<std::string> {};
+
+TEST_P(TwinStep, IsThatOfTheNumPyTwinToRoundOff)
+{
+  test::Scenario scenario = test::load_scenario(GetParam());
+  Simulation s(std::move(scenario.model), std::move(scenario.state));
+  s.step(scenario.n_steps);
+  for (const auto& [field, expected] : scenario.expected)
+    EXPECT_LE(relative_error(test::field_values(s.state, field), expected), 1e-12) << field;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenarios, TwinStep, testing::ValuesIn(test::scenario_names()),
+                         [](const auto& info) { return info.param; });
+
+TEST(Step, TheTwinHasScenariosForEveryScheme)
+{
+  EXPECT_EQ(test::scenario_names().size(), 11u);
+  for (const char* scheme : {"standard_mpm", "mpm_mixed", "mpm_gp"})
+    EXPECT_THAT(test::scenario_names(), testing::Contains(testing::StartsWith(scheme)));
+}
+
+TEST(Step, IsFoundByTheNameOfItsScheme)
+{
+  for (const char* scheme : {"standard_mpm", "mpm_mixed", "mpm_gp"}) EXPECT_NE(find_step(scheme), nullptr) << scheme;
+  EXPECT_NE(find_step("mpm_gp"), find_step("mpm_mixed"));
+  EXPECT_EQ(find_step("mpm"), nullptr);
+}
+
+TEST(Step, CountsItselfAndKeepsTimeAsAMultipleOfDt)
+{
+  test::Scenario scenario = test::load_scenario("mpm_gp_regular");
+  Simulation s(std::move(scenario.model), std::move(scenario.state));
+  s.step(3);
+  EXPECT_EQ(s.state.step, 3);
+  EXPECT_EQ(s.state.time, 3.0 * s.model.dt);
+}
+
+}  // namespace
+}  // namespace terp

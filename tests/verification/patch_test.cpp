@@ -1,0 +1,145 @@
+// Patch tests on strongly distorted quadrilaterals: constant strain is exact, constant stress gives no interior force, rigid motion
+// gives no stress.
+
+#include "materials/elastic_constants.hpp"
+#include "schemes/mpm_gp.hpp"
+#include "schemes/mpm_mixed.hpp"
+#include "schemes/standard_mpm.hpp"
+#include "support/cases.hpp"
+#include "support/meshes.hpp"
+#include "support/verification.hpp"
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using test::Simulation;
+
+constexpr Index n_cells = 6;
+constexpr Real h = 0.5;  // [m]
+
+/// A mesh with inner nodes moved by up to 35 % of h, every cell full of elastic points.
+Simulation full_block(const std::string& scheme, std::uint64_t seed, ObjectiveRate rate = ObjectiveRate::none)
+{
+  Case c = test::free_box(scheme, {0.0, 0.0}, {n_cells * h, n_cells * h}, test::elastic(3.0e6, 0.3, 1700.0));
+  c.method.objective_rate = rate;
+  return test::simulate_on(test::distorted_rectangle(n_cells, n_cells, h, 0.35, seed), c);
+}
+
+/// Displacement increments of a cell's corners in the affine field du = a x.
+CornerVectors affine(const Mesh<2>& mesh, Index cell, const std::array<Vec<2>, 2>& a)
+{
+  CornerVectors du;
+  for (int i = 0; i < 4; ++i)
+    for (int d = 0; d < 2; ++d) du[d][i] = a[d][0] * mesh.nodes[mesh.cells[cell][i]][0] + a[d][1] * mesh.nodes[mesh.cells[cell][i]][1];
+  return du;
+}
+
+/// Gathers all cells and gives each the same affine increment.
+template <class Scheme>
+void strain_all_cells(Simulation& s, const std::array<Vec<2>, 2>& a)
+{
+  const SchemeContext context{s.model.method, s.model.materials};
+  for (Index slot = 0; slot < static_cast<Index>(s.state.points.occupied().size()); ++slot) {
+    const Index cell = s.state.points.occupied()[slot];
+    const CellView view{cell, s.model.mesh.geometry(cell), s.state.points, s.work.gauss, s.work.corners[slot]};
+    view.corners = {};
+    Scheme::gather(context, view);
+    StressSums sums;
+    Scheme::update_stress(context, view, affine(s.model.mesh, cell, a), sums);
+  }
+}
+
+template <class Scheme>
+class Patch : public testing::Test {};
+
+struct NameOf {
+  template <class T>
+  static std::string GetName(int)
+  {
+    return std::is_same_v<T, MpmGp> ? "mpm_gp" : std::is_same_v<T, MpmMixed> ? "mpm_mixed" : "standard_mpm";
+  }
+};
+using Schemes = testing::Types<StandardMpm, MpmMixed, MpmGp>;
+TYPED_TEST_SUITE(Patch, Schemes, NameOf);
+
+TYPED_TEST(Patch, ConstantStrainAndStressAreExact)
+{
+  const std::array<Vec<2>, 2> a{{{2.0e-3, -5.0e-3}, {7.0e-3, -4.0e-3}}};
+  const Real shear = 3.0e6, lame = bulk_from_poisson(shear, 0.3) - 2.0 / 3.0 * shear, volumetric = -2.0e-3;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    Simulation s = full_block(NameOf::GetName<TypeParam>(0), seed);
+    strain_all_cells<TypeParam>(s, a);
+    for (const test::Point& p : test::points_by_id(s.state)) {
+      EXPECT_NEAR(p.strain[0], 2.0e-3, 1e-15);
+      EXPECT_NEAR(p.strain[1], -4.0e-3, 1e-15);
+      EXPECT_NEAR(p.strain[2], 0.0, 1e-15);
+      EXPECT_NEAR(p.strain[3], 1.0e-3, 1e-15);
+      EXPECT_NEAR(p.sigma[0], lame * volumetric + 2.0 * shear * 2.0e-3, 1e-12 * 12000.0);
+      EXPECT_NEAR(p.sigma[1], lame * volumetric - 2.0 * shear * 4.0e-3, 1e-12 * 24000.0);
+      EXPECT_NEAR(p.sigma[3], 2.0 * shear * 1.0e-3, 1e-12 * 6000.0);
+    }
+  }
+}
+
+TYPED_TEST(Patch, RotationGivesNoStrainAndOnlyTurnsTheStress)
+{
+  const Real angle = 1.0e-4;
+  Simulation s = full_block(NameOf::GetName<TypeParam>(0), 7, ObjectiveRate::jaumann);
+  test::edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
+    block.row(PointRows<2>::sigma)[lane] = -8000.0;
+    block.row(PointRows<2>::sigma + 1)[lane] = -20000.0;
+    block.row(PointRows<2>::sigma + 2)[lane] = -5000.0;
+  });
+  strain_all_cells<TypeParam>(s, {{{0.0, -angle}, {angle, 0.0}}});
+  for (const test::Point& p : test::points_by_id(s.state)) {
+    for (const Real e : p.strain) EXPECT_NEAR(e, 0.0, 1e-16);
+    EXPECT_NEAR(p.sigma[0], -8000.0, 1e-9);
+    EXPECT_NEAR(p.sigma[1], -20000.0, 1e-9);
+    EXPECT_NEAR(p.sigma[3], angle * 12000.0, 1e-9);  // (sigma_xx - sigma_yy) times the angle, first order
+  }
+}
+
+/// Largest force at an inner node over the largest at any node, for one stress in all points, whose volumes are uneven: in
+/// each cell more lies to the left than to the right.
+template <class Scheme>
+Real interior_force_share(std::uint64_t seed)
+{
+  Simulation s = full_block(NameOf::GetName<Scheme>(0), seed);
+  test::edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
+    const Real stress[] = {-9.0e3, -21.0e3, -14.0e3, 5.0e3};
+    for (int k = 0; k < 4; ++k) block.row(PointRows<2>::sigma + k)[lane] = stress[k];
+    block.row(PointRows<2>::volume)[lane] *= lane % 5 < 2 ? 1.3 : 0.8;
+  });
+  strain_all_cells<Scheme>(s, {});
+  std::vector<Vec<2>> force(s.model.mesh.nodes.size(), Vec<2>{0.0, 0.0});
+  for (std::size_t slot = 0; slot < s.state.points.occupied().size(); ++slot)
+    for (int i = 0; i < 4; ++i)
+      for (int d = 0; d < 2; ++d) force[s.model.mesh.cells[s.state.points.occupied()[slot]][i]][d] += s.work.corners[slot].internal_force[d][i];
+  Real inner = 0.0, all = 0.0;
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    const Vec<2> x = s.model.mesh.nodes[i];
+    const bool is_inner = x[0] > 1e-9 && x[0] < n_cells * h - 1e-9 && x[1] > 1e-9 && x[1] < n_cells * h - 1e-9;
+    const Real size = std::hypot(force[i][0], force[i][1]);
+    all = std::max(all, size);
+    if (is_inner) inner = std::max(inner, size);
+  }
+  return inner / all;
+}
+
+TEST(Patch, ConstantStressGivesNoInteriorForceWithGaussIntegration)
+{
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    EXPECT_LT(interior_force_share<MpmGp>(seed), 1e-13);
+    EXPECT_LT(interior_force_share<MpmMixed>(seed), 1e-13);
+  }
+}
+
+TEST(Patch, IntegrationAtThePointsLeavesInteriorForces)  // the control: what Gauss integration is there for
+{
+  EXPECT_GT(interior_force_share<StandardMpm>(1), 1e-3);
+}
+
+}  // namespace
+}  // namespace terp
