@@ -2,6 +2,7 @@
 
 #include "input/key_text.hpp"
 #include "input/keys.hpp"
+#include "input/printable.hpp"
 
 #include <fmt/format.h>
 
@@ -31,7 +32,7 @@ std::string line_of(const std::string& text, int line)
   if (begin == std::string::npos) return "";
   std::string found = text.substr(begin, text.find('\n', begin) - begin);
   if (!found.empty() && found.back() == '\r') found.pop_back();
-  return found;
+  return printable(found);
 }
 
 /// The underline: tabs stay tabs, so that it lines up in any terminal.
@@ -118,7 +119,7 @@ std::string render_one(const char* word, const Problem& problem, const Document&
   if (!problem.detail.empty()) out += indented(problem.detail);
   if (!spot.exact && !note_on_default(problem).empty()) out += indented(note_on_default(problem));
   if (!problem.topic.empty()) out += indented("More: terp explain " + problem.topic);
-  return out + '\n';
+  return printable(out) + '\n';
 }
 
 std::vector<Problem> in_file_order(std::vector<Problem> problems, const Document& document)
@@ -158,7 +159,7 @@ std::string render_at(const std::string& path, const std::string& text, Place pl
 {
   std::string out = fmt::format("error: {}: {}\n", location(path, {place, "", true}), problem.what);
   if (place.line > 0) out += frame(text, place);
-  return out + indented(problem.detail) + "\n1 error; nothing was run.\n";
+  return printable(out + indented(problem.detail)) + "\n1 error; nothing was run.\n";
 }
 
 }  // namespace terp
