@@ -80,9 +80,28 @@ std::string above(const std::string& path)
   return shorter;
 }
 
+/// "--set KEY=VALUE" of a node or of the first one below it that came from there, or an empty text.
+std::string find_override(const Node& node)
+{
+  std::string found = node.override_text;
+  for (std::size_t k = 0; found.empty() && k < node.items.size(); ++k) found = find_override(node.items[k]);
+  return found;
+}
+
+/// The --set that the problem comes from: of its key, or else of the keys that this one does not go with.
+std::string find_override(const Problem& problem, const Node& root)
+{
+  if (problem.key.starts_with("--set ")) return problem.key;
+  std::string found;
+  if (const Node* own = find_node(root, problem.key)) found = own->override_text;
+  for (const std::string& other : problem.others)
+    if (const Node* node = find_node(root, other); node != nullptr && found.empty()) found = find_override(*node);
+  return found;
+}
+
 Spot find_spot(const Problem& problem, const Document& document)
 {
-  if (problem.key.starts_with("--set ")) return {{}, problem.key, true};
+  if (const std::string change = find_override(problem, document.root); !change.empty()) return {{}, change, true};
   for (std::string path = problem.key; !path.empty(); path = above(path)) {
     const Node* node = find_node(document.root, path);
     if (node == nullptr) continue;
