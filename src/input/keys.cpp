@@ -81,7 +81,7 @@ std::vector<KeyInfo> mesh_keys()
        .field = [](Case& c, std::size_t) { return &c.mesh.grading; },
        .range = positive, .usual = {0.01, 100.0},
        .meaning = "size of the last cell over the size of the first, along x and along y; 1: all equal",
-       .equation = "h_k = h_1 grading^((k - 1) / (n - 1))"},
+       .equation = "h_k = h_1 grading^((k - 1) / (n - 1)), k = 1 to n"},
       {.path = "mesh.file",
        .field = [](Case& c, std::size_t) { return &c.mesh.file; },
        .required_for = "a mesh from a file",
