@@ -99,6 +99,11 @@ std::vector<KeyInfo> mesh_keys()
       {.path = "mesh.follow_bodies",
        .field = [](Case& c, std::size_t) { return &c.mesh.follow_bodies; },
        .meaning = "whether the cells of a polygon follow the outlines of the bodies"},
+      {.path = "mesh.variant",
+       .field = [](Case& c, std::size_t) { return &c.mesh.variant; },
+       .range = not_negative,
+       .meaning = "another mesh of the same size and shape: to see how much a result depends on the mesh; for a polygon, "
+                  "0 is the best mesh, 1, 2, ... are others"},
 
       {.path = "mesh.sides.bottom",
        .field = [](Case& c, std::size_t) { return Polyline{&c.mesh.sides[0]}; },

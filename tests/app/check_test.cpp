@@ -34,6 +34,17 @@ TEST(Check, SaysWhereABodyLiesOutsideTheMesh)
   EXPECT_EQ(f.out, "");
 }
 
+TEST(Check, AVariantOfAMeshFromAPolygonHasOtherCells)
+{
+  const auto told = [](const std::string& variant) {
+    return test::terp({"check", test::source_path("cases/dike/dike.toml"), "--set", "mesh.cell=2.0", "--set", "mesh.variant=" + variant, "-j", "1"});
+  };
+  const auto mesh_line = [](const std::string& out) { return out.substr(out.find("  mesh  "), out.find('\n', out.find("  mesh  ")) - out.find("  mesh  ")); };
+  const Finished best = told("0"), other = told("1");
+  ASSERT_EQ(best.status + other.status, 0) << best.err << other.err;
+  EXPECT_NE(mesh_line(best.out), mesh_line(other.out));
+}
+
 TEST(Check, PointsAtTheChangeThatSetUpCannotUse)
 {
   const std::string dike = test::source_path("cases/dike/dike.toml");
