@@ -2,10 +2,15 @@
 
 #include "commands.hpp"
 #include "input/case_file.hpp"
+#include "input/closest.hpp"
 #include "input/explain.hpp"
+#include "input/printable.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 namespace {
 
@@ -76,6 +81,19 @@ void declare(CLI::App& app, CommandLine& line)
   app.add_subcommand("list");
 }
 
+/// The first word must be a command; throws CaseError with the nearest one if it is not.
+void check_command(const CLI::App& app, const std::string& word)
+{
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(command->get_name());
+  if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
+  std::string hint;
+  if (const std::string nearest = terp::closest(word, names); !nearest.empty()) hint = fmt::format("  Did you mean `{}`?\n", nearest);
+  if (word.ends_with(".toml")) hint = fmt::format("  To solve that case: terp run {}\n", word);
+  throw terp::CaseError(terp::printable(fmt::format("error: there is no command `{}`\n{}  Commands: {}\nUsage: terp COMMAND [options]; see terp --help\n",
+                                                    word, hint, fmt::join(names, ", "))));
+}
+
 int call(const CLI::App& app, const CommandLine& line)
 {
   if (app.got_subcommand("run")) return terp::run_case(line.options);
@@ -107,6 +125,7 @@ int main(int argc, char** argv)
   CommandLine line;
   declare(app, line);
   try {
+    check_command(app, argv[1]);
     app.parse(argc, argv);
     return call(app, line);
   } catch (const CLI::ParseError& error) {

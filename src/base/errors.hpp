@@ -16,6 +16,7 @@ struct Problem {
   std::string detail;  ///< got and allowed, with units, and what to do; may hold several lines; may be empty
   std::string topic;   ///< what `terp explain` says more about; may be empty
   bool at_key = false; ///< true: point at the key itself; false: point at its value
+  std::vector<std::string> others = {};  ///< keys and tables that `key` does not go with; of all these, one that --set changed is pointed at
 };
 
 /// The user's input is wrong: exit status 2. Holds every problem found.

@@ -4,6 +4,7 @@
 #include "input/check_mesh.hpp"
 #include "input/other_files.hpp"
 #include "input/overrides.hpp"
+#include "input/printable.hpp"
 #include "input/reader.hpp"
 #include "input/render.hpp"
 
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 [[noreturn]] void refuse_file(const std::string& path, const std::string& what, const std::string& detail)
 {
   const std::string lines = detail.empty() ? "" : "  " + detail + "\n";
-  throw CaseError(fmt::format("error: {}: {}\n{}\n1 error; nothing was run.\n", path, what, lines));
+  throw CaseError(printable(fmt::format("error: {}: {}\n{}\n1 error; nothing was run.\n", path, what, lines)));
 }
 
 std::string read_text(const std::string& path)
@@ -45,6 +46,8 @@ std::string read_text(const std::string& path)
 
 Document parse_document(const std::string& text, const std::string& path)
 {
+  if (text.find('\0') != std::string::npos)
+    refuse_file(path, "this is not a text file", "A case file is text in the TOML format: https://toml.io");
   try {
     return {path, text, parse_toml(text)};
   } catch (const SyntaxError& error) {

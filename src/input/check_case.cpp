@@ -107,9 +107,10 @@ void check_parameters(const Case& values, Problems& problems)
     if (law == nullptr) continue;
     const auto is_missing = [](Real value) { return std::isnan(value); };
     if (std::any_of(material.parameters.begin(), material.parameters.end(), is_missing)) continue;
+    const std::string path = join_path("material", material.name);
     for (const ParameterProblem& problem : law->check(material.parameters))
-      problems.push_back({join_path(join_path("material", material.name), problem.parameter), problem.what,
-                          problem.detail, std::string(law->name)});
+      problems.push_back({join_path(path, problem.parameter), problem.what, problem.detail, std::string(law->name),
+                          false, {path}});
   }
 }
 

@@ -45,7 +45,7 @@ void check_cells(const MeshCase& mesh, Problems& problems)
     problems.push_back(
         {"mesh.cell", fmt::format("the {} of the mesh is not a whole number of cells", words[k]),
          fmt::format("{} m / {} m = {:.6g}; the nearest {} that fits is {:.6g} m.", size, cell, n, words[k], fits),
-         "mesh.cell"});
+         "mesh.cell", false, {"mesh.size"}});
   }
 }
 
@@ -132,7 +132,7 @@ void check_edges(const MeshCase& mesh, Problems& problems)
                             fmt::format("It has {0} corners and so the edges 0 to {1}; edge k runs from corner k to "
                                         "corner k + 1, edge {1} back to corner 0.",
                                         n, n - 1),
-                            "mesh.edges"});
+                            "mesh.edges", false, {"mesh.polygon"}});
       const auto [first, is_new] = owner.emplace(edges[k], side);
       if (!is_new)
         problems.push_back(

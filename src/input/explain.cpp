@@ -64,10 +64,23 @@ std::string describe_key(const KeyInfo& key, const std::string& name)
          row("allowed", allowed_text(key)) + row("default", fallback);
 }
 
+/// Each line of the text behind the margin.
+std::string indented_lines(std::string_view text, std::string_view margin)
+{
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    out += fmt::format("{}{}\n", margin, text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return out;
+}
+
 std::string describe_law(const MaterialType& law)
 {
-  std::string out = fmt::format("{}: material model\n  {}\n\nKeys of [material.NAME] with model = \"{}\"\n", law.name,
-                                law.summary, law.name);
+  std::string out = fmt::format("{}: material model\n  {}\n", law.name, law.summary);
+  if (!law.equations.empty()) out += "\nEquations\n" + indented_lines(law.equations, "  ");
+  out += fmt::format("\nKeys of [material.NAME] with model = \"{}\"\n", law.name);
   out += describe_key(*find_key("material.NAME.density"), "density");
   for (const KeyInfo& key : keys_of_law(law)) out += describe_key(key, last_part(key.path));
   if (!law.state.empty()) out += "\nState of a material point, also an output field\n";

@@ -81,7 +81,7 @@ std::vector<KeyInfo> mesh_keys()
        .field = [](Case& c, std::size_t) { return &c.mesh.grading; },
        .range = positive, .usual = {0.01, 100.0},
        .meaning = "size of the last cell over the size of the first, along x and along y; 1: all equal",
-       .equation = "h_k = h_1 grading^((k - 1) / (n - 1))"},
+       .equation = "h_k = h_1 grading^((k - 1) / (n - 1)), k = 1 to n"},
       {.path = "mesh.file",
        .field = [](Case& c, std::size_t) { return &c.mesh.file; },
        .required_for = "a mesh from a file",
@@ -99,6 +99,11 @@ std::vector<KeyInfo> mesh_keys()
       {.path = "mesh.follow_bodies",
        .field = [](Case& c, std::size_t) { return &c.mesh.follow_bodies; },
        .meaning = "whether the cells of a polygon follow the outlines of the bodies"},
+      {.path = "mesh.variant",
+       .field = [](Case& c, std::size_t) { return &c.mesh.variant; },
+       .range = not_negative,
+       .meaning = "another mesh of the same size and shape: to see how much a result depends on the mesh; for a polygon, "
+                  "0 is the best mesh, 1, 2, ... are others"},
 
       {.path = "mesh.sides.bottom",
        .field = [](Case& c, std::size_t) { return Polyline{&c.mesh.sides[0]}; },

@@ -7,6 +7,13 @@
 namespace terp {
 namespace {
 
+std::string_view trimmed(std::string_view text)
+{
+  constexpr std::string_view blanks = " \t";
+  const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
+  return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+}
+
 Node parse_value(const std::string& text)
 {
   try {
@@ -71,7 +78,7 @@ std::optional<Problem> apply_override(Node& root, const std::string& change)
 {
   const std::string where = "--set " + change;
   const std::size_t equals = change.find('=');
-  const auto parts = split_path(std::string_view(change).substr(0, equals));
+  const auto parts = split_path(trimmed(std::string_view(change).substr(0, equals)));
   if (equals == std::string::npos || parts.empty())
     return Problem{where, "a change has the form KEY=VALUE",
                    "For example --set scheme=mpm_mixed or --set mesh.cell=0.2", ""};
@@ -87,7 +94,7 @@ std::optional<Problem> apply_override(Node& root, const std::string& change)
     node = next;
   }
   const std::string name = node->name;
-  *node = parse_value(change.substr(equals + 1));
+  *node = parse_value(std::string(trimmed(std::string_view(change).substr(equals + 1))));
   node->name = name;
   mark(*node, where);
   return std::nullopt;

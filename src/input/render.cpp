@@ -2,6 +2,7 @@
 
 #include "input/key_text.hpp"
 #include "input/keys.hpp"
+#include "input/printable.hpp"
 
 #include <fmt/format.h>
 
@@ -31,7 +32,7 @@ std::string line_of(const std::string& text, int line)
   if (begin == std::string::npos) return "";
   std::string found = text.substr(begin, text.find('\n', begin) - begin);
   if (!found.empty() && found.back() == '\r') found.pop_back();
-  return found;
+  return printable(found);
 }
 
 /// The underline: tabs stay tabs, so that it lines up in any terminal.
@@ -79,9 +80,28 @@ std::string above(const std::string& path)
   return shorter;
 }
 
+/// "--set KEY=VALUE" of a node or of the first one below it that came from there, or an empty text.
+std::string find_override(const Node& node)
+{
+  std::string found = node.override_text;
+  for (std::size_t k = 0; found.empty() && k < node.items.size(); ++k) found = find_override(node.items[k]);
+  return found;
+}
+
+/// The --set that the problem comes from: of its key, or else of the keys that this one does not go with.
+std::string find_override(const Problem& problem, const Node& root)
+{
+  if (problem.key.starts_with("--set ")) return problem.key;
+  std::string found;
+  if (const Node* own = find_node(root, problem.key)) found = own->override_text;
+  for (const std::string& other : problem.others)
+    if (const Node* node = find_node(root, other); node != nullptr && found.empty()) found = find_override(*node);
+  return found;
+}
+
 Spot find_spot(const Problem& problem, const Document& document)
 {
-  if (problem.key.starts_with("--set ")) return {{}, problem.key, true};
+  if (const std::string change = find_override(problem, document.root); !change.empty()) return {{}, change, true};
   for (std::string path = problem.key; !path.empty(); path = above(path)) {
     const Node* node = find_node(document.root, path);
     if (node == nullptr) continue;
@@ -118,7 +138,7 @@ std::string render_one(const char* word, const Problem& problem, const Document&
   if (!problem.detail.empty()) out += indented(problem.detail);
   if (!spot.exact && !note_on_default(problem).empty()) out += indented(note_on_default(problem));
   if (!problem.topic.empty()) out += indented("More: terp explain " + problem.topic);
-  return out + '\n';
+  return printable(out) + '\n';
 }
 
 std::vector<Problem> in_file_order(std::vector<Problem> problems, const Document& document)
@@ -158,7 +178,7 @@ std::string render_at(const std::string& path, const std::string& text, Place pl
 {
   std::string out = fmt::format("error: {}: {}\n", location(path, {place, "", true}), problem.what);
   if (place.line > 0) out += frame(text, place);
-  return out + indented(problem.detail) + "\n1 error; nothing was run.\n";
+  return printable(out + indented(problem.detail)) + "\n1 error; nothing was run.\n";
 }
 
 }  // namespace terp

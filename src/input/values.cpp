@@ -113,6 +113,7 @@ class ValueReader {
 
   bool wrong_type(const Node& node, const std::string& path);
   bool out_of_range(const std::string& path, const std::string& got);
+  bool not_finite(const std::string& path, Real number);
   bool fail(const std::string& path, std::string what, std::string detail);
   std::string name() const { return last_part(entry_.path); }
 
@@ -140,12 +141,21 @@ bool ValueReader::out_of_range(const std::string& path, const std::string& got)
               fmt::format("Got {}; allowed: {}.", got, range.empty() ? "any finite number" : range));
 }
 
+bool ValueReader::not_finite(const std::string& path, Real number)
+{
+  const std::string range = range_text(key_.range, key_.unit);
+  const std::string unit = key_.unit == "-" ? "" : " in " + key_.unit;
+  return fail(path, fmt::format("`{}` must be a finite number", name()),
+              fmt::format("Got {}; allowed: a finite number{}.", number_text(number, key_.unit),
+                          range.empty() ? unit : ", " + range));
+}
+
 bool ValueReader::read_number(const Node& node, const std::string& path, Real& value)
 {
   if (!is_number(node)) return wrong_type(node, path);
   const Real number = to_number(node);
-  const bool finite = std::isfinite(number) || (key_.may_be_infinite && !std::isnan(number));
-  if (!finite || !key_.range.contains(number)) return out_of_range(path, number_text(number, key_.unit));
+  if (!std::isfinite(number) && !key_.may_be_infinite) return not_finite(path, number);
+  if (!key_.range.contains(number)) return out_of_range(path, number_text(number, key_.unit));
   if (number != 0.0 && std::isfinite(number) && !key_.usual.contains(std::abs(number)))
     findings_.warnings.push_back(
         {path, fmt::format("`{}` = {} is unusual", name(), number_text(number, key_.unit)),

@@ -66,6 +66,15 @@ void reset_history(State& state, int n_state)
   std::fill(state.put_back.begin(), state.put_back.end(), 0);
 }
 
+std::string describe_no_equilibrium(const InitialCase& initial, Real ratio)
+{
+  return fmt::format("no equilibrium: after {} steps the out-of-balance force is {:.2e} of the weight, limit {:.2e}\n\n"
+                     "  likely   the body cannot stand under its own weight, or needs more steps\n"
+                     "  try      initial.stress = \"none\" or \"k0\", a stronger soil, or a larger initial.max_steps "
+                     "(docs/troubleshooting.md#no-equilibrium)",
+                     initial.max_steps, ratio, initial.limit);
+}
+
 }  // namespace
 
 void set_initial_stress(const Model& model, State& state)
@@ -82,7 +91,7 @@ void set_initial_stress(const Model& model, State& state)
   });
 }
 
-std::string seek_equilibrium(const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop)
+Search seek_equilibrium(const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop)
 {
   const InitialCase& initial = model.description.initial;
   constexpr std::int64_t fewest_steps = 10;  // before the ratio says anything
@@ -92,21 +101,18 @@ std::string seek_equilibrium(const Model& model, State& state, Workspace& work, 
     ++state.equilibrium_steps;
     state.step = 0;
     state.time = 0.0;
-    if (std::string fault = find_fault(model, state, work, 0.0); !fault.empty()) return "in the search for equilibrium: " + fault;
-    if (!state.left.empty()) return "in the search for equilibrium soil left through an open side; give that side a `roller`, or start with \"k0\"";
+    if (std::string fault = find_fault(model, state, work, 0.0); !fault.empty()) return {.fault = "in the search for equilibrium: " + fault};
+    if (!state.left.empty())
+      return {.fault = "in the search for equilibrium soil left through an open side; give that side a `roller`, or start with \"k0\""};
     if (state.equilibrium_steps < fewest_steps || work.unbalanced_ratio > initial.limit) continue;
     work.damping_local = model.damping.local;
     reset_history(state, model.n_state);
     const Columns columns = state.crest.columns;
     state.crest = start_crest_history(state.points, columns.left, columns.left + columns.n * columns.width, columns.width);
-    return {};
+    return {.reached = true};
   }
   if (state.equilibrium_steps < initial.max_steps) return {};
-  return fmt::format("no equilibrium: after {} steps the out-of-balance force is {:.2e} of the weight, limit {:.2e}\n\n"
-                     "  likely   the body cannot stand under its own weight, or needs more steps\n"
-                     "  try      initial.stress = \"none\" or \"k0\", a stronger soil, or a larger initial.max_steps "
-                     "(docs/troubleshooting.md#no-equilibrium)",
-                     initial.max_steps, work.unbalanced_ratio, initial.limit);
+  return {.fault = describe_no_equilibrium(initial, work.unbalanced_ratio)};
 }
 
 }  // namespace terp

@@ -13,9 +13,15 @@ namespace terp {
 /// InitialStress::k0: sigma_yy = weight of the soil above, sigma_xx = sigma_zz = k0 sigma_yy. None: zero.
 void set_initial_stress(const Model& model, State& state);
 
+/// How the search for equilibrium ended; neither: it was stopped and goes on later.
+struct Search {
+  bool reached = false;
+  std::string fault = {};  ///< what went wrong
+};
+
 /// InitialStress::equilibrium: steps with strong local damping while the clock stands at 0, until the out-of-balance ratio is below
 /// the limit; then displacement, velocity, strain and history are reset. Goes on where an interrupted search stopped.
-/// Returns what went wrong, or nothing; nothing too when `stop` was set: then the clock is at 0 and the limit is not met yet.
-std::string seek_equilibrium(const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop);
+/// A `stop` that comes with the very step that meets the limit is too late: the search has ended.
+Search seek_equilibrium(const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop);
 
 }  // namespace terp

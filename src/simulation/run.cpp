@@ -97,15 +97,15 @@ struct Loop {
   }
 };
 
-/// Returns what went wrong, or nothing.
-std::string start_run(const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop)
+/// What comes before the first step; reached: the first step may be made.
+Search start_run(const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop)
 {
   start_audit(model, state);  // sizes what a checkpoint holds, before anything can stop the search
   if (model.description.initial.stress == InitialStress::equilibrium)
-    if (std::string fault = seek_equilibrium(model, state, work, stop); !fault.empty()) return fault;
+    if (Search search = seek_equilibrium(model, state, work, stop); !search.reached) return search;
   state.start_energy = kinetic_and_elastic_energy(model, state);
   start_audit(model, state);
-  return {};
+  return {.reached = true};
 }
 
 }  // namespace
@@ -121,15 +121,16 @@ Outcome run(const Model& model, State& state, Workspace& work, std::span<Observe
 {
   Loop loop{.model = model, .state = state, .work = work, .observers = observers, .wall_before = state.wall_s, .first_step = state.step};
   if (state.step == 0) {
-    if (const std::string fault = start_run(model, state, work, stop); !fault.empty()) stop_run(state, observers, fault);
-    if (stop.load(std::memory_order_relaxed)) {
+    const Search search = start_run(model, state, work, stop);
+    if (!search.fault.empty()) stop_run(state, observers, search.fault);
+    if (!search.reached) {
       loop.write_checkpoint();
       return Outcome::interrupted;
     }
     loop.write_due(false);
   }
   while (state.step < model.n_steps) {
-    if (stop.load(std::memory_order_relaxed)) {
+    if (state.step > 0 && stop.load(std::memory_order_relaxed)) {  // a checkpoint of step 0 is that of a search that goes on
       loop.write_checkpoint();
       return Outcome::interrupted;
     }

@@ -83,7 +83,7 @@ void set_time_step(Model& model)
     throw InputError(Problem{"time.end", "the time step has collapsed",
                              fmt::format("{:.3g} s need {:.3g} steps of {:.3g} s (smallest cell altitude {:.3g} m, wave speed {:.4g} m/s).",
                                          time.end, n, stable, model.mesh.smallest_altitude, fastest),
-                             "time"});
+                             "time", false, {"mesh", "material", "time"}});
   model.n_steps = static_cast<std::int64_t>(n);
   model.dt = time.end / n;
 }
@@ -101,7 +101,7 @@ void check_bodies_in_mesh(const Case& c)
         throw InputError(Problem{fmt::format("body[{}]", b), "the body lies outside the mesh",
                                  fmt::format("corner ({}, {}) m; the mesh covers x = {} to {} m, y = {} to {} m.\nEnlarge mesh.size or move the body.",
                                              x[0], x[1], low[0], high[0], low[1], high[1]),
-                                 "mesh"});
+                                 "mesh", false, keys_of_outline(b)});
       }
 }
 

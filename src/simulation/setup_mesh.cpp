@@ -22,9 +22,10 @@ Index whole_cells(Real size, Real cell)
     throw InputError(Problem{"mesh.cell", "the mesh is not a whole number of cells",
                              fmt::format("size {} m over cell {} m is {:.6g} cells. Use {:.6g} m.", size, cell, n,
                                          size / std::max<Real>(1.0, std::round(n))),
-                             "mesh"});
+                             "mesh", false, {"mesh.size"}});
   if (n > most_cells)
-    throw InputError(Problem{"mesh.cell", "the mesh has too many cells", fmt::format("{:.3g} cells in one direction, at most {:.0f}.", n, most_cells), "mesh"});
+    throw InputError(Problem{"mesh.cell", "the mesh has too many cells", fmt::format("{:.3g} cells in one direction, at most {:.0f}.", n, most_cells), "mesh", false,
+                             {"mesh.size"}});
   return static_cast<Index>(std::round(n));
 }
 
@@ -78,7 +79,7 @@ Mesh<2> build_mesh(const Case& description)
     if (description.mesh.kind != MeshKind::rectangle) check_mesh(mesh);  // the built-in rectangle is sound by construction
     return mesh;
   } catch (const MeshError& error) {
-    throw InputError(Problem{key_of(description.mesh.kind), "the mesh cannot be used", error.what(), "mesh"});
+    throw InputError(Problem{key_of(description.mesh.kind), "the mesh cannot be used", error.what(), "mesh", false, {"mesh"}});
   }
 }
 

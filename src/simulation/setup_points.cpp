@@ -9,7 +9,11 @@
 namespace terp {
 namespace {
 
+/// Keys that say where the mesh is.
+const std::vector<std::string> mesh_extent = {"mesh.origin", "mesh.size", "mesh.sides", "mesh.file", "mesh.polygon"};
+
 std::string body_key(std::size_t body, std::string_view key) { return fmt::format("body[{}].{}", body, key); }
+
 
 const std::vector<Index>& cells_of_region(const Mesh<2>& mesh, const std::string& name, std::size_t body)
 {
@@ -18,7 +22,7 @@ const std::vector<Index>& cells_of_region(const Mesh<2>& mesh, const std::string
     if (region.name == name) return region.cells;
     known += (known.empty() ? "" : ", ") + region.name;
   }
-  throw InputError(Problem{body_key(body, "region"), "the mesh has no region `" + name + "`", "Regions of this mesh: " + known, "body"});
+  throw InputError(Problem{body_key(body, "region"), "the mesh has no region `" + name + "`", "Regions of this mesh: " + known, "body", false, {"mesh.file"}});
 }
 
 BodyOutline outline_of(const Model& model, std::size_t b)
@@ -36,11 +40,12 @@ void check_outlines(const Model& model, const std::vector<BodyOutline>& outlines
     if (!model.description.bodies[b].points_file.empty()) continue;
     const BodyOutline& outline = outlines[k++];
     if (!outline.cells.empty()) continue;
-    for (const std::string& text : check_outline(outline)) throw InputError(Problem{body_key(b, "polygon"), "the outline of the body is not usable", text, "body"});
+    for (const std::string& text : check_outline(outline)) throw InputError(Problem{body_key(b, "polygon"), "the outline of the body is not usable", text, "body", false, keys_of_outline(b)});
     for (const Vec<2>& x : outline.polygon) {
       if (locate(model.mesh, x, 0).inside) continue;
       throw InputError(Problem{fmt::format("body[{}]", b), "the body lies outside the mesh",
-                               fmt::format("corner ({}, {}) m lies in no cell. Enlarge the mesh or move the body.", x[0], x[1]), "mesh"});
+                               fmt::format("corner ({}, {}) m lies in no cell. Enlarge the mesh or move the body.", x[0], x[1]), "mesh", false,
+                               keys_of_outline(b)});
     }
   }
 }
@@ -64,13 +69,20 @@ void add_points_of_file(const Model& model, std::size_t b, std::vector<NewPoint>
     const Location at = locate(model.mesh, p.x, guess);
     if (!at.inside)
       throw InputError(Problem{body_key(b, "points"), "a point lies outside the mesh",
-                               fmt::format("{}:{}: ({}, {}) m lies in no cell.", path, p.line, p.x[0], p.x[1]), "body"});
+                               fmt::format("{}:{}: ({}, {}) m lies in no cell.", path, p.line, p.x[0], p.x[1]), "body", false, mesh_extent});
     points.push_back({p.x, at.local, body.velocity, p.volume, at.cell, material_number(model, p.material)});
     guess = at.cell;
   }
 }
 
 }  // namespace
+
+std::vector<std::string> keys_of_outline(std::size_t body)
+{
+  std::vector<std::string> keys{body_key(body, "box"), body_key(body, "polygon"), body_key(body, "holes")};
+  keys.insert(keys.end(), mesh_extent.begin(), mesh_extent.end());
+  return keys;
+}
 
 Index material_number(const Model& model, const std::string& name)
 {
@@ -104,7 +116,8 @@ std::vector<NewPoint> make_points(const Model& model)
     if (!model.description.bodies[b].points_file.empty()) add_points_of_file(model, b, points);
   if (points.empty())
     throw InputError(Problem{"body[0]", "no material points",
-                             "The bodies hold no point of the seeding lattice. Use a larger body, smaller cells or more points per cell.", "body"});
+                             "The bodies hold no point of the seeding lattice. Use a larger body, smaller cells or more points per cell.", "body", false,
+                             {"body", "mesh"}});
   return points;
 }
 

@@ -21,6 +21,9 @@ std::vector<NewPoint> make_points(const Model& model);
 /// Outlines of the bodies that are drawn (not of those that come as points), in the order of the case.
 std::vector<BodyOutline> outlines_of(const Model& model);
 
+/// Keys that say where a body and where the mesh is: for problems of the one in the other.
+std::vector<std::string> keys_of_outline(std::size_t body);
+
 /// Number of a material by its name in the case. Throws InputError.
 Index material_number(const Model& model, const std::string& name);
 

@@ -9,6 +9,7 @@ namespace {
 using test::Finished;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 TEST(Check, TellsWhatWouldRun)
 {
@@ -29,8 +30,30 @@ TEST(Check, SaysWhereABodyLiesOutsideTheMesh)
 {
   const Finished f = test::terp(test::column_command("check", {"--set", "mesh.size=[6.0, 3.0]"}));
   EXPECT_EQ(f.status, 2);
-  EXPECT_THAT(f.err, AllOf(HasSubstr("model_2.toml:"), HasSubstr("the body lies outside the mesh"), HasSubstr("Enlarge mesh.size")));
+  EXPECT_THAT(f.err, AllOf(StartsWith("error: --set mesh.size=[6.0, 3.0]: the body lies outside the mesh\n"), HasSubstr("Enlarge mesh.size")));
   EXPECT_EQ(f.out, "");
+}
+
+TEST(Check, AVariantOfAMeshFromAPolygonHasOtherCells)
+{
+  const auto told = [](const std::string& variant) {
+    return test::terp({"check", test::source_path("cases/dike/dike.toml"), "--set", "mesh.cell=2.0", "--set", "mesh.variant=" + variant, "-j", "1"});
+  };
+  const auto mesh_line = [](const std::string& out) { return out.substr(out.find("  mesh  "), out.find('\n', out.find("  mesh  ")) - out.find("  mesh  ")); };
+  const Finished best = told("0"), other = told("1");
+  ASSERT_EQ(best.status + other.status, 0) << best.err << other.err;
+  EXPECT_NE(mesh_line(best.out), mesh_line(other.out));
+}
+
+TEST(Check, PointsAtTheChangeThatSetUpCannotUse)
+{
+  const std::string dike = test::source_path("cases/dike/dike.toml");
+  const auto error_after = [](const std::string& file, const std::string& change) { return test::terp({"check", file, "--set", change}).err; };
+  EXPECT_THAT(error_after(test::column_file, "body[0].box=[[0.0, 0.0], [20.0, 2.0]]"),
+              StartsWith("error: --set body[0].box=[[0.0, 0.0], [20.0, 2.0]]: the body lies outside the mesh\n"));
+  EXPECT_THAT(error_after(test::column_file, "mesh.cell=1e-6"), HasSubstr("error: --set mesh.cell=1e-6: the mesh has too many cells\n"));
+  EXPECT_THAT(error_after(dike, "mesh.polygon=[[0, 0], [3, 0], [3, 2], [2, 3], [0, 2]]"),
+              StartsWith("error: --set mesh.polygon=[[0, 0], [3, 0], [3, 2], [2, 3], [0, 2]]: the body lies outside the mesh\n"));
 }
 
 }  // namespace

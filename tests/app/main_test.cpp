@@ -50,6 +50,19 @@ TEST(CommandLine, WhatItDoesNotKnowIsBadInputAndPointsToTheHelp)
   }
 }
 
+TEST(CommandLine, NamesAWordThatIsNoCommandAndTheNearestThatIs)
+{
+  const Finished f = test::terp({"rnu", "a.toml"});
+  EXPECT_EQ(f.status, 2);
+  EXPECT_EQ(f.out, "");
+  EXPECT_EQ(f.err,
+            "error: there is no command `rnu`\n  Did you mean `run`?\n  Commands: run, check, resume, bench, explain, list\n"
+            "Usage: terp COMMAND [options]; see terp --help\n");
+  EXPECT_THAT(test::terp({"bogus"}).err, StartsWith("error: there is no command `bogus`\n  Commands: run, "));
+  EXPECT_THAT(test::terp({"cases/a.toml"}).err, HasSubstr("  To solve that case: terp run cases/a.toml\n"));
+  EXPECT_THAT(test::terp({"\x1B[2J"}).err, StartsWith("error: there is no command `?[2J`\n"));
+}
+
 TEST(Explain, TellsOfAMaterialASchemeAndAKey)
 {
   const Finished law = test::terp({"explain", "tresca_softening"});

@@ -1,5 +1,6 @@
 #include "input/case_file.hpp"
 
+#include "input/printable.hpp"
 #include "input/samples.hpp"
 #include "support/paths.hpp"
 
@@ -132,6 +133,25 @@ TEST(CaseFile, ShowsWhereTheTextIsNotToml)
             "1 error; nothing was run.\n");
   EXPECT_THAT(message_for("a = 1\na = 2\n"), HasSubstr("case.toml:2:5: this is not valid TOML"));
   EXPECT_THAT(message_for("a = [1\n"), HasSubstr("this is not valid TOML"));
+}
+
+TEST(CaseFile, SaysThatABinaryFileIsNoCase)
+{
+  EXPECT_EQ(message_for(std::string("\x89HDF\r\n\x1A\n\0\0\0", 11)),
+            "error: case.toml: this is not a text file\n  A case file is text in the TOML format: "
+            "https://toml.io\n\n1 error; nothing was run.\n");
+}
+
+TEST(CaseFile, ShowsNoControlCharactersOfTheFile)
+{
+  for (const std::string bad : {"\x1B[2J", "\x07", "\x7F", "\xFF", "\r"})
+    for (const std::string& line : {"title = \"" + bad + "\"", "t" + bad + "itle = 1", "# " + bad, "a = [" + bad, "scheme = '" + bad + "'"}) {
+      const std::string seen = message_for(line + "\nend = -1\n" + small_case);
+      EXPECT_EQ(seen, printable(seen)) << line;
+    }
+  EXPECT_THAT(message_for("scheme = \"\\u001b[2J\"\n" + small_case), HasSubstr("`scheme` cannot be \"?[2J\""));
+  EXPECT_THAT(message_for(small_case, {"scheme=\x1B[2J"}), HasSubstr("--set scheme=?[2J: "));
+  EXPECT_THAT(message_for("end = -1 # \x1B[2J\n" + small_case), HasSubstr("    1 | end = -1 # ?[2J\n"));
 }
 
 TEST(CaseFile, AnEmptyFileLacksTheRequiredSections)

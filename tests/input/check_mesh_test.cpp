@@ -29,7 +29,8 @@ edges = { base = [0], slope = [2, 3] }
 refine = [
 { line = [[8, 1], [4, 3]], cell = 0.125, distance = 0.5 },
 { box = [[1, 0], [2, 1]], cell = 0.25 }]
-follow_bodies = false)";
+follow_bodies = false
+variant = 2)";
 
 MeshCase mesh_of(const std::string& keys) { return read_case_text(small_case_on(keys), "case.toml").values.mesh; }
 
@@ -67,6 +68,7 @@ TEST(CheckMesh, ReadsAPolygon)
   EXPECT_EQ(mesh.edges[1].side, "slope");
   EXPECT_THAT(mesh.edges[1].edges, ElementsAre(2, 3));
   EXPECT_FALSE(mesh.follow_bodies);
+  EXPECT_EQ(mesh.variant, 2);
 }
 
 TEST(CheckMesh, ReadsRefinements)
@@ -117,6 +119,7 @@ TEST(CheckMesh, RecordsWhatReadsTheSame)
     EXPECT_EQ(again.kind, mesh.kind);
     EXPECT_EQ(again.sides, mesh.sides);
     EXPECT_EQ(again.polygon, mesh.polygon);
+    EXPECT_EQ(again.variant, mesh.variant);
     EXPECT_EQ(again.refine.size(), mesh.refine.size());
     EXPECT_EQ(again.edges.size(), mesh.edges.size());
   }
@@ -146,7 +149,7 @@ const Change wrong_meshes[] = {
      "(grading, "
      "origin): a graded rectangle\n    sides, cells (grading): a grid between four sides\n    file: a mesh from a "
      "file\n   "
-     " polygon, cell (edges, refine, follow_bodies): a mesh from a polygon\n  More: terp explain mesh\n"},
+     " polygon, cell (edges, refine, follow_bodies, variant): a mesh from a polygon\n  More: terp explain mesh\n"},
     {"r:cell", "cells = 4\ncell", "error: case.toml:6:1: `cell` does not belong to a graded rectangle\n"},
     {"r:cell", "edges = { base = [0] }\ncell", "`edges` does not belong to a rectangle of equal cells"},
     {"r:cell", "follow_bodies = true\ncell", "`follow_bodies` does not belong to a rectangle of equal cells"},
@@ -223,6 +226,9 @@ const Change wrong_meshes[] = {
     {"p:, cell = 0.25", "", "the key `cell` is missing from [[mesh.refine]]\n"},
     {"p:cell = 0.25", "cell = 0.25, szie = 1", "Keys of [[mesh.refine]]: line, box, cell, distance\n"},
     {"p:follow_bodies = false", "follow_bodies = 1", "`follow_bodies` must be true or false\n"},
+    {"r:cell", "variant = 1\ncell", "`variant` does not belong to a rectangle of equal cells"},
+    {"p:variant = 2", "variant = -1", "Got -1; allowed: at least 0.\n"},
+    {"p:variant = 2", "variant = 1.5", "Got the number 1.5; allowed: an integer, at least 0.\n"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, WrongMesh, testing::ValuesIn(wrong_meshes));

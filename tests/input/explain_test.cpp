@@ -2,9 +2,12 @@
 
 #include "input/case_file.hpp"
 #include "input/key_text.hpp"
+#include "mesh/structured.hpp"
 #include "schemes/scheme_info.hpp"
 
 #include <gmock/gmock.h>
+
+#include <cmath>
 
 namespace terp {
 namespace {
@@ -27,6 +30,28 @@ TEST(Explain, KnowsEveryLawSchemeAndSection)
     EXPECT_THAT(explain(std::string(scheme.name)), HasSubstr(std::string(scheme.summary)));
   for (const SectionInfo& section : all_sections())
     EXPECT_THAT(explain(topic_of(section.path)), HasSubstr(section.meaning));
+}
+
+TEST(Explain, GivesTheEquationsOfAMaterial)
+{
+  EXPECT_THAT(explain("tresca_softening"),
+              HasSubstr("\nEquations\n  sigma_1 - sigma_3 <= 2 S_u, principal stresses sorted in three dimensions; the pressure "
+                        "never changes\n  S_u      = su_residual + (su_peak - su_residual) exp(-eta eps_eq_p)   Eq. (5)\n"));
+  for (const MaterialType* law : all_materials()) {
+    const std::string first(law->equations.substr(0, law->equations.find('\n')));
+    EXPECT_FALSE(first.empty()) << law->name;
+    EXPECT_THAT(explain(std::string(law->name)), HasSubstr("\nEquations\n  " + first + "\n")) << law->name;
+  }
+}
+
+TEST(Explain, GivesTheSizesOfCellsThatAGradedMeshHas)
+{
+  EXPECT_THAT(explain("mesh.grading"), HasSubstr("    equation  h_k = h_1 grading^((k - 1) / (n - 1)), k = 1 to n\n"));
+  constexpr Index n = 7;
+  constexpr Real grading = 3.5;
+  const std::vector<Real> ends = graded_shares(n, grading);
+  const auto size = [&](Index k) { return ends[k] - ends[k - 1]; };
+  for (Index k = 1; k <= n; ++k) EXPECT_NEAR(size(k), size(1) * std::pow(grading, (k - 1.0) / (n - 1.0)), 1e-14) << k;
 }
 
 TEST(Explain, GivesMeaningEquationAllowedAndDefault)

@@ -46,7 +46,7 @@ TEST(MeshKinds, AreListedWithTheirKeys)
             "- size, cells (grading, origin): a graded rectangle\n"
             "- sides, cells (grading): a grid between four sides\n"
             "- file: a mesh from a file\n"
-            "- polygon, cell (edges, refine, follow_bodies): a mesh from a polygon");
+            "- polygon, cell (edges, refine, follow_bodies, variant): a mesh from a polygon");
 }
 
 TEST(MeshKinds, KnowTheNamesOfTheirSides)

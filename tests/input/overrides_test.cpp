@@ -24,6 +24,15 @@ TEST(Overrides, TakeTextWithAndWithoutQuotes)
   EXPECT_EQ(with({"title=two words"}).title, "two words");
 }
 
+TEST(Overrides, TakeBlanksAroundKeyAndValue)
+{
+  EXPECT_EQ(with({" time.end = 2.5 "}).time.end, 2.5);
+  EXPECT_EQ(with({"scheme = mpm_mixed "}).scheme, "mpm_mixed");
+  EXPECT_EQ(with({"title\t= two  words"}).title, "two  words");
+  EXPECT_THAT(message_for(small_case, {"  = 3"}), HasSubstr("a change has the form KEY=VALUE"));
+  EXPECT_THAT(message_for(small_case, {"time.end = "}), HasSubstr("`end` must be a number\n  Got the text \"\";"));
+}
+
 TEST(Overrides, CreateTablesThatAreMissing)
 {
   EXPECT_EQ(with({"forces.damping.local=0.25"}).forces.local_damping, 0.25);
@@ -73,6 +82,14 @@ TEST(Overrides, AreNamedInErrors)
               HasSubstr("error: --set time.ende=1: unknown key `ende`\n  Did you mean `end`?"));
   EXPECT_THAT(message_for(small_case, {"material.clay.eta=800"}),
               HasSubstr("error: --set material.clay.eta=800: softening is too steep"));
+}
+
+TEST(Overrides, AreNamedWhereTheyDoNotGoWithTheFile)
+{
+  EXPECT_THAT(message_for(small_case, {"material.clay.su_peak=1e6"}),
+              HasSubstr("error: --set material.clay.su_peak=1e6: softening is too steep"));
+  EXPECT_THAT(message_for(small_case, {"mesh.size=[16.2, 3.0]"}),
+              HasSubstr("error: --set mesh.size=[16.2, 3.0]: the width of the mesh is not a whole number of cells"));
 }
 
 TEST(Overrides, OfTheWrongFormAreRefused)

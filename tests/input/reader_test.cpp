@@ -91,6 +91,7 @@ file = "dike.msh"
 polygon = [[0, 0], [1, 0], [0, 1]]
 edges = { base = [0] }
 follow_bodies = false
+variant = 2
 sides = { bottom = [], right = [], top = [], left = [] }
 refine = [{ line = [[0, 0], [1, 1]], box = [[0, 0], [1, 1]], cell = 0.1, distance = 0.5 }]
 [[body]]
@@ -276,7 +277,7 @@ const Change wrong_keys[] = {
     {"[mesh]\nsize = [16.0, 3.0]\ncell = 0.5\n", "",
      "error: case.toml: the section [mesh] is missing\n  Meaning: the background mesh; its kind follows from the keys "
      "that "
-     "are given\n  Keys: origin, size, cell, cells, grading, file, polygon, edges, follow_bodies, sides, refine\n  "
+     "are given\n  Keys: origin, size, cell, cells, grading, file, polygon, edges, follow_bodies, variant, sides, refine\n  "
      "More: "
      "terp explain mesh\n"},
     {"[[body]]", "[body]",

@@ -60,6 +60,15 @@ TEST(Render, NamesTheOverrideThatSetTheValue)
               StartsWith("error: --set initial.stress=none: w\n"));
 }
 
+TEST(Render, NamesTheOverrideOfAnotherKeyThatDoesNotGoWithThisOne)
+{
+  const Problem outside{"body[0]", "outside", "", "", false, {"body[0].box", "mesh.size"}};
+  EXPECT_THAT(shown(outside), StartsWith("error: case.toml:6:1: outside\n"));
+  EXPECT_THAT(shown(outside, {"mesh.size=[6.0,3.0]"}), StartsWith("error: --set mesh.size=[6.0,3.0]: outside\n"));
+  EXPECT_THAT(shown(outside, {"body[0].box[1][0]=20"}), StartsWith("error: --set body[0].box[1][0]=20: outside\n"));
+  EXPECT_THAT(shown(outside, {"mesh.cell=0.25"}), StartsWith("error: case.toml:6:1: outside\n"));
+}
+
 TEST(Render, CountsTheRestBeyondTen)
 {
   std::string text;

@@ -27,8 +27,11 @@ const Change wrong_values[] = {
     {"end = 4.0", "end = \"4\"",
      "`end` must be a number\n\n    2 | end = \"4\"\n      |       ^^^\n  Got the text \"4\"; allowed: a number, more "
      "than 0 s.\n"},
-    {"end = 4.0", "end = nan", "Got nan s; allowed: more than 0 s."},
-    {"end = 4.0", "end = inf", "Got inf s; allowed: more than 0 s."},
+    {"end = 4.0", "end = nan",
+     "error: case.toml:2:7: `end` must be a finite number\n\n    2 | end = nan\n      |       ^^^\n"
+     "  Got nan s; allowed: a finite number, more than 0 s.\n  More: terp explain time.end\n"},
+    {"end = 4.0", "end = inf", "Got inf s; allowed: a finite number, more than 0 s."},
+    {"end = 4.0", "end = -inf", "Got -inf s; allowed: a finite number, more than 0 s."},
     {"end = 4.0", "end = 2024-01-01", "Got a date or time; allowed: a number, more than 0 s."},
     {"end = 4.0", "end = 4.0\ncourant = 1.5", "Got 1.5; allowed: more than 0 and at most 1."},
     {"size = [16.0, 3.0]", "size = 16.0", "Got the number 16; allowed: two numbers [x, y], more than 0 m."},
@@ -37,7 +40,7 @@ const Change wrong_values[] = {
     {"size = [16.0, 3.0]", "size = [16.0, -3.0]",
      "error: case.toml:4:15: `size` is out of range\n\n    4 | size = [16.0, -3.0]\n      |               ^^^^\n"},
     {"cell = 0.5", "cell = [0.5, true]", "Got true; allowed: a number or two numbers [x, y], more than 0 m."},
-    {"cell = 0.5", "cell = 0.5\norigin = [nan, 0.0]", "Got nan m; allowed: any finite number."},
+    {"cell = 0.5", "cell = 0.5\norigin = [nan, 0.0]", "Got nan m; allowed: a finite number in m."},
     {"box = [[0.0, 0.0], [8.0, 2.0]]", "box = [[8.0, 0.0], [0.0, 2.0]]", "`box` has no area"},
     {"box = [[0.0, 0.0], [8.0, 2.0]]", "box = [[8.0, 0.0]]", "`box` must be two corners [[x0, y0], [x1, y1]]"},
     {"box = [[0.0, 0.0], [8.0, 2.0]]", "polygon = [[0, 0], [1, 0]]", "`polygon` must be at least three corners"},

@@ -3,6 +3,7 @@
 
 #include "base/errors.hpp"
 #include "simulation/run.hpp"
+#include "simulation/setup.hpp"
 #include "simulation/state_image.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
@@ -23,7 +24,7 @@ constexpr Real g = 9.81;
 std::string seek(Simulation& s, bool stopped = false)
 {
   const std::atomic<bool> stop{stopped};
-  return seek_equilibrium(s.model, s.state, s.work, stop);
+  return seek_equilibrium(s.model, s.state, s.work, stop).fault;
 }
 
 /// An elastic box between rollers.
@@ -159,6 +160,54 @@ TEST(Equilibrium, ASearchThatIsStoppedGoesOnWhereItWas)
   ASSERT_EQ(seek(whole), "");
   EXPECT_GT(whole.state.equilibrium_steps, 50);
   EXPECT_EQ(test::first_difference(make_image(stopped.state), make_image(whole.state)), "");
+}
+
+/// Asks for a stop once the search has made so many steps.
+class StopsAfter {
+ public:
+  StopsAfter(Simulation& s, std::int64_t n_steps) : model_(s.model), step_(s.model.step), n_steps_(n_steps)
+  {
+    current = this;
+    s.model.step = [](const Model& model, State& state, Workspace& work) {
+      current->step_(model, state, work);
+      if (state.equilibrium_steps + 1 == current->n_steps_) current->stop = true;
+    };
+  }
+  ~StopsAfter() { model_.step = step_; }
+  std::atomic<bool> stop{false};
+
+ private:
+  static inline StopsAfter* current = nullptr;
+  Model& model_;
+  decltype(Model::step) step_;
+  std::int64_t n_steps_;
+};
+
+struct LastCheckpoint : Observer {
+  StateImage image;
+  void checkpoint(const StateImage& now) override { image = now; }
+};
+
+TEST(Equilibrium, ARunThatIsStoppedAnywhereAboutTheEndOfTheSearchGoesOnToTheSameBits)
+{
+  Case c = confined_box(InitialStress::equilibrium);
+  c.time.end = 0.01;
+  const std::atomic<bool> go_on{false};
+  LastCheckpoint last;
+  Observer* const observers[] = {&last};
+  Simulation whole(c);
+  ASSERT_EQ(run(whole.model, whole.state, whole.work, observers, go_on), Outcome::finished);
+  const StateImage expected = last.image;
+  const std::int64_t n = whole.state.equilibrium_steps;
+  for (const std::int64_t after : {n - 1, n}) {
+    Simulation first(c);
+    StopsAfter stops(first, after);
+    EXPECT_EQ(run(first.model, first.state, first.work, observers, stops.stop), Outcome::interrupted) << after;
+    EXPECT_EQ(last.image.step, after < n ? 0 : 1);
+    Simulation second(build_model(c, 1), restore(first.model, last.image));
+    EXPECT_EQ(run(second.model, second.state, second.work, observers, go_on), Outcome::finished);
+    EXPECT_EQ(test::first_difference(last.image, expected), "") << after;
+  }
 }
 
 TEST(Equilibrium, SoilThatLeavesEndsTheSearch)
