@@ -91,6 +91,21 @@ Boundary::Boundary(const Mesh<2>& mesh, const std::vector<SideCondition>& sides)
   for (auto& c : conditions_) order_and_pin(c);
 }
 
+Vec<2> Boundary::free_part(Index node, Vec<2> value, Vec<2> push) const
+{
+  const NodeCondition* c = at(node);
+  if (c == nullptr) return value;
+  if (c->pinned) return {0.0, 0.0};
+  for (int k = 0; k < c->n; ++k) {
+    const NodeHold& hold = c->holds[k];
+    if (hold.hold == Hold::all) return {0.0, 0.0};
+    if (hold.hold == Hold::separating && dot(push, hold.normal) < 0.0) continue;
+    const Real across = dot(value, hold.normal);
+    for (int d = 0; d < 2; ++d) value[d] -= across * hold.normal[d];
+  }
+  return value;
+}
+
 void Boundary::constrain(Index node, Real mass, Real dt, Vec<2>& v) const
 {
   const NodeCondition* c = at(node);

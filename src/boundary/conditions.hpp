@@ -49,6 +49,9 @@ class Boundary {
   Boundary() = default;
   Boundary(const Mesh<2>& mesh, const std::vector<SideCondition>& sides);
 
+  /// What is left of a node's force or velocity, shape [2], when the sides have taken what they carry: nothing across a side that holds, or
+  /// that a `push` presses on.
+  Vec<2> free_part(Index node, Vec<2> value, Vec<2> push) const;
   /// Corrects the trial velocity v* of a node (step 2 of docs/methods.md). mass [kg per m], dt [s].
   void constrain(Index node, Real mass, Real dt, Vec<2>& v) const;
   /// Clamps the second nodal velocity at constrained components; contact acts along its normal only (step 4).

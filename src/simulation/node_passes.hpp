@@ -47,15 +47,17 @@ inline void accelerate_node(const Model& model, const NodeGather& sum, Index i, 
     sums.finite &= sum.mass == sum.mass;
     return;
   }
-  const Damping damping{.local = work.damping_local, .viscous = model.damping.viscous};
-  Vec<2> v_0, v_free;
+  Damping damping = model.damping;
+  damping.local = work.damping_local;
+  Vec<2> v_0, v_free, out_of_balance;
   for (int d = 0; d < 2; ++d) {
     v_0[d] = sum.momentum[d] / sum.mass;
-    const Real out_of_balance = sum.mass * model.gravity[d] - sum.internal_force[d];
+    out_of_balance[d] = sum.mass * model.gravity[d] - sum.internal_force[d];
     node.internal[d] = -sum.internal_force[d];
-    node.damping[d] = damping_force(damping, out_of_balance, sum.mass, v_0[d]);
-    v_free[d] = v_0[d] + (out_of_balance + node.damping[d]) / sum.mass * model.dt;
   }
+  const auto free = [&](Vec<2> value) { return model.boundary.free_part(i, value, out_of_balance); };
+  node.damping = damping_force(damping, free(out_of_balance), sum.mass, free(v_0));
+  for (int d = 0; d < 2; ++d) v_free[d] = v_0[d] + (out_of_balance[d] + node.damping[d]) / sum.mass * model.dt;
   node.v = v_free;
   model.boundary.constrain(i, sum.mass, model.dt, node.v);
   for (int d = 0; d < 2; ++d) {

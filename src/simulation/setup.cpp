@@ -169,7 +169,8 @@ Model build_model(const Case& description, Mesh<2> mesh, int threads)
   model.boundary = Boundary(model.mesh, make_sides(description));
   model.open_sides = make_open_sides(description, model.mesh);
   model.gravity = description.forces.gravity;
-  model.damping = {description.forces.local_damping, description.forces.viscous_damping};
+  model.damping = {.local = description.forces.local_damping, .viscous = description.forces.viscous_damping};
+  if (const Real g = std::hypot(model.gravity[0], model.gravity[1]); g > 0.0) model.damping.down = {model.gravity[0] / g, model.gravity[1] / g};
   model.step = find_step(description.scheme);
   if (model.step == nullptr) throw InputError(Problem{"scheme", "no such scheme", "", "scheme"});
   model.threads = threads;

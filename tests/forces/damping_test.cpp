@@ -36,6 +36,24 @@ TEST(Damping, ViscousIsProportionalToMassAndVelocity)
 
 TEST(Damping, AddsBothKinds) { EXPECT_DOUBLE_EQ(damping_force({.local = 0.1, .viscous = 0.5}, 50.0, 3.0, 2.0), -8.0); }
 
+TEST(Damping, OfAVectorActsByComponentsAlongAndAcrossGravity)
+{
+  const Damping upright{.local = 0.1};
+  const Vec<2> straight = damping_force(upright, Vec<2>{30.0, -50.0}, 3.0, Vec<2>{-1.0, -2.0});
+  EXPECT_DOUBLE_EQ(straight[0], 3.0);
+  EXPECT_DOUBLE_EQ(straight[1], 5.0);
+}
+
+TEST(Damping, TurnsWithGravity)  // everything turned by the angle of the 3-4-5 triangle
+{
+  const auto turned = [](Vec<2> a) { return Vec<2>{0.8 * a[0] - 0.6 * a[1], 0.6 * a[0] + 0.8 * a[1]}; };
+  const Damping tilted{.local = 0.1, .viscous = 0.3, .down = turned({0.0, -1.0})};
+  const Vec<2> r{30.0, -50.0}, v{-1.0, 2.0};
+  const Vec<2> expected = turned(damping_force({.local = 0.1, .viscous = 0.3}, r, 3.0, v));
+  const Vec<2> got = damping_force(tilted, turned(r), 3.0, turned(v));
+  for (int d = 0; d < 2; ++d) EXPECT_NEAR(got[d], expected[d], 1e-14);
+}
+
 TEST(Damping, IsOffByDefault) { EXPECT_EQ(damping_force({}, 50.0, 3.0, 2.0), 0.0); }
 
 }  // namespace

@@ -177,12 +177,22 @@ def correct_at_boundary(case, v, m):
         v[i] = [np.sign(tangential) * max(0.0, abs(tangential) - limit) / m[i] if m[i] > 0 else 0.0, 0.0]
 
 
+def clamped(case, v):
+    """Without fixed components and that across the contact. Changes v."""
+    v[case["mesh"]["fixed"]] = 0
+    v[case["mesh"]["contact"]["nodes"], 1] = 0
+    return v
+
+
 def accelerate_nodes(case, m, momentum, f_int, moving):
     """Nodal acceleration: gravity, local damping (reading R13), boundaries."""
     o, v, a = case["options"], np.zeros_like(momentum), np.zeros_like(momentum)
     v[moving] = momentum[moving] / m[moving, None]
     r = m[:, None] * o["gravity"] - f_int
-    r -= o["local_damping"] * np.abs(r) * np.sign(v)
+    free_r, free_v = clamped(case, r.copy()), clamped(case, v.copy())
+    down = o["gravity"] / np.linalg.norm(o["gravity"])
+    for e in (down, np.array([-down[1], down[0]])):  # per component along and across gravity, of what the sides do not carry
+        r -= np.outer(o["local_damping"] * np.abs(free_r @ e) * np.sign(free_v @ e), e)
     a[moving] = r[moving] / m[moving, None]
     v_1 = v + a * case["dt"]
     correct_at_boundary(case, v_1, m)
@@ -193,9 +203,7 @@ def nodal_velocity(case, m, momentum, moving):
     """Velocity after the second map; fixed components and the contact's normal one are clamped."""
     v = np.zeros_like(momentum)
     v[moving] = momentum[moving] / m[moving, None]
-    v[case["mesh"]["fixed"]] = 0
-    v[case["mesh"]["contact"]["nodes"], 1] = 0
-    return v
+    return clamped(case, v)
 
 
 def start_stress(case, pts, p, gauss, sub):

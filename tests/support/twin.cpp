@@ -111,6 +111,8 @@ Model make_model(const Json& j)
   model.method.objective_rate = o.at("objective_rate") == "jaumann" ? ObjectiveRate::jaumann : ObjectiveRate::none;
   model.gravity = o.at("gravity").get<Vec<2>>();
   model.damping.local = o.at("local_damping");
+  const Real g = std::hypot(model.gravity[0], model.gravity[1]);
+  model.damping.down = {model.gravity[0] / g, model.gravity[1] / g};
   model.step = find_step(j.at("scheme").get<std::string>());
   model.dt = j.at("dt");
   model.largest_density = model.materials[0].density;
