@@ -45,6 +45,13 @@ TEST(Check, AVariantOfAMeshFromAPolygonHasOtherCells)
   EXPECT_NE(mesh_line(best.out), mesh_line(other.out));
 }
 
+TEST(Check, WarnsOfAHistoryPointFarFromTheSoil)
+{
+  const Finished f = test::terp(test::column_command("check", {"--set", "output.history.points.far=[12.0, 1.0]"}));
+  EXPECT_EQ(f.status, 0);
+  EXPECT_THAT(f.err, StartsWith("warning: --set output.history.points.far=[12.0, 1.0]: no soil is near the history point `far`\n"));
+}
+
 TEST(Check, PointsAtTheChangeThatSetUpCannotUse)
 {
   const std::string dike = test::source_path("cases/dike/dike.toml");
