@@ -174,7 +174,8 @@ int resume_run(const RunOptions& options)
 {
   const std::string folder = run_folder_of(options.path);
   FolderLock lock(folder);
-  if (!std::filesystem::exists(path_in(folder, case_file))) throw FileError(fmt::format("{}: this is no run folder, it holds no {}", folder, case_file));
+  if (!std::filesystem::exists(path_in(folder, case_file)))
+    throw FileError(fmt::format("{}: this is no run folder, it holds no {}", folder, case_file));
   const CaseFile file = read_case(path_in(folder, case_file));
   const StateImage image = find_checkpoint(options.path);
   try {
