@@ -7,6 +7,7 @@
 #include "progress.hpp"
 #include "simulation/run.hpp"
 #include "simulation/setup.hpp"
+#include "simulation/setup_history.hpp"
 
 #include <chrono>
 #include <fmt/format.h>
@@ -75,6 +76,7 @@ int check_case(const RunOptions& options)
   try {
     Model model = build_model(file.values, options.threads > 0 ? options.threads : available_processors());
     State state = build_state(model);
+    fmt::print(stderr, "{}", render_warnings(find_far_history_points(model, state), file));
     print_check(file, model, state);
     return solved;
   } catch (const InputError& error) {

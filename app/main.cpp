@@ -90,8 +90,8 @@ void check_command(const CLI::App& app, const std::string& word)
   std::string hint;
   if (const std::string nearest = terp::closest(word, names); !nearest.empty()) hint = fmt::format("  Did you mean `{}`?\n", nearest);
   if (word.ends_with(".toml")) hint = fmt::format("  To solve that case: terp run {}\n", word);
-  throw terp::CaseError(terp::printable(fmt::format("error: there is no command `{}`\n{}  Commands: {}\nUsage: terp COMMAND [options]; see terp --help\n",
-                                                    word, hint, fmt::join(names, ", "))));
+  const std::string message = fmt::format("error: there is no command `{}`\n{}  Commands: {}\n", word, hint, fmt::join(names, ", "));
+  throw terp::CaseError(terp::printable(message + "Usage: terp COMMAND [options]; see terp --help\n"));
 }
 
 int call(const CLI::App& app, const CommandLine& line)

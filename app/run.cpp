@@ -9,6 +9,7 @@
 #include "progress.hpp"
 #include "simulation/run.hpp"
 #include "simulation/setup.hpp"
+#include "simulation/setup_history.hpp"
 #include "simulation/state_image.hpp"
 
 #include <atomic>
@@ -60,6 +61,19 @@ void print_passes(const Workspace& work)
     fmt::print("  {:<16} {:8.2f} s  {:4.1f} %\n", pass_names[pass], work.seconds[pass], 100.0 * work.seconds[pass] / total);
 }
 
+/// What to do when a file of the run cannot be written; earlier results are as they were.
+std::string hint_to_go_on(const std::string& folder)
+{
+  try {
+    const CheckpointSearch found = newest_good_checkpoint(folder);
+    if (!found.image) return "\n  No checkpoint was written yet. Make room on the disk, then give the same command with --force.";
+    return fmt::format("\n  Earlier results are intact, up to the checkpoint at t = {:.4g} s. Make room on the disk, then go on with:\n  terp resume {}",
+                       found.image->time, folder);
+  } catch (const FileError&) {
+    return "";  // the folder is gone
+  }
+}
+
 /// Solves, and leaves a summary however the run ends.
 int solve(const Model& model, State& state, RunWriter& writer, const RunOptions& options, const std::string& folder)
 {
@@ -67,8 +81,8 @@ int solve(const Model& model, State& state, RunWriter& writer, const RunOptions&
   ProgressLine progress(options.quiet);
   Observer* const observers[] = {&writer, &progress};
   Workspace work(model, state);
-  writer.summary(summarise(model, state), false);  // also names the case for `resume`
   try {
+    writer.summary(summarise(model, state), false);  // also names the case for `resume`
     const Outcome outcome = run(model, state, work, observers, stop_requested);
     progress.finish();
     const Summary summary = summarise(model, state);
@@ -85,6 +99,9 @@ int solve(const Model& model, State& state, RunWriter& writer, const RunOptions&
     fmt::print(stderr, "error: {}\n", error.what());
     writer.summary(summarise(model, state), false);
     return stopped_itself;
+  } catch (const FileError& error) {
+    progress.finish();
+    throw FileError(error.what() + hint_to_go_on(folder));
   }
 }
 
@@ -94,7 +111,12 @@ int threads_of(const RunOptions& options) { return options.threads > 0 ? options
 std::string run_folder_of(const std::string& path)
 {
   std::filesystem::path p(path);
+  if (p.extension() == ".toml")
+    throw CaseError(fmt::format("error: {0}: `terp resume` takes a run folder, as in terp resume {1}\n"
+                                "  It goes on from the newest checkpoint there. To solve a case file from its start: terp run {0}\n",
+                                path, p.filename() == case_file ? folder_of(path) : "runs/" + p.stem().string()));
   if (std::filesystem::is_regular_file(p)) p = p.parent_path();
+  if (!std::filesystem::is_directory(p.empty() ? "." : p)) throw FileError(fmt::format("{}: no such run folder", path));
   return p.empty() ? "." : p.string();
 }
 
@@ -108,6 +130,28 @@ StateImage find_checkpoint(const std::string& path)
   return std::move(*found.image);
 }
 
+/// The model of a run that goes on, with its history points; the case must still seed the points of the checkpoint.
+Model rebuild_model(const Case& description, const StateImage& image, int threads)
+{
+  Model model = build_model(description, threads);
+  const std::int64_t n_seeded = build_state(model).n_ids(), n = count_points(image);
+  if (n_seeded != n)
+    throw FileError(fmt::format("cannot resume from step {}: the case seeds {} material points, the checkpoint holds {}\n"
+                                "  {} of the folder, or a file that it names, is not what the run began with.",
+                                image.step, n_seeded, n, case_file));
+  return model;
+}
+
+/// What the files of the run must hold. Ledger rows and frames were counted as they were written.
+ResumePoint resume_point(const Model& model, const State& state)
+{
+  const OutputCase& output = model.description.output;
+  const std::int64_t n_times = count_due(state.step, model.dt, output.history_every);
+  return {.step = state.step, .time = state.time, .n_frames = std::ssize(state.softened_fraction),
+          .n_history_rows = n_times * std::ssize(output.history_points), .n_ledger_rows = std::ssize(state.crest.time),
+          .n_left_rows = std::ssize(state.left)};
+}
+
 }  // namespace
 
 int run_case(const RunOptions& options)
@@ -117,6 +161,7 @@ int run_case(const RunOptions& options)
   try {
     Model model = build_model(file.values, threads_of(options));
     State state = build_state(model);
+    fmt::print(stderr, "{}", render_warnings(find_far_history_points(model, state), file));
     const std::string folder = options.output.empty() ? "runs/" + file.values.name : options.output;
     const auto writer = RunWriter::start({folder, {file.values.name, file.text}, file.values.output.checkpoint_keep}, options.force);
     return solve(model, state, *writer, options, folder);
@@ -128,16 +173,21 @@ int run_case(const RunOptions& options)
 int resume_run(const RunOptions& options)
 {
   const std::string folder = run_folder_of(options.path);
-  if (!std::filesystem::is_directory(folder)) throw FileError(fmt::format("{}: no such run folder", options.path));
-  CaseFile file = read_case(path_in(folder, case_file));
+  FolderLock lock(folder);
+  if (!std::filesystem::exists(path_in(folder, case_file)))
+    throw FileError(fmt::format("{}: this is no run folder, it holds no {}", folder, case_file));
+  const CaseFile file = read_case(path_in(folder, case_file));
   const StateImage image = find_checkpoint(options.path);
-  Model model = build_model(file.values, threads_of(options));
-  build_state(model);  // names the history points
-  State state = restore(model, image);
-  const std::string name = case_name_in(folder);
-  const auto writer = RunWriter::resume({folder, {name, file.text}, file.values.output.checkpoint_keep}, image.step, image.time);
-  if (!options.quiet) fmt::print("resuming {} at t = {:.4g} s, step {} of {}\n", folder, state.time, state.step, model.n_steps);
-  return solve(model, state, *writer, options, folder);
+  try {
+    const Model model = rebuild_model(file.values, image, threads_of(options));
+    State state = restore(model, image);
+    RunWriterSettings settings{folder, {case_name_in(folder), file.text}, file.values.output.checkpoint_keep};
+    const auto writer = RunWriter::resume(std::move(settings), std::move(lock), resume_point(model, state));
+    if (!options.quiet) fmt::print("resuming {} at t = {:.4g} s, step {} of {}\n", folder, state.time, state.step, model.n_steps);
+    return solve(model, state, *writer, options, folder);
+  } catch (const InputError& error) {
+    throw CaseError(render(error.problems(), file));
+  }
 }
 
 }  // namespace terp

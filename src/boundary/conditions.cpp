@@ -71,7 +71,8 @@ const NamedSide& find_side(const Mesh<2>& mesh, const std::string& name)
     if (side.name == name) return side;
     known += (known.empty() ? "" : ", ") + side.name;
   }
-  throw InputError(Problem{"boundary." + name, "the mesh has no side `" + name + "`", "Sides of this mesh: " + known, "boundary", true, {"mesh.file", "mesh.edges"}});
+  throw InputError(Problem{"boundary." + name, "the mesh has no side `" + name + "`", "Sides of this mesh: " + known, "boundary", true,
+                           {"mesh.file", "mesh.edges"}});
 }
 
 Boundary::Boundary(const Mesh<2>& mesh, const std::vector<SideCondition>& sides) : condition_of_node_(mesh.nodes.size(), -1)
@@ -83,7 +84,8 @@ Boundary::Boundary(const Mesh<2>& mesh, const std::vector<SideCondition>& sides)
         conditions_.emplace_back();
       }
       NodeCondition& c = conditions_[condition_of_node_[node]];
-      if (c.n == 2) throw InputError(Problem{"boundary." + side.side, "a node lies on more than two sides with conditions", "", "boundary", true, {"boundary"}});
+      if (c.n == 2)
+        throw InputError(Problem{"boundary." + side.side, "a node lies on more than two sides with conditions", "", "boundary", true, {"boundary"}});
       const Real length = std::hypot(sums.normal[0], sums.normal[1]);
       c.holds[c.n++] = {side.hold, {sums.normal[0] / length, sums.normal[1] / length}, side.adhesion * sums.half_length,
                         side.friction, side.velocity};

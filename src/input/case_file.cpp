@@ -110,6 +110,11 @@ std::string render(const std::vector<Problem>& problems, const CaseFile& file)
   return render_errors(problems, file.source);
 }
 
+std::string render_warnings(const std::vector<Problem>& warnings, const CaseFile& file)
+{
+  return render_warnings(warnings, file.source);
+}
+
 std::string render_warnings(const CaseFile& file) { return render_warnings(file.warnings, file.source); }
 
 }  // namespace terp

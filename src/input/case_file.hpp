@@ -36,6 +36,9 @@ CaseFile read_case_text(const std::string& text, const std::string& path,
 /// Problems found later (InputError), shown at the keys of this file.
 std::string render(const std::vector<Problem>& problems, const CaseFile& file);
 
+/// Warnings found later, shown at the keys of this file.
+std::string render_warnings(const std::vector<Problem>& warnings, const CaseFile& file);
+
 /// The file's own warnings as the user sees them; empty if there are none.
 std::string render_warnings(const CaseFile& file);
 

@@ -1,6 +1,7 @@
 #include "input/check_case.hpp"
 
 #include "input/check_mesh.hpp"
+#include "input/check_method.hpp"
 #include "input/closest.hpp"
 #include "input/key_text.hpp"
 #include "input/other_files.hpp"
@@ -171,6 +172,12 @@ void check_initial(const Node& root, const Case& values, Findings& findings)
   };
   warn_unless("k0", InitialStress::k0, "k0");
   for (const char* key : {"damping", "limit", "max_steps"}) warn_unless(key, InitialStress::equilibrium, "equilibrium");
+  for (std::size_t k = 0; k < values.bodies.size() && stress == InitialStress::equilibrium; ++k)
+    if (values.bodies[k].velocity != Vec<2>{0.0, 0.0})
+      findings.warnings.push_back({fmt::format("body[{}].velocity", k), "`velocity` has no effect",
+                                   "With initial.stress = \"equilibrium\" all soil is at rest at t = 0; the search for it "
+                                   "starts with this velocity.\nUse stress = \"k0\" or \"none\" for a body that moves.",
+                                   "body.velocity", true, {"initial.stress"}});
 }
 
 /// Fields of laws that no material of this case follows.
@@ -203,6 +210,7 @@ void check_case(const Node& root, const Case& values, Findings& findings)
   check_parameters(values, findings.problems);
   check_sides(root, findings.problems);
   check_initial(root, values, findings);
+  check_method(root, values, findings.warnings);
   check_unused_materials(values, findings.warnings);
   check_fields(values, findings.warnings);
 }

@@ -13,6 +13,32 @@
 #include <fmt/format.h>
 
 namespace terp {
+namespace {
+
+/// Throws FileError if a file holds fewer rows or frames than it must.
+void check_length(const std::string& path, const char* unit, std::int64_t n, std::int64_t n_due, const ResumePoint& from)
+{
+  if (n >= n_due) return;
+  const std::string fault = std::filesystem::exists(path) ? fmt::format("it holds {} {} up to there, {} are due", n, unit, n_due) : "it is missing";
+  throw FileError(fmt::format("cannot resume from step {}, t = {:.4g} s, without all of {}: {}\n"
+                              "  Put the file back, resume from an earlier checkpoint, or start the case anew: terp run {} -o NEW_FOLDER",
+                              from.step, from.time, path, fault, path_in(folder_of(path), case_file)));
+}
+
+void check_files(const std::string& folder, const ResumePoint& from)
+{
+  const auto check_table = [&](std::string_view name, std::string_view header, std::int64_t n_due) {
+    const std::string path = path_in(folder, name);
+    check_length(path, "rows", count_rows_until(path, header, from.time), n_due, from);
+  };
+  const std::string results = path_in(folder, results_file);
+  check_length(results, "frames", ResultsFile(results).count_until(from.step), from.n_frames, from);
+  check_table(history_file, history_header, from.n_history_rows);
+  check_table(ledger_file, ledger_header, from.n_ledger_rows);
+  check_table(left_file, left_header, from.n_left_rows);
+}
+
+}  // namespace
 
 RunWriter::RunWriter(RunWriterSettings settings, FolderLock lock)
     : settings_(std::move(settings)),
@@ -30,19 +56,17 @@ std::unique_ptr<RunWriter> RunWriter::start(RunWriterSettings settings, bool for
   return std::unique_ptr<RunWriter>(new RunWriter(std::move(settings), std::move(lock)));
 }
 
-std::unique_ptr<RunWriter> RunWriter::resume(RunWriterSettings settings, std::int64_t step, Real time)
+std::unique_ptr<RunWriter> RunWriter::resume(RunWriterSettings settings, FolderLock lock, const ResumePoint& from)
 {
+  const bool at_start = from.step == 0;  // a run at its start shows that start again
   const std::string folder = settings.folder;
-  FolderLock lock(folder);
-  if (step == 0) {  // a run at its start shows that start again
-    time = -std::numeric_limits<Real>::infinity();
-    step = -1;
-  }
+  if (!at_start) check_files(folder, from);
+  const Real time = at_start ? -std::numeric_limits<Real>::infinity() : from.time;
   drop_rows_after(path_in(folder, history_file), history_header, time);
   drop_rows_after(path_in(folder, ledger_file), ledger_header, time);
   drop_rows_after(path_in(folder, left_file), left_header, time);
-  ResultsFile(path_in(folder, results_file)).truncate_after(step);
-  remove_checkpoints_after(folder, std::max<std::int64_t>(step, 0));
+  ResultsFile(path_in(folder, results_file)).truncate_after(at_start ? -1 : from.step);
+  remove_checkpoints_after(folder, from.step);
   return std::unique_ptr<RunWriter>(new RunWriter(std::move(settings), std::move(lock)));
 }
 

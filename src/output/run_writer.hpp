@@ -20,6 +20,13 @@ struct RunWriterSettings {
   Index checkpoint_keep = 2;  ///< how many of the newest checkpoints are kept; 0: all
 };
 
+/// A checkpoint, and what the other files of the run must hold up to there.
+struct ResumePoint {
+  std::int64_t step = 0;
+  Real time = 0.0;  ///< [s]
+  std::int64_t n_frames = 0, n_history_rows = 0, n_ledger_rows = 0, n_left_rows = 0;
+};
+
 /// Each call writes to the disk before it returns; on failure it throws FileError and leaves what was there before.
 ///
 /// Order that a resumed run relies on: at one step, the checkpoint comes after the frame and the rows of that step,
@@ -29,9 +36,9 @@ class RunWriter : public Observer {
   /// A new run: prepares the folder and writes case.toml.
   static std::unique_ptr<RunWriter> start(RunWriterSettings settings, bool force);
 
-  /// A run that continues from a checkpoint: drops all that was written after it.
-  /// time [s] and step are those of the checkpoint.
-  static std::unique_ptr<RunWriter> resume(RunWriterSettings settings, std::int64_t step, Real time);
+  /// A run that continues from a checkpoint: drops all that was written after it. If a file holds less than it must,
+  /// throws FileError and changes nothing. lock: of the run's folder.
+  static std::unique_ptr<RunWriter> resume(RunWriterSettings settings, FolderLock lock, const ResumePoint& from);
 
   void frame(const Frame& frame) override;
   void history(const std::vector<HistoryRow>& rows) override;

@@ -50,16 +50,31 @@ Real time_of(std::string_view row)
   return time;
 }
 
-/// Bytes from the start of the table to the end of its last whole row with a time of at most `time`.
-std::size_t length_until(std::string_view table, Real time)
+/// The first part of a table.
+struct Part {
+  std::size_t length;       ///< in bytes, from the start of the table
+  std::int64_t n_rows = 0;  ///< without the header
+};
+
+/// Up to the end of the last whole row with a time of at most `time`.
+Part part_until(std::string_view table, Real time)
 {
-  std::size_t end = table.find('\n') + 1;
-  while (end < table.size()) {
-    const std::size_t line_end = table.find('\n', end);
-    if (line_end == std::string_view::npos || !(time_of(table.substr(end, line_end - end)) <= time)) break;
-    end = line_end + 1;
+  Part part{table.find('\n') + 1};
+  while (part.length < table.size()) {
+    const std::size_t line_end = table.find('\n', part.length);
+    if (line_end == std::string_view::npos || !(time_of(table.substr(part.length, line_end - part.length)) <= time)) break;
+    part.length = line_end + 1;
+    ++part.n_rows;
   }
-  return end;
+  return part;
+}
+
+/// The text of a table, which must have this header.
+std::string read_table(const std::string& path, std::string_view header)
+{
+  std::string table = read_file(path);
+  if (table.starts_with(std::string(header) + '\n')) return table;
+  throw FileError(fmt::format("cannot continue {}: its columns are not those of terp {}", path, TERP_VERSION));
 }
 
 }  // namespace
@@ -100,14 +115,16 @@ std::string csv_line(const LedgerRow& row)
   return line + '\n';
 }
 
+std::int64_t count_rows_until(const std::string& path, std::string_view header, Real time)
+{
+  return std::filesystem::exists(path) ? part_until(read_table(path, header), time).n_rows : 0;
+}
+
 void drop_rows_after(const std::string& path, std::string_view header, Real time)
 {
   if (!std::filesystem::exists(path)) return;
-  const std::string table = read_file(path);
-  if (!table.starts_with(std::string(header) + '\n')) {
-    throw FileError(fmt::format("cannot continue {}: its columns are not those of terp {}", path, TERP_VERSION));
-  }
-  const std::size_t length = length_until(table, time);
+  const std::string table = read_table(path, header);
+  const std::size_t length = part_until(table, time).length;
   if (length < table.size()) write_file_atomically(path, std::string_view(table).substr(0, length));
 }
 

@@ -21,6 +21,9 @@ std::string csv_lines(const std::vector<HistoryRow>& rows);
 std::string csv_line(const LedgerRow& row);
 std::string csv_lines(const std::vector<LeftPoint>& points);
 
+/// Whole rows with a time of at most `time` [s]; 0 without a file. Throws FileError if the columns are not those of `header`.
+std::int64_t count_rows_until(const std::string& path, std::string_view header, Real time);
+
 /// Drops the rows later than `time` [s], and a last line that was cut short. Without a file, nothing is done.
 /// Throws FileError if the columns are not those of `header`.
 void drop_rows_after(const std::string& path, std::string_view header, Real time);

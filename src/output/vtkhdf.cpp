@@ -197,6 +197,14 @@ void write_points(Hdf5File& file, const Frame& frame, std::int64_t k)
   }
 }
 
+/// Whole frames of steps up to `step`.
+std::int64_t count_frames(const Hdf5File& file, std::int64_t step)
+{
+  const auto step_numbers = file.read<std::int64_t>(steps + "/step");
+  const std::int64_t n_whole = std::min(file.integers(steps, "NSteps").at(0), std::ssize(step_numbers));
+  return std::upper_bound(step_numbers.begin(), step_numbers.begin() + n_whole, step) - step_numbers.begin();
+}
+
 }  // namespace
 
 void ResultsFile::append(const Frame& frame)
@@ -212,14 +220,16 @@ void ResultsFile::append(const Frame& frame)
   file.close();
 }
 
+std::int64_t ResultsFile::count_until(std::int64_t step) const
+{
+  return std::filesystem::exists(path_) ? count_frames(Hdf5File(path_, Hdf5File::Mode::read), step) : 0;
+}
+
 void ResultsFile::truncate_after(std::int64_t step)
 {
   if (!std::filesystem::exists(path_)) return;
   Hdf5File file(path_, Hdf5File::Mode::change, cutting_bytes);
-  const auto step_numbers = file.read<std::int64_t>(steps + "/step");
-  const std::int64_t n_before = std::min(file.integers(steps, "NSteps").at(0), std::ssize(step_numbers));
-  const auto end = std::upper_bound(step_numbers.begin(), step_numbers.begin() + n_before, step);
-  const std::int64_t n_steps = end - step_numbers.begin();
+  const std::int64_t n_steps = count_frames(file, step);
   file.set_integers(steps, "NSteps", {n_steps});  // first: what follows is no longer part of the results
   file.flush();
 

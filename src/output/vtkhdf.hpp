@@ -18,6 +18,9 @@ class ResultsFile {
   /// Adds a frame. Its points, and the names and sizes of its fields, must be those of the frames before.
   void append(const Frame& frame);
 
+  /// Frames of steps up to `step`; 0 without a file.
+  std::int64_t count_until(std::int64_t step) const;
+
   /// Drops the frames of later steps: for a run that continues from `step`.
   void truncate_after(std::int64_t step);
 

@@ -119,6 +119,15 @@ HistoryRow history_of(const Model& model, const State& state, const PointBlock<2
           .pressure = pressure};
 }
 
+/// Of a point that left through an open side: the place where it left.
+HistoryRow history_of_left(const State& state, std::int64_t id)
+{
+  HistoryRow row{.time = state.time, .point = "", .id = id, .x = nan, .y = nan, .eps_deviatoric = nan, .eps_eq_p = nan, .su = nan, .pressure = nan};
+  for (const LeftPoint& p : state.left)
+    if (p.id == id) row.x = p.x[0], row.y = p.x[1];
+  return row;
+}
+
 }  // namespace
 
 Real deviatoric_strain(const std::array<Real, 4>& strain, DeviatoricNorm norm)
@@ -150,15 +159,14 @@ Frame make_frame(const Model& model, const State& state)
 std::vector<HistoryRow> make_history(const Model& model, const State& state)
 {
   const auto& names = model.description.output.history_points;
-  std::vector<HistoryRow> rows(names.size());
-  if (rows.empty()) return rows;
+  if (names.empty()) return {};
+  std::vector<HistoryRow> rows;
+  for (std::size_t k = 0; k < names.size(); ++k) rows.push_back(history_of_left(state, model.history_ids[k]));
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     for (std::size_t k = 0; k < names.size(); ++k)
-      if (model.history_ids[k] == static_cast<std::int64_t>(id_of(block, lane))) {
-        rows[k] = history_of(model, state, block, lane);
-        rows[k].point = names[k].first;
-      }
+      if (model.history_ids[k] == static_cast<std::int64_t>(id_of(block, lane))) rows[k] = history_of(model, state, block, lane);
   });
+  for (std::size_t k = 0; k < names.size(); ++k) rows[k].point = names[k].first;
   return rows;
 }
 

@@ -117,6 +117,13 @@ bool due(std::int64_t step, Real dt, Real every)
   return std::llround(multiple * every / dt) == step;
 }
 
+std::int64_t count_due(std::int64_t step, Real dt, Real every)
+{
+  std::int64_t n = 0;
+  for (std::int64_t k = 0; k <= step; ++k) n += due(k, dt, every) ? 1 : 0;
+  return n;
+}
+
 Outcome run(const Model& model, State& state, Workspace& work, std::span<Observer* const> observers, const std::atomic<bool>& stop)
 {
   Loop loop{.model = model, .state = state, .work = work, .observers = observers, .wall_before = state.wall_s, .first_step = state.step};

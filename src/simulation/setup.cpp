@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "forces/time_step.hpp"
 #include "simulation/initial.hpp"
+#include "simulation/setup_history.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "simulation/setup_points.hpp"
 #include "simulation/step.hpp"
@@ -138,19 +139,6 @@ void add_points(const Model& model, const std::vector<NewPoint>& points, State& 
   }
 }
 
-/// The point nearest to a place; of equals the one with lower x, then lower y (reading R21).
-std::int64_t nearest_point(const std::vector<Real>& x, Vec<2> place)
-{
-  const auto key = [&](std::size_t k) {
-    const Real distance = std::hypot(x[2 * k] - place[0], x[2 * k + 1] - place[1]);
-    return std::array<Real, 3>{std::round(distance * 1e9), x[2 * k], x[2 * k + 1]};  // equal to a nanometre: a tie
-  };
-  std::size_t best = 0;
-  for (std::size_t k = 1; 2 * k < x.size(); ++k)
-    if (key(k) < key(best)) best = k;
-  return static_cast<std::int64_t>(best);
-}
-
 }  // namespace
 
 Model build_model(const Case& description, int threads)
@@ -189,7 +177,7 @@ State build_state(Model& model)
   state.points.update_occupied();
   state.points.reserve(static_cast<std::int64_t>(points.size() / 4));
   set_initial_stress(model, state);
-  for (const auto& [name, place] : model.description.output.history_points) model.history_ids.push_back(nearest_point(state.x_initial, place));
+  follow_history_points(model, state);
   const Vec<2> x = extent_in_x(model.mesh);
   state.crest = start_crest_history(state.points, x[0], x[1], typical_cell_size(model.mesh));
   return state;

@@ -40,7 +40,8 @@ void check_outlines(const Model& model, const std::vector<BodyOutline>& outlines
     if (!model.description.bodies[b].points_file.empty()) continue;
     const BodyOutline& outline = outlines[k++];
     if (!outline.cells.empty()) continue;
-    for (const std::string& text : check_outline(outline)) throw InputError(Problem{body_key(b, "polygon"), "the outline of the body is not usable", text, "body", false, keys_of_outline(b)});
+    for (const std::string& text : check_outline(outline))
+      throw InputError(Problem{body_key(b, "polygon"), "the outline of the body is not usable", text, "body", false, keys_of_outline(b)});
     for (const Vec<2>& x : outline.polygon) {
       if (locate(model.mesh, x, 0).inside) continue;
       throw InputError(Problem{fmt::format("body[{}]", b), "the body lies outside the mesh",

@@ -137,6 +137,8 @@ StateImage make_image(const State& state)
   return image;
 }
 
+std::int64_t count_points(const StateImage& image) { return std::ssize(get<Real>(image, "x_initial")) / 2; }
+
 State restore(const Model& model, const StateImage& image)
 {
   State state;

@@ -155,7 +155,7 @@ void step(const Model& model, State& state, Workspace& work)
 
 StepFunction find_step(std::string_view scheme)
 {
-#define TERP_SCHEME(name, Type, summary) \
+#define TERP_SCHEME(name, Type, summary, unused_options) \
   if (scheme == #name) return &step<Type>;
 #include "schemes/schemes.def"
 #undef TERP_SCHEME

@@ -39,10 +39,20 @@ TEST(Check, AVariantOfAMeshFromAPolygonHasOtherCells)
   const auto told = [](const std::string& variant) {
     return test::terp({"check", test::source_path("cases/dike/dike.toml"), "--set", "mesh.cell=2.0", "--set", "mesh.variant=" + variant, "-j", "1"});
   };
-  const auto mesh_line = [](const std::string& out) { return out.substr(out.find("  mesh  "), out.find('\n', out.find("  mesh  ")) - out.find("  mesh  ")); };
+  const auto mesh_line = [](const std::string& out) {
+    const std::size_t begin = out.find("  mesh  ");
+    return out.substr(begin, out.find('\n', begin) - begin);
+  };
   const Finished best = told("0"), other = told("1");
   ASSERT_EQ(best.status + other.status, 0) << best.err << other.err;
   EXPECT_NE(mesh_line(best.out), mesh_line(other.out));
+}
+
+TEST(Check, WarnsOfAHistoryPointFarFromTheSoil)
+{
+  const Finished f = test::terp(test::column_command("check", {"--set", "output.history.points.far=[12.0, 1.0]"}));
+  EXPECT_EQ(f.status, 0);
+  EXPECT_THAT(f.err, StartsWith("warning: --set output.history.points.far=[12.0, 1.0]: no soil is near the history point `far`\n"));
 }
 
 TEST(Check, PointsAtTheChangeThatSetUpCannotUse)

@@ -145,7 +145,28 @@ TEST(Run, OnAFullDiskFailsWithThePathAndTheReason)
   const std::string folder = disk.path() + "/run";
   const Finished f = run_column(folder, {"--set", "output.fields.every=0.01"});
   EXPECT_EQ(f.status, 1);
-  EXPECT_THAT(f.err, AllOf(StartsWith("error: "), HasSubstr(folder), HasSubstr("No space left on device")));
+  EXPECT_THAT(f.err, AllOf(StartsWith("error: "), HasSubstr(folder), HasSubstr("No space left on device"),
+                           HasSubstr("\n  No checkpoint was written yet. Make room on the disk, then give the same command with --force.\n")));
+}
+
+TEST(Run, OnADiskThatFillsUpSaysHowToGoOnAndCanGoOn)
+{
+  const test::SmallDisk disk(26 << 20);  // resume sets 16 MB aside to cut results.vtkhdf
+  if (!disk.is_there()) GTEST_SKIP() << "needs the right to mount a tmpfs";
+  const std::string folder = disk.path() + "/run", filler = disk.path() + "/mine";
+  const std::vector<std::string> often{"-q", "--set", "output.fields.every=0.01", "--set", "output.checkpoint.every=0.03"};
+  test::write_text(filler, std::string((24 << 20) + (1 << 19), 'x'));
+  const Finished f = run_column(folder, often);
+  EXPECT_EQ(f.status, 1);
+  EXPECT_THAT(f.err, testing::MatchesRegex("error: cannot write " + folder + "/[a-z0-9_.]+: No space left on device\n"
+                                           "  Earlier results are intact, up to the checkpoint at t = 0[.][0-9]+ s. Make room on the disk, then go on with:\n"
+                                           "  terp resume " + folder + "\n"));
+  std::filesystem::remove(filler);
+  const Finished resumed = test::terp({"resume", folder, "-q", "-j", "1"});
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  const test::ScratchFolder scratch;
+  ASSERT_EQ(run_column(scratch.path() + "/run", often).status, 0);
+  EXPECT_EQ(text_of(folder + "/ledger.csv"), text_of(scratch.path() + "/run/ledger.csv"));
 }
 
 TEST(Run, ThatStopsItselfHasAStatusOfItsOwnAndKeepsItsState)
@@ -268,6 +289,69 @@ TEST(Resume, WithoutARunOrACheckpointFails)
   const Finished f = test::terp({"resume", folder});
   EXPECT_EQ(f.status, 1);
   EXPECT_EQ(f.err, "error: " + folder + ": no checkpoint to resume from. Start the case anew with `terp run`.\n");
+}
+
+TEST(Resume, OfACaseFileSaysWhatItTakesAndWhatRunIsFor)
+{
+  const test::ScratchFolder scratch;
+  test::write_text(scratch.path() + "/base.toml", "");
+  const Finished f = test::terp({"resume", "base.toml"}, scratch.path());
+  EXPECT_EQ(f.status, 2);
+  EXPECT_EQ(f.err,
+            "error: base.toml: `terp resume` takes a run folder, as in terp resume runs/base\n"
+            "  It goes on from the newest checkpoint there. To solve a case file from its start: terp run base.toml\n");
+  EXPECT_THAT(test::terp({"resume", "runs/base/case.toml"}).err, HasSubstr("as in terp resume runs/base\n"));
+  EXPECT_EQ(test::terp({"resume", scratch.path()}).err, "error: " + scratch.path() + ": this is no run folder, it holds no case.toml\n");
+}
+
+TEST(Resume, WhereAFileOfTheRunIsMissingOrShortIsRefused)
+{
+  const test::ScratchFolder scratch;
+  const std::string whole = scratch.path() + "/whole";
+  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.fields.every=0.05"}).status, 0);
+  std::filesystem::remove(whole + last_checkpoint);
+  for (const std::string name : {"results.vtkhdf", "history.csv", "ledger.csv"}) {
+    const std::string folder = scratch.path() + "/no_" + name;
+    std::filesystem::copy(whole, folder);
+    std::filesystem::remove(folder + "/" + name);
+    const auto before = test::names_in(folder);
+    const Finished f = test::terp({"resume", folder});
+    EXPECT_EQ(f.status, 1) << name;
+    EXPECT_THAT(f.err, StartsWith("error: cannot resume from step 33, t = 0.1 s, without all of " + folder + "/" + name + ": it is missing\n"));
+    EXPECT_EQ(test::names_in(folder), before);
+  }
+  const std::string ledger = text_of(whole + "/ledger.csv");
+  test::write_text(whole + "/ledger.csv", ledger.substr(0, ledger.find("\n0.06") + 1));
+  EXPECT_THAT(test::terp({"resume", whole}).err, HasSubstr("/ledger.csv: it holds 6 rows up to there, 11 are due\n"));
+  test::write_text(whole + "/ledger.csv", ledger);
+  EXPECT_EQ(test::terp({"resume", whole, "-q", "-j", "1"}).status, 0);
+}
+
+TEST(Resume, OfACaseThatSeedsOtherPointsIsRefused)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run";
+  ASSERT_EQ(run_column(folder, {"-q"}).status, 0);
+  std::string text = text_of(folder + "/case.toml");
+  text.replace(text.find("[5, 5]"), 6, "[4, 4]");
+  test::write_text(folder + "/case.toml", text);
+  const Finished f = test::terp({"resume", folder});
+  EXPECT_EQ(f.status, 1);
+  EXPECT_EQ(f.err,
+            "error: cannot resume from step 66: the case seeds 1024 material points, the checkpoint holds 1600\n"
+            "  case.toml of the folder, or a file that it names, is not what the run began with.\n");
+}
+
+TEST(Resume, SaysFirstThatAnotherTerpIsWriting)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run";
+  test::Process running(longer_run(folder, "1"));
+  wait_for_rows(folder);
+  const std::string refused = "error: another terp is writing to the run folder " + folder + "\n";
+  EXPECT_EQ(test::terp({"resume", folder}).err, refused);  // though there is no checkpoint yet
+  std::filesystem::remove(folder + "/case.toml");
+  EXPECT_EQ(test::terp({"resume", folder}).err, refused);
 }
 
 }  // namespace

@@ -80,6 +80,10 @@ const Change doubts[] = {
      "case.toml:8:10: the hole lies outside the body\n\n    8 | holes = [[[0, 2.5], [1, 2.5], [1, 3]]]\n      |        "
      "  "
      "^^^^^^^^^^^^^^^^^^^^^^^^^^^^\n  It covers y = 2.5 to 3 m, the body y = 0 to 2 m.\n"},
+    {"[material.clay]",
+     "velocity = [1.0, 0.0]\n[initial]\nstress = \"equilibrium\"\n[forces]\ngravity = [0.0, -9.81]\n[material.clay]",
+     "case.toml:9:1: `velocity` has no effect\n\n    9 | velocity = [1.0, 0.0]\n      | ^^^^^^^^\n  With initial.stress = "
+     "\"equilibrium\" all soil is at rest at t = 0;"},
     {"[time]", "[initial]\nlimit = 0.5\n[time]", "It counts with stress = \"equilibrium\" only."},
     {"[time]",
      "[material.rock]\nmodel = \"linear_elastic\"\ndensity = 2000\nshear_modulus = 1e7\npoisson_ratio = 0.3\n[time]",

@@ -23,6 +23,12 @@ using testing::HasSubstr;
 
 RunWriterSettings settings_for(const std::string& folder) { return {folder, {"model_2", "title = \"column\"\n"}, 2}; }
 
+/// A run in a folder that goes on from a step of its files.
+std::unique_ptr<RunWriter> resume_in(const std::string& folder, const ResumePoint& from)
+{
+  return RunWriter::resume(settings_for(folder), FolderLock(folder), from);
+}
+
 /// What a run shows at output k: rows, frame, then the checkpoint of step 100 k at time 0.1 k.
 void write_outputs(RunWriter& writer, int first, int last)
 {
@@ -70,7 +76,7 @@ TEST(RunWriter, AResumedRunEndsInTheSameTablesAsOneInOneGo)
   write_outputs(*RunWriter::start(settings_for(resumed.path()), false), 0, 4);
   std::filesystem::remove(path_in(resumed.path(), checkpoint_file(400)));
   const StateImage image = newest_good_checkpoint(resumed.path()).image.value();
-  write_outputs(*RunWriter::resume(settings_for(resumed.path()), image.step, image.time), 4, 5);
+  write_outputs(*resume_in(resumed.path(), {.step = image.step, .time = image.time}), 4, 5);
   for (const char* name : {"history.csv", "ledger.csv", "case.toml"}) {
     EXPECT_EQ(read_file(path_in(resumed.path(), name)), read_file(path_in(one_go.path(), name))) << name;
   }
@@ -85,8 +91,34 @@ TEST(RunWriter, ResumingDropsTheCheckpointsOfTheAbandonedSteps)
 {
   const test::ScratchFolder scratch;
   write_outputs(*RunWriter::start(settings_for(scratch.path()), false), 0, 3);
-  RunWriter::resume(settings_for(scratch.path()), 200, 0.2);
+  resume_in(scratch.path(), {.step = 200, .time = 0.2});
   EXPECT_EQ(newest_good_checkpoint(scratch.path()).image->step, 200);
+}
+
+TEST(RunWriter, DoesNotResumeWhereAFileIsMissingOrTooShort)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path();
+  write_outputs(*RunWriter::start(settings_for(folder), false), 0, 3);
+  const ResumePoint from{.step = 200, .time = 0.2, .n_frames = 3, .n_history_rows = 6, .n_ledger_rows = 3};
+  const std::string ledger = read_file(folder + "/ledger.csv"), head = "cannot resume from step 200, t = 0.2 s, without all of " + folder;
+  const std::string advice = "\n  Put the file back, resume from an earlier checkpoint, or start the case anew: terp run " + folder + "/case.toml -o NEW_FOLDER";
+
+  ResumePoint more = from;
+  more.n_history_rows = 7;
+  EXPECT_EQ(file_error_of([&] { resume_in(folder, more); }), head + "/history.csv: it holds 6 rows up to there, 7 are due" + advice);
+  more = from;
+  more.n_frames = 4;
+  EXPECT_EQ(file_error_of([&] { resume_in(folder, more); }), head + "/results.vtkhdf: it holds 3 frames up to there, 4 are due" + advice);
+  more = from;
+  more.n_left_rows = 1;
+  EXPECT_EQ(file_error_of([&] { resume_in(folder, more); }), head + "/left_the_mesh.csv: it is missing" + advice);
+  std::filesystem::remove(folder + "/history.csv");
+  EXPECT_EQ(file_error_of([&] { resume_in(folder, from); }), head + "/history.csv: it is missing" + advice);
+  std::filesystem::remove(folder + "/results.vtkhdf");
+  EXPECT_EQ(file_error_of([&] { resume_in(folder, from); }), head + "/results.vtkhdf: it is missing" + advice);
+  EXPECT_EQ(read_file(folder + "/ledger.csv"), ledger);
+  EXPECT_EQ(newest_good_checkpoint(folder).image->step, 300);
 }
 
 TEST(RunWriter, ForceReplacesTheEarlierRun)
@@ -105,7 +137,7 @@ TEST(RunWriter, TwoAtOnceInOneFolderAreRefused)
   const test::ScratchFolder scratch;
   const auto writer = RunWriter::start(settings_for(scratch.path()), false);
   EXPECT_THAT(file_error_of([&] { RunWriter::start(settings_for(scratch.path()), true); }), HasSubstr("another terp"));
-  EXPECT_THAT(file_error_of([&] { RunWriter::resume(settings_for(scratch.path()), 0, 0.0); }),
+  EXPECT_THAT(file_error_of([&] { resume_in(scratch.path(), {}); }),
               HasSubstr("another terp"));
 }
 
@@ -132,7 +164,7 @@ TEST(RunWriter, ARunResumedAtItsStartShowsTheStartOnce)
 {
   const test::ScratchFolder scratch;
   write_outputs(*RunWriter::start(settings_for(scratch.path()), false), 0, 0);
-  write_outputs(*RunWriter::resume(settings_for(scratch.path()), 0, 0.0), 0, 0);
+  write_outputs(*resume_in(scratch.path(), {}), 0, 0);
   EXPECT_EQ(read_file(scratch.path() + "/ledger.csv"),
             std::string(ledger_header) + "\n" + csv_line(sample_ledger(0.0)));
   const Hdf5File file(path_in(scratch.path(), results_file), Hdf5File::Mode::read);

@@ -72,6 +72,18 @@ TEST(TableCsv, ALastRowThatWasCutShortIsDropped)
   EXPECT_EQ(read_file(path), std::string(ledger_header) + "\n" + csv_line(sample_ledger(0.1)));
 }
 
+TEST(TableCsv, CountsTheWholeRowsUpToATime)
+{
+  const test::ScratchFolder folder;
+  const std::string path = folder.path() + "/ledger.csv";
+  EXPECT_EQ(count_rows_until(path, ledger_header, 1.0), 0);
+  AppendFile table = open_table(path, ledger_header);
+  for (const Real time : {0.1, 0.2, 0.3}) table.append(csv_line(sample_ledger(time)));
+  table.append("0.4,100,1.2");
+  EXPECT_EQ(count_rows_until(path, ledger_header, 0.2), 2);
+  EXPECT_EQ(count_rows_until(path, ledger_header, 0.4), 3);
+}
+
 TEST(TableCsv, ATableOfOtherColumnsIsRefused)
 {
   const test::ScratchFolder folder;

@@ -116,6 +116,16 @@ TEST(Vtkhdf, TruncatingDropsTheLaterFramesAndAppendingGoesOnThere)
   EXPECT_THAT(file.shape("/VTKHDF/PointData/su"), ElementsAre(20));
 }
 
+TEST(Vtkhdf, CountsTheFramesUpToAStep)
+{
+  const test::ScratchFolder folder;
+  EXPECT_EQ(ResultsFile(folder.path() + "/none").count_until(100), 0);
+  const ResultsFile results(write_frames(folder.path(), 0, 4));
+  EXPECT_EQ(results.count_until(99), 1);
+  EXPECT_EQ(results.count_until(100), 2);
+  EXPECT_EQ(results.count_until(1000), 5);
+}
+
 TEST(Vtkhdf, TheFrameOfTheStepItselfStays)
 {
   const test::ScratchFolder folder;

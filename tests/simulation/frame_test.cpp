@@ -131,5 +131,22 @@ TEST(History, HoldsOneRowForEachNamedPointInTheOrderOfTheCase)
   EXPECT_LT(rows[1].pressure, -1000.0);  // tension positive: compressed at the toe
 }
 
+TEST(History, OfAPointThatLeftKeepsItsNameAndThePlaceWhereItLeft)
+{
+  Simulation s(test::column("mpm_gp"));
+  s.model.description.output.history_points = {{"A", {7.6, 0.07}}};
+  s.model.history_ids = {5000};  // not among the points
+  s.state.left.push_back({.time = 0.2, .id = 5000, .x = {9.5, 0.25}, .v = {1.0, 0.0}, .mass = 2.0});
+  s.state.time = 0.3;
+  const auto rows = make_history(s.model, s.state);
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].time, 0.3);
+  EXPECT_EQ(rows[0].point, "A");
+  EXPECT_EQ(rows[0].id, 5000);
+  EXPECT_EQ(rows[0].x, 9.5);
+  EXPECT_EQ(rows[0].y, 0.25);
+  EXPECT_TRUE(std::isnan(rows[0].pressure) && std::isnan(rows[0].eps_eq_p) && std::isnan(rows[0].su));
+}
+
 }  // namespace
 }  // namespace terp

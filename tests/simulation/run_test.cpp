@@ -34,6 +34,14 @@ TEST(Due, NothingIsDueWithoutAnInterval)
   for (std::int64_t step = 0; step < 5; ++step) EXPECT_FALSE(due(step, 0.3, 0.0));
 }
 
+TEST(Due, IsCountedFromStepZero)
+{
+  EXPECT_EQ(count_due(0, 0.3, 1.0), 1);
+  EXPECT_EQ(count_due(9, 0.3, 1.0), 3);
+  EXPECT_EQ(count_due(10, 0.3, 1.0), 4);
+  EXPECT_EQ(count_due(10, 0.3, 0.0), 0);
+}
+
 /// Keeps the steps at which it was called, and may ask for a stop.
 struct Recorder : Observer {
   std::vector<std::int64_t> frames, ledgers, checkpoints;

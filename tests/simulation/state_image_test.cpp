@@ -108,5 +108,12 @@ TEST(StateImage, OfAnotherCaseIsRefused)
                   "the checkpoint does not fit this case: a point lies in a cell or has a material that the case does not have"));
 }
 
+TEST(StateImage, TellsHowManyPointsTheRunBeganWith)
+{
+  const test::Simulation s(test::column("mpm_gp"));
+  EXPECT_EQ(count_points(make_image(s.state)), 1600);
+  EXPECT_THROW(count_points(StateImage{}), FileError);
+}
+
 }  // namespace
 }  // namespace terp

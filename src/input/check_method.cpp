@@ -1,0 +1,66 @@
+#include "input/check_method.hpp"
+
+#include "schemes/scheme_info.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace terp {
+namespace {
+
+using Problems = std::vector<Problem>;
+
+const SchemeInfo* find_scheme(std::string_view name)
+{
+  for (const SchemeInfo& scheme : all_schemes())
+    if (scheme.name == name) return &scheme;
+  return nullptr;
+}
+
+Problem no_effect(const std::string& option, std::string why)
+{
+  const std::string path = "method." + option;
+  return {path, fmt::format("`{}` has no effect", option), std::move(why), path, true, {"scheme"}};
+}
+
+void check_unused(const Node& method, const SchemeInfo& scheme, Problems& warnings)
+{
+  for (const Node& option : method.items)
+    if (!looks_at(scheme, option.name))
+      warnings.push_back(no_effect(option.name, fmt::format("The scheme {} does not look at it.", scheme.name)));
+}
+
+/// Eq. (4) and the strain with different operators: the force does not do the work of the stress (readings R4, R5).
+void check_operators(const Node& method, const MethodOptions& options, Problems& warnings)
+{
+  const bool force_b_bar = options.force_operator == ForceOperator::b_bar;
+  if (force_b_bar == options.b_bar) return;
+  const bool force_is_set = find_item(method, "force_operator") != nullptr;
+  warnings.push_back({force_is_set ? "method.force_operator" : "method.b_bar",
+                      "`force_operator` and `b_bar` do not fit together",
+                      fmt::format("The force takes {}, the strain {}: energy is made or lost. Use b_bar = true with "
+                                  "force_operator = \"b_bar\",\nor false with \"b\" (docs/methods.md, section 7).",
+                                  force_b_bar ? "B-bar" : "B", options.b_bar ? "B-bar" : "B"),
+                      "method", false, {"method.b_bar"}});
+}
+
+void check_relaxation(const Node& method, const MethodOptions& options, Problems& warnings)
+{
+  if (find_item(method, "pressure_relaxation") != nullptr && options.point_pressure != PointPressure::relax)
+    warnings.push_back(no_effect("pressure_relaxation", "It counts with point_pressure = \"relax\" only."));
+}
+
+}  // namespace
+
+void check_method(const Node& root, const Case& values, Problems& warnings)
+{
+  const Node* method = find_item(root, "method");
+  const SchemeInfo* scheme = find_scheme(values.scheme);
+  if (method == nullptr || method->kind != NodeKind::table || scheme == nullptr) return;
+  check_unused(*method, *scheme, warnings);
+  if (looks_at(*scheme, "b_bar") && looks_at(*scheme, "force_operator")) check_operators(*method, values.method, warnings);
+  if (looks_at(*scheme, "pressure_relaxation")) check_relaxation(*method, values.method, warnings);
+}
+
+}  // namespace terp
