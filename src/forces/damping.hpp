@@ -14,7 +14,7 @@ struct Damping {
 };
 
 /// Force that damping adds to one component of the out-of-balance force R of a node: local (Cundall) -alpha |R| sign(v), with
-/// no force where v = 0 (hazard 8), and viscous -c m v. v: before the update.
+/// no force where v = 0, and viscous -c m v. v: before the update.
 inline Real damping_force(const Damping& damping, Real out_of_balance, Real mass, Real v)
 {
   const Real local = v == 0.0 ? 0.0 : -damping.local * std::copysign(std::abs(out_of_balance), v);

@@ -1,4 +1,4 @@
-// Refuses a mesh on which the method would not work: hazard 6, and every fault that loses a point or a force.
+// Refuses a mesh on which the method would not work: a cell turned inside out, and every fault that loses a point or a force.
 // Not for: how good a mesh is that does work (mesh_quality.hpp), or what is wrong with a file (gmsh_file.hpp).
 #pragma once
 

@@ -5,7 +5,7 @@
 
 namespace terp {
 
-/// A place is accepted in a cell when its local coordinates are within 1 + this (hazard 5).
+/// A place is accepted in a cell when its local coordinates are within 1 + this.
 inline constexpr Real location_tolerance = 1e-10;
 
 struct Location {

@@ -9,7 +9,7 @@ namespace terp {
 /// What became of a point that left its cell.
 enum class Moved {
   inside,    ///< it is in its new cell
-  put_back,  ///< it was outside the mesh and is back on the wall that it crossed (hazard 5)
+  put_back,  ///< it was outside the mesh and is back on the wall that it crossed
   left,      ///< it crossed an open side and is no longer among the points
 };
 

@@ -71,7 +71,7 @@ struct MaterialCase {
 };
 
 struct SideCase {
-  std::string side;  ///< of the mesh: "left", "right", "bottom", "top" of the built-in rectangle
+  std::string side;  ///< of the mesh: "left", "right", "bottom", "top", a name of mesh.edges, or a physical group of the file
   SideKind kind = SideKind::free;
   Real adhesion = 0.0;          ///< a [Pa]
   Real friction = 0.0;          ///< tangent of the contact friction angle [-]

@@ -8,7 +8,7 @@
 
 namespace terp {
 
-/// Points that may be put back at walls before the run stops, as a part of all (hazard 5) [-].
+/// Points that may be put back at walls before the run stops, as a part of all [-].
 inline constexpr Real most_clamped = 1e-3;
 
 /// The message for values that are not numbers: where, how fast before, the likely cause. speed: 99.9 % quantile [m/s].

@@ -19,13 +19,13 @@ void set_weights(const CellGeometry<2>& cell, const std::array<Real, 4>& cell_vo
 /// Turns the sums into means, Eq. (1). An empty sub-cell takes the block's mean (reading R8).
 void divide_by_volume(int n_state, GaussValues<2>& gauss);
 
-/// p_e by Eq. (2) and sigma_hat by Eq. (3). Returns true if p_e was cut to the tension limit (hazard 3).
+/// p_e by Eq. (2) and sigma_hat by Eq. (3). Returns true if p_e was cut to the tension limit.
 bool smooth_pressure(bool part_filled, const MethodOptions& method, GaussValues<2>& gauss);
 
 /// Replaces state variable k at all Gauss points by its mean over the cell with the weights of Eq. (2).
 void average_state_over_cell(int k, GaussValues<2>& gauss);
 
-/// How far a cell counts as filled: 0 part-filled, 1 filled, between only with a blend (hazard 4).
+/// How far a cell counts as filled: 0 part-filled, 1 filled, between only with a blend.
 Real filled_share(const CellGeometry<2>& cell, Real volume, const MethodOptions& method);
 
 }  // namespace terp

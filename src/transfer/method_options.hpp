@@ -16,7 +16,7 @@ enum class ObjectiveRate { none, jaumann };            ///< reading R17
 struct MethodOptions {
   Weights weights = Weights::hybrid;
   Real filled_fraction = 0.9;   ///< a cell is filled when its points fill at least this part of it, R3 [-]
-  Real filled_blend = 0.0;      ///< half width of a linear blend about filled_fraction, hazard 4 [-]
+  Real filled_blend = 0.0;      ///< half width of a linear blend about filled_fraction [-]
   bool b_bar = true;            ///< volumetric strain of the cell centre at all Gauss points, R5
   ForceOperator force_operator = ForceOperator::b_bar;
   PointPressure point_pressure = PointPressure::cell;
@@ -24,7 +24,7 @@ struct MethodOptions {
   StateAveraging state_averaging = StateAveraging::as_declared;
   ObjectiveRate objective_rate = ObjectiveRate::none;
   Real flip = 1.0;              ///< 1: pure FLIP, 0: pure PIC [-]
-  Real tension_limit = std::numeric_limits<Real>::infinity();  ///< largest p_e of a part-filled cell, hazard 3 [Pa]
+  Real tension_limit = std::numeric_limits<Real>::infinity();  ///< largest p_e of a part-filled cell [Pa]
   Real small_mass = 1e-9;       ///< nodes lighter than this times rho V_e keep v = a = 0 [-]
 };
 

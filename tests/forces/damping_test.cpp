@@ -22,7 +22,7 @@ TEST(Damping, LocalLetsAFallingBodySeeNineTenthsOfGravity)
   EXPECT_DOUBLE_EQ((weight + damping_force({.local = 0.1}, weight, m, -3.0)) / m, -0.9 * 9.81);
 }
 
-TEST(Damping, NothingDampsANodeAtRest)  // hazard 8
+TEST(Damping, NothingDampsANodeAtRest)
 {
   EXPECT_EQ(damping_force({.local = 0.7}, 50.0, 3.0, 0.0), 0.0);
   EXPECT_EQ(damping_force({.local = 0.7, .viscous = 0.5}, 50.0, 3.0, -0.0), 0.0);

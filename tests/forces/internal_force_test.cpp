@@ -131,7 +131,7 @@ Real largest_inner_force(ForceOperator op, Real p, Real share)
   return largest;
 }
 
-TEST(InternalForce, Eq4_UniformPressureOverUnevenSubCellsGivesNoInteriorForce)  // hazard 1
+TEST(InternalForce, Eq4_UniformPressureOverUnevenSubCellsGivesNoInteriorForce)
 {
   EXPECT_LT(largest_inner_force(ForceOperator::b_bar, -1e4, 0.0), 1e-10);
   EXPECT_LT(largest_inner_force(ForceOperator::b_bar, -1e4, 0.3), 1e-10);

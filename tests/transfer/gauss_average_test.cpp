@@ -148,7 +148,7 @@ TEST(Weights, ObeyTheOptions)
   EXPECT_THAT(part.gauss.weight, Each(DoubleEq(1.0)));
 }
 
-TEST(Weights, TheBlendRunsLinearlyBetweenTheTwoWeights)  // hazard 4: 0.85 to 0.95
+TEST(Weights, TheBlendRunsLinearlyBetweenTheTwoWeights)  // 0.85 to 0.95
 {
   const MethodOptions method{.filled_blend = 0.05};
   const auto cell = make_rectangle({0.0, 0.0}, {2.0, 2.0}, {1, 1}).geometry(0);
@@ -226,7 +226,7 @@ TEST(SmoothPressure, KeepsTheMeanStressOfTheCell)
   EXPECT_NEAR(total(), before, 1e-12);
 }
 
-TEST(SmoothPressure, CutsTensionInPartFilledCellsOnly)  // hazard 3
+TEST(SmoothPressure, CutsTensionInPartFilledCellsOnly)
 {
   const MethodOptions method{.tension_limit = 2.0};
   auto gauss = uneven_gauss();
