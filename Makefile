@@ -7,7 +7,7 @@ CASES    = cases/column_collapse
 PYTHON   = PYTHONPATH=python /usr/bin/python3
 
 .DEFAULT_GOAL := help
-.PHONY: help install build demo test clean
+.PHONY: help install build demo test verify accept clean
 
 help:            ## this list
 	@echo "Terp: explicit material point method for soil that softens and fails"
@@ -30,10 +30,20 @@ demo: build      ## run the paper's models with both schemes, draw figures 1 to 
 	@$(PYTHON) -m terp.table $(RUNS)/model_1_mixed $(RUNS)/model_1_gp $(RUNS)/model_2_mixed $(RUNS)/model_2_gp
 	@echo "figures in $(FIGURES)/, runs in $(RUNS)/"
 
-test: install    ## install, build and run all tests
+test: install    ## install, build and run the tests
 	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null
 	@cmake --build $(BUILD)
-	@ctest --test-dir $(BUILD) --output-on-failure -j 2
+	@ctest --test-dir $(BUILD) --output-on-failure -j 2 -LE verify
+
+verify: install  ## what takes minutes: other meshes, a turned frame, the dike
+	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null
+	@cmake --build $(BUILD)
+	@ctest --test-dir $(BUILD) --output-on-failure -L verify -V
+
+accept: build    ## write what CASE=column_collapse gives now into its expected.toml
+	@$(PYTHON) tests/cases/check_expected.py $(TERP) cases/$(CASE) --accept
+	@$(PYTHON) tests/cases/check_expected.py $(TERP) cases/$(CASE) --long --accept
+	@git diff --stat cases/$(CASE)
 
 clean:           ## remove the build folder
 	@rm -rf $(BUILD)

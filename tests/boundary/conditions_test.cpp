@@ -76,6 +76,28 @@ TEST(DrivenSide, TakesThePrescribedVelocityEverywhereAlsoInItsCorners)
   }
 }
 
+TEST(FreePart, LeavesOutWhatTheSidesCarry)
+{
+  const Boundary boundary(inclined_mesh(), {{.side = "base", .hold = Hold::contact}});
+  const Vec<2> weight{0.0, -10.0}, left = boundary.free_part(2, weight, weight);  // node 2: only the edge of slope 1 : 2
+  EXPECT_THAT(left, ElementsAre(DoubleNear(-4.0, 1e-14), DoubleNear(-2.0, 1e-14)));
+  EXPECT_THAT(boundary.free_part(4, weight, weight), ElementsAre(0.0, -10.0));
+}
+
+TEST(FreePart, IsNothingWhereANodeIsHeldInAllDirections)
+{
+  const Boundary fixed(mesh_3x2(), {{.side = "bottom", .hold = Hold::all}}), corner(mesh_3x2(), {{.side = "bottom"}, {.side = "left"}});
+  EXPECT_THAT(fixed.free_part(2, {3.0, 4.0}, {3.0, 4.0}), ElementsAre(0.0, 0.0));
+  EXPECT_THAT(corner.free_part(0, {3.0, 4.0}, {3.0, 4.0}), ElementsAre(0.0, 0.0));
+}
+
+TEST(FreePart, IsAllWhereTheSoilPullsOffASeparatingContact)
+{
+  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::separating}});
+  EXPECT_THAT(boundary.free_part(2, {3.0, 4.0}, {0.0, 1.0}), ElementsAre(3.0, 4.0));
+  EXPECT_THAT(boundary.free_part(2, {3.0, 4.0}, {0.0, -1.0}), ElementsAre(3.0, 0.0));
+}
+
 TEST(ContactPlane, TheTangentialImpulseIsAtMostAdhesionTimesLength)
 {
   const Real a = 6e3;
