@@ -19,7 +19,7 @@ from terp.maps import SIDES, colour_limit, frame_at, lattice_spacing
 from terp.pairs import SCHEME_TITLES
 from terp.run import Run, RunError
 
-LEFT, RIGHT, GAP = 9.0, 2.5, 4.0          # margins and space between the columns [mm]
+LEFT, RIGHT, GAP = 11.0, 2.5, 4.0          # margins and space between the columns [mm]
 TOP, ROW_GAP, BELOW, BAR, BAR_TEXT = 5.0, 4.0, 9.5, 2.6, 12.0  # title, between rows, x axis, bar, its text [mm]
 
 

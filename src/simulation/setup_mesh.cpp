@@ -2,9 +2,9 @@
 
 #include "base/errors.hpp"
 #include "mesh/check_mesh.hpp"
-#include "mesh/generate.hpp"
-#include "mesh/gmsh_file.hpp"
-#include "mesh/structured.hpp"
+#include "meshing/generate.hpp"
+#include "meshing/gmsh_file.hpp"
+#include "meshing/structured.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "input/case_file.hpp"
 #include "input/key_text.hpp"
-#include "mesh/structured.hpp"
+#include "meshing/structured.hpp"
 #include "schemes/scheme_info.hpp"
 
 #include <gmock/gmock.h>

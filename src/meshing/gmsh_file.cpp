@@ -1,7 +1,7 @@
-#include "mesh/gmsh_file.hpp"
+#include "meshing/gmsh_file.hpp"
 
 #include "mesh/check_mesh.hpp"
-#include "mesh/msh_content.hpp"
+#include "meshing/msh_content.hpp"
 
 #include <algorithm>
 #include <cmath>

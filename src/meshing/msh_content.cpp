@@ -1,9 +1,9 @@
 // The format: gmsh reference manual, "MSH file format" (4.1) and "MSH file format version 2 (Legacy)". Section by section, each
 // read by one body for text and bytes. Sections that Terp does not use are passed over.
 
-#include "mesh/msh_content.hpp"
+#include "meshing/msh_content.hpp"
 
-#include "mesh/msh_scanner.hpp"
+#include "meshing/msh_scanner.hpp"
 
 #include <algorithm>
 #include <cmath>

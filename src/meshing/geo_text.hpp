@@ -2,8 +2,8 @@
 // Not for: running gmsh. generate.hpp does.
 #pragma once
 
-#include "mesh/planar_map.hpp"
-#include "mesh/polygon_mesh.hpp"
+#include "meshing/planar_map.hpp"
+#include "meshing/polygon_mesh.hpp"
 
 #include <string>
 

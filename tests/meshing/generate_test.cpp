@@ -1,12 +1,12 @@
 // Meshes that gmsh makes from polygons: quadrilaterals only, sides named, sizes as asked, the same bytes each time.
 // What needs gmsh is skipped where it is not installed.
 
-#include "mesh/generate.hpp"
+#include "meshing/generate.hpp"
 
 #include "mesh/check_mesh.hpp"
-#include "mesh/gmsh_file.hpp"
+#include "meshing/gmsh_file.hpp"
 #include "mesh/mesh_quality.hpp"
-#include "mesh/process.hpp"
+#include "meshing/process.hpp"
 #include "support/environment.hpp"
 #include "support/paths.hpp"
 

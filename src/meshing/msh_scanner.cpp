@@ -1,4 +1,4 @@
-#include "mesh/msh_scanner.hpp"
+#include "meshing/msh_scanner.hpp"
 
 #include "mesh/mesh_error.hpp"
 

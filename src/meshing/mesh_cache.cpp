@@ -1,4 +1,4 @@
-#include "mesh/mesh_cache.hpp"
+#include "meshing/mesh_cache.hpp"
 
 #include "base/errors.hpp"
 

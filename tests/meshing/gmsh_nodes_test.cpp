@@ -1,6 +1,6 @@
 // Nodes and quadrilaterals in the bytes that gmsh writes; here written by hand.
 
-#include "mesh/gmsh_nodes.hpp"
+#include "meshing/gmsh_nodes.hpp"
 
 #include "mesh/mesh_error.hpp"
 

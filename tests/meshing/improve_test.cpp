@@ -1,6 +1,6 @@
 // Moving nodes so that the worst cells grow.
 
-#include "mesh/improve.hpp"
+#include "meshing/improve.hpp"
 
 #include "support/meshes.hpp"
 

@@ -1,4 +1,4 @@
-#include "mesh/planar_map.hpp"
+#include "meshing/planar_map.hpp"
 
 #include "mesh/mesh_error.hpp"
 

@@ -1,6 +1,6 @@
 // Other programs: their output, their status, their end.
 
-#include "mesh/process.hpp"
+#include "meshing/process.hpp"
 
 #include <chrono>
 #include <csignal>

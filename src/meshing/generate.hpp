@@ -2,7 +2,7 @@
 // Not for: reading the mesh. gmsh_file.hpp does.
 #pragma once
 
-#include "mesh/polygon_mesh.hpp"
+#include "meshing/polygon_mesh.hpp"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // Damaged gmsh files, thousands of them: each gives a mesh that passes the checks, or a MeshError. Never a crash, never a hang.
 
 #include "mesh/check_mesh.hpp"
-#include "mesh/gmsh_file.hpp"
+#include "meshing/gmsh_file.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
 
@@ -16,7 +16,7 @@ const std::string formats[] = {"41", "41_binary", "22", "22_binary"};
 
 std::string bytes_of_file(const std::string& format)
 {
-  std::ifstream file(test::source_path("tests/mesh/data/two_layers_" + format + ".msh"), std::ios::binary);
+  std::ifstream file(test::source_path("tests/meshing/data/two_layers_" + format + ".msh"), std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
   return std::move(text).str();

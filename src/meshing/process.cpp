@@ -1,4 +1,4 @@
-#include "mesh/process.hpp"
+#include "meshing/process.hpp"
 
 #include "base/errors.hpp"
 

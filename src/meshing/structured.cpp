@@ -1,4 +1,4 @@
-#include "mesh/structured.hpp"
+#include "meshing/structured.hpp"
 
 #include "mesh/mesh_error.hpp"
 

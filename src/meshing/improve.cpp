@@ -1,4 +1,4 @@
-#include "mesh/improve.hpp"
+#include "meshing/improve.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Real files of gmsh in all four formats, names of sides and regions, and what cannot be a mesh for Terp.
 
-#include "mesh/gmsh_file.hpp"
+#include "meshing/gmsh_file.hpp"
 
-#include "mesh/msh_text.hpp"
+#include "meshing/msh_text.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
 
@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 const std::string formats[] = {"41", "41_binary", "22", "22_binary"};
 
-Mesh<2> read_two_layers(const std::string& format) { return read_gmsh(test::source_path("tests/mesh/data/two_layers_" + format + ".msh")); }
+Mesh<2> read_two_layers(const std::string& format) { return read_gmsh(test::source_path("tests/meshing/data/two_layers_" + format + ".msh")); }
 
 Real length_of_side(const Mesh<2>& mesh, const NamedSide& side)
 {

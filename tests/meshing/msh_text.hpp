@@ -1,7 +1,7 @@
 // Small gmsh files made by hand, for tests of the reader.
 #pragma once
 
-#include "mesh/gmsh_file.hpp"
+#include "meshing/gmsh_file.hpp"
 
 #include <cstring>
 #include <gmock/gmock.h>

@@ -1,8 +1,8 @@
 // Reading the sections of gmsh's files: what is understood, and where a malformed file goes wrong, by line or byte.
 
-#include "mesh/msh_content.hpp"
+#include "meshing/msh_content.hpp"
 
-#include "mesh/msh_text.hpp"
+#include "meshing/msh_text.hpp"
 
 namespace terp {
 namespace {

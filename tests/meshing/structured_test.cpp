@@ -1,6 +1,6 @@
 // Graded and mapped rectangles: sizes, exact shear, places on curved sides, names.
 
-#include "mesh/structured.hpp"
+#include "meshing/structured.hpp"
 
 #include "mesh/check_mesh.hpp"
 

@@ -1,8 +1,8 @@
 // Numbers of a mesh file as text and as bytes, and the place where reading stands.
 
-#include "mesh/msh_scanner.hpp"
+#include "meshing/msh_scanner.hpp"
 
-#include "mesh/msh_text.hpp"
+#include "meshing/msh_text.hpp"
 
 namespace terp {
 namespace {

@@ -1,4 +1,4 @@
-#include "mesh/geo_text.hpp"
+#include "meshing/geo_text.hpp"
 
 #include "mesh/mesh_error.hpp"
 

@@ -1,6 +1,6 @@
 // Where generated meshes are kept.
 
-#include "mesh/mesh_cache.hpp"
+#include "meshing/mesh_cache.hpp"
 
 #include "support/environment.hpp"
 #include "support/paths.hpp"

@@ -1,11 +1,11 @@
-#include "mesh/generate.hpp"
+#include "meshing/generate.hpp"
 
-#include "mesh/geo_text.hpp"
-#include "mesh/gmsh_nodes.hpp"
-#include "mesh/improve.hpp"
-#include "mesh/mesh_cache.hpp"
+#include "meshing/geo_text.hpp"
+#include "meshing/gmsh_nodes.hpp"
+#include "meshing/improve.hpp"
+#include "meshing/mesh_cache.hpp"
 #include "mesh/mesh_error.hpp"
-#include "mesh/process.hpp"
+#include "meshing/process.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // Polygons cut by outlines: how many faces, their area, and what is refused.
 
-#include "mesh/planar_map.hpp"
+#include "meshing/planar_map.hpp"
 
 #include "mesh/mesh_error.hpp"
 #include "support/random.hpp"

@@ -1,4 +1,4 @@
-#include "mesh/gmsh_nodes.hpp"
+#include "meshing/gmsh_nodes.hpp"
 
 #include "mesh/mesh_error.hpp"
 

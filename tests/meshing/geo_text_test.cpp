@@ -1,6 +1,6 @@
 // The script for gmsh, line by line, and the size that it asks for.
 
-#include "mesh/geo_text.hpp"
+#include "meshing/geo_text.hpp"
 
 #include "mesh/mesh_error.hpp"
 
