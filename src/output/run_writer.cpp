@@ -15,6 +15,8 @@
 namespace terp {
 namespace {
 
+constexpr std::size_t most_waiting = 64;  // rows, mostly
+
 /// Throws FileError if a file holds fewer rows or frames than it must.
 void check_length(const std::string& path, const char* unit, std::int64_t n, std::int64_t n_due, const ResumePoint& from)
 {
@@ -45,7 +47,8 @@ RunWriter::RunWriter(RunWriterSettings settings, FolderLock lock)
       lock_(std::move(lock)),
       results_(path_in(settings_.folder, results_file)),
       history_(open_table(path_in(settings_.folder, history_file), history_header)),
-      ledger_(open_table(path_in(settings_.folder, ledger_file), ledger_header))
+      ledger_(open_table(path_in(settings_.folder, ledger_file), ledger_header)),
+      background_(most_waiting)
 {
 }
 
@@ -70,19 +73,46 @@ std::unique_ptr<RunWriter> RunWriter::resume(RunWriterSettings settings, FolderL
   return std::unique_ptr<RunWriter>(new RunWriter(std::move(settings), std::move(lock)));
 }
 
-void RunWriter::frame(const Frame& frame) { results_.append(frame); }
+RunWriter::~RunWriter() = default;
 
-void RunWriter::history(const std::vector<HistoryRow>& rows) { history_.append(csv_lines(rows)); }
+void RunWriter::frame(const std::shared_ptr<const Frame>& frame)
+{
+  if (!last_frame_.expired()) background_.finish();  // at most one waits: a frame of millions of points is large
+  last_frame_ = frame;
+  background_.add([this, frame] { results_.append(*frame); });
+}
 
-void RunWriter::ledger(const LedgerRow& row) { ledger_.append(csv_line(row)); }
+void RunWriter::history(const std::vector<HistoryRow>& rows)
+{
+  background_.add([this, rows] { history_.append(csv_lines(rows)); });
+}
+
+void RunWriter::ledger(const LedgerRow& row)
+{
+  background_.add([this, row] { ledger_.append(csv_line(row)); });
+}
 
 void RunWriter::left(const std::vector<LeftPoint>& points)
+{
+  background_.add([this, points] { append_left(points); });
+}
+
+void RunWriter::checkpoint(const std::shared_ptr<const StateImage>& image)
+{
+  if (!last_image_.expired()) background_.finish();
+  last_image_ = image;
+  background_.add([this, image] { write_checkpoint_file(*image); });
+}
+
+void RunWriter::finish() { background_.finish(); }
+
+void RunWriter::append_left(const std::vector<LeftPoint>& points)
 {
   if (!left_) left_.emplace(open_table(path_in(settings_.folder, left_file), left_header));
   left_->append(csv_lines(points));
 }
 
-void RunWriter::checkpoint(const StateImage& image)
+void RunWriter::write_checkpoint_file(const StateImage& image)
 {
   for (const auto name : {results_file, history_file, ledger_file, left_file}) {  // on the disk before what relies on them
     const std::string path = path_in(settings_.folder, name);
@@ -92,8 +122,9 @@ void RunWriter::checkpoint(const StateImage& image)
   remove_old_checkpoints(settings_.folder, settings_.checkpoint_keep);
 }
 
-std::string RunWriter::write_failed(const StateImage& image) const
+std::string RunWriter::write_failed(const StateImage& image)
 {
+  finish();
   const std::string path = path_in(settings_.folder, failed_file(image.step));
   write_checkpoint(path, image);
   return path;
@@ -108,8 +139,9 @@ std::string RunWriter::save_failed(const StateImage& image)
   }
 }
 
-void RunWriter::summary(const Summary& summary, bool finished) const
+void RunWriter::summary(const Summary& summary, bool finished)
 {
+  finish();
   write_summary(path_in(settings_.folder, summary_file), summary, finished, settings_.case_text);
 }
 

@@ -5,6 +5,7 @@
 #include "output/files.hpp"
 #include "output/run_folder.hpp"
 #include "output/vtkhdf.hpp"
+#include "parallel/background.hpp"
 #include "simulation/observer.hpp"
 #include "simulation/summary.hpp"
 
@@ -27,7 +28,9 @@ struct ResumePoint {
   std::int64_t n_frames = 0, n_history_rows = 0, n_ledger_rows = 0, n_left_rows = 0;
 };
 
-/// Each call writes to the disk before it returns; on failure it throws FileError and leaves what was there before.
+/// What is shown is written in the order in which it was shown, by a thread of its own, so that the run goes on meanwhile; `finish`
+/// waits for it. A write that failed leaves what was there before and throws FileError from a later call; nothing that was shown after
+/// it is written.
 ///
 /// Order that a resumed run relies on: at one step, the checkpoint comes after the frame and the rows of that step,
 /// and a resumed run does not write those of its first step again, unless that is step 0.
@@ -40,28 +43,39 @@ class RunWriter : public Observer {
   /// throws FileError and changes nothing. lock: of the run's folder.
   static std::unique_ptr<RunWriter> resume(RunWriterSettings settings, FolderLock lock, const ResumePoint& from);
 
-  void frame(const Frame& frame) override;
+  ~RunWriter() override;
+
+  void frame(const std::shared_ptr<const Frame>& frame) override;
   void history(const std::vector<HistoryRow>& rows) override;
   void ledger(const LedgerRow& row) override;
   void left(const std::vector<LeftPoint>& points) override;
-  void checkpoint(const StateImage& image) override;
+  void checkpoint(const std::shared_ptr<const StateImage>& image) override;
+
+  /// Returns when all is on the disk.
+  void finish();
 
   /// Keeps the state of a run that stopped itself, for a look at it; `resume` does not use it. Returns its path.
-  std::string write_failed(const StateImage& image) const;
+  std::string write_failed(const StateImage& image);
   /// The same for a run that is about to say why it stopped: does not throw, but returns why nothing was kept.
   std::string save_failed(const StateImage& image) override;
 
   /// summary.json. finished: the run reached its end time.
-  void summary(const Summary& summary, bool finished) const;
+  void summary(const Summary& summary, bool finished);
 
  private:
   RunWriter(RunWriterSettings settings, FolderLock lock);
+
+  void append_left(const std::vector<LeftPoint>& points);
+  void write_checkpoint_file(const StateImage& image);
 
   RunWriterSettings settings_;
   FolderLock lock_;
   ResultsFile results_;
   AppendFile history_, ledger_;
   std::optional<AppendFile> left_;  // from the first point on that leaves the mesh
+  std::weak_ptr<const Frame> last_frame_;
+  std::weak_ptr<const StateImage> last_image_;
+  Background background_;           // last: its tasks use the rest
 };
 
 }  // namespace terp

@@ -4,6 +4,7 @@
 #include "base/types.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -86,15 +87,16 @@ struct Progress {
   double eta_s;              ///< to the end
 };
 
-/// Called by the run, in the run's own thread. Times are those of the schedule (docs/formats.md).
+/// Called by the run, in the run's own thread. Times are those of the schedule (docs/formats.md). Frames and images are large: an
+/// observer may keep them after the call.
 class Observer {
  public:
   virtual ~Observer() = default;
-  virtual void frame(const Frame&) {}
+  virtual void frame(const std::shared_ptr<const Frame>&) {}
   virtual void history(const std::vector<HistoryRow>&) {}
   virtual void ledger(const LedgerRow&) {}
   virtual void left(const std::vector<LeftPoint>&) {}
-  virtual void checkpoint(const StateImage&) {}
+  virtual void checkpoint(const std::shared_ptr<const StateImage>&) {}
   virtual void progress(const Progress&) {}
   /// Keeps the state of a run that stopped itself; returns where it was saved, or nothing.
   virtual std::string save_failed(const StateImage&) { return {}; }

@@ -55,7 +55,7 @@ struct Loop {
     if (now(output.history_every)) tell([rows = make_history(model, state)](Observer& o) { o.history(rows); });
     if (now(output.fields_every)) {
       state.softened_fraction.emplace_back(state.time, softened_fraction(model, state));
-      tell([frame = make_frame(model, state)](Observer& o) { o.frame(frame); });
+      tell([frame = std::make_shared<const Frame>(make_frame(model, state))](Observer& o) { o.frame(frame); });
     }
     if (last || (state.step > 0 && due(state.step, model.dt, output.checkpoint_every))) write_checkpoint();
   }
@@ -80,7 +80,7 @@ struct Loop {
   {
     tell_left();
     state.wall_s = wall_before + seconds_since(start);
-    tell([image = make_image(state)](Observer& o) { o.checkpoint(image); });
+    tell([image = std::make_shared<const StateImage>(make_image(state))](Observer& o) { o.checkpoint(image); });
   }
 
   void tell_progress(bool last)

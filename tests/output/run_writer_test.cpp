@@ -37,9 +37,10 @@ void write_outputs(RunWriter& writer, int first, int last)
     image.time = 0.1 * k;
     writer.history(sample_history(0.1 * k));
     writer.ledger(sample_ledger(0.1 * k));
-    writer.frame(sample_frame(k));
-    writer.checkpoint(image);
+    writer.frame(std::make_shared<const Frame>(sample_frame(k)));
+    writer.checkpoint(std::make_shared<const StateImage>(image));
   }
+  writer.finish();
 }
 
 TEST(RunWriter, ANewRunHasItsCaseAndTheHeadersOfItsTables)
@@ -52,11 +53,12 @@ TEST(RunWriter, ANewRunHasItsCaseAndTheHeadersOfItsTables)
   EXPECT_EQ(read_file(folder + "/ledger.csv"), std::string(ledger_header) + "\n");
 }
 
-TEST(RunWriter, ARowIsInTheFileAsSoonAsItIsGiven)
+TEST(RunWriter, ARowIsInTheFileOnceTheWriterHasFinished)
 {
   const test::ScratchFolder scratch;
   const auto writer = RunWriter::start(settings_for(scratch.path()), false);
   writer->ledger(sample_ledger(0.5));
+  writer->finish();
   EXPECT_THAT(read_file(scratch.path() + "/ledger.csv"), testing::EndsWith(csv_line(sample_ledger(0.5))));
 }
 
@@ -196,9 +198,9 @@ TEST(RunWriter, OnAFullDiskEveryWriteFailsAndNothingEarlierIsHarmed)
   disk.fill();
   const std::vector<HistoryRow> many(1000, sample_history(0.2)[0]);
   const char* full = "No space left on device";
-  EXPECT_THAT(file_error_of([&] { writer->frame(sample_frame(2)); }), HasSubstr(full));
-  EXPECT_THAT(file_error_of([&] { writer->history(many); }), HasSubstr(full));
-  EXPECT_THAT(file_error_of([&] { writer->checkpoint(sample_image(200)); }), HasSubstr(full));
+  EXPECT_THAT(file_error_of([&] { writer->frame(std::make_shared<const Frame>(sample_frame(2))), writer->finish(); }), HasSubstr(full));
+  EXPECT_THAT(file_error_of([&] { writer->history(many), writer->finish(); }), HasSubstr(full));
+  EXPECT_THAT(file_error_of([&] { writer->checkpoint(std::make_shared<const StateImage>(sample_image(200))), writer->finish(); }), HasSubstr(full));
   EXPECT_THAT(file_error_of([&] { writer->summary(Summary{}, false); }), HasSubstr(full));
   EXPECT_THAT(read_file(folder + "/history.csv"), testing::EndsWith(csv_lines(sample_history(0.1))));
   EXPECT_EQ(newest_good_checkpoint(folder).image->step, 100);

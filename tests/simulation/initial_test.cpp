@@ -185,7 +185,7 @@ class StopsAfter {
 
 struct LastCheckpoint : Observer {
   StateImage image;
-  void checkpoint(const StateImage& now) override { image = now; }
+  void checkpoint(const std::shared_ptr<const StateImage>& now) override { image = *now; }
 };
 
 TEST(Equilibrium, ARunThatIsStoppedAnywhereAboutTheEndOfTheSearchGoesOnToTheSameBits)

@@ -52,7 +52,7 @@ struct Recorder : Observer {
   std::int64_t stop_after = -1;
   std::atomic<bool> stop{false};
 
-  void frame(const Frame& f) override { frames.push_back(f.step); }
+  void frame(const std::shared_ptr<const Frame>& f) override { frames.push_back(f->step); }
   void history(const std::vector<HistoryRow>& rows) override { histories.push_back(rows.at(0).time); }
   void ledger(const LedgerRow& row) override
   {
@@ -60,10 +60,10 @@ struct Recorder : Observer {
     last_row = row;
     if (row.step == stop_after) stop = true;
   }
-  void checkpoint(const StateImage& image) override
+  void checkpoint(const std::shared_ptr<const StateImage>& image) override
   {
-    checkpoints.push_back(image.step);
-    last_checkpoint = image;
+    checkpoints.push_back(image->step);
+    last_checkpoint = *image;
   }
   void progress(const Progress& p) override { progresses.push_back(p); }
 };

@@ -1,0 +1,61 @@
+// Background work: in order, errors to the next caller, nothing lost at the end.
+
+#include "parallel/background.hpp"
+
+#include <atomic>
+#include <gmock/gmock.h>
+#include <stdexcept>
+#include <vector>
+
+namespace terp {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(Background, DoesTheTasksInTheirOrder)
+{
+  std::vector<int> done;
+  Background background(2);
+  for (int k = 0; k < 5; ++k) background.add([&done, k] { done.push_back(k); });
+  background.finish();
+  EXPECT_THAT(done, ElementsAre(0, 1, 2, 3, 4));
+}
+
+TEST(Background, FinishesWhatItWasGivenBeforeItEnds)
+{
+  std::atomic<int> n{0};
+  {
+    Background background(100);
+    for (int k = 0; k < 50; ++k) background.add([&n] { ++n; });
+  }
+  EXPECT_EQ(n, 50);
+}
+
+TEST(Background, ThrowsTheErrorOfATaskAtTheNextCallAndDropsTheTasksBehindIt)
+{
+  std::atomic<bool> go{false}, behind{false};
+  Background background(8);
+  background.add([&] {
+    while (!go) std::this_thread::yield();
+    throw std::runtime_error("disk full");
+  });
+  background.add([&] { behind = true; });
+  go = true;
+  EXPECT_THROW(background.finish(), std::runtime_error);
+  background.finish();
+  EXPECT_FALSE(behind);
+}
+
+TEST(Background, MakesTheGiverWaitWhenTooMuchIsWaiting)
+{
+  std::atomic<int> started{0};
+  Background background(1);
+  for (int k = 0; k < 20; ++k) {
+    background.add([&] { ++started; });
+    EXPECT_GE(started, k - 1);  // one waits, one may be at work
+  }
+  background.finish();
+}
+
+}  // namespace
+}  // namespace terp
