@@ -2,6 +2,7 @@
 
 #include "commands.hpp"
 #include "input/case_file.hpp"
+#include "input/printable.hpp"
 #include "parallel/machine.hpp"
 #include "parallel/threads.hpp"
 #include "simulation/pass_costs.hpp"
@@ -102,7 +103,7 @@ std::vector<PassReport> report_passes(const Model& model, const State& state, co
 void print_text(const Model& model, const State& state, const Measurement& m, const Machine& machine, std::int64_t n_steps)
 {
   const double points = static_cast<double>(state.points.n_points()) * static_cast<double>(n_steps);
-  fmt::print("{}, {}, {} points, {} thread{}, {}, double\n", model.description.title, model.description.scheme, state.points.n_points(), model.threads,
+  fmt::print("{}, {}, {} points, {} thread{}, {}, double\n", printable(model.description.title), model.description.scheme, state.points.n_points(), model.threads,
              model.threads == 1 ? "" : "s", instruction_set());
   fmt::print("  {:.1f} M point-steps/s (median of 5 x {} steps; {:.1f} to {:.1f})\n", points / m.seconds / 1e6, n_steps, points / m.slowest / 1e6,
              points / m.fastest / 1e6);

@@ -2,6 +2,7 @@
 
 #include "commands.hpp"
 #include "input/case_file.hpp"
+#include "input/printable.hpp"
 #include "mesh/mesh_quality.hpp"
 #include "parallel/threads.hpp"
 #include "progress.hpp"
@@ -51,7 +52,7 @@ std::int64_t bytes_of(const Model& model, const State& state)
 void print_check(const CaseFile& file, const Model& model, State& state)
 {
   const Mesh<2>& mesh = model.mesh;
-  fmt::print("{}\n", file.values.title.empty() ? file.values.name : file.values.title);
+  fmt::print("{}\n", printable(file.values.title.empty() ? file.values.name : file.values.title));
   fmt::print("  scheme         {}\n", file.values.scheme);
   fmt::print("{}", describe(measure_quality(mesh)));
   fmt::print("  cells of soil  {}\n", state.points.occupied().size());

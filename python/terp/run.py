@@ -14,9 +14,10 @@ import numpy as np
 
 UNITS = {
     "x": "m", "y": "m", "displacement": "m", "velocity": "m/s", "stress": "Pa", "pressure": "Pa", "su": "Pa",
-    "volume": "m^3 per m", "strain": "-", "eps_deviatoric": "-", "eps_eq_p": "-", "id": "-", "material": "-",
+    "volume": "m^2", "strain": "-", "eps_deviatoric": "-", "eps_eq_p": "-", "id": "-", "material": "-",
     "cell": "-", "time": "s", "step": "-", "kinetic": "J per m", "elastic": "J per m", "plastic": "J per m",
-    "gravity_work": "J per m", "damping_work": "J per m", "boundary_work": "J per m", "numerical": "J per m",
+    "gravity_work": "J per m", "damping_work": "J per m", "boundary_work": "J per m", "left_energy": "J per m",
+    "numerical": "J per m",
     "mass": "kg per m", "momentum_x": "kg m/s per m", "momentum_y": "kg m/s per m", "clamped": "-", "left": "-",
     "front_x": "m", "crest_x": "m", "v_max": "m/s", "v_999": "m/s",
 }

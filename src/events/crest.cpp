@@ -7,19 +7,42 @@ namespace terp {
 namespace {
 
 constexpr Real crest_tolerance = 0.05;  // of the surface height [m]
-constexpr Real settled_for = 0.3;       // the crest has not retreated by more than a column for this long [s]
+constexpr Real settled_for = 0.3;       // the crest has not retreated by more than it may for this long [s]
+constexpr Real settled_retreat = 0.05;  // what it may, in heights of the first surface [-]
 constexpr Real slide_retreat = 0.25;    // retreat that counts as a slide, in heights of the first surface [-]
 constexpr Real round_off = 1e-9;        // of crest places, which are whole columns [m]
 
-/// First row whose crest holds its place, to one column, for `settled_for`; the number of rows if there is none.
+/// Height of the first surface over the lowest point [m].
+Real first_height(const CrestHistory& crest)
+{
+  Real highest = 0.0;
+  for (const Real h : crest.initial_heights)
+    if (std::isfinite(h)) highest = std::max(highest, h - crest.base);
+  return highest;
+}
+
+/// How far a crest that has settled may retreat, and in what time: a column at least, which of a wide column takes longer.
+struct Rest {
+  Real length;  ///< [m]
+  Real time;    ///< [s]
+};
+
+Rest rest_of(const CrestHistory& crest)
+{
+  const Real length = settled_retreat * first_height(crest), width = crest.columns.width;
+  return width <= length ? Rest{length, settled_for} : Rest{width, settled_for * width / length};
+}
+
+/// First row whose crest stays at rest; the number of rows if there is none.
 std::size_t find_settled(const CrestHistory& crest, std::size_t k)
 {
+  const Rest rest = rest_of(crest);
   const auto& t = crest.time;
   for (std::size_t end = k; k < t.size(); ++k) {
     end = k;
-    while (end < t.size() && crest.x[end] >= crest.x[k] - crest.columns.width - round_off && t[end] - t[k] < settled_for - round_off) ++end;
+    while (end < t.size() && crest.x[end] >= crest.x[k] - rest.length - round_off && t[end] - t[k] < rest.time - round_off) ++end;
     if (end == t.size()) return end;
-    if (crest.x[end] >= crest.x[k] - crest.columns.width - round_off) return end;
+    if (crest.x[end] >= crest.x[k] - rest.length - round_off) return end;
   }
   return k;
 }
@@ -43,13 +66,7 @@ std::size_t find_retreat(const CrestHistory& crest, std::size_t k, Real x)
 }
 
 /// Retreat of the crest that counts as a slide: a quarter of the height of the first surface, at least two columns [m].
-Real slide_length(const CrestHistory& crest)
-{
-  Real highest = 0.0;
-  for (const Real h : crest.initial_heights)
-    if (std::isfinite(h)) highest = std::max(highest, h - crest.base);
-  return std::max(slide_retreat * highest, 2.0 * crest.columns.width);
-}
+Real slide_length(const CrestHistory& crest) { return std::max(slide_retreat * first_height(crest), 2.0 * crest.columns.width); }
 
 }  // namespace
 
@@ -82,7 +99,7 @@ std::optional<Real> second_failure_time(const CrestHistory& crest)
   if (settled == x.size()) return std::nullopt;
   std::size_t second = find_slide(crest, settled, slide_length(crest));
   if (second == x.size()) return std::nullopt;
-  while (second > settled && x[second - 1] < x[settled] - crest.columns.width - round_off) --second;  // where it began
+  while (second > settled && x[second - 1] < x[settled] - rest_of(crest).length - round_off) --second;  // where it began
   return crest.time[second];
 }
 

@@ -148,11 +148,22 @@ void check_side(const Node& side, const std::string& path, Problems& problems)
                         true});
 }
 
-void check_sides(const Node& root, Problems& problems)
+/// Friction that feels only half of what the plane carries (decision 0015).
+void check_friction(const SideCase& side, Problems& warnings)
+{
+  if (side.kind != SideKind::contact_bilateral || !(side.friction > 0.0)) return;
+  warnings.push_back({join_path("boundary", side.side) + ".friction",
+                      "a bilateral contact meets only pushes with friction and forgets pulls",
+                      "Friction wants contact = \"separating\" (docs/decisions/0015-contact-at-the-base.md).", "boundary",
+                      true});
+}
+
+void check_sides(const Node& root, const Case& values, Findings& findings)
 {
   const Node* boundary = find_item(root, "boundary");
   if (boundary == nullptr || boundary->kind != NodeKind::table) return;
-  for (const Node& side : boundary->items) check_side(side, join_path("boundary", side.name), problems);
+  for (const Node& side : boundary->items) check_side(side, join_path("boundary", side.name), findings.problems);
+  for (const SideCase& side : values.sides) check_friction(side, findings.warnings);
 }
 
 void check_initial(const Node& root, const Case& values, Findings& findings)
@@ -164,6 +175,12 @@ void check_initial(const Node& root, const Case& values, Findings& findings)
   if (stress != InitialStress::none && weightless && forces_read)
     findings.problems.push_back({"initial.stress", "an initial stress needs gravity",
                                  "Set gravity = [0.0, -9.81] in [forces], or stress = \"none\".", "initial"});
+  for (std::size_t k = 0; k < values.bodies.size() && stress == InitialStress::k0; ++k)
+    if (!values.bodies[k].points_file.empty())
+      findings.problems.push_back({fmt::format("body[{}].points", k), "`k0` needs the outline of every body",
+                                   "A file of points has none, so the weight of the soil above a place is not known. Use "
+                                   "initial.stress = \"equilibrium\",\nor give the body as box, polygon or region.",
+                                   "initial", true, {"initial.stress"}});
   const auto warn_unless = [&](const char* key, InitialStress used, const char* word) {
     const std::string path = std::string("initial.") + key;
     if (stress != used && find_node(root, path) != nullptr)
@@ -208,7 +225,7 @@ void check_case(const Node& root, const Case& values, Findings& findings)
   check_bodies(root, values, findings);
   check_files(root, values.folder, findings.problems);
   check_parameters(values, findings.problems);
-  check_sides(root, findings.problems);
+  check_sides(root, values, findings);
   check_initial(root, values, findings);
   check_method(root, values, findings.warnings);
   check_unused_materials(values, findings.warnings);

@@ -156,7 +156,7 @@ std::vector<KeyInfo> soil_keys()
        .meaning = "physical group of mesh.file whose cells the body fills; one of box, polygon, region, points"},
       {.path = "body[].points",
        .field = [](Case& c, std::size_t i) { return &c.bodies[i].points_file; },
-       .meaning = "CSV file with the head x,y,volume,material (m, m, m^3 per m, NAME), one material point per line, "
+       .meaning = "CSV file with the head x,y,volume,material (m, m, m^2: volume per metre of thickness, NAME), one material point per line, "
                   "relative to the case file; one of box, polygon, region, points"},
       {.path = "body[].points_per_cell",
        .field = [](Case& c, std::size_t i) { return CountOrPair{&c.bodies[i].points_per_cell}; },
@@ -293,8 +293,8 @@ std::vector<KeyInfo> method_keys()
       {.path = "method.small_mass",
        .field = [](Case& c, std::size_t) { return &c.method.small_mass; },
        .range = {0.0, 1.0, false, true},
-       .meaning = "nodes lighter than this part of a full cell stay at rest",
-       .equation = "m_i < small_mass rho V_e: v_i = a_i = 0"},
+       .meaning = "nodes lighter than this part of a full cell are not accelerated; they move with their points",
+       .equation = "m_i < small_mass rho V_e: a_i = 0"},
   };
 }
 
@@ -387,7 +387,7 @@ std::vector<FieldInfo> all_output_fields()
       {"velocity", "m/s", "velocity"},
       {"displacement", "m", "displacement since t = 0"},
       {"stress", "Pa", "Cauchy stress xx yy zz xy, tension positive"},
-      {"volume", "m^3/m", "current volume per metre of thickness"},
+      {"volume", "m^2", "current volume per metre of thickness"},
       {"material", "-", "number of the material, from 0 in the order of the case file"},
       {"cell", "-", "number of the cell that holds the point"},
       {"strain", "-", "total strain xx yy zz xy, tensorial shear"},

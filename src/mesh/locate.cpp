@@ -9,22 +9,6 @@ namespace {
 /// round-off of coordinates, far below any cell.
 constexpr Real arrival_tolerance = 1e-9;
 
-Real cross(Vec<2> a, Vec<2> b) { return a[0] * b[1] - a[1] * b[0]; }
-
-/// Inverse map in closed form. The map p = a xi + b eta + t xi eta gives cross(p - a xi, b + t xi) = 0, quadratic in xi, and the same
-/// for eta with a and b changed; of the roots the one with detJ > 0. Both discriminants are detJ^2 at the answer. Unlike Newton's
-/// method it finds places beside a corner that is almost straight. There its round-off is 3e-13 of the side; one Newton step leaves 2e-16.
-/// Not a number where there is no root.
-Vec<2> inverse_map(const CellGeometry<2>& cell, Vec<2> p)
-{
-  const Vec<2>&a = cell.axis_xi, &b = cell.axis_eta, &t = cell.twist;
-  const Real with_xi = cross(a, b) - cross(p, t), with_eta = cross(a, b) + cross(p, t);
-  Real xi = 2.0 * cross(p, b) / (with_xi + std::sqrt(with_xi * with_xi + 4.0 * cross(a, t) * cross(p, b)));
-  Real eta = -2.0 * cross(p, a) / (with_eta + std::sqrt(with_eta * with_eta + 4.0 * cross(b, t) * cross(p, a)));
-  improve_local_coordinates(cell, p[0], p[1], 1, xi, eta);
-  return {xi, eta};
-}
-
 /// Coordinates that say which straight side a place lies beyond, for where the inverse map has no answer: 1 + distance over the
 /// cell's altitude across that side, inside [-1, 1] otherwise.
 Vec<2> beyond_sides(const Mesh<2>& mesh, Index cell, Vec<2> x, Vec<2> guess)
@@ -50,11 +34,9 @@ Vec<2> local_in(const Mesh<2>& mesh, Index cell, Vec<2> x)
 {
   const CellGeometry<2>& geometry = mesh.geometry(cell);
   const Vec<2> offset{x[0] - mesh.centres[cell][0], x[1] - mesh.centres[cell][1]};
-  if (geometry.affine || !std::isfinite(x[0] + x[1])) {
-    const auto [xi, eta] = local_coordinates(geometry, offset[0], offset[1]);
-    return {xi, eta};
-  }
-  const Vec<2> local = inverse_map(geometry, offset);
+  const auto [xi, eta] = local_coordinates(geometry, offset[0], offset[1]);
+  const Vec<2> local{xi, eta};
+  if (geometry.affine || !std::isfinite(x[0] + x[1])) return local;
   const Vec<2> back = place_in_cell(mesh, cell, local);
   const bool arrived = std::hypot(back[0] - x[0], back[1] - x[1]) <= arrival_tolerance * geometry.altitude;
   return arrived ? local : beyond_sides(mesh, cell, x, local);

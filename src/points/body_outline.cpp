@@ -14,10 +14,6 @@ constexpr Real no_area = 1e-12;
 std::string place_text(Vec<2> x) { return fmt::format("({:.6g}, {:.6g})", x[0], x[1]); }
 
 /// Side k of a polygon, from corner k to the next one.
-struct Side {
-  Vec<2> a, b;
-};
-
 Side side_of(const Polygon& polygon, std::size_t k) { return {polygon[k], polygon[(k + 1) % polygon.size()]}; }
 
 std::string side_text(const Side& side) { return fmt::format("from {} to {} m", place_text(side.a), place_text(side.b)); }
@@ -142,13 +138,29 @@ bool covers(const BodyOutline& body, Vec<2> x)
   return contains(body.polygon, x) && std::none_of(body.holes.begin(), body.holes.end(), in_hole);
 }
 
-std::vector<Real> crossings_of_vertical(const BodyOutline& body, Real x)
+std::vector<Side> outline_sides(const Mesh<2>& mesh, const BodyOutline& body)
 {
-  std::vector<Real> heights = crossings_of_vertical(body.polygon, x);
-  for (const Polygon& hole : body.holes) {
-    const std::vector<Real> more = crossings_of_vertical(hole, x);
-    heights.insert(heights.end(), more.begin(), more.end());
-  }
+  std::vector<Side> sides;
+  const auto add = [&](const Polygon& polygon) {
+    for (std::size_t k = 0; k < polygon.size(); ++k) sides.push_back(side_of(polygon, k));
+  };
+  add(body.polygon);
+  for (const Polygon& hole : body.holes) add(hole);
+  std::vector<char> is_in(body.cells.empty() ? 0 : mesh.cells.size(), 0);
+  for (const Index cell : body.cells) is_in[cell] = 1;
+  for (const Index cell : body.cells)
+    for (int k = 0; k < 4; ++k) {
+      const Index other = mesh.neighbours[cell][k];
+      if (other == outside || !is_in[other]) sides.push_back({mesh.nodes[mesh.cells[cell][k]], mesh.nodes[mesh.cells[cell][(k + 1) % 4]]});
+    }
+  return sides;
+}
+
+std::vector<Real> crossings_of_vertical(std::span<const Side> sides, Real x)
+{
+  std::vector<Real> heights;
+  for (const auto& [a, b] : sides)
+    if ((a[0] > x) != (b[0] > x)) heights.push_back(a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]));
   std::sort(heights.begin(), heights.end());
   return heights;
 }

@@ -2,6 +2,7 @@
 // Not for: the points in it (seed.hpp).
 #pragma once
 
+#include "mesh/mesh.hpp"
 #include "points/polygon.hpp"
 
 #include <string>
@@ -19,8 +20,17 @@ struct BodyOutline {
 /// Inside the polygon and in none of its holes. A body of cells has no polygon and covers no place in this sense.
 bool covers(const BodyOutline& body, Vec<2> x);
 
-/// Heights at which the vertical line through x crosses the polygon or a hole [m], ascending.
-std::vector<Real> crossings_of_vertical(const BodyOutline& body, Real x);
+/// A straight part of an outline [m].
+struct Side {
+  Vec<2> a, b;
+};
+
+/// The sides of polygon and holes, or those of the cells that have no other cell of the body behind them; in no order. A place is in
+/// the body if a line from it to far away crosses an odd number of them.
+std::vector<Side> outline_sides(const Mesh<2>& mesh, const BodyOutline& body);
+
+/// Heights at which the vertical line through x crosses the sides [m], ascending.
+std::vector<Real> crossings_of_vertical(std::span<const Side> sides, Real x);
 
 /// Area of the polygon less that of its holes [m^2].
 Real area(const BodyOutline& body);

@@ -31,7 +31,7 @@ class Faults {
     if (n_ == 0) return;
     std::string text = fmt::format("the table of points has {} fault{}:{}", n_, n_ == 1 ? "" : "s", text_);
     if (n_ > most_shown) text += fmt::format("\n  and {} more", n_ - most_shown);
-    throw PointsFileError(text + fmt::format("\n  It has the columns {}: m, m, m^2 (m^3 per metre of thickness), and a material of the case.",
+    throw PointsFileError(text + fmt::format("\n  It has the columns {}: m, m, m^2 (volume per metre of thickness), and a material of the case.",
                                              fmt::join(columns, ", ")));
   }
 

@@ -23,21 +23,12 @@ inline CornerVectors corner_values(const Mesh<2>& mesh, const std::vector<NodeVa
   return values;
 }
 
-/// Largest component of the corners' displacements [m].
-inline Real largest(const CornerVectors& du)
-{
-  Real value = 0.0;
-  for (const auto& direction : du)
-    for (const Real u : direction) value = max(value, abs(u));
-  return value;
-}
-
-/// x_p += sum N_i du_i; new local coordinates; lanes that left the half-open cell go to `leavers`.
+/// x_p += sum N_i du_i; new local coordinates; lanes that left the half-open cell go to `leavers`, with those whose place the cell's map
+/// does not reach. A place that is not a number stays: the guards speak of it.
 inline void advance_points(const CellView& view, Vec<2> centre, const CornerVectors& du, const PointBlock<2>& block, Index b,
                            std::vector<PointPlace>& leavers)
 {
   using Rows = PointRows<2>;
-  const int newton_steps = newton_steps_for(view.geometry, largest(du));
   for (Index p = 0; p < block.n; p += pack_width) {
     const Mask in_use = lane_numbers() < Pack(static_cast<Real>(block.n - p));
     const std::array<Pack, 2> xi{Pack::load(block.row(Rows::xi) + p), Pack::load(block.row(Rows::xi + 1) + p)};
@@ -48,13 +39,14 @@ inline void advance_points(const CellView& view, Vec<2> centre, const CornerVect
       x[d] = select(in_use, old + step[d], old);
       x[d].store(block.row(Rows::x + d) + p);
     }
-    const auto local = local_coordinates_near(view.geometry, x[0] - Pack(centre[0]), x[1] - Pack(centre[1]), xi, newton_steps);
-    Mask left = {};
+    const auto local = local_coordinates(view.geometry, x[0] - Pack(centre[0]), x[1] - Pack(centre[1]));
+    Mask inside = in_use;
     for (int d = 0; d < 2; ++d) {
       select(in_use, local[d], xi[d]).store(block.row(Rows::xi + d) + p);
-      left = left | (local[d] < Pack(-1.0)) | (local[d] >= Pack(1.0));
+      inside = inside & (local[d] >= Pack(-1.0)) & (local[d] < Pack(1.0));
     }
-    for (unsigned bits = to_bits(left & in_use); bits != 0; bits &= bits - 1)
+    const Mask known = (x[0] - x[0]) + (x[1] - x[1]) >= Pack(0.0);
+    for (unsigned bits = to_bits((!inside) & in_use & known); bits != 0; bits &= bits - 1)
       leavers.push_back({b, p + static_cast<Index>(std::countr_zero(bits))});
   }
 }

@@ -9,42 +9,46 @@
 namespace terp {
 namespace {
 
-/// Bodies with an outline, and the density of each [kg/m^3].
-struct DrawnBodies {
-  std::vector<BodyOutline> outlines;
-  std::vector<Real> densities;
+/// The outline of a body as loose sides, and its density.
+struct DrawnBody {
+  std::vector<Side> sides;
+  Real density;  ///< [kg/m^3]
 };
 
-DrawnBodies find_drawn_bodies(const Model& model)
+std::vector<DrawnBody> draw_bodies(const Model& model)
 {
-  DrawnBodies drawn;
-  for (const BodyCase& body : model.description.bodies) {
-    if (body.polygon.empty()) continue;
-    drawn.outlines.push_back({.polygon = body.polygon, .points_per_cell = body.points_per_cell, .holes = body.holes, .cells = {}});
-    drawn.densities.push_back(model.materials[material_number(model, body.material)].density);
-  }
+  std::vector<DrawnBody> drawn;
+  const std::vector<BodyOutline> outlines = outlines_of(model);
+  std::size_t k = 0;
+  for (const BodyCase& body : model.description.bodies)
+    if (body.points_file.empty())
+      drawn.push_back({outline_sides(model.mesh, outlines[k++]), model.materials[material_number(model, body.material)].density});
   return drawn;
 }
 
-/// Density of the body on top at a place, 0 where there is none [kg/m^3].
-Real density_at(const DrawnBodies& drawn, Vec<2> x)
-{
-  for (std::size_t b = drawn.outlines.size(); b-- > 0;)
-    if (covers(drawn.outlines[b], x)) return drawn.densities[b];
-  return 0.0;
-}
+/// Where the vertical line through a place enters or leaves a body above it.
+struct Crossing {
+  Real y;  ///< [m]
+  std::size_t body;
+};
 
-/// Mass per area of the soil above a place [kg/m^2].
-Real mass_above(const DrawnBodies& drawn, Vec<2> x)
+/// Mass per area of the soil above a place [kg/m^2]. Where bodies overlap, the last one is there.
+Real mass_above(const std::vector<DrawnBody>& drawn, Vec<2> x)
 {
-  std::vector<Real> heights{x[1]};
-  for (const BodyOutline& outline : drawn.outlines)
-    for (const Real y : crossings_of_vertical(outline, x[0]))
-      if (y > x[1]) heights.push_back(y);
-  std::sort(heights.begin(), heights.end());
+  std::vector<Crossing> above;
+  for (std::size_t b = 0; b < drawn.size(); ++b)
+    for (const Real y : crossings_of_vertical(drawn[b].sides, x[0]))
+      if (y > x[1]) above.push_back({y, b});
+  std::sort(above.begin(), above.end(), [](const Crossing& a, const Crossing& b) { return a.y > b.y; });
+  std::vector<char> is_there(drawn.size(), 0);  // going down
   Real mass = 0.0;
-  for (std::size_t k = 1; k < heights.size(); ++k)
-    mass += (heights[k] - heights[k - 1]) * density_at(drawn, {x[0], 0.5 * (heights[k] + heights[k - 1])});
+  for (std::size_t k = 0; k < above.size(); ++k) {
+    is_there[above[k].body] ^= 1;
+    const auto top = std::find(is_there.rbegin(), is_there.rend(), 1);
+    if (top == is_there.rend()) continue;
+    const Real below = k + 1 < above.size() ? above[k + 1].y : x[1];
+    mass += (above[k].y - below) * drawn[static_cast<std::size_t>(is_there.rend() - top) - 1].density;
+  }
   return mass;
 }
 
@@ -82,7 +86,7 @@ void set_initial_stress(const Model& model, State& state)
   using Rows = PointRows<2>;
   if (model.description.initial.stress != InitialStress::k0) return;
   const Real k0 = model.description.initial.k0;
-  const DrawnBodies drawn = find_drawn_bodies(model);
+  const std::vector<DrawnBody> drawn = draw_bodies(model);
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const Real vertical = model.gravity[1] * mass_above(drawn, {block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]});
     block.row(Rows::sigma)[lane] = k0 * vertical;

@@ -12,12 +12,9 @@ constexpr Real audit_tolerance = 1e-12;  // relative: below is round-off of aver
 
 Real elastic_energy(const Material& law, const PointBlock<2>& block, Index lane)
 {
-  std::array<Real, 4> s;
-  for (int k = 0; k < n_sym<2>; ++k) s[k] = block.row(Rows::sigma + k)[lane];
-  const Real p = (s[0] + s[1] + s[2]) / 3.0;
-  for (int k = 0; k < 3; ++k) s[k] -= p;
-  const Real deviatoric = s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + 2.0 * s[3] * s[3];
-  return block.row(Rows::volume)[lane] * (0.5 * p * p / law.bulk_modulus() + 0.25 * deviatoric / law.shear_modulus());
+  std::array<Real, 4> sigma;
+  for (int k = 0; k < n_sym<2>; ++k) sigma[k] = block.row(Rows::sigma + k)[lane];
+  return elastic_energy(law, sigma, block.row(Rows::volume)[lane]);
 }
 
 Real speed_squared(const PointBlock<2>& block, Index lane)
@@ -75,7 +72,23 @@ void audit_history(const Model& model, State& state)
   });
 }
 
+/// Of the points that left, when they did.
+Real kinetic_and_elastic_energy(const std::vector<LeftPoint>& points)
+{
+  Real energy = 0.0;
+  for (const LeftPoint& p : points) energy += 0.5 * p.mass * (p.v[0] * p.v[0] + p.v[1] * p.v[1]) + p.elastic;
+  return energy;
+}
+
 }  // namespace
+
+Real elastic_energy(const Material& law, std::array<Real, 4> sigma, Real volume)
+{
+  const Real p = (sigma[0] + sigma[1] + sigma[2]) / 3.0;
+  for (int k = 0; k < 3; ++k) sigma[k] -= p;
+  const Real deviatoric = sigma[0] * sigma[0] + sigma[1] * sigma[1] + sigma[2] * sigma[2] + 2.0 * sigma[3] * sigma[3];
+  return volume * (0.5 * p * p / law.bulk_modulus() + 0.25 * deviatoric / law.shear_modulus());
+}
 
 int find_eps_eq_p(const MaterialType& type) { return find_name(type.state, "eps_eq_p"); }
 int find_su(const MaterialType& type) { return find_name(type.derived, "su"); }
@@ -89,7 +102,7 @@ std::array<Real, max_state> state_of(const PointBlock<2>& block, Index lane, int
 
 Real kinetic_and_elastic_energy(const Model& model, const State& state)
 {
-  Real energy = 0.0;
+  Real energy = kinetic_and_elastic_energy(state.left);
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     energy += 0.5 * block.row(Rows::mass)[lane] * speed_squared(block, lane);
     energy += elastic_energy(*model.materials[block.material].law, block, lane);
@@ -117,7 +130,9 @@ LedgerRow keep_ledger(const Model& model, State& state)
   row.gravity_work = state.work.gravity;
   row.damping_work = state.work.damping;
   row.boundary_work = state.work.boundary;
-  row.numerical = row.kinetic + row.elastic + row.plastic - state.start_energy - (row.gravity_work + row.damping_work + row.boundary_work);
+  row.left_energy = kinetic_and_elastic_energy(state.left);
+  row.numerical = row.kinetic + row.elastic + row.left_energy + row.plastic - state.start_energy -
+                  (row.gravity_work + row.damping_work + row.boundary_work);
   row.clamped = state.clamped;
   row.left = static_cast<std::int64_t>(state.left.size());
   row.front_x = front(state.points);

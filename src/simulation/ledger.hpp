@@ -7,7 +7,10 @@
 
 namespace terp {
 
-/// Kinetic energy of the points plus elastic energy stored in them [J per m].
+/// Elastic energy stored in a point [J per m]; sigma: xx yy zz xy [Pa], volume [m^2].
+Real elastic_energy(const Material& law, std::array<Real, 4> sigma, Real volume);
+
+/// Kinetic energy of the points plus elastic energy stored in them, and what those that left took along [J per m].
 Real kinetic_and_elastic_energy(const Model& model, const State& state);
 
 /// The books as they stand; enters the crest into state.crest, the speed into state.largest_v_999, and audits the history:

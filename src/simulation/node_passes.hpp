@@ -82,10 +82,11 @@ inline void add_works(const Model& model, const NodeValues& node, NodeSums& sums
   }
 }
 
-/// Step 4: velocity from the updated momentum of the points (MUSL), clamped at the boundary.
+/// Step 4: velocity from the updated momentum of the points (MUSL), clamped at the boundary. However light the node: a mean of the
+/// velocities of the points around it is always sound, and a node left at rest would strain the cell (decision 0027).
 inline void remap_velocity(const Model& model, const NodeGather& sum, Index i, NodeValues& node, NodeSums& sums)
 {
-  if (!(node.mass >= mass_limit(model, i))) return;
+  if (!(node.mass > 0.0)) return;
   for (int d = 0; d < 2; ++d) node.v[d] = sum.momentum[d] / node.mass;
   model.boundary.clamp(i, node.v);
   add_works(model, node, sums);

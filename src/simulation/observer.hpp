@@ -45,6 +45,7 @@ struct LeftPoint {
   Vec<2> x;                  ///< where [m]
   Vec<2> v;                  ///< how fast [m/s]
   Real mass;                 ///< [kg per m]
+  Real elastic = 0.0;        ///< elastic energy that it took along [J per m]; not in the table
 };
 
 /// One row of ledger.csv. Energies in J per metre of thickness; work is positive when it adds energy to the soil.
@@ -55,7 +56,8 @@ struct LedgerRow {
   Real elastic = 0.0;        ///< stored
   Real plastic = 0.0;        ///< dissipated so far
   Real gravity_work = 0.0, damping_work = 0.0, boundary_work = 0.0;  ///< so far
-  Real numerical = 0.0;      ///< gained by the balance: kinetic + elastic + plastic - works - their start
+  Real left_energy = 0.0;    ///< kinetic + elastic of the points that left through open sides so far
+  Real numerical = 0.0;      ///< gained by the balance: kinetic + elastic + plastic + left_energy - works - their start
   Real mass = 0.0;           ///< [kg per m]
   Real momentum_x = 0.0, momentum_y = 0.0;  ///< [kg m/s per m]
   std::int64_t clamped = 0;  ///< points put back at a wall so far

@@ -28,10 +28,12 @@ std::vector<SoilMaterial> make_materials(const Case& c)
   return materials;
 }
 
-std::vector<SideCondition> make_sides(const Case& c)
+/// Conditions of the sides that hold something. Every name must be one of the mesh, of free sides too: it may be misspelt.
+std::vector<SideCondition> make_sides(const Case& c, const Mesh<2>& mesh)
 {
   std::vector<SideCondition> sides;
   for (const SideCase& s : c.sides) {
+    find_side(mesh, s.side);
     const auto add = [&](Hold hold) { sides.push_back({s.side, hold, s.adhesion, s.friction, s.velocity}); };
     switch (s.kind) {
       case SideKind::free: break;
@@ -154,7 +156,7 @@ Model build_model(const Case& description, Mesh<2> mesh, int threads)
   model.mesh = std::move(mesh);
   model.materials = make_materials(description);
   model.method = description.method;
-  model.boundary = Boundary(model.mesh, make_sides(description));
+  model.boundary = Boundary(model.mesh, make_sides(description, model.mesh));
   model.open_sides = make_open_sides(description, model.mesh);
   model.gravity = description.forces.gravity;
   model.damping = {.local = description.forces.local_damping, .viscous = description.forces.viscous_damping};

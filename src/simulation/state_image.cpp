@@ -82,7 +82,7 @@ void put_left(const State& state, StateImage& image)
   std::vector<Real> values;
   for (const LeftPoint& p : state.left) {
     ids.push_back(p.id);
-    values.insert(values.end(), {p.time, p.x[0], p.x[1], p.v[0], p.v[1], p.mass});
+    values.insert(values.end(), {p.time, p.x[0], p.x[1], p.v[0], p.v[1], p.mass, p.elastic});
   }
   put(image, "left/id", std::move(ids));
   put(image, "left/values", std::move(values));
@@ -91,10 +91,10 @@ void put_left(const State& state, StateImage& image)
 void get_left(const StateImage& image, State& state)
 {
   const auto& ids = get<std::int64_t>(image, "left/id");
-  const auto& values = get<Real>(image, "left/values", 6 * ids.size());
+  const auto& values = get<Real>(image, "left/values", 7 * ids.size());
   for (std::size_t k = 0; k < ids.size(); ++k) {
-    const Real* v = &values[6 * k];
-    state.left.push_back({.time = v[0], .id = ids[k], .x = {v[1], v[2]}, .v = {v[3], v[4]}, .mass = v[5]});
+    const Real* v = &values[7 * k];
+    state.left.push_back({.time = v[0], .id = ids[k], .x = {v[1], v[2]}, .v = {v[3], v[4]}, .mass = v[5], .elastic = v[6]});
   }
   state.left_told = state.left.size();
 }

@@ -7,6 +7,7 @@
 #include "schemes/mpm_mixed.hpp"
 #include "schemes/standard_mpm.hpp"
 #include "simulation/cell_passes.hpp"
+#include "simulation/ledger.hpp"
 #include "simulation/node_passes.hpp"
 
 namespace terp {
@@ -73,14 +74,16 @@ void finish_sums(State& state, Workspace& work)
 }
 
 /// Enters a point that crossed an open side in the list of those that left.
-void enter_left(std::span<const Real> values, Real dt, State& state)
+void enter_left(const Model& model, Index material, std::span<const Real> values, State& state)
 {
   using Rows = PointRows<2>;
-  state.left.push_back({.time = static_cast<Real>(state.step + 1) * dt,
+  const std::array<Real, 4> sigma{values[Rows::sigma], values[Rows::sigma + 1], values[Rows::sigma + 2], values[Rows::sigma + 3]};
+  state.left.push_back({.time = static_cast<Real>(state.step + 1) * model.dt,
                         .id = static_cast<std::int64_t>(values[Rows::id]),
                         .x = {values[Rows::x], values[Rows::x + 1]},
                         .v = {values[Rows::v], values[Rows::v + 1]},
-                        .mass = values[Rows::mass]});
+                        .mass = values[Rows::mass],
+                        .elastic = elastic_energy(*model.materials[material].law, sigma, values[Rows::volume])});
 }
 
 /// Counts a point that had to be put back at a wall, once.
@@ -95,9 +98,10 @@ void move_leavers(const Model& model, State& state, Workspace& work)
 {
   for (const CellSums& sums : work.cell_sums)
     for (std::size_t k = sums.leavers.size(); k-- > 0;) {  // from the last lane of a block to the first: see take()
+      const Index material = state.points.block(sums.leavers[k].block).material;
       const Moved moved = move_to_new_cell(model.mesh, model.open_sides, state.points, sums.leavers[k], work.leaver);
       if (moved == Moved::put_back) enter_put_back(work.leaver, state);
-      if (moved == Moved::left) enter_left(work.leaver, model.dt, state);
+      if (moved == Moved::left) enter_left(model, material, work.leaver, state);
     }
   if (state.points.update_occupied()) work.fit(model, state);
 }

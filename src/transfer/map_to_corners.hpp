@@ -6,6 +6,18 @@
 
 namespace terp {
 
+/// Least share of a point that a corner of its cell gets. A point exactly on a side gives the corners across nothing; with this they
+/// have its velocity, and do not stand still and strain the cell (decision 0027). Far below the round-off of any mass.
+inline constexpr Real least_share = 1e-30;
+
+/// N_i, at least `least_share`; not a number stays so.
+inline std::array<Pack, 4> mapping_shares(Pack xi, Pack eta)
+{
+  std::array<Pack, 4> N = shape_functions(xi, eta);
+  for (Pack& share : N) share = max(Pack(least_share), share);
+  return N;
+}
+
 /// m_i += sum N_i m_p; (m v)_i += sum N_i m_p v_p.
 inline void map_mass_and_momentum(const PointBlock<2>& block, CornerSums<2>& corners)
 {
@@ -13,7 +25,7 @@ inline void map_mass_and_momentum(const PointBlock<2>& block, CornerSums<2>& cor
   std::array<Pack, 12> sums{};
   for (Pack& s : sums) s = Pack(0.0);
   for (Index p = 0; p < block.n; p += pack_width) {
-    const auto N = shape_functions(Pack::load(block.row(Rows::xi) + p), Pack::load(block.row(Rows::xi + 1) + p));
+    const auto N = mapping_shares(Pack::load(block.row(Rows::xi) + p), Pack::load(block.row(Rows::xi + 1) + p));
     const Pack m = Pack::load(block.row(Rows::mass) + p);
     const Pack vx = Pack::load(block.row(Rows::v) + p), vy = Pack::load(block.row(Rows::v + 1) + p);
     for (int i = 0; i < 4; ++i) {
@@ -37,7 +49,7 @@ inline void map_momentum(const PointBlock<2>& block, CornerSums<2>& corners)
   std::array<Pack, 8> sums;
   for (Pack& s : sums) s = Pack(0.0);
   for (Index p = 0; p < block.n; p += pack_width) {
-    const auto N = shape_functions(Pack::load(block.row(Rows::xi) + p), Pack::load(block.row(Rows::xi + 1) + p));
+    const auto N = mapping_shares(Pack::load(block.row(Rows::xi) + p), Pack::load(block.row(Rows::xi + 1) + p));
     const Pack m = Pack::load(block.row(Rows::mass) + p);
     const Pack px = m * Pack::load(block.row(Rows::v) + p), py = m * Pack::load(block.row(Rows::v + 1) + p);
     for (int i = 0; i < 4; ++i) {

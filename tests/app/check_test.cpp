@@ -26,6 +26,13 @@ TEST(Check, TellsWhatWouldRun)
   EXPECT_TRUE(test::names_in(folder.path()).empty());
 }
 
+TEST(Check, ShowsNoControlCharactersOfTheTitle)
+{
+  const Finished f = test::terp(test::column_command("check", {"--set", R"(title="red \u001b[31m soil")"}));
+  EXPECT_EQ(f.status, 0);
+  EXPECT_THAT(f.out, StartsWith("red ?[31m soil\n"));
+}
+
 TEST(Check, SaysWhereABodyLiesOutsideTheMesh)
 {
   const Finished f = test::terp(test::column_command("check", {"--set", "mesh.size=[6.0, 3.0]"}));

@@ -112,6 +112,51 @@ TEST(SecondFailure, IsNotSeenBeforeTheCrestHasRestedLongEnough)
   EXPECT_FALSE(second_failure_time(crest).has_value());
 }
 
+/// Times at which the crest of model 1 on cells of 0.2 m leaves its column [s], from 7.0 m on in steps of 0.2 m.
+const std::vector<Real> soft_column = {0.22, 0.23, 0.25, 0.27, 0.29, 0.32, 0.36, 0.41, 0.47, 0.56, 0.69, 0.84, 1.01, 1.16, 1.26, 1.33, 1.39,
+                                       1.45, 1.52, 1.60, 1.70, 1.81, 1.93, 2.05, 2.17, 2.27, 2.37, 2.46, 2.55, 2.63, 2.72, 2.79, 2.85};
+
+TEST(SecondFailure, IsNotTheCreepOfAColumnOnCoarseCells)
+{
+  CrestHistory crest = column_history();
+  crest.columns = {.left = 0.0, .width = 0.2, .n = 80};
+  for (int k = 0; k <= 400; ++k) {
+    crest.time.push_back(0.01 * k);
+    Real x = 8.0;
+    for (std::size_t n = 0; n < soft_column.size(); ++n)
+      if (soft_column[n] <= crest.time.back() + 1e-9) x = 6.8 - 0.2 * static_cast<Real>(n);
+    crest.x.push_back(x);
+  }
+  EXPECT_FALSE(second_failure_time(crest).has_value());  // it creeps on at 0.7 m/s and more: it has not settled
+}
+
+TEST(SecondFailure, OnCoarseCellsNeedsALongerRestForOneColumnMayBeCreep)
+{
+  for (const Real rest : {0.55, 0.7}) {
+    CrestHistory crest = column_history();
+    crest.columns = {.left = 0.0, .width = 0.2, .n = 80};
+    go_on(crest, 0.3, 8.0);
+    go_on(crest, 0.4, 6.0);
+    go_on(crest, 0.4 + rest, 6.0);
+    go_on(crest, 0.5 + rest, 4.6);
+    go_on(crest, 4.0, 4.6);
+    EXPECT_EQ(second_failure_time(crest).has_value(), rest > 0.6) << rest;
+  }
+}
+
+TEST(SecondFailure, OnFineCellsMayCreepByAsMuchAsOnMiddlingOnes)
+{
+  CrestHistory crest = column_history();
+  crest.columns = {.left = 0.0, .width = 0.05, .n = 320};
+  crest.base = -0.04;  // 2 m high
+  go_on(crest, 0.3, 8.0);
+  go_on(crest, 0.4, 6.0);
+  go_on(crest, 2.0, 5.4);  // by 0.1 m every 0.27 s: more than a column, not more than a twentieth of the height
+  go_on(crest, 2.1, 4.6);
+  go_on(crest, 4.0, 4.6);
+  EXPECT_TRUE(second_failure_time(crest).has_value());
+}
+
 TEST(SecondFailure, OfAnEmptyHistoryDoesNotExist) { EXPECT_FALSE(second_failure_time(column_history()).has_value()); }
 
 /// Two rows of points, eight columns of 0.5 m, heights by column.

@@ -84,6 +84,10 @@ const Change doubts[] = {
      "velocity = [1.0, 0.0]\n[initial]\nstress = \"equilibrium\"\n[forces]\ngravity = [0.0, -9.81]\n[material.clay]",
      "case.toml:9:1: `velocity` has no effect\n\n    9 | velocity = [1.0, 0.0]\n      | ^^^^^^^^\n  With initial.stress = "
      "\"equilibrium\" all soil is at rest at t = 0;"},
+    {"[time]", "[boundary]\nbottom = { contact = \"bilateral\", friction = 0.3 }\n[time]",
+     "case.toml:2:35: a bilateral contact meets only pushes with friction and forgets pulls\n\n    2 | bottom = { contact = "
+     "\"bilateral\", friction = 0.3 }\n      |                                   ^^^^^^^^\n  Friction wants contact = "
+     "\"separating\" (docs/decisions/0015-contact-at-the-base.md).\n"},
     {"[time]", "[initial]\nlimit = 0.5\n[time]", "It counts with stress = \"equilibrium\" only."},
     {"[time]",
      "[material.rock]\nmodel = \"linear_elastic\"\ndensity = 2000\nshear_modulus = 1e7\npoisson_ratio = 0.3\n[time]",
@@ -157,6 +161,22 @@ TEST_F(BodyFromAFile, HasNoHoles)
               HasSubstr(":8:1: `holes` belongs to a box or polygon"));
   EXPECT_THAT(seen_with(from_file, "material = \"clay\"\nregion = \"core\"" + holes),
               HasSubstr("Leave it out with `region`."));
+}
+
+TEST(CheckCase, DoesNotWarnOfFrictionOnASeparatingContactNorOfNone)
+{
+  for (const char* contact : {"contact = \"separating\", friction = 0.3", "contact = \"bilateral\", friction = 0.0"})
+    EXPECT_EQ(message_for(replaced(small_case, "[time]", std::string("[boundary]\nbottom = { ") + contact + " }\n[time]")), "accepted\n");
+}
+
+TEST_F(BodyFromAFile, OfPointsHasNoOutlineForK0)
+{
+  const std::string rest = "\n[forces]\ngravity = [0.0, -9.81]\n[initial]\nstress = \"k0\"";
+  EXPECT_THAT(seen_with(rectangle, "points = \"a.csv\"" + rest),
+              HasSubstr(":7:1: `k0` needs the outline of every body\n\n    7 | points = \"a.csv\"\n      | ^^^^^^\n  A file of points has "
+                        "none, so the weight of the soil above a place is not known. Use initial.stress = "
+                        "\"equilibrium\",\n  or give the body as box, polygon or region.\n"));
+  EXPECT_EQ(seen_with(from_file, "material = \"clay\"\nregion = \"core\"" + rest), "accepted\n");
 }
 
 TEST(CheckCase, DoesNotBlameMissingGravityOnAWrongOne)

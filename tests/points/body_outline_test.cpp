@@ -28,11 +28,35 @@ TEST(BodyOutline, CoversItsPolygonButNotItsHoles)
   EXPECT_DOUBLE_EQ(area(wall), 10.0);
 }
 
+/// Where the vertical through x crosses the outline of a body that is no region.
+std::vector<Real> crossings(const BodyOutline& outline, Real x) { return crossings_of_vertical(outline_sides({}, outline), x); }
+
+TEST(BodyOutline, VerticalsCrossItInAscendingOrder)
+{
+  const Polygon ell{{0.0, 0.0}, {3.0, 0.0}, {3.0, 1.0}, {1.0, 1.0}, {1.0, 2.0}, {0.0, 2.0}};
+  EXPECT_THAT(crossings(body(ell), 0.5), ElementsAre(DoubleEq(0.0), DoubleEq(2.0)));
+  EXPECT_THAT(crossings(body(ell), 2.0), ElementsAre(DoubleEq(0.0), DoubleEq(1.0)));
+  EXPECT_THAT(crossings(body(Polygon(ell.rbegin(), ell.rend())), 0.5), ElementsAre(DoubleEq(0.0), DoubleEq(2.0)));
+  EXPECT_THAT(crossings(body(ell), 3.5), IsEmpty());
+  EXPECT_THAT(crossings(body({{0.0, 0.0}, {4.0, 0.0}, {0.0, 2.0}}), 1.0), ElementsAre(DoubleEq(0.0), DoubleEq(1.5)));
+}
+
 TEST(BodyOutline, VerticalsCrossTheHolesToo)
 {
   const BodyOutline wall = body(box({0.0, 0.0}, {6.0, 2.0}), {box({1.0, 0.5}, {2.0, 1.25})});
-  EXPECT_THAT(crossings_of_vertical(wall, 1.5), ElementsAre(DoubleEq(0.0), DoubleEq(0.5), DoubleEq(1.25), DoubleEq(2.0)));
-  EXPECT_THAT(crossings_of_vertical(wall, 2.5), ElementsAre(DoubleEq(0.0), DoubleEq(2.0)));
+  EXPECT_THAT(crossings(wall, 1.5), ElementsAre(DoubleEq(0.0), DoubleEq(0.5), DoubleEq(1.25), DoubleEq(2.0)));
+  EXPECT_THAT(crossings(wall, 2.5), ElementsAre(DoubleEq(0.0), DoubleEq(2.0)));
+}
+
+TEST(BodyOutline, OfCellsIsTheSidesThatNoOtherCellOfTheBodyShares)
+{
+  const Mesh<2> mesh = make_rectangle({0.0, 0.0}, {3.0, 3.0}, {3, 3});
+  const BodyOutline ring{{}, {5, 5}, {}, {0, 1, 2, 3, 5, 6, 7, 8}};  // all but the middle
+  const auto sides = outline_sides(mesh, ring);
+  EXPECT_EQ(sides.size(), 12u + 4u);
+  EXPECT_THAT(crossings_of_vertical(sides, 0.5), ElementsAre(0.0, 3.0));
+  EXPECT_THAT(crossings_of_vertical(sides, 1.5), ElementsAre(0.0, 1.0, 2.0, 3.0));
+  EXPECT_THAT(crossings_of_vertical(sides, 1.0), testing::SizeIs(testing::AnyOf(2, 4)));  // along a side: of one column or the other
 }
 
 TEST(CheckOutline, FindsNothingWrongWithASoundBody)

@@ -54,7 +54,7 @@ TEST(PointsCsv, RefusesAnUnknownColumnAndSaysWhatWasMeant)
             "the table of points has 2 faults:\n"
             "  points.csv:1: unknown column `volme`; did you mean `volume`?\n"
             "  points.csv:1: no column `volume`\n"
-            "  It has the columns x, y, volume, material: m, m, m^2 (m^3 per metre of thickness), and a material of the case.");
+            "  It has the columns x, y, volume, material: m, m, m^2 (volume per metre of thickness), and a material of the case.");
   EXPECT_THAT(message_for("x,y,volume,material,temperature\n"), HasSubstr("points.csv:1: unknown column `temperature`\n"));
   EXPECT_THAT(message_for("x,y,x,volume,material\n"), HasSubstr("points.csv:1: column `x` is there 2 times"));
 }

@@ -42,16 +42,6 @@ TEST(Polygon, APlaceOnASharedSideBelongsToExactlyOneNeighbour)
   EXPECT_NE(contains(left, {1.0, 0.5}), contains(right, {1.0, 0.5}));
 }
 
-TEST(Polygon, VerticalsCrossItsOutlineInAscendingOrder)
-{
-  EXPECT_THAT(crossings_of_vertical(ell, 0.5), ElementsAre(DoubleEq(0.0), DoubleEq(2.0)));
-  EXPECT_THAT(crossings_of_vertical(ell, 2.0), ElementsAre(DoubleEq(0.0), DoubleEq(1.0)));
-  EXPECT_THAT(crossings_of_vertical(Polygon(ell.rbegin(), ell.rend()), 0.5), ElementsAre(DoubleEq(0.0), DoubleEq(2.0)));
-  EXPECT_TRUE(crossings_of_vertical(ell, 3.5).empty());
-  const Polygon triangle{{0.0, 0.0}, {4.0, 0.0}, {0.0, 2.0}};
-  EXPECT_THAT(crossings_of_vertical(triangle, 1.0), ElementsAre(DoubleEq(0.0), DoubleEq(1.5)));
-}
-
 TEST(Polygon, AreaIsPositiveCounterClockwise)
 {
   EXPECT_DOUBLE_EQ(signed_area(ell), 4.0);

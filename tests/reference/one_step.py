@@ -16,7 +16,8 @@ CORNERS = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])  # of t
 GAUSS = CORNERS / np.sqrt(3.0)  # weights w_g are all 1
 CENTRE = np.zeros(2)
 EYE = np.eye(3)
-SMALL_MASS = 1e-9  # nodes lighter than this times rho V_e keep v = a = 0
+SMALL_MASS = 1e-9  # nodes lighter than this times rho V_e keep a = 0
+LEAST_SHARE = 1e-30  # of a point for each corner of its cell, decision 0027
 TIE = 1e-9         # |xi| below this counts as 0, reading R7
 met = Counter()    # which branches the scenarios went through, to show that none is left out
 
@@ -199,10 +200,10 @@ def accelerate_nodes(case, m, momentum, f_int, moving):
     return np.where(moving[:, None], (v_1 - v) / case["dt"], 0)
 
 
-def nodal_velocity(case, m, momentum, moving):
-    """Velocity after the second map; fixed components and the contact's normal one are clamped."""
+def nodal_velocity(case, m, momentum):
+    """Velocity after the second map, however light the node; fixed components and the contact's normal one are clamped."""
     v = np.zeros_like(momentum)
-    v[moving] = momentum[moving] / m[moving, None]
+    v[m > 0] = momentum[m > 0] / m[m > 0, None]
     return clamped(case, v)
 
 
@@ -226,7 +227,8 @@ def step(case, pts):
     xi = np.array([local_coordinates(corners[p], pts["x"][p]) for p in points])
     n = np.array([shape_functions(xi[p]) for p in points])
     subs = np.array([sub_cell(xi[p]) for p in points])
-    to_nodes = lambda f: sum_to_nodes(n_nodes, nodes, n[:, :, None] * f[:, None, :])
+    shares = np.maximum(n, LEAST_SHARE)
+    to_nodes = lambda f: sum_to_nodes(n_nodes, nodes, shares[:, :, None] * f[:, None, :])
 
     m = to_nodes(pts["mass"][:, None])[:, 0]                                       # 1. points to cells and nodes
     smallest = min(gauss_volumes(x_e).sum() for x_e in mesh["nodes"][mesh["cells"]])  # V_e
@@ -243,7 +245,7 @@ def step(case, pts):
 
     a = accelerate_nodes(case, m, to_nodes(pts["mass"][:, None] * pts["v"]), f_int, moving)  # 2. nodes
     pts["v"] += dt * np.einsum("pi,pia->pa", n, a[nodes])                          # 3. cells to points
-    v = nodal_velocity(case, m, to_nodes(pts["mass"][:, None] * pts["v"]), moving)  # 4. nodes
+    v = nodal_velocity(case, m, to_nodes(pts["mass"][:, None] * pts["v"]))  # 4. nodes
     d_eps = np.zeros_like(pts["strain"])
     for p in points:                                                               # 5. strain, stress, volume, places
         d_eps[p], w = strain_and_spin(corners[p], xi[p] if standard else GAUSS[subs[p]], v[nodes[p]] * dt, not standard)

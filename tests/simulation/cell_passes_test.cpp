@@ -68,6 +68,53 @@ TEST(CellPasses, ACellIsHalfOpen)
   EXPECT_THAT(cells.lanes_that_leave({-0.25, 0.0}), testing::ElementsAre(0));
 }
 
+/// One cell, almost a triangle: its corner 2 is nearly straight.
+Mesh<2> nearly_a_triangle()
+{
+  Mesh<2> mesh;
+  mesh.nodes = {{0.0, 0.0}, {1.0, 0.0}, {0.502, 0.502}, {0.0, 1.0}};
+  mesh.cells = {{0, 1, 2, 3}};
+  connect(mesh);
+  return mesh;
+}
+
+/// One point moved by du in such a cell; true if it is reported to have left.
+bool leaves_triangle(Vec<2> local, Vec<2> du, Vec<2>& after, Vec<2>& x)
+{
+  const Mesh<2> mesh = nearly_a_triangle();
+  PointBlocks<2> points{1, 0};
+  std::vector<GaussValues<2>> gauss{1};
+  CornerSums<2> corners{};
+  add_point(mesh, 0, {.local = local}, points);
+  CornerVectors all;
+  for (int d = 0; d < 2; ++d) all[d].fill(du[d]);
+  decltype(CellSums::leavers) leavers;
+  const PointBlock<2>& block = test::only_block(points, 0);
+  advance_points({0, mesh.geometry(0), points, gauss, corners}, mesh.centres[0], all, block, 0, leavers);
+  after = {block.row(Rows::xi)[0], block.row(Rows::xi + 1)[0]};
+  x = {block.row(Rows::x)[0], block.row(Rows::x + 1)[0]};
+  return !leavers.empty();
+}
+
+TEST(CellPasses, BesideAnAlmostStraightCornerLocalCoordinatesFollowThePlace)
+{
+  for (const Vec<2> local : {Vec<2>{0.9, 0.9}, Vec<2>{0.97, 0.8}, Vec<2>{0.6, 0.95}})
+    for (const Vec<2> du : {Vec<2>{-0.02, -0.02}, Vec<2>{-0.2, 0.1}, Vec<2>{0.1, -0.2}, Vec<2>{-1e-4, -2e-4}}) {
+      Vec<2> after, x;
+      ASSERT_FALSE(leaves_triangle(local, du, after, x));
+      const Vec<2> back = place_in_cell(nearly_a_triangle(), 0, after);
+      for (int d = 0; d < 2; ++d) EXPECT_NEAR(back[d], x[d], 1e-14);
+    }
+}
+
+TEST(CellPasses, APlaceThatTheMapDoesNotReachHasLeft)
+{
+  for (const Vec<2> du : {Vec<2>{0.02, 0.02}, Vec<2>{0.1, 0.1}, Vec<2>{1.0, 1.0}, Vec<2>{0.3, -0.1}, Vec<2>{3.0, 0.0}}) {
+    Vec<2> after, x;
+    EXPECT_TRUE(leaves_triangle({0.97, 0.97}, du, after, x)) << du[0] << ' ' << du[1];
+  }
+}
+
 TEST(CellPasses, PaddingNeverLeaves)
 {
   TwoCells cells;

@@ -9,6 +9,7 @@
 #include "support/simulations.hpp"
 
 #include <cmath>
+#include <numeric>
 
 #include <gmock/gmock.h>
 
@@ -67,6 +68,50 @@ TEST(InitialStress, K0CountsEachLayerWithItsOwnDensityAndAnOverlapOnce)
     const Real clay = left ? 1990.0 * (top - std::max(p.x[1], border)) : 0.0;
     const Real rock = 2000.0 * std::max(0.0, border - p.x[1]);
     EXPECT_NEAR(p.sigma[1], -g * (clay + rock), 1e-9);
+  }
+}
+
+/// The confined box, its bodies regions of a mesh: `cells` of the 16 x 8 mesh are the region "rock".
+Simulation box_of_region(const std::vector<Index>& cells, const std::vector<BodyCase>& more = {})
+{
+  Case c = confined_box(InitialStress::k0);
+  c.bodies[0].polygon.clear();
+  c.bodies[0].region = "rock";
+  c.materials.push_back(test::clay());
+  c.bodies.insert(c.bodies.end(), more.begin(), more.end());
+  Mesh<2> mesh = make_rectangle({0.0, 0.0}, {4.0, 2.0}, {16, 8});
+  mesh.regions = {{"rock", cells}};
+  Model model = build_model(c, std::move(mesh), 1);
+  State state = build_state(model);
+  return Simulation(std::move(model), std::move(state));
+}
+
+std::vector<Index> lowest_rows(Index n)
+{
+  std::vector<Index> cells(16 * static_cast<std::size_t>(n));
+  std::iota(cells.begin(), cells.end(), 0);
+  return cells;
+}
+
+TEST(InitialStress, K0TakesARegionForTheUnionOfItsCells)
+{
+  const auto of_box = test::points_by_id(Simulation(confined_box(InitialStress::k0)).state);
+  const auto of_region = test::points_by_id(box_of_region(lowest_rows(6)).state);
+  ASSERT_EQ(of_region.size(), of_box.size());
+  for (std::size_t k = 0; k < of_box.size(); ++k)
+    for (int d = 0; d < 4; ++d) EXPECT_NEAR(of_region[k].sigma[d], of_box[k].sigma[d], 1e-9);
+}
+
+TEST(InitialStress, K0OfARegionCarriesTheBodyOnItAndSkipsTheHoleInIt)
+{
+  std::vector<Index> cells = lowest_rows(6);
+  cells.erase(cells.begin() + 16 * 2 + 8);  // x = 2 to 2.25 m, y = 0.5 to 0.75 m
+  const Simulation s = box_of_region(cells, {test::body("clay", {0.0, 1.25}, {3.0, 1.75})});  // one row deep in the rock
+  for (const Point& p : test::points_by_id(s.state)) {
+    const Real x = p.x[0], y = p.x[1], top = x < 3.0 ? 1.75 : 1.5, border = x < 3.0 ? 1.25 : 1.5;
+    const Real hole = x > 2.0 && x < 2.25 && y < 0.5 ? 0.25 : 0.0;
+    const Real weight = 1990.0 * (top - std::max(y, border)) * (x < 3.0 ? 1.0 : 0.0) + 2000.0 * (std::max(0.0, border - y) - hole);
+    EXPECT_NEAR(p.sigma[1], -g * weight, 1e-8) << x << ' ' << y;
   }
 }
 

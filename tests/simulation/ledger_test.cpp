@@ -67,6 +67,62 @@ TEST(Ledger, TheDifferenceOfTheBooksIsWhatWorksDoNotExplain)
   EXPECT_EQ(row.plastic, 55.0);
 }
 
+/// A block without weight that flies out through the right side.
+Simulation leaving_block()
+{
+  Case c = test::free_box("mpm_gp", {3.0, 0.5}, {3.75, 1.0}, test::elastic(2e6, 0.3, 2000.0));
+  c.sides = {test::side("right", SideKind::open)};
+  c.bodies[0].velocity = {20.0, 0.0};
+  Model model = build_model(c, 1);
+  State state = build_state(model);
+  test::edit_points(state, [](const PointBlock<2>& block, Index lane) { block.row(Rows::sigma + 3)[lane] = 3000.0; });
+  state.start_energy = kinetic_and_elastic_energy(model, state);
+  start_audit(model, state);
+  return Simulation(std::move(model), std::move(state));
+}
+
+TEST(Ledger, EntersTheKineticAndElasticEnergyOfWhatLeft)
+{
+  Simulation s = leaving_block();
+  EXPECT_EQ(keep_ledger(s.model, s.state).left_energy, 0.0);
+  const auto before = test::points_by_id(s.state);
+  while (s.state.left.empty()) s.step();
+  Real energy = 0.0;
+  for (const LeftPoint& p : s.state.left) energy += 0.5 * p.mass * (p.v[0] * p.v[0] + p.v[1] * p.v[1]) + p.elastic;
+  const LeftPoint& first = s.state.left.front();
+  EXPECT_EQ(first.mass, before[static_cast<std::size_t>(first.id)].mass);
+  EXPECT_GT(first.elastic, 0.0);
+  const LedgerRow row = keep_ledger(s.model, s.state);
+  EXPECT_DOUBLE_EQ(row.left_energy, energy);
+  EXPECT_NEAR(row.numerical, row.kinetic + row.elastic + row.left_energy - s.state.start_energy, 1e-9);
+  EXPECT_NEAR(kinetic_and_elastic_energy(s.model, s.state), row.kinetic + row.elastic + row.left_energy, 1e-6);
+}
+
+TEST(Ledger, TheBooksBalanceWhenAllHasLeft)
+{
+  Simulation s = leaving_block();
+  while (s.state.points.n_points() > 0) s.step();
+  const LedgerRow row = keep_ledger(s.model, s.state);
+  EXPECT_EQ(row.kinetic + row.elastic, 0.0);
+  EXPECT_NEAR(row.left_energy, s.state.start_energy, 1e-3 * s.state.start_energy);
+  EXPECT_NEAR(row.numerical, 0.0, 1e-3 * s.state.start_energy);
+}
+
+TEST(Ledger, TheBooksBalanceWhileSoilLeavesThroughAnOpenSide)
+{
+  Case c = test::column("mpm_gp", 0.25);
+  c.mesh.size = {9.0, 3.0};
+  c.sides[1].kind = SideKind::open;
+  Simulation s(c);
+  s.state.start_energy = kinetic_and_elastic_energy(s.model, s.state);
+  start_audit(s.model, s.state);
+  while (s.state.time < 2.0) s.step();
+  const LedgerRow row = keep_ledger(s.model, s.state);
+  EXPECT_GT(row.left, 100);
+  EXPECT_GT(row.left_energy, 0.05 * row.gravity_work);
+  EXPECT_LT(std::abs(row.numerical), 0.02 * row.gravity_work);
+}
+
 TEST(Ledger, TheSpeedThat999InAThousandPointsDoNotExceedLeavesOutTheFastest)
 {
   Simulation s(test::column("mpm_gp"));  // 1600 points

@@ -136,6 +136,16 @@ TEST(Setup, BodiesWithoutAnyPointAreRefused)
   EXPECT_EQ(p.detail, "The bodies hold no point of the seeding lattice. Use a larger body, smaller cells or more points per cell.");
 }
 
+TEST(Setup, ASideThatTheMeshDoesNotHaveIsRefusedWhateverItsCondition)
+{
+  for (const SideKind kind : {SideKind::free, SideKind::open, SideKind::roller}) {
+    Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});
+    c.sides = {test::side("wall", kind)};
+    EXPECT_THAT(problem_of(c), AllOf(Field(&Problem::key, "boundary.wall"), Field(&Problem::what, "the mesh has no side `wall`"),
+                                     Field(&Problem::detail, "Sides of this mesh: left, right, bottom, top")));
+  }
+}
+
 TEST(Setup, ATimeStepThatHasCollapsedIsRefused)
 {
   Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0}, test::elastic(1e23, 0.25, 1000.0));

@@ -45,6 +45,22 @@ TEST(MapMassAndMomentum, SpreadsOnePointByItsShapeFunctions)
   EXPECT_THAT(sums.momentum[1], ElementsAre(DoubleEq(-6.0), DoubleEq(-24.0), DoubleEq(-16.0), DoubleEq(-4.0)));
 }
 
+TEST(MapMassAndMomentum, APointOnASideGivesTheCornersAcrossItsVelocity)
+{
+  Cell cell;
+  cell.add({.local = {-1.0, 0.5}, .mass = 100.0, .v = {3.0, -0.5}});
+  CornerSums<2> sums{};
+  map_mass_and_momentum(cell.block(), sums);
+  EXPECT_THAT(sums.mass, ElementsAre(25.0, 100.0 * least_share, 100.0 * least_share, 75.0));
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_DOUBLE_EQ(sums.momentum[0][i] / sums.mass[i], 3.0);
+    EXPECT_DOUBLE_EQ(sums.momentum[1][i] / sums.mass[i], -0.5);
+  }
+  sums.momentum = {};
+  map_momentum(cell.block(), sums);
+  EXPECT_DOUBLE_EQ(sums.momentum[0][1] / sums.mass[1], 3.0);
+}
+
 TEST(MapMassAndMomentum, KeepsTheTotalsOfAnyNumberOfPoints)
 {
   for (const int n : {1, 7, 8, 9, 25}) {
