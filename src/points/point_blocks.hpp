@@ -113,14 +113,20 @@ void for_each_block(const PointBlocks<Dim>& points, Index cell, F&& f)
   for (Index b = points.first_block(cell); b >= 0; b = points.block(b).next) f(points.block(b), b);
 }
 
+/// Calls f(block) for every block, cells ascending.
+template <int Dim, class F>
+void for_each_block(const PointBlocks<Dim>& points, F&& f)
+{
+  for (const Index cell : points.occupied()) for_each_block(points, cell, [&](const PointBlock<Dim>& block, Index) { f(block); });
+}
+
 /// Calls f(block, lane) for every point, cells ascending: the fixed order of checkpoints and reports.
 template <int Dim, class F>
 void for_each_point(const PointBlocks<Dim>& points, F&& f)
 {
-  for (const Index cell : points.occupied())
-    for_each_block(points, cell, [&](const PointBlock<Dim>& block, Index) {
-      for (Index lane = 0; lane < block.n; ++lane) f(block, lane);
-    });
+  for_each_block(points, [&](const PointBlock<Dim>& block) {
+    for (Index lane = 0; lane < block.n; ++lane) f(block, lane);
+  });
 }
 
 }  // namespace terp

@@ -162,9 +162,13 @@ std::vector<HistoryRow> make_history(const Model& model, const State& state)
   if (names.empty()) return {};
   std::vector<HistoryRow> rows;
   for (std::size_t k = 0; k < names.size(); ++k) rows.push_back(history_of_left(state, model.history_ids[k]));
+  std::vector<std::uint8_t> named(static_cast<std::size_t>(state.n_ids()));
+  for (const std::int64_t id : model.history_ids) named[static_cast<std::size_t>(id)] = 1;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const auto id = id_of(block, lane);
+    if (named[id] == 0) return;
     for (std::size_t k = 0; k < names.size(); ++k)
-      if (model.history_ids[k] == static_cast<std::int64_t>(id_of(block, lane))) rows[k] = history_of(model, state, block, lane);
+      if (model.history_ids[k] == static_cast<std::int64_t>(id)) rows[k] = history_of(model, state, block, lane);
   });
   for (std::size_t k = 0; k < names.size(); ++k) rows[k].point = names[k].first;
   return rows;
