@@ -53,6 +53,15 @@ void print_summary(const Summary& s, const std::string& folder)
   fmt::print("results in {}\n", folder);
 }
 
+/// What the numbers say against themselves.
+void warn_of(const Summary& s)
+{
+  constexpr double much = 0.05;
+  if (s.energy_balance_error > much)
+    fmt::print(stderr, "warning: the energy balance is off by {:.2g} % of the energy exchanged; see docs/troubleshooting.md#the-energy-balance-is-off\n",
+               100.0 * s.energy_balance_error);
+}
+
 void print_passes(const Workspace& work)
 {
   double total = 0.0;
@@ -92,6 +101,7 @@ int solve(const Model& model, State& state, RunWriter& writer, const RunOptions&
       return failed;
     }
     if (!options.quiet) print_summary(summary, folder);
+    warn_of(summary);
     if (options.verbose) print_passes(work);
     return solved;
   } catch (const RunError& error) {

@@ -55,10 +55,10 @@ void apply_contact(const NodeHold& hold, Real mass, Real dt, Vec<2>& v)
   for (Real& component : v) component *= kept;
 }
 
-void stop_across(const NodeHold& hold, Vec<2>& v)
+void stop_across(const NodeHold& hold, Vec<2> reaction, Vec<2>& v)
 {
   const Real v_n = dot(v, hold.normal);
-  if (hold.hold == Hold::separating && v_n < 0.0) return;
+  if (hold.hold == Hold::separating && v_n < 0.0 && !(dot(reaction, hold.normal) < 0.0)) return;
   for (int d = 0; d < 2; ++d) v[d] -= v_n * hold.normal[d];
 }
 
@@ -115,19 +115,19 @@ void Boundary::constrain(Index node, Real mass, Real dt, Vec<2>& v) const
   for (int k = 0; k < c->n; ++k) {
     const NodeHold& hold = c->holds[k];
     if (is_contact(hold.hold)) apply_contact(hold, mass, dt, v);
-    if (hold.hold == Hold::normal) stop_across(hold, v);
+    if (hold.hold == Hold::normal) stop_across(hold, {}, v);
   }
   if (c->pinned) v = {0.0, 0.0};
   for (int k = 0; k < c->n; ++k)
     if (c->holds[k].hold == Hold::all) v = c->holds[k].velocity;
 }
 
-void Boundary::clamp(Index node, Vec<2>& v) const
+void Boundary::clamp(Index node, Vec<2> reaction, Vec<2>& v) const
 {
   const NodeCondition* c = at(node);
   if (c == nullptr) return;
   for (int k = 0; k < c->n; ++k)
-    if (c->holds[k].hold != Hold::all) stop_across(c->holds[k], v);
+    if (c->holds[k].hold != Hold::all) stop_across(c->holds[k], reaction, v);
   if (c->pinned) v = {0.0, 0.0};
   for (int k = 0; k < c->n; ++k)
     if (c->holds[k].hold == Hold::all) v = c->holds[k].velocity;

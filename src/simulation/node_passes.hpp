@@ -88,7 +88,7 @@ inline void remap_velocity(const Model& model, const NodeGather& sum, Index i, N
 {
   if (!(node.mass > 0.0)) return;
   for (int d = 0; d < 2; ++d) node.v[d] = sum.momentum[d] / node.mass;
-  model.boundary.clamp(i, node.v);
+  model.boundary.clamp(i, node.boundary, node.v);
   add_works(model, node, sums);
 }
 

@@ -25,9 +25,9 @@ Vec<2> constrained(const Boundary& boundary, Index node, Vec<2> v)
   return v;
 }
 
-Vec<2> clamped(const Boundary& boundary, Index node, Vec<2> v)
+Vec<2> clamped(const Boundary& boundary, Index node, Vec<2> v, Vec<2> reaction = {0.0, 0.0})
 {
-  boundary.clamp(node, v);
+  boundary.clamp(node, reaction, v);
   return v;
 }
 
@@ -74,6 +74,14 @@ TEST(DrivenSide, TakesThePrescribedVelocityEverywhereAlsoInItsCorners)
     EXPECT_THAT(constrained(boundary, node, {5.0, 5.0}), ElementsAre(-0.2, 0.1));
     EXPECT_THAT(clamped(boundary, node, {5.0, 5.0}), ElementsAre(-0.2, 0.1));
   }
+}
+
+TEST(ContactPlane, ASeparatingOneThatPushedStaysClosedForTheStep)
+{
+  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::separating}});
+  EXPECT_THAT(clamped(boundary, 2, {3.0, 4.0}, {0.0, 20.0}), ElementsAre(3.0, 0.0));
+  EXPECT_THAT(clamped(boundary, 2, {3.0, 4.0}, {5.0, 0.0}), ElementsAre(3.0, 4.0));
+  EXPECT_THAT(clamped(boundary, 2, {3.0, -4.0}), ElementsAre(3.0, 0.0));
 }
 
 TEST(FreePart, LeavesOutWhatTheSidesCarry)

@@ -76,6 +76,30 @@ TEST_P(SlidingBlock, SticksWhenAdhesionExceedsThePush)
   for (std::size_t p = 0; p < before.size(); ++p) EXPECT_LT(std::abs(after[p].x[0] - before[p].x[0]), 0.002);  // free: 0.1 m
 }
 
+/// A column of one cell's width between rollers, its weight carried from the start.
+Case standing_soil(const char* scheme)
+{
+  Case c = test::free_box(scheme, {0.0, 0.0}, {0.1, 2.0}, test::elastic(1e6, 0.3, density));
+  c.mesh.size = {0.1, 3.0};
+  c.mesh.cell = {0.1, 0.1};
+  c.forces.gravity = {0.0, -9.81};
+  c.initial.stress = InitialStress::k0;
+  c.sides = {test::side("left", SideKind::roller), test::side("right", SideKind::roller), base(SideKind::contact_separating, 0.0, 0.0)};
+  return c;
+}
+
+using SeparatingContact = SlidingBlock;
+INSTANTIATE_TEST_SUITE_P(Schemes, SeparatingContact, testing::Values("standard_mpm", "mpm_mixed", "mpm_gp"),
+                         [](const auto& info) { return std::string(info.param); });
+
+TEST_P(SeparatingContact, SoilAtRestGainsNoEnergy)
+{
+  Simulation s(standing_soil(GetParam()));
+  s.step(static_cast<std::int64_t>(6.0 / s.model.dt));
+  EXPECT_LT(s.state.work.boundary, 1e-9);  // a floor that stays does no work
+  EXPECT_LT(test::kinetic_energy(test::points_by_id(s.state)), 0.01);  // of 24 J elastic
+}
+
 /// A block that slides under pure FLIP rings, and a bilateral base meets only the pushes with friction: 10 % PIC keeps it quiet.
 Case rubbing_block(const char* scheme, SideKind kind, Real friction, Real degrees)
 {
