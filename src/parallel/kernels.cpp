@@ -22,6 +22,8 @@ bool is_offered(std::string_view set)
   return !set.empty();  // the least of the architecture, or a build for its own machine
 }
 
+constexpr const char* advice = "\n  Without the variable Terp takes the best set that the processor offers.";
+
 std::string names_of(std::span<const InstructionSet> sets)
 {
   std::string names;
@@ -48,12 +50,10 @@ const InstructionSet& choose_instructions(std::span<const InstructionSet> sets, 
     if (set.offered && best == nullptr) best = &set;
     if (set.name != word) continue;
     if (set.offered) return set;
-    throw InstructionsError("TERP_INSTRUCTIONS=" + std::string(word) + ": this processor does not offer it. Without the variable " +
-                            "Terp takes the best that it offers.");
+    throw InstructionsError("TERP_INSTRUCTIONS=" + std::string(word) + ": this processor does not offer it" + advice);
   }
   if (!word.empty())
-    throw InstructionsError("TERP_INSTRUCTIONS=" + std::string(word) + ": this build has no such kernels. It has: " + names_of(sets) +
-                            ". Without the variable Terp takes the best that the processor offers.");
+    throw InstructionsError("TERP_INSTRUCTIONS=" + std::string(word) + ": there is no such set in this build. It has: " + names_of(sets) + advice);
   if (best == nullptr) throw InstructionsError("this processor offers none of the instruction sets of this build: " + names_of(sets) + ".");
   return *best;
 }
