@@ -53,23 +53,31 @@ TEST(EverySet, IsTheOneThatTheVariableNames)
   }
 }
 
-/// SSE2 rounds a product before it is added: other bits from the first step on, the same numbers for as long as nothing amplifies them.
-TEST(EverySet, WithoutFusedProductsIsCloseToThoseWithThem)
+/// Rows of the points of the short column, shape [n_points][n_rows]. Without local damping: it pushes against the sign of a velocity, which
+/// round-off decides in soil that a wave has not yet reached.
+NamedArray rows_of_short_column(const std::string& instructions)
+{
+  const Variable variable("TERP_INSTRUCTIONS", instructions);
+  const test::ScratchFolder folder;
+  EXPECT_EQ(test::run_column(folder.path() + "/run", {"--set", "forces.damping.local=0"}).status, 0);
+  const CheckpointSearch end = newest_good_checkpoint(folder.path() + "/run");
+  for (const NamedArray& array : end.image.value().arrays)
+    if (array.name == "points/rows") return array;
+  return {};
+}
+
+/// SSE2 rounds a product before it is added: other bits, the same numbers.
+TEST(EverySet, WithoutFusedProductsDiffersByRoundOff)
 {
   if (!offered("sse2") || !offered("avx2")) GTEST_SKIP() << "this machine or build has not both SSE2 and AVX2";
-  const test::ScratchFolder folder;
-  std::vector<std::vector<Real>> ends;
-  for (const char* instructions : {"sse2", "avx2"}) {
-    const Variable variable("TERP_INSTRUCTIONS", instructions);
-    ASSERT_EQ(test::run_column(folder.path() + "/" + instructions).status, 0);
-    const StateImage image = newest_good_checkpoint(folder.path() + "/" + instructions).image.value();
-    for (const NamedArray& array : image.arrays)
-      if (array.name == "points/rows") ends.push_back(std::get<std::vector<Real>>(array.values));
-  }
-  ASSERT_EQ(ends.size(), 2u);
-  EXPECT_NE(ends[0], ends[1]);
-  ASSERT_EQ(ends[0].size(), ends[1].size());
-  for (std::size_t k = 0; k < ends[0].size(); ++k) ASSERT_NEAR(ends[0][k], ends[1][k], 1e-9 * std::max(1.0, std::abs(ends[1][k]))) << k;
+  const NamedArray rounded = rows_of_short_column("sse2"), fused = rows_of_short_column("avx2");
+  ASSERT_EQ(rounded.shape, fused.shape);
+  const auto &a = std::get<std::vector<Real>>(rounded.values), &b = std::get<std::vector<Real>>(fused.values);
+  EXPECT_NE(a, b);
+  const auto n_rows = static_cast<std::size_t>(fused.shape.at(1));
+  std::vector<Real> largest(n_rows, 0.0);
+  for (std::size_t k = 0; k < b.size(); ++k) largest[k % n_rows] = std::max(largest[k % n_rows], std::abs(b[k]));
+  for (std::size_t k = 0; k < b.size(); ++k) ASSERT_NEAR(a[k], b[k], 1e-12 * largest[k % n_rows]) << "row " << k % n_rows;
 }
 
 TEST(Instructions, AWordThatIsNoneIsBadInputWhateverTheCommand)
