@@ -3,6 +3,7 @@
 #include "commands.hpp"
 #include "input/case_file.hpp"
 #include "input/printable.hpp"
+#include "parallel/kernels.hpp"
 #include "parallel/machine.hpp"
 #include "parallel/threads.hpp"
 #include "simulation/pass_costs.hpp"
@@ -71,8 +72,8 @@ Measurement measure(const Model& model, State& state, std::int64_t n_steps, std:
 }
 
 struct Machine {
-  double triad_cache = measure_triad(512u << 10), triad_l3 = measure_triad(12u << 20), triad_memory = measure_triad(384u << 20);
-  double multiply_add = measure_multiply_add();
+  double triad_cache = kernels().measure_triad(512u << 10), triad_l3 = kernels().measure_triad(12u << 20);
+  double triad_memory = kernels().measure_triad(384u << 20), multiply_add = kernels().measure_multiply_add();
 };
 
 /// Rate that bounds a pass: of the memory in which the points lie [GB/s per thread].
@@ -104,7 +105,7 @@ void print_text(const Model& model, const State& state, const Measurement& m, co
 {
   const double points = static_cast<double>(state.points.n_points()) * static_cast<double>(n_steps);
   fmt::print("{}, {}, {} points, {} thread{}, {}, double\n", printable(model.description.title), model.description.scheme, state.points.n_points(), model.threads,
-             model.threads == 1 ? "" : "s", instruction_set());
+             model.threads == 1 ? "" : "s", kernels().instructions);
   fmt::print("  {:.1f} M point-steps/s (median of 5 x {} steps; {:.1f} to {:.1f})\n", points / m.seconds / 1e6, n_steps, points / m.slowest / 1e6,
              points / m.fastest / 1e6);
   fmt::print("  {:.0f} bytes per point\n\n", static_cast<double>(state.points.bytes()) / static_cast<double>(state.points.n_points()));
@@ -123,7 +124,7 @@ void print_json(const Model& model, const State& state, const Measurement& m, co
 {
   const double points = static_cast<double>(state.points.n_points()) * static_cast<double>(n_steps);
   fmt::print("{{\"terp_version\": \"{}\", \"scheme\": \"{}\", \"points\": {}, \"cells\": {}, \"threads\": {}, \"instructions\": \"{}\",\n", TERP_VERSION,
-             model.description.scheme, state.points.n_points(), model.mesh.n_cells(), model.threads, instruction_set());
+             model.description.scheme, state.points.n_points(), model.mesh.n_cells(), model.threads, kernels().instructions);
   fmt::print(" \"point_steps_per_s\": {}, \"slowest\": {}, \"fastest\": {}, \"bytes_per_point\": {},\n", points / m.seconds, points / m.slowest,
              points / m.fastest, static_cast<double>(state.points.bytes()) / static_cast<double>(state.points.n_points()));
   fmt::print(" \"triad_gb_per_s\": [{}, {}, {}], \"multiply_add_gflops\": {},\n \"passes\": [", machine.triad_cache, machine.triad_l3,

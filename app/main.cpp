@@ -5,6 +5,7 @@
 #include "input/closest.hpp"
 #include "input/explain.hpp"
 #include "input/printable.hpp"
+#include "parallel/kernels.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -110,7 +111,7 @@ bool answer_help(int argc, char** argv)
   for (int k = 1; k < argc; ++k) {
     const std::string_view word = argv[k];
     if (word == "-h" || word == "--help" || (k == 1 && word == "help")) return fmt::print("{}", help_text), true;
-    if (word == "--version") return fmt::print("terp {}\n", TERP_VERSION), true;
+    if (word == "--version") return fmt::print("terp {} ({})\n", TERP_VERSION, terp::kernels().instructions), true;
   }
   if (argc == 1) fmt::print("{}", help_text);
   return argc == 1;
@@ -120,11 +121,11 @@ bool answer_help(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
-  if (answer_help(argc, argv)) return terp::solved;
   CLI::App app;
   CommandLine line;
   declare(app, line);
   try {
+    if (answer_help(argc, argv)) return terp::solved;
     check_command(app, argv[1]);
     app.parse(argc, argv);
     return call(app, line);
@@ -133,6 +134,9 @@ int main(int argc, char** argv)
     return terp::bad_input;
   } catch (const terp::CaseError& error) {
     fmt::print(stderr, "{}", error.what());
+    return terp::bad_input;
+  } catch (const terp::InstructionsError& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
     return terp::bad_input;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "error: not enough memory for this case. `terp check CASE.toml` says how much it needs.\n");

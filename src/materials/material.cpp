@@ -1,20 +1,10 @@
 #include "materials/material.hpp"
 
+#include "parallel/kernels.hpp"
+
 namespace terp {
 
-#define TERP_MATERIAL(name) extern const MaterialType material_##name;
-#include "materials/materials.def"
-#undef TERP_MATERIAL
-
-std::span<const MaterialType* const> all_materials()
-{
-  static const MaterialType* const list[] = {
-#define TERP_MATERIAL(name) &material_##name,
-#include "materials/materials.def"
-#undef TERP_MATERIAL
-  };
-  return list;
-}
+std::span<const MaterialType* const> all_materials() { return kernels().materials; }
 
 const MaterialType* find_material(std::string_view name)
 {

@@ -103,7 +103,7 @@ struct MaterialType {
   std::unique_ptr<Material> (*make)(std::span<const Real> values);
 };
 
-/// Every law in this build, in the order of materials.def.
+/// Every law in this build, in the order of materials.def, compiled for this processor (parallel/kernels.hpp).
 std::span<const MaterialType* const> all_materials();
 /// nullptr if there is no such law.
 const MaterialType* find_material(std::string_view name);

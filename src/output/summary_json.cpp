@@ -43,6 +43,7 @@ std::string summary_text(const Summary& summary, bool finished, const CaseText& 
       {"wall_s", number(summary.wall_s)},
       {"point_steps_per_s", number(summary.point_steps_per_s)},
       {"threads", summary.threads},
+      {"instructions", summary.instructions},
       {"front_x", number(summary.front_x)},
       {"crest_x", number(summary.crest_x)},
       {"second_failure_time", number(summary.second_failure_time)},

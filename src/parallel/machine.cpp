@@ -58,15 +58,4 @@ double measure_multiply_add()
   });
 }
 
-const char* instruction_set()
-{
-#if defined(__AVX512F__)
-  return "AVX-512";
-#elif defined(__AVX2__)
-  return "AVX2";
-#else
-  return "SSE2";
-#endif
-}
-
 }  // namespace terp

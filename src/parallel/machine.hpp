@@ -1,4 +1,5 @@
 // What this machine can do at most: how fast it streams memory and how fast it multiplies and adds.
+// Part of the kernels: each copy measures what its own instructions can do; call by way of kernels().
 // Not for: what Terp makes of it (simulation/pass_costs, `terp bench`).
 #pragma once
 
@@ -11,8 +12,5 @@ double measure_triad(std::size_t bytes);
 
 /// Rate of multiply-adds on packs that stay in registers, on one thread [GFLOP/s]; a multiply-add counts two.
 double measure_multiply_add();
-
-/// Instructions that this program was compiled for: "AVX-512", "AVX2", "SSE2".
-const char* instruction_set();
 
 }  // namespace terp

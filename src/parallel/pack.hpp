@@ -1,6 +1,6 @@
 // A pack: eight numbers that one instruction works on, and the few functions that a law or kernel needs so that one
 // text serves a pack and a single Real alike. Always eight wide, so that sums have the same order on every machine;
-// where the machine's registers are shorter the compiler splits the pack.
+// where registers are shorter a pack is two or four of them.
 // Not for: anything that knows what the numbers mean.
 #pragma once
 
@@ -9,8 +9,9 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
-#if defined(__AVX2__) || defined(__AVX512F__)
+#if defined(__SSE2__)
 #include <immintrin.h>
 #endif
 
@@ -21,48 +22,146 @@ inline constexpr int pack_width = 8;
 /// Smallest multiple of pack_width that is not below n.
 constexpr Index round_up_to_pack(Index n) { return (n + pack_width - 1) / pack_width * pack_width; }
 
+namespace detail {
+
+#if defined(__AVX512F__)
+inline constexpr int register_width = 8;
+#elif defined(__AVX2__)
+inline constexpr int register_width = 4;
+#else
+inline constexpr int register_width = 2;
+#endif
+inline constexpr int n_registers = pack_width / register_width;
+
+/// As many numbers, or truth values, as fit into one register. GCC would split a vector of eight by itself, but number by number.
+using Reals = double __attribute__((vector_size(8 * register_width), may_alias));
+using Truths = long long __attribute__((vector_size(8 * register_width), may_alias));
+
+inline Reals broadcast(Real a)
+{
+#if defined(__AVX512F__)
+  return Reals{a, a, a, a, a, a, a, a};
+#elif defined(__AVX2__)
+  return Reals{a, a, a, a};
+#else
+  return Reals{a, a};
+#endif
+}
+
+/// a where m is true, b elsewhere. All bits of a truth value are equal.
+inline Reals choose(Truths m, Reals a, Reals b)
+{
+#if defined(__AVX2__) && !defined(__AVX512F__)
+  return Reals(_mm256_blendv_pd(__m256d(b), __m256d(a), __m256d(m)));
+#elif defined(__SSE2__) && !defined(__AVX2__)
+  return Reals(_mm_or_pd(_mm_and_pd(__m128d(m), __m128d(a)), _mm_andnot_pd(__m128d(m), __m128d(b))));
+#else
+  return m ? a : b;
+#endif
+}
+
+/// Bit k is set where number k is true.
+inline unsigned bits_of(Truths m)
+{
+#if defined(__AVX512DQ__)
+  return _mm512_movepi64_mask(__m512i(m));
+#elif defined(__AVX2__)
+  return static_cast<unsigned>(_mm256_movemask_pd(__m256d(m)));
+#elif defined(__SSE2__)
+  return static_cast<unsigned>(_mm_movemask_pd(__m128d(m)));
+#else
+  return (m[0] != 0 ? 1u : 0u) | (m[1] != 0 ? 2u : 0u);
+#endif
+}
+
+inline Reals fused(Reals a, Reals b, Reals c)
+{
+#if defined(__AVX512F__)
+  return Reals(_mm512_fmadd_pd(__m512d(a), __m512d(b), __m512d(c)));
+#elif defined(__AVX2__) && defined(__FMA__)
+  return Reals(_mm256_fmadd_pd(__m256d(a), __m256d(b), __m256d(c)));
+#elif defined(__FMA__)
+  return Reals{__builtin_fma(a[0], b[0], c[0]), __builtin_fma(a[1], b[1], c[1])};
+#else
+  return a * b + c;
+#endif
+}
+
+inline Reals root(Reals a)
+{
+#if defined(__AVX512F__)
+  return Reals(_mm512_maskz_sqrt_pd(0xff, __m512d(a)));
+#elif defined(__AVX2__)
+  return Reals(_mm256_sqrt_pd(__m256d(a)));
+#elif defined(__SSE2__)
+  return Reals(_mm_sqrt_pd(__m128d(a)));
+#else
+  return Reals{std::sqrt(a[0]), std::sqrt(a[1])};
+#endif
+}
+
+/// f(k) for each register k, as a Pack or Mask. Written out, not a loop: GCC keeps a pack in registers only if no
+/// loop runs over its parts when it decides.
+template <class Result, class F>
+Result each_part(F&& f)
+{
+  Result r;
+  [&]<int... k>(std::integer_sequence<int, k...>) { ((r.part[k] = f(k)), ...); }(std::make_integer_sequence<int, n_registers>{});
+  return r;
+}
+
+}  // namespace detail
+
 /// Eight truth values; all bits of a lane are set where true.
 struct Mask {
-  using Lanes = long long __attribute__((vector_size(64), may_alias));
-  Lanes lanes;
+  detail::Truths part[detail::n_registers];
 };
 
 struct Pack {
-  using Lanes = double __attribute__((vector_size(64), may_alias));
-  Lanes lanes;
+  detail::Reals part[detail::n_registers];
 
   Pack() = default;
-  Pack(Lanes l) : lanes(l) {}
-  Pack(Real a) : lanes(Lanes{a, a, a, a, a, a, a, a}) {}
-  Real operator[](int i) const { return lanes[i]; }
+  Pack(Real a) : Pack(detail::each_part<Pack>([&](int) { return detail::broadcast(a); })) {}
+  Real operator[](int i) const { return part[i / detail::register_width][i % detail::register_width]; }
 
   /// p: 64-byte aligned, pack_width numbers.
-  static Pack load(const Real* p) { return *reinterpret_cast<const Lanes*>(p); }
-  void store(Real* p) const { *reinterpret_cast<Lanes*>(p) = lanes; }
+  static Pack load(const Real* p)
+  {
+    return detail::each_part<Pack>([&](int k) { return *reinterpret_cast<const detail::Reals*>(p + k * detail::register_width); });
+  }
+  void store(Real* p) const
+  {
+    [&]<int... k>(std::integer_sequence<int, k...>) {
+      ((*reinterpret_cast<detail::Reals*>(p + k * detail::register_width) = part[k]), ...);
+    }(std::make_integer_sequence<int, detail::n_registers>{});
+  }
 
-  Pack& operator+=(Pack b) { lanes += b.lanes; return *this; }
-  Pack& operator-=(Pack b) { lanes -= b.lanes; return *this; }
-  Pack& operator*=(Pack b) { lanes *= b.lanes; return *this; }
+  Pack& operator+=(Pack b);
+  Pack& operator-=(Pack b);
+  Pack& operator*=(Pack b);
 };
 
-inline Pack operator+(Pack a, Pack b) { return a.lanes + b.lanes; }
-inline Pack operator-(Pack a, Pack b) { return a.lanes - b.lanes; }
-inline Pack operator*(Pack a, Pack b) { return a.lanes * b.lanes; }
-inline Pack operator/(Pack a, Pack b) { return a.lanes / b.lanes; }
-inline Pack operator-(Pack a) { return -a.lanes; }
-inline Mask operator<(Pack a, Pack b) { return {a.lanes < b.lanes}; }
-inline Mask operator>(Pack a, Pack b) { return {a.lanes > b.lanes}; }
-inline Mask operator<=(Pack a, Pack b) { return {a.lanes <= b.lanes}; }
-inline Mask operator>=(Pack a, Pack b) { return {a.lanes >= b.lanes}; }
-inline Mask operator&(Mask a, Mask b) { return {a.lanes & b.lanes}; }
-inline Mask operator|(Mask a, Mask b) { return {a.lanes | b.lanes}; }
-inline Mask operator!(Mask a) { return {~a.lanes}; }
+inline Pack operator+(Pack a, Pack b) { return detail::each_part<Pack>([&](int k) { return a.part[k] + b.part[k]; }); }
+inline Pack operator-(Pack a, Pack b) { return detail::each_part<Pack>([&](int k) { return a.part[k] - b.part[k]; }); }
+inline Pack operator*(Pack a, Pack b) { return detail::each_part<Pack>([&](int k) { return a.part[k] * b.part[k]; }); }
+inline Pack operator/(Pack a, Pack b) { return detail::each_part<Pack>([&](int k) { return a.part[k] / b.part[k]; }); }
+inline Pack operator-(Pack a) { return detail::each_part<Pack>([&](int k) { return -a.part[k]; }); }
+inline Pack& Pack::operator+=(Pack b) { return *this = *this + b; }
+inline Pack& Pack::operator-=(Pack b) { return *this = *this - b; }
+inline Pack& Pack::operator*=(Pack b) { return *this = *this * b; }
+inline Mask operator<(Pack a, Pack b) { return detail::each_part<Mask>([&](int k) { return detail::Truths(a.part[k] < b.part[k]); }); }
+inline Mask operator>(Pack a, Pack b) { return detail::each_part<Mask>([&](int k) { return detail::Truths(a.part[k] > b.part[k]); }); }
+inline Mask operator<=(Pack a, Pack b) { return detail::each_part<Mask>([&](int k) { return detail::Truths(a.part[k] <= b.part[k]); }); }
+inline Mask operator>=(Pack a, Pack b) { return detail::each_part<Mask>([&](int k) { return detail::Truths(a.part[k] >= b.part[k]); }); }
+inline Mask operator&(Mask a, Mask b) { return detail::each_part<Mask>([&](int k) { return a.part[k] & b.part[k]; }); }
+inline Mask operator|(Mask a, Mask b) { return detail::each_part<Mask>([&](int k) { return a.part[k] | b.part[k]; }); }
+inline Mask operator!(Mask a) { return detail::each_part<Mask>([&](int k) { return ~a.part[k]; }); }
 
 /// a where the mask is true, b elsewhere.
-inline Pack select(Mask m, Pack a, Pack b) { return m.lanes ? a.lanes : b.lanes; }
+inline Pack select(Mask m, Pack a, Pack b) { return detail::each_part<Pack>([&](int k) { return detail::choose(m.part[k], a.part[k], b.part[k]); }); }
 inline Real select(bool m, Real a, Real b) { return m ? a : b; }
-inline Pack min(Pack a, Pack b) { return a.lanes < b.lanes ? a.lanes : b.lanes; }
-inline Pack max(Pack a, Pack b) { return a.lanes > b.lanes ? a.lanes : b.lanes; }
+inline Pack min(Pack a, Pack b) { return detail::each_part<Pack>([&](int k) { return a.part[k] < b.part[k] ? a.part[k] : b.part[k]; }); }
+inline Pack max(Pack a, Pack b) { return detail::each_part<Pack>([&](int k) { return a.part[k] > b.part[k] ? a.part[k] : b.part[k]; }); }
 inline Real min(Real a, Real b) { return a < b ? a : b; }
 inline Real max(Real a, Real b) { return a > b ? a : b; }
 inline Real abs(Real a) { return a < 0 ? -a : a; }
@@ -71,33 +170,27 @@ inline Pack abs(Pack a) { return max(a, -a); }
 /// Bit k is set where lane k is true.
 inline unsigned to_bits(Mask m)
 {
-#if defined(__AVX512DQ__)
-  return _mm512_movepi64_mask(reinterpret_cast<__m512i>(m.lanes));
-#else
   unsigned bits = 0;
-  for (int k = 0; k < pack_width; ++k) bits |= (m.lanes[k] != 0 ? 1u : 0u) << k;
+  for (int k = 0; k < detail::n_registers; ++k) bits |= detail::bits_of(m.part[k]) << (k * detail::register_width);
   return bits;
-#endif
 }
-inline bool any_of(Mask m) { return to_bits(m) != 0; }
+inline bool any_of(Mask m)
+{
+  detail::Truths any = m.part[0];
+  for (int k = 1; k < detail::n_registers; ++k) any |= m.part[k];
+  return detail::bits_of(any) != 0;
+}
 inline bool any_of(bool m) { return m; }
 
 /// Lane numbers 0 ... 7.
-inline Pack lane_numbers() { return Pack::Lanes{0, 1, 2, 3, 4, 5, 6, 7}; }
+inline Pack lane_numbers()
+{
+  alignas(64) static constexpr Real numbers[pack_width] = {0, 1, 2, 3, 4, 5, 6, 7};
+  return Pack::load(numbers);
+}
 
 /// a b + c, rounded once where the machine has the instruction.
-inline Pack fma(Pack a, Pack b, Pack c)
-{
-#if defined(__AVX512F__)
-  return Pack::Lanes(_mm512_fmadd_pd(__m512d(a.lanes), __m512d(b.lanes), __m512d(c.lanes)));
-#elif defined(__FMA__)
-  Pack r;
-  for (int k = 0; k < pack_width; ++k) r.lanes[k] = __builtin_fma(a.lanes[k], b.lanes[k], c.lanes[k]);
-  return r;
-#else
-  return a * b + c;
-#endif
-}
+inline Pack fma(Pack a, Pack b, Pack c) { return detail::each_part<Pack>([&](int k) { return detail::fused(a.part[k], b.part[k], c.part[k]); }); }
 inline Real fma(Real a, Real b, Real c)
 {
 #if defined(__FMA__)
@@ -107,23 +200,18 @@ inline Real fma(Real a, Real b, Real c)
 #endif
 }
 
-inline Pack sqrt(Pack a)
-{
-#if defined(__AVX512F__)
-  return Pack::Lanes(_mm512_maskz_sqrt_pd(0xff, __m512d(a.lanes)));
-#else
-  Pack r;
-  for (int k = 0; k < pack_width; ++k) r.lanes[k] = std::sqrt(a.lanes[k]);
-  return r;
-#endif
-}
+inline Pack sqrt(Pack a) { return detail::each_part<Pack>([&](int k) { return detail::root(a.part[k]); }); }
 inline Real sqrt(Real a) { return std::sqrt(a); }
 
 /// Sum of the lanes, always as ((0+4)+(2+6)) + ((1+5)+(3+7)).
 inline Real sum(Pack a)
 {
-  const Pack::Lanes& l = a.lanes;
-  return ((l[0] + l[4]) + (l[2] + l[6])) + ((l[1] + l[5]) + (l[3] + l[7]));
+  for (int half = detail::n_registers / 2; half > 0; half /= 2)
+    for (int k = 0; k < half; ++k) a.part[k] += a.part[k + half];
+  detail::Reals l = a.part[0];
+  for (int half = detail::register_width / 2; half > 0; half /= 2)
+    for (int k = 0; k < half; ++k) l[k] += l[k + half];
+  return l[0];
 }
 inline Real sum(Real a) { return a; }
 
@@ -131,9 +219,7 @@ namespace detail {
 /// 2^n for whole n held in the low bits of n + 1.5 2^52.
 inline Pack power_of_two(Pack shifted)
 {
-  Mask::Lanes bits = reinterpret_cast<Mask::Lanes>(shifted.lanes);
-  bits = (bits + 1023) << 52;
-  return Pack::Lanes(reinterpret_cast<Pack::Lanes>(bits));
+  return each_part<Pack>([&](int k) { return Reals((Truths(shifted.part[k]) + 1023) << 52); });
 }
 inline Real power_of_two(Real shifted) { return std::bit_cast<Real>((std::bit_cast<std::uint64_t>(shifted) + 1023) << 52); }
 }  // namespace detail

@@ -3,18 +3,13 @@
 
 #include "boundary/conditions.hpp"
 #include "forces/damping.hpp"
+#include "parallel/kernels.hpp"
 #include "points/move.hpp"
 #include "points/seed.hpp"
 #include "schemes/cell_view.hpp"
 #include "simulation/case.hpp"
 
 namespace terp {
-
-struct Model;
-struct State;
-struct Workspace;
-/// One step of one scheme (simulation/step.hpp).
-using StepFunction = void (*)(const Model&, State&, Workspace&);
 
 struct Model {
   Case description;                      ///< as the user gave it

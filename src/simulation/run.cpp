@@ -162,6 +162,7 @@ Summary summarise(const Model& model, const State& state)
   s.wall_s = state.wall_s;
   s.point_steps_per_s = state.wall_s > 0.0 ? static_cast<double>(s.n_points) * static_cast<double>(s.n_steps) / state.wall_s : 0.0;
   s.threads = model.threads;
+  s.instructions = kernels().instructions;
   s.front_x = front(state.points);
   const Real crest = find_crest(state.crest, state.points);
   if (crest > state.crest.columns.left) s.crest_x = crest;

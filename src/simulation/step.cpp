@@ -157,7 +157,7 @@ void step(const Model& model, State& state, Workspace& work)
 
 }  // namespace
 
-StepFunction find_step(std::string_view scheme)
+StepFunction find_compiled_step(std::string_view scheme)
 {
 #define TERP_SCHEME(name, Type, summary, unused_options) \
   if (scheme == #name) return &step<Type>;

@@ -18,6 +18,7 @@ struct Summary {
   double wall_s = 0.0;                    ///< spent solving, over all processes that worked on the run
   double point_steps_per_s = 0.0;
   int threads = 1;
+  std::string instructions;               ///< instruction set of the kernels
   Real front_x = 0.0;                     ///< at the end [m]
   std::optional<Real> crest_x;            ///< at the end [m]; none if the body has no level surface left
   std::optional<Real> second_failure_time;  ///< [s], definition in docs/formats.md

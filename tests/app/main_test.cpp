@@ -1,4 +1,5 @@
 // The command line: help, version, words that are not commands, and the commands that only tell.
+#include "parallel/kernels.hpp"
 #include "support/process.hpp"
 
 #include <gmock/gmock.h>
@@ -31,11 +32,11 @@ TEST(Help, IsWhatTerpAloneSays)
   EXPECT_EQ(f.out, test::terp({"--help"}).out);
 }
 
-TEST(Version, IsOneLine)
+TEST(Version, IsOneLineAndSaysWhichInstructionsItUses)
 {
   const Finished f = test::terp({"--version"});
   EXPECT_EQ(f.status, 0);
-  EXPECT_EQ(f.out, "terp " TERP_VERSION "\n");
+  EXPECT_EQ(f.out, "terp " TERP_VERSION " (" + std::string(kernels().instructions) + ")\n");
 }
 
 TEST(CommandLine, WhatItDoesNotKnowIsBadInputAndPointsToTheHelp)

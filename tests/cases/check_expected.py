@@ -1,6 +1,6 @@
 """Runs what cases/NAME/expected.toml lists and holds each number of summary.json against it.
 
-check_expected.py TERP CASE_FOLDER [--long] [--accept]
+check_expected.py TERP CASE_FOLDER [--only TEXT] [--long] [--accept]
 
 expected.toml holds one table per run:
     [model_2_gp]
@@ -9,6 +9,7 @@ expected.toml holds one table per run:
     long = true                           # only with --long (make verify); otherwise only without it
     front_x = { value = 13.03, absolute = 0.05 }   # or relative; a name is a key of summary.json, "a.0.b" goes deeper
     energy_balance_error = { at_most = 2e-3 }
+--only takes the tables with TEXT in their name.
 --accept writes the values that came out; the tolerances stay.
 """
 
@@ -83,6 +84,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("terp", type=Path)
     parser.add_argument("folder", type=Path)
+    parser.add_argument("--only", default="", help="take only tables with this text in their name")
     parser.add_argument("--long", action="store_true", help="the runs with long = true, instead of the others")
     parser.add_argument("--accept", action="store_true", help="write what came out into expected.toml")
     options = parser.parse_args()
@@ -90,7 +92,7 @@ def main():
     text = path.read_text()
     good = True
     for name, table in tomllib.loads(text).items():
-        if table.get("long", False) != options.long:
+        if table.get("long", False) != options.long or options.only not in name:
             continue
         with tempfile.TemporaryDirectory() as runs:
             summary = run(options.terp, options.folder, table, runs)

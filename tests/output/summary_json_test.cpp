@@ -19,7 +19,7 @@ Summary sample_summary()
   Summary summary;
   summary.scheme = "mpm_gp", summary.n_points = 40000, summary.n_cells = 1600, summary.n_steps = 6598;
   summary.dt = 6.0623e-4, summary.wall_s = 33.5;
-  summary.point_steps_per_s = 7.9e6, summary.threads = 2, summary.front_x = 13.25, summary.crest_x = 3.75;
+  summary.point_steps_per_s = 7.9e6, summary.threads = 2, summary.instructions = "avx2", summary.front_x = 13.25, summary.crest_x = 3.75;
   summary.max_eps_eq_p = 2.5, summary.softened_fraction = {{0.5, 0.125}, {1.0, 0.25}}, summary.points_su_rose = 4;
   summary.points_eps_eq_p_fell = 3, summary.energy_balance_error = 1e-3, summary.clamped_points = 6, summary.points_left = 2,
   summary.v_999 = 5.5;
@@ -37,7 +37,7 @@ TEST(SummaryJson, HoldsEveryNumberUnderItsName)
             json::parse(R"({
     "terp_version": ")" TERP_VERSION
                         R"(", "finished": true, "scheme": "mpm_gp", "points": 40000, "cells": 1600, "steps": 6598,
-    "dt": 6.0623e-4, "wall_s": 33.5, "point_steps_per_s": 7.9e6, "threads": 2, "front_x": 13.25, "crest_x": 3.75,
+    "dt": 6.0623e-4, "wall_s": 33.5, "point_steps_per_s": 7.9e6, "threads": 2, "instructions": "avx2", "front_x": 13.25, "crest_x": 3.75,
     "second_failure_time": null, "max_eps_eq_p": 2.5,
     "softened_fraction": [{"time": 0.5, "fraction": 0.125}, {"time": 1.0, "fraction": 0.25}],
     "points_eps_eq_p_fell": 3, "points_su_rose": 4, "energy_balance_error": 1e-3, "clamped_points": 6, "points_left": 2, "v_999": 5.5,

@@ -1,0 +1,50 @@
+# The kernels: what a step spends its time in, compiled once per instruction set (docs/decisions/0028). One of the sets is
+# chosen when the program starts, in src/parallel/kernels.cpp.
+
+# Compiled for each set, and there alone. A new law belongs to them by itself.
+file(GLOB TERP_KERNEL_SOURCES CONFIGURE_DEPENDS src/materials/*.cpp)
+list(REMOVE_ITEM TERP_KERNEL_SOURCES ${PROJECT_SOURCE_DIR}/src/materials/material.cpp)
+list(APPEND TERP_KERNEL_SOURCES ${PROJECT_SOURCE_DIR}/src/parallel/machine.cpp ${PROJECT_SOURCE_DIR}/src/simulation/kernels.cpp
+                                ${PROJECT_SOURCE_DIR}/src/simulation/step.cpp)
+# Compiled for each set, and once more for what calls them before the first step (seeding) and for their tests.
+set(TERP_SHARED_KERNEL_SOURCES src/mesh/locate.cpp src/points/move.cpp src/transfer/gauss_average.cpp)
+
+set(TERP_FLAGS_avx512 -march=x86-64-v4 -mprefer-vector-width=512)
+set(TERP_FLAGS_avx2 -march=x86-64-v3)
+set(TERP_FLAGS_sse2 -march=x86-64)
+
+# Adds the kernels to a target. sets: the best first; "native" or "plain" alone mean one copy, linked like anything else.
+function(add_kernels target sets)
+  list(TRANSFORM sets REPLACE "(.+)" "TERP_KERNEL_SET(\\1)" OUTPUT_VARIABLE calls)
+  list(JOIN calls " " calls)
+  set_source_files_properties(src/parallel/kernels.cpp PROPERTIES COMPILE_DEFINITIONS "TERP_KERNEL_SETS=${calls}")
+  if(sets STREQUAL "native" OR sets STREQUAL "plain")
+    set_source_files_properties(src/simulation/kernels.cpp PROPERTIES COMPILE_DEFINITIONS TERP_KERNEL_COPY=${sets})
+    target_sources(${target} PRIVATE ${TERP_KERNEL_SOURCES})
+    return()
+  endif()
+  foreach(set ${sets})
+    add_kernel_copy(${target} ${set})
+  endforeach()
+endfunction()
+
+# One relocatable object per set, with one global name. Inline functions and templates would else be merged between the copies
+# and with the rest of the program by the linker, which takes any: --force-group-allocation ends their COMDAT groups, and objcopy
+# makes their names local.
+function(add_kernel_copy target set)
+  add_library(terp_kernels_${set} OBJECT ${TERP_KERNEL_SOURCES} ${TERP_SHARED_KERNEL_SOURCES})
+  target_include_directories(terp_kernels_${set} PRIVATE src)
+  target_link_libraries(terp_kernels_${set} PRIVATE fmt::fmt)
+  target_compile_options(terp_kernels_${set} PRIVATE ${TERP_FLAGS_${set}} -fno-gnu-unique)
+  target_compile_definitions(terp_kernels_${set} PRIVATE TERP_KERNEL_COPY=${set})
+  set(whole ${PROJECT_BINARY_DIR}/kernels_${set}_whole.o)
+  set(object ${PROJECT_BINARY_DIR}/kernels_${set}.o)
+  add_custom_command(
+    OUTPUT ${object}
+    COMMAND ${CMAKE_LINKER} -r --force-group-allocation -o ${whole} $<TARGET_OBJECTS:terp_kernels_${set}>
+    COMMAND ${CMAKE_OBJCOPY} --keep-global-symbol=terp_kernels_${set} ${whole} ${object}
+    DEPENDS $<TARGET_OBJECTS:terp_kernels_${set}>
+    COMMENT "Closing the kernels for ${set}" COMMAND_EXPAND_LISTS VERBATIM)
+  target_sources(${target} PRIVATE ${object})
+  set_source_files_properties(${object} PROPERTIES EXTERNAL_OBJECT TRUE GENERATED TRUE)
+endfunction()

@@ -1,0 +1,96 @@
+// The program under each set of instructions that this machine has.
+#include "app/coarse_column.hpp"
+#include "output/checkpoint.hpp"
+#include "parallel/kernels.hpp"
+#include "support/environment.hpp"
+#include "support/simulations.hpp"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace terp {
+namespace {
+
+using test::Finished;
+using test::Variable;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+bool offered(std::string_view name)
+{
+  for (const InstructionSet& set : instruction_sets())
+    if (set.name == name) return set.offered;
+  return false;
+}
+
+/// The end of model 2 on cells of 0.2 m after 2 s: it has slid, softened, and points have changed cell.
+StateImage end_of_column(const std::string& instructions, const std::string& scheme)
+{
+  const Variable variable("TERP_INSTRUCTIONS", instructions);
+  const test::ScratchFolder folder;
+  const Finished f = test::terp({"run", test::column_file, "--set", "mesh.cell=[0.2,0.2]", "--set", "time.end=2", "--set", "scheme=" + scheme, "-q",
+                                 "-o", folder.path() + "/run"});
+  EXPECT_EQ(f.status, 0) << f.err;
+  const auto summary = nlohmann::json::parse(test::text_of(folder.path() + "/run/summary.json"));
+  EXPECT_EQ(summary["instructions"], instructions);
+  return newest_good_checkpoint(folder.path() + "/run").image.value();
+}
+
+TEST(EverySet, WithFusedProductsEndsInTheSameBits)
+{
+  if (!offered("avx2") || !offered("avx512")) GTEST_SKIP() << "this machine or build has not both AVX2 and AVX-512";
+  for (const char* scheme : {"mpm_gp", "mpm_mixed", "standard_mpm"})
+    EXPECT_EQ(test::first_difference(end_of_column("avx2", scheme), end_of_column("avx512", scheme)), "") << scheme;
+}
+
+TEST(EverySet, IsTheOneThatTheVariableNames)
+{
+  for (const InstructionSet& set : instruction_sets()) {
+    const Variable variable("TERP_INSTRUCTIONS", std::string(set.name));
+    const Finished f = test::terp({"--version"});
+    EXPECT_THAT(f.out + f.err, HasSubstr(set.offered ? "(" + std::string(set.name) + ")\n" : "this processor does not offer it"));
+    EXPECT_EQ(f.status, set.offered ? 0 : 2);
+  }
+}
+
+/// Rows of the points of the short column, shape [n_points][n_rows]. Without local damping: it pushes against the sign of a velocity, which
+/// round-off decides in soil that a wave has not yet reached.
+NamedArray rows_of_short_column(const std::string& instructions)
+{
+  const Variable variable("TERP_INSTRUCTIONS", instructions);
+  const test::ScratchFolder folder;
+  EXPECT_EQ(test::run_column(folder.path() + "/run", {"--set", "forces.damping.local=0"}).status, 0);
+  const CheckpointSearch end = newest_good_checkpoint(folder.path() + "/run");
+  for (const NamedArray& array : end.image.value().arrays)
+    if (array.name == "points/rows") return array;
+  return {};
+}
+
+/// SSE2 rounds a product before it is added: other bits, the same numbers.
+TEST(EverySet, WithoutFusedProductsDiffersByRoundOff)
+{
+  if (!offered("sse2") || !offered("avx2")) GTEST_SKIP() << "this machine or build has not both SSE2 and AVX2";
+  const NamedArray rounded = rows_of_short_column("sse2"), fused = rows_of_short_column("avx2");
+  ASSERT_EQ(rounded.shape, fused.shape);
+  const auto &a = std::get<std::vector<Real>>(rounded.values), &b = std::get<std::vector<Real>>(fused.values);
+  EXPECT_NE(a, b);
+  const auto n_rows = static_cast<std::size_t>(fused.shape.at(1));
+  std::vector<Real> largest(n_rows, 0.0);
+  for (std::size_t k = 0; k < b.size(); ++k) largest[k % n_rows] = std::max(largest[k % n_rows], std::abs(b[k]));
+  for (std::size_t k = 0; k < b.size(); ++k) ASSERT_NEAR(a[k], b[k], 1e-12 * largest[k % n_rows]) << "row " << k % n_rows;
+}
+
+TEST(Instructions, AWordThatIsNoneIsBadInputWhateverTheCommand)
+{
+  const Variable variable("TERP_INSTRUCTIONS", "mmx");
+  for (const auto& words : std::vector<std::vector<std::string>>{{"--version"}, {"list"}, test::column_command("check")}) {
+    const Finished f = test::terp(words);
+    EXPECT_EQ(f.status, 2);
+    EXPECT_EQ(f.out, "");
+    EXPECT_THAT(f.err, StartsWith("error: TERP_INSTRUCTIONS=mmx: there is no such set in this build. It has: "));
+  }
+  EXPECT_EQ(test::terp({"--help"}).status, 0);
+}
+
+}  // namespace
+}  // namespace terp

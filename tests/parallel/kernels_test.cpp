@@ -1,0 +1,61 @@
+// Which set of instructions is taken, and what is said when it cannot be.
+#include "parallel/kernels.hpp"
+
+#include <cstdlib>
+#include <string>
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using testing::StartsWith;
+
+/// A processor without AVX-512.
+const InstructionSet sets[] = {{"avx512", false, nullptr}, {"avx2", true, nullptr}, {"sse2", true, nullptr}};
+
+std::string refusal(std::span<const InstructionSet> of, std::string_view word)
+{
+  try {
+    choose_instructions(of, word);
+    return "";
+  } catch (const InstructionsError& error) {
+    return error.what();
+  }
+}
+
+TEST(Instructions, TheBestThatTheProcessorOffersIsTaken)
+{
+  EXPECT_EQ(choose_instructions(sets, "").name, "avx2");
+  EXPECT_EQ(choose_instructions(std::span(sets).subspan(2), "").name, "sse2");
+}
+
+TEST(Instructions, TheWordOfTheUserCounts) { EXPECT_EQ(choose_instructions(sets, "sse2").name, "sse2"); }
+
+TEST(Instructions, WhatTheProcessorLacksIsRefused)
+{
+  EXPECT_EQ(refusal(sets, "avx512"), "TERP_INSTRUCTIONS=avx512: this processor does not offer it\n"
+                                     "  Without the variable Terp takes the best set that the processor offers.");
+}
+
+TEST(Instructions, AnUnknownWordIsRefusedWithThoseThatAreKnown)
+{
+  EXPECT_EQ(refusal(sets, "AVX2"), "TERP_INSTRUCTIONS=AVX2: there is no such set in this build. It has: avx512, avx2, sse2\n"
+                                   "  Without the variable Terp takes the best set that the processor offers.");
+}
+
+TEST(Instructions, AProcessorBelowAllSetsIsRefused)
+{
+  EXPECT_EQ(refusal(std::span(sets).first(1), ""), "this processor offers none of the instruction sets of this build: avx512.");
+}
+
+TEST(Instructions, TheLastSetOfThisBuildRunsOnAnyMachine) { EXPECT_TRUE(instruction_sets().back().offered); }
+
+TEST(Instructions, OfThisProcessAreWhatTheVariableSaysOrTheBest)
+{
+  const char* word = std::getenv("TERP_INSTRUCTIONS");
+  EXPECT_EQ(kernels().instructions, choose_instructions(instruction_sets(), word == nullptr ? "" : word).name);
+}
+
+}  // namespace
+}  // namespace terp
