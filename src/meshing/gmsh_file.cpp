@@ -187,9 +187,9 @@ void check_plane(const MshContent& content, const std::vector<Index>& used)
   const Real size = std::max(box.high[0] - box.low[0], box.high[1] - box.low[1]);
   const Real low = content.places[*lowest][2], high = content.places[*highest][2];
   if (high - low <= degenerate_share * size) return;
-  throw MeshError(fmt::format("the mesh does not lie in a plane z = constant: z = {:.6g} m at node {}, {:.6g} m at node {}\n"
+  throw MeshError(fmt::format("the mesh does not lie in a plane z = constant: z = {} m at node {}, {} m at node {}\n"
                               "  Draw the section in x and y.",
-                              low, content.node_numbers[*lowest], high, content.node_numbers[*highest]));
+                              coordinate_text(low), content.node_numbers[*lowest], coordinate_text(high), content.node_numbers[*highest]));
 }
 
 /// Nodes and cells of the mesh; returns where each node of the file went, or -1.

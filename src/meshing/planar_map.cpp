@@ -16,7 +16,7 @@ namespace {
 
 using Polygon = std::vector<Vec<2>>;
 
-constexpr Real same_line = 1e-9;  // of the longer edge, that two edges on one line may be apart
+constexpr Real same_line = 1e-12;  // of the longer edge, that two edges on one line may be apart
 
 Vec<2> between(Vec<2> a, Vec<2> b, Real t) { return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])}; }
 Real distance(Vec<2> a, Vec<2> b) { return std::hypot(b[0] - a[0], b[1] - a[1]); }

@@ -35,7 +35,8 @@ void refuse_too_many(Real n, const std::string& key, const std::string& other)
 {
   if (n <= most_cells_in_all) return;
   throw InputError(Problem{key, "the mesh has too many cells",
-                           fmt::format("About {:.4g} million cells, at most {:g} million. Lengths are in metres; use larger cells.", n / 1e6, most_cells_in_all / 1e6),
+                           fmt::format("About {} cells, at most {:g} million. Lengths are in metres; use larger cells.",
+                                       n < 1e9 ? fmt::format("{:.4g} million", n / 1e6) : fmt::format("{:.3g}", n), most_cells_in_all / 1e6),
                            "mesh", false, {other}});
 }
 

@@ -353,6 +353,11 @@ TEST(GenerateMeshWithoutGmsh, SaysWhatGmshSaidWhenItFails)  // a stand-in that k
   std::filesystem::permissions(folder.path() + "/gmsh", std::filesystem::perms::owner_all);
   const test::Variable path("PATH", folder.path()), cache("XDG_CACHE_HOME", folder.path());
   EXPECT_THAT(error_of(rectangle()), HasSubstr("gmsh made no mesh of quadrilaterals from the polygon: Error: no memory"));
+  auto fine = rectangle();
+  fine.cell = 0.005;
+  testing::internal::CaptureStderr();
+  error_of(fine);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("gmsh is at work on about 0.32 million cells"));
 }
 
 TEST(GenerateMeshWithoutGmsh, RefusesWhatCannotBeMeshed)
