@@ -8,7 +8,7 @@
 #include "progress.hpp"
 #include "simulation/run.hpp"
 #include "simulation/setup.hpp"
-#include "simulation/setup_history.hpp"
+#include "simulation/setup_warnings.hpp"
 
 #include <chrono>
 #include <fmt/format.h>
@@ -49,6 +49,15 @@ std::int64_t bytes_of(const Model& model, const State& state)
   return state.points.bytes() + mesh + 2 * cells * std::int64_t{sizeof(CornerSums<2>) + sizeof(GaussValues<2>)} + 16 * state.points.n_points();
 }
 
+void print_bodies(const Model& model)
+{
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const BodyShare& body = model.bodies[b];
+    fmt::print("  {:<14} {}, {:.6g} m^2, {:.6g} kg per m, {} points\n", fmt::format("body {}", b), printable(body.material), body.area, body.mass,
+               body.n_points);
+  }
+}
+
 void print_check(const CaseFile& file, const Model& model, State& state)
 {
   const Mesh<2>& mesh = model.mesh;
@@ -58,6 +67,7 @@ void print_check(const CaseFile& file, const Model& model, State& state)
   fmt::print("  cells of soil  {}\n", state.points.occupied().size());
   fmt::print("  points         {}\n", state.points.n_points());
   fmt::print("  mass           {:.6g} kg per m\n", total_mass(state));
+  print_bodies(model);
   fmt::print("  time step      {:.4g} s\n", model.dt);
   fmt::print("  steps          {} to t = {:g} s\n", model.n_steps, file.values.time.end);
   fmt::print("  memory         {:.0f} MB\n", static_cast<double>(bytes_of(model, state)) / 1e6);
@@ -77,7 +87,7 @@ int check_case(const RunOptions& options)
   try {
     Model model = build_model(file.values, options.threads > 0 ? options.threads : available_processors());
     State state = build_state(model);
-    fmt::print(stderr, "{}", render_warnings(find_far_history_points(model, state), file));
+    fmt::print(stderr, "{}", render_warnings(find_warnings(model, state), file));
     print_check(file, model, state);
     return solved;
   } catch (const InputError& error) {

@@ -9,7 +9,7 @@
 #include "progress.hpp"
 #include "simulation/run.hpp"
 #include "simulation/setup.hpp"
-#include "simulation/setup_history.hpp"
+#include "simulation/setup_warnings.hpp"
 #include "simulation/state_image.hpp"
 
 #include <atomic>
@@ -171,7 +171,7 @@ int run_case(const RunOptions& options)
   try {
     Model model = build_model(file.values, threads_of(options));
     State state = build_state(model);
-    fmt::print(stderr, "{}", render_warnings(find_far_history_points(model, state), file));
+    fmt::print(stderr, "{}", render_warnings(find_warnings(model, state), file));
     const std::string folder = options.output.empty() ? "runs/" + file.values.name : options.output;
     const auto writer = RunWriter::start({folder, {file.values.name, file.text}, file.values.output.checkpoint_keep}, options.force);
     return solve(model, state, *writer, options, folder);

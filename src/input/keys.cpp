@@ -235,7 +235,9 @@ std::vector<KeyInfo> side_keys()
        .meaning = "tangent mu of the friction angle of the contact plane, not the angle itself"},
       {.path = "boundary.SIDE.velocity",
        .field = [](Case& c, std::size_t i) { return &c.sides[i].velocity; },
-       .unit = "m/s", .usual = {1e-6, 1e3}, .meaning = "prescribed velocity of the side"},
+       .unit = "m/s", .usual = {1e-6, 1e3}, 
+       .meaning = "prescribed velocity of the side; the mesh, and so the side, stays in place: it pushes soil only within the "
+                  "cells next to it"},
   };
 }
 

@@ -14,6 +14,10 @@ constexpr Real largest_coordinate = 1e9;  // [m]; beyond it a cell of a metre is
 const std::string reshape_advice =
     "Every cell must be convex. In gmsh: optimise the mesh (Optimize Mesh, Laplace2D), use a smaller element size there, or recombine with "
     "Mesh.SubdivisionAlgorithm = 1.";
+const std::string turn_advice =
+    "The nodes of a cell run counter-clockwise. A surface drawn the other way round, all its cells clockwise, is turned; among others such a "
+    "cell is folded over. In gmsh: move its nodes, optimise the mesh, or use a smaller element size there. In a file written by a program: "
+    "give its nodes in the other order.";
 const std::string coherence_advice =
     "Two surfaces that touch must share their curve and its nodes. In gmsh: `Coherence;` in the .geo file before meshing, or "
     "`Coherence Mesh;` after it (Tools menu: Remove duplicate nodes).";
@@ -88,7 +92,7 @@ void check_shapes(const Mesh<2>& mesh, std::vector<char>& usable, MeshFaults& fa
     const std::string fault = fault_of_shape(mesh, e);
     if (fault.empty()) continue;
     usable[e] = false;
-    faults.add(cell_name(mesh, e) + " " + fault, corner_names(mesh, e), reshape_advice);
+    faults.add(cell_name(mesh, e) + " " + fault, corner_names(mesh, e), fault.starts_with("is inverted") ? turn_advice : reshape_advice);
   }
 }
 

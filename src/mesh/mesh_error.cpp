@@ -1,6 +1,7 @@
 #include "mesh/mesh_error.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace terp {
@@ -12,6 +13,17 @@ std::int64_t node_number(const Mesh<2>& mesh, Index node) { return mesh.node_num
 
 }  // namespace
 
+std::string coordinate_text(Real x)
+{
+  if (!std::isfinite(x) || std::abs(x) >= 1e12 || std::abs(x) < 1e-4) return fmt::format("{:.6g}", x);
+  std::string text = fmt::format("{:.{}f}", x, std::max(3, 5 - static_cast<int>(std::floor(std::log10(std::abs(x))))));
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+std::string place_text(Vec<2> x) { return fmt::format("({}, {})", coordinate_text(x[0]), coordinate_text(x[1])); }
+
 std::string cell_name(const Mesh<2>& mesh, Index cell)
 {
   if (mesh.cell_numbers.empty()) return fmt::format("cell {}", cell);
@@ -20,14 +32,14 @@ std::string cell_name(const Mesh<2>& mesh, Index cell)
 
 std::string node_name(const Mesh<2>& mesh, Index node)
 {
-  return fmt::format("node {} at ({:.6g}, {:.6g}) m", node_number(mesh, node), mesh.nodes[node][0], mesh.nodes[node][1]);
+  return fmt::format("node {} at {} m", node_number(mesh, node), place_text(mesh.nodes[node]));
 }
 
 std::string corner_names(const Mesh<2>& mesh, Index cell)
 {
   std::string text = "nodes";
   for (const Index i : mesh.cells[cell])
-    text += fmt::format(" {} at ({:.6g}, {:.6g}),", node_number(mesh, i), mesh.nodes[i][0], mesh.nodes[i][1]);
+    text += fmt::format(" {} at {},", node_number(mesh, i), place_text(mesh.nodes[i]));
   text.back() = ' ';
   return text + "m";
 }

@@ -15,6 +15,12 @@ class MeshError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A coordinate [m] to the millimetre, or to six digits if these say more, without zeros at its end: "121300.25".
+std::string coordinate_text(Real x);
+
+/// "(121300.25, 0.4)".
+std::string place_text(Vec<2> x);
+
 /// "cell 412", with the mesh file's own number where there is one: "cell 412 (element 1033 of the file)".
 std::string cell_name(const Mesh<2>& mesh, Index cell);
 

@@ -67,7 +67,7 @@ void name_cell(const Mesh<2>& mesh, CellValue& at)
   at.centre = mesh.centres[at.cell];
 }
 
-std::string where(const CellValue& at) { return fmt::format("{} at x={:.4g} y={:.4g}", at.name, at.centre[0], at.centre[1]); }
+std::string where(const CellValue& at) { return fmt::format("{} at x={} y={}", at.name, coordinate_text(at.centre[0]), coordinate_text(at.centre[1])); }
 
 std::string warnings(const MeshQuality& quality)
 {

@@ -1,6 +1,7 @@
 #include "meshing/generate.hpp"
 
 #include "meshing/geo_text.hpp"
+#include "meshing/gmsh_file.hpp"
 #include "meshing/gmsh_nodes.hpp"
 #include "meshing/improve.hpp"
 #include "meshing/mesh_cache.hpp"
@@ -11,15 +12,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 
 namespace terp {
 namespace {
 
 constexpr double longest_run = 600.0;         // [s] that gmsh may take
 constexpr Real merged_share = 0.2;            // of a cell: followed places closer than this are one, lest a sliver sets the time step
+constexpr Real many_cells = 2e5;              // from which on the user is told that gmsh is at work
 constexpr const char* improvement = "1";      // part of the key: raise it when improve.cpp gives other meshes
 
 /// In the order in which they are tried. Size factors: measured on a rectangle, a curved domain and a dike section. Packed parallelograms
@@ -31,22 +35,27 @@ std::vector<Recipe> recipes(int variant)
   return {{6, 1, variant, 1.08}, {5, 1, variant, 1.13}, {9, 0, variant, 1.0}};
 }
 
+[[noreturn]] void refuse_without_gmsh()
+{
+  throw MeshError("gmsh is not installed; Terp needs it to make a mesh from a polygon\n"
+                  "  Install it: apt-get install gmsh\n"
+                  "  or bring a mesh that you have made elsewhere: [mesh] file = \"section.msh\"");
+}
+
 ProcessResult run_gmsh(std::vector<std::string> arguments, const std::string& home)
 {
   arguments.insert(arguments.begin(), "gmsh");
   // A home of its own: the user's gmsh options must not change the mesh.
   const ProcessResult result = run_process(arguments, longest_run, {"GMSH_HOME=" + home, "LC_ALL=C", "OMP_NUM_THREADS=1"});
-  if (!result.found)
-    throw MeshError("gmsh is not installed; Terp needs it to make a mesh from a polygon\n"
-                    "  Install it: apt-get install gmsh\n"
-                    "  or bring a mesh that you have made elsewhere: [mesh] file = \"section.msh\"");
-  if (result.signal == 2) throw MeshError("gmsh was interrupted");
+  if (result.interrupted || result.signal == SIGINT) throw MeshError("gmsh was interrupted");
   return result;
 }
 
+/// Empty if it is not installed.
 std::string gmsh_version(const std::string& home)
 {
   const ProcessResult result = run_gmsh({"--version"}, home);
+  if (!result.found) return "";
   if (!result.succeeded()) throw MeshError("`gmsh --version` fails: " + result.output);
   return result.output.substr(0, result.output.find_last_not_of(" \n") + 1);
 }
@@ -103,8 +112,17 @@ std::string try_recipe(const PolygonMesh& mesh, const PlanarMap& map, const Reci
   return bytes;
 }
 
+/// For a mesh that takes gmsh minutes.
+void tell_of_work(const PolygonMesh& mesh)
+{
+  Real n = estimate_cells(mesh);
+  for (const Refinement& refine : mesh.refine) n += estimate_more_cells(mesh, refine);
+  if (n > many_cells) fmt::print(stderr, "gmsh is at work on about {:.2g} million cells; it may take minutes, once\n", n / 1e6);
+}
+
 std::string make_mesh(const PolygonMesh& mesh, const PlanarMap& map, const std::string& folder)
 {
+  tell_of_work(mesh);
   std::string why;
   for (const Recipe& recipe : recipes(mesh.variant)) {
     std::string bytes = try_recipe(mesh, map, recipe, folder, why);
@@ -126,18 +144,41 @@ void check_sizes(const PolygonMesh& mesh)
         throw MeshError(fmt::format("side `{}` has edge {}; the polygon has edges 0 to {}", named.side, edge, mesh.polygon.size() - 1));
 }
 
+/// Nothing if the file is not there, is cut off or damaged.
+std::optional<GeneratedMesh> read_kept(const std::string& path)
+{
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return std::nullopt;
+  try {
+    return GeneratedMesh{path, read_gmsh(path)};
+  } catch (const MeshError&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<GeneratedMesh> read_any_kept(const std::string& start_of_key)
+{
+  for (const std::string& path : cached_meshes(start_of_key))
+    if (auto kept = read_kept(path)) return kept;
+  return std::nullopt;
+}
+
 }  // namespace
 
-std::string generate_mesh_file(const PolygonMesh& mesh)
+GeneratedMesh generate_mesh(const PolygonMesh& mesh)
 {
   check_sizes(mesh);
   const PlanarMap map = cut_polygon(mesh.polygon, mesh.follow, merged_share * mesh.cell);
+  const SignalsHeld until_the_folder_is_gone;
   const WorkFolder folder;
-  std::string content = gmsh_version(folder.path()) + "\n" + improvement + "\n";
+  std::string content = std::string(improvement) + "\n";
   for (const Recipe& recipe : recipes(mesh.variant)) content += geo_text(mesh, map, recipe);
-  const std::string key = content_key(content), kept = cached_mesh_path(key);
-  if (std::filesystem::exists(kept)) return kept;
-  return keep_mesh(key, make_mesh(mesh, map, folder.path()));
+  const std::string start = content_key(content) + "-", version = gmsh_version(folder.path()), key = start + content_key(version);
+  auto kept = version.empty() ? read_any_kept(start) : read_kept(cached_mesh_path(key));
+  if (kept) return std::move(*kept);
+  if (version.empty()) refuse_without_gmsh();
+  const std::string path = keep_mesh(key, make_mesh(mesh, map, folder.path()));
+  return {path, read_gmsh(path)};
 }
 
 }  // namespace terp

@@ -51,7 +51,7 @@ std::string places_of(const MshContent& content, const NodeTable& table, const M
     if (at == table.end())
       text += " (not in the file)";
     else
-      text += fmt::format(" at ({:.6g}, {:.6g})", content.places[at->second][0], content.places[at->second][1]);
+      text += fmt::format(" at {}", place_text({content.places[at->second][0], content.places[at->second][1]}));
   }
   return text + (element.n_nodes > 4 ? ", ... m" : " m");
 }
@@ -83,6 +83,7 @@ void refuse_unknown_nodes(const MshContent& content, const NodeTable& table)
 struct FileCell {
   std::array<Index, 4> nodes;  // into MshContent::places
   std::int64_t number;
+  int surface;                 // gmsh's entity
   std::vector<int> groups;
 };
 
@@ -104,7 +105,7 @@ std::vector<FileCell> merge_groups(const MshContent& content, const NodeTable& t
       const auto [at, is_new] = known.try_emplace(quad.nodes, cells.size());
       if (!is_new && join(cells[at->second], groups)) continue;
     }
-    FileCell cell{{}, quad.number, groups};
+    FileCell cell{{}, quad.number, quad.entity, groups};
     for (int k = 0; k < 4; ++k) cell.nodes[k] = static_cast<Index>(table.at(quad.nodes[k]));
     cells.push_back(std::move(cell));
   }
@@ -115,6 +116,25 @@ Real signed_area(const MshContent& content, const std::array<Index, 4>& nodes)
 {
   const auto &a = content.places[nodes[0]], &b = content.places[nodes[1]], &c = content.places[nodes[2]], &d = content.places[nodes[3]];
   return 0.5 * ((c[0] - a[0]) * (d[1] - b[1]) - (c[1] - a[1]) * (d[0] - b[0]));
+}
+
+bool is_counter_clockwise_and_convex(const MshContent& content, const std::array<Index, 4>& nodes)
+{
+  for (int k = 0; k < 4; ++k) {
+    const auto &a = content.places[nodes[k]], &b = content.places[nodes[(k + 1) % 4]], &c = content.places[nodes[(k + 2) % 4]];
+    if (!((b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0]) > 0.0)) return false;
+  }
+  return true;
+}
+
+/// A surface drawn the other way round has clockwise cells only: they are turned. One among others is a fault, which check_mesh tells.
+void turn_clockwise_surfaces(const MshContent& content, std::vector<FileCell>& cells)
+{
+  std::set<int> drawn_as_we_want;
+  for (const FileCell& cell : cells)
+    if (is_counter_clockwise_and_convex(content, cell.nodes)) drawn_as_we_want.insert(cell.surface);
+  for (FileCell& cell : cells)
+    if (!drawn_as_we_want.contains(cell.surface) && signed_area(content, cell.nodes) < 0.0) std::swap(cell.nodes[1], cell.nodes[3]);
 }
 
 /// Distance along the Hilbert curve through a square of 65536 x 65536: quadrant by quadrant, each turned so that the ends meet.
@@ -167,9 +187,9 @@ void check_plane(const MshContent& content, const std::vector<Index>& used)
   const Real size = std::max(box.high[0] - box.low[0], box.high[1] - box.low[1]);
   const Real low = content.places[*lowest][2], high = content.places[*highest][2];
   if (high - low <= degenerate_share * size) return;
-  throw MeshError(fmt::format("the mesh does not lie in a plane z = constant: z = {:.6g} m at node {}, {:.6g} m at node {}\n"
+  throw MeshError(fmt::format("the mesh does not lie in a plane z = constant: z = {} m at node {}, {} m at node {}\n"
                               "  Draw the section in x and y.",
-                              low, content.node_numbers[*lowest], high, content.node_numbers[*highest]));
+                              coordinate_text(low), content.node_numbers[*lowest], coordinate_text(high), content.node_numbers[*highest]));
 }
 
 /// Nodes and cells of the mesh; returns where each node of the file went, or -1.
@@ -188,7 +208,6 @@ std::vector<Index> add_nodes_and_cells(const MshContent& content, const std::vec
   check_plane(content, used);
   for (const FileCell& cell : cells) {
     std::array<Index, 4> nodes = cell.nodes;
-    if (signed_area(content, nodes) < 0.0) std::swap(nodes[1], nodes[3]);
     for (Index& i : nodes) i = place[i];
     mesh.cells.push_back(nodes);
     mesh.cell_numbers.push_back(cell.number);
@@ -281,6 +300,7 @@ Mesh<2> make_mesh(const MshContent& content)
   refuse_other_elements(content, table);
   refuse_unknown_nodes(content, table);
   std::vector<FileCell> cells = merge_groups(content, table);
+  turn_clockwise_surfaces(content, cells);
   sort_along_curve(content, cells);
   Mesh<2> mesh;
   const std::vector<Index> place = add_nodes_and_cells(content, cells, mesh);

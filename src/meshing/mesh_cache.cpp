@@ -6,6 +6,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -63,6 +64,19 @@ std::string cached_mesh_path(const std::string& key)
   else if (home != nullptr && *home != '\0')
     folder = fs::path(home) / ".cache";
   return folder.empty() ? "" : (folder / "terp" / "meshes" / (key + ".msh")).string();
+}
+
+std::vector<std::string> cached_meshes(const std::string& start_of_key)
+{
+  std::vector<std::pair<fs::file_time_type, std::string>> found;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(fs::path(cached_mesh_path(start_of_key)).parent_path(), ignored))
+    if (entry.path().extension() == ".msh" && entry.path().filename().string().starts_with(start_of_key))
+      found.emplace_back(entry.last_write_time(ignored), entry.path().string());
+  std::sort(found.rbegin(), found.rend());
+  std::vector<std::string> paths;
+  for (const auto& [time, path] : found) paths.push_back(path);
+  return paths;
 }
 
 std::string keep_mesh(const std::string& key, const std::string& bytes)

@@ -221,6 +221,7 @@ class MshReader {
     for (std::int64_t t = 0; t < n_tags; ++t) {
       const std::int64_t tag = scan_.integer(Width::four, "a tag");
       if (t == 0 && tag != 0) groups.push_back(group_number(tag));  // 0: no group
+      if (t == 1) element.entity = static_cast<int>(tag);
     }
     element.groups = group_set(std::move(groups));
     add_element(element, Width::four);
@@ -236,6 +237,7 @@ class MshReader {
       const auto entity = static_cast<int>(scan_.integer(Width::four, "the number of an entity"));
       MshElement element = new_element(static_cast<int>(scan_.integer(Width::four, "an element type")));
       const std::int64_t n = scan_.count(Width::eight, 2, "the number of elements in a block");
+      element.entity = entity;
       scan_.end_record();
       const auto groups = groups_of_entity_.find({dimension, entity});
       element.groups = groups == groups_of_entity_.end() ? group_set({}) : groups->second;
@@ -251,7 +253,7 @@ class MshReader {
   {
     const auto known = element_types.find(type);
     if (known == element_types.end()) scan_.fail(fmt::format("elements of type {} are not read: Terp takes quadrilaterals (type 3)", type));
-    return {0, type, known->second.n_nodes, {}, 0};
+    return {0, type, known->second.n_nodes, {}, 0, 0};
   }
 
   void add_element(MshElement element, Width width)

@@ -20,6 +20,7 @@ struct MshElement {
   int n_nodes;                        ///< of the type; the first four are kept
   std::array<std::int64_t, 4> nodes;  ///< gmsh's node numbers
   Index groups;                       ///< into MshContent::group_sets
+  int entity;                         ///< gmsh's number of the curve or surface it was made from; 0: not told
 };
 
 struct MshContent {

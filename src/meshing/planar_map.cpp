@@ -16,6 +16,8 @@ namespace {
 
 using Polygon = std::vector<Vec<2>>;
 
+constexpr Real same_line = 1e-12;  // of the longer edge, that two edges on one line may be apart
+
 Vec<2> between(Vec<2> a, Vec<2> b, Real t) { return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])}; }
 Real distance(Vec<2> a, Vec<2> b) { return std::hypot(b[0] - a[0], b[1] - a[1]); }
 Real cross(Vec<2> a, Vec<2> b, Vec<2> c) { return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]); }
@@ -119,7 +121,7 @@ class Cutter {
     if (at_a * at_b >= 0.0 || at_c * at_d >= 0.0) return;
     const Vec<2> x = between(a, b, at_a / (at_a - at_b));
     if (first.edge >= 0 && second.edge >= 0)
-      throw MeshError(fmt::format("the polygon crosses itself: edges {} and {} meet at x = {:.6g} m, y = {:.6g} m", first.edge, second.edge, x[0], x[1]));
+      throw MeshError(fmt::format("the polygon crosses itself: edges {} and {} meet at x = {} m, y = {} m", first.edge, second.edge, coordinate_text(x[0]), coordinate_text(x[1])));
     place(x);
   }
 
@@ -151,6 +153,24 @@ class Cutter {
   std::vector<Vec<2>> places_;
   std::vector<CutLine> lines_;
 };
+
+/// A spike, or two edges at one place: nothing that can be meshed lies between them.
+void check_overlap(const Polygon& polygon)
+{
+  const std::size_t n = polygon.size();
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t other = k + 1; other < n; ++other) {
+      const Vec<2>&a = polygon[k], &b = polygon[(k + 1) % n], &c = polygon[other], &d = polygon[(other + 1) % n];
+      const Real along = distance(a, b), reach = same_line * std::max(along, distance(c, d));
+      if (std::max(std::abs(cross(a, b, c)), std::abs(cross(a, b, d))) > reach * along) continue;
+      const auto [low, high] = std::minmax({projection(a, b, c), projection(a, b, d)});
+      const Real from = std::max(low, Real{0.0}), to = std::min(high, Real{1.0});
+      if ((to - from) * along <= reach) continue;
+      throw MeshError(fmt::format("the polygon lies on itself: edges {} and {} share the line from {} to {} m\n"
+                                  "  Give the corners in order along the outline, without a spike.",
+                                  k, other, place_text(between(a, b, from)), place_text(between(a, b, to))));
+    }
+}
 
 /// Closed walk along lines with the same face to the left, and what is needed to sort walks into faces.
 struct Loop {
@@ -254,9 +274,10 @@ PlanarMap cut_polygon(const Polygon& polygon, const std::vector<Polygon>& follow
   if (polygon.size() < 3) throw MeshError(fmt::format("the polygon has {} corners; at least three are needed", polygon.size()));
   for (std::size_t k = 0; k < polygon.size(); ++k)
     if (polygon[k] == polygon[(k + 1) % polygon.size()])
-      throw MeshError(fmt::format("edge {} of the polygon has no length, at x = {:.6g} m, y = {:.6g} m", k, polygon[k][0], polygon[k][1]));
+      throw MeshError(fmt::format("edge {} of the polygon has no length, at x = {} m, y = {} m", k, coordinate_text(polygon[k][0]), coordinate_text(polygon[k][1])));
   if (!(area(polygon) > 0.0))
     throw MeshError(fmt::format("the polygon's area is {:.6g} m^2: give its corners counter-clockwise", area(polygon)));
+  check_overlap(polygon);
   Cutter cutter(polygon, tolerance);
   for (const Polygon& outline : follow) cutter.add_outline(outline);
   cutter.add_crossings();

@@ -31,4 +31,10 @@ struct PolygonMesh {
   int variant = 0;                          ///< 0: the best mesh; 1, 2, ...: different unstructured meshes of the same size
 };
 
+/// Area over the area of a cell, without the refinements.
+Real estimate_cells(const PolygonMesh& mesh);
+
+/// Cells that a refinement adds, at most.
+Real estimate_more_cells(const PolygonMesh& mesh, const Refinement& refine);
+
 }  // namespace terp

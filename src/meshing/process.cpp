@@ -4,7 +4,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +13,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <iterator>
 
 extern char** environ;
 
@@ -63,34 +64,57 @@ std::vector<std::string> our_environment_and(const std::vector<std::string>& mor
   return all;
 }
 
-/// 0, or the reason why it did not start.
+const int ending_signals[] = {SIGHUP, SIGINT, SIGTERM};
+
+/// True if a signal that asks us to end is held back.
+bool signal_waits()
+{
+  sigset_t waiting;
+  sigpending(&waiting);
+  return std::any_of(std::begin(ending_signals), std::end(ending_signals), [&](int signal) { return sigismember(&waiting, signal) == 1; });
+}
+
+/// What the child does between fork and its own program: nothing here may ask for memory. Tells errno if it cannot start.
+[[noreturn]] void become(char* const* arguments, char* const* environment, int output, int trouble, pid_t parent)
+{
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody else would end it if we are killed
+  const int nothing = open("/dev/null", O_RDONLY);
+  if (getppid() == parent && nothing >= 0 && dup2(nothing, STDIN_FILENO) >= 0 && dup2(output, STDOUT_FILENO) >= 0 && dup2(output, STDERR_FILENO) >= 0) {
+    for (const int signal : {SIGHUP, SIGINT, SIGTERM, SIGPIPE}) std::signal(signal, SIG_DFL);
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, nullptr);
+    execvpe(arguments[0], arguments, environment);
+  }
+  const int problem = errno;
+  [[maybe_unused]] const auto told = write(trouble, &problem, sizeof problem);
+  _exit(127);
+}
+
+/// 0, or the reason why it did not start. Not posix_spawn: that cannot ask for PR_SET_PDEATHSIG.
 int spawn(const std::vector<std::string>& arguments, const std::vector<std::string>& environment, int output, pid_t& pid)
 {
-  posix_spawn_file_actions_t actions;
-  posix_spawnattr_t attributes;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawnattr_init(&attributes);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, output, STDERR_FILENO);
-  sigset_t interrupts, none;
-  sigemptyset(&none);
-  sigemptyset(&interrupts);
-  for (const int signal : {SIGINT, SIGTERM, SIGPIPE}) sigaddset(&interrupts, signal);
-  posix_spawnattr_setsigdefault(&attributes, &interrupts);
-  posix_spawnattr_setsigmask(&attributes, &none);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
-  const int problem = posix_spawnp(&pid, arguments[0].c_str(), &actions, &attributes, pointers(arguments).data(), pointers(environment).data());
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&actions);
+  Pipe trouble;  // closed by a successful start
+  const auto words = pointers(arguments), variables = pointers(environment);
+  const pid_t parent = getpid();
+  pid = fork();
+  if (pid < 0) return errno;
+  if (pid == 0) become(words.data(), variables.data(), output, trouble.ends[1], parent);
+  trouble.close_end(1);
+  int problem = 0;
+  ssize_t n = 0;
+  while ((n = read(trouble.ends[0], &problem, sizeof problem)) < 0 && errno == EINTR) {
+  }
+  if (n != sizeof problem) return 0;
+  waitpid(pid, nullptr, 0);
   return problem;
 }
 
-/// Until the program closes its output. False: the time is over.
+/// Until the program closes its output. False: the time is over, or we are asked to end.
 bool read_until(Clock::time_point end, int from, std::string& output)
 {
   char buffer[4096];
-  while (Clock::now() < end) {
+  while (Clock::now() < end && !signal_waits()) {
     pollfd ready{from, POLLIN, 0};
     if (poll(&ready, 1, longest_wait) <= 0) continue;
     const ssize_t n = read(from, buffer, sizeof buffer);
@@ -122,13 +146,28 @@ ProcessResult run_process(const std::vector<std::string>& arguments, double seco
   if (problem != 0) throw FileError("cannot start " + arguments[0] + ": " + std::strerror(problem));
   result.found = true;
   pipe.close_end(1);
-  result.timed_out = !read_until(end, pipe.ends[0], result.output);
-  if (result.timed_out) kill(pid, SIGKILL);
+  const bool ended = read_until(end, pipe.ends[0], result.output);
+  if (!ended) kill(pid, SIGKILL);
+  result.interrupted = signal_waits();
+  result.timed_out = !ended && !result.interrupted;
   const int status = wait_for(pid);
   if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
   if (WIFEXITED(status)) result.status = WEXITSTATUS(status);
   if (result.output.size() > most_output) result.output.erase(0, result.output.size() - most_output);
   return result;
 }
+
+SignalsHeld::SignalsHeld()
+{
+  sigset_t held;
+  sigemptyset(&held);
+  for (const int signal : ending_signals) {
+    struct sigaction action {};
+    if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) sigaddset(&held, signal);
+  }
+  pthread_sigmask(SIG_BLOCK, &held, &before_);
+}
+
+SignalsHeld::~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
 
 }  // namespace terp

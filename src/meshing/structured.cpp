@@ -60,7 +60,7 @@ void check_sides(const std::array<Polyline, 4>& sides)
     if (sides[s].size() < 2) throw MeshError(fmt::format("side `{}` has {} places; at least two are needed", name[s], sides[s].size()));
     for (std::size_t k = 1; k < sides[s].size(); ++k)
       if (!(distance(sides[s][k - 1], sides[s][k]) > 0.0))
-        throw MeshError(fmt::format("side `{}` has the place ({:.6g}, {:.6g}) m twice in a row", name[s], sides[s][k][0], sides[s][k][1]));
+        throw MeshError(fmt::format("side `{}` has the place {} m twice in a row", name[s], place_text(sides[s][k])));
   }
   struct Corner {
     int first, second;
@@ -70,9 +70,9 @@ void check_sides(const std::array<Polyline, 4>& sides)
                             {2, 1, sides[2].back(), sides[1].back()}, {2, 3, sides[2].front(), sides[3].back()}};
   for (const Corner& corner : corners)
     if (!(distance(corner.a, corner.b) <= corner_tolerance * length(sides[corner.first])))
-      throw MeshError(fmt::format("sides `{}` and `{}` do not meet: ({:.9g}, {:.9g}) m and ({:.9g}, {:.9g}) m\n"
+      throw MeshError(fmt::format("sides `{}` and `{}` do not meet: {} m and {} m\n"
                                   "  bottom and top run to +x, left and right to +y",
-                                  name[corner.first], name[corner.second], corner.a[0], corner.a[1], corner.b[0], corner.b[1]));
+                                  name[corner.first], name[corner.second], place_text(corner.a), place_text(corner.b)));
 }
 
 }  // namespace

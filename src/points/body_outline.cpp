@@ -1,5 +1,7 @@
 #include "points/body_outline.hpp"
 
+#include "mesh/mesh_error.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -10,8 +12,6 @@ namespace {
 
 /// Area over the square of the longest extent, below which a polygon is a line: above the round-off of its area.
 constexpr Real no_area = 1e-12;
-
-std::string place_text(Vec<2> x) { return fmt::format("({:.6g}, {:.6g})", x[0], x[1]); }
 
 /// Side k of a polygon, from corner k to the next one.
 Side side_of(const Polygon& polygon, std::size_t k) { return {polygon[k], polygon[(k + 1) % polygon.size()]}; }

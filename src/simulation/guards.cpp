@@ -1,5 +1,6 @@
 #include "simulation/guards.hpp"
 
+#include "mesh/mesh_error.hpp"
 #include "points/move.hpp"
 
 #include <cmath>
@@ -71,7 +72,7 @@ std::string describe_not_finite(const Model& model, const State& state, const Wo
     const SoilMaterial& m = model.materials[bad.material];
     const Vec<2> c = model.mesh.centres[bad.cell];
     what = fmt::format("the {} of material point {}", bad.what, bad.id);
-    where = fmt::format("cell {} at x = {:.2f} m, y = {:.2f} m; material `{}` ({})", bad.cell, c[0], c[1], m.name, m.type->name);
+    where = fmt::format("cell {} at x = {} m, y = {} m; material `{}` ({})", bad.cell, coordinate_text(c[0]), coordinate_text(c[1]), m.name, m.type->name);
   }
   return head + fmt::format("{} is not a number\n\n"
                             "  where    {}\n"

@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "forces/time_step.hpp"
+#include "mesh/mesh_error.hpp"
 #include "simulation/initial.hpp"
 #include "simulation/setup_history.hpp"
 #include "simulation/setup_mesh.hpp"
@@ -102,8 +103,8 @@ void check_bodies_in_mesh(const Case& c)
         const Real slack = 1e-9 * c.mesh.size[d];
         if (x[d] >= low[d] - slack && x[d] <= high[d] + slack) continue;
         throw InputError(Problem{fmt::format("body[{}]", b), "the body lies outside the mesh",
-                                 fmt::format("corner ({}, {}) m; the mesh covers x = {} to {} m, y = {} to {} m.\nEnlarge mesh.size or move the body.",
-                                             x[0], x[1], low[0], high[0], low[1], high[1]),
+                                 fmt::format("corner {} m; the mesh covers x = {} to {} m, y = {} to {} m.\nEnlarge mesh.size or move the body.",
+                                             place_text(x), coordinate_text(low[0]), coordinate_text(high[0]), coordinate_text(low[1]), coordinate_text(high[1])),
                                  "mesh", false, keys_of_outline(b)});
       }
 }
@@ -171,6 +172,7 @@ Model build_model(const Case& description, Mesh<2> mesh, int threads)
 State build_state(Model& model)
 {
   const auto points = make_points(model);
+  model.bodies = shares_of_bodies(model, points);
   State state;
   state.points = PointBlocks<2>(model.mesh.n_cells(), model.n_state);
   state.x_initial.resize(2 * points.size());

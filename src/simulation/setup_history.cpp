@@ -1,5 +1,7 @@
 #include "simulation/setup_history.hpp"
 
+#include "mesh/mesh_error.hpp"
+
 #include <cmath>
 #include <fmt/format.h>
 
@@ -47,8 +49,8 @@ std::vector<Problem> find_far_history_points(const Model& model, const State& st
     const Real away = distance(state.x_initial, id, place), size = cell_size_at(model, state, model.history_ids[k]);
     if (away <= size) continue;
     far.push_back({fmt::format("output.history.points.\"{}\"", name), fmt::format("no soil is near the history point `{}`", name),
-                   fmt::format("The nearest material point, which is followed, lies {:.3g} m away at ({:.4g}, {:.4g}) m; a cell there is {:.3g} m wide.",
-                               away, state.x_initial[2 * id], state.x_initial[2 * id + 1], size),
+                   fmt::format("The nearest material point, which is followed, lies {:.3g} m away at {} m; a cell there is {:.3g} m wide.",
+                               away, place_text({state.x_initial[2 * id], state.x_initial[2 * id + 1]}), size),
                    "output.history.points"});
   }
   return far;

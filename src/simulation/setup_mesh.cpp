@@ -14,6 +14,7 @@ namespace terp {
 namespace {
 
 constexpr Real most_cells = 1e5;  // in one direction of the built-in rectangle: beyond, a wrong unit
+constexpr Real most_cells_in_all = 2e7;
 
 Index whole_cells(Real size, Real cell)
 {
@@ -29,7 +30,34 @@ Index whole_cells(Real size, Real cell)
   return static_cast<Index>(std::round(n));
 }
 
-Mesh<2> generate_mesh(const Case& description)
+/// key: that makes them so many.
+void refuse_too_many(Real n, const std::string& key, const std::string& other)
+{
+  if (n <= most_cells_in_all) return;
+  throw InputError(Problem{key, "the mesh has too many cells",
+                           fmt::format("About {} cells, at most {:g} million. Lengths are in metres; use larger cells.",
+                                       n < 1e9 ? fmt::format("{:.4g} million", n / 1e6) : fmt::format("{:.3g}", n), most_cells_in_all / 1e6),
+                           "mesh", false, {other}});
+}
+
+void refuse_too_many(const PolygonMesh& mesh)
+{
+  Real n = estimate_cells(mesh);
+  refuse_too_many(n, "mesh.cell", "mesh.polygon");
+  for (std::size_t k = 0; k < mesh.refine.size(); ++k) {
+    n += estimate_more_cells(mesh, mesh.refine[k]);
+    refuse_too_many(n, fmt::format("mesh.refine[{}].cell", k), "mesh.refine");
+  }
+}
+
+Mesh<2> mesh_from_rectangle(const MeshCase& mesh)
+{
+  const std::array<Index, 2> n{whole_cells(mesh.size[0], mesh.cell[0]), whole_cells(mesh.size[1], mesh.cell[1])};
+  refuse_too_many(static_cast<Real>(n[0]) * n[1], "mesh.cell", "mesh.size");
+  return make_rectangle(mesh.origin, mesh.size, n);
+}
+
+Mesh<2> mesh_from_polygon(const Case& description)
 {
   const MeshCase& mesh = description.mesh;
   PolygonMesh polygon;
@@ -43,19 +71,21 @@ Mesh<2> generate_mesh(const Case& description)
       if (!body.polygon.empty()) polygon.follow.push_back(body.polygon);
       polygon.follow.insert(polygon.follow.end(), body.holes.begin(), body.holes.end());
     }
-  return read_gmsh(generate_mesh_file(polygon));
+  refuse_too_many(polygon);
+  return generate_mesh(polygon).mesh;
 }
 
 Mesh<2> make_mesh(const Case& description)
 {
   const MeshCase& mesh = description.mesh;
+  if (mesh.kind == MeshKind::graded || mesh.kind == MeshKind::mapped)
+    refuse_too_many(static_cast<Real>(mesh.cells[0]) * static_cast<Real>(mesh.cells[1]), "mesh.cells", "mesh");
   switch (mesh.kind) {
-    case MeshKind::rectangle:
-      return make_rectangle(mesh.origin, mesh.size, {whole_cells(mesh.size[0], mesh.cell[0]), whole_cells(mesh.size[1], mesh.cell[1])});
+    case MeshKind::rectangle: return mesh_from_rectangle(mesh);
     case MeshKind::graded: return make_graded_rectangle(mesh.origin, mesh.size, mesh.cells, mesh.grading);
     case MeshKind::mapped: return make_mapped_rectangle(mesh.sides, mesh.cells, mesh.grading);
     case MeshKind::file: return read_gmsh(path_of(description.folder, mesh.file));
-    case MeshKind::polygon: return generate_mesh(description);
+    case MeshKind::polygon: return mesh_from_polygon(description);
   }
   throw InputError(Problem{"mesh", "no such kind of mesh", "", "mesh"});
 }

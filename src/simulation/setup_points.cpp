@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "mesh/locate.hpp"
+#include "mesh/mesh_error.hpp"
 #include "points/points_csv.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +12,10 @@ namespace {
 
 /// Keys that say where the mesh is.
 const std::vector<std::string> mesh_extent = {"mesh.origin", "mesh.size", "mesh.sides", "mesh.file", "mesh.polygon"};
+
+const char* const grid_cuts_corners =
+    "\nThe grid follows mesh.sides only at its nodes: it cuts off a corner between two of them. Use more cells, so that a node\n"
+    "comes to lie at the corner, or draw the body along the grid.";
 
 std::string body_key(std::size_t body, std::string_view key) { return fmt::format("body[{}].{}", body, key); }
 
@@ -45,34 +50,46 @@ void check_outlines(const Model& model, const std::vector<BodyOutline>& outlines
     for (const Vec<2>& x : outline.polygon) {
       if (locate(model.mesh, x, 0).inside) continue;
       throw InputError(Problem{fmt::format("body[{}]", b), "the body lies outside the mesh",
-                               fmt::format("corner ({}, {}) m lies in no cell. Enlarge the mesh or move the body.", x[0], x[1]), "mesh", false,
+                               fmt::format("corner {} m lies in no cell. Enlarge the mesh or move the body.{}", place_text(x),
+                                           model.description.mesh.kind == MeshKind::mapped ? grid_cuts_corners : ""),
+                               "mesh", false,
                                keys_of_outline(b)});
     }
   }
 }
 
-std::vector<CsvPoint> read_file(const std::string& path, std::size_t b)
+Index material_of_point(const Model& model, const std::string& path, const CsvPoint& p)
 {
-  try {
-    return read_points_csv(path);
-  } catch (const PointsFileError& error) {
-    throw InputError(Problem{body_key(b, "points"), "the file of points cannot be used", error.what(), "body"});
+  std::string known;
+  for (std::size_t k = 0; k < model.materials.size(); ++k) {
+    if (model.materials[k].name == p.material) return static_cast<Index>(k);
+    known += (known.empty() ? "" : ", ") + model.materials[k].name;
   }
+  throw PointsFileError(fmt::format("{}:{}: no material `{}`. Materials of this case: {}", path, p.line, p.material, known));
 }
 
-/// Points of one file, each found in the mesh.
+/// Points of one file, each found in the mesh. Throws PointsFileError.
 void add_points_of_file(const Model& model, std::size_t b, std::vector<NewPoint>& points)
 {
   const BodyCase& body = model.description.bodies[b];
   Index guess = 0;
   const std::string path = path_of(model.description.folder, body.points_file);
-  for (const CsvPoint& p : read_file(path, b)) {
+  for (const CsvPoint& p : read_points_csv(path)) {
     const Location at = locate(model.mesh, p.x, guess);
     if (!at.inside)
       throw InputError(Problem{body_key(b, "points"), "a point lies outside the mesh",
-                               fmt::format("{}:{}: ({}, {}) m lies in no cell.", path, p.line, p.x[0], p.x[1]), "body", false, mesh_extent});
-    points.push_back({p.x, at.local, body.velocity, p.volume, at.cell, material_number(model, p.material)});
+                               fmt::format("{}:{}: {} m lies in no cell.", path, p.line, place_text(p.x)), "body", false, mesh_extent});
+    points.push_back({p.x, at.local, body.velocity, p.volume, at.cell, material_of_point(model, path, p), static_cast<Index>(b)});
     guess = at.cell;
+  }
+}
+
+void try_points_of_file(const Model& model, std::size_t b, std::vector<NewPoint>& points)
+{
+  try {
+    add_points_of_file(model, b, points);
+  } catch (const PointsFileError& error) {
+    throw InputError(Problem{body_key(b, "points"), "the file of points cannot be used", error.what(), "body"});
   }
 }
 
@@ -90,6 +107,25 @@ Index material_number(const Model& model, const std::string& name)
   for (std::size_t k = 0; k < model.materials.size(); ++k)
     if (model.materials[k].name == name) return static_cast<Index>(k);
   throw InputError(Problem{"material", "no material `" + name + "`", "", "body"});
+}
+
+std::vector<BodyShare> shares_of_bodies(const Model& model, const std::vector<NewPoint>& points)
+{
+  std::vector<BodyShare> shares(model.description.bodies.size());
+  std::vector<std::vector<bool>> has(shares.size(), std::vector<bool>(model.materials.size(), false));
+  for (const NewPoint& p : points) {
+    BodyShare& share = shares[p.body];
+    ++share.n_points;
+    share.area += p.volume;
+    share.mass += p.volume * model.materials[p.material].density;
+    has[p.body][p.material] = true;
+  }
+  for (std::size_t b = 0; b < shares.size(); ++b) {
+    for (std::size_t m = 0; m < model.materials.size(); ++m)
+      if (has[b][m]) shares[b].material += (shares[b].material.empty() ? "" : " + ") + model.materials[m].name;
+    if (shares[b].n_points == 0) shares[b].material = model.description.bodies[b].material;
+  }
+  return shares;
 }
 
 std::vector<BodyOutline> outlines_of(const Model& model)
@@ -111,10 +147,10 @@ std::vector<NewPoint> make_points(const Model& model)
   std::vector<NewPoint> points;
   for (const Seed& seed : seed_points(model.mesh, outlines)) {
     const BodyCase& body = model.description.bodies[drawn[seed.body]];
-    points.push_back({seed.x, seed.local, body.velocity, seed.volume, seed.cell, material_number(model, body.material)});
+    points.push_back({seed.x, seed.local, body.velocity, seed.volume, seed.cell, material_number(model, body.material), static_cast<Index>(drawn[seed.body])});
   }
   for (std::size_t b = 0; b < model.description.bodies.size(); ++b)
-    if (!model.description.bodies[b].points_file.empty()) add_points_of_file(model, b, points);
+    if (!model.description.bodies[b].points_file.empty()) try_points_of_file(model, b, points);
   if (points.empty())
     throw InputError(Problem{"body[0]", "no material points",
                              "The bodies hold no point of the seeding lattice. Use a larger body, smaller cells or more points per cell.", "body", false,

@@ -13,10 +13,14 @@ struct NewPoint {
   Vec<2> v;          ///< [m/s]
   Real volume;       ///< [m^2]
   Index cell, material;
+  Index body;        ///< of the case
 };
 
 /// All points, in the order of their ids. Throws InputError.
 std::vector<NewPoint> make_points(const Model& model);
+
+/// How points, area and mass are shared among the bodies.
+std::vector<BodyShare> shares_of_bodies(const Model& model, const std::vector<NewPoint>& points);
 
 /// Outlines of the bodies that are drawn (not of those that come as points), in the order of the case.
 std::vector<BodyOutline> outlines_of(const Model& model);

@@ -17,13 +17,20 @@ TEST(Check, TellsWhatWouldRun)
   const Finished f = test::terp(test::column_command("check"), folder.path());
   EXPECT_EQ(f.status, 0);
   for (const char* line : {"  scheme         mpm_gp\n", "  mesh           192 cells, 231 nodes\n", "  cells of soil  64\n",
-                           "  points         1600\n", "  mass           31840 kg per m\n", "  time step      0.00303 s\n",
+                           "  points         1600\n", "  body 0         clay, 16 m^2, 31840 kg per m, 1600 points\n", "  mass           31840 kg per m\n", "  time step      0.00303 s\n",
                            "  steps          66 to t = 0.2 s\n", "nothing was run\n"})
     EXPECT_THAT(f.out, HasSubstr(line));
   EXPECT_THAT(f.out, HasSubstr("  smallest cell  0.5 m high, "));
   EXPECT_THAT(f.out, testing::ContainsRegex("  memory         [0-9]+ MB\n"));
   EXPECT_THAT(f.out, testing::ContainsRegex("  expected time  [0-9.]+ s on 1 thread [(][0-9.]+ M point-steps/s in a trial[)]\n"));
   EXPECT_TRUE(test::names_in(folder.path()).empty());
+}
+
+TEST(Check, WarnsOfASideThatMovesFurtherThanItsCells)
+{
+  const Finished f = test::terp(test::column_command("check", {"--set", "boundary.left={velocity=[4.0, 0.0]}"}));
+  EXPECT_EQ(f.status, 0);
+  EXPECT_THAT(f.err, AllOf(StartsWith("warning: --set boundary.left={velocity=[4.0, 0.0]}: the side stays in place"), HasSubstr("time.end is 0.8 m")));
 }
 
 TEST(Check, ShowsNoControlCharactersOfTheTitle)

@@ -56,8 +56,9 @@ TEST(CheckMesh, RefusesAnInvertedCell)
             "the mesh has 1 fault:\n"
             "  cell 1 is inverted, its nodes run clockwise: detJ = -0.25 m^2 at node 1 at (1, 0) m\n"
             "    nodes 1 at (1, 0), 4 at (1, 1), 5 at (2, 1), 2 at (2, 0) m\n"
-            "  Every cell must be convex. In gmsh: optimise the mesh (Optimize Mesh, Laplace2D), use a smaller element size there, or "
-            "recombine with Mesh.SubdivisionAlgorithm = 1.");
+            "  The nodes of a cell run counter-clockwise. A surface drawn the other way round, all its cells clockwise, is turned; among others "
+            "such a cell is folded over. In gmsh: move its nodes, optimise the mesh, or use a smaller element size there. In a file written by a "
+            "program: give its nodes in the other order.");
 }
 
 TEST(CheckMesh, NamesTheFilesOwnNumbers)

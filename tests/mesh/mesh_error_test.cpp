@@ -2,12 +2,22 @@
 
 #include "mesh/mesh_error.hpp"
 
+#include <cmath>
 #include <gmock/gmock.h>
 
 namespace terp {
 namespace {
 
 Mesh<2> one_cell() { return make_rectangle({0.5, 0.0}, {1.0, 2.0}, {1, 1}); }
+
+TEST(PlaceText, IsToTheMillimetreFarFromTheOrigin)
+{
+  EXPECT_EQ(place_text({121300.25, 487012.3456}), "(121300.25, 487012.346)");
+  EXPECT_EQ(place_text({0.0, -3.0}), "(0, -3)");
+  EXPECT_EQ(place_text({1.0 / 3.0, 0.0012345678}), "(0.333333, 0.00123457)");
+  EXPECT_EQ(coordinate_text(1e30), "1e+30");
+  EXPECT_EQ(coordinate_text(NAN), "nan");
+}
 
 TEST(MeshNames, AreTheMeshsOwnWithoutAFile)
 {

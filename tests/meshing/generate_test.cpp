@@ -10,8 +10,12 @@
 #include "support/environment.hpp"
 #include "support/paths.hpp"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <gmock/gmock.h>
@@ -99,13 +103,15 @@ std::vector<Real> nodes_on(const Mesh<2>& mesh, Vec<2> a, Vec<2> b)
   return found;
 }
 
+std::string file_of(const PolygonMesh& polygon) { return generate_mesh(polygon).path; }
+
 class GenerateMesh : public testing::Test {
  protected:
   void SetUp() override
   {
     if (!run_process({"gmsh", "--version"}, 60.0).found) GTEST_SKIP() << "gmsh is not installed";
   }
-  Mesh<2> mesh_of(const PolygonMesh& polygon) { return read_gmsh(generate_mesh_file(polygon)); }
+  Mesh<2> mesh_of(const PolygonMesh& polygon) { return generate_mesh(polygon).mesh; }
 
   test::ScratchFolder scratch_;
   test::Variable cache_{"XDG_CACHE_HOME", scratch_.path()};
@@ -217,23 +223,48 @@ TEST_F(GenerateMesh, RepeatsItselfToTheBit)
   for (int variant = 0; variant < 2; ++variant) {
     auto polygon = slope();
     polygon.variant = variant;
-    const std::string path = generate_mesh_file(polygon), first = content(path);
+    const std::string path = file_of(polygon), first = content(path);
     std::filesystem::remove_all(scratch_.path() + "/terp");
-    EXPECT_EQ(generate_mesh_file(polygon), path);
+    EXPECT_EQ(file_of(polygon), path);
     EXPECT_EQ(content(path), first);
   }
 }
 
+/// Puts the mesh of another size where that of `polygon` is kept, to see whether it is taken.
+Index put_another(const PolygonMesh& polygon, const std::string& path)
+{
+  auto other = polygon;
+  other.cell = 0.2;
+  const GeneratedMesh made = generate_mesh(other);
+  EXPECT_NE(made.path, path);
+  std::filesystem::copy_file(made.path, path, std::filesystem::copy_options::overwrite_existing);
+  return made.mesh.n_cells();
+}
+
 TEST_F(GenerateMesh, TakesItsMeshFromTheCache)
 {
-  const std::string path = generate_mesh_file(rectangle());
+  const std::string path = file_of(rectangle());
   EXPECT_THAT(path, testing::StartsWith(scratch_.path() + "/terp/meshes/"));
-  std::ofstream(path, std::ios::binary) << "kept";
-  EXPECT_EQ(generate_mesh_file(rectangle()), path);
-  EXPECT_EQ(content(path), "kept");
-  auto other = rectangle();
-  other.cell = 0.2;
-  EXPECT_NE(generate_mesh_file(other), path);
+  const Index n = put_another(rectangle(), path);
+  EXPECT_EQ(mesh_of(rectangle()).n_cells(), n);
+}
+
+TEST_F(GenerateMesh, TakesItsMeshFromTheCacheWhereGmshIsNotInstalled)
+{
+  const std::string path = file_of(rectangle());
+  const Index n = put_another(rectangle(), path);
+  const test::Variable nowhere("PATH", scratch_.path());
+  EXPECT_EQ(mesh_of(rectangle()).n_cells(), n);
+}
+
+TEST_F(GenerateMesh, MakesAnewWhatCannotBeReadInTheCache)
+{
+  const std::string path = file_of(rectangle()), whole = content(path);
+  for (const std::size_t kept : {std::size_t{0}, std::size_t{500}, whole.size() - 3}) {
+    std::filesystem::resize_file(path, kept);
+    EXPECT_EQ(mesh_of(rectangle()).n_cells(), 800) << kept << " bytes";
+    EXPECT_EQ(content(path), whole);
+  }
 }
 
 TEST_F(GenerateMesh, GivesDifferentMeshesOfTheSameSize)
@@ -251,21 +282,29 @@ TEST_F(GenerateMesh, GivesDifferentMeshesOfTheSameSize)
 
 TEST_F(GenerateMesh, IgnoresTheUsersGmshOptions)
 {
-  const std::string first = content(generate_mesh_file(rectangle()));
+  const std::string first = content(file_of(rectangle()));
   std::filesystem::remove_all(scratch_.path() + "/terp");
   for (const char* name : {"/.gmshrc", "/.gmsh-options"}) std::ofstream(scratch_.path() + name) << "Mesh.MeshSizeFactor = 0.5;\nMesh.SaveAll = 1;\n";
   const test::Variable home("HOME", scratch_.path());
-  EXPECT_EQ(content(generate_mesh_file(rectangle())), first);
+  EXPECT_EQ(content(file_of(rectangle())), first);
 }
 
 std::string error_of(const PolygonMesh& polygon)
 {
   try {
-    generate_mesh_file(polygon);
+    generate_mesh(polygon);
   } catch (const MeshError& error) {
     return error.what();
   }
   return "no error";
+}
+
+/// False for what is gone and for a zombie that nobody has waited for.
+bool runs(pid_t pid)
+{
+  std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
+  std::string number, name, state;
+  return (file >> number >> name >> state) && state != "Z";
 }
 
 TEST(GenerateMeshWithoutGmsh, SaysHowToGetItAndWhatElseToDo)
@@ -278,6 +317,35 @@ TEST(GenerateMeshWithoutGmsh, SaysHowToGetItAndWhatElseToDo)
   EXPECT_THAT(text, HasSubstr("[mesh] file = "));
 }
 
+TEST(GenerateMeshWithoutGmsh, LeavesNothingBehindWhenItIsEnded)  // a stand-in that takes a minute; we are asked to end while it runs
+{
+  const test::ScratchFolder folder;
+  const std::string program = folder.path() + "/gmsh", started = folder.path() + "/started";
+  std::ofstream(program) << "#!/bin/sh\n[ \"$1\" = --version ] && echo 9.9 && exit 0\necho $$ > '" << started << "'\nexec /bin/sleep 60\n";
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  const std::string temporary = folder.path() + "/tmp";
+  std::filesystem::create_directory(temporary);
+  const test::Variable path("PATH", folder.path()), cache("XDG_CACHE_HOME", folder.path()), place("TMPDIR", temporary);
+  for (const int signal : {SIGTERM, SIGKILL}) {
+    std::filesystem::remove(started);
+    const pid_t child = fork();
+    if (child == 0) {
+      error_of(rectangle());
+      _exit(1);
+    }
+    pid_t gmsh = 0;
+    for (int k = 0; k < 500 && !(std::ifstream(started) >> gmsh); ++k) usleep(20000);
+    ASSERT_GT(gmsh, 0);
+    kill(child, signal);
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal);
+    for (int k = 0; k < 250 && runs(gmsh); ++k) usleep(20000);
+    EXPECT_FALSE(runs(gmsh)) << "signal " << signal;
+    EXPECT_TRUE(signal == SIGKILL || std::filesystem::is_empty(temporary));
+  }
+}
+
 TEST(GenerateMeshWithoutGmsh, SaysWhatGmshSaidWhenItFails)  // a stand-in that knows its version and nothing else
 {
   const test::ScratchFolder folder;
@@ -285,6 +353,11 @@ TEST(GenerateMeshWithoutGmsh, SaysWhatGmshSaidWhenItFails)  // a stand-in that k
   std::filesystem::permissions(folder.path() + "/gmsh", std::filesystem::perms::owner_all);
   const test::Variable path("PATH", folder.path()), cache("XDG_CACHE_HOME", folder.path());
   EXPECT_THAT(error_of(rectangle()), HasSubstr("gmsh made no mesh of quadrilaterals from the polygon: Error: no memory"));
+  auto fine = rectangle();
+  fine.cell = 0.005;
+  testing::internal::CaptureStderr();
+  error_of(fine);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("gmsh is at work on about 0.32 million cells"));
 }
 
 TEST(GenerateMeshWithoutGmsh, RefusesWhatCannotBeMeshed)

@@ -115,14 +115,34 @@ TEST(ReadGmsh, LeavesOutNodesOfNoCell)
   EXPECT_THAT(mesh.cells[0], ElementsAre(0, 1, 4, 3));
 }
 
-TEST(ReadGmsh, TurnsRoundClockwiseCells)
+TEST(ReadGmsh, TurnsASurfaceWhoseCellsAllRunClockwise)  // the second one, called 2
 {
   test::MshText file;
-  file.elements = {"7 3 2 0 1 4 5 2 1", "8 3 2 0 1 2 3 6 5"};
+  file.elements = {"7 3 2 0 2 4 5 2 1", "8 3 2 0 1 2 3 6 5"};
   const Mesh<2> mesh = read_gmsh_text("m.msh", file.text());
   EXPECT_THAT(mesh.cells[0], ElementsAre(3, 0, 1, 4));
   EXPECT_NEAR(mesh.geometry(0).volume, 1.0, 1e-15);
   EXPECT_EQ(mesh.neighbours[0][2], 1);
+}
+
+TEST(ReadGmsh, TurnsASurfaceOfTheNewFormatToo)
+{
+  const std::string text =
+      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 6 1 6\n2 1 0 6\n1\n2\n3\n4\n5\n6\n"
+      "0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n$EndNodes\n";
+  const auto file = [&](const std::string& blocks) { return text + "$Elements\n" + blocks + "$EndElements\n"; };
+  const std::string one = "1 2 7 8\n2 1 3 2\n7 4 5 2 1\n8 2 3 6 5\n", two = "2 2 7 8\n2 2 3 1\n7 4 5 2 1\n2 1 3 1\n8 2 3 6 5\n";
+  EXPECT_EQ(test::refusal_of(file(two)), "");
+  EXPECT_THAT(test::refusal_of(file(one)), HasSubstr("cell 0 (element 7 of the file) is inverted, its nodes run clockwise"));
+}
+
+TEST(ReadGmsh, RefusesAClockwiseCellAmongOthers)
+{
+  test::MshText file;
+  file.elements = {"7 3 2 0 1 4 5 2 1", "8 3 2 0 1 2 3 6 5"};
+  EXPECT_THAT(test::refusal_of(file.text()),
+              testing::AllOf(HasSubstr("m.msh: the mesh has 1 fault:\n  cell 0 (element 7 of the file) is inverted, its nodes run clockwise"),
+                             HasSubstr("nodes 4 at (0, 1), 5 at (1, 1), 2 at (1, 0), 1 at (0, 0) m"), HasSubstr("give its nodes in the other order")));
 }
 
 TEST(ReadGmsh, CallsAGroupWithoutNameByItsNumber)

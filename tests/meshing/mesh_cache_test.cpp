@@ -46,6 +46,17 @@ TEST(MeshCache, KeepsBytesWhole)
   EXPECT_EQ(std::distance(begin(folder), end(folder)), 1);
 }
 
+TEST(MeshCache, FindsWhatStartsAlikeTheNewestFirst)
+{
+  const test::ScratchFolder scratch;
+  const test::Variable cache("XDG_CACHE_HOME", scratch.path());
+  EXPECT_TRUE(cached_meshes("ab-").empty());
+  const std::string old = keep_mesh("ab-1", "x"), young = keep_mesh("ab-2", "y");
+  keep_mesh("b-1", "z");
+  std::filesystem::last_write_time(old, std::filesystem::last_write_time(young) - std::chrono::seconds(5));
+  EXPECT_THAT(cached_meshes("ab-"), testing::ElementsAre(young, old));
+}
+
 TEST(MeshCache, TakesATemporaryFolderWhereItCannotWrite)
 {
   const test::ScratchFolder scratch;

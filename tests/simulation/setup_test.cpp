@@ -3,9 +3,11 @@
 
 #include "base/errors.hpp"
 #include "support/cases.hpp"
+#include "support/paths.hpp"
 #include "support/simulations.hpp"
 
 #include <cmath>
+#include <fstream>
 
 #include <gmock/gmock.h>
 
@@ -124,6 +126,54 @@ TEST(Setup, AMeshOfTooManyCellsIsRefused)
   c.mesh.cell = {1e-5, 0.25};
   EXPECT_THAT(problem_of(c), AllOf(Field(&Problem::key, "mesh.cell"), Field(&Problem::what, "the mesh has too many cells"),
                                    Field(&Problem::detail, "4e+05 cells in one direction, at most 100000.")));
+}
+
+TEST(Setup, MoreThanTwentyMillionCellsAreRefusedAtOnceWhateverTheKindOfMesh)
+{
+  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});  // 4 m x 2 m
+  const auto refused = [&](const std::string& key, const std::string& number) {
+    EXPECT_THAT(problem_of(c), AllOf(Field(&Problem::key, key), Field(&Problem::what, "the mesh has too many cells"),
+                                     Field(&Problem::detail, testing::StartsWith("About " + number + " million cells, at most 20 million."))));
+  };
+  c.mesh.cell = {5e-4, 5e-4};
+  refused("mesh.cell", "32");
+  c.mesh.kind = MeshKind::graded;
+  c.mesh.cells = {30000, 1000};
+  refused("mesh.cells", "30");
+  c.mesh.kind = MeshKind::polygon;
+  c.mesh.polygon = {{0.0, 0.0}, {4.0, 0.0}, {4.0, 2.0}};
+  c.mesh.cell = {1e-4, 1e-4};
+  refused("mesh.cell", "400");
+  c.mesh.cell = {0.1, 0.1};
+  c.mesh.refine = {{{}, {0.0, 0.0}, {1.0, 0.5}, 1e-4, 0.0}};
+  refused("mesh.refine[0].cell", "50");
+}
+
+TEST(Setup, ACornerThatAMappedGridCutsOffIsRefusedWithTheReason)
+{
+  Case c = test::free_box("mpm_gp", {0.0, 0.0}, {4.0, 2.0});
+  c.mesh.kind = MeshKind::mapped;
+  c.mesh.sides = {{{{0, 0}, {2, -1}, {4, 0}}, {{4, 0}, {4, 2}}, {{0, 2}, {4, 2}}, {{0, 0}, {0, 2}}}};
+  c.mesh.cells = {5, 4};
+  c.bodies[0].polygon = {{0.0, 0.0}, {2.0, -1.0}, {4.0, 0.0}, {4.0, 2.0}, {0.0, 2.0}};
+  EXPECT_THAT(problem_of(c).detail, AllOf(testing::StartsWith("corner (2, -1) m lies in no cell."),
+                                          testing::HasSubstr("follows mesh.sides only at its nodes"), testing::HasSubstr("Use more cells")));
+  c.mesh.cells = {6, 4};
+  EXPECT_EQ(problem_of(c).what, "");
+}
+
+TEST(Setup, AnUnknownMaterialInAFileOfPointsIsToldWithItsLine)
+{
+  const test::ScratchFolder folder;
+  std::ofstream(folder.path() + "/points.csv") << "x,y,volume,material\n1.1,0.6,0.01,clay\n1.2,0.6,0.01,clayy\n";
+  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});
+  c.materials.push_back(test::elastic(2e6, 0.3, 2500.0));
+  c.folder = folder.path();
+  c.bodies[0].polygon.clear();
+  c.bodies[0].points_file = "points.csv";
+  const Problem p = problem_of(c);
+  EXPECT_EQ(p.key, "body[0].points");
+  EXPECT_EQ(p.detail, folder.path() + "/points.csv:3: no material `clayy`. Materials of this case: clay, rock");
 }
 
 TEST(Setup, BodiesWithoutAnyPointAreRefused)

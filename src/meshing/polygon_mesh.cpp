@@ -1,0 +1,52 @@
+#include "meshing/polygon_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace terp {
+namespace {
+
+struct Extent {
+  Vec<2> low, high;
+};
+
+Extent extent_of(const std::vector<Vec<2>>& polygon)
+{
+  Extent box{polygon.front(), polygon.front()};
+  for (const Vec<2>& x : polygon)
+    for (int d = 0; d < 2; ++d) box.low[d] = std::min(box.low[d], x[d]), box.high[d] = std::max(box.high[d], x[d]);
+  return box;
+}
+
+/// Cells in a strip of the width `distance` over which the size grows evenly from `small` to `large`: the integral of 1 / size^2.
+Real cells_of_strip(Real length, Real distance, Real small, Real large) { return length * distance / (small * large); }
+
+}  // namespace
+
+Real estimate_cells(const PolygonMesh& mesh)
+{
+  Real twice_area = 0.0;
+  for (std::size_t k = 0; k < mesh.polygon.size(); ++k) {
+    const Vec<2>&a = mesh.polygon[k], &b = mesh.polygon[(k + 1) % mesh.polygon.size()];
+    twice_area += (a[0] - mesh.polygon[0][0]) * (b[1] - mesh.polygon[0][1]) - (b[0] - mesh.polygon[0][0]) * (a[1] - mesh.polygon[0][1]);
+  }
+  return 0.5 * std::abs(twice_area) / (mesh.cell * mesh.cell);
+}
+
+Real estimate_more_cells(const PolygonMesh& mesh, const Refinement& refine)
+{
+  if (mesh.polygon.empty() || !(refine.cell < mesh.cell)) return 0.0;
+  const Extent box = extent_of(mesh.polygon);
+  const Real reach = std::min(refine.distance, std::hypot(box.high[0] - box.low[0], box.high[1] - box.low[1]));
+  Real n = 0.0;
+  for (std::size_t k = 1; k < refine.line.size(); ++k) {
+    const Vec<2>&a = refine.line[k - 1], &b = refine.line[k];
+    n += 2.0 * cells_of_strip(std::hypot(b[0] - a[0], b[1] - a[1]), reach, refine.cell, mesh.cell);
+  }
+  if (!refine.line.empty()) return n;
+  Vec<2> side;
+  for (int d = 0; d < 2; ++d) side[d] = std::max<Real>(0.0, std::min(box.high[d], refine.high[d]) - std::max(box.low[d], refine.low[d]));
+  return side[0] * side[1] / (refine.cell * refine.cell) + cells_of_strip(2.0 * (side[0] + side[1]), reach, refine.cell, mesh.cell);
+}
+
+}  // namespace terp

@@ -1,0 +1,44 @@
+#include "simulation/setup_warnings.hpp"
+
+#include "simulation/setup_history.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+void find_empty_bodies(const Model& model, std::vector<Problem>& warnings)
+{
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    if (model.bodies[b].n_points > 0) continue;
+    const std::string of = model.bodies[b].material.empty() ? "" : fmt::format(" of `{}`", model.bodies[b].material);
+    warnings.push_back({fmt::format("body[{}]", b), fmt::format("body {}{} has no material points", b, of),
+                        "Later bodies cover it wholly: where bodies overlap, the last one counts. Change the order of the bodies, or leave it out.", "body"});
+  }
+}
+
+void find_sides_that_move_far(const Model& model, std::vector<Problem>& warnings)
+{
+  for (const SideCase& side : model.description.sides) {
+    const Real way = std::hypot(side.velocity[0], side.velocity[1]) * model.description.time.end;
+    if (side.kind != SideKind::velocity || !(way > model.mesh.smallest_altitude)) continue;
+    warnings.push_back({fmt::format("boundary.\"{}\".velocity", side.side), "the side stays in place: it pushes soil over one cell at most",
+                        fmt::format("Its velocity times time.end is {:.4g} m, the smallest cell is {:.4g} m high. The mesh does not move with the side:\n"
+                                    "soil that has left the cells next to it is pushed no more.",
+                                    way, model.mesh.smallest_altitude),
+                        "boundary.SIDE.velocity"});
+  }
+}
+
+}  // namespace
+
+std::vector<Problem> find_warnings(const Model& model, const State& state)
+{
+  std::vector<Problem> warnings = find_far_history_points(model, state);
+  find_empty_bodies(model, warnings);
+  find_sides_that_move_far(model, warnings);
+  return warnings;
+}
+
+}  // namespace terp

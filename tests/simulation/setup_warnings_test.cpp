@@ -1,0 +1,62 @@
+// What is told before a run, and what is not.
+#include "simulation/setup_warnings.hpp"
+
+#include "simulation/setup.hpp"
+#include "support/cases.hpp"
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+std::vector<Problem> warnings_of(const Case& c)
+{
+  Model model = build_model(c, 1);
+  const State state = build_state(model);
+  return find_warnings(model, state);
+}
+
+TEST(SetupWarnings, ABodyUnderLaterOnesIsTold)
+{
+  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.0});
+  c.materials.push_back(test::elastic(2e6, 0.3, 2500.0));
+  c.bodies.push_back(test::body("rock", {1.5, 0.5}, {2.0, 1.0}));
+  EXPECT_TRUE(warnings_of(c).empty());
+  c.bodies[1].polygon = {{0.75, 0.5}, {2.5, 0.5}, {2.5, 1.0}, {0.75, 1.0}};
+  const auto warnings = warnings_of(c);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].key, "body[0]");
+  EXPECT_EQ(warnings[0].what, "body 0 of `clay` has no material points");
+}
+
+TEST(SetupWarnings, ASideThatMovesMoreThanACellIsTold)
+{
+  Case c = test::column("mpm_gp");  // cells of 0.5 m
+  c.time.end = 2.0;
+  c.sides = {test::side("left", SideKind::velocity)};
+  c.sides[0].velocity = {0.24, 0.0};
+  EXPECT_TRUE(warnings_of(c).empty());
+  c.sides[0].velocity = {0.3, 0.0};
+  const auto warnings = warnings_of(c);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].key, "boundary.\"left\".velocity");
+  EXPECT_EQ(warnings[0].what, "the side stays in place: it pushes soil over one cell at most");
+  EXPECT_THAT(warnings[0].detail, testing::StartsWith("Its velocity times time.end is 0.6 m, the smallest cell is 0.5 m high."));
+}
+
+TEST(SetupWarnings, SharesOfBodiesAddUp)
+{
+  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.0});
+  c.materials.push_back(test::elastic(2e6, 0.3, 2500.0));
+  c.bodies.push_back(test::body("rock", {1.5, 0.5}, {2.0, 1.0}));
+  Model model = build_model(c, 1);
+  build_state(model);
+  ASSERT_EQ(model.bodies.size(), 2u);
+  EXPECT_EQ(model.bodies[0].n_points, 4 * 25);
+  EXPECT_NEAR(model.bodies[0].area, 0.25, 1e-12);
+  EXPECT_EQ(model.bodies[1].material, "rock");
+  EXPECT_NEAR(model.bodies[1].mass, 0.25 * 2500.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace terp
