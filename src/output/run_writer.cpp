@@ -15,7 +15,8 @@
 namespace terp {
 namespace {
 
-constexpr std::size_t most_waiting = 64;  // rows, mostly
+constexpr std::size_t most_waiting = 64;             // rows, mostly
+constexpr std::int64_t large = 2 * 500'000;          // coordinates of half a million points, 100 MB in a frame
 
 /// Throws FileError if a file holds fewer rows or frames than it must.
 void check_length(const std::string& path, const char* unit, std::int64_t n, std::int64_t n_due, const ResumePoint& from)
@@ -77,9 +78,10 @@ RunWriter::~RunWriter() = default;
 
 void RunWriter::frame(const std::shared_ptr<const Frame>& frame)
 {
-  if (!last_frame_.expired()) background_.finish();  // at most one waits: a frame of millions of points is large
+  if (!last_frame_.expired()) background_.finish();  // at most one waits
   last_frame_ = frame;
   background_.add([this, frame] { results_.append(*frame); });
+  if (std::ssize(frame->x) > large) background_.finish();  // rather than hold it beside the next image
 }
 
 void RunWriter::history(const std::vector<HistoryRow>& rows)

@@ -1,0 +1,87 @@
+// Google Benchmark of what the step is made of and of what surrounds it. Laws and steps come from the copy of the kernels that this
+// processor gets (TERP_INSTRUCTIONS forces one). `items_per_second` counts points.
+
+#include "input/case_file.hpp"
+#include "materials/material.hpp"
+#include "mesh/locate.hpp"
+#include "simulation/frame.hpp"
+#include "simulation/ledger.hpp"
+#include "simulation/setup.hpp"
+#include "simulation/state_image.hpp"
+#include "simulation/workspace.hpp"
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+/// The paper's column, model 2, on cells of this size.
+Case column(const std::string& scheme, double cell)
+{
+  return read_case(TERP_SOURCE_DIR "/cases/column_collapse/model_2.toml", {"scheme=" + scheme, fmt::format("mesh.cell={}", cell)}).values;
+}
+
+struct Ready {
+  Model model;
+  State state;
+  Workspace work;
+  Ready(const std::string& scheme, double cell) : model(build_model(column(scheme, cell), 1)), state(build_state(model)), work(model, state)
+  {
+    start_audit(model, state);
+    for (int k = 0; k < 200; ++k) model.step(model, state, work);
+  }
+};
+
+void count_points(benchmark::State& bench, const Ready& ready) { bench.SetItemsProcessed(bench.iterations() * ready.state.points.n_points()); }
+
+void Step(benchmark::State& bench, const char* scheme)
+{
+  Ready ready(scheme, 0.1);
+  for (auto _ : bench) ready.model.step(ready.model, ready.state, ready.work);
+  count_points(bench, ready);
+}
+BENCHMARK_CAPTURE(Step, mpm_gp, "mpm_gp")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(Step, mpm_mixed, "mpm_mixed")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(Step, standard_mpm, "standard_mpm")->Unit(benchmark::kMicrosecond);
+
+void LedgerRowOfAllPoints(benchmark::State& bench)
+{
+  Ready ready("mpm_gp", 0.1);
+  for (auto _ : bench) benchmark::DoNotOptimize(keep_ledger(ready.model, ready.state));
+  count_points(bench, ready);
+}
+BENCHMARK(LedgerRowOfAllPoints)->Unit(benchmark::kMicrosecond);
+
+void FrameOfAllFields(benchmark::State& bench)
+{
+  Ready ready("mpm_gp", 0.1);
+  for (auto _ : bench) benchmark::DoNotOptimize(make_frame(ready.model, ready.state));
+  count_points(bench, ready);
+}
+BENCHMARK(FrameOfAllFields)->Unit(benchmark::kMicrosecond);
+
+void ImageForACheckpoint(benchmark::State& bench)
+{
+  Ready ready("mpm_gp", 0.1);
+  for (auto _ : bench) benchmark::DoNotOptimize(make_image(ready.state));
+  count_points(bench, ready);
+}
+BENCHMARK(ImageForACheckpoint)->Unit(benchmark::kMicrosecond);
+
+void ModelAndStateFromACase(benchmark::State& bench)
+{
+  const Case description = column("mpm_gp", 0.1);
+  std::int64_t n = 0;
+  for (auto _ : bench) {
+    Model model = build_model(description, 1);
+    n += build_state(model).points.n_points();
+  }
+  bench.SetItemsProcessed(n);
+}
+BENCHMARK(ModelAndStateFromACase)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace terp
+
+BENCHMARK_MAIN();
