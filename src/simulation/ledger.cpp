@@ -14,8 +14,8 @@ constexpr Real audit_tolerance = 1e-12;  // relative: below is round-off of aver
 
 /// Energy stored per volume, of one point or of a pack of them.
 struct ElasticEnergy {
-  Real half_over_bulk, quarter_over_shear;  // [1/Pa]
-  explicit ElasticEnergy(const Material& law) : half_over_bulk(0.5 / law.bulk_modulus()), quarter_over_shear(0.25 / law.shear_modulus()) {}
+  Real half_over_bulk, quarter_over_shear;  // [1/Pa]; a fluid stores no shear
+  explicit ElasticEnergy(const Material& law) : half_over_bulk(0.5 / law.bulk_modulus()), quarter_over_shear(law.shear_modulus() > 0.0 ? 0.25 / law.shear_modulus() : 0.0) {}
 
   template <class R>
   R operator()(R xx, R yy, R zz, R xy) const
