@@ -44,6 +44,7 @@ struct MohrCoulomb {
       "flow       (1 + sin(psi), 0, -(1 - sin(psi))) on the first, (1, 0, 0) on the second; both on edges and at the apex\n"
       "softening  c, phi, psi = residual + (peak - residual) exp(-eta eps_eq_p)             as Eq. (5)\n"
       "eps_eq_p = sum sqrt(1/2 de_p : de_p), de_p the deviator of the plastic strain         Eq. (6)\n"
+      "opening  = volume strain beyond the apex, where all three stresses meet their limit; closes before pressure returns\n"
       "phi = psi = 0 is Tresca's law with c = S_u. There is no pore water: give effective strength, density and stiffness\n"
       "of drained soil, or phi = 0, c = S_u and saturated density for total stress in undrained soil (docs/methods.md).\n";
   static constexpr std::array parameters{
@@ -60,6 +61,7 @@ struct MohrCoulomb {
   };
   static constexpr std::array state{
       StateInfo{"eps_eq_p", "-", Averaging::cell, "accumulated equivalent plastic strain, Eq. (6)"},
+      StateInfo{"opening", "-", Averaging::cell, "volume strain by which the soil has come apart"},
   };
   static constexpr std::array derived{
       DerivedInfo{"cohesion", "Pa", "current cohesion"},
@@ -75,22 +77,57 @@ struct MohrCoulomb {
   }
 
   template <class R, int Dim>
-  R update(SymTensor<R, Dim>& sigma, std::array<R, 1>& state, const SymTensor<R, Dim>& d_eps, Real) const
+  R update(SymTensor<R, Dim>& sigma, std::array<R, 2>& state, const SymTensor<R, Dim>& d_eps, Real) const
   {
+    const auto strength = strength_at(state[0]);
+    const R before = mean_of_direct(sigma);
     add_elastic_stress(sigma, d_eps, bulk, shear);
+    const R work = any_of(state[1] > R(0.0)) ? close_opening(sigma, state[1], before, trace(d_eps), strength.tension) : R(0.0);
     auto principal = principal_values(sigma);
     const Sorted<R> trial = sort_principal_values(principal);
-    const auto strength = strength_at(state[0]);
     const auto yields = is_outside(trial, strength);
-    if (!any_of(yields)) return R(0.0);
+    if (!any_of(yields)) return work;
 
     R d_e(0.0);
-    const Sorted<R> returned = softens ? return_softening(trial, state[0], strength, d_e) : return_to(trial, strength, d_e);
+    Sorted<R> returned = softens ? return_softening(trial, state[0], strength, d_e) : return_to(trial, strength, d_e);
+    state[0] = select(yields, state[0] + d_e, state[0]);
+    state[1] = select(yields, come_apart(trial, softens ? strength_at(state[0]) : strength, returned), state[1]);
     assign_by_rank(returned, principal);
     const SymTensor<R, Dim> on_surface = from_principal_values(principal);
     for (int k = 0; k < n_sym<Dim>; ++k) sigma[k] = select(yields, on_surface[k], sigma[k]);
-    state[0] = select(yields, state[0] + d_e, state[0]);
-    return select(yields, plastic_work(trial, returned), R(0.0));
+    return select(yields, plastic_work(trial, returned), work);
+  }
+
+  /// The opening of soil whose principal stresses all meet their limit, which they are given to the bit; 0 elsewhere.
+  template <class R>
+  R come_apart(const Sorted<R>& trial, const MohrCoulombStrength<R>& at, Sorted<R>& s) const
+  {
+    const auto apart = s.minor >= at.tension - slack(trial, at);
+    s = {select(apart, at.tension, s.major), select(apart, at.tension, s.middle), select(apart, at.tension, s.minor)};
+    const R beyond = (trial.major + trial.middle + trial.minor) * R(1.0 / 3.0) - at.tension;
+    return select(apart, max(R(0.0), beyond * R(1.0 / bulk)), R(0.0));
+  }
+
+  /// Exact where all three are equal.
+  template <class R, int Dim>
+  static R mean_of_direct(const SymTensor<R, Dim>& sigma)
+  {
+    return sigma[0] + ((sigma[1] - sigma[0]) + (sigma[2] - sigma[0])) * R(1.0 / 3.0);
+  }
+
+  /// Soil that has come apart carries no more tension than before, none as soon as it closes, and no pressure before it has closed.
+  /// sigma: with the elastic stress of the step. before: mean stress at its start. Returns the plastic work per volume.
+  template <class R, int Dim>
+  R close_opening(SymTensor<R, Dim>& sigma, R& opening, R before, R volumetric, R tension) const
+  {
+    const R held = select(volumetric < R(0.0), R(0.0), min(max(before, R(0.0)), tension));
+    const R closed = before + R(bulk) * (opening + volumetric);  // mean stress if the opening were closed by stress
+    const auto was_open = opening > R(0.0);
+    const auto stays_open = was_open & (closed > held);
+    for (int k = 0; k < 3; ++k) sigma[k] = select(stays_open, held, select(was_open, sigma[k] + R(bulk) * opening, sigma[k]));
+    for (int k = 3; k < n_sym<Dim>; ++k) sigma[k] = select(stays_open, R(0.0), sigma[k]);
+    opening = select(stays_open, opening + volumetric + (before - held) * R(1.0 / bulk), R(0.0));
+    return select(stays_open, held * volumetric, R(0.0));
   }
 
   template <class R>
@@ -106,8 +143,13 @@ struct MohrCoulomb {
   template <class R>
   auto is_outside(const Sorted<R>& s, const MohrCoulombStrength<R>& at) const
   {
-    const R slack = R(1e-12) * (abs(s.major) + abs(s.minor) + at.cohesion);  // measured below 1e-14 of the same sum
-    return (mohr_coulomb_excess(s.major, s.minor, at) > slack) | (s.major - at.tension > slack);
+    const R limit = slack(s, at);
+    return (mohr_coulomb_excess(s.major, s.minor, at) > limit) | (s.major - at.tension > limit);
+  }
+  template <class R>
+  static R slack(const Sorted<R>& s, const MohrCoulombStrength<R>& at)
+  {
+    return R(1e-12) * (abs(s.major) + abs(s.minor) + at.cohesion);
   }
 
   /// Return to a surface that stays where it is. d_e: out, the step's part of Eq. (6).

@@ -176,6 +176,38 @@ TEST(MohrCoulomb, ExpansionEndsAtTheApexAndWithACutOffBelowIt)
   }
 }
 
+TEST(MohrCoulomb, ThatHasComeApartGivesNoPressureBeforeItHasClosed)
+{
+  Probe point = Soil{.c = 0.0, .c_residual = 0.0}.probe();
+  const Real K = point.law().bulk_modulus();
+  point.sigma = isotropic(-3e3);
+  point.strain({{2e-3, 1e-3, 1e-3, 5e-4}});
+  for (int c = 0; c < 4; ++c) EXPECT_EQ(point.sigma[c], 0.0);
+  EXPECT_NEAR(point.state[1], 4e-3 - 3e3 / K, 1e-15);
+  point.strain({{1e-3, -3e-3, 0.0, 2e-3}});
+  for (int c = 0; c < 4; ++c) EXPECT_EQ(point.sigma[c], 0.0) << "apart: no shear stress either";
+  point.strain(isotropic(-2e-3 / 3.0));
+  EXPECT_EQ(point.state[1], 0.0);
+  EXPECT_NEAR(trace(point.sigma) / 3.0, -3e3, 1e-6) << "the volume of the start has the pressure of the start";
+}
+
+TEST(MohrCoulomb, WithCohesionComesApartAtTheApexAndClosesWithoutTension)
+{
+  const Soil soil{.cutoff = 2e3};
+  Probe point = soil.probe();
+  for (int k = 0; k < 20; ++k) point.strain({{1e-3, 1e-3, 1e-3, 0.0}});
+  EXPECT_NEAR(trace(point.sigma) / 3.0, 2e3, 1e-9) << "perfectly plastic while it opens";
+  EXPECT_NEAR(point.plastic_work, 2e3 * 3e-3, 1e-12);
+  EXPECT_NEAR(point.state[1], 0.06 - 2e3 / point.law().bulk_modulus(), 1e-15);
+  for (int k = 0; k < 19; ++k) {
+    point.strain({{-1e-3, -1e-3, -1e-3, 0.0}});
+    EXPECT_EQ(trace(point.sigma), 0.0) << "closing gives no work back";
+    EXPECT_EQ(point.plastic_work, 0.0);
+  }
+  point.strain({{-1e-3, -1e-3, -2e-3, 0.0}});
+  EXPECT_NEAR(trace(point.sigma) / 3.0, -point.law().bulk_modulus() * 1e-3, 1e-6);
+}
+
 TEST(MohrCoulomb, WithoutFrictionItIsTresca)  // to the round-off of both, softening included
 {
   const Soil soil{.G = 2e6, .nu = 0.48, .c = 8e3, .phi = 0.0, .psi = 0.0, .c_residual = 2e3, .phi_residual = 0.0, .psi_residual = 0.0, .eta = 50.0};
