@@ -166,8 +166,8 @@ std::vector<KeyInfo> soil_keys()
        .field = [](Case& c, std::size_t i) { return CountOrPair{&c.bodies[i].points_per_cell}; },
        .range = between(1, 100), .meaning = "material points along x and y in each cell; one number for both"},
       {.path = "body[].velocity",
-       .field = [](Case& c, std::size_t i) { return &c.bodies[i].velocity; },
-       .unit = "m/s", .usual = {1e-6, 1e3}, .meaning = "velocity of the body at t = 0"},
+       .field = [](Case& c, std::size_t i) { return VelocityPair{&c.bodies[i].velocity, &c.bodies[i].velocity_at}; },
+       .unit = "m/s", .usual = {1e-6, 1e3}, .meaning = "velocity of the body at t = 0; a text is a formula of the place x, y [m]: [\"0.1*sin(pi*x/4)\", 0.0]"},
 
       {.path = "material.NAME.model",
        .field = [](Case& c, std::size_t i) { return &c.materials[i].model; },
@@ -238,9 +238,9 @@ std::vector<KeyInfo> side_keys()
        .range = not_negative, .usual = {0.0, 2.0},
        .meaning = "tangent mu of the friction angle of the contact plane, not the angle itself"},
       {.path = "boundary.SIDE.velocity",
-       .field = [](Case& c, std::size_t i) { return &c.sides[i].velocity; },
+       .field = [](Case& c, std::size_t i) { return VelocityPair{&c.sides[i].velocity, &c.sides[i].velocity_at}; },
        .unit = "m/s", .usual = {1e-6, 1e3}, 
-       .meaning = "prescribed velocity of the side; the mesh, and so the side, stays in place: it pushes soil only within the "
+       .meaning = "prescribed velocity of the side, two numbers or formulas of the place x, y [m]; the mesh, and so the side, stays in place: it pushes soil only within the "
                   "cells next to it"},
   };
 }

@@ -35,7 +35,7 @@ std::vector<SideCondition> make_sides(const Case& c, const Mesh<2>& mesh)
   std::vector<SideCondition> sides;
   for (const SideCase& s : c.sides) {
     find_side(mesh, s.side);
-    const auto add = [&](Hold hold) { sides.push_back({s.side, hold, s.adhesion, s.friction, s.velocity}); };
+    const auto add = [&](Hold hold) { sides.push_back({s.side, hold, s.adhesion, s.friction, s.velocity, s.velocity_at}); };
     switch (s.kind) {
       case SideKind::free: break;
       case SideKind::open: break;
