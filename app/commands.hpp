@@ -19,9 +19,15 @@ struct RunOptions {
   bool json = false;                 ///< of bench
 };
 
+struct ReportCommand {
+  std::vector<std::string> runs;  ///< folders
+  std::string output;             ///< HTML file; empty: report.html
+};
+
 int run_case(const RunOptions& options);
 int resume_run(const RunOptions& options);
 int check_case(const RunOptions& options);
 int bench_case(const RunOptions& options);
+int report_runs(const ReportCommand& command);
 
 }  // namespace terp
