@@ -7,7 +7,7 @@ CASES    = cases/column_collapse
 PYTHON   = PYTHONPATH=python /usr/bin/python3
 
 .DEFAULT_GOAL := help
-.PHONY: help install build demo test verify accept clean
+.PHONY: help install build demo test vtk verify accept clean
 
 help:            ## this list
 	@echo "Terp: explicit material point method for soil that softens and fails"
@@ -34,6 +34,12 @@ test: install    ## install, build and run the tests
 	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null
 	@cmake --build $(BUILD)
 	@ctest --test-dir $(BUILD) --output-on-failure -j 2 -LE verify
+
+vtk: install     ## read results with VTK 9.3 and the newest: Debian 13 and sid, 2.5 GB in build/vtk
+	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null
+	@cmake --build $(BUILD)
+	@for release in trixie sid; do tests/vtk/fetch_vtk $$release $(BUILD)/vtk/$$release || exit; done
+	@ctest --test-dir $(BUILD) --output-on-failure -R '^vtk\.'
 
 verify: install  ## what takes minutes: other meshes, a turned frame, the dike
 	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null
