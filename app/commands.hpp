@@ -22,6 +22,7 @@ struct RunOptions {
 struct ReportCommand {
   std::vector<std::string> runs;  ///< folders
   std::string output;             ///< HTML file; empty: report.html
+  bool json = false;              ///< of compare
 };
 
 int run_case(const RunOptions& options);
@@ -29,5 +30,6 @@ int resume_run(const RunOptions& options);
 int check_case(const RunOptions& options);
 int bench_case(const RunOptions& options);
 int report_runs(const ReportCommand& command);
+int compare_folders(const ReportCommand& command);
 
 }  // namespace terp
