@@ -29,8 +29,11 @@ void request_stop(int signal)
   std::signal(signal, SIG_DFL);
 }
 
+/// Signals that end the run well: Ctrl-C, and what systems send before they end a job. A file that may grow no more (ulimit -f) is
+/// an error of its write like a full disk.
 void listen_for_stop()
 {
+  std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
 }

@@ -162,6 +162,12 @@ Real kinetic_and_elastic_energy(const Model& model, const State& state)
   return row.kinetic + row.elastic + kinetic_and_elastic_energy(state.left);
 }
 
+Real energy_exchanged(const State& state)
+{
+  const WorkTotals& w = state.work;
+  return std::abs(w.gravity) + std::abs(w.damping) + std::abs(w.boundary) + w.plastic + state.start_energy;
+}
+
 void start_audit(const Model& model, State& state)
 {
   const auto n = static_cast<std::size_t>(state.n_ids());

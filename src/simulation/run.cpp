@@ -67,6 +67,7 @@ struct Loop {
     const LedgerRow row = keep_ledger(model, state);
     tell([&](Observer& o) { o.ledger(row); });
     if (!std::isfinite(row.kinetic + row.elastic)) stop_run(state, observers, describe_not_finite(model, state, work, row.v_999));
+    if (const std::string fault = find_fault_in_balance(model, state, row); !fault.empty()) stop_run(state, observers, fault);
   }
 
   /// The points that left through open sides since this was last called.
@@ -173,7 +174,7 @@ Summary summarise(const Model& model, const State& state)
   s.points_eps_eq_p_fell = std::count(state.audit.fell.begin(), state.audit.fell.end(), 1);
   s.points_su_rose = std::count(state.audit.rose.begin(), state.audit.rose.end(), 1);
   const WorkTotals& w = state.work;
-  const Real exchanged = std::abs(w.gravity) + std::abs(w.damping) + std::abs(w.boundary) + w.plastic + state.start_energy;
+  const Real exchanged = energy_exchanged(state);
   const Real numerical = kinetic_and_elastic_energy(model, state) + w.plastic - state.start_energy - (w.gravity + w.damping + w.boundary);
   s.energy_balance_error = exchanged > 0.0 ? std::abs(numerical) / exchanged : 0.0;
   s.clamped_points = state.clamped;
