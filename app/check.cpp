@@ -43,11 +43,14 @@ Real total_mass(const State& state)
   return mass;
 }
 
+/// What a run holds, frames and checkpoints in the making not counted.
 std::int64_t bytes_of(const Model& model, const State& state)
 {
+  constexpr std::int64_t per_cell_of_the_mesh = 160, per_point = 27;  // of the mesh, counted; first place, audit and flags by id
   const auto cells = static_cast<std::int64_t>(state.points.occupied().size());
-  const std::int64_t mesh = model.mesh.n_nodes() * std::int64_t{sizeof(Vec<2>) + sizeof(NodeValues)} + model.mesh.n_cells() * std::int64_t{80};
-  return state.points.bytes() + mesh + 2 * cells * std::int64_t{sizeof(CornerSums<2>) + sizeof(GaussValues<2>)} + 16 * state.points.n_points();
+  const std::int64_t gauss = model.description.scheme == "mpm_mixed" ? sizeof(GaussValues<2>) : sizeof(Real);
+  return state.points.bytes() + per_point * state.points.n_points() + per_cell_of_the_mesh * model.mesh.n_cells() +
+         cells * (std::int64_t{sizeof(CornerSums<2>) + sizeof(NodeValues)} + gauss);
 }
 
 void print_bodies(const Model& model)

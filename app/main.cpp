@@ -6,6 +6,7 @@
 #include "input/explain.hpp"
 #include "input/printable.hpp"
 #include "parallel/kernels.hpp"
+#include "parallel/memory.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -151,6 +152,7 @@ bool answer_help(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+  terp::return_large_arrays_when_freed();
   CLI::App app;
   CommandLine line;
   declare(app, line);

@@ -87,7 +87,7 @@ std::vector<Solved> solve_all(const std::vector<Solve>& solves, int threads)
   std::vector<Solved> solved(solves.size());
   std::atomic<bool> spoilt{false};   // a case cannot be read: nothing is made of the rest
   std::atomic<std::size_t> next{0};  // chunks are handed out in parts; a queue keeps the longest first
-  Threads(threads).for_each_chunk(static_cast<Index>(solves.size()), [&](Index) {
+  Threads(threads).for_each_chunk(static_cast<Index>(solves.size()), [&](Index, int) {
     const std::size_t k = order[next.fetch_add(1)];
     if (!stop_requested && !spoilt) solved[k] = solve_variant(solves[k], stop_requested);
     if (solved[k].bad_input) spoilt = true;

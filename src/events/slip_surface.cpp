@@ -13,7 +13,7 @@ constexpr Real share_of_column = 0.5;  // of the fastest growth in a column: the
 constexpr Real share_of_all = 0.1;     // of the fastest growth: columns that shear at all
 constexpr Real fast = 0.999;           // part of the points that grow more slowly than "the fastest"
 
-Real growth_of(const PointBlock<2>& block, Index lane, std::span<const Real> growth)
+float growth_of(const PointBlock<2>& block, Index lane, std::span<const float> growth)
 {
   return growth[static_cast<std::size_t>(block.row(Rows::id)[lane])];
 }
@@ -25,9 +25,9 @@ Index column_of(Real x, const Columns& columns)
   return place >= 0.0 && place < columns.n ? static_cast<Index>(place) : -1;
 }
 
-Real fastest_growth(const PointBlocks<2>& points, std::span<const Real> growth)
+Real fastest_growth(const PointBlocks<2>& points, std::span<const float> growth)
 {
-  std::vector<Real> values;
+  std::vector<float> values;
   values.reserve(static_cast<std::size_t>(points.n_points()));
   for_each_point(points, [&](const PointBlock<2>& block, Index lane) { values.push_back(growth_of(block, lane, growth)); });
   if (values.empty()) return 0.0;
@@ -38,14 +38,14 @@ Real fastest_growth(const PointBlocks<2>& points, std::span<const Real> growth)
 
 }  // namespace
 
-Real total_growth(const PointBlocks<2>& points, std::span<const Real> growth)
+Real total_growth(const PointBlocks<2>& points, std::span<const float> growth)
 {
   Real sum = 0.0;
   for_each_point(points, [&](const PointBlock<2>& block, Index lane) { sum += block.row(Rows::volume)[lane] * growth_of(block, lane, growth); });
   return sum;
 }
 
-std::vector<Vec<2>> find_slip_line(const PointBlocks<2>& points, std::span<const Real> growth, const Columns& columns)
+std::vector<Vec<2>> find_slip_line(const PointBlocks<2>& points, std::span<const float> growth, const Columns& columns)
 {
   const Real least = share_of_all * fastest_growth(points, growth);
   std::vector<Real> most(static_cast<std::size_t>(columns.n), 0.0);

@@ -15,10 +15,10 @@ struct SlipSurface {
 };
 
 /// Growth of the plastic strain, summed over the volume [m^2]. growth: of eps_eq_p, by id.
-Real total_growth(const PointBlocks<2>& points, std::span<const Real> growth);
+Real total_growth(const PointBlocks<2>& points, std::span<const float> growth);
 
 /// In each column the lowest point whose strain grew by at least half of the most in that column. A column counts if that most is a tenth
 /// of what all but 0.1 % of the points stay below.
-std::vector<Vec<2>> find_slip_line(const PointBlocks<2>& points, std::span<const Real> growth, const Columns& columns);
+std::vector<Vec<2>> find_slip_line(const PointBlocks<2>& points, std::span<const float> growth, const Columns& columns);
 
 }  // namespace terp

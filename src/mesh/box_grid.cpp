@@ -46,14 +46,14 @@ std::int64_t count_entries(const BoxGrid& grid, std::span<const BoundingBox> box
   return n;
 }
 
-/// As many buckets as boxes, square if they can be; fewer where boxes overlap many of them.
+/// A quarter as many buckets as boxes, square if they can be; fewer where boxes overlap many of them.
 void choose_buckets(BoxGrid& grid, std::span<const BoundingBox> boxes)
 {
-  const Real n_boxes = static_cast<Real>(boxes.size());
+  const Real n_buckets = std::max(1.0, 0.25 * static_cast<Real>(boxes.size()));
   const Real width = grid.high[0] - grid.low[0], height = grid.high[1] - grid.low[1];
-  const Real along_x = std::sqrt(n_boxes * width / height);
-  const Real nx = std::isfinite(along_x) ? std::clamp(std::round(along_x), 1.0, n_boxes) : n_boxes;
-  divide(grid, {static_cast<Index>(nx), static_cast<Index>(std::max(1.0, std::floor(n_boxes / nx)))});
+  const Real along_x = std::sqrt(n_buckets * width / height);
+  const Real nx = std::isfinite(along_x) ? std::clamp(std::round(along_x), 1.0, std::floor(n_buckets)) : std::floor(n_buckets);
+  divide(grid, {static_cast<Index>(nx), static_cast<Index>(std::max(1.0, std::floor(n_buckets / nx)))});
   while (count_entries(grid, boxes) > most_entries_per_box * static_cast<std::int64_t>(boxes.size()))
     divide(grid, {std::max(grid.n[0] / 2, 1), std::max(grid.n[1] / 2, 1)});
 }

@@ -28,7 +28,7 @@ struct BoxGrid {
   std::vector<Index> boxes;              ///< ascending within a bucket
 };
 
-/// About one bucket per box. Memory stays below 16 entries per box, whatever the sizes of the boxes.
+/// About one bucket for four boxes. Memory stays below 16 entries per box, whatever the sizes of the boxes.
 BoxGrid make_box_grid(std::span<const BoundingBox> boxes);
 
 /// Numbers, ascending, of boxes that may hold the place; none that does is left out. Empty for a place that is not finite.

@@ -70,7 +70,8 @@ void list_cells_of_nodes(Mesh<2>& mesh)
   std::vector<Index> next(mesh.first_cell_of_node.begin(), mesh.first_cell_of_node.end() - 1);
   mesh.cells_of_node.resize(4 * mesh.cells.size());
   for (Index e = 0; e < mesh.n_cells(); ++e)
-    for (Index c = 0; c < 4; ++c) mesh.cells_of_node[next[mesh.cells[e][c]]++] = {e, c};
+    for (Index c = 0; c < 4; ++c)
+      mesh.cells_of_node[next[mesh.cells[e][c]]++] = {static_cast<std::uint32_t>(e) & 0x3fffffffu, static_cast<std::uint32_t>(c) & 3u};
 }
 
 /// Boxes are widened so that a place accepted by round-off (location_tolerance, 1e-10) lies in the box of its cell.
@@ -108,6 +109,7 @@ Mesh<2> make_grid(std::vector<Vec<2>> nodes, std::array<Index, 2> n)
   TERP_ASSERT(static_cast<Index>(nodes.size()) == (n[0] + 1) * (n[1] + 1));
   Mesh<2> mesh;
   mesh.nodes = std::move(nodes);
+  mesh.cells.reserve(static_cast<std::size_t>(n[0]) * static_cast<std::size_t>(n[1]));
   const auto node = [&](Index i, Index j) { return j * (n[0] + 1) + i; };
   NamedSide left{"left", {}}, right{"right", {}}, bottom{"bottom", {}}, top{"top", {}};
   for (Index j = 0; j < n[1]; ++j)
@@ -127,6 +129,7 @@ Mesh<2> make_grid(std::vector<Vec<2>> nodes, std::array<Index, 2> n)
 Mesh<2> make_rectangle(Vec<2> origin, Vec<2> size, std::array<Index, 2> n)
 {
   std::vector<Vec<2>> nodes;
+  nodes.reserve(static_cast<std::size_t>(n[0] + 1) * static_cast<std::size_t>(n[1] + 1));
   for (Index j = 0; j <= n[1]; ++j)
     for (Index i = 0; i <= n[0]; ++i) nodes.push_back({origin[0] + size[0] * i / n[0], origin[1] + size[1] * j / n[1]});
   return make_grid(std::move(nodes), n);

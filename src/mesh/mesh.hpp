@@ -32,8 +32,8 @@ struct NamedRegion {
 
 /// A cell around a node, and which of its corners the node is.
 struct CellCorner {
-  Index cell;
-  Index corner;
+  std::uint32_t cell : 30;    // together the size of one Index: a mesh is mostly such tables
+  std::uint32_t corner : 2;
 };
 
 template <int Dim>

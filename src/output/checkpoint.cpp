@@ -21,33 +21,16 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the checksum is over little-endian bytes");
 
-constexpr std::int64_t format_version = 1;
+constexpr std::int64_t format_version = 2, oldest_version = 1;  // 2: arrays that a case does not need may be empty
 const std::string format_name = "terp checkpoint";
 const std::string arrays = "/arrays";
-
-void check_shape(const NamedArray& array, const std::string& path)
-{
-  const std::size_t n_values = std::visit([](const auto& values) { return values.size(); }, array.values);
-  const auto n_expected = std::accumulate(array.shape.begin(), array.shape.end(), std::int64_t{1}, std::multiplies<>());
-  if (n_expected == static_cast<std::int64_t>(n_values)) return;
-  throw FileError(fmt::format("cannot write {}: array `{}` holds {} values, its shape says {}", path, array.name,
-                              n_values, n_expected));
-}
 
 void write_array(Hdf5File& file, const NamedArray& array)
 {
   const auto write = [&]<class T>(const std::vector<T>& values) {
-    file.write<T>(arrays + "/" + array.name, array.shape, values);
+    file.write<T>(arrays + "/" + array.name, array.shape, values, array.first);
   };
   std::visit(write, array.values);
-}
-
-/// The names of the arrays in their order, one per line.
-std::string join_names(const StateImage& image)
-{
-  std::string names;
-  for (const auto& array : image.arrays) names += array.name + '\n';
-  return names;
 }
 
 std::vector<std::string> split_names(const std::string& text)
@@ -58,34 +41,44 @@ std::vector<std::string> split_names(const std::string& text)
   return names;
 }
 
-/// At least what a checkpoint takes on the disk.
-std::int64_t largest_size(const StateImage& image)
+/// At least what a part takes on the disk.
+std::int64_t largest_size(const StateImage& part)
 {
   constexpr std::int64_t header_bytes = 16 << 10;
   std::int64_t n_bytes = header_bytes;
-  for (const auto& array : image.arrays) {
+  for (const auto& array : part.arrays) {
     n_bytes += header_bytes + std::visit([](const auto& values) { return std::ssize(values) * 8; }, array.values);
   }
   return n_bytes;
 }
 
-void write_image(const std::string& path, const StateImage& image)
+/// Adds the next part of an image to its checksum.
+void add_part(const StateImage& part, Fnv1a& hash)
 {
-  Hdf5File file(path, Hdf5File::Mode::create, largest_size(image));
+  if (part.part == 0) {
+    hash.add(&part.time, sizeof part.time);
+    hash.add(part.step);
+  }
+  for (const auto& array : part.arrays) {
+    if (array.first == 0) {
+      hash.add(array.name.c_str(), array.name.size() + 1);        // with the zero that ends it
+      hash.add(static_cast<std::int64_t>(array.values.index()));  // 0 real, 1 integer
+      hash.add(std::ssize(array.shape));
+      for (const std::int64_t n : array.shape) hash.add(n);
+    }
+    std::visit([&](const auto& values) { hash.add(values.data(), values.size() * sizeof values[0]); }, array.values);
+  }
+}
+
+void write_head(Hdf5File& file, const StateImage& part)
+{
   file.set_text("/", "format", format_name);
   file.set_integers("/", "format_version", {format_version});
   file.set_text("/", "terp_version", TERP_VERSION);
-  file.set_real("/", "time", image.time);
+  file.set_real("/", "time", part.time);
   file.set_text("/", "time_unit", "s");
-  file.set_integers("/", "step", {image.step});
+  file.set_integers("/", "step", {part.step});
   file.create_group(arrays);
-  file.set_text(arrays, "names", join_names(image));
-  for (const auto& array : image.arrays) {
-    check_shape(array, path);
-    write_array(file, array);
-  }
-  file.set_text("/", "checksum", fmt::format("{:016x}", checksum_of(image)));
-  file.close();
 }
 
 /// Throws unless the file is a checkpoint of a format that this version reads.
@@ -93,10 +86,10 @@ void check_format(const Hdf5File& file, const std::string& path)
 {
   if (file.text("/", "format") != format_name) throw FileError(fmt::format("{} is not a checkpoint of Terp", path));
   const std::int64_t version = file.integers("/", "format_version").at(0);
-  if (version == format_version) return;
+  if (version >= oldest_version && version <= format_version) return;
   throw FileError(fmt::format(
-      "cannot read {}: it has checkpoint format {}, written by terp {}; this is terp {}, which reads format {}", path,
-      version, file.text("/", "terp_version"), TERP_VERSION, format_version));
+      "cannot read {}: it has checkpoint format {}, written by terp {}; this is terp {}, which reads formats {} to {}",
+      path, version, file.text("/", "terp_version"), TERP_VERSION, oldest_version, format_version));
 }
 
 NamedArray read_array(const Hdf5File& file, const std::string& name)
@@ -137,21 +130,66 @@ void remove_checkpoint(const std::string& folder, std::int64_t step)
 std::uint64_t checksum_of(const StateImage& image)
 {
   Fnv1a hash;
-  hash.add(&image.time, sizeof image.time);
-  hash.add(image.step);
-  for (const auto& array : image.arrays) {
-    hash.add(array.name.c_str(), array.name.size() + 1);        // with the zero that ends it
-    hash.add(static_cast<std::int64_t>(array.values.index()));  // 0 real, 1 integer
-    hash.add(std::ssize(array.shape));
-    for (const std::int64_t n : array.shape) hash.add(n);
-    std::visit([&](const auto& values) { hash.add(values.data(), values.size() * sizeof values[0]); }, array.values);
-  }
+  add_part(image, hash);
   return hash.value();
+}
+
+CheckpointWriter::CheckpointWriter(std::string path) : path_(std::move(path)), temporary_(temporary_name(path_)) {}
+
+CheckpointWriter::~CheckpointWriter()
+{
+  std::error_code ignored;
+  if (!temporary_.empty()) std::filesystem::remove(temporary_, ignored);
+}
+
+void CheckpointWriter::check_complete() const
+{
+  if (n_written_ == n_expected_) return;
+  throw FileError(fmt::format("cannot write {}: array `{}` holds {} values, its shape says {}", path_, array_, n_written_, n_expected_));
+}
+
+/// Counts the values of the array, or of the next of its rows, before they are written.
+void CheckpointWriter::enter(const NamedArray& array)
+{
+  if (array.first == 0) {
+    check_complete();
+    array_ = array.name;
+    names_ += array.name + '\n';
+    n_written_ = 0;
+    n_expected_ = std::accumulate(array.shape.begin(), array.shape.end(), std::int64_t{1}, std::multiplies<>());
+  }
+  n_written_ += std::visit([](const auto& values) { return std::ssize(values); }, array.values);
+  if (n_written_ > n_expected_) check_complete();
+}
+
+void CheckpointWriter::write_part(const StateImage& part)
+{
+  Hdf5File file(temporary_, part.part == 0 ? Hdf5File::Mode::create : Hdf5File::Mode::change, largest_size(part));
+  if (part.part == 0) write_head(file, part);
+  for (const auto& array : part.arrays) {
+    enter(array);
+    write_array(file, array);
+  }
+  add_part(part, checksum_);
+  if (part.last) {
+    check_complete();
+    file.set_text(arrays, "names", names_);  // in their order, one per line
+    file.set_text("/", "checksum", fmt::format("{:016x}", checksum_.value()));
+  }
+  file.close();
+}
+
+void CheckpointWriter::append(const StateImage& part)
+{
+  write_part(part);
+  if (!part.last) return;
+  move_into_place(temporary_, path_);
+  temporary_.clear();
 }
 
 void write_checkpoint(const std::string& path, const StateImage& image)
 {
-  write_whole(path, [&](const std::string& temporary) { write_image(temporary, image); });
+  CheckpointWriter(path).append(image);
 }
 
 StateImage read_checkpoint(const std::string& path)

@@ -2,6 +2,7 @@
 // Not for: looking at results (vtkhdf).
 #pragma once
 
+#include "output/checksum.hpp"
 #include "simulation/observer.hpp"
 
 #include <optional>
@@ -10,14 +11,37 @@
 
 namespace terp {
 
-/// Writes a checkpoint under a temporary name and moves it into place: a full disk or a crash leaves no half one.
+/// Writes a checkpoint part by part under a temporary name and moves it into place: a full disk or a crash leaves no half one.
 /// Names of arrays are unique; a '/' in them makes groups in the file.
+class CheckpointWriter {
+ public:
+  explicit CheckpointWriter(std::string path);
+  /// Without the last part there will be no checkpoint.
+  ~CheckpointWriter();
+  CheckpointWriter(const CheckpointWriter&) = delete;
+  CheckpointWriter& operator=(const CheckpointWriter&) = delete;
+
+  /// The parts of an image in their order; the last ends the checkpoint.
+  void append(const StateImage& part);
+
+ private:
+  void write_part(const StateImage& part);
+  void enter(const NamedArray& array);
+  void check_complete() const;
+
+  std::string path_, temporary_, names_;
+  std::string array_;                              // the newest
+  std::int64_t n_written_ = 0, n_expected_ = 0;    // values of it
+  Fnv1a checksum_;
+};
+
+/// Writes a checkpoint from a whole image.
 void write_checkpoint(const std::string& path, const StateImage& image);
 
 /// Throws FileError with the file and what is wrong unless every bit is as it was written.
 StateImage read_checkpoint(const std::string& path);
 
-/// FNV-1a, 64 bit, over the time, the step, and each array's name, type, shape and values, in their order.
+/// FNV-1a, 64 bit, over the time, the step, and each array's name, type, shape and values, in their order. Of a whole image.
 std::uint64_t checksum_of(const StateImage& image);
 
 /// A checkpoint that could not be used, and why.

@@ -57,12 +57,17 @@ void write_whole(const std::string& path, const std::function<void(const std::st
   const std::string temporary = temporary_name(path);
   try {
     write(temporary);
-    sync_to_disk(temporary);
-    if (::rename(temporary.c_str(), path.c_str()) != 0) throw_file_error("write", path, errno);
+    move_into_place(temporary, path);
   } catch (...) {
     ::unlink(temporary.c_str());
     throw;
   }
+}
+
+void move_into_place(const std::string& temporary, const std::string& path)
+{
+  sync_to_disk(temporary);
+  if (::rename(temporary.c_str(), path.c_str()) != 0) throw_file_error("write", path, errno);
   sync_to_disk(folder_of(path));
 }
 

@@ -25,6 +25,9 @@ std::string temporary_name(const std::string& path);
 /// even after a power cut. If `write` throws, the temporary file is removed.
 void write_whole(const std::string& path, const std::function<void(const std::string& temporary)>& write);
 
+/// Moves a file that was written under `temporary_name(path)` to its name, on the disk for good.
+void move_into_place(const std::string& temporary, const std::string& path);
+
 /// Waits until a file or folder is on the disk.
 void sync_to_disk(const std::string& path);
 

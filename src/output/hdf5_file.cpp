@@ -261,14 +261,22 @@ void Hdf5File::cut_rows(const std::string& name, std::int64_t n_rows)
 }
 
 template <class T>
-void Hdf5File::write(const std::string& name, const std::vector<std::int64_t>& shape, std::span<const T> values)
+void Hdf5File::write(const std::string& name, const std::vector<std::int64_t>& shape, std::span<const T> values, std::int64_t first_row)
 {
-  const Id space = make_space(to_hsize(shape));
   const Id links{H5Pcreate(H5P_LINK_CREATE), H5Pclose};
   H5Pset_create_intermediate_group(links, 1);
-  Id dataset{H5Dcreate2(file_, name.c_str(), disk_type<T>(), space, links, H5P_DEFAULT, H5P_DEFAULT), H5Dclose};
-  checked<hid_t>(dataset, "create", path_, name);
-  checked(H5Dwrite(dataset, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "write", path_, name);
+  const auto make = [&] {
+    return H5Dcreate2(file_, name.c_str(), disk_type<T>(), make_space(to_hsize(shape)), links, H5P_DEFAULT, H5P_DEFAULT);
+  };
+  Id dataset = first_row == 0 ? Id{checked(make(), "create", path_, name), H5Dclose} : open_dataset(file_, path_, name);
+  const Id space{H5Dget_space(dataset), H5Sclose};
+  std::vector<hsize_t> count = to_hsize(shape), start(count.size(), 0);
+  if (const hssize_t n_values = H5Sget_simple_extent_npoints(space); !count.empty() && n_values > 0) {
+    start[0] = static_cast<hsize_t>(first_row);
+    count[0] = values.size() * count[0] / static_cast<hsize_t>(n_values);
+    H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
+  }
+  checked(H5Dwrite(dataset, memory_type<T>(), make_space(count), space, H5P_DEFAULT, values.data()), "write", path_, name);
   finish(dataset, path_, name);
 }
 
@@ -380,7 +388,7 @@ std::vector<std::int64_t> Hdf5File::integers(const std::string& object, const st
 #define TERP_HDF5_TYPE(T)                                                                                     \
   template void Hdf5File::create_table<T>(const std::string&, const TableLayout&);                            \
   template void Hdf5File::write_rows<T>(const std::string&, std::int64_t, std::span<const T>);                \
-  template void Hdf5File::write<T>(const std::string&, const std::vector<std::int64_t>&, std::span<const T>); \
+  template void Hdf5File::write<T>(const std::string&, const std::vector<std::int64_t>&, std::span<const T>, std::int64_t); \
   template std::vector<T> Hdf5File::read<T>(const std::string&) const;                                        \
   template std::vector<T> Hdf5File::read_rows<T>(const std::string&, std::int64_t, std::int64_t) const;
 TERP_HDF5_TYPE(Real)

@@ -51,9 +51,10 @@ class Hdf5File {
   /// Drops the rows after the first n_rows.
   void cut_rows(const std::string& name, std::int64_t n_rows);
 
-  /// A dataset that does not grow; groups in its name are made as needed. values: product of shape entries, row-major.
+  /// A dataset that does not grow; groups in its name are made as needed. values: product of shape entries, row-major; or fewer rows,
+  /// and the rest later, from `first_row` on.
   template <class T>
-  void write(const std::string& name, const std::vector<std::int64_t>& shape, std::span<const T> values);
+  void write(const std::string& name, const std::vector<std::int64_t>& shape, std::span<const T> values, std::int64_t first_row = 0);
   template <class T>
   std::vector<T> read(const std::string& name) const;
   /// Rows first_row ... first_row + n_rows - 1 of a table, row-major. Throws FileError if it has fewer.

@@ -2,7 +2,6 @@
 #include "output/run_writer.hpp"
 
 #include "base/errors.hpp"
-#include "output/checkpoint.hpp"
 #include "output/summary_json.hpp"
 #include "output/table_csv.hpp"
 
@@ -16,7 +15,6 @@ namespace terp {
 namespace {
 
 constexpr std::size_t most_waiting = 64;             // rows, mostly
-constexpr std::int64_t large = 2 * 500'000;          // coordinates of half a million points, 100 MB in a frame
 
 /// Throws FileError if a file holds fewer rows or frames than it must.
 void check_length(const std::string& path, const char* unit, std::int64_t n, std::int64_t n_due, const ResumePoint& from)
@@ -83,7 +81,6 @@ void RunWriter::frame(const std::shared_ptr<const Frame>& frame)
   if (!last_frame_.expired()) background_.finish();  // at most one waits
   last_frame_ = frame;
   background_.add([this, frame] { results_.append(*frame); });
-  if (std::ssize(frame->x) > large) background_.finish();  // rather than hold it beside the next image
 }
 
 void RunWriter::history(const std::vector<HistoryRow>& rows)
@@ -105,7 +102,7 @@ void RunWriter::checkpoint(const std::shared_ptr<const StateImage>& image)
 {
   if (!last_image_.expired()) background_.finish();
   last_image_ = image;
-  background_.add([this, image] { write_checkpoint_file(*image); });
+  background_.add([this, image] { write_checkpoint_part(*image); });
 }
 
 void RunWriter::finish() { background_.finish(); }
@@ -116,13 +113,18 @@ void RunWriter::append_left(const std::vector<LeftPoint>& points)
   left_->append(csv_lines(points));
 }
 
-void RunWriter::write_checkpoint_file(const StateImage& image)
+void RunWriter::write_checkpoint_part(const StateImage& part)
 {
-  for (const auto name : {results_file, history_file, ledger_file, left_file}) {  // on the disk before what relies on them
-    const std::string path = path_in(settings_.folder, name);
-    if (std::filesystem::exists(path)) sync_to_disk(path);
+  if (part.part == 0) {
+    for (const auto name : {results_file, history_file, ledger_file, left_file}) {  // on the disk before what relies on them
+      const std::string path = path_in(settings_.folder, name);
+      if (std::filesystem::exists(path)) sync_to_disk(path);
+    }
+    checkpoint_.emplace(path_in(settings_.folder, checkpoint_file(part.step)));
   }
-  write_checkpoint(path_in(settings_.folder, checkpoint_file(image.step)), image);
+  checkpoint_->append(part);
+  if (!part.last) return;
+  checkpoint_.reset();
   remove_old_checkpoints(settings_.folder, settings_.checkpoint_keep);
 }
 

@@ -2,6 +2,7 @@
 // Not for: when something is written (simulation's schedule), nor the formats (the other files of this room).
 #pragma once
 
+#include "output/checkpoint.hpp"
 #include "output/files.hpp"
 #include "output/run_folder.hpp"
 #include "output/vtkhdf.hpp"
@@ -66,13 +67,14 @@ class RunWriter : public Observer {
   RunWriter(RunWriterSettings settings, FolderLock lock);
 
   void append_left(const std::vector<LeftPoint>& points);
-  void write_checkpoint_file(const StateImage& image);
+  void write_checkpoint_part(const StateImage& part);
 
   RunWriterSettings settings_;
   FolderLock lock_;
   ResultsFile results_;
   AppendFile history_, ledger_;
   std::optional<AppendFile> left_;  // from the first point on that leaves the mesh
+  std::optional<CheckpointWriter> checkpoint_;  // between its first part and its last
   std::weak_ptr<const Frame> last_frame_;
   std::weak_ptr<const StateImage> last_image_;
   Background background_;           // last: its tasks use the rest

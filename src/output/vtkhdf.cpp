@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -29,8 +28,6 @@ const std::string root = "/VTKHDF";
 const std::string steps = root + "/Steps";
 const std::string point_data = root + "/PointData";
 const std::string point_data_offsets = steps + "/PointDataOffsets";
-
-std::int64_t n_points(const Frame& frame) { return std::ssize(frame.x) / 2; }
 
 /// Columns in the file: 0 for scalars (one-dimensional); vectors get a z, as VTK wants them.
 int n_columns(int n_components) { return n_components == 1 ? 0 : std::max(3, n_components); }
@@ -60,12 +57,12 @@ std::vector<Real> with_z(const std::vector<Real>& values)
   return rows;
 }
 
-/// At least what a frame, or the cells, take in the file, should they not compress at all.
-std::int64_t largest_size(const Frame& frame)
+/// At least what n points of a frame, or of the cells, take in the file, should they not compress at all.
+std::int64_t largest_size(const Frame& frame, std::int64_t n)
 {
   const std::int64_t n_tables = 15 + 2 * std::ssize(frame.fields);
-  std::int64_t n_values = 4 * n_points(frame);  // places; Offsets, Connectivity, Types and id take less
-  for (const auto& field : frame.fields) n_values += n_points(frame) * std::max(1, n_columns(field.n_components));
+  std::int64_t n_values = 4 * n;  // places; Offsets, Connectivity, Types and id take less
+  for (const auto& field : frame.fields) n_values += n * std::max(1, n_columns(field.n_components));
   return n_values * std::int64_t{sizeof(Real)} + n_tables * header_bytes;
 }
 
@@ -77,11 +74,26 @@ Hdf5File::TableLayout point_layout(std::int64_t n_rows, int n_columns)
   return {n_columns, (n_rows + n_chunks - 1) / n_chunks, compression};
 }
 
-template <class T>
-void add_table(Hdf5File& file, const std::string& name, const Hdf5File::TableLayout& layout, const std::vector<T>& rows)
+/// Of a frame that comes in parts, chunks small against a part: one that two parts share is compressed twice.
+Hdf5File::TableLayout point_layout(const Frame& frame, int n_columns)
 {
+  Hdf5File::TableLayout layout = point_layout(frame.n_whole(), n_columns);
+  if (!frame.ends()) layout.chunk_rows = std::min(layout.chunk_rows, (frame.n_points() + 3) / 4);
+  return layout;
+}
+
+/// A table of n rows; row(k) is row k.
+template <class T, class F>
+void add_table(Hdf5File& file, const std::string& name, std::int64_t n, F&& row)
+{
+  const Hdf5File::TableLayout layout = point_layout(n, 0);
   file.create_table<T>(name, layout);
-  file.write_rows<T>(name, 0, rows);
+  std::vector<T> rows;
+  for (std::int64_t first = 0; first < n; first += layout.chunk_rows) {
+    rows.resize(static_cast<std::size_t>(std::min(layout.chunk_rows, n - first)));
+    for (std::size_t k = 0; k < rows.size(); ++k) rows[k] = row(first + static_cast<std::int64_t>(k));
+    file.write_rows<T>(name, first, rows);
+  }
 }
 
 void add_topology(Hdf5File& file, std::int64_t n)
@@ -89,14 +101,11 @@ void add_topology(Hdf5File& file, std::int64_t n)
   for (const char* name : {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"}) {
     file.write<std::int64_t>(root + "/" + name, {1}, std::vector<std::int64_t>{n});
   }
-  std::vector<std::int64_t> counting(static_cast<std::size_t>(n + 1));
-  std::iota(counting.begin(), counting.end(), 0);
-  add_table(file, root + "/Offsets", point_layout(n + 1, 0), counting);
-  counting.pop_back();
-  add_table(file, root + "/Connectivity", point_layout(n, 0), counting);
-  add_table(file, root + "/Types", point_layout(n, 0),
-            std::vector<std::uint8_t>(static_cast<std::size_t>(n), vtk_vertex));
-  add_table(file, point_data + "/id", point_layout(n, 0), counting);
+  const auto counting = [](std::int64_t k) { return k; };
+  add_table<std::int64_t>(file, root + "/Offsets", n + 1, counting);
+  add_table<std::int64_t>(file, root + "/Connectivity", n, counting);
+  add_table<std::uint8_t>(file, root + "/Types", n, [](std::int64_t) { return vtk_vertex; });
+  add_table<std::int64_t>(file, point_data + "/id", n, counting);
   file.set_text(point_data + "/id", "unit", "-");
 }
 
@@ -114,11 +123,11 @@ void add_steps(Hdf5File& file)
   file.create_table<std::int64_t>(point_data_offsets + "/id", {});
 }
 
-void add_field(Hdf5File& file, const PointField& field, std::int64_t n)
+void add_field(Hdf5File& file, const PointField& field, const Frame& frame)
 {
   const std::string name = point_data + "/" + field.name;
   const int columns = n_columns(field.n_components);
-  file.create_table<Real>(name, point_layout(n, columns));
+  file.create_table<Real>(name, point_layout(frame, columns));
   file.set_text(name, "unit", field.unit);
   if (!component_names(columns).empty()) file.set_text(name, "components", component_names(columns));
   file.create_table<std::int64_t>(point_data_offsets + "/" + field.name, {});
@@ -127,16 +136,16 @@ void add_field(Hdf5File& file, const PointField& field, std::int64_t n)
 /// A file with no frame yet.
 void write_empty(const std::string& path, const Frame& frame)
 {
-  Hdf5File file(path, Hdf5File::Mode::create, largest_size(frame));
+  Hdf5File file(path, Hdf5File::Mode::create, largest_size(frame, frame.n_whole()));
   for (const auto& group : {root, steps, point_data, point_data_offsets}) file.create_group(group);
   file.set_integers(root, "Version", {2, 0});
   file.set_text(root, "Type", "UnstructuredGrid");
   file.set_text("/", "terp_version", TERP_VERSION);
   add_steps(file);
-  add_topology(file, n_points(frame));
-  file.create_table<Real>(root + "/Points", point_layout(n_points(frame), 3));
+  add_topology(file, frame.n_whole());
+  file.create_table<Real>(root + "/Points", point_layout(frame, 3));
   file.set_text(root + "/Points", "unit", "m");
-  for (const auto& field : frame.fields) add_field(file, field, n_points(frame));
+  for (const auto& field : frame.fields) add_field(file, field, frame);
   file.close();
 }
 
@@ -152,13 +161,13 @@ void check_fit(const Hdf5File& file, const std::string& path, const Frame& frame
     throw FileError(fmt::format("cannot add the frame of step {} to {}: {}", frame.step, path, why));
   };
   const std::int64_t n = file.read<std::int64_t>(root + "/NumberOfPoints").at(0);
-  if (n != n_points(frame)) refuse(fmt::format("the file has {} points, the run {}", n, n_points(frame)));
+  if (n != frame.n_whole()) refuse(fmt::format("the file has {} points, the run {}", n, frame.n_whole()));
   for (const auto& field : frame.fields) {
     const std::string name = point_data + "/" + field.name;
     if (!file.exists(name)) refuse("the file has no field " + field.name);
     const auto shape = file.shape(name);
     const bool same = (shape.size() == 1 ? 0 : shape[1]) == n_columns(field.n_components);
-    if (!same || std::ssize(field.values) != n * field.n_components)
+    if (!same || std::ssize(field.values) != frame.n_points() * field.n_components)
       refuse("field " + field.name + " has another size");
   }
   const std::size_t n_fields = file.members(point_data).size() - 1;  // besides id
@@ -179,7 +188,7 @@ void write_step(Hdf5File& file, const Frame& frame, std::int64_t k)
   for (const char* name : {"PartOffsets", "CellOffsets", "ConnectivityIdOffsets"}) {
     write_integer(file, steps + "/" + name, k, 0);
   }
-  const std::int64_t first_row = k * n_points(frame);
+  const std::int64_t first_row = k * frame.n_whole();
   write_integer(file, steps + "/PointOffsets", k, first_row);
   write_integer(file, point_data_offsets + "/id", k, 0);
   for (const auto& field : frame.fields) write_integer(file, point_data_offsets + "/" + field.name, k, first_row);
@@ -187,7 +196,7 @@ void write_step(Hdf5File& file, const Frame& frame, std::int64_t k)
 
 void write_points(Hdf5File& file, const Frame& frame, std::int64_t k)
 {
-  const std::int64_t first_row = k * n_points(frame);
+  const std::int64_t first_row = k * frame.n_whole() + frame.first;
   file.write_rows<Real>(root + "/Points", first_row, with_z(frame.x));
   for (const auto& field : frame.fields) {
     const std::string name = point_data + "/" + field.name;
@@ -210,14 +219,21 @@ std::int64_t count_frames(const Hdf5File& file, std::int64_t step)
 
 void ResultsFile::append(const Frame& frame)
 {
-  if (!std::filesystem::exists(path_)) create(path_, frame);
-  Hdf5File file(path_, Hdf5File::Mode::commit, largest_size(frame));
-  check_fit(file, path_, frame);
-  const std::int64_t k = file.integers(steps, "NSteps").at(0);
-  write_points(file, frame, k);
-  write_step(file, frame, k);
-  file.set_integers(steps, "NSteps", {k + 1});
-  file.close();
+  std::unique_ptr<Hdf5File> file = std::move(open_);  // dropped with all changes if a part cannot be written
+  if (frame.first == 0) {
+    if (!std::filesystem::exists(path_)) create(path_, frame);
+    file = std::make_unique<Hdf5File>(path_, Hdf5File::Mode::commit, largest_size(frame, frame.n_whole()));
+  }
+  check_fit(*file, path_, frame);
+  const std::int64_t k = file->integers(steps, "NSteps").at(0);
+  write_points(*file, frame, k);
+  if (!frame.ends()) {
+    open_ = std::move(file);
+    return;
+  }
+  write_step(*file, frame, k);
+  file->set_integers(steps, "NSteps", {k + 1});
+  file->close();
 }
 
 std::int64_t ResultsFile::count_until(std::int64_t step) const

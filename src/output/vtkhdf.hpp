@@ -2,9 +2,11 @@
 // Not for: restarting a run (checkpoint).
 #pragma once
 
+#include "output/hdf5_file.hpp"
 #include "simulation/observer.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 namespace terp {
@@ -15,7 +17,8 @@ class ResultsFile {
   /// Touches nothing. The first frame makes the file if there is none.
   explicit ResultsFile(std::string path) : path_(std::move(path)) {}
 
-  /// Adds a frame. Its points, and the names and sizes of its fields, must be those of the frames before.
+  /// Adds a frame, or the next part of one, which counts when its last part is there. Its points, and the names and sizes of its
+  /// fields, must be those of the frames before.
   void append(const Frame& frame);
 
   /// Frames of steps up to `step`; 0 without a file.
@@ -26,6 +29,7 @@ class ResultsFile {
 
  private:
   std::string path_;
+  std::unique_ptr<Hdf5File> open_;  // between the parts of a frame
 };
 
 }  // namespace terp

@@ -67,7 +67,7 @@ void Threads::run(Index n_chunks, Task task, void* context)
 {
   if (n_chunks == 0) return;
   if (workers_.empty()) {
-    for (Index chunk = 0; chunk < n_chunks; ++chunk) task(context, chunk);
+    for (Index chunk = 0; chunk < n_chunks; ++chunk) task(context, chunk, 0);
     return;
   }
   // A late worker may still be on its way through the previous job. It claims a chunk only if the share carries its own job's
@@ -84,12 +84,18 @@ void Threads::run(Index n_chunks, Task task, void* context)
   job_.store(job);
   if (sleepers_.load() > 0) job_.notify_all();
   work(0, job);
-  for (int spin = 0; done_.load(std::memory_order_acquire) != n_chunks; ++spin) {
-    if (spin < spins_before_sleep)
-      pause_briefly();
-    else
-      std::this_thread::yield();
+  wait_until_done(n_chunks);
+}
+
+void Threads::wait_until_done(Index n_chunks)
+{
+  for (int spin = 0; spin < spins_before_sleep; ++spin) {
+    if (done_.load() == n_chunks) return;
+    pause_briefly();
   }
+  caller_sleeps_.store(true);  // before done_ is read again: who finishes the last chunk sees this, or we see its chunk
+  for (Index done = done_.load(); done != n_chunks; done = done_.load()) done_.wait(done);
+  caller_sleeps_.store(false);
 }
 
 /// Does chunks of the job, from this thread's part first and then from the others', until none is left.
@@ -105,8 +111,8 @@ void Threads::work(int thread, std::uint32_t job)
     std::uint64_t next = shares_[part].next.load();
     while (next >> 32 == job && static_cast<std::uint32_t>(next) < end) {
       if (!shares_[part].next.compare_exchange_weak(next, next + 1)) continue;
-      task(context, static_cast<Index>(static_cast<std::uint32_t>(next)));
-      done_.fetch_add(1, std::memory_order_acq_rel);
+      task(context, static_cast<Index>(static_cast<std::uint32_t>(next)), thread);
+      if (done_.fetch_add(1) + 1 == n && caller_sleeps_.load()) done_.notify_one();
       next = shares_[part].next.load();
     }
   }

@@ -3,22 +3,13 @@
 #include "base/errors.hpp"
 
 #include <algorithm>
-#include <cstdlib>
-#include <new>
 
 namespace terp {
 namespace {
 
-constexpr std::size_t alignment = 64;              // of a pack, and of a cache line [bytes]
-constexpr std::size_t smallest_slab = 1u << 17;    // 1 MiB of Reals: asked for rarely, wasted little
+constexpr std::size_t smallest_slab = 1u << 17, largest_slab = 1u << 22;  // 1 and 32 MiB of Reals: asked for rarely, more as there are more
 
 }  // namespace
-
-template <int Dim>
-void PointBlocks<Dim>::FreeSlab::operator()(Real* p) const
-{
-  std::free(p);
-}
 
 template <int Dim>
 PointBlocks<Dim>::PointBlocks(Index n_cells, int n_state)
@@ -40,15 +31,11 @@ Real* PointBlocks<Dim>::allocate(Index capacity)
     return data;
   }
   const std::size_t n = static_cast<std::size_t>(capacity) * n_rows_;
-  if (slab_used_ + n > slab_size_) {
-    slab_size_ = std::max(smallest_slab, n);
+  if (slabs_.empty() || slab_used_ + n > slabs_.back().size()) {
+    slabs_.emplace_back(std::max(n, std::clamp<std::size_t>(reserved_bytes() / sizeof(Real), smallest_slab, largest_slab)));
     slab_used_ = 0;
-    auto* slab = static_cast<Real*>(std::aligned_alloc(alignment, slab_size_ * sizeof(Real)));
-    if (slab == nullptr) throw std::bad_alloc();
-    slabs_.emplace_back(slab);
-    total_reals_ += static_cast<std::int64_t>(slab_size_);
   }
-  Real* data = slabs_.back().get() + slab_used_;
+  Real* data = slabs_.back().data() + slab_used_;  // aligned: slabs begin with a page, blocks are whole packs
   slab_used_ += n;
   return data;
 }
@@ -199,7 +186,17 @@ void PointBlocks<Dim>::merge_new_cells()
 template <int Dim>
 std::int64_t PointBlocks<Dim>::bytes() const
 {
-  return total_reals_ * static_cast<std::int64_t>(sizeof(Real));
+  std::int64_t n = 0;
+  for (const PointBlock<Dim>& block : blocks_) n += std::int64_t{block.capacity} * n_rows_;
+  return n * static_cast<std::int64_t>(sizeof(Real));
+}
+
+template <int Dim>
+std::int64_t PointBlocks<Dim>::reserved_bytes() const
+{
+  std::int64_t n = 0;
+  for (const ZeroedArray<Real>& slab : slabs_) n += static_cast<std::int64_t>(slab.size());
+  return n * static_cast<std::int64_t>(sizeof(Real));
 }
 
 template class PointBlocks<2>;

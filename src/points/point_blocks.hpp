@@ -4,9 +4,9 @@
 #pragma once
 
 #include "base/types.hpp"
+#include "parallel/memory.hpp"
 #include "parallel/pack.hpp"
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -81,8 +81,10 @@ class PointBlocks {
   const std::vector<Index>& slot_of_cell() const { return slot_of_cell_; }
   /// Upper bound of block numbers.
   Index n_blocks() const { return static_cast<Index>(blocks_.size()); }
-  /// Memory held for points [bytes].
+  /// Memory of the blocks that hold points [bytes].
   std::int64_t bytes() const;
+  /// Memory asked for so far [bytes]; what no block has used takes none.
+  std::int64_t reserved_bytes() const;
 
  private:
   Index make_block(Index cell, Index material, Index capacity);
@@ -91,17 +93,13 @@ class PointBlocks {
   void release(Index block);
   Real* allocate(Index capacity);
 
-  struct FreeSlab {
-    void operator()(Real* p) const;
-  };
   int n_rows_ = 0;
   std::int64_t n_points_ = 0;
   std::vector<PointBlock<Dim>> blocks_;
   std::vector<Index> unused_;                      // numbers of blocks that may be used again
   std::vector<std::vector<Real*>> free_;           // by capacity / pack_width
-  std::vector<std::unique_ptr<Real[], FreeSlab>> slabs_;
-  std::size_t slab_used_ = 0, slab_size_ = 0;      // of the last slab [Reals]
-  std::int64_t total_reals_ = 0;
+  std::vector<ZeroedArray<Real>> slabs_;
+  std::size_t slab_used_ = 0;                      // of the last slab [Reals]
   std::vector<Index> first_block_, slot_of_cell_, occupied_, new_cells_;
   bool occupation_changed_ = false;
 };

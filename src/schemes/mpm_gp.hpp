@@ -6,10 +6,14 @@
 namespace terp {
 
 struct MpmGp {
-  /// Gauss stress and internal force, Eqs. (1) to (4). The state stays at the points.
+  /// Gauss stress and internal force, Eqs. (1) to (4). The state stays at the points; of the Gauss values the pressure is kept.
   static bool gather(const SchemeContext& context, const CellView& view)
   {
-    return gather_at_gauss_points(context, view, [](const auto&) { return 0; }, [](const auto&, auto&) {});
+    GaussValues<2> only;
+    const bool one_block = view.points.block(view.points.first_block(view.cell)).next < 0;
+    const auto gauss_of = [&](Index b) -> GaussValues<2>& { return one_block ? only : view.gauss[b]; };
+    return gather_at_gauss_points(context, view, gauss_of, [](const auto&) { return 0; },
+                                  [&](const auto&, Index b) { view.pressure[b] = gauss_of(b).pressure; });
   }
 
   /// New stress and state in each material point from the strain of its own Gauss point (instead of Steps 3 and 4).
@@ -20,7 +24,7 @@ struct MpmGp {
       for (Index first = 0; first < block.n_padded(); first += strip_length) {
         const Index n = std::min(strip_length, block.n_padded() - first);
         StripArrays strip;
-        for (Index p = 0; p < n; p += pack_width) prepare_points(context.method, block, first + p, strain, view.gauss[b].pressure, strip, p);
+        for (Index p = 0; p < n; p += pack_width) prepare_points(context.method, block, first + p, strain, view.pressure[b], strip, p);
         context.materials[block.material].law->update(stress_arrays(block, first, n, context.dt, strip));
         sums.plastic_work += sum_plastic_work(block, first, n, strip);
         for (Index p = 0; p < n; p += pack_width) add_strain(block, first + p, strip, p);

@@ -10,11 +10,12 @@ struct MpmMixed {
   static bool gather(const SchemeContext& context, const CellView& view)
   {
     return gather_at_gauss_points(
-        context, view, [&](const PointBlock<2>& block) { return context.materials[block.material].n_state(); },
-        [&](const PointBlock<2>& block, GaussValues<2>& gauss) {
+        context, view, [&](Index b) -> GaussValues<2>& { return view.gauss[b]; },
+        [&](const PointBlock<2>& block) { return context.materials[block.material].n_state(); },
+        [&](const PointBlock<2>& block, Index b) {
           const auto states = context.materials[block.material].type->state;
           for (std::size_t k = 0; k < states.size(); ++k)
-            if (averages_over_cell(context.method, states[k])) average_state_over_cell(static_cast<int>(k), gauss);
+            if (averages_over_cell(context.method, states[k])) average_state_over_cell(static_cast<int>(k), view.gauss[b]);
         });
   }
 

@@ -9,11 +9,11 @@ namespace terp {
 inline CellView view_cell(const Model& model, State& state, Workspace& work, Index slot)
 {
   const Index cell = state.points.occupied()[slot];
-  return {cell, model.mesh.geometry(cell), state.points, work.gauss, work.corners[slot]};
+  return {cell, model.mesh.geometry(cell), state.points, work.gauss, work.pressure, work.corners[slot]};
 }
 
 /// Values of the cell's corners; part: &NodeValues::v or &NodeValues::dv; times `factor`.
-inline CornerVectors corner_values(const Mesh<2>& mesh, const std::vector<NodeValues>& node, Index cell, Vec<2> NodeValues::*part, Real factor)
+inline CornerVectors corner_values(const Mesh<2>& mesh, std::span<const NodeValues> node, Index cell, Vec<2> NodeValues::*part, Real factor)
 {
   CornerVectors values;
   for (int i = 0; i < 4; ++i) {

@@ -95,10 +95,11 @@ bool wanted(const Model& model, const std::string& name)
 void mark_left(const State& state, Frame& frame)
 {
   for (const LeftPoint& point : state.left) {
-    const auto id = static_cast<std::size_t>(point.id);
-    for (int d = 0; d < 2; ++d) frame.x[2 * id + d] = point.x[d];
+    if (point.id < frame.first || point.id >= frame.first + frame.n_points()) continue;
+    const auto k = static_cast<std::size_t>(point.id - frame.first);
+    for (int d = 0; d < 2; ++d) frame.x[2 * k + d] = point.x[d];
     for (PointField& field : frame.fields)
-      if (field.name == "material" || field.name == "cell") field.values[id] = -1.0;
+      if (field.name == "material" || field.name == "cell") field.values[k] = -1.0;
   }
 }
 
@@ -117,6 +118,31 @@ HistoryRow history_of(const Model& model, const State& state, const PointBlock<2
           .eps_eq_p = eps < 0 ? nan : values[eps],
           .su = su < 0 ? nan : material.law->derived(su, values.data()),
           .pressure = pressure};
+}
+
+bool holds(const PointBlocks<2>& points, PointPlace place, std::int64_t id)
+{
+  if (place.block < 0 || place.block >= points.n_blocks()) return false;
+  const PointBlock<2>& block = points.block(place.block);
+  return place.lane < block.n && id_of(block, place.lane) == static_cast<std::size_t>(id);
+}
+
+/// Renews the places of points where they are no longer right; those of points that left stay wrong.
+void find_points(const State& state, const std::vector<std::int64_t>& ids, std::vector<PointPlace>& places)
+{
+  places.resize(ids.size(), {-1, -1});
+  std::vector<std::size_t> lost;
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    const bool has_left = std::any_of(state.left.begin(), state.left.end(), [&](const LeftPoint& p) { return p.id == ids[k]; });
+    if (!has_left && !holds(state.points, places[k], ids[k])) lost.push_back(k);
+  }
+  if (lost.empty()) return;
+  for (const Index cell : state.points.occupied())
+    for_each_block(state.points, cell, [&](const PointBlock<2>& block, Index b) {
+      for (Index lane = 0; lane < block.n; ++lane)
+        for (const std::size_t k : lost)
+          if (id_of(block, lane) == static_cast<std::size_t>(ids[k])) places[k] = {b, lane};
+    });
 }
 
 /// Of a point that left through an open side: the place where it left.
@@ -138,39 +164,38 @@ Real deviatoric_strain(const std::array<Real, 4>& strain, DeviatoricNorm norm)
   return std::sqrt(square * (norm == DeviatoricNorm::half ? 0.5 : 2.0 / 3.0));
 }
 
-Frame make_frame(const Model& model, const State& state)
+Frame make_frame(const Model& model, const State& state) { return make_frame(model, state, 0, state.n_ids()); }
+
+Frame make_frame(const Model& model, const State& state, std::int64_t first, std::int64_t n)
 {
   std::vector<FieldRecipe> recipes = common_recipes(model, state);
   add_material_recipes(model, recipes);
   std::erase_if(recipes, [&](const FieldRecipe& r) { return !wanted(model, r.name); });
 
-  const auto n = static_cast<std::size_t>(state.n_ids());
-  Frame frame{.time = state.time, .step = state.step, .x = std::vector<Real>(2 * n), .fields = {}};
-  for (const FieldRecipe& r : recipes) frame.fields.push_back({r.name, r.unit, r.n_components, std::vector<Real>(n * r.n_components, 0.0)});
+  const auto size = static_cast<std::size_t>(n);
+  Frame frame{.time = state.time, .step = state.step, .x = std::vector<Real>(2 * size), .fields = {}, .first = first, .n_all = state.n_ids()};
+  for (const FieldRecipe& r : recipes) frame.fields.push_back({r.name, r.unit, r.n_components, std::vector<Real>(size * r.n_components, 0.0)});
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
-    const std::size_t id = id_of(block, lane);
-    for (int d = 0; d < 2; ++d) frame.x[2 * id + d] = block.row(Rows::x + d)[lane];
-    for (std::size_t k = 0; k < recipes.size(); ++k) recipes[k].read(block, lane, &frame.fields[k].values[id * recipes[k].n_components]);
+    const std::size_t k = id_of(block, lane) - static_cast<std::size_t>(first);  // wraps below `first`
+    if (k >= size) return;
+    for (int d = 0; d < 2; ++d) frame.x[2 * k + d] = block.row(Rows::x + d)[lane];
+    for (std::size_t r = 0; r < recipes.size(); ++r) recipes[r].read(block, lane, &frame.fields[r].values[k * recipes[r].n_components]);
   });
   mark_left(state, frame);
   return frame;
 }
 
-std::vector<HistoryRow> make_history(const Model& model, const State& state)
+std::vector<HistoryRow> make_history(const Model& model, const State& state, std::vector<PointPlace>& places)
 {
   const auto& names = model.description.output.history_points;
-  if (names.empty()) return {};
+  find_points(state, model.history_ids, places);
   std::vector<HistoryRow> rows;
-  for (std::size_t k = 0; k < names.size(); ++k) rows.push_back(history_of_left(state, model.history_ids[k]));
-  std::vector<std::uint8_t> named(static_cast<std::size_t>(state.n_ids()));
-  for (const std::int64_t id : model.history_ids) named[static_cast<std::size_t>(id)] = 1;
-  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
-    const auto id = id_of(block, lane);
-    if (named[id] == 0) return;
-    for (std::size_t k = 0; k < names.size(); ++k)
-      if (model.history_ids[k] == static_cast<std::int64_t>(id)) rows[k] = history_of(model, state, block, lane);
-  });
-  for (std::size_t k = 0; k < names.size(); ++k) rows[k].point = names[k].first;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const bool is_there = holds(state.points, places[k], model.history_ids[k]);
+    rows.push_back(is_there ? history_of(model, state, state.points.block(places[k].block), places[k].lane)
+                            : history_of_left(state, model.history_ids[k]));
+    rows.back().point = names[k].first;
+  }
   return rows;
 }
 

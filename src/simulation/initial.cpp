@@ -67,7 +67,7 @@ void reset_history(State& state, int n_state)
   });
   state.work = {};
   state.clamped = state.tension_cut = 0;
-  std::fill(state.put_back.begin(), state.put_back.end(), 0);
+  std::fill(state.put_back.begin(), state.put_back.end(), false);
 }
 
 std::string describe_no_equilibrium(const InitialCase& initial, Real ratio)

@@ -3,8 +3,8 @@
 #include "simulation/failure.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace terp {
@@ -63,59 +63,79 @@ void enter_block(const Material& law, const PointBlock<2>& block, LedgerRow& row
   row.elastic += sum_of(elastic);
 }
 
-/// Squares of the speeds of all points [m^2/s^2].
-std::vector<Real> squared_speeds(const PointBlocks<2>& points)
+/// Squares of the speeds of eight points [m^2/s^2]; of lanes that hold no point zero (what stands there is the trace of the last step).
+Pack squared_speeds(const PointBlock<2>& block, Index p)
 {
-  std::vector<Real> squares;
-  squares.reserve(static_cast<std::size_t>(points.n_points()));
+  const Pack vx = Pack::load(block.row(Rows::v) + p), vy = Pack::load(block.row(Rows::v + 1) + p);
+  return select(lane_numbers() < Pack(static_cast<Real>(block.n - p)), vx * vx + vy * vy, Pack(0.0));
+}
+
+/// Largest squared speed of each block, in their order.
+std::vector<Real> fastest_of_blocks(const PointBlocks<2>& points)
+{
+  std::vector<Real> fastest;
+  fastest.reserve(static_cast<std::size_t>(points.n_blocks()));
   for_each_block(points, [&](const PointBlock<2>& block) {
-    const Real *vx = block.row(Rows::v), *vy = block.row(Rows::v + 1);
-    for (Index lane = 0; lane < block.n; ++lane) squares.push_back(vx[lane] * vx[lane] + vy[lane] * vy[lane]);
+    Pack most(0.0);
+    for (Index p = 0; p < block.n; p += pack_width) most = max(most, squared_speeds(block, p));
+    Real largest = 0.0;
+    for (int k = 0; k < pack_width; ++k) largest = std::max(largest, most[k]);
+    fastest.push_back(largest);
   });
-  return squares;
+  return fastest;
 }
 
-/// Drops most values that are not among the n largest. By the leading bits, in which numbers that are not negative have their order.
-void keep_large(std::vector<Real>& values, std::size_t n)
+/// The n-th largest value, n from 1; zero if there are fewer.
+Real nth_largest(std::vector<Real> values, std::size_t n)
 {
-  constexpr int shift = 48;  // sign, exponent, four bits of the fraction
-  std::vector<std::uint32_t> count(std::size_t{1} << (64 - shift));
-  const auto bucket = [](Real v) { return std::bit_cast<std::uint64_t>(v) >> shift; };
-  for (const Real v : values) ++count[bucket(v)];
-  std::size_t lowest = count.size(), kept = 0;
-  while (lowest > 0 && kept < n) kept += count[--lowest];
-  std::erase_if(values, [&](Real v) { return bucket(v) < lowest; });
+  if (values.size() < n) return 0.0;
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(n - 1);
+  std::nth_element(values.begin(), nth, values.end(), std::greater<>());
+  return *nth;
 }
 
+/// The n-th largest of all points cannot be below that of the blocks' fastest, so only blocks with a faster point are looked into.
 void enter_speeds(const PointBlocks<2>& points, LedgerRow& row)
 {
-  std::vector<Real> squares = squared_speeds(points);
-  if (squares.empty()) return;  // all soil has left
-  const std::size_t n_above = squares.size() - 1 - static_cast<std::size_t>(0.999 * static_cast<double>(squares.size() - 1));
-  keep_large(squares, n_above + 1);
-  const auto quantile = squares.end() - 1 - static_cast<std::ptrdiff_t>(n_above);
-  std::nth_element(squares.begin(), quantile, squares.end());
-  row.v_999 = std::sqrt(*quantile);
-  row.v_max = std::sqrt(*std::max_element(quantile, squares.end()));
+  if (points.n_points() == 0) return;  // all soil has left
+  const auto n_others = static_cast<std::size_t>(points.n_points() - 1);
+  const std::size_t n = n_others - static_cast<std::size_t>(0.999 * static_cast<double>(n_others)) + 1;
+  const std::vector<Real> fastest = fastest_of_blocks(points);
+  const Real least = nth_largest(fastest, n);
+  std::vector<Real> fast;
+  std::size_t b = 0;
+  for_each_block(points, [&](const PointBlock<2>& block) {
+    if (fastest[b++] < least) return;
+    for (Index p = 0; p < block.n; p += pack_width) {
+      const Pack squares = squared_speeds(block, p);
+      for (int k = 0; k < std::min(pack_width, static_cast<int>(block.n - p)); ++k)
+        if (squares[k] >= least) fast.push_back(squares[k]);
+    }
+  });
+  row.v_999 = std::sqrt(nth_largest(fast, n));
+  row.v_max = std::sqrt(*std::max_element(fastest.begin(), fastest.end()));
 }
 
-/// Marks the points of a block whose strain fell or whose strength rose.
+/// S_u is a function of eps_eq_p alone: it need not be remembered beside it.
+bool strain_tells_strength(const SoilMaterial& material) { return material.n_state() == 1; }
+
+/// Marks the points of a block whose strain fell or whose strength rose, and remembers both.
 void audit_block(const SoilMaterial& material, const PointBlock<2>& block, HistoryAudit& audit)
 {
   const int k = find_eps_eq_p(*material.type), su_field = find_su(*material.type);
   if (k < 0) return;
-  const bool eps_is_all = material.n_state() == 1;  // then the strength cannot change without it
   for (Index lane = 0; lane < block.n; ++lane) {
     const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
     const Real eps = block.row(Rows::state + k)[lane], before = audit.last_eps_eq_p[id];
-    audit.growth[id] = std::max(0.0, eps - before);
-    if (eps == before && eps_is_all && std::isfinite(audit.last_su[id])) continue;
-    if (eps < before * (1.0 - audit_tolerance)) audit.fell[id] = 1;
+    audit.growth[id] = static_cast<float>(std::max(0.0, eps - before));
+    if (eps == before && strain_tells_strength(material)) continue;
+    if (eps < before * (1.0 - audit_tolerance)) audit.fell[id] = true;
     audit.last_eps_eq_p[id] = eps;
     if (su_field < 0) continue;
     const Real su = material.law->derived(su_field, state_of(block, lane, material.n_state()).data());
-    if (su > audit.last_su[id] * (1.0 + audit_tolerance)) audit.rose[id] = 1;
-    audit.last_su[id] = su;
+    const Real su_before = strain_tells_strength(material) ? material.law->derived(su_field, &before) : audit.last_su[id];
+    if (su > su_before * (1.0 + audit_tolerance)) audit.rose[id] = true;
+    if (!audit.last_su.empty()) audit.last_su[id] = su;
   }
 }
 
@@ -171,12 +191,15 @@ Real energy_exchanged(const State& state)
 void start_audit(const Model& model, State& state)
 {
   const auto n = static_cast<std::size_t>(state.n_ids());
+  const bool needs_su = std::any_of(model.materials.begin(), model.materials.end(), [](const SoilMaterial& m) {
+    return find_eps_eq_p(*m.type) >= 0 && find_su(*m.type) >= 0 && !strain_tells_strength(m);
+  });
   state.audit.last_eps_eq_p.assign(n, 0.0);
-  state.audit.last_su.assign(n, std::numeric_limits<Real>::infinity());
-  state.audit.growth.assign(n, 0.0);
-  state.audit.fell.assign(n, 0);
-  state.audit.rose.assign(n, 0);
+  state.audit.last_su.assign(needs_su ? n : 0, std::numeric_limits<Real>::infinity());
+  state.audit.growth.assign(n, 0.0f);
+  for (auto* flags : {&state.audit.fell, &state.audit.rose}) flags->assign(n, false);
   audit_history(model, state);
+  for (auto* flags : {&state.audit.fell, &state.audit.rose}) flags->assign(n, false);  // from nothing to the start is no change
 }
 
 LedgerRow keep_ledger(const Model& model, State& state)

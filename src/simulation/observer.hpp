@@ -19,12 +19,18 @@ struct PointField {
   std::vector<Real> values;  ///< shape [n_points, n_components], row-major
 };
 
-/// All material points at one time.
+/// Material points at one time: all of them, or a part of a large frame.
 struct Frame {
   Real time = 0.0;           ///< [s]
   std::int64_t step = 0;
   std::vector<Real> x;       ///< positions [m], shape [n_points, 2]
   std::vector<PointField> fields;  ///< same names, order and sizes in every frame of a run
+  std::int64_t first = 0;    ///< id of the first point
+  std::int64_t n_all = 0;    ///< points of the whole frame; 0: these are all
+
+  std::int64_t n_points() const { return static_cast<std::int64_t>(x.size() / 2); }
+  std::int64_t n_whole() const { return n_all > 0 ? n_all : n_points(); }
+  bool ends() const { return first + n_points() == n_whole(); }
 };
 
 /// One row of history.csv.
@@ -67,18 +73,21 @@ struct LedgerRow {
   Real v_max = 0.0, v_999 = 0.0;      ///< largest speed, and its 99.9 % quantile [m/s]
 };
 
-/// A named array of a checkpoint.
+/// A named array of a checkpoint, or rows of it.
 struct NamedArray {
   std::string name;
-  std::vector<std::int64_t> shape;
+  std::vector<std::int64_t> shape;  ///< of the whole
   std::variant<std::vector<Real>, std::vector<std::int64_t>> values;
+  std::int64_t first = 0;           ///< row of the whole that the first values are; arrays come from their first row to their last
 };
 
-/// Everything a checkpoint holds.
+/// Everything a checkpoint holds, or a part of a large one.
 struct StateImage {
   Real time = 0.0;
   std::int64_t step = 0;
   std::vector<NamedArray> arrays;
+  int part = 0;                     ///< parts come in order
+  bool last = true;                 ///< no further part follows
 };
 
 /// How far a run is.
@@ -90,8 +99,12 @@ struct Progress {
   double eta_s;              ///< to the end
 };
 
+/// Points beyond which frames and images are shown in parts, so that a run of millions of points need not hold a second copy of them.
+inline constexpr std::int64_t most_points_at_once = 250'000;
+inline constexpr std::int64_t points_per_part = 1 << 14;
+
 /// Called by the run, in the run's own thread. Times are those of the schedule (docs/formats.md). Frames and images are large: an
-/// observer may keep them after the call.
+/// observer may keep them after the call, but of those that come in parts not many.
 class Observer {
  public:
   virtual ~Observer() = default;

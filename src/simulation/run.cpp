@@ -41,6 +41,7 @@ struct Loop {
   double last_progress = -progress_every;
   double wall_before = 0.0;
   std::int64_t first_step = 0;
+  std::vector<PointPlace> history_places = {};
 
   template <class F>
   void tell(F&& f) const
@@ -54,10 +55,10 @@ struct Loop {
     const auto now = [&](Real every) { return last || state.step == 0 || due(state.step, model.dt, every); };
     if (now(output.ledger_every)) tell_left();
     if (now(output.ledger_every)) write_ledger();
-    if (now(output.history_every)) tell([rows = make_history(model, state)](Observer& o) { o.history(rows); });
+    if (now(output.history_every)) tell([rows = make_history(model, state, history_places)](Observer& o) { o.history(rows); });
     if (now(output.fields_every)) {
       state.softened_fraction.emplace_back(state.time, softened_fraction(model, state));
-      tell([frame = std::make_shared<const Frame>(make_frame(model, state))](Observer& o) { o.frame(frame); });
+      tell_frame();
     }
     if (last || (state.step > 0 && due(state.step, model.dt, output.checkpoint_every))) write_checkpoint();
   }
@@ -79,11 +80,20 @@ struct Loop {
     state.left_told = state.left.size();
   }
 
+  void tell_frame()
+  {
+    const std::int64_t n = state.n_ids(), step = n > most_points_at_once ? points_per_part : n;
+    for (std::int64_t first = 0; first < n; first += step)
+      tell([part = std::make_shared<const Frame>(make_frame(model, state, first, std::min(step, n - first)))](Observer& o) { o.frame(part); });
+  }
+
   void write_checkpoint()
   {
     tell_left();
     state.wall_s = wall_before + seconds_since(start);
-    tell([image = std::make_shared<const StateImage>(make_image(state))](Observer& o) { o.checkpoint(image); });
+    for_each_part(state, most_values_of_part(state), [&](StateImage part) {
+      tell([image = std::make_shared<const StateImage>(std::move(part))](Observer& o) { o.checkpoint(image); });
+    });
   }
 
   void tell_progress(bool last)
@@ -171,8 +181,8 @@ Summary summarise(const Model& model, const State& state)
   const auto& eps = state.audit.last_eps_eq_p;
   s.max_eps_eq_p = eps.empty() ? 0.0 : *std::max_element(eps.begin(), eps.end());
   s.softened_fraction = state.softened_fraction;
-  s.points_eps_eq_p_fell = std::count(state.audit.fell.begin(), state.audit.fell.end(), 1);
-  s.points_su_rose = std::count(state.audit.rose.begin(), state.audit.rose.end(), 1);
+  s.points_eps_eq_p_fell = std::count(state.audit.fell.begin(), state.audit.fell.end(), true);
+  s.points_su_rose = std::count(state.audit.rose.begin(), state.audit.rose.end(), true);
   const WorkTotals& w = state.work;
   const Real exchanged = energy_exchanged(state);
   const Real numerical = kinetic_and_elastic_energy(model, state) + w.plastic - state.start_energy - (w.gravity + w.damping + w.boundary);

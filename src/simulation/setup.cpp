@@ -123,25 +123,38 @@ void expect_points(const std::vector<NewPoint>& points, State& state)
   }
 }
 
-void add_points(const Model& model, const std::vector<NewPoint>& points, State& state)
+void add_point(const Model& model, const NewPoint& p, std::size_t id, State& state)
 {
   using Rows = PointRows<2>;
-  std::vector<Real> values(state.points.n_rows());
-  expect_points(points, state);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const NewPoint& p = points[k];
-    std::fill(values.begin(), values.end(), 0.0);
-    for (int d = 0; d < 2; ++d) {
-      values[Rows::x + d] = p.x[d];
-      values[Rows::xi + d] = p.local[d];
-      values[Rows::v + d] = p.v[d];
-      state.x_initial[2 * k + d] = p.x[d];
-    }
-    values[Rows::mass] = p.volume * model.materials[p.material].density;
-    values[Rows::volume] = p.volume;
-    values[Rows::id] = static_cast<Real>(k);
-    state.points.add(p.cell, p.material, values);
+  std::array<Real, Rows::state + max_state> values{};
+  for (int d = 0; d < 2; ++d) {
+    values[Rows::x + d] = p.x[d];
+    values[Rows::xi + d] = p.local[d];
+    values[Rows::v + d] = p.v[d];
+    state.x_initial[2 * id + d] = p.x[d];
   }
+  values[Rows::mass] = p.volume * model.materials[p.material].density;
+  values[Rows::volume] = p.volume;
+  values[Rows::id] = static_cast<Real>(id);
+  state.points.add(p.cell, p.material, std::span(values).first(state.points.n_rows()));
+}
+
+/// Drops each batch when it is in: points and blocks together would be the most that a run ever holds.
+void add_points(const Model& model, PointBatches points, State& state)
+{
+  std::size_t id = 0;
+  for (auto& batch : points) {
+    expect_points(batch, state);
+    for (const NewPoint& p : batch) add_point(model, p, id++, state);
+    PointBatches::value_type().swap(batch);
+  }
+}
+
+std::size_t count_all(const PointBatches& points)
+{
+  std::size_t n = 0;
+  for (const auto& batch : points) n += batch.size();
+  return n;
 }
 
 }  // namespace
@@ -173,15 +186,16 @@ Model build_model(const Case& description, Mesh<2> mesh, int threads)
 
 State build_state(Model& model)
 {
-  const auto points = make_points(model);
+  PointBatches points = make_points(model);
   model.bodies = shares_of_bodies(model, points);
+  const std::size_t n = count_all(points);
   State state;
   state.points = PointBlocks<2>(model.mesh.n_cells(), model.n_state);
-  state.x_initial.resize(2 * points.size());
-  state.put_back.assign(points.size(), 0);
-  add_points(model, points, state);
+  state.x_initial.resize(2 * n);
+  state.put_back.assign(n, false);
+  add_points(model, std::move(points), state);
   state.points.update_occupied();
-  state.points.reserve(static_cast<std::int64_t>(points.size() / 4));
+  state.points.reserve(static_cast<std::int64_t>(n / 4));
   set_initial_stress(model, state);
   follow_history_points(model, state);
   const Vec<2> x = extent_in_x(model.mesh);

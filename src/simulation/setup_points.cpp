@@ -5,6 +5,7 @@
 #include "mesh/mesh_error.hpp"
 #include "points/points_csv.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace terp {
@@ -16,6 +17,14 @@ const std::vector<std::string> mesh_extent = {"mesh.origin", "mesh.size", "mesh.
 const char* const grid_cuts_corners =
     "\nThe grid follows mesh.sides only at its nodes: it cuts off a corner between two of them. Use more cells, so that a node\n"
     "comes to lie at the corner, or draw the body along the grid.";
+
+constexpr std::size_t batch_size = 1 << 17;  // points of 10 MB
+
+void add_point(const NewPoint& point, PointBatches& points)
+{
+  if (points.empty() || points.back().size() == batch_size) points.emplace_back().reserve(batch_size);
+  points.back().push_back(point);
+}
 
 std::string body_key(std::size_t body, std::string_view key) { return fmt::format("body[{}].{}", body, key); }
 
@@ -69,7 +78,7 @@ Index material_of_point(const Model& model, const std::string& path, const CsvPo
 }
 
 /// Points of one file, each found in the mesh. Throws PointsFileError.
-void add_points_of_file(const Model& model, std::size_t b, std::vector<NewPoint>& points)
+void add_points_of_file(const Model& model, std::size_t b, PointBatches& points)
 {
   const BodyCase& body = model.description.bodies[b];
   Index guess = 0;
@@ -79,12 +88,12 @@ void add_points_of_file(const Model& model, std::size_t b, std::vector<NewPoint>
     if (!at.inside)
       throw InputError(Problem{body_key(b, "points"), "a point lies outside the mesh",
                                fmt::format("{}:{}: {} m lies in no cell.", path, p.line, place_text(p.x)), "body", false, mesh_extent});
-    points.push_back({p.x, at.local, velocity_of(body, p.x), p.volume, at.cell, material_of_point(model, path, p), static_cast<Index>(b)});
+    add_point({p.x, at.local, velocity_of(body, p.x), p.volume, at.cell, material_of_point(model, path, p), static_cast<Index>(b)}, points);
     guess = at.cell;
   }
 }
 
-void try_points_of_file(const Model& model, std::size_t b, std::vector<NewPoint>& points)
+void try_points_of_file(const Model& model, std::size_t b, PointBatches& points)
 {
   try {
     add_points_of_file(model, b, points);
@@ -109,17 +118,18 @@ Index material_number(const Model& model, const std::string& name)
   throw InputError(Problem{"material", "no material `" + name + "`", "", "body"});
 }
 
-std::vector<BodyShare> shares_of_bodies(const Model& model, const std::vector<NewPoint>& points)
+std::vector<BodyShare> shares_of_bodies(const Model& model, const PointBatches& points)
 {
   std::vector<BodyShare> shares(model.description.bodies.size());
   std::vector<std::vector<bool>> has(shares.size(), std::vector<bool>(model.materials.size(), false));
-  for (const NewPoint& p : points) {
+  const auto enter = [&](const NewPoint& p) {
     BodyShare& share = shares[p.body];
     ++share.n_points;
     share.area += p.volume;
     share.mass += p.volume * model.materials[p.material].density;
     has[p.body][p.material] = true;
-  }
+  };
+  for (const auto& batch : points) std::for_each(batch.begin(), batch.end(), enter);
   for (std::size_t b = 0; b < shares.size(); ++b) {
     for (std::size_t m = 0; m < model.materials.size(); ++m)
       if (has[b][m]) shares[b].material += (shares[b].material.empty() ? "" : " + ") + model.materials[m].name;
@@ -136,7 +146,7 @@ std::vector<BodyOutline> outlines_of(const Model& model)
   return outlines;
 }
 
-std::vector<NewPoint> make_points(const Model& model)
+PointBatches make_points(const Model& model)
 {
   const auto outlines = outlines_of(model);
   check_outlines(model, outlines);
@@ -144,10 +154,10 @@ std::vector<NewPoint> make_points(const Model& model)
   for (std::size_t b = 0; b < model.description.bodies.size(); ++b)
     if (model.description.bodies[b].points_file.empty()) drawn.push_back(b);
 
-  std::vector<NewPoint> points;
+  PointBatches points;
   for (const Seed& seed : seed_points(model.mesh, outlines)) {
     const BodyCase& body = model.description.bodies[drawn[seed.body]];
-    points.push_back({seed.x, seed.local, velocity_of(body, seed.x), seed.volume, seed.cell, material_number(model, body.material), static_cast<Index>(drawn[seed.body])});
+    add_point({seed.x, seed.local, velocity_of(body, seed.x), seed.volume, seed.cell, material_number(model, body.material), static_cast<Index>(drawn[seed.body])}, points);
   }
   for (std::size_t b = 0; b < model.description.bodies.size(); ++b)
     if (!model.description.bodies[b].points_file.empty()) try_points_of_file(model, b, points);

@@ -16,11 +16,14 @@ struct NewPoint {
   Index body;        ///< of the case
 };
 
+/// Points in batches that can be dropped one by one.
+using PointBatches = std::vector<std::vector<NewPoint>>;
+
 /// All points, in the order of their ids. Throws InputError.
-std::vector<NewPoint> make_points(const Model& model);
+PointBatches make_points(const Model& model);
 
 /// How points, area and mass are shared among the bodies.
-std::vector<BodyShare> shares_of_bodies(const Model& model, const std::vector<NewPoint>& points);
+std::vector<BodyShare> shares_of_bodies(const Model& model, const PointBatches& points);
 
 /// Outlines of the bodies that are drawn (not of those that come as points), in the order of the case.
 std::vector<BodyOutline> outlines_of(const Model& model);

@@ -19,9 +19,10 @@ struct WorkTotals {
 
 /// What the history audit remembers of each point; by id. Judged at ledger rows.
 struct HistoryAudit {
-  std::vector<Real> last_eps_eq_p, last_su;   ///< at the last ledger row
-  std::vector<Real> growth;                   ///< of eps_eq_p between the last two rows, not below 0
-  std::vector<std::uint8_t> fell, rose;       ///< 1 where eps_eq_p ever fell, S_u ever rose
+  std::vector<Real> last_eps_eq_p;            ///< at the last ledger row
+  std::vector<Real> last_su;                  ///< the same; empty where no material needs it: eps_eq_p alone tells S_u
+  std::vector<float> growth;                  ///< of eps_eq_p between the last two rows, not below 0; seven digits are enough
+  std::vector<bool> fell, rose;               ///< true where eps_eq_p ever fell, S_u ever rose
 };
 
 struct State {
@@ -33,7 +34,7 @@ struct State {
   std::int64_t equilibrium_steps = 0;  ///< made in the search for equilibrium, while the clock stands at 0
   Real start_energy = 0.0;        ///< kinetic + elastic at t = 0 [J per m]
   std::int64_t clamped = 0;       ///< points that ever had to be put back at a wall
-  std::vector<std::uint8_t> put_back;  ///< which, by id
+  std::vector<bool> put_back;     ///< which, by id
   std::int64_t tension_cut = 0;   ///< cell-steps in which a pressure was cut to the tension limit
   std::vector<LeftPoint> left;    ///< points that crossed an open side, in the order in which they did
   std::size_t left_told = 0;      ///< how many of them the observers know

@@ -11,16 +11,75 @@ namespace {
 
 using Rows = PointRows<2>;
 
-void put(StateImage& image, std::string name, std::vector<Real> values)
+using Values = decltype(NamedArray::values);
+
+/// An array of an image, and how to read n of its rows from `first` on.
+struct ArraySource {
+  std::string name;
+  std::vector<std::int64_t> shape;
+  std::function<Values(std::int64_t first, std::int64_t n)> read;
+
+  std::int64_t n_rows() const { return shape[0]; }
+  std::int64_t row_length() const { return shape.size() == 2 ? shape[1] : 1; }
+};
+
+/// An array that the state holds as it is, or, of flags, as bits.
+template <class T>
+ArraySource kept(std::string name, const std::vector<T>& values)
 {
-  const auto n = static_cast<std::int64_t>(values.size());
-  image.arrays.push_back({std::move(name), {n}, std::move(values)});
+  using Kept = std::conditional_t<std::is_same_v<T, Real>, Real, std::int64_t>;
+  return {std::move(name), {std::ssize(values)}, [&values](std::int64_t first, std::int64_t n) {
+            return std::vector<Kept>(values.begin() + first, values.begin() + first + n);
+          }};
 }
 
-void put(StateImage& image, std::string name, std::vector<std::int64_t> values)
+/// A few numbers.
+template <class T>
+ArraySource few(std::string name, std::vector<T> values)
 {
-  const auto n = static_cast<std::int64_t>(values.size());
-  image.arrays.push_back({std::move(name), {n}, std::move(values)});
+  const auto size = std::ssize(values);
+  return {std::move(name), {size}, [values = std::move(values)](std::int64_t first, std::int64_t n) {
+            return std::vector<T>(values.begin() + first, values.begin() + first + n);
+          }};
+}
+
+/// Calls f(block, lane) for n points from the first-th on, in the fixed order.
+template <class F>
+void for_points(const PointBlocks<2>& points, std::int64_t first, std::int64_t n, F&& f)
+{
+  for_each_block(points, [&](const PointBlock<2>& block) {
+    const auto begin = std::max<std::int64_t>(first, 0), end = std::min<std::int64_t>(first + n, block.n);
+    for (auto lane = begin; lane < end; ++lane) f(block, static_cast<Index>(lane));
+    first -= block.n;  // counts from the next block
+  });
+}
+
+void add_points(const State& state, std::vector<ArraySource>& arrays)
+{
+  const PointBlocks<2>& points = state.points;
+  const auto whole_number = [&points](auto of) {
+    return [&points, of](std::int64_t first, std::int64_t n) {
+      std::vector<std::int64_t> values;
+      values.reserve(n);
+      for_points(points, first, n, [&](const PointBlock<2>& block, Index) { values.push_back(of(block)); });
+      return values;
+    };
+  };
+  arrays.push_back({"points/cell", {points.n_points()}, whole_number([](const PointBlock<2>& block) { return block.cell; })});
+  arrays.push_back({"points/material", {points.n_points()}, whole_number([](const PointBlock<2>& block) { return block.material; })});
+  arrays.push_back({"points/rows", {points.n_points(), points.n_rows()}, [&points](std::int64_t first, std::int64_t n) {
+                      std::vector<Real> values;
+                      values.reserve(n * points.n_rows());
+                      for_points(points, first, n, [&](const PointBlock<2>& block, Index lane) {
+                        for (int r = 0; r < points.n_rows(); ++r) values.push_back(block.row(r)[lane]);
+                      });
+                      return values;
+                    }});
+}
+
+[[noreturn]] void throw_missing(std::string_view name)
+{
+  throw FileError("the checkpoint does not fit this case: array `" + std::string(name) + "` is missing or has another size");
 }
 
 template <class T>
@@ -32,7 +91,7 @@ const std::vector<T>& get(const StateImage& image, std::string_view name, std::s
     if (values == nullptr || (size != SIZE_MAX && values->size() != size)) break;
     return *values;
   }
-  throw FileError("the checkpoint does not fit this case: array `" + std::string(name) + "` is missing or has another size");
+  throw_missing(name);
 }
 
 /// An array that checkpoints of an older Terp lack; then empty.
@@ -44,15 +103,15 @@ std::vector<Real> find_reals(const StateImage& image, std::string_view name)
 }
 
 /// Time, rate and number of places of each surface, and the places of all.
-void put_slip(const State& state, StateImage& image)
+void add_slip(const State& state, std::vector<ArraySource>& arrays)
 {
   std::vector<Real> surfaces, places;
   for (const SlipSurface& slip : state.slip) {
     surfaces.insert(surfaces.end(), {slip.time, slip.rate, static_cast<Real>(slip.line.size())});
     for (const Vec<2>& x : slip.line) places.insert(places.end(), {x[0], x[1]});
   }
-  put(image, "slip/surfaces", std::move(surfaces));
-  put(image, "slip/places", std::move(places));
+  arrays.push_back(few("slip/surfaces", std::move(surfaces)));
+  arrays.push_back(few("slip/places", std::move(places)));
 }
 
 void get_slip(const StateImage& image, State& state)
@@ -64,24 +123,6 @@ void get_slip(const StateImage& image, State& state)
     for (Real n = surfaces[k + 2]; n > 0.5 && next + 1 < places.size(); n -= 1.0, next += 2) slip.line.push_back({places[next], places[next + 1]});
     state.slip.push_back(std::move(slip));
   }
-}
-
-void put_points(const State& state, StateImage& image)
-{
-  const auto n = static_cast<std::size_t>(state.points.n_points());
-  const int n_rows = state.points.n_rows();
-  std::vector<std::int64_t> cell, material;
-  std::vector<Real> rows;
-  rows.reserve(n * n_rows);
-  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
-    cell.push_back(block.cell);
-    material.push_back(block.material);
-    for (int r = 0; r < n_rows; ++r) rows.push_back(block.row(r)[lane]);
-  });
-  put(image, "points/cell", std::move(cell));
-  put(image, "points/material", std::move(material));
-  put(image, "points/rows", std::move(rows));
-  image.arrays.back().shape = {static_cast<std::int64_t>(n), n_rows};
 }
 
 void get_points(const Model& model, const StateImage& image, State& state)
@@ -106,9 +147,7 @@ void get_points(const Model& model, const StateImage& image, State& state)
   state.points.reserve(static_cast<std::int64_t>(cell.size() / 4));
 }
 
-std::vector<std::int64_t> widen(const std::vector<std::uint8_t>& flags) { return {flags.begin(), flags.end()}; }
-
-void put_left(const State& state, StateImage& image)
+void add_left(const State& state, std::vector<ArraySource>& arrays)
 {
   std::vector<std::int64_t> ids;
   std::vector<Real> values;
@@ -116,8 +155,8 @@ void put_left(const State& state, StateImage& image)
     ids.push_back(p.id);
     values.insert(values.end(), {p.time, p.x[0], p.x[1], p.v[0], p.v[1], p.mass, p.elastic});
   }
-  put(image, "left/id", std::move(ids));
-  put(image, "left/values", std::move(values));
+  arrays.push_back(few("left/id", std::move(ids)));
+  arrays.push_back(few("left/values", std::move(values)));
 }
 
 void get_left(const StateImage& image, State& state)
@@ -142,33 +181,69 @@ void check_ids(const State& state)
   if (!all_fit) throw FileError("the checkpoint does not fit this case: its points are not those that the case seeds");
 }
 
+/// The image's arrays; they read from the state, which must not change meanwhile.
+std::vector<ArraySource> arrays_of(const State& state)
+{
+  std::vector<ArraySource> arrays;
+  add_points(state, arrays);
+  arrays.push_back(kept("x_initial", state.x_initial));
+  const WorkTotals& w = state.work;
+  arrays.push_back(few("work", std::vector<Real>{w.gravity, w.damping, w.boundary, w.plastic, w.internal, state.start_energy, state.largest_v_999}));
+  arrays.push_back(few("wall_s", std::vector<Real>{state.wall_s}));  // the one number that differs between equal runs
+  arrays.push_back(few("counts", std::vector<std::int64_t>{state.clamped, state.tension_cut, state.equilibrium_steps}));
+  add_left(state, arrays);
+  arrays.push_back(kept("put_back", state.put_back));
+  arrays.push_back(kept("audit/last_eps_eq_p", state.audit.last_eps_eq_p));
+  arrays.push_back(kept("audit/last_su", state.audit.last_su));
+  arrays.push_back(kept("audit/fell", state.audit.fell));
+  arrays.push_back(kept("audit/rose", state.audit.rose));
+  arrays.push_back(kept("crest/initial_heights", state.crest.initial_heights));
+  arrays.push_back(few("crest/columns", std::vector<Real>{state.crest.columns.left, state.crest.columns.width, state.crest.base}));
+  arrays.push_back(kept("crest/time", state.crest.time));
+  arrays.push_back(kept("crest/x", state.crest.x));
+  arrays.push_back(kept("crest/kinetic", state.crest.kinetic));
+  add_slip(state, arrays);
+  std::vector<Real> softened;
+  for (const auto& [time, fraction] : state.softened_fraction) softened.insert(softened.end(), {time, fraction});
+  arrays.push_back(few("softened_fraction", std::move(softened)));
+  return arrays;
+}
+
 }  // namespace
 
 StateImage make_image(const State& state)
 {
-  StateImage image{.time = state.time, .step = state.step, .arrays = {}};
-  put_points(state, image);
-  put(image, "x_initial", state.x_initial);
-  const WorkTotals& w = state.work;
-  put(image, "work", std::vector<Real>{w.gravity, w.damping, w.boundary, w.plastic, w.internal, state.start_energy, state.largest_v_999});
-  put(image, "wall_s", std::vector<Real>{state.wall_s});  // the one number that differs between equal runs
-  put(image, "counts", std::vector<std::int64_t>{state.clamped, state.tension_cut, state.equilibrium_steps});
-  put_left(state, image);
-  put(image, "put_back", widen(state.put_back));
-  put(image, "audit/last_eps_eq_p", state.audit.last_eps_eq_p);
-  put(image, "audit/last_su", state.audit.last_su);
-  put(image, "audit/fell", widen(state.audit.fell));
-  put(image, "audit/rose", widen(state.audit.rose));
-  put(image, "crest/initial_heights", state.crest.initial_heights);
-  put(image, "crest/columns", std::vector<Real>{state.crest.columns.left, state.crest.columns.width, state.crest.base});
-  put(image, "crest/time", state.crest.time);
-  put(image, "crest/x", state.crest.x);
-  put(image, "crest/kinetic", state.crest.kinetic);
-  put_slip(state, image);
-  std::vector<Real> softened;
-  for (const auto& [time, fraction] : state.softened_fraction) softened.insert(softened.end(), {time, fraction});
-  put(image, "softened_fraction", std::move(softened));
+  StateImage image;
+  for_each_part(state, std::numeric_limits<std::int64_t>::max(), [&](StateImage part) { image = std::move(part); });
   return image;
+}
+
+void for_each_part(const State& state, std::int64_t most_values, const std::function<void(StateImage)>& f)
+{
+  StateImage part{.time = state.time, .step = state.step, .arrays = {}, .part = 0, .last = false};
+  std::int64_t room = most_values;
+  for (const ArraySource& array : arrays_of(state)) {
+    std::int64_t first = 0;
+    do {
+      if (room < array.row_length() && !part.arrays.empty()) {
+        f(std::move(part));
+        part.arrays.clear();
+        ++part.part;
+        room = most_values;
+      }
+      const std::int64_t n = std::clamp<std::int64_t>(room / array.row_length(), 1, std::max<std::int64_t>(array.n_rows() - first, 1));
+      part.arrays.push_back({array.name, array.shape, array.read(first, std::min(n, array.n_rows() - first)), first});
+      first += n;
+      room -= n * array.row_length();
+    } while (first < array.n_rows());
+  }
+  part.last = true;
+  f(std::move(part));
+}
+
+std::int64_t most_values_of_part(const State& state)
+{
+  return state.n_ids() <= most_points_at_once ? std::numeric_limits<std::int64_t>::max() : points_per_part * state.points.n_rows();
 }
 
 std::int64_t count_points(const StateImage& image) { return std::ssize(get<Real>(image, "x_initial")) / 2; }
@@ -196,7 +271,9 @@ State restore(const Model& model, const StateImage& image)
   state.put_back.assign(put_back.begin(), put_back.end());
   const auto& fell = get<std::int64_t>(image, "audit/fell", n);
   const auto& rose = get<std::int64_t>(image, "audit/rose", n);
-  state.audit = {.last_eps_eq_p = get<Real>(image, "audit/last_eps_eq_p", n), .last_su = get<Real>(image, "audit/last_su", n), .growth = std::vector<Real>(n, 0.0),
+  const auto& last_su = get<Real>(image, "audit/last_su");
+  if (!last_su.empty() && last_su.size() != n) throw_missing("audit/last_su");
+  state.audit = {.last_eps_eq_p = get<Real>(image, "audit/last_eps_eq_p", n), .last_su = last_su, .growth = std::vector<float>(n, 0.0f),
                  .fell = {fell.begin(), fell.end()}, .rose = {rose.begin(), rose.end()}};
   state.crest.initial_heights = get<Real>(image, "crest/initial_heights");
   const auto& columns = get<Real>(image, "crest/columns", 3);

@@ -21,19 +21,25 @@ void timed(Workspace& work, Pass pass, F&& f)
   work.seconds[pass] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// Calls f(view, sums of the chunk, leavers of the thread) for each occupied cell.
 template <class F>
 void for_each_cell(const Model& model, State& state, Workspace& work, F&& f)
 {
   work.threads.for_each_range(static_cast<Index>(state.points.occupied().size()), cells_per_chunk,
-                              [&](Index begin, Index end, Index chunk) {
-                                for (Index slot = begin; slot < end; ++slot) f(view_cell(model, state, work, slot), work.cell_sums[chunk]);
+                              [&](Index begin, Index end, Index chunk, int thread) {
+                                CellSums& sums = work.cell_sums[chunk];
+                                std::vector<PointPlace>& leavers = work.leavers[thread];
+                                sums.thread = thread;
+                                sums.first_leaver = leavers.size();
+                                for (Index slot = begin; slot < end; ++slot) f(view_cell(model, state, work, slot), sums, leavers);
+                                sums.end_of_leavers = leavers.size();
                               });
 }
 
 template <class F>
 void for_each_node(Workspace& work, F&& f)
 {
-  work.threads.for_each_range(static_cast<Index>(work.active_nodes.size()), nodes_per_chunk, [&](Index begin, Index end, Index chunk) {
+  work.threads.for_each_range(static_cast<Index>(work.active_nodes.size()), nodes_per_chunk, [&](Index begin, Index end, Index chunk, int) {
     for (Index k = begin; k < end; ++k) f(work.active_nodes[k], work.node_sums[chunk]);
   });
 }
@@ -41,11 +47,8 @@ void for_each_node(Workspace& work, F&& f)
 void start_sums(Workspace& work)
 {
   for (NodeSums& sums : work.node_sums) sums = {};
-  for (CellSums& sums : work.cell_sums) {
-    sums.plastic = 0.0;
-    sums.tension_cut = 0;
-    sums.leavers.clear();
-  }
+  for (CellSums& sums : work.cell_sums) sums = {};
+  for (auto& list : work.leavers) list.clear();
 }
 
 /// Adds the sums of the chunks to the totals, in order of chunk.
@@ -89,17 +92,18 @@ void enter_left(const Model& model, Index material, std::span<const Real> values
 /// Counts a point that had to be put back at a wall, once.
 void enter_put_back(std::span<const Real> values, State& state)
 {
-  std::uint8_t& before = state.put_back[static_cast<std::size_t>(values[PointRows<2>::id])];
-  if (before == 0) ++state.clamped;
-  before = 1;
+  auto before = state.put_back[static_cast<std::size_t>(values[PointRows<2>::id])];
+  if (!before) ++state.clamped;
+  before = true;
 }
 
 void move_leavers(const Model& model, State& state, Workspace& work)
 {
   for (const CellSums& sums : work.cell_sums)
-    for (std::size_t k = sums.leavers.size(); k-- > 0;) {  // from the last lane of a block to the first: see take()
-      const Index material = state.points.block(sums.leavers[k].block).material;
-      const Moved moved = move_to_new_cell(model.mesh, model.open_sides, state.points, sums.leavers[k], work.leaver);
+    for (std::size_t k = sums.end_of_leavers; k-- > sums.first_leaver;) {  // from the last lane of a block to the first: see take()
+      const PointPlace place = work.leavers[sums.thread][k];
+      const Index material = state.points.block(place.block).material;
+      const Moved moved = move_to_new_cell(model.mesh, model.open_sides, state.points, place, work.leaver);
       if (moved == Moved::put_back) enter_put_back(work.leaver, state);
       if (moved == Moved::left) enter_left(model, material, work.leaver, state);
     }
@@ -114,7 +118,7 @@ void step(const Model& model, State& state, Workspace& work)
   start_sums(work);
 
   timed(work, points_to_cells, [&] {
-    for_each_cell(model, state, work, [&](const CellView& cell, CellSums& sums) {
+    for_each_cell(model, state, work, [&](const CellView& cell, CellSums& sums, auto&) {
       cell.corners = {};
       for_each_block(cell.points, cell.cell, [&](const PointBlock<2>& block, Index) { map_mass_and_momentum(block, cell.corners); });
       sums.tension_cut += Scheme::gather(context, cell);                                        // Eqs. (1) to (4)
@@ -124,7 +128,7 @@ void step(const Model& model, State& state, Workspace& work)
     for_each_node(work, [&](Index i, NodeSums& sums) { accelerate_node(model, sum_cells(model, state, work, i), i, work, sums); });
   });
   timed(work, cells_to_points, [&] {
-    for_each_cell(model, state, work, [&](const CellView& cell, CellSums&) {
+    for_each_cell(model, state, work, [&](const CellView& cell, CellSums&, auto&) {
       const CornerVectors dv = corner_values(mesh, work.node, cell.cell, &NodeValues::dv, 1.0);
       const CornerVectors v_star = corner_values(mesh, work.node, cell.cell, &NodeValues::v, 1.0);
       cell.corners.momentum = {};
@@ -138,13 +142,13 @@ void step(const Model& model, State& state, Workspace& work)
     for_each_node(work, [&](Index i, NodeSums& sums) { remap_velocity(model, sum_cells(model, state, work, i), i, work.node[i], sums); });
   });
   timed(work, stress, [&] {
-    for_each_cell(model, state, work, [&](const CellView& cell, CellSums& sums) {
+    for_each_cell(model, state, work, [&](const CellView& cell, CellSums& sums, auto& leavers) {
       const CornerVectors du = corner_values(mesh, work.node, cell.cell, &NodeValues::v, model.dt);
       StressSums stress_sums;
       Scheme::update_stress(context, cell, du, stress_sums);                                    // Steps 2 to 4, or Sec. 2.2
       sums.plastic += stress_sums.plastic_work;
       for_each_block(cell.points, cell.cell, [&](const PointBlock<2>& block, Index b) {
-        advance_points(cell, mesh.centres[cell.cell], du, block, b, sums.leavers);
+        advance_points(cell, mesh.centres[cell.cell], du, block, b, leavers);
       });
     });
   });

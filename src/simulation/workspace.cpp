@@ -22,32 +22,27 @@ void list_active_nodes(const Mesh<2>& mesh, const std::vector<Index>& cells, Wor
 
 Workspace::Workspace(const Model& model, const State& state) : threads(model.threads), damping_local(model.damping.local)
 {
-  node.resize(model.mesh.nodes.size());
+  node.make_anew(model.mesh.nodes.size());
   active_nodes.reserve(model.mesh.nodes.size());
   node_sums.reserve(Threads::n_chunks(model.mesh.n_nodes(), nodes_per_chunk));
   leaver.resize(state.points.n_rows());
-  corners.reserve(2 * state.points.occupied().size());
-  gauss.reserve(2 * state.points.n_blocks());
-  make_cell_sums(2 * state.points.occupied().size());
+  leavers.resize(threads.count());
+  for (auto& list : leavers) list.reserve(state.points.n_points());
+  const std::size_t most_cells = 2 * state.points.occupied().size();
+  corners.reserve(most_cells);
+  pressure.reserve(2 * state.points.n_blocks());
+  cell_sums.reserve(Threads::n_chunks(static_cast<Index>(most_cells), cells_per_chunk));
   fit(model, state);
-}
-
-void Workspace::make_cell_sums(std::size_t n_cells)
-{
-  const auto n_chunks = static_cast<std::size_t>(Threads::n_chunks(static_cast<Index>(n_cells), cells_per_chunk));
-  for (std::size_t chunk = cell_sums.size(); chunk < n_chunks; ++chunk) {
-    cell_sums.emplace_back();
-    cell_sums.back().leavers.reserve(64 * cells_per_chunk);
-  }
 }
 
 void Workspace::fit(const Model& model, const State& state)
 {
   const auto& cells = state.points.occupied();
   corners.resize(cells.size());
-  gauss.resize(state.points.n_blocks());
+  pressure.resize(state.points.n_blocks());
+  if (gauss.size() < pressure.size()) gauss.make_anew(2 * pressure.size());
   list_active_nodes(model.mesh, cells, *this);
-  make_cell_sums(cells.size());
+  cell_sums.resize(Threads::n_chunks(static_cast<Index>(cells.size()), cells_per_chunk));
   node_sums.resize(Threads::n_chunks(static_cast<Index>(active_nodes.size()), nodes_per_chunk));
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "parallel/threads.hpp"
+#include "parallel/memory.hpp"
 #include "simulation/model.hpp"
 
 #include <chrono>
@@ -23,11 +24,12 @@ struct NodeSums {
   bool finite = true;
 };
 
-/// Sums over the cells of one chunk, and the points that left their cell.
+/// Sums over the cells of one chunk, and where the points are listed that left their cell.
 struct CellSums {
   Real plastic = 0.0;              ///< work of the step [J per m]
   std::int64_t tension_cut = 0;
-  std::vector<PointPlace> leavers;
+  int thread = 0;                  ///< whose list holds the points that left
+  std::size_t first_leaver = 0, end_of_leavers = 0;
 };
 
 inline constexpr Index cells_per_chunk = 16;   // 400 points at 5 x 5: about 10 us, long against claiming a chunk
@@ -42,17 +44,16 @@ struct Workspace {
 
   /// Fits the arrays to the occupied cells; asks for memory only when they grew.
   void fit(const Model& model, const State& state);
-  /// Sums for the chunks of n cells, if there are fewer.
-  void make_cell_sums(std::size_t n_cells);
-
   Threads threads;
   std::vector<CornerSums<2>> corners;      ///< shape [n_occupied]
-  std::vector<GaussValues<2>> gauss;       ///< shape [n_blocks]
-  std::vector<NodeValues> node;            ///< shape [n_nodes]
+  ZeroedArray<GaussValues<2>> gauss;       ///< shape [n_blocks at least]; a scheme may use few of them or none
+  std::vector<Real> pressure;              ///< p_e [Pa], shape [n_blocks]; of schemes that keep no other Gauss values
+  ZeroedArray<NodeValues> node;            ///< shape [n_nodes]; only those of active nodes are written
   std::vector<Index> active_nodes;         ///< nodes of occupied cells, ascending
   std::vector<std::uint64_t> node_bits;
   std::vector<NodeSums> node_sums;         ///< by chunk
   std::vector<CellSums> cell_sums;         ///< by chunk
+  std::vector<std::vector<PointPlace>> leavers;  ///< points that left their cell, by thread; in the order of its chunks
   std::vector<Real> leaver;                ///< values of the point being moved
   std::array<double, n_passes> seconds{};  ///< spent in each pass
   Real damping_local = 0.0;                ///< alpha in force: the model's, or that of the search for equilibrium

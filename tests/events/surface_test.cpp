@@ -2,6 +2,7 @@
 
 #include "mesh/mesh.hpp"
 #include "support/blocks.hpp"
+#include "support/random.hpp"
 
 #include <cmath>
 
@@ -47,6 +48,26 @@ TEST(Surface, FrontAndLowestAreTheExtremesOfAllPoints)
   const auto points = points_at({{0.25, 0.5}, {3.25, 1.75}, {1.5, 0.125}});
   EXPECT_EQ(front(points), 3.25);
   EXPECT_EQ(lowest(points), 0.125);
+}
+
+TEST(Surface, IsThatOfAllPointsInWhateverOrderTheirCellsCome)
+{
+  test::Random random(5);
+  for (int trial = 0; trial < 50; ++trial) {
+    std::vector<Vec<2>> places;
+    for (int k = 0; k < 60; ++k) places.push_back({random.between(0.0, 4.0), random.between(0.0, 2.0)});
+    const Columns columns{.left = 0.3, .width = 0.37, .n = 8};
+    std::vector<Real> expected(8, -INFINITY);
+    Real right = 0.0;
+    const PointBlocks<2> points = points_at(places);
+    for_each_point(points, [&](const PointBlock<2>& block, Index lane) {
+      const Real x = block.row(0)[lane], column = (x - columns.left) / columns.width;
+      right = std::max(right, x);
+      if (column >= 0.0 && column < 8.0) expected[static_cast<std::size_t>(column)] = std::max(expected[static_cast<std::size_t>(column)], block.row(1)[lane]);
+    });
+    EXPECT_EQ(surface_heights(points, columns), expected);
+    EXPECT_EQ(front(points), right);
+  }
 }
 
 }  // namespace

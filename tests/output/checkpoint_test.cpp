@@ -133,7 +133,7 @@ TEST(Checkpoint, OfAnotherFormatNamesBothVersions)
     file.close();
   }
   EXPECT_THAT(file_error_of([&] { read_checkpoint(path); }),
-              testing::AllOf(HasSubstr("checkpoint format 99"), HasSubstr("reads format 1")));
+              testing::AllOf(HasSubstr("checkpoint format 99"), HasSubstr("reads formats 1 to 2")));
 }
 
 TEST(Checkpoint, AnArrayWhoseShapeDoesNotFitIsRefused)
@@ -197,6 +197,33 @@ TEST(Checkpoint, AFullDiskLeavesTheEarlierOneAndNoHalfOne)
   EXPECT_TRUE(same(read_checkpoint(earlier), sample_image(1)));
   EXPECT_FALSE(std::filesystem::exists(later));
   EXPECT_FALSE(std::filesystem::exists(temporary_name(later)));
+}
+
+TEST(Checkpoint, InPartsIsThatOfTheWhole)
+{
+  const test::ScratchFolder folder;
+  const StateImage whole = sample_image(7);
+  const std::string path = path_in(folder.path(), checkpoint_file(7));
+  {
+    CheckpointWriter writer(path);
+    writer.append({whole.time, 7, {{"points/x", {2, 2}, std::vector<Real>{0.1, 1.0 / 3.0}, 0}}, 0, false});
+    EXPECT_FALSE(std::filesystem::exists(path));
+    writer.append({whole.time, 7, {{"points/x", {2, 2}, std::vector<Real>{-0.0, 1e-300}, 1}, whole.arrays[1]}, 1, false});
+    writer.append({whole.time, 7, {whole.arrays[2], whole.arrays[3]}, 2, true});
+  }
+  EXPECT_TRUE(same(read_checkpoint(path), whole));
+}
+
+TEST(Checkpoint, WhosePartsDoNotAllComeIsNotThere)
+{
+  const test::ScratchFolder folder;
+  const std::string path = path_in(folder.path(), checkpoint_file(7));
+  {
+    StateImage part = sample_image(7);
+    part.last = false;
+    CheckpointWriter(path).append(part);
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 }  // namespace

@@ -230,5 +230,49 @@ TEST(Vtkhdf, H5pyReadsItTheWayVtkDoes)
   EXPECT_EQ(std::system(("/usr/bin/python3 " + folder.path() + "/read.py " + path).c_str()), 0);
 }
 
+/// Points first ... first + n - 1 of a frame of five.
+Frame part_of(const Frame& whole, std::int64_t first, std::int64_t n)
+{
+  Frame part = whole;
+  const auto cut = [&](std::vector<Real>& values, std::int64_t row) {
+    values = std::vector<Real>(values.begin() + first * row, values.begin() + (first + n) * row);
+  };
+  cut(part.x, 2);
+  for (auto& field : part.fields) cut(field.values, field.n_components);
+  part.first = first;
+  part.n_all = whole.n_points();
+  return part;
+}
+
+TEST(Vtkhdf, AFrameInPartsIsThatFrame)
+{
+  const test::ScratchFolder folder;
+  const std::string path = folder.path() + "/parts.vtkhdf";
+  ResultsFile results(path);
+  for (int k = 0; k < 3; ++k)
+    for (const auto& [first, n] : {std::pair{0, 2}, {2, 2}, {4, 1}}) {
+      results.append(part_of(sample_frame(k), first, n));
+      EXPECT_EQ(ResultsFile(path).count_until(1000), k + (first == 4));  // counts when it is whole
+    }
+  const Hdf5File parts(path, Hdf5File::Mode::read), whole(write_frames(folder.path(), 0, 2), Hdf5File::Mode::read);
+  for (const char* name : {"Points", "PointData/su", "PointData/velocity", "PointData/stress", "Steps/Values"})
+    EXPECT_EQ(parts.read<Real>(std::string("/VTKHDF/") + name), whole.read<Real>(std::string("/VTKHDF/") + name)) << name;
+  EXPECT_EQ(parts.read<std::int64_t>("/VTKHDF/PointData/id"), whole.read<std::int64_t>("/VTKHDF/PointData/id"));
+}
+
+TEST(Vtkhdf, AFrameWhosePartsDoNotAllComeIsNotThere)
+{
+  const test::ScratchFolder folder;
+  const std::string path = write_frames(folder.path(), 0, 0);
+  {
+    ResultsFile results(path);
+    results.append(part_of(sample_frame(1), 0, 3));
+  }
+  ResultsFile(path).append(sample_frame(1));
+  const Hdf5File file(path, Hdf5File::Mode::read);
+  EXPECT_EQ(rows_of_frame(file, "/VTKHDF/PointData/su", 1), sample_frame(1).fields[0].values);
+  EXPECT_EQ(ResultsFile(path).count_until(1000), 2);
+}
+
 }  // namespace
 }  // namespace terp

@@ -20,7 +20,7 @@ TEST_P(EveryThreadCount, DoesEveryChunkExactlyOnce)
   EXPECT_EQ(threads.count(), GetParam());
   for (const Index n_chunks : {0, 1, 2, 3, 7, 8, 9, 64, 1000, 100003}) {
     std::vector<std::atomic<int>> visits(n_chunks);
-    threads.for_each_chunk(n_chunks, [&](Index chunk) { visits[chunk].fetch_add(1); });
+    threads.for_each_chunk(n_chunks, [&](Index chunk, int) { visits[chunk].fetch_add(1); });
     for (Index chunk = 0; chunk < n_chunks; ++chunk)
       ASSERT_EQ(visits[chunk].load(), 1) << "chunk " << chunk << " of " << n_chunks;
   }
@@ -31,7 +31,7 @@ TEST_P(EveryThreadCount, ReturnsOnlyWhenAllIsDone)
   Threads threads(GetParam());
   for (int repeat = 0; repeat < 20; ++repeat) {
     std::atomic<int> done{0};
-    threads.for_each_chunk(16, [&](Index chunk) {
+    threads.for_each_chunk(16, [&](Index chunk, int) {
       if (chunk % 5 == 0) std::this_thread::sleep_for(std::chrono::microseconds(200));
       done.fetch_add(1);
     });
@@ -45,7 +45,7 @@ TEST_P(EveryThreadCount, CoversARangeWithoutGapOrOverlap)
   for (const Index n : {1, 9, 10, 11, 1234}) {
     std::vector<int> visits(n, 0);
     std::vector<Index> begin_of_chunk(Threads::n_chunks(n, 10), -1);
-    threads.for_each_range(n, 10, [&](Index begin, Index end, Index chunk) {
+    threads.for_each_range(n, 10, [&](Index begin, Index end, Index chunk, int) {
       begin_of_chunk[chunk] = begin;
       for (Index k = begin; k < end; ++k) ++visits[k];
     });
@@ -60,7 +60,7 @@ TEST_P(EveryThreadCount, GivesTheSameBits)
   const auto sum_of_roots = [](int n_threads) {
     Threads threads(n_threads);
     std::vector<Real> partial(Threads::n_chunks(5000, 37), 0.0);
-    threads.for_each_range(5000, 37, [&](Index begin, Index end, Index chunk) {
+    threads.for_each_range(5000, 37, [&](Index begin, Index end, Index chunk, int) {
       for (Index k = begin; k < end; ++k) partial[chunk] += std::sqrt(k + 0.1);
     });
     Real total = 0.0;
@@ -78,7 +78,7 @@ TEST_P(EveryThreadCount, WakesSleepersForTheNextJob)
   const auto caller = std::this_thread::get_id();
   const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(20);
   std::atomic<bool> helped{false};
-  threads.for_each_chunk(100, [&](Index) {
+  threads.for_each_chunk(100, [&](Index, int) {
     if (std::this_thread::get_id() != caller) helped = true;
     while (!helped && std::chrono::steady_clock::now() < give_up) std::this_thread::yield();
   });
@@ -92,7 +92,7 @@ TEST_P(EveryThreadCount, AThreadThatIsHeldUpKeepsTheOthersFromOneChunkOnly)
   const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(20);
   std::atomic<int> done{0};
   bool all_others_done = false;
-  threads.for_each_chunk(64, [&](Index chunk) {
+  threads.for_each_chunk(64, [&](Index chunk, int) {
     while (chunk == 0 && done.load() < 63 && std::chrono::steady_clock::now() < give_up) std::this_thread::yield();
     if (chunk == 0) all_others_done = done.load() == 63;
     done.fetch_add(1);
@@ -107,7 +107,7 @@ TEST(Threads, DoAHundredThousandTinyJobsWithoutStandingStill)
   for (const int n_threads : {2, 4}) {
     Threads threads(n_threads);
     std::array<std::atomic<std::int64_t>, 3> total{};
-    for (int job = 0; job < 50000; ++job) threads.for_each_chunk(3, [&](Index chunk) { total[chunk].fetch_add(job); });
+    for (int job = 0; job < 50000; ++job) threads.for_each_chunk(3, [&](Index chunk, int) { total[chunk].fetch_add(job); });
     for (const auto& sum : total) EXPECT_EQ(sum.load(), 50000LL * 49999 / 2);
   }
 }
@@ -120,7 +120,7 @@ TEST(Threads, SeeWhatTheCallerWroteBetweenJobs)
     int wrong = 0;
     for (int& v : value) wrong += v != job - 1;
     ASSERT_EQ(wrong, 0);
-    threads.for_each_chunk(64, [&](Index chunk) { value[chunk] = job; });
+    threads.for_each_chunk(64, [&](Index chunk, int) { value[chunk] = job; });
   }
 }
 

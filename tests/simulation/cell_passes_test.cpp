@@ -22,8 +22,8 @@ struct TwoCells {
   {
     CornerVectors all;
     for (int d = 0; d < 2; ++d) all[d].fill(du[d]);
-    decltype(CellSums::leavers) leavers;
-    const CellView view{0, mesh.geometry(0), points, gauss, corners};
+    std::vector<PointPlace> leavers;
+    const CellView view{0, mesh.geometry(0), points, gauss, {}, corners};
     advance_points(view, mesh.centres[0], all, test::only_block(points, 0), 0, leavers);
     std::vector<Index> lanes;
     for (const auto& l : leavers) lanes.push_back(l.lane);
@@ -48,8 +48,8 @@ TEST(CellPasses, PointsMoveWithTheShapeFunctions)
   CornerVectors du{};
   du[0] = {0.0, 0.16, 0.0, 0.0};  // corner 1: N = 0.75 * 0.75
   du[1] = {0.0, 0.0, 0.0, 0.16};  // corner 3: N = 0.25 * 0.25
-  decltype(CellSums::leavers) leavers;
-  advance_points({0, cells.mesh.geometry(0), cells.points, cells.gauss, cells.corners}, cells.mesh.centres[0], du,
+  std::vector<PointPlace> leavers;
+  advance_points({0, cells.mesh.geometry(0), cells.points, cells.gauss, {}, cells.corners}, cells.mesh.centres[0], du,
                  test::only_block(cells.points, 0), 0, leavers);
   const PointBlock<2>& block = test::only_block(cells.points, 0);
   EXPECT_NEAR(block.row(Rows::x)[0], 1.5 + 0.09, 1e-15);
@@ -88,9 +88,9 @@ bool leaves_triangle(Vec<2> local, Vec<2> du, Vec<2>& after, Vec<2>& x)
   add_point(mesh, 0, {.local = local}, points);
   CornerVectors all;
   for (int d = 0; d < 2; ++d) all[d].fill(du[d]);
-  decltype(CellSums::leavers) leavers;
+  std::vector<PointPlace> leavers;
   const PointBlock<2>& block = test::only_block(points, 0);
-  advance_points({0, mesh.geometry(0), points, gauss, corners}, mesh.centres[0], all, block, 0, leavers);
+  advance_points({0, mesh.geometry(0), points, gauss, {}, corners}, mesh.centres[0], all, block, 0, leavers);
   after = {block.row(Rows::xi)[0], block.row(Rows::xi + 1)[0]};
   x = {block.row(Rows::x)[0], block.row(Rows::x + 1)[0]};
   return !leavers.empty();

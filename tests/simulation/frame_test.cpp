@@ -74,6 +74,26 @@ TEST(Frame, EntryKIsThePointWithIdK)
   }
 }
 
+TEST(Frame, OfSomePointsIsAPartOfTheWhole)
+{
+  Case c = test::column("mpm_gp");
+  c.bodies[0].velocity = {3.0, 0.0};
+  Simulation s(c);
+  s.step(100);
+  s.state.left.push_back({.time = 0.2, .id = 700, .x = {9.5, 0.25}, .v = {1.0, 0.0}, .mass = 2.0});
+  const Frame whole = make_frame(s.model, s.state), part = make_frame(s.model, s.state, 600, 250);
+  EXPECT_EQ(part.first, 600);
+  EXPECT_EQ(part.n_points(), 250);
+  EXPECT_EQ(part.n_whole(), 1600);
+  EXPECT_FALSE(part.ends());
+  EXPECT_TRUE(make_frame(s.model, s.state, 1350, 250).ends());
+  EXPECT_TRUE(std::equal(part.x.begin(), part.x.end(), whole.x.begin() + 1200));
+  for (std::size_t f = 0; f < whole.fields.size(); ++f) {
+    const auto begin = whole.fields[f].values.begin() + 600 * whole.fields[f].n_components;
+    EXPECT_TRUE(std::equal(part.fields[f].values.begin(), part.fields[f].values.end(), begin)) << whole.fields[f].name;
+  }
+}
+
 TEST(Frame, AFieldThatAMaterialDoesNotHaveIsNotANumber)
 {
   Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});
@@ -116,7 +136,8 @@ TEST(History, HoldsOneRowForEachNamedPointInTheOrderOfTheCase)
   State state = build_state(model);
   Simulation s(std::move(model), std::move(state));
   s.step(60);
-  const auto rows = make_history(s.model, s.state);
+  std::vector<PointPlace> places;
+  const auto rows = make_history(s.model, s.state, places);
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0].point, "B");
   EXPECT_EQ(rows[1].point, "A");
@@ -138,7 +159,8 @@ TEST(History, OfAPointThatLeftKeepsItsNameAndThePlaceWhereItLeft)
   s.model.history_ids = {5000};  // not among the points
   s.state.left.push_back({.time = 0.2, .id = 5000, .x = {9.5, 0.25}, .v = {1.0, 0.0}, .mass = 2.0});
   s.state.time = 0.3;
-  const auto rows = make_history(s.model, s.state);
+  std::vector<PointPlace> places;
+  const auto rows = make_history(s.model, s.state, places);
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(rows[0].time, 0.3);
   EXPECT_EQ(rows[0].point, "A");
@@ -146,6 +168,25 @@ TEST(History, OfAPointThatLeftKeepsItsNameAndThePlaceWhereItLeft)
   EXPECT_EQ(rows[0].x, 9.5);
   EXPECT_EQ(rows[0].y, 0.25);
   EXPECT_TRUE(std::isnan(rows[0].pressure) && std::isnan(rows[0].eps_eq_p) && std::isnan(rows[0].su));
+}
+
+TEST(History, FollowsItsPointsFromCellToCell)
+{
+  Case c = test::column("mpm_gp");
+  c.output.history_points = {{"B", {7.6, 1.93}}, {"A", {7.6, 0.07}}};
+  c.bodies[0].velocity = {4.0, 0.0};
+  Simulation s(c);
+  std::vector<PointPlace> places;
+  for (int k = 0; k < 40; ++k) {
+    std::vector<PointPlace> none;
+    const auto followed = make_history(s.model, s.state, places), fresh = make_history(s.model, s.state, none);
+    const auto points = test::points_by_id(s.state);
+    for (std::size_t r = 0; r < 2; ++r) {
+      EXPECT_EQ(followed[r].x, points[static_cast<std::size_t>(followed[r].id)].x[0]);
+      EXPECT_EQ(followed[r].pressure, fresh[r].pressure);
+    }
+    s.step(10);
+  }
 }
 
 }  // namespace

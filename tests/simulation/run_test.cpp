@@ -102,6 +102,43 @@ TEST(Run, TellsItsObserversAtTheStartAtEachDueStepAndAtTheEnd)
   EXPECT_EQ(recorder.progresses.back().n_points, 1600);
 }
 
+/// Joins what it is shown in parts.
+struct PartsRecorder : Observer {
+  std::vector<std::int64_t> ends;  ///< points of the frames so far, where one ended
+  std::int64_t n_points = 0, largest = 0;
+  int n_image_parts = 0, n_images = 0;
+
+  void frame(const std::shared_ptr<const Frame>& f) override
+  {
+    EXPECT_EQ(f->first, n_points - (ends.empty() ? 0 : ends.back()));
+    n_points += f->n_points();
+    largest = std::max(largest, f->n_points());
+    if (f->ends()) ends.push_back(n_points);
+  }
+  void checkpoint(const std::shared_ptr<const StateImage>& image) override
+  {
+    EXPECT_EQ(image->part, n_image_parts++);
+    n_images += image->last;
+  }
+};
+
+TEST(Run, OfManyPointsTellsItsFramesAndCheckpointsInParts)
+{
+  Case c = test::column("mpm_gp", 0.0375);
+  c.time.end = 1e-4;
+  Simulation s(c);
+  const std::int64_t n = s.state.n_ids();
+  ASSERT_GT(n, most_points_at_once);
+  PartsRecorder recorder;
+  Observer* const observers[] = {&recorder};
+  const std::atomic<bool> stop{false};
+  run(s.model, s.state, s.work, observers, stop);
+  EXPECT_THAT(recorder.ends, ElementsAre(n, 2 * n));
+  EXPECT_EQ(recorder.largest, points_per_part);
+  EXPECT_EQ(recorder.n_images, 1);
+  EXPECT_GT(recorder.n_image_parts, 10);
+}
+
 TEST(Run, WithoutIntervalsTellsTheFirstAndTheLast)
 {
   Case c = short_column();
@@ -158,7 +195,7 @@ TEST(Summarise, TellsTheNumbersOfTheRun)
   Simulation s(short_column());
   Recorder recorder;
   solve(s, recorder);
-  s.state.audit.fell[5] = s.state.audit.fell[6] = s.state.audit.rose[7] = 1;
+  s.state.audit.fell[5] = s.state.audit.fell[6] = s.state.audit.rose[7] = true;
   s.state.clamped = 4;
   const Summary summary = summarise(s.model, s.state);
   EXPECT_EQ(summary.scheme, "mpm_gp");

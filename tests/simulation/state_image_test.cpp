@@ -53,8 +53,8 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
   state.tension_cut = 8;
   state.largest_v_999 = 9.0;
   state.wall_s = 10.0;
-  state.audit.fell[3] = 1;
-  state.audit.rose[5] = 1;
+  state.audit.fell[3] = true;
+  state.audit.rose[5] = true;
   state.softened_fraction = {{0.5, 0.25}};
   const State back = restore(s.model, make_image(state));
   EXPECT_EQ(back.step, 3);
@@ -79,6 +79,51 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
   EXPECT_EQ(back.crest.columns.n, state.crest.columns.n);
   EXPECT_EQ(back.softened_fraction, state.softened_fraction);
   EXPECT_EQ(back.x_initial, state.x_initial);
+}
+
+TEST(StateImage, InPartsHasTheSameArrays)
+{
+  Simulation s(moving_column("mpm_gp"));
+  start_audit(s.model, s.state);
+  s.step(150);
+  keep_ledger(s.model, s.state);
+  StateImage joined;
+  int n_parts = 0;
+  for_each_part(s.state, 1000, [&](const StateImage& part) {
+    EXPECT_EQ(part.part, n_parts++);
+    std::size_t n_values = 0;
+    for (const NamedArray& array : part.arrays) {
+      if (array.first == 0) joined.arrays.push_back({array.name, array.shape, array.values});
+      std::visit([&](const auto& more) {
+        auto& all = std::get<std::decay_t<decltype(more)>>(joined.arrays.back().values);
+        EXPECT_EQ(array.name, joined.arrays.back().name);
+        const std::size_t row = array.shape.size() == 2 ? static_cast<std::size_t>(array.shape[1]) : 1;
+        if (array.first > 0) {
+          EXPECT_EQ(all.size(), static_cast<std::size_t>(array.first) * row);
+          all.insert(all.end(), more.begin(), more.end());
+        }
+        n_values += more.size();
+      }, array.values);
+    }
+    EXPECT_LE(n_values, 1000u);
+    joined.time = part.time;
+    joined.step = part.step;
+    EXPECT_EQ(part.last, joined.arrays.back().name == "softened_fraction");
+  });
+  EXPECT_GT(n_parts, 20);
+  EXPECT_EQ(first_difference(joined, make_image(s.state)), "");
+}
+
+TEST(StateImage, OfFormatOneWithTheStrengthOfEachPointIsRestored)
+{
+  Simulation s(moving_column("mpm_gp"));
+  start_audit(s.model, s.state);
+  StateImage image = make_image(s.state);
+  for (NamedArray& array : image.arrays)
+    if (array.name == "audit/last_su") array = {array.name, {1600}, std::vector<Real>(1600, 8000.0)};
+  State back = restore(s.model, image);
+  keep_ledger(s.model, back);
+  EXPECT_EQ(std::count(back.audit.rose.begin(), back.audit.rose.end(), true), 0);
 }
 
 TEST(StateImage, WithoutOneOfItsArraysIsRefused)

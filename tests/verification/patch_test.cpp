@@ -43,7 +43,7 @@ void strain_all_cells(Simulation& s, const std::array<Vec<2>, 2>& a)
   const SchemeContext context{s.model.method, s.model.materials};
   for (Index slot = 0; slot < static_cast<Index>(s.state.points.occupied().size()); ++slot) {
     const Index cell = s.state.points.occupied()[slot];
-    const CellView view{cell, s.model.mesh.geometry(cell), s.state.points, s.work.gauss, s.work.corners[slot]};
+    const CellView view{cell, s.model.mesh.geometry(cell), s.state.points, s.work.gauss, s.work.pressure, s.work.corners[slot]};
     view.corners = {};
     Scheme::gather(context, view);
     StressSums sums;
