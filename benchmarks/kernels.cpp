@@ -1,43 +1,16 @@
 // Google Benchmark of what the step is made of and of what surrounds it. Laws and steps come from the copy of the kernels that this
 // processor gets (TERP_INSTRUCTIONS forces one). `items_per_second` counts points.
 
-#include "input/case_file.hpp"
-#include "materials/material.hpp"
-#include "mesh/locate.hpp"
+#include "ready.hpp"
 #include "simulation/frame.hpp"
-#include "simulation/ledger.hpp"
-#include "simulation/setup.hpp"
 #include "simulation/state_image.hpp"
-#include "simulation/workspace.hpp"
-
-#include <benchmark/benchmark.h>
-#include <fmt/format.h>
 
 namespace terp {
 namespace {
 
-/// The paper's column, model 2, on cells of this size.
-Case column(const std::string& scheme, double cell)
-{
-  return read_case(TERP_SOURCE_DIR "/cases/column_collapse/model_2.toml", {"scheme=" + scheme, fmt::format("mesh.cell={}", cell)}).values;
-}
-
-struct Ready {
-  Model model;
-  State state;
-  Workspace work;
-  Ready(const std::string& scheme, double cell) : model(build_model(column(scheme, cell), 1)), state(build_state(model)), work(model, state)
-  {
-    start_audit(model, state);
-    for (int k = 0; k < 200; ++k) model.step(model, state, work);
-  }
-};
-
-void count_points(benchmark::State& bench, const Ready& ready) { bench.SetItemsProcessed(bench.iterations() * ready.state.points.n_points()); }
-
 void Step(benchmark::State& bench, const char* scheme)
 {
-  Ready ready(scheme, 0.1);
+  Ready ready(scheme, 0.1, 200);
   for (auto _ : bench) ready.model.step(ready.model, ready.state, ready.work);
   count_points(bench, ready);
 }
@@ -47,7 +20,7 @@ BENCHMARK_CAPTURE(Step, standard_mpm, "standard_mpm")->Unit(benchmark::kMicrosec
 
 void LedgerRowOfAllPoints(benchmark::State& bench)
 {
-  Ready ready("mpm_gp", 0.1);
+  Ready ready("mpm_gp", 0.1, 200);
   for (auto _ : bench) benchmark::DoNotOptimize(keep_ledger(ready.model, ready.state));
   count_points(bench, ready);
 }
@@ -55,7 +28,7 @@ BENCHMARK(LedgerRowOfAllPoints)->Unit(benchmark::kMicrosecond);
 
 void FrameOfAllFields(benchmark::State& bench)
 {
-  Ready ready("mpm_gp", 0.1);
+  Ready ready("mpm_gp", 0.1, 200);
   for (auto _ : bench) benchmark::DoNotOptimize(make_frame(ready.model, ready.state));
   count_points(bench, ready);
 }
@@ -63,7 +36,7 @@ BENCHMARK(FrameOfAllFields)->Unit(benchmark::kMicrosecond);
 
 void ImageForACheckpoint(benchmark::State& bench)
 {
-  Ready ready("mpm_gp", 0.1);
+  Ready ready("mpm_gp", 0.1, 200);
   for (auto _ : bench) benchmark::DoNotOptimize(make_image(ready.state));
   count_points(bench, ready);
 }
