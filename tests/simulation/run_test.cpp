@@ -124,7 +124,7 @@ struct PartsRecorder : Observer {
 
 TEST(Run, OfManyPointsTellsItsFramesAndCheckpointsInParts)
 {
-  Case c = test::column("mpm_gp", 0.0375);
+  Case c = test::column("mpm_gp", 0.03125);
   c.time.end = 1e-4;
   Simulation s(c);
   const std::int64_t n = s.state.n_ids();
