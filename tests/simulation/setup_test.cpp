@@ -54,6 +54,16 @@ TEST(Setup, OnlyMaterialsOfBodiesDecideTheTimeStep)
   EXPECT_EQ(model.n_state, 1);
 }
 
+TEST(Setup, AVelocityThatDependsOnThePlaceIsThatOfEachPoint)
+{
+  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});
+  c.bodies[0].velocity = {7.0, 7.0};
+  c.bodies[0].velocity_at = [](Vec<2> x) { return Vec<2>{2.0 * x[1], -x[0] * x[1]}; };
+  Model model = build_model(c, 1);
+  const State state = build_state(model);
+  for (const Point& p : test::points_by_id(state)) EXPECT_EQ(p.v, (Vec<2>{2.0 * p.x[1], -p.x[0] * p.x[1]}));
+}
+
 TEST(Setup, SeedsBodiesWithTheirVelocityMassAndLocalPlaces)
 {
   Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});
