@@ -87,6 +87,12 @@ class RunOfTheProgram(unittest.TestCase):
             self.assertEqual(self.run_.field("id", 0)[self.run_.nearest(x, y)], rows["id"][0])
             np.testing.assert_allclose(self.run_.series("eps_eq_p", self.run_.nearest(x, y))[-1], rows["eps_eq_p"][-1])
 
+    def test_the_mesh_is_the_one_whose_cells_the_points_name(self):
+        mesh, frame = self.run_.mesh, self.run_.frame(-1)
+        corners = mesh.nodes[mesh.cells[frame["cell"].astype(int)]]  # [n_points, 4, 2]
+        self.assertEqual(len(mesh.cells), self.run_.summary["cells"])
+        self.assertTrue(np.all(corners.min(axis=1) <= frame.x) and np.all(frame.x <= corners.max(axis=1)))
+
     def test_the_example_runs(self):
         pictures = self.folder / "pictures"
         script = ROOT / "python" / "examples" / "first_look.py"
