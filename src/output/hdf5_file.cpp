@@ -266,6 +266,23 @@ std::vector<T> Hdf5File::read(const std::string& name) const
   return values;
 }
 
+template <class T>
+std::vector<T> Hdf5File::read_rows(const std::string& name, std::int64_t first_row, std::int64_t n_rows) const
+{
+  const Id table = open_dataset(file_, path_, name);
+  const Id space{H5Dget_space(table), H5Sclose};
+  std::vector<hsize_t> count = extent_of(space), start(count.size(), 0);
+  if (count.empty() || first_row < 0 || n_rows < 0 || static_cast<hsize_t>(first_row + n_rows) > count[0])
+    throw FileError(fmt::format("cannot read rows {} to {} of {} in {}: it has {}", first_row, first_row + n_rows - 1, name, path_, count.empty() ? 0 : count[0]));
+  start[0] = static_cast<hsize_t>(first_row);
+  count[0] = static_cast<hsize_t>(n_rows);
+  H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
+  const Id memory = make_space(count);
+  std::vector<T> values(static_cast<std::size_t>(n_rows) * (count.size() == 2 ? count[1] : 1));
+  checked(H5Dread(table, memory_type<T>(), memory, space, H5P_DEFAULT, values.data()), "read", path_, name);
+  return values;
+}
+
 std::vector<std::int64_t> Hdf5File::shape(const std::string& name) const
 {
   const Id dataset = open_dataset(file_, path_, name);
@@ -348,7 +365,8 @@ std::vector<std::int64_t> Hdf5File::integers(const std::string& object, const st
   template void Hdf5File::create_table<T>(const std::string&, const TableLayout&);                            \
   template void Hdf5File::write_rows<T>(const std::string&, std::int64_t, std::span<const T>);                \
   template void Hdf5File::write<T>(const std::string&, const std::vector<std::int64_t>&, std::span<const T>); \
-  template std::vector<T> Hdf5File::read<T>(const std::string&) const;
+  template std::vector<T> Hdf5File::read<T>(const std::string&) const;                                        \
+  template std::vector<T> Hdf5File::read_rows<T>(const std::string&, std::int64_t, std::int64_t) const;
 TERP_HDF5_TYPE(Real)
 TERP_HDF5_TYPE(std::int64_t)
 TERP_HDF5_TYPE(std::uint8_t)

@@ -54,6 +54,9 @@ class Hdf5File {
   void write(const std::string& name, const std::vector<std::int64_t>& shape, std::span<const T> values);
   template <class T>
   std::vector<T> read(const std::string& name) const;
+  /// Rows first_row ... first_row + n_rows - 1 of a table, row-major. Throws FileError if it has fewer.
+  template <class T>
+  std::vector<T> read_rows(const std::string& name, std::int64_t first_row, std::int64_t n_rows) const;
   std::vector<std::int64_t> shape(const std::string& name) const;
   /// True for floating-point numbers, false for whole ones.
   bool holds_reals(const std::string& name) const;

@@ -1,6 +1,7 @@
 // summary.json: see summary_json.hpp.
 #include "output/summary_json.hpp"
 
+#include "base/errors.hpp"
 #include "output/files.hpp"
 
 #include <cmath>
@@ -28,7 +29,62 @@ Json softened_fraction(const Summary& summary)
   return list;
 }
 
+/// The entry of that name, if it is there and of that type.
+template <class T>
+void get(const nlohmann::json& json, const char* name, T& value)
+{
+  const auto found = json.find(name);
+  if (found == json.end() || found->is_null()) return;
+  try {
+    value = found->get<T>();
+  } catch (const nlohmann::json::exception&) {
+  }
+}
+
+void get(const nlohmann::json& json, const char* name, std::optional<Real>& value)
+{
+  Real there = std::nan("");
+  get(json, name, there);
+  value = std::isnan(there) ? std::nullopt : std::optional(there);
+}
+
 }  // namespace
+
+SavedSummary read_summary(const std::string& path)
+{
+  SavedSummary saved{.values = {}, .finished = false, .terp_version = {}, .text = read_file(path)};
+  const auto json = nlohmann::json::parse(saved.text, nullptr, false);
+  if (!json.is_object()) throw FileError("cannot read " + path + ": it is not JSON");
+  get(json, "terp_version", saved.terp_version);
+  get(json, "finished", saved.finished);
+  Summary& s = saved.values;
+  get(json, "scheme", s.scheme);
+  get(json, "points", s.n_points);
+  get(json, "cells", s.n_cells);
+  get(json, "steps", s.n_steps);
+  get(json, "dt", s.dt);
+  get(json, "wall_s", s.wall_s);
+  get(json, "point_steps_per_s", s.point_steps_per_s);
+  get(json, "threads", s.threads);
+  get(json, "instructions", s.instructions);
+  get(json, "front_x", s.front_x);
+  get(json, "crest_x", s.crest_x);
+  get(json, "second_failure_time", s.second_failure_time);
+  get(json, "max_eps_eq_p", s.max_eps_eq_p);
+  get(json, "points_eps_eq_p_fell", s.points_eps_eq_p_fell);
+  get(json, "points_su_rose", s.points_su_rose);
+  get(json, "energy_balance_error", s.energy_balance_error);
+  get(json, "clamped_points", s.clamped_points);
+  get(json, "points_left", s.points_left);
+  get(json, "v_999", s.v_999);
+  for (const auto& row : json.value("softened_fraction", nlohmann::json::array())) {
+    Real time = 0.0, fraction = 0.0;
+    get(row, "time", time);
+    get(row, "fraction", fraction);
+    s.softened_fraction.emplace_back(time, fraction);
+  }
+  return saved;
+}
 
 std::string summary_text(const Summary& summary, bool finished, const CaseText& case_text)
 {
