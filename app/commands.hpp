@@ -19,9 +19,26 @@ struct RunOptions {
   bool json = false;                 ///< of bench
 };
 
+struct VerifyOptions {
+  std::vector<std::string> names;    ///< of cases; empty: all
+  std::string cases;                 ///< folder of the cases; empty: that beside the program
+  std::string html, markdown;        ///< pages to write; empty: none
+  int threads = 0;                   ///< 0: what this job may use
+  bool list = false, only_short = false, only_long = false;
+};
+
+struct ReportCommand {
+  std::vector<std::string> runs;  ///< folders
+  std::string output;             ///< HTML file; empty: report.html
+  bool json = false;              ///< of compare
+};
+
 int run_case(const RunOptions& options);
 int resume_run(const RunOptions& options);
 int check_case(const RunOptions& options);
 int bench_case(const RunOptions& options);
+int verify_cases(const VerifyOptions& options);
+int report_runs(const ReportCommand& command);
+int compare_folders(const ReportCommand& command);
 
 }  // namespace terp

@@ -23,6 +23,8 @@ Solve
   run CASE.toml           solve a case; results go to runs/<case name>/
   resume RUN              continue from the newest checkpoint of a run folder,
                           or from the checkpoint file that is named
+  report RUN...           write report.html: one page that shows the runs, side by side
+  compare RUN RUN...      table of what differs between runs (--json)
 
 Understand
   check CASE.toml         read and validate, print what would run, solve nothing
@@ -30,6 +32,9 @@ Understand
   list                    materials, schemes and outputs in this build
   bench [CASE.toml]       how fast the step is here, pass by pass; without a case:
                           the paper's column (--steps, --warm, --json)
+  verify [CASE...]        solve problems with a known answer, print what came out
+                          (--list, --short, --long, --html FILE, --markdown FILE,
+                          --cases DIR)
 
 Options
   -o, --output DIR        where results go
@@ -47,7 +52,9 @@ Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else
 
 struct CommandLine {
   terp::RunOptions options;
+  terp::VerifyOptions verify;
   std::string topic;
+  terp::ReportCommand report;
 };
 
 CLI::App* add_case_command(CLI::App& app, const char* name, CommandLine& line)
@@ -58,6 +65,19 @@ CLI::App* add_case_command(CLI::App& app, const char* name, CommandLine& line)
   command->add_flag("-q,--quiet", line.options.quiet);
   command->add_flag("-v,--verbose", line.options.verbose);
   return command;
+}
+
+void declare_verify(CLI::App& app, terp::VerifyOptions& options)
+{
+  CLI::App* verify = app.add_subcommand("verify");
+  verify->add_option("cases", options.names);
+  verify->add_option("--cases", options.cases);
+  verify->add_option("--html", options.html);
+  verify->add_option("--markdown", options.markdown);
+  verify->add_option("-j,--threads", options.threads)->check(CLI::Range(1, 1024));
+  verify->add_flag("--list", options.list);
+  CLI::Option* only_short = verify->add_flag("--short", options.only_short);
+  verify->add_flag("--long", options.only_long)->excludes(only_short);
 }
 
 void declare(CLI::App& app, CommandLine& line)
@@ -76,6 +96,13 @@ void declare(CLI::App& app, CommandLine& line)
   bench->add_option("--steps", line.options.steps)->check(CLI::Range(1, 1000000));
   bench->add_option("--warm", line.options.warm_steps)->check(CLI::Range(0, 1000000));
   bench->add_flag("--json", line.options.json);
+  declare_verify(app, line.verify);
+  CLI::App* report = app.add_subcommand("report");
+  report->add_option("runs", line.report.runs)->required();
+  report->add_option("-o,--output", line.report.output);
+  CLI::App* compare = app.add_subcommand("compare");
+  compare->add_option("runs", line.report.runs)->required();
+  compare->add_flag("--json", line.report.json);
   for (CLI::App* command : {run, check, bench})
     command->add_option("--set", line.options.changes)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_subcommand("explain")->add_option("topic", line.topic)->required();
@@ -100,7 +127,10 @@ int call(const CLI::App& app, const CommandLine& line)
   if (app.got_subcommand("run")) return terp::run_case(line.options);
   if (app.got_subcommand("resume")) return terp::resume_run(line.options);
   if (app.got_subcommand("check")) return terp::check_case(line.options);
+  if (app.got_subcommand("report")) return terp::report_runs(line.report);
+  if (app.got_subcommand("compare")) return terp::compare_folders(line.report);
   if (app.got_subcommand("bench")) return terp::bench_case(line.options);
+  if (app.got_subcommand("verify")) return terp::verify_cases(line.verify);
   fmt::print("{}", app.got_subcommand("explain") ? terp::explain(line.topic) : terp::list());
   return terp::solved;
 }
