@@ -27,10 +27,18 @@ struct VerifyOptions {
   bool list = false, only_short = false, only_long = false;
 };
 
+struct ReportCommand {
+  std::vector<std::string> runs;  ///< folders
+  std::string output;             ///< HTML file; empty: report.html
+  bool json = false;              ///< of compare
+};
+
 int run_case(const RunOptions& options);
 int resume_run(const RunOptions& options);
 int check_case(const RunOptions& options);
 int bench_case(const RunOptions& options);
 int verify_cases(const VerifyOptions& options);
+int report_runs(const ReportCommand& command);
+int compare_folders(const ReportCommand& command);
 
 }  // namespace terp

@@ -197,6 +197,21 @@ void check_initial(const Node& root, const Case& values, Findings& findings)
                                    "body.velocity", true, {"initial.stress"}});
 }
 
+/// A fluid at rest has the same stress in all directions.
+void check_hydrostatic(const Case& values, Problems& problems)
+{
+  if (values.initial.stress != InitialStress::k0 || values.initial.k0 == 1.0) return;
+  for (const MaterialCase& material : values.materials) {
+    const MaterialType* law = find_material(material.model);
+    const auto is_missing = [](Real value) { return std::isnan(value); };
+    if (law == nullptr || std::any_of(material.parameters.begin(), material.parameters.end(), is_missing)) continue;
+    if (law->make(material.parameters)->shear_modulus() == 0.0)
+      problems.push_back({"initial.k0", fmt::format("the fluid `{}` carries no shear stress at rest", material.name),
+                          fmt::format("k0 = {}; a fluid needs k0 = 1. Start with stress = \"equilibrium\" where soil beside it needs another.", values.initial.k0),
+                          "initial", false, {join_path("material", material.name)}});
+  }
+}
+
 /// Fields of laws that no material of this case follows.
 void check_fields(const Case& values, Problems& warnings)
 {
@@ -227,6 +242,7 @@ void check_case(const Node& root, const Case& values, Findings& findings)
   check_parameters(values, findings.problems);
   check_sides(root, values, findings);
   check_initial(root, values, findings);
+  check_hydrostatic(values, findings.problems);
   check_method(root, values, findings.warnings);
   check_unused_materials(values, findings.warnings);
   check_fields(values, findings.warnings);

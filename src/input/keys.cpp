@@ -5,6 +5,10 @@
 #include "input/key_text.hpp"
 #include "schemes/scheme_info.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 namespace terp {
 namespace {
 
@@ -377,8 +381,10 @@ std::vector<KeyInfo> keys_of_law(const MaterialType& law)
     keys.push_back({.path = "material.NAME." + std::string(parameter.name),
                     .field = [k](Case& c, std::size_t i) { return &c.materials[i].parameters[k]; },
                     .unit = std::string(parameter.unit), .range = parameter.range, .usual = parameter.usual,
-                    .required = !parameter.fallback, .meaning = std::string(parameter.meaning)});
+                    .required = !parameter.fallback && parameter.fallback_of.empty(),
+                    .may_be_infinite = parameter.fallback && std::isinf(*parameter.fallback), .meaning = std::string(parameter.meaning)});
     if (parameter.fallback) keys.back().default_text = number_text(*parameter.fallback, keys.back().unit);
+    if (!parameter.fallback_of.empty()) keys.back().default_text = fmt::format("the value of `{}`", parameter.fallback_of);
   }
   return keys;
 }

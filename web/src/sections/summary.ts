@@ -1,0 +1,121 @@
+// What happened, in words and numbers. Words and numbers come from the C++ program; nothing is worked out here.
+
+import type { Report } from "../data/report";
+import type { Run } from "../data/run";
+import type { Store } from "../logic/store";
+import { runLabels, schemeLabel } from "../logic/labels";
+import { slidesOf } from "../logic/slides";
+import { withUnit } from "../logic/numbers";
+import { runColour } from "../view/theme";
+import { element } from "../shell/element";
+
+interface Fact {
+  label: string;
+  help: string;
+  value: (run: Run) => string;
+  time?: (run: Run) => number | null | undefined; // a click goes there
+}
+
+const FACTS: Fact[] = [
+  { label: "First slide begins", help: "when the first block of soil starts to move", ...slideTime(0, "begins") },
+  { label: "First slide stops", help: "when it has come to rest", ...slideTime(0, "stops") },
+  { label: "Second slide begins", help: "when a further block follows", ...slideTime(1, "begins") },
+  { label: "Second slide stops", help: "when that one has come to rest", ...slideTime(1, "stops") },
+  { label: "Run-out", help: "how far the front came from where it stood", value: (run) => metres(run.meta.events?.run_out) },
+  { label: "Front at the end, x", help: "largest x of the soil", value: (run) => metres(run.meta.events?.front_x) },
+  { label: "Crest that remains, x", help: "edge of the ground that still stands", value: (run) => metres(run.meta.events?.remaining_crest?.x) },
+  { label: "Volume that moved", help: "per metre of thickness", value: (run) => withUnit(run.meta.events?.moved_volume, "m²", 3) },
+  { label: "Share that moved", help: "of the volume of all soil", value: share },
+];
+
+/** A slide that is not there has no times; one that is there may not stop. */
+function slideTime(k: number, what: "begins" | "stops"): Pick<Fact, "value" | "time"> {
+  const slide = (run: Run) => slidesOf(run.meta)[k];
+  return {
+    time: (run) => slide(run)?.[what],
+    value: (run) => {
+      if (!run.meta.events) return "–";
+      const time = slide(run)?.[what];
+      if (typeof time === "number") return withUnit(time, "s", 3);
+      return slide(run) ? "does not" : what === "begins" ? "none" : "–";
+    },
+  };
+}
+
+function metres(value: number | null | undefined): string {
+  return typeof value === "number" ? `${value.toFixed(2)}\u00a0m` : "–";
+}
+
+function share(run: Run): string {
+  const part = run.meta.events?.moved_fraction;
+  return typeof part === "number" ? `${Math.round(100 * part)}\u202f%` : "–";
+}
+
+export function summarySection(report: Report, store: Store): HTMLElement {
+  const labels = runLabels(report.runs.map((run) => run.meta));
+  const several = report.runs.length > 1;
+  return element("aside", { class: "story", "aria-labelledby": "story-title" },
+    element("h2", { id: "story-title" }, "What happened"),
+    ...unfinished(report, labels),
+    factTable(report, labels, store),
+    report.runs.every((run) => !run.meta.events && run.meta.story.length === 0) ? element("p", { class: "muted" }, "This report was written without a search for events.") : null,
+    several && report.comparison && report.comparison.text.length > 0 ? comparisonText(report) : null,
+    ...(several ? [] : report.runs.map(storyOf)),
+  );
+}
+
+function unfinished(report: Report, labels: string[]): HTMLElement[] {
+  return report.runs.filter((run) => !run.meta.finished).map((run) => {
+    const last = run.meta.times[run.meta.times.length - 1];
+    return element("p", { class: "notice" }, `${labels[run.index]} has not reached its end: this is what it had written up to ${withUnit(last, "s", 3)}.`);
+  });
+}
+
+function factTable(report: Report, labels: string[], store: Store): HTMLElement | null {
+  const facts = FACTS.filter((fact) => report.runs.some((run) => fact.value(run) !== "–"));
+  if (facts.length === 0) return null;
+  const several = report.runs.length > 1;
+  const head = element("tr", {}, element("td"), ...report.runs.map((run, k) => coloured(element("th", { scope: "col" }, labels[k]!), run, store)));
+  const rows = facts.map((fact) => element("tr", {},
+    element("th", { scope: "row", title: fact.help }, fact.label),
+    ...report.runs.map((run) => {
+      const time = fact.time?.(run);
+      const text = fact.value(run);
+      if (typeof time !== "number") return element("td", {}, text);
+      return element("td", {}, element("button", { type: "button", class: "go", title: "Show this time", onclick: () => store.set({ time, playing: false }) }, text));
+    })));
+  return element("table", { class: "facts" }, several ? element("thead", {}, head) : null, element("tbody", {}, ...rows));
+}
+
+/** Marks an element with the colour of a run. */
+export function coloured<T extends HTMLElement>(made: T, run: Run, store: Store): T {
+  made.classList.add("of-run");
+  store.watch(["dark"], ({ dark }) => made.style.setProperty("--run", runColour(run.index, dark)));
+  return made;
+}
+
+function comparisonText(report: Report): HTMLElement {
+  return element("div", { class: "difference" }, element("h3", {}, "The difference"), ...report.comparison!.text.map((text) => element("p", {}, text)));
+}
+
+function storyOf(run: Run): HTMLElement {
+  return element("div", { class: "story-of" }, element("h3", {}, `In words (${schemeLabel(run.meta.scheme)})`), ...run.meta.story.map((text) => element("p", {}, text)), warnings(run));
+}
+
+/** The stories of several runs, side by side. */
+export function storiesSection(report: Report, store: Store): HTMLElement | null {
+  const told = report.runs.filter((run) => run.meta.story.length + run.meta.warnings.length > 0);
+  if (report.runs.length < 2 || told.length === 0) return null;
+  const labels = runLabels(report.runs.map((run) => run.meta));
+  return element("section", { id: "stories", "aria-labelledby": "stories-title" },
+    element("h2", { id: "stories-title" }, "Run by run"),
+    element("div", { class: "cards" }, ...told.map((run) => element("article", { class: "card story-of" },
+      coloured(element("h3", {}, labels[run.index]!), run, store), ...run.meta.story.map((text) => element("p", {}, text)), warnings(run)))));
+}
+
+/** Warnings of a run, and checks that it did not pass. */
+function warnings(run: Run): HTMLElement | null {
+  const texts = [...run.meta.warnings, ...run.meta.checks.filter((check) => !check.passed).map((check) => `Check not passed: ${check.name}: ${check.value}.`)];
+  if (texts.length === 0) return null;
+  return element("div", { class: "notice" }, element("h4", {}, texts.length === 1 ? "A warning" : `${texts.length} warnings`), element("ul", {}, ...texts.map((text) => element("li", {}, text))));
+}
