@@ -49,6 +49,7 @@ const Change contradictions[] = {
      "error: case.toml:5:8: the width of the mesh is not a whole number of cells\n\n    5 | cell = [0.7, 0.5]\n      | "
      "       ^^^^^^^^^^\n  16 m / 0.7 m = 22.8571; the nearest width that fits is 0.695652 m.\n"},
     {"cell = 0.5", "cell = [0.5, 4.0]", "the height of the mesh is not a whole number of cells"},
+    {"[time]", "[boundary]\nbottom = { slip = true }\n[time]", "`slip` needs a velocity"},
     {"[time]", "[boundary]\nbottom = { adhesion = 8e3 }\n[time]",
      "error: case.toml:2:12: `adhesion` needs a contact\n\n    2 | bottom = { adhesion = 8e3 }\n      |            "
      "^^^^^^^^\n  Free, open, roller and fixed sides do not slide with resistance. Write bottom = { contact = "
