@@ -50,7 +50,7 @@ std::vector<SideCondition> make_sides(const Case& c, const Mesh<2>& mesh)
       case SideKind::open: break;
       case SideKind::roller: add(Hold::normal); break;
       case SideKind::fixed: add(Hold::all); break;
-      case SideKind::velocity: add(Hold::all); break;
+      case SideKind::velocity: add(s.slip ? Hold::normal : Hold::all); break;
       case SideKind::contact_bilateral: add(Hold::contact); break;
       case SideKind::contact_separating: add(Hold::separating); break;
     }

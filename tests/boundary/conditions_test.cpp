@@ -50,6 +50,14 @@ TEST(Roller, StopsMotionAcrossTheSideBothWays)
   EXPECT_THAT(clamped(boundary, 4, {3.0, -4.0}), ElementsAre(0.0, -4.0));
 }
 
+TEST(Boundary, ASmoothMovingSidePrescribesOnlyTheVelocityAcrossIt)
+{
+  const Boundary boundary(mesh_3x2(), {{.side = "right", .velocity = {-0.2, 0.1}}, {.side = "bottom"}});
+  EXPECT_THAT(constrained(boundary, 7, {0.3, 0.7}), ElementsAre(DoubleEq(-0.2), 0.7));
+  EXPECT_THAT(clamped(boundary, 7, {0.3, 0.7}), ElementsAre(DoubleEq(-0.2), 0.7));
+  EXPECT_THAT(constrained(boundary, 3, {0.3, 0.7}), ElementsAre(DoubleEq(-0.2), 0.0)) << "where it meets a roller";
+}
+
 TEST(Boundary, LeavesOtherNodesAlone)
 {
   const Boundary boundary(mesh_3x2(), {{.side = "left"}, {.side = "bottom", .hold = Hold::all}});

@@ -43,6 +43,17 @@ TEST(Setup, TheTimeStepIsTheCourantNumberTimesTheSmallestAltitudeOverTheWaveSpee
   EXPECT_GT(model.dt, 0.999 * stable);
 }
 
+TEST(Setup, ViscosityShortensTheTimeStep)
+{
+  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0}, {"water", "newtonian_fluid", 1000.0, {1e6, 0.0, 0.0}});
+  const Real wave = std::sqrt(1e6 / 1000.0), height = 0.25;
+  EXPECT_LE(build_model(c, 1).dt, 0.98 * height / wave);
+  c.materials[0].parameters[1] = 5e3;  // Pa s
+  const Real z = 4.0 * 5.0 / (3.0 * wave * height), stable = 0.98 * height / wave * (std::sqrt(1.0 + z * z) - z);
+  EXPECT_LE(build_model(c, 1).dt, stable);
+  EXPECT_GT(build_model(c, 1).dt, 0.9 * stable);
+}
+
 TEST(Setup, OnlyMaterialsOfBodiesDecideTheTimeStep)
 {
   Case c = test::column("mpm_gp");
