@@ -1,6 +1,9 @@
 // The commands of the program, one function each. Each returns the exit status.
 #pragma once
 
+#include "stability/trial.hpp"
+
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +22,16 @@ struct RunOptions {
   bool json = false;                 ///< of bench
 };
 
+/// Of terp stability; meanings and defaults in docs/stability.md.
+struct StabilityOptions {
+  RunOptions run;
+  std::optional<Real> from, to;   ///< factors to try first
+  Real tolerance = 0.02, damping = TrialRules{}.damping, rest = TrialRules{}.rest, failure = TrialRules{}.failure;
+  Index windows = TrialRules{}.most_windows;
+};
+
 int run_case(const RunOptions& options);
+int find_stability(const StabilityOptions& options);
 int resume_run(const RunOptions& options);
 int check_case(const RunOptions& options);
 int bench_case(const RunOptions& options);

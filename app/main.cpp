@@ -23,6 +23,8 @@ Solve
   run CASE.toml           solve a case; results go to runs/<case name>/
   resume RUN              continue from the newest checkpoint of a run folder,
                           or from the checkpoint file that is named
+  stability CASE.toml     factor of safety by strength reduction (--from, --to,
+                          --tolerance, --damping, --json; docs/stability.md)
 
 Understand
   check CASE.toml         read and validate, print what would run, solve nothing
@@ -47,6 +49,7 @@ Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else
 
 struct CommandLine {
   terp::RunOptions options;
+  terp::StabilityOptions stability;
   std::string topic;
 };
 
@@ -58,6 +61,28 @@ CLI::App* add_case_command(CLI::App& app, const char* name, CommandLine& line)
   command->add_flag("-q,--quiet", line.options.quiet);
   command->add_flag("-v,--verbose", line.options.verbose);
   return command;
+}
+
+CLI::App* add_stability_command(CLI::App& app, CommandLine& line)
+{
+  CLI::App* command = add_case_command(app, "stability", line);
+  const auto factors = CLI::Range(0.01, 100.0), shares = CLI::Range(0.0, 0.99);
+  command->add_option("--from", line.stability.from)->check(factors);
+  command->add_option("--to", line.stability.to)->check(factors);
+  command->add_option("--tolerance", line.stability.tolerance)->check(CLI::Range(1e-4, 1.0));
+  command->add_option("--damping", line.stability.damping)->check(shares);
+  command->add_option("--rest", line.stability.rest)->check(CLI::Range(1e-9, 0.1));
+  command->add_option("--failure", line.stability.failure)->check(CLI::Range(1e-3, 1e3));
+  command->add_option("--windows", line.stability.windows)->check(CLI::Range(3, 100000));
+  command->add_option("-o,--output", line.options.output);
+  command->add_flag("--json", line.options.json);
+  return command;
+}
+
+int call_stability(CommandLine line)
+{
+  line.stability.run = line.options;
+  return terp::find_stability(line.stability);
 }
 
 void declare(CLI::App& app, CommandLine& line)
@@ -76,7 +101,8 @@ void declare(CLI::App& app, CommandLine& line)
   bench->add_option("--steps", line.options.steps)->check(CLI::Range(1, 1000000));
   bench->add_option("--warm", line.options.warm_steps)->check(CLI::Range(0, 1000000));
   bench->add_flag("--json", line.options.json);
-  for (CLI::App* command : {run, check, bench})
+  CLI::App* stability = add_stability_command(app, line);
+  for (CLI::App* command : {run, check, bench, stability})
     command->add_option("--set", line.options.changes)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_subcommand("explain")->add_option("topic", line.topic)->required();
   app.add_subcommand("list");
@@ -99,6 +125,7 @@ int call(const CLI::App& app, const CommandLine& line)
 {
   if (app.got_subcommand("run")) return terp::run_case(line.options);
   if (app.got_subcommand("resume")) return terp::resume_run(line.options);
+  if (app.got_subcommand("stability")) return call_stability(line);
   if (app.got_subcommand("check")) return terp::check_case(line.options);
   if (app.got_subcommand("bench")) return terp::bench_case(line.options);
   fmt::print("{}", app.got_subcommand("explain") ? terp::explain(line.topic) : terp::list());

@@ -65,7 +65,7 @@ bool is_written_by_terp(std::string_view file_name)
 {
   constexpr std::string_view temporary = ".tmp";
   if (file_name.ends_with(temporary)) file_name.remove_suffix(temporary.size());
-  constexpr std::array names = {case_file, results_file, history_file, ledger_file, left_file, summary_file};
+  constexpr std::array names = {case_file, results_file, history_file, ledger_file, left_file, footings_file, summary_file};
   return std::find(names.begin(), names.end(), file_name) != names.end() || step_of_checkpoint(file_name) >= 0 ||
          step_in_name(file_name, "failed_") >= 0;
 }

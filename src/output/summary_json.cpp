@@ -28,6 +28,19 @@ Json softened_fraction(const Summary& summary)
   return list;
 }
 
+Json footings(const Summary& summary)
+{
+  Json list = Json::array();
+  const auto pair = [](Vec<2> v) { return Json{number(v[0]), number(v[1])}; };
+  for (const FootingSummary& f : summary.footings)
+    list.push_back({{"name", f.name},
+                    {"displacement", pair(f.displacement)},
+                    {"reaction", pair(f.reaction)},
+                    {"largest_reaction", number(f.largest)},
+                    {"work", number(f.work)}});
+  return list;
+}
+
 }  // namespace
 
 std::string summary_text(const Summary& summary, bool finished, const CaseText& case_text)
@@ -54,6 +67,7 @@ std::string summary_text(const Summary& summary, bool finished, const CaseText& 
       {"energy_balance_error", number(summary.energy_balance_error)},
       {"clamped_points", summary.clamped_points},
       {"points_left", summary.points_left},
+      {"footings", footings(summary)},
       {"v_999", number(summary.v_999)},
       {"case_name", case_text.name},
       {"case", case_text.toml},

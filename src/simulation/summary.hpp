@@ -11,6 +11,15 @@
 
 namespace terp {
 
+/// What a footing met in a run.
+struct FootingSummary {
+  std::string name;
+  Vec<2> displacement;  ///< at the end [m]
+  Vec<2> reaction;      ///< force of the soil on it, mean over the last interval of the ledger [N per m]
+  Real largest;         ///< largest reaction against its motion, of such means [N per m]
+  Real work;            ///< done on the soil [J per m]
+};
+
 struct Summary {
   std::string scheme;
   std::int64_t n_points = 0, n_cells = 0, n_steps = 0;
@@ -29,6 +38,7 @@ struct Summary {
   Real energy_balance_error = 0.0;        ///< |numerical| at the end over the energy exchanged: works, plastic, start [-]
   std::int64_t clamped_points = 0;
   std::int64_t points_left = 0;           ///< through open sides
+  std::vector<FootingSummary> footings;
   Real v_999 = 0.0;                       ///< largest 99.9 % quantile of the speed over all ledger rows [m/s]
 };
 

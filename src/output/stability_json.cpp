@@ -1,0 +1,112 @@
+// stability.json and stability.txt: see stability_json.hpp.
+#include "output/stability_json.hpp"
+
+#include "base/errors.hpp"
+#include "output/files.hpp"
+#include "output/run_folder.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace terp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(Real value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number(const std::optional<Real>& value) { return value ? number(*value) : Json(nullptr); }
+
+const char* word(Verdict verdict)
+{
+  switch (verdict) {
+    case Verdict::stable: return "stable";
+    case Verdict::failed: return "failed";
+    case Verdict::undecided: break;
+  }
+  return "undecided";
+}
+
+Json trial_json(const Trial& trial)
+{
+  Json time = Json::array(), displacement = Json::array(), out_of_balance = Json::array();
+  for (const TrialWindow& w : trial.windows) {
+    time.push_back(number(w.time));
+    displacement.push_back(number(w.displacement));
+    out_of_balance.push_back(number(w.out_of_balance));
+  }
+  return {{"factor", number(trial.factor)}, {"verdict", word(trial.verdict)}, {"reason", trial.reason}, {"steps", trial.steps}, {"wall_s", number(trial.wall_s)},
+          {"time", time}, {"displacement", displacement}, {"out_of_balance", out_of_balance}};
+}
+
+std::string bracket_text(const Bisection& s)
+{
+  if (s.found()) return fmt::format("{:.3f} +- {:.3f}   (stands at {:.3f}, does not at {:.3f})", factor_of(s), 0.5 * (*s.failed - *s.stable), *s.stable, *s.failed);
+  if (s.stable) return fmt::format("not found: the soil stands even at {:.3g}", *s.stable);
+  if (s.failed) return fmt::format("not found: the soil does not stand even at {:.3g}", *s.failed);
+  return "not found: nothing was tried";
+}
+
+}  // namespace
+
+Real factor_of(const Bisection& search)
+{
+  return search.found() ? 0.5 * (*search.stable + *search.failed) : std::numeric_limits<Real>::quiet_NaN();
+}
+
+std::string stability_json(const StabilityReport& r)
+{
+  Json strengths = Json::array(), trials = Json::array();
+  for (const Strength& s : r.strengths) strengths.push_back({{"key", s.key}, {"unit", s.unit}, {"value", number(s.value)}});
+  for (const Trial& trial : r.search.trials) trials.push_back(trial_json(trial));
+  const Json json = {
+      {"terp_version", TERP_VERSION},
+      {"scheme", r.scheme},
+      {"points", r.n_points},
+      {"factor_of_safety", number(factor_of(r.search))},
+      {"stable_at", number(r.search.stable)},
+      {"not_stable_at", number(r.search.failed)},
+      {"tolerance", number(r.options.tolerance)},
+      {"criterion",
+       {{"local_damping", number(r.rules.damping)},
+        {"rest", number(r.rules.rest)},
+        {"failure", number(r.rules.failure)},
+        {"most_windows", r.rules.most_windows},
+        {"height", number(r.height)},
+        {"displacement_scale", number(r.displacement)}}},
+      {"strengths", strengths},
+      {"rest_steps", r.rest_steps},
+      {"trials", trials},
+      {"case_name", r.case_name},
+      {"case", r.case_toml},
+  };
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string stability_text(const StabilityReport& r)
+{
+  std::string text = fmt::format("factor of safety {}\n", bracket_text(r.search));
+  text += fmt::format("  by reduction of {} strength{}, {}, {} points, local damping {:g}\n", r.strengths.size(), r.strengths.size() == 1 ? "" : "s", r.scheme,
+                      r.n_points, r.rules.damping);
+  text += fmt::format("  stands: out of balance below {:.1e} of the weight; fails: moved {:g} rho g H^2/E = {:.3g} m and does not slow down\n", r.rules.rest,
+                      r.rules.failure, r.rules.failure * r.displacement);
+  for (const Trial& trial : r.search.trials) text += fmt::format("  {:8.4f}  {:<9}  {}\n", trial.factor, word(trial.verdict), trial.reason);
+  for (const Trial& trial : r.search.trials)
+    if (trial.verdict == Verdict::undecided)
+      text += fmt::format("  At {:.4f} the soil still crept after {} windows; that counts as not standing. Larger --windows decide it.\n", trial.factor,
+                          r.rules.most_windows);
+  return text;
+}
+
+void write_stability(const std::string& folder, const StabilityReport& report)
+{
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw_file_error("make the folder", folder, error.value());
+  write_file_atomically(path_in(folder, "stability.json"), stability_json(report));
+  write_file_atomically(path_in(folder, "stability.txt"), stability_text(report));
+}
+
+}  // namespace terp
