@@ -1,9 +1,8 @@
 // The commands of the program, one function each. Each returns the exit status.
 #pragma once
 
-#include "stability/trial.hpp"
+#include "stability/factor_of_safety.hpp"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,18 +21,27 @@ struct RunOptions {
   bool json = false;                 ///< of bench
 };
 
-/// Of terp stability; meanings and defaults in docs/stability.md.
-struct StabilityOptions {
-  RunOptions run;
-  std::optional<Real> from, to;   ///< factors to try first
-  Real tolerance = 0.02, damping = TrialRules{}.damping, rest = TrialRules{}.rest, failure = TrialRules{}.failure;
-  Index windows = TrialRules{}.most_windows;
+struct VerifyOptions {
+  std::vector<std::string> names;    ///< of cases; empty: all
+  std::string cases;                 ///< folder of the cases; empty: that beside the program
+  std::string html, markdown;        ///< pages to write; empty: none
+  int threads = 0;                   ///< 0: what this job may use
+  bool list = false, only_short = false, only_long = false;
+};
+
+struct ReportCommand {
+  std::vector<std::string> runs;  ///< folders
+  std::string output;             ///< HTML file; empty: report.html
+  bool json = false;              ///< of compare
 };
 
 int run_case(const RunOptions& options);
-int find_stability(const StabilityOptions& options);
+int find_stability(const RunOptions& run, StabilityOptions options);
 int resume_run(const RunOptions& options);
 int check_case(const RunOptions& options);
 int bench_case(const RunOptions& options);
+int verify_cases(const VerifyOptions& options);
+int report_runs(const ReportCommand& command);
+int compare_folders(const ReportCommand& command);
 
 }  // namespace terp

@@ -25,6 +25,8 @@ Solve
                           or from the checkpoint file that is named
   stability CASE.toml     factor of safety by strength reduction (--from, --to,
                           --tolerance, --damping, --json; docs/stability.md)
+  report RUN...           write report.html: one page that shows the runs, side by side
+  compare RUN RUN...      table of what differs between runs (--json)
 
 Understand
   check CASE.toml         read and validate, print what would run, solve nothing
@@ -32,6 +34,9 @@ Understand
   list                    materials, schemes and outputs in this build
   bench [CASE.toml]       how fast the step is here, pass by pass; without a case:
                           the paper's column (--steps, --warm, --json)
+  verify [CASE...]        solve problems with a known answer, print what came out
+                          (--list, --short, --long, --html FILE, --markdown FILE,
+                          --cases DIR)
 
 Options
   -o, --output DIR        where results go
@@ -50,7 +55,9 @@ Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else
 struct CommandLine {
   terp::RunOptions options;
   terp::StabilityOptions stability;
+  terp::VerifyOptions verify;
   std::string topic;
+  terp::ReportCommand report;
 };
 
 CLI::App* add_case_command(CLI::App& app, const char* name, CommandLine& line)
@@ -67,22 +74,29 @@ CLI::App* add_stability_command(CLI::App& app, CommandLine& line)
 {
   CLI::App* command = add_case_command(app, "stability", line);
   const auto factors = CLI::Range(0.01, 100.0), shares = CLI::Range(0.0, 0.99);
-  command->add_option("--from", line.stability.from)->check(factors);
-  command->add_option("--to", line.stability.to)->check(factors);
-  command->add_option("--tolerance", line.stability.tolerance)->check(CLI::Range(1e-4, 1.0));
-  command->add_option("--damping", line.stability.damping)->check(shares);
-  command->add_option("--rest", line.stability.rest)->check(CLI::Range(1e-9, 0.1));
-  command->add_option("--failure", line.stability.failure)->check(CLI::Range(1e-3, 1e3));
-  command->add_option("--windows", line.stability.windows)->check(CLI::Range(3, 100000));
+  command->add_option("--from", line.stability.search.from)->check(factors);
+  command->add_option("--to", line.stability.search.to)->check(factors);
+  command->add_option("--tolerance", line.stability.search.tolerance)->check(CLI::Range(1e-4, 1.0));
+  command->add_option("--damping", line.stability.rules.damping)->check(shares);
+  command->add_option("--rest", line.stability.rules.rest)->check(CLI::Range(1e-9, 0.1));
+  command->add_option("--failure", line.stability.rules.failure)->check(CLI::Range(1e-3, 1e3));
+  command->add_option("--windows", line.stability.rules.most_windows)->check(CLI::Range(3, 100000));
   command->add_option("-o,--output", line.options.output);
   command->add_flag("--json", line.options.json);
   return command;
 }
 
-int call_stability(CommandLine line)
+void declare_verify(CLI::App& app, terp::VerifyOptions& options)
 {
-  line.stability.run = line.options;
-  return terp::find_stability(line.stability);
+  CLI::App* verify = app.add_subcommand("verify");
+  verify->add_option("cases", options.names);
+  verify->add_option("--cases", options.cases);
+  verify->add_option("--html", options.html);
+  verify->add_option("--markdown", options.markdown);
+  verify->add_option("-j,--threads", options.threads)->check(CLI::Range(1, 1024));
+  verify->add_flag("--list", options.list);
+  CLI::Option* only_short = verify->add_flag("--short", options.only_short);
+  verify->add_flag("--long", options.only_long)->excludes(only_short);
 }
 
 void declare(CLI::App& app, CommandLine& line)
@@ -103,6 +117,16 @@ void declare(CLI::App& app, CommandLine& line)
   bench->add_flag("--json", line.options.json);
   CLI::App* stability = add_stability_command(app, line);
   for (CLI::App* command : {run, check, bench, stability})
+}
+
+  declare_verify(app, line.verify);
+  CLI::App* report = app.add_subcommand("report");
+  report->add_option("runs", line.report.runs)->required();
+  report->add_option("-o,--output", line.report.output);
+  CLI::App* compare = app.add_subcommand("compare");
+  compare->add_option("runs", line.report.runs)->required();
+  compare->add_flag("--json", line.report.json);
+  for (CLI::App* command : {run, check, bench})
     command->add_option("--set", line.options.changes)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_subcommand("explain")->add_option("topic", line.topic)->required();
   app.add_subcommand("list");
@@ -125,9 +149,12 @@ int call(const CLI::App& app, const CommandLine& line)
 {
   if (app.got_subcommand("run")) return terp::run_case(line.options);
   if (app.got_subcommand("resume")) return terp::resume_run(line.options);
-  if (app.got_subcommand("stability")) return call_stability(line);
+  if (app.got_subcommand("stability")) return terp::find_stability(line.options, line.stability);
   if (app.got_subcommand("check")) return terp::check_case(line.options);
+  if (app.got_subcommand("report")) return terp::report_runs(line.report);
+  if (app.got_subcommand("compare")) return terp::compare_folders(line.report);
   if (app.got_subcommand("bench")) return terp::bench_case(line.options);
+  if (app.got_subcommand("verify")) return terp::verify_cases(line.verify);
   fmt::print("{}", app.got_subcommand("explain") ? terp::explain(line.topic) : terp::list());
   return terp::solved;
 }

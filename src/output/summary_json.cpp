@@ -1,6 +1,7 @@
 // summary.json: see summary_json.hpp.
 #include "output/summary_json.hpp"
 
+#include "base/errors.hpp"
 #include "output/files.hpp"
 
 #include <cmath>
@@ -41,7 +42,134 @@ Json footings(const Summary& summary)
   return list;
 }
 
+/// The entry of that name, if it is there and of that type.
+template <class T>
+void get(const nlohmann::json& json, const char* name, T& value)
+{
+  const auto found = json.find(name);
+  if (found == json.end() || found->is_null()) return;
+  try {
+    value = found->get<T>();
+  } catch (const nlohmann::json::exception&) {
+  }
+}
+
+void get(const nlohmann::json& json, const char* name, std::optional<Real>& value)
+{
+  Real there = std::nan("");
+  get(json, name, there);
+  value = std::isnan(there) ? std::nullopt : std::optional(there);
+}
+
+Json slides_json(const Summary& summary)
+{
+  Json list = Json::array();
+  for (const auto& [slide, slip] : summary.slides) {
+    Json points = Json::array();
+    for (const Vec<2>& x : slip.line) points.push_back({number(x[0]), number(x[1])});
+    list.push_back({{"begins", number(slide.begins)},
+                    {"stops", number(slide.stops)},
+                    {"crest_from", number(slide.crest_from)},
+                    {"crest_to", number(slide.crest_to)},
+                    {"kinetic_peak", number(slide.kinetic_peak)},
+                    {"slip_surface", {{"time", number(slip.time)}, {"rate", number(slip.rate)}, {"points", points}}}});
+  }
+  return list;
+}
+
+Json passes_json(const Summary& summary)
+{
+  Json list = Json::array();
+  for (const auto& pass : summary.passes) list.push_back({{"name", pass.name}, {"seconds", pass.seconds}});
+  return list;
+}
+
+void read_slides(const nlohmann::json& json, Summary& summary)
+{
+  for (const auto& entry : json.value("slides", nlohmann::json::array())) {
+    SlideSummary slide;
+    get(entry, "begins", slide.slide.begins);
+    get(entry, "stops", slide.slide.stops);
+    get(entry, "crest_from", slide.slide.crest_from);
+    get(entry, "crest_to", slide.slide.crest_to);
+    get(entry, "kinetic_peak", slide.slide.kinetic_peak);
+    const auto slip = entry.value("slip_surface", nlohmann::json::object());
+    get(slip, "time", slide.slip.time);
+    get(slip, "rate", slide.slip.rate);
+    get(slip, "points", slide.slip.line);
+    summary.slides.push_back(std::move(slide));
+  }
+}
+
+void read_footings(const nlohmann::json& json, Summary& summary)
+{
+  for (const auto& entry : json.value("footings", nlohmann::json::array())) {
+    FootingSummary footing;
+    get(entry, "name", footing.name);
+    get(entry, "displacement", footing.displacement);
+    get(entry, "reaction", footing.reaction);
+    get(entry, "largest_reaction", footing.largest);
+    get(entry, "work", footing.work);
+    summary.footings.push_back(std::move(footing));
+  }
+}
+
+void read_passes(const nlohmann::json& json, Summary& summary)
+{
+  for (const auto& entry : json.value("passes", nlohmann::json::array())) {
+    PassTime pass;
+    get(entry, "name", pass.name);
+    get(entry, "seconds", pass.seconds);
+    summary.passes.push_back(std::move(pass));
+  }
+}
+
 }  // namespace
+
+SavedSummary read_summary(const std::string& path)
+{
+  SavedSummary saved{.values = {}, .finished = false, .terp_version = {}, .text = read_file(path)};
+  const auto json = nlohmann::json::parse(saved.text, nullptr, false);
+  if (!json.is_object()) throw FileError("cannot read " + path + ": it is not JSON");
+  get(json, "terp_version", saved.terp_version);
+  get(json, "finished", saved.finished);
+  Summary& s = saved.values;
+  get(json, "scheme", s.scheme);
+  get(json, "points", s.n_points);
+  get(json, "cells", s.n_cells);
+  get(json, "steps", s.n_steps);
+  get(json, "dt", s.dt);
+  get(json, "wall_s", s.wall_s);
+  get(json, "point_steps_per_s", s.point_steps_per_s);
+  get(json, "threads", s.threads);
+  get(json, "instructions", s.instructions);
+  get(json, "processor", s.processor);
+  read_passes(json, s);
+  get(json, "front_x", s.front_x);
+  get(json, "crest_x", s.crest_x);
+  get(json, "crest_y", s.crest_y);
+  get(json, "run_out", s.run_out);
+  get(json, "moved_distance", s.moved_distance);
+  get(json, "moved_volume", s.moved_volume);
+  get(json, "moved_fraction", s.moved_fraction);
+  read_slides(json, s);
+  get(json, "second_failure_time", s.second_failure_time);
+  get(json, "max_eps_eq_p", s.max_eps_eq_p);
+  get(json, "points_eps_eq_p_fell", s.points_eps_eq_p_fell);
+  get(json, "points_su_rose", s.points_su_rose);
+  get(json, "energy_balance_error", s.energy_balance_error);
+  get(json, "clamped_points", s.clamped_points);
+  get(json, "points_left", s.points_left);
+  read_footings(json, s);
+  get(json, "v_999", s.v_999);
+  for (const auto& row : json.value("softened_fraction", nlohmann::json::array())) {
+    Real time = 0.0, fraction = 0.0;
+    get(row, "time", time);
+    get(row, "fraction", fraction);
+    s.softened_fraction.emplace_back(time, fraction);
+  }
+  return saved;
+}
 
 std::string summary_text(const Summary& summary, bool finished, const CaseText& case_text)
 {
@@ -57,8 +185,16 @@ std::string summary_text(const Summary& summary, bool finished, const CaseText& 
       {"point_steps_per_s", number(summary.point_steps_per_s)},
       {"threads", summary.threads},
       {"instructions", summary.instructions},
+      {"processor", summary.processor},
+      {"passes", passes_json(summary)},
       {"front_x", number(summary.front_x)},
       {"crest_x", number(summary.crest_x)},
+      {"crest_y", number(summary.crest_y)},
+      {"run_out", number(summary.run_out)},
+      {"moved_distance", number(summary.moved_distance)},
+      {"moved_volume", number(summary.moved_volume)},
+      {"moved_fraction", number(summary.moved_fraction)},
+      {"slides", slides_json(summary)},
       {"second_failure_time", number(summary.second_failure_time)},
       {"max_eps_eq_p", number(summary.max_eps_eq_p)},
       {"softened_fraction", softened_fraction(summary)},

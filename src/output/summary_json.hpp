@@ -11,6 +11,17 @@ namespace terp {
 /// The text of summary.json. finished: the run reached its end time.
 std::string summary_text(const Summary& summary, bool finished, const CaseText& case_text);
 
+/// What summary.json says, read back.
+struct SavedSummary {
+  Summary values;
+  bool finished = false;
+  std::string terp_version;
+  std::string text;  ///< the whole file
+};
+
+/// Throws FileError if the file is missing or not JSON. What an older Terp did not write keeps its default.
+SavedSummary read_summary(const std::string& path);
+
 /// The case's name in the summary of a run folder; the folder's own name if there is none to be read.
 std::string case_name_in(const std::string& folder);
 

@@ -6,6 +6,7 @@
 #include "output/vtkhdf.hpp"
 
 #include "base/errors.hpp"
+#include "output/committed_file.hpp"
 #include "output/files.hpp"
 #include "output/hdf5_file.hpp"
 
@@ -210,29 +211,27 @@ std::int64_t count_frames(const Hdf5File& file, std::int64_t step)
 void ResultsFile::append(const Frame& frame)
 {
   if (!std::filesystem::exists(path_)) create(path_, frame);
-  Hdf5File file(path_, Hdf5File::Mode::change, largest_size(frame));
+  Hdf5File file(path_, Hdf5File::Mode::commit, largest_size(frame));
   check_fit(file, path_, frame);
   const std::int64_t k = file.integers(steps, "NSteps").at(0);
   write_points(file, frame, k);
   write_step(file, frame, k);
-  file.flush();
-  file.set_integers(steps, "NSteps", {k + 1});  // last: until here, readers see the frames before
+  file.set_integers(steps, "NSteps", {k + 1});
   file.close();
 }
 
 std::int64_t ResultsFile::count_until(std::int64_t step) const
 {
+  finish_commit(path_);
   return std::filesystem::exists(path_) ? count_frames(Hdf5File(path_, Hdf5File::Mode::read), step) : 0;
 }
 
 void ResultsFile::truncate_after(std::int64_t step)
 {
   if (!std::filesystem::exists(path_)) return;
-  Hdf5File file(path_, Hdf5File::Mode::change, cutting_bytes);
+  Hdf5File file(path_, Hdf5File::Mode::commit, cutting_bytes);
   const std::int64_t n_steps = count_frames(file, step);
-  file.set_integers(steps, "NSteps", {n_steps});  // first: what follows is no longer part of the results
-  file.flush();
-
+  file.set_integers(steps, "NSteps", {n_steps});
   const std::int64_t n_rows = n_steps * file.read<std::int64_t>(root + "/NumberOfPoints").at(0);
   file.cut_rows(root + "/Points", n_rows);
   for (const auto& name : file.members(point_data)) {

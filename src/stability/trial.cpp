@@ -87,6 +87,7 @@ Trial run_trial(const Case& quiet, const Mesh<2>& mesh, const ElasticStart& star
       if (const std::string fault = find_fault(model, state, work, 0.0); !fault.empty()) {
         trial.verdict = Verdict::failed;
         trial.reason = "runs away until the run stops itself: " + fault.substr(0, fault.find('\n'));
+        told(trial);
         return trial;
       }
     }
@@ -94,9 +95,9 @@ Trial run_trial(const Case& quiet, const Mesh<2>& mesh, const ElasticStart& star
     trial.steps = state.step;
     trial.verdict = judge(trial.windows, rules, start.displacement);
     trial.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    if (trial.verdict != Verdict::undecided || std::ssize(trial.windows) == rules.most_windows) trial.reason = reason_of(trial, start.displacement);
     told(trial);
   }
-  trial.reason = reason_of(trial, start.displacement);
   return trial;
 }
 

@@ -18,7 +18,7 @@ struct TrialRules {
   Real damping = 0.5;          ///< local damping [-]
   Real rest = 1e-4;            ///< stable: out-of-balance force over weight, mean of a window
   Real failure = 1.0;          ///< failed: displacement beyond this many rho g H^2 / E, and it does not slow down
-  Index most_windows = 60;     ///< undecided after so many windows
+  Index most_windows = 40;     ///< undecided after so many windows
 };
 
 /// What is looked at after each window: the time in which a shear wave goes down the soil and up again.

@@ -1,0 +1,39 @@
+// terp report and terp compare: one run or several side by side, as a page or as a table.
+
+#include "commands.hpp"
+#include "input/case_file.hpp"
+#include "output/files.hpp"
+#include "report/page.hpp"
+#include "results/compare.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+namespace terp {
+
+int report_runs(const ReportCommand& command)
+{
+  const std::string path = command.output.empty() ? "report.html" : command.output;
+  ReportOptions options;
+  options.written = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+  const Payload payload = make_payload(command.runs, options);
+  write_file_atomically(path, make_page(page_template(), payload));
+  for (const auto& note : payload.notes) fmt::print("{}\n", note);
+  if (!has_page()) fmt::print(stderr, "warning: this terp was built without its report page; {} holds the data alone\n", path);
+  fmt::print("report in {} ({:.1f} MB)\n", path, static_cast<double>(std::filesystem::file_size(path)) / 1e6);
+  return solved;
+}
+
+int compare_folders(const ReportCommand& command)
+{
+  if (command.runs.size() < 2) throw CaseError("error: terp compare takes two run folders or more\n  One run by itself: terp report RUN\n");
+  std::vector<RunResults> runs;
+  for (const auto& folder : command.runs) runs.push_back(read_run(folder));
+  const Comparison comparison = compare_runs(runs, distinct_names(command.runs));
+  fmt::print("{}", command.json ? comparison_json(comparison) + "\n" : comparison_table(comparison));
+  return solved;
+}
+
+}  // namespace terp

@@ -1,0 +1,162 @@
+// terp verify: the cases of cases/verification against their references.
+
+#include "commands.hpp"
+
+#include "base/errors.hpp"
+#include "input/case_file.hpp"
+#include "parallel/threads.hpp"
+#include "progress.hpp"
+#include "verification/find_cases.hpp"
+#include "verification/report.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <memory>
+#include <numeric>
+#include <sstream>
+#include <unistd.h>
+
+namespace terp {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::atomic<bool> stop_requested{false};
+
+void request_stop(int signal)
+{
+  stop_requested.store(true);
+  std::signal(signal, SIG_DFL);
+}
+
+struct VerificationCase {
+  std::string name;
+  Expected expected;
+};
+
+/// The cases that were asked for. A list: runs point at what is in it, and it may not move.
+std::vector<std::unique_ptr<VerificationCase>> read_cases(const VerifyOptions& options, const std::string& folder)
+{
+  std::vector<std::unique_ptr<VerificationCase>> cases;
+  for (const std::string& name : choose_cases(folder, options.names))
+    cases.push_back(std::make_unique<VerificationCase>(VerificationCase{name, read_expected((std::filesystem::path(folder) / name / "expected.toml").string())}));
+  return cases;
+}
+
+/// What is done and how long the rest may take: a line that renews itself on a terminal, else one per run.
+class VerifyProgress {
+ public:
+  VerifyProgress(std::size_t n_runs, double seconds) : n_runs_(n_runs), seconds_(seconds) {}
+
+  void done(const std::string& name, double expected_seconds, double seconds)
+  {
+    const auto n = ++n_done_;
+    const double part = done_seconds_.fetch_add(expected_seconds) + expected_seconds;
+    const double wall = std::chrono::duration<double>(Clock::now() - start_).count();
+    const double left = part > 0.0 ? wall * std::max(0.0, seconds_ - part) / part : 0.0;
+    const std::string line = fmt::format("[{}/{}] {}  {}  ETA {}", n, n_runs_, name, readable_duration(seconds), readable_duration(left));
+    if (terminal_)
+      fmt::print(stderr, "\r\033[K{}{}", line, n == n_runs_ ? "\r\033[K" : "");
+    else
+      fmt::print(stderr, "{}\n", line);
+  }
+
+ private:
+  std::size_t n_runs_;
+  double seconds_;
+  bool terminal_ = isatty(STDERR_FILENO) == 1;
+  Clock::time_point start_ = Clock::now();
+  std::atomic<std::size_t> n_done_{0};
+  std::atomic<double> done_seconds_{0.0};
+};
+
+/// Solves everything, each run on one thread, the longest first.
+std::vector<Solved> solve_all(const std::vector<Solve>& solves, int threads)
+{
+  std::vector<std::size_t> order(solves.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return solves[a].variant->seconds > solves[b].variant->seconds; });
+  double seconds = 0.0;
+  for (const Solve& s : solves) seconds += s.variant->seconds;
+  VerifyProgress progress(solves.size(), seconds);
+  std::vector<Solved> solved(solves.size());
+  std::atomic<bool> spoilt{false};   // a case cannot be read: nothing is made of the rest
+  std::atomic<std::size_t> next{0};  // chunks are handed out in parts; a queue keeps the longest first
+  Threads(threads).for_each_chunk(static_cast<Index>(solves.size()), [&](Index) {
+    const std::size_t k = order[next.fetch_add(1)];
+    if (!stop_requested && !spoilt) solved[k] = solve_variant(solves[k], stop_requested);
+    if (solved[k].bad_input) spoilt = true;
+    const std::string folder = std::filesystem::path(solves[k].file->path).parent_path().filename().string();
+    const Variant& v = *solves[k].variant;
+    progress.done(fmt::format("{}{}{}{}{}", folder, v.name.empty() ? "" : ", ", v.name, solves[k].scheme.empty() ? "" : ", ", solves[k].scheme),
+                  v.seconds, solved[k].seconds);
+  });
+  return solved;
+}
+
+std::string head_of_page(const std::string& folder)
+{
+  std::ifstream file(std::filesystem::path(folder) / "README.md");
+  std::ostringstream text;
+  text << file.rdbuf();
+  const std::string all = text.str();
+  return all.starts_with("# ") ? all.substr(std::min(all.find('\n') + 2, all.size())) : all;  // the page has its own title
+}
+
+void write_page(const std::string& path, const std::string& text)
+{
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) throw FileError(fmt::format("{}: the page cannot be written", path));
+  fmt::print("written: {}\n", path);
+}
+
+void list_cases(const std::vector<std::unique_ptr<VerificationCase>>& cases, const VerifyOptions& options)
+{
+  for (const auto& c : cases) {
+    const auto n_short = list_solves(c->expected, true, false).size(), n_long = list_solves(c->expected, false, true).size();
+    if ((options.only_short && n_short == 0) || (options.only_long && n_long == 0)) continue;
+    fmt::print("{:<28} {:2} short and {:2} long runs  {}\n", c->name, n_short, n_long, c->expected.title);
+  }
+}
+
+}  // namespace
+
+int verify_cases(const VerifyOptions& options)
+{
+  const std::string folder = options.cases.empty() ? find_cases_folder() : options.cases;
+  const auto cases = read_cases(options, folder);
+  if (options.list) return list_cases(cases, options), solved;
+  std::vector<Solve> solves;
+  for (const auto& c : cases)
+    for (const Solve& s : list_solves(c->expected, !options.only_long, !options.only_short)) solves.push_back(s);
+  std::signal(SIGINT, request_stop);
+  const std::vector<Solved> solved = solve_all(solves, options.threads > 0 ? options.threads : available_processors());
+  for (const Solved& s : solved)
+    if (s.bad_input) throw CaseError(s.fault);
+  if (stop_requested) throw RunError("stopped before all cases were solved; nothing is said of the others");
+
+  std::vector<CaseRows> pages;
+  for (const auto& c : cases) {
+    std::vector<Solve> own_solves;
+    std::vector<Solved> own_solved;
+    for (std::size_t k = 0; k < solves.size(); ++k)
+      if (solves[k].file == &c->expected) own_solves.push_back(solves[k]), own_solved.push_back(solved[k]);
+    if (own_solves.empty()) continue;
+    pages.push_back({c->name, c->expected.title, judge(c->name, c->expected, own_solves, own_solved)});
+    fmt::print("{}\n", text_table(pages.back()));
+  }
+  if (!options.markdown.empty()) write_page(options.markdown, markdown_page(pages, head_of_page(folder)));
+  if (!options.html.empty()) write_page(options.html, html_page(pages));
+  const Counts counts = count(pages);
+  fmt::print("{}\n", counts_text(counts));
+  return counts.fail == 0 ? Status::solved : failed;
+}
+
+}  // namespace terp

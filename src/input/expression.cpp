@@ -1,0 +1,74 @@
+#include "input/expression.hpp"
+
+#include "base/errors.hpp"
+#include "input/closest.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <muParser.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace terp {
+namespace {
+
+mu::value_type step(mu::value_type x) { return x < 0.0 ? 0.0 : 1.0; }
+
+/// Why muParser refuses the text, in our words; the nearest name where one is not known.
+std::string why(const mu::Parser::exception_type& error, const std::vector<std::string>& names)
+{
+  const bool unknown = error.GetCode() == mu::ecUNASSIGNABLE_TOKEN || error.GetCode() == mu::ecINVALID_NAME;
+  if (!unknown) return error.GetMsg();
+  std::vector<std::string> known(names);
+  std::sort(known.begin(), known.end());
+  const std::string word = error.GetToken().substr(0, error.GetToken().find_first_of(" +-*/^()<>=&|,"));
+  const std::string nearest = closest(word, known);
+  return fmt::format("`{}` is not known here.{} Names: {}", error.GetToken(), nearest.empty() ? "" : fmt::format(" Did you mean `{}`?", nearest),
+                     fmt::join(known, ", "));
+}
+
+}  // namespace
+
+struct Expression::Parser {
+  mu::Parser parser;
+  std::vector<mu::value_type> values;  // the parser's variables, bound by address
+};
+
+Expression::Expression(const std::string& text, const std::vector<std::string>& variables, const std::map<std::string, Real>& constants)
+    : parser_(std::make_unique<Parser>())
+{
+  std::vector<std::string> names(variables);
+  for (const auto& [name, value] : constants) names.push_back(name);
+  try {
+    mu::Parser& p = parser_->parser;
+    parser_->values.resize(variables.size());
+    p.DefineConst("pi", std::numbers::pi);
+    p.DefineFun("erf", static_cast<mu::value_type (*)(mu::value_type)>([](mu::value_type x) { return std::erf(x); }));
+    p.DefineFun("erfc", static_cast<mu::value_type (*)(mu::value_type)>([](mu::value_type x) { return std::erfc(x); }));
+    p.DefineFun("mod", static_cast<mu::value_type (*)(mu::value_type, mu::value_type)>([](mu::value_type a, mu::value_type b) { return a - b * std::floor(a / b); }));
+    p.DefineFun("step", step);
+    for (std::size_t k = 0; k < variables.size(); ++k) p.DefineVar(variables[k], &parser_->values[k]);
+    for (const auto& [name, value] : constants) p.DefineConst(name, value);
+    p.SetExpr(text);
+    p.Eval();
+  } catch (const mu::Parser::exception_type& error) {
+    throw ExpressionError(why(error, names));
+  }
+}
+
+Expression::~Expression() = default;
+Expression::Expression(Expression&&) noexcept = default;
+Expression& Expression::operator=(Expression&&) noexcept = default;
+
+Real Expression::operator()(std::span<const Real> values) const
+{
+  TERP_ASSERT(values.size() == parser_->values.size());
+  std::copy(values.begin(), values.end(), parser_->values.begin());
+  return parser_->parser.Eval();
+}
+
+Real evaluate(const std::string& text, const std::map<std::string, Real>& constants) { return Expression(text, {}, constants)({}); }
+
+}  // namespace terp

@@ -1,0 +1,58 @@
+#include "output/compress.hpp"
+
+#include "base/errors.hpp"
+
+#include <stdexcept>
+
+#include <zlib.h>
+
+namespace terp {
+namespace {
+
+constexpr int gzip_window = 15 + 16;  // 32 kB window; 16: with the header of gzip (zlib.h, deflateInit2)
+
+Bytef* input_of(std::string_view bytes) { return reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data())); }
+
+}  // namespace
+
+std::string gzip(std::string_view bytes, int level)
+{
+  z_stream stream{};
+  if (deflateInit2(&stream, level, Z_DEFLATED, gzip_window, 9, Z_DEFAULT_STRATEGY) != Z_OK) throw std::bad_alloc();
+  std::string out(deflateBound(&stream, bytes.size()), '\0');
+  stream.next_in = input_of(bytes);
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  const int status = deflate(&stream, Z_FINISH);
+  out.resize(stream.total_out);
+  deflateEnd(&stream);
+  if (status != Z_STREAM_END) throw std::length_error("more than 4 GB in one stream");
+  return out;
+}
+
+std::string gunzip(std::string_view stream_bytes)
+{
+  z_stream stream{};
+  if (inflateInit2(&stream, gzip_window) != Z_OK) throw std::bad_alloc();
+  stream.next_in = input_of(stream_bytes);
+  stream.avail_in = static_cast<uInt>(stream_bytes.size());
+  std::string out, part(1 << 18, '\0');
+  int status = Z_OK;
+  while (status == Z_OK) {
+    stream.next_out = reinterpret_cast<Bytef*>(part.data());
+    stream.avail_out = static_cast<uInt>(part.size());
+    status = inflate(&stream, Z_NO_FLUSH);
+    out.append(part, 0, part.size() - stream.avail_out);
+  }
+  inflateEnd(&stream);
+  if (status != Z_STREAM_END) throw FileError("the compressed bytes are damaged or cut short");
+  return out;
+}
+
+std::uint32_t crc32_of(std::string_view bytes)
+{
+  return static_cast<std::uint32_t>(crc32_z(0, input_of(bytes), bytes.size()));
+}
+
+}  // namespace terp

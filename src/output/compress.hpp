@@ -1,0 +1,28 @@
+// Compressed bytes and their checksum. Only compress.cpp includes zlib.
+// Not for: the compression inside results.vtkhdf, which is HDF5's own.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace terp {
+
+/// A gzip stream (RFC 1952) with no name and no time in it: equal bytes give equal streams.
+std::string gzip(std::string_view bytes, int level = 6);
+
+/// The bytes of a gzip stream. Throws FileError if it is damaged.
+std::string gunzip(std::string_view stream);
+
+/// CRC-32 as in zip and gzip.
+std::uint32_t crc32_of(std::string_view bytes);
+
+/// The memory of numbers as bytes.
+template <class T>
+std::string_view bytes_of(std::span<const T> values)
+{
+  return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
+}
+
+}  // namespace terp

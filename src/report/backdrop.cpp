@@ -1,0 +1,86 @@
+#include "report/backdrop.hpp"
+
+#include "points/body_outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace terp {
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+void add_place(std::vector<float>& line, Vec<2> x)
+{
+  line.push_back(static_cast<float>(x[0]));
+  line.push_back(static_cast<float>(x[1]));
+}
+
+void end_line(std::vector<float>& line)
+{
+  if (!line.empty()) line.insert(line.end(), {nan, nan});
+}
+
+void add_ring(std::vector<float>& line, const std::vector<Vec<2>>& corners)
+{
+  end_line(line);
+  for (const Vec<2> x : corners) add_place(line, x);
+  add_place(line, corners.front());
+}
+
+/// The sides of a body of cells, each as a line of its own.
+void add_region(std::vector<float>& line, const Mesh<2>& mesh, const std::string& name)
+{
+  for (const NamedRegion& region : mesh.regions) {
+    if (region.name != name) continue;
+    const BodyOutline body{.polygon = {}, .points_per_cell = {1, 1}, .holes = {}, .cells = region.cells};
+    for (const Side& side : outline_sides(mesh, body)) {
+      end_line(line);
+      add_place(line, side.a);
+      add_place(line, side.b);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<float> mesh_edges(const Mesh<2>& mesh)
+{
+  std::vector<float> edges;
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
+    for (int side = 0; side < 4; ++side) {
+      const Index other = mesh.neighbours[cell][side];
+      if (other != outside && other < cell) continue;  // drawn with the other cell
+      for (const int end : {side, (side + 1) % 4}) add_place(edges, mesh.nodes[mesh.cells[cell][end]]);
+    }
+  return edges;
+}
+
+std::vector<float> first_outline(const Case& description, const Mesh<2>& mesh)
+{
+  std::vector<float> line;
+  for (const BodyCase& body : description.bodies) {
+    if (!body.polygon.empty()) add_ring(line, body.polygon);
+    for (const auto& hole : body.holes) add_ring(line, hole);
+    if (!body.region.empty()) add_region(line, mesh, body.region);
+  }
+  return line;
+}
+
+std::vector<float> surface_line(const std::vector<Real>& places, const std::vector<Real>& material, Real column_width)
+{
+  std::map<long, Real> height;  // by column
+  for (std::size_t p = 0; p < material.size(); ++p) {
+    if (material[p] < 0.0) continue;  // left the mesh
+    const auto [entry, fresh] = height.try_emplace(std::lround(std::floor(places[2 * p] / column_width)), places[2 * p + 1]);
+    if (!fresh) entry->second = std::max(entry->second, places[2 * p + 1]);
+  }
+  std::vector<float> line;
+  for (const auto& [column, y] : height) add_place(line, {(static_cast<Real>(column) + 0.5) * column_width, y});
+  return line;
+}
+
+}  // namespace terp

@@ -1,0 +1,78 @@
+#include "report/codec.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace terp {
+namespace {
+
+constexpr Real largest_code = 65534.0;  // 65535 is no_value
+
+}  // namespace
+
+Scale make_scale(Real lo, Real hi, Real step) { return {lo, std::max(step, (hi - lo) / largest_code)}; }
+
+std::uint16_t quantise(Real value, const Scale& scale)
+{
+  if (std::isnan(value)) return no_value;
+  return static_cast<std::uint16_t>(std::clamp(std::round((value - scale.lo) / scale.step), 0.0, largest_code));
+}
+
+Codes quantise(std::span<const Real> values, const Scale& scale)
+{
+  Codes codes(values.size());
+  std::transform(values.begin(), values.end(), codes.begin(), [&](Real v) { return quantise(v, scale); });
+  return codes;
+}
+
+void coarsen(Codes& codes, int factor)
+{
+  for (std::uint16_t& q : codes)
+    if (q != no_value) q = static_cast<std::uint16_t>((q + factor / 2) / factor);
+}
+
+std::string encode_frames(std::span<const Codes> frames)
+{
+  std::string bytes;
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    const std::size_t n = frames[f].size(), start = bytes.size();
+    bytes.resize(start + 2 * n);
+    for (std::size_t p = 0; p < n; ++p) {
+      const auto d = static_cast<std::uint16_t>(frames[f][p] - (f > 0 ? frames[f - 1][p] : 0));
+      bytes[start + p] = static_cast<char>(d & 0xff);
+      bytes[start + n + p] = static_cast<char>(d >> 8);
+    }
+  }
+  return bytes;
+}
+
+std::vector<Codes> decode_frames(std::string_view bytes, std::size_t n_points)
+{
+  if (n_points == 0 || bytes.size() % (2 * n_points) != 0) throw std::invalid_argument("not a whole number of frames");
+  std::vector<Codes> frames;
+  for (std::size_t start = 0; start < bytes.size(); start += 2 * n_points) {
+    Codes codes(n_points);
+    for (std::size_t p = 0; p < n_points; ++p) {
+      const auto low = static_cast<unsigned char>(bytes[start + p]), high = static_cast<unsigned char>(bytes[start + n_points + p]);
+      codes[p] = static_cast<std::uint16_t>((frames.empty() ? 0 : frames.back()[p]) + low + 256 * high);
+    }
+    frames.push_back(std::move(codes));
+  }
+  return frames;
+}
+
+std::string base64(std::string_view bytes)
+{
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t k = 0; k < bytes.size(); k += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t j = 0; j < 3; ++j) group = group << 8 | (k + j < bytes.size() ? static_cast<unsigned char>(bytes[k + j]) : 0u);
+    for (std::size_t j = 0; j < 4; ++j) text += k + j <= bytes.size() ? letters[group >> (18 - 6 * j) & 63] : '=';
+  }
+  return text;
+}
+
+}  // namespace terp

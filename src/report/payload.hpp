@@ -1,0 +1,27 @@
+// The data of a report page: one JSON document and chunks of compressed bytes that it points to (docs/report_format.md).
+// Not for: the page around them (page).
+#pragma once
+
+#include "results/run_results.hpp"
+
+#include <string>
+#include <vector>
+
+namespace terp {
+
+struct ReportOptions {
+  std::size_t most_bytes = 14'000'000;    ///< of the data, as they stand in the page
+  std::int64_t most_points = 200'000;     ///< per run
+  std::string written;                    ///< time of writing, UTC, ISO 8601
+};
+
+struct Payload {
+  std::string json;
+  std::vector<std::string> chunks;  ///< base64 of gzip
+  std::vector<std::string> notes;   ///< one line per run on what was left out, for the user
+};
+
+/// Throws FileError if a run cannot be read.
+Payload make_payload(const std::vector<std::string>& folders, const ReportOptions& options);
+
+}  // namespace terp

@@ -1,0 +1,346 @@
+#include "report/shown.hpp"
+
+#include "output/compress.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace terp {
+namespace {
+
+constexpr Real places_per_spacing = 50.0;   // steps of a place between two neighbouring points, at first
+constexpr Real outliers = 0.001;            // share of the values that this range leaves out at each end
+constexpr Real strained = 0.06;             // strain that counts as having sheared: 95 % of the softening of the paper's soil
+
+using Values = std::vector<std::vector<float>>;  // by frame and point
+
+/// How a shown field comes from those in the file.
+struct Recipe {
+  std::string name, source, symbol, label, unit, kind;
+  Real factor = 1.0;  ///< shown over stored
+  enum class Take { value, size, mean_stress } take = Recipe::Take::value;
+  Real steps = 4096.0;  ///< in the range that most values lie in, at first; noisy fields, which cost most, have fewer
+};
+
+std::vector<Recipe> all_recipes(const Frames& frames)
+{
+  using Take = Recipe::Take;
+  std::vector<Recipe> recipes = {
+      {"eps_eq_p", "eps_eq_p", "ε_eq,p", "equivalent plastic strain", "-", "sequential"},
+      {"eps_deviatoric", "eps_deviatoric", "ε_dev", "total deviatoric strain", "-", "sequential"},
+      {"su", "su", "S_u", "undrained shear strength", "kPa", "sequential", 1e-3},
+      {"pressure", "stress", "p", "mean stress, tension positive", "kPa", "diverging", 1e-3, Take::mean_stress, 1024.0},
+      {"velocity", "velocity", "|v|", "speed", "m/s", "sequential", 1.0, Take::size, 1024.0},
+      {"displacement", "displacement", "|u|", "displacement", "m", "sequential", 1.0, Take::size},
+      {"material", "material", "", "material", "-", "category"},
+  };
+  const auto known = [&](const std::string& name) {
+    return name == "volume" || name == "cell" || std::any_of(recipes.begin(), recipes.end(), [&](const Recipe& r) { return r.source == name; });
+  };
+  for (const FieldInfo& field : frames.fields())  // state and derived fields of other laws
+    if (field.n_components == 1 && !known(field.name)) recipes.insert(recipes.end() - 1, {field.name, field.name, field.name, field.name, field.unit, "sequential"});
+  std::erase_if(recipes, [&](const Recipe& r) { return !frames.has(r.source); });
+  return recipes;
+}
+
+std::vector<float> read_values(const Frames& frames, const Recipe& recipe, std::size_t k, const std::vector<std::uint32_t>& ids)
+{
+  std::vector<Real> stored = frames.read(recipe.source, k);
+  const int n = frames.field(recipe.source).n_components;
+  if (recipe.take == Recipe::Take::size) stored = magnitudes(stored, n);
+  std::vector<float> values(ids.size());
+  for (std::size_t p = 0; p < ids.size(); ++p) {
+    const Real* at = &stored[recipe.take == Recipe::Take::mean_stress ? static_cast<std::size_t>(n) * ids[p] : ids[p]];
+    const Real value = recipe.take == Recipe::Take::mean_stress ? (at[0] + at[1] + at[2]) / 3.0 : at[0];
+    values[p] = static_cast<float>(recipe.factor * value);
+  }
+  return values;
+}
+
+/// Finite values of every frame, about a million of them, ascending.
+std::vector<float> sorted_sample(const Values& values)
+{
+  const std::size_t total = values.size() * values[0].size(), stride = total / 1'000'000 + 1;
+  std::vector<float> sample;
+  std::size_t k = 0;
+  for (const auto& frame : values)
+    for (const float v : frame)
+      if (k++ % stride == 0 && std::isfinite(v)) sample.push_back(v);
+  std::sort(sample.begin(), sample.end());
+  return sample;
+}
+
+Real quantile(const std::vector<float>& sorted, Real part)
+{
+  return sorted.empty() ? 0.0 : sorted[static_cast<std::size_t>(part * static_cast<Real>(sorted.size() - 1))];
+}
+
+/// The next number of the kind a colour scale ends well with.
+Real round_up(Real value)
+{
+  if (!(value > 0.0)) return 1.0;
+  const Real power = std::pow(10.0, std::floor(std::log10(value)));
+  for (const Real step : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0})
+    if (value <= step * power * (1.0 + 1e-9)) return step * power;
+  return 10.0 * power;
+}
+
+/// The upper quartile of the strain of the points that have sheared in the end: the thin basal layer shears ten times as much as the
+/// slip surfaces and would leave those dark.
+Real end_of_strain_scale(const Values& values)
+{
+  std::vector<float> sheared;
+  for (const float v : values.back())
+    if (v > strained) sheared.push_back(v);
+  std::sort(sheared.begin(), sheared.end());
+  return round_up(sheared.empty() ? strained : quantile(sheared, 0.75));
+}
+
+void set_colour_range(ShownField& field, const Values& values, const std::vector<float>& sorted)
+{
+  const Real low = quantile(sorted, 0.01), high = quantile(sorted, 0.99);
+  if (field.name.starts_with("eps_")) {
+    field.high = end_of_strain_scale(values);
+  } else if (field.kind == "diverging") {
+    field.high = round_up(std::max(std::abs(low), std::abs(high)));
+    field.low = -field.high;
+  } else if (field.kind == "category") {
+    field.high = sorted.empty() ? 0.0 : sorted.back();
+  } else {
+    field.high = round_up(high);
+    field.low = low < 0.0 ? -round_up(-low) : 0.0;
+  }
+}
+
+ShownField make_field(const Recipe& recipe, const Values& values)
+{
+  ShownField field{.name = recipe.name, .symbol = recipe.symbol, .label = recipe.label, .unit = recipe.unit, .kind = recipe.kind, .low = 0.0, .high = 1.0,
+                   .scale = {}, .frames = {}, .shares = -1};
+  const std::vector<float> sorted = sorted_sample(values);
+  set_colour_range(field, values, sorted);
+  Real lo = std::numeric_limits<Real>::infinity(), hi = -lo;
+  for (const auto& frame : values)
+    for (const float v : frame)
+      if (std::isfinite(v)) lo = std::min(lo, Real{v}), hi = std::max(hi, Real{v});
+  if (lo > hi) lo = hi = 0.0;
+  const Real most = quantile(sorted, 1.0 - outliers) - quantile(sorted, outliers);
+  const Real step = recipe.kind == "category" ? 1.0 : std::max(most, 1e-3 * (hi - lo)) / recipe.steps;
+  field.scale = make_scale(lo, hi, step > 0.0 ? step : 1.0);
+  for (const auto& frame : values) {
+    const std::vector<Real> wide(frame.begin(), frame.end());
+    field.frames.push_back(quantise(wide, field.scale));
+  }
+  return field;
+}
+
+/// S_u over its first value. Where all points began with one strength, it has the codes of S_u.
+ShownField strength_ratio(const ShownField& su, int index, const Values& values)
+{
+  ShownField ratio{.name = "su_ratio", .symbol = "S_u/S_u,0", .label = "strength left of the first", .unit = "-", .kind = "sequential", .low = 0.0,
+                   .high = 1.0, .scale = {}, .frames = {}, .shares = index};
+  const auto& first = values[0];
+  if (std::all_of(first.begin(), first.end(), [&](float v) { return v == first[0]; }) && first[0] > 0.0f) {
+    ratio.scale = {su.scale.lo / first[0], su.scale.step / first[0]};
+    return ratio;
+  }
+  Values ratios = values;
+  for (auto& frame : ratios)
+    for (std::size_t p = 0; p < frame.size(); ++p) frame[p] /= first[p];
+  const Recipe recipe{ratio.name, "su", ratio.symbol, ratio.label, ratio.unit, ratio.kind};
+  ShownField own = make_field(recipe, ratios);
+  own.low = 0.0, own.high = 1.0;
+  return own;
+}
+
+/// A whole number that looks like chance, from an id (multiplicative hashing: Knuth, TAOCP 3, 6.4).
+std::uint32_t scramble(std::int64_t id) { return static_cast<std::uint32_t>(id) * 2654435761u; }
+
+std::vector<std::uint32_t> choose_points(std::int64_t n, std::int64_t n_most)
+{
+  const double share = n > n_most ? static_cast<double>(n_most) / static_cast<double>(n) : 1.0;
+  std::vector<std::uint32_t> ids;
+  for (std::int64_t id = 0; id < n; ++id)
+    if (share >= 1.0 || scramble(id) < share * 4294967296.0) ids.push_back(static_cast<std::uint32_t>(id));
+  return ids;
+}
+
+/// Typical distance of n points that fill the soil of the first frame [m].
+Real spacing_of(const Frames& frames, std::size_t n)
+{
+  Real area = 0.0;
+  if (frames.has("volume")) {
+    for (const Real v : frames.read("volume", 0)) area += v;
+  } else {
+    const auto x = frames.places(0);
+    Real low[2] = {x[0], x[1]}, high[2] = {x[0], x[1]};
+    for (std::size_t k = 0; k < x.size(); ++k) low[k % 2] = std::min(low[k % 2], x[k]), high[k % 2] = std::max(high[k % 2], x[k]);
+    area = (high[0] - low[0]) * (high[1] - low[1]);
+  }
+  return std::sqrt(area / static_cast<Real>(std::max<std::size_t>(1, n)));
+}
+
+void read_places(const Frames& frames, ShownRun& shown)
+{
+  std::vector<std::vector<Real>> x, y;  // NaN: left
+  Real inf = std::numeric_limits<Real>::infinity();
+  shown.bounds = {inf, inf, -inf, -inf};
+  for (const std::size_t k : shown.frames) {
+    const auto places = frames.places(k);
+    const auto material = frames.has("material") ? frames.read("material", k) : std::vector<Real>(static_cast<std::size_t>(shown.n_points), 0.0);
+    x.emplace_back(shown.ids.size(), std::nan(""));
+    y.emplace_back(shown.ids.size(), std::nan(""));
+    for (std::size_t p = 0; p < shown.ids.size(); ++p) {
+      const std::size_t id = shown.ids[p];
+      if (material[id] < 0.0) continue;
+      const Real px = x.back()[p] = places[2 * id], py = y.back()[p] = places[2 * id + 1];
+      auto& b = shown.bounds;
+      b = {std::min(b[0], px), std::min(b[1], py), std::max(b[2], px), std::max(b[3], py)};
+    }
+  }
+  const Real step = shown.point_size / places_per_spacing;
+  shown.x = make_scale(shown.bounds[0], shown.bounds[2], step);
+  shown.y = make_scale(shown.bounds[1], shown.bounds[3], step);
+  for (std::size_t f = 0; f < x.size(); ++f) {
+    shown.x_codes.push_back(quantise(x[f], shown.x));
+    shown.y_codes.push_back(quantise(y[f], shown.y));
+  }
+}
+
+void read_fields(const Frames& frames, ShownRun& shown)
+{
+  for (const Recipe& recipe : all_recipes(frames)) {
+    Values values;
+    const bool fixed = recipe.kind == "category";
+    for (const std::size_t k : shown.frames)
+      if (!fixed || values.empty()) values.push_back(read_values(frames, recipe, k, shown.ids));
+    shown.fields.push_back(make_field(recipe, values));
+    if (recipe.name == "su") {
+      ShownField ratio = strength_ratio(shown.fields.back(), static_cast<int>(shown.fields.size()) - 1, values);
+      shown.fields.push_back(std::move(ratio));
+    }
+  }
+}
+
+/// Every array of codes in the runs.
+void for_each_array(std::vector<ShownRun>& runs, const std::function<void(ShownRun&, std::vector<Codes>&, Scale*, bool is_place)>& f)
+{
+  for (ShownRun& run : runs) {
+    f(run, run.x_codes, &run.x, true);
+    f(run, run.y_codes, &run.y, true);
+    for (ShownField& field : run.fields)
+      if (field.shares < 0) f(run, field.frames, field.kind == "category" ? nullptr : &field.scale, false);
+  }
+}
+
+void coarsen_arrays(std::vector<ShownRun>& runs, bool places)
+{
+  for_each_array(runs, [&](ShownRun&, std::vector<Codes>& frames, Scale* scale, bool is_place) {
+    if (is_place != places || scale == nullptr) return;
+    for (Codes& codes : frames) coarsen(codes, 2);
+    scale->step *= 2.0;
+  });
+  for (ShownRun& run : runs)
+    for (ShownField& field : run.fields)
+      if (!places && field.shares >= 0) field.scale.step *= 2.0;
+}
+
+template <class T>
+void keep_every_second(std::vector<T>& values)
+{
+  const std::size_t last = values.size() - 1;
+  std::vector<T> kept;
+  for (std::size_t k = 0; k <= last; ++k)
+    if (k % 2 == 0 || k == last) kept.push_back(std::move(values[k]));
+  values = std::move(kept);
+}
+
+void leave_out_frames(std::vector<ShownRun>& runs)
+{
+  for (ShownRun& run : runs) {
+    keep_every_second(run.frames);
+    keep_every_second(run.times);
+  }
+  for_each_array(runs, [](ShownRun&, std::vector<Codes>& frames, Scale*, bool) {
+    if (frames.size() > 1) keep_every_second(frames);
+  });
+}
+
+void leave_out_points(std::vector<ShownRun>& runs)
+{
+  for_each_array(runs, [](ShownRun& run, std::vector<Codes>& frames, Scale*, bool) {
+    for (Codes& codes : frames) {
+      std::size_t n = 0;
+      for (std::size_t p = 0; p < codes.size(); ++p)
+        if ((scramble(run.ids[p]) & 0x10000u) == 0u) codes[n++] = codes[p];
+      codes.resize(n);
+    }
+  });
+  for (ShownRun& run : runs) {
+    std::erase_if(run.ids, [](std::uint32_t id) { return (scramble(id) & 0x10000u) != 0u; });
+    run.point_size *= std::sqrt(2.0);
+  }
+}
+
+std::size_t fewest_frames(const std::vector<ShownRun>& runs)
+{
+  std::size_t n = SIZE_MAX;
+  for (const ShownRun& run : runs) n = std::min(n, run.frames.size());
+  return n;
+}
+
+}  // namespace
+
+ShownRun read_shown(const RunResults& run, std::int64_t n_most)
+{
+  const Frames frames = run.frames();
+  ShownRun shown{.n_points = frames.n_points(), .ids = choose_points(frames.n_points(), n_most), .n_frames_in_run = frames.times().size(), .frames = {},
+                 .times = frames.times(), .x = {}, .y = {}, .x_codes = {}, .y_codes = {}, .fields = {}};
+  for (std::size_t k = 0; k < shown.n_frames_in_run; ++k) shown.frames.push_back(k);
+  shown.point_size = spacing_of(frames, shown.ids.size());
+  read_places(frames, shown);
+  read_fields(frames, shown);
+  return shown;
+}
+
+std::size_t estimate_bytes(const std::vector<ShownRun>& runs)
+{
+  constexpr std::size_t part = 512, every = 4096;  // neighbours stay together, as gzip finds them
+  std::size_t bytes = 0;
+  for_each_array(const_cast<std::vector<ShownRun>&>(runs), [&](ShownRun& run, std::vector<Codes>& frames, Scale*, bool) {
+    const std::size_t n = run.ids.size();
+    if (n < 4 * every) return void(bytes += gzip(encode_frames(frames)).size());
+    std::vector<Codes> sample;
+    for (const Codes& codes : frames) {
+      Codes some;
+      for (std::size_t p = 0; p < n; ++p)
+        if (p % every < part) some.push_back(codes[p]);
+      sample.push_back(std::move(some));
+    }
+    const double share = static_cast<double>(sample[0].size()) / static_cast<double>(n);
+    bytes += static_cast<std::size_t>(static_cast<double>(gzip(encode_frames(sample)).size()) / share);
+  });
+  return bytes;
+}
+
+void fit(std::vector<ShownRun>& runs, std::size_t most_bytes)
+{
+  for (int round = 0; round < 16 && estimate_bytes(runs) > most_bytes; ++round) {
+    const std::size_t n_frames = fewest_frames(runs);
+    if (round < 3)
+      coarsen_arrays(runs, false);  // to 512 steps: more than a colour scale or a hover shows
+    else if (round < 5)
+      coarsen_arrays(runs, true);   // to an eighth or so of the distance of two points
+    else if (n_frames > 60)
+      leave_out_frames(runs);
+    else if (round < 8)
+      coarsen_arrays(runs, false);
+    else if (n_frames > 20)
+      leave_out_frames(runs);
+    else
+      leave_out_points(runs);
+  }
+}
+
+}  // namespace terp

@@ -1,0 +1,75 @@
+#include "results/frames.hpp"
+
+#include "base/errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace terp {
+namespace {
+
+const std::string root = "/VTKHDF";
+const std::string point_data = root + "/PointData";
+
+}  // namespace
+
+Frames::Frames(const std::string& path) : path_(path), file_(path, Hdf5File::Mode::read)
+{
+  const std::string steps = root + "/Steps";
+  n_points_ = file_.read<std::int64_t>(root + "/NumberOfPoints").at(0);
+  const std::int64_t n_frames = file_.integers(steps, "NSteps").at(0);  // what follows may be half written
+  times_ = file_.read_rows<Real>(steps + "/Values", 0, n_frames);
+  steps_ = file_.read_rows<std::int64_t>(steps + "/step", 0, n_frames);
+  for (const auto& name : file_.members(point_data)) {
+    if (name == "id") continue;
+    const auto shape = file_.shape(point_data + "/" + name);
+    fields_.push_back({name, file_.text(point_data + "/" + name, "unit"), shape.size() == 1 ? 1 : static_cast<int>(shape[1])});
+  }
+}
+
+std::vector<Real> Frames::places(std::size_t k) const
+{
+  const auto rows = file_.read_rows<Real>(root + "/Points", static_cast<std::int64_t>(k) * n_points_, n_points_);
+  std::vector<Real> x(2 * static_cast<std::size_t>(n_points_));
+  for (std::size_t p = 0; p < static_cast<std::size_t>(n_points_); ++p) {
+    x[2 * p] = rows[3 * p];
+    x[2 * p + 1] = rows[3 * p + 1];
+  }
+  return x;
+}
+
+std::vector<Real> Frames::read(std::string_view name, std::size_t k) const
+{
+  return file_.read_rows<Real>(point_data + "/" + field(name).name, static_cast<std::int64_t>(k) * n_points_, n_points_);
+}
+
+const FieldInfo* Frames::find(std::string_view name) const
+{
+  const auto found = std::find_if(fields_.begin(), fields_.end(), [&](const FieldInfo& f) { return f.name == name; });
+  return found == fields_.end() ? nullptr : &*found;
+}
+
+const FieldInfo& Frames::field(std::string_view name) const
+{
+  if (const FieldInfo* found = find(name)) return *found;
+  std::vector<std::string> names;
+  for (const auto& f : fields_) names.push_back(f.name);
+  throw FileError(fmt::format("{} has no field `{}`\n  It has: {}", path_, name, fmt::join(names, ", ")));
+}
+
+std::vector<Real> magnitudes(const std::vector<Real>& values, int n_components)
+{
+  const auto n = static_cast<std::size_t>(n_components);
+  std::vector<Real> sizes(values.size() / n);
+  for (std::size_t p = 0; p < sizes.size(); ++p) {
+    Real square = 0.0;
+    for (std::size_t c = 0; c < n; ++c) square += values[n * p + c] * values[n * p + c];
+    sizes[p] = std::sqrt(square);
+  }
+  return sizes;
+}
+
+}  // namespace terp

@@ -1,0 +1,31 @@
+// All that a run folder holds, finished or still growing: what the report, comparisons and exports read.
+// Not for: going on with a run (output/checkpoint).
+#pragma once
+
+#include "output/summary_json.hpp"
+#include "results/frames.hpp"
+#include "results/table.hpp"
+
+#include <optional>
+
+namespace terp {
+
+/// Read when made: summary and tables. Frames are read when asked for.
+struct RunResults {
+  std::string folder;
+  std::string name;              ///< of the folder: "model_2_gp"
+  std::string case_toml;         ///< text of case.toml
+  SavedSummary summary;
+  Table ledger;
+  std::vector<PointTable> history;
+
+  Frames frames() const { return Frames(path_in(folder, results_file)); }
+};
+
+/// Throws FileError that says what is missing and what to do.
+RunResults read_run(const std::string& folder);
+
+/// Names of runs side by side: the folders' names, as much of their paths as tells them apart.
+std::vector<std::string> distinct_names(const std::vector<std::string>& folders);
+
+}  // namespace terp

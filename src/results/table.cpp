@@ -1,0 +1,138 @@
+#include "results/table.hpp"
+
+#include "base/errors.hpp"
+#include "output/files.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+constexpr ColumnInfo known_columns[] = {
+    {"time", "time", "s"},
+    {"step", "step", "-"},
+    {"kinetic", "kinetic energy", "J/m"},
+    {"elastic", "elastic energy", "J/m"},
+    {"plastic", "plastic work", "J/m"},
+    {"gravity_work", "work of gravity", "J/m"},
+    {"damping_work", "work of damping", "J/m"},
+    {"boundary_work", "work of boundaries", "J/m"},
+    {"left_energy", "energy of soil that left", "J/m"},
+    {"numerical", "not explained by the balance", "J/m"},
+    {"mass", "mass", "kg/m"},
+    {"momentum_x", "momentum, x", "kg/s"},
+    {"momentum_y", "momentum, y", "kg/s"},
+    {"clamped", "points put back at walls", "-"},
+    {"left", "points that left", "-"},
+    {"front_x", "front", "m"},
+    {"crest_x", "crest", "m"},
+    {"crest_y", "height of the crest", "m"},
+    {"moved_volume", "volume that moved", "m^2"},
+    {"v_max", "largest speed", "m/s"},
+    {"v_999", "speed, 99.9 % quantile", "m/s"},
+    {"x", "x", "m"},
+    {"y", "y", "m"},
+    {"eps_deviatoric", "total deviatoric strain", "-"},
+    {"eps_eq_p", "equivalent plastic strain", "-"},
+    {"su", "undrained shear strength", "Pa"},
+    {"pressure", "mean stress, tension positive", "Pa"},
+    {"velocity", "speed", "m/s"},
+    {"displacement", "displacement", "m"},
+    {"material", "material", "-"},
+};
+
+/// The cells of a line; a cell in quotation marks may hold commas and doubled quotation marks.
+std::vector<std::string> split(std::string_view line)
+{
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const char c = line[k];
+    if (c == '"' && quoted && k + 1 < line.size() && line[k + 1] == '"')
+      cells.back() += line[++k];
+    else if (c == '"')
+      quoted = !quoted;
+    else if (c == ',' && !quoted)
+      cells.emplace_back();
+    else
+      cells.back() += c;
+  }
+  return cells;
+}
+
+Real number_in(const std::string& cell)
+{
+  Real value = 0.0;
+  const auto end = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  return end.ec == std::errc() && end.ptr == cell.data() + cell.size() ? value : std::numeric_limits<Real>::quiet_NaN();
+}
+
+/// The cells of all whole lines, the header first. Throws FileError if a line has another number of cells than the header.
+std::vector<std::vector<std::string>> read_cells(const std::string& path)
+{
+  const std::string text = read_file(path);
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t begin = 0, end = 0; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1) {
+    rows.push_back(split(std::string_view(text).substr(begin, end - begin)));
+    if (rows.back().size() != rows.front().size())
+      throw FileError(fmt::format("cannot read {}: line {} has {} columns, the header {}", path, rows.size(), rows.back().size(), rows.front().size()));
+  }
+  if (rows.empty()) throw FileError(fmt::format("cannot read {}: it has no header", path));
+  return rows;
+}
+
+void add_row(Table& table, const std::vector<std::string>& cells)
+{
+  for (std::size_t c = 0; c < cells.size(); ++c) table.columns[c].push_back(number_in(cells[c]));
+}
+
+Table empty_table(const std::vector<std::string>& names) { return {names, std::vector<std::vector<Real>>(names.size())}; }
+
+}  // namespace
+
+const std::vector<Real>* Table::find(std::string_view name) const
+{
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? nullptr : &columns[static_cast<std::size_t>(found - names.begin())];
+}
+
+Table read_number_table(const std::string& path)
+{
+  const auto rows = read_cells(path);
+  Table table = empty_table(rows[0]);
+  for (std::size_t r = 1; r < rows.size(); ++r) add_row(table, rows[r]);
+  return table;
+}
+
+std::vector<PointTable> read_history(const std::string& path)
+{
+  const auto rows = read_cells(path);
+  const auto point = static_cast<std::size_t>(std::find(rows[0].begin(), rows[0].end(), "point") - rows[0].begin());
+  if (point == rows[0].size()) throw FileError(fmt::format("cannot read {}: it has no column `point`", path));
+  std::vector<PointTable> tables;
+  for (std::size_t r = 1; r < rows.size(); ++r) {
+    const std::string& name = rows[r][point];
+    auto found = std::find_if(tables.begin(), tables.end(), [&](const PointTable& t) { return t.point == name; });
+    if (found == tables.end()) found = tables.insert(tables.end(), {name, empty_table(rows[0])});
+    add_row(found->table, rows[r]);
+  }
+  for (auto& [name, table] : tables) {  // the name is no number
+    table.names.erase(table.names.begin() + static_cast<std::ptrdiff_t>(point));
+    table.columns.erase(table.columns.begin() + static_cast<std::ptrdiff_t>(point));
+  }
+  return tables;
+}
+
+ColumnInfo describe_column(std::string_view name)
+{
+  for (const auto& info : known_columns)
+    if (info.name == name) return info;
+  return {name, name, "-"};
+}
+
+}  // namespace terp

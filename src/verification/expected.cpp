@@ -1,0 +1,249 @@
+#include "verification/expected.hpp"
+
+#include "input/case_file.hpp"
+#include "input/closest.hpp"
+#include "input/render.hpp"
+#include "input/values.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <fstream>
+#include <sstream>
+
+namespace terp {
+namespace {
+
+using Names = std::vector<std::string>;
+
+const Names quantity_keys = {"name", "kind",  "value",     "reduce", "reference", "where",    "scale",    "time",    "from", "to",     "threshold",
+                             "at",   "runs",  "tolerance", "relative", "at_least", "at_most", "of",      "over",    "unit", "source", "red", "as", "shown", "differences"};
+const Names run_keys = {"name", "case", "schemes", "set", "constants", "long", "seconds", "stability"};
+const Names kind_words = {"field", "point", "ledger", "summary", "formula", "order", "footing"};
+const Names reduce_words = {"rms_error", "max_error", "mean", "sum", "max", "min", "at", "last", "period", "frequency", "arrival"};
+
+/// Reads the entries of one table; every wrong one is refused with its place.
+class TableReader {
+ public:
+  TableReader(const Expected& file, const Node& table, const Names& allowed) : file_(file), table_(table)
+  {
+    if (table.kind != NodeKind::table) refuse(file, table.value, "a table must stand here", "Got " + describe_value(table) + ".");
+    for (const Node& item : table.items)
+      if (std::find(allowed.begin(), allowed.end(), item.name) == allowed.end()) unknown(item.key, item.name, allowed);
+  }
+
+  std::string text(const char* name, bool required = false) const
+  {
+    const Node* item = find(name, required);
+    if (item == nullptr) return "";
+    if (item->kind != NodeKind::text) wrong(*item, "text in quotes");
+    return item->text;
+  }
+  bool flag(const char* name) const
+  {
+    const Node* item = find(name, false);
+    if (item != nullptr && item->kind != NodeKind::boolean) wrong(*item, "true or false");
+    return item != nullptr && item->boolean;
+  }
+  Names texts(const char* name) const
+  {
+    Names list;
+    const Node* item = find(name, false);
+    if (item == nullptr) return list;
+    if (item->kind != NodeKind::list) wrong(*item, "a list of texts");
+    for (const Node& entry : item->items) {
+      if (entry.kind != NodeKind::text) wrong(entry, "text in quotes");
+      list.push_back(entry.text);
+    }
+    return list;
+  }
+  Formula formula(const char* name, bool required = false) const
+  {
+    const Node* item = find(name, required);
+    return item == nullptr ? Formula{} : to_formula(*item);
+  }
+  Formula to_formula(const Node& item) const
+  {
+    if (item.kind == NodeKind::text && !item.text.empty()) return {item.text, item.value};
+    if (item.kind == NodeKind::integer) return {fmt::format("{}", item.integer), item.value};
+    if (item.kind == NodeKind::number) return {fmt::format("{}", item.number), item.value};
+    wrong(item, "a number, or a formula in quotes");
+  }
+  /// The number of the word in the list; `fallback` if the key is not there.
+  int word(const char* name, const Names& words, int fallback) const
+  {
+    const Node* item = find(name, false);
+    if (item == nullptr) return fallback;
+    const std::string got = text(name);
+    const auto found = std::find(words.begin(), words.end(), got);
+    if (found == words.end()) unknown(item->value, got, words);
+    return static_cast<int>(found - words.begin());
+  }
+  const Node* find(const char* name, bool required) const
+  {
+    const Node* item = find_item(table_, name);
+    if (item == nullptr && required) refuse(file_, table_.value, fmt::format("`{}` is missing", name), "See docs/verification_cases.md.");
+    return item;
+  }
+  [[noreturn]] void wrong(const Node& item, const std::string& wanted) const
+  {
+    refuse(file_, item.value, fmt::format("`{}` must be {}", item.name, wanted), "Got " + describe_value(item) + ".");
+  }
+  [[noreturn]] void unknown(Place place, const std::string& got, const Names& words) const
+  {
+    const std::string nearest = closest(got, words);
+    refuse(file_, place, fmt::format("`{}` is not known here", got),
+           (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) + fmt::format("Allowed: {}", fmt::join(words, ", ")));
+  }
+
+ private:
+  const Expected& file_;
+  const Node& table_;
+};
+
+std::vector<Constant> read_constants(const Expected& file, const Node* table)
+{
+  std::vector<Constant> constants;
+  if (table == nullptr) return constants;
+  Names any;
+  for (const Node& item : table->items) any.push_back(item.name);
+  const TableReader reader(file, *table, any);
+  for (const Node& item : table->items) {
+    Constant& c = constants.emplace_back();
+    c.name = item.name;
+    if (item.kind == NodeKind::table) {
+      c.key = TableReader(file, item, {"key"}).text("key", true);
+      c.formula.place = item.value;
+    } else {
+      c.formula = reader.to_formula(item);
+    }
+  }
+  return constants;
+}
+
+/// [from, to, tolerance] of a search for a factor of safety.
+std::vector<Real> read_stability(const TableReader& reader, const Node& bounds)
+{
+  const auto is_number = [](const Node& n) { return n.kind == NodeKind::number || n.kind == NodeKind::integer; };
+  if (bounds.kind != NodeKind::list || bounds.items.size() != 3 || !std::all_of(bounds.items.begin(), bounds.items.end(), is_number))
+    reader.wrong(bounds, "[from, to, tolerance] of the factor");
+  std::vector<Real> values;
+  for (const Node& n : bounds.items) values.push_back(n.kind == NodeKind::integer ? static_cast<Real>(n.integer) : n.number);
+  return values;
+}
+
+Variant read_variant(const Expected& file, const Node& table)
+{
+  const TableReader reader(file, table, run_keys);
+  Variant v{.name = reader.text("name"), .case_file = reader.text("case"), .schemes = reader.texts("schemes"), .set = reader.texts("set"),
+            .constants = read_constants(file, find_item(table, "constants")), .is_long = reader.flag("long")};
+  if (const Node* bounds = find_item(table, "stability")) v.stability = read_stability(reader, *bounds);
+  if (v.case_file.empty()) v.case_file = "case.toml";
+  if (const Node* seconds = find_item(table, "seconds"))
+    v.seconds = seconds->kind == NodeKind::integer ? static_cast<double>(seconds->integer) : seconds->number;
+  return v;
+}
+
+Reduce default_reduce(QuantityKind kind)
+{
+  return kind == QuantityKind::field ? Reduce::rms_error : kind == QuantityKind::summary || kind == QuantityKind::formula ? Reduce::last : Reduce::at;
+}
+
+/// A bound on one side, or a reference with a tolerance.
+void check_judgement(const Expected& file, const Quantity& q)
+{
+  const int n_bounds = q.tolerance.given() + q.relative.given() + q.at_least.given() + q.at_most.given();
+  if (n_bounds == 0 && !q.as.empty() && q.kind != QuantityKind::order) return;
+  if (n_bounds != 1) refuse(file, q.place, "one of `tolerance`, `relative`, `at_least`, `at_most` must be given", fmt::format("Got {}.", n_bounds));
+  if ((q.tolerance.given() || q.relative.given()) && !q.reference.given()) refuse(file, q.place, "`reference` is missing", "A tolerance needs it.");
+  if (is_error(q.reduce) && q.relative.given()) refuse(file, q.relative.place, "an error takes `tolerance`, not `relative`", "Use `scale`.");
+  if (q.source.empty()) refuse(file, q.place, "`source` is missing", "Say where the reference comes from.");
+}
+
+void read_place(const TableReader& reader, Quantity& q)
+{
+  const Node* at = reader.find("at", q.kind == QuantityKind::point);
+  if (at == nullptr) return;
+  if (at->kind != NodeKind::list || at->items.size() != 2) reader.wrong(*at, "a place: [x, y] in m");
+  for (std::size_t d = 0; d < 2; ++d) q.at[d] = reader.to_formula(at->items[d]);
+}
+
+Quantity read_quantity(const Expected& file, const Node& table)
+{
+  const TableReader reader(file, table, quantity_keys);
+  Quantity q{.name = reader.text("name", true), .unit = reader.text("unit"), .source = reader.text("source"), .shown = reader.text("shown"), .red = reader.text("red")};
+  q.place = table.value;
+  q.differences = reader.flag("differences");
+  q.kind = static_cast<QuantityKind>(reader.word("kind", kind_words, 0));
+  q.reduce = static_cast<Reduce>(reader.word("reduce", reduce_words, static_cast<int>(default_reduce(q.kind))));
+  const bool is_order = q.kind == QuantityKind::order;
+  q.value = reader.formula("value", !is_order);
+  q.reference = reader.formula("reference"), q.where = reader.formula("where"), q.scale = reader.formula("scale");
+  q.time = reader.formula("time"), q.from = reader.formula("from"), q.to = reader.formula("to");
+  q.threshold = reader.formula("threshold", q.reduce == Reduce::arrival);
+  q.tolerance = reader.formula("tolerance"), q.relative = reader.formula("relative");
+  q.at_least = reader.formula("at_least"), q.at_most = reader.formula("at_most");
+  q.as = reader.text("as");
+  q.of = reader.text("of", is_order), q.over = reader.text("over", is_order);
+  q.runs = reader.texts("runs");
+  read_place(reader, q);
+  check_judgement(file, q);
+  return q;
+}
+
+/// Names that `runs` and `of` speak of must be there.
+void check_names(const Expected& file)
+{
+  Names runs, quantities;
+  for (const Variant& v : file.variants) runs.push_back(v.name);
+  for (const Quantity& q : file.quantities) quantities.push_back(q.name);
+  const auto check = [&](const Quantity& q, const std::string& name, const Names& known, const char* what) {
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      refuse(file, q.place, fmt::format("there is no {} `{}`", what, name), fmt::format("There are: {}", fmt::join(known, ", ")));
+  };
+  for (const Quantity& q : file.quantities) {
+    for (const std::string& run : q.runs) check(q, run, runs, "run");
+    if (q.kind == QuantityKind::order) check(q, q.of, quantities, "quantity");
+  }
+}
+
+const std::vector<Node>& tables(const Expected& file, const Node& root, const char* name)
+{
+  static const std::vector<Node> none;
+  const Node* list = find_item(root, name);
+  if (list == nullptr) return none;
+  if (list->kind != NodeKind::list) refuse(file, list->value, fmt::format("write [[{}]], once for each", name), "");
+  return list->items;
+}
+
+}  // namespace
+
+void refuse(const Expected& expected, Place place, const std::string& what, const std::string& detail)
+{
+  throw CaseError(render_at(expected.path, expected.text, place, {"", what, detail, ""}));
+}
+
+Expected read_expected(const std::string& path)
+{
+  Expected file{.path = path};
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw CaseError(fmt::format("error: {}: the file cannot be read\n  A verification case is a folder with case.toml and expected.toml.\n", path));
+  std::ostringstream text;
+  text << stream.rdbuf();
+  file.text = text.str();
+  try {
+    const Node root = parse_toml(file.text);
+    const TableReader reader(file, root, {"title", "constants", "run", "quantity"});
+    file.title = reader.text("title", true);
+    file.constants = read_constants(file, find_item(root, "constants"));
+    for (const Node& table : tables(file, root, "run")) file.variants.push_back(read_variant(file, table));
+    if (file.variants.empty()) file.variants.push_back({.case_file = "case.toml"});
+    for (const Node& table : tables(file, root, "quantity")) file.quantities.push_back(read_quantity(file, table));
+    check_names(file);
+  } catch (const SyntaxError& error) {
+    refuse(file, error.place, "this is not valid TOML", error.what());
+  }
+  return file;
+}
+
+}  // namespace terp

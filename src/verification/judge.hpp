@@ -1,0 +1,30 @@
+// Rows of the ledger: each number against its reference.
+#pragma once
+
+#include "verification/solve_variant.hpp"
+
+namespace terp {
+
+enum class Verdict {
+  pass,
+  red,   ///< does not agree, and the case says why
+  fail,  ///< does not agree, and nobody has said why
+};
+
+/// One row, ready to be shown.
+struct Row {
+  std::string case_name = {}, run = {}, quantity = {}, reference = {}, source = {}, terp = {}, error = {}, tolerance = {};
+  Verdict verdict = Verdict::pass;
+  std::string remark = {};  ///< why it is red, or what went wrong
+};
+
+/// Rows of one case from all its runs: quantities in the order of the file, then orders of convergence.
+std::vector<Row> judge(const std::string& case_name, const Expected& file, const std::vector<Solve>& solves, const std::vector<Solved>& solved);
+
+/// Order at which y tends to a limit that is not known: slope of log |differences of successive y| over log x, refined by one factor [-].
+Real observed_order(const std::vector<Real>& x, const std::vector<Real>& y);
+
+/// Slope of the straight line through (log x, log y) with the least squares [-]; NaN with fewer than two different x.
+Real log_slope(const std::vector<Real>& x, const std::vector<Real>& y);
+
+}  // namespace terp

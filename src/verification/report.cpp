@@ -1,0 +1,144 @@
+#include "verification/report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+constexpr int n_columns = 8;
+constexpr std::array<const char*, n_columns> heads{"quantity", "run", "reference", "Terp", "error", "tolerance", "result", "source"};
+
+const char* word(Verdict verdict) { return verdict == Verdict::pass ? "pass" : verdict == Verdict::red ? "red" : "FAIL"; }
+
+std::array<std::string, n_columns> cells_of(const Row& r)
+{
+  return {r.quantity, r.run, r.reference, r.terp, r.error, r.tolerance, word(r.verdict), r.source};
+}
+
+/// In characters, not bytes.
+std::size_t width_of(const std::string& text)
+{
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string padded(const std::string& text, std::size_t width) { return text + std::string(width - std::min(width, width_of(text)), ' '); }
+
+/// Remarks of the rows that do not agree, each text once.
+std::vector<std::string> remarks_of(const CaseRows& c)
+{
+  std::vector<std::string> remarks;
+  for (const Row& r : c.rows) {
+    if (r.verdict == Verdict::pass || r.remark.empty()) continue;
+    const std::string remark = fmt::format("{}: {}", r.quantity == "the run" ? r.run : r.quantity, r.remark);
+    if (std::find(remarks.begin(), remarks.end(), remark) == remarks.end()) remarks.push_back(remark);
+  }
+  return remarks;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by)
+{
+  for (std::size_t k = text.find(what); k != std::string::npos; k = text.find(what, k + by.size())) text.replace(k, what.size(), by);
+  return text;
+}
+
+std::string for_markdown(const std::string& text) { return replaced(replaced(replaced(text, "|", "\\|"), "*", "\\*"), "\n", " "); }
+
+std::string for_html(const std::string& text) { return replaced(replaced(replaced(text, "&", "&amp;"), "<", "&lt;"), ">", "&gt;"); }
+
+constexpr const char* html_head = R"(<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><title>Terp: verification</title><style>
+body { font: 15px/1.45 system-ui, sans-serif; margin: 2rem auto; max-width: 80rem; padding: 0 1rem; color: #1c1c1c; background: #fff }
+table { border-collapse: collapse; width: 100%; margin: .5rem 0 1rem } th, td { text-align: left; padding: .25rem .6rem; border-bottom: 1px solid #ddd; vertical-align: top }
+th { font-weight: 600 } td { font-variant-numeric: tabular-nums } .pass { color: #14692b } .red, .fail { color: #b00020; font-weight: 600 }
+.source { color: #555 }
+</style></head><body><h1>Verification</h1>
+)";
+
+std::string html_section(const CaseRows& c)
+{
+  std::string out = fmt::format("<h2>{}</h2>\n<p>{}</p>\n<table><tr>", for_html(c.name), for_html(c.title));
+  for (const char* head : heads) out += fmt::format("<th>{}</th>", head);
+  out += "</tr>\n";
+  for (const Row& r : c.rows) {
+    out += "<tr>";
+    const auto cells = cells_of(r);
+    for (int k = 0; k < n_columns; ++k) {
+      const bool verdict = k == n_columns - 2, source = k == n_columns - 1;
+      const std::string style = verdict ? (r.verdict == Verdict::pass ? "pass" : r.verdict == Verdict::red ? "red" : "fail") : source ? "source" : "";
+      out += fmt::format("<td{}>{}</td>", style.empty() ? "" : fmt::format(" class=\"{}\"", style), for_html(cells[k]));
+    }
+    out += "</tr>\n";
+  }
+  out += "</table>\n";
+  for (const std::string& remark : remarks_of(c)) out += fmt::format("<p class=\"red\">{}</p>\n", for_html(remark));
+  return out;
+}
+
+}  // namespace
+
+Counts count(const std::vector<CaseRows>& cases)
+{
+  Counts counts;
+  for (const CaseRows& c : cases)
+    for (const Row& r : c.rows) (r.verdict == Verdict::pass ? counts.pass : r.verdict == Verdict::red ? counts.red : counts.fail) += 1;
+  return counts;
+}
+
+std::string counts_text(const Counts& n)
+{
+  std::string text = fmt::format("{} rows: {} pass, {} red", n.pass + n.red + n.fail, n.pass, n.red + n.fail);
+  if (n.red > 0) text += fmt::format(" ({} known, with the reason)", n.red);
+  if (n.fail > 0) text += fmt::format(" ({} not known: FAIL)", n.fail);
+  return text;
+}
+
+std::string text_table(const CaseRows& c)
+{
+  std::array<std::size_t, n_columns> widths{};
+  for (int k = 0; k < n_columns; ++k) widths[k] = width_of(heads[k]);
+  for (const Row& r : c.rows) {
+    const auto cells = cells_of(r);
+    for (int k = 0; k < n_columns; ++k) widths[k] = std::max(widths[k], width_of(cells[k]));
+  }
+  std::string out = fmt::format("{}: {}\n ", c.name, c.title);
+  for (int k = 0; k + 1 < n_columns; ++k) out += " " + padded(heads[k], widths[k]) + " ";
+  out += fmt::format(" {}\n", heads[n_columns - 1]);
+  for (const Row& r : c.rows) {
+    const auto cells = cells_of(r);
+    out += " ";
+    for (int k = 0; k + 1 < n_columns; ++k) out += " " + padded(cells[k], widths[k]) + " ";
+    out += fmt::format(" {}\n", cells[n_columns - 1]);
+  }
+  for (const std::string& remark : remarks_of(c)) out += fmt::format("  ! {}\n", replaced(remark, "\n", "\n    "));
+  return out;
+}
+
+std::string markdown_page(const std::vector<CaseRows>& cases, const std::string& head)
+{
+  std::string out = fmt::format("# Verification\n\nWritten by `terp verify --markdown`; not to be changed by hand.\n\n{}\n\n{}\n", counts_text(count(cases)) + ".", head);
+  for (const CaseRows& c : cases) {
+    out += fmt::format("\n## {0}\n\n{1}: [`cases/verification/{0}`](../cases/verification/{0}/README.md)\n\n|", c.name, for_markdown(c.title));
+    for (const char* name : heads) out += fmt::format(" {} |", name);
+    out += "\n|";
+    for (int k = 0; k < n_columns; ++k) out += "---|";
+    out += '\n';
+    for (const Row& r : c.rows) {
+      out += '|';
+      for (const std::string& cell : cells_of(r)) out += fmt::format(" {} |", for_markdown(cell));
+      out += '\n';
+    }
+    for (const std::string& remark : remarks_of(c)) out += fmt::format("\n**Red.** {}\n", for_markdown(remark));
+  }
+  return out;
+}
+
+std::string html_page(const std::vector<CaseRows>& cases)
+{
+  std::string out = html_head + fmt::format("<p>{}.</p>\n", counts_text(count(cases)));
+  for (const CaseRows& c : cases) out += html_section(c);
+  return out + "</body></html>\n";
+}
+
+}  // namespace terp

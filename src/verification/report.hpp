@@ -1,0 +1,31 @@
+// The ledger as text for a terminal, as a Markdown page and as an HTML page.
+#pragma once
+
+#include "verification/judge.hpp"
+
+namespace terp {
+
+/// The rows of one case.
+struct CaseRows {
+  std::string name, title;
+  std::vector<Row> rows;
+};
+
+struct Counts {
+  int pass = 0, red = 0, fail = 0;
+};
+
+Counts count(const std::vector<CaseRows>& cases);
+
+/// "12 rows: 11 pass, 1 red".
+std::string counts_text(const Counts& counts);
+
+std::string text_table(const CaseRows& rows);
+
+/// head: Markdown that stands above the tables, after the title.
+std::string markdown_page(const std::vector<CaseRows>& cases, const std::string& head);
+
+/// One file that needs no other.
+std::string html_page(const std::vector<CaseRows>& cases);
+
+}  // namespace terp

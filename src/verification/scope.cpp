@@ -1,0 +1,54 @@
+#include "verification/scope.hpp"
+
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+Real number_of_case(const Expected& file, const Constant& c, const CaseFile& solved)
+{
+  const Node* node = find_node(solved.source.root, c.key);
+  if (node == nullptr)
+    refuse(file, c.formula.place, fmt::format("the case says nothing of `{}`", c.key), "A constant takes a number that case.toml or `set` gives.");
+  if (node->kind == NodeKind::integer) return static_cast<Real>(node->integer);
+  if (node->kind != NodeKind::number) refuse(file, c.formula.place, fmt::format("`{}` is not a number", c.key), "");
+  return node->number;
+}
+
+void add_constants(Scope& scope, const std::vector<Constant>& constants, const CaseFile& solved)
+{
+  for (const Constant& c : constants)
+    scope.constants[c.name] = c.key.empty() ? scope.evaluate(c.formula) : number_of_case(scope.file, c, solved);
+}
+
+}  // namespace
+
+Real Scope::evaluate(const Formula& formula) const
+{
+  try {
+    return terp::evaluate(formula.text, constants);
+  } catch (const ExpressionError& error) {
+    refuse(file, formula.place, "this formula cannot be evaluated", error.what());
+  }
+}
+
+Real Scope::evaluate_or(const Formula& formula, Real otherwise) const { return formula.given() ? evaluate(formula) : otherwise; }
+
+Expression Scope::compile(const Formula& formula, const std::vector<std::string>& variables) const
+{
+  try {
+    return {formula.text, variables, constants};
+  } catch (const ExpressionError& error) {
+    refuse(file, formula.place, "this formula cannot be evaluated", error.what());
+  }
+}
+
+Scope make_scope(const Expected& file, const Variant& variant, const CaseFile& solved, Real dt)
+{
+  Scope scope{.file = file, .constants = {{"end", solved.values.time.end}, {"dt", dt}}};
+  add_constants(scope, file.constants, solved);
+  add_constants(scope, variant.constants, solved);
+  return scope;
+}
+
+}  // namespace terp

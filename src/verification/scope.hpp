@@ -1,0 +1,24 @@
+// What the formulas of one run may name: the constants of expected.toml, numbers of the case as it runs, and `end` and `dt`.
+#pragma once
+
+#include "input/case_file.hpp"
+#include "input/expression.hpp"
+#include "verification/expected.hpp"
+
+namespace terp {
+
+struct Scope {
+  const Expected& file;
+  std::map<std::string, Real> constants;
+
+  /// Throws CaseError with the place of the formula.
+  Real evaluate(const Formula& formula) const;
+  /// The same; `otherwise` if it is not given.
+  Real evaluate_or(const Formula& formula, Real otherwise) const;
+  Expression compile(const Formula& formula, const std::vector<std::string>& variables) const;
+};
+
+/// Constants in the order of the file, then those of the run; each may use those before it. dt [s] of the run.
+Scope make_scope(const Expected& file, const Variant& variant, const CaseFile& solved, Real dt);
+
+}  // namespace terp

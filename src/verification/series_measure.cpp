@@ -1,0 +1,131 @@
+// Curves over time: of one material point, and of the ledger.
+
+#include "verification/frame_table.hpp"
+#include "verification/measure.hpp"
+#include "verification/series.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace terp {
+namespace {
+
+constexpr Real nan = std::numeric_limits<Real>::quiet_NaN(), infinity = std::numeric_limits<Real>::infinity();
+
+/// Collects a curve from rows of named numbers; a derived class says which.
+class SeriesMeasure : public Measure {
+ public:
+  SeriesMeasure(const Quantity& quantity, const Scope& scope) : quantity_(quantity), scope_(scope) {}
+
+  Measured finish(const Summary&) override
+  {
+    const Series s = cut(series_, scope_.evaluate_or(quantity_.from, 0.0) * (1.0 - 1e-9), scope_.evaluate_or(quantity_.to, infinity) * (1.0 + 1e-9));
+    const Real value = reduced(s);
+    if (is_error(quantity_.reduce) || !quantity_.reference.given()) return {value, nan};
+    const Real time = quantity_.reduce == Reduce::at ? this->time() : nan;
+    return {value, scope_.compile(quantity_.reference, {"t", "x0", "y0"})(std::vector<Real>{time, start_[0], start_[1]})};
+  }
+
+ protected:
+  /// Where the point of the curve was at t = 0.
+  void start_at(Vec<2> x) { start_ = x; }
+  void add(Real time, const std::vector<std::string>& names, const std::vector<Real>& row)
+  {
+    if (!value_) value_ = scope_.compile(quantity_.value, names);
+    if (!reference_ && is_error(quantity_.reduce)) reference_ = scope_.compile(quantity_.reference, names);
+    series_.time.push_back(time);
+    series_.value.push_back((*value_)(row));
+    if (reference_) series_.reference.push_back((*reference_)(row));
+  }
+  const Quantity& quantity() const { return quantity_; }
+  const Scope& scope() const { return scope_; }
+
+ private:
+  Real time() const { return scope_.evaluate_or(quantity_.time, scope_.constants.at("end")); }
+
+  Real reduced(const Series& s) const
+  {
+    switch (quantity_.reduce) {
+      case Reduce::at: return value_at(s, time());
+      case Reduce::period: return period_of(s);
+      case Reduce::frequency: return 1.0 / period_of(s);
+      case Reduce::arrival: return arrival_of(s, scope_.evaluate(quantity_.threshold));
+      default: return reduce_values(s.value, s.reference, quantity_.reduce, scope_.evaluate_or(quantity_.scale, 1.0));
+    }
+  }
+
+  const Quantity& quantity_;
+  const Scope& scope_;
+  std::optional<Expression> value_, reference_;
+  Series series_;
+  Vec<2> start_{nan, nan};
+};
+
+/// The material point that was nearest to a place at t = 0, in every frame.
+class PointMeasure : public SeriesMeasure {
+ public:
+  using SeriesMeasure::SeriesMeasure;
+  void frame(const std::shared_ptr<const Frame>& frame) override
+  {
+    if (!point_) {
+      point_ = nearest(*frame);
+      start_at({frame->x[2 * *point_], frame->x[2 * *point_ + 1]});
+    }
+    read_row(*frame, *point_, row_);
+    add(frame->time, names_of(*frame), row_);
+  }
+
+ private:
+  std::size_t nearest(const Frame& frame) const
+  {
+    const Vec<2> place{scope().evaluate(quantity().at[0]), scope().evaluate(quantity().at[1])};
+    std::size_t best = 0;
+    Real smallest = infinity;
+    for (std::size_t k = 0; k < frame.x.size() / 2; ++k) {
+      const Real distance = std::hypot(frame.x[2 * k] - place[0], frame.x[2 * k + 1] - place[1]);
+      if (distance < smallest) smallest = distance, best = k;
+    }
+    return best;
+  }
+
+  std::optional<std::size_t> point_;
+  std::vector<Real> row_;
+};
+
+const std::vector<std::string> ledger_names = {"t",           "kinetic",   "elastic", "plastic",    "gravity_work", "damping_work", "boundary_work",
+                                               "left_energy", "numerical", "mass",    "momentum_x", "momentum_y",   "clamped",      "left",
+                                               "front_x",     "crest_x",   "v_max",   "v_999"};
+
+/// Rows of the ledger.
+class LedgerMeasure : public SeriesMeasure {
+ public:
+  using SeriesMeasure::SeriesMeasure;
+  void ledger(const LedgerRow& r) override
+  {
+    add(r.time, ledger_names,
+        {r.time, r.kinetic, r.elastic, r.plastic, r.gravity_work, r.damping_work, r.boundary_work, r.left_energy, r.numerical, r.mass, r.momentum_x,
+         r.momentum_y, static_cast<Real>(r.clamped), static_cast<Real>(r.left), r.front_x, r.crest_x, r.v_max, r.v_999});
+  }
+};
+
+const std::vector<std::string> footing_names = {"t", "displacement_x", "displacement_y", "reaction_x", "reaction_y", "work"};
+
+/// Rows of footings.csv of the first footing.
+class FootingMeasure : public SeriesMeasure {
+ public:
+  using SeriesMeasure::SeriesMeasure;
+  void footings(const std::vector<FootingRow>& rows) override
+  {
+    const FootingRow& r = rows.front();
+    add(r.time, footing_names, {r.time, r.displacement_x, r.displacement_y, r.reaction_x, r.reaction_y, r.work});
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Measure> make_footing_measure(const Quantity& quantity, const Scope& scope) { return std::make_unique<FootingMeasure>(quantity, scope); }
+std::unique_ptr<Measure> make_point_measure(const Quantity& quantity, const Scope& scope) { return std::make_unique<PointMeasure>(quantity, scope); }
+std::unique_ptr<Measure> make_ledger_measure(const Quantity& quantity, const Scope& scope) { return std::make_unique<LedgerMeasure>(quantity, scope); }
+
+}  // namespace terp

@@ -1,0 +1,120 @@
+#include "verification/solve_variant.hpp"
+
+#include "base/errors.hpp"
+#include "simulation/run.hpp"
+#include "simulation/setup.hpp"
+#include "stability/factor_of_safety.hpp"
+#include "verification/measure.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <limits>
+
+namespace terp {
+namespace {
+
+constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
+
+CaseFile read_solved_case(const Solve& solve)
+{
+  const auto folder = std::filesystem::path(solve.file->path).parent_path();
+  std::vector<std::string> changes = solve.variant->set;
+  if (!solve.scheme.empty()) changes.push_back("scheme=" + solve.scheme);
+  return read_case((folder / solve.variant->case_file).string(), changes);
+}
+
+/// All but the numbers that the run gives.
+Finding start_finding(const Quantity& q, const Solve& solve, const std::string& scheme, const Scope& scope)
+{
+  return {.quantity = &q, .run = solve.variant->name, .scheme = scheme, .value = nan, .reference = nan,
+          .tolerance = scope.evaluate_or(q.tolerance, nan), .relative = scope.evaluate_or(q.relative, nan),
+          .at_least = scope.evaluate_or(q.at_least, nan), .at_most = scope.evaluate_or(q.at_most, nan), .constants = scope.constants};
+}
+
+/// A search for a factor of safety in place of the run: its numbers are constants of formulas.
+std::vector<Finding> findings_of_factor(const Solve& solve, const CaseFile& solved, Scope& scope, std::vector<Finding> findings, const std::atomic<bool>& stop)
+{
+  const std::vector<Real>& bounds = solve.variant->stability;
+  const StabilityResult result = find_factor_of_safety(solved.values, {.search = {bounds[0], bounds[1], bounds[2]}, .rules = {}, .threads = 1}, stop);
+  scope.constants["factor"] = result.factor();
+  scope.constants["stable_at"] = result.search.stable.value_or(nan);
+  scope.constants["not_stable_at"] = result.search.failed.value_or(nan);
+  for (Finding& f : findings) {
+    if (f.quantity->kind != QuantityKind::formula)
+      refuse(*solve.file, f.quantity->place, "a run for a factor of safety has quantities of kind `formula` only", "They may name factor, stable_at, not_stable_at.");
+    f.value = scope.evaluate(f.quantity->value);
+    f.reference = scope.evaluate_or(f.quantity->reference, nan);
+    if (const std::string& name = f.quantity->as; !name.empty()) scope.constants[name] = f.value;
+  }
+  std::erase_if(findings, [](const Finding& f) { return is_auxiliary(*f.quantity); });
+  return findings;
+}
+
+std::vector<Finding> solve_and_measure(const Solve& solve, const CaseFile& solved, const std::atomic<bool>& stop)
+{
+  Model model = build_model(solved.values, 1);
+  State state = build_state(model);
+  Scope scope = make_scope(*solve.file, *solve.variant, solved, model.dt);
+  std::vector<Finding> findings;
+  std::vector<std::unique_ptr<Measure>> measured;
+  std::vector<Observer*> observers;
+  for (const Quantity& q : solve.file->quantities) {
+    if (!measures(q, *solve.variant)) continue;
+    findings.push_back(start_finding(q, solve, solved.values.scheme, scope));
+    measured.push_back(make_measure(q, scope));
+    observers.push_back(measured.back().get());
+  }
+  if (!solve.variant->stability.empty()) return findings_of_factor(solve, solved, scope, std::move(findings), stop);
+  Workspace work(model, state);
+  if (run(model, state, work, observers, stop) == Outcome::interrupted) throw RunError("stopped");
+  const Summary summary = summarise(model, state);
+  for (std::size_t k = 0; k < findings.size(); ++k) {
+    const Measured result = measured[k]->finish(summary);
+    findings[k].value = result.value;
+    findings[k].reference = result.reference;
+    if (const std::string& name = findings[k].quantity->as; !name.empty()) scope.constants[name] = result.value;
+  }
+  std::erase_if(findings, [](const Finding& f) { return is_auxiliary(*f.quantity); });
+  return findings;
+}
+
+}  // namespace
+
+bool measures(const Quantity& quantity, const Variant& variant)
+{
+  if (quantity.kind == QuantityKind::order) return false;
+  return quantity.runs.empty() || std::find(quantity.runs.begin(), quantity.runs.end(), variant.name) != quantity.runs.end();
+}
+
+std::vector<Solve> list_solves(const Expected& file, bool with_short, bool with_long)
+{
+  std::vector<Solve> solves;
+  for (const Variant& v : file.variants) {
+    if (!(v.is_long ? with_long : with_short)) continue;
+    if (v.schemes.empty()) solves.push_back({&file, &v, ""});
+    for (const std::string& scheme : v.schemes) solves.push_back({&file, &v, scheme});
+  }
+  return solves;
+}
+
+Solved solve_variant(const Solve& solve, const std::atomic<bool>& stop)
+{
+  const auto start = std::chrono::steady_clock::now();
+  Solved result;
+  CaseFile solved;
+  try {
+    solved = read_solved_case(solve);
+    result.findings = solve_and_measure(solve, solved, stop);
+  } catch (const CaseError& error) {
+    result.fault = error.what(), result.bad_input = true;
+  } catch (const InputError& error) {
+    result.fault = render(error.problems(), solved), result.bad_input = true;
+  } catch (const std::exception& error) {
+    result.fault = error.what();
+  }
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+}  // namespace terp

@@ -1,0 +1,194 @@
+// A chart over time with zoom, linked to the views: a line at the present time, a click goes to that time, all charts
+// share the pointer. uPlot draws.
+
+import uPlot from "uplot";
+import "uplot/dist/uPlot.min.css";
+import type { Store } from "../logic/store";
+import { canvasTheme, FONT } from "../view/theme";
+import { numberText, readableUnit, unitSuffix } from "../logic/numbers";
+import { element } from "../shell/element";
+
+export interface Line {
+  label: string;
+  x: ArrayLike<number>;
+  y: ArrayLike<number | null>;
+  colour: (dark: boolean) => string;
+  dash?: number[];
+  width?: number;
+}
+
+export interface ChartOptions {
+  title: string;
+  xLabel: string;
+  unit: string;
+  height?: number;
+  overTime?: boolean; // the x axis is the time of the run
+  yRange?: [number, number]; // fixed; otherwise from the data
+  fromZero?: boolean;
+  nameEnds?: boolean; // each line's label at its right end
+}
+
+const SYNC = uPlot.sync("terp");
+
+export class Chart {
+  readonly root: HTMLElement;
+  private readonly holder = element("div", { class: "plot" });
+  private readonly now = element("div", { class: "now-line" });
+  private plot: uPlot | null = null;
+  private lines: Line[] = [];
+  private options: ChartOptions;
+  private zoomed = false;
+
+  constructor(
+    private readonly store: Store,
+    options: ChartOptions,
+  ) {
+    this.options = { overTime: true, ...options };
+    this.root = element("figure", { class: "chart" }, element("figcaption", {}, options.title), this.holder);
+    new ResizeObserver(() => this.resize()).observe(this.holder);
+    if (this.options.overTime) store.on((_, changed) => changed.has("time") && this.placeNow());
+    store.on((_, changed) => changed.has("dark") && this.build());
+  }
+
+  set title(text: string) {
+    this.root.querySelector("figcaption")!.textContent = text;
+  }
+
+  show(lines: Line[], change: Partial<ChartOptions> = {}): void {
+    const same = this.plot !== null && Object.keys(change).length === 0 && lines.length === this.lines.length;
+    this.lines = lines;
+    this.options = { ...this.options, ...change };
+    if (same) this.plot!.setData(this.data(), !this.zoomed);
+    else this.build();
+  }
+
+  private scaled(): { factor: number; unit: string } {
+    let size = 0;
+    for (const { y } of this.lines) for (let k = 0; k < y.length; k++) if (Math.abs(y[k] ?? 0) > size) size = Math.abs(y[k]!);
+    return readableUnit(this.options.unit, Number.isFinite(size) ? size : 0);
+  }
+
+  private data(): uPlot.AlignedData {
+    const { factor } = this.scaled();
+    const tables = this.lines.map(({ x, y }) => [Array.from(x), Array.from(y, (v) => (v === null || !Number.isFinite(v) ? null : v * factor))] as uPlot.AlignedData);
+    return tables.length > 0 ? uPlot.join(tables, tables.map((table) => table.map(() => 0 as uPlot.JoinNullMode))) : [[], []];
+  }
+
+  private build(): void {
+    this.plot?.destroy();
+    this.plot = null;
+    this.zoomed = false;
+    if (this.lines.length === 0 || this.holder.clientWidth === 0) return;
+    this.plot = new uPlot(this.settings(), this.data(), this.holder);
+    this.placeNow();
+    this.plot.over.setAttribute("aria-hidden", "true");
+    this.holder.setAttribute("role", "img");
+    this.holder.setAttribute("aria-label", `${this.options.title}: ${this.lines.map((line) => line.label).join(", ")} against ${this.options.xLabel}`);
+  }
+
+  private settings(): uPlot.Options {
+    const { dark } = this.store.state;
+    const theme = canvasTheme(dark);
+    const { unit } = this.scaled();
+    const axis: uPlot.Axis = {
+      stroke: theme.muted, font: `11px ${FONT}`, labelFont: `11px ${FONT}`, labelSize: 18,
+      grid: { stroke: theme.frame, width: 0.5 }, ticks: { stroke: theme.frame, width: 1, size: 4 }, gap: 4,
+    };
+    const text = (_: uPlot, v: number | null) => (v === null || v === undefined ? "" : numberText(v, 4));
+    return {
+      width: this.holder.clientWidth,
+      height: this.height(),
+      padding: [8, this.options.nameEnds ? 24 : 12, 0, 0],
+      scales: { x: { time: false }, y: { range: this.options.yRange ? () => this.options.yRange! : this.rangeY() } },
+      axes: [
+        { ...axis, label: this.options.xLabel, size: 26, values: (_, ticks) => ticks.map((t) => numberText(t)) },
+        { ...axis, label: unitSuffix(unit).trim(), size: (_, values) => 14 + 6.4 * Math.max(2, ...(values ?? []).map((v) => v.length)), values: (_, ticks) => ticks.map((t) => numberText(t)) },
+      ],
+      series: [
+        { label: this.options.xLabel.replace(/ \[.*/, ""), value: text },
+        ...this.lines.map((line) => ({
+          label: line.label, stroke: line.colour(dark), width: line.width ?? 1.6, dash: line.dash, spanGaps: true, points: { show: false }, value: text,
+        })),
+      ],
+      cursor: { sync: this.options.overTime ? { key: SYNC.key, setSeries: false, scales: ["x", null] } : undefined, drag: { x: true, y: false }, focus: { prox: 16 }, points: { size: 6 } },
+      focus: { alpha: 0.35 },
+      legend: { live: true },
+      hooks: { draw: [(plot) => this.drawNames(plot), () => this.placeNow()], ready: [(plot) => this.listen(plot)], setScale: [(plot, key) => key === "x" && this.noteZoom(plot)] },
+    };
+  }
+
+  private rangeY(): uPlot.Range.Function {
+    return (_, lo, hi) => {
+      if (lo === null || hi === null || !Number.isFinite(lo) || !Number.isFinite(hi)) return [0, 1];
+      const low = this.options.fromZero ? Math.min(0, lo) : lo;
+      const room = 0.05 * (hi - low || Math.abs(hi) || 1);
+      return [low === 0 ? 0 : low - room, hi + room];
+    };
+  }
+
+  private height(): number {
+    return this.options.height ?? 220;
+  }
+
+  /** The line at the present time: an element, as moving it is cheap beside drawing the chart anew. */
+  private placeNow(): void {
+    const { plot } = this;
+    if (!plot || !this.options.overTime) return;
+    const x = plot.valToPos(this.store.state.time, "x");
+    this.now.hidden = !(x >= 0 && x <= plot.over.clientWidth);
+    this.now.style.transform = `translateX(${x}px)`;
+  }
+
+  /** Labels right of the last values, pushed apart where they would overlap. */
+  private drawNames(plot: uPlot): void {
+    if (!this.options.nameEnds) return;
+    const { left, top, width, height } = plot.bbox;
+    const ratio = devicePixelRatio;
+    const names = this.lines.map((line, k) => {
+      const y = plot.data[k + 1]!;
+      let last = y.length - 1;
+      while (last > 0 && (y[last] === null || y[last] === undefined || plot.data[0][last]! > plot.scales.x!.max!)) last--;
+      return { line, y: plot.valToPos(y[last] ?? 0, "y", true) };
+    });
+    names.sort((a, b) => a.y - b.y);
+    const step = 11 * ratio;
+    names.forEach((name, k) => (name.y = Math.max(name.y, k === 0 ? top : names[k - 1]!.y + step)));
+    for (let k = names.length - 1, below = top + height + step / 2; k >= 0; k--) below = names[k]!.y = Math.min(names[k]!.y, below - (k === names.length - 1 ? 0 : step));
+    const context = plot.ctx;
+    context.save();
+    context.font = `600 ${11 * ratio}px ${FONT}`;
+    context.textBaseline = "middle";
+    context.textAlign = "left";
+    for (const { line, y } of names) {
+      context.fillStyle = line.colour(this.store.state.dark);
+      context.fillText(line.label, left + width + 5 * ratio, y);
+    }
+    context.restore();
+  }
+
+  private listen(plot: uPlot): void {
+    if (!this.options.overTime) return;
+    plot.over.append(this.now);
+    this.placeNow();
+    let down: [number, number] | null = null;
+    plot.over.addEventListener("mousedown", (event) => (down = [event.clientX, event.clientY]));
+    plot.over.addEventListener("mouseup", (event) => {
+      const still = down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 4;
+      const time = plot.posToVal(event.offsetX, "x");
+      if (still && event.detail < 2 && Number.isFinite(time)) this.store.set({ time, playing: false });
+    });
+  }
+
+  private noteZoom(plot: uPlot): void {
+    const x = plot.data[0];
+    const { min, max } = plot.scales.x!;
+    this.zoomed = x.length > 1 && (min! > x[0]! || max! < x[x.length - 1]!);
+  }
+
+  private resize(): void {
+    const width = this.holder.clientWidth;
+    if (width === 0) return;
+    if (!this.plot) this.build();
+    else if (this.plot.width !== width) this.plot.setSize({ width, height: this.height() });
+  }
+}

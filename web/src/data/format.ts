@@ -1,0 +1,127 @@
+// The JSON of a report, format 1, as src/report of the C++ program writes it. Units: SI, unless a `unit` says otherwise.
+
+/** A quantity per frame and point, 16 bits each; see data/quantised.ts. */
+export interface QuantisedMeta {
+  chunk: number;
+  lo: number;
+  hi: number;
+  log: boolean;
+  frames: number;
+  points: number;
+  bits: 16;
+  static: boolean;
+}
+
+export type FieldKind = "sequential" | "diverging" | "category";
+
+export interface FieldMeta {
+  name: string;
+  symbol: string;
+  label: string;
+  unit: string;
+  kind: FieldKind;
+  log: boolean;
+  range: [number, number];
+  precision: number;
+  data: QuantisedMeta;
+}
+
+export interface ColumnMeta {
+  name: string;
+  label?: string;
+  unit: string;
+}
+
+/** float32, column by column. */
+export interface TableMeta {
+  columns: ColumnMeta[];
+  chunk: number;
+  rows: number;
+}
+
+export interface HistoryMeta extends TableMeta {
+  name: string;
+  x: number;
+  y: number;
+}
+
+export interface Place {
+  x: number | null;
+  y: number | null;
+}
+
+export interface Slide {
+  begins: number | null;
+  stops?: number | null;
+}
+
+export interface SlipSurface {
+  time: number | null;
+  points: [number, number][];
+}
+
+export interface Events {
+  first_slide?: Slide | null;
+  second_slide?: Slide | null;
+  moved_volume?: number | null;
+  moved_fraction?: number | null;
+  run_out?: number | null;
+  front_x?: number | null;
+  remaining_crest?: Place | null;
+  slip_surface?: SlipSurface | null;
+  [name: string]: unknown;
+}
+
+export interface Check {
+  name: string;
+  value: string;
+  passed: boolean;
+}
+
+export interface RunMeta {
+  name: string;
+  title: string;
+  scheme: string;
+  case_toml: string;
+  machine: string;
+  threads: number;
+  wall_seconds: number;
+  finished: boolean;
+  n_points: number;
+  n_shown: number;
+  n_frames_in_run: number;
+  times: number[];
+  position_precision: number;
+  bounds: [number, number, number, number];
+  point_size: number;
+  materials: { id: number; name: string }[];
+  positions: { x: QuantisedMeta; y: QuantisedMeta };
+  ids: { chunk: number };
+  fields: FieldMeta[];
+  mesh: { edges: { chunk: number; count: number } } | null;
+  outline: { chunk: number; count: number } | null;
+  surfaces: { chunk: number; offsets: number[] } | null;
+  histories: HistoryMeta[];
+  series: TableMeta | null;
+  passes: { name: string; seconds: number }[];
+  events: Events | null;
+  story: string[];
+  audit: Record<string, unknown> | null;
+  warnings: string[];
+  checks: Check[];
+  summary: Record<string, unknown>;
+}
+
+export interface Comparison {
+  columns: string[];
+  rows: { label: string; unit: string; values: (number | string | null)[] }[];
+  text: string[];
+}
+
+export interface ReportMeta {
+  format: number;
+  terp: string;
+  written: string;
+  runs: RunMeta[];
+  comparison: Comparison | null;
+}

@@ -1,0 +1,131 @@
+// One run of the report: what its JSON says, and its arrays, each decoded when it is first asked for.
+
+import type { FieldMeta, QuantisedMeta, RunMeta } from "./format";
+import { Chunks } from "./chunks";
+import { decodeFrames, FULL, Quantised, valueOf } from "./quantised";
+import { Table } from "./table";
+
+export type Polyline = Float32Array; // x, y, x, y, ... [m]; NaN, NaN between polylines
+
+export class Run {
+  readonly fields = new Map<string, Quantised>();
+  private readonly decoded = new Map<number, Promise<Uint16Array<ArrayBuffer>>>(); // by chunk: fields may share one
+  x!: Quantised;
+  y!: Quantised;
+  ids!: Uint32Array;
+  outline: Polyline = new Float32Array(0);
+  edges: Float32Array = new Float32Array(0);
+  private surfaces: Float32Array = new Float32Array(0);
+  series: Table | null = null;
+  histories: { name: string; x: number; y: number; table: Table }[] = [];
+  /** Called when a field has been decoded. */
+  readonly onField: (() => void)[] = [];
+
+  constructor(
+    readonly meta: RunMeta,
+    readonly index: number,
+    private readonly chunks: Chunks,
+  ) {}
+
+  /** All that the first picture and the charts need: everything but the fields. */
+  async open(): Promise<void> {
+    const { meta, chunks } = this;
+    const { x, y } = meta.positions;
+    [this.x, this.y] = await Promise.all([
+      this.quantity(x),
+      this.quantity(y),
+    ]);
+    this.ids = await chunks.numbers(meta.ids.chunk);
+    if (meta.outline) this.outline = await chunks.floats(meta.outline.chunk);
+    if (meta.mesh) this.edges = await chunks.floats(meta.mesh.edges.chunk);
+    if (meta.surfaces) this.surfaces = await chunks.floats(meta.surfaces.chunk);
+    if (meta.series) this.series = Table.of(meta.series, await chunks.floats(meta.series.chunk));
+    for (const history of meta.histories) {
+      const table = Table.of(history, await chunks.floats(history.chunk));
+      this.histories.push({ name: history.name, x: history.x, y: history.y, table });
+    }
+  }
+
+  get frames(): number {
+    return this.meta.times.length;
+  }
+
+  get points(): number {
+    return this.meta.n_shown;
+  }
+
+  fieldMeta(name: string): FieldMeta | null {
+    return this.meta.fields.find((field) => field.name === name) ?? null;
+  }
+
+  /** The field, decoded at the first call; null if the run has none of that name. */
+  async field(name: string): Promise<Quantised | null> {
+    const meta = this.fieldMeta(name);
+    if (!meta) return null;
+    const there = this.fields.get(name);
+    if (there) return there;
+    const field = await this.quantity(meta.data);
+    if (!this.fields.has(name)) {
+      this.fields.set(name, field);
+      for (const listener of this.onField) listener();
+    }
+    return this.fields.get(name)!;
+  }
+
+  private async quantity(meta: QuantisedMeta): Promise<Quantised> {
+    let q = this.decoded.get(meta.chunk);
+    if (!q) {
+      q = this.chunks.bytes(meta.chunk).then((bytes) => decodeFrames(bytes, meta.static ? 1 : meta.frames, meta.points));
+      this.decoded.set(meta.chunk, q);
+    }
+    return new Quantised(meta, await q);
+  }
+
+  /** False for a point that has left through an open side. */
+  present(frame: number, point: number): boolean {
+    return this.x.frame(frame)[point] !== FULL || this.y.frame(frame)[point] !== FULL;
+  }
+
+  place(frame: number, point: number): [number, number] {
+    return [this.x.value(frame, point), this.y.value(frame, point)];
+  }
+
+  /** Shown point with that id; -1 if it is not shown. */
+  pointOfId(id: number): number {
+    let low = 0;
+    let high = this.ids.length - 1;
+    while (low <= high) {
+      const middle = (low + high) >> 1;
+      const there = this.ids[middle]!;
+      if (there === id) return middle;
+      if (there < id) low = middle + 1;
+      else high = middle - 1;
+    }
+    return -1;
+  }
+
+  /** Free surface of a frame as x, y, x, y, ... */
+  surface(frame: number): Polyline {
+    const offsets = this.meta.surfaces?.offsets;
+    return offsets ? this.surfaces.subarray(2 * offsets[frame]!, 2 * offsets[frame + 1]!) : new Float32Array(0);
+  }
+
+  /** Smallest box around all points of all frames and the initial outline: xmin, ymin, xmax, ymax [m]. */
+  extent(): [number, number, number, number] {
+    const { x, y } = this;
+    let [x0, x1, y0, y1] = [FULL, 0, FULL, 0];
+    for (let k = 0; k < x.q.length; k++) {
+      const [qx, qy] = [x.q[k]!, y.q[k]!];
+      if (qx === FULL && qy === FULL) continue;
+      if (qx < x0) x0 = qx;
+      if (qx > x1) x1 = qx;
+      if (qy < y0) y0 = qy;
+      if (qy > y1) y1 = qy;
+    }
+    const [xs, ys] = [0, 1].map((part) => this.outline.filter((v, k) => k % 2 === part && Number.isFinite(v))) as [Float32Array, Float32Array];
+    return [
+      Math.min(valueOf(x.meta, x0), ...xs), Math.min(valueOf(y.meta, y0), ...ys),
+      Math.max(valueOf(x.meta, x1), ...xs), Math.max(valueOf(y.meta, y1), ...ys),
+    ];
+  }
+}

@@ -1,0 +1,24 @@
+// How runs are called on the page: by scheme where that tells them apart, else by name.
+
+import type { RunMeta } from "../data/format";
+
+const SCHEMES: Record<string, string> = { mpm_gp: "MPM-GP", mpm_mixed: "MPM-Mixed", standard_mpm: "standard MPM" };
+
+export function schemeLabel(scheme: string): string {
+  return SCHEMES[scheme] ?? scheme;
+}
+
+/** Short and different for each run. */
+export function runLabels(runs: readonly Pick<RunMeta, "name" | "scheme">[]): string[] {
+  const different = (texts: string[]) => new Set(texts).size === texts.length;
+  const schemes = runs.map((run) => schemeLabel(run.scheme));
+  if (different(schemes)) return schemes;
+  const names = runs.map((run) => run.name);
+  if (different(names)) return names;
+  return names.map((name, k) => `${name} (${k + 1})`);
+}
+
+/** "front_x" -> "front x", for names that the writer gave no label. */
+export function spoken(name: string): string {
+  return name.replaceAll("_", " ");
+}

@@ -1,0 +1,77 @@
+// Numbers as text: a few significant digits, a prefix of the unit where it helps.
+
+const SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+const THIN = "\u202f";
+
+function exponentText(exponent: number): string {
+  const digits = [...String(Math.abs(exponent))].map((d) => SUPERSCRIPT[Number(d)]).join("");
+  return `10${exponent < 0 ? "⁻" : ""}${digits}`;
+}
+
+/** "13.39", "0.0021", "40 000", "1.2·10⁻⁵"; "–" for what is not known. */
+export function numberText(value: number | null | undefined, digits = 4): string {
+  if (value === null || value === undefined || !Number.isFinite(value)) return "–";
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  if (size < 1e-3 || size >= 1e7) {
+    const [mantissa, exponent] = value.toExponential(Math.max(0, digits - 2)).split("e");
+    return `${Number(mantissa)}·${exponentText(Number(exponent))}`.replace("-", "−");
+  }
+  const decimals = Math.max(0, digits - 1 - Math.floor(Math.log10(size)));
+  const plain = Number(value.toFixed(decimals)).toString();
+  const [whole, part] = plain.replace("-", "−").split(".");
+  const grouped = whole!.replace(/\B(?=(\d{3})+(?!\d))/g, size >= 1e4 ? THIN : "");
+  return part ? `${grouped}.${part}` : grouped;
+}
+
+export function withUnit(value: number | null | undefined, unit: string, digits = 4): string {
+  const text = numberText(value, digits);
+  return text === "–" || unit === "-" || unit === "" ? text : `${text}${unit === "%" ? THIN : "\u00a0"}${unit}`;
+}
+
+export function unitSuffix(unit: string): string {
+  return unit === "-" || unit === "" ? "" : ` [${unit}]`;
+}
+
+/** Factor and unit in which values of that size read well: 120000 J/m -> 0.001, "kJ/m". */
+export function readableUnit(unit: string, size: number): { factor: number; unit: string } {
+  if (/^k(J|Pa|W|N)\b/.test(unit) && size >= 2e3) return { factor: 1e-3, unit: unit.replace("k", "M") };
+  if (!/^(J|Pa|W|N)\b/.test(unit)) return { factor: 1, unit };
+  if (size >= 2e6) return { factor: 1e-6, unit: `M${unit}` };
+  if (size >= 2e3) return { factor: 1e-3, unit: `k${unit}` };
+  return { factor: 1, unit };
+}
+
+/** Seconds with so many decimals that neighbouring frames differ. */
+export function timeText(seconds: number, decimals: number): string {
+  return `${seconds.toFixed(decimals)}\u00a0s`;
+}
+
+export function timeDecimals(times: readonly number[]): number {
+  const step = times.length > 1 ? (times[times.length - 1]! - times[0]!) / (times.length - 1) : 1;
+  return Math.min(6, Math.max(2, Math.ceil(-Math.log10(step || 1) + 0.3)));
+}
+
+export function durationText(seconds: number): string {
+  if (seconds < 59.95) return `${numberText(seconds, 3)}\u00a0s`;
+  const whole = Math.round(seconds);
+  const minutes = Math.floor(whole / 60);
+  if (minutes < 60) return `${minutes}\u00a0min ${whole - 60 * minutes}\u00a0s`;
+  return `${Math.floor(minutes / 60)}\u00a0h ${minutes % 60}\u00a0min`;
+}
+
+/** A length of 1, 2 or 5 times a power of ten, the largest that is not longer than `most`. */
+export function niceLength(most: number): number {
+  const power = Math.pow(10, Math.floor(Math.log10(most)));
+  const lead = most / power;
+  return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * power;
+}
+
+/** Ticks at nice places from lo to hi, about `count` of them. */
+export function niceTicks(lo: number, hi: number, count: number): number[] {
+  if (!(hi > lo)) return [lo];
+  const step = niceLength(((hi - lo) / count) * 1.5);
+  const first = Math.ceil(lo / step - 1e-9);
+  const last = Math.floor(hi / step + 1e-9);
+  return Array.from({ length: last - first + 1 }, (_, k) => Number(((first + k) * step).toPrecision(12)));
+}

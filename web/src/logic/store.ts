@@ -1,0 +1,62 @@
+// What the reader has chosen, in one place. Listeners are told which keys changed, at once; drawing is theirs to put off.
+
+import type { Camera } from "./camera";
+
+export type RangeMode = "run" | "frame" | "fixed";
+
+export interface Pin {
+  run: number;
+  point: number; // index among the shown points
+}
+
+export interface ViewState {
+  time: number; // s
+  playing: boolean;
+  again: boolean; // begin again at the end
+  speed: number; // s of the run per s of the viewer
+  field: string;
+  map: string;
+  rangeMode: RangeMode;
+  fixed: [number, number];
+  log: boolean;
+  mesh: boolean;
+  outline: boolean;
+  slip: boolean;
+  surfaces: boolean;
+  names: boolean;
+  pointScale: number;
+  camera: Camera | null; // null: fitted to all runs
+  layout: "auto" | "rows" | "columns";
+  hover: Pin | null;
+  pin: Pin | null;
+  shown: boolean[]; // runs that are shown
+  dark: boolean;
+}
+
+export type Listener = (state: ViewState, changed: Set<keyof ViewState>) => void;
+
+export class Store {
+  private readonly listeners: Listener[] = [];
+
+  constructor(public state: ViewState) {}
+
+  set(change: Partial<ViewState>): void {
+    const keys = (Object.keys(change) as (keyof ViewState)[]).filter((key) => !Object.is(this.state[key], change[key]));
+    if (keys.length === 0) return;
+    this.state = { ...this.state, ...change };
+    const changed = new Set(keys);
+    for (const listener of this.listeners) listener(this.state, changed);
+  }
+
+  on(listener: Listener): void {
+    this.listeners.push(listener);
+  }
+
+  /** Calls the listener now, and whenever one of the keys changes. */
+  watch(keys: (keyof ViewState)[], listener: (state: ViewState) => void): void {
+    this.on((state, changed) => {
+      if (keys.some((key) => changed.has(key))) listener(state);
+    });
+    listener(this.state);
+  }
+}

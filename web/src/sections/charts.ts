@@ -1,0 +1,170 @@
+// Charts of what the program wrote over time: front and crest, energies, named points, free surfaces, time per pass.
+
+import type { Report } from "../data/report";
+import type { Current } from "../view/current";
+import type { Run } from "../data/run";
+import { Chart, type Line } from "../charts/chart";
+import { CATEGORIES } from "../logic/colour";
+import { runLabels, spoken } from "../logic/labels";
+import { durationText, numberText } from "../logic/numbers";
+import { heightsAt, places } from "../logic/surface";
+import { runColour } from "../view/theme";
+import { element } from "../shell/element";
+import { coloured } from "./summary";
+
+const DASH = [7, 4];
+
+export function chartsSection(current: Current): HTMLElement {
+  const { report } = current;
+  const labels = runLabels(report.runs.map((run) => run.meta));
+  const cards = [frontAndCrest(current, labels), kinetic(current, labels), ...energies(current, labels), surfaces(current, labels)];
+  return element("section", { id: "charts", "aria-labelledby": "charts-title" },
+    element("h2", { id: "charts-title" }, "Over time"),
+    element("p", { class: "muted no-print" }, "Drag to zoom, double click for all, click to show that time above."),
+    element("div", { class: "cards" }, ...cards.filter((card) => card !== null)),
+    histories(current, labels),
+    passes(report, labels, current));
+}
+
+function runLine(run: Run, label: string, column: string, dash?: number[]): Line | null {
+  const [x, y] = [run.series?.column("time"), run.series?.column(column)];
+  return x && y ? { label, x, y, dash, colour: (dark) => runColour(run.index, dark) } : null;
+}
+
+function present(lines: (Line | null)[]): Line[] {
+  return lines.filter((line): line is Line => line !== null);
+}
+
+function card(chart: Chart, ...more: (HTMLElement | null)[]): HTMLElement {
+  return element("article", { class: "card" }, ...more, chart.root);
+}
+
+function named(labels: string[], run: Run, what: string): string {
+  return labels.length > 1 ? `${what}, ${labels[run.index]}` : what;
+}
+
+function frontAndCrest(current: Current, labels: string[]): HTMLElement | null {
+  const lines = present(current.report.runs.flatMap((run) => [
+    runLine(run, named(labels, run, "front"), "front_x"),
+    runLine(run, named(labels, run, "crest"), "crest_x", DASH),
+  ]));
+  if (lines.length === 0) return null;
+  const chart = new Chart(current.store, { title: "Front (solid) and crest (dashed)", xLabel: "time [s]", unit: "m" });
+  chart.show(lines);
+  return card(chart);
+}
+
+function kinetic(current: Current, labels: string[]): HTMLElement | null {
+  const column = (run: Run) => (run.series?.has("kinetic_energy") ? "kinetic_energy" : "kinetic");
+  const lines = present(current.report.runs.map((run) => runLine(run, labels[run.index]!, column(run))));
+  if (lines.length === 0) return null;
+  const chart = new Chart(current.store, { title: "Kinetic energy", xLabel: "time [s]", unit: unitOf(current.report, column), fromZero: true });
+  chart.show(lines);
+  return card(chart);
+}
+
+function unitOf(report: Report, column: (run: Run) => string): string {
+  for (const run of report.runs) if (run.series?.has(column(run))) return run.series.unit(column(run));
+  return "-";
+}
+
+/** One chart of all energies per run. */
+function energies(current: Current, labels: string[]): HTMLElement[] {
+  return current.report.runs.flatMap((run) => {
+    const { series } = run;
+    if (!series) return [];
+    const x = series.column("time");
+    const columns = series.columns.filter(({ name, unit }) => /^[kM]?J/.test(unit) && name !== "kinetic_energy");
+    if (!x || columns.length === 0) return [];
+    const lines = columns.map(({ name }, k): Line => ({
+      label: series.label(name) === name ? spoken(name) : series.label(name), x, y: series.column(name)!,
+      colour: () => CATEGORIES[k % CATEGORIES.length]!, dash: name === "numerical" ? [2, 3] : undefined,
+    }));
+    const title = `Energy ledger${labels.length > 1 ? `, ${labels[run.index]}` : ""}`;
+    const chart = new Chart(current.store, { title, xLabel: "time [s]", unit: columns[0]!.unit });
+    chart.show(lines);
+    return [card(chart)];
+  });
+}
+
+/** Free surfaces at the present time, and the second less the first. */
+function surfaces(current: Current, labels: string[]): HTMLElement | null {
+  const runs = current.report.runs.filter((run) => run.meta.surfaces);
+  if (runs.length === 0) return null;
+  let [low, high] = [0, 0];
+  const all = runs.flatMap((run) => run.meta.times.map((_, f) => run.surface(f)));
+  for (const line of all) for (let k = 1; k < line.length; k += 2) [low, high] = [Math.min(low, line[k]!), Math.max(high, line[k]!)];
+  if (runs.length > 1) low = Math.min(low, -0.45 * high);
+  const chart = new Chart(current.store, { title: "Free surface", xLabel: "x [m]", unit: "m", overTime: false, yRange: [low, 1.05 * high] });
+  let drawn = "";
+  current.store.watch(["time"], ({ time }) => {
+    const frames = runs.map((run) => current.frame(run, time)).join();
+    if (frames === drawn) return;
+    drawn = frames;
+    const lines = runs.map((run) => run.surface(current.frame(run, time)));
+    const x = places(lines);
+    const heights = lines.map((line) => heightsAt(line, x));
+    const shown = runs.map((run, k): Line => ({ label: labels[run.index]!, x, y: heights[k]!, colour: (dark) => runColour(run.index, dark), width: 2 }));
+    if (runs.length > 1) {
+      const difference = x.map((_, k) => (heights[1]![k] === null || heights[0]![k] === null ? null : heights[1]![k]! - heights[0]![k]!));
+      shown.push({ label: `${labels[runs[1]!.index]} − ${labels[runs[0]!.index]}`, x, y: difference, colour: () => "#8a94a0", dash: [3, 3] });
+    }
+    chart.title = `Free surface${runs.length > 1 ? "s and their difference" : ""} at ${numberText(time, 3)} s`;
+    chart.show(shown);
+  });
+  return card(chart);
+}
+
+/** Named points: one chart per run with the same scale, the quantity to be chosen. */
+function histories(current: Current, labels: string[]): HTMLElement | null {
+  const runs = current.report.runs.filter((run) => run.histories.length > 0);
+  const first = runs[0]?.histories[0]?.table;
+  if (!first) return null;
+  const names = first.columns.map((column) => column.name).filter((name) => !["time", "id"].includes(name));
+  const charts = runs.map((run) => new Chart(current.store, { title: labels[run.index]!, xLabel: "time [s]", unit: "-", height: 260 }));
+  const select = element("select", { id: "history", onchange: () => show(select.value) }, ...names.map((name) => element("option", { value: name }, first.label(name) === name ? spoken(name) : first.label(name))));
+  const show = (name: string) => {
+    const lines = runs.map((run) => run.histories.flatMap((history, k): Line[] => {
+      const [x, y] = [history.table.column("time"), history.table.column(name)];
+      return x && y ? [{ label: history.name, x, y, colour: () => CATEGORIES[k % CATEGORIES.length]!, dash: k >= CATEGORIES.length ? [4, 3] : undefined, width: 1.8 }] : [];
+    }));
+    const yRange = commonRange(lines.flat());
+    charts.forEach((chart, k) => chart.show(lines[k]!, { unit: first.unit(name), yRange, nameEnds: true }));
+  };
+  select.value = names.find((name) => name === "eps_deviatoric") ?? names.find((name) => name.startsWith("eps")) ?? names[0]!;
+  show(select.value);
+  return element("div", { class: "histories" },
+    element("div", { class: "heading" }, element("h3", {}, "Named points"), element("label", { class: "no-print" }, element("span", {}, "Quantity"), select)),
+    element("div", { class: "cards" }, ...charts.map((chart, k) => element("article", { class: "card" }, coloured(chart.root, runs[k]!, current.store)))));
+}
+
+function commonRange(lines: Line[]): [number, number] {
+  let [lo, hi] = [Infinity, -Infinity];
+  for (const { y } of lines) {
+    for (let k = 0; k < y.length; k++) {
+      const value = y[k];
+      if (value === null || value === undefined || !Number.isFinite(value)) continue;
+      [lo, hi] = [Math.min(lo, value), Math.max(hi, value)];
+    }
+  }
+  if (!(hi >= lo)) return [0, 1];
+  const room = 0.04 * (hi - lo || Math.abs(hi) || 1);
+  return [lo >= 0 && lo < 0.2 * hi ? 0 : lo - room, hi + room];
+}
+
+/** Where the wall time of each run went, as bars. */
+function passes(report: Report, labels: string[], current: Current): HTMLElement | null {
+  const runs = report.runs.filter((run) => run.meta.passes.length > 0);
+  if (runs.length === 0) return null;
+  const longest = Math.max(...runs.flatMap((run) => run.meta.passes.map((pass) => pass.seconds)));
+  const cards = runs.map((run) => {
+    const total = run.meta.passes.reduce((sum, pass) => sum + pass.seconds, 0);
+    const rows = run.meta.passes.map(({ name, seconds }) => {
+      const bar = element("div", { class: "bar" });
+      bar.style.width = `${(100 * seconds) / longest}%`;
+      return element("tr", {}, element("th", { scope: "row" }, name), element("td", { class: "bar-cell" }, bar), element("td", {}, durationText(seconds)), element("td", {}, `${Math.round((100 * seconds) / total)}\u202f%`));
+    });
+    return coloured(element("article", { class: "card" }, element("h4", {}, labels[run.index]!), element("table", { class: "bars" }, element("tbody", {}, ...rows))), run, current.store);
+  });
+  return element("div", {}, element("h3", {}, "Time per pass of the step"), element("div", { class: "cards" }, ...cards));
+}

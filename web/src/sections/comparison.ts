@@ -1,0 +1,28 @@
+// The table that `terp compare` prints, and nothing that it does not.
+
+import type { Report } from "../data/report";
+import { runLabels } from "../logic/labels";
+import { numberText } from "../logic/numbers";
+import type { Store } from "../logic/store";
+import { element } from "../shell/element";
+import { coloured } from "./summary";
+
+export function comparisonSection(report: Report, store: Store): HTMLElement | null {
+  const { comparison } = report;
+  if (!comparison || comparison.rows.length === 0) return null;
+  const labels = runLabels(report.runs.map((run) => run.meta));
+  const heads = comparison.columns.map((name, k) => {
+    const run = report.runs.find((r) => r.meta.name === name) ?? report.runs[k];
+    const head = element("th", { scope: "col" }, run ? labels[run.index]! : name);
+    return run ? coloured(head, run, store) : head;
+  });
+  const rows = comparison.rows.map(({ label, unit, values }) => element("tr", {},
+    element("th", { scope: "row" }, label),
+    ...values.map((value) => element("td", {}, typeof value === "string" ? value : numberText(value, 4))),
+    element("td", { class: "unit" }, unit === "-" ? "" : unit)));
+  return element("section", { id: "comparison", "aria-labelledby": "comparison-title" },
+    element("h2", { id: "comparison-title" }, "Comparison"),
+    element("div", { class: "scroll" }, element("table", { class: "numbers" },
+      element("thead", {}, element("tr", {}, element("td"), ...heads, element("td", { class: "unit" }, "unit"))),
+      element("tbody", {}, ...rows))));
+}

@@ -1,0 +1,67 @@
+// The failure in a few pictures: each run at the times of its own events, for the eye, for print, and to jump there.
+
+import type { Current } from "../view/current";
+import type { Run } from "../data/run";
+import type { Viewer } from "../view/viewer";
+import { drawPanel } from "../view/panel";
+import { timeDecimals, timeText } from "../logic/numbers";
+import { marksOf } from "../shell/player";
+import { element } from "../shell/element";
+import { coloured } from "./summary";
+
+const WIDTH = 300; // CSS pixels of a picture as drawn; the page scales it
+const PAD = { left: 6, right: 6, top: 6, bottom: 6 };
+
+interface Moment {
+  time: number;
+  text: string;
+}
+
+/** Start, events, end; times that fall on one frame are one moment. */
+export function momentsOf(run: Run, frameOf: (time: number) => number): Moment[] {
+  const { times } = run.meta;
+  const first = { time: times[0]!, text: "start" };
+  const last = { time: times[times.length - 1]!, text: run.meta.finished ? "end" : "so far" };
+  const events = marksOf(run).map(({ time, text }) => ({ time, text }));
+  const taken = new Set([frameOf(first.time)]);
+  const between = events.sort((a, b) => a.time - b.time).filter(({ time }) => {
+    const frame = frameOf(time);
+    return frame < times.length - 1 && !taken.has(frame) && taken.add(frame);
+  });
+  const some = between.length > 0 ? between : [0.25, 0.5, 0.75].map((part) => ({ time: first.time + part * (last.time - first.time), text: "" }));
+  return [first, ...some, last];
+}
+
+export function momentsSection(current: Current, viewer: Viewer): HTMLElement | null {
+  if (!viewer.renderer) return null;
+  const { store, report } = current;
+  const box = viewer.extent();
+  const height = Math.round(Math.min(WIDTH, Math.max(70, ((WIDTH - 12) * (box[3] - box[1])) / (box[2] - box[0]) + 12)));
+  const pictures: { run: Run; time: number; canvas: HTMLCanvasElement }[] = [];
+  const rows = report.runs.map((run) => {
+    const decimals = timeDecimals(run.meta.times);
+    const items = momentsOf(run, (time) => current.frame(run, time)).map(({ time, text }) => {
+      const canvas = element("canvas", { width: 2 * WIDTH, height: 2 * height, "aria-hidden": "true" });
+      pictures.push({ run, time, canvas });
+      return element("li", {}, element("button", { type: "button", title: "Show this time above", onclick: () => store.set({ time, playing: false }) },
+        canvas, element("span", {}, element("b", {}, timeText(run.meta.times[current.frame(run, time)]!, decimals)), text ? ` ${text}` : "")));
+    });
+    return element("div", { class: "moments-row" }, coloured(element("h3", {}, viewer.labels[run.index]!), run, store), element("ol", {}, ...items));
+  });
+  const draw = () => {
+    for (const { run, time, canvas } of pictures) {
+      const context = canvas.getContext("2d")!;
+      context.setTransform(2, 0, 0, 2, 0, 0);
+      const size = { width: WIDTH, height };
+      drawPanel(context, viewer.renderer, run, current, { camera: viewer.fitted(size, PAD), size, ratio: 2, time, names: viewer.labels, label: "", note: "", bare: true });
+    }
+  };
+  let waiting = 0;
+  const later = () => {
+    clearTimeout(waiting);
+    waiting = window.setTimeout(draw, 120);
+  };
+  store.watch(["field", "map", "rangeMode", "fixed", "log", "mesh", "outline", "slip", "pointScale", "dark"], later);
+  for (const run of report.runs) run.onField.push(later);
+  return element("section", { id: "moments", "aria-labelledby": "moments-title" }, element("h2", { id: "moments-title" }, "In pictures"), ...rows);
+}

@@ -1,0 +1,81 @@
+// The pinned point: its values now, and the chosen field over all frames, also in runs that have the same point.
+
+import type { Current } from "../view/current";
+import type { Run } from "../data/run";
+import { Chart, type Line } from "../charts/chart";
+import { runLabels } from "../logic/labels";
+import { numberText, withUnit } from "../logic/numbers";
+import { sameBody } from "../logic/same_body";
+import { pointValues } from "../view/tip";
+import { runColour } from "../view/theme";
+import { element, iconButton } from "../shell/element";
+
+export class Pinned {
+  readonly root = element("section", { class: "pinned card", hidden: true, "aria-label": "Pinned point" });
+  private readonly title = element("h3");
+  private readonly values = element("table", { class: "values" });
+  private readonly chart: Chart;
+  private readonly labels: string[];
+
+  constructor(private readonly current: Current) {
+    const { store, report } = current;
+    this.labels = runLabels(report.runs.map((run) => run.meta));
+    this.chart = new Chart(store, { title: "", xLabel: "time [s]", unit: "-", height: 210 });
+    this.root.append(
+      element("header", {}, this.title, iconButton("close", "Let go of the point", "Esc", () => store.set({ pin: null }))),
+      element("div", { class: "pinned-body" }, element("div", { class: "scroll" }, this.values), this.chart.root));
+    store.on((_, changed) => {
+      if (changed.has("pin") || changed.has("field")) void this.showPoint();
+      if (changed.has("time")) this.showValues();
+    });
+  }
+
+  /** The pinned run and point, then the same point in the other runs. */
+  private same(): { run: Run; point: number }[] {
+    const { pin } = this.current.state;
+    if (!pin) return [];
+    const { runs } = this.current.report;
+    const of = runs[pin.run]!;
+    const others = runs.filter((run) => run !== of && sameBody(of, run)).map((run) => ({ run, point: run.pointOfId(of.ids[pin.point]!) }));
+    return [{ run: of, point: pin.point }, ...others.filter(({ point }) => point >= 0)];
+  }
+
+  private async showPoint(): Promise<void> {
+    const all = this.same();
+    this.root.hidden = all.length === 0;
+    if (all.length === 0) return;
+    const { field } = this.current.state;
+    const { run, point } = all[0]!;
+    this.title.textContent = `Point ${numberText(run.ids[point], 9)}`;
+    await Promise.all(all.flatMap(({ run: r }) => r.meta.fields.map((meta) => r.field(meta.name))));
+    if (field !== this.current.state.field) return;
+    this.showValues();
+    const meta = this.current.fieldMeta();
+    const lines = all.flatMap(({ run: r, point: p }): Line[] => {
+      const values = r.fields.get(field);
+      if (!values) return [];
+      const y = r.meta.times.map((_, f) => (r.present(f, p) ? values.value(f, p) : null));
+      return [{ label: this.labels[r.index]!, x: r.meta.times, y, colour: (dark) => runColour(r.index, dark), width: 2 }];
+    });
+    this.chart.title = `${meta?.label ?? field} of this point over the frames`;
+    this.chart.show(lines, { unit: meta?.unit ?? "-" });
+  }
+
+  private showValues(): void {
+    const all = this.same();
+    if (all.length === 0) return;
+    const columns = all.map(({ run, point }) => {
+      const frame = this.current.frame(run);
+      if (!run.present(frame, point)) return null;
+      const [x, y] = run.place(frame, point);
+      return [{ name: "x", label: "x", value: withUnit(Number(x.toFixed(3)), "m", 5) }, { name: "y", label: "y", value: withUnit(Number(y.toFixed(3)), "m", 5) }, ...pointValues(run, frame, point)];
+    });
+    const rows = columns.find((column) => column !== null) ?? [];
+    const head = element("tr", {}, element("td"), ...all.map(({ run }) => element("th", { scope: "col" }, this.labels[run.index]!)));
+    this.values.replaceChildren(
+      element("thead", {}, all.length > 1 ? head : null),
+      element("tbody", {}, ...rows.map(({ name, label }) => element("tr", name === this.current.state.field ? { class: "chosen" } : {},
+        element("th", { scope: "row" }, label),
+        ...columns.map((column) => element("td", {}, column?.find((row) => row.name === name)?.value ?? "left"))))));
+  }
+}

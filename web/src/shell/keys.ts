@@ -1,0 +1,95 @@
+// The keyboard, and the table of keys that "?" shows.
+
+import type { Current } from "../view/current";
+import type { Viewer } from "../view/viewer";
+import type { Player } from "./player";
+import type { ViewState } from "../logic/store";
+import { chooseMode } from "./controls";
+import { element, iconButton } from "./element";
+
+export interface Actions {
+  image: () => void;
+  video: () => void;
+  fullScreen: () => void;
+  theme: () => void;
+  print: () => void;
+}
+
+interface Key {
+  keys: string[]; // KeyboardEvent.key
+  show: string;
+  does: string;
+  act: (event: KeyboardEvent) => void;
+}
+
+export class Keys {
+  readonly help: HTMLDialogElement;
+  private readonly keys: Key[];
+
+  constructor(current: Current, viewer: Viewer, player: Player, actions: Actions) {
+    const { store } = current;
+    const flip = (key: "mesh" | "outline" | "slip" | "surfaces" | "names" | "log") => () => store.set({ [key]: !store.state[key] } as Partial<ViewState>);
+    const arrow = (frames: number, dx: number) => (event: KeyboardEvent) => (event.shiftKey ? viewer.move(dx, 0) : player.step(frames));
+    this.keys = [
+      { keys: [" "], show: "Space", does: "play, pause", act: () => player.toggle() },
+      { keys: ["ArrowLeft"], show: "←", does: "one frame back", act: arrow(-1, 60) },
+      { keys: ["ArrowRight"], show: "→", does: "one frame on", act: arrow(1, -60) },
+      { keys: ["PageUp", "j"], show: "J", does: "ten frames back", act: () => player.step(-10) },
+      { keys: ["PageDown", "k"], show: "K", does: "ten frames on", act: () => player.step(10) },
+      { keys: ["Home"], show: "Home", does: "first frame", act: () => player.step(-1e9) },
+      { keys: ["End"], show: "End", does: "last frame", act: () => player.step(1e9) },
+      { keys: ["<", ","], show: ",", does: "slower", act: () => player.changeSpeed(-1) },
+      { keys: [">", "."], show: ".", does: "faster", act: () => player.changeSpeed(1) },
+      { keys: ["1", "2", "3", "4", "5", "6", "7", "8", "9"], show: "1 … 9", does: "colour by the first … ninth field", act: (event) => {
+        const name = current.report.fieldNames()[Number(event.key) - 1];
+        if (name) store.set({ field: name });
+      } },
+      { keys: ["r"], show: "R", does: "range: whole run, this time, fixed", act: () => chooseMode(current, ({ run: "frame", frame: "fixed", fixed: "run" } as const)[store.state.rangeMode]) },
+      { keys: ["l"], show: "L", does: "logarithmic scale", act: flip("log") },
+      { keys: ["+", "="], show: "+", does: "zoom in (also wheel in a view that was clicked, or Ctrl and wheel)", act: () => viewer.zoom(1.3) },
+      { keys: ["-"], show: "−", does: "zoom out", act: () => viewer.zoom(1 / 1.3) },
+      { keys: ["ArrowUp", "ArrowDown"], show: "Shift ← → ↑ ↓", does: "move (also drag)", act: (event) => event.shiftKey && viewer.move(0, event.key === "ArrowUp" ? 60 : -60) },
+      { keys: ["0"], show: "0", does: "show all (also double click)", act: () => store.set({ camera: null }) },
+      { keys: ["m"], show: "M", does: "background mesh", act: flip("mesh") },
+      { keys: ["o"], show: "O", does: "initial outline", act: flip("outline") },
+      { keys: ["s"], show: "S", does: "slip surface", act: flip("slip") },
+      { keys: ["n"], show: "N", does: "named points", act: flip("names") },
+      { keys: ["d"], show: "D", does: "surface of the other run", act: flip("surfaces") },
+      { keys: ["e"], show: "E", does: "save the views as an image", act: actions.image },
+      { keys: ["v"], show: "V", does: "save the animation as a video", act: actions.video },
+      { keys: ["f"], show: "F", does: "views on the full screen", act: actions.fullScreen },
+      { keys: ["t"], show: "T", does: "light, dark", act: actions.theme },
+      { keys: ["p"], show: "P", does: "print, or save as PDF", act: actions.print },
+      { keys: ["Escape"], show: "Esc", does: "let go of the pinned point, close", act: () => store.set({ pin: null }) },
+      { keys: ["?"], show: "?", does: "this list", act: () => this.toggleHelp() },
+    ];
+    this.help = this.makeHelp();
+    document.addEventListener("keydown", (event) => this.press(event));
+  }
+
+  toggleHelp(): void {
+    if (this.help.open) this.help.close();
+    else this.help.showModal();
+  }
+
+  private press(event: KeyboardEvent): void {
+    const target = event.target as HTMLElement;
+    if (this.help.open && event.key !== "?") return;
+    if (event.ctrlKey || event.metaKey || event.altKey || target.closest("input:not([type=range]), textarea, select")) return;
+    const onRange = target.matches("input[type=range]");
+    if (onRange && !target.classList.contains("scrub") && event.key.startsWith("Arrow")) return;
+    if (event.key === " " && target.closest("button, summary, a")) return; // Space presses what has the focus
+    if (/^(Arrow(Up|Down)|Page|Home|End)/.test(event.key) && !event.shiftKey && !target.closest(".see")) return; // scrolls the page
+    const key = this.keys.find(({ keys }) => keys.includes(event.key) || keys.includes(event.key.toLowerCase()));
+    if (!key || (event.key.startsWith("Arrow") && /Up|Down/.test(event.key) && !event.shiftKey)) return;
+    event.preventDefault();
+    key.act(event);
+  }
+
+  private makeHelp(): HTMLDialogElement {
+    const close = iconButton("close", "Close", "Esc", () => this.help.close());
+    const rows = this.keys.map(({ show, does }) => element("div", {}, element("dt", {}, ...show.split(" ").map((part) => (part.length > 1 || /\S/.test(part) ? element("kbd", {}, part) : null))), element("dd", {}, does)));
+    return element("dialog", { class: "keys", "aria-labelledby": "keys-title" },
+      element("header", {}, element("h2", { id: "keys-title" }, "Keys"), close), element("dl", {}, ...rows));
+  }
+}

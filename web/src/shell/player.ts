@@ -1,0 +1,126 @@
+// Time: play, pause, scrub, speed; marks of the events of each run on the bar.
+
+import type { Current } from "../view/current";
+import type { Run } from "../data/run";
+import { advance, allTimes, speeds, stepTime } from "../logic/time";
+import { numberText, timeDecimals, timeText } from "../logic/numbers";
+import { runLabels } from "../logic/labels";
+import { runColour } from "../view/theme";
+import { element, icon, iconButton } from "./element";
+
+interface Mark {
+  time: number;
+  run: number;
+  sign: string;
+  text: string;
+}
+
+export function marksOf(run: Run): Mark[] {
+  const { first_slide, second_slide, slip_surface } = run.meta.events ?? {};
+  const marks: Mark[] = [];
+  const add = (time: number | null | undefined, sign: string, text: string) => {
+    if (typeof time === "number" && Number.isFinite(time)) marks.push({ time, run: run.index, sign, text });
+  };
+  add(first_slide?.begins, "1", "first slide begins");
+  add(slip_surface?.time, "⚡", "peak strain rate: slip surface");
+  add(first_slide?.stops, "■", "first slide stops");
+  add(second_slide?.begins, "2", "second slide begins");
+  return marks;
+}
+
+export class Player {
+  readonly root: HTMLElement;
+  readonly times: number[];
+  readonly span: [number, number];
+  private readonly decimals: number;
+  private readonly bar: HTMLInputElement;
+  private last = 0;
+
+  constructor(private readonly current: Current) {
+    const { report, store } = current;
+    this.times = allTimes(report.runs.map((run) => run.meta.times));
+    this.span = [this.times[0] ?? 0, this.times[this.times.length - 1] ?? 0];
+    this.decimals = timeDecimals(this.times);
+    this.bar = element("input", { type: "range", class: "scrub", min: this.span[0], max: this.span[1], step: "any", "aria-label": "Time", oninput: () => store.set({ time: this.bar.valueAsNumber, playing: false }) });
+    const play = iconButton("play", "Play", "Space", () => this.toggle());
+    play.classList.add("primary");
+    const again = iconButton("again", "Begin again at the end", "", () => store.set({ again: !store.state.again }));
+    const now = element("output", { class: "now", "aria-live": "off" });
+    this.root = element("div", { class: "player" },
+      element("div", { class: "buttons" },
+        iconButton("back", "One frame back", "←", () => this.step(-1)), play, iconButton("forward", "One frame on", "→", () => this.step(1)), again),
+      element("div", { class: "track" }, this.bar, this.marks()),
+      now,
+      this.speedChoice(),
+    );
+    store.watch(["playing"], ({ playing }) => {
+      play.replaceChildren(icon(playing ? "pause" : "play"));
+      play.setAttribute("aria-label", playing ? "Pause" : "Play");
+    });
+    store.watch(["again"], (state) => again.setAttribute("aria-pressed", String(state.again)));
+    store.watch(["time"], ({ time }) => {
+      this.bar.value = String(time);
+      this.bar.setAttribute("aria-valuetext", timeText(time, this.decimals));
+      now.textContent = timeText(time, this.decimals);
+    });
+  }
+
+  private marks(): HTMLElement {
+    const { report, store } = this.current;
+    const labels = runLabels(report.runs.map((run) => run.meta));
+    const length = this.span[1] - this.span[0] || 1;
+    const rows = report.runs.map((run) => {
+      const row = element("div", { class: "marks", "data-run": run.index });
+      for (const mark of marksOf(run)) {
+        const text = `${labels[run.index]}: ${mark.text}, ${timeText(mark.time, this.decimals)}`;
+        const button = element("button", { type: "button", class: "mark", title: text, "aria-label": `Go to ${text}`, onclick: () => store.set({ time: mark.time, playing: false }) }, mark.sign);
+        button.style.left = `${(100 * (mark.time - this.span[0])) / length}%`;
+        row.append(button);
+      }
+      store.watch(["dark"], ({ dark }) => row.style.setProperty("--run", runColour(run.index, dark)));
+      return row;
+    });
+    return element("div", { class: "mark-rows" }, ...rows);
+  }
+
+  private speedChoice(): HTMLElement {
+    const { store } = this.current;
+    const { all } = speeds(this.span[1] - this.span[0]);
+    const select = element("select", { "aria-label": "Speed, in seconds of the run per second", onchange: () => store.set({ speed: Number(select.value) }) },
+      ...all.map((speed) => element("option", { value: speed }, speed === 1 ? "real time" : `${numberText(speed)} × real time`)));
+    store.watch(["speed"], ({ speed }) => (select.value = String(speed)));
+    return element("label", { class: "speed" }, element("span", {}, "Speed"), select);
+  }
+
+  changeSpeed(by: number): void {
+    const { all } = speeds(this.span[1] - this.span[0]);
+    const { store } = this.current;
+    const k = all.indexOf(store.state.speed) + by;
+    if (all[k] !== undefined) store.set({ speed: all[k] });
+  }
+
+  step(frames: number): void {
+    const { store } = this.current;
+    store.set({ time: stepTime(this.times, store.state.time, frames), playing: false });
+  }
+
+  toggle(): void {
+    const { store } = this.current;
+    if (store.state.playing) return store.set({ playing: false });
+    if (store.state.time >= this.span[1]) store.set({ time: this.span[0] });
+    store.set({ playing: true });
+    this.last = performance.now();
+    requestAnimationFrame((now) => this.tick(now));
+  }
+
+  private tick(now: number): void {
+    const { store } = this.current;
+    if (!store.state.playing) return;
+    const elapsed = Math.min(0.25, Math.max(0, now - this.last) / 1000); // a tab that slept does not jump
+    this.last = now;
+    const { time, speed, again } = store.state;
+    const next = advance(time, elapsed, speed, this.span, again);
+    store.set({ time: next.time, ...(next.ended ? { playing: false } : {}) });
+    requestAnimationFrame((later) => this.tick(later));
+  }
+}

@@ -1,0 +1,202 @@
+// The views of all shown runs: their arrangement, drawing when something changed, zoom, pan, pointing and pinning.
+
+import type { Run } from "../data/run";
+import type { Current } from "./current";
+import { PointRenderer } from "./points";
+import { drawPanel, PADDING } from "./panel";
+import { Tip } from "./tip";
+import { bestColumns, fit, pan, toWorld, union, zoomAt, type Box, type Camera, type Size } from "../logic/camera";
+import { nearestPoint } from "../logic/nearest";
+import { runLabels } from "../logic/labels";
+import { element } from "../shell/element";
+
+interface View {
+  run: Run;
+  canvas: HTMLCanvasElement;
+}
+
+const GAP = 8; // CSS pixels between views
+
+export class Viewer {
+  readonly root = element("div", { class: "views" });
+  readonly renderer: PointRenderer | null;
+  readonly trouble: string | null = null;
+  readonly labels: string[];
+  private readonly views: View[];
+  private readonly tip: Tip;
+  private readonly box: Box;
+  private size: Size = { width: 1, height: 1 };
+  private asked = false;
+  private drawnFrames = "";
+  /** Called after each drawing; for the counter of frames. */
+  onDrawn: () => void = () => undefined;
+
+  constructor(private readonly current: Current) {
+    const { report, store } = current;
+    this.labels = runLabels(report.runs.map((run) => run.meta));
+    this.box = union(report.runs.map((run) => run.extent()));
+    try {
+      this.renderer = new PointRenderer(() => location.reload());
+    } catch (error) {
+      this.renderer = null;
+      this.trouble = (error as Error).message;
+    }
+    this.tip = new Tip(current);
+    this.views = report.runs.map((run) => ({ run, canvas: this.makeCanvas(run) }));
+    this.root.append(...this.views.map((view) => view.canvas), this.tip.root);
+    store.on((_, changed) => {
+      if (changed.has("shown") || changed.has("layout")) this.arrange();
+      const onlyTime = [...changed].every((key) => key === "time" || key === "playing");
+      if (!onlyTime || this.drawnFrames !== this.frames()) this.ask();
+    });
+    for (const run of report.runs) run.onField.push(() => this.ask());
+    new ResizeObserver(() => this.arrange()).observe(this.root);
+  }
+
+  private makeCanvas(run: Run): HTMLCanvasElement {
+    const canvas = element("canvas", {
+      class: "view", tabindex: 0, role: "img",
+      "aria-label": `Material points of ${this.labels[run.index]}. Wheel zooms, dragging moves, a click pins a point.`,
+    });
+    this.listen(canvas, run);
+    return canvas;
+  }
+
+  /** Sizes of the canvases: as many columns as show most, unless the reader chose. */
+  arrange(): void {
+    const { layout, shown } = this.current.state;
+    const visible = this.views.filter((view) => shown[view.run.index]);
+    for (const view of this.views) view.canvas.hidden = !visible.includes(view);
+    const area = { width: this.root.clientWidth, height: this.root.clientHeight };
+    if (visible.length === 0 || area.width === 0) return;
+    const columns = layout === "rows" ? 1 : layout === "columns" ? visible.length : bestColumns(visible.length, this.box, area, PADDING);
+    const rows = Math.ceil(visible.length / columns);
+    this.root.style.gridTemplateColumns = `repeat(${columns}, minmax(0, 1fr))`;
+    this.size = {
+      width: Math.floor((area.width - GAP * (columns - 1)) / columns),
+      height: Math.max(120, Math.floor((area.height - GAP * (rows - 1)) / rows)),
+    };
+    const ratio = window.devicePixelRatio || 1;
+    for (const { canvas } of visible) {
+      canvas.width = Math.round(this.size.width * ratio);
+      canvas.height = Math.round(this.size.height * ratio);
+      canvas.style.height = `${this.size.height}px`;
+    }
+    this.ask();
+  }
+
+  ask(): void {
+    if (this.asked) return;
+    this.asked = true;
+    requestAnimationFrame(() => {
+      this.asked = false;
+      this.draw();
+    });
+  }
+
+  camera(): Camera {
+    return this.current.state.camera ?? this.fitted(this.size);
+  }
+
+  fitted(size: Size, padding = PADDING): Camera {
+    return fit(this.box, size, padding);
+  }
+
+  /** What all runs ever fill [m]. */
+  extent(): Box {
+    return this.box;
+  }
+
+  viewSize(): Size {
+    return this.size;
+  }
+
+  private frames(): string {
+    return this.current.shownRuns().map((run) => this.current.frame(run)).join();
+  }
+
+  draw(): void {
+    this.drawnFrames = this.frames();
+    const ratio = window.devicePixelRatio || 1;
+    for (const { run, canvas } of this.views) {
+      if (canvas.hidden) continue;
+      const context = canvas.getContext("2d")!;
+      context.setTransform(ratio, 0, 0, ratio, 0, 0);
+      drawPanel(context, this.renderer, run, this.current, {
+        camera: this.camera(), size: this.size, ratio, time: this.current.state.time,
+        names: this.labels, label: this.labels[run.index]!, note: run.meta.name, bare: false,
+      });
+    }
+    this.tip.update();
+    this.onDrawn();
+  }
+
+  zoom(factor: number, px = this.size.width / 2, py = this.size.height / 2): void {
+    this.current.store.set({ camera: zoomAt(this.camera(), this.size, px, py, factor) });
+  }
+
+  move(dx: number, dy: number): void {
+    this.current.store.set({ camera: pan(this.camera(), dx, dy) });
+  }
+
+  private listen(canvas: HTMLCanvasElement, run: Run): void {
+    const pointers = new Map<number, [number, number]>();
+    let moved = 0;
+    canvas.addEventListener("pointerdown", (event) => {
+      canvas.setPointerCapture(event.pointerId);
+      pointers.set(event.pointerId, [event.offsetX, event.offsetY]);
+      moved = 0;
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      const before = pointers.get(event.pointerId);
+      if (!before) return this.hover(run, event);
+      const now: [number, number] = [event.offsetX, event.offsetY];
+      if (pointers.size === 2) this.pinch(pointers, event.pointerId, now);
+      else this.move(now[0] - before[0], now[1] - before[1]);
+      moved += Math.abs(now[0] - before[0]) + Math.abs(now[1] - before[1]);
+      pointers.set(event.pointerId, now);
+    });
+    const up = (event: PointerEvent) => {
+      if (pointers.delete(event.pointerId) && moved < 5 && event.type === "pointerup") this.click(run, event);
+    };
+    canvas.addEventListener("pointerup", up);
+    canvas.addEventListener("pointercancel", up);
+    canvas.addEventListener("pointerleave", () => this.current.store.set({ hover: null }));
+    canvas.addEventListener("dblclick", () => this.current.store.set({ camera: null }));
+    canvas.addEventListener("wheel", (event) => this.wheel(canvas, event), { passive: false });
+  }
+
+  /** The wheel zooms in a view that has the focus, or with Ctrl; otherwise it scrolls the page as everywhere. */
+  private wheel(canvas: HTMLCanvasElement, event: WheelEvent): void {
+    if (!event.ctrlKey && document.activeElement !== canvas) return;
+    event.preventDefault();
+    const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1;
+    this.zoom(Math.exp(-Math.max(-120, Math.min(120, event.deltaY * lines)) * (event.ctrlKey ? 0.006 : 0.0025)), event.offsetX, event.offsetY);
+  }
+
+  private pinch(pointers: Map<number, [number, number]>, id: number, now: [number, number]): void {
+    const still = [...pointers].find(([other]) => other !== id)![1];
+    const before = pointers.get(id)!;
+    const distance = (p: [number, number]) => Math.hypot(p[0] - still[0], p[1] - still[1]);
+    this.zoom(distance(now) / Math.max(1, distance(before)), (now[0] + still[0]) / 2, (now[1] + still[1]) / 2);
+  }
+
+  private pick(run: Run, event: PointerEvent): number {
+    const camera = this.camera();
+    const [x, y] = toWorld(camera, this.size, event.offsetX, event.offsetY);
+    return nearestPoint(run, this.current.frame(run), x, y, Math.max(run.meta.point_size, 10 / camera.scale));
+  }
+
+  private hover(run: Run, event: PointerEvent): void {
+    const point = this.pick(run, event);
+    this.tip.at(event.clientX, event.clientY);
+    const { hover } = this.current.state;
+    if (hover && hover.run === run.index && hover.point === point) return this.tip.update();
+    this.current.store.set({ hover: point < 0 ? null : { run: run.index, point } });
+  }
+
+  private click(run: Run, event: PointerEvent): void {
+    const point = this.pick(run, event);
+    this.current.store.set({ pin: point < 0 ? null : { run: run.index, point } });
+  }
+}

@@ -1,0 +1,62 @@
+// The writer's half of the codec, for tests alone: what src/report does in C++.
+
+import { gzipSync } from "node:zlib";
+import type { QuantisedMeta } from "../../src/data/format";
+import { FULL } from "../../src/data/quantised";
+
+/** q of all frames, shape [frames, points], as the bytes of a chunk before gzip. */
+export function encodeFrames(q: Uint16Array, frames: number, points: number): Uint8Array {
+  const bytes = new Uint8Array(2 * frames * points);
+  for (let f = 0; f < frames; f++) {
+    for (let p = 0; p < points; p++) {
+      const before = f === 0 ? 0 : q[(f - 1) * points + p]!;
+      const d = (q[f * points + p]! - before) & 0xffff;
+      bytes[2 * f * points + p] = d & 0xff;
+      bytes[2 * f * points + points + p] = d >> 8;
+    }
+  }
+  return bytes;
+}
+
+export class ChunkWriter {
+  readonly texts: string[] = [];
+
+  add(bytes: Uint8Array): number {
+    this.texts.push(gzipSync(bytes).toString("base64"));
+    return this.texts.length - 1;
+  }
+
+  floats(values: ArrayLike<number>): number {
+    return this.add(new Uint8Array(Float32Array.from(values).buffer));
+  }
+
+  numbers(values: ArrayLike<number>): number {
+    return this.add(new Uint8Array(Uint32Array.from(values).buffer));
+  }
+
+  /** values[f][p]; null: absent, 65535 in the file. */
+  quantity(values: (number | null)[][], log = false): QuantisedMeta {
+    const [frames, points] = [values.length, values[0]!.length];
+    let [lo, hi] = [Infinity, -Infinity];
+    for (const row of values) for (const v of row) if (v !== null) [lo, hi] = [Math.min(lo, v), Math.max(hi, v)];
+    if (log) lo = Math.max(lo, 1e-6 * hi);
+    hi = hi > lo ? hi + 2e-5 * (hi - lo) : lo + 1;
+    const q = new Uint16Array(frames * points);
+    values.forEach((row, f) => row.forEach((v, p) => {
+      const part = v === null ? 1 : log ? Math.log(Math.max(v, lo) / lo) / Math.log(hi / lo) : (v - lo) / (hi - lo);
+      q[f * points + p] = Math.round(part * FULL);
+    }));
+    return { chunk: this.add(encodeFrames(q, frames, points)), lo, hi, log, frames, points, bits: 16, static: false };
+  }
+}
+
+export const PLACE = "<!--terp-data-->";
+
+/** The template with the data in its place. */
+export function fillTemplate(template: string, json: unknown, chunks: string[]): string {
+  const data = `<script id="terp-report" type="application/json">${JSON.stringify(json).replaceAll("</", "<\\/")}</script>`;
+  const scripts = chunks.map((text, k) => `<script type="application/octet-stream" data-chunk="${k}">${text}</script>`);
+  const at = template.indexOf(PLACE);
+  if (at < 0 || template.indexOf(PLACE, at + 1) >= 0) throw new Error("The template must hold the place of the data once.");
+  return template.slice(0, at) + [data, ...scripts].join("\n") + template.slice(at + PLACE.length);
+}
