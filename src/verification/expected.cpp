@@ -17,7 +17,7 @@ namespace {
 using Names = std::vector<std::string>;
 
 const Names quantity_keys = {"name", "kind",  "value",     "reduce", "reference", "where",    "scale",    "time",    "from", "to",     "threshold",
-                             "at",   "runs",  "tolerance", "relative", "at_least", "at_most", "of",      "over",    "unit", "source", "red", "as", "shown", "differences"};
+                             "at",   "runs",  "tolerance", "relative", "at_least", "at_most", "of",      "over",    "unit", "source", "red", "as", "shown", "differences", "red_runs"};
 const Names run_keys = {"name", "case", "schemes", "set", "constants", "long", "seconds", "stability"};
 const Names kind_words = {"field", "point", "ledger", "summary", "formula", "order", "footing"};
 const Names reduce_words = {"rms_error", "max_error", "mean", "sum", "max", "min", "at", "last", "period", "frequency", "arrival"};
@@ -186,6 +186,7 @@ Quantity read_quantity(const Expected& file, const Node& table)
   q.as = reader.text("as");
   q.of = reader.text("of", is_order), q.over = reader.text("over", is_order);
   q.runs = reader.texts("runs");
+  q.red_runs = reader.texts("red_runs");
   read_place(reader, q);
   check_judgement(file, q);
   return q;
@@ -203,6 +204,7 @@ void check_names(const Expected& file)
   };
   for (const Quantity& q : file.quantities) {
     for (const std::string& run : q.runs) check(q, run, runs, "run");
+    for (const std::string& run : q.red_runs) check(q, run, runs, "run");
     if (q.kind == QuantityKind::order) check(q, q.of, quantities, "quantity");
   }
 }

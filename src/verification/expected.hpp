@@ -39,6 +39,7 @@ struct Quantity {
   std::string of = {}, over = {};  ///< order: name of another quantity; the constant that is refined
   bool differences = false;     ///< order: of the differences of successive values, where the limit is not the reference
   std::vector<std::string> runs = {};  ///< names of the runs it is measured in; empty: all
+  std::vector<std::string> red_runs = {};  ///< those that `red` speaks of; empty: all
   Place place = {};
 };
 
