@@ -145,7 +145,7 @@ std::string warnings_of(const Case& c)
   Model model = build_model(c, 1);
   const State state = build_state(model);
   std::string text;
-  for (const Problem& p : find_warnings(model, state)) text += p.where + ": " + p.what + "\n" + p.detail + "\n";
+  for (const Problem& p : find_warnings(model, state)) text += p.key + ": " + p.what + "\n" + p.detail + "\n";
   return text;
 }
 
