@@ -1,6 +1,8 @@
 // The commands of the program, one function each. Each returns the exit status.
 #pragma once
 
+#include "stability/factor_of_safety.hpp"
+
 #include <string>
 #include <vector>
 
@@ -34,6 +36,7 @@ struct ReportCommand {
 };
 
 int run_case(const RunOptions& options);
+int find_stability(const RunOptions& run, StabilityOptions options);
 int resume_run(const RunOptions& options);
 int check_case(const RunOptions& options);
 int bench_case(const RunOptions& options);

@@ -2,6 +2,7 @@
 
 #include "commands.hpp"
 #include "input/case_file.hpp"
+#include "input/printable.hpp"
 #include "output/checkpoint.hpp"
 #include "output/mesh_file.hpp"
 #include "output/run_writer.hpp"
@@ -53,6 +54,9 @@ void print_summary(const Summary& s, const std::string& folder)
   fmt::print("  second failure   {}\n", optional_number(s.second_failure_time, "s"));
   fmt::print("  largest eps_eq_p {:.3g}\n", s.max_eps_eq_p);
   fmt::print("  energy balance   {:.2g} % of the energy exchanged\n", 100.0 * s.energy_balance_error);
+  for (const FootingSummary& f : s.footings)
+    fmt::print("  {:<16} reaction {:.4g} kN/m, {:.4g} kN/m up, at the end; largest against its motion {:.4g} kN/m\n", printable(f.name), f.reaction[0] / 1e3,
+               f.reaction[1] / 1e3, f.largest / 1e3);
   fmt::print("  points lost: 0; put back at walls: {}; left through open sides: {}\n", s.clamped_points, s.points_left);
   fmt::print("results in {}\n", folder);
 }
@@ -165,7 +169,8 @@ ResumePoint resume_point(const Model& model, const State& state)
   const std::int64_t n_times = count_due(state.step, model.dt, output.history_every);
   return {.step = state.step, .time = state.time, .n_frames = std::ssize(state.softened_fraction),
           .n_history_rows = n_times * std::ssize(output.history_points), .n_ledger_rows = std::ssize(state.crest.time),
-          .n_left_rows = std::ssize(state.left)};
+          .n_left_rows = std::ssize(state.left),
+          .n_footing_rows = std::ssize(state.crest.time) * std::ssize(model.footings)};
 }
 
 }  // namespace

@@ -58,6 +58,13 @@ std::vector<SideCondition> make_sides(const Case& c, const Mesh<2>& mesh)
   return sides;
 }
 
+std::vector<Footing> make_footings(const Case& c)
+{
+  std::vector<Footing> footings;
+  for (const FootingCase& f : c.footings) footings.push_back({f.name, f.low, f.high, f.velocity, f.ramp, f.contact == FootingContact::rough});
+  return footings;
+}
+
 /// Sides that the case calls "open".
 OpenSides make_open_sides(const Case& c, const Mesh<2>& mesh)
 {
@@ -169,6 +176,7 @@ Model build_model(const Case& description, Mesh<2> mesh, int threads)
   model.materials = make_materials(description);
   model.method = description.method;
   model.boundary = Boundary(model.mesh, make_sides(description, model.mesh));
+  model.footings = make_footings(description);
   model.open_sides = make_open_sides(description, model.mesh);
   model.gravity = description.forces.gravity;
   model.damping = {.local = description.forces.local_damping, .viscous = description.forces.viscous_damping};
@@ -188,6 +196,7 @@ State build_state(Model& model)
   state.points = PointBlocks<2>(model.mesh.n_cells(), model.n_state);
   state.x_initial.resize(2 * points.size());
   state.put_back.assign(points.size(), 0);
+  state.footings.resize(model.footings.size());
   add_points(model, points, state);
   state.points.update_occupied();
   state.points.reserve(static_cast<std::int64_t>(points.size() / 4));

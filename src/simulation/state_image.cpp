@@ -131,6 +131,25 @@ void get_left(const StateImage& image, State& state)
   state.left_told = state.left.size();
 }
 
+void put_footings(const State& state, StateImage& image)
+{
+  std::vector<Real> values;
+  for (const FootingMeter& m : state.footings)
+    values.insert(values.end(), {m.impulse[0], m.impulse[1], m.since, m.reaction[0], m.reaction[1], m.largest, m.work});
+  if (!values.empty()) put(image, "footings", std::move(values));
+}
+
+void get_footings(const Model& model, const StateImage& image, State& state)
+{
+  state.footings.resize(model.footings.size());
+  if (state.footings.empty()) return;
+  const Real* v = get<Real>(image, "footings", 7 * state.footings.size()).data();
+  for (FootingMeter& m : state.footings) {
+    m = {.impulse = {v[0], v[1]}, .since = v[2], .reaction = {v[3], v[4]}, .largest = v[5], .work = v[6]};
+    v += 7;
+  }
+}
+
 /// Every id, of points and of those that left, must lie in the range that x_initial spans: other arrays are indexed by it.
 void check_ids(const State& state)
 {
@@ -154,6 +173,7 @@ StateImage make_image(const State& state)
   put(image, "wall_s", std::vector<Real>{state.wall_s});  // the one number that differs between equal runs
   put(image, "counts", std::vector<std::int64_t>{state.clamped, state.tension_cut, state.equilibrium_steps});
   put_left(state, image);
+  put_footings(state, image);
   put(image, "put_back", widen(state.put_back));
   put(image, "audit/last_eps_eq_p", state.audit.last_eps_eq_p);
   put(image, "audit/last_su", state.audit.last_su);
@@ -181,6 +201,7 @@ State restore(const Model& model, const StateImage& image)
   get_points(model, image, state);
   state.x_initial = get<Real>(image, "x_initial");
   get_left(image, state);
+  get_footings(model, image, state);
   const auto n = static_cast<std::size_t>(state.n_ids());
   check_ids(state);
   const auto& w = get<Real>(image, "work", 7);

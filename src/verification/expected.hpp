@@ -18,7 +18,7 @@ struct Formula {
   bool given() const { return !text.empty(); }
 };
 
-enum class QuantityKind { field, point, ledger, summary, formula, order };
+enum class QuantityKind { field, point, ledger, summary, formula, order, footing };
 
 /// How many numbers become one. The errors are those of value - reference over scale.
 enum class Reduce { rms_error, max_error, mean, sum, max, min, at, last, period, frequency, arrival };
@@ -55,6 +55,7 @@ struct Variant {
   std::vector<std::string> schemes = {};  ///< empty: that of the case
   std::vector<std::string> set = {};   ///< KEY=VALUE
   std::vector<Constant> constants = {};  ///< in addition to those of the file
+  std::vector<Real> stability = {};    ///< a factor of safety instead of a run: from, to, tolerance; empty: a run
   bool is_long = false;
   double seconds = 1.0;                ///< about, on one core; for the time to go
 };
