@@ -97,7 +97,8 @@ int solve(const Model& model, State& state, RunWriter& writer, const RunOptions&
     writer.summary(summarise(model, state), false);  // also names the case for `resume`
     const Outcome outcome = run(model, state, work, observers, stop_requested);
     progress.finish();
-    const Summary summary = summarise(model, state);
+    Summary summary = summarise(model, state);
+    for (int pass = 0; pass < n_passes; ++pass) summary.passes.push_back({pass_names[pass], work.seconds[pass]});
     writer.summary(summary, outcome == Outcome::finished);
     if (outcome == Outcome::interrupted) {
       fmt::print("stopped at t = {:.4g} s, step {}; a checkpoint is written. Go on with:\n  terp resume {}\n", state.time, state.step, folder);

@@ -16,7 +16,7 @@ Real kinetic_and_elastic_energy(const Model& model, const State& state);
 /// What the works moved so far, and the energy of the start [J per m]: the scale of the energy balance.
 Real energy_exchanged(const State& state);
 
-/// The books as they stand; enters the crest into state.crest, the speed into state.largest_v_999, and audits the history:
+/// The books as they stand; follows the failure, enters the speed into state.largest_v_999, and audits the history:
 /// a point whose eps_eq_p fell, or whose S_u rose, since the row before is marked for good.
 LedgerRow keep_ledger(const Model& model, State& state);
 

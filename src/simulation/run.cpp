@@ -1,6 +1,8 @@
 #include "simulation/run.hpp"
 
 #include "base/errors.hpp"
+#include "parallel/processor.hpp"
+#include "simulation/failure.hpp"
 #include "simulation/frame.hpp"
 #include "simulation/guards.hpp"
 #include "simulation/initial.hpp"
@@ -164,10 +166,8 @@ Summary summarise(const Model& model, const State& state)
   s.point_steps_per_s = state.wall_s > 0.0 ? static_cast<double>(s.n_points) * static_cast<double>(s.n_steps) / state.wall_s : 0.0;
   s.threads = model.threads;
   s.instructions = kernels().instructions;
-  s.front_x = front(state.points);
-  const Real crest = find_crest(state.crest, state.points);
-  if (crest > state.crest.columns.left) s.crest_x = crest;
-  s.second_failure_time = second_failure_time(state.crest);
+  s.processor = processor_name();
+  summarise_failure(state, s);
   const auto& eps = state.audit.last_eps_eq_p;
   s.max_eps_eq_p = eps.empty() ? 0.0 : *std::max_element(eps.begin(), eps.end());
   s.softened_fraction = state.softened_fraction;

@@ -47,8 +47,9 @@ export function summarySection(report: Report, store: Store): HTMLElement {
     element("h2", { id: "story-title" }, "What happened"),
     ...unfinished(report, labels),
     factTable(report, labels, store),
+    report.runs.every((run) => !run.meta.events && run.meta.story.length === 0) ? element("p", { class: "muted" }, "This report was written without a search for events.") : null,
     several && report.comparison && report.comparison.text.length > 0 ? comparisonText(report) : null,
-    ...report.runs.map((run, k) => storyOf(run, labels[k]!, several, store)),
+    ...report.runs.filter((run) => run.meta.story.length > 0).map((run) => storyOf(run, labels[run.index]!, several, store)),
     ...warnings(report, labels),
   );
 }
@@ -60,8 +61,9 @@ function unfinished(report: Report, labels: string[]): HTMLElement[] {
   });
 }
 
-function factTable(report: Report, labels: string[], store: Store): HTMLElement {
+function factTable(report: Report, labels: string[], store: Store): HTMLElement | null {
   const facts = FACTS.filter((fact) => report.runs.some((run) => fact.value(run) !== "–"));
+  if (facts.length === 0) return null;
   const several = report.runs.length > 1;
   const head = element("tr", {}, element("td"), ...report.runs.map((run, k) => coloured(element("th", { scope: "col" }, labels[k]!), run, store)));
   const rows = facts.map((fact) => element("tr", {},

@@ -7,6 +7,7 @@ import type { PointRenderer } from "./points";
 import type { Camera, Padding, Size } from "../logic/camera";
 import { toScreen, toWorld } from "../logic/camera";
 import { niceLength, niceTicks, numberText, timeDecimals, timeText } from "../logic/numbers";
+import { sameBody } from "../logic/same_body";
 import { canvasTheme, FONT, runColour, type CanvasTheme } from "./theme";
 
 export const PADDING: Padding = { left: 40, right: 16, top: 38, bottom: 30 };
@@ -191,20 +192,6 @@ function drawMarks(drawing: Drawing): void {
     line(context, theme.halo, 5);
     line(context, colour, of === run ? 2.5 : 1.5);
   }
-}
-
-/** True if ids mean the same points in both runs: as many points, seeded at the same places. */
-export function sameBody(a: Run, b: Run): boolean {
-  if (a.meta.n_points !== b.meta.n_points) return false;
-  const near = 4 * Math.max(a.meta.position_precision, b.meta.position_precision);
-  for (const part of [0, 0.37, 0.71, 0.99]) {
-    const p = Math.floor(part * (a.points - 1));
-    const other = b.pointOfId(a.ids[p]!);
-    if (other < 0) continue;
-    const [[ax, ay], [bx, by]] = [a.place(0, p), b.place(0, other)];
-    if (Math.abs(ax - bx) > near || Math.abs(ay - by) > near) return false;
-  }
-  return true;
 }
 
 function drawAxes(drawing: Drawing): void {
