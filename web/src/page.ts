@@ -15,7 +15,7 @@ import { fieldControls, layerControls, zoomButtons } from "./shell/controls";
 import { Keys, type Actions } from "./shell/keys";
 import { Notice } from "./shell/notice";
 import { element, icon, iconButton } from "./shell/element";
-import { summarySection } from "./sections/summary";
+import { storiesSection, summarySection } from "./sections/summary";
 import { comparisonSection } from "./sections/comparison";
 import { chartsSection } from "./sections/charts";
 import { momentsSection } from "./sections/moments";
@@ -70,6 +70,7 @@ export function buildPage(report: Report, page: HTMLElement): void {
     header(report, title, actions, keys),
     element("main", {},
       element("div", { class: "first" }, see, element("div", { class: "beside" }, pinned.root, summarySection(report, store))),
+      storiesSection(report, store) ?? "",
       momentsSection(current, viewer) ?? "",
       comparisonSection(report, store) ?? "",
       chartsSection(current),

@@ -53,7 +53,7 @@ describe.each(pages)("the page of %s", (_, make) => {
   it("shows soil of both runs, a title, the story and the numbers", async () => {
     for (const view of [0, 1]) expect(coloured(await pixels(page, view))).toBeGreaterThan(5000);
     expect(await page.locator("h1").textContent()).toMatch(/\w/);
-    expect(await page.locator(".story").textContent()).toMatch(/First slide begins/);
+    expect(await page.locator(".facts").textContent()).toMatch(/First slide begins/);
     expect(await page.locator(".story-of p").count()).toBeGreaterThan(0);
     expect(await page.locator(".facts td").count()).toBeGreaterThan(5);
   });
