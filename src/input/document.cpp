@@ -184,7 +184,7 @@ std::string read_quoted(std::string_view path, std::size_t& k)
 {
   const char mark = path[k++];
   const std::size_t end = std::min(path.find(mark, k), path.size());
-  const std::string part(path.substr(k, end - k));
+  std::string part(path.substr(k, end - k));
   k = std::min(end + 1, path.size());
   return part;
 }
