@@ -24,7 +24,7 @@ import h5py
 
 CASE = Path(__file__).with_name("column.toml")
 AGAIN = 1 / 3                                        # share of resumed runs that are killed too
-CLOCK = {"wall_s", "point_steps_per_s", "threads"}   # of summary.json: they differ between equal runs
+CLOCK = {"wall_s", "point_steps_per_s", "threads", "passes"}   # of summary.json: they differ between equal runs
 FRAMES = "VTKHDF/Steps"
 
 
