@@ -2,6 +2,7 @@
 BUILD   ?= build
 FUZZ_SECONDS ?= 600
 KILLS   ?= 200
+CLANG    = -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_C_COMPILER=clang-14 -DCMAKE_LINKER=/usr/bin/ld -DTERP_PAGE=OFF
 RUNS    ?= runs
 FIGURES ?= figures
 TERP     = $(BUILD)/terp
@@ -58,7 +59,7 @@ kill: install    ## kill KILLS=200 runs at random moments, resume them, compare 
 
 fuzz: install    ## fuzz each reader of files for FUZZ_SECONDS=600 with libFuzzer (clang)
 	@tools/install-dependencies --checks
-	@cmake -S . -B $(BUILD)/fuzz -G Ninja -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_C_COMPILER=clang-14 -DTERP_FUZZ=ON -DTERP_TESTS=OFF >/dev/null
+	@cmake -S . -B $(BUILD)/fuzz -G Ninja -DTERP_FUZZ=ON -DTERP_TESTS=OFF $(CLANG) >/dev/null
 	@cmake --build $(BUILD)/fuzz
 	@tests/fuzz/run $(BUILD)/fuzz/tests/fuzz $(BUILD)/fuzz/found $(FUZZ_SECONDS)
 
@@ -67,7 +68,7 @@ sanitize: install ## the tests with the address, undefined-behaviour and thread 
 
 lint: install    ## clang-tidy and cppcheck, warnings as errors (.clang-tidy, tools/lint)
 	@tools/install-dependencies --checks
-	@cmake -S . -B $(BUILD)/lint -G Ninja -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_C_COMPILER=clang-14 -DTERP_INSTRUCTIONS=plain >/dev/null
+	@cmake -S . -B $(BUILD)/lint -G Ninja -DTERP_INSTRUCTIONS=plain -DTERP_TESTS=OFF $(CLANG) >/dev/null
 	@tools/lint $(BUILD)/lint
 
 accept: build    ## write what CASE=column_collapse gives now into its expected.toml
