@@ -196,13 +196,19 @@ function makeActions(current: Current, viewer: Viewer, player: Player, notice: N
   };
 }
 
-/** Paper is white: prints in light colours, then goes back. */
+/** Paper is white, and nothing on it can be opened: prints in light colours with the case files, then goes back. */
 function printLight(store: Store, viewer: Viewer): void {
   let dark = false;
+  let opened: HTMLDetailsElement[] = [];
   window.addEventListener("beforeprint", () => {
     dark = store.state.dark;
+    opened = [...document.querySelectorAll<HTMLDetailsElement>("details:not([open])")];
+    for (const details of opened) details.open = true;
     store.set({ dark: false, playing: false });
     viewer.draw();
   });
-  window.addEventListener("afterprint", () => store.set({ dark }));
+  window.addEventListener("afterprint", () => {
+    store.set({ dark });
+    for (const details of opened) details.open = false;
+  });
 }

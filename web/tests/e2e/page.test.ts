@@ -258,6 +258,30 @@ describe("the page", () => {
     await page.context().close();
   });
 
+  it("says that only some of many points are shown, that a run is under way, and what to beware of", async () => {
+    const { page, errors } = await open(browser, examplePage(20, 1, (report) => Object.assign(report.runs[0]!, { n_points: 4000, finished: false, warnings: ["Beware."] })));
+    expect(await page.locator(".see").textContent()).toContain("One material point in 10 is shown: 400 of 4000.");
+    expect(await page.locator(".story").textContent()).toMatch(/has not reached its end.*up to 3.s.*Beware\./);
+    expect(errors).toEqual([]);
+    await page.context().close();
+  });
+
+  it("prints in light colours on a few pages, from a dark screen too", async () => {
+    const { page, errors } = await open(browser, examplePage(20), { dark: true });
+    const before = await pixels(page, 0);
+    await page.evaluate(`window.addEventListener("beforeprint", () => (window.printed = document.documentElement.dataset.theme))`);
+    const pdf = await page.pdf({ preferCSSPageSize: true, printBackground: true });
+    const sheets = pdf.toString("latin1").match(/\/Type \/Page\b/g)!.length;
+    expect(sheets).toBeGreaterThan(1);
+    expect(sheets).toBeLessThan(9);
+    expect(await page.evaluate("window.printed")).toBe("light");
+    await settled(page);
+    expect(await page.evaluate("document.documentElement.dataset.theme")).toBe("dark");
+    expect((await pixels(page, 0)).data.equals(before.data)).toBe(true);
+    expect(errors).toEqual([]);
+    await page.context().close();
+  });
+
   it("without data says how to get some", async () => {
     const context = await browser.newContext();
     const page = await context.newPage();

@@ -4,6 +4,7 @@ import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
+import type { ReportMeta } from "../../src/data/format";
 import { exampleReport } from "./example";
 import { fillTemplate } from "./encode";
 
@@ -15,9 +16,10 @@ export function template(): string {
   return readFileSync(path, "utf8");
 }
 
-/** A page with made-up runs of side x side points. */
-export function examplePage(side: number, runs = 2): string {
+/** A page with made-up runs of side x side points, changed by `change`. */
+export function examplePage(side: number, runs = 2, change: (report: ReportMeta) => void = () => undefined): string {
   const { report, chunks } = exampleReport(side, runs);
+  change(report);
   const path = join(mkdtempSync(join(tmpdir(), "terp-web-")), "example.html");
   writeFileSync(path, fillTemplate(template(), report, chunks));
   return path;
