@@ -266,6 +266,31 @@ describe("the page", () => {
     await page.context().close();
   });
 
+  it("keeps what one looks at over a reload", async () => {
+    const { page, errors } = await open(browser, examplePage(20));
+    await page.evaluate(`window.terp.store.set({ field: "velocity", time: 1.5, mesh: true })`);
+    await page.waitForFunction(`location.hash.includes("velocity")`);
+    await page.reload();
+    await page.waitForFunction("window.terp && window.terp.ready");
+    expect([await state(page, "field"), await state(page, "time"), await state(page, "mesh")]).toEqual(["velocity", 1.5, true]);
+    expect(errors).toEqual([]);
+    await page.context().close();
+  });
+
+  it("without WebGL says so, and has its story and charts", async () => {
+    const context = await browser.newContext();
+    await context.addInitScript(`const get = HTMLCanvasElement.prototype.getContext; HTMLCanvasElement.prototype.getContext = function (type, ...more) { return type === "webgl2" ? null : get.call(this, type, ...more); }`);
+    const page = await context.newPage();
+    const errors: string[] = [];
+    page.on("pageerror", (error) => errors.push(String(error)));
+    await page.goto(`file://${examplePage(20)}`);
+    await page.waitForSelector("#charts canvas");
+    expect(await page.locator(".see .notice").textContent()).toContain("no WebGL 2");
+    expect(await page.locator(".facts td").count()).toBeGreaterThan(5);
+    expect(errors).toEqual([]);
+    await context.close();
+  });
+
   it("prints in light colours on a few pages, from a dark screen too", async () => {
     const { page, errors } = await open(browser, examplePage(20), { dark: true });
     const before = await pixels(page, 0);
