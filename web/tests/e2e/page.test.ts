@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { PNG } from "pngjs";
 import type { Browser, Page } from "playwright-core";
 import { launch, open, type Opened } from "../support/browser";
-import { examplePage, realPage } from "../support/fixture";
+import { examplePage, realRuns } from "../support/fixture";
 
 let browser: Browser;
 beforeAll(async () => {
@@ -13,8 +13,8 @@ beforeAll(async () => {
 });
 afterAll(async () => browser?.close());
 
-const pages: [string, () => string | null][] = [["made-up runs", () => examplePage(40)]];
-if (process.env.TERP) pages.push(["runs of the program", realPage]);
+const pages: [string, () => string][] = [["made-up runs", () => examplePage(40)]];
+if (process.env.TERP) pages.push(["runs of the program", () => realRuns().page]);
 
 const state = <T>(page: Page, key: string) => page.evaluate(`window.terp.store.state.${key}`) as Promise<T>;
 
@@ -44,7 +44,7 @@ describe.each(pages)("the page of %s", (_, make) => {
   let path: string;
 
   beforeAll(async () => {
-    path = make()!;
+    path = make();
     opened = await open(browser, path);
     page = opened.page;
   });
