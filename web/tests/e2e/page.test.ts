@@ -181,7 +181,7 @@ describe.each(pages)("the page of %s", (_, make) => {
     expect(coloured(png)).toBeGreaterThan(20_000);
     const at = (x: number, y: number) => [...png.data.subarray(4 * (y * png.width + x), 4 * (y * png.width + x) + 3)];
     expect(at(2, 2)).toEqual([255, 255, 255]); // the ground
-    const bar = Array.from({ length: png.width }, (_, x) => at(x, png.height - 2 * (14 + 46 - 6 - 12))); // through the colour bar
+    const bar = Array.from({ length: png.width }, (_, x) => at(x, png.height - 2 * (14 + 40 - 6 - 12))); // through the colour bar
     expect(bar.some(([r, g, b]) => r! > 220 && g! > 200 && b! < 90)).toBe(true); // viridis' yellow end
     expect(bar.some(([r, g, b]) => r! < 80 && g! < 30 && b! > 70)).toBe(true); // its violet end
     const title = Array.from({ length: 400 }, (_, x) => Array.from({ length: 30 }, (_, y) => at(28 + x, 34 + y))).flat();
