@@ -3,6 +3,7 @@
 #include "commands.hpp"
 #include "input/case_file.hpp"
 #include "output/checkpoint.hpp"
+#include "output/mesh_file.hpp"
 #include "output/run_writer.hpp"
 #include "output/summary_json.hpp"
 #include "parallel/threads.hpp"
@@ -91,9 +92,10 @@ int solve(const Model& model, State& state, RunWriter& writer, const RunOptions&
 {
   listen_for_stop();
   ProgressLine progress(options.quiet);
-  Observer* const observers[] = {&writer, &progress};
   Workspace work(model, state);
   try {
+    MeshWriter mesh(folder, model, state, false);
+    Observer* const observers[] = {&writer, &mesh, &progress};
     writer.summary(summarise(model, state), false);  // also names the case for `resume`
     const Outcome outcome = run(model, state, work, observers, stop_requested);
     progress.finish();

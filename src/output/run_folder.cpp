@@ -70,7 +70,7 @@ bool is_written_by_terp(std::string_view file_name)
 {
   for (const std::string_view ending : {temporary, std::string_view(".journal")})
     if (file_name.ends_with(ending)) file_name.remove_suffix(ending.size());
-  constexpr std::array names = {case_file, results_file, history_file, ledger_file, left_file, summary_file};
+  constexpr std::array names = {case_file, results_file, mesh_file, history_file, ledger_file, left_file, summary_file};
   return std::find(names.begin(), names.end(), file_name) != names.end() || step_of_checkpoint(file_name) >= 0 ||
          step_in_name(file_name, "failed_") >= 0;
 }

@@ -16,6 +16,7 @@ struct CaseText {
 
 inline constexpr std::string_view case_file = "case.toml";
 inline constexpr std::string_view results_file = "results.vtkhdf";
+inline constexpr std::string_view mesh_file = "mesh.vtkhdf";
 inline constexpr std::string_view history_file = "history.csv";
 inline constexpr std::string_view ledger_file = "ledger.csv";
 inline constexpr std::string_view left_file = "left_the_mesh.csv";

@@ -3,6 +3,7 @@
 
 #include "base/errors.hpp"
 #include "output/checkpoint.hpp"
+#include "output/mesh_file.hpp"
 #include "output/summary_json.hpp"
 #include "output/table_csv.hpp"
 
@@ -36,6 +37,8 @@ void check_files(const std::string& folder, const ResumePoint& from)
   };
   const std::string results = path_in(folder, results_file);
   check_length(results, "frames", ResultsFile(results).count_until(from.step), from.n_frames, from);
+  const std::string mesh = path_in(folder, mesh_file);
+  check_length(mesh, "frames", MeshFile(mesh).count_until(from.step), from.n_mesh_frames, from);
   check_table(history_file, history_header, from.n_history_rows);
   check_table(ledger_file, ledger_header, from.n_ledger_rows);
   check_table(left_file, left_header, from.n_left_rows);
@@ -71,6 +74,7 @@ std::unique_ptr<RunWriter> RunWriter::resume(RunWriterSettings settings, FolderL
   drop_rows_after(path_in(folder, ledger_file), ledger_header, time);
   drop_rows_after(path_in(folder, left_file), left_header, time);
   ResultsFile(path_in(folder, results_file)).truncate_after(at_start ? -1 : from.step);
+  MeshFile(path_in(folder, mesh_file)).truncate_after(at_start ? -1 : from.step);
   remove_checkpoints_after(folder, from.step);
   remove_old_checkpoints(folder, settings.checkpoint_keep);
   return std::unique_ptr<RunWriter>(new RunWriter(std::move(settings), std::move(lock)));
@@ -118,7 +122,7 @@ void RunWriter::append_left(const std::vector<LeftPoint>& points)
 
 void RunWriter::write_checkpoint_file(const StateImage& image)
 {
-  for (const auto name : {results_file, history_file, ledger_file, left_file}) {  // on the disk before what relies on them
+  for (const auto name : {results_file, mesh_file, history_file, ledger_file, left_file}) {  // on the disk before what relies on them
     const std::string path = path_in(settings_.folder, name);
     if (std::filesystem::exists(path)) sync_to_disk(path);
   }

@@ -25,7 +25,7 @@ struct RunWriterSettings {
 struct ResumePoint {
   std::int64_t step = 0;
   Real time = 0.0;  ///< [s]
-  std::int64_t n_frames = 0, n_history_rows = 0, n_ledger_rows = 0, n_left_rows = 0;
+  std::int64_t n_frames = 0, n_mesh_frames = 0, n_history_rows = 0, n_ledger_rows = 0, n_left_rows = 0;
 };
 
 /// What is shown is written in the order in which it was shown, by a thread of its own, so that the run goes on meanwhile; `finish`

@@ -39,7 +39,7 @@ TEST(Run, LeavesAllItsFilesAndSaysWhereTheyAre)
   EXPECT_THAT(f.out, AllOf(HasSubstr("solved in "), HasSubstr(": 1600 points, 66 steps of 0.00303 s, "), HasSubstr(" on 1 thread\n"),
                            HasSubstr("points lost: 0; put back at walls: 0; left through open sides: 0\n"), HasSubstr("results in " + folder + "\n")));
   EXPECT_THAT(test::names_in(folder),
-              testing::IsSupersetOf({"case.toml", "checkpoint_000000066.h5", "history.csv", "ledger.csv", "results.vtkhdf", "summary.json"}));
+              testing::IsSupersetOf({"case.toml", "checkpoint_000000066.h5", "history.csv", "ledger.csv", "mesh.vtkhdf", "results.vtkhdf", "summary.json"}));
   const auto summary = nlohmann::json::parse(text_of(folder + "/summary.json"));
   EXPECT_EQ(summary.at("finished"), true);
   EXPECT_EQ(summary.at("steps"), 66);
