@@ -10,7 +10,7 @@ CASES    = cases/column_collapse
 PYTHON   = PYTHONPATH=python /usr/bin/python3
 
 .DEFAULT_GOAL := help
-.PHONY: help install build demo test vtk verify verify-paper kill fuzz sanitize lint accept clean
+.PHONY: help install build demo test test-web vtk verify verify-paper kill fuzz sanitize lint accept clean
 
 help:            ## this list
 	@echo "Terp: explicit material point method for soil that softens and fails"
@@ -40,6 +40,10 @@ test: install    ## install, build and run the tests
 
 verify: build    ## the verification ledger: all cases with a known answer; writes docs/verification.md
 	@$(TERP) verify --markdown docs/verification.md
+
+test-web: build  ## the report page: unit tests, and end-to-end tests in Chromium on runs of the program
+	@tools/install-dependencies --web
+	@cd web && npm ci --silent && npm run --silent build && npm test && TERP=$(abspath $(TERP)) npm run test:e2e
 
 vtk: install     ## read results with VTK 9.3 and the newest: Debian 13 and sid, 2.5 GB in build/vtk
 	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null
