@@ -101,6 +101,7 @@ struct OutputCase {
   Real checkpoint_every = 0.0;  ///< [s]; 0: only at the end and when stopped
   Index checkpoint_keep = 2;    ///< how many of the newest are kept; 0: all
   DeviatoricNorm deviatoric_norm = DeviatoricNorm::half;
+  bool mesh = false;            ///< whether mesh.vtkhdf also says what the mesh carries at the times of the fields
 };
 
 /// Path of a file that a case names, relative to the case's own folder.
