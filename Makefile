@@ -1,5 +1,7 @@
 # Thin: each target is one or two commands that you could type yourself.
 BUILD   ?= build
+FUZZ_SECONDS ?= 600
+KILLS   ?= 200
 RUNS    ?= runs
 FIGURES ?= figures
 TERP     = $(BUILD)/terp
@@ -7,7 +9,7 @@ CASES    = cases/column_collapse
 PYTHON   = PYTHONPATH=python /usr/bin/python3
 
 .DEFAULT_GOAL := help
-.PHONY: help install build demo test vtk verify verify-paper accept clean
+.PHONY: help install build demo test vtk verify verify-paper kill fuzz sanitize lint accept clean
 
 help:            ## this list
 	@echo "Terp: explicit material point method for soil that softens and fails"
@@ -48,6 +50,25 @@ verify-paper: install  ## what takes minutes without a closed form: the paper's 
 	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null
 	@cmake --build $(BUILD)
 	@ctest --test-dir $(BUILD) --output-on-failure -L verify -V
+
+kill: install    ## kill KILLS=200 runs at random moments, resume them, compare every file
+	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null
+	@cmake --build $(BUILD) --target terp kill_at_call
+	@/usr/bin/python3 tests/reliability/kill_runs.py $(TERP) --library $(BUILD)/tests/reliability/libkill_at_call.so --kills $(KILLS)
+
+fuzz: install    ## fuzz each reader of files for FUZZ_SECONDS=600 with libFuzzer (clang)
+	@tools/install-dependencies --checks
+	@cmake -S . -B $(BUILD)/fuzz -G Ninja -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_C_COMPILER=clang-14 -DTERP_FUZZ=ON -DTERP_TESTS=OFF >/dev/null
+	@cmake --build $(BUILD)/fuzz
+	@tests/fuzz/run $(BUILD)/fuzz/tests/fuzz $(BUILD)/fuzz/found $(FUZZ_SECONDS)
+
+sanitize: install ## the tests with the address, undefined-behaviour and thread sanitizers
+	@tools/check_sanitizers $(BUILD)
+
+lint: install    ## clang-tidy and cppcheck, warnings as errors (.clang-tidy, tools/lint)
+	@tools/install-dependencies --checks
+	@cmake -S . -B $(BUILD)/lint -G Ninja -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_C_COMPILER=clang-14 -DTERP_INSTRUCTIONS=plain >/dev/null
+	@tools/lint $(BUILD)/lint
 
 accept: build    ## write what CASE=column_collapse gives now into its expected.toml
 	@$(PYTHON) tests/cases/check_expected.py $(TERP) cases/$(CASE) --accept

@@ -30,6 +30,7 @@ struct VerifyOptions {
 struct ReportCommand {
   std::vector<std::string> runs;  ///< folders
   std::string output;             ///< HTML file; empty: report.html
+  bool json = false;              ///< of compare
 };
 
 int run_case(const RunOptions& options);
@@ -38,5 +39,6 @@ int check_case(const RunOptions& options);
 int bench_case(const RunOptions& options);
 int verify_cases(const VerifyOptions& options);
 int report_runs(const ReportCommand& command);
+int compare_folders(const ReportCommand& command);
 
 }  // namespace terp

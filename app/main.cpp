@@ -24,6 +24,7 @@ Solve
   resume RUN              continue from the newest checkpoint of a run folder,
                           or from the checkpoint file that is named
   report RUN...           write report.html: one page that shows the runs, side by side
+  compare RUN RUN...      table of what differs between runs (--json)
 
 Understand
   check CASE.toml         read and validate, print what would run, solve nothing
@@ -99,6 +100,9 @@ void declare(CLI::App& app, CommandLine& line)
   CLI::App* report = app.add_subcommand("report");
   report->add_option("runs", line.report.runs)->required();
   report->add_option("-o,--output", line.report.output);
+  CLI::App* compare = app.add_subcommand("compare");
+  compare->add_option("runs", line.report.runs)->required();
+  compare->add_flag("--json", line.report.json);
   for (CLI::App* command : {run, check, bench})
     command->add_option("--set", line.options.changes)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_subcommand("explain")->add_option("topic", line.topic)->required();
@@ -124,6 +128,7 @@ int call(const CLI::App& app, const CommandLine& line)
   if (app.got_subcommand("resume")) return terp::resume_run(line.options);
   if (app.got_subcommand("check")) return terp::check_case(line.options);
   if (app.got_subcommand("report")) return terp::report_runs(line.report);
+  if (app.got_subcommand("compare")) return terp::compare_folders(line.report);
   if (app.got_subcommand("bench")) return terp::bench_case(line.options);
   if (app.got_subcommand("verify")) return terp::verify_cases(line.verify);
   fmt::print("{}", app.got_subcommand("explain") ? terp::explain(line.topic) : terp::list());

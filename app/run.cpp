@@ -30,8 +30,11 @@ void request_stop(int signal)
   std::signal(signal, SIG_DFL);
 }
 
+/// Signals that end the run well: Ctrl-C, and what systems send before they end a job. A file that may grow no more (ulimit -f) is
+/// an error of its write like a full disk.
 void listen_for_stop()
 {
+  std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
 }
@@ -96,7 +99,8 @@ int solve(const Model& model, State& state, RunWriter& writer, const RunOptions&
     writer.summary(summarise(model, state), false);  // also names the case for `resume`
     const Outcome outcome = run(model, state, work, observers, stop_requested);
     progress.finish();
-    const Summary summary = summarise(model, state);
+    Summary summary = summarise(model, state);
+    for (int pass = 0; pass < n_passes; ++pass) summary.passes.push_back({pass_names[pass], work.seconds[pass]});
     writer.summary(summary, outcome == Outcome::finished);
     if (outcome == Outcome::interrupted) {
       fmt::print("stopped at t = {:.4g} s, step {}; a checkpoint is written. Go on with:\n  terp resume {}\n", state.time, state.step, folder);

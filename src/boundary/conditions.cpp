@@ -88,7 +88,7 @@ Boundary::Boundary(const Mesh<2>& mesh, const std::vector<SideCondition>& sides)
         throw InputError(Problem{"boundary." + side.side, "a node lies on more than two sides with conditions", "", "boundary", true, {"boundary"}});
       const Real length = std::hypot(sums.normal[0], sums.normal[1]);
       c.holds[c.n++] = {side.hold, {sums.normal[0] / length, sums.normal[1] / length}, side.adhesion * sums.half_length,
-                        side.friction, side.velocity};
+                        side.friction, side.velocity_at ? side.velocity_at(mesh.nodes[node]) : side.velocity};
     }
   for (auto& c : conditions_) order_and_pin(c);
 }

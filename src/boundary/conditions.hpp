@@ -3,6 +3,7 @@
 
 #include "mesh/mesh.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct SideCondition {
   Real adhesion = 0.0;  ///< a [Pa]
   Real friction = 0.0;  ///< tangent of the friction angle [-]
   Vec<2> velocity{0.0, 0.0};  ///< of Hold::all [m/s]
+  std::function<Vec<2>(Vec<2>)> velocity_at = {};  ///< instead of velocity, at the place of a node [m/s]
 };
 
 /// A side's condition at one node.

@@ -190,11 +190,26 @@ void check_initial(const Node& root, const Case& values, Findings& findings)
   warn_unless("k0", InitialStress::k0, "k0");
   for (const char* key : {"damping", "limit", "max_steps"}) warn_unless(key, InitialStress::equilibrium, "equilibrium");
   for (std::size_t k = 0; k < values.bodies.size() && stress == InitialStress::equilibrium; ++k)
-    if (values.bodies[k].velocity != Vec<2>{0.0, 0.0})
+    if (values.bodies[k].velocity != Vec<2>{0.0, 0.0} || values.bodies[k].velocity_at)
       findings.warnings.push_back({fmt::format("body[{}].velocity", k), "`velocity` has no effect",
                                    "With initial.stress = \"equilibrium\" all soil is at rest at t = 0; the search for it "
                                    "starts with this velocity.\nUse stress = \"k0\" or \"none\" for a body that moves.",
                                    "body.velocity", true, {"initial.stress"}});
+}
+
+/// A fluid at rest has the same stress in all directions.
+void check_hydrostatic(const Case& values, Problems& problems)
+{
+  if (values.initial.stress != InitialStress::k0 || values.initial.k0 == 1.0) return;
+  for (const MaterialCase& material : values.materials) {
+    const MaterialType* law = find_material(material.model);
+    const auto is_missing = [](Real value) { return std::isnan(value); };
+    if (law == nullptr || std::any_of(material.parameters.begin(), material.parameters.end(), is_missing)) continue;
+    if (law->make(material.parameters)->shear_modulus() == 0.0)
+      problems.push_back({"initial.k0", fmt::format("the fluid `{}` carries no shear stress at rest", material.name),
+                          fmt::format("k0 = {}; a fluid needs k0 = 1. Start with stress = \"equilibrium\" where soil beside it needs another.", values.initial.k0),
+                          "initial", false, {join_path("material", material.name)}});
+  }
 }
 
 /// Fields of laws that no material of this case follows.
@@ -227,6 +242,7 @@ void check_case(const Node& root, const Case& values, Findings& findings)
   check_parameters(values, findings.problems);
   check_sides(root, values, findings);
   check_initial(root, values, findings);
+  check_hydrostatic(values, findings.problems);
   check_method(root, values, findings.warnings);
   check_unused_materials(values, findings.warnings);
   check_fields(values, findings.warnings);

@@ -73,6 +73,7 @@ std::string type_text(const KeyInfo& key)
       [](const PolygonList&) { return "a list of polygons [[[x, y], [x, y], [x, y]], ...], each of three or more"; },
       [](const Polyline&) { return "at least two places [[x, y], [x, y]]"; },
       [](const NamedEdges&) { return "a table { NAME = [k, ...] } of edge numbers"; },
+      [](const VelocityPair&) { return "two numbers or formulas [x, y]"; },
       [](const NameList&) { return "a list of names"; },
       [](const NamedPlaces&) { return "a table { NAME = [x, y] }"; },
   };
@@ -113,6 +114,7 @@ std::string default_text(const KeyInfo& key)
       [](const PolygonList&) { return std::string("none"); },
       [](const Polyline&) { return std::string(); },
       [](const NamedEdges&) { return std::string("none"); },
+      [&](const VelocityPair& field) { return pair(*field.value); },
       [](const NameList&) { return std::string("all"); },
       [](const NamedPlaces&) { return std::string("none"); },
   };

@@ -5,6 +5,10 @@
 #include "input/key_text.hpp"
 #include "schemes/scheme_info.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 namespace terp {
 namespace {
 
@@ -162,8 +166,8 @@ std::vector<KeyInfo> soil_keys()
        .field = [](Case& c, std::size_t i) { return CountOrPair{&c.bodies[i].points_per_cell}; },
        .range = between(1, 100), .meaning = "material points along x and y in each cell; one number for both"},
       {.path = "body[].velocity",
-       .field = [](Case& c, std::size_t i) { return &c.bodies[i].velocity; },
-       .unit = "m/s", .usual = {1e-6, 1e3}, .meaning = "velocity of the body at t = 0"},
+       .field = [](Case& c, std::size_t i) { return VelocityPair{&c.bodies[i].velocity, &c.bodies[i].velocity_at}; },
+       .unit = "m/s", .usual = {1e-6, 1e3}, .meaning = "velocity of the body at t = 0; a text is a formula of the place x, y [m]: [\"0.1*sin(pi*x/4)\", 0.0]"},
 
       {.path = "material.NAME.model",
        .field = [](Case& c, std::size_t i) { return &c.materials[i].model; },
@@ -234,9 +238,9 @@ std::vector<KeyInfo> side_keys()
        .range = not_negative, .usual = {0.0, 2.0},
        .meaning = "tangent mu of the friction angle of the contact plane, not the angle itself"},
       {.path = "boundary.SIDE.velocity",
-       .field = [](Case& c, std::size_t i) { return &c.sides[i].velocity; },
+       .field = [](Case& c, std::size_t i) { return VelocityPair{&c.sides[i].velocity, &c.sides[i].velocity_at}; },
        .unit = "m/s", .usual = {1e-6, 1e3}, 
-       .meaning = "prescribed velocity of the side; the mesh, and so the side, stays in place: it pushes soil only within the "
+       .meaning = "prescribed velocity of the side, two numbers or formulas of the place x, y [m]; the mesh, and so the side, stays in place: it pushes soil only within the "
                   "cells next to it"},
   };
 }
@@ -381,8 +385,10 @@ std::vector<KeyInfo> keys_of_law(const MaterialType& law)
     keys.push_back({.path = "material.NAME." + std::string(parameter.name),
                     .field = [k](Case& c, std::size_t i) { return &c.materials[i].parameters[k]; },
                     .unit = std::string(parameter.unit), .range = parameter.range, .usual = parameter.usual,
-                    .required = !parameter.fallback, .meaning = std::string(parameter.meaning)});
+                    .required = !parameter.fallback && parameter.fallback_of.empty(),
+                    .may_be_infinite = parameter.fallback && std::isinf(*parameter.fallback), .meaning = std::string(parameter.meaning)});
     if (parameter.fallback) keys.back().default_text = number_text(*parameter.fallback, keys.back().unit);
+    if (!parameter.fallback_of.empty()) keys.back().default_text = fmt::format("the value of `{}`", parameter.fallback_of);
   }
   return keys;
 }

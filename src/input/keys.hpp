@@ -44,6 +44,10 @@ struct Polyline {
 struct NamedEdges {
   std::vector<EdgesCase>* sides;
 };
+struct VelocityPair {
+  Vec<2>* value;
+  VelocityField* at;  ///< filled instead if one of the two is a formula
+};
 struct NameList {
   std::vector<std::string>* names;
 };
@@ -53,7 +57,7 @@ struct NamedPlaces {
 
 /// Where a key is kept. Its type is the key's type.
 using Field = std::variant<Real*, Index*, bool*, std::string*, Vec<2>*, WordField, NumberOrPair, CountOrPair, Box,
-                           BoxCorners, Polygon, PolygonList, Polyline, NamedEdges, NameList, NamedPlaces>;
+                           BoxCorners, Polygon, PolygonList, Polyline, NamedEdges, VelocityPair, NameList, NamedPlaces>;
 
 struct KeyInfo {
   std::string path;  ///< "time.end", "body[].box", "material.NAME.density", "boundary.SIDE.contact"

@@ -1,12 +1,14 @@
 #include "input/values.hpp"
 
 #include "input/closest.hpp"
+#include "input/expression.hpp"
 #include "input/key_text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace terp {
 namespace {
@@ -99,6 +101,7 @@ class ValueReader {
   bool operator()(const PolygonList& field);
   bool operator()(const Polyline& field);
   bool operator()(const NamedEdges& field);
+  bool operator()(const VelocityPair& field);
   bool operator()(const NameList& field);
   bool operator()(const NamedPlaces& field);
 
@@ -300,6 +303,28 @@ bool ValueReader::operator()(const NamedEdges& field)
     }
   }
   return good;
+}
+
+bool ValueReader::operator()(const VelocityPair& field)
+{
+  const Node& list = entry_.node;
+  const bool is_pair = list.kind == NodeKind::list && list.items.size() == 2;
+  if (!is_pair) return wrong_type(list, entry_.path);
+  if (list.items[0].kind != NodeKind::text && list.items[1].kind != NodeKind::text) return read_pair(list, entry_.path, *field.value);
+  std::array<std::shared_ptr<Expression>, 2> formulas;
+  for (std::size_t d = 0; d < 2; ++d) {
+    const Node& item = list.items[d];
+    const std::string path = fmt::format("{}[{}]", entry_.path, d);
+    if (item.kind != NodeKind::text && !is_number(item)) return wrong_type(item, path);
+    const std::string text = item.kind == NodeKind::text ? item.text : fmt::format("{}", to_number(item));
+    try {
+      formulas[d] = std::make_shared<Expression>(text, std::vector<std::string>{"x", "y"}, std::map<std::string, Real>{});
+    } catch (const ExpressionError& error) {
+      return fail(path, fmt::format("`{}` is not a formula of x and y", name()), error.what());
+    }
+  }
+  *field.at = [formulas](Vec<2> x) -> Vec<2> { return {(*formulas[0])(x), (*formulas[1])(x)}; };
+  return true;
 }
 
 bool ValueReader::operator()(const NameList& field)

@@ -12,8 +12,8 @@ namespace terp {
 ///
 /// Law has: static constexpr std::string_view `equations`; static constexpr tables `parameters` (ParameterInfo[]), `state` (StateInfo[]) and `derived` (DerivedInfo[]),
 /// as std::array; `explicit Law(std::span<const Real>)`; bulk_modulus(), shear_modulus(), derived_value(k, state);
-/// template <class R, int Dim> R update(SymTensor<R, Dim>& sigma, std::array<R, n>& state, const SymTensor<R, Dim>& d_eps)
-/// const, which returns the plastic work per volume [J/m^3].
+/// template <class R, int Dim> R update(SymTensor<R, Dim>& sigma, std::array<R, n>& state, const SymTensor<R, Dim>& d_eps, Real dt)
+/// const, which returns the plastic or viscous work per volume [J/m^3]. A law whose stress depends on the rate has viscosity() too.
 template <class Law>
 class MaterialOf final : public Material {
  public:
@@ -25,6 +25,11 @@ class MaterialOf final : public Material {
   }
   Real bulk_modulus() const override { return law_.bulk_modulus(); }
   Real shear_modulus() const override { return law_.shear_modulus(); }
+  Real viscosity() const override
+  {
+    if constexpr (requires { law_.viscosity(); }) return law_.viscosity();
+    return 0.0;
+  }
   Real derived(int k, const Real* state) const override { return law_.derived_value(k, state); }
   const Law& law() const { return law_; }
 
@@ -36,7 +41,7 @@ class MaterialOf final : public Material {
     for (int k = 0; k < n_sym<2>; ++k) sigma[k] = Pack::load(arrays.sigma[k] + p);
     for (int k = 0; k < n_sym<2>; ++k) d_eps[k] = Pack::load(arrays.d_eps[k] + p);
     for (std::size_t k = 0; k < state.size(); ++k) state[k] = Pack::load(arrays.state[k] + p);
-    const Pack work = law_.update(sigma, state, d_eps);
+    const Pack work = law_.update(sigma, state, d_eps, arrays.dt);
     for (int k = 0; k < n_sym<2>; ++k) sigma[k].store(arrays.sigma[k] + p);
     for (std::size_t k = 0; k < state.size(); ++k) state[k].store(arrays.state[k] + p);
     work.store(arrays.plastic_work + p);

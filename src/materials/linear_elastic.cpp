@@ -16,7 +16,7 @@ struct LinearElastic {
   explicit LinearElastic(std::span<const Real> values) : shear(values[0]), bulk(bulk_from_poisson(values[0], values[1])) {}
 
   template <class R, int Dim>
-  R update(SymTensor<R, Dim>& sigma, std::array<R, 0>&, const SymTensor<R, Dim>& d_eps) const
+  R update(SymTensor<R, Dim>& sigma, std::array<R, 0>&, const SymTensor<R, Dim>& d_eps, Real) const
   {
     add_elastic_stress(sigma, d_eps, bulk, shear);
     return R(0.0);

@@ -42,6 +42,7 @@ struct ParameterInfo {
   std::string_view meaning;
   std::optional<Real> fallback = {};      ///< default; none: the key must be given
   Range usual = any_number;               ///< outside: warn of a wrong order of magnitude
+  std::string_view fallback_of = {};      ///< name of an earlier parameter whose value is the default
 };
 
 /// How MPM-Mixed averages a state variable (reading R9).
@@ -68,8 +69,9 @@ struct StressArrays {
   std::array<Real*, n_sym<Dim>> sigma;        ///< in: stress at the start of the step [Pa]; out: at its end
   std::array<Real*, max_state> state;         ///< in, out: state variables in the order of the law's table
   std::array<const Real*, n_sym<Dim>> d_eps;  ///< strain increment of the step, tensorial shear [-]
-  Real* plastic_work;                         ///< out: plastic work of the step per volume [J/m^3]
+  Real* plastic_work;                         ///< out: plastic or viscous work of the step per volume [J/m^3]
   Index n;
+  Real dt;                                    ///< length of the step [s]
 };
 
 /// A law with its parameters.
@@ -78,7 +80,8 @@ class Material {
   virtual ~Material() = default;
   virtual void update(const StressArrays<2>& arrays) const = 0;
   virtual Real bulk_modulus() const = 0;   ///< K [Pa]
-  virtual Real shear_modulus() const = 0;  ///< G [Pa]
+  virtual Real shear_modulus() const = 0;  ///< G [Pa]; 0 of a fluid
+  virtual Real viscosity() const = 0;      ///< mu [Pa s], for the time step; 0 where the law knows no rate
   /// Value of derived field k (order of MaterialType::derived) for one point. state: shape [n_state].
   virtual Real derived(int k, const Real* state) const = 0;
 

@@ -55,7 +55,7 @@ struct TrescaSoftening {
   }
 
   template <class R, int Dim>
-  R update(SymTensor<R, Dim>& sigma, std::array<R, 1>& state, const SymTensor<R, Dim>& d_eps) const
+  R update(SymTensor<R, Dim>& sigma, std::array<R, 1>& state, const SymTensor<R, Dim>& d_eps, Real) const
   {
     add_elastic_stress(sigma, d_eps, bulk, shear);
     auto principal = principal_values(sigma);

@@ -1,6 +1,7 @@
 // mesh.vtkhdf in the VTKHDF format 2.0: nodes and cells are written once, fields of nodes and cells frame after frame.
 #include "output/mesh_file.hpp"
 
+#include "output/committed_file.hpp"
 #include "output/files.hpp"
 #include "output/run_folder.hpp"
 #include "output/vtkhdf_steps.hpp"
@@ -110,19 +111,19 @@ void MeshFile::create(const Mesh<2>& mesh, bool with_steps) const
 
 void MeshFile::append(const MeshFrame& frame) const
 {
-  Hdf5File file(path_, Hdf5File::Mode::change, largest_size(std::ssize(frame.mass), std::ssize(frame.pressure)));
+  Hdf5File file(path_, Hdf5File::Mode::commit, largest_size(std::ssize(frame.mass), std::ssize(frame.pressure)));
   const std::int64_t k = file.integers(steps, "NSteps").at(0);
   write_field(file, mass, k, frame.mass);
   write_field(file, velocity, k, frame.velocity);
   write_field(file, pressure, k, frame.pressure);
   vtkhdf::write_step(file, k, frame.time, frame.step, 0);
-  file.flush();
-  file.set_integers(steps, "NSteps", {k + 1});  // last: until here, readers see the frames before
+  file.set_integers(steps, "NSteps", {k + 1});
   file.close();
 }
 
 std::int64_t MeshFile::count_until(std::int64_t step) const
 {
+  finish_commit(path_);
   if (!std::filesystem::exists(path_)) return 0;
   const Hdf5File file(path_, Hdf5File::Mode::read);
   return file.exists(steps) ? vtkhdf::count_steps(file, step) : 0;
@@ -131,7 +132,7 @@ std::int64_t MeshFile::count_until(std::int64_t step) const
 void MeshFile::truncate_after(std::int64_t step) const
 {
   if (!std::filesystem::exists(path_) || !Hdf5File(path_, Hdf5File::Mode::read).exists(steps)) return;
-  Hdf5File file(path_, Hdf5File::Mode::change, largest_size(largest_chunk, largest_chunk));
+  Hdf5File file(path_, Hdf5File::Mode::commit, largest_size(largest_chunk, largest_chunk));
   std::vector<vtkhdf::StepTable> tables;
   for (const MeshField& field : fields) tables.push_back({table_of(field), count_of(file, field.data)});
   vtkhdf::cut_steps(file, step, tables);

@@ -33,6 +33,9 @@ bool is_written_by_terp(std::string_view file_name);
 /// Path of a file in a folder.
 std::string path_in(const std::string& folder, std::string_view file_name);
 
+/// Removes what a run that was killed left under temporary names.
+void remove_unfinished(const std::string& folder);
+
 /// Keeps a second Terp out of a run folder for as long as it lives. The system lets go of it if the process dies.
 class FolderLock {
  public:

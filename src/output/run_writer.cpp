@@ -68,6 +68,7 @@ std::unique_ptr<RunWriter> RunWriter::resume(RunWriterSettings settings, FolderL
   const bool at_start = from.step == 0;  // a run at its start shows that start again
   const std::string folder = settings.folder;
   if (!at_start) check_files(folder, from);
+  remove_unfinished(folder);
   const Real time = at_start ? -std::numeric_limits<Real>::infinity() : from.time;
   drop_rows_after(path_in(folder, history_file), history_header, time);
   drop_rows_after(path_in(folder, ledger_file), ledger_header, time);
@@ -75,6 +76,7 @@ std::unique_ptr<RunWriter> RunWriter::resume(RunWriterSettings settings, FolderL
   ResultsFile(path_in(folder, results_file)).truncate_after(at_start ? -1 : from.step);
   MeshFile(path_in(folder, mesh_file)).truncate_after(at_start ? -1 : from.step);
   remove_checkpoints_after(folder, from.step);
+  remove_old_checkpoints(folder, settings.checkpoint_keep);
   return std::unique_ptr<RunWriter>(new RunWriter(std::move(settings), std::move(lock)));
 }
 

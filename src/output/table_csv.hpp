@@ -13,7 +13,7 @@ namespace terp {
 inline constexpr std::string_view history_header = "time,point,id,x,y,eps_deviatoric,eps_eq_p,su,pressure";
 inline constexpr std::string_view ledger_header =
     "time,step,kinetic,elastic,plastic,gravity_work,damping_work,boundary_work,left_energy,numerical,mass,momentum_x,momentum_y,"
-    "clamped,left,front_x,crest_x,v_max,v_999";
+    "clamped,left,front_x,crest_x,crest_y,moved_volume,v_max,v_999";
 inline constexpr std::string_view left_header = "time,id,x,y,v_x,v_y,mass";
 
 /// Lines with their line ends. Numbers are the shortest that read back to the same bits; not a number is "nan".

@@ -6,6 +6,7 @@
 #include "output/vtkhdf.hpp"
 
 #include "base/errors.hpp"
+#include "output/committed_file.hpp"
 #include "output/files.hpp"
 #include "output/vtkhdf_steps.hpp"
 
@@ -147,25 +148,25 @@ void write_points(Hdf5File& file, const Frame& frame, std::int64_t k)
 void ResultsFile::append(const Frame& frame)
 {
   if (!std::filesystem::exists(path_)) create(path_, frame);
-  Hdf5File file(path_, Hdf5File::Mode::change, largest_size(frame));
+  Hdf5File file(path_, Hdf5File::Mode::commit, largest_size(frame));
   check_fit(file, path_, frame);
   const std::int64_t k = file.integers(steps, "NSteps").at(0);
   write_points(file, frame, k);
   write_offsets(file, frame, k);
-  file.flush();
-  file.set_integers(steps, "NSteps", {k + 1});  // last: until here, readers see the frames before
+  file.set_integers(steps, "NSteps", {k + 1});
   file.close();
 }
 
 std::int64_t ResultsFile::count_until(std::int64_t step) const
 {
+  finish_commit(path_);
   return std::filesystem::exists(path_) ? count_steps(Hdf5File(path_, Hdf5File::Mode::read), step) : 0;
 }
 
 void ResultsFile::truncate_after(std::int64_t step)
 {
   if (!std::filesystem::exists(path_)) return;
-  Hdf5File file(path_, Hdf5File::Mode::change, cutting_bytes);
+  Hdf5File file(path_, Hdf5File::Mode::commit, cutting_bytes);
   const std::int64_t n = file.read<std::int64_t>(root + "/NumberOfPoints").at(0);
   std::vector<StepTable> tables{{root + "/Points", n}};
   for (const auto& name : file.members(point_data)) {

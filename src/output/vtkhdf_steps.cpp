@@ -84,9 +84,7 @@ std::int64_t count_steps(const Hdf5File& file, std::int64_t step)
 void cut_steps(Hdf5File& file, std::int64_t step, const std::vector<StepTable>& tables)
 {
   const std::int64_t n_steps = count_steps(file, step);
-  file.set_integers(steps, "NSteps", {n_steps});  // first: what follows is no longer part of the results
-  file.flush();
-
+  file.set_integers(steps, "NSteps", {n_steps});
   for (const auto& table : tables) file.cut_rows(table.name, n_steps * table.n_rows);
   for (const auto& name : file.members(steps)) {
     const std::string member = steps + "/" + name;

@@ -25,6 +25,7 @@ struct SoilMaterial {
 struct SchemeContext {
   const MethodOptions& method;
   const std::vector<SoilMaterial>& materials;
+  Real dt = 0.0;  ///< length of the step [s]
 };
 
 /// One occupied cell.
@@ -50,8 +51,8 @@ struct alignas(64) StripArrays {
   Real plastic_work[strip_length];
 };
 
-/// Rows of a block from point `first` on, as a law takes them.
-inline StressArrays<2> stress_arrays(const PointBlock<2>& block, Index first, Index n, StripArrays& strip)
+/// n rows of a block from point `first` on, as a law takes them.
+inline StressArrays<2> stress_arrays(const PointBlock<2>& block, Index first, Index n, Real dt, StripArrays& strip)
 {
   using Rows = PointRows<2>;
   StressArrays<2> arrays{};
@@ -60,6 +61,7 @@ inline StressArrays<2> stress_arrays(const PointBlock<2>& block, Index first, In
   for (int k = 0; k < n_sym<2>; ++k) arrays.d_eps[k] = strip.d_eps[k];
   arrays.plastic_work = strip.plastic_work;
   arrays.n = n;
+  arrays.dt = dt;
   return arrays;
 }
 

@@ -24,7 +24,7 @@ struct MpmMixed {
     const GaussStrain<2> strain = strain_at_gauss_points(view.geometry, du, context.method.b_bar);  // Step 2
     for_each_block(view.points, view.cell, [&](const PointBlock<2>& block, Index b) {
       const SoilMaterial& material = context.materials[block.material];
-      sums.plastic_work += update_gauss_points(context.method, material, strain, view.gauss[b]);    // Step 3
+      sums.plastic_work += update_gauss_points(context, material, strain, view.gauss[b]);    // Step 3
       for (Index p = 0; p < block.n; p += pack_width) assign_to_points(view.gauss[b], strain, material.n_state(), block, p);  // Step 4
     });
   }
@@ -37,7 +37,7 @@ struct MpmMixed {
   }
 
   /// Runs the law on the four Gauss points, in one pack with four empty lanes. Returns the plastic work [J per m].
-  static Real update_gauss_points(const MethodOptions& method, const SoilMaterial& material, const GaussStrain<2>& strain,
+  static Real update_gauss_points(const SchemeContext& context, const SoilMaterial& material, const GaussStrain<2>& strain,
                                   GaussValues<2>& gauss)
   {
     alignas(64) Real sigma[n_sym<2>][pack_width] = {}, state[max_state][pack_width] = {}, d_eps[n_sym<2>][pack_width] = {};
@@ -51,9 +51,10 @@ struct MpmMixed {
     }
     for (int k = 0; k < max_state; ++k) arrays.state[k] = state[k];
     for (int k = 0; k < material.n_state(); ++k) std::copy_n(gauss.state[k].begin(), 4, state[k]);
-    if (method.objective_rate == ObjectiveRate::jaumann) rotate_gauss_points(strain, sigma);
+    if (context.method.objective_rate == ObjectiveRate::jaumann) rotate_gauss_points(strain, sigma);
     arrays.plastic_work = plastic_work;
     arrays.n = pack_width;
+    arrays.dt = context.dt;
     material.law->update(arrays);
 
     Real work = 0.0;

@@ -5,6 +5,7 @@
 #include "base/types.hpp"
 #include "transfer/method_options.hpp"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -52,6 +53,9 @@ struct MeshCase {
   Index variant = 0;                 ///< polygon: 1, 2, ... are other meshes of the same size, to see what depends on the mesh
 };
 
+/// Velocity at a place [m/s]; empty: the same everywhere.
+using VelocityField = std::function<Vec<2>(Vec<2>)>;
+
 /// Exactly one of polygon, region and points_file says where a body is.
 struct BodyCase {
   std::string material;
@@ -61,6 +65,7 @@ struct BodyCase {
   std::string points_file;               ///< CSV with header x,y,volume,material, relative to the case file
   std::array<Index, 2> points_per_cell{5, 5};
   Vec<2> velocity{0.0, 0.0};             ///< at t = 0 [m/s]
+  VelocityField velocity_at;             ///< instead of velocity
 };
 
 struct MaterialCase {
@@ -76,6 +81,7 @@ struct SideCase {
   Real adhesion = 0.0;          ///< a [Pa]
   Real friction = 0.0;          ///< tangent of the contact friction angle [-]
   Vec<2> velocity{0.0, 0.0};    ///< of SideKind::velocity [m/s]
+  VelocityField velocity_at;    ///< instead of velocity
 };
 
 struct ForcesCase {
@@ -103,6 +109,13 @@ struct OutputCase {
   DeviatoricNorm deviatoric_norm = DeviatoricNorm::half;
   bool mesh = false;            ///< whether mesh.vtkhdf also says what the mesh carries at the times of the fields
 };
+
+/// The velocity that a body or a side has at a place [m/s].
+template <class BodyOrSide>
+Vec<2> velocity_of(const BodyOrSide& which, Vec<2> x)
+{
+  return which.velocity_at ? which.velocity_at(x) : which.velocity;
+}
 
 /// Path of a file that a case names, relative to the case's own folder.
 inline std::string path_of(const std::string& folder, const std::string& file)

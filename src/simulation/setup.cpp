@@ -35,7 +35,7 @@ std::vector<SideCondition> make_sides(const Case& c, const Mesh<2>& mesh)
   std::vector<SideCondition> sides;
   for (const SideCase& s : c.sides) {
     find_side(mesh, s.side);
-    const auto add = [&](Hold hold) { sides.push_back({s.side, hold, s.adhesion, s.friction, s.velocity}); };
+    const auto add = [&](Hold hold) { sides.push_back({s.side, hold, s.adhesion, s.friction, s.velocity, s.velocity_at}); };
     switch (s.kind) {
       case SideKind::free: break;
       case SideKind::open: break;
@@ -74,19 +74,21 @@ std::vector<const SoilMaterial*> used_materials(const Model& model)
 /// dt is the stable step, shortened so that the end is a whole number of steps (decision 0024).
 void set_time_step(Model& model)
 {
-  Real fastest = 0.0;
+  const TimeCase& time = model.description.time;
+  const Real altitude = model.mesh.smallest_altitude;
+  Real fastest = 0.0, stable = std::numeric_limits<Real>::infinity();
   for (const SoilMaterial* m : used_materials(model)) {
-    fastest = std::max(fastest, wave_speed(m->law->p_wave_modulus(), m->density));
+    const Real wave = wave_speed(m->law->p_wave_modulus(), m->density);
+    fastest = std::max(fastest, wave);
+    stable = std::min(stable, stable_time_step(time.courant, altitude, wave) * viscous_reduction(m->law->viscosity() / m->density, altitude, wave));
     model.largest_density = std::max(model.largest_density, m->density);
     model.n_state = std::max(model.n_state, m->n_state());
   }
-  const TimeCase& time = model.description.time;
-  const Real stable = stable_time_step(time.courant, model.mesh.smallest_altitude, fastest);
   const Real n = std::ceil(time.end / stable * (1.0 - 1e-12));
   if (!(n < most_steps))
     throw InputError(Problem{"time.end", "the time step has collapsed",
                              fmt::format("{:.3g} s need {:.3g} steps of {:.3g} s (smallest cell altitude {:.3g} m, wave speed {:.4g} m/s).",
-                                         time.end, n, stable, model.mesh.smallest_altitude, fastest),
+                                         time.end, n, stable, altitude, fastest),
                              "time", false, {"mesh", "material", "time"}});
   model.n_steps = static_cast<std::int64_t>(n);
   model.dt = time.end / n;

@@ -79,7 +79,7 @@ void add_points_of_file(const Model& model, std::size_t b, std::vector<NewPoint>
     if (!at.inside)
       throw InputError(Problem{body_key(b, "points"), "a point lies outside the mesh",
                                fmt::format("{}:{}: {} m lies in no cell.", path, p.line, place_text(p.x)), "body", false, mesh_extent});
-    points.push_back({p.x, at.local, body.velocity, p.volume, at.cell, material_of_point(model, path, p), static_cast<Index>(b)});
+    points.push_back({p.x, at.local, velocity_of(body, p.x), p.volume, at.cell, material_of_point(model, path, p), static_cast<Index>(b)});
     guess = at.cell;
   }
 }
@@ -147,7 +147,7 @@ std::vector<NewPoint> make_points(const Model& model)
   std::vector<NewPoint> points;
   for (const Seed& seed : seed_points(model.mesh, outlines)) {
     const BodyCase& body = model.description.bodies[drawn[seed.body]];
-    points.push_back({seed.x, seed.local, body.velocity, seed.volume, seed.cell, material_number(model, body.material), static_cast<Index>(drawn[seed.body])});
+    points.push_back({seed.x, seed.local, velocity_of(body, seed.x), seed.volume, seed.cell, material_number(model, body.material), static_cast<Index>(drawn[seed.body])});
   }
   for (std::size_t b = 0; b < model.description.bodies.size(); ++b)
     if (!model.description.bodies[b].points_file.empty()) try_points_of_file(model, b, points);

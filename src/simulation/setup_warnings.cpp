@@ -2,6 +2,7 @@
 
 #include "simulation/setup_history.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -21,7 +22,12 @@ void find_empty_bodies(const Model& model, std::vector<Problem>& warnings)
 void find_sides_that_move_far(const Model& model, std::vector<Problem>& warnings)
 {
   for (const SideCase& side : model.description.sides) {
-    const Real way = std::hypot(side.velocity[0], side.velocity[1]) * model.description.time.end;
+    Real speed = 0.0;
+    for (const CellSide& edge : find_side(model.mesh, side.side).edges) {
+      const Vec<2> v = velocity_of(side, model.mesh.nodes[model.mesh.cells[edge.cell][edge.side]]);
+      speed = std::max(speed, std::hypot(v[0], v[1]));
+    }
+    const Real way = speed * model.description.time.end;
     if (side.kind != SideKind::velocity || !(way > model.mesh.smallest_altitude)) continue;
     warnings.push_back({fmt::format("boundary.\"{}\".velocity", side.side), "the side stays in place: it pushes soil over one cell at most",
                         fmt::format("Its velocity times time.end is {:.4g} m, the smallest cell is {:.4g} m high. The mesh does not move with the side:\n"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "events/crest.hpp"
+#include "events/slip_surface.hpp"
 #include "points/point_blocks.hpp"
 #include "simulation/observer.hpp"
 
@@ -19,6 +20,7 @@ struct WorkTotals {
 /// What the history audit remembers of each point; by id. Judged at ledger rows.
 struct HistoryAudit {
   std::vector<Real> last_eps_eq_p, last_su;   ///< at the last ledger row
+  std::vector<Real> growth;                   ///< of eps_eq_p between the last two rows, not below 0
   std::vector<std::uint8_t> fell, rose;       ///< 1 where eps_eq_p ever fell, S_u ever rose
 };
 
@@ -37,6 +39,7 @@ struct State {
   std::size_t left_told = 0;      ///< how many of them the observers know
   HistoryAudit audit;
   CrestHistory crest;
+  std::vector<SlipSurface> slip;  ///< of each slide so far, when its strain grew fastest; one before there is any slide
   std::vector<std::pair<Real, Real>> softened_fraction;  ///< at the frame times
   Real largest_v_999 = 0.0;       ///< [m/s]
   /// Points at t = 0; ids run from 0 to this.

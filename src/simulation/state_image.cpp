@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace terp {
 namespace {
@@ -32,6 +33,37 @@ const std::vector<T>& get(const StateImage& image, std::string_view name, std::s
     return *values;
   }
   throw FileError("the checkpoint does not fit this case: array `" + std::string(name) + "` is missing or has another size");
+}
+
+/// An array that checkpoints of an older Terp lack; then empty.
+std::vector<Real> find_reals(const StateImage& image, std::string_view name)
+{
+  for (const NamedArray& array : image.arrays)
+    if (const auto* values = std::get_if<std::vector<Real>>(&array.values); values != nullptr && array.name == name) return *values;
+  return {};
+}
+
+/// Time, rate and number of places of each surface, and the places of all.
+void put_slip(const State& state, StateImage& image)
+{
+  std::vector<Real> surfaces, places;
+  for (const SlipSurface& slip : state.slip) {
+    surfaces.insert(surfaces.end(), {slip.time, slip.rate, static_cast<Real>(slip.line.size())});
+    for (const Vec<2>& x : slip.line) places.insert(places.end(), {x[0], x[1]});
+  }
+  put(image, "slip/surfaces", std::move(surfaces));
+  put(image, "slip/places", std::move(places));
+}
+
+void get_slip(const StateImage& image, State& state)
+{
+  const auto surfaces = find_reals(image, "slip/surfaces"), places = find_reals(image, "slip/places");
+  std::size_t next = 0;
+  for (std::size_t k = 0; k + 2 < surfaces.size(); k += 3) {
+    SlipSurface slip{.time = surfaces[k], .rate = surfaces[k + 1], .line = {}};
+    for (Real n = surfaces[k + 2]; n > 0.5 && next + 1 < places.size(); n -= 1.0, next += 2) slip.line.push_back({places[next], places[next + 1]});
+    state.slip.push_back(std::move(slip));
+  }
 }
 
 void put_points(const State& state, StateImage& image)
@@ -131,6 +163,8 @@ StateImage make_image(const State& state)
   put(image, "crest/columns", std::vector<Real>{state.crest.columns.left, state.crest.columns.width, state.crest.base});
   put(image, "crest/time", state.crest.time);
   put(image, "crest/x", state.crest.x);
+  put(image, "crest/kinetic", state.crest.kinetic);
+  put_slip(state, image);
   std::vector<Real> softened;
   for (const auto& [time, fraction] : state.softened_fraction) softened.insert(softened.end(), {time, fraction});
   put(image, "softened_fraction", std::move(softened));
@@ -162,13 +196,17 @@ State restore(const Model& model, const StateImage& image)
   state.put_back.assign(put_back.begin(), put_back.end());
   const auto& fell = get<std::int64_t>(image, "audit/fell", n);
   const auto& rose = get<std::int64_t>(image, "audit/rose", n);
-  state.audit = {get<Real>(image, "audit/last_eps_eq_p", n), get<Real>(image, "audit/last_su", n), {fell.begin(), fell.end()}, {rose.begin(), rose.end()}};
+  state.audit = {.last_eps_eq_p = get<Real>(image, "audit/last_eps_eq_p", n), .last_su = get<Real>(image, "audit/last_su", n), .growth = std::vector<Real>(n, 0.0),
+                 .fell = {fell.begin(), fell.end()}, .rose = {rose.begin(), rose.end()}};
   state.crest.initial_heights = get<Real>(image, "crest/initial_heights");
   const auto& columns = get<Real>(image, "crest/columns", 3);
   state.crest.columns = {columns[0], columns[1], static_cast<Index>(state.crest.initial_heights.size())};
   state.crest.base = columns[2];
   state.crest.time = get<Real>(image, "crest/time");
   state.crest.x = get<Real>(image, "crest/x", state.crest.time.size());
+  state.crest.kinetic = find_reals(image, "crest/kinetic");
+  state.crest.kinetic.resize(state.crest.x.size(), std::numeric_limits<Real>::quiet_NaN());
+  get_slip(image, state);
   const auto& softened = get<Real>(image, "softened_fraction");
   for (std::size_t k = 0; k + 1 < softened.size(); k += 2) state.softened_fraction.emplace_back(softened[k], softened[k + 1]);
   return state;

@@ -109,7 +109,7 @@ void move_leavers(const Model& model, State& state, Workspace& work)
 template <class Scheme>
 void step(const Model& model, State& state, Workspace& work)
 {
-  const SchemeContext context{model.method, model.materials};
+  const SchemeContext context{model.method, model.materials, model.dt};
   const Mesh<2>& mesh = model.mesh;
   start_sums(work);
 

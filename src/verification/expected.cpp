@@ -17,9 +17,9 @@ namespace {
 using Names = std::vector<std::string>;
 
 const Names quantity_keys = {"name", "kind",  "value",     "reduce", "reference", "where",    "scale",    "time",    "from", "to",     "threshold",
-                             "at",   "runs",  "tolerance", "relative", "at_least", "at_most", "of",      "over",    "unit", "source", "red"};
+                             "at",   "runs",  "tolerance", "relative", "at_least", "at_most", "of",      "over",    "unit", "source", "red", "as", "shown", "differences"};
 const Names run_keys = {"name", "case", "schemes", "set", "constants", "long", "seconds"};
-const Names kind_words = {"field", "point", "ledger", "summary", "order"};
+const Names kind_words = {"field", "point", "ledger", "summary", "formula", "order"};
 const Names reduce_words = {"rms_error", "max_error", "mean", "sum", "max", "min", "at", "last", "period", "frequency", "arrival"};
 
 /// Reads the entries of one table; every wrong one is refused with its place.
@@ -134,13 +134,14 @@ Variant read_variant(const Expected& file, const Node& table)
 
 Reduce default_reduce(QuantityKind kind)
 {
-  return kind == QuantityKind::field ? Reduce::rms_error : kind == QuantityKind::summary ? Reduce::last : Reduce::at;
+  return kind == QuantityKind::field ? Reduce::rms_error : kind == QuantityKind::summary || kind == QuantityKind::formula ? Reduce::last : Reduce::at;
 }
 
 /// A bound on one side, or a reference with a tolerance.
 void check_judgement(const Expected& file, const Quantity& q)
 {
   const int n_bounds = q.tolerance.given() + q.relative.given() + q.at_least.given() + q.at_most.given();
+  if (n_bounds == 0 && !q.as.empty() && q.kind != QuantityKind::order) return;
   if (n_bounds != 1) refuse(file, q.place, "one of `tolerance`, `relative`, `at_least`, `at_most` must be given", fmt::format("Got {}.", n_bounds));
   if ((q.tolerance.given() || q.relative.given()) && !q.reference.given()) refuse(file, q.place, "`reference` is missing", "A tolerance needs it.");
   if (is_error(q.reduce) && q.relative.given()) refuse(file, q.relative.place, "an error takes `tolerance`, not `relative`", "Use `scale`.");
@@ -158,8 +159,9 @@ void read_place(const TableReader& reader, Quantity& q)
 Quantity read_quantity(const Expected& file, const Node& table)
 {
   const TableReader reader(file, table, quantity_keys);
-  Quantity q{.name = reader.text("name", true), .unit = reader.text("unit"), .source = reader.text("source"), .red = reader.text("red")};
+  Quantity q{.name = reader.text("name", true), .unit = reader.text("unit"), .source = reader.text("source"), .shown = reader.text("shown"), .red = reader.text("red")};
   q.place = table.value;
+  q.differences = reader.flag("differences");
   q.kind = static_cast<QuantityKind>(reader.word("kind", kind_words, 0));
   q.reduce = static_cast<Reduce>(reader.word("reduce", reduce_words, static_cast<int>(default_reduce(q.kind))));
   const bool is_order = q.kind == QuantityKind::order;
@@ -169,6 +171,7 @@ Quantity read_quantity(const Expected& file, const Node& table)
   q.threshold = reader.formula("threshold", q.reduce == Reduce::arrival);
   q.tolerance = reader.formula("tolerance"), q.relative = reader.formula("relative");
   q.at_least = reader.formula("at_least"), q.at_most = reader.formula("at_most");
+  q.as = reader.text("as");
   q.of = reader.text("of", is_order), q.over = reader.text("over", is_order);
   q.runs = reader.texts("runs");
   read_place(reader, q);

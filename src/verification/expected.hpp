@@ -18,23 +18,26 @@ struct Formula {
   bool given() const { return !text.empty(); }
 };
 
-enum class QuantityKind { field, point, ledger, summary, order };
+enum class QuantityKind { field, point, ledger, summary, formula, order };
 
 /// How many numbers become one. The errors are those of value - reference over scale.
 enum class Reduce { rms_error, max_error, mean, sum, max, min, at, last, period, frequency, arrival };
 
 struct Quantity {
   std::string name = {}, unit = {}, source = {};
-  std::string red = {};              ///< why it is known not to agree, and what would mend it; empty: it must agree
+  std::string shown = {};       ///< the reference as the table shows it; empty: its number or formula
+  std::string red = {};         ///< why it is known not to agree, and what would mend it; empty: it must agree
   QuantityKind kind = QuantityKind::field;
   Reduce reduce = Reduce::rms_error;
   Formula value = {}, reference = {};
-  Formula where = {}, scale = {};         ///< field: points that count; what errors are measured in
-  Formula time = {}, from = {}, to = {};       ///< field, at: when; series: the window that counts [s]
-  Formula threshold = {};            ///< arrival: |value| that has to be reached
-  std::array<Formula, 2> at = {};    ///< point: initial place [m]
+  Formula where = {}, scale = {};  ///< field: points that count; what errors are measured in
+  Formula time = {}, from = {}, to = {};  ///< field, at: when; series: the window that counts [s]
+  Formula threshold = {};       ///< arrival: |value| that has to be reached
+  std::array<Formula, 2> at = {};  ///< point: initial place [m]
   Formula tolerance = {}, relative = {}, at_least = {}, at_most = {};
-  std::string of = {}, over = {};         ///< order: name of another quantity; the constant that is refined
+  std::string as = {};          ///< name of its value in later quantities of kind formula; without a bound it is no row of its own
+  std::string of = {}, over = {};  ///< order: name of another quantity; the constant that is refined
+  bool differences = false;     ///< order: of the differences of successive values, where the limit is not the reference
   std::vector<std::string> runs = {};  ///< names of the runs it is measured in; empty: all
   Place place = {};
 };
@@ -46,13 +49,13 @@ struct Constant {
 };
 
 struct Variant {
-  std::string name = {};                   ///< "h = 0.25 m"; empty if there is one only
+  std::string name = {};               ///< "h = 0.25 m"; empty if there is one only
   std::string case_file = {};
-  std::vector<std::string> schemes = {};   ///< empty: that of the case
-  std::vector<std::string> set = {};       ///< KEY=VALUE
-  std::vector<Constant> constants = {};    ///< in addition to those of the file
+  std::vector<std::string> schemes = {};  ///< empty: that of the case
+  std::vector<std::string> set = {};   ///< KEY=VALUE
+  std::vector<Constant> constants = {};  ///< in addition to those of the file
   bool is_long = false;
-  double seconds = 1.0;               ///< about, on one core; for the time to go
+  double seconds = 1.0;                ///< about, on one core; for the time to go
 };
 
 struct Expected {
@@ -68,6 +71,12 @@ Expected read_expected(const std::string& path);
 
 /// Throws CaseError: the file, line and column of the place, what is wrong there.
 [[noreturn]] void refuse(const Expected& expected, Place place, const std::string& what, const std::string& detail);
+
+/// A quantity that only others make use of.
+inline bool is_auxiliary(const Quantity& q)
+{
+  return !(q.tolerance.given() || q.relative.given() || q.at_least.given() || q.at_most.given());
+}
 
 /// Errors of a norm are themselves the number that is judged.
 inline bool is_error(Reduce reduce) { return reduce == Reduce::rms_error || reduce == Reduce::max_error; }

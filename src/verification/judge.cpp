@@ -42,6 +42,7 @@ Row to_row(const std::string& case_name, const Finding& f)
   Row row{.case_name = case_name, .run = run_text(f.run, f.scheme), .quantity = q.name, .source = q.source};
   row.reference = norm ? q.reference.text : std::isnan(f.reference) ? "-" : number(f.reference, q.unit);
   if (norm && row.reference.empty()) row.reference = "0";
+  if (!q.shown.empty()) row.reference = q.shown;
   row.terp = norm ? fmt::format("{} error {:.3g}", q.reduce == Reduce::rms_error ? "rms" : "largest", f.value) : number(f.value, q.unit);
   row.error = bound ? "-" : relative ? fmt::format("{:.2g} %", 100.0 * error_of(f)) : fmt::format("{:.2g}", error_of(f));
   row.tolerance = !std::isnan(f.at_least)  ? fmt::format("at least {:.3g}", f.at_least)
@@ -79,16 +80,16 @@ std::vector<Finding> orders(const Expected& file, const Quantity& order, const s
 {
   std::vector<Finding> result;
   for (const std::string& scheme : schemes_in(findings)) {
-    std::vector<Real> sizes, errors;
+    std::vector<Real> sizes, numbers;
     Scope scope{.file = file, .constants = {}};
     for (const Finding& f : findings) {
       if (f.scheme != scheme || !concerns(order, f)) continue;
       scope.constants = f.constants;
       sizes.push_back(scope.evaluate({order.over, order.place}));
-      errors.push_back(error_of(f));
+      numbers.push_back(order.differences ? f.value : error_of(f));
     }
-    if (sizes.size() < 2) continue;
-    result.push_back({.quantity = &order, .run = fmt::format("over {}", order.over), .scheme = scheme, .value = log_slope(sizes, errors),
+    if (sizes.size() < (order.differences ? 3 : 2)) continue;
+    result.push_back({.quantity = &order, .run = fmt::format("over {}", order.over), .scheme = scheme, .value = order.differences ? observed_order(sizes, numbers) : log_slope(sizes, numbers),
                       .reference = scope.evaluate_or(order.reference, nan), .tolerance = scope.evaluate_or(order.tolerance, nan),
                       .relative = scope.evaluate_or(order.relative, nan), .at_least = scope.evaluate_or(order.at_least, nan),
                       .at_most = scope.evaluate_or(order.at_most, nan), .constants = {}});
@@ -108,6 +109,16 @@ Real log_slope(const std::vector<Real>& x, const std::vector<Real>& y)
     xy += (std::log(x[k]) - mean_x) * (std::log(y[k]) - mean_y);
   }
   return xx > 0.0 ? xy / xx : nan;
+}
+
+Real observed_order(const std::vector<Real>& x, const std::vector<Real>& y)
+{
+  std::vector<std::pair<Real, Real>> runs;
+  for (std::size_t k = 0; k < x.size(); ++k) runs.emplace_back(x[k], y[k]);
+  std::sort(runs.begin(), runs.end());
+  std::vector<Real> sizes, steps;
+  for (std::size_t k = 0; k + 1 < runs.size(); ++k) sizes.push_back(runs[k].first), steps.push_back(std::abs(runs[k + 1].second - runs[k].second));
+  return log_slope(sizes, steps);
 }
 
 std::vector<Row> judge(const std::string& case_name, const Expected& file, const std::vector<Solve>& solves, const std::vector<Solved>& solved)

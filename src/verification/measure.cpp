@@ -32,6 +32,17 @@ class SummaryMeasure : public Measure {
   const Scope& scope_;
 };
 
+/// From what was measured before it in the same run.
+class FormulaMeasure : public Measure {
+ public:
+  FormulaMeasure(const Quantity& quantity, const Scope& scope) : quantity_(quantity), scope_(scope) {}
+  Measured finish(const Summary&) override { return {scope_.evaluate(quantity_.value), scope_.evaluate_or(quantity_.reference, nan)}; }
+
+ private:
+  const Quantity& quantity_;
+  const Scope& scope_;
+};
+
 }  // namespace
 
 std::unique_ptr<Measure> make_summary_measure(const Quantity& quantity, const Scope& scope) { return std::make_unique<SummaryMeasure>(quantity, scope); }
@@ -43,6 +54,7 @@ std::unique_ptr<Measure> make_measure(const Quantity& quantity, const Scope& sco
     case QuantityKind::point: return make_point_measure(quantity, scope);
     case QuantityKind::ledger: return make_ledger_measure(quantity, scope);
     case QuantityKind::summary: return make_summary_measure(quantity, scope);
+    case QuantityKind::formula: return std::make_unique<FormulaMeasure>(quantity, scope);
     case QuantityKind::order: break;
   }
   return nullptr;

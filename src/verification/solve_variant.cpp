@@ -35,7 +35,7 @@ std::vector<Finding> solve_and_measure(const Solve& solve, const CaseFile& solve
 {
   Model model = build_model(solved.values, 1);
   State state = build_state(model);
-  const Scope scope = make_scope(*solve.file, *solve.variant, solved, model.dt);
+  Scope scope = make_scope(*solve.file, *solve.variant, solved, model.dt);
   std::vector<Finding> findings;
   std::vector<std::unique_ptr<Measure>> measured;
   std::vector<Observer*> observers;
@@ -52,7 +52,9 @@ std::vector<Finding> solve_and_measure(const Solve& solve, const CaseFile& solve
     const Measured result = measured[k]->finish(summary);
     findings[k].value = result.value;
     findings[k].reference = result.reference;
+    if (const std::string& name = findings[k].quantity->as; !name.empty()) scope.constants[name] = result.value;
   }
+  std::erase_if(findings, [](const Finding& f) { return is_auxiliary(*f.quantity); });
   return findings;
 }
 

@@ -1,9 +1,8 @@
 // terp run and terp resume, as a user meets them: files, messages, exit statuses.
 #include "app/coarse_column.hpp"
+#include "app/same_results.hpp"
 #include "output/checkpoint.hpp"
-#include "output/hdf5_file.hpp"
 #include "output/small_disk.hpp"
-#include "support/simulations.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -180,31 +179,6 @@ TEST(Run, ThatStopsItselfHasAStatusOfItsOwnAndKeepsItsState)
   EXPECT_EQ(nlohmann::json::parse(text_of(folder + "/summary.json")).at("finished"), false);
 }
 
-/// Every table of fields, and what `also` names, of two VTKHDF files.
-void expect_same_fields(const std::string& a, const std::string& b, const std::vector<std::string>& groups, std::vector<std::string> also)
-{
-  const Hdf5File first(a, Hdf5File::Mode::read), second(b, Hdf5File::Mode::read);
-  for (const std::string& group : groups)
-    for (const std::string& name : first.members(group)) also.push_back(group + "/" + name);
-  for (const std::string& table : also) {
-    const auto same_numbers = [&]<class T>(T) {
-      const auto one = first.read<T>(table), other = second.read<T>(table);
-      return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](T x, T y) { return x == y || (x != x && y != y); });
-    };
-    EXPECT_TRUE(first.holds_reals(table) ? same_numbers(Real{}) : same_numbers(std::int64_t{})) << table;
-  }
-}
-
-/// Results of two runs of the same case: every point, field, row and bit of the final state.
-void expect_same_results(const std::string& a, const std::string& b, const std::string& checkpoint)
-{
-  EXPECT_EQ(test::first_difference(read_checkpoint(a + checkpoint), read_checkpoint(b + checkpoint)), "");
-  EXPECT_EQ(text_of(a + "/history.csv"), text_of(b + "/history.csv"));
-  EXPECT_EQ(text_of(a + "/ledger.csv"), text_of(b + "/ledger.csv"));
-  EXPECT_GT(Hdf5File(a + "/results.vtkhdf", Hdf5File::Mode::read).members("/VTKHDF/PointData").size(), 8u);
-  expect_same_fields(a + "/results.vtkhdf", b + "/results.vtkhdf", {"/VTKHDF/PointData"}, {"/VTKHDF/Points", "/VTKHDF/Steps/Values"});
-}
-
 TEST(Run, OnTwoThreadsGivesTheResultsOfOne)
 {
   const test::ScratchFolder scratch;
@@ -213,7 +187,7 @@ TEST(Run, OnTwoThreadsGivesTheResultsOfOne)
   std::vector<std::string> words = test::column_command("run", {"-o", two, "-q"});
   *(std::find(words.begin(), words.end(), "-j") + 1) = "2";
   ASSERT_EQ(test::terp(words).status, 0);
-  expect_same_results(one, two, last_checkpoint);
+  test::expect_same_results(one, two, last_checkpoint);
 }
 
 TEST(Run, OfTheCaseInARunFolderRepeatsIt)
@@ -222,32 +196,17 @@ TEST(Run, OfTheCaseInARunFolderRepeatsIt)
   const std::string first = scratch.path() + "/first", again = scratch.path() + "/again";
   ASSERT_EQ(run_column(first, {"-q"}).status, 0);
   ASSERT_EQ(test::terp({"run", first + "/case.toml", "-o", again, "-q", "-j", "1"}).status, 0);
-  expect_same_results(first, again, last_checkpoint);
+  test::expect_same_results(first, again, last_checkpoint);
 }
 
-std::vector<std::string> longer_run(const std::string& folder, const char* threads)
-{
-  return {"run", test::column_file, "--set", "mesh.cell=0.25", "--set", "time.end=2.0", "-o", folder, "-j", threads};
-}
-
-/// Waits until a run has written some rows of its ledger.
-void wait_for_rows(const std::string& folder)
-{
-  for (int k = 0; k < 2000; ++k) {
-    const std::string rows = text_of(folder + "/ledger.csv");
-    if (std::count(rows.begin(), rows.end(), '\n') > 3) return;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  FAIL() << "the run does not start";
-}
-
-TEST(Resume, AfterCtrlCEndsInTheResultsOfARunThatWasNotStopped)
+/// A signal stops a run, and resuming it ends in the results of a run that was not stopped.
+void stop_and_resume(int signal)
 {
   const test::ScratchFolder scratch;
   const std::string whole = scratch.path() + "/whole", stopped = scratch.path() + "/stopped";
-  test::Process running(longer_run(stopped, "1"));
-  wait_for_rows(stopped);
-  running.send(SIGINT);
+  test::Process running(test::longer_run(stopped, "1"));
+  test::wait_for_rows(stopped);
+  running.send(signal);
   const Finished f = running.wait();
   EXPECT_EQ(f.status, 1);
   EXPECT_THAT(f.out, AllOf(HasSubstr("stopped at t = "), HasSubstr("a checkpoint is written. Go on with:\n  terp resume " + stopped + "\n")));
@@ -257,9 +216,13 @@ TEST(Resume, AfterCtrlCEndsInTheResultsOfARunThatWasNotStopped)
   EXPECT_EQ(resumed.status, 0) << resumed.err;
   EXPECT_THAT(resumed.out, AllOf(StartsWith("resuming " + stopped + " at t = "), HasSubstr("solved in ")));
   EXPECT_EQ(nlohmann::json::parse(text_of(stopped + "/summary.json")).at("finished"), true);
-  ASSERT_EQ(test::terp(longer_run(whole, "1")).status, 0);
-  expect_same_results(whole, stopped, "/checkpoint_000001320.h5");
+  ASSERT_EQ(test::terp(test::longer_run(whole, "1")).status, 0);
+  test::expect_same_results(whole, stopped, "/checkpoint_000001320.h5");
 }
+
+TEST(Resume, AfterCtrlCEndsInTheResultsOfARunThatWasNotStopped) { stop_and_resume(SIGINT); }
+
+TEST(Resume, AfterSigtermEndsInTheResultsOfARunThatWasNotStopped) { stop_and_resume(SIGTERM); }
 
 TEST(Resume, FromACheckpointThatIsNamedEndsInTheSameResults)
 {
@@ -270,8 +233,8 @@ TEST(Resume, FromACheckpointThatIsNamedEndsInTheSameResults)
   const Finished f = test::terp({"resume", again + "/checkpoint_000000033.h5", "-j", "1"});
   EXPECT_EQ(f.status, 0) << f.err;
   EXPECT_THAT(f.out, HasSubstr("step 33 of 66\n"));
-  expect_same_results(whole, again, last_checkpoint);
-  expect_same_fields(whole + "/mesh.vtkhdf", again + "/mesh.vtkhdf", {"/VTKHDF/PointData", "/VTKHDF/CellData"}, {"/VTKHDF/Steps/Values"});
+  test::expect_same_results(whole, again, last_checkpoint);
+  test::expect_same_fields(whole + "/mesh.vtkhdf", again + "/mesh.vtkhdf", {"/VTKHDF/PointData", "/VTKHDF/CellData"}, {"/VTKHDF/Steps/Values"});
 }
 
 TEST(Resume, SkipsADamagedCheckpointAndSaysSo)
@@ -355,8 +318,8 @@ TEST(Resume, SaysFirstThatAnotherTerpIsWriting)
 {
   const test::ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";
-  test::Process running(longer_run(folder, "1"));
-  wait_for_rows(folder);
+  test::Process running(test::longer_run(folder, "1"));
+  test::wait_for_rows(folder);
   const std::string refused = "error: another terp is writing to the run folder " + folder + "\n";
   EXPECT_EQ(test::terp({"resume", folder}).err, refused);  // though there is no checkpoint yet
   std::filesystem::remove(folder + "/case.toml");

@@ -19,6 +19,7 @@ class Probe {
  public:
   Probe(const MaterialType& type, const std::vector<Real>& parameters) : type_(&type), law_(type.make(parameters)) {}
 
+  static constexpr Real dt = 1e-3;     ///< length of each step [s]
   Stress sigma{};                      ///< [Pa]
   std::array<Real, max_state> state{};
   Real plastic_work = 0.0;             ///< of the last increment [J/m^3]
@@ -65,6 +66,7 @@ class Probe {
       for (int s = 0; s < max_state; ++s) a.state[s] = state[s];
       a.plastic_work = plastic_work;
       a.n = pack_width;
+      a.dt = dt;
       return a;
     }
   };

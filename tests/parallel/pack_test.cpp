@@ -142,5 +142,24 @@ TEST(Exponential, KeepsNotANumber)
   EXPECT_EQ(y[0], 1.0);
 }
 
+TEST(Sine, IsExactToRoundOffUpToARightAngle)
+{
+  test::Random random(3);
+  long double worst = 0.0;
+  for (int k = 0; k < 100000; ++k) {
+    const Real x = random.between(-1.5707963267948966, 1.5707963267948966);
+    worst = std::max(worst, std::abs(sine(x) - std::sin(static_cast<long double>(x))));
+  }
+  EXPECT_LT(worst, 3e-16L);
+  EXPECT_EQ(sine(0.0), 0.0);
+}
+
+TEST(Sine, IsTheSameInAPackAndAlone)
+{
+  const std::array<Real, 8> x{-1.5, -0.3, 0.0, 1e-9, 0.2, 0.5235987755982988, 1.0, 1.5};
+  const auto y = lanes_of(sine(pack_of(x)));
+  for (int lane = 0; lane < 8; ++lane) EXPECT_EQ(y[lane], sine(x[lane]));
+}
+
 }  // namespace
 }  // namespace terp

@@ -2,6 +2,7 @@
 
 import type { Report } from "./data/report";
 import { Store, type ViewState } from "./logic/store";
+import { toScreen } from "./logic/camera";
 import { speeds } from "./logic/time";
 import { numberText, withUnit } from "./logic/numbers";
 import { Current } from "./view/current";
@@ -14,7 +15,7 @@ import { fieldControls, layerControls, zoomButtons } from "./shell/controls";
 import { Keys, type Actions } from "./shell/keys";
 import { Notice } from "./shell/notice";
 import { element, icon, iconButton } from "./shell/element";
-import { summarySection } from "./sections/summary";
+import { storiesSection, summarySection } from "./sections/summary";
 import { comparisonSection } from "./sections/comparison";
 import { chartsSection } from "./sections/charts";
 import { momentsSection } from "./sections/moments";
@@ -69,6 +70,7 @@ export function buildPage(report: Report, page: HTMLElement): void {
     header(report, title, actions, keys),
     element("main", {},
       element("div", { class: "first" }, see, element("div", { class: "beside" }, pinned.root, summarySection(report, store))),
+      storiesSection(report, store) ?? "",
       momentsSection(current, viewer) ?? "",
       comparisonSection(report, store) ?? "",
       chartsSection(current),
@@ -76,6 +78,38 @@ export function buildPage(report: Report, page: HTMLElement): void {
     element("footer", {}, `Written by Terp ${report.meta.terp}, ${report.meta.written.replace("T", " ").replace("Z", " UTC")}. This file holds all data that it shows.`),
     notice.root, keys.help);
   printLight(store, viewer);
+  window.terp = probe(current, viewer);
+}
+
+declare global {
+  interface Window {
+    terp?: Probe;
+  }
+}
+
+/** For tests, and for who wants to drive the page from the console. */
+export interface Probe {
+  store: Store;
+  drawn: number; // pictures so far
+  ready: boolean; // the chosen field is there in all shown runs
+  place: (run: number, point: number) => [number, number]; // of a point now, CSS pixels in its view
+}
+
+function probe(current: Current, viewer: Viewer): Probe {
+  const { store, report } = current;
+  const made: Probe = {
+    store,
+    drawn: 0,
+    get ready() {
+      return current.shownRuns().every((run) => !run.fieldMeta(store.state.field) || run.fields.has(store.state.field));
+    },
+    place: (k, point) => {
+      const run = report.runs[k]!;
+      return toScreen(viewer.camera(), viewer.viewSize(), ...run.place(current.frame(run), point));
+    },
+  };
+  viewer.onDrawn = () => made.drawn++;
+  return made;
 }
 
 function header(report: Report, title: string, actions: Actions, keys: Keys): HTMLElement {

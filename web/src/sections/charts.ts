@@ -74,7 +74,7 @@ function energies(current: Current, labels: string[]): HTMLElement[] {
     const { series } = run;
     if (!series) return [];
     const x = series.column("time");
-    const columns = series.columns.filter(({ name, unit }) => unit.startsWith("J") && name !== "kinetic_energy");
+    const columns = series.columns.filter(({ name, unit }) => /^[kM]?J/.test(unit) && name !== "kinetic_energy" && series.column(name)!.some((v) => v !== 0));
     if (!x || columns.length === 0) return [];
     const lines = columns.map(({ name }, k): Line => ({
       label: series.label(name) === name ? spoken(name) : series.label(name), x, y: series.column(name)!,
@@ -96,7 +96,11 @@ function surfaces(current: Current, labels: string[]): HTMLElement | null {
   for (const line of all) for (let k = 1; k < line.length; k += 2) [low, high] = [Math.min(low, line[k]!), Math.max(high, line[k]!)];
   if (runs.length > 1) low = Math.min(low, -0.45 * high);
   const chart = new Chart(current.store, { title: "Free surface", xLabel: "x [m]", unit: "m", overTime: false, yRange: [low, 1.05 * high] });
+  let drawn = "";
   current.store.watch(["time"], ({ time }) => {
+    const frames = runs.map((run) => current.frame(run, time)).join();
+    if (frames === drawn) return;
+    drawn = frames;
     const lines = runs.map((run) => run.surface(current.frame(run, time)));
     const x = places(lines);
     const heights = lines.map((line) => heightsAt(line, x));
@@ -125,7 +129,7 @@ function histories(current: Current, labels: string[]): HTMLElement | null {
       return x && y ? [{ label: history.name, x, y, colour: () => CATEGORIES[k % CATEGORIES.length]!, dash: k >= CATEGORIES.length ? [4, 3] : undefined, width: 1.8 }] : [];
     }));
     const yRange = commonRange(lines.flat());
-    charts.forEach((chart, k) => chart.show(lines[k]!, { unit: first.unit(name), yRange }));
+    charts.forEach((chart, k) => chart.show(lines[k]!, { unit: first.unit(name), yRange, nameEnds: true }));
   };
   select.value = names.find((name) => name === "eps_deviatoric") ?? names.find((name) => name.startsWith("eps")) ?? names[0]!;
   show(select.value);

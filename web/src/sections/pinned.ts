@@ -5,7 +5,7 @@ import type { Run } from "../data/run";
 import { Chart, type Line } from "../charts/chart";
 import { runLabels } from "../logic/labels";
 import { numberText, withUnit } from "../logic/numbers";
-import { sameBody } from "../view/panel";
+import { sameBody } from "../logic/same_body";
 import { pointValues } from "../view/tip";
 import { runColour } from "../view/theme";
 import { element, iconButton } from "../shell/element";

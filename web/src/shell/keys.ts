@@ -74,7 +74,8 @@ export class Keys {
 
   private press(event: KeyboardEvent): void {
     const target = event.target as HTMLElement;
-    if (event.ctrlKey || event.metaKey || event.altKey || target.closest("input:not([type=range]), textarea, select, dialog[open]:not(.keys)")) return;
+    if (this.help.open && event.key !== "?") return;
+    if (event.ctrlKey || event.metaKey || event.altKey || target.closest("input:not([type=range]), textarea, select")) return;
     const onRange = target.matches("input[type=range]");
     if (onRange && !target.classList.contains("scrub") && event.key.startsWith("Arrow")) return;
     if (event.key === " " && target.closest("button, summary, a")) return; // Space presses what has the focus

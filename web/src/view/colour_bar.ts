@@ -54,9 +54,13 @@ function drawScale(context: CanvasRenderingContext2D, current: Current, range: R
   context.font = `11px ${FONT}`;
   context.fillStyle = theme.muted;
   context.textAlign = "center";
+  let free = -Infinity; // right end of the text before
   for (const { at, text } of barTicks(range, niceTicks)) {
     const x = left + at * width;
+    const half = context.measureText(text).width / 2;
+    if (x - half < free) continue;
     context.fillRect(Math.round(x), 20, 1, 4);
     context.fillText(text, x, 31);
+    free = x + half + 8;
   }
 }

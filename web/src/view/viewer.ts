@@ -27,6 +27,7 @@ export class Viewer {
   private readonly box: Box;
   private size: Size = { width: 1, height: 1 };
   private asked = false;
+  private drawnFrames = "";
   /** Called after each drawing; for the counter of frames. */
   onDrawn: () => void = () => undefined;
 
@@ -45,7 +46,8 @@ export class Viewer {
     this.root.append(...this.views.map((view) => view.canvas), this.tip.root);
     store.on((_, changed) => {
       if (changed.has("shown") || changed.has("layout")) this.arrange();
-      this.ask();
+      const onlyTime = [...changed].every((key) => key === "time" || key === "playing");
+      if (!onlyTime || this.drawnFrames !== this.frames()) this.ask();
     });
     for (const run of report.runs) run.onField.push(() => this.ask());
     new ResizeObserver(() => this.arrange()).observe(this.root);
@@ -109,7 +111,12 @@ export class Viewer {
     return this.size;
   }
 
+  private frames(): string {
+    return this.current.shownRuns().map((run) => this.current.frame(run)).join();
+  }
+
   draw(): void {
+    this.drawnFrames = this.frames();
     const ratio = window.devicePixelRatio || 1;
     for (const { run, canvas } of this.views) {
       if (canvas.hidden) continue;

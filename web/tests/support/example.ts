@@ -83,6 +83,7 @@ function exampleRun(writer: ChunkWriter, side: number, k: number, scheme: string
     events: {
       first_slide: { begins: 0.2, stops: 1.8 }, second_slide: k ? { begins: 1.8 } : null, moved_volume: 7.9, moved_fraction: 0.49,
       run_out: reach, front_x: front[FRAMES - 1]!, remaining_crest: { x: crest[FRAMES - 1]!, y: BASE + HEIGHT },
+      moved_distance: 0.1,
       slip_surface: { time: 1, points: Array.from({ length: 12 }, (_, i) => [0.9 + 0.28 * i, slipLine(0.9 + 0.28 * i)] as [number, number]) },
     },
     story: ["The column begins to slide at 0.2 s.", `Its front comes to rest ${reach.toFixed(1)} m from where it stood.`],

@@ -1,0 +1,277 @@
+// Mohr-Coulomb soil: friction, cohesion and dilatancy of their own, a tension cut-off, and exponential softening of all three.
+//
+//   sigma_1 - sigma_3 + (sigma_1 + sigma_3) sin(phi) <= 2 c cos(phi)      tension positive, sigma_1 >= sigma_2 >= sigma_3
+//   sigma_1 <= min(tension_cutoff, c cot(phi))
+//
+// The return for a given strength is exact (mohr_coulomb_return.hpp). Softening makes the strength depend on the plastic
+// strain of the step: one equation, solved between two bounds that hold a root whatever the stress.
+
+#include "materials/elastic_constants.hpp"
+#include "materials/law.hpp"
+#include "materials/mohr_coulomb_return.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+namespace terp {
+namespace {
+
+constexpr Real degree = std::numbers::pi / 180.0;
+constexpr Range friction_range = between(0.0, 60.0);
+
+constexpr ParameterInfo same_as(std::string_view name, std::string_view unit, Range range, std::string_view meaning, std::string_view peak)
+{
+  ParameterInfo info{name, unit, range, meaning};
+  info.fallback_of = peak;
+  return info;
+}
+
+/// A quantity that softens by Eq. (5): residual + drop exp(-eta e).
+struct Softening {
+  Real residual, drop;
+  template <class R>
+  R at(R decay) const
+  {
+    return R(residual) + R(drop) * decay;
+  }
+};
+
+struct MohrCoulomb {
+  static constexpr std::string_view equations =
+      "sigma_1 - sigma_3 + (sigma_1 + sigma_3) sin(phi) <= 2 c cos(phi)     tension positive, sorted in three dimensions\n"
+      "sigma_1 <= min(tension_cutoff, c cot(phi))\n"
+      "flow       (1 + sin(psi), 0, -(1 - sin(psi))) on the first, (1, 0, 0) on the second; both on edges and at the apex\n"
+      "softening  c, phi, psi = residual + (peak - residual) exp(-eta eps_eq_p)             as Eq. (5)\n"
+      "eps_eq_p = sum sqrt(1/2 de_p : de_p), de_p the deviator of the plastic strain         Eq. (6)\n"
+      "opening  = volume strain beyond the apex, where all three stresses meet their limit; closes before pressure returns\n"
+      "phi = psi = 0 is Tresca's law with c = S_u. There is no pore water: give effective strength, density and stiffness\n"
+      "of drained soil, or phi = 0, c = S_u and saturated density for total stress in undrained soil (docs/methods.md).\n";
+  static constexpr std::array parameters{
+      shear_modulus_info, poisson_ratio_info,
+      ParameterInfo{"cohesion", "Pa", not_negative, "cohesion c, at its peak", {}, {10.0, 1e7, false, false}},
+      ParameterInfo{"friction_angle", "deg", friction_range, "friction angle phi, at its peak", {}, {}},
+      ParameterInfo{"dilatancy_angle", "deg", friction_range, "dilatancy angle psi, at its peak; at most friction_angle", 0.0, {}},
+      ParameterInfo{"tension_cutoff", "Pa", not_negative, "largest principal stress; never above the apex c cot(phi), which is the limit without it",
+                    std::numeric_limits<Real>::infinity(), {}},
+      same_as("cohesion_residual", "Pa", not_negative, "cohesion that softening leaves", "cohesion"),
+      same_as("friction_angle_residual", "deg", friction_range, "friction angle that softening leaves", "friction_angle"),
+      same_as("dilatancy_angle_residual", "deg", friction_range, "dilatancy angle that softening leaves", "dilatancy_angle"),
+      ParameterInfo{"eta", "-", not_negative, "shape factor of the softening; 95 % of it is done at a strain of 3/eta", 0.0, {}},
+  };
+  static constexpr std::array state{
+      StateInfo{"eps_eq_p", "-", Averaging::cell, "accumulated equivalent plastic strain, Eq. (6)"},
+      StateInfo{"opening", "-", Averaging::cell, "volume strain by which the soil has come apart"},
+  };
+  static constexpr std::array derived{
+      DerivedInfo{"cohesion", "Pa", "current cohesion"},
+      DerivedInfo{"friction_angle", "deg", "current friction angle"},
+      DerivedInfo{"dilatancy_angle", "deg", "current dilatancy angle"},
+  };
+
+  explicit MohrCoulomb(std::span<const Real> v)
+      : shear(v[0]), bulk(bulk_from_poisson(v[0], v[1])), tension_cutoff(v[5]), eta(v[9]), cohesion{v[6], v[2] - v[6]},
+        phi{v[7] * degree, (v[3] - v[7]) * degree}, psi{v[8] * degree, (v[4] - v[8]) * degree},
+        softens(eta > 0.0 && (cohesion.drop > 0.0 || phi.drop > 0.0 || psi.drop > 0.0))
+  {
+  }
+
+  template <class R, int Dim>
+  R update(SymTensor<R, Dim>& sigma, std::array<R, 2>& state, const SymTensor<R, Dim>& d_eps, Real) const
+  {
+    const auto strength = strength_at(state[0]);
+    const R before = mean_of_direct(sigma);
+    add_elastic_stress(sigma, d_eps, bulk, shear);
+    const R work = any_of(state[1] > R(0.0)) ? close_opening(sigma, state[1], before, trace(d_eps), strength.tension) : R(0.0);
+    auto principal = principal_values(sigma);
+    const Sorted<R> trial = sort_principal_values(principal);
+    const auto yields = is_outside(trial, strength);
+    if (!any_of(yields)) return work;
+
+    R d_e(0.0);
+    Sorted<R> returned = softens ? return_softening(trial, state[0], strength, d_e) : return_to(trial, strength, d_e);
+    state[0] = select(yields, state[0] + d_e, state[0]);
+    state[1] = select(yields, come_apart(trial, softens ? strength_at(state[0]) : strength, returned), state[1]);
+    assign_by_rank(returned, principal);
+    const SymTensor<R, Dim> on_surface = from_principal_values(principal);
+    for (int k = 0; k < n_sym<Dim>; ++k) sigma[k] = select(yields, on_surface[k], sigma[k]);
+    return select(yields, plastic_work(trial, returned), work);
+  }
+
+  /// The opening of soil whose principal stresses all meet their limit, which they are given to the bit; 0 elsewhere.
+  template <class R>
+  R come_apart(const Sorted<R>& trial, const MohrCoulombStrength<R>& at, Sorted<R>& s) const
+  {
+    const auto apart = s.minor >= at.tension - slack(trial, at);
+    s = {select(apart, at.tension, s.major), select(apart, at.tension, s.middle), select(apart, at.tension, s.minor)};
+    const R beyond = (trial.major + trial.middle + trial.minor) * R(1.0 / 3.0) - at.tension;
+    return select(apart, max(R(0.0), beyond * R(1.0 / bulk)), R(0.0));
+  }
+
+  /// Exact where all three are equal.
+  template <class R, int Dim>
+  static R mean_of_direct(const SymTensor<R, Dim>& sigma)
+  {
+    return sigma[0] + ((sigma[1] - sigma[0]) + (sigma[2] - sigma[0])) * R(1.0 / 3.0);
+  }
+
+  /// Soil that has come apart carries no more tension than before, none as soon as it closes, and no pressure before it has closed.
+  /// sigma: with the elastic stress of the step. before: mean stress at its start. Returns the plastic work per volume.
+  template <class R, int Dim>
+  R close_opening(SymTensor<R, Dim>& sigma, R& opening, R before, R volumetric, R tension) const
+  {
+    const R held = select(volumetric < R(0.0), R(0.0), min(max(before, R(0.0)), tension));
+    const R closed = before + R(bulk) * (opening + volumetric);  // mean stress if the opening were closed by stress
+    const auto was_open = opening > R(0.0);
+    const auto stays_open = was_open & (closed > held);
+    for (int k = 0; k < 3; ++k) sigma[k] = select(stays_open, held, select(was_open, sigma[k] + R(bulk) * opening, sigma[k]));
+    for (int k = 3; k < n_sym<Dim>; ++k) sigma[k] = select(stays_open, R(0.0), sigma[k]);
+    opening = select(stays_open, opening + volumetric + (before - held) * R(1.0 / bulk), R(0.0));
+    return select(stays_open, held * volumetric, R(0.0));
+  }
+
+  template <class R>
+  MohrCoulombStrength<R> strength_at(R eps_eq_p) const
+  {
+    const R decay = softens ? exponential(R(-eta) * eps_eq_p) : R(1.0);
+    const R sin_phi = sine(phi.at(decay)), cos_phi = sqrt(R(1.0) - sin_phi * sin_phi), c = cohesion.at(decay);
+    const R apex = c * cos_phi / max(sin_phi, R(tiny));
+    return {sin_phi, cos_phi, sine(psi.at(decay)), c, min(R(tension_cutoff), apex)};
+  }
+
+  /// A point yields when it exceeds a limit by more than the round-off of a stress that was returned and rebuilt.
+  template <class R>
+  auto is_outside(const Sorted<R>& s, const MohrCoulombStrength<R>& at) const
+  {
+    const R limit = slack(s, at);
+    return (mohr_coulomb_excess(s.major, s.minor, at) > limit) | (s.major - at.tension > limit);
+  }
+  template <class R>
+  static R slack(const Sorted<R>& s, const MohrCoulombStrength<R>& at)
+  {
+    return R(1e-12) * (abs(s.major) + abs(s.minor) + at.cohesion);
+  }
+
+  /// Return to a surface that stays where it is. d_e: out, the step's part of Eq. (6).
+  template <class R>
+  Sorted<R> return_to(const Sorted<R>& trial, const MohrCoulombStrength<R>& strength, R& d_e) const
+  {
+    const Sorted<R> returned = MohrCoulombReturn<R>(strength, bulk, shear)(trial);
+    const R a = trial.major - returned.major, b = trial.middle - returned.middle, c = trial.minor - returned.minor;
+    d_e = shear_norm(a, b, c) * R(0.5 / shear);
+    return returned;
+  }
+
+  /// sqrt(1/2 dev:dev) of a tensor with these principal values.
+  template <class R>
+  static R shear_norm(R a, R b, R c)
+  {
+    const R ab = a - b, bc = b - c, ca = c - a;
+    return sqrt((ab * ab + bc * bc + ca * ca) * R(1.0 / 6.0));
+  }
+
+  /// Solves d = d_e(strength at eps_eq_p + d) by regula falsi (Illinois) between 0, where the left side is below, and the shear strain of
+  /// the trial stress, twice, where it is above: no return moves the deviator further. Any answer is on the surface of the strength
+  /// that belongs to it. Lanes that have settled keep their answer, so that it does not depend on the other lanes.
+  template <class R>
+  Sorted<R> return_softening(const Sorted<R>& trial, R eps_eq_p, const MohrCoulombStrength<R>& strength, R& d) const
+  {
+    const R settled = R(round_off) * ((abs(trial.major) + abs(trial.minor)) * R(1.0 / shear) + R(1.0 / eta));
+    R low(0.0), high = shear_norm(trial.major, trial.middle, trial.minor) * R(1.0 / shear), at_high;
+    Sorted<R> best = return_to(trial, strength, at_high);
+    R at_low = at_high;  // d_e less d; above 0 at `low`, below at `high`
+    return_to(trial, strength_at(eps_eq_p + high), at_high);
+    at_high = at_high - high;
+    d = R(0.0);
+    auto open = at_low > settled;
+    auto was_below = d > R(0.0), was_above = was_below;
+    for (int k = 0; k < most_trials && any_of(open); ++k) {
+      const R next = low + (high - low) * (at_low / (at_low - min(at_high, R(-tiny))));
+      R d_e;
+      const Sorted<R> returned = return_to(trial, strength_at(eps_eq_p + next), d_e);
+      best = {select(open, returned.major, best.major), select(open, returned.middle, best.middle), select(open, returned.minor, best.minor)};
+      d = select(open, next, d);
+      const R rest = d_e - next;
+      const auto below = rest > R(0.0);  // the root lies above
+      const auto above = rest <= R(0.0);
+      at_high = select(below, select(was_below, at_high * R(0.5), at_high), rest);
+      at_low = select(below, rest, select(was_above, at_low * R(0.5), at_low));
+      was_below = below, was_above = above;
+      low = select(below, next, low);
+      high = select(below, high, next);
+      open = open & (abs(rest) > settled);
+    }
+    return best;
+  }
+
+  /// sigma : d_eps_p [J/m^3]; never negative, but for round-off.
+  template <class R>
+  R plastic_work(const Sorted<R>& trial, const Sorted<R>& s) const
+  {
+    const R p = (s.major + s.middle + s.minor) * R(1.0 / 3.0);
+    const R a = trial.major - s.major, b = trial.middle - s.middle, c = trial.minor - s.minor;
+    const R by_shear = (s.major - p) * a + (s.middle - p) * b + (s.minor - p) * c;
+    return max(R(0.0), by_shear * R(0.5 / shear) + p * (a + b + c) * R(1.0 / (3.0 * bulk)));
+  }
+
+  Real bulk_modulus() const { return bulk; }
+  Real shear_modulus() const { return shear; }
+  Real derived_value(int k, const Real* state) const
+  {
+    const Real decay = softens ? exponential(-eta * state[0]) : 1.0;
+    return k == 0 ? cohesion.at(decay) : (k == 1 ? phi : psi).at(decay) / degree;
+  }
+
+  std::vector<ParameterProblem> check() const;
+
+  static constexpr Real tiny = 1e-30;       // keeps 0/0 from soil without friction and from brackets that have closed
+  static constexpr Real round_off = 1e-15;  // of the plastic strain, as a part of the elastic strain of the trial stress and of 1/eta
+  static constexpr int most_trials = 60;
+  Real shear;           // G [Pa]
+  Real bulk;            // K [Pa]
+  Real tension_cutoff;  // [Pa]
+  Real eta;             // [-]
+  Softening cohesion;   // [Pa]
+  Softening phi, psi;   // [rad]
+  bool softens;
+};
+
+std::vector<ParameterProblem> MohrCoulomb::check() const
+{
+  std::vector<ParameterProblem> problems;
+  const auto refuse = [&](const char* parameter, std::string what, std::string detail) {
+    problems.push_back({parameter, std::move(what), std::move(detail)});
+  };
+  const auto peak = [](const Softening& s) { return s.residual + s.drop; };
+  const auto degrees = [](Real angle) { return fmt::format("{:.6g} deg", angle / degree); };
+  if (cohesion.drop < 0.0)
+    refuse("cohesion_residual", "the residual cohesion exceeds the peak", fmt::format("cohesion_residual = {} Pa, at most cohesion = {} Pa.", cohesion.residual, peak(cohesion)));
+  if (phi.drop < 0.0)
+    refuse("friction_angle_residual", "the residual friction angle exceeds the peak",
+           fmt::format("friction_angle_residual = {}, at most friction_angle = {}.", degrees(phi.residual), degrees(peak(phi))));
+  if (psi.drop < 0.0)
+    refuse("dilatancy_angle_residual", "the residual dilatancy angle exceeds the peak",
+           fmt::format("dilatancy_angle_residual = {}, at most dilatancy_angle = {}.", degrees(psi.residual), degrees(peak(psi))));
+  if (peak(psi) > peak(phi) || psi.residual > phi.residual) {
+    const bool at_peak = peak(psi) > peak(phi);
+    const std::string ending = at_peak ? "" : "_residual";
+    refuse(at_peak ? "dilatancy_angle" : "dilatancy_angle_residual", "the dilatancy angle exceeds the friction angle",
+           fmt::format("dilatancy_angle{0} = {1}, at most friction_angle{0} = {2}: soil that dilates more gains energy by shearing.", ending,
+                       degrees(at_peak ? peak(psi) : psi.residual), degrees(at_peak ? peak(phi) : phi.residual)));
+  }
+  if (!(peak(cohesion) > 0.0) && !(peak(phi) > 0.0))
+    refuse("cohesion", "the soil has no strength", "cohesion and friction_angle are both 0. Give one of them, or choose model = \"newtonian_fluid\".");
+  const Real steepness = eta * cohesion.drop * std::cos(phi.residual), limit = 1.5 * shear;
+  if (steepness > limit)
+    refuse("eta", "softening is too steep",
+           fmt::format("eta (cohesion - cohesion_residual) cos(phi) = {:.3g} Pa, at most 1.5 G = {:.3g} Pa\n"
+                       "(beyond sqrt(3) G the return mapping has no unique answer). Use eta <= {:.3g}, or a stiffer soil.",
+                       steepness, limit, limit / (cohesion.drop * std::cos(phi.residual))));
+  return problems;
+}
+
+}  // namespace
+
+TERP_MATERIAL_DEFINITION(mohr_coulomb, MohrCoulomb, "Mohr-Coulomb with dilatancy, tension cut-off and exponential softening")
+
+}  // namespace terp

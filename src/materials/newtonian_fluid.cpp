@@ -1,0 +1,69 @@
+// Weakly compressible viscous fluid: pressure from the change of volume, shear stress from the rate of shear.
+//
+//   sigma = p I + 2 mu dev(d_eps) / dt,   dp = K tr(d_eps),   p <= tension_cutoff      tension positive
+//
+// A fluid that would be pulled beyond the limit tears: the volume strain by which it has opened is kept, and pressure
+// returns only when it has closed again. So spray that falls back has the volume it had.
+
+#include "materials/elastic_constants.hpp"
+#include "materials/law.hpp"
+
+namespace terp {
+namespace {
+
+struct NewtonianFluid {
+  static constexpr std::string_view equations =
+      "sigma   = p I + 2 mu dev(d_eps)/dt                     no shear stress at rest, nor where the fluid has torn\n"
+      "p       = min(p + K (opening + tr(d_eps)), tension_cutoff)\n"
+      "opening = what this takes away from K tr(d_eps), over K: closes before pressure returns\n"
+      "c = sqrt(K/rho). For a flow that water would do, K = rho (10 v)^2 or more with v the largest speed keeps changes of\n"
+      "density near 1 % and the time step a hundredth of water's. The time step also heeds the viscosity (docs/methods.md).\n"
+      "At rest the stress must be hydrostatic: initial.stress = \"k0\" with k0 = 1, its default, or \"equilibrium\".\n";
+  static constexpr std::array parameters{
+      ParameterInfo{"bulk_modulus", "Pa", positive, "bulk modulus K = rho c^2, c the speed of sound", {}, {1e2, 1e10, false, false}},
+      ParameterInfo{"viscosity", "Pa s", not_negative, "dynamic viscosity mu; that of water is 0.001", 0.0, {1e-6, 1e6, false, false}},
+      ParameterInfo{"tension_cutoff", "Pa", not_negative, "largest tension before the fluid tears; inf: it never does", 0.0, {}},
+  };
+  static constexpr std::array state{
+      StateInfo{"opening", "-", Averaging::cell, "volume strain by which the fluid has torn open"},
+  };
+  static constexpr std::array<DerivedInfo, 0> derived{};
+
+  explicit NewtonianFluid(std::span<const Real> v) : bulk(v[0]), mu(v[1]), tension_cutoff(v[2]) {}
+
+  template <class R, int Dim>
+  R update(SymTensor<R, Dim>& sigma, std::array<R, 1>& state, const SymTensor<R, Dim>& d_eps, Real dt) const
+  {
+    constexpr Real third = 1.0 / 3.0;
+    const R before = sigma[0] + ((sigma[1] - sigma[0]) + (sigma[2] - sigma[0])) * R(third);  // exact where all three are equal
+    const R volumetric = trace(d_eps), strain = state[0] + volumetric, mean = volumetric * R(third);
+    const R whole = before + R(bulk) * strain;
+    const auto torn = whole > R(tension_cutoff);
+    const R pressure = select(torn, R(tension_cutoff), whole);
+    state[0] = select(torn, strain + (before - pressure) * R(1.0 / bulk), R(0.0));
+
+    const R twice_mu_per_dt = select(torn, R(0.0), R(2.0 * mu / dt));
+    SymTensor<R, Dim> shear_strain = d_eps;
+    add_isotropic(shear_strain, -mean);
+    for (int k = 0; k < n_sym<Dim>; ++k) sigma[k] = twice_mu_per_dt * shear_strain[k];
+    const R dissipated = double_dot(sigma, shear_strain);
+    add_isotropic(sigma, pressure);
+    return dissipated;
+  }
+
+  Real bulk_modulus() const { return bulk; }
+  Real shear_modulus() const { return 0.0; }
+  Real viscosity() const { return mu; }
+  Real derived_value(int, const Real*) const { return 0.0; }
+  std::vector<ParameterProblem> check() const { return {}; }
+
+  Real bulk;            // K [Pa]
+  Real mu;              // [Pa s]
+  Real tension_cutoff;  // [Pa]
+};
+
+}  // namespace
+
+TERP_MATERIAL_DEFINITION(newtonian_fluid, NewtonianFluid, "weakly compressible viscous fluid that tears under tension")
+
+}  // namespace terp

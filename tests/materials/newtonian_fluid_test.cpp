@@ -1,0 +1,85 @@
+// Weakly compressible fluid: pressure from volume, shear stress from rate, and how it tears and closes.
+
+#include "materials/probe.hpp"
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using test::Probe;
+using test::Stress;
+
+Probe fluid(Real bulk, Real viscosity, Real tension_cutoff = 0.0) { return {*find_material("newtonian_fluid"), {bulk, viscosity, tension_cutoff}}; }
+
+TEST(NewtonianFluid, TakesItsPressureFromTheChangeOfVolume)
+{
+  Probe point = fluid(2e6, 0.0);
+  for (int k = 0; k < 10; ++k) point.strain({{-3e-4, 1e-4, 0.0, 2e-3}});
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(point.sigma[c], -2e6 * 2e-3, 1e-9);
+  EXPECT_EQ(point.sigma[3], 0.0);
+  EXPECT_EQ(point.plastic_work, 0.0);
+}
+
+TEST(NewtonianFluid, TakesItsShearStressFromTheRate)  // tau = mu gamma', gamma' = 2 eps_xy / dt
+{
+  Probe point = fluid(2e6, 0.7);
+  point.strain({{0.0, 0.0, 0.0, 0.002}});
+  EXPECT_NEAR(point.sigma[3], 0.7 * 2.0 * 0.002 / Probe::dt, 1e-12);
+  EXPECT_NEAR(point.plastic_work, 0.7 * std::pow(2.0 * 0.002, 2) / Probe::dt, 1e-12) << "dissipation mu gamma'^2 dt";
+  point.strain(Stress{});
+  EXPECT_EQ(point.sigma[3], 0.0) << "no shear stress at rest";
+}
+
+TEST(NewtonianFluid, HasNoBulkViscosity)
+{
+  Probe thin = fluid(2e6, 0.0), thick = fluid(2e6, 50.0);
+  for (Probe* point : {&thin, &thick}) point->strain({{-1e-4, -1e-4, -1e-4, 0.0}});
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(thick.sigma[c], thin.sigma[c], 1e-12);
+}
+
+TEST(NewtonianFluid, TearsAndGivesNoPressureBeforeItHasClosed)
+{
+  Probe point = fluid(2e6, 10.0);
+  point.sigma = {{-500.0, -500.0, -500.0, 0.0}};
+  point.strain({{1e-3, 0.0, 0.0, 1e-3}});
+  for (int c = 0; c < 4; ++c) EXPECT_EQ(point.sigma[c], 0.0) << "torn: no stress at all";
+  EXPECT_NEAR(point.state[0], 1e-3 - 500.0 / 2e6, 1e-17);
+  point.strain({{-5e-4, 0.0, 0.0, 0.0}});
+  EXPECT_EQ(trace(point.sigma), 0.0);
+  point.strain({{-5e-4, 0.0, 0.0, 0.0}});
+  EXPECT_NEAR(trace(point.sigma) / 3.0, -500.0, 1e-9) << "the volume of the start has the pressure of the start";
+  EXPECT_EQ(point.state[0], 0.0);
+}
+
+TEST(NewtonianFluid, CarriesTheTensionThatItIsAllowed)
+{
+  Probe some = fluid(2e6, 0.0, 300.0), any = fluid(2e6, 0.0, std::numeric_limits<Real>::infinity());
+  for (Probe* point : {&some, &any}) point->strain({{1e-3, 0.0, 0.0, 0.0}});
+  EXPECT_NEAR(some.sigma[1], 300.0, 1e-9);
+  EXPECT_NEAR(some.state[0], 1e-3 - 300.0 / 2e6, 1e-17);
+  EXPECT_NEAR(any.sigma[1], 2000.0, 1e-9);
+  EXPECT_EQ(any.state[0], 0.0);
+}
+
+TEST(NewtonianFluid, TornPartsThatMixedAveragesKeepTheirVolume)  // pressure and opening are linear in the volume, so means are consistent
+{
+  Probe torn = fluid(2e6, 0.0), pressed = fluid(2e6, 0.0), mean = fluid(2e6, 0.0);
+  torn.strain({{3e-4, 0.0, 0.0, 0.0}});
+  pressed.strain({{-5e-4, 0.0, 0.0, 0.0}});
+  for (int c = 0; c < 4; ++c) mean.sigma[c] = 0.5 * (torn.sigma[c] + pressed.sigma[c]);
+  mean.state[0] = 0.5 * (torn.state[0] + pressed.state[0]);
+  mean.strain(Stress{});
+  EXPECT_NEAR(mean.sigma[0], -2e6 * 1e-4, 1e-9);
+  EXPECT_EQ(mean.state[0], 0.0);
+}
+
+TEST(NewtonianFluid, TellsTheTimeStepOfItsViscosity)
+{
+  EXPECT_EQ(fluid(2e6, 12.0).law().viscosity(), 12.0);
+  EXPECT_EQ(fluid(2e6, 12.0).law().p_wave_modulus(), 2e6);
+  EXPECT_EQ(find_material("linear_elastic")->make(std::vector<Real>{2e6, 0.3})->viscosity(), 0.0);
+}
+
+}  // namespace
+}  // namespace terp
