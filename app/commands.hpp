@@ -1,6 +1,8 @@
 // The commands of the program, one function each. Each returns the exit status.
 #pragma once
 
+#include "stability/factor_of_safety.hpp"
+
 #include <string>
 #include <vector>
 
@@ -30,13 +32,16 @@ struct VerifyOptions {
 struct ReportCommand {
   std::vector<std::string> runs;  ///< folders
   std::string output;             ///< HTML file; empty: report.html
+  bool json = false;              ///< of compare
 };
 
 int run_case(const RunOptions& options);
+int find_stability(const RunOptions& run, StabilityOptions options);
 int resume_run(const RunOptions& options);
 int check_case(const RunOptions& options);
 int bench_case(const RunOptions& options);
 int verify_cases(const VerifyOptions& options);
 int report_runs(const ReportCommand& command);
+int compare_folders(const ReportCommand& command);
 
 }  // namespace terp

@@ -23,7 +23,10 @@ Solve
   run CASE.toml           solve a case; results go to runs/<case name>/
   resume RUN              continue from the newest checkpoint of a run folder,
                           or from the checkpoint file that is named
+  stability CASE.toml     factor of safety by strength reduction (--from, --to,
+                          --tolerance, --damping, --json; docs/stability.md)
   report RUN...           write report.html: one page that shows the runs, side by side
+  compare RUN RUN...      table of what differs between runs (--json)
 
 Understand
   check CASE.toml         read and validate, print what would run, solve nothing
@@ -51,6 +54,7 @@ Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else
 
 struct CommandLine {
   terp::RunOptions options;
+  terp::StabilityOptions stability;
   terp::VerifyOptions verify;
   std::string topic;
   terp::ReportCommand report;
@@ -63,6 +67,22 @@ CLI::App* add_case_command(CLI::App& app, const char* name, CommandLine& line)
   command->add_option("-j,--threads", line.options.threads)->check(CLI::Range(1, 1024));
   command->add_flag("-q,--quiet", line.options.quiet);
   command->add_flag("-v,--verbose", line.options.verbose);
+  return command;
+}
+
+CLI::App* add_stability_command(CLI::App& app, CommandLine& line)
+{
+  CLI::App* command = add_case_command(app, "stability", line);
+  const auto factors = CLI::Range(0.01, 100.0), shares = CLI::Range(0.0, 0.99);
+  command->add_option("--from", line.stability.search.from)->check(factors);
+  command->add_option("--to", line.stability.search.to)->check(factors);
+  command->add_option("--tolerance", line.stability.search.tolerance)->check(CLI::Range(1e-4, 1.0));
+  command->add_option("--damping", line.stability.rules.damping)->check(shares);
+  command->add_option("--rest", line.stability.rules.rest)->check(CLI::Range(1e-9, 0.1));
+  command->add_option("--failure", line.stability.rules.failure)->check(CLI::Range(1e-3, 1e3));
+  command->add_option("--windows", line.stability.rules.most_windows)->check(CLI::Range(3, 100000));
+  command->add_option("-o,--output", line.options.output);
+  command->add_flag("--json", line.options.json);
   return command;
 }
 
@@ -95,10 +115,17 @@ void declare(CLI::App& app, CommandLine& line)
   bench->add_option("--steps", line.options.steps)->check(CLI::Range(1, 1000000));
   bench->add_option("--warm", line.options.warm_steps)->check(CLI::Range(0, 1000000));
   bench->add_flag("--json", line.options.json);
+  CLI::App* stability = add_stability_command(app, line);
+  for (CLI::App* command : {run, check, bench, stability})
+}
+
   declare_verify(app, line.verify);
   CLI::App* report = app.add_subcommand("report");
   report->add_option("runs", line.report.runs)->required();
   report->add_option("-o,--output", line.report.output);
+  CLI::App* compare = app.add_subcommand("compare");
+  compare->add_option("runs", line.report.runs)->required();
+  compare->add_flag("--json", line.report.json);
   for (CLI::App* command : {run, check, bench})
     command->add_option("--set", line.options.changes)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_subcommand("explain")->add_option("topic", line.topic)->required();
@@ -122,8 +149,10 @@ int call(const CLI::App& app, const CommandLine& line)
 {
   if (app.got_subcommand("run")) return terp::run_case(line.options);
   if (app.got_subcommand("resume")) return terp::resume_run(line.options);
+  if (app.got_subcommand("stability")) return terp::find_stability(line.options, line.stability);
   if (app.got_subcommand("check")) return terp::check_case(line.options);
   if (app.got_subcommand("report")) return terp::report_runs(line.report);
+  if (app.got_subcommand("compare")) return terp::compare_folders(line.report);
   if (app.got_subcommand("bench")) return terp::bench_case(line.options);
   if (app.got_subcommand("verify")) return terp::verify_cases(line.verify);
   fmt::print("{}", app.got_subcommand("explain") ? terp::explain(line.topic) : terp::list());

@@ -1,8 +1,10 @@
-// terp report: one page that shows one run or several side by side.
+// terp report and terp compare: one run or several side by side, as a page or as a table.
 
 #include "commands.hpp"
+#include "input/case_file.hpp"
 #include "output/files.hpp"
 #include "report/page.hpp"
+#include "results/compare.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -21,6 +23,16 @@ int report_runs(const ReportCommand& command)
   for (const auto& note : payload.notes) fmt::print("{}\n", note);
   if (!has_page()) fmt::print(stderr, "warning: this terp was built without its report page; {} holds the data alone\n", path);
   fmt::print("report in {} ({:.1f} MB)\n", path, static_cast<double>(std::filesystem::file_size(path)) / 1e6);
+  return solved;
+}
+
+int compare_folders(const ReportCommand& command)
+{
+  if (command.runs.size() < 2) throw CaseError("error: terp compare takes two run folders or more\n  One run by itself: terp report RUN\n");
+  std::vector<RunResults> runs;
+  for (const auto& folder : command.runs) runs.push_back(read_run(folder));
+  const Comparison comparison = compare_runs(runs, distinct_names(command.runs));
+  fmt::print("{}", command.json ? comparison_json(comparison) + "\n" : comparison_table(comparison));
   return solved;
 }
 

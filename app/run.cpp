@@ -2,7 +2,9 @@
 
 #include "commands.hpp"
 #include "input/case_file.hpp"
+#include "input/printable.hpp"
 #include "output/checkpoint.hpp"
+#include "output/mesh_file.hpp"
 #include "output/run_writer.hpp"
 #include "output/summary_json.hpp"
 #include "parallel/threads.hpp"
@@ -29,8 +31,11 @@ void request_stop(int signal)
   std::signal(signal, SIG_DFL);
 }
 
+/// Signals that end the run well: Ctrl-C, and what systems send before they end a job. A file that may grow no more (ulimit -f) is
+/// an error of its write like a full disk.
 void listen_for_stop()
 {
+  std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
 }
@@ -49,6 +54,9 @@ void print_summary(const Summary& s, const std::string& folder)
   fmt::print("  second failure   {}\n", optional_number(s.second_failure_time, "s"));
   fmt::print("  largest eps_eq_p {:.3g}\n", s.max_eps_eq_p);
   fmt::print("  energy balance   {:.2g} % of the energy exchanged\n", 100.0 * s.energy_balance_error);
+  for (const FootingSummary& f : s.footings)
+    fmt::print("  {:<16} reaction {:.4g} kN/m, {:.4g} kN/m up, at the end; largest against its motion {:.4g} kN/m\n", printable(f.name), f.reaction[0] / 1e3,
+               f.reaction[1] / 1e3, f.largest / 1e3);
   fmt::print("  points lost: 0; put back at walls: {}; left through open sides: {}\n", s.clamped_points, s.points_left);
   fmt::print("results in {}\n", folder);
 }
@@ -88,13 +96,15 @@ int solve(const Model& model, State& state, RunWriter& writer, const RunOptions&
 {
   listen_for_stop();
   ProgressLine progress(options.quiet);
-  Observer* const observers[] = {&writer, &progress};
   Workspace work(model, state);
   try {
+    MeshWriter mesh(folder, model, state, false);
+    Observer* const observers[] = {&writer, &mesh, &progress};
     writer.summary(summarise(model, state), false);  // also names the case for `resume`
     const Outcome outcome = run(model, state, work, observers, stop_requested);
     progress.finish();
-    const Summary summary = summarise(model, state);
+    Summary summary = summarise(model, state);
+    for (int pass = 0; pass < n_passes; ++pass) summary.passes.push_back({pass_names[pass], work.seconds[pass]});
     writer.summary(summary, outcome == Outcome::finished);
     if (outcome == Outcome::interrupted) {
       fmt::print("stopped at t = {:.4g} s, step {}; a checkpoint is written. Go on with:\n  terp resume {}\n", state.time, state.step, folder);
@@ -159,7 +169,8 @@ ResumePoint resume_point(const Model& model, const State& state)
   const std::int64_t n_times = count_due(state.step, model.dt, output.history_every);
   return {.step = state.step, .time = state.time, .n_frames = std::ssize(state.softened_fraction),
           .n_history_rows = n_times * std::ssize(output.history_points), .n_ledger_rows = std::ssize(state.crest.time),
-          .n_left_rows = std::ssize(state.left)};
+          .n_left_rows = std::ssize(state.left),
+          .n_footing_rows = std::ssize(state.crest.time) * std::ssize(model.footings)};
 }
 
 }  // namespace

@@ -10,8 +10,8 @@ import sys
 
 import numpy as np
 
-from terp.pairs import POINTS_A_TO_F, POINTS_G_TO_J, SCHEME_TITLES, read_pairs, runs_parser
-from terp.run import RunError
+from terp.command import exit_status, runs_parser
+from terp.pairs import POINTS_A_TO_F, POINTS_G_TO_J, SCHEME_TITLES, read_pairs
 
 SOFTENED_STRAIN = 0.06  # eps_eq_p at which 95 % of the strength drop is reached, paper Sec. 3 [-]
 REGAINED = 1.0          # a rise of S_u above this counts as regained strength [Pa]
@@ -122,12 +122,7 @@ def _line(row, widths):
 
 def main(arguments=None):
     options = runs_parser("python3 -m terp.table", "Set MPM-Mixed and MPM-GP side by side.").parse_args(arguments)
-    try:
-        print("\n\n".join(table_of(pair) for pair in read_pairs(options.runs)))
-    except RunError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 2
-    return 0
+    return exit_status(lambda: print("\n\n".join(table_of(pair) for pair in read_pairs(options.runs))))
 
 
 if __name__ == "__main__":

@@ -10,16 +10,8 @@ constexpr Real crest_tolerance = 0.05;  // of the surface height [m]
 constexpr Real settled_for = 0.3;       // the crest has not retreated by more than it may for this long [s]
 constexpr Real settled_retreat = 0.05;  // what it may, in heights of the first surface [-]
 constexpr Real slide_retreat = 0.25;    // retreat that counts as a slide, in heights of the first surface [-]
+constexpr Real stopped = 0.1;           // of the largest kinetic energy of a slide: it has stopped [-]
 constexpr Real round_off = 1e-9;        // of crest places, which are whole columns [m]
-
-/// Height of the first surface over the lowest point [m].
-Real first_height(const CrestHistory& crest)
-{
-  Real highest = 0.0;
-  for (const Real h : crest.initial_heights)
-    if (std::isfinite(h)) highest = std::max(highest, h - crest.base);
-  return highest;
-}
 
 /// How far a crest that has settled may retreat, and in what time: a column at least, which of a wide column takes longer.
 struct Rest {
@@ -68,7 +60,35 @@ std::size_t find_retreat(const CrestHistory& crest, std::size_t k, Real x)
 /// Retreat of the crest that counts as a slide: a quarter of the height of the first surface, at least two columns [m].
 Real slide_length(const CrestHistory& crest) { return std::max(slide_retreat * first_height(crest), 2.0 * crest.columns.width); }
 
+/// First row, from `from` on, of the retreat that has come to row k: there the crest stood more than at rest behind its place at row `from`.
+std::size_t find_begin(const CrestHistory& crest, std::size_t from, std::size_t k)
+{
+  while (k > from && crest.x[k - 1] < crest.x[from] - rest_of(crest).length - round_off) --k;
+  return k;
+}
+
+/// Fills what the kinetic energy of the rows from `begin` to before `end` says.
+void follow_motion(const CrestHistory& crest, std::size_t begin, std::size_t end, Slide& slide)
+{
+  end = std::min(end, crest.kinetic.size());
+  std::size_t peak = begin;
+  for (std::size_t k = begin; k < end; ++k)
+    if (crest.kinetic[k] > slide.kinetic_peak) slide.kinetic_peak = crest.kinetic[k], peak = k;
+  for (std::size_t k = peak; k < end && !slide.stops; ++k)
+    if (crest.kinetic[k] <= stopped * slide.kinetic_peak) slide.stops = crest.time[k];
+}
+
 }  // namespace
+
+Real first_height(const CrestHistory& crest)
+{
+  Real highest = 0.0;
+  for (const Real h : crest.initial_heights)
+    if (std::isfinite(h)) highest = std::max(highest, h - crest.base);
+  return highest;
+}
+
+Real moved_distance(const CrestHistory& crest) { return settled_retreat * first_height(crest); }
 
 CrestHistory start_crest_history(const PointBlocks<2>& points, Real left, Real right, Real column_width)
 {
@@ -90,17 +110,35 @@ Real find_crest(const CrestHistory& crest, const PointBlocks<2>& points)
   return crest.columns.left + k * crest.columns.width;
 }
 
-std::optional<Real> second_failure_time(const CrestHistory& crest)
+Real crest_height(const CrestHistory& crest, const PointBlocks<2>& points, Real crest_x)
+{
+  const auto column = static_cast<Index>(std::llround((crest_x - crest.columns.left) / crest.columns.width)) - 1;
+  return column >= 0 ? surface_heights(points, crest.columns)[static_cast<std::size_t>(column)] : std::nan("");
+}
+
+std::vector<Slide> find_slides(const CrestHistory& crest)
 {
   const auto& x = crest.x;
-  if (x.empty()) return std::nullopt;
-  const std::size_t first_slide = find_retreat(crest, 0, x[0] - slide_length(crest));
-  const std::size_t settled = find_settled(crest, first_slide);
-  if (settled == x.size()) return std::nullopt;
-  std::size_t second = find_slide(crest, settled, slide_length(crest));
-  if (second == x.size()) return std::nullopt;
-  while (second > settled && x[second - 1] < x[settled] - rest_of(crest).length - round_off) --second;  // where it began
-  return crest.time[second];
+  std::vector<Slide> slides;
+  std::vector<std::size_t> begins;
+  std::size_t from = 0;  // row at which the crest last was at rest
+  std::size_t k = x.empty() ? 0 : find_retreat(crest, 0, x[0] - slide_length(crest));
+  while (k < x.size()) {
+    begins.push_back(find_begin(crest, from, k));
+    slides.push_back({.begins = crest.time[begins.back()], .stops = {}, .crest_from = x[from], .crest_to = x.back()});
+    from = find_settled(crest, k);
+    if (from == x.size()) break;
+    slides.back().crest_to = x[from];
+    k = find_slide(crest, from, slide_length(crest));
+  }
+  for (std::size_t s = 0; s < slides.size(); ++s) follow_motion(crest, begins[s], s + 1 < slides.size() ? begins[s + 1] : x.size(), slides[s]);
+  return slides;
+}
+
+std::optional<Real> second_failure_time(const CrestHistory& crest)
+{
+  const auto slides = find_slides(crest);
+  return slides.size() > 1 ? std::optional(slides[1].begins) : std::nullopt;
 }
 
 }  // namespace terp

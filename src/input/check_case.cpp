@@ -169,6 +169,23 @@ void check_sides(const Node& root, const Case& values, Findings& findings)
   for (const SideCase& side : values.sides) check_friction(side, findings.warnings);
 }
 
+void check_footings(const Node& root, const Case& values, Problems& problems)
+{
+  const std::vector<FootingCase>& footings = values.footings;
+  if (footings.size() > most_footings)
+    problems.push_back({fmt::format("footing[{}]", most_footings), fmt::format("a case has at most {} footings", most_footings), "", "footing", true});
+  for (std::size_t k = 0; k < footings.size(); ++k) {
+    const std::string path = fmt::format("footing[{}]", k);
+    const auto same_name = [&](const FootingCase& other) { return other.name == footings[k].name; };
+    if (std::any_of(footings.begin(), footings.begin() + static_cast<std::ptrdiff_t>(k), same_name))
+      problems.push_back({path + ".name", fmt::format("two footings have the name `{}`", footings[k].name),
+                          "Give each its own, as in name = \"left\".", "footing.name", false, {path}});
+    if (footings[k].contact == FootingContact::smooth && footings[k].velocity == Vec<2>{0.0, 0.0} && find_node(root, path + ".velocity") != nullptr)
+      problems.push_back({path + ".velocity", "a smooth footing needs a velocity",
+                          "It holds its nodes along its velocity only, which is zero. Give a velocity, or contact = \"rough\".", "footing.velocity"});
+  }
+}
+
 void check_initial(const Node& root, const Case& values, Findings& findings)
 {
   const InitialStress stress = values.initial.stress;
@@ -245,6 +262,7 @@ void check_case(const Node& root, const Case& values, Findings& findings)
   check_files(root, values.folder, findings.problems);
   check_parameters(values, findings.problems);
   check_sides(root, values, findings);
+  check_footings(root, values, findings.problems);
   check_initial(root, values, findings);
   check_hydrostatic(values, findings.problems);
   check_method(root, values, findings.warnings);

@@ -2,6 +2,7 @@
 #include "output/checkpoint.hpp"
 
 #include "base/errors.hpp"
+#include "output/checksum.hpp"
 #include "output/files.hpp"
 #include "output/hdf5_file.hpp"
 #include "output/run_folder.hpp"
@@ -23,21 +24,6 @@ static_assert(std::endian::native == std::endian::little, "the checksum is over 
 constexpr std::int64_t format_version = 1;
 const std::string format_name = "terp checkpoint";
 const std::string arrays = "/arrays";
-
-/// FNV-1a with its published offset basis and prime (RFC 9923).
-class Fnv1a {
- public:
-  void add(const void* data, std::size_t n_bytes)
-  {
-    const auto* bytes = static_cast<const unsigned char*>(data);
-    for (std::size_t k = 0; k < n_bytes; ++k) hash_ = (hash_ ^ bytes[k]) * 0x100000001b3u;
-  }
-  void add(std::int64_t value) { add(&value, sizeof value); }
-  std::uint64_t value() const { return hash_; }
-
- private:
-  std::uint64_t hash_ = 0xcbf29ce484222325u;
-};
 
 void check_shape(const NamedArray& array, const std::string& path)
 {

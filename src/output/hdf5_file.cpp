@@ -2,7 +2,9 @@
 #include "output/hdf5_file.hpp"
 
 #include "base/errors.hpp"
+#include "output/committed_file.hpp"
 #include "output/files.hpp"
+#include "output/hdf5_driver.hpp"
 
 #include <fmt/format.h>
 #include <hdf5.h>
@@ -28,7 +30,8 @@ class Id {
   Id(const Id&) = delete;
   Id& operator=(const Id&) = delete;
   operator hid_t() const { return id_; }
-  herr_t close() { return close_(std::exchange(id_, -1)); }
+  herr_t close() { return close_(release()); }
+  hid_t release() { return std::exchange(id_, -1); }
 
  private:
   hid_t id_;
@@ -130,7 +133,7 @@ Id access_properties()
 void make_empty(const std::string& path, std::int64_t n_reserved)
 {
   if (n_reserved > 0) {
-    AppendFile{path};
+    const AppendFile made{path};
     reserve_space(path, n_reserved);
   }
   const Id access = access_properties();
@@ -146,9 +149,21 @@ hid_t open_existing(const std::string& path, bool change)
                  path);
 }
 
+/// A file that keeps its old content until it is closed.
+hid_t open_committed(const std::string& path, std::int64_t n_reserved)
+{
+  finish_commit(path);
+  const Id access = access_properties();
+  use_committed_driver(access);
+  Id file{checked(H5Fopen(path.c_str(), H5F_ACC_RDWR, access), "change", path), H5Fclose};
+  start_changes(file, n_reserved);
+  return file.release();
+}
+
 hid_t open_file(const std::string& path, Hdf5File::Mode mode, std::int64_t n_reserved)
 {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are thrown, not printed
+  if (mode == Hdf5File::Mode::commit) return open_committed(path, n_reserved);
   if (mode == Hdf5File::Mode::create) make_empty(path, n_reserved);
   if (n_reserved > 0) reserve_space(path, n_reserved);
   return open_existing(path, mode != Hdf5File::Mode::read);
@@ -157,7 +172,7 @@ hid_t open_file(const std::string& path, Hdf5File::Mode mode, std::int64_t n_res
 }  // namespace
 
 Hdf5File::Hdf5File(std::string path, Mode mode, std::int64_t n_reserved)
-    : path_(std::move(path)), file_(open_file(path_, mode, n_reserved))
+    : path_(std::move(path)), mode_(mode), file_(open_file(path_, mode, n_reserved))
 {
 }
 
@@ -171,6 +186,7 @@ void Hdf5File::flush() { checked(H5Fflush(file_, H5F_SCOPE_LOCAL), "write", path
 void Hdf5File::close()
 {
   flush();
+  if (mode_ == Mode::commit) commit_on_close(file_);
   const hid_t file = file_;
   file_ = -1;
   checked(H5Fclose(file), "write", path_);
@@ -272,8 +288,9 @@ std::vector<T> Hdf5File::read_rows(const std::string& name, std::int64_t first_r
   const Id table = open_dataset(file_, path_, name);
   const Id space{H5Dget_space(table), H5Sclose};
   std::vector<hsize_t> count = extent_of(space), start(count.size(), 0);
-  if (count.empty() || first_row < 0 || n_rows < 0 || static_cast<hsize_t>(first_row + n_rows) > count[0])
-    throw FileError(fmt::format("cannot read rows {} to {} of {} in {}: it has {}", first_row, first_row + n_rows - 1, name, path_, count.empty() ? 0 : count[0]));
+  const std::int64_t n_there = count.empty() ? 0 : static_cast<std::int64_t>(count[0]);
+  if (count.empty() || first_row < 0 || n_rows < 0 || n_rows > n_there - first_row)
+    throw FileError(fmt::format("cannot read rows {} to {} of {} in {}: it has {}", first_row, first_row + n_rows - 1, name, path_, n_there));
   start[0] = static_cast<hsize_t>(first_row);
   count[0] = static_cast<hsize_t>(n_rows);
   H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);

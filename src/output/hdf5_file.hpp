@@ -14,10 +14,12 @@ namespace terp {
 /// An HDF5 file. Objects are named by their path, e.g. "/VTKHDF/Points"; numbers are stored little-endian.
 /// T is Real, std::int64_t or std::uint8_t. Every failure throws FileError.
 ///
-/// The file is not locked, so that it can be looked at while a run writes it.
+/// The file is not locked, so that it can be looked at while a run writes it. One that is opened with Mode::commit is left with the old
+/// content or the new, whatever happens (committed_file.hpp).
 class Hdf5File {
  public:
-  enum class Mode { read, create, change };
+  /// commit: an existing file that keeps its old content until `close`.
+  enum class Mode { read, create, change, commit };
 
   /// n_reserved: bytes that are set aside on the disk before anything is written; what is left over goes back on
   /// closing. HDF5 1.10 may lose the whole file, or crash, when it meets a full disk half way.
@@ -27,7 +29,7 @@ class Hdf5File {
   Hdf5File& operator=(const Hdf5File&) = delete;
 
   void flush();
-  /// The destructor closes too, but cannot say when that fails (full disk).
+  /// The destructor closes too, but cannot say when that fails (full disk), and drops the changes of Mode::commit.
   void close();
 
   void create_group(const std::string& name);
@@ -71,6 +73,7 @@ class Hdf5File {
 
  private:
   std::string path_;
+  Mode mode_;
   std::int64_t file_ = -1;  ///< HDF5's identifier
 };
 

@@ -41,12 +41,17 @@ bool is_empty_folder(const std::string& folder)
   return empty;
 }
 
-void remove_earlier_run(const std::string& folder)
+constexpr std::string_view temporary = ".tmp";
+
+/// Removes the files of Terp that `is_meant` names, and no others.
+template <class Meant>
+void remove_files(const std::string& folder, Meant&& is_meant)
 {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
     const bool is_file = entry.is_symlink() || entry.is_regular_file();
-    if (!is_file || !is_written_by_terp(entry.path().filename().string())) continue;
+    if (!is_file || !is_written_by_terp(name) || !is_meant(name)) continue;
     fs::remove(entry.path(), error);
     if (error) throw_file_error("remove", entry.path().string(), error.value());
   }
@@ -63,9 +68,9 @@ std::int64_t step_of_checkpoint(std::string_view file_name) { return step_in_nam
 
 bool is_written_by_terp(std::string_view file_name)
 {
-  constexpr std::string_view temporary = ".tmp";
-  if (file_name.ends_with(temporary)) file_name.remove_suffix(temporary.size());
-  constexpr std::array names = {case_file, results_file, history_file, ledger_file, left_file, summary_file};
+  for (const std::string_view ending : {temporary, std::string_view(".journal")})
+    if (file_name.ends_with(ending)) file_name.remove_suffix(ending.size());
+  constexpr std::array names = {case_file, results_file, mesh_file, history_file, ledger_file, left_file, footings_file, summary_file};
   return std::find(names.begin(), names.end(), file_name) != names.end() || step_of_checkpoint(file_name) >= 0 ||
          step_in_name(file_name, "failed_") >= 0;
 }
@@ -89,8 +94,13 @@ FolderLock prepare_run_folder(const std::string& folder, bool force)
                     "to continue it.",
                     folder));
   }
-  remove_earlier_run(folder);
+  remove_files(folder, [](const std::string&) { return true; });
   return lock;
+}
+
+void remove_unfinished(const std::string& folder)
+{
+  remove_files(folder, [](const std::string& name) { return name.ends_with(temporary); });
 }
 
 FolderLock::FolderLock(const std::string& folder)

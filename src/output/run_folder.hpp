@@ -16,9 +16,11 @@ struct CaseText {
 
 inline constexpr std::string_view case_file = "case.toml";
 inline constexpr std::string_view results_file = "results.vtkhdf";
+inline constexpr std::string_view mesh_file = "mesh.vtkhdf";
 inline constexpr std::string_view history_file = "history.csv";
 inline constexpr std::string_view ledger_file = "ledger.csv";
 inline constexpr std::string_view left_file = "left_the_mesh.csv";
+inline constexpr std::string_view footings_file = "footings.csv";
 inline constexpr std::string_view summary_file = "summary.json";
 std::string checkpoint_file(std::int64_t step);  ///< "checkpoint_000000123.h5"
 std::string failed_file(std::int64_t step);      ///< "failed_000000123.h5"
@@ -31,6 +33,9 @@ bool is_written_by_terp(std::string_view file_name);
 
 /// Path of a file in a folder.
 std::string path_in(const std::string& folder, std::string_view file_name);
+
+/// Removes what a run that was killed left under temporary names.
+void remove_unfinished(const std::string& folder);
 
 /// Keeps a second Terp out of a run folder for as long as it lives. The system lets go of it if the process dies.
 class FolderLock {

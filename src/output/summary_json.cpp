@@ -29,6 +29,19 @@ Json softened_fraction(const Summary& summary)
   return list;
 }
 
+Json footings(const Summary& summary)
+{
+  Json list = Json::array();
+  const auto pair = [](Vec<2> v) { return Json{number(v[0]), number(v[1])}; };
+  for (const FootingSummary& f : summary.footings)
+    list.push_back({{"name", f.name},
+                    {"displacement", pair(f.displacement)},
+                    {"reaction", pair(f.reaction)},
+                    {"largest_reaction", number(f.largest)},
+                    {"work", number(f.work)}});
+  return list;
+}
+
 /// The entry of that name, if it is there and of that type.
 template <class T>
 void get(const nlohmann::json& json, const char* name, T& value)
@@ -46,6 +59,69 @@ void get(const nlohmann::json& json, const char* name, std::optional<Real>& valu
   Real there = std::nan("");
   get(json, name, there);
   value = std::isnan(there) ? std::nullopt : std::optional(there);
+}
+
+Json slides_json(const Summary& summary)
+{
+  Json list = Json::array();
+  for (const auto& [slide, slip] : summary.slides) {
+    Json points = Json::array();
+    for (const Vec<2>& x : slip.line) points.push_back({number(x[0]), number(x[1])});
+    list.push_back({{"begins", number(slide.begins)},
+                    {"stops", number(slide.stops)},
+                    {"crest_from", number(slide.crest_from)},
+                    {"crest_to", number(slide.crest_to)},
+                    {"kinetic_peak", number(slide.kinetic_peak)},
+                    {"slip_surface", {{"time", number(slip.time)}, {"rate", number(slip.rate)}, {"points", points}}}});
+  }
+  return list;
+}
+
+Json passes_json(const Summary& summary)
+{
+  Json list = Json::array();
+  for (const auto& pass : summary.passes) list.push_back({{"name", pass.name}, {"seconds", pass.seconds}});
+  return list;
+}
+
+void read_slides(const nlohmann::json& json, Summary& summary)
+{
+  for (const auto& entry : json.value("slides", nlohmann::json::array())) {
+    SlideSummary slide;
+    get(entry, "begins", slide.slide.begins);
+    get(entry, "stops", slide.slide.stops);
+    get(entry, "crest_from", slide.slide.crest_from);
+    get(entry, "crest_to", slide.slide.crest_to);
+    get(entry, "kinetic_peak", slide.slide.kinetic_peak);
+    const auto slip = entry.value("slip_surface", nlohmann::json::object());
+    get(slip, "time", slide.slip.time);
+    get(slip, "rate", slide.slip.rate);
+    get(slip, "points", slide.slip.line);
+    summary.slides.push_back(std::move(slide));
+  }
+}
+
+void read_footings(const nlohmann::json& json, Summary& summary)
+{
+  for (const auto& entry : json.value("footings", nlohmann::json::array())) {
+    FootingSummary footing;
+    get(entry, "name", footing.name);
+    get(entry, "displacement", footing.displacement);
+    get(entry, "reaction", footing.reaction);
+    get(entry, "largest_reaction", footing.largest);
+    get(entry, "work", footing.work);
+    summary.footings.push_back(std::move(footing));
+  }
+}
+
+void read_passes(const nlohmann::json& json, Summary& summary)
+{
+  for (const auto& entry : json.value("passes", nlohmann::json::array())) {
+    PassTime pass;
+    get(entry, "name", pass.name);
+    get(entry, "seconds", pass.seconds);
+    summary.passes.push_back(std::move(pass));
+  }
 }
 
 }  // namespace
@@ -67,8 +143,16 @@ SavedSummary read_summary(const std::string& path)
   get(json, "point_steps_per_s", s.point_steps_per_s);
   get(json, "threads", s.threads);
   get(json, "instructions", s.instructions);
+  get(json, "processor", s.processor);
+  read_passes(json, s);
   get(json, "front_x", s.front_x);
   get(json, "crest_x", s.crest_x);
+  get(json, "crest_y", s.crest_y);
+  get(json, "run_out", s.run_out);
+  get(json, "moved_distance", s.moved_distance);
+  get(json, "moved_volume", s.moved_volume);
+  get(json, "moved_fraction", s.moved_fraction);
+  read_slides(json, s);
   get(json, "second_failure_time", s.second_failure_time);
   get(json, "max_eps_eq_p", s.max_eps_eq_p);
   get(json, "points_eps_eq_p_fell", s.points_eps_eq_p_fell);
@@ -76,6 +160,7 @@ SavedSummary read_summary(const std::string& path)
   get(json, "energy_balance_error", s.energy_balance_error);
   get(json, "clamped_points", s.clamped_points);
   get(json, "points_left", s.points_left);
+  read_footings(json, s);
   get(json, "v_999", s.v_999);
   for (const auto& row : json.value("softened_fraction", nlohmann::json::array())) {
     Real time = 0.0, fraction = 0.0;
@@ -100,8 +185,16 @@ std::string summary_text(const Summary& summary, bool finished, const CaseText& 
       {"point_steps_per_s", number(summary.point_steps_per_s)},
       {"threads", summary.threads},
       {"instructions", summary.instructions},
+      {"processor", summary.processor},
+      {"passes", passes_json(summary)},
       {"front_x", number(summary.front_x)},
       {"crest_x", number(summary.crest_x)},
+      {"crest_y", number(summary.crest_y)},
+      {"run_out", number(summary.run_out)},
+      {"moved_distance", number(summary.moved_distance)},
+      {"moved_volume", number(summary.moved_volume)},
+      {"moved_fraction", number(summary.moved_fraction)},
+      {"slides", slides_json(summary)},
       {"second_failure_time", number(summary.second_failure_time)},
       {"max_eps_eq_p", number(summary.max_eps_eq_p)},
       {"softened_fraction", softened_fraction(summary)},
@@ -110,6 +203,7 @@ std::string summary_text(const Summary& summary, bool finished, const CaseText& 
       {"energy_balance_error", number(summary.energy_balance_error)},
       {"clamped_points", summary.clamped_points},
       {"points_left", summary.points_left},
+      {"footings", footings(summary)},
       {"v_999", number(summary.v_999)},
       {"case_name", case_text.name},
       {"case", case_text.toml},

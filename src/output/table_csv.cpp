@@ -103,6 +103,18 @@ std::string csv_lines(const std::vector<LeftPoint>& points)
   return lines;
 }
 
+std::string csv_lines(const std::vector<FootingRow>& rows)
+{
+  std::string lines;
+  for (const auto& row : rows) {
+    add_number(lines, row.time);
+    lines += ',' + quoted(row.footing);
+    add_numbers(lines, {row.displacement_x, row.displacement_y, row.reaction_x, row.reaction_y, row.work});
+    lines += '\n';
+  }
+  return lines;
+}
+
 std::string csv_line(const LedgerRow& row)
 {
   std::string line;
@@ -111,7 +123,7 @@ std::string csv_line(const LedgerRow& row)
   add_numbers(line, {row.kinetic, row.elastic, row.plastic, row.gravity_work, row.damping_work, row.boundary_work,
                      row.left_energy, row.numerical, row.mass, row.momentum_x, row.momentum_y});
   fmt::format_to(std::back_inserter(line), ",{},{}", row.clamped, row.left);
-  add_numbers(line, {row.front_x, row.crest_x, row.v_max, row.v_999});
+  add_numbers(line, {row.front_x, row.crest_x, row.crest_y, row.moved_volume, row.v_max, row.v_999});
   return line + '\n';
 }
 

@@ -9,7 +9,7 @@
 
 namespace terp {
 
-/// The file is closed between frames: it may be opened at any time, and a run that is killed loses no frame.
+/// A frame is added as a whole (committed_file.hpp): the file may be opened at any time, and a run that is killed loses no frame.
 class ResultsFile {
  public:
   /// Touches nothing. The first frame makes the file if there is none.

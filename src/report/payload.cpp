@@ -5,7 +5,9 @@
 #include "output/compress.hpp"
 #include "output/json_text.hpp"
 #include "report/backdrop.hpp"
+#include "report/failure_json.hpp"
 #include "report/shown.hpp"
+#include "results/compare.hpp"
 #include "simulation/setup_mesh.hpp"
 
 #include <algorithm>
@@ -17,6 +19,7 @@
 namespace terp {
 namespace {
 
+constexpr double codes_share = 0.75 * 0.88;   // base64 makes 4 bytes of 3; tables and texts take a little, and the size is an estimate
 constexpr std::size_t most_edges = 100'000;  // of a mesh that is drawn
 
 /// Collects chunks; each gets a number.
@@ -204,7 +207,7 @@ void put_head(JsonText& json, const Source& source, const ShownRun& shown)
   const Summary& s = source.run.summary.values;
   const std::string title = source.case_read ? source.case_read->values.title : "";
   json.entry("name", source.name).entry("title", title).entry("scheme", s.scheme).entry("case_toml", source.run.case_toml);
-  json.entry("machine", s.instructions).entry("threads", s.threads).entry("wall_seconds", s.wall_s).entry("finished", source.run.summary.finished);
+  json.entry("machine", fmt::format("{} ({})", s.processor.empty() ? "unknown processor" : s.processor, s.instructions)).entry("threads", s.threads).entry("wall_seconds", s.wall_s).entry("finished", source.run.summary.finished);
   json.entry("n_points", shown.n_points).entry("n_shown", shown.ids.size()).entry("n_frames_in_run", shown.n_frames_in_run);
   json.key("times").begin_array();
   for (const Real t : shown.times) json.value(t);
@@ -228,11 +231,21 @@ void put_run(JsonText& json, Chunks& chunks, const Source& source, const ShownRu
   json.key("series").begin_object();
   put_table(json, chunks, source.run.ledger);
   json.end_object();
-  json.key("warnings").begin_array();
-  for (const auto& warning : source.warnings) json.value(warning);
-  json.end_array();
+  put_failure(json, source.run, source.warnings);
   json.key("summary").raw(source.run.summary.text);
   json.end_object();
+}
+
+void put_comparison(JsonText& json, const std::vector<Source>& sources)
+{
+  if (sources.size() < 2) return void(json.null());
+  std::vector<RunResults> runs;
+  std::vector<std::string> names;
+  for (const Source& source : sources) {
+    runs.push_back(source.run);
+    names.push_back(source.name);
+  }
+  json.raw(comparison_json(compare_runs(runs, names)));
 }
 
 std::string note_on(const std::string& name, const ShownRun& shown)
@@ -255,7 +268,7 @@ Payload make_payload(const std::vector<std::string>& folders, const ReportOption
     sources.push_back(open_source(folders[k], names[k]));
     shown.push_back(read_shown(sources.back().run, options.most_points));
   }
-  fit(shown, options.most_bytes / 4 * 3);  // base64 makes 4 bytes of 3
+  fit(shown, static_cast<std::size_t>(static_cast<double>(options.most_bytes) * codes_share));
 
   Payload payload;
   Chunks chunks;
@@ -265,7 +278,9 @@ Payload make_payload(const std::vector<std::string>& folders, const ReportOption
     put_run(json, chunks, sources[k], shown[k]);
     payload.notes.push_back(note_on(names[k], shown[k]));
   }
-  json.end_array().key("comparison").null().end_object();
+  json.end_array().key("comparison");
+  put_comparison(json, sources);
+  json.end_object();
   payload.json = json.text();
   payload.chunks = chunks.take();
   return payload;

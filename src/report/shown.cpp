@@ -11,7 +11,6 @@ namespace terp {
 namespace {
 
 constexpr Real places_per_spacing = 50.0;   // steps of a place between two neighbouring points, at first
-constexpr Real steps_of_a_field = 4096.0;   // in the range that most values lie in, at first
 constexpr Real outliers = 0.001;            // share of the values that this range leaves out at each end
 constexpr Real strained = 0.06;             // strain that counts as having sheared: 95 % of the softening of the paper's soil
 
@@ -22,6 +21,7 @@ struct Recipe {
   std::string name, source, symbol, label, unit, kind;
   Real factor = 1.0;  ///< shown over stored
   enum class Take { value, size, mean_stress } take = Recipe::Take::value;
+  Real steps = 4096.0;  ///< in the range that most values lie in, at first; noisy fields, which cost most, have fewer
 };
 
 std::vector<Recipe> all_recipes(const Frames& frames)
@@ -31,8 +31,8 @@ std::vector<Recipe> all_recipes(const Frames& frames)
       {"eps_eq_p", "eps_eq_p", "ε_eq,p", "equivalent plastic strain", "-", "sequential"},
       {"eps_deviatoric", "eps_deviatoric", "ε_dev", "total deviatoric strain", "-", "sequential"},
       {"su", "su", "S_u", "undrained shear strength", "kPa", "sequential", 1e-3},
-      {"pressure", "stress", "p", "mean stress, tension positive", "kPa", "diverging", 1e-3, Take::mean_stress},
-      {"velocity", "velocity", "|v|", "speed", "m/s", "sequential", 1.0, Take::size},
+      {"pressure", "stress", "p", "mean stress, tension positive", "kPa", "diverging", 1e-3, Take::mean_stress, 1024.0},
+      {"velocity", "velocity", "|v|", "speed", "m/s", "sequential", 1.0, Take::size, 1024.0},
       {"displacement", "displacement", "|u|", "displacement", "m", "sequential", 1.0, Take::size},
       {"material", "material", "", "material", "-", "category"},
   };
@@ -126,7 +126,7 @@ ShownField make_field(const Recipe& recipe, const Values& values)
       if (std::isfinite(v)) lo = std::min(lo, Real{v}), hi = std::max(hi, Real{v});
   if (lo > hi) lo = hi = 0.0;
   const Real most = quantile(sorted, 1.0 - outliers) - quantile(sorted, outliers);
-  const Real step = recipe.kind == "category" ? 1.0 : std::max(most, 1e-3 * (hi - lo)) / steps_of_a_field;
+  const Real step = recipe.kind == "category" ? 1.0 : std::max(most, 1e-3 * (hi - lo)) / recipe.steps;
   field.scale = make_scale(lo, hi, step > 0.0 ? step : 1.0);
   for (const auto& frame : values) {
     const std::vector<Real> wide(frame.begin(), frame.end());

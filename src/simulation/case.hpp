@@ -16,6 +16,7 @@ namespace terp {
 enum class InitialStress { none, k0, equilibrium };                               ///< reading R14
 enum class MeshKind { rectangle, graded, mapped, file, polygon };
 enum class SideKind { free, open, roller, fixed, velocity, contact_bilateral, contact_separating };  ///< reading R15
+enum class FootingContact { rough, smooth };
 enum class DeviatoricNorm { half, von_mises };                                    ///< reading R18
 
 struct TimeCase {
@@ -85,6 +86,17 @@ struct SideCase {
   bool slip = false;            ///< of SideKind::velocity: only the component across the side is prescribed
 };
 
+inline constexpr std::size_t most_footings = 8;  ///< of one case
+
+/// A rigid block that moves with a prescribed velocity on or in the soil.
+struct FootingCase {
+  std::string name = "footing";
+  Vec<2> low{0.0, 0.0}, high{0.0, 0.0};  ///< corners of the box at t = 0 [m]
+  Vec<2> velocity{0.0, 0.0};    ///< after the ramp [m/s]
+  Real ramp = 0.0;              ///< time over which the velocity grows from zero [s]
+  FootingContact contact = FootingContact::rough;
+};
+
 struct ForcesCase {
   Vec<2> gravity{0.0, 0.0};     ///< [m/s^2]
   Real local_damping = 0.0;     ///< alpha of local (Cundall) damping, reading R13 [-]
@@ -135,6 +147,7 @@ struct Case {
   ForcesCase forces;
   InitialCase initial;
   std::vector<SideCase> sides;
+  std::vector<FootingCase> footings;
   MethodOptions method;
   OutputCase output;
 };

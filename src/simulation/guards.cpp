@@ -2,6 +2,7 @@
 
 #include "mesh/mesh_error.hpp"
 #include "points/move.hpp"
+#include "simulation/ledger.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -61,7 +62,49 @@ std::string describe_clamped(const State& state)
                      state.step, state.time, state.clamped, 100.0 * most_clamped);
 }
 
+std::string describe_energy(const State& state, const LedgerRow& row)
+{
+  return fmt::format("step {}, t = {:.4f} s: the energy grows by itself: {:.3g} J per m that no work explains, {:.3g} J exchanged\n\n"
+                     "  before   kinetic {:.3g} J, elastic {:.3g} J; largest 99.9 % speed {:.3g} m/s\n"
+                     "  likely   an unstable time step, or a stiff body that travels far in pure FLIP\n"
+                     "  try      a lower time.courant, or method.flip = 0.9 (docs/troubleshooting.md#the-energy-balance-is-off)",
+                     state.step, state.time, row.numerical, energy_exchanged(state), row.kinetic, row.elastic, row.v_999);
+}
+
+/// Mass of the points whose waves cross the smallest cell within a step, as a part of all: the density of a point falls as it swells.
+Real overtaken_share(const Model& model, const State& state)
+{
+  Real fast = 0.0, all = 0.0;
+  const Real limit = model.mesh.smallest_altitude / model.dt;
+  for_each_block(state.points, [&](const PointBlock<2>& block) {
+    const Real modulus = model.materials[block.material].law->p_wave_modulus();
+    const Real *mass = block.row(Rows::mass), *volume = block.row(Rows::volume);
+    for (Index lane = 0; lane < block.n; ++lane) {
+      all += mass[lane];
+      if (modulus * volume[lane] > limit * limit * mass[lane]) fast += mass[lane];
+    }
+  });
+  return all > 0.0 ? fast / all : 0.0;
+}
+
+std::string describe_time_step(const Model& model, const State& state, Real share)
+{
+  return fmt::format("step {}, t = {:.4f} s: the time step has become too long for {:.2g} % of the soil, more than {:.0f} %\n\n"
+                     "  where    soil so loose that its waves cross the smallest cell ({:.3g} m) within dt = {:.3g} s\n"
+                     "  likely   soil that swells without end, often under tension; dt is that of the density at t = 0\n"
+                     "  try      a time.courant lower than {:g} (docs/troubleshooting.md#the-time-step-is-too-long)",
+                     state.step, state.time, 100.0 * share, 100.0 * most_overtaken, model.mesh.smallest_altitude, model.dt,
+                     model.description.time.courant);
+}
+
 }  // namespace
+
+std::string find_fault_in_balance(const Model& model, const State& state, const LedgerRow& row)
+{
+  if (row.numerical > most_gained * energy_exchanged(state)) return describe_energy(state, row);
+  if (const Real share = overtaken_share(model, state); share > most_overtaken) return describe_time_step(model, state, share);
+  return {};
+}
 
 std::string describe_not_finite(const Model& model, const State& state, const Workspace& work, Real speed)
 {

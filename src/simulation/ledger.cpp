@@ -1,5 +1,7 @@
 #include "simulation/ledger.hpp"
 
+#include "simulation/failure.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -106,6 +108,7 @@ void audit_block(const SoilMaterial& material, const PointBlock<2>& block, Histo
   for (Index lane = 0; lane < block.n; ++lane) {
     const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
     const Real eps = block.row(Rows::state + k)[lane], before = audit.last_eps_eq_p[id];
+    audit.growth[id] = std::max(0.0, eps - before);
     if (eps == before && eps_is_all && std::isfinite(audit.last_su[id])) continue;
     if (eps < before * (1.0 - audit_tolerance)) audit.fell[id] = 1;
     audit.last_eps_eq_p[id] = eps;
@@ -159,11 +162,18 @@ Real kinetic_and_elastic_energy(const Model& model, const State& state)
   return row.kinetic + row.elastic + kinetic_and_elastic_energy(state.left);
 }
 
+Real energy_exchanged(const State& state)
+{
+  const WorkTotals& w = state.work;
+  return std::abs(w.gravity) + std::abs(w.damping) + std::abs(w.boundary) + w.plastic + state.start_energy;
+}
+
 void start_audit(const Model& model, State& state)
 {
   const auto n = static_cast<std::size_t>(state.n_ids());
   state.audit.last_eps_eq_p.assign(n, 0.0);
   state.audit.last_su.assign(n, std::numeric_limits<Real>::infinity());
+  state.audit.growth.assign(n, 0.0);
   state.audit.fell.assign(n, 0);
   state.audit.rose.assign(n, 0);
   audit_history(model, state);
@@ -184,12 +194,9 @@ LedgerRow keep_ledger(const Model& model, State& state)
                   (row.gravity_work + row.damping_work + row.boundary_work);
   row.clamped = state.clamped;
   row.left = static_cast<std::int64_t>(state.left.size());
-  row.front_x = front(state.points);
-  row.crest_x = find_crest(state.crest, state.points);
-  state.crest.time.push_back(row.time);
-  state.crest.x.push_back(row.crest_x);
   state.largest_v_999 = std::max(state.largest_v_999, row.v_999);
   audit_history(model, state);
+  follow_failure(state, row);
   return row;
 }
 

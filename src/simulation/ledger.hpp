@@ -13,7 +13,10 @@ Real elastic_energy(const Material& law, std::array<Real, 4> sigma, Real volume)
 /// Kinetic energy of the points plus elastic energy stored in them, and what those that left took along [J per m].
 Real kinetic_and_elastic_energy(const Model& model, const State& state);
 
-/// The books as they stand; enters the crest into state.crest, the speed into state.largest_v_999, and audits the history:
+/// What the works moved so far, and the energy of the start [J per m]: the scale of the energy balance.
+Real energy_exchanged(const State& state);
+
+/// The books as they stand; follows the failure, enters the speed into state.largest_v_999, and audits the history:
 /// a point whose eps_eq_p fell, or whose S_u rose, since the row before is marked for good.
 LedgerRow keep_ledger(const Model& model, State& state);
 

@@ -1,6 +1,9 @@
 #include "simulation/run.hpp"
 
 #include "base/errors.hpp"
+#include "parallel/processor.hpp"
+#include "simulation/failure.hpp"
+#include "simulation/footings.hpp"
 #include "simulation/frame.hpp"
 #include "simulation/guards.hpp"
 #include "simulation/initial.hpp"
@@ -52,6 +55,7 @@ struct Loop {
     const auto now = [&](Real every) { return last || state.step == 0 || due(state.step, model.dt, every); };
     if (now(output.ledger_every)) tell_left();
     if (now(output.ledger_every)) write_ledger();
+    if (now(output.ledger_every) && !model.footings.empty()) tell([rows = keep_footings(model, state)](Observer& o) { o.footings(rows); });
     if (now(output.history_every)) tell([rows = make_history(model, state)](Observer& o) { o.history(rows); });
     if (now(output.fields_every)) {
       state.softened_fraction.emplace_back(state.time, softened_fraction(model, state));
@@ -65,6 +69,7 @@ struct Loop {
     const LedgerRow row = keep_ledger(model, state);
     tell([&](Observer& o) { o.ledger(row); });
     if (!std::isfinite(row.kinetic + row.elastic)) stop_run(state, observers, describe_not_finite(model, state, work, row.v_999));
+    if (const std::string fault = find_fault_in_balance(model, state, row); !fault.empty()) stop_run(state, observers, fault);
   }
 
   /// The points that left through open sides since this was last called.
@@ -163,21 +168,23 @@ Summary summarise(const Model& model, const State& state)
   s.point_steps_per_s = state.wall_s > 0.0 ? static_cast<double>(s.n_points) * static_cast<double>(s.n_steps) / state.wall_s : 0.0;
   s.threads = model.threads;
   s.instructions = kernels().instructions;
-  s.front_x = front(state.points);
-  const Real crest = find_crest(state.crest, state.points);
-  if (crest > state.crest.columns.left) s.crest_x = crest;
-  s.second_failure_time = second_failure_time(state.crest);
+  s.processor = processor_name();
+  summarise_failure(state, s);
   const auto& eps = state.audit.last_eps_eq_p;
   s.max_eps_eq_p = eps.empty() ? 0.0 : *std::max_element(eps.begin(), eps.end());
   s.softened_fraction = state.softened_fraction;
   s.points_eps_eq_p_fell = std::count(state.audit.fell.begin(), state.audit.fell.end(), 1);
   s.points_su_rose = std::count(state.audit.rose.begin(), state.audit.rose.end(), 1);
   const WorkTotals& w = state.work;
-  const Real exchanged = std::abs(w.gravity) + std::abs(w.damping) + std::abs(w.boundary) + w.plastic + state.start_energy;
+  const Real exchanged = energy_exchanged(state);
   const Real numerical = kinetic_and_elastic_energy(model, state) + w.plastic - state.start_energy - (w.gravity + w.damping + w.boundary);
   s.energy_balance_error = exchanged > 0.0 ? std::abs(numerical) / exchanged : 0.0;
   s.clamped_points = state.clamped;
   s.points_left = static_cast<std::int64_t>(state.left.size());
+  for (std::size_t k = 0; k < model.footings.size(); ++k) {
+    const FootingMeter& meter = state.footings[k];
+    s.footings.push_back({model.footings[k].name, model.footings[k].displacement(state.time), meter.reaction, meter.largest, meter.work});
+  }
   s.v_999 = state.largest_v_999;
   return s;
 }

@@ -1,7 +1,8 @@
 // The numbers that remain of a run: what summary.json holds.
 #pragma once
 
-#include "base/types.hpp"
+#include "events/crest.hpp"
+#include "events/slip_surface.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -11,6 +12,27 @@
 
 namespace terp {
 
+/// What a footing met in a run.
+struct FootingSummary {
+  std::string name;
+  Vec<2> displacement{0.0, 0.0};  ///< at the end [m]
+  Vec<2> reaction{0.0, 0.0};      ///< force of the soil on it, mean over the last interval of the ledger [N per m]
+  Real largest = 0.0;             ///< largest reaction against its motion, of such means [N per m]
+  Real work = 0.0;                ///< done on the soil [J per m]
+};
+
+/// A slide, and where the soil sheared when it sheared fastest.
+struct SlideSummary {
+  Slide slide;
+  SlipSurface slip;
+};
+
+/// Wall time spent in a pass of the step.
+struct PassTime {
+  std::string name;
+  double seconds = 0.0;
+};
+
 struct Summary {
   std::string scheme;
   std::int64_t n_points = 0, n_cells = 0, n_steps = 0;
@@ -19,8 +41,16 @@ struct Summary {
   double point_steps_per_s = 0.0;
   int threads = 1;
   std::string instructions;               ///< instruction set of the kernels
+  std::string processor;                  ///< as the system calls it
+  std::vector<PassTime> passes;           ///< of the last process
   Real front_x = 0.0;                     ///< at the end [m]
   std::optional<Real> crest_x;            ///< at the end [m]; none if the body has no level surface left
+  std::optional<Real> crest_y;            ///< height of the surface there [m]
+  Real run_out = 0.0;                     ///< of the front since t = 0 [m]
+  Real moved_distance = 0.0;              ///< displacement from which on soil counts as moved [m]
+  Real moved_volume = 0.0;                ///< at the end [m^2]
+  Real moved_fraction = 0.0;              ///< of all volume [-]
+  std::vector<SlideSummary> slides;       ///< in order of time, definition in docs/formats.md
   std::optional<Real> second_failure_time;  ///< [s], definition in docs/formats.md
   Real max_eps_eq_p = 0.0;                ///< at the end [-]
   std::vector<std::pair<Real, Real>> softened_fraction;  ///< (time [s], share of the volume with S_u below half its peak [-])
@@ -29,6 +59,7 @@ struct Summary {
   Real energy_balance_error = 0.0;        ///< |numerical| at the end over the energy exchanged: works, plastic, start [-]
   std::int64_t clamped_points = 0;
   std::int64_t points_left = 0;           ///< through open sides
+  std::vector<FootingSummary> footings;
   Real v_999 = 0.0;                       ///< largest 99.9 % quantile of the speed over all ledger rows [m/s]
 };
 

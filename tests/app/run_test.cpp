@@ -1,9 +1,8 @@
 // terp run and terp resume, as a user meets them: files, messages, exit statuses.
 #include "app/coarse_column.hpp"
+#include "app/same_results.hpp"
 #include "output/checkpoint.hpp"
-#include "output/hdf5_file.hpp"
 #include "output/small_disk.hpp"
-#include "support/simulations.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -40,7 +39,7 @@ TEST(Run, LeavesAllItsFilesAndSaysWhereTheyAre)
   EXPECT_THAT(f.out, AllOf(HasSubstr("solved in "), HasSubstr(": 1600 points, 66 steps of 0.00303 s, "), HasSubstr(" on 1 thread\n"),
                            HasSubstr("points lost: 0; put back at walls: 0; left through open sides: 0\n"), HasSubstr("results in " + folder + "\n")));
   EXPECT_THAT(test::names_in(folder),
-              testing::IsSupersetOf({"case.toml", "checkpoint_000000066.h5", "history.csv", "ledger.csv", "results.vtkhdf", "summary.json"}));
+              testing::IsSupersetOf({"case.toml", "checkpoint_000000066.h5", "history.csv", "ledger.csv", "mesh.vtkhdf", "results.vtkhdf", "summary.json"}));
   const auto summary = nlohmann::json::parse(text_of(folder + "/summary.json"));
   EXPECT_EQ(summary.at("finished"), true);
   EXPECT_EQ(summary.at("steps"), 66);
@@ -180,23 +179,6 @@ TEST(Run, ThatStopsItselfHasAStatusOfItsOwnAndKeepsItsState)
   EXPECT_EQ(nlohmann::json::parse(text_of(folder + "/summary.json")).at("finished"), false);
 }
 
-/// Results of two runs of the same case: every point, field, row and bit of the final state.
-void expect_same_results(const std::string& a, const std::string& b, const std::string& checkpoint)
-{
-  EXPECT_EQ(test::first_difference(read_checkpoint(a + checkpoint), read_checkpoint(b + checkpoint)), "");
-  EXPECT_EQ(text_of(a + "/history.csv"), text_of(b + "/history.csv"));
-  EXPECT_EQ(text_of(a + "/ledger.csv"), text_of(b + "/ledger.csv"));
-  const Hdf5File first(a + "/results.vtkhdf", Hdf5File::Mode::read), second(b + "/results.vtkhdf", Hdf5File::Mode::read);
-  std::vector<std::string> tables{"/VTKHDF/Points", "/VTKHDF/Steps/Values"};
-  for (const std::string& name : first.members("/VTKHDF/PointData")) tables.push_back("/VTKHDF/PointData/" + name);
-  EXPECT_GT(tables.size(), 10u);
-  for (const std::string& table : tables) {
-    const bool same = first.holds_reals(table) ? first.read<Real>(table) == second.read<Real>(table)
-                                               : first.read<std::int64_t>(table) == second.read<std::int64_t>(table);
-    EXPECT_TRUE(same) << table;
-  }
-}
-
 TEST(Run, OnTwoThreadsGivesTheResultsOfOne)
 {
   const test::ScratchFolder scratch;
@@ -205,7 +187,7 @@ TEST(Run, OnTwoThreadsGivesTheResultsOfOne)
   std::vector<std::string> words = test::column_command("run", {"-o", two, "-q"});
   *(std::find(words.begin(), words.end(), "-j") + 1) = "2";
   ASSERT_EQ(test::terp(words).status, 0);
-  expect_same_results(one, two, last_checkpoint);
+  test::expect_same_results(one, two, last_checkpoint);
 }
 
 TEST(Run, OfTheCaseInARunFolderRepeatsIt)
@@ -214,32 +196,17 @@ TEST(Run, OfTheCaseInARunFolderRepeatsIt)
   const std::string first = scratch.path() + "/first", again = scratch.path() + "/again";
   ASSERT_EQ(run_column(first, {"-q"}).status, 0);
   ASSERT_EQ(test::terp({"run", first + "/case.toml", "-o", again, "-q", "-j", "1"}).status, 0);
-  expect_same_results(first, again, last_checkpoint);
+  test::expect_same_results(first, again, last_checkpoint);
 }
 
-std::vector<std::string> longer_run(const std::string& folder, const char* threads)
-{
-  return {"run", test::column_file, "--set", "mesh.cell=0.25", "--set", "time.end=2.0", "-o", folder, "-j", threads};
-}
-
-/// Waits until a run has written some rows of its ledger.
-void wait_for_rows(const std::string& folder)
-{
-  for (int k = 0; k < 2000; ++k) {
-    const std::string rows = text_of(folder + "/ledger.csv");
-    if (std::count(rows.begin(), rows.end(), '\n') > 3) return;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  FAIL() << "the run does not start";
-}
-
-TEST(Resume, AfterCtrlCEndsInTheResultsOfARunThatWasNotStopped)
+/// A signal stops a run, and resuming it ends in the results of a run that was not stopped.
+void stop_and_resume(int signal)
 {
   const test::ScratchFolder scratch;
   const std::string whole = scratch.path() + "/whole", stopped = scratch.path() + "/stopped";
-  test::Process running(longer_run(stopped, "1"));
-  wait_for_rows(stopped);
-  running.send(SIGINT);
+  test::Process running(test::longer_run(stopped, "1"));
+  test::wait_for_rows(stopped);
+  running.send(signal);
   const Finished f = running.wait();
   EXPECT_EQ(f.status, 1);
   EXPECT_THAT(f.out, AllOf(HasSubstr("stopped at t = "), HasSubstr("a checkpoint is written. Go on with:\n  terp resume " + stopped + "\n")));
@@ -249,9 +216,13 @@ TEST(Resume, AfterCtrlCEndsInTheResultsOfARunThatWasNotStopped)
   EXPECT_EQ(resumed.status, 0) << resumed.err;
   EXPECT_THAT(resumed.out, AllOf(StartsWith("resuming " + stopped + " at t = "), HasSubstr("solved in ")));
   EXPECT_EQ(nlohmann::json::parse(text_of(stopped + "/summary.json")).at("finished"), true);
-  ASSERT_EQ(test::terp(longer_run(whole, "1")).status, 0);
-  expect_same_results(whole, stopped, "/checkpoint_000001320.h5");
+  ASSERT_EQ(test::terp(test::longer_run(whole, "1")).status, 0);
+  test::expect_same_results(whole, stopped, "/checkpoint_000001320.h5");
 }
+
+TEST(Resume, AfterCtrlCEndsInTheResultsOfARunThatWasNotStopped) { stop_and_resume(SIGINT); }
+
+TEST(Resume, AfterSigtermEndsInTheResultsOfARunThatWasNotStopped) { stop_and_resume(SIGTERM); }
 
 TEST(Resume, FromACheckpointThatIsNamedEndsInTheSameResults)
 {
@@ -262,7 +233,7 @@ TEST(Resume, FromACheckpointThatIsNamedEndsInTheSameResults)
   const Finished f = test::terp({"resume", again + "/checkpoint_000000033.h5", "-j", "1"});
   EXPECT_EQ(f.status, 0) << f.err;
   EXPECT_THAT(f.out, HasSubstr("step 33 of 66\n"));
-  expect_same_results(whole, again, last_checkpoint);
+  test::expect_same_results(whole, again, last_checkpoint);
 }
 
 TEST(Resume, SkipsADamagedCheckpointAndSaysSo)
@@ -346,8 +317,8 @@ TEST(Resume, SaysFirstThatAnotherTerpIsWriting)
 {
   const test::ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";
-  test::Process running(longer_run(folder, "1"));
-  wait_for_rows(folder);
+  test::Process running(test::longer_run(folder, "1"));
+  test::wait_for_rows(folder);
   const std::string refused = "error: another terp is writing to the run folder " + folder + "\n";
   EXPECT_EQ(test::terp({"resume", folder}).err, refused);  // though there is no checkpoint yet
   std::filesystem::remove(folder + "/case.toml");

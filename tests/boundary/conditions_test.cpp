@@ -84,6 +84,16 @@ TEST(DrivenSide, TakesThePrescribedVelocityEverywhereAlsoInItsCorners)
   }
 }
 
+TEST(DrivenSide, TakesAVelocityThatDependsOnThePlace)
+{
+  const Mesh<2> mesh = mesh_3x2();
+  const Boundary boundary(mesh, {{.side = "right", .hold = Hold::all, .velocity_at = [](Vec<2> x) { return Vec<2>{3.0 * x[1], x[0] - x[1]}; }}});
+  for (const Index node : {3, 7, 11}) {
+    const Vec<2> x = mesh.nodes[node];
+    EXPECT_THAT(constrained(boundary, node, {5.0, 5.0}), ElementsAre(3.0 * x[1], x[0] - x[1]));
+  }
+}
+
 TEST(ContactPlane, ASeparatingOneThatPushedStaysClosedForTheStep)
 {
   const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::separating}});

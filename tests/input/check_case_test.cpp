@@ -190,5 +190,36 @@ TEST(CheckCase, DoesNotBlameMissingGravityOnAWrongOne)
   EXPECT_THAT(message_for(text), HasSubstr("1 error; nothing was run."));
 }
 
+std::string with_footing(const std::string& keys) { return message_for(small_case + "[[footing]]\n" + keys); }
+
+TEST(CheckCase, TakesAFooting)
+{
+  EXPECT_EQ(with_footing("box = [[1.0, 2.0], [2.0, 2.5]]\nvelocity = [0.0, -0.1]\nramp = 0.2\ncontact = \"smooth\"\nname = \"plate\"\n"), "accepted\n");
+}
+
+TEST(CheckCase, AFootingNeedsPlaceAndVelocity)
+{
+  const std::string seen = with_footing("contact = \"sticky\"\n");
+  EXPECT_THAT(seen, HasSubstr("the key `box` is missing from [[footing]]"));
+  EXPECT_THAT(seen, HasSubstr("the key `velocity` is missing from [[footing]]"));
+  EXPECT_THAT(seen, HasSubstr("`contact` cannot be \"sticky\"\n\n   17 | contact = \"sticky\"\n      | ^^^^^^^\n  Allowed: \"rough\", \"smooth\"\n"));
+}
+
+TEST(CheckCase, ASmoothFootingAtRestIsRefused)
+{
+  EXPECT_THAT(with_footing("box = [[1.0, 2.0], [2.0, 2.5]]\nvelocity = [0.0, 0.0]\ncontact = \"smooth\"\n"),
+              HasSubstr(":18:1: a smooth footing needs a velocity\n\n   18 | velocity = [0.0, 0.0]\n      | ^^^^^^^^\n  It holds its nodes along its velocity "
+                        "only, which is zero. Give a velocity, or contact = \"rough\".\n"));
+}
+
+TEST(CheckCase, FootingsHaveNamesOfTheirOwnAndAreNotTooMany)
+{
+  const std::string one = "box = [[1.0, 2.0], [2.0, 2.5]]\nvelocity = [0.0, -0.1]\n";
+  EXPECT_THAT(with_footing(one + "[[footing]]\n" + one), HasSubstr("two footings have the name `footing`"));
+  std::string nine;
+  for (int k = 0; k < 9; ++k) nine += (k == 0 ? "" : "[[footing]]\n") + one + "name = \"" + std::string(1, static_cast<char>('a' + k)) + "\"\n";
+  EXPECT_THAT(with_footing(nine), HasSubstr("a case has at most 8 footings"));
+}
+
 }  // namespace
 }  // namespace terp

@@ -22,6 +22,7 @@ Summary sample_summary()
   summary.point_steps_per_s = 7.9e6, summary.threads = 2, summary.instructions = "avx2", summary.front_x = 13.25, summary.crest_x = 3.75;
   summary.max_eps_eq_p = 2.5, summary.softened_fraction = {{0.5, 0.125}, {1.0, 0.25}}, summary.points_su_rose = 4;
   summary.points_eps_eq_p_fell = 3, summary.energy_balance_error = 1e-3, summary.clamped_points = 6, summary.points_left = 2,
+  summary.footings = {{"plate", {0.5, -0.25}, {3.0, 4.5}, 7.0, 12.5}};
   summary.v_999 = 5.5;
   return summary;
 }
@@ -40,7 +41,8 @@ TEST(SummaryJson, HoldsEveryNumberUnderItsName)
     "dt": 6.0623e-4, "wall_s": 33.5, "point_steps_per_s": 7.9e6, "threads": 2, "instructions": "avx2", "front_x": 13.25, "crest_x": 3.75,
     "second_failure_time": null, "max_eps_eq_p": 2.5,
     "softened_fraction": [{"time": 0.5, "fraction": 0.125}, {"time": 1.0, "fraction": 0.25}],
-    "points_eps_eq_p_fell": 3, "points_su_rose": 4, "energy_balance_error": 1e-3, "clamped_points": 6, "points_left": 2, "v_999": 5.5,
+    "points_eps_eq_p_fell": 3, "points_su_rose": 4, "energy_balance_error": 1e-3, "clamped_points": 6, "points_left": 2, "footings": [{"name": "plate", "displacement": [0.5, -0.25], "reaction": [3.0, 4.5],
+    "largest_reaction": 7.0, "work": 12.5}], "v_999": 5.5,
     "case_name": "model_2", "case": "title = \"column\"\n"})"));
 }
 

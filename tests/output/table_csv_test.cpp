@@ -99,5 +99,11 @@ TEST(TableCsv, WithoutATableThereIsNothingToDrop)
   EXPECT_NO_THROW(drop_rows_after(folder.path() + "/history.csv", history_header, 1.0));
 }
 
+TEST(TableCsv, OneLinePerFooting)
+{
+  const FootingRow row{0.25, "plate, left", 0.0, -0.125, 1.5, 20000.5, 64.0};
+  EXPECT_EQ(csv_lines(std::vector<FootingRow>{row, row}), "0.25,\"plate, left\",0,-0.125,1.5,20000.5,64\n0.25,\"plate, left\",0,-0.125,1.5,20000.5,64\n");
+}
+
 }  // namespace
 }  // namespace terp

@@ -2,6 +2,7 @@
 #include "simulation/guards.hpp"
 
 #include "base/errors.hpp"
+#include "simulation/ledger.hpp"
 #include "simulation/run.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
@@ -80,17 +81,57 @@ TEST(Guards, TooManyPointsPutBackAtWallsAreAFault)
             "  try      a larger mesh.size, or a `roller` on that side (docs/troubleshooting.md#clamped-points)");
 }
 
+TEST(Guards, EnergyThatNoWorkExplainsIsAFaultOnceItIsAsMuchAsAllThatWasExchanged)
+{
+  Simulation s(test::column("mpm_gp"));
+  s.step(5);
+  start_audit(s.model, s.state);
+  LedgerRow row = keep_ledger(s.model, s.state);
+  EXPECT_EQ(find_fault_in_balance(s.model, s.state, row), "");
+  row.numerical = 0.99 * energy_exchanged(s.state);
+  EXPECT_EQ(find_fault_in_balance(s.model, s.state, row), "");
+  row.numerical = 2.0 * energy_exchanged(s.state);
+  EXPECT_EQ(find_fault_in_balance(s.model, s.state, row),
+            fmt::format("step 5, t = 0.0152 s: the energy grows by itself: {:.3g} J per m that no work explains, {:.3g} J exchanged\n\n"
+                        "  before   kinetic {:.3g} J, elastic {:.3g} J; largest 99.9 % speed {:.3g} m/s\n"
+                        "  likely   an unstable time step, or a stiff body that travels far in pure FLIP\n"
+                        "  try      a lower time.courant, or method.flip = 0.9 (docs/troubleshooting.md#the-energy-balance-is-off)",
+                        row.numerical, 0.5 * row.numerical, row.kinetic, row.elastic, row.v_999));
+}
+
+TEST(Guards, SoilSoLooseThatItsWavesOvertakeTheTimeStepIsAFault)
+{
+  Simulation s(test::column("mpm_gp"));
+  const LedgerRow row{};
+  const auto swell = [&](Real last_id, Real factor) {
+    test::edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
+      if (block.row(Rows::id)[lane] <= last_id) block.row(Rows::volume)[lane] *= factor;
+    });
+  };
+  swell(79.0, 1.1);  // 5 % of 1600 points; courant 0.98: waves may become faster by 1/0.98, volumes larger by 1/0.98^2 = 1.041
+  EXPECT_EQ(find_fault_in_balance(s.model, s.state, row), "");
+  swell(159.0, 1.03);
+  EXPECT_EQ(find_fault_in_balance(s.model, s.state, row), "");
+  swell(159.0, 1.02);
+  EXPECT_EQ(find_fault_in_balance(s.model, s.state, row),
+            "step 0, t = 0.0000 s: the time step has become too long for 10 % of the soil, more than 5 %\n\n"
+            "  where    soil so loose that its waves cross the smallest cell (0.5 m) within dt = 0.00303 s\n"
+            "  likely   soil that swells without end, often under tension; dt is that of the density at t = 0\n"
+            "  try      a time.courant lower than 0.98 (docs/troubleshooting.md#the-time-step-is-too-long)");
+}
+
 /// Spoils a point's velocity at a step, and keeps what a run that stops itself hands over.
 struct Saboteur : Observer {
   State* state = nullptr;
   std::int64_t at_step = -1;
+  Real velocity = NAN;
   std::vector<std::int64_t> saved_steps;
 
   void ledger(const LedgerRow& row) override
   {
     if (row.step != at_step) return;
-    for_each_point(state->points, [](const PointBlock<2>& block, Index lane) {
-      if (block.row(Rows::id)[lane] == 700.0) block.row(Rows::v)[lane] = NAN;
+    for_each_point(state->points, [&](const PointBlock<2>& block, Index lane) {
+      if (block.row(Rows::id)[lane] == 700.0) block.row(Rows::v)[lane] = velocity;
     });
   }
   std::string save_failed(const StateImage& image) override
@@ -125,6 +166,18 @@ TEST(Guards, ARunThatMeetsNotANumberStopsAfterThatStepAndKeepsItsState)
   EXPECT_THAT(message, testing::ContainsRegex("of material point [0-9]+ is not a number"));
   EXPECT_THAT(message, HasSubstr("material `clay` (tresca_softening)"));
   EXPECT_THAT(message, testing::EndsWith("\n  saved    runs/column/failed.h5"));
+  EXPECT_EQ(saboteur.saved_steps, std::vector<std::int64_t>{5});
+}
+
+TEST(Guards, ARunThatGainsEnergyStopsAtItsNextRow)
+{
+  Case c = test::column("mpm_gp");
+  c.output.ledger_every = 1e-9;  // every step
+  Simulation s(c);
+  Saboteur saboteur;
+  saboteur.at_step = 4;
+  saboteur.velocity = 30.0;
+  EXPECT_THAT(message_of_run(s, saboteur), AllOf(HasSubstr("step 5, t = 0.0152 s: the energy grows by itself: "), HasSubstr("  saved    runs/column/failed.h5")));
   EXPECT_EQ(saboteur.saved_steps, std::vector<std::int64_t>{5});
 }
 

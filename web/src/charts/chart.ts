@@ -25,6 +25,7 @@ export interface ChartOptions {
   overTime?: boolean; // the x axis is the time of the run
   yRange?: [number, number]; // fixed; otherwise from the data
   fromZero?: boolean;
+  nameEnds?: boolean; // each line's label at its right end
 }
 
 const SYNC = uPlot.sync("terp");
@@ -32,6 +33,7 @@ const SYNC = uPlot.sync("terp");
 export class Chart {
   readonly root: HTMLElement;
   private readonly holder = element("div", { class: "plot" });
+  private readonly now = element("div", { class: "now-line" });
   private plot: uPlot | null = null;
   private lines: Line[] = [];
   private options: ChartOptions;
@@ -44,7 +46,7 @@ export class Chart {
     this.options = { overTime: true, ...options };
     this.root = element("figure", { class: "chart" }, element("figcaption", {}, options.title), this.holder);
     new ResizeObserver(() => this.resize()).observe(this.holder);
-    if (this.options.overTime) store.on((_, changed) => changed.has("time") && this.plot?.redraw(false, false));
+    if (this.options.overTime) store.on((_, changed) => changed.has("time") && this.placeNow());
     store.on((_, changed) => changed.has("dark") && this.build());
   }
 
@@ -78,6 +80,7 @@ export class Chart {
     this.zoomed = false;
     if (this.lines.length === 0 || this.holder.clientWidth === 0) return;
     this.plot = new uPlot(this.settings(), this.data(), this.holder);
+    this.placeNow();
     this.plot.over.setAttribute("aria-hidden", "true");
     this.holder.setAttribute("role", "img");
     this.holder.setAttribute("aria-label", `${this.options.title}: ${this.lines.map((line) => line.label).join(", ")} against ${this.options.xLabel}`);
@@ -91,11 +94,11 @@ export class Chart {
       stroke: theme.muted, font: `11px ${FONT}`, labelFont: `11px ${FONT}`, labelSize: 18,
       grid: { stroke: theme.frame, width: 0.5 }, ticks: { stroke: theme.frame, width: 1, size: 4 }, gap: 4,
     };
-    const text = (_: uPlot, v: number | null) => numberText(v, 4);
+    const text = (_: uPlot, v: number | null) => (v === null || v === undefined ? "" : numberText(v, 4));
     return {
       width: this.holder.clientWidth,
       height: this.height(),
-      padding: [8, 12, 0, 0],
+      padding: [8, this.options.nameEnds ? 24 : 12, 0, 0],
       scales: { x: { time: false }, y: { range: this.options.yRange ? () => this.options.yRange! : this.rangeY() } },
       axes: [
         { ...axis, label: this.options.xLabel, size: 26, values: (_, ticks) => ticks.map((t) => numberText(t)) },
@@ -109,8 +112,8 @@ export class Chart {
       ],
       cursor: { sync: this.options.overTime ? { key: SYNC.key, setSeries: false, scales: ["x", null] } : undefined, drag: { x: true, y: false }, focus: { prox: 16 }, points: { size: 6 } },
       focus: { alpha: 0.35 },
-      legend: { live: true },
-      hooks: { draw: [(plot) => this.drawNow(plot)], ready: [(plot) => this.listen(plot)], setScale: [(plot, key) => key === "x" && this.noteZoom(plot)] },
+      legend: { live: true, markers: { width: 2, dash: (_, k) => (this.lines[k - 1]?.dash ? "dashed" : "solid") } },
+      hooks: { draw: [(plot) => this.drawNames(plot), () => this.placeNow()], ready: [(plot) => this.listen(plot)], setScale: [(plot, key) => key === "x" && this.noteZoom(plot)] },
     };
   }
 
@@ -127,27 +130,46 @@ export class Chart {
     return this.options.height ?? 220;
   }
 
-  /** The line at the present time. */
-  private drawNow(plot: uPlot): void {
-    if (!this.options.overTime) return;
-    const x = plot.valToPos(this.store.state.time, "x", true);
+  /** The line at the present time: an element, as moving it is cheap beside drawing the chart anew. */
+  private placeNow(): void {
+    const { plot } = this;
+    if (!plot || !this.options.overTime) return;
+    const x = plot.valToPos(this.store.state.time, "x");
+    this.now.hidden = !(x >= 0 && x <= plot.over.clientWidth);
+    this.now.style.transform = `translateX(${x}px)`;
+  }
+
+  /** Labels right of the last values, pushed apart where they would overlap. */
+  private drawNames(plot: uPlot): void {
+    if (!this.options.nameEnds) return;
     const { left, top, width, height } = plot.bbox;
-    if (x < left || x > left + width) return;
+    const ratio = devicePixelRatio;
+    const names = this.lines.map((line, k) => {
+      const y = plot.data[k + 1]!;
+      let last = y.length - 1;
+      while (last > 0 && (y[last] === null || y[last] === undefined || plot.data[0][last]! > plot.scales.x!.max!)) last--;
+      return { line, y: plot.valToPos(y[last] ?? 0, "y", true) };
+    });
+    names.sort((a, b) => a.y - b.y);
+    const step = 11 * ratio;
+    names.forEach((name, k) => (name.y = Math.max(name.y, k === 0 ? top : names[k - 1]!.y + step)));
+    for (let k = names.length - 1, below = top + height + step / 2; k >= 0; k--) below = names[k]!.y = Math.min(names[k]!.y, below - (k === names.length - 1 ? 0 : step));
     const context = plot.ctx;
     context.save();
-    context.strokeStyle = canvasTheme(this.store.state.dark).text;
-    context.globalAlpha = 0.55;
-    context.lineWidth = devicePixelRatio;
-    context.setLineDash([]);
-    context.beginPath();
-    context.moveTo(x, top);
-    context.lineTo(x, top + height);
-    context.stroke();
+    context.font = `600 ${11 * ratio}px ${FONT}`;
+    context.textBaseline = "middle";
+    context.textAlign = "left";
+    for (const { line, y } of names) {
+      context.fillStyle = line.colour(this.store.state.dark);
+      context.fillText(line.label, left + width + 5 * ratio, y);
+    }
     context.restore();
   }
 
   private listen(plot: uPlot): void {
     if (!this.options.overTime) return;
+    plot.over.append(this.now);
+    this.placeNow();
     let down: [number, number] | null = null;
     plot.over.addEventListener("mousedown", (event) => (down = [event.clientX, event.clientY]));
     plot.over.addEventListener("mouseup", (event) => {

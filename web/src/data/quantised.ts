@@ -1,5 +1,6 @@
 // A quantity per frame and point in 16 bits. Bytes of frame f: n low bytes, then n high bytes, of d[f], where
 // d[0] = q[0] and d[f] = (q[f] - q[f-1]) mod 65536. Value: lo + (hi - lo) q / 65535, or lo (hi/lo)^(q/65535) if `log`.
+// The last q means "no value": in a field that a material does not have, and in both coordinates of a point that has left.
 // The other half of this codec is the C++ writer; tests/unit/cpp_codec.test.ts holds bytes that it wrote.
 
 import type { QuantisedMeta } from "./format";
@@ -26,6 +27,8 @@ export function decodeFrames(bytes: Uint8Array, frames: number, points: number):
   return q;
 }
 
+export const NONE = FULL;
+
 export function valueOf(meta: Pick<QuantisedMeta, "lo" | "hi" | "log">, q: number): number {
   const part = q / FULL;
   return meta.log ? meta.lo * Math.pow(meta.hi / meta.lo, part) : meta.lo + (meta.hi - meta.lo) * part;
@@ -38,17 +41,15 @@ export class Quantised {
     readonly q: Uint16Array<ArrayBuffer>,
   ) {}
 
-  static decode(meta: QuantisedMeta, bytes: Uint8Array): Quantised {
-    return new Quantised(meta, decodeFrames(bytes, meta.static ? 1 : meta.frames, meta.points));
-  }
-
   /** q of one frame, shape [points]; a view, not a copy. */
   frame(f: number): Uint16Array<ArrayBuffer> {
     const start = this.meta.static ? 0 : f * this.meta.points;
     return this.q.subarray(start, start + this.meta.points);
   }
 
+  /** NaN where there is none. */
   value(f: number, p: number): number {
-    return valueOf(this.meta, this.q[(this.meta.static ? 0 : f * this.meta.points) + p]!);
+    const q = this.q[(this.meta.static ? 0 : f * this.meta.points) + p]!;
+    return q === NONE ? NaN : valueOf(this.meta, q);
   }
 }

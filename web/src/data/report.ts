@@ -6,6 +6,9 @@ import { Run } from "./run";
 
 export const FORMAT = 1;
 
+/** What a run may leave out. */
+const ABSENT = { mesh: null, outline: null, surfaces: null, histories: [], series: null, passes: [], events: null, story: [], audit: null, warnings: [], checks: [], summary: {} };
+
 export class Report {
   readonly runs: Run[];
   readonly comparison: Comparison | null;
@@ -18,7 +21,7 @@ export class Report {
       throw new Error(`This page reads reports of format ${FORMAT}, but the data in it has format ${meta.format}. Write the report anew with one version of Terp.`);
     }
     const chunks = new Chunks(text);
-    this.runs = meta.runs.map((run, index) => new Run(run, index, chunks));
+    this.runs = meta.runs.map((run, index) => new Run({ ...ABSENT, ...run }, index, chunks));
     this.comparison = meta.comparison;
   }
 

@@ -1,15 +1,15 @@
 // One run of the report: what its JSON says, and its arrays, each decoded when it is first asked for.
 
-import type { FieldMeta, RunMeta } from "./format";
+import type { FieldMeta, QuantisedMeta, RunMeta } from "./format";
 import { Chunks } from "./chunks";
-import { FULL, Quantised, valueOf } from "./quantised";
+import { decodeFrames, FULL, Quantised, valueOf } from "./quantised";
 import { Table } from "./table";
 
 export type Polyline = Float32Array; // x, y, x, y, ... [m]; NaN, NaN between polylines
 
 export class Run {
   readonly fields = new Map<string, Quantised>();
-  private readonly coming = new Map<string, Promise<Quantised>>();
+  private readonly decoded = new Map<number, Promise<Uint16Array<ArrayBuffer>>>(); // by chunk: fields may share one
   x!: Quantised;
   y!: Quantised;
   ids!: Uint32Array;
@@ -32,8 +32,8 @@ export class Run {
     const { meta, chunks } = this;
     const { x, y } = meta.positions;
     [this.x, this.y] = await Promise.all([
-      chunks.bytes(x.chunk).then((bytes) => Quantised.decode(x, bytes)),
-      chunks.bytes(y.chunk).then((bytes) => Quantised.decode(y, bytes)),
+      this.quantity(x),
+      this.quantity(y),
     ]);
     this.ids = await chunks.numbers(meta.ids.chunk);
     if (meta.outline) this.outline = await chunks.floats(meta.outline.chunk);
@@ -62,17 +62,23 @@ export class Run {
   async field(name: string): Promise<Quantised | null> {
     const meta = this.fieldMeta(name);
     if (!meta) return null;
-    let coming = this.coming.get(name);
-    if (!coming) {
-      coming = this.chunks.bytes(meta.data.chunk).then((bytes) => {
-        const field = Quantised.decode(meta.data, bytes);
-        this.fields.set(name, field);
-        for (const listener of this.onField) listener();
-        return field;
-      });
-      this.coming.set(name, coming);
+    const there = this.fields.get(name);
+    if (there) return there;
+    const field = await this.quantity(meta.data);
+    if (!this.fields.has(name)) {
+      this.fields.set(name, field);
+      for (const listener of this.onField) listener();
     }
-    return coming;
+    return this.fields.get(name)!;
+  }
+
+  private async quantity(meta: QuantisedMeta): Promise<Quantised> {
+    let q = this.decoded.get(meta.chunk);
+    if (!q) {
+      q = this.chunks.bytes(meta.chunk).then((bytes) => decodeFrames(bytes, meta.static ? 1 : meta.frames, meta.points));
+      this.decoded.set(meta.chunk, q);
+    }
+    return new Quantised(meta, await q);
   }
 
   /** False for a point that has left through an open side. */
@@ -116,10 +122,12 @@ export class Run {
       if (qy < y0) y0 = qy;
       if (qy > y1) y1 = qy;
     }
-    const [xs, ys] = [0, 1].map((part) => this.outline.filter((v, k) => k % 2 === part && Number.isFinite(v))) as [Float32Array, Float32Array];
-    return [
-      Math.min(valueOf(x.meta, x0), ...xs), Math.min(valueOf(y.meta, y0), ...ys),
-      Math.max(valueOf(x.meta, x1), ...xs), Math.max(valueOf(y.meta, y1), ...ys),
-    ];
+    const box: [number, number, number, number] = [valueOf(x.meta, x0), valueOf(y.meta, y0), valueOf(x.meta, x1), valueOf(y.meta, y1)];
+    for (let k = 0; k + 1 < this.outline.length; k += 2) {
+      const [px, py] = [this.outline[k]!, this.outline[k + 1]!];
+      if (!Number.isFinite(px)) continue;
+      [box[0], box[1], box[2], box[3]] = [Math.min(box[0], px), Math.min(box[1], py), Math.max(box[2], px), Math.max(box[3], py)];
+    }
+    return box;
   }
 }

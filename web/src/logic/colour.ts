@@ -76,7 +76,7 @@ export function barTicks(range: Range, nice: (lo: number, hi: number, count: num
 }
 
 function decades(lo: number, hi: number): number[] {
-  const few = Math.log10(hi / lo) < 2.5;
+  const few = Math.log10(hi / lo) < 3.5;
   const values: number[] = [];
   for (let e = Math.floor(Math.log10(lo)); e <= Math.ceil(Math.log10(hi)); e++) {
     for (const lead of few ? [1, 2, 5] : [1]) {

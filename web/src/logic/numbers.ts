@@ -35,6 +35,7 @@ export function unitSuffix(unit: string): string {
 
 /** Factor and unit in which values of that size read well: 120000 J/m -> 0.001, "kJ/m". */
 export function readableUnit(unit: string, size: number): { factor: number; unit: string } {
+  if (/^k(J|Pa|W|N)\b/.test(unit) && size >= 2e3) return { factor: 1e-3, unit: unit.replace("k", "M") };
   if (!/^(J|Pa|W|N)\b/.test(unit)) return { factor: 1, unit };
   if (size >= 2e6) return { factor: 1e-6, unit: `M${unit}` };
   if (size >= 2e3) return { factor: 1e-3, unit: `k${unit}` };
@@ -52,9 +53,10 @@ export function timeDecimals(times: readonly number[]): number {
 }
 
 export function durationText(seconds: number): string {
-  if (seconds < 60) return `${numberText(seconds, 3)}\u00a0s`;
-  const minutes = Math.floor(seconds / 60);
-  if (minutes < 60) return `${minutes}\u00a0min ${Math.round(seconds - 60 * minutes)}\u00a0s`;
+  if (seconds < 59.95) return `${numberText(seconds, 3)}\u00a0s`;
+  const whole = Math.round(seconds);
+  const minutes = Math.floor(whole / 60);
+  if (minutes < 60) return `${minutes}\u00a0min ${whole - 60 * minutes}\u00a0s`;
   return `${Math.floor(minutes / 60)}\u00a0h ${minutes % 60}\u00a0min`;
 }
 

@@ -74,7 +74,7 @@ function energies(current: Current, labels: string[]): HTMLElement[] {
     const { series } = run;
     if (!series) return [];
     const x = series.column("time");
-    const columns = series.columns.filter(({ name, unit }) => unit.startsWith("J") && name !== "kinetic_energy");
+    const columns = series.columns.filter(({ name, unit }) => /^[kM]?J/.test(unit) && name !== "kinetic_energy" && series.column(name)!.some((v) => v !== 0));
     if (!x || columns.length === 0) return [];
     const lines = columns.map(({ name }, k): Line => ({
       label: series.label(name) === name ? spoken(name) : series.label(name), x, y: series.column(name)!,
@@ -96,7 +96,11 @@ function surfaces(current: Current, labels: string[]): HTMLElement | null {
   for (const line of all) for (let k = 1; k < line.length; k += 2) [low, high] = [Math.min(low, line[k]!), Math.max(high, line[k]!)];
   if (runs.length > 1) low = Math.min(low, -0.45 * high);
   const chart = new Chart(current.store, { title: "Free surface", xLabel: "x [m]", unit: "m", overTime: false, yRange: [low, 1.05 * high] });
+  let drawn = "";
   current.store.watch(["time"], ({ time }) => {
+    const frames = runs.map((run) => current.frame(run, time)).join();
+    if (frames === drawn) return;
+    drawn = frames;
     const lines = runs.map((run) => run.surface(current.frame(run, time)));
     const x = places(lines);
     const heights = lines.map((line) => heightsAt(line, x));
@@ -118,14 +122,18 @@ function histories(current: Current, labels: string[]): HTMLElement | null {
   if (!first) return null;
   const names = first.columns.map((column) => column.name).filter((name) => !["time", "id"].includes(name));
   const charts = runs.map((run) => new Chart(current.store, { title: labels[run.index]!, xLabel: "time [s]", unit: "-", height: 260 }));
-  const select = element("select", { id: "history", onchange: () => show(select.value) }, ...names.map((name) => element("option", { value: name }, first.label(name) === name ? spoken(name) : first.label(name))));
+  const quantity = (name: string) => (first.label(name) === name ? spoken(name) : first.label(name));
+  const select = element("select", { id: "history", onchange: () => show(select.value) }, ...names.map((name) => element("option", { value: name }, quantity(name))));
   const show = (name: string) => {
     const lines = runs.map((run) => run.histories.flatMap((history, k): Line[] => {
       const [x, y] = [history.table.column("time"), history.table.column(name)];
       return x && y ? [{ label: history.name, x, y, colour: () => CATEGORIES[k % CATEGORIES.length]!, dash: k >= CATEGORIES.length ? [4, 3] : undefined, width: 1.8 }] : [];
     }));
     const yRange = commonRange(lines.flat());
-    charts.forEach((chart, k) => chart.show(lines[k]!, { unit: first.unit(name), yRange }));
+    charts.forEach((chart, k) => {
+      chart.title = `${labels[runs[k]!.index]}: ${quantity(name)}`;
+      chart.show(lines[k]!, { unit: first.unit(name), yRange, nameEnds: true });
+    });
   };
   select.value = names.find((name) => name === "eps_deviatoric") ?? names.find((name) => name.startsWith("eps")) ?? names[0]!;
   show(select.value);

@@ -48,7 +48,7 @@ export class Keys {
       { keys: ["l"], show: "L", does: "logarithmic scale", act: flip("log") },
       { keys: ["+", "="], show: "+", does: "zoom in (also wheel in a view that was clicked, or Ctrl and wheel)", act: () => viewer.zoom(1.3) },
       { keys: ["-"], show: "−", does: "zoom out", act: () => viewer.zoom(1 / 1.3) },
-      { keys: ["ArrowUp", "ArrowDown"], show: "Shift ← → ↑ ↓", does: "move (also drag)", act: (event) => event.shiftKey && viewer.move(0, event.key === "ArrowUp" ? 60 : -60) },
+      { keys: ["ArrowUp", "ArrowDown"], show: "Shift arrows", does: "move (also drag)", act: (event) => event.shiftKey && viewer.move(0, event.key === "ArrowUp" ? 60 : -60) },
       { keys: ["0"], show: "0", does: "show all (also double click)", act: () => store.set({ camera: null }) },
       { keys: ["m"], show: "M", does: "background mesh", act: flip("mesh") },
       { keys: ["o"], show: "O", does: "initial outline", act: flip("outline") },
@@ -74,7 +74,8 @@ export class Keys {
 
   private press(event: KeyboardEvent): void {
     const target = event.target as HTMLElement;
-    if (event.ctrlKey || event.metaKey || event.altKey || target.closest("input:not([type=range]), textarea, select, dialog[open]:not(.keys)")) return;
+    if (this.help.open && event.key !== "?") return;
+    if (event.ctrlKey || event.metaKey || event.altKey || target.closest("input:not([type=range]), textarea, select")) return;
     const onRange = target.matches("input[type=range]");
     if (onRange && !target.classList.contains("scrub") && event.key.startsWith("Arrow")) return;
     if (event.key === " " && target.closest("button, summary, a")) return; // Space presses what has the focus

@@ -5,7 +5,7 @@ import type { Run } from "../data/run";
 import type { FieldMeta } from "../data/format";
 import type { Store, ViewState } from "../logic/store";
 import { categoryTable, mapNamed, mapsFor, symmetric, table, validRange, type ColourMap, type Range } from "../logic/colour";
-import { FULL, valueOf } from "../data/quantised";
+import { FULL, NONE, valueOf } from "../data/quantised";
 import { frameAt } from "../logic/time";
 
 export class Current {
@@ -80,10 +80,11 @@ export class Current {
       const [q, qx, qy] = [field.frame(f), run.x.frame(f), run.y.frame(f)];
       let [least, most] = [FULL, 0];
       for (let p = 0; p < q.length; p++) {
-        if (qx[p] === FULL && qy[p] === FULL) continue;
+        if (q[p] === NONE || (qx[p] === FULL && qy[p] === FULL)) continue;
         if (q[p]! < least) least = q[p]!;
         if (q[p]! > most) most = q[p]!;
       }
+      if (least > most) continue;
       lo = Math.min(lo, valueOf(field.meta, least));
       hi = Math.max(hi, valueOf(field.meta, most));
     }

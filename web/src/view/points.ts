@@ -21,6 +21,7 @@ uniform vec2 centre, per_metre;     // camera: [m], clip units per metre
 uniform float size;                 // pixels
 uniform int categories;             // number of colours in use for categories; 0: a scale
 uniform sampler2D colours;
+uniform vec3 no_value;
 flat out vec3 colour;
 
 void main() {
@@ -29,6 +30,10 @@ void main() {
   bool absent = qx == ${FULL}u && qy == ${FULL}u;
   gl_Position = absent ? vec4(9.0, 9.0, 9.0, 1.0) : vec4((place - centre) * per_metre, 0.0, 1.0);
   gl_PointSize = size;
+  if (qv == ${FULL}u) {
+    colour = no_value;
+    return;
+  }
   float w = float(qv) / ${FULL}.0;
   float value = v_log ? v_range.x * pow(v_range.y / v_range.x, w) : mix(v_range.x, v_range.y, w);
   if (categories > 0) {
@@ -152,9 +157,10 @@ export class PointRenderer {
       v_log: v.log,
       bar_log: picture.range.log,
       bar: [picture.range.lo, picture.range.hi],
-      size: Math.max(2, 1.3 * spacing), // overlap enough that sound soil has no gaps
+      size: Math.max(2, 1.6 * spacing), // overlap enough that sound soil has no gaps
       categories: picture.categories,
       colours: this.texture,
+      no_value: [0.6, 0.62, 0.64],
       discs,
     });
     gl.drawArrays(gl.POINTS, 0, run.points);

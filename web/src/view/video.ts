@@ -2,7 +2,7 @@
 
 import type { Figure } from "./figure";
 
-const TYPES = ["video/mp4;codecs=avc1.42E01E", "video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm"];
+const TYPES = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm", "video/mp4"];
 const RATE = 30; // pictures per second
 
 /** The kind of video that this browser records; null if it records none. */
@@ -31,7 +31,12 @@ export function record(figure: Figure, type: string, span: [number, number], spe
   let cancelled = false;
   recorder.ondataavailable = (event) => parts.push(event.data);
   const done = new Promise<Blob | null>((resolve, reject) => {
-    recorder.onstop = () => resolve(cancelled ? null : new Blob(parts, { type: type.split(";")[0]! }));
+    recorder.onstop = () => {
+      const blob = new Blob(parts, { type: type.split(";")[0]! });
+      if (cancelled) resolve(null);
+      else if (blob.size === 0) reject(new Error("The browser recorded nothing: it seems to lack the encoder that it names."));
+      else resolve(blob);
+    };
     recorder.onerror = () => reject(new Error("The browser stopped recording."));
   });
   const length = (span[1] - span[0]) / speed + 1; // the last picture stays for a second

@@ -1,0 +1,24 @@
+// Where the soil shears fastest: the slip surface as a line through the columns. Definition: docs/formats.md.
+#pragma once
+
+#include "events/surface.hpp"
+
+#include <span>
+
+namespace terp {
+
+/// The slip surface at one time.
+struct SlipSurface {
+  Real time = 0.0;           ///< end of the interval in which the strain grew [s]
+  Real rate = 0.0;           ///< growth of the plastic strain, summed over the volume [m^2/s]
+  std::vector<Vec<2>> line;  ///< from left to right, one place per column that shears [m]
+};
+
+/// Growth of the plastic strain, summed over the volume [m^2]. growth: of eps_eq_p, by id.
+Real total_growth(const PointBlocks<2>& points, std::span<const Real> growth);
+
+/// In each column the lowest point whose strain grew by at least half of the most in that column. A column counts if that most is a tenth
+/// of what all but 0.1 % of the points stay below.
+std::vector<Vec<2>> find_slip_line(const PointBlocks<2>& points, std::span<const Real> growth, const Columns& columns);
+
+}  // namespace terp

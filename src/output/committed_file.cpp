@@ -1,0 +1,210 @@
+// A file that changes as a whole: see committed_file.hpp.
+#include "output/committed_file.hpp"
+
+#include "base/errors.hpp"
+#include "output/checksum.hpp"
+#include "output/files.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <string_view>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace terp {
+namespace {
+
+constexpr std::string_view magic = "terpjnl1";
+
+/// The bytes of a number, little-endian as in memory.
+std::string_view bytes_of(const std::int64_t& value) { return {reinterpret_cast<const char*>(&value), sizeof value}; }
+
+void write_at(int descriptor, const std::string& path, std::int64_t at, std::string_view bytes)
+{
+  while (!bytes.empty()) {
+    const ssize_t n = ::pwrite(descriptor, bytes.data(), bytes.size(), at);
+    if (n < 0 && errno != EINTR) throw_file_error("write", path, errno);
+    if (n <= 0) continue;
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+    at += n;
+  }
+}
+
+void set_size(int descriptor, const std::string& path, std::int64_t size)
+{
+  if (::ftruncate(descriptor, size) != 0) throw_file_error("write", path, errno);
+}
+
+int open_for_change(const std::string& path)
+{
+  const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+  if (descriptor < 0) throw_file_error("change", path, errno);
+  return descriptor;
+}
+
+void sync(int descriptor, const std::string& path)
+{
+  if (::fsync(descriptor) != 0 && errno != EINVAL) throw_file_error("write", path, errno);  // EINVAL: not a thing to sync
+}
+
+std::uint64_t checksum(std::string_view bytes)
+{
+  Fnv1a hash;
+  hash.add(bytes.data(), bytes.size());
+  return hash.value();
+}
+
+/// Reads numbers and bytes one after the other.
+struct Cursor {
+  std::string_view rest;
+  std::string_view take(std::size_t n)
+  {
+    const std::string_view taken = rest.substr(0, n);
+    rest.remove_prefix(taken.size());
+    return taken;
+  }
+  std::int64_t number()
+  {
+    std::int64_t value = 0;
+    const std::string_view bytes = take(sizeof value);
+    std::memcpy(&value, bytes.data(), bytes.size());
+    return value;
+  }
+};
+
+/// True if every byte of the journal was written.
+bool is_whole(std::string_view journal)
+{
+  if (journal.size() < magic.size() + 2 * sizeof(std::int64_t) || !journal.starts_with(magic)) return false;
+  const std::string_view content = journal.substr(0, journal.size() - sizeof(std::int64_t));
+  return Cursor{journal.substr(content.size())}.number() == static_cast<std::int64_t>(checksum(content));
+}
+
+/// Step 3 of a commit.
+void apply(std::string_view journal, int descriptor, const std::string& path, std::size_t page_size)
+{
+  Cursor at{journal.substr(0, journal.size() - sizeof(std::int64_t))};
+  at.take(magic.size());
+  const std::int64_t size = at.number();
+  while (!at.rest.empty()) {
+    const std::int64_t number = at.number();
+    write_at(descriptor, path, number * static_cast<std::int64_t>(page_size), at.take(page_size));
+  }
+  set_size(descriptor, path, size);
+  sync(descriptor, path);
+}
+
+void remove_journal(const std::string& path)
+{
+  if (::unlink(journal_name(path).c_str()) != 0) throw_file_error("remove", journal_name(path), errno);
+}
+
+}  // namespace
+
+std::string journal_name(const std::string& path) { return path + ".journal"; }
+
+CommittedFile::CommittedFile(std::string path) : path_(std::move(path)), descriptor_(open_for_change(path_))
+{
+  struct stat file = {};
+  if (::fstat(descriptor_, &file) == 0) size_ = file.st_size;
+}
+
+CommittedFile::~CommittedFile()
+{
+  // Best effort: nothing refers to a tail that stays.
+  if (changing_) [[maybe_unused]] const int tail_stays = ::ftruncate(descriptor_, kept_size_);
+  ::close(descriptor_);
+}
+
+void CommittedFile::start_changes(std::int64_t size, std::int64_t n_reserved)
+{
+  if (size < size_) set_size(descriptor_, path_, size);
+  if (n_reserved > 0) reserve_space(path_, n_reserved);
+  size_ = kept_size_ = size;
+  kept_ = (size + page_size - 1) / page_size * page_size;
+  changing_ = true;
+}
+
+void CommittedFile::read(std::int64_t at, std::int64_t n_bytes, unsigned char* to) const
+{
+  std::fill_n(to, n_bytes, static_cast<unsigned char>(0));
+  for (std::int64_t done = 0; done < n_bytes;) {
+    const ssize_t n = ::pread(descriptor_, to + done, static_cast<std::size_t>(n_bytes - done), at + done);
+    if (n < 0 && errno != EINTR) throw_file_error("read", path_, errno);
+    if (n == 0) break;
+    done += std::max<ssize_t>(n, 0);
+  }
+  const auto end = at + n_bytes;
+  for (auto page = pages_.lower_bound(at / page_size); page != pages_.end() && page->first * page_size < end; ++page) {
+    const std::int64_t start = page->first * page_size, from = std::max(at, start), until = std::min(end, start + page_size);
+    std::copy(page->second.begin() + (from - start), page->second.begin() + (until - start), to + (from - at));
+  }
+}
+
+CommittedFile::Page& CommittedFile::changed_page(std::int64_t number)
+{
+  const auto [page, is_new] = pages_.try_emplace(number);
+  if (is_new) {
+    Page before;
+    page->second.fill(0);
+    const std::int64_t start = number * page_size;
+    const auto n = std::min(page_size, kept_size_ - start);
+    const ssize_t got = ::pread(descriptor_, before.data(), static_cast<std::size_t>(n), start);
+    if (got != n) throw_file_error("read", path_, got < 0 ? errno : EIO);
+    std::copy_n(before.begin(), n, page->second.begin());
+  }
+  return page->second;
+}
+
+void CommittedFile::write(std::int64_t at, std::int64_t n_bytes, const unsigned char* from)
+{
+  size_ = std::max(size_, at + n_bytes);
+  while (n_bytes > 0 && at < kept_) {
+    const std::int64_t number = at / page_size, offset = at - number * page_size, n = std::min(n_bytes, page_size - offset);
+    std::copy_n(from, n, changed_page(number).begin() + offset);
+    at += n;
+    from += n;
+    n_bytes -= n;
+  }
+  write_at(descriptor_, path_, at, {reinterpret_cast<const char*>(from), static_cast<std::size_t>(n_bytes)});
+}
+
+void CommittedFile::commit(std::int64_t size)
+{
+  sync(descriptor_, path_);
+  std::string journal(magic);
+  journal += bytes_of(size);
+  for (const auto& [number, page] : pages_) {
+    journal += bytes_of(number);
+    journal.append(reinterpret_cast<const char*>(page.data()), page.size());
+  }
+  journal += bytes_of(static_cast<std::int64_t>(checksum(journal)));
+  write_file_atomically(journal_name(path_), journal);
+  changing_ = false;  // from here on there is no way back
+  apply(journal, descriptor_, path_, page_size);
+  remove_journal(path_);
+}
+
+void finish_commit(const std::string& path)
+{
+  const std::string name = journal_name(path);
+  if (!std::filesystem::exists(name)) return;
+  const std::string journal = read_file(name);
+  if (is_whole(journal)) {
+    const int descriptor = open_for_change(path);
+    try {
+      apply(journal, descriptor, path, CommittedFile::page_size);
+    } catch (...) {
+      ::close(descriptor);
+      throw;
+    }
+    ::close(descriptor);
+  }
+  remove_journal(path);
+}
+
+}  // namespace terp

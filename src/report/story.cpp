@@ -1,0 +1,124 @@
+#include "report/story.hpp"
+
+#include "results/compare.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+constexpr Real much_imbalance = 0.05;  // of the energy exchanged; also the limit of the program's warning
+constexpr Real hardly_moved = 0.01;    // share of the volume
+constexpr Real still_moving = 0.01;    // kinetic energy at the end over its largest
+
+/// First, last and largest entry of a column; NaN without rows.
+struct Extent {
+  Real first = std::nan(""), last = std::nan(""), largest = std::nan("");
+};
+
+Extent extent_of(const RunResults& run, std::string_view column)
+{
+  const auto* values = run.ledger.find(column);
+  if (values == nullptr || values->empty()) return {};
+  return {values->front(), values->back(), *std::max_element(values->begin(), values->end())};
+}
+
+std::string ordinal(std::size_t k)
+{
+  constexpr std::array words{"first", "second", "third", "fourth", "fifth"};
+  return k < words.size() ? words[k] : fmt::format("{}th", k + 1);
+}
+
+std::string end_of_slide(const RunResults& run, std::size_t k)
+{
+  const auto& slides = run.summary.values.slides;
+  const Slide& slide = slides[k].slide;
+  if (slide.stops) return fmt::format("It comes to rest at {:.2f} s.", *slide.stops);
+  if (k + 1 < slides.size()) return "It has not come to rest when the next one begins.";
+  const Extent kinetic = extent_of(run, "kinetic"), time = extent_of(run, "time");
+  if (!(slide.kinetic_peak > 0.0) || std::isnan(kinetic.last)) return "";
+  return fmt::format("It still moves at {:.2f} s, with {:.0f} % of its largest kinetic energy.", time.last, 100.0 * kinetic.last / slide.kinetic_peak);
+}
+
+void tell_slides(const RunResults& run, std::vector<std::string>& story)
+{
+  const auto& slides = run.summary.values.slides;
+  for (std::size_t k = 0; k < slides.size(); ++k) {
+    const Slide& slide = slides[k].slide;
+    story.push_back(fmt::format("The {} slide begins at {:.2f} s: the crest retreats from x = {:.2f} m to {:.2f} m. {}", ordinal(k), slide.begins, slide.crest_from,
+                                slide.crest_to, end_of_slide(run, k)));
+  }
+  if (!slides.empty()) return;
+  story.push_back(run.summary.values.moved_fraction < hardly_moved ? "The soil holds: there is no slide."
+                                                                   : "Soil moves, but the crest does not retreat as in a slide.");
+}
+
+void tell_motion(const RunResults& run, std::vector<std::string>& story)
+{
+  const Summary& s = run.summary.values;
+  const Extent time = extent_of(run, "time"), kinetic = extent_of(run, "kinetic");
+  story.push_back(fmt::format("By {:.2f} s, {:.2f} m² of soil ({:.0f} % of the section) have moved by more than {:.2g} m. The front has run out by {:.2f} m, to x = {:.2f} m.",
+                              time.last, s.moved_volume, 100.0 * s.moved_fraction, s.moved_distance, s.run_out, s.front_x));
+  if (s.crest_x && s.crest_y) story.push_back(fmt::format("The crest that remains stands at x = {:.2f} m, y = {:.2f} m.", *s.crest_x, *s.crest_y));
+  if (!s.crest_x && !s.slides.empty()) story.push_back("Nothing is left of the first surface at the left side.");
+  const bool told = !s.slides.empty() && !s.slides.back().slide.stops;
+  if (!told && kinetic.last > still_moving * kinetic.largest)
+    story.push_back(fmt::format("At the end the soil still moves, with {:.0f} % of its largest kinetic energy.", 100.0 * kinetic.last / kinetic.largest));
+}
+
+void tell_softening(const RunResults& run, std::vector<std::string>& story)
+{
+  const auto& softened = run.summary.values.softened_fraction;
+  if (softened.empty() || softened.back().second == 0.0) return;
+  story.push_back(fmt::format("{:.1f} % of the soil has lost more than half of its strength.", 100.0 * softened.back().second));
+}
+
+void tell_history(const RunResults& run, std::vector<std::string>& story)
+{
+  const Summary& s = run.summary.values;
+  if (s.points_eps_eq_p_fell == 0) return;
+  story.push_back(fmt::format("At {} of {} points the plastic strain fell at some time{}. The law of the soil does not allow it: {} averages the history of neighbouring points.",
+                              s.points_eps_eq_p_fell, s.n_points, s.points_su_rose > 0 ? " and strength came back" : "", scheme_title(s.scheme)));
+}
+
+}  // namespace
+
+std::vector<std::string> tell_story(const RunResults& run)
+{
+  std::vector<std::string> story;
+  tell_slides(run, story);
+  tell_motion(run, story);
+  tell_softening(run, story);
+  tell_history(run, story);
+  return story;
+}
+
+std::vector<std::string> find_cautions(const RunResults& run)
+{
+  const Summary& s = run.summary.values;
+  std::vector<std::string> cautions;
+  const auto add = [&](bool so, std::string text) {
+    if (so) cautions.push_back(std::move(text));
+  };
+  add(!run.summary.finished, fmt::format("The run has not reached its end: the last row of its ledger is at {:.3g} s.", extent_of(run, "time").last));
+  add(s.energy_balance_error > much_imbalance, fmt::format("The energy balance is off by {:.2g} % of the energy exchanged.", 100.0 * s.energy_balance_error));
+  add(s.clamped_points > 0, fmt::format("{} points had to be put back at a wall of the mesh.", s.clamped_points));
+  add(s.points_left > 0, fmt::format("{} points left the mesh through open sides.", s.points_left));
+  return cautions;
+}
+
+std::vector<Check> list_checks(const RunResults& run)
+{
+  const Summary& s = run.summary.values;
+  return {{"The run reached its end", run.summary.finished ? "yes" : "no", run.summary.finished},
+          {"Energy balance error (at most 5 %)", fmt::format("{:.2g} %", 100.0 * s.energy_balance_error), s.energy_balance_error <= much_imbalance},
+          {"Points put back at walls", std::to_string(s.clamped_points), s.clamped_points == 0},
+          {"Points whose plastic strain ever fell", std::to_string(s.points_eps_eq_p_fell), s.points_eps_eq_p_fell == 0},
+          {"Points whose strength ever rose", std::to_string(s.points_su_rose), s.points_su_rose == 0}};
+}
+
+}  // namespace terp

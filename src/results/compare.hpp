@@ -1,0 +1,40 @@
+// Runs side by side: one table of what differs, and the differences in words. `terp compare` prints it, the report shows it.
+#pragma once
+
+#include "results/run_results.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace terp {
+
+/// One quantity of all runs.
+struct ComparisonRow {
+  std::string label, unit;
+  std::vector<std::optional<Real>> values;  ///< one per run; none: not defined, or not recorded
+  int digits = 2;                           ///< after the point, when printed
+};
+
+struct Comparison {
+  std::vector<std::string> names, schemes;  ///< of the runs
+  std::vector<ComparisonRow> rows;
+  std::vector<std::string> text;            ///< sentences; the first run against each of the others
+};
+
+/// names: what to call the runs.
+Comparison compare_runs(const std::vector<RunResults>& runs, const std::vector<std::string>& names);
+
+/// Columns of plain text, with a line break at the end of each line.
+std::string comparison_table(const Comparison& comparison);
+
+/// One JSON object, without a line break.
+std::string comparison_json(const Comparison& comparison);
+
+/// The first time at which eps_eq_p of a named point exceeds 0.06 [s]; none if never, or if it is not recorded.
+std::optional<Real> softening_time(const RunResults& run, std::string_view point);
+
+/// "MPM-GP" for "mpm_gp".
+std::string scheme_title(std::string_view scheme);
+
+}  // namespace terp

@@ -1,0 +1,134 @@
+// What a case file names cannot make Terp write outside its run folder, nor run anything.
+#include "app/coarse_column.hpp"
+
+#include <filesystem>
+#include <map>
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Finished;
+using testing::HasSubstr;
+
+/// Every file below a folder that is not below its folder "run", with its content.
+std::map<std::string, std::string> files_outside_the_run(const std::string& folder)
+{
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string name = fs::relative(entry.path(), folder).string();
+    if (!name.starts_with("run")) files[name] = entry.is_regular_file() ? test::text_of(entry.path().string()) : "";
+  }
+  return files;
+}
+
+/// A place deep enough that ".." stays within the scratch folder, with a case in it.
+struct Place {
+  explicit Place(const std::string& text)
+  {
+    fs::create_directories(scratch.path() + "/a/b/run");
+    fs::remove(scratch.path() + "/a/b/run");
+    test::write_text(scratch.path() + "/a/b/case.toml", text);
+    before = files_outside_the_run(scratch.path());
+  }
+  Finished run(const std::vector<std::string>& more = {}) const
+  {
+    std::vector<std::string> words{"run", "case.toml", "-o", "run", "-q", "-j", "1"};
+    words.insert(words.end(), more.begin(), more.end());
+    return test::terp(words, scratch.path() + "/a/b");
+  }
+  /// The files that were not there before or changed, those of the run left out.
+  std::vector<std::string> written() const
+  {
+    std::vector<std::string> names;
+    for (const auto& [name, text] : files_outside_the_run(scratch.path()))
+      if (!name.starts_with("a/b/run") && (!before.contains(name) || before.at(name) != text)) names.push_back(name);
+    return names;
+  }
+  test::ScratchFolder scratch;
+  std::map<std::string, std::string> before;
+};
+
+/// A short column whose every name is NAME.
+std::string case_with_name(const std::string& name)
+{
+  return "title = '" + name + "'\nscheme = \"mpm_gp\"\ntime.end = 0.02\nmesh = { size = [2, 1], cell = 0.5 }\n[[body]]\nmaterial = '" + name +
+         "'\nbox = [[0, 0], [1, 1]]\npoints_per_cell = [2, 2]\n[material.'" + name +
+         "']\nmodel = \"tresca_softening\"\ndensity = 2e3\nshear_modulus = 1e6\npoisson_ratio = 0.3\nsu_peak = 5e3\nsu_residual = 5e3\neta = 0\n"
+         "[output.history.points]\n'" + name + "' = [0.1, 0.1]\n";
+}
+
+TEST(Paths, NamesInACaseFileAreNoPaths)
+{
+  for (const std::string name : {"../escaped", "../../escaped", "/tmp/terp_escaped", "$(touch escaped)", "`touch escaped`", "; touch escaped", "a/b", "|touch escaped"}) {
+    const Place place(case_with_name(name));
+    const Finished f = place.run();
+    EXPECT_EQ(f.status, 0) << name << ": " << f.err;
+    EXPECT_THAT(place.written(), testing::IsEmpty()) << name;
+    EXPECT_FALSE(fs::exists("/tmp/terp_escaped")) << name;
+  }
+}
+
+TEST(Paths, ACaseFileThatIsALinkLeavesNothingBesideItsTarget)
+{
+  const Place place(case_with_name("clay"));
+  fs::rename(place.scratch.path() + "/a/b/case.toml", place.scratch.path() + "/real.toml");
+  fs::create_symlink("../../real.toml", place.scratch.path() + "/a/b/case.toml");
+  EXPECT_EQ(place.run().status, 0);
+  EXPECT_THAT(place.written(), testing::ElementsAre("real.toml"));  // it was moved there
+}
+
+TEST(Paths, LinksInAnEarlierRunAreReplacedAndNotFollowed)
+{
+  const Place place(case_with_name("clay"));
+  const std::string folder = place.scratch.path() + "/a/b/run", mine = place.scratch.path() + "/mine";
+  test::write_text(mine, "mine");
+  fs::create_directory(folder);
+  for (const char* name : {"results.vtkhdf", "history.csv", "ledger.csv", "summary.json", "case.toml", "case.toml.tmp", "results.vtkhdf.journal", "checkpoint_000000001.h5"})
+    fs::create_symlink(mine, folder + "/" + name);
+  EXPECT_EQ(place.run({"--force"}).status, 0);
+  EXPECT_EQ(test::text_of(mine), "mine");
+}
+
+TEST(Paths, FilesThatACaseNamesAreOnlyRead)
+{
+  std::string text = case_with_name("clay");
+  text.replace(text.find("box ="), text.find("points_per_cell = [2, 2]") + 24 - text.find("box ="), "points = '../../points.csv'");
+  text.replace(text.find("material = 'clay'\n"), 18, "");
+  const Place place(text);
+  test::write_text(place.scratch.path() + "/points.csv", "x,y,volume,material\n0.25,0.25,0.25,clay\n");
+  const Finished f = place.run();
+  EXPECT_EQ(f.status, 0) << f.err;
+  EXPECT_EQ(test::text_of(place.scratch.path() + "/points.csv"), "x,y,volume,material\n0.25,0.25,0.25,clay\n");
+}
+
+TEST(Paths, ASideWhoseNameWouldBeACommandOfGmshIsRefused)
+{
+  const std::string mesh = "mesh = { polygon = [[0, 0], [2, 0], [2, 1], [0, 1]], cell = 0.5, edges = { 'a\") = {1}; SystemCall \"touch escaped\"; Physical Curve(\"b' = [0] } }";
+  std::string text = case_with_name("clay");
+  text.replace(text.find("mesh ="), text.find("\n[[body]]") - text.find("mesh ="), mesh);
+  const Place place(text);
+  const Finished f = place.run();
+  EXPECT_EQ(f.status, 2);
+  EXPECT_THAT(f.err, HasSubstr("a side cannot be named `a\") = {1}; SystemCall"));
+  EXPECT_THAT(place.written(), testing::IsEmpty());
+  EXPECT_FALSE(fs::exists(place.scratch.path() + "/a/b/run"));
+}
+
+TEST(Paths, GmshIsCalledWithoutAShell)
+{
+  // A side's name that only a shell would act on reaches gmsh as it is, and comes back as the side's name.
+  const std::string name = "base; touch escaped & $(touch escaped)";
+  std::string text = case_with_name("clay");
+  text.replace(text.find("mesh ="), text.find("\n[[body]]") - text.find("mesh ="),
+               "mesh = { polygon = [[0, 0], [2, 0], [2, 1], [0, 1]], cell = 0.5, edges = { '" + name + "' = [0] } }");
+  const Place place(text + "[boundary]\n'" + name + "' = \"roller\"\n");
+  const Finished f = place.run();
+  EXPECT_EQ(f.status, 0) << f.err;
+  EXPECT_THAT(place.written(), testing::IsEmpty());
+}
+
+}  // namespace
+}  // namespace terp

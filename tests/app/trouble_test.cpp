@@ -1,0 +1,126 @@
+// Disks and folders that fail under a run: what it says, and that nothing earlier is harmed (docs/reliability.md).
+#include "app/same_results.hpp"
+#include "output/small_disk.hpp"
+
+#include <csignal>
+#include <filesystem>
+
+#include <sys/mount.h>
+#include <sys/resource.h>
+
+#include <gmock/gmock.h>
+
+
+namespace terp {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Finished;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// As long as it lives, no program that is started may make a file longer than n_bytes (ulimit -f).
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t n_bytes)
+  {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit limit = before_;
+    limit.rlim_cur = n_bytes;
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+const std::vector<std::string> often{"-q", "--set", "output.fields.every=0.02", "--set", "output.checkpoint.every=0.02"};
+
+/// Waits until a run has written a checkpoint.
+void wait_for_checkpoint(const std::string& folder)
+{
+  const auto is_checkpoint = [](const std::string& name) { return name.starts_with("checkpoint_") && name.ends_with(".h5"); };
+  for (int k = 0; k < 6000; ++k) {
+    const auto names = fs::exists(folder) ? test::names_in(folder) : std::vector<std::string>{};
+    if (std::any_of(names.begin(), names.end(), is_checkpoint)) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  FAIL() << "the run writes no checkpoint";
+}
+
+TEST(Trouble, AReadOnlyDiskIsRefusedBeforeAnythingRuns)
+{
+  const test::SmallDisk disk(1 << 20);
+  if (!disk.is_there()) GTEST_SKIP() << "needs the right to mount a tmpfs";
+  ASSERT_EQ(::mount("none", disk.path().c_str(), nullptr, MS_REMOUNT | MS_RDONLY, nullptr), 0);
+  const Finished f = test::run_column(disk.path() + "/run");
+  EXPECT_EQ(f.status, 1);
+  EXPECT_EQ(f.out, "");
+  EXPECT_EQ(f.err, "error: cannot make the run folder " + disk.path() + "/run: Read-only file system\n");
+}
+
+TEST(Trouble, AFileThatMayGrowNoMoreIsAnErrorAndTheRunCanGoOn)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run", whole = scratch.path() + "/whole";
+  Finished f;
+  {
+    const FileSizeLimit limit(1200 << 10);  // more than a checkpoint, less than the results
+    f = test::run_column(folder, often);
+  }
+  EXPECT_EQ(f.status, 1);
+  EXPECT_THAT(f.err, AllOf(StartsWith("error: cannot write " + folder + "/results.vtkhdf"), HasSubstr("File too large"),
+                           HasSubstr("Earlier results are intact, up to the checkpoint at t = "), HasSubstr("terp resume " + folder)));
+  const Finished resumed = test::terp({"resume", folder, "-q", "-j", "2"});
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  ASSERT_EQ(test::run_column(whole, often).status, 0);
+  test::expect_same_results(whole, folder, "/checkpoint_000000066.h5");
+}
+
+TEST(Trouble, ResultsThatCannotBeWrittenAnyMoreEndTheRunAndItCanGoOn)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run", whole = scratch.path() + "/whole", aside = scratch.path() + "/aside";
+  const std::vector<std::string> more{"--set", "time.end=0.6", "--set", "output.fields.every=0.02", "--set", "output.checkpoint.every=0.02"};
+  std::vector<std::string> words = test::longer_run(folder, "1");
+  words.insert(words.end(), more.begin(), more.end());
+  test::Process running(words);
+  wait_for_checkpoint(folder);
+  fs::rename(folder + "/results.vtkhdf", aside);
+  fs::create_directory(folder + "/results.vtkhdf");
+  const Finished f = running.wait();
+  EXPECT_EQ(f.status, 1);
+  EXPECT_THAT(f.err, AllOf(HasSubstr("error: cannot change " + folder + "/results.vtkhdf: Is a directory"), HasSubstr("terp resume " + folder)));
+
+  fs::remove(folder + "/results.vtkhdf");
+  fs::rename(aside, folder + "/results.vtkhdf");
+  const Finished resumed = test::terp({"resume", folder, "-q", "-j", "2"});
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  words = test::longer_run(whole, "1");
+  words.insert(words.end(), more.begin(), more.end());
+  ASSERT_EQ(test::terp(words).status, 0);
+  test::expect_same_results(whole, folder, "/checkpoint_000000396.h5");
+}
+
+/// A commit that a process left unfinished: the journal is whole, the file is not.
+TEST(Trouble, ResultsWhoseLastCommitWasCutShortAreRepairedByResume)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run";
+  ASSERT_EQ(test::run_column(folder, often).status, 0);
+  test::write_text(folder + "/results.vtkhdf.journal", "terpjnl1 cut short");
+  test::write_text(folder + "/checkpoint_000000033.h5.tmp", "cut short");
+  const Finished resumed = test::terp({"resume", folder, "-q", "-j", "1"});
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  for (const std::string& name : test::names_in(folder)) {
+    EXPECT_FALSE(name.ends_with(".tmp")) << name;
+    EXPECT_FALSE(name.ends_with(".journal")) << name;
+  }
+}
+
+}  // namespace
+}  // namespace terp

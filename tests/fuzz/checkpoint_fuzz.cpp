@@ -1,0 +1,30 @@
+// Checkpoints: a file of any bytes gives an image, or a FileError that says why.
+#include "base/errors.hpp"
+#include "output/checkpoint.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+
+namespace {
+
+/// A file in memory where there is such a place.
+std::string scratch_file()
+{
+  const std::string folder = std::filesystem::exists("/dev/shm") ? "/dev/shm" : std::filesystem::temp_directory_path().string();
+  return folder + "/terp_fuzz_" + std::to_string(getpid()) + ".h5";
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
+{
+  static const std::string path = scratch_file();
+  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+  try {
+    terp::read_checkpoint(path);
+  } catch (const terp::FileError&) {
+  }
+  std::filesystem::remove(path);
+  return 0;
+}

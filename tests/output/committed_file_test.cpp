@@ -1,0 +1,147 @@
+// A file that changes as a whole or not at all.
+#include "output/committed_file.hpp"
+
+#include "output/checksum.hpp"
+#include "output/files.hpp"
+#include "output/samples.hpp"
+#include "output/small_disk.hpp"
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+constexpr std::int64_t page = CommittedFile::page_size;
+
+/// A file of n_bytes of 'a'.
+std::string make_file(const test::ScratchFolder& scratch, std::int64_t n_bytes)
+{
+  const std::string path = scratch.path() + "/results";
+  write_file_atomically(path, std::string(static_cast<std::size_t>(n_bytes), 'a'));
+  return path;
+}
+
+void write(CommittedFile& file, std::int64_t at, const std::string& text)
+{
+  file.write(at, std::ssize(text), reinterpret_cast<const unsigned char*>(text.data()));
+}
+
+std::string read(const CommittedFile& file, std::int64_t at, std::int64_t n_bytes)
+{
+  std::string text(static_cast<std::size_t>(n_bytes), '?');
+  file.read(at, n_bytes, reinterpret_cast<unsigned char*>(text.data()));
+  return text;
+}
+
+std::string number(std::int64_t value) { return {reinterpret_cast<const char*>(&value), sizeof value}; }
+
+/// What a process leaves that dies in the middle of a commit: page 1 becomes 'b', the file three pages long.
+std::string journal()
+{
+  std::string text = "terpjnl1" + number(3 * page) + number(1) + std::string(page, 'b');
+  Fnv1a hash;
+  hash.add(text.data(), text.size());
+  return text + number(static_cast<std::int64_t>(hash.value()));
+}
+
+TEST(CommittedFile, KeepsItsContentUntilTheCommit)
+{
+  const test::ScratchFolder scratch;
+  const std::string path = make_file(scratch, 2 * page + 10), before = read_file(path);
+  CommittedFile file(path);
+  file.start_changes(2 * page + 10, 0);
+  write(file, page - 2, "bbbb");       // across two pages
+  write(file, 2 * page + 8, "cccc");   // across the end
+  write(file, 3 * page + 5, "dddd");   // beyond the last page
+  EXPECT_EQ(read_file(path).substr(0, before.size()), before);
+  EXPECT_EQ(read(file, page - 3, 6), "abbbba");
+  EXPECT_EQ(read(file, 2 * page + 7, 6), std::string("acccc\0", 6));
+  EXPECT_EQ(read(file, 3 * page + 4, 5), std::string("\0dddd", 5));
+  file.commit(3 * page + 9);
+  std::string after = before + std::string(static_cast<std::size_t>(page - 1), '\0');
+  after.replace(page - 2, 4, "bbbb").replace(2 * page + 8, 4, "cccc").replace(3 * page + 5, 4, "dddd");
+  EXPECT_EQ(read_file(path), after);
+  EXPECT_FALSE(std::filesystem::exists(journal_name(path)));
+}
+
+TEST(CommittedFile, WithoutACommitIsAsItWas)
+{
+  const test::ScratchFolder scratch;
+  const std::string path = make_file(scratch, 100), before = read_file(path);
+  {
+    CommittedFile file(path);
+    file.start_changes(100, 2 * page);
+    write(file, 0, "bbbb");
+    write(file, 100, std::string(3 * page, 'c'));
+  }
+  EXPECT_EQ(read_file(path), before);
+}
+
+TEST(CommittedFile, DropsATailThatNothingRefersTo)
+{
+  const test::ScratchFolder scratch;
+  const std::string path = make_file(scratch, 3 * page);
+  CommittedFile file(path);
+  file.start_changes(100, 0);
+  write(file, 200, "b");
+  file.commit(201);
+  EXPECT_EQ(read_file(path), std::string(100, 'a') + std::string(100, '\0') + "b");
+}
+
+TEST(CommittedFile, MayBecomeShorter)
+{
+  const test::ScratchFolder scratch;
+  const std::string path = make_file(scratch, 3 * page);
+  CommittedFile file(path);
+  file.start_changes(3 * page, 0);
+  write(file, 10, "b");
+  file.commit(20);
+  EXPECT_EQ(read_file(path), "aaaaaaaaaabaaaaaaaaa");
+}
+
+TEST(CommittedFile, ACommitThatWasCutShortIsFinished)
+{
+  const test::ScratchFolder scratch;
+  const std::string path = make_file(scratch, 4 * page);
+  write_file_atomically(journal_name(path), journal());
+  finish_commit(path);
+  EXPECT_EQ(read_file(path), std::string(page, 'a') + std::string(page, 'b') + std::string(page, 'a'));
+  EXPECT_FALSE(std::filesystem::exists(journal_name(path)));
+}
+
+TEST(CommittedFile, AJournalThatIsNotWholeIsRemovedAndNothingElse)
+{
+  const test::ScratchFolder scratch;
+  const std::string path = make_file(scratch, 4 * page), whole = journal();
+  for (std::size_t n = 0; n < whole.size(); n += n < 40 || n + 40 > whole.size() ? 1 : 100) {
+    write_file_atomically(journal_name(path), whole.substr(0, n));
+    finish_commit(path);
+    EXPECT_EQ(read_file(path), std::string(4 * page, 'a')) << n;
+    EXPECT_FALSE(std::filesystem::exists(journal_name(path))) << n;
+  }
+  std::string altered = whole;
+  altered[50] ^= 1;
+  write_file_atomically(journal_name(path), altered);
+  finish_commit(path);
+  EXPECT_EQ(read_file(path), std::string(4 * page, 'a'));
+}
+
+TEST(CommittedFile, OnAFullDiskStaysAsItWas)
+{
+  const test::SmallDisk disk(64 << 10);
+  if (!disk.is_there()) GTEST_SKIP() << "cannot mount a small disk";
+  const std::string path = disk.path() + "/results";
+  write_file_atomically(path, std::string(3 * page, 'a'));
+  CommittedFile file(path);
+  file.start_changes(3 * page, 0);
+  write(file, 10, "b");
+  disk.fill();
+  EXPECT_THAT(test::file_error_of([&] { file.commit(3 * page); }), testing::HasSubstr("results.journal: No space left on device"));
+  EXPECT_EQ(read_file(path), std::string(3 * page, 'a'));
+  EXPECT_FALSE(std::filesystem::exists(journal_name(path)));
+}
+
+}  // namespace
+}  // namespace terp

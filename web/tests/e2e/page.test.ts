@@ -1,0 +1,326 @@
+// The page in a real browser, from disk. With TERP=path/to/terp the same tests run on a page that the program wrote.
+
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { readFileSync } from "node:fs";
+import { PNG } from "pngjs";
+import type { Browser, Page } from "playwright-core";
+import { launch, open, type Opened } from "../support/browser";
+import { examplePage, realRuns } from "../support/fixture";
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await launch();
+});
+afterAll(async () => browser?.close());
+
+const pages: [string, () => string][] = [["made-up runs", () => examplePage(40)]];
+if (process.env.TERP) pages.push(["runs of the program", () => realRuns().page]);
+
+const state = <T>(page: Page, key: string) => page.evaluate(`window.terp.store.state.${key}`) as Promise<T>;
+
+/** Pixels of a view as RGBA. */
+async function pixels(page: Page, view: number): Promise<PNG> {
+  const url = (await page.evaluate(`document.querySelectorAll(".view")[${view}].toDataURL("image/png")`)) as string;
+  return PNG.sync.read(Buffer.from(url.split(",")[1]!, "base64"));
+}
+
+/** Number of pixels that are neither grey nor white: soil in viridis. */
+function coloured(png: PNG): number {
+  let count = 0;
+  for (let k = 0; k < png.data.length; k += 4) {
+    const [r, g, b] = [png.data[k]!, png.data[k + 1]!, png.data[k + 2]!];
+    if (Math.max(r, g, b) - Math.min(r, g, b) > 40) count++;
+  }
+  return count;
+}
+
+async function settled(page: Page): Promise<void> {
+  await page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))");
+}
+
+describe.each(pages)("the page of %s", (_, make) => {
+  let opened: Opened;
+  let page: Page;
+  let path: string;
+
+  beforeAll(async () => {
+    path = make();
+    opened = await open(browser, path);
+    page = opened.page;
+  });
+  afterAll(async () => page?.context().close());
+
+  it("shows soil of both runs, a title, the story and the numbers", async () => {
+    for (const view of [0, 1]) expect(coloured(await pixels(page, view))).toBeGreaterThan(5000);
+    expect(await page.locator("h1").textContent()).toMatch(/\w/);
+    expect(await page.locator(".facts").textContent()).toMatch(/First slide begins/);
+    expect(await page.locator(".story-of p").count()).toBeGreaterThan(0);
+    expect(await page.locator(".facts td").count()).toBeGreaterThan(5);
+  });
+
+  it("plays, pauses and scrubs, all runs at one time", async () => {
+    await page.keyboard.press("Home");
+    await page.getByRole("slider", { name: "Time" }).focus();
+    await page.keyboard.press("Home");
+    expect(await state<number>(page, "time")).toBe(0);
+    await settled(page);
+    const before = await pixels(page, 1);
+    await page.getByRole("button", { name: "Play" }).click();
+    await page.waitForFunction("window.terp.store.state.time > 0.3");
+    await page.getByRole("button", { name: "Pause" }).click();
+    expect(await state<boolean>(page, "playing")).toBe(false);
+    await page.getByRole("slider", { name: "Time" }).fill("2.5");
+    expect(await state<number>(page, "time")).toBeCloseTo(2.5, 1);
+    expect(await page.locator(".now").textContent()).toMatch(/^2\.5/);
+    await settled(page);
+    const after = await pixels(page, 1);
+    expect(before.data.equals(after.data)).toBe(false);
+    await page.keyboard.press("ArrowRight");
+    expect(await state<number>(page, "time")).toBeGreaterThan(2.5);
+  });
+
+  it("colours by another field, with another range, on another map", async () => {
+    const first = await pixels(page, 0);
+    const names = (await page.evaluate(`[...document.querySelectorAll("#field option")].map((o) => o.value)`)) as string[];
+    const velocity = names.find((name) => name === "velocity")!;
+    await page.selectOption("#field", velocity);
+    await page.waitForFunction("window.terp.ready");
+    await settled(page);
+    const second = await pixels(page, 0);
+    expect(first.data.equals(second.data)).toBe(false);
+    await page.selectOption("#field", names[0]!);
+    await settled(page);
+    const third = await pixels(page, 0);
+    await page.selectOption("#range", "fixed");
+    await page.getByLabel("Upper end of the range").fill("0.001");
+    await page.getByLabel("Upper end of the range").blur();
+    expect((await state<number[]>(page, "fixed"))[1]).toBe(0.001);
+    await settled(page);
+    expect((await pixels(page, 0)).data.equals(third.data)).toBe(false);
+    await page.selectOption("#range", "frame");
+    await page.selectOption("#map", "cividis");
+    await page.selectOption("#field", "material");
+    await page.waitForFunction("window.terp.ready");
+    expect(await page.locator("#map").isDisabled()).toBe(true);
+    await page.selectOption("#field", names[0]!);
+    await page.selectOption("#map", "viridis");
+    await page.selectOption("#range", "run");
+    await page.waitForFunction("window.terp.ready");
+  });
+
+  it("zooms and pans both runs alike, and shows all again", async () => {
+    const view = page.locator(".view").first();
+    const box = (await view.boundingBox())!;
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    const other = await pixels(page, 1);
+    await page.keyboard.down("Control");
+    await page.mouse.wheel(0, -240);
+    await page.keyboard.up("Control");
+    const scale = await state<number>(page, "camera.scale");
+    await settled(page);
+    expect((await pixels(page, 1)).data.equals(other.data)).toBe(false);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width / 2 + 60, box.y + box.height / 2 + 10, { steps: 3 });
+    await page.mouse.up();
+    expect(await state<number>(page, "camera.scale")).toBe(scale);
+    expect(await state(page, "pin")).toBeNull(); // a drag is no click
+    await page.keyboard.press("0");
+    expect(await state(page, "camera")).toBeNull();
+  });
+
+  it("does not take the wheel away from the page", async () => {
+    await page.evaluate("document.activeElement.blur(); window.scrollTo(0, 0)");
+    const box = (await page.locator(".view").first().boundingBox())!;
+    await page.mouse.move(box.x + 100, box.y + 60);
+    await page.mouse.wheel(0, 200);
+    await page.waitForFunction("window.scrollY > 50");
+    expect(await state(page, "camera")).toBeNull();
+    await page.evaluate("window.scrollTo(0, 0)");
+  });
+
+  it("shows the values of a point under the pointer, and pins it with its history in both runs", async () => {
+    const box = (await page.locator(".view").first().boundingBox())!;
+    const [x, y] = (await page.evaluate("window.terp.place(0, 3)")) as [number, number];
+    await page.mouse.move(box.x + x, box.y + y);
+    await page.waitForSelector(".tip:not([hidden])");
+    await page.waitForFunction(`!document.querySelector(".tip").textContent.includes("…")`);
+    expect(await page.locator(".tip").textContent()).toMatch(/point \d+.*place.*m/);
+    await page.mouse.click(box.x + x, box.y + y);
+    await page.waitForSelector(".pinned:not([hidden]) canvas");
+    const pin = await state<{ run: number; point: number }>(page, "pin");
+    expect(pin.run).toBe(0);
+    const [px, py] = (await page.evaluate(`window.terp.place(0, ${pin.point})`)) as [number, number];
+    expect(Math.hypot(px - x, py - y)).toBeLessThan(2);
+    expect(await page.locator(".pinned thead th").count()).toBe(2);
+    await page.keyboard.press("Escape");
+    expect(await page.locator(".pinned").isHidden()).toBe(true);
+  });
+
+  it("switches mesh, outline and surfaces on and off", async () => {
+    await page.mouse.move(2, 2);
+    for (const name of ["mesh", "outline", "other surface"]) {
+      await settled(page);
+      const before = await pixels(page, 0);
+      const button = page.locator(".toggle", { hasText: name }).first();
+      const pressed = await button.getAttribute("aria-pressed");
+      await button.click();
+      expect(await button.getAttribute("aria-pressed")).not.toBe(pressed);
+      await settled(page);
+      expect((await pixels(page, 0)).data.equals(before.data), name).toBe(false);
+      await button.click();
+      await settled(page);
+      expect((await pixels(page, 0)).data.equals(before.data), name).toBe(true);
+    }
+  });
+
+  it("saves an image that shows soil, title and colour bar", async () => {
+    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save the views as a PNG (E)" }).click()]);
+    expect(download.suggestedFilename()).toMatch(/\.png$/);
+    const png = PNG.sync.read(readFileSync((await download.path())!));
+    expect(png.width).toBeGreaterThan(1200);
+    expect(coloured(png)).toBeGreaterThan(20_000);
+    const at = (x: number, y: number) => [...png.data.subarray(4 * (y * png.width + x), 4 * (y * png.width + x) + 3)];
+    expect(at(2, 2)).toEqual([255, 255, 255]); // the ground
+    const bar = Array.from({ length: png.width }, (_, x) => at(x, png.height - 2 * (14 + 40 - 6 - 12))); // through the colour bar
+    expect(bar.some(([r, g, b]) => r! > 220 && g! > 200 && b! < 90)).toBe(true); // viridis' yellow end
+    expect(bar.some(([r, g, b]) => r! < 80 && g! < 30 && b! > 70)).toBe(true); // its violet end
+    const title = Array.from({ length: 400 }, (_, x) => Array.from({ length: 30 }, (_, y) => at(28 + x, 34 + y))).flat();
+    expect(title.some(([r]) => r! < 60)).toBe(true); // dark letters
+  });
+
+  it("records the animation as a video", async () => {
+    await page.evaluate("window.terp.store.set({ speed: 5 })");
+    const [download] = await Promise.all([page.waitForEvent("download", { timeout: 60_000 }), page.keyboard.press("v")]);
+    expect(download.suggestedFilename()).toMatch(/\.(webm|mp4)$/);
+    const bytes = readFileSync((await download.path())!);
+    expect(bytes.length).toBeGreaterThan(10_000);
+    const webm = bytes.subarray(0, 4).toString("hex") === "1a45dfa3";
+    expect(webm || bytes.subarray(4, 8).toString() === "ftyp").toBe(true);
+  });
+
+  it("answers the keyboard and lists the keys", async () => {
+    await page.evaluate("document.activeElement.blur()");
+    await page.keyboard.press("Shift+?");
+    expect(await page.locator("dialog.keys").isVisible()).toBe(true);
+    await page.keyboard.press("Escape");
+    expect(await page.locator("dialog.keys").isVisible()).toBe(false);
+    await page.keyboard.press("m");
+    expect(await state<boolean>(page, "mesh")).toBe(true);
+    await page.keyboard.press("m");
+    await page.keyboard.press("t");
+    expect(await page.evaluate("document.documentElement.dataset.theme")).toBe("dark");
+    await page.keyboard.press("t");
+    await page.keyboard.press("2");
+    expect(await state<string>(page, "field")).not.toBe(await page.locator("#field option").first().getAttribute("value"));
+    await page.keyboard.press("1");
+  });
+
+  it("goes to the time of a click in a chart", async () => {
+    const over = page.locator("#charts .u-over").first();
+    await over.scrollIntoViewIfNeeded();
+    const box = (await over.boundingBox())!;
+    await page.mouse.click(box.x + box.width / 2, box.y + 40);
+    const end = Number(await page.getByRole("slider", { name: "Time" }).getAttribute("max"));
+    expect(await state<number>(page, "time")).toBeCloseTo(end / 2, 1);
+  });
+
+  it("names every control, needs no network and leaves the console clean", async () => {
+    const nameless = await page.evaluate(`[...document.querySelectorAll("button, select, input, canvas.view")].filter((e) => !(e.getAttribute("aria-label") || e.textContent.trim() || e.labels?.length)).length`);
+    expect(nameless).toBe(0);
+    expect(opened.requests).toEqual([]);
+    expect(opened.errors).toEqual([]);
+  });
+
+  it("does not scroll sideways on a phone, a laptop or a projector", async () => {
+    for (const width of [400, 800, 1366, 1920]) {
+      await page.setViewportSize({ width, height: 800 });
+      await settled(page);
+      expect(await page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth"), `${width}`).toBeLessThanOrEqual(0);
+    }
+  });
+});
+
+describe("the page", () => {
+  it("of one run has no comparison and no second view", async () => {
+    const { page, errors } = await open(browser, examplePage(20, 1));
+    expect(await page.locator(".view").count()).toBe(1);
+    expect(await page.locator("#comparison").count()).toBe(0);
+    expect(errors).toEqual([]);
+    await page.context().close();
+  });
+
+  it("of three runs can hide one", async () => {
+    const { page, errors } = await open(browser, examplePage(20, 3));
+    await page.locator(".toggle", { hasText: "MPM-GP" }).click();
+    await settled(page);
+    expect(await page.locator(".view:visible").count()).toBe(2);
+    expect(errors).toEqual([]);
+    await page.context().close();
+  });
+
+  it("says that only some of many points are shown, that a run is under way, and what to beware of", async () => {
+    const { page, errors } = await open(browser, examplePage(20, 1, (report) => Object.assign(report.runs[0]!, { n_points: 4000, finished: false, warnings: ["Beware."] })));
+    expect(await page.locator(".see").textContent()).toContain("One material point in 10 is shown: 400 of 4000.");
+    expect(await page.locator(".story").textContent()).toMatch(/has not reached its end.*up to 3.s.*Beware\./);
+    expect(errors).toEqual([]);
+    await page.context().close();
+  });
+
+  it("keeps what one looks at over a reload", async () => {
+    const { page, errors } = await open(browser, examplePage(20));
+    await page.evaluate(`window.terp.store.set({ field: "velocity", time: 1.5, mesh: true })`);
+    await page.waitForFunction(`location.hash.includes("velocity")`);
+    await page.reload();
+    await page.waitForFunction("window.terp && window.terp.ready");
+    expect([await state(page, "field"), await state(page, "time"), await state(page, "mesh")]).toEqual(["velocity", 1.5, true]);
+    expect(errors).toEqual([]);
+    await page.context().close();
+  });
+
+  it("without WebGL says so, and has its story and charts", async () => {
+    const context = await browser.newContext();
+    await context.addInitScript(`const get = HTMLCanvasElement.prototype.getContext; HTMLCanvasElement.prototype.getContext = function (type, ...more) { return type === "webgl2" ? null : get.call(this, type, ...more); }`);
+    const page = await context.newPage();
+    const errors: string[] = [];
+    page.on("pageerror", (error) => errors.push(String(error)));
+    await page.goto(`file://${examplePage(20)}`);
+    await page.waitForSelector("#charts canvas");
+    expect(await page.locator(".see .notice").textContent()).toContain("no WebGL 2");
+    expect(await page.locator(".facts td").count()).toBeGreaterThan(5);
+    expect(errors).toEqual([]);
+    await context.close();
+  });
+
+  it("prints in light colours on a few pages, from a dark screen too", async () => {
+    const { page, errors } = await open(browser, examplePage(20), { dark: true });
+    const before = await pixels(page, 0);
+    await page.evaluate(`window.addEventListener("beforeprint", () => (window.printed = document.documentElement.dataset.theme))`);
+    const pdf = await page.pdf({ preferCSSPageSize: true, printBackground: true });
+    const sheets = pdf.toString("latin1").match(/\/Type \/Page\b/g)!.length;
+    expect(sheets).toBeGreaterThan(1);
+    expect(sheets).toBeLessThan(9);
+    expect(await page.evaluate("window.printed")).toBe("light");
+    expect(await page.evaluate("document.documentElement.dataset.theme")).toBe("dark");
+    await expect.poll(async () => (await pixels(page, 0)).data.equals(before.data), { timeout: 5000 }).toBe(true); // sizes come back with the next layout
+    expect(errors).toEqual([]);
+    await page.context().close();
+  });
+
+  it("without data says how to get some", async () => {
+    const context = await browser.newContext();
+    const page = await context.newPage();
+    await page.goto(`file://${process.cwd()}/dist/index.html`);
+    expect(await page.getByRole("alert").textContent()).toContain("terp report RUN");
+    await context.close();
+  });
+
+  it("plays 40 000 points per run", async () => {
+    const { page } = await open(browser, examplePage(200));
+    await page.evaluate("window.terp.store.set({ time: 0, again: true, speed: 2 })");
+    await page.keyboard.press(" ");
+    const rate = (await page.evaluate(`new Promise((done) => { const [n, t] = [window.terp.drawn, performance.now()]; setTimeout(() => done(1000 * (window.terp.drawn - n) / (performance.now() - t)), 4000); })`)) as number;
+    console.log(`two runs of 40 000 points, software rendering: ${rate.toFixed(1)} pictures per second`);
+    expect(rate).toBeGreaterThan(2);
+    await page.context().close();
+  });
+});
