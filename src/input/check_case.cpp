@@ -227,7 +227,8 @@ void check_hydrostatic(const Case& values, Problems& problems)
     if (law == nullptr || std::any_of(material.parameters.begin(), material.parameters.end(), is_missing)) continue;
     if (law->make(material.parameters)->shear_modulus() == 0.0)
       problems.push_back({"initial.k0", fmt::format("the fluid `{}` carries no shear stress at rest", material.name),
-                          fmt::format("k0 = {}; a fluid needs k0 = 1. Start with stress = \"equilibrium\" where soil beside it needs another.", values.initial.k0),
+                          fmt::format("k0 = {}; a fluid needs k0 = 1. Start with stress = \"equilibrium\" where soil beside it needs another.",
+                                      values.initial.k0),
                           "initial", false, {join_path("material", material.name)}});
   }
 }

