@@ -116,9 +116,6 @@ void declare(CLI::App& app, CommandLine& line)
   bench->add_option("--warm", line.options.warm_steps)->check(CLI::Range(0, 1000000));
   bench->add_flag("--json", line.options.json);
   CLI::App* stability = add_stability_command(app, line);
-  for (CLI::App* command : {run, check, bench, stability})
-}
-
   declare_verify(app, line.verify);
   CLI::App* report = app.add_subcommand("report");
   report->add_option("runs", line.report.runs)->required();
@@ -126,7 +123,7 @@ void declare(CLI::App& app, CommandLine& line)
   CLI::App* compare = app.add_subcommand("compare");
   compare->add_option("runs", line.report.runs)->required();
   compare->add_flag("--json", line.report.json);
-  for (CLI::App* command : {run, check, bench})
+  for (CLI::App* command : {run, check, bench, stability})
     command->add_option("--set", line.options.changes)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_subcommand("explain")->add_option("topic", line.topic)->required();
   app.add_subcommand("list");
