@@ -2,6 +2,7 @@
 BUILD   ?= build
 FUZZ_SECONDS ?= 600
 KILLS   ?= 200
+CLANG    = -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_C_COMPILER=clang-14 -DCMAKE_LINKER=/usr/bin/ld -DTERP_PAGE=OFF
 RUNS    ?= runs
 FIGURES ?= figures
 TERP     = $(BUILD)/terp
@@ -9,7 +10,7 @@ CASES    = cases/column_collapse
 PYTHON   = PYTHONPATH=python /usr/bin/python3
 
 .DEFAULT_GOAL := help
-.PHONY: help install build demo test vtk verify verify-paper kill fuzz sanitize lint accept clean
+.PHONY: help install build demo test test-web vtk verify verify-paper kill fuzz sanitize lint accept clean
 
 help:            ## this list
 	@echo "Terp: explicit material point method for soil that softens and fails"
@@ -40,6 +41,10 @@ test: install    ## install, build and run the tests
 verify: build    ## the verification ledger: all cases with a known answer; writes docs/verification.md
 	@$(TERP) verify --markdown docs/verification.md
 
+test-web: build  ## the report page: unit tests, and end-to-end tests in Chromium on runs of the program
+	@tools/install-dependencies --web
+	@cd web && npm ci --silent && npm run --silent build && npm test && TERP=$(abspath $(TERP)) npm run test:e2e
+
 vtk: install     ## read results with VTK 9.3 and the newest: Debian 13 and sid, 2.5 GB in build/vtk
 	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null
 	@cmake --build $(BUILD)
@@ -58,7 +63,7 @@ kill: install    ## kill KILLS=200 runs at random moments, resume them, compare 
 
 fuzz: install    ## fuzz each reader of files for FUZZ_SECONDS=600 with libFuzzer (clang)
 	@tools/install-dependencies --checks
-	@cmake -S . -B $(BUILD)/fuzz -G Ninja -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_C_COMPILER=clang-14 -DTERP_FUZZ=ON -DTERP_TESTS=OFF >/dev/null
+	@cmake -S . -B $(BUILD)/fuzz -G Ninja -DTERP_FUZZ=ON -DTERP_TESTS=OFF $(CLANG) >/dev/null
 	@cmake --build $(BUILD)/fuzz
 	@tests/fuzz/run $(BUILD)/fuzz/tests/fuzz $(BUILD)/fuzz/found $(FUZZ_SECONDS)
 
@@ -67,7 +72,7 @@ sanitize: install ## the tests with the address, undefined-behaviour and thread 
 
 lint: install    ## clang-tidy and cppcheck, warnings as errors (.clang-tidy, tools/lint)
 	@tools/install-dependencies --checks
-	@cmake -S . -B $(BUILD)/lint -G Ninja -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_C_COMPILER=clang-14 -DTERP_INSTRUCTIONS=plain >/dev/null
+	@cmake -S . -B $(BUILD)/lint -G Ninja -DTERP_INSTRUCTIONS=plain -DTERP_TESTS=OFF $(CLANG) >/dev/null
 	@tools/lint $(BUILD)/lint
 
 accept: build    ## write what CASE=column_collapse gives now into its expected.toml

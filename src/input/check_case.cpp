@@ -134,6 +134,9 @@ void check_side(const Node& side, const std::string& path, Problems& problems)
   if (has("velocity") && (has("contact") || has("adhesion") || has("friction")))
     problems.push_back({path + ".velocity", "a side has either a contact or a velocity, not both",
                         "A prescribed velocity leaves nothing to slide. Remove one of the two.", "boundary", true});
+  if (has("slip") && !has("velocity"))
+    problems.push_back({path + ".slip", "`slip` needs a velocity", fmt::format("A smooth side that does not move is {} = \"roller\".", side.name),
+                        "boundary", true});
   for (const char* name : {"adhesion", "friction"})
     if (has(name) && !has("contact") && !has("velocity"))
       problems.push_back(

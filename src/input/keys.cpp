@@ -243,6 +243,9 @@ std::vector<KeyInfo> side_keys()
        .unit = "m/s", .usual = {1e-6, 1e3}, 
        .meaning = "prescribed velocity of the side, two numbers or formulas of the place x, y [m]; the mesh, and so the side, stays in place: it pushes soil only within the "
                   "cells next to it"},
+      {.path = "boundary.SIDE.slip",
+       .field = [](Case& c, std::size_t i) { return &c.sides[i].slip; },
+       .meaning = "with velocity: true: a smooth wall; only the component across the side is prescribed, soil slides along it freely"},
   };
 }
 

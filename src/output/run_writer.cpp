@@ -140,7 +140,7 @@ void RunWriter::write_checkpoint_file(const StateImage& image)
 std::string RunWriter::write_failed(const StateImage& image)
 {
   finish();
-  const std::string path = path_in(settings_.folder, failed_file(image.step));
+  std::string path = path_in(settings_.folder, failed_file(image.step));
   write_checkpoint(path, image);
   return path;
 }

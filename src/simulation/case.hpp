@@ -83,6 +83,7 @@ struct SideCase {
   Real friction = 0.0;          ///< tangent of the contact friction angle [-]
   Vec<2> velocity{0.0, 0.0};    ///< of SideKind::velocity [m/s]
   VelocityField velocity_at;    ///< instead of velocity
+  bool slip = false;            ///< of SideKind::velocity: only the component across the side is prescribed
 };
 
 inline constexpr std::size_t most_footings = 8;  ///< of one case

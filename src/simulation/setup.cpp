@@ -29,19 +29,28 @@ std::vector<SoilMaterial> make_materials(const Case& c)
   return materials;
 }
 
+/// A formula may give no number at some place.
+void check_velocity(const SideCase& side, Vec<2> x)
+{
+  const Vec<2> v = velocity_of(side, x);
+  if (side.velocity_at && !std::isfinite(v[0] + v[1]))
+    throw InputError(Problem{fmt::format("boundary.\"{}\".velocity", side.side), "the velocity is not a finite number everywhere on the side",
+                             fmt::format("It is [{}, {}] m/s at {} m.", v[0], v[1], place_text(x)), "boundary.SIDE.velocity"});
+}
+
 /// Conditions of the sides that hold something. Every name must be one of the mesh, of free sides too: it may be misspelt.
 std::vector<SideCondition> make_sides(const Case& c, const Mesh<2>& mesh)
 {
   std::vector<SideCondition> sides;
   for (const SideCase& s : c.sides) {
-    find_side(mesh, s.side);
+    for (const CellSide& edge : find_side(mesh, s.side).edges) check_velocity(s, mesh.nodes[mesh.cells[edge.cell][edge.side]]);
     const auto add = [&](Hold hold) { sides.push_back({s.side, hold, s.adhesion, s.friction, s.velocity, s.velocity_at}); };
     switch (s.kind) {
       case SideKind::free: break;
       case SideKind::open: break;
       case SideKind::roller: add(Hold::normal); break;
       case SideKind::fixed: add(Hold::all); break;
-      case SideKind::velocity: add(Hold::all); break;
+      case SideKind::velocity: add(s.slip ? Hold::normal : Hold::all); break;
       case SideKind::contact_bilateral: add(Hold::contact); break;
       case SideKind::contact_separating: add(Hold::separating); break;
     }

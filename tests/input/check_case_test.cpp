@@ -49,6 +49,11 @@ const Change contradictions[] = {
      "error: case.toml:5:8: the width of the mesh is not a whole number of cells\n\n    5 | cell = [0.7, 0.5]\n      | "
      "       ^^^^^^^^^^\n  16 m / 0.7 m = 22.8571; the nearest width that fits is 0.695652 m.\n"},
     {"cell = 0.5", "cell = [0.5, 4.0]", "the height of the mesh is not a whole number of cells"},
+    {"model = \"tresca_softening\"\ndensity = 1990.0\nshear_modulus = 2.0e6\npoisson_ratio = 0.48\nsu_peak = 8.0e3\nsu_residual = 2.0e3\neta = 50.0\n",
+     "model = \"newtonian_fluid\"\ndensity = 1000.0\nbulk_modulus = 1e6\n[forces]\ngravity = [0, -9.81]\n[initial]\nstress = \"k0\"\nk0 = 0.5\n",
+     "the fluid `clay` carries no shear stress at rest\n\n   17 | k0 = 0.5\n      |      ^^^\n  k0 = 0.5; a fluid needs k0 = 1. Start with stress = "
+     "\"equilibrium\" where soil beside it needs another.\n"},
+    {"[time]", "[boundary]\nbottom = { slip = true }\n[time]", "`slip` needs a velocity"},
     {"[time]", "[boundary]\nbottom = { adhesion = 8e3 }\n[time]",
      "error: case.toml:2:12: `adhesion` needs a contact\n\n    2 | bottom = { adhesion = 8e3 }\n      |            "
      "^^^^^^^^\n  Free, open, roller and fixed sides do not slide with resistance. Write bottom = { contact = "

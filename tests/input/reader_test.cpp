@@ -57,7 +57,7 @@ limit = 1e-4
 max_steps = 123
 [boundary]
 left = "roller"
-right = { velocity = [0.125, 0.5] }
+right = { velocity = [0.125, 0.5], slip = true }
 bottom = { contact = "separating", adhesion = 8.0e3, friction = 0.5 }
 top = "fixed"
 [method]
@@ -168,6 +168,7 @@ TEST(Reader, FillsSides)
   EXPECT_EQ(c.sides[0].kind, SideKind::roller);
   EXPECT_EQ(c.sides[1].kind, SideKind::velocity);
   EXPECT_EQ(c.sides[1].velocity, (Vec<2>{0.125, 0.5}));
+  EXPECT_TRUE(c.sides[1].slip);
   EXPECT_EQ(c.sides[2].kind, SideKind::contact_separating);
   EXPECT_EQ(c.sides[2].adhesion, 8.0e3);
   EXPECT_EQ(c.sides[2].friction, 0.5);
@@ -232,6 +233,18 @@ TEST(Reader, LeavesDefaultsWhereKeysAreMissing)
   EXPECT_EQ(c.time.courant, 0.98);
   EXPECT_EQ(c.method.weights, Weights::hybrid);
   EXPECT_TRUE(c.sides.empty());
+}
+
+TEST(Reader, GivesAParameterTheValueOfAnotherWhereTheLawSaysSo)
+{
+  const auto read = [](const std::string& more) {
+    const std::string sand = "model = \"mohr_coulomb\"\ndensity = 1800.0\nshear_modulus = 1e7\npoisson_ratio = 0.3\ncohesion = 3e3\nfriction_angle = 33\n";
+    return read_case_text(small_case.substr(0, small_case.find("model =")) + sand + more, "case.toml").values.materials[0].parameters;
+  };
+  const Real inf = std::numeric_limits<Real>::infinity();
+  EXPECT_THAT(read(""), ElementsAre(1e7, 0.3, 3e3, 33.0, 0.0, inf, 3e3, 33.0, 0.0, 0.0));
+  EXPECT_THAT(read("dilatancy_angle = 5\ncohesion_residual = 1e3\neta = 20\ntension_cutoff = inf\n"),
+              ElementsAre(1e7, 0.3, 3e3, 33.0, 5.0, inf, 1e3, 33.0, 5.0, 20.0));
 }
 
 TEST(Reader, AnUnlimitedTensionMayBeWritten)

@@ -122,14 +122,18 @@ function histories(current: Current, labels: string[]): HTMLElement | null {
   if (!first) return null;
   const names = first.columns.map((column) => column.name).filter((name) => !["time", "id"].includes(name));
   const charts = runs.map((run) => new Chart(current.store, { title: labels[run.index]!, xLabel: "time [s]", unit: "-", height: 260 }));
-  const select = element("select", { id: "history", onchange: () => show(select.value) }, ...names.map((name) => element("option", { value: name }, first.label(name) === name ? spoken(name) : first.label(name))));
+  const quantity = (name: string) => (first.label(name) === name ? spoken(name) : first.label(name));
+  const select = element("select", { id: "history", onchange: () => show(select.value) }, ...names.map((name) => element("option", { value: name }, quantity(name))));
   const show = (name: string) => {
     const lines = runs.map((run) => run.histories.flatMap((history, k): Line[] => {
       const [x, y] = [history.table.column("time"), history.table.column(name)];
       return x && y ? [{ label: history.name, x, y, colour: () => CATEGORIES[k % CATEGORIES.length]!, dash: k >= CATEGORIES.length ? [4, 3] : undefined, width: 1.8 }] : [];
     }));
     const yRange = commonRange(lines.flat());
-    charts.forEach((chart, k) => chart.show(lines[k]!, { unit: first.unit(name), yRange, nameEnds: true }));
+    charts.forEach((chart, k) => {
+      chart.title = `${labels[runs[k]!.index]}: ${quantity(name)}`;
+      chart.show(lines[k]!, { unit: first.unit(name), yRange, nameEnds: true });
+    });
   };
   select.value = names.find((name) => name === "eps_deviatoric") ?? names.find((name) => name.startsWith("eps")) ?? names[0]!;
   show(select.value);

@@ -63,7 +63,8 @@ export function momentsSection(current: Current, viewer: Viewer): HTMLElement | 
     clearTimeout(waiting);
     waiting = window.setTimeout(draw, 120);
   };
-  store.watch(["field", "map", "rangeMode", "fixed", "log", "mesh", "outline", "slip", "pointScale", "dark"], later);
+  store.watch(["field", "map", "rangeMode", "fixed", "log", "mesh", "outline", "slip", "pointScale"], later);
+  store.on((_, changed) => changed.has("dark") && draw()); // at once: paper does not wait
   for (const run of report.runs) run.onField.push(later);
   return element("section", { id: "moments", "aria-labelledby": "moments-title" }, element("h2", { id: "moments-title" }, "In pictures"), ...rows);
 }

@@ -53,7 +53,7 @@ function exampleRun(writer: ChunkWriter, side: number, k: number, scheme: string
     return { name, symbol: name, label, unit, kind, log, range: [data.lo, data.hi] as [number, number], precision: (data.hi - data.lo) / 65535, data };
   };
   const kinetic = speed.map((row) => row.reduce((sum, v) => sum + (0.5 * 2000 * v * v * WIDTH * HEIGHT) / n, 0));
-  const front = places.map((row) => Math.max(...row.map(([px]) => px)));
+  const front = places.map((row) => row.reduce((most, [px]) => Math.max(most, px), 0));
   const crest = times.map((t) => WIDTH - 1.6 * share(t));
   const name = `example_${scheme}`;
   return {
