@@ -98,7 +98,7 @@ int solve(const Model& model, State& state, RunWriter& writer, const RunOptions&
   ProgressLine progress(options.quiet);
   Workspace work(model, state);
   try {
-    MeshWriter mesh(folder, model, state, false);
+    MeshWriter mesh(folder, model, state);
     Observer* const observers[] = {&writer, &mesh, &progress};
     writer.summary(summarise(model, state), false);  // also names the case for `resume`
     const Outcome outcome = run(model, state, work, observers, stop_requested);
@@ -168,6 +168,7 @@ ResumePoint resume_point(const Model& model, const State& state)
   const OutputCase& output = model.description.output;
   const std::int64_t n_times = count_due(state.step, model.dt, output.history_every);
   return {.step = state.step, .time = state.time, .n_frames = std::ssize(state.softened_fraction),
+          .n_mesh_frames = output.mesh ? std::ssize(state.softened_fraction) : 0,
           .n_history_rows = n_times * std::ssize(output.history_points), .n_ledger_rows = std::ssize(state.crest.time),
           .n_left_rows = std::ssize(state.left),
           .n_footing_rows = std::ssize(state.crest.time) * std::ssize(model.footings)};

@@ -357,6 +357,10 @@ std::vector<KeyInfo> output_keys()
       {.path = "output.ledger.every",
        .field = [](Case& c, std::size_t) { return &c.output.ledger_every; },
        .unit = "s", .range = positive, .meaning = "interval of the rows of ledger.csv: mass, momentum, energy"},
+      {.path = "output.mesh",
+       .field = [](Case& c, std::size_t) { return &c.output.mesh; },
+       .meaning = "whether mesh.vtkhdf also holds mass and velocity of the nodes and pressure of the cells, whenever "
+                  "the fields of all points are written"},
       {.path = "output.checkpoint.every",
        .field = [](Case& c, std::size_t) { return &c.output.checkpoint_every; },
        .unit = "s", .range = not_negative,

@@ -120,6 +120,7 @@ struct OutputCase {
   Real checkpoint_every = 0.0;  ///< [s]; 0: only at the end and when stopped
   Index checkpoint_keep = 2;    ///< how many of the newest are kept; 0: all
   DeviatoricNorm deviatoric_norm = DeviatoricNorm::half;
+  bool mesh = false;            ///< whether mesh.vtkhdf also says what the mesh carries at the times of the fields
 };
 
 /// The velocity that a body or a side has at a place [m/s].

@@ -79,6 +79,7 @@ history = { every = 0.02, points = { B = [7.6, 1.9], A = [7.5, 0.5] } }
 ledger = { every = 0.03 }
 checkpoint = { every = 1.5, keep = 3 }
 deviatoric_norm = "von_mises"
+mesh = true
 )";
 
 Case read_every_key() { return read_case_text(every_key, "folder/all.toml").values; }
@@ -224,6 +225,7 @@ TEST(Reader, FillsTheOutput)
   EXPECT_EQ(o.checkpoint_every, 1.5);
   EXPECT_EQ(o.checkpoint_keep, 3);
   EXPECT_EQ(o.deviatoric_norm, DeviatoricNorm::von_mises);
+  EXPECT_TRUE(o.mesh);
 }
 
 TEST(Reader, LeavesDefaultsWhereKeysAreMissing)
