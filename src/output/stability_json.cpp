@@ -17,12 +17,12 @@ using Json = nlohmann::ordered_json;
 Json number(Real value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json number(const std::optional<Real>& value) { return value ? number(*value) : Json(nullptr); }
 
-const char* word(Verdict verdict)
+const char* word(TrialVerdict verdict)
 {
   switch (verdict) {
-    case Verdict::stable: return "stable";
-    case Verdict::failed: return "failed";
-    case Verdict::undecided: break;
+    case TrialVerdict::stable: return "stable";
+    case TrialVerdict::failed: return "failed";
+    case TrialVerdict::undecided: break;
   }
   return "undecided";
 }
@@ -88,7 +88,7 @@ std::string stability_text(const StabilityResult& r, const std::string& scheme)
                       r.options.rules.failure, r.options.rules.failure * r.displacement);
   for (const Trial& trial : r.search.trials) text += fmt::format("  {:8.4f}  {:<9}  {}\n", trial.factor, word(trial.verdict), trial.reason);
   for (const Trial& trial : r.search.trials)
-    if (trial.verdict == Verdict::undecided)
+    if (trial.verdict == TrialVerdict::undecided)
       text += fmt::format("  At {:.4f} the soil still crept after {} windows; that counts as not standing. Larger --windows decide it.\n", trial.factor,
                           r.options.rules.most_windows);
   return text;

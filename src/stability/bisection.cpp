@@ -40,8 +40,8 @@ int trials_left(const Bisection& so_far, const BisectionOptions& options)
 
 void enter(Trial trial, Bisection& bisection)
 {
-  std::optional<Real>& end = trial.verdict == Verdict::stable ? bisection.stable : bisection.failed;
-  const bool nearer = !end || (trial.verdict == Verdict::stable ? trial.factor > *end : trial.factor < *end);
+  std::optional<Real>& end = trial.verdict == TrialVerdict::stable ? bisection.stable : bisection.failed;
+  const bool nearer = !end || (trial.verdict == TrialVerdict::stable ? trial.factor > *end : trial.factor < *end);
   if (nearer) end = trial.factor;
   bisection.trials.push_back(std::move(trial));
 }

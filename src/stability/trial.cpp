@@ -40,9 +40,9 @@ std::string reason_of(const Trial& trial, Real displacement)
   const std::string text = fmt::format("out of balance {:.1e} of the weight, displacement {:.3g} m = {:.2f} rho g H^2/E", last.out_of_balance, last.displacement,
                                        last.displacement / displacement);
   switch (trial.verdict) {
-    case Verdict::stable: return "at rest: " + text;
-    case Verdict::failed: return "runs away: " + text;
-    case Verdict::undecided: break;
+    case TrialVerdict::stable: return "at rest: " + text;
+    case TrialVerdict::failed: return "runs away: " + text;
+    case TrialVerdict::undecided: break;
   }
   return "creeps: " + text;
 }
@@ -57,15 +57,15 @@ Model build_trial(Case c, const Mesh<2>& mesh, const ElasticStart& start, const 
 
 }  // namespace
 
-Verdict judge(const std::vector<TrialWindow>& windows, const TrialRules& rules, Real displacement)
+TrialVerdict judge(const std::vector<TrialWindow>& windows, const TrialRules& rules, Real displacement)
 {
-  if (windows.empty()) return Verdict::undecided;
+  if (windows.empty()) return TrialVerdict::undecided;
   const TrialWindow& last = windows.back();
-  if (last.out_of_balance < rules.rest) return Verdict::stable;
-  if (windows.size() < 3) return Verdict::undecided;
+  if (last.out_of_balance < rules.rest) return TrialVerdict::stable;
+  if (windows.size() < 3) return TrialVerdict::undecided;
   const Real before = windows[windows.size() - 2].displacement, first = windows[windows.size() - 3].displacement;
   const bool slows_down = last.displacement - before < 0.98 * (before - first);
-  return last.displacement > rules.failure * displacement && !slows_down ? Verdict::failed : Verdict::undecided;
+  return last.displacement > rules.failure * displacement && !slows_down ? TrialVerdict::failed : TrialVerdict::undecided;
 }
 
 Trial run_trial(const Case& quiet, const Mesh<2>& mesh, const ElasticStart& start, Real factor, const TrialRules& rules, int threads,
@@ -78,14 +78,14 @@ Trial run_trial(const Case& quiet, const Mesh<2>& mesh, const ElasticStart& star
   Trial trial;
   trial.factor = factor;
   const std::int64_t per_window = std::max<std::int64_t>(1, model.n_steps / rules.most_windows);
-  while (std::ssize(trial.windows) < rules.most_windows && trial.verdict == Verdict::undecided) {
+  while (std::ssize(trial.windows) < rules.most_windows && trial.verdict == TrialVerdict::undecided) {
     Real out_of_balance = 0.0;
     for (std::int64_t k = 0; k < per_window; ++k) {
       if (stop.load(std::memory_order_relaxed)) throw RunError("stopped before a factor was found");
       model.step(model, state, work);
       out_of_balance += work.unbalanced_ratio;
       if (const std::string fault = find_fault(model, state, work, 0.0); !fault.empty()) {
-        trial.verdict = Verdict::failed;
+        trial.verdict = TrialVerdict::failed;
         trial.reason = "runs away until the run stops itself: " + fault.substr(0, fault.find('\n'));
         told(trial);
         return trial;
@@ -95,7 +95,7 @@ Trial run_trial(const Case& quiet, const Mesh<2>& mesh, const ElasticStart& star
     trial.steps = state.step;
     trial.verdict = judge(trial.windows, rules, start.displacement);
     trial.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    if (trial.verdict != Verdict::undecided || std::ssize(trial.windows) == rules.most_windows) trial.reason = reason_of(trial, start.displacement);
+    if (trial.verdict != TrialVerdict::undecided || std::ssize(trial.windows) == rules.most_windows) trial.reason = reason_of(trial, start.displacement);
     told(trial);
   }
   return trial;

@@ -11,7 +11,7 @@
 namespace terp {
 
 /// Undecided: neither came to rest nor ran away in the time that it had.
-enum class Verdict { stable, failed, undecided };
+enum class TrialVerdict { stable, failed, undecided };
 
 /// When a trial ends, in scales that are free of the case's units.
 struct TrialRules {
@@ -30,7 +30,7 @@ struct TrialWindow {
 
 struct Trial {
   Real factor = 0.0;
-  Verdict verdict = Verdict::undecided;
+  TrialVerdict verdict = TrialVerdict::undecided;
   std::string reason;          ///< in words
   std::int64_t steps = 0;
   double wall_s = 0.0;
@@ -38,7 +38,7 @@ struct Trial {
 };
 
 /// Judges the windows so far; undecided: go on, or, after the last, undecided. displacement: ElasticStart::displacement [m].
-Verdict judge(const std::vector<TrialWindow>& windows, const TrialRules& rules, Real displacement);
+TrialVerdict judge(const std::vector<TrialWindow>& windows, const TrialRules& rules, Real displacement);
 
 /// Runs a trial. told: called after each window. Throws RunError if `stop` was set.
 Trial run_trial(const Case& quiet, const Mesh<2>& mesh, const ElasticStart& start, Real factor, const TrialRules& rules, int threads,

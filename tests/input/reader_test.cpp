@@ -273,7 +273,7 @@ const Change wrong_keys[] = {
      "courant\n  More: terp explain time\n"},
     {"[time]", "[tiem]",
      "unknown key `tiem`\n\n    1 | [tiem]\n      |  ^^^^\n  Did you mean `time`?\n  Keys of a case file: title, "
-     "scheme, time, mesh, body, material, forces, initial, boundary, method, output\n"},
+     "scheme, time, mesh, body, material, forces, initial, boundary, footing, method, output\n"},
     {"[time]", "[boundary]\nbotom = \"roller\"\n[time]",
      "Did you mean `bottom`?\n  Keys of [boundary]: left, right, bottom, top\n"},
     {"[time]", "[boundary]\nbottom = { contact = \"bilateral\", adhesoin = 3 }\n[time]",

@@ -18,7 +18,7 @@ StabilityResult result()
   r.strengths = {{"material.clay.su_peak", "Pa", 8000.0}};
   r.options.search.tolerance = 0.1;
   r.height = 4.0, r.displacement = 0.05, r.n_points = 900, r.rest_steps = 70;
-  for (const auto& [factor, verdict] : {std::pair{1.0, Verdict::stable}, {1.1, Verdict::undecided}}) {
+  for (const auto& [factor, verdict] : {std::pair{1.0, TrialVerdict::stable}, {1.1, TrialVerdict::undecided}}) {
     Trial trial;
     trial.factor = factor, trial.verdict = verdict, trial.reason = "why", trial.steps = 12;
     trial.windows = {{0.5, 0.01, 1e-3}, {1.0, 0.02, 5e-5}};

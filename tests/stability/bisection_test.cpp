@@ -17,7 +17,7 @@ Bisection search(Real limit, const BisectionOptions& options, Real creep = 0.0)
   while (const auto factor = next_factor(found, options)) {
     Trial trial;
     trial.factor = *factor;
-    trial.verdict = *factor < limit ? Verdict::stable : *factor < creep ? Verdict::undecided : Verdict::failed;
+    trial.verdict = *factor < limit ? TrialVerdict::stable : *factor < creep ? TrialVerdict::undecided : TrialVerdict::failed;
     enter(std::move(trial), found);
   }
   return found;
@@ -83,7 +83,7 @@ TEST(Bisection, GuessesHowManyTrialsAreLeft)
     EXPECT_EQ(trials_left(b, options), left--);
     Trial trial;
     trial.factor = *factor;
-    trial.verdict = *factor < 1.3 ? Verdict::stable : Verdict::failed;
+    trial.verdict = *factor < 1.3 ? TrialVerdict::stable : TrialVerdict::failed;
     enter(std::move(trial), b);
   }
 }

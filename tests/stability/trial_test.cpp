@@ -27,18 +27,18 @@ std::vector<TrialWindow> moving(std::initializer_list<Real> displacements)
 TEST(Judge, StandsWhenForcesAreInBalance)
 {
   auto windows = moving({0.01, 0.015});
-  EXPECT_EQ(judge(windows, rules, 0.05), Verdict::undecided);
+  EXPECT_EQ(judge(windows, rules, 0.05), TrialVerdict::undecided);
   windows.back().out_of_balance = 0.9e-4;
-  EXPECT_EQ(judge(windows, rules, 0.05), Verdict::stable);
+  EXPECT_EQ(judge(windows, rules, 0.05), TrialVerdict::stable);
 }
 
 TEST(Judge, FailsWhenItMovedFarAndDoesNotSlowDown)
 {
-  EXPECT_EQ(judge(moving({0.01, 0.03, 0.06}), rules, 0.05), Verdict::failed);
-  EXPECT_EQ(judge(moving({0.01, 0.03, 0.045}), rules, 0.05), Verdict::undecided);  // not far
-  EXPECT_EQ(judge(moving({0.01, 0.04, 0.06}), rules, 0.05), Verdict::undecided);   // slows down
-  EXPECT_EQ(judge(moving({0.05, 0.2}), rules, 0.05), Verdict::undecided);          // too early to say
-  EXPECT_EQ(judge({}, rules, 0.05), Verdict::undecided);
+  EXPECT_EQ(judge(moving({0.01, 0.03, 0.06}), rules, 0.05), TrialVerdict::failed);
+  EXPECT_EQ(judge(moving({0.01, 0.03, 0.045}), rules, 0.05), TrialVerdict::undecided);  // not far
+  EXPECT_EQ(judge(moving({0.01, 0.04, 0.06}), rules, 0.05), TrialVerdict::undecided);   // slows down
+  EXPECT_EQ(judge(moving({0.05, 0.2}), rules, 0.05), TrialVerdict::undecided);          // too early to say
+  EXPECT_EQ(judge({}, rules, 0.05), TrialVerdict::undecided);
 }
 
 /// The column of model 1 on a rough base, which stands up to a factor of about 0.8.
@@ -84,10 +84,10 @@ TEST(Trial, StandsWithMoreStrengthAndRunsAwayWithLess)
 {
   const Column column;
   const Trial strong = column.at(0.5), weak = column.at(2.0);
-  EXPECT_EQ(strong.verdict, Verdict::stable);
+  EXPECT_EQ(strong.verdict, TrialVerdict::stable);
   EXPECT_THAT(strong.reason, StartsWith("at rest: out of balance"));
   EXPECT_LT(strong.windows.back().out_of_balance, 1e-4);
-  EXPECT_EQ(weak.verdict, Verdict::failed);
+  EXPECT_EQ(weak.verdict, TrialVerdict::failed);
   EXPECT_THAT(weak.reason, HasSubstr("rho g H^2/E"));
   EXPECT_GT(weak.windows.back().displacement, column.start.displacement);
   EXPECT_LT(std::ssize(weak.windows), 40);  // early
@@ -107,7 +107,7 @@ TEST(Trial, EndsUndecidedWhenItsTimeIsUp)
   impatient.most_windows = 3;
   impatient.rest = 1e-12;
   const Trial trial = Column().at(0.5, impatient);
-  EXPECT_EQ(trial.verdict, Verdict::undecided);
+  EXPECT_EQ(trial.verdict, TrialVerdict::undecided);
   EXPECT_EQ(trial.windows.size(), 3u);
   EXPECT_THAT(trial.reason, StartsWith("creeps: "));
 }
