@@ -24,14 +24,15 @@ build: install   ## build the program: build/terp
 	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=OFF >/dev/null
 	@cmake --build $(BUILD)
 
-demo: build      ## run the paper's models with both schemes, draw figures 1 to 9, compare
+demo: build      ## run the paper's models with both schemes, draw figures 1 to 9, compare, write the report page
 	@for model in 1 2; do for scheme in mixed gp; do \
 	   echo "model $$model, MPM-$$scheme:"; \
-	   $(TERP) run $(CASES)/model_$$model.toml --set scheme=mpm_$$scheme -o $(RUNS)/model_$${model}_$$scheme --force || exit; \
+	   $(TERP) run $(CASES)/model_$$model.toml --set scheme=mpm_$$scheme --set output.fields.every=0.05 -o $(RUNS)/model_$${model}_$$scheme --force || exit; \
 	 done; done
 	@$(PYTHON) -m terp.figures $(RUNS)/model_1_mixed $(RUNS)/model_1_gp $(RUNS)/model_2_mixed $(RUNS)/model_2_gp -o $(FIGURES)
-	@$(PYTHON) -m terp.table $(RUNS)/model_1_mixed $(RUNS)/model_1_gp $(RUNS)/model_2_mixed $(RUNS)/model_2_gp
+	@for model in 1 2; do $(TERP) compare $(RUNS)/model_$${model}_mixed $(RUNS)/model_$${model}_gp || exit; done
 	@echo "figures in $(FIGURES)/, runs in $(RUNS)/"
+	@$(TERP) report $(RUNS)/model_2_mixed $(RUNS)/model_2_gp -o $(RUNS)/report.html
 
 test: install    ## install, build and run the tests
 	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null

@@ -25,8 +25,13 @@ Solve
                           or from the checkpoint file that is named
   stability CASE.toml     factor of safety by strength reduction (--from, --to,
                           --tolerance, --damping, --json; docs/stability.md)
+  watch RUN               how far a run is that another terp solves (--every S, --once)
+
+Look
   report RUN...           write report.html: one page that shows the runs, side by side
   compare RUN RUN...      table of what differs between runs (--json)
+  export RUN --format F   frames as vtu, csv or npz into RUN/F or -o DIR (--field NAME,
+                          may be given several times; --frames 0,5,10:20,last)
 
 Understand
   check CASE.toml         read and validate, print what would run, solve nothing
@@ -43,6 +48,7 @@ Options
   -j, --threads N         CPU threads (default: what this job may use)
       --set KEY=VALUE     change one key of the case; may be given several times
       --force             replace the results of an earlier run
+      --report            write the page of the run at its end: RUN/report.html
   -q, --quiet    -v, --verbose    --version    -h, --help
 
 Try
@@ -58,6 +64,8 @@ struct CommandLine {
   terp::VerifyOptions verify;
   std::string topic;
   terp::ReportCommand report;
+  terp::ExportCommand exported;
+  terp::WatchCommand watch;
 };
 
 CLI::App* add_case_command(CLI::App& app, const char* name, CommandLine& line)
@@ -107,6 +115,7 @@ void declare(CLI::App& app, CommandLine& line)
   CLI::App* run = add_case_command(app, "run", line);
   run->add_option("-o,--output", line.options.output);
   run->add_flag("--force", line.options.force);
+  run->add_flag("--report", line.options.report);
   CLI::App* check = add_case_command(app, "check", line);
   add_case_command(app, "resume", line);
   CLI::App* bench = app.add_subcommand("bench");
@@ -123,6 +132,16 @@ void declare(CLI::App& app, CommandLine& line)
   CLI::App* compare = app.add_subcommand("compare");
   compare->add_option("runs", line.report.runs)->required();
   compare->add_flag("--json", line.report.json);
+  CLI::App* exported = app.add_subcommand("export");
+  exported->add_option("run", line.exported.run)->required();
+  exported->add_option("--format", line.exported.format)->required();
+  exported->add_option("--field", line.exported.fields)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  exported->add_option("--frames", line.exported.frames);
+  exported->add_option("-o,--output", line.exported.folder);
+  CLI::App* watch = app.add_subcommand("watch");
+  watch->add_option("run", line.watch.run)->required();
+  watch->add_option("--every", line.watch.every)->check(CLI::Range(0.1, 3600.0));
+  watch->add_flag("--once", line.watch.once);
   for (CLI::App* command : {run, check, bench, stability})
     command->add_option("--set", line.options.changes)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_subcommand("explain")->add_option("topic", line.topic)->required();
@@ -150,6 +169,8 @@ int call(const CLI::App& app, const CommandLine& line)
   if (app.got_subcommand("check")) return terp::check_case(line.options);
   if (app.got_subcommand("report")) return terp::report_runs(line.report);
   if (app.got_subcommand("compare")) return terp::compare_folders(line.report);
+  if (app.got_subcommand("export")) return terp::export_run(line.exported);
+  if (app.got_subcommand("watch")) return terp::watch_run(line.watch);
   if (app.got_subcommand("bench")) return terp::bench_case(line.options);
   if (app.got_subcommand("verify")) return terp::verify_cases(line.verify);
   fmt::print("{}", app.got_subcommand("explain") ? terp::explain(line.topic) : terp::list());

@@ -125,6 +125,14 @@ int solve(const Model& model, State& state, RunWriter& writer, const RunOptions&
   }
 }
 
+/// The same, and the page of the run if it is wanted.
+int solve_and_show(const Model& model, State& state, RunWriter& writer, const RunOptions& options, const std::string& folder)
+{
+  const int status = solve(model, state, writer, options, folder);
+  if (options.report && status == solved) report_runs({.runs = {folder}, .output = path_in(folder, report_file)});
+  return status;
+}
+
 int threads_of(const RunOptions& options) { return options.threads > 0 ? options.threads : available_processors(); }
 
 /// A run folder, from a folder or from the path of one of its checkpoints.
@@ -186,7 +194,7 @@ int run_case(const RunOptions& options)
     fmt::print(stderr, "{}", render_warnings(find_warnings(model, state), file));
     const std::string folder = options.output.empty() ? "runs/" + file.values.name : options.output;
     const auto writer = RunWriter::start({folder, {file.values.name, file.text}, file.values.output.checkpoint_keep}, options.force);
-    return solve(model, state, *writer, options, folder);
+    return solve_and_show(model, state, *writer, options, folder);
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));
   }
@@ -206,7 +214,7 @@ int resume_run(const RunOptions& options)
     RunWriterSettings settings{folder, {case_name_in(folder), file.text}, file.values.output.checkpoint_keep};
     const auto writer = RunWriter::resume(std::move(settings), std::move(lock), resume_point(model, state));
     if (!options.quiet) fmt::print("resuming {} at t = {:.4g} s, step {} of {}\n", folder, state.time, state.step, model.n_steps);
-    return solve(model, state, *writer, options, folder);
+    return solve_and_show(model, state, *writer, options, folder);
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));
   }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace terp {
 namespace {
@@ -35,14 +34,6 @@ const std::vector<T>& get(const StateImage& image, std::string_view name, std::s
   throw FileError("the checkpoint does not fit this case: array `" + std::string(name) + "` is missing or has another size");
 }
 
-/// An array that checkpoints of an older Terp lack; then empty.
-std::vector<Real> find_reals(const StateImage& image, std::string_view name)
-{
-  for (const NamedArray& array : image.arrays)
-    if (const auto* values = std::get_if<std::vector<Real>>(&array.values); values != nullptr && array.name == name) return *values;
-  return {};
-}
-
 /// Time, rate and number of places of each surface, and the places of all.
 void put_slip(const State& state, StateImage& image)
 {
@@ -57,7 +48,7 @@ void put_slip(const State& state, StateImage& image)
 
 void get_slip(const StateImage& image, State& state)
 {
-  const auto surfaces = find_reals(image, "slip/surfaces"), places = find_reals(image, "slip/places");
+  const auto &surfaces = get<Real>(image, "slip/surfaces"), &places = get<Real>(image, "slip/places");
   std::size_t next = 0;
   for (std::size_t k = 0; k + 2 < surfaces.size(); k += 3) {
     SlipSurface slip{.time = surfaces[k], .rate = surfaces[k + 1], .line = {}};
@@ -225,8 +216,7 @@ State restore(const Model& model, const StateImage& image)
   state.crest.base = columns[2];
   state.crest.time = get<Real>(image, "crest/time");
   state.crest.x = get<Real>(image, "crest/x", state.crest.time.size());
-  state.crest.kinetic = find_reals(image, "crest/kinetic");
-  state.crest.kinetic.resize(state.crest.x.size(), std::numeric_limits<Real>::quiet_NaN());
+  state.crest.kinetic = get<Real>(image, "crest/kinetic", state.crest.time.size());
   get_slip(image, state);
   const auto& softened = get<Real>(image, "softened_fraction");
   for (std::size_t k = 0; k + 1 < softened.size(); k += 2) state.softened_fraction.emplace_back(softened[k], softened[k + 1]);

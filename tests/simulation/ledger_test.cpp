@@ -150,6 +150,7 @@ TEST(Ledger, EachRowEntersTheCrest)
   EXPECT_NEAR(row.front_x, 7.95, 1e-12);
   EXPECT_EQ(s.state.crest.time, std::vector<Real>{0.25});
   EXPECT_EQ(s.state.crest.x, std::vector<Real>{8.0});
+  EXPECT_EQ(s.state.crest.kinetic, std::vector<Real>{row.kinetic});
 }
 
 std::int64_t count(const std::vector<std::uint8_t>& flags) { return std::count(flags.begin(), flags.end(), 1); }
