@@ -65,7 +65,7 @@ TEST(Verify, WritesThePages)
   const std::string page = ledger.folder.path() + "/page";
   EXPECT_EQ(ledger.verify({"--markdown", page + ".md", "--html", page + ".html"}).status, 0);
   EXPECT_TRUE(std::filesystem::file_size(page + ".md") > 100);
-  EXPECT_TRUE(std::filesystem::file_size(page + ".html") > 1000);
+  EXPECT_TRUE(std::filesystem::file_size(page + ".html") > 500);
 }
 
 TEST(Verify, ACaseThatCannotBeReadIsBadInput)

@@ -43,7 +43,7 @@ const Change wrong_values[] = {
     {"cell = 0.5", "cell = 0.5\norigin = [nan, 0.0]", "Got nan m; allowed: a finite number in m."},
     {"box = [[0.0, 0.0], [8.0, 2.0]]", "box = [[8.0, 0.0], [0.0, 2.0]]", "`box` has no area"},
     {"box = [[0.0, 0.0], [8.0, 2.0]]", "box = [[0.0, 0.0], [8.0, 2.0]]\nvelocity = [\"2*z\", 0]",
-     "`velocity` is not a formula of x and y\n\n    8 | velocity = [\"2*z\", 0]\n      |             ^^^^^\n  `z` is not known here. Names: x, y\n"},
+     "`velocity` is not a formula of x and y\n\n    9 | velocity = [\"2*z\", 0]\n      |             ^^^^^\n  `z` is not known here. Names: x, y\n"},
     {"box = [[0.0, 0.0], [8.0, 2.0]]", "box = [[0.0, 0.0], [8.0, 2.0]]\nvelocity = \"x\"", "`velocity` must be two numbers or formulas [x, y]"},
     {"box = [[0.0, 0.0], [8.0, 2.0]]", "box = [[8.0, 0.0]]", "`box` must be two corners [[x0, y0], [x1, y1]]"},
     {"box = [[0.0, 0.0], [8.0, 2.0]]", "polygon = [[0, 0], [1, 0]]", "`polygon` must be at least three corners"},
