@@ -109,6 +109,7 @@ TEST(Footings, ARowHoldsTheMeanSinceTheRowBefore)
 TEST(Footings, SurviveInACheckpoint)
 {
   Simulation s(pushed("mpm_gp"));
+  start_audit(s.model, s.state);  // sizes what a checkpoint holds
   s.step(20);
   keep_footings(s.model, s.state);
   s.step(5);
