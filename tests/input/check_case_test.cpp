@@ -202,13 +202,14 @@ TEST(CheckCase, AFootingNeedsPlaceAndVelocity)
   const std::string seen = with_footing("contact = \"sticky\"\n");
   EXPECT_THAT(seen, HasSubstr("the key `box` is missing from [[footing]]"));
   EXPECT_THAT(seen, HasSubstr("the key `velocity` is missing from [[footing]]"));
-  EXPECT_THAT(seen, HasSubstr("`contact` cannot be \"sticky\"\n\n   17 | contact = \"sticky\"\n      | ^^^^^^^\n  Allowed: \"rough\", \"smooth\"\n"));
+  EXPECT_THAT(seen, HasSubstr("`contact` cannot be \"sticky\""));
+  EXPECT_THAT(seen, HasSubstr("Allowed: \"rough\", \"smooth\"\n"));
 }
 
 TEST(CheckCase, ASmoothFootingAtRestIsRefused)
 {
   EXPECT_THAT(with_footing("box = [[1.0, 2.0], [2.0, 2.5]]\nvelocity = [0.0, 0.0]\ncontact = \"smooth\"\n"),
-              HasSubstr(":18:1: a smooth footing needs a velocity\n\n   18 | velocity = [0.0, 0.0]\n      | ^^^^^^^^\n  It holds its nodes along its velocity "
+              HasSubstr(":19:12: a smooth footing needs a velocity\n\n   19 | velocity = [0.0, 0.0]\n      |            ^^^^^^^^^^\n  It holds its nodes along its velocity "
                         "only, which is zero. Give a velocity, or contact = \"rough\".\n"));
 }
 

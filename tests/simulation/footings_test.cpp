@@ -51,6 +51,7 @@ TEST_P(EveryScheme, TheReactionIsTheMomentumThatTheSoilTakes)
 TEST_P(EveryScheme, ItsWorkIsAllThatBoundariesDoHere)
 {
   Simulation s(pushed(GetParam()));
+  start_audit(s.model, s.state);
   s.step(200);
   EXPECT_GT(s.state.footings[0].work, 1.0);
   EXPECT_NEAR(s.state.footings[0].work, s.state.work.boundary, 1e-9 * s.state.work.boundary);
@@ -109,6 +110,7 @@ TEST(Footings, ARowHoldsTheMeanSinceTheRowBefore)
 TEST(Footings, SurviveInACheckpoint)
 {
   Simulation s(pushed("mpm_gp"));
+  start_audit(s.model, s.state);  // sizes what a checkpoint holds
   s.step(20);
   keep_footings(s.model, s.state);
   s.step(5);
