@@ -11,7 +11,7 @@
     plot.field(run, "eps_eq_p", 2.5).figure.savefig("slip.png")
 
 Described in docs/python.md. The paper's figures: `python3 -m terp.figures`; a field at some times: `python3 -m terp.sections`;
-the two schemes side by side: `python3 -m terp.table`.
+runs side by side in numbers: the program itself, `terp compare`.
 """
 
 from terp.errors import RunError
