@@ -3,7 +3,6 @@
 Not for drawing (plot.py) and not for judging a run: it hands out what the solver wrote, in SI units, and computes nothing anew.
 """
 
-import dataclasses
 import functools
 import json
 import tomllib
@@ -55,12 +54,26 @@ class Frame:
         return f"<frame {self.k} of {self.run.folder}, t = {self.time:g} s>"
 
 
-@dataclasses.dataclass(frozen=True)
 class Mesh:
-    """The background mesh."""
+    """The background mesh, and, of a run with `output.mesh = true`, what it carries."""
 
-    nodes: np.ndarray  # places [m], shape [n_nodes, 2]
-    cells: np.ndarray  # corners, counter-clockwise, shape [n_cells, 4]
+    def __init__(self, file):
+        self._file = file
+        self.nodes = file.places(0)  # [m], shape [n_nodes, 2]
+        self.cells = file.cells()    # corners, counter-clockwise, shape [n_cells, 4]
+        self.times = file.times() if file.has_steps() else np.empty(0)  # of its frames [s]: those of the run, or none
+
+    @functools.cached_property
+    def units(self):
+        """{field: unit}, of nodes and cells."""
+        return {**self._file.attributes("PointData", "unit"), **self._file.attributes("CellData", "unit")}
+
+    def field(self, name, k):
+        """Field `name` of frame k: "mass" [n_nodes], "velocity" [n_nodes, 3], "pressure" [n_cells]."""
+        if name not in self.units:
+            raise unknown(name, sorted(self.units), "field", self._file.path)
+        of_cells = name in self._file.attributes("CellData", "unit")
+        return self._file.values("CellData" if of_cells else "PointData", name, range(len(self.times))[k])
 
 
 class Run:
@@ -206,8 +219,7 @@ class Run:
     @functools.cached_property
     def mesh(self):
         """The background mesh."""
-        file = VtkhdfFile(self._file(MESH))
-        return Mesh(file.places(0), file.cells())
+        return Mesh(VtkhdfFile(self._file(MESH)))
 
     def unit(self, name):
         """Unit of a field or of a column of the tables, e.g. "Pa"; "-" where it has none. "stress.xx" has that of "stress"."""

@@ -25,6 +25,9 @@ class VtkhdfFile:
         """Times of the whole steps [s], shape [n_steps]."""
         return self.read(lambda root: root["Steps/Values"][:root["Steps"].attrs["NSteps"]])
 
+    def has_steps(self):
+        return self.read(lambda root: "Steps" in root)
+
     def attributes(self, data, key, default=""):
         """{name: text} of attribute `key` of the tables in `data`, "PointData" or "CellData"."""
         return self.read(lambda root: {name: _text(table.attrs.get(key, default)) for name, table in root.get(data, {}).items()})

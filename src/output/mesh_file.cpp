@@ -131,24 +131,23 @@ std::int64_t MeshFile::count_until(std::int64_t step) const
 
 void MeshFile::truncate_after(std::int64_t step) const
 {
-  if (!std::filesystem::exists(path_)) return;
+  if (!std::filesystem::exists(path_) || !Hdf5File(path_, Hdf5File::Mode::read).exists(steps)) return;
   Hdf5File file(path_, Hdf5File::Mode::commit, largest_size(largest_chunk, largest_chunk));
-  if (!file.exists(steps)) return;
   std::vector<vtkhdf::StepTable> tables;
   for (const MeshField& field : fields) tables.push_back({table_of(field), count_of(file, field.data)});
   vtkhdf::cut_steps(file, step, tables);
   file.close();
 }
 
-MeshWriter::MeshWriter(const std::string& folder, const Model& model, const State& state, bool with_steps)
-    : file_(path_in(folder, mesh_file)), model_(model), state_(state), with_steps_(with_steps)
+MeshWriter::MeshWriter(const std::string& folder, const Model& model, const State& state)
+    : file_(path_in(folder, mesh_file)), model_(model), state_(state)
 {
-  if (!std::filesystem::exists(path_in(folder, mesh_file))) file_.create(model.mesh, with_steps);
+  if (!std::filesystem::exists(path_in(folder, mesh_file))) file_.create(model.mesh, model.description.output.mesh);
 }
 
 void MeshWriter::frame(const std::shared_ptr<const Frame>&)
 {
-  if (!with_steps_ || state_.step == last_step_) return;
+  if (!model_.description.output.mesh || state_.step == last_step_) return;
   file_.append(make_mesh_frame(model_, state_));
   last_step_ = state_.step;
 }

@@ -33,11 +33,11 @@ class MeshFile {
   std::string path_;
 };
 
-/// Writes mesh.vtkhdf into the folder of a run: the mesh at once, unless it is there, and what it carries whenever a frame of the points
-/// is shown. In the run's own thread: it looks at the state, and is small against a frame.
+/// Writes mesh.vtkhdf into the folder of a run: the mesh at once, unless it is there, and with `output.mesh` what it carries whenever a
+/// frame of the points is shown. In the run's own thread: it looks at the state, and is small against a frame.
 class MeshWriter : public Observer {
  public:
-  MeshWriter(const std::string& folder, const Model& model, const State& state, bool with_steps);
+  MeshWriter(const std::string& folder, const Model& model, const State& state);
 
   void frame(const std::shared_ptr<const Frame>& frame) override;
 
@@ -45,7 +45,6 @@ class MeshWriter : public Observer {
   MeshFile file_;
   const Model& model_;
   const State& state_;
-  bool with_steps_;
   std::int64_t last_step_ = -1;  // a frame may be shown in parts
 };
 

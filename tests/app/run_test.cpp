@@ -228,12 +228,13 @@ TEST(Resume, FromACheckpointThatIsNamedEndsInTheSameResults)
 {
   const test::ScratchFolder scratch;
   const std::string whole = scratch.path() + "/whole", again = scratch.path() + "/again";
-  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}"}).status, 0);
+  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.mesh=true"}).status, 0);
   std::filesystem::copy(whole, again);
   const Finished f = test::terp({"resume", again + "/checkpoint_000000033.h5", "-j", "1"});
   EXPECT_EQ(f.status, 0) << f.err;
   EXPECT_THAT(f.out, HasSubstr("step 33 of 66\n"));
   test::expect_same_results(whole, again, last_checkpoint);
+  test::expect_same_fields(whole + "/mesh.vtkhdf", again + "/mesh.vtkhdf", {"/VTKHDF/PointData", "/VTKHDF/CellData"}, {"/VTKHDF/Steps/Values"});
 }
 
 TEST(Resume, SkipsADamagedCheckpointAndSaysSo)
@@ -279,9 +280,9 @@ TEST(Resume, WhereAFileOfTheRunIsMissingOrShortIsRefused)
 {
   const test::ScratchFolder scratch;
   const std::string whole = scratch.path() + "/whole";
-  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.fields.every=0.05"}).status, 0);
+  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.fields.every=0.05", "--set", "output.mesh=true"}).status, 0);
   std::filesystem::remove(whole + last_checkpoint);
-  for (const std::string name : {"results.vtkhdf", "history.csv", "ledger.csv"}) {
+  for (const std::string name : {"results.vtkhdf", "mesh.vtkhdf", "history.csv", "ledger.csv"}) {
     const std::string folder = scratch.path() + "/no_" + name;
     std::filesystem::copy(whole, folder);
     std::filesystem::remove(folder + "/" + name);

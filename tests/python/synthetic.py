@@ -182,8 +182,8 @@ def write_history(path, start, scheme, model, end):
 
 def write_ledger(path, end):
     names = ("time,step,kinetic,elastic,plastic,gravity_work,damping_work,boundary_work,left_energy,numerical,mass,"
-             "momentum_x,momentum_y,clamped,left,front_x,crest_x,v_max,v_999")
-    rows = [f"{t:.9g},{round(t / 6.06e-4)},1,2,3,4,5,6,0,0,31840,0,0,0,0,8,nan,1,1"
+             "momentum_x,momentum_y,clamped,left,front_x,crest_x,crest_y,moved_volume,v_max,v_999")
+    rows = [f"{t:.9g},{round(t / 6.06e-4)},1,2,3,4,5,6,0,0,31840,0,0,0,0,8,nan,nan,0,1,1"
             for t in np.arange(0.0, end + 1e-9, 0.1)]
     path.write_text("\n".join([names, *rows]) + "\n")
 

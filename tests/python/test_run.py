@@ -122,6 +122,9 @@ class RunFolder(unittest.TestCase):
         mesh = self.run_.mesh
         self.assertEqual((mesh.nodes.shape, mesh.cells.shape), ((17 * 4, 2), (48, 4)))
         np.testing.assert_array_equal(mesh.nodes[mesh.cells[0]], [(0, 0), (1, 0), (1, 1), (0, 1)])
+        self.assertEqual(len(mesh.times), 0)
+        with self.assertRaisesRegex(terp.RunError, "mesh.vtkhdf has no field `pressure`. It has: none"):
+            mesh.field("pressure", 0)
 
     def test_a_table_becomes_a_data_frame_where_pandas_is(self):
         if importlib.util.find_spec("pandas"):

@@ -16,7 +16,7 @@ import terp
 ROOT = support.HERE.parents[1]
 PROGRAM = os.environ.get("TERP")
 CASE = ROOT / "cases" / "column_collapse" / "model_2.toml"
-SETTINGS = ("mesh.cell=0.25", "time.end=0.6", "output.fields.every=0.05")
+SETTINGS = ("mesh.cell=0.25", "time.end=0.6", "output.fields.every=0.05", "output.mesh=true")
 
 
 @unittest.skipUnless(PROGRAM, "TERP names no program")
@@ -92,6 +92,25 @@ class RunOfTheProgram(unittest.TestCase):
         corners = mesh.nodes[mesh.cells[frame["cell"].astype(int)]]  # [n_points, 4, 2]
         self.assertEqual(len(mesh.cells), self.run_.summary["cells"])
         self.assertTrue(np.all(corners.min(axis=1) <= frame.x) and np.all(frame.x <= corners.max(axis=1)))
+
+    def test_the_mesh_carries_the_mass_and_momentum_of_the_ledger(self):
+        mesh, ledger = self.run_.mesh, self.run_.ledger
+        np.testing.assert_array_equal(mesh.times, self.run_.times)
+        self.assertEqual(mesh.units, {"mass": "kg per m", "velocity": "m/s", "pressure": "Pa"})
+        for k, time in enumerate(mesh.times):
+            row = ledger[np.argmin(np.abs(ledger["time"] - time))]
+            mass, velocity = mesh.field("mass", k), mesh.field("velocity", k)
+            np.testing.assert_allclose(mass.sum(), row["mass"], rtol=1e-12)
+            np.testing.assert_allclose(mass @ velocity[:, :2], (row["momentum_x"], row["momentum_y"]), rtol=1e-9, atol=1e-9)
+
+    def test_the_pressure_of_a_cell_is_that_of_its_points(self):
+        frame, pressure = self.run_.frame(-1), self.run_.mesh.field("pressure", -1)
+        cell, volume = frame["cell"].astype(int), frame["volume"]
+        of_points = frame["stress"][:, :3].mean(axis=1)
+        filled = np.bincount(cell, volume, len(pressure))
+        np.testing.assert_array_equal(np.isnan(pressure), filled == 0)
+        mean = np.bincount(cell, volume * of_points, len(pressure))[filled > 0] / filled[filled > 0]
+        np.testing.assert_allclose(pressure[filled > 0], mean, rtol=1e-9, atol=1e-6)
 
     def test_the_example_runs(self):
         pictures = self.folder / "pictures"

@@ -19,8 +19,8 @@ import numpy as np
 
 HERE = Path(__file__).resolve().parent
 CASE = HERE.parents[1] / "cases" / "column_collapse" / "model_2.toml"
-SETTINGS = ["mesh.cell=0.5", "time.end=0.3", "output.fields.every=0.1"]
-FILES = [("results.vtkhdf", 4, "vtkVertex"), ("mesh.vtkhdf", 0, "vtkQuad")]  # name, steps, class of the cells
+SETTINGS = ["mesh.cell=0.5", "time.end=0.3", "output.fields.every=0.1", "output.mesh=true"]
+FILES = [("results.vtkhdf", 4, "vtkVertex"), ("mesh.vtkhdf", 4, "vtkQuad")]  # name, steps, class of the cells
 NOT_THERE = 77
 
 
