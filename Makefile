@@ -44,7 +44,7 @@ verify: build    ## the verification ledger: all cases with a known answer; writ
 
 test-web: build  ## the report page: unit tests, and end-to-end tests in Chromium on runs of the program
 	@tools/install-dependencies --web
-	@cd web && npm ci --silent && npm run --silent build && npm test && TERP=$(abspath $(TERP)) npm run test:e2e
+	@cd web && { [ -e node_modules/.terp-lock ] || npm ci --silent; } && npm run --silent build && npm test && TERP=$(abspath $(TERP)) npm run test:e2e
 
 vtk: install     ## read results with VTK 9.3 and the newest: Debian 13 and sid, 2.5 GB in build/vtk
 	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null

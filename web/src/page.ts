@@ -11,7 +11,7 @@ import { Viewer } from "./view/viewer";
 import { Figure, pngOf, save } from "./view/figure";
 import { BAR_HEIGHT, drawColourBar } from "./view/colour_bar";
 import { record, videoEnding, videoType } from "./view/video";
-import { Player } from "./shell/player";
+import { marksOf, Player } from "./shell/player";
 import { fieldControls, layerControls, zoomButtons } from "./shell/controls";
 import { Keys, type Actions } from "./shell/keys";
 import { keepInAddress } from "./shell/address";
@@ -136,10 +136,14 @@ function loadFields(current: Current): void {
   });
 }
 
+/** What the signs on the bar of time, just below, stand for. */
+const MARKS = "Below: 1, 2 slide begins · ~ shears fastest · ■ stops";
+
 function colourBar(current: Current): HTMLElement {
   const canvas = element("canvas", { role: "img", "aria-label": "Colour bar" });
-  const help = element("p", { class: "muted small" });
-  const root = element("div", { class: "colour-bar" }, canvas, help);
+  const help = element("span");
+  const marks = current.report.runs.some((run) => marksOf(run).length > 0) ? element("span", { class: "no-print" }, MARKS) : null;
+  const root = element("div", { class: "colour-bar" }, canvas, element("p", { class: "muted small" }, help, marks));
   const draw = () => {
     const ratio = window.devicePixelRatio || 1;
     const width = root.clientWidth;

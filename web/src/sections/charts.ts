@@ -4,7 +4,7 @@ import type { Report } from "../data/report";
 import type { Current } from "../view/current";
 import type { Run } from "../data/run";
 import { Chart, type Line } from "../charts/chart";
-import { CATEGORIES } from "../logic/colour";
+import { CATEGORIES, lineColour } from "../logic/colour";
 import { runLabels, spoken } from "../logic/labels";
 import { durationText, numberText } from "../logic/numbers";
 import { heightsAt, places } from "../logic/surface";
@@ -17,7 +17,7 @@ const DASH = [7, 4];
 export function chartsSection(current: Current): HTMLElement {
   const { report } = current;
   const labels = runLabels(report.runs.map((run) => run.meta));
-  const cards = [frontAndCrest(current, labels), kinetic(current, labels), ...energies(current, labels), surfaces(current, labels)];
+  const cards = [frontAndCrest(current, labels), kinetic(current, labels), surfaces(current, labels), ...energies(current, labels)];
   return element("section", { id: "charts", "aria-labelledby": "charts-title" },
     element("h2", { id: "charts-title" }, "Over time"),
     element("p", { class: "muted no-print" }, "Drag to zoom, double click for all, click to show that time above."),
@@ -78,7 +78,7 @@ function energies(current: Current, labels: string[]): HTMLElement[] {
     if (!x || columns.length === 0) return [];
     const lines = columns.map(({ name }, k): Line => ({
       label: series.label(name) === name ? spoken(name) : series.label(name), x, y: series.column(name)!,
-      colour: () => CATEGORIES[k % CATEGORIES.length]!, dash: name === "numerical" ? [2, 3] : undefined,
+      colour: (dark) => lineColour(k, dark), dash: name === "numerical" ? [2, 3] : undefined,
     }));
     const title = `Energy ledger${labels.length > 1 ? `, ${labels[run.index]}` : ""}`;
     const chart = new Chart(current.store, { title, xLabel: "time [s]", unit: columns[0]!.unit });
@@ -127,7 +127,7 @@ function histories(current: Current, labels: string[]): HTMLElement | null {
   const show = (name: string) => {
     const lines = runs.map((run) => run.histories.flatMap((history, k): Line[] => {
       const [x, y] = [history.table.column("time"), history.table.column(name)];
-      return x && y ? [{ label: history.name, x, y, colour: () => CATEGORIES[k % CATEGORIES.length]!, dash: k >= CATEGORIES.length ? [4, 3] : undefined, width: 1.8 }] : [];
+      return x && y ? [{ label: history.name, x, y, colour: (dark) => lineColour(k, dark), dash: k >= CATEGORIES.length ? [4, 3] : undefined, width: 1.8 }] : [];
     }));
     const yRange = commonRange(lines.flat());
     charts.forEach((chart, k) => {

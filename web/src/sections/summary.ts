@@ -37,7 +37,7 @@ function slideTime(k: number, what: "begins" | "stops"): Pick<Fact, "value" | "t
       if (!run.meta.events) return "–";
       const time = slide(run)?.[what];
       if (typeof time === "number") return withUnit(time, "s", 3);
-      return slide(run) ? "does not" : what === "begins" ? "none" : "–";
+      return time === null ? "does not" : what === "begins" ? "none" : "–";
     },
   };
 }
@@ -84,7 +84,8 @@ function factTable(report: Report, labels: string[], store: Store): HTMLElement 
       if (typeof time !== "number") return element("td", {}, text);
       return element("td", {}, element("button", { type: "button", class: "go", title: "Show this time", onclick: () => store.set({ time, playing: false }) }, text));
     })));
-  return element("table", { class: "facts" }, several ? element("thead", {}, head) : null, element("tbody", {}, ...rows));
+  const table = element("table", { class: report.runs.length > 2 ? "facts many" : "facts" }, several ? element("thead", {}, head) : null, element("tbody", {}, ...rows));
+  return element("div", { class: "scroll" }, table);
 }
 
 /** Marks an element with the colour of a run. */

@@ -254,6 +254,7 @@ describe("the page", () => {
     await page.locator(".toggle", { hasText: "MPM-GP" }).click();
     await settled(page);
     expect(await page.locator(".view:visible").count()).toBe(2);
+    expect(await page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth")).toBeLessThanOrEqual(0);
     expect(errors).toEqual([]);
     await page.context().close();
   });
