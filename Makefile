@@ -2,6 +2,7 @@
 BUILD   ?= build
 FUZZ_SECONDS ?= 600
 KILLS   ?= 200
+CLANG    = -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_C_COMPILER=clang-14 -DCMAKE_LINKER=/usr/bin/ld -DTERP_PAGE=OFF
 RUNS    ?= runs
 FIGURES ?= figures
 TERP     = $(BUILD)/terp
@@ -9,7 +10,7 @@ CASES    = cases/column_collapse
 PYTHON   = PYTHONPATH=python /usr/bin/python3
 
 .DEFAULT_GOAL := help
-.PHONY: help install build demo test vtk verify verify-paper kill fuzz sanitize lint accept clean
+.PHONY: help install build demo test test-web vtk verify verify-paper kill fuzz sanitize lint accept clean
 
 help:            ## this list
 	@echo "Terp: explicit material point method for soil that softens and fails"
@@ -23,14 +24,15 @@ build: install   ## build the program: build/terp
 	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=OFF >/dev/null
 	@cmake --build $(BUILD)
 
-demo: build      ## run the paper's models with both schemes, draw figures 1 to 9, compare
+demo: build      ## run the paper's models with both schemes, draw figures 1 to 9, compare, write the report page
 	@for model in 1 2; do for scheme in mixed gp; do \
 	   echo "model $$model, MPM-$$scheme:"; \
-	   $(TERP) run $(CASES)/model_$$model.toml --set scheme=mpm_$$scheme -o $(RUNS)/model_$${model}_$$scheme --force || exit; \
+	   $(TERP) run $(CASES)/model_$$model.toml --set scheme=mpm_$$scheme --set output.fields.every=0.05 -o $(RUNS)/model_$${model}_$$scheme --force || exit; \
 	 done; done
 	@$(PYTHON) -m terp.figures $(RUNS)/model_1_mixed $(RUNS)/model_1_gp $(RUNS)/model_2_mixed $(RUNS)/model_2_gp -o $(FIGURES)
-	@$(PYTHON) -m terp.table $(RUNS)/model_1_mixed $(RUNS)/model_1_gp $(RUNS)/model_2_mixed $(RUNS)/model_2_gp
+	@for model in 1 2; do $(TERP) compare $(RUNS)/model_$${model}_mixed $(RUNS)/model_$${model}_gp || exit; done
 	@echo "figures in $(FIGURES)/, runs in $(RUNS)/"
+	@$(TERP) report $(RUNS)/model_2_mixed $(RUNS)/model_2_gp -o $(RUNS)/report.html
 
 test: install    ## install, build and run the tests
 	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null
@@ -39,6 +41,10 @@ test: install    ## install, build and run the tests
 
 verify: build    ## the verification ledger: all cases with a known answer; writes docs/verification.md
 	@$(TERP) verify --markdown docs/verification.md
+
+test-web: build  ## the report page: unit tests, and end-to-end tests in Chromium on runs of the program
+	@tools/install-dependencies --web
+	@cd web && { [ -e node_modules/.terp-lock ] || npm ci --silent; } && npm run --silent build && npm test && TERP=$(abspath $(TERP)) npm run test:e2e
 
 vtk: install     ## read results with VTK 9.3 and the newest: Debian 13 and sid, 2.5 GB in build/vtk
 	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null
@@ -58,7 +64,7 @@ kill: install    ## kill KILLS=200 runs at random moments, resume them, compare 
 
 fuzz: install    ## fuzz each reader of files for FUZZ_SECONDS=600 with libFuzzer (clang)
 	@tools/install-dependencies --checks
-	@cmake -S . -B $(BUILD)/fuzz -G Ninja -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_C_COMPILER=clang-14 -DTERP_FUZZ=ON -DTERP_TESTS=OFF >/dev/null
+	@cmake -S . -B $(BUILD)/fuzz -G Ninja -DTERP_FUZZ=ON -DTERP_TESTS=OFF $(CLANG) >/dev/null
 	@cmake --build $(BUILD)/fuzz
 	@tests/fuzz/run $(BUILD)/fuzz/tests/fuzz $(BUILD)/fuzz/found $(FUZZ_SECONDS)
 
@@ -67,7 +73,7 @@ sanitize: install ## the tests with the address, undefined-behaviour and thread 
 
 lint: install    ## clang-tidy and cppcheck, warnings as errors (.clang-tidy, tools/lint)
 	@tools/install-dependencies --checks
-	@cmake -S . -B $(BUILD)/lint -G Ninja -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_C_COMPILER=clang-14 -DTERP_INSTRUCTIONS=plain >/dev/null
+	@cmake -S . -B $(BUILD)/lint -G Ninja -DTERP_INSTRUCTIONS=plain -DTERP_TESTS=OFF $(CLANG) >/dev/null
 	@tools/lint $(BUILD)/lint
 
 accept: build    ## write what CASE=column_collapse gives now into its expected.toml

@@ -1,6 +1,8 @@
 // The commands of the program, one function each. Each returns the exit status.
 #pragma once
 
+#include "stability/factor_of_safety.hpp"
+
 #include <string>
 #include <vector>
 
@@ -17,6 +19,7 @@ struct RunOptions {
   bool force = false, quiet = false, verbose = false;
   long steps = 100, warm_steps = 50; ///< of bench: in each of five trials, and before them
   bool json = false;                 ///< of bench
+  bool report = false;               ///< write the page of the run at its end
 };
 
 struct VerifyOptions {
@@ -33,12 +36,26 @@ struct ReportCommand {
   bool json = false;              ///< of compare
 };
 
+struct ExportCommand {
+  std::string run, format, frames, folder;
+  std::vector<std::string> fields;
+};
+
+struct WatchCommand {
+  std::string run;
+  double every = 2.0;  ///< [s]
+  bool once = false;
+};
+
 int run_case(const RunOptions& options);
+int find_stability(const RunOptions& run, StabilityOptions options);
 int resume_run(const RunOptions& options);
 int check_case(const RunOptions& options);
 int bench_case(const RunOptions& options);
 int verify_cases(const VerifyOptions& options);
 int report_runs(const ReportCommand& command);
 int compare_folders(const ReportCommand& command);
+int export_run(const ExportCommand& command);
+int watch_run(const WatchCommand& command);
 
 }  // namespace terp

@@ -24,8 +24,15 @@ Solve
   run CASE.toml           solve a case; results go to runs/<case name>/
   resume RUN              continue from the newest checkpoint of a run folder,
                           or from the checkpoint file that is named
+  stability CASE.toml     factor of safety by strength reduction (--from, --to,
+                          --tolerance, --damping, --json; docs/stability.md)
+  watch RUN               how far a run is that another terp solves (--every S, --once)
+
+Look
   report RUN...           write report.html: one page that shows the runs, side by side
   compare RUN RUN...      table of what differs between runs (--json)
+  export RUN --format F   frames as vtu, csv or npz into RUN/F or -o DIR (--field NAME,
+                          may be given several times; --frames 0,5,10:20,last)
 
 Understand
   check CASE.toml         read and validate, print what would run, solve nothing
@@ -42,6 +49,7 @@ Options
   -j, --threads N         CPU threads (default: what this job may use)
       --set KEY=VALUE     change one key of the case; may be given several times
       --force             replace the results of an earlier run
+      --report            write the page of the run at its end: RUN/report.html
   -q, --quiet    -v, --verbose    --version    -h, --help
 
 Try
@@ -53,9 +61,12 @@ Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else
 
 struct CommandLine {
   terp::RunOptions options;
+  terp::StabilityOptions stability;
   terp::VerifyOptions verify;
   std::string topic;
   terp::ReportCommand report;
+  terp::ExportCommand exported;
+  terp::WatchCommand watch;
 };
 
 CLI::App* add_case_command(CLI::App& app, const char* name, CommandLine& line)
@@ -65,6 +76,22 @@ CLI::App* add_case_command(CLI::App& app, const char* name, CommandLine& line)
   command->add_option("-j,--threads", line.options.threads)->check(CLI::Range(1, 1024));
   command->add_flag("-q,--quiet", line.options.quiet);
   command->add_flag("-v,--verbose", line.options.verbose);
+  return command;
+}
+
+CLI::App* add_stability_command(CLI::App& app, CommandLine& line)
+{
+  CLI::App* command = add_case_command(app, "stability", line);
+  const auto factors = CLI::Range(0.01, 100.0), shares = CLI::Range(0.0, 0.99);
+  command->add_option("--from", line.stability.search.from)->check(factors);
+  command->add_option("--to", line.stability.search.to)->check(factors);
+  command->add_option("--tolerance", line.stability.search.tolerance)->check(CLI::Range(1e-4, 1.0));
+  command->add_option("--damping", line.stability.rules.damping)->check(shares);
+  command->add_option("--rest", line.stability.rules.rest)->check(CLI::Range(1e-9, 0.1));
+  command->add_option("--failure", line.stability.rules.failure)->check(CLI::Range(1e-3, 1e3));
+  command->add_option("--windows", line.stability.rules.most_windows)->check(CLI::Range(3, 100000));
+  command->add_option("-o,--output", line.options.output);
+  command->add_flag("--json", line.options.json);
   return command;
 }
 
@@ -89,6 +116,7 @@ void declare(CLI::App& app, CommandLine& line)
   CLI::App* run = add_case_command(app, "run", line);
   run->add_option("-o,--output", line.options.output);
   run->add_flag("--force", line.options.force);
+  run->add_flag("--report", line.options.report);
   CLI::App* check = add_case_command(app, "check", line);
   add_case_command(app, "resume", line);
   CLI::App* bench = app.add_subcommand("bench");
@@ -97,6 +125,7 @@ void declare(CLI::App& app, CommandLine& line)
   bench->add_option("--steps", line.options.steps)->check(CLI::Range(1, 1000000));
   bench->add_option("--warm", line.options.warm_steps)->check(CLI::Range(0, 1000000));
   bench->add_flag("--json", line.options.json);
+  CLI::App* stability = add_stability_command(app, line);
   declare_verify(app, line.verify);
   CLI::App* report = app.add_subcommand("report");
   report->add_option("runs", line.report.runs)->required();
@@ -104,7 +133,17 @@ void declare(CLI::App& app, CommandLine& line)
   CLI::App* compare = app.add_subcommand("compare");
   compare->add_option("runs", line.report.runs)->required();
   compare->add_flag("--json", line.report.json);
-  for (CLI::App* command : {run, check, bench})
+  CLI::App* exported = app.add_subcommand("export");
+  exported->add_option("run", line.exported.run)->required();
+  exported->add_option("--format", line.exported.format)->required();
+  exported->add_option("--field", line.exported.fields)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  exported->add_option("--frames", line.exported.frames);
+  exported->add_option("-o,--output", line.exported.folder);
+  CLI::App* watch = app.add_subcommand("watch");
+  watch->add_option("run", line.watch.run)->required();
+  watch->add_option("--every", line.watch.every)->check(CLI::Range(0.1, 3600.0));
+  watch->add_flag("--once", line.watch.once);
+  for (CLI::App* command : {run, check, bench, stability})
     command->add_option("--set", line.options.changes)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_subcommand("explain")->add_option("topic", line.topic)->required();
   app.add_subcommand("list");
@@ -127,9 +166,12 @@ int call(const CLI::App& app, const CommandLine& line)
 {
   if (app.got_subcommand("run")) return terp::run_case(line.options);
   if (app.got_subcommand("resume")) return terp::resume_run(line.options);
+  if (app.got_subcommand("stability")) return terp::find_stability(line.options, line.stability);
   if (app.got_subcommand("check")) return terp::check_case(line.options);
   if (app.got_subcommand("report")) return terp::report_runs(line.report);
   if (app.got_subcommand("compare")) return terp::compare_folders(line.report);
+  if (app.got_subcommand("export")) return terp::export_run(line.exported);
+  if (app.got_subcommand("watch")) return terp::watch_run(line.watch);
   if (app.got_subcommand("bench")) return terp::bench_case(line.options);
   if (app.got_subcommand("verify")) return terp::verify_cases(line.verify);
   fmt::print("{}", app.got_subcommand("explain") ? terp::explain(line.topic) : terp::list());

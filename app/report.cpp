@@ -1,15 +1,18 @@
-// terp report and terp compare: one run or several side by side, as a page or as a table.
+// terp report, terp compare, terp export: what a run folder holds, as a page, as a table, in other formats.
 
 #include "commands.hpp"
 #include "input/case_file.hpp"
 #include "output/files.hpp"
 #include "report/page.hpp"
 #include "results/compare.hpp"
+#include "results/export.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace terp {
 
@@ -23,6 +26,18 @@ int report_runs(const ReportCommand& command)
   for (const auto& note : payload.notes) fmt::print("{}\n", note);
   if (!has_page()) fmt::print(stderr, "warning: this terp was built without its report page; {} holds the data alone\n", path);
   fmt::print("report in {} ({:.1f} MB)\n", path, static_cast<double>(std::filesystem::file_size(path)) / 1e6);
+  return solved;
+}
+
+int export_run(const ExportCommand& command)
+{
+  const std::vector<std::string> formats{"vtu", "csv", "npz"};  // in the order of ExportFormat
+  const auto format = std::find(formats.begin(), formats.end(), command.format);
+  if (format == formats.end()) throw CaseError(fmt::format("error: there is no format `{}`\n  Formats: {}\n", command.format, fmt::join(formats, ", ")));
+  const RunResults run = read_run(command.run);
+  const std::string folder = command.folder.empty() ? path_in(command.run, command.format) : command.folder;
+  const auto paths = export_frames(run.frames(), {static_cast<ExportFormat>(format - formats.begin()), command.fields, command.frames, folder});
+  fmt::print("{} frames in {}, listed in {}\n", paths.size() - 1, folder, paths.back());
   return solved;
 }
 

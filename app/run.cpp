@@ -2,7 +2,9 @@
 
 #include "commands.hpp"
 #include "input/case_file.hpp"
+#include "input/printable.hpp"
 #include "output/checkpoint.hpp"
+#include "output/mesh_file.hpp"
 #include "output/run_writer.hpp"
 #include "output/summary_json.hpp"
 #include "parallel/threads.hpp"
@@ -52,6 +54,9 @@ void print_summary(const Summary& s, const std::string& folder)
   fmt::print("  second failure   {}\n", optional_number(s.second_failure_time, "s"));
   fmt::print("  largest eps_eq_p {:.3g}\n", s.max_eps_eq_p);
   fmt::print("  energy balance   {:.2g} % of the energy exchanged\n", 100.0 * s.energy_balance_error);
+  for (const FootingSummary& f : s.footings)
+    fmt::print("  {:<16} reaction {:.4g} kN/m, {:.4g} kN/m up, at the end; largest against its motion {:.4g} kN/m\n", printable(f.name), f.reaction[0] / 1e3,
+               f.reaction[1] / 1e3, f.largest / 1e3);
   fmt::print("  points lost: 0; put back at walls: {}; left through open sides: {}\n", s.clamped_points, s.points_left);
   fmt::print("results in {}\n", folder);
 }
@@ -91,9 +96,10 @@ int solve(const Model& model, State& state, RunWriter& writer, const RunOptions&
 {
   listen_for_stop();
   ProgressLine progress(options.quiet);
-  Observer* const observers[] = {&writer, &progress};
   Workspace work(model, state);
   try {
+    MeshWriter mesh(folder, model, state);
+    Observer* const observers[] = {&writer, &mesh, &progress};
     writer.summary(summarise(model, state), false);  // also names the case for `resume`
     const Outcome outcome = run(model, state, work, observers, stop_requested);
     progress.finish();
@@ -117,6 +123,14 @@ int solve(const Model& model, State& state, RunWriter& writer, const RunOptions&
     progress.finish();
     throw FileError(error.what() + hint_to_go_on(folder));
   }
+}
+
+/// The same, and the page of the run if it is wanted.
+int solve_and_show(const Model& model, State& state, RunWriter& writer, const RunOptions& options, const std::string& folder)
+{
+  const int status = solve(model, state, writer, options, folder);
+  if (options.report && status == solved) report_runs({.runs = {folder}, .output = path_in(folder, report_file)});
+  return status;
 }
 
 int threads_of(const RunOptions& options) { return options.threads > 0 ? options.threads : available_processors(); }
@@ -162,8 +176,10 @@ ResumePoint resume_point(const Model& model, const State& state)
   const OutputCase& output = model.description.output;
   const std::int64_t n_times = count_due(state.step, model.dt, output.history_every);
   return {.step = state.step, .time = state.time, .n_frames = std::ssize(state.softened_fraction),
+          .n_mesh_frames = output.mesh ? std::ssize(state.softened_fraction) : 0,
           .n_history_rows = n_times * std::ssize(output.history_points), .n_ledger_rows = std::ssize(state.crest.time),
-          .n_left_rows = std::ssize(state.left)};
+          .n_left_rows = std::ssize(state.left),
+          .n_footing_rows = std::ssize(state.crest.time) * std::ssize(model.footings)};
 }
 
 }  // namespace
@@ -178,7 +194,7 @@ int run_case(const RunOptions& options)
     fmt::print(stderr, "{}", render_warnings(find_warnings(model, state), file));
     const std::string folder = options.output.empty() ? "runs/" + file.values.name : options.output;
     const auto writer = RunWriter::start({folder, {file.values.name, file.text}, file.values.output.checkpoint_keep}, options.force);
-    return solve(model, state, *writer, options, folder);
+    return solve_and_show(model, state, *writer, options, folder);
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));
   }
@@ -198,7 +214,7 @@ int resume_run(const RunOptions& options)
     RunWriterSettings settings{folder, {case_name_in(folder), file.text}, file.values.output.checkpoint_keep};
     const auto writer = RunWriter::resume(std::move(settings), std::move(lock), resume_point(model, state));
     if (!options.quiet) fmt::print("resuming {} at t = {:.4g} s, step {} of {}\n", folder, state.time, state.step, model.n_steps);
-    return solve(model, state, *writer, options, folder);
+    return solve_and_show(model, state, *writer, options, folder);
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));
   }

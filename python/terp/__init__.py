@@ -3,17 +3,22 @@
     import terp
 
     run = terp.open("runs/model_2")
-    k = run.at(2.5)                       # the frame nearest to t = 2.5 s
-    eps = run.field("eps_eq_p", k)        # numpy array, shape [n_points]
+    frame = run.frame(run.at(2.5))        # the frame nearest to t = 2.5 s
+    frame["eps_eq_p"]                     # numpy array, shape [n_points], read when first asked for
     run.history_of("A")["su"]             # undrained shear strength of point A over time [Pa]
 
-The figures of the paper: `python3 -m terp.figures`; the two schemes side by side: `python3 -m terp.table`.
-The files themselves are described in docs/formats.md.
+    from terp import plot
+    plot.field(run, "eps_eq_p", 2.5).figure.savefig("slip.png")
+
+Described in docs/python.md. The paper's figures: `python3 -m terp.figures`; a field at some times: `python3 -m terp.sections`;
+runs side by side in numbers: the program itself, `terp compare`.
 """
 
-from terp.run import UNITS, Frame, Run, RunError
+from terp.errors import RunError
+from terp.run import Frame, Mesh, Run
+from terp.tables import to_pandas
 
-__all__ = ["UNITS", "Frame", "Run", "RunError", "open"]
+__all__ = ["Frame", "Mesh", "Run", "RunError", "open", "to_pandas"]
 
 
 def open(folder):  # noqa: A001 (terp.open is meant to read like the built-in)

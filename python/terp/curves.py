@@ -4,8 +4,8 @@ import numpy as np
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
-from terp import style
-from terp.pairs import SCHEME_TITLES, strengths, total_strain_norm
+from terp import plot, style
+from terp.pairs import SCHEME_TITLES, strengths
 
 LEFT, RIGHT, GAP = 20.0, 2.5, 6.0              # margins and space between the columns [mm]
 TOP, HEIGHT, ROW_GAP, BELOW = 10.5, 36.0, 5.0, 9.0  # legend and title, a panel, space between rows, tick labels [mm]
@@ -13,14 +13,12 @@ TOP, HEIGHT, ROW_GAP, BELOW = 10.5, 36.0, 5.0, 9.0  # legend and title, a panel,
 
 def draw_strain_curves(pair, names):
     """Figures 6 and 7: total deviatoric strain above, plastic deviatoric strain below; one scale for all four."""
-    labels = [f"total deviatoric strain\n{style.NORMS.get(total_strain_norm(pair.gp), '')}",
-              "plastic deviatoric strain\n" r"$\varepsilon_{eq,p}$"]
     columns = ("eps_deviatoric", "eps_eq_p")
     figure, panels = lay_out(2, names)
     draw_rows(pair, panels, columns, names)
     end = 1.05 * max(largest(pair, column, names) for column in columns)
-    for row, label in zip(panels, labels):
-        finish_row(row, label, end)
+    for row, column in zip(panels, columns):
+        finish_row(row, plot.label_of(pair.gp, column, in_two_lines=True), end)
     return figure, missing_points(pair, names)
 
 
@@ -37,7 +35,7 @@ def draw_strain_and_strength_curves(pair, names):
     figure, panels = lay_out(2, names)
     draw_rows(pair, panels, ("eps_eq_p", "su"), names)
     end = 1.05 * largest(pair, "eps_eq_p", names)
-    finish_row(panels[0], "plastic deviatoric strain\n" r"$\varepsilon_{eq,p}$", end)
+    finish_row(panels[0], plot.label_of(pair.gp, "eps_eq_p", in_two_lines=True), end)
     finish_strength_row(pair, panels[1])
     return figure, missing_points(pair, names)
 
@@ -46,25 +44,21 @@ def lay_out(n_rows, names):
     """Figure with a legend of the points above, and panels [n_rows][2]."""
     width = (style.TWO_COLUMNS - LEFT - RIGHT - GAP) / 2
     figure = style.new_figure(style.TWO_COLUMNS, TOP + n_rows * HEIGHT + (n_rows - 1) * ROW_GAP + BELOW)
-    panels = [[style.add_panel(figure, LEFT + column * (width + GAP), TOP + row * (HEIGHT + ROW_GAP), width, HEIGHT)
-               for column in range(2)] for row in range(n_rows)]
+    panels = style.panel_grid(figure, (n_rows, 2), (LEFT, TOP), (width, HEIGHT), (GAP, ROW_GAP))
     for panel, scheme, letter in zip(panels[0], ("mpm_mixed", "mpm_gp"), "ab"):
         panel.set_title(f"({letter}) {SCHEME_TITLES[scheme]}", loc="left", pad=4)
-    handles = [Line2D([], [], color=style.LINES[name][0], ls=style.LINES[name][1], label=name) for name in names]
+    handles = [Line2D([], [], color=colour, ls=dashes, label=name)
+               for name, (colour, dashes) in zip(names, style.lines_of(names))]
     figure.legend(handles=handles, loc="upper center", ncol=len(names), handlelength=3.2, columnspacing=1.8,
                   borderaxespad=0.2)
     return figure, panels
 
 
 def draw_rows(pair, panels, columns, names):
-    """Row r shows column r of history.csv; strength in kPa."""
+    """Row r shows column r of history.csv."""
     for row, column in zip(panels, columns):
-        scale = 1e-3 if column == "su" else 1.0
         for run, panel in zip(pair.runs, row):
-            for name in [name for name in names if name in run.history_points]:
-                rows = run.history_of(name)
-                colour, dashes = style.LINES[name]
-                panel.plot(rows["time"], scale * rows[column], color=colour, ls=dashes)
+            plot.history_lines(panel, run, column, [name for name in names if name in run.history_points])
 
 
 def finish_row(row, label, end):
@@ -91,8 +85,8 @@ def lowest_row(figure):
 
 def finish_strength_row(pair, row):
     """As finish_row, with the peak and the residual strength as thin lines."""
-    peak, residual = (1e-3 * strength for strength in strengths(pair.gp))
-    finish_row(row, "undrained shear strength\n" r"$S_u$ (kPa)", 1.12 * peak)
+    peak, residual = (style.in_print("Pa")[0] * strength for strength in strengths(pair.gp))
+    finish_row(row, plot.label_of(pair.gp, "su", in_two_lines=True), 1.12 * peak)
     for panel in row:
         for value in {peak, residual}:
             panel.axhline(value, color=style.GREY, lw=0.6, zorder=1)

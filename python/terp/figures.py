@@ -11,9 +11,9 @@ import functools
 import sys
 from pathlib import Path
 
-from terp import curves, geometry, maps, style
-from terp.pairs import POINTS_A_TO_F, POINTS_G_TO_J, read_pairs, runs_parser, total_strain_norm
-from terp.run import RunError
+from terp import curves, geometry, sections, style
+from terp.command import exit_status, runs_parser
+from terp.pairs import POINTS_A_TO_F, POINTS_G_TO_J, read_pairs
 
 TIMES_MODEL_1 = (1.0, 2.0, 4.0)            # figures 2 and 3 [s]
 TIMES_MODEL_2 = (0.0, 0.5, 1.0, 2.5, 4.0)  # figures 4 and 5 [s]
@@ -21,16 +21,16 @@ TIMES_MODEL_2 = (0.0, 0.5, 1.0, 2.5, 4.0)  # figures 4 and 5 [s]
 
 def figures_of(pair, limit=None):
     """{number: function that draws it}: each returns the figure (or None) and notes on what is missing."""
-    total = functools.partial(maps.MapFigure, "eps_deviatoric", style.total_strain_label(total_strain_norm(pair.gp)))
-    plastic = functools.partial(maps.MapFigure, "eps_eq_p", style.plastic_strain_label())
-    map_of = functools.partial(functools.partial, maps.draw_map_figure, pair)
+    def section(field, times, points=""):
+        return functools.partial(sections.draw_sections, pair.runs, sections.Section(field, times, points, limit))
+
     if pair.model == 1:
-        return {2: map_of(total(TIMES_MODEL_1, limit=limit)), 3: map_of(plastic(TIMES_MODEL_1, limit=limit))}
+        return {2: section("eps_deviatoric", TIMES_MODEL_1), 3: section("eps_eq_p", TIMES_MODEL_1)}
     points = POINTS_A_TO_F + POINTS_G_TO_J
     return {
         1: functools.partial(geometry.draw_geometry, pair),
-        4: map_of(total(TIMES_MODEL_2, points, limit)),
-        5: map_of(plastic(TIMES_MODEL_2, points, limit)),
+        4: section("eps_deviatoric", TIMES_MODEL_2, points),
+        5: section("eps_eq_p", TIMES_MODEL_2, points),
         6: functools.partial(curves.draw_strain_curves, pair, POINTS_A_TO_F),
         7: functools.partial(curves.draw_strain_curves, pair, POINTS_G_TO_J),
         8: functools.partial(curves.draw_strength_curves, pair, POINTS_A_TO_F),
@@ -62,15 +62,7 @@ def main(arguments=None):
     parser.add_argument("--max-strain", type=float, metavar="VALUE",
                         help="end of the colour scale of figures 2 to 5 (default: from the last frame of each figure)")
     options = parser.parse_args(arguments)
-    try:
-        draw_figures(read_pairs(options.runs), options.output, options.max_strain)
-    except RunError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 2
-    except OSError as error:
-        print(f"error: cannot write the figures: {error}", file=sys.stderr)
-        return 1
-    return 0
+    return exit_status(lambda: draw_figures(read_pairs(options.runs), options.output, options.max_strain))
 
 
 if __name__ == "__main__":

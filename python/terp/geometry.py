@@ -3,8 +3,8 @@
 import numpy as np
 from matplotlib.patches import Circle, ConnectionPatch, Polygon, Rectangle
 
-from terp import style
-from terp.run import RunError
+from terp import plot, style
+from terp.errors import RunError
 
 LEFT, RIGHT, TOP, BELOW = 9.0, 2.5, 1.0, 8.0  # margins [mm]
 WALL = 0.32            # room for the walls' symbols around the mesh [m of the drawing]
@@ -18,7 +18,7 @@ def draw_geometry(pair):
     box = mesh_box(case)
     figure, panel = lay_out(box)
     draw_mesh(panel, case, box)
-    corners = body_corners(case)
+    corners = plot.body_outlines(case)[0]
     draw_soil(panel, corners)
     for side in ("left", "right", "bottom", "top"):
         draw_side(panel, box, side, case.get("boundary", {}).get(side, "free"))
@@ -46,15 +46,6 @@ def mesh_box(case):
 def cell_size(case):
     """Width and height of a cell [m]."""
     return np.broadcast_to(np.asarray(case["mesh"]["cell"], dtype=float), 2)
-
-
-def body_corners(case):
-    """Corners of the first body [m], shape [n, 2]."""
-    body = case["body"][0]
-    if "polygon" in body:
-        return np.asarray(body["polygon"], dtype=float)
-    (x0, y0), (x1, y1) = body["box"]
-    return np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
 
 
 def named_points(run):

@@ -3,10 +3,10 @@
 Also what their case says about the paper's column: which model it is, the norm of the total strain, the strengths.
 """
 
-import argparse
 import dataclasses
 
-from terp.run import Run, RunError
+from terp.errors import RunError
+from terp.run import Run
 
 POINTS_A_TO_F = "ABCDEF"
 POINTS_G_TO_J = "GHIJ"
@@ -25,14 +25,6 @@ class Pair:
     @property
     def runs(self):
         return (self.mixed, self.gp)
-
-
-def runs_parser(program, description):
-    """A command line that takes one or two pairs of run folders."""
-    parser = argparse.ArgumentParser(prog=program, description=description)
-    parser.add_argument("runs", nargs="+", metavar="RUN",
-                        help="run folders: RUN_MIXED RUN_GP, or MIXED_1 GP_1 MIXED_2 GP_2 for both models")
-    return parser
 
 
 def read_pairs(folders):
@@ -80,8 +72,3 @@ def strengths(run):
         if "su_peak" in material and "su_residual" in material:
             return float(material["su_peak"]), float(material["su_residual"])
     raise RunError(f"the case of {run.folder} has no material with su_peak and su_residual")
-
-
-def total_strain_norm(run):
-    """Name of the norm of eps_deviatoric: "half" or "von_mises" (reading R18)."""
-    return run.case.get("output", {}).get("deviatoric_norm", "half")

@@ -1,34 +1,21 @@
-"""One run folder: results.vtkhdf, history.csv, ledger.csv and summary.json as numpy arrays and dictionaries.
+"""One run folder as numpy arrays and dictionaries.
 
-Not for drawing (terp.figures) and not for judging a run: it hands out what the solver wrote, in SI units.
+Not for drawing (plot.py) and not for judging a run: it hands out what the solver wrote, in SI units, and computes nothing anew.
 """
 
-import difflib
 import functools
 import json
 import tomllib
 from pathlib import Path
 
-import h5py
 import numpy as np
 
-UNITS = {
-    "x": "m", "y": "m", "displacement": "m", "velocity": "m/s", "stress": "Pa", "pressure": "Pa", "su": "Pa",
-    "volume": "m^2", "strain": "-", "eps_deviatoric": "-", "eps_eq_p": "-", "id": "-", "material": "-",
-    "cell": "-", "time": "s", "step": "-", "kinetic": "J per m", "elastic": "J per m", "plastic": "J per m",
-    "gravity_work": "J per m", "damping_work": "J per m", "boundary_work": "J per m", "left_energy": "J per m",
-    "numerical": "J per m",
-    "mass": "kg per m", "momentum_x": "kg m/s per m", "momentum_y": "kg m/s per m", "clamped": "-", "left": "-",
-    "front_x": "m", "crest_x": "m", "v_max": "m/s", "v_999": "m/s",
-}
-"""Unit of each field and column; "per m" is per metre of thickness."""
+from terp.errors import RunError, unknown
+from terp.tables import COLUMN_UNITS, read_table
+from terp.vtkhdf import VtkhdfFile
 
-TEXT_COLUMNS = {"point"}
-INTEGER_COLUMNS = {"id", "step", "clamped", "left"}
-
-
-class RunError(Exception):
-    """A run folder does not hold what was asked of it. The message says which file and what to do."""
+RESULTS, MESH = "results.vtkhdf", "mesh.vtkhdf"
+SAME_PLACE = 1e-9  # distances that differ by less are those of one lattice [m]
 
 
 class Frame:
@@ -50,12 +37,48 @@ class Frame:
         """Places of the points [m], shape [n_points, 2]."""
         return self["x"]
 
+    def scalar(self, name):
+        """One number per point, shape [n_points]: a scalar field, the component "stress.xx" of a field, or the size of a vector."""
+        field, _, component = name.partition(".")
+        values = self[field]
+        if component:
+            return values[:, self.run.component(field, component)]
+        if values.ndim == 1:
+            return values
+        if self.run.components[field] == ("x", "y", "z"):
+            return np.linalg.norm(values, axis=1)
+        choices = ", ".join(f"{field}.{part}" for part in self.run.components[field])
+        raise RunError(f"`{field}` has several components; ask for one of them: {choices}")
+
     def __repr__(self):
         return f"<frame {self.k} of {self.run.folder}, t = {self.time:g} s>"
 
 
+class Mesh:
+    """The background mesh, and, of a run with `output.mesh = true`, what it carries."""
+
+    def __init__(self, file):
+        self._file = file
+        self.nodes = file.places(0)  # [m], shape [n_nodes, 2]
+        self.cells = file.cells()    # corners, counter-clockwise, shape [n_cells, 4]
+        self.times = file.times() if file.has_steps() else np.empty(0)  # of its frames [s]: those of the run, or none
+
+    @functools.cached_property
+    def units(self):
+        """{field: unit}, of nodes and cells."""
+        return {**self._file.attributes("PointData", "unit"), **self._file.attributes("CellData", "unit")}
+
+    def field(self, name, k):
+        """Field `name` of frame k: "mass" [n_nodes], "velocity" [n_nodes, 3], "pressure" [n_cells]."""
+        if name not in self.units:
+            raise unknown(name, sorted(self.units), "field", self._file.path)
+        of_cells = name in self._file.attributes("CellData", "unit")
+        return self._file.values("CellData" if of_cells else "PointData", name, range(len(self.times))[k])
+
+
 class Run:
-    """The results in one run folder. Each file is read when it is first asked for."""
+    """The results in one run folder. Each file is read when it is first asked for, and what was read is kept: `refresh` lets go of
+    it, for a run that is still going."""
 
     def __init__(self, folder):
         self.folder = Path(folder)
@@ -65,23 +88,56 @@ class Run:
     def __repr__(self):
         return f"<terp run {self.folder}>"
 
+    def refresh(self):
+        """Forget what was read, so that frames and rows that were added since are seen. Returns the run."""
+        kept = [name for name in vars(self) if isinstance(getattr(type(self), name, None), functools.cached_property)]
+        for name in kept:
+            delattr(self, name)
+        return self
+
+    @property
+    def finished(self):
+        """Whether the run reached its end time. A run that is still going, was stopped, or stopped itself, did not."""
+        return bool(self.summary.get("finished"))
+
     # Frames: results.vtkhdf
 
     @functools.cached_property
     def times(self):
-        """Times of the frames [s], shape [n_frames], ascending."""
-        with self._results() as root:
-            return np.asarray(root["Steps/Values"][:], dtype=float)
+        """Times of the frames [s], shape [n_frames], ascending. Of a run that is going on, those of its whole frames."""
+        return np.asarray(self._results.times(), dtype=float)
 
     @functools.cached_property
-    def field_names(self):
-        """Names that `field` knows in this run, besides "x"."""
-        with self._results() as root:
-            return sorted(root["PointData"])
+    def units(self):
+        """{field: unit} of the fields that the file has, and of "x"."""
+        return {"x": "m", **self._results.attributes("PointData", "unit", "-")}
+
+    @functools.cached_property
+    def components(self):
+        """{field: names of its components}, e.g. ("xx", "yy", "zz", "xy"); empty for a scalar."""
+        texts = self._results.attributes("PointData", "components")
+        return {"x": ("x", "y"), **{name: tuple(text.split()) for name, text in texts.items()}}
+
+    @property
+    def fields(self):
+        """Names that `field` knows in this run."""
+        return sorted(self.units)
+
+    def __len__(self):
+        return len(self.times)
 
     def frame(self, k):
         """Frame k (negative: from the end)."""
         return Frame(self, self._checked_index(k))
+
+    def __iter__(self):
+        return (self.frame(k) for k in range(len(self)))
+
+    def at(self, time):
+        """Index of the frame nearest to `time` [s]; the earlier of two equally near ones."""
+        if len(self.times) == 0:
+            raise RunError(f"{self.folder / RESULTS} holds no frame")
+        return int(np.argmin(np.abs(self.times - time)))
 
     def field(self, name, k):
         """Field `name` of frame k, shape [n_points] or [n_points, n_components]; "x" is the place, [n_points, 2].
@@ -89,37 +145,41 @@ class Run:
         Row r is the same material point in every frame.
         """
         k = self._checked_index(k)
-        if name != "x" and name not in self.field_names:
-            raise RunError(self._unknown(name, self.field_names, "field", "results.vtkhdf"))
-        with self._results() as root:
-            if name == "x":
-                return root["Points"][_rows(root, "", k), :2]
-            return root["PointData"][name][_rows(root, name, k)]
+        self._check_field(name)
+        return self._results.places(k) if name == "x" else self._results.values("PointData", name, k)
 
-    def at(self, time):
-        """Index of the frame nearest to `time` [s]; the earlier of two equally near ones."""
-        if len(self.times) == 0:
-            raise RunError(f"{self.folder / 'results.vtkhdf'} holds no frame")
-        return int(np.argmin(np.abs(self.times - time)))
+    def series(self, name, row):
+        """Field `name` of one material point in all frames, shape [n_frames] or [n_frames, n_components]."""
+        self._check_field(name)
+        if name == "x":
+            return np.array([self.field("x", k)[row] for k in range(len(self))])
+        return self._results.series("PointData", name, row)[:len(self)]
 
-    def nearest_point(self, x, y):
-        """Row of the material point nearest to (x, y) [m] in the first frame; ties: lower x, then lower y."""
-        places = self.field("x", 0)
+    def nearest(self, x, y, time=0.0):
+        """Row of the material point nearest to (x, y) [m] in the frame nearest to `time` [s]; ties: lower x, then lower y."""
+        places = self.field("x", self.at(time))
         distance = np.hypot(places[:, 0] - x, places[:, 1] - y)
-        near = np.flatnonzero(distance <= distance.min() + 1e-9)  # 1e-9 m: round-off of a lattice
+        near = np.flatnonzero(distance <= distance.min() + SAME_PLACE)
         return int(near[np.lexsort((places[near, 1], places[near, 0]))[0]])
+
+    def component(self, field, name):
+        """Column of component `name` in a field, e.g. 3 for "xy" of the stress."""
+        self._check_field(field)
+        if name not in self.components[field]:
+            raise unknown(name, self.components[field], "component", f"`{field}` in {self.folder / RESULTS}")
+        return self.components[field].index(name)
 
     # Tables: history.csv, ledger.csv
 
     @functools.cached_property
     def history(self):
         """Named points over time: structured array with the columns of history.csv."""
-        return self._table("history.csv")
+        return read_table(self._file("history.csv"))
 
     @functools.cached_property
     def ledger(self):
         """Energies, mass, momentum, front and crest over time: structured array with the columns of ledger.csv."""
-        return self._table("ledger.csv")
+        return read_table(self._file("ledger.csv"))
 
     @functools.cached_property
     def history_points(self):
@@ -129,104 +189,64 @@ class Run:
     def history_of(self, point):
         """The rows of history.csv of one named point, by time."""
         if point not in self.history_points:
-            raise RunError(self._unknown(point, self.history_points, "point", "history.csv"))
+            raise unknown(point, self.history_points, "point", self.folder / "history.csv")
         rows = self.history[self.history["point"] == point]
         return rows[np.argsort(rows["time"], kind="stable")]
 
-    # Summary and case
+    # Summary, case, mesh
 
     @functools.cached_property
     def summary(self):
-        """summary.json as a dictionary."""
+        """summary.json as a dictionary. Of a run that is going on, it was written at the start."""
         try:
             return json.loads(self._file("summary.json").read_text(encoding="utf-8"))
         except ValueError as error:
             raise RunError(f"{self.folder / 'summary.json'} cannot be read: {error}") from error
 
     @functools.cached_property
+    def case_text(self):
+        """The case as it was run: the text of case.toml."""
+        return self._file("case.toml").read_text(encoding="utf-8")
+
+    @functools.cached_property
     def case(self):
-        """The case that was run, as a dictionary of its TOML text."""
-        if "case" not in self.summary:
-            raise RunError(f"{self.folder / 'summary.json'} has no entry `case`")
+        """The case as a dictionary of its TOML text."""
         try:
-            return tomllib.loads(self.summary["case"])
+            return tomllib.loads(self.case_text)
         except ValueError as error:
-            raise RunError(f"the case in {self.folder / 'summary.json'} cannot be read: {error}") from error
+            raise RunError(f"{self.folder / 'case.toml'} cannot be read: {error}") from error
+
+    @functools.cached_property
+    def mesh(self):
+        """The background mesh."""
+        return Mesh(VtkhdfFile(self._file(MESH)))
 
     def unit(self, name):
-        """Unit of a field or column, e.g. "Pa"; "-" where it has none."""
-        return UNITS.get(name, "-")
+        """Unit of a field or of a column of the tables, e.g. "Pa"; "-" where it has none. "stress.xx" has that of "stress"."""
+        name = name.partition(".")[0]
+        units = {**COLUMN_UNITS, **(self.units if (self.folder / RESULTS).is_file() else {})}
+        if name not in units:
+            raise unknown(name, sorted(units), "field or column", self.folder)
+        return units[name]
 
     # Inside
 
     def _file(self, name):
         path = self.folder / name
         if not path.is_file():
-            raise RunError(f"{self.folder} has no {name}; has the run been solved to its end?")
+            raise RunError(f"{self.folder} has no {name}; is it the folder of a run, and has that run begun?")
         return path
 
+    @property
     def _results(self):
-        path = self._file("results.vtkhdf")
-        try:
-            return _Group(path)
-        except (OSError, KeyError) as error:
-            raise RunError(f"{path} cannot be read as VTKHDF: {error}") from error
+        return VtkhdfFile(self._file(RESULTS))
 
-    def _table(self, name):
-        path = self._file(name)
-        with path.open(encoding="utf-8") as lines:
-            columns = lines.readline().strip().split(",")
-            rows = [line for line in lines if line.strip()]
-        dtype = np.dtype([(column, _column_type(column)) for column in columns])
-        if not rows:
-            return np.empty(0, dtype)
-        try:
-            return np.loadtxt(rows, dtype=dtype, delimiter=",", comments=None, quotechar='"', ndmin=1)
-        except ValueError as error:
-            raise RunError(f"{path} cannot be read: {error}") from error
+    def _check_field(self, name):
+        if name not in self.units:
+            raise unknown(name, self.fields, "field", self.folder / RESULTS)
 
     def _checked_index(self, k):
         n = len(self.times)
         if not -n <= k < n:
             raise IndexError(f"{self.folder} has {n} frames; there is no frame {k}")
         return k % n
-
-    def _unknown(self, name, known, kind, file):
-        close = difflib.get_close_matches(name, known, n=1)
-        hint = f" Did you mean `{close[0]}`?" if close else ""
-        return f"{self.folder / file} has no {kind} `{name}`.{hint} It has: {', '.join(known) or 'none'}"
-
-
-class _Group:
-    """The group /VTKHDF of a file, open for the length of a `with`."""
-
-    def __init__(self, path):
-        self._path = path
-        self._file = h5py.File(path, "r")
-        if "VTKHDF" not in self._file:
-            self._file.close()
-            raise KeyError("it has no group /VTKHDF")
-
-    def __enter__(self):
-        return self._file["VTKHDF"]
-
-    def __exit__(self, kind, error, _):
-        self._file.close()
-        if kind is KeyError:
-            raise RunError(f"{self._path} lacks a part of the format: {error.args[0]}") from error
-
-
-def _rows(root, name, k):
-    """The rows of frame k in a data set that holds frame after frame."""
-    offsets = root["Steps/PointOffsets"]
-    part = int(root["Steps/PartOffsets"][k]) if "Steps/PartOffsets" in root else k
-    n = int(root["NumberOfPoints"][part]) if "NumberOfPoints" in root else len(root["Points"]) // len(offsets)
-    own = f"Steps/PointDataOffsets/{name}"
-    first = int((root[own] if name and own in root else offsets)[k])
-    return slice(first, first + n)
-
-
-def _column_type(name):
-    if name in TEXT_COLUMNS:
-        return "U64"
-    return np.int64 if name in INTEGER_COLUMNS else float

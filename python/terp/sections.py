@@ -2,54 +2,78 @@
 
     python3 -m terp.sections RUN [RUN ...] -o FILE [--field eps_eq_p] [--times 0 5 20] [--window X0 Y0 X1 Y1]
 
-Materials that differ are told apart by a line around the place where each began. Exit status: 0 drawn, 2 a run is missing or does not
-fit, 1 anything else.
+Exit status: 0 drawn, 2 a run is missing or does not fit, 1 anything else.
 """
 
 import argparse
+import dataclasses
 import sys
 from pathlib import Path
 
 import numpy as np
-from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
+from matplotlib.ticker import MaxNLocator
 
-from terp import style
-from terp.maps import SIDES, colour_limit, frame_at, lattice_spacing
+from terp import plot, style
+from terp.command import exit_status
+from terp.errors import RunError
 from terp.pairs import SCHEME_TITLES
-from terp.run import Run, RunError
+from terp.run import Run
 
-LEFT, RIGHT, GAP = 11.0, 2.5, 4.0          # margins and space between the columns [mm]
-TOP, ROW_GAP, BELOW, BAR, BAR_TEXT = 5.0, 4.0, 9.5, 2.6, 12.0  # title, between rows, x axis, bar, its text [mm]
+TIME_TOLERANCE = 0.01  # a frame this near to the wanted time counts as of that time [s]
+
+LEFT, RIGHT, GAP = 11.0, 2.5, 4.0         # margins and space between the columns [mm]
+TOP, ROW_GAP, BELOW, BAR, BAR_TEXT = 5.0, 2.2, 9.5, 2.6, 12.0  # title, between rows, x axis, bar, its text [mm]
 
 
-def draw_sections(runs, times, field, window=None):
-    """The figure: one row for each time, one column for each run."""
-    frames = [[frame_at(run, time) for run in runs] for time in times]
-    present = [frame for row in frames for frame in row if frame]
-    if not present:
-        raise RunError(f"no run has a frame at t = {', '.join(f'{t:g}' for t in times)} s")
-    window = window or window_of(present)
-    norm = Normalize(0.0, colour_limit([row for row in frames[-1] if row] or present, field))
-    figure, panels, bar = lay_out(len(times), len(runs), window)
-    for time, row, row_panels in zip(times, frames, panels):
+@dataclasses.dataclass(frozen=True)
+class Section:
+    """What one such figure shows."""
+
+    field: str            # as Frame.scalar has it: "eps_eq_p", "stress.yy"
+    times: tuple          # [s], one row each
+    points: str = ""      # names of the points drawn as dots
+    limit: float = None   # end of the colour scale, which then begins at 0; None: from the last frames
+    window: tuple = None  # x0, y0, x1, y1 [m]; None: all points in all frames
+
+
+def draw_sections(runs, what):
+    """The figure, a row for each time and a column for each run, or None if no run has a frame at any of the times; and a list of notes on
+    what is missing."""
+    frames = [[frame_at(run, time) for run in runs] for time in what.times]
+    notes = missing_frames(runs, what.times, frames)
+    rows = [(time, row) for time, row in zip(what.times, frames) if any(row)]
+    if not rows:
+        return None, notes
+    present = [frame for _, row in rows for frame in row if frame]
+    last = [next(filter(None, column), None) for column in zip(*(row for _, row in reversed(rows)))]
+    norm = Normalize(0.0, what.limit) if what.limit else plot.colour_norm([frame for frame in last if frame], what.field)
+    figure, panels, bar = lay_out(len(rows), len(runs), what.window or plot.window_of(present))
+    for (time, row), row_panels in zip(rows, panels):
         for run, frame, panel in zip(runs, row, row_panels):
-            panel.text(0.995, 0.95, f"$t$ = {time:g} s", transform=panel.transAxes, ha="right", va="top", fontsize=8)
-            if frame:
-                draw_points(panel, run, frame, field, norm)
+            fill_panel(panel, time, run, frame, what, norm)
     finish_axes(panels, runs)
-    label = style.plastic_strain_label() if field == "eps_eq_p" else f"{field} ({runs[0].unit(field)})"
-    over = any(np.nanmax(frame[field]) > norm.vmax for frame in present)
-    figure.colorbar(ScalarMappable(norm, style.STRAIN_MAP), cax=bar, orientation="horizontal", label=label,
-                    extend="max" if over else "neither", ticks=style.scale_ticks(norm.vmax))
-    return figure
+    plot.colour_bar(figure, norm, present, what.field, cax=bar)
+    return figure, notes
 
 
-def window_of(frames):
-    """x and y limits that hold every point of every frame [m]: x0, y0, x1, y1."""
-    low = np.min([frame.x.min(axis=0) for frame in frames], axis=0)
-    high = np.max([frame.x.max(axis=0) for frame in frames], axis=0)
-    return (*np.floor(low), *np.ceil(high + 0.3))
+def frame_at(run, time):
+    """The frame of `time` [s], or None if the run has none."""
+    if len(run.times) == 0:
+        return None
+    frame = run.frame(run.at(time))
+    return frame if abs(frame.time - time) <= TIME_TOLERANCE else None
+
+
+def missing_frames(runs, times, frames):
+    """One sentence for each run that lacks a frame."""
+    notes = []
+    for column, run in enumerate(runs):
+        missing = [f"{time:g}" for time, row in zip(times, frames) if row[column] is None]
+        if missing:
+            end = f"its last frame is at {run.times[-1]:g} s" if len(run.times) else "it has no frame at all"
+            notes.append(f"{run.folder} has no frame at t = {', '.join(missing)} s ({end})")
+    return notes
 
 
 def lay_out(n_rows, n_columns, window):
@@ -58,46 +82,33 @@ def lay_out(n_rows, n_columns, window):
     height = width * (window[3] - window[1]) / (window[2] - window[0])
     bar_top = TOP + n_rows * (height + ROW_GAP) + BELOW
     figure = style.new_figure(style.TWO_COLUMNS, bar_top + BAR + BAR_TEXT)
-    panels = [[style.add_panel(figure, LEFT + column * (width + GAP), TOP + row * (height + ROW_GAP), width, height)
-               for column in range(n_columns)] for row in range(n_rows)]
+    panels = style.panel_grid(figure, (n_rows, n_columns), (LEFT, TOP), (width, height), (GAP, ROW_GAP))
     for panel in sum(panels, []):
-        panel.set(xlim=(window[0], window[2]), ylim=(window[1], window[3]))
+        panel.set(xlim=window[::2], ylim=window[1::2])
     return figure, panels, style.add_panel(figure, style.TWO_COLUMNS * 0.27, bar_top, style.TWO_COLUMNS * 0.46, BAR)
 
 
-def draw_points(panel, run, frame, field, norm):
-    """Every material point as a square of about the lattice spacing, and the outlines of the materials at the start."""
-    start = run.frame(0)
-    spacing = lattice_spacing(start.x)
-    for polygon in outlines(run.case):
-        closed = np.vstack([polygon, polygon[:1]])
-        panel.plot(closed[:, 0], closed[:, 1], color=style.GREY, lw=0.4, ls=(0, (4, 2)), zorder=3)
-    x_begin, x_end = panel.get_xlim()
-    width = panel.get_position().width * panel.figure.get_size_inches()[0] * 72.0
-    for side in np.array(SIDES) * spacing * width / (x_end - x_begin):  # [pt]
-        panel.scatter(frame.x[:, 0], frame.x[:, 1], s=side**2, c=frame[field], cmap=style.STRAIN_MAP, norm=norm,
-                      marker="s", linewidths=0, antialiased=False, rasterized=True, zorder=2)
-
-
-def outlines(case):
-    """Polygons of the case's bodies, shape [n, 2] each; boxes too."""
-    polygons = []
-    for body in case.get("body", []):
-        if "polygon" in body:
-            polygons.append(np.array(body["polygon"], dtype=float))
-        elif "box" in body:
-            (x0, y0), (x1, y1) = body["box"]
-            polygons.append(np.array([[x0, y0], [x1, y0], [x1, y1], [x0, y1]]))
-    return polygons
+def fill_panel(panel, time, run, frame, what, norm):
+    """One body at one time, its points and the time."""
+    panel.text(0.99, 0.92, f"$t$ = {time:g} s", transform=panel.transAxes, ha="right", va="top", fontsize=8)
+    if frame is None:
+        panel.text(0.5, 0.45, f"no frame at $t$ = {time:g} s", transform=panel.transAxes, ha="center", color=style.GREY)
+        return
+    plot.outlines(panel, run.case)
+    plot.squares(panel, frame, what.field, norm)
+    plot.dots(panel, run, frame.time, what.points, named=time == what.times[0])
 
 
 def finish_axes(panels, runs):
     """Tick labels on the outside only, the schemes above, axis names in metres."""
-    for panel, run in zip(panels[0], runs):
+    for n, (panel, run) in enumerate(zip(panels[0], runs)):
         scheme = run.summary["scheme"]
-        panel.set_title(SCHEME_TITLES.get(scheme, scheme), loc="left", pad=3)
+        letter = f"({chr(ord('a') + n)}) " if len(runs) > 1 else ""
+        panel.set_title(letter + SCHEME_TITLES.get(scheme, scheme), loc="left", pad=3)
     for row in panels:
         for panel in row:
+            panel.xaxis.set_major_locator(MaxNLocator(8, steps=[1, 2, 5, 10]))
+            panel.yaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 5, 10]))
             panel.tick_params(labelbottom=row is panels[-1], labelleft=panel is row[0])
         row[0].set_ylabel("y (m)")
     for panel in panels[-1]:
@@ -108,24 +119,28 @@ def main(arguments=None):
     parser = argparse.ArgumentParser(prog="python3 -m terp.sections", description="Draw a field over the cross-section.")
     parser.add_argument("runs", nargs="+", metavar="RUN", help="run folders, drawn side by side")
     parser.add_argument("-o", "--output", required=True, metavar="FILE", help="where the figure goes, without extension")
-    parser.add_argument("--field", default="eps_eq_p", help="name of a field in results.vtkhdf (default: eps_eq_p)")
+    parser.add_argument("--field", default="eps_eq_p", help="a field in results.vtkhdf, or a component: stress.yy (default: eps_eq_p)")
     parser.add_argument("--times", nargs="+", type=float, help="times in s (default: first, middle and last frame)")
     parser.add_argument("--window", nargs=4, type=float, metavar=("X0", "Y0", "X1", "Y1"), help="part to draw in m (default: all)")
     options = parser.parse_args(arguments)
-    try:
-        runs = [Run(folder) for folder in options.runs]
-        known = runs[0].times
-        times = options.times or sorted({known[0], known[len(known) // 2], known[-1]})
-        with style.house_style():
-            written = style.save_figure(draw_sections(runs, times, options.field, options.window), Path(options.output))
-        print(f"{written[0]} and .pdf")
-    except RunError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 2
-    except OSError as error:
-        print(f"error: cannot write the figure: {error}", file=sys.stderr)
-        return 1
-    return 0
+    return exit_status(lambda: draw(options))
+
+
+def draw(options):
+    """What the command does."""
+    runs = [Run(folder) for folder in options.runs]
+    known = runs[0].times
+    if not len(known):
+        raise RunError(f"{runs[0].folder} has no frame yet")
+    times = options.times or sorted({known[0], known[len(known) // 2], known[-1]})
+    with style.house_style():
+        figure, notes = draw_sections(runs, Section(options.field, tuple(times), window=options.window))
+        if figure is None:
+            raise RunError("; ".join(notes))
+        written = style.save_figure(figure, Path(options.output))
+    print(f"{written[0]} and .pdf")
+    for note in notes:
+        print(f"note: {note}")
 
 
 if __name__ == "__main__":

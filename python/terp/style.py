@@ -20,7 +20,9 @@ LINES = {
     "G": ("#000000", "-"), "H": ("#D55E00", (0, (6, 1.6))), "I": ("#0072B2", (0, (2.4, 1.2))),
     "J": ("#E69F00", (0, (6, 1.4, 1.2, 1.4))),
 }
-STRAIN_MAP = "viridis"
+COLOURS = ("#000000", "#D55E00", "#0072B2", "#009E73", "#E69F00", "#56B4E9")
+OTHER_LINES = [(colour, dashes) for dashes in ("-", (0, (4, 1.4))) for colour in COLOURS]
+COLOUR_MAP = "viridis"
 
 GREY = "#6b6b6b"
 
@@ -37,15 +39,27 @@ NORMS = {"half": r"$\sqrt{\frac{1}{2}\,\mathbf{e}:\mathbf{e}}$",
          "von_mises": r"$\sqrt{\frac{2}{3}\,\mathbf{e}:\mathbf{e}}$"}
 
 
-def total_strain_label(norm):
-    """What eps_deviatoric is, with its norm; one line."""
-    return f"total deviatoric strain  {NORMS.get(norm, norm)}"
+INCREMENTS = r"$\sum\sqrt{\frac{1}{2}\,\mathrm{d}\mathbf{e}_p:\mathrm{d}\mathbf{e}_p}$"
 
 
-def plastic_strain_label():
-    """What eps_eq_p is, with its norm, Eq. (6); one line."""
-    increments = r"$\sum\sqrt{\frac{1}{2}\,\mathrm{d}\mathbf{e}_p:\mathrm{d}\mathbf{e}_p}$"
-    return rf"plastic deviatoric strain  $\varepsilon_{{eq,p}}$ = {increments}"
+def words_of(name, norm):
+    """(words, symbol, definition) of a quantity, with the norm of a strain (Eq. (6); `output.deviatoric_norm`); name alone of others."""
+    known = {"eps_deviatoric": ("total deviatoric strain", NORMS.get(norm, norm), ""),
+             "eps_eq_p": ("plastic deviatoric strain", r"$\varepsilon_{eq,p}$", f" = {INCREMENTS}"),
+             "su": ("undrained shear strength", "$S_u$", "")}
+    return known.get(name, (name, "", ""))
+
+
+def lines_of(names):
+    """(colour, dashes) of the line of each name: those of the paper's points where these tell all names apart, else others."""
+    own = [LINES.get(name) for name in names]
+    plain = [OTHER_LINES[n % len(OTHER_LINES)] for n in range(len(own))]
+    return own if None not in own and len(set(own)) == len(own) else plain
+
+
+def in_print(unit):
+    """(factor, unit) in which a quantity of this SI unit is printed: stress in kPa, energy in kJ."""
+    return {"Pa": (1e-3, "kPa"), "J per m": (1e-3, "kJ per m")}.get(unit, (1.0, unit))
 
 
 def new_figure(width, height):
@@ -57,6 +71,13 @@ def add_panel(figure, left, top, width, height):
     """Axes whose upper left corner lies `left` and `top` mm from that of the figure [mm]."""
     w, h = (size * 25.4 for size in figure.get_size_inches())
     return figure.add_axes([left / w, 1 - (top + height) / h, width / w, height / h])
+
+
+def panel_grid(figure, shape, corner, size, gaps):
+    """Panels [n_rows][n_columns]; corner: left, top of the first; size: width, height; gaps: between columns, between rows [mm]."""
+    (left, top), (width, height), (gap, row_gap) = corner, size, gaps
+    return [[add_panel(figure, left + column * (width + gap), top + row * (height + row_gap), width, height)
+             for column in range(shape[1])] for row in range(shape[0])]
 
 
 def save_figure(figure, path):

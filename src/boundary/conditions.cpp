@@ -41,6 +41,10 @@ void order_and_pin(NodeCondition& c)
   const bool across = c.n == 2 && std::abs(dot(c.holds[0].normal, c.holds[1].normal)) < 0.996;  // more than 5 degrees apart
   const auto stops = [](Hold h) { return h == Hold::normal || h == Hold::contact; };
   c.pinned = across && stops(c.holds[0].hold) && stops(c.holds[1].hold);
+  if (!c.pinned) return;
+  const Vec<2> n = c.holds[0].normal, m = c.holds[1].normal;
+  const Real determinant = n[0] * m[1] - n[1] * m[0], a = dot(c.holds[0].velocity, n), b = dot(c.holds[1].velocity, m);
+  c.pinned_velocity = {(a * m[1] - b * n[1]) / determinant, (b * n[0] - a * m[0]) / determinant};
 }
 
 /// Impulses of a contact plane on a node: normal, then tangential up to adhesion and friction.
@@ -59,7 +63,8 @@ void stop_across(const NodeHold& hold, Vec<2> reaction, Vec<2>& v)
 {
   const Real v_n = dot(v, hold.normal);
   if (hold.hold == Hold::separating && v_n < 0.0 && !(dot(reaction, hold.normal) < 0.0)) return;
-  for (int d = 0; d < 2; ++d) v[d] -= v_n * hold.normal[d];
+  const Real prescribed = hold.hold == Hold::normal ? dot(hold.velocity, hold.normal) : 0.0;
+  for (int d = 0; d < 2; ++d) v[d] -= (v_n - prescribed) * hold.normal[d];
 }
 
 }  // namespace
@@ -117,7 +122,7 @@ void Boundary::constrain(Index node, Real mass, Real dt, Vec<2>& v) const
     if (is_contact(hold.hold)) apply_contact(hold, mass, dt, v);
     if (hold.hold == Hold::normal) stop_across(hold, {}, v);
   }
-  if (c->pinned) v = {0.0, 0.0};
+  if (c->pinned) v = c->pinned_velocity;
   for (int k = 0; k < c->n; ++k)
     if (c->holds[k].hold == Hold::all) v = c->holds[k].velocity;
 }
@@ -128,7 +133,7 @@ void Boundary::clamp(Index node, Vec<2> reaction, Vec<2>& v) const
   if (c == nullptr) return;
   for (int k = 0; k < c->n; ++k)
     if (c->holds[k].hold != Hold::all) stop_across(c->holds[k], reaction, v);
-  if (c->pinned) v = {0.0, 0.0};
+  if (c->pinned) v = c->pinned_velocity;
   for (int k = 0; k < c->n; ++k)
     if (c->holds[k].hold == Hold::all) v = c->holds[k].velocity;
 }

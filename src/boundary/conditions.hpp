@@ -11,7 +11,7 @@ namespace terp {
 
 /// How a side acts on the velocity of its nodes.
 enum class Hold {
-  normal,      ///< roller: no velocity across the side
+  normal,      ///< roller: no velocity across the side, or the prescribed one; free along it
   all,         ///< fixed, or with a prescribed velocity
   contact,     ///< bilateral contact plane: no velocity across it, adhesion and friction along it (reading R15)
   separating,  ///< contact plane that the soil may leave
@@ -23,7 +23,7 @@ struct SideCondition {
   Hold hold = Hold::normal;
   Real adhesion = 0.0;  ///< a [Pa]
   Real friction = 0.0;  ///< tangent of the friction angle [-]
-  Vec<2> velocity{0.0, 0.0};  ///< of Hold::all [m/s]
+  Vec<2> velocity{0.0, 0.0};  ///< of Hold::all, and across the side of Hold::normal [m/s]
   std::function<Vec<2>(Vec<2>)> velocity_at = {};  ///< instead of velocity, at the place of a node [m/s]
 };
 
@@ -33,14 +33,15 @@ struct NodeHold {
   Vec<2> normal;        ///< outward, mean of the node's edges on this side weighted by length [-]
   Real adhesion_force;  ///< a L_i, L_i half lengths of the node's edges on this side [N per m]
   Real friction;        ///< [-]
-  Vec<2> velocity;      ///< of Hold::all [m/s]
+  Vec<2> velocity;      ///< of Hold::all, and across the side of Hold::normal [m/s]
 };
 
 /// A node may lie on two sides (a corner) and so have two holds; contacts act first.
 struct NodeCondition {
   int n = 0;
   std::array<NodeHold, 2> holds;
-  bool pinned = false;  ///< two holds with different normals that both stop motion across them: no motion at all
+  bool pinned = false;  ///< two holds with different normals that both prescribe the motion across them
+  Vec<2> pinned_velocity{0.0, 0.0};  ///< which those two leave [m/s]
 };
 
 /// The side of a mesh with this name. Throws InputError with the names that there are.

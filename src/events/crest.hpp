@@ -14,7 +14,7 @@ struct CrestHistory {
   Real base = 0.0;                    ///< height of the lowest point at t = 0 [m]
   std::vector<Real> time;             ///< [s]
   std::vector<Real> x;                ///< crest [m]; left edge of the first column if the whole surface has moved
-  std::vector<Real> kinetic;          ///< kinetic energy of all soil [J per m]; NaN where it is not known
+  std::vector<Real> kinetic;          ///< kinetic energy of all soil [J per m]; may be empty: then nobody knows when a slide stops
 };
 
 /// A slide: the crest retreats by much within a short time. Definition: docs/formats.md.

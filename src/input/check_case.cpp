@@ -134,6 +134,9 @@ void check_side(const Node& side, const std::string& path, Problems& problems)
   if (has("velocity") && (has("contact") || has("adhesion") || has("friction")))
     problems.push_back({path + ".velocity", "a side has either a contact or a velocity, not both",
                         "A prescribed velocity leaves nothing to slide. Remove one of the two.", "boundary", true});
+  if (has("slip") && !has("velocity"))
+    problems.push_back({path + ".slip", "`slip` needs a velocity", fmt::format("A smooth side that does not move is {} = \"roller\".", side.name),
+                        "boundary", true});
   for (const char* name : {"adhesion", "friction"})
     if (has(name) && !has("contact") && !has("velocity"))
       problems.push_back(
@@ -164,6 +167,23 @@ void check_sides(const Node& root, const Case& values, Findings& findings)
   if (boundary == nullptr || boundary->kind != NodeKind::table) return;
   for (const Node& side : boundary->items) check_side(side, join_path("boundary", side.name), findings.problems);
   for (const SideCase& side : values.sides) check_friction(side, findings.warnings);
+}
+
+void check_footings(const Node& root, const Case& values, Problems& problems)
+{
+  const std::vector<FootingCase>& footings = values.footings;
+  if (footings.size() > most_footings)
+    problems.push_back({fmt::format("footing[{}]", most_footings), fmt::format("a case has at most {} footings", most_footings), "", "footing", true});
+  for (std::size_t k = 0; k < footings.size(); ++k) {
+    const std::string path = fmt::format("footing[{}]", k);
+    const auto same_name = [&](const FootingCase& other) { return other.name == footings[k].name; };
+    if (std::any_of(footings.begin(), footings.begin() + static_cast<std::ptrdiff_t>(k), same_name))
+      problems.push_back({path + ".name", fmt::format("two footings have the name `{}`", footings[k].name),
+                          "Give each its own, as in name = \"left\".", "footing.name", false, {path}});
+    if (footings[k].contact == FootingContact::smooth && footings[k].velocity == Vec<2>{0.0, 0.0} && find_node(root, path + ".velocity") != nullptr)
+      problems.push_back({path + ".velocity", "a smooth footing needs a velocity",
+                          "It holds its nodes along its velocity only, which is zero. Give a velocity, or contact = \"rough\".", "footing.velocity"});
+  }
 }
 
 void check_initial(const Node& root, const Case& values, Findings& findings)
@@ -207,7 +227,8 @@ void check_hydrostatic(const Case& values, Problems& problems)
     if (law == nullptr || std::any_of(material.parameters.begin(), material.parameters.end(), is_missing)) continue;
     if (law->make(material.parameters)->shear_modulus() == 0.0)
       problems.push_back({"initial.k0", fmt::format("the fluid `{}` carries no shear stress at rest", material.name),
-                          fmt::format("k0 = {}; a fluid needs k0 = 1. Start with stress = \"equilibrium\" where soil beside it needs another.", values.initial.k0),
+                          fmt::format("k0 = {}; a fluid needs k0 = 1. Start with stress = \"equilibrium\" where soil beside it needs another.",
+                                      values.initial.k0),
                           "initial", false, {join_path("material", material.name)}});
   }
 }
@@ -241,6 +262,7 @@ void check_case(const Node& root, const Case& values, Findings& findings)
   check_files(root, values.folder, findings.problems);
   check_parameters(values, findings.problems);
   check_sides(root, values, findings);
+  check_footings(root, values, findings.problems);
   check_initial(root, values, findings);
   check_hydrostatic(values, findings.problems);
   check_method(root, values, findings.warnings);

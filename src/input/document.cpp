@@ -1,5 +1,7 @@
 #include "input/document.hpp"
 
+#include "input/lifted_text.hpp"
+
 #include <fmt/format.h>
 
 // toml++ 3.3 asserts that a header starts with a letter, then reports it properly if not: "[=a]" must not abort a build
@@ -27,7 +29,7 @@ void add_entries(const toml::table& source, Node& table)
 {
   for (auto&& [key, value] : source) {
     Node& item = table.items.emplace_back(to_node(value));
-    item.name = std::string(key.str());
+    item.name = lower(key.str());
     item.key = place_of(key.source());
   }
   const auto before = [](const Node& a, const Node& b) {
@@ -46,7 +48,7 @@ Node to_node(const toml::node& source)
     node.kind = NodeKind::list;
     for (const toml::node& item : *list) node.items.push_back(to_node(item));
   } else if (const auto* text = source.as_string()) {
-    node.kind = NodeKind::text, node.text = text->get();
+    node.kind = NodeKind::text, node.text = lower(text->get());
   } else if (const auto* integer = source.as_integer()) {
     node.kind = NodeKind::integer, node.integer = integer->get();
   } else if (const auto* number = source.as_floating_point()) {
@@ -86,7 +88,7 @@ Place place_at(std::string_view text, std::size_t offset)
 }
 
 /// TOML has plain letters only outside strings and comments. toml++ 3.3 runs into undefined behaviour at others such as
-/// U+00E4, and a no-break space copied from a web page deserves its own message.
+/// U+00E4 (lifted_text.hpp), and a no-break space copied from a web page deserves its own message.
 void refuse_foreign_letters(std::string_view text)
 {
   for (std::size_t k = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; k < text.size(); ++k) {
@@ -182,7 +184,7 @@ std::string read_quoted(std::string_view path, std::size_t& k)
 {
   const char mark = path[k++];
   const std::size_t end = std::min(path.find(mark, k), path.size());
-  const std::string part(path.substr(k, end - k));
+  std::string part(path.substr(k, end - k));
   k = std::min(end + 1, path.size());
   return part;
 }
@@ -192,12 +194,15 @@ std::string read_quoted(std::string_view path, std::size_t& k)
 Node parse_toml(std::string_view text)
 {
   refuse_foreign_letters(text);
+  if (const std::size_t at = find_lifted(text); at != std::string_view::npos)
+    throw SyntaxError("Letters of private use (U+F0080 to U+FFFFF) cannot stand in a case file.", place_at(text, at));
   try {
-    const toml::table table = toml::parse(text);
+    const std::string lifted = lift(text);
+    const toml::table table = toml::parse(std::string_view(lifted));
     return to_node(table);
   } catch (const toml::parse_error& error) {
     const toml::source_position at = error.source().begin;
-    throw SyntaxError(std::string(error.description()), {static_cast<int>(at.line), static_cast<int>(at.column), 1});
+    throw SyntaxError(lower(error.description()), {static_cast<int>(at.line), static_cast<int>(at.column), 1});
   }
 }
 

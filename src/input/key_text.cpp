@@ -24,6 +24,7 @@ Case& prototype()
     c.materials.push_back({"", "", 0.0, std::vector<Real>(64, 0.0)});
     c.sides.resize(1);
     c.mesh.refine.resize(1);
+    c.footings.resize(1);
     return c;
   }();
   return one;

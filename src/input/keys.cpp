@@ -24,6 +24,7 @@ Words scheme_words()
 Words stress_words() { return {"none", "k0", "equilibrium"}; }
 Words side_words() { return {"free", "open", "roller", "fixed"}; }
 Words contact_words() { return {"bilateral", "separating"}; }
+Words footing_words() { return {"rough", "smooth"}; }
 Words weights_words() { return {"hybrid", "summed", "gauss"}; }
 Words force_operator_words() { return {"b_bar", "b"}; }
 Words point_pressure_words() { return {"cell", "own", "relax"}; }
@@ -242,6 +243,36 @@ std::vector<KeyInfo> side_keys()
        .unit = "m/s", .usual = {1e-6, 1e3}, 
        .meaning = "prescribed velocity of the side, two numbers or formulas of the place x, y [m]; the mesh, and so the side, stays in place: it pushes soil only within the "
                   "cells next to it"},
+      {.path = "boundary.SIDE.slip",
+       .field = [](Case& c, std::size_t i) { return &c.sides[i].slip; },
+       .meaning = "with velocity: true: a smooth wall; only the component across the side is prescribed, soil slides along it freely"},
+  };
+}
+
+std::vector<KeyInfo> footing_keys()
+{
+  return {
+      {.path = "footing[].name",
+       .field = [](Case& c, std::size_t i) { return &c.footings[i].name; },
+       .meaning = "its name in footings.csv and summary.json; each footing needs its own"},
+      {.path = "footing[].box",
+       .field = [](Case& c, std::size_t i) { return BoxCorners{&c.footings[i].low, &c.footings[i].high}; },
+       .unit = "m", .required = true,
+       .meaning = "lower left and upper right corner of the rigid block at t = 0; it holds the nodes inside it and on its outline, and "
+                  "moves on with its velocity. Its lower side lies on a row of nodes at the surface of the soil"},
+      {.path = "footing[].velocity",
+       .field = [](Case& c, std::size_t i) { return &c.footings[i].velocity; },
+       .unit = "m/s", .usual = {1e-6, 1e2}, .required = true,
+       .meaning = "velocity of the block after the ramp; small against the shear wave speed, or the reaction holds inertia"},
+      {.path = "footing[].ramp",
+       .field = [](Case& c, std::size_t i) { return &c.footings[i].ramp; },
+       .unit = "s", .range = not_negative, .meaning = "time over which the velocity grows from zero",
+       .equation = "v(t) = V (1 - cos(pi t / ramp)) / 2 for t < ramp, then V"},
+      {.path = "footing[].contact",
+       .field = [](Case& c, std::size_t i) { return word_field(c.footings[i].contact); },
+       .words = footing_words,
+       .meaning = "rough: the nodes take both components of the velocity; smooth: that along the velocity only, free to slide across "
+                  "it. Both hold in tension"},
   };
 }
 
@@ -326,6 +357,10 @@ std::vector<KeyInfo> output_keys()
       {.path = "output.ledger.every",
        .field = [](Case& c, std::size_t) { return &c.output.ledger_every; },
        .unit = "s", .range = positive, .meaning = "interval of the rows of ledger.csv: mass, momentum, energy"},
+      {.path = "output.mesh",
+       .field = [](Case& c, std::size_t) { return &c.output.mesh; },
+       .meaning = "whether mesh.vtkhdf also holds mass and velocity of the nodes and pressure of the cells, whenever "
+                  "the fields of all points are written"},
       {.path = "output.checkpoint.every",
        .field = [](Case& c, std::size_t) { return &c.output.checkpoint_every; },
        .unit = "s", .range = not_negative,
@@ -342,7 +377,7 @@ const std::vector<KeyInfo>& all_keys()
 {
   static const std::vector<KeyInfo> keys = [] {
     std::vector<KeyInfo> list;
-    for (auto part : {frame_keys, mesh_keys, soil_keys, load_keys, side_keys, method_keys, output_keys})
+    for (auto part : {frame_keys, mesh_keys, soil_keys, load_keys, side_keys, footing_keys, method_keys, output_keys})
       for (KeyInfo& key : part()) list.push_back(std::move(key));
     for (KeyInfo& key : list) key.default_text = default_text(key);
     return list;
@@ -363,6 +398,7 @@ const std::vector<SectionInfo>& all_sections()
       {"forces.damping", "damping of the nodal motion"},
       {"initial", "the stress before t = 0"},
       {"boundary", "the sides of the mesh; a side that is not named is free"},
+      {"footing[]", "a rigid block that is pushed into the soil, its reaction measured (footings.csv); as many as needed, at most 8"},
       {"method", "numerical choices; the defaults suit soil that fails (docs/methods.md)"},
       {"output", "what is written, and when"},
       {"output.fields", "fields of all material points: results.vtkhdf"},

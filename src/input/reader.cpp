@@ -76,6 +76,8 @@ void add_entry(const std::string& pattern, Case& values)
 {
   if (pattern == "body[]")
     values.bodies.emplace_back();
+  else if (pattern == "footing[]")
+    values.footings.emplace_back();
   else
     values.mesh.refine.emplace_back();
 }

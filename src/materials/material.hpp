@@ -34,6 +34,9 @@ inline constexpr Range not_negative{0.0, std::numeric_limits<Real>::infinity(), 
 constexpr Range between_open(Real low, Real high) { return {low, high, true, true}; }
 constexpr Range between(Real low, Real high) { return {low, high, false, false}; }
 
+/// What `terp stability` does to a parameter at a factor F: nothing, p / F, or atan(tan(p) / F) of an angle in degrees.
+enum class Reduction { none, divide, divide_tangent };
+
 /// One number that the case file gives to a law.
 struct ParameterInfo {
   std::string_view name;
@@ -43,6 +46,7 @@ struct ParameterInfo {
   std::optional<Real> fallback = {};      ///< default; none: the key must be given
   Range usual = any_number;               ///< outside: warn of a wrong order of magnitude
   std::string_view fallback_of = {};      ///< name of an earlier parameter whose value is the default
+  Reduction reduction = Reduction::none;  ///< of a strength
 };
 
 /// How MPM-Mixed averages a state variable (reading R9).

@@ -20,10 +20,12 @@ namespace {
 constexpr Real degree = std::numbers::pi / 180.0;
 constexpr Range friction_range = between(0.0, 60.0);
 
-constexpr ParameterInfo same_as(std::string_view name, std::string_view unit, Range range, std::string_view meaning, std::string_view peak)
+constexpr ParameterInfo same_as(std::string_view name, std::string_view unit, Range range, std::string_view meaning, std::string_view peak,
+                                Reduction reduction)
 {
   ParameterInfo info{name, unit, range, meaning};
   info.fallback_of = peak;
+  info.reduction = reduction;
   return info;
 }
 
@@ -49,14 +51,14 @@ struct MohrCoulomb {
       "of drained soil, or phi = 0, c = S_u and saturated density for total stress in undrained soil (docs/methods.md).\n";
   static constexpr std::array parameters{
       shear_modulus_info, poisson_ratio_info,
-      ParameterInfo{"cohesion", "Pa", not_negative, "cohesion c, at its peak", {}, {10.0, 1e7, false, false}},
-      ParameterInfo{"friction_angle", "deg", friction_range, "friction angle phi, at its peak", {}, {}},
-      ParameterInfo{"dilatancy_angle", "deg", friction_range, "dilatancy angle psi, at its peak; at most friction_angle", 0.0, {}},
+      ParameterInfo{"cohesion", "Pa", not_negative, "cohesion c, at its peak", {}, {10.0, 1e7, false, false}, {}, Reduction::divide},
+      ParameterInfo{"friction_angle", "deg", friction_range, "friction angle phi, at its peak", {}, {}, {}, Reduction::divide_tangent},
+      ParameterInfo{"dilatancy_angle", "deg", friction_range, "dilatancy angle psi, at its peak; at most friction_angle", 0.0, {}, {}, Reduction::divide_tangent},
       ParameterInfo{"tension_cutoff", "Pa", not_negative, "largest principal stress; never above the apex c cot(phi), which is the limit without it",
-                    std::numeric_limits<Real>::infinity(), {}},
-      same_as("cohesion_residual", "Pa", not_negative, "cohesion that softening leaves", "cohesion"),
-      same_as("friction_angle_residual", "deg", friction_range, "friction angle that softening leaves", "friction_angle"),
-      same_as("dilatancy_angle_residual", "deg", friction_range, "dilatancy angle that softening leaves", "dilatancy_angle"),
+                    std::numeric_limits<Real>::infinity(), {}, {}, Reduction::divide},
+      same_as("cohesion_residual", "Pa", not_negative, "cohesion that softening leaves", "cohesion", Reduction::divide),
+      same_as("friction_angle_residual", "deg", friction_range, "friction angle that softening leaves", "friction_angle", Reduction::divide_tangent),
+      same_as("dilatancy_angle_residual", "deg", friction_range, "dilatancy angle that softening leaves", "dilatancy_angle", Reduction::divide_tangent),
       ParameterInfo{"eta", "-", not_negative, "shape factor of the softening; 95 % of it is done at a strain of 3/eta", 0.0, {}},
   };
   static constexpr std::array state{
@@ -146,6 +148,7 @@ struct MohrCoulomb {
     const R limit = slack(s, at);
     return (mohr_coulomb_excess(s.major, s.minor, at) > limit) | (s.major - at.tension > limit);
   }
+  /// Of a stress that was returned and rebuilt: it repeats to 3e-14 of its size at worst (granular column).
   template <class R>
   static R slack(const Sorted<R>& s, const MohrCoulombStrength<R>& at)
   {
@@ -245,7 +248,8 @@ std::vector<ParameterProblem> MohrCoulomb::check() const
   const auto peak = [](const Softening& s) { return s.residual + s.drop; };
   const auto degrees = [](Real angle) { return fmt::format("{:.6g} deg", angle / degree); };
   if (cohesion.drop < 0.0)
-    refuse("cohesion_residual", "the residual cohesion exceeds the peak", fmt::format("cohesion_residual = {} Pa, at most cohesion = {} Pa.", cohesion.residual, peak(cohesion)));
+    refuse("cohesion_residual", "the residual cohesion exceeds the peak",
+           fmt::format("cohesion_residual = {} Pa, at most cohesion = {} Pa.", cohesion.residual, peak(cohesion)));
   if (phi.drop < 0.0)
     refuse("friction_angle_residual", "the residual friction angle exceeds the peak",
            fmt::format("friction_angle_residual = {}, at most friction_angle = {}.", degrees(phi.residual), degrees(peak(phi))));

@@ -38,8 +38,8 @@ struct TrescaSoftening {
       "Exact implicit return to the plane or an edge of the yield surface. Needs eta (su_peak - su_residual) <= 1.5 G.\n";
   static constexpr std::array parameters{
       shear_modulus_info, poisson_ratio_info,
-      ParameterInfo{"su_peak", "Pa", positive, "peak undrained shear strength S_u,p", {}, {100.0, 1e7, false, false}},
-      ParameterInfo{"su_residual", "Pa", positive, "residual undrained shear strength S_u,r", {}, {10.0, 1e7, false, false}},
+      ParameterInfo{"su_peak", "Pa", positive, "peak undrained shear strength S_u,p", {}, {100.0, 1e7, false, false}, {}, Reduction::divide},
+      ParameterInfo{"su_residual", "Pa", positive, "residual undrained shear strength S_u,r", {}, {10.0, 1e7, false, false}, {}, Reduction::divide},
       ParameterInfo{"eta", "-", not_negative, "shape factor of Eq. (5); S_u is 95 % softened at a strain of 3/eta", 0.0},
   };
   static constexpr std::array state{

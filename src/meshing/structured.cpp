@@ -82,7 +82,10 @@ std::vector<Real> graded_shares(Index n, Real grading)
   std::vector<Real> shares{0.0};
   Real cell = 1.0, sum = 0.0;
   const Real ratio = n > 1 ? std::pow(grading, 1.0 / (n - 1)) : 1.0;
-  for (Index k = 0; k < n; ++k, cell *= ratio) shares.push_back(sum += cell);
+  for (Index k = 0; k < n; ++k) {
+    shares.push_back(sum += cell);
+    cell *= ratio;
+  }
   for (Real& share : shares) share /= sum;
   if (grading == 1.0)
     for (Index k = 0; k <= n; ++k) shares[k] = static_cast<Real>(k) / n;

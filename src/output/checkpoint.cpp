@@ -21,7 +21,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the checksum is over little-endian bytes");
 
-constexpr std::int64_t format_version = 2, oldest_version = 1;  // 2: arrays that a case does not need may be empty
+constexpr std::int64_t format_version = 2;
 const std::string format_name = "terp checkpoint";
 const std::string arrays = "/arrays";
 
@@ -86,10 +86,10 @@ void check_format(const Hdf5File& file, const std::string& path)
 {
   if (file.text("/", "format") != format_name) throw FileError(fmt::format("{} is not a checkpoint of Terp", path));
   const std::int64_t version = file.integers("/", "format_version").at(0);
-  if (version >= oldest_version && version <= format_version) return;
+  if (version == format_version) return;
   throw FileError(fmt::format(
-      "cannot read {}: it has checkpoint format {}, written by terp {}; this is terp {}, which reads formats {} to {}",
-      path, version, file.text("/", "terp_version"), TERP_VERSION, oldest_version, format_version));
+      "cannot read {}: it has checkpoint format {}, written by terp {}; this is terp {}, which reads format {}", path,
+      version, file.text("/", "terp_version"), TERP_VERSION, format_version));
 }
 
 NamedArray read_array(const Hdf5File& file, const std::string& name)

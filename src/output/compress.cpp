@@ -50,6 +50,19 @@ std::string gunzip(std::string_view stream_bytes)
   return out;
 }
 
+std::string base64(std::string_view bytes)
+{
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t k = 0; k < bytes.size(); k += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t j = 0; j < 3; ++j) group = group << 8 | (k + j < bytes.size() ? static_cast<unsigned char>(bytes[k + j]) : 0u);
+    for (std::size_t j = 0; j < 4; ++j) text += k + j <= bytes.size() ? letters[group >> (18 - 6 * j) & 63] : '=';
+  }
+  return text;
+}
+
 std::uint32_t crc32_of(std::string_view bytes)
 {
   return static_cast<std::uint32_t>(crc32_z(0, input_of(bytes), bytes.size()));

@@ -1,4 +1,4 @@
-// Compressed bytes and their checksum. Only compress.cpp includes zlib.
+// Compressed bytes, their checksum, and bytes as text. Only compress.cpp includes zlib.
 // Not for: the compression inside results.vtkhdf, which is HDF5's own.
 #pragma once
 
@@ -17,6 +17,9 @@ std::string gunzip(std::string_view stream);
 
 /// CRC-32 as in zip and gzip.
 std::uint32_t crc32_of(std::string_view bytes);
+
+/// RFC 4648, with padding, without line breaks.
+std::string base64(std::string_view bytes);
 
 /// The memory of numbers as bytes.
 template <class T>

@@ -133,7 +133,7 @@ Id access_properties()
 void make_empty(const std::string& path, std::int64_t n_reserved)
 {
   if (n_reserved > 0) {
-    AppendFile{path};
+    const AppendFile made{path};
     reserve_space(path, n_reserved);
   }
   const Id access = access_properties();
@@ -296,8 +296,9 @@ std::vector<T> Hdf5File::read_rows(const std::string& name, std::int64_t first_r
   const Id table = open_dataset(file_, path_, name);
   const Id space{H5Dget_space(table), H5Sclose};
   std::vector<hsize_t> count = extent_of(space), start(count.size(), 0);
-  if (count.empty() || first_row < 0 || n_rows < 0 || static_cast<hsize_t>(first_row + n_rows) > count[0])
-    throw FileError(fmt::format("cannot read rows {} to {} of {} in {}: it has {}", first_row, first_row + n_rows - 1, name, path_, count.empty() ? 0 : count[0]));
+  const std::int64_t n_there = count.empty() ? 0 : static_cast<std::int64_t>(count[0]);
+  if (count.empty() || first_row < 0 || n_rows < 0 || n_rows > n_there - first_row)
+    throw FileError(fmt::format("cannot read rows {} to {} of {} in {}: it has {}", first_row, first_row + n_rows - 1, name, path_, n_there));
   start[0] = static_cast<hsize_t>(first_row);
   count[0] = static_cast<hsize_t>(n_rows);
   H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);

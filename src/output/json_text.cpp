@@ -16,8 +16,8 @@ std::string quoted(std::string_view text)
     const char c = text[k];
     if (c == '"' || c == '\\')
       out += {'\\', c};
-    else if (c == '/' && k > 0 && text[k - 1] == '<')
-      out += "\\/";
+    else if (c == '<')
+      out += "\\u003c";
     else if (c == '\n')
       out += "\\n";
     else if (static_cast<unsigned char>(c) < 0x20)
@@ -73,9 +73,11 @@ JsonText& JsonText::value(std::string_view text) { return put(quoted(text)); }
 JsonText& JsonText::raw(std::string_view json)
 {
   separate();
-  for (std::size_t k = 0; k < json.size(); ++k) {
-    if (json[k] == '/' && k > 0 && json[k - 1] == '<') text_ += '\\';  // only inside a text can a '<' stand
-    text_ += json[k];
+  for (const char c : json) {
+    if (c == '<')
+      text_ += "\\u003c";  // only inside a text can it stand
+    else
+      text_ += c;
   }
   return *this;
 }

@@ -70,7 +70,7 @@ bool is_written_by_terp(std::string_view file_name)
 {
   for (const std::string_view ending : {temporary, std::string_view(".journal")})
     if (file_name.ends_with(ending)) file_name.remove_suffix(ending.size());
-  constexpr std::array names = {case_file, results_file, history_file, ledger_file, left_file, summary_file};
+  constexpr std::array names = {case_file, results_file, mesh_file, history_file, ledger_file, left_file, footings_file, summary_file, report_file};
   return std::find(names.begin(), names.end(), file_name) != names.end() || step_of_checkpoint(file_name) >= 0 ||
          step_in_name(file_name, "failed_") >= 0;
 }
@@ -110,6 +110,15 @@ FolderLock::FolderLock(const std::string& folder)
   if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;  // some network disks have no locks
   ::close(descriptor_);
   throw FileError(fmt::format("another terp is writing to the run folder {}", folder));
+}
+
+bool is_being_written(const std::string& folder)
+{
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) throw_file_error("open the run folder", folder, errno);
+  const bool held = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(descriptor);
+  return held;
 }
 
 FolderLock::~FolderLock()

@@ -16,10 +16,13 @@ struct CaseText {
 
 inline constexpr std::string_view case_file = "case.toml";
 inline constexpr std::string_view results_file = "results.vtkhdf";
+inline constexpr std::string_view mesh_file = "mesh.vtkhdf";
 inline constexpr std::string_view history_file = "history.csv";
 inline constexpr std::string_view ledger_file = "ledger.csv";
 inline constexpr std::string_view left_file = "left_the_mesh.csv";
+inline constexpr std::string_view footings_file = "footings.csv";
 inline constexpr std::string_view summary_file = "summary.json";
+inline constexpr std::string_view report_file = "report.html";
 std::string checkpoint_file(std::int64_t step);  ///< "checkpoint_000000123.h5"
 std::string failed_file(std::int64_t step);      ///< "failed_000000123.h5"
 
@@ -48,6 +51,9 @@ class FolderLock {
  private:
   int descriptor_ = -1;
 };
+
+/// True while some Terp holds the lock of the folder: a run goes on.
+bool is_being_written(const std::string& folder);
 
 /// Makes the folder ready for a new run, and locks it. One that holds anything is refused with FileError, unless
 /// `force`: then the files of the earlier run are removed, and no others.

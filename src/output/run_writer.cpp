@@ -2,6 +2,7 @@
 #include "output/run_writer.hpp"
 
 #include "base/errors.hpp"
+#include "output/mesh_file.hpp"
 #include "output/summary_json.hpp"
 #include "output/table_csv.hpp"
 
@@ -34,9 +35,12 @@ void check_files(const std::string& folder, const ResumePoint& from)
   };
   const std::string results = path_in(folder, results_file);
   check_length(results, "frames", ResultsFile(results).count_until(from.step), from.n_frames, from);
+  const std::string mesh = path_in(folder, mesh_file);
+  check_length(mesh, "frames", MeshFile(mesh).count_until(from.step), from.n_mesh_frames, from);
   check_table(history_file, history_header, from.n_history_rows);
   check_table(ledger_file, ledger_header, from.n_ledger_rows);
   check_table(left_file, left_header, from.n_left_rows);
+  check_table(footings_file, footings_header, from.n_footing_rows);
 }
 
 }  // namespace
@@ -68,7 +72,9 @@ std::unique_ptr<RunWriter> RunWriter::resume(RunWriterSettings settings, FolderL
   drop_rows_after(path_in(folder, history_file), history_header, time);
   drop_rows_after(path_in(folder, ledger_file), ledger_header, time);
   drop_rows_after(path_in(folder, left_file), left_header, time);
+  drop_rows_after(path_in(folder, footings_file), footings_header, time);
   ResultsFile(path_in(folder, results_file)).truncate_after(at_start ? -1 : from.step);
+  MeshFile(path_in(folder, mesh_file)).truncate_after(at_start ? -1 : from.step);
   remove_checkpoints_after(folder, from.step);
   remove_old_checkpoints(folder, settings.checkpoint_keep);
   return std::unique_ptr<RunWriter>(new RunWriter(std::move(settings), std::move(lock)));
@@ -95,7 +101,12 @@ void RunWriter::ledger(const LedgerRow& row)
 
 void RunWriter::left(const std::vector<LeftPoint>& points)
 {
-  background_.add([this, points] { append_left(points); });
+  background_.add([this, points] { append_to(left_, left_file, left_header, csv_lines(points)); });
+}
+
+void RunWriter::footings(const std::vector<FootingRow>& rows)
+{
+  background_.add([this, rows] { append_to(footings_, footings_file, footings_header, csv_lines(rows)); });
 }
 
 void RunWriter::checkpoint(const std::shared_ptr<const StateImage>& image)
@@ -107,16 +118,16 @@ void RunWriter::checkpoint(const std::shared_ptr<const StateImage>& image)
 
 void RunWriter::finish() { background_.finish(); }
 
-void RunWriter::append_left(const std::vector<LeftPoint>& points)
+void RunWriter::append_to(std::optional<AppendFile>& table, std::string_view name, std::string_view header, const std::string& lines)
 {
-  if (!left_) left_.emplace(open_table(path_in(settings_.folder, left_file), left_header));
-  left_->append(csv_lines(points));
+  if (!table) table.emplace(open_table(path_in(settings_.folder, name), header));
+  table->append(lines);
 }
 
 void RunWriter::write_checkpoint_part(const StateImage& part)
 {
   if (part.part == 0) {
-    for (const auto name : {results_file, history_file, ledger_file, left_file}) {  // on the disk before what relies on them
+    for (const auto name : {results_file, mesh_file, history_file, ledger_file, left_file, footings_file}) {  // on the disk before what relies on them
       const std::string path = path_in(settings_.folder, name);
       if (std::filesystem::exists(path)) sync_to_disk(path);
     }
@@ -131,7 +142,7 @@ void RunWriter::write_checkpoint_part(const StateImage& part)
 std::string RunWriter::write_failed(const StateImage& image)
 {
   finish();
-  const std::string path = path_in(settings_.folder, failed_file(image.step));
+  std::string path = path_in(settings_.folder, failed_file(image.step));
   write_checkpoint(path, image);
   return path;
 }

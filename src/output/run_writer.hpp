@@ -26,7 +26,7 @@ struct RunWriterSettings {
 struct ResumePoint {
   std::int64_t step = 0;
   Real time = 0.0;  ///< [s]
-  std::int64_t n_frames = 0, n_history_rows = 0, n_ledger_rows = 0, n_left_rows = 0;
+  std::int64_t n_frames = 0, n_mesh_frames = 0, n_history_rows = 0, n_ledger_rows = 0, n_left_rows = 0, n_footing_rows = 0;
 };
 
 /// What is shown is written in the order in which it was shown, by a thread of its own, so that the run goes on meanwhile; `finish`
@@ -50,6 +50,7 @@ class RunWriter : public Observer {
   void history(const std::vector<HistoryRow>& rows) override;
   void ledger(const LedgerRow& row) override;
   void left(const std::vector<LeftPoint>& points) override;
+  void footings(const std::vector<FootingRow>& rows) override;
   void checkpoint(const std::shared_ptr<const StateImage>& image) override;
 
   /// Returns when all is on the disk.
@@ -66,14 +67,16 @@ class RunWriter : public Observer {
  private:
   RunWriter(RunWriterSettings settings, FolderLock lock);
 
-  void append_left(const std::vector<LeftPoint>& points);
+  /// Appends to a table that is made with its first lines.
+  void append_to(std::optional<AppendFile>& table, std::string_view name, std::string_view header, const std::string& lines);
   void write_checkpoint_part(const StateImage& part);
 
   RunWriterSettings settings_;
   FolderLock lock_;
   ResultsFile results_;
   AppendFile history_, ledger_;
-  std::optional<AppendFile> left_;  // from the first point on that leaves the mesh
+  std::optional<AppendFile> left_;      // from the first point on that leaves the mesh
+  std::optional<AppendFile> footings_;  // of a case that has any
   std::optional<CheckpointWriter> checkpoint_;  // between its first part and its last
   std::weak_ptr<const Frame> last_frame_;
   std::weak_ptr<const StateImage> last_image_;

@@ -29,6 +29,19 @@ Json softened_fraction(const Summary& summary)
   return list;
 }
 
+Json footings(const Summary& summary)
+{
+  Json list = Json::array();
+  const auto pair = [](Vec<2> v) { return Json{number(v[0]), number(v[1])}; };
+  for (const FootingSummary& f : summary.footings)
+    list.push_back({{"name", f.name},
+                    {"displacement", pair(f.displacement)},
+                    {"reaction", pair(f.reaction)},
+                    {"largest_reaction", number(f.largest)},
+                    {"work", number(f.work)}});
+  return list;
+}
+
 /// The entry of that name, if it is there and of that type.
 template <class T>
 void get(const nlohmann::json& json, const char* name, T& value)
@@ -88,6 +101,19 @@ void read_slides(const nlohmann::json& json, Summary& summary)
   }
 }
 
+void read_footings(const nlohmann::json& json, Summary& summary)
+{
+  for (const auto& entry : json.value("footings", nlohmann::json::array())) {
+    FootingSummary footing;
+    get(entry, "name", footing.name);
+    get(entry, "displacement", footing.displacement);
+    get(entry, "reaction", footing.reaction);
+    get(entry, "largest_reaction", footing.largest);
+    get(entry, "work", footing.work);
+    summary.footings.push_back(std::move(footing));
+  }
+}
+
 void read_passes(const nlohmann::json& json, Summary& summary)
 {
   for (const auto& entry : json.value("passes", nlohmann::json::array())) {
@@ -134,6 +160,7 @@ SavedSummary read_summary(const std::string& path)
   get(json, "energy_balance_error", s.energy_balance_error);
   get(json, "clamped_points", s.clamped_points);
   get(json, "points_left", s.points_left);
+  read_footings(json, s);
   get(json, "v_999", s.v_999);
   for (const auto& row : json.value("softened_fraction", nlohmann::json::array())) {
     Real time = 0.0, fraction = 0.0;
@@ -176,6 +203,7 @@ std::string summary_text(const Summary& summary, bool finished, const CaseText& 
       {"energy_balance_error", number(summary.energy_balance_error)},
       {"clamped_points", summary.clamped_points},
       {"points_left", summary.points_left},
+      {"footings", footings(summary)},
       {"v_999", number(summary.v_999)},
       {"case_name", case_text.name},
       {"case", case_text.toml},

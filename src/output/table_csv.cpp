@@ -103,6 +103,18 @@ std::string csv_lines(const std::vector<LeftPoint>& points)
   return lines;
 }
 
+std::string csv_lines(const std::vector<FootingRow>& rows)
+{
+  std::string lines;
+  for (const auto& row : rows) {
+    add_number(lines, row.time);
+    lines += ',' + quoted(row.footing);
+    add_numbers(lines, {row.displacement_x, row.displacement_y, row.reaction_x, row.reaction_y, row.work});
+    lines += '\n';
+  }
+  return lines;
+}
+
 std::string csv_line(const LedgerRow& row)
 {
   std::string line;

@@ -15,11 +15,13 @@ inline constexpr std::string_view ledger_header =
     "time,step,kinetic,elastic,plastic,gravity_work,damping_work,boundary_work,left_energy,numerical,mass,momentum_x,momentum_y,"
     "clamped,left,front_x,crest_x,crest_y,moved_volume,v_max,v_999";
 inline constexpr std::string_view left_header = "time,id,x,y,v_x,v_y,mass";
+inline constexpr std::string_view footings_header = "time,footing,displacement_x,displacement_y,reaction_x,reaction_y,work";
 
 /// Lines with their line ends. Numbers are the shortest that read back to the same bits; not a number is "nan".
 std::string csv_lines(const std::vector<HistoryRow>& rows);
 std::string csv_line(const LedgerRow& row);
 std::string csv_lines(const std::vector<LeftPoint>& points);
+std::string csv_lines(const std::vector<FootingRow>& rows);
 
 /// Whole rows with a time of at most `time` [s]; 0 without a file. Throws FileError if the columns are not those of `header`.
 std::int64_t count_rows_until(const std::string& path, std::string_view header, Real time);

@@ -8,7 +8,7 @@
 #include "base/errors.hpp"
 #include "output/committed_file.hpp"
 #include "output/files.hpp"
-#include "output/hdf5_file.hpp"
+#include "output/vtkhdf_steps.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -24,38 +24,10 @@ constexpr std::int64_t header_bytes = 16 << 10;   // more than a table's headers
 constexpr std::int64_t cutting_bytes = 16 << 20;  // a rewritten chunk for each of 16 fields
 constexpr std::uint8_t vtk_vertex = 1;            // VTK_VERTEX of vtkCellType.h
 
-const std::string root = "/VTKHDF";
-const std::string steps = root + "/Steps";
+using namespace vtkhdf;
+
 const std::string point_data = root + "/PointData";
 const std::string point_data_offsets = steps + "/PointDataOffsets";
-
-/// Columns in the file: 0 for scalars (one-dimensional); vectors get a z, as VTK wants them.
-int n_columns(int n_components) { return n_components == 1 ? 0 : std::max(3, n_components); }
-
-std::string component_names(int n_columns)
-{
-  switch (n_columns) {
-    case 3:
-      return "x y z";
-    case 4:
-      return "xx yy zz xy";
-    case 6:
-      return "xx yy zz xy yz zx";
-    default:
-      return "";
-  }
-}
-
-/// Rows of two components become rows of three with z = 0.
-std::vector<Real> with_z(const std::vector<Real>& values)
-{
-  std::vector<Real> rows(values.size() / 2 * 3, 0.0);
-  for (std::size_t k = 0; k < values.size() / 2; ++k) {
-    rows[3 * k] = values[2 * k];
-    rows[3 * k + 1] = values[2 * k + 1];
-  }
-  return rows;
-}
 
 /// At least what n points of a frame, or of the cells, take in the file, should they not compress at all.
 std::int64_t largest_size(const Frame& frame, std::int64_t n)
@@ -109,27 +81,11 @@ void add_topology(Hdf5File& file, std::int64_t n)
   file.set_text(point_data + "/id", "unit", "-");
 }
 
-void add_steps(Hdf5File& file)
-{
-  file.set_integers(steps, "NSteps", {0});
-  file.create_table<Real>(steps + "/Values", {});
-  file.set_text(steps + "/Values", "unit", "s");
-  for (const char* name : {"step", "PartOffsets", "NumberOfParts", "PointOffsets"}) {
-    file.create_table<std::int64_t>(steps + "/" + name, {});
-  }
-  for (const char* name : {"CellOffsets", "ConnectivityIdOffsets"}) {
-    file.create_table<std::int64_t>(steps + "/" + name, {.n_columns = 1});
-  }
-  file.create_table<std::int64_t>(point_data_offsets + "/id", {});
-}
-
 void add_field(Hdf5File& file, const PointField& field, const Frame& frame)
 {
   const std::string name = point_data + "/" + field.name;
-  const int columns = n_columns(field.n_components);
-  file.create_table<Real>(name, point_layout(frame, columns));
-  file.set_text(name, "unit", field.unit);
-  if (!component_names(columns).empty()) file.set_text(name, "components", component_names(columns));
+  file.create_table<Real>(name, point_layout(frame, n_columns(field.n_components)));
+  describe_field(file, name, field.unit, field.n_components);
   file.create_table<std::int64_t>(point_data_offsets + "/" + field.name, {});
 }
 
@@ -138,10 +94,9 @@ void write_empty(const std::string& path, const Frame& frame)
 {
   Hdf5File file(path, Hdf5File::Mode::create, largest_size(frame, frame.n_whole()));
   for (const auto& group : {root, steps, point_data, point_data_offsets}) file.create_group(group);
-  file.set_integers(root, "Version", {2, 0});
-  file.set_text(root, "Type", "UnstructuredGrid");
-  file.set_text("/", "terp_version", TERP_VERSION);
+  add_header(file);
   add_steps(file);
+  file.create_table<std::int64_t>(point_data_offsets + "/id", {});
   add_topology(file, frame.n_whole());
   file.create_table<Real>(root + "/Points", point_layout(frame, 3));
   file.set_text(root + "/Points", "unit", "m");
@@ -175,21 +130,10 @@ void check_fit(const Hdf5File& file, const std::string& path, const Frame& frame
     refuse(fmt::format("the file has {} fields, the run {}", n_fields, frame.fields.size()));
 }
 
-void write_integer(Hdf5File& file, const std::string& name, std::int64_t row, std::int64_t value)
+void write_offsets(Hdf5File& file, const Frame& frame, std::int64_t k)
 {
-  file.write_rows<std::int64_t>(name, row, std::span(&value, 1));
-}
-
-void write_step(Hdf5File& file, const Frame& frame, std::int64_t k)
-{
-  file.write_rows<Real>(steps + "/Values", k, std::span(&frame.time, 1));
-  write_integer(file, steps + "/step", k, frame.step);
-  write_integer(file, steps + "/NumberOfParts", k, 1);
-  for (const char* name : {"PartOffsets", "CellOffsets", "ConnectivityIdOffsets"}) {
-    write_integer(file, steps + "/" + name, k, 0);
-  }
   const std::int64_t first_row = k * frame.n_whole();
-  write_integer(file, steps + "/PointOffsets", k, first_row);
+  write_step(file, k, frame.time, frame.step, first_row);
   write_integer(file, point_data_offsets + "/id", k, 0);
   for (const auto& field : frame.fields) write_integer(file, point_data_offsets + "/" + field.name, k, first_row);
 }
@@ -205,14 +149,6 @@ void write_points(Hdf5File& file, const Frame& frame, std::int64_t k)
     else
       file.write_rows<Real>(name, first_row, field.values);
   }
-}
-
-/// Whole frames of steps up to `step`.
-std::int64_t count_frames(const Hdf5File& file, std::int64_t step)
-{
-  const auto step_numbers = file.read<std::int64_t>(steps + "/step");
-  const std::int64_t n_whole = std::min(file.integers(steps, "NSteps").at(0), std::ssize(step_numbers));
-  return std::upper_bound(step_numbers.begin(), step_numbers.begin() + n_whole, step) - step_numbers.begin();
 }
 
 }  // namespace
@@ -231,7 +167,7 @@ void ResultsFile::append(const Frame& frame)
     open_ = std::move(file);
     return;
   }
-  write_step(*file, frame, k);
+  write_offsets(*file, frame, k);
   file->set_integers(steps, "NSteps", {k + 1});
   file->close();
 }
@@ -239,24 +175,19 @@ void ResultsFile::append(const Frame& frame)
 std::int64_t ResultsFile::count_until(std::int64_t step) const
 {
   finish_commit(path_);
-  return std::filesystem::exists(path_) ? count_frames(Hdf5File(path_, Hdf5File::Mode::read), step) : 0;
+  return std::filesystem::exists(path_) ? count_steps(Hdf5File(path_, Hdf5File::Mode::read), step) : 0;
 }
 
 void ResultsFile::truncate_after(std::int64_t step)
 {
   if (!std::filesystem::exists(path_)) return;
   Hdf5File file(path_, Hdf5File::Mode::commit, cutting_bytes);
-  const std::int64_t n_steps = count_frames(file, step);
-  file.set_integers(steps, "NSteps", {n_steps});
-  const std::int64_t n_rows = n_steps * file.read<std::int64_t>(root + "/NumberOfPoints").at(0);
-  file.cut_rows(root + "/Points", n_rows);
+  const std::int64_t n = file.read<std::int64_t>(root + "/NumberOfPoints").at(0);
+  std::vector<StepTable> tables{{root + "/Points", n}};
   for (const auto& name : file.members(point_data)) {
-    if (name != "id") file.cut_rows(point_data + "/" + name, n_rows);
-    file.cut_rows(point_data_offsets + "/" + name, n_steps);
+    if (name != "id") tables.push_back({point_data + "/" + name, n});
   }
-  for (const auto& name : file.members(steps)) {
-    if (steps + "/" + name != point_data_offsets) file.cut_rows(steps + "/" + name, n_steps);
-  }
+  cut_steps(file, step, tables);
   file.close();
 }
 

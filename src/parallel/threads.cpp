@@ -1,6 +1,7 @@
 #include "parallel/threads.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sched.h>
 #include <string>
@@ -30,7 +31,7 @@ int control_group_processors()
   std::string quota;
   double period = 0.0;
   if (!(file >> quota >> period) || quota == "max" || period <= 0.0) return 1 << 20;
-  return std::max(1, static_cast<int>(std::stod(quota) / period + 0.5));
+  return std::max(1, static_cast<int>(std::lround(std::stod(quota) / period)));
 }
 
 /// First chunk of a thread's part.

@@ -1,4 +1,4 @@
-// Values of all points in all frames as few bytes: 16 bits each, differences from frame to frame, gzip, base64 (docs/report_format.md).
+// Values of all points in all frames as few bytes: 16 bits each, differences from frame to frame (docs/report_format.md).
 // Not for: which values, and how exact (payload).
 #pragma once
 
@@ -39,8 +39,5 @@ std::string encode_frames(std::span<const Codes> frames);
 
 /// What encode_frames was given. Throws std::invalid_argument if the length is not that of whole frames.
 std::vector<Codes> decode_frames(std::string_view bytes, std::size_t n_points);
-
-/// RFC 4648, with padding, without line breaks.
-std::string base64(std::string_view bytes);
 
 }  // namespace terp

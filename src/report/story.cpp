@@ -85,10 +85,14 @@ void tell_history(const RunResults& run, std::vector<std::string>& story)
                               s.points_eps_eq_p_fell, s.n_points, s.points_su_rose > 0 ? " and strength came back" : "", scheme_title(s.scheme)));
 }
 
+/// True while the run goes on: summary.json is written when it ends or is stopped.
+bool is_behind(const RunResults& run) { return extent_of(run, "step").last > static_cast<Real>(run.summary.values.n_steps); }
+
 }  // namespace
 
 std::vector<std::string> tell_story(const RunResults& run)
 {
+  if (is_behind(run)) return {fmt::format("The run has come to {:.2f} s. What happened is told when it ends or is stopped.", extent_of(run, "time").last)};
   std::vector<std::string> story;
   tell_slides(run, story);
   tell_motion(run, story);

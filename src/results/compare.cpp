@@ -119,9 +119,6 @@ void add_cost(const RowMaker& table)
   table.add("wall time", "s", 1, &Summary::wall_s);
 }
 
-/// "12.3 m" or "none".
-std::string with_unit(Value value, int digits, std::string_view unit) { return value ? fmt::format("{:.{}f} {}", *value, digits, unit) : std::string("none"); }
-
 /// What distinguishes two runs: the scheme if it does, else the names.
 struct Pair {
   std::string a, b;
@@ -149,12 +146,22 @@ std::string front_sentence(const Comparison& c, std::size_t other, const Pair& w
                      *front[0], *front[other]);
 }
 
+/// "at 0.18 s with A, at 0.25 s with B" or "... with A; with B there is none".
+std::string times_of_slide(const std::vector<Value>& begins, std::size_t other, const Pair& who)
+{
+  const auto at = [](Value time, const std::string& name) { return fmt::format("at {:.2f} s with {}", *time, name); };
+  if (begins[0] && begins[other]) return at(begins[0], who.a) + ", " + at(begins[other], who.b);
+  return begins[0] ? fmt::format("{}; with {} there is none", at(begins[0], who.a), who.b) : fmt::format("{}; with {} there is none", at(begins[other], who.b), who.a);
+}
+
 std::string slides_sentence(const Comparison& c, std::size_t other, const Pair& who)
 {
   const auto& first = row_of(c, "first slide begins").values;
   const auto& second = row_of(c, "second slide begins").values;
-  return fmt::format("The first slide begins at {} with {} and at {} with {}; the second at {} and {}.", with_unit(first[0], 2, "s"), who.a,
-                     with_unit(first[other], 2, "s"), who.b, with_unit(second[0], 2, "s"), with_unit(second[other], 2, "s"));
+  if (!first[0] && !first[other]) return "Neither run has a slide.";
+  std::string text = "The first slide begins " + times_of_slide(first, other, who) + ".";
+  if (second[0] || second[other]) text += " A second begins " + times_of_slide(second, other, who) + ".";
+  return text;
 }
 
 std::string softening_sentence(const Comparison& c, std::size_t other, const Pair& who)

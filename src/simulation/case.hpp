@@ -16,6 +16,7 @@ namespace terp {
 enum class InitialStress { none, k0, equilibrium };                               ///< reading R14
 enum class MeshKind { rectangle, graded, mapped, file, polygon };
 enum class SideKind { free, open, roller, fixed, velocity, contact_bilateral, contact_separating };  ///< reading R15
+enum class FootingContact { rough, smooth };
 enum class DeviatoricNorm { half, von_mises };                                    ///< reading R18
 
 struct TimeCase {
@@ -82,6 +83,18 @@ struct SideCase {
   Real friction = 0.0;          ///< tangent of the contact friction angle [-]
   Vec<2> velocity{0.0, 0.0};    ///< of SideKind::velocity [m/s]
   VelocityField velocity_at;    ///< instead of velocity
+  bool slip = false;            ///< of SideKind::velocity: only the component across the side is prescribed
+};
+
+inline constexpr std::size_t most_footings = 8;  ///< of one case
+
+/// A rigid block that moves with a prescribed velocity on or in the soil.
+struct FootingCase {
+  std::string name = "footing";
+  Vec<2> low{0.0, 0.0}, high{0.0, 0.0};  ///< corners of the box at t = 0 [m]
+  Vec<2> velocity{0.0, 0.0};    ///< after the ramp [m/s]
+  Real ramp = 0.0;              ///< time over which the velocity grows from zero [s]
+  FootingContact contact = FootingContact::rough;
 };
 
 struct ForcesCase {
@@ -107,6 +120,7 @@ struct OutputCase {
   Real checkpoint_every = 0.0;  ///< [s]; 0: only at the end and when stopped
   Index checkpoint_keep = 2;    ///< how many of the newest are kept; 0: all
   DeviatoricNorm deviatoric_norm = DeviatoricNorm::half;
+  bool mesh = false;            ///< whether mesh.vtkhdf also says what the mesh carries at the times of the fields
 };
 
 /// The velocity that a body or a side has at a place [m/s].
@@ -134,6 +148,7 @@ struct Case {
   ForcesCase forces;
   InitialCase initial;
   std::vector<SideCase> sides;
+  std::vector<FootingCase> footings;
   MethodOptions method;
   OutputCase output;
 };

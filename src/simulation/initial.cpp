@@ -100,6 +100,7 @@ Search seek_equilibrium(const Model& model, State& state, Workspace& work, const
   const InitialCase& initial = model.description.initial;
   constexpr std::int64_t fewest_steps = 10;  // before the ratio says anything
   work.damping_local = initial.damping;
+  work.settling = true;
   while (state.equilibrium_steps < initial.max_steps && !stop.load(std::memory_order_relaxed)) {
     model.step(model, state, work);
     ++state.equilibrium_steps;
@@ -110,6 +111,7 @@ Search seek_equilibrium(const Model& model, State& state, Workspace& work, const
       return {.fault = "in the search for equilibrium soil left through an open side; give that side a `roller`, or start with \"k0\""};
     if (state.equilibrium_steps < fewest_steps || work.unbalanced_ratio > initial.limit) continue;
     work.damping_local = model.damping.local;
+    work.settling = false;
     reset_history(state, model.n_state);
     const Columns columns = state.crest.columns;
     state.crest = start_crest_history(state.points, columns.left, columns.left + columns.n * columns.width, columns.width);

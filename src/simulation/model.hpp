@@ -2,6 +2,7 @@
 #pragma once
 
 #include "boundary/conditions.hpp"
+#include "boundary/footing.hpp"
 #include "forces/damping.hpp"
 #include "parallel/kernels.hpp"
 #include "points/move.hpp"
@@ -26,6 +27,7 @@ struct Model {
   MethodOptions method;
   Boundary boundary;
   OpenSides open_sides;                  ///< sides that soil may leave by, shape [n_cells]
+  std::vector<Footing> footings;
   Vec<2> gravity{0.0, 0.0};              ///< [m/s^2]
   Damping damping;
   StepFunction step = nullptr;

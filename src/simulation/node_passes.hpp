@@ -37,6 +37,22 @@ inline Real mass_limit(const Model& model, Index node)
   return model.method.small_mass * model.largest_density * model.mesh.geometry(model.mesh.cells_of_node[first[node]].cell).volume;
 }
 
+/// Number of the footing that holds a place, the last if several do; -1: none.
+inline int footing_at(const Workspace& work, Vec<2> x)
+{
+  for (int k = static_cast<int>(work.footings.size()) - 1; k >= 0; --k)
+    if (work.footings[k].holds(x)) return k;
+  return -1;
+}
+
+/// The footing has the last word on the nodes inside it. impulse: what that takes is added [N s per m].
+inline void push_by_footing(const PlacedFooting& footing, Real mass, Vec<2>& v, Vec<2>& impulse)
+{
+  const Vec<2> before = v;
+  footing.hold(v);
+  for (int d = 0; d < 2; ++d) impulse[d] += mass * (v[d] - before[d]);
+}
+
 /// Step 2: out-of-balance force, damping, acceleration, boundary.
 inline void accelerate_node(const Model& model, const NodeGather& sum, Index i, Workspace& work, NodeSums& sums)
 {
@@ -55,11 +71,17 @@ inline void accelerate_node(const Model& model, const NodeGather& sum, Index i, 
     out_of_balance[d] = sum.mass * model.gravity[d] - sum.internal_force[d];
     node.internal[d] = -sum.internal_force[d];
   }
-  const auto free = [&](Vec<2> value) { return model.boundary.free_part(i, value, out_of_balance); };
+  const int k = footing_at(work, model.mesh.nodes[i]);
+  const PlacedFooting* const footing = k < 0 ? nullptr : &work.footings[k];
+  const auto free = [&](Vec<2> value) {
+    value = model.boundary.free_part(i, value, out_of_balance);
+    return footing == nullptr ? value : footing->free_part(value);
+  };
   node.damping = damping_force(damping, free(out_of_balance), sum.mass, free(v_0));
   for (int d = 0; d < 2; ++d) v_free[d] = v_0[d] + (out_of_balance[d] + node.damping[d]) / sum.mass * model.dt;
   node.v = v_free;
   model.boundary.constrain(i, sum.mass, model.dt, node.v);
+  if (footing != nullptr) push_by_footing(*footing, sum.mass, node.v, sums.footing[k]);
   for (int d = 0; d < 2; ++d) {
     node.dv[d] = node.v[d] - v_0[d];
     node.boundary[d] = sum.mass * (node.v[d] - v_free[d]) / model.dt;
@@ -84,11 +106,13 @@ inline void add_works(const Model& model, const NodeValues& node, NodeSums& sums
 
 /// Step 4: velocity from the updated momentum of the points (MUSL), clamped at the boundary. However light the node: a mean of the
 /// velocities of the points around it is always sound, and a node left at rest would strain the cell (decision 0027).
-inline void remap_velocity(const Model& model, const NodeGather& sum, Index i, NodeValues& node, NodeSums& sums)
+inline void remap_velocity(const Model& model, const NodeGather& sum, Index i, Workspace& work, NodeSums& sums)
 {
+  NodeValues& node = work.node[i];
   if (!(node.mass > 0.0)) return;
   for (int d = 0; d < 2; ++d) node.v[d] = sum.momentum[d] / node.mass;
   model.boundary.clamp(i, node.boundary, node.v);
+  if (const int k = footing_at(work, model.mesh.nodes[i]); k >= 0) work.footings[k].hold(node.v);
   add_works(model, node, sums);
 }
 

@@ -73,6 +73,15 @@ struct LedgerRow {
   Real v_max = 0.0, v_999 = 0.0;      ///< largest speed, and its 99.9 % quantile [m/s]
 };
 
+/// One row of footings.csv.
+struct FootingRow {
+  Real time;                 ///< [s]
+  std::string footing;       ///< the user's name
+  Real displacement_x, displacement_y;  ///< since t = 0 [m]
+  Real reaction_x, reaction_y;          ///< force of the soil on the footing, mean since the row before [N per m]
+  Real work;                 ///< done on the soil so far [J per m]; part of the ledger's boundary_work
+};
+
 /// A named array of a checkpoint, or rows of it.
 struct NamedArray {
   std::string name;
@@ -112,6 +121,7 @@ class Observer {
   virtual void history(const std::vector<HistoryRow>&) {}
   virtual void ledger(const LedgerRow&) {}
   virtual void left(const std::vector<LeftPoint>&) {}
+  virtual void footings(const std::vector<FootingRow>&) {}
   virtual void checkpoint(const std::shared_ptr<const StateImage>&) {}
   virtual void progress(const Progress&) {}
   /// Keeps the state of a run that stopped itself; returns where it was saved, or nothing.

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "parallel/processor.hpp"
 #include "simulation/failure.hpp"
+#include "simulation/footings.hpp"
 #include "simulation/frame.hpp"
 #include "simulation/guards.hpp"
 #include "simulation/initial.hpp"
@@ -55,6 +56,7 @@ struct Loop {
     const auto now = [&](Real every) { return last || state.step == 0 || due(state.step, model.dt, every); };
     if (now(output.ledger_every)) tell_left();
     if (now(output.ledger_every)) write_ledger();
+    if (now(output.ledger_every) && !model.footings.empty()) tell([rows = keep_footings(model, state)](Observer& o) { o.footings(rows); });
     if (now(output.history_every)) tell([rows = make_history(model, state, history_places)](Observer& o) { o.history(rows); });
     if (now(output.fields_every)) {
       state.softened_fraction.emplace_back(state.time, softened_fraction(model, state));
@@ -189,6 +191,10 @@ Summary summarise(const Model& model, const State& state)
   s.energy_balance_error = exchanged > 0.0 ? std::abs(numerical) / exchanged : 0.0;
   s.clamped_points = state.clamped;
   s.points_left = static_cast<std::int64_t>(state.left.size());
+  for (std::size_t k = 0; k < model.footings.size(); ++k) {
+    const FootingMeter& meter = state.footings[k];
+    s.footings.push_back({model.footings[k].name, model.footings[k].displacement(state.time), meter.reaction, meter.largest, meter.work});
+  }
   s.v_999 = state.largest_v_999;
   return s;
 }

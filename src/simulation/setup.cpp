@@ -29,24 +29,40 @@ std::vector<SoilMaterial> make_materials(const Case& c)
   return materials;
 }
 
+/// A formula may give no number at some place.
+void check_velocity(const SideCase& side, Vec<2> x)
+{
+  const Vec<2> v = velocity_of(side, x);
+  if (side.velocity_at && !std::isfinite(v[0] + v[1]))
+    throw InputError(Problem{fmt::format("boundary.\"{}\".velocity", side.side), "the velocity is not a finite number everywhere on the side",
+                             fmt::format("It is [{}, {}] m/s at {} m.", v[0], v[1], place_text(x)), "boundary.SIDE.velocity"});
+}
+
 /// Conditions of the sides that hold something. Every name must be one of the mesh, of free sides too: it may be misspelt.
 std::vector<SideCondition> make_sides(const Case& c, const Mesh<2>& mesh)
 {
   std::vector<SideCondition> sides;
   for (const SideCase& s : c.sides) {
-    find_side(mesh, s.side);
+    for (const CellSide& edge : find_side(mesh, s.side).edges) check_velocity(s, mesh.nodes[mesh.cells[edge.cell][edge.side]]);
     const auto add = [&](Hold hold) { sides.push_back({s.side, hold, s.adhesion, s.friction, s.velocity, s.velocity_at}); };
     switch (s.kind) {
       case SideKind::free: break;
       case SideKind::open: break;
       case SideKind::roller: add(Hold::normal); break;
       case SideKind::fixed: add(Hold::all); break;
-      case SideKind::velocity: add(Hold::all); break;
+      case SideKind::velocity: add(s.slip ? Hold::normal : Hold::all); break;
       case SideKind::contact_bilateral: add(Hold::contact); break;
       case SideKind::contact_separating: add(Hold::separating); break;
     }
   }
   return sides;
+}
+
+std::vector<Footing> make_footings(const Case& c)
+{
+  std::vector<Footing> footings;
+  for (const FootingCase& f : c.footings) footings.push_back({f.name, f.low, f.high, f.velocity, f.ramp, f.contact == FootingContact::rough});
+  return footings;
 }
 
 /// Sides that the case calls "open".
@@ -173,6 +189,7 @@ Model build_model(const Case& description, Mesh<2> mesh, int threads)
   model.materials = make_materials(description);
   model.method = description.method;
   model.boundary = Boundary(model.mesh, make_sides(description, model.mesh));
+  model.footings = make_footings(description);
   model.open_sides = make_open_sides(description, model.mesh);
   model.gravity = description.forces.gravity;
   model.damping = {.local = description.forces.local_damping, .viscous = description.forces.viscous_damping};
@@ -193,6 +210,7 @@ State build_state(Model& model)
   state.points = PointBlocks<2>(model.mesh.n_cells(), model.n_state);
   state.x_initial.resize(2 * n);
   state.put_back.assign(n, false);
+  state.footings.resize(model.footings.size());
   add_points(model, std::move(points), state);
   state.points.update_occupied();
   state.points.reserve(static_cast<std::int64_t>(n / 4));

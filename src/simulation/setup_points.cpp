@@ -6,6 +6,7 @@
 #include "points/points_csv.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace terp {
@@ -67,6 +68,16 @@ void check_outlines(const Model& model, const std::vector<BodyOutline>& outlines
   }
 }
 
+/// A formula may give no number at some place.
+Vec<2> finite_velocity(const BodyCase& body, std::size_t b, Vec<2> x)
+{
+  const Vec<2> v = velocity_of(body, x);
+  if (body.velocity_at && !std::isfinite(v[0] + v[1]))
+    throw InputError(Problem{body_key(b, "velocity"), "the velocity is not a finite number everywhere in the body",
+                             fmt::format("It is [{}, {}] m/s at {} m.", v[0], v[1], place_text(x)), "body.velocity"});
+  return v;
+}
+
 Index material_of_point(const Model& model, const std::string& path, const CsvPoint& p)
 {
   std::string known;
@@ -88,7 +99,7 @@ void add_points_of_file(const Model& model, std::size_t b, PointBatches& points)
     if (!at.inside)
       throw InputError(Problem{body_key(b, "points"), "a point lies outside the mesh",
                                fmt::format("{}:{}: {} m lies in no cell.", path, p.line, place_text(p.x)), "body", false, mesh_extent});
-    add_point({p.x, at.local, velocity_of(body, p.x), p.volume, at.cell, material_of_point(model, path, p), static_cast<Index>(b)}, points);
+    add_point({p.x, at.local, finite_velocity(body, b, p.x), p.volume, at.cell, material_of_point(model, path, p), static_cast<Index>(b)}, points);
     guess = at.cell;
   }
 }
@@ -157,7 +168,7 @@ PointBatches make_points(const Model& model)
   PointBatches points;
   for (const Seed& seed : seed_points(model.mesh, outlines)) {
     const BodyCase& body = model.description.bodies[drawn[seed.body]];
-    add_point({seed.x, seed.local, velocity_of(body, seed.x), seed.volume, seed.cell, material_number(model, body.material), static_cast<Index>(drawn[seed.body])}, points);
+    add_point({seed.x, seed.local, finite_velocity(body, drawn[seed.body], seed.x), seed.volume, seed.cell, material_number(model, body.material), static_cast<Index>(drawn[seed.body])}, points);
   }
   for (std::size_t b = 0; b < model.description.bodies.size(); ++b)
     if (!model.description.bodies[b].points_file.empty()) try_points_of_file(model, b, points);

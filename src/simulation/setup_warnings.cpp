@@ -1,5 +1,6 @@
 #include "simulation/setup_warnings.hpp"
 
+#include "simulation/footings.hpp"
 #include "simulation/setup_history.hpp"
 
 #include <algorithm>
@@ -44,6 +45,7 @@ std::vector<Problem> find_warnings(const Model& model, const State& state)
   std::vector<Problem> warnings = find_far_history_points(model, state);
   find_empty_bodies(model, warnings);
   find_sides_that_move_far(model, warnings);
+  for (Problem& problem : find_idle_footings(model, state)) warnings.push_back(std::move(problem));
   return warnings;
 }
 

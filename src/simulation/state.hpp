@@ -25,6 +25,15 @@ struct HistoryAudit {
   std::vector<bool> fell, rose;               ///< true where eps_eq_p ever fell, S_u ever rose
 };
 
+/// What a footing has met so far.
+struct FootingMeter {
+  Vec<2> impulse{0.0, 0.0};   ///< of the soil on it since `since` [N s per m]
+  Real since = 0.0;           ///< time of the last row of footings.csv [s]
+  Vec<2> reaction{0.0, 0.0};  ///< of that row: mean force of the soil on the footing since the row before [N per m]
+  Real largest = 0.0;         ///< largest reaction of any row, against the motion [N per m]
+  Real work = 0.0;            ///< done on the soil [J per m]
+};
+
 struct State {
   Real time = 0.0;            ///< [s]
   std::int64_t step = 0;
@@ -40,6 +49,7 @@ struct State {
   std::size_t left_told = 0;      ///< how many of them the observers know
   HistoryAudit audit;
   CrestHistory crest;
+  std::vector<FootingMeter> footings;     ///< in the order of the case
   std::vector<SlipSurface> slip;  ///< of each slide so far, when its strain grew fastest; one before there is any slide
   std::vector<std::pair<Real, Real>> softened_fraction;  ///< at the frame times
   Real largest_v_999 = 0.0;       ///< [m/s]

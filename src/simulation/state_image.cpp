@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace terp {
 namespace {
@@ -94,14 +93,6 @@ const std::vector<T>& get(const StateImage& image, std::string_view name, std::s
   throw_missing(name);
 }
 
-/// An array that checkpoints of an older Terp lack; then empty.
-std::vector<Real> find_reals(const StateImage& image, std::string_view name)
-{
-  for (const NamedArray& array : image.arrays)
-    if (const auto* values = std::get_if<std::vector<Real>>(&array.values); values != nullptr && array.name == name) return *values;
-  return {};
-}
-
 /// Time, rate and number of places of each surface, and the places of all.
 void add_slip(const State& state, std::vector<ArraySource>& arrays)
 {
@@ -116,7 +107,7 @@ void add_slip(const State& state, std::vector<ArraySource>& arrays)
 
 void get_slip(const StateImage& image, State& state)
 {
-  const auto surfaces = find_reals(image, "slip/surfaces"), places = find_reals(image, "slip/places");
+  const auto &surfaces = get<Real>(image, "slip/surfaces"), &places = get<Real>(image, "slip/places");
   std::size_t next = 0;
   for (std::size_t k = 0; k + 2 < surfaces.size(); k += 3) {
     SlipSurface slip{.time = surfaces[k], .rate = surfaces[k + 1], .line = {}};
@@ -170,6 +161,25 @@ void get_left(const StateImage& image, State& state)
   state.left_told = state.left.size();
 }
 
+void add_footings(const State& state, std::vector<ArraySource>& arrays)
+{
+  std::vector<Real> values;
+  for (const FootingMeter& m : state.footings)
+    values.insert(values.end(), {m.impulse[0], m.impulse[1], m.since, m.reaction[0], m.reaction[1], m.largest, m.work});
+  if (!values.empty()) arrays.push_back(few("footings", std::move(values)));
+}
+
+void get_footings(const Model& model, const StateImage& image, State& state)
+{
+  state.footings.resize(model.footings.size());
+  if (state.footings.empty()) return;
+  const Real* v = get<Real>(image, "footings", 7 * state.footings.size()).data();
+  for (FootingMeter& m : state.footings) {
+    m = {.impulse = {v[0], v[1]}, .since = v[2], .reaction = {v[3], v[4]}, .largest = v[5], .work = v[6]};
+    v += 7;
+  }
+}
+
 /// Every id, of points and of those that left, must lie in the range that x_initial spans: other arrays are indexed by it.
 void check_ids(const State& state)
 {
@@ -192,6 +202,7 @@ std::vector<ArraySource> arrays_of(const State& state)
   arrays.push_back(few("wall_s", std::vector<Real>{state.wall_s}));  // the one number that differs between equal runs
   arrays.push_back(few("counts", std::vector<std::int64_t>{state.clamped, state.tension_cut, state.equilibrium_steps}));
   add_left(state, arrays);
+  add_footings(state, arrays);
   arrays.push_back(kept("put_back", state.put_back));
   arrays.push_back(kept("audit/last_eps_eq_p", state.audit.last_eps_eq_p));
   arrays.push_back(kept("audit/last_su", state.audit.last_su));
@@ -256,6 +267,7 @@ State restore(const Model& model, const StateImage& image)
   get_points(model, image, state);
   state.x_initial = get<Real>(image, "x_initial");
   get_left(image, state);
+  get_footings(model, image, state);
   const auto n = static_cast<std::size_t>(state.n_ids());
   check_ids(state);
   const auto& w = get<Real>(image, "work", 7);
@@ -281,8 +293,7 @@ State restore(const Model& model, const StateImage& image)
   state.crest.base = columns[2];
   state.crest.time = get<Real>(image, "crest/time");
   state.crest.x = get<Real>(image, "crest/x", state.crest.time.size());
-  state.crest.kinetic = find_reals(image, "crest/kinetic");
-  state.crest.kinetic.resize(state.crest.x.size(), std::numeric_limits<Real>::quiet_NaN());
+  state.crest.kinetic = get<Real>(image, "crest/kinetic", state.crest.time.size());
   get_slip(image, state);
   const auto& softened = get<Real>(image, "softened_fraction");
   for (std::size_t k = 0; k + 1 < softened.size(); k += 2) state.softened_fraction.emplace_back(softened[k], softened[k + 1]);

@@ -7,6 +7,7 @@
 #include "schemes/mpm_mixed.hpp"
 #include "schemes/standard_mpm.hpp"
 #include "simulation/cell_passes.hpp"
+#include "simulation/footings.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/node_passes.hpp"
 
@@ -63,7 +64,10 @@ void finish_sums(State& state, Workspace& work)
     total.unbalanced += sums.unbalanced;
     total.weight += sums.weight;
     total.finite &= sums.finite;
+    for (std::size_t k = 0; k < work.footings.size(); ++k)
+      for (int d = 0; d < 2; ++d) total.footing[k][d] += sums.footing[k][d];
   }
+  add_footing_impulses(work, total.footing, state);
   state.work.gravity += total.gravity;
   state.work.damping += total.damping;
   state.work.boundary += total.boundary;
@@ -116,6 +120,7 @@ void step(const Model& model, State& state, Workspace& work)
   const SchemeContext context{model.method, model.materials, model.dt};
   const Mesh<2>& mesh = model.mesh;
   start_sums(work);
+  place_footings(model, state, work);
 
   timed(work, points_to_cells, [&] {
     for_each_cell(model, state, work, [&](const CellView& cell, CellSums& sums, auto&) {
@@ -139,7 +144,7 @@ void step(const Model& model, State& state, Workspace& work)
     });
   });
   timed(work, velocities, [&] {
-    for_each_node(work, [&](Index i, NodeSums& sums) { remap_velocity(model, sum_cells(model, state, work, i), i, work.node[i], sums); });
+    for_each_node(work, [&](Index i, NodeSums& sums) { remap_velocity(model, sum_cells(model, state, work, i), i, work, sums); });
   });
   timed(work, stress, [&] {
     for_each_cell(model, state, work, [&](const CellView& cell, CellSums& sums, auto& leavers) {

@@ -12,6 +12,15 @@
 
 namespace terp {
 
+/// What a footing met in a run.
+struct FootingSummary {
+  std::string name;
+  Vec<2> displacement{0.0, 0.0};  ///< at the end [m]
+  Vec<2> reaction{0.0, 0.0};      ///< force of the soil on it, mean over the last interval of the ledger [N per m]
+  Real largest = 0.0;             ///< largest reaction against its motion, of such means [N per m]
+  Real work = 0.0;                ///< done on the soil [J per m]
+};
+
 /// A slide, and where the soil sheared when it sheared fastest.
 struct SlideSummary {
   Slide slide;
@@ -50,6 +59,7 @@ struct Summary {
   Real energy_balance_error = 0.0;        ///< |numerical| at the end over the energy exchanged: works, plastic, start [-]
   std::int64_t clamped_points = 0;
   std::int64_t points_left = 0;           ///< through open sides
+  std::vector<FootingSummary> footings;
   Real v_999 = 0.0;                       ///< largest 99.9 % quantile of the speed over all ledger rows [m/s]
 };
 

@@ -21,6 +21,7 @@ struct NodeValues {
 struct NodeSums {
   Real gravity = 0.0, damping = 0.0, boundary = 0.0, internal = 0.0;  ///< work of the step [J per m]
   Real unbalanced = 0.0, weight = 0.0;                                ///< sum of |m a|, of |m g| [N per m]
+  std::array<Vec<2>, most_footings> footing{};                        ///< impulse of each footing on its nodes [N s per m]
   bool finite = true;
 };
 
@@ -56,6 +57,8 @@ struct Workspace {
   std::vector<std::vector<PointPlace>> leavers;  ///< points that left their cell, by thread; in the order of its chunks
   std::vector<Real> leaver;                ///< values of the point being moved
   std::array<double, n_passes> seconds{};  ///< spent in each pass
+  std::vector<PlacedFooting> footings;     ///< in this step
+  bool settling = false;                   ///< in the search for equilibrium, which knows no footing
   Real damping_local = 0.0;                ///< alpha in force: the model's, or that of the search for equilibrium
   bool finite = true;                      ///< no nodal value was NaN or infinite in the last step
   Real unbalanced_ratio = 0.0;             ///< sum |m a| over sum |m g| in the last step

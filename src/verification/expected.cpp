@@ -17,9 +17,9 @@ namespace {
 using Names = std::vector<std::string>;
 
 const Names quantity_keys = {"name", "kind",  "value",     "reduce", "reference", "where",    "scale",    "time",    "from", "to",     "threshold",
-                             "at",   "runs",  "tolerance", "relative", "at_least", "at_most", "of",      "over",    "unit", "source", "red", "as", "shown", "differences"};
-const Names run_keys = {"name", "case", "schemes", "set", "constants", "long", "seconds"};
-const Names kind_words = {"field", "point", "ledger", "summary", "formula", "order"};
+                             "at",   "runs",  "tolerance", "relative", "at_least", "at_most", "of",      "over",    "unit", "source", "red", "as", "shown", "differences", "red_runs"};
+const Names run_keys = {"name", "case", "schemes", "set", "constants", "long", "seconds", "stability"};
+const Names kind_words = {"field", "point", "ledger", "summary", "formula", "order", "footing"};
 const Names reduce_words = {"rms_error", "max_error", "mean", "sum", "max", "min", "at", "last", "period", "frequency", "arrival"};
 
 /// Reads the entries of one table; every wrong one is refused with its place.
@@ -121,11 +121,23 @@ std::vector<Constant> read_constants(const Expected& file, const Node* table)
   return constants;
 }
 
+/// [from, to, tolerance] of a search for a factor of safety.
+std::vector<Real> read_stability(const TableReader& reader, const Node& bounds)
+{
+  const auto is_number = [](const Node& n) { return n.kind == NodeKind::number || n.kind == NodeKind::integer; };
+  if (bounds.kind != NodeKind::list || bounds.items.size() != 3 || !std::all_of(bounds.items.begin(), bounds.items.end(), is_number))
+    reader.wrong(bounds, "[from, to, tolerance] of the factor");
+  std::vector<Real> values;
+  for (const Node& n : bounds.items) values.push_back(n.kind == NodeKind::integer ? static_cast<Real>(n.integer) : n.number);
+  return values;
+}
+
 Variant read_variant(const Expected& file, const Node& table)
 {
   const TableReader reader(file, table, run_keys);
   Variant v{.name = reader.text("name"), .case_file = reader.text("case"), .schemes = reader.texts("schemes"), .set = reader.texts("set"),
             .constants = read_constants(file, find_item(table, "constants")), .is_long = reader.flag("long")};
+  if (const Node* bounds = find_item(table, "stability")) v.stability = read_stability(reader, *bounds);
   if (v.case_file.empty()) v.case_file = "case.toml";
   if (const Node* seconds = find_item(table, "seconds"))
     v.seconds = seconds->kind == NodeKind::integer ? static_cast<double>(seconds->integer) : seconds->number;
@@ -174,6 +186,7 @@ Quantity read_quantity(const Expected& file, const Node& table)
   q.as = reader.text("as");
   q.of = reader.text("of", is_order), q.over = reader.text("over", is_order);
   q.runs = reader.texts("runs");
+  q.red_runs = reader.texts("red_runs");
   read_place(reader, q);
   check_judgement(file, q);
   return q;
@@ -191,6 +204,7 @@ void check_names(const Expected& file)
   };
   for (const Quantity& q : file.quantities) {
     for (const std::string& run : q.runs) check(q, run, runs, "run");
+    for (const std::string& run : q.red_runs) check(q, run, runs, "run");
     if (q.kind == QuantityKind::order) check(q, q.of, quantities, "quantity");
   }
 }

@@ -18,7 +18,7 @@ struct Formula {
   bool given() const { return !text.empty(); }
 };
 
-enum class QuantityKind { field, point, ledger, summary, formula, order };
+enum class QuantityKind { field, point, ledger, summary, formula, order, footing };
 
 /// How many numbers become one. The errors are those of value - reference over scale.
 enum class Reduce { rms_error, max_error, mean, sum, max, min, at, last, period, frequency, arrival };
@@ -39,6 +39,7 @@ struct Quantity {
   std::string of = {}, over = {};  ///< order: name of another quantity; the constant that is refined
   bool differences = false;     ///< order: of the differences of successive values, where the limit is not the reference
   std::vector<std::string> runs = {};  ///< names of the runs it is measured in; empty: all
+  std::vector<std::string> red_runs = {};  ///< those that `red` speaks of; empty: all
   Place place = {};
 };
 
@@ -54,6 +55,7 @@ struct Variant {
   std::vector<std::string> schemes = {};  ///< empty: that of the case
   std::vector<std::string> set = {};   ///< KEY=VALUE
   std::vector<Constant> constants = {};  ///< in addition to those of the file
+  std::vector<Real> stability = {};    ///< a factor of safety instead of a run: from, to, tolerance; empty: a run
   bool is_long = false;
   double seconds = 1.0;                ///< about, on one core; for the time to go
 };

@@ -35,6 +35,12 @@ bool agrees(const Finding& f)
   return error_of(f) <= (std::isnan(f.relative) ? f.tolerance : f.relative);
 }
 
+/// An empty list names all.
+bool names_run(const std::vector<std::string>& runs, const std::string& run)
+{
+  return runs.empty() || std::find(runs.begin(), runs.end(), run) != runs.end();
+}
+
 Row to_row(const std::string& case_name, const Finding& f)
 {
   const Quantity& q = *f.quantity;
@@ -49,9 +55,9 @@ Row to_row(const std::string& case_name, const Finding& f)
                   : !std::isnan(f.at_most) ? fmt::format("at most {:.3g}", f.at_most)
                   : relative               ? fmt::format("{:.3g} %", 100.0 * f.relative)
                                            : fmt::format("{:.3g}", f.tolerance);
-  const bool good = agrees(f);
-  row.verdict = good ? Verdict::pass : q.red.empty() ? Verdict::fail : Verdict::red;
-  if (!good) row.remark = q.red;
+  const bool good = agrees(f), known = !q.red.empty() && names_run(q.red_runs, f.run);
+  row.verdict = good ? Verdict::pass : known ? Verdict::red : Verdict::fail;
+  if (!good && known) row.remark = q.red;
   return row;
 }
 
@@ -72,7 +78,7 @@ std::vector<std::string> schemes_in(const std::vector<Finding>& findings)
 
 bool concerns(const Quantity& order, const Finding& f)
 {
-  return f.quantity->name == order.of && (order.runs.empty() || std::find(order.runs.begin(), order.runs.end(), f.run) != order.runs.end());
+  return f.quantity->name == order.of && names_run(order.runs, f.run);
 }
 
 /// Order of convergence of a quantity's error, one finding per scheme; none where fewer than two runs were made.

@@ -27,6 +27,7 @@ std::unique_ptr<Measure> make_measure(const Quantity& quantity, const Scope& sco
 std::unique_ptr<Measure> make_field_measure(const Quantity& quantity, const Scope& scope);
 std::unique_ptr<Measure> make_point_measure(const Quantity& quantity, const Scope& scope);
 std::unique_ptr<Measure> make_ledger_measure(const Quantity& quantity, const Scope& scope);
+std::unique_ptr<Measure> make_footing_measure(const Quantity& quantity, const Scope& scope);
 std::unique_ptr<Measure> make_summary_measure(const Quantity& quantity, const Scope& scope);
 
 }  // namespace terp

@@ -76,6 +76,17 @@ std::string html_section(const CaseRows& c)
   return out;
 }
 
+/// One line per case.
+std::string markdown_overview(const std::vector<CaseRows>& cases)
+{
+  std::string out = "| case | | rows | pass | red |\n|---|---|---|---|---|\n";
+  for (const CaseRows& c : cases) {
+    const Counts n = count({c});
+    out += fmt::format("| [{0}](#{0}) | {1} | {2} | {3} | {4} |\n", c.name, for_markdown(c.title), n.pass + n.red + n.fail, n.pass, n.red + n.fail);
+  }
+  return out;
+}
+
 }  // namespace
 
 Counts count(const std::vector<CaseRows>& cases)
@@ -117,7 +128,8 @@ std::string text_table(const CaseRows& c)
 
 std::string markdown_page(const std::vector<CaseRows>& cases, const std::string& head)
 {
-  std::string out = fmt::format("# Verification\n\nWritten by `terp verify --markdown`; not to be changed by hand.\n\n{}\n\n{}\n", counts_text(count(cases)) + ".", head);
+  std::string out = fmt::format("# Verification\n\nWritten by `terp verify --markdown`; not to be changed by hand.\n\n{}.\n\n{}\n{}", counts_text(count(cases)), head,
+                                markdown_overview(cases));
   for (const CaseRows& c : cases) {
     out += fmt::format("\n## {0}\n\n{1}: [`cases/verification/{0}`](../cases/verification/{0}/README.md)\n\n|", c.name, for_markdown(c.title));
     for (const char* name : heads) out += fmt::format(" {} |", name);

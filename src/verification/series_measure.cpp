@@ -109,8 +109,22 @@ class LedgerMeasure : public SeriesMeasure {
   }
 };
 
+const std::vector<std::string> footing_names = {"t", "displacement_x", "displacement_y", "reaction_x", "reaction_y", "work"};
+
+/// Rows of footings.csv of the first footing.
+class FootingMeasure : public SeriesMeasure {
+ public:
+  using SeriesMeasure::SeriesMeasure;
+  void footings(const std::vector<FootingRow>& rows) override
+  {
+    const FootingRow& r = rows.front();
+    add(r.time, footing_names, {r.time, r.displacement_x, r.displacement_y, r.reaction_x, r.reaction_y, r.work});
+  }
+};
+
 }  // namespace
 
+std::unique_ptr<Measure> make_footing_measure(const Quantity& quantity, const Scope& scope) { return std::make_unique<FootingMeasure>(quantity, scope); }
 std::unique_ptr<Measure> make_point_measure(const Quantity& quantity, const Scope& scope) { return std::make_unique<PointMeasure>(quantity, scope); }
 std::unique_ptr<Measure> make_ledger_measure(const Quantity& quantity, const Scope& scope) { return std::make_unique<LedgerMeasure>(quantity, scope); }
 

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "simulation/run.hpp"
 #include "simulation/setup.hpp"
+#include "stability/factor_of_safety.hpp"
 #include "verification/measure.hpp"
 
 #include <algorithm>
@@ -31,6 +32,25 @@ Finding start_finding(const Quantity& q, const Solve& solve, const std::string& 
           .at_least = scope.evaluate_or(q.at_least, nan), .at_most = scope.evaluate_or(q.at_most, nan), .constants = scope.constants};
 }
 
+/// A search for a factor of safety in place of the run: its numbers are constants of formulas.
+std::vector<Finding> findings_of_factor(const Solve& solve, const CaseFile& solved, Scope& scope, std::vector<Finding> findings, const std::atomic<bool>& stop)
+{
+  const std::vector<Real>& bounds = solve.variant->stability;
+  const StabilityResult result = find_factor_of_safety(solved.values, {.search = {bounds[0], bounds[1], bounds[2]}, .rules = {}, .threads = 1}, stop);
+  scope.constants["factor"] = result.factor();
+  scope.constants["stable_at"] = result.search.stable.value_or(nan);
+  scope.constants["not_stable_at"] = result.search.failed.value_or(nan);
+  for (Finding& f : findings) {
+    if (f.quantity->kind != QuantityKind::formula)
+      refuse(*solve.file, f.quantity->place, "a run for a factor of safety has quantities of kind `formula` only", "They may name factor, stable_at, not_stable_at.");
+    f.value = scope.evaluate(f.quantity->value);
+    f.reference = scope.evaluate_or(f.quantity->reference, nan);
+    if (const std::string& name = f.quantity->as; !name.empty()) scope.constants[name] = f.value;
+  }
+  std::erase_if(findings, [](const Finding& f) { return is_auxiliary(*f.quantity); });
+  return findings;
+}
+
 std::vector<Finding> solve_and_measure(const Solve& solve, const CaseFile& solved, const std::atomic<bool>& stop)
 {
   Model model = build_model(solved.values, 1);
@@ -45,6 +65,7 @@ std::vector<Finding> solve_and_measure(const Solve& solve, const CaseFile& solve
     measured.push_back(make_measure(q, scope));
     observers.push_back(measured.back().get());
   }
+  if (!solve.variant->stability.empty()) return findings_of_factor(solve, solved, scope, std::move(findings), stop);
   Workspace work(model, state);
   if (run(model, state, work, observers, stop) == Outcome::interrupted) throw RunError("stopped");
   const Summary summary = summarise(model, state);

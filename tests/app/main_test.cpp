@@ -18,7 +18,7 @@ TEST(Help, NamesTheCommandsOptionsAndExitStatuses)
     const Finished f = test::terp(words);
     EXPECT_EQ(f.status, 0);
     EXPECT_THAT(f.out, StartsWith("terp: explicit material point method for soil"));
-    for (const char* part : {"run CASE.toml", "resume RUN", "check CASE.toml", "explain TOPIC", "  list ", "--set KEY=VALUE",
+    for (const char* part : {"run CASE.toml", "resume RUN", "report RUN", "compare RUN", "check CASE.toml", "explain TOPIC", "  list ", "--set KEY=VALUE",
                              "--threads N", "--force", "Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else"})
       EXPECT_THAT(f.out, HasSubstr(part));
     EXPECT_EQ(f.err, "");
@@ -57,7 +57,7 @@ TEST(CommandLine, NamesAWordThatIsNoCommandAndTheNearestThatIs)
   EXPECT_EQ(f.status, 2);
   EXPECT_EQ(f.out, "");
   EXPECT_EQ(f.err,
-            "error: there is no command `rnu`\n  Did you mean `run`?\n  Commands: run, check, resume, bench, explain, list\n"
+            "error: there is no command `rnu`\n  Did you mean `run`?\n  Commands: run, check, resume, bench, stability, verify, report, compare, export, watch, explain, list\n"
             "Usage: terp COMMAND [options]; see terp --help\n");
   EXPECT_THAT(test::terp({"bogus"}).err, StartsWith("error: there is no command `bogus`\n  Commands: run, "));
   EXPECT_THAT(test::terp({"cases/a.toml"}).err, HasSubstr("  To solve that case: terp run cases/a.toml\n"));

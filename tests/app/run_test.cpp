@@ -39,7 +39,7 @@ TEST(Run, LeavesAllItsFilesAndSaysWhereTheyAre)
   EXPECT_THAT(f.out, AllOf(HasSubstr("solved in "), HasSubstr(": 1600 points, 66 steps of 0.00303 s, "), HasSubstr(" on 1 thread\n"),
                            HasSubstr("points lost: 0; put back at walls: 0; left through open sides: 0\n"), HasSubstr("results in " + folder + "\n")));
   EXPECT_THAT(test::names_in(folder),
-              testing::IsSupersetOf({"case.toml", "checkpoint_000000066.h5", "history.csv", "ledger.csv", "results.vtkhdf", "summary.json"}));
+              testing::IsSupersetOf({"case.toml", "checkpoint_000000066.h5", "history.csv", "ledger.csv", "mesh.vtkhdf", "results.vtkhdf", "summary.json"}));
   const auto summary = nlohmann::json::parse(text_of(folder + "/summary.json"));
   EXPECT_EQ(summary.at("finished"), true);
   EXPECT_EQ(summary.at("steps"), 66);
@@ -228,12 +228,13 @@ TEST(Resume, FromACheckpointThatIsNamedEndsInTheSameResults)
 {
   const test::ScratchFolder scratch;
   const std::string whole = scratch.path() + "/whole", again = scratch.path() + "/again";
-  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}"}).status, 0);
+  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.mesh=true"}).status, 0);
   std::filesystem::copy(whole, again);
   const Finished f = test::terp({"resume", again + "/checkpoint_000000033.h5", "-j", "1"});
   EXPECT_EQ(f.status, 0) << f.err;
   EXPECT_THAT(f.out, HasSubstr("step 33 of 66\n"));
   test::expect_same_results(whole, again, last_checkpoint);
+  test::expect_same_fields(whole + "/mesh.vtkhdf", again + "/mesh.vtkhdf", {"/VTKHDF/PointData", "/VTKHDF/CellData"}, {"/VTKHDF/Steps/Values"});
 }
 
 TEST(Resume, SkipsADamagedCheckpointAndSaysSo)
@@ -279,9 +280,9 @@ TEST(Resume, WhereAFileOfTheRunIsMissingOrShortIsRefused)
 {
   const test::ScratchFolder scratch;
   const std::string whole = scratch.path() + "/whole";
-  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.fields.every=0.05"}).status, 0);
+  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.fields.every=0.05", "--set", "output.mesh=true"}).status, 0);
   std::filesystem::remove(whole + last_checkpoint);
-  for (const std::string name : {"results.vtkhdf", "history.csv", "ledger.csv"}) {
+  for (const std::string name : {"results.vtkhdf", "mesh.vtkhdf", "history.csv", "ledger.csv"}) {
     const std::string folder = scratch.path() + "/no_" + name;
     std::filesystem::copy(whole, folder);
     std::filesystem::remove(folder + "/" + name);

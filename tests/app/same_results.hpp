@@ -14,21 +14,29 @@
 
 namespace terp::test {
 
+/// Every table of fields, and what `also` names, of two VTKHDF files.
+inline void expect_same_fields(const std::string& a, const std::string& b, const std::vector<std::string>& groups, std::vector<std::string> also)
+{
+  const Hdf5File first(a, Hdf5File::Mode::read), second(b, Hdf5File::Mode::read);
+  for (const std::string& group : groups)
+    for (const std::string& name : first.members(group)) also.push_back(group + "/" + name);
+  for (const std::string& table : also) {
+    const auto same_numbers = [&]<class T>(T) {
+      const auto one = first.read<T>(table), other = second.read<T>(table);
+      return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](T x, T y) { return x == y || (x != x && y != y); });
+    };
+    EXPECT_TRUE(first.holds_reals(table) ? same_numbers(Real{}) : same_numbers(std::int64_t{})) << table;
+  }
+}
+
 /// Results of two runs of the same case: every point, field, row and bit of the final state.
 inline void expect_same_results(const std::string& a, const std::string& b, const std::string& checkpoint)
 {
   EXPECT_EQ(first_difference(read_checkpoint(a + checkpoint), read_checkpoint(b + checkpoint)), "");
   EXPECT_EQ(text_of(a + "/history.csv"), text_of(b + "/history.csv"));
   EXPECT_EQ(text_of(a + "/ledger.csv"), text_of(b + "/ledger.csv"));
-  const Hdf5File first(a + "/results.vtkhdf", Hdf5File::Mode::read), second(b + "/results.vtkhdf", Hdf5File::Mode::read);
-  std::vector<std::string> tables{"/VTKHDF/Points", "/VTKHDF/Steps/Values"};
-  for (const std::string& name : first.members("/VTKHDF/PointData")) tables.push_back("/VTKHDF/PointData/" + name);
-  EXPECT_GT(tables.size(), 10u);
-  for (const std::string& table : tables) {
-    const bool same = first.holds_reals(table) ? first.read<Real>(table) == second.read<Real>(table)
-                                               : first.read<std::int64_t>(table) == second.read<std::int64_t>(table);
-    EXPECT_TRUE(same) << table;
-  }
+  EXPECT_GT(Hdf5File(a + "/results.vtkhdf", Hdf5File::Mode::read).members("/VTKHDF/PointData").size(), 8u);
+  expect_same_fields(a + "/results.vtkhdf", b + "/results.vtkhdf", {"/VTKHDF/PointData"}, {"/VTKHDF/Points", "/VTKHDF/Steps/Values"});
 }
 
 /// 1320 steps of 6400 points.

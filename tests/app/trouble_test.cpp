@@ -40,6 +40,18 @@ class FileSizeLimit {
 
 const std::vector<std::string> often{"-q", "--set", "output.fields.every=0.02", "--set", "output.checkpoint.every=0.02"};
 
+/// Waits until a run has written a checkpoint.
+void wait_for_checkpoint(const std::string& folder)
+{
+  const auto is_checkpoint = [](const std::string& name) { return name.starts_with("checkpoint_") && name.ends_with(".h5"); };
+  for (int k = 0; k < 6000; ++k) {
+    const auto names = fs::exists(folder) ? test::names_in(folder) : std::vector<std::string>{};
+    if (std::any_of(names.begin(), names.end(), is_checkpoint)) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  FAIL() << "the run writes no checkpoint";
+}
+
 TEST(Trouble, AReadOnlyDiskIsRefusedBeforeAnythingRuns)
 {
   const test::SmallDisk disk(1 << 20);
@@ -77,7 +89,7 @@ TEST(Trouble, ResultsThatCannotBeWrittenAnyMoreEndTheRunAndItCanGoOn)
   std::vector<std::string> words = test::longer_run(folder, "1");
   words.insert(words.end(), more.begin(), more.end());
   test::Process running(words);
-  test::wait_for_rows(folder);
+  wait_for_checkpoint(folder);
   fs::rename(folder + "/results.vtkhdf", aside);
   fs::create_directory(folder + "/results.vtkhdf");
   const Finished f = running.wait();

@@ -50,6 +50,14 @@ TEST(Roller, StopsMotionAcrossTheSideBothWays)
   EXPECT_THAT(clamped(boundary, 4, {3.0, -4.0}), ElementsAre(0.0, -4.0));
 }
 
+TEST(Boundary, ASmoothMovingSidePrescribesOnlyTheVelocityAcrossIt)
+{
+  const Boundary boundary(mesh_3x2(), {{.side = "right", .velocity = {-0.2, 0.1}}, {.side = "bottom"}});
+  EXPECT_THAT(constrained(boundary, 7, {0.3, 0.7}), ElementsAre(DoubleEq(-0.2), 0.7));
+  EXPECT_THAT(clamped(boundary, 7, {0.3, 0.7}), ElementsAre(DoubleEq(-0.2), 0.7));
+  EXPECT_THAT(constrained(boundary, 3, {0.3, 0.7}), ElementsAre(DoubleEq(-0.2), 0.0)) << "where it meets a roller";
+}
+
 TEST(Boundary, LeavesOtherNodesAlone)
 {
   const Boundary boundary(mesh_3x2(), {{.side = "left"}, {.side = "bottom", .hold = Hold::all}});
@@ -73,6 +81,16 @@ TEST(DrivenSide, TakesThePrescribedVelocityEverywhereAlsoInItsCorners)
   for (const Index node : {3, 7, 11}) {
     EXPECT_THAT(constrained(boundary, node, {5.0, 5.0}), ElementsAre(-0.2, 0.1));
     EXPECT_THAT(clamped(boundary, node, {5.0, 5.0}), ElementsAre(-0.2, 0.1));
+  }
+}
+
+TEST(DrivenSide, TakesAVelocityThatDependsOnThePlace)
+{
+  const Mesh<2> mesh = mesh_3x2();
+  const Boundary boundary(mesh, {{.side = "right", .hold = Hold::all, .velocity_at = [](Vec<2> x) { return Vec<2>{3.0 * x[1], x[0] - x[1]}; }}});
+  for (const Index node : {3, 7, 11}) {
+    const Vec<2> x = mesh.nodes[node];
+    EXPECT_THAT(constrained(boundary, node, {5.0, 5.0}), ElementsAre(3.0 * x[1], x[0] - x[1]));
   }
 }
 

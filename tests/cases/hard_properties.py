@@ -14,8 +14,8 @@ from pathlib import Path
 
 import numpy as np
 
+from named_points import regained, softening_time
 from terp.run import Run
-from terp.table import regained, softening_time
 
 
 def run(terp, case, settings, folder):

@@ -16,8 +16,8 @@ from pathlib import Path
 
 import numpy as np
 
+from named_points import softening_time
 from terp.run import Run
-from terp.table import softening_time
 
 CASE = Path(__file__).parents[2] / "cases/column_collapse/model_2.toml"
 

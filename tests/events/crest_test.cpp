@@ -56,6 +56,68 @@ TEST(SecondFailure, IsTheTimeAtWhichTheSettledCrestBeginsToSlideAgain)
   EXPECT_NEAR(*second_failure_time(crest), 2.0, 0.05);  // in whole columns, of which the first is within the tolerance
 }
 
+/// Kinetic energy over the rows: straight lines between these values at these times.
+void move_with(CrestHistory& crest, const std::vector<std::pair<Real, Real>>& corners)
+{
+  for (const Real t : crest.time) {
+    std::size_t k = 1;
+    while (k + 1 < corners.size() && corners[k].first < t) ++k;
+    const auto [t_0, e_0] = corners[k - 1];
+    const auto [t_1, e_1] = corners[k];
+    crest.kinetic.push_back(e_0 + (e_1 - e_0) * (t - t_0) / (t_1 - t_0));
+  }
+}
+
+TEST(Slides, EachBeginsWhenTheCrestLeavesItsPlaceAndStopsWhenATenthOfItsEnergyIsLeft)
+{
+  CrestHistory crest = after_first_slide();
+  go_on(crest, 2.3, 4.5);
+  go_on(crest, 4.0, 4.5);
+  move_with(crest, {{0.0, 0.0}, {0.5, 100.0}, {1.5, 0.0}, {2.0, 0.0}, {2.5, 50.0}, {4.0, 20.0}});
+  const auto slides = find_slides(crest);
+  ASSERT_EQ(slides.size(), 2);
+  EXPECT_NEAR(slides[0].begins, 0.34, 1e-9);  // 0.2 m back: more than the tolerance of one column
+  EXPECT_EQ(slides[0].crest_from, 8.0);
+  EXPECT_NEAR(slides[0].crest_to, 6.0, 0.11);
+  EXPECT_NEAR(slides[0].kinetic_peak, 100.0, 1e-9);
+  ASSERT_TRUE(slides[0].stops.has_value());
+  EXPECT_NEAR(*slides[0].stops, 1.4, 0.011);
+  EXPECT_EQ(slides[1].begins, *second_failure_time(crest));
+  EXPECT_NEAR(slides[1].crest_to, 4.5, 0.11);
+  EXPECT_NEAR(slides[1].kinetic_peak, 50.0, 1e-9);
+  EXPECT_FALSE(slides[1].stops.has_value());  // 20 of 50 are left at the end
+}
+
+TEST(Slides, AreAsManyAsTheCrestMakes)
+{
+  CrestHistory crest = after_first_slide();
+  for (const Real x : {4.5, 3.0, 1.5}) {
+    const Real t = crest.time.back();
+    go_on(crest, t + 0.3, x);
+    go_on(crest, t + 1.5, x);
+  }
+  EXPECT_EQ(find_slides(crest).size(), 4);
+}
+
+TEST(Slides, AreNoneWhereTheCrestStands)
+{
+  CrestHistory crest = column_history();
+  EXPECT_TRUE(find_slides(crest).empty());
+  go_on(crest, 2.0, 8.0);
+  EXPECT_TRUE(find_slides(crest).empty());
+  go_on(crest, 2.1, 7.6);  // less than a quarter of the height
+  EXPECT_TRUE(find_slides(crest).empty());
+}
+
+TEST(Slides, StopNowhereWithoutEnergies)
+{
+  const auto slides = find_slides(after_first_slide());
+  ASSERT_EQ(slides.size(), 1);
+  EXPECT_FALSE(slides[0].stops.has_value());
+}
+
+TEST(MovedDistance, IsATwentiethOfTheFirstHeight) { EXPECT_NEAR(moved_distance(column_history()), 1.92 / 20.0, 1e-12); }
+
 TEST(SecondFailure, IsNotTheCreepOfASettledCrest)
 {
   CrestHistory crest = after_first_slide();
@@ -180,6 +242,8 @@ TEST(Crest, StartsAtTheRightEdgeOfTheBody)
   EXPECT_EQ(crest.columns.n, 8);
   EXPECT_NEAR(crest.base, 0.1, 1e-12);
   EXPECT_EQ(find_crest(crest, points), 2.0);
+  EXPECT_EQ(crest_height(crest, points, 2.0), 1.5);
+  EXPECT_TRUE(std::isnan(crest_height(crest, points, 0.0)));
 }
 
 TEST(Crest, IsTheLastColumnToWhoseLeftAllStandWithinFiveCentimetres)

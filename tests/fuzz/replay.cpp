@@ -1,43 +1,65 @@
-// Runs a harness over the files of its corpus, whole, cut off and with bytes changed: fuzzing for a compiler without libFuzzer.
+// Runs a harness over the files of its corpus, whole, cut off, with bytes changed and with pieces of other files: fuzzing for a compiler
+// without libFuzzer.
+//
+// usage: replay_NAME FOLDER [N]      N inputs are made from each file (20)
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <random>
 #include <string>
+#include <vector>
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size);
 
 namespace {
 
-constexpr int n_changed = 20;  // inputs made from each file
+constexpr int usual_number = 20;
 
 void try_input(const std::string& bytes) { LLVMFuzzerTestOneInput(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()); }
 
-std::string changed(std::string bytes, std::mt19937& random)
+/// A few bytes changed, a piece doubled, taken out or put in from another input, the end cut off.
+std::string changed(std::string bytes, const std::string& other, std::mt19937& random)
 {
-  if (bytes.empty()) return bytes;
-  const auto any = [&] { return random() % bytes.size(); };
-  for (auto n = 1 + random() % 4; n > 0; --n) bytes[any()] = static_cast<char>(random());
-  if (random() % 4 == 0) bytes.resize(any());
+  const auto any = [&](const std::string& text) { return random() % (text.size() + 1); };
+  for (auto n = random() % 4; n > 0 && !bytes.empty(); --n) bytes[random() % bytes.size()] = static_cast<char>(random());
+  switch (random() % 6) {
+    case 0: bytes.insert(any(bytes), other.substr(any(other), random() % 40)); break;
+    case 1: bytes.erase(any(bytes), random() % 40); break;
+    case 2: bytes.insert(any(bytes), bytes.substr(any(bytes), random() % 40)); break;
+    case 3: bytes.resize(any(bytes)); break;
+    default: break;
+  }
   return bytes;
+}
+
+std::vector<std::string> read_folder(const char* folder)
+{
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) paths.push_back(entry.path());
+  std::sort(paths.begin(), paths.end());
+  std::vector<std::string> inputs;
+  for (const auto& path : paths) {
+    std::ifstream file(path, std::ios::binary);
+    inputs.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  }
+  return inputs;
 }
 
 }  // namespace
 
 int main(int argc, char** argv)
 {
-  int n = 0;
+  if (argc < 2) return 2;
+  const int n_changed = argc > 2 ? std::atoi(argv[2]) : usual_number;
+  const std::vector<std::string> inputs = read_folder(argv[1]);
   std::mt19937 random(1);  // the same inputs every time
-  for (int k = 1; k < argc; ++k) {
-    for (const auto& entry : std::filesystem::directory_iterator(argv[k])) {
-      std::ifstream file(entry.path(), std::ios::binary);
-      const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-      try_input(bytes);
-      for (int trial = 0; trial < n_changed; ++trial) try_input(changed(bytes, random));
-      n += 1 + n_changed;
-    }
+  for (const std::string& input : inputs) {
+    try_input(input);
+    for (int k = 0; k < n_changed; ++k) try_input(changed(input, inputs[random() % inputs.size()], random));
   }
-  std::printf("%d inputs\n", n);
-  return n > 0 ? 0 : 1;
+  std::printf("%zu inputs\n", inputs.size() * (1 + static_cast<std::size_t>(n_changed)));
+  return inputs.empty() ? 1 : 0;
 }

@@ -95,6 +95,12 @@ TEST(Explain, SaysWhichKeysOfAMeshBelongTogether)
   EXPECT_THAT(explain("boundary"), HasSubstr("left_the_mesh.csv"));
 }
 
+TEST(Explain, TellsThatAParameterDefaultsToAnother)
+{
+  EXPECT_THAT(explain("mohr_coulomb"), HasSubstr("cohesion_residual\n    cohesion that softening leaves\n    unit      Pa\n    allowed   a number, at "
+                                                 "least 0 Pa\n    default   the value of `cohesion`\n"));
+}
+
 TEST(Explain, OffersTheNearestTopic)
 {
   try {

@@ -57,7 +57,7 @@ limit = 1e-4
 max_steps = 123
 [boundary]
 left = "roller"
-right = { velocity = [0.125, 0.5] }
+right = { velocity = [0.125, 0.5], slip = true }
 bottom = { contact = "separating", adhesion = 8.0e3, friction = 0.5 }
 top = "fixed"
 [method]
@@ -79,6 +79,7 @@ history = { every = 0.02, points = { B = [7.6, 1.9], A = [7.5, 0.5] } }
 ledger = { every = 0.03 }
 checkpoint = { every = 1.5, keep = 3 }
 deviatoric_norm = "von_mises"
+mesh = true
 )";
 
 Case read_every_key() { return read_case_text(every_key, "folder/all.toml").values; }
@@ -108,7 +109,7 @@ TEST(Reader, TheSamplesHoldEveryDeclaredKey)
       if (const auto at = path.find(from); at != std::string::npos) path.replace(at, from.size(), to);
     };
     swap("body[].polygon", "body[1].polygon"), swap("[]", "[0]"), swap("NAME", "clay");
-    swap("SIDE.velocity", "right.velocity"), swap("SIDE", "bottom");
+    swap("SIDE.velocity", "right.velocity"), swap("SIDE.slip", "right.slip"), swap("SIDE", "bottom");
     return path;
   };
   for (const KeyInfo& key : all_keys()) {
@@ -168,6 +169,7 @@ TEST(Reader, FillsSides)
   EXPECT_EQ(c.sides[0].kind, SideKind::roller);
   EXPECT_EQ(c.sides[1].kind, SideKind::velocity);
   EXPECT_EQ(c.sides[1].velocity, (Vec<2>{0.125, 0.5}));
+  EXPECT_TRUE(c.sides[1].slip);
   EXPECT_EQ(c.sides[2].kind, SideKind::contact_separating);
   EXPECT_EQ(c.sides[2].adhesion, 8.0e3);
   EXPECT_EQ(c.sides[2].friction, 0.5);
@@ -223,6 +225,7 @@ TEST(Reader, FillsTheOutput)
   EXPECT_EQ(o.checkpoint_every, 1.5);
   EXPECT_EQ(o.checkpoint_keep, 3);
   EXPECT_EQ(o.deviatoric_norm, DeviatoricNorm::von_mises);
+  EXPECT_TRUE(o.mesh);
 }
 
 TEST(Reader, LeavesDefaultsWhereKeysAreMissing)
@@ -232,6 +235,18 @@ TEST(Reader, LeavesDefaultsWhereKeysAreMissing)
   EXPECT_EQ(c.time.courant, 0.98);
   EXPECT_EQ(c.method.weights, Weights::hybrid);
   EXPECT_TRUE(c.sides.empty());
+}
+
+TEST(Reader, GivesAParameterTheValueOfAnotherWhereTheLawSaysSo)
+{
+  const auto read = [](const std::string& more) {
+    const std::string sand = "model = \"mohr_coulomb\"\ndensity = 1800.0\nshear_modulus = 1e7\npoisson_ratio = 0.3\ncohesion = 3e3\nfriction_angle = 33\n";
+    return read_case_text(small_case.substr(0, small_case.find("model =")) + sand + more, "case.toml").values.materials[0].parameters;
+  };
+  const Real inf = std::numeric_limits<Real>::infinity();
+  EXPECT_THAT(read(""), ElementsAre(1e7, 0.3, 3e3, 33.0, 0.0, inf, 3e3, 33.0, 0.0, 0.0));
+  EXPECT_THAT(read("dilatancy_angle = 5\ncohesion_residual = 1e3\neta = 20\ntension_cutoff = inf\n"),
+              ElementsAre(1e7, 0.3, 3e3, 33.0, 5.0, inf, 1e3, 33.0, 5.0, 20.0));
 }
 
 TEST(Reader, AnUnlimitedTensionMayBeWritten)
@@ -258,11 +273,11 @@ const Change wrong_keys[] = {
      "courant\n  More: terp explain time\n"},
     {"[time]", "[tiem]",
      "unknown key `tiem`\n\n    1 | [tiem]\n      |  ^^^^\n  Did you mean `time`?\n  Keys of a case file: title, "
-     "scheme, time, mesh, body, material, forces, initial, boundary, method, output\n"},
+     "scheme, time, mesh, body, material, forces, initial, boundary, footing, method, output\n"},
     {"[time]", "[boundary]\nbotom = \"roller\"\n[time]",
      "Did you mean `bottom`?\n  Keys of [boundary]: left, right, bottom, top\n"},
     {"[time]", "[boundary]\nbottom = { contact = \"bilateral\", adhesoin = 3 }\n[time]",
-     "Did you mean `adhesion`?\n  Keys of a side: contact, adhesion, friction, velocity\n  More: terp explain "
+     "Did you mean `adhesion`?\n  Keys of a side: contact, adhesion, friction, velocity, slip\n  More: terp explain "
      "boundary\n"},
     {"[time]", "\"time.end\" = 3\n[time]", "unknown key `time.end`"},
     {"[time]", "\"material.NAME.density\" = 3\n[time]", "unknown key `material.NAME.density`"},

@@ -42,6 +42,9 @@ const Change wrong_values[] = {
     {"cell = 0.5", "cell = [0.5, true]", "Got true; allowed: a number or two numbers [x, y], more than 0 m."},
     {"cell = 0.5", "cell = 0.5\norigin = [nan, 0.0]", "Got nan m; allowed: a finite number in m."},
     {"box = [[0.0, 0.0], [8.0, 2.0]]", "box = [[8.0, 0.0], [0.0, 2.0]]", "`box` has no area"},
+    {"box = [[0.0, 0.0], [8.0, 2.0]]", "box = [[0.0, 0.0], [8.0, 2.0]]\nvelocity = [\"2*z\", 0]",
+     "`velocity` is not a formula of x and y\n\n    9 | velocity = [\"2*z\", 0]\n      |             ^^^^^\n  `z` is not known here. Names: x, y\n"},
+    {"box = [[0.0, 0.0], [8.0, 2.0]]", "box = [[0.0, 0.0], [8.0, 2.0]]\nvelocity = \"x\"", "`velocity` must be two numbers or formulas [x, y]"},
     {"box = [[0.0, 0.0], [8.0, 2.0]]", "box = [[8.0, 0.0]]", "`box` must be two corners [[x0, y0], [x1, y1]]"},
     {"box = [[0.0, 0.0], [8.0, 2.0]]", "polygon = [[0, 0], [1, 0]]", "`polygon` must be at least three corners"},
     {"box = [[0.0, 0.0], [8.0, 2.0]]", "polygon = [[0, 0], [1, 1], [2, 2]]", "`polygon` has no area"},
@@ -110,6 +113,13 @@ const Change unusual_values[] = {
 INSTANTIATE_TEST_SUITE_P(Catalogue, UnusualValue, testing::ValuesIn(unusual_values));
 
 TEST(Values, InTheUsualRangeGiveNoWarning) { EXPECT_EQ(message_for(small_case), "accepted\n"); }
+
+TEST(Values, AVelocityMayBeAFormulaOfThePlace)
+{
+  const Case c = read_case_text(replaced(small_case, "box = [[0.0, 0.0], [8.0, 2.0]]", "box = [[0.0, 0.0], [8.0, 2.0]]\nvelocity = [\"3*x*y\", -2]"), "case.toml").values;
+  ASSERT_TRUE(c.bodies[0].velocity_at);
+  EXPECT_EQ(c.bodies[0].velocity_at({2.0, 0.5}), (Vec<2>{3.0, -2.0}));
+}
 
 TEST(Values, PolygonsAreTurnedCounterClockwise)
 {

@@ -44,7 +44,7 @@ TEST(RunFolder, ForceRemovesTheFilesOfARunAndNoOthers)
 {
   const test::ScratchFolder scratch;
   for (const char* name :
-       {"case.toml", "results.vtkhdf", "history.csv", "ledger.csv", "summary.json", "summary.json.tmp",
+       {"case.toml", "results.vtkhdf", "mesh.vtkhdf", "history.csv", "ledger.csv", "summary.json", "summary.json.tmp",
         "checkpoint_000000100.h5", "checkpoint_1234567890.h5", "failed_000000200.h5"}) {
     write_file_atomically(path_in(scratch.path(), name), "old");
   }

@@ -1,6 +1,7 @@
 // summary.json.
 #include "output/summary_json.hpp"
 
+#include "base/errors.hpp"
 #include "output/files.hpp"
 #include "support/paths.hpp"
 
@@ -20,8 +21,13 @@ Summary sample_summary()
   summary.scheme = "mpm_gp", summary.n_points = 40000, summary.n_cells = 1600, summary.n_steps = 6598;
   summary.dt = 6.0623e-4, summary.wall_s = 33.5;
   summary.point_steps_per_s = 7.9e6, summary.threads = 2, summary.instructions = "avx2", summary.front_x = 13.25, summary.crest_x = 3.75;
+  summary.processor = "a processor", summary.passes = {{"stress", 1.5}}, summary.crest_y = 1.9, summary.run_out = 5.25, summary.moved_distance = 0.1,
+  summary.moved_volume = 6.5, summary.moved_fraction = 0.4;
+  summary.slides.push_back({{.begins = 0.2, .stops = {}, .crest_from = 8.0, .crest_to = 6.0, .kinetic_peak = 11.5},
+                            {.time = 0.7, .rate = 4.5, .line = {{6.0, 1.9}, {7.5, 0.1}}}});
   summary.max_eps_eq_p = 2.5, summary.softened_fraction = {{0.5, 0.125}, {1.0, 0.25}}, summary.points_su_rose = 4;
   summary.points_eps_eq_p_fell = 3, summary.energy_balance_error = 1e-3, summary.clamped_points = 6, summary.points_left = 2,
+  summary.footings = {{"plate", {0.5, -0.25}, {3.0, 4.5}, 7.0, 12.5}};
   summary.v_999 = 5.5;
   return summary;
 }
@@ -37,10 +43,14 @@ TEST(SummaryJson, HoldsEveryNumberUnderItsName)
             json::parse(R"({
     "terp_version": ")" TERP_VERSION
                         R"(", "finished": true, "scheme": "mpm_gp", "points": 40000, "cells": 1600, "steps": 6598,
-    "dt": 6.0623e-4, "wall_s": 33.5, "point_steps_per_s": 7.9e6, "threads": 2, "instructions": "avx2", "front_x": 13.25, "crest_x": 3.75,
+    "dt": 6.0623e-4, "wall_s": 33.5, "point_steps_per_s": 7.9e6, "threads": 2, "instructions": "avx2", "processor": "a processor",
+    "passes": [{"name": "stress", "seconds": 1.5}], "front_x": 13.25, "crest_x": 3.75, "crest_y": 1.9, "run_out": 5.25, "moved_distance": 0.1,
+    "moved_volume": 6.5, "moved_fraction": 0.4, "slides": [{"begins": 0.2, "stops": null, "crest_from": 8.0, "crest_to": 6.0, "kinetic_peak": 11.5,
+    "slip_surface": {"time": 0.7, "rate": 4.5, "points": [[6.0, 1.9], [7.5, 0.1]]}}],
     "second_failure_time": null, "max_eps_eq_p": 2.5,
     "softened_fraction": [{"time": 0.5, "fraction": 0.125}, {"time": 1.0, "fraction": 0.25}],
-    "points_eps_eq_p_fell": 3, "points_su_rose": 4, "energy_balance_error": 1e-3, "clamped_points": 6, "points_left": 2, "v_999": 5.5,
+    "points_eps_eq_p_fell": 3, "points_su_rose": 4, "energy_balance_error": 1e-3, "clamped_points": 6, "points_left": 2, "footings": [{"name": "plate", "displacement": [0.5, -0.25], "reaction": [3.0, 4.5],
+    "largest_reaction": 7.0, "work": 12.5}], "v_999": 5.5,
     "case_name": "model_2", "case": "title = \"column\"\n"})"));
 }
 
@@ -69,6 +79,41 @@ TEST(SummaryJson, NumbersComeBackToTheBit)
 TEST(SummaryJson, ACaseThatIsNotUtf8DoesNotStopTheWriting)
 {
   EXPECT_NO_THROW(json::parse(summary_text(sample_summary(), true, {"model_2", "# \xff\n"})));
+}
+
+TEST(SummaryJson, ReadBackItSaysTheSame)
+{
+  const test::ScratchFolder folder;
+  const std::string path = folder.path() + "/summary.json";
+  write_summary(path, sample_summary(), true, {"model_2", "title = \"column\"\n"});
+  const SavedSummary back = read_summary(path);
+  EXPECT_EQ(summary_text(back.values, back.finished, {"model_2", "title = \"column\"\n"}), back.text);
+  EXPECT_EQ(back.terp_version, TERP_VERSION);
+}
+
+TEST(SummaryJson, WhatAnOlderFileLacksKeepsItsDefault)
+{
+  const test::ScratchFolder folder;
+  const std::string path = folder.path() + "/summary.json";
+  write_file_atomically(path, R"({"scheme": "mpm_gp", "points": "many", "second_failure_time": null})");
+  const SavedSummary back = read_summary(path);
+  EXPECT_EQ(back.values.scheme, "mpm_gp");
+  EXPECT_EQ(back.values.n_points, 0);
+  EXPECT_FALSE(back.values.second_failure_time.has_value());
+  EXPECT_FALSE(back.finished);
+}
+
+TEST(SummaryJson, ThatIsNoJsonIsAnErrorThatNamesTheFile)
+{
+  const test::ScratchFolder folder;
+  const std::string path = folder.path() + "/summary.json";
+  write_file_atomically(path, "{\"scheme\": ");
+  try {
+    read_summary(path);
+    FAIL();
+  } catch (const FileError& error) {
+    EXPECT_EQ(std::string(error.what()), "cannot read " + path + ": it is not JSON");
+  }
 }
 
 TEST(SummaryJson, IsWrittenToItsPath)

@@ -37,8 +37,8 @@ TEST(TableCsv, ANameWithACommaOrAQuotationMarkIsQuoted)
 TEST(TableCsv, ALedgerRowFollowsItsHeader)
 {
   EXPECT_EQ(csv_line(sample_ledger(0.5)),
-            "0.5,100,1.25,2.5,3.75,4.5,-5.5,-6.5,0.125,1e-12,31840,7.5,-8.5,3,0,13.1,nan,6.25,5.75\n");
-  EXPECT_EQ(std::count(ledger_header.begin(), ledger_header.end(), ','), 18);
+            "0.5,100,1.25,2.5,3.75,4.5,-5.5,-6.5,0.125,1e-12,31840,7.5,-8.5,3,0,13.1,nan,1.75,4.25,6.25,5.75\n");
+  EXPECT_EQ(std::count(ledger_header.begin(), ledger_header.end(), ','), 20);
 }
 
 TEST(TableCsv, OpeningWritesTheHeaderOnce)
@@ -97,6 +97,12 @@ TEST(TableCsv, WithoutATableThereIsNothingToDrop)
 {
   const test::ScratchFolder folder;
   EXPECT_NO_THROW(drop_rows_after(folder.path() + "/history.csv", history_header, 1.0));
+}
+
+TEST(TableCsv, OneLinePerFooting)
+{
+  const FootingRow row{0.25, "plate, left", 0.0, -0.125, 1.5, 20000.5, 64.0};
+  EXPECT_EQ(csv_lines(std::vector<FootingRow>{row, row}), "0.25,\"plate, left\",0,-0.125,1.5,20000.5,64\n0.25,\"plate, left\",0,-0.125,1.5,20000.5,64\n");
 }
 
 }  // namespace

@@ -12,6 +12,9 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parents[1] / "python")]
 
+from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: E402
+from matplotlib.text import Text  # noqa: E402
+
 import synthetic  # noqa: E402
 
 
@@ -28,6 +31,25 @@ def synthetic_run(scheme="mpm_gp", model=2, end=4.0):
     if not folder.exists():
         synthetic.write_run(folder, scheme, model, synthetic.TIMES[synthetic.TIMES <= end])
     return folder
+
+
+def texts_of(figure):
+    """All texts that are seen: without the labels of ticks beyond the limits, which are kept and not drawn."""
+    axes = [axis for panel in figure.axes for axis in (panel.xaxis, panel.yaxis)]
+    unseen = {tick.label1 for axis in axes for tick in axis.get_major_ticks()
+              if not min(axis.get_view_interval()) <= tick.get_loc() <= max(axis.get_view_interval())}
+    return [text for text in figure.findobj(Text) if text.get_visible() and text.get_text().strip() and text not in unseen]
+
+
+def texts_cut_off(figure):
+    """Texts of a drawn figure that do not lie on its paper."""
+    renderer = FigureCanvasAgg(figure).get_renderer()
+    figure.draw(renderer)
+    paper = figure.bbox
+
+    def inside(extent):
+        return min(*extent.p0) >= 0 and extent.x1 <= paper.x1 and extent.y1 <= paper.y1
+    return [text.get_text() for text in texts_of(figure) if not inside(text.get_window_extent(renderer))]
 
 
 def call(main, *arguments):

@@ -47,8 +47,10 @@ def write_run(folder, scheme="mpm_gp", model=2, times=TIMES, spacing=0.1):
     folder.mkdir(parents=True)
     start = lattice(spacing)
     write_results(folder / "results.vtkhdf", start, scheme, model, times)
+    write_mesh(folder / "mesh.vtkhdf", 16, 3)
     write_history(folder / "history.csv", start, scheme, model, times[-1])
     write_ledger(folder / "ledger.csv", times[-1])
+    (folder / "case.toml").write_text(case_text(scheme, model))
     (folder / "summary.json").write_text(json.dumps(summary(scheme, model, times, len(start))))
     return folder
 
@@ -108,25 +110,61 @@ def strength(plastic, model):
     return residual + (SU_PEAK - residual) * np.exp(-ETA * plastic)
 
 
+UNITS = {"eps_deviatoric": "-", "eps_eq_p": "-", "su": "Pa", "id": "-", "displacement": "m", "stress": "Pa"}
+COMPONENTS = {"displacement": "x y z", "stress": "xx yy zz xy"}
+
+
+def fields_at(start, t, scheme, model):
+    """Every field of one frame, as in the file."""
+    total, plastic = strains(start, t, scheme, model)
+    x, zero = places(start, t, model), np.zeros(len(start))
+    return {"eps_deviatoric": total, "eps_eq_p": plastic, "su": strength(plastic, model),
+            "displacement": np.column_stack([x - start, zero]),
+            "stress": np.column_stack([-1e3 * start[:, 1], -2e3 * start[:, 1], zero, 10.0 * total])}
+
+
 def write_results(path, start, scheme, model, times):
+    """results.vtkhdf as docs/formats.md has it."""
     n = len(start)
-    rows = {"eps_deviatoric": [], "eps_eq_p": [], "su": [], "x": [], "displacement": [], "id": []}
-    for t in times:
-        x = places(start, t, model)
-        total, plastic = strains(start, t, scheme, model)
-        frame = {"eps_deviatoric": total, "eps_eq_p": plastic, "su": strength(plastic, model), "id": np.arange(n),
-                 "x": np.column_stack([x, np.zeros(n)]), "displacement": x - start}
-        for name, values in frame.items():
-            rows[name].append(values)
     with h5py.File(path, "w") as file:
         root = file.create_group("VTKHDF")
         root.attrs["Version"], root.attrs["Type"] = (2, 0), np.bytes_("UnstructuredGrid")
-        root["Points"] = np.concatenate(rows.pop("x"))
-        root["NumberOfPoints"] = np.full(len(times), n)
-        root["Steps/Values"] = np.asarray(times, dtype=float)
-        root["Steps/PointOffsets"] = n * np.arange(len(times))
-        for name, values in rows.items():
-            root.create_dataset(f"PointData/{name}", data=np.concatenate(values), compression="gzip")
+        for name in ("NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"):
+            root[name] = [n]
+        root["Connectivity"], root["Offsets"], root["Types"] = np.arange(n), np.arange(n + 1), np.ones(n, np.uint8)
+        root["PointData/id"] = np.arange(n)
+        root["Points"] = np.concatenate([np.column_stack([places(start, t, model), np.zeros(n)]) for t in times])
+        frames = [fields_at(start, t, scheme, model) for t in times]
+        for name in frames[0]:
+            root.create_dataset(f"PointData/{name}", data=np.concatenate([frame[name] for frame in frames]), compression="gzip")
+        for name, table in root["PointData"].items():
+            table.attrs["unit"] = np.bytes_(UNITS[name])
+            if name in COMPONENTS:
+                table.attrs["components"] = np.bytes_(COMPONENTS[name])
+        write_steps(root, times, n)
+
+
+def write_mesh(path, n_x, n_y):
+    """mesh.vtkhdf: cells of 1 m, numbered along x; coarser than the case's, for the tests need few."""
+    x, y = np.meshgrid(np.arange(n_x + 1.0), np.arange(n_y + 1.0))
+    i, j = (part.ravel() for part in np.meshgrid(np.arange(n_x), np.arange(n_y)))
+    first = j * (n_x + 1) + i
+    with h5py.File(path, "w") as file:
+        root = file.create_group("VTKHDF")
+        root["Points"] = np.column_stack([x.ravel(), y.ravel(), 0 * x.ravel()])
+        root["Connectivity"] = np.column_stack([first, first + 1, first + n_x + 2, first + n_x + 1]).ravel()
+        root["NumberOfPoints"], root["NumberOfCells"] = [x.size], [first.size]
+
+
+def write_steps(root, times, n):
+    steps = root.create_group("Steps")
+    steps.attrs["NSteps"] = len(times)
+    steps["Values"], steps["NumberOfParts"] = np.asarray(times, dtype=float), np.ones(len(times), int)
+    steps["PartOffsets"] = np.zeros(len(times), int)
+    steps["CellOffsets"] = steps["ConnectivityIdOffsets"] = np.zeros((len(times), 1), int)
+    steps["PointOffsets"] = n * np.arange(len(times))
+    for name in root["PointData"]:
+        steps[f"PointDataOffsets/{name}"] = 0 * np.arange(len(times)) if name == "id" else n * np.arange(len(times))
 
 
 def write_history(path, start, scheme, model, end):
@@ -144,24 +182,29 @@ def write_history(path, start, scheme, model, end):
 
 def write_ledger(path, end):
     names = ("time,step,kinetic,elastic,plastic,gravity_work,damping_work,boundary_work,left_energy,numerical,mass,"
-             "momentum_x,momentum_y,clamped,left,front_x,crest_x,v_max,v_999")
-    rows = [f"{t:.9g},{round(t / 6.06e-4)},1,2,3,4,5,6,0,0,31840,0,0,0,0,8,nan,1,1"
+             "momentum_x,momentum_y,clamped,left,front_x,crest_x,crest_y,moved_volume,v_max,v_999")
+    rows = [f"{t:.9g},{round(t / 6.06e-4)},1,2,3,4,5,6,0,0,31840,0,0,0,0,8,nan,nan,0,1,1"
             for t in np.arange(0.0, end + 1e-9, 0.1)]
     path.write_text("\n".join([names, *rows]) + "\n")
 
 
-def summary(scheme, model, times, n_points):
-    mixed = scheme == "mpm_mixed"
+def case_text(scheme, model):
     points = ", ".join(f"{name} = [{x}, {y}]" for name, (x, y) in POINTS.items())
-    case = CASE.format(model=model, scheme=scheme, title="softening" if model == 2 else "no softening", points=points,
+    return CASE.format(model=model, scheme=scheme, title="softening" if model == 2 else "no softening", points=points,
                        su_residual=2000.0 if model == 2 else 8000.0,
                        bottom='{ contact = "bilateral", adhesion = 8.0e3 }' if model == 2 else '"roller"')
+
+
+def summary(scheme, model, times, n_points):
+    """A run is finished if it reached the end of its case, 4 s."""
+    mixed = scheme == "mpm_mixed"
     return {
+        "finished": bool(times[-1] >= 4.0),
         "scheme": scheme, "points": n_points, "cells": 4800, "steps": round(times[-1] / 6.06e-4), "dt": 6.06e-4,
         "wall_s": 31.4, "point_steps_per_s": 8.4e6, "threads": 2, "front_x": 13.2, "crest_x": None if mixed else 4.1,
         "second_failure_time": 2.4, "max_eps_eq_p": 2.1 if mixed else 2.9,
         "softened_fraction": [{"time": float(t), "fraction": 0.05 * float(t)} for t in times],
         "points_eps_eq_p_fell": 812 if mixed else 0, "points_su_rose": 640 if mixed else 0,
         "energy_balance_error": 2.3e-4, "clamped_points": 0, "v_999": 4.9, "terp_version": "0.1.0",
-        "case_name": f"model_{model}", "case": case,
+        "case_name": f"model_{model}", "case": case_text(scheme, model),
     }

@@ -7,9 +7,7 @@ import unittest
 import support
 
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.text import Text
-from terp import curves, figures, geometry, maps, style
+from terp import curves, figures, geometry, plot, sections, style
 from terp.pairs import read_pair
 
 
@@ -76,10 +74,9 @@ class Command(unittest.TestCase):
         self.assertIn("cannot write the figures", error)
 
 
-class Maps(unittest.TestCase):
+class Sections(unittest.TestCase):
     def draw(self, pair, **options):
-        what = maps.MapFigure("eps_eq_p", "label", (0.0, 1.0, 4.0), "ABCDEFGHIJ", **options)
-        return maps.draw_map_figure(pair, what)
+        return sections.draw_sections(pair.runs, sections.Section("eps_eq_p", (0.0, 1.0, 4.0), "ABCDEFGHIJ", **options))
 
     def test_panels_share_limits_scale_and_equal_aspect(self):
         figure, _ = self.draw(pair_of())
@@ -88,7 +85,7 @@ class Maps(unittest.TestCase):
         self.assertEqual(len({(panel.get_xlim(), panel.get_ylim()) for panel in panels}), 1)
         for panel in panels:
             box = panel.get_position()
-            metres = panel.get_xlim()[1] / panel.get_ylim()[1]
+            metres = np.diff(panel.get_xlim())[0] / np.diff(panel.get_ylim())[0]
             self.assertAlmostEqual(box.width * width / (box.height * height), metres, places=9)
         self.assertEqual(len({c.norm.vmax for panel in panels for c in panel.collections}), 1)
 
@@ -100,14 +97,14 @@ class Maps(unittest.TestCase):
 
     def test_dots_move_with_the_soil(self):
         run = pair_of().gp
-        start, end = (dict((name, x) for name, x, _ in maps.places_at(run, t, "AJ")) for t in (0.0, 4.0))
+        start, end = (dict((name, x) for name, x, _ in plot.places_at(run, t, "AJ")) for t in (0.0, 4.0))
         self.assertAlmostEqual(start["A"], 7.55, places=6)
         self.assertGreater(end["A"], 9.0)
 
     def test_the_colour_scale_ends_at_a_rounded_quantile_or_where_it_is_told(self):
         pair = pair_of()
         values = np.concatenate([run.field("eps_eq_p", 8) for run in pair.runs])
-        limit = maps.colour_limit([run.frame(8) for run in pair.runs], "eps_eq_p")
+        limit = plot.colour_norm([run.frame(8) for run in pair.runs], "eps_eq_p").vmax
         quartile = np.quantile(values[values > 0.06], 0.75)  # of the points that have sheared
         self.assertGreaterEqual(limit, quartile)
         self.assertLess(limit, 2.0 * quartile)
@@ -133,7 +130,7 @@ class Maps(unittest.TestCase):
         self.assertTrue(1.0 <= above < 1.5 <= below <= 2.0, (above, below))
 
     def test_lattice_spacing_is_the_distance_of_neighbours(self):
-        self.assertAlmostEqual(maps.lattice_spacing(pair_of().gp.field("x", 0)), 0.1)
+        self.assertAlmostEqual(plot.lattice_spacing(pair_of().gp.field("x", 0)), 0.1)
 
 
 class Curves(unittest.TestCase):
@@ -148,7 +145,9 @@ class Curves(unittest.TestCase):
 
     def test_line_styles_tell_the_points_of_a_figure_apart(self):
         for names in ("ABCDEF", "GHIJ"):
-            self.assertEqual(len({style.LINES[name] for name in names}), len(names))
+            self.assertEqual(style.lines_of(names), [style.LINES[name] for name in names])
+        for names in ("ABCDEF", "GHIJ", "ABCDEFGHIJ", ("toe", "crest"), ("A", "toe")):
+            self.assertEqual(len(set(style.lines_of(names))), len(names))
 
 
 class Paper(unittest.TestCase):
@@ -157,14 +156,8 @@ class Paper(unittest.TestCase):
             for number, job in figures.figures_of(pair).items():
                 with style.house_style():
                     figure, _ = job()
-                    renderer = FigureCanvasAgg(figure).get_renderer()
-                    figure.draw(renderer)
-                    texts = [t for t in figure.findobj(Text) if t.get_visible() and t.get_text().strip()]
-                    extents = [text.get_window_extent(renderer) for text in texts]
-                for text, extent in zip(texts, extents):
-                    paper = figure.bbox
-                    inside = min(*extent.p0) >= 0 and extent.x1 <= paper.x1 and extent.y1 <= paper.y1
-                    self.assertTrue(inside, f"figure {number}: {text.get_text()!r}")
+                    self.assertEqual(support.texts_cut_off(figure), [], f"figure {number}")
+                for text in support.texts_of(figure):
                     self.assertGreaterEqual(text.get_fontsize(), 7.0)
 
 
@@ -177,8 +170,8 @@ class Geometry(unittest.TestCase):
             self.assertEqual(geometry.describe_side(condition), expected)
 
     def test_a_polygon_body_is_drawn_too(self):
-        corners = geometry.body_corners({"body": [{"polygon": [[0, 0], [4, 0], [2, 3]]}]})
-        self.assertEqual(corners.tolist(), [[0, 0], [4, 0], [2, 3]])
+        corners = plot.body_outlines({"body": [{"polygon": [[0, 0], [4, 0], [2, 3]]}, {"box": [[0, 0], [2, 1]]}]})
+        self.assertEqual([polygon.tolist() for polygon in corners], [[[0, 0], [4, 0], [2, 3]], [[0, 0], [2, 0], [2, 1], [0, 1]]])
 
 
 if __name__ == "__main__":

@@ -1,8 +1,11 @@
 """A run folder read back: terp.open."""
 
+import importlib.util
 import pathlib
 import tempfile
+import threading
 import unittest
+import unittest.mock
 
 import support
 import synthetic
@@ -39,10 +42,34 @@ class RunFolder(unittest.TestCase):
     def test_at_gives_the_nearest_frame(self):
         self.assertEqual([self.run_.at(t) for t in (-1.0, 0.74, 0.76, 2.5, 99.0)], [0, 1, 2, 5, 8])
 
-    def test_nearest_point_breaks_ties_to_lower_x_then_lower_y(self):
+    def test_nearest_breaks_ties_to_lower_x_then_lower_y(self):
         places = self.run_.field("x", 0)
-        np.testing.assert_allclose(places[self.run_.nearest_point(7.62, 0.07)], (7.65, 0.05))
-        np.testing.assert_allclose(places[self.run_.nearest_point(1.0, 1.0)], (0.95, 0.95))
+        np.testing.assert_allclose(places[self.run_.nearest(7.62, 0.07)], (7.65, 0.05))
+        np.testing.assert_allclose(places[self.run_.nearest(1.0, 1.0)], (0.95, 0.95))
+
+    def test_nearest_looks_at_the_places_of_its_time(self):
+        row = self.run_.nearest(7.65, 0.05)
+        x, y = synthetic.places(synthetic.lattice(0.1), 4.0, 2)[row]
+        self.assertGreater(x, 9.0)
+        self.assertEqual(self.run_.nearest(x, y, 4.0), row)
+        self.assertNotEqual(self.run_.nearest(x, y, 0.0), row)
+
+    def test_a_series_is_one_row_of_all_frames(self):
+        row = 700
+        for name in ("su", "stress", "id", "x"):
+            series = self.run_.series(name, row)
+            np.testing.assert_array_equal(series, [frame[name][row] for frame in self.run_])
+            self.assertEqual(len(series), len(self.run_))
+
+    def test_a_scalar_is_a_field_a_component_or_the_size_of_a_vector(self):
+        frame = self.run_.frame(4)
+        np.testing.assert_array_equal(frame.scalar("su"), frame["su"])
+        np.testing.assert_array_equal(frame.scalar("stress.yy"), frame["stress"][:, 1])
+        np.testing.assert_allclose(frame.scalar("displacement"), np.hypot(*frame["displacement"].T[:2]))
+        for name, words in (("stress", "ask for one of them: stress.xx, stress.yy"), ("stress.xz", "has no component `xz`"),
+                            ("sress.xx", "Did you mean `stress`?"), ("su.xx", "has no component `xx`")):
+            with self.assertRaisesRegex(terp.RunError, words):
+                frame.scalar(name)
 
     def test_data_offsets_of_a_field_are_honoured(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -51,6 +78,8 @@ class RunFolder(unittest.TestCase):
                 file["VTKHDF/NumberOfPoints"] = [2, 4]
                 file["VTKHDF/Steps/Values"] = [0.0, 1.0]
                 file["VTKHDF/Steps/PointOffsets"] = [0, 2]
+                file["VTKHDF/Steps/PartOffsets"] = [0, 1]
+                file["VTKHDF/Steps"].attrs["NSteps"] = 2
                 file["VTKHDF/PointData/material"] = [7, 8, 5, 6, 7, 8, 9]
                 file["VTKHDF/Steps/PointDataOffsets/material"] = [0, 3]
             run = terp.open(folder)
@@ -72,8 +101,81 @@ class RunFolder(unittest.TestCase):
         self.assertEqual(self.run_.summary["scheme"], "mpm_gp")
         self.assertEqual(self.run_.case["material"]["clay"]["su_residual"], 2000.0)
 
-    def test_units_are_si(self):
-        self.assertEqual((self.run_.unit("su"), self.run_.unit("eps_eq_p"), terp.UNITS["time"]), ("Pa", "-", "s"))
+    def test_the_case_text_is_that_of_case_toml(self):
+        self.assertEqual(self.run_.case_text, synthetic.case_text("mpm_gp", 2))
+        self.assertTrue(self.run_.finished)
+
+    def test_units_of_fields_are_those_of_the_file_and_columns_have_theirs(self):
+        self.assertEqual(self.run_.units, {"x": "m", **synthetic.UNITS})
+        names = ("su", "stress.xy", "eps_eq_p", "time", "kinetic", "front_x")
+        self.assertEqual([self.run_.unit(name) for name in names], ["Pa", "Pa", "-", "s", "J per m", "m"])
+        self.assertEqual(self.run_.components["stress"], ("xx", "yy", "zz", "xy"))
+        with self.assertRaisesRegex(terp.RunError, "no field or column `pressur`. Did you mean `pressure`"):
+            self.run_.unit("pressur")
+
+    def test_every_column_of_the_tables_has_a_unit(self):
+        for table in (self.run_.history, self.run_.ledger):
+            for column in table.dtype.names:
+                self.run_.unit(column)
+
+    def test_the_mesh_is_nodes_and_cells(self):
+        mesh = self.run_.mesh
+        self.assertEqual((mesh.nodes.shape, mesh.cells.shape), ((17 * 4, 2), (48, 4)))
+        np.testing.assert_array_equal(mesh.nodes[mesh.cells[0]], [(0, 0), (1, 0), (1, 1), (0, 1)])
+        self.assertEqual(len(mesh.times), 0)
+        with self.assertRaisesRegex(terp.RunError, "mesh.vtkhdf has no field `pressure`. It has: none"):
+            mesh.field("pressure", 0)
+
+    def test_a_table_becomes_a_data_frame_where_pandas_is(self):
+        if importlib.util.find_spec("pandas"):
+            frame = terp.to_pandas(self.run_.ledger)
+            self.assertEqual(list(frame.columns), list(self.run_.ledger.dtype.names))
+            np.testing.assert_array_equal(frame["time"].to_numpy(), self.run_.ledger["time"])
+        with unittest.mock.patch.dict("sys.modules", pandas=None), self.assertRaisesRegex(terp.RunError, "install python3-pandas"):
+            terp.to_pandas(self.run_.ledger)
+
+
+class RunThatIsGoing(unittest.TestCase):
+    """A run folder as it looks between and during writes."""
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name) / "run"
+        synthetic.write_run(self.folder, times=synthetic.TIMES[:3], spacing=0.5)
+        self.run_ = terp.open(self.folder)
+
+    def test_a_frame_counts_when_it_is_whole(self):
+        with h5py.File(self.folder / "results.vtkhdf", "r+") as file:
+            file["VTKHDF/Steps"].attrs["NSteps"] = 2  # the third is being written
+        self.assertEqual(self.run_.times.tolist(), [0.0, 0.5])
+        self.assertEqual(self.run_.frame(-1).time, 0.5)
+        self.assertEqual(len(self.run_.series("su", 0)), 2)
+        self.assertFalse(self.run_.finished)
+
+    def test_refresh_sees_what_was_added(self):
+        before = self.run_.times, len(self.run_.ledger)
+        start = synthetic.lattice(0.5)
+        synthetic.write_results(self.folder / "results.vtkhdf", start, "mpm_gp", 2, synthetic.TIMES[:5])
+        synthetic.write_ledger(self.folder / "ledger.csv", 2.0)
+        self.assertEqual((len(self.run_.times), len(self.run_.ledger)), (len(before[0]), before[1]))
+        self.assertEqual(len(self.run_.refresh().times), 5)
+        self.assertEqual(self.run_.ledger["time"][-1], 2.0)
+
+    def test_a_row_that_is_being_written_is_left_out(self):
+        n = len(self.run_.ledger)
+        with (self.folder / "ledger.csv").open("a") as file:
+            file.write("1.1,1815,1,2,3")
+        self.assertEqual(len(self.run_.refresh().ledger), n)
+
+    def test_a_file_that_is_met_half_way_is_read_again(self):
+        path = self.folder / "results.vtkhdf"
+        whole = path.read_bytes()
+        path.write_bytes(whole[:len(whole) // 2])
+        finish = threading.Timer(0.15, path.write_bytes, [whole])
+        finish.start()
+        self.assertEqual(len(self.run_.times), 3)
+        finish.join()
 
 
 class MissingThings(unittest.TestCase):
@@ -89,8 +191,9 @@ class MissingThings(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             run = terp.open(folder)
             for name, action in (("summary.json", lambda: run.summary), ("history.csv", lambda: run.history),
+                                 ("case.toml", lambda: run.case), ("mesh.vtkhdf", lambda: run.mesh),
                                  ("results.vtkhdf", lambda: run.times)):
-                self.assertEqual(self.message(action), f"{folder} has no {name}; has the run been solved to its end?")
+                self.assertEqual(self.message(action), f"{folder} has no {name}; is it the folder of a run, and has that run begun?")
 
     def test_damaged_files_are_named(self):
         with tempfile.TemporaryDirectory() as folder:

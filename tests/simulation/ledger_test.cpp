@@ -53,6 +53,12 @@ TEST(Ledger, EnergiesMassAndMomentumAreSumsOverThePoints)
   EXPECT_NEAR(kinetic_and_elastic_energy(s.model, s.state), row.kinetic + row.elastic, 1e-9);
 }
 
+TEST(Ledger, AFluidStoresPressureAndNoShear)
+{
+  const auto fluid = find_material("newtonian_fluid")->make(std::vector<Real>{2e6, 50.0, 0.0});
+  EXPECT_NEAR(elastic_energy(*fluid, {-3000.0, -3000.0, -3000.0, 40.0}, 0.5), 0.5 * 3000.0 * 3000.0 / (2.0 * 2e6), 1e-12);
+}
+
 TEST(Ledger, TheDifferenceOfTheBooksIsWhatWorksDoNotExplain)
 {
   Simulation s = books();
@@ -144,6 +150,7 @@ TEST(Ledger, EachRowEntersTheCrest)
   EXPECT_NEAR(row.front_x, 7.95, 1e-12);
   EXPECT_EQ(s.state.crest.time, std::vector<Real>{0.25});
   EXPECT_EQ(s.state.crest.x, std::vector<Real>{8.0});
+  EXPECT_EQ(s.state.crest.kinetic, std::vector<Real>{row.kinetic});
 }
 
 std::int64_t count(const std::vector<bool>& flags) { return std::count(flags.begin(), flags.end(), true); }

@@ -43,6 +43,17 @@ TEST(Setup, TheTimeStepIsTheCourantNumberTimesTheSmallestAltitudeOverTheWaveSpee
   EXPECT_GT(model.dt, 0.999 * stable);
 }
 
+TEST(Setup, ViscosityShortensTheTimeStep)
+{
+  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0}, {"water", "newtonian_fluid", 1000.0, {1e6, 0.0, 0.0}});
+  const Real wave = std::sqrt(1e6 / 1000.0), height = 0.25;
+  EXPECT_LE(build_model(c, 1).dt, 0.98 * height / wave);
+  c.materials[0].parameters[1] = 5e3;  // Pa s
+  const Real z = 4.0 * 5.0 / (3.0 * wave * height), stable = 0.98 * height / wave * (std::sqrt(1.0 + z * z) - z);
+  EXPECT_LE(build_model(c, 1).dt, stable);
+  EXPECT_GT(build_model(c, 1).dt, 0.9 * stable);
+}
+
 TEST(Setup, OnlyMaterialsOfBodiesDecideTheTimeStep)
 {
   Case c = test::column("mpm_gp");
@@ -52,6 +63,37 @@ TEST(Setup, OnlyMaterialsOfBodiesDecideTheTimeStep)
   EXPECT_EQ(model.dt, dt);
   EXPECT_EQ(model.largest_density, 1990.0);
   EXPECT_EQ(model.n_state, 1);
+}
+
+TEST(Setup, AVelocityThatDependsOnThePlaceIsThatOfEachPoint)
+{
+  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});
+  c.bodies[0].velocity = {7.0, 7.0};
+  c.bodies[0].velocity_at = [](Vec<2> x) { return Vec<2>{2.0 * x[1], -x[0] * x[1]}; };
+  Model model = build_model(c, 1);
+  const State state = build_state(model);
+  for (const Point& p : test::points_by_id(state)) EXPECT_EQ(p.v, (Vec<2>{2.0 * p.x[1], -p.x[0] * p.x[1]}));
+}
+
+TEST(Setup, AVelocityThatIsNoNumberSomewhereIsRefused)
+{
+  const auto key_of_fault = [](const Case& c) {
+    try {
+      Model model = build_model(c, 1);
+      build_state(model);
+    } catch (const InputError& error) {
+      return error.problems().front().key + ": " + error.problems().front().what;
+    }
+    return std::string("accepted");
+  };
+  const auto none_below = [](Vec<2> x) { return Vec<2>{std::sqrt(x[1] - 0.7), 0.0}; };
+  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});
+  c.bodies[0].velocity_at = none_below;
+  EXPECT_EQ(key_of_fault(c), "body[0].velocity: the velocity is not a finite number everywhere in the body");
+  c.bodies[0].velocity_at = {};
+  c.sides = {test::side("left", SideKind::velocity)};
+  c.sides[0].velocity_at = none_below;
+  EXPECT_EQ(key_of_fault(c), "boundary.\"left\".velocity: the velocity is not a finite number everywhere on the side");
 }
 
 TEST(Setup, SeedsBodiesWithTheirVelocityMassAndLocalPlaces)

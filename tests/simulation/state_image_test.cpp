@@ -44,6 +44,7 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
 {
   Simulation s(moving_column("mpm_gp"));
   start_audit(s.model, s.state);
+  keep_ledger(s.model, s.state);
   s.step(3);
   keep_ledger(s.model, s.state);
   State& state = s.state;
@@ -56,6 +57,7 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
   state.audit.fell[3] = true;
   state.audit.rose[5] = true;
   state.softened_fraction = {{0.5, 0.25}};
+  state.slip = {{.time = 0.5, .rate = 2.0, .line = {}}, {.time = 0.75, .rate = 3.0, .line = {{1.0, 2.0}, {3.0, 4.0}}}};
   const State back = restore(s.model, make_image(state));
   EXPECT_EQ(back.step, 3);
   EXPECT_EQ(back.time, state.time);
@@ -74,6 +76,12 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
   EXPECT_EQ(back.audit.last_su, state.audit.last_su);
   EXPECT_EQ(back.crest.x, state.crest.x);
   EXPECT_EQ(back.crest.time, state.crest.time);
+  EXPECT_EQ(back.crest.kinetic, state.crest.kinetic);
+  ASSERT_EQ(back.slip.size(), 2);
+  EXPECT_TRUE(back.slip[0].line.empty());
+  EXPECT_EQ(back.slip[1].time, 0.75);
+  EXPECT_EQ(back.slip[1].rate, 3.0);
+  EXPECT_EQ(back.slip[1].line, state.slip[1].line);
   EXPECT_EQ(back.crest.initial_heights, state.crest.initial_heights);
   EXPECT_EQ(back.crest.base, state.crest.base);
   EXPECT_EQ(back.crest.columns.n, state.crest.columns.n);

@@ -1,5 +1,5 @@
 // An elastic bar that vibrates along its axis between fixed ends: v = V sin(pi x / L) cos(omega t), omega = pi c_p / L. Error of the
-// velocity after one period against h, on rectangular and distorted meshes.
+// velocity after one period against h, on distorted meshes; on rectangular ones: cases/verification/vibrating_bar.
 
 #include "support/cases.hpp"
 #include "support/meshes.hpp"
@@ -40,16 +40,14 @@ class VibratingBar : public testing::TestWithParam<std::string> {};
 
 TEST_P(VibratingBar, ErrorFallsWithTheCellSize)
 {
-  for (const Real distortion : {0.0, 0.2}) {
-    const std::array<Real, 3> sizes{0.5, 0.25, 0.125};
-    std::array<Real, 3> error;
-    for (int k = 0; k < 3; ++k) error[k] = error_after_a_period(GetParam(), sizes[k], distortion);
-    const Real order = std::log2(error[0] / error[2]) / 2.0;
-    std::cout << GetParam() << (distortion > 0.0 ? ", distorted" : ", rectangular") << ": rms error " << error[0] << ' ' << error[1] << ' '
-              << error[2] << ", order " << order << '\n';
-    EXPECT_GT(order, 0.9);
-    EXPECT_LT(error[2], 0.15);
-  }
+  constexpr Real distortion = 0.2;
+  const std::array<Real, 3> sizes{0.5, 0.25, 0.125};
+  std::array<Real, 3> error;
+  for (int k = 0; k < 3; ++k) error[k] = error_after_a_period(GetParam(), sizes[k], distortion);
+  const Real order = std::log2(error[0] / error[2]) / 2.0;
+  std::cout << GetParam() << ": rms error " << error[0] << ' ' << error[1] << ' ' << error[2] << ", order " << order << '\n';
+  EXPECT_GT(order, 0.9);
+  EXPECT_LT(error[2], 0.15);
 }
 
 INSTANTIATE_TEST_SUITE_P(Schemes, VibratingBar, testing::Values("standard_mpm", "mpm_mixed", "mpm_gp"), [](const auto& p) { return p.param; });

@@ -4,18 +4,20 @@ import type { Report } from "./data/report";
 import { Store, type ViewState } from "./logic/store";
 import { toScreen } from "./logic/camera";
 import { speeds } from "./logic/time";
+import { fieldHelp } from "./logic/labels";
 import { numberText, withUnit } from "./logic/numbers";
 import { Current } from "./view/current";
 import { Viewer } from "./view/viewer";
 import { Figure, pngOf, save } from "./view/figure";
 import { BAR_HEIGHT, drawColourBar } from "./view/colour_bar";
 import { record, videoEnding, videoType } from "./view/video";
-import { Player } from "./shell/player";
+import { marksOf, Player } from "./shell/player";
 import { fieldControls, layerControls, zoomButtons } from "./shell/controls";
 import { Keys, type Actions } from "./shell/keys";
+import { keepInAddress } from "./shell/address";
 import { Notice } from "./shell/notice";
 import { element, icon, iconButton } from "./shell/element";
-import { summarySection } from "./sections/summary";
+import { storiesSection, summarySection } from "./sections/summary";
 import { comparisonSection } from "./sections/comparison";
 import { chartsSection } from "./sections/charts";
 import { momentsSection } from "./sections/moments";
@@ -70,12 +72,14 @@ export function buildPage(report: Report, page: HTMLElement): void {
     header(report, title, actions, keys),
     element("main", {},
       element("div", { class: "first" }, see, element("div", { class: "beside" }, pinned.root, summarySection(report, store))),
+      storiesSection(report, store) ?? "",
       momentsSection(current, viewer) ?? "",
       comparisonSection(report, store) ?? "",
       chartsSection(current),
       aboutSection(report, store)),
     element("footer", {}, `Written by Terp ${report.meta.terp}, ${report.meta.written.replace("T", " ").replace("Z", " UTC")}. This file holds all data that it shows.`),
     notice.root, keys.help);
+  keepInAddress(store, report.fieldNames(), player.span);
   printLight(store, viewer);
   window.terp = probe(current, viewer);
 }
@@ -132,9 +136,14 @@ function loadFields(current: Current): void {
   });
 }
 
+/** What the signs on the bar of time, just below, stand for. */
+const MARKS = "Below: 1, 2 slide begins · ~ shears fastest · ■ stops";
+
 function colourBar(current: Current): HTMLElement {
   const canvas = element("canvas", { role: "img", "aria-label": "Colour bar" });
-  const root = element("div", { class: "colour-bar" }, canvas);
+  const help = element("span");
+  const marks = current.report.runs.some((run) => marksOf(run).length > 0) ? element("span", { class: "no-print" }, MARKS) : null;
+  const root = element("div", { class: "colour-bar" }, canvas, element("p", { class: "muted small" }, help, marks));
   const draw = () => {
     const ratio = window.devicePixelRatio || 1;
     const width = root.clientWidth;
@@ -148,6 +157,7 @@ function colourBar(current: Current): HTMLElement {
     canvas.setAttribute("aria-label", `Colours: ${meta?.label} from ${numberText(lo, 3)} to ${withUnit(hi, meta?.unit ?? "", 3)}`);
   };
   const { store, report } = current;
+  store.watch(["field"], ({ field }) => (help.textContent = fieldHelp(field)));
   store.on((state, changed) => {
     const keys = ["field", "map", "rangeMode", "fixed", "log", "dark", "shown"] as const;
     if (keys.some((key) => changed.has(key)) || (changed.has("time") && state.rangeMode === "frame")) draw();
@@ -195,13 +205,19 @@ function makeActions(current: Current, viewer: Viewer, player: Player, notice: N
   };
 }
 
-/** Paper is white: prints in light colours, then goes back. */
+/** Paper is white, and nothing on it can be opened: prints in light colours with the case files, then goes back. */
 function printLight(store: Store, viewer: Viewer): void {
   let dark = false;
+  let opened: HTMLDetailsElement[] = [];
   window.addEventListener("beforeprint", () => {
     dark = store.state.dark;
+    opened = [...document.querySelectorAll<HTMLDetailsElement>("details:not([open])")];
+    for (const details of opened) details.open = true;
     store.set({ dark: false, playing: false });
     viewer.draw();
   });
-  window.addEventListener("afterprint", () => store.set({ dark }));
+  window.addEventListener("afterprint", () => {
+    store.set({ dark });
+    for (const details of opened) details.open = false;
+  });
 }

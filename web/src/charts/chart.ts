@@ -112,7 +112,7 @@ export class Chart {
       ],
       cursor: { sync: this.options.overTime ? { key: SYNC.key, setSeries: false, scales: ["x", null] } : undefined, drag: { x: true, y: false }, focus: { prox: 16 }, points: { size: 6 } },
       focus: { alpha: 0.35 },
-      legend: { live: true },
+      legend: { live: true, markers: { width: 2, dash: (_, k) => (this.lines[k - 1]?.dash ? "dashed" : "solid") } },
       hooks: { draw: [(plot) => this.drawNames(plot), () => this.placeNow()], ready: [(plot) => this.listen(plot)], setScale: [(plot, key) => key === "x" && this.noteZoom(plot)] },
     };
   }

@@ -53,6 +53,10 @@ export interface Place {
 export interface Slide {
   begins: number | null;
   stops?: number | null;
+  crest_from?: number | null;
+  crest_to?: number | null;
+  kinetic_peak?: number | null; // J/m
+  slip_surface?: SlipSurface | null;
 }
 
 export interface SlipSurface {
@@ -61,9 +65,11 @@ export interface SlipSurface {
 }
 
 export interface Events {
+  slides?: Slide[]; // first_slide and second_slide are the first two
   first_slide?: Slide | null;
   second_slide?: Slide | null;
   moved_volume?: number | null;
+  moved_distance?: number | null; // m, from which on soil counts as moved
   moved_fraction?: number | null;
   run_out?: number | null;
   front_x?: number | null;
@@ -114,7 +120,7 @@ export interface RunMeta {
 
 export interface Comparison {
   columns: string[];
-  rows: { label: string; unit: string; values: (number | string | null)[] }[];
+  rows: { label: string; unit: string; digits?: number; values: (number | string | null)[] }[];
   text: string[];
 }
 

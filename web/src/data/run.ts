@@ -122,10 +122,12 @@ export class Run {
       if (qy < y0) y0 = qy;
       if (qy > y1) y1 = qy;
     }
-    const [xs, ys] = [0, 1].map((part) => this.outline.filter((v, k) => k % 2 === part && Number.isFinite(v))) as [Float32Array, Float32Array];
-    return [
-      Math.min(valueOf(x.meta, x0), ...xs), Math.min(valueOf(y.meta, y0), ...ys),
-      Math.max(valueOf(x.meta, x1), ...xs), Math.max(valueOf(y.meta, y1), ...ys),
-    ];
+    const box: [number, number, number, number] = [valueOf(x.meta, x0), valueOf(y.meta, y0), valueOf(x.meta, x1), valueOf(y.meta, y1)];
+    for (let k = 0; k + 1 < this.outline.length; k += 2) {
+      const [px, py] = [this.outline[k]!, this.outline[k + 1]!];
+      if (!Number.isFinite(px)) continue;
+      [box[0], box[1], box[2], box[3]] = [Math.min(box[0], px), Math.min(box[1], py), Math.max(box[2], px), Math.max(box[3], py)];
+    }
+    return box;
   }
 }

@@ -24,6 +24,13 @@ export const MAPS: ColourMap[] = [
 /** Okabe and Ito's colours for categories (materials, lines), without black and yellow, which vanish on a ground. */
 export const CATEGORIES = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#8c6d1f", "#7f7f7f"];
 
+const ON_DARK = ["#56a8e0", "#f0b84a", "#2fc79a", "#e79bc6", "#a5dbf7", "#ff8a4d", "#cdb25a", "#b5b5b5"];
+
+/** Colour of the k-th of several lines. */
+export function lineColour(k: number, dark: boolean): string {
+  return (dark ? ON_DARK : CATEGORIES)[k % CATEGORIES.length]!;
+}
+
 export function mapNamed(name: string): ColourMap {
   return MAPS.find((map) => map.name === name) ?? MAPS[0]!;
 }

@@ -40,6 +40,7 @@ function facts(report: Report, run: Run): HTMLElement {
     ["Time steps", typeof summary("steps") === "number" ? `${numberText(summary("steps") as number, 9)} of ${withUnit(summary("dt") as number, "s", 3)}` : ""],
     ["Frames", meta.times.length === meta.n_frames_in_run ? numberText(meta.n_frames_in_run) : `${numberText(meta.n_frames_in_run)}, of which ${numberText(meta.times.length)} are shown`],
     ["Places rounded to", withUnit(meta.position_precision * 1000, "mm", 2)],
+    ["Values rounded to", meta.fields.filter((field) => field.kind !== "category").map((field) => `${field.label} ${withUnit(field.precision, field.unit, 1)}`).join(", ")],
   ];
   return element("dl", { class: "pairs" }, ...rows.filter(([, value]) => value).flatMap(([name, value]) => [element("dt", {}, name), element("dd", {}, value)]));
 }
@@ -54,10 +55,21 @@ function checks(run: Run): HTMLElement | null {
   return element("div", {}, element("h4", {}, "Checks"), element("table", { class: "checks" }, element("tbody", {}, ...rows)));
 }
 
+/** What the program watched at every row of the ledger, in words. */
+const AUDIT: Record<string, string> = {
+  points: "Points watched",
+  points_eps_eq_p_fell: "Whose plastic strain ever fell",
+  points_su_rose: "Whose strength ever rose",
+  energy_balance_error: "Energy not accounted for",
+  clamped_points: "Put back at a wall",
+  points_left: "Left through open sides",
+};
+
 function audit(run: Run): HTMLElement | null {
   const entries = Object.entries(run.meta.audit ?? {}).filter(([, value]) => typeof value !== "object");
   if (entries.length === 0) return null;
-  const pairs = entries.flatMap(([name, value]) => [element("dt", {}, spoken(name)), element("dd", {}, typeof value === "number" ? numberText(value) : String(value))]);
+  const text = (name: string, value: unknown) => (typeof value !== "number" ? String(value) : name.endsWith("_error") ? `${numberText(100 * value, 2)}\u202f%` : numberText(value, 9));
+  const pairs = entries.flatMap(([name, value]) => [element("dt", {}, AUDIT[name] ?? spoken(name)), element("dd", {}, text(name, value))]);
   return element("div", {}, element("h4", {}, "Audit of the history"), element("dl", { class: "pairs" }, ...pairs));
 }
 

@@ -4,7 +4,7 @@ import type { Report } from "../data/report";
 import type { Current } from "../view/current";
 import type { Run } from "../data/run";
 import { Chart, type Line } from "../charts/chart";
-import { CATEGORIES } from "../logic/colour";
+import { CATEGORIES, lineColour } from "../logic/colour";
 import { runLabels, spoken } from "../logic/labels";
 import { durationText, numberText } from "../logic/numbers";
 import { heightsAt, places } from "../logic/surface";
@@ -17,7 +17,7 @@ const DASH = [7, 4];
 export function chartsSection(current: Current): HTMLElement {
   const { report } = current;
   const labels = runLabels(report.runs.map((run) => run.meta));
-  const cards = [frontAndCrest(current, labels), kinetic(current, labels), ...energies(current, labels), surfaces(current, labels)];
+  const cards = [frontAndCrest(current, labels), kinetic(current, labels), surfaces(current, labels), ...energies(current, labels)];
   return element("section", { id: "charts", "aria-labelledby": "charts-title" },
     element("h2", { id: "charts-title" }, "Over time"),
     element("p", { class: "muted no-print" }, "Drag to zoom, double click for all, click to show that time above."),
@@ -74,11 +74,11 @@ function energies(current: Current, labels: string[]): HTMLElement[] {
     const { series } = run;
     if (!series) return [];
     const x = series.column("time");
-    const columns = series.columns.filter(({ name, unit }) => /^[kM]?J/.test(unit) && name !== "kinetic_energy");
+    const columns = series.columns.filter(({ name, unit }) => /^[kM]?J/.test(unit) && name !== "kinetic_energy" && series.column(name)!.some((v) => v !== 0));
     if (!x || columns.length === 0) return [];
     const lines = columns.map(({ name }, k): Line => ({
       label: series.label(name) === name ? spoken(name) : series.label(name), x, y: series.column(name)!,
-      colour: () => CATEGORIES[k % CATEGORIES.length]!, dash: name === "numerical" ? [2, 3] : undefined,
+      colour: (dark) => lineColour(k, dark), dash: name === "numerical" ? [2, 3] : undefined,
     }));
     const title = `Energy ledger${labels.length > 1 ? `, ${labels[run.index]}` : ""}`;
     const chart = new Chart(current.store, { title, xLabel: "time [s]", unit: columns[0]!.unit });
@@ -122,14 +122,18 @@ function histories(current: Current, labels: string[]): HTMLElement | null {
   if (!first) return null;
   const names = first.columns.map((column) => column.name).filter((name) => !["time", "id"].includes(name));
   const charts = runs.map((run) => new Chart(current.store, { title: labels[run.index]!, xLabel: "time [s]", unit: "-", height: 260 }));
-  const select = element("select", { id: "history", onchange: () => show(select.value) }, ...names.map((name) => element("option", { value: name }, first.label(name) === name ? spoken(name) : first.label(name))));
+  const quantity = (name: string) => (first.label(name) === name ? spoken(name) : first.label(name));
+  const select = element("select", { id: "history", onchange: () => show(select.value) }, ...names.map((name) => element("option", { value: name }, quantity(name))));
   const show = (name: string) => {
     const lines = runs.map((run) => run.histories.flatMap((history, k): Line[] => {
       const [x, y] = [history.table.column("time"), history.table.column(name)];
-      return x && y ? [{ label: history.name, x, y, colour: () => CATEGORIES[k % CATEGORIES.length]!, dash: k >= CATEGORIES.length ? [4, 3] : undefined, width: 1.8 }] : [];
+      return x && y ? [{ label: history.name, x, y, colour: (dark) => lineColour(k, dark), dash: k >= CATEGORIES.length ? [4, 3] : undefined, width: 1.8 }] : [];
     }));
     const yRange = commonRange(lines.flat());
-    charts.forEach((chart, k) => chart.show(lines[k]!, { unit: first.unit(name), yRange, nameEnds: true }));
+    charts.forEach((chart, k) => {
+      chart.title = `${labels[runs[k]!.index]}: ${quantity(name)}`;
+      chart.show(lines[k]!, { unit: first.unit(name), yRange, nameEnds: true });
+    });
   };
   select.value = names.find((name) => name === "eps_deviatoric") ?? names.find((name) => name.startsWith("eps")) ?? names[0]!;
   show(select.value);

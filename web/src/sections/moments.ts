@@ -22,7 +22,7 @@ export function momentsOf(run: Run, frameOf: (time: number) => number): Moment[]
   const { times } = run.meta;
   const first = { time: times[0]!, text: "start" };
   const last = { time: times[times.length - 1]!, text: run.meta.finished ? "end" : "so far" };
-  const events = marksOf(run).map(({ time, text }) => ({ time, text }));
+  const events = marksOf(run).filter(({ text }) => !/stops|(second|third|fourth|fifth|th) slide shears/.test(text)).map(({ time, text }) => ({ time, text }));
   const taken = new Set([frameOf(first.time)]);
   const between = events.sort((a, b) => a.time - b.time).filter(({ time }) => {
     const frame = frameOf(time);
@@ -38,15 +38,17 @@ export function momentsSection(current: Current, viewer: Viewer): HTMLElement | 
   const box = viewer.extent();
   const height = Math.round(Math.min(WIDTH, Math.max(70, ((WIDTH - 12) * (box[3] - box[1])) / (box[2] - box[0]) + 12)));
   const pictures: { run: Run; time: number; canvas: HTMLCanvasElement }[] = [];
+  const moments = report.runs.map((run) => momentsOf(run, (time) => current.frame(run, time)));
+  const most = Math.max(...moments.map((list) => list.length));
   const rows = report.runs.map((run) => {
     const decimals = timeDecimals(run.meta.times);
-    const items = momentsOf(run, (time) => current.frame(run, time)).map(({ time, text }) => {
+    const items = moments[run.index]!.map(({ time, text }) => {
       const canvas = element("canvas", { width: 2 * WIDTH, height: 2 * height, "aria-hidden": "true" });
       pictures.push({ run, time, canvas });
       return element("li", {}, element("button", { type: "button", title: "Show this time above", onclick: () => store.set({ time, playing: false }) },
         canvas, element("span", {}, element("b", {}, timeText(run.meta.times[current.frame(run, time)]!, decimals)), text ? ` ${text}` : "")));
     });
-    return element("div", { class: "moments-row" }, coloured(element("h3", {}, viewer.labels[run.index]!), run, store), element("ol", {}, ...items));
+    return element("div", { class: "moments-row" }, coloured(element("h3", {}, viewer.labels[run.index]!), run, store), element("ol", { style: `--most: ${most}` }, ...items));
   });
   const draw = () => {
     for (const { run, time, canvas } of pictures) {
@@ -61,7 +63,8 @@ export function momentsSection(current: Current, viewer: Viewer): HTMLElement | 
     clearTimeout(waiting);
     waiting = window.setTimeout(draw, 120);
   };
-  store.watch(["field", "map", "rangeMode", "fixed", "log", "mesh", "outline", "slip", "pointScale", "dark"], later);
+  store.watch(["field", "map", "rangeMode", "fixed", "log", "mesh", "outline", "slip", "pointScale"], later);
+  store.on((_, changed) => changed.has("dark") && draw()); // at once: paper does not wait
   for (const run of report.runs) run.onField.push(later);
   return element("section", { id: "moments", "aria-labelledby": "moments-title" }, element("h2", { id: "moments-title" }, "In pictures"), ...rows);
 }

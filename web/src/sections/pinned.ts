@@ -30,14 +30,14 @@ export class Pinned {
     });
   }
 
-  /** The pinned run and point, then the same point in the other runs. */
+  /** The pinned point in its run and, where they have it, in the others, in the order of the runs. */
   private same(): { run: Run; point: number }[] {
     const { pin } = this.current.state;
     if (!pin) return [];
     const { runs } = this.current.report;
     const of = runs[pin.run]!;
-    const others = runs.filter((run) => run !== of && sameBody(of, run)).map((run) => ({ run, point: run.pointOfId(of.ids[pin.point]!) }));
-    return [{ run: of, point: pin.point }, ...others.filter(({ point }) => point >= 0)];
+    const alike = runs.filter((run) => run === of || sameBody(of, run));
+    return alike.map((run) => ({ run, point: run.pointOfId(of.ids[pin.point]!) })).filter(({ point }) => point >= 0);
   }
 
   private async showPoint(): Promise<void> {
@@ -45,7 +45,7 @@ export class Pinned {
     this.root.hidden = all.length === 0;
     if (all.length === 0) return;
     const { field } = this.current.state;
-    const { run, point } = all[0]!;
+    const { run, point } = all[0]!; // the id is the same in all
     this.title.textContent = `Point ${numberText(run.ids[point], 9)}`;
     await Promise.all(all.flatMap(({ run: r }) => r.meta.fields.map((meta) => r.field(meta.name))));
     if (field !== this.current.state.field) return;
@@ -57,7 +57,7 @@ export class Pinned {
       const y = r.meta.times.map((_, f) => (r.present(f, p) ? values.value(f, p) : null));
       return [{ label: this.labels[r.index]!, x: r.meta.times, y, colour: (dark) => runColour(r.index, dark), width: 2 }];
     });
-    this.chart.title = `${meta?.label ?? field} of this point over the frames`;
+    this.chart.title = `Its ${meta?.label ?? field} over the frames`;
     this.chart.show(lines, { unit: meta?.unit ?? "-" });
   }
 

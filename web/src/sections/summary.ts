@@ -4,6 +4,7 @@ import type { Report } from "../data/report";
 import type { Run } from "../data/run";
 import type { Store } from "../logic/store";
 import { runLabels, schemeLabel } from "../logic/labels";
+import { slidesOf } from "../logic/slides";
 import { withUnit } from "../logic/numbers";
 import { runColour } from "../view/theme";
 import { element } from "../shell/element";
@@ -16,28 +17,38 @@ interface Fact {
 }
 
 const FACTS: Fact[] = [
-  { label: "First slide begins", help: "when the first block of soil starts to move", value: (run) => seconds(run.meta.events?.first_slide?.begins), time: (run) => run.meta.events?.first_slide?.begins },
-  { label: "First slide stops", help: "when it has come to rest", value: (run) => seconds(run.meta.events?.first_slide?.stops), time: (run) => run.meta.events?.first_slide?.stops },
-  { label: "Second slide begins", help: "when a further block follows", value: (run) => seconds(run.meta.events?.second_slide?.begins, run.meta.events ? "none" : "–"), time: (run) => run.meta.events?.second_slide?.begins },
+  { label: "First slide begins", help: "when the first block of soil starts to move", ...slideTime(0, "begins") },
+  { label: "First slide stops", help: "when it has come to rest", ...slideTime(0, "stops") },
+  { label: "Second slide begins", help: "when a further block follows", ...slideTime(1, "begins") },
+  { label: "Second slide stops", help: "when that one has come to rest", ...slideTime(1, "stops") },
   { label: "Run-out", help: "how far the front came from where it stood", value: (run) => metres(run.meta.events?.run_out) },
-  { label: "Front at the end", help: "largest x of the soil", value: (run) => metres(run.meta.events?.front_x, "x = ") },
-  { label: "Crest that remains", help: "edge of the ground that still stands", value: (run) => metres(run.meta.events?.remaining_crest?.x, "x = ") },
-  { label: "Volume that moved", help: "per metre of thickness, and its share of all soil", value: moved },
+  { label: "Front at the end, x", help: "largest x of the soil", value: (run) => metres(run.meta.events?.front_x) },
+  { label: "Crest that remains, x", help: "edge of the ground that still stands", value: (run) => metres(run.meta.events?.remaining_crest?.x) },
+  { label: "Volume that moved", help: "per metre of thickness", value: (run) => withUnit(run.meta.events?.moved_volume, "m²", 3) },
+  { label: "Share that moved", help: "of the volume of all soil", value: share },
 ];
 
-function seconds(value: number | null | undefined, otherwise = "–"): string {
-  return typeof value === "number" ? withUnit(value, "s", 3) : otherwise;
+/** A slide that is not there has no times; one that is there may not stop. */
+function slideTime(k: number, what: "begins" | "stops"): Pick<Fact, "value" | "time"> {
+  const slide = (run: Run) => slidesOf(run.meta)[k];
+  return {
+    time: (run) => slide(run)?.[what],
+    value: (run) => {
+      if (!run.meta.events) return "–";
+      const time = slide(run)?.[what];
+      if (typeof time === "number") return withUnit(time, "s", 3);
+      return time === null ? "does not" : what === "begins" ? "none" : "–";
+    },
+  };
 }
 
-function metres(value: number | null | undefined, before = ""): string {
-  return typeof value === "number" ? `${before}${withUnit(Number(value.toFixed(2)), "m")}` : "–";
+function metres(value: number | null | undefined): string {
+  return typeof value === "number" ? `${value.toFixed(2)}\u00a0m` : "–";
 }
 
-function moved(run: Run): string {
-  const { moved_volume, moved_fraction } = run.meta.events ?? {};
-  if (typeof moved_volume !== "number") return "–";
-  const share = typeof moved_fraction === "number" ? ` (${Math.round(100 * moved_fraction)}\u202f%)` : "";
-  return `${withUnit(moved_volume, "m²", 3)}${share}`;
+function share(run: Run): string {
+  const part = run.meta.events?.moved_fraction;
+  return typeof part === "number" ? `${Math.round(100 * part)}\u202f%` : "–";
 }
 
 export function summarySection(report: Report, store: Store): HTMLElement {
@@ -49,8 +60,7 @@ export function summarySection(report: Report, store: Store): HTMLElement {
     factTable(report, labels, store),
     report.runs.every((run) => !run.meta.events && run.meta.story.length === 0) ? element("p", { class: "muted" }, "This report was written without a search for events.") : null,
     several && report.comparison && report.comparison.text.length > 0 ? comparisonText(report) : null,
-    ...report.runs.filter((run) => run.meta.story.length > 0).map((run) => storyOf(run, labels[run.index]!, several, store)),
-    ...warnings(report, labels),
+    ...(several ? [] : report.runs.map(storyOf)),
   );
 }
 
@@ -74,7 +84,8 @@ function factTable(report: Report, labels: string[], store: Store): HTMLElement 
       if (typeof time !== "number") return element("td", {}, text);
       return element("td", {}, element("button", { type: "button", class: "go", title: "Show this time", onclick: () => store.set({ time, playing: false }) }, text));
     })));
-  return element("table", { class: "facts" }, several ? element("thead", {}, head) : null, element("tbody", {}, ...rows));
+  const table = element("table", { class: report.runs.length > 2 ? "facts many" : "facts" }, several ? element("thead", {}, head) : null, element("tbody", {}, ...rows));
+  return element("div", { class: "scroll" }, table);
 }
 
 /** Marks an element with the colour of a run. */
@@ -88,17 +99,24 @@ function comparisonText(report: Report): HTMLElement {
   return element("div", { class: "difference" }, element("h3", {}, "The difference"), ...report.comparison!.text.map((text) => element("p", {}, text)));
 }
 
-function storyOf(run: Run, label: string, several: boolean, store: Store): HTMLElement {
-  const title = several ? coloured(element("h3", {}, label), run, store) : element("h3", {}, `In words (${schemeLabel(run.meta.scheme)})`);
-  return element("div", { class: "story-of" }, title, ...run.meta.story.map((text) => element("p", {}, text)));
+function storyOf(run: Run): HTMLElement {
+  return element("div", { class: "story-of" }, element("h3", {}, `In words (${schemeLabel(run.meta.scheme)})`), ...run.meta.story.map((text) => element("p", {}, text)), warnings(run));
 }
 
-function warnings(report: Report, labels: string[]): HTMLElement[] {
-  const all = report.runs.flatMap((run) => [
-    ...run.meta.warnings.map((text) => ({ run, text })),
-    ...run.meta.checks.filter((check) => !check.passed).map((check) => ({ run, text: `Check not passed: ${check.name}, ${check.value}.` })),
-  ]);
-  if (all.length === 0) return [];
-  const items = all.map(({ run, text }) => element("li", {}, report.runs.length > 1 ? element("b", {}, `${labels[run.index]}: `) : null, text));
-  return [element("div", { class: "notice" }, element("h3", {}, all.length === 1 ? "A warning" : `${all.length} warnings`), element("ul", {}, ...items))];
+/** The stories of several runs, side by side. */
+export function storiesSection(report: Report, store: Store): HTMLElement | null {
+  const told = report.runs.filter((run) => run.meta.story.length + run.meta.warnings.length > 0);
+  if (report.runs.length < 2 || told.length === 0) return null;
+  const labels = runLabels(report.runs.map((run) => run.meta));
+  return element("section", { id: "stories", "aria-labelledby": "stories-title" },
+    element("h2", { id: "stories-title" }, "Run by run"),
+    element("div", { class: "cards" }, ...told.map((run) => element("article", { class: "card story-of" },
+      coloured(element("h3", {}, labels[run.index]!), run, store), ...run.meta.story.map((text) => element("p", {}, text)), warnings(run)))));
+}
+
+/** Warnings of a run, and checks that it did not pass. */
+function warnings(run: Run): HTMLElement | null {
+  const texts = [...run.meta.warnings, ...run.meta.checks.filter((check) => !check.passed).map((check) => `Check not passed: ${check.name}: ${check.value}.`)];
+  if (texts.length === 0) return null;
+  return element("div", { class: "notice" }, element("h4", {}, texts.length === 1 ? "A warning" : `${texts.length} warnings`), element("ul", {}, ...texts.map((text) => element("li", {}, text))));
 }

@@ -3,6 +3,7 @@
 import type { Current } from "../view/current";
 import type { Viewer } from "../view/viewer";
 import type { RangeMode, ViewState } from "../logic/store";
+import { slidesOf, slipAt } from "../logic/slides";
 import { mapsFor } from "../logic/colour";
 import { element, iconButton } from "./element";
 
@@ -63,7 +64,7 @@ export function layerControls(current: Current, viewer: Viewer): HTMLElement {
   const { store, report } = current;
   const runs = report.runs;
   const buttons = [toggle(current, "mesh", "mesh", "M"), toggle(current, "outline", "outline", "O")];
-  if (runs.some((run) => run.meta.events?.slip_surface)) buttons.push(toggle(current, "slip", "slip surface", "S"));
+  if (runs.some((run) => slipAt(slidesOf(run.meta), Infinity))) buttons.push(toggle(current, "slip", "slip surface", "S"));
   if (runs.some((run) => run.histories.length > 0)) buttons.push(toggle(current, "names", "named points", "N"));
   if (runs.length > 1) buttons.push(toggle(current, "surfaces", "other surface", "D"));
   const size = element("input", { type: "range", min: 0.4, max: 2, step: 0.1, class: "point-size", "aria-label": "Size of the points", oninput: () => store.set({ pointScale: size.valueAsNumber }) });

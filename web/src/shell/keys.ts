@@ -48,7 +48,7 @@ export class Keys {
       { keys: ["l"], show: "L", does: "logarithmic scale", act: flip("log") },
       { keys: ["+", "="], show: "+", does: "zoom in (also wheel in a view that was clicked, or Ctrl and wheel)", act: () => viewer.zoom(1.3) },
       { keys: ["-"], show: "−", does: "zoom out", act: () => viewer.zoom(1 / 1.3) },
-      { keys: ["ArrowUp", "ArrowDown"], show: "Shift ← → ↑ ↓", does: "move (also drag)", act: (event) => event.shiftKey && viewer.move(0, event.key === "ArrowUp" ? 60 : -60) },
+      { keys: ["ArrowUp", "ArrowDown"], show: "Shift arrows", does: "move (also drag)", act: (event) => event.shiftKey && viewer.move(0, event.key === "ArrowUp" ? 60 : -60) },
       { keys: ["0"], show: "0", does: "show all (also double click)", act: () => store.set({ camera: null }) },
       { keys: ["m"], show: "M", does: "background mesh", act: flip("mesh") },
       { keys: ["o"], show: "O", does: "initial outline", act: flip("outline") },

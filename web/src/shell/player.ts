@@ -4,6 +4,7 @@ import type { Current } from "../view/current";
 import type { Run } from "../data/run";
 import { advance, allTimes, speeds, stepTime } from "../logic/time";
 import { numberText, timeDecimals, timeText } from "../logic/numbers";
+import { slidesOf } from "../logic/slides";
 import { runLabels } from "../logic/labels";
 import { runColour } from "../view/theme";
 import { element, icon, iconButton } from "./element";
@@ -16,15 +17,17 @@ interface Mark {
 }
 
 export function marksOf(run: Run): Mark[] {
-  const { first_slide, second_slide, slip_surface } = run.meta.events ?? {};
+  const ordinal = ["first", "second", "third", "fourth", "fifth"];
   const marks: Mark[] = [];
   const add = (time: number | null | undefined, sign: string, text: string) => {
     if (typeof time === "number" && Number.isFinite(time)) marks.push({ time, run: run.index, sign, text });
   };
-  add(first_slide?.begins, "1", "first slide begins");
-  add(slip_surface?.time, "⚡", "peak strain rate: slip surface");
-  add(first_slide?.stops, "■", "first slide stops");
-  add(second_slide?.begins, "2", "second slide begins");
+  slidesOf(run.meta).forEach((slide, k) => {
+    const name = `${ordinal[k] ?? `${k + 1}th`} slide`;
+    add(slide.begins, String(k + 1), `${name} begins`);
+    add(slide.slip_surface?.time, "~", `${name} shears fastest`);
+    add(slide.stops, "■", `${name} stops`);
+  });
   return marks;
 }
 

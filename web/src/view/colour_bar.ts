@@ -5,7 +5,7 @@ import { barTicks, CATEGORIES, mapNamed, type Range } from "../logic/colour";
 import { niceTicks, unitSuffix } from "../logic/numbers";
 import { canvasTheme, FONT } from "./theme";
 
-export const BAR_HEIGHT = 46;
+export const BAR_HEIGHT = 40;
 
 /** Draws the bar in a box of that width and of BAR_HEIGHT, CSS pixels. */
 export function drawColourBar(context: CanvasRenderingContext2D, current: Current, width: number, time = current.state.time): void {
@@ -16,9 +16,10 @@ export function drawColourBar(context: CanvasRenderingContext2D, current: Curren
   context.textAlign = "left";
   context.font = `600 12px ${FONT}`;
   context.fillStyle = theme.text;
-  const title = `${meta.label}${unitSuffix(meta.unit)}`;
+  const full = `${meta.label}${unitSuffix(meta.unit)}`;
+  const title = meta.symbol && context.measureText(full).width > 0.4 * width ? `${meta.symbol.replace("_", "\u2009")}${unitSuffix(meta.unit)}` : full;
   context.fillText(title, 0, 12);
-  const left = Math.min(width * 0.45, context.measureText(title).width + 18);
+  const left = Math.min(width * 0.6, context.measureText(title).width + 18);
   if (meta.kind === "category") drawCategories(context, current, left, theme.text);
   else drawScale(context, current, current.range(time), left, width - left - 22);
 }

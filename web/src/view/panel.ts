@@ -7,6 +7,7 @@ import type { PointRenderer } from "./points";
 import type { Camera, Padding, Size } from "../logic/camera";
 import { toScreen, toWorld } from "../logic/camera";
 import { niceLength, niceTicks, numberText, timeDecimals, timeText } from "../logic/numbers";
+import { slidesOf, slipAt } from "../logic/slides";
 import { sameBody } from "../logic/same_body";
 import { canvasTheme, FONT, runColour, type CanvasTheme } from "./theme";
 
@@ -105,22 +106,7 @@ function drawOtherSurfaces(drawing: Drawing): void {
     path(drawing, other.surface(current.frame(other, options.time)));
     line(context, theme.halo, 4);
     line(context, runColour(other.index, current.state.dark), 2);
-    nameSurface(drawing, other);
   }
-}
-
-/** The name of the run at the right end of its surface. */
-function nameSurface(drawing: Drawing, other: Run): void {
-  const { context, current, options } = drawing;
-  const surface = other.surface(current.frame(other, options.time));
-  if (surface.length < 2) return;
-  const [px, py] = toScreen(options.camera, options.size, surface[surface.length - 2]!, surface[surface.length - 1]!);
-  const name = options.names[other.index]!;
-  context.font = `600 11px ${FONT}`;
-  context.textBaseline = "bottom";
-  context.textAlign = "right";
-  const right = Math.min(options.size.width - PADDING.right - 4, px + context.measureText(name).width / 2);
-  haloText(drawing, name, right, py - 7, runColour(other.index, current.state.dark));
 }
 
 function line(context: CanvasRenderingContext2D, colour: string, width: number): void {
@@ -133,20 +119,23 @@ function line(context: CanvasRenderingContext2D, colour: string, width: number):
 
 function drawSlip(drawing: Drawing): void {
   const { context, run, theme, options } = drawing;
-  const slip = run.meta.events?.slip_surface;
-  if (!slip || slip.points.length < 2) return;
-  const yetToCome = slip.time !== null && options.time < slip.time - 1e-9;
-  if (yetToCome && options.bare) return;
-  path(drawing, slip.points.flat());
-  if (yetToCome) context.setLineDash([3, 6]);
+  const slip = slipAt(slidesOf(run.meta), timeOf(drawing));
+  if (!slip || (slip.yetToCome && options.bare)) return;
+  path(drawing, slip.surface.points.flat());
+  if (slip.yetToCome) context.setLineDash([3, 6]);
   else line(context, theme.slipEdge, options.bare ? 3 : 5);
-  line(context, theme.slip, options.bare || yetToCome ? 1.5 : 2.5);
+  line(context, theme.slip, options.bare || slip.yetToCome ? 1.5 : 2.5);
   context.setLineDash([]);
 }
 
+/** Of the frame on show, which may differ a little from the time asked for. */
+function timeOf({ run, frame }: Drawing): number {
+  return run.meta.times[frame]!;
+}
+
 function drawNames(drawing: Drawing): void {
-  const { context, run, options, theme, frame } = drawing;
-  const time = run.meta.times[frame]!;
+  const { context, run, options, theme } = drawing;
+  const time = timeOf(drawing);
   context.font = `600 11px ${FONT}`;
   context.textBaseline = "middle";
   context.textAlign = "left";
@@ -258,7 +247,7 @@ function drawScaleBar(drawing: Drawing): void {
 }
 
 function drawHead(drawing: Drawing): void {
-  const { context, run, options, theme, current, frame } = drawing;
+  const { context, run, options, theme, current } = drawing;
   const colour = runColour(run.index, current.state.dark);
   context.textBaseline = "middle";
   context.textAlign = "left";
@@ -268,14 +257,44 @@ function drawHead(drawing: Drawing): void {
   context.fillStyle = theme.text;
   context.fillText(options.label, PADDING.left + 2, 16);
   const used = PADDING.left + 2 + context.measureText(options.label).width;
-  const stamp = `t = ${timeText(run.meta.times[frame]!, timeDecimals(run.meta.times))}`;
+  const decimals = timeDecimals(run.meta.times);
+  const stamp = `t = ${timeText(timeOf(drawing), decimals)}`;
   context.textAlign = "right";
   context.fillText(stamp, options.size.width - 9, 16);
-  const room = options.size.width - 30 - context.measureText(stamp).width - used;
-  context.textAlign = "left";
+  drawKey(drawing, used + 16, options.size.width - 30 - context.measureText(stamp).width, decimals);
+}
+
+/** What the lines mean, between name and time, as far as there is room; at the end, if there is still, the run's name. */
+function drawKey(drawing: Drawing, from: number, to: number, decimals: number): void {
+  const { context, run, current, theme, options } = drawing;
+  const { state } = current;
+  const slip = state.slip ? slipAt(slidesOf(run.meta), timeOf(drawing)) : null;
+  const others = state.surfaces ? current.shownRuns().filter((other) => other !== run) : [];
+  const entries = [
+    ...others.map((other) => ({ text: `surface of ${options.names[other.index]}`, colour: runColour(other.index, state.dark), dash: [] as number[] })),
+    slip && { text: `slip surface of ${timeText(slip.time, decimals)}`, colour: theme.slip, dash: slip.yetToCome ? [2, 4] : [] },
+    state.outline && { text: "initial outline", colour: theme.ghost, dash: [4, 3] },
+    options.note !== options.label && { text: options.note, colour: "", dash: [] },
+  ];
   context.font = `12px ${FONT}`;
-  context.fillStyle = theme.muted;
-  if (context.measureText(options.note).width < room) context.fillText(options.note, used + 10, 16.5);
+  context.textAlign = "left";
+  let x = from;
+  for (const entry of entries) {
+    if (!entry) continue;
+    const width = context.measureText(entry.text).width + (entry.colour ? 24 : 0);
+    if (x + width > to) continue;
+    if (entry.colour) {
+      context.beginPath();
+      context.moveTo(x, 16);
+      context.lineTo(x + 18, 16);
+      context.setLineDash(entry.dash);
+      line(context, entry.colour, 2);
+      context.setLineDash([]);
+    }
+    context.fillStyle = theme.muted;
+    context.fillText(entry.text, x + (entry.colour ? 24 : 0), 16.5);
+    x += width + 18;
+  }
 }
 
 function missing(drawing: Drawing): void {

@@ -157,7 +157,7 @@ export class PointRenderer {
       v_log: v.log,
       bar_log: picture.range.log,
       bar: [picture.range.lo, picture.range.hi],
-      size: Math.max(2, 1.4 * spacing), // overlap enough that sound soil has no gaps
+      size: Math.max(2, 1.6 * spacing), // overlap enough that sound soil has no gaps
       categories: picture.categories,
       colours: this.texture,
       no_value: [0.6, 0.62, 0.64],

@@ -50,7 +50,7 @@ export class Viewer {
       if (!onlyTime || this.drawnFrames !== this.frames()) this.ask();
     });
     for (const run of report.runs) run.onField.push(() => this.ask());
-    new ResizeObserver(() => this.arrange()).observe(this.root);
+    new ResizeObserver(() => requestAnimationFrame(() => this.arrange())).observe(this.root);
   }
 
   private makeCanvas(run: Run): HTMLCanvasElement {
@@ -67,7 +67,7 @@ export class Viewer {
     const { layout, shown } = this.current.state;
     const visible = this.views.filter((view) => shown[view.run.index]);
     for (const view of this.views) view.canvas.hidden = !visible.includes(view);
-    const area = { width: this.root.clientWidth, height: this.root.clientHeight };
+    const area = this.room(visible.length);
     if (visible.length === 0 || area.width === 0) return;
     const columns = layout === "rows" ? 1 : layout === "columns" ? visible.length : bestColumns(visible.length, this.box, area, PADDING);
     const rows = Math.ceil(visible.length / columns);
@@ -83,6 +83,21 @@ export class Viewer {
       canvas.style.height = `${this.size.height}px`;
     }
     this.ask();
+  }
+
+  /** Width and height for the views: as high as the style allows, but not higher than the soil needs. */
+  private room(views: number): Size {
+    const stage = this.root.parentElement;
+    if (!stage) return { width: 0, height: 0 };
+    stage.style.setProperty("--enough", "none");
+    const [width, height] = [this.root.clientWidth, this.root.clientHeight];
+    const { layout } = this.current.state;
+    const columns = layout === "rows" ? 1 : layout === "columns" ? views : bestColumns(views, this.box, { width, height }, PADDING);
+    const rows = Math.ceil(views / columns);
+    const scale = (width / columns - GAP - PADDING.left - PADDING.right) / (this.box[2] - this.box[0]);
+    const enough = rows * (1.15 * scale * (this.box[3] - this.box[1]) + PADDING.top + PADDING.bottom + GAP);
+    stage.style.setProperty("--enough", document.fullscreenElement ? "none" : `${Math.max(200, Math.round(enough))}px`);
+    return { width, height: this.root.clientHeight };
   }
 
   ask(): void {

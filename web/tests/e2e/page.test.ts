@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { PNG } from "pngjs";
 import type { Browser, Page } from "playwright-core";
 import { launch, open, type Opened } from "../support/browser";
-import { examplePage, realPage } from "../support/fixture";
+import { examplePage, realRuns } from "../support/fixture";
 
 let browser: Browser;
 beforeAll(async () => {
@@ -13,8 +13,8 @@ beforeAll(async () => {
 });
 afterAll(async () => browser?.close());
 
-const pages: [string, () => string | null][] = [["made-up runs", () => examplePage(40)]];
-if (process.env.TERP) pages.push(["runs of the program", realPage]);
+const pages: [string, () => string][] = [["made-up runs", () => examplePage(40)]];
+if (process.env.TERP) pages.push(["runs of the program", () => realRuns().page]);
 
 const state = <T>(page: Page, key: string) => page.evaluate(`window.terp.store.state.${key}`) as Promise<T>;
 
@@ -44,7 +44,7 @@ describe.each(pages)("the page of %s", (_, make) => {
   let path: string;
 
   beforeAll(async () => {
-    path = make()!;
+    path = make();
     opened = await open(browser, path);
     page = opened.page;
   });
@@ -53,7 +53,7 @@ describe.each(pages)("the page of %s", (_, make) => {
   it("shows soil of both runs, a title, the story and the numbers", async () => {
     for (const view of [0, 1]) expect(coloured(await pixels(page, view))).toBeGreaterThan(5000);
     expect(await page.locator("h1").textContent()).toMatch(/\w/);
-    expect(await page.locator(".story").textContent()).toMatch(/First slide begins/);
+    expect(await page.locator(".facts").textContent()).toMatch(/First slide begins/);
     expect(await page.locator(".story-of p").count()).toBeGreaterThan(0);
     expect(await page.locator(".facts td").count()).toBeGreaterThan(5);
   });
@@ -181,7 +181,7 @@ describe.each(pages)("the page of %s", (_, make) => {
     expect(coloured(png)).toBeGreaterThan(20_000);
     const at = (x: number, y: number) => [...png.data.subarray(4 * (y * png.width + x), 4 * (y * png.width + x) + 3)];
     expect(at(2, 2)).toEqual([255, 255, 255]); // the ground
-    const bar = Array.from({ length: png.width }, (_, x) => at(x, png.height - 2 * (14 + 46 - 6 - 12))); // through the colour bar
+    const bar = Array.from({ length: png.width }, (_, x) => at(x, png.height - 2 * (14 + 40 - 6 - 12))); // through the colour bar
     expect(bar.some(([r, g, b]) => r! > 220 && g! > 200 && b! < 90)).toBe(true); // viridis' yellow end
     expect(bar.some(([r, g, b]) => r! < 80 && g! < 30 && b! > 70)).toBe(true); // its violet end
     const title = Array.from({ length: 400 }, (_, x) => Array.from({ length: 30 }, (_, y) => at(28 + x, 34 + y))).flat();
@@ -254,6 +254,55 @@ describe("the page", () => {
     await page.locator(".toggle", { hasText: "MPM-GP" }).click();
     await settled(page);
     expect(await page.locator(".view:visible").count()).toBe(2);
+    expect(await page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth")).toBeLessThanOrEqual(0);
+    expect(errors).toEqual([]);
+    await page.context().close();
+  });
+
+  it("says that only some of many points are shown, that a run is under way, and what to beware of", async () => {
+    const { page, errors } = await open(browser, examplePage(20, 1, (report) => Object.assign(report.runs[0]!, { n_points: 4000, finished: false, warnings: ["Beware."] })));
+    expect(await page.locator(".see").textContent()).toContain("One material point in 10 is shown: 400 of 4000.");
+    expect(await page.locator(".story").textContent()).toMatch(/has not reached its end.*up to 3.s.*Beware\./);
+    expect(errors).toEqual([]);
+    await page.context().close();
+  });
+
+  it("keeps what one looks at over a reload", async () => {
+    const { page, errors } = await open(browser, examplePage(20));
+    await page.evaluate(`window.terp.store.set({ field: "velocity", time: 1.5, mesh: true })`);
+    await page.waitForFunction(`location.hash.includes("velocity")`);
+    await page.reload();
+    await page.waitForFunction("window.terp && window.terp.ready");
+    expect([await state(page, "field"), await state(page, "time"), await state(page, "mesh")]).toEqual(["velocity", 1.5, true]);
+    expect(errors).toEqual([]);
+    await page.context().close();
+  });
+
+  it("without WebGL says so, and has its story and charts", async () => {
+    const context = await browser.newContext();
+    await context.addInitScript(`const get = HTMLCanvasElement.prototype.getContext; HTMLCanvasElement.prototype.getContext = function (type, ...more) { return type === "webgl2" ? null : get.call(this, type, ...more); }`);
+    const page = await context.newPage();
+    const errors: string[] = [];
+    page.on("pageerror", (error) => errors.push(String(error)));
+    await page.goto(`file://${examplePage(20)}`);
+    await page.waitForSelector("#charts canvas");
+    expect(await page.locator(".see .notice").textContent()).toContain("no WebGL 2");
+    expect(await page.locator(".facts td").count()).toBeGreaterThan(5);
+    expect(errors).toEqual([]);
+    await context.close();
+  });
+
+  it("prints in light colours on a few pages, from a dark screen too", async () => {
+    const { page, errors } = await open(browser, examplePage(20), { dark: true });
+    const before = await pixels(page, 0);
+    await page.evaluate(`window.addEventListener("beforeprint", () => (window.printed = document.documentElement.dataset.theme))`);
+    const pdf = await page.pdf({ preferCSSPageSize: true, printBackground: true });
+    const sheets = pdf.toString("latin1").match(/\/Type \/Page\b/g)!.length;
+    expect(sheets).toBeGreaterThan(1);
+    expect(sheets).toBeLessThan(9);
+    expect(await page.evaluate("window.printed")).toBe("light");
+    expect(await page.evaluate("document.documentElement.dataset.theme")).toBe("dark");
+    await expect.poll(async () => (await pixels(page, 0)).data.equals(before.data), { timeout: 5000 }).toBe(true); // sizes come back with the next layout
     expect(errors).toEqual([]);
     await page.context().close();
   });

@@ -10,7 +10,7 @@ const FLAGS = [
 
 export function launch(): Promise<Browser> {
   const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
-  if (!existsSync(executablePath)) throw new Error(`No ${executablePath}: tools/install-web-test-dependencies installs it, or set CHROMIUM.`);
+  if (!existsSync(executablePath)) throw new Error(`No ${executablePath}: tools/install-dependencies --web installs it, or set CHROMIUM.`);
   return chromium.launch({ executablePath, args: FLAGS });
 }
 

@@ -53,7 +53,7 @@ function exampleRun(writer: ChunkWriter, side: number, k: number, scheme: string
     return { name, symbol: name, label, unit, kind, log, range: [data.lo, data.hi] as [number, number], precision: (data.hi - data.lo) / 65535, data };
   };
   const kinetic = speed.map((row) => row.reduce((sum, v) => sum + (0.5 * 2000 * v * v * WIDTH * HEIGHT) / n, 0));
-  const front = places.map((row) => Math.max(...row.map(([px]) => px)));
+  const front = places.map((row) => row.reduce((most, [px]) => Math.max(most, px), 0));
   const crest = times.map((t) => WIDTH - 1.6 * share(t));
   const name = `example_${scheme}`;
   return {
@@ -83,6 +83,7 @@ function exampleRun(writer: ChunkWriter, side: number, k: number, scheme: string
     events: {
       first_slide: { begins: 0.2, stops: 1.8 }, second_slide: k ? { begins: 1.8 } : null, moved_volume: 7.9, moved_fraction: 0.49,
       run_out: reach, front_x: front[FRAMES - 1]!, remaining_crest: { x: crest[FRAMES - 1]!, y: BASE + HEIGHT },
+      moved_distance: 0.1,
       slip_surface: { time: 1, points: Array.from({ length: 12 }, (_, i) => [0.9 + 0.28 * i, slipLine(0.9 + 0.28 * i)] as [number, number]) },
     },
     story: ["The column begins to slide at 0.2 s.", `Its front comes to rest ${reach.toFixed(1)} m from where it stood.`],

@@ -4,6 +4,7 @@ import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
+import type { ReportMeta } from "../../src/data/format";
 import { exampleReport } from "./example";
 import { fillTemplate } from "./encode";
 
@@ -15,27 +16,35 @@ export function template(): string {
   return readFileSync(path, "utf8");
 }
 
-/** A page with made-up runs of side x side points. */
-export function examplePage(side: number, runs = 2): string {
+/** A page with made-up runs of side x side points, changed by `change`. */
+export function examplePage(side: number, runs = 2, change: (report: ReportMeta) => void = () => undefined): string {
   const { report, chunks } = exampleReport(side, runs);
+  change(report);
   const path = join(mkdtempSync(join(tmpdir(), "terp-web-")), "example.html");
   writeFileSync(path, fillTemplate(template(), report, chunks));
   return path;
 }
 
-/** Runs model 2 on coarse cells with both schemes and writes their page; null if TERP is not set. */
-export function realPage(): string | null {
-  const { TERP } = process.env;
-  if (!TERP) return null;
-  const program = resolve(process.env.INIT_CWD ?? ".", TERP);
+export interface RealRuns {
+  runs: string[]; // folders
+  page: string;
+}
+
+let made: RealRuns | null = null;
+
+/** Model 2 on coarse cells with both schemes, and their page, by the program that TERP names. Made once. */
+export function realRuns(): RealRuns {
+  if (made) return made;
+  const program = resolve(process.env.INIT_CWD ?? ".", process.env.TERP!);
   const folder = mkdtempSync(join(tmpdir(), "terp-web-"));
   const runs = ["mpm_mixed", "mpm_gp"].map((scheme) => {
     const run = join(folder, `model_2_${scheme.slice(4)}`);
-    execFileSync(program, ["run", join(ROOT, "cases/column_collapse/model_2.toml"), "--set", `scheme=${scheme}`, "--set", "mesh.cell=0.25",
-      "--set", "output.fields.every=0.1", "-o", run], { stdio: "pipe" });
+    const settings = [`scheme=${scheme}`, "mesh.cell=0.25", "output.fields.every=0.1"].flatMap((text) => ["--set", text]);
+    execFileSync(program, ["run", join(ROOT, "cases/column_collapse/model_2.toml"), ...settings, "-o", run], { stdio: "pipe" });
     return run;
   });
-  const path = join(folder, "report.html");
-  execFileSync(program, ["report", ...runs, "-o", path], { stdio: "pipe" });
-  return path;
+  const page = join(folder, "report.html");
+  execFileSync(program, ["report", ...runs, "-o", page], { stdio: "pipe" });
+  made = { runs, page };
+  return made;
 }

@@ -1,0 +1,95 @@
+// terp stability: the factor of safety by strength reduction.
+
+#include "commands.hpp"
+#include "input/case_file.hpp"
+#include "input/printable.hpp"
+#include "output/stability_json.hpp"
+#include "parallel/threads.hpp"
+#include "progress.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace terp {
+namespace {
+
+std::atomic<bool> stop_requested{false};
+
+void request_stop(int signal)
+{
+  stop_requested.store(true);
+  std::signal(signal, SIG_DFL);
+}
+
+/// One line per trial, renewed after each window on a terminal.
+class TrialLine {
+ public:
+  explicit TrialLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
+
+  void show(const Trial& trial, const StabilityResult& so_far, int trials_left)
+  {
+    const bool ended = !trial.reason.empty();
+    if (quiet_ || (!terminal_ && !ended)) return;
+    longest_ = std::max(longest_, trial.wall_s);
+    const std::string start = terminal_ ? "\r\033[K" : "";
+    if (ended) return fmt::print(stderr, "{}factor {:.4f}  {}\n", start, trial.factor, trial.reason);
+    const TrialWindow& w = trial.windows.back();
+    fmt::print(stderr, "{}factor {:.4f}  t = {:.3g} s  displacement {:.2f} rho g H^2/E  out of balance {:.1e}  ETA {}", start, trial.factor, w.time,
+               w.displacement / so_far.displacement, w.out_of_balance, readable_duration(longest_ * trials_left + longest_ - trial.wall_s));
+    std::fflush(stderr);
+  }
+
+ private:
+  bool quiet_, terminal_;
+  double longest_ = 0.0;  // trial so far [s]
+};
+
+void check_options(const BisectionOptions& o)
+{
+  if (o.from && o.to && !(*o.from < *o.to))
+    throw CaseError(fmt::format("error: --from {:g} --to {:g}: the first must be the smaller one\n  --from is a factor at which the soil is believed to stand, "
+                                "--to one at which it is not.\n",
+                                *o.from, *o.to));
+}
+
+void warn_of_motion(const Case& c)
+{
+  if (!c.footings.empty()) fmt::print(stderr, "warning: terp stability leaves footings out: the soil carries its own weight alone\n");
+  for (const SideCase& side : c.sides)
+    if (side.kind == SideKind::velocity) fmt::print(stderr, "warning: the side `{}` stands still in terp stability\n", printable(side.side));
+}
+
+}  // namespace
+
+int find_stability(const RunOptions& run, StabilityOptions options)
+{
+  check_options(options.search);
+  const CaseFile file = read_case(run.path, run.changes);
+  fmt::print(stderr, "{}", render_warnings(file));
+  warn_of_motion(file.values);
+  options.threads = run.threads > 0 ? run.threads : available_processors();
+  std::signal(SIGINT, request_stop);
+  std::signal(SIGTERM, request_stop);
+  try {
+    TrialLine line(run.quiet || run.json);
+    const StabilityResult result = find_factor_of_safety(file.values, options, stop_requested, [&](const auto&... now) { line.show(now...); });
+    const CaseText text{file.values.name, file.text};
+    const std::string folder = run.output.empty() ? "runs/" + file.values.name : run.output, &scheme = file.values.scheme;
+    write_stability(folder, result, scheme, text);
+    if (run.json)
+      fmt::print("{}", stability_json(result, scheme, text));
+    else if (!run.quiet)
+      fmt::print("{}results in {}\n", stability_text(result, scheme), folder);
+    return result.search.found() ? solved : failed;
+  } catch (const InputError& error) {
+    throw CaseError(render(error.problems(), file));
+  } catch (const RunError& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return stop_requested.load() ? failed : stopped_itself;
+  }
+}
+
+}  // namespace terp

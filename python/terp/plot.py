@@ -1,0 +1,208 @@
+"""Pictures of a run: a field, the named points, the ledger. Each call draws into axes of matplotlib and returns them.
+
+    plot.field(run, "su", 2.5).figure.savefig("su.png")
+
+The paper's figures are put together from the same parts (sections.py, curves.py).
+"""
+
+import numpy as np
+from matplotlib import patheffects
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
+
+from terp import style
+from terp.errors import RunError, unknown
+
+STRAINED = 0.06        # strain that counts as having sheared: 95 % of the softening of the paper's soil
+QUANTILE = 0.75        # of the strain of the sheared points in the last frame, where the colour scale ends: the thin
+                       # basal layer shears ten times as much as the slip surfaces and would leave those dark
+OUTLIERS = 0.01        # share of the points at either end of any other field that the colour scale leaves out
+SIDES = (2.0, 1.15)    # of a square over the lattice spacing: the large ones lie below, in the gaps of stretched soil
+BESIDE = {"loc": "center left", "bbox_to_anchor": (1.01, 0.5)}  # of the legend
+SAMPLE = 200           # points whose neighbours are measured to find the lattice spacing
+
+
+def field(run, name, time=None, panel=None, limits=None):
+    """A field of all material points at `time` [s] (default: the last frame), over the outlines of the bodies at the start.
+
+    name: as Frame.scalar has it, e.g. "eps_eq_p", "stress.yy", "velocity". limits: of the colours, in the field's own unit.
+    """
+    frame = run.frame(run.at(time) if time is not None else -1)
+    norm = Normalize(*limits) if limits else colour_norm([frame], name)
+    with style.house_style():
+        place = {"ax": panel, "shrink": 0.6}
+        if panel is None:
+            panel, bar = section_page(window_of([frame, run.frame(0)]))
+            place = {"cax": bar}
+        outlines(panel, run.case)
+        squares(panel, frame, name, norm)
+        panel.set(xlabel="x (m)", ylabel="y (m)", title=f"$t$ = {frame.time:g} s")
+        colour_bar(panel.figure, norm, [frame], name, **place)
+    return panel
+
+
+def history(run, column, points=None, panel=None):
+    """A column of history.csv over time, a line for each of the named points (default: all)."""
+    with style.house_style():
+        panel = panel or chart_page()
+        history_lines(panel, run, column, points or run.history_points)
+        panel.set(xlabel="time (s)", ylabel=label_of(run, column, in_two_lines=True))
+        panel.legend(**BESIDE)
+    return panel
+
+
+def ledger(run, columns, panel=None):
+    """Columns of ledger.csv over time, e.g. ["kinetic", "elastic", "plastic"]; all of one unit."""
+    columns = [columns] if isinstance(columns, str) else list(columns)
+    for column in columns:
+        _check_column(column, run.ledger, run.folder / "ledger.csv")
+    if len({run.unit(column) for column in columns}) > 1:
+        raise RunError("columns of one picture have one unit, not " + ", ".join(f"{column} [{run.unit(column)}]" for column in columns))
+    factor, unit = style.in_print(run.unit(columns[0]))
+    with style.house_style():
+        panel = panel or chart_page()
+        for column, (colour, dashes) in zip(columns, style.lines_of(columns)):
+            panel.plot(run.ledger["time"], factor * run.ledger[column], color=colour, ls=dashes, label=column)
+        panel.set(xlabel="time (s)", ylabel=label_of(run, columns[0]) if len(columns) == 1 else f"({unit})")
+        if len(columns) > 1:
+            panel.legend(**BESIDE)
+    return panel
+
+
+# Parts of a picture
+
+
+def chart_page():
+    """Axes for lines over time in a figure of their own, with room for the legend beside them."""
+    return style.add_panel(style.new_figure(130.0, 62.0), 21.0, 3.0, 85.0, 48.0)
+
+
+def section_page(window):
+    """Axes that show a window x0, y0, x1, y1 [m] with equal aspect, in a figure of their own, and those of its colour bar."""
+    width = style.TWO_COLUMNS - 14.0
+    height = width * (window[3] - window[1]) / (window[2] - window[0])
+    figure = style.new_figure(style.TWO_COLUMNS, height + 31.0)
+    panel = style.add_panel(figure, 11.0, 6.0, width, height)
+    panel.set(xlim=window[::2], ylim=window[1::2])
+    return panel, style.add_panel(figure, 11.0 + 0.25 * width, height + 16.5, 0.5 * width, 2.6)
+
+
+def squares(panel, frame, name, norm):
+    """Every material point as a square of about the lattice spacing, coloured by a field."""
+    spacing = lattice_spacing(frame.run.field("x", 0))
+    x_begin, x_end = panel.get_xlim()
+    width = panel.get_position().width * panel.figure.get_size_inches()[0] * 72.0  # [pt]
+    for side in np.array(SIDES) * spacing * width / (x_end - x_begin):
+        panel.scatter(frame.x[:, 0], frame.x[:, 1], s=side**2, c=frame.scalar(name), cmap=style.COLOUR_MAP, norm=norm,
+                      marker="s", linewidths=0, antialiased=False, rasterized=True, zorder=2)
+
+
+def outlines(panel, case):
+    """The bodies of the case at the start, as thin dashed lines."""
+    for polygon in body_outlines(case):
+        closed = np.vstack([polygon, polygon[:1]])
+        panel.plot(closed[:, 0], closed[:, 1], color=style.GREY, lw=0.4, ls=(0, (4, 2)), zorder=3)
+
+
+def history_lines(panel, run, column, names):
+    """A column of history.csv over time, a line for each of the points `names`."""
+    _check_column(column, run.history, run.folder / "history.csv")
+    for name, (colour, dashes) in zip(names, style.lines_of(names)):
+        rows = run.history_of(name)
+        panel.plot(rows["time"], style.in_print(run.unit(column))[0] * rows[column], color=colour, ls=dashes, label=name)
+
+
+def dots(panel, run, time, names, named):
+    """The named points as black dots with a white rim, at their places at `time`; their names if `named`."""
+    above = True
+    for name, x, y in places_at(run, time, names):
+        panel.plot(x, y, "o", ms=2.6, mfc="black", mec="white", mew=0.45, zorder=4, clip_on=False)
+        if named:
+            label = panel.annotate(name, (x, y), (0, 3.0 if above else -3.2), textcoords="offset points", ha="center",
+                                   va="bottom" if above else "top", fontsize=7, color="white", zorder=5)
+            label.set_path_effects([patheffects.withStroke(linewidth=1.2, foreground="black")])
+        above = not above
+
+
+def colour_bar(figure, norm, frames, name, label=None, **place):
+    """A horizontal colour bar with a pointed end where values lie beyond it."""
+    factor, _ = style.in_print(frames[0].run.unit(name))
+    values = [frame.scalar(name) for frame in frames]
+    below, above = (any(np.nanmin(v) < norm.vmin for v in values), any(np.nanmax(v) > norm.vmax for v in values))
+    extend = {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}[below, above]
+    ticks = style.scale_ticks(norm.vmax) if norm.vmin == 0 else None
+    bar = figure.colorbar(ScalarMappable(norm, style.COLOUR_MAP), orientation="horizontal", extend=extend, ticks=ticks,
+                          label=label or label_of(frames[0].run, name), **place)
+    if factor != 1.0:
+        bar.ax.xaxis.set_major_formatter(lambda value, _: f"{factor * value:g}")
+    return bar
+
+
+# What the data say about a picture
+
+
+def body_outlines(case):
+    """Polygons of the bodies of a case, shape [n, 2] each [m]; boxes too."""
+    polygons = []
+    for body in case.get("body", []):
+        if "polygon" in body:
+            polygons.append(np.asarray(body["polygon"], dtype=float))
+        elif "box" in body:
+            (x0, y0), (x1, y1) = body["box"]
+            polygons.append(np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)], dtype=float))
+    return polygons
+
+
+def window_of(frames):
+    """Limits that hold every point of every frame [m]: x0, y0, x1, y1; outward to half metres along x, tenths along y."""
+    steps = np.array([0.5, 0.1])
+    low = np.min([frame.x.min(axis=0) for frame in frames], axis=0)
+    high = np.max([frame.x.max(axis=0) for frame in frames], axis=0)
+    return (*np.floor(low / steps) * steps, *np.ceil(high / steps + (0.2, 0.5)) * steps)
+
+
+def colour_norm(frames, name):
+    """A colour scale for a field of these frames: of a strain from 0 to the upper quartile of the points that have sheared; of any other
+    field without its outliers. Its ends are plain numbers."""
+    values = np.concatenate([frame.scalar(name) for frame in frames])
+    values = values[np.isfinite(values)]
+    if not len(values):
+        return Normalize(0.0, 1.0)
+    if name.startswith("eps_"):
+        sheared = values[values > STRAINED]
+        return Normalize(0.0, style.round_up(np.quantile(sheared, QUANTILE) if len(sheared) else values.max() or 1.0))
+    low, high = np.quantile(values, (OUTLIERS, 1.0 - OUTLIERS))
+    return Normalize(-style.round_up(-low) if low < 0 else 0.0, style.round_up(high) if high > 0 else 0.0 if low < 0 else 1.0)
+
+
+def lattice_spacing(x):
+    """Usual distance of a point to its nearest neighbour [m]; x has shape [n_points, 2]."""
+    if len(x) < 2:
+        return 0.02
+    sample = x[np.linspace(0, len(x) - 1, min(SAMPLE, len(x))).astype(int)]
+    distances = [np.partition(np.hypot(*(x - place).T), 1)[1] for place in sample]
+    return float(np.median(distances))
+
+
+def places_at(run, time, names):
+    """(name, x, y) of the named points at `time` [s], from history.csv; points it lacks are left out."""
+    places = []
+    for name in names:
+        if name in run.history_points:
+            rows = run.history_of(name)
+            places.append((name, np.interp(time, rows["time"], rows["x"]), np.interp(time, rows["time"], rows["y"])))
+    return places
+
+
+def label_of(run, name, in_two_lines=False):
+    """A field or column in words, its symbol, its unit in print; in one line also how it is defined."""
+    words, symbol, definition = style.words_of(name, run.case.get("output", {}).get("deviatoric_norm", "half"))  # reading R18
+    unit = style.in_print(run.unit(name))[1]
+    if symbol:
+        words += f"\n{symbol}" if in_two_lines else f"  {symbol}{definition}"
+    return words + (f" ({unit})" if unit != "-" else "")
+
+
+def _check_column(column, table, path):
+    if column not in table.dtype.names:
+        raise unknown(column, table.dtype.names, "column", path)

@@ -1,0 +1,45 @@
+"""The tables of a run, history.csv and ledger.csv, as numpy structured arrays, and as pandas data frames for those who have it."""
+
+import numpy as np
+
+from terp.errors import RunError
+
+COLUMN_UNITS = {
+    "time": "s", "step": "-", "point": "-", "id": "-", "x": "m", "y": "m", "eps_deviatoric": "-", "eps_eq_p": "-", "su": "Pa",
+    "pressure": "Pa", "kinetic": "J per m", "elastic": "J per m", "plastic": "J per m", "gravity_work": "J per m",
+    "damping_work": "J per m", "boundary_work": "J per m", "left_energy": "J per m", "numerical": "J per m", "mass": "kg per m",
+    "momentum_x": "kg m/s per m", "momentum_y": "kg m/s per m", "clamped": "-", "left": "-", "front_x": "m", "crest_x": "m",
+    "crest_y": "m", "moved_volume": "m^2", "v_max": "m/s", "v_999": "m/s",
+}
+"""Unit of each column; "per m" is per metre of thickness. The fields of results.vtkhdf carry their own units."""
+
+TEXT_COLUMNS = {"point"}
+INTEGER_COLUMNS = {"id", "step", "clamped", "left"}
+
+
+def read_table(path):
+    """A structured array with the columns of the file. A last row without its line end is still being written and left out."""
+    head, _, text = path.read_text(encoding="utf-8").partition("\n")
+    dtype = np.dtype([(column, _column_type(column)) for column in head.strip().split(",")])
+    rows = text[:text.rfind("\n") + 1].splitlines()
+    if not rows:
+        return np.empty(0, dtype)
+    try:
+        return np.loadtxt(rows, dtype=dtype, delimiter=",", comments=None, quotechar='"', ndmin=1)
+    except ValueError as error:
+        raise RunError(f"{path} cannot be read: {error}") from error
+
+
+def to_pandas(table):
+    """A structured array, such as run.ledger, as a pandas DataFrame with the same columns."""
+    try:
+        import pandas
+    except ImportError as error:
+        raise RunError("pandas is not there: install python3-pandas, or use the numpy array as it is") from error
+    return pandas.DataFrame({name: table[name] for name in table.dtype.names})
+
+
+def _column_type(name):
+    if name in TEXT_COLUMNS:
+        return "U64"
+    return np.int64 if name in INTEGER_COLUMNS else float

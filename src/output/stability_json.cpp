@@ -1,0 +1,106 @@
+// stability.json and stability.txt: see stability_json.hpp.
+#include "output/stability_json.hpp"
+
+#include "base/errors.hpp"
+#include "output/files.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace terp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(Real value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number(const std::optional<Real>& value) { return value ? number(*value) : Json(nullptr); }
+
+const char* word(TrialVerdict verdict)
+{
+  switch (verdict) {
+    case TrialVerdict::stable: return "stable";
+    case TrialVerdict::failed: return "failed";
+    case TrialVerdict::undecided: break;
+  }
+  return "undecided";
+}
+
+Json trial_json(const Trial& trial)
+{
+  Json time = Json::array(), displacement = Json::array(), out_of_balance = Json::array();
+  for (const TrialWindow& w : trial.windows) {
+    time.push_back(number(w.time));
+    displacement.push_back(number(w.displacement));
+    out_of_balance.push_back(number(w.out_of_balance));
+  }
+  return {{"factor", number(trial.factor)}, {"verdict", word(trial.verdict)}, {"reason", trial.reason}, {"steps", trial.steps}, {"wall_s", number(trial.wall_s)},
+          {"time", time}, {"displacement", displacement}, {"out_of_balance", out_of_balance}};
+}
+
+std::string bracket_text(const StabilityResult& r)
+{
+  const Bisection& s = r.search;
+  if (s.found()) return fmt::format("{:.3f} +- {:.3f}   (stands at {:.3f}, does not at {:.3f})", r.factor(), 0.5 * (*s.failed - *s.stable), *s.stable, *s.failed);
+  if (s.stable) return fmt::format("not found: the soil stands even at {:.3g}", *s.stable);
+  if (s.failed) return fmt::format("not found: the soil does not stand even at {:.3g}", *s.failed);
+  return "not found: nothing was tried";
+}
+
+}  // namespace
+
+std::string stability_json(const StabilityResult& r, const std::string& scheme, const CaseText& case_text)
+{
+  Json strengths = Json::array(), trials = Json::array();
+  for (const Strength& s : r.strengths) strengths.push_back({{"key", s.key}, {"unit", s.unit}, {"value", number(s.value)}});
+  for (const Trial& trial : r.search.trials) trials.push_back(trial_json(trial));
+  const Json json = {
+      {"terp_version", TERP_VERSION},
+      {"scheme", scheme},
+      {"points", r.n_points},
+      {"factor_of_safety", number(r.factor())},
+      {"stable_at", number(r.search.stable)},
+      {"not_stable_at", number(r.search.failed)},
+      {"tolerance", number(r.options.search.tolerance)},
+      {"criterion",
+       {{"local_damping", number(r.options.rules.damping)},
+        {"rest", number(r.options.rules.rest)},
+        {"failure", number(r.options.rules.failure)},
+        {"most_windows", r.options.rules.most_windows},
+        {"height", number(r.height)},
+        {"displacement_scale", number(r.displacement)}}},
+      {"strengths", strengths},
+      {"rest_steps", r.rest_steps},
+      {"trials", trials},
+      {"case_name", case_text.name},
+      {"case", case_text.toml},
+  };
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string stability_text(const StabilityResult& r, const std::string& scheme)
+{
+  std::string text = fmt::format("factor of safety {}\n", bracket_text(r));
+  text += fmt::format("  by reduction of {} strength{}, {}, {} points, local damping {:g}\n", r.strengths.size(), r.strengths.size() == 1 ? "" : "s", scheme,
+                      r.n_points, r.options.rules.damping);
+  text += fmt::format("  stands: out of balance below {:.1e} of the weight; fails: moved {:g} rho g H^2/E = {:.3g} m and does not slow down\n", r.options.rules.rest,
+                      r.options.rules.failure, r.options.rules.failure * r.displacement);
+  for (const Trial& trial : r.search.trials) text += fmt::format("  {:8.4f}  {:<9}  {}\n", trial.factor, word(trial.verdict), trial.reason);
+  for (const Trial& trial : r.search.trials)
+    if (trial.verdict == TrialVerdict::undecided)
+      text += fmt::format("  At {:.4f} the soil still crept after {} windows; that counts as not standing. Larger --windows decide it.\n", trial.factor,
+                          r.options.rules.most_windows);
+  return text;
+}
+
+void write_stability(const std::string& folder, const StabilityResult& result, const std::string& scheme, const CaseText& case_text)
+{
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw_file_error("make the folder", folder, error.value());
+  write_file_atomically(path_in(folder, "stability.json"), stability_json(result, scheme, case_text));
+  write_file_atomically(path_in(folder, "stability.txt"), stability_text(result, scheme));
+}
+
+}  // namespace terp

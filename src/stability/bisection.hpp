@@ -1,0 +1,35 @@
+// Finds the factor between standing and failing by trials. Knows nothing of soil.
+#pragma once
+
+#include "stability/trial.hpp"
+
+#include <optional>
+
+namespace terp {
+
+struct BisectionOptions {
+  std::optional<Real> from, to;  ///< where to look first: a factor believed to stand, one believed to fail
+  Real tolerance = 0.02;         ///< width of the bracket at which the search ends
+};
+
+struct Bisection {
+  std::optional<Real> stable;    ///< largest factor that stood
+  std::optional<Real> failed;    ///< smallest factor that did not, if any
+  std::vector<Trial> trials;     ///< in order of time
+  /// Both ends were found.
+  bool found() const { return stable.has_value() && failed.has_value(); }
+};
+
+/// Least and greatest factor that is tried.
+inline constexpr Real least_factor = 0.01, greatest_factor = 100.0;
+
+/// The next factor to try; none: the search has ended. What is undecided counts as not standing.
+std::optional<Real> next_factor(const Bisection& so_far, const BisectionOptions& options);
+
+/// Trials still to come, at a guess.
+int trials_left(const Bisection& so_far, const BisectionOptions& options);
+
+/// Enters a trial.
+void enter(Trial trial, Bisection& bisection);
+
+}  // namespace terp

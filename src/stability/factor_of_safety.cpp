@@ -1,0 +1,53 @@
+#include "stability/factor_of_safety.hpp"
+
+#include "base/errors.hpp"
+#include "simulation/setup_mesh.hpp"
+#include "simulation/state_image.hpp"
+
+#include <fmt/format.h>
+#include <limits>
+
+namespace terp {
+namespace {
+
+/// A factor below one makes the soil stronger than the law may allow.
+void check_strengths(const Case& reduced, Real factor)
+{
+  const auto faults = check_reduced(reduced);
+  if (!faults.empty())
+    throw RunError(fmt::format("at the factor {:g} the strengths are not usable\n  {}\n  Choose --from and --to nearer to the answer.", factor, faults.front()));
+}
+
+}  // namespace
+
+Real StabilityResult::factor() const
+{
+  return search.found() ? 0.5 * (*search.stable + *search.failed) : std::numeric_limits<Real>::quiet_NaN();
+}
+
+StabilityResult find_factor_of_safety(const Case& c, const StabilityOptions& options, const std::atomic<bool>& stop, const TrialTold& told)
+{
+  const Case quiet = quiet_case(c);
+  StabilityResult result;
+  result.options = options;
+  result.strengths = strengths_of(quiet);
+  if (result.strengths.empty())
+    throw InputError(Problem{"material", "no material of this case has a strength to reduce", "Elastic soil does not fail. `terp list` names the laws.", "material", true});
+  const Mesh<2> mesh = build_mesh(quiet);
+  const ElasticStart start = settle_elastically(quiet, mesh, options.threads, stop);
+  result.height = start.height;
+  result.displacement = start.displacement;
+  result.rest_steps = start.steps;
+  result.n_points = count_points(start.rest);
+  while (const auto factor = next_factor(result.search, options.search)) {
+    check_strengths(reduce_strength(quiet, *factor), *factor);
+    const int left = trials_left(result.search, options.search) - 1;
+    const auto show = [&](const Trial& trial) {
+      if (told) told(trial, result, left);
+    };
+    enter(run_trial(quiet, mesh, start, *factor, options.rules, options.threads, stop, show), result.search);
+  }
+  return result;
+}
+
+}  // namespace terp

@@ -1,0 +1,37 @@
+// The factor of safety of a case: settle it, then bisect by trials. The whole way from a case to a result.
+// Not for: files and terminal (output, app).
+#pragma once
+
+#include "stability/bisection.hpp"
+#include "stability/reduce.hpp"
+
+#include <functional>
+
+namespace terp {
+
+struct StabilityOptions {
+  BisectionOptions search;
+  TrialRules rules;
+  int threads = 1;
+};
+
+/// What a search leaves behind.
+struct StabilityResult {
+  std::vector<Strength> strengths;   ///< that were reduced, unreduced
+  StabilityOptions options;
+  Real height = 0.0;                 ///< H [m]
+  Real displacement = 0.0;           ///< rho g H^2 / E [m]
+  std::int64_t n_points = 0, rest_steps = 0;
+  Bisection search;
+
+  /// Middle of the bracket; not a number without one.
+  Real factor() const;
+};
+
+/// Told after each window of a trial, and with the trials still to come after this one, at a guess.
+using TrialTold = std::function<void(const Trial&, const StabilityResult& so_far, int trials_left)>;
+
+/// Throws InputError for a case without strength or gravity, RunError if the soil cannot be settled or `stop` was set.
+StabilityResult find_factor_of_safety(const Case& c, const StabilityOptions& options, const std::atomic<bool>& stop, const TrialTold& told = {});
+
+}  // namespace terp

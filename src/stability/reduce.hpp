@@ -1,0 +1,28 @@
+// The strengths of a case, and the case with all of them reduced by one factor.
+// Not for: which parameter is a strength (the table of the law says so: ParameterInfo::reduction).
+#pragma once
+
+#include "simulation/case.hpp"
+
+#include <string>
+#include <vector>
+
+namespace terp {
+
+/// One strength of a case.
+struct Strength {
+  std::string key;    ///< "material.clay.su_peak", "boundary.bottom.adhesion"
+  std::string unit;
+  Real value = 0.0;
+};
+
+/// Every strength that the case has: of materials that bodies use, and of contact planes that have any.
+std::vector<Strength> strengths_of(const Case& c);
+
+/// The case with stresses divided by `factor`, and angles whose tangents are.
+Case reduce_strength(Case c, Real factor);
+
+/// What the laws find wrong with the parameters of a reduced case, in one line each.
+std::vector<std::string> check_reduced(const Case& c);
+
+}  // namespace terp

@@ -1,0 +1,135 @@
+// terp report, compare, export and watch, as a user meets them.
+#include "app/coarse_column.hpp"
+#include "output/files.hpp"
+
+#include <filesystem>
+
+#include <poll.h>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+/// For the leak sanitizer: HDF5 1.10 itself loses memory.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
+
+namespace terp {
+namespace {
+
+using test::Finished;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// Two short runs of the column, made once.
+struct Runs {
+  test::ScratchFolder scratch;
+  std::string gp = scratch.path() + "/gp", mixed = scratch.path() + "/mixed";
+
+  Runs()
+  {
+    test::run_column(gp, {"-q", "--set", "output.fields.every=0.1"});
+    test::run_column(mixed, {"-q", "--set", "output.fields.every=0.1", "--set", "scheme=mpm_mixed"});
+  }
+};
+
+const Runs& runs()
+{
+  static const Runs two;
+  return two;
+}
+
+nlohmann::json document_in(const std::string& html)
+{
+  const std::string start = "<script id=\"terp-report\" type=\"application/json\">";
+  const auto begin = html.find(start) + start.size();
+  return nlohmann::json::parse(html.substr(begin, html.find("</script>", begin) - begin));
+}
+
+TEST(Report, IsOneFileWithBothRunsAndTheirComparison)
+{
+  const std::string path = runs().scratch.path() + "/report.html";
+  const Finished f = test::terp({"report", runs().mixed, runs().gp, "-o", path});
+  EXPECT_EQ(f.status, 0);
+  EXPECT_THAT(f.out, AllOf(StartsWith("mixed: 3 frames, 1600 points, places to "), HasSubstr("report in " + path + " (")));
+  const auto document = document_in(read_file(path));
+  EXPECT_EQ(document["runs"].size(), 2);
+  EXPECT_EQ(document["runs"][0]["scheme"], "mpm_mixed");
+  EXPECT_EQ(document["runs"][0]["fields"][0]["name"], "eps_eq_p");
+  EXPECT_EQ(document["runs"][0]["passes"].size(), 6);
+  const Finished compared = test::terp({"compare", runs().mixed, runs().gp, "--json"});
+  EXPECT_EQ(document["comparison"], nlohmann::json::parse(compared.out));
+}
+
+TEST(Report, OfAFolderThatIsNoRunSaysSo)
+{
+  const test::ScratchFolder scratch;
+  const Finished f = test::terp({"report", scratch.path()});
+  EXPECT_EQ(f.status, 1);
+  EXPECT_THAT(f.err, AllOf(StartsWith("error: "), HasSubstr("it has no case.toml")));
+}
+
+TEST(Report, IsWrittenAtTheEndOfARunThatAsksForIt)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run";
+  const Finished f = test::run_column(folder, {"--report"});
+  EXPECT_EQ(f.status, 0);
+  EXPECT_THAT(f.out, HasSubstr("report in " + folder + "/report.html"));
+  EXPECT_EQ(document_in(read_file(folder + "/report.html"))["runs"][0]["finished"], true);
+  EXPECT_EQ(test::run_column(folder, {"--force", "-q"}).status, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder + "/report.html"));  // of the earlier run
+}
+
+TEST(Compare, PrintsATableAndWantsTwoRuns)
+{
+  const Finished f = test::terp({"compare", runs().mixed, runs().gp});
+  EXPECT_EQ(f.status, 0);
+  EXPECT_THAT(f.out, AllOf(HasSubstr("mpm_mixed   mpm_gp\n"), HasSubstr("front at the end [m]"), HasSubstr("A: eps_eq_p > 0.06 from [s]"), HasSubstr("With MPM-Mixed")));
+  const Finished one = test::terp({"compare", runs().gp});
+  EXPECT_EQ(one.status, 2);
+  EXPECT_EQ(one.err, "error: terp compare takes two run folders or more\n  One run by itself: terp report RUN\n");
+}
+
+TEST(Export, WritesTheFramesAndSaysWhere)
+{
+  const std::string folder = runs().scratch.path() + "/vtu";
+  const Finished f = test::terp({"export", runs().gp, "--format", "vtu", "--field", "su", "--frames", "0,last", "-o", folder});
+  EXPECT_EQ(f.status, 0);
+  EXPECT_EQ(f.out, "2 frames in " + folder + ", listed in " + folder + "/frames.pvd\n");
+  EXPECT_TRUE(std::filesystem::exists(folder + "/frame_00002.vtu"));
+  const Finished wrong = test::terp({"export", runs().gp, "--format", "xls"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_EQ(wrong.err, "error: there is no format `xls`\n  Formats: vtu, csv, npz\n");
+}
+
+TEST(Watch, SaysHowFarARunCameAndThatItIsFinished)
+{
+  const Finished f = test::terp({"watch", runs().gp});
+  EXPECT_EQ(f.status, 0);
+  EXPECT_THAT(f.out, AllOf(StartsWith("t = 0.200 of 0.2 s (100 %)  kinetic energy "), HasSubstr(" kJ/m  front 8."), HasSubstr("no terp is writing to " + runs().gp + ": the run is finished\n")));
+}
+
+TEST(Watch, WhileARunGoesOnSaysWhenItWillEnd)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run";
+  const test::Process solver(test::column_command("run", {"-q", "-o", folder, "--set", "time.end=1000", "--set", "mesh.cell=0.25", "--set", "output.fields.every=0"}));
+  Finished f;
+  for (int k = 0; k < 300 && f.out.find("ETA") == std::string::npos; ++k) {
+    poll(nullptr, 0, 100);
+    if (std::filesystem::exists(folder + "/case.toml")) f = test::terp({"watch", folder, "--once"});
+  }
+  EXPECT_EQ(f.status, 0) << f.err;
+  EXPECT_THAT(f.out, AllOf(StartsWith("t = "), HasSubstr(" of 1000 s (0 %)"), HasSubstr("  ETA "), testing::Not(HasSubstr("no terp"))));
+}
+
+TEST(Watch, OfAFolderThatIsNoRunSaysSo)
+{
+  const test::ScratchFolder scratch;
+  const Finished f = test::terp({"watch", scratch.path()});
+  EXPECT_EQ(f.status, 1);
+  EXPECT_EQ(f.err, "error: " + scratch.path() + ": this is no run folder, it holds no case.toml\n");
+}
+
+}  // namespace
+}  // namespace terp

@@ -1,0 +1,98 @@
+// terp verify: what it prints, writes and returns.
+#include "support/process.hpp"
+#include "verification/ledger_samples.hpp"
+
+#include <filesystem>
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using test::Finished;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Cases in a folder of their own; the block of flying_case moves by 2 m/s for 0.5 s.
+struct Ledger {
+  void add(const std::string& name, const std::string& lines)
+  {
+    const std::string at = folder.path() + "/" + name;
+    std::filesystem::create_directory(at);
+    std::ofstream(at + "/case.toml") << test::flying_case;
+    std::ofstream(at + "/expected.toml") << "title = \"Flight\"\n" << lines;
+  }
+  Finished verify(std::vector<std::string> words = {}) const
+  {
+    words.insert(words.begin(), {"verify", "--cases", folder.path(), "-j", "1"});
+    return test::terp(words);
+  }
+  test::ScratchFolder folder;
+};
+
+std::string path_is(const std::string& reference, const std::string& more = "")
+{
+  return "[[quantity]]\nname = \"path\"\nvalue = \"ux\"\nreduce = \"mean\"\nreference = " + reference + "\nunit = \"m\"\ntolerance = 1e-9\nsource = \"Newton\"\n" + more;
+}
+
+TEST(Verify, PrintsTheRowsAndCountsAndReturnsZeroIfAllPass)
+{
+  Ledger ledger;
+  ledger.add("flight", path_is("1.0"));
+  const Finished f = ledger.verify();
+  EXPECT_EQ(f.status, 0) << f.out << f.err;
+  EXPECT_THAT(f.out, AllOf(HasSubstr("flight: Flight\n"), HasSubstr("path      mpm_gp  1 m        1 m   "), HasSubstr("1 rows: 1 pass, 0 red\n")));
+  EXPECT_THAT(f.err, HasSubstr("[1/1] flight"));
+}
+
+TEST(Verify, ARowThatMissesFailsItUnlessTheCaseDeclaresItRed)
+{
+  Ledger ledger;
+  ledger.add("flight", path_is("1.1"));
+  const Finished fails = ledger.verify();
+  EXPECT_EQ(fails.status, 1);
+  EXPECT_THAT(fails.out, AllOf(HasSubstr("  FAIL    Newton"), HasSubstr("1 rows: 0 pass, 1 red (1 not known: FAIL)\n")));
+  ledger.add("flight", path_is("1.1", "red = \"it was slow\"\n"));
+  const Finished red = ledger.verify();
+  EXPECT_EQ(red.status, 0);
+  EXPECT_THAT(red.out, AllOf(HasSubstr("  ! path: it was slow\n"), HasSubstr("1 rows: 0 pass, 1 red (1 known, with the reason)\n")));
+}
+
+TEST(Verify, WritesThePages)
+{
+  Ledger ledger;
+  ledger.add("flight", path_is("1.0"));
+  const std::string page = ledger.folder.path() + "/page";
+  EXPECT_EQ(ledger.verify({"--markdown", page + ".md", "--html", page + ".html"}).status, 0);
+  EXPECT_TRUE(std::filesystem::file_size(page + ".md") > 100);
+  EXPECT_TRUE(std::filesystem::file_size(page + ".html") > 500);
+}
+
+TEST(Verify, ACaseThatCannotBeReadIsBadInput)
+{
+  Ledger ledger;
+  ledger.add("flight", path_is("V"));
+  const Finished f = ledger.verify();
+  EXPECT_EQ(f.status, 2);
+  EXPECT_THAT(f.err, HasSubstr("expected.toml:6:13: "));
+  ledger.add("flight", path_is("\"V\""));
+  EXPECT_THAT(ledger.verify().err, HasSubstr("`V` is not known here"));
+}
+
+TEST(Verify, ListsWithoutSolvingAndChoosesByNameAndLength)
+{
+  Ledger ledger;
+  ledger.add("short_one", path_is("1.0"));
+  ledger.add("long_one", "[[run]]\nlong = true\n" + path_is("1.0"));
+  EXPECT_THAT(ledger.verify({"--list"}).out, AllOf(HasSubstr("short_one"), HasSubstr("long_one"), Not(HasSubstr("rows"))));
+  EXPECT_THAT(ledger.verify({"--short"}).out, AllOf(HasSubstr("short_one"), Not(HasSubstr("long_one"))));
+  EXPECT_THAT(ledger.verify({"--long"}).out, AllOf(HasSubstr("long_one"), Not(HasSubstr("short_one"))));
+  EXPECT_THAT(ledger.verify({"short_one"}).out, HasSubstr("1 rows: 1 pass"));
+  const Finished wrong = ledger.verify({"shart_one"});
+  EXPECT_EQ(wrong.status, 1);
+  EXPECT_THAT(wrong.err, HasSubstr("there is no verification case `shart_one`. Did you mean `short_one`?"));
+  EXPECT_EQ(ledger.verify({"--short", "--long"}).status, 2);
+}
+
+}  // namespace
+}  // namespace terp

@@ -1,0 +1,59 @@
+#include "input/expression.hpp"
+
+#include <gmock/gmock.h>
+#include <numbers>
+
+namespace terp {
+namespace {
+
+using testing::HasSubstr;
+
+std::string fault_of(const std::string& text, const std::map<std::string, Real>& constants = {})
+{
+  try {
+    evaluate(text, constants);
+  } catch (const ExpressionError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Expression, KnowsOperatorsFunctionsAndPi)
+{
+  EXPECT_DOUBLE_EQ(evaluate("2+3*4^2/8-1", {}), 7.0);
+  EXPECT_DOUBLE_EQ(evaluate("sin(pi/6)", {}), 0.5);
+  EXPECT_DOUBLE_EQ(evaluate("atan2(1,-1)", {}), 0.75 * std::numbers::pi);
+  EXPECT_DOUBLE_EQ(evaluate("2 > 1 && 1 > 2 ? 5 : 7", {}), 7.0);
+  EXPECT_NEAR(evaluate("erf(0.5)+erfc(0.5)", {}), 1.0, 1e-15);
+  EXPECT_DOUBLE_EQ(evaluate("mod(-1,3)", {}), 2.0);
+  EXPECT_DOUBLE_EQ(evaluate("step(-0.1)+step(0)", {}), 1.0);
+}
+
+TEST(Expression, TakesVariablesInTheirOrderAndConstantsByName)
+{
+  const Expression f("a*x-y", {"x", "y"}, {{"a", 3.0}});
+  EXPECT_DOUBLE_EQ(f(std::vector<Real>{2.0, 0.5}), 5.5);
+  EXPECT_DOUBLE_EQ(f(std::vector<Real>{0.0, 0.5}), -0.5);
+}
+
+TEST(Expression, KeepsItsVariablesWhenItIsMoved)
+{
+  Expression f("x^2", {"x"}, {});
+  const Expression g = std::move(f);
+  EXPECT_DOUBLE_EQ(g(std::vector<Real>{3.0}), 9.0);
+}
+
+TEST(Expression, NamesWhatIsNotKnownAndTheNearestName)
+{
+  EXPECT_EQ(fault_of("2*heigth", {{"height", 1.0}, {"h", 2.0}}), "`heigth` is not known here. Did you mean `height`? Names: h, height");
+}
+
+TEST(Expression, RefusesWhatIsNoFormula)
+{
+  EXPECT_THAT(fault_of("2*(3"), HasSubstr("parenthesis"));
+  EXPECT_NE(fault_of(""), "accepted");
+  EXPECT_NE(fault_of("1 2"), "accepted");
+}
+
+}  // namespace
+}  // namespace terp

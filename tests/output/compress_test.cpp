@@ -1,0 +1,45 @@
+// gzip and its checksum.
+#include "output/compress.hpp"
+
+#include "base/errors.hpp"
+
+#include <gtest/gtest.h>
+
+namespace terp {
+namespace {
+
+TEST(Compress, ComesBackToTheByte)
+{
+  std::string bytes;
+  for (int k = 0; k < 1'000'000; ++k) bytes += static_cast<char>(k * k >> 7);
+  for (const std::string& text : {bytes, std::string(), std::string("\0\0a", 3)}) EXPECT_EQ(gunzip(gzip(text)), text);
+}
+
+TEST(Compress, EqualBytesGiveEqualStreamsOfGzip)
+{
+  const std::string stream = gzip("soil soil soil soil soil soil soil soil");
+  EXPECT_EQ(stream, gzip("soil soil soil soil soil soil soil soil"));
+  EXPECT_EQ(stream.substr(0, 3), "\x1f\x8b\x08");  // RFC 1952
+  EXPECT_EQ(stream.substr(4, 4), std::string(4, '\0'));  // no time
+  EXPECT_LT(stream.size(), 39);
+}
+
+TEST(Compress, DamagedBytesAreRefused)
+{
+  std::string stream = gzip("a column of soil");
+  EXPECT_THROW(gunzip(stream.substr(0, stream.size() - 1)), FileError);
+  stream[stream.size() / 2] ^= 4;
+  EXPECT_THROW(gunzip(stream), FileError);
+}
+
+TEST(Crc32, IsThatOfZip) { EXPECT_EQ(crc32_of("123456789"), 0xcbf43926u); }  // check value of the CRC catalogue
+
+TEST(Compress, Base64IsThatOfRfc4648)
+{
+  const char* pairs[][2] = {{"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foob", "Zm9vYg=="}, {"fooba", "Zm9vYmE="}, {"foobar", "Zm9vYmFy"}};
+  for (const auto& [bytes, text] : pairs) EXPECT_EQ(base64(bytes), text);
+  EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
+}
+
+}  // namespace
+}  // namespace terp

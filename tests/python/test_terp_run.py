@@ -1,0 +1,126 @@
+"""A run of the program itself, read while it is going and after: what Terp writes is what this package reads."""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import support
+
+import h5py
+import numpy as np
+import terp
+
+ROOT = support.HERE.parents[1]
+PROGRAM = os.environ.get("TERP")
+CASE = ROOT / "cases" / "column_collapse" / "model_2.toml"
+SETTINGS = ("mesh.cell=0.25", "time.end=0.6", "output.fields.every=0.05", "output.mesh=true")
+
+
+@unittest.skipUnless(PROGRAM, "TERP names no program")
+class RunOfTheProgram(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(scratch.cleanup)
+        cls.folder = pathlib.Path(scratch.name) / "run"
+        command = [PROGRAM, "run", str(CASE), "-o", str(cls.folder), "-q", "-j", "1"]
+        process = subprocess.Popen(command + [word for setting in SETTINGS for word in ("--set", setting)])
+        try:
+            cls.seen = cls.watch(process)
+        finally:
+            process.kill()  # if watching failed
+            process.wait()
+        if process.returncode != 0:
+            raise AssertionError(f"terp ended with status {process.returncode}")
+        cls.run_ = terp.open(cls.folder)
+
+    @classmethod
+    def watch(cls, process):
+        """[(frames, ledger rows)] as they were seen while the program ran; every field of the last frame is read."""
+        seen = []
+        while process.poll() is None:
+            if not all((cls.folder / name).exists() for name in ("results.vtkhdf", "ledger.csv", "summary.json")):
+                continue
+            run = terp.open(cls.folder)
+            for name in run.fields if len(run) else ():
+                run.field(name, -1)
+            seen.append((len(run), len(run.ledger)))
+        return seen
+
+    def test_frames_only_grow_while_the_run_is_going(self):
+        self.assertEqual(self.seen, sorted(self.seen))
+        self.assertGreater(len(self.seen), 0)
+
+    def test_it_ends_with_all_frames(self):
+        self.assertTrue(self.run_.finished)
+        np.testing.assert_allclose(self.run_.times, np.arange(0.0, 0.601, 0.05), atol=self.run_.summary["dt"])
+        self.assertEqual(self.run_.case_text, self.run_.summary["case"])
+
+    def test_a_field_is_that_of_the_file(self):
+        k = 7
+        with h5py.File(self.folder / "results.vtkhdf") as file:
+            root = file["VTKHDF"]
+            n = root["NumberOfPoints"][0]
+            for name in root["PointData"]:
+                table = root["PointData"][name]
+                np.testing.assert_array_equal(self.run_.field(name, k), table[k * n:(k + 1) * n] if len(table) > n else table[:])
+            np.testing.assert_array_equal(self.run_.field("x", k), root["Points"][k * n:(k + 1) * n, :2])
+
+    def test_places_are_the_start_plus_the_displacement(self):
+        first, last = self.run_.frame(0), self.run_.frame(-1)
+        np.testing.assert_allclose(first.x + last["displacement"][:, :2], last.x, atol=1e-12)
+
+    def test_every_field_and_column_has_a_unit(self):
+        self.assertEqual(self.run_.unit("stress"), "Pa")
+        self.assertEqual(self.run_.unit("velocity"), "m/s")
+        self.assertEqual(self.run_.components["stress"], ("xx", "yy", "zz", "xy"))
+        for table in (self.run_.history, self.run_.ledger):
+            for column in table.dtype.names:
+                self.assertTrue(self.run_.unit(column), column)
+
+    def test_the_nearest_point_is_the_one_that_the_history_follows(self):
+        for name, (x, y) in self.run_.case["output"]["history"]["points"].items():
+            rows = self.run_.history_of(name)
+            self.assertEqual(self.run_.field("id", 0)[self.run_.nearest(x, y)], rows["id"][0])
+            np.testing.assert_allclose(self.run_.series("eps_eq_p", self.run_.nearest(x, y))[-1], rows["eps_eq_p"][-1])
+
+    def test_the_mesh_is_the_one_whose_cells_the_points_name(self):
+        mesh, frame = self.run_.mesh, self.run_.frame(-1)
+        corners = mesh.nodes[mesh.cells[frame["cell"].astype(int)]]  # [n_points, 4, 2]
+        self.assertEqual(len(mesh.cells), self.run_.summary["cells"])
+        self.assertTrue(np.all(corners.min(axis=1) <= frame.x) and np.all(frame.x <= corners.max(axis=1)))
+
+    def test_the_mesh_carries_the_mass_and_momentum_of_the_ledger(self):
+        mesh, ledger = self.run_.mesh, self.run_.ledger
+        np.testing.assert_array_equal(mesh.times, self.run_.times)
+        self.assertEqual(mesh.units, {"mass": "kg per m", "velocity": "m/s", "pressure": "Pa"})
+        for k, time in enumerate(mesh.times):
+            row = ledger[np.argmin(np.abs(ledger["time"] - time))]
+            mass, velocity = mesh.field("mass", k), mesh.field("velocity", k)
+            np.testing.assert_allclose(mass.sum(), row["mass"], rtol=1e-12)
+            np.testing.assert_allclose(mass @ velocity[:, :2], (row["momentum_x"], row["momentum_y"]), rtol=1e-9, atol=1e-9)
+
+    def test_the_pressure_of_a_cell_is_that_of_its_points(self):
+        frame, pressure = self.run_.frame(-1), self.run_.mesh.field("pressure", -1)
+        cell, volume = frame["cell"].astype(int), frame["volume"]
+        of_points = frame["stress"][:, :3].mean(axis=1)
+        filled = np.bincount(cell, volume, len(pressure))
+        np.testing.assert_array_equal(np.isnan(pressure), filled == 0)
+        mean = np.bincount(cell, volume * of_points, len(pressure))[filled > 0] / filled[filled > 0]
+        np.testing.assert_allclose(pressure[filled > 0], mean, rtol=1e-9, atol=1e-6)
+
+    def test_the_example_runs(self):
+        pictures = self.folder / "pictures"
+        script = ROOT / "python" / "examples" / "first_look.py"
+        done = subprocess.run([sys.executable, script, self.folder, pictures], capture_output=True, text=True,
+                              env={**os.environ, "PYTHONPATH": str(ROOT / "python")})
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("13 frames to t = 0.6", done.stdout)
+        self.assertEqual(sorted(path.name for path in pictures.iterdir()), ["energies.png", "field.png", "points.png"])
+
+
+if __name__ == "__main__":
+    unittest.main()

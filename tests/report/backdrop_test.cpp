@@ -1,0 +1,53 @@
+// Mesh, outline and surface as lines.
+#include "report/backdrop.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(Backdrop, EachLineOfTheMeshIsThereOnce)
+{
+  const auto edges = mesh_edges(make_rectangle({0.0, 0.0}, {3.0, 2.0}, {3, 2}));
+  EXPECT_EQ(edges.size() / 4, 3 * 3 + 4 * 2);
+  Real length = 0.0;
+  for (std::size_t k = 0; k < edges.size(); k += 4) length += std::hypot(edges[k + 2] - edges[k], edges[k + 3] - edges[k + 1]);
+  EXPECT_NEAR(length, 17.0, 1e-6);
+}
+
+TEST(Backdrop, OutlinesAreClosedAndApart)
+{
+  Case c;
+  c.bodies.resize(2);
+  c.bodies[0].polygon = {{0.0, 0.0}, {2.0, 0.0}, {0.0, 1.0}};
+  c.bodies[1].polygon = {{5.0, 0.0}, {6.0, 0.0}, {5.0, 1.0}};
+  const auto line = first_outline(c, make_rectangle({0.0, 0.0}, {1.0, 1.0}, {1, 1}));
+  ASSERT_EQ(line.size(), 2 * (4 + 1 + 4));
+  EXPECT_EQ(line[6], line[0]);
+  EXPECT_TRUE(std::isnan(line[8]) && std::isnan(line[9]));
+  EXPECT_EQ(line[10], 5.0f);
+}
+
+TEST(Backdrop, ABodyOfCellsHasTheirOutline)
+{
+  Mesh<2> mesh = make_rectangle({0.0, 0.0}, {3.0, 1.0}, {3, 1});
+  mesh.regions = {{"clay", {0, 1}}};
+  Case c;
+  c.bodies.resize(1);
+  c.bodies[0].region = "clay";
+  const auto line = first_outline(c, mesh);
+  EXPECT_EQ(line.size() / 2, 6 * 2 + 5);  // six sides, five gaps
+}
+
+TEST(Backdrop, TheSurfaceIsTheHighestPointPerColumnWithoutSoilThatLeft)
+{
+  const auto line = surface_line({0.1, 1.0, 0.4, 2.0, 1.6, 0.5, 0.7, 9.0}, {0.0, 0.0, 0.0, -1.0}, 0.5);
+  EXPECT_THAT(line, ElementsAre(0.25f, 2.0f, 1.75f, 0.5f));
+}
+
+}  // namespace
+}  // namespace terp

@@ -1,0 +1,50 @@
+// Events and checks as JSON.
+#include "report/failure_json.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace terp {
+namespace {
+
+nlohmann::json written(const RunResults& run)
+{
+  JsonText json;
+  json.begin_object();
+  put_failure(json, run, {"a warning"});
+  json.end_object();
+  return nlohmann::json::parse(json.text());
+}
+
+TEST(FailureJson, HasTheEventsUnderTheirNames)
+{
+  RunResults run;
+  Summary& s = run.summary.values;
+  s.passes = {{"stress", 1.5}};
+  s.moved_volume = 6.5, s.crest_x = 4.0;
+  s.slides.push_back({{.begins = 0.2, .stops = {}, .crest_from = 8.0, .crest_to = 6.0, .kinetic_peak = 11.0}, {.time = 0.7, .rate = 4.0, .line = {{6.0, 1.5}, {7.0, 0.5}}}});
+  const auto json = written(run);
+  EXPECT_EQ(json["passes"][0]["name"], "stress");
+  EXPECT_EQ(json["events"]["first_slide"]["begins"], 0.2);
+  EXPECT_TRUE(json["events"]["first_slide"]["stops"].is_null());
+  EXPECT_TRUE(json["events"]["second_slide"].is_null());
+  EXPECT_EQ(json["events"]["slides"].size(), 1);
+  EXPECT_EQ(json["events"]["slip_surface"]["points"][1][0], 7.0);
+  EXPECT_EQ(json["events"]["moved_volume"], 6.5);
+  EXPECT_EQ(json["events"]["remaining_crest"]["x"], 4.0);
+  EXPECT_TRUE(json["events"]["remaining_crest"]["y"].is_null());
+  EXPECT_EQ(json["warnings"].back(), "a warning");
+  EXPECT_EQ(json["checks"].size(), 5);
+  EXPECT_GT(json["story"].size(), 0);
+  EXPECT_EQ(json["audit"]["points_left"], 0);
+}
+
+TEST(FailureJson, HasNoSlipSurfaceWithoutASlide)
+{
+  const auto json = written(RunResults{});
+  EXPECT_TRUE(json["events"]["slip_surface"].is_null());
+  EXPECT_TRUE(json["events"]["first_slide"].is_null());
+}
+
+}  // namespace
+}  // namespace terp

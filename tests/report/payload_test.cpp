@@ -1,0 +1,118 @@
+// The document of a report and its chunks, from folders written by hand.
+#include "report/payload.hpp"
+
+#include "output/compress.hpp"
+#include "report/codec.hpp"
+#include "results/runs.hpp"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace terp {
+namespace {
+
+using nlohmann::json;
+
+/// What base64 stands for; for tests only.
+std::string from_base64(const std::string& text)
+{
+  const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  std::uint32_t bits = 0;
+  int n = 0;
+  for (const char c : text) {
+    if (c == '=') break;
+    bits = bits << 6 | static_cast<std::uint32_t>(letters.find(c));
+    if ((n += 6) >= 8) bytes += static_cast<char>(bits >> (n -= 8) & 255u);
+  }
+  return bytes;
+}
+
+struct PayloadTest : testing::Test {
+  test::ScratchFolder scratch;
+  Payload payload = make_payload({test::write_run(scratch.path() + "/mixed", [](Summary& s) { s.scheme = "mpm_mixed"; }), test::write_run(scratch.path() + "/gp")},
+                                 {.written = "2026-11-21T10:00:00Z"});
+  json document = json::parse(payload.json);
+
+  std::string chunk(const json& part) const { return gunzip(from_base64(payload.chunks.at(part.at("chunk").get<std::size_t>()))); }
+  std::vector<float> floats(const json& part) const
+  {
+    const std::string bytes = chunk(part);
+    std::vector<float> values(bytes.size() / sizeof(float));
+    std::memcpy(values.data(), bytes.data(), bytes.size());
+    return values;
+  }
+};
+
+TEST_F(PayloadTest, NamesItsFormatAndItsRuns)
+{
+  EXPECT_EQ(document["format"], 1);
+  EXPECT_EQ(document["terp"], TERP_VERSION);
+  EXPECT_EQ(document["written"], "2026-11-21T10:00:00Z");
+  ASSERT_EQ(document["runs"].size(), 2);
+  const json& run = document["runs"][1];
+  EXPECT_EQ(run["name"], "gp");
+  EXPECT_EQ(run["title"], "Column collapse, model 2: softening");
+  EXPECT_EQ(run["scheme"], "mpm_gp");
+  EXPECT_EQ(run["materials"][0]["name"], "clay");
+  EXPECT_EQ(run["n_points"], 5);
+  EXPECT_EQ(run["times"], (std::vector<Real>{0.0, 0.1, 0.2}));
+  EXPECT_EQ(run["summary"]["scheme"], "mpm_gp");
+  EXPECT_EQ(document["comparison"]["columns"], (std::vector<std::string>{"mixed", "gp"}));
+}
+
+TEST_F(PayloadTest, PlacesDecodeToThoseOfTheRun)
+{
+  const json& run = document["runs"][0];
+  const json& x = run["positions"]["x"];
+  const auto frames = decode_frames(chunk(x), x["points"].get<std::size_t>());
+  ASSERT_EQ(frames.size(), x["frames"].get<std::size_t>());
+  const Real lo = x["lo"], hi = x["hi"];
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t p = 0; p < 5; ++p)
+      EXPECT_NEAR(lo + (hi - lo) * frames[k][p] / 65535.0, test::sample_frame(static_cast<int>(k)).x[2 * p], 0.501 * run["position_precision"].get<Real>());
+}
+
+TEST_F(PayloadTest, TablesAreColumnsOfFloatsInReadableUnits)
+{
+  const json& series = document["runs"][0]["series"];
+  ASSERT_EQ(series["rows"], 2);
+  const auto values = floats(series);
+  ASSERT_EQ(values.size(), 2 * series["columns"].size());
+  const auto& columns = series["columns"];
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    if (columns[c]["name"] == "front_x") {
+      EXPECT_FLOAT_EQ(values[2 * c], 13.1f);
+    }
+    if (columns[c]["name"] == "kinetic") {
+      EXPECT_FLOAT_EQ(values[2 * c], 1.25e-3f);
+      EXPECT_EQ(columns[c]["unit"], "kJ/m");
+    }
+  }
+  EXPECT_EQ(document["runs"][0]["histories"][0]["name"], "A");
+  EXPECT_EQ(document["runs"][0]["histories"][0]["x"], 1.5);
+}
+
+TEST_F(PayloadTest, HasMeshOutlineAndSurfaces)
+{
+  const json& run = document["runs"][0];
+  EXPECT_EQ(run["mesh"]["edges"]["count"], 160 * 31 + 161 * 30);
+  EXPECT_EQ(floats(run["mesh"]["edges"]).size(), 4 * run["mesh"]["edges"]["count"].get<std::size_t>());
+  EXPECT_EQ(run["outline"]["count"], 5);
+  EXPECT_EQ(run["surfaces"]["offsets"].size(), 4);
+  EXPECT_EQ(floats(run["surfaces"]).size(), 2 * run["surfaces"]["offsets"][3].get<std::size_t>());
+}
+
+TEST_F(PayloadTest, ACaseThatCannotBeReadCostsTheMeshAndSaysSo)
+{
+  write_file_atomically(scratch.path() + "/gp/case.toml", "title = ");
+  const json alone = json::parse(make_payload({scratch.path() + "/gp"}, {}).json);
+  EXPECT_EQ(alone["runs"][0]["mesh"]["edges"]["count"], 0);
+  EXPECT_THAT(alone["runs"][0]["warnings"].dump(), testing::HasSubstr("can no longer be read"));
+  EXPECT_TRUE(alone["comparison"].is_null());
+}
+
+TEST_F(PayloadTest, SaysWhatIsShown) { EXPECT_THAT(payload.notes, testing::ElementsAre(testing::StartsWith("mixed: 3 frames, 5 points, places to "), testing::StartsWith("gp: "))); }
+
+}  // namespace
+}  // namespace terp

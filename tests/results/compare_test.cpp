@@ -1,0 +1,104 @@
+// Runs side by side.
+#include "results/compare.hpp"
+
+#include "results/runs.hpp"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace terp {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Optional;
+
+/// Mixed with two slides and points that regained strength, GP with one slide.
+struct CompareTest : testing::Test {
+  test::ScratchFolder scratch;
+  Comparison comparison;
+
+  CompareTest()
+  {
+    const std::string mixed = test::write_run(scratch.path() + "/mixed", [](Summary& s) {
+      s.scheme = "mpm_mixed", s.front_x = 13.39, s.moved_fraction = 0.403, s.points_eps_eq_p_fell = 2, s.softened_fraction = {{0.25, 0.417}};
+      s.slides = {{{.begins = 0.18, .stops = 2.0, .crest_from = 8.0, .crest_to = 6.0}, {}}, {{.begins = 2.36, .stops = {}, .crest_from = 6.0, .crest_to = 4.1}, {}}};
+    });
+    const std::string gp = test::write_run(scratch.path() + "/gp", [](Summary& s) {
+      s.front_x = 13.06, s.crest_x = 4.0, s.softened_fraction = {{0.25, 0.311}};
+      s.slides = {{{.begins = 0.25, .stops = {}, .crest_from = 8.0, .crest_to = 6.0}, {}}};
+    });
+    comparison = compare_runs({read_run(mixed), read_run(gp)}, {"mixed", "gp"});
+  }
+
+  const ComparisonRow& row(const std::string& label) const
+  {
+    for (const ComparisonRow& r : comparison.rows)
+      if (r.label == label) return r;
+    throw std::out_of_range(label);
+  }
+};
+
+TEST_F(CompareTest, HasARowForFrontCrestEventsPointsAuditAndCost)
+{
+  EXPECT_THAT(row("front at the end").values, ElementsAre(Optional(13.39), Optional(13.06)));
+  EXPECT_THAT(row("crest at the end").values, ElementsAre(std::nullopt, Optional(4.0)));
+  EXPECT_THAT(row("first slide begins").values, ElementsAre(Optional(0.18), Optional(0.25)));
+  EXPECT_THAT(row("first slide stops").values, ElementsAre(Optional(2.0), std::nullopt));
+  EXPECT_THAT(row("second slide begins").values, ElementsAre(Optional(2.36), std::nullopt));
+  EXPECT_THAT(row("share that moved").values, ElementsAre(Optional(testing::DoubleNear(40.3, 1e-9)), Optional(0.0)));
+  EXPECT_THAT(row("softened volume at 0.25 s").values, ElementsAre(Optional(testing::DoubleNear(41.7, 1e-9)), Optional(testing::DoubleNear(31.1, 1e-9))));
+  EXPECT_THAT(row("softened volume at 0.125 s").values, ElementsAre(std::nullopt, std::nullopt));
+  EXPECT_THAT(row("A: eps_eq_p > 0.06 from").values, ElementsAre(std::nullopt, std::nullopt));
+  EXPECT_THAT(row("points whose eps_eq_p ever fell").values, ElementsAre(Optional(2.0), Optional(0.0)));
+  EXPECT_EQ(row("material points").digits, 0);
+}
+
+TEST_F(CompareTest, SaysTheDifferencesInWords)
+{
+  ASSERT_EQ(comparison.text.size(), 4);
+  EXPECT_EQ(comparison.text[0], "The first slide begins at 0.18 s with MPM-Mixed, at 0.25 s with MPM-GP. A second begins at 2.36 s with MPM-Mixed; with MPM-GP there is none.");
+  EXPECT_EQ(comparison.text[1], "With MPM-Mixed the front ends 0.33 m farther than with MPM-GP (13.39 m against 13.06 m).");
+  EXPECT_EQ(comparison.text[2], "At the end 41.7 % of the soil has lost more than half of its strength with MPM-Mixed, 31.1 % with MPM-GP.");
+  EXPECT_EQ(comparison.text[3],
+            "With MPM-Mixed the plastic strain fell at 2 of 5 points, so that soil regained strength, which its law forbids; with MPM-GP no point loses any of its plastic strain.");
+}
+
+TEST_F(CompareTest, PrintsColumnsWithADashForWhatIsNotDefined)
+{
+  const std::string table = comparison_table(comparison);
+  EXPECT_THAT(table, HasSubstr("mixed       gp\n"));
+  EXPECT_THAT(table, testing::ContainsRegex("crest at the end \\[m\\] +- +4.00\n"));
+  EXPECT_THAT(table, testing::ContainsRegex("points whose eps_eq_p ever fell +2 +0\n"));
+}
+
+TEST_F(CompareTest, IsTheSameAsJson)
+{
+  const auto json = nlohmann::json::parse(comparison_json(comparison));
+  EXPECT_EQ(json["columns"], (std::vector<std::string>{"mixed", "gp"}));
+  EXPECT_EQ(json["schemes"][1], "mpm_gp");
+  EXPECT_EQ(json["rows"].size(), comparison.rows.size());
+  EXPECT_EQ(json["rows"][1]["label"], "front at the end");
+  EXPECT_EQ(json["rows"][1]["values"][0], 13.39);
+  EXPECT_TRUE(json["rows"][3]["values"][0].is_null());
+  EXPECT_EQ(json["text"].size(), 4);
+}
+
+TEST(SofteningTime, IsTheFirstAtWhichThePlasticStrainOfAPointPasses6Percent)
+{
+  RunResults run;
+  run.history = {{"A", {{"time", "eps_eq_p"}, {{0.0, 0.1, 0.2, 0.3}, {0.0, 0.06, 0.061, 0.02}}}}, {"B", {{"time", "eps_eq_p"}, {{0.0, 0.1}, {0.0, std::nan("")}}}}};
+  EXPECT_THAT(softening_time(run, "A"), Optional(0.2));
+  EXPECT_EQ(softening_time(run, "B"), std::nullopt);
+  EXPECT_EQ(softening_time(run, "C"), std::nullopt);
+}
+
+TEST(SchemeTitle, IsThePapersName)
+{
+  EXPECT_EQ(scheme_title("mpm_mixed"), "MPM-Mixed");
+  EXPECT_EQ(scheme_title("mpm_gp"), "MPM-GP");
+  EXPECT_EQ(scheme_title("another"), "another");
+}
+
+}  // namespace
+}  // namespace terp

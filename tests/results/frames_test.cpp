@@ -1,0 +1,67 @@
+// Frames read as they were written.
+#include "results/frames.hpp"
+
+#include "results/runs.hpp"
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using test::file_error_of;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+struct FramesTest : testing::Test {
+  test::ScratchFolder scratch;
+  std::string path = path_in(test::write_run(scratch.path() + "/run"), results_file);
+};
+
+TEST_F(FramesTest, TellsTimesStepsAndFields)
+{
+  const Frames frames(path);
+  EXPECT_EQ(frames.n_points(), 5);
+  EXPECT_THAT(frames.times(), ElementsAre(0.0, 0.1, 0.2));
+  EXPECT_THAT(frames.steps(), ElementsAre(0, 100, 200));
+  ASSERT_EQ(frames.fields().size(), 3);
+  EXPECT_EQ(frames.fields()[0].name, "su");
+  EXPECT_EQ(frames.fields()[0].unit, "Pa");
+  EXPECT_EQ(frames.field("su").n_components, 1);
+  EXPECT_EQ(frames.field("velocity").n_components, 3);
+  EXPECT_EQ(frames.field("stress").n_components, 4);
+  EXPECT_TRUE(frames.has("stress"));
+  EXPECT_FALSE(frames.has("id"));
+}
+
+TEST_F(FramesTest, ReadsPlacesAndFieldsToTheBit)
+{
+  const Frames frames(path);
+  for (int k = 0; k < 3; ++k) {
+    const Frame written = test::sample_frame(k);
+    EXPECT_EQ(frames.places(static_cast<std::size_t>(k)), written.x);
+    EXPECT_EQ(frames.read("su", static_cast<std::size_t>(k)), written.fields[0].values);
+    EXPECT_EQ(frames.read("stress", static_cast<std::size_t>(k)), written.fields[2].values);
+  }
+  EXPECT_THAT(frames.read("velocity", 1), testing::Contains(0.0).Times(5));  // z
+}
+
+TEST_F(FramesTest, NamesTheFieldsWhenAskedForAnother)
+{
+  const Frames frames(path);
+  EXPECT_EQ(file_error_of([&] { frames.read("sigma", 0); }), path + " has no field `sigma`\n  It has: su, velocity, stress");
+}
+
+TEST_F(FramesTest, AFrameThatIsNotThereIsAnErrorThatNamesTheFile)
+{
+  const Frames frames(path);
+  EXPECT_THAT(file_error_of([&] { frames.places(3); }), testing::AllOf(HasSubstr("cannot read rows 15 to 19"), HasSubstr(path), HasSubstr("it has 15")));
+}
+
+TEST(Magnitudes, AreLengthsOfVectorsAndSizesOfNumbers)
+{
+  EXPECT_THAT(magnitudes({3.0, 4.0, 0.0, 1.0, 2.0, 2.0}, 3), ElementsAre(5.0, 3.0));
+  EXPECT_THAT(magnitudes({-2.5, 1.5}, 1), ElementsAre(2.5, 1.5));
+}
+
+}  // namespace
+}  // namespace terp

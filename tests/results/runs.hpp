@@ -1,0 +1,38 @@
+// A run folder as the writers leave it, without a run: for tests of what reads it.
+#pragma once
+
+#include "output/files.hpp"
+#include "output/run_folder.hpp"
+#include "output/samples.hpp"
+#include "output/summary_json.hpp"
+#include "output/table_csv.hpp"
+#include "output/vtkhdf.hpp"
+#include "support/paths.hpp"
+
+#include <filesystem>
+
+namespace terp::test {
+
+/// Three frames of the sample points, two rows of each table, a summary. change: of the summary, before it is written.
+template <class Change>
+std::string write_run(const std::string& folder, Change&& change)
+{
+  std::filesystem::create_directories(folder);
+  write_file_atomically(path_in(folder, case_file), read_file(source_path("cases/column_collapse/model_2.toml")));
+  ResultsFile results(path_in(folder, results_file));
+  for (int k = 0; k < 3; ++k) results.append(sample_frame(k));
+  open_table(path_in(folder, history_file), history_header).append(csv_lines(sample_history(0.0)) + csv_lines(sample_history(0.25)));
+  open_table(path_in(folder, ledger_file), ledger_header).append(csv_line(sample_ledger(0.0)) + csv_line(sample_ledger(0.25)));
+  Summary summary;
+  summary.scheme = "mpm_gp", summary.n_points = 5, summary.front_x = 13.0, summary.run_out = 5.0;
+  change(summary);
+  write_summary(path_in(folder, summary_file), summary, true, {"model_2", "title = \"column\"\n"});
+  return folder;
+}
+
+inline std::string write_run(const std::string& folder)
+{
+  return write_run(folder, [](Summary&) {});
+}
+
+}  // namespace terp::test

@@ -1,0 +1,75 @@
+// Tables read as they were written.
+#include "results/table.hpp"
+
+#include "results/runs.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using test::file_error_of;
+using testing::ElementsAre;
+
+TEST(Table, OfTheLedgerHasItsColumnsByName)
+{
+  const test::ScratchFolder scratch;
+  const Table table = read_number_table(path_in(test::write_run(scratch.path() + "/run"), ledger_file));
+  EXPECT_EQ(table.n_rows(), 2);
+  EXPECT_THAT(*table.find("time"), ElementsAre(0.0, 0.25));
+  EXPECT_THAT(*table.find("moved_volume"), ElementsAre(4.25, 4.25));
+  EXPECT_TRUE(std::isnan((*table.find("crest_x"))[0]));
+  EXPECT_EQ(table.find("warmth"), nullptr);
+}
+
+TEST(Table, OfTheHistoryIsOnePerPoint)
+{
+  const test::ScratchFolder scratch;
+  const auto points = read_history(path_in(test::write_run(scratch.path() + "/run"), history_file));
+  ASSERT_EQ(points.size(), 2);
+  EXPECT_EQ(points[0].point, "A");
+  EXPECT_THAT(*points[0].table.find("su"), ElementsAre(8000.0, 8000.0));
+  EXPECT_THAT(*points[1].table.find("x"), ElementsAre(2.5, 2.5));
+  EXPECT_EQ(points[1].table.find("point"), nullptr);
+  EXPECT_TRUE(std::isnan((*points[1].table.find("su"))[1]));
+}
+
+TEST(Table, ReadsQuotedNamesAndLeavesOutALineThatIsBeingWritten)
+{
+  const test::ScratchFolder scratch;
+  const std::string path = scratch.path() + "/history.csv";
+  write_file_atomically(path, "time,point,x\n0,\"toe, \"\"left\"\"\",1.5\n0.1,\"toe, \"\"left\"\"\",2.5\n0.2,\"to");
+  const auto points = read_history(path);
+  ASSERT_EQ(points.size(), 1);
+  EXPECT_EQ(points[0].point, "toe, \"left\"");
+  EXPECT_THAT(*points[0].table.find("x"), ElementsAre(1.5, 2.5));
+}
+
+TEST(Table, WithALineOfAnotherLengthIsRefusedWithItsNumber)
+{
+  const test::ScratchFolder scratch;
+  const std::string path = scratch.path() + "/ledger.csv";
+  write_file_atomically(path, "time,step\n0,0\n1\n");
+  EXPECT_EQ(file_error_of([&] { read_number_table(path); }), "cannot read " + path + ": line 3 has 1 columns, the header 2");
+  write_file_atomically(path, "");
+  EXPECT_EQ(file_error_of([&] { read_number_table(path); }), "cannot read " + path + ": it has no header");
+}
+
+TEST(ColumnInfo, IsKnownForEveryColumnOfTheTables)
+{
+  for (const std::string& header : {std::string(ledger_header), std::string(history_header)})
+    for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
+      end = header.find(',', begin);
+      const std::string name = header.substr(begin, end - begin);
+      if (name == "point" || name == "id") continue;
+      const ColumnInfo info = describe_column(name);
+      EXPECT_NE(static_cast<const void*>(info.name.data()), static_cast<const void*>(name.data())) << name;  // an entry of the table
+    }
+  EXPECT_EQ(describe_column("front_x").unit, "m");
+  EXPECT_EQ(describe_column("porosity").label, "porosity");
+}
+
+}  // namespace
+}  // namespace terp

@@ -1,0 +1,92 @@
+// The search alone: trials that know their answer.
+#include "stability/bisection.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using testing::ElementsAre;
+
+/// Searches among trials that stand below `limit`, creep up to `creep`, and fail above.
+Bisection search(Real limit, const BisectionOptions& options, Real creep = 0.0)
+{
+  Bisection found;
+  while (const auto factor = next_factor(found, options)) {
+    Trial trial;
+    trial.factor = *factor;
+    trial.verdict = *factor < limit ? TrialVerdict::stable : *factor < creep ? TrialVerdict::undecided : TrialVerdict::failed;
+    enter(std::move(trial), found);
+  }
+  return found;
+}
+
+std::vector<Real> factors(const Bisection& b)
+{
+  std::vector<Real> list;
+  for (const Trial& t : b.trials) list.push_back(t.factor);
+  return list;
+}
+
+TEST(Bisection, HalvesBetweenTwoGuesses)
+{
+  const Bisection b = search(1.3, {1.0, 2.0, 0.25});
+  EXPECT_THAT(factors(b), ElementsAre(1.0, 2.0, 1.5, 1.25));
+  EXPECT_EQ(b.stable, 1.25);
+  EXPECT_EQ(b.failed, 1.5);
+}
+
+TEST(Bisection, EndsWithTheBracketAsWideAsAsked)
+{
+  for (const Real limit : {0.07, 0.31, 0.97, 1.0, 2.6, 55.0}) {
+    const Bisection b = search(limit, {{}, {}, 0.01});
+    ASSERT_TRUE(b.found()) << limit;
+    EXPECT_LE(*b.failed - *b.stable, 0.01 * (1.0 + 1e-6));
+    EXPECT_LT(*b.stable, limit);
+    EXPECT_GE(*b.failed, limit);
+  }
+}
+
+TEST(Bisection, LooksBeyondGuessesThatDoNotHold)
+{
+  const Bisection below = search(0.5, {1.0, 2.0, 0.02}), above = search(3.1, {1.0, 2.0, 0.02});
+  EXPECT_NEAR(*below.stable, 0.5, 0.02);
+  EXPECT_NEAR(*above.failed, 3.1, 0.02);
+}
+
+TEST(Bisection, CreepCountsAsNotStanding)
+{
+  const Bisection b = search(1.2, {1.0, 2.0, 0.01}, 1.4);
+  EXPECT_LT(*b.stable, 1.2);
+  EXPECT_GE(*b.failed, 1.2);
+  EXPECT_LT(*b.failed, 1.22);
+}
+
+TEST(Bisection, GivesUpWhereNothingFailsOrNothingStands)
+{
+  const Bisection strong = search(1e9, {{}, {}, 0.1}), weak = search(0.0, {{}, {}, 0.1});
+  EXPECT_FALSE(strong.found());
+  EXPECT_GT(*strong.stable, 50.0);
+  EXPECT_FALSE(weak.found());
+  EXPECT_LT(*weak.failed, 0.02);
+}
+
+TEST(Bisection, GuessesHowManyTrialsAreLeft)
+{
+  Bisection b;
+  const BisectionOptions options{1.0, 2.0, 0.25};
+  EXPECT_EQ(trials_left(b, options), 4);
+  int left = 4;
+  while (const auto factor = next_factor(b, options)) {
+    EXPECT_EQ(trials_left(b, options), left--);
+    Trial trial;
+    trial.factor = *factor;
+    trial.verdict = *factor < 1.3 ? TrialVerdict::stable : TrialVerdict::failed;
+    enter(std::move(trial), b);
+  }
+}
+
+}  // namespace
+}  // namespace terp

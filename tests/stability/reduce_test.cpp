@@ -1,0 +1,90 @@
+// Which parameters are strengths, and what a factor does to them.
+#include "stability/reduce.hpp"
+
+#include "materials/material.hpp"
+#include "support/cases.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr Real degree = std::numbers::pi / 180.0;
+
+std::vector<std::string> keys(const Case& c)
+{
+  std::vector<std::string> names;
+  for (const Strength& s : strengths_of(c)) names.push_back(s.key);
+  return names;
+}
+
+/// A law's parameters by name, others at their default.
+Real parameter(const MaterialCase& material, std::string_view name)
+{
+  const auto parameters = find_material(material.model)->parameters;
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    if (parameters[k].name == name) return material.parameters[k];
+  return std::nan("");
+}
+
+TEST(Reduce, ClayHasPeakAndResidualStrengthAndItsBaseAdhesion)
+{
+  const Case c = test::column("mpm_gp");
+  EXPECT_THAT(keys(c), ElementsAre("material.clay.su_peak", "material.clay.su_residual", "boundary.bottom.adhesion"));
+}
+
+TEST(Reduce, AMaterialThatNoBodyHasIsNoStrengthOfTheCase)
+{
+  Case c = test::column("mpm_gp");
+  c.sides.clear();
+  c.materials.push_back(c.materials[0]);
+  c.materials[1].name = "other";
+  EXPECT_EQ(keys(c).size(), 2u);
+  c.materials = {test::elastic(1e6, 0.3, 2000.0)};
+  c.bodies[0].material = c.materials[0].name;
+  EXPECT_THAT(keys(c), IsEmpty());
+}
+
+TEST(Reduce, DividesStressesAndLeavesTheRest)
+{
+  const Case c = test::column("mpm_gp"), reduced = reduce_strength(c, 1.6);
+  EXPECT_DOUBLE_EQ(parameter(reduced.materials[0], "su_peak"), 8000.0 / 1.6);
+  EXPECT_DOUBLE_EQ(parameter(reduced.materials[0], "su_residual"), 2000.0 / 1.6);
+  EXPECT_EQ(parameter(reduced.materials[0], "shear_modulus"), 2.0e6);
+  EXPECT_EQ(parameter(reduced.materials[0], "eta"), 50.0);
+  EXPECT_DOUBLE_EQ(reduced.sides.back().adhesion, c.sides.back().adhesion / 1.6);
+}
+
+TEST(Reduce, DividesTheTangentsOfAngles)
+{
+  Case c = test::column("mpm_gp");
+  MaterialCase& sand = c.materials[0];
+  sand.model = "mohr_coulomb";
+  sand.parameters.clear();
+  for (const ParameterInfo& p : find_material("mohr_coulomb")->parameters)
+    sand.parameters.push_back(p.name == "friction_angle" || p.name == "friction_angle_residual" ? 35.0 : p.name == "dilatancy_angle" ? 5.0 : p.name == "cohesion" ? 3000.0 : p.fallback.value_or(1.0));
+  const MaterialCase reduced = reduce_strength(c, 1.25).materials[0];
+  EXPECT_NEAR(std::tan(parameter(reduced, "friction_angle") * degree), std::tan(35.0 * degree) / 1.25, 1e-14);
+  EXPECT_NEAR(std::tan(parameter(reduced, "friction_angle_residual") * degree), std::tan(35.0 * degree) / 1.25, 1e-14);
+  EXPECT_NEAR(std::tan(parameter(reduced, "dilatancy_angle") * degree), std::tan(5.0 * degree) / 1.25, 1e-14);
+  EXPECT_DOUBLE_EQ(parameter(reduced, "cohesion"), 2400.0);
+  EXPECT_TRUE(std::isinf(parameter(reduced, "tension_cutoff")));  // none stays none
+}
+
+TEST(Reduce, SaysWhatALawCannotTake)
+{
+  Case c = test::column("mpm_gp");
+  EXPECT_THAT(check_reduced(c), IsEmpty());
+  const auto faults = check_reduced(reduce_strength(c, 0.05));
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_THAT(faults[0], testing::StartsWith("material.clay: softening is too steep: eta (su_peak - su_residual) = 6e+06 Pa, at most 1.5 G = 3e+06 Pa"));
+}
+
+}  // namespace
+}  // namespace terp

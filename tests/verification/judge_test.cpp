@@ -1,0 +1,127 @@
+#include "verification/judge.hpp"
+
+#include <cmath>
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using testing::ElementsAre;
+
+struct Sample {
+  Expected file;
+  Variant coarse{.name = "coarse"}, fine{.name = "fine"};
+
+  Quantity& add(const std::string& name, Reduce reduce = Reduce::last)
+  {
+    file.quantities.push_back({.name = name, .source = "book", .reduce = reduce});
+    return file.quantities.back();
+  }
+};
+
+Finding finding(const Quantity& q, Real value, Real reference, Real tolerance)
+{
+  return {.quantity = &q, .run = "coarse", .scheme = "mpm_gp", .value = value, .reference = reference, .tolerance = tolerance, .relative = NAN,
+          .at_least = NAN, .at_most = NAN, .constants = {}};
+}
+
+Row judge_one(const Sample& s, const Finding& f)
+{
+  return judge("case", s.file, {{&s.file, &s.coarse, "mpm_gp"}}, {{.findings = {f}, .fault = ""}}).front();
+}
+
+TEST(Judge, ANumberWithinItsToleranceOfTheReferencePasses)
+{
+  Sample s;
+  const Quantity& q = s.add("width");
+  EXPECT_EQ(judge_one(s, finding(q, 2.1, 2.0, 0.11)).verdict, Verdict::pass);
+  const Row row = judge_one(s, finding(q, 2.1, 2.0, 0.09));
+  EXPECT_EQ(row.verdict, Verdict::fail);
+  EXPECT_EQ(row.run, "coarse, mpm_gp");
+  EXPECT_EQ(row.terp, "2.1");
+  EXPECT_EQ(row.error, "0.1");
+  EXPECT_EQ(row.tolerance, "0.09");
+}
+
+TEST(Judge, ARelativeToleranceIsOfTheReference)
+{
+  Sample s;
+  Finding f = finding(s.add("width"), -1.9, -2.0, NAN);
+  f.relative = 0.051;
+  EXPECT_EQ(judge_one(s, f).verdict, Verdict::pass);
+  EXPECT_EQ(judge_one(s, f).error, "5 %");
+  f.relative = 0.049;
+  EXPECT_EQ(judge_one(s, f).verdict, Verdict::fail);
+}
+
+TEST(Judge, BoundsHoldOnOneSide)
+{
+  Sample s;
+  Finding f = finding(s.add("width"), 2.0, NAN, NAN);
+  f.at_least = 2.0;
+  EXPECT_EQ(judge_one(s, f).verdict, Verdict::pass);
+  f.value = 1.99;
+  EXPECT_EQ(judge_one(s, f).verdict, Verdict::fail);
+  f.at_least = NAN, f.at_most = 1.98;
+  EXPECT_EQ(judge_one(s, f).verdict, Verdict::fail);
+}
+
+TEST(Judge, WhatIsNoNumberNeverPasses)
+{
+  Sample s;
+  Finding f = finding(s.add("time"), NAN, 2.0, 1e9);
+  EXPECT_EQ(judge_one(s, f).verdict, Verdict::fail);
+  EXPECT_EQ(judge_one(s, f).terp, "never");
+  f.tolerance = NAN, f.at_most = 1.0;
+  EXPECT_EQ(judge_one(s, f).verdict, Verdict::fail);
+}
+
+TEST(Judge, ARedRowThatTheCaseDeclaresIsRedAndNotPass)
+{
+  Sample s;
+  Quantity& q = s.add("width");
+  q.red = "cells are too large";
+  EXPECT_EQ(judge_one(s, finding(q, 3.0, 2.0, 0.1)).verdict, Verdict::red);
+  EXPECT_EQ(judge_one(s, finding(q, 3.0, 2.0, 0.1)).remark, "cells are too large");
+  EXPECT_EQ(judge_one(s, finding(q, 2.0, 2.0, 0.1)).verdict, Verdict::pass);
+  q.red_runs = {"fine"};
+  EXPECT_EQ(judge_one(s, finding(q, 3.0, 2.0, 0.1)).verdict, Verdict::fail);
+}
+
+TEST(Judge, ARunWithoutResultIsARowThatFails)
+{
+  const Sample s;
+  const auto rows = judge("case", s.file, {{&s.file, &s.coarse, "mpm_gp"}}, {{.findings = {}, .fault = "it stopped"}});
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].verdict, Verdict::fail);
+  EXPECT_EQ(rows[0].remark, "it stopped");
+}
+
+TEST(Judge, TheOrderOfConvergenceComparesRunsOfOneScheme)
+{
+  Sample s;
+  s.file.quantities.reserve(2);
+  const Quantity& error = s.add("error", Reduce::rms_error);
+  Quantity& order = s.add("order");
+  order.kind = QuantityKind::order, order.of = "error", order.over = "h", order.at_least = {"1.9", {}};
+  const auto run = [&](const std::string& name, Real h, Real value) {
+    Finding f = finding(error, value, NAN, 1.0);
+    f.run = name, f.constants = {{"h", h}};
+    return Solved{.findings = {f}, .fault = ""};
+  };
+  const auto rows = judge("case", s.file, {{&s.file, &s.coarse, "mpm_gp"}, {&s.file, &s.fine, "mpm_gp"}}, {run("coarse", 0.5, 0.08), run("fine", 0.25, 0.02)});
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[2].terp, "2");
+  EXPECT_EQ(rows[2].run, "over h, mpm_gp");
+  EXPECT_EQ(rows[2].verdict, Verdict::pass);
+}
+
+TEST(Judge, OrdersFromErrorsAndFromDifferences)
+{
+  EXPECT_NEAR(log_slope({0.5, 0.25, 0.125}, {8.0, 2.0, 0.5}), 2.0, 1e-12);
+  EXPECT_TRUE(std::isnan(log_slope({0.5, 0.5}, {8.0, 2.0})));
+  EXPECT_NEAR(observed_order({0.125, 0.5, 0.25}, {7.0 + 0.125, 7.5, 7.25}), 1.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace terp

@@ -1,0 +1,52 @@
+#include "verification/report.hpp"
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using testing::HasSubstr;
+
+std::vector<CaseRows> sample()
+{
+  const Row good{.case_name = "bar", .run = "h = 1 m, mpm_gp", .quantity = "stress <zz>", .reference = "a|b", .source = "Euler", .terp = "2",
+                 .error = "0.1", .tolerance = "0.2", .verdict = Verdict::pass};
+  Row red = good, fail = good;
+  red.verdict = Verdict::red, red.remark = "too coarse";
+  fail.verdict = Verdict::fail;
+  return {{"bar", "A bar", {good, red, fail}}};
+}
+
+TEST(Report, CountsEachKindAndSaysWhichRedIsKnown)
+{
+  EXPECT_EQ(counts_text(count(sample())), "3 rows: 1 pass, 2 red (1 known, with the reason) (1 not known: FAIL)");
+  EXPECT_EQ(counts_text({.pass = 4, .red = 0, .fail = 0}), "4 rows: 4 pass, 0 red");
+}
+
+TEST(Report, TheTextNamesEveryColumnAndTheReasons)
+{
+  const std::string text = text_table(sample()[0]);
+  EXPECT_THAT(text, HasSubstr("bar: A bar\n"));
+  EXPECT_THAT(text, HasSubstr("  stress <zz>  h = 1 m, mpm_gp  a|b        2     0.1    0.2        pass    Euler\n"));
+  EXPECT_THAT(text, HasSubstr("  ! stress <zz>: too coarse\n"));
+}
+
+TEST(Report, MarkdownKeepsItsColumns)
+{
+  const std::string page = markdown_page(sample(), "How to read it.");
+  EXPECT_THAT(page, HasSubstr("How to read it."));
+  EXPECT_THAT(page, HasSubstr("| [bar](#bar) | A bar | 3 | 1 | 2 |"));
+  EXPECT_THAT(page, HasSubstr("| stress <zz> | h = 1 m, mpm_gp | a\\|b | 2 | 0.1 | 0.2 | red | Euler |"));
+  EXPECT_THAT(page, HasSubstr("**Red.** stress <zz>: too coarse"));
+}
+
+TEST(Report, HtmlIsOnePageAndEscapesText)
+{
+  const std::string page = html_page(sample());
+  EXPECT_THAT(page, HasSubstr("<td>stress &lt;zz&gt;</td>"));
+  EXPECT_THAT(page, HasSubstr("<td class=\"fail\">FAIL</td>"));
+  EXPECT_THAT(page, testing::Not(HasSubstr("http")));
+}
+
+}  // namespace
+}  // namespace terp

@@ -1,0 +1,116 @@
+// Whole runs of a block that flies freely: what each kind of quantity measures is known.
+
+#include "verification/solve_variant.hpp"
+
+#include "verification/ledger_samples.hpp"
+
+#include <cmath>
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string head = R"(title = "Flight"
+[constants]
+V = { key = "body[0].velocity[0]" }
+)";
+
+std::string quantity(const std::string& lines) { return "[[quantity]]\nsource = \"Newton\"\n" + lines + "\n"; }
+
+Solved solve(const std::string& quantities, const std::string& runs = "")
+{
+  const test::LedgerSample sample(head + runs + quantities);
+  const Expected file = read_expected(sample.path());
+  const auto solves = list_solves(file, true, true);
+  return solve_variant(solves.front(), std::atomic<bool>{false});
+}
+
+/// The only finding.
+Finding find(const std::string& lines)
+{
+  const Solved solved = solve(quantity(lines));
+  EXPECT_EQ(solved.fault, "");
+  EXPECT_EQ(solved.findings.size(), 1u);
+  return solved.findings.empty() ? Finding{} : solved.findings.front();
+}
+
+TEST(SolveVariant, AFieldAtATimeIsHeldAgainstItsFormula)
+{
+  const Finding f = find("name = \"path\"\nvalue = \"x-x0\"\ntime = 0.2\nreduce = \"max_error\"\nreference = \"V*t\"\ntolerance = \"1e-9*V\"");
+  EXPECT_LT(f.value, 1e-12);
+  EXPECT_TRUE(std::isnan(f.reference));
+  EXPECT_EQ(f.tolerance, 2e-9);
+  EXPECT_EQ(f.scheme, "mpm_gp");
+}
+
+TEST(SolveVariant, OnlyPointsThatAreMeantCount)
+{
+  const Finding f = find("name = \"mean\"\nvalue = \"x0\"\nwhere = \"x0 < 1\"\nreduce = \"mean\"\nreference = 0.75\ntolerance = 1");
+  EXPECT_NEAR(f.value, 0.75, 1e-12);
+  EXPECT_NEAR(f.reference, 0.75, 1e-12);
+}
+
+TEST(SolveVariant, APointIsFollowedFromWhereItStarted)
+{
+  const Finding f = find("name = \"place\"\nkind = \"point\"\nat = [0.6, 0.1]\nvalue = \"x\"\ntime = 0.3\nreference = \"x0+V*t\"\ntolerance = 1e-9");
+  EXPECT_NEAR(f.value, 0.625 + 0.6, 1e-9);
+  EXPECT_NEAR(f.reference, 0.625 + 0.6, 1e-9);
+}
+
+TEST(SolveVariant, LedgerSummaryAndFormulasOfEarlierQuantities)
+{
+  const Solved solved = solve(quantity("name = \"p\"\nas = \"p\"\nkind = \"ledger\"\nvalue = \"momentum_x\"\ntime = \"end\"") +
+                              quantity("name = \"n\"\nas = \"n\"\nkind = \"summary\"\nvalue = \"n_points\"") +
+                              quantity("name = \"per point\"\nkind = \"formula\"\nvalue = \"p/n\"\nreference = \"2000/16*V\"\nrelative = 1e-12"));
+  ASSERT_EQ(solved.fault, "");
+  ASSERT_EQ(solved.findings.size(), 1u);  // the first two are no rows of their own
+  EXPECT_NEAR(solved.findings[0].value, 250.0, 1e-9);
+  EXPECT_EQ(solved.findings[0].reference, 250.0);
+}
+
+TEST(SolveVariant, ATimeWithoutAFrameIsRefused)
+{
+  const Solved solved = solve(quantity("name = \"path\"\nvalue = \"ux\"\ntime = 0.25\nreference = \"V*t\"\ntolerance = 1"));
+  EXPECT_TRUE(solved.bad_input);
+  EXPECT_THAT(solved.fault, HasSubstr("there is no frame at 0.25 s"));
+  EXPECT_THAT(solved.fault, HasSubstr("Let output.fields.every of the case divide the time."));
+}
+
+TEST(SolveVariant, AFormulaThatCannotBeReadIsRefusedAtItsPlace)
+{
+  const Solved solved = solve(quantity("name = \"path\"\nvalue = \"uz\"\nreference = 0\ntolerance = 1"));
+  EXPECT_TRUE(solved.bad_input);
+  EXPECT_THAT(solved.fault, HasSubstr("expected.toml:7:9: this formula cannot be evaluated"));
+  EXPECT_THAT(solved.fault, HasSubstr("`uz` is not known here"));
+}
+
+TEST(SolveVariant, AKeyThatTheCaseDoesNotSetIsNoConstant)
+{
+  const Solved solved = solve("h = 1\n");
+  EXPECT_EQ(solved.fault, "");
+  const test::LedgerSample sample("title = \"x\"\n[constants]\na = { key = \"time.courant\" }\n");
+  const Expected file = read_expected(sample.path());
+  EXPECT_THAT(solve_variant(list_solves(file, true, true).front(), std::atomic<bool>{false}).fault, HasSubstr("the case says nothing of `time.courant`"));
+}
+
+TEST(SolveVariant, RunsAreEachVariantWithEachSchemeShortOrLong)
+{
+  const test::LedgerSample sample("title = \"x\"\n[[run]]\nname = \"a\"\nschemes = [\"mpm_gp\", \"mpm_mixed\"]\n[[run]]\nname = \"b\"\nlong = true\n");
+  const Expected file = read_expected(sample.path());
+  EXPECT_EQ(list_solves(file, true, true).size(), 3u);
+  EXPECT_EQ(list_solves(file, true, false).size(), 2u);
+  ASSERT_EQ(list_solves(file, false, true).size(), 1u);
+  EXPECT_EQ(list_solves(file, false, true)[0].scheme, "");
+}
+
+TEST(SolveVariant, ARunThatStopsItselfIsAFaultButNotOfTheFiles)
+{
+  const Solved solved = solve("", "[[run]]\nset = [\"body[0].velocity=[1e9,0.0]\"]\n");
+  EXPECT_FALSE(solved.bad_input);
+  EXPECT_NE(solved.fault, "");
+}
+
+}  // namespace
+}  // namespace terp

@@ -1,0 +1,30 @@
+// The slides of a run as the program found them, and which of their slip surfaces to show at a time.
+
+import type { RunMeta, Slide, SlipSurface } from "../data/format";
+
+export function slidesOf(meta: Pick<RunMeta, "events">): Slide[] {
+  const { events } = meta;
+  if (!events) return [];
+  if (events.slides) return events.slides;
+  return [
+    events.first_slide && { ...events.first_slide, slip_surface: events.first_slide.slip_surface ?? events.slip_surface },
+    events.second_slide,
+  ].filter((slide): slide is Slide => Boolean(slide));
+}
+
+export interface ShownSlip {
+  surface: SlipSurface;
+  time: number;
+  yetToCome: boolean;
+}
+
+/** The slip surface of the last slide that had formed one by time t; before the first, that one as yet to come. */
+export function slipAt(slides: readonly Slide[], t: number): ShownSlip | null {
+  let found: ShownSlip | null = null;
+  for (const { slip_surface: surface } of slides) {
+    if (!surface || surface.time === null || surface.points.length < 2) continue;
+    const yetToCome = surface.time > t + 1e-9;
+    if (!found || !yetToCome) found = { surface, time: surface.time, yetToCome };
+  }
+  return found;
+}
