@@ -162,6 +162,8 @@ hid_t open_committed(const std::string& path, std::int64_t n_reserved)
 
 hid_t open_file(const std::string& path, Hdf5File::Mode mode, std::int64_t n_reserved)
 {
+  static const herr_t without_exit_handler = H5dont_atexit();  // at exit HDF5 1.10 would close once more, and crash on, a file whose closing failed
+  static_cast<void>(without_exit_handler);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are thrown, not printed
   if (mode == Hdf5File::Mode::commit) return open_committed(path, n_reserved);
   if (mode == Hdf5File::Mode::create) make_empty(path, n_reserved);

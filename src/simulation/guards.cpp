@@ -101,7 +101,9 @@ std::string describe_time_step(const Model& model, const State& state, Real shar
 
 std::string find_fault_in_balance(const Model& model, const State& state, const LedgerRow& row)
 {
-  if (row.numerical > most_gained * energy_exchanged(state)) return describe_energy(state, row);
+  const Real exchanged = energy_exchanged(state);
+  if (state.step >= first_judged_step && row.numerical > most_gained * exchanged) return describe_energy(state, row);
+  if (row.numerical <= gain_of_harm * exchanged) return {};
   if (const Real share = overtaken_share(model, state); share > most_overtaken) return describe_time_step(model, state, share);
   return {};
 }

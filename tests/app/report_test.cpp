@@ -9,9 +9,6 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-/// For the leak sanitizer: HDF5 1.10 itself loses memory.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
-
 namespace terp {
 namespace {
 

@@ -95,6 +95,12 @@ follow_bodies = false
 variant = 2
 sides = { bottom = [], right = [], top = [], left = [] }
 refine = [{ line = [[0, 0], [1, 1]], box = [[0, 0], [1, 1]], cell = 0.1, distance = 0.5 }]
+[[footing]]
+name = "plate"
+box = [[0, 1], [1, 2]]
+velocity = [0, -0.1]
+ramp = 0.1
+contact = "smooth"
 [[body]]
 holes = []
 region = "core"

