@@ -16,13 +16,13 @@ namespace {
 struct Soil {
   Mesh<2> mesh = make_rectangle({0.0, 0.0}, {8.0, 2.0}, {32, 8});
   PointBlocks<2> points{mesh.n_cells(), 0};
-  std::vector<Real> growth;
+  std::vector<float> growth;
 
   explicit Soil(const std::function<Real(Vec<2>)>& f)
   {
     for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
       test::add_point(mesh, cell, {.volume = 0.0625, .id = static_cast<Real>(cell)}, points);
-      growth.push_back(f(mesh.centres[cell]));
+      growth.push_back(static_cast<float>(f(mesh.centres[cell])));
     }
     points.update_occupied();
   }

@@ -83,7 +83,7 @@ CornerSums<2> force_of_uniform_stress(Index other, const MethodOptions& method, 
   const auto materials = two_names_of_one_soil();
   std::vector<GaussValues<2>> gauss(cell.points.n_blocks());
   CornerSums<2> corners{};
-  gather_at_gauss_points({method, materials}, {0, cell.mesh.geometry(0), cell.points, gauss, corners},
+  gather_at_gauss_points({method, materials}, {0, cell.mesh.geometry(0), cell.points, gauss, {}, corners}, [&](Index b) -> GaussValues<2>& { return gauss[b]; },
                          [](const auto&) { return 1; }, [](const auto&, auto&) {});
   return corners;
 }
@@ -111,7 +111,7 @@ std::pair<bool, Real> cut_tension(Real limit, Real volume)
   method.tension_limit = limit;
   std::vector<GaussValues<2>> gauss(cell.points.n_blocks());
   CornerSums<2> corners{};
-  const bool cut = gather_at_gauss_points({method, materials}, {0, cell.mesh.geometry(0), cell.points, gauss, corners},
+  const bool cut = gather_at_gauss_points({method, materials}, {0, cell.mesh.geometry(0), cell.points, gauss, {}, corners}, [&](Index b) -> GaussValues<2>& { return gauss[b]; },
                                           [](const auto&) { return 0; }, [](const auto&, auto&) {});
   return {cut, corners.internal_force[0][1]};
 }
