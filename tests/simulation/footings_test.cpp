@@ -97,7 +97,7 @@ TEST(Footings, ARowHoldsTheMeanSinceTheRowBefore)
   s.step(30);
   row = keep_footings(s.model, s.state).at(0);
   EXPECT_NEAR(row.reaction_y, -(test::momentum(s.state)[1] - p) / (s.state.time - t), 1e-7 * std::abs(p / t));
-  EXPECT_EQ(s.state.footings[0].largest, std::max(-p / t, row.reaction_y));
+  EXPECT_DOUBLE_EQ(s.state.footings[0].largest, std::max(-p / t, row.reaction_y));
   const Summary summary = summarise(s.model, s.state);
   ASSERT_EQ(summary.footings.size(), 1u);
   EXPECT_EQ(summary.footings[0].reaction[1], row.reaction_y);
