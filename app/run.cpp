@@ -13,32 +13,13 @@
 #include "simulation/setup.hpp"
 #include "simulation/setup_warnings.hpp"
 #include "simulation/state_image.hpp"
+#include "stop.hpp"
 
-#include <atomic>
-#include <csignal>
 #include <filesystem>
 #include <fmt/format.h>
 
 namespace terp {
 namespace {
-
-std::atomic<bool> stop_requested{false};
-
-/// The first Ctrl-C asks the run to stop after its step; the second ends the program at once.
-void request_stop(int signal)
-{
-  stop_requested.store(true);
-  std::signal(signal, SIG_DFL);
-}
-
-/// Signals that end the run well: Ctrl-C, and what systems send before they end a job. A file that may grow no more (ulimit -f) is
-/// an error of its write like a full disk.
-void listen_for_stop()
-{
-  std::signal(SIGXFSZ, SIG_IGN);
-  std::signal(SIGINT, request_stop);
-  std::signal(SIGTERM, request_stop);
-}
 
 std::string optional_number(const std::optional<Real>& value, const char* unit)
 {

@@ -6,23 +6,14 @@
 #include "output/stability_json.hpp"
 #include "parallel/threads.hpp"
 #include "progress.hpp"
+#include "stop.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <fmt/format.h>
 #include <unistd.h>
 
 namespace terp {
 namespace {
-
-std::atomic<bool> stop_requested{false};
-
-void request_stop(int signal)
-{
-  stop_requested.store(true);
-  std::signal(signal, SIG_DFL);
-}
 
 /// One line per trial, renewed after each window on a terminal.
 class TrialLine {
@@ -71,8 +62,7 @@ int find_stability(const RunOptions& run, StabilityOptions options)
   fmt::print(stderr, "{}", render_warnings(file));
   warn_of_motion(file.values);
   options.threads = run.threads > 0 ? run.threads : available_processors();
-  std::signal(SIGINT, request_stop);
-  std::signal(SIGTERM, request_stop);
+  listen_for_stop();
   try {
     TrialLine line(run.quiet || run.json);
     const StabilityResult result = find_factor_of_safety(file.values, options, stop_requested, [&](const auto&... now) { line.show(now...); });

@@ -6,13 +6,13 @@
 #include "input/case_file.hpp"
 #include "parallel/threads.hpp"
 #include "progress.hpp"
+#include "stop.hpp"
 #include "verification/find_cases.hpp"
 #include "verification/report.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <csignal>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -25,14 +25,6 @@ namespace terp {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-std::atomic<bool> stop_requested{false};
-
-void request_stop(int signal)
-{
-  stop_requested.store(true);
-  std::signal(signal, SIG_DFL);
-}
 
 struct VerificationCase {
   std::string name;
@@ -136,7 +128,7 @@ int verify_cases(const VerifyOptions& options)
   std::vector<Solve> solves;
   for (const auto& c : cases)
     for (const Solve& s : list_solves(c->expected, !options.only_long, !options.only_short)) solves.push_back(s);
-  std::signal(SIGINT, request_stop);
+  listen_for_stop();
   const std::vector<Solved> solved = solve_all(solves, options.threads > 0 ? options.threads : available_processors());
   for (const Solved& s : solved)
     if (s.bad_input) throw CaseError(s.fault);
