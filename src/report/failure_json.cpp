@@ -59,7 +59,10 @@ void put_failure(JsonText& json, const RunResults& run, const std::vector<std::s
   json.key("passes").begin_array();
   for (const PassTime& pass : s.passes) json.begin_object().entry("name", pass.name).entry("seconds", pass.seconds).end_object();
   json.end_array();
-  put_events(json, s);
+  if (summary_is_behind(run))
+    json.key("events").null();
+  else
+    put_events(json, s);
   put_texts(json, "story", tell_story(run));
   std::vector<std::string> cautions = find_cautions(run);
   cautions.insert(cautions.end(), warnings.begin(), warnings.end());

@@ -37,8 +37,8 @@ std::string end_of_slide(const RunResults& run, std::size_t k)
 {
   const auto& slides = run.summary.values.slides;
   const Slide& slide = slides[k].slide;
-  if (slide.stops) return fmt::format("It comes to rest at {:.2f} s.", *slide.stops);
-  if (k + 1 < slides.size()) return "It has not come to rest when the next one begins.";
+  if (slide.stops) return fmt::format("At {:.2f} s it has slowed to a tenth of its largest kinetic energy.", *slide.stops);
+  if (k + 1 < slides.size()) return "It has not slowed to a tenth of its largest kinetic energy when the next one begins.";
   const Extent kinetic = extent_of(run, "kinetic"), time = extent_of(run, "time");
   if (!(slide.kinetic_peak > 0.0) || std::isnan(kinetic.last)) return "";
   return fmt::format("It still moves at {:.2f} s, with {:.0f} % of its largest kinetic energy.", time.last, 100.0 * kinetic.last / slide.kinetic_peak);
@@ -85,14 +85,11 @@ void tell_history(const RunResults& run, std::vector<std::string>& story)
                               s.points_eps_eq_p_fell, s.n_points, s.points_su_rose > 0 ? " and strength came back" : "", scheme_title(s.scheme)));
 }
 
-/// True while the run goes on: summary.json is written when it ends or is stopped.
-bool is_behind(const RunResults& run) { return extent_of(run, "step").last > static_cast<Real>(run.summary.values.n_steps); }
-
 }  // namespace
 
 std::vector<std::string> tell_story(const RunResults& run)
 {
-  if (is_behind(run)) return {fmt::format("The run has come to {:.2f} s. What happened is told when it ends or is stopped.", extent_of(run, "time").last)};
+  if (summary_is_behind(run)) return {fmt::format("The run has come to {:.2f} s. What happened is told when it ends or is stopped.", extent_of(run, "time").last)};
   std::vector<std::string> story;
   tell_slides(run, story);
   tell_motion(run, story);

@@ -135,6 +135,22 @@ const ComparisonRow& row_of(const Comparison& c, std::string_view label)
   return *std::find_if(c.rows.begin(), c.rows.end(), [&](const ComparisonRow& row) { return row.label == label; });
 }
 
+/// True if all runs end at one time, as far as that is known.
+bool end_together(const Comparison& c)
+{
+  const auto& ends = row_of(c, "time at the end").values;
+  return std::all_of(ends.begin(), ends.end(), [&](Value end) { return !end || !ends[0] || std::abs(*end - *ends[0]) <= same_time; });
+}
+
+/// What must be known before the numbers of two runs are set against each other; empty if all is well.
+std::string end_sentence(const Comparison& c, std::size_t other)
+{
+  const auto& ends = row_of(c, "time at the end").values;
+  if (!ends[0] || !ends[other] || std::abs(*ends[0] - *ends[other]) <= same_time) return "";
+  return fmt::format("The runs end at different times, {} at {:.2f} s and {} at {:.2f} s: what they say of the end is not of one time.", c.names[0], *ends[0],
+                     c.names[other], *ends[other]);
+}
+
 /// One sentence on how far the runs went.
 std::string front_sentence(const Comparison& c, std::size_t other, const Pair& who)
 {
@@ -170,8 +186,9 @@ std::string softening_sentence(const Comparison& c, std::size_t other, const Pai
   for (const ComparisonRow& row : c.rows)
     if (row.label.starts_with("softened volume")) last = &row;
   if (last == nullptr || !last->values[0] || !last->values[other]) return "";
-  return fmt::format("At the end {:.1f} % of the soil has lost more than half of its strength with {}, {:.1f} % with {}.", *last->values[0], who.a,
-                     *last->values[other], who.b);
+  const std::string when = end_together(c) ? "At the end" : "At" + last->label.substr(last->label.rfind(" at ") + 3);
+  return fmt::format("{} {:.1f} % of the soil has lost more than half of its strength with {}, {:.1f} % with {}.", when, *last->values[0], who.a, *last->values[other],
+                     who.b);
 }
 
 std::string audit_sentence(const Comparison& c, std::size_t other, const Pair& who)
@@ -187,11 +204,14 @@ std::string audit_sentence(const Comparison& c, std::size_t other, const Pair& w
   return text;
 }
 
-void add_text(Comparison& c)
+void add_text(const std::vector<RunResults>& runs, Comparison& c)
 {
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    if (summary_is_behind(runs[k])) c.text.push_back(fmt::format("{} has not ended; what its summary holds is older than its ledger and is not compared in words.", c.names[k]));
   for (std::size_t other = 1; other < c.names.size(); ++other) {
+    if (summary_is_behind(runs[0]) || summary_is_behind(runs[other])) continue;
     const Pair who = titles(c, other);
-    for (const auto& sentence : {slides_sentence(c, other, who), front_sentence(c, other, who), softening_sentence(c, other, who), audit_sentence(c, other, who)})
+    for (const auto& sentence : {end_sentence(c, other), slides_sentence(c, other, who), front_sentence(c, other, who), softening_sentence(c, other, who), audit_sentence(c, other, who)})
       if (!sentence.empty()) c.text.push_back(sentence);
   }
 }
@@ -229,7 +249,7 @@ Comparison compare_runs(const std::vector<RunResults>& runs, const std::vector<s
     table.add(point + ": eps_eq_p > 0.06 from", "s", 2, [&](const RunResults& run) { return softening_time(run, point); });
   add_audit(table);
   add_cost(table);
-  add_text(comparison);
+  add_text(runs, comparison);
   return comparison;
 }
 

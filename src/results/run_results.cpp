@@ -50,6 +50,12 @@ RunResults read_run(const std::string& folder)
   return run;
 }
 
+bool summary_is_behind(const RunResults& run)
+{
+  const auto* step = run.ledger.find("step");
+  return step != nullptr && !step->empty() && step->back() > static_cast<Real>(run.summary.values.n_steps);
+}
+
 std::vector<std::string> distinct_names(const std::vector<std::string>& folders)
 {
   std::vector<fs::path> paths;

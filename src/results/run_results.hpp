@@ -25,6 +25,9 @@ struct RunResults {
 /// Throws FileError that says what is missing and what to do.
 RunResults read_run(const std::string& folder);
 
+/// True while the run goes on, or if it was killed: summary.json is written when it ends or is stopped.
+bool summary_is_behind(const RunResults& run);
+
 /// Names of runs side by side: the folders' names, as much of their paths as tells them apart.
 std::vector<std::string> distinct_names(const std::vector<std::string>& folders);
 

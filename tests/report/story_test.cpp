@@ -30,7 +30,7 @@ TEST(Story, TellsEachSlideMotionAndCrest)
   RunResults run = sample_run();
   run.summary.values.slides = {{slide(0.18, 2.16), {}}, {slide(2.52, {}), {}}};
   EXPECT_THAT(tell_story(run),
-              ElementsAre("The first slide begins at 0.18 s: the crest retreats from x = 8.00 m to 6.00 m. It comes to rest at 2.16 s.",
+              ElementsAre("The first slide begins at 0.18 s: the crest retreats from x = 8.00 m to 6.00 m. At 2.16 s it has slowed to a tenth of its largest kinetic energy.",
                           "The second slide begins at 2.52 s: the crest retreats from x = 8.00 m to 6.00 m. It still moves at 4.00 s, with 20 % of its largest kinetic energy.",
                           "By 4.00 s, 6.47 m² of soil (40 % of the section) have moved by more than 0.1 m. The front has run out by 5.07 m, to x = 13.06 m.",
                           "The crest that remains stands at x = 4.10 m, y = 1.96 m."));
@@ -40,7 +40,7 @@ TEST(Story, SaysWhenASlideIsOvertakenByTheNext)
 {
   RunResults run = sample_run();
   run.summary.values.slides = {{slide(0.18, {}), {}}, {slide(2.52, 3.0), {}}};
-  EXPECT_THAT(tell_story(run)[0], HasSubstr("It has not come to rest when the next one begins."));
+  EXPECT_THAT(tell_story(run)[0], HasSubstr("It has not slowed to a tenth of its largest kinetic energy when the next one begins."));
   EXPECT_THAT(tell_story(run), Contains("At the end the soil still moves, with 20 % of its largest kinetic energy."));
 }
 

@@ -64,6 +64,25 @@ TEST_F(CompareTest, SaysTheDifferencesInWords)
             "With MPM-Mixed the plastic strain fell at 2 of 5 points, so that soil regained strength, which its law forbids; with MPM-GP no point loses any of its plastic strain.");
 }
 
+TEST(CompareRuns, SaysThatRunsEndAtDifferentTimes)
+{
+  test::ScratchFolder scratch;
+  const auto set = [](Summary& s) { s.softened_fraction = {{0.2, 0.1}, {0.25, 0.3}}; };
+  std::vector<RunResults> runs{read_run(test::write_run(scratch.path() + "/short", set)), read_run(test::write_run(scratch.path() + "/long", set))};
+  runs[0].ledger = {{"time"}, {{0.0, 0.2}}};
+  const auto text = compare_runs(runs, {"short", "long"}).text;
+  EXPECT_EQ(text.front(), "The runs end at different times, short at 0.20 s and long at 0.25 s: what they say of the end is not of one time.");
+  EXPECT_THAT(text, testing::Contains("At 0.2 s 10.0 % of the soil has lost more than half of its strength with short, 10.0 % with long."));
+}
+
+TEST(CompareRuns, SaysNothingOfTheEndOfARunThatGoesOn)
+{
+  test::ScratchFolder scratch;
+  std::vector<RunResults> runs{read_run(test::write_run(scratch.path() + "/done")), read_run(test::write_run(scratch.path() + "/going"))};
+  runs[1].ledger = {{"time", "step"}, {{0.0, 0.2}, {0.0, static_cast<Real>(runs[1].summary.values.n_steps) + 1.0}}};
+  EXPECT_THAT(compare_runs(runs, {"done", "going"}).text, ElementsAre(testing::StartsWith("going has not ended;")));
+}
+
 TEST_F(CompareTest, PrintsColumnsWithADashForWhatIsNotDefined)
 {
   const std::string table = comparison_table(comparison);

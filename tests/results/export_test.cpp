@@ -26,6 +26,12 @@ TEST(ParseFrames, SaysWhichFramesThereAre)
     EXPECT_THAT(file_error_of([&] { parse_frames(text, 3); }), testing::AllOf(StartsWith("there is no frame `"), HasSubstr("the run has frames 0 to 2"))) << text;
 }
 
+TEST(ParseFrames, RefusesARangeThatRunsBackwards)
+{
+  EXPECT_THAT(file_error_of([] { parse_frames("0,2:1", 3); }), StartsWith("the frames `2:1` in `0,2:1` run backwards"));
+  EXPECT_THAT(parse_frames("1:1", 3), ElementsAre(1));
+}
+
 struct ExportTest : testing::Test {
   test::ScratchFolder scratch;
   Frames frames{path_in(test::write_run(scratch.path() + "/run"), results_file)};

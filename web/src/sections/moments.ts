@@ -24,17 +24,18 @@ export function momentsOf(run: Run, frameOf: (time: number) => number): Moment[]
   const last = { time: times[times.length - 1]!, text: run.meta.finished ? "end" : "so far" };
   const events = marksOf(run).filter(({ text }) => !/stops|(second|third|fourth|fifth|th) slide shears/.test(text)).map(({ time, text }) => ({ time, text }));
   const taken = new Set([frameOf(first.time)]);
-  const between = events.sort((a, b) => a.time - b.time).filter(({ time }) => {
+  const fresh = ({ time }: Moment) => {
     const frame = frameOf(time);
     return frame < times.length - 1 && !taken.has(frame) && taken.add(frame);
-  });
-  const some = between.length > 0 ? between : [0.25, 0.5, 0.75].map((part) => ({ time: first.time + part * (last.time - first.time), text: "" }));
-  return [first, ...some, last];
+  };
+  const between = events.sort((a, b) => a.time - b.time).filter(fresh);
+  const some = between.length > 0 ? between : [0.25, 0.5, 0.75].map((part) => ({ time: first.time + part * (last.time - first.time), text: "" })).filter(fresh);
+  return times.length > 1 ? [first, ...some, last] : [last];
 }
 
 export function momentsSection(current: Current, viewer: Viewer): HTMLElement | null {
-  if (!viewer.renderer) return null;
   const { store, report } = current;
+  if (!viewer.renderer || report.runs.every((run) => run.meta.times.length < 2)) return null;
   const box = viewer.extent();
   const height = Math.round(Math.min(WIDTH, Math.max(70, ((WIDTH - 12) * (box[3] - box[1])) / (box[2] - box[0]) + 12)));
   const pictures: { run: Run; time: number; canvas: HTMLCanvasElement }[] = [];

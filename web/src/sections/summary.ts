@@ -18,9 +18,9 @@ interface Fact {
 
 const FACTS: Fact[] = [
   { label: "First slide begins", help: "when the first block of soil starts to move", ...slideTime(0, "begins") },
-  { label: "First slide stops", help: "when it has come to rest", ...slideTime(0, "stops") },
+  { label: "First slide stops", help: "when a tenth of its largest kinetic energy is left", ...slideTime(0, "stops") },
   { label: "Second slide begins", help: "when a further block follows", ...slideTime(1, "begins") },
-  { label: "Second slide stops", help: "when that one has come to rest", ...slideTime(1, "stops") },
+  { label: "Second slide stops", help: "when a tenth of its largest kinetic energy is left", ...slideTime(1, "stops") },
   { label: "Run-out", help: "how far the front came from where it stood", value: (run) => metres(run.meta.events?.run_out) },
   { label: "Front at the end, x", help: "largest x of the soil", value: (run) => metres(run.meta.events?.front_x) },
   { label: "Crest that remains, x", help: "edge of the ground that still stands", value: (run) => metres(run.meta.events?.remaining_crest?.x) },
