@@ -13,6 +13,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace {
 
@@ -69,6 +71,20 @@ struct CommandLine {
   terp::WatchCommand watch;
 };
 
+/// A number from `least` to `most`. CLI::Range alone lets "nan" through, as no comparison with it holds.
+CLI::Validator number_between(double least, double most)
+{
+  const CLI::Validator range = CLI::Range(least, most);
+  return CLI::Validator(
+      [range, least, most](std::string& text) {
+        double value = 0.0;
+        if (CLI::detail::lexical_cast(text, value) && std::isnan(value))
+          return fmt::format("Value {} not in range {:f} to {:f}", text, least, most);
+        return range(text);
+      },
+      range.get_description());
+}
+
 CLI::App* add_case_command(CLI::App& app, const char* name, CommandLine& line)
 {
   CLI::App* command = app.add_subcommand(name);
@@ -82,13 +98,13 @@ CLI::App* add_case_command(CLI::App& app, const char* name, CommandLine& line)
 CLI::App* add_stability_command(CLI::App& app, CommandLine& line)
 {
   CLI::App* command = add_case_command(app, "stability", line);
-  const auto factors = CLI::Range(0.01, 100.0), shares = CLI::Range(0.0, 0.99);
+  const auto factors = number_between(0.01, 100.0), shares = number_between(0.0, 0.99);
   command->add_option("--from", line.stability.search.from)->check(factors);
   command->add_option("--to", line.stability.search.to)->check(factors);
-  command->add_option("--tolerance", line.stability.search.tolerance)->check(CLI::Range(1e-4, 1.0));
+  command->add_option("--tolerance", line.stability.search.tolerance)->check(number_between(1e-4, 1.0));
   command->add_option("--damping", line.stability.rules.damping)->check(shares);
-  command->add_option("--rest", line.stability.rules.rest)->check(CLI::Range(1e-9, 0.1));
-  command->add_option("--failure", line.stability.rules.failure)->check(CLI::Range(1e-3, 1e3));
+  command->add_option("--rest", line.stability.rules.rest)->check(number_between(1e-9, 0.1));
+  command->add_option("--failure", line.stability.rules.failure)->check(number_between(1e-3, 1e3));
   command->add_option("--windows", line.stability.rules.most_windows)->check(CLI::Range(3, 100000));
   command->add_option("-o,--output", line.options.output);
   command->add_flag("--json", line.options.json);
@@ -141,7 +157,7 @@ void declare(CLI::App& app, CommandLine& line)
   exported->add_option("-o,--output", line.exported.folder);
   CLI::App* watch = app.add_subcommand("watch");
   watch->add_option("run", line.watch.run)->required();
-  watch->add_option("--every", line.watch.every)->check(CLI::Range(0.1, 3600.0));
+  watch->add_option("--every", line.watch.every)->check(number_between(0.1, 3600.0));
   watch->add_flag("--once", line.watch.once);
   for (CLI::App* command : {run, check, bench, stability})
     command->add_option("--set", line.options.changes)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

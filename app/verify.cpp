@@ -35,8 +35,12 @@ struct VerificationCase {
 std::vector<std::unique_ptr<VerificationCase>> read_cases(const VerifyOptions& options, const std::string& folder)
 {
   std::vector<std::unique_ptr<VerificationCase>> cases;
-  for (const std::string& name : choose_cases(folder, options.names))
-    cases.push_back(std::make_unique<VerificationCase>(VerificationCase{name, read_expected((std::filesystem::path(folder) / name / "expected.toml").string())}));
+  for (const std::string& name : choose_cases(folder, options.names)) {
+    const std::string path = (std::filesystem::path(folder) / name / "expected.toml").string();
+    cases.push_back(std::make_unique<VerificationCase>(VerificationCase{name, read_expected(path)}));
+    if (cases.back()->expected.quantities.empty())
+      throw CaseError(fmt::format("error: {}: there is no [[quantity]], so nothing would be judged\n  See docs/verification_cases.md.\n", path));
+  }
   return cases;
 }
 
@@ -100,6 +104,16 @@ std::string head_of_page(const std::string& folder)
   return all.starts_with("# ") ? all.substr(std::min(all.find('\n') + 2, all.size())) : all;  // the page has its own title
 }
 
+/// The pages are written at the end, after up to half an hour of solving: what stands in their way is said before.
+void check_page(const std::string& path)
+{
+  if (path.empty()) return;
+  const std::filesystem::path parent = std::filesystem::path(path).parent_path();
+  const bool writable = access(path.c_str(), F_OK) == 0 ? access(path.c_str(), W_OK) == 0 && !std::filesystem::is_directory(path)
+                                                        : access(parent.empty() ? "." : parent.c_str(), W_OK) == 0;
+  if (!writable) throw FileError(fmt::format("{}: the page cannot be written; nothing was solved", path));
+}
+
 void write_page(const std::string& path, const std::string& text)
 {
   std::ofstream file(path, std::ios::binary);
@@ -129,6 +143,10 @@ int verify_cases(const VerifyOptions& options)
   for (const auto& c : cases)
     for (const Solve& s : list_solves(c->expected, !options.only_long, !options.only_short)) solves.push_back(s);
   listen_for_stop();
+  if (solves.empty())
+    throw FileError(fmt::format("there is nothing to solve: these cases have no {} run", options.only_long ? "long" : "short"));
+  check_page(options.markdown);
+  check_page(options.html);
   const std::vector<Solved> solved = solve_all(solves, options.threads > 0 ? options.threads : available_processors());
   for (const Solved& s : solved)
     if (s.bad_input) throw CaseError(s.fault);

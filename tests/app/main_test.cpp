@@ -64,6 +64,15 @@ TEST(CommandLine, NamesAWordThatIsNoCommandAndTheNearestThatIs)
   EXPECT_THAT(test::terp({"\x1B[2J"}).err, StartsWith("error: there is no command `?[2J`\n"));
 }
 
+TEST(CommandLine, WhatIsNotANumberIsNotInRange)
+{
+  for (const char* option : {"--from", "--to", "--tolerance", "--rest", "--failure", "--damping"}) {
+    const Finished f = test::terp({"stability", "case.toml", option, "nan"});
+    EXPECT_EQ(f.status, 2) << option;
+    EXPECT_THAT(f.err, StartsWith(std::string("error: ") + option + ": Value nan not in range "));
+  }
+}
+
 TEST(Explain, TellsOfAMaterialASchemeAndAKey)
 {
   const Finished law = test::terp({"explain", "tresca_softening"});

@@ -68,6 +68,30 @@ TEST(Verify, WritesThePages)
   EXPECT_TRUE(std::filesystem::file_size(page + ".html") > 500);
 }
 
+TEST(Verify, PagesThatCannotBeWrittenAreRefusedBeforeAnythingIsSolved)
+{
+  Ledger ledger;
+  ledger.add("flight", path_is("1.0"));
+  for (const std::string& page : {ledger.folder.path() + "/no/page.html", ledger.folder.path()}) {
+    const Finished f = ledger.verify({"--html", page});
+    EXPECT_EQ(f.status, 1);
+    EXPECT_THAT(f.err, AllOf(HasSubstr(page + ": the page cannot be written"), Not(HasSubstr("[1/1]"))));
+  }
+}
+
+TEST(Verify, NothingToSolveOrToJudgeIsNoPass)
+{
+  Ledger ledger;
+  ledger.add("flight", "[[run]]\nlong = true\n" + path_is("1.0"));
+  const Finished f = ledger.verify({"--short"});
+  EXPECT_EQ(f.status, 1);
+  EXPECT_THAT(f.err, HasSubstr("there is nothing to solve: these cases have no short run"));
+  ledger.add("flight", "");
+  const Finished g = ledger.verify();
+  EXPECT_EQ(g.status, 2);
+  EXPECT_THAT(g.err, HasSubstr("there is no [[quantity]]"));
+}
+
 TEST(Verify, ACaseThatCannotBeReadIsBadInput)
 {
   Ledger ledger;
