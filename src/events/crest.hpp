@@ -14,7 +14,7 @@ struct CrestHistory {
   Real base = 0.0;                    ///< height of the lowest point at t = 0 [m]
   std::vector<Real> time;             ///< [s]
   std::vector<Real> x;                ///< crest [m]; left edge of the first column if the whole surface has moved
-  std::vector<Real> kinetic;          ///< kinetic energy of all soil [J per m]; may be empty: then nobody knows when a slide stops
+  std::vector<Real> kinetic;          ///< kinetic energy of all soil, of the nodes [J per m]; may be empty: then nobody knows when a slide stops
 };
 
 /// A slide: the crest retreats by much within a short time. Definition: docs/formats.md.
@@ -22,7 +22,7 @@ struct Slide {
   Real begins = 0.0;                    ///< [s]
   std::optional<Real> stops;            ///< [s]; none if the next slide begins, or the run ends, before
   Real crest_from = 0.0, crest_to = 0.0;  ///< before, and when the crest has settled or the run ends [m]
-  Real kinetic_peak = 0.0;              ///< largest kinetic energy until the next slide [J per m]
+  Real kinetic_peak = 0.0;              ///< largest nodal kinetic energy until the next slide [J per m]
 };
 
 /// A crest history that starts with the surface as it is now.

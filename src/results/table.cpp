@@ -16,7 +16,8 @@ namespace {
 constexpr ColumnInfo known_columns[] = {
     {"time", "time", "s"},
     {"step", "step", "-"},
-    {"kinetic", "kinetic energy", "J/m"},
+    {"kinetic", "kinetic energy of the points", "J/m"},
+    {"kinetic_nodal", "kinetic energy of the nodes", "J/m"},
     {"elastic", "elastic energy", "J/m"},
     {"plastic", "plastic work", "J/m"},
     {"gravity_work", "work of gravity", "J/m"},

@@ -51,7 +51,7 @@ void follow_failure(State& state, LedgerRow& row)
   row.moved_volume = moved_volume(state.points, state.x_initial, moved_distance(state.crest));
   state.crest.time.push_back(row.time);
   state.crest.x.push_back(row.crest_x);
-  state.crest.kinetic.push_back(row.kinetic);
+  state.crest.kinetic.push_back(row.kinetic_nodal);
   follow_slip(state);
 }
 

@@ -10,7 +10,7 @@
 namespace terp {
 
 /// Enters front, crest and moved volume into the row and the state; keeps the slip surface if the strain has never grown faster in this
-/// slide. The row must hold time and kinetic energy, the audit the growth of the strain since the row before.
+/// slide. The row must hold time and nodal kinetic energy, the audit the growth of the strain since the row before.
 void follow_failure(State& state, LedgerRow& row);
 
 /// Fills what the summary says of the failure.
