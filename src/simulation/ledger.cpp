@@ -221,7 +221,8 @@ LedgerRow keep_ledger(const Model& model, State& state)
   row.left = static_cast<std::int64_t>(state.left.size());
   state.largest_v_999 = std::max(state.largest_v_999, row.v_999);
   audit_history(model, state);
-  follow_failure(state, row);
+  follow_failure(model, state, row);
+  ++state.ledger_rows;
   return row;
 }
 
