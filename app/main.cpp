@@ -1,6 +1,7 @@
 // The program: reads the command line and calls one function per command.
 
 #include "commands.hpp"
+#include "help.hpp"
 #include "input/case_file.hpp"
 #include "input/closest.hpp"
 #include "input/explain.hpp"
@@ -17,49 +18,6 @@
 #include <string>
 
 namespace {
-
-constexpr const char* help_text = R"(terp: explicit material point method for soil (MPM-Mixed and MPM-GP)
-
-Usage: terp COMMAND [options]
-
-Solve
-  run CASE.toml           solve a case; results go to runs/<case name>/
-  resume RUN              continue from the newest checkpoint of a run folder,
-                          or from the checkpoint file that is named
-  stability CASE.toml     factor of safety by strength reduction (--from, --to,
-                          --tolerance, --damping, --json; docs/stability.md)
-  watch RUN               how far a run is that another terp solves (--every S, --once)
-
-Look
-  report RUN...           write report.html: one page that shows the runs, side by side
-  compare RUN RUN...      table of what differs between runs (--json)
-  export RUN --format F   frames as vtu, csv or npz into RUN/F or -o DIR (--field NAME,
-                          may be given several times; --frames 0,5,10:20,last)
-
-Understand
-  check CASE.toml         read and validate, print what would run, solve nothing
-  explain TOPIC           a material, scheme or key: meaning, unit, range, equation
-  list                    materials, schemes and outputs in this build
-  bench [CASE.toml]       how fast the step is here, pass by pass; without a case:
-                          the paper's column (--steps, --warm, --json)
-  verify [CASE...]        solve problems with a known answer, print what came out
-                          (--list, --short, --long, --html FILE, --markdown FILE,
-                          --cases DIR)
-
-Options
-  -o, --output DIR        where results go
-  -j, --threads N         CPU threads (default: what this job may use)
-      --set KEY=VALUE     change one key of the case; may be given several times
-      --force             replace the results of an earlier run
-      --report            write the page of the run at its end: RUN/report.html
-  -q, --quiet    -v, --verbose    --version    -h, --help
-
-Try
-  terp check cases/column_collapse/model_2.toml
-  terp run   cases/column_collapse/model_2.toml --set scheme="mpm_mixed" -o runs/mixed
-
-Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else
-)";
 
 struct CommandLine {
   terp::RunOptions options;
@@ -194,15 +152,16 @@ int call(const CLI::App& app, const CommandLine& line)
   return terp::solved;
 }
 
-/// Help and version are answered wherever they stand on the line.
+/// Help and version are answered wherever they stand on the line; help on a command if it begins with one.
 bool answer_help(int argc, char** argv)
 {
   for (int k = 1; k < argc; ++k) {
     const std::string_view word = argv[k];
-    if (word == "-h" || word == "--help" || (k == 1 && word == "help")) return fmt::print("{}", help_text), true;
+    if (k == 1 && word == "help") return fmt::print("{}", argc > 2 ? terp::help_on(argv[2]) : terp::help()), true;
+    if (word == "-h" || word == "--help") return fmt::print("{}", terp::help_on(argv[1])), true;
     if (word == "--version") return fmt::print("terp {} ({})\n", TERP_VERSION, terp::kernels().instructions), true;
   }
-  if (argc == 1) fmt::print("{}", help_text);
+  if (argc == 1) fmt::print("{}", terp::help());
   return argc == 1;
 }
 

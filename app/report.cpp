@@ -2,6 +2,7 @@
 
 #include "commands.hpp"
 #include "input/case_file.hpp"
+#include "input/printable.hpp"
 #include "output/files.hpp"
 #include "report/page.hpp"
 #include "results/compare.hpp"
@@ -16,8 +17,24 @@
 
 namespace terp {
 
+namespace {
+
+/// A run beside itself has no difference, and the same name twice.
+void refuse_twice(const std::vector<std::string>& folders)
+{
+  std::error_code unknown;
+  for (std::size_t k = 0; k < folders.size(); ++k)
+    for (std::size_t other = 0; other < k; ++other)
+      if (std::filesystem::equivalent(folders[k], folders[other], unknown))
+        throw CaseError(printable(fmt::format("error: the run {} is given twice{}\n  Name each run once.\n", folders[other],
+                                              folders[k] == folders[other] ? "" : ", also as " + folders[k])));
+}
+
+}  // namespace
+
 int report_runs(const ReportCommand& command)
 {
+  refuse_twice(command.runs);
   const std::string path = command.output.empty() ? "report.html" : command.output;
   ReportOptions options;
   options.written = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
@@ -44,6 +61,7 @@ int export_run(const ExportCommand& command)
 int compare_folders(const ReportCommand& command)
 {
   if (command.runs.size() < 2) throw CaseError("error: terp compare takes two run folders or more\n  One run by itself: terp report RUN\n");
+  refuse_twice(command.runs);
   std::vector<RunResults> runs;
   for (const auto& folder : command.runs) runs.push_back(read_run(folder));
   const Comparison comparison = compare_runs(runs, distinct_names(command.runs));

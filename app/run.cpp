@@ -16,6 +16,7 @@
 #include "stop.hpp"
 
 #include <filesystem>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace terp {
@@ -30,7 +31,7 @@ void print_summary(const Summary& s, const std::string& folder)
 {
   fmt::print("solved in {}: {} points, {} steps of {:.4g} s, {:.1f} M point-steps/s on {} thread{}\n", readable_duration(s.wall_s), s.n_points,
              s.n_steps, s.dt, s.point_steps_per_s / 1e6, s.threads, s.threads == 1 ? "" : "s");
-  fmt::print("  front            {:.2f} m\n", s.front_x);
+  fmt::print("  front            {}\n", std::isfinite(s.front_x) ? fmt::format("{:.2f} m", s.front_x) : "-");
   fmt::print("  crest            {}\n", optional_number(s.crest_x, "m"));
   fmt::print("  second failure   {}\n", optional_number(s.second_failure_time, "s"));
   fmt::print("  largest eps_eq_p {:.3g}\n", s.max_eps_eq_p);
@@ -158,9 +159,9 @@ ResumePoint resume_point(const Model& model, const State& state)
   const std::int64_t n_times = count_due(state.step, model.dt, output.history_every);
   return {.step = state.step, .time = state.time, .n_frames = std::ssize(state.softened_fraction),
           .n_mesh_frames = output.mesh ? std::ssize(state.softened_fraction) : 0,
-          .n_history_rows = n_times * std::ssize(output.history_points), .n_ledger_rows = std::ssize(state.crest.time),
+          .n_history_rows = n_times * std::ssize(output.history_points), .n_ledger_rows = state.ledger_rows,
           .n_left_rows = std::ssize(state.left),
-          .n_footing_rows = std::ssize(state.crest.time) * std::ssize(model.footings)};
+          .n_footing_rows = state.ledger_rows * std::ssize(model.footings)};
 }
 
 }  // namespace

@@ -37,7 +37,12 @@ Reading read_progress(const std::string& folder)
   if (!fs::exists(path)) return {};
   const Table table = read_number_table(path);
   const auto age = fs::last_write_time(path) - fs::last_write_time(path_in(folder, case_file));
-  return {std::chrono::duration<double>(age).count(), last_of(table, "time"), last_of(table, "kinetic"), last_of(table, "front_x"), last_of(table, "crest_x")};
+  const auto either = [&](std::string_view right, std::string_view left) {
+    const Real x = last_of(table, right);
+    return std::isnan(x) ? last_of(table, left) : x;
+  };
+  return {std::chrono::duration<double>(age).count(), last_of(table, "time"), last_of(table, "kinetic"), either("front_x", "front_left_x"),
+          either("crest_x", "crest_left_x")};
 }
 
 /// Wall time to the end, at the speed between two readings [s]; NaN if nothing moved.
@@ -50,7 +55,8 @@ double time_left(const Reading& before, const Reading& now, Real end)
 std::string describe(const Reading& now, Real end, double left)
 {
   if (std::isnan(now.time)) return "no row of the ledger yet";
-  std::string text = fmt::format("t = {:.3f} of {:g} s ({:.0f} %)  kinetic energy {:.3g} kJ/m  front {:.2f} m", now.time, end, 100.0 * now.time / end, now.kinetic / 1e3, now.front);
+  std::string text = fmt::format("t = {:.3f} of {:g} s ({:.0f} %)  kinetic energy {:.3g} kJ/m", now.time, end, 100.0 * now.time / end, now.kinetic / 1e3);
+  if (!std::isnan(now.front)) text += fmt::format("  front {:.2f} m", now.front);
   if (!std::isnan(now.crest)) text += fmt::format("  crest {:.2f} m", now.crest);
   return left >= 0.0 ? text + "  ETA " + readable_duration(left) : text;
 }
@@ -66,7 +72,9 @@ void show(const std::string& line, bool renews)
 int watch_run(const WatchCommand& command)
 {
   const std::string& folder = command.run;
-  if (!fs::is_directory(folder) || !fs::exists(path_in(folder, case_file)))
+  if (!fs::is_directory(folder))
+    throw FileError(fmt::format("{}: no such run folder\n  Give the folder that `terp run` writes to, e.g. runs/model_2; it is there once the run has begun.", folder));
+  if (!fs::exists(path_in(folder, case_file)))
     throw FileError(fmt::format("{}: this is no run folder, it holds no {}", folder, case_file));
   const Real end = read_case(path_in(folder, case_file)).values.time.end;
   const bool terminal = isatty(STDOUT_FILENO) == 1;

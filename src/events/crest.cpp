@@ -6,10 +6,11 @@
 namespace terp {
 namespace {
 
-constexpr Real crest_tolerance = 0.05;  // of the surface height [m]
+constexpr Real crest_tolerance = 0.05;  // of the surface height [m]; or
+constexpr Real settlement = 0.025;      // in heights of the section [-]
 constexpr Real settled_for = 0.3;       // the crest has not retreated by more than it may for this long [s]
-constexpr Real settled_retreat = 0.05;  // what it may, in heights of the first surface [-]
-constexpr Real slide_retreat = 0.25;    // retreat that counts as a slide, in heights of the first surface [-]
+constexpr Real settled_retreat = 0.05;  // what it may, in heights of the slope [-]
+constexpr Real slide_retreat = 0.25;    // retreat that counts as a slide, in heights of the slope [-]
 constexpr Real stopped = 0.1;           // of the largest kinetic energy of a slide: it has stopped [-]
 constexpr Real round_off = 1e-9;        // of crest places, which are whole columns [m]
 
@@ -21,9 +22,12 @@ struct Rest {
 
 Rest rest_of(const CrestHistory& crest)
 {
-  const Real length = settled_retreat * first_height(crest), width = crest.columns.width;
+  const Real length = settled_retreat * crest.slope.height, width = crest.width;
   return width <= length ? Rest{length, settled_for} : Rest{width, settled_for * width / length};
 }
+
+/// Place of the crest, larger the farther out [m].
+Real place(const CrestHistory& crest, std::size_t row) { return outwards(crest.slope.facing) * crest.x[row]; }
 
 /// First row whose crest stays at rest; the number of rows if there is none.
 std::size_t find_settled(const CrestHistory& crest, std::size_t k)
@@ -32,9 +36,9 @@ std::size_t find_settled(const CrestHistory& crest, std::size_t k)
   const auto& t = crest.time;
   for (std::size_t end = k; k < t.size(); ++k) {
     end = k;
-    while (end < t.size() && crest.x[end] >= crest.x[k] - rest.length - round_off && t[end] - t[k] < rest.time - round_off) ++end;
+    while (end < t.size() && place(crest, end) >= place(crest, k) - rest.length - round_off && t[end] - t[k] < rest.time - round_off) ++end;
     if (end == t.size()) return end;
-    if (crest.x[end] >= crest.x[k] - rest.length - round_off) return end;
+    if (place(crest, end) >= place(crest, k) - rest.length - round_off) return end;
   }
   return k;
 }
@@ -45,25 +49,26 @@ std::size_t find_slide(const CrestHistory& crest, std::size_t k, Real length)
   for (std::size_t end = k; end < crest.x.size(); ++end) {
     while (crest.time[end] - crest.time[k] > settled_for + round_off) ++k;
     for (std::size_t from = k; from < end; ++from)
-      if (crest.x[end] <= crest.x[from] - length + round_off) return end;
+      if (place(crest, end) <= place(crest, from) - length + round_off) return end;
   }
   return crest.x.size();
 }
 
-/// First row from k on whose crest lies at or left of x.
-std::size_t find_retreat(const CrestHistory& crest, std::size_t k, Real x)
+/// First row whose crest lies by `length` behind its first place.
+std::size_t find_retreat(const CrestHistory& crest, Real length)
 {
-  while (k < crest.x.size() && crest.x[k] > x + round_off) ++k;
+  std::size_t k = 0;
+  while (k < crest.x.size() && place(crest, k) > place(crest, 0) - length + round_off) ++k;
   return k;
 }
 
-/// Retreat of the crest that counts as a slide: a quarter of the height of the first surface, at least two columns [m].
-Real slide_length(const CrestHistory& crest) { return std::max(slide_retreat * first_height(crest), 2.0 * crest.columns.width); }
+/// Retreat of the crest that counts as a slide: a quarter of the height of the slope, at least two columns [m].
+Real slide_length(const CrestHistory& crest) { return std::max(slide_retreat * crest.slope.height, 2.0 * crest.width); }
 
 /// First row, from `from` on, of the retreat that has come to row k: there the crest stood more than at rest behind its place at row `from`.
 std::size_t find_begin(const CrestHistory& crest, std::size_t from, std::size_t k)
 {
-  while (k > from && crest.x[k - 1] < crest.x[from] - rest_of(crest).length - round_off) --k;
+  while (k > from && place(crest, k - 1) < place(crest, from) - rest_of(crest).length - round_off) --k;
   return k;
 }
 
@@ -78,42 +83,61 @@ void follow_motion(const CrestHistory& crest, std::size_t begin, std::size_t end
     if (crest.kinetic[k] <= stopped * slide.kinetic_peak) slide.stops = crest.time[k];
 }
 
+/// Among runs of standing columns the one that holds the highest first surface; of equally high ones the longest.
+Standing highest_run(const Section& section, const std::vector<bool>& stands)
+{
+  Standing best;
+  Real height = 0.0;
+  for (Index c = 0; c < section.columns.n; ++c) {
+    if (!stands[c]) continue;
+    Standing run{c, c};
+    Real top = section.heights[c];
+    for (; run.last < section.columns.n && stands[run.last]; ++run.last) top = std::max(top, section.heights[run.last]);
+    const bool longer = run.last - run.first > best.last - best.first;
+    if (best.last == best.first || top > height + crest_tolerance || (top > height - crest_tolerance && longer)) best = run, height = top;
+    c = run.last;
+  }
+  return best;
+}
+
 }  // namespace
 
-Real first_height(const CrestHistory& crest)
+Standing find_standing(const Section& section, const std::vector<Slope>& slopes, const std::vector<Real>& heights)
 {
-  Real highest = 0.0;
-  for (const Real h : crest.initial_heights)
-    if (std::isfinite(h)) highest = std::max(highest, h - crest.base);
-  return highest;
+  const Real tolerance = std::max(crest_tolerance, settlement * relief(section));
+  const Index n = section.columns.n;
+  std::vector<bool> stands(static_cast<std::size_t>(n));
+  for (Index c = 0; c < n; ++c) stands[c] = std::isfinite(section.heights[c]) && std::abs(heights[c] - section.heights[c]) <= tolerance;
+  if (slopes.size() != 1) return highest_run(section, stands);
+  Standing run;
+  if (slopes[0].facing == Facing::right) {
+    while (run.last < n && stands[run.last]) ++run.last;
+    return run;
+  }
+  Index end = n;  // the last column may hold no soil where the mesh ends in it
+  while (end > 0 && !std::isfinite(section.heights[end - 1])) --end;
+  run = {end, end};
+  while (run.first > 0 && stands[run.first - 1]) --run.first;
+  return run;
 }
 
-Real moved_distance(const CrestHistory& crest) { return settled_retreat * first_height(crest); }
-
-CrestHistory start_crest_history(const PointBlocks<2>& points, Real left, Real right, Real column_width)
+Real find_crest(const Section& section, const Slope& slope, const Standing& standing)
 {
-  CrestHistory crest;
-  crest.columns = {left, column_width, static_cast<Index>(std::ceil((right - left) / column_width - 1e-9))};
-  crest.initial_heights = surface_heights(points, crest.columns);
-  crest.base = lowest(points);
-  return crest;
+  if (standing.first == standing.last) return std::nan("");
+  const Index edge = slope.facing == Facing::right ? std::min(standing.last, slope.last) : std::max(standing.first, slope.first);
+  return section.columns.left + edge * section.columns.width;
 }
 
-Real find_crest(const CrestHistory& crest, const PointBlocks<2>& points)
+Real crest_height(const Section& section, const Slope& slope, const Standing& standing, const std::vector<Real>& heights)
 {
-  const auto heights = surface_heights(points, crest.columns);
-  Index k = 0;
-  const auto stands = [&](Index c) {
-    return std::isfinite(crest.initial_heights[c]) && std::abs(heights[c] - crest.initial_heights[c]) <= crest_tolerance;
-  };
-  while (k < crest.columns.n && stands(k)) ++k;
-  return crest.columns.left + k * crest.columns.width;
+  if (standing.first == standing.last) return std::nan("");
+  const Index column = slope.facing == Facing::right ? std::min(standing.last, slope.last) - 1 : std::max(standing.first, slope.first);
+  return column >= 0 && column < section.columns.n ? heights[column] : std::nan("");
 }
 
-Real crest_height(const CrestHistory& crest, const PointBlocks<2>& points, Real crest_x)
+Real back_of(const Section& section, const Slope& slope)
 {
-  const auto column = static_cast<Index>(std::llround((crest_x - crest.columns.left) / crest.columns.width)) - 1;
-  return column >= 0 ? surface_heights(points, crest.columns)[static_cast<std::size_t>(column)] : std::nan("");
+  return section.columns.left + (slope.facing == Facing::right ? 0 : section.columns.n) * section.columns.width;
 }
 
 std::vector<Slide> find_slides(const CrestHistory& crest)
@@ -122,10 +146,10 @@ std::vector<Slide> find_slides(const CrestHistory& crest)
   std::vector<Slide> slides;
   std::vector<std::size_t> begins;
   std::size_t from = 0;  // row at which the crest last was at rest
-  std::size_t k = x.empty() ? 0 : find_retreat(crest, 0, x[0] - slide_length(crest));
+  std::size_t k = x.empty() ? 0 : find_retreat(crest, slide_length(crest));
   while (k < x.size()) {
     begins.push_back(find_begin(crest, from, k));
-    slides.push_back({.begins = crest.time[begins.back()], .stops = {}, .crest_from = x[from], .crest_to = x.back()});
+    slides.push_back({.begins = crest.time[begins.back()], .stops = {}, .crest_from = x[from], .crest_to = x.back(), .facing = crest.slope.facing});
     from = find_settled(crest, k);
     if (from == x.size()) break;
     slides.back().crest_to = x[from];

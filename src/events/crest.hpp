@@ -1,20 +1,19 @@
-// The crest, how it retreats, and the slides that make it retreat. Definitions: docs/formats.md.
+// The crests of a section, how they retreat, and the slides that make them retreat. Definitions: docs/formats.md.
 #pragma once
 
-#include "events/surface.hpp"
+#include "events/section.hpp"
 
 #include <optional>
 
 namespace terp {
 
-/// Where the crest was, one entry per ledger row.
+/// Where the crest of a slope was, one entry per ledger row.
 struct CrestHistory {
-  Columns columns;
-  std::vector<Real> initial_heights;  ///< of the surface at t = 0 [m], shape [columns.n]
-  Real base = 0.0;                    ///< height of the lowest point at t = 0 [m]
+  Slope slope;
+  Real width = 0.0;                   ///< of a column [m]
   std::vector<Real> time;             ///< [s]
-  std::vector<Real> x;                ///< crest [m]; left edge of the first column if the whole surface has moved
-  std::vector<Real> kinetic;          ///< kinetic energy of all soil [J per m]; may be empty: then nobody knows when a slide stops
+  std::vector<Real> x;                ///< crest [m]; the far side of the mesh if nothing stands
+  std::vector<Real> kinetic;          ///< kinetic energy of all soil, of the nodes [J per m]; may be empty: then nobody knows when a slide stops
 };
 
 /// A slide: the crest retreats by much within a short time. Definition: docs/formats.md.
@@ -22,23 +21,27 @@ struct Slide {
   Real begins = 0.0;                    ///< [s]
   std::optional<Real> stops;            ///< [s]; none if the next slide begins, or the run ends, before
   Real crest_from = 0.0, crest_to = 0.0;  ///< before, and when the crest has settled or the run ends [m]
-  Real kinetic_peak = 0.0;              ///< largest kinetic energy until the next slide [J per m]
+  Real kinetic_peak = 0.0;              ///< largest nodal kinetic energy until the next slide [J per m]
+  Facing facing = Facing::right;        ///< of the slope that slides
 };
 
-/// A crest history that starts with the surface as it is now.
-CrestHistory start_crest_history(const PointBlocks<2>& points, Real left, Real right, Real column_width);
+/// The ground that still stands, as columns first ... last - 1; none if first == last.
+struct Standing {
+  Index first = 0, last = 0;
+};
 
-/// Height of the first surface over the lowest point [m].
-Real first_height(const CrestHistory& crest);
+/// Columns whose surface is within 0.05 m, or a fortieth of the relief if that is more, of their first height, without a gap. With one
+/// slope: from the side behind it on. With two: those that hold the highest ground that stands. heights: the surface now [m].
+Standing find_standing(const Section& section, const std::vector<Slope>& slopes, const std::vector<Real>& heights);
 
-/// Displacement from which on soil counts as moved: a twentieth of that height [m].
-Real moved_distance(const CrestHistory& crest);
+/// The edge of the standing ground towards a slope, at most the first crest [m]; NaN if nothing stands.
+Real find_crest(const Section& section, const Slope& slope, const Standing& standing);
 
-/// Largest x from which the surface to the left is within 0.05 m of its height at t = 0.
-Real find_crest(const CrestHistory& crest, const PointBlocks<2>& points);
+/// Height of the surface in the last column before that edge [m]; NaN if nothing stands.
+Real crest_height(const Section& section, const Slope& slope, const Standing& standing, const std::vector<Real>& heights);
 
-/// Height of the surface at the last column before the crest [m]; NaN if the whole surface has moved.
-Real crest_height(const CrestHistory& crest, const PointBlocks<2>& points, Real crest_x);
+/// The edge of the columns behind a slope [m]: where its crest is when nothing stands.
+Real back_of(const Section& section, const Slope& slope);
 
 /// The slides so far, in order of time.
 std::vector<Slide> find_slides(const CrestHistory& crest);

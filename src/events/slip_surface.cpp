@@ -1,5 +1,7 @@
 #include "events/slip_surface.hpp"
 
+#include "mesh/shape_functions.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,6 +18,12 @@ constexpr Real fast = 0.999;           // part of the points that grow more slow
 float growth_of(const PointBlock<2>& block, Index lane, std::span<const float> growth)
 {
   return growth[static_cast<std::size_t>(block.row(Rows::id)[lane])];
+}
+
+/// N_i at a point.
+std::array<Real, 4> shares_of(const PointBlock<2>& block, Index lane)
+{
+  return shape_functions(block.row(Rows::xi)[lane], block.row(Rows::xi + 1)[lane]);
 }
 
 /// The column of a place; -1 outside all.
@@ -38,11 +46,35 @@ Real fastest_growth(const PointBlocks<2>& points, std::span<const float> growth)
 
 }  // namespace
 
-Real total_growth(const PointBlocks<2>& points, std::span<const float> growth)
+Real total_growth(const PointBlocks<2>& points, std::span<const float> growth, const Columns& columns)
 {
   Real sum = 0.0;
-  for_each_point(points, [&](const PointBlock<2>& block, Index lane) { sum += block.row(Rows::volume)[lane] * growth_of(block, lane, growth); });
+  for_each_point(points, [&](const PointBlock<2>& block, Index lane) {
+    if (column_of(block.row(Rows::x)[lane], columns) >= 0) sum += block.row(Rows::volume)[lane] * growth_of(block, lane, growth);
+  });
   return sum;
+}
+
+std::vector<float> mean_over_nodes(const Mesh<2>& mesh, const PointBlocks<2>& points, std::span<const float> values)
+{
+  std::vector<Real> sum(static_cast<std::size_t>(mesh.n_nodes())), weight(sum.size());
+  for_each_point(points, [&](const PointBlock<2>& block, Index lane) {
+    const auto N = shares_of(block, lane);
+    for (int i = 0; i < 4; ++i) {
+      const Index node = mesh.cells[block.cell][i];
+      weight[node] += N[i] * block.row(Rows::volume)[lane];
+      sum[node] += N[i] * block.row(Rows::volume)[lane] * growth_of(block, lane, values);
+    }
+  });
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = weight[i] > 0.0 ? sum[i] / weight[i] : 0.0;
+  std::vector<float> smooth(values.size());
+  for_each_point(points, [&](const PointBlock<2>& block, Index lane) {
+    const auto N = shares_of(block, lane);
+    Real value = 0.0;
+    for (int i = 0; i < 4; ++i) value += N[i] * sum[mesh.cells[block.cell][i]];
+    smooth[static_cast<std::size_t>(block.row(Rows::id)[lane])] = static_cast<float>(value);
+  });
+  return smooth;
 }
 
 std::vector<Vec<2>> find_slip_line(const PointBlocks<2>& points, std::span<const float> growth, const Columns& columns)

@@ -59,13 +59,16 @@ std::vector<Real> surface_heights(const PointBlocks<2>& points, const Columns& c
   return heights;
 }
 
-Real front(const PointBlocks<2>& points)
+std::array<Real, 2> extent_in_x(const PointBlocks<2>& points)
 {
-  Real x = points.n_points() > 0 ? -std::numeric_limits<Real>::infinity() : std::numeric_limits<Real>::quiet_NaN();
+  if (points.n_points() == 0) return {std::nan(""), std::nan("")};
+  std::array<Real, 2> extent{std::numeric_limits<Real>::infinity(), -std::numeric_limits<Real>::infinity()};
   for_each_block(points, [&](const PointBlock<2>& block) {
-    if (block.n > 0) x = std::max(x, range_of(block, Rows::x)[1]);
+    if (block.n == 0) return;
+    const auto x = range_of(block, Rows::x);
+    extent = {std::min(extent[0], x[0]), std::max(extent[1], x[1])};
   });
-  return x;
+  return extent;
 }
 
 Real lowest(const PointBlocks<2>& points)

@@ -17,8 +17,8 @@ struct Columns {
 /// Height of the highest point in each column [m], shape [n]; minus infinity where a column holds no point.
 std::vector<Real> surface_heights(const PointBlocks<2>& points, const Columns& columns);
 
-/// Largest x of all material points [m]; NaN if there are none.
-Real front(const PointBlocks<2>& points);
+/// Smallest and largest x of all material points [m]; NaN if there are none.
+std::array<Real, 2> extent_in_x(const PointBlocks<2>& points);
 
 /// Smallest y of all material points [m].
 Real lowest(const PointBlocks<2>& points);

@@ -21,7 +21,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the checksum is over little-endian bytes");
 
-constexpr std::int64_t format_version = 2;
+constexpr std::int64_t format_version = 3;
 const std::string format_name = "terp checkpoint";
 const std::string arrays = "/arrays";
 

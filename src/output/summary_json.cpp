@@ -8,12 +8,15 @@
 #include <filesystem>
 #include <fstream>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace terp {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::int64_t summary_format = 1;
 
 /// JSON has no NaN and no infinity: both become null.
 Json number(Real value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
@@ -61,13 +64,24 @@ void get(const nlohmann::json& json, const char* name, std::optional<Real>& valu
   value = std::isnan(there) ? std::nullopt : std::optional(there);
 }
 
+/// "right" or "left".
+std::string_view facing_name(Facing facing) { return facing == Facing::left ? "left" : "right"; }
+
+Facing facing_of(const nlohmann::json& json)
+{
+  std::string name;
+  get(json, "facing", name);
+  return name == "left" ? Facing::left : Facing::right;
+}
+
 Json slides_json(const Summary& summary)
 {
   Json list = Json::array();
   for (const auto& [slide, slip] : summary.slides) {
     Json points = Json::array();
     for (const Vec<2>& x : slip.line) points.push_back({number(x[0]), number(x[1])});
-    list.push_back({{"begins", number(slide.begins)},
+    list.push_back({{"facing", facing_name(slide.facing)},
+                    {"begins", number(slide.begins)},
                     {"stops", number(slide.stops)},
                     {"crest_from", number(slide.crest_from)},
                     {"crest_to", number(slide.crest_to)},
@@ -88,6 +102,7 @@ void read_slides(const nlohmann::json& json, Summary& summary)
 {
   for (const auto& entry : json.value("slides", nlohmann::json::array())) {
     SlideSummary slide;
+    slide.slide.facing = facing_of(entry);
     get(entry, "begins", slide.slide.begins);
     get(entry, "stops", slide.slide.stops);
     get(entry, "crest_from", slide.slide.crest_from);
@@ -132,6 +147,11 @@ SavedSummary read_summary(const std::string& path)
   const auto json = nlohmann::json::parse(saved.text, nullptr, false);
   if (!json.is_object()) throw FileError("cannot read " + path + ": it is not JSON");
   get(json, "terp_version", saved.terp_version);
+  std::int64_t format = summary_format;
+  get(json, "format", format);
+  if (format > summary_format)
+    throw FileError(fmt::format("cannot read {}: it is of format {}, terp {} reads formats up to {}\n  terp {} wrote it: read it with that one.", path, format,
+                                TERP_VERSION, summary_format, saved.terp_version));
   get(json, "finished", saved.finished);
   Summary& s = saved.values;
   get(json, "scheme", s.scheme);
@@ -145,6 +165,8 @@ SavedSummary read_summary(const std::string& path)
   get(json, "instructions", s.instructions);
   get(json, "processor", s.processor);
   read_passes(json, s);
+  if (json.contains("facing") && !json["facing"].is_null()) s.facing = facing_of(json);
+  get(json, "free_toe", s.free_toe);
   get(json, "front_x", s.front_x);
   get(json, "crest_x", s.crest_x);
   get(json, "crest_y", s.crest_y);
@@ -152,6 +174,7 @@ SavedSummary read_summary(const std::string& path)
   get(json, "moved_distance", s.moved_distance);
   get(json, "moved_volume", s.moved_volume);
   get(json, "moved_fraction", s.moved_fraction);
+  get(json, "intact_fraction", s.intact_fraction);
   read_slides(json, s);
   get(json, "second_failure_time", s.second_failure_time);
   get(json, "max_eps_eq_p", s.max_eps_eq_p);
@@ -175,6 +198,7 @@ std::string summary_text(const Summary& summary, bool finished, const CaseText& 
 {
   const Json json = {
       {"terp_version", TERP_VERSION},
+      {"format", summary_format},
       {"finished", finished},
       {"scheme", summary.scheme},
       {"points", summary.n_points},
@@ -187,6 +211,8 @@ std::string summary_text(const Summary& summary, bool finished, const CaseText& 
       {"instructions", summary.instructions},
       {"processor", summary.processor},
       {"passes", passes_json(summary)},
+      {"facing", summary.facing ? Json(facing_name(*summary.facing)) : Json(nullptr)},
+      {"free_toe", summary.free_toe},
       {"front_x", number(summary.front_x)},
       {"crest_x", number(summary.crest_x)},
       {"crest_y", number(summary.crest_y)},
@@ -194,6 +220,7 @@ std::string summary_text(const Summary& summary, bool finished, const CaseText& 
       {"moved_distance", number(summary.moved_distance)},
       {"moved_volume", number(summary.moved_volume)},
       {"moved_fraction", number(summary.moved_fraction)},
+      {"intact_fraction", number(summary.intact_fraction)},
       {"slides", slides_json(summary)},
       {"second_failure_time", number(summary.second_failure_time)},
       {"max_eps_eq_p", number(summary.max_eps_eq_p)},

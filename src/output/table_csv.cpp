@@ -120,10 +120,10 @@ std::string csv_line(const LedgerRow& row)
   std::string line;
   add_number(line, row.time);
   fmt::format_to(std::back_inserter(line), ",{}", row.step);
-  add_numbers(line, {row.kinetic, row.elastic, row.plastic, row.gravity_work, row.damping_work, row.boundary_work,
+  add_numbers(line, {row.kinetic, row.kinetic_nodal, row.elastic, row.plastic, row.gravity_work, row.damping_work, row.boundary_work,
                      row.left_energy, row.numerical, row.mass, row.momentum_x, row.momentum_y});
   fmt::format_to(std::back_inserter(line), ",{},{}", row.clamped, row.left);
-  add_numbers(line, {row.front_x, row.crest_x, row.crest_y, row.moved_volume, row.v_max, row.v_999});
+  add_numbers(line, {row.front_x, row.crest_x, row.crest_y, row.front_left_x, row.crest_left_x, row.crest_left_y, row.moved_volume, row.v_max, row.v_999});
   return line + '\n';
 }
 

@@ -12,8 +12,8 @@ namespace terp {
 
 inline constexpr std::string_view history_header = "time,point,id,x,y,eps_deviatoric,eps_eq_p,su,pressure";
 inline constexpr std::string_view ledger_header =
-    "time,step,kinetic,elastic,plastic,gravity_work,damping_work,boundary_work,left_energy,numerical,mass,momentum_x,momentum_y,"
-    "clamped,left,front_x,crest_x,crest_y,moved_volume,v_max,v_999";
+    "time,step,kinetic,kinetic_nodal,elastic,plastic,gravity_work,damping_work,boundary_work,left_energy,numerical,mass,momentum_x,momentum_y,"
+    "clamped,left,front_x,crest_x,crest_y,front_left_x,crest_left_x,crest_left_y,moved_volume,v_max,v_999";
 inline constexpr std::string_view left_header = "time,id,x,y,v_x,v_y,mass";
 inline constexpr std::string_view footings_header = "time,footing,displacement_x,displacement_y,reaction_x,reaction_y,work";
 

@@ -1,6 +1,7 @@
 #include "results/compare.hpp"
 
 #include "output/json_text.hpp"
+#include "results/compare_words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,8 @@ namespace {
 
 using Value = std::optional<Real>;
 
+constexpr Real round_off = 1e-9;        // of a strength, relative [-]
 constexpr Real softened_strain = 0.06;  // eps_eq_p at which 95 % of the strength drop is reached with the paper's eta = 50 [-]
-constexpr Real same_time = 0.02;        // a frame this near to a time counts as of that time [s]
 
 Value finite(Real value) { return std::isfinite(value) ? Value(value) : std::nullopt; }
 
@@ -33,15 +34,18 @@ Value softened_at(const RunResults& run, Real time)
   return std::nullopt;
 }
 
+/// The slides that the summary tells of: none while it is behind.
+std::vector<SlideSummary> slides_in(const RunResults& run) { return summary_is_behind(run) ? std::vector<SlideSummary>{} : run.summary.values.slides; }
+
 Value slide_begins(const RunResults& run, std::size_t k)
 {
-  const auto& slides = run.summary.values.slides;
+  const auto slides = slides_in(run);
   return k < slides.size() ? Value(slides[k].slide.begins) : std::nullopt;
 }
 
 Value slide_stops(const RunResults& run, std::size_t k)
 {
-  const auto& slides = run.summary.values.slides;
+  const auto slides = slides_in(run);
   return k < slides.size() ? slides[k].slide.stops : std::nullopt;
 }
 
@@ -56,11 +60,12 @@ struct RowMaker {
     for (const RunResults& run : runs) row.values.push_back(value(run));
     comparison.rows.push_back(std::move(row));
   }
-  /// A number of the summary.
+  /// A number of the summary; none while that is behind.
   template <class T>
   void add(std::string label, std::string unit, int digits, T Summary::* member, Real factor = 1.0) const
   {
     add(std::move(label), std::move(unit), digits, [=](const RunResults& run) -> Value {
+      if (summary_is_behind(run)) return std::nullopt;
       const Value value = Value(run.summary.values.*member);
       return value ? finite(factor * *value) : std::nullopt;
     });
@@ -78,6 +83,7 @@ void add_motion(const RowMaker& table)
   table.add("second slide begins", "s", 2, [](const RunResults& run) { return slide_begins(run, 1); });
   table.add("volume that moved", "m^2", 2, &Summary::moved_volume);
   table.add("share that moved", "%", 1, &Summary::moved_fraction, 100.0);
+  table.add("intact share of the soil that moved", "%", 1, &Summary::intact_fraction, 100.0);
   table.add("largest eps_eq_p at the end", "-", 2, &Summary::max_eps_eq_p);
 }
 
@@ -103,6 +109,9 @@ std::vector<std::string> named_points(const std::vector<RunResults>& runs)
 
 void add_audit(const RowMaker& table)
 {
+  table.add("named points whose S_u ever rose", "-", 0, [](const RunResults& run) -> Value {
+    return run.history.empty() ? std::nullopt : Value(static_cast<Real>(points_that_regained_strength(run).size()));
+  });
   table.add("points whose eps_eq_p ever fell", "-", 0, &Summary::points_eps_eq_p_fell);
   table.add("points whose S_u ever rose", "-", 0, &Summary::points_su_rose);
   table.add("points put back at a wall", "-", 0, &Summary::clamped_points);
@@ -119,103 +128,6 @@ void add_cost(const RowMaker& table)
   table.add("wall time", "s", 1, &Summary::wall_s);
 }
 
-/// What distinguishes two runs: the scheme if it does, else the names.
-struct Pair {
-  std::string a, b;
-};
-
-Pair titles(const Comparison& c, std::size_t other)
-{
-  if (c.schemes[0] != c.schemes[other]) return {scheme_title(c.schemes[0]), scheme_title(c.schemes[other])};
-  return {c.names[0], c.names[other]};
-}
-
-const ComparisonRow& row_of(const Comparison& c, std::string_view label)
-{
-  return *std::find_if(c.rows.begin(), c.rows.end(), [&](const ComparisonRow& row) { return row.label == label; });
-}
-
-/// True if all runs end at one time, as far as that is known.
-bool end_together(const Comparison& c)
-{
-  const auto& ends = row_of(c, "time at the end").values;
-  return std::all_of(ends.begin(), ends.end(), [&](Value end) { return !end || !ends[0] || std::abs(*end - *ends[0]) <= same_time; });
-}
-
-/// What must be known before the numbers of two runs are set against each other; empty if all is well.
-std::string end_sentence(const Comparison& c, std::size_t other)
-{
-  const auto& ends = row_of(c, "time at the end").values;
-  if (!ends[0] || !ends[other] || std::abs(*ends[0] - *ends[other]) <= same_time) return "";
-  return fmt::format("The runs end at different times, {} at {:.2f} s and {} at {:.2f} s: what they say of the end is not of one time.", c.names[0], *ends[0],
-                     c.names[other], *ends[other]);
-}
-
-/// One sentence on how far the runs went.
-std::string front_sentence(const Comparison& c, std::size_t other, const Pair& who)
-{
-  const auto& front = row_of(c, "front at the end").values;
-  if (!front[0] || !front[other]) return "The front of one run is not known.";
-  const Real more = *front[0] - *front[other];
-  if (std::abs(more) < 0.005) return fmt::format("The fronts end at the same place, {:.2f} m.", *front[0]);
-  return fmt::format("With {} the front ends {:.2f} m {} than with {} ({:.2f} m against {:.2f} m).", who.a, std::abs(more), more > 0.0 ? "farther" : "nearer", who.b,
-                     *front[0], *front[other]);
-}
-
-/// "at 0.18 s with A, at 0.25 s with B" or "... with A; with B there is none".
-std::string times_of_slide(const std::vector<Value>& begins, std::size_t other, const Pair& who)
-{
-  const auto at = [](Value time, const std::string& name) { return fmt::format("at {:.2f} s with {}", *time, name); };
-  if (begins[0] && begins[other]) return at(begins[0], who.a) + ", " + at(begins[other], who.b);
-  return begins[0] ? fmt::format("{}; with {} there is none", at(begins[0], who.a), who.b) : fmt::format("{}; with {} there is none", at(begins[other], who.b), who.a);
-}
-
-std::string slides_sentence(const Comparison& c, std::size_t other, const Pair& who)
-{
-  const auto& first = row_of(c, "first slide begins").values;
-  const auto& second = row_of(c, "second slide begins").values;
-  if (!first[0] && !first[other]) return "Neither run has a slide.";
-  std::string text = "The first slide begins " + times_of_slide(first, other, who) + ".";
-  if (second[0] || second[other]) text += " A second begins " + times_of_slide(second, other, who) + ".";
-  return text;
-}
-
-std::string softening_sentence(const Comparison& c, std::size_t other, const Pair& who)
-{
-  const ComparisonRow* last = nullptr;
-  for (const ComparisonRow& row : c.rows)
-    if (row.label.starts_with("softened volume")) last = &row;
-  if (last == nullptr || !last->values[0] || !last->values[other]) return "";
-  const std::string when = end_together(c) ? "At the end" : "At" + last->label.substr(last->label.rfind(" at ") + 3);
-  return fmt::format("{} {:.1f} % of the soil has lost more than half of its strength with {}, {:.1f} % with {}.", when, *last->values[0], who.a, *last->values[other],
-                     who.b);
-}
-
-std::string audit_sentence(const Comparison& c, std::size_t other, const Pair& who)
-{
-  const auto& fell = row_of(c, "points whose eps_eq_p ever fell").values;
-  const auto& n = row_of(c, "material points").values;
-  const auto clause = [&](std::size_t k, const std::string& name) {
-    if (!fell[k] || *fell[k] == 0.0) return fmt::format("with {} no point loses any of its plastic strain", name);
-    return fmt::format("with {} the plastic strain fell at {:.0f} of {:.0f} points, so that soil regained strength, which its law forbids", name, *fell[k], n[k].value_or(0.0));
-  };
-  std::string text = clause(0, who.a) + "; " + clause(other, who.b) + ".";
-  text[0] = 'W';
-  return text;
-}
-
-void add_text(const std::vector<RunResults>& runs, Comparison& c)
-{
-  for (std::size_t k = 0; k < runs.size(); ++k)
-    if (summary_is_behind(runs[k])) c.text.push_back(fmt::format("{} has not ended; what its summary holds is older than its ledger and is not compared in words.", c.names[k]));
-  for (std::size_t other = 1; other < c.names.size(); ++other) {
-    if (summary_is_behind(runs[0]) || summary_is_behind(runs[other])) continue;
-    const Pair who = titles(c, other);
-    for (const auto& sentence : {end_sentence(c, other), slides_sentence(c, other, who), front_sentence(c, other, who), softening_sentence(c, other, who), audit_sentence(c, other, who)})
-      if (!sentence.empty()) c.text.push_back(sentence);
-  }
-}
-
 std::string cell_text(Value value, int digits) { return value ? fmt::format("{:.{}f}", *value, digits) : std::string("-"); }
 
 }  // namespace
@@ -225,6 +137,18 @@ std::string scheme_title(std::string_view scheme)
   if (scheme == "mpm_mixed") return "MPM-Mixed";
   if (scheme == "mpm_gp") return "MPM-GP";
   return scheme == "standard_mpm" ? "standard MPM" : std::string(scheme);
+}
+
+std::vector<std::string> points_that_regained_strength(const RunResults& run)
+{
+  std::vector<std::string> names;
+  for (const PointTable& history : run.history) {
+    const auto* su = history.table.find("su");
+    if (su == nullptr) continue;
+    const auto rises = [](Real before, Real after) { return after > before * (1.0 + round_off); };
+    if (std::adjacent_find(su->begin(), su->end(), rises) != su->end()) names.push_back(history.point);
+  }
+  return names;
 }
 
 std::optional<Real> softening_time(const RunResults& run, std::string_view point)
@@ -249,7 +173,7 @@ Comparison compare_runs(const std::vector<RunResults>& runs, const std::vector<s
     table.add(point + ": eps_eq_p > 0.06 from", "s", 2, [&](const RunResults& run) { return softening_time(run, point); });
   add_audit(table);
   add_cost(table);
-  add_text(runs, comparison);
+  comparison.text = describe_differences(runs, comparison);
   return comparison;
 }
 

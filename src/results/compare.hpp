@@ -16,6 +16,9 @@ struct ComparisonRow {
   int digits = 2;                           ///< after the point, when printed
 };
 
+/// A frame or an end this near to a time counts as of that time [s].
+inline constexpr Real same_time = 0.02;
+
 struct Comparison {
   std::vector<std::string> names, schemes;  ///< of the runs
   std::vector<ComparisonRow> rows;
@@ -33,6 +36,9 @@ std::string comparison_json(const Comparison& comparison);
 
 /// The first time at which eps_eq_p of a named point exceeds 0.06 [s]; none if never, or if it is not recorded.
 std::optional<Real> softening_time(const RunResults& run, std::string_view point);
+
+/// The named points whose S_u is larger in some row of their history than in the row before.
+std::vector<std::string> points_that_regained_strength(const RunResults& run);
 
 /// "MPM-GP" for "mpm_gp".
 std::string scheme_title(std::string_view scheme);

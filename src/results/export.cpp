@@ -1,6 +1,6 @@
 #include "results/export.hpp"
 
-#include "base/errors.hpp"
+#include "input/case_file.hpp"
 #include "output/files.hpp"
 #include "output/run_folder.hpp"
 #include "results/npz.hpp"
@@ -23,7 +23,7 @@ std::size_t parse_frame(std::string_view word, const std::string& text, std::siz
   std::size_t k = 0;
   const auto end = std::from_chars(word.data(), word.data() + word.size(), k);
   if (!word.empty() && end.ec == std::errc() && end.ptr == word.data() + word.size() && k < n_frames) return k;
-  throw FileError(fmt::format("there is no frame `{}` in `{}`: the run has frames 0 to {}\n  Write numbers, ranges and `last`, as in --frames 0,5,10:20,last", word, text,
+  throw CaseError(fmt::format("error: there is no frame `{}` in `{}`: the run has frames 0 to {}\n  Write numbers, ranges and `last`, as in --frames 0,5,10:20,last\n", word, text,
                               static_cast<long>(n_frames) - 1));
 }
 

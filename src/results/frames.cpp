@@ -1,6 +1,7 @@
 #include "results/frames.hpp"
 
 #include "base/errors.hpp"
+#include "input/case_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +14,16 @@ namespace {
 
 const std::string root = "/VTKHDF";
 const std::string point_data = root + "/PointData";
+constexpr std::int64_t known_version = 2;  // the first number of the format's version; the second adds what an old reader passes over
 
 }  // namespace
 
 Frames::Frames(const std::string& path) : path_(path), file_(path, Hdf5File::Mode::read)
 {
+  const auto version = file_.integers(root, "Version");
+  if (version.empty() || version[0] != known_version)
+    throw FileError(fmt::format("cannot read {}: it is of VTKHDF version {}, terp {} reads version {}\n  A newer terp wrote it: read it with that one.", path,
+                                fmt::join(version, "."), TERP_VERSION, known_version));
   const std::string steps = root + "/Steps";
   n_points_ = file_.read<std::int64_t>(root + "/NumberOfPoints").at(0);
   const std::int64_t n_frames = file_.integers(steps, "NSteps").at(0);  // what follows may be half written
@@ -57,7 +63,7 @@ const FieldInfo& Frames::field(std::string_view name) const
   if (const FieldInfo* found = find(name)) return *found;
   std::vector<std::string> names;
   for (const auto& f : fields_) names.push_back(f.name);
-  throw FileError(fmt::format("{} has no field `{}`\n  It has: {}", path_, name, fmt::join(names, ", ")));
+  throw CaseError(fmt::format("error: {} has no field `{}`\n  It has: {}\n", path_, name, fmt::join(names, ", ")));
 }
 
 std::vector<Real> magnitudes(const std::vector<Real>& values, int n_components)

@@ -53,6 +53,7 @@ RunResults read_run(const std::string& folder)
 bool summary_is_behind(const RunResults& run)
 {
   const auto* step = run.ledger.find("step");
+  if (!run.summary.finished && run.summary.values.n_steps == 0) return true;  // as it was written at the start
   return step != nullptr && !step->empty() && step->back() > static_cast<Real>(run.summary.values.n_steps);
 }
 

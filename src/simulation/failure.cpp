@@ -1,37 +1,103 @@
 #include "simulation/failure.hpp"
 
 #include "events/moved.hpp"
+#include "simulation/ledger.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace terp {
 namespace {
 
-/// Number of slides so far. A new one shows only when the crest has retreated.
-std::size_t count_slides(const State& state)
+/// Number of slides of a slope so far. A new one shows only when the crest has retreated.
+std::size_t count_slides(const SlopeFailure& slope)
 {
-  const auto& x = state.crest.x;
-  const bool same = x.size() > 1 && x.back() >= x[x.size() - 2];
-  return same ? state.slip.size() : find_slides(state.crest).size();
+  const auto& x = slope.crest.x;
+  const Real out = outwards(slope.crest.slope.facing);
+  const bool same = x.size() > 1 && out * x.back() >= out * x[x.size() - 2];
+  return same ? slope.slip.size() : find_slides(slope.crest).size();
 }
 
-void follow_slip(State& state)
+/// Columns in which a slope may shear: all but those beyond the toe of the other slope.
+Columns columns_of(const State& state, const Slope& slope)
 {
-  const auto& time = state.crest.time;
+  Columns columns = state.section.columns;
+  for (const SlopeFailure& other : state.slopes) {
+    if (other.crest.slope.facing == slope.facing) continue;
+    const auto k = static_cast<Index>(std::llround((other.crest.slope.toe - columns.left) / columns.width));
+    if (slope.facing == Facing::left) return {columns.left, columns.width, k};
+    return {columns.left + k * columns.width, columns.width, columns.n - k};
+  }
+  return columns;
+}
+
+void follow_slip(const Model& model, const State& state, SlopeFailure& slope)
+{
+  const auto& time = slope.crest.time;
   if (time.size() < 2) return;
-  state.slip.resize(std::max({std::size_t{1}, state.slip.size(), count_slides(state)}));
-  SlipSurface& slip = state.slip.back();
-  const Real rate = total_growth(state.points, state.audit.growth) / (time.back() - time[time.size() - 2]);
+  slope.slip.resize(std::max({std::size_t{1}, slope.slip.size(), count_slides(slope)}));
+  SlipSurface& slip = slope.slip.back();
+  const Columns columns = columns_of(state, slope.crest.slope);
+  const auto& growth = state.audit.growth;
+  const Real rate = total_growth(state.points, growth, columns) / (time.back() - time[time.size() - 2]);
   if (!(rate > slip.rate)) return;
-  slip = {.time = time.back(), .rate = rate, .line = find_slip_line(state.points, state.audit.growth, state.crest.columns)};
+  slip = {.time = time.back(), .rate = rate, .line = find_slip_line(state.points, mean_over_nodes(model.mesh, state.points, growth), columns)};
 }
 
-/// Largest x at t = 0 [m].
-Real first_front(const State& state)
+/// Fronts of the slopes to the left and to the right [m]; NaN where nothing came that way yet and the toe is not free.
+std::array<Real, 2> fronts(const State& state)
 {
-  Real x = state.x_initial.empty() ? 0.0 : state.x_initial[0];
-  for (std::size_t k = 0; k < state.x_initial.size(); k += 2) x = std::max(x, state.x_initial[k]);
+  const auto soil = extent_in_x(state.points), moved = reach(state.points, state.x_initial, moved_distance(state.section));
+  std::array<Real, 2> x{std::nan(""), std::nan("")};
+  for (const SlopeFailure& slope : state.slopes) {
+    const std::size_t side = slope.crest.slope.facing == Facing::left ? 0 : 1;
+    x[side] = slope.crest.slope.free_toe ? soil[side] : moved[side];
+  }
   return x;
+}
+
+Real front_of(const std::array<Real, 2>& x, Facing facing) { return x[facing == Facing::left ? 0 : 1]; }
+
+/// Where the soil in front of a slope ended at t = 0, or the toe of the slope if it is not free [m].
+Real first_front(const State& state, const Slope& slope)
+{
+  if (!slope.free_toe || state.x_initial.empty()) return slope.toe;
+  const Real out = outwards(slope.facing);
+  Real x = state.x_initial[0];
+  for (std::size_t k = 0; k < state.x_initial.size(); k += 2)
+    if (out * state.x_initial[k] > out * x) x = state.x_initial[k];
+  return x;
+}
+
+/// How far the front of a slope has come [m]; NaN without a front.
+Real run_out_of(const State& state, const Slope& slope)
+{
+  const Real way = outwards(slope.facing) * (front_of(fronts(state), slope.facing) - first_front(state, slope));
+  return slope.free_toe || std::isnan(way) ? way : std::max(way, 0.0);
+}
+
+/// The slides of a slope. Of two slopes one may merely lose the soil that slides the other way: its front did not come out.
+std::vector<SlideSummary> slides_of(const State& state, const SlopeFailure& slope)
+{
+  std::vector<SlideSummary> list;
+  const Real run_out = run_out_of(state, slope.crest.slope);
+  if (state.slopes.size() > 1 && !(slope.crest.slope.free_toe ? run_out > 0.0 : run_out >= 0.0)) return list;
+  for (const Slide& slide : find_slides(slope.crest))
+    list.push_back({slide, list.size() < slope.slip.size() ? slope.slip[list.size()] : SlipSurface{}});
+  return list;
+}
+
+/// The slope whose front came farthest; the first of those that came equally far; none without slopes.
+const SlopeFailure* main_slope(const State& state)
+{
+  const SlopeFailure* best = nullptr;
+  const auto come = [&](const SlopeFailure& slope) {
+    const Real way = run_out_of(state, slope.crest.slope);
+    return std::isnan(way) ? -1.0 : way;
+  };
+  for (const SlopeFailure& slope : state.slopes)
+    if (best == nullptr || come(slope) > come(*best)) best = &slope;
+  return best;
 }
 
 Real total_volume(const PointBlocks<2>& points)
@@ -41,36 +107,72 @@ Real total_volume(const PointBlocks<2>& points)
   return volume;
 }
 
-}  // namespace
+std::optional<Real> finite(Real value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
 
-void follow_failure(State& state, LedgerRow& row)
+void summarise_slope(const State& state, const SlopeFailure& main, Summary& s)
 {
-  row.front_x = front(state.points);
-  row.crest_x = find_crest(state.crest, state.points);
-  row.crest_y = crest_height(state.crest, state.points, row.crest_x);
-  row.moved_volume = moved_volume(state.points, state.x_initial, moved_distance(state.crest));
-  state.crest.time.push_back(row.time);
-  state.crest.x.push_back(row.crest_x);
-  state.crest.kinetic.push_back(row.kinetic);
-  follow_slip(state);
+  const Slope& slope = main.crest.slope;
+  s.facing = slope.facing;
+  s.free_toe = slope.free_toe;
+  s.front_x = front_of(fronts(state), slope.facing);
+  s.run_out = run_out_of(state, slope);
+  const auto heights = surface_heights(state.points, state.section.columns);
+  std::vector<Slope> slopes;
+  for (const SlopeFailure& each : state.slopes) slopes.push_back(each.crest.slope);
+  const Standing standing = find_standing(state.section, slopes, heights);
+  s.crest_x = finite(find_crest(state.section, slope, standing));
+  s.crest_y = finite(crest_height(state.section, slope, standing, heights));
+  const auto slides = slides_of(state, main);
+  s.second_failure_time = slides.size() > 1 ? std::optional(slides[1].slide.begins) : std::nullopt;
 }
 
-void summarise_failure(const State& state, Summary& s)
+}  // namespace
+
+void start_following(Columns columns, State& state)
 {
-  s.front_x = front(state.points);
-  s.run_out = s.front_x - first_front(state);
-  const Real crest = find_crest(state.crest, state.points);
-  if (crest > state.crest.columns.left) {
-    s.crest_x = crest;
-    s.crest_y = crest_height(state.crest, state.points, crest);
+  state.section = look_at_section(state.points, columns);
+  state.slopes.clear();
+  for (const Slope& slope : find_slopes(state.section))
+    state.slopes.push_back({{.slope = slope, .width = columns.width, .time = {}, .x = {}, .kinetic = {}}, {}});
+}
+
+void follow_failure(const Model& model, State& state, LedgerRow& row)
+{
+  const Real none = std::nan("");
+  row.front_x = row.crest_x = row.crest_y = row.front_left_x = row.crest_left_x = row.crest_left_y = none;
+  const auto front = fronts(state);
+  const auto heights = surface_heights(state.points, state.section.columns);
+  std::vector<Slope> slopes;
+  for (const SlopeFailure& each : state.slopes) slopes.push_back(each.crest.slope);
+  const Standing standing = find_standing(state.section, slopes, heights);
+  row.moved_volume = moved_volume(state.points, state.x_initial, moved_distance(state.section));
+  for (SlopeFailure& slope : state.slopes) {
+    CrestHistory& crest = slope.crest;
+    const bool left = crest.slope.facing == Facing::left;
+    const Real x = find_crest(state.section, crest.slope, standing);
+    crest.time.push_back(row.time);
+    crest.x.push_back(std::isnan(x) ? back_of(state.section, crest.slope) : x);
+    crest.kinetic.push_back(row.kinetic_nodal);
+    (left ? row.front_left_x : row.front_x) = front_of(front, crest.slope.facing);
+    (left ? row.crest_left_x : row.crest_x) = crest.x.back();
+    (left ? row.crest_left_y : row.crest_y) = crest_height(state.section, crest.slope, standing, heights);
+    follow_slip(model, state, slope);
   }
-  s.moved_distance = moved_distance(state.crest);
+}
+
+void summarise_failure(const Model& model, const State& state, Summary& s)
+{
+  if (const SlopeFailure* main = main_slope(state)) summarise_slope(state, *main, s);
+  for (const SlopeFailure& slope : state.slopes)
+    for (SlideSummary& slide : slides_of(state, slope)) s.slides.push_back(std::move(slide));
+  std::stable_sort(s.slides.begin(), s.slides.end(), [](const auto& a, const auto& b) { return a.slide.begins < b.slide.begins; });
+  s.moved_distance = moved_distance(state.section);
   s.moved_volume = moved_volume(state.points, state.x_initial, s.moved_distance);
   const Real volume = total_volume(state.points);
   s.moved_fraction = volume > 0.0 ? s.moved_volume / volume : 0.0;
-  const auto slides = find_slides(state.crest);
-  for (std::size_t k = 0; k < slides.size(); ++k) s.slides.push_back({slides[k], k < state.slip.size() ? state.slip[k] : SlipSurface{}});
-  s.second_failure_time = slides.size() > 1 ? std::optional(slides[1].begins) : std::nullopt;
+  std::vector<int> strain_rows;
+  for (const SoilMaterial& material : model.materials) strain_rows.push_back(find_eps_eq_p(*material.type));
+  s.intact_fraction = finite(intact_share(state.points, state.x_initial, s.moved_distance, strain_rows));
 }
 
 }  // namespace terp

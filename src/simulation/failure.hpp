@@ -9,11 +9,14 @@
 
 namespace terp {
 
+/// Looks at the section as it is now, and forgets what was followed before.
+void start_following(Columns columns, State& state);
+
 /// Enters front, crest and moved volume into the row and the state; keeps the slip surface if the strain has never grown faster in this
-/// slide. The row must hold time and kinetic energy, the audit the growth of the strain since the row before.
-void follow_failure(State& state, LedgerRow& row);
+/// slide. The row must hold time and nodal kinetic energy, the audit the growth of the strain since the row before.
+void follow_failure(const Model& model, State& state, LedgerRow& row);
 
 /// Fills what the summary says of the failure.
-void summarise_failure(const State& state, Summary& summary);
+void summarise_failure(const Model& model, const State& state, Summary& summary);
 
 }  // namespace terp

@@ -1,5 +1,6 @@
 #include "simulation/initial.hpp"
 
+#include "simulation/failure.hpp"
 #include "simulation/guards.hpp"
 #include "simulation/setup_points.hpp"
 
@@ -113,8 +114,7 @@ Search seek_equilibrium(const Model& model, State& state, Workspace& work, const
     work.damping_local = model.damping.local;
     work.settling = false;
     reset_history(state, model.n_state);
-    const Columns columns = state.crest.columns;
-    state.crest = start_crest_history(state.points, columns.left, columns.left + columns.n * columns.width, columns.width);
+    start_following(state.section.columns, state);
     return {.reached = true};
   }
   if (state.equilibrium_steps < initial.max_steps) return {};

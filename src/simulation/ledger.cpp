@@ -1,6 +1,7 @@
 #include "simulation/ledger.hpp"
 
 #include "simulation/failure.hpp"
+#include "simulation/node_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -208,6 +209,7 @@ LedgerRow keep_ledger(const Model& model, State& state)
   row.time = state.time;
   row.step = state.step;
   enter_points(model, state, row);
+  row.kinetic_nodal = kinetic_energy(map_motion(model, state));
   row.plastic = state.work.plastic;
   row.gravity_work = state.work.gravity;
   row.damping_work = state.work.damping;
@@ -219,7 +221,8 @@ LedgerRow keep_ledger(const Model& model, State& state)
   row.left = static_cast<std::int64_t>(state.left.size());
   state.largest_v_999 = std::max(state.largest_v_999, row.v_999);
   audit_history(model, state);
-  follow_failure(state, row);
+  follow_failure(model, state, row);
+  ++state.ledger_rows;
   return row;
 }
 

@@ -59,6 +59,7 @@ struct LedgerRow {
   Real time = 0.0;
   std::int64_t step = 0;
   Real kinetic = 0.0;        ///< of the material points
+  Real kinetic_nodal = 0.0;  ///< of the nodes: the part of it that the mesh sees
   Real elastic = 0.0;        ///< stored
   Real plastic = 0.0;        ///< dissipated so far
   Real gravity_work = 0.0, damping_work = 0.0, boundary_work = 0.0;  ///< so far
@@ -68,7 +69,8 @@ struct LedgerRow {
   Real momentum_x = 0.0, momentum_y = 0.0;  ///< [kg m/s per m]
   std::int64_t clamped = 0;  ///< points put back at a wall so far
   std::int64_t left = 0;     ///< points that left through open sides so far
-  Real front_x = 0.0, crest_x = 0.0, crest_y = 0.0;  ///< [m]; NaN if not defined
+  Real front_x = 0.0, crest_x = 0.0, crest_y = 0.0;                 ///< of the slope to the right [m]; NaN if not defined
+  Real front_left_x = 0.0, crest_left_x = 0.0, crest_left_y = 0.0;  ///< of the slope to the left
   Real moved_volume = 0.0;   ///< volume away from its first place [m^2]
   Real v_max = 0.0, v_999 = 0.0;      ///< largest speed, and its 99.9 % quantile [m/s]
 };

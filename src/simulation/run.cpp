@@ -179,7 +179,7 @@ Summary summarise(const Model& model, const State& state)
   s.threads = model.threads;
   s.instructions = kernels().instructions;
   s.processor = processor_name();
-  summarise_failure(state, s);
+  summarise_failure(model, state, s);
   const auto& eps = state.audit.last_eps_eq_p;
   s.max_eps_eq_p = eps.empty() ? 0.0 : *std::max_element(eps.begin(), eps.end());
   s.softened_fraction = state.softened_fraction;

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "forces/time_step.hpp"
 #include "mesh/mesh_error.hpp"
+#include "simulation/failure.hpp"
 #include "simulation/initial.hpp"
 #include "simulation/setup_history.hpp"
 #include "simulation/setup_mesh.hpp"
@@ -217,7 +218,7 @@ State build_state(Model& model)
   set_initial_stress(model, state);
   follow_history_points(model, state);
   const Vec<2> x = extent_in_x(model.mesh);
-  state.crest = start_crest_history(state.points, x[0], x[1], typical_cell_size(model.mesh));
+  start_following(columns_between(x[0], x[1], typical_cell_size(model.mesh)), state);
   return state;
 }
 

@@ -34,6 +34,12 @@ struct FootingMeter {
   Real work = 0.0;            ///< done on the soil [J per m]
 };
 
+/// What is followed of a slope.
+struct SlopeFailure {
+  CrestHistory crest;
+  std::vector<SlipSurface> slip;  ///< of each slide so far, when its strain grew fastest; one before there is any slide
+};
+
 struct State {
   Real time = 0.0;            ///< [s]
   std::int64_t step = 0;
@@ -48,9 +54,10 @@ struct State {
   std::vector<LeftPoint> left;    ///< points that crossed an open side, in the order in which they did
   std::size_t left_told = 0;      ///< how many of them the observers know
   HistoryAudit audit;
-  CrestHistory crest;
+  std::int64_t ledger_rows = 0;   ///< so far
+  Section section;                ///< at t = 0
+  std::vector<SlopeFailure> slopes;  ///< of the section, in its order
   std::vector<FootingMeter> footings;     ///< in the order of the case
-  std::vector<SlipSurface> slip;  ///< of each slide so far, when its strain grew fastest; one before there is any slide
   std::vector<std::pair<Real, Real>> softened_fraction;  ///< at the frame times
   Real largest_v_999 = 0.0;       ///< [m/s]
   /// Points at t = 0; ids run from 0 to this.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace terp {
 namespace {
 
@@ -93,26 +95,51 @@ const std::vector<T>& get(const StateImage& image, std::string_view name, std::s
   throw_missing(name);
 }
 
-/// Time, rate and number of places of each surface, and the places of all.
-void add_slip(const State& state, std::vector<ArraySource>& arrays)
+/// The first surface, and of each slope its crest over time; time, rate and number of places of each slip surface, and the places of all.
+void add_failure(const State& state, std::vector<ArraySource>& arrays)
 {
-  std::vector<Real> surfaces, places;
-  for (const SlipSurface& slip : state.slip) {
-    surfaces.insert(surfaces.end(), {slip.time, slip.rate, static_cast<Real>(slip.line.size())});
-    for (const Vec<2>& x : slip.line) places.insert(places.end(), {x[0], x[1]});
+  const Section& section = state.section;
+  arrays.push_back(kept("section/heights", section.heights));
+  arrays.push_back(few("section/columns", std::vector<Real>{section.columns.left, section.columns.width, section.base}));
+  for (std::size_t k = 0; k < state.slopes.size(); ++k) {
+    const SlopeFailure& slope = state.slopes[k];
+    const std::string room = fmt::format("slope_{}/", k);
+    arrays.push_back(kept(room + "time", slope.crest.time));
+    arrays.push_back(kept(room + "crest", slope.crest.x));
+    arrays.push_back(kept(room + "kinetic", slope.crest.kinetic));
+    std::vector<Real> surfaces, places;
+    for (const SlipSurface& slip : slope.slip) {
+      surfaces.insert(surfaces.end(), {slip.time, slip.rate, static_cast<Real>(slip.line.size())});
+      for (const Vec<2>& x : slip.line) places.insert(places.end(), {x[0], x[1]});
+    }
+    arrays.push_back(few(room + "slip_surfaces", std::move(surfaces)));
+    arrays.push_back(few(room + "slip_places", std::move(places)));
   }
-  arrays.push_back(few("slip/surfaces", std::move(surfaces)));
-  arrays.push_back(few("slip/places", std::move(places)));
 }
 
-void get_slip(const StateImage& image, State& state)
+void get_slip(const std::vector<Real>& surfaces, const std::vector<Real>& places, SlopeFailure& slope)
 {
-  const auto &surfaces = get<Real>(image, "slip/surfaces"), &places = get<Real>(image, "slip/places");
   std::size_t next = 0;
   for (std::size_t k = 0; k + 2 < surfaces.size(); k += 3) {
     SlipSurface slip{.time = surfaces[k], .rate = surfaces[k + 1], .line = {}};
     for (Real n = surfaces[k + 2]; n > 0.5 && next + 1 < places.size(); n -= 1.0, next += 2) slip.line.push_back({places[next], places[next + 1]});
-    state.slip.push_back(std::move(slip));
+    slope.slip.push_back(std::move(slip));
+  }
+}
+
+/// The slopes follow from the first surface.
+void get_failure(const StateImage& image, State& state)
+{
+  const auto& heights = get<Real>(image, "section/heights");
+  const auto& columns = get<Real>(image, "section/columns", 3);
+  state.section = {{columns[0], columns[1], static_cast<Index>(heights.size())}, heights, columns[2]};
+  for (const Slope& slope : find_slopes(state.section)) {
+    const std::string room = fmt::format("slope_{}/", state.slopes.size());
+    const auto& time = get<Real>(image, room + "time");
+    SlopeFailure followed{{.slope = slope, .width = columns[1], .time = time, .x = get<Real>(image, room + "crest", time.size()),
+                           .kinetic = get<Real>(image, room + "kinetic", time.size())}, {}};
+    get_slip(get<Real>(image, room + "slip_surfaces"), get<Real>(image, room + "slip_places"), followed);
+    state.slopes.push_back(std::move(followed));
   }
 }
 
@@ -200,7 +227,7 @@ std::vector<ArraySource> arrays_of(const State& state)
   const WorkTotals& w = state.work;
   arrays.push_back(few("work", std::vector<Real>{w.gravity, w.damping, w.boundary, w.plastic, w.internal, state.start_energy, state.largest_v_999}));
   arrays.push_back(few("wall_s", std::vector<Real>{state.wall_s}));  // the one number that differs between equal runs
-  arrays.push_back(few("counts", std::vector<std::int64_t>{state.clamped, state.tension_cut, state.equilibrium_steps}));
+  arrays.push_back(few("counts", std::vector<std::int64_t>{state.clamped, state.tension_cut, state.equilibrium_steps, state.ledger_rows}));
   add_left(state, arrays);
   add_footings(state, arrays);
   arrays.push_back(kept("put_back", state.put_back));
@@ -208,12 +235,7 @@ std::vector<ArraySource> arrays_of(const State& state)
   arrays.push_back(kept("audit/last_su", state.audit.last_su));
   arrays.push_back(kept("audit/fell", state.audit.fell));
   arrays.push_back(kept("audit/rose", state.audit.rose));
-  arrays.push_back(kept("crest/initial_heights", state.crest.initial_heights));
-  arrays.push_back(few("crest/columns", std::vector<Real>{state.crest.columns.left, state.crest.columns.width, state.crest.base}));
-  arrays.push_back(kept("crest/time", state.crest.time));
-  arrays.push_back(kept("crest/x", state.crest.x));
-  arrays.push_back(kept("crest/kinetic", state.crest.kinetic));
-  add_slip(state, arrays);
+  add_failure(state, arrays);
   std::vector<Real> softened;
   for (const auto& [time, fraction] : state.softened_fraction) softened.insert(softened.end(), {time, fraction});
   arrays.push_back(few("softened_fraction", std::move(softened)));
@@ -275,10 +297,11 @@ State restore(const Model& model, const StateImage& image)
   state.start_energy = w[5];
   state.largest_v_999 = w[6];
   state.wall_s = get<Real>(image, "wall_s", 1)[0];
-  const auto& counts = get<std::int64_t>(image, "counts", 3);
+  const auto& counts = get<std::int64_t>(image, "counts", 4);
   state.clamped = counts[0];
   state.tension_cut = counts[1];
   state.equilibrium_steps = counts[2];
+  state.ledger_rows = counts[3];
   const auto& put_back = get<std::int64_t>(image, "put_back", n);
   state.put_back.assign(put_back.begin(), put_back.end());
   const auto& fell = get<std::int64_t>(image, "audit/fell", n);
@@ -287,14 +310,7 @@ State restore(const Model& model, const StateImage& image)
   if (!last_su.empty() && last_su.size() != n) throw_missing("audit/last_su");
   state.audit = {.last_eps_eq_p = get<Real>(image, "audit/last_eps_eq_p", n), .last_su = last_su, .growth = std::vector<float>(n, 0.0f),
                  .fell = {fell.begin(), fell.end()}, .rose = {rose.begin(), rose.end()}};
-  state.crest.initial_heights = get<Real>(image, "crest/initial_heights");
-  const auto& columns = get<Real>(image, "crest/columns", 3);
-  state.crest.columns = {columns[0], columns[1], static_cast<Index>(state.crest.initial_heights.size())};
-  state.crest.base = columns[2];
-  state.crest.time = get<Real>(image, "crest/time");
-  state.crest.x = get<Real>(image, "crest/x", state.crest.time.size());
-  state.crest.kinetic = get<Real>(image, "crest/kinetic", state.crest.time.size());
-  get_slip(image, state);
+  get_failure(image, state);
   const auto& softened = get<Real>(image, "softened_fraction");
   for (std::size_t k = 0; k + 1 < softened.size(); k += 2) state.softened_fraction.emplace_back(softened[k], softened[k + 1]);
   return state;

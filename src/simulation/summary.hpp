@@ -5,6 +5,7 @@
 #include "events/slip_surface.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -43,13 +44,16 @@ struct Summary {
   std::string instructions;               ///< instruction set of the kernels
   std::string processor;                  ///< as the system calls it
   std::vector<PassTime> passes;           ///< of the last process
-  Real front_x = 0.0;                     ///< at the end [m]
-  std::optional<Real> crest_x;            ///< at the end [m]; none if the body has no level surface left
+  std::optional<Facing> facing;           ///< of the slope that front, crest and run-out are of; none: the section has no slope
+  bool free_toe = true;                   ///< of that slope
+  Real front_x = std::numeric_limits<Real>::quiet_NaN();  ///< at the end [m]; NaN: none
+  std::optional<Real> crest_x;            ///< at the end [m]; none if nothing of the first surface stands
   std::optional<Real> crest_y;            ///< height of the surface there [m]
-  Real run_out = 0.0;                     ///< of the front since t = 0 [m]
+  Real run_out = std::numeric_limits<Real>::quiet_NaN();  ///< of the front since t = 0 [m]; without a free toe: beyond the toe of the slope
   Real moved_distance = 0.0;              ///< displacement from which on soil counts as moved [m]
   Real moved_volume = 0.0;                ///< at the end [m^2]
   Real moved_fraction = 0.0;              ///< of all volume [-]
+  std::optional<Real> intact_fraction;    ///< of the volume that moved, with an eps_eq_p below `intact_strain` [-]
   std::vector<SlideSummary> slides;       ///< in order of time, definition in docs/formats.md
   std::optional<Real> second_failure_time;  ///< [s], definition in docs/formats.md
   Real max_eps_eq_p = 0.0;                ///< at the end [-]

@@ -14,7 +14,7 @@ using testing::StartsWith;
 
 TEST(Help, NamesTheCommandsOptionsAndExitStatuses)
 {
-  for (const auto& words : std::vector<std::vector<std::string>>{{"--help"}, {"-h"}, {"help"}, {"run", "--help"}}) {
+  for (const auto& words : std::vector<std::vector<std::string>>{{"--help"}, {"-h"}, {"help"}}) {
     const Finished f = test::terp(words);
     EXPECT_EQ(f.status, 0);
     EXPECT_THAT(f.out, StartsWith("terp: explicit material point method for soil"));
@@ -23,6 +23,24 @@ TEST(Help, NamesTheCommandsOptionsAndExitStatuses)
       EXPECT_THAT(f.out, HasSubstr(part));
     EXPECT_EQ(f.err, "");
   }
+}
+
+TEST(Help, OfACommandIsItsOwnAndNamesItsOptions)
+{
+  const std::vector<std::pair<std::string, std::vector<std::string>>> commands{
+      {"run", {"--output", "--threads", "--set", "--force", "--report", "--quiet", "--verbose"}}, {"resume", {"--threads", "--quiet"}},
+      {"stability", {"--from", "--to", "--tolerance", "--damping", "--rest", "--failure", "--windows", "--output", "--json", "--set"}},
+      {"check", {"--set"}}, {"bench", {"--steps", "--warm", "--json", "--set"}}, {"report", {"--output"}}, {"compare", {"--json"}},
+      {"export", {"--format", "--field", "--frames", "--output"}}, {"watch", {"--every", "--once"}},
+      {"verify", {"--list", "--short", "--long", "--html", "--markdown", "--cases", "--threads"}}, {"explain", {"TOPIC"}}, {"list", {}}};
+  for (const auto& [command, options] : commands) {
+    const Finished f = test::terp({command, "--help"});
+    EXPECT_EQ(f.status, 0);
+    EXPECT_THAT(f.out, AllOf(StartsWith("Usage: terp " + command), HasSubstr("Exit status: 0 solved, 2 bad input")));
+    for (const auto& option : options) EXPECT_THAT(f.out, HasSubstr(option)) << command;
+    EXPECT_EQ(test::terp({"help", command}).out, f.out);
+  }
+  EXPECT_EQ(test::terp({"solve", "--help"}).out, test::terp({"--help"}).out);
 }
 
 TEST(Help, IsWhatTerpAloneSays)

@@ -87,6 +87,25 @@ TEST(Compare, PrintsATableAndWantsTwoRuns)
   EXPECT_EQ(one.err, "error: terp compare takes two run folders or more\n  One run by itself: terp report RUN\n");
 }
 
+TEST(Compare, RefusesARunThatIsGivenTwice)
+{
+  for (const char* command : {"compare", "report"}) {
+    const Finished f = test::terp({command, runs().gp, runs().gp + "/../gp"});
+    EXPECT_EQ(f.status, 2);
+    EXPECT_EQ(f.err, "error: the run " + runs().gp + " is given twice, also as " + runs().gp + "/../gp\n  Name each run once.\n");
+  }
+}
+
+TEST(Export, OfAFrameOrFieldThatIsNotThereIsBadInput)
+{
+  const Finished frame = test::terp({"export", runs().gp, "--format", "csv", "--frames", "99"});
+  EXPECT_EQ(frame.status, 2);
+  EXPECT_THAT(frame.err, StartsWith("error: there is no frame `99` in `99`: the run has frames 0 to 2\n"));
+  const Finished field = test::terp({"export", runs().gp, "--format", "csv", "--field", "sigma"});
+  EXPECT_EQ(field.status, 2);
+  EXPECT_THAT(field.err, AllOf(StartsWith("error: "), HasSubstr(" has no field `sigma`\n  It has: ")));
+}
+
 TEST(Export, WritesTheFramesAndSaysWhere)
 {
   const std::string folder = runs().scratch.path() + "/vtu";
@@ -126,6 +145,9 @@ TEST(Watch, OfAFolderThatIsNoRunSaysSo)
   const Finished f = test::terp({"watch", scratch.path()});
   EXPECT_EQ(f.status, 1);
   EXPECT_EQ(f.err, "error: " + scratch.path() + ": this is no run folder, it holds no case.toml\n");
+  const Finished missing = test::terp({"watch", "no/such"});
+  EXPECT_EQ(missing.status, 1);
+  EXPECT_THAT(missing.err, StartsWith("error: no/such: no such run folder\n  Give the folder that `terp run` writes to"));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 namespace terp {
 namespace {
@@ -14,12 +14,7 @@ namespace {
 /// A flat surface of columns of 0.1 m over 8 m, 2 m high: a slide is a retreat of 0.5 m.
 CrestHistory column_history()
 {
-  CrestHistory crest;
-  crest.columns = {.left = 0.0, .width = 0.1, .n = 160};
-  crest.initial_heights.assign(160, -INFINITY);
-  std::fill_n(crest.initial_heights.begin(), 80, 1.96);
-  crest.base = 0.04;
-  return crest;
+  return {.slope = {.facing = Facing::right, .first = 0, .last = 80, .height = 1.92}, .width = 0.1, .time = {}, .x = {}, .kinetic = {}};
 }
 
 /// Goes on to `time` in rows of 0.01 s, the crest on a straight line to x, in whole columns.
@@ -116,8 +111,6 @@ TEST(Slides, StopNowhereWithoutEnergies)
   EXPECT_FALSE(slides[0].stops.has_value());
 }
 
-TEST(MovedDistance, IsATwentiethOfTheFirstHeight) { EXPECT_NEAR(moved_distance(column_history()), 1.92 / 20.0, 1e-12); }
-
 TEST(SecondFailure, IsNotTheCreepOfASettledCrest)
 {
   CrestHistory crest = after_first_slide();
@@ -181,7 +174,7 @@ const std::vector<Real> soft_column = {0.22, 0.23, 0.25, 0.27, 0.29, 0.32, 0.36,
 TEST(SecondFailure, IsNotTheCreepOfAColumnOnCoarseCells)
 {
   CrestHistory crest = column_history();
-  crest.columns = {.left = 0.0, .width = 0.2, .n = 80};
+  crest.width = 0.2;
   for (int k = 0; k <= 400; ++k) {
     crest.time.push_back(0.01 * k);
     Real x = 8.0;
@@ -196,7 +189,7 @@ TEST(SecondFailure, OnCoarseCellsNeedsALongerRestForOneColumnMayBeCreep)
 {
   for (const Real rest : {0.55, 0.7}) {
     CrestHistory crest = column_history();
-    crest.columns = {.left = 0.0, .width = 0.2, .n = 80};
+    crest.width = 0.2;
     go_on(crest, 0.3, 8.0);
     go_on(crest, 0.4, 6.0);
     go_on(crest, 0.4 + rest, 6.0);
@@ -209,8 +202,8 @@ TEST(SecondFailure, OnCoarseCellsNeedsALongerRestForOneColumnMayBeCreep)
 TEST(SecondFailure, OnFineCellsMayCreepByAsMuchAsOnMiddlingOnes)
 {
   CrestHistory crest = column_history();
-  crest.columns = {.left = 0.0, .width = 0.05, .n = 320};
-  crest.base = -0.04;  // 2 m high
+  crest.width = 0.05;
+  crest.slope.height = 2.0;
   go_on(crest, 0.3, 8.0);
   go_on(crest, 0.4, 6.0);
   go_on(crest, 2.0, 5.4);  // by 0.1 m every 0.27 s: more than a column, not more than a twentieth of the height
@@ -235,24 +228,83 @@ PointBlocks<2> ground(const std::vector<Real>& heights)
   return points;
 }
 
+const Columns eight{.left = 0.0, .width = 0.5, .n = 8};
+
+/// The crests of the slopes of a section when its surface has become that of `now`.
+std::vector<Real> crests(const std::vector<Real>& first, const std::vector<Real>& now)
+{
+  const Section section = look_at_section(ground(first), eight);
+  const auto slopes = find_slopes(section);
+  const Standing standing = find_standing(section, slopes, surface_heights(ground(now), eight));
+  std::vector<Real> x;
+  for (const Slope& slope : slopes) x.push_back(find_crest(section, slope, standing));
+  return x;
+}
+
+using testing::ElementsAre;
+
 TEST(Crest, StartsAtTheRightEdgeOfTheBody)
 {
   const auto points = ground({1.5, 1.5, 1.5, 1.5});
-  const CrestHistory crest = start_crest_history(points, 0.0, 4.0, 0.5);
-  EXPECT_EQ(crest.columns.n, 8);
-  EXPECT_NEAR(crest.base, 0.1, 1e-12);
-  EXPECT_EQ(find_crest(crest, points), 2.0);
-  EXPECT_EQ(crest_height(crest, points, 2.0), 1.5);
-  EXPECT_TRUE(std::isnan(crest_height(crest, points, 0.0)));
+  const Section section = look_at_section(points, eight);
+  const auto slopes = find_slopes(section);
+  ASSERT_EQ(slopes.size(), 1);
+  const Standing standing = find_standing(section, slopes, section.heights);
+  EXPECT_EQ(find_crest(section, slopes[0], standing), 2.0);
+  EXPECT_EQ(crest_height(section, slopes[0], standing, section.heights), 1.5);
+  EXPECT_TRUE(std::isnan(crest_height(section, slopes[0], {}, section.heights)));
+  EXPECT_EQ(back_of(section, slopes[0]), 0.0);
 }
 
 TEST(Crest, IsTheLastColumnToWhoseLeftAllStandWithinFiveCentimetres)
 {
-  const CrestHistory crest = start_crest_history(ground({1.5, 1.5, 1.5, 1.5}), 0.0, 4.0, 0.5);
-  EXPECT_EQ(find_crest(crest, ground({1.5, 1.46, 1.54, 1.44})), 1.5);
-  EXPECT_EQ(find_crest(crest, ground({1.5, 1.44, 1.5, 1.5})), 0.5);  // what stands beyond a gap does not count
-  EXPECT_EQ(find_crest(crest, ground({1.56, 1.5, 1.5, 1.5})), 0.0);  // heave is motion too
-  EXPECT_EQ(find_crest(crest, ground({1.5, 1.5, 1.5, 1.5, 1.5})), 2.0);  // soil that came later has no first height
+  const std::vector<Real> flat{1.5, 1.5, 1.5, 1.5};
+  EXPECT_THAT(crests(flat, {1.5, 1.46, 1.54, 1.44}), ElementsAre(1.5));
+  EXPECT_THAT(crests(flat, {1.5, 1.44, 1.5, 1.5}), ElementsAre(0.5));          // what stands beyond a gap does not count
+  EXPECT_THAT(crests(flat, {1.56, 1.5, 1.5, 1.5}), ElementsAre(testing::IsNan()));  // heave is motion too
+  EXPECT_THAT(crests(flat, {1.5, 1.5, 1.5, 1.5, 1.5}), ElementsAre(2.0));      // soil that came later has no first height
+}
+
+TEST(Crest, OfASlopeThatFallsToTheLeftIsTheMirrorImage)
+{
+  const std::vector<Real> flat{0.2, 0.2, 0.2, 0.2, 1.5, 1.5, 1.5, 1.5};
+  EXPECT_THAT(crests(flat, flat), ElementsAre(2.0));
+  EXPECT_THAT(crests(flat, {0.2, 0.2, 0.2, 0.2, 1.44, 1.5, 1.5, 1.5}), ElementsAre(2.5));
+  EXPECT_THAT(crests(flat, {0.2, 0.2, 0.2, 0.2, 1.5, 1.5, 1.44, 1.5}), ElementsAre(3.5));
+}
+
+TEST(Crest, OfASlopeBelowItsEdgeIsTheEdge)  // the face of the slope stands too
+{
+  const std::vector<Real> slope{1.5, 1.5, 1.5, 1.2, 0.8, 0.4, 0.4, 0.4};
+  EXPECT_THAT(crests(slope, slope), ElementsAre(1.5));
+  EXPECT_THAT(crests(slope, {1.5, 1.5, 1.4, 1.2, 0.8, 0.4, 0.4, 0.4}), ElementsAre(1.0));
+}
+
+TEST(Crest, OfADikeIsThatOfTheHighestGroundThatStands)
+{
+  const std::vector<Real> dike{0.2, 0.8, 1.5, 1.5, 1.5, 0.8, 0.2, 0.2};
+  EXPECT_THAT(crests(dike, dike), ElementsAre(2.5, 1.0));  // to the right, to the left
+  EXPECT_THAT(crests(dike, {0.2, 0.8, 1.5, 1.5, 1.3, 0.9, 0.3, 0.2}), ElementsAre(2.0, 1.0));
+  EXPECT_THAT(crests(dike, {0.3, 0.9, 1.3, 1.5, 1.5, 0.8, 0.2, 0.2}), ElementsAre(2.5, 1.5));
+  EXPECT_THAT(crests(dike, {0.2, 0.8, 1.2, 1.0, 0.9, 0.9, 0.4, 0.3}), ElementsAre(1.0, 1.0));  // the outer slope is left
+}
+
+TEST(Slides, OfAMirroredCrestAreMirrored)
+{
+  CrestHistory right = after_first_slide(), left = right;
+  go_on(right, 2.3, 4.5);
+  go_on(right, 4.0, 4.5);
+  left = right;
+  left.slope.facing = Facing::left;
+  for (Real& x : left.x) x = 16.0 - x;
+  const auto a = find_slides(right), b = find_slides(left);
+  ASSERT_EQ(a.size(), 2);
+  ASSERT_EQ(b.size(), 2);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(a[k].begins, b[k].begins);
+    EXPECT_NEAR(a[k].crest_to, 16.0 - b[k].crest_to, 1e-12);
+    EXPECT_EQ(b[k].facing, Facing::left);
+  }
 }
 
 }  // namespace

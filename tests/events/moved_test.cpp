@@ -4,6 +4,8 @@
 #include "mesh/mesh.hpp"
 #include "support/blocks.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace terp {
@@ -21,6 +23,40 @@ TEST(MovedVolume, IsThatOfThePointsFartherThanTheDistance)
   EXPECT_EQ(moved_volume(points, x_initial, 0.1), 0.75);
   EXPECT_EQ(moved_volume(points, x_initial, 0.4), 0.25);
   EXPECT_EQ(moved_volume(points, x_initial, 0.501), 0.0);
+}
+
+/// Three points of two materials; the first has a state variable.
+struct Moved {
+  Mesh<2> mesh = make_rectangle({0.0, 0.0}, {4.0, 2.0}, {4, 2});
+  PointBlocks<2> points{mesh.n_cells(), 2};
+  std::vector<Real> x_initial{1.0, 0.5, 3.0, 0.5, 2.5, 0.4, 3.7, 0.5};  // moved by +0.5, -0.5, 0.1 and -0.2 m
+
+  Moved()
+  {
+    test::add_point(mesh, 1, {.volume = 1.0, .state = {7.0, 0.001}, .id = 0.0}, points);
+    test::add_point(mesh, 2, {.volume = 3.0, .state = {7.0, 0.011}, .id = 1.0}, points);
+    test::add_point(mesh, 2, {.volume = 5.0, .state = {7.0, 0.0}, .id = 2.0}, points);
+    test::add_point(mesh, 3, {.volume = 9.0, .state = {0.0, 0.0}, .id = 3.0}, points, 1);
+    points.update_occupied();
+  }
+};
+
+TEST(IntactShare, IsOfTheMovedVolumeOfMaterialsThatHavePlasticStrain)
+{
+  const Moved soil;
+  const std::vector<int> rows{1, -1};
+  EXPECT_EQ(intact_share(soil.points, soil.x_initial, 0.15, rows), 0.25);        // 1 of 4; not the second material
+  EXPECT_EQ(intact_share(soil.points, soil.x_initial, 0.05, rows), 6.0 / 9.0);
+  EXPECT_TRUE(std::isnan(intact_share(soil.points, soil.x_initial, 0.6, rows)));  // nothing moved
+  EXPECT_TRUE(std::isnan(intact_share(soil.points, soil.x_initial, 0.05, std::vector<int>{-1, -1})));
+}
+
+TEST(Reach, IsThatOfSoilThatCameThatWay)
+{
+  const Moved soil;
+  EXPECT_EQ(reach(soil.points, soil.x_initial, 0.15)[0], 2.5);
+  EXPECT_EQ(reach(soil.points, soil.x_initial, 0.15)[1], 1.5);
+  EXPECT_TRUE(std::isnan(reach(soil.points, soil.x_initial, 0.6)[0]));
 }
 
 }  // namespace

@@ -55,10 +55,43 @@ TEST(SlipSurface, LeavesOutColumnsThatHardlyShear)
   EXPECT_TRUE(find_slip_line(still.points, still.growth, columns).empty());
 }
 
+TEST(MeanOverNodes, KeepsWhatIsLinearAndErasesACheckerboard)
+{
+  const Soil linear([](Vec<2> x) { return 0.01 * x[0] + 0.02 * x[1]; });
+  const auto smooth = mean_over_nodes(linear.mesh, linear.points, linear.growth);
+  const Soil board([](Vec<2> x) { return 0.01 + ((std::lround(4.0 * x[0] - 0.5) + std::lround(4.0 * x[1] - 0.5)) % 2 == 0 ? 0.01 : -0.01); });
+  const auto even = mean_over_nodes(board.mesh, board.points, board.growth);
+  for (Index cell = 0; cell < linear.mesh.n_cells(); ++cell) {
+    const Vec<2> x = linear.mesh.centres[cell];
+    if (x[0] < 0.25 || x[0] > 7.75 || x[1] < 0.25 || x[1] > 1.75) continue;  // beside a wall nodes have two cells
+    EXPECT_NEAR(smooth[static_cast<std::size_t>(cell)], 0.01 * x[0] + 0.02 * x[1], 1e-6);
+    EXPECT_NEAR(even[static_cast<std::size_t>(cell)], 0.01, 1e-6);
+  }
+}
+
+TEST(SlipSurface, OfABandThatAlternatesFromCellToCellIsStraightOverTheNodes)
+{
+  // A level band 1 m high, in every second cell only, as on a board of chess.
+  const Soil soil([](Vec<2> x) {
+    const bool band = x[1] > 0.5 && x[1] < 1.5;
+    return band && (std::lround(4.0 * x[0] - 0.5) + std::lround(4.0 * x[1] - 0.5)) % 2 == 0 ? 0.04 : 0.0;
+  });
+  const auto kinks = [](const std::vector<Vec<2>>& line) {
+    Real sum = 0.0;
+    for (std::size_t k = 2; k < line.size(); ++k) sum += std::abs(line[k][1] - 2.0 * line[k - 1][1] + line[k - 2][1]);
+    return sum;
+  };
+  const Real before = kinks(find_slip_line(soil.points, soil.growth, columns));
+  const Real after = kinks(find_slip_line(soil.points, mean_over_nodes(soil.mesh, soil.points, soil.growth), columns));
+  EXPECT_NEAR(before, 30 * 0.5, 1e-9);  // up and down by a cell in each column
+  EXPECT_NEAR(after, 0.0, 1e-9);
+}
+
 TEST(TotalGrowth, IsWeightedWithTheVolume)
 {
   const Soil soil([](Vec<2> x) { return x[1] < 1.0 ? 0.5 : 0.0; });
-  EXPECT_NEAR(total_growth(soil.points, soil.growth), 0.5 * 8.0, 1e-12);
+  EXPECT_NEAR(total_growth(soil.points, soil.growth, columns), 0.5 * 8.0, 1e-12);
+  EXPECT_NEAR(total_growth(soil.points, soil.growth, {.left = 4.0, .width = 0.25, .n = 8}), 0.5 * 2.0, 1e-12);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(Surface, APlaceOnAnEdgeBelongsToTheColumnOnItsRight)
 TEST(Surface, FrontAndLowestAreTheExtremesOfAllPoints)
 {
   const auto points = points_at({{0.25, 0.5}, {3.25, 1.75}, {1.5, 0.125}});
-  EXPECT_EQ(front(points), 3.25);
+  EXPECT_EQ(extent_in_x(points)[1], 3.25);
   EXPECT_EQ(lowest(points), 0.125);
 }
 
@@ -66,7 +66,7 @@ TEST(Surface, IsThatOfAllPointsInWhateverOrderTheirCellsCome)
       if (column >= 0.0 && column < 8.0) expected[static_cast<std::size_t>(column)] = std::max(expected[static_cast<std::size_t>(column)], block.row(1)[lane]);
     });
     EXPECT_EQ(surface_heights(points, columns), expected);
-    EXPECT_EQ(front(points), right);
+    EXPECT_EQ(extent_in_x(points)[1], right);
   }
 }
 

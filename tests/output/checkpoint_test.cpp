@@ -133,7 +133,7 @@ TEST(Checkpoint, OfAnotherFormatNamesBothVersions)
     file.close();
   }
   EXPECT_THAT(file_error_of([&] { read_checkpoint(path); }),
-              testing::AllOf(HasSubstr("checkpoint format 99"), HasSubstr("reads format 2")));
+              testing::AllOf(HasSubstr("checkpoint format 99"), HasSubstr("reads format 3")));
 }
 
 TEST(Checkpoint, AnArrayWhoseShapeDoesNotFitIsRefused)

@@ -37,7 +37,7 @@ inline LedgerRow sample_ledger(Real time)
   LedgerRow row{.time = time, .step = 100, .kinetic = 1.25, .elastic = 2.5, .plastic = 3.75};
   row.gravity_work = 4.5, row.damping_work = -5.5, row.boundary_work = -6.5, row.left_energy = 0.125;
   row.numerical = 1e-12, row.mass = 31840.0;
-  row.momentum_x = 7.5, row.momentum_y = -8.5, row.clamped = 3, row.front_x = 13.1, row.crest_x = std::nan(""), row.crest_y = 1.75, row.moved_volume = 4.25;
+  row.momentum_x = 7.5, row.momentum_y = -8.5, row.clamped = 3, row.front_left_x = std::nan(""), row.crest_left_x = 3.5, row.crest_left_y = 1.5, row.kinetic_nodal = 0.75, row.front_x = 13.1, row.crest_x = std::nan(""), row.crest_y = 1.75, row.moved_volume = 4.25;
   row.v_max = 6.25, row.v_999 = 5.75;
   return row;
 }

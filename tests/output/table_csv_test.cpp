@@ -37,8 +37,8 @@ TEST(TableCsv, ANameWithACommaOrAQuotationMarkIsQuoted)
 TEST(TableCsv, ALedgerRowFollowsItsHeader)
 {
   EXPECT_EQ(csv_line(sample_ledger(0.5)),
-            "0.5,100,1.25,2.5,3.75,4.5,-5.5,-6.5,0.125,1e-12,31840,7.5,-8.5,3,0,13.1,nan,1.75,4.25,6.25,5.75\n");
-  EXPECT_EQ(std::count(ledger_header.begin(), ledger_header.end(), ','), 20);
+            "0.5,100,1.25,0.75,2.5,3.75,4.5,-5.5,-6.5,0.125,1e-12,31840,7.5,-8.5,3,0,13.1,nan,1.75,nan,3.5,1.5,4.25,6.25,5.75\n");
+  EXPECT_EQ(std::count(ledger_header.begin(), ledger_header.end(), ','), 24);
 }
 
 TEST(TableCsv, OpeningWritesTheHeaderOnce)

@@ -20,6 +20,7 @@ TEST(FailureJson, HasTheEventsUnderTheirNames)
 {
   RunResults run;
   Summary& s = run.summary.values;
+  s.n_steps = 100;
   s.passes = {{"stress", 1.5}};
   s.moved_volume = 6.5, s.crest_x = 4.0;
   s.slides.push_back({{.begins = 0.2, .stops = {}, .crest_from = 8.0, .crest_to = 6.0, .kinetic_peak = 11.0}, {.time = 0.7, .rate = 4.0, .line = {{6.0, 1.5}, {7.0, 0.5}}}});
@@ -41,9 +42,19 @@ TEST(FailureJson, HasTheEventsUnderTheirNames)
 
 TEST(FailureJson, HasNoSlipSurfaceWithoutASlide)
 {
-  const auto json = written(RunResults{});
+  RunResults run;
+  run.summary.values.n_steps = 100;
+  const auto json = written(run);
   EXPECT_TRUE(json["events"]["slip_surface"].is_null());
   EXPECT_TRUE(json["events"]["first_slide"].is_null());
+}
+
+TEST(FailureJson, HasNoEventsAndNoAuditOfASummaryThatIsStillEmpty)
+{
+  const auto json = written(RunResults{});  // killed before its summary was written again
+  EXPECT_TRUE(json["events"].is_null());
+  EXPECT_TRUE(json["audit"].is_null());
+  for (const auto& check : json["checks"]) EXPECT_EQ(check["passed"], false);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // The words about a run.
 #include "report/story.hpp"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 namespace terp {
@@ -18,7 +20,7 @@ RunResults sample_run()
   run.ledger = {{"time", "kinetic"}, {{0.0, 1.0, 4.0}, {0.0, 1000.0, 200.0}}};
   run.summary.finished = true;
   Summary& s = run.summary.values;
-  s.scheme = "mpm_gp", s.n_points = 500, s.front_x = 13.06, s.run_out = 5.07, s.crest_x = 4.1, s.crest_y = 1.96;
+  s.facing = Facing::right, s.scheme = "mpm_gp", s.n_points = 500, s.n_steps = 100, s.front_x = 13.06, s.run_out = 5.07, s.crest_x = 4.1, s.crest_y = 1.96;
   s.moved_volume = 6.47, s.moved_fraction = 0.404, s.moved_distance = 0.1;
   return run;
 }
@@ -32,7 +34,7 @@ TEST(Story, TellsEachSlideMotionAndCrest)
   EXPECT_THAT(tell_story(run),
               ElementsAre("The first slide begins at 0.18 s: the crest retreats from x = 8.00 m to 6.00 m. At 2.16 s it has slowed to a tenth of its largest kinetic energy.",
                           "The second slide begins at 2.52 s: the crest retreats from x = 8.00 m to 6.00 m. It still moves at 4.00 s, with 20 % of its largest kinetic energy.",
-                          "By 4.00 s, 6.47 m² of soil (40 % of the section) have moved by more than 0.1 m. The front has run out by 5.07 m, to x = 13.06 m.",
+                          "By 4.00 s, 6.47 m² of soil (40.4 % of the section) have moved by more than 0.1 m. The front has run out by 5.07 m, to x = 13.06 m.",
                           "The crest that remains stands at x = 4.10 m, y = 1.96 m."));
 }
 
@@ -56,10 +58,46 @@ TEST(Story, SaysThatSoilHolds)
 TEST(Story, OfARunThatGoesOnWaitsForItsSummary)
 {
   RunResults run = sample_run();
-  run.ledger = {{"time", "step", "kinetic"}, {{0.0, 1.0}, {0.0, 100.0}, {0.0, 10.0}}};
+  run.ledger = {{"time", "step", "kinetic"}, {{0.0, 1.0}, {0.0, 200.0}, {0.0, 10.0}}};
   EXPECT_THAT(tell_story(run), ElementsAre("The run has come to 1.00 s. What happened is told when it ends or is stopped."));
-  run.summary.values.n_steps = 100;
+  run.summary.values.n_steps = 200;
   EXPECT_GT(tell_story(run).size(), 1);
+}
+
+TEST(Story, JudgesRestByTheMotionOfTheNodes)
+{
+  RunResults run = sample_run();
+  run.ledger = {{"time", "kinetic", "kinetic_nodal"}, {{0.0, 1.0, 4.0}, {0.0, 1000.0, 120.0}, {0.0, 1000.0, 1e-6}}};
+  for (const auto& text : tell_story(run)) EXPECT_THAT(text, testing::Not(HasSubstr("still moves")));
+}
+
+TEST(Story, SaysThatTheToeIsNotFreeAndHowFarSoilCame)
+{
+  RunResults run = sample_run();
+  Summary& s = run.summary.values;
+  s.free_toe = false;
+  EXPECT_THAT(tell_story(run)[1], testing::EndsWith("The soil fills the section to its side, so its toe is not free: what moved reaches x = 13.06 m, 5.07 m beyond the toe of "
+                                                    "the slope."));
+  s.front_x = std::nan("");
+  EXPECT_THAT(tell_story(run)[1], testing::EndsWith("its toe is not free: no soil has come out of the slope."));
+  s.facing.reset();
+  EXPECT_THAT(tell_story(run)[1], testing::EndsWith("The section has no slope: there is no front and no crest."));
+}
+
+TEST(Story, NamesTheSlopeThatSlidesToTheLeft)
+{
+  RunResults run = sample_run();
+  Slide left = slide(0.18, 2.16);
+  left.facing = Facing::left;
+  run.summary.values.slides = {{left, {}}};
+  EXPECT_THAT(tell_story(run)[0], testing::StartsWith("The first slide begins at 0.18 s on the slope to the left: the crest retreats"));
+}
+
+TEST(Story, SaysHowMuchOfWhatMovedIsIntact)
+{
+  RunResults run = sample_run();
+  run.summary.values.intact_fraction = 0.248;
+  EXPECT_THAT(tell_story(run), Contains("Of the soil that moved, 24.8 % is intact: its plastic strain is below 0.01."));
 }
 
 TEST(Story, NamesSofteningAndAHistoryThatFell)
@@ -82,6 +120,16 @@ TEST(Cautions, AreNoneForAGoodRunAndNameWhatIsNot)
   run.summary.values.points_left = 7;
   EXPECT_THAT(find_cautions(run), ElementsAre("The run has not reached its end: the last row of its ledger is at 4 s.", "The energy balance is off by 6 % of the energy exchanged.",
                                               "3 points had to be put back at a wall of the mesh.", "7 points left the mesh through open sides."));
+}
+
+TEST(Checks, OfAKilledRunAreNotPassedForWantOfNumbers)
+{
+  RunResults run = sample_run();
+  run.summary.finished = false;
+  run.summary.values.n_steps = 0;
+  const auto checks = list_checks(run);
+  ASSERT_EQ(checks.size(), 1);
+  EXPECT_FALSE(checks[0].passed);
 }
 
 TEST(Checks, FailWhereTheNumbersSaySo)

@@ -3,6 +3,8 @@
 
 #include "results/runs.hpp"
 
+#include <functional>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -21,11 +23,11 @@ struct CompareTest : testing::Test {
   CompareTest()
   {
     const std::string mixed = test::write_run(scratch.path() + "/mixed", [](Summary& s) {
-      s.scheme = "mpm_mixed", s.front_x = 13.39, s.moved_fraction = 0.403, s.points_eps_eq_p_fell = 2, s.softened_fraction = {{0.25, 0.417}};
+      s.scheme = "mpm_mixed", s.front_x = 13.39, s.moved_fraction = 0.403, s.intact_fraction = 0.003, s.points_eps_eq_p_fell = 2, s.softened_fraction = {{0.25, 0.417}};
       s.slides = {{{.begins = 0.18, .stops = 2.0, .crest_from = 8.0, .crest_to = 6.0}, {}}, {{.begins = 2.36, .stops = {}, .crest_from = 6.0, .crest_to = 4.1}, {}}};
     });
     const std::string gp = test::write_run(scratch.path() + "/gp", [](Summary& s) {
-      s.front_x = 13.06, s.crest_x = 4.0, s.softened_fraction = {{0.25, 0.311}};
+      s.front_x = 13.06, s.crest_x = 4.0, s.intact_fraction = 0.248, s.softened_fraction = {{0.25, 0.311}};
       s.slides = {{{.begins = 0.25, .stops = {}, .crest_from = 8.0, .crest_to = 6.0}, {}}};
     });
     comparison = compare_runs({read_run(mixed), read_run(gp)}, {"mixed", "gp"});
@@ -56,11 +58,14 @@ TEST_F(CompareTest, HasARowForFrontCrestEventsPointsAuditAndCost)
 
 TEST_F(CompareTest, SaysTheDifferencesInWords)
 {
-  ASSERT_EQ(comparison.text.size(), 4);
+  ASSERT_EQ(comparison.text.size(), 5);
   EXPECT_EQ(comparison.text[0], "The first slide begins at 0.18 s with MPM-Mixed, at 0.25 s with MPM-GP. A second begins at 2.36 s with MPM-Mixed; with MPM-GP there is none.");
   EXPECT_EQ(comparison.text[1], "With MPM-Mixed the front ends 0.33 m farther than with MPM-GP (13.39 m against 13.06 m).");
-  EXPECT_EQ(comparison.text[2], "At the end 41.7 % of the soil has lost more than half of its strength with MPM-Mixed, 31.1 % with MPM-GP.");
-  EXPECT_EQ(comparison.text[3],
+  EXPECT_EQ(comparison.text[2],
+            "Of the soil that moved, 0.3 % is intact at the end with MPM-Mixed (eps_eq_p below 0.01), 24.8 % with MPM-GP: blocks that slide in one piece survive with "
+            "MPM-GP and are erased with MPM-Mixed.");
+  EXPECT_EQ(comparison.text[3], "At the end 41.7 % of the soil has lost more than half of its strength with MPM-Mixed, 31.1 % with MPM-GP.");
+  EXPECT_EQ(comparison.text[4],
             "With MPM-Mixed the plastic strain fell at 2 of 5 points, so that soil regained strength, which its law forbids; with MPM-GP no point loses any of its plastic strain.");
 }
 
@@ -83,6 +88,83 @@ TEST(CompareRuns, SaysNothingOfTheEndOfARunThatGoesOn)
   EXPECT_THAT(compare_runs(runs, {"done", "going"}).text, ElementsAre(testing::StartsWith("going has not ended;")));
 }
 
+/// The words about two runs that differ in this.
+std::vector<std::string> words_on(const std::function<void(RunResults&, RunResults&)>& change)
+{
+  test::ScratchFolder scratch;
+  std::vector<RunResults> runs{read_run(test::write_run(scratch.path() + "/a")), read_run(test::write_run(scratch.path() + "/b"))};
+  change(runs[0], runs[1]);
+  return compare_runs(runs, {"a", "b"}).text;
+}
+
+TEST(CompareRuns, SaysOfIntactBlocksNoMoreThanTheNumbersSay)
+{
+  const auto sentence = [](std::optional<Real> a, std::optional<Real> b) {
+    for (const auto& text : words_on([&](RunResults& first, RunResults& other) {
+           first.summary.values.intact_fraction = a;
+           other.summary.values.intact_fraction = b;
+         }))
+      if (text.starts_with("Of the soil that moved, ")) return text;
+    return std::string();
+  };
+  EXPECT_EQ(sentence(0.25, 0.0), "Of the soil that moved, 25.0 % is intact at the end with a (eps_eq_p below 0.01), 0.0 % with b: blocks that slide in one piece survive "
+                                 "with a and are erased with b.");
+  EXPECT_THAT(sentence(0.15, 0.25), testing::EndsWith(": more of the blocks that slide in one piece survive with b."));
+  EXPECT_THAT(sentence(0.24, 0.25), testing::EndsWith("24.0 % is intact at the end with a (eps_eq_p below 0.01), 25.0 % with b."));
+  EXPECT_THAT(sentence(0.0004, 0.02), testing::EndsWith("less than 0.1 % is intact at the end with a (eps_eq_p below 0.01), 2.0 % with b."));  // hardly any with either
+  EXPECT_EQ(sentence(0.25, {}), "");
+}
+
+TEST(CompareRuns, OfMoreThanTwoCallsThemByName)
+{
+  test::ScratchFolder scratch;
+  std::vector<RunResults> runs;
+  for (const char* name : {"/a", "/b", "/c"}) runs.push_back(read_run(test::write_run(scratch.path() + name)));
+  runs[0].summary.values.scheme = "mpm_mixed";
+  EXPECT_THAT(compare_runs(runs, {"a", "b", "c"}).text, testing::Contains("With a no point loses any of its plastic strain; with c no point loses any of its plastic strain."));
+}
+
+TEST(CompareRuns, SaysInWhatTheCasesDiffer)
+{
+  EXPECT_THAT(words_on([](RunResults& a, RunResults& b) {
+                a.case_toml = "scheme = \"mpm_gp\"\n[mesh]\ncell = 0.1\n[material.clay]\neta = 50\n";
+                b.case_toml = "scheme = \"mpm_mixed\"\n[mesh]\ncell = 0.2\n[material.clay]\neta = 50.0\n[forces]\ngravity = [0.0, -1.0]\n";
+              }).front(),
+              "Caution: the cases differ, a against b in mesh.cell (0.1 against 0.2), forces.gravity[0] (not set against 0), forces.gravity[1] (not set against -1). What "
+              "follows is not of the scheme alone.");
+}
+
+TEST(CompareRuns, NamesThePointsThatRegainedStrength)
+{
+  const auto text = words_on([](RunResults& a, RunResults& b) {
+    a.history = {{"A", {{"su"}, {{8.0, 5.0, 6.0}}}}, {"B", {{"su"}, {{8.0, 5.0, 5.0}}}}, {"C", {{"su"}, {{8.0, 8.1, 5.0}}}}};
+    b.history = {{"A", {{"su"}, {{8.0, 5.0, 4.0}}}}};
+  });
+  EXPECT_THAT(text, testing::Contains("Of the named points, A and C regained strength with a, none with b."));
+}
+
+TEST(CompareRuns, MeasuresTheFrontInTheDirectionOfTheSlide)
+{
+  EXPECT_THAT(words_on([](RunResults& a, RunResults& b) {
+                for (RunResults* run : {&a, &b}) run->summary.values.facing = Facing::left;
+                a.summary.values.front_x = 3.0, b.summary.values.front_x = 3.5;
+              }),
+              testing::Contains("With a the front ends 0.50 m farther than with b (3.00 m against 3.50 m)."));
+}
+
+TEST(CompareRuns, HasNoNumbersOfASummaryThatIsBehind)
+{
+  test::ScratchFolder scratch;
+  std::vector<RunResults> runs{read_run(test::write_run(scratch.path() + "/done")), read_run(test::write_run(scratch.path() + "/killed"))};
+  runs[1].summary.finished = false;
+  runs[1].summary.values.n_steps = 0;
+  for (const ComparisonRow& row : compare_runs(runs, {"done", "killed"}).rows)
+    if (row.label == "share that moved" || row.label == "points whose S_u ever rose" || row.label == "energy balance error") {
+      EXPECT_TRUE(row.values[0].has_value()) << row.label;
+      EXPECT_FALSE(row.values[1].has_value()) << row.label;
+    }
+}
+
 TEST_F(CompareTest, PrintsColumnsWithADashForWhatIsNotDefined)
 {
   const std::string table = comparison_table(comparison);
@@ -100,7 +182,7 @@ TEST_F(CompareTest, IsTheSameAsJson)
   EXPECT_EQ(json["rows"][1]["label"], "front at the end");
   EXPECT_EQ(json["rows"][1]["values"][0], 13.39);
   EXPECT_TRUE(json["rows"][3]["values"][0].is_null());
-  EXPECT_EQ(json["text"].size(), 4);
+  EXPECT_EQ(json["text"].size(), 5);
 }
 
 TEST(SofteningTime, IsTheFirstAtWhichThePlasticStrainOfAPointPasses6Percent)

@@ -23,7 +23,7 @@ TEST(ParseFrames, TakesNumbersRangesAndLast)
 TEST(ParseFrames, SaysWhichFramesThereAre)
 {
   for (const char* text : {"3", "x", "", "0,", "1:", "-1"})
-    EXPECT_THAT(file_error_of([&] { parse_frames(text, 3); }), testing::AllOf(StartsWith("there is no frame `"), HasSubstr("the run has frames 0 to 2"))) << text;
+    EXPECT_THAT(test::case_error_of([&] { parse_frames(text, 3); }), testing::AllOf(StartsWith("error: there is no frame `"), HasSubstr("the run has frames 0 to 2"))) << text;
 }
 
 TEST(ParseFrames, RefusesARangeThatRunsBackwards)
@@ -61,7 +61,7 @@ TEST_F(ExportTest, VtuIsListedInAPvd)
 
 TEST_F(ExportTest, AFieldThatIsNotThereWritesNothing)
 {
-  EXPECT_THAT(file_error_of([&] { export_frames(frames, {ExportFormat::csv, {"sigma"}, "", folder}); }), HasSubstr("has no field `sigma`"));
+  EXPECT_THAT(test::case_error_of([&] { export_frames(frames, {ExportFormat::csv, {"sigma"}, "", folder}); }), HasSubstr("has no field `sigma`"));
   EXPECT_FALSE(std::filesystem::exists(folder));
 }
 

@@ -48,7 +48,7 @@ TEST_F(FramesTest, ReadsPlacesAndFieldsToTheBit)
 TEST_F(FramesTest, NamesTheFieldsWhenAskedForAnother)
 {
   const Frames frames(path);
-  EXPECT_EQ(file_error_of([&] { frames.read("sigma", 0); }), path + " has no field `sigma`\n  It has: su, velocity, stress");
+  EXPECT_EQ(test::case_error_of([&] { frames.read("sigma", 0); }), "error: " + path + " has no field `sigma`\n  It has: su, velocity, stress\n");
 }
 
 TEST_F(FramesTest, AFrameThatIsNotThereIsAnErrorThatNamesTheFile)

@@ -1,6 +1,7 @@
 // A run folder as the writers leave it, without a run: for tests of what reads it.
 #pragma once
 
+#include "input/case_file.hpp"
 #include "output/files.hpp"
 #include "output/run_folder.hpp"
 #include "output/samples.hpp"
@@ -24,7 +25,7 @@ std::string write_run(const std::string& folder, Change&& change)
   open_table(path_in(folder, history_file), history_header).append(csv_lines(sample_history(0.0)) + csv_lines(sample_history(0.25)));
   open_table(path_in(folder, ledger_file), ledger_header).append(csv_line(sample_ledger(0.0)) + csv_line(sample_ledger(0.25)));
   Summary summary;
-  summary.scheme = "mpm_gp", summary.n_points = 5, summary.n_steps = 100, summary.front_x = 13.0, summary.run_out = 5.0;
+  summary.scheme = "mpm_gp", summary.n_points = 5, summary.n_steps = 100, summary.front_x = 13.0, summary.run_out = 5.0, summary.facing = Facing::right;
   change(summary);
   write_summary(path_in(folder, summary_file), summary, true, {"model_2", "title = \"column\"\n"});
   return folder;
@@ -33,6 +34,18 @@ std::string write_run(const std::string& folder, Change&& change)
 inline std::string write_run(const std::string& folder)
 {
   return write_run(folder, [](Summary&) {});
+}
+
+/// What a wrong option says.
+template <class F>
+std::string case_error_of(F&& f)
+{
+  try {
+    f();
+  } catch (const CaseError& error) {
+    return error.what();
+  }
+  return "";
 }
 
 }  // namespace terp::test

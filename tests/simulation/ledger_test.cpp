@@ -148,9 +148,12 @@ TEST(Ledger, EachRowEntersTheCrest)
   const LedgerRow row = keep_ledger(s.model, s.state);
   EXPECT_EQ(row.crest_x, 8.0);
   EXPECT_NEAR(row.front_x, 7.95, 1e-12);
-  EXPECT_EQ(s.state.crest.time, std::vector<Real>{0.25});
-  EXPECT_EQ(s.state.crest.x, std::vector<Real>{8.0});
-  EXPECT_EQ(s.state.crest.kinetic, std::vector<Real>{row.kinetic});
+  EXPECT_TRUE(std::isnan(row.front_left_x) && std::isnan(row.crest_left_x));  // a wall
+  ASSERT_EQ(s.state.slopes.size(), 1);
+  const CrestHistory& crest = s.state.slopes[0].crest;
+  EXPECT_EQ(crest.time, std::vector<Real>{0.25});
+  EXPECT_EQ(crest.x, std::vector<Real>{8.0});
+  EXPECT_EQ(crest.kinetic, std::vector<Real>{row.kinetic_nodal});
 }
 
 std::int64_t count(const std::vector<bool>& flags) { return std::count(flags.begin(), flags.end(), true); }

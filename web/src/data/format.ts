@@ -51,6 +51,7 @@ export interface Place {
 }
 
 export interface Slide {
+  facing?: "right" | "left"; // of the slope that slides
   begins: number | null;
   stops?: number | null;
   crest_from?: number | null;
@@ -71,6 +72,9 @@ export interface Events {
   moved_volume?: number | null;
   moved_distance?: number | null; // m, from which on soil counts as moved
   moved_fraction?: number | null;
+  intact_fraction?: number | null; // of the volume that moved
+  facing?: "right" | "left" | null; // of the slope that front, crest and run-out are of
+  free_toe?: boolean; // false: the soil fills the mesh to its side; the front is of what moved, the run-out beyond the toe of the slope
   run_out?: number | null;
   front_x?: number | null;
   remaining_crest?: Place | null;

@@ -15,16 +15,17 @@ export function slidesOf(meta: Pick<RunMeta, "events">): Slide[] {
 export interface ShownSlip {
   surface: SlipSurface;
   time: number;
-  yetToCome: boolean;
+  phase: "to come" | "acting" | "past"; // it lies where the soil was at its time; after the slide that soil has moved on
 }
 
 /** The slip surface of the last slide that had formed one by time t; before the first, that one as yet to come. */
 export function slipAt(slides: readonly Slide[], t: number): ShownSlip | null {
   let found: ShownSlip | null = null;
-  for (const { slip_surface: surface } of slides) {
-    if (!surface || surface.time === null || surface.points.length < 2) continue;
-    const yetToCome = surface.time > t + 1e-9;
-    if (!found || !yetToCome) found = { surface, time: surface.time, yetToCome };
-  }
+  slides.forEach(({ slip_surface: surface, stops }, k) => {
+    if (!surface || surface.time === null || surface.points.length < 2) return;
+    const ends = stops ?? slides[k + 1]?.begins ?? Infinity;
+    const phase = surface.time > t + 1e-9 ? "to come" : t > ends + 1e-9 ? "past" : "acting";
+    if (!found || phase !== "to come") found = { surface, time: surface.time, phase };
+  });
   return found;
 }

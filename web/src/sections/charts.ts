@@ -26,9 +26,10 @@ export function chartsSection(current: Current): HTMLElement {
     passes(report, labels, current));
 }
 
+/** None if the column holds no number, as of a slope that is not there. */
 function runLine(run: Run, label: string, column: string, dash?: number[]): Line | null {
   const [x, y] = [run.series?.column("time"), run.series?.column(column)];
-  return x && y ? { label, x, y, dash, colour: (dark) => runColour(run.index, dark) } : null;
+  return x && y?.some((value) => Number.isFinite(value)) ? { label, x, y, dash, colour: (dark) => runColour(run.index, dark) } : null;
 }
 
 function present(lines: (Line | null)[]): Line[] {
@@ -47,6 +48,8 @@ function frontAndCrest(current: Current, labels: string[]): HTMLElement | null {
   const lines = present(current.report.runs.flatMap((run) => [
     runLine(run, named(labels, run, "front"), "front_x"),
     runLine(run, named(labels, run, "crest"), "crest_x", DASH),
+    runLine(run, named(labels, run, "front to the left"), "front_left_x"),
+    runLine(run, named(labels, run, "crest to the left"), "crest_left_x", DASH),
   ]));
   if (lines.length === 0) return null;
   const chart = new Chart(current.store, { title: "Front (solid) and crest (dashed)", xLabel: "time [s]", unit: "m" });
@@ -55,8 +58,12 @@ function frontAndCrest(current: Current, labels: string[]): HTMLElement | null {
 }
 
 function kinetic(current: Current, labels: string[]): HTMLElement | null {
-  const column = (run: Run) => (run.series?.has("kinetic_energy") ? "kinetic_energy" : "kinetic");
-  const lines = present(current.report.runs.map((run) => runLine(run, labels[run.index]!, column(run))));
+  const column = (run: Run) => (run.series?.has("kinetic_nodal") ? "kinetic_nodal" : "kinetic");
+  const several = (run: Run) => column(run) !== "kinetic";
+  const lines = present(current.report.runs.flatMap((run) => [
+    runLine(run, named(labels, run, several(run) ? "of the nodes" : "of the points"), column(run)),
+    several(run) ? runLine(run, named(labels, run, "of the points"), "kinetic", DASH) : null,
+  ]));
   if (lines.length === 0) return null;
   const chart = new Chart(current.store, { title: "Kinetic energy", xLabel: "time [s]", unit: unitOf(current.report, column), fromZero: true });
   chart.show(lines);
@@ -74,7 +81,7 @@ function energies(current: Current, labels: string[]): HTMLElement[] {
     const { series } = run;
     if (!series) return [];
     const x = series.column("time");
-    const columns = series.columns.filter(({ name, unit }) => /^[kM]?J/.test(unit) && name !== "kinetic_energy" && series.column(name)!.some((v) => v !== 0));
+    const columns = series.columns.filter(({ name, unit }) => /^[kM]?J/.test(unit) && name !== "kinetic_nodal" && series.column(name)!.some((v) => v !== 0));
     if (!x || columns.length === 0) return [];
     const lines = columns.map(({ name }, k): Line => ({
       label: series.label(name) === name ? spoken(name) : series.label(name), x, y: series.column(name)!,

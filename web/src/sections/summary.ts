@@ -16,16 +16,19 @@ interface Fact {
   time?: (run: Run) => number | null | undefined; // a click goes there
 }
 
+const STOPS = "when a tenth of its largest kinetic energy (of the nodes) is left; overtaken: the next slide begins before that; not yet: it moves at the end";
+
 const FACTS: Fact[] = [
   { label: "First slide begins", help: "when the first block of soil starts to move", ...slideTime(0, "begins") },
-  { label: "First slide stops", help: "when a tenth of its largest kinetic energy is left", ...slideTime(0, "stops") },
+  { label: "First slide stops", help: STOPS, ...slideTime(0, "stops") },
   { label: "Second slide begins", help: "when a further block follows", ...slideTime(1, "begins") },
-  { label: "Second slide stops", help: "when a tenth of its largest kinetic energy is left", ...slideTime(1, "stops") },
-  { label: "Run-out", help: "how far the front came from where it stood", value: (run) => metres(run.meta.events?.run_out) },
-  { label: "Front at the end, x", help: "largest x of the soil", value: (run) => metres(run.meta.events?.front_x) },
+  { label: "Second slide stops", help: STOPS, ...slideTime(1, "stops") },
+  { label: "Run-out", help: "how far the front came from where it stood; without a free toe, beyond the toe of the slope", value: runOut },
+  { label: "Front at the end, x", help: "outermost soil; without a free toe, outermost soil that moved", value: (run) => metres(run.meta.events?.front_x) },
   { label: "Crest that remains, x", help: "edge of the ground that still stands", value: (run) => metres(run.meta.events?.remaining_crest?.x) },
-  { label: "Volume that moved", help: "per metre of thickness", value: (run) => withUnit(run.meta.events?.moved_volume, "m²", 3) },
-  { label: "Share that moved", help: "of the volume of all soil", value: share },
+  { label: "Volume that moved", help: "per metre of thickness", value: (run) => fixed(run.meta.events?.moved_volume, 2, "\u00a0m²") },
+  { label: "Share that moved", help: "of the volume of all soil", value: (run) => percent(run.meta.events?.moved_fraction) },
+  { label: "Intact share of that", help: "plastic strain below 0.01: blocks that slid in one piece", value: (run) => percent(run.meta.events?.intact_fraction) },
 ];
 
 /** A slide that is not there has no times; one that is there may not stop. */
@@ -36,19 +39,30 @@ function slideTime(k: number, what: "begins" | "stops"): Pick<Fact, "value" | "t
     value: (run) => {
       if (!run.meta.events) return "–";
       const time = slide(run)?.[what];
-      if (typeof time === "number") return withUnit(time, "s", 3);
-      return time === null ? "does not" : what === "begins" ? "none" : "–";
+      if (typeof time === "number") return fixed(time, 2, "\u00a0s");
+      if (time !== null) return what === "begins" ? "none" : "–";
+      const next = slidesOf(run.meta)[k + 1]?.begins;
+      return typeof next === "number" ? "overtaken" : "not yet";
     },
   };
 }
 
-function metres(value: number | null | undefined): string {
-  return typeof value === "number" ? `${value.toFixed(2)}\u00a0m` : "–";
+/** The decimals of the program's own sentences. */
+function fixed(value: number | null | undefined, decimals: number, unit: string): string {
+  return typeof value === "number" ? `${value.toFixed(decimals).replace("-", "−")}${unit}` : "–";
 }
 
-function share(run: Run): string {
-  const part = run.meta.events?.moved_fraction;
-  return typeof part === "number" ? `${Math.round(100 * part)}\u202f%` : "–";
+function metres(value: number | null | undefined): string {
+  return fixed(value, 2, "\u00a0m");
+}
+
+function percent(part: number | null | undefined): string {
+  return typeof part === "number" ? fixed(100 * part, 1, "\u202f%") : "–";
+}
+
+function runOut(run: Run): string {
+  const { events } = run.meta;
+  return events?.free_toe === false && events.front_x === null ? "none" : metres(events?.run_out);
 }
 
 export function summarySection(report: Report, store: Store): HTMLElement {

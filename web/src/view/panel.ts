@@ -120,11 +120,12 @@ function line(context: CanvasRenderingContext2D, colour: string, width: number):
 function drawSlip(drawing: Drawing): void {
   const { context, run, theme, options } = drawing;
   const slip = slipAt(slidesOf(run.meta), timeOf(drawing));
-  if (!slip || (slip.yetToCome && options.bare)) return;
+  const acting = slip?.phase === "acting";
+  if (!slip || (!acting && options.bare)) return;
   path(drawing, slip.surface.points.flat());
-  if (slip.yetToCome) context.setLineDash([3, 6]);
-  else line(context, theme.slipEdge, options.bare ? 3 : 5);
-  line(context, theme.slip, options.bare || slip.yetToCome ? 1.5 : 2.5);
+  if (acting) line(context, theme.slipEdge, options.bare ? 3 : 5);
+  else context.setLineDash([3, 6]);
+  line(context, theme.slip, options.bare || !acting ? 1.5 : 2.5);
   context.setLineDash([]);
 }
 
@@ -233,14 +234,17 @@ function drawScaleBar(drawing: Drawing): void {
   const length = niceLength(Math.min(140, options.size.width / 5) / options.camera.scale);
   const width = length * options.camera.scale;
   const [x1, y] = [options.size.width - PADDING.right - 6, PADDING.top + 12];
+  context.globalAlpha = 0.85; // a plate: soil of any colour may lie below
+  context.fillStyle = theme.ground;
+  context.fillRect(x1 - width - 8, y - 9, width + 16, 31);
+  context.globalAlpha = 1;
   context.beginPath();
   context.moveTo(x1 - width, y - 4);
   context.lineTo(x1 - width, y);
   context.lineTo(x1, y);
   context.lineTo(x1, y - 4);
-  line(context, theme.halo, 5);
-  line(context, theme.text, 1.5);
-  context.font = `11px ${FONT}`;
+  line(context, theme.text, 2);
+  context.font = `600 12px ${FONT}`;
   context.textAlign = "center";
   context.textBaseline = "top";
   haloText(drawing, `${numberText(length)}\u00a0m`, x1 - width / 2, y + 4, theme.text);
@@ -272,7 +276,7 @@ function drawKey(drawing: Drawing, from: number, to: number, decimals: number): 
   const others = state.surfaces ? current.shownRuns().filter((other) => other !== run) : [];
   const entries = [
     ...others.map((other) => ({ text: `surface of ${options.names[other.index]}`, colour: runColour(other.index, state.dark), dash: [] as number[] })),
-    slip && { text: `slip surface of ${timeText(slip.time, decimals)}`, colour: theme.slip, dash: slip.yetToCome ? [2, 4] : [] },
+    slip && { text: `slip surface of ${timeText(slip.time, decimals)}${slip.phase === "acting" ? "" : `, ${slip.phase}`}`, colour: theme.slip, dash: slip.phase === "acting" ? [] : [2, 4] },
     state.outline && { text: "initial outline", colour: theme.ghost, dash: [4, 3] },
     options.note !== options.label && { text: options.note, colour: "", dash: [] },
   ];

@@ -15,6 +15,7 @@ interface View {
   canvas: HTMLCanvasElement;
 }
 
+const LEAST = 190; // height of a view in three rows and more [px]; the page is then longer than the screen
 const GAP = 8; // CSS pixels between views
 
 export class Viewer {
@@ -85,16 +86,18 @@ export class Viewer {
     this.ask();
   }
 
-  /** Width and height for the views: as high as the style allows, but not higher than the soil needs. */
+  /** Width and height for the views: as high as the style allows, of three rows and more high enough to see, but not higher than the soil needs. */
   private room(views: number): Size {
     const stage = this.root.parentElement;
     if (!stage) return { width: 0, height: 0 };
     stage.style.setProperty("--enough", "none");
+    stage.style.setProperty("--least", "0px");
     const [width, height] = [this.root.clientWidth, this.root.clientHeight];
     const { layout } = this.current.state;
     const columns = layout === "rows" ? 1 : layout === "columns" ? views : bestColumns(views, this.box, { width, height }, PADDING);
     const rows = Math.ceil(views / columns);
     const scale = (width / columns - GAP - PADDING.left - PADDING.right) / (this.box[2] - this.box[0]);
+    if (rows > 2 && !document.fullscreenElement) stage.style.setProperty("--least", `${LEAST * rows}px`);
     const enough = rows * (1.15 * scale * (this.box[3] - this.box[1]) + PADDING.top + PADDING.bottom + GAP);
     stage.style.setProperty("--enough", document.fullscreenElement ? "none" : `${Math.max(200, Math.round(enough))}px`);
     return { width, height: this.root.clientHeight };

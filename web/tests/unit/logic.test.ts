@@ -2,6 +2,7 @@ import { describe, expect, it } from "vitest";
 import { advance, allTimes, frameAt, speeds, stepTime } from "../../src/logic/time";
 import { bestColumns, fit, pan, toScreen, toWorld, zoomAt } from "../../src/logic/camera";
 import { barTicks, categoryTable, CATEGORIES, mapNamed, placeOnBar, rgb, symmetric, table, validRange } from "../../src/logic/colour";
+import { slipAt } from "../../src/logic/slides";
 import { durationText, niceLength, niceTicks, numberText, readableUnit, timeDecimals, withUnit } from "../../src/logic/numbers";
 import { heightsAt, places } from "../../src/logic/surface";
 import { runLabels } from "../../src/logic/labels";
@@ -158,5 +159,28 @@ describe("the store", () => {
     store.set({ time: 1 });
     store.set({ time: 2, field: "b" });
     expect(told).toEqual(["time", "time,field"]);
+  });
+});
+
+describe("slip surfaces", () => {
+  const surface = (time: number) => ({ time, points: [[0, 1], [1, 0]] as [number, number][] });
+  const slides = [{ begins: 0.2, stops: 2.0, slip_surface: surface(0.7) }, { begins: 2.5, stops: null, slip_surface: surface(3.2) }];
+
+  it("act from the time at which they formed until their slide stops, and are past after that", () => {
+    const at = (t: number) => {
+      const shown = slipAt(slides, t);
+      return [shown?.time, shown?.phase];
+    };
+    expect(at(0.1)).toEqual([0.7, "to come"]);
+    expect(at(0.7)).toEqual([0.7, "acting"]);
+    expect(at(2.0)).toEqual([0.7, "acting"]);
+    expect(at(2.1)).toEqual([0.7, "past"]);
+    expect(at(3.1)).toEqual([0.7, "past"]);
+    expect(at(4.0)).toEqual([3.2, "acting"]);
+  });
+
+  it("of a slide that never stops end when the next begins", () => {
+    expect(slipAt([{ ...slides[0]!, stops: null }, slides[1]!], 2.6)?.phase).toBe("past");
+    expect(slipAt([], 1)).toBeNull();
   });
 });

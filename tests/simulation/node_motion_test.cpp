@@ -1,0 +1,58 @@
+// The motion that the mesh sees.
+#include "simulation/node_motion.hpp"
+
+#include "simulation/ledger.hpp"
+#include "support/cases.hpp"
+#include "support/simulations.hpp"
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using Rows = PointRows<2>;
+using test::Simulation;
+
+/// Sets the velocities of all points: f(x).
+template <class F>
+void set_velocities(State& state, F&& f)
+{
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const Vec<2> v = f(Vec<2>{block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]});
+    for (int d = 0; d < 2; ++d) block.row(Rows::v + d)[lane] = v[d];
+  });
+}
+
+TEST(NodalKineticEnergy, OfAMovingBodyIsThatOfItsPoints)
+{
+  Simulation s(test::column("mpm_gp"));
+  set_velocities(s.state, [](Vec<2>) { return Vec<2>{3.0, -4.0}; });
+  const Real mass = 16.0 * s.model.largest_density;
+  EXPECT_NEAR(kinetic_energy(map_motion(s.model, s.state)), 0.5 * mass * 25.0, 1e-9 * mass);
+}
+
+TEST(NodalKineticEnergy, DoesNotSeeWhatPointsOfACellMoveAgainstEachOther)
+{
+  Simulation s(test::column("mpm_gp"));
+  constexpr std::array<Real, 5> noise{-1.0, 2.0, 0.0, -2.0, 1.0};  // of five points in a row: no sum and no first moment
+  set_velocities(s.state, [&](Vec<2> x) { return Vec<2>{noise[static_cast<std::size_t>(10.0 * x[0]) % 5], 0.0}; });  // cells of 0.5 m
+  const LedgerRow ledger = [&] {
+    start_audit(s.model, s.state);
+    return keep_ledger(s.model, s.state);
+  }();
+  EXPECT_GT(ledger.kinetic, 1e4);
+  EXPECT_LT(ledger.kinetic_nodal, 1e-12 * ledger.kinetic);
+}
+
+TEST(NodalKineticEnergy, IsAtMostThatOfThePoints)
+{
+  Simulation s(test::column("mpm_gp"));
+  s.step(200);
+  start_audit(s.model, s.state);
+  const LedgerRow row = keep_ledger(s.model, s.state);
+  EXPECT_GT(row.kinetic_nodal, 0.5 * row.kinetic);
+  EXPECT_LE(row.kinetic_nodal, row.kinetic * (1.0 + 1e-12));
+}
+
+}  // namespace
+}  // namespace terp
