@@ -1,6 +1,6 @@
-// Lanes of a pack: eight points of one cell, as the program does it, or the k-th points of eight cells side by side. The second way
-// needs no sums across lanes and has the work per cell in packs too, but a group of cells takes as long as its fullest.
-// A prototype of gather and strain of MPM-GP, on the column at rest and as it flows (decision 0031); cells of one shape, one material,
+// Lanes of a pack in the loops over points: eight points of one cell, as the program does it, or the k-th points of eight cells side by
+// side. The second way needs no sums across lanes, but a group of cells takes as long as its fullest. The work per cell has one lane
+// for each cell either way. A prototype of gather and strain of MPM-GP, on the column at rest and as it flows (decision 0031); cells of one shape, one material,
 // the method's defaults. For packs of this machine: build with -DTERP_INSTRUCTIONS=native.
 
 #include "ready.hpp"
@@ -15,7 +15,7 @@ using Rows = PointRows<2>;
 constexpr int rest = 200, flowing = 3000;  // steps
 
 /// Eight neighbouring cells: number k of row r of lane c stands at data[(r * n + k) * pack_width + c]; beyond a cell's points all is zero.
-struct CellGroup {
+struct InterleavedCells {
   Index n = 0;  // points of the fullest cell
   std::array<Index, pack_width> slot{};
   std::vector<Pack> data;
@@ -32,12 +32,12 @@ void set_lane(Pack& pack, int lane, Real value)
   pack = Pack::load(values);
 }
 
-std::vector<CellGroup> make_groups(const PointBlocks<2>& points)
+std::vector<InterleavedCells> make_groups(const PointBlocks<2>& points)
 {
-  std::vector<CellGroup> groups;
+  std::vector<InterleavedCells> groups;
   const auto& cells = points.occupied();
   for (std::size_t first = 0; first + pack_width <= cells.size(); first += pack_width) {
-    CellGroup& group = groups.emplace_back();
+    InterleavedCells& group = groups.emplace_back();
     const auto block_of = [&](int c) -> const PointBlock<2>& { return points.block(points.first_block(cells[first + c])); };
     for (int c = 0; c < pack_width; ++c) group.n = std::max(group.n, block_of(c).n);
     group.data.assign(static_cast<std::size_t>(points.n_rows()) * group.n, Pack(0.0));
@@ -57,7 +57,7 @@ struct GroupSums {
   PerCorner mass = zeros(), momentum_x = zeros(), momentum_y = zeros(), force_x = zeros(), force_y = zeros();
 };
 
-void map_group(const CellGroup& group, GroupSums& sums)
+void map_group(const InterleavedCells& group, GroupSums& sums)
 {
   for (Index k = 0; k < group.n; ++k) {
     const auto N = mapping_shares(group.at(Rows::xi, k), group.at(Rows::xi + 1, k));
@@ -71,7 +71,7 @@ void map_group(const CellGroup& group, GroupSums& sums)
 }
 
 /// Eqs. (1) to (4); returns p_e.
-Pack gather_group(const CellGeometry<2>& cell, const MethodOptions& method, const CellGroup& group, GroupSums& sums)
+Pack gather_group(const CellGeometry<2>& cell, const MethodOptions& method, const InterleavedCells& group, GroupSums& sums)
 {
   PerCorner volume = zeros();
   std::array<PerCorner, 4> sigma{zeros(), zeros(), zeros(), zeros()};
@@ -116,7 +116,7 @@ Pack gather_group(const CellGeometry<2>& cell, const MethodOptions& method, cons
   return pressure;
 }
 
-void spread(const CellGroup& group, const GroupSums& sums, std::vector<CornerSums<2>>& corners)
+void spread(const InterleavedCells& group, const GroupSums& sums, std::vector<CornerSums<2>>& corners)
 {
   const PerCorner* from[] = {&sums.mass, &sums.momentum_x, &sums.momentum_y, &sums.force_x, &sums.force_y};
   for (int q = 0; q < 5; ++q)
@@ -131,7 +131,7 @@ void spread(const CellGroup& group, const GroupSums& sums, std::vector<CornerSum
 }
 
 /// Strain and volume of the points from displacements of the corners, shape [d][corner].
-void strain_group(const CellGeometry<2>& cell, const std::array<PerCorner, 2>& du, CellGroup& group)
+void strain_group(const CellGeometry<2>& cell, const std::array<PerCorner, 2>& du, InterleavedCells& group)
 {
   std::array<PerCorner, 4> d_eps;
   Pack theta_0(0.0);
@@ -162,17 +162,16 @@ void strain_group(const CellGeometry<2>& cell, const std::array<PerCorner, 2>& d
   }
 }
 
-CornerVectors displacements(const Ready& ready, Index slot)
+CellGroup group_from(Ready& ready, Index first)
 {
-  return corner_values(ready.model.mesh, ready.work.node, ready.state.points.occupied()[slot], &NodeValues::v, ready.model.dt);
+  return view_group(ready.model, ready.state, ready.work, first, first + pack_width);
 }
 
-void gather_cell(const SchemeContext& context, Ready& ready, Index slot)
+void gather_cells(const SchemeContext& context, Ready& ready, Index first)
 {
-  const CellView view = view_cell(ready.model, ready.state, ready.work, slot);
-  view.corners = {};
-  for_each_block(view.points, view.cell, [&](const PointBlock<2>& block, Index) { map_mass_and_momentum(block, view.corners); });
-  MpmGp::gather(context, view);
+  const CellGroup group = group_from(ready, first);
+  for (int c = 0; c < group.n(); ++c) map_mass_and_momentum(group, c);
+  MpmGp::gather(context, group);
 }
 
 /// Ends the program if the two ways differ by more than round-off.
@@ -196,7 +195,7 @@ void GatherLanesAcrossPoints(benchmark::State& bench)
   const SchemeContext context{ready.model.method, ready.model.materials};
   const auto n = static_cast<Index>(ready.state.points.occupied().size());
   for (auto _ : bench)
-    for (Index slot = 0; slot < n; ++slot) gather_cell(context, ready, slot);
+    for (Index first = 0; first + pack_width <= n; first += pack_width) gather_cells(context, ready, first);
   count_points(bench, ready);
 }
 BENCHMARK(GatherLanesAcrossPoints)->Arg(rest)->Arg(flowing)->Unit(benchmark::kMicrosecond);
@@ -205,7 +204,7 @@ void GatherLanesAcrossCells(benchmark::State& bench)
 {
   Ready ready("mpm_gp", 0.1, static_cast<int>(bench.range(0)));
   const SchemeContext context{ready.model.method, ready.model.materials};
-  const std::vector<CellGroup> groups = make_groups(ready.state.points);
+  const std::vector<InterleavedCells> groups = make_groups(ready.state.points);
   std::vector<CornerSums<2>> corners(ready.work.corners.size());
   std::vector<Pack> pressure(groups.size());
   for (auto _ : bench)
@@ -216,7 +215,7 @@ void GatherLanesAcrossCells(benchmark::State& bench)
       spread(groups[k], sums, corners);
     }
   benchmark::DoNotOptimize(pressure.data());
-  for (Index slot = 0; slot < static_cast<Index>(groups.size() * pack_width); ++slot) gather_cell(context, ready, slot);
+  for (std::size_t k = 0; k < groups.size(); ++k) gather_cells(context, ready, static_cast<Index>(k) * pack_width);
   compare(ready.work.corners, corners, groups.size() * pack_width);
   count_points(bench, ready);
 }
@@ -227,13 +226,14 @@ void StrainLanesAcrossPoints(benchmark::State& bench)
   Ready ready("mpm_gp", 0.1, static_cast<int>(bench.range(0)));
   const auto n = static_cast<Index>(ready.state.points.occupied().size());
   for (auto _ : bench)
-    for (Index slot = 0; slot < n; ++slot) {
-      const CellView view = view_cell(ready.model, ready.state, ready.work, slot);
-      const GaussStrain<2> strain = strain_at_gauss_points(view.geometry, displacements(ready, slot), true);
-      for_each_block(view.points, view.cell, [&](const PointBlock<2>& block, Index) {
-        for (Index p = 0; p < block.n; p += pack_width)
-          scale_volume(block, p, accumulate_strain(block, p, strain_at_points(strain, right_half(block, p), upper_half(block, p))));
-      });
+    for (Index first = 0; first + pack_width <= n; first += pack_width) {
+      const CellGroup group = group_from(ready, first);
+      const auto strain = strain_by_cell(strain_of_group(group, displacements(ready.model, ready.work.node, group), true));
+      for (int c = 0; c < group.n(); ++c)
+        for_each_block(group.points, group.cells[c], [&](const PointBlock<2>& block, Index) {
+          for (Index p = 0; p < block.n; p += pack_width)
+            scale_volume(block, p, accumulate_strain(block, p, strain_at_points(strain[c], right_half(block, p), upper_half(block, p))));
+        });
     }
   count_points(bench, ready);
 }
@@ -242,18 +242,12 @@ BENCHMARK(StrainLanesAcrossPoints)->Arg(rest)->Arg(flowing)->Unit(benchmark::kMi
 void StrainLanesAcrossCells(benchmark::State& bench)
 {
   Ready ready("mpm_gp", 0.1, static_cast<int>(bench.range(0)));
-  std::vector<CellGroup> groups = make_groups(ready.state.points);
+  std::vector<InterleavedCells> groups = make_groups(ready.state.points);
   for (auto _ : bench)
-    for (CellGroup& group : groups) {
-      alignas(64) Real values[2][4][pack_width];
-      for (int c = 0; c < pack_width; ++c) {
-        const CornerVectors du = displacements(ready, group.slot[c]);
-        for (int d = 0; d < 2; ++d)
-          for (int i = 0; i < 4; ++i) values[d][i][c] = du[d][i];
-      }
+    for (InterleavedCells& group : groups) {
+      const auto by_cell = displacements(ready.model, ready.work.node, group_from(ready, group.slot[0]));
       std::array<PerCorner, 2> du;
-      for (int d = 0; d < 2; ++d)
-        for (int i = 0; i < 4; ++i) du[d][i] = Pack::load(values[d][i]);
+      for (int d = 0; d < 2; ++d) du[d] = to_lanes([&](int c) { return by_cell[c][d].data(); });
       strain_group(ready.model.mesh.geometry(0), du, group);
     }
   count_points(bench, ready);

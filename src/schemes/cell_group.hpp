@@ -4,6 +4,7 @@
 
 #include "mesh/geometry_lanes.hpp"
 #include "mesh/mesh.hpp"
+#include "parallel/prefetch.hpp"
 #include "schemes/cell_view.hpp"
 
 #include <bit>
@@ -19,11 +20,27 @@ struct CellGroup {
   std::span<Real> pressure;                      ///< p_e [Pa], by block number; of schemes that need no more from gather to update_stress
   std::span<GaussValues<2, Pack>> gauss;         ///< shape [n_materials, n_groups]; of schemes that keep them from gather to update_stress
   Index number = 0, n_groups = 1;
+  Index next_cell = -1;                          ///< first cell of the next group, -1: none
+  bool prefetch_points = false;                  ///< the points are more than the caches hold
 
   int n() const { return static_cast<int>(cells.size()); }
   CellView cell(int c) const { return {cells[c], mesh.geometry(cells[c]), points, corners[c]}; }
   GaussValues<2, Pack>& gauss_of(Index material) const { return gauss[material * n_groups + number]; }
 };
+
+/// Fetches rows `first` to `end` - 1 of the points of the cell after cell c while those of c are worked on: the processor does not see by
+/// itself that one block follows another.
+inline void prefetch_next(const CellGroup& group, int c, int first, int end)
+{
+  const Index next = c + 1 < group.n() ? group.cells[c + 1] : group.next_cell;
+  if (!group.prefetch_points || next < 0) return;
+  for_each_block(group.points, next, [&](const PointBlock<2>& block, Index) {
+    prefetch(block.row(first), static_cast<std::ptrdiff_t>(end - first) * block.capacity);
+  });
+}
+
+/// The same for the stress pass, which needs almost all rows.
+inline void prefetch_next(const CellGroup& group, int c) { prefetch_next(group, c, 0, group.points.n_rows()); }
 
 /// Geometry of the cells of a group; lanes beyond the last repeat the first.
 inline GeometryLanes geometry_of(const CellGroup& group)

@@ -23,10 +23,12 @@ struct MpmGp {
   static void update_stress(const SchemeContext& context, const CellGroup& group, std::span<const CornerVectors, pack_width> du, StressSums& sums)
   {
     const auto strain = strain_by_cell(strain_of_group(group, du, context.method.b_bar));  // Step 2
-    for (int c = 0; c < group.n(); ++c)
+    for (int c = 0; c < group.n(); ++c) {
+      prefetch_next(group, c);
       for_each_block(group.points, group.cells[c], [&](const PointBlock<2>& block, Index b) {
         update_points(context, block, strain[c], group.pressure[b], sums);
       });
+    }
   }
 
  private:

@@ -31,6 +31,7 @@ struct MpmMixed {
       const auto values = by_cell(gauss, material.n_state());
       for (int c = 0; c < group.n(); ++c) {
         if (layer.block[c] < 0) continue;
+        prefetch_next(group, c);
         sums.plastic_work += plastic_work[c];
         const PointBlock<2>& block = group.points.block(layer.block[c]);
         for (Index p = 0; p < block.n; p += pack_width) assign_to_points(values[c], strain[c], material.n_state(), block, p);  // Step 4

@@ -17,10 +17,12 @@ struct StandardMpm {
 
   static void update_stress(const SchemeContext& context, const CellGroup& group, std::span<const CornerVectors, pack_width> du, StressSums& sums)
   {
-    for (int c = 0; c < group.n(); ++c)
+    for (int c = 0; c < group.n(); ++c) {
+      prefetch_next(group, c);
       for_each_block(group.points, group.cells[c], [&](const PointBlock<2>& block, Index) {
         update_points(context, group.mesh.geometry(group.cells[c]), du[c], block, sums);
       });
+    }
   }
 
  private:

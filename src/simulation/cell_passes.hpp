@@ -7,13 +7,20 @@
 
 namespace terp {
 
+/// Least memory of the points from which blocks are fetched ahead [bytes]: where they stay in the last cache it costs 5 to 10 % of a step,
+/// beyond it saves up to a quarter.
+inline constexpr std::int64_t prefetch_from = 16 << 20;
+
 /// The occupied cells `first` to `end` - 1, first a multiple of pack_width, as a group.
 inline CellGroup view_group(const Model& model, State& state, Workspace& work, Index first, Index end)
 {
   const std::span<const Index> occupied = state.points.occupied();
   const std::span<CornerSums<2>> corners = work.corners;
   const Index n = end - first, n_groups = Threads::n_chunks(static_cast<Index>(occupied.size()), pack_width);
-  return {occupied.subspan(first, n), model.mesh, state.points, corners.subspan(first, n), work.pressure, work.gauss, first / pack_width, n_groups};
+  const bool in_cache = state.points.n_points() * state.points.n_rows() * std::int64_t{sizeof(Real)} < prefetch_from;
+  const Index next_cell = static_cast<std::size_t>(end) < occupied.size() ? occupied[end] : -1;
+  return {occupied.subspan(first, n), model.mesh,  state.points, corners.subspan(first, n), work.pressure, work.gauss,
+          first / pack_width,         n_groups,    next_cell,    !in_cache};
 }
 
 /// Values of the cell's corners; part: &NodeValues::v or &NodeValues::dv; times `factor`.
@@ -35,9 +42,11 @@ inline std::array<CornerVectors, pack_width> displacements(const Model& model, s
   return du;
 }
 
-/// m_i and (m v)_i of the points of a cell; clears the internal force.
-inline void map_mass_and_momentum(const CellView& view)
+/// m_i and (m v)_i of the points of cell c; clears the internal force.
+inline void map_mass_and_momentum(const CellGroup& group, int c)
 {
+  prefetch_next(group, c, PointRows<2>::xi, PointRows<2>::strain);
+  const CellView view = group.cell(c);
   view.corners = {};
   for_each_block(view.points, view.cell, [&](const PointBlock<2>& block, Index) { map_mass_and_momentum(block, view.corners); });
 }

@@ -125,7 +125,7 @@ void step(const Model& model, State& state, Workspace& work)
 
   timed(work, points_to_cells, [&] {
     for_each_group(model, state, work, [&](const CellGroup& group, CellSums& sums, auto&) {
-      for (int c = 0; c < group.n(); ++c) map_mass_and_momentum(group.cell(c));
+      for (int c = 0; c < group.n(); ++c) map_mass_and_momentum(group, c);
       sums.tension_cut += Scheme::gather(context, group);                                       // Eqs. (1) to (4)
     });
   });

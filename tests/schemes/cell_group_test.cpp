@@ -182,5 +182,19 @@ TEST(CellGroup, LayersAreTheMaterialsInOrderWithTheCellsThatHoldThem)
   EXPECT_TRUE(has_one_layer(row.group(2, 1)));
 }
 
+TEST(CellGroup, FetchingAheadChangesNothingAndEndsWithTheLastCell)
+{
+  Row row = eight_distorted_cells();
+  CellGroup group = row.group(0, 7);
+  group.prefetch_points = true;
+  group.next_cell = 7;
+  const PointBlock<2>& last = test::only_block(row.points, 7);
+  const std::vector<Real> before(last.data, last.data + last.capacity * row.points.n_rows());
+  for (int c = 0; c < group.n(); ++c) prefetch_next(group, c);
+  EXPECT_TRUE(std::equal(before.begin(), before.end(), last.data));
+  group.next_cell = -1;
+  prefetch_next(group, 6);
+}
+
 }  // namespace
 }  // namespace terp

@@ -1,0 +1,20 @@
+// Fetching ahead changes no number.
+
+#include "parallel/prefetch.hpp"
+
+#include <gtest/gtest.h>
+#include <vector>
+
+namespace terp {
+namespace {
+
+TEST(Prefetch, LeavesNumbersAlone)
+{
+  std::vector<Real> numbers(100, 3.5);
+  prefetch(numbers.data(), 100);
+  prefetch(numbers.data() + 3, 97);
+  EXPECT_EQ(numbers, std::vector<Real>(100, 3.5));
+}
+
+}  // namespace
+}  // namespace terp
