@@ -1,0 +1,71 @@
+// Where the trials of a search begin: at rest, elastic, with scales that a hand calculation gives.
+#include "stability/elastic_start.hpp"
+
+#include "base/errors.hpp"
+#include "simulation/setup.hpp"
+#include "simulation/setup_mesh.hpp"
+#include "support/cases.hpp"
+
+#include <cmath>
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+/// Clay 4 m wide and 2 m high between smooth walls.
+Case filled_box()
+{
+  Case c = test::free_box("mpm_gp", {0.0, 0.0}, {4.0, 2.0});
+  c.bodies[0].points_per_cell = {2, 2};
+  c.mesh.size = {4.0, 2.5};
+  c.forces.gravity = {0.0, -10.0};
+  c.sides = {test::side("left", SideKind::roller), test::side("right", SideKind::roller), test::side("bottom", SideKind::roller)};
+  return c;
+}
+
+ElasticStart settle(const Case& c)
+{
+  const std::atomic<bool> stop{false};
+  return settle_elastically(c, build_mesh(c), 1, stop);
+}
+
+TEST(ElasticStart, ScalesAreThoseOfTheHandCalculation)
+{
+  const ElasticStart start = settle(filled_box());
+  const Real height = 2.0 - 0.125;  // between the lowest and the highest points
+  const Real shear = 2e6, young = 2.0 * shear * 1.48;
+  EXPECT_NEAR(start.height, height, 1e-12);
+  EXPECT_NEAR(start.traversal, height / std::sqrt(shear / 1990.0), 1e-12);
+  EXPECT_NEAR(start.displacement, 1990.0 * 10.0 * height * height / young, 1e-9);
+  EXPECT_GT(start.steps, 0);
+}
+
+TEST(ElasticStart, StrengthDoesNotLimitItsStresses)
+{
+  Case weak = filled_box();
+  weak.materials[0].parameters[2] = weak.materials[0].parameters[3] = 1.0;  // S_u = 1 Pa
+  EXPECT_EQ(settle(weak).steps, settle(filled_box()).steps);
+}
+
+TEST(ElasticStart, NeedsGravity)
+{
+  Case c = filled_box();
+  c.forces.gravity = {0.0, 0.0};
+  EXPECT_THROW(settle(c), InputError);
+}
+
+TEST(QuietCase, NothingMovesButByItsWeight)
+{
+  Case c = filled_box();
+  c.footings.resize(1);
+  c.bodies[0].velocity = {1.0, 0.0};
+  c.sides.push_back(test::side("top", SideKind::velocity));
+  c.sides.back().velocity = {0.0, -1.0};
+  const Case quiet = quiet_case(c);
+  EXPECT_TRUE(quiet.footings.empty());
+  EXPECT_EQ(quiet.bodies[0].velocity, (Vec<2>{0.0, 0.0}));
+  EXPECT_EQ(quiet.sides.back().velocity, (Vec<2>{0.0, 0.0}));
+}
+
+}  // namespace
+}  // namespace terp
