@@ -24,9 +24,7 @@ inline std::array<std::array<Pack, 2>, 4> gradients_at(const CellGeometry<2>& ce
 inline void add_internal_force_of_points(const CellGeometry<2>& cell, const PointBlock<2>& block, CornerSums<2>& corners)
 {
   using Rows = PointRows<2>;
-  std::array<std::array<Pack, 4>, 2> sums;
-  for (auto& direction : sums)
-    for (Pack& s : direction) s = Pack(0.0);
+  std::array<std::array<Pack, 4>, 2> sums{zero_packs<4>(), zero_packs<4>()};
   for (Index p = 0; p < block.n; p += pack_width) {
     const auto gradient = gradients_at(cell, Pack::load(block.row(Rows::xi) + p), Pack::load(block.row(Rows::xi + 1) + p));
     const Pack volume = Pack::load(block.row(Rows::volume) + p);
@@ -38,8 +36,7 @@ inline void add_internal_force_of_points(const CellGeometry<2>& cell, const Poin
       sums[1][i] += fma(yy, gradient[i][1], xy * gradient[i][0]);
     }
   }
-  for (int d = 0; d < 2; ++d)
-    for (int i = 0; i < 4; ++i) corners.internal_force[d][i] += sum(sums[d][i]);
+  for (int d = 0; d < 2; ++d) add_lanes(sums[d], corners.internal_force[d]);
 }
 
 /// Displacement gradient du_a/dx_b at eight points from du_i [m], shape [d][corner].

@@ -1,4 +1,4 @@
-// What a scheme sees of the cell it works on, and the helpers that more than one scheme uses.
+// What a scheme sees of a cell it works on, and what schemes share of the work on points.
 #pragma once
 
 #include "base/tensor.hpp"
@@ -33,8 +33,6 @@ struct CellView {
   Index cell;
   const CellGeometry<2>& geometry;
   PointBlocks<2>& points;
-  std::span<GaussValues<2>> gauss;     ///< shape [n_blocks], by block number; of schemes that keep them from gather to update_stress
-  std::span<Real> pressure;            ///< p_e, shape [n_blocks], by block number; of schemes that need no more than this
   CornerSums<2>& corners;
 };
 
@@ -114,31 +112,5 @@ inline SymTensor<Pack, 2> strain_at_points(const GaussStrain<2>& strain, Mask ri
 
 inline Mask right_half(const PointBlock<2>& block, Index p) { return Pack::load(block.row(PointRows<2>::xi) + p) >= Pack(-tie); }
 inline Mask upper_half(const PointBlock<2>& block, Index p) { return Pack::load(block.row(PointRows<2>::xi + 1) + p) >= Pack(-tie); }
-
-/// Gauss values, weights, smooth pressure and internal force of a cell for the schemes that integrate at Gauss points.
-/// gauss_of(b): where those of block b are; n_state(block): state variables to average too; finish(block, b): what the scheme does
-/// before the force. Returns true if a pressure was cut to the tension limit.
-template <class GaussOf, class NState, class Finish>
-bool gather_at_gauss_points(const SchemeContext& context, const CellView& view, GaussOf&& gauss_of, NState&& n_state, Finish&& finish)
-{
-  std::array<Real, 4> cell_volume{};
-  for_each_block(view.points, view.cell, [&](const PointBlock<2>& block, Index b) {
-    GaussValues<2>& gauss = gauss_of(b);
-    sum_over_sub_cells(block, n_state(block), gauss);
-    for (int g = 0; g < 4; ++g) cell_volume[g] += gauss.volume[g];
-  });
-  const Real volume = (cell_volume[0] + cell_volume[1]) + (cell_volume[2] + cell_volume[3]);
-  const bool part_filled = filled_share(view.geometry, volume, context.method) < 1.0;
-  bool cut = false;
-  for_each_block(view.points, view.cell, [&](const PointBlock<2>& block, Index b) {
-    GaussValues<2>& gauss = gauss_of(b);
-    set_weights(view.geometry, cell_volume, context.method, gauss);                       // R3
-    divide_by_volume(n_state(block), gauss);                                              // Eq. (1)
-    cut |= smooth_pressure(part_filled, context.method, gauss);                           // Eqs. (2), (3)
-    finish(block, b);
-    add_internal_force(view.geometry, gauss, context.method.force_operator, view.corners);  // Eq. (4)
-  });
-  return cut;
-}
 
 }  // namespace terp

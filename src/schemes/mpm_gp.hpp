@@ -1,38 +1,48 @@
 // MPM-GP, paper Sec. 2.2: the material points own the history; Gauss points only carry force and strain.
 #pragma once
 
-#include "schemes/cell_view.hpp"
+#include "schemes/cell_group.hpp"
 
 namespace terp {
 
 struct MpmGp {
   /// Gauss stress and internal force, Eqs. (1) to (4). The state stays at the points; of the Gauss values the pressure is kept.
-  static bool gather(const SchemeContext& context, const CellView& view)
+  static int gather(const SchemeContext& context, const CellGroup& group)
   {
-    GaussValues<2> only;
-    const bool one_block = view.points.block(view.points.first_block(view.cell)).next < 0;
-    const auto gauss_of = [&](Index b) -> GaussValues<2>& { return one_block ? only : view.gauss[b]; };
-    return gather_at_gauss_points(context, view, gauss_of, [](const auto&) { return 0; },
-                                  [&](const auto&, Index b) { view.pressure[b] = gauss_of(b).pressure; });
+    GaussValues<2, Pack> only;
+    const bool one_layer = has_one_layer(group);
+    return gather_at_gauss_points(
+        context, group, [&](Index material) -> GaussValues<2, Pack>& { return one_layer ? only : group.gauss_of(material); },
+        [](Index) { return 0; }, [&](const BlockLayer& layer, const GaussValues<2, Pack>& gauss) {
+          for (int c = 0; c < group.n(); ++c)
+            if (layer.block[c] >= 0) group.pressure[layer.block[c]] = gauss.pressure[c];
+        });
   }
 
   /// New stress and state in each material point from the strain of its own Gauss point (instead of Steps 3 and 4).
-  static void update_stress(const SchemeContext& context, const CellView& view, const CornerVectors& du, StressSums& sums)
+  static void update_stress(const SchemeContext& context, const CellGroup& group, std::span<const CornerVectors, pack_width> du, StressSums& sums)
   {
-    const GaussStrain<2> strain = strain_at_gauss_points(view.geometry, du, context.method.b_bar);  // Step 2
-    for_each_block(view.points, view.cell, [&](const PointBlock<2>& block, Index b) {
-      for (Index first = 0; first < block.n_padded(); first += strip_length) {
-        const Index n = std::min(strip_length, block.n_padded() - first);
-        StripArrays strip;
-        for (Index p = 0; p < n; p += pack_width) prepare_points(context.method, block, first + p, strain, view.pressure[b], strip, p);
-        context.materials[block.material].law->update(stress_arrays(block, first, n, context.dt, strip));
-        sums.plastic_work += sum_plastic_work(block, first, n, strip);
-        for (Index p = 0; p < n; p += pack_width) add_strain(block, first + p, strip, p);
-      }
-    });
+    const auto strain = strain_by_cell(strain_of_group(group, du, context.method.b_bar));  // Step 2
+    for (int c = 0; c < group.n(); ++c)
+      for_each_block(group.points, group.cells[c], [&](const PointBlock<2>& block, Index b) {
+        update_points(context, block, strain[c], group.pressure[b], sums);
+      });
   }
 
  private:
+  static void update_points(const SchemeContext& context, const PointBlock<2>& block, const GaussStrain<2>& strain, Real cell_pressure,
+                            StressSums& sums)
+  {
+    for (Index first = 0; first < block.n_padded(); first += strip_length) {
+      const Index n = std::min(strip_length, block.n_padded() - first);
+      StripArrays strip;
+      for (Index p = 0; p < n; p += pack_width) prepare_points(context.method, block, first + p, strain, cell_pressure, strip, p);
+      context.materials[block.material].law->update(stress_arrays(block, first, n, context.dt, strip));
+      sums.plastic_work += sum_plastic_work(block, first, n, strip);
+      for (Index p = 0; p < n; p += pack_width) add_strain(block, first + p, strip, p);
+    }
+  }
+
   /// Start stress (reading R10, objective rate) and strain increment of eight points.
   static void prepare_points(const MethodOptions& method, const PointBlock<2>& block, Index p, const GaussStrain<2>& strain,
                              Real cell_pressure, StripArrays& strip, Index at)

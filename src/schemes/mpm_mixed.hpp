@@ -1,32 +1,40 @@
 // MPM-Mixed, paper Sec. 2.1: the Gauss points own the history; material points are overwritten every step.
 #pragma once
 
-#include "schemes/cell_view.hpp"
+#include "schemes/cell_group.hpp"
 
 namespace terp {
 
 struct MpmMixed {
   /// Gauss stress, state and internal force, Eqs. (1) to (4). Each state variable says how it is averaged (reading R9).
-  static bool gather(const SchemeContext& context, const CellView& view)
+  static int gather(const SchemeContext& context, const CellGroup& group)
   {
     return gather_at_gauss_points(
-        context, view, [&](Index b) -> GaussValues<2>& { return view.gauss[b]; },
-        [&](const PointBlock<2>& block) { return context.materials[block.material].n_state(); },
-        [&](const PointBlock<2>& block, Index b) {
-          const auto states = context.materials[block.material].type->state;
+        context, group, [&](Index material) -> GaussValues<2, Pack>& { return group.gauss_of(material); },
+        [&](Index material) { return context.materials[material].n_state(); },
+        [&](const BlockLayer& layer, GaussValues<2, Pack>& gauss) {
+          const auto states = context.materials[layer.material].type->state;
           for (std::size_t k = 0; k < states.size(); ++k)
-            if (averages_over_cell(context.method, states[k])) average_state_over_cell(static_cast<int>(k), view.gauss[b]);
+            if (averages_over_cell(context.method, states[k])) average_state_over_cell(static_cast<int>(k), gauss);
         });
   }
 
   /// Steps 2 to 4 of Sec. 2.1: new stress and state at the Gauss points, assigned to the points of each sub-cell.
-  static void update_stress(const SchemeContext& context, const CellView& view, const CornerVectors& du, StressSums& sums)
+  static void update_stress(const SchemeContext& context, const CellGroup& group, std::span<const CornerVectors, pack_width> du, StressSums& sums)
   {
-    const GaussStrain<2> strain = strain_at_gauss_points(view.geometry, du, context.method.b_bar);  // Step 2
-    for_each_block(view.points, view.cell, [&](const PointBlock<2>& block, Index b) {
-      const SoilMaterial& material = context.materials[block.material];
-      sums.plastic_work += update_gauss_points(context, material, strain, view.gauss[b]);    // Step 3
-      for (Index p = 0; p < block.n; p += pack_width) assign_to_points(view.gauss[b], strain, material.n_state(), block, p);  // Step 4
+    const GaussStrain<2, Pack> lanes = strain_of_group(group, du, context.method.b_bar);  // Step 2
+    const auto strain = strain_by_cell(lanes);
+    for_each_layer(group, [&](const BlockLayer& layer) {
+      const SoilMaterial& material = context.materials[layer.material];
+      GaussValues<2, Pack>& gauss = group.gauss_of(layer.material);
+      const Pack plastic_work = update_gauss_points(context, material, lanes, gauss);       // Step 3
+      const auto values = by_cell(gauss, material.n_state());
+      for (int c = 0; c < group.n(); ++c) {
+        if (layer.block[c] < 0) continue;
+        sums.plastic_work += plastic_work[c];
+        const PointBlock<2>& block = group.points.block(layer.block[c]);
+        for (Index p = 0; p < block.n; p += pack_width) assign_to_points(values[c], strain[c], material.n_state(), block, p);  // Step 4
+      }
     });
   }
 
@@ -37,41 +45,42 @@ struct MpmMixed {
     return method.state_averaging == StateAveraging::cell;
   }
 
-  /// Runs the law on the four Gauss points, in one pack with four empty lanes. Returns the plastic work [J per m].
-  static Real update_gauss_points(const SchemeContext& context, const SoilMaterial& material, const GaussStrain<2>& strain,
-                                  GaussValues<2>& gauss)
+  /// Runs the law on the four Gauss points of eight cells. Returns the plastic work of each cell [J per m].
+  static Pack update_gauss_points(const SchemeContext& context, const SoilMaterial& material, const GaussStrain<2, Pack>& strain,
+                                  GaussValues<2, Pack>& gauss)
   {
-    alignas(64) Real sigma[n_sym<2>][pack_width] = {}, state[max_state][pack_width] = {}, d_eps[n_sym<2>][pack_width] = {};
-    alignas(64) Real plastic_work[pack_width] = {};
+    if (context.method.objective_rate == ObjectiveRate::jaumann) rotate_gauss_points(strain, gauss);
+    std::array<Pack, 4> plastic_work;
     StressArrays<2> arrays{};
-    for (int k = 0; k < n_sym<2>; ++k) {
-      std::copy_n(gauss.sigma[k].begin(), 4, sigma[k]);
-      std::copy_n(strain.d_eps[k].begin(), 4, d_eps[k]);
-      arrays.sigma[k] = sigma[k];
-      arrays.d_eps[k] = d_eps[k];
-    }
-    for (int k = 0; k < max_state; ++k) arrays.state[k] = state[k];
-    for (int k = 0; k < material.n_state(); ++k) std::copy_n(gauss.state[k].begin(), 4, state[k]);
-    if (context.method.objective_rate == ObjectiveRate::jaumann) rotate_gauss_points(strain, sigma);
-    arrays.plastic_work = plastic_work;
-    arrays.n = pack_width;
+    for (int k = 0; k < n_sym<2>; ++k) arrays.sigma[k] = numbers_of(gauss.sigma[k]);
+    for (int k = 0; k < max_state; ++k) arrays.state[k] = numbers_of(gauss.state[k]);
+    for (int k = 0; k < n_sym<2>; ++k) arrays.d_eps[k] = numbers_of(strain.d_eps[k]);
+    arrays.plastic_work = numbers_of(plastic_work);
+    arrays.n = 4 * pack_width;
     arrays.dt = context.dt;
     material.law->update(arrays);
 
-    Real work = 0.0;
+    Pack work(0.0);
     for (int g = 0; g < 4; ++g) work += plastic_work[g] * gauss.weight[g];
-    for (int k = 0; k < n_sym<2>; ++k) std::copy_n(sigma[k], 4, gauss.sigma[k].begin());
-    for (int k = 0; k < material.n_state(); ++k) std::copy_n(state[k], 4, gauss.state[k].begin());
     return work;
   }
 
-  static void rotate_gauss_points(const GaussStrain<2>& strain, Real (&sigma)[n_sym<2>][pack_width])
+  static void rotate_gauss_points(const GaussStrain<2, Pack>& strain, GaussValues<2, Pack>& gauss)
   {
     for (int g = 0; g < 4; ++g) {
-      SymTensor<Real, 2> at{{sigma[0][g], sigma[1][g], sigma[2][g], sigma[3][g]}};
+      SymTensor<Pack, 2> at{{gauss.sigma[0][g], gauss.sigma[1][g], gauss.sigma[2][g], gauss.sigma[3][g]}};
       rotate_stress(at, strain.d_spin[g]);
-      for (int k = 0; k < n_sym<2>; ++k) sigma[k][g] = at[k];
+      for (int k = 0; k < n_sym<2>; ++k) gauss.sigma[k][g] = at[k];
     }
+  }
+
+  /// Stress and state cell by cell.
+  static std::array<GaussValues<2>, pack_width> by_cell(const GaussValues<2, Pack>& lanes, int n_state)
+  {
+    std::array<GaussValues<2>, pack_width> gauss;
+    for (int k = 0; k < n_sym<2>; ++k) from_lanes(lanes.sigma[k], [&](int c) { return gauss[c].sigma[k].data(); });
+    for (int k = 0; k < n_state; ++k) from_lanes(lanes.state[k], [&](int c) { return gauss[c].state[k].data(); });
+    return gauss;
   }
 
   static void assign_to_points(const GaussValues<2>& gauss, const GaussStrain<2>& strain, int n_state, const PointBlock<2>& block, Index p)

@@ -1,33 +1,42 @@
 // Standard MPM: force and strain at the material points, with B at the point. The baseline: it locks and oscillates.
 #pragma once
 
-#include "schemes/cell_view.hpp"
+#include "schemes/cell_group.hpp"
 
 namespace terp {
 
 struct StandardMpm {
-  static bool gather(const SchemeContext&, const CellView& view)
+  static int gather(const SchemeContext&, const CellGroup& group)
   {
-    for_each_block(view.points, view.cell,
-                   [&](const PointBlock<2>& block, Index) { add_internal_force_of_points(view.geometry, block, view.corners); });
-    return false;
+    for (int c = 0; c < group.n(); ++c)
+      for_each_block(group.points, group.cells[c], [&](const PointBlock<2>& block, Index) {
+        add_internal_force_of_points(group.mesh.geometry(group.cells[c]), block, group.corners[c]);
+      });
+    return 0;
   }
 
-  static void update_stress(const SchemeContext& context, const CellView& view, const CornerVectors& du, StressSums& sums)
+  static void update_stress(const SchemeContext& context, const CellGroup& group, std::span<const CornerVectors, pack_width> du, StressSums& sums)
   {
-    for_each_block(view.points, view.cell, [&](const PointBlock<2>& block, Index) {
-      for (Index first = 0; first < block.n_padded(); first += strip_length) {
-        const Index n = std::min(strip_length, block.n_padded() - first);
-        StripArrays strip;
-        for (Index p = 0; p < n; p += pack_width) prepare_points(context.method, view.geometry, du, block, first + p, strip, p);
-        context.materials[block.material].law->update(stress_arrays(block, first, n, context.dt, strip));
-        sums.plastic_work += sum_plastic_work(block, first, n, strip);
-        for (Index p = 0; p < n; p += pack_width) add_strain(block, first + p, strip, p);
-      }
-    });
+    for (int c = 0; c < group.n(); ++c)
+      for_each_block(group.points, group.cells[c], [&](const PointBlock<2>& block, Index) {
+        update_points(context, group.mesh.geometry(group.cells[c]), du[c], block, sums);
+      });
   }
 
  private:
+  static void update_points(const SchemeContext& context, const CellGeometry<2>& cell, const CornerVectors& du, const PointBlock<2>& block,
+                            StressSums& sums)
+  {
+    for (Index first = 0; first < block.n_padded(); first += strip_length) {
+      const Index n = std::min(strip_length, block.n_padded() - first);
+      StripArrays strip;
+      for (Index p = 0; p < n; p += pack_width) prepare_points(context.method, cell, du, block, first + p, strip, p);
+      context.materials[block.material].law->update(stress_arrays(block, first, n, context.dt, strip));
+      sums.plastic_work += sum_plastic_work(block, first, n, strip);
+      for (Index p = 0; p < n; p += pack_width) add_strain(block, first + p, strip, p);
+    }
+  }
+
   static void prepare_points(const MethodOptions& method, const CellGeometry<2>& cell, const CornerVectors& du,
                              const PointBlock<2>& block, Index p, StripArrays& strip, Index at)
   {

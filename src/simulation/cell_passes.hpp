@@ -1,15 +1,19 @@
-// What the step does in one occupied cell: views, corner values, and the motion of points.
+// What the step does in an occupied cell or a group of them: views, corner values, and the motion of points.
 #pragma once
 
+#include "schemes/cell_group.hpp"
 #include "simulation/state.hpp"
 #include "simulation/workspace.hpp"
 
 namespace terp {
 
-inline CellView view_cell(const Model& model, State& state, Workspace& work, Index slot)
+/// The occupied cells `first` to `end` - 1, first a multiple of pack_width, as a group.
+inline CellGroup view_group(const Model& model, State& state, Workspace& work, Index first, Index end)
 {
-  const Index cell = state.points.occupied()[slot];
-  return {cell, model.mesh.geometry(cell), state.points, work.gauss, work.pressure, work.corners[slot]};
+  const std::span<const Index> occupied = state.points.occupied();
+  const std::span<CornerSums<2>> corners = work.corners;
+  const Index n = end - first, n_groups = Threads::n_chunks(static_cast<Index>(occupied.size()), pack_width);
+  return {occupied.subspan(first, n), model.mesh, state.points, corners.subspan(first, n), work.pressure, work.gauss, first / pack_width, n_groups};
 }
 
 /// Values of the cell's corners; part: &NodeValues::v or &NodeValues::dv; times `factor`.
@@ -21,6 +25,33 @@ inline CornerVectors corner_values(const Mesh<2>& mesh, std::span<const NodeValu
     for (int d = 0; d < 2; ++d) values[d][i] = at[d] * factor;
   }
   return values;
+}
+
+/// v_i dt of the corners of each cell of a group [m]; zero beyond the last.
+inline std::array<CornerVectors, pack_width> displacements(const Model& model, std::span<const NodeValues> node, const CellGroup& group)
+{
+  std::array<CornerVectors, pack_width> du{};
+  for (int c = 0; c < group.n(); ++c) du[c] = corner_values(model.mesh, node, group.cells[c], &NodeValues::v, model.dt);
+  return du;
+}
+
+/// m_i and (m v)_i of the points of a cell; clears the internal force.
+inline void map_mass_and_momentum(const CellView& view)
+{
+  view.corners = {};
+  for_each_block(view.points, view.cell, [&](const PointBlock<2>& block, Index) { map_mass_and_momentum(block, view.corners); });
+}
+
+/// v_p of a cell from the accelerated nodes, and the momentum of the points with it.
+inline void accelerate_and_map(const Model& model, std::span<const NodeValues> node, const CellView& view)
+{
+  const CornerVectors dv = corner_values(model.mesh, node, view.cell, &NodeValues::dv, 1.0);
+  const CornerVectors v_star = corner_values(model.mesh, node, view.cell, &NodeValues::v, 1.0);
+  view.corners.momentum = {};
+  for_each_block(view.points, view.cell, [&](PointBlock<2> block, Index) {
+    accelerate_points(dv, v_star, model.method.flip, block);
+    map_momentum(block, view.corners);
+  });
 }
 
 /// x_p += sum N_i du_i; new local coordinates; lanes that left the half-open cell go to `leavers`, with those whose place the cell's map
@@ -49,6 +80,11 @@ inline void advance_points(const CellView& view, Vec<2> centre, const CornerVect
     for (unsigned bits = to_bits((!inside) & in_use & known); bits != 0; bits &= bits - 1)
       leavers.push_back({b, p + static_cast<Index>(std::countr_zero(bits))});
   }
+}
+
+inline void advance_points(const CellView& view, Vec<2> centre, const CornerVectors& du, std::vector<PointPlace>& leavers)
+{
+  for_each_block(view.points, view.cell, [&](const PointBlock<2>& block, Index b) { advance_points(view, centre, du, block, b, leavers); });
 }
 
 }  // namespace terp

@@ -49,11 +49,11 @@ void follow_slip(const Model& model, const State& state, SlopeFailure& slope)
 /// Fronts of the slopes to the left and to the right [m]; NaN where nothing came that way yet and the toe is not free.
 std::array<Real, 2> fronts(const State& state)
 {
-  const auto soil = extent_in_x(state.points), moved = reach(state.points, state.x_initial, moved_distance(state.section));
   std::array<Real, 2> x{std::nan(""), std::nan("")};
   for (const SlopeFailure& slope : state.slopes) {
     const std::size_t side = slope.crest.slope.facing == Facing::left ? 0 : 1;
-    x[side] = slope.crest.slope.free_toe ? soil[side] : moved[side];
+    const auto both = slope.crest.slope.free_toe ? extent_in_x(state.points) : reach(state.points, state.x_initial, moved_distance(state.section));
+    x[side] = both[side];
   }
   return x;
 }

@@ -22,17 +22,19 @@ void timed(Workspace& work, Pass pass, F&& f)
   work.seconds[pass] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Calls f(view, sums of the chunk, leavers of the thread) for each occupied cell.
+/// Calls f(group, sums of the chunk, leavers of the thread) for the occupied cells in groups of eight neighbours.
 template <class F>
-void for_each_cell(const Model& model, State& state, Workspace& work, F&& f)
+void for_each_group(const Model& model, State& state, Workspace& work, F&& f)
 {
+  static_assert(cells_per_chunk % pack_width == 0);
   work.threads.for_each_range(static_cast<Index>(state.points.occupied().size()), cells_per_chunk,
                               [&](Index begin, Index end, Index chunk, int thread) {
                                 CellSums& sums = work.cell_sums[chunk];
                                 std::vector<PointPlace>& leavers = work.leavers[thread];
                                 sums.thread = thread;
                                 sums.first_leaver = leavers.size();
-                                for (Index slot = begin; slot < end; ++slot) f(view_cell(model, state, work, slot), sums, leavers);
+                                for (Index slot = begin; slot < end; slot += pack_width)
+                                  f(view_group(model, state, work, slot, std::min(slot + pack_width, end)), sums, leavers);
                                 sums.end_of_leavers = leavers.size();
                               });
 }
@@ -118,43 +120,33 @@ template <class Scheme>
 void step(const Model& model, State& state, Workspace& work)
 {
   const SchemeContext context{model.method, model.materials, model.dt};
-  const Mesh<2>& mesh = model.mesh;
   start_sums(work);
   place_footings(model, state, work);
 
   timed(work, points_to_cells, [&] {
-    for_each_cell(model, state, work, [&](const CellView& cell, CellSums& sums, auto&) {
-      cell.corners = {};
-      for_each_block(cell.points, cell.cell, [&](const PointBlock<2>& block, Index) { map_mass_and_momentum(block, cell.corners); });
-      sums.tension_cut += Scheme::gather(context, cell);                                        // Eqs. (1) to (4)
+    for_each_group(model, state, work, [&](const CellGroup& group, CellSums& sums, auto&) {
+      for (int c = 0; c < group.n(); ++c) map_mass_and_momentum(group.cell(c));
+      sums.tension_cut += Scheme::gather(context, group);                                       // Eqs. (1) to (4)
     });
   });
   timed(work, nodes, [&] {
     for_each_node(work, [&](Index i, NodeSums& sums) { accelerate_node(model, sum_cells(model, state, work, i), i, work, sums); });
   });
   timed(work, cells_to_points, [&] {
-    for_each_cell(model, state, work, [&](const CellView& cell, CellSums&, auto&) {
-      const CornerVectors dv = corner_values(mesh, work.node, cell.cell, &NodeValues::dv, 1.0);
-      const CornerVectors v_star = corner_values(mesh, work.node, cell.cell, &NodeValues::v, 1.0);
-      cell.corners.momentum = {};
-      for_each_block(cell.points, cell.cell, [&](PointBlock<2> block, Index) {
-        accelerate_points(dv, v_star, model.method.flip, block);
-        map_momentum(block, cell.corners);
-      });
+    for_each_group(model, state, work, [&](const CellGroup& group, CellSums&, auto&) {
+      for (int c = 0; c < group.n(); ++c) accelerate_and_map(model, work.node, group.cell(c));
     });
   });
   timed(work, velocities, [&] {
     for_each_node(work, [&](Index i, NodeSums& sums) { remap_velocity(model, sum_cells(model, state, work, i), i, work, sums); });
   });
   timed(work, stress, [&] {
-    for_each_cell(model, state, work, [&](const CellView& cell, CellSums& sums, auto& leavers) {
-      const CornerVectors du = corner_values(mesh, work.node, cell.cell, &NodeValues::v, model.dt);
+    for_each_group(model, state, work, [&](const CellGroup& group, CellSums& sums, auto& leavers) {
+      const auto du = displacements(model, work.node, group);
       StressSums stress_sums;
-      Scheme::update_stress(context, cell, du, stress_sums);                                    // Steps 2 to 4, or Sec. 2.2
+      Scheme::update_stress(context, group, du, stress_sums);                                   // Steps 2 to 4, or Sec. 2.2
       sums.plastic += stress_sums.plastic_work;
-      for_each_block(cell.points, cell.cell, [&](const PointBlock<2>& block, Index b) {
-        advance_points(cell, mesh.centres[cell.cell], du, block, b, leavers);
-      });
+      for (int c = 0; c < group.n(); ++c) advance_points(group.cell(c), model.mesh.centres[group.cells[c]], du[c], leavers);
     });
   });
   finish_sums(state, work);  // before points move and the chunks change

@@ -40,7 +40,8 @@ void Workspace::fit(const Model& model, const State& state)
   const auto& cells = state.points.occupied();
   corners.resize(cells.size());
   pressure.resize(state.points.n_blocks());
-  if (gauss.size() < pressure.size()) gauss.make_anew(2 * pressure.size());
+  const std::size_t n_gauss = model.materials.size() * Threads::n_chunks(static_cast<Index>(cells.size()), pack_width);
+  if (gauss.size() < n_gauss) gauss.make_anew(2 * n_gauss);
   list_active_nodes(model.mesh, cells, *this);
   cell_sums.resize(Threads::n_chunks(static_cast<Index>(cells.size()), cells_per_chunk));
   node_sums.resize(Threads::n_chunks(static_cast<Index>(active_nodes.size()), nodes_per_chunk));

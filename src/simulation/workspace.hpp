@@ -33,7 +33,7 @@ struct CellSums {
   std::size_t first_leaver = 0, end_of_leavers = 0;
 };
 
-inline constexpr Index cells_per_chunk = 16;   // 400 points at 5 x 5: about 10 us, long against claiming a chunk
+inline constexpr Index cells_per_chunk = 2 * pack_width;   // 400 points at 5 x 5: about 10 us, long against claiming a chunk
 inline constexpr Index nodes_per_chunk = 128;
 
 enum Pass { points_to_cells, nodes, cells_to_points, velocities, stress, move, n_passes };
@@ -47,7 +47,7 @@ struct Workspace {
   void fit(const Model& model, const State& state);
   Threads threads;
   std::vector<CornerSums<2>> corners;      ///< shape [n_occupied]
-  ZeroedArray<GaussValues<2>> gauss;       ///< shape [n_blocks at least]; a scheme may use few of them or none
+  ZeroedArray<GaussValues<2, Pack>> gauss; ///< shape [n_materials * n_groups at least]; a scheme may use few of them or none
   std::vector<Real> pressure;              ///< p_e [Pa], shape [n_blocks]; of schemes that keep no other Gauss values
   ZeroedArray<NodeValues> node;            ///< shape [n_nodes]; only those of active nodes are written
   std::vector<Index> active_nodes;         ///< nodes of occupied cells, ascending

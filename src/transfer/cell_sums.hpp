@@ -1,4 +1,5 @@
-// What one cell adds to its nodes, and what its Gauss points hold. Small arrays that stay in the first cache.
+// What one cell adds to its nodes, and what its Gauss points hold; with packs in place of numbers that of eight cells, one per lane.
+// Small arrays that stay in the first cache.
 #pragma once
 
 #include "materials/material.hpp"
@@ -7,28 +8,28 @@
 namespace terp {
 
 /// A cell's own contributions to its corners; a node sums those of its cells in a fixed order.
-template <int Dim>
+template <int Dim, class R = Real>
 struct CornerSums {
-  std::array<Real, n_corners<Dim>> mass;                            ///< m_i [kg per m]
-  std::array<std::array<Real, n_corners<Dim>>, Dim> momentum;       ///< (m v)_i [kg m/s per m]
-  std::array<std::array<Real, n_corners<Dim>>, Dim> internal_force; ///< f_int of Eq. (4) [N per m]
+  std::array<R, n_corners<Dim>> mass;                            ///< m_i [kg per m]
+  std::array<std::array<R, n_corners<Dim>>, Dim> momentum;       ///< (m v)_i [kg m/s per m]
+  std::array<std::array<R, n_corners<Dim>>, Dim> internal_force; ///< f_int of Eq. (4) [N per m]
 };
 
 /// Values at the Gauss points of the points of one block.
-template <int Dim>
+template <int Dim, class R = Real>
 struct GaussValues {
-  using PerGauss = std::array<Real, n_corners<Dim>>;
+  using PerGauss = std::array<R, n_corners<Dim>>;
   std::array<PerGauss, n_sym<Dim>> sigma;  ///< mean stress of the sub-cell, then sigma_hat of Eq. (3) [Pa]
   std::array<PerGauss, max_state> state;   ///< mean state of the sub-cell (MPM-Mixed)
   PerGauss volume;                         ///< sum of Omega_p in the sub-cell [m^2]
   PerGauss weight;                         ///< Omega_GP of Eqs. (2), (4) [m^2]
-  Real pressure;                           ///< p_e of Eq. (2) [Pa]
+  R pressure;                              ///< p_e of Eq. (2) [Pa]
 };
 
 /// Strain increments of one step at the Gauss points of a cell.
-template <int Dim>
+template <int Dim, class R = Real>
 struct GaussStrain {
-  using PerGauss = std::array<Real, n_corners<Dim>>;
+  using PerGauss = std::array<R, n_corners<Dim>>;
   std::array<PerGauss, n_sym<Dim>> d_eps;  ///< B-bar, tensorial shear [-]
   PerGauss d_spin;                         ///< (dv_y/dx - dv_x/dy) dt / 2 [-]
 };

@@ -1,4 +1,5 @@
 // Material points to Gauss points: means over sub-cells, integration weights and the cell's pressure, Eqs. (1) to (3).
+// After the sums over points one text serves a cell and eight in packs: R is Real or Pack, Geometry CellGeometry<2> or GeometryLanes.
 #pragma once
 
 #include "mesh/cell_geometry.hpp"
@@ -11,21 +12,77 @@ namespace terp {
 /// state variables, alpha_p Omega_p -> gauss.state. The numerators and denominator of Eq. (1).
 void sum_over_sub_cells(const PointBlock<2>& block, int n_state, GaussValues<2>& gauss);
 
-/// Integration weights of one block (reading R3): w_g detJ in a filled cell, shared between blocks by volume; the points'
-/// own volume otherwise. cell_volume: sum over all blocks of the cell, shape [g].
-void set_weights(const CellGeometry<2>& cell, const std::array<Real, 4>& cell_volume, const MethodOptions& method,
-                 GaussValues<2>& gauss);
+template <class R>
+R total(const std::array<R, 4>& a)
+{
+  return (a[0] + a[1]) + (a[2] + a[3]);
+}
 
-/// Turns the sums into means, Eq. (1). An empty sub-cell takes the block's mean (reading R8).
-void divide_by_volume(int n_state, GaussValues<2>& gauss);
-
-/// p_e by Eq. (2) and sigma_hat by Eq. (3). Returns true if p_e was cut to the tension limit.
-bool smooth_pressure(bool part_filled, const MethodOptions& method, GaussValues<2>& gauss);
-
-/// Replaces state variable k at all Gauss points by its mean over the cell with the weights of Eq. (2).
-void average_state_over_cell(int k, GaussValues<2>& gauss);
+template <class R>
+R weighted_mean(const std::array<R, 4>& value, const std::array<R, 4>& weight)
+{
+  return ((value[0] * weight[0] + value[1] * weight[1]) + (value[2] * weight[2] + value[3] * weight[3])) / total(weight);
+}
 
 /// How far a cell counts as filled: 0 part-filled, 1 filled, between only with a blend.
-Real filled_share(const CellGeometry<2>& cell, Real volume, const MethodOptions& method);
+template <class Geometry, class R>
+R filled_share(const Geometry& cell, R volume, const MethodOptions& method)
+{
+  const R excess = volume / R(cell.volume) - R(method.filled_fraction);
+  if (method.filled_blend == 0.0) return select(excess >= R(0.0), R(1.0), R(0.0));
+  return min(max(R(0.5) + R(0.5) * excess / R(method.filled_blend), R(0.0)), R(1.0));
+}
+
+/// Integration weights of one block (reading R3): w_g detJ in a filled cell, shared between blocks by volume; the points'
+/// own volume otherwise. cell_volume: sum over all blocks of the cell, shape [g].
+template <class Geometry, class R>
+void set_weights(const Geometry& cell, const std::array<R, 4>& cell_volume, const MethodOptions& method, GaussValues<2, R>& gauss)
+{
+  const R all = total(cell_volume), own = total(gauss.volume);
+  R filled = filled_share(cell, all, method);
+  if (method.weights == Weights::summed) filled = R(0.0);
+  if (method.weights == Weights::gauss) filled = R(1.0);
+  for (int g = 0; g < 4; ++g) {
+    const R share = select(cell_volume[g] > R(0.0), gauss.volume[g] / cell_volume[g], own / all);
+    gauss.weight[g] = filled * share * R(cell.gauss_volume[g]) + (R(1.0) - filled) * gauss.volume[g];
+  }
+}
+
+/// Turns the sums into means, Eq. (1). An empty sub-cell takes the block's mean (reading R8).
+template <class R>
+void divide_by_volume(int n_state, GaussValues<2, R>& gauss)
+{
+  const R all = total(gauss.volume);
+  std::array<R, 4> inverse;
+  for (int g = 0; g < 4; ++g) inverse[g] = R(1.0) / gauss.volume[g];
+  const auto divide = [&](std::array<R, 4>& value) {
+    const R mean = total(value) / all;
+    for (int g = 0; g < 4; ++g) value[g] = select(gauss.volume[g] > R(0.0), value[g] * inverse[g], mean);
+  };
+  for (auto& component : gauss.sigma) divide(component);
+  for (int k = 0; k < n_state; ++k) divide(gauss.state[k]);
+}
+
+/// p_e by Eq. (2) and sigma_hat by Eq. (3). Returns true if p_e was cut to the tension limit of a part-filled cell.
+template <class M, class R>
+M smooth_pressure(M part_filled, const MethodOptions& method, GaussValues<2, R>& gauss)
+{
+  std::array<R, 4> p;
+  for (int g = 0; g < 4; ++g) p[g] = (gauss.sigma[0][g] + gauss.sigma[1][g] + gauss.sigma[2][g]) * R(1.0 / 3.0);
+  gauss.pressure = weighted_mean(p, gauss.weight);  // Eq. (2)
+  const R limit = select(part_filled, R(method.tension_limit), R(std::numeric_limits<Real>::infinity()));
+  const M cut = gauss.pressure > limit;
+  gauss.pressure = select(cut, limit, gauss.pressure);
+  for (int k = 0; k < 3; ++k)
+    for (int g = 0; g < 4; ++g) gauss.sigma[k][g] -= p[g] - gauss.pressure;  // Eq. (3)
+  return cut;
+}
+
+/// Replaces state variable k at all Gauss points by its mean over the cell with the weights of Eq. (2).
+template <class R>
+void average_state_over_cell(int k, GaussValues<2, R>& gauss)
+{
+  gauss.state[k].fill(weighted_mean(gauss.state[k], gauss.weight));
+}
 
 }  // namespace terp

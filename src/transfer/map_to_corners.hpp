@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/shape_functions.hpp"
+#include "parallel/lanes.hpp"
 #include "transfer/cell_sums.hpp"
 
 namespace terp {
@@ -18,53 +19,56 @@ inline std::array<Pack, 4> mapping_shares(Pack xi, Pack eta)
   return N;
 }
 
+/// corners[i] += sum of the lanes of sums[i].
+inline void add_lanes(const std::array<Pack, 4>& sums, std::array<Real, 4>& corners)
+{
+  const std::array<Real, 4> each = sum_each(sums);
+  for (int i = 0; i < 4; ++i) corners[i] += each[i];
+}
+
 /// m_i += sum N_i m_p; (m v)_i += sum N_i m_p v_p.
 inline void map_mass_and_momentum(const PointBlock<2>& block, CornerSums<2>& corners)
 {
   using Rows = PointRows<2>;
-  std::array<Pack, 12> sums{};
-  for (Pack& s : sums) s = Pack(0.0);
+  auto mass = zero_packs<4>(), momentum_x = mass, momentum_y = mass;
   for (Index p = 0; p < block.n; p += pack_width) {
     const auto N = mapping_shares(Pack::load(block.row(Rows::xi) + p), Pack::load(block.row(Rows::xi + 1) + p));
     const Pack m = Pack::load(block.row(Rows::mass) + p);
     const Pack vx = Pack::load(block.row(Rows::v) + p), vy = Pack::load(block.row(Rows::v + 1) + p);
     for (int i = 0; i < 4; ++i) {
       const Pack weight = N[i] * m;
-      sums[i] += weight;
-      sums[4 + i] = fma(weight, vx, sums[4 + i]);
-      sums[8 + i] = fma(weight, vy, sums[8 + i]);
+      mass[i] += weight;
+      momentum_x[i] = fma(weight, vx, momentum_x[i]);
+      momentum_y[i] = fma(weight, vy, momentum_y[i]);
     }
   }
-  for (int i = 0; i < 4; ++i) {
-    corners.mass[i] += sum(sums[i]);
-    corners.momentum[0][i] += sum(sums[4 + i]);
-    corners.momentum[1][i] += sum(sums[8 + i]);
-  }
+  add_lanes(mass, corners.mass);
+  add_lanes(momentum_x, corners.momentum[0]);
+  add_lanes(momentum_y, corners.momentum[1]);
 }
 
 /// (m v)_i += sum N_i m_p v_p, with the updated velocities (MUSL).
 inline void map_momentum(const PointBlock<2>& block, CornerSums<2>& corners)
 {
   using Rows = PointRows<2>;
-  std::array<Pack, 8> sums;
-  for (Pack& s : sums) s = Pack(0.0);
+  auto momentum_x = zero_packs<4>(), momentum_y = momentum_x;
   for (Index p = 0; p < block.n; p += pack_width) {
     const auto N = mapping_shares(Pack::load(block.row(Rows::xi) + p), Pack::load(block.row(Rows::xi + 1) + p));
     const Pack m = Pack::load(block.row(Rows::mass) + p);
     const Pack px = m * Pack::load(block.row(Rows::v) + p), py = m * Pack::load(block.row(Rows::v + 1) + p);
     for (int i = 0; i < 4; ++i) {
-      sums[i] = fma(N[i], px, sums[i]);
-      sums[4 + i] = fma(N[i], py, sums[4 + i]);
+      momentum_x[i] = fma(N[i], px, momentum_x[i]);
+      momentum_y[i] = fma(N[i], py, momentum_y[i]);
     }
   }
-  for (int i = 0; i < 4; ++i) {
-    corners.momentum[0][i] += sum(sums[i]);
-    corners.momentum[1][i] += sum(sums[4 + i]);
-  }
+  add_lanes(momentum_x, corners.momentum[0]);
+  add_lanes(momentum_y, corners.momentum[1]);
 }
 
-/// Nodal values of one cell's corners, shape [d][corner].
-using CornerVectors = std::array<std::array<Real, 4>, 2>;
+/// Nodal values of one cell's corners, or in packs those of eight cells, shape [d][corner].
+template <class R>
+using CornerVectorsOf = std::array<std::array<R, 4>, 2>;
+using CornerVectors = CornerVectorsOf<Real>;
 
 /// sum_i N_i a_i at eight points.
 inline std::array<Pack, 2> interpolate(const CornerVectors& a, const std::array<Pack, 4>& N)

@@ -1,4 +1,4 @@
-// The helpers that schemes share: rotation, sums over padded blocks, ties, and two materials in one cell.
+// The helpers that schemes share: rotation, sums over padded blocks, ties.
 #include "schemes/cell_view.hpp"
 
 #include "mesh/mesh.hpp"
@@ -59,72 +59,6 @@ TEST(CellView, StrainIsAddedUpAndChangesTheVolumeByItsTrace)
   EXPECT_DOUBLE_EQ(cell.block().row(Rows::strain + 1)[0], -0.06);
   EXPECT_DOUBLE_EQ(cell.block().row(Rows::strain + 3)[0], 0.04);
   EXPECT_DOUBLE_EQ(cell.block().row(Rows::volume)[0], 0.2 * (1.0 - 0.015) * (1.0 - 0.015));
-}
-
-std::vector<SoilMaterial> two_names_of_one_soil()
-{
-  const MaterialType* type = find_material("tresca_softening");
-  const std::vector<Real> values{2.0e6, 0.4, 8.0e3, 2.0e3, 50.0};
-  std::vector<SoilMaterial> materials;
-  for (const char* name : {"upper", "lower"}) materials.push_back({name, type, type->make(values), 1990.0});
-  return materials;
-}
-
-/// Internal force on the corners of a cell with eight points under one stress, every second one of material `other`.
-CornerSums<2> force_of_uniform_stress(Index other, const MethodOptions& method, Real volume)
-{
-  OneCell cell;
-  int k = 0;
-  for (const Real eta : {-0.7, -0.2, 0.3, 0.6})
-    for (const Real xi : {-0.5, 0.4})
-      add_point(cell.mesh, 0, {.local = {xi, eta}, .volume = volume * (1.0 + 0.1 * k), .sigma = {-3e3, -5e3, -4e3, 1e3}, .state = {0.01}},
-                cell.points, k++ % 2 == 0 ? 0 : other);
-  cell.points.update_occupied();
-  const auto materials = two_names_of_one_soil();
-  std::vector<GaussValues<2>> gauss(cell.points.n_blocks());
-  CornerSums<2> corners{};
-  gather_at_gauss_points({method, materials}, {0, cell.mesh.geometry(0), cell.points, gauss, {}, corners}, [&](Index b) -> GaussValues<2>& { return gauss[b]; },
-                         [](const auto&) { return 1; }, [](const auto&, auto&) {});
-  return corners;
-}
-
-TEST(CellView, TwoMaterialsUnderOneStressShareTheWeightOfTheirCell)
-{
-  for (const Real volume : {0.1, 0.04}) {  // filled, and part-filled
-    const auto one = force_of_uniform_stress(0, {}, volume), two = force_of_uniform_stress(1, {}, volume);
-    for (int d = 0; d < 2; ++d)
-      for (int i = 0; i < 4; ++i) {
-        EXPECT_NEAR(two.internal_force[d][i], one.internal_force[d][i], 1e-9);
-        EXPECT_GT(std::abs(one.internal_force[d][i]), 100.0);
-      }
-  }
-}
-
-/// Whether the pressure of a cell with one point under tension is cut, and the largest force it then gives.
-std::pair<bool, Real> cut_tension(Real limit, Real volume)
-{
-  OneCell cell;
-  add_point(cell.mesh, 0, {.local = {0.3, 0.3}, .volume = volume, .sigma = {5e3, 5e3, 5e3, 0.0}, .state = {0.0}}, cell.points);
-  cell.points.update_occupied();
-  const auto materials = two_names_of_one_soil();
-  MethodOptions method;
-  method.tension_limit = limit;
-  std::vector<GaussValues<2>> gauss(cell.points.n_blocks());
-  CornerSums<2> corners{};
-  const bool cut = gather_at_gauss_points({method, materials}, {0, cell.mesh.geometry(0), cell.points, gauss, {}, corners}, [&](Index b) -> GaussValues<2>& { return gauss[b]; },
-                                          [](const auto&) { return 0; }, [](const auto&, auto&) {});
-  return {cut, corners.internal_force[0][1]};
-}
-
-TEST(CellView, TensionIsCutInPartFilledCellsOnlyAndOnlyBeyondTheLimit)
-{
-  const auto [free_cut, free_force] = cut_tension(INFINITY, 0.25);
-  EXPECT_FALSE(free_cut);
-  const auto [cut, force] = cut_tension(1e3, 0.25);
-  EXPECT_TRUE(cut);
-  EXPECT_NEAR(force, free_force / 5.0, 1e-12 * free_force);
-  EXPECT_FALSE(cut_tension(6e3, 0.25).first);
-  EXPECT_FALSE(cut_tension(1e3, 1.0).first);
 }
 
 }  // namespace

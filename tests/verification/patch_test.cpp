@@ -5,6 +5,7 @@
 #include "schemes/mpm_gp.hpp"
 #include "schemes/mpm_mixed.hpp"
 #include "schemes/standard_mpm.hpp"
+#include "simulation/cell_passes.hpp"
 #include "support/cases.hpp"
 #include "support/meshes.hpp"
 #include "support/verification.hpp"
@@ -41,13 +42,17 @@ template <class Scheme>
 void strain_all_cells(Simulation& s, const std::array<Vec<2>, 2>& a)
 {
   const SchemeContext context{s.model.method, s.model.materials};
-  for (Index slot = 0; slot < static_cast<Index>(s.state.points.occupied().size()); ++slot) {
-    const Index cell = s.state.points.occupied()[slot];
-    const CellView view{cell, s.model.mesh.geometry(cell), s.state.points, s.work.gauss, s.work.pressure, s.work.corners[slot]};
-    view.corners = {};
-    Scheme::gather(context, view);
+  const auto n = static_cast<Index>(s.state.points.occupied().size());
+  for (Index first = 0; first < n; first += pack_width) {
+    const CellGroup group = view_group(s.model, s.state, s.work, first, std::min(first + pack_width, n));
+    std::array<CornerVectors, pack_width> du{};
+    for (int c = 0; c < group.n(); ++c) {
+      group.corners[c] = {};
+      du[c] = affine(s.model.mesh, group.cells[c], a);
+    }
+    Scheme::gather(context, group);
     StressSums sums;
-    Scheme::update_stress(context, view, affine(s.model.mesh, cell, a), sums);
+    Scheme::update_stress(context, group, du, sums);
   }
 }
 

@@ -1,0 +1,143 @@
+// Eight neighbouring cells, whose work per cell is done in packs, one lane per cell; the points stay in the blocks of each cell
+// (decision 0031). A lane knows nothing of its neighbours: who stands beside whom changes no bit.
+#pragma once
+
+#include "mesh/geometry_lanes.hpp"
+#include "mesh/mesh.hpp"
+#include "schemes/cell_view.hpp"
+
+#include <bit>
+
+namespace terp {
+
+/// Up to eight neighbouring occupied cells.
+struct CellGroup {
+  std::span<const Index> cells;                  ///< shape [n], n at most pack_width
+  const Mesh<2>& mesh;
+  PointBlocks<2>& points;
+  std::span<CornerSums<2>> corners;              ///< shape [n]
+  std::span<Real> pressure;                      ///< p_e [Pa], by block number; of schemes that need no more from gather to update_stress
+  std::span<GaussValues<2, Pack>> gauss;         ///< shape [n_materials, n_groups]; of schemes that keep them from gather to update_stress
+  Index number = 0, n_groups = 1;
+
+  int n() const { return static_cast<int>(cells.size()); }
+  CellView cell(int c) const { return {cells[c], mesh.geometry(cells[c]), points, corners[c]}; }
+  GaussValues<2, Pack>& gauss_of(Index material) const { return gauss[material * n_groups + number]; }
+};
+
+/// Geometry of the cells of a group; lanes beyond the last repeat the first.
+inline GeometryLanes geometry_of(const CellGroup& group)
+{
+  std::array<const CellGeometry<2>*, pack_width> cells;
+  for (int c = 0; c < pack_width; ++c) cells[c] = &group.mesh.geometry(group.cells[c < group.n() ? c : 0]);
+  return geometry_lanes(cells);
+}
+
+/// The blocks of one material in the cells of a group.
+struct BlockLayer {
+  Index material;
+  std::array<Index, pack_width> block;  ///< by lane; -1: the cell has none
+};
+
+/// Calls f(layer) for each material in a group, smallest number first.
+template <class F>
+void for_each_layer(const CellGroup& group, F&& f)
+{
+  std::array<Index, pack_width> next;
+  for (int c = 0; c < pack_width; ++c) next[c] = c < group.n() ? group.points.first_block(group.cells[c]) : -1;
+  for (;;) {
+    BlockLayer layer{-1, {}};
+    for (const Index b : next)
+      if (b >= 0 && (layer.material < 0 || group.points.block(b).material < layer.material)) layer.material = group.points.block(b).material;
+    if (layer.material < 0) return;
+    for (int c = 0; c < pack_width; ++c) {
+      const bool here = next[c] >= 0 && group.points.block(next[c]).material == layer.material;
+      layer.block[c] = here ? next[c] : -1;
+      if (here) next[c] = group.points.block(next[c]).next;
+    }
+    f(layer);
+  }
+}
+
+inline bool has_one_layer(const CellGroup& group)
+{
+  int n = 0;
+  for_each_layer(group, [&](const BlockLayer&) { ++n; });
+  return n == 1;
+}
+
+/// Sub-cell sums of the blocks of a layer, one lane per cell; zero where there is no block.
+inline void sum_layer(const CellGroup& group, const BlockLayer& layer, int n_state, GaussValues<2, Pack>& gauss)
+{
+  std::array<GaussValues<2>, pack_width> sums;
+  for (int c = 0; c < pack_width; ++c) {
+    if (layer.block[c] >= 0)
+      sum_over_sub_cells(group.points.block(layer.block[c]), n_state, sums[c]);
+    else
+      sums[c] = {};
+  }
+  gauss.volume = to_lanes([&](int c) { return sums[c].volume.data(); });
+  for (int k = 0; k < n_sym<2>; ++k) gauss.sigma[k] = to_lanes([&](int c) { return sums[c].sigma[k].data(); });
+  for (int k = 0; k < n_state; ++k) gauss.state[k] = to_lanes([&](int c) { return sums[c].state[k].data(); });
+}
+
+/// Adds the internal force of the Gauss values of a layer to the corners of its cells, Eq. (4).
+inline void add_internal_force(const CellGroup& group, const GeometryLanes& geometry, const BlockLayer& layer, const GaussValues<2, Pack>& gauss,
+                               ForceOperator op)
+{
+  CornerSums<2, Pack> sums;
+  for (auto& direction : sums.internal_force) direction.fill(Pack(0.0));
+  add_internal_force(geometry, gauss, op, sums);
+  std::array<CornerVectors, pack_width> force;
+  for (int d = 0; d < 2; ++d) from_lanes(sums.internal_force[d], [&](int c) { return force[c][d].data(); });
+  for (int c = 0; c < group.n(); ++c) {
+    if (layer.block[c] < 0) continue;
+    for (int d = 0; d < 2; ++d)
+      for (int i = 0; i < 4; ++i) group.corners[c].internal_force[d][i] += force[c][d][i];
+  }
+}
+
+/// Gauss values, weights, smooth pressure and internal force of the cells of a group for the schemes that integrate at Gauss points.
+/// gauss_of(material): where those of a layer are; n_state(material): state variables to average too; finish(layer, gauss): what the
+/// scheme does before the force. Returns in how many cells a pressure was cut to the tension limit.
+template <class GaussOf, class NState, class Finish>
+int gather_at_gauss_points(const SchemeContext& context, const CellGroup& group, GaussOf&& gauss_of, NState&& n_state, Finish&& finish)
+{
+  auto cell_volume = zero_packs<4>();
+  for_each_layer(group, [&](const BlockLayer& layer) {
+    GaussValues<2, Pack>& gauss = gauss_of(layer.material);
+    sum_layer(group, layer, n_state(layer.material), gauss);
+    for (int g = 0; g < 4; ++g) cell_volume[g] += gauss.volume[g];
+  });
+  const GeometryLanes geometry = geometry_of(group);
+  const Mask part_filled = filled_share(geometry, total(cell_volume), context.method) < Pack(1.0);
+  unsigned cut = 0;
+  for_each_layer(group, [&](const BlockLayer& layer) {
+    GaussValues<2, Pack>& gauss = gauss_of(layer.material);
+    set_weights(geometry, cell_volume, context.method, gauss);                              // R3
+    divide_by_volume(n_state(layer.material), gauss);                                       // Eq. (1)
+    cut |= to_bits(smooth_pressure(part_filled, context.method, gauss));                    // Eqs. (2), (3)
+    finish(layer, gauss);
+    add_internal_force(group, geometry, layer, gauss, context.method.force_operator);       // Eq. (4)
+  });
+  return std::popcount(cut);
+}
+
+/// Strain increments at the Gauss points of a group from displacements of the corners of each cell [m], shape [pack_width].
+inline GaussStrain<2, Pack> strain_of_group(const CellGroup& group, std::span<const CornerVectors, pack_width> du, bool b_bar)
+{
+  CornerVectorsOf<Pack> lanes;
+  for (int d = 0; d < 2; ++d) lanes[d] = to_lanes([&](int c) { return du[c][d].data(); });
+  return strain_at_gauss_points(geometry_of(group), lanes, b_bar);
+}
+
+/// Strain increments cell by cell.
+inline std::array<GaussStrain<2>, pack_width> strain_by_cell(const GaussStrain<2, Pack>& lanes)
+{
+  std::array<GaussStrain<2>, pack_width> strain;
+  for (int k = 0; k < n_sym<2>; ++k) from_lanes(lanes.d_eps[k], [&](int c) { return strain[c].d_eps[k].data(); });
+  from_lanes(lanes.d_spin, [&](int c) { return strain[c].d_spin.data(); });
+  return strain;
+}
+
+}  // namespace terp
