@@ -111,6 +111,38 @@ TEST(Failure, OfASlopeOnGroundHasTheFrontOfTheSoilThatMoved)
   EXPECT_NEAR(summary.slides[0].slide.crest_from, 7.0, 0.3);
 }
 
+/// An embankment of 3 m on ground of 1 m, the same to both sides.
+Case embankment()
+{
+  Case c = test::column("mpm_gp", 0.5);
+  BodyCase body = test::body("clay", {0.0, 0.0}, {24.0, 1.0});
+  body.polygon = {{0.0, 0.0}, {24.0, 0.0}, {24.0, 1.0}, {17.0, 1.0}, {15.0, 4.0}, {9.0, 4.0}, {7.0, 1.0}, {0.0, 1.0}};
+  body.points_per_cell = {4, 4};
+  c.mesh.size = {24.0, 5.0};
+  c.bodies = {body};
+  c.materials = {test::clay({.su_peak = 12.0e3})};
+  c.sides[2] = test::side("bottom", SideKind::fixed);
+  return c;
+}
+
+TEST(Failure, OfASymmetricEmbankmentIsASlideToEachSide)
+{
+  const Collapse s(0.8, embankment());
+  Summary summary;
+  summarise_failure(s.model, s.state, summary);
+  ASSERT_EQ(summary.slides.size(), 2);
+  const Slide &a = summary.slides[0].slide, &b = summary.slides[1].slide;
+  EXPECT_EQ(a.facing, Facing::right);
+  EXPECT_EQ(b.facing, Facing::left);
+  EXPECT_EQ(a.begins, b.begins);
+  EXPECT_NEAR(a.crest_from, 24.0 - b.crest_from, 1e-9);
+  EXPECT_NEAR(a.crest_to, 24.0 - b.crest_to, 1e-9);
+  EXPECT_EQ(summary.facing, Facing::right);  // both came equally far
+  const LedgerRow& last = s.rows.back();
+  EXPECT_NEAR(last.front_x, 24.0 - last.front_left_x, 1e-3);
+  EXPECT_GT(last.front_x, 17.0);
+}
+
 TEST(Failure, MovedSoilAndRunOutGrowFromNothing)
 {
   const Collapse s(0.8);
