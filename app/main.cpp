@@ -27,7 +27,8 @@ Solve
   resume RUN              continue from the newest checkpoint of a run folder,
                           or from the checkpoint file that is named
   stability CASE.toml     factor of safety by strength reduction (--from, --to,
-                          --tolerance, --damping, --json; docs/stability.md)
+                          --tolerance, --damping, --stiffening, --json;
+                          docs/stability.md)
   watch RUN               how far a run is that another terp solves (--every S, --once)
 
 Look
