@@ -16,6 +16,7 @@ Case stiffen(Case c, Real s)
     }
   }
   c.forces.viscous_damping *= std::sqrt(s);
+  c.time.end /= std::sqrt(s);
   return c;
 }
 

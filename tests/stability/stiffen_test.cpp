@@ -20,6 +20,7 @@ TEST(Stiffen, MultipliesStiffnessAndSofteningPerStrainAndLeavesStrength)
     EXPECT_DOUBLE_EQ(stiff.materials[0].parameters[k], c.materials[0].parameters[k] * (per_strain ? 100.0 : 1.0)) << parameters[k].name;
   }
   EXPECT_DOUBLE_EQ(stiff.forces.viscous_damping, 3.0);  // times are ten times shorter
+  EXPECT_DOUBLE_EQ(stiff.time.end, c.time.end / 10.0);
   EXPECT_EQ(stiff.sides.back().adhesion, c.sides.back().adhesion);
 }
 
