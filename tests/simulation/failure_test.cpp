@@ -50,27 +50,29 @@ TEST(Failure, OfTheColumnIsASlideWithASlipSurfaceFromTheCrestToTheToe)
   EXPECT_GT(slip.line.back()[0], 8.0);
 }
 
-/// The column at the right wall, which falls to the left.
-Case mirrored_column()
+/// The column at the left wall, or at the right wall, where it falls to the left. Of 5 x 5 points the middle ones lie between two sub-cells
+/// and belong to the one on the right, so that the mirror image differs by 1e-5 of its energy at once; of 4 x 4 points it does not (decision 0007).
+Case column_at(Facing facing)
 {
   Case c = test::column("mpm_gp", 0.25);
-  c.bodies = {test::body("clay", {8.0, 0.0}, {16.0, 2.0})};
+  if (facing == Facing::left) c.bodies = {test::body("clay", {8.0, 0.0}, {16.0, 2.0})};
+  c.bodies[0].points_per_cell = {4, 4};
   return c;
 }
 
 TEST(Failure, OfTheMirroredColumnIsTheMirrorImage)
 {
-  const Collapse right(1.2), left(1.2, mirrored_column());
+  const Collapse right(0.6, column_at(Facing::right)), left(0.6, column_at(Facing::left));
   Summary a, b;
   summarise_failure(right.model, right.state, a);
   summarise_failure(left.model, left.state, b);
   EXPECT_EQ(b.facing, Facing::left);
   EXPECT_TRUE(b.free_toe);
-  EXPECT_NEAR(b.front_x, 16.0 - a.front_x, 0.01);  // a small part of a cell: the collapse itself differs by 1e-6 m at 0.1 s, by 3 mm here
-  EXPECT_NEAR(b.run_out, a.run_out, 0.01);
+  EXPECT_NEAR(b.front_x, 16.0 - a.front_x, 1e-3);  // softening amplifies round-off: 2e-8 m at 0.1 s, 3e-5 m here, 2 mm at 1.2 s
+  EXPECT_NEAR(b.run_out, a.run_out, 1e-3);
   EXPECT_NEAR(*b.crest_x, 16.0 - *a.crest_x, 1e-9);
-  EXPECT_NEAR(b.moved_volume, a.moved_volume, 0.01);
-  EXPECT_NEAR(*b.intact_fraction, *a.intact_fraction, 0.01);
+  EXPECT_NEAR(b.moved_volume, a.moved_volume, 1e-4);
+  EXPECT_NEAR(*b.intact_fraction, *a.intact_fraction, 1e-3);
   ASSERT_EQ(b.slides.size(), 1);
   EXPECT_EQ(b.slides[0].slide.facing, Facing::left);
   EXPECT_NEAR(b.slides[0].slide.begins, a.slides[0].slide.begins, 1e-9);
