@@ -14,7 +14,8 @@ Solve
   resume RUN              continue from the newest checkpoint of a run folder,
                           or from the checkpoint file that is named
   stability CASE.toml     factor of safety by strength reduction (--from, --to,
-                          --tolerance, --damping, --json; docs/stability.md)
+                          --tolerance, --damping, --stiffening, --json;
+                          docs/stability.md)
   watch RUN               how far a run is that another terp solves (--every S, --once)
 
 Look
@@ -83,6 +84,7 @@ Factor of safety by strength reduction (docs/stability.md). Writes stability.txt
       --rest R            stands when the out-of-balance force is below this part of the weight
       --failure D         fails beyond this displacement, in rho g H^2/E
       --windows N         time that a trial has
+      --stiffening S      displacements are kept S times smaller than they were (1 to 1e6)
   -o, --output DIR        where the two files go
       --json              print stability.json
       --set KEY=VALUE     change one key of the case; may be given several times
