@@ -14,7 +14,8 @@ Solve
   resume RUN              continue from the newest checkpoint of a run folder,
                           or from the checkpoint file that is named
   stability CASE.toml     factor of safety by strength reduction (--from, --to,
-                          --tolerance, --damping, --json; docs/stability.md)
+                          --tolerance, --damping, --stiffening, --json;
+                          docs/stability.md)
   watch RUN               how far a run is that another terp solves (--every S, --once)
 
 Look
@@ -79,10 +80,12 @@ Factor of safety by strength reduction (docs/stability.md). Writes stability.txt
 
       --from F, --to F    factors between which to look (0.01 to 100)
       --tolerance T       width of the bracket at the end
-      --damping A         local damping while the soil seeks rest (0 to 0.99)
-      --rest R            stands when the out-of-balance force is below this part of the weight
-      --failure D         fails beyond this displacement, in rho g H^2/E
-      --windows N         time that a trial has
+      --damping A         local damping while the soil seeks rest (0 to 0.99; 0.5)
+      --rest R            stands when it hardly moves, as soil with this part of its weight
+                          out of balance would (2e-5)
+      --failure D         fails beyond this displacement, in rho g H^2/E (4)
+      --windows N         time that a trial has (40)
+      --stiffening S      displacements are kept S times smaller than they were (1 to 1e6; 1000)
   -o, --output DIR        where the two files go
       --json              print stability.json
       --set KEY=VALUE     change one key of the case; may be given several times

@@ -64,6 +64,7 @@ CLI::App* add_stability_command(CLI::App& app, CommandLine& line)
   command->add_option("--rest", line.stability.rules.rest)->check(number_between(1e-9, 0.1));
   command->add_option("--failure", line.stability.rules.failure)->check(number_between(1e-3, 1e3));
   command->add_option("--windows", line.stability.rules.most_windows)->check(CLI::Range(3, 100000));
+  command->add_option("--stiffening", line.stability.rules.stiffening)->check(number_between(1.0, 1e6));
   command->add_option("-o,--output", line.options.output);
   command->add_flag("--json", line.options.json);
   return command;

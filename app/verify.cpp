@@ -81,12 +81,10 @@ std::vector<Solved> solve_all(const std::vector<Solve>& solves, int threads)
   for (const Solve& s : solves) seconds += s.variant->seconds;
   VerifyProgress progress(solves.size(), seconds);
   std::vector<Solved> solved(solves.size());
-  std::atomic<bool> spoilt{false};   // a case cannot be read: nothing is made of the rest
   std::atomic<std::size_t> next{0};  // chunks are handed out in parts; a queue keeps the longest first
   Threads(threads).for_each_chunk(static_cast<Index>(solves.size()), [&](Index, int) {
     const std::size_t k = order[next.fetch_add(1)];
-    if (!stop_requested && !spoilt) solved[k] = solve_variant(solves[k], stop_requested);
-    if (solved[k].bad_input) spoilt = true;
+    if (!stop_requested) solved[k] = solve_variant(solves[k], stop_requested);
     const std::string folder = std::filesystem::path(solves[k].file->path).parent_path().filename().string();
     const Variant& v = *solves[k].variant;
     progress.done(fmt::format("{}{}{}{}{}", folder, v.name.empty() ? "" : ", ", v.name, solves[k].scheme.empty() ? "" : ", ", solves[k].scheme),
@@ -148,8 +146,6 @@ int verify_cases(const VerifyOptions& options)
   check_page(options.markdown);
   check_page(options.html);
   const std::vector<Solved> solved = solve_all(solves, options.threads > 0 ? options.threads : available_processors());
-  for (const Solved& s : solved)
-    if (s.bad_input) throw CaseError(s.fault);
   if (stop_requested) throw RunError("stopped before all cases were solved; nothing is said of the others");
 
   std::vector<CaseRows> pages;

@@ -11,6 +11,7 @@ import numpy as np
 
 from terp.errors import RunError
 
+KNOWN_VERSION = 2  # the first number of the version; the second adds what an old reader passes over
 PATIENCE = 0.4  # how long a file must have stayed the same before a failed reading counts [s]; a frame of 40 000 points takes 0.1 s
 GEOMETRY = {"PointData": ("PointOffsets", "NumberOfPoints"), "CellData": ("CellOffsets", "NumberOfCells")}
 
@@ -66,8 +67,12 @@ class VtkhdfFile:
         with h5py.File(self.path, "r") as file:
             if "VTKHDF" not in file:
                 raise RunError(f"{self.path} cannot be read as VTKHDF: it has no group /VTKHDF")
+            root = file["VTKHDF"]
+            version = root.attrs.get("Version", (KNOWN_VERSION,))
+            if version[0] != KNOWN_VERSION:
+                raise RunError(f"{self.path} is of VTKHDF version {'.'.join(str(n) for n in version)}; this terp reads version {KNOWN_VERSION}")
             try:
-                return of(file["VTKHDF"])
+                return of(root)
             except KeyError as error:
                 raise RunError(f"{self.path} lacks a part of the format: {error.args[0]}") from error
 

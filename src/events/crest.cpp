@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace terp {
 namespace {
@@ -83,42 +84,41 @@ void follow_motion(const CrestHistory& crest, std::size_t begin, std::size_t end
     if (crest.kinetic[k] <= stopped * slide.kinetic_peak) slide.stops = crest.time[k];
 }
 
-/// Among runs of standing columns the one that holds the highest first surface; of equally high ones the longest.
-Standing highest_run(const Section& section, const std::vector<bool>& stands)
+/// Columns seen from behind a slope: the k-th of n.
+Index from_behind(const Slope& slope, Index n, Index k) { return slope.facing == Facing::right ? k : n - 1 - k; }
+
+/// A run of columns from behind, as columns from the left.
+Standing as_columns(const Slope& slope, Index n, Index begin, Index end)
 {
-  Standing best;
-  Real height = 0.0;
-  for (Index c = 0; c < section.columns.n; ++c) {
-    if (!stands[c]) continue;
-    Standing run{c, c};
-    Real top = section.heights[c];
-    for (; run.last < section.columns.n && stands[run.last]; ++run.last) top = std::max(top, section.heights[run.last]);
-    const bool longer = run.last - run.first > best.last - best.first;
-    if (best.last == best.first || top > height + crest_tolerance || (top > height - crest_tolerance && longer)) best = run, height = top;
-    c = run.last;
-  }
-  return best;
+  return slope.facing == Facing::right ? Standing{begin, end} : Standing{n - end, n - begin};
 }
 
 }  // namespace
 
-Standing find_standing(const Section& section, const std::vector<Slope>& slopes, const std::vector<Real>& heights)
+Standing find_standing(const Section& section, const Slope& slope, bool alone, const std::vector<Real>& heights)
 {
   const Real tolerance = std::max(crest_tolerance, settlement * relief(section));
   const Index n = section.columns.n;
-  std::vector<bool> stands(static_cast<std::size_t>(n));
-  for (Index c = 0; c < n; ++c) stands[c] = std::isfinite(section.heights[c]) && std::abs(heights[c] - section.heights[c]) <= tolerance;
-  if (slopes.size() != 1) return highest_run(section, stands);
-  Standing run;
-  if (slopes[0].facing == Facing::right) {
-    while (run.last < n && stands[run.last]) ++run.last;
-    return run;
+  const auto first_height = [&](Index k) { return section.heights[from_behind(slope, n, k)]; };
+  const auto stands = [&](Index k) {
+    return std::isfinite(first_height(k)) && std::abs(heights[from_behind(slope, n, k)] - first_height(k)) <= tolerance;
+  };
+  const Index end = slope.facing == Facing::right ? slope.last : n - slope.first;
+  Index begin = 0;
+  while (begin < end && !std::isfinite(first_height(begin))) ++begin;  // the last column may hold no soil where the mesh ends in it
+  Standing best;
+  Real highest = 0.0;
+  for (Index k = begin; k < end; ++k) {
+    Index stop = k;
+    Real top = -std::numeric_limits<Real>::infinity();
+    for (; stop < end && stands(stop); ++stop) top = std::max(top, first_height(stop));
+    const bool longer = stop - k > best.last - best.first;
+    const bool higher = best.last == best.first || top > highest + crest_tolerance;
+    if (stop > k && (higher || (longer && top > highest - crest_tolerance))) best = {k, stop}, highest = top;
+    if (alone) break;
+    k = stop;
   }
-  Index end = n;  // the last column may hold no soil where the mesh ends in it
-  while (end > 0 && !std::isfinite(section.heights[end - 1])) --end;
-  run = {end, end};
-  while (run.first > 0 && stands[run.first - 1]) --run.first;
-  return run;
+  return as_columns(slope, n, best.first, best.last);
 }
 
 Real find_crest(const Section& section, const Slope& slope, const Standing& standing)

@@ -30,9 +30,10 @@ struct Standing {
   Index first = 0, last = 0;
 };
 
-/// Columns whose surface is within 0.05 m, or a fortieth of the relief if that is more, of their first height, without a gap. With one
-/// slope: from the side behind it on. With two: those that hold the highest ground that stands. heights: the surface now [m].
-Standing find_standing(const Section& section, const std::vector<Slope>& slopes, const std::vector<Real>& heights);
+/// Columns whose surface is within 0.05 m, or a fortieth of the relief if that is more, of their first height, without a gap. If a section has
+/// this slope alone: from the side behind it on. Otherwise of all from there to the crest those that hold the highest ground that stands.
+/// heights: the surface now [m].
+Standing find_standing(const Section& section, const Slope& slope, bool alone, const std::vector<Real>& heights);
 
 /// The edge of the standing ground towards a slope, at most the first crest [m]; NaN if nothing stands.
 Real find_crest(const Section& section, const Slope& slope, const Standing& standing);

@@ -6,7 +6,7 @@
 namespace terp {
 
 inline constexpr ParameterInfo shear_modulus_info{
-    "shear_modulus", "Pa", positive, "elastic shear modulus G", {}, {1e4, 1e11, false, false}};
+    "shear_modulus", "Pa", positive, "elastic shear modulus G", {}, {1e4, 1e11, false, false}, {}, Reduction::none, StrainScale::multiply};
 inline constexpr ParameterInfo poisson_ratio_info{
     "poisson_ratio", "-", {0.0, 0.5, false, true}, "Poisson's ratio, drained or undrained to suit the analysis"};
 

@@ -37,6 +37,10 @@ constexpr Range between(Real low, Real high) { return {low, high, false, false};
 /// What `terp stability` does to a parameter at a factor F: nothing, p / F, or atan(tan(p) / F) of an angle in degrees.
 enum class Reduction { none, divide, divide_tangent };
 
+/// What makes all strains s times smaller at the same stresses, in times that are sqrt(s) shorter: nothing, p s (stiffness, softening per
+/// strain), or p sqrt(s) (viscosity). `terp stability` keeps displacements small by it (decision 0035).
+enum class StrainScale { none, multiply, multiply_root };
+
 /// One number that the case file gives to a law.
 struct ParameterInfo {
   std::string_view name;
@@ -47,6 +51,7 @@ struct ParameterInfo {
   Range usual = any_number;               ///< outside: warn of a wrong order of magnitude
   std::string_view fallback_of = {};      ///< name of an earlier parameter whose value is the default
   Reduction reduction = Reduction::none;  ///< of a strength
+  StrainScale strain_scale = StrainScale::none;  ///< of a stiffness, a viscosity, and what a strain is compared with
 };
 
 /// How MPM-Mixed averages a state variable (reading R9).

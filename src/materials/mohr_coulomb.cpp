@@ -59,7 +59,7 @@ struct MohrCoulomb {
       same_as("cohesion_residual", "Pa", not_negative, "cohesion that softening leaves", "cohesion", Reduction::divide),
       same_as("friction_angle_residual", "deg", friction_range, "friction angle that softening leaves", "friction_angle", Reduction::divide_tangent),
       same_as("dilatancy_angle_residual", "deg", friction_range, "dilatancy angle that softening leaves", "dilatancy_angle", Reduction::divide_tangent),
-      ParameterInfo{"eta", "-", not_negative, "shape factor of the softening; 95 % of it is done at a strain of 3/eta", 0.0, {}},
+      ParameterInfo{"eta", "-", not_negative, "shape factor of the softening; 95 % of it is done at a strain of 3/eta", 0.0, {}, {}, Reduction::none, StrainScale::multiply},
   };
   static constexpr std::array state{
       StateInfo{"eps_eq_p", "-", Averaging::cell, "accumulated equivalent plastic strain, Eq. (6)"},

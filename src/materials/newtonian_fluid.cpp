@@ -20,8 +20,8 @@ struct NewtonianFluid {
       "density near 1 % and the time step a hundredth of water's. The time step also heeds the viscosity (docs/methods.md).\n"
       "At rest the stress must be hydrostatic: initial.stress = \"k0\" with k0 = 1, its default, or \"equilibrium\".\n";
   static constexpr std::array parameters{
-      ParameterInfo{"bulk_modulus", "Pa", positive, "bulk modulus K = rho c^2, c the speed of sound", {}, {1e2, 1e10, false, false}},
-      ParameterInfo{"viscosity", "Pa s", not_negative, "dynamic viscosity mu; that of water is 0.001", 0.0, {1e-6, 1e6, false, false}},
+      ParameterInfo{"bulk_modulus", "Pa", positive, "bulk modulus K = rho c^2, c the speed of sound", {}, {1e2, 1e10, false, false}, {}, Reduction::none, StrainScale::multiply},
+      ParameterInfo{"viscosity", "Pa s", not_negative, "dynamic viscosity mu; that of water is 0.001", 0.0, {1e-6, 1e6, false, false}, {}, Reduction::none, StrainScale::multiply_root},
       ParameterInfo{"tension_cutoff", "Pa", not_negative, "largest tension before the fluid tears; inf: it never does", 0.0, {}},
   };
   static constexpr std::array state{

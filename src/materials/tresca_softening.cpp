@@ -40,7 +40,7 @@ struct TrescaSoftening {
       shear_modulus_info, poisson_ratio_info,
       ParameterInfo{"su_peak", "Pa", positive, "peak undrained shear strength S_u,p", {}, {100.0, 1e7, false, false}, {}, Reduction::divide},
       ParameterInfo{"su_residual", "Pa", positive, "residual undrained shear strength S_u,r", {}, {10.0, 1e7, false, false}, {}, Reduction::divide},
-      ParameterInfo{"eta", "-", not_negative, "shape factor of Eq. (5); S_u is 95 % softened at a strain of 3/eta", 0.0},
+      ParameterInfo{"eta", "-", not_negative, "shape factor of Eq. (5); S_u is 95 % softened at a strain of 3/eta", 0.0, {}, {}, Reduction::none, StrainScale::multiply},
   };
   static constexpr std::array state{
       StateInfo{"eps_eq_p", "-", Averaging::cell, "accumulated equivalent plastic strain, Eq. (6)"},

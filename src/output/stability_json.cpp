@@ -68,6 +68,7 @@ std::string stability_json(const StabilityResult& r, const std::string& scheme, 
         {"rest", number(r.options.rules.rest)},
         {"failure", number(r.options.rules.failure)},
         {"most_windows", r.options.rules.most_windows},
+        {"stiffening", number(r.options.rules.stiffening)},
         {"height", number(r.height)},
         {"displacement_scale", number(r.displacement)}}},
       {"strengths", strengths},
@@ -84,8 +85,8 @@ std::string stability_text(const StabilityResult& r, const std::string& scheme)
   std::string text = fmt::format("factor of safety {}\n", bracket_text(r));
   text += fmt::format("  by reduction of {} strength{}, {}, {} points, local damping {:g}\n", r.strengths.size(), r.strengths.size() == 1 ? "" : "s", scheme,
                       r.n_points, r.options.rules.damping);
-  text += fmt::format("  stands: out of balance below {:.1e} of the weight; fails: moved {:g} rho g H^2/E = {:.3g} m and does not slow down\n", r.options.rules.rest,
-                      r.options.rules.failure, r.options.rules.failure * r.displacement);
+  text += fmt::format("  stands: moves as if below {:.1e} of its weight were out of balance; fails: moved {:g} rho g H^2/E = {:.3g} m and does not slow down\n",
+                      r.options.rules.rest, r.options.rules.failure, r.options.rules.failure * r.displacement);
   for (const Trial& trial : r.search.trials) text += fmt::format("  {:8.4f}  {:<9}  {}\n", trial.factor, word(trial.verdict), trial.reason);
   for (const Trial& trial : r.search.trials)
     if (trial.verdict == TrialVerdict::undecided)

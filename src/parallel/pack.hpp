@@ -117,7 +117,8 @@ struct Mask {
   detail::Truths part[detail::n_registers];
 };
 
-struct Pack {
+/// Aligned as `load` wants its numbers, whatever the registers of this copy: the numbers of a pack may go to a law of another copy.
+struct alignas(64) Pack {
   detail::Reals part[detail::n_registers];
 
   Pack() = default;

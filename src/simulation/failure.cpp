@@ -9,6 +9,8 @@
 namespace terp {
 namespace {
 
+constexpr Real same_way = 1e-6;  // fronts that came equally far but for round-off [m]
+
 /// Number of slides of a slope so far. A new one shows only when the crest has retreated.
 std::size_t count_slides(const SlopeFailure& slope)
 {
@@ -47,11 +49,11 @@ void follow_slip(const Model& model, const State& state, SlopeFailure& slope)
 /// Fronts of the slopes to the left and to the right [m]; NaN where nothing came that way yet and the toe is not free.
 std::array<Real, 2> fronts(const State& state)
 {
-  const auto soil = extent_in_x(state.points), moved = reach(state.points, state.x_initial, moved_distance(state.section));
   std::array<Real, 2> x{std::nan(""), std::nan("")};
   for (const SlopeFailure& slope : state.slopes) {
     const std::size_t side = slope.crest.slope.facing == Facing::left ? 0 : 1;
-    x[side] = slope.crest.slope.free_toe ? soil[side] : moved[side];
+    const auto both = slope.crest.slope.free_toe ? extent_in_x(state.points) : reach(state.points, state.x_initial, moved_distance(state.section));
+    x[side] = both[side];
   }
   return x;
 }
@@ -96,7 +98,7 @@ const SlopeFailure* main_slope(const State& state)
     return std::isnan(way) ? -1.0 : way;
   };
   for (const SlopeFailure& slope : state.slopes)
-    if (best == nullptr || come(slope) > come(*best)) best = &slope;
+    if (best == nullptr || come(slope) > come(*best) + same_way) best = &slope;
   return best;
 }
 
@@ -117,9 +119,7 @@ void summarise_slope(const State& state, const SlopeFailure& main, Summary& s)
   s.front_x = front_of(fronts(state), slope.facing);
   s.run_out = run_out_of(state, slope);
   const auto heights = surface_heights(state.points, state.section.columns);
-  std::vector<Slope> slopes;
-  for (const SlopeFailure& each : state.slopes) slopes.push_back(each.crest.slope);
-  const Standing standing = find_standing(state.section, slopes, heights);
+  const Standing standing = find_standing(state.section, slope, state.slopes.size() == 1, heights);
   s.crest_x = finite(find_crest(state.section, slope, standing));
   s.crest_y = finite(crest_height(state.section, slope, standing, heights));
   const auto slides = slides_of(state, main);
@@ -142,13 +142,11 @@ void follow_failure(const Model& model, State& state, LedgerRow& row)
   row.front_x = row.crest_x = row.crest_y = row.front_left_x = row.crest_left_x = row.crest_left_y = none;
   const auto front = fronts(state);
   const auto heights = surface_heights(state.points, state.section.columns);
-  std::vector<Slope> slopes;
-  for (const SlopeFailure& each : state.slopes) slopes.push_back(each.crest.slope);
-  const Standing standing = find_standing(state.section, slopes, heights);
   row.moved_volume = moved_volume(state.points, state.x_initial, moved_distance(state.section));
   for (SlopeFailure& slope : state.slopes) {
     CrestHistory& crest = slope.crest;
     const bool left = crest.slope.facing == Facing::left;
+    const Standing standing = find_standing(state.section, crest.slope, state.slopes.size() == 1, heights);
     const Real x = find_crest(state.section, crest.slope, standing);
     crest.time.push_back(row.time);
     crest.x.push_back(std::isnan(x) ? back_of(state.section, crest.slope) : x);

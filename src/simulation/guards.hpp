@@ -14,9 +14,6 @@ inline constexpr Real most_clamped = 1e-3;
 /// Energy that no work explains before the run stops, as a part of all energy exchanged [-]: it then has as much again.
 inline constexpr Real most_gained = 1.0;
 
-/// Step from which energy is judged: a start with a jolt exchanges little in its first steps, and not yet evenly.
-inline constexpr std::int64_t first_judged_step = 100;
-
 /// Mass of points whose waves cross the smallest cell within a step before the run stops, as a part of all [-],
 /// if energy that no work explains says that it does harm (loose sand that bears nothing does none), as a part of all energy exchanged [-].
 inline constexpr Real most_overtaken = 0.05, gain_of_harm = 0.05;

@@ -120,21 +120,23 @@ void enter_speeds(const PointBlocks<2>& points, LedgerRow& row)
 /// S_u is a function of eps_eq_p alone: it need not be remembered beside it.
 bool strain_tells_strength(const SoilMaterial& material) { return material.n_state() == 1; }
 
-/// Marks the points of a block whose strain fell or whose strength rose, and remembers both.
+/// Marks the points of a block whose strain fell or whose strength rose, and remembers both. Where the strain tells the strength, a rise
+/// is one only if the strain fell: a law that hardens as it strains is no fault.
 void audit_block(const SoilMaterial& material, const PointBlock<2>& block, HistoryAudit& audit)
 {
   const int k = find_eps_eq_p(*material.type), su_field = find_su(*material.type);
   if (k < 0) return;
+  const bool told = strain_tells_strength(material);
   for (Index lane = 0; lane < block.n; ++lane) {
     const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
     const Real eps = block.row(Rows::state + k)[lane], before = audit.last_eps_eq_p[id];
+    const bool fell = eps < before * (1.0 - audit_tolerance);
     audit.growth[id] = static_cast<float>(std::max(0.0, eps - before));
-    if (eps == before && strain_tells_strength(material)) continue;
-    if (eps < before * (1.0 - audit_tolerance)) audit.fell[id] = true;
     audit.last_eps_eq_p[id] = eps;
-    if (su_field < 0) continue;
+    if (fell) audit.fell[id] = true;
+    if (su_field < 0 || (told && !fell)) continue;
     const Real su = material.law->derived(su_field, state_of(block, lane, material.n_state()).data());
-    const Real su_before = strain_tells_strength(material) ? material.law->derived(su_field, &before) : audit.last_su[id];
+    const Real su_before = told ? material.law->derived(su_field, &before) : audit.last_su[id];
     if (su > su_before * (1.0 + audit_tolerance)) audit.rose[id] = true;
     if (!audit.last_su.empty()) audit.last_su[id] = su;
   }

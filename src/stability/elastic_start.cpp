@@ -5,6 +5,7 @@
 #include "simulation/ledger.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/state_image.hpp"
+#include "stability/stiffen.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,18 +54,20 @@ Real extent_along(const State& state, Vec<2> e)
   return high - low;
 }
 
-/// Scales of the softest material with stiffness in shear.
+/// Scales of the softest material with stiffness in shear, as it is before it was stiffened.
 void set_scales(const Model& model, const State& state, ElasticStart& start)
 {
   const Real g = std::hypot(model.gravity[0], model.gravity[1]);
   start.height = extent_along(state, model.damping.down);
   for (const SoilMaterial& m : model.materials) {
-    const Real bulk = m.law->bulk_modulus(), shear = m.law->shear_modulus();
+    const Real bulk = m.law->bulk_modulus() / start.stiffening, shear = m.law->shear_modulus() / start.stiffening;
     if (!(shear > 0.0)) continue;
     const Real young = 9.0 * bulk * shear / (3.0 * bulk + shear);
     start.traversal = std::max(start.traversal, start.height / std::sqrt(shear / m.density));
     start.displacement = std::max(start.displacement, m.density * g * start.height * start.height / young);
   }
+  const Real window = window_traversals * start.traversal;
+  start.free_motion = g * window * window;
 }
 
 }  // namespace
@@ -77,14 +80,15 @@ Case quiet_case(Case c)
   return c;
 }
 
-ElasticStart settle_elastically(const Case& quiet, const Mesh<2>& mesh, int threads, const std::atomic<bool>& stop)
+ElasticStart settle_elastically(const Case& quiet, const Mesh<2>& mesh, Real stiffening, int threads, const std::atomic<bool>& stop)
 {
   if (quiet.forces.gravity == Vec<2>{0.0, 0.0})
     throw InputError(Problem{"forces.gravity", "a factor of safety needs gravity", "Set gravity = [0.0, -9.81] in [forces].", "forces", true, {"forces"}});
-  Model model = build_model(elastic_case(quiet), mesh, threads);
+  Model model = build_model(elastic_case(stiffen(quiet, stiffening)), mesh, threads);
   model.n_state = most_state(quiet);
   State state = build_state(model);
   ElasticStart start;
+  start.stiffening = stiffening;
   set_scales(model, state, start);
   start_audit(model, state);
   Workspace work(model, state);

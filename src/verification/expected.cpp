@@ -19,7 +19,7 @@ using Names = std::vector<std::string>;
 const Names quantity_keys = {"name", "kind",  "value",     "reduce", "reference", "where",    "scale",    "time",    "from", "to",     "threshold",
                              "at",   "runs",  "tolerance", "relative", "at_least", "at_most", "of",      "over",    "unit", "source", "red", "as", "shown", "differences", "red_runs"};
 const Names run_keys = {"name", "case", "schemes", "set", "constants", "long", "seconds", "stability"};
-const Names kind_words = {"field", "point", "ledger", "summary", "formula", "order", "footing"};
+const Names kind_words = {"field", "point", "ledger", "summary", "formula", "order", "footing", "extrapolated"};
 const Names reduce_words = {"rms_error", "max_error", "mean", "sum", "max", "min", "at", "last", "period", "frequency", "arrival"};
 
 /// Reads the entries of one table; every wrong one is refused with its place.
@@ -146,14 +146,14 @@ Variant read_variant(const Expected& file, const Node& table)
 
 Reduce default_reduce(QuantityKind kind)
 {
-  return kind == QuantityKind::field ? Reduce::rms_error : kind == QuantityKind::summary || kind == QuantityKind::formula ? Reduce::last : Reduce::at;
+  return kind == QuantityKind::field ? Reduce::rms_error : kind == QuantityKind::summary || kind == QuantityKind::formula || kind == QuantityKind::extrapolated ? Reduce::last : Reduce::at;
 }
 
 /// A bound on one side, or a reference with a tolerance.
 void check_judgement(const Expected& file, const Quantity& q)
 {
   const int n_bounds = q.tolerance.given() + q.relative.given() + q.at_least.given() + q.at_most.given();
-  if (n_bounds == 0 && !q.as.empty() && q.kind != QuantityKind::order) return;
+  if (n_bounds == 0 && !q.as.empty() && !compares_runs(q)) return;
   if (n_bounds != 1) refuse(file, q.place, "one of `tolerance`, `relative`, `at_least`, `at_most` must be given", fmt::format("Got {}.", n_bounds));
   if ((q.tolerance.given() || q.relative.given()) && !q.reference.given()) refuse(file, q.place, "`reference` is missing", "A tolerance needs it.");
   if (is_error(q.reduce) && q.relative.given()) refuse(file, q.relative.place, "an error takes `tolerance`, not `relative`", "Use `scale`.");
@@ -176,15 +176,14 @@ Quantity read_quantity(const Expected& file, const Node& table)
   q.differences = reader.flag("differences");
   q.kind = static_cast<QuantityKind>(reader.word("kind", kind_words, 0));
   q.reduce = static_cast<Reduce>(reader.word("reduce", reduce_words, static_cast<int>(default_reduce(q.kind))));
-  const bool is_order = q.kind == QuantityKind::order;
-  q.value = reader.formula("value", !is_order);
+  q.value = reader.formula("value", !compares_runs(q));
   q.reference = reader.formula("reference"), q.where = reader.formula("where"), q.scale = reader.formula("scale");
   q.time = reader.formula("time"), q.from = reader.formula("from"), q.to = reader.formula("to");
   q.threshold = reader.formula("threshold", q.reduce == Reduce::arrival);
   q.tolerance = reader.formula("tolerance"), q.relative = reader.formula("relative");
   q.at_least = reader.formula("at_least"), q.at_most = reader.formula("at_most");
   q.as = reader.text("as");
-  q.of = reader.text("of", is_order), q.over = reader.text("over", is_order);
+  q.of = reader.text("of", compares_runs(q)), q.over = reader.text("over", compares_runs(q));
   q.runs = reader.texts("runs");
   q.red_runs = reader.texts("red_runs");
   read_place(reader, q);
@@ -205,7 +204,7 @@ void check_names(const Expected& file)
   for (const Quantity& q : file.quantities) {
     for (const std::string& run : q.runs) check(q, run, runs, "run");
     for (const std::string& run : q.red_runs) check(q, run, runs, "run");
-    if (q.kind == QuantityKind::order) check(q, q.of, quantities, "quantity");
+    if (compares_runs(q)) check(q, q.of, quantities, "quantity");
   }
 }
 

@@ -58,7 +58,10 @@ std::vector<std::string> choose_cases(const std::string& folder, const std::vect
     throw FileError(fmt::format("there is no verification case `{}`.{}\n  Cases: {}", word,
                                 nearest.empty() ? "" : fmt::format(" Did you mean `{}`?", nearest), fmt::join(names, ", ")));
   }
-  return chosen;
+  std::vector<std::string> once;  // however often a case was named
+  for (std::string& name : chosen)
+    if (std::find(once.begin(), once.end(), name) == once.end()) once.push_back(std::move(name));
+  return once;
 }
 
 }  // namespace terp

@@ -1,5 +1,7 @@
 #include "verification/judge.hpp"
 
+#include "input/case_file.hpp"
+#include "verification/convergence.hpp"
 #include "verification/scope.hpp"
 
 #include <algorithm>
@@ -61,11 +63,11 @@ Row to_row(const std::string& case_name, const Finding& f)
   return row;
 }
 
-/// A run that gave no numbers: one row for all its quantities.
-Row row_of_fault(const std::string& case_name, const Solve& solve, const std::string& fault)
+/// What gave no numbers.
+Row fault_row(const std::string& case_name, const std::string& run, const std::string& quantity, const std::string& fault)
 {
-  return {.case_name = case_name, .run = run_text(solve.variant->name, solve.scheme), .quantity = "the run", .reference = "-", .source = "",
-          .terp = "no result", .error = "-", .tolerance = "-", .verdict = Verdict::fail, .remark = fault};
+  return {.case_name = case_name, .run = run, .quantity = quantity, .reference = "-", .source = "", .terp = "no result", .error = "-", .tolerance = "-",
+          .verdict = Verdict::fail, .remark = fault};
 }
 
 std::vector<std::string> schemes_in(const std::vector<Finding>& findings)
@@ -81,63 +83,72 @@ bool concerns(const Quantity& order, const Finding& f)
   return f.quantity->name == order.of && names_run(order.runs, f.run);
 }
 
-/// Order of convergence of a quantity's error, one finding per scheme; none where fewer than two runs were made.
-std::vector<Finding> orders(const Expected& file, const Quantity& order, const std::vector<Finding>& findings)
+/// The runs of one scheme with their sizes and numbers, and the constants of the last.
+struct Refinement {
+  std::vector<Real> sizes, numbers;
+  Scope scope;
+};
+
+Refinement collect(const Expected& file, const Quantity& q, const std::string& scheme, const std::vector<Finding>& findings)
+{
+  Refinement runs{.sizes = {}, .numbers = {}, .scope = {.file = file, .constants = {}}};
+  const bool of_values = q.differences || q.kind == QuantityKind::extrapolated;
+  for (const Finding& f : findings) {
+    if (f.scheme != scheme || !concerns(q, f)) continue;
+    runs.scope.constants = f.constants;
+    runs.sizes.push_back(runs.scope.evaluate({q.over, q.place}));
+    runs.numbers.push_back(of_values ? f.value : error_of(f));
+  }
+  return runs;
+}
+
+/// The order or the limit of the runs; a limit leaves its uncertainty as the constant `gci`.
+Real number_of(const Quantity& q, Refinement& runs)
+{
+  if (q.kind == QuantityKind::order) return q.differences ? observed_order(runs.sizes, runs.numbers) : log_slope(runs.sizes, runs.numbers);
+  const Limit limit = extrapolate(runs.sizes, runs.numbers);
+  runs.scope.constants["gci"] = limit.uncertainty;
+  return limit.value;
+}
+
+/// What runs of refined cells say of a quantity, one finding per scheme; none where too few were made.
+std::vector<Finding> compare_runs(const Expected& file, const Quantity& q, const std::vector<Finding>& findings)
 {
   std::vector<Finding> result;
   for (const std::string& scheme : schemes_in(findings)) {
-    std::vector<Real> sizes, numbers;
-    Scope scope{.file = file, .constants = {}};
-    for (const Finding& f : findings) {
-      if (f.scheme != scheme || !concerns(order, f)) continue;
-      scope.constants = f.constants;
-      sizes.push_back(scope.evaluate({order.over, order.place}));
-      numbers.push_back(order.differences ? f.value : error_of(f));
-    }
-    if (sizes.size() < (order.differences ? 3 : 2)) continue;
-    result.push_back({.quantity = &order, .run = fmt::format("over {}", order.over), .scheme = scheme, .value = order.differences ? observed_order(sizes, numbers) : log_slope(sizes, numbers),
-                      .reference = scope.evaluate_or(order.reference, nan), .tolerance = scope.evaluate_or(order.tolerance, nan),
-                      .relative = scope.evaluate_or(order.relative, nan), .at_least = scope.evaluate_or(order.at_least, nan),
-                      .at_most = scope.evaluate_or(order.at_most, nan), .constants = {}});
+    Refinement runs = collect(file, q, scheme, findings);
+    if (runs.sizes.size() < (q.differences || q.kind == QuantityKind::extrapolated ? 3 : 2)) continue;
+    const Real value = number_of(q, runs);
+    result.push_back({.quantity = &q, .run = fmt::format("over {}", q.over), .scheme = scheme, .value = value,
+                      .reference = runs.scope.evaluate_or(q.reference, nan), .tolerance = runs.scope.evaluate_or(q.tolerance, nan),
+                      .relative = runs.scope.evaluate_or(q.relative, nan), .at_least = runs.scope.evaluate_or(q.at_least, nan),
+                      .at_most = runs.scope.evaluate_or(q.at_most, nan), .constants = {}});
   }
   return result;
 }
 
-}  // namespace
-
-Real log_slope(const std::vector<Real>& x, const std::vector<Real>& y)
+/// A formula that cannot be evaluated costs this row, not those of the runs.
+void add_comparison(const std::string& case_name, const Expected& file, const Quantity& q, const std::vector<Finding>& findings, std::vector<Row>& rows)
 {
-  Real mean_x = 0.0, mean_y = 0.0, xx = 0.0, xy = 0.0;
-  const auto n = static_cast<Real>(x.size());
-  for (std::size_t k = 0; k < x.size(); ++k) mean_x += std::log(x[k]) / n, mean_y += std::log(y[k]) / n;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    xx += std::pow(std::log(x[k]) - mean_x, 2);
-    xy += (std::log(x[k]) - mean_x) * (std::log(y[k]) - mean_y);
+  try {
+    for (const Finding& f : compare_runs(file, q, findings)) rows.push_back(to_row(case_name, f));
+  } catch (const CaseError& error) {
+    rows.push_back(fault_row(case_name, fmt::format("over {}", q.over), q.name, error.what()));
   }
-  return xx > 0.0 ? xy / xx : nan;
 }
 
-Real observed_order(const std::vector<Real>& x, const std::vector<Real>& y)
-{
-  std::vector<std::pair<Real, Real>> runs;
-  for (std::size_t k = 0; k < x.size(); ++k) runs.emplace_back(x[k], y[k]);
-  std::sort(runs.begin(), runs.end());
-  std::vector<Real> sizes, steps;
-  for (std::size_t k = 0; k + 1 < runs.size(); ++k) sizes.push_back(runs[k].first), steps.push_back(std::abs(runs[k + 1].second - runs[k].second));
-  return log_slope(sizes, steps);
-}
+}  // namespace
 
 std::vector<Row> judge(const std::string& case_name, const Expected& file, const std::vector<Solve>& solves, const std::vector<Solved>& solved)
 {
   std::vector<Row> rows;
   std::vector<Finding> findings;
   for (std::size_t k = 0; k < solved.size(); ++k) {
-    if (!solved[k].fault.empty()) rows.push_back(row_of_fault(case_name, solves[k], solved[k].fault));
+    if (!solved[k].fault.empty()) rows.push_back(fault_row(case_name, run_text(solves[k].variant->name, solves[k].scheme), "the run", solved[k].fault));
     findings.insert(findings.end(), solved[k].findings.begin(), solved[k].findings.end());
   }
   for (const Quantity& q : file.quantities) {
-    if (q.kind == QuantityKind::order)
-      for (const Finding& f : orders(file, q, findings)) rows.push_back(to_row(case_name, f));
+    if (compares_runs(q)) add_comparison(case_name, file, q, findings, rows);
     for (const Finding& f : findings)
       if (f.quantity == &q) rows.push_back(to_row(case_name, f));
   }

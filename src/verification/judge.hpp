@@ -21,10 +21,4 @@ struct Row {
 /// Rows of one case from all its runs: quantities in the order of the file, then orders of convergence.
 std::vector<Row> judge(const std::string& case_name, const Expected& file, const std::vector<Solve>& solves, const std::vector<Solved>& solved);
 
-/// Order at which y tends to a limit that is not known: slope of log |differences of successive y| over log x, refined by one factor [-].
-Real observed_order(const std::vector<Real>& x, const std::vector<Real>& y);
-
-/// Slope of the straight line through (log x, log y) with the least squares [-]; NaN with fewer than two different x.
-Real log_slope(const std::vector<Real>& x, const std::vector<Real>& y);
-
 }  // namespace terp

@@ -56,7 +56,8 @@ std::unique_ptr<Measure> make_measure(const Quantity& quantity, const Scope& sco
     case QuantityKind::summary: return make_summary_measure(quantity, scope);
     case QuantityKind::formula: return std::make_unique<FormulaMeasure>(quantity, scope);
     case QuantityKind::footing: return make_footing_measure(quantity, scope);
-    case QuantityKind::order: break;
+    case QuantityKind::order:
+    case QuantityKind::extrapolated: break;
   }
   return nullptr;
 }

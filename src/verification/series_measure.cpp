@@ -4,7 +4,9 @@
 #include "verification/measure.hpp"
 #include "verification/series.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 #include <optional>
 
@@ -86,9 +88,22 @@ class PointMeasure : public SeriesMeasure {
       const Real distance = std::hypot(frame.x[2 * k] - place[0], frame.x[2 * k + 1] - place[1]);
       if (distance < smallest) smallest = distance, best = k;
     }
+    if (const Real spacing = nearest_other(frame, best); smallest > most_spacings * spacing)
+      refuse(scope().file, quantity().at[0].place, fmt::format("there is no soil at x = {:g} m, y = {:g} m", place[0], place[1]),
+             fmt::format("The nearest material point is {:.3g} m away; its own neighbour {:.3g} m. Choose a place in a body at t = 0.", smallest, spacing));
     return best;
   }
 
+  /// Distance to the next point [m]; infinite where there is none.
+  static Real nearest_other(const Frame& frame, std::size_t point)
+  {
+    Real smallest = infinity;
+    for (std::size_t k = 0; k < frame.x.size() / 2; ++k)
+      if (k != point) smallest = std::min(smallest, std::hypot(frame.x[2 * k] - frame.x[2 * point], frame.x[2 * k + 1] - frame.x[2 * point + 1]));
+    return smallest;
+  }
+
+  static constexpr Real most_spacings = 2.0;  // inside of soil 0.71 of a square lattice, more where cells are stretched
   std::optional<std::size_t> point_;
   std::vector<Real> row_;
 };

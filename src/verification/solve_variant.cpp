@@ -83,7 +83,7 @@ std::vector<Finding> solve_and_measure(const Solve& solve, const CaseFile& solve
 
 bool measures(const Quantity& quantity, const Variant& variant)
 {
-  if (quantity.kind == QuantityKind::order) return false;
+  if (compares_runs(quantity)) return false;
   return quantity.runs.empty() || std::find(quantity.runs.begin(), quantity.runs.end(), variant.name) != quantity.runs.end();
 }
 
@@ -107,9 +107,9 @@ Solved solve_variant(const Solve& solve, const std::atomic<bool>& stop)
     solved = read_solved_case(solve);
     result.findings = solve_and_measure(solve, solved, stop);
   } catch (const CaseError& error) {
-    result.fault = error.what(), result.bad_input = true;
+    result.fault = error.what();
   } catch (const InputError& error) {
-    result.fault = render(error.problems(), solved), result.bad_input = true;
+    result.fault = render(error.problems(), solved);
   } catch (const std::exception& error) {
     result.fault = error.what();
   }

@@ -29,7 +29,6 @@ struct Finding {
 struct Solved {
   std::vector<Finding> findings;
   std::string fault;               ///< why there are none: the run stopped, or its case cannot be used
-  bool bad_input = false;          ///< the fault is in the files of the case
   double seconds = 0.0;
 };
 

@@ -99,8 +99,17 @@ TEST(Verify, ACaseThatCannotBeReadIsBadInput)
   const Finished f = ledger.verify();
   EXPECT_EQ(f.status, 2);
   EXPECT_THAT(f.err, HasSubstr("expected.toml:6:13: "));
-  ledger.add("flight", path_is("\"V\""));
-  EXPECT_THAT(ledger.verify().err, HasSubstr("`V` is not known here"));
+}
+
+TEST(Verify, ABrokenCaseIsOneRowAndTheOthersAreSolved)
+{
+  Ledger ledger;
+  ledger.add("broken", path_is("\"V\""));
+  ledger.add("flight", path_is("1.0"));
+  const Finished f = ledger.verify({"flight", "broken", "fli*"});  // named twice, solved once
+  EXPECT_EQ(f.status, 1);
+  EXPECT_THAT(f.out, HasSubstr("`V` is not known here"));
+  EXPECT_THAT(f.out, HasSubstr("2 rows: 1 pass, 1 red (1 not known: FAIL)"));
 }
 
 TEST(Verify, ListsWithoutSolvingAndChoosesByNameAndLength)

@@ -235,9 +235,9 @@ std::vector<Real> crests(const std::vector<Real>& first, const std::vector<Real>
 {
   const Section section = look_at_section(ground(first), eight);
   const auto slopes = find_slopes(section);
-  const Standing standing = find_standing(section, slopes, surface_heights(ground(now), eight));
   std::vector<Real> x;
-  for (const Slope& slope : slopes) x.push_back(find_crest(section, slope, standing));
+  for (const Slope& slope : slopes)
+    x.push_back(find_crest(section, slope, find_standing(section, slope, slopes.size() == 1, surface_heights(ground(now), eight))));
   return x;
 }
 
@@ -249,7 +249,7 @@ TEST(Crest, StartsAtTheRightEdgeOfTheBody)
   const Section section = look_at_section(points, eight);
   const auto slopes = find_slopes(section);
   ASSERT_EQ(slopes.size(), 1);
-  const Standing standing = find_standing(section, slopes, section.heights);
+  const Standing standing = find_standing(section, slopes[0], true, section.heights);
   EXPECT_EQ(find_crest(section, slopes[0], standing), 2.0);
   EXPECT_EQ(crest_height(section, slopes[0], standing, section.heights), 1.5);
   EXPECT_TRUE(std::isnan(crest_height(section, slopes[0], {}, section.heights)));
@@ -286,7 +286,18 @@ TEST(Crest, OfADikeIsThatOfTheHighestGroundThatStands)
   EXPECT_THAT(crests(dike, dike), ElementsAre(2.5, 1.0));  // to the right, to the left
   EXPECT_THAT(crests(dike, {0.2, 0.8, 1.5, 1.5, 1.3, 0.9, 0.3, 0.2}), ElementsAre(2.0, 1.0));
   EXPECT_THAT(crests(dike, {0.3, 0.9, 1.3, 1.5, 1.5, 0.8, 0.2, 0.2}), ElementsAre(2.5, 1.5));
-  EXPECT_THAT(crests(dike, {0.2, 0.8, 1.2, 1.0, 0.9, 0.9, 0.4, 0.3}), ElementsAre(1.0, 1.0));  // the outer slope is left
+  EXPECT_THAT(crests(dike, {0.2, 0.8, 1.2, 1.0, 0.9, 0.9, 0.4, 0.3}), ElementsAre(1.0, testing::IsNan()));  // only the outer slope is left
+}
+
+TEST(Crest, OfAMirroredDikeIsTheMirrorImageWhateverStands)
+{
+  const std::vector<Real> dike{0.2, 0.8, 1.5, 1.5, 1.5, 1.5, 0.8, 0.2};
+  const std::vector<Real> loose{0.2, 0.8, 1.2, 1.5, 0.9, 1.5, 1.1, 0.4}, gone{0.2, 0.8, 1.2, 1.0, 0.9, 1.1, 0.8, 0.2};
+  for (const auto& now : {loose, gone}) {
+    const auto a = crests(dike, now), b = crests(dike, {now.rbegin(), now.rend()});
+    EXPECT_EQ(a[0], 4.0 - b[1]);
+    EXPECT_EQ(a[1], 4.0 - b[0]);
+  }
 }
 
 TEST(Slides, OfAMirroredCrestAreMirrored)

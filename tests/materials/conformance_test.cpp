@@ -173,6 +173,24 @@ TEST_P(EveryMaterial, IsIsotropicElasticNearTheOriginAndViscousWhereItSaysSo)
   EXPECT_DOUBLE_EQ(point.law().p_wave_modulus(), K + 4.0 * G / 3.0);
 }
 
+// The time step is the same here, so that a viscosity takes the whole factor.
+TEST_P(EveryMaterial, HasTheSameStressesAtSmallerStrainsWhenScaledAsItsTableSays)
+{
+  constexpr Real s = 256.0;
+  std::vector<Real> stiffer = typical_parameters(*GetParam());
+  for (std::size_t k = 0; k < stiffer.size(); ++k)
+    if (GetParam()->parameters[k].strain_scale != StrainScale::none) stiffer[k] *= s;
+  Probe soft = probe(), stiff(*GetParam(), stiffer);
+  test::Random random(7);
+  for (int step = 0; step < 200; ++step) {
+    Stress d_eps = random_increment(0.002, random);
+    soft.strain(d_eps);
+    for (int c = 0; c < 4; ++c) d_eps[c] /= s;
+    stiff.strain(d_eps);
+    for (int c = 0; c < 4; ++c) ASSERT_NEAR(stiff.sigma[c], soft.sigma[c], 1e-6 * std::abs(soft.sigma[c]) + 1e-3) << "step " << step;
+  }
+}
+
 TEST_P(EveryMaterial, PassesOnWhatIsNotANumber)  // so that the run can stop on it, and no other point suffers
 {
   std::vector<Probe> points;

@@ -195,6 +195,12 @@ class MissingThings(unittest.TestCase):
                                  ("results.vtkhdf", lambda: run.times)):
                 self.assertEqual(self.message(action), f"{folder} has no {name}; is it the folder of a run, and has that run begun?")
 
+    def test_a_newer_format_is_refused_with_its_version(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with h5py.File(pathlib.Path(folder) / "results.vtkhdf", "w") as file:
+                file.create_group("VTKHDF").attrs["Version"] = (3, 1)
+            self.assertIn("results.vtkhdf is of VTKHDF version 3.1; this terp reads version 2", self.message(lambda: terp.open(folder).times))
+
     def test_damaged_files_are_named(self):
         with tempfile.TemporaryDirectory() as folder:
             for name in ("summary.json", "results.vtkhdf"):

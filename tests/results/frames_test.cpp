@@ -57,6 +57,13 @@ TEST_F(FramesTest, AFrameThatIsNotThereIsAnErrorThatNamesTheFile)
   EXPECT_THAT(file_error_of([&] { frames.places(3); }), testing::AllOf(HasSubstr("cannot read rows 15 to 19"), HasSubstr(path), HasSubstr("it has 15")));
 }
 
+TEST_F(FramesTest, OfANewerFormatAreRefusedWithItsVersion)
+{
+  Hdf5File(path, Hdf5File::Mode::change).set_integers("/VTKHDF", "Version", {3, 0});
+  EXPECT_EQ(file_error_of([&] { Frames{path}; }),
+            "cannot read " + path + ": it is of VTKHDF version 3.0, terp " TERP_VERSION " reads version 2\n  A newer terp wrote it: read it with that one.");
+}
+
 TEST(Magnitudes, AreLengthsOfVectorsAndSizesOfNumbers)
 {
   EXPECT_THAT(magnitudes({3.0, 4.0, 0.0, 1.0, 2.0, 2.0}, 3), ElementsAre(5.0, 3.0));

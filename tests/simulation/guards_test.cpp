@@ -99,6 +99,20 @@ TEST(Guards, EnergyThatNoWorkExplainsIsAFaultOnceItIsAsMuchAsAllThatWasExchanged
                         row.numerical, 0.5 * row.numerical, row.kinetic, row.elastic, row.v_999));
 }
 
+// Forces work at the stress of the start of a step: in the first step of sides that move, all energy that is stored is without work, later 1/n of it.
+TEST(Guards, TheOffsetOfHalfAStepIsNoGainOfEnergy)
+{
+  Simulation s(test::column("mpm_gp"));
+  s.step(1);
+  start_audit(s.model, s.state);
+  LedgerRow row = keep_ledger(s.model, s.state);
+  row.elastic = 5.0 * energy_exchanged(s.state);
+  row.numerical = 1.1 * row.elastic;
+  EXPECT_EQ(find_fault_in_balance(s.model, s.state, row), "");
+  s.state.step = 10;
+  EXPECT_THAT(find_fault_in_balance(s.model, s.state, row), HasSubstr("step 10, t = 0.0030 s: the energy grows by itself"));
+}
+
 TEST(Guards, SoilSoLooseThatItsWavesOvertakeTheTimeStepIsAFault)
 {
   Simulation s(test::column("mpm_gp"));

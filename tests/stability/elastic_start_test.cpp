@@ -26,7 +26,7 @@ Case filled_box()
 ElasticStart settle(const Case& c)
 {
   const std::atomic<bool> stop{false};
-  return settle_elastically(c, build_mesh(c), 1, stop);
+  return settle_elastically(c, build_mesh(c), 1.0, 1, stop);
 }
 
 TEST(ElasticStart, ScalesAreThoseOfTheHandCalculation)

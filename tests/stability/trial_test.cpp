@@ -13,10 +13,10 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const TrialRules rules{.damping = 0.5, .rest = 1e-4, .failure = 1.0, .most_windows = 40};
+const TrialRules rules{.damping = 0.5, .rest = 1e-4, .failure = 1.0, .most_windows = 40, .stiffening = 1000.0};
 const std::atomic<bool> go{false};
 
-/// Windows of these displacements [m] that are never at rest.
+/// Windows of these displacements [m].
 std::vector<TrialWindow> moving(std::initializer_list<Real> displacements)
 {
   std::vector<TrialWindow> windows;
@@ -24,21 +24,31 @@ std::vector<TrialWindow> moving(std::initializer_list<Real> displacements)
   return windows;
 }
 
-TEST(Judge, StandsWhenForcesAreInBalance)
+/// Scales of soil that is as far as 0.05 m at rho g H^2/E, and moves 10 m more in each window where nothing holds it: 1 mm is rest.
+ElasticStart scales()
 {
-  auto windows = moving({0.01, 0.015});
-  EXPECT_EQ(judge(windows, rules, 0.05), TrialVerdict::undecided);
-  windows.back().out_of_balance = 0.9e-4;
-  EXPECT_EQ(judge(windows, rules, 0.05), TrialVerdict::stable);
+  ElasticStart start;
+  start.displacement = 0.05;
+  start.free_motion = 10.0;
+  return start;
+}
+
+TEST(Judge, StandsWhenItHardlyMovedInThreeWindowsInARow)
+{
+  EXPECT_EQ(judge(moving({0.02, 0.0205, 0.0203, 0.0212}), rules, scales()), TrialVerdict::stable);
+  EXPECT_EQ(judge(moving({0.02, 0.0220, 0.0221, 0.0222}), rules, scales()), TrialVerdict::undecided);  // only in two
+  EXPECT_EQ(judge(moving({0.02, 0.0185, 0.0184, 0.0183}), rules, scales()), TrialVerdict::undecided);  // swings back
+  EXPECT_EQ(judge(moving({0.0002, 0.0003}), rules, scales()), TrialVerdict::undecided);                // too early to say
+  EXPECT_EQ(judge(moving({0.0002, 0.0003, 0.0004}), rules, scales()), TrialVerdict::stable);
 }
 
 TEST(Judge, FailsWhenItMovedFarAndDoesNotSlowDown)
 {
-  EXPECT_EQ(judge(moving({0.01, 0.03, 0.06}), rules, 0.05), TrialVerdict::failed);
-  EXPECT_EQ(judge(moving({0.01, 0.03, 0.045}), rules, 0.05), TrialVerdict::undecided);  // not far
-  EXPECT_EQ(judge(moving({0.01, 0.04, 0.06}), rules, 0.05), TrialVerdict::undecided);   // slows down
-  EXPECT_EQ(judge(moving({0.05, 0.2}), rules, 0.05), TrialVerdict::undecided);          // too early to say
-  EXPECT_EQ(judge({}, rules, 0.05), TrialVerdict::undecided);
+  EXPECT_EQ(judge(moving({0.01, 0.03, 0.06}), rules, scales()), TrialVerdict::failed);
+  EXPECT_EQ(judge(moving({0.01, 0.03, 0.045}), rules, scales()), TrialVerdict::undecided);  // not far
+  EXPECT_EQ(judge(moving({0.01, 0.04, 0.06}), rules, scales()), TrialVerdict::undecided);   // slows down
+  EXPECT_EQ(judge(moving({0.05, 0.2}), rules, scales()), TrialVerdict::undecided);          // too early to say
+  EXPECT_EQ(judge({}, rules, scales()), TrialVerdict::undecided);
 }
 
 /// The column of model 1 on a rough base, which stands up to a factor of about 0.8.
@@ -46,7 +56,7 @@ struct Column {
   Case quiet;
   Mesh<2> mesh;
   ElasticStart start;
-  Column() : quiet(quiet_case(make())), mesh(build_mesh(quiet)), start(settle_elastically(quiet, mesh, 1, go)) {}
+  Column() : quiet(quiet_case(make())), mesh(build_mesh(quiet)), start(settle_elastically(quiet, mesh, rules.stiffening, 1, go)) {}
   static Case make()
   {
     Case c = test::column_without_softening("mpm_mixed");
@@ -54,6 +64,7 @@ struct Column {
     c.bodies[0].velocity = {1.0, 0.0};
     return c;
   }
+  explicit Column(Real stiffening) : quiet(quiet_case(make())), mesh(build_mesh(quiet)), start(settle_elastically(quiet, mesh, stiffening, 1, go)) {}
   Trial at(Real factor, const TrialRules& r = rules) const
   {
     return run_trial(quiet, mesh, start, factor, r, 1, go, [](const Trial&) {});
@@ -70,14 +81,15 @@ TEST(ElasticStart, IsAtRestWithScalesOfTheSoil)
   const Real height = 1.9;  // between the outer rows of points, 5 per cell of 0.5 m
   EXPECT_NEAR(column.start.height, height, 1e-9);
   EXPECT_NEAR(column.start.traversal, height / std::sqrt(2.0e6 / 1990.0), 1e-12);
-  EXPECT_NEAR(column.start.displacement, 1990.0 * 9.81 * height * height / (2.0 * 2.0e6 * 1.48), 1e-9);
+  EXPECT_NEAR(column.start.displacement, 1990.0 * 9.81 * height * height / (2.0 * 2.0e6 * 1.48), 1e-9);  // of the soil as it is
+  EXPECT_NEAR(column.start.free_motion, 9.81 * 4.0 * height * height / (2.0e6 / 1990.0), 1e-9);
 }
 
 TEST(ElasticStart, NeedsGravity)
 {
   Case c = Column::make();
   c.forces.gravity = {0.0, 0.0};
-  EXPECT_THROW(settle_elastically(quiet_case(c), build_mesh(c), 1, go), InputError);
+  EXPECT_THROW(settle_elastically(quiet_case(c), build_mesh(c), 1.0, 1, go), InputError);
 }
 
 TEST(Trial, StandsWithMoreStrengthAndRunsAwayWithLess)
@@ -86,7 +98,7 @@ TEST(Trial, StandsWithMoreStrengthAndRunsAwayWithLess)
   const Trial strong = column.at(0.5), weak = column.at(2.0);
   EXPECT_EQ(strong.verdict, TrialVerdict::stable);
   EXPECT_THAT(strong.reason, StartsWith("at rest: out of balance"));
-  EXPECT_LT(strong.windows.back().out_of_balance, 1e-4);
+  EXPECT_LT(strong.windows.back().out_of_balance, 1e-2);
   EXPECT_EQ(weak.verdict, TrialVerdict::failed);
   EXPECT_THAT(weak.reason, HasSubstr("rho g H^2/E"));
   EXPECT_GT(weak.windows.back().displacement, column.start.displacement);
@@ -101,11 +113,22 @@ TEST(Trial, IsTheSameEachTime)
   EXPECT_EQ(a.windows.back().displacement, b.windows.back().displacement);
 }
 
+// Stresses do not depend on the stiffening, strains go with one over it: the soil comes to the same place in the same scales.
+TEST(Trial, DoesNotDependOnHowSmallTheDisplacementsAre)
+{
+  const Column little(1e2), much(1e4);
+  const Trial a = little.at(0.6), b = much.at(0.6);
+  ASSERT_EQ(a.verdict, TrialVerdict::stable);
+  ASSERT_EQ(b.verdict, TrialVerdict::stable);
+  EXPECT_NEAR(a.windows.back().displacement, b.windows.back().displacement, 0.01 * much.start.displacement);
+  EXPECT_NEAR(a.windows.front().time, b.windows.front().time, 1e-2 * b.windows.front().time);  // whole steps
+}
+
 TEST(Trial, EndsUndecidedWhenItsTimeIsUp)
 {
   TrialRules impatient = rules;
   impatient.most_windows = 3;
-  impatient.rest = 1e-12;
+  impatient.rest = 1e-15;
   const Trial trial = Column().at(0.5, impatient);
   EXPECT_EQ(trial.verdict, TrialVerdict::undecided);
   EXPECT_EQ(trial.windows.size(), 3u);

@@ -116,11 +116,27 @@ TEST(Judge, TheOrderOfConvergenceComparesRunsOfOneScheme)
   EXPECT_EQ(rows[2].verdict, Verdict::pass);
 }
 
-TEST(Judge, OrdersFromErrorsAndFromDifferences)
+TEST(Judge, AnExtrapolatedValueIsHeldAgainstItsOwnUncertainty)
 {
-  EXPECT_NEAR(log_slope({0.5, 0.25, 0.125}, {8.0, 2.0, 0.5}), 2.0, 1e-12);
-  EXPECT_TRUE(std::isnan(log_slope({0.5, 0.5}, {8.0, 2.0})));
-  EXPECT_NEAR(observed_order({0.125, 0.5, 0.25}, {7.0 + 0.125, 7.5, 7.25}), 1.0, 1e-12);
+  Sample s;
+  s.file.quantities.reserve(2);
+  const Quantity& load = s.add("load");
+  Quantity& limit = s.add("limit");
+  limit.kind = QuantityKind::extrapolated, limit.of = "load", limit.over = "h", limit.tolerance = {"gci", {}}, limit.reference = {"5", {}};
+  const auto solved = [&](Real shift) {
+    std::vector<Solved> runs;
+    for (const Real h : {0.5, 0.25, 0.125}) {
+      Finding f = finding(load, 5.0 + shift + h, NAN, 1.0);
+      f.constants = {{"h", h}};
+      runs.push_back({.findings = {f}, .fault = ""});
+    }
+    return runs;
+  };
+  const std::vector<Solve> solves(3, {&s.file, &s.coarse, "mpm_gp"});
+  EXPECT_EQ(judge("case", s.file, solves, solved(0.1)).back().verdict, Verdict::pass);  // gci = 1.25 * 0.125
+  EXPECT_EQ(judge("case", s.file, solves, solved(0.1)).back().terp, "5.1");
+  EXPECT_EQ(judge("case", s.file, solves, solved(0.2)).back().verdict, Verdict::fail);
+  EXPECT_EQ(judge("case", s.file, {solves[0], solves[1]}, {solved(0.0)[0], solved(0.0)[1]}).size(), 2u);  // too few: no row
 }
 
 }  // namespace

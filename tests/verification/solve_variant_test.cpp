@@ -73,15 +73,20 @@ TEST(SolveVariant, LedgerSummaryAndFormulasOfEarlierQuantities)
 TEST(SolveVariant, ATimeWithoutAFrameIsRefused)
 {
   const Solved solved = solve(quantity("name = \"path\"\nvalue = \"ux\"\ntime = 0.25\nreference = \"V*t\"\ntolerance = 1"));
-  EXPECT_TRUE(solved.bad_input);
   EXPECT_THAT(solved.fault, HasSubstr("there is no frame at 0.25 s"));
   EXPECT_THAT(solved.fault, HasSubstr("Let output.fields.every of the case divide the time."));
+}
+
+TEST(SolveVariant, APointWhereThereIsNoSoilIsRefused)
+{
+  const Solved solved = solve(quantity("name = \"place\"\nkind = \"point\"\nat = [3.0, 0.1]\nvalue = \"x\"\ntime = 0.3\nreference = 0\ntolerance = 1"));
+  EXPECT_THAT(solved.fault, HasSubstr("there is no soil at x = 3 m, y = 0.1 m"));
+  EXPECT_THAT(solved.fault, HasSubstr("Choose a place in a body at t = 0."));
 }
 
 TEST(SolveVariant, AFormulaThatCannotBeReadIsRefusedAtItsPlace)
 {
   const Solved solved = solve(quantity("name = \"path\"\nvalue = \"uz\"\nreference = 0\ntolerance = 1"));
-  EXPECT_TRUE(solved.bad_input);
   EXPECT_THAT(solved.fault, HasSubstr("expected.toml:7:9: this formula cannot be evaluated"));
   EXPECT_THAT(solved.fault, HasSubstr("`uz` is not known here"));
 }
@@ -105,10 +110,9 @@ TEST(SolveVariant, RunsAreEachVariantWithEachSchemeShortOrLong)
   EXPECT_EQ(list_solves(file, false, true)[0].scheme, "");
 }
 
-TEST(SolveVariant, ARunThatStopsItselfIsAFaultButNotOfTheFiles)
+TEST(SolveVariant, ARunThatStopsItselfIsAFault)
 {
   const Solved solved = solve("", "[[run]]\nset = [\"body[0].velocity=[1e9,0.0]\"]\n");
-  EXPECT_FALSE(solved.bad_input);
   EXPECT_NE(solved.fault, "");
 }
 

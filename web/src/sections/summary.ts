@@ -89,7 +89,7 @@ function factTable(report: Report, labels: string[], store: Store): HTMLElement 
   const facts = FACTS.filter((fact) => report.runs.some((run) => fact.value(run) !== "–"));
   if (facts.length === 0) return null;
   const several = report.runs.length > 1;
-  const head = element("tr", {}, element("td"), ...report.runs.map((run, k) => coloured(element("th", { scope: "col" }, labels[k]!), run, store)));
+  const head = element("tr", {}, element("td"), ...report.runs.map((run, k) => coloured(element("th", { scope: "col" }, labels[k]!.replaceAll("_", "_\u200b")), run, store))); // a long name may break there
   const rows = facts.map((fact) => element("tr", {},
     element("th", { scope: "row", title: fact.help }, fact.label),
     ...report.runs.map((run) => {
