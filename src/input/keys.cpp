@@ -97,7 +97,7 @@ std::vector<KeyInfo> mesh_keys()
        .unit = "m", .required_for = "a mesh from a polygon",
        .meaning = "corners of the domain in order, without repeating the first; gmsh fills it with quadrilaterals"},
       {.path = "mesh.edges",
-       .field = [](Case& c, std::size_t) { return NamedEdges{&c.mesh.edges}; },
+       .field = [](Case& c, std::size_t) { return EdgesList{&c.mesh.edges}; },
        .range = not_negative,
        .meaning = "names of parts of the boundary and their edges; edge k of the polygon runs from its corner k to "
                   "corner k + 1, counted from 0"},

@@ -100,7 +100,7 @@ class ValueReader {
   }
   bool operator()(const PolygonList& field);
   bool operator()(const Polyline& field);
-  bool operator()(const NamedEdges& field);
+  bool operator()(const EdgesList& field);
   bool operator()(const VelocityPair& field);
   bool operator()(const NameList& field);
   bool operator()(const NamedPlaces& field);
@@ -281,7 +281,7 @@ bool ValueReader::operator()(const Polyline& field)
   return true;
 }
 
-bool ValueReader::operator()(const NamedEdges& field)
+bool ValueReader::operator()(const EdgesList& field)
 {
   const Node& table = entry_.node;
   if (table.kind != NodeKind::table) return wrong_type(table, entry_.path);

@@ -39,7 +39,7 @@ std::vector<Recipe> all_recipes(const Frames& frames)
   const auto known = [&](const std::string& name) {
     return name == "volume" || name == "cell" || std::any_of(recipes.begin(), recipes.end(), [&](const Recipe& r) { return r.source == name; });
   };
-  for (const FieldInfo& field : frames.fields())  // state and derived fields of other laws
+  for (const ResultField& field : frames.fields())  // state and derived fields of other laws
     if (field.n_components == 1 && !known(field.name)) recipes.insert(recipes.end() - 1, {field.name, field.name, field.name, field.name, field.unit, "sequential"});
   std::erase_if(recipes, [&](const Recipe& r) { return !frames.has(r.source); });
   return recipes;

@@ -52,15 +52,15 @@ std::vector<Real> Frames::read(std::string_view name, std::size_t k) const
   return file_.read_rows<Real>(point_data + "/" + field(name).name, static_cast<std::int64_t>(k) * n_points_, n_points_);
 }
 
-const FieldInfo* Frames::find(std::string_view name) const
+const ResultField* Frames::find(std::string_view name) const
 {
-  const auto found = std::find_if(fields_.begin(), fields_.end(), [&](const FieldInfo& f) { return f.name == name; });
+  const auto found = std::find_if(fields_.begin(), fields_.end(), [&](const ResultField& f) { return f.name == name; });
   return found == fields_.end() ? nullptr : &*found;
 }
 
-const FieldInfo& Frames::field(std::string_view name) const
+const ResultField& Frames::field(std::string_view name) const
 {
-  if (const FieldInfo* found = find(name)) return *found;
+  if (const ResultField* found = find(name)) return *found;
   std::vector<std::string> names;
   for (const auto& f : fields_) names.push_back(f.name);
   throw CaseError(fmt::format("error: {} has no field `{}`\n  It has: {}\n", path_, name, fmt::join(names, ", ")));

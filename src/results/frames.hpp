@@ -11,7 +11,7 @@
 namespace terp {
 
 /// A field of all material points, as the file has it.
-struct FieldInfo {
+struct ResultField {
   std::string name, unit;
   int n_components = 1;  ///< of a vector 3, with z = 0; of a tensor 4: xx yy zz xy
 };
@@ -25,24 +25,24 @@ class Frames {
   std::int64_t n_points() const { return n_points_; }
   const std::vector<Real>& times() const { return times_; }         ///< [s], shape [n_frames]
   const std::vector<std::int64_t>& steps() const { return steps_; } ///< shape [n_frames]
-  const std::vector<FieldInfo>& fields() const { return fields_; }  ///< without id
+  const std::vector<ResultField>& fields() const { return fields_; }  ///< without id
   bool has(std::string_view name) const { return find(name) != nullptr; }
 
   /// Places in frame k [m], shape [n_points, 2]. Row p is the same material point in every frame.
   std::vector<Real> places(std::size_t k) const;
   /// A field in frame k, shape [n_points, n_components]. Throws FileError that lists the fields if there is none of that name.
   std::vector<Real> read(std::string_view name, std::size_t k) const;
-  const FieldInfo& field(std::string_view name) const;
+  const ResultField& field(std::string_view name) const;
 
  private:
-  const FieldInfo* find(std::string_view name) const;
+  const ResultField* find(std::string_view name) const;
 
   std::string path_;
   Hdf5File file_;
   std::int64_t n_points_ = 0;
   std::vector<Real> times_;
   std::vector<std::int64_t> steps_;
-  std::vector<FieldInfo> fields_;
+  std::vector<ResultField> fields_;
 };
 
 /// Size of a vector in each row of a field, shape [n_rows] (of a scalar: its absolute value).

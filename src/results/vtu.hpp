@@ -14,7 +14,7 @@ struct ExportFrame {
   Real time = 0.0;        ///< [s]
   std::int64_t step = 0;
   std::vector<Real> x;
-  std::vector<std::pair<FieldInfo, std::vector<Real>>> fields;
+  std::vector<std::pair<ResultField, std::vector<Real>>> fields;
 
   std::int64_t n_points() const { return std::ssize(x) / 2; }
 };

@@ -22,7 +22,7 @@ struct MpmMixed {
   /// Steps 2 to 4 of Sec. 2.1: new stress and state at the Gauss points, assigned to the points of each sub-cell.
   static void update_stress(const SchemeContext& context, const CellGroup& group, std::span<const CornerVectors, pack_width> du, StressSums& sums)
   {
-    alignas(64) const GaussStrain<2, Pack> lanes = strain_of_group(group, du, context.method.b_bar);  // Step 2
+    const GaussStrain<2, Pack> lanes = strain_of_group(group, du, context.method.b_bar);  // Step 2
     const auto strain = strain_by_cell(lanes);
     for_each_layer(group, [&](const BlockLayer& layer) {
       const SoilMaterial& material = context.materials[layer.material];
@@ -52,7 +52,7 @@ struct MpmMixed {
                                   GaussValues<2, Pack>& gauss)
   {
     if (context.method.objective_rate == ObjectiveRate::jaumann) rotate_gauss_points(strain, gauss);
-    alignas(64) std::array<Pack, 4> plastic_work;
+    std::array<Pack, 4> plastic_work;
     StressArrays<2> arrays{};
     for (int k = 0; k < n_sym<2>; ++k) arrays.sigma[k] = numbers_of(gauss.sigma[k]);
     for (int k = 0; k < max_state; ++k) arrays.state[k] = numbers_of(gauss.state[k]);
