@@ -9,7 +9,7 @@
 namespace terp {
 namespace {
 
-constexpr Real same_way = 1e-6;  // fronts that came equally far but for round-off [m]
+constexpr Real same_way = 0.1;  // of a column: fronts that came equally far, as round-off makes even a mirrored slide differ
 
 /// Number of slides of a slope so far. A new one shows only when the crest has retreated.
 std::size_t count_slides(const SlopeFailure& slope)
@@ -98,7 +98,7 @@ const SlopeFailure* main_slope(const State& state)
     return std::isnan(way) ? -1.0 : way;
   };
   for (const SlopeFailure& slope : state.slopes)
-    if (best == nullptr || come(slope) > come(*best) + same_way) best = &slope;
+    if (best == nullptr || come(slope) > come(*best) + same_way * state.section.columns.width) best = &slope;
   return best;
 }
 
