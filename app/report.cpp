@@ -9,11 +9,13 @@
 #include "results/export.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <filesystem>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <fstream>
 
 namespace terp {
 
@@ -30,12 +32,24 @@ void refuse_twice(const std::vector<std::string>& folders)
                                               folders[k] == folders[other] ? "" : ", also as " + folders[k])));
 }
 
+/// A page may replace an earlier page, nothing else.
+void refuse_other_files(const std::string& path)
+{
+  std::ifstream file(path);
+  std::string begin(9, '\0');
+  if (!file.read(begin.data(), static_cast<std::streamsize>(begin.size())) && file.gcount() == 0) return;
+  for (char& c : begin) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (begin != "<!doctype")
+    throw CaseError(printable(fmt::format("error: {} is there already, and it is no page\n  Choose another name: -o report.html\n", path)));
+}
+
 }  // namespace
 
 int report_runs(const ReportCommand& command)
 {
   refuse_twice(command.runs);
   const std::string path = command.output.empty() ? "report.html" : command.output;
+  refuse_other_files(path);
   ReportOptions options;
   options.written = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
   const Payload payload = make_payload(command.runs, options);

@@ -137,6 +137,8 @@ class Run:
         """Index of the frame nearest to `time` [s]; the earlier of two equally near ones."""
         if len(self.times) == 0:
             raise RunError(f"{self.folder / RESULTS} holds no frame")
+        if not np.isfinite(time):
+            raise ValueError(f"there is no frame at time {time}")
         return int(np.argmin(np.abs(self.times - time)))
 
     def field(self, name, k):
@@ -151,12 +153,17 @@ class Run:
     def series(self, name, row):
         """Field `name` of one material point in all frames, shape [n_frames] or [n_frames, n_components]."""
         self._check_field(name)
+        n = len(self.field("x", 0))
+        if not 0 <= row < n:
+            raise IndexError(f"{self.folder} has {n} points; there is no row {row}")
         if name == "x":
             return np.array([self.field("x", k)[row] for k in range(len(self))])
         return self._results.series("PointData", name, row)[:len(self)]
 
     def nearest(self, x, y, time=0.0):
         """Row of the material point nearest to (x, y) [m] in the frame nearest to `time` [s]; ties: lower x, then lower y."""
+        if not np.isfinite([x, y]).all():
+            raise ValueError(f"({x}, {y}) is no place")
         places = self.field("x", self.at(time))
         distance = np.hypot(places[:, 0] - x, places[:, 1] - y)
         near = np.flatnonzero(distance <= distance.min() + SAME_PLACE)

@@ -30,6 +30,17 @@ Rest rest_of(const CrestHistory& crest)
 /// Place of the crest, larger the farther out [m].
 Real place(const CrestHistory& crest, std::size_t row) { return outwards(crest.slope.facing) * crest.x[row]; }
 
+/// The crest as far out as it stands at any row of the next `settled_for`: a surface that leaves its height and comes back did not fail.
+std::vector<Real> lasting_places(const CrestHistory& crest)
+{
+  std::vector<Real> x = crest.x;
+  const Real out = outwards(crest.slope.facing);
+  for (std::size_t k = 0; k < x.size(); ++k)
+    for (std::size_t later = k + 1; later < x.size() && crest.time[later] - crest.time[k] <= settled_for + round_off; ++later)
+      if (out * crest.x[later] > out * x[k]) x[k] = crest.x[later];
+  return x;
+}
+
 /// First row whose crest stays at rest; the number of rows if there is none.
 std::size_t find_settled(const CrestHistory& crest, std::size_t k)
 {
@@ -140,8 +151,10 @@ Real back_of(const Section& section, const Slope& slope)
   return section.columns.left + (slope.facing == Facing::right ? 0 : section.columns.n) * section.columns.width;
 }
 
-std::vector<Slide> find_slides(const CrestHistory& crest)
+std::vector<Slide> find_slides(const CrestHistory& history)
 {
+  CrestHistory crest = history;
+  crest.x = lasting_places(history);
   const auto& x = crest.x;
   std::vector<Slide> slides;
   std::vector<std::size_t> begins;
@@ -152,9 +165,9 @@ std::vector<Slide> find_slides(const CrestHistory& crest)
     slides.push_back({.begins = crest.time[begins.back()], .stops = {}, .crest_from = x[from], .crest_to = x.back(), .facing = crest.slope.facing});
     from = find_settled(crest, k);
     if (from == x.size()) break;
-    slides.back().crest_to = x[from];
     k = find_slide(crest, from, slide_length(crest));
   }
+  for (std::size_t s = 1; s < slides.size(); ++s) slides[s].crest_from = slides[s - 1].crest_to = x[begins[s] - 1];
   for (std::size_t s = 0; s < slides.size(); ++s) follow_motion(crest, begins[s], s + 1 < slides.size() ? begins[s + 1] : x.size(), slides[s]);
   return slides;
 }

@@ -20,7 +20,7 @@ struct CrestHistory {
 struct Slide {
   Real begins = 0.0;                    ///< [s]
   std::optional<Real> stops;            ///< [s]; none if the next slide begins, or the run ends, before
-  Real crest_from = 0.0, crest_to = 0.0;  ///< before, and when the crest has settled or the run ends [m]
+  Real crest_from = 0.0, crest_to = 0.0;  ///< before, and when the next slide begins or the run ends [m]
   Real kinetic_peak = 0.0;              ///< largest nodal kinetic energy until the next slide [J per m]
   Facing facing = Facing::right;        ///< of the slope that slides
 };

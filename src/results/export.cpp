@@ -94,7 +94,7 @@ std::vector<std::size_t> parse_frames(const std::string& text, std::size_t n_fra
     const std::size_t colon = word.find(':');
     const std::size_t first = parse_frame(word.substr(0, colon), text, n_frames);
     const std::size_t last = colon == std::string_view::npos ? first : parse_frame(word.substr(colon + 1), text, n_frames);
-    if (first > last) throw FileError(fmt::format("the frames `{}` in `{}` run backwards\n  Write the smaller number first, as in 10:20", word, text));
+    if (first > last) throw CaseError(fmt::format("error: the frames `{}` in `{}` run backwards\n  Write the smaller number first, as in 10:20\n", word, text));
     for (std::size_t k = first; k <= last; ++k) chosen.insert(k);
     begin = end + 1;
   }

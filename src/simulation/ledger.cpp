@@ -131,7 +131,7 @@ void audit_block(const SoilMaterial& material, const PointBlock<2>& block, Histo
     const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
     const Real eps = block.row(Rows::state + k)[lane], before = audit.last_eps_eq_p[id];
     const bool fell = eps < before * (1.0 - audit_tolerance);
-    audit.growth[id] = static_cast<float>(std::max(0.0, eps - before));
+    audit.growth[id] = static_cast<float>(eps - before);
     audit.last_eps_eq_p[id] = eps;
     if (fell) audit.fell[id] = true;
     if (su_field < 0 || (told && !fell)) continue;

@@ -6,6 +6,7 @@
 
 #include <poll.h>
 
+#include <fstream>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -55,6 +56,20 @@ TEST(Report, IsOneFileWithBothRunsAndTheirComparison)
   EXPECT_EQ(document["runs"][0]["passes"].size(), 6);
   const Finished compared = test::terp({"compare", runs().mixed, runs().gp, "--json"});
   EXPECT_EQ(document["comparison"], nlohmann::json::parse(compared.out));
+}
+
+TEST(Report, ReplacesAnEarlierPageButNoOtherFile)
+{
+  const test::ScratchFolder scratch;
+  const std::string page = scratch.path() + "/page.html", other = scratch.path() + "/results.vtkhdf";
+  std::ofstream(page) << "<!DOCTYPE html><p>old";
+  std::ofstream(other) << "ten days of work";
+  EXPECT_EQ(test::terp({"report", runs().gp, "-o", page}).status, 0);
+  EXPECT_EQ(document_in(read_file(page))["runs"].size(), 1);
+  const Finished f = test::terp({"report", runs().gp, "-o", other});
+  EXPECT_EQ(f.status, 2);
+  EXPECT_EQ(f.err, "error: " + other + " is there already, and it is no page\n  Choose another name: -o report.html\n");
+  EXPECT_EQ(read_file(other), "ten days of work");
 }
 
 TEST(Report, OfAFolderThatIsNoRunSaysSo)

@@ -51,6 +51,36 @@ TEST(SecondFailure, IsTheTimeAtWhichTheSettledCrestBeginsToSlideAgain)
   EXPECT_NEAR(*second_failure_time(crest), 2.0, 0.05);  // in whole columns, of which the first is within the tolerance
 }
 
+TEST(Slides, BeginWhenTheCrestLeavesForGoodNotWhenItFlickers)
+{
+  CrestHistory crest = column_history();
+  go_on(crest, 0.5, 8.0);
+  go_on(crest, 0.51, 6.5);
+  go_on(crest, 0.65, 6.5);
+  go_on(crest, 0.66, 8.0);  // back within 0.3 s
+  go_on(crest, 0.8, 8.0);
+  go_on(crest, 1.0, 6.0);
+  go_on(crest, 2.0, 6.0);
+  const auto slides = find_slides(crest);
+  ASSERT_EQ(slides.size(), 1);
+  EXPECT_NEAR(slides[0].begins, 0.82, 0.011);
+  EXPECT_EQ(slides[0].crest_from, 8.0);
+  EXPECT_NEAR(slides[0].crest_to, 6.0, 1e-12);
+}
+
+TEST(Slides, TheNextBeginsWithTheCrestAtWhichTheOneBeforeEnded)
+{
+  CrestHistory crest = after_first_slide();
+  go_on(crest, 3.0, 5.9);  // creeps on by a column
+  go_on(crest, 3.3, 4.5);
+  go_on(crest, 4.0, 4.4);
+  const auto slides = find_slides(crest);
+  ASSERT_EQ(slides.size(), 2);
+  EXPECT_EQ(slides[0].crest_to, slides[1].crest_from);
+  EXPECT_NEAR(slides[0].crest_to, 5.9, 0.101);
+  EXPECT_NEAR(slides[1].crest_to, 4.4, 1e-12);  // where it stands at the end
+}
+
 /// Kinetic energy over the rows: straight lines between these values at these times.
 void move_with(CrestHistory& crest, const std::vector<std::pair<Real, Real>>& corners)
 {

@@ -61,6 +61,15 @@ class RunFolder(unittest.TestCase):
             np.testing.assert_array_equal(series, [frame[name][row] for frame in self.run_])
             self.assertEqual(len(series), len(self.run_))
 
+    def test_a_row_or_time_that_is_none_is_refused(self):
+        for row in (-1, len(self.run_.field("x", 0))):
+            with self.assertRaisesRegex(IndexError, "there is no row"):
+                self.run_.series("su", row)
+        with self.assertRaises(ValueError):
+            self.run_.at(float("nan"))
+        with self.assertRaises(ValueError):
+            self.run_.nearest(float("nan"), 0.0)
+
     def test_a_scalar_is_a_field_a_component_or_the_size_of_a_vector(self):
         frame = self.run_.frame(4)
         np.testing.assert_array_equal(frame.scalar("su"), frame["su"])

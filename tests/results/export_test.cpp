@@ -28,7 +28,7 @@ TEST(ParseFrames, SaysWhichFramesThereAre)
 
 TEST(ParseFrames, RefusesARangeThatRunsBackwards)
 {
-  EXPECT_THAT(file_error_of([] { parse_frames("0,2:1", 3); }), StartsWith("the frames `2:1` in `0,2:1` run backwards"));
+  EXPECT_THAT(test::case_error_of([] { parse_frames("0,2:1", 3); }), StartsWith("error: the frames `2:1` in `0,2:1` run backwards"));
   EXPECT_THAT(parse_frames("1:1", 3), ElementsAre(1));
 }
 
