@@ -3,6 +3,7 @@
 #include "commands.hpp"
 #include "input/case_file.hpp"
 #include "input/printable.hpp"
+#include "output/files.hpp"
 #include "output/stability_json.hpp"
 #include "parallel/threads.hpp"
 #include "progress.hpp"
@@ -64,16 +65,18 @@ int find_stability(const RunOptions& run, StabilityOptions options)
   options.threads = run.threads > 0 ? run.threads : available_processors();
   listen_for_stop();
   try {
+    const std::string folder = run.output.empty() ? "runs/" + file.values.name : run.output, &scheme = file.values.scheme;
+    make_folder(folder);  // before the trials, which take long
     TrialLine line(run.quiet || run.json);
     const StabilityResult result = find_factor_of_safety(file.values, options, stop_requested, [&](const auto&... now) { line.show(now...); });
     const CaseText text{file.values.name, file.text};
-    const std::string folder = run.output.empty() ? "runs/" + file.values.name : run.output, &scheme = file.values.scheme;
-    write_stability(folder, result, scheme, text);
     if (run.json)
       fmt::print("{}", stability_json(result, scheme, text));
-    else if (!run.quiet)
-      fmt::print("{}results in {}\n", stability_text(result, scheme), folder);
-    return result.search.found() ? solved : failed;
+    else if (!run.quiet || !result.search.found())
+      fmt::print("{}", stability_text(result, scheme));
+    write_stability(folder, result, scheme, text);
+    if (!run.quiet && !run.json) fmt::print("results in {}\n", folder);
+    return result.search.found() && !result.stopped ? solved : failed;
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));
   } catch (const RunError& error) {

@@ -37,6 +37,7 @@ std::string read_text(const std::string& path)
     const std::string similar = similar_file(path, ".toml");
     refuse_file(path, "there is no such file", similar.empty() ? "" : fmt::format("Did you mean `{}`?", similar));
   }
+  if (!fs::is_regular_file(path, ignored)) refuse_file(path, "this is no ordinary file", "Give a .toml file.");
   std::ifstream file(path, std::ios::binary);
   if (!file) refuse_file(path, fmt::format("the file cannot be read: {}", std::strerror(errno)), "");
   std::ostringstream text;

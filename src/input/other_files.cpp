@@ -37,6 +37,7 @@ std::string fault_of_file(const fs::path& path)
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) return "this is a folder, not a file";
   if (!fs::exists(path, ignored)) return "there is no such file";
+  if (!fs::is_regular_file(path, ignored)) return "this is no ordinary file";
   if (!std::ifstream(path)) return fmt::format("the file cannot be read: {}", std::strerror(errno));
   return "";
 }

@@ -43,6 +43,13 @@ std::string folder_of(const std::string& path)
 
 std::string temporary_name(const std::string& path) { return path + ".tmp"; }
 
+void make_folder(const std::string& folder)
+{
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw_file_error("make the folder", folder, error.value());
+}
+
 std::string read_file(const std::string& path)
 {
   errno = 0;

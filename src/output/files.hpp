@@ -12,6 +12,9 @@ namespace terp {
 /// Throws FileError "cannot <doing> <path>: <the system's reason>". error_number: errno of the failed call.
 [[noreturn]] void throw_file_error(std::string_view doing, const std::string& path, int error_number);
 
+/// With the folders above it, as needed. Throws FileError.
+void make_folder(const std::string& folder);
+
 /// The whole content of a file.
 std::string read_file(const std::string& path);
 

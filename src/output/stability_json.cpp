@@ -4,6 +4,7 @@
 #include "base/errors.hpp"
 #include "output/files.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -43,9 +44,27 @@ std::string bracket_text(const StabilityResult& r)
 {
   const Bisection& s = r.search;
   if (s.found()) return fmt::format("{:.3f} +- {:.3f}   (stands at {:.3f}, does not at {:.3f})", r.factor(), 0.5 * (*s.failed - *s.stable), *s.stable, *s.failed);
+  if (r.stopped) return "not found: stopped before";
   if (s.stable) return fmt::format("not found: the soil stands even at {:.3g}", *s.stable);
   if (s.failed) return fmt::format("not found: the soil does not stand even at {:.3g}", *s.failed);
   return "not found: nothing was tried";
+}
+
+/// What the bracket does not say.
+std::string notes_text(const StabilityResult& r, const std::string& scheme)
+{
+  std::string text;
+  for (const Trial& trial : r.search.trials)
+    if (trial.verdict == TrialVerdict::undecided)
+      text += fmt::format("  At {:.4f} the soil still crept after {} windows; that counts as not standing. Larger --windows decide it.\n", trial.factor,
+                          r.options.rules.most_windows);
+  if (r.stopped) text += "  The search was stopped before the bracket was as narrow as asked for.\n";
+  if (!r.search.found()) return text;
+  if (std::none_of(r.search.trials.begin(), r.search.trials.end(), [](const Trial& t) { return t.verdict == TrialVerdict::failed; }))
+    text += "  No trial failed, so nothing bounds the factor from above but creep: it may be far larger. Try larger --windows.\n";
+  text += "  The width is that of the search alone; the mesh makes the factor too large. Halve the cells and compare (docs/stability.md).\n";
+  if (scheme == "standard_mpm") text += "  standard_mpm locks: its factor is far too large. Use mpm_mixed or mpm_gp.\n";
+  return text;
 }
 
 }  // namespace
@@ -62,6 +81,7 @@ std::string stability_json(const StabilityResult& r, const std::string& scheme, 
       {"factor_of_safety", number(r.factor())},
       {"stable_at", number(r.search.stable)},
       {"not_stable_at", number(r.search.failed)},
+      {"stopped", r.stopped},
       {"tolerance", number(r.options.search.tolerance)},
       {"criterion",
        {{"local_damping", number(r.options.rules.damping)},
@@ -88,18 +108,12 @@ std::string stability_text(const StabilityResult& r, const std::string& scheme)
   text += fmt::format("  stands: moves as if below {:.1e} of its weight were out of balance; fails: moved {:g} rho g H^2/E = {:.3g} m and does not slow down\n",
                       r.options.rules.rest, r.options.rules.failure, r.options.rules.failure * r.displacement);
   for (const Trial& trial : r.search.trials) text += fmt::format("  {:8.4f}  {:<9}  {}\n", trial.factor, word(trial.verdict), trial.reason);
-  for (const Trial& trial : r.search.trials)
-    if (trial.verdict == TrialVerdict::undecided)
-      text += fmt::format("  At {:.4f} the soil still crept after {} windows; that counts as not standing. Larger --windows decide it.\n", trial.factor,
-                          r.options.rules.most_windows);
-  return text;
+  return text + notes_text(r, scheme);
 }
 
 void write_stability(const std::string& folder, const StabilityResult& result, const std::string& scheme, const CaseText& case_text)
 {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw_file_error("make the folder", folder, error.value());
+  make_folder(folder);
   write_file_atomically(path_in(folder, "stability.json"), stability_json(result, scheme, case_text));
   write_file_atomically(path_in(folder, "stability.txt"), stability_text(result, scheme));
 }

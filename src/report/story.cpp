@@ -87,7 +87,8 @@ void tell_motion(const RunResults& run, std::vector<std::string>& story)
 {
   const Summary& s = run.summary.values;
   const Extent time = extent_of(run, "time"), kinetic = kinetic_energy_of(run);
-  story.push_back(fmt::format("By {:.2f} s, {:.2f} m² of soil ({:.1f} % of the section) have moved by more than {:.2g} m. {}", time.last, s.moved_volume,
+  story.push_back(fmt::format("{}, {:.2f} m² of soil ({:.1f} % of the section) have moved by more than {:.2g} m. {}",
+                              std::isnan(time.last) ? "At the end" : fmt::format("By {:.2f} s", time.last), s.moved_volume,
                               100.0 * s.moved_fraction, s.moved_distance, front_sentence(s)));
   if (s.intact_fraction && s.moved_fraction > hardly_moved)
     story.push_back(fmt::format("Of the soil that moved, {:.1f} % is intact: its plastic strain is below {:g}.", 100.0 * *s.intact_fraction, intact_strain));

@@ -76,13 +76,6 @@ std::string_view ending_of(ExportFormat format)
   return format == ExportFormat::csv ? "csv" : "npz";
 }
 
-void make_folder(const std::string& folder)
-{
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw_file_error("make the folder", folder, error.value());
-}
-
 }  // namespace
 
 std::vector<std::size_t> parse_frames(const std::string& text, std::size_t n_frames)

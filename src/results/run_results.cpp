@@ -35,6 +35,17 @@ void require(const std::string& folder, std::string_view file, std::string_view 
   throw FileError(fmt::format("{}: this is no run folder that can be shown: it has no {}\n  {}", folder, file, why));
 }
 
+/// Of a run that reached its end the ledger does too.
+void require_whole_ledger(const RunResults& run)
+{
+  const auto* step = run.ledger.find("step");
+  const auto n_steps = run.summary.values.n_steps;
+  const auto last = step == nullptr || step->empty() ? std::int64_t{0} : static_cast<std::int64_t>(step->back());
+  if (!run.summary.finished || last >= n_steps) return;
+  throw FileError(fmt::format("{}: ends at step {}, the run at step {}\n  The table was damaged or cut off: copy the folder again, or solve the case again.",
+                              path_in(run.folder, ledger_file), last, n_steps));
+}
+
 }  // namespace
 
 RunResults read_run(const std::string& folder)
@@ -45,7 +56,10 @@ RunResults read_run(const std::string& folder)
   require(folder, results_file, "It is written with the first frame: the run has not begun to move yet, or failed before.");
   RunResults run{.folder = folder, .name = distinct_names({folder})[0], .case_toml = read_file(path_in(folder, case_file)),
                  .summary = read_summary(path_in(folder, summary_file)), .ledger = {}, .history = {}};
-  if (fs::exists(path_in(folder, ledger_file))) run.ledger = read_number_table(path_in(folder, ledger_file));
+  if (fs::exists(path_in(folder, ledger_file))) {
+    run.ledger = read_number_table(path_in(folder, ledger_file));
+    require_whole_ledger(run);
+  }
   if (fs::exists(path_in(folder, history_file))) run.history = read_history(path_in(folder, history_file));
   return run;
 }

@@ -45,7 +45,10 @@ StabilityResult find_factor_of_safety(const Case& c, const StabilityOptions& opt
     const auto show = [&](const Trial& trial) {
       if (told) told(trial, result, left);
     };
-    enter(run_trial(quiet, mesh, start, *factor, options.rules, options.threads, stop, show), result.search);
+    Trial trial = run_trial(quiet, mesh, start, *factor, options.rules, options.threads, stop, show);
+    result.stopped = stop.load();
+    if (result.stopped) break;  // what the trial would have shown is not known
+    enter(std::move(trial), result.search);
   }
   return result;
 }

@@ -42,7 +42,7 @@ struct Trial {
 /// Judges the windows so far by the scales of `start`; undecided: go on, or, after the last, undecided.
 TrialVerdict judge(const std::vector<TrialWindow>& windows, const TrialRules& rules, const ElasticStart& start);
 
-/// Runs a trial. told: called after each window. Throws RunError if `stop` was set.
+/// Runs a trial. told: called after each window. Ends undecided where it is when `stop` is set.
 Trial run_trial(const Case& quiet, const Mesh<2>& mesh, const ElasticStart& start, Real factor, const TrialRules& rules, int threads,
                 const std::atomic<bool>& stop, const std::function<void(const Trial&)>& told);
 

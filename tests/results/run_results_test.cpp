@@ -43,6 +43,13 @@ TEST(RunResults, DoesWithoutTables)
   EXPECT_EQ(read_run(folder).ledger.n_rows(), 0);
 }
 
+TEST(RunResults, ALedgerThatEndsBeforeTheRunIsRefused)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = test::write_run(scratch.path() + "/run", [](Summary& s) { s.n_steps += 1; });
+  EXPECT_THROW(read_run(folder), FileError);
+}
+
 TEST(DistinctNames, AreAsMuchOfThePathsAsTellsThemApart)
 {
   EXPECT_THAT(distinct_names({"runs/model_2/"}), ElementsAre("model_2"));

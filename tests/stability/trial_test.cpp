@@ -139,7 +139,9 @@ TEST(Trial, StopsWhenAsked)
 {
   const Column column;
   const std::atomic<bool> stop{true};
-  EXPECT_THROW(run_trial(column.quiet, column.mesh, column.start, 1.0, rules, 1, stop, [](const Trial&) {}), RunError);
+  const Trial trial = run_trial(column.quiet, column.mesh, column.start, 1.0, rules, 1, stop, [](const Trial&) {});
+  EXPECT_EQ(trial.verdict, TrialVerdict::undecided);
+  EXPECT_TRUE(trial.windows.empty());
 }
 
 }  // namespace
