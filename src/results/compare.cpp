@@ -78,9 +78,11 @@ void add_motion(const RowMaker& table)
   table.add("front at the end", "m", 2, &Summary::front_x);
   table.add("run-out of the front", "m", 2, &Summary::run_out);
   table.add("crest at the end", "m", 2, &Summary::crest_x);
+  table.add("height of the crest at the end", "m", 2, &Summary::crest_y);
   table.add("first slide begins", "s", 2, [](const RunResults& run) { return slide_begins(run, 0); });
   table.add("first slide stops", "s", 2, [](const RunResults& run) { return slide_stops(run, 0); });
   table.add("second slide begins", "s", 2, [](const RunResults& run) { return slide_begins(run, 1); });
+  table.add("second slide stops", "s", 2, [](const RunResults& run) { return slide_stops(run, 1); });
   table.add("volume that moved", "m^2", 2, &Summary::moved_volume);
   table.add("share that moved", "%", 1, &Summary::moved_fraction, 100.0);
   table.add("intact share of the soil that moved", "%", 1, &Summary::intact_fraction, 100.0);
@@ -117,6 +119,31 @@ void add_audit(const RowMaker& table)
   table.add("points put back at a wall", "-", 0, &Summary::clamped_points);
   table.add("energy balance error", "%", 2, &Summary::energy_balance_error, 100.0);
   table.add("speed, largest 99.9 % quantile", "m/s", 2, &Summary::v_999);
+}
+
+/// Largest or last entry of a column of the ledger.
+Value largest_in(const RunResults& run, std::string_view column)
+{
+  const auto* values = run.ledger.find(column);
+  return values != nullptr && !values->empty() ? finite(*std::max_element(values->begin(), values->end())) : std::nullopt;
+}
+Value last_in(const RunResults& run, std::string_view column)
+{
+  const auto* values = run.ledger.find(column);
+  return values != nullptr && !values->empty() ? finite(values->back()) : std::nullopt;
+}
+
+void add_energies(const RowMaker& table)
+{
+  const auto in_kilojoule = [](Value energy) { return energy ? Value(1e-3 * *energy) : std::nullopt; };
+  const auto add = [&](std::string label, auto of, std::string_view column) {
+    table.add(std::move(label), "kJ/m", 1, [=](const RunResults& run) { return in_kilojoule(of(run, column)); });
+  };
+  add("largest kinetic energy", largest_in, "kinetic");
+  add("work of gravity", last_in, "gravity_work");
+  add("plastic dissipation", last_in, "plastic");
+  add("work of damping", last_in, "damping_work");
+  add("work at the sides", last_in, "boundary_work");
 }
 
 void add_cost(const RowMaker& table)
@@ -172,6 +199,7 @@ Comparison compare_runs(const std::vector<RunResults>& runs, const std::vector<s
   for (const std::string& point : named_points(runs))
     table.add(point + ": eps_eq_p > 0.06 from", "s", 2, [&](const RunResults& run) { return softening_time(run, point); });
   add_audit(table);
+  add_energies(table);
   add_cost(table);
   comparison.text = describe_differences(runs, comparison);
   return comparison;

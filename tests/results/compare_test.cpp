@@ -9,6 +9,7 @@
 namespace terp {
 namespace {
 
+using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Optional;
@@ -46,6 +47,9 @@ TEST_F(CompareTest, HasARowForFrontCrestEventsPointsAuditAndCost)
   EXPECT_THAT(row("first slide begins").values, ElementsAre(Optional(0.18), Optional(0.25)));
   EXPECT_THAT(row("first slide stops").values, ElementsAre(Optional(2.0), std::nullopt));
   EXPECT_THAT(row("second slide begins").values, ElementsAre(Optional(2.36), std::nullopt));
+  EXPECT_THAT(row("second slide stops").values, ElementsAre(std::nullopt, std::nullopt));
+  EXPECT_THAT(row("largest kinetic energy").values, Each(Optional(testing::DoubleNear(1.25e-3, 1e-12))));
+  EXPECT_THAT(row("plastic dissipation").values, Each(Optional(testing::DoubleNear(3.75e-3, 1e-12))));
   EXPECT_THAT(row("share that moved").values, ElementsAre(Optional(testing::DoubleNear(40.3, 1e-9)), Optional(0.0)));
   EXPECT_THAT(row("softened volume at 0.25 s").values, ElementsAre(Optional(testing::DoubleNear(41.7, 1e-9)), Optional(testing::DoubleNear(31.1, 1e-9))));
   EXPECT_THAT(row("softened volume at 0.125 s").values, ElementsAre(std::nullopt, std::nullopt));
