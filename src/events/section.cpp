@@ -29,7 +29,7 @@ Real outer_edge(const Section& section, Facing facing, Index column)
   return section.columns.left + section.columns.width * (facing == Facing::right ? column + 1 : column);
 }
 
-/// The first column from the side with soil, if at least two at the side have none.
+/// True if at least two columns at the side have no soil.
 bool has_free_toe(const Section& section, Facing facing)
 {
   for (Index k = 0; k < fewest_columns; ++k)

@@ -110,7 +110,7 @@ std::vector<std::int64_t> steps_of_checkpoints(const std::string& folder)
   std::vector<std::int64_t> steps;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
     const std::int64_t step = step_of_checkpoint(entry.path().filename().string());
-    if (step >= 0) steps.push_back(step);
+    if (step >= 0 && entry.is_regular_file()) steps.push_back(step);  // a pipe of that name would be waited for
   }
   if (error) throw_file_error("open the run folder", folder, error.value());
   std::sort(steps.begin(), steps.end(), std::greater<>());

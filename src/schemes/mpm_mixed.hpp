@@ -46,8 +46,7 @@ struct MpmMixed {
     return method.state_averaging == StateAveraging::cell;
   }
 
-  /// Runs the law on the four Gauss points of eight cells. A law takes arrays aligned to 64 bytes, more than a pack of shorter registers is by
-  /// itself: the law may be of another copy of the kernels than its caller. Returns the plastic work of each cell [J per m].
+  /// Runs the law on the four Gauss points of eight cells. Returns the plastic work of each cell [J per m].
   static Pack update_gauss_points(const SchemeContext& context, const SoilMaterial& material, const GaussStrain<2, Pack>& strain,
                                   GaussValues<2, Pack>& gauss)
   {
