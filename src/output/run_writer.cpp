@@ -131,7 +131,7 @@ void RunWriter::write_checkpoint_part(const StateImage& part)
       const std::string path = path_in(settings_.folder, name);
       if (std::filesystem::exists(path)) sync_to_disk(path);
     }
-    checkpoint_.emplace(path_in(settings_.folder, checkpoint_file(part.step)));
+    checkpoint_.emplace(path_in(settings_.folder, checkpoint_file(part.step)), settings_.case_record);
   }
   checkpoint_->append(part);
   if (!part.last) return;
@@ -143,7 +143,7 @@ std::string RunWriter::write_failed(const StateImage& image)
 {
   finish();
   std::string path = path_in(settings_.folder, failed_file(image.step));
-  write_checkpoint(path, image);
+  CheckpointWriter(path, settings_.case_record).append(image);
   return path;
 }
 
