@@ -5,6 +5,7 @@
 #include "mesh/mesh_error.hpp"
 #include "simulation/failure.hpp"
 #include "simulation/initial.hpp"
+#include "simulation/reached_sides.hpp"
 #include "simulation/setup_history.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "simulation/setup_points.hpp"
@@ -231,6 +232,7 @@ State build_state(Model& model)
   follow_history_points(model, state);
   const Vec<2> x = extent_in_x(model.mesh);
   start_following(columns_between(x[0], x[1], typical_cell_size(model.mesh)), state);
+  start_following_sides(model, state);
   return state;
 }
 

@@ -299,6 +299,31 @@ TEST(Resume, WhereAFileOfTheRunIsMissingOrShortIsRefused)
   EXPECT_EQ(test::terp({"resume", whole, "-q", "-j", "1"}).status, 0);
 }
 
+TEST(Resume, WhereTheResultsWereCutOrAlteredIsRefusedAndNothingChanges)
+{
+  const test::ScratchFolder scratch;
+  const std::string whole = scratch.path() + "/whole";
+  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.fields.every=0.05", "--set", "output.mesh=true"}).status, 0);
+  std::filesystem::remove(whole + last_checkpoint);
+  for (const std::string name : {"results.vtkhdf", "mesh.vtkhdf"}) {
+    const std::string folder = scratch.path() + "/cut_" + name, path = folder + "/" + name;
+    std::filesystem::copy(whole, folder);
+    std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
+    Finished f = test::terp({"resume", folder});
+    EXPECT_EQ(f.status, 1) << name;
+    EXPECT_THAT(f.err, AllOf(StartsWith("error: cannot resume from step 33, t = 0.1 s: " + path + " was cut or altered, and its frames cannot be read\n"),
+                             HasSubstr("truncated file"), HasSubstr("\n  Put a copy of it back, or start the case anew: terp run " + folder + "/case.toml -o NEW_FOLDER\n"),
+                             HasSubstr("Nothing was changed")));
+    EXPECT_EQ(text_of(folder + "/ledger.csv"), text_of(whole + "/ledger.csv"));
+    std::string bytes = text_of(whole + "/" + name);
+    bytes.replace(48, 40, 40, 'x');  // the superblock and what follows
+    test::write_text(path, bytes);
+    f = test::terp({"resume", folder});
+    EXPECT_THAT(f.err, AllOf(HasSubstr("error: cannot resume from step 33, t = 0.1 s"), HasSubstr(path), HasSubstr("NEW_FOLDER")));
+    EXPECT_EQ(text_of(folder + "/ledger.csv"), text_of(whole + "/ledger.csv"));
+  }
+}
+
 /// Writes the case of a run folder anew with `from` replaced.
 void edit_case(const std::string& folder, const std::string& from, const std::string& to)
 {
