@@ -37,7 +37,7 @@ class Recorder {
  public:
   explicit Recorder(const CaseFile& file) : root_(file.source.root), values_(file.values) {}
 
-  void add(std::string key, const std::string& value, bool is_default = false)
+  void add(const std::string& key, const std::string& value, bool is_default = false)
   {
     if (!value.empty()) record_.push_back({key_on_one_line(key), on_one_line(value), is_default});
   }

@@ -159,7 +159,8 @@ void check_room_for_points(const Model& model, const PointBatches& points)
   const std::string too_much =
       overfull->by_one_point
           ? fmt::format("{}, where cells have {:.4g} m^2. Allowed: {:.4g} m^2.", where, overfull->area, overfull->limit)
-          : fmt::format("{} or beside it. All points there hold {:.4g} m^2,\nthese {} cells have {:.4g} m^2. Allowed, as points at the edge reach beyond: {:.4g} m^2.", where,
+          : fmt::format("{} or beside it. All points there hold {:.4g} m^2,\n"
+                        "these {} cells have {:.4g} m^2. Allowed, as points at the edge reach beyond: {:.4g} m^2.", where,
                         overfull->volume, overfull->around.size(), overfull->area, overfull->limit);
   throw InputError(Problem{body_key(at->body, "points"), "the points hold more volume than there is room",
                            too_much + "\nVolumes are in m^2 (per metre of thickness); no point may be there twice, nor in a body that is drawn.", "body", false,

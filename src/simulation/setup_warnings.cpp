@@ -28,7 +28,8 @@ void find_thin_points(const Model& model, std::vector<Problem>& warnings)
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     if (!(model.bodies[b].fullest_cell < little)) continue;
     warnings.push_back({fmt::format("body[{}].points", b), "the points of the file fill no cell by a quarter",
-                        fmt::format("Their volumes fill {:.2g} % of the fullest cell; inside a body they fill the cells. Volumes are in m^2 (per metre of thickness).",
+                        fmt::format("Their volumes fill {:.2g} % of the fullest cell; inside a body they fill the cells. "
+                                    "Volumes are in m^2 (per metre of thickness).",
                                     100.0 * model.bodies[b].fullest_cell),
                         "body"});
   }

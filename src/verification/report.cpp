@@ -128,7 +128,8 @@ std::string text_table(const CaseRows& c)
   }
   for (const Row& r : c.rows)
     if (r.verdict == Verdict::pass && r.declared_red)
-      out += fmt::format("  ? {}, {}: declared red in expected.toml, but agrees. Take `red` away, or name in `red_runs` the runs that it is true of.\n", r.quantity, r.run);
+      out += fmt::format("  ? {}, {}: declared red in expected.toml, but agrees. Take `red` away, or name in `red_runs` the runs that it is true of.\n",
+                         r.quantity, r.run);
   for (const std::string& remark : remarks_of(c)) out += fmt::format("  ! {}\n", replaced(remark, "\n", "\n    "));
   return out;
 }

@@ -179,6 +179,19 @@ TEST(Run, ThatStopsItselfHasAStatusOfItsOwnAndKeepsItsState)
   EXPECT_EQ(nlohmann::json::parse(text_of(folder + "/summary.json")).at("finished"), false);
 }
 
+TEST(Run, SaysWhenSoilCameToASideOfTheMesh)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run";  // the column from 0 to 8 m, a wall 1 m before it
+  const Finished f = run_column(folder, {"-q", "--set", "body[0].velocity=[8.0, 0.0]", "--set", "mesh.size=[9.5, 3.0]"});
+  EXPECT_EQ(f.status, 0) << f.err;
+  const auto reached = nlohmann::json::parse(text_of(folder + "/summary.json")).at("reached_sides");
+  ASSERT_EQ(reached.size(), 1u) << reached;
+  EXPECT_EQ(reached[0].at("side"), "right");
+  EXPECT_NEAR(reached[0].at("time").get<double>(), 1.05 / 8.0, 0.02);
+  EXPECT_THAT(f.err, HasSubstr("warning: soil came to the side `right` of the mesh by t = 0.1"));
+}
+
 TEST(Run, OnTwoThreadsGivesTheResultsOfOne)
 {
   const test::ScratchFolder scratch;
