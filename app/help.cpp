@@ -68,6 +68,8 @@ Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else
     {"resume", R"(Usage: terp resume RUN [options]
 
 Goes on from the newest checkpoint of a run folder that can be read, or from the checkpoint file that is named.
+The case in the folder and the files that it names must be what the run began with; what may change there (in comments anything):
+title, time.end, output.fields.every, output.checkpoint. With a later time.end a run that was solved goes on in the same time step.
 
   -j, --threads N         CPU threads; the results have the same bits on any number
   -q, --quiet    -v, --verbose

@@ -2,6 +2,7 @@
 
 #include "commands.hpp"
 #include "input/case_file.hpp"
+#include "input/case_record.hpp"
 #include "input/printable.hpp"
 #include "output/checkpoint.hpp"
 #include "output/mesh_file.hpp"
@@ -15,8 +16,9 @@
 #include "simulation/state_image.hpp"
 #include "stop.hpp"
 
-#include <filesystem>
+#include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
 
 namespace terp {
@@ -50,6 +52,10 @@ void warn_of(const Summary& s)
   if (s.energy_balance_error > much)
     fmt::print(stderr, "warning: the energy balance is off by {:.2g} % of the energy exchanged; see docs/troubleshooting.md#the-energy-balance-is-off\n",
                100.0 * s.energy_balance_error);
+  for (const ReachedSide& reached : s.reached_sides)
+    fmt::print(stderr, "warning: soil came to the side `{}` of the mesh by t = {:.3g} s, which acts on it from then on; see "
+                       "docs/troubleshooting.md#soil-reaches-the-side-of-the-mesh\n",
+               printable(reached.side), reached.time);
 }
 
 void print_passes(const Workspace& work)
@@ -140,16 +146,54 @@ StateImage find_checkpoint(const std::string& path)
   return std::move(*found.image);
 }
 
-/// The model of a run that goes on, with its history points; the case must still seed the points of the checkpoint.
-Model rebuild_model(const Case& description, const StateImage& image, int threads)
+/// What changed in the case since the run began, of what may; empty for a checkpoint that does not say. Throws FileError at anything else:
+/// no result may come from two cases.
+std::vector<ChangedValue> check_unchanged(const std::string& folder, const StateImage& image, const CaseRecord& now)
 {
-  Model model = build_model(description, threads);
+  if (image.case_record.empty()) {
+    fmt::print(stderr, "warning: the checkpoint of step {} is from an earlier Terp and does not say what case the run began with:\n"
+                       "  whether {} was changed since is not known\n", image.step, path_in(folder, case_file));
+    return {};
+  }
+  std::vector<ChangedValue> allowed;
+  std::string refused;
+  for (ChangedValue& change : changes_since(image.case_record, now)) {
+    if (!may_change_on_resume(change.key)) refused += "\n  " + change.text();
+    else allowed.push_back(std::move(change));
+  }
+  if (refused.empty()) return allowed;
+  throw FileError(fmt::format("cannot resume from step {0}: {1} was changed since the run began{2}\n"
+                              "  Put back what it began with, or solve the changed case from its start: terp run {1} -o NEW_FOLDER\n"
+                              "  These may change: title, time.end, output.fields.every, output.checkpoint",
+                              image.step, path_in(folder, case_file), refused));
+}
+
+/// The case as the run began with it, as far as its time step goes: that of the first end.
+Case with_first_end(Case description, const StateImage& image)
+{
+  const std::string text = value_in_record(image.case_record, "time.end");
+  std::from_chars(text.data(), text.data() + text.size(), description.time.end);  // where there is none, it is left
+  return description;
+}
+
+/// The end as the case has it now; the time step stays.
+void set_end(const Case& now, const StateImage& image, Model& model)
+{
+  if (now.time.end != model.description.time.end) move_end(model, now.time.end);
+  if (model.n_steps < image.step)
+    throw FileError(fmt::format("cannot resume from step {}, t = {:.4g} s: time.end = {} s lies before it\n"
+                                "  Set a later time.end in {} of the folder, or name an earlier checkpoint.",
+                                image.step, image.time, now.time.end, case_file));
+}
+
+/// Finds the history points; the case must still seed the points of the checkpoint.
+void seed_again(const StateImage& image, Model& model)
+{
   const std::int64_t n_seeded = build_state(model).n_ids(), n = count_points(image);
   if (n_seeded != n)
     throw FileError(fmt::format("cannot resume from step {}: the case seeds {} material points, the checkpoint holds {}\n"
                                 "  {} of the folder, or a file that it names, is not what the run began with.",
                                 image.step, n_seeded, n, case_file));
-  return model;
 }
 
 /// What the files of the run must hold. Ledger rows and frames were counted as they were written.
@@ -175,7 +219,8 @@ int run_case(const RunOptions& options)
     State state = build_state(model);
     fmt::print(stderr, "{}", render_warnings(find_warnings(model, state), file));
     const std::string folder = options.output.empty() ? "runs/" + file.values.name : options.output;
-    const auto writer = RunWriter::start({folder, {file.values.name, file.text}, file.values.output.checkpoint_keep}, options.force);
+    const auto writer = RunWriter::start(
+        {folder, {file.values.name, file.text}, file.values.output.checkpoint_keep, record_text(make_case_record(file, model.mesh))}, options.force);
     return solve_and_show(model, state, *writer, options, folder);
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));
@@ -191,11 +236,18 @@ int resume_run(const RunOptions& options)
   const CaseFile file = read_case(path_in(folder, case_file));
   const StateImage image = find_checkpoint(options.path);
   try {
-    const Model model = rebuild_model(file.values, image, threads_of(options));
+    Model model = build_model(with_first_end(file.values, image), threads_of(options));
+    const CaseRecord record = make_case_record(file, model.mesh);
+    const auto changes = check_unchanged(folder, image, record);
+    seed_again(image, model);
+    set_end(file.values, image, model);
     State state = restore(model, image);
-    RunWriterSettings settings{folder, {case_name_in(folder), file.text}, file.values.output.checkpoint_keep};
+    const std::string kept = image.case_record.empty() ? record_text(record) : image.case_record;
+    RunWriterSettings settings{folder, {case_name_in(folder), file.text}, file.values.output.checkpoint_keep, kept};
     const auto writer = RunWriter::resume(std::move(settings), std::move(lock), resume_point(model, state));
     if (!options.quiet) fmt::print("resuming {} at t = {:.4g} s, step {} of {}\n", folder, state.time, state.step, model.n_steps);
+    for (const ChangedValue& change : changes)
+      if (!options.quiet) fmt::print("  from here on with another {}\n", change.text());
     return solve_and_show(model, state, *writer, options, folder);
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));

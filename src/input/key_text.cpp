@@ -30,6 +30,15 @@ Case& prototype()
   return one;
 }
 
+/// The entries in words, one after the other.
+template <class List, class ToText>
+std::string joined(const List& list, ToText&& to_text)
+{
+  std::string text;
+  for (const auto& entry : list) text += (text.empty() ? "" : ", ") + to_text(entry);
+  return text;
+}
+
 std::string with_unit(std::string text, std::string_view unit)
 {
   if (unit != "-" && !unit.empty()) text += ' ', text += unit;
@@ -90,36 +99,59 @@ std::string allowed_text(const KeyInfo& key)
   return type_text(key) + ", " + range;
 }
 
-std::string default_text(const KeyInfo& key)
+std::string value_text(const KeyInfo& key, const Field& field)
 {
-  if (key.required || !key.required_for.empty()) return "";
-  const std::string_view unit = key.unit;
-  const auto pair = [&](const auto& v) { return with_unit(fmt::format("[{}, {}]", v[0], v[1]), unit); };
-  const auto word = [&](const WordField& field) {
+  const auto pair = [](const auto& v) { return fmt::format("[{}, {}]", v[0], v[1]); };
+  const auto places = [&](const std::vector<Vec<2>>& list) {
+    return list.empty() ? std::string() : '[' + joined(list, pair) + ']';
+  };
+  const auto word = [&](const WordField& choice) {
     const auto words = key.words();
-    const int index = field.get();
+    const int index = choice.get();
     return index >= 0 && index < static_cast<int>(words.size()) ? quoted_list({words[index]}) : std::string();
   };
   const Overload text{
-      [&](const Real* value) { return number_text(*value, unit); },
-      [&](const Index* value) { return fmt::format("{}", *value); },
-      [&](const bool* value) { return fmt::format("{}", *value); },
-      [&](const std::string* value) { return value->empty() ? *value : quoted_list({*value}); },
+      [](const Real* value) { return fmt::format("{}", *value); },
+      [](const Index* value) { return fmt::format("{}", *value); },
+      [](const bool* value) { return fmt::format("{}", *value); },
+      [](const std::string* value) { return value->empty() ? *value : quoted_list({*value}); },
       [&](const Vec<2>* value) { return pair(*value); },
-      [&](const WordField& field) { return word(field); },
-      [&](const NumberOrPair& field) { return pair(*field.value); },
-      [&](const CountOrPair& field) { return pair(*field.value); },
-      [](const Box&) { return std::string(); },
+      [&](const WordField& choice) { return word(choice); },
+      [&](const NumberOrPair& kept) { return pair(*kept.value); },
+      [&](const CountOrPair& kept) { return pair(*kept.value); },
+      [&](const Box& kept) { return places(*kept.corners); },
+      [&](const BoxCorners& kept) { return places({*kept.low, *kept.high}); },
+      [&](const Polygon& kept) { return places(*kept.corners); },
+      [&](const PolygonList& kept) { return joined(*kept.polygons, places); },
+      [&](const Polyline& kept) { return places(*kept.places); },
+      [](const EdgesList& kept) {
+        return joined(*kept.sides, [](const EdgesCase& side) { return fmt::format("{} = [{}]", side.side, fmt::join(side.edges, ", ")); });
+      },
+      [&](const VelocityPair& kept) { return pair(*kept.value); },
+      [](const NameList& kept) { return quoted_list(*kept.names); },
+      [&](const NamedPlaces& kept) {
+        return joined(*kept.places, [&](const auto& named) { return named.first + " = " + pair(named.second); });
+      },
+  };
+  return std::visit(text, field);
+}
+
+std::string default_text(const KeyInfo& key)
+{
+  if (key.required || !key.required_for.empty()) return "";
+  const Field field = key.field(prototype(), 0);
+  const Overload none{
       [](const BoxCorners&) { return std::string(); },
-      [](const Polygon&) { return std::string(); },
       [](const PolygonList&) { return std::string("none"); },
-      [](const Polyline&) { return std::string(); },
       [](const EdgesList&) { return std::string("none"); },
-      [&](const VelocityPair& field) { return pair(*field.value); },
       [](const NameList&) { return std::string("all"); },
       [](const NamedPlaces&) { return std::string("none"); },
+      [&](const auto& kept) {
+        const std::string text = value_text(key, kept);
+        return text.empty() ? text : with_unit(text, key.unit);
+      },
   };
-  return std::visit(text, key.field(prototype(), 0));
+  return std::visit(none, field);
 }
 
 std::string quoted_list(const std::vector<std::string>& words)

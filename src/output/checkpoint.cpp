@@ -21,9 +21,9 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the checksum is over little-endian bytes");
 
-constexpr std::int64_t format_version = 3;
+constexpr std::int64_t format_version = 4, first_with_case = 4, oldest_read = 3;
 const std::string format_name = "terp checkpoint";
-const std::string arrays = "/arrays";
+const std::string arrays = "/arrays", case_place = "/case";
 
 void write_array(Hdf5File& file, const NamedArray& array)
 {
@@ -52,12 +52,13 @@ std::int64_t largest_size(const StateImage& part)
   return n_bytes;
 }
 
-/// Adds the next part of an image to its checksum.
-void add_part(const StateImage& part, Fnv1a& hash)
+/// Adds the next part of an image to its checksum, and with the first what goes before the arrays.
+void add_part(const StateImage& part, const std::string& case_record, Fnv1a& hash)
 {
   if (part.part == 0) {
     hash.add(&part.time, sizeof part.time);
     hash.add(part.step);
+    hash.add(case_record.data(), case_record.size());
   }
   for (const auto& array : part.arrays) {
     if (array.first == 0) {
@@ -70,7 +71,7 @@ void add_part(const StateImage& part, Fnv1a& hash)
   }
 }
 
-void write_head(Hdf5File& file, const StateImage& part)
+void write_head(Hdf5File& file, const StateImage& part, const std::string& case_record)
 {
   file.set_text("/", "format", format_name);
   file.set_integers("/", "format_version", {format_version});
@@ -78,18 +79,19 @@ void write_head(Hdf5File& file, const StateImage& part)
   file.set_real("/", "time", part.time);
   file.set_text("/", "time_unit", "s");
   file.set_integers("/", "step", {part.step});
+  file.write<std::uint8_t>(case_place, {std::ssize(case_record)}, {reinterpret_cast<const std::uint8_t*>(case_record.data()), case_record.size()});
   file.create_group(arrays);
 }
 
-/// Throws unless the file is a checkpoint of a format that this version reads.
-void check_format(const Hdf5File& file, const std::string& path)
+/// The version of the file's format. Throws unless the file is a checkpoint that this version of Terp reads.
+std::int64_t check_format(const Hdf5File& file, const std::string& path)
 {
   if (file.text("/", "format") != format_name) throw FileError(fmt::format("{} is not a checkpoint of Terp", path));
   const std::int64_t version = file.integers("/", "format_version").at(0);
-  if (version == format_version) return;
+  if (version >= oldest_read && version <= format_version) return version;
   throw FileError(fmt::format(
-      "cannot read {}: it has checkpoint format {}, written by terp {}; this is terp {}, which reads format {}", path,
-      version, file.text("/", "terp_version"), TERP_VERSION, format_version));
+      "cannot read {}: it has checkpoint format {}, written by terp {}; this is terp {}, which reads formats {} to {}", path,
+      version, file.text("/", "terp_version"), TERP_VERSION, oldest_read, format_version));
 }
 
 NamedArray read_array(const Hdf5File& file, const std::string& name)
@@ -130,11 +132,14 @@ void remove_checkpoint(const std::string& folder, std::int64_t step)
 std::uint64_t checksum_of(const StateImage& image)
 {
   Fnv1a hash;
-  add_part(image, hash);
+  add_part(image, image.case_record, hash);
   return hash.value();
 }
 
-CheckpointWriter::CheckpointWriter(std::string path) : path_(std::move(path)), temporary_(temporary_name(path_)) {}
+CheckpointWriter::CheckpointWriter(std::string path, std::string case_record)
+    : path_(std::move(path)), temporary_(temporary_name(path_)), case_record_(std::move(case_record))
+{
+}
 
 CheckpointWriter::~CheckpointWriter()
 {
@@ -164,13 +169,13 @@ void CheckpointWriter::enter(const NamedArray& array)
 
 void CheckpointWriter::write_part(const StateImage& part)
 {
-  Hdf5File file(temporary_, part.part == 0 ? Hdf5File::Mode::create : Hdf5File::Mode::change, largest_size(part));
-  if (part.part == 0) write_head(file, part);
+  Hdf5File file(temporary_, part.part == 0 ? Hdf5File::Mode::create : Hdf5File::Mode::change, largest_size(part) + std::ssize(case_record_));
+  if (part.part == 0) write_head(file, part, case_record_);
   for (const auto& array : part.arrays) {
     enter(array);
     write_array(file, array);
   }
-  add_part(part, checksum_);
+  add_part(part, case_record_, checksum_);
   if (part.last) {
     check_complete();
     file.set_text(arrays, "names", names_);  // in their order, one per line
@@ -189,16 +194,20 @@ void CheckpointWriter::append(const StateImage& part)
 
 void write_checkpoint(const std::string& path, const StateImage& image)
 {
-  CheckpointWriter(path).append(image);
+  CheckpointWriter(path, image.case_record).append(image);
 }
 
 StateImage read_checkpoint(const std::string& path)
 {
   const Hdf5File file(path, Hdf5File::Mode::read);
-  check_format(file, path);
+  const std::int64_t version = check_format(file, path);
   StateImage image;
   image.time = file.real("/", "time");
   image.step = file.integers("/", "step").at(0);
+  if (version >= first_with_case) {
+    const auto bytes = file.read<std::uint8_t>(case_place);
+    image.case_record.assign(bytes.begin(), bytes.end());
+  }
   for (const auto& name : split_names(file.text(arrays, "names"))) image.arrays.push_back(read_array(file, name));
   if (fmt::format("{:016x}", checksum_of(image)) != file.text("/", "checksum")) {
     throw FileError(fmt::format("cannot use {}: its checksum does not match; the file was altered or damaged", path));

@@ -27,6 +27,22 @@ void check_length(const std::string& path, const char* unit, std::int64_t n, std
                               from.step, from.time, path, fault, path_in(folder_of(path), case_file)));
 }
 
+/// Number of frames up to a step. Throws FileError if the file is damaged: HDF5 keeps what belongs to one frame all over the file, so that of one
+/// that was cut or altered nothing can be relied on.
+template <class File>
+std::int64_t count_frames(const File& file, const std::string& path, const ResumePoint& from)
+{
+  try {
+    return file.count_until(from.step);
+  } catch (const FileError& error) {
+    throw FileError(fmt::format("cannot resume from step {}, t = {:.4g} s: {} was cut or altered, and its frames cannot be read\n"
+                                "  {}\n"
+                                "  Put a copy of it back, or start the case anew: terp run {} -o NEW_FOLDER\n"
+                                "  Nothing was changed; the tables and checkpoints of the folder are as they were.",
+                                from.step, from.time, path, error.what(), path_in(folder_of(path), case_file)));
+  }
+}
+
 void check_files(const std::string& folder, const ResumePoint& from)
 {
   const auto check_table = [&](std::string_view name, std::string_view header, std::int64_t n_due) {
@@ -34,9 +50,9 @@ void check_files(const std::string& folder, const ResumePoint& from)
     check_length(path, "rows", count_rows_until(path, header, from.time), n_due, from);
   };
   const std::string results = path_in(folder, results_file);
-  check_length(results, "frames", ResultsFile(results).count_until(from.step), from.n_frames, from);
+  check_length(results, "frames", count_frames(ResultsFile(results), results, from), from.n_frames, from);
   const std::string mesh = path_in(folder, mesh_file);
-  check_length(mesh, "frames", MeshFile(mesh).count_until(from.step), from.n_mesh_frames, from);
+  check_length(mesh, "frames", count_frames(MeshFile(mesh), mesh, from), from.n_mesh_frames, from);
   check_table(history_file, history_header, from.n_history_rows);
   check_table(ledger_file, ledger_header, from.n_ledger_rows);
   check_table(left_file, left_header, from.n_left_rows);
@@ -69,12 +85,12 @@ std::unique_ptr<RunWriter> RunWriter::resume(RunWriterSettings settings, FolderL
   if (!at_start) check_files(folder, from);
   remove_unfinished(folder);
   const Real time = at_start ? -std::numeric_limits<Real>::infinity() : from.time;
+  ResultsFile(path_in(folder, results_file)).truncate_after(at_start ? -1 : from.step);  // first: it may yet be refused, and changes as a whole or not at all
+  MeshFile(path_in(folder, mesh_file)).truncate_after(at_start ? -1 : from.step);
   drop_rows_after(path_in(folder, history_file), history_header, time);
   drop_rows_after(path_in(folder, ledger_file), ledger_header, time);
   drop_rows_after(path_in(folder, left_file), left_header, time);
   drop_rows_after(path_in(folder, footings_file), footings_header, time);
-  ResultsFile(path_in(folder, results_file)).truncate_after(at_start ? -1 : from.step);
-  MeshFile(path_in(folder, mesh_file)).truncate_after(at_start ? -1 : from.step);
   remove_checkpoints_after(folder, from.step);
   remove_old_checkpoints(folder, settings.checkpoint_keep);
   return std::unique_ptr<RunWriter>(new RunWriter(std::move(settings), std::move(lock)));
@@ -131,7 +147,7 @@ void RunWriter::write_checkpoint_part(const StateImage& part)
       const std::string path = path_in(settings_.folder, name);
       if (std::filesystem::exists(path)) sync_to_disk(path);
     }
-    checkpoint_.emplace(path_in(settings_.folder, checkpoint_file(part.step)));
+    checkpoint_.emplace(path_in(settings_.folder, checkpoint_file(part.step)), settings_.case_record);
   }
   checkpoint_->append(part);
   if (!part.last) return;
@@ -143,7 +159,7 @@ std::string RunWriter::write_failed(const StateImage& image)
 {
   finish();
   std::string path = path_in(settings_.folder, failed_file(image.step));
-  write_checkpoint(path, image);
+  CheckpointWriter(path, settings_.case_record).append(image);
   return path;
 }
 

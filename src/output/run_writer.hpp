@@ -20,6 +20,7 @@ struct RunWriterSettings {
   std::string folder;  ///< "runs/model_2"
   CaseText case_text;
   Index checkpoint_keep = 2;  ///< how many of the newest checkpoints are kept; 0: all
+  std::string case_record = {};  ///< what the run began with, for its checkpoints
 };
 
 /// A checkpoint, and what the other files of the run must hold up to there.

@@ -32,6 +32,13 @@ Json softened_fraction(const Summary& summary)
   return list;
 }
 
+Json reached_sides(const Summary& summary)
+{
+  Json list = Json::array();
+  for (const ReachedSide& reached : summary.reached_sides) list.push_back({{"side", reached.side}, {"time", number(reached.time)}});
+  return list;
+}
+
 Json footings(const Summary& summary)
 {
   Json list = Json::array();
@@ -116,6 +123,16 @@ void read_slides(const nlohmann::json& json, Summary& summary)
   }
 }
 
+void read_reached_sides(const nlohmann::json& json, Summary& summary)
+{
+  for (const auto& entry : json.value("reached_sides", nlohmann::json::array())) {
+    ReachedSide reached;
+    get(entry, "side", reached.side);
+    get(entry, "time", reached.time);
+    summary.reached_sides.push_back(std::move(reached));
+  }
+}
+
 void read_footings(const nlohmann::json& json, Summary& summary)
 {
   for (const auto& entry : json.value("footings", nlohmann::json::array())) {
@@ -183,6 +200,7 @@ SavedSummary read_summary(const std::string& path)
   get(json, "energy_balance_error", s.energy_balance_error);
   get(json, "clamped_points", s.clamped_points);
   get(json, "points_left", s.points_left);
+  read_reached_sides(json, s);
   read_footings(json, s);
   get(json, "v_999", s.v_999);
   for (const auto& row : json.value("softened_fraction", nlohmann::json::array())) {
@@ -230,6 +248,7 @@ std::string summary_text(const Summary& summary, bool finished, const CaseText& 
       {"energy_balance_error", number(summary.energy_balance_error)},
       {"clamped_points", summary.clamped_points},
       {"points_left", summary.points_left},
+      {"reached_sides", reached_sides(summary)},
       {"footings", footings(summary)},
       {"v_999", number(summary.v_999)},
       {"case_name", case_text.name},

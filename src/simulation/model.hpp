@@ -18,6 +18,7 @@ struct BodyShare {
   std::int64_t n_points = 0;
   Real area = 0.0;          ///< of its points [m^2]
   Real mass = 0.0;          ///< [kg per m]
+  Real fullest_cell = 1.0;  ///< of a file of points: largest share of a cell's area that its points fill [-]
 };
 
 struct Model {

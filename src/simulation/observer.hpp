@@ -99,6 +99,7 @@ struct StateImage {
   std::vector<NamedArray> arrays;
   int part = 0;                     ///< parts come in order
   bool last = true;                 ///< no further part follows
+  std::string case_record = {};     ///< what the run began with, in the words of its writer; of a whole image that was read
 };
 
 /// How far a run is.

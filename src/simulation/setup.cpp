@@ -5,6 +5,7 @@
 #include "mesh/mesh_error.hpp"
 #include "simulation/failure.hpp"
 #include "simulation/initial.hpp"
+#include "simulation/reached_sides.hpp"
 #include "simulation/setup_history.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "simulation/setup_points.hpp"
@@ -18,6 +19,9 @@ namespace terp {
 namespace {
 
 constexpr std::int64_t most_steps = 1'000'000'000;  // beyond: a time step that has collapsed, not a case
+
+/// Steps to the end; the tolerance is round-off of an end that is a whole number of steps.
+Real steps_to(Real end, Real step) { return std::ceil(end / step * (1.0 - 1e-12)); }
 
 std::vector<SoilMaterial> make_materials(const Case& c)
 {
@@ -101,7 +105,7 @@ void set_time_step(Model& model)
     model.largest_density = std::max(model.largest_density, m->density);
     model.n_state = std::max(model.n_state, m->n_state());
   }
-  const Real n = std::ceil(time.end / stable * (1.0 - 1e-12));
+  const Real n = steps_to(time.end, stable);
   if (!(n < most_steps))
     throw InputError(Problem{"time.end", "the time step has collapsed",
                              fmt::format("{:.3g} s need {:.3g} steps of {:.3g} s (smallest cell altitude {:.3g} m, wave speed {:.4g} m/s).",
@@ -202,6 +206,15 @@ Model build_model(const Case& description, Mesh<2> mesh, int threads)
   return model;
 }
 
+void move_end(Model& model, Real end)
+{
+  const Real n = steps_to(end, model.dt);
+  if (!(n < most_steps))
+    throw InputError(Problem{"time.end", "the end is too far", fmt::format("{:.3g} s need {:.3g} steps of {:.3g} s.", end, n, model.dt), "time"});
+  model.n_steps = static_cast<std::int64_t>(n);
+  model.description.time.end = n * model.dt;
+}
+
 State build_state(Model& model)
 {
   PointBatches points = make_points(model);
@@ -219,6 +232,7 @@ State build_state(Model& model)
   follow_history_points(model, state);
   const Vec<2> x = extent_in_x(model.mesh);
   start_following(model, columns_between(x[0], x[1], typical_cell_size(model.mesh)), state);
+  start_following_sides(model, state);
   return state;
 }
 

@@ -12,6 +12,9 @@ Model build_model(const Case& description, int threads);
 /// The same on a mesh that is already there; what the case says of the mesh is not used.
 Model build_model(const Case& description, Mesh<2> mesh, int threads);
 
+/// Another end with the time step that the model has: the first step at or after it [s]. For a run that goes on.
+void move_end(Model& model, Real end);
+
 /// Seeds the points and sets the initial stress (none or k0; "equilibrium" is sought by the run). Throws InputError.
 State build_state(Model& model);
 

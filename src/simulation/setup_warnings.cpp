@@ -20,6 +20,21 @@ void find_empty_bodies(const Model& model, std::vector<Problem>& warnings)
   }
 }
 
+/// Points that fill no cell by a quarter: a lattice of one point per cell fills whole ones, so their volumes are in another unit, or the cells
+/// far too large for them.
+void find_thin_points(const Model& model, std::vector<Problem>& warnings)
+{
+  constexpr Real little = 0.25;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    if (!(model.bodies[b].fullest_cell < little)) continue;
+    warnings.push_back({fmt::format("body[{}].points", b), "the points of the file fill no cell by a quarter",
+                        fmt::format("Their volumes fill {:.2g} % of the fullest cell; inside a body they fill the cells. "
+                                    "Volumes are in m^2 (per metre of thickness).",
+                                    100.0 * model.bodies[b].fullest_cell),
+                        "body"});
+  }
+}
+
 void find_sides_that_move_far(const Model& model, std::vector<Problem>& warnings)
 {
   for (const SideCase& side : model.description.sides) {
@@ -44,6 +59,7 @@ std::vector<Problem> find_warnings(const Model& model, const State& state)
 {
   std::vector<Problem> warnings = find_far_history_points(model, state);
   find_empty_bodies(model, warnings);
+  find_thin_points(model, warnings);
   find_sides_that_move_far(model, warnings);
   for (Problem& problem : find_idle_footings(model, state)) warnings.push_back(std::move(problem));
   return warnings;

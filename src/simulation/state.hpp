@@ -15,6 +15,7 @@ struct WorkTotals {
   Real gravity = 0.0, damping = 0.0, boundary = 0.0;
   Real plastic = 0.0;     ///< dissipated
   Real internal = 0.0;    ///< of the internal forces on the nodes
+  Real last_step = 0.0;   ///< gravity, damping, boundary and internal, in the last step alone
 };
 
 /// What the history audit remembers of each point; by id. Judged at ledger rows.
@@ -56,6 +57,7 @@ struct State {
   std::int64_t ledger_rows = 0;   ///< so far
   Section section;                ///< at t = 0
   std::vector<SlopeFailure> slopes;  ///< of the section, in its order
+  std::vector<Real> side_reached;    ///< when soil first lay in a cell at each side of the mesh [s]; 0: at the start, NaN: not yet
   std::vector<FootingMeter> footings;     ///< in the order of the case
   std::vector<std::pair<Real, Real>> softened_fraction;  ///< at the frame times
   Real largest_v_999 = 0.0;       ///< [m/s]

@@ -1,6 +1,7 @@
 #include "simulation/state_image.hpp"
 
 #include "base/errors.hpp"
+#include "simulation/reached_sides.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -93,6 +94,19 @@ const std::vector<T>& get(const StateImage& image, std::string_view name, std::s
     return *values;
   }
   throw_missing(name);
+}
+
+bool holds(const StateImage& image, std::string_view name)
+{
+  return std::any_of(image.arrays.begin(), image.arrays.end(), [&](const NamedArray& array) { return array.name == name; });
+}
+
+/// What checkpoints hold since format 4.
+void get_since_format_4(const Model& model, const StateImage& image, State& state)
+{
+  start_following_sides(model, state);  // of an earlier one: as if the soil that is there now had always been there
+  if (holds(image, "side_reached")) state.side_reached = get<Real>(image, "side_reached", model.mesh.sides.size());
+  if (holds(image, "last_step_work")) state.work.last_step = get<Real>(image, "last_step_work", 1)[0];
 }
 
 /// The first surface, and of each slope its crest over time; time, rate and number of places of each slip surface, and the places of all.
@@ -226,6 +240,8 @@ std::vector<ArraySource> arrays_of(const State& state)
   arrays.push_back(kept("x_initial", state.x_initial));
   const WorkTotals& w = state.work;
   arrays.push_back(few("work", std::vector<Real>{w.gravity, w.damping, w.boundary, w.plastic, w.internal, state.start_energy, state.largest_v_999}));
+  arrays.push_back(few("last_step_work", std::vector<Real>{w.last_step}));
+  arrays.push_back(kept("side_reached", state.side_reached));
   arrays.push_back(few("wall_s", std::vector<Real>{state.wall_s}));  // the one number that differs between equal runs
   arrays.push_back(few("counts", std::vector<std::int64_t>{state.clamped, state.tension_cut, state.equilibrium_steps, state.ledger_rows}));
   add_left(state, arrays);
@@ -294,6 +310,7 @@ State restore(const Model& model, const StateImage& image)
   check_ids(state);
   const auto& w = get<Real>(image, "work", 7);
   state.work = {.gravity = w[0], .damping = w[1], .boundary = w[2], .plastic = w[3], .internal = w[4]};
+  get_since_format_4(model, image, state);
   state.start_energy = w[5];
   state.largest_v_999 = w[6];
   state.wall_s = get<Real>(image, "wall_s", 1)[0];

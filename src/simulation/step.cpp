@@ -75,6 +75,7 @@ void finish_sums(State& state, Workspace& work)
   state.work.damping += total.damping;
   state.work.boundary += total.boundary;
   state.work.internal += total.internal;
+  state.work.last_step = total.gravity + total.damping + total.boundary + total.internal;
   for (const CellSums& sums : work.cell_sums) {
     state.work.plastic += sums.plastic;
     state.tension_cut += sums.tension_cut;

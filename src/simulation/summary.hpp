@@ -28,6 +28,12 @@ struct SlideSummary {
   SlipSurface slip;
 };
 
+/// A side of the mesh that soil came to during the run.
+struct ReachedSide {
+  std::string side;
+  Real time = 0.0;  ///< of the ledger row at which soil first lay in a cell at it [s]
+};
+
 /// Wall time spent in a pass of the step.
 struct PassTime {
   std::string name;
@@ -62,6 +68,7 @@ struct Summary {
   std::int64_t points_su_rose = 0;        ///< points whose S_u ever rose between two ledger rows
   Real energy_balance_error = 0.0;        ///< |numerical| at the end over the energy exchanged: works, plastic, start [-]
   std::int64_t clamped_points = 0;
+  std::vector<ReachedSide> reached_sides;  ///< in order of time; without open sides and those where soil lay at the start
   std::int64_t points_left = 0;           ///< through open sides
   std::vector<FootingSummary> footings;
   Real v_999 = 0.0;                       ///< largest 99.9 % quantile of the speed over all ledger rows [m/s]

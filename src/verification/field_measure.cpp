@@ -33,7 +33,7 @@ class FieldMeasure : public Measure {
              fmt::format("The nearest is at {:g} s. Let output.fields.every of the case divide the time.", nearest_->time));
     read_points();
     if (values_.empty()) refuse(scope_.file, quantity_.where.place, "no point is `where` this says", "");
-    const Real scale = scope_.evaluate_or(quantity_.scale, 1.0);
+    const Real scale = scope_.scale(quantity_.scale);
     const Real value = reduce_values(values_, references_, quantity_.reduce, scale);
     if (is_error(quantity_.reduce)) return {value, nan};
     return {value, quantity_.reference.given() ? reduce_values(references_, {}, quantity_.reduce, scale) : nan};
@@ -50,8 +50,9 @@ class FieldMeasure : public Measure {
     std::vector<Real> row;
     for (std::size_t k = 0; k < nearest_->x.size() / 2; ++k) {
       read_row(*nearest_, k, row);
-      if (where(row) == 0.0) continue;
-      values_.push_back(value(row));
+      const Real counts = where(row);
+      if (counts == 0.0) continue;
+      values_.push_back(std::isnan(counts) ? nan : value(row));  // a point of which nobody knows whether it counts
       references_.push_back(reference(row));
     }
   }

@@ -30,8 +30,10 @@ Real error_of(const Finding& f)
   return std::isnan(f.relative) ? distance : distance / std::abs(f.reference);
 }
 
+/// Nothing that is no finite number agrees with anything.
 bool agrees(const Finding& f)
 {
+  if (!std::isfinite(f.value)) return false;
   if (!std::isnan(f.at_least)) return f.value >= f.at_least;
   if (!std::isnan(f.at_most)) return f.value <= f.at_most;
   return error_of(f) <= (std::isnan(f.relative) ? f.tolerance : f.relative);
@@ -60,6 +62,7 @@ Row to_row(const std::string& case_name, const Finding& f)
   const bool good = agrees(f), known = !q.red.empty() && names_run(q.red_runs, f.run);
   row.verdict = good ? Verdict::pass : known ? Verdict::red : Verdict::fail;
   if (!good && known) row.remark = q.red;
+  row.declared_red = known;
   return row;
 }
 
@@ -80,7 +83,7 @@ std::vector<std::string> schemes_in(const std::vector<Finding>& findings)
 
 bool concerns(const Quantity& order, const Finding& f)
 {
-  return f.quantity->name == order.of && names_run(order.runs, f.run);
+  return f.fault.empty() && f.quantity->name == order.of && names_run(order.runs, f.run);
 }
 
 /// The runs of one scheme with their sizes and numbers, and the constants of the last.
@@ -120,9 +123,8 @@ std::vector<Finding> compare_runs(const Expected& file, const Quantity& q, const
     if (runs.sizes.size() < (q.differences || q.kind == QuantityKind::extrapolated ? 3 : 2)) continue;
     const Real value = number_of(q, runs);
     result.push_back({.quantity = &q, .run = fmt::format("over {}", q.over), .scheme = scheme, .value = value,
-                      .reference = runs.scope.evaluate_or(q.reference, nan), .tolerance = runs.scope.evaluate_or(q.tolerance, nan),
-                      .relative = runs.scope.evaluate_or(q.relative, nan), .at_least = runs.scope.evaluate_or(q.at_least, nan),
-                      .at_most = runs.scope.evaluate_or(q.at_most, nan), .constants = {}});
+                      .reference = runs.scope.evaluate_or(q.reference, nan), .tolerance = nan, .relative = nan, .at_least = nan, .at_most = nan, .constants = {}});
+    read_bounds(runs.scope, result.back());
   }
   return result;
 }
@@ -150,7 +152,7 @@ std::vector<Row> judge(const std::string& case_name, const Expected& file, const
   for (const Quantity& q : file.quantities) {
     if (compares_runs(q)) add_comparison(case_name, file, q, findings, rows);
     for (const Finding& f : findings)
-      if (f.quantity == &q) rows.push_back(to_row(case_name, f));
+      if (f.quantity == &q) rows.push_back(f.fault.empty() ? to_row(case_name, f) : fault_row(case_name, run_text(f.run, f.scheme), q.name, f.fault));
   }
   return rows;
 }

@@ -15,6 +15,7 @@ enum class Verdict {
 struct Row {
   std::string case_name = {}, run = {}, quantity = {}, reference = {}, source = {}, terp = {}, error = {}, tolerance = {};
   Verdict verdict = Verdict::pass;
+  bool declared_red = false;  ///< the case says that it does not agree, whether it does or not
   std::string remark = {};  ///< why it is red, or what went wrong
 };
 

@@ -1,5 +1,7 @@
 #include "verification/measure.hpp"
 
+#include "input/case_file.hpp"
+
 #include <limits>
 
 namespace terp {
@@ -43,11 +45,7 @@ class FormulaMeasure : public Measure {
   const Scope& scope_;
 };
 
-}  // namespace
-
-std::unique_ptr<Measure> make_summary_measure(const Quantity& quantity, const Scope& scope) { return std::make_unique<SummaryMeasure>(quantity, scope); }
-
-std::unique_ptr<Measure> make_measure(const Quantity& quantity, const Scope& scope)
+std::unique_ptr<Measure> make_plain_measure(const Quantity& quantity, const Scope& scope)
 {
   switch (quantity.kind) {
     case QuantityKind::field: return make_field_measure(quantity, scope);
@@ -61,5 +59,52 @@ std::unique_ptr<Measure> make_measure(const Quantity& quantity, const Scope& sco
   }
   return nullptr;
 }
+
+/// Keeps what another measure refuses while the run goes on, and says it at the end.
+class GuardedMeasure : public Measure {
+ public:
+  GuardedMeasure(const Quantity& quantity, const Scope& scope)
+  {
+    guard([&] { inner_ = make_plain_measure(quantity, scope); });
+  }
+  void frame(const std::shared_ptr<const Frame>& frame) override
+  {
+    guard([&] { inner_->frame(frame); });
+  }
+  void ledger(const LedgerRow& row) override
+  {
+    guard([&] { inner_->ledger(row); });
+  }
+  void footings(const std::vector<FootingRow>& rows) override
+  {
+    guard([&] { inner_->footings(rows); });
+  }
+  Measured finish(const Summary& summary) override
+  {
+    if (!fault_.empty()) throw CaseError(fault_);
+    return inner_->finish(summary);
+  }
+
+ private:
+  template <class F>
+  void guard(F&& f)
+  {
+    if (!fault_.empty()) return;
+    try {
+      f();
+    } catch (const CaseError& error) {
+      fault_ = error.what();
+    }
+  }
+
+  std::unique_ptr<Measure> inner_;
+  std::string fault_;
+};
+
+}  // namespace
+
+std::unique_ptr<Measure> make_summary_measure(const Quantity& quantity, const Scope& scope) { return std::make_unique<SummaryMeasure>(quantity, scope); }
+
+std::unique_ptr<Measure> make_measure(const Quantity& quantity, const Scope& scope) { return std::make_unique<GuardedMeasure>(quantity, scope); }
 
 }  // namespace terp

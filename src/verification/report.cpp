@@ -93,7 +93,10 @@ Counts count(const std::vector<CaseRows>& cases)
 {
   Counts counts;
   for (const CaseRows& c : cases)
-    for (const Row& r : c.rows) (r.verdict == Verdict::pass ? counts.pass : r.verdict == Verdict::red ? counts.red : counts.fail) += 1;
+    for (const Row& r : c.rows) {
+      (r.verdict == Verdict::pass ? counts.pass : r.verdict == Verdict::red ? counts.red : counts.fail) += 1;
+      counts.pass_declared_red += r.verdict == Verdict::pass && r.declared_red ? 1 : 0;
+    }
   return counts;
 }
 
@@ -101,6 +104,7 @@ std::string counts_text(const Counts& n)
 {
   std::string text = fmt::format("{} rows: {} pass, {} red", n.pass + n.red + n.fail, n.pass, n.red + n.fail);
   if (n.red > 0) text += fmt::format(" ({} known, with the reason)", n.red);
+  if (n.pass_declared_red > 0) text += fmt::format(" ({} declared red, but agree)", n.pass_declared_red);
   if (n.fail > 0) text += fmt::format(" ({} not known: FAIL)", n.fail);
   return text;
 }
@@ -122,6 +126,10 @@ std::string text_table(const CaseRows& c)
     for (int k = 0; k + 1 < n_columns; ++k) out += " " + padded(cells[k], widths[k]) + " ";
     out += fmt::format(" {}\n", cells[n_columns - 1]);
   }
+  for (const Row& r : c.rows)
+    if (r.verdict == Verdict::pass && r.declared_red)
+      out += fmt::format("  ? {}, {}: declared red in expected.toml, but agrees. Take `red` away, or name in `red_runs` the runs that it is true of.\n",
+                         r.quantity, r.run);
   for (const std::string& remark : remarks_of(c)) out += fmt::format("  ! {}\n", replaced(remark, "\n", "\n    "));
   return out;
 }

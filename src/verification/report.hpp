@@ -13,6 +13,7 @@ struct CaseRows {
 
 struct Counts {
   int pass = 0, red = 0, fail = 0;
+  int pass_declared_red = 0;  ///< of those that pass
 };
 
 Counts count(const std::vector<CaseRows>& cases);

@@ -1,5 +1,6 @@
 #include "verification/scope.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace terp {
@@ -33,6 +34,13 @@ Real Scope::evaluate(const Formula& formula) const
 }
 
 Real Scope::evaluate_or(const Formula& formula, Real otherwise) const { return formula.given() ? evaluate(formula) : otherwise; }
+
+Real Scope::scale(const Formula& formula) const
+{
+  const Real value = evaluate_or(formula, 1.0);
+  if (!(std::isfinite(value) && value > 0.0)) refuse(file, formula.place, "`scale` must be a finite number, greater than 0", fmt::format("Got {}.", value));
+  return value;
+}
 
 Expression Scope::compile(const Formula& formula, const std::vector<std::string>& variables) const
 {

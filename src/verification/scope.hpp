@@ -15,6 +15,8 @@ struct Scope {
   Real evaluate(const Formula& formula) const;
   /// The same; `otherwise` if it is not given.
   Real evaluate_or(const Formula& formula, Real otherwise) const;
+  /// What errors are measured in: 1 if it is not given. Throws CaseError unless it is finite and greater than 0.
+  Real scale(const Formula& formula) const;
   Expression compile(const Formula& formula, const std::vector<std::string>& variables) const;
 };
 

@@ -53,7 +53,7 @@ class SeriesMeasure : public Measure {
       case Reduce::period: return period_of(s);
       case Reduce::frequency: return 1.0 / period_of(s);
       case Reduce::arrival: return arrival_of(s, scope_.evaluate(quantity_.threshold));
-      default: return reduce_values(s.value, s.reference, quantity_.reduce, scope_.evaluate_or(quantity_.scale, 1.0));
+      default: return reduce_values(s.value, s.reference, quantity_.reduce, scope_.scale(quantity_.scale));
     }
   }
 

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
+#include <fmt/format.h>
 #include <limits>
 
 namespace terp {
@@ -24,12 +26,32 @@ CaseFile read_solved_case(const Solve& solve)
   return read_case((folder / solve.variant->case_file).string(), changes);
 }
 
+/// What cannot be evaluated costs this finding and no other.
+template <class F>
+void guarded(Finding& finding, F&& f)
+{
+  if (!finding.fault.empty()) return;
+  try {
+    f();
+  } catch (const CaseError& error) {
+    finding.fault = error.what();
+  }
+}
+
 /// All but the numbers that the run gives.
 Finding start_finding(const Quantity& q, const Solve& solve, const std::string& scheme, const Scope& scope)
 {
-  return {.quantity = &q, .run = solve.variant->name, .scheme = scheme, .value = nan, .reference = nan,
-          .tolerance = scope.evaluate_or(q.tolerance, nan), .relative = scope.evaluate_or(q.relative, nan),
-          .at_least = scope.evaluate_or(q.at_least, nan), .at_most = scope.evaluate_or(q.at_most, nan), .constants = scope.constants};
+  Finding f{.quantity = &q, .run = solve.variant->name, .scheme = scheme, .value = nan, .reference = nan,
+            .tolerance = nan, .relative = nan, .at_least = nan, .at_most = nan, .constants = scope.constants};
+  guarded(f, [&] { read_bounds(scope, f); });
+  return f;
+}
+
+/// Without what only others make use of.
+std::vector<Finding> rows_of(std::vector<Finding> findings)
+{
+  std::erase_if(findings, [](const Finding& f) { return is_auxiliary(*f.quantity) && f.fault.empty(); });
+  return findings;
 }
 
 /// A search for a factor of safety in place of the run: its numbers are constants of formulas.
@@ -40,15 +62,15 @@ std::vector<Finding> findings_of_factor(const Solve& solve, const CaseFile& solv
   scope.constants["factor"] = result.factor();
   scope.constants["stable_at"] = result.search.stable.value_or(nan);
   scope.constants["not_stable_at"] = result.search.failed.value_or(nan);
-  for (Finding& f : findings) {
-    if (f.quantity->kind != QuantityKind::formula)
-      refuse(*solve.file, f.quantity->place, "a run for a factor of safety has quantities of kind `formula` only", "They may name factor, stable_at, not_stable_at.");
-    f.value = scope.evaluate(f.quantity->value);
-    f.reference = scope.evaluate_or(f.quantity->reference, nan);
-    if (const std::string& name = f.quantity->as; !name.empty()) scope.constants[name] = f.value;
-  }
-  std::erase_if(findings, [](const Finding& f) { return is_auxiliary(*f.quantity); });
-  return findings;
+  for (Finding& finding : findings)
+    guarded(finding, [&, &f = finding] {
+      if (f.quantity->kind != QuantityKind::formula)
+        refuse(*solve.file, f.quantity->place, "a run for a factor of safety has quantities of kind `formula` only", "They may name factor, stable_at, not_stable_at.");
+      f.value = scope.evaluate(f.quantity->value);
+      f.reference = scope.evaluate_or(f.quantity->reference, nan);
+      if (const std::string& name = f.quantity->as; !name.empty()) scope.constants[name] = f.value;
+    });
+  return rows_of(std::move(findings));
 }
 
 std::vector<Finding> solve_and_measure(const Solve& solve, const CaseFile& solved, const std::atomic<bool>& stop)
@@ -69,17 +91,31 @@ std::vector<Finding> solve_and_measure(const Solve& solve, const CaseFile& solve
   Workspace work(model, state);
   if (run(model, state, work, observers, stop) == Outcome::interrupted) throw RunError("stopped");
   const Summary summary = summarise(model, state);
-  for (std::size_t k = 0; k < findings.size(); ++k) {
-    const Measured result = measured[k]->finish(summary);
-    findings[k].value = result.value;
-    findings[k].reference = result.reference;
-    if (const std::string& name = findings[k].quantity->as; !name.empty()) scope.constants[name] = result.value;
-  }
-  std::erase_if(findings, [](const Finding& f) { return is_auxiliary(*f.quantity); });
-  return findings;
+  for (std::size_t k = 0; k < findings.size(); ++k)
+    guarded(findings[k], [&] {
+      const Measured result = measured[k]->finish(summary);
+      findings[k].value = result.value;
+      findings[k].reference = result.reference;
+      if (const std::string& name = findings[k].quantity->as; !name.empty()) scope.constants[name] = result.value;
+    });
+  return rows_of(std::move(findings));
 }
 
 }  // namespace
+
+void read_bounds(const Scope& scope, Finding& f)
+{
+  const auto bound = [&](const Formula& formula, const char* name, Real least) {
+    const Real value = scope.evaluate_or(formula, nan);
+    if (formula.given() && !(std::isfinite(value) && value >= least))
+      refuse(scope.file, formula.place, fmt::format("`{}` must be a finite number{}", name, least == 0.0 ? ", 0 or more" : ""), fmt::format("Got {}.", value));
+    return value;
+  };
+  constexpr Real any = std::numeric_limits<Real>::lowest();
+  const Quantity& q = *f.quantity;
+  f.tolerance = bound(q.tolerance, "tolerance", 0.0), f.relative = bound(q.relative, "relative", 0.0);
+  f.at_least = bound(q.at_least, "at_least", any), f.at_most = bound(q.at_most, "at_most", any);
+}
 
 bool measures(const Quantity& quantity, const Variant& variant)
 {

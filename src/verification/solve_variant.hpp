@@ -2,6 +2,7 @@
 #pragma once
 
 #include "verification/expected.hpp"
+#include "verification/scope.hpp"
 
 #include <atomic>
 #include <string>
@@ -24,6 +25,7 @@ struct Finding {
   Real value, reference;
   Real tolerance, relative, at_least, at_most;
   std::map<std::string, Real> constants;  ///< of the run
+  std::string fault = {};          ///< why it could not be measured; then the numbers say nothing
 };
 
 struct Solved {
@@ -37,6 +39,9 @@ std::vector<Solve> list_solves(const Expected& file, bool with_short, bool with_
 
 /// Never throws. Stops early when `stop` is set; then the fault says so.
 Solved solve_variant(const Solve& solve, const std::atomic<bool>& stop);
+
+/// Fills in tolerance and bounds. Throws CaseError for one that is no finite number, or a tolerance below 0.
+void read_bounds(const Scope& scope, Finding& finding);
 
 /// Quantities of the case that this run measures.
 bool measures(const Quantity& quantity, const Variant& variant);

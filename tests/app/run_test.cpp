@@ -179,6 +179,19 @@ TEST(Run, ThatStopsItselfHasAStatusOfItsOwnAndKeepsItsState)
   EXPECT_EQ(nlohmann::json::parse(text_of(folder + "/summary.json")).at("finished"), false);
 }
 
+TEST(Run, SaysWhenSoilCameToASideOfTheMesh)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run";  // the column from 0 to 8 m, a wall 1 m before it
+  const Finished f = run_column(folder, {"-q", "--set", "body[0].velocity=[8.0, 0.0]", "--set", "mesh.size=[9.5, 3.0]"});
+  EXPECT_EQ(f.status, 0) << f.err;
+  const auto reached = nlohmann::json::parse(text_of(folder + "/summary.json")).at("reached_sides");
+  ASSERT_EQ(reached.size(), 1u) << reached;
+  EXPECT_EQ(reached[0].at("side"), "right");
+  EXPECT_NEAR(reached[0].at("time").get<double>(), 1.05 / 8.0, 0.02);
+  EXPECT_THAT(f.err, HasSubstr("warning: soil came to the side `right` of the mesh by t = 0.1"));
+}
+
 TEST(Run, OnTwoThreadsGivesTheResultsOfOne)
 {
   const test::ScratchFolder scratch;
@@ -299,19 +312,91 @@ TEST(Resume, WhereAFileOfTheRunIsMissingOrShortIsRefused)
   EXPECT_EQ(test::terp({"resume", whole, "-q", "-j", "1"}).status, 0);
 }
 
-TEST(Resume, OfACaseThatSeedsOtherPointsIsRefused)
+TEST(Resume, WhereTheResultsWereCutOrAlteredIsRefusedAndNothingChanges)
+{
+  const test::ScratchFolder scratch;
+  const std::string whole = scratch.path() + "/whole";
+  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.fields.every=0.05", "--set", "output.mesh=true"}).status, 0);
+  std::filesystem::remove(whole + last_checkpoint);
+  for (const std::string name : {"results.vtkhdf", "mesh.vtkhdf"}) {
+    const std::string folder = scratch.path() + "/cut_" + name, path = folder + "/" + name;
+    std::filesystem::copy(whole, folder);
+    std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
+    Finished f = test::terp({"resume", folder});
+    EXPECT_EQ(f.status, 1) << name;
+    EXPECT_THAT(f.err, AllOf(StartsWith("error: cannot resume from step 33, t = 0.1 s: " + path + " was cut or altered, and its frames cannot be read\n"),
+                             HasSubstr("truncated file"), HasSubstr("\n  Put a copy of it back, or start the case anew: terp run " + folder + "/case.toml -o NEW_FOLDER\n"),
+                             HasSubstr("Nothing was changed")));
+    EXPECT_EQ(text_of(folder + "/ledger.csv"), text_of(whole + "/ledger.csv"));
+    std::string bytes = text_of(whole + "/" + name);
+    bytes.replace(48, 40, 40, 'x');  // the superblock and what follows
+    test::write_text(path, bytes);
+    f = test::terp({"resume", folder});
+    EXPECT_THAT(f.err, AllOf(HasSubstr("error: cannot resume from step 33, t = 0.1 s"), HasSubstr(path), HasSubstr("NEW_FOLDER")));
+    EXPECT_EQ(text_of(folder + "/ledger.csv"), text_of(whole + "/ledger.csv"));
+  }
+}
+
+/// Writes the case of a run folder anew with `from` replaced.
+void edit_case(const std::string& folder, const std::string& from, const std::string& to)
+{
+  std::string text = text_of(folder + "/case.toml");
+  test::write_text(folder + "/case.toml", text.replace(text.find(from), from.size(), to));
+}
+
+TEST(Resume, OfACaseThatWasChangedIsRefusedWithWhatChanged)
 {
   const test::ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";
   ASSERT_EQ(run_column(folder, {"-q"}).status, 0);
-  std::string text = text_of(folder + "/case.toml");
-  text.replace(text.find("[5, 5]"), 6, "[4, 4]");
-  test::write_text(folder + "/case.toml", text);
+  edit_case(folder, "[5, 5]", "[4, 4]");
+  edit_case(folder, "eta = 50.0", "eta = 40.0  # softer");
+  const auto before = test::names_in(folder);
   const Finished f = test::terp({"resume", folder});
   EXPECT_EQ(f.status, 1);
-  EXPECT_EQ(f.err,
-            "error: cannot resume from step 66: the case seeds 1024 material points, the checkpoint holds 1600\n"
-            "  case.toml of the folder, or a file that it names, is not what the run began with.\n");
+  EXPECT_EQ(f.err, "error: cannot resume from step 66: " + folder + "/case.toml was changed since the run began\n"
+            "  body[0].points_per_cell ([5, 5], now [4, 4])\n"
+            "  material.clay.eta (50, now 40)\n"
+            "  Put back what it began with, or solve the changed case from its start: terp run " + folder + "/case.toml -o NEW_FOLDER\n"
+            "  These may change: title, time.end, output.fields.every, output.checkpoint\n");
+  EXPECT_EQ(test::names_in(folder), before);
+  edit_case(folder, "[4, 4]", "5");
+  edit_case(folder, "eta = 40.0", "eta = 5.0e1");
+  EXPECT_EQ(test::terp({"resume", folder, "-q"}).status, 0);
+}
+
+TEST(Resume, WithALaterEndGoesOnInTheSameTimeStepWithoutGapOrDoubleRows)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run", whole = scratch.path() + "/whole";
+  ASSERT_EQ(run_column(folder, {"-q", "--set", "output.fields.every=0.05"}).status, 0);
+  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.fields.every=0.05", "--set", "time.end=0.4"}).status, 0);
+  edit_case(folder, "end = 0.2", "end = 0.4");
+  const Finished f = test::terp({"resume", folder, "-j", "1"});
+  EXPECT_EQ(f.status, 0) << f.err;
+  EXPECT_THAT(f.out, AllOf(HasSubstr("step 66 of 132\n"), HasSubstr("  from here on with another time.end (0.2, now 0.4)\n")));
+  test::expect_same_results(whole, folder, "/checkpoint_000000132.h5");  // 0.4 s are just twice as many of the same steps
+  edit_case(folder, "end = 0.4", "end = 0.401");
+  EXPECT_THAT(test::terp({"resume", folder, "-j", "1"}).out, HasSubstr("step 132 of 133\n"));
+  edit_case(folder, "end = 0.401", "end = 0.3");
+  EXPECT_EQ(test::terp({"resume", folder}).err,
+            "error: cannot resume from step 133, t = 0.403 s: time.end = 0.3 s lies before it\n"
+            "  Set a later time.end in case.toml of the folder, or name an earlier checkpoint.\n");
+}
+
+TEST(Resume, FromACheckpointThatKnowsNoCaseSaysSoAndChecksThePointsOnly)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run";
+  ASSERT_EQ(run_column(folder, {"-q"}).status, 0);
+  StateImage image = read_checkpoint(folder + last_checkpoint);
+  image.case_record.clear();
+  write_checkpoint(folder + last_checkpoint, image);
+  EXPECT_THAT(test::terp({"resume", folder, "-q"}).err, HasSubstr("warning: the checkpoint of step 66 is from an earlier Terp and does not say what case"));
+  edit_case(folder, "[5, 5]", "[4, 4]");
+  EXPECT_THAT(test::terp({"resume", folder}).err,
+              HasSubstr("error: cannot resume from step 66: the case seeds 1024 material points, the checkpoint holds 1600\n"
+                        "  case.toml of the folder, or a file that it names, is not what the run began with.\n"));
 }
 
 TEST(Resume, SaysFirstThatAnotherTerpIsWriting)

@@ -6,6 +6,7 @@
 #include "output/run_folder.hpp"
 #include "output/samples.hpp"
 #include "output/small_disk.hpp"
+#include "support/process.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -133,7 +134,34 @@ TEST(Checkpoint, OfAnotherFormatNamesBothVersions)
     file.close();
   }
   EXPECT_THAT(file_error_of([&] { read_checkpoint(path); }),
-              testing::AllOf(HasSubstr("checkpoint format 99"), HasSubstr("reads format 3")));
+              testing::AllOf(HasSubstr("checkpoint format 99"), HasSubstr("reads formats 3 to 4")));
+}
+
+TEST(Checkpoint, KeepsWhatTheRunBeganWithUnderItsChecksum)
+{
+  const test::ScratchFolder folder;
+  const std::string path = folder.path() + "/a.h5";
+  StateImage image = sample_image(3);
+  image.case_record = "time.end = 0.2\nmaterial.clay.eta = 4.5\n";
+  write_checkpoint(path, image);
+  EXPECT_EQ(read_checkpoint(path).case_record, image.case_record);
+  const std::string bytes = test::text_of(path);
+  const std::size_t at = bytes.find("eta = 4.5");
+  ASSERT_NE(at, std::string::npos);
+  write_file_atomically(path, std::string(bytes).replace(at, 9, "eta = 4.6"));
+  EXPECT_THAT(file_error_of([&] { read_checkpoint(path); }), HasSubstr("its checksum does not match"));
+}
+
+TEST(Checkpoint, OfFormat3WhichKnewNoCaseIsRead)
+{
+  const test::ScratchFolder folder;
+  const std::string path = write_sample(folder.path(), 12);
+  {
+    Hdf5File file(path, Hdf5File::Mode::change);
+    file.set_integers("/", "format_version", {3});  // all that differs when the record is empty
+    file.close();
+  }
+  EXPECT_TRUE(same(read_checkpoint(path), sample_image(12)));
 }
 
 TEST(Checkpoint, AnArrayWhoseShapeDoesNotFitIsRefused)

@@ -1,6 +1,7 @@
 // The loop: when outputs are due, how a run ends, and how it goes on.
 #include "simulation/run.hpp"
 
+#include "simulation/ledger.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/state_image.hpp"
 #include "support/cases.hpp"
@@ -223,7 +224,36 @@ TEST(Summarise, TheBalanceErrorIsAShareOfTheEnergyExchanged)
   const LedgerRow& row = recorder.last_row;
   const Real exchanged = std::abs(row.gravity_work) + std::abs(row.damping_work) + std::abs(row.boundary_work) + row.plastic + s.state.start_energy;
   EXPECT_GT(std::abs(row.numerical), 1e-6 * exchanged);
-  EXPECT_NEAR(summarise(s.model, s.state).energy_balance_error, std::abs(row.numerical) / exchanged, 1e-12);
+  EXPECT_NEAR(summarise(s.model, s.state).energy_balance_error, std::abs(row.numerical + 0.5 * s.state.work.last_step) / exchanged, 1e-12);
+}
+
+TEST(Summarise, ABodyThatFallsForAFewStepsIsInBalance)
+{
+  Case c = test::free_box("mpm_gp", {1.0, 1.0}, {2.0, 1.5});
+  c.forces.gravity = {0.0, -10.0};
+  for (const int n : {1, 2, 8}) {
+    Simulation s(c);
+    start_audit(s.model, s.state);
+    s.step(n);
+    const LedgerRow row = keep_ledger(s.model, s.state, s.work);
+    EXPECT_NEAR(row.numerical / row.gravity_work, -1.0 / (n + 1), 1e-9);  // n (n + 1) / 2 of work, n^2 / 2 of kinetic energy
+    EXPECT_LT(summarise(s.model, s.state).energy_balance_error, 1e-9);
+  }
+}
+
+TEST(Summarise, WhatAColumnOfAFewStepsIsOffByFallsWithTheirSquare)
+{
+  const auto error_after = [](const char* scheme, int n) {
+    Simulation s(test::column(scheme, 0.25));
+    start_audit(s.model, s.state);
+    s.step(n);
+    return summarise(s.model, s.state).energy_balance_error;
+  };
+  for (const char* scheme : {"mpm_mixed", "mpm_gp", "standard_mpm"}) {
+    const Real few = error_after(scheme, 8), more = error_after(scheme, 16);
+    EXPECT_LT(few, 0.02) << scheme;  // 0.09 of half a step without it
+    EXPECT_LT(more, 0.35 * few) << scheme;
+  }
 }
 
 TEST(Summarise, ABodyWithoutALevelSurfaceHasNoCrest)

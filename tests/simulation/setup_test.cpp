@@ -43,6 +43,17 @@ TEST(Setup, TheTimeStepIsTheCourantNumberTimesTheSmallestAltitudeOverTheWaveSpee
   EXPECT_GT(model.dt, 0.999 * stable);
 }
 
+TEST(Setup, AnotherEndOfARunThatGoesOnKeepsItsTimeStep)
+{
+  Model model = build_model(test::column("mpm_gp"), 1);
+  const Real dt = model.dt;
+  move_end(model, 2.5 * model.description.time.end);
+  EXPECT_EQ(model.dt, dt);
+  EXPECT_EQ(model.n_steps, static_cast<std::int64_t>(std::ceil(2.5 * test::column("mpm_gp").time.end / dt * (1.0 - 1e-12))));
+  EXPECT_EQ(model.description.time.end, static_cast<Real>(model.n_steps) * dt);
+  EXPECT_THROW(move_end(model, 1e12), InputError);
+}
+
 TEST(Setup, ViscosityShortensTheTimeStep)
 {
   Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0}, {"water", "newtonian_fluid", 1000.0, {1e6, 0.0, 0.0}});

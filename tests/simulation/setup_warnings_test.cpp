@@ -3,6 +3,9 @@
 
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
+#include "support/paths.hpp"
+
+#include <fstream>
 
 #include <gmock/gmock.h>
 
@@ -27,6 +30,21 @@ TEST(SetupWarnings, ABodyUnderLaterOnesIsTold)
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0].key, "body[0]");
   EXPECT_EQ(warnings[0].what, "body 0 of `clay` has no material points");
+}
+
+TEST(SetupWarnings, PointsOfAFileWithHardlyAnyVolumeAreTold)
+{
+  const test::ScratchFolder folder;
+  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.0});  // cells of 0.25 m
+  c.folder = folder.path();
+  c.bodies.emplace_back().points_file = "points.csv";
+  std::ofstream(folder.path() + "/points.csv") << "x,y,volume,material\n3.1,1.1,0.008,clay\n3.2,1.1,0.008,clay\n";
+  EXPECT_TRUE(warnings_of(c).empty());
+  std::ofstream(folder.path() + "/points.csv") << "x,y,volume,material\n3.1,1.1,0.008,clay\n3.2,1.1,0.007,clay\n";
+  const auto warnings = warnings_of(c);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].key, "body[1].points");
+  EXPECT_THAT(warnings[0].detail, testing::StartsWith("Their volumes fill 24 % of the fullest cell;"));
 }
 
 TEST(SetupWarnings, ASideThatMovesMoreThanACellIsTold)

@@ -76,6 +76,41 @@ TEST(Judge, WhatIsNoNumberNeverPasses)
   EXPECT_EQ(judge_one(s, f).verdict, Verdict::fail);
 }
 
+TEST(Judge, WhatIsInfiniteNeverPasses)
+{
+  Sample s;
+  Finding f = finding(s.add("width"), INFINITY, NAN, NAN);
+  f.at_least = 1.0;
+  EXPECT_EQ(judge_one(s, f).verdict, Verdict::fail);
+  f.value = -INFINITY, f.at_least = NAN, f.at_most = 1.0;
+  EXPECT_EQ(judge_one(s, f).verdict, Verdict::fail);
+}
+
+TEST(Judge, AQuantityThatCouldNotBeMeasuredIsARowThatFailsBesideTheOthers)
+{
+  Sample s;
+  s.file.quantities.reserve(2);
+  const Quantity &bad = s.add("bad"), &good = s.add("good");
+  Finding faulty = finding(bad, NAN, NAN, NAN);
+  faulty.fault = "no point is `where` this says";
+  const auto rows = judge("case", s.file, {{&s.file, &s.coarse, "mpm_gp"}}, {{.findings = {faulty, finding(good, 2.0, 2.0, 0.1)}, .fault = ""}});
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].verdict, Verdict::fail);
+  EXPECT_EQ(rows[0].quantity, "bad");
+  EXPECT_EQ(rows[0].run, "coarse, mpm_gp");
+  EXPECT_EQ(rows[0].remark, "no point is `where` this says");
+  EXPECT_EQ(rows[1].verdict, Verdict::pass);
+}
+
+TEST(Judge, ARowThatIsDeclaredRedAndAgreesIsMarked)
+{
+  Sample s;
+  Quantity& q = s.add("width");
+  EXPECT_FALSE(judge_one(s, finding(q, 2.0, 2.0, 0.1)).declared_red);
+  q.red = "cells are too large";
+  EXPECT_TRUE(judge_one(s, finding(q, 2.0, 2.0, 0.1)).declared_red);
+}
+
 TEST(Judge, ARedRowThatTheCaseDeclaresIsRedAndNotPass)
 {
   Sample s;

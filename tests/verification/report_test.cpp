@@ -23,6 +23,14 @@ TEST(Report, CountsEachKindAndSaysWhichRedIsKnown)
   EXPECT_EQ(counts_text({.pass = 4, .red = 0, .fail = 0}), "4 rows: 4 pass, 0 red");
 }
 
+TEST(Report, ARowThatAgreesThoughItIsDeclaredRedIsToldAndCounted)
+{
+  auto pages = sample();
+  pages[0].rows[0].declared_red = true;
+  EXPECT_THAT(counts_text(count(pages)), HasSubstr("(1 declared red, but agree)"));
+  EXPECT_THAT(text_table(pages[0]), HasSubstr("  ? stress <zz>, h = 1 m, mpm_gp: declared red in expected.toml, but agrees. Take `red` away, or name in `red_runs`"));
+}
+
 TEST(Report, TheTextNamesEveryColumnAndTheReasons)
 {
   const std::string text = text_table(sample()[0]);

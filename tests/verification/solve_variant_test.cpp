@@ -70,25 +70,61 @@ TEST(SolveVariant, LedgerSummaryAndFormulasOfEarlierQuantities)
   EXPECT_EQ(solved.findings[0].reference, 250.0);
 }
 
+/// What is wrong with the only finding.
+std::string fault_of(const std::string& lines) { return find(lines).fault; }
+
 TEST(SolveVariant, ATimeWithoutAFrameIsRefused)
 {
-  const Solved solved = solve(quantity("name = \"path\"\nvalue = \"ux\"\ntime = 0.25\nreference = \"V*t\"\ntolerance = 1"));
-  EXPECT_THAT(solved.fault, HasSubstr("there is no frame at 0.25 s"));
-  EXPECT_THAT(solved.fault, HasSubstr("Let output.fields.every of the case divide the time."));
+  const std::string fault = fault_of("name = \"path\"\nvalue = \"ux\"\ntime = 0.25\nreference = \"V*t\"\ntolerance = 1");
+  EXPECT_THAT(fault, HasSubstr("there is no frame at 0.25 s"));
+  EXPECT_THAT(fault, HasSubstr("Let output.fields.every of the case divide the time."));
 }
 
 TEST(SolveVariant, APointWhereThereIsNoSoilIsRefused)
 {
-  const Solved solved = solve(quantity("name = \"place\"\nkind = \"point\"\nat = [3.0, 0.1]\nvalue = \"x\"\ntime = 0.3\nreference = 0\ntolerance = 1"));
-  EXPECT_THAT(solved.fault, HasSubstr("there is no soil at x = 3 m, y = 0.1 m"));
-  EXPECT_THAT(solved.fault, HasSubstr("Choose a place in a body at t = 0."));
+  const std::string fault = fault_of("name = \"place\"\nkind = \"point\"\nat = [3.0, 0.1]\nvalue = \"x\"\ntime = 0.3\nreference = 0\ntolerance = 1");
+  EXPECT_THAT(fault, HasSubstr("there is no soil at x = 3 m, y = 0.1 m"));
+  EXPECT_THAT(fault, HasSubstr("Choose a place in a body at t = 0."));
 }
 
 TEST(SolveVariant, AFormulaThatCannotBeReadIsRefusedAtItsPlace)
 {
-  const Solved solved = solve(quantity("name = \"path\"\nvalue = \"uz\"\nreference = 0\ntolerance = 1"));
-  EXPECT_THAT(solved.fault, HasSubstr("expected.toml:7:9: this formula cannot be evaluated"));
-  EXPECT_THAT(solved.fault, HasSubstr("`uz` is not known here"));
+  const std::string fault = fault_of("name = \"path\"\nvalue = \"uz\"\nreference = 0\ntolerance = 1");
+  EXPECT_THAT(fault, HasSubstr("expected.toml:7:9: this formula cannot be evaluated"));
+  EXPECT_THAT(fault, HasSubstr("`uz` is not known here"));
+}
+
+TEST(SolveVariant, AWrongQuantityCostsNoOther)
+{
+  const std::string good = "value = \"x-x0\"\ntime = 0.2\nreduce = \"max_error\"\nreference = \"V*t\"\ntolerance = 1e-9";
+  const Solved solved = solve(quantity("name = \"nowhere\"\nwhere = \"x0 > 99\"\n" + good) + quantity("name = \"no place\"\nkind = \"point\"\nat = [3.0, 0.1]\nvalue = \"x\"\nas = \"p\"") +
+                              quantity("name = \"path\"\n" + good) + quantity("name = \"of p\"\nkind = \"formula\"\nvalue = \"2*p\"\nreference = 1\ntolerance = 1"));
+  EXPECT_EQ(solved.fault, "");
+  ASSERT_EQ(solved.findings.size(), 4u);
+  EXPECT_THAT(solved.findings[0].fault, HasSubstr("no point is `where` this says"));
+  EXPECT_THAT(solved.findings[1].fault, HasSubstr("there is no soil at x = 3 m"));
+  EXPECT_EQ(solved.findings[2].fault, "");
+  EXPECT_LT(solved.findings[2].value, 1e-12);
+  EXPECT_THAT(solved.findings[3].fault, HasSubstr("`p` is not known here"));
+}
+
+TEST(SolveVariant, TolerancesAndScalesThatAreNoneAreRefused)
+{
+  const std::string path = "name = \"path\"\nvalue = \"x\"\nreduce = \"max_error\"\nreference = 0\n";
+  EXPECT_THAT(fault_of(path + "tolerance = -0.1"), HasSubstr("`tolerance` must be a finite number, 0 or more"));
+  EXPECT_THAT(fault_of(path + "tolerance = \"1/0\""), HasSubstr("Got inf."));
+  EXPECT_THAT(fault_of(path + "tolerance = 1\nscale = \"-V\""), HasSubstr("`scale` must be a finite number, greater than 0"));
+  const std::string mean = "name = \"mean\"\nvalue = \"x\"\nreduce = \"mean\"\n";
+  EXPECT_THAT(fault_of(mean + "reference = 1\nrelative = \"-V\""), HasSubstr("`relative` must be a finite number, 0 or more"));
+  EXPECT_THAT(fault_of(mean + "at_least = \"sqrt(-V)\""), HasSubstr("`at_least` must be a finite number\n"));
+}
+
+TEST(SolveVariant, OneValueThatIsNoNumberMakesTheLargestNone)
+{
+  const Finding f = find("name = \"largest\"\nvalue = \"sqrt(x0-1)\"\nreduce = \"max\"\nat_least = 0");
+  EXPECT_EQ(f.fault, "");
+  EXPECT_TRUE(std::isnan(f.value));
+  EXPECT_TRUE(std::isnan(find("name = \"mean\"\nvalue = \"x0\"\nwhere = \"sqrt(x0-1)\"\nreduce = \"mean\"\nat_least = 0").value));
 }
 
 TEST(SolveVariant, AKeyThatTheCaseDoesNotSetIsNoConstant)

@@ -1,0 +1,69 @@
+// When soil comes to the sides of the mesh.
+#include "simulation/reached_sides.hpp"
+
+#include "simulation/ledger.hpp"
+#include "simulation/setup.hpp"
+#include "simulation/state_image.hpp"
+#include "support/cases.hpp"
+#include "support/simulations.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+/// A box that flies to the right at 10 m/s, 1 m from the side; a cell is 0.25 m, its points are 0.025 m inside its face.
+Case flying_box()
+{
+  Case c = test::free_box("mpm_gp", {2.0, 0.0}, {3.0, 1.0});
+  c.bodies[0].velocity = {10.0, 0.0};
+  return c;
+}
+
+std::vector<ReachedSide> run_until(Real time, test::Simulation& s)
+{
+  while (s.state.time < time) {
+    s.step();
+    follow_sides(s.model, s.state);
+  }
+  return list_reached_sides(s.model, s.state);
+}
+
+TEST(ReachedSides, TheFirstPointInACellAtTheSideIsNoted)
+{
+  test::Simulation s(flying_box());
+  EXPECT_TRUE(list_reached_sides(s.model, s.state).empty());  // the bottom has soil from the start
+  EXPECT_TRUE(run_until(0.070, s).empty());                   // 0.75 m + 0.025 m to go
+  const auto reached = run_until(0.085, s);
+  ASSERT_EQ(reached.size(), 1u);
+  EXPECT_EQ(reached[0].side, "right");
+  EXPECT_NEAR(reached[0].time, 0.0775, 0.0775 * 0.01 + s.model.dt);
+  const auto later = run_until(0.095, s);
+  EXPECT_EQ(later[0].time, reached[0].time);
+}
+
+TEST(ReachedSides, AnOpenSideIsNone)
+{
+  Case c = flying_box();
+  c.sides.push_back(test::side("right", SideKind::open));
+  test::Simulation s(c);
+  EXPECT_TRUE(run_until(0.085, s).empty());
+}
+
+TEST(ReachedSides, AreKeptInCheckpoints)
+{
+  test::Simulation s(flying_box());
+  start_audit(s.model, s.state);
+  run_until(0.085, s);
+  const State back = restore(s.model, make_image(s.state));
+  ASSERT_EQ(list_reached_sides(s.model, back).size(), 1u);
+  EXPECT_EQ(list_reached_sides(s.model, back)[0].time, list_reached_sides(s.model, s.state)[0].time);
+  StateImage older = make_image(s.state);
+  std::erase_if(older.arrays, [](const NamedArray& array) { return array.name == "side_reached"; });
+  EXPECT_TRUE(list_reached_sides(s.model, restore(s.model, older)).empty());
+}
+
+}  // namespace
+}  // namespace terp
