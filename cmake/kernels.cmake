@@ -5,7 +5,7 @@
 file(GLOB TERP_KERNEL_SOURCES CONFIGURE_DEPENDS src/materials/*.cpp)
 list(REMOVE_ITEM TERP_KERNEL_SOURCES ${PROJECT_SOURCE_DIR}/src/materials/material.cpp)
 list(APPEND TERP_KERNEL_SOURCES ${PROJECT_SOURCE_DIR}/src/parallel/machine.cpp ${PROJECT_SOURCE_DIR}/src/simulation/kernels.cpp
-                                ${PROJECT_SOURCE_DIR}/src/simulation/step.cpp)
+                                ${PROJECT_SOURCE_DIR}/src/simulation/step.cpp ${PROJECT_SOURCE_DIR}/src/simulation/totals.cpp)
 # Compiled for each set, and once more for what calls them before the first step (seeding) and for their tests.
 set(TERP_SHARED_KERNEL_SOURCES src/mesh/locate.cpp src/points/move.cpp src/transfer/gauss_average.cpp)
 

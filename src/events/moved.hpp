@@ -3,12 +3,60 @@
 
 #include "points/point_blocks.hpp"
 
+#include <limits>
 #include <span>
 
 namespace terp {
 
-/// Volume of the points that lie farther than `distance` [m] from their first places [m^2]. x_initial: by id, shape [n_points, 2] [m].
-Real moved_volume(const PointBlocks<2>& points, std::span<const Real> x_initial, Real distance);
+/// Soil that lies farther than some distance from its first place.
+struct MovedSoil {
+  Real volume = 0.0;                                                ///< [m^2]
+  Real reach_left = std::numeric_limits<Real>::quiet_NaN();         ///< smallest x of what came to the left [m]; NaN: nothing did
+  Real reach_right = std::numeric_limits<Real>::quiet_NaN();        ///< largest x of what came to the right [m]; NaN: nothing did
+};
+
+/// Finds it block by block. Sums go by lane, so that their order is that of the blocks alone.
+class MovedSearch {
+ public:
+  /// x_initial: by id, shape [n_points, 2] [m]; distance: from where on soil counts as moved [m].
+  MovedSearch(std::span<const Real> x_initial, Real distance) : first_(x_initial.data()), square_(distance * distance) {}
+
+  /// The points p ... p + 7 of a block.
+  void enter(const PointBlock<2>& block, Index p)
+  {
+    using Rows = PointRows<2>;
+    const Index n = block.n - p;
+    const Real* id = block.row(Rows::id) + p;
+    const Pack x = Pack::load(block.row(Rows::x) + p);
+    const Pack dx = x - Pack::gather(first_, 2, id, n), dy = Pack::load(block.row(Rows::x + 1) + p) - Pack::gather(first_ + 1, 2, id, n);
+    const Mask moved = (dx * dx + dy * dy > Pack(square_)) & (lane_numbers() < Pack(static_cast<Real>(n)));
+    volume_ += select(moved, Pack::load(block.row(Rows::volume) + p), Pack(0.0));
+    left_ = min(left_, select(moved & (dx < Pack(0.0)), x, left_));
+    right_ = max(right_, select(moved & (dx > Pack(0.0)), x, right_));
+  }
+
+  MovedSoil found() const
+  {
+    MovedSoil soil{.volume = sum(volume_)};
+    for (int k = 0; k < pack_width; ++k) {
+      if (left_[k] < std::numeric_limits<Real>::infinity() && !(left_[k] >= soil.reach_left)) soil.reach_left = left_[k];
+      if (right_[k] > -std::numeric_limits<Real>::infinity() && !(right_[k] <= soil.reach_right)) soil.reach_right = right_[k];
+    }
+    return soil;
+  }
+
+ private:
+  const Real* first_;
+  Real square_;
+  Pack volume_{0.0};
+  Pack left_{std::numeric_limits<Real>::infinity()}, right_{-std::numeric_limits<Real>::infinity()};
+};
+
+/// What two parts of the soil moved.
+MovedSoil join(const MovedSoil& a, const MovedSoil& b);
+
+/// The soil that lies farther than `distance` [m] from its first place.
+MovedSoil find_moved(const PointBlocks<2>& points, std::span<const Real> x_initial, Real distance);
 
 /// Plastic strain below which soil counts as intact [-]: a hundredth. Strength that softens with eta = 50 has then lost two fifths of
 /// what it can lose; a shear band strains a hundred times as much.
@@ -17,8 +65,5 @@ inline constexpr Real intact_strain = 0.01;
 /// Share of the volume that moved whose eps_eq_p is below `intact_strain` [-]; NaN if no such soil moved. strain_rows: by material the
 /// state variable that is eps_eq_p, -1: none, and soil of that material is left out.
 Real intact_share(const PointBlocks<2>& points, std::span<const Real> x_initial, Real distance, std::span<const int> strain_rows);
-
-/// Smallest x of the points that came farther than `distance` to the left, and largest of those that came to the right [m]; NaN: none did.
-std::array<Real, 2> reach(const PointBlocks<2>& points, std::span<const Real> x_initial, Real distance);
 
 }  // namespace terp

@@ -83,7 +83,10 @@ std::optional<Slope> find_slope(const Section& section, Facing facing)
 
 Columns columns_between(Real left, Real right, Real width) { return {left, width, static_cast<Index>(std::ceil((right - left) / width - 1e-9))}; }
 
-Section look_at_section(const PointBlocks<2>& points, Columns columns) { return {columns, surface_heights(points, columns), lowest(points)}; }
+Section look_at_section(const Mesh<2>& mesh, const PointBlocks<2>& points, Columns columns)
+{
+  return {columns, surface_heights(mesh, points, columns), lowest(points)};
+}
 
 Real relief(const Section& section) { return highest(section) - std::min(foot(section, Facing::right), foot(section, Facing::left)); }
 

@@ -29,7 +29,7 @@ struct Section {
 };
 
 /// The surface of the points as they are.
-Section look_at_section(const PointBlocks<2>& points, Columns columns);
+Section look_at_section(const Mesh<2>& mesh, const PointBlocks<2>& points, Columns columns);
 
 /// Columns that cover `left` to `right` [m].
 Columns columns_between(Real left, Real right, Real width);

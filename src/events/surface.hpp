@@ -1,6 +1,7 @@
 // The ground surface as the material points draw it: the highest point in each column of one cell's width.
 #pragma once
 
+#include "mesh/mesh.hpp"
 #include "points/point_blocks.hpp"
 
 #include <vector>
@@ -12,13 +13,15 @@ struct Columns {
   Real left = 0.0;   ///< left edge of the first column [m]
   Real width = 0.0;  ///< [m]
   Index n = 0;
+  Real right() const { return left + width * n; }  ///< right edge of the last column [m]
 };
 
-/// Height of the highest point in each column [m], shape [n]; minus infinity where a column holds no point.
-std::vector<Real> surface_heights(const PointBlocks<2>& points, const Columns& columns);
+/// Height of the highest point in each column [m], shape [n]; minus infinity where a column holds no point. Looks only into cells that reach
+/// above what was found so far, the last cells first.
+std::vector<Real> surface_heights(const Mesh<2>& mesh, const PointBlocks<2>& points, const Columns& columns);
 
 /// Smallest and largest x of all material points [m]; NaN if there are none.
-std::array<Real, 2> extent_in_x(const PointBlocks<2>& points);
+std::array<Real, 2> extent_in_x(const Mesh<2>& mesh, const PointBlocks<2>& points);
 
 /// Smallest y of all material points [m].
 Real lowest(const PointBlocks<2>& points);

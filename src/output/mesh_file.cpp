@@ -15,7 +15,7 @@ using vtkhdf::root;
 using vtkhdf::steps;
 
 constexpr std::uint8_t vtk_quad = 9;              // VTK_QUAD of vtkCellType.h
-constexpr int compression = 3;
+constexpr int compression = 1;
 constexpr std::int64_t header_bytes = 16 << 10;   // of one table
 constexpr int n_tables = 25;
 constexpr std::int64_t largest_chunk = 1 << 15;   // rows

@@ -15,6 +15,9 @@ struct MaterialType;  // of rooms to the right: known here by name only
 struct Model;
 struct State;
 struct Workspace;
+class Threads;
+struct Totals;
+struct Columns;
 
 /// One step of one scheme (simulation/step.hpp).
 using StepFunction = void (*)(const Model&, State&, Workspace&);
@@ -24,6 +27,7 @@ struct Kernels {
   std::string_view instructions;                    ///< name of the set
   std::span<const MaterialType* const> materials;   ///< in the order of materials.def
   StepFunction (*find_step)(std::string_view scheme);  ///< nullptr if there is no such scheme
+  Totals (*add_up)(const Model&, State&, Threads&, Real moved_distance, std::span<const Columns> shear);  ///< simulation/totals.hpp
   double (*measure_triad)(std::size_t bytes);       ///< machine.hpp
   double (*measure_multiply_add)();
 };

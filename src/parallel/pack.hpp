@@ -130,6 +130,21 @@ struct alignas(64) Pack {
   {
     return detail::each_part<Pack>([&](int k) { return *reinterpret_cast<const detail::Reals*>(p + k * detail::register_width); });
   }
+  /// from[stride * index[k]] in lane k < n, zero beyond. index: whole numbers not below 0, 64-byte aligned, shape [pack_width].
+  static Pack gather(const Real* from, int stride, const Real* index, Index n)
+  {
+#if defined(__AVX512DQ__)
+    const auto lanes = static_cast<__mmask8>(n < pack_width ? (1u << n) - 1u : 0xffu);
+    const __m512i numbers = _mm512_mullo_epi64(_mm512_cvttpd_epi64(_mm512_load_pd(index)), _mm512_set1_epi64(stride));
+    Pack a;
+    a.part[0] = detail::Reals(_mm512_mask_i64gather_pd(_mm512_setzero_pd(), lanes, numbers, from, sizeof(Real)));
+    return a;
+#else
+    alignas(64) Real numbers[pack_width] = {};
+    for (Index k = 0; k < pack_width && k < n; ++k) numbers[k] = from[stride * static_cast<std::ptrdiff_t>(index[k])];
+    return load(numbers);
+#endif
+  }
   void store(Real* p) const
   {
     [&]<int... k>(std::integer_sequence<int, k...>) {

@@ -1,6 +1,5 @@
 #include "simulation/failure.hpp"
 
-#include "events/moved.hpp"
 #include "simulation/ledger.hpp"
 
 #include <algorithm>
@@ -33,32 +32,48 @@ Columns columns_of(const State& state, const Slope& slope)
   return columns;
 }
 
-void follow_slip(const Model& model, const State& state, SlopeFailure& slope)
+/// Growth of eps_eq_p since the last ledger row, in the order of for_each_point; seven digits are enough. Below 0 where MPM-Mixed averages it away.
+std::vector<float> growth_of_strain(const Model& model, const State& state)
+{
+  std::vector<float> growth;
+  growth.reserve(static_cast<std::size_t>(state.points.n_points()));
+  for_each_block(state.points, [&](const PointBlock<2>& block) {
+    const int strain = find_eps_eq_p(*model.materials[block.material].type);
+    for (Index lane = 0; lane < block.n; ++lane) {
+      const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
+      growth.push_back(strain < 0 ? 0.0f : static_cast<float>(block.row(PointRows<2>::state + strain)[lane] - state.audit.last_eps_eq_p[id]));
+    }
+  });
+  return growth;
+}
+
+/// growth: of the strain, summed over the volume that belongs to the slope [m^2].
+void follow_slip(const Model& model, const State& state, Real growth, SlopeFailure& slope)
 {
   const auto& time = slope.crest.time;
   if (time.size() < 2) return;
   slope.slip.resize(std::max({std::size_t{1}, slope.slip.size(), count_slides(slope)}));
   SlipSurface& slip = slope.slip.back();
-  const Columns columns = columns_of(state, slope.crest.slope);
-  const auto& growth = state.audit.growth;
-  const Real rate = total_growth(state.points, growth, columns) / (time.back() - time[time.size() - 2]);
+  const Real rate = growth / (time.back() - time[time.size() - 2]);
   if (!(rate > slip.rate)) return;
-  slip = {.time = time.back(), .rate = rate, .line = find_slip_line(state.points, mean_over_nodes(model.mesh, state.points, growth), columns)};
+  const auto smooth = mean_over_nodes(model.mesh, state.points, growth_of_strain(model, state));
+  slip = {.time = time.back(), .rate = rate, .line = find_slip_line(state.points, smooth, columns_of(state, slope.crest.slope))};
 }
 
-/// Fronts of the slopes to the left and to the right [m]; NaN where nothing came that way yet and the toe is not free.
-std::array<Real, 2> fronts(const State& state)
+/// Where the fronts of the slopes to the left and to the right are [m]; NaN where nothing came that way yet and the toe is not free.
+using Fronts = std::array<Real, 2>;
+
+Fronts find_fronts(const Model& model, const State& state, const MovedSoil& moved)
 {
-  std::array<Real, 2> x{std::nan(""), std::nan("")};
+  Fronts x{std::nan(""), std::nan("")};
   for (const SlopeFailure& slope : state.slopes) {
     const std::size_t side = slope.crest.slope.facing == Facing::left ? 0 : 1;
-    const auto both = slope.crest.slope.free_toe ? extent_in_x(state.points) : reach(state.points, state.x_initial, moved_distance(state.section));
-    x[side] = both[side];
+    x[side] = slope.crest.slope.free_toe ? extent_in_x(model.mesh, state.points)[side] : side == 0 ? moved.reach_left : moved.reach_right;
   }
   return x;
 }
 
-Real front_of(const std::array<Real, 2>& x, Facing facing) { return x[facing == Facing::left ? 0 : 1]; }
+Real front_of(const Fronts& x, Facing facing) { return x[facing == Facing::left ? 0 : 1]; }
 
 /// Where the soil in front of a slope ended at t = 0, or the toe of the slope if it is not free [m].
 Real first_front(const State& state, const Slope& slope)
@@ -72,17 +87,17 @@ Real first_front(const State& state, const Slope& slope)
 }
 
 /// How far the front of a slope has come [m]; NaN without a front.
-Real run_out_of(const State& state, const Slope& slope)
+Real run_out_of(const State& state, const Fronts& fronts, const Slope& slope)
 {
-  const Real way = outwards(slope.facing) * (front_of(fronts(state), slope.facing) - first_front(state, slope));
+  const Real way = outwards(slope.facing) * (front_of(fronts, slope.facing) - first_front(state, slope));
   return slope.free_toe || std::isnan(way) ? way : std::max(way, 0.0);
 }
 
 /// The slides of a slope. Of two slopes one may merely lose the soil that slides the other way: its front did not come out.
-std::vector<SlideSummary> slides_of(const State& state, const SlopeFailure& slope)
+std::vector<SlideSummary> slides_of(const State& state, const Fronts& fronts, const SlopeFailure& slope)
 {
   std::vector<SlideSummary> list;
-  const Real run_out = run_out_of(state, slope.crest.slope);
+  const Real run_out = run_out_of(state, fronts, slope.crest.slope);
   if (state.slopes.size() > 1 && !(slope.crest.slope.free_toe ? run_out > 0.0 : run_out >= 0.0)) return list;
   for (const Slide& slide : find_slides(slope.crest))
     list.push_back({slide, list.size() < slope.slip.size() ? slope.slip[list.size()] : SlipSurface{}});
@@ -90,11 +105,11 @@ std::vector<SlideSummary> slides_of(const State& state, const SlopeFailure& slop
 }
 
 /// The slope whose front came farthest; the first of those that came equally far; none without slopes.
-const SlopeFailure* main_slope(const State& state)
+const SlopeFailure* main_slope(const State& state, const Fronts& fronts)
 {
   const SlopeFailure* best = nullptr;
   const auto come = [&](const SlopeFailure& slope) {
-    const Real way = run_out_of(state, slope.crest.slope);
+    const Real way = run_out_of(state, fronts, slope.crest.slope);
     return std::isnan(way) ? -1.0 : way;
   };
   for (const SlopeFailure& slope : state.slopes)
@@ -111,39 +126,47 @@ Real total_volume(const PointBlocks<2>& points)
 
 std::optional<Real> finite(Real value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
 
-void summarise_slope(const State& state, const SlopeFailure& main, Summary& s)
+void summarise_slope(const Model& model, const State& state, const Fronts& fronts, const SlopeFailure& main, Summary& s)
 {
   const Slope& slope = main.crest.slope;
   s.facing = slope.facing;
   s.free_toe = slope.free_toe;
-  s.front_x = front_of(fronts(state), slope.facing);
-  s.run_out = run_out_of(state, slope);
-  const auto heights = surface_heights(state.points, state.section.columns);
+  s.front_x = front_of(fronts, slope.facing);
+  s.run_out = run_out_of(state, fronts, slope);
+  const auto heights = surface_heights(model.mesh, state.points, state.section.columns);
   const Standing standing = find_standing(state.section, slope, state.slopes.size() == 1, heights);
   s.crest_x = finite(find_crest(state.section, slope, standing));
   s.crest_y = finite(crest_height(state.section, slope, standing, heights));
-  const auto slides = slides_of(state, main);
+  const auto slides = slides_of(state, fronts, main);
   s.second_failure_time = slides.size() > 1 ? std::optional(slides[1].slide.begins) : std::nullopt;
 }
 
 }  // namespace
 
-void start_following(Columns columns, State& state)
+void start_following(const Model& model, Columns columns, State& state)
 {
-  state.section = look_at_section(state.points, columns);
+  state.section = look_at_section(model.mesh, state.points, columns);
   state.slopes.clear();
   for (const Slope& slope : find_slopes(state.section))
     state.slopes.push_back({{.slope = slope, .width = columns.width, .time = {}, .x = {}, .kinetic = {}}, {}});
 }
 
-void follow_failure(const Model& model, State& state, LedgerRow& row)
+std::vector<Columns> shear_columns(const State& state)
+{
+  std::vector<Columns> columns;
+  for (const SlopeFailure& slope : state.slopes) columns.push_back(columns_of(state, slope.crest.slope));
+  return columns;
+}
+
+void follow_failure(const Model& model, const Totals& totals, State& state, LedgerRow& row)
 {
   const Real none = std::nan("");
   row.front_x = row.crest_x = row.crest_y = row.front_left_x = row.crest_left_x = row.crest_left_y = none;
-  const auto front = fronts(state);
-  const auto heights = surface_heights(state.points, state.section.columns);
-  row.moved_volume = moved_volume(state.points, state.x_initial, moved_distance(state.section));
-  for (SlopeFailure& slope : state.slopes) {
+  const Fronts fronts = find_fronts(model, state, totals.moved);
+  const auto heights = surface_heights(model.mesh, state.points, state.section.columns);
+  row.moved_volume = totals.moved.volume;
+  for (std::size_t k = 0; k < state.slopes.size(); ++k) {
+    SlopeFailure& slope = state.slopes[k];
     CrestHistory& crest = slope.crest;
     const bool left = crest.slope.facing == Facing::left;
     const Standing standing = find_standing(state.section, crest.slope, state.slopes.size() == 1, heights);
@@ -151,21 +174,23 @@ void follow_failure(const Model& model, State& state, LedgerRow& row)
     crest.time.push_back(row.time);
     crest.x.push_back(std::isnan(x) ? back_of(state.section, crest.slope) : x);
     crest.kinetic.push_back(row.kinetic_nodal);
-    (left ? row.front_left_x : row.front_x) = front_of(front, crest.slope.facing);
+    (left ? row.front_left_x : row.front_x) = front_of(fronts, crest.slope.facing);
     (left ? row.crest_left_x : row.crest_x) = crest.x.back();
     (left ? row.crest_left_y : row.crest_y) = crest_height(state.section, crest.slope, standing, heights);
-    follow_slip(model, state, slope);
+    follow_slip(model, state, totals.growth[k], slope);
   }
 }
 
 void summarise_failure(const Model& model, const State& state, Summary& s)
 {
-  if (const SlopeFailure* main = main_slope(state)) summarise_slope(state, *main, s);
-  for (const SlopeFailure& slope : state.slopes)
-    for (SlideSummary& slide : slides_of(state, slope)) s.slides.push_back(std::move(slide));
-  std::stable_sort(s.slides.begin(), s.slides.end(), [](const auto& a, const auto& b) { return a.slide.begins < b.slide.begins; });
   s.moved_distance = moved_distance(state.section);
-  s.moved_volume = moved_volume(state.points, state.x_initial, s.moved_distance);
+  const MovedSoil moved = find_moved(state.points, state.x_initial, s.moved_distance);
+  const Fronts fronts = find_fronts(model, state, moved);
+  if (const SlopeFailure* main = main_slope(state, fronts)) summarise_slope(model, state, fronts, *main, s);
+  for (const SlopeFailure& slope : state.slopes)
+    for (SlideSummary& slide : slides_of(state, fronts, slope)) s.slides.push_back(std::move(slide));
+  std::stable_sort(s.slides.begin(), s.slides.end(), [](const auto& a, const auto& b) { return a.slide.begins < b.slide.begins; });
+  s.moved_volume = moved.volume;
   const Real volume = total_volume(state.points);
   s.moved_fraction = volume > 0.0 ? s.moved_volume / volume : 0.0;
   std::vector<int> strain_rows;

@@ -21,18 +21,40 @@ std::array<Real, 4> strain_of(const PointBlock<2>& block, Index lane)
   return strain;
 }
 
-/// A field's name, unit, size and how to read one point's values into `out`.
+/// Where the points of a block stand in a frame, by lane; `nowhere`: not in this part of it.
+using Places = std::span<const std::size_t>;
+constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
+
+/// A field's name, unit, size and how to read the values of a block into those of the frame.
 struct FieldRecipe {
   std::string name, unit;
   int n_components;
-  std::function<void(const PointBlock<2>&, Index, Real* out)> read;
+  std::function<void(const PointBlock<2>&, Places, Real* values)> read;
 };
+
+/// Calls f(lane, out) for the points of a block that are in the frame; out: their n_components values.
+template <class F>
+void for_each_place(const PointBlock<2>& block, Places places, int n_components, Real* values, F&& f)
+{
+  for (Index lane = 0; lane < block.n; ++lane)
+    if (const std::size_t place = places[static_cast<std::size_t>(lane)]; place != nowhere)
+      f(lane, values + place * static_cast<std::size_t>(n_components));
+}
+
+/// read(block, lane, out): the values of one point.
+template <class F>
+FieldRecipe recipe(std::string name, std::string unit, int n_components, F read)
+{
+  return {std::move(name), std::move(unit), n_components, [=](const PointBlock<2>& block, Places places, Real* values) {
+            for_each_place(block, places, n_components, values, [&](Index lane, Real* out) { read(block, lane, out); });
+          }};
+}
 
 FieldRecipe rows_recipe(std::string name, std::string unit, int first_row, int n_rows, int n_components)
 {
-  return {std::move(name), std::move(unit), n_components, [=](const PointBlock<2>& block, Index lane, Real* out) {
-            for (int k = 0; k < n_rows; ++k) out[k] = block.row(first_row + k)[lane];
-          }};
+  return recipe(std::move(name), std::move(unit), n_components, [=](const PointBlock<2>& block, Index lane, Real* out) {
+    for (int k = 0; k < n_rows; ++k) out[k] = block.row(first_row + k)[lane];
+  });
 }
 
 /// Fields of every point, whatever its material. Vectors have three components, as viewers expect.
@@ -40,18 +62,18 @@ std::vector<FieldRecipe> common_recipes(const Model& model, const State& state)
 {
   std::vector<FieldRecipe> recipes;
   recipes.push_back(rows_recipe("velocity", "m/s", Rows::v, 2, 3));
-  recipes.push_back({"displacement", "m", 3, [&](const PointBlock<2>& block, Index lane, Real* out) {
-                       for (int d = 0; d < 2; ++d) out[d] = block.row(Rows::x + d)[lane] - state.x_initial[2 * id_of(block, lane) + d];
-                     }});
+  recipes.push_back(recipe("displacement", "m", 3, [&state](const PointBlock<2>& block, Index lane, Real* out) {
+    for (int d = 0; d < 2; ++d) out[d] = block.row(Rows::x + d)[lane] - state.x_initial[2 * id_of(block, lane) + d];
+  }));
   recipes.push_back(rows_recipe("stress", "Pa", Rows::sigma, n_sym<2>, n_sym<2>));
   recipes.push_back(rows_recipe("volume", "m^2", Rows::volume, 1, 1));
-  recipes.push_back({"material", "-", 1, [](const PointBlock<2>& block, Index, Real* out) { *out = block.material; }});
-  recipes.push_back({"cell", "-", 1, [](const PointBlock<2>& block, Index, Real* out) { *out = block.cell; }});
+  recipes.push_back(recipe("material", "-", 1, [](const PointBlock<2>& block, Index, Real* out) { *out = block.material; }));
+  recipes.push_back(recipe("cell", "-", 1, [](const PointBlock<2>& block, Index, Real* out) { *out = block.cell; }));
   recipes.push_back(rows_recipe("strain", "-", Rows::strain, n_sym<2>, n_sym<2>));
   const DeviatoricNorm norm = model.description.output.deviatoric_norm;
-  recipes.push_back({"eps_deviatoric", "-", 1, [norm](const PointBlock<2>& block, Index lane, Real* out) {
-                       *out = deviatoric_strain(strain_of(block, lane), norm);
-                     }});
+  recipes.push_back(recipe("eps_deviatoric", "-", 1, [norm](const PointBlock<2>& block, Index lane, Real* out) {
+    *out = deviatoric_strain(strain_of(block, lane), norm);
+  }));
   return recipes;
 }
 
@@ -63,25 +85,25 @@ bool known(const std::vector<FieldRecipe>& recipes, std::string_view name)
 /// State and derived fields of all materials; NaN at points whose material has no such field.
 void add_material_recipes(const Model& model, std::vector<FieldRecipe>& recipes)
 {
-  const auto add = [&](std::string_view name, std::string_view unit, auto read) {
-    if (!known(recipes, name)) recipes.push_back({std::string(name), std::string(unit), 1, read});
+  /// value(material, number of the field, block, lane); infos: the fields of a material.
+  const auto add = [&](const auto& info, auto infos, auto value) {
+    if (known(recipes, info.name)) return;
+    recipes.push_back({std::string(info.name), std::string(info.unit), 1,
+                       [&model, name = info.name, infos, value](const PointBlock<2>& block, Places places, Real* values) {
+                         const SoilMaterial& material = model.materials[block.material];
+                         const int k = find_name(infos(*material.type), name);
+                         for_each_place(block, places, 1, values, [&](Index lane, Real* out) { *out = k < 0 ? nan : value(material, k, block, lane); });
+                       }});
   };
   for (const SoilMaterial& m : model.materials) {
     for (const StateInfo& info : m.type->state)
-      add(info.name, info.unit, [&model, name = info.name](const PointBlock<2>& block, Index lane, Real* out) {
-        const auto states = model.materials[block.material].type->state;
-        *out = nan;
-        for (std::size_t k = 0; k < states.size(); ++k)
-          if (states[k].name == name) *out = block.row(Rows::state + static_cast<int>(k))[lane];
-      });
+      add(info, [](const MaterialType& type) { return type.state; },
+          [](const SoilMaterial&, int k, const PointBlock<2>& block, Index lane) { return block.row(Rows::state + k)[lane]; });
     for (const DerivedInfo& info : m.type->derived)
-      add(info.name, info.unit, [&model, name = info.name](const PointBlock<2>& block, Index lane, Real* out) {
-        const SoilMaterial& material = model.materials[block.material];
-        const auto fields = material.type->derived;
-        *out = nan;
-        for (std::size_t k = 0; k < fields.size(); ++k)
-          if (fields[k].name == name) *out = material.law->derived(static_cast<int>(k), state_of(block, lane, material.n_state()).data());
-      });
+      add(info, [](const MaterialType& type) { return type.derived; },
+          [](const SoilMaterial& material, int k, const PointBlock<2>& block, Index lane) {
+            return material.law->derived(k, state_of(block, lane, material.n_state()).data());
+          });
   }
 }
 
@@ -175,11 +197,17 @@ Frame make_frame(const Model& model, const State& state, std::int64_t first, std
   const auto size = static_cast<std::size_t>(n);
   Frame frame{.time = state.time, .step = state.step, .x = std::vector<Real>(2 * size), .fields = {}, .first = first, .n_all = state.n_ids()};
   for (const FieldRecipe& r : recipes) frame.fields.push_back({r.name, r.unit, r.n_components, std::vector<Real>(size * r.n_components, 0.0)});
-  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
-    const std::size_t k = id_of(block, lane) - static_cast<std::size_t>(first);  // wraps below `first`
-    if (k >= size) return;
-    for (int d = 0; d < 2; ++d) frame.x[2 * k + d] = block.row(Rows::x + d)[lane];
-    for (std::size_t r = 0; r < recipes.size(); ++r) recipes[r].read(block, lane, &frame.fields[r].values[k * recipes[r].n_components]);
+  std::vector<std::size_t> places;
+  for_each_block(state.points, [&](const PointBlock<2>& block) {
+    places.clear();
+    for (Index lane = 0; lane < block.n; ++lane) {
+      const std::size_t place = id_of(block, lane) - static_cast<std::size_t>(first);  // wraps below `first`
+      places.push_back(place < size ? place : nowhere);
+    }
+    for_each_place(block, places, 2, frame.x.data(), [&](Index lane, Real* out) {
+      for (int d = 0; d < 2; ++d) out[d] = block.row(Rows::x + d)[lane];
+    });
+    for (std::size_t r = 0; r < recipes.size(); ++r) recipes[r].read(block, places, frame.fields[r].values.data());
   });
   mark_left(state, frame);
   return frame;

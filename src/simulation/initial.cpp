@@ -114,7 +114,7 @@ Search seek_equilibrium(const Model& model, State& state, Workspace& work, const
     work.damping_local = model.damping.local;
     work.settling = false;
     reset_history(state, model.n_state);
-    start_following(state.section.columns, state);
+    start_following(model, state.section.columns, state);
     return {.reached = true};
   }
   if (state.equilibrium_steps < initial.max_steps) return {};

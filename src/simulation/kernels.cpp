@@ -6,6 +6,7 @@
 #include "materials/material.hpp"
 #include "parallel/machine.hpp"
 #include "simulation/step.hpp"
+#include "simulation/totals.hpp"
 
 #define TERP_JOIN_(a, b) a##b
 #define TERP_JOIN(a, b) TERP_JOIN_(a, b)
@@ -26,7 +27,7 @@ constexpr const MaterialType* materials[] = {
 #undef TERP_MATERIAL
 };
 
-constexpr Kernels table{TERP_TEXT(TERP_KERNEL_COPY), materials, &find_compiled_step, &measure_triad, &measure_multiply_add};
+constexpr Kernels table{TERP_TEXT(TERP_KERNEL_COPY), materials, &find_compiled_step, &add_up_compiled, &measure_triad, &measure_multiply_add};
 
 }  // namespace
 }  // namespace terp

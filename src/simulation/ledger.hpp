@@ -4,6 +4,7 @@
 #include "simulation/model.hpp"
 #include "simulation/observer.hpp"
 #include "simulation/state.hpp"
+#include "simulation/workspace.hpp"
 
 namespace terp {
 
@@ -16,9 +17,9 @@ Real kinetic_and_elastic_energy(const Model& model, const State& state);
 /// What the works moved so far, and the energy of the start [J per m]: the scale of the energy balance.
 Real energy_exchanged(const State& state);
 
-/// The books as they stand; follows the failure, enters the speed into state.largest_v_999, and audits the history:
+/// The books as they stand, on the threads of the run; follows the failure, enters the speed into state.largest_v_999, and audits the history:
 /// a point whose eps_eq_p fell, or whose S_u rose, since the row before is marked for good.
-LedgerRow keep_ledger(const Model& model, State& state);
+LedgerRow keep_ledger(const Model& model, State& state, Workspace& work);
 
 /// Sizes the audit for the points of a new state.
 void start_audit(const Model& model, State& state);
@@ -26,9 +27,20 @@ void start_audit(const Model& model, State& state);
 /// Share of the volume with S_u below half of its value at no plastic strain; 0 where no material has S_u [-].
 Real softened_fraction(const Model& model, const State& state);
 
+/// Number of the entry called `name`; -1: none.
+int find_name(auto infos, std::string_view name)
+{
+  for (std::size_t k = 0; k < infos.size(); ++k)
+    if (infos[k].name == name) return static_cast<int>(k);
+  return -1;
+}
+
 /// Which state variable of a material is called eps_eq_p, and which derived field su; -1 if none.
 int find_eps_eq_p(const MaterialType& type);
 int find_su(const MaterialType& type);
+
+/// True if S_u is a function of eps_eq_p alone: it need not be remembered beside it.
+bool strain_tells_strength(const SoilMaterial& material);
 
 /// State variables of one point, shape [max_state].
 std::array<Real, max_state> state_of(const PointBlock<2>& block, Index lane, int n_state);

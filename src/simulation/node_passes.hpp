@@ -71,6 +71,7 @@ inline void accelerate_node(const Model& model, const NodeGather& sum, Index i, 
     out_of_balance[d] = sum.mass * model.gravity[d] - sum.internal_force[d];
     node.internal[d] = -sum.internal_force[d];
   }
+  sums.kinetic += 0.5 * sum.mass * (v_0[0] * v_0[0] + v_0[1] * v_0[1]);
   const int k = footing_at(work, model.mesh.nodes[i]);
   const PlacedFooting* const footing = k < 0 ? nullptr : &work.footings[k];
   const auto beside = [&](Vec<2> value) { return footing == nullptr ? value : footing->free_part(value); };

@@ -59,7 +59,7 @@ struct LedgerRow {
   Real time = 0.0;
   std::int64_t step = 0;
   Real kinetic = 0.0;        ///< of the material points
-  Real kinetic_nodal = 0.0;  ///< of the nodes: the part of it that the mesh sees
+  Real kinetic_nodal = 0.0;  ///< of the nodes at the start of the last step: the part of it that the mesh sees
   Real elastic = 0.0;        ///< stored
   Real plastic = 0.0;        ///< dissipated so far
   Real gravity_work = 0.0, damping_work = 0.0, boundary_work = 0.0;  ///< so far

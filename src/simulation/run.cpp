@@ -36,7 +36,7 @@ constexpr double progress_every = 0.25;  // of wall time [s]
 struct Loop {
   const Model& model;
   State& state;
-  const Workspace& work;
+  Workspace& work;
   std::span<Observer* const> observers;
   Clock::time_point start = Clock::now();
   double last_progress = -progress_every;
@@ -67,7 +67,7 @@ struct Loop {
 
   void write_ledger()
   {
-    const LedgerRow row = keep_ledger(model, state);
+    const LedgerRow row = keep_ledger(model, state, work);
     tell([&](Observer& o) { o.ledger(row); });
     if (!std::isfinite(row.kinetic + row.elastic)) stop_run(state, observers, describe_not_finite(model, state, work, row.v_999));
     if (const std::string fault = find_fault_in_balance(model, state, row); !fault.empty()) stop_run(state, observers, fault);

@@ -218,7 +218,7 @@ State build_state(Model& model)
   set_initial_stress(model, state);
   follow_history_points(model, state);
   const Vec<2> x = extent_in_x(model.mesh);
-  start_following(columns_between(x[0], x[1], typical_cell_size(model.mesh)), state);
+  start_following(model, columns_between(x[0], x[1], typical_cell_size(model.mesh)), state);
   return state;
 }
 

@@ -21,7 +21,6 @@ struct WorkTotals {
 struct HistoryAudit {
   std::vector<Real> last_eps_eq_p;            ///< at the last ledger row
   std::vector<Real> last_su;                  ///< the same; empty where no material needs it: eps_eq_p alone tells S_u
-  std::vector<float> growth;                  ///< of eps_eq_p between the last two rows, below 0 where MPM-Mixed averages it away; seven digits are enough
   std::vector<bool> fell, rose;               ///< true where eps_eq_p ever fell, S_u ever rose
 };
 

@@ -308,7 +308,7 @@ State restore(const Model& model, const StateImage& image)
   const auto& rose = get<std::int64_t>(image, "audit/rose", n);
   const auto& last_su = get<Real>(image, "audit/last_su");
   if (!last_su.empty() && last_su.size() != n) throw_missing("audit/last_su");
-  state.audit = {.last_eps_eq_p = get<Real>(image, "audit/last_eps_eq_p", n), .last_su = last_su, .growth = std::vector<float>(n, 0.0f),
+  state.audit = {.last_eps_eq_p = get<Real>(image, "audit/last_eps_eq_p", n), .last_su = last_su,
                  .fell = {fell.begin(), fell.end()}, .rose = {rose.begin(), rose.end()}};
   get_failure(image, state);
   const auto& softened = get<Real>(image, "softened_fraction");

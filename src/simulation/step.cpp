@@ -65,6 +65,7 @@ void finish_sums(State& state, Workspace& work)
     total.internal += sums.internal;
     total.unbalanced += sums.unbalanced;
     total.weight += sums.weight;
+    total.kinetic += sums.kinetic;
     total.finite &= sums.finite;
     for (std::size_t k = 0; k < work.footings.size(); ++k)
       for (int d = 0; d < 2; ++d) total.footing[k][d] += sums.footing[k][d];
@@ -79,6 +80,7 @@ void finish_sums(State& state, Workspace& work)
     state.tension_cut += sums.tension_cut;
   }
   work.finite = total.finite;
+  work.kinetic_nodal = total.kinetic;
   work.unbalanced_ratio = total.weight > 0.0 ? total.unbalanced / total.weight : 0.0;
 }
 

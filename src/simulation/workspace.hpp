@@ -21,6 +21,7 @@ struct NodeValues {
 struct NodeSums {
   Real gravity = 0.0, damping = 0.0, boundary = 0.0, internal = 0.0;  ///< work of the step [J per m]
   Real unbalanced = 0.0, weight = 0.0;                                ///< sum of |m a|, of |m g| [N per m]
+  Real kinetic = 0.0;                                                 ///< of the nodes at the start of the step [J per m]
   std::array<Vec<2>, most_footings> footing{};                        ///< impulse of each footing on its nodes [N s per m]
   bool finite = true;
 };
@@ -62,6 +63,7 @@ struct Workspace {
   Real damping_local = 0.0;                ///< alpha in force: the model's, or that of the search for equilibrium
   bool finite = true;                      ///< no nodal value was NaN or infinite in the last step
   Real unbalanced_ratio = 0.0;             ///< sum |m a| over sum |m g| in the last step
+  Real kinetic_nodal = 0.0;                ///< 1/2 sum m_i |v_i|^2 at the start of the last step [J per m]
 };
 
 }  // namespace terp

@@ -244,10 +244,11 @@ TEST(SecondFailure, OnFineCellsMayCreepByAsMuchAsOnMiddlingOnes)
 
 TEST(SecondFailure, OfAnEmptyHistoryDoesNotExist) { EXPECT_FALSE(second_failure_time(column_history()).has_value()); }
 
+const Mesh<2> mesh = make_rectangle({0.0, 0.0}, {4.0, 2.0}, {8, 4});
+
 /// Two rows of points, eight columns of 0.5 m, heights by column.
 PointBlocks<2> ground(const std::vector<Real>& heights)
 {
-  const Mesh<2> mesh = make_rectangle({0.0, 0.0}, {4.0, 2.0}, {8, 4});
   PointBlocks<2> points(mesh.n_cells(), 0);
   for (std::size_t k = 0; k < heights.size(); ++k)
     for (const Real y : {0.1, heights[k]}) {
@@ -263,11 +264,11 @@ const Columns eight{.left = 0.0, .width = 0.5, .n = 8};
 /// The crests of the slopes of a section when its surface has become that of `now`.
 std::vector<Real> crests(const std::vector<Real>& first, const std::vector<Real>& now)
 {
-  const Section section = look_at_section(ground(first), eight);
+  const Section section = look_at_section(mesh, ground(first), eight);
   const auto slopes = find_slopes(section);
   std::vector<Real> x;
   for (const Slope& slope : slopes)
-    x.push_back(find_crest(section, slope, find_standing(section, slope, slopes.size() == 1, surface_heights(ground(now), eight))));
+    x.push_back(find_crest(section, slope, find_standing(section, slope, slopes.size() == 1, surface_heights(mesh, ground(now), eight))));
   return x;
 }
 
@@ -276,7 +277,7 @@ using testing::ElementsAre;
 TEST(Crest, StartsAtTheRightEdgeOfTheBody)
 {
   const auto points = ground({1.5, 1.5, 1.5, 1.5});
-  const Section section = look_at_section(points, eight);
+  const Section section = look_at_section(mesh, points, eight);
   const auto slopes = find_slopes(section);
   ASSERT_EQ(slopes.size(), 1);
   const Standing standing = find_standing(section, slopes[0], true, section.heights);

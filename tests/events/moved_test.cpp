@@ -20,9 +20,9 @@ TEST(MovedVolume, IsThatOfThePointsFartherThanTheDistance)
   test::add_point(mesh, 2, {.volume = 2.0, .id = 1.0}, points);   // at (2.5, 0.5)
   points.update_occupied();
   const std::vector<Real> x_initial{1.5, 0.81, 2.5, 0.5, 0.2, 0.1};  // moved by 0.31, 0 and 0.5 m
-  EXPECT_EQ(moved_volume(points, x_initial, 0.1), 0.75);
-  EXPECT_EQ(moved_volume(points, x_initial, 0.4), 0.25);
-  EXPECT_EQ(moved_volume(points, x_initial, 0.501), 0.0);
+  EXPECT_EQ(find_moved(points, x_initial, 0.1).volume, 0.75);
+  EXPECT_EQ(find_moved(points, x_initial, 0.4).volume, 0.25);
+  EXPECT_EQ(find_moved(points, x_initial, 0.501).volume, 0.0);
 }
 
 /// Three points of two materials; the first has a state variable.
@@ -54,9 +54,13 @@ TEST(IntactShare, IsOfTheMovedVolumeOfMaterialsThatHavePlasticStrain)
 TEST(Reach, IsThatOfSoilThatCameThatWay)
 {
   const Moved soil;
-  EXPECT_EQ(reach(soil.points, soil.x_initial, 0.15)[0], 2.5);
-  EXPECT_EQ(reach(soil.points, soil.x_initial, 0.15)[1], 1.5);
-  EXPECT_TRUE(std::isnan(reach(soil.points, soil.x_initial, 0.6)[0]));
+  const MovedSoil moved = find_moved(soil.points, soil.x_initial, 0.15);
+  EXPECT_EQ(moved.reach_left, 2.5);
+  EXPECT_EQ(moved.reach_right, 1.5);
+  EXPECT_TRUE(std::isnan(find_moved(soil.points, soil.x_initial, 0.6).reach_left));
+  const MovedSoil none;
+  EXPECT_EQ(join(moved, none).reach_left, 2.5);
+  EXPECT_EQ(join(none, moved).volume, 13.0);
 }
 
 }  // namespace

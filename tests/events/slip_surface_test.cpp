@@ -87,12 +87,5 @@ TEST(SlipSurface, OfABandThatAlternatesFromCellToCellIsStraightOverTheNodes)
   EXPECT_NEAR(after, 0.0, 1e-9);
 }
 
-TEST(TotalGrowth, IsWeightedWithTheVolume)
-{
-  const Soil soil([](Vec<2> x) { return x[1] < 1.0 ? 0.5 : 0.0; });
-  EXPECT_NEAR(total_growth(soil.points, soil.growth, columns), 0.5 * 8.0, 1e-12);
-  EXPECT_NEAR(total_growth(soil.points, soil.growth, {.left = 4.0, .width = 0.25, .n = 8}), 0.5 * 2.0, 1e-12);
-}
-
 }  // namespace
 }  // namespace terp

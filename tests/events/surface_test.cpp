@@ -13,10 +13,11 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Points at these places in a mesh of 4 x 2 cells of 1 m.
+const Mesh<2> mesh = make_rectangle({0.0, 0.0}, {4.0, 2.0}, {4, 2});
+
+/// Points at these places in the mesh, of cells of 1 m.
 PointBlocks<2> points_at(const std::vector<Vec<2>>& places)
 {
-  const Mesh<2> mesh = make_rectangle({0.0, 0.0}, {4.0, 2.0}, {4, 2});
   PointBlocks<2> points(mesh.n_cells(), 0);
   for (const Vec<2>& x : places) {
     const Location at = locate(mesh, x, 0);
@@ -28,25 +29,25 @@ PointBlocks<2> points_at(const std::vector<Vec<2>>& places)
 
 TEST(Surface, IsTheHighestPointOfEachColumn)
 {
-  const auto heights = surface_heights(points_at({{0.2, 0.5}, {0.9, 1.25}, {2.5, 0.75}}), {.left = 0.0, .width = 1.0, .n = 4});
+  const auto heights = surface_heights(mesh, points_at({{0.2, 0.5}, {0.9, 1.25}, {2.5, 0.75}}), {.left = 0.0, .width = 1.0, .n = 4});
   EXPECT_THAT(heights, ElementsAre(1.25, -INFINITY, 0.75, -INFINITY));
 }
 
 TEST(Surface, LooksOnlyAtItsColumns)
 {
-  const auto heights = surface_heights(points_at({{0.25, 0.5}, {1.25, 0.5}, {3.5, 1.5}}), {.left = 1.0, .width = 0.5, .n = 2});
+  const auto heights = surface_heights(mesh, points_at({{0.25, 0.5}, {1.25, 0.5}, {3.5, 1.5}}), {.left = 1.0, .width = 0.5, .n = 2});
   EXPECT_THAT(heights, ElementsAre(0.5, -INFINITY));
 }
 
 TEST(Surface, APlaceOnAnEdgeBelongsToTheColumnOnItsRight)
 {
-  EXPECT_THAT(surface_heights(points_at({{1.0, 0.5}}), {.left = 0.0, .width = 1.0, .n = 2}), ElementsAre(-INFINITY, 0.5));
+  EXPECT_THAT(surface_heights(mesh, points_at({{1.0, 0.5}}), {.left = 0.0, .width = 1.0, .n = 2}), ElementsAre(-INFINITY, 0.5));
 }
 
 TEST(Surface, FrontAndLowestAreTheExtremesOfAllPoints)
 {
   const auto points = points_at({{0.25, 0.5}, {3.25, 1.75}, {1.5, 0.125}});
-  EXPECT_EQ(extent_in_x(points)[1], 3.25);
+  EXPECT_EQ(extent_in_x(mesh, points)[1], 3.25);
   EXPECT_EQ(lowest(points), 0.125);
 }
 
@@ -65,8 +66,8 @@ TEST(Surface, IsThatOfAllPointsInWhateverOrderTheirCellsCome)
       right = std::max(right, x);
       if (column >= 0.0 && column < 8.0) expected[static_cast<std::size_t>(column)] = std::max(expected[static_cast<std::size_t>(column)], block.row(1)[lane]);
     });
-    EXPECT_EQ(surface_heights(points, columns), expected);
-    EXPECT_EQ(extent_in_x(points)[1], right);
+    EXPECT_EQ(surface_heights(mesh, points, columns), expected);
+    EXPECT_EQ(extent_in_x(mesh, points)[1], right);
   }
 }
 

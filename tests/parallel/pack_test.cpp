@@ -161,5 +161,17 @@ TEST(Sine, IsTheSameInAPackAndAlone)
   for (int lane = 0; lane < 8; ++lane) EXPECT_EQ(y[lane], sine(x[lane]));
 }
 
+TEST(Pack, GathersWhatItsIndicesNameAndNothingElse)
+{
+  const std::vector<Real> numbers{10.0, 11.0, 20.0, 21.0, 30.0, 31.0};
+  alignas(64) constexpr std::array<Real, pack_width> index{2, 0, 1, 2, 1, 1e9, 1e9, 1e9};  // the last three lanes are beyond
+  const Pack first = Pack::gather(numbers.data(), 2, index.data(), 5), second = Pack::gather(numbers.data() + 1, 2, index.data(), 5);
+  constexpr std::array<Real, pack_width> expected{30.0, 10.0, 20.0, 30.0, 20.0, -1.0, -1.0, -1.0};
+  for (int k = 0; k < pack_width; ++k) {
+    EXPECT_EQ(first[k], expected[k] < 0.0 ? 0.0 : expected[k]) << k;
+    EXPECT_EQ(second[k], expected[k] < 0.0 ? 0.0 : expected[k] + 1.0) << k;
+  }
+}
+
 }  // namespace
 }  // namespace terp

@@ -86,7 +86,7 @@ TEST(Guards, EnergyThatNoWorkExplainsIsAFaultOnceItIsAsMuchAsAllThatWasExchanged
   Simulation s(test::column("mpm_gp"));
   s.step(100);
   start_audit(s.model, s.state);
-  LedgerRow row = keep_ledger(s.model, s.state);
+  LedgerRow row = keep_ledger(s.model, s.state, s.work);
   EXPECT_EQ(find_fault_in_balance(s.model, s.state, row), "");
   row.numerical = 0.99 * energy_exchanged(s.state);
   EXPECT_EQ(find_fault_in_balance(s.model, s.state, row), "");
@@ -105,7 +105,7 @@ TEST(Guards, TheOffsetOfHalfAStepIsNoGainOfEnergy)
   Simulation s(test::column("mpm_gp"));
   s.step(1);
   start_audit(s.model, s.state);
-  LedgerRow row = keep_ledger(s.model, s.state);
+  LedgerRow row = keep_ledger(s.model, s.state, s.work);
   row.elastic = 5.0 * energy_exchanged(s.state);
   row.numerical = 1.1 * row.elastic;
   EXPECT_EQ(find_fault_in_balance(s.model, s.state, row), "");

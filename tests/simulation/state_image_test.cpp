@@ -29,12 +29,12 @@ TEST(StateImage, ARestoredRunGoesOnInTheSameBits)
     Simulation whole(moving_column(scheme));
     start_audit(whole.model, whole.state);
     whole.step(150);
-    keep_ledger(whole.model, whole.state);
+    keep_ledger(whole.model, whole.state, whole.work);
     Simulation rest(build_model(moving_column(scheme), 1), restore(whole.model, make_image(whole.state)));
     EXPECT_EQ(first_difference(make_image(whole.state), make_image(rest.state)), "") << scheme;
     for (Simulation* s : {&whole, &rest}) {
       s->step(150);
-      keep_ledger(s->model, s->state);
+      keep_ledger(s->model, s->state, s->work);
     }
     EXPECT_EQ(first_difference(make_image(whole.state), make_image(rest.state)), "") << scheme;
   }
@@ -44,9 +44,9 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
 {
   Simulation s(moving_column("mpm_gp"));
   start_audit(s.model, s.state);
-  keep_ledger(s.model, s.state);
+  keep_ledger(s.model, s.state, s.work);
   s.step(3);
-  keep_ledger(s.model, s.state);
+  keep_ledger(s.model, s.state, s.work);
   State& state = s.state;
   state.work = {1.0, 2.0, 3.0, 4.0, 5.0};
   state.start_energy = 6.0;
@@ -98,7 +98,7 @@ TEST(StateImage, InPartsHasTheSameArrays)
   Simulation s(moving_column("mpm_gp"));
   start_audit(s.model, s.state);
   s.step(150);
-  keep_ledger(s.model, s.state);
+  keep_ledger(s.model, s.state, s.work);
   StateImage joined;
   int n_parts = 0;
   for_each_part(s.state, 1000, [&](const StateImage& part) {
@@ -134,7 +134,8 @@ TEST(StateImage, OfFormatOneWithTheStrengthOfEachPointIsRestored)
   for (NamedArray& array : image.arrays)
     if (array.name == "audit/last_su") array = {array.name, {1600}, std::vector<Real>(1600, 8000.0)};
   State back = restore(s.model, image);
-  keep_ledger(s.model, back);
+  Workspace work(s.model, back);
+  keep_ledger(s.model, back, work);
   EXPECT_EQ(std::count(back.audit.rose.begin(), back.audit.rose.end(), true), 0);
 }
 
