@@ -86,7 +86,7 @@ Factor of safety by strength reduction (docs/stability.md). Writes stability.txt
       --rest R            stands when it hardly moves, as soil with this part of its weight
                           out of balance would (2e-5)
       --failure D         fails beyond this displacement, in rho g H^2/E (4)
-      --windows N         time that a trial has (40)
+      --windows N         time that a trial has (200)
       --stiffening S      displacements are kept S times smaller than they were (1 to 1e6; 1000)
   -o, --output DIR        where the two files go
       --json              print stability.json

@@ -47,16 +47,24 @@ void order_and_pin(NodeCondition& c)
   c.pinned_velocity = {(a * m[1] - b * n[1]) / determinant, (b * n[0] - a * m[0]) / determinant};
 }
 
+/// Force that a contact plane can carry along itself under a push across it [N per m].
+Real strength_of(const NodeHold& hold, Real push) { return hold.adhesion_force + hold.friction * std::max(push, 0.0); }
+
+/// Takes a length off a vector, at most all of it.
+void shorten(Real by, Vec<2>& value)
+{
+  const Real length = std::hypot(value[0], value[1]);
+  const Real kept = length > by ? 1.0 - by / length : 0.0;
+  for (Real& component : value) component *= kept;
+}
+
 /// Impulses of a contact plane on a node: normal, then tangential up to adhesion and friction.
 void apply_contact(const NodeHold& hold, Real mass, Real dt, Vec<2>& v)
 {
   const Real v_n = dot(v, hold.normal);
   if (hold.hold == Hold::separating && v_n < 0.0) return;
   for (int d = 0; d < 2; ++d) v[d] -= v_n * hold.normal[d];
-  const Real speed = std::hypot(v[0], v[1]);
-  const Real impulse = hold.adhesion_force * dt + hold.friction * mass * std::max(v_n, 0.0);
-  const Real kept = speed * mass > impulse ? 1.0 - impulse / (speed * mass) : 0.0;
-  for (Real& component : v) component *= kept;
+  shorten(strength_of(hold, mass * v_n / dt) * dt / mass, v);
 }
 
 void stop_across(const NodeHold& hold, Vec<2> reaction, Vec<2>& v)
@@ -98,7 +106,8 @@ Boundary::Boundary(const Mesh<2>& mesh, const std::vector<SideCondition>& sides)
   for (auto& c : conditions_) order_and_pin(c);
 }
 
-Vec<2> Boundary::free_part(Index node, Vec<2> value, Vec<2> push) const
+template <class TakeAlong>
+Vec<2> Boundary::free_part(Index node, Vec<2> value, Vec<2> push, TakeAlong take_along) const
 {
   const NodeCondition* c = at(node);
   if (c == nullptr) return value;
@@ -109,8 +118,19 @@ Vec<2> Boundary::free_part(Index node, Vec<2> value, Vec<2> push) const
     if (hold.hold == Hold::separating && dot(push, hold.normal) < 0.0) continue;
     const Real across = dot(value, hold.normal);
     for (int d = 0; d < 2; ++d) value[d] -= across * hold.normal[d];
+    if (is_contact(hold.hold)) take_along(hold, value);
   }
   return value;
+}
+
+Vec<2> Boundary::free_velocity(Index node, Vec<2> v, Vec<2> push) const
+{
+  return free_part(node, v, push, [](const NodeHold&, Vec<2>&) {});
+}
+
+Vec<2> Boundary::free_force(Index node, Vec<2> force) const
+{
+  return free_part(node, force, force, [&](const NodeHold& hold, Vec<2>& along) { shorten(strength_of(hold, dot(force, hold.normal)), along); });
 }
 
 void Boundary::constrain(Index node, Real mass, Real dt, Vec<2>& v) const

@@ -52,9 +52,12 @@ class Boundary {
   Boundary() = default;
   Boundary(const Mesh<2>& mesh, const std::vector<SideCondition>& sides);
 
-  /// What is left of a node's force or velocity, shape [2], when the sides have taken what they carry: nothing across a side that holds, or
-  /// that a `push` presses on.
-  Vec<2> free_part(Index node, Vec<2> value, Vec<2> push) const;
+  /// What is left of a node's velocity, shape [2], when the sides have taken what they hold: nothing across a side that holds, or that a
+  /// `push` presses on.
+  Vec<2> free_velocity(Index node, Vec<2> v, Vec<2> push) const;
+  /// What is left of a node's force [N per m] when the sides have taken what they carry: the same, and along a contact plane only what
+  /// exceeds its adhesion, and its friction under that force (reading R13).
+  Vec<2> free_force(Index node, Vec<2> force) const;
   /// Corrects the trial velocity v* of a node (step 2 of docs/methods.md). mass [kg per m], dt [s].
   void constrain(Index node, Real mass, Real dt, Vec<2>& v) const;
   /// Clamps the second nodal velocity at constrained components; contact acts along its normal only (step 4). reaction: what the sides did
@@ -67,6 +70,9 @@ class Boundary {
   }
 
  private:
+  template <class TakeAlong>
+  Vec<2> free_part(Index node, Vec<2> value, Vec<2> push, TakeAlong take_along) const;
+
   std::vector<Index> condition_of_node_;  // shape [n_nodes], -1: free
   std::vector<NodeCondition> conditions_;
 };

@@ -74,11 +74,9 @@ inline void accelerate_node(const Model& model, const NodeGather& sum, Index i, 
   sums.kinetic += 0.5 * sum.mass * (v_0[0] * v_0[0] + v_0[1] * v_0[1]);
   const int k = footing_at(work, model.mesh.nodes[i]);
   const PlacedFooting* const footing = k < 0 ? nullptr : &work.footings[k];
-  const auto free = [&](Vec<2> value) {
-    value = model.boundary.free_part(i, value, out_of_balance);
-    return footing == nullptr ? value : footing->free_part(value);
-  };
-  node.damping = damping_force(damping, free(out_of_balance), sum.mass, free(v_0));
+  const auto beside = [&](Vec<2> value) { return footing == nullptr ? value : footing->free_part(value); };
+  const Vec<2> force = beside(model.boundary.free_force(i, out_of_balance)), v = beside(model.boundary.free_velocity(i, v_0, out_of_balance));
+  node.damping = damping_force(damping, force, sum.mass, v);
   for (int d = 0; d < 2; ++d) v_free[d] = v_0[d] + (out_of_balance[d] + node.damping[d]) / sum.mass * model.dt;
   node.v = v_free;
   model.boundary.constrain(i, sum.mass, model.dt, node.v);

@@ -33,12 +33,15 @@ int most_state(const Case& c)
   return static_cast<int>(n);
 }
 
+/// The case without a limit to any strength: laws are elastic, contact planes that hold along themselves do not let go.
 Case elastic_case(Case c)
 {
   for (MaterialCase& material : c.materials) {
     const MaterialType* law = find_material(material.model);
     if (has_strength(*law)) material = elastic_twin(material, *law->make(material.parameters));
   }
+  for (SideCase& side : c.sides)
+    if (side.adhesion > 0.0 || side.friction > 0.0) side.adhesion = std::numeric_limits<Real>::infinity();
   return c;
 }
 

@@ -25,7 +25,8 @@ struct ElasticStart {
 /// The case as its trials solve it: nothing moves but by its weight. Footings are left out, driven sides stand still.
 Case quiet_case(Case c);
 
-/// Settles the case with every law that has a strength replaced by linear_elastic of the same stiffness. Throws RunError if that fails, or is
+/// Settles the case with every law that has a strength replaced by linear_elastic of the same stiffness, and contact planes with adhesion or
+/// friction that never slip. Throws RunError if that fails, or is
 /// stopped, and InputError without gravity. stiffening: see stiffen().
 ElasticStart settle_elastically(const Case& quiet, const Mesh<2>& mesh, Real stiffening, int threads, const std::atomic<bool>& stop);
 

@@ -18,7 +18,7 @@ struct TrialRules {
   Real damping = 0.5;          ///< local damping [-]
   Real rest = 2e-5;            ///< stable: moves less in a window than it would under this share of its weight (ElasticStart::free_motion)
   Real failure = 4.0;          ///< failed: displacement beyond this many rho g H^2 / E, and it does not slow down
-  Index most_windows = 40;     ///< undecided after so many windows
+  Index most_windows = 200;    ///< undecided after so many windows
   Real stiffening = 1000.0;    ///< displacements are kept this many times smaller than they were (stiffen()); 1: as they are
 };
 

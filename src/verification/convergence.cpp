@@ -42,7 +42,7 @@ Real observed_order(const std::vector<Real>& x, const std::vector<Real>& y)
 
 Limit extrapolate(const std::vector<Real>& x, const std::vector<Real>& y)
 {
-  constexpr Real safety = 1.25, least_order = 0.5, most_order = 2.0;  // Roache
+  constexpr Real least_order = 0.5, most_order = 2.0;
   if (x.size() < 3) return {nan, nan};
   const auto runs = from_fine_to_coarse(x, y);
   const Real last = runs[0].second - runs[1].second, before = runs[1].second - runs[2].second;
@@ -50,7 +50,7 @@ Limit extrapolate(const std::vector<Real>& x, const std::vector<Real>& y)
   const Real ratio = runs[1].first / runs[0].first;
   const Real order = std::clamp(std::log(before / last) / std::log(ratio), least_order, most_order);
   const Real rest = last / (std::pow(ratio, order) - 1.0);
-  return {runs[0].second + rest, safety * std::abs(rest)};
+  return {runs[0].second + rest, safety_of_limit * std::abs(rest)};
 }
 
 }  // namespace terp

@@ -19,7 +19,7 @@ using Names = std::vector<std::string>;
 const Names quantity_keys = {"name", "kind",  "value",     "reduce", "reference", "where",    "scale",    "time",    "from", "to",     "threshold",
                              "at",   "runs",  "tolerance", "relative", "at_least", "at_most", "of",      "over",    "unit", "source", "red", "as", "shown", "differences", "red_runs"};
 const Names run_keys = {"name", "case", "schemes", "set", "constants", "long", "seconds", "stability"};
-const Names kind_words = {"field", "point", "ledger", "summary", "formula", "order", "footing", "extrapolated"};
+const Names kind_words = {"field", "point", "ledger", "summary", "formula", "order", "footing", "extrapolated", "mesh_error"};
 const Names reduce_words = {"rms_error", "max_error", "mean", "sum", "max", "min", "at", "last", "period", "frequency", "arrival"};
 
 /// Reads the entries of one table; every wrong one is refused with its place.
@@ -146,7 +146,14 @@ Variant read_variant(const Expected& file, const Node& table)
 
 Reduce default_reduce(QuantityKind kind)
 {
-  return kind == QuantityKind::field ? Reduce::rms_error : kind == QuantityKind::summary || kind == QuantityKind::formula || kind == QuantityKind::extrapolated ? Reduce::last : Reduce::at;
+  switch (kind) {
+    case QuantityKind::field: return Reduce::rms_error;
+    case QuantityKind::summary:
+    case QuantityKind::formula:
+    case QuantityKind::extrapolated:
+    case QuantityKind::mesh_error: return Reduce::last;
+    default: return Reduce::at;
+  }
 }
 
 /// A bound on one side, or a reference with a tolerance.

@@ -18,7 +18,7 @@ struct Formula {
   bool given() const { return !text.empty(); }
 };
 
-enum class QuantityKind { field, point, ledger, summary, formula, order, footing, extrapolated };
+enum class QuantityKind { field, point, ledger, summary, formula, order, footing, extrapolated, mesh_error };
 
 /// How many numbers become one. The errors are those of value - reference over scale.
 enum class Reduce { rms_error, max_error, mean, sum, max, min, at, last, period, frequency, arrival };
@@ -36,7 +36,7 @@ struct Quantity {
   std::array<Formula, 2> at = {};  ///< point: initial place [m]
   Formula tolerance = {}, relative = {}, at_least = {}, at_most = {};
   std::string as = {};          ///< name of its value in later quantities of kind formula; without a bound it is no row of its own
-  std::string of = {}, over = {};  ///< order, extrapolated: name of another quantity; the constant that is refined
+  std::string of = {}, over = {};  ///< order, extrapolated, mesh_error: name of another quantity; the constant that is refined
   bool differences = false;     ///< order: of the differences of successive values, where the limit is not the reference
   std::vector<std::string> runs = {};  ///< names of the runs it is measured in; empty: all
   std::vector<std::string> red_runs = {};  ///< those that `red` speaks of; empty: all
@@ -80,8 +80,11 @@ inline bool is_auxiliary(const Quantity& q)
   return !(q.tolerance.given() || q.relative.given() || q.at_least.given() || q.at_most.given());
 }
 
+/// It needs the limit that the runs of a scheme tend to.
+inline bool needs_limit(const Quantity& q) { return q.kind == QuantityKind::extrapolated || q.kind == QuantityKind::mesh_error; }
+
 /// It compares the runs of a scheme; a single run does not measure it.
-inline bool compares_runs(const Quantity& q) { return q.kind == QuantityKind::order || q.kind == QuantityKind::extrapolated; }
+inline bool compares_runs(const Quantity& q) { return q.kind == QuantityKind::order || needs_limit(q); }
 
 /// Errors of a norm are themselves the number that is judged.
 inline bool is_error(Reduce reduce) { return reduce == Reduce::rms_error || reduce == Reduce::max_error; }

@@ -95,7 +95,7 @@ struct Refinement {
 Refinement collect(const Expected& file, const Quantity& q, const std::string& scheme, const std::vector<Finding>& findings)
 {
   Refinement runs{.sizes = {}, .numbers = {}, .scope = {.file = file, .constants = {}}};
-  const bool of_values = q.differences || q.kind == QuantityKind::extrapolated;
+  const bool of_values = q.differences || needs_limit(q);
   for (const Finding& f : findings) {
     if (f.scheme != scheme || !concerns(q, f)) continue;
     runs.scope.constants = f.constants;
@@ -114,17 +114,40 @@ Real number_of(const Quantity& q, Refinement& runs)
   return limit.value;
 }
 
+/// A number with the bounds that a quantity gives in a scope.
+Finding find_by_bounds(const Quantity& q, const std::string& run, const std::string& scheme, Real value, const Scope& scope)
+{
+  Finding finding{.quantity = &q, .run = run, .scheme = scheme, .value = value, .reference = scope.evaluate_or(q.reference, nan),
+                  .tolerance = nan, .relative = nan, .at_least = nan, .at_most = nan, .constants = {}};
+  read_bounds(scope, finding);
+  return finding;
+}
+
+/// Each run of a scheme, its distance from the limit of the runs, with their safety, as the constant `gci`.
+void add_runs_by_limit(const Quantity& q, const std::string& scheme, const std::vector<Finding>& findings, Refinement& runs, std::vector<Finding>& result)
+{
+  const Limit limit = extrapolate(runs.sizes, runs.numbers);
+  for (const Finding& f : findings) {
+    if (f.scheme != scheme || !concerns(q, f)) continue;
+    runs.scope.constants = f.constants;
+    runs.scope.constants["gci"] = safety_of_limit * std::abs(f.value - limit.value);
+    result.push_back(find_by_bounds(q, f.run, scheme, f.value, runs.scope));
+  }
+}
+
 /// What runs of refined cells say of a quantity, one finding per scheme; none where too few were made.
 std::vector<Finding> compare_runs(const Expected& file, const Quantity& q, const std::vector<Finding>& findings)
 {
   std::vector<Finding> result;
   for (const std::string& scheme : schemes_in(findings)) {
     Refinement runs = collect(file, q, scheme, findings);
-    if (runs.sizes.size() < (q.differences || q.kind == QuantityKind::extrapolated ? 3 : 2)) continue;
-    const Real value = number_of(q, runs);
-    result.push_back({.quantity = &q, .run = fmt::format("over {}", q.over), .scheme = scheme, .value = value,
-                      .reference = runs.scope.evaluate_or(q.reference, nan), .tolerance = nan, .relative = nan, .at_least = nan, .at_most = nan, .constants = {}});
-    read_bounds(runs.scope, result.back());
+    if (runs.sizes.size() < (q.differences || needs_limit(q) ? 3 : 2)) continue;
+    if (q.kind == QuantityKind::mesh_error) {
+      add_runs_by_limit(q, scheme, findings, runs, result);
+    } else {
+      const Real value = number_of(q, runs);
+      result.push_back(find_by_bounds(q, fmt::format("over {}", q.over), scheme, value, runs.scope));
+    }
   }
   return result;
 }

@@ -55,7 +55,8 @@ std::unique_ptr<Measure> make_plain_measure(const Quantity& quantity, const Scop
     case QuantityKind::formula: return std::make_unique<FormulaMeasure>(quantity, scope);
     case QuantityKind::footing: return make_footing_measure(quantity, scope);
     case QuantityKind::order:
-    case QuantityKind::extrapolated: break;
+    case QuantityKind::extrapolated:
+    case QuantityKind::mesh_error: break;
   }
   return nullptr;
 }

@@ -105,23 +105,39 @@ TEST(ContactPlane, ASeparatingOneThatPushedStaysClosedForTheStep)
 TEST(FreePart, LeavesOutWhatTheSidesCarry)
 {
   const Boundary boundary(inclined_mesh(), {{.side = "base", .hold = Hold::contact}});
-  const Vec<2> weight{0.0, -10.0}, left = boundary.free_part(2, weight, weight);  // node 2: only the edge of slope 1 : 2
+  const Vec<2> weight{0.0, -10.0}, left = boundary.free_force(2, weight);  // node 2: only the edge of slope 1 : 2
   EXPECT_THAT(left, ElementsAre(DoubleNear(-4.0, 1e-14), DoubleNear(-2.0, 1e-14)));
-  EXPECT_THAT(boundary.free_part(4, weight, weight), ElementsAre(0.0, -10.0));
+  EXPECT_THAT(boundary.free_force(4, weight), ElementsAre(0.0, -10.0));
 }
 
 TEST(FreePart, IsNothingWhereANodeIsHeldInAllDirections)
 {
   const Boundary fixed(mesh_3x2(), {{.side = "bottom", .hold = Hold::all}}), corner(mesh_3x2(), {{.side = "bottom"}, {.side = "left"}});
-  EXPECT_THAT(fixed.free_part(2, {3.0, 4.0}, {3.0, 4.0}), ElementsAre(0.0, 0.0));
-  EXPECT_THAT(corner.free_part(0, {3.0, 4.0}, {3.0, 4.0}), ElementsAre(0.0, 0.0));
+  EXPECT_THAT(fixed.free_force(2, {3.0, 4.0}), ElementsAre(0.0, 0.0));
+  EXPECT_THAT(corner.free_velocity(0, {3.0, 4.0}, {3.0, 4.0}), ElementsAre(0.0, 0.0));
 }
 
 TEST(FreePart, IsAllWhereTheSoilPullsOffASeparatingContact)
 {
   const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::separating}});
-  EXPECT_THAT(boundary.free_part(2, {3.0, 4.0}, {0.0, 1.0}), ElementsAre(3.0, 4.0));
-  EXPECT_THAT(boundary.free_part(2, {3.0, 4.0}, {0.0, -1.0}), ElementsAre(3.0, 0.0));
+  EXPECT_THAT(boundary.free_velocity(2, {3.0, 4.0}, {0.0, 1.0}), ElementsAre(3.0, 4.0));
+  EXPECT_THAT(boundary.free_velocity(2, {3.0, 4.0}, {0.0, -1.0}), ElementsAre(3.0, 0.0));
+}
+
+TEST(FreePart, OfAForceIsWhatExceedsAdhesionAndFriction)
+{
+  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::contact, .adhesion = 30.0, .friction = 0.5}});
+  EXPECT_THAT(boundary.free_force(1, {50.0, -24.0}), ElementsAre(DoubleEq(50.0 - 30.0 - 12.0), 0.0));  // 1 m of base
+  EXPECT_THAT(boundary.free_force(1, {-50.0, 24.0}), ElementsAre(DoubleEq(-20.0), 0.0)) << "a pull is not met with friction";
+  EXPECT_THAT(boundary.free_force(1, {41.0, -24.0}), ElementsAre(0.0, 0.0)) << "all is carried";
+  EXPECT_THAT(boundary.free_velocity(1, {0.3, -0.2}, {41.0, -24.0}), ElementsAre(0.3, 0.0)) << "a velocity is not";
+}
+
+TEST(FreePart, OfAForceIsAllWhereTheSoilLeavesASeparatingContact)
+{
+  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::separating, .adhesion = 30.0}});
+  EXPECT_THAT(boundary.free_force(2, {40.0, 24.0}), ElementsAre(40.0, 24.0));
+  EXPECT_THAT(boundary.free_force(2, {40.0, -24.0}), ElementsAre(DoubleEq(10.0), 0.0));
 }
 
 TEST(ContactPlane, TheTangentialImpulseIsAtMostAdhesionTimesLength)

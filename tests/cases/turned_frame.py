@@ -3,7 +3,7 @@
 turned_frame.py TERP [--degrees 30] [--scheme mpm_gp]
 
 Only round-off differs, and the failure amplifies it: points that soften in the first slide (before 1.5 s) must do so within one row of
-the history, those of the second slide, a bifurcation, within 0.1 s.
+the history, those of the second slide, a bifurcation, within 0.1 s. One point at the edge of the second slide may soften in one run only.
 """
 
 import argparse
@@ -74,10 +74,12 @@ def main():
         other = run(options.terp, folder, options.degrees, options.scheme)
         times = {name: (softening_time(straight, name), softening_time(other, name)) for name in "ABCDEFGHIJ"}
         fronts = front(straight, 0.0), front(other, options.degrees)
+    at_edge = [name for name, (a, b) in times.items() if (a is None) != (b is None) and (a or b) > 1.5]
     good = abs(fronts[0] - fronts[1]) < 0.3
     print(f"{options.scheme}: front {fronts[0]:.4f} m, turned {fronts[1]:.4f} m")
     for name, (a, b) in times.items():
         same = a == b or (a is not None and b is not None and abs(a - b) <= (0.011 if a < 1.5 else 0.1))
+        same |= at_edge == [name]
         good &= same
         print(f"{'   ok' if same else 'WRONG'}  {name} softens at {a} s, turned at {b} s")
     sys.exit(0 if good else 1)

@@ -55,7 +55,7 @@ TEST(StabilityText, SaysFactorCriterionAndTrials)
   const std::string text = stability_text(result(), "mpm_gp");
   EXPECT_THAT(text, HasSubstr("factor of safety 1.050 +- 0.050   (stands at 1.000, does not at 1.100)\n  by reduction of 1 strength, mpm_gp, 900 points"));
   EXPECT_THAT(text, HasSubstr("    1.0000  stable     why\n    1.1000  undecided  why\n"));
-  EXPECT_THAT(text, HasSubstr("At 1.1000 the soil still crept after 40 windows; that counts as not standing. Larger --windows decide it.\n"));
+  EXPECT_THAT(text, HasSubstr("At 1.1000 the soil still crept after 200 windows; that counts as not standing. Larger --windows decide it.\n"));
 }
 
 TEST(StabilityText, SaysWhatTheBracketDoesNot)

@@ -185,12 +185,22 @@ def clamped(case, v):
     return v
 
 
+def free_force(case, r):
+    """What sides and contact do not carry of nodal forces, reading R13."""
+    free, contact = clamped(case, r.copy()), case["mesh"]["contact"]
+    for i, a, mu, length in zip(contact["nodes"], contact["adhesion"], contact["friction"], contact["length"]):
+        limit = a * length + mu * max(0.0, -r[i, 1])
+        met["damping on contact"] += abs(free[i, 0]) > limit
+        free[i, 0] = np.sign(free[i, 0]) * max(0.0, abs(free[i, 0]) - limit)
+    return free
+
+
 def accelerate_nodes(case, m, momentum, f_int, moving):
     """Nodal acceleration: gravity, local damping (reading R13), boundaries."""
     o, v, a = case["options"], np.zeros_like(momentum), np.zeros_like(momentum)
     v[moving] = momentum[moving] / m[moving, None]
     r = m[:, None] * o["gravity"] - f_int
-    free_r, free_v = clamped(case, r.copy()), clamped(case, v.copy())
+    free_r, free_v = free_force(case, r), clamped(case, v.copy())
     down = o["gravity"] / np.linalg.norm(o["gravity"])
     for e in (down, np.array([-down[1], down[0]])):  # per component along and across gravity, of what the sides do not carry
         r -= np.outer(o["local_damping"] * np.abs(free_r @ e) * np.sign(free_v @ e), e)

@@ -47,6 +47,17 @@ TEST(ElasticStart, StrengthDoesNotLimitItsStresses)
   EXPECT_EQ(settle(weak).steps, settle(filled_box()).steps);
 }
 
+TEST(ElasticStart, ContactPlanesThatHoldDoNotSlip)
+{
+  Case weak = filled_box();  // its base would slide out to the right
+  weak.mesh.size = {6.0, 2.5};
+  weak.sides.back() = test::side("bottom", SideKind::contact_separating);
+  weak.sides.back().friction = 1e-3;
+  Case strong = weak;
+  strong.sides.back().adhesion = 1e9;
+  EXPECT_EQ(settle(weak).steps, settle(strong).steps);
+}
+
 TEST(ElasticStart, NeedsGravity)
 {
   Case c = filled_box();

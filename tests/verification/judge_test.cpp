@@ -151,6 +151,18 @@ TEST(Judge, TheOrderOfConvergenceComparesRunsOfOneScheme)
   EXPECT_EQ(rows[2].verdict, Verdict::pass);
 }
 
+/// Three runs that tend to 5 + shift with the first order.
+std::vector<Solved> refined(const Quantity& load, Real shift)
+{
+  std::vector<Solved> runs;
+  for (const Real h : {0.5, 0.25, 0.125}) {
+    Finding f = finding(load, 5.0 + shift + h, NAN, 1.0);
+    f.constants = {{"h", h}};
+    runs.push_back({.findings = {f}, .fault = ""});
+  }
+  return runs;
+}
+
 TEST(Judge, AnExtrapolatedValueIsHeldAgainstItsOwnUncertainty)
 {
   Sample s;
@@ -158,20 +170,32 @@ TEST(Judge, AnExtrapolatedValueIsHeldAgainstItsOwnUncertainty)
   const Quantity& load = s.add("load");
   Quantity& limit = s.add("limit");
   limit.kind = QuantityKind::extrapolated, limit.of = "load", limit.over = "h", limit.tolerance = {"gci", {}}, limit.reference = {"5", {}};
-  const auto solved = [&](Real shift) {
-    std::vector<Solved> runs;
-    for (const Real h : {0.5, 0.25, 0.125}) {
-      Finding f = finding(load, 5.0 + shift + h, NAN, 1.0);
-      f.constants = {{"h", h}};
-      runs.push_back({.findings = {f}, .fault = ""});
-    }
-    return runs;
-  };
   const std::vector<Solve> solves(3, {&s.file, &s.coarse, "mpm_gp"});
+  const auto solved = [&](Real shift) { return refined(load, shift); };
   EXPECT_EQ(judge("case", s.file, solves, solved(0.1)).back().verdict, Verdict::pass);  // gci = 1.25 * 0.125
   EXPECT_EQ(judge("case", s.file, solves, solved(0.1)).back().terp, "5.1");
   EXPECT_EQ(judge("case", s.file, solves, solved(0.2)).back().verdict, Verdict::fail);
   EXPECT_EQ(judge("case", s.file, {solves[0], solves[1]}, {solved(0.0)[0], solved(0.0)[1]}).size(), 2u);  // too few: no row
+}
+
+TEST(Judge, ARunMayErrByWhatRefinementShowsOfItsMesh)
+{
+  Sample s;
+  s.file.quantities.reserve(2);
+  const Quantity& load = s.add("load");
+  Quantity& error = s.add("error");
+  error.kind = QuantityKind::mesh_error, error.of = "load", error.over = "h", error.tolerance = {"gci", {}}, error.reference = {"5", {}};
+  const std::vector<Solve> solves(3, {&s.file, &s.coarse, "mpm_gp"});
+  const auto verdicts = [&](Real shift) {
+    std::vector<Verdict> list;
+    for (const Row& row : judge("case", s.file, solves, refined(load, shift)))
+      if (row.quantity == "error") list.push_back(row.verdict);
+    return list;
+  };
+  using enum Verdict;
+  EXPECT_EQ(verdicts(0.0), (std::vector{pass, pass, pass}));
+  EXPECT_EQ(verdicts(0.05), (std::vector{pass, pass, fail}));  // 1.25 * 0.125 < 0.125 + 0.05
+  EXPECT_EQ(judge("case", s.file, {solves[0], solves[1]}, {refined(load, 0.0)[0], refined(load, 0.0)[1]}).size(), 2u);  // too few: no row
 }
 
 }  // namespace

@@ -31,13 +31,9 @@ Real plane_at(const std::vector<test::Point>& points, const test::Point& centre,
   return (b[0] * (s[2] * s[4] - s[3] * s[3]) - s[0] * (b[1] * s[4] - s[3] * b[2]) + s[1] * (b[1] * s[3] - s[2] * b[2])) / det;
 }
 
-/// Root mean square of pressure less the fitted plane [Pa], half a second into the slide, away from the surface.
-Real pressure_noise(const std::string& scheme)
+/// Root mean square of pressure less the fitted plane [Pa], away from the surface.
+Real pressure_noise(const std::vector<test::Point>& points)
 {
-  const Case c = test::column(scheme, h);
-  Simulation s = test::simulate_on(test::distorted_rectangle(80, 15, h, 0.2, 4), c);
-  s.step(static_cast<std::int64_t>(0.5 / s.model.dt));
-  const auto points = test::points_by_id(s.state);
   Real square = 0.0, count = 0.0;
   for (std::size_t k = 0; k < points.size(); k += 7) {
     const test::Point& p = points[k];
@@ -48,9 +44,23 @@ Real pressure_noise(const std::string& scheme)
   return std::sqrt(square / count);
 }
 
+/// Its mean over 16 moments of the slide, 0.3 s to 0.9 s: one moment may be three times as noisy as another, when points change cells.
+Real mean_pressure_noise(const std::string& scheme)
+{
+  constexpr int moments = 16;
+  const Case c = test::column(scheme, h);
+  Simulation s = test::simulate_on(test::distorted_rectangle(80, 15, h, 0.2, 4), c);
+  Real sum = 0.0;
+  for (int k = 0; k < moments; ++k) {
+    s.step(static_cast<std::int64_t>((k == 0 ? 0.3 : 0.04) / s.model.dt));
+    sum += pressure_noise(test::points_by_id(s.state));
+  }
+  return sum / moments;
+}
+
 TEST(Noise, PressureIsTwentyTimesSmootherThanWithIntegrationAtThePoints)
 {
-  const Real standard = pressure_noise("standard_mpm"), mixed = pressure_noise("mpm_mixed"), gp = pressure_noise("mpm_gp");
+  const Real standard = mean_pressure_noise("standard_mpm"), mixed = mean_pressure_noise("mpm_mixed"), gp = mean_pressure_noise("mpm_gp");
   std::cout << "pressure noise: standard_mpm " << standard << " Pa, mpm_mixed " << mixed << " Pa, mpm_gp " << gp << " Pa; ratios "
             << standard / mixed << ", " << standard / gp << '\n';
   EXPECT_GT(standard, 20.0 * mixed);
