@@ -43,33 +43,39 @@ std::int64_t count_of(const Hdf5File& file, const char* data)
   return file.read<std::int64_t>(root + (data == std::string_view("CellData") ? "/NumberOfCells" : "/NumberOfPoints")).at(0);
 }
 
-template <class T>
-void add_table(Hdf5File& file, const std::string& name, int n_columns, const std::vector<T>& values)
+/// A table of n_rows; add_row(k, values) appends row k. A part at a time: all of a large mesh would be the most memory that a run ever takes.
+template <class T, class F>
+void add_table(Hdf5File& file, const std::string& name, int n_columns, std::int64_t n_rows, F&& add_row)
 {
-  const std::int64_t n_rows = std::ssize(values) / std::max(1, n_columns);
   file.create_table<T>(name, {n_columns, std::min(n_rows, largest_chunk), compression});
-  file.write_rows<T>(name, 0, values);
+  std::vector<T> values;
+  for (std::int64_t first = 0; first < n_rows; first += largest_chunk) {
+    values.clear();
+    for (std::int64_t k = first; k < std::min(first + largest_chunk, n_rows); ++k) add_row(static_cast<std::size_t>(k), values);
+    file.write_rows<T>(name, first, values);
+  }
 }
 
 void add_grid(Hdf5File& file, const Mesh<2>& mesh)
 {
-  std::vector<Real> places;
-  for (const Vec<2>& x : mesh.nodes) places.insert(places.end(), {x[0], x[1], 0.0});
-  add_table(file, root + "/Points", 3, places);
+  constexpr std::size_t n_corners = 4;
+  const std::int64_t n_corners_of_all = static_cast<std::int64_t>(n_corners) * mesh.n_cells();
+  add_table<Real>(file, root + "/Points", 3, mesh.n_nodes(), [&](std::size_t k, std::vector<Real>& places) {
+    places.insert(places.end(), {mesh.nodes[k][0], mesh.nodes[k][1], 0.0});
+  });
   file.set_text(root + "/Points", "unit", "m");
-
-  std::vector<std::int64_t> connectivity, offsets{0};
-  for (const auto& cell : mesh.cells) {
-    connectivity.insert(connectivity.end(), cell.begin(), cell.end());
-    offsets.push_back(std::ssize(connectivity));
-  }
-  add_table(file, root + "/Connectivity", 0, connectivity);
-  add_table(file, root + "/Offsets", 0, offsets);
-  add_table(file, root + "/Types", 0, std::vector<std::uint8_t>(mesh.cells.size(), vtk_quad));
+  using Integers = std::vector<std::int64_t>;
+  add_table<std::int64_t>(file, root + "/Connectivity", 0, n_corners_of_all, [&](std::size_t k, Integers& nodes) {
+    nodes.push_back(mesh.cells[k / n_corners][k % n_corners]);
+  });
+  add_table<std::int64_t>(file, root + "/Offsets", 0, mesh.n_cells() + 1, [](std::size_t k, Integers& offsets) {
+    offsets.push_back(static_cast<std::int64_t>(n_corners * k));
+  });
+  add_table<std::uint8_t>(file, root + "/Types", 0, mesh.n_cells(), [](std::size_t, std::vector<std::uint8_t>& types) { types.push_back(vtk_quad); });
   const auto number = [&](const char* name, std::int64_t n) { file.write<std::int64_t>(root + "/" + name, {1}, std::vector<std::int64_t>{n}); };
   number("NumberOfPoints", mesh.n_nodes());
   number("NumberOfCells", mesh.n_cells());
-  number("NumberOfConnectivityIds", std::ssize(connectivity));
+  number("NumberOfConnectivityIds", n_corners_of_all);
 }
 
 void add_fields(Hdf5File& file, const Mesh<2>& mesh)

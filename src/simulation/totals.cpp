@@ -37,8 +37,8 @@ Real nth_largest(std::vector<Real> values, std::size_t n)
   return *nth;
 }
 
-/// The n-th largest of all points cannot be below that of the blocks' fastest, so only blocks with a faster point are looked into.
-/// fastest: largest squared speed by block number.
+/// The n-th largest of all points cannot be below that of the blocks' fastest, so only what is faster is looked at: nothing in soil that
+/// rests or falls as a whole. fastest: largest squared speed by block number.
 void enter_speeds(const PointBlocks<2>& points, const std::vector<Real>& fastest, Totals& totals)
 {
   if (points.n_points() == 0) return;  // all soil has left
@@ -47,16 +47,16 @@ void enter_speeds(const PointBlocks<2>& points, const std::vector<Real>& fastest
   const Real least = nth_largest(fastest, n);
   std::vector<Real> fast;
   for (Index b = 0; b < points.n_blocks(); ++b) {
-    if (fastest[b] < least) continue;
+    if (!(fastest[b] > least)) continue;
     const PointBlock<2>& block = points.block(b);
     for (Index p = 0; p < block.n; p += pack_width) {
       const Pack squares = squared_speeds(block, p);
       for (int k = 0; k < std::min(pack_width, static_cast<int>(block.n - p)); ++k)
-        if (squares[k] >= least) fast.push_back(squares[k]);
+        if (squares[k] > least) fast.push_back(squares[k]);
     }
   }
-  totals.v_999 = std::sqrt(nth_largest(fast, n));
   totals.v_max = std::sqrt(*std::max_element(fastest.begin(), fastest.end()));
+  totals.v_999 = std::sqrt(std::max(least, nth_largest(std::move(fast), n)));
 }
 
 /// What the walk needs of a material.
