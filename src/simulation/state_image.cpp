@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -269,15 +270,14 @@ StateImage make_image(const State& state)
 
 void for_each_part(const State& state, std::int64_t most_values, const std::function<void(StateImage)>& f)
 {
-  StateImage part{.time = state.time, .step = state.step, .arrays = {}, .part = 0, .last = false};
+  const auto start_part = [&](int number) { return StateImage{.time = state.time, .step = state.step, .arrays = {}, .part = number, .last = false}; };
+  StateImage part = start_part(0);
   std::int64_t room = most_values;
   for (const ArraySource& array : arrays_of(state)) {
     std::int64_t first = 0;
     do {
       if (room < array.row_length() && !part.arrays.empty()) {
-        f(std::move(part));
-        part.arrays.clear();
-        ++part.part;
+        f(std::exchange(part, start_part(part.part + 1)));
         room = most_values;
       }
       const std::int64_t n = std::clamp<std::int64_t>(room / array.row_length(), 1, std::max<std::int64_t>(array.n_rows() - first, 1));
