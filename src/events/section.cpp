@@ -90,10 +90,12 @@ Section look_at_section(const Mesh<2>& mesh, const PointBlocks<2>& points, Colum
 
 Real relief(const Section& section) { return highest(section) - std::min(foot(section, Facing::right), foot(section, Facing::left)); }
 
+bool is_flat(const Section& section) { return !(relief(section) >= section.columns.width); }
+
 std::vector<Slope> find_slopes(const Section& section)
 {
   std::vector<Slope> slopes;
-  if (section.columns.n < fewest_columns || !(relief(section) > 0.0)) return slopes;
+  if (section.columns.n < fewest_columns || is_flat(section)) return slopes;
   for (const Facing facing : {Facing::right, Facing::left})
     if (const auto slope = find_slope(section, facing)) slopes.push_back(*slope);
   return slopes;
@@ -101,8 +103,7 @@ std::vector<Slope> find_slopes(const Section& section)
 
 Real moved_distance(const Section& section)
 {
-  const Real slope = relief(section);
-  return level * (slope > 0.0 ? slope : highest(section) - section.base);
+  return level * (is_flat(section) ? highest(section) - section.base : relief(section));
 }
 
 }  // namespace terp

@@ -37,6 +37,9 @@ Columns columns_between(Real left, Real right, Real width);
 /// Height of the highest surface over the lower of the feet on both sides: the ground there, or the lowest point where no soil is [m].
 Real relief(const Section& section);
 
+/// True if the relief is less than a column is wide: what the points and the cells make of level ground is no slope.
+bool is_flat(const Section& section);
+
 /// The slopes of a section, that to the right first: none, one or two.
 std::vector<Slope> find_slopes(const Section& section);
 

@@ -73,11 +73,7 @@ Real kinetic_and_elastic_energy(const Model& model, const State& state)
   return 0.5 * sum(books.twice_kinetic) + sum(books.elastic) + kinetic_and_elastic_energy(state.left);
 }
 
-Real energy_exchanged(const State& state)
-{
-  const WorkTotals& w = state.work;
-  return std::abs(w.gravity) + std::abs(w.damping) + std::abs(w.boundary) + w.plastic + state.start_energy;
-}
+Real energy_exchanged(const State& state) { return energy_exchanged(state.work) + state.start_energy; }
 
 void start_audit(const Model& model, State& state)
 {

@@ -6,6 +6,9 @@
 #include "simulation/state.hpp"
 #include "simulation/workspace.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace terp {
 
 /// Elastic energy stored in a point [J per m]; sigma: xx yy zz xy [Pa], volume [m^2].
@@ -16,6 +19,12 @@ Real kinetic_and_elastic_energy(const Model& model, const State& state);
 
 /// What the works moved so far, and the energy of the start [J per m]: the scale of the energy balance.
 Real energy_exchanged(const State& state);
+
+/// The part of the works in it [J per m].
+inline Real energy_exchanged(const WorkTotals& w)
+{
+  return std::max(w.exchanged, std::abs(w.gravity) + std::abs(w.damping) + std::abs(w.boundary) + w.plastic);
+}
 
 /// The books as they stand, on the threads of the run; follows the failure, enters the speed into state.largest_v_999, and audits the history:
 /// a point whose eps_eq_p fell, or whose S_u rose, since the row before is marked for good.

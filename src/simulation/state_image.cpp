@@ -107,6 +107,7 @@ void get_since_format_4(const Model& model, const StateImage& image, State& stat
 {
   start_following_sides(model, state);  // of an earlier one: as if the soil that is there now had always been there
   if (holds(image, "side_reached")) state.side_reached = get<Real>(image, "side_reached", model.mesh.sides.size());
+  if (holds(image, "work_exchanged")) state.work.exchanged = get<Real>(image, "work_exchanged", 1)[0];
   if (holds(image, "last_step_work")) state.work.last_step = get<Real>(image, "last_step_work", 1)[0];
 }
 
@@ -241,6 +242,7 @@ std::vector<ArraySource> arrays_of(const State& state)
   arrays.push_back(kept("x_initial", state.x_initial));
   const WorkTotals& w = state.work;
   arrays.push_back(few("work", std::vector<Real>{w.gravity, w.damping, w.boundary, w.plastic, w.internal, state.start_energy, state.largest_v_999}));
+  arrays.push_back(few("work_exchanged", std::vector<Real>{w.exchanged}));
   arrays.push_back(few("last_step_work", std::vector<Real>{w.last_step}));
   arrays.push_back(kept("side_reached", state.side_reached));
   arrays.push_back(few("wall_s", std::vector<Real>{state.wall_s}));  // the one number that differs between equal runs

@@ -80,6 +80,7 @@ void finish_sums(State& state, Workspace& work)
     state.work.plastic += sums.plastic;
     state.tension_cut += sums.tension_cut;
   }
+  state.work.exchanged = energy_exchanged(state.work);
   work.finite = total.finite;
   work.kinetic_nodal = total.kinetic;
   work.unbalanced_ratio = total.weight > 0.0 ? total.unbalanced / total.weight : 0.0;

@@ -60,8 +60,9 @@ Row to_row(const std::string& case_name, const Finding& f)
                   : relative               ? fmt::format("{:.3g} %", 100.0 * f.relative)
                                            : fmt::format("{:.3g}", f.tolerance);
   const bool good = agrees(f), known = !q.red.empty() && names_run(q.red_runs, f.run);
-  row.verdict = good ? Verdict::pass : known ? Verdict::red : Verdict::fail;
-  if (!good && known) row.remark = q.red;
+  const bool excused = known && std::isfinite(f.value);  // a reason speaks of a number
+  row.verdict = good ? Verdict::pass : excused ? Verdict::red : Verdict::fail;
+  if (!good && excused) row.remark = q.red;
   row.declared_red = known;
   return row;
 }

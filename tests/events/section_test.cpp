@@ -66,6 +66,14 @@ TEST(Section, FlatGroundHasNoSlope)
   EXPECT_TRUE(find_slopes(section_of({})).empty());
 }
 
+TEST(Section, LevelGroundWhosePointsDifferByLessThanAColumnHasNoSlope)
+{
+  EXPECT_TRUE(find_slopes(section_of({5.0, 5.0, 5.0, 4.9, 4.1, 4.1, 4.1})).empty());  // columns of 1 m
+  EXPECT_TRUE(find_slopes(section_of({5.0, 5.0, 5.0, 5.0, 5.0 - 1e-10, 5.0 - 1e-10})).empty());
+  EXPECT_EQ(moved_distance(section_of({5.0, 5.0, 5.0, 5.0, 5.0 - 1e-10, 5.0 - 1e-10})), 0.25);
+  EXPECT_EQ(find_slopes(section_of({5.0, 5.0, 5.0, 4.9, 4.0, 4.0, 4.0})).size(), 1);
+}
+
 TEST(MovedDistance, IsATwentiethOfTheReliefAndOfTheHeightWithoutAny)
 {
   EXPECT_NEAR(moved_distance(section_of({4.0, 4.0, none, none})), 0.2, 1e-12);

@@ -7,6 +7,7 @@
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -97,6 +98,27 @@ TEST(Guards, EnergyThatNoWorkExplainsIsAFaultOnceItIsAsMuchAsAllThatWasExchanged
                         "  likely   an unstable time step, or a stiff body that travels far in pure FLIP\n"
                         "  try      a lower time.courant, or method.flip = 0.9 (docs/troubleshooting.md#the-energy-balance-is-off)",
                         row.numerical, 0.5 * row.numerical, row.kinetic, row.elastic, row.v_999));
+}
+
+// An elastic layer that swings under its weight: once in a period gravity has done no work on the whole, and 28 J to and fro.
+TEST(Guards, WorkThatSwingsToAndFroWasExchanged)
+{
+  Case c = test::free_box("mpm_gp", {0.0, 0.0}, {4.0, 1.0}, test::elastic(1e7, 0.3, 2000.0));
+  c.mesh.size = {4.0, 2.0};
+  c.mesh.cell = {0.25, 0.25};
+  c.forces.gravity = {0.0, -9.81};
+  c.sides = {test::side("left", SideKind::roller), test::side("right", SideKind::roller), test::side("bottom", SideKind::fixed)};
+  Simulation s(c);
+  start_audit(s.model, s.state);
+  Real largest = 0.0, least_share = 1.0;
+  while (s.state.time < 0.1) {
+    s.step();
+    largest = std::max(largest, std::abs(s.state.work.gravity));
+    EXPECT_EQ(find_fault_in_balance(s.model, s.state, keep_ledger(s.model, s.state, s.work)), "") << s.state.step;
+    EXPECT_GE(energy_exchanged(s.state), largest);
+    least_share = std::min(least_share, std::abs(s.state.work.gravity) / largest);
+  }
+  EXPECT_LT(least_share, 0.1);  // it did swing back
 }
 
 // Forces work at the stress of the start of a step: in the first step of sides that move, all energy that is stored is without work, later 1/n of it.

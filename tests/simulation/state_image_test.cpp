@@ -48,7 +48,7 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
   s.step(3);
   keep_ledger(s.model, s.state, s.work);
   State& state = s.state;
-  state.work = {1.0, 2.0, 3.0, 4.0, 5.0, 5.5};
+  state.work = {.gravity = 1.0, .damping = 2.0, .boundary = 3.0, .plastic = 4.0, .internal = 5.0, .exchanged = 5.25, .last_step = 5.5};
   state.start_energy = 6.0;
   state.clamped = 7;
   state.tension_cut = 8;
@@ -67,6 +67,7 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
   EXPECT_EQ(back.work.boundary, 3.0);
   EXPECT_EQ(back.work.plastic, 4.0);
   EXPECT_EQ(back.work.internal, 5.0);
+  EXPECT_EQ(back.work.exchanged, 5.25);
   EXPECT_EQ(back.work.last_step, 5.5);
   EXPECT_EQ(back.start_energy, 6.0);
   EXPECT_EQ(back.clamped, 7);
@@ -149,7 +150,7 @@ TEST(StateImage, WithoutOneOfItsArraysIsRefused)
     StateImage cut = image;
     cut.arrays.erase(cut.arrays.begin() + static_cast<std::ptrdiff_t>(k));
     const std::string& name = image.arrays[k].name;
-    if (name == "last_step_work" || name == "side_reached")  // since format 4; 3 is still read
+    if (name == "work_exchanged" || name == "last_step_work" || name == "side_reached")  // since format 4; 3 is still read
       EXPECT_NO_THROW(restore(s.model, cut));
     else
       EXPECT_THROW(restore(s.model, cut), FileError) << name;
