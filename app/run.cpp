@@ -86,7 +86,7 @@ int solve(const Model& model, State& state, RunWriter& writer, const RunOptions&
   ProgressLine progress(options.quiet);
   Workspace work(model, state);
   try {
-    MeshWriter mesh(folder, model, state);
+    MeshWriter mesh(folder, writer.case_record(), model, state);
     Observer* const observers[] = {&writer, &mesh, &progress};
     writer.summary(summarise(model, state), false);  // also names the case for `resume`
     const Outcome outcome = run(model, state, work, observers, stop_requested);
@@ -197,15 +197,16 @@ void seed_again(const StateImage& image, Model& model)
 }
 
 /// What the files of the run must hold. Ledger rows and frames were counted as they were written.
-ResumePoint resume_point(const Model& model, const State& state)
+ResumePoint resume_point(const Model& model, const State& state, const std::string& tables)
 {
   const OutputCase& output = model.description.output;
   const std::int64_t n_times = count_due(state.step, model.dt, output.history_every);
-  return {.step = state.step, .time = state.time, .n_frames = std::ssize(state.softened_fraction),
+  return {.step = state.step, .time = state.time, .n_points = state.n_ids(), .n_cells = model.mesh.n_cells(),
+          .n_frames = std::ssize(state.softened_fraction),
           .n_mesh_frames = output.mesh ? std::ssize(state.softened_fraction) : 0,
           .n_history_rows = n_times * std::ssize(output.history_points), .n_ledger_rows = state.ledger_rows,
           .n_left_rows = std::ssize(state.left),
-          .n_footing_rows = state.ledger_rows * std::ssize(model.footings)};
+          .n_footing_rows = state.ledger_rows * std::ssize(model.footings), .tables = tables};
 }
 
 }  // namespace
@@ -244,7 +245,7 @@ int resume_run(const RunOptions& options)
     State state = restore(model, image);
     const std::string kept = image.case_record.empty() ? record_text(record) : image.case_record;
     RunWriterSettings settings{folder, {case_name_in(folder), file.text}, file.values.output.checkpoint_keep, kept};
-    const auto writer = RunWriter::resume(std::move(settings), std::move(lock), resume_point(model, state));
+    const auto writer = RunWriter::resume(std::move(settings), std::move(lock), resume_point(model, state, image.tables));
     if (!options.quiet) fmt::print("resuming {} at t = {:.4g} s, step {} of {}\n", folder, state.time, state.step, model.n_steps);
     for (const ChangedValue& change : changes)
       if (!options.quiet) fmt::print("  from here on with another {}\n", change.text());

@@ -21,9 +21,9 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the checksum is over little-endian bytes");
 
-constexpr std::int64_t format_version = 4, first_with_case = 4, oldest_read = 3;
+constexpr std::int64_t format_version = 5, first_with_tables = 5, first_with_case = 4, oldest_read = 3;
 const std::string format_name = "terp checkpoint";
-const std::string arrays = "/arrays", case_place = "/case";
+const std::string arrays = "/arrays", case_place = "/case", tables_place = "/tables";
 
 void write_array(Hdf5File& file, const NamedArray& array)
 {
@@ -53,12 +53,13 @@ std::int64_t largest_size(const StateImage& part)
 }
 
 /// Adds the next part of an image to its checksum, and with the first what goes before the arrays.
-void add_part(const StateImage& part, const std::string& case_record, Fnv1a& hash)
+void add_part(const StateImage& part, const std::string& case_record, const std::string& tables, Fnv1a& hash)
 {
   if (part.part == 0) {
     hash.add(&part.time, sizeof part.time);
     hash.add(part.step);
-    hash.add(case_record.data(), case_record.size());
+    hash.add(case_record);
+    hash.add(tables);
   }
   for (const auto& array : part.arrays) {
     if (array.first == 0) {
@@ -71,7 +72,18 @@ void add_part(const StateImage& part, const std::string& case_record, Fnv1a& has
   }
 }
 
-void write_head(Hdf5File& file, const StateImage& part, const std::string& case_record)
+void write_text(Hdf5File& file, const std::string& place, const std::string& text)
+{
+  file.write<std::uint8_t>(place, {std::ssize(text)}, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+std::string read_text(const Hdf5File& file, const std::string& place)
+{
+  const auto bytes = file.read<std::uint8_t>(place);
+  return {bytes.begin(), bytes.end()};
+}
+
+void write_head(Hdf5File& file, const StateImage& part, const std::string& case_record, const std::string& tables)
 {
   file.set_text("/", "format", format_name);
   file.set_integers("/", "format_version", {format_version});
@@ -79,7 +91,8 @@ void write_head(Hdf5File& file, const StateImage& part, const std::string& case_
   file.set_real("/", "time", part.time);
   file.set_text("/", "time_unit", "s");
   file.set_integers("/", "step", {part.step});
-  file.write<std::uint8_t>(case_place, {std::ssize(case_record)}, {reinterpret_cast<const std::uint8_t*>(case_record.data()), case_record.size()});
+  write_text(file, case_place, case_record);
+  write_text(file, tables_place, tables);
   file.create_group(arrays);
 }
 
@@ -132,12 +145,12 @@ void remove_checkpoint(const std::string& folder, std::int64_t step)
 std::uint64_t checksum_of(const StateImage& image)
 {
   Fnv1a hash;
-  add_part(image, image.case_record, hash);
+  add_part(image, image.case_record, image.tables, hash);
   return hash.value();
 }
 
-CheckpointWriter::CheckpointWriter(std::string path, std::string case_record)
-    : path_(std::move(path)), temporary_(temporary_name(path_)), case_record_(std::move(case_record))
+CheckpointWriter::CheckpointWriter(std::string path, std::string case_record, std::string tables)
+    : path_(std::move(path)), temporary_(temporary_name(path_)), case_record_(std::move(case_record)), tables_(std::move(tables))
 {
 }
 
@@ -170,16 +183,16 @@ void CheckpointWriter::enter(const NamedArray& array)
 void CheckpointWriter::write_part(const StateImage& part)
 {
   Hdf5File file(temporary_, part.part == 0 ? Hdf5File::Mode::create : Hdf5File::Mode::change, largest_size(part) + std::ssize(case_record_));
-  if (part.part == 0) write_head(file, part, case_record_);
+  if (part.part == 0) write_head(file, part, case_record_, tables_);
   for (const auto& array : part.arrays) {
     enter(array);
     write_array(file, array);
   }
-  add_part(part, case_record_, checksum_);
+  add_part(part, case_record_, tables_, checksum_);
   if (part.last) {
     check_complete();
     file.set_text(arrays, "names", names_);  // in their order, one per line
-    file.set_text("/", "checksum", fmt::format("{:016x}", checksum_.value()));
+    file.set_text("/", "checksum", checksum_.digits());
   }
   file.close();
 }
@@ -194,7 +207,7 @@ void CheckpointWriter::append(const StateImage& part)
 
 void write_checkpoint(const std::string& path, const StateImage& image)
 {
-  CheckpointWriter(path, image.case_record).append(image);
+  CheckpointWriter(path, image.case_record, image.tables).append(image);
 }
 
 StateImage read_checkpoint(const std::string& path)
@@ -204,10 +217,8 @@ StateImage read_checkpoint(const std::string& path)
   StateImage image;
   image.time = file.real("/", "time");
   image.step = file.integers("/", "step").at(0);
-  if (version >= first_with_case) {
-    const auto bytes = file.read<std::uint8_t>(case_place);
-    image.case_record.assign(bytes.begin(), bytes.end());
-  }
+  if (version >= first_with_case) image.case_record = read_text(file, case_place);
+  if (version >= first_with_tables) image.tables = read_text(file, tables_place);
   for (const auto& name : split_names(file.text(arrays, "names"))) image.arrays.push_back(read_array(file, name));
   if (fmt::format("{:016x}", checksum_of(image)) != file.text("/", "checksum")) {
     throw FileError(fmt::format("cannot use {}: its checksum does not match; the file was altered or damaged", path));

@@ -15,8 +15,8 @@ namespace terp {
 /// Names of arrays are unique; a '/' in them makes groups in the file.
 class CheckpointWriter {
  public:
-  /// case_record: what the run began with, kept as it is; may be empty.
-  explicit CheckpointWriter(std::string path, std::string case_record = {});
+  /// case_record: what the run began with; tables: what its tables hold. Kept as they are; may be empty.
+  explicit CheckpointWriter(std::string path, std::string case_record = {}, std::string tables = {});
   /// Without the last part there will be no checkpoint.
   ~CheckpointWriter();
   CheckpointWriter(const CheckpointWriter&) = delete;
@@ -30,19 +30,19 @@ class CheckpointWriter {
   void enter(const NamedArray& array);
   void check_complete() const;
 
-  std::string path_, temporary_, case_record_, names_;
+  std::string path_, temporary_, case_record_, tables_, names_;
   std::string array_;                              // the newest
   std::int64_t n_written_ = 0, n_expected_ = 0;    // values of it
   Fnv1a checksum_;
 };
 
-/// Writes a checkpoint from a whole image, with its case record.
+/// Writes a checkpoint from a whole image, with its case record and tables.
 void write_checkpoint(const std::string& path, const StateImage& image);
 
 /// Throws FileError with the file and what is wrong unless every bit is as it was written.
 StateImage read_checkpoint(const std::string& path);
 
-/// FNV-1a, 64 bit, over the time, the step, the case record, and each array's name, type, shape and values, in their order. Of a whole image.
+/// FNV-1a, 64 bit, over the time, the step, the case record, the tables, and each array's name, type, shape and values, in their order. Of a whole image.
 std::uint64_t checksum_of(const StateImage& image);
 
 /// A checkpoint that could not be used, and why.

@@ -1,8 +1,12 @@
-// The checksum of checkpoints and journals.
+// The checksum of checkpoints, journals and tables.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
 
 namespace terp {
 
@@ -15,10 +19,20 @@ class Fnv1a {
     for (std::size_t k = 0; k < n_bytes; ++k) hash_ = (hash_ ^ bytes[k]) * 0x100000001b3u;
   }
   void add(std::int64_t value) { add(&value, sizeof value); }
+  void add(std::string_view text) { add(text.data(), text.size()); }
   std::uint64_t value() const { return hash_; }
+  std::string digits() const { return fmt::format("{:016x}", hash_); }  ///< 16, hexadecimal
 
  private:
   std::uint64_t hash_ = 0xcbf29ce484222325u;
 };
+
+/// 16 digits that depend on every character.
+inline std::string digits_of(std::string_view text)
+{
+  Fnv1a hash;
+  hash.add(text);
+  return hash.digits();
+}
 
 }  // namespace terp

@@ -54,7 +54,7 @@ void sync(int descriptor, const std::string& path)
 std::uint64_t checksum(std::string_view bytes)
 {
   Fnv1a hash;
-  hash.add(bytes.data(), bytes.size());
+  hash.add(bytes);
   return hash.value();
 }
 

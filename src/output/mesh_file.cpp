@@ -1,6 +1,7 @@
 // mesh.vtkhdf in the VTKHDF format 2.0: nodes and cells are written once, fields of nodes and cells frame after frame.
 #include "output/mesh_file.hpp"
 
+#include "output/checksum.hpp"
 #include "output/committed_file.hpp"
 #include "output/files.hpp"
 #include "output/run_folder.hpp"
@@ -108,7 +109,7 @@ void MeshFile::create(const Mesh<2>& mesh, bool with_steps) const
   write_whole(path_, [&](const std::string& temporary) {
     Hdf5File file(temporary, Hdf5File::Mode::create, largest_size(mesh.n_nodes(), mesh.n_cells()));
     file.create_group(root);
-    vtkhdf::add_header(file);
+    vtkhdf::add_header(file, run_);
     add_grid(file, mesh);
     if (with_steps) add_fields(file, mesh);
     file.close();
@@ -135,18 +136,22 @@ std::int64_t MeshFile::count_until(std::int64_t step) const
   return file.exists(steps) ? vtkhdf::count_steps(file, step) : 0;
 }
 
-void MeshFile::truncate_after(std::int64_t step) const
+std::unique_ptr<Hdf5File> MeshFile::open_to_cut() const
 {
-  if (!std::filesystem::exists(path_) || !Hdf5File(path_, Hdf5File::Mode::read).exists(steps)) return;
-  Hdf5File file(path_, Hdf5File::Mode::commit, largest_size(largest_chunk, largest_chunk));
+  if (!std::filesystem::exists(path_)) return nullptr;
+  return std::make_unique<Hdf5File>(path_, Hdf5File::Mode::commit, largest_size(largest_chunk, largest_chunk));
+}
+
+void MeshFile::cut_after(Hdf5File& file, std::int64_t step)
+{
+  if (!file.exists(steps)) return;
   std::vector<vtkhdf::StepTable> tables;
   for (const MeshField& field : fields) tables.push_back({table_of(field), count_of(file, field.data)});
   vtkhdf::cut_steps(file, step, tables);
-  file.close();
 }
 
-MeshWriter::MeshWriter(const std::string& folder, const Model& model, const State& state)
-    : file_(path_in(folder, mesh_file)), model_(model), state_(state)
+MeshWriter::MeshWriter(const std::string& folder, const std::string& case_record, const Model& model, const State& state)
+    : file_(path_in(folder, mesh_file), digits_of(case_record)), model_(model), state_(state)
 {
   if (!std::filesystem::exists(path_in(folder, mesh_file))) file_.create(model.mesh, model.description.output.mesh);
 }

@@ -4,7 +4,7 @@
 #include "base/errors.hpp"
 #include "output/mesh_file.hpp"
 #include "output/summary_json.hpp"
-#include "output/table_csv.hpp"
+#include "output/vtkhdf_steps.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -27,36 +27,66 @@ void check_length(const std::string& path, const char* unit, std::int64_t n, std
                               from.step, from.time, path, fault, path_in(folder_of(path), case_file)));
 }
 
-/// Number of frames up to a step. Throws FileError if the file is damaged: HDF5 keeps what belongs to one frame all over the file, so that of one
-/// that was cut or altered nothing can be relied on.
-template <class File>
-std::int64_t count_frames(const File& file, const std::string& path, const ResumePoint& from)
+/// Throws FileError for a file that is there and cannot be gone on with.
+[[noreturn]] void refuse(const std::string& path, const ResumePoint& from, const std::string& fault)
 {
-  try {
-    return file.count_until(from.step);
-  } catch (const FileError& error) {
-    throw FileError(fmt::format("cannot resume from step {}, t = {:.4g} s: {} was cut or altered, and its frames cannot be read\n"
-                                "  {}\n"
-                                "  Put a copy of it back, or start the case anew: terp run {} -o NEW_FOLDER\n"
-                                "  Nothing was changed; the tables and checkpoints of the folder are as they were.",
-                                from.step, from.time, path, error.what(), path_in(folder_of(path), case_file)));
-  }
+  throw FileError(fmt::format("cannot resume from step {}, t = {:.4g} s: {} {}\n"
+                              "  Put a copy of it back, or start the case anew: terp run {} -o NEW_FOLDER\n"
+                              "  Nothing was changed; the other files of the folder are as they were.",
+                              from.step, from.time, path, fault, path_in(folder_of(path), case_file)));
 }
 
-void check_files(const std::string& folder, const ResumePoint& from)
+/// What is dropped: all that comes later. A run at its start shows that start again.
+std::int64_t last_step(const ResumePoint& from) { return from.step == 0 ? -1 : from.step; }
+Real last_time(const ResumePoint& from) { return from.step == 0 ? -std::numeric_limits<Real>::infinity() : from.time; }
+
+/// What a table must be.
+struct TableInfo {
+  std::string_view name, header;
+  std::int64_t ResumePoint::*n_due;
+};
+constexpr std::array tables = {TableInfo{history_file, history_header, &ResumePoint::n_history_rows},
+                               TableInfo{ledger_file, ledger_header, &ResumePoint::n_ledger_rows},
+                               TableInfo{left_file, left_header, &ResumePoint::n_left_rows},
+                               TableInfo{footings_file, footings_header, &ResumePoint::n_footing_rows}};
+
+/// One line per table of a run, "ledger.csv = 85944171f73967e8": its checksum.
+std::string table_line(std::string_view name, const std::string& checksum) { return fmt::format("{} = {}\n", name, checksum); }
+
+/// Throws FileError unless the rows up to the checkpoint are those that the run wrote.
+void check_table(const std::string& folder, const TableInfo& table, const ResumePoint& from)
 {
-  const auto check_table = [&](std::string_view name, std::string_view header, std::int64_t n_due) {
-    const std::string path = path_in(folder, name);
-    check_length(path, "rows", count_rows_until(path, header, from.time), n_due, from);
+  const std::string path = path_in(folder, table.name);
+  const TablePart part = read_part_until(path, table.header, last_time(from));
+  check_length(path, "rows", part.n_rows, from.step == 0 ? 0 : from.*table.n_due, from);
+  const bool same = from.tables.find(table_line(table.name, part.checksum)) != std::string::npos;
+  if (!from.tables.empty() && part.n_rows > 0 && !same) refuse(path, from, "is not what this run wrote: rows of it were altered, or it is of another run");
+}
+
+/// The file without what comes after the checkpoint, on the disk when it is closed; nothing if there is none. Throws FileError if it is damaged: HDF5
+/// keeps what belongs to one frame all over the file, so that of one that was cut or altered nothing can be relied on.
+template <class File>
+std::unique_ptr<Hdf5File> cut(const File& file, const std::string& path, std::int64_t n_due, std::int64_t n_cells, const std::string& run, const ResumePoint& from)
+{
+  const auto unless_damaged = [&](auto&& read) {
+    try {
+      return read();
+    } catch (const FileError& error) {
+      refuse(path, from, fmt::format("was cut or altered, and its frames cannot be read\n  {}", error.what()));
+    }
   };
-  const std::string results = path_in(folder, results_file);
-  check_length(results, "frames", count_frames(ResultsFile(results), results, from), from.n_frames, from);
-  const std::string mesh = path_in(folder, mesh_file);
-  check_length(mesh, "frames", count_frames(MeshFile(mesh), mesh, from), from.n_mesh_frames, from);
-  check_table(history_file, history_header, from.n_history_rows);
-  check_table(ledger_file, ledger_header, from.n_ledger_rows);
-  check_table(left_file, left_header, from.n_left_rows);
-  check_table(footings_file, footings_header, from.n_footing_rows);
+  const std::int64_t n = unless_damaged([&] { return file.count_until(from.step); });
+  check_length(path, "frames", n, from.step == 0 ? 0 : n_due, from);
+  std::unique_ptr<Hdf5File> opened = file.open_to_cut();
+  if (!opened) return opened;
+  const std::string other = unless_damaged([&] { return vtkhdf::why_of_another_run(*opened, run, n_cells); });
+  if (!other.empty()) refuse(path, from, "is not of this run: " + other);
+  unless_damaged([&] {
+    file.cut_after(*opened, last_step(from));
+    opened->flush();
+    return true;
+  });
+  return opened;
 }
 
 }  // namespace
@@ -64,11 +94,11 @@ void check_files(const std::string& folder, const ResumePoint& from)
 RunWriter::RunWriter(RunWriterSettings settings, FolderLock lock)
     : settings_(std::move(settings)),
       lock_(std::move(lock)),
-      results_(path_in(settings_.folder, results_file)),
-      history_(open_table(path_in(settings_.folder, history_file), history_header)),
-      ledger_(open_table(path_in(settings_.folder, ledger_file), ledger_header)),
+      results_(path_in(settings_.folder, results_file), digits_of(settings_.case_record)),
       background_(most_waiting)
 {
+  for (std::size_t k = 0; k < n_tables; ++k)
+    if (k == history_table || k == ledger_table || std::filesystem::exists(path_in(settings_.folder, tables[k].name))) open_table(k);
 }
 
 std::unique_ptr<RunWriter> RunWriter::start(RunWriterSettings settings, bool force)
@@ -80,17 +110,15 @@ std::unique_ptr<RunWriter> RunWriter::start(RunWriterSettings settings, bool for
 
 std::unique_ptr<RunWriter> RunWriter::resume(RunWriterSettings settings, FolderLock lock, const ResumePoint& from)
 {
-  const bool at_start = from.step == 0;  // a run at its start shows that start again
-  const std::string folder = settings.folder;
-  if (!at_start) check_files(folder, from);
+  const std::string folder = settings.folder, run = from.tables.empty() ? "" : digits_of(settings.case_record);
+  const std::string results_path = path_in(folder, results_file), mesh_path = path_in(folder, mesh_file);
+  const auto results = cut(ResultsFile(results_path), results_path, from.n_frames, from.n_points, run, from);
+  const auto mesh = cut(MeshFile(mesh_path), mesh_path, from.n_mesh_frames, from.n_cells, run, from);
+  for (const TableInfo& table : tables) check_table(folder, table, from);
+  if (results) results->close();  // all agree: from here on the folder changes
+  if (mesh) mesh->close();
   remove_unfinished(folder);
-  const Real time = at_start ? -std::numeric_limits<Real>::infinity() : from.time;
-  ResultsFile(path_in(folder, results_file)).truncate_after(at_start ? -1 : from.step);  // first: it may yet be refused, and changes as a whole or not at all
-  MeshFile(path_in(folder, mesh_file)).truncate_after(at_start ? -1 : from.step);
-  drop_rows_after(path_in(folder, history_file), history_header, time);
-  drop_rows_after(path_in(folder, ledger_file), ledger_header, time);
-  drop_rows_after(path_in(folder, left_file), left_header, time);
-  drop_rows_after(path_in(folder, footings_file), footings_header, time);
+  for (const TableInfo& table : tables) drop_rows_after(path_in(folder, table.name), table.header, last_time(from));
   remove_checkpoints_after(folder, from.step);
   remove_old_checkpoints(folder, settings.checkpoint_keep);
   return std::unique_ptr<RunWriter>(new RunWriter(std::move(settings), std::move(lock)));
@@ -107,22 +135,22 @@ void RunWriter::frame(const std::shared_ptr<const Frame>& frame)
 
 void RunWriter::history(const std::vector<HistoryRow>& rows)
 {
-  background_.add([this, rows] { history_.append(csv_lines(rows)); });
+  background_.add([this, rows] { append_to(history_table, csv_lines(rows)); });
 }
 
 void RunWriter::ledger(const LedgerRow& row)
 {
-  background_.add([this, row] { ledger_.append(csv_line(row)); });
+  background_.add([this, row] { append_to(ledger_table, csv_line(row)); });
 }
 
 void RunWriter::left(const std::vector<LeftPoint>& points)
 {
-  background_.add([this, points] { append_to(left_, left_file, left_header, csv_lines(points)); });
+  background_.add([this, points] { append_to(left_table, csv_lines(points)); });
 }
 
 void RunWriter::footings(const std::vector<FootingRow>& rows)
 {
-  background_.add([this, rows] { append_to(footings_, footings_file, footings_header, csv_lines(rows)); });
+  background_.add([this, rows] { append_to(footings_table, csv_lines(rows)); });
 }
 
 void RunWriter::checkpoint(const std::shared_ptr<const StateImage>& image)
@@ -134,11 +162,13 @@ void RunWriter::checkpoint(const std::shared_ptr<const StateImage>& image)
 
 void RunWriter::finish() { background_.finish(); }
 
-void RunWriter::append_to(std::optional<AppendFile>& table, std::string_view name, std::string_view header, const std::string& lines)
+TableFile& RunWriter::open_table(std::size_t which)
 {
-  if (!table) table.emplace(open_table(path_in(settings_.folder, name), header));
-  table->append(lines);
+  if (!tables_[which]) tables_[which].emplace(path_in(settings_.folder, tables[which].name), tables[which].header);
+  return *tables_[which];
 }
+
+void RunWriter::append_to(Which which, const std::string& lines) { open_table(which).append(lines); }
 
 void RunWriter::write_checkpoint_part(const StateImage& part)
 {
@@ -147,7 +177,10 @@ void RunWriter::write_checkpoint_part(const StateImage& part)
       const std::string path = path_in(settings_.folder, name);
       if (std::filesystem::exists(path)) sync_to_disk(path);
     }
-    checkpoint_.emplace(path_in(settings_.folder, checkpoint_file(part.step)), settings_.case_record);
+    std::string written;
+    for (std::size_t k = 0; k < n_tables; ++k)
+      if (tables_[k]) written += table_line(tables[k].name, tables_[k]->checksum());
+    checkpoint_.emplace(path_in(settings_.folder, checkpoint_file(part.step)), settings_.case_record, std::move(written));
   }
   checkpoint_->append(part);
   if (!part.last) return;

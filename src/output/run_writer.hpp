@@ -5,11 +5,13 @@
 #include "output/checkpoint.hpp"
 #include "output/files.hpp"
 #include "output/run_folder.hpp"
+#include "output/table_csv.hpp"
 #include "output/vtkhdf.hpp"
 #include "parallel/background.hpp"
 #include "simulation/observer.hpp"
 #include "simulation/summary.hpp"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,7 +29,9 @@ struct RunWriterSettings {
 struct ResumePoint {
   std::int64_t step = 0;
   Real time = 0.0;  ///< [s]
+  std::int64_t n_points = 0, n_cells = 0;
   std::int64_t n_frames = 0, n_mesh_frames = 0, n_history_rows = 0, n_ledger_rows = 0, n_left_rows = 0, n_footing_rows = 0;
+  std::string tables = {};  ///< as the checkpoint has it; empty: not known
 };
 
 /// What is shown is written in the order in which it was shown, by a thread of its own, so that the run goes on meanwhile; `finish`
@@ -41,8 +45,8 @@ class RunWriter : public Observer {
   /// A new run: prepares the folder and writes case.toml.
   static std::unique_ptr<RunWriter> start(RunWriterSettings settings, bool force);
 
-  /// A run that continues from a checkpoint: drops all that was written after it. If a file holds less than it must,
-  /// throws FileError and changes nothing. lock: of the run's folder.
+  /// A run that continues from a checkpoint: drops all that was written after it. If a file is damaged, holds less than it must, or is of
+  /// another run, throws FileError and changes nothing. lock: of the run's folder.
   static std::unique_ptr<RunWriter> resume(RunWriterSettings settings, FolderLock lock, const ResumePoint& from);
 
   ~RunWriter() override;
@@ -53,6 +57,9 @@ class RunWriter : public Observer {
   void left(const std::vector<LeftPoint>& points) override;
   void footings(const std::vector<FootingRow>& rows) override;
   void checkpoint(const std::shared_ptr<const StateImage>& image) override;
+
+  /// What the run began with.
+  const std::string& case_record() const { return settings_.case_record; }
 
   /// Returns when all is on the disk.
   void finish();
@@ -68,16 +75,17 @@ class RunWriter : public Observer {
  private:
   RunWriter(RunWriterSettings settings, FolderLock lock);
 
-  /// Appends to a table that is made with its first lines.
-  void append_to(std::optional<AppendFile>& table, std::string_view name, std::string_view header, const std::string& lines);
+  /// Of tables.
+  enum Which { history_table, ledger_table, left_table, footings_table, n_tables };
+
+  TableFile& open_table(std::size_t which);
+  void append_to(Which which, const std::string& lines);
   void write_checkpoint_part(const StateImage& part);
 
   RunWriterSettings settings_;
   FolderLock lock_;
   ResultsFile results_;
-  AppendFile history_, ledger_;
-  std::optional<AppendFile> left_;      // from the first point on that leaves the mesh
-  std::optional<AppendFile> footings_;  // of a case that has any
+  std::array<std::optional<TableFile>, n_tables> tables_;  // those of points that left and of footings from their first row on
   std::optional<CheckpointWriter> checkpoint_;  // between its first part and its last
   std::weak_ptr<const Frame> last_frame_;
   std::weak_ptr<const StateImage> last_image_;

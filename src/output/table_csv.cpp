@@ -53,7 +53,7 @@ Real time_of(std::string_view row)
 /// The first part of a table.
 struct Part {
   std::size_t length;       ///< in bytes, from the start of the table
-  std::int64_t n_rows = 0;  ///< without the header
+  std::int64_t n_rows = 0;
 };
 
 /// Up to the end of the last whole row with a time of at most `time`.
@@ -127,9 +127,12 @@ std::string csv_line(const LedgerRow& row)
   return line + '\n';
 }
 
-std::int64_t count_rows_until(const std::string& path, std::string_view header, Real time)
+TablePart read_part_until(const std::string& path, std::string_view header, Real time)
 {
-  return std::filesystem::exists(path) ? part_until(read_table(path, header), time).n_rows : 0;
+  if (!std::filesystem::exists(path)) return {};
+  const std::string table = read_table(path, header);
+  const Part part = part_until(table, time);
+  return {part.n_rows, digits_of(std::string_view(table).substr(0, part.length))};
 }
 
 void drop_rows_after(const std::string& path, std::string_view header, Real time)
@@ -140,13 +143,16 @@ void drop_rows_after(const std::string& path, std::string_view header, Real time
   if (length < table.size()) write_file_atomically(path, std::string_view(table).substr(0, length));
 }
 
-AppendFile open_table(const std::string& path, std::string_view header)
+TableFile::TableFile(const std::string& path, std::string_view header) : file_(path)
 {
-  std::error_code no_file;
-  const bool is_new = std::filesystem::file_size(path, no_file) == 0 || no_file;
-  AppendFile file(path);
-  if (is_new) file.append(std::string(header) + '\n');
-  return file;
+  checksum_.add(read_file(path));
+  if (std::filesystem::is_empty(path)) append(std::string(header) + '\n');
+}
+
+void TableFile::append(std::string_view lines)
+{
+  file_.append(lines);
+  checksum_.add(lines);
 }
 
 }  // namespace terp

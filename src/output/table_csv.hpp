@@ -1,6 +1,7 @@
 // history.csv and ledger.csv: tables with a header line and the time in the first column (docs/formats.md).
 #pragma once
 
+#include "output/checksum.hpp"
 #include "output/files.hpp"
 #include "simulation/observer.hpp"
 
@@ -23,14 +24,32 @@ std::string csv_line(const LedgerRow& row);
 std::string csv_lines(const std::vector<LeftPoint>& points);
 std::string csv_lines(const std::vector<FootingRow>& rows);
 
-/// Whole rows with a time of at most `time` [s]; 0 without a file. Throws FileError if the columns are not those of `header`.
-std::int64_t count_rows_until(const std::string& path, std::string_view header, Real time);
+/// A table up to some row.
+struct TablePart {
+  std::int64_t n_rows = 0;   ///< without the header
+  std::string checksum;      ///< over every byte, header included; empty without a file
+};
+
+/// Up to the last whole row with a time of at most `time` [s]. Throws FileError if the columns are not those of `header`.
+TablePart read_part_until(const std::string& path, std::string_view header, Real time);
 
 /// Drops the rows later than `time` [s], and a last line that was cut short. Without a file, nothing is done.
 /// Throws FileError if the columns are not those of `header`.
 void drop_rows_after(const std::string& path, std::string_view header, Real time);
 
-/// Opens a table for appending; a new one gets its header.
-AppendFile open_table(const std::string& path, std::string_view header);
+/// A table that grows.
+class TableFile {
+ public:
+  /// A new one gets its header.
+  TableFile(const std::string& path, std::string_view header);
+
+  /// Whole lines with their line ends.
+  void append(std::string_view lines);
+  std::string checksum() const { return checksum_.digits(); }  ///< as in TablePart, of all rows
+
+ private:
+  AppendFile file_;
+  Fnv1a checksum_;
+};
 
 }  // namespace terp

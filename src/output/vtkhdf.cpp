@@ -90,11 +90,11 @@ void add_field(Hdf5File& file, const PointField& field, const Frame& frame)
 }
 
 /// A file with no frame yet.
-void write_empty(const std::string& path, const Frame& frame)
+void write_empty(const std::string& path, const std::string& run, const Frame& frame)
 {
   Hdf5File file(path, Hdf5File::Mode::create, largest_size(frame, frame.n_whole()));
   for (const auto& group : {root, steps, point_data, point_data_offsets}) file.create_group(group);
-  add_header(file);
+  add_header(file, run);
   add_steps(file);
   file.create_table<std::int64_t>(point_data_offsets + "/id", {});
   add_topology(file, frame.n_whole());
@@ -104,9 +104,9 @@ void write_empty(const std::string& path, const Frame& frame)
   file.close();
 }
 
-void create(const std::string& path, const Frame& frame)
+void create(const std::string& path, const std::string& run, const Frame& frame)
 {
-  write_whole(path, [&](const std::string& temporary) { write_empty(temporary, frame); });
+  write_whole(path, [&](const std::string& temporary) { write_empty(temporary, run, frame); });
 }
 
 /// Throws if the file was made for other points or fields than those of the frame.
@@ -157,7 +157,7 @@ void ResultsFile::append(const Frame& frame)
 {
   std::unique_ptr<Hdf5File> file = std::move(open_);  // dropped with all changes if a part cannot be written
   if (frame.first == 0) {
-    if (!std::filesystem::exists(path_)) create(path_, frame);
+    if (!std::filesystem::exists(path_)) create(path_, run_, frame);
     file = std::make_unique<Hdf5File>(path_, Hdf5File::Mode::commit, largest_size(frame, frame.n_whole()));
   }
   check_fit(*file, path_, frame);
@@ -178,17 +178,19 @@ std::int64_t ResultsFile::count_until(std::int64_t step) const
   return std::filesystem::exists(path_) ? count_steps(Hdf5File(path_, Hdf5File::Mode::read), step) : 0;
 }
 
-void ResultsFile::truncate_after(std::int64_t step)
+std::unique_ptr<Hdf5File> ResultsFile::open_to_cut() const
 {
-  if (!std::filesystem::exists(path_)) return;
-  Hdf5File file(path_, Hdf5File::Mode::commit, cutting_bytes);
+  return std::filesystem::exists(path_) ? std::make_unique<Hdf5File>(path_, Hdf5File::Mode::commit, cutting_bytes) : nullptr;
+}
+
+void ResultsFile::cut_after(Hdf5File& file, std::int64_t step)
+{
   const std::int64_t n = file.read<std::int64_t>(root + "/NumberOfPoints").at(0);
   std::vector<StepTable> tables{{root + "/Points", n}};
   for (const auto& name : file.members(point_data)) {
     if (name != "id") tables.push_back({point_data + "/" + name, n});
   }
   cut_steps(file, step, tables);
-  file.close();
 }
 
 }  // namespace terp

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace terp::vtkhdf {
 namespace {
 
@@ -33,11 +35,20 @@ std::vector<Real> with_z(const std::vector<Real>& values)
   return rows;
 }
 
-void add_header(Hdf5File& file)
+void add_header(Hdf5File& file, const std::string& run)
 {
   file.set_integers(root, "Version", {2, 0});
   file.set_text(root, "Type", "UnstructuredGrid");
   file.set_text("/", "terp_version", TERP_VERSION);
+  if (!run.empty()) file.set_text("/", "case", run);
+}
+
+std::string why_of_another_run(const Hdf5File& file, const std::string& run, std::int64_t n_cells)
+{
+  const std::int64_t n = file.read<std::int64_t>(root + "/NumberOfCells").at(0);
+  if (n != n_cells) return fmt::format("it has {} cells, the run {}", n, n_cells);
+  const std::string other = file.has_attribute("/", "case") ? file.text("/", "case") : run;
+  return run.empty() || other == run ? "" : fmt::format("it is of a run of another case (`case` in it is {}, of this run {})", other, run);
 }
 
 void add_steps(Hdf5File& file)

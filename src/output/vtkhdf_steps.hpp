@@ -19,8 +19,11 @@ int n_columns(int n_components);
 /// Rows of two components become rows of three with z = 0.
 std::vector<Real> with_z(const std::vector<Real>& values);
 
-/// Version and type, for a file of an unstructured grid.
-void add_header(Hdf5File& file);
+/// Version and type, for a file of an unstructured grid, and the run that it is of: digits of its case; empty if not known.
+void add_header(Hdf5File& file, const std::string& run);
+
+/// Why a file cannot be that of the run with these digits and so many cells; empty if it may. One that names no run, of an earlier Terp, may.
+std::string why_of_another_run(const Hdf5File& file, const std::string& run, std::int64_t n_cells);
 
 /// The group of steps with none in it yet; its groups of data offsets are made before.
 void add_steps(Hdf5File& file);

@@ -100,6 +100,7 @@ struct StateImage {
   int part = 0;                     ///< parts come in order
   bool last = true;                 ///< no further part follows
   std::string case_record = {};     ///< what the run began with, in the words of its writer; of a whole image that was read
+  std::string tables = {};          ///< what its tables held by then, the same
 };
 
 /// How far a run is.

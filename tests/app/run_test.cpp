@@ -337,6 +337,23 @@ TEST(Resume, WhereTheResultsWereCutOrAlteredIsRefusedAndNothingChanges)
   }
 }
 
+TEST(Resume, WithAFileOfAnotherRunOfTheSameSizeIsRefused)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run", other = scratch.path() + "/other";
+  ASSERT_EQ(run_column(folder, {"-q"}).status, 0);
+  ASSERT_EQ(run_column(other, {"-q", "--set", "material.clay.eta=40"}).status, 0);
+  for (const std::string name : {"/results.vtkhdf", "/mesh.vtkhdf", "/history.csv", "/ledger.csv"}) {
+    const std::string ours = text_of(folder + name);
+    test::write_text(folder + name, text_of(other + name));
+    const Finished f = test::terp({"resume", folder});
+    EXPECT_EQ(f.status, 1) << name;
+    EXPECT_THAT(f.err, AllOf(StartsWith("error: cannot resume from step 66, t = 0.2 s: " + folder + name + " is not "), HasSubstr("Nothing was changed")));
+    test::write_text(folder + name, ours);
+  }
+  EXPECT_EQ(test::terp({"resume", folder, "-q"}).status, 0);
+}
+
 /// Writes the case of a run folder anew with `from` replaced.
 void edit_case(const std::string& folder, const std::string& from, const std::string& to)
 {

@@ -134,7 +134,7 @@ TEST(Checkpoint, OfAnotherFormatNamesBothVersions)
     file.close();
   }
   EXPECT_THAT(file_error_of([&] { read_checkpoint(path); }),
-              testing::AllOf(HasSubstr("checkpoint format 99"), HasSubstr("reads formats 3 to 4")));
+              testing::AllOf(HasSubstr("checkpoint format 99"), HasSubstr("reads formats 3 to 5")));
 }
 
 TEST(Checkpoint, KeepsWhatTheRunBeganWithUnderItsChecksum)
@@ -143,12 +143,16 @@ TEST(Checkpoint, KeepsWhatTheRunBeganWithUnderItsChecksum)
   const std::string path = folder.path() + "/a.h5";
   StateImage image = sample_image(3);
   image.case_record = "time.end = 0.2\nmaterial.clay.eta = 4.5\n";
+  image.tables = "ledger.csv = 85944171f73967e8\n";
   write_checkpoint(path, image);
   EXPECT_EQ(read_checkpoint(path).case_record, image.case_record);
+  EXPECT_EQ(read_checkpoint(path).tables, image.tables);
   const std::string bytes = test::text_of(path);
   const std::size_t at = bytes.find("eta = 4.5");
   ASSERT_NE(at, std::string::npos);
   write_file_atomically(path, std::string(bytes).replace(at, 9, "eta = 4.6"));
+  EXPECT_THAT(file_error_of([&] { read_checkpoint(path); }), HasSubstr("its checksum does not match"));
+  write_file_atomically(path, std::string(bytes).replace(bytes.find("85944171f73967e8"), 1, "9"));
   EXPECT_THAT(file_error_of([&] { read_checkpoint(path); }), HasSubstr("its checksum does not match"));
 }
 

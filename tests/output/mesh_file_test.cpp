@@ -2,6 +2,7 @@
 #include "output/mesh_file.hpp"
 
 #include "output/hdf5_file.hpp"
+#include "output/samples.hpp"
 #include "support/paths.hpp"
 
 #include <gmock/gmock.h>
@@ -9,6 +10,7 @@
 namespace terp {
 namespace {
 
+using test::cut_after;
 using testing::ElementsAre;
 
 /// Two cells of 2 m by 1 m side by side.
@@ -74,7 +76,7 @@ TEST(MeshFile, TruncatingDropsTheLaterFramesAndAppendingGoesOnThere)
   const std::string path = write_frames(folder.path(), 4);
   const MeshFile mesh(path);
   EXPECT_EQ(mesh.count_until(250), 3);
-  mesh.truncate_after(250);  // frames of steps 0, 100, 200 stay
+  cut_after(mesh, 250);  // frames of steps 0, 100, 200 stay
   mesh.append(sample(7));
   const Hdf5File file(path, Hdf5File::Mode::read);
   EXPECT_THAT(file.read<std::int64_t>("/VTKHDF/Steps/step"), ElementsAre(0, 100, 200, 700));
@@ -87,7 +89,7 @@ TEST(MeshFile, TruncatingToNothingLeavesTheMesh)
 {
   const test::ScratchFolder folder;
   const std::string path = write_frames(folder.path(), 1);
-  MeshFile(path).truncate_after(-1);
+  cut_after(MeshFile(path), -1);
   MeshFile(path).append(sample(0));
   const Hdf5File file(path, Hdf5File::Mode::read);
   EXPECT_THAT(file.read<Real>("/VTKHDF/CellData/pressure"), ElementsAre(0.5, 0.75));
@@ -99,10 +101,11 @@ TEST(MeshFile, ThatIsMissingOrHasNoStepsHasNoFrames)
   const test::ScratchFolder folder;
   const MeshFile mesh(folder.path() + "/mesh.vtkhdf");
   EXPECT_EQ(mesh.count_until(100), 0);
-  mesh.truncate_after(0);
+  EXPECT_EQ(mesh.open_to_cut(), nullptr);
   mesh.create(two_cells(), false);
   EXPECT_EQ(mesh.count_until(100), 0);
-  mesh.truncate_after(0);
+  cut_after(mesh, 0);
+  EXPECT_EQ(mesh.count_until(100), 0);
 }
 
 }  // namespace

@@ -3,9 +3,11 @@
 
 #include "output/checkpoint.hpp"
 #include "output/hdf5_file.hpp"
+#include "output/mesh_file.hpp"
 #include "output/samples.hpp"
 #include "output/small_disk.hpp"
 #include "output/table_csv.hpp"
+#include "support/process.hpp"
 
 #include <filesystem>
 
@@ -21,7 +23,7 @@ using test::sample_image;
 using test::sample_ledger;
 using testing::HasSubstr;
 
-RunWriterSettings settings_for(const std::string& folder) { return {folder, {"model_2", "title = \"column\"\n"}, 2}; }
+RunWriterSettings settings_for(const std::string& folder) { return {folder, {"model_2", "title = \"column\"\n"}, 2, "material.clay.eta = 50\n"}; }
 
 /// A run in a folder that goes on from a step of its files.
 std::unique_ptr<RunWriter> resume_in(const std::string& folder, const ResumePoint& from)
@@ -78,7 +80,7 @@ TEST(RunWriter, AResumedRunEndsInTheSameTablesAsOneInOneGo)
   write_outputs(*RunWriter::start(settings_for(resumed.path()), false), 0, 4);
   std::filesystem::remove(path_in(resumed.path(), checkpoint_file(400)));
   const StateImage image = newest_good_checkpoint(resumed.path()).image.value();
-  write_outputs(*resume_in(resumed.path(), {.step = image.step, .time = image.time}), 4, 5);
+  write_outputs(*resume_in(resumed.path(), {.step = image.step, .time = image.time, .n_points = 5}), 4, 5);
   for (const char* name : {"history.csv", "ledger.csv", "case.toml"}) {
     EXPECT_EQ(read_file(path_in(resumed.path(), name)), read_file(path_in(one_go.path(), name))) << name;
   }
@@ -93,7 +95,7 @@ TEST(RunWriter, ResumingDropsTheCheckpointsOfTheAbandonedSteps)
 {
   const test::ScratchFolder scratch;
   write_outputs(*RunWriter::start(settings_for(scratch.path()), false), 0, 3);
-  resume_in(scratch.path(), {.step = 200, .time = 0.2});
+  resume_in(scratch.path(), {.step = 200, .time = 0.2, .n_points = 5, .n_history_rows = 6, .n_ledger_rows = 3});
   EXPECT_EQ(newest_good_checkpoint(scratch.path()).image->step, 200);
 }
 
@@ -102,7 +104,7 @@ TEST(RunWriter, DoesNotResumeWhereAFileIsMissingOrTooShort)
   const test::ScratchFolder scratch;
   const std::string folder = scratch.path();
   write_outputs(*RunWriter::start(settings_for(folder), false), 0, 3);
-  const ResumePoint from{.step = 200, .time = 0.2, .n_frames = 3, .n_history_rows = 6, .n_ledger_rows = 3};
+  const ResumePoint from{.step = 200, .time = 0.2, .n_points = 5, .n_frames = 3, .n_history_rows = 6, .n_ledger_rows = 3};
   const std::string ledger = read_file(folder + "/ledger.csv"), head = "cannot resume from step 200, t = 0.2 s, without all of " + folder;
   const std::string advice = "\n  Put the file back, resume from an earlier checkpoint, or start the case anew: terp run " + folder + "/case.toml -o NEW_FOLDER";
 
@@ -121,6 +123,80 @@ TEST(RunWriter, DoesNotResumeWhereAFileIsMissingOrTooShort)
   EXPECT_EQ(file_error_of([&] { resume_in(folder, from); }), head + "/results.vtkhdf: it is missing" + advice);
   EXPECT_EQ(read_file(folder + "/ledger.csv"), ledger);
   EXPECT_EQ(newest_good_checkpoint(folder).image->step, 300);
+}
+
+/// All bytes of the files of a folder.
+std::string bytes_of(const std::string& folder)
+{
+  std::string bytes;
+  for (const std::string& name : test::names_in(folder)) bytes += name + '\n' + read_file(path_in(folder, name));
+  return bytes;
+}
+
+/// A run with frames of points and mesh, and where its checkpoint of step 200 has it go on.
+ResumePoint write_run_with_mesh(const std::string& folder, const std::string& case_record)
+{
+  RunWriterSettings settings = settings_for(folder);
+  settings.case_record = case_record;
+  write_outputs(*RunWriter::start(std::move(settings), false), 0, 3);
+  const MeshFile mesh(folder + "/mesh.vtkhdf", digits_of(case_record));
+  mesh.create(make_rectangle({0.0, 0.0}, {4.0, 1.0}, {2, 1}), true);
+  for (int k = 0; k <= 3; ++k)
+    mesh.append({.time = 0.1 * k, .step = 100 * k, .mass = std::vector<Real>(6, 1.0 + k), .velocity = std::vector<Real>(12, 2.0 + k), .pressure = {0.5, 1.5 + k}});
+  return {.step = 200, .time = 0.2, .n_points = 5, .n_cells = 2, .n_frames = 3, .n_mesh_frames = 3, .n_history_rows = 6, .n_ledger_rows = 3,
+          .tables = read_checkpoint(path_in(folder, checkpoint_file(200))).tables};
+}
+
+TEST(RunWriter, FilesOfAnotherRunAreRefusedAndNothingChanges)
+{
+  const test::ScratchFolder scratch;
+  const std::string ours = scratch.path() + "/ours", theirs = scratch.path() + "/theirs";
+  const ResumePoint from = write_run_with_mesh(ours, settings_for(ours).case_record);
+  write_run_with_mesh(theirs, "material.clay.eta = 60\n");
+  write_file_atomically(theirs + "/ledger.csv", std::string(ledger_header) + '\n' + csv_line(sample_ledger(0.0)) + csv_line(sample_ledger(0.05)) + csv_line(sample_ledger(0.2)));
+  write_file_atomically(theirs + "/history.csv", std::string(history_header) + '\n' + csv_lines(sample_history(0.0)) + csv_lines(sample_history(0.05)) + csv_lines(sample_history(0.2)));
+  for (const std::string name : {"results.vtkhdf", "mesh.vtkhdf", "ledger.csv", "history.csv"}) {
+    const std::string aside = scratch.path() + "/aside", path = path_in(ours, name);
+    std::filesystem::copy_file(path, aside);
+    std::filesystem::copy_file(path_in(theirs, name), path, std::filesystem::copy_options::overwrite_existing);
+    const std::string before = bytes_of(ours);
+    EXPECT_THAT(file_error_of([&] { resume_in(ours, from); }),
+                testing::AllOf(testing::StartsWith("cannot resume from step 200, t = 0.2 s: " + path + " is not "), HasSubstr("another "),
+                               HasSubstr("\n  Put a copy of it back, or start the case anew: terp run " + ours + "/case.toml -o NEW_FOLDER\n  Nothing was changed")));
+    EXPECT_EQ(bytes_of(ours), before) << name;
+    std::filesystem::rename(aside, path);
+  }
+  write_file_atomically(ours + "/left_the_mesh.csv", std::string(left_header) + "\n0.05,3,1,2,3,4,5\n");
+  EXPECT_THAT(file_error_of([&] { resume_in(ours, from); }), HasSubstr("left_the_mesh.csv is not what this run wrote"));
+  std::filesystem::remove(ours + "/left_the_mesh.csv");
+  ResumePoint more_points = from, finer_mesh = from;
+  more_points.n_points = 6, finer_mesh.n_cells = 8;
+  EXPECT_THAT(file_error_of([&] { resume_in(ours, more_points); }), HasSubstr("results.vtkhdf is not of this run: it has 5 cells, the run 6\n"));
+  EXPECT_THAT(file_error_of([&] { resume_in(ours, finer_mesh); }), HasSubstr("mesh.vtkhdf is not of this run: it has 2 cells, the run 8\n"));
+  EXPECT_NO_THROW(resume_in(ours, from));
+}
+
+TEST(RunWriter, DamageAnywhereInAFileOfFramesIsHarmlessOrRefusedBeforeAnythingChanges)
+{
+  const test::ScratchFolder scratch;
+  const std::string whole = scratch.path() + "/whole", folder = scratch.path() + "/run";
+  const ResumePoint from = write_run_with_mesh(whole, settings_for(whole).case_record);
+  int n_refused = 0;
+  for (const std::string name : {"results.vtkhdf", "mesh.vtkhdf"}) {
+    const std::string sound = read_file(path_in(whole, name));
+    for (std::size_t at = 0; at < sound.size(); at += 997) {
+      std::filesystem::remove_all(folder);
+      std::filesystem::copy(whole, folder);
+      std::string damaged = sound;
+      damaged[at] = static_cast<char>(damaged[at] ^ 0x55);
+      write_file_atomically(path_in(folder, name), damaged);
+      const std::string before = bytes_of(folder);
+      if (file_error_of([&] { resume_in(folder, from); }).empty()) continue;
+      ++n_refused;
+      EXPECT_EQ(bytes_of(folder), before) << name << " at " << at;
+    }
+  }
+  EXPECT_GT(n_refused, 10);
 }
 
 TEST(RunWriter, ForceReplacesTheEarlierRun)
@@ -166,7 +242,7 @@ TEST(RunWriter, ARunResumedAtItsStartShowsTheStartOnce)
 {
   const test::ScratchFolder scratch;
   write_outputs(*RunWriter::start(settings_for(scratch.path()), false), 0, 0);
-  write_outputs(*resume_in(scratch.path(), {}), 0, 0);
+  write_outputs(*resume_in(scratch.path(), {.n_points = 5}), 0, 0);
   EXPECT_EQ(read_file(scratch.path() + "/ledger.csv"),
             std::string(ledger_header) + "\n" + csv_line(sample_ledger(0.0)));
   const Hdf5File file(path_in(scratch.path(), results_file), Hdf5File::Mode::read);

@@ -52,6 +52,15 @@ inline StateImage sample_image(std::int64_t step)
            {"empty", {0, 3}, std::vector<Real>{}}}};
 }
 
+/// A ResultsFile or MeshFile without the frames of later steps.
+template <class File>
+void cut_after(const File& file, std::int64_t step)
+{
+  const auto opened = file.open_to_cut();
+  File::cut_after(*opened, step);
+  opened->close();
+}
+
 /// The text of the FileError that `call` throws; fails the test through an empty text if it throws none.
 template <class Call>
 std::string file_error_of(Call&& call)

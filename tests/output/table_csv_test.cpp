@@ -45,8 +45,8 @@ TEST(TableCsv, OpeningWritesTheHeaderOnce)
 {
   const test::ScratchFolder folder;
   const std::string path = folder.path() + "/history.csv";
-  open_table(path, history_header).append(csv_lines(sample_history(0.1)));
-  open_table(path, history_header).append(csv_lines(sample_history(0.2)));
+  TableFile(path, history_header).append(csv_lines(sample_history(0.1)));
+  TableFile(path, history_header).append(csv_lines(sample_history(0.2)));
   EXPECT_EQ(read_file(path),
             std::string(history_header) + "\n" + csv_lines(sample_history(0.1)) + csv_lines(sample_history(0.2)));
 }
@@ -56,7 +56,7 @@ TEST(TableCsv, RowsAfterATimeAreDroppedAndThatTimeStays)
   const test::ScratchFolder folder;
   const std::string path = folder.path() + "/ledger.csv";
   const Real exact = 0.1 + 0.2;  // not 0.3: only the exact bits keep the row
-  AppendFile table = open_table(path, ledger_header);
+  TableFile table(path, ledger_header);
   for (const Real time : {0.1, exact, std::nextafter(exact, 1.0)}) table.append(csv_line(sample_ledger(time)));
   drop_rows_after(path, ledger_header, exact);
   EXPECT_EQ(read_file(path),
@@ -67,7 +67,7 @@ TEST(TableCsv, ALastRowThatWasCutShortIsDropped)
 {
   const test::ScratchFolder folder;
   const std::string path = folder.path() + "/ledger.csv";
-  open_table(path, ledger_header).append(csv_line(sample_ledger(0.1)) + "0.2,100,1.2");
+  TableFile(path, ledger_header).append(csv_line(sample_ledger(0.1)) + "0.2,100,1.2");
   drop_rows_after(path, ledger_header, 5.0);
   EXPECT_EQ(read_file(path), std::string(ledger_header) + "\n" + csv_line(sample_ledger(0.1)));
 }
@@ -76,12 +76,33 @@ TEST(TableCsv, CountsTheWholeRowsUpToATime)
 {
   const test::ScratchFolder folder;
   const std::string path = folder.path() + "/ledger.csv";
-  EXPECT_EQ(count_rows_until(path, ledger_header, 1.0), 0);
-  AppendFile table = open_table(path, ledger_header);
+  EXPECT_EQ(read_part_until(path, ledger_header, 1.0).n_rows, 0);
+  EXPECT_EQ(read_part_until(path, ledger_header, 1.0).checksum, "");
+  TableFile table(path, ledger_header);
   for (const Real time : {0.1, 0.2, 0.3}) table.append(csv_line(sample_ledger(time)));
   table.append("0.4,100,1.2");
-  EXPECT_EQ(count_rows_until(path, ledger_header, 0.2), 2);
-  EXPECT_EQ(count_rows_until(path, ledger_header, 0.4), 3);
+  EXPECT_EQ(read_part_until(path, ledger_header, 0.2).n_rows, 2);
+  EXPECT_EQ(read_part_until(path, ledger_header, 0.4).n_rows, 3);
+}
+
+TEST(TableCsv, TheChecksumOfAGrowingTableIsThatOfItsPartUpToThere)
+{
+  const test::ScratchFolder folder;
+  const std::string path = folder.path() + "/ledger.csv";
+  std::string first, second;
+  {
+    TableFile table(path, ledger_header);
+    table.append(csv_line(sample_ledger(0.1)));
+    first = table.checksum();
+  }
+  TableFile again(path, ledger_header);
+  EXPECT_EQ(again.checksum(), first);
+  again.append(csv_line(sample_ledger(0.2)));
+  second = again.checksum();
+  again.append(csv_line(sample_ledger(0.3)));
+  EXPECT_EQ(read_part_until(path, ledger_header, 0.1).checksum, first);
+  EXPECT_EQ(read_part_until(path, ledger_header, 0.2).checksum, second);
+  EXPECT_NE(first, second);
 }
 
 TEST(TableCsv, ATableOfOtherColumnsIsRefused)

@@ -19,7 +19,7 @@ std::string write_steps(const std::string& folder, int n)
   file.create_group(vtkhdf::steps);
   file.create_group(vtkhdf::steps + "/PointDataOffsets");
   file.create_table<std::int64_t>(vtkhdf::steps + "/PointDataOffsets/speed", {});
-  vtkhdf::add_header(file);
+  vtkhdf::add_header(file, "85944171f73967e8");
   vtkhdf::add_steps(file);
   file.create_table<Real>(vtkhdf::root + "/speed", {});
   for (int k = 0; k < n; ++k) {
@@ -49,6 +49,23 @@ TEST(VtkhdfSteps, TheHeaderNamesFormatAndVersion)
   EXPECT_EQ(file.text(vtkhdf::root, "Type"), "UnstructuredGrid");
   EXPECT_THAT(file.integers(vtkhdf::root, "Version"), ElementsAre(2, 0));
   EXPECT_EQ(file.text(vtkhdf::steps + "/Values", "unit"), "s");
+}
+
+TEST(VtkhdfSteps, AFileOfAnotherCaseOrAnotherNumberOfCellsIsOfAnotherRun)
+{
+  const test::ScratchFolder folder;
+  const std::string path = write_steps(folder.path(), 0);
+  {
+    Hdf5File file(path, Hdf5File::Mode::change);
+    file.write<std::int64_t>(vtkhdf::root + "/NumberOfCells", {1}, std::vector<std::int64_t>{7});
+    file.close();
+  }
+  const Hdf5File file(path, Hdf5File::Mode::read);
+  EXPECT_EQ(vtkhdf::why_of_another_run(file, "85944171f73967e8", 7), "");
+  EXPECT_EQ(vtkhdf::why_of_another_run(file, "", 7), "");  // of a run whose case is not known
+  EXPECT_EQ(vtkhdf::why_of_another_run(file, "85944171f73967e8", 8), "it has 7 cells, the run 8");
+  EXPECT_EQ(vtkhdf::why_of_another_run(file, "af63dc4c8601ec8c", 7),
+            "it is of a run of another case (`case` in it is 85944171f73967e8, of this run af63dc4c8601ec8c)");
 }
 
 TEST(VtkhdfSteps, AreCountedUpToATimeStep)
