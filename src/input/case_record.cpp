@@ -4,6 +4,7 @@
 #include "input/keys.hpp"
 #include "input/printable.hpp"
 #include "meshing/mesh_cache.hpp"
+#include "points/points_csv.hpp"
 
 #include <fmt/format.h>
 
@@ -141,12 +142,25 @@ std::string content_of_file(const std::string& path)
   return content_key(bytes.view());
 }
 
+/// Of the points that the solver takes from a table: comments, blanks and the order of its columns leave no trace.
+std::string points_key(const std::string& path)
+try {
+  std::string bytes;
+  for (const CsvPoint& point : read_points_csv(path)) {
+    for (const Real value : {point.x[0], point.x[1], point.volume}) bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+    bytes += point.material + '\n';
+  }
+  return content_key(bytes);
+} catch (const PointsFileError& error) {
+  throw FileError(error.what());
+}
+
 void Recorder::add_files()
 {
   if (!values_.mesh.file.empty()) add("mesh.file (content)", content_of_file(path_of(values_.folder, values_.mesh.file)));
   for (std::size_t k = 0; k < values_.bodies.size(); ++k)
     if (const std::string& name = values_.bodies[k].points_file; !name.empty())
-      add(fmt::format("body[{}].points (content)", k), content_of_file(path_of(values_.folder, name)));
+      add(fmt::format("body[{}].points (content)", k), points_key(path_of(values_.folder, name)));
 }
 
 std::string cells_key(const Mesh<2>& mesh)

@@ -14,12 +14,13 @@ namespace terp {
 /// One value.
 struct RecordedValue {
   std::string key;          ///< "material.clay.eta"; "mesh.file (content)"
-  std::string value;        ///< "4.5", or of a file 16 digits that depend on every byte of it
+  std::string value;        ///< "4.5", or of a file 16 digits that depend on all of its content
   bool is_default = false;  ///< an older Terp without this key is taken to have had this value
 };
 using CaseRecord = std::vector<RecordedValue>;
 
-/// Of a case with its mesh. Files count by what is in them, wherever they lie; a mesh from a polygon by its cells, as gmsh made it.
+/// Of a case with its mesh. Files count by what is in them, wherever they lie: mesh files by every byte, tables by the points that they give; a mesh from a
+/// polygon by its cells, as gmsh made it.
 /// The order of materials, bodies and sides counts: points are numbered by it. Throws FileError if a file cannot be read.
 CaseRecord make_case_record(const CaseFile& file, const Mesh<2>& mesh);
 

@@ -76,6 +76,8 @@ TEST(CaseRecord, FilesCountByWhatIsInThem)
   const std::string text = test::replaced(test::small_case, "material = \"clay\"\nbox = [[0.0, 0.0], [8.0, 2.0]]", "points = \"a.csv\"");
   EXPECT_THAT(changes(text, test::replaced(text, "a.csv", "b.csv"), scratch.path()), IsEmpty());
   EXPECT_THAT(changes(text, test::replaced(text, "a.csv", "c.csv"), scratch.path()), ElementsAre(HasSubstr("body[0].points (content) (")));
+  std::ofstream(scratch.path() + "/d.csv") << "# surveyed in May\nmaterial, x, y, volume\n\nclay, 2.5e-1, 0.25, 0.010\n";
+  EXPECT_THAT(changes(text, test::replaced(text, "a.csv", "d.csv"), scratch.path()), IsEmpty());
 }
 
 TEST(CaseRecord, OfAnOlderTerpMayLackKeysThatHaveTheirDefault)
