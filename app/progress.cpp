@@ -1,7 +1,6 @@
 #include "progress.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -17,6 +16,12 @@ std::string readable_duration(double seconds)
   return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
 }
 
+void show(std::FILE* to, const std::string& text)
+{
+  std::fputs(text.c_str(), to);
+  std::fflush(to);
+}
+
 ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDOUT_FILENO) == 1) {}
 
 void ProgressLine::progress(const Progress& p)
@@ -26,20 +31,18 @@ void ProgressLine::progress(const Progress& p)
   const std::string line = fmt::format("{:5.1f} %  t = {:.3f} of {:g} s  step {} of {}  {:.1f} M point-steps/s  ETA {}", 100.0 * part, p.time,
                                        p.end_time, p.step, p.n_steps, p.point_steps_per_s / 1e6, readable_duration(p.eta_s));
   if (terminal_) {
-    fmt::print("\r\033[K{}", line);
+    show(stdout, "\r\033[K" + line);
     open_ = true;
   } else if (10.0 * part >= next_tenth_) {
-    fmt::print("{}\n", line);
+    show(stdout, line + '\n');
     next_tenth_ = static_cast<int>(10.0 * part) + 1;
   }
-  std::fflush(stdout);
 }
 
 void ProgressLine::finish()
 {
-  if (open_) fmt::print("\n");
+  if (open_) show(stdout, "\n");
   open_ = false;
-  std::fflush(stdout);
 }
 
 }  // namespace terp

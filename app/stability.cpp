@@ -27,11 +27,10 @@ class TrialLine {
     if (quiet_ || (!terminal_ && !ended)) return;
     longest_ = std::max(longest_, trial.wall_s);
     const std::string start = terminal_ ? "\r\033[K" : "";
-    if (ended) return fmt::print(stderr, "{}factor {:.4f}  {}\n", start, trial.factor, trial.reason);
+    if (ended) return terp::show(stderr, fmt::format("{}factor {:.4f}  {}\n", start, trial.factor, trial.reason));
     const TrialWindow& w = trial.windows.back();
-    fmt::print(stderr, "{}factor {:.4f}  t = {:.3g} s  displacement {:.2f} rho g H^2/E  out of balance {:.1e}  ETA {}", start, trial.factor, w.time,
-               w.displacement / so_far.displacement, w.out_of_balance, readable_duration(longest_ * trials_left + longest_ - trial.wall_s));
-    std::fflush(stderr);
+    terp::show(stderr, fmt::format("{}factor {:.4f}  t = {:.3g} s  displacement {:.2f} rho g H^2/E  out of balance {:.1e}  ETA {}", start, trial.factor, w.time,
+                                   w.displacement / so_far.displacement, w.out_of_balance, readable_duration(longest_ * trials_left + longest_ - trial.wall_s)));
   }
 
  private:

@@ -56,10 +56,7 @@ class VerifyProgress {
     const double wall = std::chrono::duration<double>(Clock::now() - start_).count();
     const double left = part > 0.0 ? wall * std::max(0.0, seconds_ - part) / part : 0.0;
     const std::string line = fmt::format("[{}/{}] {}  {}  ETA {}", n, n_runs_, name, readable_duration(seconds), readable_duration(left));
-    if (terminal_)
-      fmt::print(stderr, "\r\033[K{}{}", line, n == n_runs_ ? "\r\033[K" : "");
-    else
-      fmt::print(stderr, "{}\n", line);
+    show(stderr, terminal_ ? "\r\033[K" + line + (n == n_runs_ ? "\r\033[K" : "") : line + '\n');
   }
 
  private:

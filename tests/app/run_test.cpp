@@ -237,6 +237,8 @@ TEST(Resume, AfterCtrlCEndsInTheResultsOfARunThatWasNotStopped) { stop_and_resum
 
 TEST(Resume, AfterSigtermEndsInTheResultsOfARunThatWasNotStopped) { stop_and_resume(SIGTERM); }
 
+TEST(Resume, AfterSighupEndsInTheResultsOfARunThatWasNotStopped) { stop_and_resume(SIGHUP); }
+
 TEST(Resume, FromACheckpointThatIsNamedEndsInTheSameResults)
 {
   const test::ScratchFolder scratch;

@@ -5,8 +5,11 @@
 #include <csignal>
 #include <filesystem>
 
+#include <pty.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <gmock/gmock.h>
 
@@ -104,6 +107,53 @@ TEST(Trouble, ResultsThatCannotBeWrittenAnyMoreEndTheRunAndItCanGoOn)
   words.insert(words.end(), more.begin(), more.end());
   ASSERT_EQ(test::terp(words).status, 0);
   test::expect_same_results(whole, folder, "/checkpoint_000000396.h5");
+}
+
+TEST(Trouble, AClosedTerminalStopsTheRunWithACheckpoint)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run";
+  const std::vector<std::string> words = test::longer_run(folder, "1");
+  std::vector<char*> arguments{const_cast<char*>(TERP_PROGRAM)};
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  int terminal = -1;
+  const pid_t pid = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+  if (pid == 0) {
+    ::execv(arguments[0], arguments.data());
+    ::_exit(127);
+  }
+  test::wait_for_rows(folder);
+  ::close(terminal);
+  int status = -1;
+  ASSERT_EQ(::waitpid(pid, &status, 0), pid);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1) << status;
+  const auto summary = test::text_of(folder + "/summary.json");
+  EXPECT_THAT(summary, HasSubstr("\"finished\": false"));
+  EXPECT_TRUE(newest_good_checkpoint(folder).image);
+}
+
+TEST(Trouble, ARunThatWasStartedWithNohupOutlivesItsTerminal)
+{
+  const test::ScratchFolder scratch;
+  const auto before = std::signal(SIGHUP, SIG_IGN);  // what nohup does
+  std::vector<std::string> words = test::longer_run(scratch.path() + "/run", "1");
+  words.insert(words.end(), {"--set", "time.end=0.6"});
+  test::Process running(words);
+  std::signal(SIGHUP, before);
+  test::wait_for_rows(scratch.path() + "/run");
+  running.send(SIGHUP);
+  EXPECT_EQ(running.wait().status, 0);
+}
+
+TEST(Trouble, APipeThatNobodyReadsDoesNotEndTheRun)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run";
+  std::string command = TERP_PROGRAM;
+  for (const std::string& word : test::column_command("run", {"-o", folder})) command += ' ' + word;
+  EXPECT_EQ(std::system(("bash -c '" + command + " | true; exit ${PIPESTATUS[0]}'").c_str()), 0);
+  EXPECT_THAT(test::text_of(folder + "/summary.json"), HasSubstr("\"finished\": true"));
 }
 
 /// A commit that a process left unfinished: the journal is whole, the file is not.
