@@ -29,6 +29,7 @@ using Clock = std::chrono::steady_clock;
 struct VerificationCase {
   std::string name;
   Expected expected;
+  std::string fault = {};  ///< why it cannot be read; then nothing of it is solved
 };
 
 /// The cases that were asked for. A list: runs point at what is in it, and it may not move.
@@ -37,9 +38,15 @@ std::vector<std::unique_ptr<VerificationCase>> read_cases(const VerifyOptions& o
   std::vector<std::unique_ptr<VerificationCase>> cases;
   for (const std::string& name : choose_cases(folder, options.names)) {
     const std::string path = (std::filesystem::path(folder) / name / "expected.toml").string();
-    cases.push_back(std::make_unique<VerificationCase>(VerificationCase{name, read_expected(path)}));
-    if (cases.back()->expected.quantities.empty())
-      throw CaseError(fmt::format("error: {}: there is no [[quantity]], so nothing would be judged\n  See docs/verification_cases.md.\n", path));
+    cases.push_back(std::make_unique<VerificationCase>(VerificationCase{name, {}}));
+    try {
+      cases.back()->expected = read_expected(path);
+      if (cases.back()->expected.quantities.empty())
+        throw CaseError(fmt::format("error: {}: there is no [[quantity]], so nothing would be judged\n  See docs/verification_cases.md.\n", path));
+    } catch (const CaseError& error) {
+      cases.back()->expected = {};
+      cases.back()->fault = error.what();
+    }
   }
   return cases;
 }
@@ -90,6 +97,17 @@ std::vector<Solved> solve_all(const std::vector<Solve>& solves, int threads)
   return solved;
 }
 
+/// A case that cannot be read has one row.
+std::vector<Row> judge_case(const VerificationCase& c, const std::vector<Solve>& solves, const std::vector<Solved>& solved)
+{
+  if (!c.fault.empty()) return {fault_row(c.name, "-", "expected.toml", c.fault)};
+  std::vector<Solve> own_solves;
+  std::vector<Solved> own_solved;
+  for (std::size_t k = 0; k < solves.size(); ++k)
+    if (solves[k].file == &c.expected) own_solves.push_back(solves[k]), own_solved.push_back(solved[k]);
+  return judge(c.name, c.expected, own_solves, own_solved);
+}
+
 std::string head_of_page(const std::string& folder)
 {
   std::ifstream file(std::filesystem::path(folder) / "README.md");
@@ -121,6 +139,7 @@ void write_page(const std::string& path, const std::string& text)
 void list_cases(const std::vector<std::unique_ptr<VerificationCase>>& cases, const VerifyOptions& options)
 {
   for (const auto& c : cases) {
+    if (!c->fault.empty()) fmt::print("{:<28} cannot be read\n{}", c->name, c->fault);
     const auto n_short = list_solves(c->expected, true, false).size(), n_long = list_solves(c->expected, false, true).size();
     if ((options.only_short && n_short == 0) || (options.only_long && n_long == 0)) continue;
     fmt::print("{:<28} {:2} short and {:2} long runs  {}\n", c->name, n_short, n_long, c->expected.title);
@@ -138,6 +157,9 @@ int verify_cases(const VerifyOptions& options)
   for (const auto& c : cases)
     for (const Solve& s : list_solves(c->expected, !options.only_long, !options.only_short)) solves.push_back(s);
   listen_for_stop();
+  std::string faults;
+  for (const auto& c : cases) faults += c->fault;
+  if (solves.empty() && !faults.empty()) throw CaseError(faults);
   if (solves.empty())
     throw FileError(fmt::format("there is nothing to solve: these cases have no {} run", options.only_long ? "long" : "short"));
   check_page(options.markdown);
@@ -147,13 +169,10 @@ int verify_cases(const VerifyOptions& options)
 
   std::vector<CaseRows> pages;
   for (const auto& c : cases) {
-    std::vector<Solve> own_solves;
-    std::vector<Solved> own_solved;
-    for (std::size_t k = 0; k < solves.size(); ++k)
-      if (solves[k].file == &c->expected) own_solves.push_back(solves[k]), own_solved.push_back(solved[k]);
-    if (own_solves.empty()) continue;
-    pages.push_back({c->name, c->expected.title, judge(c->name, c->expected, own_solves, own_solved)});
-    fmt::print("{}\n", text_table(pages.back()));
+    CaseRows page{c->name, c->expected.title, judge_case(*c, solves, solved)};
+    if (page.rows.empty()) continue;
+    fmt::print("{}\n", text_table(page));
+    pages.push_back(std::move(page));
   }
   if (!options.markdown.empty()) write_page(options.markdown, markdown_page(pages, head_of_page(folder)));
   if (!options.html.empty()) write_page(options.html, html_page(pages));

@@ -137,6 +137,7 @@ Variant read_variant(const Expected& file, const Node& table)
   const TableReader reader(file, table, run_keys);
   Variant v{.name = reader.text("name"), .case_file = reader.text("case"), .schemes = reader.texts("schemes"), .set = reader.texts("set"),
             .constants = read_constants(file, find_item(table, "constants")), .is_long = reader.flag("long")};
+  v.place = table.value;
   if (const Node* bounds = find_item(table, "stability")) v.stability = read_stability(reader, *bounds);
   if (v.case_file.empty()) v.case_file = "case.toml";
   if (const Node* seconds = find_item(table, "seconds"))
@@ -175,6 +176,45 @@ void read_place(const TableReader& reader, Quantity& q)
   for (std::size_t d = 0; d < 2; ++d) q.at[d] = reader.to_formula(at->items[d]);
 }
 
+bool is_series(const Quantity& q) { return q.kind == QuantityKind::point || q.kind == QuantityKind::ledger || q.kind == QuantityKind::footing; }
+
+/// A key that only some quantities look at.
+struct KeyUse {
+  const char* key;
+  bool (*has)(const Quantity&);
+  const char* whose;  ///< "`time` is ..."
+};
+
+const KeyUse key_uses[] = {
+    {"value", [](const Quantity& q) { return !compares_runs(q); }, "not for order, extrapolated, mesh_error, which take the numbers of the quantity in `of`"},
+    {"as", [](const Quantity& q) { return !compares_runs(q); }, "not for order, extrapolated, mesh_error"},
+    {"reduce", [](const Quantity& q) { return q.kind == QuantityKind::field || is_series(q); }, "for field, point, ledger, footing: the other kinds are one number already"},
+    {"where", [](const Quantity& q) { return q.kind == QuantityKind::field; }, "for the points of a field"},
+    {"at", [](const Quantity& q) { return q.kind == QuantityKind::point; }, "for a point; points of a field are chosen by `where`"},
+    {"time", [](const Quantity& q) { return q.kind == QuantityKind::field || (is_series(q) && q.reduce == Reduce::at); }, "for a field, and for a series with reduce = \"at\""},
+    {"from", is_series, "for series: point, ledger, footing"},
+    {"to", is_series, "for series: point, ledger, footing"},
+    {"threshold", [](const Quantity& q) { return is_series(q) && q.reduce == Reduce::arrival; }, "for a series with reduce = \"arrival\""},
+    {"scale", [](const Quantity& q) { return !compares_runs(q) && is_error(q.reduce); }, "for reduce = \"rms_error\" or \"max_error\""},
+    {"of", compares_runs, "for order, extrapolated, mesh_error"},
+    {"over", compares_runs, "for order, extrapolated, mesh_error"},
+    {"differences", [](const Quantity& q) { return q.kind == QuantityKind::order; }, "for order"},
+    {"red_runs", [](const Quantity& q) { return !q.red.empty(); }, "for a quantity that is `red`"},
+};
+
+/// What nobody looks at may be what the author relies on.
+void check_uses(const Expected& file, const Node& table, const Quantity& q)
+{
+  for (const KeyUse& use : key_uses)
+    if (const Node* item = find_item(table, use.key); item != nullptr && !use.has(q))
+      refuse(file, item->key, fmt::format("`{}` has no effect on a quantity of kind `{}` here", use.key, kind_words[static_cast<std::size_t>(q.kind)]),
+             fmt::format("It is {}.", use.whose));
+  const bool of_times = q.reduce == Reduce::at || q.reduce == Reduce::last || q.reduce == Reduce::period || q.reduce == Reduce::frequency || q.reduce == Reduce::arrival;
+  if (q.kind == QuantityKind::field && of_times)
+    refuse(file, find_item(table, "reduce")->value, fmt::format("a field has no `{}`", reduce_words[static_cast<std::size_t>(q.reduce)]),
+           "It is at one time. Allowed: rms_error, max_error, mean, sum, max, min. A curve over time is a point, ledger or footing.");
+}
+
 Quantity read_quantity(const Expected& file, const Node& table)
 {
   const TableReader reader(file, table, quantity_keys);
@@ -193,16 +233,22 @@ Quantity read_quantity(const Expected& file, const Node& table)
   q.of = reader.text("of", compares_runs(q)), q.over = reader.text("over", compares_runs(q));
   q.runs = reader.texts("runs");
   q.red_runs = reader.texts("red_runs");
+  check_uses(file, table, q);
   read_place(reader, q);
   check_judgement(file, q);
   return q;
 }
 
-/// Names that `runs` and `of` speak of must be there.
+/// Runs have names of their own; those that `runs` and `of` speak of must be there.
 void check_names(const Expected& file)
 {
   Names runs, quantities;
-  for (const Variant& v : file.variants) runs.push_back(v.name);
+  for (const Variant& v : file.variants) {
+    if (std::find(runs.begin(), runs.end(), v.name) != runs.end())
+      refuse(file, v.place, v.name.empty() ? "more than one run has no `name`" : fmt::format("there are two runs `{}`", v.name),
+             "Where there is more than one, each needs a name of its own: the rows are told apart by it.");
+    runs.push_back(v.name);
+  }
   for (const Quantity& q : file.quantities) quantities.push_back(q.name);
   const auto check = [&](const Quantity& q, const std::string& name, const Names& known, const char* what) {
     if (std::find(known.begin(), known.end(), name) == known.end())

@@ -58,6 +58,7 @@ struct Variant {
   std::vector<Real> stability = {};    ///< a factor of safety instead of a run: from, to, tolerance; empty: a run
   bool is_long = false;
   double seconds = 1.0;                ///< about, on one core; for the time to go
+  Place place = {};
 };
 
 struct Expected {

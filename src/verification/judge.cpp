@@ -67,13 +67,6 @@ Row to_row(const std::string& case_name, const Finding& f)
   return row;
 }
 
-/// What gave no numbers.
-Row fault_row(const std::string& case_name, const std::string& run, const std::string& quantity, const std::string& fault)
-{
-  return {.case_name = case_name, .run = run, .quantity = quantity, .reference = "-", .source = "", .terp = "no result", .error = "-", .tolerance = "-",
-          .verdict = Verdict::fail, .remark = fault};
-}
-
 std::vector<std::string> schemes_in(const std::vector<Finding>& findings)
 {
   std::vector<std::string> schemes;
@@ -164,6 +157,12 @@ void add_comparison(const std::string& case_name, const Expected& file, const Qu
 }
 
 }  // namespace
+
+Row fault_row(const std::string& case_name, const std::string& run, const std::string& quantity, const std::string& fault)
+{
+  return {.case_name = case_name, .run = run, .quantity = quantity, .reference = "-", .source = "", .terp = "no result", .error = "-", .tolerance = "-",
+          .verdict = Verdict::fail, .remark = fault};
+}
 
 std::vector<Row> judge(const std::string& case_name, const Expected& file, const std::vector<Solve>& solves, const std::vector<Solved>& solved)
 {

@@ -19,6 +19,9 @@ struct Row {
   std::string remark = {};  ///< why it is red, or what went wrong
 };
 
+/// What gave no numbers: a run, or all of a case.
+Row fault_row(const std::string& case_name, const std::string& run, const std::string& quantity, const std::string& fault);
+
 /// Rows of one case from all its runs: quantities in the order of the file, then orders of convergence.
 std::vector<Row> judge(const std::string& case_name, const Expected& file, const std::vector<Solve>& solves, const std::vector<Solved>& solved);
 

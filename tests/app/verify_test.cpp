@@ -112,6 +112,21 @@ TEST(Verify, ABrokenCaseIsOneRowAndTheOthersAreSolved)
   EXPECT_THAT(f.out, HasSubstr("2 rows: 1 pass, 1 red (1 not known: FAIL)"));
 }
 
+TEST(Verify, AnExpectedTomlThatCannotBeReadIsOneRowAndTheOthersAreSolved)
+{
+  Ledger ledger;
+  ledger.add("broken", path_is("V"));
+  ledger.add("empty", "");
+  ledger.add("flight", path_is("1.0"));
+  const std::string page = ledger.folder.path() + "/page.md";
+  const Finished f = ledger.verify({"--markdown", page});
+  EXPECT_EQ(f.status, 1);
+  EXPECT_THAT(f.out, AllOf(HasSubstr("broken: \n"), HasSubstr("broken/expected.toml:6:13: "), HasSubstr("there is no [[quantity]], so nothing would be judged"),
+                           HasSubstr("3 rows: 1 pass, 2 red (2 not known: FAIL)")));
+  EXPECT_THAT(test::text_of(page), HasSubstr("expected.toml"));
+  EXPECT_THAT(ledger.verify({"--list"}).out, AllOf(HasSubstr("cannot be read\n"), HasSubstr("flight ")));
+}
+
 TEST(Verify, ListsWithoutSolvingAndChoosesByNameAndLength)
 {
   Ledger ledger;

@@ -87,8 +87,8 @@ TEST(Expected, AQuantityNeedsASourceAReferenceAndOneWayToBeJudged)
 TEST(Expected, ANamedRunMustBeThere)
 {
   EXPECT_THAT(seen_with("runs = [\"a\"]", "runs = [\"c\"]"), HasSubstr("there is no run `c`"));
-  EXPECT_THAT(seen_with("runs = [\"a\"]", "red_runs = [\"c\"]"), HasSubstr("There are: a, b"));
-  EXPECT_THAT(seen_with("value = \"ux\"", "kind = \"order\"\nof = \"way\"\nover = \"h\""), HasSubstr("there is no quantity `way`"));
+  EXPECT_THAT(seen_with("runs = [\"a\"]", "red = \"slow\"\nred_runs = [\"c\"]"), HasSubstr("There are: a, b"));
+  EXPECT_THAT(seen_with("value = \"ux\"\nreduce = \"max_error\"", "kind = \"order\"\nof = \"way\"\nover = \"h\""), HasSubstr("there is no quantity `way`"));
 }
 
 TEST(Expected, WrongTypesAreNamed)
@@ -97,6 +97,35 @@ TEST(Expected, WrongTypesAreNamed)
   EXPECT_THAT(seen_with("value = \"ux\"", "value = true"), HasSubstr("`value` must be a number, or a formula in quotes"));
   EXPECT_THAT(seen_with("runs = [\"a\"]", "runs = \"a\""), HasSubstr("`runs` must be a list of texts"));
   EXPECT_THAT(seen_with("title = \"Flight\"", "title = "), HasSubstr("this is not valid TOML"));
+}
+
+TEST(Expected, RunsHaveNamesOfTheirOwn)
+{
+  EXPECT_THAT(seen_with("name = \"b\"", "name = \"a\""), testing::AllOf(HasSubstr("expected.toml:10:1: there are two runs `a`"), HasSubstr("the rows are told apart by it")));
+  std::string nameless = good;
+  for (const std::string name : {"name = \"a\"\n", "name = \"b\"\n", "runs = [\"a\"]\n"}) nameless.erase(nameless.find(name), name.size());
+  const test::LedgerSample sample(nameless);
+  EXPECT_THROW(
+      try { read_expected(sample.path()); } catch (const CaseError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("more than one run has no `name`"));
+        throw;
+      },
+      CaseError);
+}
+
+TEST(Expected, AKeyThatTheQuantityDoesNotLookAtIsRefused)
+{
+  const std::string point = "value = \"ux\"\nkind = \"point\"\nat = [1, 1]\n";
+  EXPECT_EQ(seen_with("value = \"ux\"\n", point), "accepted");
+  EXPECT_THAT(seen_with("value = \"ux\"\n", point + "where = \"x > 1\"\n"),
+              testing::AllOf(HasSubstr("expected.toml:18:1: `where` has no effect on a quantity of kind `point` here"), HasSubstr("It is for the points of a field.")));
+  EXPECT_THAT(seen_with("value = \"ux\"\n", "value = \"ux\"\nat = [1, 1]\n"), HasSubstr("`at` has no effect on a quantity of kind `field`"));
+  EXPECT_THAT(seen_with("value = \"ux\"\n", point + "time = \"end\"\n"), HasSubstr("It is for a field, and for a series with reduce = \"at\"."));
+  for (const std::string key : {"from = 1\n", "to = 1\n", "threshold = 1\n", "of = \"path\"\n", "over = \"V\"\n", "differences = true\n", "red_runs = [\"a\"]\n"})
+    EXPECT_THAT(seen_with("value = \"ux\"\n", "value = \"ux\"\n" + key), HasSubstr("has no effect on a quantity of kind `field` here")) << key;
+  EXPECT_THAT(seen_with("reduce = \"max_error\"", "reduce = \"mean\"\nscale = 2"), HasSubstr("It is for reduce = \"rms_error\" or \"max_error\"."));
+  EXPECT_THAT(seen_with("reduce = \"max_error\"", "reduce = \"max\"\nkind = \"summary\""), HasSubstr("the other kinds are one number already"));
+  EXPECT_THAT(seen_with("reduce = \"max_error\"", "reduce = \"last\""), HasSubstr("a field has no `last`"));
 }
 
 TEST(Expected, AFolderWithoutOneIsNoCase)
