@@ -80,6 +80,14 @@ void fill(BoxGrid& grid, std::span<const BoundingBox> boxes)
 
 }  // namespace
 
+Real distance_to_line(Vec<2> a, Vec<2> b, Vec<2> x)
+{
+  const Vec<2> along{b[0] - a[0], b[1] - a[1]};
+  const Real squared = along[0] * along[0] + along[1] * along[1];
+  const Real t = squared > 0.0 ? std::clamp(((x[0] - a[0]) * along[0] + (x[1] - a[1]) * along[1]) / squared, 0.0, 1.0) : 0.0;
+  return std::hypot(x[0] - a[0] - t * along[0], x[1] - a[1] - t * along[1]);
+}
+
 BoundingBox box_around(std::span<const Vec<2>> places)
 {
   BoundingBox box{places[0], places[0]};

@@ -16,6 +16,9 @@ struct BoundingBox {
 /// Smallest box around places; at least one place.
 BoundingBox box_around(std::span<const Vec<2>> places);
 
+/// Of a place from the straight line between a and b [m].
+Real distance_to_line(Vec<2> a, Vec<2> b, Vec<2> x);
+
 /// The box with a margin of `share` of its diagonal on every side.
 BoundingBox widened(const BoundingBox& box, Real share);
 

@@ -12,16 +12,10 @@
 namespace terp {
 namespace {
 
-Real distance_to_line(const std::vector<Vec<2>>& line, Vec<2> x)
+Real distance_to_lines(const std::vector<Vec<2>>& line, Vec<2> x)
 {
   Real least = std::numeric_limits<Real>::infinity();
-  for (std::size_t k = 1; k < line.size(); ++k) {
-    const Vec<2>&a = line[k - 1], &b = line[k];
-    const Vec<2> along{b[0] - a[0], b[1] - a[1]};
-    const Real squared = along[0] * along[0] + along[1] * along[1];
-    const Real t = squared > 0.0 ? std::clamp(((x[0] - a[0]) * along[0] + (x[1] - a[1]) * along[1]) / squared, 0.0, 1.0) : 0.0;
-    least = std::min(least, std::hypot(x[0] - a[0] - t * along[0], x[1] - a[1] - t * along[1]));
-  }
+  for (std::size_t k = 1; k < line.size(); ++k) least = std::min(least, distance_to_line(line[k - 1], line[k], x));
   return least;
 }
 
@@ -144,7 +138,7 @@ Real target_size(const PolygonMesh& mesh, Vec<2> x)
   Real size = mesh.cell;
   for (const Refinement& refine : mesh.refine) {
     const bool box = refine.line.empty();
-    const Real away = box ? distance_to_box(refine, x) : std::max(0.0, distance_to_line(refine.line, x) - refine.cell);
+    const Real away = box ? distance_to_box(refine, x) : std::max(0.0, distance_to_lines(refine.line, x) - refine.cell);
     const Real over = box ? refine.distance : std::max(refine.distance, refine.cell);
     const Real part = over > 0.0 ? std::min(1.0, away / over) : (away > 0.0 ? 1.0 : 0.0);
     size = std::min(size, refine.cell + part * (mesh.cell - refine.cell));

@@ -106,8 +106,10 @@ Places read_header(std::string_view line, Index number, Faults& faults)
   return places;
 }
 
+/// A sign in front may be a plus, as in TOML.
 std::optional<Real> number_in(std::string_view text)
 {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   Real value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;

@@ -3,13 +3,12 @@
 #include "base/errors.hpp"
 #include "mesh/locate.hpp"
 #include "mesh/mesh_error.hpp"
-#include "points/overfull.hpp"
 #include "points/points_csv.hpp"
+#include "simulation/points_of_files.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <optional>
 
 namespace terp {
 namespace {
@@ -30,7 +29,6 @@ void add_point(const NewPoint& point, PointBatches& points)
 }
 
 std::string body_key(std::size_t body, std::string_view key) { return fmt::format("body[{}].{}", body, key); }
-
 
 const std::vector<Index>& cells_of_region(const Mesh<2>& mesh, const std::string& name, std::size_t body)
 {
@@ -115,58 +113,6 @@ void try_points_of_file(const Model& model, std::size_t b, PointBatches& points)
   }
 }
 
-/// The largest point of a file in some cells, ascending; only for messages: reads the file again.
-struct PointOfFile {
-  std::size_t body = 0;
-  std::string path;
-  CsvPoint point{};
-};
-
-std::optional<PointOfFile> largest_of_files(const Model& model, const std::vector<Index>& cells)
-{
-  std::optional<PointOfFile> found;
-  for (std::size_t b = 0; b < model.description.bodies.size(); ++b) {
-    const std::string& name = model.description.bodies[b].points_file;
-    if (name.empty()) continue;
-    const std::string path = path_of(model.description.folder, name);
-    for (const CsvPoint& p : read_points_csv(path))
-      if (std::binary_search(cells.begin(), cells.end(), locate(model.mesh, p.x, 0).cell) && (!found || p.volume > found->point.volume))
-        found = PointOfFile{b, path, p};
-  }
-  return found;
-}
-
-CellContents contents_of_cells(const Mesh<2>& mesh, const PointBatches& points)
-{
-  CellContents contents{std::vector<Real>(mesh.cells.size(), 0.0), std::vector<Real>(mesh.cells.size(), 0.0)};
-  for (const auto& batch : points)
-    for (const NewPoint& p : batch) {
-      contents.volume[p.cell] += p.volume;
-      contents.largest[p.cell] = std::max(contents.largest[p.cell], p.volume);
-    }
-  return contents;
-}
-
-/// Bodies that are drawn share their cells; points of files lie where they lie, over each other and over drawn bodies too.
-void check_room_for_points(const Model& model, const PointBatches& points)
-{
-  const auto overfull = find_overfull(model.mesh, contents_of_cells(model.mesh, points));
-  if (!overfull) return;
-  const auto at = largest_of_files(model, overfull->around);
-  if (!at) return;  // no cell of theirs
-  const std::string where = fmt::format("{}:{}: the point of {:.4g} m^2 at {} m lies in cell {}", at->path, at->point.line, at->point.volume,
-                                        place_text(at->point.x), overfull->cell);
-  const std::string too_much =
-      overfull->by_one_point
-          ? fmt::format("{}, where cells have {:.4g} m^2. Allowed: {:.4g} m^2.", where, overfull->area, overfull->limit)
-          : fmt::format("{} or beside it. All points there hold {:.4g} m^2,\n"
-                        "these {} cells have {:.4g} m^2. Allowed, as points at the edge reach beyond: {:.4g} m^2.", where,
-                        overfull->volume, overfull->around.size(), overfull->area, overfull->limit);
-  throw InputError(Problem{body_key(at->body, "points"), "the points hold more volume than there is room",
-                           too_much + "\nVolumes are in m^2 (per metre of thickness); no point may be there twice, nor in a body that is drawn.", "body", false,
-                           mesh_extent});
-}
-
 /// Of the points of one body.
 Real fullest_cell(const Mesh<2>& mesh, const PointBatches& points, std::size_t body)
 {
@@ -177,11 +123,6 @@ Real fullest_cell(const Mesh<2>& mesh, const PointBatches& points, std::size_t b
   Real fullest = 0.0;
   for (Index cell = 0; cell < mesh.n_cells(); ++cell) fullest = std::max(fullest, volume[cell] / mesh.geometry(cell).volume);
   return fullest;
-}
-
-bool has_file_of_points(const Case& c)
-{
-  return std::any_of(c.bodies.begin(), c.bodies.end(), [](const BodyCase& body) { return !body.points_file.empty(); });
 }
 
 }  // namespace
@@ -248,7 +189,7 @@ PointBatches make_points(const Model& model)
     throw InputError(Problem{"body[0]", "no material points",
                              "The bodies hold no point of the seeding lattice. Use a larger body, smaller cells or more points per cell.", "body", false,
                              {"body", "mesh"}});
-  if (has_file_of_points(model.description)) check_room_for_points(model, points);
+  check_points_of_files(model, outlines, drawn, points);
   return points;
 }
 

@@ -86,5 +86,12 @@ TEST(BoundingBox, SurroundsPlacesAndWidensByPartOfItsDiagonal)
   EXPECT_THAT(wide.high, ElementsAre(DoubleEq(4.5), DoubleEq(6.5)));
 }
 
+TEST(Line, IsAsFarAsItsNextPlaceOrItsNextEnd)
+{
+  EXPECT_DOUBLE_EQ(distance_to_line({1.0, 1.0}, {5.0, 4.0}, {6.0, 1.0}), 3.0);  // beside it: the height of a triangle of sides 5, 3.16 on 5 m
+  EXPECT_DOUBLE_EQ(distance_to_line({1.0, 1.0}, {5.0, 4.0}, {8.0, 8.0}), 5.0);  // beyond its end
+  EXPECT_DOUBLE_EQ(distance_to_line({2.0, 1.0}, {2.0, 1.0}, {5.0, 5.0}), 5.0);  // no line, but a place
+}
+
 }  // namespace
 }  // namespace terp

@@ -48,6 +48,15 @@ TEST(PointsCsv, TakesColumnsInAnyOrderAndPassesOverSpacesCommentsAndEmptyLines)
   EXPECT_EQ(points[0].line, 4);
 }
 
+TEST(PointsCsv, ANumberMayBeginWithAPlus)
+{
+  const auto points = read_points_csv_text("points.csv", "x,y,volume,material\n+0.06,-1,+4e-4,clay\n");
+  EXPECT_EQ(points[0].x, (Vec<2>{0.06, -1.0}));
+  EXPECT_EQ(points[0].volume, 4e-4);
+  for (const char* wrong : {"+", "+-1", "++1", "-+1", "+ 1"})
+    EXPECT_THAT(message_for(std::string("x,y,volume,material\n") + wrong + ",1,1,clay\n"), HasSubstr(std::string("x is `") + wrong + "`, which is not a number"));
+}
+
 TEST(PointsCsv, RefusesAnUnknownColumnAndSaysWhatWasMeant)
 {
   EXPECT_EQ(message_for("x,y,volme,material\n1,2,3,clay\n"),

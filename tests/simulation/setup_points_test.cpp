@@ -7,7 +7,6 @@
 #include "support/paths.hpp"
 
 #include <fstream>
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 namespace terp {
@@ -73,45 +72,6 @@ TEST(SetupPoints, ThoseOfAFileComeAfterThoseThatAreDrawn)
   EXPECT_EQ(last.v, (Vec<2>{0.0, -1.0}));
   EXPECT_EQ(points[200].volume, 0.01);
   EXPECT_EQ(shares_of_bodies(model, make_points(model))[0].material, model.materials[0].name + " + rock");
-}
-
-/// What is wrong with a file of points beside a drawn body of 1 m x 1 m; its cells have 0.0625 m^2.
-Problem problem_of(const std::string& lines)
-{
-  const test::ScratchFolder folder;
-  std::ofstream(folder.path() + "/more.csv") << "x,y,volume,material\n" << lines;
-  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.5});
-  c.folder = folder.path();
-  c.bodies.emplace_back().points_file = "more.csv";
-  try {
-    make_points(build_model(c, 1));
-  } catch (const InputError& error) {
-    Problem problem = error.problems().at(0);
-    problem.detail.erase(0, folder.path().size() + 1);
-    return problem;
-  }
-  return {};
-}
-
-TEST(SetupPoints, OfAFileThatHaveNoRoomAreToldWithTheLineOfTheLargest)
-{
-  const Problem p = problem_of("3.3,1.2,0.01,clay\n3.1,1.1,0.3,clay\n");
-  EXPECT_EQ(p.key, "body[1].points");
-  EXPECT_EQ(p.what, "the points hold more volume than there is room");
-  EXPECT_EQ(p.detail,
-            "more.csv:3: the point of 0.3 m^2 at (3.1, 1.1) m lies in cell 76, where cells have 0.0625 m^2. Allowed: 0.25 m^2.\n"
-            "Volumes are in m^2 (per metre of thickness); no point may be there twice, nor in a body that is drawn.");
-}
-
-TEST(SetupPoints, OfAFileMayNotLieInABodyThatIsDrawn)
-{
-  std::string lines;  // the clay once more, 4 x 4 points in each of its 4 x 4 cells
-  for (int i = 0; i < 16; ++i)
-    for (int j = 0; j < 16; ++j) lines += fmt::format("{},{},{},clay\n", 1.03125 + 0.0625 * i, 0.53125 + 0.0625 * j, 0.00390625);
-  const Problem p = problem_of(lines);
-  EXPECT_EQ(p.what, "the points hold more volume than there is room");
-  EXPECT_THAT(p.detail, testing::AllOf(testing::HasSubstr(": the point of 0.003906 m^2 at ("),
-                                       testing::HasSubstr(" or beside it. All points there hold 1.125 m^2,\nthese 9 cells have 0.5625 m^2. Allowed")));
 }
 
 TEST(SetupPoints, OutlinesAreThoseOfTheBodiesThatAreDrawn)
