@@ -53,9 +53,8 @@ void warn_of(const Summary& s)
     fmt::print(stderr, "warning: the energy balance is off by {:.2g} % of the energy exchanged; see docs/troubleshooting.md#the-energy-balance-is-off\n",
                100.0 * s.energy_balance_error);
   for (const ReachedSide& reached : s.reached_sides)
-    fmt::print(stderr, "warning: soil came to the side `{}` of the mesh by t = {:.3g} s, which acts on it from then on; see "
-                       "docs/troubleshooting.md#soil-reaches-the-side-of-the-mesh\n",
-               printable(reached.side), reached.time);
+    fmt::print(stderr, "warning: soil {} the side `{}` of the mesh by t = {:.3g} s, which {}; see docs/troubleshooting.md#soil-reaches-the-side-of-the-mesh\n",
+               reached.rose ? "rose at" : "came to", printable(reached.side), reached.time, reached.rose ? "holds it back" : "acts on it from then on");
 }
 
 void print_passes(const Workspace& work)

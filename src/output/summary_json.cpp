@@ -35,7 +35,7 @@ Json softened_fraction(const Summary& summary)
 Json reached_sides(const Summary& summary)
 {
   Json list = Json::array();
-  for (const ReachedSide& reached : summary.reached_sides) list.push_back({{"side", reached.side}, {"time", number(reached.time)}});
+  for (const ReachedSide& reached : summary.reached_sides) list.push_back({{"side", reached.side}, {"time", number(reached.time)}, {"rose", reached.rose}});
   return list;
 }
 
@@ -129,6 +129,7 @@ void read_reached_sides(const nlohmann::json& json, Summary& summary)
     ReachedSide reached;
     get(entry, "side", reached.side);
     get(entry, "time", reached.time);
+    reached.rose = entry.value("rose", false);
     summary.reached_sides.push_back(std::move(reached));
   }
 }

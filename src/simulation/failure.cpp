@@ -117,6 +117,13 @@ const SlopeFailure* main_slope(const State& state, const Fronts& fronts)
   return best;
 }
 
+Real volume_that_left(const State& state)
+{
+  Real volume = 0.0;
+  for (const LeftPoint& p : state.left) volume += p.volume;
+  return volume;
+}
+
 Real total_volume(const PointBlocks<2>& points)
 {
   Real volume = 0.0;
@@ -164,7 +171,7 @@ void follow_failure(const Model& model, const Totals& totals, State& state, Ledg
   row.front_x = row.crest_x = row.crest_y = row.front_left_x = row.crest_left_x = row.crest_left_y = none;
   const Fronts fronts = find_fronts(model, state, totals.moved);
   const auto heights = surface_heights(model.mesh, state.points, state.section.columns);
-  row.moved_volume = totals.moved.volume;
+  row.moved_volume = totals.moved.volume + volume_that_left(state);
   for (std::size_t k = 0; k < state.slopes.size(); ++k) {
     SlopeFailure& slope = state.slopes[k];
     CrestHistory& crest = slope.crest;
@@ -190,8 +197,8 @@ void summarise_failure(const Model& model, const State& state, Summary& s)
   for (const SlopeFailure& slope : state.slopes)
     for (SlideSummary& slide : slides_of(state, fronts, slope)) s.slides.push_back(std::move(slide));
   std::stable_sort(s.slides.begin(), s.slides.end(), [](const auto& a, const auto& b) { return a.slide.begins < b.slide.begins; });
-  s.moved_volume = moved.volume;
-  const Real volume = total_volume(state.points);
+  const Real left = volume_that_left(state), volume = total_volume(state.points) + left;
+  s.moved_volume = moved.volume + left;
   s.moved_fraction = volume > 0.0 ? s.moved_volume / volume : 0.0;
   std::vector<int> strain_rows;
   for (const SoilMaterial& material : model.materials) strain_rows.push_back(find_eps_eq_p(*material.type));

@@ -52,6 +52,7 @@ struct LeftPoint {
   Vec<2> v;                  ///< how fast [m/s]
   Real mass;                 ///< [kg per m]
   Real elastic = 0.0;        ///< elastic energy that it took along [J per m]; not in the table
+  Real volume = 0.0;         ///< [m^2]; not in the table
 };
 
 /// One row of ledger.csv. Energies in J per metre of thickness; work is positive when it adds energy to the soil.

@@ -58,7 +58,8 @@ struct State {
   std::int64_t ledger_rows = 0;   ///< so far
   Section section;                ///< at t = 0
   std::vector<SlopeFailure> slopes;  ///< of the section, in its order
-  std::vector<Real> side_reached;    ///< when soil first lay in a cell at each side of the mesh [s]; 0: at the start, NaN: not yet
+  std::vector<Real> side_reached;    ///< when soil first lay in a cell at each side of the mesh, or rose there [s]; 0: at the start, NaN: not yet
+  std::vector<Real> side_top;        ///< top of the cells with soil at each steep side at the start [m]; NaN: none
   std::vector<FootingMeter> footings;     ///< in the order of the case
   std::vector<std::pair<Real, Real>> softened_fraction;  ///< at the frame times
   Real largest_v_999 = 0.0;       ///< [m/s]

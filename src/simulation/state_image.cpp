@@ -102,11 +102,12 @@ bool holds(const StateImage& image, std::string_view name)
   return std::any_of(image.arrays.begin(), image.arrays.end(), [&](const NamedArray& array) { return array.name == name; });
 }
 
-/// What checkpoints hold since format 4.
+/// What checkpoints hold since format 4, or 5.
 void get_since_format_4(const Model& model, const StateImage& image, State& state)
 {
   start_following_sides(model, state);  // of an earlier one: as if the soil that is there now had always been there
   if (holds(image, "side_reached")) state.side_reached = get<Real>(image, "side_reached", model.mesh.sides.size());
+  if (holds(image, "side_top")) state.side_top = get<Real>(image, "side_top", model.mesh.sides.size());
   if (holds(image, "work_exchanged")) state.work.exchanged = get<Real>(image, "work_exchanged", 1)[0];
   if (holds(image, "last_step_work")) state.work.last_step = get<Real>(image, "last_step_work", 1)[0];
 }
@@ -184,13 +185,15 @@ void get_points(const Model& model, const StateImage& image, State& state)
 void add_left(const State& state, std::vector<ArraySource>& arrays)
 {
   std::vector<std::int64_t> ids;
-  std::vector<Real> values;
+  std::vector<Real> values, volumes;
   for (const LeftPoint& p : state.left) {
     ids.push_back(p.id);
+    volumes.push_back(p.volume);
     values.insert(values.end(), {p.time, p.x[0], p.x[1], p.v[0], p.v[1], p.mass, p.elastic});
   }
   arrays.push_back(few("left/id", std::move(ids)));
   arrays.push_back(few("left/values", std::move(values)));
+  arrays.push_back(few("left/volume", std::move(volumes)));
 }
 
 void get_left(const StateImage& image, State& state)
@@ -200,6 +203,10 @@ void get_left(const StateImage& image, State& state)
   for (std::size_t k = 0; k < ids.size(); ++k) {
     const Real* v = &values[7 * k];
     state.left.push_back({.time = v[0], .id = ids[k], .x = {v[1], v[2]}, .v = {v[3], v[4]}, .mass = v[5], .elastic = v[6]});
+  }
+  if (holds(image, "left/volume")) {  // since format 5
+    const auto& volumes = get<Real>(image, "left/volume", ids.size());
+    for (std::size_t k = 0; k < ids.size(); ++k) state.left[k].volume = volumes[k];
   }
   state.left_told = state.left.size();
 }
@@ -245,6 +252,7 @@ std::vector<ArraySource> arrays_of(const State& state)
   arrays.push_back(few("work_exchanged", std::vector<Real>{w.exchanged}));
   arrays.push_back(few("last_step_work", std::vector<Real>{w.last_step}));
   arrays.push_back(kept("side_reached", state.side_reached));
+  arrays.push_back(kept("side_top", state.side_top));
   arrays.push_back(few("wall_s", std::vector<Real>{state.wall_s}));  // the one number that differs between equal runs
   arrays.push_back(few("counts", std::vector<std::int64_t>{state.clamped, state.tension_cut, state.equilibrium_steps, state.ledger_rows}));
   add_left(state, arrays);

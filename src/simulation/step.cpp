@@ -96,7 +96,8 @@ void enter_left(const Model& model, Index material, std::span<const Real> values
                         .x = {values[Rows::x], values[Rows::x + 1]},
                         .v = {values[Rows::v], values[Rows::v + 1]},
                         .mass = values[Rows::mass],
-                        .elastic = elastic_energy(*model.materials[material].law, sigma, values[Rows::volume])});
+                        .elastic = elastic_energy(*model.materials[material].law, sigma, values[Rows::volume]),
+                        .volume = values[Rows::volume]});
 }
 
 /// Counts a point that had to be put back at a wall, once.

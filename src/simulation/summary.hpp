@@ -31,7 +31,8 @@ struct SlideSummary {
 /// A side of the mesh that soil came to during the run.
 struct ReachedSide {
   std::string side;
-  Real time = 0.0;  ///< of the ledger row at which soil first lay in a cell at it [s]
+  Real time = 0.0;    ///< of the ledger row at which soil first lay in a cell at it, or had risen [s]
+  bool rose = false;  ///< soil lay at it from the start, and rose there
 };
 
 /// Wall time spent in a pass of the step.

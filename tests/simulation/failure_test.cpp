@@ -143,6 +143,22 @@ TEST(Failure, OfASymmetricEmbankmentIsASlideToEachSide)
   EXPECT_GT(last.front_x, 17.0);
 }
 
+TEST(Failure, SoilThatLeavesThroughAnOpenSideHasMoved)
+{
+  Case c = test::free_box("mpm_gp", {2.0, 0.0}, {3.0, 1.0});  // of 1 m^2, 1 m from the side
+  c.bodies[0].velocity = {10.0, 0.0};
+  c.sides.push_back(test::side("right", SideKind::open));
+  const Collapse s(0.15, c);
+  for (std::size_t k = 1; k < s.rows.size(); ++k) EXPECT_GE(s.rows[k].moved_volume, s.rows[k - 1].moved_volume - 1e-9);
+  const auto n_left = static_cast<Real>(s.state.left.size()), n = static_cast<Real>(s.state.n_ids());
+  EXPECT_NEAR(n_left / n, 0.5, 0.1);
+  EXPECT_NEAR(s.rows.back().moved_volume, 1.0, 1e-9);
+  Summary summary;
+  summarise_failure(s.model, s.state, summary);
+  EXPECT_NEAR(summary.moved_volume, 1.0, 1e-9);
+  EXPECT_NEAR(summary.moved_fraction, 1.0, 1e-12);
+}
+
 TEST(Failure, MovedSoilAndRunOutGrowFromNothing)
 {
   const Collapse s(0.8);

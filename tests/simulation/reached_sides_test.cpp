@@ -44,6 +44,41 @@ TEST(ReachedSides, TheFirstPointInACellAtTheSideIsNoted)
   EXPECT_EQ(later[0].time, reached[0].time);
 }
 
+/// Ground of 0.5 m, two cells, to the right side, and a box of four cells that slides over it against that side.
+std::vector<ReachedSide> after_a_slide_over_ground(SideKind kind, Real until)
+{
+  Case c = test::free_box("mpm_gp", {0.0, 0.0}, {4.0, 0.5});
+  c.bodies.push_back(test::body(c.bodies[0].material.c_str(), {2.0, 0.5}, {3.0, 1.5}));
+  c.bodies[1].velocity = {10.0, 0.0};
+  c.sides.push_back(test::side("right", kind));
+  test::Simulation s(c);
+  return run_until(until, s);
+}
+
+TEST(ReachedSides, SoilThatRisesWhereSoilLayFromTheStartIsNoted)
+{
+  EXPECT_TRUE(after_a_slide_over_ground(SideKind::roller, 0.070).empty());
+  const auto reached = after_a_slide_over_ground(SideKind::roller, 0.085);
+  ASSERT_EQ(reached.size(), 1u);
+  EXPECT_EQ(reached[0].side, "right");
+  EXPECT_TRUE(reached[0].rose);
+  EXPECT_NEAR(reached[0].time, 0.0775, 0.0775 * 0.05);
+  EXPECT_TRUE(after_a_slide_over_ground(SideKind::contact_bilateral, 0.085).empty());  // a wall of the problem
+}
+
+TEST(ReachedSides, SoilThatHeavesByACellIsNotToldNorIsWhatSpreadsAlongTheBottom)
+{
+  Case c = test::free_box("mpm_gp", {0.0, 0.0}, {4.0, 0.5});
+  c.bodies.push_back(test::body(c.bodies[0].material.c_str(), {2.75, 0.5}, {3.75, 0.75}));  // one cell high, beside the last one
+  c.bodies[1].velocity = {10.0, 0.0};
+  test::Simulation s(c);
+  EXPECT_TRUE(run_until(0.005, s).empty());
+  Index last = 0;
+  for (const test::Point& p : test::points_by_id(s.state))
+    if (p.x[0] > 3.75 && p.x[1] > 0.5) ++last;
+  EXPECT_GT(last, 0);  // and soil is there
+}
+
 TEST(ReachedSides, AnOpenSideIsNone)
 {
   Case c = flying_box();
