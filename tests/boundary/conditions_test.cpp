@@ -102,6 +102,22 @@ TEST(ContactPlane, ASeparatingOneThatPushedStaysClosedForTheStep)
   EXPECT_THAT(clamped(boundary, 2, {3.0, -4.0}), ElementsAre(3.0, 0.0));
 }
 
+TEST(ContactPlane, ANodeThatItHeldStaysForTheStepAndOneThatSlippedGoesOn)
+{
+  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::contact, .adhesion = 30.0, .friction = 0.5}});  // node 1: 1 m of base
+  EXPECT_THAT(clamped(boundary, 1, {3.0, 4.0}, {-41.9, 24.0}), ElementsAre(0.0, 0.0));  // of 42 N
+  EXPECT_THAT(clamped(boundary, 1, {3.0, 4.0}, {-42.0, 24.0}), ElementsAre(3.0, 0.0));
+  EXPECT_THAT(clamped(boundary, 1, {3.0, 4.0}, {-29.9, -24.0}), ElementsAre(0.0, 0.0));  // pulled at: adhesion alone
+  EXPECT_THAT(clamped(boundary, 1, {3.0, 4.0}, {0.0, 0.0}), ElementsAre(3.0, 0.0));      // it did nothing
+}
+
+TEST(ContactPlane, ASeparatingOneThatDidNotPushHoldsNothing)
+{
+  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::separating, .adhesion = 30.0}});
+  EXPECT_THAT(clamped(boundary, 1, {3.0, 4.0}, {0.0, 0.0}), ElementsAre(3.0, 4.0));
+  EXPECT_THAT(clamped(boundary, 1, {3.0, 4.0}, {-3.0, 5.0}), ElementsAre(0.0, 0.0));
+}
+
 TEST(FreePart, LeavesOutWhatTheSidesCarry)
 {
   const Boundary boundary(inclined_mesh(), {{.side = "base", .hold = Hold::contact}});
