@@ -67,6 +67,15 @@ void apply_contact(const NodeHold& hold, Real mass, Real dt, Vec<2>& v)
   shorten(strength_of(hold, mass * v_n / dt) * dt / mass, v);
 }
 
+/// What a contact plane could have done along itself in step 2 beyond its reaction there [N per m].
+Real unused_strength(const NodeHold& hold, Vec<2> reaction)
+{
+  const Real push = -dot(reaction, hold.normal);
+  if (hold.hold == Hold::separating && !(push > 0.0)) return 0.0;
+  const Real along = std::hypot(reaction[0] + push * hold.normal[0], reaction[1] + push * hold.normal[1]);
+  return std::max(strength_of(hold, push) - along, 0.0);
+}
+
 void stop_across(const NodeHold& hold, Vec<2> reaction, Vec<2>& v)
 {
   const Real v_n = dot(v, hold.normal);
@@ -147,12 +156,15 @@ void Boundary::constrain(Index node, Real mass, Real dt, Vec<2>& v) const
     if (c->holds[k].hold == Hold::all) v = c->holds[k].velocity;
 }
 
-void Boundary::clamp(Index node, Vec<2> reaction, Vec<2>& v) const
+void Boundary::clamp(Index node, Real mass, Real dt, Vec<2> reaction, Vec<2>& v) const
 {
   const NodeCondition* c = at(node);
   if (c == nullptr) return;
   for (int k = 0; k < c->n; ++k)
-    if (c->holds[k].hold != Hold::all) stop_across(c->holds[k], reaction, v);
+    if (c->holds[k].hold != Hold::all) {
+      stop_across(c->holds[k], reaction, v);
+      if (is_contact(c->holds[k].hold)) shorten(unused_strength(c->holds[k], reaction) * dt / mass, v);
+    }
   if (c->pinned) v = c->pinned_velocity;
   for (int k = 0; k < c->n; ++k)
     if (c->holds[k].hold == Hold::all) v = c->holds[k].velocity;

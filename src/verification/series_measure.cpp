@@ -108,9 +108,10 @@ class PointMeasure : public SeriesMeasure {
   std::vector<Real> row_;
 };
 
-const std::vector<std::string> ledger_names = {"t",           "kinetic",   "elastic", "plastic",    "gravity_work", "damping_work", "boundary_work",
-                                               "left_energy", "numerical", "mass",    "momentum_x", "momentum_y",   "clamped",      "left",
-                                               "front_x",     "crest_x",   "v_max",   "v_999"};
+const std::vector<std::string> ledger_names = {
+    "t",    "kinetic",    "kinetic_nodal", "elastic", "plastic", "gravity_work", "damping_work", "boundary_work", "left_energy",  "numerical",
+    "mass", "momentum_x", "momentum_y",    "clamped", "left",    "front_x",      "crest_x",      "crest_y",       "front_left_x", "crest_left_x",
+    "crest_left_y", "moved_volume", "v_max", "v_999"};
 
 /// Rows of the ledger.
 class LedgerMeasure : public SeriesMeasure {
@@ -119,8 +120,9 @@ class LedgerMeasure : public SeriesMeasure {
   void ledger(const LedgerRow& r) override
   {
     add(r.time, ledger_names,
-        {r.time, r.kinetic, r.elastic, r.plastic, r.gravity_work, r.damping_work, r.boundary_work, r.left_energy, r.numerical, r.mass, r.momentum_x,
-         r.momentum_y, static_cast<Real>(r.clamped), static_cast<Real>(r.left), r.front_x, r.crest_x, r.v_max, r.v_999});
+        {r.time, r.kinetic, r.kinetic_nodal, r.elastic, r.plastic, r.gravity_work, r.damping_work, r.boundary_work, r.left_energy, r.numerical, r.mass,
+         r.momentum_x, r.momentum_y, static_cast<Real>(r.clamped), static_cast<Real>(r.left), r.front_x, r.crest_x, r.crest_y, r.front_left_x,
+         r.crest_left_x, r.crest_left_y, r.moved_volume, r.v_max, r.v_999});
   }
 };
 

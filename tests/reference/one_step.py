@@ -167,15 +167,17 @@ def gauss_force(case, corners, weight, sigma):
 
 
 def correct_at_boundary(case, v, m):
-    """Rollers, then bilateral contact with adhesion and friction on a horizontal base, reading R15. Changes v."""
+    """Rollers, then bilateral contact with adhesion and friction on a horizontal base, reading R15. Changes v; returns the impulses along it left unused."""
     v[case["mesh"]["fixed"]] = 0
-    contact = case["mesh"]["contact"]
+    contact, unused = case["mesh"]["contact"], np.zeros(len(m))
     for i, a, mu, length in zip(contact["nodes"], contact["adhesion"], contact["friction"], contact["length"]):
         normal, tangential = -m[i] * v[i, 1], m[i] * v[i, 0]
         limit = a * length * case["dt"] + mu * max(0.0, normal)
         met["contact sticks" if abs(tangential) <= limit else "contact slides"] += tangential != 0
         met["contact pushes" if normal > 0 else "contact pulls"] += normal != 0
         v[i] = [np.sign(tangential) * max(0.0, abs(tangential) - limit) / m[i] if m[i] > 0 else 0.0, 0.0]
+        unused[i] = max(0.0, limit - abs(tangential))
+    return unused
 
 
 def clamped(case, v):
@@ -206,14 +208,17 @@ def accelerate_nodes(case, m, momentum, f_int, moving):
         r -= np.outer(o["local_damping"] * np.abs(free_r @ e) * np.sign(free_v @ e), e)
     a[moving] = r[moving] / m[moving, None]
     v_1 = v + a * case["dt"]
-    correct_at_boundary(case, v_1, m)
-    return np.where(moving[:, None], (v_1 - v) / case["dt"], 0)
+    unused = correct_at_boundary(case, v_1, m)
+    return np.where(moving[:, None], (v_1 - v) / case["dt"], 0), unused
 
 
-def nodal_velocity(case, m, momentum):
-    """Velocity after the second map, however light the node; fixed components and the contact's normal one are clamped."""
+def nodal_velocity(case, m, momentum, unused):
+    """Velocity after the second map, however light the node; fixed components and the contact's normal one are clamped, along it acts what is unused."""
     v = np.zeros_like(momentum)
     v[m > 0] = momentum[m > 0] / m[m > 0, None]
+    for i in case["mesh"]["contact"]["nodes"]:
+        if m[i] > 0:
+            v[i, 0] = np.sign(v[i, 0]) * max(0.0, abs(v[i, 0]) - unused[i] / m[i])
     return clamped(case, v)
 
 
@@ -253,9 +258,9 @@ def step(case, pts):
             gauss[e] = gauss_values(case, x_e, pts, members, subs[members])
             f_int[mesh["cells"][e]] += gauss_force(case, x_e, *gauss[e][:2])
 
-    a = accelerate_nodes(case, m, to_nodes(pts["mass"][:, None] * pts["v"]), f_int, moving)  # 2. nodes
+    a, unused = accelerate_nodes(case, m, to_nodes(pts["mass"][:, None] * pts["v"]), f_int, moving)  # 2. nodes
     pts["v"] += dt * np.einsum("pi,pia->pa", n, a[nodes])                          # 3. cells to points
-    v = nodal_velocity(case, m, to_nodes(pts["mass"][:, None] * pts["v"]))  # 4. nodes
+    v = nodal_velocity(case, m, to_nodes(pts["mass"][:, None] * pts["v"]), unused)  # 4. nodes
     d_eps = np.zeros_like(pts["strain"])
     for p in points:                                                               # 5. strain, stress, volume, places
         d_eps[p], w = strain_and_spin(corners[p], xi[p] if standard else GAUSS[subs[p]], v[nodes[p]] * dt, not standard)

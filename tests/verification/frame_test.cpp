@@ -29,7 +29,7 @@ class Frame30 : public testing::TestWithParam<std::string> {};
 TEST_P(Frame30, ColumnFailsTheSameWayInATurnedFrame)
 {
   Simulation straight = column_in_frame(GetParam(), 0.2, 0.0), turned = column_in_frame(GetParam(), 0.2, angle);
-  const auto n = static_cast<std::int64_t>(0.8 / straight.model.dt);
+  const auto n = static_cast<std::int64_t>(0.65 / straight.model.dt);
   straight.step(n);
   turned.step(n);
   const auto a = test::points_by_id(straight.state), b = test::points_by_id(turned.state);
@@ -43,8 +43,8 @@ TEST_P(Frame30, ColumnFailsTheSameWayInATurnedFrame)
   }
   EXPECT_GT(largest, 0.5);  // it has failed
   RecordProperty("place", std::to_string(place));
-  EXPECT_LT(place, 1e-3) << "m; round-off that the failure amplifies";
-  EXPECT_LT(strain, 1e-2 * largest);
+  EXPECT_LT(place, 1e-6) << "m; round-off that the failure amplifies: 5e-10 m here, 1 cm at 0.8 s, when single points run ahead";
+  EXPECT_LT(strain, 1e-5 * largest);
 }
 
 INSTANTIATE_TEST_SUITE_P(Schemes, Frame30, testing::Values("mpm_mixed", "mpm_gp"), [](const auto& p) { return p.param; });

@@ -2,10 +2,12 @@
 
 #include "verification/solve_variant.hpp"
 
+#include "output/table_csv.hpp"
 #include "verification/ledger_samples.hpp"
 
 #include <cmath>
 #include <gmock/gmock.h>
+#include <sstream>
 
 namespace terp {
 namespace {
@@ -68,6 +70,16 @@ TEST(SolveVariant, LedgerSummaryAndFormulasOfEarlierQuantities)
   ASSERT_EQ(solved.findings.size(), 1u);  // the first two are no rows of their own
   EXPECT_NEAR(solved.findings[0].value, 250.0, 1e-9);
   EXPECT_EQ(solved.findings[0].reference, 250.0);
+}
+
+TEST(SolveVariant, EveryColumnOfTheLedgerMayBeMeasured)
+{
+  std::istringstream columns{std::string(ledger_header)};
+  for (std::string name; std::getline(columns, name, ',');)
+    if (name != "time" && name != "step") {
+      const Finding f = find("name = \"n\"\nkind = \"ledger\"\nvalue = \"" + name + "\"\ntime = \"end\"\nat_most = 1");
+      EXPECT_EQ(f.fault.find("is not known"), std::string::npos) << name << ": " << f.fault;
+    }
 }
 
 /// What is wrong with the only finding.
