@@ -249,6 +249,11 @@ void check_names(const Expected& file)
              "Where there is more than one, each needs a name of its own: the rows are told apart by it.");
     runs.push_back(v.name);
   }
+  Names red_runs = runs;
+  for (const Variant& v : file.variants)
+    for (const std::string& scheme : v.schemes)
+      for (const std::string& name : {scheme, v.name + ", " + scheme})
+        if (std::find(red_runs.begin(), red_runs.end(), name) == red_runs.end()) red_runs.push_back(name);
   for (const Quantity& q : file.quantities) quantities.push_back(q.name);
   const auto check = [&](const Quantity& q, const std::string& name, const Names& known, const char* what) {
     if (std::find(known.begin(), known.end(), name) == known.end())
@@ -256,7 +261,7 @@ void check_names(const Expected& file)
   };
   for (const Quantity& q : file.quantities) {
     for (const std::string& run : q.runs) check(q, run, runs, "run");
-    for (const std::string& run : q.red_runs) check(q, run, runs, "run");
+    for (const std::string& run : q.red_runs) check(q, run, red_runs, "run");
     if (compares_runs(q)) check(q, q.of, quantities, "quantity");
   }
 }

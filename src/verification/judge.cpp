@@ -45,6 +45,15 @@ bool names_run(const std::vector<std::string>& runs, const std::string& run)
   return runs.empty() || std::find(runs.begin(), runs.end(), run) != runs.end();
 }
 
+/// True if a quantity is declared red for this run and scheme.
+bool declared_red(const Quantity& q, const std::string& run, const std::string& scheme)
+{
+  if (q.red.empty()) return false;
+  return q.red_runs.empty() || std::any_of(q.red_runs.begin(), q.red_runs.end(), [&](const std::string& name) {
+    return name == run || name == scheme || name == run + ", " + scheme;
+  });
+}
+
 Row to_row(const std::string& case_name, const Finding& f)
 {
   const Quantity& q = *f.quantity;
@@ -59,7 +68,7 @@ Row to_row(const std::string& case_name, const Finding& f)
                   : !std::isnan(f.at_most) ? fmt::format("at most {:.3g}", f.at_most)
                   : relative               ? fmt::format("{:.3g} %", 100.0 * f.relative)
                                            : fmt::format("{:.3g}", f.tolerance);
-  const bool good = agrees(f), known = !q.red.empty() && names_run(q.red_runs, f.run);
+  const bool good = agrees(f), known = declared_red(q, f.run, f.scheme);
   const bool excused = known && std::isfinite(f.value);  // a reason speaks of a number
   row.verdict = good ? Verdict::pass : excused ? Verdict::red : Verdict::fail;
   if (!good && excused) row.remark = q.red;

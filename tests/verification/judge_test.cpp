@@ -119,8 +119,14 @@ TEST(Judge, ARedRowThatTheCaseDeclaresIsRedAndNotPass)
   EXPECT_EQ(judge_one(s, finding(q, 3.0, 2.0, 0.1)).verdict, Verdict::red);
   EXPECT_EQ(judge_one(s, finding(q, 3.0, 2.0, 0.1)).remark, "cells are too large");
   EXPECT_EQ(judge_one(s, finding(q, 2.0, 2.0, 0.1)).verdict, Verdict::pass);
-  q.red_runs = {"fine"};
-  EXPECT_EQ(judge_one(s, finding(q, 3.0, 2.0, 0.1)).verdict, Verdict::fail);
+  for (const char* other : {"fine", "mpm_mixed", "coarse, mpm_mixed"}) {
+    q.red_runs = {other};
+    EXPECT_EQ(judge_one(s, finding(q, 3.0, 2.0, 0.1)).verdict, Verdict::fail) << other;
+  }
+  for (const char* own : {"coarse", "mpm_gp", "coarse, mpm_gp"}) {
+    q.red_runs = {"fine", own};
+    EXPECT_EQ(judge_one(s, finding(q, 3.0, 2.0, 0.1)).verdict, Verdict::red) << own;
+  }
 }
 
 TEST(Judge, ARunWithoutResultIsARowThatFails)
