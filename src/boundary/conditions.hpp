@@ -60,9 +60,9 @@ class Boundary {
   Vec<2> free_force(Index node, Vec<2> force) const;
   /// Corrects the trial velocity v* of a node (step 2 of docs/methods.md). mass [kg per m], dt [s].
   void constrain(Index node, Real mass, Real dt, Vec<2>& v) const;
-  /// Clamps the second nodal velocity at constrained components (step 4). reaction: what the sides did to the node in step 2 [N per m]. A separating
-  /// contact that pushed then stays closed for the step, and a contact acts along itself with the strength that it did not use then, so that
-  /// what holds a node does no work.
+  /// Clamps the second nodal velocity at constrained components (step 4). mass [kg per m], dt [s]; reaction: what the sides did to
+  /// the node in step 2 [N per m]. A separating contact that pushed then stays closed for the step, and a contact acts along itself
+  /// with the strength that it did not use then, so that what holds a node does no work (decision 0037).
   void clamp(Index node, Real mass, Real dt, Vec<2> reaction, Vec<2>& v) const;
   /// The node's condition, or nullptr.
   const NodeCondition* at(Index node) const
