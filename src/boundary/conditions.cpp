@@ -34,17 +34,48 @@ std::map<Index, EdgeSums> sum_edges(const Mesh<2>& mesh, const NamedSide& side)
 
 bool is_contact(Hold hold) { return hold == Hold::contact || hold == Hold::separating; }
 
+bool stops(Hold hold) { return hold == Hold::normal || hold == Hold::contact; }
+
+/// Velocity across a side that it prescribes [m/s].
+Real prescribed_across(const NodeHold& hold) { return hold.hold == Hold::normal ? dot(hold.velocity, hold.normal) : 0.0; }
+
 /// Contacts first, so that a roller at a corner has the last word on its direction.
-void order_and_pin(NodeCondition& c)
+void order_and_join(NodeCondition& c)
 {
   if (c.n == 2 && !is_contact(c.holds[0].hold) && is_contact(c.holds[1].hold)) std::swap(c.holds[0], c.holds[1]);
   const bool across = c.n == 2 && std::abs(dot(c.holds[0].normal, c.holds[1].normal)) < 0.996;  // more than 5 degrees apart
-  const auto stops = [](Hold h) { return h == Hold::normal || h == Hold::contact; };
-  c.pinned = across && stops(c.holds[0].hold) && stops(c.holds[1].hold);
-  if (!c.pinned) return;
+  c.corner = across && c.holds[0].hold != Hold::all && c.holds[1].hold != Hold::all;
+  if (!c.corner) return;
   const Vec<2> n = c.holds[0].normal, m = c.holds[1].normal;
-  const Real determinant = n[0] * m[1] - n[1] * m[0], a = dot(c.holds[0].velocity, n), b = dot(c.holds[1].velocity, m);
-  c.pinned_velocity = {(a * m[1] - b * n[1]) / determinant, (b * n[0] - a * m[0]) / determinant};
+  const Real determinant = n[0] * m[1] - n[1] * m[0], a = prescribed_across(c.holds[0]), b = prescribed_across(c.holds[1]);
+  c.corner_velocity = {(a * m[1] - b * n[1]) / determinant, (b * n[0] - a * m[0]) / determinant};
+}
+
+/// Which holds of a node act.
+using Acting = std::array<bool, 2>;
+
+/// Those that act whatever the node does.
+Acting always(const NodeCondition& c) { return {c.n > 0 && stops(c.holds[0].hold), c.n > 1 && stops(c.holds[1].hold)}; }
+
+/// Which holds act on a velocity or a force w: those that must, and separating ones that it pushes on. At a corner the push on one side is what
+/// the other leaves, so that both act together or one alone: the only choice in which none pulls and nothing goes through (Signorini's condition).
+Acting acting_on(const NodeCondition& c, Vec<2> w, Acting must, std::array<Real, 2> prescribed)
+{
+  std::array<Real, 2> push{};
+  for (int k = 0; k < c.n; ++k) push[k] = dot(w, c.holds[k].normal) - prescribed[k];
+  if (!c.corner) return {c.n > 0 && (must[0] || !(push[0] < 0.0)), c.n > 1 && (must[1] || !(push[1] < 0.0))};
+  const Real cosine = dot(c.holds[0].normal, c.holds[1].normal);
+  const Acting beside_other = {must[0] || push[0] - cosine * push[1] > 0.0, must[1] || push[1] - cosine * push[0] > 0.0};
+  if (beside_other[0] && beside_other[1]) return {true, true};
+  if (must[0] || must[1]) return must;
+  if (!(push[0] < 0.0) && !beside_other[1]) return {true, false};
+  if (!(push[1] < 0.0) && !beside_other[0]) return {false, true};
+  return {false, false};
+}
+
+Acting acting_on_velocity(const NodeCondition& c, Vec<2> v, Acting must)
+{
+  return acting_on(c, v, must, {prescribed_across(c.holds[0]), c.n > 1 ? prescribed_across(c.holds[1]) : 0.0});
 }
 
 /// Force that a contact plane can carry along itself under a push across it [N per m].
@@ -62,7 +93,6 @@ void shorten(Real by, Vec<2>& value)
 void apply_contact(const NodeHold& hold, Real mass, Real dt, Vec<2>& v)
 {
   const Real v_n = dot(v, hold.normal);
-  if (hold.hold == Hold::separating && v_n < 0.0) return;
   for (int d = 0; d < 2; ++d) v[d] -= v_n * hold.normal[d];
   shorten(strength_of(hold, mass * v_n / dt) * dt / mass, v);
 }
@@ -76,12 +106,18 @@ Real unused_strength(const NodeHold& hold, Vec<2> reaction)
   return std::max(strength_of(hold, push) - along, 0.0);
 }
 
-void stop_across(const NodeHold& hold, Vec<2> reaction, Vec<2>& v)
+void stop_across(const NodeHold& hold, Vec<2>& v)
 {
-  const Real v_n = dot(v, hold.normal);
-  if (hold.hold == Hold::separating && v_n < 0.0 && !(dot(reaction, hold.normal) < 0.0)) return;
-  const Real prescribed = hold.hold == Hold::normal ? dot(hold.velocity, hold.normal) : 0.0;
-  for (int d = 0; d < 2; ++d) v[d] -= (v_n - prescribed) * hold.normal[d];
+  const Real v_n = dot(v, hold.normal) - prescribed_across(hold);
+  for (int d = 0; d < 2; ++d) v[d] -= v_n * hold.normal[d];
+}
+
+/// True if hold k of a node acted in step 2. At a corner where one alone did it is the one that v_1 runs along.
+bool acted(const NodeCondition& c, int k, Vec<2> v_1, Vec<2> reaction)
+{
+  if (stops(c.holds[k].hold)) return true;
+  if (!(dot(reaction, c.holds[k].normal) < 0.0)) return false;
+  return !c.corner || std::abs(dot(v_1, c.holds[k].normal)) < std::abs(dot(v_1, c.holds[1 - k].normal));
 }
 
 }  // namespace
@@ -112,7 +148,7 @@ Boundary::Boundary(const Mesh<2>& mesh, const std::vector<SideCondition>& sides)
       c.holds[c.n++] = {side.hold, {sums.normal[0] / length, sums.normal[1] / length}, side.adhesion * sums.half_length,
                         side.friction, side.velocity_at ? side.velocity_at(mesh.nodes[node]) : side.velocity};
     }
-  for (auto& c : conditions_) order_and_pin(c);
+  for (auto& c : conditions_) order_and_join(c);
 }
 
 template <class TakeAlong>
@@ -120,11 +156,13 @@ Vec<2> Boundary::free_part(Index node, Vec<2> value, Vec<2> push, TakeAlong take
 {
   const NodeCondition* c = at(node);
   if (c == nullptr) return value;
-  if (c->pinned) return {0.0, 0.0};
+  for (int k = 0; k < c->n; ++k)
+    if (c->holds[k].hold == Hold::all) return {0.0, 0.0};
+  const Acting acts = acting_on(*c, push, always(*c), {});
+  if (c->corner && acts[0] && acts[1]) return {0.0, 0.0};
   for (int k = 0; k < c->n; ++k) {
+    if (!acts[k]) continue;
     const NodeHold& hold = c->holds[k];
-    if (hold.hold == Hold::all) return {0.0, 0.0};
-    if (hold.hold == Hold::separating && dot(push, hold.normal) < 0.0) continue;
     const Real across = dot(value, hold.normal);
     for (int d = 0; d < 2; ++d) value[d] -= across * hold.normal[d];
     if (is_contact(hold.hold)) take_along(hold, value);
@@ -146,26 +184,32 @@ void Boundary::constrain(Index node, Real mass, Real dt, Vec<2>& v) const
 {
   const NodeCondition* c = at(node);
   if (c == nullptr) return;
+  const Acting acts = acting_on_velocity(*c, v, always(*c));
   for (int k = 0; k < c->n; ++k) {
     const NodeHold& hold = c->holds[k];
-    if (is_contact(hold.hold)) apply_contact(hold, mass, dt, v);
-    if (hold.hold == Hold::normal) stop_across(hold, {}, v);
+    if (acts[k] && is_contact(hold.hold)) apply_contact(hold, mass, dt, v);
+    if (hold.hold == Hold::normal) stop_across(hold, v);
   }
-  if (c->pinned) v = c->pinned_velocity;
+  if (c->corner && acts[0] && acts[1]) v = c->corner_velocity;
   for (int k = 0; k < c->n; ++k)
     if (c->holds[k].hold == Hold::all) v = c->holds[k].velocity;
 }
 
-void Boundary::clamp(Index node, Real mass, Real dt, Vec<2> reaction, Vec<2>& v) const
+void Boundary::clamp(Index node, Real mass, Real dt, Vec<2> v_1, Vec<2> reaction, Vec<2>& v) const
 {
   const NodeCondition* c = at(node);
   if (c == nullptr) return;
-  for (int k = 0; k < c->n; ++k)
-    if (c->holds[k].hold != Hold::all) {
-      stop_across(c->holds[k], reaction, v);
-      if (is_contact(c->holds[k].hold)) shorten(unused_strength(c->holds[k], reaction) * dt / mass, v);
-    }
-  if (c->pinned) v = c->pinned_velocity;
+  Acting before{};
+  for (int k = 0; k < c->n; ++k) before[k] = acted(*c, k, v_1, reaction);
+  const bool both_before = c->corner && v_1 == c->corner_velocity && dot(reaction, reaction) > 0.0;
+  const Acting acts = both_before ? Acting{true, true} : acting_on_velocity(*c, v, before);
+  for (int k = 0; k < c->n; ++k) {
+    const NodeHold& hold = c->holds[k];
+    if (!acts[k] || hold.hold == Hold::all) continue;
+    stop_across(hold, v);
+    if (is_contact(hold.hold)) shorten(unused_strength(hold, reaction) * dt / mass, v);
+  }
+  if (c->corner && acts[0] && acts[1]) v = c->corner_velocity;
   for (int k = 0; k < c->n; ++k)
     if (c->holds[k].hold == Hold::all) v = c->holds[k].velocity;
 }

@@ -40,8 +40,8 @@ struct NodeHold {
 struct NodeCondition {
   int n = 0;
   std::array<NodeHold, 2> holds;
-  bool pinned = false;  ///< two holds with different normals that both prescribe the motion across them
-  Vec<2> pinned_velocity{0.0, 0.0};  ///< which those two leave [m/s]
+  bool corner = false;  ///< two holds with different normals, neither of them fixed: both together leave one velocity
+  Vec<2> corner_velocity{0.0, 0.0};  ///< that one [m/s]
 };
 
 /// The side of a mesh with this name. Throws InputError with the names that there are.
@@ -60,10 +60,10 @@ class Boundary {
   Vec<2> free_force(Index node, Vec<2> force) const;
   /// Corrects the trial velocity v* of a node (step 2 of docs/methods.md). mass [kg per m], dt [s].
   void constrain(Index node, Real mass, Real dt, Vec<2>& v) const;
-  /// Clamps the second nodal velocity at constrained components (step 4). mass [kg per m], dt [s]; reaction: what the sides did to
-  /// the node in step 2 [N per m]. A separating contact that pushed then stays closed for the step, and a contact acts along itself
+  /// Clamps the second nodal velocity at constrained components (step 4). mass [kg per m], dt [s]; v_1, reaction: the velocity of step 2 [m/s],
+  /// and what the sides did to the node there [N per m]. A separating contact that pushed then stays closed for the step, and a contact acts along itself
   /// with the strength that it did not use then, so that what holds a node does no work (decision 0037).
-  void clamp(Index node, Real mass, Real dt, Vec<2> reaction, Vec<2>& v) const;
+  void clamp(Index node, Real mass, Real dt, Vec<2> v_1, Vec<2> reaction, Vec<2>& v) const;
   /// The node's condition, or nullptr.
   const NodeCondition* at(Index node) const
   {

@@ -109,8 +109,9 @@ inline void remap_velocity(const Model& model, const NodeGather& sum, Index i, W
 {
   NodeValues& node = work.node[i];
   if (!(node.mass > 0.0)) return;
+  const Vec<2> v_1 = node.v;
   for (int d = 0; d < 2; ++d) node.v[d] = sum.momentum[d] / node.mass;
-  model.boundary.clamp(i, node.mass, model.dt, node.boundary, node.v);
+  model.boundary.clamp(i, node.mass, model.dt, v_1, node.boundary, node.v);
   if (const int k = footing_at(work, model.mesh.nodes[i]); k >= 0) work.footings[k].hold(node.v);
   add_works(model, node, sums);
 }

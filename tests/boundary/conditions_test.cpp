@@ -25,9 +25,9 @@ Vec<2> constrained(const Boundary& boundary, Index node, Vec<2> v)
   return v;
 }
 
-Vec<2> clamped(const Boundary& boundary, Index node, Vec<2> v, Vec<2> reaction = {0.0, 0.0})
+Vec<2> clamped(const Boundary& boundary, Index node, Vec<2> v, Vec<2> reaction = {0.0, 0.0}, Vec<2> v_1 = {0.0, 0.0})
 {
-  boundary.clamp(node, mass, dt, reaction, v);
+  boundary.clamp(node, mass, dt, v_1, reaction, v);
   return v;
 }
 
@@ -292,8 +292,51 @@ TEST(InclinedSide, TakesFrictionAlongTheSlope)
 TEST(InclinedSide, PinsTheCornerWithASideThatIsNotAtRightAngles)
 {
   const Boundary boundary(inclined_mesh(), {{.side = "base"}, {.side = "front"}});
-  EXPECT_TRUE(boundary.at(2)->pinned);
+  EXPECT_TRUE(boundary.at(2)->corner);
   EXPECT_THAT(constrained(boundary, 2, {5.0, 1.0}), ElementsAre(0.0, 0.0));
+}
+
+/// A valley between two banks of slope 1 : 2; its bottom is node 1 at (0, 0).
+Mesh<2> flat_valley()
+{
+  Mesh<2> mesh;
+  mesh.nodes = {{-1.0, 0.5}, {0.0, 0.0}, {1.0, 0.5}, {1.0, 2.0}, {0.0, 2.0}, {-1.0, 2.0}};
+  mesh.cells = {{0, 1, 4, 5}, {1, 2, 3, 4}};
+  mesh.sides = {{"left", {{0, 0}}}, {"right", {{1, 0}}}};
+  return mesh;
+}
+
+TEST(Corner, OfTwoSeparatingBanksHoldsWhatPushesOnBothAndLetsGoWhatLeavesOne)
+{
+  for (const auto& [first, second] : {std::pair{"left", "right"}, std::pair{"right", "left"}}) {
+    const Boundary boundary(flat_valley(), {{.side = first, .hold = Hold::separating}, {.side = second, .hold = Hold::separating}});
+    EXPECT_THAT(constrained(boundary, 1, {0.0, -2.0}), ElementsAre(0.0, 0.0));
+    EXPECT_THAT(constrained(boundary, 1, {0.5, -2.0}), ElementsAre(0.0, 0.0));
+    EXPECT_THAT(constrained(boundary, 1, {1.0, 3.0}), ElementsAre(1.0, 3.0));    // off both
+    const Vec<2> along = constrained(boundary, 1, {3.0, 1.0});                   // into the right one alone: up along it
+    EXPECT_THAT(along, ElementsAre(DoubleNear(2.8, 1e-14), DoubleNear(1.4, 1e-14)));
+    const Vec<2> pushed_off = constrained(boundary, 1, {1.0, -1.6});             // pushes on both, and the right one turns it off the left one
+    EXPECT_THAT(pushed_off, ElementsAre(DoubleNear(0.16, 1e-14), DoubleNear(0.08, 1e-14)));
+    EXPECT_THAT(boundary.free_force(1, {1.0, -20.0}), ElementsAre(0.0, 0.0));
+    EXPECT_THAT(boundary.free_force(1, {3.0, 1.0}), ElementsAre(DoubleNear(2.8, 1e-14), DoubleNear(1.4, 1e-14)));
+  }
+}
+
+TEST(Corner, OfARollerAndASeparatingBankIsClosedWhereTheRollerTurnsTheMotionIntoTheBank)
+{
+  const Boundary boundary(flat_valley(), {{.side = "left"}, {.side = "right", .hold = Hold::separating, .friction = 0.3}});
+  EXPECT_THAT(constrained(boundary, 1, {0.0, -2.0}), ElementsAre(0.0, 0.0));
+  EXPECT_THAT(constrained(boundary, 1, {0.8, 0.75}), ElementsAre(0.0, 0.0));  // off both, but the roller holds it back
+  EXPECT_THAT(constrained(boundary, 1, {-4.0, 2.0}), ElementsAre(DoubleNear(-4.0, 1e-14), DoubleNear(2.0, 1e-14)));  // up along the roller
+}
+
+TEST(Corner, ThatWasClosedStaysClosedInTheRemap)
+{
+  const Boundary boundary(flat_valley(), {{.side = "left", .hold = Hold::separating}, {.side = "right", .hold = Hold::separating}});
+  EXPECT_THAT(clamped(boundary, 1, {0.1, 3.0}, {0.0, 20.0}), ElementsAre(0.0, 0.0));
+  EXPECT_THAT(clamped(boundary, 1, {0.1, 3.0}), ElementsAre(0.1, 3.0));  // it held nothing
+  const Vec<2> on_the_right = clamped(boundary, 1, {0.0, 3.0}, {-5.0, 10.0}, {2.0, 1.0});  // which held it in step 2: it runs along that
+  EXPECT_THAT(on_the_right, ElementsAre(DoubleNear(1.2, 1e-14), DoubleNear(0.6, 1e-14)));
 }
 
 TEST(Corner, OfTwoPartsOfAStraightBaseSlides)
@@ -302,7 +345,7 @@ TEST(Corner, OfTwoPartsOfAStraightBaseSlides)
   mesh.sides.push_back({"base left", {{0, 0}}});
   mesh.sides.push_back({"base right", {{1, 0}, {2, 0}}});
   const Boundary boundary(mesh, {{.side = "base left"}, {.side = "base right"}});
-  EXPECT_FALSE(boundary.at(1)->pinned);
+  EXPECT_FALSE(boundary.at(1)->corner);
   EXPECT_THAT(constrained(boundary, 1, {2.0, -1.5}), ElementsAre(2.0, 0.0));
 }
 
