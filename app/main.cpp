@@ -17,7 +17,19 @@
 #include <cmath>
 #include <string>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 namespace {
+
+/// Gives standard input, output and error a place if whoever started us closed them: a table would get their numbers otherwise,
+/// and with it all that we print. POSIX hands out the lowest free number, so each one opened fills the gap.
+bool keep_standard_streams()
+{
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(descriptor, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) != descriptor) return false;
+  return true;
+}
 
 struct CommandLine {
   terp::RunOptions options;
@@ -170,6 +182,7 @@ bool answer_help(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+  if (!keep_standard_streams()) return terp::failed;  // nobody could be told
   terp::return_large_arrays_when_freed();
   CLI::App app;
   CommandLine line;

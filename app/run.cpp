@@ -129,7 +129,7 @@ std::string run_folder_of(const std::string& path)
   if (p.extension() == ".toml")
     throw CaseError(fmt::format("error: {0}: `terp resume` takes a run folder, as in terp resume {1}\n"
                                 "  It goes on from the newest checkpoint there. To solve a case file from its start: terp run {0}\n",
-                                path, p.filename() == case_file ? folder_of(path) : "runs/" + p.stem().string()));
+                                path, p.filename() == case_file ? folder_of(path) : default_run_folder(path)));
   if (std::filesystem::is_regular_file(p)) p = p.parent_path();
   if (!std::filesystem::is_directory(p.empty() ? "." : p)) throw FileError(fmt::format("{}: no such run folder", path));
   return p.empty() ? "." : p.string();
@@ -213,12 +213,12 @@ ResumePoint resume_point(const Model& model, const State& state, const std::stri
 int run_case(const RunOptions& options)
 {
   const CaseFile file = read_case(options.path, options.changes);
+  const std::string folder = options.output.empty() ? default_run_folder(options.path) : options.output;
   fmt::print(stderr, "{}", render_warnings(file));
   try {
     Model model = build_model(file.values, threads_of(options));
     State state = build_state(model);
     fmt::print(stderr, "{}", render_warnings(find_warnings(model, state), file));
-    const std::string folder = options.output.empty() ? "runs/" + file.values.name : options.output;
     const auto writer = RunWriter::start(
         {folder, {file.values.name, file.text}, file.values.output.checkpoint_keep, record_text(make_case_record(file, model.mesh))}, options.force);
     return solve_and_show(model, state, *writer, options, folder);

@@ -59,12 +59,13 @@ int find_stability(const RunOptions& run, StabilityOptions options)
 {
   check_options(options.search);
   const CaseFile file = read_case(run.path, run.changes);
+  const std::string folder = run.output.empty() ? default_run_folder(run.path) : run.output;
   fmt::print(stderr, "{}", render_warnings(file));
   warn_of_motion(file.values);
   options.threads = run.threads > 0 ? run.threads : available_processors();
   listen_for_stop();
   try {
-    const std::string folder = run.output.empty() ? "runs/" + file.values.name : run.output, &scheme = file.values.scheme;
+    const std::string& scheme = file.values.scheme;
     make_folder(folder);  // before the trials, which take long
     TrialLine line(run.quiet || run.json);
     const StabilityResult result = find_factor_of_safety(file.values, options, stop_requested, [&](const auto&... now) { line.show(now...); });

@@ -82,6 +82,15 @@ std::string text_for_the_record(const Document& document, const std::string& fol
 
 }  // namespace
 
+std::string default_run_folder(const std::string& case_path)
+{
+  const std::string name = fs::path(case_path).stem().string();
+  if (name == "." || name == "..")
+    refuse_file(case_path, fmt::format("its run would be named `{0}`, and runs/{0} is no folder of its own", name),
+                fmt::format("Rename the case file, or say where the results go: terp run {} -o DIR", case_path));
+  return "runs/" + name;
+}
+
 CaseFile read_case_text(const std::string& text, const std::string& path, const std::vector<std::string>& overrides)
 {
   CaseFile file;

@@ -26,6 +26,10 @@ class CaseError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Where the run of a case file goes unless told otherwise: runs/NAME of NAME.toml. Throws CaseError where NAME is `.` or `..`, as of
+/// the file `...toml`: its run would be written beside or above runs/.
+std::string default_run_folder(const std::string& case_path);
+
 /// Reads a file. overrides: "KEY=VALUE" each, applied in order. Throws CaseError.
 CaseFile read_case(const std::string& path, const std::vector<std::string>& overrides = {});
 

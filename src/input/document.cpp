@@ -7,6 +7,7 @@
 // toml++ 3.3 asserts that a header starts with a letter, then reports it properly if not: "[=a]" must not abort a build
 // with assertions.
 #define TOML_ASSERT(condition) static_assert(true)
+#define TOML_MAX_NESTED_VALUES 32  // lists and tables in one another; with most_key_parts, what keeps us off the end of the stack
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -102,6 +103,22 @@ void refuse_foreign_letters(std::string_view text)
   }
 }
 
+/// Every part of a key is a table in a table, and what walks them calls itself: 20 000 of them overrun the stack.
+void refuse_deep_keys(std::string_view text)
+{
+  std::size_t n_parts = 1;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (text[k] == '"' || text[k] == '\'')
+      k = skip_string(text, k) - 1;
+    else if (text[k] == '#')
+      k = std::min(text.find('\n', k), text.size()) - 1;
+    else if (std::string_view("=\n,[]{}").find(text[k]) != std::string_view::npos)
+      n_parts = 1;
+    else if (text[k] == '.' && ++n_parts > most_key_parts)
+      throw SyntaxError(fmt::format("A key has at most {} parts.", most_key_parts), place_at(text, k));
+  }
+}
+
 std::string quote(std::string_view text)
 {
   std::string quoted = "\"";
@@ -194,6 +211,7 @@ std::string read_quoted(std::string_view path, std::size_t& k)
 Node parse_toml(std::string_view text)
 {
   refuse_foreign_letters(text);
+  refuse_deep_keys(text);
   if (const std::size_t at = find_lifted(text); at != std::string_view::npos)
     throw SyntaxError("Letters of private use (U+F0080 to U+FFFFF) cannot stand in a case file.", place_at(text, at));
   try {

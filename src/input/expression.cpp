@@ -8,13 +8,34 @@
 #include <muParser.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 namespace terp {
 namespace {
 
 mu::value_type step(mu::value_type x) { return x < 0.0 ? 0.0 : 1.0; }
+
+/// muParser gives `1,2` the value of its last part and takes `=` for an assignment: "0,5" would be 5, and "x0 = 1" hold everywhere.
+/// A comma stands only between the arguments of a function, and `=` only in a comparison.
+void refuse_what_would_pass(const std::string& text)
+{
+  std::vector<bool> of_function;  // of the brackets that are open
+  char before = ' ';              // the last letter that is no blank
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k];
+    if (c == '(') of_function.push_back(std::isalnum(static_cast<unsigned char>(before)) != 0 || before == '_');
+    if (c == ')' && !of_function.empty()) of_function.pop_back();
+    if (c == ',' && (of_function.empty() || !of_function.back()))
+      throw ExpressionError(fmt::format("The comma at letter {} separates no arguments of a function. The decimal point is `.`, as in 0.5.", k + 1));
+    const bool compares = k + 1 < text.size() && text[k + 1] == '=' && std::string_view("=<>!").find(c) != std::string_view::npos;
+    if (c == '=' && !compares) throw ExpressionError(fmt::format("`=` at letter {} compares nothing. Compare with `==`, `<=`, `>=` or `!=`.", k + 1));
+    if (compares) ++k;
+    if (c != ' ' && c != '\t') before = c;
+  }
+}
 
 /// Why muParser refuses the text, in our words; the nearest name where one is not known.
 std::string why(const mu::Parser::exception_type& error, const std::vector<std::string>& names)
@@ -39,6 +60,7 @@ struct Expression::Parser {
 Expression::Expression(const std::string& text, const std::vector<std::string>& variables, const std::map<std::string, Real>& constants)
     : parser_(std::make_unique<Parser>())
 {
+  refuse_what_would_pass(text);
   std::vector<std::string> names(variables);
   for (const auto& [name, value] : constants) names.push_back(name);
   try {

@@ -83,6 +83,8 @@ std::optional<Problem> apply_override(Node& root, const std::string& change)
     return Problem{where, "a change has the form KEY=VALUE",
                    "For example --set scheme=mpm_mixed or --set mesh.cell=0.2", ""};
 
+  if (parts.size() > most_key_parts) return Problem{where.substr(0, 40) + "...", fmt::format("a key has at most {} parts", most_key_parts), "", ""};
+
   Node* node = &root;
   std::string path;
   for (const std::string& part : parts) {

@@ -50,8 +50,18 @@ void make_folder(const std::string& folder)
   if (error) throw_file_error("make the folder", folder, error.value());
 }
 
+void check_is_file(const std::string& path)
+{
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return;
+  throw FileError(fmt::format("cannot read {}: a {} is in the place of the file\n  Put the file back there.", path,
+                              std::filesystem::is_directory(status) ? "folder" : "pipe or device"));
+}
+
 std::string read_file(const std::string& path)
 {
+  check_is_file(path);
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(in), {}};

@@ -15,6 +15,9 @@ namespace terp {
 /// With the folders above it, as needed. Throws FileError.
 void make_folder(const std::string& folder);
 
+/// Throws FileError if a folder, pipe or device stands in the place of a file: a pipe would be waited for without end.
+void check_is_file(const std::string& path);
+
 /// The whole content of a file.
 std::string read_file(const std::string& path);
 

@@ -2,6 +2,7 @@
 #include "output/run_writer.hpp"
 
 #include "base/errors.hpp"
+#include "output/files.hpp"
 #include "output/mesh_file.hpp"
 #include "output/summary_json.hpp"
 #include "output/vtkhdf_steps.hpp"
@@ -75,6 +76,7 @@ std::unique_ptr<Hdf5File> cut(const File& file, const std::string& path, std::in
       refuse(path, from, fmt::format("was cut or altered, and its frames cannot be read\n  {}", error.what()));
     }
   };
+  check_is_file(path);
   const std::int64_t n = unless_damaged([&] { return file.count_until(from.step); });
   check_length(path, "frames", n, from.step == 0 ? 0 : n_due, from);
   std::unique_ptr<Hdf5File> opened = file.open_to_cut();

@@ -138,6 +138,9 @@ Variant read_variant(const Expected& file, const Node& table)
   Variant v{.name = reader.text("name"), .case_file = reader.text("case"), .schemes = reader.texts("schemes"), .set = reader.texts("set"),
             .constants = read_constants(file, find_item(table, "constants")), .is_long = reader.flag("long")};
   v.place = table.value;
+  for (std::size_t k = 0; k < v.schemes.size(); ++k)
+    if (std::find(v.schemes.begin(), v.schemes.begin() + static_cast<std::ptrdiff_t>(k), v.schemes[k]) != v.schemes.begin() + static_cast<std::ptrdiff_t>(k))
+      refuse(file, find_item(table, "schemes")->items[k].value, fmt::format("`{}` is in `schemes` already", v.schemes[k]), "Each scheme is one run.");
   if (const Node* bounds = find_item(table, "stability")) v.stability = read_stability(reader, *bounds);
   if (v.case_file.empty()) v.case_file = "case.toml";
   if (const Node* seconds = find_item(table, "seconds"))
@@ -239,6 +242,24 @@ Quantity read_quantity(const Expected& file, const Node& table)
   return q;
 }
 
+/// Quantities of one name are told apart by their runs; `of` means all rows of a name, so that there it must be one quantity's.
+void check_quantity_names(const Expected& file)
+{
+  const auto share_a_run = [](const Names& a, const Names& b) {  // none named: all
+    return a.empty() || b.empty() || std::any_of(a.begin(), a.end(), [&](const std::string& run) { return std::find(b.begin(), b.end(), run) != b.end(); });
+  };
+  for (auto q = file.quantities.begin(); q != file.quantities.end(); ++q) {
+    const auto is_compared = [&](const Quantity& other) { return other.of == q->name; };
+    for (auto earlier = file.quantities.begin(); earlier != q; ++earlier) {
+      if (earlier->name != q->name) continue;
+      if (share_a_run(earlier->runs, q->runs))
+        refuse(file, q->place, fmt::format("there are two quantities `{}` of one run", q->name), "Each needs a name of its own, or `runs` that the other has not.");
+      if (std::any_of(file.quantities.begin(), file.quantities.end(), is_compared))
+        refuse(file, q->place, fmt::format("there are two quantities `{}`, and an `of` names it", q->name), "Give each a name of its own: `of` would mix their numbers.");
+    }
+  }
+}
+
 /// Runs have names of their own; those that `runs` and `of` speak of must be there.
 void check_names(const Expected& file)
 {
@@ -299,6 +320,7 @@ Expected read_expected(const std::string& path)
     if (file.variants.empty()) file.variants.push_back({.case_file = "case.toml"});
     for (const Node& table : tables(file, root, "quantity")) file.quantities.push_back(read_quantity(file, table));
     check_names(file);
+    check_quantity_names(file);
   } catch (const SyntaxError& error) {
     refuse(file, error.place, "this is not valid TOML", error.what());
   }

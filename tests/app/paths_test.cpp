@@ -71,6 +71,25 @@ TEST(Paths, NamesInACaseFileAreNoPaths)
   }
 }
 
+TEST(Paths, ACaseFileWhoseNameIsAPathGoesNowhereButWhereItIsTold)
+{
+  const test::ScratchFolder scratch;
+  test::write_text(scratch.path() + "/ledger.csv", "mine");
+  for (const std::string name : {"..toml", "...toml"}) {
+    test::write_text(scratch.path() + '/' + name, case_with_name("clay"));
+    for (const std::string command : {"run", "stability"}) {
+      std::vector<std::string> words{command, name};
+      if (command == "run") words.push_back("--force");
+      const Finished f = test::terp(words, scratch.path());
+      EXPECT_EQ(f.status, 2) << f.err;
+      EXPECT_THAT(f.err, testing::AllOf(testing::StartsWith("error: " + name + ": its run would be named `"), testing::HasSubstr("terp run " + name + " -o DIR\n")));
+    }
+    EXPECT_EQ(test::terp({"run", name, "-q", "-o", "told" + name}, scratch.path()).status, 0);
+  }
+  EXPECT_EQ(test::text_of(scratch.path() + "/ledger.csv"), "mine");
+  EXPECT_FALSE(fs::exists(scratch.path() + "/runs"));
+}
+
 TEST(Paths, ACaseFileThatIsALinkLeavesNothingBesideItsTarget)
 {
   const Place place(case_with_name("clay"));

@@ -12,6 +12,7 @@
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 
 /// For the leak sanitizer: HDF5 1.10 itself loses memory.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
@@ -312,6 +313,27 @@ TEST(Resume, WhereAFileOfTheRunIsMissingOrShortIsRefused)
   EXPECT_THAT(test::terp({"resume", whole}).err, HasSubstr("/ledger.csv: it holds 6 rows up to there, 11 are due\n"));
   test::write_text(whole + "/ledger.csv", ledger);
   EXPECT_EQ(test::terp({"resume", whole, "-q", "-j", "1"}).status, 0);
+}
+
+TEST(Resume, WhereAFolderOrAPipeStandsForAFileOfTheRunIsRefused)
+{
+  const test::ScratchFolder scratch;
+  const std::string whole = scratch.path() + "/whole";
+  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.mesh=true"}).status, 0);
+  for (const std::string name : {"results.vtkhdf", "mesh.vtkhdf", "history.csv", "ledger.csv", "left_the_mesh.csv", "footings.csv"}) {
+    for (const bool is_pipe : {false, true}) {
+      const std::string folder = scratch.path() + (is_pipe ? "/pipe_" : "/folder_") + name, path = folder + "/" + name;
+      std::filesystem::copy(whole, folder);
+      std::filesystem::remove(path);
+      if (is_pipe) ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+      else std::filesystem::create_directory(path);
+      const Finished f = test::terp({"resume", folder});
+      EXPECT_EQ(f.status, 1) << path;
+      EXPECT_THAT(f.err, AllOf(StartsWith("error: cannot "), HasSubstr(path), HasSubstr(is_pipe ? "a pipe or device is in the place of the file" : "a folder is in the place of the file"),
+                               HasSubstr("Put the file back")));
+      EXPECT_EQ(text_of(folder + "/case.toml"), text_of(whole + "/case.toml"));
+    }
+  }
 }
 
 TEST(Resume, WhereTheResultsWereCutOrAlteredIsRefusedAndNothingChanges)

@@ -156,6 +156,23 @@ TEST(Trouble, APipeThatNobodyReadsDoesNotEndTheRun)
   EXPECT_THAT(test::text_of(folder + "/summary.json"), HasSubstr("\"finished\": true"));
 }
 
+TEST(Trouble, ClosedStandardStreamsLeaveTheTablesAsTheyAre)
+{
+  const test::ScratchFolder scratch;
+  const auto run = [&](const std::string& name, const std::string& redirections) {
+    std::string command = TERP_PROGRAM;
+    for (const std::string& word : test::column_command("run", {"-v", "-o", scratch.path() + "/" + name})) command += ' ' + word;
+    return std::system((command + redirections).c_str());
+  };
+  ASSERT_EQ(run("open", " > /dev/null 2> /dev/null"), 0);
+  for (const std::string closed : {" <&- >&-", " <&- >&- 2>&-", " >&- 2> /dev/null"}) {
+    const std::string name = "closed" + std::to_string(closed.size());
+    EXPECT_EQ(run(name, closed), 0) << closed;
+    for (const char* table : {"/ledger.csv", "/history.csv", "/case.toml"})
+      EXPECT_EQ(test::text_of(scratch.path() + "/" + name + table), test::text_of(scratch.path() + "/open" + table)) << table << closed;
+  }
+}
+
 /// A commit that a process left unfinished: the journal is whole, the file is not.
 TEST(Trouble, ResultsWhoseLastCommitWasCutShortAreRepairedByResume)
 {

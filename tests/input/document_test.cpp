@@ -118,6 +118,43 @@ TEST(Document, SaysWhereAForeignLetterStands)
   }
 }
 
+/// "a.a.a", of so many parts.
+std::string key_of(int n_parts)
+{
+  std::string key = "a";
+  for (int k = 1; k < n_parts; ++k) key += k % 2 == 0 ? ".a" : ".'a'";
+  return key;
+}
+
+TEST(Document, RefusesKeysOfVeryManyPartsAtTheirPlace)
+{
+  for (const int n_parts : {101, 20000}) {
+    for (const std::string& bad : {key_of(n_parts) + " = 1", '[' + key_of(n_parts) + ']', "[[" + key_of(n_parts) + "]]", "b = { " + key_of(n_parts) + " = 1 }"}) {
+      try {
+        parse_toml("# a.b\n" + bad + '\n');
+        ADD_FAILURE() << bad.substr(0, 20);
+      } catch (const SyntaxError& error) {
+        EXPECT_EQ(error.place.line, 2);
+        EXPECT_STREQ(error.what(), "A key has at most 100 parts.");
+      }
+    }
+  }
+  EXPECT_NO_THROW(parse_toml('[' + key_of(100) + "]\nb." + key_of(99) + " = 1.5\n"));
+  std::string dots;
+  for (int k = 0; k < 200; ++k) dots += "1.5, ";
+  EXPECT_NO_THROW(parse_toml("a = [" + dots + "]\nb = \"" + std::string(200, '.') + "\"  # " + std::string(200, '.') + '\n'));
+}
+
+TEST(Document, TheDeepestThatItTakesIsWalkedWithoutTrouble)
+{
+  std::string open = "[" + key_of(100) + "]\nb = ", close;
+  for (int k = 0; k < 30; ++k) open += "{ " + key_of(100) + " = ", close += " }";
+  EXPECT_NO_THROW(write_toml(parse_toml(open + '1' + close)));
+  std::string lists = "1";
+  for (int k = 0; k < 20000; ++k) lists = '[' + lists;
+  EXPECT_THROW(parse_toml("b = " + lists), SyntaxError);
+}
+
 TEST(Document, ReportsAHeaderThatStartsWithASign) { EXPECT_THROW(parse_toml("[=a]\n"), SyntaxError); }
 
 }  // namespace

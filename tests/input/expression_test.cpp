@@ -55,5 +55,27 @@ TEST(Expression, RefusesWhatIsNoFormula)
   EXPECT_NE(fault_of("1 2"), "accepted");
 }
 
+TEST(Expression, RefusesACommaThatSeparatesNoArguments)
+{
+  for (const char* text : {"0,5", "0,1*3", "1.5*(0,5)", "min((0,5),1)", "sin(1),2", ",1"})
+    EXPECT_THAT(fault_of(text), HasSubstr("The decimal point is `.`")) << text;
+  EXPECT_EQ(fault_of("2*0,5"), "The comma at letter 4 separates no arguments of a function. The decimal point is `.`, as in 0.5.");
+  EXPECT_DOUBLE_EQ(evaluate("min(3, max(1,2), (4)) + mod(5,3)", {}), 4.0);
+  EXPECT_DOUBLE_EQ(evaluate("max(2*(1+1),3)", {}), 4.0);
+}
+
+TEST(Expression, RefusesAnAssignment)
+{
+  for (const char* text : {"x = 1", "x=1", "x === 1", "x =< 1", "x += 1", "x == 1 && x = 2", "="}) {
+    try {
+      const Expression f(text, {"x"}, {});
+      ADD_FAILURE() << text;
+    } catch (const ExpressionError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("Compare with `==`")) << text;
+    }
+  }
+  for (const char* text : {"x == 1", "x<=1", "x >= 1", "(x != 2) == 1", "(x==1)==(x<=1)"}) EXPECT_EQ(Expression(text, {"x"}, {})(std::vector<Real>{1.0}), 1.0) << text;
+}
+
 }  // namespace
 }  // namespace terp

@@ -17,6 +17,18 @@ Case with(const std::vector<std::string>& overrides)
 
 TEST(Overrides, ChangeAKeyThatIsThere) { EXPECT_EQ(with({"mesh.cell=0.25"}).mesh.cell, (Vec<2>{0.25, 0.25})); }
 
+TEST(Overrides, RefuseAKeyOfVeryManyParts)
+{
+  std::string key = "a";
+  for (int k = 1; k < 50000; ++k) key += ".a";
+  try {
+    with({key + "=1"});
+    ADD_FAILURE();
+  } catch (const CaseError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a key has at most 100 parts"));
+  }
+}
+
 TEST(Overrides, TakeTextWithAndWithoutQuotes)
 {
   EXPECT_EQ(with({"scheme=mpm_mixed"}).scheme, "mpm_mixed");

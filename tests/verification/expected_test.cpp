@@ -113,6 +113,25 @@ TEST(Expected, RunsHaveNamesOfTheirOwn)
       CaseError);
 }
 
+TEST(Expected, QuantitiesOfOneRunHaveNamesOfTheirOwn)
+{
+  const std::string end = "source = \"Newton\"\n";
+  const auto another = [&](const std::string& runs) {
+    return end + "[[quantity]]\nname = \"path\"\nvalue = \"uy\"\nreduce = \"max_error\"\nreference = 0\ntolerance = 1\n" + runs + end;
+  };
+  const std::string order = "[[quantity]]\nname = \"rate\"\nkind = \"order\"\nof = \"path\"\nover = \"V\"\nat_least = 1\n" + end;
+  EXPECT_THAT(seen_with(end, another("")), testing::AllOf(HasSubstr("expected.toml:21:1: there are two quantities `path` of one run"), HasSubstr("a name of its own")));
+  EXPECT_THAT(seen_with(end, another("runs = [\"b\", \"a\"]\n")), HasSubstr("there are two quantities `path` of one run"));
+  EXPECT_EQ(seen_with(end, another("runs = [\"b\"]\n")), "accepted");
+  EXPECT_EQ(seen_with(end, end + order), "accepted");
+  EXPECT_THAT(seen_with(end, another("runs = [\"b\"]\n") + order), HasSubstr("there are two quantities `path`, and an `of` names it"));
+}
+
+TEST(Expected, ASchemeTwiceIsRefused)
+{
+  EXPECT_THAT(seen_with("\"mpm_mixed\"]", "\"mpm_gp\"]"), HasSubstr("expected.toml:7:22: `mpm_gp` is in `schemes` already"));
+}
+
 TEST(Expected, AKeyThatTheQuantityDoesNotLookAtIsRefused)
 {
   const std::string point = "value = \"ux\"\nkind = \"point\"\nat = [1, 1]\n";
