@@ -20,7 +20,7 @@ TEST(AtSubCell, IsTheValueOfTheGaussPointOnThatSide)
 
 TEST(AtSubCell, ChoosesForEachLaneOnItsOwn)
 {
-  std::array<Real, pack_width> xi, eta, chosen;
+  alignas(64) std::array<Real, pack_width> xi, eta, chosen;
   for (int k = 0; k < pack_width; ++k) {
     xi[k] = k % 2 == 0 ? -0.5 : 0.5;
     eta[k] = k % 4 < 2 ? -0.5 : 0.5;
