@@ -60,16 +60,26 @@ Case column_at(Facing facing)
   return c;
 }
 
+/// Before single points run ahead, for which round-off grows from 4e-7 m here to 2e-5 m at 0.35 s and 1 cm at 0.6 s.
+TEST(Failure, TheFrontOfTheMirroredColumnIsItsMirrorImage)
+{
+  const Collapse right(0.3, column_at(Facing::right)), left(0.3, column_at(Facing::left));
+  Summary a, b;
+  summarise_failure(right.model, right.state, a);
+  summarise_failure(left.model, left.state, b);
+  EXPECT_GT(a.front_x, 8.2);
+  EXPECT_NEAR(b.front_x, 16.0 - a.front_x, 1e-5);
+  EXPECT_NEAR(b.run_out, a.run_out, 1e-5);
+}
+
 TEST(Failure, OfTheMirroredColumnIsTheMirrorImage)
 {
-  const Collapse right(0.35, column_at(Facing::right)), left(0.35, column_at(Facing::left));
+  const Collapse right(0.6, column_at(Facing::right)), left(0.6, column_at(Facing::left));
   Summary a, b;
   summarise_failure(right.model, right.state, a);
   summarise_failure(left.model, left.state, b);
   EXPECT_EQ(b.facing, Facing::left);
   EXPECT_TRUE(b.free_toe);
-  EXPECT_NEAR(b.front_x, 16.0 - a.front_x, 1e-3);  // the failure amplifies round-off: 2e-8 m at 0.1 s, 2e-5 m here, 1 cm at 0.6 s, when single points run ahead
-  EXPECT_NEAR(b.run_out, a.run_out, 1e-3);
   EXPECT_NEAR(*b.crest_x, 16.0 - *a.crest_x, 1e-9);
   EXPECT_NEAR(b.moved_volume, a.moved_volume, 1e-4);
   EXPECT_NEAR(*b.intact_fraction, *a.intact_fraction, 1e-3);
