@@ -52,24 +52,14 @@ TEST(Failure, OfTheColumnIsASlideWithASlipSurfaceFromTheCrestToTheToe)
 
 /// The column at the left wall, or at the right wall, where it falls to the left. Of 5 x 5 points the middle ones lie between two sub-cells
 /// and belong to the one on the right, so that the mirror image differs by 1e-5 of its energy at once; of 4 x 4 points it does not (decision 0007).
+/// Without local damping, which acts by the sign of a velocity, also of one that is round-off: with 0.1 of it the fronts differ by 1 cm at 0.6 s.
 Case column_at(Facing facing)
 {
   Case c = test::column("mpm_gp", 0.25);
   if (facing == Facing::left) c.bodies = {test::body("clay", {8.0, 0.0}, {16.0, 2.0})};
   c.bodies[0].points_per_cell = {4, 4};
+  c.forces.local_damping = 0.0;
   return c;
-}
-
-/// Before single points run ahead, for which round-off grows from 4e-7 m here to 2e-5 m at 0.35 s and 1 cm at 0.6 s.
-TEST(Failure, TheFrontOfTheMirroredColumnIsItsMirrorImage)
-{
-  const Collapse right(0.3, column_at(Facing::right)), left(0.3, column_at(Facing::left));
-  Summary a, b;
-  summarise_failure(right.model, right.state, a);
-  summarise_failure(left.model, left.state, b);
-  EXPECT_GT(a.front_x, 8.2);
-  EXPECT_NEAR(b.front_x, 16.0 - a.front_x, 1e-5);
-  EXPECT_NEAR(b.run_out, a.run_out, 1e-5);
 }
 
 TEST(Failure, OfTheMirroredColumnIsTheMirrorImage)
@@ -80,9 +70,12 @@ TEST(Failure, OfTheMirroredColumnIsTheMirrorImage)
   summarise_failure(left.model, left.state, b);
   EXPECT_EQ(b.facing, Facing::left);
   EXPECT_TRUE(b.free_toe);
+  EXPECT_GT(a.front_x, 8.2);
+  EXPECT_NEAR(b.front_x, 16.0 - a.front_x, 1e-9);
+  EXPECT_NEAR(b.run_out, a.run_out, 1e-9);
   EXPECT_NEAR(*b.crest_x, 16.0 - *a.crest_x, 1e-9);
-  EXPECT_NEAR(b.moved_volume, a.moved_volume, 1e-4);
-  EXPECT_NEAR(*b.intact_fraction, *a.intact_fraction, 1e-3);
+  EXPECT_NEAR(b.moved_volume, a.moved_volume, 1e-9);
+  EXPECT_NEAR(*b.intact_fraction, *a.intact_fraction, 1e-9);
   ASSERT_EQ(b.slides.size(), 1);
   EXPECT_EQ(b.slides[0].slide.facing, Facing::left);
   EXPECT_NEAR(b.slides[0].slide.begins, a.slides[0].slide.begins, 1e-9);
