@@ -72,6 +72,7 @@ The case in the folder and the files that it names must be what the run began wi
 title, time.end, output.fields.every, output.checkpoint. With a later time.end a run that was solved goes on in the same time step.
 
   -j, --threads N         CPU threads; the results have the same bits on any number
+      --report            write the page of the run at its end: RUN/report.html
   -q, --quiet    -v, --verbose
 
 Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else

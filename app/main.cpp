@@ -14,7 +14,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstdio>
+#include <cstring>
 #include <string>
 
 #include <fcntl.h>
@@ -105,7 +108,7 @@ void declare(CLI::App& app, CommandLine& line)
   run->add_flag("--force", line.options.force);
   run->add_flag("--report", line.options.report);
   CLI::App* check = add_case_command(app, "check", line);
-  add_case_command(app, "resume", line);
+  add_case_command(app, "resume", line)->add_flag("--report", line.options.report);
   CLI::App* bench = app.add_subcommand("bench");
   bench->add_option("case", line.options.path);
   bench->add_option("-j,--threads", line.options.threads)->check(CLI::Range(1, 1024));
@@ -178,6 +181,15 @@ bool answer_help(int argc, char** argv)
   return argc == 1;
 }
 
+/// What is still to be printed is lost on a full disk, and with it the answer of all commands but those that write a run folder.
+int print_the_rest(int status, bool writes_a_run)
+{
+  errno = 0;
+  if (std::fflush(stdout) == 0 || errno == EPIPE || writes_a_run || status != terp::solved) return status;
+  fmt::print(stderr, "error: what was to be printed is not complete: {}\n", std::strerror(errno));
+  return terp::failed;
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -188,10 +200,11 @@ int main(int argc, char** argv)
   CommandLine line;
   declare(app, line);
   try {
-    if (answer_help(argc, argv)) return terp::solved;
+    if (answer_help(argc, argv)) return print_the_rest(terp::solved, false);
     check_command(app, argv[1]);
     app.parse(argc, argv);
-    return call(app, line);
+    const int status = call(app, line);
+    return print_the_rest(status, app.got_subcommand("run") || app.got_subcommand("resume"));
   } catch (const CLI::ParseError& error) {
     fmt::print(stderr, "error: {}\nUsage: terp COMMAND [options]; see terp --help\n", error.what());
     return terp::bad_input;

@@ -65,14 +65,19 @@ void print_passes(const Workspace& work)
     fmt::print("  {:<16} {:8.2f} s  {:4.1f} %\n", pass_names[pass], work.seconds[pass], 100.0 * work.seconds[pass] / total);
 }
 
+std::string resume_command(const std::string& folder, const RunOptions& options)
+{
+  return fmt::format("terp resume {}{}", folder, options.report ? " --report" : "");
+}
+
 /// What to do when a file of the run cannot be written; earlier results are as they were.
-std::string hint_to_go_on(const std::string& folder)
+std::string hint_to_go_on(const std::string& folder, const RunOptions& options)
 {
   try {
     const CheckpointSearch found = newest_good_checkpoint(folder);
     if (!found.image) return "\n  No checkpoint was written yet. Make room on the disk, then give the same command with --force.";
-    return fmt::format("\n  Earlier results are intact, up to the checkpoint at t = {:.4g} s. Make room on the disk, then go on with:\n  terp resume {}",
-                       found.image->time, folder);
+    return fmt::format("\n  Earlier results are intact, up to the checkpoint at t = {:.4g} s. Make room on the disk, then go on with:\n  {}",
+                       found.image->time, resume_command(folder, options));
   } catch (const FileError&) {
     return "";  // the folder is gone
   }
@@ -94,7 +99,7 @@ int solve(const Model& model, State& state, RunWriter& writer, const RunOptions&
     for (int pass = 0; pass < n_passes; ++pass) summary.passes.push_back({pass_names[pass], work.seconds[pass]});
     writer.summary(summary, outcome == Outcome::finished);
     if (outcome == Outcome::interrupted) {
-      fmt::print("stopped at t = {:.4g} s, step {}; a checkpoint is written. Go on with:\n  terp resume {}\n", state.time, state.step, folder);
+      fmt::print("stopped at t = {:.4g} s, step {}; a checkpoint is written. Go on with:\n  {}\n", state.time, state.step, resume_command(folder, options));
       return failed;
     }
     if (!options.quiet) print_summary(summary, folder);
@@ -108,7 +113,7 @@ int solve(const Model& model, State& state, RunWriter& writer, const RunOptions&
     return stopped_itself;
   } catch (const FileError& error) {
     progress.finish();
-    throw FileError(error.what() + hint_to_go_on(folder));
+    throw FileError(error.what() + hint_to_go_on(folder, options));
   }
 }
 

@@ -39,11 +39,28 @@ bool stops(Hold hold) { return hold == Hold::normal || hold == Hold::contact; }
 /// Velocity across a side that it prescribes [m/s].
 Real prescribed_across(const NodeHold& hold) { return hold.hold == Hold::normal ? dot(hold.velocity, hold.normal) : 0.0; }
 
+constexpr Real straight = 0.996;  // cosine between normals of sides that are taken for one line: 5 degrees
+
+/// Parts of a straight base that hold alike.
+bool are_parts_of_one(const NodeHold& a, const NodeHold& b)
+{
+  return a.hold == b.hold && a.hold != Hold::all && a.velocity == b.velocity && dot(a.normal, b.normal) >= straight;
+}
+
+/// The base of two parts at the node between them: the push is shared by their half lengths.
+NodeHold joined(const NodeHold& a, const NodeHold& b)
+{
+  const Real length = a.half_length + b.half_length, part = a.half_length / length;
+  const Vec<2> sum{part * a.normal[0] + (1.0 - part) * b.normal[0], part * a.normal[1] + (1.0 - part) * b.normal[1]};
+  const Real norm = std::hypot(sum[0], sum[1]);
+  return {a.hold, {sum[0] / norm, sum[1] / norm}, length, a.adhesion_force + b.adhesion_force, part * a.friction + (1.0 - part) * b.friction, a.velocity};
+}
+
 /// Contacts first, so that a roller at a corner has the last word on its direction.
 void order_and_join(NodeCondition& c)
 {
   if (c.n == 2 && !is_contact(c.holds[0].hold) && is_contact(c.holds[1].hold)) std::swap(c.holds[0], c.holds[1]);
-  const bool across = c.n == 2 && std::abs(dot(c.holds[0].normal, c.holds[1].normal)) < 0.996;  // more than 5 degrees apart
+  const bool across = c.n == 2 && std::abs(dot(c.holds[0].normal, c.holds[1].normal)) < straight;
   c.corner = across && c.holds[0].hold != Hold::all && c.holds[1].hold != Hold::all;
   if (!c.corner) return;
   const Vec<2> n = c.holds[0].normal, m = c.holds[1].normal;
@@ -135,18 +152,22 @@ const NamedSide& find_side(const Mesh<2>& mesh, const std::string& name)
 
 Boundary::Boundary(const Mesh<2>& mesh, const std::vector<SideCondition>& sides) : condition_of_node_(mesh.nodes.size(), -1)
 {
+  std::vector<int> n_sides;
   for (const auto& side : sides)
     for (const auto& [node, sums] : sum_edges(mesh, find_side(mesh, side.side))) {
       if (condition_of_node_[node] < 0) {
         condition_of_node_[node] = static_cast<Index>(conditions_.size());
         conditions_.emplace_back();
+        n_sides.push_back(0);
       }
       NodeCondition& c = conditions_[condition_of_node_[node]];
-      if (c.n == 2)
+      if (++n_sides[condition_of_node_[node]] > 2)
         throw InputError(Problem{"boundary." + side.side, "a node lies on more than two sides with conditions", "", "boundary", true, {"boundary"}});
       const Real length = std::hypot(sums.normal[0], sums.normal[1]);
-      c.holds[c.n++] = {side.hold, {sums.normal[0] / length, sums.normal[1] / length}, side.adhesion * sums.half_length,
-                        side.friction, side.velocity_at ? side.velocity_at(mesh.nodes[node]) : side.velocity};
+      const NodeHold hold{side.hold, {sums.normal[0] / length, sums.normal[1] / length}, sums.half_length, side.adhesion * sums.half_length,
+                          side.friction, side.velocity_at ? side.velocity_at(mesh.nodes[node]) : side.velocity};
+      if (c.n == 1 && are_parts_of_one(c.holds[0], hold)) c.holds[0] = joined(c.holds[0], hold);
+      else c.holds[c.n++] = hold;
     }
   for (auto& c : conditions_) order_and_join(c);
 }

@@ -31,12 +31,14 @@ struct SideCondition {
 struct NodeHold {
   Hold hold;
   Vec<2> normal;        ///< outward, mean of the node's edges on this side weighted by length [-]
-  Real adhesion_force;  ///< a L_i, L_i half lengths of the node's edges on this side [N per m]
+  Real half_length;     ///< L_i, half the lengths of the node's edges on this side [m]
+  Real adhesion_force;  ///< a L_i [N per m]
   Real friction;        ///< [-]
   Vec<2> velocity;      ///< of Hold::all, and across the side of Hold::normal [m/s]
 };
 
-/// A node may lie on two sides (a corner) and so have two holds; contacts act first.
+/// A node may lie on two sides (a corner) and so have two holds; contacts act first. Parts of a straight base that hold alike are one hold at
+/// the node between them, with the adhesion of both and their friction weighted by length.
 struct NodeCondition {
   int n = 0;
   std::array<NodeHold, 2> holds;

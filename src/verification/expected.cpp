@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 namespace terp {
@@ -287,6 +288,25 @@ void check_names(const Expected& file)
   }
 }
 
+bool names(const Names& list, const std::string& name) { return list.empty() || std::find(list.begin(), list.end(), name) != list.end(); }
+
+/// What too few runs cannot tell would have no row, and nobody would miss it.
+void check_run_counts(const Expected& file)
+{
+  for (const Quantity& q : file.quantities) {
+    if (!compares_runs(q)) continue;
+    std::map<std::string, std::ptrdiff_t> n_runs{{"", 0}};  // of each scheme; "": that of the case, which may be any of them
+    for (const Quantity& measured : file.quantities)
+      for (const Variant& v : file.variants)
+        if (measured.name == q.of && names(measured.runs, v.name) && names(q.runs, v.name))
+          for (const std::string& scheme : v.schemes.empty() ? Names{""} : v.schemes) ++n_runs[scheme];
+    std::ptrdiff_t most = 0;
+    for (const auto& [scheme, n] : n_runs) most = std::max(most, n + (scheme.empty() ? 0 : n_runs[""]));
+    if (most < least_runs(q))
+      refuse(file, q.place, fmt::format("`{}` needs {} runs of one scheme", q.name, least_runs(q)), fmt::format("`{}` is measured in {}.", q.of, most));
+  }
+}
+
 const std::vector<Node>& tables(const Expected& file, const Node& root, const char* name)
 {
   static const std::vector<Node> none;
@@ -321,6 +341,7 @@ Expected read_expected(const std::string& path)
     for (const Node& table : tables(file, root, "quantity")) file.quantities.push_back(read_quantity(file, table));
     check_names(file);
     check_quantity_names(file);
+    check_run_counts(file);
   } catch (const SyntaxError& error) {
     refuse(file, error.place, "this is not valid TOML", error.what());
   }

@@ -1,5 +1,5 @@
 // What a verification case expects: expected.toml as it stands in the file, checked. Format: docs/verification_cases.md.
-// Not for: evaluating its formulas (formula.hpp).
+// Not for: evaluating its formulas (scope.hpp).
 #pragma once
 
 #include "input/document.hpp"
@@ -86,6 +86,9 @@ inline bool needs_limit(const Quantity& q) { return q.kind == QuantityKind::extr
 
 /// It compares the runs of a scheme; a single run does not measure it.
 inline bool compares_runs(const Quantity& q) { return q.kind == QuantityKind::order || needs_limit(q); }
+
+/// The fewest runs of a scheme that it can be told from: an order of errors takes two, one of differences or a limit three.
+inline std::ptrdiff_t least_runs(const Quantity& q) { return q.differences || needs_limit(q) ? 3 : 2; }
 
 /// Errors of a norm are themselves the number that is judged.
 inline bool is_error(Reduce reduce) { return reduce == Reduce::rms_error || reduce == Reduce::max_error; }

@@ -144,7 +144,7 @@ std::vector<Finding> compare_runs(const Expected& file, const Quantity& q, const
   std::vector<Finding> result;
   for (const std::string& scheme : schemes_in(findings)) {
     Refinement runs = collect(file, q, scheme, findings);
-    if (runs.sizes.size() < (q.differences || needs_limit(q) ? 3 : 2)) continue;
+    if (std::ssize(runs.sizes) < least_runs(q)) continue;
     if (q.kind == QuantityKind::mesh_error) {
       add_runs_by_limit(q, scheme, findings, runs, result);
     } else {

@@ -43,7 +43,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
-std::string for_markdown(const std::string& text) { return replaced(replaced(replaced(text, "|", "\\|"), "*", "\\*"), "\n", " "); }
+std::string for_markdown(const std::string& text) { return replaced(replaced(replaced(replaced(text, "<", "\\<"), "|", "\\|"), "*", "\\*"), "\n", " "); }
 
 std::string for_html(const std::string& text) { return replaced(replaced(replaced(text, "&", "&amp;"), "<", "&lt;"), ">", "&gt;"); }
 

@@ -30,11 +30,16 @@ Series cut(const Series& series, Real from, Real to)
   return part;
 }
 
+bool covers(const Series& s, Real time)
+{
+  if (s.time.empty()) return false;
+  const Real round_off = 1e-9 * std::max(std::abs(s.time.front()), std::abs(s.time.back()));
+  return time >= s.time.front() - round_off && time <= s.time.back() + round_off;
+}
+
 Real value_at(const Series& s, Real time)
 {
-  if (s.time.empty()) return nan;
-  const Real round_off = 1e-9 * std::max(std::abs(s.time.front()), std::abs(s.time.back()));
-  if (time < s.time.front() - round_off || time > s.time.back() + round_off) return nan;
+  if (!covers(s, time)) return nan;
   const auto after = std::lower_bound(s.time.begin(), s.time.end(), time);
   if (after == s.time.begin()) return s.value.front();
   if (after == s.time.end()) return s.value.back();

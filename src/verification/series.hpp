@@ -16,6 +16,9 @@ struct Series {
 /// The part from `from` to `to` [s].
 Series cut(const Series& series, Real from, Real to);
 
+/// True if the time [s] lies between the first sample and the last.
+bool covers(const Series& series, Real time);
+
 /// Linear between the samples; NaN outside.
 Real value_at(const Series& series, Real time);
 

@@ -22,7 +22,7 @@ class SeriesMeasure : public Measure {
 
   Measured finish(const Summary&) override
   {
-    const Series s = cut(series_, scope_.evaluate_or(quantity_.from, 0.0) * (1.0 - 1e-9), scope_.evaluate_or(quantity_.to, infinity) * (1.0 + 1e-9));
+    const Series s = rows_of_interest();
     const Real value = reduced(s);
     if (is_error(quantity_.reduce) || !quantity_.reference.given()) return {value, nan};
     const Real time = quantity_.reduce == Reduce::at ? this->time() : nan;
@@ -45,6 +45,22 @@ class SeriesMeasure : public Measure {
 
  private:
   Real time() const { return scope_.evaluate_or(quantity_.time, scope_.constants.at("end")); }
+
+  /// The rows from `from` to `to`; throws CaseError where there is nothing to reduce, which would be told as a number that never came.
+  Series rows_of_interest() const
+  {
+    if (series_.time.empty())
+      refuse(scope_.file, quantity_.place, quantity_.kind == QuantityKind::footing ? "there is no footing in this case" : "the run has no rows",
+             "A quantity of kind `footing` needs a [[footing]] in the case.");
+    const Real from = scope_.evaluate_or(quantity_.from, 0.0), to = scope_.evaluate_or(quantity_.to, infinity);
+    const Series s = cut(series_, from * (1.0 - 1e-9), to * (1.0 + 1e-9));
+    const std::string rows = fmt::format("There are {} rows, from {:g} to {:g} s.", series_.time.size(), series_.time.front(), series_.time.back());
+    if (s.time.empty())
+      refuse(scope_.file, (quantity_.from.given() ? quantity_.from : quantity_.to).place, fmt::format("there is no row from {:g} to {:g} s", from, to), rows);
+    if (quantity_.reduce == Reduce::at && !covers(s, time()))
+      refuse(scope_.file, quantity_.time.given() ? quantity_.time.place : quantity_.place, fmt::format("there is no row at {:g} s", time()), rows);
+    return s;
+  }
 
   Real reduced(const Series& s) const
   {

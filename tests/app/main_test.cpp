@@ -28,7 +28,7 @@ TEST(Help, NamesTheCommandsOptionsAndExitStatuses)
 TEST(Help, OfACommandIsItsOwnAndNamesItsOptions)
 {
   const std::vector<std::pair<std::string, std::vector<std::string>>> commands{
-      {"run", {"--output", "--threads", "--set", "--force", "--report", "--quiet", "--verbose"}}, {"resume", {"--threads", "--quiet"}},
+      {"run", {"--output", "--threads", "--set", "--force", "--report", "--quiet", "--verbose"}}, {"resume", {"--threads", "--report", "--quiet"}},
       {"stability", {"--from", "--to", "--tolerance", "--damping", "--rest", "--failure", "--windows", "--output", "--json", "--set"}},
       {"check", {"--set"}}, {"bench", {"--steps", "--warm", "--json", "--set"}}, {"report", {"--output"}}, {"compare", {"--json"}},
       {"export", {"--format", "--field", "--frames", "--output"}}, {"watch", {"--every", "--once"}},

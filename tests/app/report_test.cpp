@@ -92,6 +92,18 @@ TEST(Report, IsWrittenAtTheEndOfARunThatAsksForIt)
   EXPECT_FALSE(std::filesystem::exists(folder + "/report.html"));  // of the earlier run
 }
 
+TEST(Report, IsWrittenAtTheEndOfARunThatGoesOn)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run", page = folder + "/report.html", checkpoint = folder + "/checkpoint_000000033.h5";
+  ASSERT_EQ(test::run_column(folder, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}"}).status, 0);
+  ASSERT_EQ(test::terp({"resume", checkpoint, "-q"}).status, 0);
+  EXPECT_FALSE(std::filesystem::exists(page));
+  const Finished f = test::terp({"resume", checkpoint, "--report"});
+  EXPECT_EQ(f.status, 0) << f.err;
+  EXPECT_EQ(document_in(read_file(page))["runs"][0]["finished"], true);
+}
+
 TEST(Compare, PrintsATableAndWantsTwoRuns)
 {
   const Finished f = test::terp({"compare", runs().mixed, runs().gp});

@@ -156,6 +156,22 @@ TEST(Trouble, APipeThatNobodyReadsDoesNotEndTheRun)
   EXPECT_THAT(test::text_of(folder + "/summary.json"), HasSubstr("\"finished\": true"));
 }
 
+TEST(Trouble, AnAnswerThatCannotBePrintedIsAnErrorButARunIsSolved)
+{
+  const test::ScratchFolder scratch;
+  const auto status_of = [&](const std::string& words) {
+    return WEXITSTATUS(std::system((TERP_PROGRAM " " + words + " > /dev/full 2> " + scratch.path() + "/errors").c_str()));
+  };
+  for (const std::string words : {"list", "--help", "explain mpm_gp"}) {
+    EXPECT_EQ(status_of(words), 1) << words;
+    EXPECT_EQ(test::text_of(scratch.path() + "/errors"), "error: what was to be printed is not complete: No space left on device\n") << words;
+  }
+  std::string run;
+  for (const std::string& word : test::column_command("run", {"-o", scratch.path() + "/run"})) run += word + ' ';
+  EXPECT_EQ(status_of(run), 0);
+  EXPECT_THAT(test::text_of(scratch.path() + "/run/summary.json"), HasSubstr("\"finished\": true"));
+}
+
 TEST(Trouble, ClosedStandardStreamsLeaveTheTablesAsTheyAre)
 {
   const test::ScratchFolder scratch;

@@ -339,24 +339,55 @@ TEST(Corner, ThatWasClosedStaysClosedInTheRemap)
   EXPECT_THAT(on_the_right, ElementsAre(DoubleNear(1.2, 1e-14), DoubleNear(0.6, 1e-14)));
 }
 
-TEST(Corner, OfTwoPartsOfAStraightBaseSlides)
+/// The bottom in two parts of 1 m and 2 m.
+Mesh<2> mesh_on_two_bases()
 {
   auto mesh = mesh_3x2();
   mesh.sides.push_back({"base left", {{0, 0}}});
   mesh.sides.push_back({"base right", {{1, 0}, {2, 0}}});
-  const Boundary boundary(mesh, {{.side = "base left"}, {.side = "base right"}});
+  return mesh;
+}
+
+TEST(TwoParts, OfAStraightRollerSlideAsOne)
+{
+  const Boundary boundary(mesh_on_two_bases(), {{.side = "base left"}, {.side = "base right"}});
   EXPECT_FALSE(boundary.at(1)->corner);
   EXPECT_THAT(constrained(boundary, 1, {2.0, -1.5}), ElementsAre(2.0, 0.0));
 }
 
-TEST(Corner, OfTwoContactPartsOfAStraightBaseHasTheAdhesionOfBothHalves)
+TEST(TwoParts, OfAStraightBaseThatAreAlikeAreThatBase)
 {
-  auto mesh = mesh_3x2();
-  mesh.sides.push_back({"base left", {{0, 0}}});
-  mesh.sides.push_back({"base right", {{1, 0}, {2, 0}}});
-  const Boundary boundary(mesh, {{.side = "base left", .hold = Hold::contact, .adhesion = 6e3},
-                                 {.side = "base right", .hold = Hold::contact, .adhesion = 3e3}});
-  EXPECT_THAT(constrained(boundary, 1, {2.0, -1.5}), ElementsAre(DoubleEq(2.0 - (3e3 + 1.5e3) * dt / mass), 0.0));
+  for (const Hold hold : {Hold::contact, Hold::separating}) {
+    const SideCondition whole{.side = "bottom", .hold = hold, .adhesion = 6e3, .friction = 0.3};
+    SideCondition left = whole, right = whole;
+    left.side = "base left", right.side = "base right";
+    const Boundary one(mesh_3x2(), {whole}), two(mesh_on_two_bases(), {left, right});
+    for (const Vec<2> v : {Vec<2>{2.0, -1.5}, Vec<2>{-0.9, -2.5}, Vec<2>{0.3, 0.7}}) {
+      EXPECT_EQ(constrained(two, 1, v), constrained(one, 1, v));
+      for (const Vec<2> reaction : {Vec<2>{0.0, 0.0}, Vec<2>{900.0, 2e4}, Vec<2>{-1e4, 2e4}}) EXPECT_EQ(clamped(two, 1, v, reaction), clamped(one, 1, v, reaction));
+      EXPECT_EQ(two.free_force(1, {1e4 * v[0], 1e4 * v[1]}), one.free_force(1, {1e4 * v[0], 1e4 * v[1]}));
+    }
+  }
+}
+
+/// The push of the node is that of both half edges, each with its own friction; the order of the lines does not count.
+TEST(TwoParts, OfAStraightBaseShareAdhesionAndFrictionByLength)
+{
+  const SideCondition rough{.side = "base left", .hold = Hold::contact, .adhesion = 6e3, .friction = 0.4};
+  const SideCondition smooth{.side = "base right", .hold = Hold::contact, .adhesion = 3e3};
+  for (const auto& sides : {std::vector{rough, smooth}, std::vector{smooth, rough}}) {
+    const Boundary boundary(mesh_on_two_bases(), sides);
+    const Real expected = 2.0 - 0.5 * 0.4 * 1.5 - (3e3 + 1.5e3) * dt / mass;
+    EXPECT_THAT(constrained(boundary, 1, {2.0, -1.5}), ElementsAre(DoubleEq(expected), 0.0));
+    EXPECT_THAT(clamped(boundary, 1, {2.0, -1.5}, {-3000.0, 10000.0}), ElementsAre(DoubleEq(2.0 - (4500.0 + 0.2 * 10000.0 - 3000.0) * dt / mass), 0.0));
+  }
+}
+
+TEST(TwoParts, ThatHoldDifferentlyStayTwo)
+{
+  const Boundary boundary(mesh_on_two_bases(), {{.side = "base left", .hold = Hold::separating}, {.side = "base right", .hold = Hold::contact, .adhesion = 6e3}});
+  EXPECT_EQ(boundary.at(1)->n, 2);
+  EXPECT_THAT(constrained(boundary, 1, {2.0, 1.5}), ElementsAre(DoubleEq(2.0 - 3e3 * dt / mass), 0.0));
 }
 
 TEST(Boundary, NamesASideThatTheMeshDoesNotHave)

@@ -123,8 +123,21 @@ TEST(Expected, QuantitiesOfOneRunHaveNamesOfTheirOwn)
   EXPECT_THAT(seen_with(end, another("")), testing::AllOf(HasSubstr("expected.toml:21:1: there are two quantities `path` of one run"), HasSubstr("a name of its own")));
   EXPECT_THAT(seen_with(end, another("runs = [\"b\", \"a\"]\n")), HasSubstr("there are two quantities `path` of one run"));
   EXPECT_EQ(seen_with(end, another("runs = [\"b\"]\n")), "accepted");
-  EXPECT_EQ(seen_with(end, end + order), "accepted");
   EXPECT_THAT(seen_with(end, another("runs = [\"b\"]\n") + order), HasSubstr("there are two quantities `path`, and an `of` names it"));
+}
+
+TEST(Expected, WhatTooFewRunsCannotTellIsRefused)
+{
+  const auto compared = [](const std::string& kind, const std::string& runs) {
+    const std::string source = "source = \"Newton\"\n", rate = "[[quantity]]\nname = \"rate\"\nkind = \"" + kind + "\"\nof = \"path\"\nover = \"V\"\nat_least = 1\n";
+    return seen_with("runs = [\"a\"]\n" + source, source + rate + runs + source);
+  };
+  EXPECT_EQ(compared("order", ""), "accepted");
+  EXPECT_THAT(compared("order", "runs = [\"a\"]\n"),
+              testing::AllOf(HasSubstr("expected.toml:20:1: `rate` needs 2 runs of one scheme"), HasSubstr("`path` is measured in 1.")));
+  EXPECT_THAT(compared("order", "differences = true\n"), HasSubstr("`rate` needs 3 runs of one scheme"));
+  EXPECT_THAT(compared("extrapolated", ""), testing::AllOf(HasSubstr("`rate` needs 3 runs of one scheme"), HasSubstr("`path` is measured in 2.")));
+  EXPECT_THAT(compared("mesh_error", ""), HasSubstr("`rate` needs 3 runs of one scheme"));
 }
 
 TEST(Expected, ASchemeTwiceIsRefused)

@@ -44,8 +44,8 @@ TEST(Report, MarkdownKeepsItsColumns)
   const std::string page = markdown_page(sample(), "How to read it.");
   EXPECT_THAT(page, HasSubstr("How to read it."));
   EXPECT_THAT(page, HasSubstr("| [bar](#bar) | A bar | 3 | 1 | 2 |"));
-  EXPECT_THAT(page, HasSubstr("| stress <zz> | h = 1 m, mpm_gp | a\\|b | 2 | 0.1 | 0.2 | red | Euler |"));
-  EXPECT_THAT(page, HasSubstr("**Red.** stress <zz>: too coarse"));
+  EXPECT_THAT(page, HasSubstr("| stress \\<zz> | h = 1 m, mpm_gp | a\\|b | 2 | 0.1 | 0.2 | red | Euler |"));
+  EXPECT_THAT(page, HasSubstr("**Red.** stress \\<zz>: too coarse"));
 }
 
 TEST(Report, HtmlIsOnePageAndEscapesText)

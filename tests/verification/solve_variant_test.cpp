@@ -12,6 +12,7 @@
 namespace terp {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 const std::string head = R"(title = "Flight"
@@ -90,6 +91,22 @@ TEST(SolveVariant, ATimeWithoutAFrameIsRefused)
   const std::string fault = fault_of("name = \"path\"\nvalue = \"ux\"\ntime = 0.25\nreference = \"V*t\"\ntolerance = 1");
   EXPECT_THAT(fault, HasSubstr("there is no frame at 0.25 s"));
   EXPECT_THAT(fault, HasSubstr("Let output.fields.every of the case divide the time."));
+}
+
+TEST(SolveVariant, ATimeWithoutARowIsRefused)
+{
+  const std::string mass = "name = \"mass\"\nkind = \"ledger\"\nvalue = \"mass\"\nat_least = 1\n";
+  EXPECT_EQ(fault_of(mass + "time = \"end\""), "");
+  EXPECT_THAT(fault_of(mass + "time = 0.6"), AllOf(HasSubstr("expected.toml:10:8: there is no row at 0.6 s"), HasSubstr(" rows, from 0 to 0.5 s.")));
+  EXPECT_THAT(fault_of(mass + "reduce = \"max\"\nfrom = 0.4\nto = 0.2"), HasSubstr("expected.toml:11:8: there is no row from 0.4 to 0.2 s"));
+  EXPECT_THAT(fault_of(mass + "reduce = \"max\"\nfrom = 0.6"), HasSubstr("there is no row from 0.6 to inf s"));
+  EXPECT_EQ(fault_of(mass + "reduce = \"arrival\"\nthreshold = 1e9"), "");  // never, but looked for
+}
+
+TEST(SolveVariant, AFootingThatTheCaseHasNotIsRefused)
+{
+  EXPECT_THAT(fault_of("name = \"push\"\nkind = \"footing\"\nvalue = \"reaction_y\"\nreduce = \"max\"\nat_least = 1"),
+              AllOf(HasSubstr("there is no footing in this case"), HasSubstr("[[footing]]")));
 }
 
 TEST(SolveVariant, APointWhereThereIsNoSoilIsRefused)
