@@ -62,6 +62,10 @@ void order_and_join(NodeCondition& c)
   if (c.n == 2 && !is_contact(c.holds[0].hold) && is_contact(c.holds[1].hold)) std::swap(c.holds[0], c.holds[1]);
   const bool across = c.n == 2 && std::abs(dot(c.holds[0].normal, c.holds[1].normal)) < straight;
   c.corner = across && c.holds[0].hold != Hold::all && c.holds[1].hold != Hold::all;
+  if (c.n == 2 && !across && is_contact(c.holds[0].hold) && is_contact(c.holds[1].hold)) {  // parts of a base that hold differently share the push
+    const Real length = c.holds[0].half_length + c.holds[1].half_length;
+    for (NodeHold& hold : c.holds) hold.friction *= hold.half_length / length;
+  }
   if (!c.corner) return;
   const Vec<2> n = c.holds[0].normal, m = c.holds[1].normal;
   const Real determinant = n[0] * m[1] - n[1] * m[0], a = prescribed_across(c.holds[0]), b = prescribed_across(c.holds[1]);
@@ -106,21 +110,26 @@ void shorten(Real by, Vec<2>& value)
   for (Real& component : value) component *= kept;
 }
 
-/// Impulses of a contact plane on a node: normal, then tangential up to adhesion and friction.
-void apply_contact(const NodeHold& hold, Real mass, Real dt, Vec<2>& v)
+/// Impulses of a contact plane on a node: normal, then tangential up to adhesion, and friction under the push of the trial velocity.
+void apply_contact(const NodeHold& hold, Real mass, Real dt, Vec<2> trial, Vec<2>& v)
 {
   const Real v_n = dot(v, hold.normal);
   for (int d = 0; d < 2; ++d) v[d] -= v_n * hold.normal[d];
-  shorten(strength_of(hold, mass * v_n / dt) * dt / mass, v);
+  shorten(strength_of(hold, mass * dot(trial, hold.normal) / dt) * dt / mass, v);
 }
 
-/// What a contact plane could have done along itself in step 2 beyond its reaction there [N per m].
-Real unused_strength(const NodeHold& hold, Vec<2> reaction)
+/// What the contact planes that act could have done along themselves in step 2 beyond their reaction there [N per m].
+Real unused_strength(const NodeCondition& c, Acting acts, Vec<2> reaction)
 {
-  const Real push = -dot(reaction, hold.normal);
-  if (hold.hold == Hold::separating && !(push > 0.0)) return 0.0;
-  const Real along = std::hypot(reaction[0] + push * hold.normal[0], reaction[1] + push * hold.normal[1]);
-  return std::max(strength_of(hold, push) - along, 0.0);
+  Real strength = 0.0, along = 0.0;
+  for (int k = 0; k < c.n; ++k) {
+    const NodeHold& hold = c.holds[k];
+    const Real push = -dot(reaction, hold.normal);
+    if (!acts[k] || !is_contact(hold.hold) || (hold.hold == Hold::separating && !(push > 0.0))) continue;
+    strength += strength_of(hold, push);
+    along = std::hypot(reaction[0] + push * hold.normal[0], reaction[1] + push * hold.normal[1]);
+  }
+  return std::max(strength - along, 0.0);
 }
 
 void stop_across(const NodeHold& hold, Vec<2>& v)
@@ -206,9 +215,10 @@ void Boundary::constrain(Index node, Real mass, Real dt, Vec<2>& v) const
   const NodeCondition* c = at(node);
   if (c == nullptr) return;
   const Acting acts = acting_on_velocity(*c, v, always(*c));
+  const Vec<2> trial = v;
   for (int k = 0; k < c->n; ++k) {
     const NodeHold& hold = c->holds[k];
-    if (acts[k] && is_contact(hold.hold)) apply_contact(hold, mass, dt, v);
+    if (acts[k] && is_contact(hold.hold)) apply_contact(hold, mass, dt, trial, v);
     if (hold.hold == Hold::normal) stop_across(hold, v);
   }
   if (c->corner && acts[0] && acts[1]) v = c->corner_velocity;
@@ -224,12 +234,9 @@ void Boundary::clamp(Index node, Real mass, Real dt, Vec<2> v_1, Vec<2> reaction
   for (int k = 0; k < c->n; ++k) before[k] = acted(*c, k, v_1, reaction);
   const bool both_before = c->corner && v_1 == c->corner_velocity && dot(reaction, reaction) > 0.0;
   const Acting acts = both_before ? Acting{true, true} : acting_on_velocity(*c, v, before);
-  for (int k = 0; k < c->n; ++k) {
-    const NodeHold& hold = c->holds[k];
-    if (!acts[k] || hold.hold == Hold::all) continue;
-    stop_across(hold, v);
-    if (is_contact(hold.hold)) shorten(unused_strength(hold, reaction) * dt / mass, v);
-  }
+  for (int k = 0; k < c->n; ++k)
+    if (acts[k] && c->holds[k].hold != Hold::all) stop_across(c->holds[k], v);
+  shorten(unused_strength(*c, acts, reaction) * dt / mass, v);
   if (c->corner && acts[0] && acts[1]) v = c->corner_velocity;
   for (int k = 0; k < c->n; ++k)
     if (c->holds[k].hold == Hold::all) v = c->holds[k].velocity;

@@ -38,7 +38,7 @@ struct NodeHold {
 };
 
 /// A node may lie on two sides (a corner) and so have two holds; contacts act first. Parts of a straight base that hold alike are one hold at
-/// the node between them, with the adhesion of both and their friction weighted by length.
+/// the node between them, with the adhesion of both and their friction weighted by length; a bilateral and a separating part stay two, weighted too.
 struct NodeCondition {
   int n = 0;
   std::array<NodeHold, 2> holds;

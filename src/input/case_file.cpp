@@ -57,7 +57,8 @@ Document parse_document(const std::string& text, const std::string& path)
     const std::string hint =
         unquoted ? "\nText stands in quotes, as in scheme = \"mpm_gp\"; numbers are written 8.0e3." : "";
     throw CaseError(render_at(path, text, error.place,
-                              {"", "this is not valid TOML", why + hint + "\nThe format: https://toml.io", ""}));
+                              {"", "this is not valid TOML", why + hint + "\nThe format: https://toml.io", ""}) +
+                    "\n1 error; nothing was run.\n");
   }
 }
 

@@ -16,7 +16,19 @@
 namespace terp {
 namespace {
 
-mu::value_type step(mu::value_type x) { return x < 0.0 ? 0.0 : 1.0; }
+/// The largest or smallest of numbers; none if one of them is none, which muParser's own leave out.
+template <bool largest>
+mu::value_type extreme(const mu::value_type* values, int n)
+{
+  mu::value_type best = values[0];
+  for (int k = 0; k < n; ++k) {
+    if (std::isnan(values[k])) return values[k];
+    best = largest ? std::max(best, values[k]) : std::min(best, values[k]);
+  }
+  return best;
+}
+
+mu::value_type step(mu::value_type x) { return std::isnan(x) ? x : x < 0.0 ? 0.0 : 1.0; }
 
 /// muParser gives `1,2` the value of its last part and takes `=` for an assignment: "0,5" would be 5, and "x0 = 1" hold everywhere.
 /// A comma stands only between the arguments of a function, and `=` only in a comparison.
@@ -54,7 +66,9 @@ std::string why(const mu::Parser::exception_type& error, const std::vector<std::
 
 struct Expression::Parser {
   mu::Parser parser;
-  std::vector<mu::value_type> values;  // the parser's variables, bound by address
+  std::size_t n_variables;
+  std::vector<mu::value_type> values;  // variables, then constants; bound by address
+  std::vector<std::size_t> used;       // those that the text speaks of
 };
 
 Expression::Expression(const std::string& text, const std::vector<std::string>& variables, const std::map<std::string, Real>& constants)
@@ -62,19 +76,27 @@ Expression::Expression(const std::string& text, const std::vector<std::string>& 
 {
   refuse_what_would_pass(text);
   std::vector<std::string> names(variables);
-  for (const auto& [name, value] : constants) names.push_back(name);
+  std::vector<mu::value_type>& values = parser_->values;
+  parser_->n_variables = variables.size();
+  values.resize(variables.size());
+  for (const auto& [name, value] : constants) names.push_back(name), values.push_back(value);
   try {
     mu::Parser& p = parser_->parser;
-    parser_->values.resize(variables.size());
     p.DefineConst("pi", std::numbers::pi);
     p.DefineFun("erf", static_cast<mu::value_type (*)(mu::value_type)>([](mu::value_type x) { return std::erf(x); }));
     p.DefineFun("erfc", static_cast<mu::value_type (*)(mu::value_type)>([](mu::value_type x) { return std::erfc(x); }));
     p.DefineFun("mod", static_cast<mu::value_type (*)(mu::value_type, mu::value_type)>([](mu::value_type a, mu::value_type b) { return a - b * std::floor(a / b); }));
     p.DefineFun("step", step);
-    for (std::size_t k = 0; k < variables.size(); ++k) p.DefineVar(variables[k], &parser_->values[k]);
-    for (const auto& [name, value] : constants) p.DefineConst(name, value);
+    p.DefineFun("min", extreme<false>);
+    p.DefineFun("max", extreme<true>);
+    for (std::size_t k = 0; k < names.size(); ++k) p.DefineVar(names[k], &values[k]);
     p.SetExpr(text);
     p.Eval();
+    for (const auto& [name, address] : p.GetUsedVar()) {
+      if (std::count(names.begin(), names.end(), name) > 1)
+        throw ExpressionError(fmt::format("`{}` is a constant and the name of what stands here. Give the constant another name.", name));
+      parser_->used.push_back(static_cast<std::size_t>(address - values.data()));
+    }
   } catch (const mu::Parser::exception_type& error) {
     throw ExpressionError(why(error, names));
   }
@@ -86,8 +108,10 @@ Expression& Expression::operator=(Expression&&) noexcept = default;
 
 Real Expression::operator()(std::span<const Real> values) const
 {
-  TERP_ASSERT(values.size() == parser_->values.size());
+  TERP_ASSERT(values.size() == parser_->n_variables);
   std::copy(values.begin(), values.end(), parser_->values.begin());
+  for (const std::size_t k : parser_->used)  // a comparison would take what is no number for a wrong one
+    if (std::isnan(parser_->values[k])) return parser_->values[k];
   return parser_->parser.Eval();
 }
 

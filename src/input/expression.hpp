@@ -22,13 +22,13 @@ class ExpressionError : public std::runtime_error {
 
 class Expression {
  public:
-  /// Constants must not bear a name of the variables. Throws ExpressionError.
+  /// A text that speaks of a constant which bears the name of a variable is refused. Throws ExpressionError.
   Expression(const std::string& text, const std::vector<std::string>& variables, const std::map<std::string, Real>& constants);
   ~Expression();
   Expression(Expression&&) noexcept;
   Expression& operator=(Expression&&) noexcept;
 
-  /// Its value; the numbers are those of the variables, in their order.
+  /// Its value; the numbers are those of the variables, in their order. NaN where one that the text speaks of is NaN.
   Real operator()(std::span<const Real> values) const;
 
  private:

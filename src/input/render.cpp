@@ -178,7 +178,7 @@ std::string render_at(const std::string& path, const std::string& text, Place pl
 {
   std::string out = fmt::format("error: {}: {}\n", location(path, {place, "", true}), problem.what);
   if (place.line > 0) out += frame(text, place);
-  return printable(out + indented(problem.detail)) + "\n1 error; nothing was run.\n";
+  return printable(out + indented(problem.detail));
 }
 
 }  // namespace terp

@@ -2,9 +2,11 @@
 
 #include "simulation/failure.hpp"
 #include "simulation/guards.hpp"
+#include "simulation/ledger.hpp"
 #include "simulation/setup_points.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace terp {
@@ -71,6 +73,38 @@ void reset_history(State& state, int n_state)
   std::fill(state.put_back.begin(), state.put_back.end(), false);
 }
 
+/// Soil that yielded in the search and moved beyond its cell: another body came to rest than the one that was drawn.
+struct Flow {
+  Index n = 0;     ///< points
+  Real way = 0.0;  ///< the longest [m]
+};
+
+Flow find_flow(const Model& model, const State& state)
+{
+  using Rows = PointRows<2>;
+  constexpr Real yielded = 0.1;  // eps_eq_p; single points at a toe come to 0.09 in soil that stands
+  Flow flow;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const int strain = find_eps_eq_p(*model.materials[block.material].type);
+    if (strain < 0 || block.row(Rows::state + strain)[lane] < yielded) return;
+    const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
+    const Real way = std::hypot(block.row(Rows::x)[lane] - state.x_initial[2 * id], block.row(Rows::x + 1)[lane] - state.x_initial[2 * id + 1]);
+    const Vec<2> a = model.mesh.nodes[model.mesh.cells[block.cell][0]], c = model.mesh.nodes[model.mesh.cells[block.cell][2]];
+    if (way <= std::hypot(c[0] - a[0], c[1] - a[1])) return;
+    ++flow.n;
+    flow.way = std::max(flow.way, way);
+  });
+  return flow;
+}
+
+std::string describe_flow(const Flow& flow, Index n_points)
+{
+  return fmt::format("no equilibrium: the body came to rest only after {:.2g} % of its soil had yielded and moved by up to {:.3g} m\n\n"
+                     "  likely   the body cannot stand under its own weight\n"
+                     "  try      initial.stress = \"none\" or \"k0\", or a stronger soil (docs/troubleshooting.md#no-equilibrium)",
+                     100.0 * static_cast<Real>(flow.n) / static_cast<Real>(n_points), flow.way);
+}
+
 std::string describe_no_equilibrium(const InitialCase& initial, Real ratio)
 {
   return fmt::format("no equilibrium: after {} steps the out-of-balance force is {:.2e} of the weight, limit {:.2e}\n\n"
@@ -100,6 +134,7 @@ Search seek_equilibrium(const Model& model, State& state, Workspace& work, const
 {
   const InitialCase& initial = model.description.initial;
   constexpr std::int64_t fewest_steps = 10;  // before the ratio says anything
+  constexpr Real most_that_flows = 0.01;     // of the points: some trickle down the face of soil that stands
   work.damping_local = initial.damping;
   work.settling = true;
   while (state.equilibrium_steps < initial.max_steps && !stop.load(std::memory_order_relaxed)) {
@@ -111,6 +146,7 @@ Search seek_equilibrium(const Model& model, State& state, Workspace& work, const
     if (!state.left.empty())
       return {.fault = "in the search for equilibrium soil left through an open side; give that side a `roller`, or start with \"k0\""};
     if (state.equilibrium_steps < fewest_steps || work.unbalanced_ratio > initial.limit) continue;
+    if (const Flow flow = find_flow(model, state); flow.n > most_that_flows * static_cast<Real>(state.n_ids())) return {.fault = describe_flow(flow, state.n_ids())};
     work.damping_local = model.damping.local;
     work.settling = false;
     reset_history(state, model.n_state);

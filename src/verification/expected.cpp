@@ -6,6 +6,7 @@
 #include "input/values.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <fstream>
@@ -39,6 +40,14 @@ class TableReader {
     if (item == nullptr) return "";
     if (item->kind != NodeKind::text) wrong(*item, "text in quotes");
     return item->text;
+  }
+  /// A text that stands in tables and progress lines.
+  std::string label(const char* name, bool required = false) const
+  {
+    const std::string got = text(name, required);
+    if (std::any_of(got.begin(), got.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }))
+      wrong(*find(name, false), "one line of text without control characters");
+    return got;
   }
   bool flag(const char* name) const
   {
@@ -102,6 +111,17 @@ class TableReader {
   const Node& table_;
 };
 
+/// A word that formulas can speak of; some mean something already.
+void check_word(const Expected& file, Place place, const std::string& name)
+{
+  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  const auto is_part = [&](char c) { return is_letter(c) || std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  if (name.empty() || !is_letter(name.front()) || !std::all_of(name.begin(), name.end(), is_part))
+    refuse(file, place, fmt::format("`{}` is no name for a formula", name), "Letters, digits and _ make one, a letter first.");
+  for (const char* taken : {"pi", "end", "dt", "gci", "factor", "stable_at", "not_stable_at"})
+    if (name == taken) refuse(file, place, fmt::format("`{}` has a meaning of its own in formulas", name), "Take another name; see docs/verification_cases.md.");
+}
+
 std::vector<Constant> read_constants(const Expected& file, const Node* table)
 {
   std::vector<Constant> constants;
@@ -110,6 +130,7 @@ std::vector<Constant> read_constants(const Expected& file, const Node* table)
   for (const Node& item : table->items) any.push_back(item.name);
   const TableReader reader(file, *table, any);
   for (const Node& item : table->items) {
+    check_word(file, item.key, item.name);
     Constant& c = constants.emplace_back();
     c.name = item.name;
     if (item.kind == NodeKind::table) {
@@ -122,7 +143,7 @@ std::vector<Constant> read_constants(const Expected& file, const Node* table)
   return constants;
 }
 
-/// [from, to, tolerance] of a search for a factor of safety.
+/// [from, to, tolerance] of a search for a factor of safety, within what `terp stability` takes.
 std::vector<Real> read_stability(const TableReader& reader, const Node& bounds)
 {
   const auto is_number = [](const Node& n) { return n.kind == NodeKind::number || n.kind == NodeKind::integer; };
@@ -130,13 +151,15 @@ std::vector<Real> read_stability(const TableReader& reader, const Node& bounds)
     reader.wrong(bounds, "[from, to, tolerance] of the factor");
   std::vector<Real> values;
   for (const Node& n : bounds.items) values.push_back(n.kind == NodeKind::integer ? static_cast<Real>(n.integer) : n.number);
+  if (!(0.01 <= values[0] && values[0] < values[1] && values[1] <= 100.0 && 1e-4 <= values[2] && values[2] <= 1.0))
+    reader.wrong(bounds, "[from, to, tolerance] of the factor: 0.01 <= from < to <= 100, tolerance from 1e-4 to 1");
   return values;
 }
 
 Variant read_variant(const Expected& file, const Node& table)
 {
   const TableReader reader(file, table, run_keys);
-  Variant v{.name = reader.text("name"), .case_file = reader.text("case"), .schemes = reader.texts("schemes"), .set = reader.texts("set"),
+  Variant v{.name = reader.label("name"), .case_file = reader.text("case"), .schemes = reader.texts("schemes"), .set = reader.texts("set"),
             .constants = read_constants(file, find_item(table, "constants")), .is_long = reader.flag("long")};
   v.place = table.value;
   for (std::size_t k = 0; k < v.schemes.size(); ++k)
@@ -144,8 +167,10 @@ Variant read_variant(const Expected& file, const Node& table)
       refuse(file, find_item(table, "schemes")->items[k].value, fmt::format("`{}` is in `schemes` already", v.schemes[k]), "Each scheme is one run.");
   if (const Node* bounds = find_item(table, "stability")) v.stability = read_stability(reader, *bounds);
   if (v.case_file.empty()) v.case_file = "case.toml";
-  if (const Node* seconds = find_item(table, "seconds"))
-    v.seconds = seconds->kind == NodeKind::integer ? static_cast<double>(seconds->integer) : seconds->number;
+  if (const Node* seconds = find_item(table, "seconds")) {
+    v.seconds = seconds->kind == NodeKind::integer ? static_cast<double>(seconds->integer) : seconds->kind == NodeKind::number ? seconds->number : -1.0;
+    if (!(v.seconds >= 0.0)) reader.wrong(*seconds, "a number of seconds, 0 or more");
+  }
   return v;
 }
 
@@ -222,7 +247,7 @@ void check_uses(const Expected& file, const Node& table, const Quantity& q)
 Quantity read_quantity(const Expected& file, const Node& table)
 {
   const TableReader reader(file, table, quantity_keys);
-  Quantity q{.name = reader.text("name", true), .unit = reader.text("unit"), .source = reader.text("source"), .shown = reader.text("shown"), .red = reader.text("red")};
+  Quantity q{.name = reader.label("name", true), .unit = reader.text("unit"), .source = reader.text("source"), .shown = reader.text("shown"), .red = reader.text("red")};
   q.place = table.value;
   q.differences = reader.flag("differences");
   q.kind = static_cast<QuantityKind>(reader.word("kind", kind_words, 0));
@@ -234,6 +259,7 @@ Quantity read_quantity(const Expected& file, const Node& table)
   q.tolerance = reader.formula("tolerance"), q.relative = reader.formula("relative");
   q.at_least = reader.formula("at_least"), q.at_most = reader.formula("at_most");
   q.as = reader.text("as");
+  if (const Node* as = find_item(table, "as")) check_word(file, as->value, q.as);
   q.of = reader.text("of", compares_runs(q)), q.over = reader.text("over", compares_runs(q));
   q.runs = reader.texts("runs");
   q.red_runs = reader.texts("red_runs");
@@ -243,12 +269,30 @@ Quantity read_quantity(const Expected& file, const Node& table)
   return q;
 }
 
+bool share_a_run(const Names& a, const Names& b)  // none named: all
+{
+  return a.empty() || b.empty() || std::any_of(a.begin(), a.end(), [&](const std::string& run) { return std::find(b.begin(), b.end(), run) != b.end(); });
+}
+
+/// One word of `as` means one number in a run.
+void check_as(const Expected& file)
+{
+  const auto is_constant = [](const std::vector<Constant>& constants, const std::string& name) {
+    return std::any_of(constants.begin(), constants.end(), [&](const Constant& c) { return c.name == name; });
+  };
+  for (auto q = file.quantities.begin(); q != file.quantities.end(); ++q) {
+    if (q->as.empty()) continue;
+    const auto same = [&](const Quantity& other) { return other.as == q->as && share_a_run(other.runs, q->runs); };
+    if (std::any_of(file.quantities.begin(), q, same))
+      refuse(file, q->place, fmt::format("there are two quantities with as = \"{}\" in one run", q->as), "Formulas that speak of it would mean the last.");
+    if (is_constant(file.constants, q->as) || std::any_of(file.variants.begin(), file.variants.end(), [&](const Variant& v) { return is_constant(v.constants, q->as); }))
+      refuse(file, q->place, fmt::format("as = \"{}\" is a constant already", q->as), "Take another name.");
+  }
+}
+
 /// Quantities of one name are told apart by their runs; `of` means all rows of a name, so that there it must be one quantity's.
 void check_quantity_names(const Expected& file)
 {
-  const auto share_a_run = [](const Names& a, const Names& b) {  // none named: all
-    return a.empty() || b.empty() || std::any_of(a.begin(), a.end(), [&](const std::string& run) { return std::find(b.begin(), b.end(), run) != b.end(); });
-  };
   for (auto q = file.quantities.begin(); q != file.quantities.end(); ++q) {
     const auto is_compared = [&](const Quantity& other) { return other.of == q->name; };
     for (auto earlier = file.quantities.begin(); earlier != q; ++earlier) {
@@ -284,7 +328,11 @@ void check_names(const Expected& file)
   for (const Quantity& q : file.quantities) {
     for (const std::string& run : q.runs) check(q, run, runs, "run");
     for (const std::string& run : q.red_runs) check(q, run, red_runs, "run");
-    if (compares_runs(q)) check(q, q.of, quantities, "quantity");
+    if (!compares_runs(q)) continue;
+    check(q, q.of, quantities, "quantity");
+    const auto compared = [&](const Quantity& other) { return other.name == q.of && compares_runs(other); };
+    if (std::any_of(file.quantities.begin(), file.quantities.end(), compared))
+      refuse(file, q.place, fmt::format("`of` names `{}`, which compares runs itself", q.of), "Name a quantity that each run measures.");
   }
 }
 
@@ -341,6 +389,7 @@ Expected read_expected(const std::string& path)
     for (const Node& table : tables(file, root, "quantity")) file.quantities.push_back(read_quantity(file, table));
     check_names(file);
     check_quantity_names(file);
+    check_as(file);
     check_run_counts(file);
   } catch (const SyntaxError& error) {
     refuse(file, error.place, "this is not valid TOML", error.what());

@@ -54,6 +54,17 @@ bool declared_red(const Quantity& q, const std::string& run, const std::string& 
   });
 }
 
+/// Why there is no number to judge.
+std::string why_none(const Finding& f)
+{
+  const Quantity& q = *f.quantity;
+  if (q.kind == QuantityKind::order) return "no order: the errors of the runs, or their sizes, are equal or none";
+  if (q.kind == QuantityKind::extrapolated) return "no limit: the differences of successive runs do not fall";
+  if (q.reduce == Reduce::arrival) return "the threshold was not reached";
+  if (q.reduce == Reduce::period || q.reduce == Reduce::frequency) return "there are no two upward crossings of zero";
+  return "the formula gives no finite number, or speaks of one that is none";
+}
+
 Row to_row(const std::string& case_name, const Finding& f)
 {
   const Quantity& q = *f.quantity;
@@ -72,6 +83,7 @@ Row to_row(const std::string& case_name, const Finding& f)
   const bool excused = known && std::isfinite(f.value);  // a reason speaks of a number
   row.verdict = good ? Verdict::pass : excused ? Verdict::red : Verdict::fail;
   if (!good && excused) row.remark = q.red;
+  if (!std::isfinite(f.value)) row.remark = why_none(f);
   row.declared_red = known;
   return row;
 }

@@ -24,9 +24,7 @@ class SeriesMeasure : public Measure {
   {
     const Series s = rows_of_interest();
     const Real value = reduced(s);
-    if (is_error(quantity_.reduce) || !quantity_.reference.given()) return {value, nan};
-    const Real time = quantity_.reduce == Reduce::at ? this->time() : nan;
-    return {value, scope_.compile(quantity_.reference, {"t", "x0", "y0"})(std::vector<Real>{time, start_[0], start_[1]})};
+    return {value, is_error(quantity_.reduce) || !quantity_.reference.given() ? nan : reference_of(s)};
   }
 
  protected:
@@ -45,6 +43,19 @@ class SeriesMeasure : public Measure {
 
  private:
   Real time() const { return scope_.evaluate_or(quantity_.time, scope_.constants.at("end")); }
+
+  /// What the number of these rows is held against: of a mean, sum, max or min the same of the reference at their times.
+  Real reference_of(const Series& s) const
+  {
+    const bool of_a_time = quantity_.reduce != Reduce::period && quantity_.reduce != Reduce::frequency && quantity_.reduce != Reduce::arrival;
+    const Expression reference = scope_.compile(quantity_.reference, of_a_time ? std::vector<std::string>{"x0", "y0", "t"} : std::vector<std::string>{"x0", "y0"});
+    const auto at = [&](Real t) { return reference(of_a_time ? std::vector<Real>{start_[0], start_[1], t} : std::vector<Real>{start_[0], start_[1]}); };
+    if (quantity_.reduce == Reduce::at) return at(time());
+    if (!of_a_time || quantity_.reduce == Reduce::last) return at(s.time.back());
+    std::vector<Real> values;
+    for (const Real t : s.time) values.push_back(at(t));
+    return reduce_values(values, {}, quantity_.reduce, 1.0);
+  }
 
   /// The rows from `from` to `to`; throws CaseError where there is nothing to reduce, which would be told as a number that never came.
   Series rows_of_interest() const

@@ -383,11 +383,27 @@ TEST(TwoParts, OfAStraightBaseShareAdhesionAndFrictionByLength)
   }
 }
 
-TEST(TwoParts, ThatHoldDifferentlyStayTwo)
+/// Pressed on, both act; pulled off, the bilateral one alone. The order of the lines does not count.
+TEST(TwoParts, OfWhichOneLetsGoShareThePushAsWell)
 {
-  const Boundary boundary(mesh_on_two_bases(), {{.side = "base left", .hold = Hold::separating}, {.side = "base right", .hold = Hold::contact, .adhesion = 6e3}});
-  EXPECT_EQ(boundary.at(1)->n, 2);
-  EXPECT_THAT(constrained(boundary, 1, {2.0, 1.5}), ElementsAre(DoubleEq(2.0 - 3e3 * dt / mass), 0.0));
+  const SideCondition leaves{.side = "base left", .hold = Hold::separating, .adhesion = 1e3, .friction = 0.4};
+  const SideCondition holds{.side = "base right", .hold = Hold::contact, .adhesion = 6e3, .friction = 0.2};
+  for (const auto& sides : {std::vector{leaves, holds}, std::vector{holds, leaves}}) {
+    const Boundary boundary(mesh_on_two_bases(), sides);
+    EXPECT_EQ(boundary.at(1)->n, 2);
+    const Real pressed = 2.0 - 0.5 * (0.4 + 0.2) * 1.5 - (500.0 + 3e3) * dt / mass, pulled = 2.0 - 3e3 * dt / mass;
+    EXPECT_THAT(constrained(boundary, 1, {2.0, -1.5}), ElementsAre(DoubleNear(pressed, 1e-14), 0.0));
+    EXPECT_THAT(constrained(boundary, 1, {2.0, 1.5}), ElementsAre(DoubleNear(pulled, 1e-14), 0.0));
+    EXPECT_THAT(clamped(boundary, 1, {2.0, -1.5}, {-3000.0, 10000.0}), ElementsAre(DoubleNear(2.0 - (3500.0 + 0.3 * 10000.0 - 3000.0) * dt / mass, 1e-14), 0.0));
+    EXPECT_THAT(boundary.free_force(1, {9000.0, -10000.0}), ElementsAre(DoubleNear(9000.0 - 3500.0 - 3000.0, 1e-9), 0.0));
+  }
+}
+
+TEST(TwoParts, OfAContactAndARollerHaveTheStrengthOfTheContact)
+{
+  const SideCondition smooth{.side = "base left"}, rough{.side = "base right", .hold = Hold::contact, .adhesion = 6e3};
+  for (const auto& sides : {std::vector{smooth, rough}, std::vector{rough, smooth}})
+    EXPECT_THAT(constrained(Boundary(mesh_on_two_bases(), sides), 1, {2.0, -1.5}), ElementsAre(DoubleEq(2.0 - 3e3 * dt / mass), 0.0));
 }
 
 TEST(Boundary, NamesASideThatTheMeshDoesNotHave)

@@ -1,6 +1,8 @@
 #include "input/expression.hpp"
 
+#include <cmath>
 #include <gmock/gmock.h>
+#include <limits>
 #include <numbers>
 
 namespace terp {
@@ -41,6 +43,26 @@ TEST(Expression, KeepsItsVariablesWhenItIsMoved)
   Expression f("x^2", {"x"}, {});
   const Expression g = std::move(f);
   EXPECT_DOUBLE_EQ(g(std::vector<Real>{3.0}), 9.0);
+}
+
+TEST(Expression, OfWhatIsNoNumberIsNone)
+{
+  constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
+  for (const char* text : {"x", "max(1,x)", "max(x,1)", "min(1,x,2)", "x < 3 ? 0 : 1", "x > 3 || 1", "step(x)", "a + 0*x"}) {
+    EXPECT_TRUE(std::isnan(Expression(text, {"x", "y"}, {{"a", 1.0}})(std::vector<Real>{nan, 0.0}))) << text;
+    EXPECT_TRUE(std::isnan(evaluate(text, {{"x", nan}, {"a", 1.0}}))) << text;
+  }
+  EXPECT_TRUE(std::isnan(evaluate("max(0,sqrt(-1))", {})));
+  EXPECT_TRUE(std::isnan(evaluate("step(sqrt(-1))", {})));
+  EXPECT_EQ(Expression("y + a", {"x", "y"}, {{"a", 1.0}})(std::vector<Real>{nan, 2.0}), 3.0);  // which it does not speak of
+  EXPECT_EQ(evaluate("max(-1,-3,-2)", {}), -1.0);
+  EXPECT_EQ(evaluate("min(-1,-3,-2)", {}), -3.0);
+}
+
+TEST(Expression, RefusesAConstantWithTheNameOfAVariable)
+{
+  EXPECT_THROW(Expression("2*p", {"p"}, {{"p", 1.0}}), ExpressionError);
+  EXPECT_EQ(Expression("2*q", {"p", "q"}, {{"p", 1.0}})(std::vector<Real>{0.0, 4.0}), 8.0);  // nobody can take the one for the other
 }
 
 TEST(Expression, NamesWhatIsNotKnownAndTheNearestName)

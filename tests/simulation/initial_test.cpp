@@ -182,6 +182,15 @@ TEST(Equilibrium, AColumnThatCannotStandIsRefused)
   EXPECT_THAT(seek(s), testing::MatchesRegex(expected));
 }
 
+TEST(Equilibrium, AColumnThatFlowsUntilItRestsIsRefused)
+{
+  Case c = test::column("mpm_gp", 0.25);
+  c.initial.stress = InitialStress::equilibrium;
+  Simulation s(c);
+  EXPECT_THAT(seek(s), testing::MatchesRegex("no equilibrium: the body came to rest only after [0-9]+ % of its soil had yielded and moved by up to [1-9][.][0-9]+ m\n\n"
+                                             "  likely   the body cannot stand under its own weight\n.*"));
+}
+
 TEST(Equilibrium, ARunThatFindsNoneStopsItself)
 {
   Case c = test::column("mpm_gp");

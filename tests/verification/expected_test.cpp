@@ -140,6 +140,44 @@ TEST(Expected, WhatTooFewRunsCannotTellIsRefused)
   EXPECT_THAT(compared("mesh_error", ""), HasSubstr("`rate` needs 3 runs of one scheme"));
 }
 
+TEST(Expected, WhatComparesRunsIsOfWhatEachRunMeasures)
+{
+  const std::string end = "source = \"Newton\"\n", order = "[[quantity]]\nname = \"rate\"\nkind = \"order\"\nof = \"rate\"\nover = \"V\"\nat_least = 1\n" + end;
+  EXPECT_THAT(seen_with(end, end + order), HasSubstr("expected.toml:21:1: `of` names `rate`, which compares runs itself"));
+}
+
+TEST(Expected, AWordOfFormulasHasOneMeaning)
+{
+  EXPECT_THAT(seen_with("twice =", "dt ="), HasSubstr("expected.toml:4:1: `dt` has a meaning of its own in formulas"));
+  EXPECT_THAT(seen_with("twice =", "\"a b\" ="), HasSubstr("`a b` is no name for a formula"));
+  EXPECT_THAT(seen_with("twice =", "2x ="), HasSubstr("`2x` is no name for a formula"));
+  const std::string end = "source = \"Newton\"\n", path = "value = \"ux\"\n";
+  EXPECT_EQ(seen_with(path, path + "as = \"p\"\n"), "accepted");
+  EXPECT_THAT(seen_with(path, path + "as = \"pi\"\n"), HasSubstr("expected.toml:16:6: `pi` has a meaning of its own"));
+  EXPECT_THAT(seen_with(path, path + "as = \"twice\"\n"), HasSubstr("as = \"twice\" is a constant already"));
+  const std::string another = "[[quantity]]\nname = \"n\"\nkind = \"summary\"\nvalue = \"n_points\"\nas = \"p\"\n";
+  EXPECT_THAT(seen_with("[[quantity]]\n", another + another + "[[quantity]]\n"), HasSubstr("there are two quantities `n` of one run"));
+  std::string renamed = another;
+  renamed.replace(renamed.find("\"n\""), 3, "\"m\"");
+  EXPECT_THAT(seen_with("[[quantity]]\n", another + renamed + "[[quantity]]\n"), HasSubstr("there are two quantities with as = \"p\" in one run"));
+}
+
+TEST(Expected, TheSearchForAFactorHasTheBoundsOfTheCommand)
+{
+  const auto with = [](const std::string& bounds) { return seen_with("seconds = 3", "seconds = 3\nstability = " + bounds); };
+  EXPECT_EQ(with("[0.8, 1.2, 0.02]"), "accepted");
+  for (const std::string bounds : {"[0.8, 1.2, -1]", "[0.8, 1.2, 0]", "[1.2, 0.8, 0.02]", "[0, 1.2, 0.02]", "[0.8, 1.2, nan]", "[0.8, 101, 0.02]", "[0.8, 1.2]"})
+    EXPECT_THAT(with(bounds), HasSubstr("`stability` must be [from, to, tolerance] of the factor")) << bounds;
+}
+
+TEST(Expected, NamesAndTimesAreOfUse)
+{
+  EXPECT_THAT(seen_with("seconds = 3", "seconds = -5"), HasSubstr("`seconds` must be a number of seconds, 0 or more"));
+  EXPECT_THAT(seen_with("seconds = 3", "seconds = \"five\""), HasSubstr("`seconds` must be a number of seconds"));
+  EXPECT_THAT(seen_with("name = \"b\"", "name = \"b\\u001b[2J\""), HasSubstr("`name` must be one line of text without control characters"));
+  EXPECT_THAT(seen_with("name = \"path\"", "name = \"pa\\nth\""), HasSubstr("`name` must be one line of text without control characters"));
+}
+
 TEST(Expected, ASchemeTwiceIsRefused)
 {
   EXPECT_THAT(seen_with("\"mpm_mixed\"]", "\"mpm_gp\"]"), HasSubstr("expected.toml:7:22: `mpm_gp` is in `schemes` already"));

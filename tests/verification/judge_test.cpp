@@ -72,6 +72,7 @@ TEST(Judge, WhatIsNoNumberNeverPasses)
   Finding f = finding(s.add("time"), NAN, 2.0, 1e9);
   EXPECT_EQ(judge_one(s, f).verdict, Verdict::fail);
   EXPECT_EQ(judge_one(s, f).terp, "never");
+  EXPECT_EQ(judge_one(s, f).remark, "the formula gives no finite number, or speaks of one that is none");
   f.tolerance = NAN, f.at_most = 1.0;
   EXPECT_EQ(judge_one(s, f).verdict, Verdict::fail);
 }

@@ -103,6 +103,25 @@ TEST(SolveVariant, ATimeWithoutARowIsRefused)
   EXPECT_EQ(fault_of(mass + "reduce = \"arrival\"\nthreshold = 1e9"), "");  // never, but looked for
 }
 
+TEST(SolveVariant, TheReferenceOfASeriesIsReducedAsTheSeriesIs)
+{
+  const std::string way = "name = \"way\"\nkind = \"point\"\nat = [0.6, 0.1]\nvalue = \"x\"\nreference = \"x0+V*t\"\ntolerance = 1e-9\nreduce = ";  // frames 0, 0.1, ..., 0.5
+  for (const auto& [reduce, expected] : std::vector<std::pair<std::string, Real>>{{"mean", 1.125}, {"max", 1.625}, {"min", 0.625}, {"sum", 6.75}, {"last", 1.625}}) {
+    const Finding f = find(way + '"' + reduce + '"');
+    EXPECT_EQ(f.fault, "") << reduce;
+    EXPECT_NEAR(f.value, expected, 1e-9) << reduce;
+    EXPECT_NEAR(f.reference, expected, 1e-9) << reduce;
+  }
+  EXPECT_THAT(fault_of(way + "\"arrival\"\nthreshold = 1"), HasSubstr("`t` is not known here"));
+}
+
+TEST(SolveVariant, AConstantDoesNotHideWhatIsMeasured)
+{
+  const Solved solved = solve(quantity("name = \"p\"\nvalue = \"x\"\nas = \"y\"\nreduce = \"mean\"") + quantity("name = \"q\"\nvalue = \"y\"\nreduce = \"mean\"\nat_least = 0"));
+  ASSERT_EQ(solved.findings.size(), 1u);
+  EXPECT_THAT(solved.findings[0].fault, HasSubstr("`y` is a constant and the name of what stands here"));
+}
+
 TEST(SolveVariant, AFootingThatTheCaseHasNotIsRefused)
 {
   EXPECT_THAT(fault_of("name = \"push\"\nkind = \"footing\"\nvalue = \"reaction_y\"\nreduce = \"max\"\nat_least = 1"),
