@@ -17,6 +17,10 @@ std::string scratch_file()
 
 }  // namespace
 
+/// HDF5 1.10 loses what it had decoded of an object header that turns out to be damaged (H5O_protect): some hundred bytes per file, refused all the
+/// same. A handle of ours that is not closed stays in the tables of HDF5 and is no leak to the sanitizer.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5_serial\n"; }
+
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
 {
   static const std::string path = scratch_file();
