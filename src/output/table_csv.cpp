@@ -69,11 +69,13 @@ Part part_until(std::string_view table, Real time)
   return part;
 }
 
-/// The text of a table, which must have this header.
+/// The text of a table, which must have this header; nothing if the run was killed while it wrote that.
 std::string read_table(const std::string& path, std::string_view header)
 {
   std::string table = read_file(path);
-  if (table.starts_with(std::string(header) + '\n')) return table;
+  const std::string first_line = std::string(header) + '\n';
+  if (table.starts_with(first_line)) return table;
+  if (first_line.starts_with(table)) return "";
   throw FileError(fmt::format("cannot continue {}: its columns are not those of terp {}", path, TERP_VERSION));
 }
 
@@ -140,7 +142,7 @@ void drop_rows_after(const std::string& path, std::string_view header, Real time
   if (!std::filesystem::exists(path)) return;
   const std::string table = read_table(path, header);
   const std::size_t length = part_until(table, time).length;
-  if (length < table.size()) write_file_atomically(path, std::string_view(table).substr(0, length));
+  if (length < std::filesystem::file_size(path)) write_file_atomically(path, std::string_view(table).substr(0, length));
 }
 
 TableFile::TableFile(const std::string& path, std::string_view header) : file_(path)

@@ -72,6 +72,21 @@ TEST(TableCsv, ALastRowThatWasCutShortIsDropped)
   EXPECT_EQ(read_file(path), std::string(ledger_header) + "\n" + csv_line(sample_ledger(0.1)));
 }
 
+/// A table is begun when its first row comes, which may be after the checkpoint that a run goes on from.
+TEST(TableCsv, OneThatWasCutWithinItsHeaderIsBegunAgain)
+{
+  const std::string header = std::string(left_header) + '\n';
+  for (const std::size_t length : {std::size_t{0}, std::size_t{12}, header.size() - 1}) {
+    const test::ScratchFolder folder;
+    const std::string path = folder.path() + "/left_the_mesh.csv";
+    write_file_atomically(path, header.substr(0, length));
+    EXPECT_EQ(read_part_until(path, left_header, 5.0).n_rows, 0) << length;
+    drop_rows_after(path, left_header, 5.0);
+    TableFile(path, left_header).append("");
+    EXPECT_EQ(read_file(path), header) << length;
+  }
+}
+
 TEST(TableCsv, CountsTheWholeRowsUpToATime)
 {
   const test::ScratchFolder folder;
