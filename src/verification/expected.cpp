@@ -271,7 +271,7 @@ Quantity read_quantity(const Expected& file, const Node& table)
 
 bool share_a_run(const Names& a, const Names& b)  // none named: all
 {
-  return a.empty() || b.empty() || std::any_of(a.begin(), a.end(), [&](const std::string& run) { return std::find(b.begin(), b.end(), run) != b.end(); });
+  return a.empty() || std::any_of(a.begin(), a.end(), [&](const std::string& run) { return names_run(b, run); });
 }
 
 /// One word of `as` means one number in a run.
@@ -336,8 +336,6 @@ void check_names(const Expected& file)
   }
 }
 
-bool names(const Names& list, const std::string& name) { return list.empty() || std::find(list.begin(), list.end(), name) != list.end(); }
-
 /// What too few runs cannot tell would have no row, and nobody would miss it.
 void check_run_counts(const Expected& file)
 {
@@ -346,7 +344,7 @@ void check_run_counts(const Expected& file)
     std::map<std::string, std::ptrdiff_t> n_runs{{"", 0}};  // of each scheme; "": that of the case, which may be any of them
     for (const Quantity& measured : file.quantities)
       for (const Variant& v : file.variants)
-        if (measured.name == q.of && names(measured.runs, v.name) && names(q.runs, v.name))
+        if (measured.name == q.of && names_run(measured.runs, v.name) && names_run(q.runs, v.name))
           for (const std::string& scheme : v.schemes.empty() ? Names{""} : v.schemes) ++n_runs[scheme];
     std::ptrdiff_t most = 0;
     for (const auto& [scheme, n] : n_runs) most = std::max(most, n + (scheme.empty() ? 0 : n_runs[""]));

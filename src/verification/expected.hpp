@@ -4,6 +4,7 @@
 
 #include "input/document.hpp"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <string>
@@ -79,6 +80,12 @@ Expected read_expected(const std::string& path);
 inline bool is_auxiliary(const Quantity& q)
 {
   return !(q.tolerance.given() || q.relative.given() || q.at_least.given() || q.at_most.given());
+}
+
+/// True if a list of runs speaks of this one; an empty list speaks of all.
+inline bool names_run(const std::vector<std::string>& runs, const std::string& run)
+{
+  return runs.empty() || std::find(runs.begin(), runs.end(), run) != runs.end();
 }
 
 /// It needs the limit that the runs of a scheme tend to.

@@ -39,12 +39,6 @@ bool agrees(const Finding& f)
   return error_of(f) <= (std::isnan(f.relative) ? f.tolerance : f.relative);
 }
 
-/// An empty list names all.
-bool names_run(const std::vector<std::string>& runs, const std::string& run)
-{
-  return runs.empty() || std::find(runs.begin(), runs.end(), run) != runs.end();
-}
-
 /// True if a quantity is declared red for this run and scheme.
 bool declared_red(const Quantity& q, const std::string& run, const std::string& scheme)
 {

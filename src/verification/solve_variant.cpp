@@ -119,8 +119,7 @@ void read_bounds(const Scope& scope, Finding& f)
 
 bool measures(const Quantity& quantity, const Variant& variant)
 {
-  if (compares_runs(quantity)) return false;
-  return quantity.runs.empty() || std::find(quantity.runs.begin(), quantity.runs.end(), variant.name) != quantity.runs.end();
+  return !compares_runs(quantity) && names_run(quantity.runs, variant.name);
 }
 
 std::vector<Solve> list_solves(const Expected& file, bool with_short, bool with_long)
