@@ -62,10 +62,13 @@ kill: install    ## kill KILLS=200 runs at random moments, resume them, compare 
 	@cmake --build $(BUILD) --target terp kill_at_call
 	@/usr/bin/python3 tests/reliability/kill_runs.py $(TERP) --library $(BUILD)/tests/reliability/libkill_at_call.so --kills $(KILLS)
 
-fuzz: install    ## fuzz each reader of files for FUZZ_SECONDS=600 with libFuzzer (clang)
+fuzz: install    ## fuzz each reader of files with libFuzzer (clang), FUZZ_SECONDS=600 fast, as many with sanitizers
 	@tools/install-dependencies --checks
-	@cmake -S . -B $(BUILD)/fuzz -G Ninja -DTERP_FUZZ=ON -DTERP_TESTS=OFF $(CLANG) >/dev/null
+	@cmake -S . -B $(BUILD)/fuzz_fast -G Ninja -DTERP_FUZZ=ON $(CLANG) >/dev/null
+	@cmake --build $(BUILD)/fuzz_fast
+	@cmake -S . -B $(BUILD)/fuzz -G Ninja -DTERP_FUZZ=ON -DTERP_SANITIZE=ON $(CLANG) >/dev/null
 	@cmake --build $(BUILD)/fuzz
+	@tests/fuzz/run $(BUILD)/fuzz_fast/tests/fuzz $(BUILD)/fuzz/found $(FUZZ_SECONDS)
 	@tests/fuzz/run $(BUILD)/fuzz/tests/fuzz $(BUILD)/fuzz/found $(FUZZ_SECONDS)
 
 sanitize: install ## the tests with the address, undefined-behaviour and thread sanitizers

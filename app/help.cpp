@@ -53,7 +53,7 @@ Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else
 constexpr std::pair<std::string_view, std::string_view> pages[] = {
     {"run", R"(Usage: terp run CASE.toml [options]
 
-Solves a case. Results go to runs/<case name>/ (docs/formats.md).
+Solves a case. Results go to runs/NAME/ for NAME.toml and for NAME/case.toml (docs/formats.md).
 
   -o, --output DIR        another folder
   -j, --threads N         CPU threads (default: what this job may use)

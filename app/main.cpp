@@ -8,6 +8,7 @@
 #include "input/printable.hpp"
 #include "parallel/kernels.hpp"
 #include "parallel/memory.hpp"
+#include "stability/limits.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -71,10 +72,10 @@ CLI::App* add_case_command(CLI::App& app, const char* name, CommandLine& line)
 CLI::App* add_stability_command(CLI::App& app, CommandLine& line)
 {
   CLI::App* command = add_case_command(app, "stability", line);
-  const auto factors = number_between(0.01, 100.0), shares = number_between(0.0, 0.99);
+  const auto factors = number_between(terp::least_factor, terp::greatest_factor), shares = number_between(0.0, 0.99);
   command->add_option("--from", line.stability.search.from)->check(factors);
   command->add_option("--to", line.stability.search.to)->check(factors);
-  command->add_option("--tolerance", line.stability.search.tolerance)->check(number_between(1e-4, 1.0));
+  command->add_option("--tolerance", line.stability.search.tolerance)->check(number_between(terp::least_tolerance, terp::greatest_tolerance));
   command->add_option("--damping", line.stability.rules.damping)->check(shares);
   command->add_option("--rest", line.stability.rules.rest)->check(number_between(1e-9, 0.1));
   command->add_option("--failure", line.stability.rules.failure)->check(number_between(1e-3, 1e3));

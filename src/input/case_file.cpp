@@ -81,11 +81,20 @@ std::string text_for_the_record(const Document& document, const std::string& fol
   return head + '\n' + write_toml(root);
 }
 
+/// The name of a case: that of its file; of a file that is just called case.toml that of its folder.
+std::string name_of_case(const std::string& case_path)
+{
+  const std::string name = fs::path(case_path).stem().string();
+  if (name != "case") return name;
+  const std::string folder = fs::absolute(case_path).lexically_normal().parent_path().filename().string();
+  return folder.empty() ? name : folder;
+}
+
 }  // namespace
 
 std::string default_run_folder(const std::string& case_path)
 {
-  const std::string name = fs::path(case_path).stem().string();
+  const std::string name = name_of_case(case_path);
   if (name == "." || name == "..")
     refuse_file(case_path, fmt::format("its run would be named `{0}`, and runs/{0} is no folder of its own", name),
                 fmt::format("Rename the case file, or say where the results go: terp run {} -o DIR", case_path));
@@ -100,7 +109,7 @@ CaseFile read_case_text(const std::string& text, const std::string& path, const 
   Findings findings;
   for (const std::string& change : overrides)
     if (auto problem = apply_override(file.source.root, change)) findings.problems.push_back(*problem);
-  file.values.name = fs::path(path).stem().string();
+  file.values.name = name_of_case(path);
   file.values.folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path().string() : ".";
   read_values(file.source.root, file.values, findings);
   check_case(file.source.root, file.values, findings);

@@ -26,7 +26,7 @@ class CaseError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Where the run of a case file goes unless told otherwise: runs/NAME of NAME.toml. Throws CaseError where NAME is `.` or `..`, as of
+/// Where the run of a case file goes unless told otherwise: runs/NAME of NAME.toml, and of NAME/case.toml. Throws CaseError where NAME is `.` or `..`, as of
 /// the file `...toml`: its run would be written beside or above runs/.
 std::string default_run_folder(const std::string& case_path);
 

@@ -100,7 +100,7 @@ void write_head(Hdf5File& file, const StateImage& part, const std::string& case_
 std::int64_t check_format(const Hdf5File& file, const std::string& path)
 {
   if (file.text("/", "format") != format_name) throw FileError(fmt::format("{} is not a checkpoint of Terp", path));
-  const std::int64_t version = file.integers("/", "format_version").at(0);
+  const std::int64_t version = file.integer("/", "format_version");
   if (version >= oldest_read && version <= format_version) return version;
   throw FileError(fmt::format(
       "cannot read {}: it has checkpoint format {}, written by terp {}; this is terp {}, which reads formats {} to {}", path,
@@ -216,7 +216,7 @@ StateImage read_checkpoint(const std::string& path)
   const std::int64_t version = check_format(file, path);
   StateImage image;
   image.time = file.real("/", "time");
-  image.step = file.integers("/", "step").at(0);
+  image.step = file.integer("/", "step");
   if (version >= first_with_case) image.case_record = read_text(file, case_place);
   if (version >= first_with_tables) image.tables = read_text(file, tables_place);
   for (const auto& name : split_names(file.text(arrays, "names"))) image.arrays.push_back(read_array(file, name));

@@ -7,6 +7,7 @@
 #include "output/hdf5_driver.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <hdf5.h>
 
 #include <algorithm>
@@ -105,6 +106,53 @@ std::vector<hsize_t> extent_of(hid_t space)
 Id open_dataset(hid_t file, const std::string& path, const std::string& name)
 {
   return {checked(H5Dopen2(file, name.c_str(), H5P_DEFAULT), "open", path, name), H5Dclose};
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& object, const std::string& why)
+{
+  throw FileError(fmt::format("cannot read {} in {}: {}", object, path, why));
+}
+
+/// Most values that one stored value can stand for: deflate shrinks 1032 times at best, what is not compressed does not shrink.
+hsize_t greatest_compression(hid_t properties)
+{
+  const bool compressed = H5Pget_layout(properties) == H5D_CHUNKED && H5Pget_nfilters(properties) > 0;
+  return compressed ? 1032 : 1;
+}
+
+/// True if a box of this shape has no more than `most` items.
+bool has_at_most(hsize_t most, const std::vector<hsize_t>& shape)
+{
+  if (std::find(shape.begin(), shape.end(), 0u) != shape.end()) return true;
+  for (const hsize_t n : shape) most /= n;  // divided instead of multiplied, which may overflow
+  return most > 0;
+}
+
+/// Throws where a dataset asks for more than its file can hold, in values, in values per chunk or in chunks (HDF5 takes some 400 bytes for
+/// each to read them): memory is asked for by what it says.
+void check_size(hid_t dataset, hid_t file, const std::string& path, const std::string& name)
+{
+  const Id properties{H5Dget_create_plist(dataset), H5Pclose};
+  const std::vector<hsize_t> extent = extent_of(Id{H5Dget_space(dataset), H5Sclose});
+  std::vector<hsize_t> chunk = extent, n_chunks(extent.size(), 1);
+  if (H5Pget_layout(properties) == H5D_CHUNKED) {
+    H5Pget_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
+    for (std::size_t k = 0; k < chunk.size(); ++k) n_chunks[k] = extent[k] / chunk[k] + (extent[k] % chunk[k] > 0);
+  }
+  hsize_t n_bytes = 0;
+  checked(H5Fget_filesize(file, &n_bytes), "read", path);
+  const hsize_t size = std::max<hsize_t>(1, H5Tget_size(Id{H5Dget_type(dataset), H5Tclose}));
+  const hsize_t most = n_bytes * greatest_compression(properties) / size, most_chunks = n_bytes / sizeof(haddr_t);
+  if (has_at_most(most, extent) && has_at_most(most, chunk) && has_at_most(most_chunks, n_chunks)) return;
+  refuse(path, name, fmt::format("its shape is {} in pieces of {}, more than a file of {} bytes can hold", fmt::join(extent, " x "), fmt::join(chunk, " x "), n_bytes));
+}
+
+/// A dataset that can be read into memory.
+Id open_to_read(hid_t file, const std::string& path, const std::string& name)
+{
+  Id dataset = open_dataset(file, path, name);
+  check_size(dataset, file, path, name);
+  return dataset;
 }
 
 /// Opens an attribute for writing. One that is there is written in place if its type and size are the same.
@@ -285,7 +333,7 @@ void Hdf5File::write(const std::string& name, const std::vector<std::int64_t>& s
 template <class T>
 std::vector<T> Hdf5File::read(const std::string& name) const
 {
-  const Id dataset = open_dataset(file_, path_, name);
+  const Id dataset = open_to_read(file_, path_, name);
   const Id space{H5Dget_space(dataset), H5Sclose};
   std::vector<T> values(static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space), "read", path_, name)));
   checked(H5Dread(dataset, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read", path_, name);
@@ -295,11 +343,12 @@ std::vector<T> Hdf5File::read(const std::string& name) const
 template <class T>
 std::vector<T> Hdf5File::read_rows(const std::string& name, std::int64_t first_row, std::int64_t n_rows) const
 {
-  const Id table = open_dataset(file_, path_, name);
+  const Id table = open_to_read(file_, path_, name);
   const Id space{H5Dget_space(table), H5Sclose};
   std::vector<hsize_t> count = extent_of(space), start(count.size(), 0);
-  const std::int64_t n_there = count.empty() ? 0 : static_cast<std::int64_t>(count[0]);
-  if (count.empty() || first_row < 0 || n_rows < 0 || n_rows > n_there - first_row)
+  if (count.empty() || count.size() > 2 || (count.size() == 2 && count[1] == 0)) refuse(path_, name, "it is no table");
+  const auto n_there = static_cast<std::int64_t>(count[0]);
+  if (first_row < 0 || n_rows < 0 || n_rows > n_there - first_row)
     throw FileError(fmt::format("cannot read rows {} to {} of {} in {}: it has {}", first_row, first_row + n_rows - 1, name, path_, n_there));
   start[0] = static_cast<hsize_t>(first_row);
   count[0] = static_cast<hsize_t>(n_rows);
@@ -357,6 +406,16 @@ Id open_attribute(hid_t file, const std::string& path, const std::string& object
           H5Aclose};
 }
 
+std::size_t count_values(hid_t attribute)
+{
+  return static_cast<std::size_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(Id{H5Aget_space(attribute), H5Sclose})));
+}
+
+void check_single(hid_t attribute, const std::string& path, const std::string& name)
+{
+  if (const std::size_t n = count_values(attribute); n != 1) refuse(path, name, fmt::format("it has {} values, one is expected", n));
+}
+
 }  // namespace
 
 bool Hdf5File::has_attribute(const std::string& object, const std::string& attribute) const
@@ -368,9 +427,7 @@ std::string Hdf5File::text(const std::string& object, const std::string& attribu
 {
   const Id opened = open_attribute(file_, path_, object, attribute);
   const Id type{H5Aget_type(opened), H5Tclose};
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) {
-    throw FileError(fmt::format("cannot read {} in {}: not a text of fixed length", attribute, path_));
-  }
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 || count_values(opened) != 1) refuse(path_, attribute, "it is no text of fixed length");
   std::string value(H5Tget_size(type), '\0');
   checked(H5Aread(opened, type, value.data()), "read", path_, attribute);
   return value.substr(0, value.find('\0'));
@@ -378,19 +435,26 @@ std::string Hdf5File::text(const std::string& object, const std::string& attribu
 
 Real Hdf5File::real(const std::string& object, const std::string& attribute) const
 {
+  const Id opened = open_attribute(file_, path_, object, attribute);
+  check_single(opened, path_, attribute);
   Real value = 0.0;
-  checked(H5Aread(open_attribute(file_, path_, object, attribute), H5T_NATIVE_DOUBLE, &value), "read", path_,
-          attribute);
+  checked(H5Aread(opened, H5T_NATIVE_DOUBLE, &value), "read", path_, attribute);
   return value;
 }
 
 std::vector<std::int64_t> Hdf5File::integers(const std::string& object, const std::string& attribute) const
 {
   const Id opened = open_attribute(file_, path_, object, attribute);
-  std::vector<std::int64_t> values(
-      static_cast<std::size_t>(H5Sget_simple_extent_npoints(Id{H5Aget_space(opened), H5Sclose})));
+  std::vector<std::int64_t> values(count_values(opened));
   checked(H5Aread(opened, H5T_NATIVE_INT64, values.data()), "read", path_, attribute);
   return values;
+}
+
+std::int64_t Hdf5File::integer(const std::string& object, const std::string& attribute) const
+{
+  const auto values = integers(object, attribute);
+  if (values.size() != 1) refuse(path_, attribute, fmt::format("it has {} values, one is expected", values.size()));
+  return values[0];
 }
 
 #define TERP_HDF5_TYPE(T)                                                                                     \

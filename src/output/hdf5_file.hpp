@@ -14,6 +14,9 @@ namespace terp {
 /// An HDF5 file. Objects are named by their path, e.g. "/VTKHDF/Points"; numbers are stored little-endian.
 /// T is Real, std::int64_t or std::uint8_t. Every failure throws FileError.
 ///
+/// What is read may come from anywhere: an attribute of another kind or number of values than asked for, and a dataset that claims more
+/// values than the file can hold, throw as well.
+///
 /// The file is not locked, so that it can be looked at while a run writes it. One that is opened with Mode::commit is left with the old
 /// content or the new, whatever happens (committed_file.hpp).
 class Hdf5File {
@@ -71,6 +74,7 @@ class Hdf5File {
   bool has_attribute(const std::string& object, const std::string& attribute) const;
   std::string text(const std::string& object, const std::string& attribute) const;
   Real real(const std::string& object, const std::string& attribute) const;
+  std::int64_t integer(const std::string& object, const std::string& attribute) const;
   std::vector<std::int64_t> integers(const std::string& object, const std::string& attribute) const;
 
  private:

@@ -41,7 +41,7 @@ std::int64_t largest_size(std::int64_t n_nodes, std::int64_t n_cells) { return 8
 
 std::int64_t count_of(const Hdf5File& file, const char* data)
 {
-  return file.read<std::int64_t>(root + (data == std::string_view("CellData") ? "/NumberOfCells" : "/NumberOfPoints")).at(0);
+  return file.read_rows<std::int64_t>(root + (data == std::string_view("CellData") ? "/NumberOfCells" : "/NumberOfPoints"), 0, 1)[0];
 }
 
 /// A table of n_rows; add_row(k, values) appends row k. A part at a time: all of a large mesh would be the most memory that a run ever takes.
@@ -119,7 +119,7 @@ void MeshFile::create(const Mesh<2>& mesh, bool with_steps) const
 void MeshFile::append(const MeshFrame& frame) const
 {
   Hdf5File file(path_, Hdf5File::Mode::commit, largest_size(std::ssize(frame.mass), std::ssize(frame.pressure)));
-  const std::int64_t k = file.integers(steps, "NSteps").at(0);
+  const std::int64_t k = file.integer(steps, "NSteps");
   write_field(file, mass, k, frame.mass);
   write_field(file, velocity, k, frame.velocity);
   write_field(file, pressure, k, frame.pressure);

@@ -115,7 +115,7 @@ void check_fit(const Hdf5File& file, const std::string& path, const Frame& frame
   const auto refuse = [&](const std::string& why) {
     throw FileError(fmt::format("cannot add the frame of step {} to {}: {}", frame.step, path, why));
   };
-  const std::int64_t n = file.read<std::int64_t>(root + "/NumberOfPoints").at(0);
+  const std::int64_t n = file.read_rows<std::int64_t>(root + "/NumberOfPoints", 0, 1)[0];
   if (n != frame.n_whole()) refuse(fmt::format("the file has {} points, the run {}", n, frame.n_whole()));
   for (const auto& field : frame.fields) {
     const std::string name = point_data + "/" + field.name;
@@ -161,7 +161,7 @@ void ResultsFile::append(const Frame& frame)
     file = std::make_unique<Hdf5File>(path_, Hdf5File::Mode::commit, largest_size(frame, frame.n_whole()));
   }
   check_fit(*file, path_, frame);
-  const std::int64_t k = file->integers(steps, "NSteps").at(0);
+  const std::int64_t k = file->integer(steps, "NSteps");
   write_points(*file, frame, k);
   if (!frame.ends()) {
     open_ = std::move(file);
@@ -185,7 +185,7 @@ std::unique_ptr<Hdf5File> ResultsFile::open_to_cut() const
 
 void ResultsFile::cut_after(Hdf5File& file, std::int64_t step)
 {
-  const std::int64_t n = file.read<std::int64_t>(root + "/NumberOfPoints").at(0);
+  const std::int64_t n = file.read_rows<std::int64_t>(root + "/NumberOfPoints", 0, 1)[0];
   std::vector<StepTable> tables{{root + "/Points", n}};
   for (const auto& name : file.members(point_data)) {
     if (name != "id") tables.push_back({point_data + "/" + name, n});

@@ -45,7 +45,7 @@ void add_header(Hdf5File& file, const std::string& run)
 
 std::string why_of_another_run(const Hdf5File& file, const std::string& run, std::int64_t n_cells)
 {
-  const std::int64_t n = file.read<std::int64_t>(root + "/NumberOfCells").at(0);
+  const std::int64_t n = file.read_rows<std::int64_t>(root + "/NumberOfCells", 0, 1)[0];
   if (n != n_cells) return fmt::format("it has {} cells, the run {}", n, n_cells);
   const std::string other = file.has_attribute("/", "case") ? file.text("/", "case") : run;
   return run.empty() || other == run ? "" : fmt::format("it is of a run of another case (`case` in it is {}, of this run {})", other, run);
@@ -88,7 +88,7 @@ void write_step(Hdf5File& file, std::int64_t k, Real time, std::int64_t step, st
 std::int64_t count_steps(const Hdf5File& file, std::int64_t step)
 {
   const auto step_numbers = file.read<std::int64_t>(steps + "/step");
-  const std::int64_t n_whole = std::min(file.integers(steps, "NSteps").at(0), std::ssize(step_numbers));
+  const std::int64_t n_whole = std::clamp<std::int64_t>(file.integer(steps, "NSteps"), 0, std::ssize(step_numbers));
   return std::upper_bound(step_numbers.begin(), step_numbers.begin() + n_whole, step) - step_numbers.begin();
 }
 

@@ -14,6 +14,7 @@ namespace {
 
 const std::string root = "/VTKHDF";
 const std::string point_data = root + "/PointData";
+constexpr std::int64_t most_columns = 1000;
 constexpr std::int64_t known_version = 2;  // the first number of the format's version; the second adds what an old reader passes over
 
 }  // namespace
@@ -25,15 +26,25 @@ Frames::Frames(const std::string& path) : path_(path), file_(path, Hdf5File::Mod
     throw FileError(fmt::format("cannot read {}: it is of VTKHDF version {}, terp {} reads version {}\n  A newer terp wrote it: read it with that one.", path,
                                 fmt::join(version, "."), TERP_VERSION, known_version));
   const std::string steps = root + "/Steps";
-  n_points_ = file_.read<std::int64_t>(root + "/NumberOfPoints").at(0);
-  const std::int64_t n_frames = file_.integers(steps, "NSteps").at(0);  // what follows may be half written
+  n_points_ = file_.read_rows<std::int64_t>(root + "/NumberOfPoints", 0, 1)[0];
+  const std::int64_t n_frames = file_.integer(steps, "NSteps");  // what follows may be half written
   times_ = file_.read_rows<Real>(steps + "/Values", 0, n_frames);
   steps_ = file_.read_rows<std::int64_t>(steps + "/step", 0, n_frames);
+  if (check_table(root + "/Points") != 3) throw FileError(fmt::format("cannot read {}: its points have no three coordinates", path));
   for (const auto& name : file_.members(point_data)) {
-    if (name == "id") continue;
-    const auto shape = file_.shape(point_data + "/" + name);
-    fields_.push_back({name, file_.text(point_data + "/" + name, "unit"), shape.size() == 1 ? 1 : static_cast<int>(shape[1])});
+    const std::string table = point_data + "/" + name;
+    if (name != "id") fields_.push_back({name, file_.text(table, "unit"), check_table(table)});
   }
+}
+
+int Frames::check_table(const std::string& name) const
+{
+  const auto shape = file_.shape(name);
+  const std::int64_t n_columns = shape.size() == 1 ? 1 : shape.size() == 2 ? shape[1] : 0;
+  if (n_columns < 1 || n_columns > most_columns) throw FileError(fmt::format("cannot read {} in {}: its shape is {}, no table of numbers per point", name, path_, fmt::join(shape, " x ")));
+  if (n_points_ < 0 || (n_points_ > 0 && shape[0] / n_points_ < std::ssize(times_)))
+    throw FileError(fmt::format("cannot read {} in {}: it has {} rows, {} frames of {} points take more", name, path_, shape[0], times_.size(), n_points_));
+  return static_cast<int>(n_columns);
 }
 
 std::vector<Real> Frames::places(std::size_t k) const

@@ -19,7 +19,7 @@ struct ResultField {
 /// The file stays open for as long as this lives. A run that goes on may add frames; they are not seen.
 class Frames {
  public:
-  /// Throws FileError if the file is missing or not of the format.
+  /// Throws FileError if the file is missing, not of the format, or does not hold what it says.
   explicit Frames(const std::string& path);
 
   std::int64_t n_points() const { return n_points_; }
@@ -36,6 +36,8 @@ class Frames {
 
  private:
   const ResultField* find(std::string_view name) const;
+  /// Columns of a table that holds a row for each point in each frame; throws FileError if it does not.
+  int check_table(const std::string& name) const;
 
   std::string path_;
   Hdf5File file_;

@@ -1,5 +1,7 @@
 #include "stability/bisection.hpp"
 
+#include "stability/limits.hpp"
+
 #include <algorithm>
 #include <cmath>
 

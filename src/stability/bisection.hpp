@@ -20,9 +20,6 @@ struct Bisection {
   bool found() const { return stable.has_value() && failed.has_value(); }
 };
 
-/// Least and greatest factor that is tried.
-inline constexpr Real least_factor = 0.01, greatest_factor = 100.0;
-
 /// The next factor to try; none: the search has ended. What is undecided counts as not standing.
 std::optional<Real> next_factor(const Bisection& so_far, const BisectionOptions& options);
 

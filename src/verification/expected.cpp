@@ -4,6 +4,7 @@
 #include "input/closest.hpp"
 #include "input/render.hpp"
 #include "input/values.hpp"
+#include "stability/limits.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -151,8 +152,9 @@ std::vector<Real> read_stability(const TableReader& reader, const Node& bounds)
     reader.wrong(bounds, "[from, to, tolerance] of the factor");
   std::vector<Real> values;
   for (const Node& n : bounds.items) values.push_back(n.kind == NodeKind::integer ? static_cast<Real>(n.integer) : n.number);
-  if (!(0.01 <= values[0] && values[0] < values[1] && values[1] <= 100.0 && 1e-4 <= values[2] && values[2] <= 1.0))
-    reader.wrong(bounds, "[from, to, tolerance] of the factor: 0.01 <= from < to <= 100, tolerance from 1e-4 to 1");
+  if (!(least_factor <= values[0] && values[0] < values[1] && values[1] <= greatest_factor && least_tolerance <= values[2] && values[2] <= greatest_tolerance))
+    reader.wrong(bounds, fmt::format("[from, to, tolerance] of the factor: {:g} <= from < to <= {:g}, tolerance from {:g} to {:g}", least_factor, greatest_factor,
+                                     least_tolerance, greatest_tolerance));
   return values;
 }
 

@@ -1,21 +1,10 @@
 // Checkpoints: a file of any bytes gives an image, or a FileError that says why.
 #include "base/errors.hpp"
 #include "output/checkpoint.hpp"
+#include "scratch_file.hpp"
 
 #include <filesystem>
 #include <fstream>
-#include <unistd.h>
-
-namespace {
-
-/// A file in memory where there is such a place.
-std::string scratch_file()
-{
-  const std::string folder = std::filesystem::exists("/dev/shm") ? "/dev/shm" : std::filesystem::temp_directory_path().string();
-  return folder + "/terp_fuzz_" + std::to_string(getpid()) + ".h5";
-}
-
-}  // namespace
 
 /// HDF5 1.10 loses what it had decoded of an object header that turns out to be damaged (H5O_protect): some hundred bytes per file, refused all the
 /// same. A handle of ours that is not closed stays in the tables of HDF5 and is no leak to the sanitizer.
@@ -23,7 +12,7 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5_seri
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
 {
-  static const std::string path = scratch_file();
+  static const std::string path = terp::test::scratch_file();
   std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
   try {
     terp::read_checkpoint(path);

@@ -52,6 +52,17 @@ TEST(CaseFile, ModelOneKeepsItsStrengthOnASmoothBase)
   EXPECT_EQ(file.values.sides.at(2).kind, SideKind::roller);
 }
 
+TEST(DefaultRunFolder, IsNamedAfterTheFileOrWhereThatIsCaseTomlAfterItsFolder)
+{
+  EXPECT_EQ(default_run_folder("cases/dike.toml"), "runs/dike");
+  EXPECT_EQ(default_run_folder("cases/dike/case.toml"), "runs/dike");
+  EXPECT_EQ(default_run_folder("cases/dike/./case.toml"), "runs/dike");
+  EXPECT_EQ(default_run_folder("case.toml"), "runs/" + std::filesystem::current_path().filename().string());
+  EXPECT_EQ(default_run_folder("/case.toml"), "runs/case");  // its folder has no name
+  EXPECT_EQ(default_run_folder("cases/dike/case.toml.toml"), "runs/case.toml");
+  EXPECT_EQ(read_case_text(small_case, "cases/dike/case.toml").values.name, "dike");
+}
+
 TEST(CaseFile, KeepsTheTextOfAnUnchangedCase) { EXPECT_EQ(read_case_text(small_case, "case.toml").text, small_case); }
 
 TEST(CaseFile, RecordsChangesInATextThatReadsTheSame)

@@ -52,6 +52,59 @@ TEST(Hdf5File, AttributesAreReadBackAndReplaced)
   EXPECT_THAT(file.integers("/", "version"), ElementsAre(2, 0));
 }
 
+TEST(Hdf5File, AnAttributeOfAnotherKindOrNumberIsRefused)
+{
+  const test::ScratchFolder folder;
+  Hdf5File file(folder.path() + "/a.h5", Hdf5File::Mode::create);
+  file.set_text("/", "text", "kPa");
+  file.set_integers("/", "many", std::vector<std::int64_t>(4000, 7));
+  for (const char* name : {"text", "many", "missing"}) {
+    EXPECT_THAT(file_error_of([&] { file.real("/", name); }), HasSubstr(name));
+    EXPECT_THAT(file_error_of([&] { file.integer("/", name); }), HasSubstr(name));
+  }
+  EXPECT_THAT(file_error_of([&] { file.real("/", "many"); }), HasSubstr("cannot read many in " + folder.path() + "/a.h5: it has 4000 values, one is expected"));
+  EXPECT_THAT(file_error_of([&] { file.text("/", "many"); }), HasSubstr("it is no text of fixed length"));
+}
+
+TEST(Hdf5File, AShapeThatIsMoreThanTheFileCanHoldIsRefused)
+{
+  const test::ScratchFolder folder;
+  const std::string path = folder.path() + "/a.h5";
+  constexpr std::int64_t far = std::int64_t{1} << 40;
+  {
+    Hdf5File file(path, Hdf5File::Mode::create);
+    file.create_table<Real>("/plain", {.chunk_rows = 64});
+    file.create_table<Real>("/pressed", {.n_columns = 2, .chunk_rows = 64, .compression = 1});
+    file.create_table<Real>("/sound", {.chunk_rows = 1 << 14, .compression = 1});
+    file.create_table<Real>("/large_pieces", {.chunk_rows = 1 << 28, .compression = 1});
+    file.create_table<Real>("/many_pieces", {.chunk_rows = 1, .compression = 1});
+    file.create_table<Real>("/zeros", {.chunk_rows = 1 << 14, .compression = 9});
+    file.write_rows<Real>("/plain", far, std::vector<Real>{1.0});
+    file.write_rows<Real>("/pressed", far, std::vector<Real>{1.0, 2.0});
+    file.write_rows<Real>("/many_pieces", 1 << 16, std::vector<Real>{1.0});
+    file.write_rows<Real>("/sound", 0, std::vector<Real>{1.0, 2.0});
+    file.write_rows<Real>("/zeros", 0, std::vector<Real>(1 << 20, 0.0));
+  }
+  const Hdf5File file(path, Hdf5File::Mode::read);
+  for (const char* name : {"/plain", "/pressed", "/large_pieces", "/many_pieces"}) {
+    EXPECT_THAT(file_error_of([&] { file.read<Real>(name); }), testing::AllOf(HasSubstr(name), HasSubstr("more than a file of")));
+    EXPECT_THAT(file_error_of([&] { file.read_rows<Real>(name, 0, 1); }), HasSubstr("more than a file of"));
+  }
+  EXPECT_THAT(file.read<Real>("/sound"), ElementsAre(1.0, 2.0));
+  EXPECT_EQ(file.read<Real>("/zeros").size(), 1u << 20);
+}
+
+TEST(Hdf5File, RowsOfWhatIsNoTableAreRefused)
+{
+  const test::ScratchFolder folder;
+  Hdf5File file(folder.path() + "/a.h5", Hdf5File::Mode::create);
+  file.write<Real>("/number", {}, std::vector<Real>{1.0});
+  file.write<Real>("/box", {2, 1, 2}, std::vector<Real>{1.0, 2.0, 3.0, 4.0});
+  file.write<Real>("/no_columns", {2, 0}, std::vector<Real>{});
+  for (const char* name : {"/number", "/box", "/no_columns"})
+    EXPECT_THAT(file_error_of([&] { file.read_rows<Real>(name, 0, 1); }), testing::AllOf(HasSubstr(name), HasSubstr("no table")));
+}
+
 TEST(Hdf5File, AFileThatIsNoHdf5IsNamed)
 {
   const test::ScratchFolder folder;

@@ -3,6 +3,8 @@
 
 #include "results/runs.hpp"
 
+#include <filesystem>
+
 #include <gmock/gmock.h>
 
 namespace terp {
@@ -62,6 +64,36 @@ TEST_F(FramesTest, OfANewerFormatAreRefusedWithItsVersion)
   Hdf5File(path, Hdf5File::Mode::change).set_integers("/VTKHDF", "Version", {3, 0});
   EXPECT_EQ(file_error_of([&] { Frames{path}; }),
             "cannot read " + path + ": it is of VTKHDF version 3.0, terp " TERP_VERSION " reads version 2\n  A newer terp wrote it: read it with that one.");
+}
+
+TEST_F(FramesTest, TablesThatDoNotHoldWhatTheFileSaysAreRefused)
+{
+  const auto written = [&](const char* table, std::int64_t n_columns) {
+    const std::string other = scratch.path() + "/other.vtkhdf";
+    std::filesystem::remove(other);
+    Hdf5File file(other, Hdf5File::Mode::create);
+    const std::vector<Real> fifteen(15, 1.0);
+    file.create_group("/VTKHDF");
+    file.create_group("/VTKHDF/Steps");
+    file.create_group("/VTKHDF/PointData");
+    file.set_integers("/VTKHDF", "Version", {2, 0});
+    file.set_integers("/VTKHDF/Steps", "NSteps", {1});
+    file.write<std::int64_t>("/VTKHDF/NumberOfPoints", {1}, std::vector<std::int64_t>{5});
+    file.write<Real>("/VTKHDF/Steps/Values", {1}, std::vector<Real>{0.0});
+    file.write<Real>("/VTKHDF/Steps/step", {1}, std::vector<Real>{0.0});
+    const auto add = [&](const std::string& name, std::int64_t usual) {
+      const std::int64_t n = name == table ? n_columns : usual;
+      file.write<Real>(name, {15 / n, n}, fifteen);
+      file.set_text(name, "unit", "m");
+    };
+    add("/VTKHDF/Points", 3);
+    add("/VTKHDF/PointData/velocity", 3);
+    return other;
+  };
+  EXPECT_EQ(Frames(written("", 0)).places(0).size(), 10);
+  EXPECT_THAT(file_error_of([&] { Frames{written("/VTKHDF/Points", 1)}; }), HasSubstr("its points have no three coordinates"));
+  EXPECT_THAT(file_error_of([&] { Frames{written("/VTKHDF/Points", 5)}; }), HasSubstr("it has 3 rows, 1 frames of 5 points take more"));
+  EXPECT_THAT(file_error_of([&] { Frames{written("/VTKHDF/PointData/velocity", 5)}; }), HasSubstr("cannot read /VTKHDF/PointData/velocity"));
 }
 
 TEST(Magnitudes, AreLengthsOfVectorsAndSizesOfNumbers)
