@@ -10,6 +10,7 @@
 #include "output/summary_json.hpp"
 #include "parallel/threads.hpp"
 #include "progress.hpp"
+#include "simulation/frame.hpp"
 #include "simulation/run.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/setup_warnings.hpp"
@@ -75,8 +76,8 @@ std::string hint_to_go_on(const std::string& folder, const RunOptions& options)
 {
   try {
     const CheckpointSearch found = newest_good_checkpoint(folder);
-    if (!found.image) return "\n  No checkpoint was written yet. Make room on the disk, then give the same command with --force.";
-    return fmt::format("\n  Earlier results are intact, up to the checkpoint at t = {:.4g} s. Make room on the disk, then go on with:\n  {}",
+    if (!found.image) return "\n  No checkpoint was written yet. Make room on the disk, or mend what is told above, then give the same command with --force.";
+    return fmt::format("\n  Earlier results are intact, up to the checkpoint at t = {:.4g} s. Make room on the disk, or mend what is told above, then go on with:\n  {}",
                        found.image->time, resume_command(folder, options));
   } catch (const FileError&) {
     return "";  // the folder is gone
@@ -131,7 +132,8 @@ int threads_of(const RunOptions& options) { return options.threads > 0 ? options
 std::string run_folder_of(const std::string& path)
 {
   std::filesystem::path p(path);
-  if (p.extension() == ".toml")
+  std::error_code none;
+  if (p.extension() == ".toml" && !std::filesystem::is_directory(p, none))
     throw CaseError(fmt::format("error: {0}: `terp resume` takes a run folder, as in terp resume {1}\n"
                                 "  It goes on from the newest checkpoint there. To solve a case file from its start: terp run {0}\n",
                                 path, p.filename() == case_file ? folder_of(path) : default_run_folder(path)));
@@ -140,14 +142,19 @@ std::string run_folder_of(const std::string& path)
   return p.empty() ? "." : p.string();
 }
 
+struct Checkpoint {
+  std::string path;
+  StateImage image;
+};
+
 /// The checkpoint that was named, or the newest good one of the folder.
-StateImage find_checkpoint(const std::string& path)
+Checkpoint find_checkpoint(const std::string& path)
 {
-  if (std::filesystem::is_regular_file(path)) return read_checkpoint(path);
+  if (std::filesystem::is_regular_file(path)) return {path, read_checkpoint(path)};
   CheckpointSearch found = newest_good_checkpoint(path);
   for (const auto& bad : found.skipped) fmt::print(stderr, "warning: skipped {}: {}\n", bad.path, bad.reason);
   if (!found.image) throw FileError(fmt::format("{}: no checkpoint to resume from. Start the case anew with `terp run`.", path));
-  return std::move(*found.image);
+  return {found.path, std::move(*found.image)};
 }
 
 /// What changed in the case since the run began, of what may; empty for a checkpoint that does not say. Throws FileError at anything else:
@@ -170,6 +177,16 @@ std::vector<ChangedValue> check_unchanged(const std::string& folder, const State
                               "  Put back what it began with, or solve the changed case from its start: terp run {1} -o NEW_FOLDER\n"
                               "  These may change: title, time.end, output.fields.every, output.checkpoint",
                               image.step, path_in(folder, case_file), refused));
+}
+
+/// The state of a checkpoint that was read from `path`.
+State restore_from(const std::string& path, const Model& model, const StateImage& image)
+{
+  try {
+    return restore(model, image);
+  } catch (const FileError& error) {
+    throw FileError(fmt::format("{}: {}\n  Resume from another: terp resume CHECKPOINT", path, error.what()));
+  }
 }
 
 /// The case as the run began with it, as far as its time step goes: that of the first end.
@@ -205,12 +222,12 @@ ResumePoint resume_point(const Model& model, const State& state, const std::stri
 {
   const OutputCase& output = model.description.output;
   const std::int64_t n_times = count_due(state.step, model.dt, output.history_every);
-  return {.step = state.step, .time = state.time, .n_points = state.n_ids(), .n_cells = model.mesh.n_cells(),
+  return {.step = state.step, .time = state.time, .n_points = state.n_ids(), .n_nodes = model.mesh.n_nodes(), .n_cells = model.mesh.n_cells(),
           .n_frames = std::ssize(state.softened_fraction),
           .n_mesh_frames = output.mesh ? std::ssize(state.softened_fraction) : 0,
           .n_history_rows = n_times * std::ssize(output.history_points), .n_ledger_rows = state.ledger_rows,
           .n_left_rows = std::ssize(state.left),
-          .n_footing_rows = state.ledger_rows * std::ssize(model.footings), .tables = tables};
+          .n_footing_rows = state.ledger_rows * std::ssize(model.footings), .tables = tables, .fields = make_frame(model, state, 0, 0).fields};
 }
 
 }  // namespace
@@ -239,14 +256,14 @@ int resume_run(const RunOptions& options)
   if (!std::filesystem::exists(path_in(folder, case_file)))
     throw FileError(fmt::format("{}: this is no run folder, it holds no {}", folder, case_file));
   const CaseFile file = read_case(path_in(folder, case_file));
-  const StateImage image = find_checkpoint(options.path);
+  const auto [checkpoint, image] = find_checkpoint(options.path);
   try {
     Model model = build_model(with_first_end(file.values, image), threads_of(options));
     const CaseRecord record = make_case_record(file, model.mesh);
     const auto changes = check_unchanged(folder, image, record);
     seed_again(image, model);
     set_end(file.values, image, model);
-    State state = restore(model, image);
+    State state = restore_from(checkpoint, model, image);
     const std::string kept = image.case_record.empty() ? record_text(record) : image.case_record;
     RunWriterSettings settings{folder, {case_name_in(folder), file.text}, file.values.output.checkpoint_keep, kept};
     const auto writer = RunWriter::resume(std::move(settings), std::move(lock), resume_point(model, state, image.tables));

@@ -11,6 +11,7 @@
 #include <bit>
 #include <filesystem>
 #include <functional>
+#include <new>
 #include <numeric>
 #include <sstream>
 
@@ -107,10 +108,14 @@ std::int64_t check_format(const Hdf5File& file, const std::string& path)
       version, file.text("/", "terp_version"), TERP_VERSION, oldest_read, format_version));
 }
 
-NamedArray read_array(const Hdf5File& file, const std::string& name)
+/// left: bytes of the file that no array accounts for yet; it is not compressed.
+NamedArray read_array(const Hdf5File& file, const std::string& path, const std::string& name, Real& left)
 {
   const std::string place = arrays + "/" + name;
   NamedArray array{name, file.shape(place), {}};
+  Real n_bytes = sizeof(Real);
+  for (const std::int64_t n : array.shape) n_bytes *= static_cast<Real>(n);
+  if ((left -= n_bytes) < 0.0) throw FileError(fmt::format("cannot read {}: its arrays are more than it can hold, at `{}`", path, name));
   if (file.holds_reals(place))
     array.values = file.read<Real>(place);
   else
@@ -125,7 +130,8 @@ std::vector<std::int64_t> steps_of_checkpoints(const std::string& folder)
   std::vector<std::int64_t> steps;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
     const std::int64_t step = step_of_checkpoint(entry.path().filename().string());
-    if (step >= 0 && entry.is_regular_file()) steps.push_back(step);  // a pipe of that name would be waited for
+    std::error_code unreadable;  // a pipe of that name would be waited for
+    if (step >= 0 && entry.is_regular_file(unreadable)) steps.push_back(step);
   }
   if (error) throw_file_error("open the run folder", folder, error.value());
   std::sort(steps.begin(), steps.end(), std::greater<>());
@@ -219,7 +225,8 @@ StateImage read_checkpoint(const std::string& path)
   image.step = file.integer("/", "step");
   if (version >= first_with_case) image.case_record = read_text(file, case_place);
   if (version >= first_with_tables) image.tables = read_text(file, tables_place);
-  for (const auto& name : split_names(file.text(arrays, "names"))) image.arrays.push_back(read_array(file, name));
+  auto left = static_cast<Real>(std::filesystem::file_size(path));
+  for (const auto& name : split_names(file.text(arrays, "names"))) image.arrays.push_back(read_array(file, path, name, left));
   if (fmt::format("{:016x}", checksum_of(image)) != file.text("/", "checksum")) {
     throw FileError(fmt::format("cannot use {}: its checksum does not match; the file was altered or damaged", path));
   }
@@ -236,6 +243,8 @@ CheckpointSearch newest_good_checkpoint(const std::string& folder)
       return search;
     } catch (const FileError& error) {
       search.skipped.push_back({search.path, error.what()});
+    } catch (const std::bad_alloc&) {
+      search.skipped.push_back({search.path, fmt::format("cannot read {}: not enough memory", search.path)});
     }
   }
   search.path.clear();

@@ -10,6 +10,10 @@
 #include <cstring>
 #include <filesystem>
 #include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -18,7 +22,8 @@
 namespace terp {
 namespace {
 
-constexpr std::string_view magic = "terpjnl1";
+constexpr std::string_view magic = "terpjnl2";
+constexpr std::size_t head_size = 64;  // of the file, by which a journal knows it: HDF5 keeps its size there
 
 /// The bytes of a number, little-endian as in memory.
 std::string_view bytes_of(const std::int64_t& value) { return {reinterpret_cast<const char*>(&value), sizeof value}; }
@@ -79,22 +84,56 @@ struct Cursor {
 /// True if every byte of the journal was written.
 bool is_whole(std::string_view journal)
 {
-  if (journal.size() < magic.size() + 2 * sizeof(std::int64_t) || !journal.starts_with(magic)) return false;
+  if (journal.size() < magic.size() + head_size + 2 * sizeof(std::int64_t) || !journal.starts_with(magic)) return false;
   const std::string_view content = journal.substr(0, journal.size() - sizeof(std::int64_t));
   return Cursor{journal.substr(content.size())}.number() == static_cast<std::int64_t>(checksum(content));
 }
 
-/// Step 3 of a commit.
-void apply(std::string_view journal, int descriptor, const std::string& path, std::size_t page_size)
+/// What a file begins with; zeros where it is shorter.
+std::string head_of(int descriptor, const std::string& path)
 {
-  Cursor at{journal.substr(0, journal.size() - sizeof(std::int64_t))};
+  std::string head(head_size, '\0');
+  if (::pread(descriptor, head.data(), head.size(), 0) < 0) throw_file_error("read", path, errno);
+  return head;
+}
+
+/// A whole journal.
+struct Journal {
+  std::int64_t size = 0;  ///< of the file afterwards
+  std::string_view head;  ///< of the file before
+  std::vector<std::pair<std::int64_t, std::string_view>> pages;
+};
+
+Journal read_journal(std::string_view text, std::size_t page_size)
+{
+  Cursor at{text.substr(0, text.size() - sizeof(std::int64_t))};
   at.take(magic.size());
-  const std::int64_t size = at.number();
+  Journal journal;
+  journal.size = at.number();
+  journal.head = at.take(head_size);
   while (!at.rest.empty()) {
     const std::int64_t number = at.number();
-    write_at(descriptor, path, number * static_cast<std::int64_t>(page_size), at.take(page_size));
+    journal.pages.emplace_back(number, at.take(page_size));
   }
-  set_size(descriptor, path, size);
+  return journal;
+}
+
+/// True if the file is the one that the journal was written for, as it was before, or with some or all of the pages in it. What is new lies in the
+/// file before the journal is written.
+bool belongs_to(const Journal& journal, int descriptor, const std::string& path)
+{
+  struct stat file = {};
+  if (::fstat(descriptor, &file) != 0 || journal.size <= 0 || file.st_size < journal.size) return false;
+  const std::string head = head_of(descriptor, path);
+  if (head == journal.head) return true;
+  return !journal.pages.empty() && journal.pages[0].first == 0 && journal.pages[0].second.substr(0, head_size) == head;
+}
+
+/// Step 3 of a commit.
+void apply(const Journal& journal, int descriptor, const std::string& path)
+{
+  for (const auto& [number, page] : journal.pages) write_at(descriptor, path, number * static_cast<std::int64_t>(CommittedFile::page_size), page);
+  set_size(descriptor, path, journal.size);
   sync(descriptor, path);
 }
 
@@ -178,6 +217,7 @@ void CommittedFile::commit(std::int64_t size)
   sync(descriptor_, path_);
   std::string journal(magic);
   journal += bytes_of(size);
+  journal += head_of(descriptor_, path_);
   for (const auto& [number, page] : pages_) {
     journal += bytes_of(number);
     journal.append(reinterpret_cast<const char*>(page.data()), page.size());
@@ -185,7 +225,7 @@ void CommittedFile::commit(std::int64_t size)
   journal += bytes_of(static_cast<std::int64_t>(checksum(journal)));
   write_file_atomically(journal_name(path_), journal);
   changing_ = false;  // from here on there is no way back
-  apply(journal, descriptor_, path_, page_size);
+  apply(read_journal(journal, page_size), descriptor_, path_);
   remove_journal(path_);
 }
 
@@ -197,7 +237,11 @@ void finish_commit(const std::string& path)
   if (is_whole(journal)) {
     const int descriptor = open_for_change(path);
     try {
-      apply(journal, descriptor, path, CommittedFile::page_size);
+      const Journal changes = read_journal(journal, CommittedFile::page_size);
+      if (!belongs_to(changes, descriptor, path))
+        throw FileError(fmt::format("{} is of another {}: it was left by a run that was killed, and the file is not what it was then\n"
+                                    "  If the file is whole, remove the journal.", name, path));
+      apply(changes, descriptor, path);
     } catch (...) {
       ::close(descriptor);
       throw;

@@ -103,14 +103,25 @@ std::vector<hsize_t> extent_of(hid_t space)
   return shape;
 }
 
-Id open_dataset(hid_t file, const std::string& path, const std::string& name)
-{
-  return {checked(H5Dopen2(file, name.c_str(), H5P_DEFAULT), "open", path, name), H5Dclose};
-}
-
 [[noreturn]] void refuse(const std::string& path, const std::string& object, const std::string& why)
 {
   throw FileError(fmt::format("cannot read {} in {}: {}", object, path, why));
+}
+
+/// A dataset whose values lie in this file: in another they may be a pipe, which would be waited for without end, or somebody else's.
+Id open_dataset(hid_t file, const std::string& path, const std::string& name)
+{
+  Id dataset{checked(H5Dopen2(file, name.c_str(), H5P_DEFAULT), "open", path, name), H5Dclose};
+  const Id properties{H5Dget_create_plist(dataset), H5Pclose};
+  if (H5Pget_layout(properties) == H5D_VIRTUAL || H5Pget_external_count(properties) > 0) refuse(path, name, "its values are in another file");
+  return dataset;
+}
+
+/// Rows and columns of a table; 1 column where it has one dimension.
+std::pair<std::int64_t, hsize_t> size_of_table(const std::vector<hsize_t>& extent, const std::string& path, const std::string& name)
+{
+  if (extent.empty() || extent.size() > 2 || (extent.size() == 2 && extent[1] == 0)) refuse(path, name, "it is no table");
+  return {static_cast<std::int64_t>(extent[0]), extent.size() == 2 ? extent[1] : 1};
 }
 
 /// Most values that one stored value can stand for: deflate shrinks 1032 times at best, what is not compressed does not shrink.
@@ -130,7 +141,7 @@ bool has_at_most(hsize_t most, const std::vector<hsize_t>& shape)
 
 /// Throws where a dataset asks for more than its file can hold, in values, in values per chunk or in chunks (HDF5 takes some 400 bytes for
 /// each to read them): memory is asked for by what it says.
-void check_size(hid_t dataset, hid_t file, const std::string& path, const std::string& name)
+void check_size(hid_t dataset, hid_t file, std::size_t n_bytes_in_memory, const std::string& path, const std::string& name)
 {
   const Id properties{H5Dget_create_plist(dataset), H5Pclose};
   const std::vector<hsize_t> extent = extent_of(Id{H5Dget_space(dataset), H5Sclose});
@@ -141,17 +152,17 @@ void check_size(hid_t dataset, hid_t file, const std::string& path, const std::s
   }
   hsize_t n_bytes = 0;
   checked(H5Fget_filesize(file, &n_bytes), "read", path);
-  const hsize_t size = std::max<hsize_t>(1, H5Tget_size(Id{H5Dget_type(dataset), H5Tclose}));
+  const hsize_t size = std::max<hsize_t>(n_bytes_in_memory, H5Tget_size(Id{H5Dget_type(dataset), H5Tclose}));
   const hsize_t most = n_bytes * greatest_compression(properties) / size, most_chunks = n_bytes / sizeof(haddr_t);
   if (has_at_most(most, extent) && has_at_most(most, chunk) && has_at_most(most_chunks, n_chunks)) return;
   refuse(path, name, fmt::format("its shape is {} in pieces of {}, more than a file of {} bytes can hold", fmt::join(extent, " x "), fmt::join(chunk, " x "), n_bytes));
 }
 
 /// A dataset that can be read into memory.
-Id open_to_read(hid_t file, const std::string& path, const std::string& name)
+Id open_to_read(hid_t file, std::size_t n_bytes_in_memory, const std::string& path, const std::string& name)
 {
   Id dataset = open_dataset(file, path, name);
-  check_size(dataset, file, path, name);
+  check_size(dataset, file, n_bytes_in_memory, path, name);
   return dataset;
 }
 
@@ -212,7 +223,10 @@ hid_t open_file(const std::string& path, Hdf5File::Mode mode, std::int64_t n_res
 {
   static const herr_t without_exit_handler = H5dont_atexit();  // at exit HDF5 1.10 would close once more, and crash on, a file whose closing failed
   static_cast<void>(without_exit_handler);
+  static const herr_t without_links_to_other_files = (H5open(), H5Lunregister(H5L_TYPE_EXTERNAL));
+  static_cast<void>(without_links_to_other_files);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are thrown, not printed
+  if (mode != Hdf5File::Mode::create) check_is_file(path);
   if (mode == Hdf5File::Mode::commit) return open_committed(path, n_reserved);
   if (mode == Hdf5File::Mode::create) make_empty(path, n_reserved);
   if (n_reserved > 0) reserve_space(path, n_reserved);
@@ -289,7 +303,7 @@ void Hdf5File::write_rows(const std::string& name, std::int64_t first_row, std::
 {
   Id table = open_dataset(file_, path_, name);
   std::vector<hsize_t> count = extent_of(Id{H5Dget_space(table), H5Sclose});
-  count[0] = values.size() / (count.size() == 2 ? count[1] : 1);
+  count[0] = values.size() / size_of_table(count, path_, name).second;
   std::vector<hsize_t> extent = count, start(count.size(), 0);
   start[0] = static_cast<hsize_t>(first_row);
   extent[0] = start[0] + count[0];
@@ -305,7 +319,7 @@ void Hdf5File::cut_rows(const std::string& name, std::int64_t n_rows)
 {
   Id table = open_dataset(file_, path_, name);
   std::vector<hsize_t> extent = extent_of(Id{H5Dget_space(table), H5Sclose});
-  extent[0] = std::min(extent[0], static_cast<hsize_t>(n_rows));
+  extent[0] = static_cast<hsize_t>(std::min(size_of_table(extent, path_, name).first, n_rows));
   checked(H5Dset_extent(table, extent.data()), "cut", path_, name);
   finish(table, path_, name);
 }
@@ -333,7 +347,7 @@ void Hdf5File::write(const std::string& name, const std::vector<std::int64_t>& s
 template <class T>
 std::vector<T> Hdf5File::read(const std::string& name) const
 {
-  const Id dataset = open_to_read(file_, path_, name);
+  const Id dataset = open_to_read(file_, sizeof(T), path_, name);
   const Id space{H5Dget_space(dataset), H5Sclose};
   std::vector<T> values(static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space), "read", path_, name)));
   checked(H5Dread(dataset, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read", path_, name);
@@ -343,18 +357,17 @@ std::vector<T> Hdf5File::read(const std::string& name) const
 template <class T>
 std::vector<T> Hdf5File::read_rows(const std::string& name, std::int64_t first_row, std::int64_t n_rows) const
 {
-  const Id table = open_to_read(file_, path_, name);
+  const Id table = open_to_read(file_, sizeof(T), path_, name);
   const Id space{H5Dget_space(table), H5Sclose};
   std::vector<hsize_t> count = extent_of(space), start(count.size(), 0);
-  if (count.empty() || count.size() > 2 || (count.size() == 2 && count[1] == 0)) refuse(path_, name, "it is no table");
-  const auto n_there = static_cast<std::int64_t>(count[0]);
+  const auto [n_there, n_columns] = size_of_table(count, path_, name);
   if (first_row < 0 || n_rows < 0 || n_rows > n_there - first_row)
     throw FileError(fmt::format("cannot read rows {} to {} of {} in {}: it has {}", first_row, first_row + n_rows - 1, name, path_, n_there));
   start[0] = static_cast<hsize_t>(first_row);
   count[0] = static_cast<hsize_t>(n_rows);
   H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
   const Id memory = make_space(count);
-  std::vector<T> values(static_cast<std::size_t>(n_rows) * (count.size() == 2 ? count[1] : 1));
+  std::vector<T> values(static_cast<std::size_t>(n_rows) * n_columns);
   checked(H5Dread(table, memory_type<T>(), memory, space, H5P_DEFAULT, values.data()), "read", path_, name);
   return values;
 }

@@ -15,7 +15,7 @@ namespace terp {
 /// T is Real, std::int64_t or std::uint8_t. Every failure throws FileError.
 ///
 /// What is read may come from anywhere: an attribute of another kind or number of values than asked for, and a dataset that claims more
-/// values than the file can hold, throw as well.
+/// values than the file can hold, or keeps them in another file, throw as well. Links to other files are not followed.
 ///
 /// The file is not locked, so that it can be looked at while a run writes it. One that is opened with Mode::commit is left with the old
 /// content or the new, whatever happens (committed_file.hpp).

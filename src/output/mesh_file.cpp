@@ -146,7 +146,7 @@ void MeshFile::cut_after(Hdf5File& file, std::int64_t step)
 {
   if (!file.exists(steps)) return;
   std::vector<vtkhdf::StepTable> tables;
-  for (const MeshField& field : fields) tables.push_back({table_of(field), count_of(file, field.data)});
+  for (const MeshField& field : fields) tables.push_back({table_of(field), count_of(file, field.data), vtkhdf::n_columns(field.n_components)});
   vtkhdf::cut_steps(file, step, tables);
 }
 

@@ -66,8 +66,9 @@ void check_table(const std::string& folder, const TableInfo& table, const Resume
 
 /// The file without what comes after the checkpoint, on the disk when it is closed; nothing if there is none. Throws FileError if it is damaged: HDF5
 /// keeps what belongs to one frame all over the file, so that of one that was cut or altered nothing can be relied on.
-template <class File>
-std::unique_ptr<Hdf5File> cut(const File& file, const std::string& path, std::int64_t n_due, std::int64_t n_cells, const std::string& run, const ResumePoint& from)
+template <class File, class CutAfter>
+std::unique_ptr<Hdf5File> cut(const File& file, const std::string& path, std::int64_t n_due, const vtkhdf::GridSize& grid, const std::string& run, const ResumePoint& from,
+                              CutAfter&& cut_after)
 {
   const auto unless_damaged = [&](auto&& read) {
     try {
@@ -81,10 +82,10 @@ std::unique_ptr<Hdf5File> cut(const File& file, const std::string& path, std::in
   check_length(path, "frames", n, from.step == 0 ? 0 : n_due, from);
   std::unique_ptr<Hdf5File> opened = file.open_to_cut();
   if (!opened) return opened;
-  const std::string other = unless_damaged([&] { return vtkhdf::why_of_another_run(*opened, run, n_cells); });
+  const std::string other = unless_damaged([&] { return vtkhdf::why_of_another_run(*opened, run, grid); });
   if (!other.empty()) refuse(path, from, "is not of this run: " + other);
   unless_damaged([&] {
-    file.cut_after(*opened, last_step(from));
+    cut_after(*opened);
     opened->flush();
     return true;
   });
@@ -114,8 +115,10 @@ std::unique_ptr<RunWriter> RunWriter::resume(RunWriterSettings settings, FolderL
 {
   const std::string folder = settings.folder, run = from.tables.empty() ? "" : digits_of(settings.case_record);
   const std::string results_path = path_in(folder, results_file), mesh_path = path_in(folder, mesh_file);
-  const auto results = cut(ResultsFile(results_path), results_path, from.n_frames, from.n_points, run, from);
-  const auto mesh = cut(MeshFile(mesh_path), mesh_path, from.n_mesh_frames, from.n_cells, run, from);
+  const auto results = cut(ResultsFile(results_path), results_path, from.n_frames, {from.n_points, from.n_points}, run, from,
+                           [&](Hdf5File& file) { ResultsFile::cut_after(file, last_step(from), from.fields); });
+  const auto mesh = cut(MeshFile(mesh_path), mesh_path, from.n_mesh_frames, {from.n_nodes, from.n_cells}, run, from,
+                        [&](Hdf5File& file) { MeshFile::cut_after(file, last_step(from)); });
   for (const TableInfo& table : tables) check_table(folder, table, from);
   if (results) results->close();  // all agree: from here on the folder changes
   if (mesh) mesh->close();

@@ -157,12 +157,17 @@ void read_passes(const nlohmann::json& json, Summary& summary)
   }
 }
 
-}  // namespace
+/// JSON, without what is nested deeper than Terp writes it: copying that would take one call per level. Discarded where it is none.
+nlohmann::json parse(const std::string& text)
+{
+  constexpr int most_levels = 16;
+  return nlohmann::json::parse(text, [](int depth, auto, auto&) { return depth <= most_levels; }, false);
+}
 
-SavedSummary read_summary(const std::string& path)
+SavedSummary read_values(const std::string& path)
 {
   SavedSummary saved{.values = {}, .finished = false, .terp_version = {}, .text = read_file(path)};
-  const auto json = nlohmann::json::parse(saved.text, nullptr, false);
+  const auto json = parse(saved.text);
   if (!json.is_object()) throw FileError("cannot read " + path + ": it is not JSON");
   get(json, "terp_version", saved.terp_version);
   std::int64_t format = summary_format;
@@ -213,6 +218,17 @@ SavedSummary read_summary(const std::string& path)
   return saved;
 }
 
+}  // namespace
+
+SavedSummary read_summary(const std::string& path)
+{
+  try {
+    return read_values(path);
+  } catch (const nlohmann::json::exception& error) {  // a value of another kind than Terp writes
+    throw FileError(fmt::format("cannot read {}: it is not what terp wrote there\n  {}", path, error.what()));
+  }
+}
+
 std::string summary_text(const Summary& summary, bool finished, const CaseText& case_text)
 {
   const Json json = {
@@ -260,8 +276,9 @@ std::string summary_text(const Summary& summary, bool finished, const CaseText& 
 
 std::string case_name_in(const std::string& folder)
 {
-  std::ifstream file(path_in(folder, summary_file));
-  const auto summary = nlohmann::json::parse(file, nullptr, false);
+  const std::string path = path_in(folder, summary_file);
+  std::error_code none;
+  const auto summary = std::filesystem::is_regular_file(path, none) ? parse(read_file(path)) : nlohmann::json();
   if (summary.is_object() && summary.contains("case_name") && summary["case_name"].is_string()) return summary["case_name"];
   return std::filesystem::path(folder).lexically_normal().filename().string();
 }

@@ -183,13 +183,14 @@ std::unique_ptr<Hdf5File> ResultsFile::open_to_cut() const
   return std::filesystem::exists(path_) ? std::make_unique<Hdf5File>(path_, Hdf5File::Mode::commit, cutting_bytes) : nullptr;
 }
 
-void ResultsFile::cut_after(Hdf5File& file, std::int64_t step)
+void ResultsFile::cut_after(Hdf5File& file, std::int64_t step, const std::vector<PointField>& fields)
 {
   const std::int64_t n = file.read_rows<std::int64_t>(root + "/NumberOfPoints", 0, 1)[0];
-  std::vector<StepTable> tables{{root + "/Points", n}};
-  for (const auto& name : file.members(point_data)) {
-    if (name != "id") tables.push_back({point_data + "/" + name, n});
-  }
+  std::vector<StepTable> tables{{root + "/Points", n, 3}};
+  if (fields.empty())
+    for (const auto& name : file.members(point_data)) tables.push_back({point_data + "/" + name, n});
+  for (const auto& field : fields) tables.push_back({point_data + "/" + field.name, n, n_columns(field.n_components)});
+  std::erase_if(tables, [](const StepTable& table) { return table.name == point_data + "/id"; });
   cut_steps(file, step, tables);
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace terp {
 
@@ -27,8 +28,9 @@ class ResultsFile {
   /// The file, ready for `cut_after`; nothing without a file. What is done to it is on the disk when it is closed, and dropped otherwise.
   std::unique_ptr<Hdf5File> open_to_cut() const;
 
-  /// Drops the frames of later steps: for a run that continues from `step`.
-  static void cut_after(Hdf5File& file, std::int64_t step);
+  /// Drops the frames of later steps: for a run that continues from `step`. Throws FileError and changes nothing if a table does not hold
+  /// what it must. fields: those of the run, without values; empty: not known.
+  static void cut_after(Hdf5File& file, std::int64_t step, const std::vector<PointField>& fields = {});
 
  private:
   std::string path_, run_;

@@ -1,8 +1,11 @@
 #include "output/vtkhdf_steps.hpp"
 
+#include "base/errors.hpp"
+
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace terp::vtkhdf {
 namespace {
@@ -43,10 +46,11 @@ void add_header(Hdf5File& file, const std::string& run)
   if (!run.empty()) file.set_text("/", "case", run);
 }
 
-std::string why_of_another_run(const Hdf5File& file, const std::string& run, std::int64_t n_cells)
+std::string why_of_another_run(const Hdf5File& file, const std::string& run, const GridSize& grid)
 {
-  const std::int64_t n = file.read_rows<std::int64_t>(root + "/NumberOfCells", 0, 1)[0];
-  if (n != n_cells) return fmt::format("it has {} cells, the run {}", n, n_cells);
+  const auto number = [&](const char* name) { return file.read_rows<std::int64_t>(root + "/" + name, 0, 1)[0]; };
+  if (const std::int64_t n = number("NumberOfCells"); n != grid.n_cells) return fmt::format("it has {} cells, the run {}", n, grid.n_cells);
+  if (const std::int64_t n = number("NumberOfPoints"); n != grid.n_points) return fmt::format("it has {} points, the run {}", n, grid.n_points);
   const std::string other = file.has_attribute("/", "case") ? file.text("/", "case") : run;
   return run.empty() || other == run ? "" : fmt::format("it is of a run of another case (`case` in it is {}, of this run {})", other, run);
 }
@@ -85,6 +89,34 @@ void write_step(Hdf5File& file, std::int64_t k, Real time, std::int64_t step, st
   write_integer(file, steps + "/PointOffsets", k, first_point);
 }
 
+namespace {
+
+/// The tables of the steps themselves.
+std::vector<StepTable> tables_of_steps(const Hdf5File& file)
+{
+  std::vector<StepTable> tables;
+  for (const char* name : {"Values", "step", "PartOffsets", "NumberOfParts", "PointOffsets"}) tables.push_back({steps + "/" + name, 1, 0});
+  for (const char* name : {"CellOffsets", "ConnectivityIdOffsets"}) tables.push_back({steps + "/" + name, 1, 1});
+  for (const auto& data : {std::string("PointData"), std::string("CellData")}) {
+    const std::string offsets = steps + "/" + data + "Offsets";
+    if (!file.exists(offsets)) continue;
+    for (const auto& field : file.members(root + "/" + data)) tables.push_back({offsets + "/" + field, 1, 0});
+  }
+  return tables;
+}
+
+void check_table(const Hdf5File& file, const StepTable& table, std::int64_t n_steps)
+{
+  const auto shape = file.shape(table.name);
+  const std::int64_t n_columns = shape.size() == 2 ? shape[1] : 0;
+  const bool fits = table.n_columns == StepTable::any_columns ? shape.size() == 1 || n_columns > 0 : n_columns == table.n_columns;
+  if (shape.empty() || shape.size() > 2 || !fits || shape[0] / std::max<std::int64_t>(1, table.n_rows) < n_steps)
+    throw FileError(fmt::format("{} has the shape {}; {} steps of {} rows{} are due", table.name, fmt::join(shape, " x "), n_steps, table.n_rows,
+                                table.n_columns > 0 ? fmt::format(" x {}", table.n_columns) : ""));
+}
+
+}  // namespace
+
 std::int64_t count_steps(const Hdf5File& file, std::int64_t step)
 {
   const auto step_numbers = file.read<std::int64_t>(steps + "/step");
@@ -92,18 +124,15 @@ std::int64_t count_steps(const Hdf5File& file, std::int64_t step)
   return std::upper_bound(step_numbers.begin(), step_numbers.begin() + n_whole, step) - step_numbers.begin();
 }
 
-void cut_steps(Hdf5File& file, std::int64_t step, const std::vector<StepTable>& tables)
+void cut_steps(Hdf5File& file, std::int64_t step, std::vector<StepTable> tables)
 {
+  const auto of_steps = tables_of_steps(file);
+  tables.insert(tables.end(), of_steps.begin(), of_steps.end());
+  const std::int64_t n_whole = file.integer(steps, "NSteps");
+  for (const StepTable& table : tables) check_table(file, table, n_whole);
   const std::int64_t n_steps = count_steps(file, step);
   file.set_integers(steps, "NSteps", {n_steps});
-  for (const auto& table : tables) file.cut_rows(table.name, n_steps * table.n_rows);
-  for (const auto& name : file.members(steps)) {
-    const std::string member = steps + "/" + name;
-    if (!name.ends_with("DataOffsets"))
-      file.cut_rows(member, n_steps);
-    else
-      for (const auto& field : file.members(member)) file.cut_rows(member + "/" + field, n_steps);
-  }
+  for (const StepTable& table : tables) file.cut_rows(table.name, n_steps * table.n_rows);
 }
 
 }  // namespace terp::vtkhdf

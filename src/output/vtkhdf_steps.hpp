@@ -22,8 +22,13 @@ std::vector<Real> with_z(const std::vector<Real>& values);
 /// Version and type, for a file of an unstructured grid, and the run that it is of: digits of its case; empty if not known.
 void add_header(Hdf5File& file, const std::string& run);
 
-/// Why a file cannot be that of the run with these digits and so many cells; empty if it may. One that names no run, of an earlier Terp, may.
-std::string why_of_another_run(const Hdf5File& file, const std::string& run, std::int64_t n_cells);
+/// How many points and cells the grid of a file has.
+struct GridSize {
+  std::int64_t n_points, n_cells;
+};
+
+/// Why a file cannot be that of the run with these digits and this grid; empty if it may. One that names no run, of an earlier Terp, may.
+std::string why_of_another_run(const Hdf5File& file, const std::string& run, const GridSize& grid);
 
 /// The group of steps with none in it yet; its groups of data offsets are made before.
 void add_steps(Hdf5File& file);
@@ -44,9 +49,13 @@ std::int64_t count_steps(const Hdf5File& file, std::int64_t step);
 struct StepTable {
   std::string name;
   std::int64_t n_rows;
+  std::int64_t n_columns = any_columns;  ///< 0: one-dimensional
+
+  static constexpr std::int64_t any_columns = -1;
 };
 
-/// Drops what came after the time step `step`.
-void cut_steps(Hdf5File& file, std::int64_t step, const std::vector<StepTable>& tables);
+/// Drops what came after the time step `step`. Throws FileError and changes nothing if a table is not there, or not as large as the file
+/// says.
+void cut_steps(Hdf5File& file, std::int64_t step, std::vector<StepTable> tables);
 
 }  // namespace terp::vtkhdf

@@ -41,7 +41,9 @@ std::vector<Recipe> all_recipes(const Frames& frames)
   };
   for (const ResultField& field : frames.fields())  // state and derived fields of other laws
     if (field.n_components == 1 && !known(field.name)) recipes.insert(recipes.end() - 1, {field.name, field.name, field.name, field.name, field.unit, "sequential"});
-  std::erase_if(recipes, [&](const Recipe& r) { return !frames.has(r.source); });
+  std::erase_if(recipes, [&](const Recipe& r) {
+    return !frames.has(r.source) || (r.take == Take::mean_stress && frames.field(r.source).n_components < 3);
+  });
   return recipes;
 }
 

@@ -30,6 +30,8 @@ Frames::Frames(const std::string& path) : path_(path), file_(path, Hdf5File::Mod
   const std::int64_t n_frames = file_.integer(steps, "NSteps");  // what follows may be half written
   times_ = file_.read_rows<Real>(steps + "/Values", 0, n_frames);
   steps_ = file_.read_rows<std::int64_t>(steps + "/step", 0, n_frames);
+  if (times_.empty() || n_points_ == 0)
+    throw FileError(fmt::format("{}: it holds no {}; there is nothing to show", path, times_.empty() ? "frame yet" : "points"));
   if (check_table(root + "/Points") != 3) throw FileError(fmt::format("cannot read {}: its points have no three coordinates", path));
   for (const auto& name : file_.members(point_data)) {
     const std::string table = point_data + "/" + name;

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -119,11 +120,11 @@ std::vector<PointTable> read_history(const std::string& path)
   const auto point = static_cast<std::size_t>(std::find(rows[0].begin(), rows[0].end(), "point") - rows[0].begin());
   if (point == rows[0].size()) throw FileError(fmt::format("cannot read {}: it has no column `point`", path));
   std::vector<PointTable> tables;
+  std::map<std::string, std::size_t> places;
   for (std::size_t r = 1; r < rows.size(); ++r) {
-    const std::string& name = rows[r][point];
-    auto found = std::find_if(tables.begin(), tables.end(), [&](const PointTable& t) { return t.point == name; });
-    if (found == tables.end()) found = tables.insert(tables.end(), {name, empty_table(rows[0])});
-    add_row(found->table, rows[r]);
+    const auto [place, is_new] = places.try_emplace(rows[r][point], tables.size());
+    if (is_new) tables.push_back({place->first, empty_table(rows[0])});
+    add_row(tables[place->second].table, rows[r]);
   }
   for (auto& [name, table] : tables) {  // the name is no number
     table.names.erase(table.names.begin() + static_cast<std::ptrdiff_t>(point));

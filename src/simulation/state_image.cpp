@@ -149,6 +149,8 @@ void get_failure(const StateImage& image, State& state)
 {
   const auto& heights = get<Real>(image, "section/heights");
   const auto& columns = get<Real>(image, "section/columns", 3);
+  const bool fits = !heights.empty() && std::isfinite(columns[0]) && std::isfinite(columns[1]) && columns[1] > 0.0;
+  if (!fits) throw FileError("the checkpoint does not fit this case: its first surface has no columns");
   state.section = {{columns[0], columns[1], static_cast<Index>(heights.size())}, heights, columns[2]};
   for (const Slope& slope : find_slopes(state.section)) {
     const std::string room = fmt::format("slope_{}/", state.slopes.size());
@@ -309,6 +311,8 @@ std::int64_t count_points(const StateImage& image) { return std::ssize(get<Real>
 
 State restore(const Model& model, const StateImage& image)
 {
+  if (!(image.time >= 0.0) || !std::isfinite(image.time) || image.step < 0)
+    throw FileError(fmt::format("the checkpoint cannot be of a run: step {}, t = {:.4g} s", image.step, image.time));
   State state;
   state.time = image.time;
   state.step = image.step;

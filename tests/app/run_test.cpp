@@ -146,7 +146,7 @@ TEST(Run, OnAFullDiskFailsWithThePathAndTheReason)
   const Finished f = run_column(folder, {"--set", "output.fields.every=0.01"});
   EXPECT_EQ(f.status, 1);
   EXPECT_THAT(f.err, AllOf(StartsWith("error: "), HasSubstr(folder), HasSubstr("No space left on device"),
-                           HasSubstr("\n  No checkpoint was written yet. Make room on the disk, then give the same command with --force.\n")));
+                           HasSubstr("\n  No checkpoint was written yet. Make room on the disk, or mend what is told above, then give the same command with --force.\n")));
 }
 
 TEST(Run, OnADiskThatFillsUpSaysHowToGoOnAndCanGoOn)
@@ -159,7 +159,7 @@ TEST(Run, OnADiskThatFillsUpSaysHowToGoOnAndCanGoOn)
   const Finished f = run_column(folder, often);
   EXPECT_EQ(f.status, 1);
   EXPECT_THAT(f.err, testing::MatchesRegex("error: cannot write " + folder + "/[a-z0-9_.]+: No space left on device\n"
-                                           "  Earlier results are intact, up to the checkpoint at t = 0[.][0-9]+ s. Make room on the disk, then go on with:\n"
+                                           "  Earlier results are intact, up to the checkpoint at t = 0[.][0-9]+ s. Make room on the disk, or mend what is told above, then go on with:\n"
                                            "  terp resume " + folder + "\n"));
   std::filesystem::remove(filler);
   const Finished resumed = test::terp({"resume", folder, "-q", "-j", "1"});
@@ -290,6 +290,8 @@ TEST(Resume, OfACaseFileSaysWhatItTakesAndWhatRunIsFor)
             "  It goes on from the newest checkpoint there. To solve a case file from its start: terp run base.toml\n");
   EXPECT_THAT(test::terp({"resume", "runs/base/case.toml"}).err, HasSubstr("as in terp resume runs/base\n"));
   EXPECT_EQ(test::terp({"resume", scratch.path()}).err, "error: " + scratch.path() + ": this is no run folder, it holds no case.toml\n");
+  std::filesystem::create_directory(scratch.path() + "/folder.toml");
+  EXPECT_EQ(test::terp({"resume", "folder.toml"}, scratch.path()).err, "error: folder.toml: this is no run folder, it holds no case.toml\n");
 }
 
 TEST(Resume, WhereAFileOfTheRunIsMissingOrShortIsRefused)

@@ -97,7 +97,7 @@ TEST(Trouble, ResultsThatCannotBeWrittenAnyMoreEndTheRunAndItCanGoOn)
   fs::create_directory(folder + "/results.vtkhdf");
   const Finished f = running.wait();
   EXPECT_EQ(f.status, 1);
-  EXPECT_THAT(f.err, AllOf(HasSubstr("error: cannot change " + folder + "/results.vtkhdf: Is a directory"), HasSubstr("terp resume " + folder)));
+  EXPECT_THAT(f.err, AllOf(HasSubstr("error: cannot read " + folder + "/results.vtkhdf: a folder is in the place of the file"), HasSubstr("terp resume " + folder)));
 
   fs::remove(folder + "/results.vtkhdf");
   fs::rename(aside, folder + "/results.vtkhdf");

@@ -196,6 +196,26 @@ TEST(Checkpoint, TheNewestGoodOneIsFoundAndTheBadOnesAreReported)
   EXPECT_THAT(search.skipped[1].reason, HasSubstr("truncated"));
 }
 
+TEST(Checkpoint, ALinkToItselfDoesNotHideTheOlderOnes)
+{
+  const test::ScratchFolder folder;
+  write_sample(folder.path(), 7);
+  std::filesystem::create_symlink(checkpoint_file(9), path_in(folder.path(), checkpoint_file(9)));
+  EXPECT_EQ(newest_good_checkpoint(folder.path()).image->step, 7);
+}
+
+TEST(Checkpoint, WhoseArraysAreMoreThanItsFileCanHoldIsRefused)
+{
+  const test::ScratchFolder folder;
+  StateImage image{0.0, 1, {{"x", {1000}, std::vector<Real>(1000, 1.5)}}};
+  const std::string path = path_in(folder.path(), checkpoint_file(1));
+  write_checkpoint(path, image);
+  std::string names;
+  for (int k = 0; k < 8000; ++k) names += "x\n";  // 64 MB
+  Hdf5File(path, Hdf5File::Mode::change).set_text("/arrays", "names", names);
+  EXPECT_EQ(file_error_of([&] { read_checkpoint(path); }), "cannot read " + path + ": its arrays are more than it can hold, at `x`");
+}
+
 TEST(Checkpoint, AFolderWithoutAGoodOneGivesNone)
 {
   const test::ScratchFolder folder;

@@ -38,9 +38,9 @@ std::string read(const CommittedFile& file, std::int64_t at, std::int64_t n_byte
 std::string number(std::int64_t value) { return {reinterpret_cast<const char*>(&value), sizeof value}; }
 
 /// What a process leaves that dies in the middle of a commit: page 1 becomes 'b', the file three pages long.
-std::string journal()
+std::string journal(const std::string& head = std::string(64, 'a'))
 {
-  std::string text = "terpjnl1" + number(3 * page) + number(1) + std::string(page, 'b');
+  std::string text = "terpjnl2" + number(3 * page) + head + number(1) + std::string(page, 'b');
   Fnv1a hash;
   hash.add(text.data(), text.size());
   return text + number(static_cast<std::int64_t>(hash.value()));
@@ -109,6 +109,18 @@ TEST(CommittedFile, ACommitThatWasCutShortIsFinished)
   finish_commit(path);
   EXPECT_EQ(read_file(path), std::string(page, 'a') + std::string(page, 'b') + std::string(page, 'a'));
   EXPECT_FALSE(std::filesystem::exists(journal_name(path)));
+}
+
+TEST(CommittedFile, AJournalOfAnotherFileIsRefusedAndNothingChanges)
+{
+  const test::ScratchFolder scratch;
+  for (const std::int64_t size : {4 * page, 3 * page - 1, std::int64_t{0}}) {  // another content, what was new is missing, nothing there
+    const std::string path = make_file(scratch, size), before = read_file(path);
+    write_file_atomically(journal_name(path), journal(std::string(64, size == 4 * page ? 'z' : 'a')));
+    EXPECT_THAT(test::file_error_of([&] { finish_commit(path); }), testing::HasSubstr("results.journal is of another " + path));
+    EXPECT_EQ(read_file(path), before);
+    EXPECT_TRUE(std::filesystem::exists(journal_name(path)));
+  }
 }
 
 TEST(CommittedFile, AJournalThatIsNotWholeIsRemovedAndNothingElse)

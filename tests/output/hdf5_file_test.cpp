@@ -101,8 +101,11 @@ TEST(Hdf5File, RowsOfWhatIsNoTableAreRefused)
   file.write<Real>("/number", {}, std::vector<Real>{1.0});
   file.write<Real>("/box", {2, 1, 2}, std::vector<Real>{1.0, 2.0, 3.0, 4.0});
   file.write<Real>("/no_columns", {2, 0}, std::vector<Real>{});
-  for (const char* name : {"/number", "/box", "/no_columns"})
+  for (const char* name : {"/number", "/box", "/no_columns"}) {
     EXPECT_THAT(file_error_of([&] { file.read_rows<Real>(name, 0, 1); }), testing::AllOf(HasSubstr(name), HasSubstr("no table")));
+    EXPECT_THAT(file_error_of([&] { file.write_rows<Real>(name, 0, std::vector<Real>{1.0}); }), HasSubstr("no table"));
+    EXPECT_THAT(file_error_of([&] { file.cut_rows(name, 0); }), HasSubstr("no table"));
+  }
 }
 
 TEST(Hdf5File, AFileThatIsNoHdf5IsNamed)

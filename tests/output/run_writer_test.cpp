@@ -143,7 +143,7 @@ ResumePoint write_run_with_mesh(const std::string& folder, const std::string& ca
   mesh.create(make_rectangle({0.0, 0.0}, {4.0, 1.0}, {2, 1}), true);
   for (int k = 0; k <= 3; ++k)
     mesh.append({.time = 0.1 * k, .step = 100 * k, .mass = std::vector<Real>(6, 1.0 + k), .velocity = std::vector<Real>(12, 2.0 + k), .pressure = {0.5, 1.5 + k}});
-  return {.step = 200, .time = 0.2, .n_points = 5, .n_cells = 2, .n_frames = 3, .n_mesh_frames = 3, .n_history_rows = 6, .n_ledger_rows = 3,
+  return {.step = 200, .time = 0.2, .n_points = 5, .n_nodes = 6, .n_cells = 2, .n_frames = 3, .n_mesh_frames = 3, .n_history_rows = 6, .n_ledger_rows = 3,
           .tables = read_checkpoint(path_in(folder, checkpoint_file(200))).tables};
 }
 
@@ -169,10 +169,15 @@ TEST(RunWriter, FilesOfAnotherRunAreRefusedAndNothingChanges)
   write_file_atomically(ours + "/left_the_mesh.csv", std::string(left_header) + "\n0.05,3,1,2,3,4,5\n");
   EXPECT_THAT(file_error_of([&] { resume_in(ours, from); }), HasSubstr("left_the_mesh.csv is not what this run wrote"));
   std::filesystem::remove(ours + "/left_the_mesh.csv");
-  ResumePoint more_points = from, finer_mesh = from;
-  more_points.n_points = 6, finer_mesh.n_cells = 8;
+  ResumePoint more_points = from, finer_mesh = from, more_nodes = from, more_fields = from, wider_fields = from;
+  more_points.n_points = 6, finer_mesh.n_cells = 8, more_nodes.n_nodes = 7;
+  more_fields.fields = {{"su", "Pa", 1, {}}, {"strain", "-", 4, {}}};
+  wider_fields.fields = {{"su", "Pa", 4, {}}};
   EXPECT_THAT(file_error_of([&] { resume_in(ours, more_points); }), HasSubstr("results.vtkhdf is not of this run: it has 5 cells, the run 6\n"));
   EXPECT_THAT(file_error_of([&] { resume_in(ours, finer_mesh); }), HasSubstr("mesh.vtkhdf is not of this run: it has 2 cells, the run 8\n"));
+  EXPECT_THAT(file_error_of([&] { resume_in(ours, more_nodes); }), HasSubstr("mesh.vtkhdf is not of this run: it has 6 points, the run 7\n"));
+  EXPECT_THAT(file_error_of([&] { resume_in(ours, more_fields); }), HasSubstr("/VTKHDF/PointData/strain"));
+  EXPECT_THAT(file_error_of([&] { resume_in(ours, wider_fields); }), HasSubstr("/VTKHDF/PointData/su has the shape 20; 4 steps of 5 rows x 4 are due"));
   EXPECT_NO_THROW(resume_in(ours, from));
 }
 

@@ -113,6 +113,23 @@ TEST(SummaryJson, WhatAnOlderFileLacksKeepsItsDefault)
   EXPECT_FALSE(back.finished);
 }
 
+TEST(SummaryJson, WithValuesOfAnotherKindIsRefusedByNameOrReadWithoutThem)
+{
+  const test::ScratchFolder folder;
+  const std::string path = folder.path() + "/summary.json";
+  for (const std::string value : {"5", "\"x\"", "true", "[5]", "[null]", "[[1,2]]", "[{\"rose\":\"x\"}]"})
+    for (const std::string key : {"slides", "reached_sides", "footings", "passes", "softened_fraction"}) {
+      write_file_atomically(path, "{\"" + key + "\": " + value + "}");
+      const std::string error = test::file_error_of([&] { read_summary(path); });
+      EXPECT_TRUE(error.empty() || error.starts_with("cannot read " + path + ": it is not what terp wrote there")) << key << ' ' << value << ": " << error;
+    }
+  for (const char* key : {"slides", "other"}) {
+    write_file_atomically(path, "{\"" + std::string(key) + "\": " + std::string(400'000, '[') + std::string(400'000, ']') + "}");
+    const std::string error = test::file_error_of([&] { read_summary(path); });
+    EXPECT_TRUE(error.empty() || error.starts_with("cannot read " + path)) << error;
+  }
+}
+
 TEST(SummaryJson, ThatIsNoJsonIsAnErrorThatNamesTheFile)
 {
   const test::ScratchFolder folder;

@@ -7,6 +7,9 @@
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 namespace terp {
@@ -154,6 +157,27 @@ TEST(StateImage, WithoutOneOfItsArraysIsRefused)
       EXPECT_NO_THROW(restore(s.model, cut));
     else
       EXPECT_THROW(restore(s.model, cut), FileError) << name;
+  }
+}
+
+TEST(StateImage, WithATimeOrASurfaceThatNoRunHasIsRefused)
+{
+  const Simulation s(moving_column("mpm_gp"));
+  const StateImage sound = make_image(s.state);
+  EXPECT_NO_THROW(restore(s.model, sound));
+  for (const Real time : {std::nan(""), -0.1, HUGE_VAL}) {
+    StateImage image = sound;
+    image.time = time;
+    EXPECT_THROW(restore(s.model, image), FileError) << time;
+  }
+  StateImage image = sound;
+  image.step = -1;
+  EXPECT_THROW(restore(s.model, image), FileError);
+  for (const char* name : {"section/heights", "section/columns"}) {
+    image = sound;
+    const auto array = std::find_if(image.arrays.begin(), image.arrays.end(), [&](const NamedArray& a) { return a.name == name; });
+    std::get<std::vector<Real>>(array->values) = std::string(name) == "section/heights" ? std::vector<Real>{} : std::vector<Real>{0.0, 0.0, 0.0};
+    EXPECT_THROW(restore(s.model, image), FileError) << name;
   }
 }
 
