@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <string>
 
 #include <fcntl.h>
@@ -217,6 +218,9 @@ int main(int argc, char** argv)
     return terp::bad_input;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "error: not enough memory for this case. `terp check CASE.toml` says how much it needs.\n");
+    return terp::failed;
+  } catch (const std::filesystem::filesystem_error& error) {
+    fmt::print(stderr, "error: cannot use {}: {}\n", error.path1().string(), error.code().message());
     return terp::failed;
   } catch (const std::exception& error) {
     fmt::print(stderr, "error: {}\n", error.what());

@@ -78,12 +78,6 @@ void write_text(Hdf5File& file, const std::string& place, const std::string& tex
   file.write<std::uint8_t>(place, {std::ssize(text)}, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
-std::string read_text(const Hdf5File& file, const std::string& place)
-{
-  const auto bytes = file.read<std::uint8_t>(place);
-  return {bytes.begin(), bytes.end()};
-}
-
 void write_head(Hdf5File& file, const StateImage& part, const std::string& case_record, const std::string& tables)
 {
   file.set_text("/", "format", format_name);
@@ -108,14 +102,35 @@ std::int64_t check_format(const Hdf5File& file, const std::string& path)
       version, file.text("/", "terp_version"), TERP_VERSION, oldest_read, format_version));
 }
 
-/// left: bytes of the file that no array accounts for yet; it is not compressed.
-NamedArray read_array(const Hdf5File& file, const std::string& path, const std::string& name, Real& left)
+/// The bytes of a file that nothing accounts for yet. A checkpoint is not compressed: what says that it holds more would only take memory.
+class Room {
+ public:
+  explicit Room(std::string path) : path_(std::move(path)), left_(static_cast<Real>(std::filesystem::file_size(path_))) {}
+
+  /// Throws FileError if there is no room for values of this shape.
+  void take(const std::string& place, const std::vector<std::int64_t>& shape, std::size_t n_bytes_each)
+  {
+    left_ -= std::accumulate(shape.begin(), shape.end(), static_cast<Real>(n_bytes_each), [](Real n, std::int64_t rows) { return n * static_cast<Real>(rows); });
+    if (left_ < 0.0) throw FileError(fmt::format("cannot read {}: its values are more than it can hold, at {}", path_, place));
+  }
+
+ private:
+  std::string path_;
+  Real left_;
+};
+
+std::string read_text(const Hdf5File& file, const std::string& place, Room& room)
+{
+  room.take(place, file.shape(place), 1);
+  const auto bytes = file.read<std::uint8_t>(place);
+  return {bytes.begin(), bytes.end()};
+}
+
+NamedArray read_array(const Hdf5File& file, const std::string& name, Room& room)
 {
   const std::string place = arrays + "/" + name;
   NamedArray array{name, file.shape(place), {}};
-  Real n_bytes = sizeof(Real);
-  for (const std::int64_t n : array.shape) n_bytes *= static_cast<Real>(n);
-  if ((left -= n_bytes) < 0.0) throw FileError(fmt::format("cannot read {}: its arrays are more than it can hold, at `{}`", path, name));
+  room.take(place, array.shape, sizeof(Real));
   if (file.holds_reals(place))
     array.values = file.read<Real>(place);
   else
@@ -223,10 +238,10 @@ StateImage read_checkpoint(const std::string& path)
   StateImage image;
   image.time = file.real("/", "time");
   image.step = file.integer("/", "step");
-  if (version >= first_with_case) image.case_record = read_text(file, case_place);
-  if (version >= first_with_tables) image.tables = read_text(file, tables_place);
-  auto left = static_cast<Real>(std::filesystem::file_size(path));
-  for (const auto& name : split_names(file.text(arrays, "names"))) image.arrays.push_back(read_array(file, path, name, left));
+  Room room(path);
+  if (version >= first_with_case) image.case_record = read_text(file, case_place, room);
+  if (version >= first_with_tables) image.tables = read_text(file, tables_place, room);
+  for (const auto& name : split_names(file.text(arrays, "names"))) image.arrays.push_back(read_array(file, name, room));
   if (fmt::format("{:016x}", checksum_of(image)) != file.text("/", "checksum")) {
     throw FileError(fmt::format("cannot use {}: its checksum does not match; the file was altered or damaged", path));
   }

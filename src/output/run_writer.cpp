@@ -120,6 +120,7 @@ std::unique_ptr<RunWriter> RunWriter::resume(RunWriterSettings settings, FolderL
   const auto mesh = cut(MeshFile(mesh_path), mesh_path, from.n_mesh_frames, {from.n_nodes, from.n_cells}, run, from,
                         [&](Hdf5File& file) { MeshFile::cut_after(file, last_step(from)); });
   for (const TableInfo& table : tables) check_table(folder, table, from);
+  check_is_file(path_in(folder, summary_file));
   if (results) results->close();  // all agree: from here on the folder changes
   if (mesh) mesh->close();
   remove_unfinished(folder);

@@ -225,7 +225,9 @@ SavedSummary read_summary(const std::string& path)
   try {
     return read_values(path);
   } catch (const nlohmann::json::exception& error) {  // a value of another kind than Terp writes
-    throw FileError(fmt::format("cannot read {}: it is not what terp wrote there\n  {}", path, error.what()));
+    const std::string what = error.what();  // "[json.exception.type_error.302] type must be boolean, but is string"
+    throw FileError(fmt::format("cannot read {}: it is not what terp wrote there: {}\n  Put a copy of it back, or solve the case again.", path,
+                                what.substr(what.find("] ") + 2)));
   }
 }
 

@@ -186,6 +186,7 @@ std::unique_ptr<Hdf5File> ResultsFile::open_to_cut() const
 void ResultsFile::cut_after(Hdf5File& file, std::int64_t step, const std::vector<PointField>& fields)
 {
   const std::int64_t n = file.read_rows<std::int64_t>(root + "/NumberOfPoints", 0, 1)[0];
+  file.shape(point_data + "/id");  // must be there
   std::vector<StepTable> tables{{root + "/Points", n, 3}};
   if (fields.empty())
     for (const auto& name : file.members(point_data)) tables.push_back({point_data + "/" + name, n});

@@ -131,6 +131,8 @@ void cut_steps(Hdf5File& file, std::int64_t step, std::vector<StepTable> tables)
   const std::int64_t n_whole = file.integer(steps, "NSteps");
   for (const StepTable& table : tables) check_table(file, table, n_whole);
   const std::int64_t n_steps = count_steps(file, step);
+  for (const StepTable& table : tables)  // the piece that the next step may share, which HDF5 would read then
+    if (const std::int64_t n = n_steps * table.n_rows; n > 0) file.read_rows<Real>(table.name, n - 1, 1);
   file.set_integers(steps, "NSteps", {n_steps});
   for (const StepTable& table : tables) file.cut_rows(table.name, n_steps * table.n_rows);
 }

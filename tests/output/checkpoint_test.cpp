@@ -213,7 +213,7 @@ TEST(Checkpoint, WhoseArraysAreMoreThanItsFileCanHoldIsRefused)
   std::string names;
   for (int k = 0; k < 8000; ++k) names += "x\n";  // 64 MB
   Hdf5File(path, Hdf5File::Mode::change).set_text("/arrays", "names", names);
-  EXPECT_EQ(file_error_of([&] { read_checkpoint(path); }), "cannot read " + path + ": its arrays are more than it can hold, at `x`");
+  EXPECT_EQ(file_error_of([&] { read_checkpoint(path); }), "cannot read " + path + ": its values are more than it can hold, at /arrays/x");
 }
 
 TEST(Checkpoint, AFolderWithoutAGoodOneGivesNone)
