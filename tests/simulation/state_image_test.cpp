@@ -162,7 +162,8 @@ TEST(StateImage, WithoutOneOfItsArraysIsRefused)
 
 TEST(StateImage, WithATimeOrASurfaceThatNoRunHasIsRefused)
 {
-  const Simulation s(moving_column("mpm_gp"));
+  Simulation s(moving_column("mpm_gp"));
+  start_audit(s.model, s.state);
   const StateImage sound = make_image(s.state);
   EXPECT_NO_THROW(restore(s.model, sound));
   for (const Real time : {std::nan(""), -0.1, HUGE_VAL}) {
