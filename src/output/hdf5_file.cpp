@@ -465,9 +465,11 @@ std::vector<std::int64_t> Hdf5File::integers(const std::string& object, const st
 
 std::int64_t Hdf5File::integer(const std::string& object, const std::string& attribute) const
 {
-  const auto values = integers(object, attribute);
-  if (values.size() != 1) refuse(path_, attribute, fmt::format("it has {} values, one is expected", values.size()));
-  return values[0];
+  const Id opened = open_attribute(file_, path_, object, attribute);
+  check_single(opened, path_, attribute);
+  std::int64_t value = 0;
+  checked(H5Aread(opened, H5T_NATIVE_INT64, &value), "read", path_, attribute);
+  return value;
 }
 
 #define TERP_HDF5_TYPE(T)                                                                                     \

@@ -32,7 +32,7 @@ struct ResumePoint {
   std::int64_t n_points = 0, n_nodes = 0, n_cells = 0;
   std::int64_t n_frames = 0, n_mesh_frames = 0, n_history_rows = 0, n_ledger_rows = 0, n_left_rows = 0, n_footing_rows = 0;
   std::string tables = {};  ///< as the checkpoint has it; empty: not known
-  std::vector<PointField> fields = {};  ///< of a frame, without values; empty: not known
+  std::vector<PointField> fields = {};  ///< of a frame; values do not count
 };
 
 /// What is shown is written in the order in which it was shown, by a thread of its own, so that the run goes on meanwhile; `finish`

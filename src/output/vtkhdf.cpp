@@ -188,10 +188,7 @@ void ResultsFile::cut_after(Hdf5File& file, std::int64_t step, const std::vector
   const std::int64_t n = file.read_rows<std::int64_t>(root + "/NumberOfPoints", 0, 1)[0];
   file.shape(point_data + "/id");  // must be there
   std::vector<StepTable> tables{{root + "/Points", n, 3}};
-  if (fields.empty())
-    for (const auto& name : file.members(point_data)) tables.push_back({point_data + "/" + name, n});
   for (const auto& field : fields) tables.push_back({point_data + "/" + field.name, n, n_columns(field.n_components)});
-  std::erase_if(tables, [](const StepTable& table) { return table.name == point_data + "/id"; });
   cut_steps(file, step, tables);
 }
 

@@ -29,8 +29,8 @@ class ResultsFile {
   std::unique_ptr<Hdf5File> open_to_cut() const;
 
   /// Drops the frames of later steps: for a run that continues from `step`. Throws FileError and changes nothing if a table does not hold
-  /// what it must. fields: those of the run, without values; empty: not known.
-  static void cut_after(Hdf5File& file, std::int64_t step, const std::vector<PointField>& fields = {});
+  /// what it must. fields: those of the run; their values do not count.
+  static void cut_after(Hdf5File& file, std::int64_t step, const std::vector<PointField>& fields);
 
  private:
   std::string path_, run_;

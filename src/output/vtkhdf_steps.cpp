@@ -109,8 +109,7 @@ void check_table(const Hdf5File& file, const StepTable& table, std::int64_t n_st
 {
   const auto shape = file.shape(table.name);
   const std::int64_t n_columns = shape.size() == 2 ? shape[1] : 0;
-  const bool fits = table.n_columns == StepTable::any_columns ? shape.size() == 1 || n_columns > 0 : n_columns == table.n_columns;
-  if (shape.empty() || shape.size() > 2 || !fits || shape[0] / std::max<std::int64_t>(1, table.n_rows) < n_steps)
+  if (shape.empty() || shape.size() > 2 || n_columns != table.n_columns || shape[0] / std::max<std::int64_t>(1, table.n_rows) < n_steps)
     throw FileError(fmt::format("{} has the shape {}; {} steps of {} rows{} are due", table.name, fmt::join(shape, " x "), n_steps, table.n_rows,
                                 table.n_columns > 0 ? fmt::format(" x {}", table.n_columns) : ""));
 }

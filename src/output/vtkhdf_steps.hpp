@@ -49,9 +49,7 @@ std::int64_t count_steps(const Hdf5File& file, std::int64_t step);
 struct StepTable {
   std::string name;
   std::int64_t n_rows;
-  std::int64_t n_columns = any_columns;  ///< 0: one-dimensional
-
-  static constexpr std::int64_t any_columns = -1;
+  std::int64_t n_columns;  ///< 0: one-dimensional
 };
 
 /// Drops what came after the time step `step`. Throws FileError and changes nothing if a table is not there, or not as large as the file

@@ -80,7 +80,7 @@ TEST(RunWriter, AResumedRunEndsInTheSameTablesAsOneInOneGo)
   write_outputs(*RunWriter::start(settings_for(resumed.path()), false), 0, 4);
   std::filesystem::remove(path_in(resumed.path(), checkpoint_file(400)));
   const StateImage image = newest_good_checkpoint(resumed.path()).image.value();
-  write_outputs(*resume_in(resumed.path(), {.step = image.step, .time = image.time, .n_points = 5}), 4, 5);
+  write_outputs(*resume_in(resumed.path(), {.step = image.step, .time = image.time, .n_points = 5, .fields = sample_frame(0).fields}), 4, 5);
   for (const char* name : {"history.csv", "ledger.csv", "case.toml"}) {
     EXPECT_EQ(read_file(path_in(resumed.path(), name)), read_file(path_in(one_go.path(), name))) << name;
   }
@@ -95,7 +95,7 @@ TEST(RunWriter, ResumingDropsTheCheckpointsOfTheAbandonedSteps)
 {
   const test::ScratchFolder scratch;
   write_outputs(*RunWriter::start(settings_for(scratch.path()), false), 0, 3);
-  resume_in(scratch.path(), {.step = 200, .time = 0.2, .n_points = 5, .n_history_rows = 6, .n_ledger_rows = 3});
+  resume_in(scratch.path(), {.step = 200, .time = 0.2, .n_points = 5, .n_history_rows = 6, .n_ledger_rows = 3, .fields = sample_frame(0).fields});
   EXPECT_EQ(newest_good_checkpoint(scratch.path()).image->step, 200);
 }
 
@@ -104,7 +104,7 @@ TEST(RunWriter, DoesNotResumeWhereAFileIsMissingOrTooShort)
   const test::ScratchFolder scratch;
   const std::string folder = scratch.path();
   write_outputs(*RunWriter::start(settings_for(folder), false), 0, 3);
-  const ResumePoint from{.step = 200, .time = 0.2, .n_points = 5, .n_frames = 3, .n_history_rows = 6, .n_ledger_rows = 3};
+  const ResumePoint from{.step = 200, .time = 0.2, .n_points = 5, .n_frames = 3, .n_history_rows = 6, .n_ledger_rows = 3, .fields = sample_frame(0).fields};
   const std::string ledger = read_file(folder + "/ledger.csv"), head = "cannot resume from step 200, t = 0.2 s, without all of " + folder;
   const std::string advice = "\n  Put the file back, resume from an earlier checkpoint, or start the case anew: terp run " + folder + "/case.toml -o NEW_FOLDER";
 
@@ -144,7 +144,7 @@ ResumePoint write_run_with_mesh(const std::string& folder, const std::string& ca
   for (int k = 0; k <= 3; ++k)
     mesh.append({.time = 0.1 * k, .step = 100 * k, .mass = std::vector<Real>(6, 1.0 + k), .velocity = std::vector<Real>(12, 2.0 + k), .pressure = {0.5, 1.5 + k}});
   return {.step = 200, .time = 0.2, .n_points = 5, .n_nodes = 6, .n_cells = 2, .n_frames = 3, .n_mesh_frames = 3, .n_history_rows = 6, .n_ledger_rows = 3,
-          .tables = read_checkpoint(path_in(folder, checkpoint_file(200))).tables};
+          .tables = read_checkpoint(path_in(folder, checkpoint_file(200))).tables, .fields = sample_frame(0).fields};
 }
 
 TEST(RunWriter, FilesOfAnotherRunAreRefusedAndNothingChanges)
@@ -247,7 +247,7 @@ TEST(RunWriter, ARunResumedAtItsStartShowsTheStartOnce)
 {
   const test::ScratchFolder scratch;
   write_outputs(*RunWriter::start(settings_for(scratch.path()), false), 0, 0);
-  write_outputs(*resume_in(scratch.path(), {.n_points = 5}), 0, 0);
+  write_outputs(*resume_in(scratch.path(), {.n_points = 5, .fields = sample_frame(0).fields}), 0, 0);
   EXPECT_EQ(read_file(scratch.path() + "/ledger.csv"),
             std::string(ledger_header) + "\n" + csv_line(sample_ledger(0.0)));
   const Hdf5File file(path_in(scratch.path(), results_file), Hdf5File::Mode::read);

@@ -52,12 +52,12 @@ inline StateImage sample_image(std::int64_t step)
            {"empty", {0, 3}, std::vector<Real>{}}}};
 }
 
-/// A ResultsFile or MeshFile without the frames of later steps.
-template <class File>
-void cut_after(const File& file, std::int64_t step)
+/// A ResultsFile (fields: those of its frames) or MeshFile without the frames of later steps.
+template <class File, class... Fields>
+void cut_after(const File& file, std::int64_t step, const Fields&... fields)
 {
   const auto opened = file.open_to_cut();
-  File::cut_after(*opened, step);
+  File::cut_after(*opened, step, fields...);
   opened->close();
 }
 

@@ -99,7 +99,7 @@ TEST(VtkhdfSteps, WhereATableIsNotWhatItMustBeNothingIsCut)
   Hdf5File file(write_steps(folder.path(), 4), Hdf5File::Mode::change);
   const std::string box = vtkhdf::root + "/box", missing = vtkhdf::root + "/missing";
   file.write<Real>(box, {8, 1, 1}, std::vector<Real>(8));
-  for (const vtkhdf::StepTable& table : {vtkhdf::StepTable{missing, 2}, vtkhdf::StepTable{box, 2}, vtkhdf::StepTable{speed_table, 3}, vtkhdf::StepTable{speed_table, 2, 3}}) {
+  for (const vtkhdf::StepTable& table : {vtkhdf::StepTable{missing, 2, 0}, vtkhdf::StepTable{box, 2, 0}, vtkhdf::StepTable{speed_table, 3, 0}, vtkhdf::StepTable{speed_table, 2, 3}}) {
     EXPECT_THAT(test::file_error_of([&] { vtkhdf::cut_steps(file, 150, {table}); }), testing::HasSubstr(table.name));
     EXPECT_EQ(file.integer(vtkhdf::steps, "NSteps"), 4);
     EXPECT_THAT(file.shape(speed_table), ElementsAre(8));
@@ -112,7 +112,7 @@ TEST(VtkhdfSteps, CuttingDropsEveryTableOfTheLaterSteps)
 {
   const test::ScratchFolder folder;
   Hdf5File file(write_steps(folder.path(), 4), Hdf5File::Mode::change);
-  vtkhdf::cut_steps(file, 150, {{speed_table, 2}});
+  vtkhdf::cut_steps(file, 150, {{speed_table, 2, 0}});
   EXPECT_THAT(file.integers(vtkhdf::steps, "NSteps"), ElementsAre(2));
   EXPECT_THAT(file.read<Real>(vtkhdf::steps + "/Values"), ElementsAre(0.0, 0.5));
   EXPECT_THAT(file.read<std::int64_t>(vtkhdf::steps + "/PointDataOffsets/speed"), ElementsAre(0, 2));

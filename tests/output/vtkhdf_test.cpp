@@ -108,7 +108,7 @@ TEST(Vtkhdf, TruncatingDropsTheLaterFramesAndAppendingGoesOnThere)
 {
   const test::ScratchFolder folder;
   const std::string path = write_frames(folder.path(), 0, 4);
-  cut_after(ResultsFile(path), 250);  // frames of steps 0, 100, 200 stay
+  cut_after(ResultsFile(path), 250, sample_frame(0).fields);  // frames of steps 0, 100, 200 stay
   ResultsFile(path).append(sample_frame(7));
   const Hdf5File file(path, Hdf5File::Mode::read);
   EXPECT_THAT(file.integers("/VTKHDF/Steps", "NSteps"), ElementsAre(4));
@@ -131,7 +131,7 @@ TEST(Vtkhdf, TheFrameOfTheStepItselfStays)
 {
   const test::ScratchFolder folder;
   const std::string path = write_frames(folder.path(), 0, 2);
-  cut_after(ResultsFile(path), 100);
+  cut_after(ResultsFile(path), 100, sample_frame(0).fields);
   EXPECT_THAT(Hdf5File(path, Hdf5File::Mode::read).read<std::int64_t>("/VTKHDF/Steps/step"), ElementsAre(0, 100));
 }
 
