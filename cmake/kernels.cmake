@@ -13,8 +13,8 @@ set(TERP_FLAGS_avx512 -march=x86-64-v4 -mprefer-vector-width=512)
 set(TERP_FLAGS_avx2 -march=x86-64-v3)
 set(TERP_FLAGS_sse2 -march=x86-64)
 
-# With sanitizers a step is 2.4 times as fast when the kernels are optimised and GCC does not mark the scope of each pack that an expression
-# makes, which is most of what it would do. Limits of arrays, the heap and undefined behaviour are checked in them as everywhere.
+# With the address sanitizer a step is 2.4 times as fast when the kernels are optimised and GCC does not mark the scope of each pack that an
+# expression makes. Limits of arrays, the heap and undefined behaviour are checked in them as everywhere.
 if(TERP_SANITIZE OR TERP_TSAN)
   set(options -O2)
   if(TERP_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

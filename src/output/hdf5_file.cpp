@@ -424,9 +424,15 @@ std::size_t count_values(hid_t attribute)
   return static_cast<std::size_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(Id{H5Aget_space(attribute), H5Sclose})));
 }
 
-void check_single(hid_t attribute, const std::string& path, const std::string& name)
+/// The one value of an attribute.
+template <class T>
+T read_single(hid_t file, const std::string& path, const std::string& object, const std::string& attribute)
 {
-  if (const std::size_t n = count_values(attribute); n != 1) refuse(path, name, fmt::format("it has {} values, one is expected", n));
+  const Id opened = open_attribute(file, path, object, attribute);
+  if (const std::size_t n = count_values(opened); n != 1) refuse(path, attribute, fmt::format("it has {} values, one is expected", n));
+  T value{};
+  checked(H5Aread(opened, memory_type<T>(), &value), "read", path, attribute);
+  return value;
 }
 
 }  // namespace
@@ -448,11 +454,7 @@ std::string Hdf5File::text(const std::string& object, const std::string& attribu
 
 Real Hdf5File::real(const std::string& object, const std::string& attribute) const
 {
-  const Id opened = open_attribute(file_, path_, object, attribute);
-  check_single(opened, path_, attribute);
-  Real value = 0.0;
-  checked(H5Aread(opened, H5T_NATIVE_DOUBLE, &value), "read", path_, attribute);
-  return value;
+  return read_single<Real>(file_, path_, object, attribute);
 }
 
 std::vector<std::int64_t> Hdf5File::integers(const std::string& object, const std::string& attribute) const
@@ -465,11 +467,7 @@ std::vector<std::int64_t> Hdf5File::integers(const std::string& object, const st
 
 std::int64_t Hdf5File::integer(const std::string& object, const std::string& attribute) const
 {
-  const Id opened = open_attribute(file_, path_, object, attribute);
-  check_single(opened, path_, attribute);
-  std::int64_t value = 0;
-  checked(H5Aread(opened, H5T_NATIVE_INT64, &value), "read", path_, attribute);
-  return value;
+  return read_single<std::int64_t>(file_, path_, object, attribute);
 }
 
 #define TERP_HDF5_TYPE(T)                                                                                     \
