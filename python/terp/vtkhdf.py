@@ -1,6 +1,6 @@
 """A file in the VTKHDF format with time steps, type UnstructuredGrid: tables of points and cells, read by step.
 
-Also while a run adds steps to it: a step counts once it is whole (NSteps), and a reading that meets the writer half way is repeated.
+Also while a run adds steps to it: a step counts once it is whole (NSteps), and a reading into which a step came is repeated.
 Not for: what the fields mean (run.py).
 """
 
@@ -12,7 +12,9 @@ import numpy as np
 from terp.errors import RunError
 
 KNOWN_VERSION = 2  # the first number of the version; the second adds what an old reader passes over
-PATIENCE = 0.4  # how long a file must have stayed the same before a failed reading counts [s]; a frame of 40 000 points takes 0.1 s
+HEAD_SIZE = 64  # the first bytes of a file, where HDF5 keeps its size: what adding a step changes first
+MOMENT = 0.01  # before a reading is repeated [s]
+PATIENCE = 0.5  # with a step in the middle of being added, which takes milliseconds unless the run was killed [s]
 GEOMETRY = {"PointData": ("PointOffsets", "NumberOfPoints"), "CellData": ("CellOffsets", "NumberOfCells")}
 
 
@@ -53,37 +55,52 @@ class VtkhdfFile:
         return self.read(lambda root: root["Connectivity"][:].reshape(root["NumberOfCells"][0], -1))
 
     def read(self, of):
-        """of(group /VTKHDF). A failure counts when the file has not changed for a while; until then it is being written."""
+        """of(group /VTKHDF), repeated until no step came meanwhile: only then what it gives, or its failure, is of one content of the file."""
         while True:
-            before = _stamp(self.path)
+            head = _head(self.path)
+            at_rest = not _is_being_added_to(self.path)
             try:
-                return self._read_once(of)
-            except (OSError, RuntimeError) as error:
-                if time.time() - before[0] > PATIENCE and _stamp(self.path) == before:
-                    raise RunError(f"{self.path} cannot be read as VTKHDF: {error}") from error
-                time.sleep(PATIENCE / 4)
+                value = self._read_once(of)
+                if at_rest and _head(self.path) == head:
+                    return value
+            except RunError:
+                if at_rest and _head(self.path) == head:
+                    raise
+            time.sleep(MOMENT)
 
     def _read_once(self, of):
-        with h5py.File(self.path, "r") as file:
-            if "VTKHDF" not in file:
-                raise RunError(f"{self.path} cannot be read as VTKHDF: it has no group /VTKHDF")
-            root = file["VTKHDF"]
-            version = root.attrs.get("Version", (KNOWN_VERSION,))
-            if version[0] != KNOWN_VERSION:
-                raise RunError(f"{self.path} is of VTKHDF version {'.'.join(str(n) for n in version)}; this terp reads version {KNOWN_VERSION}")
-            try:
-                return of(root)
-            except KeyError as error:
-                raise RunError(f"{self.path} lacks a part of the format: {error.args[0]}") from error
+        try:
+            with h5py.File(self.path, "r") as file:
+                return of(self._checked_root(file))
+        except KeyError as error:
+            raise RunError(f"{self.path} lacks a part of the format: {error.args[0]}") from error
+        except (OSError, RuntimeError, TypeError, ValueError) as error:  # what h5py makes of bytes that HDF5 cannot read
+            raise RunError(f"{self.path} cannot be read as VTKHDF: {error}") from error
+
+    def _checked_root(self, file):
+        if "VTKHDF" not in file:
+            raise RunError(f"{self.path} cannot be read as VTKHDF: it has no group /VTKHDF")
+        root = file["VTKHDF"]
+        version = root.attrs.get("Version", (KNOWN_VERSION,))
+        if version[0] != KNOWN_VERSION:
+            raise RunError(f"{self.path} is of VTKHDF version {'.'.join(str(n) for n in version)}; this terp reads version {KNOWN_VERSION}")
+        return root
 
 
-def _stamp(path):
-    """What changes when a file is written: (time, size)."""
+def _head(path):
     try:
-        status = path.stat()
+        with path.open("rb") as file:
+            return file.read(HEAD_SIZE)
     except OSError as error:
         raise RunError(f"{path} cannot be read: {error.strerror}") from error
-    return status.st_mtime, status.st_size
+
+
+def _is_being_added_to(path):
+    """A step is added by way of a journal (docs/reliability.md). An old one was left by a run that was killed."""
+    try:
+        return abs(time.time() - path.with_name(path.name + ".journal").stat().st_mtime) < PATIENCE
+    except FileNotFoundError:
+        return False
 
 
 def _rows(root, data, name, k):

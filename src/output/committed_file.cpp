@@ -7,8 +7,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -24,6 +27,8 @@ namespace {
 
 constexpr std::string_view magic = "terpjnl2";
 constexpr std::size_t head_size = 64;  // of the file, by which a journal knows it: HDF5 keeps its size there
+constexpr useconds_t a_moment = 10'000;  // before a reading is repeated [us]
+constexpr std::chrono::milliseconds patience{500};  // with a commit in its middle, which takes microseconds unless its writer was killed
 
 /// The bytes of a number, little-endian as in memory.
 std::string_view bytes_of(const std::int64_t& value) { return {reinterpret_cast<const char*>(&value), sizeof value}; }
@@ -142,6 +147,36 @@ void remove_journal(const std::string& path)
   if (::unlink(journal_name(path).c_str()) != 0) throw_file_error("remove", journal_name(path), errno);
 }
 
+/// To read, by one who writes nothing; what is no file, or not there, is empty.
+std::ifstream open_to_read(const std::string& path)
+{
+  std::error_code none;
+  return std::filesystem::is_regular_file(path, none) ? std::ifstream(path, std::ios::binary) : std::ifstream();
+}
+
+/// Up to n_bytes from `at` on, as far as the file goes.
+std::string bytes_at(const std::string& path, std::int64_t at, std::size_t n_bytes)
+{
+  std::string bytes(n_bytes, '\0');
+  std::ifstream file = open_to_read(path);
+  file.seekg(at).read(bytes.data(), static_cast<std::streamsize>(n_bytes));
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  return bytes;
+}
+
+/// True between the first page of a commit, which is the head's, and the last: the file is neither what it was nor what it becomes.
+bool is_half_changed(const std::string& path)
+{
+  std::ifstream file = open_to_read(journal_name(path));
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!is_whole(text)) return false;
+  const Journal journal = read_journal(text, CommittedFile::page_size);
+  if (bytes_at(path, 0, head_size) == journal.head) return false;
+  return std::any_of(journal.pages.begin(), journal.pages.end(), [&](const auto& page) {
+    return !page.second.starts_with(bytes_at(path, page.first * CommittedFile::page_size, page.second.size()));
+  });
+}
+
 }  // namespace
 
 std::string journal_name(const std::string& path) { return path + ".journal"; }
@@ -249,6 +284,21 @@ void finish_commit(const std::string& path)
     ::close(descriptor);
   }
   remove_journal(path);
+}
+
+void read_between_commits(const std::string& path, const std::function<void()>& read)
+{
+  const auto started = std::chrono::steady_clock::now();
+  for (;; ::usleep(a_moment)) {
+    const std::string head = bytes_at(path, 0, head_size);
+    const bool counts = !is_half_changed(path) || std::chrono::steady_clock::now() - started > patience;
+    try {
+      read();
+      if (counts && bytes_at(path, 0, head_size) == head) return;
+    } catch (const FileError&) {
+      if (counts && bytes_at(path, 0, head_size) == head) throw;
+    }
+  }
 }
 
 }  // namespace terp

@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "input/case_file.hpp"
+#include "output/committed_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,29 +20,35 @@ constexpr std::int64_t known_version = 2;  // the first number of the format's v
 
 }  // namespace
 
-Frames::Frames(const std::string& path) : path_(path), file_(path, Hdf5File::Mode::read)
+Frames::Frames(const std::string& path) : path_(path)
 {
-  const auto version = file_.integers(root, "Version");
+  read_between_commits(path_, [this] { read_contents(Hdf5File(path_, Hdf5File::Mode::read)); });
+}
+
+void Frames::read_contents(const Hdf5File& file)
+{
+  const auto version = file.integers(root, "Version");
   if (version.empty() || version[0] != known_version)
-    throw FileError(fmt::format("cannot read {}: it is of VTKHDF version {}, terp {} reads version {}\n  A newer terp wrote it: read it with that one.", path,
+    throw FileError(fmt::format("cannot read {}: it is of VTKHDF version {}, terp {} reads version {}\n  A newer terp wrote it: read it with that one.", path_,
                                 fmt::join(version, "."), TERP_VERSION, known_version));
   const std::string steps = root + "/Steps";
-  n_points_ = file_.read_rows<std::int64_t>(root + "/NumberOfPoints", 0, 1)[0];
-  const std::int64_t n_frames = file_.integer(steps, "NSteps");  // what follows may be half written
-  times_ = file_.read_rows<Real>(steps + "/Values", 0, n_frames);
-  steps_ = file_.read_rows<std::int64_t>(steps + "/step", 0, n_frames);
+  n_points_ = file.read_rows<std::int64_t>(root + "/NumberOfPoints", 0, 1)[0];
+  const std::int64_t n_frames = file.integer(steps, "NSteps");
+  times_ = file.read_rows<Real>(steps + "/Values", 0, n_frames);
+  steps_ = file.read_rows<std::int64_t>(steps + "/step", 0, n_frames);
   if (times_.empty() || n_points_ == 0)
-    throw FileError(fmt::format("{}: it holds no {}; there is nothing to show", path, times_.empty() ? "frame yet" : "points"));
-  if (check_table(root + "/Points") != 3) throw FileError(fmt::format("cannot read {}: its points have no three coordinates", path));
-  for (const auto& name : file_.members(point_data)) {
+    throw FileError(fmt::format("{}: it holds no {}; there is nothing to show", path_, times_.empty() ? "frame yet" : "points"));
+  if (check_table(file, root + "/Points") != 3) throw FileError(fmt::format("cannot read {}: its points have no three coordinates", path_));
+  fields_.clear();
+  for (const auto& name : file.members(point_data)) {
     const std::string table = point_data + "/" + name;
-    if (name != "id") fields_.push_back({name, file_.text(table, "unit"), check_table(table)});
+    if (name != "id") fields_.push_back({name, file.text(table, "unit"), check_table(file, table)});
   }
 }
 
-int Frames::check_table(const std::string& name) const
+int Frames::check_table(const Hdf5File& file, const std::string& name) const
 {
-  const auto shape = file_.shape(name);
+  const auto shape = file.shape(name);
   const std::int64_t n_columns = shape.size() == 1 ? 1 : shape.size() == 2 ? shape[1] : 0;
   if (n_columns < 1 || n_columns > most_columns) throw FileError(fmt::format("cannot read {} in {}: its shape is {}, no table of numbers per point", name, path_, fmt::join(shape, " x ")));
   if (n_points_ < 0 || (n_points_ > 0 && shape[0] / n_points_ < std::ssize(times_)))
@@ -49,9 +56,18 @@ int Frames::check_table(const std::string& name) const
   return static_cast<int>(n_columns);
 }
 
+std::vector<Real> Frames::read_frame(const std::string& table, std::size_t k) const
+{
+  std::vector<Real> rows;
+  read_between_commits(path_, [&] {
+    rows = Hdf5File(path_, Hdf5File::Mode::read).read_rows<Real>(table, static_cast<std::int64_t>(k) * n_points_, n_points_);
+  });
+  return rows;
+}
+
 std::vector<Real> Frames::places(std::size_t k) const
 {
-  const auto rows = file_.read_rows<Real>(root + "/Points", static_cast<std::int64_t>(k) * n_points_, n_points_);
+  const auto rows = read_frame(root + "/Points", k);
   std::vector<Real> x(2 * static_cast<std::size_t>(n_points_));
   for (std::size_t p = 0; p < static_cast<std::size_t>(n_points_); ++p) {
     x[2 * p] = rows[3 * p];
@@ -62,7 +78,7 @@ std::vector<Real> Frames::places(std::size_t k) const
 
 std::vector<Real> Frames::read(std::string_view name, std::size_t k) const
 {
-  return file_.read_rows<Real>(point_data + "/" + field(name).name, static_cast<std::int64_t>(k) * n_points_, n_points_);
+  return read_frame(point_data + "/" + field(name).name, k);
 }
 
 const ResultField* Frames::find(std::string_view name) const

@@ -16,7 +16,7 @@ struct ResultField {
   int n_components = 1;  ///< of a vector 3, with z = 0; of a tensor 4: xx yy zz xy
 };
 
-/// The file stays open for as long as this lives. A run that goes on may add frames; they are not seen.
+/// A run that goes on may add frames meanwhile; they are not seen. Each reading opens the file, and is repeated if a frame came into it.
 class Frames {
  public:
   /// Throws FileError if the file is missing, not of the format, or does not hold what it says.
@@ -36,11 +36,13 @@ class Frames {
 
  private:
   const ResultField* find(std::string_view name) const;
+  void read_contents(const Hdf5File& file);
   /// Columns of a table that holds a row for each point in each frame; throws FileError if it does not.
-  int check_table(const std::string& name) const;
+  int check_table(const Hdf5File& file, const std::string& name) const;
+  /// The rows of frame k of a table.
+  std::vector<Real> read_frame(const std::string& table, std::size_t k) const;
 
   std::string path_;
-  Hdf5File file_;
   std::int64_t n_points_ = 0;
   std::vector<Real> times_;
   std::vector<std::int64_t> steps_;

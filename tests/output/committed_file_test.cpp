@@ -1,12 +1,14 @@
 // A file that changes as a whole or not at all.
 #include "output/committed_file.hpp"
 
+#include "base/errors.hpp"
 #include "output/checksum.hpp"
 #include "output/files.hpp"
 #include "output/samples.hpp"
 #include "output/small_disk.hpp"
 
 #include <filesystem>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -37,10 +39,10 @@ std::string read(const CommittedFile& file, std::int64_t at, std::int64_t n_byte
 
 std::string number(std::int64_t value) { return {reinterpret_cast<const char*>(&value), sizeof value}; }
 
-/// What a process leaves that dies in the middle of a commit: page 1 becomes 'b', the file three pages long.
-std::string journal(const std::string& head = std::string(64, 'a'))
+/// What a process leaves that dies in the middle of a commit: page k becomes `content`, the file three pages long.
+std::string journal(const std::string& head = std::string(64, 'a'), std::int64_t k = 1, const std::string& content = std::string(page, 'b'))
 {
-  std::string text = "terpjnl2" + number(3 * page) + head + number(1) + std::string(page, 'b');
+  std::string text = "terpjnl2" + number(3 * page) + head + number(k) + content;
   Fnv1a hash;
   hash.add(text.data(), text.size());
   return text + number(static_cast<std::int64_t>(hash.value()));
@@ -138,6 +140,73 @@ TEST(CommittedFile, AJournalThatIsNotWholeIsRemovedAndNothingElse)
   write_file_atomically(journal_name(path), altered);
   finish_commit(path);
   EXPECT_EQ(read_file(path), std::string(4 * page, 'a'));
+}
+
+/// Another process adds to a file and changes its first byte.
+void commit(const std::string& path, char first)
+{
+  CommittedFile file(path);
+  const std::int64_t size = file.size();
+  file.start_changes(size, 0);
+  write(file, 0, std::string(1, first));
+  write(file, size, "new");
+  file.commit(size + 3);
+}
+
+TEST(ReadingBetweenCommits, IsRepeatedIfOneCameIntoIt)
+{
+  const test::ScratchFolder scratch;
+  const std::string path = make_file(scratch, 2 * page);
+  std::vector<std::size_t> sizes;
+  read_between_commits(path, [&] {
+    const std::string before = read_file(path);
+    if (sizes.size() < 2) commit(path, sizes.empty() ? 'b' : 'c');
+    sizes.push_back(before.size());
+  });
+  EXPECT_THAT(sizes, testing::ElementsAre(2 * page, 2 * page + 3, 2 * page + 6));
+}
+
+TEST(ReadingBetweenCommits, AnErrorCountsIfNoCommitCameIntoIt)
+{
+  const test::ScratchFolder scratch;
+  const std::string path = make_file(scratch, 2 * page);
+  int n = 0;
+  const auto fail = [&] {
+    if (++n == 1) commit(path, 'b');
+    throw FileError("reading " + std::to_string(n));
+  };
+  EXPECT_EQ(test::file_error_of([&] { read_between_commits(path, fail); }), "reading 2");
+  EXPECT_EQ(test::file_error_of([&] { read_between_commits(path, fail); }), "reading 3");
+  EXPECT_EQ(test::file_error_of([&] { read_between_commits(scratch.path() + "/none", fail); }), "reading 4");
+}
+
+TEST(ReadingBetweenCommits, WaitsWhileThePagesAreWritten)
+{
+  const test::ScratchFolder scratch;
+  const std::string path = make_file(scratch, 4 * page), head(64, 'z');
+  const auto n_readings = [&] {
+    int n = 0;
+    read_between_commits(path, [&] {
+      if (++n == 2) finish_commit(path);
+    });
+    return n;
+  };
+  write_file_atomically(journal_name(path), journal());  // nothing is written yet
+  EXPECT_EQ(n_readings(), 1);
+  write_file_atomically(journal_name(path), journal(head, 0, std::string(page, 'a')));  // all is written
+  EXPECT_EQ(n_readings(), 1);
+  write_file_atomically(journal_name(path), journal(head, 0, std::string(64, 'a') + std::string(page - 64, 'b')));
+  EXPECT_EQ(n_readings(), 3);
+}
+
+TEST(ReadingBetweenCommits, DoesNotWaitForAWriterThatWasKilled)
+{
+  const test::ScratchFolder scratch;
+  const std::string path = make_file(scratch, 4 * page);
+  write_file_atomically(journal_name(path), journal(std::string(64, 'z')));
+  int n = 0;
+  read_between_commits(path, [&] { ++n; });
+  EXPECT_GT(n, 1);
 }
 
 TEST(CommittedFile, OnAFullDiskStaysAsItWas)

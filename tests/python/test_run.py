@@ -1,9 +1,10 @@
 """A run folder read back: terp.open."""
 
 import importlib.util
+import os
 import pathlib
 import tempfile
-import threading
+import time
 import unittest
 import unittest.mock
 
@@ -13,6 +14,7 @@ import synthetic
 import h5py
 import numpy as np
 import terp
+from terp.vtkhdf import VtkhdfFile
 
 
 class RunFolder(unittest.TestCase):
@@ -177,14 +179,31 @@ class RunThatIsGoing(unittest.TestCase):
             file.write("1.1,1815,1,2,3")
         self.assertEqual(len(self.run_.refresh().ledger), n)
 
-    def test_a_file_that_is_met_half_way_is_read_again(self):
-        path = self.folder / "results.vtkhdf"
-        whole = path.read_bytes()
-        path.write_bytes(whole[:len(whole) // 2])
-        finish = threading.Timer(0.15, path.write_bytes, [whole])
-        finish.start()
-        self.assertEqual(len(self.run_.times), 3)
-        finish.join()
+    def test_a_reading_into_which_a_frame_came_is_repeated(self):
+        results, longer = self.folder / "results.vtkhdf", self.folder / "longer.vtkhdf"
+        for first_time in (lambda root: root["Steps"].attrs["NSteps"], lambda root: root["nothing"], lambda root: root["Points"][:].reshape(2, 2)):
+            synthetic.write_results(results, synthetic.lattice(0.5), "mpm_gp", 2, synthetic.TIMES[:3])
+            synthetic.write_results(longer, synthetic.lattice(0.5), "mpm_gp", 2, synthetic.TIMES[:4])
+
+            def n_steps(root):
+                if not longer.exists():
+                    return root["Steps"].attrs["NSteps"]
+                longer.replace(results)
+                return first_time(root)
+            self.assertEqual(VtkhdfFile(results).read(n_steps), 4)
+
+    def test_a_reading_waits_while_a_frame_is_added(self):
+        journal = self.folder / "results.vtkhdf.journal"
+        for age, n_readings in ((0, 2), (60, 1), (-60, 1)):  # nor for a run that was killed, nor for a disk whose clock is ahead
+            journal.touch()
+            os.utime(journal, times=(time.time() - age,) * 2)
+            seen = []
+
+            def see(_):
+                seen.append(journal.exists())
+                journal.unlink(missing_ok=True)
+            VtkhdfFile(self.folder / "results.vtkhdf").read(see)
+            self.assertEqual(seen, [True, False][:n_readings])
 
 
 class MissingThings(unittest.TestCase):

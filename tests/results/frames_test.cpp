@@ -47,6 +47,15 @@ TEST_F(FramesTest, ReadsPlacesAndFieldsToTheBit)
   EXPECT_THAT(frames.read("velocity", 1), testing::Contains(0.0).Times(5));  // z
 }
 
+TEST_F(FramesTest, AreThoseOfTheFileWhenItWasOpenedWhateverTheRunAdds)
+{
+  const Frames frames(path);
+  ResultsFile(path).append(test::sample_frame(3));
+  EXPECT_EQ(frames.times().size(), 3);
+  EXPECT_EQ(frames.places(2), test::sample_frame(2).x);
+  EXPECT_EQ(Frames(path).places(3), test::sample_frame(3).x);
+}
+
 TEST_F(FramesTest, NamesTheFieldsWhenAskedForAnother)
 {
   const Frames frames(path);
