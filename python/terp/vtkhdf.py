@@ -14,7 +14,9 @@ from terp.errors import RunError
 KNOWN_VERSION = 2  # the first number of the version; the second adds what an old reader passes over
 HEAD_SIZE = 64  # the first bytes of a file, where HDF5 keeps its size: what adding a step changes first
 MOMENT = 0.01  # before a reading is repeated [s]
-PATIENCE = 0.5  # with a step in the middle of being added, which takes milliseconds unless the run was killed [s]
+PATIENCE = 0.5  # with a file in the middle of a change, which takes microseconds unless the run was killed [s]
+STEPS_AT_ONCE = 20  # a reading must be done before the next step comes
+PAGE_SIZE = 4096  # of a journal: "terpjnl2", the size, the head before, pages with their numbers, a checksum
 GEOMETRY = {"PointData": ("PointOffsets", "NumberOfPoints"), "CellData": ("CellOffsets", "NumberOfCells")}
 
 
@@ -45,10 +47,9 @@ class VtkhdfFile:
 
     def series(self, data, name, row):
         """Row `row` of a table in all whole steps, shape [n_steps] or [n_steps, n_components]."""
-        def of(root):
-            first = [_rows(root, data, name, k).start for k in range(root["Steps"].attrs["NSteps"])]
-            return np.array([root[data][name][start + row] for start in first])
-        return self.read(of)
+        n = len(self.times())
+        parts = [range(first, min(first + STEPS_AT_ONCE, n)) for first in range(0, n, STEPS_AT_ONCE)]
+        return np.array([value for ks in parts for value in self.read(lambda root: [root[data][name][_rows(root, data, name, k).start + row] for k in ks])])
 
     def cells(self):
         """Corners of the cells, shape [n_cells, n_corners]; all cells have the same number."""
@@ -56,16 +57,19 @@ class VtkhdfFile:
 
     def read(self, of):
         """of(group /VTKHDF), repeated until no step came meanwhile: only then what it gives, or its failure, is of one content of the file."""
+        started = time.monotonic()
         while True:
             head = _head(self.path)
-            at_rest = not _is_being_added_to(self.path)
-            try:
-                value = self._read_once(of)
-                if at_rest and _head(self.path) == head:
-                    return value
-            except RunError:
-                if at_rest and _head(self.path) == head:
-                    raise
+            if not _is_half_changed(self.path):
+                try:
+                    value = self._read_once(of)
+                    if _head(self.path) == head:
+                        return value
+                except RunError:
+                    if _head(self.path) == head:
+                        raise
+            elif time.monotonic() - started > PATIENCE:
+                raise RunError(f"{self.path} cannot be read: its run was killed while it added a frame; `terp resume` ends that, and goes on")
             time.sleep(MOMENT)
 
     def _read_once(self, of):
@@ -74,7 +78,7 @@ class VtkhdfFile:
                 return of(self._checked_root(file))
         except KeyError as error:
             raise RunError(f"{self.path} lacks a part of the format: {error.args[0]}") from error
-        except (OSError, RuntimeError, TypeError, ValueError) as error:  # what h5py makes of bytes that HDF5 cannot read
+        except (OSError, RuntimeError, TypeError, ValueError, IndexError) as error:  # what h5py makes of bytes that HDF5 cannot read
             raise RunError(f"{self.path} cannot be read as VTKHDF: {error}") from error
 
     def _checked_root(self, file):
@@ -95,12 +99,24 @@ def _head(path):
         raise RunError(f"{path} cannot be read: {error.strerror}") from error
 
 
-def _is_being_added_to(path):
-    """A step is added by way of a journal (docs/reliability.md). An old one was left by a run that was killed."""
+def _is_half_changed(path):
+    """Whether some pages of the change that the journal describes are in the file, and others not (docs/reliability.md)."""
     try:
-        return abs(time.time() - path.with_name(path.name + ".journal").stat().st_mtime) < PATIENCE
-    except FileNotFoundError:
+        journal = path.with_name(path.name + ".journal").read_bytes()
+    except OSError:
         return False
+    pages = journal[16 + HEAD_SIZE:-8]
+    if not journal.startswith(b"terpjnl2") or not pages or len(pages) % (8 + PAGE_SIZE) != 0:
+        return False
+    with path.open("rb") as file:
+        head = file.read(HEAD_SIZE)
+        if head == journal[16:16 + HEAD_SIZE] or head != pages[8:8 + HEAD_SIZE]:
+            return False  # nothing is written yet, or it is of another file
+        for number, page in np.frombuffer(pages, [("number", "<u8"), ("page", f"V{PAGE_SIZE}")]):
+            file.seek(int(number) * PAGE_SIZE)
+            if not page.tobytes().startswith(file.read(PAGE_SIZE)):
+                return True
+    return False
 
 
 def _rows(root, data, name, k):

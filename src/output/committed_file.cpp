@@ -107,6 +107,9 @@ struct Journal {
   std::int64_t size = 0;  ///< of the file afterwards
   std::string_view head;  ///< of the file before
   std::vector<std::pair<std::int64_t, std::string_view>> pages;
+
+  /// Empty if the first page stays as it is.
+  std::string_view head_after() const { return pages.empty() || pages[0].first != 0 ? std::string_view() : pages[0].second.substr(0, head_size); }
 };
 
 Journal read_journal(std::string_view text, std::size_t page_size)
@@ -130,8 +133,7 @@ bool belongs_to(const Journal& journal, int descriptor, const std::string& path)
   struct stat file = {};
   if (::fstat(descriptor, &file) != 0 || journal.size <= 0 || file.st_size < journal.size) return false;
   const std::string head = head_of(descriptor, path);
-  if (head == journal.head) return true;
-  return !journal.pages.empty() && journal.pages[0].first == 0 && journal.pages[0].second.substr(0, head_size) == head;
+  return head == journal.head || head == journal.head_after();
 }
 
 /// Step 3 of a commit.
@@ -167,11 +169,14 @@ std::string bytes_at(const std::string& path, std::int64_t at, std::size_t n_byt
 /// True between the first page of a commit, which is the head's, and the last: the file is neither what it was nor what it becomes.
 bool is_half_changed(const std::string& path)
 {
-  std::ifstream file = open_to_read(journal_name(path));
+  const std::string name = journal_name(path);
+  if (bytes_at(name, 0, magic.size()) != magic) return false;
+  std::ifstream file = open_to_read(name);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   if (!is_whole(text)) return false;
   const Journal journal = read_journal(text, CommittedFile::page_size);
-  if (bytes_at(path, 0, head_size) == journal.head) return false;
+  const std::string head = bytes_at(path, 0, head_size);
+  if (head == journal.head || journal.head_after() != head) return false;  // nothing is written yet, or it is of another file
   return std::any_of(journal.pages.begin(), journal.pages.end(), [&](const auto& page) {
     return !page.second.starts_with(bytes_at(path, page.first * CommittedFile::page_size, page.second.size()));
   });
@@ -291,12 +296,15 @@ void read_between_commits(const std::string& path, const std::function<void()>& 
   const auto started = std::chrono::steady_clock::now();
   for (;; ::usleep(a_moment)) {
     const std::string head = bytes_at(path, 0, head_size);
-    const bool counts = !is_half_changed(path) || std::chrono::steady_clock::now() - started > patience;
+    if (is_half_changed(path)) {
+      if (std::chrono::steady_clock::now() - started < patience) continue;
+      throw FileError(fmt::format("cannot read {}: its run was killed while it added a frame\n  `terp resume` ends that, and goes on.", path));
+    }
     try {
       read();
-      if (counts && bytes_at(path, 0, head_size) == head) return;
+      if (bytes_at(path, 0, head_size) == head) return;
     } catch (const FileError&) {
-      if (counts && bytes_at(path, 0, head_size) == head) throw;
+      if (bytes_at(path, 0, head_size) == head) throw;
     }
   }
 }

@@ -60,8 +60,8 @@ std::string journal_name(const std::string& path);
 /// Ends the commit that a process left unfinished; a journal that was not whole yet is removed. Without a journal nothing is done.
 void finish_commit(const std::string& path);
 
-/// Calls `read`, which opens the file, until no other process changed the file meanwhile: only then what it read, or the FileError that it
-/// threw, is of one content. A commit whose writer was killed in its middle is not waited for.
+/// Calls `read`, which opens the file, until no commit of another process came into it: only then what it read, or the FileError that it
+/// threw, is of one content. Throws FileError if a commit stands still in its middle.
 void read_between_commits(const std::string& path, const std::function<void()>& read);
 
 }  // namespace terp

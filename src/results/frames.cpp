@@ -18,6 +18,9 @@ const std::string point_data = root + "/PointData";
 constexpr std::int64_t most_columns = 1000;
 constexpr std::int64_t known_version = 2;  // the first number of the format's version; the second adds what an old reader passes over
 
+/// Digits of the case that a file is of; empty if it does not say.
+std::string case_of(const Hdf5File& file) { return file.has_attribute("/", "case") ? file.text("/", "case") : ""; }
+
 }  // namespace
 
 Frames::Frames(const std::string& path) : path_(path)
@@ -31,6 +34,7 @@ void Frames::read_contents(const Hdf5File& file)
   if (version.empty() || version[0] != known_version)
     throw FileError(fmt::format("cannot read {}: it is of VTKHDF version {}, terp {} reads version {}\n  A newer terp wrote it: read it with that one.", path_,
                                 fmt::join(version, "."), TERP_VERSION, known_version));
+  case_ = case_of(file);
   const std::string steps = root + "/Steps";
   n_points_ = file.read_rows<std::int64_t>(root + "/NumberOfPoints", 0, 1)[0];
   const std::int64_t n_frames = file.integer(steps, "NSteps");
@@ -60,7 +64,9 @@ std::vector<Real> Frames::read_frame(const std::string& table, std::size_t k) co
 {
   std::vector<Real> rows;
   read_between_commits(path_, [&] {
-    rows = Hdf5File(path_, Hdf5File::Mode::read).read_rows<Real>(table, static_cast<std::int64_t>(k) * n_points_, n_points_);
+    const Hdf5File file(path_, Hdf5File::Mode::read);
+    if (case_of(file) != case_) throw FileError(fmt::format("cannot read {}: it has become the file of another case", path_));
+    rows = file.read_rows<Real>(table, static_cast<std::int64_t>(k) * n_points_, n_points_);
   });
   return rows;
 }

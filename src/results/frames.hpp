@@ -16,7 +16,7 @@ struct ResultField {
   int n_components = 1;  ///< of a vector 3, with z = 0; of a tensor 4: xx yy zz xy
 };
 
-/// A run that goes on may add frames meanwhile; they are not seen. Each reading opens the file, and is repeated if a frame came into it.
+/// Each reading opens the file, and is repeated if a frame came into it. Frames that a run adds meanwhile are not seen.
 class Frames {
  public:
   /// Throws FileError if the file is missing, not of the format, or does not hold what it says.
@@ -39,10 +39,11 @@ class Frames {
   void read_contents(const Hdf5File& file);
   /// Columns of a table that holds a row for each point in each frame; throws FileError if it does not.
   int check_table(const Hdf5File& file, const std::string& name) const;
-  /// The rows of frame k of a table.
+  /// The rows of frame k of a table. Throws FileError if the file has become that of another case.
   std::vector<Real> read_frame(const std::string& table, std::size_t k) const;
 
   std::string path_;
+  std::string case_;  ///< digits of the case; empty if the file does not say
   std::int64_t n_points_ = 0;
   std::vector<Real> times_;
   std::vector<std::int64_t> steps_;

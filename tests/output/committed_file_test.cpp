@@ -7,7 +7,10 @@
 #include "output/samples.hpp"
 #include "output/small_disk.hpp"
 
+#include <chrono>
 #include <filesystem>
+#include <future>
+#include <thread>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -180,33 +183,43 @@ TEST(ReadingBetweenCommits, AnErrorCountsIfNoCommitCameIntoIt)
   EXPECT_EQ(test::file_error_of([&] { read_between_commits(scratch.path() + "/none", fail); }), "reading 4");
 }
 
+/// The journal of a commit that has written the first page, with its head of 'a', and not the rest.
+std::string half_written() { return journal(std::string(64, 'z'), 0, std::string(64, 'a') + std::string(page - 64, 'b')); }
+
 TEST(ReadingBetweenCommits, WaitsWhileThePagesAreWritten)
 {
   const test::ScratchFolder scratch;
-  const std::string path = make_file(scratch, 4 * page), head(64, 'z');
-  const auto n_readings = [&] {
-    int n = 0;
-    read_between_commits(path, [&] {
-      if (++n == 2) finish_commit(path);
-    });
-    return n;
-  };
-  write_file_atomically(journal_name(path), journal());  // nothing is written yet
-  EXPECT_EQ(n_readings(), 1);
-  write_file_atomically(journal_name(path), journal(head, 0, std::string(page, 'a')));  // all is written
-  EXPECT_EQ(n_readings(), 1);
-  write_file_atomically(journal_name(path), journal(head, 0, std::string(64, 'a') + std::string(page - 64, 'b')));
-  EXPECT_EQ(n_readings(), 3);
+  const std::string path = make_file(scratch, 4 * page);
+  write_file_atomically(journal_name(path), half_written());
+  const auto writer = std::async(std::launch::async, [&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    finish_commit(path);
+  });
+  std::string text;
+  read_between_commits(path, [&] { text = read_file(path); });
+  EXPECT_EQ(text, std::string(64, 'a') + std::string(page - 64, 'b') + std::string(2 * page, 'a'));
 }
 
-TEST(ReadingBetweenCommits, DoesNotWaitForAWriterThatWasKilled)
+TEST(ReadingBetweenCommits, AWriterThatWasKilledHalfWayIsAnError)
 {
   const test::ScratchFolder scratch;
   const std::string path = make_file(scratch, 4 * page);
-  write_file_atomically(journal_name(path), journal(std::string(64, 'z')));
-  int n = 0;
-  read_between_commits(path, [&] { ++n; });
-  EXPECT_GT(n, 1);
+  write_file_atomically(journal_name(path), half_written());
+  EXPECT_EQ(test::file_error_of([&] { read_between_commits(path, [] {}); }),
+            "cannot read " + path + ": its run was killed while it added a frame\n  `terp resume` ends that, and goes on.");
+}
+
+TEST(ReadingBetweenCommits, DoesNotWaitForAJournalThatChangesNothing)
+{
+  const test::ScratchFolder scratch;
+  const std::string path = make_file(scratch, 4 * page), not_whole = half_written().substr(0, 200);
+  const std::string not_begun = journal(), of_another_file = journal(std::string(64, 'z')), all_written = journal(std::string(64, 'z'), 0, std::string(page, 'a'));
+  for (const std::string& left : {not_whole, not_begun, of_another_file, all_written}) {
+    write_file_atomically(journal_name(path), left);
+    int n = 0;
+    read_between_commits(path, [&] { ++n; });
+    EXPECT_EQ(n, 1);
+  }
 }
 
 TEST(CommittedFile, OnAFullDiskStaysAsItWas)

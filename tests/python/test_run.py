@@ -1,10 +1,9 @@
 """A run folder read back: terp.open."""
 
 import importlib.util
-import os
 import pathlib
 import tempfile
-import time
+import threading
 import unittest
 import unittest.mock
 
@@ -192,18 +191,30 @@ class RunThatIsGoing(unittest.TestCase):
                 return first_time(root)
             self.assertEqual(VtkhdfFile(results).read(n_steps), 4)
 
-    def test_a_reading_waits_while_a_frame_is_added(self):
-        journal = self.folder / "results.vtkhdf.journal"
-        for age, n_readings in ((0, 2), (60, 1), (-60, 1)):  # nor for a run that was killed, nor for a disk whose clock is ahead
-            journal.touch()
-            os.utime(journal, times=(time.time() - age,) * 2)
-            seen = []
+    def write_journal(self, head_before, changed=b""):
+        """The journal of a frame that is added: the first page, the last bytes of it changed."""
+        page = (self.folder / "results.vtkhdf").read_bytes()[:4096]
+        page = page[:len(page) - len(changed)] + changed
+        (self.folder / "results.vtkhdf.journal").write_bytes(b"terpjnl2" + bytes(8) + head_before + bytes(8) + page + bytes(8))
 
-            def see(_):
-                seen.append(journal.exists())
-                journal.unlink(missing_ok=True)
-            VtkhdfFile(self.folder / "results.vtkhdf").read(see)
-            self.assertEqual(seen, [True, False][:n_readings])
+    def test_a_reading_waits_while_a_frame_is_added(self):
+        self.write_journal(bytes(64), b"new")
+        end = threading.Timer(0.1, (self.folder / "results.vtkhdf.journal").unlink)
+        end.start()
+        self.assertEqual(len(self.run_.times), 3)
+        self.assertTrue(end.finished.is_set())
+
+    def test_a_run_that_was_killed_while_it_added_a_frame_is_told(self):
+        self.write_journal(bytes(64), b"new")
+        with self.assertRaisesRegex(terp.RunError, "was killed while it added a frame; `terp resume` ends that"):
+            self.run_.times
+
+    def test_a_journal_that_changes_nothing_is_passed_over(self):
+        head = (self.folder / "results.vtkhdf").read_bytes()[:64]
+        for write in (lambda: self.write_journal(bytes(64)), lambda: self.write_journal(head, b"new"),  # all is written, or nothing yet
+                      lambda: (self.folder / "results.vtkhdf.journal").write_bytes(b"terpjnl2 and no more")):
+            write()
+            self.assertEqual(len(terp.open(self.folder).times), 3)
 
 
 class MissingThings(unittest.TestCase):

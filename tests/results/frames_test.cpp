@@ -56,6 +56,14 @@ TEST_F(FramesTest, AreThoseOfTheFileWhenItWasOpenedWhateverTheRunAdds)
   EXPECT_EQ(Frames(path).places(3), test::sample_frame(3).x);
 }
 
+TEST_F(FramesTest, OfAnotherCaseThatTookThePlaceAreNotMixedIn)
+{
+  const Frames frames(path);
+  std::filesystem::remove(path);
+  ResultsFile(path, "0123456789abcdef").append(test::sample_frame(0));
+  EXPECT_EQ(file_error_of([&] { frames.places(0); }), "cannot read " + path + ": it has become the file of another case");
+}
+
 TEST_F(FramesTest, NamesTheFieldsWhenAskedForAnother)
 {
   const Frames frames(path);
