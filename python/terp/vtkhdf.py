@@ -57,7 +57,7 @@ class VtkhdfFile:
 
     def read(self, of):
         """of(group /VTKHDF), repeated until no step came meanwhile: only then what it gives, or its failure, is of one content of the file."""
-        started = time.monotonic()
+        half_head, half_since = None, 0.0  # of the change that the file is in the middle of
         while True:
             head = _head(self.path)
             if not _is_half_changed(self.path):
@@ -68,7 +68,9 @@ class VtkhdfFile:
                 except RunError:
                     if _head(self.path) == head:
                         raise
-            elif time.monotonic() - started > PATIENCE:
+            elif head != half_head:
+                half_head, half_since = head, time.monotonic()
+            elif time.monotonic() - half_since > PATIENCE:
                 raise RunError(f"{self.path} cannot be read: its run was killed while it added a frame; `terp resume` ends that, and goes on")
             time.sleep(MOMENT)
 

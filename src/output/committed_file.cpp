@@ -293,11 +293,13 @@ void finish_commit(const std::string& path)
 
 void read_between_commits(const std::string& path, const std::function<void()>& read)
 {
-  const auto started = std::chrono::steady_clock::now();
+  std::string half_head;  // of the commit that stands in its middle
+  auto half_since = std::chrono::steady_clock::now();
   for (;; ::usleep(a_moment)) {
     const std::string head = bytes_at(path, 0, head_size);
     if (is_half_changed(path)) {
-      if (std::chrono::steady_clock::now() - started < patience) continue;
+      if (half_head != head) half_head = head, half_since = std::chrono::steady_clock::now();
+      if (std::chrono::steady_clock::now() - half_since < patience) continue;
       throw FileError(fmt::format("cannot read {}: its run was killed while it added a frame\n  `terp resume` ends that, and goes on.", path));
     }
     try {

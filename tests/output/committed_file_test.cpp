@@ -200,6 +200,26 @@ TEST(ReadingBetweenCommits, WaitsWhileThePagesAreWritten)
   EXPECT_EQ(text, std::string(64, 'a') + std::string(page - 64, 'b') + std::string(2 * page, 'a'));
 }
 
+TEST(ReadingBetweenCommits, WaitsHoweverLongItHasReadBefore)
+{
+  const test::ScratchFolder scratch;
+  const std::string path = make_file(scratch, 4 * page);
+  commit(path, 'b');
+  std::future<void> writer;
+  int n = 0;
+  read_between_commits(path, [&] {
+    if (++n > 1) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    write_file_atomically(path, std::string(4 * page, 'a'));
+    write_file_atomically(journal_name(path), half_written());
+    writer = std::async(std::launch::async, [&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      finish_commit(path);
+    });
+  });
+  EXPECT_EQ(n, 2);
+}
+
 TEST(ReadingBetweenCommits, AWriterThatWasKilledHalfWayIsAnError)
 {
   const test::ScratchFolder scratch;

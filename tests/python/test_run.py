@@ -4,6 +4,7 @@ import importlib.util
 import pathlib
 import tempfile
 import threading
+import time
 import unittest
 import unittest.mock
 
@@ -203,6 +204,21 @@ class RunThatIsGoing(unittest.TestCase):
         end.start()
         self.assertEqual(len(self.run_.times), 3)
         self.assertTrue(end.finished.is_set())
+
+    def test_a_reading_waits_however_long_it_has_read_before(self):
+        results, longer, journal = (self.folder / name for name in ("results.vtkhdf", "longer.vtkhdf", "results.vtkhdf.journal"))
+        synthetic.write_results(longer, synthetic.lattice(0.5), "mpm_gp", 2, synthetic.TIMES[:4])
+        readings = []
+
+        def read(_):
+            readings.append(journal.exists())
+            if len(readings) == 1:
+                time.sleep(0.6)
+                longer.replace(results)
+                self.write_journal(bytes(64), b"new")
+                threading.Timer(0.1, journal.unlink).start()
+        VtkhdfFile(results).read(read)
+        self.assertEqual(readings, [False, False])
 
     def test_a_run_that_was_killed_while_it_added_a_frame_is_told(self):
         self.write_journal(bytes(64), b"new")
