@@ -14,7 +14,7 @@ from terp.errors import RunError
 KNOWN_VERSION = 2  # the first number of the version; the second adds what an old reader passes over
 HEAD_SIZE = 64  # the first bytes of a file, where HDF5 keeps its size: what adding a step changes first
 MOMENT = 0.01  # before a reading is repeated [s]
-PATIENCE = 0.5  # with a file in the middle of a change, which takes microseconds unless the run was killed [s]
+PATIENCE = 1.0  # with a file in the middle of a change, which takes microseconds unless the run was killed [s]
 STEPS_AT_ONCE = 20  # a reading must be done before the next step comes
 PAGE_SIZE = 4096  # of a journal: "terpjnl2", the size, the head before, pages with their numbers, a checksum
 GEOMETRY = {"PointData": ("PointOffsets", "NumberOfPoints"), "CellData": ("CellOffsets", "NumberOfCells")}

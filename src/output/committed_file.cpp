@@ -28,7 +28,7 @@ namespace {
 constexpr std::string_view magic = "terpjnl2";
 constexpr std::size_t head_size = 64;  // of the file, by which a journal knows it: HDF5 keeps its size there
 constexpr useconds_t a_moment = 10'000;  // before a reading is repeated [us]
-constexpr std::chrono::milliseconds patience{500};  // with a commit in its middle, which takes microseconds unless its writer was killed
+constexpr std::chrono::milliseconds patience{1000};  // with a commit in its middle, which takes microseconds unless its writer was killed
 
 /// The bytes of a number, little-endian as in memory.
 std::string_view bytes_of(const std::int64_t& value) { return {reinterpret_cast<const char*>(&value), sizeof value}; }

@@ -209,7 +209,7 @@ TEST(ReadingBetweenCommits, WaitsHoweverLongItHasReadBefore)
   int n = 0;
   read_between_commits(path, [&] {
     if (++n > 1) return;
-    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));
     write_file_atomically(path, std::string(4 * page, 'a'));
     write_file_atomically(journal_name(path), half_written());
     writer = std::async(std::launch::async, [&] {
