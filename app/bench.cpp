@@ -46,9 +46,9 @@ bottom = { contact = "bilateral", adhesion = 8.0e3 }
 )";
 
 struct Measurement {
-  double seconds = 0.0;                    // of the median trial
-  std::array<double, n_passes> passes{};   // of the same trial
-  double fastest = 0.0, slowest = 0.0;     // trials
+  double seconds = 0.0;                   // of the median trial
+  std::array<double, n_passes> passes{};  // of the same trial
+  double fastest = 0.0, slowest = 0.0;    // trials
 };
 
 /// Median of `trials` groups of steps, after some to warm up.
@@ -62,7 +62,8 @@ Measurement measure(const Model& model, State& state, std::int64_t n_steps, std:
     work.seconds = {};
     const auto start = std::chrono::steady_clock::now();
     for (std::int64_t k = 0; k < n_steps; ++k) model.step(model, state, work);
-    all.push_back({std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), work.seconds, 0.0, 0.0});
+    all.push_back(
+        {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), work.seconds, 0.0, 0.0});
   }
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
   Measurement median = all[trials / 2];
@@ -87,11 +88,13 @@ struct PassReport {
   double ns_per_point, flops, bytes, roofline;
 };
 
-std::vector<PassReport> report_passes(const Model& model, const State& state, const Measurement& m, const Machine& machine, std::int64_t n_steps)
+std::vector<PassReport> report_passes(
+    const Model& model, const State& state, const Measurement& m, const Machine& machine, std::int64_t n_steps)
 {
   const auto costs = pass_costs(model.description.scheme);
   const double points = static_cast<double>(state.points.n_points()) * static_cast<double>(n_steps);
-  const double rate = stream_rate(machine, state.points.bytes()) * model.threads, peak = machine.multiply_add * model.threads;
+  const double rate = stream_rate(machine, state.points.bytes()) * model.threads,
+               peak = machine.multiply_add * model.threads;
   std::vector<PassReport> reports;
   for (int pass = 0; pass < n_passes; ++pass) {
     const double ns = m.passes[pass] / points * 1e9;
@@ -101,38 +104,48 @@ std::vector<PassReport> report_passes(const Model& model, const State& state, co
   return reports;
 }
 
-void print_text(const Model& model, const State& state, const Measurement& m, const Machine& machine, std::int64_t n_steps)
+void print_text(
+    const Model& model, const State& state, const Measurement& m, const Machine& machine, std::int64_t n_steps)
 {
   const double points = static_cast<double>(state.points.n_points()) * static_cast<double>(n_steps);
-  fmt::print("{}, {}, {} points, {} thread{}, {}, double\n", printable(model.description.title), model.description.scheme, state.points.n_points(), model.threads,
-             model.threads == 1 ? "" : "s", kernels().instructions);
-  fmt::print("  {:.1f} M point-steps/s (median of 5 x {} steps; {:.1f} to {:.1f})\n", points / m.seconds / 1e6, n_steps, points / m.slowest / 1e6,
-             points / m.fastest / 1e6);
-  fmt::print("  {:.0f} bytes per point\n\n", static_cast<double>(state.points.bytes()) / static_cast<double>(state.points.n_points()));
+  fmt::print("{}, {}, {} points, {} thread{}, {}, double\n", printable(model.description.title),
+      model.description.scheme, state.points.n_points(), model.threads, model.threads == 1 ? "" : "s",
+      kernels().instructions);
+  fmt::print("  {:.1f} M point-steps/s (median of 5 x {} steps; {:.1f} to {:.1f})\n", points / m.seconds / 1e6, n_steps,
+      points / m.slowest / 1e6, points / m.fastest / 1e6);
+  fmt::print("  {:.0f} bytes per point\n\n",
+      static_cast<double>(state.points.bytes()) / static_cast<double>(state.points.n_points()));
   fmt::print("  pass              ns/point   flops   bytes  of the roofline\n");
   const auto passes = report_passes(model, state, m, machine, n_steps);
   for (int pass = 0; pass < n_passes; ++pass) {
     const PassReport& r = passes[pass];
     fmt::print("  {:<16} {:9.2f} {:7.0f} {:7.0f} {:>8}\n", pass_names[pass], r.ns_per_point, r.flops, r.bytes,
-               r.roofline > 0.0 ? fmt::format("{:.0f} %", 100.0 * r.roofline) : "-");
+        r.roofline > 0.0 ? fmt::format("{:.0f} %", 100.0 * r.roofline) : "-");
   }
-  fmt::print("\n  machine, one thread: triad {:.0f} GB/s in L2, {:.0f} in L3, {:.0f} in memory; multiply-add {:.0f} GFLOP/s\n", machine.triad_cache,
-             machine.triad_l3, machine.triad_memory, machine.multiply_add);
+  fmt::print(
+      "\n  machine, one thread: triad {:.0f} GB/s in L2, {:.0f} in L3, {:.0f} in memory; multiply-add {:.0f} GFLOP/s\n",
+      machine.triad_cache, machine.triad_l3, machine.triad_memory, machine.multiply_add);
 }
 
-void print_json(const Model& model, const State& state, const Measurement& m, const Machine& machine, std::int64_t n_steps)
+void print_json(
+    const Model& model, const State& state, const Measurement& m, const Machine& machine, std::int64_t n_steps)
 {
   const double points = static_cast<double>(state.points.n_points()) * static_cast<double>(n_steps);
-  fmt::print("{{\"terp_version\": \"{}\", \"scheme\": \"{}\", \"points\": {}, \"cells\": {}, \"threads\": {}, \"instructions\": \"{}\",\n", TERP_VERSION,
-             model.description.scheme, state.points.n_points(), model.mesh.n_cells(), model.threads, kernels().instructions);
-  fmt::print(" \"point_steps_per_s\": {}, \"slowest\": {}, \"fastest\": {}, \"bytes_per_point\": {},\n", points / m.seconds, points / m.slowest,
-             points / m.fastest, static_cast<double>(state.points.bytes()) / static_cast<double>(state.points.n_points()));
-  fmt::print(" \"triad_gb_per_s\": [{}, {}, {}], \"multiply_add_gflops\": {},\n \"passes\": [", machine.triad_cache, machine.triad_l3,
-             machine.triad_memory, machine.multiply_add);
+  fmt::print(
+      "{{\"terp_version\": \"{}\", \"scheme\": \"{}\", \"points\": {}, \"cells\": {}, \"threads\": {}, "
+      "\"instructions\": \"{}\",\n",
+      TERP_VERSION, model.description.scheme, state.points.n_points(), model.mesh.n_cells(), model.threads,
+      kernels().instructions);
+  fmt::print(" \"point_steps_per_s\": {}, \"slowest\": {}, \"fastest\": {}, \"bytes_per_point\": {},\n",
+      points / m.seconds, points / m.slowest, points / m.fastest,
+      static_cast<double>(state.points.bytes()) / static_cast<double>(state.points.n_points()));
+  fmt::print(" \"triad_gb_per_s\": [{}, {}, {}], \"multiply_add_gflops\": {},\n \"passes\": [", machine.triad_cache,
+      machine.triad_l3, machine.triad_memory, machine.multiply_add);
   const auto passes = report_passes(model, state, m, machine, n_steps);
   for (int pass = 0; pass < n_passes; ++pass)
-    fmt::print("{}\n  {{\"name\": \"{}\", \"ns_per_point\": {}, \"flops\": {}, \"bytes\": {}, \"roofline\": {}}}", pass == 0 ? "" : ",", pass_names[pass],
-               passes[pass].ns_per_point, passes[pass].flops, passes[pass].bytes, passes[pass].roofline);
+    fmt::print("{}\n  {{\"name\": \"{}\", \"ns_per_point\": {}, \"flops\": {}, \"bytes\": {}, \"roofline\": {}}}",
+        pass == 0 ? "" : ",", pass_names[pass], passes[pass].ns_per_point, passes[pass].flops, passes[pass].bytes,
+        passes[pass].roofline);
   fmt::print("]}}\n");
 }
 
@@ -140,7 +153,8 @@ void print_json(const Model& model, const State& state, const Measurement& m, co
 
 int bench_case(const RunOptions& options)
 {
-  const CaseFile file = options.path.empty() ? read_case_text(standard_case, "bench", options.changes) : read_case(options.path, options.changes);
+  const CaseFile file = options.path.empty() ? read_case_text(standard_case, "bench", options.changes)
+                                             : read_case(options.path, options.changes);
   try {
     Model model = build_model(file.values, options.threads > 0 ? options.threads : available_processors());
     State state = build_state(model);

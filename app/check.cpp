@@ -16,9 +16,10 @@
 namespace terp {
 namespace {
 
-constexpr double trial_seconds = 1.0;      // of steps actually made
+constexpr double trial_seconds = 1.0;  // of steps actually made
 constexpr std::int64_t fewest_trial_steps = 20;
-constexpr double failing = 1.2;            // a run over its trial: soil that fails returns to the yield surface, and there is output to write
+constexpr double failing =
+    1.2;  // a run over its trial: soil that fails returns to the yield surface, and there is output to write
 
 /// Seconds per step, from a trial on the case itself.
 double time_a_step(const Model& model, State& state)
@@ -39,14 +40,16 @@ double time_a_step(const Model& model, State& state)
 Real total_mass(const State& state)
 {
   Real mass = 0.0;
-  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) { mass += block.row(PointRows<2>::mass)[lane]; });
+  for_each_point(
+      state.points, [&](const PointBlock<2>& block, Index lane) { mass += block.row(PointRows<2>::mass)[lane]; });
   return mass;
 }
 
 /// What a run holds, frames and checkpoints in the making not counted.
 std::int64_t bytes_of(const Model& model, const State& state)
 {
-  constexpr std::int64_t per_cell_of_the_mesh = 160, per_point = 27;  // of the mesh, counted; first place, audit and flags by id
+  constexpr std::int64_t per_cell_of_the_mesh = 160,
+                         per_point = 27;  // of the mesh, counted; first place, audit and flags by id
   const auto cells = static_cast<std::int64_t>(state.points.occupied().size());
   const std::int64_t gauss = model.description.scheme == "mpm_mixed" ? sizeof(GaussValues<2>) : sizeof(Real);
   return state.points.bytes() + per_point * state.points.n_points() + per_cell_of_the_mesh * model.mesh.n_cells() +
@@ -57,8 +60,8 @@ void print_bodies(const Model& model)
 {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyShare& body = model.bodies[b];
-    fmt::print("  {:<14} {}, {:.6g} m^2, {:.6g} kg per m, {} points\n", fmt::format("body {}", b), printable(body.material), body.area, body.mass,
-               body.n_points);
+    fmt::print("  {:<14} {}, {:.6g} m^2, {:.6g} kg per m, {} points\n", fmt::format("body {}", b),
+        printable(body.material), body.area, body.mass, body.n_points);
   }
 }
 
@@ -77,8 +80,8 @@ void print_check(const CaseFile& file, const Model& model, State& state)
   fmt::print("  memory         {:.0f} MB\n", static_cast<double>(bytes_of(model, state)) / 1e6);
   const double step_s = time_a_step(model, state);
   fmt::print("  expected time  {} on {} thread{} ({:.1f} M point-steps/s in a trial)\n",
-             readable_duration(failing * step_s * static_cast<double>(model.n_steps)), model.threads, model.threads == 1 ? "" : "s",
-             static_cast<double>(state.points.n_points()) / step_s / 1e6);
+      readable_duration(failing * step_s * static_cast<double>(model.n_steps)), model.threads,
+      model.threads == 1 ? "" : "s", static_cast<double>(state.points.n_points()) / step_s / 1e6);
   fmt::print("nothing was run\n");
 }
 

@@ -17,16 +17,16 @@ struct RunOptions {
   std::vector<std::string> changes;  ///< KEY=VALUE of --set
   int threads = 0;                   ///< 0: what this job may use
   bool force = false, quiet = false, verbose = false;
-  long steps = 100, warm_steps = 50; ///< of bench: in each of five trials, and before them
-  bool json = false;                 ///< of bench
-  bool report = false;               ///< write the page of the run at its end
+  long steps = 100, warm_steps = 50;  ///< of bench: in each of five trials, and before them
+  bool json = false;                  ///< of bench
+  bool report = false;                ///< write the page of the run at its end
 };
 
 struct VerifyOptions {
-  std::vector<std::string> names;    ///< of cases; empty: all
-  std::string cases;                 ///< folder of the cases; empty: that beside the program
-  std::string html, markdown;        ///< pages to write; empty: none
-  int threads = 0;                   ///< 0: what this job may use
+  std::vector<std::string> names;  ///< of cases; empty: all
+  std::string cases;               ///< folder of the cases; empty: that beside the program
+  std::string html, markdown;      ///< pages to write; empty: none
+  int threads = 0;                 ///< 0: what this job may use
   bool list = false, only_short = false, only_long = false;
 };
 

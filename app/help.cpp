@@ -68,8 +68,9 @@ Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else
     {"resume", R"(Usage: terp resume RUN [options]
 
 Goes on from the newest checkpoint of a run folder that can be read, or from the checkpoint file that is named.
-The case in the folder and the files that it names must be what the run began with; what may change there (in comments anything):
-title, time.end, output.fields.every, output.checkpoint. With a later time.end a run that was solved goes on in the same time step.
+The case in the folder and the files that it names must be what the run began with. What may change there (in comments
+anything): title, time.end, output.fields.every, output.checkpoint. With a later time.end a run that was solved goes on
+in the same time step.
 
   -j, --threads N         CPU threads; the results have the same bits on any number
       --report            write the page of the run at its end: RUN/report.html
@@ -127,8 +128,8 @@ Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else
 )"},
     {"compare", R"(Usage: terp compare RUN RUN [RUN...] [options]
 
-Table of what differs between runs, and the differences in words: the first run against each of the others. Says in which
-keys the cases differ.
+Table of what differs between runs, and the differences in words: the first run against each of the others. Says in
+which keys the cases differ.
 
       --json              the same for a program
 

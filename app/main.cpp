@@ -27,8 +27,8 @@
 
 namespace {
 
-/// Gives standard input, output and error a place if whoever started us closed them: a table would get their numbers otherwise,
-/// and with it all that we print. POSIX hands out the lowest free number, so each one opened fills the gap.
+/// Gives standard input, output and error a place if whoever started us closed them: a table would get their numbers
+/// otherwise, and with it all that we print. POSIX hands out the lowest free number, so each one opened fills the gap.
 bool keep_standard_streams()
 {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
@@ -76,7 +76,8 @@ CLI::App* add_stability_command(CLI::App& app, CommandLine& line)
   const auto factors = number_between(terp::least_factor, terp::greatest_factor), shares = number_between(0.0, 0.99);
   command->add_option("--from", line.stability.search.from)->check(factors);
   command->add_option("--to", line.stability.search.to)->check(factors);
-  command->add_option("--tolerance", line.stability.search.tolerance)->check(number_between(terp::least_tolerance, terp::greatest_tolerance));
+  command->add_option("--tolerance", line.stability.search.tolerance)
+      ->check(number_between(terp::least_tolerance, terp::greatest_tolerance));
   command->add_option("--damping", line.stability.rules.damping)->check(shares);
   command->add_option("--rest", line.stability.rules.rest)->check(number_between(1e-9, 0.1));
   command->add_option("--failure", line.stability.rules.failure)->check(number_between(1e-3, 1e3));
@@ -128,7 +129,9 @@ void declare(CLI::App& app, CommandLine& line)
   CLI::App* exported = app.add_subcommand("export");
   exported->add_option("run", line.exported.run)->required();
   exported->add_option("--format", line.exported.format)->required();
-  exported->add_option("--field", line.exported.fields)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  exported->add_option("--field", line.exported.fields)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   exported->add_option("--frames", line.exported.frames);
   exported->add_option("-o,--output", line.exported.folder);
   CLI::App* watch = app.add_subcommand("watch");
@@ -136,7 +139,9 @@ void declare(CLI::App& app, CommandLine& line)
   watch->add_option("--every", line.watch.every)->check(number_between(0.1, 3600.0));
   watch->add_flag("--once", line.watch.once);
   for (CLI::App* command : {run, check, bench, stability})
-    command->add_option("--set", line.options.changes)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command->add_option("--set", line.options.changes)
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_subcommand("explain")->add_option("topic", line.topic)->required();
   app.add_subcommand("list");
 }
@@ -145,12 +150,15 @@ void declare(CLI::App& app, CommandLine& line)
 void check_command(const CLI::App& app, const std::string& word)
 {
   std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(command->get_name());
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
   if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
   std::string hint;
-  if (const std::string nearest = terp::closest(word, names); !nearest.empty()) hint = fmt::format("  Did you mean `{}`?\n", nearest);
+  if (const std::string nearest = terp::closest(word, names); !nearest.empty())
+    hint = fmt::format("  Did you mean `{}`?\n", nearest);
   if (word.ends_with(".toml")) hint = fmt::format("  To solve that case: terp run {}\n", word);
-  const std::string message = fmt::format("error: there is no command `{}`\n{}  Commands: {}\n", word, hint, fmt::join(names, ", "));
+  const std::string message =
+      fmt::format("error: there is no command `{}`\n{}  Commands: {}\n", word, hint, fmt::join(names, ", "));
   throw terp::CaseError(terp::printable(message + "Usage: terp COMMAND [options]; see terp --help\n"));
 }
 
@@ -183,7 +191,8 @@ bool answer_help(int argc, char** argv)
   return argc == 1;
 }
 
-/// What is still to be printed is lost on a full disk, and with it the answer of all commands but those that write a run folder.
+/// What is still to be printed is lost on a full disk, and with it the answer of all commands but those that write a
+/// run folder.
 int print_the_rest(int status, bool writes_a_run)
 {
   errno = 0;

@@ -28,8 +28,8 @@ void ProgressLine::progress(const Progress& p)
 {
   if (quiet_ || p.n_steps == 0) return;
   const double part = static_cast<double>(p.step) / static_cast<double>(p.n_steps);
-  const std::string line = fmt::format("{:5.1f} %  t = {:.3f} of {:g} s  step {} of {}  {:.1f} M point-steps/s  ETA {}", 100.0 * part, p.time,
-                                       p.end_time, p.step, p.n_steps, p.point_steps_per_s / 1e6, readable_duration(p.eta_s));
+  const std::string line = fmt::format("{:5.1f} %  t = {:.3f} of {:g} s  step {} of {}  {:.1f} M point-steps/s  ETA {}",
+      100.0 * part, p.time, p.end_time, p.step, p.n_steps, p.point_steps_per_s / 1e6, readable_duration(p.eta_s));
   if (terminal_) {
     show(stdout, "\r\033[K" + line);
     open_ = true;

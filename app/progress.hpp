@@ -11,7 +11,8 @@ namespace terp {
 /// Seconds as a person reads them: "12 s", "3 min 05 s", "2 h 07 min".
 std::string readable_duration(double seconds);
 
-/// Writes what is of use at this moment alone: where nobody reads it any more, in a closed terminal or pipe, it is dropped.
+/// Writes what is of use at this moment alone: where nobody reads it any more, in a closed terminal or pipe, it is
+/// dropped.
 void show(std::FILE* to, const std::string& text);
 
 class ProgressLine : public Observer {

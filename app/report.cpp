@@ -28,8 +28,8 @@ void refuse_twice(const std::vector<std::string>& folders)
   for (std::size_t k = 0; k < folders.size(); ++k)
     for (std::size_t other = 0; other < k; ++other)
       if (std::filesystem::equivalent(folders[k], folders[other], unknown))
-        throw CaseError(printable(fmt::format("error: the run {} is given twice{}\n  Name each run once.\n", folders[other],
-                                              folders[k] == folders[other] ? "" : ", also as " + folders[k])));
+        throw CaseError(printable(fmt::format("error: the run {} is given twice{}\n  Name each run once.\n",
+            folders[other], folders[k] == folders[other] ? "" : ", also as " + folders[k])));
 }
 
 /// A page may replace an earlier page, nothing else.
@@ -40,7 +40,8 @@ void refuse_other_files(const std::string& path)
   if (!file.read(begin.data(), static_cast<std::streamsize>(begin.size())) && file.gcount() == 0) return;
   for (char& c : begin) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (begin != "<!doctype")
-    throw CaseError(printable(fmt::format("error: {} is there already, and it is no page\n  Choose another name: -o report.html\n", path)));
+    throw CaseError(printable(
+        fmt::format("error: {} is there already, and it is no page\n  Choose another name: -o report.html\n", path)));
 }
 
 }  // namespace
@@ -51,11 +52,13 @@ int report_runs(const ReportCommand& command)
   const std::string path = command.output.empty() ? "report.html" : command.output;
   refuse_other_files(path);
   ReportOptions options;
-  options.written = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+  options.written = fmt::format(
+      "{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
   const Payload payload = make_payload(command.runs, options);
   write_file_atomically(path, make_page(page_template(), payload));
   for (const auto& note : payload.notes) fmt::print("{}\n", note);
-  if (!has_page()) fmt::print(stderr, "warning: this terp was built without its report page; {} holds the data alone\n", path);
+  if (!has_page())
+    fmt::print(stderr, "warning: this terp was built without its report page; {} holds the data alone\n", path);
   fmt::print("report in {} ({:.1f} MB)\n", path, static_cast<double>(std::filesystem::file_size(path)) / 1e6);
   return solved;
 }
@@ -64,17 +67,21 @@ int export_run(const ExportCommand& command)
 {
   const std::vector<std::string> formats{"vtu", "csv", "npz"};  // in the order of ExportFormat
   const auto format = std::find(formats.begin(), formats.end(), command.format);
-  if (format == formats.end()) throw CaseError(fmt::format("error: there is no format `{}`\n  Formats: {}\n", command.format, fmt::join(formats, ", ")));
+  if (format == formats.end())
+    throw CaseError(
+        fmt::format("error: there is no format `{}`\n  Formats: {}\n", command.format, fmt::join(formats, ", ")));
   const RunResults run = read_run(command.run);
   const std::string folder = command.folder.empty() ? path_in(command.run, command.format) : command.folder;
-  const auto paths = export_frames(run.frames(), {static_cast<ExportFormat>(format - formats.begin()), command.fields, command.frames, folder});
+  const auto paths = export_frames(
+      run.frames(), {static_cast<ExportFormat>(format - formats.begin()), command.fields, command.frames, folder});
   fmt::print("{} frames in {}, listed in {}\n", paths.size() - 1, folder, paths.back());
   return solved;
 }
 
 int compare_folders(const ReportCommand& command)
 {
-  if (command.runs.size() < 2) throw CaseError("error: terp compare takes two run folders or more\n  One run by itself: terp report RUN\n");
+  if (command.runs.size() < 2)
+    throw CaseError("error: terp compare takes two run folders or more\n  One run by itself: terp report RUN\n");
   refuse_twice(command.runs);
   std::vector<RunResults> runs;
   for (const auto& folder : command.runs) runs.push_back(read_run(folder));

@@ -32,16 +32,17 @@ std::string optional_number(const std::optional<Real>& value, const char* unit)
 
 void print_summary(const Summary& s, const std::string& folder)
 {
-  fmt::print("solved in {}: {} points, {} steps of {:.4g} s, {:.1f} M point-steps/s on {} thread{}\n", readable_duration(s.wall_s), s.n_points,
-             s.n_steps, s.dt, s.point_steps_per_s / 1e6, s.threads, s.threads == 1 ? "" : "s");
+  fmt::print("solved in {}: {} points, {} steps of {:.4g} s, {:.1f} M point-steps/s on {} thread{}\n",
+      readable_duration(s.wall_s), s.n_points, s.n_steps, s.dt, s.point_steps_per_s / 1e6, s.threads,
+      s.threads == 1 ? "" : "s");
   fmt::print("  front            {}\n", std::isfinite(s.front_x) ? fmt::format("{:.2f} m", s.front_x) : "-");
   fmt::print("  crest            {}\n", optional_number(s.crest_x, "m"));
   fmt::print("  second failure   {}\n", optional_number(s.second_failure_time, "s"));
   fmt::print("  largest eps_eq_p {:.3g}\n", s.max_eps_eq_p);
   fmt::print("  energy balance   {:.2g} % of the energy exchanged\n", 100.0 * s.energy_balance_error);
   for (const FootingSummary& f : s.footings)
-    fmt::print("  {:<16} reaction {:.4g} kN/m, {:.4g} kN/m up, at the end; largest against its motion {:.4g} kN/m\n", printable(f.name), f.reaction[0] / 1e3,
-               f.reaction[1] / 1e3, f.largest / 1e3);
+    fmt::print("  {:<16} reaction {:.4g} kN/m, {:.4g} kN/m up, at the end; largest against its motion {:.4g} kN/m\n",
+        printable(f.name), f.reaction[0] / 1e3, f.reaction[1] / 1e3, f.largest / 1e3);
   fmt::print("  points lost: 0; put back at walls: {}; left through open sides: {}\n", s.clamped_points, s.points_left);
   fmt::print("results in {}\n", folder);
 }
@@ -51,11 +52,16 @@ void warn_of(const Summary& s)
 {
   constexpr double much = 0.05;
   if (s.energy_balance_error > much)
-    fmt::print(stderr, "warning: the energy balance is off by {:.2g} % of the energy exchanged; see docs/troubleshooting.md#the-energy-balance-is-off\n",
-               100.0 * s.energy_balance_error);
+    fmt::print(stderr,
+        "warning: the energy balance is off by {:.2g} % of the energy exchanged; see "
+        "docs/troubleshooting.md#the-energy-balance-is-off\n",
+        100.0 * s.energy_balance_error);
   for (const ReachedSide& reached : s.reached_sides)
-    fmt::print(stderr, "warning: soil {} the side `{}` of the mesh by t = {:.3g} s, which {}; see docs/troubleshooting.md#soil-reaches-the-side-of-the-mesh\n",
-               reached.rose ? "rose at" : "came to", printable(reached.side), reached.time, reached.rose ? "holds it back" : "acts on it from then on");
+    fmt::print(stderr,
+        "warning: soil {} the side `{}` of the mesh by t = {:.3g} s, which {}; see "
+        "docs/troubleshooting.md#soil-reaches-the-side-of-the-mesh\n",
+        reached.rose ? "rose at" : "came to", printable(reached.side), reached.time,
+        reached.rose ? "holds it back" : "acts on it from then on");
 }
 
 void print_passes(const Workspace& work)
@@ -63,7 +69,8 @@ void print_passes(const Workspace& work)
   double total = 0.0;
   for (const double s : work.seconds) total += s;
   for (int pass = 0; pass < n_passes; ++pass)
-    fmt::print("  {:<16} {:8.2f} s  {:4.1f} %\n", pass_names[pass], work.seconds[pass], 100.0 * work.seconds[pass] / total);
+    fmt::print(
+        "  {:<16} {:8.2f} s  {:4.1f} %\n", pass_names[pass], work.seconds[pass], 100.0 * work.seconds[pass] / total);
 }
 
 std::string resume_command(const std::string& folder, const RunOptions& options)
@@ -76,9 +83,13 @@ std::string hint_to_go_on(const std::string& folder, const RunOptions& options)
 {
   try {
     const CheckpointSearch found = newest_good_checkpoint(folder);
-    if (!found.image) return "\n  No checkpoint was written yet. Make room on the disk, or mend what is told above, then give the same command with --force.";
-    return fmt::format("\n  Earlier results are intact, up to the checkpoint at t = {:.4g} s. Make room on the disk, or mend what is told above, then go on with:\n  {}",
-                       found.image->time, resume_command(folder, options));
+    if (!found.image)
+      return "\n  No checkpoint was written yet. Make room on the disk, or mend what is told above, then give the same "
+             "command with --force.";
+    return fmt::format(
+        "\n  Earlier results are intact, up to the checkpoint at t = {:.4g} s. Make room on the disk, or mend what is "
+        "told above, then go on with:\n  {}",
+        found.image->time, resume_command(folder, options));
   } catch (const FileError&) {
     return "";  // the folder is gone
   }
@@ -100,7 +111,8 @@ int solve(const Model& model, State& state, RunWriter& writer, const RunOptions&
     for (int pass = 0; pass < n_passes; ++pass) summary.passes.push_back({pass_names[pass], work.seconds[pass]});
     writer.summary(summary, outcome == Outcome::finished);
     if (outcome == Outcome::interrupted) {
-      fmt::print("stopped at t = {:.4g} s, step {}; a checkpoint is written. Go on with:\n  {}\n", state.time, state.step, resume_command(folder, options));
+      fmt::print("stopped at t = {:.4g} s, step {}; a checkpoint is written. Go on with:\n  {}\n", state.time,
+          state.step, resume_command(folder, options));
       return failed;
     }
     if (!options.quiet) print_summary(summary, folder);
@@ -119,7 +131,8 @@ int solve(const Model& model, State& state, RunWriter& writer, const RunOptions&
 }
 
 /// The same, and the page of the run if it is wanted.
-int solve_and_show(const Model& model, State& state, RunWriter& writer, const RunOptions& options, const std::string& folder)
+int solve_and_show(
+    const Model& model, State& state, RunWriter& writer, const RunOptions& options, const std::string& folder)
 {
   const int status = solve(model, state, writer, options, folder);
   if (options.report && status == solved) report_runs({.runs = {folder}, .output = path_in(folder, report_file)});
@@ -134,9 +147,10 @@ std::string run_folder_of(const std::string& path)
   std::filesystem::path p(path);
   std::error_code none;
   if (p.extension() == ".toml" && !std::filesystem::is_directory(p, none))
-    throw CaseError(fmt::format("error: {0}: `terp resume` takes a run folder, as in terp resume {1}\n"
-                                "  It goes on from the newest checkpoint there. To solve a case file from its start: terp run {0}\n",
-                                path, p.filename() == case_file ? folder_of(path) : default_run_folder(path)));
+    throw CaseError(fmt::format(
+        "error: {0}: `terp resume` takes a run folder, as in terp resume {1}\n"
+        "  It goes on from the newest checkpoint there. To solve a case file from its start: terp run {0}\n",
+        path, p.filename() == case_file ? folder_of(path) : default_run_folder(path)));
   if (std::filesystem::is_regular_file(p)) p = p.parent_path();
   if (!std::filesystem::is_directory(p.empty() ? "." : p)) throw FileError(fmt::format("{}: no such run folder", path));
   return p.empty() ? "." : p.string();
@@ -153,30 +167,36 @@ Checkpoint find_checkpoint(const std::string& path)
   if (std::filesystem::is_regular_file(path)) return {path, read_checkpoint(path)};
   CheckpointSearch found = newest_good_checkpoint(path);
   for (const auto& bad : found.skipped) fmt::print(stderr, "warning: skipped {}: {}\n", bad.path, bad.reason);
-  if (!found.image) throw FileError(fmt::format("{}: no checkpoint to resume from. Start the case anew with `terp run`.", path));
+  if (!found.image)
+    throw FileError(fmt::format("{}: no checkpoint to resume from. Start the case anew with `terp run`.", path));
   return {found.path, std::move(*found.image)};
 }
 
-/// What changed in the case since the run began, of what may; empty for a checkpoint that does not say. Throws FileError at anything else:
-/// no result may come from two cases.
+/// What changed in the case since the run began, of what may; empty for a checkpoint that does not say. Throws
+/// FileError at anything else: no result may come from two cases.
 std::vector<ChangedValue> check_unchanged(const std::string& folder, const StateImage& image, const CaseRecord& now)
 {
   if (image.case_record.empty()) {
-    fmt::print(stderr, "warning: the checkpoint of step {} is from an earlier Terp and does not say what case the run began with:\n"
-                       "  whether {} was changed since is not known\n", image.step, path_in(folder, case_file));
+    fmt::print(stderr,
+        "warning: the checkpoint of step {} is from an earlier Terp and does not say what case the run began with:\n"
+        "  whether {} was changed since is not known\n",
+        image.step, path_in(folder, case_file));
     return {};
   }
   std::vector<ChangedValue> allowed;
   std::string refused;
   for (ChangedValue& change : changes_since(image.case_record, now)) {
-    if (!may_change_on_resume(change.key)) refused += "\n  " + change.text();
-    else allowed.push_back(std::move(change));
+    if (!may_change_on_resume(change.key))
+      refused += "\n  " + change.text();
+    else
+      allowed.push_back(std::move(change));
   }
   if (refused.empty()) return allowed;
-  throw FileError(fmt::format("cannot resume from step {0}: {1} was changed since the run began{2}\n"
-                              "  Put back what it began with, or solve the changed case from its start: terp run {1} -o NEW_FOLDER\n"
-                              "  These may change: title, time.end, output.fields.every, output.checkpoint",
-                              image.step, path_in(folder, case_file), refused));
+  throw FileError(fmt::format(
+      "cannot resume from step {0}: {1} was changed since the run began{2}\n"
+      "  Put back what it began with, or solve the changed case from its start: terp run {1} -o NEW_FOLDER\n"
+      "  These may change: title, time.end, output.fields.every, output.checkpoint",
+      image.step, path_in(folder, case_file), refused));
 }
 
 /// The state of a checkpoint that was read from `path`.
@@ -202,9 +222,10 @@ void set_end(const Case& now, const StateImage& image, Model& model)
 {
   if (now.time.end != model.description.time.end) move_end(model, now.time.end);
   if (model.n_steps < image.step)
-    throw FileError(fmt::format("cannot resume from step {}, t = {:.4g} s: time.end = {} s lies before it\n"
-                                "  Set a later time.end in {} of the folder, or name an earlier checkpoint.",
-                                image.step, image.time, now.time.end, case_file));
+    throw FileError(
+        fmt::format("cannot resume from step {}, t = {:.4g} s: time.end = {} s lies before it\n"
+                    "  Set a later time.end in {} of the folder, or name an earlier checkpoint.",
+            image.step, image.time, now.time.end, case_file));
 }
 
 /// Finds the history points; the case must still seed the points of the checkpoint.
@@ -212,9 +233,10 @@ void seed_again(const StateImage& image, Model& model)
 {
   const std::int64_t n_seeded = build_state(model).n_ids(), n = count_points(image);
   if (n_seeded != n)
-    throw FileError(fmt::format("cannot resume from step {}: the case seeds {} material points, the checkpoint holds {}\n"
-                                "  {} of the folder, or a file that it names, is not what the run began with.",
-                                image.step, n_seeded, n, case_file));
+    throw FileError(
+        fmt::format("cannot resume from step {}: the case seeds {} material points, the checkpoint holds {}\n"
+                    "  {} of the folder, or a file that it names, is not what the run began with.",
+            image.step, n_seeded, n, case_file));
 }
 
 /// What the files of the run must hold. Ledger rows and frames were counted as they were written.
@@ -222,12 +244,19 @@ ResumePoint resume_point(const Model& model, const State& state, const std::stri
 {
   const OutputCase& output = model.description.output;
   const std::int64_t n_times = count_due(state.step, model.dt, output.history_every);
-  return {.step = state.step, .time = state.time, .n_points = state.n_ids(), .n_nodes = model.mesh.n_nodes(), .n_cells = model.mesh.n_cells(),
-          .n_frames = std::ssize(state.softened_fraction),
-          .n_mesh_frames = output.mesh ? std::ssize(state.softened_fraction) : 0,
-          .n_history_rows = n_times * std::ssize(output.history_points), .n_ledger_rows = state.ledger_rows,
-          .n_left_rows = std::ssize(state.left),
-          .n_footing_rows = state.ledger_rows * std::ssize(model.footings), .tables = tables, .fields = make_frame(model, state, 0, 0).fields};
+  return {.step = state.step,
+      .time = state.time,
+      .n_points = state.n_ids(),
+      .n_nodes = model.mesh.n_nodes(),
+      .n_cells = model.mesh.n_cells(),
+      .n_frames = std::ssize(state.softened_fraction),
+      .n_mesh_frames = output.mesh ? std::ssize(state.softened_fraction) : 0,
+      .n_history_rows = n_times * std::ssize(output.history_points),
+      .n_ledger_rows = state.ledger_rows,
+      .n_left_rows = std::ssize(state.left),
+      .n_footing_rows = state.ledger_rows * std::ssize(model.footings),
+      .tables = tables,
+      .fields = make_frame(model, state, 0, 0).fields};
 }
 
 }  // namespace
@@ -241,8 +270,9 @@ int run_case(const RunOptions& options)
     Model model = build_model(file.values, threads_of(options));
     State state = build_state(model);
     fmt::print(stderr, "{}", render_warnings(find_warnings(model, state), file));
-    const auto writer = RunWriter::start(
-        {folder, {file.values.name, file.text}, file.values.output.checkpoint_keep, record_text(make_case_record(file, model.mesh))}, options.force);
+    const auto writer = RunWriter::start({folder, {file.values.name, file.text}, file.values.output.checkpoint_keep,
+                                             record_text(make_case_record(file, model.mesh))},
+        options.force);
     return solve_and_show(model, state, *writer, options, folder);
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));
@@ -266,8 +296,10 @@ int resume_run(const RunOptions& options)
     State state = restore_from(checkpoint, model, image);
     const std::string kept = image.case_record.empty() ? record_text(record) : image.case_record;
     RunWriterSettings settings{folder, {case_name_in(folder), file.text}, file.values.output.checkpoint_keep, kept};
-    const auto writer = RunWriter::resume(std::move(settings), std::move(lock), resume_point(model, state, image.tables));
-    if (!options.quiet) fmt::print("resuming {} at t = {:.4g} s, step {} of {}\n", folder, state.time, state.step, model.n_steps);
+    const auto writer =
+        RunWriter::resume(std::move(settings), std::move(lock), resume_point(model, state, image.tables));
+    if (!options.quiet)
+      fmt::print("resuming {} at t = {:.4g} s, step {} of {}\n", folder, state.time, state.step, model.n_steps);
     for (const ChangedValue& change : changes)
       if (!options.quiet) fmt::print("  from here on with another {}\n", change.text());
     return solve_and_show(model, state, *writer, options, folder);

@@ -29,8 +29,10 @@ class TrialLine {
     const std::string start = terminal_ ? "\r\033[K" : "";
     if (ended) return terp::show(stderr, fmt::format("{}factor {:.4f}  {}\n", start, trial.factor, trial.reason));
     const TrialWindow& w = trial.windows.back();
-    terp::show(stderr, fmt::format("{}factor {:.4f}  t = {:.3g} s  displacement {:.2f} rho g H^2/E  out of balance {:.1e}  ETA {}", start, trial.factor, w.time,
-                                   w.displacement / so_far.displacement, w.out_of_balance, readable_duration(longest_ * trials_left + longest_ - trial.wall_s)));
+    terp::show(stderr,
+        fmt::format("{}factor {:.4f}  t = {:.3g} s  displacement {:.2f} rho g H^2/E  out of balance {:.1e}  ETA {}",
+            start, trial.factor, w.time, w.displacement / so_far.displacement, w.out_of_balance,
+            readable_duration(longest_ * trials_left + longest_ - trial.wall_s)));
   }
 
  private:
@@ -41,16 +43,20 @@ class TrialLine {
 void check_options(const BisectionOptions& o)
 {
   if (o.from && o.to && !(*o.from < *o.to))
-    throw CaseError(fmt::format("error: --from {:g} --to {:g}: the first must be the smaller one\n  --from is a factor at which the soil is believed to stand, "
-                                "--to one at which it is not.\n",
-                                *o.from, *o.to));
+    throw CaseError(
+        fmt::format("error: --from {:g} --to {:g}: the first must be the smaller one\n  --from is a factor at which "
+                    "the soil is believed to stand, "
+                    "--to one at which it is not.\n",
+            *o.from, *o.to));
 }
 
 void warn_of_motion(const Case& c)
 {
-  if (!c.footings.empty()) fmt::print(stderr, "warning: terp stability leaves footings out: the soil carries its own weight alone\n");
+  if (!c.footings.empty())
+    fmt::print(stderr, "warning: terp stability leaves footings out: the soil carries its own weight alone\n");
   for (const SideCase& side : c.sides)
-    if (side.kind == SideKind::velocity) fmt::print(stderr, "warning: the side `{}` stands still in terp stability\n", printable(side.side));
+    if (side.kind == SideKind::velocity)
+      fmt::print(stderr, "warning: the side `{}` stands still in terp stability\n", printable(side.side));
 }
 
 }  // namespace
@@ -68,7 +74,8 @@ int find_stability(const RunOptions& run, StabilityOptions options)
     const std::string& scheme = file.values.scheme;
     make_folder(folder);  // before the trials, which take long
     TrialLine line(run.quiet || run.json);
-    const StabilityResult result = find_factor_of_safety(file.values, options, stop_requested, [&](const auto&... now) { line.show(now...); });
+    const StabilityResult result =
+        find_factor_of_safety(file.values, options, stop_requested, [&](const auto&... now) { line.show(now...); });
     const CaseText text{file.values.name, file.text};
     if (run.json)
       fmt::print("{}", stability_json(result, scheme, text));

@@ -21,7 +21,8 @@ void request_stop(int signal)
   std::signal(signal, SIG_DFL);
 }
 
-/// The terminal was closed: what was to go there goes nowhere. The shell often sends the signal once more: that one is not heard.
+/// The terminal was closed: what was to go there goes nowhere. The shell often sends the signal once more: that one is
+/// not heard.
 void stop_without_terminal(int)
 {
   stop_requested.store(true);

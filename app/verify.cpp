@@ -42,7 +42,9 @@ std::vector<std::unique_ptr<VerificationCase>> read_cases(const VerifyOptions& o
     try {
       cases.back()->expected = read_expected(path);
       if (cases.back()->expected.quantities.empty())
-        throw CaseError(fmt::format("error: {}: there is no [[quantity]], so nothing would be judged\n  See docs/verification_cases.md.\n", path));
+        throw CaseError(fmt::format(
+            "error: {}: there is no [[quantity]], so nothing would be judged\n  See docs/verification_cases.md.\n",
+            path));
     } catch (const CaseError& error) {
       cases.back()->expected = {};
       cases.back()->fault = error.what();
@@ -62,7 +64,8 @@ class VerifyProgress {
     const double part = done_seconds_.fetch_add(expected_seconds) + expected_seconds;
     const double wall = std::chrono::duration<double>(Clock::now() - start_).count();
     const double left = part > 0.0 ? wall * std::max(0.0, seconds_ - part) / part : 0.0;
-    const std::string line = fmt::format("[{}/{}] {}  {}  ETA {}", n, n_runs_, name, readable_duration(seconds), readable_duration(left));
+    const std::string line =
+        fmt::format("[{}/{}] {}  {}  ETA {}", n, n_runs_, name, readable_duration(seconds), readable_duration(left));
     show(stderr, terminal_ ? "\r\033[K" + line + (n == n_runs_ ? "\r\033[K" : "") : line + '\n');
   }
 
@@ -80,7 +83,8 @@ std::vector<Solved> solve_all(const std::vector<Solve>& solves, int threads)
 {
   std::vector<std::size_t> order(solves.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return solves[a].variant->seconds > solves[b].variant->seconds; });
+  std::stable_sort(order.begin(), order.end(),
+      [&](std::size_t a, std::size_t b) { return solves[a].variant->seconds > solves[b].variant->seconds; });
   double seconds = 0.0;
   for (const Solve& s : solves) seconds += s.variant->seconds;
   VerifyProgress progress(solves.size(), seconds);
@@ -91,14 +95,16 @@ std::vector<Solved> solve_all(const std::vector<Solve>& solves, int threads)
     if (!stop_requested) solved[k] = solve_variant(solves[k], stop_requested);
     const std::string folder = std::filesystem::path(solves[k].file->path).parent_path().filename().string();
     const Variant& v = *solves[k].variant;
-    progress.done(fmt::format("{}{}{}{}{}", folder, v.name.empty() ? "" : ", ", v.name, solves[k].scheme.empty() ? "" : ", ", solves[k].scheme),
-                  v.seconds, solved[k].seconds);
+    progress.done(fmt::format("{}{}{}{}{}", folder, v.name.empty() ? "" : ", ", v.name,
+                      solves[k].scheme.empty() ? "" : ", ", solves[k].scheme),
+        v.seconds, solved[k].seconds);
   });
   return solved;
 }
 
 /// A case that cannot be read has one row.
-std::vector<Row> judge_case(const VerificationCase& c, const std::vector<Solve>& solves, const std::vector<Solved>& solved)
+std::vector<Row> judge_case(
+    const VerificationCase& c, const std::vector<Solve>& solves, const std::vector<Solved>& solved)
 {
   if (!c.fault.empty()) return {fault_row(c.name, "-", "expected.toml", c.fault)};
   std::vector<Solve> own_solves;
@@ -114,7 +120,8 @@ std::string head_of_page(const std::string& folder)
   std::ostringstream text;
   text << file.rdbuf();
   const std::string all = text.str();
-  return all.starts_with("# ") ? all.substr(std::min(all.find('\n') + 2, all.size())) : all;  // the page has its own title
+  return all.starts_with("# ") ? all.substr(std::min(all.find('\n') + 2, all.size()))
+                               : all;  // the page has its own title
 }
 
 /// The pages are written at the end, after up to half an hour of solving: what stands in their way is said before.
@@ -122,8 +129,9 @@ void check_page(const std::string& path)
 {
   if (path.empty()) return;
   const std::filesystem::path parent = std::filesystem::path(path).parent_path();
-  const bool writable = access(path.c_str(), F_OK) == 0 ? access(path.c_str(), W_OK) == 0 && !std::filesystem::is_directory(path)
-                                                        : access(parent.empty() ? "." : parent.c_str(), W_OK) == 0;
+  const bool writable = access(path.c_str(), F_OK) == 0
+                            ? access(path.c_str(), W_OK) == 0 && !std::filesystem::is_directory(path)
+                            : access(parent.empty() ? "." : parent.c_str(), W_OK) == 0;
   if (!writable) throw FileError(fmt::format("{}: the page cannot be written; nothing was solved", path));
 }
 
@@ -140,7 +148,8 @@ void list_cases(const std::vector<std::unique_ptr<VerificationCase>>& cases, con
 {
   for (const auto& c : cases) {
     if (!c->fault.empty()) fmt::print("{:<28} cannot be read\n{}", c->name, c->fault);
-    const auto n_short = list_solves(c->expected, true, false).size(), n_long = list_solves(c->expected, false, true).size();
+    const auto n_short = list_solves(c->expected, true, false).size(),
+               n_long = list_solves(c->expected, false, true).size();
     if ((options.only_short && n_short == 0) || (options.only_long && n_long == 0)) continue;
     fmt::print("{:<28} {:2} short and {:2} long runs  {}\n", c->name, n_short, n_long, c->expected.title);
   }
@@ -161,7 +170,8 @@ int verify_cases(const VerifyOptions& options)
   for (const auto& c : cases) faults += c->fault;
   if (solves.empty() && !faults.empty()) throw CaseError(faults);
   if (solves.empty())
-    throw FileError(fmt::format("there is nothing to solve: these cases have no {} run", options.only_long ? "long" : "short"));
+    throw FileError(
+        fmt::format("there is nothing to solve: these cases have no {} run", options.only_long ? "long" : "short"));
   check_page(options.markdown);
   check_page(options.html);
   const std::vector<Solved> solved = solve_all(solves, options.threads > 0 ? options.threads : available_processors());

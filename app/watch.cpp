@@ -41,8 +41,8 @@ Reading read_progress(const std::string& folder)
     const Real x = last_of(table, right);
     return std::isnan(x) ? last_of(table, left) : x;
   };
-  return {std::chrono::duration<double>(age).count(), last_of(table, "time"), last_of(table, "kinetic"), either("front_x", "front_left_x"),
-          either("crest_x", "crest_left_x")};
+  return {std::chrono::duration<double>(age).count(), last_of(table, "time"), last_of(table, "kinetic"),
+      either("front_x", "front_left_x"), either("crest_x", "crest_left_x")};
 }
 
 /// Wall time to the end, at the speed between two readings [s]; NaN if nothing moved.
@@ -55,7 +55,8 @@ double time_left(const Reading& before, const Reading& now, Real end)
 std::string describe(const Reading& now, Real end, double left)
 {
   if (std::isnan(now.time)) return "no row of the ledger yet";
-  std::string text = fmt::format("t = {:.3f} of {:g} s ({:.0f} %)  kinetic energy {:.3g} kJ/m", now.time, end, 100.0 * now.time / end, now.kinetic / 1e3);
+  std::string text = fmt::format("t = {:.3f} of {:g} s ({:.0f} %)  kinetic energy {:.3g} kJ/m", now.time, end,
+      100.0 * now.time / end, now.kinetic / 1e3);
   if (!std::isnan(now.front)) text += fmt::format("  front {:.2f} m", now.front);
   if (!std::isnan(now.crest)) text += fmt::format("  crest {:.2f} m", now.crest);
   return left >= 0.0 ? text + "  ETA " + readable_duration(left) : text;
@@ -73,7 +74,10 @@ int watch_run(const WatchCommand& command)
 {
   const std::string& folder = command.run;
   if (!fs::is_directory(folder))
-    throw FileError(fmt::format("{}: no such run folder\n  Give the folder that `terp run` writes to, e.g. runs/model_2; it is there once the run has begun.", folder));
+    throw FileError(
+        fmt::format("{}: no such run folder\n  Give the folder that `terp run` writes to, e.g. runs/model_2; it is "
+                    "there once the run has begun.",
+            folder));
   if (!fs::exists(path_in(folder, case_file)))
     throw FileError(fmt::format("{}: this is no run folder, it holds no {}", folder, case_file));
   const Real end = read_case(path_in(folder, case_file)).values.time.end;
@@ -82,9 +86,12 @@ int watch_run(const WatchCommand& command)
   for (;;) {
     const bool running = is_being_written(folder);
     const Reading now = read_progress(folder);
-    show(describe(now, end, running ? time_left(before, now, end) : std::nan("")), terminal && running && !command.once);
+    show(
+        describe(now, end, running ? time_left(before, now, end) : std::nan("")), terminal && running && !command.once);
     if (!running || command.once) {
-      if (!running) fmt::print("no terp is writing to {}: the run {}\n", folder, now.time >= end * (1.0 - 1e-9) ? "is finished" : "has stopped; `terp resume` goes on");
+      if (!running)
+        fmt::print("no terp is writing to {}: the run {}\n", folder,
+            now.time >= end * (1.0 - 1e-9) ? "is finished" : "has stopped; `terp resume` goes on");
       return solved;
     }
     if (now.time > before.time) before = now;

@@ -1,5 +1,5 @@
-// Google Benchmark of what the step is made of and of what surrounds it. Laws and steps come from the copy of the kernels that this
-// processor gets (TERP_INSTRUCTIONS forces one). `items_per_second` counts points.
+// Google Benchmark of what the step is made of and of what surrounds it. Laws and steps come from the copy of the
+// kernels that this processor gets (TERP_INSTRUCTIONS forces one). `items_per_second` counts points.
 
 #include "ready.hpp"
 #include "simulation/frame.hpp"
@@ -23,7 +23,7 @@ BENCHMARK_CAPTURE(Step, standard_mpm, "standard_mpm")->Unit(benchmark::kMicrosec
 void LedgerRowOfAllPoints(benchmark::State& bench)
 {
   Ready ready("mpm_gp", 0.1, 3000);  // flowing
-  for (auto _ : bench) {  // as in a run: the caches hold what the step left
+  for (auto _ : bench) {             // as in a run: the caches hold what the step left
     ready.model.step(ready.model, ready.state, ready.work);
     const auto start = std::chrono::steady_clock::now();
     benchmark::DoNotOptimize(keep_ledger(ready.model, ready.state, ready.work));

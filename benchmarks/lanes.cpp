@@ -1,7 +1,8 @@
-// Lanes of a pack in the loops over points: eight points of one cell, as the program does it, or the k-th points of eight cells side by
-// side. The second way needs no sums across lanes, but a group of cells takes as long as its fullest. The work per cell has one lane
-// for each cell either way. A prototype of gather and strain of MPM-GP, on the column at rest and as it flows (decision 0031); cells of one shape, one material,
-// the method's defaults. For packs of this machine: build with -DTERP_INSTRUCTIONS=native.
+// Lanes of a pack in the loops over points: eight points of one cell, as the program does it, or the k-th points of
+// eight cells side by side. The second way needs no sums across lanes, but a group of cells takes as long as its
+// fullest. The work per cell has one lane for each cell either way. A prototype of gather and strain of MPM-GP, on the
+// column at rest and as it flows (decision 0031); cells of one shape, one material, the method's defaults. For packs of
+// this machine: build with -DTERP_INSTRUCTIONS=native.
 
 #include "ready.hpp"
 #include "schemes/mpm_gp.hpp"
@@ -14,7 +15,8 @@ namespace {
 using Rows = PointRows<2>;
 constexpr int rest = 200, flowing = 3000;  // steps
 
-/// Eight neighbouring cells: number k of row r of lane c stands at data[(r * n + k) * pack_width + c]; beyond a cell's points all is zero.
+/// Eight neighbouring cells: number k of row r of lane c stands at data[(r * n + k) * pack_width + c]; beyond a cell's
+/// points all is zero.
 struct InterleavedCells {
   Index n = 0;  // points of the fullest cell
   std::array<Index, pack_width> slot{};
@@ -38,7 +40,9 @@ std::vector<InterleavedCells> make_groups(const PointBlocks<2>& points)
   const auto& cells = points.occupied();
   for (std::size_t first = 0; first + pack_width <= cells.size(); first += pack_width) {
     InterleavedCells& group = groups.emplace_back();
-    const auto block_of = [&](int c) -> const PointBlock<2>& { return points.block(points.first_block(cells[first + c])); };
+    const auto block_of = [&](int c) -> const PointBlock<2>& {
+      return points.block(points.first_block(cells[first + c]));
+    };
     for (int c = 0; c < pack_width; ++c) group.n = std::max(group.n, block_of(c).n);
     group.data.assign(static_cast<std::size_t>(points.n_rows()) * group.n, Pack(0.0));
     for (int c = 0; c < pack_width; ++c) {
@@ -71,15 +75,18 @@ void map_group(const InterleavedCells& group, GroupSums& sums)
 }
 
 /// Eqs. (1) to (4); returns p_e.
-Pack gather_group(const CellGeometry<2>& cell, const MethodOptions& method, const InterleavedCells& group, GroupSums& sums)
+Pack gather_group(
+    const CellGeometry<2>& cell, const MethodOptions& method, const InterleavedCells& group, GroupSums& sums)
 {
   PerCorner volume = zeros();
   std::array<PerCorner, 4> sigma{zeros(), zeros(), zeros(), zeros()};
   const Pack zero(0.0);
   for (Index k = 0; k < group.n; ++k) {
     const Mask right = group.at(Rows::xi, k) >= Pack(-tie), upper = group.at(Rows::xi + 1, k) >= Pack(-tie);
-    const Pack in_upper = select(upper, group.at(Rows::volume, k), zero), in_lower = select(upper, zero, group.at(Rows::volume, k));
-    const PerCorner part{select(right, zero, in_lower), select(right, in_lower, zero), select(right, zero, in_upper), select(right, in_upper, zero)};
+    const Pack in_upper = select(upper, group.at(Rows::volume, k), zero),
+               in_lower = select(upper, zero, group.at(Rows::volume, k));
+    const PerCorner part{select(right, zero, in_lower), select(right, in_lower, zero), select(right, zero, in_upper),
+        select(right, in_upper, zero)};
     for (int g = 0; g < 4; ++g) volume[g] += part[g];
     for (int r = 0; r < 4; ++r)
       for (int g = 0; g < 4; ++g) sigma[r][g] = fma(group.at(Rows::sigma + r, k), part[g], sigma[r][g]);
@@ -135,7 +142,8 @@ void strain_group(const CellGeometry<2>& cell, const std::array<PerCorner, 2>& d
 {
   std::array<PerCorner, 4> d_eps;
   Pack theta_0(0.0);
-  for (int i = 0; i < 4; ++i) theta_0 += du[0][i] * Pack(cell.centre_gradient[i][0]) + du[1][i] * Pack(cell.centre_gradient[i][1]);
+  for (int i = 0; i < 4; ++i)
+    theta_0 += du[0][i] * Pack(cell.centre_gradient[i][0]) + du[1][i] * Pack(cell.centre_gradient[i][1]);
   for (int g = 0; g < 4; ++g) {
     Pack xx(0.0), yy(0.0), shear(0.0);
     for (int i = 0; i < 4; ++i) {
@@ -228,11 +236,13 @@ void StrainLanesAcrossPoints(benchmark::State& bench)
   for (auto _ : bench)
     for (Index first = 0; first + pack_width <= n; first += pack_width) {
       const CellGroup group = group_from(ready, first);
-      const auto strain = strain_by_cell(strain_of_group(group, displacements(ready.model, ready.work.node, group), true));
+      const auto strain =
+          strain_by_cell(strain_of_group(group, displacements(ready.model, ready.work.node, group), true));
       for (int c = 0; c < group.n(); ++c)
         for_each_block(group.points, group.cells[c], [&](const PointBlock<2>& block, Index) {
           for (Index p = 0; p < block.n; p += pack_width)
-            scale_volume(block, p, accumulate_strain(block, p, strain_at_points(strain[c], right_half(block, p), upper_half(block, p))));
+            scale_volume(block, p,
+                accumulate_strain(block, p, strain_at_points(strain[c], right_half(block, p), upper_half(block, p))));
         });
     }
   count_points(bench, ready);

@@ -14,20 +14,26 @@ namespace terp {
 /// The paper's column, model 2, on cells of this size [m].
 inline Case column(const std::string& scheme, double cell)
 {
-  return read_case(TERP_SOURCE_DIR "/cases/column_collapse/model_2.toml", {"scheme=" + scheme, fmt::format("mesh.cell={}", cell)}).values;
+  return read_case(
+      TERP_SOURCE_DIR "/cases/column_collapse/model_2.toml", {"scheme=" + scheme, fmt::format("mesh.cell={}", cell)})
+      .values;
 }
 
 struct Ready {
   Model model;
   State state;
   Workspace work;
-  Ready(const std::string& scheme, double cell, int n_steps) : model(build_model(column(scheme, cell), 1)), state(build_state(model)), work(model, state)
+  Ready(const std::string& scheme, double cell, int n_steps)
+      : model(build_model(column(scheme, cell), 1)), state(build_state(model)), work(model, state)
   {
     start_audit(model, state);
     for (int k = 0; k < n_steps; ++k) model.step(model, state, work);
   }
 };
 
-inline void count_points(benchmark::State& bench, const Ready& ready) { bench.SetItemsProcessed(bench.iterations() * ready.state.points.n_points()); }
+inline void count_points(benchmark::State& bench, const Ready& ready)
+{
+  bench.SetItemsProcessed(bench.iterations() * ready.state.points.n_points());
+}
 
 }  // namespace terp

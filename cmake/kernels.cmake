@@ -23,6 +23,14 @@ if(TERP_SANITIZE OR TERP_TSAN)
   set_source_files_properties(${TERP_KERNEL_SOURCES} ${TERP_SHARED_KERNEL_SOURCES} PROPERTIES COMPILE_OPTIONS "${options}")
 endif()
 
+# Links a generated object with whatever links a library. As a source of the library every object file of it would wait for it.
+function(link_object target object)
+  get_filename_component(name ${object} NAME_WE)
+  add_custom_target(${name} DEPENDS ${object})
+  target_link_libraries(${target} INTERFACE ${object})
+  set_property(TARGET ${target} APPEND PROPERTY INTERFACE_LINK_DEPENDS ${object})
+endfunction()
+
 # Adds the kernels to a target. sets: the best first; "native" or "plain" alone mean one copy, linked like anything else.
 function(add_kernels target sets)
   list(TRANSFORM sets REPLACE "(.+)" "TERP_KERNEL_SET(\\1)" OUTPUT_VARIABLE calls)
@@ -55,6 +63,5 @@ function(add_kernel_copy target set)
     COMMAND ${CMAKE_OBJCOPY} --keep-global-symbol=terp_kernels_${set} ${whole} ${object}
     DEPENDS $<TARGET_OBJECTS:terp_kernels_${set}>
     COMMENT "Closing the kernels for ${set}" COMMAND_EXPAND_LISTS VERBATIM)
-  target_sources(${target} PRIVATE ${object})
-  set_source_files_properties(${object} PROPERTIES EXTERNAL_OBJECT TRUE GENERATED TRUE)
+  link_object(${target} ${object})
 endfunction()

@@ -23,6 +23,5 @@ function(add_page target)
   set(object ${PROJECT_BINARY_DIR}/page/page.o)
   add_custom_command(OUTPUT ${object} COMMAND ${CMAKE_LINKER} -r -b binary -z noexecstack -o ${object} page.html
                      WORKING_DIRECTORY ${PROJECT_BINARY_DIR}/page DEPENDS ${page} COMMENT "Putting the report page into the program" VERBATIM)
-  target_sources(${target} PRIVATE ${object})
-  set_source_files_properties(${object} PROPERTIES EXTERNAL_OBJECT TRUE GENERATED TRUE)
+  link_object(${target} ${object})
 endfunction()

@@ -11,12 +11,14 @@ namespace terp {
 
 /// One thing that is wrong in a case file. The reader turns `key` into file:line:column and shows the line.
 struct Problem {
-  std::string key;     ///< dotted path of the key or table it is about, e.g. "material.clay.eta", "body[0].box"; may be empty
-  std::string what;    ///< one short clause, lower case, no full stop: "softening is too steep"
-  std::string detail;  ///< got and allowed, with units, and what to do; may hold several lines; may be empty
-  std::string topic;   ///< what `terp explain` says more about; may be empty
-  bool at_key = false; ///< true: point at the key itself; false: point at its value
-  std::vector<std::string> others = {};  ///< keys and tables that `key` does not go with; of all these, one that --set changed is pointed at
+  std::string
+      key;  ///< dotted path of the key or table it is about, e.g. "material.clay.eta", "body[0].box"; may be empty
+  std::string what;     ///< one short clause, lower case, no full stop: "softening is too steep"
+  std::string detail;   ///< got and allowed, with units, and what to do; may hold several lines; may be empty
+  std::string topic;    ///< what `terp explain` says more about; may be empty
+  bool at_key = false;  ///< true: point at the key itself; false: point at its value
+  std::vector<std::string> others =
+      {};  ///< keys and tables that `key` does not go with; of all these, one that --set changed is pointed at
 };
 
 /// The user's input is wrong: exit status 2. Holds every problem found.

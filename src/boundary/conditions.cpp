@@ -37,7 +37,10 @@ bool is_contact(Hold hold) { return hold == Hold::contact || hold == Hold::separ
 bool stops(Hold hold) { return hold == Hold::normal || hold == Hold::contact; }
 
 /// Velocity across a side that it prescribes [m/s].
-Real prescribed_across(const NodeHold& hold) { return hold.hold == Hold::normal ? dot(hold.velocity, hold.normal) : 0.0; }
+Real prescribed_across(const NodeHold& hold)
+{
+  return hold.hold == Hold::normal ? dot(hold.velocity, hold.normal) : 0.0;
+}
 
 constexpr Real straight = 0.996;  // cosine between normals of sides that are taken for one line: 5 degrees
 
@@ -53,7 +56,8 @@ NodeHold joined(const NodeHold& a, const NodeHold& b)
   const Real length = a.half_length + b.half_length, part = a.half_length / length;
   const Vec<2> sum{part * a.normal[0] + (1.0 - part) * b.normal[0], part * a.normal[1] + (1.0 - part) * b.normal[1]};
   const Real norm = std::hypot(sum[0], sum[1]);
-  return {a.hold, {sum[0] / norm, sum[1] / norm}, length, a.adhesion_force + b.adhesion_force, part * a.friction + (1.0 - part) * b.friction, a.velocity};
+  return {a.hold, {sum[0] / norm, sum[1] / norm}, length, a.adhesion_force + b.adhesion_force,
+      part * a.friction + (1.0 - part) * b.friction, a.velocity};
 }
 
 /// Contacts first, so that a roller at a corner has the last word on its direction.
@@ -62,13 +66,15 @@ void order_and_join(NodeCondition& c)
   if (c.n == 2 && !is_contact(c.holds[0].hold) && is_contact(c.holds[1].hold)) std::swap(c.holds[0], c.holds[1]);
   const bool across = c.n == 2 && std::abs(dot(c.holds[0].normal, c.holds[1].normal)) < straight;
   c.corner = across && c.holds[0].hold != Hold::all && c.holds[1].hold != Hold::all;
-  if (c.n == 2 && !across && is_contact(c.holds[0].hold) && is_contact(c.holds[1].hold)) {  // parts of a base that hold differently share the push
+  if (c.n == 2 && !across && is_contact(c.holds[0].hold) &&
+      is_contact(c.holds[1].hold)) {  // parts of a base that hold differently share the push
     const Real length = c.holds[0].half_length + c.holds[1].half_length;
     for (NodeHold& hold : c.holds) hold.friction *= hold.half_length / length;
   }
   if (!c.corner) return;
   const Vec<2> n = c.holds[0].normal, m = c.holds[1].normal;
-  const Real determinant = n[0] * m[1] - n[1] * m[0], a = prescribed_across(c.holds[0]), b = prescribed_across(c.holds[1]);
+  const Real determinant = n[0] * m[1] - n[1] * m[0], a = prescribed_across(c.holds[0]),
+             b = prescribed_across(c.holds[1]);
   c.corner_velocity = {(a * m[1] - b * n[1]) / determinant, (b * n[0] - a * m[0]) / determinant};
 }
 
@@ -78,15 +84,17 @@ using Acting = std::array<bool, 2>;
 /// Those that act whatever the node does.
 Acting always(const NodeCondition& c) { return {c.n > 0 && stops(c.holds[0].hold), c.n > 1 && stops(c.holds[1].hold)}; }
 
-/// Which holds act on a velocity or a force w: those that must, and separating ones that it pushes on. At a corner the push on one side is what
-/// the other leaves, so that both act together or one alone: the only choice in which none pulls and nothing goes through (Signorini's condition).
+/// Which holds act on a velocity or a force w: those that must, and separating ones that it pushes on. At a corner the
+/// push on one side is what the other leaves, so that both act together or one alone: the only choice in which none
+/// pulls and nothing goes through (Signorini's condition).
 Acting acting_on(const NodeCondition& c, Vec<2> w, Acting must, std::array<Real, 2> prescribed)
 {
   std::array<Real, 2> push{};
   for (int k = 0; k < c.n; ++k) push[k] = dot(w, c.holds[k].normal) - prescribed[k];
   if (!c.corner) return {c.n > 0 && (must[0] || !(push[0] < 0.0)), c.n > 1 && (must[1] || !(push[1] < 0.0))};
   const Real cosine = dot(c.holds[0].normal, c.holds[1].normal);
-  const Acting beside_other = {must[0] || push[0] - cosine * push[1] > 0.0, must[1] || push[1] - cosine * push[0] > 0.0};
+  const Acting beside_other = {
+      must[0] || push[0] - cosine * push[1] > 0.0, must[1] || push[1] - cosine * push[0] > 0.0};
   if (beside_other[0] && beside_other[1]) return {true, true};
   if (must[0] || must[1]) return must;
   if (!(push[0] < 0.0) && !beside_other[1]) return {true, false};
@@ -110,7 +118,8 @@ void shorten(Real by, Vec<2>& value)
   for (Real& component : value) component *= kept;
 }
 
-/// Impulses of a contact plane on a node: normal, then tangential up to adhesion, and friction under the push of the trial velocity.
+/// Impulses of a contact plane on a node: normal, then tangential up to adhesion, and friction under the push of the
+/// trial velocity.
 void apply_contact(const NodeHold& hold, Real mass, Real dt, Vec<2> trial, Vec<2>& v)
 {
   const Real v_n = dot(v, hold.normal);
@@ -155,11 +164,12 @@ const NamedSide& find_side(const Mesh<2>& mesh, const std::string& name)
     if (side.name == name) return side;
     known += (known.empty() ? "" : ", ") + side.name;
   }
-  throw InputError(Problem{"boundary." + name, "the mesh has no side `" + name + "`", "Sides of this mesh: " + known, "boundary", true,
-                           {"mesh.file", "mesh.edges"}});
+  throw InputError(Problem{"boundary." + name, "the mesh has no side `" + name + "`", "Sides of this mesh: " + known,
+      "boundary", true, {"mesh.file", "mesh.edges"}});
 }
 
-Boundary::Boundary(const Mesh<2>& mesh, const std::vector<SideCondition>& sides) : condition_of_node_(mesh.nodes.size(), -1)
+Boundary::Boundary(const Mesh<2>& mesh, const std::vector<SideCondition>& sides)
+    : condition_of_node_(mesh.nodes.size(), -1)
 {
   std::vector<int> n_sides;
   for (const auto& side : sides)
@@ -171,12 +181,16 @@ Boundary::Boundary(const Mesh<2>& mesh, const std::vector<SideCondition>& sides)
       }
       NodeCondition& c = conditions_[condition_of_node_[node]];
       if (++n_sides[condition_of_node_[node]] > 2)
-        throw InputError(Problem{"boundary." + side.side, "a node lies on more than two sides with conditions", "", "boundary", true, {"boundary"}});
+        throw InputError(Problem{"boundary." + side.side, "a node lies on more than two sides with conditions", "",
+            "boundary", true, {"boundary"}});
       const Real length = std::hypot(sums.normal[0], sums.normal[1]);
-      const NodeHold hold{side.hold, {sums.normal[0] / length, sums.normal[1] / length}, sums.half_length, side.adhesion * sums.half_length,
-                          side.friction, side.velocity_at ? side.velocity_at(mesh.nodes[node]) : side.velocity};
-      if (c.n == 1 && are_parts_of_one(c.holds[0], hold)) c.holds[0] = joined(c.holds[0], hold);
-      else c.holds[c.n++] = hold;
+      const NodeHold hold{side.hold, {sums.normal[0] / length, sums.normal[1] / length}, sums.half_length,
+          side.adhesion * sums.half_length, side.friction,
+          side.velocity_at ? side.velocity_at(mesh.nodes[node]) : side.velocity};
+      if (c.n == 1 && are_parts_of_one(c.holds[0], hold))
+        c.holds[0] = joined(c.holds[0], hold);
+      else
+        c.holds[c.n++] = hold;
     }
   for (auto& c : conditions_) order_and_join(c);
 }
@@ -207,7 +221,8 @@ Vec<2> Boundary::free_velocity(Index node, Vec<2> v, Vec<2> push) const
 
 Vec<2> Boundary::free_force(Index node, Vec<2> force) const
 {
-  return free_part(node, force, force, [&](const NodeHold& hold, Vec<2>& along) { shorten(strength_of(hold, dot(force, hold.normal)), along); });
+  return free_part(node, force, force,
+      [&](const NodeHold& hold, Vec<2>& along) { shorten(strength_of(hold, dot(force, hold.normal)), along); });
 }
 
 void Boundary::constrain(Index node, Real mass, Real dt, Vec<2>& v) const

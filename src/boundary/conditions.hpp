@@ -21,9 +21,9 @@ enum class Hold {
 struct SideCondition {
   std::string side;
   Hold hold = Hold::normal;
-  Real adhesion = 0.0;  ///< a [Pa]
-  Real friction = 0.0;  ///< tangent of the friction angle [-]
-  Vec<2> velocity{0.0, 0.0};  ///< of Hold::all, and across the side of Hold::normal [m/s]
+  Real adhesion = 0.0;                             ///< a [Pa]
+  Real friction = 0.0;                             ///< tangent of the friction angle [-]
+  Vec<2> velocity{0.0, 0.0};                       ///< of Hold::all, and across the side of Hold::normal [m/s]
   std::function<Vec<2>(Vec<2>)> velocity_at = {};  ///< instead of velocity, at the place of a node [m/s]
 };
 
@@ -37,8 +37,9 @@ struct NodeHold {
   Vec<2> velocity;      ///< of Hold::all, and across the side of Hold::normal [m/s]
 };
 
-/// A node may lie on two sides (a corner) and so have two holds; contacts act first. Parts of a straight base that hold alike are one hold at
-/// the node between them, with the adhesion of both and their friction weighted by length; a bilateral and a separating part stay two, weighted too.
+/// A node may lie on two sides (a corner) and so have two holds; contacts act first. Parts of a straight base that hold
+/// alike are one hold at the node between them, with the adhesion of both and their friction weighted by length; a
+/// bilateral and a separating part stay two, weighted too.
 struct NodeCondition {
   int n = 0;
   std::array<NodeHold, 2> holds;
@@ -54,17 +55,18 @@ class Boundary {
   Boundary() = default;
   Boundary(const Mesh<2>& mesh, const std::vector<SideCondition>& sides);
 
-  /// What is left of a node's velocity, shape [2], when the sides have taken what they hold: nothing across a side that holds, or that a
-  /// `push` presses on.
+  /// What is left of a node's velocity, shape [2], when the sides have taken what they hold: nothing across a side that
+  /// holds, or that a `push` presses on.
   Vec<2> free_velocity(Index node, Vec<2> v, Vec<2> push) const;
-  /// What is left of a node's force [N per m] when the sides have taken what they carry: the same, and along a contact plane only what
-  /// exceeds its adhesion, and its friction under that force (reading R13).
+  /// What is left of a node's force [N per m] when the sides have taken what they carry: the same, and along a contact
+  /// plane only what exceeds its adhesion, and its friction under that force (reading R13).
   Vec<2> free_force(Index node, Vec<2> force) const;
   /// Corrects the trial velocity v* of a node (step 2 of docs/methods.md). mass [kg per m], dt [s].
   void constrain(Index node, Real mass, Real dt, Vec<2>& v) const;
-  /// Clamps the second nodal velocity at constrained components (step 4). mass [kg per m], dt [s]; v_1, reaction: the velocity of step 2 [m/s],
-  /// and what the sides did to the node there [N per m]. A separating contact that pushed then stays closed for the step, and a contact acts along itself
-  /// with the strength that it did not use then, so that what holds a node does no work (decision 0037).
+  /// Clamps the second nodal velocity at constrained components (step 4). mass [kg per m], dt [s]; v_1, reaction: the
+  /// velocity of step 2 [m/s], and what the sides did to the node there [N per m]. A separating contact that pushed
+  /// then stays closed for the step, and a contact acts along itself with the strength that it did not use then, so
+  /// that what holds a node does no work (decision 0037).
   void clamp(Index node, Real mass, Real dt, Vec<2> v_1, Vec<2> reaction, Vec<2>& v) const;
   /// The node's condition, or nullptr.
   const NodeCondition* at(Index node) const

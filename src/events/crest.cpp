@@ -15,7 +15,8 @@ constexpr Real slide_retreat = 0.25;    // retreat that counts as a slide, in he
 constexpr Real stopped = 0.1;           // of the largest kinetic energy of a slide: it has stopped [-]
 constexpr Real round_off = 1e-9;        // of crest places, which are whole columns [m]
 
-/// How far a crest that has settled may retreat, and in what time: a column at least, which of a wide column takes longer.
+/// How far a crest that has settled may retreat, and in what time: a column at least, which of a wide column takes
+/// longer.
 struct Rest {
   Real length;  ///< [m]
   Real time;    ///< [s]
@@ -30,13 +31,15 @@ Rest rest_of(const CrestHistory& crest)
 /// Place of the crest, larger the farther out [m].
 Real place(const CrestHistory& crest, std::size_t row) { return outwards(crest.slope.facing) * crest.x[row]; }
 
-/// The crest as far out as it stands at any row of the next `settled_for`: a surface that leaves its height and comes back did not fail.
+/// The crest as far out as it stands at any row of the next `settled_for`: a surface that leaves its height and comes
+/// back did not fail.
 std::vector<Real> lasting_places(const CrestHistory& crest)
 {
   std::vector<Real> x = crest.x;
   const Real out = outwards(crest.slope.facing);
   for (std::size_t k = 0; k < x.size(); ++k)
-    for (std::size_t later = k + 1; later < x.size() && crest.time[later] - crest.time[k] <= settled_for + round_off; ++later)
+    for (std::size_t later = k + 1; later < x.size() && crest.time[later] - crest.time[k] <= settled_for + round_off;
+         ++later)
       if (out * crest.x[later] > out * x[k]) x[k] = crest.x[later];
   return x;
 }
@@ -48,7 +51,9 @@ std::size_t find_settled(const CrestHistory& crest, std::size_t k)
   const auto& t = crest.time;
   for (std::size_t end = k; k < t.size(); ++k) {
     end = k;
-    while (end < t.size() && place(crest, end) >= place(crest, k) - rest.length - round_off && t[end] - t[k] < rest.time - round_off) ++end;
+    while (end < t.size() && place(crest, end) >= place(crest, k) - rest.length - round_off &&
+           t[end] - t[k] < rest.time - round_off)
+      ++end;
     if (end == t.size()) return end;
     if (place(crest, end) >= place(crest, k) - rest.length - round_off) return end;
   }
@@ -77,7 +82,8 @@ std::size_t find_retreat(const CrestHistory& crest, Real length)
 /// Retreat of the crest that counts as a slide: a quarter of the height of the slope, at least two columns [m].
 Real slide_length(const CrestHistory& crest) { return std::max(slide_retreat * crest.slope.height, 2.0 * crest.width); }
 
-/// First row, from `from` on, of the retreat that has come to row k: there the crest stood more than at rest behind its place at row `from`.
+/// First row, from `from` on, of the retreat that has come to row k: there the crest stood more than at rest behind its
+/// place at row `from`.
 std::size_t find_begin(const CrestHistory& crest, std::size_t from, std::size_t k)
 {
   while (k > from && place(crest, k - 1) < place(crest, from) - rest_of(crest).length - round_off) --k;
@@ -116,7 +122,8 @@ Standing find_standing(const Section& section, const Slope& slope, bool alone, c
   };
   const Index end = slope.facing == Facing::right ? slope.last : n - slope.first;
   Index begin = 0;
-  while (begin < end && !std::isfinite(first_height(begin))) ++begin;  // the last column may hold no soil where the mesh ends in it
+  while (begin < end && !std::isfinite(first_height(begin)))
+    ++begin;  // the last column may hold no soil where the mesh ends in it
   Standing best;
   Real highest = 0.0;
   for (Index k = begin; k < end; ++k) {
@@ -135,14 +142,17 @@ Standing find_standing(const Section& section, const Slope& slope, bool alone, c
 Real find_crest(const Section& section, const Slope& slope, const Standing& standing)
 {
   if (standing.first == standing.last) return std::nan("");
-  const Index edge = slope.facing == Facing::right ? std::min(standing.last, slope.last) : std::max(standing.first, slope.first);
+  const Index edge =
+      slope.facing == Facing::right ? std::min(standing.last, slope.last) : std::max(standing.first, slope.first);
   return section.columns.left + edge * section.columns.width;
 }
 
-Real crest_height(const Section& section, const Slope& slope, const Standing& standing, const std::vector<Real>& heights)
+Real crest_height(
+    const Section& section, const Slope& slope, const Standing& standing, const std::vector<Real>& heights)
 {
   if (standing.first == standing.last) return std::nan("");
-  const Index column = slope.facing == Facing::right ? std::min(standing.last, slope.last) - 1 : std::max(standing.first, slope.first);
+  const Index column =
+      slope.facing == Facing::right ? std::min(standing.last, slope.last) - 1 : std::max(standing.first, slope.first);
   return column >= 0 && column < section.columns.n ? heights[column] : std::nan("");
 }
 
@@ -162,13 +172,18 @@ std::vector<Slide> find_slides(const CrestHistory& history)
   std::size_t k = x.empty() ? 0 : find_retreat(crest, slide_length(crest));
   while (k < x.size()) {
     begins.push_back(find_begin(crest, from, k));
-    slides.push_back({.begins = crest.time[begins.back()], .stops = {}, .crest_from = x[from], .crest_to = x.back(), .facing = crest.slope.facing});
+    slides.push_back({.begins = crest.time[begins.back()],
+        .stops = {},
+        .crest_from = x[from],
+        .crest_to = x.back(),
+        .facing = crest.slope.facing});
     from = find_settled(crest, k);
     if (from == x.size()) break;
     k = find_slide(crest, from, slide_length(crest));
   }
   for (std::size_t s = 1; s < slides.size(); ++s) slides[s].crest_from = slides[s - 1].crest_to = x[begins[s] - 1];
-  for (std::size_t s = 0; s < slides.size(); ++s) follow_motion(crest, begins[s], s + 1 < slides.size() ? begins[s + 1] : x.size(), slides[s]);
+  for (std::size_t s = 0; s < slides.size(); ++s)
+    follow_motion(crest, begins[s], s + 1 < slides.size() ? begins[s + 1] : x.size(), slides[s]);
   return slides;
 }
 

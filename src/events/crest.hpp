@@ -10,19 +10,20 @@ namespace terp {
 /// Where the crest of a slope was, one entry per ledger row.
 struct CrestHistory {
   Slope slope;
-  Real width = 0.0;                   ///< of a column [m]
-  std::vector<Real> time;             ///< [s]
-  std::vector<Real> x;                ///< crest [m]; the far side of the mesh if nothing stands
-  std::vector<Real> kinetic;          ///< kinetic energy of all soil, of the nodes [J per m]; may be empty: then nobody knows when a slide stops
+  Real width = 0.0;           ///< of a column [m]
+  std::vector<Real> time;     ///< [s]
+  std::vector<Real> x;        ///< crest [m]; the far side of the mesh if nothing stands
+  std::vector<Real> kinetic;  ///< kinetic energy of all soil, of the nodes [J per m]; may be empty: then nobody knows
+                              ///< when a slide stops
 };
 
 /// A slide: the crest retreats by much within a short time. Definition: docs/formats.md.
 struct Slide {
-  Real begins = 0.0;                    ///< [s]
-  std::optional<Real> stops;            ///< [s]; none if the next slide begins, or the run ends, before
+  Real begins = 0.0;                      ///< [s]
+  std::optional<Real> stops;              ///< [s]; none if the next slide begins, or the run ends, before
   Real crest_from = 0.0, crest_to = 0.0;  ///< before, and when the next slide begins or the run ends [m]
-  Real kinetic_peak = 0.0;              ///< largest nodal kinetic energy until the next slide [J per m]
-  Facing facing = Facing::right;        ///< of the slope that slides
+  Real kinetic_peak = 0.0;                ///< largest nodal kinetic energy until the next slide [J per m]
+  Facing facing = Facing::right;          ///< of the slope that slides
 };
 
 /// The ground that still stands, as columns first ... last - 1; none if first == last.
@@ -30,16 +31,17 @@ struct Standing {
   Index first = 0, last = 0;
 };
 
-/// Columns whose surface is within 0.05 m, or a fortieth of the relief if that is more, of their first height, without a gap. If a section has
-/// this slope alone: from the side behind it on. Otherwise of all from there to the crest those that hold the highest ground that stands.
-/// heights: the surface now [m].
+/// Columns whose surface is within 0.05 m, or a fortieth of the relief if that is more, of their first height, without
+/// a gap. If a section has this slope alone: from the side behind it on. Otherwise of all from there to the crest those
+/// that hold the highest ground that stands. heights: the surface now [m].
 Standing find_standing(const Section& section, const Slope& slope, bool alone, const std::vector<Real>& heights);
 
 /// The edge of the standing ground towards a slope, at most the first crest [m]; NaN if nothing stands.
 Real find_crest(const Section& section, const Slope& slope, const Standing& standing);
 
 /// Height of the surface in the last column before that edge [m]; NaN if nothing stands.
-Real crest_height(const Section& section, const Slope& slope, const Standing& standing, const std::vector<Real>& heights);
+Real crest_height(
+    const Section& section, const Slope& slope, const Standing& standing, const std::vector<Real>& heights);
 
 /// The edge of the columns behind a slope [m]: where its crest is when nothing stands.
 Real back_of(const Section& section, const Slope& slope);

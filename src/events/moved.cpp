@@ -6,7 +6,9 @@ namespace terp {
 
 MovedSoil join(const MovedSoil& a, const MovedSoil& b)
 {
-  return {.volume = a.volume + b.volume, .reach_left = std::fmin(a.reach_left, b.reach_left), .reach_right = std::fmax(a.reach_right, b.reach_right)};
+  return {.volume = a.volume + b.volume,
+      .reach_left = std::fmin(a.reach_left, b.reach_left),
+      .reach_right = std::fmax(a.reach_right, b.reach_right)};
 }
 
 MovedSoil find_moved(const PointBlocks<2>& points, std::span<const Real> x_initial, Real distance)
@@ -18,7 +20,8 @@ MovedSoil find_moved(const PointBlocks<2>& points, std::span<const Real> x_initi
   return search.found();
 }
 
-Real intact_share(const PointBlocks<2>& points, std::span<const Real> x_initial, Real distance, std::span<const int> strain_rows)
+Real intact_share(
+    const PointBlocks<2>& points, std::span<const Real> x_initial, Real distance, std::span<const int> strain_rows)
 {
   using Rows = PointRows<2>;
   Real all = 0.0, intact = 0.0;

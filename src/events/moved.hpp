@@ -1,4 +1,5 @@
-// How much soil has moved away from where it began, how much of it is intact, and how far it came. Definitions: docs/formats.md.
+// How much soil has moved away from where it began, how much of it is intact, and how far it came. Definitions:
+// docs/formats.md.
 #pragma once
 
 #include "points/point_blocks.hpp"
@@ -10,16 +11,20 @@ namespace terp {
 
 /// Soil that lies farther than some distance from its first place.
 struct MovedSoil {
-  Real volume = 0.0;                                                ///< [m^2]
-  Real reach_left = std::numeric_limits<Real>::quiet_NaN();         ///< smallest x of what came to the left [m]; NaN: nothing did
-  Real reach_right = std::numeric_limits<Real>::quiet_NaN();        ///< largest x of what came to the right [m]; NaN: nothing did
+  Real volume = 0.0;  ///< [m^2]
+  Real reach_left =
+      std::numeric_limits<Real>::quiet_NaN();  ///< smallest x of what came to the left [m]; NaN: nothing did
+  Real reach_right =
+      std::numeric_limits<Real>::quiet_NaN();  ///< largest x of what came to the right [m]; NaN: nothing did
 };
 
 /// Finds it block by block. Sums go by lane, so that their order is that of the blocks alone.
 class MovedSearch {
  public:
   /// x_initial: by id, shape [n_points, 2] [m]; distance: from where on soil counts as moved [m].
-  MovedSearch(std::span<const Real> x_initial, Real distance) : first_(x_initial.data()), square_(distance * distance) {}
+  MovedSearch(std::span<const Real> x_initial, Real distance) : first_(x_initial.data()), square_(distance * distance)
+  {
+  }
 
   /// The points p ... p + 7 of a block.
   void enter(const PointBlock<2>& block, Index p)
@@ -28,7 +33,8 @@ class MovedSearch {
     const Index n = block.n - p;
     const Real* id = block.row(Rows::id) + p;
     const Pack x = Pack::load(block.row(Rows::x) + p);
-    const Pack dx = x - Pack::gather(first_, 2, id, n), dy = Pack::load(block.row(Rows::x + 1) + p) - Pack::gather(first_ + 1, 2, id, n);
+    const Pack dx = x - Pack::gather(first_, 2, id, n),
+               dy = Pack::load(block.row(Rows::x + 1) + p) - Pack::gather(first_ + 1, 2, id, n);
     const Mask moved = (dx * dx + dy * dy > Pack(square_)) & (lane_numbers() < Pack(static_cast<Real>(n)));
     volume_ += select(moved, Pack::load(block.row(Rows::volume) + p), Pack(0.0));
     left_ = min(left_, select(moved & (dx < Pack(0.0)), x, left_));
@@ -39,8 +45,10 @@ class MovedSearch {
   {
     MovedSoil soil{.volume = sum(volume_)};
     for (int k = 0; k < pack_width; ++k) {
-      if (left_[k] < std::numeric_limits<Real>::infinity() && !(left_[k] >= soil.reach_left)) soil.reach_left = left_[k];
-      if (right_[k] > -std::numeric_limits<Real>::infinity() && !(right_[k] <= soil.reach_right)) soil.reach_right = right_[k];
+      if (left_[k] < std::numeric_limits<Real>::infinity() && !(left_[k] >= soil.reach_left))
+        soil.reach_left = left_[k];
+      if (right_[k] > -std::numeric_limits<Real>::infinity() && !(right_[k] <= soil.reach_right))
+        soil.reach_right = right_[k];
     }
     return soil;
   }
@@ -58,12 +66,13 @@ MovedSoil join(const MovedSoil& a, const MovedSoil& b);
 /// The soil that lies farther than `distance` [m] from its first place.
 MovedSoil find_moved(const PointBlocks<2>& points, std::span<const Real> x_initial, Real distance);
 
-/// Plastic strain below which soil counts as intact [-]: a hundredth. Strength that softens with eta = 50 has then lost two fifths of
-/// what it can lose; a shear band strains a hundred times as much.
+/// Plastic strain below which soil counts as intact [-]: a hundredth. Strength that softens with eta = 50 has then lost
+/// two fifths of what it can lose; a shear band strains a hundred times as much.
 inline constexpr Real intact_strain = 0.01;
 
-/// Share of the volume that moved whose eps_eq_p is below `intact_strain` [-]; NaN if no such soil moved. strain_rows: by material the
-/// state variable that is eps_eq_p, -1: none, and soil of that material is left out.
-Real intact_share(const PointBlocks<2>& points, std::span<const Real> x_initial, Real distance, std::span<const int> strain_rows);
+/// Share of the volume that moved whose eps_eq_p is below `intact_strain` [-]; NaN if no such soil moved. strain_rows:
+/// by material the state variable that is eps_eq_p, -1: none, and soil of that material is left out.
+Real intact_share(
+    const PointBlocks<2>& points, std::span<const Real> x_initial, Real distance, std::span<const int> strain_rows);
 
 }  // namespace terp

@@ -8,8 +8,8 @@
 namespace terp {
 namespace {
 
-constexpr Real level = 0.05;           // of the height: what lies within this of the highest surface belongs to the crest [-]
-constexpr Index fewest_columns = 2;    // beside the crest, for a slope: the last column may be narrow and empty
+constexpr Real level = 0.05;  // of the height: what lies within this of the highest surface belongs to the crest [-]
+constexpr Index fewest_columns = 2;  // beside the crest, for a slope: the last column may be narrow and empty
 
 /// Height of the highest surface [m].
 Real highest(const Section& section)
@@ -21,7 +21,10 @@ Real highest(const Section& section)
 }
 
 /// The column at distance k from the side that a slope faces.
-Index from_side(const Section& section, Facing facing, Index k) { return facing == Facing::right ? section.columns.n - 1 - k : k; }
+Index from_side(const Section& section, Facing facing, Index k)
+{
+  return facing == Facing::right ? section.columns.n - 1 - k : k;
+}
 
 /// The edge of a column that is nearer to the side, or farther from it [m].
 Real outer_edge(const Section& section, Facing facing, Index column)
@@ -46,7 +49,10 @@ Real ground_at_side(const Section& section, Facing facing)
 }
 
 /// The level to which the ground comes down on a side: that at the side, or the lowest point where no soil is [m].
-Real foot(const Section& section, Facing facing) { return has_free_toe(section, facing) ? section.base : ground_at_side(section, facing); }
+Real foot(const Section& section, Facing facing)
+{
+  return has_free_toe(section, facing) ? section.base : ground_at_side(section, facing);
+}
 
 /// How many columns from the side the first is that fits.
 template <class F>
@@ -81,14 +87,20 @@ std::optional<Slope> find_slope(const Section& section, Facing facing)
 
 }  // namespace
 
-Columns columns_between(Real left, Real right, Real width) { return {left, width, static_cast<Index>(std::ceil((right - left) / width - 1e-9))}; }
+Columns columns_between(Real left, Real right, Real width)
+{
+  return {left, width, static_cast<Index>(std::ceil((right - left) / width - 1e-9))};
+}
 
 Section look_at_section(const Mesh<2>& mesh, const PointBlocks<2>& points, Columns columns)
 {
   return {columns, surface_heights(mesh, points, columns), lowest(points)};
 }
 
-Real relief(const Section& section) { return highest(section) - std::min(foot(section, Facing::right), foot(section, Facing::left)); }
+Real relief(const Section& section)
+{
+  return highest(section) - std::min(foot(section, Facing::right), foot(section, Facing::left));
+}
 
 bool is_flat(const Section& section) { return !(relief(section) >= section.columns.width); }
 

@@ -17,8 +17,9 @@ struct Slope {
   Index first = 0, last = 0;  ///< columns of the crest: first ... last - 1
   Real height = 0.0;          ///< of the crest over the foot [m]
   Real crest = 0.0;           ///< edge of the crest [m]
-  Real toe = 0.0;             ///< where the slope has come down to the level of its foot; with a free toe the end of its soil, by columns [m]
-  bool free_toe = true;       ///< no soil at the side of the mesh; otherwise it fills the mesh to there
+  Real toe = 0.0;  ///< where the slope has come down to the level of its foot; with a free toe the end of its soil, by
+                   ///< columns [m]
+  bool free_toe = true;  ///< no soil at the side of the mesh; otherwise it fills the mesh to there
 };
 
 /// The first surface.
@@ -34,7 +35,8 @@ Section look_at_section(const Mesh<2>& mesh, const PointBlocks<2>& points, Colum
 /// Columns that cover `left` to `right` [m].
 Columns columns_between(Real left, Real right, Real width);
 
-/// Height of the highest surface over the lower of the feet on both sides: the ground there, or the lowest point where no soil is [m].
+/// Height of the highest surface over the lower of the feet on both sides: the ground there, or the lowest point where
+/// no soil is [m].
 Real relief(const Section& section);
 
 /// True if the relief is less than a column is wide: what the points and the cells make of level ground is no slope.
@@ -43,7 +45,8 @@ bool is_flat(const Section& section);
 /// The slopes of a section, that to the right first: none, one or two.
 std::vector<Slope> find_slopes(const Section& section);
 
-/// Displacement from which on soil counts as moved: a twentieth of the relief, or of the height of a section without any [m].
+/// Displacement from which on soil counts as moved: a twentieth of the relief, or of the height of a section without
+/// any [m].
 Real moved_distance(const Section& section);
 
 }  // namespace terp

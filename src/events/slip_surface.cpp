@@ -69,15 +69,16 @@ std::vector<Vec<2>> find_slip_line(const PointBlocks<2>& points, std::span<const
 {
   const Real least = share_of_all * fastest_of(growth);
   std::vector<Real> most(static_cast<std::size_t>(columns.n), 0.0);
-  const auto visit = [&](auto&& f) {  // those that may matter: a column counts from `least` on, and in it half of its most
-    std::size_t k = 0;
-    for_each_point(points, [&](const PointBlock<2>& block, Index lane) {
-      const Real g = growth[k++];
-      if (!(g >= share_of_column * least && g > 0.0)) return;
-      const Vec<2> x{block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]};
-      if (const Index c = column_of(x[0], columns); c >= 0) f(static_cast<std::size_t>(c), x, g);
-    });
-  };
+  const auto visit =
+      [&](auto&& f) {  // those that may matter: a column counts from `least` on, and in it half of its most
+        std::size_t k = 0;
+        for_each_point(points, [&](const PointBlock<2>& block, Index lane) {
+          const Real g = growth[k++];
+          if (!(g >= share_of_column * least && g > 0.0)) return;
+          const Vec<2> x{block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]};
+          if (const Index c = column_of(x[0], columns); c >= 0) f(static_cast<std::size_t>(c), x, g);
+        });
+      };
   visit([&](std::size_t c, Vec<2>, Real g) { most[c] = std::max(most[c], g); });
   std::vector<Vec<2>> lowest(most.size(), Vec<2>{0.0, std::numeric_limits<Real>::infinity()});
   visit([&](std::size_t c, Vec<2> x, Real g) {

@@ -1,4 +1,5 @@
-// Where the soil shears fastest: the slip surface as a line through the columns, of a field that is smooth over nodes. Definition: docs/formats.md.
+// Where the soil shears fastest: the slip surface as a line through the columns, of a field that is smooth over nodes.
+// Definition: docs/formats.md.
 #pragma once
 
 #include "events/surface.hpp"
@@ -15,13 +16,14 @@ struct SlipSurface {
   std::vector<Vec<2>> line;  ///< from left to right, one place per column that shears [m]
 };
 
-/// A field of points as its nodes have it: the mean at each node, by N_i and volume, and at each point what the nodes around it have. What
-/// alternates from cell to cell, as the increments of MPM-Mixed do, is gone; a band is wider by less than a cell. values: in the order of
-/// for_each_point.
+/// A field of points as its nodes have it: the mean at each node, by N_i and volume, and at each point what the nodes
+/// around it have. What alternates from cell to cell, as the increments of MPM-Mixed do, is gone; a band is wider by
+/// less than a cell. values: in the order of for_each_point.
 std::vector<float> mean_over_nodes(const Mesh<2>& mesh, const PointBlocks<2>& points, std::span<const float> values);
 
-/// In each column the lowest point whose strain grew by at least half of the most in that column. A column counts if that most is a tenth
-/// of what all but 0.1 % of the points stay below. growth: of eps_eq_p, in the order of for_each_point.
+/// In each column the lowest point whose strain grew by at least half of the most in that column. A column counts if
+/// that most is a tenth of what all but 0.1 % of the points stay below. growth: of eps_eq_p, in the order of
+/// for_each_point.
 std::vector<Vec<2>> find_slip_line(const PointBlocks<2>& points, std::span<const float> growth, const Columns& columns);
 
 }  // namespace terp

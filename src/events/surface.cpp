@@ -86,7 +86,8 @@ std::array<Real, 2> extent_in_x(const Mesh<2>& mesh, const PointBlocks<2>& point
 Real lowest(const PointBlocks<2>& points)
 {
   Real y = std::numeric_limits<Real>::infinity();
-  for_each_point(points, [&](const PointBlock<2>& block, Index lane) { y = std::min(y, block.row(PointRows<2>::x + 1)[lane]); });
+  for_each_point(
+      points, [&](const PointBlock<2>& block, Index lane) { y = std::min(y, block.row(PointRows<2>::x + 1)[lane]); });
   return y;
 }
 

@@ -16,8 +16,8 @@ struct Columns {
   Real right() const { return left + width * n; }  ///< right edge of the last column [m]
 };
 
-/// Height of the highest point in each column [m], shape [n]; minus infinity where a column holds no point. Looks only into cells that reach
-/// above what was found so far, the last cells first.
+/// Height of the highest point in each column [m], shape [n]; minus infinity where a column holds no point. Looks only
+/// into cells that reach above what was found so far, the last cells first.
 std::vector<Real> surface_heights(const Mesh<2>& mesh, const PointBlocks<2>& points, const Columns& columns);
 
 /// Smallest and largest x of all material points [m]; NaN if there are none.

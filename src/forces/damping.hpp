@@ -8,13 +8,13 @@
 namespace terp {
 
 struct Damping {
-  Real local = 0.0;           ///< alpha [-]
-  Real viscous = 0.0;         ///< mass-proportional coefficient [1/s]
-  Vec<2> down{0.0, -1.0};     ///< direction of gravity, unit
+  Real local = 0.0;        ///< alpha [-]
+  Real viscous = 0.0;      ///< mass-proportional coefficient [1/s]
+  Vec<2> down{0.0, -1.0};  ///< direction of gravity, unit
 };
 
-/// Force that damping adds to one component of the out-of-balance force R of a node: local (Cundall) -alpha |R| sign(v), with
-/// no force where v = 0, and viscous -c m v. v: before the update.
+/// Force that damping adds to one component of the out-of-balance force R of a node: local (Cundall) -alpha |R|
+/// sign(v), with no force where v = 0, and viscous -c m v. v: before the update.
 inline Real damping_force(const Damping& damping, Real out_of_balance, Real mass, Real v)
 {
   const Real local = v == 0.0 ? 0.0 : -damping.local * std::copysign(std::abs(out_of_balance), v);

@@ -11,7 +11,8 @@ namespace terp {
 
 /// f_int,i += sum_g B-bar_i^T sigma_hat_g Omega_g, Eq. (4); with ForceOperator::b plain B.
 template <class Geometry, class R>
-void add_internal_force(const Geometry& cell, const GaussValues<2, R>& gauss, ForceOperator op, CornerSums<2, R>& corners)
+void add_internal_force(
+    const Geometry& cell, const GaussValues<2, R>& gauss, ForceOperator op, CornerSums<2, R>& corners)
 {
   const bool b_bar = op == ForceOperator::b_bar;
   std::array<R, 4> xx, yy, xy;  // stress that works on the gradients at g, times the weight
@@ -36,8 +37,9 @@ void add_internal_force(const Geometry& cell, const GaussValues<2, R>& gauss, Fo
   }
 }
 
-/// Strain increment and spin at the Gauss points from displacements du_i = v_i dt [m], shape [d][corner]. Step 2 of Sec. 2.1:
-/// d_eps + (theta_0 - tr d_eps)/3 I with theta_0 = tr d_eps(0), so d_eps_zz is not zero (R5). theta_0 is the volume change.
+/// Strain increment and spin at the Gauss points from displacements du_i = v_i dt [m], shape [d][corner]. Step 2 of
+/// Sec. 2.1: d_eps + (theta_0 - tr d_eps)/3 I with theta_0 = tr d_eps(0), so d_eps_zz is not zero (R5). theta_0 is the
+/// volume change.
 template <class Geometry, class R>
 GaussStrain<2, R> strain_at_gauss_points(const Geometry& cell, const CornerVectorsOf<R>& du, bool b_bar)
 {

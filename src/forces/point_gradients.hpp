@@ -21,12 +21,14 @@ inline std::array<std::array<Pack, 2>, 4> gradients_at(const CellGeometry<2>& ce
 }
 
 /// f_int,i += sum_p B_i(x_p)^T sigma_p Omega_p.
-inline void add_internal_force_of_points(const CellGeometry<2>& cell, const PointBlock<2>& block, CornerSums<2>& corners)
+inline void add_internal_force_of_points(
+    const CellGeometry<2>& cell, const PointBlock<2>& block, CornerSums<2>& corners)
 {
   using Rows = PointRows<2>;
   std::array<std::array<Pack, 4>, 2> sums{zero_packs<4>(), zero_packs<4>()};
   for (Index p = 0; p < block.n; p += pack_width) {
-    const auto gradient = gradients_at(cell, Pack::load(block.row(Rows::xi) + p), Pack::load(block.row(Rows::xi + 1) + p));
+    const auto gradient =
+        gradients_at(cell, Pack::load(block.row(Rows::xi) + p), Pack::load(block.row(Rows::xi + 1) + p));
     const Pack volume = Pack::load(block.row(Rows::volume) + p);
     const Pack xx = volume * Pack::load(block.row(Rows::sigma) + p);
     const Pack yy = volume * Pack::load(block.row(Rows::sigma + 1) + p);
@@ -40,8 +42,8 @@ inline void add_internal_force_of_points(const CellGeometry<2>& cell, const Poin
 }
 
 /// Displacement gradient du_a/dx_b at eight points from du_i [m], shape [d][corner].
-inline std::array<std::array<Pack, 2>, 2> displacement_gradient(const std::array<std::array<Pack, 2>, 4>& gradient,
-                                                                const CornerVectors& du)
+inline std::array<std::array<Pack, 2>, 2> displacement_gradient(
+    const std::array<std::array<Pack, 2>, 4>& gradient, const CornerVectors& du)
 {
   std::array<std::array<Pack, 2>, 2> l;
   for (int a = 0; a < 2; ++a)

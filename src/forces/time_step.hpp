@@ -11,11 +11,15 @@ namespace terp {
 inline Real wave_speed(Real p_wave_modulus, Real density) { return std::sqrt(p_wave_modulus / density); }
 
 /// C min(L_e) / c_p [s].
-inline Real stable_time_step(Real courant, Real smallest_altitude, Real wave) { return courant * smallest_altitude / wave; }
+inline Real stable_time_step(Real courant, Real smallest_altitude, Real wave)
+{
+  return courant * smallest_altitude / wave;
+}
 
-/// By how much viscosity shortens the stable step: sqrt(1 + z^2) - z, where z = 4 nu / (3 c L) is the share of critical damping that
-/// the shortest wave of the mesh gets from the kinematic viscosity nu [m^2/s]. Viscous forces are those of the velocity half a step
-/// before: with frequency w = 2 c/L the amplification stays within one while w^2 dt^2 + 4 z w dt <= 4.
+/// By how much viscosity shortens the stable step: sqrt(1 + z^2) - z, where z = 4 nu / (3 c L) is the share of critical
+/// damping that the shortest wave of the mesh gets from the kinematic viscosity nu [m^2/s]. Viscous forces are those of
+/// the velocity half a step before: with frequency w = 2 c/L the amplification stays within one while w^2 dt^2 + 4 z w
+/// dt <= 4.
 inline Real viscous_reduction(Real kinematic_viscosity, Real smallest_altitude, Real wave)
 {
   const Real z = 4.0 * kinematic_viscosity / (3.0 * wave * smallest_altitude);

@@ -57,15 +57,15 @@ Document parse_document(const std::string& text, const std::string& path)
     const std::string hint =
         unquoted ? "\nText stands in quotes, as in scheme = \"mpm_gp\"; numbers are written 8.0e3." : "";
     throw CaseError(render_at(path, text, error.place,
-                              {"", "this is not valid TOML", why + hint + "\nThe format: https://toml.io", ""}) +
+                        {"", "this is not valid TOML", why + hint + "\nThe format: https://toml.io", ""}) +
                     "\n1 error; nothing was run.\n");
   }
 }
 
 /// The text that stands for the whole case, read from any folder: the user's own, or written anew if anything was
 /// changed by --set or names a file beside it.
-std::string text_for_the_record(const Document& document, const std::string& folder,
-                                const std::vector<std::string>& overrides)
+std::string text_for_the_record(
+    const Document& document, const std::string& folder, const std::vector<std::string>& overrides)
 {
   Node root = document.root;
   const bool moved = make_files_absolute(root, folder);
@@ -97,7 +97,7 @@ std::string default_run_folder(const std::string& case_path)
   const std::string name = name_of_case(case_path);
   if (name == "." || name == "..")
     refuse_file(case_path, fmt::format("its run would be named `{0}`, and runs/{0} is no folder of its own", name),
-                fmt::format("Rename the case file, or say where the results go: terp run {} -o DIR", case_path));
+        fmt::format("Rename the case file, or say where the results go: terp run {} -o DIR", case_path));
   return "runs/" + name;
 }
 

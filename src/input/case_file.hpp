@@ -14,8 +14,8 @@ namespace terp {
 
 struct CaseFile {
   Case values;
-  std::string path;               ///< as the user wrote it
-  std::string text;               ///< TOML of the case as it runs, with every --set and full names of files, for the record
+  std::string path;  ///< as the user wrote it
+  std::string text;  ///< TOML of the case as it runs, with every --set and full names of files, for the record
   std::vector<Problem> warnings;  ///< doubtful, but it may run
   Document source;                ///< what the user wrote, and where
 };
@@ -26,16 +26,16 @@ class CaseError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Where the run of a case file goes unless told otherwise: runs/NAME of NAME.toml, and of NAME/case.toml. Throws CaseError where NAME is `.` or `..`, as of
-/// the file `...toml`: its run would be written beside or above runs/.
+/// Where the run of a case file goes unless told otherwise: runs/NAME of NAME.toml, and of NAME/case.toml. Throws
+/// CaseError where NAME is `.` or `..`, as of the file `...toml`: its run would be written beside or above runs/.
 std::string default_run_folder(const std::string& case_path);
 
 /// Reads a file. overrides: "KEY=VALUE" each, applied in order. Throws CaseError.
 CaseFile read_case(const std::string& path, const std::vector<std::string>& overrides = {});
 
 /// The same for a text that is already in memory; `path` is what messages call it.
-CaseFile read_case_text(const std::string& text, const std::string& path,
-                        const std::vector<std::string>& overrides = {});
+CaseFile read_case_text(
+    const std::string& text, const std::string& path, const std::vector<std::string>& overrides = {});
 
 /// Problems found later (InputError), shown at the keys of this file.
 std::string render(const std::vector<Problem>& problems, const CaseFile& file);

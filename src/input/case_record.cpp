@@ -16,10 +16,12 @@
 namespace terp {
 namespace {
 
-constexpr std::array<std::string_view, 5> free_keys = {"title", "time.end", "output.fields.every", "output.checkpoint.every", "output.checkpoint.keep"};
+constexpr std::array<std::string_view, 5> free_keys = {
+    "title", "time.end", "output.fields.every", "output.checkpoint.every", "output.checkpoint.keep"};
 constexpr std::string_view mark = " = ";
 
-/// Text without line feeds, and, as names of materials and sides may hold anything, without what stands between key and value.
+/// Text without line feeds, and, as names of materials and sides may hold anything, without what stands between key and
+/// value.
 std::string on_one_line(const std::string& text)
 {
   std::string line = printable(text);
@@ -68,8 +70,9 @@ std::string formulas_text(const Node& root, const std::string& path)
   bool is_formula = false;
   for (const Node& item : list->items) {
     is_formula |= item.kind == NodeKind::text;
-    text += (text.empty() ? "" : ", ") + (item.kind == NodeKind::text ? quoted_list({item.text})
-                                          : item.kind == NodeKind::integer ? fmt::format("{}", item.integer) : fmt::format("{}", item.number));
+    text += (text.empty() ? "" : ", ") + (item.kind == NodeKind::text         ? quoted_list({item.text})
+                                             : item.kind == NodeKind::integer ? fmt::format("{}", item.integer)
+                                                                              : fmt::format("{}", item.number));
   }
   return is_formula ? '[' + text + ']' : "";
 }
@@ -89,7 +92,8 @@ void Recorder::add_list(const KeyInfo& key, std::string_view list, std::size_t n
 
 void Recorder::add_of_materials(const KeyInfo& key)
 {
-  for (std::size_t k = 0; k < values_.materials.size(); ++k) add_key(key, join_path(join_path("material", values_.materials[k].name), last_part(key.path)), k);
+  for (std::size_t k = 0; k < values_.materials.size(); ++k)
+    add_key(key, join_path(join_path("material", values_.materials[k].name), last_part(key.path)), k);
 }
 
 void Recorder::add_of_sides(const KeyInfo& key)
@@ -103,14 +107,20 @@ void Recorder::add_of_sides(const KeyInfo& key)
 void Recorder::add_keys()
 {
   for (const KeyInfo& key : all_keys()) {
-    if (key.path == "mesh.file" || key.path == "body[].points") continue;   // add_files
+    if (key.path == "mesh.file" || key.path == "body[].points") continue;    // add_files
     if (key.path == "body[].box" || key.path == "body[].polygon") continue;  // one place for two keys: add_outlines
-    if (key.path.starts_with("body[]")) add_list(key, "body", values_.bodies.size());
-    else if (key.path.starts_with("mesh.refine[]")) add_list(key, "mesh.refine", values_.mesh.refine.size());
-    else if (key.path.starts_with("footing[]")) add_list(key, "footing", values_.footings.size());
-    else if (key.path.starts_with("material.NAME")) add_of_materials(key);
-    else if (key.path.starts_with("boundary.SIDE")) add_of_sides(key);
-    else add_key(key, key.path, 0);
+    if (key.path.starts_with("body[]"))
+      add_list(key, "body", values_.bodies.size());
+    else if (key.path.starts_with("mesh.refine[]"))
+      add_list(key, "mesh.refine", values_.mesh.refine.size());
+    else if (key.path.starts_with("footing[]"))
+      add_list(key, "footing", values_.footings.size());
+    else if (key.path.starts_with("material.NAME"))
+      add_of_materials(key);
+    else if (key.path.starts_with("boundary.SIDE"))
+      add_of_sides(key);
+    else
+      add_key(key, key.path, 0);
   }
   for (std::size_t k = 0; k < values_.materials.size(); ++k)
     for (const KeyInfo& key : keys_of_law(*find_material(values_.materials[k].model)))
@@ -120,7 +130,8 @@ void Recorder::add_keys()
 void Recorder::add_outlines()
 {
   const KeyInfo& key = *find_key("body[].polygon");
-  for (std::size_t k = 0; k < values_.bodies.size(); ++k) add(fmt::format("body[{}] (outline)", k), value_text(key, key.field(values_, k)));
+  for (std::size_t k = 0; k < values_.bodies.size(); ++k)
+    add(fmt::format("body[{}] (outline)", k), value_text(key, key.field(values_, k)));
 }
 
 void Recorder::add_orders()
@@ -147,7 +158,8 @@ std::string points_key(const std::string& path)
 try {
   std::string bytes;
   for (const CsvPoint& point : read_points_csv(path)) {
-    for (const Real value : {point.x[0], point.x[1], point.volume}) bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+    for (const Real value : {point.x[0], point.x[1], point.volume})
+      bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
     bytes += point.material + '\n';
   }
   return content_key(bytes);
@@ -157,7 +169,8 @@ try {
 
 void Recorder::add_files()
 {
-  if (!values_.mesh.file.empty()) add("mesh.file (content)", content_of_file(path_of(values_.folder, values_.mesh.file)));
+  if (!values_.mesh.file.empty())
+    add("mesh.file (content)", content_of_file(path_of(values_.folder, values_.mesh.file)));
   for (std::size_t k = 0; k < values_.bodies.size(); ++k)
     if (const std::string& name = values_.bodies[k].points_file; !name.empty())
       add(fmt::format("body[{}].points (content)", k), points_key(path_of(values_.folder, name)));
@@ -227,10 +240,14 @@ std::vector<ChangedValue> changes_since(const std::string& text, const CaseRecor
     if (const RecordedValue* there = find_value(after, v.key); there == nullptr || there->value != v.value)
       changes.push_back({v.key, v.value, there == nullptr ? "" : there->value});
   for (std::size_t k = 0; k < now.size(); ++k)
-    if (find_value(before, after[k].key) == nullptr && !now[k].is_default) changes.push_back({after[k].key, "", after[k].value});
+    if (find_value(before, after[k].key) == nullptr && !now[k].is_default)
+      changes.push_back({after[k].key, "", after[k].value});
   return changes;
 }
 
-bool may_change_on_resume(std::string_view key) { return std::find(free_keys.begin(), free_keys.end(), key) != free_keys.end(); }
+bool may_change_on_resume(std::string_view key)
+{
+  return std::find(free_keys.begin(), free_keys.end(), key) != free_keys.end();
+}
 
 }  // namespace terp

@@ -1,5 +1,6 @@
-// What a run began with, value by value as the solver takes them: kept in its checkpoints, so that a run that goes on is still the same run.
-// Comments, the order of keys, spelling (8e3 or 8000) and defaults that are written out leave no trace in it.
+// What a run began with, value by value as the solver takes them: kept in its checkpoints, so that a run that goes on
+// is still the same run. Comments, the order of keys, spelling (8e3 or 8000) and defaults that are written out leave no
+// trace in it.
 #pragma once
 
 #include "input/case_file.hpp"
@@ -19,9 +20,9 @@ struct RecordedValue {
 };
 using CaseRecord = std::vector<RecordedValue>;
 
-/// Of a case with its mesh. Files count by what is in them, wherever they lie: mesh files by every byte, tables by the points that they give; a mesh from a
-/// polygon by its cells, as gmsh made it.
-/// The order of materials, bodies and sides counts: points are numbered by it. Throws FileError if a file cannot be read.
+/// Of a case with its mesh. Files count by what is in them, wherever they lie: mesh files by every byte, tables by the
+/// points that they give; a mesh from a polygon by its cells, as gmsh made it. The order of materials, bodies and sides
+/// counts: points are numbered by it. Throws FileError if a file cannot be read.
 CaseRecord make_case_record(const CaseFile& file, const Mesh<2>& mesh);
 
 /// "key = value" per line.
@@ -40,7 +41,8 @@ struct ChangedValue {
 /// What changed since the record with that text was made.
 std::vector<ChangedValue> changes_since(const std::string& text, const CaseRecord& now);
 
-/// Whether a run may go on with another value of this key: what was written so far, and what comes, stay as they would be.
+/// Whether a run may go on with another value of this key: what was written so far, and what comes, stay as they would
+/// be.
 bool may_change_on_resume(std::string_view key);
 
 }  // namespace terp

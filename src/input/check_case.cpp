@@ -25,13 +25,13 @@ void check_shape(const Node& body, const std::string& path, Problems& problems)
     if (find_item(body, shape) != nullptr) given.emplace_back(shape);
   if (given.empty())
     problems.push_back({path, "the body has no shape",
-                        "Give box = [[x0, y0], [x1, y1]] or polygon = [[x, y], [x, y], [x, y], ...] in m,\nor region = "
-                        "\"NAME\" of a mesh file, or points = \"FILE.csv\".",
-                        "body", true});
+        "Give box = [[x0, y0], [x1, y1]] or polygon = [[x, y], [x, y], [x, y], ...] in m,\nor region = "
+        "\"NAME\" of a mesh file, or points = \"FILE.csv\".",
+        "body", true});
   for (std::size_t k = 1; k < given.size(); ++k)
-    problems.push_back({path + '.' + given[k],
-                        fmt::format("a body has either `{}` or `{}`, not both", given[0], given[k]),
-                        "Remove one of the two.", "body", true});
+    problems.push_back(
+        {path + '.' + given[k], fmt::format("a body has either `{}` or `{}`, not both", given[0], given[k]),
+            "Remove one of the two.", "body", true});
 }
 
 /// Keys that count with some shapes only.
@@ -40,19 +40,17 @@ void check_body_keys(const Node& body, const std::string& path, MeshKind mesh, F
   const auto has = [&](const char* name) { return find_item(body, name) != nullptr; };
   if (has("holes") && (has("region") || has("points")))
     findings.problems.push_back({path + ".holes", "`holes` belongs to a box or polygon",
-                                 fmt::format("Leave it out with `{}`.", has("region") ? "region" : "points"),
-                                 "body.holes", true});
+        fmt::format("Leave it out with `{}`.", has("region") ? "region" : "points"), "body.holes", true});
   if (has("region") && mesh != MeshKind::file)
     findings.problems.push_back({path + ".region", "a region needs a mesh from a file",
-                                 "Regions are physical groups of [mesh] file = \"NAME.msh\". Give box or polygon here.",
-                                 "body.region", true});
+        "Regions are physical groups of [mesh] file = \"NAME.msh\". Give box or polygon here.", "body.region", true});
   if (!has("points")) return;
   if (has("points_per_cell"))
     findings.problems.push_back({path + ".points_per_cell", "`points_per_cell` does not go with `points`",
-                                 "The file holds every material point. Remove one of the two.", "body.points", true});
+        "The file holds every material point. Remove one of the two.", "body.points", true});
   if (has("material"))
     findings.warnings.push_back({path + ".material", "`material` has no effect",
-                                 "The file of points names the material of each one.", "body.points", true});
+        "The file of points names the material of each one.", "body.points", true});
 }
 
 /// A hole that cuts nothing out: the boxes about hole and body do not overlap.
@@ -69,9 +67,9 @@ void check_holes(const BodyCase& body, const std::string& path, Problems& warnin
       const auto [from, to] = extreme(body.holes[k], axis);
       if (from < high && to > low) continue;
       warnings.push_back({fmt::format("{}.holes[{}]", path, k), "the hole lies outside the body",
-                          fmt::format("It covers {0} = {1} to {2} m, the body {0} = {3} to {4} m.",
-                                      axis == 0 ? 'x' : 'y', from, to, low, high),
-                          "body.holes"});
+          fmt::format(
+              "It covers {0} = {1} to {2} m, the body {0} = {3} to {4} m.", axis == 0 ? 'x' : 'y', from, to, low, high),
+          "body.holes"});
       break;
     }
 }
@@ -94,7 +92,7 @@ void check_bodies(const Node& root, const Case& values, Findings& findings)
     const std::string nearest = closest(name, names);
     const std::string hint = nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest);
     problems.push_back({path + ".material", fmt::format("there is no material `{}`", name),
-                        hint + fmt::format("Materials of this case: {}", plain_list(names)), "body.material"});
+        hint + fmt::format("Materials of this case: {}", plain_list(names)), "body.material"});
   }
   if (list != nullptr && list->kind == NodeKind::list && list->items.empty())
     problems.push_back({"body", "the case has no body", "Write at least one [[body]].", "body", true});
@@ -110,8 +108,8 @@ void check_parameters(const Case& values, Problems& problems)
     if (std::any_of(material.parameters.begin(), material.parameters.end(), is_missing)) continue;
     const std::string path = join_path("material", material.name);
     for (const ParameterProblem& problem : law->check(material.parameters))
-      problems.push_back({join_path(path, problem.parameter), problem.what, problem.detail, std::string(law->name),
-                          false, {path}});
+      problems.push_back(
+          {join_path(path, problem.parameter), problem.what, problem.detail, std::string(law->name), false, {path}});
   }
 }
 
@@ -123,7 +121,7 @@ void check_unused_materials(const Case& values, Problems& warnings)
     };
     if (std::none_of(values.bodies.begin(), values.bodies.end(), uses))
       warnings.push_back({join_path("material", material.name),
-                          fmt::format("no body uses the material `{}`", material.name), "", "body.material", true});
+          fmt::format("no body uses the material `{}`", material.name), "", "body.material", true});
   }
 }
 
@@ -133,22 +131,20 @@ void check_side(const Node& side, const std::string& path, Problems& problems)
   const auto has = [&](const char* name) { return find_item(side, name) != nullptr; };
   if (has("velocity") && (has("contact") || has("adhesion") || has("friction")))
     problems.push_back({path + ".velocity", "a side has either a contact or a velocity, not both",
-                        "A prescribed velocity leaves nothing to slide. Remove one of the two.", "boundary", true});
+        "A prescribed velocity leaves nothing to slide. Remove one of the two.", "boundary", true});
   if (has("slip") && !has("velocity"))
-    problems.push_back({path + ".slip", "`slip` needs a velocity", fmt::format("A smooth side that does not move is {} = \"roller\".", side.name),
-                        "boundary", true});
+    problems.push_back({path + ".slip", "`slip` needs a velocity",
+        fmt::format("A smooth side that does not move is {} = \"roller\".", side.name), "boundary", true});
   for (const char* name : {"adhesion", "friction"})
     if (has(name) && !has("contact") && !has("velocity"))
-      problems.push_back(
-          {path + '.' + name, fmt::format("`{}` needs a contact", name),
-           fmt::format("Free, open, roller and fixed sides do not slide with resistance. Write {} = {{ contact = "
-                       "\"bilateral\", {} = ... }}, or \"separating\".",
-                       side.name, name),
-           "boundary", true});
+      problems.push_back({path + '.' + name, fmt::format("`{}` needs a contact", name),
+          fmt::format("Free, open, roller and fixed sides do not slide with resistance. Write {} = {{ contact = "
+                      "\"bilateral\", {} = ... }}, or \"separating\".",
+              side.name, name),
+          "boundary", true});
   if (side.items.empty())
     problems.push_back({path, fmt::format("`{}` is empty", side.name),
-                        "Give contact or velocity, or one of \"free\", \"open\", \"roller\", \"fixed\".", "boundary",
-                        true});
+        "Give contact or velocity, or one of \"free\", \"open\", \"roller\", \"fixed\".", "boundary", true});
 }
 
 /// Friction that feels only half of what the plane carries (decision 0015).
@@ -156,9 +152,8 @@ void check_friction(const SideCase& side, Problems& warnings)
 {
   if (side.kind != SideKind::contact_bilateral || !(side.friction > 0.0)) return;
   warnings.push_back({join_path("boundary", side.side) + ".friction",
-                      "a bilateral contact meets only pushes with friction and forgets pulls",
-                      "Friction wants contact = \"separating\" (docs/decisions/0015-contact-at-the-base.md).", "boundary",
-                      true});
+      "a bilateral contact meets only pushes with friction and forgets pulls",
+      "Friction wants contact = \"separating\" (docs/decisions/0015-contact-at-the-base.md).", "boundary", true});
 }
 
 void check_sides(const Node& root, const Case& values, Findings& findings)
@@ -173,16 +168,19 @@ void check_footings(const Node& root, const Case& values, Problems& problems)
 {
   const std::vector<FootingCase>& footings = values.footings;
   if (footings.size() > most_footings)
-    problems.push_back({fmt::format("footing[{}]", most_footings), fmt::format("a case has at most {} footings", most_footings), "", "footing", true});
+    problems.push_back({fmt::format("footing[{}]", most_footings),
+        fmt::format("a case has at most {} footings", most_footings), "", "footing", true});
   for (std::size_t k = 0; k < footings.size(); ++k) {
     const std::string path = fmt::format("footing[{}]", k);
     const auto same_name = [&](const FootingCase& other) { return other.name == footings[k].name; };
     if (std::any_of(footings.begin(), footings.begin() + static_cast<std::ptrdiff_t>(k), same_name))
       problems.push_back({path + ".name", fmt::format("two footings have the name `{}`", footings[k].name),
-                          "Give each its own, as in name = \"left\".", "footing.name", false, {path}});
-    if (footings[k].contact == FootingContact::smooth && footings[k].velocity == Vec<2>{0.0, 0.0} && find_node(root, path + ".velocity") != nullptr)
+          "Give each its own, as in name = \"left\".", "footing.name", false, {path}});
+    if (footings[k].contact == FootingContact::smooth && footings[k].velocity == Vec<2>{0.0, 0.0} &&
+        find_node(root, path + ".velocity") != nullptr)
       problems.push_back({path + ".velocity", "a smooth footing needs a velocity",
-                          "It holds its nodes along its velocity only, which is zero. Give a velocity, or contact = \"rough\".", "footing.velocity"});
+          "It holds its nodes along its velocity only, which is zero. Give a velocity, or contact = \"rough\".",
+          "footing.velocity"});
   }
 }
 
@@ -194,27 +192,27 @@ void check_initial(const Node& root, const Case& values, Findings& findings)
   const bool forces_read = std::none_of(findings.problems.begin(), findings.problems.end(), about_forces);
   if (stress != InitialStress::none && weightless && forces_read)
     findings.problems.push_back({"initial.stress", "an initial stress needs gravity",
-                                 "Set gravity = [0.0, -9.81] in [forces], or stress = \"none\".", "initial"});
+        "Set gravity = [0.0, -9.81] in [forces], or stress = \"none\".", "initial"});
   for (std::size_t k = 0; k < values.bodies.size() && stress == InitialStress::k0; ++k)
     if (!values.bodies[k].points_file.empty())
       findings.problems.push_back({fmt::format("body[{}].points", k), "`k0` needs the outline of every body",
-                                   "A file of points has none, so the weight of the soil above a place is not known. Use "
-                                   "initial.stress = \"equilibrium\",\nor give the body as box, polygon or region.",
-                                   "initial", true, {"initial.stress"}});
+          "A file of points has none, so the weight of the soil above a place is not known. Use "
+          "initial.stress = \"equilibrium\",\nor give the body as box, polygon or region.",
+          "initial", true, {"initial.stress"}});
   const auto warn_unless = [&](const char* key, InitialStress used, const char* word) {
     const std::string path = std::string("initial.") + key;
     if (stress != used && find_node(root, path) != nullptr)
       findings.warnings.push_back({path, fmt::format("`{}` has no effect", key),
-                                   fmt::format("It counts with stress = \"{}\" only.", word), path, true});
+          fmt::format("It counts with stress = \"{}\" only.", word), path, true});
   };
   warn_unless("k0", InitialStress::k0, "k0");
   for (const char* key : {"damping", "limit", "max_steps"}) warn_unless(key, InitialStress::equilibrium, "equilibrium");
   for (std::size_t k = 0; k < values.bodies.size() && stress == InitialStress::equilibrium; ++k)
     if (values.bodies[k].velocity != Vec<2>{0.0, 0.0} || values.bodies[k].velocity_at)
       findings.warnings.push_back({fmt::format("body[{}].velocity", k), "`velocity` has no effect",
-                                   "With initial.stress = \"equilibrium\" all soil is at rest at t = 0; the search for it "
-                                   "starts with this velocity.\nUse stress = \"k0\" or \"none\" for a body that moves.",
-                                   "body.velocity", true, {"initial.stress"}});
+          "With initial.stress = \"equilibrium\" all soil is at rest at t = 0; the search for it "
+          "starts with this velocity.\nUse stress = \"k0\" or \"none\" for a body that moves.",
+          "body.velocity", true, {"initial.stress"}});
 }
 
 /// A fluid at rest has the same stress in all directions.
@@ -227,9 +225,10 @@ void check_hydrostatic(const Case& values, Problems& problems)
     if (law == nullptr || std::any_of(material.parameters.begin(), material.parameters.end(), is_missing)) continue;
     if (law->make(material.parameters)->shear_modulus() == 0.0)
       problems.push_back({"initial.k0", fmt::format("the fluid `{}` carries no shear stress at rest", material.name),
-                          fmt::format("k0 = {}; a fluid needs k0 = 1. Start with stress = \"equilibrium\" where soil beside it needs another.",
-                                      values.initial.k0),
-                          "initial", false, {join_path("material", material.name)}});
+          fmt::format(
+              "k0 = {}; a fluid needs k0 = 1. Start with stress = \"equilibrium\" where soil beside it needs another.",
+              values.initial.k0),
+          "initial", false, {join_path("material", material.name)}});
   }
 }
 
@@ -249,7 +248,7 @@ void check_fields(const Case& values, Problems& warnings)
       if (const MaterialType* law = find_material(material.model)) given = given || names_it(*law, field);
     if (of_a_law && !given)
       warnings.push_back({fmt::format("output.fields.names[{}]", k),
-                          fmt::format("no material of this case has `{}`", field), "", "output.fields.names"});
+          fmt::format("no material of this case has `{}`", field), "", "output.fields.names"});
   }
 }
 

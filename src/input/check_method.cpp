@@ -37,12 +37,12 @@ void check_operators(const Node& method, const MethodOptions& options, Problems&
   const bool force_b_bar = options.force_operator == ForceOperator::b_bar;
   if (force_b_bar == options.b_bar) return;
   const bool force_is_set = find_item(method, "force_operator") != nullptr;
-  warnings.push_back({force_is_set ? "method.force_operator" : "method.b_bar",
-                      "`force_operator` and `b_bar` do not fit together",
-                      fmt::format("The force takes {}, the strain {}: energy is made or lost. Use b_bar = true with "
-                                  "force_operator = \"b_bar\",\nor false with \"b\" (docs/methods.md, section 7).",
-                                  force_b_bar ? "B-bar" : "B", options.b_bar ? "B-bar" : "B"),
-                      "method", false, {"method.b_bar"}});
+  warnings.push_back(
+      {force_is_set ? "method.force_operator" : "method.b_bar", "`force_operator` and `b_bar` do not fit together",
+          fmt::format("The force takes {}, the strain {}: energy is made or lost. Use b_bar = true with "
+                      "force_operator = \"b_bar\",\nor false with \"b\" (docs/methods.md, section 7).",
+              force_b_bar ? "B-bar" : "B", options.b_bar ? "B-bar" : "B"),
+          "method", false, {"method.b_bar"}});
 }
 
 void check_relaxation(const Node& method, const MethodOptions& options, Problems& warnings)
@@ -59,7 +59,8 @@ void check_method(const Node& root, const Case& values, Problems& warnings)
   const SchemeInfo* scheme = find_scheme(values.scheme);
   if (method == nullptr || method->kind != NodeKind::table || scheme == nullptr) return;
   check_unused(*method, *scheme, warnings);
-  if (looks_at(*scheme, "b_bar") && looks_at(*scheme, "force_operator")) check_operators(*method, values.method, warnings);
+  if (looks_at(*scheme, "b_bar") && looks_at(*scheme, "force_operator"))
+    check_operators(*method, values.method, warnings);
   if (looks_at(*scheme, "pressure_relaxation")) check_relaxation(*method, values.method, warnings);
 }
 

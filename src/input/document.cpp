@@ -7,7 +7,8 @@
 // toml++ 3.3 asserts that a header starts with a letter, then reports it properly if not: "[=a]" must not abort a build
 // with assertions.
 #define TOML_ASSERT(condition) static_assert(true)
-#define TOML_MAX_NESTED_VALUES 32  // lists and tables in one another; with most_key_parts, what keeps us off the end of the stack
+#define TOML_MAX_NESTED_VALUES \
+  32  // lists and tables in one another; with most_key_parts, what keeps us off the end of the stack
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -85,7 +86,7 @@ Place place_at(std::string_view text, std::size_t offset)
   const std::string_view line = before.substr(before.rfind('\n') + 1);  // npos + 1 = 0
   const auto starts_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
   return {static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1,
-          static_cast<int>(std::count_if(line.begin(), line.end(), starts_character)) + 1, 1};
+      static_cast<int>(std::count_if(line.begin(), line.end(), starts_character)) + 1, 1};
 }
 
 /// TOML has plain letters only outside strings and comments. toml++ 3.3 runs into undefined behaviour at others such as
@@ -98,8 +99,8 @@ void refuse_foreign_letters(std::string_view text)
     else if (text[k] == '#')
       k = std::min(text.find('\n', k), text.size()) - 1;
     else if (static_cast<unsigned char>(text[k]) >= 0x80)
-      throw SyntaxError("Letters beyond a to z, and special spaces, stand only in quotes and comments.",
-                        place_at(text, k));
+      throw SyntaxError(
+          "Letters beyond a to z, and special spaces, stand only in quotes and comments.", place_at(text, k));
   }
 }
 
@@ -149,17 +150,12 @@ std::string write_number(Real value)
 std::string write_value(const Node& node)
 {
   switch (node.kind) {
-    case NodeKind::boolean:
-      return node.boolean ? "true" : "false";
-    case NodeKind::integer:
-      return fmt::format("{}", node.integer);
-    case NodeKind::number:
-      return write_number(node.number);
+    case NodeKind::boolean: return node.boolean ? "true" : "false";
+    case NodeKind::integer: return fmt::format("{}", node.integer);
+    case NodeKind::number: return write_number(node.number);
     case NodeKind::list:
-    case NodeKind::table:
-      break;
-    default:
-      return quote(node.text);
+    case NodeKind::table: break;
+    default: return quote(node.text);
   }
   std::string inside;
   for (const Node& item : node.items) {

@@ -46,7 +46,8 @@ class SyntaxError : public std::runtime_error {
   Place place;
 };
 
-/// Parts of a key a.b.c that Terp takes; no case needs more than four. More are refused, as each is a call within a call.
+/// Parts of a key a.b.c that Terp takes; no case needs more than four. More are refused, as each is a call within a
+/// call.
 inline constexpr std::size_t most_key_parts = 100;
 
 /// The tree of a TOML text; throws SyntaxError.

@@ -136,8 +136,8 @@ std::vector<std::string> find_blocks(const std::string& topic, Match match)
   for (const MaterialType* law : all_materials())
     for (const KeyInfo& key : keys_of_law(*law))
       if (match(topic, key.path))
-        blocks.push_back(fmt::format("key of material model `{}`\n", law->name) +
-                         describe_key(key, topic_of(key.path)));
+        blocks.push_back(
+            fmt::format("key of material model `{}`\n", law->name) + describe_key(key, topic_of(key.path)));
   return blocks;
 }
 
@@ -165,8 +165,8 @@ std::vector<std::string> all_topics()
       fmt::format("error: there is nothing to explain about `{}`\n\n{}"
                   "  Material models: {}\n  Schemes: {}\n  Sections: {}\n"
                   "  Keys: dotted or by their last part, as in mesh.cell or courant\n",
-                  topic, nearest.empty() ? "" : fmt::format("  Did you mean `{}`?\n", nearest),
-                  plain_list(material_model_names()), plain_list(schemes), plain_list(sections)));
+          topic, nearest.empty() ? "" : fmt::format("  Did you mean `{}`?\n", nearest),
+          plain_list(material_model_names()), plain_list(schemes), plain_list(sections)));
 }
 
 template <class Infos>

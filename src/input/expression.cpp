@@ -30,8 +30,8 @@ mu::value_type extreme(const mu::value_type* values, int n)
 
 mu::value_type step(mu::value_type x) { return std::isnan(x) ? x : x < 0.0 ? 0.0 : 1.0; }
 
-/// muParser gives `1,2` the value of its last part and takes `=` for an assignment: "0,5" would be 5, and "x0 = 1" hold everywhere.
-/// A comma stands only between the arguments of a function, and `=` only in a comparison.
+/// muParser gives `1,2` the value of its last part and takes `=` for an assignment: "0,5" would be 5, and "x0 = 1" hold
+/// everywhere. A comma stands only between the arguments of a function, and `=` only in a comparison.
 void refuse_what_would_pass(const std::string& text)
 {
   std::vector<bool> of_function;  // of the brackets that are open
@@ -41,9 +41,13 @@ void refuse_what_would_pass(const std::string& text)
     if (c == '(') of_function.push_back(std::isalnum(static_cast<unsigned char>(before)) != 0 || before == '_');
     if (c == ')' && !of_function.empty()) of_function.pop_back();
     if (c == ',' && (of_function.empty() || !of_function.back()))
-      throw ExpressionError(fmt::format("The comma at letter {} separates no arguments of a function. The decimal point is `.`, as in 0.5.", k + 1));
-    const bool compares = k + 1 < text.size() && text[k + 1] == '=' && std::string_view("=<>!").find(c) != std::string_view::npos;
-    if (c == '=' && !compares) throw ExpressionError(fmt::format("`=` at letter {} compares nothing. Compare with `==`, `<=`, `>=` or `!=`.", k + 1));
+      throw ExpressionError(fmt::format(
+          "The comma at letter {} separates no arguments of a function. The decimal point is `.`, as in 0.5.", k + 1));
+    const bool compares =
+        k + 1 < text.size() && text[k + 1] == '=' && std::string_view("=<>!").find(c) != std::string_view::npos;
+    if (c == '=' && !compares)
+      throw ExpressionError(
+          fmt::format("`=` at letter {} compares nothing. Compare with `==`, `<=`, `>=` or `!=`.", k + 1));
     if (compares) ++k;
     if (c != ' ' && c != '\t') before = c;
   }
@@ -58,8 +62,8 @@ std::string why(const mu::Parser::exception_type& error, const std::vector<std::
   std::sort(known.begin(), known.end());
   const std::string word = error.GetToken().substr(0, error.GetToken().find_first_of(" +-*/^()<>=&|,"));
   const std::string nearest = closest(word, known);
-  return fmt::format("`{}` is not known here.{} Names: {}", error.GetToken(), nearest.empty() ? "" : fmt::format(" Did you mean `{}`?", nearest),
-                     fmt::join(known, ", "));
+  return fmt::format("`{}` is not known here.{} Names: {}", error.GetToken(),
+      nearest.empty() ? "" : fmt::format(" Did you mean `{}`?", nearest), fmt::join(known, ", "));
 }
 
 }  // namespace
@@ -71,7 +75,8 @@ struct Expression::Parser {
   std::vector<std::size_t> used;       // those that the text speaks of
 };
 
-Expression::Expression(const std::string& text, const std::vector<std::string>& variables, const std::map<std::string, Real>& constants)
+Expression::Expression(
+    const std::string& text, const std::vector<std::string>& variables, const std::map<std::string, Real>& constants)
     : parser_(std::make_unique<Parser>())
 {
   refuse_what_would_pass(text);
@@ -85,7 +90,8 @@ Expression::Expression(const std::string& text, const std::vector<std::string>& 
     p.DefineConst("pi", std::numbers::pi);
     p.DefineFun("erf", static_cast<mu::value_type (*)(mu::value_type)>([](mu::value_type x) { return std::erf(x); }));
     p.DefineFun("erfc", static_cast<mu::value_type (*)(mu::value_type)>([](mu::value_type x) { return std::erfc(x); }));
-    p.DefineFun("mod", static_cast<mu::value_type (*)(mu::value_type, mu::value_type)>([](mu::value_type a, mu::value_type b) { return a - b * std::floor(a / b); }));
+    p.DefineFun("mod", static_cast<mu::value_type (*)(mu::value_type, mu::value_type)>(
+                           [](mu::value_type a, mu::value_type b) { return a - b * std::floor(a / b); }));
     p.DefineFun("step", step);
     p.DefineFun("min", extreme<false>);
     p.DefineFun("max", extreme<true>);
@@ -94,7 +100,8 @@ Expression::Expression(const std::string& text, const std::vector<std::string>& 
     p.Eval();
     for (const auto& [name, address] : p.GetUsedVar()) {
       if (std::count(names.begin(), names.end(), name) > 1)
-        throw ExpressionError(fmt::format("`{}` is a constant and the name of what stands here. Give the constant another name.", name));
+        throw ExpressionError(
+            fmt::format("`{}` is a constant and the name of what stands here. Give the constant another name.", name));
       parser_->used.push_back(static_cast<std::size_t>(address - values.data()));
     }
   } catch (const mu::Parser::exception_type& error) {
@@ -115,6 +122,9 @@ Real Expression::operator()(std::span<const Real> values) const
   return parser_->parser.Eval();
 }
 
-Real evaluate(const std::string& text, const std::map<std::string, Real>& constants) { return Expression(text, {}, constants)({}); }
+Real evaluate(const std::string& text, const std::map<std::string, Real>& constants)
+{
+  return Expression(text, {}, constants)({});
+}
 
 }  // namespace terp

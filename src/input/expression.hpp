@@ -1,6 +1,6 @@
-// A formula that a file holds as text: "V sin(pi x / L)" is written V*sin(pi*x/L). Names of variables and constants come from the caller;
-// functions are those of muParser, and erf, erfc, mod, step (0 before 0, else 1).
-// Not for: what runs in a step, nor keys of a case file, which are numbers.
+// A formula that a file holds as text: "V sin(pi x / L)" is written V*sin(pi*x/L). Names of variables and constants
+// come from the caller; functions are those of muParser, and erf, erfc, mod, step (0 before 0, else 1). Not for: what
+// runs in a step, nor keys of a case file, which are numbers.
 #pragma once
 
 #include "base/types.hpp"
@@ -23,7 +23,8 @@ class ExpressionError : public std::runtime_error {
 class Expression {
  public:
   /// A text that speaks of a constant which bears the name of a variable is refused. Throws ExpressionError.
-  Expression(const std::string& text, const std::vector<std::string>& variables, const std::map<std::string, Real>& constants);
+  Expression(
+      const std::string& text, const std::vector<std::string>& variables, const std::map<std::string, Real>& constants);
   ~Expression();
   Expression(Expression&&) noexcept;
   Expression& operator=(Expression&&) noexcept;

@@ -120,12 +120,15 @@ std::string value_text(const KeyInfo& key, const Field& field)
       [&](const NumberOrPair& kept) { return pair(*kept.value); },
       [&](const CountOrPair& kept) { return pair(*kept.value); },
       [&](const Box& kept) { return places(*kept.corners); },
-      [&](const BoxCorners& kept) { return places({*kept.low, *kept.high}); },
+      [&](const BoxCorners& kept) {
+        return places({*kept.low, *kept.high});
+      },
       [&](const Polygon& kept) { return places(*kept.corners); },
       [&](const PolygonList& kept) { return joined(*kept.polygons, places); },
       [&](const Polyline& kept) { return places(*kept.places); },
       [](const EdgesList& kept) {
-        return joined(*kept.sides, [](const EdgesCase& side) { return fmt::format("{} = [{}]", side.side, fmt::join(side.edges, ", ")); });
+        return joined(*kept.sides,
+            [](const EdgesCase& side) { return fmt::format("{} = [{}]", side.side, fmt::join(side.edges, ", ")); });
       },
       [&](const VelocityPair& kept) { return pair(*kept.value); },
       [](const NameList& kept) { return quoted_list(*kept.names); },

@@ -13,7 +13,8 @@ std::string range_text(const Range& range, std::string_view unit);  ///< "more t
 std::string usual_text(const Range& usual, std::string_view unit);  ///< "500 to 5000 kg/m^3"
 std::string type_text(const KeyInfo& key);                          ///< "a number", "true or false", "[x, y]"
 std::string allowed_text(const KeyInfo& key);                       ///< "a number, more than 0 s" or the words
-std::string value_text(const KeyInfo& key, const Field& field);  ///< what is kept there, exact: "0.1", "[5, 5]"; empty if nothing is
+std::string value_text(
+    const KeyInfo& key, const Field& field);   ///< what is kept there, exact: "0.1", "[5, 5]"; empty if nothing is
 std::string default_text(const KeyInfo& key);  ///< from a default Case; empty if required or there is none
 
 std::string quoted_list(const std::vector<std::string>& words);  ///< "none", "k0"

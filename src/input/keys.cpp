@@ -1,384 +1,20 @@
-// The table. A new key is one entry here and one member in simulation/case.hpp.
+// What is asked of the keys: sections, keys of a law, names of fields. The table itself is in key_table.cpp.
 
 #include "input/keys.hpp"
 
+#include "input/key_table.hpp"
 #include "input/key_text.hpp"
-#include "schemes/scheme_info.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 namespace terp {
-namespace {
-
-using Words = std::vector<std::string>;
-
-Words scheme_words()
-{
-  Words words;
-  for (const SchemeInfo& scheme : all_schemes()) words.emplace_back(scheme.name);
-  return words;
-}
-// In the order of the enums in case.hpp and method_options.hpp.
-Words stress_words() { return {"none", "k0", "equilibrium"}; }
-Words side_words() { return {"free", "open", "roller", "fixed"}; }
-Words contact_words() { return {"bilateral", "separating"}; }
-Words footing_words() { return {"rough", "smooth"}; }
-Words weights_words() { return {"hybrid", "summed", "gauss"}; }
-Words force_operator_words() { return {"b_bar", "b"}; }
-Words point_pressure_words() { return {"cell", "own", "relax"}; }
-Words state_averaging_words() { return {"as_declared", "cell", "sub_cell"}; }
-Words objective_rate_words() { return {"none", "jaumann"}; }
-Words deviatoric_norm_words() { return {"half", "von_mises"}; }
-
-/// first: the value of the enum that the first word stands for.
-template <class Enum>
-WordField word_field(Enum& value, Enum first = Enum{})
-{
-  return {[&value, first] { return static_cast<int>(value) - static_cast<int>(first); },
-          [&value, first](int word) { value = static_cast<Enum>(static_cast<int>(first) + word); }};
-}
-
-std::vector<KeyInfo> frame_keys()
-{
-  return {
-      {.path = "title", .field = [](Case& c, std::size_t) { return &c.title; }, .meaning = "one line for reports"},
-      {.path = "scheme",
-       .field = [](Case& c, std::size_t) { return &c.scheme; },
-       .words = scheme_words,
-       .meaning = "how the soil is integrated; see `terp list`"},
-
-      {.path = "time.end",
-       .field = [](Case& c, std::size_t) { return &c.time.end; },
-       .unit = "s", .range = positive, .usual = {1e-3, 1e4}, .required = true,
-       .meaning = "time at which the run ends; it starts at 0"},
-      {.path = "time.courant",
-       .field = [](Case& c, std::size_t) { return &c.time.courant; },
-       .range = {0.0, 1.0, true, false},
-       .meaning = "share of the stable time step that is used (reading R19)",
-       .equation = "dt = courant min_e(L_e) / c_p,  c_p = sqrt((K + 4G/3) / rho)"},
-
-  };
-}
-
-constexpr Range cell_sizes = between(1e-3, 1e2);  // usual ones [m]
-
-std::vector<KeyInfo> mesh_keys()
-{
-  return {
-      {.path = "mesh.origin",
-       .field = [](Case& c, std::size_t) { return &c.mesh.origin; },
-       .unit = "m", .meaning = "lower left corner of a rectangle"},
-      {.path = "mesh.size",
-       .field = [](Case& c, std::size_t) { return &c.mesh.size; },
-       .unit = "m", .range = positive, .usual = {1e-2, 1e4}, .required_for = "a rectangle, graded or not",
-       .meaning = "width and height of a rectangle"},
-      {.path = "mesh.cell",
-       .field = [](Case& c, std::size_t) { return NumberOrPair{&c.mesh.cell}; },
-       .unit = "m", .range = positive, .usual = cell_sizes, .required_for = "a rectangle of equal cells or a polygon",
-       .meaning = "width and height of a cell, one number for both; with polygon: the size to aim at, one number"},
-      {.path = "mesh.cells",
-       .field = [](Case& c, std::size_t) { return CountOrPair{&c.mesh.cells}; },
-       .range = between(1, 100000), .required_for = "a graded rectangle or a grid between four sides",
-       .meaning = "number of cells along x and along y, or along bottom and along left; one number for both"},
-      {.path = "mesh.grading",
-       .field = [](Case& c, std::size_t) { return &c.mesh.grading; },
-       .range = positive, .usual = {0.01, 100.0},
-       .meaning = "size of the last cell over the size of the first, along x and along y; 1: all equal",
-       .equation = "h_k = h_1 grading^((k - 1) / (n - 1)), k = 1 to n"},
-      {.path = "mesh.file",
-       .field = [](Case& c, std::size_t) { return &c.mesh.file; },
-       .required_for = "a mesh from a file",
-       .meaning = "gmsh mesh of quadrilaterals (MSH 4.1 or 2.2), relative to the case file; its physical groups name "
-                  "sides and regions"},
-      {.path = "mesh.polygon",
-       .field = [](Case& c, std::size_t) { return Polygon{&c.mesh.polygon, true}; },
-       .unit = "m", .required_for = "a mesh from a polygon",
-       .meaning = "corners of the domain in order, without repeating the first; gmsh fills it with quadrilaterals"},
-      {.path = "mesh.edges",
-       .field = [](Case& c, std::size_t) { return EdgesList{&c.mesh.edges}; },
-       .range = not_negative,
-       .meaning = "names of parts of the boundary and their edges; edge k of the polygon runs from its corner k to "
-                  "corner k + 1, counted from 0"},
-      {.path = "mesh.follow_bodies",
-       .field = [](Case& c, std::size_t) { return &c.mesh.follow_bodies; },
-       .meaning = "whether the cells of a polygon follow the outlines of the bodies"},
-      {.path = "mesh.variant",
-       .field = [](Case& c, std::size_t) { return &c.mesh.variant; },
-       .range = not_negative,
-       .meaning = "another mesh of the same size and shape: to see how much a result depends on the mesh; for a polygon, "
-                  "0 is the best mesh, 1, 2, ... are others"},
-
-      {.path = "mesh.sides.bottom",
-       .field = [](Case& c, std::size_t) { return Polyline{&c.mesh.sides[0]}; },
-       .unit = "m", .required = true, .meaning = "line from the lower left to the lower right corner of the grid"},
-      {.path = "mesh.sides.right",
-       .field = [](Case& c, std::size_t) { return Polyline{&c.mesh.sides[1]}; },
-       .unit = "m", .required = true, .meaning = "line from the lower right to the upper right corner of the grid"},
-      {.path = "mesh.sides.top",
-       .field = [](Case& c, std::size_t) { return Polyline{&c.mesh.sides[2]}; },
-       .unit = "m", .required = true, .meaning = "line from the upper left to the upper right corner of the grid"},
-      {.path = "mesh.sides.left",
-       .field = [](Case& c, std::size_t) { return Polyline{&c.mesh.sides[3]}; },
-       .unit = "m", .required = true, .meaning = "line from the lower left to the upper left corner of the grid"},
-
-      {.path = "mesh.refine[].line",
-       .field = [](Case& c, std::size_t i) { return Polyline{&c.mesh.refine[i].line}; },
-       .unit = "m", .meaning = "line along which the cells are smaller; either this or box"},
-      {.path = "mesh.refine[].box",
-       .field = [](Case& c, std::size_t i) { return BoxCorners{&c.mesh.refine[i].low, &c.mesh.refine[i].high}; },
-       .unit = "m", .meaning = "lower left and upper right corner of the place with smaller cells; either this or line"},
-      {.path = "mesh.refine[].cell",
-       .field = [](Case& c, std::size_t i) { return &c.mesh.refine[i].cell; },
-       .unit = "m", .range = positive, .usual = cell_sizes, .required = true, .meaning = "size of the cells there"},
-      {.path = "mesh.refine[].distance",
-       .field = [](Case& c, std::size_t i) { return &c.mesh.refine[i].distance; },
-       .unit = "m", .range = not_negative, .required_for = "a line",
-       .meaning = "distance from the line or box over which the cells grow back to mesh.cell"},
-  };
-}
-
-std::vector<KeyInfo> soil_keys()
-{
-  return {
-      {.path = "body[].material",
-       .field = [](Case& c, std::size_t i) { return &c.bodies[i].material; },
-       .required_for = "a body with box, polygon or region",
-       .meaning = "NAME of the [material.NAME] that the body is made of; the file of points names its own"},
-      {.path = "body[].box",
-       .field = [](Case& c, std::size_t i) { return Box{&c.bodies[i].polygon}; },
-       .unit = "m", .meaning = "lower left and upper right corner of the body; one of box, polygon, region, points"},
-      {.path = "body[].polygon",
-       .field = [](Case& c, std::size_t i) { return Polygon{&c.bodies[i].polygon}; },
-       .unit = "m",
-       .meaning = "corners of the body in order, without repeating the first; one of box, polygon, region, points"},
-      {.path = "body[].holes",
-       .field = [](Case& c, std::size_t i) { return PolygonList{&c.bodies[i].holes}; },
-       .unit = "m", .meaning = "polygons that are cut out of the box or polygon"},
-      {.path = "body[].region",
-       .field = [](Case& c, std::size_t i) { return &c.bodies[i].region; },
-       .meaning = "physical group of mesh.file whose cells the body fills; one of box, polygon, region, points"},
-      {.path = "body[].points",
-       .field = [](Case& c, std::size_t i) { return &c.bodies[i].points_file; },
-       .meaning = "CSV file with the head x,y,volume,material (m, m, m^2: volume per metre of thickness, NAME), one material point per line, "
-                  "relative to the case file; one of box, polygon, region, points"},
-      {.path = "body[].points_per_cell",
-       .field = [](Case& c, std::size_t i) { return CountOrPair{&c.bodies[i].points_per_cell}; },
-       .range = between(1, 100), .meaning = "material points along x and y in each cell; one number for both"},
-      {.path = "body[].velocity",
-       .field = [](Case& c, std::size_t i) { return VelocityPair{&c.bodies[i].velocity, &c.bodies[i].velocity_at}; },
-       .unit = "m/s", .usual = {1e-6, 1e3}, .meaning = "velocity of the body at t = 0; a text is a formula of the place x, y [m]: [\"0.1*sin(pi*x/4)\", 0.0]"},
-
-      {.path = "material.NAME.model",
-       .field = [](Case& c, std::size_t i) { return &c.materials[i].model; },
-       .words = material_model_names, .required = true, .meaning = "constitutive law; see `terp list`"},
-      {.path = "material.NAME.density",
-       .field = [](Case& c, std::size_t i) { return &c.materials[i].density; },
-       .unit = "kg/m^3", .range = positive, .usual = {500.0, 5000.0}, .required = true,
-       .meaning = "mass per volume of the soil with its water (reading R16)"},
-  };
-}
-
-std::vector<KeyInfo> load_keys()
-{
-  return {
-      {.path = "forces.gravity",
-       .field = [](Case& c, std::size_t) { return &c.forces.gravity; },
-       .unit = "m/s^2", .usual = {0.1, 5000.0}, .meaning = "acceleration of gravity, acting fully from t = 0"},
-      {.path = "forces.damping.local",
-       .field = [](Case& c, std::size_t) { return &c.forces.local_damping; },
-       .range = {0.0, 1.0, false, true},
-       .meaning = "local (Cundall) damping alpha at the nodes (reading R13); free fall sees g (1 - alpha)",
-       .equation = "R_i <- R_i - alpha |R_i| sign(v_i)"},
-      {.path = "forces.damping.viscous",
-       .field = [](Case& c, std::size_t) { return &c.forces.viscous_damping; },
-       .unit = "1/s", .range = not_negative,
-       .meaning = "damping c in proportion to the nodal mass (reading R13)",
-       .equation = "R_i <- R_i - c m_i v_i"},
-
-      {.path = "initial.stress",
-       .field = [](Case& c, std::size_t) { return word_field(c.initial.stress); },
-       .words = stress_words,
-       .meaning = "stress at t = 0 (reading R14): none, from the overburden (k0), or by settling under gravity with "
-                  "strong damping, after which displacements and strains are set to zero (equilibrium)"},
-      {.path = "initial.k0",
-       .field = [](Case& c, std::size_t) { return &c.initial.k0; },
-       .range = not_negative, .usual = {0.2, 4.0}, .meaning = "horizontal over vertical stress, for stress = \"k0\""},
-      {.path = "initial.damping",
-       .field = [](Case& c, std::size_t) { return &c.initial.damping; },
-       .range = {0.0, 1.0, false, true}, .meaning = "local damping while seeking equilibrium"},
-      {.path = "initial.limit",
-       .field = [](Case& c, std::size_t) { return &c.initial.limit; },
-       .range = between_open(0.0, 1.0), .meaning = "out-of-balance force over weight at which equilibrium is reached"},
-      {.path = "initial.max_steps",
-       .field = [](Case& c, std::size_t) { return &c.initial.max_steps; },
-       .range = {1.0}, .meaning = "steps after which the search for equilibrium gives up"},
-  };
-}
-
-std::vector<KeyInfo> side_keys()
-{
-  return {
-      {.path = "boundary.SIDE",
-       .field = [](Case& c, std::size_t i) { return word_field(c.sides[i].kind); },
-       .words = side_words,
-       .meaning = "what holds the side of the mesh: left, right, bottom or top, or a name of mesh.edges or of a "
-                  "physical group of mesh.file. open: soil that reaches the side leaves the model and is entered in "
-                  "left_the_mesh.csv; roller: no motion across; fixed: no motion; or a table with contact or velocity, as below"},
-      {.path = "boundary.SIDE.contact",
-       .field = [](Case& c, std::size_t i) { return word_field(c.sides[i].kind, SideKind::contact_bilateral); },
-       .words = contact_words,
-       .meaning = "contact plane (reading R15): bilateral never opens, separating opens under tension",
-       .equation = "|tangential impulse of a node| <= (a L_i + mu N_i) dt"},
-      {.path = "boundary.SIDE.adhesion",
-       .field = [](Case& c, std::size_t i) { return &c.sides[i].adhesion; },
-       .unit = "Pa", .range = not_negative, .usual = {10.0, 1e7}, .meaning = "adhesion a of the contact plane"},
-      {.path = "boundary.SIDE.friction",
-       .field = [](Case& c, std::size_t i) { return &c.sides[i].friction; },
-       .range = not_negative, .usual = {0.0, 2.0},
-       .meaning = "tangent mu of the friction angle of the contact plane, not the angle itself"},
-      {.path = "boundary.SIDE.velocity",
-       .field = [](Case& c, std::size_t i) { return VelocityPair{&c.sides[i].velocity, &c.sides[i].velocity_at}; },
-       .unit = "m/s", .usual = {1e-6, 1e3}, 
-       .meaning = "prescribed velocity of the side, two numbers or formulas of the place x, y [m]; the mesh, and so the side, stays in place: it pushes soil only within the "
-                  "cells next to it"},
-      {.path = "boundary.SIDE.slip",
-       .field = [](Case& c, std::size_t i) { return &c.sides[i].slip; },
-       .meaning = "with velocity: true: a smooth wall; only the component across the side is prescribed, soil slides along it freely"},
-  };
-}
-
-std::vector<KeyInfo> footing_keys()
-{
-  return {
-      {.path = "footing[].name",
-       .field = [](Case& c, std::size_t i) { return &c.footings[i].name; },
-       .meaning = "its name in footings.csv and summary.json; each footing needs its own"},
-      {.path = "footing[].box",
-       .field = [](Case& c, std::size_t i) { return BoxCorners{&c.footings[i].low, &c.footings[i].high}; },
-       .unit = "m", .required = true,
-       .meaning = "lower left and upper right corner of the rigid block at t = 0; it holds the nodes inside it and on its outline, and "
-                  "moves on with its velocity. Its lower side lies on a row of nodes at the surface of the soil"},
-      {.path = "footing[].velocity",
-       .field = [](Case& c, std::size_t i) { return &c.footings[i].velocity; },
-       .unit = "m/s", .usual = {1e-6, 1e2}, .required = true,
-       .meaning = "velocity of the block after the ramp; small against the shear wave speed, or the reaction holds inertia"},
-      {.path = "footing[].ramp",
-       .field = [](Case& c, std::size_t i) { return &c.footings[i].ramp; },
-       .unit = "s", .range = not_negative, .meaning = "time over which the velocity grows from zero",
-       .equation = "v(t) = V (1 - cos(pi t / ramp)) / 2 for t < ramp, then V"},
-      {.path = "footing[].contact",
-       .field = [](Case& c, std::size_t i) { return word_field(c.footings[i].contact); },
-       .words = footing_words,
-       .meaning = "rough: the nodes take both components of the velocity; smooth: that along the velocity only, free to slide across "
-                  "it. Both hold in tension"},
-  };
-}
-
-std::vector<KeyInfo> method_keys()
-{
-  return {
-      {.path = "method.weights",
-       .field = [](Case& c, std::size_t) { return word_field(c.method.weights); },
-       .words = weights_words,
-       .meaning = "weight of a Gauss point (reading R3): the Gauss rule in filled cells and the volume of the points "
-                  "elsewhere (hybrid), the volume of the points (summed), the Gauss rule (gauss)"},
-      {.path = "method.filled_fraction",
-       .field = [](Case& c, std::size_t) { return &c.method.filled_fraction; },
-       .range = {0.0, 1.0, true, false},
-       .meaning = "a cell is filled when its points fill at least this part of it (reading R3)",
-       .equation = "sum_p Omega_p >= filled_fraction V_e"},
-      {.path = "method.filled_blend",
-       .field = [](Case& c, std::size_t) { return &c.method.filled_blend; },
-       .range = between(0.0, 0.5),
-       .meaning = "half width of a linear blend of the two weights about filled_fraction; 0: a jump"},
-      {.path = "method.b_bar",
-       .field = [](Case& c, std::size_t) { return &c.method.b_bar; },
-       .meaning = "volumetric strain of the cell centre at all Gauss points, against locking (reading R5)",
-       .equation = "d_eps_bar = d_eps + (theta_0 - tr d_eps) I / 3,  theta_0 = tr d_eps(0)"},
-      {.path = "method.force_operator",
-       .field = [](Case& c, std::size_t) { return word_field(c.method.force_operator); },
-       .words = force_operator_words, .meaning = "operator of the internal force, Eq. (4) (reading R4)"},
-      {.path = "method.point_pressure",
-       .field = [](Case& c, std::size_t) { return word_field(c.method.point_pressure); },
-       .words = point_pressure_words,
-       .meaning = "pressure of a material point in mpm_gp (reading R10): of its cell, its own, or its own drawn "
-                  "towards that of the cell (relax)"},
-      {.path = "method.pressure_relaxation",
-       .field = [](Case& c, std::size_t) { return &c.method.pressure_relaxation; },
-       .range = between(0.0, 1.0),
-       .meaning = "share of the cell's pressure that a point takes per step, for point_pressure = \"relax\""},
-      {.path = "method.state_averaging",
-       .field = [](Case& c, std::size_t) { return word_field(c.method.state_averaging); },
-       .words = state_averaging_words,
-       .meaning = "how mpm_mixed averages the state (reading R9): as each state variable declares, or all by cell or "
-                  "by sub-cell"},
-      {.path = "method.objective_rate",
-       .field = [](Case& c, std::size_t) { return word_field(c.method.objective_rate); },
-       .words = objective_rate_words,
-       .meaning = "whether the stress turns with the soil (reading R17)",
-       .equation = "jaumann: sigma += (d_omega sigma - sigma d_omega)"},
-      {.path = "method.flip",
-       .field = [](Case& c, std::size_t) { return &c.method.flip; },
-       .range = between(0.0, 1.0), .meaning = "share of FLIP in the velocity of the points; 0: pure PIC",
-       .equation = "v_p <- flip (v_p + dt sum N a_i) + (1 - flip) sum N v*_i"},
-      {.path = "method.tension_limit",
-       .field = [](Case& c, std::size_t) { return &c.method.tension_limit; },
-       .unit = "Pa", .range = not_negative, .usual = {10.0}, .may_be_infinite = true,
-       .meaning = "largest mean tension of a cell that is not filled; inf: no limit"},
-      {.path = "method.small_mass",
-       .field = [](Case& c, std::size_t) { return &c.method.small_mass; },
-       .range = {0.0, 1.0, false, true},
-       .meaning = "nodes lighter than this part of a full cell are not accelerated; they move with their points",
-       .equation = "m_i < small_mass rho V_e: a_i = 0"},
-  };
-}
-
-std::vector<KeyInfo> output_keys()
-{
-  return {
-      {.path = "output.deviatoric_norm",
-       .field = [](Case& c, std::size_t) { return word_field(c.output.deviatoric_norm); },
-       .words = deviatoric_norm_words, .meaning = "norm of the total deviatoric strain in results (reading R18)",
-       .equation = "half: sqrt(1/2 e:e);  von_mises: sqrt(2/3 e:e)"},
-      {.path = "output.fields.every",
-       .field = [](Case& c, std::size_t) { return &c.output.fields_every; },
-       .unit = "s", .range = not_negative, .meaning = "interval of the fields of all points; 0: only first and last"},
-      {.path = "output.fields.names",
-       .field = [](Case& c, std::size_t) { return NameList{&c.output.field_names}; },
-       .words = output_field_names, .meaning = "fields to write besides position and id; left out or empty: all"},
-      {.path = "output.history.every",
-       .field = [](Case& c, std::size_t) { return &c.output.history_every; },
-       .unit = "s", .range = positive, .meaning = "interval of the rows of history.csv"},
-      {.path = "output.history.points",
-       .field = [](Case& c, std::size_t) { return NamedPlaces{&c.output.history_points}; },
-       .unit = "m", .meaning = "names and initial places; the nearest material point is followed (reading R21)"},
-      {.path = "output.ledger.every",
-       .field = [](Case& c, std::size_t) { return &c.output.ledger_every; },
-       .unit = "s", .range = positive, .meaning = "interval of the rows of ledger.csv: mass, momentum, energy"},
-      {.path = "output.mesh",
-       .field = [](Case& c, std::size_t) { return &c.output.mesh; },
-       .meaning = "whether mesh.vtkhdf also holds mass and velocity of the nodes and pressure of the cells, whenever "
-                  "the fields of all points are written"},
-      {.path = "output.checkpoint.every",
-       .field = [](Case& c, std::size_t) { return &c.output.checkpoint_every; },
-       .unit = "s", .range = not_negative,
-       .meaning = "interval of the files to resume from; 0: only at the end and when stopped"},
-      {.path = "output.checkpoint.keep",
-       .field = [](Case& c, std::size_t) { return &c.output.checkpoint_keep; },
-       .range = not_negative, .meaning = "how many of the newest checkpoints are kept; 0: all"},
-  };
-}
-
-}  // namespace
 
 const std::vector<KeyInfo>& all_keys()
 {
   static const std::vector<KeyInfo> keys = [] {
-    std::vector<KeyInfo> list;
-    for (auto part : {frame_keys, mesh_keys, soil_keys, load_keys, side_keys, footing_keys, method_keys, output_keys})
-      for (KeyInfo& key : part()) list.push_back(std::move(key));
+    std::vector<KeyInfo> list = key_table();
     for (KeyInfo& key : list) key.default_text = default_text(key);
     return list;
   }();
@@ -398,7 +34,9 @@ const std::vector<SectionInfo>& all_sections()
       {"forces.damping", "damping of the nodal motion"},
       {"initial", "the stress before t = 0"},
       {"boundary", "the sides of the mesh; a side that is not named is free"},
-      {"footing[]", "a rigid block that is pushed into the soil, its reaction measured (footings.csv); as many as needed, at most 8"},
+      {"footing[]",
+          "a rigid block that is pushed into the soil, its reaction measured (footings.csv); as many as needed, at "
+          "most 8"},
       {"method", "numerical choices; the defaults suit soil that fails (docs/methods.md)"},
       {"output", "what is written, and when"},
       {"output.fields", "fields of all material points: results.vtkhdf"},
@@ -415,12 +53,16 @@ std::vector<KeyInfo> keys_of_law(const MaterialType& law)
   for (std::size_t k = 0; k < law.parameters.size(); ++k) {
     const ParameterInfo& parameter = law.parameters[k];
     keys.push_back({.path = "material.NAME." + std::string(parameter.name),
-                    .field = [k](Case& c, std::size_t i) { return &c.materials[i].parameters[k]; },
-                    .unit = std::string(parameter.unit), .range = parameter.range, .usual = parameter.usual,
-                    .required = !parameter.fallback && parameter.fallback_of.empty(),
-                    .may_be_infinite = parameter.fallback && std::isinf(*parameter.fallback), .meaning = std::string(parameter.meaning)});
+        .field = [k](Case& c, std::size_t i) { return &c.materials[i].parameters[k]; },
+        .unit = std::string(parameter.unit),
+        .range = parameter.range,
+        .usual = parameter.usual,
+        .required = !parameter.fallback && parameter.fallback_of.empty(),
+        .may_be_infinite = parameter.fallback && std::isinf(*parameter.fallback),
+        .meaning = std::string(parameter.meaning)});
     if (parameter.fallback) keys.back().default_text = number_text(*parameter.fallback, keys.back().unit);
-    if (!parameter.fallback_of.empty()) keys.back().default_text = fmt::format("the value of `{}`", parameter.fallback_of);
+    if (!parameter.fallback_of.empty())
+      keys.back().default_text = fmt::format("the value of `{}`", parameter.fallback_of);
   }
   return keys;
 }

@@ -57,7 +57,7 @@ struct NamedPlaces {
 
 /// Where a key is kept. Its type is the key's type.
 using Field = std::variant<Real*, Index*, bool*, std::string*, Vec<2>*, WordField, NumberOrPair, CountOrPair, Box,
-                           BoxCorners, Polygon, PolygonList, Polyline, EdgesList, VelocityPair, NameList, NamedPlaces>;
+    BoxCorners, Polygon, PolygonList, Polyline, EdgesList, VelocityPair, NameList, NamedPlaces>;
 
 struct KeyInfo {
   std::string path;  ///< "time.end", "body[].box", "material.NAME.density", "boundary.SIDE.contact"

@@ -30,7 +30,8 @@ const std::vector<MeshKindInfo>& all_mesh_kinds()
       {MeshKind::graded, "a graded rectangle", {"size", "cells"}, {"grading", "origin"}},
       {MeshKind::mapped, "a grid between four sides", {"sides", "cells"}, {"grading"}},
       {MeshKind::file, "a mesh from a file", {"file"}, {}},
-      {MeshKind::polygon, "a mesh from a polygon", {"polygon", "cell"}, {"edges", "refine", "follow_bodies", "variant"}},
+      {MeshKind::polygon, "a mesh from a polygon", {"polygon", "cell"},
+          {"edges", "refine", "follow_bodies", "variant"}},
   };
   return kinds;
 }

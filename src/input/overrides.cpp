@@ -80,10 +80,11 @@ std::optional<Problem> apply_override(Node& root, const std::string& change)
   const std::size_t equals = change.find('=');
   const auto parts = split_path(trimmed(std::string_view(change).substr(0, equals)));
   if (equals == std::string::npos || parts.empty())
-    return Problem{where, "a change has the form KEY=VALUE",
-                   "For example --set scheme=mpm_mixed or --set mesh.cell=0.2", ""};
+    return Problem{
+        where, "a change has the form KEY=VALUE", "For example --set scheme=mpm_mixed or --set mesh.cell=0.2", ""};
 
-  if (parts.size() > most_key_parts) return Problem{where.substr(0, 40) + "...", fmt::format("a key has at most {} parts", most_key_parts), "", ""};
+  if (parts.size() > most_key_parts)
+    return Problem{where.substr(0, 40) + "...", fmt::format("a key has at most {} parts", most_key_parts), "", ""};
 
   Node* node = &root;
   std::string path;

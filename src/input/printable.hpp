@@ -6,7 +6,8 @@
 
 namespace terp {
 
-/// The text with a question mark for every control character but tab and line feed, and for every byte that is not UTF-8.
+/// The text with a question mark for every control character but tab and line feed, and for every byte that is not
+/// UTF-8.
 std::string printable(std::string_view text);
 
 }  // namespace terp

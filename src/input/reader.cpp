@@ -128,7 +128,7 @@ void CaseReader::read_list(const Node& list, const std::string& path, const Sect
   const std::string header = header_of(info.path);
   if (list.kind != NodeKind::list)
     return report({path, fmt::format("`{}` must be a list of tables", list.name),
-                   fmt::format("Write {}, with two brackets, above each one.", header), topic_of(info.path), true});
+        fmt::format("Write {}, with two brackets, above each one.", header), topic_of(info.path), true});
   for (std::size_t k = 0; k < list.items.size(); ++k) {
     add_entry(info.path, values_);
     const std::string entry = fmt::format("{}[{}]", path, k);
@@ -197,9 +197,9 @@ void CaseReader::read_side(const Node& node, const std::string& path)
     read_section({node, path, "boundary.SIDE", number});
   } else {
     report({path, fmt::format("`{}` must be text or a table", node.name),
-            fmt::format("Got {}; allowed: {} or a table with contact or velocity.", describe_value(node),
-                        allowed_text(kind)),
-            "boundary"});
+        fmt::format(
+            "Got {}; allowed: {} or a table with contact or velocity.", describe_value(node), allowed_text(kind)),
+        "boundary"});
   }
 }
 
@@ -208,9 +208,9 @@ bool CaseReader::is_table(const Node& node, const std::string& path, const std::
   if (node.kind == NodeKind::table) return true;
   const bool listed = node.kind == NodeKind::list;
   report({path, fmt::format("`{}` must be a table", path),
-          fmt::format("Got {}; write {} {}.", listed ? "a list" : describe_value(node), header,
-                      listed ? "with one bracket" : "on a line of its own, its keys below"),
-          topic_of(path), true});
+      fmt::format("Got {}; write {} {}.", listed ? "a list" : describe_value(node), header,
+          listed ? "with one bracket" : "on a line of its own, its keys below"),
+      topic_of(path), true});
   return false;
 }
 
@@ -224,7 +224,7 @@ void CaseReader::report_unknown(const Section& section, const Node& item, std::v
   detail += names.empty() ? "No side of this mesh has a name. Name them as in edges = { base = [0] } in [mesh]."
                           : fmt::format("Keys of {}: {}", title_of(section), plain_list(names));
   report({join_path(section.path, item.name), fmt::format("unknown key `{}`", item.name), detail,
-          section.law.empty() ? topic_of(section.pattern) : section.law, true});
+      section.law.empty() ? topic_of(section.pattern) : section.law, true});
 }
 
 void CaseReader::report_missing(const Section& section, const std::vector<std::string>& meant)
@@ -237,17 +237,17 @@ void CaseReader::report_missing(const Section& section, const std::vector<std::s
     if (parent_path(key.path) != section.pattern || !is_required(section, key) || !is_missing(name)) return;
     const std::string others = key.path == "mesh.size" ? "\nKeys that belong together:\n" + mesh_kinds_text("  ") : "";
     report({section.path, fmt::format("the key `{}` is missing from {}", name, title_of(section)),
-            fmt::format("Meaning: {}\nAllowed: {}{}", key.meaning, allowed_text(key), others),
-            section.law.empty() ? topic_of(key.path) : section.law, true});
+        fmt::format("Meaning: {}\nAllowed: {}{}", key.meaning, allowed_text(key), others),
+        section.law.empty() ? topic_of(key.path) : section.law, true});
   };
   for (const KeyInfo& key : all_keys()) check_key(key);
   for (const KeyInfo& key : section.law_keys) check_key(key);
   for (const SectionInfo& below : all_sections())
     if (below.required && section.path.empty() && is_missing(last_part(below.path)))
       report({"", fmt::format("the section {} is missing", header_of(below.path)),
-              fmt::format("Meaning: {}\nKeys: {}{}", below.meaning, plain_list(names_in_section(below.path)),
-                          below.path == "material.NAME" ? ", and those of the model" : ""),
-              topic_of(below.path)});
+          fmt::format("Meaning: {}\nKeys: {}{}", below.meaning, plain_list(names_in_section(below.path)),
+              below.path == "material.NAME" ? ", and those of the model" : ""),
+          topic_of(below.path)});
 }
 
 }  // namespace

@@ -134,14 +134,14 @@ bool ValueReader::fail(const std::string& path, std::string what, std::string de
 bool ValueReader::wrong_type(const Node& node, const std::string& path)
 {
   return fail(path, fmt::format("`{}` must be {}", name(), type_text(key_)),
-              fmt::format("Got {}; allowed: {}.", describe_value(node), allowed_text(key_)));
+      fmt::format("Got {}; allowed: {}.", describe_value(node), allowed_text(key_)));
 }
 
 bool ValueReader::out_of_range(const std::string& path, const std::string& got)
 {
   const std::string range = range_text(key_.range, key_.unit);
   return fail(path, fmt::format("`{}` is out of range", name()),
-              fmt::format("Got {}; allowed: {}.", got, range.empty() ? "any finite number" : range));
+      fmt::format("Got {}; allowed: {}.", got, range.empty() ? "any finite number" : range));
 }
 
 bool ValueReader::not_finite(const std::string& path, Real number)
@@ -149,8 +149,8 @@ bool ValueReader::not_finite(const std::string& path, Real number)
   const std::string range = range_text(key_.range, key_.unit);
   const std::string unit = key_.unit == "-" ? "" : " in " + key_.unit;
   return fail(path, fmt::format("`{}` must be a finite number", name()),
-              fmt::format("Got {}; allowed: a finite number{}.", number_text(number, key_.unit),
-                          range.empty() ? unit : ", " + range));
+      fmt::format(
+          "Got {}; allowed: a finite number{}.", number_text(number, key_.unit), range.empty() ? unit : ", " + range));
 }
 
 bool ValueReader::read_number(const Node& node, const std::string& path, Real& value)
@@ -160,10 +160,9 @@ bool ValueReader::read_number(const Node& node, const std::string& path, Real& v
   if (!std::isfinite(number) && !key_.may_be_infinite) return not_finite(path, number);
   if (!key_.range.contains(number)) return out_of_range(path, number_text(number, key_.unit));
   if (number != 0.0 && std::isfinite(number) && !key_.usual.contains(std::abs(number)))
-    findings_.warnings.push_back(
-        {path, fmt::format("`{}` = {} is unusual", name(), number_text(number, key_.unit)),
-         fmt::format("Usual: {}. Terp reads SI units: m, kg, s, Pa.", usual_text(key_.usual, key_.unit)),
-         topic_of(key_.path)});
+    findings_.warnings.push_back({path, fmt::format("`{}` = {} is unusual", name(), number_text(number, key_.unit)),
+        fmt::format("Usual: {}. Terp reads SI units: m, kg, s, Pa.", usual_text(key_.usual, key_.unit)),
+        topic_of(key_.path)});
   value = number;
   return true;
 }
@@ -228,8 +227,8 @@ bool ValueReader::read_box(Vec<2>& low, Vec<2>& high)
   low = corners[0], high = corners[1];
   if (low[0] >= high[0] || low[1] >= high[1])
     return fail(entry_.path, fmt::format("`{}` has no area", name()),
-                fmt::format("Got [[{}, {}], [{}, {}]] m; the lower left corner comes first, then the upper right.",
-                            low[0], low[1], high[0], high[1]));
+        fmt::format("Got [[{}, {}], [{}, {}]] m; the lower left corner comes first, then the upper right.", low[0],
+            low[1], high[0], high[1]));
   return true;
 }
 
@@ -241,8 +240,8 @@ bool ValueReader::operator()(const Box& field)
   return true;
 }
 
-bool ValueReader::read_polygon(const Node& list, const std::string& path, bool keeps_order,
-                               std::vector<Vec<2>>& polygon)
+bool ValueReader::read_polygon(
+    const Node& list, const std::string& path, bool keeps_order, std::vector<Vec<2>>& polygon)
 {
   std::vector<Vec<2>> corners;
   if (!read_places(list, path, corners)) return false;
@@ -276,7 +275,7 @@ bool ValueReader::operator()(const Polyline& field)
   const auto twice = std::adjacent_find(places.begin(), places.end());
   if (twice != places.end())
     return fail(entry_.path, fmt::format("`{}` names the same place twice in a row", name()),
-                fmt::format("({}, {}) m. Remove one of the two.", (*twice)[0], (*twice)[1]));
+        fmt::format("({}, {}) m. Remove one of the two.", (*twice)[0], (*twice)[1]));
   *field.places = places;
   return true;
 }
@@ -310,7 +309,8 @@ bool ValueReader::operator()(const VelocityPair& field)
   const Node& list = entry_.node;
   const bool is_pair = list.kind == NodeKind::list && list.items.size() == 2;
   if (!is_pair) return wrong_type(list, entry_.path);
-  if (list.items[0].kind != NodeKind::text && list.items[1].kind != NodeKind::text) return read_pair(list, entry_.path, *field.value);
+  if (list.items[0].kind != NodeKind::text && list.items[1].kind != NodeKind::text)
+    return read_pair(list, entry_.path, *field.value);
   std::array<std::shared_ptr<Expression>, 2> formulas;
   for (std::size_t d = 0; d < 2; ++d) {
     const Node& item = list.items[d];
@@ -318,7 +318,8 @@ bool ValueReader::operator()(const VelocityPair& field)
     if (item.kind != NodeKind::text && !is_number(item)) return wrong_type(item, path);
     const std::string text = item.kind == NodeKind::text ? item.text : fmt::format("{}", to_number(item));
     try {
-      formulas[d] = std::make_shared<Expression>(text, std::vector<std::string>{"x", "y"}, std::map<std::string, Real>{});
+      formulas[d] =
+          std::make_shared<Expression>(text, std::vector<std::string>{"x", "y"}, std::map<std::string, Real>{});
     } catch (const ExpressionError& error) {
       return fail(path, fmt::format("`{}` is not a formula of x and y", name()), error.what());
     }
@@ -362,20 +363,13 @@ bool store_value(const Entry& entry, const Field& field, Findings& findings)
 std::string describe_value(const Node& node)
 {
   switch (node.kind) {
-    case NodeKind::boolean:
-      return node.boolean ? "true" : "false";
-    case NodeKind::integer:
-      return fmt::format("the integer {}", node.integer);
-    case NodeKind::number:
-      return fmt::format("the number {}", node.number);
-    case NodeKind::text:
-      return fmt::format("the text \"{}\"", node.text);
-    case NodeKind::list:
-      return fmt::format("a list of {}", node.items.size());
-    case NodeKind::table:
-      return "a table";
-    case NodeKind::date:
-      break;
+    case NodeKind::boolean: return node.boolean ? "true" : "false";
+    case NodeKind::integer: return fmt::format("the integer {}", node.integer);
+    case NodeKind::number: return fmt::format("the number {}", node.number);
+    case NodeKind::text: return fmt::format("the text \"{}\"", node.text);
+    case NodeKind::list: return fmt::format("a list of {}", node.items.size());
+    case NodeKind::table: return "a table";
+    case NodeKind::date: break;
   }
   return "a date or time";
 }

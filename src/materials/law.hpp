@@ -10,10 +10,11 @@ namespace terp {
 
 /// A law in the form that the rest of Terp calls.
 ///
-/// Law has: static constexpr std::string_view `equations`; static constexpr tables `parameters` (ParameterInfo[]), `state` (StateInfo[]) and `derived` (DerivedInfo[]),
-/// as std::array; `explicit Law(std::span<const Real>)`; bulk_modulus(), shear_modulus(), derived_value(k, state);
-/// template <class R, int Dim> R update(SymTensor<R, Dim>& sigma, std::array<R, n>& state, const SymTensor<R, Dim>& d_eps, Real dt)
-/// const, which returns the plastic or viscous work per volume [J/m^3]. A law whose stress depends on the rate has viscosity() too.
+/// Law has: static constexpr std::string_view `equations`; static constexpr tables `parameters` (ParameterInfo[]),
+/// `state` (StateInfo[]) and `derived` (DerivedInfo[]), as std::array; `explicit Law(std::span<const Real>)`;
+/// bulk_modulus(), shear_modulus(), derived_value(k, state); template <class R, int Dim> R update(SymTensor<R, Dim>&
+/// sigma, std::array<R, n>& state, const SymTensor<R, Dim>& d_eps, Real dt) const, which returns the plastic or viscous
+/// work per volume [J/m^3]. A law whose stress depends on the rate has viscosity() too.
 template <class Law>
 class MaterialOf final : public Material {
  public:
@@ -65,7 +66,7 @@ std::unique_ptr<Material> make_law(std::span<const Real> values)
 }  // namespace terp
 
 /// Defines `material_NAME`, which materials.def lists.
-#define TERP_MATERIAL_DEFINITION(name, Law, summary)                                                               \
-  extern const MaterialType material_##name;                                                                       \
-  const MaterialType material_##name{#name,       summary,         Law::equations, Law::parameters, Law::state, Law::derived,      \
-                                     &check_law<Law>, &make_law<Law>};
+#define TERP_MATERIAL_DEFINITION(name, Law, summary) \
+  extern const MaterialType material_##name;         \
+  const MaterialType material_##name{                \
+      #name, summary, Law::equations, Law::parameters, Law::state, Law::derived, &check_law<Law>, &make_law<Law>};

@@ -13,7 +13,9 @@ struct LinearElastic {
   static constexpr std::array<StateInfo, 0> state{};
   static constexpr std::array<DerivedInfo, 0> derived{};
 
-  explicit LinearElastic(std::span<const Real> values) : shear(values[0]), bulk(bulk_from_poisson(values[0], values[1])) {}
+  explicit LinearElastic(std::span<const Real> values) : shear(values[0]), bulk(bulk_from_poisson(values[0], values[1]))
+  {
+  }
 
   template <class R, int Dim>
   R update(SymTensor<R, Dim>& sigma, std::array<R, 0>&, const SymTensor<R, Dim>& d_eps, Real) const

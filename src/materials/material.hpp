@@ -37,20 +37,21 @@ constexpr Range between(Real low, Real high) { return {low, high, false, false};
 /// What `terp stability` does to a parameter at a factor F: nothing, p / F, or atan(tan(p) / F) of an angle in degrees.
 enum class Reduction { none, divide, divide_tangent };
 
-/// What makes all strains s times smaller at the same stresses, in times that are sqrt(s) shorter: nothing, p s (stiffness, softening per
-/// strain), or p sqrt(s) (viscosity). `terp stability` keeps displacements small by it (decision 0035).
+/// What makes all strains s times smaller at the same stresses, in times that are sqrt(s) shorter: nothing, p s
+/// (stiffness, softening per strain), or p sqrt(s) (viscosity). `terp stability` keeps displacements small by it
+/// (decision 0035).
 enum class StrainScale { none, multiply, multiply_root };
 
 /// One number that the case file gives to a law.
 struct ParameterInfo {
   std::string_view name;
-  std::string_view unit;                  ///< "-" if it has none
+  std::string_view unit;  ///< "-" if it has none
   Range range;
   std::string_view meaning;
-  std::optional<Real> fallback = {};      ///< default; none: the key must be given
-  Range usual = any_number;               ///< outside: warn of a wrong order of magnitude
-  std::string_view fallback_of = {};      ///< name of an earlier parameter whose value is the default
-  Reduction reduction = Reduction::none;  ///< of a strength
+  std::optional<Real> fallback = {};             ///< default; none: the key must be given
+  Range usual = any_number;                      ///< outside: warn of a wrong order of magnitude
+  std::string_view fallback_of = {};             ///< name of an earlier parameter whose value is the default
+  Reduction reduction = Reduction::none;         ///< of a strength
   StrainScale strain_scale = StrainScale::none;  ///< of a stiffness, a viscosity, and what a strain is compared with
 };
 
@@ -80,7 +81,7 @@ struct StressArrays {
   std::array<const Real*, n_sym<Dim>> d_eps;  ///< strain increment of the step, tensorial shear [-]
   Real* plastic_work;                         ///< out: plastic or viscous work of the step per volume [J/m^3]
   Index n;
-  Real dt;                                    ///< length of the step [s]
+  Real dt;  ///< length of the step [s]
 };
 
 /// A law with its parameters.

@@ -1,10 +1,11 @@
-// Mohr-Coulomb soil: friction, cohesion and dilatancy of their own, a tension cut-off, and exponential softening of all three.
+// Mohr-Coulomb soil: friction, cohesion and dilatancy of their own, a tension cut-off, and exponential softening of all
+// three.
 //
-//   sigma_1 - sigma_3 + (sigma_1 + sigma_3) sin(phi) <= 2 c cos(phi)      tension positive, sigma_1 >= sigma_2 >= sigma_3
-//   sigma_1 <= min(tension_cutoff, c cot(phi))
+//   sigma_1 - sigma_3 + (sigma_1 + sigma_3) sin(phi) <= 2 c cos(phi)      tension positive, sigma_1 >= sigma_2 >=
+//   sigma_3 sigma_1 <= min(tension_cutoff, c cot(phi))
 //
-// The return for a given strength is exact (mohr_coulomb_return.hpp). Softening makes the strength depend on the plastic
-// strain of the step: one equation, solved between two bounds that hold a root whatever the stress.
+// The return for a given strength is exact (mohr_coulomb_return.hpp). Softening makes the strength depend on the
+// plastic strain of the step: one equation, solved between two bounds that hold a root whatever the stress.
 
 #include "materials/elastic_constants.hpp"
 #include "materials/law.hpp"
@@ -20,8 +21,8 @@ namespace {
 constexpr Real degree = std::numbers::pi / 180.0;
 constexpr Range friction_range = between(0.0, 60.0);
 
-constexpr ParameterInfo same_as(std::string_view name, std::string_view unit, Range range, std::string_view meaning, std::string_view peak,
-                                Reduction reduction)
+constexpr ParameterInfo same_as(std::string_view name, std::string_view unit, Range range, std::string_view meaning,
+    std::string_view peak, Reduction reduction)
 {
   ParameterInfo info{name, unit, range, meaning};
   info.fallback_of = peak;
@@ -41,25 +42,38 @@ struct Softening {
 
 struct MohrCoulomb {
   static constexpr std::string_view equations =
-      "sigma_1 - sigma_3 + (sigma_1 + sigma_3) sin(phi) <= 2 c cos(phi)     tension positive, sorted in three dimensions\n"
+      "sigma_1 - sigma_3 + (sigma_1 + sigma_3) sin(phi) <= 2 c cos(phi)     tension positive, sorted in three "
+      "dimensions\n"
       "sigma_1 <= min(tension_cutoff, c cot(phi))\n"
-      "flow       (1 + sin(psi), 0, -(1 - sin(psi))) on the first, (1, 0, 0) on the second; both on edges and at the apex\n"
+      "flow       (1 + sin(psi), 0, -(1 - sin(psi))) on the first, (1, 0, 0) on the second; both on edges and at the "
+      "apex\n"
       "softening  c, phi, psi = residual + (peak - residual) exp(-eta eps_eq_p)             as Eq. (5)\n"
       "eps_eq_p = sum sqrt(1/2 de_p : de_p), de_p the deviator of the plastic strain         Eq. (6)\n"
-      "opening  = volume strain beyond the apex, where all three stresses meet their limit; closes before pressure returns\n"
-      "phi = psi = 0 is Tresca's law with c = S_u. There is no pore water: give effective strength, density and stiffness\n"
-      "of drained soil, or phi = 0, c = S_u and saturated density for total stress in undrained soil (docs/methods.md).\n";
+      "opening  = volume strain beyond the apex, where all three stresses meet their limit; closes before pressure "
+      "returns\n"
+      "phi = psi = 0 is Tresca's law with c = S_u. There is no pore water: give effective strength, density and "
+      "stiffness\n"
+      "of drained soil, or phi = 0, c = S_u and saturated density for total stress in undrained soil "
+      "(docs/methods.md).\n";
   static constexpr std::array parameters{
-      shear_modulus_info, poisson_ratio_info,
-      ParameterInfo{"cohesion", "Pa", not_negative, "cohesion c, at its peak", {}, {10.0, 1e7, false, false}, {}, Reduction::divide},
-      ParameterInfo{"friction_angle", "deg", friction_range, "friction angle phi, at its peak", {}, {}, {}, Reduction::divide_tangent},
-      ParameterInfo{"dilatancy_angle", "deg", friction_range, "dilatancy angle psi, at its peak; at most friction_angle", 0.0, {}, {}, Reduction::divide_tangent},
-      ParameterInfo{"tension_cutoff", "Pa", not_negative, "largest principal stress; never above the apex c cot(phi), which is the limit without it",
-                    std::numeric_limits<Real>::infinity(), {}, {}, Reduction::divide},
+      shear_modulus_info,
+      poisson_ratio_info,
+      ParameterInfo{"cohesion", "Pa", not_negative, "cohesion c, at its peak", {}, {10.0, 1e7, false, false}, {},
+          Reduction::divide},
+      ParameterInfo{"friction_angle", "deg", friction_range, "friction angle phi, at its peak", {}, {}, {},
+          Reduction::divide_tangent},
+      ParameterInfo{"dilatancy_angle", "deg", friction_range,
+          "dilatancy angle psi, at its peak; at most friction_angle", 0.0, {}, {}, Reduction::divide_tangent},
+      ParameterInfo{"tension_cutoff", "Pa", not_negative,
+          "largest principal stress; never above the apex c cot(phi), which is the limit without it",
+          std::numeric_limits<Real>::infinity(), {}, {}, Reduction::divide},
       same_as("cohesion_residual", "Pa", not_negative, "cohesion that softening leaves", "cohesion", Reduction::divide),
-      same_as("friction_angle_residual", "deg", friction_range, "friction angle that softening leaves", "friction_angle", Reduction::divide_tangent),
-      same_as("dilatancy_angle_residual", "deg", friction_range, "dilatancy angle that softening leaves", "dilatancy_angle", Reduction::divide_tangent),
-      ParameterInfo{"eta", "-", not_negative, "shape factor of the softening; 95 % of it is done at a strain of 3/eta", 0.0, {}, {}, Reduction::none, StrainScale::multiply},
+      same_as("friction_angle_residual", "deg", friction_range, "friction angle that softening leaves",
+          "friction_angle", Reduction::divide_tangent),
+      same_as("dilatancy_angle_residual", "deg", friction_range, "dilatancy angle that softening leaves",
+          "dilatancy_angle", Reduction::divide_tangent),
+      ParameterInfo{"eta", "-", not_negative, "shape factor of the softening; 95 % of it is done at a strain of 3/eta",
+          0.0, {}, {}, Reduction::none, StrainScale::multiply},
   };
   static constexpr std::array state{
       StateInfo{"eps_eq_p", "-", Averaging::cell, "accumulated equivalent plastic strain, Eq. (6)"},
@@ -72,8 +86,13 @@ struct MohrCoulomb {
   };
 
   explicit MohrCoulomb(std::span<const Real> v)
-      : shear(v[0]), bulk(bulk_from_poisson(v[0], v[1])), tension_cutoff(v[5]), eta(v[9]), cohesion{v[6], v[2] - v[6]},
-        phi{v[7] * degree, (v[3] - v[7]) * degree}, psi{v[8] * degree, (v[4] - v[8]) * degree},
+      : shear(v[0]),
+        bulk(bulk_from_poisson(v[0], v[1])),
+        tension_cutoff(v[5]),
+        eta(v[9]),
+        cohesion{v[6], v[2] - v[6]},
+        phi{v[7] * degree, (v[3] - v[7]) * degree},
+        psi{v[8] * degree, (v[4] - v[8]) * degree},
         softens(eta > 0.0 && (cohesion.drop > 0.0 || phi.drop > 0.0 || psi.drop > 0.0))
   {
   }
@@ -84,7 +103,8 @@ struct MohrCoulomb {
     const auto strength = strength_at(state[0]);
     const R before = mean_of_direct(sigma);
     add_elastic_stress(sigma, d_eps, bulk, shear);
-    const R work = any_of(state[1] > R(0.0)) ? close_opening(sigma, state[1], before, trace(d_eps), strength.tension) : R(0.0);
+    const R work =
+        any_of(state[1] > R(0.0)) ? close_opening(sigma, state[1], before, trace(d_eps), strength.tension) : R(0.0);
     auto principal = principal_values(sigma);
     const Sorted<R> trial = sort_principal_values(principal);
     const auto yields = is_outside(trial, strength);
@@ -117,8 +137,9 @@ struct MohrCoulomb {
     return sigma[0] + ((sigma[1] - sigma[0]) + (sigma[2] - sigma[0])) * R(1.0 / 3.0);
   }
 
-  /// Soil that has come apart carries no more tension than before, none as soon as it closes, and no pressure before it has closed.
-  /// sigma: with the elastic stress of the step. before: mean stress at its start. Returns the plastic work per volume.
+  /// Soil that has come apart carries no more tension than before, none as soon as it closes, and no pressure before it
+  /// has closed. sigma: with the elastic stress of the step. before: mean stress at its start. Returns the plastic work
+  /// per volume.
   template <class R, int Dim>
   R close_opening(SymTensor<R, Dim>& sigma, R& opening, R before, R volumetric, R tension) const
   {
@@ -126,7 +147,8 @@ struct MohrCoulomb {
     const R closed = before + R(bulk) * (opening + volumetric);  // mean stress if the opening were closed by stress
     const auto was_open = opening > R(0.0);
     const auto stays_open = was_open & (closed > held);
-    for (int k = 0; k < 3; ++k) sigma[k] = select(stays_open, held, select(was_open, sigma[k] + R(bulk) * opening, sigma[k]));
+    for (int k = 0; k < 3; ++k)
+      sigma[k] = select(stays_open, held, select(was_open, sigma[k] + R(bulk) * opening, sigma[k]));
     for (int k = 3; k < n_sym<Dim>; ++k) sigma[k] = select(stays_open, R(0.0), sigma[k]);
     opening = select(stays_open, opening + volumetric + (before - held) * R(1.0 / bulk), R(0.0));
     return select(stays_open, held * volumetric, R(0.0));
@@ -173,9 +195,10 @@ struct MohrCoulomb {
     return sqrt((ab * ab + bc * bc + ca * ca) * R(1.0 / 6.0));
   }
 
-  /// Solves d = d_e(strength at eps_eq_p + d) by regula falsi (Illinois) between 0, where the left side is below, and the shear strain of
-  /// the trial stress, twice, where it is above: no return moves the deviator further. Any answer is on the surface of the strength
-  /// that belongs to it. Lanes that have settled keep their answer, so that it does not depend on the other lanes.
+  /// Solves d = d_e(strength at eps_eq_p + d) by regula falsi (Illinois) between 0, where the left side is below, and
+  /// the shear strain of the trial stress, twice, where it is above: no return moves the deviator further. Any answer
+  /// is on the surface of the strength that belongs to it. Lanes that have settled keep their answer, so that it does
+  /// not depend on the other lanes.
   template <class R>
   Sorted<R> return_softening(const Sorted<R>& trial, R eps_eq_p, const MohrCoulombStrength<R>& strength, R& d) const
   {
@@ -192,7 +215,8 @@ struct MohrCoulomb {
       const R next = low + (high - low) * (at_low / (at_low - min(at_high, R(-tiny))));
       R d_e;
       const Sorted<R> returned = return_to(trial, strength_at(eps_eq_p + next), d_e);
-      best = {select(open, returned.major, best.major), select(open, returned.middle, best.middle), select(open, returned.minor, best.minor)};
+      best = {select(open, returned.major, best.major), select(open, returned.middle, best.middle),
+          select(open, returned.minor, best.minor)};
       d = select(open, next, d);
       const R rest = d_e - next;
       const auto below = rest > R(0.0);  // the root lies above
@@ -227,8 +251,9 @@ struct MohrCoulomb {
 
   std::vector<ParameterProblem> check() const;
 
-  static constexpr Real tiny = 1e-30;       // keeps 0/0 from soil without friction and from brackets that have closed
-  static constexpr Real round_off = 1e-15;  // of the plastic strain, as a part of the elastic strain of the trial stress and of 1/eta
+  static constexpr Real tiny = 1e-30;  // keeps 0/0 from soil without friction and from brackets that have closed
+  static constexpr Real round_off =
+      1e-15;  // of the plastic strain, as a part of the elastic strain of the trial stress and of 1/eta
   static constexpr int most_trials = 60;
   Real shear;           // G [Pa]
   Real bulk;            // K [Pa]
@@ -249,33 +274,38 @@ std::vector<ParameterProblem> MohrCoulomb::check() const
   const auto degrees = [](Real angle) { return fmt::format("{:.6g} deg", angle / degree); };
   if (cohesion.drop < 0.0)
     refuse("cohesion_residual", "the residual cohesion exceeds the peak",
-           fmt::format("cohesion_residual = {} Pa, at most cohesion = {} Pa.", cohesion.residual, peak(cohesion)));
+        fmt::format("cohesion_residual = {} Pa, at most cohesion = {} Pa.", cohesion.residual, peak(cohesion)));
   if (phi.drop < 0.0)
     refuse("friction_angle_residual", "the residual friction angle exceeds the peak",
-           fmt::format("friction_angle_residual = {}, at most friction_angle = {}.", degrees(phi.residual), degrees(peak(phi))));
+        fmt::format(
+            "friction_angle_residual = {}, at most friction_angle = {}.", degrees(phi.residual), degrees(peak(phi))));
   if (psi.drop < 0.0)
     refuse("dilatancy_angle_residual", "the residual dilatancy angle exceeds the peak",
-           fmt::format("dilatancy_angle_residual = {}, at most dilatancy_angle = {}.", degrees(psi.residual), degrees(peak(psi))));
+        fmt::format(
+            "dilatancy_angle_residual = {}, at most dilatancy_angle = {}.", degrees(psi.residual), degrees(peak(psi))));
   if (peak(psi) > peak(phi) || psi.residual > phi.residual) {
     const bool at_peak = peak(psi) > peak(phi);
     const std::string ending = at_peak ? "" : "_residual";
     refuse(at_peak ? "dilatancy_angle" : "dilatancy_angle_residual", "the dilatancy angle exceeds the friction angle",
-           fmt::format("dilatancy_angle{0} = {1}, at most friction_angle{0} = {2}: soil that dilates more gains energy by shearing.", ending,
-                       degrees(at_peak ? peak(psi) : psi.residual), degrees(at_peak ? peak(phi) : phi.residual)));
+        fmt::format("dilatancy_angle{0} = {1}, at most friction_angle{0} = {2}: soil that dilates more gains energy by "
+                    "shearing.",
+            ending, degrees(at_peak ? peak(psi) : psi.residual), degrees(at_peak ? peak(phi) : phi.residual)));
   }
   if (!(peak(cohesion) > 0.0) && !(peak(phi) > 0.0))
-    refuse("cohesion", "the soil has no strength", "cohesion and friction_angle are both 0. Give one of them, or choose model = \"newtonian_fluid\".");
+    refuse("cohesion", "the soil has no strength",
+        "cohesion and friction_angle are both 0. Give one of them, or choose model = \"newtonian_fluid\".");
   const Real steepness = eta * cohesion.drop * std::cos(phi.residual), limit = 1.5 * shear;
   if (steepness > limit)
     refuse("eta", "softening is too steep",
-           fmt::format("eta (cohesion - cohesion_residual) cos(phi) = {:.3g} Pa, at most 1.5 G = {:.3g} Pa\n"
-                       "(beyond sqrt(3) G the return mapping has no unique answer). Use eta <= {:.3g}, or a stiffer soil.",
-                       steepness, limit, limit / (cohesion.drop * std::cos(phi.residual))));
+        fmt::format("eta (cohesion - cohesion_residual) cos(phi) = {:.3g} Pa, at most 1.5 G = {:.3g} Pa\n"
+                    "(beyond sqrt(3) G the return mapping has no unique answer). Use eta <= {:.3g}, or a stiffer soil.",
+            steepness, limit, limit / (cohesion.drop * std::cos(phi.residual))));
   return problems;
 }
 
 }  // namespace
 
-TERP_MATERIAL_DEFINITION(mohr_coulomb, MohrCoulomb, "Mohr-Coulomb with dilatancy, tension cut-off and exponential softening")
+TERP_MATERIAL_DEFINITION(
+    mohr_coulomb, MohrCoulomb, "Mohr-Coulomb with dilatancy, tension cut-off and exponential softening")
 
 }  // namespace terp

@@ -1,5 +1,5 @@
-// Return of a trial stress to a Mohr-Coulomb surface of given strength, cut off in tension: exact, in principal stresses.
-// Not for: how the strength softens (mohr_coulomb.cpp).
+// Return of a trial stress to a Mohr-Coulomb surface of given strength, cut off in tension: exact, in principal
+// stresses. Not for: how the strength softens (mohr_coulomb.cpp).
 #pragma once
 
 #include "materials/principal.hpp"
@@ -21,13 +21,14 @@ R mohr_coulomb_excess(R major, R minor, const MohrCoulombStrength<R>& at)
   return (major - minor) + at.sin_phi * (major + minor) - R(2.0) * at.cohesion * at.cos_phi;
 }
 
-/// The return. Flow on a shear plane is (1 + sin psi, 0, -(1 - sin psi)), on a tension plane (1, 0, 0). Each of the planes is
-/// straight and the elasticity constant, so that every region of the surface has a closed form, by which plastic multipliers
-/// that are not negative lead to a stress that no plane forbids.
+/// The return. Flow on a shear plane is (1 + sin psi, 0, -(1 - sin psi)), on a tension plane (1, 0, 0). Each of the
+/// planes is straight and the elasticity constant, so that every region of the surface has a closed form, by which
+/// plastic multipliers that are not negative lead to a stress that no plane forbids.
 template <class R>
 class MohrCoulombReturn {
  public:
-  MohrCoulombReturn(const MohrCoulombStrength<R>& strength, Real bulk, Real shear) : at_(strength), lame_(bulk - 2.0 / 3.0 * shear), shear_(shear)
+  MohrCoulombReturn(const MohrCoulombStrength<R>& strength, Real bulk, Real shear)
+      : at_(strength), lame_(bulk - 2.0 / 3.0 * shear), shear_(shear)
   {
     const R volumetric = R(2.0 * lame_) * at_.sin_psi;  // elastic stress of the flow on the plane of s1 and s3
     of_major_ = volumetric + R(2.0 * shear_) * (R(1.0) + at_.sin_psi);
@@ -53,17 +54,18 @@ class MohrCoulombReturn {
     return {select(m, a.major, b.major), select(m, a.middle, b.middle), select(m, a.minor, b.minor)};
   }
 
-  /// n : D : r of two shear planes: the flow of the one raises the excess of the other by it. major, minor: elastic stress of the flow
-  /// in the two directions that the other plane looks at.
+  /// n : D : r of two shear planes: the flow of the one raises the excess of the other by it. major, minor: elastic
+  /// stress of the flow in the two directions that the other plane looks at.
   R stiffness(R major, R minor) const { return (major - minor) + at_.sin_phi * (major + minor); }
 
-  /// To the plane, or to the edge where the middle stress equals the major or the minor one. Beyond the apex the answer exceeds the
-  /// tension limit.
+  /// To the plane, or to the edge where the middle stress equals the major or the minor one. Beyond the apex the answer
+  /// exceeds the tension limit.
   Sorted<R> return_by_shear(const Sorted<R>& trial) const
   {
     const R excess = max(R(0.0), mohr_coulomb_excess(trial.major, trial.minor, at_));
     const R own = stiffness(of_major_, of_minor_), multiplier = excess / own;
-    const Sorted<R> plane{trial.major - multiplier * of_major_, trial.middle - multiplier * of_middle_, trial.minor - multiplier * of_minor_};
+    const Sorted<R> plane{trial.major - multiplier * of_major_, trial.middle - multiplier * of_middle_,
+        trial.minor - multiplier * of_minor_};
     const auto past_major = plane.major < plane.middle;
     const auto past_minor = plane.middle < plane.minor;
     if (!any_of(past_major | past_minor)) return plane;

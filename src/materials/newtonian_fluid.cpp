@@ -16,13 +16,18 @@ struct NewtonianFluid {
       "sigma   = p I + 2 mu dev(d_eps)/dt                     no shear stress at rest, nor where the fluid has torn\n"
       "p       = min(p + K (opening + tr(d_eps)), tension_cutoff)\n"
       "opening = what this takes away from K tr(d_eps), over K: closes before pressure returns\n"
-      "c = sqrt(K/rho). For a flow that water would do, K = rho (10 v)^2 or more with v the largest speed keeps changes of\n"
-      "density near 1 % and the time step a hundredth of water's. The time step also heeds the viscosity (docs/methods.md).\n"
+      "c = sqrt(K/rho). For a flow that water would do, K = rho (10 v)^2 or more with v the largest speed keeps "
+      "changes of\n"
+      "density near 1 % and the time step a hundredth of water's. The time step also heeds the viscosity "
+      "(docs/methods.md).\n"
       "At rest the stress must be hydrostatic: initial.stress = \"k0\" with k0 = 1, its default, or \"equilibrium\".\n";
   static constexpr std::array parameters{
-      ParameterInfo{"bulk_modulus", "Pa", positive, "bulk modulus K = rho c^2, c the speed of sound", {}, {1e2, 1e10, false, false}, {}, Reduction::none, StrainScale::multiply},
-      ParameterInfo{"viscosity", "Pa s", not_negative, "dynamic viscosity mu; that of water is 0.001", 0.0, {1e-6, 1e6, false, false}, {}, Reduction::none, StrainScale::multiply_root},
-      ParameterInfo{"tension_cutoff", "Pa", not_negative, "largest tension before the fluid tears; inf: it never does", 0.0, {}},
+      ParameterInfo{"bulk_modulus", "Pa", positive, "bulk modulus K = rho c^2, c the speed of sound", {},
+          {1e2, 1e10, false, false}, {}, Reduction::none, StrainScale::multiply},
+      ParameterInfo{"viscosity", "Pa s", not_negative, "dynamic viscosity mu; that of water is 0.001", 0.0,
+          {1e-6, 1e6, false, false}, {}, Reduction::none, StrainScale::multiply_root},
+      ParameterInfo{
+          "tension_cutoff", "Pa", not_negative, "largest tension before the fluid tears; inf: it never does", 0.0, {}},
   };
   static constexpr std::array state{
       StateInfo{"opening", "-", Averaging::cell, "volume strain by which the fluid has torn open"},
@@ -35,7 +40,8 @@ struct NewtonianFluid {
   R update(SymTensor<R, Dim>& sigma, std::array<R, 1>& state, const SymTensor<R, Dim>& d_eps, Real dt) const
   {
     constexpr Real third = 1.0 / 3.0;
-    const R before = sigma[0] + ((sigma[1] - sigma[0]) + (sigma[2] - sigma[0])) * R(third);  // exact where all three are equal
+    const R before =
+        sigma[0] + ((sigma[1] - sigma[0]) + (sigma[2] - sigma[0])) * R(third);  // exact where all three are equal
     const R volumetric = trace(d_eps), strain = state[0] + volumetric, mean = volumetric * R(third);
     const R whole = before + R(bulk) * strain;
     const auto torn = whole > R(tension_cutoff);

@@ -19,14 +19,14 @@ namespace {
 /// returned point, rebuilt from its principal values, repeats to about 1e-13 in the worst cases met.
 constexpr Real yield_round_off = 1e-11;
 
-/// Newton steps of the returns. Measured for every softening that check() admits (residual over S_u, trial radii to 11 S_u,
-/// tests/materials/tresca_softening_test.cpp): on the plane 4e-7 after four, 3e-14 after five, round-off after six; on an edge,
-/// which starts from the plane's answer, 5e-9 after three and round-off after four.
+/// Newton steps of the returns. Measured for every softening that check() admits (residual over S_u, trial radii to 11
+/// S_u, tests/materials/tresca_softening_test.cpp): on the plane 4e-7 after four, 3e-14 after five, round-off after
+/// six; on an edge, which starts from the plane's answer, 5e-9 after three and round-off after four.
 constexpr int plane_steps = 5;
 constexpr int edge_steps = 6;
 
-/// A Newton step has settled when eta times it is below the first number, since the next one is of its square, or when it changes
-/// S_u by less than the second, since the equations depend on the step in no other way that is not linear.
+/// A Newton step has settled when eta times it is below the first number, since the next one is of its square, or when
+/// it changes S_u by less than the second, since the equations depend on the step in no other way that is not linear.
 constexpr Real settled_change = 1e-8;
 constexpr Real settled_strength = 1e-16;
 
@@ -35,12 +35,17 @@ struct TrescaSoftening {
       "sigma_1 - sigma_3 <= 2 S_u, principal stresses sorted in three dimensions; the pressure never changes\n"
       "S_u      = su_residual + (su_peak - su_residual) exp(-eta eps_eq_p)   Eq. (5)\n"
       "eps_eq_p = sum sqrt(1/2 de_p : de_p)                                  Eq. (6)\n"
-      "Exact implicit return to the plane or an edge of the yield surface. Needs eta (su_peak - su_residual) <= 1.5 G.\n";
+      "Exact implicit return to the plane or an edge of the yield surface. Needs eta (su_peak - su_residual) <= 1.5 "
+      "G.\n";
   static constexpr std::array parameters{
-      shear_modulus_info, poisson_ratio_info,
-      ParameterInfo{"su_peak", "Pa", positive, "peak undrained shear strength S_u,p", {}, {100.0, 1e7, false, false}, {}, Reduction::divide},
-      ParameterInfo{"su_residual", "Pa", positive, "residual undrained shear strength S_u,r", {}, {10.0, 1e7, false, false}, {}, Reduction::divide},
-      ParameterInfo{"eta", "-", not_negative, "shape factor of Eq. (5); S_u is 95 % softened at a strain of 3/eta", 0.0, {}, {}, Reduction::none, StrainScale::multiply},
+      shear_modulus_info,
+      poisson_ratio_info,
+      ParameterInfo{"su_peak", "Pa", positive, "peak undrained shear strength S_u,p", {}, {100.0, 1e7, false, false},
+          {}, Reduction::divide},
+      ParameterInfo{"su_residual", "Pa", positive, "residual undrained shear strength S_u,r", {},
+          {10.0, 1e7, false, false}, {}, Reduction::divide},
+      ParameterInfo{"eta", "-", not_negative, "shape factor of Eq. (5); S_u is 95 % softened at a strain of 3/eta", 0.0,
+          {}, {}, Reduction::none, StrainScale::multiply},
   };
   static constexpr std::array state{
       StateInfo{"eps_eq_p", "-", Averaging::cell, "accumulated equivalent plastic strain, Eq. (6)"},
@@ -101,22 +106,24 @@ struct TrescaSoftening {
 
     // Direction of the edge: (2, 2, -4)/3 where major = middle, (4, -2, -2)/3 where middle = minor, both times S_u.
     const R upper(2.0 / 3.0), lower(-4.0 / 3.0);
-    const Sorted<R> edge{select(past_major, upper, -lower), select(past_major, upper, -upper), select(past_major, lower, -upper)};
+    const Sorted<R> edge{
+        select(past_major, upper, -lower), select(past_major, upper, -upper), select(past_major, lower, -upper)};
     R edge_d_e = d_e;
     const Sorted<R> at_edge = return_to_edge(trial, edge, eps_eq_p, edge_d_e);
     d_e = select(on_edge, edge_d_e, d_e);
     return {select(on_edge, at_edge.major, result.major), select(on_edge, at_edge.middle, result.middle),
-            select(on_edge, at_edge.minor, result.minor)};
+        select(on_edge, at_edge.minor, result.minor)};
   }
 
-  /// True where a Newton step still matters: the strength changed by more than round-off over it, and so did its slope. strength:
-  /// before the step; a long step back from an overshoot leads to where far more of it is left than it says.
+  /// True where a Newton step still matters: the strength changed by more than round-off over it, and so did its slope.
+  /// strength: before the step; a long step back from an overshoot leads to where far more of it is left than it says.
   template <class R>
   auto unsettled(R step, const Strength<R>& strength) const
   {
     const R change = abs(step) * R(eta);
     const auto long_way_back = R(-eta) * step > R(1.0);
-    return (change > R(settled_change)) & (long_way_back | (change * strength.left > R(settled_strength) * strength.su));
+    return (change > R(settled_change)) &
+           (long_way_back | (change * strength.left > R(settled_strength) * strength.su));
   }
 
   /// Solves s1 - s3 - 4 G d = 2 S_u(eps_eq_p + d) for d >= 0. From d = 0 the first step overshoots, the rest fall.
@@ -150,8 +157,10 @@ struct TrescaSoftening {
       const R c = trial.minor - p - strength.su * edge.minor;
       const R distance = max(sqrt((a * a + b * b + c * c) * R(0.5)), R(tiny * shear));
       const R slope = (a * edge.major + b * edge.middle + c * edge.minor) * R(0.5) / distance;  // -d(distance)/d(S_u)
-      const R next = max(R(0.0), d - (R(2.0 * shear) * d - distance) / (R(2.0 * shear) - slope * (R(eta) * strength.left)));
-      const R at_next = strength.su - (next - d) * (R(eta) * strength.left);  // to second order in a step that has settled
+      const R next =
+          max(R(0.0), d - (R(2.0 * shear) * d - distance) / (R(2.0 * shear) - slope * (R(eta) * strength.left)));
+      const R at_next =
+          strength.su - (next - d) * (R(eta) * strength.left);  // to second order in a step that has settled
       const auto moves = open & unsettled(next - d, strength);
       su = select(open, at_next, su);
       d = select(open, next, d);
@@ -179,13 +188,14 @@ struct TrescaSoftening {
     std::vector<ParameterProblem> problems;
     if (su_residual > su_peak)
       problems.push_back({"su_residual", "the residual strength exceeds the peak strength",
-                          fmt::format("su_residual = {} Pa, at most su_peak = {} Pa.", su_residual, su_peak)});
+          fmt::format("su_residual = {} Pa, at most su_peak = {} Pa.", su_residual, su_peak)});
     const Real steepness = eta * (su_peak - su_residual), limit = 1.5 * shear;
     if (steepness > limit)
       problems.push_back({"eta", "softening is too steep",
-                          fmt::format("eta (su_peak - su_residual) = {:.3g} Pa, at most 1.5 G = {:.3g} Pa\n"
-                                      "(beyond sqrt(3) G the return mapping has no unique answer). Use eta <= {:.3g}, or a stiffer soil.",
-                                      steepness, limit, limit / (su_peak - su_residual))});
+          fmt::format(
+              "eta (su_peak - su_residual) = {:.3g} Pa, at most 1.5 G = {:.3g} Pa\n"
+              "(beyond sqrt(3) G the return mapping has no unique answer). Use eta <= {:.3g}, or a stiffer soil.",
+              steepness, limit, limit / (su_peak - su_residual))});
     return problems;
   }
 
@@ -199,6 +209,7 @@ struct TrescaSoftening {
 
 }  // namespace
 
-TERP_MATERIAL_DEFINITION(tresca_softening, TrescaSoftening, "Tresca with exponential softening of the undrained shear strength")
+TERP_MATERIAL_DEFINITION(
+    tresca_softening, TrescaSoftening, "Tresca with exponential softening of the undrained shear strength")
 
 }  // namespace terp

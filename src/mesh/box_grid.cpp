@@ -52,7 +52,8 @@ void choose_buckets(BoxGrid& grid, std::span<const BoundingBox> boxes)
   const Real n_buckets = std::max(1.0, 0.25 * static_cast<Real>(boxes.size()));
   const Real width = grid.high[0] - grid.low[0], height = grid.high[1] - grid.low[1];
   const Real along_x = std::sqrt(n_buckets * width / height);
-  const Real nx = std::isfinite(along_x) ? std::clamp(std::round(along_x), 1.0, std::floor(n_buckets)) : std::floor(n_buckets);
+  const Real nx =
+      std::isfinite(along_x) ? std::clamp(std::round(along_x), 1.0, std::floor(n_buckets)) : std::floor(n_buckets);
   divide(grid, {static_cast<Index>(nx), static_cast<Index>(std::max(1.0, std::floor(n_buckets / nx)))});
   while (count_entries(grid, boxes) > most_entries_per_box * static_cast<std::int64_t>(boxes.size()))
     divide(grid, {std::max(grid.n[0] / 2, 1), std::max(grid.n[1] / 2, 1)});
@@ -84,7 +85,8 @@ Real distance_to_line(Vec<2> a, Vec<2> b, Vec<2> x)
 {
   const Vec<2> along{b[0] - a[0], b[1] - a[1]};
   const Real squared = along[0] * along[0] + along[1] * along[1];
-  const Real t = squared > 0.0 ? std::clamp(((x[0] - a[0]) * along[0] + (x[1] - a[1]) * along[1]) / squared, 0.0, 1.0) : 0.0;
+  const Real t =
+      squared > 0.0 ? std::clamp(((x[0] - a[0]) * along[0] + (x[1] - a[1]) * along[1]) / squared, 0.0, 1.0) : 0.0;
   return std::hypot(x[0] - a[0] - t * along[0], x[1] - a[1] - t * along[1]);
 }
 
@@ -125,8 +127,10 @@ std::span<const Index> boxes_near(const BoxGrid& grid, Vec<2> place)
 {
   for (int d = 0; d < 2; ++d)
     if (grid.n[d] == 0 || !(place[d] >= grid.low[d] && place[d] <= grid.high[d])) return {};
-  const std::size_t bucket = static_cast<std::size_t>(bucket_along(grid, 1, place[1])) * grid.n[0] + bucket_along(grid, 0, place[0]);
-  return std::span(grid.boxes).subspan(grid.first_of_bucket[bucket], grid.first_of_bucket[bucket + 1] - grid.first_of_bucket[bucket]);
+  const std::size_t bucket =
+      static_cast<std::size_t>(bucket_along(grid, 1, place[1])) * grid.n[0] + bucket_along(grid, 0, place[0]);
+  return std::span(grid.boxes)
+      .subspan(grid.first_of_bucket[bucket], grid.first_of_bucket[bucket + 1] - grid.first_of_bucket[bucket]);
 }
 
 }  // namespace terp

@@ -23,18 +23,19 @@ Real distance_to_line(Vec<2> a, Vec<2> b, Vec<2> x);
 BoundingBox widened(const BoundingBox& box, Real share);
 
 struct BoxGrid {
-  Vec<2> low{0.0, 0.0};                  ///< lower left corner of the first bucket [m]
-  Vec<2> high{0.0, 0.0};                 ///< upper right corner of the last bucket [m]
-  Vec<2> buckets_per_metre{0.0, 0.0};    ///< [1/m]
-  std::array<Index, 2> n{0, 0};          ///< buckets in x and y
-  std::vector<Index> first_of_bucket;    ///< into boxes, shape [n_buckets + 1]
-  std::vector<Index> boxes;              ///< ascending within a bucket
+  Vec<2> low{0.0, 0.0};                ///< lower left corner of the first bucket [m]
+  Vec<2> high{0.0, 0.0};               ///< upper right corner of the last bucket [m]
+  Vec<2> buckets_per_metre{0.0, 0.0};  ///< [1/m]
+  std::array<Index, 2> n{0, 0};        ///< buckets in x and y
+  std::vector<Index> first_of_bucket;  ///< into boxes, shape [n_buckets + 1]
+  std::vector<Index> boxes;            ///< ascending within a bucket
 };
 
 /// About one bucket for four boxes. Memory stays below 16 entries per box, whatever the sizes of the boxes.
 BoxGrid make_box_grid(std::span<const BoundingBox> boxes);
 
-/// Numbers, ascending, of boxes that may hold the place; none that does is left out. Empty for a place that is not finite.
+/// Numbers, ascending, of boxes that may hold the place; none that does is left out. Empty for a place that is not
+/// finite.
 std::span<const Index> boxes_near(const BoxGrid& grid, Vec<2> place);
 
 }  // namespace terp

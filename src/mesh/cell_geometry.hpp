@@ -14,13 +14,13 @@ template <>
 struct CellGeometry<2> {
   static constexpr int n_gauss = 4;
 
-  Vec<2> axis_xi, axis_eta, twist;           ///< [m]
-  bool affine = true;                        ///< parallelogram: twist is zero to round-off
+  Vec<2> axis_xi, axis_eta, twist;                ///< [m]
+  bool affine = true;                             ///< parallelogram: twist is zero to round-off
   std::array<std::array<Vec<4>, 2>, 4> gradient;  ///< dN_i/dx_d at Gauss point g [1/m], shape [corner i][d][g]
-  std::array<Vec<2>, 4> centre_gradient;     ///< dN_i/dx_d at the centre [1/m], shape [corner][d]
-  Vec<4> gauss_volume;                       ///< w_g detJ(xi_g) [m^2]
-  Real volume = 0.0;                         ///< [m^2]
-  Real altitude = 0.0;                       ///< L_e: smallest height over a side [m], reading R19
+  std::array<Vec<2>, 4> centre_gradient;          ///< dN_i/dx_d at the centre [1/m], shape [corner][d]
+  Vec<4> gauss_volume;                            ///< w_g detJ(xi_g) [m^2]
+  Real volume = 0.0;                              ///< [m^2]
+  Real altitude = 0.0;                            ///< L_e: smallest height over a side [m], reading R19
 };
 
 /// Offset of the place (xi, eta) from the cell's centre [m].
@@ -58,10 +58,11 @@ void improve_local_coordinates(const CellGeometry<2>& cell, R x, R y, R& xi, R& 
 }
 
 /// Local coordinates of a place given as offset p from the cell's centre [m]; a pure function of the offset. The map
-/// p = a xi + b eta + t xi eta gives cross(p - a xi, b + t xi) = 0, quadratic in xi, and the same for eta with a and b changed; of the
-/// roots the one with detJ > 0. Both discriminants are detJ^2 at the answer. Unlike Newton's method it finds places beside a corner that
-/// is almost straight. There its round-off is 3e-13 of the side; one Newton step leaves 2e-16. Not a number where there is no root.
-/// Far outside a twisted cell the answer need not map back to the place (locate.cpp).
+/// p = a xi + b eta + t xi eta gives cross(p - a xi, b + t xi) = 0, quadratic in xi, and the same for eta with a and b
+/// changed; of the roots the one with detJ > 0. Both discriminants are detJ^2 at the answer. Unlike Newton's method it
+/// finds places beside a corner that is almost straight. There its round-off is 3e-13 of the side; one Newton step
+/// leaves 2e-16. Not a number where there is no root. Far outside a twisted cell the answer need not map back to the
+/// place (locate.cpp).
 template <class R>
 std::array<R, 2> local_coordinates(const CellGeometry<2>& cell, R x, R y)
 {

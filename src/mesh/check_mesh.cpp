@@ -12,14 +12,18 @@ namespace {
 constexpr Real largest_coordinate = 1e9;  // [m]; beyond it a cell of a metre is near round-off
 
 const std::string reshape_advice =
-    "Every cell must be convex. In gmsh: optimise the mesh (Optimize Mesh, Laplace2D), use a smaller element size there, or recombine with "
+    "Every cell must be convex. In gmsh: optimise the mesh (Optimize Mesh, Laplace2D), use a smaller element size "
+    "there, or recombine with "
     "Mesh.SubdivisionAlgorithm = 1.";
 const std::string turn_advice =
-    "The nodes of a cell run counter-clockwise. A surface drawn the other way round, all its cells clockwise, is turned; among others such a "
-    "cell is folded over. In gmsh: move its nodes, optimise the mesh, or use a smaller element size there. In a file written by a program: "
+    "The nodes of a cell run counter-clockwise. A surface drawn the other way round, all its cells clockwise, is "
+    "turned; among others such a "
+    "cell is folded over. In gmsh: move its nodes, optimise the mesh, or use a smaller element size there. In a file "
+    "written by a program: "
     "give its nodes in the other order.";
 const std::string coherence_advice =
-    "Two surfaces that touch must share their curve and its nodes. In gmsh: `Coherence;` in the .geo file before meshing, or "
+    "Two surfaces that touch must share their curve and its nodes. In gmsh: `Coherence;` in the .geo file before "
+    "meshing, or "
     "`Coherence Mesh;` after it (Tools menu: Remove duplicate nodes).";
 
 Vec<2> between(Vec<2> from, Vec<2> to) { return {to[0] - from[0], to[1] - from[1]}; }
@@ -35,12 +39,13 @@ void check_numbers(const Mesh<2>& mesh)
     for (const Real x : mesh.nodes[i])
       if (!(std::abs(x) <= largest_coordinate)) {
         faults.add("a coordinate is not a length that Terp can use", node_name(mesh, i),
-                   fmt::format("Coordinates are in metres, finite, at most {:g} m.", largest_coordinate));
+            fmt::format("Coordinates are in metres, finite, at most {:g} m.", largest_coordinate));
         break;
       }
   for (Index e = 0; e < mesh.n_cells(); ++e)
     for (const Index i : mesh.cells[e])
-      if (i < 0 || i >= mesh.n_nodes()) faults.add(fmt::format("{} names node {}, of {}", cell_name(mesh, e), i, mesh.n_nodes()), "", "");
+      if (i < 0 || i >= mesh.n_nodes())
+        faults.add(fmt::format("{} names node {}, of {}", cell_name(mesh, e), i, mesh.n_nodes()), "", "");
   faults.stop_if_any();
 }
 
@@ -92,7 +97,8 @@ void check_shapes(const Mesh<2>& mesh, std::vector<char>& usable, MeshFaults& fa
     const std::string fault = fault_of_shape(mesh, e);
     if (fault.empty()) continue;
     usable[e] = false;
-    faults.add(cell_name(mesh, e) + " " + fault, corner_names(mesh, e), fault.starts_with("is inverted") ? turn_advice : reshape_advice);
+    faults.add(cell_name(mesh, e) + " " + fault, corner_names(mesh, e),
+        fault.starts_with("is inverted") ? turn_advice : reshape_advice);
   }
 }
 
@@ -106,8 +112,9 @@ void check_duplicates(const Mesh<2>& mesh, std::vector<char>& usable, MeshFaults
     const auto [first, is_new] = known.try_emplace(nodes, e);
     if (is_new) continue;
     usable[e] = false;
-    faults.add(fmt::format("{} and {} have the same nodes", cell_name(mesh, first->second), cell_name(mesh, e)), corner_names(mesh, e),
-               "Remove one of the two. In gmsh: Tools menu, Remove duplicate elements; look for two surfaces at one place.");
+    faults.add(fmt::format("{} and {} have the same nodes", cell_name(mesh, first->second), cell_name(mesh, e)),
+        corner_names(mesh, e),
+        "Remove one of the two. In gmsh: Tools menu, Remove duplicate elements; look for two surfaces at one place.");
   }
 }
 
@@ -140,10 +147,11 @@ void check_shared_edge(const Mesh<2>& mesh, std::span<const Edge> shared, MeshFa
     std::string cells;
     for (const Edge& edge : shared) cells += (cells.empty() ? "" : ", ") + cell_name(mesh, edge.cell);
     faults.add(fmt::format("a side is shared by {} cells: {}", shared.size(), cells), nodes,
-               "A side belongs to one or two cells. Look for surfaces that overlap.");
+        "A side belongs to one or two cells. Look for surfaces that overlap.");
   } else if (shared[0].from == shared[1].from) {
-    faults.add(fmt::format("{} and {} lie on the same side of their common side", cell_name(mesh, shared[0].cell), cell_name(mesh, shared[1].cell)),
-               nodes, "The mesh is folded there: one of the two cells is inverted. " + reshape_advice);
+    faults.add(fmt::format("{} and {} lie on the same side of their common side", cell_name(mesh, shared[0].cell),
+                   cell_name(mesh, shared[1].cell)),
+        nodes, "The mesh is folded there: one of the two cells is inverted. " + reshape_advice);
   }
 }
 
@@ -167,7 +175,8 @@ enum class OnEdge { no, inside, at_low, at_high };
 
 OnEdge place_on_edge(const Mesh<2>& mesh, const Edge& edge, Index node)
 {
-  const Vec<2> along = between(mesh.nodes[edge.low], mesh.nodes[edge.high]), to = between(mesh.nodes[edge.low], mesh.nodes[node]);
+  const Vec<2> along = between(mesh.nodes[edge.low], mesh.nodes[edge.high]),
+               to = between(mesh.nodes[edge.low], mesh.nodes[node]);
   const Real reach = degenerate_share * length(along);
   if (length(to) <= reach) return OnEdge::at_low;
   if (length(between(mesh.nodes[edge.high], mesh.nodes[node])) <= reach) return OnEdge::at_high;
@@ -176,21 +185,23 @@ OnEdge place_on_edge(const Mesh<2>& mesh, const Edge& edge, Index node)
   return is_beside ? OnEdge::inside : OnEdge::no;
 }
 
-void report_node_on_edge(const Mesh<2>& mesh, const Edge& edge, Index node, std::set<std::pair<Index, Index>>& known, MeshFaults& faults)
+void report_node_on_edge(
+    const Mesh<2>& mesh, const Edge& edge, Index node, std::set<std::pair<Index, Index>>& known, MeshFaults& faults)
 {
   if (node == edge.low || node == edge.high) return;
   const OnEdge place = place_on_edge(mesh, edge, node);
   if (place == OnEdge::no) return;
   if (place == OnEdge::inside) {
     faults.add(fmt::format("{} has a hanging node inside a side", cell_name(mesh, edge.cell)),
-               fmt::format("{} lies between {} and {}", node_name(mesh, node), node_name(mesh, edge.low), node_name(mesh, edge.high)),
-               "Cells must meet side to side. " + coherence_advice);
+        fmt::format(
+            "{} lies between {} and {}", node_name(mesh, node), node_name(mesh, edge.low), node_name(mesh, edge.high)),
+        "Cells must meet side to side. " + coherence_advice);
     return;
   }
   const Index other = place == OnEdge::at_low ? edge.low : edge.high;
   if (known.insert(std::minmax(node, other)).second)
-    faults.add("two nodes lie at one place", node_name(mesh, std::min(node, other)) + ", " + node_name(mesh, std::max(node, other)),
-               coherence_advice);
+    faults.add("two nodes lie at one place",
+        node_name(mesh, std::min(node, other)) + ", " + node_name(mesh, std::max(node, other)), coherence_advice);
 }
 
 /// Hanging nodes and nodes at one place: both lie on the boundary of what is connected.
@@ -199,13 +210,15 @@ void check_boundary_nodes(const Mesh<2>& mesh, const std::vector<Edge>& boundary
   std::vector<BoundingBox> boxes;
   std::set<Index> nodes;
   for (const Edge& edge : boundary) {
-    boxes.push_back(widened(box_around(std::array{mesh.nodes[edge.low], mesh.nodes[edge.high]}), 2.0 * degenerate_share));
+    boxes.push_back(
+        widened(box_around(std::array{mesh.nodes[edge.low], mesh.nodes[edge.high]}), 2.0 * degenerate_share));
     nodes.insert({edge.low, edge.high});
   }
   const BoxGrid grid = make_box_grid(boxes);
   std::set<std::pair<Index, Index>> known;
   for (const Index node : nodes)
-    for (const Index k : boxes_near(grid, mesh.nodes[node])) report_node_on_edge(mesh, boundary[k], node, known, faults);
+    for (const Index k : boxes_near(grid, mesh.nodes[node]))
+      report_node_on_edge(mesh, boundary[k], node, known, faults);
 }
 
 bool is_inside(const std::array<Vec<2>, 4>& corners, Vec<2> x)
@@ -227,7 +240,7 @@ void check_overlap(const Mesh<2>& mesh, MeshFaults& faults)
     for (const Index other : boxes_near(grid, centre))
       if (other != e && is_inside(mesh.corners(other), centre))
         faults.add(fmt::format("{} and {} overlap", cell_name(mesh, e), cell_name(mesh, other)), corner_names(mesh, e),
-                   "A place may belong to one cell only. Look for surfaces that overlap, or are meshed twice.");
+            "A place may belong to one cell only. Look for surfaces that overlap, or are meshed twice.");
   }
 }
 

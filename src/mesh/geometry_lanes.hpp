@@ -32,7 +32,8 @@ inline GeometryLanes repeat_in_lanes(const CellGeometry<2>& cell)
 
 inline GeometryLanes geometry_lanes(const std::array<const CellGeometry<2>*, pack_width>& cells)
 {
-  if (std::all_of(cells.begin(), cells.end(), [&](const auto* cell) { return cell == cells[0]; })) return repeat_in_lanes(*cells[0]);
+  if (std::all_of(cells.begin(), cells.end(), [&](const auto* cell) { return cell == cells[0]; }))
+    return repeat_in_lanes(*cells[0]);
   GeometryLanes lanes;
   for (int i = 0; i < 4; ++i)
     for (int d = 0; d < 2; ++d) lanes.gradient[i][d] = to_lanes([&](int c) { return cells[c]->gradient[i][d].data(); });

@@ -5,12 +5,12 @@
 namespace terp {
 namespace {
 
-/// The inverse map has arrived when its answer maps back to the place within this part of the cell's altitude: far above the
-/// round-off of coordinates, far below any cell.
+/// The inverse map has arrived when its answer maps back to the place within this part of the cell's altitude: far
+/// above the round-off of coordinates, far below any cell.
 constexpr Real arrival_tolerance = 1e-9;
 
-/// Coordinates that say which straight side a place lies beyond, for where the inverse map has no answer: 1 + distance over the
-/// cell's altitude across that side, inside [-1, 1] otherwise.
+/// Coordinates that say which straight side a place lies beyond, for where the inverse map has no answer: 1 + distance
+/// over the cell's altitude across that side, inside [-1, 1] otherwise.
 Vec<2> beyond_sides(const Mesh<2>& mesh, Index cell, Vec<2> x, Vec<2> guess)
 {
   const auto corners = mesh.corners(cell);

@@ -1,4 +1,5 @@
-// Which cell holds a place: a walk over the crossed sides from a first guess, then a search of all cells near the place.
+// Which cell holds a place: a walk over the crossed sides from a first guess, then a search of all cells near the
+// place.
 #pragma once
 
 #include "mesh/mesh.hpp"
@@ -9,12 +10,13 @@ namespace terp {
 inline constexpr Real location_tolerance = 1e-10;
 
 struct Location {
-  Index cell;      ///< the holding cell; for a place outside the mesh the last cell of the walk
-  Vec<2> local;    ///< xi, eta in that cell
+  Index cell;    ///< the holding cell; for a place outside the mesh the last cell of the walk
+  Vec<2> local;  ///< xi, eta in that cell
   bool inside;
 };
 
-/// Cells are half-open, [-1, 1) in xi and eta, so that a place on a side has one owner; the mesh's own boundary is closed.
+/// Cells are half-open, [-1, 1) in xi and eta, so that a place on a side has one owner; the mesh's own boundary is
+/// closed.
 Location locate(const Mesh<2>& mesh, Vec<2> x, Index first_guess);
 
 /// The same without a first guess. For a place outside the mesh the cell is some cell, not the nearest.

@@ -25,7 +25,7 @@ void find_neighbours(Mesh<2>& mesh)
       edges.push_back({low, high, {e, s}});
     }
   std::stable_sort(edges.begin(), edges.end(),
-                   [](const Edge& a, const Edge& b) { return std::pair(a.low, a.high) < std::pair(b.low, b.high); });
+      [](const Edge& a, const Edge& b) { return std::pair(a.low, a.high) < std::pair(b.low, b.high); });
   mesh.neighbours.assign(mesh.cells.size(), {outside, outside, outside, outside});
   for (std::size_t k = 1; k < edges.size(); ++k) {
     const Edge &a = edges[k - 1], &b = edges[k];
@@ -71,7 +71,8 @@ void list_cells_of_nodes(Mesh<2>& mesh)
   mesh.cells_of_node.resize(4 * mesh.cells.size());
   for (Index e = 0; e < mesh.n_cells(); ++e)
     for (Index c = 0; c < 4; ++c)
-      mesh.cells_of_node[next[mesh.cells[e][c]]++] = {static_cast<std::uint32_t>(e) & 0x3fffffffu, static_cast<std::uint32_t>(c) & 3u};
+      mesh.cells_of_node[next[mesh.cells[e][c]]++] = {
+          static_cast<std::uint32_t>(e) & 0x3fffffffu, static_cast<std::uint32_t>(c) & 3u};
 }
 
 /// Boxes are widened so that a place accepted by round-off (location_tolerance, 1e-10) lies in the box of its cell.

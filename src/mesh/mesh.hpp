@@ -32,27 +32,27 @@ struct NamedRegion {
 
 /// A cell around a node, and which of its corners the node is.
 struct CellCorner {
-  std::uint32_t cell : 30;    // together the size of one Index: a mesh is mostly such tables
+  std::uint32_t cell : 30;  // together the size of one Index: a mesh is mostly such tables
   std::uint32_t corner : 2;
 };
 
 template <int Dim>
 struct Mesh {
-  std::vector<Vec<Dim>> nodes;                                ///< [m], shape [n_nodes]
-  std::vector<std::array<Index, n_corners<Dim>>> cells;       ///< corners, counter-clockwise, shape [n_cells]
-  std::vector<std::array<Index, 2 * Dim>> neighbours;         ///< cell over each side, or `outside`, shape [n_cells]
+  std::vector<Vec<Dim>> nodes;                           ///< [m], shape [n_nodes]
+  std::vector<std::array<Index, n_corners<Dim>>> cells;  ///< corners, counter-clockwise, shape [n_cells]
+  std::vector<std::array<Index, 2 * Dim>> neighbours;    ///< cell over each side, or `outside`, shape [n_cells]
   std::vector<NamedSide> sides;
-  std::vector<NamedRegion> regions;                           ///< empty for the built-in meshes
-  std::vector<Vec<Dim>> centres;                              ///< mean of the corners [m], shape [n_cells]
-  std::vector<CellGeometry<Dim>> geometries;                  ///< distinct shapes; equal cells share one
-  std::vector<Index> geometry_of_cell;                        ///< shape [n_cells]
-  std::vector<Index> first_cell_of_node;                      ///< into cells_of_node, shape [n_nodes + 1]
-  std::vector<CellCorner> cells_of_node;                      ///< in order of cell number
-  Real smallest_altitude = 0.0;                               ///< [m]
+  std::vector<NamedRegion> regions;           ///< empty for the built-in meshes
+  std::vector<Vec<Dim>> centres;              ///< mean of the corners [m], shape [n_cells]
+  std::vector<CellGeometry<Dim>> geometries;  ///< distinct shapes; equal cells share one
+  std::vector<Index> geometry_of_cell;        ///< shape [n_cells]
+  std::vector<Index> first_cell_of_node;      ///< into cells_of_node, shape [n_nodes + 1]
+  std::vector<CellCorner> cells_of_node;      ///< in order of cell number
+  Real smallest_altitude = 0.0;               ///< [m]
   Index cell_of_smallest_altitude = 0;
-  BoxGrid cell_grid;                                          ///< of the cells' boxes, for places without a first guess
-  std::vector<std::int64_t> node_numbers;                     ///< of the mesh file, shape [n_nodes]; empty for the built-in meshes
-  std::vector<std::int64_t> cell_numbers;                     ///< of the mesh file, shape [n_cells]; empty for the built-in meshes
+  BoxGrid cell_grid;                       ///< of the cells' boxes, for places without a first guess
+  std::vector<std::int64_t> node_numbers;  ///< of the mesh file, shape [n_nodes]; empty for the built-in meshes
+  std::vector<std::int64_t> cell_numbers;  ///< of the mesh file, shape [n_cells]; empty for the built-in meshes
 
   Index n_nodes() const { return static_cast<Index>(nodes.size()); }
   Index n_cells() const { return static_cast<Index>(cells.size()); }
@@ -68,7 +68,8 @@ struct Mesh {
 /// Fills everything that follows from nodes and cells: neighbours, centres, geometries, cells of nodes, grid of cells.
 void connect(Mesh<2>& mesh);
 
-/// Cells between (n[0] + 1) x (n[1] + 1) nodes that run along x first; n: cells per direction. Sides "left", "right", "bottom", "top".
+/// Cells between (n[0] + 1) x (n[1] + 1) nodes that run along x first; n: cells per direction. Sides "left", "right",
+/// "bottom", "top".
 Mesh<2> make_grid(std::vector<Vec<2>> nodes, std::array<Index, 2> n);
 
 /// Regular rectangle with sides "left", "right", "bottom", "top". n: cells per direction. Cells run along x first.

@@ -9,7 +9,10 @@ namespace {
 
 constexpr std::int64_t most_shown = 10, most_counted = 1000;
 
-std::int64_t node_number(const Mesh<2>& mesh, Index node) { return mesh.node_numbers.empty() ? node : mesh.node_numbers[node]; }
+std::int64_t node_number(const Mesh<2>& mesh, Index node)
+{
+  return mesh.node_numbers.empty() ? node : mesh.node_numbers[node];
+}
 
 }  // namespace
 
@@ -57,7 +60,11 @@ void MeshFaults::add(const std::string& what, const std::string& places, const s
 void MeshFaults::stop_if_any() const
 {
   if (empty()) return;
-  std::string text = fmt::format("{} has {} fault{}:{}", title_, n_, n_ == 1 ? "" : n_ == most_counted ? "s or more" : "s", text_);
+  std::string text = fmt::format("{} has {} fault{}:{}", title_, n_,
+      n_ == 1              ? ""
+      : n_ == most_counted ? "s or more"
+                           : "s",
+      text_);
   if (n_ > n_shown_) text += fmt::format("\n  and {} more", n_ - n_shown_);
   for (const auto& advice : advice_) text += "\n  " + advice;
   throw MeshError(text);

@@ -36,7 +36,8 @@ class MeshFaults {
   /// title: what has the faults, e.g. "the mesh".
   explicit MeshFaults(std::string title) : title_(std::move(title)) {}
   /// what: one line on what is wrong and where, without full stop. places: nodes and coordinates; may be empty.
-  /// advice: a sentence on what to do; may be empty. The thousandth fault stops at once: nobody reads on, and a hopeless file costs no time.
+  /// advice: a sentence on what to do; may be empty. The thousandth fault stops at once: nobody reads on, and a
+  /// hopeless file costs no time.
   void add(const std::string& what, const std::string& places, const std::string& advice);
   /// Counts faults that are not shown.
   void count_more(std::int64_t n) { n_ += n; }

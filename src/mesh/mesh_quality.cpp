@@ -25,7 +25,8 @@ CellShape shape_of(const Mesh<2>& mesh, Index cell)
   Real jacobian = 1.0;
   for (int i = 0; i < 4; ++i) {
     const int before = (i + 3) % 4;
-    jacobian = std::min(jacobian, (side[before][0] * side[i][1] - side[before][1] * side[i][0]) / (length[before] * length[i]));
+    jacobian = std::min(
+        jacobian, (side[before][0] * side[i][1] - side[before][1] * side[i][0]) / (length[before] * length[i]));
   }
   return {jacobian, *std::max_element(length.begin(), length.end()) / mesh.geometry(cell).altitude};
 }
@@ -67,15 +68,20 @@ void name_cell(const Mesh<2>& mesh, CellValue& at)
   at.centre = mesh.centres[at.cell];
 }
 
-std::string where(const CellValue& at) { return fmt::format("{} at x={} y={}", at.name, coordinate_text(at.centre[0]), coordinate_text(at.centre[1])); }
+std::string where(const CellValue& at)
+{
+  return fmt::format("{} at x={} y={}", at.name, coordinate_text(at.centre[0]), coordinate_text(at.centre[1]));
+}
 
 std::string warnings(const MeshQuality& quality)
 {
   std::string text;
   if (quality.cost > costly)
-    text += fmt::format("  warning: dt is set by {}: {:.3g}x smaller than the median\n", where(quality.smallest_altitude), quality.cost);
+    text += fmt::format("  warning: dt is set by {}: {:.3g}x smaller than the median\n",
+        where(quality.smallest_altitude), quality.cost);
   if (quality.n_parts > 1)
-    text += fmt::format("  warning: the mesh has {} parts that share no side; soil cannot pass from one to the other\n", quality.n_parts);
+    text += fmt::format("  warning: the mesh has {} parts that share no side; soil cannot pass from one to the other\n",
+        quality.n_parts);
   return text;
 }
 
@@ -96,7 +102,8 @@ MeshQuality measure_quality(const Mesh<2>& mesh)
     if (shape.aspect > quality.largest_aspect.value) quality.largest_aspect = {shape.aspect, e, {}, {}};
     altitudes.push_back(mesh.geometry(e).altitude);
   }
-  for (CellValue* at : {&quality.smallest_altitude, &quality.smallest_jacobian, &quality.largest_aspect}) name_cell(mesh, *at);
+  for (CellValue* at : {&quality.smallest_altitude, &quality.smallest_jacobian, &quality.largest_aspect})
+    name_cell(mesh, *at);
   quality.median_altitude = median(std::move(altitudes));
   quality.cost = quality.median_altitude / quality.smallest_altitude.value;
   return quality;
@@ -105,10 +112,12 @@ MeshQuality measure_quality(const Mesh<2>& mesh)
 std::string describe(const MeshQuality& quality)
 {
   std::string text = fmt::format("  mesh           {} cells, {} nodes\n", quality.n_cells, quality.n_nodes);
-  text += fmt::format("  smallest cell  {:.4g} m high, {}; median {:.4g} m\n", quality.smallest_altitude.value, where(quality.smallest_altitude),
-                      quality.median_altitude);
-  text += fmt::format("  sharpest cell  scaled Jacobian {:.3f}, {}\n", quality.smallest_jacobian.value, where(quality.smallest_jacobian));
-  text += fmt::format("  slimmest cell  aspect ratio {:.3g}, {}\n", quality.largest_aspect.value, where(quality.largest_aspect));
+  text += fmt::format("  smallest cell  {:.4g} m high, {}; median {:.4g} m\n", quality.smallest_altitude.value,
+      where(quality.smallest_altitude), quality.median_altitude);
+  text += fmt::format("  sharpest cell  scaled Jacobian {:.3f}, {}\n", quality.smallest_jacobian.value,
+      where(quality.smallest_jacobian));
+  text += fmt::format(
+      "  slimmest cell  aspect ratio {:.3g}, {}\n", quality.largest_aspect.value, where(quality.largest_aspect));
   text += fmt::format("  mesh cost      {:.3g}x the time steps of the median cell\n", quality.cost);
   return text + warnings(quality);
 }

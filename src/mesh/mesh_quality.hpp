@@ -12,19 +12,20 @@ namespace terp {
 struct CellValue {
   Real value = 0.0;
   Index cell = 0;
-  std::string name;    ///< as in mesh_error.hpp
-  Vec<2> centre{};     ///< [m]
+  std::string name;  ///< as in mesh_error.hpp
+  Vec<2> centre{};   ///< [m]
 };
 
 struct MeshQuality {
   Index n_cells = 0;
   Index n_nodes = 0;
-  Index n_parts = 0;                 ///< pieces that share no side; 1 for an ordinary mesh
-  CellValue smallest_altitude;       ///< L_e [m], decides the time step (reading R19)
-  CellValue smallest_jacobian;       ///< smallest scaled Jacobian: sine of the sharpest corner's angle; 1 for a rectangle [-]
-  CellValue largest_aspect;          ///< longest side over altitude; 1 for a square [-]
-  Real median_altitude = 0.0;        ///< [m]
-  Real cost = 1.0;                   ///< median altitude over the smallest: how many times more steps the smallest cell asks for [-]
+  Index n_parts = 0;            ///< pieces that share no side; 1 for an ordinary mesh
+  CellValue smallest_altitude;  ///< L_e [m], decides the time step (reading R19)
+  CellValue
+      smallest_jacobian;       ///< smallest scaled Jacobian: sine of the sharpest corner's angle; 1 for a rectangle [-]
+  CellValue largest_aspect;    ///< longest side over altitude; 1 for a square [-]
+  Real median_altitude = 0.0;  ///< [m]
+  Real cost = 1.0;  ///< median altitude over the smallest: how many times more steps the smallest cell asks for [-]
 };
 
 /// Cost from which one cell is worth a warning.

@@ -21,14 +21,15 @@
 namespace terp {
 namespace {
 
-constexpr double longest_run = 600.0;         // [s] that gmsh may take
-constexpr Real merged_share = 0.2;            // of a cell: followed places closer than this are one, lest a sliver sets the time step
-constexpr Real many_cells = 2e5;              // from which on the user is told that gmsh is at work
-constexpr const char* improvement = "1";      // part of the key: raise it when improve.cpp gives other meshes
+constexpr double longest_run = 600.0;  // [s] that gmsh may take
+constexpr Real merged_share =
+    0.2;  // of a cell: followed places closer than this are one, lest a sliver sets the time step
+constexpr Real many_cells = 2e5;          // from which on the user is told that gmsh is at work
+constexpr const char* improvement = "1";  // part of the key: raise it when improve.cpp gives other meshes
 
-/// In the order in which they are tried. Size factors: measured on a rectangle, a curved domain and a dike section. Packed parallelograms
-/// (algorithm 9) gave the largest smallest altitude everywhere, and squares where squares fit; Frontal-Delaunay (6) with Blossom pairs
-/// gives meshes without a grain.
+/// In the order in which they are tried. Size factors: measured on a rectangle, a curved domain and a dike section.
+/// Packed parallelograms (algorithm 9) gave the largest smallest altitude everywhere, and squares where squares fit;
+/// Frontal-Delaunay (6) with Blossom pairs gives meshes without a grain.
 std::vector<Recipe> recipes(int variant)
 {
   if (variant == 0) return {{9, 0, 0, 1.0}, {6, 1, 0, 1.08}, {5, 1, 0, 1.13}};
@@ -37,16 +38,18 @@ std::vector<Recipe> recipes(int variant)
 
 [[noreturn]] void refuse_without_gmsh()
 {
-  throw MeshError("gmsh is not installed; Terp needs it to make a mesh from a polygon\n"
-                  "  Install it: apt-get install gmsh\n"
-                  "  or bring a mesh that you have made elsewhere: [mesh] file = \"section.msh\"");
+  throw MeshError(
+      "gmsh is not installed; Terp needs it to make a mesh from a polygon\n"
+      "  Install it: apt-get install gmsh\n"
+      "  or bring a mesh that you have made elsewhere: [mesh] file = \"section.msh\"");
 }
 
 ProcessResult run_gmsh(std::vector<std::string> arguments, const std::string& home)
 {
   arguments.insert(arguments.begin(), "gmsh");
   // A home of its own: the user's gmsh options must not change the mesh.
-  const ProcessResult result = run_process(arguments, longest_run, {"GMSH_HOME=" + home, "LC_ALL=C", "OMP_NUM_THREADS=1"});
+  const ProcessResult result =
+      run_process(arguments, longest_run, {"GMSH_HOME=" + home, "LC_ALL=C", "OMP_NUM_THREADS=1"});
   if (result.interrupted || result.signal == SIGINT) throw MeshError("gmsh was interrupted");
   return result;
 }
@@ -92,14 +95,18 @@ std::vector<Real> targets_of(const GmshNodes& file, const PolygonMesh& mesh)
   return target;
 }
 
-/// What gmsh writes for one recipe, with better cells; empty, and the reason in `why`, if they are not all convex quadrilaterals.
-std::string try_recipe(const PolygonMesh& mesh, const PlanarMap& map, const Recipe& recipe, const std::string& folder, std::string& why)
+/// What gmsh writes for one recipe, with better cells; empty, and the reason in `why`, if they are not all convex
+/// quadrilaterals.
+std::string try_recipe(
+    const PolygonMesh& mesh, const PlanarMap& map, const Recipe& recipe, const std::string& folder, std::string& why)
 {
   const std::string script = folder + "/section.geo", result = folder + "/section.msh";
   std::ofstream(script) << geo_text(mesh, map, recipe);
   std::filesystem::remove(result);
   const ProcessResult run = run_gmsh({"-2", script, "-o", result, "-nt", "1", "-v", "2"}, folder);
-  why = run.timed_out ? fmt::format("gmsh did not finish in {:g} s", longest_run) : run.signal != 0 ? fmt::format("gmsh crashed (signal {})", run.signal) : run.output;
+  why = run.timed_out     ? fmt::format("gmsh did not finish in {:g} s", longest_run)
+        : run.signal != 0 ? fmt::format("gmsh crashed (signal {})", run.signal)
+                          : run.output;
   std::string bytes = bytes_of(result);
   if (!run.succeeded() || bytes.empty()) return "";
   GmshNodes file = find_nodes(bytes);
@@ -117,7 +124,8 @@ void tell_of_work(const PolygonMesh& mesh)
 {
   Real n = estimate_cells(mesh);
   for (const Refinement& refine : mesh.refine) n += estimate_more_cells(mesh, refine);
-  if (n > many_cells) fmt::print(stderr, "gmsh is at work on about {:.2g} million cells; it may take minutes, once\n", n / 1e6);
+  if (n > many_cells)
+    fmt::print(stderr, "gmsh is at work on about {:.2g} million cells; it may take minutes, once\n", n / 1e6);
 }
 
 std::string make_mesh(const PolygonMesh& mesh, const PlanarMap& map, const std::string& folder)
@@ -128,8 +136,11 @@ std::string make_mesh(const PolygonMesh& mesh, const PlanarMap& map, const std::
     std::string bytes = try_recipe(mesh, map, recipe, folder, why);
     if (!bytes.empty()) return bytes;
   }
-  throw MeshError(fmt::format("gmsh made no mesh of quadrilaterals from the polygon: {}\n"
-                              "  Make the cells smaller than the shortest edge, follow fewer outlines, or bring a mesh: [mesh] file = \"section.msh\"", why));
+  throw MeshError(
+      fmt::format("gmsh made no mesh of quadrilaterals from the polygon: {}\n"
+                  "  Make the cells smaller than the shortest edge, follow fewer outlines, or bring a mesh: [mesh] "
+                  "file = \"section.msh\"",
+          why));
 }
 
 void check_sizes(const PolygonMesh& mesh)
@@ -137,11 +148,13 @@ void check_sizes(const PolygonMesh& mesh)
   const auto positive = [](Real size) { return std::isfinite(size) && size > 0.0; };
   if (!positive(mesh.cell)) throw MeshError(fmt::format("the cell size is {:g} m; it must be positive", mesh.cell));
   for (const Refinement& refine : mesh.refine)
-    if (!positive(refine.cell)) throw MeshError(fmt::format("the cell size of a refinement is {:g} m; it must be positive", refine.cell));
+    if (!positive(refine.cell))
+      throw MeshError(fmt::format("the cell size of a refinement is {:g} m; it must be positive", refine.cell));
   for (const NamedEdges& named : mesh.edges)
     for (const Index edge : named.edges)
       if (edge < 0 || edge >= static_cast<Index>(mesh.polygon.size()))
-        throw MeshError(fmt::format("side `{}` has edge {}; the polygon has edges 0 to {}", named.side, edge, mesh.polygon.size() - 1));
+        throw MeshError(fmt::format(
+            "side `{}` has edge {}; the polygon has edges 0 to {}", named.side, edge, mesh.polygon.size() - 1));
 }
 
 /// Nothing if the file is not there, is cut off or damaged.
@@ -173,7 +186,8 @@ GeneratedMesh generate_mesh(const PolygonMesh& mesh)
   const WorkFolder folder;
   std::string content = std::string(improvement) + "\n";
   for (const Recipe& recipe : recipes(mesh.variant)) content += geo_text(mesh, map, recipe);
-  const std::string start = content_key(content) + "-", version = gmsh_version(folder.path()), key = start + content_key(version);
+  const std::string start = content_key(content) + "-", version = gmsh_version(folder.path()),
+                    key = start + content_key(version);
   auto kept = version.empty() ? read_any_kept(start) : read_kept(cached_mesh_path(key));
   if (kept) return std::move(*kept);
   if (version.empty()) refuse_without_gmsh();

@@ -1,4 +1,5 @@
-// A mesh of quadrilaterals from a polygon, made by gmsh (Debian's program, run as a separate process) and kept for the next time.
+// A mesh of quadrilaterals from a polygon, made by gmsh (Debian's program, run as a separate process) and kept for the
+// next time.
 #pragma once
 
 #include "mesh/mesh.hpp"
@@ -13,11 +14,12 @@ struct GeneratedMesh {
   Mesh<2> mesh;  ///< as read_gmsh reads it
 };
 
-/// A mesh file (MSH 4.1, binary) of quadrilaterals, with the named sides and the region "domain". Made at the first call, later found by
-/// its content in ${XDG_CACHE_HOME:-~/.cache}/terp/meshes, or in the folder for temporary files if that cannot be written.
-/// Places of followed outlines closer to each other, to a corner or to an edge than a fifth of a cell count as one for the mesh (not for the
-/// bodies), lest a sliver sets the time step. The same input and the same gmsh give the same bytes.
-/// A kept file that cannot be read is made anew; where gmsh is not installed, one that another version made is taken. Throws MeshError with what to do.
+/// A mesh file (MSH 4.1, binary) of quadrilaterals, with the named sides and the region "domain". Made at the first
+/// call, later found by its content in ${XDG_CACHE_HOME:-~/.cache}/terp/meshes, or in the folder for temporary files if
+/// that cannot be written. Places of followed outlines closer to each other, to a corner or to an edge than a fifth of
+/// a cell count as one for the mesh (not for the bodies), lest a sliver sets the time step. The same input and the same
+/// gmsh give the same bytes. A kept file that cannot be read is made anew; where gmsh is not installed, one that
+/// another version made is taken. Throws MeshError with what to do.
 GeneratedMesh generate_mesh(const PolygonMesh& mesh);
 
 }  // namespace terp

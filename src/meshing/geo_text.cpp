@@ -77,7 +77,8 @@ std::string distance_field(const Refinement& refine, std::size_t field, std::siz
     const Vec<2>&a = refine.line[k - 1], &b = refine.line[k];
     const int n = std::max(1, static_cast<int>(std::ceil(std::hypot(b[0] - a[0], b[1] - a[1]) / (0.5 * refine.cell))));
     for (int i = k == 1 ? 0 : 1; i <= n; ++i)
-      text += fmt::format("Point({}) = {{{:.17g}, {:.17g}, 0}};\n", ++n_points, a[0] + (b[0] - a[0]) * i / n, a[1] + (b[1] - a[1]) * i / n);
+      text += fmt::format("Point({}) = {{{:.17g}, {:.17g}, 0}};\n", ++n_points, a[0] + (b[0] - a[0]) * i / n,
+          a[1] + (b[1] - a[1]) * i / n);
   }
   return text + fmt::format("Field[{0}] = Distance;\nField[{0}].PointsList = {{{1}:{2}}};\n", field, first, n_points);
 }
@@ -86,8 +87,9 @@ std::string distance_field(const Refinement& refine, std::size_t field, std::siz
 std::string wavering_field(std::size_t field, Real size, int variant)
 {
   const Real wave = 2.0 * std::numbers::pi / (7.0 * size);
-  return fmt::format("Field[{0}] = MathEval;\nField[{0}].F = \"{1:.17g}*(1+0.03*Sin({2:.17g}*x+{3})*Cos({2:.17g}*y+{4}))\";\n", field, size, wave,
-                     1.7 * variant, 2.9 * variant);
+  return fmt::format(
+      "Field[{0}] = MathEval;\nField[{0}].F = \"{1:.17g}*(1+0.03*Sin({2:.17g}*x+{3})*Cos({2:.17g}*y+{4}))\";\n", field,
+      size, wave, 1.7 * variant, 2.9 * variant);
 }
 
 /// Fields whose least value is the size of the triangles.
@@ -100,15 +102,19 @@ std::string size_fields(const PolygonMesh& mesh, const PlanarMap& map, const Rec
   for (const Refinement& refine : mesh.refine) {
     const Real near = std::min(refine.cell, mesh.cell) * factor, far = mesh.cell * factor;
     if (refine.line.empty()) {
-      text += fmt::format("Field[{0}] = Box;\nField[{0}].VIn = {1:.17g};\nField[{0}].VOut = {2:.17g};\nField[{0}].Thickness = {3:.17g};\n"
-                          "Field[{0}].XMin = {4:.17g};\nField[{0}].XMax = {5:.17g};\nField[{0}].YMin = {6:.17g};\nField[{0}].YMax = {7:.17g};\n"
-                          "Field[{0}].ZMin = -1;\nField[{0}].ZMax = 1;\n",
-                          ++n_fields, near, far, refine.distance, refine.low[0], refine.high[0], refine.low[1], refine.high[1]);
+      text += fmt::format(
+          "Field[{0}] = Box;\nField[{0}].VIn = {1:.17g};\nField[{0}].VOut = {2:.17g};\nField[{0}].Thickness = "
+          "{3:.17g};\n"
+          "Field[{0}].XMin = {4:.17g};\nField[{0}].XMax = {5:.17g};\nField[{0}].YMin = {6:.17g};\nField[{0}].YMax = "
+          "{7:.17g};\n"
+          "Field[{0}].ZMin = -1;\nField[{0}].ZMax = 1;\n",
+          ++n_fields, near, far, refine.distance, refine.low[0], refine.high[0], refine.low[1], refine.high[1]);
     } else {
       text += distance_field(refine, ++n_fields, n_points);
-      text += fmt::format("Field[{0}] = Threshold;\nField[{0}].InField = {1};\nField[{0}].DistMin = {2:.17g};\n"
-                          "Field[{0}].DistMax = {3:.17g};\nField[{0}].SizeMin = {4:.17g};\nField[{0}].SizeMax = {5:.17g};\n",
-                          n_fields + 1, n_fields, refine.cell, refine.cell + std::max(refine.distance, refine.cell), near, far);
+      text += fmt::format(
+          "Field[{0}] = Threshold;\nField[{0}].InField = {1};\nField[{0}].DistMin = {2:.17g};\n"
+          "Field[{0}].DistMax = {3:.17g};\nField[{0}].SizeMin = {4:.17g};\nField[{0}].SizeMax = {5:.17g};\n",
+          n_fields + 1, n_fields, refine.cell, refine.cell + std::max(refine.distance, refine.cell), near, far);
       ++n_fields;
     }
     fields.push_back(n_fields);
@@ -118,17 +124,20 @@ std::string size_fields(const PolygonMesh& mesh, const PlanarMap& map, const Rec
     text += wavering_field(n_fields, mesh.cell * factor, recipe.variant);
   }
   if (fields.empty()) return text;
-  return text + fmt::format("Field[{0}] = Min;\nField[{0}].FieldsList = {{{1}}};\nBackground Field = {0};\n", n_fields + 1, listed(fields));
+  return text + fmt::format("Field[{0}] = Min;\nField[{0}].FieldsList = {{{1}}};\nBackground Field = {0};\n",
+                    n_fields + 1, listed(fields));
 }
 
 /// Fixed seed, nothing from the geometry's points: only the fields and the target size decide.
 std::string options(const PolygonMesh& mesh, const Recipe& recipe)
 {
   const Real largest = recipe.variant > 0 ? 1.03 : 1.0;  // see wavering_field
-  return fmt::format("Mesh.Algorithm = {};\nMesh.RecombinationAlgorithm = {};\nMesh.RandomSeed = 1;\nMesh.MeshSizeMax = {:.17g};\n"
-                     "Mesh.RecombineAll = 1;\nMesh.SubdivisionAlgorithm = 1;\nMesh.Smoothing = 10;\nMesh.MeshSizeExtendFromBoundary = 0;\n"
-                     "Mesh.MeshSizeFromPoints = 0;\nMesh.MshFileVersion = 4.1;\nMesh.Binary = 1;\nMesh.SaveAll = 0;\n",
-                     recipe.algorithm, recipe.recombination, 2.0 * largest * recipe.size_factor * mesh.cell);
+  return fmt::format(
+      "Mesh.Algorithm = {};\nMesh.RecombinationAlgorithm = {};\nMesh.RandomSeed = 1;\nMesh.MeshSizeMax = {:.17g};\n"
+      "Mesh.RecombineAll = 1;\nMesh.SubdivisionAlgorithm = 1;\nMesh.Smoothing = 10;\nMesh.MeshSizeExtendFromBoundary = "
+      "0;\n"
+      "Mesh.MeshSizeFromPoints = 0;\nMesh.MshFileVersion = 4.1;\nMesh.Binary = 1;\nMesh.SaveAll = 0;\n",
+      recipe.algorithm, recipe.recombination, 2.0 * largest * recipe.size_factor * mesh.cell);
 }
 
 }  // namespace

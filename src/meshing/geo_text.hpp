@@ -9,7 +9,8 @@
 
 namespace terp {
 
-/// A way for gmsh to make quadrilaterals: triangles of twice the size, paired where that is good, then everything halved.
+/// A way for gmsh to make quadrilaterals: triangles of twice the size, paired where that is good, then everything
+/// halved.
 struct Recipe {
   int algorithm;      ///< gmsh's Mesh.Algorithm for the triangles
   int recombination;  ///< gmsh's Mesh.RecombinationAlgorithm for the pairs

@@ -16,14 +16,16 @@ namespace terp {
 namespace {
 
 const std::string all_quads_advice =
-    "Terp takes 4-node quadrilaterals only. In gmsh: `Recombine Surface {:};` with Mesh.SubdivisionAlgorithm = 1 (all quads) and "
+    "Terp takes 4-node quadrilaterals only. In gmsh: `Recombine Surface {:};` with Mesh.SubdivisionAlgorithm = 1 (all "
+    "quads) and "
     "Mesh.ElementOrder = 1.";
 
 std::string contents_of(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) throw MeshError(fmt::format("{}: there is no such file, it cannot be read, or it is empty", path));
+  if (!file || !(text << file.rdbuf()))
+    throw MeshError(fmt::format("{}: there is no such file, it cannot be read, or it is empty", path));
   return std::move(text).str();
 }
 
@@ -60,11 +62,13 @@ void refuse_other_elements(const MshContent& content, const NodeTable& table)
 {
   MeshFaults faults("the file");
   for (const MshElement& element : content.others)
-    faults.add(fmt::format("element {} is a {}", element.number, msh_type_name(element.type)), places_of(content, table, element), all_quads_advice);
+    faults.add(fmt::format("element {} is a {}", element.number, msh_type_name(element.type)),
+        places_of(content, table, element), all_quads_advice);
   faults.count_more(content.n_others - static_cast<std::int64_t>(content.others.size()));
   if (content.n_others == 0 && content.quads.empty())
     faults.add("it holds no quadrilaterals", "",
-               all_quads_advice + " Where there are physical groups gmsh saves only what is in one: put the surfaces in a group.");
+        all_quads_advice +
+            " Where there are physical groups gmsh saves only what is in one: put the surfaces in a group.");
   faults.stop_if_any();
 }
 
@@ -73,9 +77,10 @@ void refuse_unknown_nodes(const MshContent& content, const NodeTable& table)
   MeshFaults faults("the file");
   for (const auto* elements : {&content.quads, &content.lines})
     for (const MshElement& element : *elements)
-      if (std::any_of(element.nodes.begin(), element.nodes.begin() + element.n_nodes, [&](std::int64_t node) { return !table.contains(node); }))
-        faults.add(fmt::format("element {} names a node that is not there", element.number), places_of(content, table, element),
-                   "Save the mesh again with gmsh.");
+      if (std::any_of(element.nodes.begin(), element.nodes.begin() + element.n_nodes,
+              [&](std::int64_t node) { return !table.contains(node); }))
+        faults.add(fmt::format("element {} names a node that is not there", element.number),
+            places_of(content, table, element), "Save the mesh again with gmsh.");
   faults.stop_if_any();
 }
 
@@ -83,7 +88,7 @@ void refuse_unknown_nodes(const MshContent& content, const NodeTable& table)
 struct FileCell {
   std::array<Index, 4> nodes;  // into MshContent::places
   std::int64_t number;
-  int surface;                 // gmsh's entity
+  int surface;  // gmsh's entity
   std::vector<int> groups;
 };
 
@@ -114,30 +119,35 @@ std::vector<FileCell> merge_groups(const MshContent& content, const NodeTable& t
 
 Real signed_area(const MshContent& content, const std::array<Index, 4>& nodes)
 {
-  const auto &a = content.places[nodes[0]], &b = content.places[nodes[1]], &c = content.places[nodes[2]], &d = content.places[nodes[3]];
+  const auto &a = content.places[nodes[0]], &b = content.places[nodes[1]], &c = content.places[nodes[2]],
+             &d = content.places[nodes[3]];
   return 0.5 * ((c[0] - a[0]) * (d[1] - b[1]) - (c[1] - a[1]) * (d[0] - b[0]));
 }
 
 bool is_counter_clockwise_and_convex(const MshContent& content, const std::array<Index, 4>& nodes)
 {
   for (int k = 0; k < 4; ++k) {
-    const auto &a = content.places[nodes[k]], &b = content.places[nodes[(k + 1) % 4]], &c = content.places[nodes[(k + 2) % 4]];
+    const auto &a = content.places[nodes[k]], &b = content.places[nodes[(k + 1) % 4]],
+               &c = content.places[nodes[(k + 2) % 4]];
     if (!((b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0]) > 0.0)) return false;
   }
   return true;
 }
 
-/// A surface drawn the other way round has clockwise cells only: they are turned. One among others is a fault, which check_mesh tells.
+/// A surface drawn the other way round has clockwise cells only: they are turned. One among others is a fault, which
+/// check_mesh tells.
 void turn_clockwise_surfaces(const MshContent& content, std::vector<FileCell>& cells)
 {
   std::set<int> drawn_as_we_want;
   for (const FileCell& cell : cells)
     if (is_counter_clockwise_and_convex(content, cell.nodes)) drawn_as_we_want.insert(cell.surface);
   for (FileCell& cell : cells)
-    if (!drawn_as_we_want.contains(cell.surface) && signed_area(content, cell.nodes) < 0.0) std::swap(cell.nodes[1], cell.nodes[3]);
+    if (!drawn_as_we_want.contains(cell.surface) && signed_area(content, cell.nodes) < 0.0)
+      std::swap(cell.nodes[1], cell.nodes[3]);
 }
 
-/// Distance along the Hilbert curve through a square of 65536 x 65536: quadrant by quadrant, each turned so that the ends meet.
+/// Distance along the Hilbert curve through a square of 65536 x 65536: quadrant by quadrant, each turned so that the
+/// ends meet.
 std::uint64_t hilbert_distance(std::uint32_t x, std::uint32_t y)
 {
   constexpr std::uint32_t size = 1u << 16;
@@ -179,17 +189,20 @@ void sort_along_curve(const MshContent& content, std::vector<FileCell>& cells)
 
 void check_plane(const MshContent& content, const std::vector<Index>& used)
 {
-  const auto lowest = std::min_element(used.begin(), used.end(), [&](Index a, Index b) { return content.places[a][2] < content.places[b][2]; });
-  const auto highest = std::max_element(used.begin(), used.end(), [&](Index a, Index b) { return content.places[a][2] < content.places[b][2]; });
+  const auto lowest = std::min_element(
+      used.begin(), used.end(), [&](Index a, Index b) { return content.places[a][2] < content.places[b][2]; });
+  const auto highest = std::max_element(
+      used.begin(), used.end(), [&](Index a, Index b) { return content.places[a][2] < content.places[b][2]; });
   std::vector<Vec<2>> places;
   for (const Index i : used) places.push_back({content.places[i][0], content.places[i][1]});
   const BoundingBox box = box_around(places);
   const Real size = std::max(box.high[0] - box.low[0], box.high[1] - box.low[1]);
   const Real low = content.places[*lowest][2], high = content.places[*highest][2];
   if (high - low <= degenerate_share * size) return;
-  throw MeshError(fmt::format("the mesh does not lie in a plane z = constant: z = {} m at node {}, {} m at node {}\n"
-                              "  Draw the section in x and y.",
-                              coordinate_text(low), content.node_numbers[*lowest], coordinate_text(high), content.node_numbers[*highest]));
+  throw MeshError(
+      fmt::format("the mesh does not lie in a plane z = constant: z = {} m at node {}, {} m at node {}\n"
+                  "  Draw the section in x and y.",
+          coordinate_text(low), content.node_numbers[*lowest], coordinate_text(high), content.node_numbers[*highest]));
 }
 
 /// Nodes and cells of the mesh; returns where each node of the file went, or -1.
@@ -223,7 +236,8 @@ std::string name_of_group(const MshContent& content, int dimension, int number)
 
 /// Names in order of the groups' numbers, without those that hold nothing.
 template <class Named, class Item>
-std::vector<Named> named_in_order(const MshContent& content, int dimension, const std::map<int, std::vector<Item>>& of_group)
+std::vector<Named> named_in_order(
+    const MshContent& content, int dimension, const std::map<int, std::vector<Item>>& of_group)
 {
   std::vector<Named> all;
   for (const auto& [number, items] : of_group) {
@@ -263,20 +277,23 @@ EdgeTable cells_of_edges(const Mesh<2>& mesh)
 /// What lines are matched with.
 struct LineTables {
   const MshContent& content;
-  const NodeTable& table;             // of the file's nodes
-  const std::vector<Index>& place;    // of the file's nodes in the mesh, or -1
+  const NodeTable& table;           // of the file's nodes
+  const std::vector<Index>& place;  // of the file's nodes in the mesh, or -1
   EdgeTable edges;
 };
 
 /// The side of a cell that a line of the file lies on; a fault and nothing if it is not on the boundary.
-const CellSide* side_of_line(const LineTables& tables, const MshElement& line, const std::string& name, MeshFaults& faults)
+const CellSide* side_of_line(
+    const LineTables& tables, const MshElement& line, const std::string& name, MeshFaults& faults)
 {
   const Index a = tables.place[tables.table.at(line.nodes[0])], b = tables.place[tables.table.at(line.nodes[1])];
   const auto edge = tables.edges.find(std::minmax(a, b));
   if (edge != tables.edges.end() && edge->second.size() == 1) return &edge->second[0];
-  const char* what = edge == tables.edges.end() ? "is not the side of a cell" : "lies inside the mesh, between two cells";
-  faults.add(fmt::format("line {} of side `{}` {}", line.number, name, what), places_of(tables.content, tables.table, line),
-             "Physical groups of dimension 1 name parts of the boundary. Take other curves out of them.");
+  const char* what =
+      edge == tables.edges.end() ? "is not the side of a cell" : "lies inside the mesh, between two cells";
+  faults.add(fmt::format("line {} of side `{}` {}", line.number, name, what),
+      places_of(tables.content, tables.table, line),
+      "Physical groups of dimension 1 name parts of the boundary. Take other curves out of them.");
   return nullptr;
 }
 
@@ -288,7 +305,8 @@ void add_sides(const LineTables& tables, Mesh<2>& mesh)
   for (const MshElement& line : tables.content.lines)
     for (const int group : tables.content.group_sets[line.groups]) {
       const CellSide* side = side_of_line(tables, line, name_of_group(tables.content, 1, group), faults);
-      if (side != nullptr && known.insert({group, side->cell, side->side}).second) sides_of_group[group].push_back(*side);
+      if (side != nullptr && known.insert({group, side->cell, side->side}).second)
+        sides_of_group[group].push_back(*side);
     }
   faults.stop_if_any();
   mesh.sides = named_in_order<NamedSide>(tables.content, 1, sides_of_group);

@@ -96,7 +96,8 @@ GmshNodes find_nodes(const std::string& bytes)
 
 void put_nodes(const GmshNodes& file, std::string& bytes)
 {
-  for (std::size_t i = 0; i < file.nodes.size(); ++i) std::memcpy(bytes.data() + file.offset[i], file.nodes[i].data(), sizeof(Vec<2>));
+  for (std::size_t i = 0; i < file.nodes.size(); ++i)
+    std::memcpy(bytes.data() + file.offset[i], file.nodes[i].data(), sizeof(Vec<2>));
 }
 
 }  // namespace terp

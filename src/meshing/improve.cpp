@@ -8,19 +8,21 @@
 namespace terp {
 namespace {
 
-// Measured on 24 meshes of a rectangle, a curved and a refined domain and a dike section: three times as many sweeps of either kind enlarge
-// the smallest altitude by at most 2 %.
-constexpr int n_sweeps = 60;           // over all nodes
-constexpr int n_worst_sweeps = 240;    // over the nodes of the worst cells: what a wedge lacks comes from far along its sides
-constexpr Real worst_share = 1.2;      // a cell is one of the worst if its altitude over target is at most this times the smallest
+// Measured on 24 meshes of a rectangle, a curved and a refined domain and a dike section: three times as many sweeps of
+// either kind enlarge the smallest altitude by at most 2 %.
+constexpr int n_sweeps = 60;  // over all nodes
+constexpr int n_worst_sweeps =
+    240;  // over the nodes of the worst cells: what a wedge lacks comes from far along its sides
+constexpr Real worst_share =
+    1.2;  // a cell is one of the worst if its altitude over target is at most this times the smallest
 constexpr Real longest_step = 0.2, shortest_step = 1e-3;  // of a trial move, over the target size
-constexpr int patience = 8;            // sweeps without a move before giving up: from the longest step to the shortest
-constexpr Real growth = 1.5;           // of the trial move after a success; halved after a failure
+constexpr int patience = 8;   // sweeps without a move before giving up: from the longest step to the shortest
+constexpr Real growth = 1.5;  // of the trial move after a success; halved after a failure
 constexpr int n_directions = 8;
 constexpr Real floor_altitude = 0.02;  // over the target size: below, the penalty grows on linearly through zero
 
-/// Large for a flat cell: (target / altitude)^16, so that the worst cell around a node decides and the others still count. Power 8 left the
-/// smallest altitude about a tenth smaller.
+/// Large for a flat cell: (target / altitude)^16, so that the worst cell around a node decides and the others still
+/// count. Power 8 left the smallest altitude about a tenth smaller.
 Real penalty(Real altitude, Real target)
 {
   const Real part = altitude / target;
@@ -49,7 +51,8 @@ class Improver {
     Vec<2> best = start;
     Real least = penalty_around(i);
     for (int k = 0; k < (freedom.n == 1 ? 2 : n_directions); ++k) {
-      const Vec<2> way = freedom.n == 1 ? Vec<2>{(1 - 2 * k) * freedom.along[0], (1 - 2 * k) * freedom.along[1]} : direction(k);
+      const Vec<2> way =
+          freedom.n == 1 ? Vec<2>{(1 - 2 * k) * freedom.along[0], (1 - 2 * k) * freedom.along[1]} : direction(k);
       nodes_[i] = {start[0] + step_[i] * size_[i] * way[0], start[1] + step_[i] * size_[i] * way[1]};
       const Real here = penalty_around(i);
       if (here >= least * (1.0 - 1e-9)) continue;  // 1e-9: a gain above round-off
@@ -103,7 +106,8 @@ Real smallest_altitude(const std::array<Index, 4>& cell, const std::vector<Vec<2
 {
   Real smallest = 1e300;
   for (int side = 0; side < 4; ++side) {
-    const Vec<2>&a = nodes[cell[side]], &b = nodes[cell[(side + 1) % 4]], &c = nodes[cell[(side + 2) % 4]], &d = nodes[cell[(side + 3) % 4]];
+    const Vec<2>&a = nodes[cell[side]], &b = nodes[cell[(side + 1) % 4]], &c = nodes[cell[(side + 2) % 4]],
+          &d = nodes[cell[(side + 3) % 4]];
     const Real x = b[0] - a[0], y = b[1] - a[1];
     const Real area = std::min(x * (c[1] - a[1]) - y * (c[0] - a[0]), x * (d[1] - a[1]) - y * (d[0] - a[0]));
     smallest = std::min(smallest, area / std::sqrt(x * x + y * y));
@@ -111,8 +115,8 @@ Real smallest_altitude(const std::array<Index, 4>& cell, const std::vector<Vec<2
   return smallest;
 }
 
-void enlarge_altitudes(const std::vector<std::array<Index, 4>>& cells, const std::vector<Freedom>& freedom, const std::vector<Real>& target,
-                       std::vector<Vec<2>>& nodes)
+void enlarge_altitudes(const std::vector<std::array<Index, 4>>& cells, const std::vector<Freedom>& freedom,
+    const std::vector<Real>& target, std::vector<Vec<2>>& nodes)
 {
   Improver improver(cells, target, nodes);
   std::vector<Index> all(nodes.size());

@@ -1,5 +1,5 @@
-// The format: gmsh reference manual, "MSH file format" (4.1) and "MSH file format version 2 (Legacy)". Section by section, each
-// read by one body for text and bytes. Sections that Terp does not use are passed over.
+// The format: gmsh reference manual, "MSH file format" (4.1) and "MSH file format version 2 (Legacy)". Section by
+// section, each read by one body for text and bytes. Sections that Terp does not use are passed over.
 
 #include "meshing/msh_content.hpp"
 
@@ -25,11 +25,21 @@ struct ElementType {
 
 /// By gmsh's number, manual "Node ordering".
 const std::map<int, ElementType> element_types{
-    {msh_line, {2, "line"}},           {2, {3, "triangle"}},                  {msh_quad, {4, "quadrilateral"}},
-    {4, {4, "tetrahedron"}},           {5, {8, "hexahedron"}},                {6, {6, "prism"}},
-    {7, {5, "pyramid"}},               {8, {3, "line with 3 nodes"}},         {9, {6, "triangle with 6 nodes"}},
-    {10, {9, "quadrilateral with 9 nodes"}}, {msh_point, {1, "point"}},       {16, {8, "quadrilateral with 8 nodes"}},
-    {20, {9, "triangle with 9 nodes"}}, {21, {10, "triangle with 10 nodes"}}, {26, {4, "line with 4 nodes"}},
+    {msh_line, {2, "line"}},
+    {2, {3, "triangle"}},
+    {msh_quad, {4, "quadrilateral"}},
+    {4, {4, "tetrahedron"}},
+    {5, {8, "hexahedron"}},
+    {6, {6, "prism"}},
+    {7, {5, "pyramid"}},
+    {8, {3, "line with 3 nodes"}},
+    {9, {6, "triangle with 6 nodes"}},
+    {10, {9, "quadrilateral with 9 nodes"}},
+    {msh_point, {1, "point"}},
+    {16, {8, "quadrilateral with 8 nodes"}},
+    {20, {9, "triangle with 9 nodes"}},
+    {21, {10, "triangle with 10 nodes"}},
+    {26, {4, "line with 4 nodes"}},
     {36, {16, "quadrilateral with 16 nodes"}},
 };
 
@@ -41,7 +51,8 @@ class MshReader {
   {
     read_format();
     for (std::string name = scan_.next_section(); !name.empty(); name = scan_.next_section()) read_section(name);
-    if (content_.node_numbers.empty()) scan_.fail("the file ends without section $Nodes: it is cut off, or holds no mesh");
+    if (content_.node_numbers.empty())
+      scan_.fail("the file ends without section $Nodes: it is cut off, or holds no mesh");
     if (!has_elements_) scan_.fail("the file ends without section $Elements: it is cut off, or holds no mesh");
     return std::move(content_);
   }
@@ -64,7 +75,9 @@ class MshReader {
     const std::string first = scan_.next_section();
     if (first == "NOD") scan_.fail("MSH version 1 is not read. " + save_again);
     if (first != "MeshFormat")
-      scan_.fail("this is not a gmsh mesh: section $MeshFormat is expected first. A .geo file is meshed by `gmsh -2 -format msh41 FILE.geo`");
+      scan_.fail(
+          "this is not a gmsh mesh: section $MeshFormat is expected first. A .geo file is meshed by `gmsh -2 -format "
+          "msh41 FILE.geo`");
     const Real version = scan_.real("the version of the format");
     if (version != 2.2 && version != 4.1)
       scan_.fail(fmt::format("MSH version {:g} is not read. {}", version, save_again));
@@ -93,7 +106,8 @@ class MshReader {
     else if (name == "PartitionedEntities")
       scan_.fail("the mesh is cut into partitions. Save it in one piece, before it is partitioned");
     else if (name == "ParametricNodes")
-      scan_.fail("nodes with parameters are not read in MSH 2.2. Save the mesh with Mesh.SaveParametric = 0, or as 4.1");
+      scan_.fail(
+          "nodes with parameters are not read in MSH 2.2. Save the mesh with Mesh.SaveParametric = 0, or as 4.1");
     else
       return scan_.skip_section(name);
     scan_.end_section(name);
@@ -138,7 +152,10 @@ class MshReader {
   }
 
   /// gmsh writes a negative number where a group turns an entity round.
-  static int group_number(std::int64_t number) { return static_cast<int>(std::min<std::int64_t>(std::abs(number), std::numeric_limits<int>::max())); }
+  static int group_number(std::int64_t number)
+  {
+    return static_cast<int>(std::min<std::int64_t>(std::abs(number), std::numeric_limits<int>::max()));
+  }
 
   Index group_set(std::vector<int> groups)
   {
@@ -160,11 +177,13 @@ class MshReader {
   void read_nodes_4()
   {
     const std::int64_t n_blocks = scan_.count(Width::eight, 4, "the number of node blocks");
-    for (const char* what : {"the number of nodes", "the lowest node number", "the highest node number"}) scan_.integer(Width::eight, what);
+    for (const char* what : {"the number of nodes", "the lowest node number", "the highest node number"})
+      scan_.integer(Width::eight, what);
     scan_.end_record();
     for (std::int64_t b = 0; b < n_blocks; ++b) {
       const std::int64_t dimension = scan_.integer(Width::four, "a dimension");
-      if (dimension < 0 || dimension > 3) scan_.fail(fmt::format("a dimension of 0 to 3 is expected, got {}", dimension));
+      if (dimension < 0 || dimension > 3)
+        scan_.fail(fmt::format("a dimension of 0 to 3 is expected, got {}", dimension));
       scan_.integer(Width::four, "the number of an entity");
       const std::int64_t n_parameters = scan_.integer(Width::four, "0 or 1 (parametric)") != 0 ? dimension : 0;
       const std::int64_t n = scan_.count(Width::eight, 4, "the number of nodes in a block");
@@ -184,7 +203,8 @@ class MshReader {
   void add_node_number(Width width)
   {
     content_.node_numbers.push_back(scan_.integer(width, "a node number"));
-    if (content_.node_numbers.back() < 1) scan_.fail(fmt::format("a node number of at least 1 is expected, got {}", content_.node_numbers.back()));
+    if (content_.node_numbers.back() < 1)
+      scan_.fail(fmt::format("a node number of at least 1 is expected, got {}", content_.node_numbers.back()));
   }
 
   void add_place()
@@ -230,7 +250,8 @@ class MshReader {
   void read_elements_4()
   {
     const std::int64_t n_blocks = scan_.count(Width::eight, 4, "the number of element blocks");
-    for (const char* what : {"the number of elements", "the lowest element number", "the highest element number"}) scan_.integer(Width::eight, what);
+    for (const char* what : {"the number of elements", "the lowest element number", "the highest element number"})
+      scan_.integer(Width::eight, what);
     scan_.end_record();
     for (std::int64_t b = 0; b < n_blocks; ++b) {
       const auto dimension = static_cast<int>(scan_.integer(Width::four, "a dimension"));
@@ -252,7 +273,8 @@ class MshReader {
   MshElement new_element(int type)
   {
     const auto known = element_types.find(type);
-    if (known == element_types.end()) scan_.fail(fmt::format("elements of type {} are not read: Terp takes quadrilaterals (type 3)", type));
+    if (known == element_types.end())
+      scan_.fail(fmt::format("elements of type {} are not read: Terp takes quadrilaterals (type 3)", type));
     return {0, type, known->second.n_nodes, {}, 0, 0};
   }
 

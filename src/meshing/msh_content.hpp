@@ -24,20 +24,21 @@ struct MshElement {
 };
 
 struct MshContent {
-  std::string version;                                   ///< "2.2" or "4.1"
-  std::vector<std::int64_t> node_numbers;                ///< gmsh's, in file order
-  std::vector<std::array<Real, 3>> places;               ///< of the nodes, in file order
-  std::vector<MshElement> lines, quads;                  ///< in file order
-  std::vector<MshElement> others;                        ///< the first few elements that are neither, nor points
+  std::string version;                      ///< "2.2" or "4.1"
+  std::vector<std::int64_t> node_numbers;   ///< gmsh's, in file order
+  std::vector<std::array<Real, 3>> places;  ///< of the nodes, in file order
+  std::vector<MshElement> lines, quads;     ///< in file order
+  std::vector<MshElement> others;           ///< the first few elements that are neither, nor points
   std::int64_t n_others = 0;
-  std::vector<std::vector<int>> group_sets;              ///< numbers of the physical groups an element belongs to
+  std::vector<std::vector<int>> group_sets;                ///< numbers of the physical groups an element belongs to
   std::map<std::pair<int, int>, std::string> group_names;  ///< by dimension and number
 };
 
 /// "triangle", "line with 3 nodes"; empty for a type that Terp has never heard of.
 std::string msh_type_name(int type);
 
-/// Throws MeshError with the path and the line (text) or byte (binary) of what it cannot read. path: for messages; text: the whole file.
+/// Throws MeshError with the path and the line (text) or byte (binary) of what it cannot read. path: for messages;
+/// text: the whole file.
 MshContent read_msh(const std::string& path, std::string text);
 
 }  // namespace terp

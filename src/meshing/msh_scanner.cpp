@@ -38,7 +38,8 @@ MshScanner::MshScanner(std::string path, std::string text) : path_(std::move(pat
 void MshScanner::fail(const std::string& what) const
 {
   if (binary_) throw MeshError(fmt::format("{}: byte {}: {}", path_, last_, what));
-  const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(std::min(last_, text_.size())), '\n');
+  const auto line =
+      1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(std::min(last_, text_.size())), '\n');
   throw MeshError(fmt::format("{}:{}: {}", path_, line, what));
 }
 
@@ -110,8 +111,10 @@ std::int64_t MshScanner::integer(Width width, const char* what)
   const std::string_view text = token(what);
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) fail(fmt::format("{} is expected, got `{}`", what, printable(text)));
-  if (width == Width::four && value != static_cast<std::int32_t>(value)) fail(fmt::format("{} is out of range: {}", what, value));
+  if (error != std::errc{} || end != text.data() + text.size())
+    fail(fmt::format("{} is expected, got `{}`", what, printable(text)));
+  if (width == Width::four && value != static_cast<std::int32_t>(value))
+    fail(fmt::format("{} is out of range: {}", what, value));
   return value;
 }
 
@@ -121,7 +124,8 @@ Real MshScanner::real(const char* what)
   const std::string_view text = token(what);
   Real value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool too_small = error == std::errc::result_out_of_range && std::abs(std::strtod(std::string(text).c_str(), nullptr)) < 1.0;  // a zero
+  const bool too_small = error == std::errc::result_out_of_range &&
+                         std::abs(std::strtod(std::string(text).c_str(), nullptr)) < 1.0;  // a zero
   if ((error != std::errc{} && !too_small) || end != text.data() + text.size())
     fail(fmt::format("{} is expected, got `{}`", what, printable(text)));
   return value;
@@ -143,7 +147,8 @@ std::int64_t MshScanner::count(Width width, int numbers, const char* what)
   const std::int64_t n = integer(width, what);
   const auto bytes_left = static_cast<std::int64_t>(rest().size()) + 1;
   const std::int64_t least_bytes = 2 * std::int64_t{numbers};  // a digit and a blank; bytes take more
-  if (n < 0 || n > bytes_left / least_bytes) fail(fmt::format("{} is {}, more than the rest of the file can hold", what, n));
+  if (n < 0 || n > bytes_left / least_bytes)
+    fail(fmt::format("{} is {}, more than the rest of the file can hold", what, n));
   return n;
 }
 
@@ -152,7 +157,8 @@ void MshScanner::end_record()
   if (binary_) return;
   skip_blanks();
   last_ = at_;
-  if (at_ < text_.size() && text_[at_] != '\n') fail(fmt::format("the end of the line is expected, got `{}`", printable(rest_of_line())));
+  if (at_ < text_.size() && text_[at_] != '\n')
+    fail(fmt::format("the end of the line is expected, got `{}`", printable(rest_of_line())));
   if (at_ < text_.size()) ++at_;
 }
 

@@ -1,5 +1,5 @@
-// Reads the numbers of a gmsh mesh file one after the other, as text or as bytes, and says where it stands when one is wrong.
-// Not for: what the numbers mean (msh_content.hpp).
+// Reads the numbers of a gmsh mesh file one after the other, as text or as bytes, and says where it stands when one is
+// wrong. Not for: what the numbers mean (msh_content.hpp).
 #pragma once
 
 #include "base/types.hpp"
@@ -50,8 +50,8 @@ class MshScanner {
   T bytes(const char* what);
 
   std::string path_, text_;
-  std::size_t at_ = 0;     // next byte to read
-  std::size_t last_ = 0;   // first byte of the number read last
+  std::size_t at_ = 0;    // next byte to read
+  std::size_t last_ = 0;  // first byte of the number read last
   bool binary_ = false;
 };
 

@@ -121,7 +121,8 @@ class Cutter {
     if (at_a * at_b >= 0.0 || at_c * at_d >= 0.0) return;
     const Vec<2> x = between(a, b, at_a / (at_a - at_b));
     if (first.edge >= 0 && second.edge >= 0)
-      throw MeshError(fmt::format("the polygon crosses itself: edges {} and {} meet at x = {} m, y = {} m", first.edge, second.edge, coordinate_text(x[0]), coordinate_text(x[1])));
+      throw MeshError(fmt::format("the polygon crosses itself: edges {} and {} meet at x = {} m, y = {} m", first.edge,
+          second.edge, coordinate_text(x[0]), coordinate_text(x[1])));
     place(x);
   }
 
@@ -130,10 +131,12 @@ class Cutter {
     const Vec<2> a = places_[line.a], b = places_[line.b];
     std::vector<std::pair<Real, Index>> found{{0.0, line.a}, {1.0, line.b}};
     // On an edge of the polygon only what lies on it to round-off: it must not bend.
-    const Real reach = line.edge >= 0 ? 1e-12 * (std::abs(a[0]) + std::abs(a[1]) + std::abs(b[0]) + std::abs(b[1])) : tolerance_;
+    const Real reach =
+        line.edge >= 0 ? 1e-12 * (std::abs(a[0]) + std::abs(a[1]) + std::abs(b[0]) + std::abs(b[1])) : tolerance_;
     for (Index i = 0; i < static_cast<Index>(places_.size()); ++i) {
       const Real t = projection(a, b, places_[i]);
-      if (i != line.a && i != line.b && t > 0.0 && t < 1.0 && distance(between(a, b, t), places_[i]) <= reach) found.emplace_back(t, i);
+      if (i != line.a && i != line.b && t > 0.0 && t < 1.0 && distance(between(a, b, t), places_[i]) <= reach)
+        found.emplace_back(t, i);
     }
     std::sort(found.begin(), found.end());
     std::vector<Index> order;
@@ -166,9 +169,10 @@ void check_overlap(const Polygon& polygon)
       const auto [low, high] = std::minmax({projection(a, b, c), projection(a, b, d)});
       const Real from = std::max(low, Real{0.0}), to = std::min(high, Real{1.0});
       if ((to - from) * along <= reach) continue;
-      throw MeshError(fmt::format("the polygon lies on itself: edges {} and {} share the line from {} to {} m\n"
-                                  "  Give the corners in order along the outline, without a spike.",
-                                  k, other, place_text(between(a, b, from)), place_text(between(a, b, to))));
+      throw MeshError(
+          fmt::format("the polygon lies on itself: edges {} and {} share the line from {} to {} m\n"
+                      "  Give the corners in order along the outline, without a spike.",
+              k, other, place_text(between(a, b, from)), place_text(between(a, b, to))));
     }
 }
 
@@ -176,14 +180,15 @@ void check_overlap(const Polygon& polygon)
 struct Loop {
   std::vector<Index> lines;  ///< signed, see Face
   Polygon outline;
-  Real area = 0.0;           ///< negative: a hole, or the outside of everything
-  Index part = 0;            ///< connected part of the map that it belongs to
+  Real area = 0.0;  ///< negative: a hole, or the outside of everything
+  Index part = 0;   ///< connected part of the map that it belongs to
 };
 
 /// Both directions of line k are 2k and 2k + 1: from a to b, from b to a.
 class LoopFinder {
  public:
-  LoopFinder(const std::vector<Vec<2>>& places, const std::vector<CutLine>& lines) : places_(places), lines_(lines), leaving_(places.size())
+  LoopFinder(const std::vector<Vec<2>>& places, const std::vector<CutLine>& lines)
+      : places_(places), lines_(lines), leaving_(places.size())
   {
     for (Index half = 0; half < 2 * static_cast<Index>(lines.size()); ++half) leaving_[from(half)].push_back(half);
     for (auto& halves : leaving_)
@@ -271,10 +276,12 @@ std::vector<Face> faces_of(const std::vector<Loop>& loops)
 
 PlanarMap cut_polygon(const Polygon& polygon, const std::vector<Polygon>& follow, Real tolerance)
 {
-  if (polygon.size() < 3) throw MeshError(fmt::format("the polygon has {} corners; at least three are needed", polygon.size()));
+  if (polygon.size() < 3)
+    throw MeshError(fmt::format("the polygon has {} corners; at least three are needed", polygon.size()));
   for (std::size_t k = 0; k < polygon.size(); ++k)
     if (polygon[k] == polygon[(k + 1) % polygon.size()])
-      throw MeshError(fmt::format("edge {} of the polygon has no length, at x = {} m, y = {} m", k, coordinate_text(polygon[k][0]), coordinate_text(polygon[k][1])));
+      throw MeshError(fmt::format("edge {} of the polygon has no length, at x = {} m, y = {} m", k,
+          coordinate_text(polygon[k][0]), coordinate_text(polygon[k][1])));
   if (!(area(polygon) > 0.0))
     throw MeshError(fmt::format("the polygon's area is {:.6g} m^2: give its corners counter-clockwise", area(polygon)));
   check_overlap(polygon);

@@ -14,7 +14,8 @@ struct CutLine {
   Index edge;  ///< of the polygon: from its corner `edge` to the next; -1: a followed line inside
 };
 
-/// Loops of lines, the face to their left: the outer loop first, then the holes. Line k is written k + 1, or -(k + 1) if it runs from b to a.
+/// Loops of lines, the face to their left: the outer loop first, then the holes. Line k is written k + 1, or -(k + 1)
+/// if it runs from b to a.
 using Face = std::vector<std::vector<Index>>;
 
 struct PlanarMap {
@@ -23,9 +24,10 @@ struct PlanarMap {
   std::vector<Face> faces;
 };
 
-/// Cuts a polygon (counter-clockwise) by the outlines to follow. What lies outside is dropped. Followed places closer to another place or
-/// to an edge than `tolerance` [m] are moved onto it, so that no sliver remains; the polygon itself is never moved.
-/// Throws MeshError if the polygon has no area, runs clockwise or crosses itself.
-PlanarMap cut_polygon(const std::vector<Vec<2>>& polygon, const std::vector<std::vector<Vec<2>>>& follow, Real tolerance);
+/// Cuts a polygon (counter-clockwise) by the outlines to follow. What lies outside is dropped. Followed places closer
+/// to another place or to an edge than `tolerance` [m] are moved onto it, so that no sliver remains; the polygon itself
+/// is never moved. Throws MeshError if the polygon has no area, runs clockwise or crosses itself.
+PlanarMap cut_polygon(
+    const std::vector<Vec<2>>& polygon, const std::vector<std::vector<Vec<2>>>& follow, Real tolerance);
 
 }  // namespace terp

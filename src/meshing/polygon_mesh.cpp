@@ -18,7 +18,8 @@ Extent extent_of(const std::vector<Vec<2>>& polygon)
   return box;
 }
 
-/// Cells in a strip of the width `distance` over which the size grows evenly from `small` to `large`: the integral of 1 / size^2.
+/// Cells in a strip of the width `distance` over which the size grows evenly from `small` to `large`: the integral of 1
+/// / size^2.
 Real cells_of_strip(Real length, Real distance, Real small, Real large) { return length * distance / (small * large); }
 
 }  // namespace
@@ -28,7 +29,8 @@ Real estimate_cells(const PolygonMesh& mesh)
   Real twice_area = 0.0;
   for (std::size_t k = 0; k < mesh.polygon.size(); ++k) {
     const Vec<2>&a = mesh.polygon[k], &b = mesh.polygon[(k + 1) % mesh.polygon.size()];
-    twice_area += (a[0] - mesh.polygon[0][0]) * (b[1] - mesh.polygon[0][1]) - (b[0] - mesh.polygon[0][0]) * (a[1] - mesh.polygon[0][1]);
+    twice_area += (a[0] - mesh.polygon[0][0]) * (b[1] - mesh.polygon[0][1]) -
+                  (b[0] - mesh.polygon[0][0]) * (a[1] - mesh.polygon[0][1]);
   }
   return 0.5 * std::abs(twice_area) / (mesh.cell * mesh.cell);
 }
@@ -45,8 +47,10 @@ Real estimate_more_cells(const PolygonMesh& mesh, const Refinement& refine)
   }
   if (!refine.line.empty()) return n;
   Vec<2> side;
-  for (int d = 0; d < 2; ++d) side[d] = std::max<Real>(0.0, std::min(box.high[d], refine.high[d]) - std::max(box.low[d], refine.low[d]));
-  return side[0] * side[1] / (refine.cell * refine.cell) + cells_of_strip(2.0 * (side[0] + side[1]), reach, refine.cell, mesh.cell);
+  for (int d = 0; d < 2; ++d)
+    side[d] = std::max<Real>(0.0, std::min(box.high[d], refine.high[d]) - std::max(box.low[d], refine.low[d]));
+  return side[0] * side[1] / (refine.cell * refine.cell) +
+         cells_of_strip(2.0 * (side[0] + side[1]), reach, refine.cell, mesh.cell);
 }
 
 }  // namespace terp

@@ -1,4 +1,5 @@
-// What a mesh is generated from: a domain polygon, a target size, and what the cells shall respect. Plain numbers and names.
+// What a mesh is generated from: a domain polygon, a target size, and what the cells shall respect. Plain numbers and
+// names.
 #pragma once
 
 #include "base/types.hpp"
@@ -23,12 +24,12 @@ struct Refinement {
 };
 
 struct PolygonMesh {
-  std::vector<Vec<2>> polygon;              ///< corners of the domain, counter-clockwise [m]
-  Real cell = 0.0;                          ///< target cell size: root of the median cell area [m]
-  std::vector<NamedEdges> edges;            ///< edges that nobody names get no name
+  std::vector<Vec<2>> polygon;    ///< corners of the domain, counter-clockwise [m]
+  Real cell = 0.0;                ///< target cell size: root of the median cell area [m]
+  std::vector<NamedEdges> edges;  ///< edges that nobody names get no name
   std::vector<Refinement> refine;
   std::vector<std::vector<Vec<2>>> follow;  ///< outlines that cell sides follow where they lie inside the domain [m]
-  int variant = 0;                          ///< 0: the best mesh; 1, 2, ...: different unstructured meshes of the same size
+  int variant = 0;  ///< 0: the best mesh; 1, 2, ...: different unstructured meshes of the same size
 };
 
 /// Area over the area of a cell, without the refinements.

@@ -59,7 +59,8 @@ std::vector<std::string> our_environment_and(const std::vector<std::string>& mor
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const std::string own = *entry;
     const std::string name = own.substr(0, own.find('=') + 1);
-    if (std::none_of(more.begin(), more.end(), [&](const std::string& word) { return word.starts_with(name); })) all.push_back(own);
+    if (std::none_of(more.begin(), more.end(), [&](const std::string& word) { return word.starts_with(name); }))
+      all.push_back(own);
   }
   return all;
 }
@@ -71,15 +72,18 @@ bool signal_waits()
 {
   sigset_t waiting;
   sigpending(&waiting);
-  return std::any_of(std::begin(ending_signals), std::end(ending_signals), [&](int signal) { return sigismember(&waiting, signal) == 1; });
+  return std::any_of(std::begin(ending_signals), std::end(ending_signals),
+      [&](int signal) { return sigismember(&waiting, signal) == 1; });
 }
 
-/// What the child does between fork and its own program: nothing here may ask for memory. Tells errno if it cannot start.
+/// What the child does between fork and its own program: nothing here may ask for memory. Tells errno if it cannot
+/// start.
 [[noreturn]] void become(char* const* arguments, char* const* environment, int output, int trouble, pid_t parent)
 {
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody else would end it if we are killed
   const int nothing = open("/dev/null", O_RDONLY);
-  if (getppid() == parent && nothing >= 0 && dup2(nothing, STDIN_FILENO) >= 0 && dup2(output, STDOUT_FILENO) >= 0 && dup2(output, STDERR_FILENO) >= 0) {
+  if (getppid() == parent && nothing >= 0 && dup2(nothing, STDIN_FILENO) >= 0 && dup2(output, STDOUT_FILENO) >= 0 &&
+      dup2(output, STDERR_FILENO) >= 0) {
     for (const int signal : {SIGHUP, SIGINT, SIGTERM, SIGPIPE}) std::signal(signal, SIG_DFL);
     sigset_t none;
     sigemptyset(&none);
@@ -92,7 +96,8 @@ bool signal_waits()
 }
 
 /// 0, or the reason why it did not start. Not posix_spawn: that cannot ask for PR_SET_PDEATHSIG.
-int spawn(const std::vector<std::string>& arguments, const std::vector<std::string>& environment, int output, pid_t& pid)
+int spawn(
+    const std::vector<std::string>& arguments, const std::vector<std::string>& environment, int output, pid_t& pid)
 {
   Pipe trouble;  // closed by a successful start
   const auto words = pointers(arguments), variables = pointers(environment);
@@ -135,7 +140,8 @@ int wait_for(pid_t pid)
 
 }  // namespace
 
-ProcessResult run_process(const std::vector<std::string>& arguments, double seconds, const std::vector<std::string>& environment)
+ProcessResult run_process(
+    const std::vector<std::string>& arguments, double seconds, const std::vector<std::string>& environment)
 {
   Pipe pipe;
   ProcessResult result;

@@ -75,7 +75,8 @@ void add_part(const StateImage& part, const std::string& case_record, const std:
 
 void write_text(Hdf5File& file, const std::string& place, const std::string& text)
 {
-  file.write<std::uint8_t>(place, {std::ssize(text)}, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  file.write<std::uint8_t>(
+      place, {std::ssize(text)}, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
 void write_head(Hdf5File& file, const StateImage& part, const std::string& case_record, const std::string& tables)
@@ -98,20 +99,25 @@ std::int64_t check_format(const Hdf5File& file, const std::string& path)
   const std::int64_t version = file.integer("/", "format_version");
   if (version >= oldest_read && version <= format_version) return version;
   throw FileError(fmt::format(
-      "cannot read {}: it has checkpoint format {}, written by terp {}; this is terp {}, which reads formats {} to {}", path,
-      version, file.text("/", "terp_version"), TERP_VERSION, oldest_read, format_version));
+      "cannot read {}: it has checkpoint format {}, written by terp {}; this is terp {}, which reads formats {} to {}",
+      path, version, file.text("/", "terp_version"), TERP_VERSION, oldest_read, format_version));
 }
 
-/// The bytes of a file that nothing accounts for yet. A checkpoint is not compressed: what says that it holds more would only take memory.
+/// The bytes of a file that nothing accounts for yet. A checkpoint is not compressed: what says that it holds more
+/// would only take memory.
 class Room {
  public:
-  explicit Room(std::string path) : path_(std::move(path)), left_(static_cast<Real>(std::filesystem::file_size(path_))) {}
+  explicit Room(std::string path) : path_(std::move(path)), left_(static_cast<Real>(std::filesystem::file_size(path_)))
+  {
+  }
 
   /// Throws FileError if there is no room for values of this shape.
   void take(const std::string& place, const std::vector<std::int64_t>& shape, std::size_t n_bytes_each)
   {
-    left_ -= std::accumulate(shape.begin(), shape.end(), static_cast<Real>(n_bytes_each), [](Real n, std::int64_t rows) { return n * static_cast<Real>(rows); });
-    if (left_ < 0.0) throw FileError(fmt::format("cannot read {}: its values are more than it can hold, at {}", path_, place));
+    left_ -= std::accumulate(shape.begin(), shape.end(), static_cast<Real>(n_bytes_each),
+        [](Real n, std::int64_t rows) { return n * static_cast<Real>(rows); });
+    if (left_ < 0.0)
+      throw FileError(fmt::format("cannot read {}: its values are more than it can hold, at {}", path_, place));
   }
 
  private:
@@ -171,7 +177,10 @@ std::uint64_t checksum_of(const StateImage& image)
 }
 
 CheckpointWriter::CheckpointWriter(std::string path, std::string case_record, std::string tables)
-    : path_(std::move(path)), temporary_(temporary_name(path_)), case_record_(std::move(case_record)), tables_(std::move(tables))
+    : path_(std::move(path)),
+      temporary_(temporary_name(path_)),
+      case_record_(std::move(case_record)),
+      tables_(std::move(tables))
 {
 }
 
@@ -184,7 +193,8 @@ CheckpointWriter::~CheckpointWriter()
 void CheckpointWriter::check_complete() const
 {
   if (n_written_ == n_expected_) return;
-  throw FileError(fmt::format("cannot write {}: array `{}` holds {} values, its shape says {}", path_, array_, n_written_, n_expected_));
+  throw FileError(fmt::format(
+      "cannot write {}: array `{}` holds {} values, its shape says {}", path_, array_, n_written_, n_expected_));
 }
 
 /// Counts the values of the array, or of the next of its rows, before they are written.
@@ -203,7 +213,8 @@ void CheckpointWriter::enter(const NamedArray& array)
 
 void CheckpointWriter::write_part(const StateImage& part)
 {
-  Hdf5File file(temporary_, part.part == 0 ? Hdf5File::Mode::create : Hdf5File::Mode::change, largest_size(part) + std::ssize(case_record_));
+  Hdf5File file(temporary_, part.part == 0 ? Hdf5File::Mode::create : Hdf5File::Mode::change,
+      largest_size(part) + std::ssize(case_record_));
   if (part.part == 0) write_head(file, part, case_record_, tables_);
   for (const auto& array : part.arrays) {
     enter(array);

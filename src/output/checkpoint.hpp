@@ -11,8 +11,8 @@
 
 namespace terp {
 
-/// Writes a checkpoint part by part under a temporary name and moves it into place: a full disk or a crash leaves no half one.
-/// Names of arrays are unique; a '/' in them makes groups in the file.
+/// Writes a checkpoint part by part under a temporary name and moves it into place: a full disk or a crash leaves no
+/// half one. Names of arrays are unique; a '/' in them makes groups in the file.
 class CheckpointWriter {
  public:
   /// case_record: what the run began with; tables: what its tables hold. Kept as they are; may be empty.
@@ -31,8 +31,8 @@ class CheckpointWriter {
   void check_complete() const;
 
   std::string path_, temporary_, case_record_, tables_, names_;
-  std::string array_;                              // the newest
-  std::int64_t n_written_ = 0, n_expected_ = 0;    // values of it
+  std::string array_;                            // the newest
+  std::int64_t n_written_ = 0, n_expected_ = 0;  // values of it
   Fnv1a checksum_;
 };
 
@@ -42,7 +42,8 @@ void write_checkpoint(const std::string& path, const StateImage& image);
 /// Throws FileError with the file and what is wrong unless every bit is as it was written.
 StateImage read_checkpoint(const std::string& path);
 
-/// FNV-1a, 64 bit, over the time, the step, the case record, the tables, and each array's name, type, shape and values, in their order. Of a whole image.
+/// FNV-1a, 64 bit, over the time, the step, the case record, the tables, and each array's name, type, shape and values,
+/// in their order. Of a whole image.
 std::uint64_t checksum_of(const StateImage& image);
 
 /// A checkpoint that could not be used, and why.

@@ -26,9 +26,10 @@ namespace terp {
 namespace {
 
 constexpr std::string_view magic = "terpjnl2";
-constexpr std::size_t head_size = 64;  // of the file, by which a journal knows it: HDF5 keeps its size there
+constexpr std::size_t head_size = 64;    // of the file, by which a journal knows it: HDF5 keeps its size there
 constexpr useconds_t a_moment = 10'000;  // before a reading is repeated [us]
-constexpr std::chrono::milliseconds patience{1000};  // with a commit in its middle, which takes 0.2 ms unless its writer was killed
+constexpr std::chrono::milliseconds patience{
+    1000};  // with a commit in its middle, which takes 0.2 ms unless its writer was killed
 
 /// The bytes of a number, little-endian as in memory.
 std::string_view bytes_of(const std::int64_t& value) { return {reinterpret_cast<const char*>(&value), sizeof value}; }
@@ -58,7 +59,8 @@ int open_for_change(const std::string& path)
 
 void sync(int descriptor, const std::string& path)
 {
-  if (::fsync(descriptor) != 0 && errno != EINVAL) throw_file_error("write", path, errno);  // EINVAL: not a thing to sync
+  if (::fsync(descriptor) != 0 && errno != EINVAL)
+    throw_file_error("write", path, errno);  // EINVAL: not a thing to sync
 }
 
 std::uint64_t checksum(std::string_view bytes)
@@ -109,7 +111,10 @@ struct Journal {
   std::vector<std::pair<std::int64_t, std::string_view>> pages;
 
   /// Empty if the first page stays as it is.
-  std::string_view head_after() const { return pages.empty() || pages[0].first != 0 ? std::string_view() : pages[0].second.substr(0, head_size); }
+  std::string_view head_after() const
+  {
+    return pages.empty() || pages[0].first != 0 ? std::string_view() : pages[0].second.substr(0, head_size);
+  }
 };
 
 Journal read_journal(std::string_view text, std::size_t page_size)
@@ -126,8 +131,8 @@ Journal read_journal(std::string_view text, std::size_t page_size)
   return journal;
 }
 
-/// True if the file is the one that the journal was written for, as it was before, or with some or all of the pages in it. What is new lies in the
-/// file before the journal is written.
+/// True if the file is the one that the journal was written for, as it was before, or with some or all of the pages in
+/// it. What is new lies in the file before the journal is written.
 bool belongs_to(const Journal& journal, int descriptor, const std::string& path)
 {
   struct stat file = {};
@@ -139,7 +144,8 @@ bool belongs_to(const Journal& journal, int descriptor, const std::string& path)
 /// Step 3 of a commit.
 void apply(const Journal& journal, int descriptor, const std::string& path)
 {
-  for (const auto& [number, page] : journal.pages) write_at(descriptor, path, number * static_cast<std::int64_t>(CommittedFile::page_size), page);
+  for (const auto& [number, page] : journal.pages)
+    write_at(descriptor, path, number * static_cast<std::int64_t>(CommittedFile::page_size), page);
   set_size(descriptor, path, journal.size);
   sync(descriptor, path);
 }
@@ -166,7 +172,8 @@ std::string bytes_at(const std::string& path, std::int64_t at, std::size_t n_byt
   return bytes;
 }
 
-/// True between the first page of a commit, which is the head's, and the last: a file with this head is neither what it was nor what it becomes.
+/// True between the first page of a commit, which is the head's, and the last: a file with this head is neither what it
+/// was nor what it becomes.
 bool is_half_changed(const std::string& path, const std::string& head)
 {
   const std::string name = journal_name(path);
@@ -175,7 +182,8 @@ bool is_half_changed(const std::string& path, const std::string& head)
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   if (!is_whole(text)) return false;
   const Journal journal = read_journal(text, CommittedFile::page_size);
-  if (head == journal.head || head != journal.head_after()) return false;  // nothing is written yet, or it is of another file
+  if (head == journal.head || head != journal.head_after())
+    return false;  // nothing is written yet, or it is of another file
   return std::any_of(journal.pages.begin(), journal.pages.end(), [&](const auto& page) {
     return !page.second.starts_with(bytes_at(path, page.first * CommittedFile::page_size, page.second.size()));
   });
@@ -194,7 +202,8 @@ CommittedFile::CommittedFile(std::string path) : path_(std::move(path)), descrip
 CommittedFile::~CommittedFile()
 {
   // Best effort: nothing refers to a tail that stays.
-  if (changing_) [[maybe_unused]] const int tail_stays = ::ftruncate(descriptor_, kept_size_);
+  if (changing_) [[maybe_unused]]
+    const int tail_stays = ::ftruncate(descriptor_, kept_size_);
   ::close(descriptor_);
 }
 
@@ -218,7 +227,8 @@ void CommittedFile::read(std::int64_t at, std::int64_t n_bytes, unsigned char* t
   }
   const auto end = at + n_bytes;
   for (auto page = pages_.lower_bound(at / page_size); page != pages_.end() && page->first * page_size < end; ++page) {
-    const std::int64_t start = page->first * page_size, from = std::max(at, start), until = std::min(end, start + page_size);
+    const std::int64_t start = page->first * page_size, from = std::max(at, start),
+                       until = std::min(end, start + page_size);
     std::copy(page->second.begin() + (from - start), page->second.begin() + (until - start), to + (from - at));
   }
 }
@@ -242,7 +252,8 @@ void CommittedFile::write(std::int64_t at, std::int64_t n_bytes, const unsigned 
 {
   size_ = std::max(size_, at + n_bytes);
   while (n_bytes > 0 && at < kept_) {
-    const std::int64_t number = at / page_size, offset = at - number * page_size, n = std::min(n_bytes, page_size - offset);
+    const std::int64_t number = at / page_size, offset = at - number * page_size,
+                       n = std::min(n_bytes, page_size - offset);
     std::copy_n(from, n, changed_page(number).begin() + offset);
     at += n;
     from += n;
@@ -278,8 +289,10 @@ void finish_commit(const std::string& path)
     try {
       const Journal changes = read_journal(journal, CommittedFile::page_size);
       if (!belongs_to(changes, descriptor, path))
-        throw FileError(fmt::format("{} is of another {}: it was left by a run that was killed, and the file is not what it was then\n"
-                                    "  If the file is whole, remove the journal.", name, path));
+        throw FileError(fmt::format(
+            "{} is of another {}: it was left by a run that was killed, and the file is not what it was then\n"
+            "  If the file is whole, remove the journal.",
+            name, path));
       apply(changes, descriptor, path);
     } catch (...) {
       ::close(descriptor);
@@ -299,7 +312,8 @@ void read_between_commits(const std::string& path, const std::function<void()>& 
     if (is_half_changed(path, head)) {
       if (half_head != head) half_head = head, half_since = std::chrono::steady_clock::now();
       if (std::chrono::steady_clock::now() - half_since < patience) continue;
-      throw FileError(fmt::format("cannot read {}: its run was killed while it added a frame\n  `terp resume` ends that, and goes on.", path));
+      throw FileError(fmt::format(
+          "cannot read {}: its run was killed while it added a frame\n  `terp resume` ends that, and goes on.", path));
     }
     try {
       read();

@@ -56,7 +56,7 @@ void check_is_file(const std::string& path)
   const auto status = std::filesystem::status(path, ignored);
   if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return;
   throw FileError(fmt::format("cannot read {}: a {} is in the place of the file\n  Put the file back there.", path,
-                              std::filesystem::is_directory(status) ? "folder" : "pipe or device"));
+      std::filesystem::is_directory(status) ? "folder" : "pipe or device"));
 }
 
 std::string read_file(const std::string& path)

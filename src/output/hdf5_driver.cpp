@@ -41,7 +41,8 @@ herr_t guarded(F&& what)
     what();
     return 0;
   } catch (const std::exception& error) {
-    H5Epush2(H5E_DEFAULT, __FILE__, "guarded", __LINE__, H5E_ERR_CLS, H5E_IO, H5E_WRITEERROR, "error message = '%s'", reason_of(error).c_str());
+    H5Epush2(H5E_DEFAULT, __FILE__, "guarded", __LINE__, H5E_ERR_CLS, H5E_IO, H5E_WRITEERROR, "error message = '%s'",
+        reason_of(error).c_str());
     return -1;
   }
 }
@@ -68,8 +69,8 @@ herr_t close_file(H5FD_t* file)
 
 herr_t query(const H5FD_t*, unsigned long* flags)
 {
-  *flags = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_ACCUMULATE_METADATA | H5FD_FEAT_DATA_SIEVE | H5FD_FEAT_AGGREGATE_SMALLDATA |
-           H5FD_FEAT_DEFAULT_VFD_COMPATIBLE;
+  *flags = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_ACCUMULATE_METADATA | H5FD_FEAT_DATA_SIEVE |
+           H5FD_FEAT_AGGREGATE_SMALLDATA | H5FD_FEAT_DEFAULT_VFD_COMPATIBLE;
   return 0;
 }
 
@@ -91,13 +92,18 @@ herr_t get_handle(H5FD_t* file, hid_t, void** handle)
 
 herr_t read(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, std::size_t n_bytes, void* to)
 {
-  return guarded([&] { own(file).file->read(static_cast<std::int64_t>(at), static_cast<std::int64_t>(n_bytes), static_cast<unsigned char*>(to)); });
+  return guarded([&] {
+    own(file).file->read(
+        static_cast<std::int64_t>(at), static_cast<std::int64_t>(n_bytes), static_cast<unsigned char*>(to));
+  });
 }
 
 herr_t write(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, std::size_t n_bytes, const void* from)
 {
-  return guarded(
-      [&] { own(file).file->write(static_cast<std::int64_t>(at), static_cast<std::int64_t>(n_bytes), static_cast<const unsigned char*>(from)); });
+  return guarded([&] {
+    own(file).file->write(
+        static_cast<std::int64_t>(at), static_cast<std::int64_t>(n_bytes), static_cast<const unsigned char*>(from));
+  });
 }
 
 herr_t flush(H5FD_t*, hid_t, hbool_t) { return 0; }     // on closing, by the commit

@@ -6,7 +6,8 @@
 
 namespace terp {
 
-/// Makes files that are opened with these properties (HDF5's identifier of a file access list) change as a whole or not at all.
+/// Makes files that are opened with these properties (HDF5's identifier of a file access list) change as a whole or not
+/// at all.
 void use_committed_driver(std::int64_t access);
 
 /// The content up to now is what must not be lost; see CommittedFile::start_changes. file: HDF5's identifier.

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <hdf5.h>
-
 #include <algorithm>
 #include <type_traits>
 #include <utility>
@@ -108,23 +107,28 @@ std::vector<hsize_t> extent_of(hid_t space)
   throw FileError(fmt::format("cannot read {} in {}: {}", object, path, why));
 }
 
-/// A dataset whose values lie in this file: in another they may be a pipe, which would be waited for without end, or somebody else's.
+/// A dataset whose values lie in this file: in another they may be a pipe, which would be waited for without end, or
+/// somebody else's.
 Id open_dataset(hid_t file, const std::string& path, const std::string& name)
 {
   Id dataset{checked(H5Dopen2(file, name.c_str(), H5P_DEFAULT), "open", path, name), H5Dclose};
   const Id properties{H5Dget_create_plist(dataset), H5Pclose};
-  if (H5Pget_layout(properties) == H5D_VIRTUAL || H5Pget_external_count(properties) > 0) refuse(path, name, "its values are in another file");
+  if (H5Pget_layout(properties) == H5D_VIRTUAL || H5Pget_external_count(properties) > 0)
+    refuse(path, name, "its values are in another file");
   return dataset;
 }
 
 /// Rows and columns of a table; 1 column where it has one dimension.
-std::pair<std::int64_t, hsize_t> size_of_table(const std::vector<hsize_t>& extent, const std::string& path, const std::string& name)
+std::pair<std::int64_t, hsize_t> size_of_table(
+    const std::vector<hsize_t>& extent, const std::string& path, const std::string& name)
 {
-  if (extent.empty() || extent.size() > 2 || (extent.size() == 2 && extent[1] == 0)) refuse(path, name, "it is no table");
+  if (extent.empty() || extent.size() > 2 || (extent.size() == 2 && extent[1] == 0))
+    refuse(path, name, "it is no table");
   return {static_cast<std::int64_t>(extent[0]), extent.size() == 2 ? extent[1] : 1};
 }
 
-/// Most values that one stored value can stand for: deflate shrinks 1032 times at best, what is not compressed does not shrink.
+/// Most values that one stored value can stand for: deflate shrinks 1032 times at best, what is not compressed does not
+/// shrink.
 hsize_t greatest_compression(hid_t properties)
 {
   const bool compressed = H5Pget_layout(properties) == H5D_CHUNKED && H5Pget_nfilters(properties) > 0;
@@ -139,9 +143,10 @@ bool has_at_most(hsize_t most, const std::vector<hsize_t>& shape)
   return most > 0;
 }
 
-/// Throws where a dataset asks for more than its file can hold, in values, in values per chunk or in chunks (HDF5 takes some 400 bytes for
-/// each to read them): memory is asked for by what it says.
-void check_size(hid_t dataset, hid_t file, std::size_t n_bytes_in_memory, const std::string& path, const std::string& name)
+/// Throws where a dataset asks for more than its file can hold, in values, in values per chunk or in chunks (HDF5 takes
+/// some 400 bytes for each to read them): memory is asked for by what it says.
+void check_size(
+    hid_t dataset, hid_t file, std::size_t n_bytes_in_memory, const std::string& path, const std::string& name)
 {
   const Id properties{H5Dget_create_plist(dataset), H5Pclose};
   const std::vector<hsize_t> extent = extent_of(Id{H5Dget_space(dataset), H5Sclose});
@@ -155,7 +160,9 @@ void check_size(hid_t dataset, hid_t file, std::size_t n_bytes_in_memory, const 
   const hsize_t size = std::max<hsize_t>(n_bytes_in_memory, H5Tget_size(Id{H5Dget_type(dataset), H5Tclose}));
   const hsize_t most = n_bytes * greatest_compression(properties) / size, most_chunks = n_bytes / sizeof(haddr_t);
   if (has_at_most(most, extent) && has_at_most(most, chunk) && has_at_most(most_chunks, n_chunks)) return;
-  refuse(path, name, fmt::format("its shape is {} in pieces of {}, more than a file of {} bytes can hold", fmt::join(extent, " x "), fmt::join(chunk, " x "), n_bytes));
+  refuse(path, name,
+      fmt::format("its shape is {} in pieces of {}, more than a file of {} bytes can hold", fmt::join(extent, " x "),
+          fmt::join(chunk, " x "), n_bytes));
 }
 
 /// A dataset that can be read into memory.
@@ -204,8 +211,8 @@ void make_empty(const std::string& path, std::int64_t n_reserved)
 hid_t open_existing(const std::string& path, bool change)
 {
   const Id access = access_properties();
-  return checked(H5Fopen(path.c_str(), change ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access), change ? "change" : "read",
-                 path);
+  return checked(
+      H5Fopen(path.c_str(), change ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access), change ? "change" : "read", path);
 }
 
 /// A file that keeps its old content until it is closed.
@@ -221,7 +228,8 @@ hid_t open_committed(const std::string& path, std::int64_t n_reserved)
 
 hid_t open_file(const std::string& path, Hdf5File::Mode mode, std::int64_t n_reserved)
 {
-  static const herr_t without_exit_handler = H5dont_atexit();  // at exit HDF5 1.10 would close once more, and crash on, a file whose closing failed
+  static const herr_t without_exit_handler =
+      H5dont_atexit();  // at exit HDF5 1.10 would close once more, and crash on, a file whose closing failed
   static_cast<void>(without_exit_handler);
   static const herr_t without_links_to_other_files = (H5open(), H5Lunregister(H5L_TYPE_EXTERNAL));
   static_cast<void>(without_links_to_other_files);
@@ -325,12 +333,14 @@ void Hdf5File::cut_rows(const std::string& name, std::int64_t n_rows)
 }
 
 template <class T>
-void Hdf5File::write(const std::string& name, const std::vector<std::int64_t>& shape, std::span<const T> values, std::int64_t first_row)
+void Hdf5File::write(
+    const std::string& name, const std::vector<std::int64_t>& shape, std::span<const T> values, std::int64_t first_row)
 {
   const Id links{H5Pcreate(H5P_LINK_CREATE), H5Pclose};
   H5Pset_create_intermediate_group(links, 1);
   const auto make = [&] {
-    return H5Dcreate2(file_, name.c_str(), disk_type<T>(), make_space(to_hsize(shape)), links, H5P_DEFAULT, H5P_DEFAULT);
+    return H5Dcreate2(
+        file_, name.c_str(), disk_type<T>(), make_space(to_hsize(shape)), links, H5P_DEFAULT, H5P_DEFAULT);
   };
   Id dataset = first_row == 0 ? Id{checked(make(), "create", path_, name), H5Dclose} : open_dataset(file_, path_, name);
   const Id space{H5Dget_space(dataset), H5Sclose};
@@ -340,7 +350,8 @@ void Hdf5File::write(const std::string& name, const std::vector<std::int64_t>& s
     count[0] = values.size() * count[0] / static_cast<hsize_t>(n_values);
     H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
   }
-  checked(H5Dwrite(dataset, memory_type<T>(), make_space(count), space, H5P_DEFAULT, values.data()), "write", path_, name);
+  checked(
+      H5Dwrite(dataset, memory_type<T>(), make_space(count), space, H5P_DEFAULT, values.data()), "write", path_, name);
   finish(dataset, path_, name);
 }
 
@@ -362,7 +373,8 @@ std::vector<T> Hdf5File::read_rows(const std::string& name, std::int64_t first_r
   std::vector<hsize_t> count = extent_of(space), start(count.size(), 0);
   const auto [n_there, n_columns] = size_of_table(count, path_, name);
   if (first_row < 0 || n_rows < 0 || n_rows > n_there - first_row)
-    throw FileError(fmt::format("cannot read rows {} to {} of {} in {}: it has {}", first_row, first_row + n_rows - 1, name, path_, n_there));
+    throw FileError(fmt::format(
+        "cannot read rows {} to {} of {} in {}: it has {}", first_row, first_row + n_rows - 1, name, path_, n_there));
   start[0] = static_cast<hsize_t>(first_row);
   count[0] = static_cast<hsize_t>(n_rows);
   H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
@@ -402,8 +414,8 @@ void Hdf5File::set_real(const std::string& object, const std::string& attribute,
   checked(H5Awrite(made, H5T_NATIVE_DOUBLE, &value), "write", path_, attribute);
 }
 
-void Hdf5File::set_integers(const std::string& object, const std::string& attribute,
-                            const std::vector<std::int64_t>& values)
+void Hdf5File::set_integers(
+    const std::string& object, const std::string& attribute, const std::vector<std::int64_t>& values)
 {
   const Id opened{checked(H5Oopen(file_, object.c_str(), H5P_DEFAULT), "open", path_, object), H5Oclose};
   const Id space = values.size() == 1 ? make_space({}) : make_space({values.size()});
@@ -416,12 +428,13 @@ namespace {
 Id open_attribute(hid_t file, const std::string& path, const std::string& object, const std::string& name)
 {
   return {checked(H5Aopen_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), "find", path, name),
-          H5Aclose};
+      H5Aclose};
 }
 
 std::size_t count_values(hid_t attribute)
 {
-  return static_cast<std::size_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(Id{H5Aget_space(attribute), H5Sclose})));
+  return static_cast<std::size_t>(
+      std::max<hssize_t>(0, H5Sget_simple_extent_npoints(Id{H5Aget_space(attribute), H5Sclose})));
 }
 
 /// The one value of an attribute.
@@ -429,7 +442,8 @@ template <class T>
 T read_single(hid_t file, const std::string& path, const std::string& object, const std::string& attribute)
 {
   const Id opened = open_attribute(file, path, object, attribute);
-  if (const std::size_t n = count_values(opened); n != 1) refuse(path, attribute, fmt::format("it has {} values, one is expected", n));
+  if (const std::size_t n = count_values(opened); n != 1)
+    refuse(path, attribute, fmt::format("it has {} values, one is expected", n));
   T value{};
   checked(H5Aread(opened, memory_type<T>(), &value), "read", path, attribute);
   return value;
@@ -446,7 +460,8 @@ std::string Hdf5File::text(const std::string& object, const std::string& attribu
 {
   const Id opened = open_attribute(file_, path_, object, attribute);
   const Id type{H5Aget_type(opened), H5Tclose};
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 || count_values(opened) != 1) refuse(path_, attribute, "it is no text of fixed length");
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 || count_values(opened) != 1)
+    refuse(path_, attribute, "it is no text of fixed length");
   std::string value(H5Tget_size(type), '\0');
   checked(H5Aread(opened, type, value.data()), "read", path_, attribute);
   return value.substr(0, value.find('\0'));
@@ -470,11 +485,12 @@ std::int64_t Hdf5File::integer(const std::string& object, const std::string& att
   return read_single<std::int64_t>(file_, path_, object, attribute);
 }
 
-#define TERP_HDF5_TYPE(T)                                                                                     \
-  template void Hdf5File::create_table<T>(const std::string&, const TableLayout&);                            \
-  template void Hdf5File::write_rows<T>(const std::string&, std::int64_t, std::span<const T>);                \
-  template void Hdf5File::write<T>(const std::string&, const std::vector<std::int64_t>&, std::span<const T>, std::int64_t); \
-  template std::vector<T> Hdf5File::read<T>(const std::string&) const;                                        \
+#define TERP_HDF5_TYPE(T)                                                                      \
+  template void Hdf5File::create_table<T>(const std::string&, const TableLayout&);             \
+  template void Hdf5File::write_rows<T>(const std::string&, std::int64_t, std::span<const T>); \
+  template void Hdf5File::write<T>(                                                            \
+      const std::string&, const std::vector<std::int64_t>&, std::span<const T>, std::int64_t); \
+  template std::vector<T> Hdf5File::read<T>(const std::string&) const;                         \
   template std::vector<T> Hdf5File::read_rows<T>(const std::string&, std::int64_t, std::int64_t) const;
 TERP_HDF5_TYPE(Real)
 TERP_HDF5_TYPE(std::int64_t)

@@ -14,11 +14,12 @@ namespace terp {
 /// An HDF5 file. Objects are named by their path, e.g. "/VTKHDF/Points"; numbers are stored little-endian.
 /// T is Real, std::int64_t or std::uint8_t. Every failure throws FileError.
 ///
-/// What is read may come from anywhere: an attribute of another kind or number of values than asked for, and a dataset that claims more
-/// values than the file can hold, or keeps them in another file, throw as well. Links to other files are not followed.
+/// What is read may come from anywhere: an attribute of another kind or number of values than asked for, and a dataset
+/// that claims more values than the file can hold, or keeps them in another file, throw as well. Links to other files
+/// are not followed.
 ///
-/// The file is not locked, so that it can be looked at while a run writes it. One that is opened with Mode::commit is left with the old
-/// content or the new, whatever happens (committed_file.hpp).
+/// The file is not locked, so that it can be looked at while a run writes it. One that is opened with Mode::commit is
+/// left with the old content or the new, whatever happens (committed_file.hpp).
 class Hdf5File {
  public:
   /// commit: an existing file that keeps its old content until `close`.
@@ -54,10 +55,11 @@ class Hdf5File {
   /// Drops the rows after the first n_rows.
   void cut_rows(const std::string& name, std::int64_t n_rows);
 
-  /// A dataset that does not grow; groups in its name are made as needed. values: product of shape entries, row-major; or fewer rows,
-  /// and the rest later, from `first_row` on.
+  /// A dataset that does not grow; groups in its name are made as needed. values: product of shape entries, row-major;
+  /// or fewer rows, and the rest later, from `first_row` on.
   template <class T>
-  void write(const std::string& name, const std::vector<std::int64_t>& shape, std::span<const T> values, std::int64_t first_row = 0);
+  void write(const std::string& name, const std::vector<std::int64_t>& shape, std::span<const T> values,
+      std::int64_t first_row = 0);
   template <class T>
   std::vector<T> read(const std::string& name) const;
   /// Rows first_row ... first_row + n_rows - 1 of a table, row-major. Throws FileError if it has fewer.

@@ -12,7 +12,8 @@
 
 namespace terp {
 
-/// Commas and quotation marks come by themselves. A number that is not finite becomes null. Text is UTF-8; "<" is written
+/// Commas and quotation marks come by themselves. A number that is not finite becomes null. Text is UTF-8; "<" is
+/// written
 /// "\u003c", so that the document may stand inside a <script> of a page, whatever its texts hold.
 class JsonText {
  public:

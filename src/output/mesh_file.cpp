@@ -15,11 +15,11 @@ namespace {
 using vtkhdf::root;
 using vtkhdf::steps;
 
-constexpr std::uint8_t vtk_quad = 9;              // VTK_QUAD of vtkCellType.h
+constexpr std::uint8_t vtk_quad = 9;  // VTK_QUAD of vtkCellType.h
 constexpr int compression = 1;
-constexpr std::int64_t header_bytes = 16 << 10;   // of one table
+constexpr std::int64_t header_bytes = 16 << 10;  // of one table
 constexpr int n_tables = 25;
-constexpr std::int64_t largest_chunk = 1 << 15;   // rows
+constexpr std::int64_t largest_chunk = 1 << 15;  // rows
 
 /// A field, its group and how many components it has.
 struct MeshField {
@@ -29,7 +29,8 @@ struct MeshField {
   int n_components;
 };
 
-constexpr MeshField mass{"PointData", "mass", "kg per m", 1}, velocity{"PointData", "velocity", "m/s", 2}, pressure{"CellData", "pressure", "Pa", 1};
+constexpr MeshField mass{"PointData", "mass", "kg per m", 1}, velocity{"PointData", "velocity", "m/s", 2},
+    pressure{"CellData", "pressure", "Pa", 1};
 constexpr std::array fields{mass, velocity, pressure};
 
 std::string table_of(const MeshField& field) { return root + "/" + field.data + "/" + field.name; }
@@ -37,14 +38,19 @@ std::string table_of(const MeshField& field) { return root + "/" + field.data + 
 std::string offsets_of(const MeshField& field) { return steps + "/" + field.data + "Offsets/" + field.name; }
 
 /// Bytes of places, cells and one frame, were they not compressed.
-std::int64_t largest_size(std::int64_t n_nodes, std::int64_t n_cells) { return 8 * (8 * n_nodes + 8 * n_cells) + n_tables * header_bytes; }
+std::int64_t largest_size(std::int64_t n_nodes, std::int64_t n_cells)
+{
+  return 8 * (8 * n_nodes + 8 * n_cells) + n_tables * header_bytes;
+}
 
 std::int64_t count_of(const Hdf5File& file, const char* data)
 {
-  return file.read_rows<std::int64_t>(root + (data == std::string_view("CellData") ? "/NumberOfCells" : "/NumberOfPoints"), 0, 1)[0];
+  return file.read_rows<std::int64_t>(
+      root + (data == std::string_view("CellData") ? "/NumberOfCells" : "/NumberOfPoints"), 0, 1)[0];
 }
 
-/// A table of n_rows; add_row(k, values) appends row k. A part at a time: all of a large mesh would be the most memory that a run ever takes.
+/// A table of n_rows; add_row(k, values) appends row k. A part at a time: all of a large mesh would be the most memory
+/// that a run ever takes.
 template <class T, class F>
 void add_table(Hdf5File& file, const std::string& name, int n_columns, std::int64_t n_rows, F&& add_row)
 {
@@ -52,7 +58,8 @@ void add_table(Hdf5File& file, const std::string& name, int n_columns, std::int6
   std::vector<T> values;
   for (std::int64_t first = 0; first < n_rows; first += largest_chunk) {
     values.clear();
-    for (std::int64_t k = first; k < std::min(first + largest_chunk, n_rows); ++k) add_row(static_cast<std::size_t>(k), values);
+    for (std::int64_t k = first; k < std::min(first + largest_chunk, n_rows); ++k)
+      add_row(static_cast<std::size_t>(k), values);
     file.write_rows<T>(name, first, values);
   }
 }
@@ -66,14 +73,15 @@ void add_grid(Hdf5File& file, const Mesh<2>& mesh)
   });
   file.set_text(root + "/Points", "unit", "m");
   using Integers = std::vector<std::int64_t>;
-  add_table<std::int64_t>(file, root + "/Connectivity", 0, n_corners_of_all, [&](std::size_t k, Integers& nodes) {
-    nodes.push_back(mesh.cells[k / n_corners][k % n_corners]);
-  });
-  add_table<std::int64_t>(file, root + "/Offsets", 0, mesh.n_cells() + 1, [](std::size_t k, Integers& offsets) {
-    offsets.push_back(static_cast<std::int64_t>(n_corners * k));
-  });
-  add_table<std::uint8_t>(file, root + "/Types", 0, mesh.n_cells(), [](std::size_t, std::vector<std::uint8_t>& types) { types.push_back(vtk_quad); });
-  const auto number = [&](const char* name, std::int64_t n) { file.write<std::int64_t>(root + "/" + name, {1}, std::vector<std::int64_t>{n}); };
+  add_table<std::int64_t>(file, root + "/Connectivity", 0, n_corners_of_all,
+      [&](std::size_t k, Integers& nodes) { nodes.push_back(mesh.cells[k / n_corners][k % n_corners]); });
+  add_table<std::int64_t>(file, root + "/Offsets", 0, mesh.n_cells() + 1,
+      [](std::size_t k, Integers& offsets) { offsets.push_back(static_cast<std::int64_t>(n_corners * k)); });
+  add_table<std::uint8_t>(file, root + "/Types", 0, mesh.n_cells(),
+      [](std::size_t, std::vector<std::uint8_t>& types) { types.push_back(vtk_quad); });
+  const auto number = [&](const char* name, std::int64_t n) {
+    file.write<std::int64_t>(root + "/" + name, {1}, std::vector<std::int64_t>{n});
+  };
   number("NumberOfPoints", mesh.n_nodes());
   number("NumberOfCells", mesh.n_cells());
   number("NumberOfConnectivityIds", n_corners_of_all);
@@ -89,7 +97,8 @@ void add_fields(Hdf5File& file, const Mesh<2>& mesh)
   vtkhdf::add_steps(file);
   const std::int64_t n_rows = std::max(mesh.n_nodes(), mesh.n_cells());
   for (const MeshField& field : fields) {
-    file.create_table<Real>(table_of(field), {vtkhdf::n_columns(field.n_components), std::min(n_rows, largest_chunk), compression});
+    file.create_table<Real>(
+        table_of(field), {vtkhdf::n_columns(field.n_components), std::min(n_rows, largest_chunk), compression});
     vtkhdf::describe_field(file, table_of(field), field.unit, field.n_components);
     file.create_table<std::int64_t>(offsets_of(field), {});
   }
@@ -146,11 +155,13 @@ void MeshFile::cut_after(Hdf5File& file, std::int64_t step)
 {
   if (!file.exists(steps)) return;
   std::vector<vtkhdf::StepTable> tables;
-  for (const MeshField& field : fields) tables.push_back({table_of(field), count_of(file, field.data), vtkhdf::n_columns(field.n_components)});
+  for (const MeshField& field : fields)
+    tables.push_back({table_of(field), count_of(file, field.data), vtkhdf::n_columns(field.n_components)});
   vtkhdf::cut_steps(file, step, tables);
 }
 
-MeshWriter::MeshWriter(const std::string& folder, const std::string& case_record, const Model& model, const State& state)
+MeshWriter::MeshWriter(
+    const std::string& folder, const std::string& case_record, const Model& model, const State& state)
     : file_(path_in(folder, mesh_file), digits_of(case_record)), model_(model), state_(state)
 {
   if (!std::filesystem::exists(path_in(folder, mesh_file))) file_.create(model.mesh, model.description.output.mesh);

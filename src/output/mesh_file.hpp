@@ -28,7 +28,8 @@ class MeshFile {
   /// Frames of steps up to `step`; 0 without a file.
   std::int64_t count_until(std::int64_t step) const;
 
-  /// The file, ready for `cut_after`; nothing without a file. What is done to it is on the disk when it is closed, and dropped otherwise.
+  /// The file, ready for `cut_after`; nothing without a file. What is done to it is on the disk when it is closed, and
+  /// dropped otherwise.
   std::unique_ptr<Hdf5File> open_to_cut() const;
 
   /// Drops the frames of later steps, if it has any.
@@ -38,8 +39,9 @@ class MeshFile {
   std::string path_, run_;
 };
 
-/// Writes mesh.vtkhdf into the folder of a run: the mesh at once, unless it is there, and with `output.mesh` what it carries whenever a
-/// frame of the points is shown. In the run's own thread: it looks at the state, and is small against a frame.
+/// Writes mesh.vtkhdf into the folder of a run: the mesh at once, unless it is there, and with `output.mesh` what it
+/// carries whenever a frame of the points is shown. In the run's own thread: it looks at the state, and is small
+/// against a frame.
 class MeshWriter : public Observer {
  public:
   /// case_record: what the run began with.

@@ -70,7 +70,8 @@ bool is_written_by_terp(std::string_view file_name)
 {
   for (const std::string_view ending : {temporary, std::string_view(".journal")})
     if (file_name.ends_with(ending)) file_name.remove_suffix(ending.size());
-  constexpr std::array names = {case_file, results_file, mesh_file, history_file, ledger_file, left_file, footings_file, summary_file, report_file};
+  constexpr std::array names = {case_file, results_file, mesh_file, history_file, ledger_file, left_file, footings_file,
+      summary_file, report_file};
   return std::find(names.begin(), names.end(), file_name) != names.end() || step_of_checkpoint(file_name) >= 0 ||
          step_in_name(file_name, "failed_") >= 0;
 }
@@ -92,7 +93,7 @@ FolderLock prepare_run_folder(const std::string& folder, bool force)
         fmt::format("the run folder {0} is not empty\n"
                     "  Use --force to replace the run in it, -o DIR to write to another folder, or `terp resume {0}` "
                     "to continue it.",
-                    folder));
+            folder));
   }
   remove_files(folder, [](const std::string&) { return true; });
   return lock;

@@ -16,25 +16,30 @@
 namespace terp {
 namespace {
 
-constexpr std::size_t most_waiting = 64;             // rows, mostly
+constexpr std::size_t most_waiting = 64;  // rows, mostly
 
 /// Throws FileError if a file holds fewer rows or frames than it must.
-void check_length(const std::string& path, const char* unit, std::int64_t n, std::int64_t n_due, const ResumePoint& from)
+void check_length(
+    const std::string& path, const char* unit, std::int64_t n, std::int64_t n_due, const ResumePoint& from)
 {
   if (n >= n_due) return;
-  const std::string fault = std::filesystem::exists(path) ? fmt::format("it holds {} {} up to there, {} are due", n, unit, n_due) : "it is missing";
-  throw FileError(fmt::format("cannot resume from step {}, t = {:.4g} s, without all of {}: {}\n"
-                              "  Put the file back, resume from an earlier checkpoint, or start the case anew: terp run {} -o NEW_FOLDER",
-                              from.step, from.time, path, fault, path_in(folder_of(path), case_file)));
+  const std::string fault = std::filesystem::exists(path)
+                                ? fmt::format("it holds {} {} up to there, {} are due", n, unit, n_due)
+                                : "it is missing";
+  throw FileError(fmt::format(
+      "cannot resume from step {}, t = {:.4g} s, without all of {}: {}\n"
+      "  Put the file back, resume from an earlier checkpoint, or start the case anew: terp run {} -o NEW_FOLDER",
+      from.step, from.time, path, fault, path_in(folder_of(path), case_file)));
 }
 
 /// Throws FileError for a file that is there and cannot be gone on with.
 [[noreturn]] void refuse(const std::string& path, const ResumePoint& from, const std::string& fault)
 {
-  throw FileError(fmt::format("cannot resume from step {}, t = {:.4g} s: {} {}\n"
-                              "  Put a copy of it back, or start the case anew: terp run {} -o NEW_FOLDER\n"
-                              "  Nothing was changed; the other files of the folder are as they were.",
-                              from.step, from.time, path, fault, path_in(folder_of(path), case_file)));
+  throw FileError(
+      fmt::format("cannot resume from step {}, t = {:.4g} s: {} {}\n"
+                  "  Put a copy of it back, or start the case anew: terp run {} -o NEW_FOLDER\n"
+                  "  Nothing was changed; the other files of the folder are as they were.",
+          from.step, from.time, path, fault, path_in(folder_of(path), case_file)));
 }
 
 /// What is dropped: all that comes later. A run at its start shows that start again.
@@ -47,12 +52,15 @@ struct TableInfo {
   std::int64_t ResumePoint::*n_due;
 };
 constexpr std::array tables = {TableInfo{history_file, history_header, &ResumePoint::n_history_rows},
-                               TableInfo{ledger_file, ledger_header, &ResumePoint::n_ledger_rows},
-                               TableInfo{left_file, left_header, &ResumePoint::n_left_rows},
-                               TableInfo{footings_file, footings_header, &ResumePoint::n_footing_rows}};
+    TableInfo{ledger_file, ledger_header, &ResumePoint::n_ledger_rows},
+    TableInfo{left_file, left_header, &ResumePoint::n_left_rows},
+    TableInfo{footings_file, footings_header, &ResumePoint::n_footing_rows}};
 
 /// One line per table of a run, "ledger.csv = 85944171f73967e8": its checksum.
-std::string table_line(std::string_view name, const std::string& checksum) { return fmt::format("{} = {}\n", name, checksum); }
+std::string table_line(std::string_view name, const std::string& checksum)
+{
+  return fmt::format("{} = {}\n", name, checksum);
+}
 
 /// Throws FileError unless the rows up to the checkpoint are those that the run wrote.
 void check_table(const std::string& folder, const TableInfo& table, const ResumePoint& from)
@@ -61,14 +69,16 @@ void check_table(const std::string& folder, const TableInfo& table, const Resume
   const TablePart part = read_part_until(path, table.header, last_time(from));
   check_length(path, "rows", part.n_rows, from.step == 0 ? 0 : from.*table.n_due, from);
   const bool same = from.tables.find(table_line(table.name, part.checksum)) != std::string::npos;
-  if (!from.tables.empty() && part.n_rows > 0 && !same) refuse(path, from, "is not what this run wrote: rows of it were altered, or it is of another run");
+  if (!from.tables.empty() && part.n_rows > 0 && !same)
+    refuse(path, from, "is not what this run wrote: rows of it were altered, or it is of another run");
 }
 
-/// The file without what comes after the checkpoint, on the disk when it is closed; nothing if there is none. Throws FileError if it is damaged: HDF5
-/// keeps what belongs to one frame all over the file, so that of one that was cut or altered nothing can be relied on.
+/// The file without what comes after the checkpoint, on the disk when it is closed; nothing if there is none. Throws
+/// FileError if it is damaged: HDF5 keeps what belongs to one frame all over the file, so that of one that was cut or
+/// altered nothing can be relied on.
 template <class File, class CutAfter>
-std::unique_ptr<Hdf5File> cut(const File& file, const std::string& path, std::int64_t n_due, const vtkhdf::GridSize& grid, const std::string& run, const ResumePoint& from,
-                              CutAfter&& cut_after)
+std::unique_ptr<Hdf5File> cut(const File& file, const std::string& path, std::int64_t n_due,
+    const vtkhdf::GridSize& grid, const std::string& run, const ResumePoint& from, CutAfter&& cut_after)
 {
   const auto unless_damaged = [&](auto&& read) {
     try {
@@ -101,7 +111,8 @@ RunWriter::RunWriter(RunWriterSettings settings, FolderLock lock)
       background_(most_waiting)
 {
   for (std::size_t k = 0; k < n_tables; ++k)
-    if (k == history_table || k == ledger_table || std::filesystem::exists(path_in(settings_.folder, tables[k].name))) open_table(k);
+    if (k == history_table || k == ledger_table || std::filesystem::exists(path_in(settings_.folder, tables[k].name)))
+      open_table(k);
 }
 
 std::unique_ptr<RunWriter> RunWriter::start(RunWriterSettings settings, bool force)
@@ -115,10 +126,10 @@ std::unique_ptr<RunWriter> RunWriter::resume(RunWriterSettings settings, FolderL
 {
   const std::string folder = settings.folder, run = from.tables.empty() ? "" : digits_of(settings.case_record);
   const std::string results_path = path_in(folder, results_file), mesh_path = path_in(folder, mesh_file);
-  const auto results = cut(ResultsFile(results_path), results_path, from.n_frames, {from.n_points, from.n_points}, run, from,
-                           [&](Hdf5File& file) { ResultsFile::cut_after(file, last_step(from), from.fields); });
+  const auto results = cut(ResultsFile(results_path), results_path, from.n_frames, {from.n_points, from.n_points}, run,
+      from, [&](Hdf5File& file) { ResultsFile::cut_after(file, last_step(from), from.fields); });
   const auto mesh = cut(MeshFile(mesh_path), mesh_path, from.n_mesh_frames, {from.n_nodes, from.n_cells}, run, from,
-                        [&](Hdf5File& file) { MeshFile::cut_after(file, last_step(from)); });
+      [&](Hdf5File& file) { MeshFile::cut_after(file, last_step(from)); });
   for (const TableInfo& table : tables) check_table(folder, table, from);
   check_is_file(path_in(folder, summary_file));
   if (results) results->close();  // all agree: from here on the folder changes
@@ -179,14 +190,16 @@ void RunWriter::append_to(Which which, const std::string& lines) { open_table(wh
 void RunWriter::write_checkpoint_part(const StateImage& part)
 {
   if (part.part == 0) {
-    for (const auto name : {results_file, mesh_file, history_file, ledger_file, left_file, footings_file}) {  // on the disk before what relies on them
+    for (const auto name : {results_file, mesh_file, history_file, ledger_file, left_file,
+             footings_file}) {  // on the disk before what relies on them
       const std::string path = path_in(settings_.folder, name);
       if (std::filesystem::exists(path)) sync_to_disk(path);
     }
     std::string written;
     for (std::size_t k = 0; k < n_tables; ++k)
       if (tables_[k]) written += table_line(tables[k].name, tables_[k]->checksum());
-    checkpoint_.emplace(path_in(settings_.folder, checkpoint_file(part.step)), settings_.case_record, std::move(written));
+    checkpoint_.emplace(
+        path_in(settings_.folder, checkpoint_file(part.step)), settings_.case_record, std::move(written));
   }
   checkpoint_->append(part);
   if (!part.last) return;

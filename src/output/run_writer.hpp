@@ -21,7 +21,7 @@ namespace terp {
 struct RunWriterSettings {
   std::string folder;  ///< "runs/model_2"
   CaseText case_text;
-  Index checkpoint_keep = 2;  ///< how many of the newest checkpoints are kept; 0: all
+  Index checkpoint_keep = 2;     ///< how many of the newest checkpoints are kept; 0: all
   std::string case_record = {};  ///< what the run began with, for its checkpoints
 };
 
@@ -30,14 +30,15 @@ struct ResumePoint {
   std::int64_t step = 0;
   Real time = 0.0;  ///< [s]
   std::int64_t n_points = 0, n_nodes = 0, n_cells = 0;
-  std::int64_t n_frames = 0, n_mesh_frames = 0, n_history_rows = 0, n_ledger_rows = 0, n_left_rows = 0, n_footing_rows = 0;
-  std::string tables = {};  ///< as the checkpoint has it; empty: not known
+  std::int64_t n_frames = 0, n_mesh_frames = 0, n_history_rows = 0, n_ledger_rows = 0, n_left_rows = 0,
+               n_footing_rows = 0;
+  std::string tables = {};              ///< as the checkpoint has it; empty: not known
   std::vector<PointField> fields = {};  ///< of a frame; values do not count
 };
 
-/// What is shown is written in the order in which it was shown, by a thread of its own, so that the run goes on meanwhile; `finish`
-/// waits for it. A write that failed leaves what was there before and throws FileError from a later call; nothing that was shown after
-/// it is written.
+/// What is shown is written in the order in which it was shown, by a thread of its own, so that the run goes on
+/// meanwhile; `finish` waits for it. A write that failed leaves what was there before and throws FileError from a later
+/// call; nothing that was shown after it is written.
 ///
 /// Order that a resumed run relies on: at one step, the checkpoint comes after the frame and the rows of that step,
 /// and a resumed run does not write those of its first step again, unless that is step 0.
@@ -46,8 +47,8 @@ class RunWriter : public Observer {
   /// A new run: prepares the folder and writes case.toml.
   static std::unique_ptr<RunWriter> start(RunWriterSettings settings, bool force);
 
-  /// A run that continues from a checkpoint: drops all that was written after it. If a file is damaged, holds less than it must, or is of
-  /// another run, throws FileError and changes nothing. lock: of the run's folder.
+  /// A run that continues from a checkpoint: drops all that was written after it. If a file is damaged, holds less than
+  /// it must, or is of another run, throws FileError and changes nothing. lock: of the run's folder.
   static std::unique_ptr<RunWriter> resume(RunWriterSettings settings, FolderLock lock, const ResumePoint& from);
 
   ~RunWriter() override;
@@ -86,11 +87,12 @@ class RunWriter : public Observer {
   RunWriterSettings settings_;
   FolderLock lock_;
   ResultsFile results_;
-  std::array<std::optional<TableFile>, n_tables> tables_;  // those of points that left and of footings from their first row on
+  std::array<std::optional<TableFile>, n_tables>
+      tables_;                                  // those of points that left and of footings from their first row on
   std::optional<CheckpointWriter> checkpoint_;  // between its first part and its last
   std::weak_ptr<const Frame> last_frame_;
   std::weak_ptr<const StateImage> last_image_;
-  Background background_;           // last: its tasks use the rest
+  Background background_;  // last: its tasks use the rest
 };
 
 }  // namespace terp

@@ -13,6 +13,7 @@ std::string stability_json(const StabilityResult& result, const std::string& sch
 std::string stability_text(const StabilityResult& result, const std::string& scheme);
 
 /// Writes both into a folder, which is made if need be. Throws FileError.
-void write_stability(const std::string& folder, const StabilityResult& result, const std::string& scheme, const CaseText& case_text);
+void write_stability(
+    const std::string& folder, const StabilityResult& result, const std::string& scheme, const CaseText& case_text);
 
 }  // namespace terp

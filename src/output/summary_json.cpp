@@ -35,7 +35,8 @@ Json softened_fraction(const Summary& summary)
 Json reached_sides(const Summary& summary)
 {
   Json list = Json::array();
-  for (const ReachedSide& reached : summary.reached_sides) list.push_back({{"side", reached.side}, {"time", number(reached.time)}, {"rose", reached.rose}});
+  for (const ReachedSide& reached : summary.reached_sides)
+    list.push_back({{"side", reached.side}, {"time", number(reached.time)}, {"rose", reached.rose}});
   return list;
 }
 
@@ -44,11 +45,8 @@ Json footings(const Summary& summary)
   Json list = Json::array();
   const auto pair = [](Vec<2> v) { return Json{number(v[0]), number(v[1])}; };
   for (const FootingSummary& f : summary.footings)
-    list.push_back({{"name", f.name},
-                    {"displacement", pair(f.displacement)},
-                    {"reaction", pair(f.reaction)},
-                    {"largest_reaction", number(f.largest)},
-                    {"work", number(f.work)}});
+    list.push_back({{"name", f.name}, {"displacement", pair(f.displacement)}, {"reaction", pair(f.reaction)},
+        {"largest_reaction", number(f.largest)}, {"work", number(f.work)}});
   return list;
 }
 
@@ -87,13 +85,10 @@ Json slides_json(const Summary& summary)
   for (const auto& [slide, slip] : summary.slides) {
     Json points = Json::array();
     for (const Vec<2>& x : slip.line) points.push_back({number(x[0]), number(x[1])});
-    list.push_back({{"facing", facing_name(slide.facing)},
-                    {"begins", number(slide.begins)},
-                    {"stops", number(slide.stops)},
-                    {"crest_from", number(slide.crest_from)},
-                    {"crest_to", number(slide.crest_to)},
-                    {"kinetic_peak", number(slide.kinetic_peak)},
-                    {"slip_surface", {{"time", number(slip.time)}, {"rate", number(slip.rate)}, {"points", points}}}});
+    list.push_back({{"facing", facing_name(slide.facing)}, {"begins", number(slide.begins)},
+        {"stops", number(slide.stops)}, {"crest_from", number(slide.crest_from)}, {"crest_to", number(slide.crest_to)},
+        {"kinetic_peak", number(slide.kinetic_peak)},
+        {"slip_surface", {{"time", number(slip.time)}, {"rate", number(slip.rate)}, {"points", points}}}});
   }
   return list;
 }
@@ -157,11 +152,13 @@ void read_passes(const nlohmann::json& json, Summary& summary)
   }
 }
 
-/// JSON, without what is nested deeper than Terp writes it: copying that would take one call per level. Discarded where it is none.
+/// JSON, without what is nested deeper than Terp writes it: copying that would take one call per level. Discarded where
+/// it is none.
 nlohmann::json parse(const std::string& text)
 {
   constexpr int most_levels = 16;
-  return nlohmann::json::parse(text, [](int depth, auto, auto&) { return depth <= most_levels; }, false);
+  return nlohmann::json::parse(
+      text, [](int depth, auto, auto&) { return depth <= most_levels; }, false);
 }
 
 SavedSummary read_values(const std::string& path)
@@ -173,8 +170,10 @@ SavedSummary read_values(const std::string& path)
   std::int64_t format = summary_format;
   get(json, "format", format);
   if (format > summary_format)
-    throw FileError(fmt::format("cannot read {}: it is of format {}, terp {} reads formats up to {}\n  terp {} wrote it: read it with that one.", path, format,
-                                TERP_VERSION, summary_format, saved.terp_version));
+    throw FileError(
+        fmt::format("cannot read {}: it is of format {}, terp {} reads formats up to {}\n  terp {} wrote it: read it "
+                    "with that one.",
+            path, format, TERP_VERSION, summary_format, saved.terp_version));
   get(json, "finished", saved.finished);
   Summary& s = saved.values;
   get(json, "scheme", s.scheme);
@@ -226,8 +225,9 @@ SavedSummary read_summary(const std::string& path)
     return read_values(path);
   } catch (const nlohmann::json::exception& error) {  // a value of another kind than Terp writes
     const std::string what = error.what();  // "[json.exception.type_error.302] type must be boolean, but is string"
-    throw FileError(fmt::format("cannot read {}: it is not what terp wrote there: {}\n  Put a copy of it back, or solve the case again.", path,
-                                what.substr(what.find("] ") + 2)));
+    throw FileError(fmt::format(
+        "cannot read {}: it is not what terp wrote there: {}\n  Put a copy of it back, or solve the case again.", path,
+        what.substr(what.find("] ") + 2)));
   }
 }
 
@@ -281,7 +281,8 @@ std::string case_name_in(const std::string& folder)
   const std::string path = path_in(folder, summary_file);
   std::error_code none;
   const auto summary = std::filesystem::is_regular_file(path, none) ? parse(read_file(path)) : nlohmann::json();
-  if (summary.is_object() && summary.contains("case_name") && summary["case_name"].is_string()) return summary["case_name"];
+  if (summary.is_object() && summary.contains("case_name") && summary["case_name"].is_string())
+    return summary["case_name"];
   return std::filesystem::path(folder).lexically_normal().filename().string();
 }
 

@@ -52,7 +52,7 @@ Real time_of(std::string_view row)
 
 /// The first part of a table.
 struct Part {
-  std::size_t length;       ///< in bytes, from the start of the table
+  std::size_t length;  ///< in bytes, from the start of the table
   std::int64_t n_rows = 0;
 };
 
@@ -62,7 +62,8 @@ Part part_until(std::string_view table, Real time)
   Part part{table.find('\n') + 1};
   while (part.length < table.size()) {
     const std::size_t line_end = table.find('\n', part.length);
-    if (line_end == std::string_view::npos || !(time_of(table.substr(part.length, line_end - part.length)) <= time)) break;
+    if (line_end == std::string_view::npos || !(time_of(table.substr(part.length, line_end - part.length)) <= time))
+      break;
     part.length = line_end + 1;
     ++part.n_rows;
   }
@@ -122,10 +123,11 @@ std::string csv_line(const LedgerRow& row)
   std::string line;
   add_number(line, row.time);
   fmt::format_to(std::back_inserter(line), ",{}", row.step);
-  add_numbers(line, {row.kinetic, row.kinetic_nodal, row.elastic, row.plastic, row.gravity_work, row.damping_work, row.boundary_work,
-                     row.left_energy, row.numerical, row.mass, row.momentum_x, row.momentum_y});
+  add_numbers(line, {row.kinetic, row.kinetic_nodal, row.elastic, row.plastic, row.gravity_work, row.damping_work,
+                        row.boundary_work, row.left_energy, row.numerical, row.mass, row.momentum_x, row.momentum_y});
   fmt::format_to(std::back_inserter(line), ",{},{}", row.clamped, row.left);
-  add_numbers(line, {row.front_x, row.crest_x, row.crest_y, row.front_left_x, row.crest_left_x, row.crest_left_y, row.moved_volume, row.v_max, row.v_999});
+  add_numbers(line, {row.front_x, row.crest_x, row.crest_y, row.front_left_x, row.crest_left_x, row.crest_left_y,
+                        row.moved_volume, row.v_max, row.v_999});
   return line + '\n';
 }
 

@@ -18,9 +18,9 @@
 namespace terp {
 namespace {
 
-constexpr int compression = 1;                    // level 3: half a per cent smaller, a quarter slower (docs/formats.md)
-constexpr std::int64_t chunk_bytes = 1 << 20;     // HDF5's default chunk cache
-constexpr std::int64_t header_bytes = 16 << 10;   // more than a table's headers and index grow by in one frame
+constexpr int compression = 1;                   // level 3: half a per cent smaller, a quarter slower (docs/formats.md)
+constexpr std::int64_t chunk_bytes = 1 << 20;    // HDF5's default chunk cache
+constexpr std::int64_t header_bytes = 16 << 10;  // more than a table's headers and index grow by in one frame
 constexpr std::int64_t cutting_bytes = 16 << 20;  // a rewritten chunk for each of 16 fields
 constexpr std::uint8_t vtk_vertex = 1;            // VTK_VERTEX of vtkCellType.h
 
@@ -180,7 +180,8 @@ std::int64_t ResultsFile::count_until(std::int64_t step) const
 
 std::unique_ptr<Hdf5File> ResultsFile::open_to_cut() const
 {
-  return std::filesystem::exists(path_) ? std::make_unique<Hdf5File>(path_, Hdf5File::Mode::commit, cutting_bytes) : nullptr;
+  return std::filesystem::exists(path_) ? std::make_unique<Hdf5File>(path_, Hdf5File::Mode::commit, cutting_bytes)
+                                        : nullptr;
 }
 
 void ResultsFile::cut_after(Hdf5File& file, std::int64_t step, const std::vector<PointField>& fields)

@@ -13,14 +13,10 @@ namespace {
 std::string component_names(int n_columns)
 {
   switch (n_columns) {
-    case 3:
-      return "x y z";
-    case 4:
-      return "xx yy zz xy";
-    case 6:
-      return "xx yy zz xy yz zx";
-    default:
-      return "";
+    case 3: return "x y z";
+    case 4: return "xx yy zz xy";
+    case 6: return "xx yy zz xy yz zx";
+    default: return "";
   }
 }
 
@@ -49,10 +45,14 @@ void add_header(Hdf5File& file, const std::string& run)
 std::string why_of_another_run(const Hdf5File& file, const std::string& run, const GridSize& grid)
 {
   const auto number = [&](const char* name) { return file.read_rows<std::int64_t>(root + "/" + name, 0, 1)[0]; };
-  if (const std::int64_t n = number("NumberOfCells"); n != grid.n_cells) return fmt::format("it has {} cells, the run {}", n, grid.n_cells);
-  if (const std::int64_t n = number("NumberOfPoints"); n != grid.n_points) return fmt::format("it has {} points, the run {}", n, grid.n_points);
+  if (const std::int64_t n = number("NumberOfCells"); n != grid.n_cells)
+    return fmt::format("it has {} cells, the run {}", n, grid.n_cells);
+  if (const std::int64_t n = number("NumberOfPoints"); n != grid.n_points)
+    return fmt::format("it has {} points, the run {}", n, grid.n_points);
   const std::string other = file.has_attribute("/", "case") ? file.text("/", "case") : run;
-  return run.empty() || other == run ? "" : fmt::format("it is of a run of another case (`case` in it is {}, of this run {})", other, run);
+  return run.empty() || other == run
+             ? ""
+             : fmt::format("it is of a run of another case (`case` in it is {}, of this run {})", other, run);
 }
 
 void add_steps(Hdf5File& file)
@@ -85,7 +85,8 @@ void write_step(Hdf5File& file, std::int64_t k, Real time, std::int64_t step, st
   file.write_rows<Real>(steps + "/Values", k, std::span(&time, 1));
   write_integer(file, steps + "/step", k, step);
   write_integer(file, steps + "/NumberOfParts", k, 1);
-  for (const char* name : {"PartOffsets", "CellOffsets", "ConnectivityIdOffsets"}) write_integer(file, steps + "/" + name, k, 0);
+  for (const char* name : {"PartOffsets", "CellOffsets", "ConnectivityIdOffsets"})
+    write_integer(file, steps + "/" + name, k, 0);
   write_integer(file, steps + "/PointOffsets", k, first_point);
 }
 
@@ -95,7 +96,8 @@ namespace {
 std::vector<StepTable> tables_of_steps(const Hdf5File& file)
 {
   std::vector<StepTable> tables;
-  for (const char* name : {"Values", "step", "PartOffsets", "NumberOfParts", "PointOffsets"}) tables.push_back({steps + "/" + name, 1, 0});
+  for (const char* name : {"Values", "step", "PartOffsets", "NumberOfParts", "PointOffsets"})
+    tables.push_back({steps + "/" + name, 1, 0});
   for (const char* name : {"CellOffsets", "ConnectivityIdOffsets"}) tables.push_back({steps + "/" + name, 1, 1});
   for (const auto& data : {std::string("PointData"), std::string("CellData")}) {
     const std::string offsets = steps + "/" + data + "Offsets";
@@ -109,9 +111,11 @@ void check_table(const Hdf5File& file, const StepTable& table, std::int64_t n_st
 {
   const auto shape = file.shape(table.name);
   const std::int64_t n_columns = shape.size() == 2 ? shape[1] : 0;
-  if (shape.empty() || shape.size() > 2 || n_columns != table.n_columns || shape[0] / std::max<std::int64_t>(1, table.n_rows) < n_steps)
-    throw FileError(fmt::format("{} has the shape {}; {} steps of {} rows{} are due", table.name, fmt::join(shape, " x "), n_steps, table.n_rows,
-                                table.n_columns > 0 ? fmt::format(" x {}", table.n_columns) : ""));
+  if (shape.empty() || shape.size() > 2 || n_columns != table.n_columns ||
+      shape[0] / std::max<std::int64_t>(1, table.n_rows) < n_steps)
+    throw FileError(
+        fmt::format("{} has the shape {}; {} steps of {} rows{} are due", table.name, fmt::join(shape, " x "), n_steps,
+            table.n_rows, table.n_columns > 0 ? fmt::format(" x {}", table.n_columns) : ""));
 }
 
 }  // namespace

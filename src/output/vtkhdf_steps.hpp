@@ -19,7 +19,8 @@ int n_columns(int n_components);
 /// Rows of two components become rows of three with z = 0.
 std::vector<Real> with_z(const std::vector<Real>& values);
 
-/// Version and type, for a file of an unstructured grid, and the run that it is of: digits of its case; empty if not known.
+/// Version and type, for a file of an unstructured grid, and the run that it is of: digits of its case; empty if not
+/// known.
 void add_header(Hdf5File& file, const std::string& run);
 
 /// How many points and cells the grid of a file has.
@@ -27,7 +28,8 @@ struct GridSize {
   std::int64_t n_points, n_cells;
 };
 
-/// Why a file cannot be that of the run with these digits and this grid; empty if it may. One that names no run, of an earlier Terp, may.
+/// Why a file cannot be that of the run with these digits and this grid; empty if it may. One that names no run, of an
+/// earlier Terp, may.
 std::string why_of_another_run(const Hdf5File& file, const std::string& run, const GridSize& grid);
 
 /// The group of steps with none in it yet; its groups of data offsets are made before.
@@ -52,8 +54,8 @@ struct StepTable {
   std::int64_t n_columns;  ///< 0: one-dimensional
 };
 
-/// Drops what came after the time step `step`. Throws FileError and changes nothing if a table is not there, or not as large as the file
-/// says.
+/// Drops what came after the time step `step`. Throws FileError and changes nothing if a table is not there, or not as
+/// large as the file says.
 void cut_steps(Hdf5File& file, std::int64_t step, std::vector<StepTable> tables);
 
 }  // namespace terp::vtkhdf

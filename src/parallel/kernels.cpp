@@ -14,7 +14,8 @@ namespace {
 /// Whether processor and operating system offer what CMakeLists.txt lets the compiler use for a set.
 bool is_offered(std::string_view set)
 {
-#if defined(__x86_64__) && !defined(__clang__)  // clang 14 does not know these names; with it there is one copy (TERP_FUZZ)
+#if defined(__x86_64__) && \
+    !defined(__clang__)  // clang 14 does not know these names; with it there is one copy (TERP_FUZZ)
   __builtin_cpu_init();
   if (set == "avx512") return __builtin_cpu_supports("x86-64-v4");
   if (set == "avx2") return __builtin_cpu_supports("x86-64-v3");
@@ -53,8 +54,11 @@ const InstructionSet& choose_instructions(std::span<const InstructionSet> sets, 
     throw InstructionsError("TERP_INSTRUCTIONS=" + std::string(word) + ": this processor does not offer it" + advice);
   }
   if (!word.empty())
-    throw InstructionsError("TERP_INSTRUCTIONS=" + std::string(word) + ": there is no such set in this build. It has: " + names_of(sets) + advice);
-  if (best == nullptr) throw InstructionsError("this processor offers none of the instruction sets of this build: " + names_of(sets) + ".");
+    throw InstructionsError("TERP_INSTRUCTIONS=" + std::string(word) +
+                            ": there is no such set in this build. It has: " + names_of(sets) + advice);
+  if (best == nullptr)
+    throw InstructionsError(
+        "this processor offers none of the instruction sets of this build: " + names_of(sets) + ".");
   return *best;
 }
 

@@ -24,18 +24,19 @@ using StepFunction = void (*)(const Model&, State&, Workspace&);
 
 /// What one copy of the kernels offers. Laws and steps of one copy go together.
 struct Kernels {
-  std::string_view instructions;                    ///< name of the set
-  std::span<const MaterialType* const> materials;   ///< in the order of materials.def
+  std::string_view instructions;                       ///< name of the set
+  std::span<const MaterialType* const> materials;      ///< in the order of materials.def
   StepFunction (*find_step)(std::string_view scheme);  ///< nullptr if there is no such scheme
-  Totals (*add_up)(const Model&, State&, Threads&, Real moved_distance, std::span<const Columns> shear);  ///< simulation/totals.hpp
-  double (*measure_triad)(std::size_t bytes);       ///< machine.hpp
+  Totals (*add_up)(
+      const Model&, State&, Threads&, Real moved_distance, std::span<const Columns> shear);  ///< simulation/totals.hpp
+  double (*measure_triad)(std::size_t bytes);                                                ///< machine.hpp
   double (*measure_multiply_add)();
 };
 
 /// A set of instructions that this program was compiled for.
 struct InstructionSet {
-  std::string_view name;   ///< "avx512", "avx2", "sse2"; "native" or "plain" in a build with a single set
-  bool offered = false;    ///< by this processor and its operating system
+  std::string_view name;  ///< "avx512", "avx2", "sse2"; "native" or "plain" in a build with a single set
+  bool offered = false;   ///< by this processor and its operating system
   const Kernels* kernels = nullptr;
 };
 
@@ -51,8 +52,8 @@ std::span<const InstructionSet> instruction_sets();
 /// The set called `word`, or the first that is offered if `word` is empty. Throws InstructionsError.
 const InstructionSet& choose_instructions(std::span<const InstructionSet> sets, std::string_view word);
 
-/// The kernels of this process: those that the environment variable TERP_INSTRUCTIONS names, or the best. The choice is made at
-/// the first call and stays. Throws InstructionsError.
+/// The kernels of this process: those that the environment variable TERP_INSTRUCTIONS names, or the best. The choice is
+/// made at the first call and stays. Throws InstructionsError.
 const Kernels& kernels();
 
 }  // namespace terp

@@ -1,6 +1,5 @@
-// Packs turned: from numbers that lie side by side to one lane for each of eight places, and back. For work that is the same in
-// eight cells, and for sums over lanes four at a time.
-// Not for: arithmetic (pack.hpp).
+// Packs turned: from numbers that lie side by side to one lane for each of eight places, and back. For work that is the
+// same in eight cells, and for sums over lanes four at a time. Not for: arithmetic (pack.hpp).
 #pragma once
 
 #include "parallel/pack.hpp"
@@ -72,7 +71,7 @@ inline FourRows transpose(__m256d a, __m256d b, __m256d c, __m256d d)
   const __m256d ab_even = _mm256_unpacklo_pd(a, b), ab_odd = _mm256_unpackhi_pd(a, b);
   const __m256d cd_even = _mm256_unpacklo_pd(c, d), cd_odd = _mm256_unpackhi_pd(c, d);
   return {{_mm256_permute2f128_pd(ab_even, cd_even, 0x20), _mm256_permute2f128_pd(ab_odd, cd_odd, 0x20),
-           _mm256_permute2f128_pd(ab_even, cd_even, 0x31), _mm256_permute2f128_pd(ab_odd, cd_odd, 0x31)}};
+      _mm256_permute2f128_pd(ab_even, cd_even, 0x31), _mm256_permute2f128_pd(ab_odd, cd_odd, 0x31)}};
 }
 
 }  // namespace detail
@@ -85,7 +84,8 @@ std::array<Pack, 4> to_lanes(Place&& place)
   std::array<Pack, 4> lanes;
 #if defined(__AVX2__)
   const auto row = [&](int c) { return _mm256_loadu_pd(place(c)); };
-  const auto low = detail::transpose(row(0), row(1), row(2), row(3)), high = detail::transpose(row(4), row(5), row(6), row(7));
+  const auto low = detail::transpose(row(0), row(1), row(2), row(3)),
+             high = detail::transpose(row(4), row(5), row(6), row(7));
   for (int k = 0; k < 4; ++k) lanes[k] = detail::join_halves(low.row[k], high.row[k]);
 #else
   alignas(64) Real numbers[4][pack_width];
@@ -114,16 +114,20 @@ void from_lanes(const std::array<Pack, 4>& lanes, Place&& place)
 #endif
 }
 
-/// sum() of each of four packs, with the same bits: turned while they are added, which takes a third of the instructions.
+/// sum() of each of four packs, with the same bits: turned while they are added, which takes a third of the
+/// instructions.
 inline std::array<Real, 4> sum_each(const std::array<Pack, 4>& a)
 {
   std::array<Real, 4> sums;
 #if defined(__AVX2__)
-  const auto halves = [](Pack b) { return _mm256_add_pd(detail::low_half(b), detail::high_half(b)); };  // lane k + lane k + 4
-  const auto quarters = [](__m256d b, __m256d c) {                                                      // lane k + lane k + 2 of both
+  const auto halves = [](Pack b) {
+    return _mm256_add_pd(detail::low_half(b), detail::high_half(b));
+  };                                                // lane k + lane k + 4
+  const auto quarters = [](__m256d b, __m256d c) {  // lane k + lane k + 2 of both
     return _mm256_add_pd(_mm256_permute2f128_pd(b, c, 0x20), _mm256_permute2f128_pd(b, c, 0x31));
   };
-  _mm256_storeu_pd(sums.data(), _mm256_hadd_pd(quarters(halves(a[0]), halves(a[2])), quarters(halves(a[1]), halves(a[3]))));
+  _mm256_storeu_pd(
+      sums.data(), _mm256_hadd_pd(quarters(halves(a[0]), halves(a[2])), quarters(halves(a[1]), halves(a[3]))));
 #else
   for (int k = 0; k < 4; ++k) sums[k] = sum(a[k]);
 #endif

@@ -17,12 +17,12 @@ struct FreePages {
 std::unique_ptr<void, FreePages> zero_pages(std::size_t n_bytes);
 }  // namespace detail
 
-/// From now on large arrays go back to the system when they are freed, and threads share what is left: for a program whose building
-/// of a model takes more than its run, where the allocator would keep it all. To be called first.
+/// From now on large arrays go back to the system when they are freed, and threads share what is left: for a program
+/// whose building of a model takes more than its run, where the allocator would keep it all. To be called first.
 void return_large_arrays_when_freed();
 
-/// Zeros whose pages take memory from the first write on: what is never written costs nothing, and who writes first decides where it
-/// lies. T: a number, or a struct of numbers for which all bits zero is the default.
+/// Zeros whose pages take memory from the first write on: what is never written costs nothing, and who writes first
+/// decides where it lies. T: a number, or a struct of numbers for which all bits zero is the default.
 template <class T>
 class ZeroedArray {
   static_assert(std::is_trivially_copyable_v<T>);

@@ -33,7 +33,8 @@ inline constexpr int register_width = 2;
 #endif
 inline constexpr int n_registers = pack_width / register_width;
 
-/// As many numbers, or truth values, as fit into one register. GCC would split a vector of eight by itself, but number by number.
+/// As many numbers, or truth values, as fit into one register. GCC would split a vector of eight by itself, but number
+/// by number.
 using Reals = double __attribute__((vector_size(8 * register_width), may_alias));
 using Truths = long long __attribute__((vector_size(8 * register_width), may_alias));
 
@@ -106,7 +107,8 @@ template <class Result, class F>
 Result each_part(F&& f)
 {
   Result r;
-  [&]<int... k>(std::integer_sequence<int, k...>) { ((r.part[k] = f(k)), ...); }(std::make_integer_sequence<int, n_registers>{});
+  [&]<int... k>(std::integer_sequence<int, k...>) { ((r.part[k] = f(k)), ...); }
+  (std::make_integer_sequence<int, n_registers>{});
   return r;
 }
 
@@ -117,7 +119,8 @@ struct Mask {
   detail::Truths part[detail::n_registers];
 };
 
-/// Aligned as `load` wants its numbers, whatever the registers of this copy: the numbers of a pack may go to a law of another copy.
+/// Aligned as `load` wants its numbers, whatever the registers of this copy: the numbers of a pack may go to a law of
+/// another copy.
 struct alignas(64) Pack {
   detail::Reals part[detail::n_registers];
 
@@ -128,9 +131,11 @@ struct alignas(64) Pack {
   /// p: 64-byte aligned, pack_width numbers.
   static Pack load(const Real* p)
   {
-    return detail::each_part<Pack>([&](int k) { return *reinterpret_cast<const detail::Reals*>(p + k * detail::register_width); });
+    return detail::each_part<Pack>(
+        [&](int k) { return *reinterpret_cast<const detail::Reals*>(p + k * detail::register_width); });
   }
-  /// from[stride * index[k]] in lane k < n, zero beyond. index: whole numbers not below 0, 64-byte aligned, shape [pack_width].
+  /// from[stride * index[k]] in lane k < n, zero beyond. index: whole numbers not below 0, 64-byte aligned, shape
+  /// [pack_width].
   static Pack gather(const Real* from, int stride, const Real* index, Index n)
   {
 #if defined(__AVX512DQ__)
@@ -147,9 +152,11 @@ struct alignas(64) Pack {
   }
   void store(Real* p) const
   {
-    [&]<int... k>(std::integer_sequence<int, k...>) {
+    [&]<int... k>(std::integer_sequence<int, k...>)
+    {
       ((*reinterpret_cast<detail::Reals*>(p + k * detail::register_width) = part[k]), ...);
-    }(std::make_integer_sequence<int, detail::n_registers>{});
+    }
+    (std::make_integer_sequence<int, detail::n_registers>{});
   }
 
   Pack& operator+=(Pack b);
@@ -157,27 +164,72 @@ struct alignas(64) Pack {
   Pack& operator*=(Pack b);
 };
 
-inline Pack operator+(Pack a, Pack b) { return detail::each_part<Pack>([&](int k) { return a.part[k] + b.part[k]; }); }
-inline Pack operator-(Pack a, Pack b) { return detail::each_part<Pack>([&](int k) { return a.part[k] - b.part[k]; }); }
-inline Pack operator*(Pack a, Pack b) { return detail::each_part<Pack>([&](int k) { return a.part[k] * b.part[k]; }); }
-inline Pack operator/(Pack a, Pack b) { return detail::each_part<Pack>([&](int k) { return a.part[k] / b.part[k]; }); }
-inline Pack operator-(Pack a) { return detail::each_part<Pack>([&](int k) { return -a.part[k]; }); }
+inline Pack operator+(Pack a, Pack b)
+{
+  return detail::each_part<Pack>([&](int k) { return a.part[k] + b.part[k]; });
+}
+inline Pack operator-(Pack a, Pack b)
+{
+  return detail::each_part<Pack>([&](int k) { return a.part[k] - b.part[k]; });
+}
+inline Pack operator*(Pack a, Pack b)
+{
+  return detail::each_part<Pack>([&](int k) { return a.part[k] * b.part[k]; });
+}
+inline Pack operator/(Pack a, Pack b)
+{
+  return detail::each_part<Pack>([&](int k) { return a.part[k] / b.part[k]; });
+}
+inline Pack operator-(Pack a)
+{
+  return detail::each_part<Pack>([&](int k) { return -a.part[k]; });
+}
 inline Pack& Pack::operator+=(Pack b) { return *this = *this + b; }
 inline Pack& Pack::operator-=(Pack b) { return *this = *this - b; }
 inline Pack& Pack::operator*=(Pack b) { return *this = *this * b; }
-inline Mask operator<(Pack a, Pack b) { return detail::each_part<Mask>([&](int k) { return detail::Truths(a.part[k] < b.part[k]); }); }
-inline Mask operator>(Pack a, Pack b) { return detail::each_part<Mask>([&](int k) { return detail::Truths(a.part[k] > b.part[k]); }); }
-inline Mask operator<=(Pack a, Pack b) { return detail::each_part<Mask>([&](int k) { return detail::Truths(a.part[k] <= b.part[k]); }); }
-inline Mask operator>=(Pack a, Pack b) { return detail::each_part<Mask>([&](int k) { return detail::Truths(a.part[k] >= b.part[k]); }); }
-inline Mask operator&(Mask a, Mask b) { return detail::each_part<Mask>([&](int k) { return a.part[k] & b.part[k]; }); }
-inline Mask operator|(Mask a, Mask b) { return detail::each_part<Mask>([&](int k) { return a.part[k] | b.part[k]; }); }
-inline Mask operator!(Mask a) { return detail::each_part<Mask>([&](int k) { return ~a.part[k]; }); }
+inline Mask operator<(Pack a, Pack b)
+{
+  return detail::each_part<Mask>([&](int k) { return detail::Truths(a.part[k] < b.part[k]); });
+}
+inline Mask operator>(Pack a, Pack b)
+{
+  return detail::each_part<Mask>([&](int k) { return detail::Truths(a.part[k] > b.part[k]); });
+}
+inline Mask operator<=(Pack a, Pack b)
+{
+  return detail::each_part<Mask>([&](int k) { return detail::Truths(a.part[k] <= b.part[k]); });
+}
+inline Mask operator>=(Pack a, Pack b)
+{
+  return detail::each_part<Mask>([&](int k) { return detail::Truths(a.part[k] >= b.part[k]); });
+}
+inline Mask operator&(Mask a, Mask b)
+{
+  return detail::each_part<Mask>([&](int k) { return a.part[k] & b.part[k]; });
+}
+inline Mask operator|(Mask a, Mask b)
+{
+  return detail::each_part<Mask>([&](int k) { return a.part[k] | b.part[k]; });
+}
+inline Mask operator!(Mask a)
+{
+  return detail::each_part<Mask>([&](int k) { return ~a.part[k]; });
+}
 
 /// a where the mask is true, b elsewhere.
-inline Pack select(Mask m, Pack a, Pack b) { return detail::each_part<Pack>([&](int k) { return detail::choose(m.part[k], a.part[k], b.part[k]); }); }
+inline Pack select(Mask m, Pack a, Pack b)
+{
+  return detail::each_part<Pack>([&](int k) { return detail::choose(m.part[k], a.part[k], b.part[k]); });
+}
 inline Real select(bool m, Real a, Real b) { return m ? a : b; }
-inline Pack min(Pack a, Pack b) { return detail::each_part<Pack>([&](int k) { return a.part[k] < b.part[k] ? a.part[k] : b.part[k]; }); }
-inline Pack max(Pack a, Pack b) { return detail::each_part<Pack>([&](int k) { return a.part[k] > b.part[k] ? a.part[k] : b.part[k]; }); }
+inline Pack min(Pack a, Pack b)
+{
+  return detail::each_part<Pack>([&](int k) { return a.part[k] < b.part[k] ? a.part[k] : b.part[k]; });
+}
+inline Pack max(Pack a, Pack b)
+{
+  return detail::each_part<Pack>([&](int k) { return a.part[k] > b.part[k] ? a.part[k] : b.part[k]; });
+}
 inline Real min(Real a, Real b) { return a < b ? a : b; }
 inline Real max(Real a, Real b) { return a > b ? a : b; }
 inline Real abs(Real a) { return a < 0 ? -a : a; }
@@ -206,7 +258,10 @@ inline Pack lane_numbers()
 }
 
 /// a b + c, rounded once where the machine has the instruction.
-inline Pack fma(Pack a, Pack b, Pack c) { return detail::each_part<Pack>([&](int k) { return detail::fused(a.part[k], b.part[k], c.part[k]); }); }
+inline Pack fma(Pack a, Pack b, Pack c)
+{
+  return detail::each_part<Pack>([&](int k) { return detail::fused(a.part[k], b.part[k], c.part[k]); });
+}
 inline Real fma(Real a, Real b, Real c)
 {
 #if defined(__FMA__)
@@ -216,7 +271,10 @@ inline Real fma(Real a, Real b, Real c)
 #endif
 }
 
-inline Pack sqrt(Pack a) { return detail::each_part<Pack>([&](int k) { return detail::root(a.part[k]); }); }
+inline Pack sqrt(Pack a)
+{
+  return detail::each_part<Pack>([&](int k) { return detail::root(a.part[k]); });
+}
 inline Real sqrt(Real a) { return std::sqrt(a); }
 
 /// Sum of the lanes, always as ((0+4)+(2+6)) + ((1+5)+(3+7)).
@@ -237,7 +295,10 @@ inline Pack power_of_two(Pack shifted)
 {
   return each_part<Pack>([&](int k) { return Reals((Truths(shifted.part[k]) + 1023) << 52); });
 }
-inline Real power_of_two(Real shifted) { return std::bit_cast<Real>((std::bit_cast<std::uint64_t>(shifted) + 1023) << 52); }
+inline Real power_of_two(Real shifted)
+{
+  return std::bit_cast<Real>((std::bit_cast<std::uint64_t>(shifted) + 1023) << 52);
+}
 }  // namespace detail
 
 /// e^x for -700 <= x <= 700 (clamped outside) to within 1e-15 relative: Cody-Waite reduction and a Taylor polynomial of
@@ -253,9 +314,7 @@ R exponential(R x)
   const R r = fma(n, R(-ln2_low), fma(n, R(-ln2_high), inside));
   R p(1.0 / 6227020800.0);
   constexpr Real inverse_factorial[] = {1.0 / 479001600.0, 1.0 / 39916800.0, 1.0 / 3628800.0, 1.0 / 362880.0,
-                                        1.0 / 40320.0,     1.0 / 5040.0,     1.0 / 720.0,     1.0 / 120.0,
-                                        1.0 / 24.0,        1.0 / 6.0,        0.5,             1.0,
-                                        1.0};
+      1.0 / 40320.0, 1.0 / 5040.0, 1.0 / 720.0, 1.0 / 120.0, 1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0, 1.0};
   for (const Real c : inverse_factorial) p = fma(p, r, R(c));
   return p * detail::power_of_two(shifted);
 }
@@ -264,9 +323,8 @@ R exponential(R x)
 template <class R>
 R sine(R x)
 {
-  constexpr Real inverse_factorial[] = {-1.0 / 121645100408832000.0, 1.0 / 355687428096000.0, -1.0 / 1307674368000.0, 1.0 / 6227020800.0, -1.0 / 39916800.0,
-                                        1.0 / 362880.0,          -1.0 / 5040.0,          1.0 / 120.0,        -1.0 / 6.0,
-                                        1.0};
+  constexpr Real inverse_factorial[] = {-1.0 / 121645100408832000.0, 1.0 / 355687428096000.0, -1.0 / 1307674368000.0,
+      1.0 / 6227020800.0, -1.0 / 39916800.0, 1.0 / 362880.0, -1.0 / 5040.0, 1.0 / 120.0, -1.0 / 6.0, 1.0};
   const R square = x * x;
   R p(1.0 / 51090942171709440000.0);
   for (const Real c : inverse_factorial) p = fma(p, square, R(c));

@@ -71,8 +71,8 @@ void Threads::run(Index n_chunks, Task task, void* context)
     for (Index chunk = 0; chunk < n_chunks; ++chunk) task(context, chunk, 0);
     return;
   }
-  // A late worker may still be on its way through the previous job. It claims a chunk only if the share carries its own job's
-  // number, so the shares are closed under the new number before the fields change, and opened after.
+  // A late worker may still be on its way through the previous job. It claims a chunk only if the share carries its own
+  // job's number, so the shares are closed under the new number before the fields change, and opened after.
   const std::uint32_t job = (job_.load(std::memory_order_relaxed) + 1) & ~leave;
   const auto numbered = [job](std::uint32_t chunk) { return std::uint64_t{job} << 32 | chunk; };
   for (int t = 0; t < count(); ++t) shares_[t].next.store(numbered(used_up));

@@ -28,13 +28,14 @@ class Threads {
 
   int count() const { return static_cast<int>(workers_.size()) + 1; }
 
-  /// Calls f(chunk, thread) once for each chunk in 0 ... n_chunks-1 and returns when all are done; thread: 0 ... count()-1, who does
-  /// it. f must not throw.
+  /// Calls f(chunk, thread) once for each chunk in 0 ... n_chunks-1 and returns when all are done; thread: 0 ...
+  /// count()-1, who does it. f must not throw.
   template <class F>
   void for_each_chunk(Index n_chunks, F&& f)
   {
     using Function = std::remove_reference_t<F>;
-    run(n_chunks, [](void* context, Index chunk, int thread) { (*static_cast<Function*>(context))(chunk, thread); },
+    run(
+        n_chunks, [](void* context, Index chunk, int thread) { (*static_cast<Function*>(context))(chunk, thread); },
         const_cast<void*>(static_cast<const void*>(&f)));
   }
 
@@ -66,8 +67,8 @@ class Threads {
   std::atomic<Task> task_{nullptr};
   std::atomic<void*> context_{nullptr};
   std::atomic<Index> n_chunks_{0};
-  alignas(64) std::atomic<std::uint32_t> job_{0};   // number of the newest job; the top bit tells workers to leave
-  alignas(64) std::atomic<Index> done_{0};          // chunks finished of the newest job
+  alignas(64) std::atomic<std::uint32_t> job_{0};  // number of the newest job; the top bit tells workers to leave
+  alignas(64) std::atomic<Index> done_{0};         // chunks finished of the newest job
   std::atomic<int> sleepers_{0};
   std::atomic<bool> caller_sleeps_{false};
 };

@@ -16,7 +16,10 @@ constexpr Real no_area = 1e-12;
 /// Side k of a polygon, from corner k to the next one.
 Side side_of(const Polygon& polygon, std::size_t k) { return {polygon[k], polygon[(k + 1) % polygon.size()]}; }
 
-std::string side_text(const Side& side) { return fmt::format("from {} to {} m", place_text(side.a), place_text(side.b)); }
+std::string side_text(const Side& side)
+{
+  return fmt::format("from {} to {} m", place_text(side.a), place_text(side.b));
+}
 
 /// Twice the area of the triangle a, b, x: its sign says on which side of a -> b the place x lies.
 Real turn(Vec<2> a, Vec<2> b, Vec<2> x) { return (b[0] - a[0]) * (x[1] - a[1]) - (b[1] - a[1]) * (x[0] - a[0]); }
@@ -26,9 +29,11 @@ std::optional<Vec<2>> crossing(const Side& one, const Side& two)
 {
   const Real a = turn(two.a, two.b, one.a), b = turn(two.a, two.b, one.b);
   const Real c = turn(one.a, one.b, two.a), d = turn(one.a, one.b, two.b);
-  const Real length = std::hypot(one.b[0] - one.a[0], one.b[1] - one.a[1]) * std::hypot(two.b[0] - two.a[0], two.b[1] - two.a[1]);
+  const Real length =
+      std::hypot(one.b[0] - one.a[0], one.b[1] - one.a[1]) * std::hypot(two.b[0] - two.a[0], two.b[1] - two.a[1]);
   const Real touch = no_area * length;
-  const bool crosses = std::min(std::abs(a), std::abs(b)) > touch && std::min(std::abs(c), std::abs(d)) > touch && a * b < 0.0 && c * d < 0.0;
+  const bool crosses = std::min(std::abs(a), std::abs(b)) > touch && std::min(std::abs(c), std::abs(d)) > touch &&
+                       a * b < 0.0 && c * d < 0.0;
   if (!crosses) return std::nullopt;
   const Real t = a / (a - b);
   return Vec<2>{one.a[0] + t * (one.b[0] - one.a[0]), one.a[1] + t * (one.b[1] - one.a[1])};
@@ -49,8 +54,8 @@ std::optional<std::string> self_crossing(const Polygon& polygon)
   for (std::size_t k = 0; k < polygon.size(); ++k)
     for (std::size_t other = k + 1; other < polygon.size(); ++other)
       if (const auto x = crossing(side_of(polygon, k), side_of(polygon, other)))
-        return fmt::format("its side {} crosses its side {} at {} m", side_text(side_of(polygon, k)), side_text(side_of(polygon, other)),
-                           place_text(*x));
+        return fmt::format("its side {} crosses its side {} at {} m", side_text(side_of(polygon, k)),
+            side_text(side_of(polygon, other)), place_text(*x));
   return std::nullopt;
 }
 
@@ -67,7 +72,8 @@ Real distance_to_side(const Side& side, Vec<2> x)
 {
   const Vec<2> along{side.b[0] - side.a[0], side.b[1] - side.a[1]}, to{x[0] - side.a[0], x[1] - side.a[1]};
   const Real length_squared = along[0] * along[0] + along[1] * along[1];
-  const Real t = length_squared > 0.0 ? std::clamp((along[0] * to[0] + along[1] * to[1]) / length_squared, 0.0, 1.0) : 0.0;
+  const Real t =
+      length_squared > 0.0 ? std::clamp((along[0] * to[0] + along[1] * to[1]) / length_squared, 0.0, 1.0) : 0.0;
   return std::hypot(to[0] - t * along[0], to[1] - t * along[1]);
 }
 
@@ -85,12 +91,13 @@ bool check_ring(const Polygon& polygon, const std::string& name, std::vector<std
 {
   const std::size_t before = found.size();
   for (const auto& x : polygon)
-    if (!std::isfinite(x[0] + x[1])) found.push_back(fmt::format("{} has a corner that is not a number: {}", name, place_text(x)));
+    if (!std::isfinite(x[0] + x[1]))
+      found.push_back(fmt::format("{} has a corner that is not a number: {}", name, place_text(x)));
   if (found.size() > before) return false;
   const Polygon corners = without_repeated_corners(polygon);
   if (corners.size() < 3) {
-    found.push_back(fmt::format("{} has {} different corner{}{}; it needs at least 3", name, corners.size(), corners.size() == 1 ? "" : "s",
-                                corners.empty() ? "" : " from " + place_text(corners.front()) + " m"));
+    found.push_back(fmt::format("{} has {} different corner{}{}; it needs at least 3", name, corners.size(),
+        corners.size() == 1 ? "" : "s", corners.empty() ? "" : " from " + place_text(corners.front()) + " m"));
     return false;
   }
   if (const auto text = self_crossing(corners)) {
@@ -100,14 +107,15 @@ bool check_ring(const Polygon& polygon, const std::string& name, std::vector<std
   const BoundingBox box = box_around(corners);
   const Real extent = std::max(box.high[0] - box.low[0], box.high[1] - box.low[1]);
   if (std::abs(signed_area(corners)) > no_area * extent * extent) return true;
-  found.push_back(fmt::format("{} has no area: all its corners lie on a line in the box from {} to {} m", name, place_text(box.low),
-                              place_text(box.high)));
+  found.push_back(fmt::format("{} has no area: all its corners lie on a line in the box from {} to {} m", name,
+      place_text(box.low), place_text(box.high)));
   return false;
 }
 
 std::string hole_name(std::size_t k) { return fmt::format("hole {}", k + 1); }
 
-void check_hole_in_polygon(const Polygon& polygon, const Polygon& hole, const std::string& name, std::vector<std::string>& found)
+void check_hole_in_polygon(
+    const Polygon& polygon, const Polygon& hole, const std::string& name, std::vector<std::string>& found)
 {
   for (const auto& x : hole)
     if (!contains(polygon, x) && !on_outline(polygon, x)) {
@@ -122,12 +130,14 @@ void check_holes_apart(const BodyOutline& body, std::size_t one, std::size_t two
 {
   const Polygon &a = body.holes[one], &b = body.holes[two];
   const auto within = [](const Polygon& inner, const Polygon& outer) {
-    return std::all_of(inner.begin(), inner.end(), [&](Vec<2> x) { return contains(outer, x) || on_outline(outer, x); });
+    return std::all_of(
+        inner.begin(), inner.end(), [&](Vec<2> x) { return contains(outer, x) || on_outline(outer, x); });
   };
   if (const auto x = first_crossing(a, b))
     found.push_back(fmt::format("{} and {} cross at {} m", hole_name(one), hole_name(two), place_text(*x)));
   else if (within(a, b) || within(b, a))
-    found.push_back(fmt::format("{} and {} lie in each other at {} m", hole_name(one), hole_name(two), place_text(within(a, b) ? a[0] : b[0])));
+    found.push_back(fmt::format(
+        "{} and {} lie in each other at {} m", hole_name(one), hole_name(two), place_text(within(a, b) ? a[0] : b[0])));
 }
 
 }  // namespace
@@ -151,7 +161,8 @@ std::vector<Side> outline_sides(const Mesh<2>& mesh, const BodyOutline& body)
   for (const Index cell : body.cells)
     for (int k = 0; k < 4; ++k) {
       const Index other = mesh.neighbours[cell][k];
-      if (other == outside || !is_in[other]) sides.push_back({mesh.nodes[mesh.cells[cell][k]], mesh.nodes[mesh.cells[cell][(k + 1) % 4]]});
+      if (other == outside || !is_in[other])
+        sides.push_back({mesh.nodes[mesh.cells[cell][k]], mesh.nodes[mesh.cells[cell][(k + 1) % 4]]});
     }
   return sides;
 }
@@ -176,7 +187,8 @@ std::vector<std::string> check_outline(const BodyOutline& body)
 {
   std::vector<std::string> found;
   if (!body.cells.empty()) {
-    if (!body.polygon.empty() || !body.holes.empty()) found.push_back("a body of whole cells has no polygon and no holes");
+    if (!body.polygon.empty() || !body.holes.empty())
+      found.push_back("a body of whole cells has no polygon and no holes");
     return found;
   }
   bool sound = check_ring(body.polygon, "the polygon", found);

@@ -7,8 +7,8 @@
 namespace terp {
 namespace {
 
-/// Share of a part of the lattice that is taken for nothing, or for all where as much is missing: outlines that follow the mesh but for
-/// the round-off of coordinates far from the origin.
+/// Share of a part of the lattice that is taken for nothing, or for all where as much is missing: outlines that follow
+/// the mesh but for the round-off of coordinates far from the origin.
 constexpr Real round_off_share = 1e-9;
 
 std::array<Vec<2>, 4> corners_of_part(const Lattice& lattice, std::array<Index, 2> part)
@@ -16,7 +16,8 @@ std::array<Vec<2>, 4> corners_of_part(const Lattice& lattice, std::array<Index, 
   std::array<Vec<2>, 4> corners;
   for (int k = 0; k < 4; ++k) {
     const Index column = part[0] + (k == 1 || k == 2), row = part[1] + (k == 2 || k == 3);
-    const auto offset = offset_from_centre(lattice.cell, 2.0 * column / lattice.n[0] - 1.0, 2.0 * row / lattice.n[1] - 1.0);
+    const auto offset =
+        offset_from_centre(lattice.cell, 2.0 * column / lattice.n[0] - 1.0, 2.0 * row / lattice.n[1] - 1.0);
     corners[k] = {offset[0], offset[1]};
   }
   return corners;
@@ -31,7 +32,8 @@ bool is_cut(const Overlay& overlay, const std::array<Vec<2>, 4>& corners)
   return false;
 }
 
-void add_pieces(const Lattice& lattice, const Overlay& overlay, Index body, std::array<Index, 2> part, std::vector<Piece>& pieces)
+void add_pieces(
+    const Lattice& lattice, const Overlay& overlay, Index body, std::array<Index, 2> part, std::vector<Piece>& pieces)
 {
   const Vec<2> local = middle_of_part(lattice, part);
   const auto middle = offset_from_centre(lattice.cell, local[0], local[1]);
@@ -57,14 +59,16 @@ Vec<2> common_centroid(const Piece& a, const Piece& b)
   return {a.x[0] + t * (b.x[0] - a.x[0]), a.x[1] + t * (b.x[1] - a.x[1])};
 }
 
-/// The nearest piece in the same or an adjoining part of the lattice that lies within sight: their common centroid is then in the body.
+/// The nearest piece in the same or an adjoining part of the lattice that lies within sight: their common centroid is
+/// then in the body.
 std::size_t find_taker(const Overlay& overlay, Index body, const std::vector<Piece>& pieces, std::size_t small)
 {
   std::size_t best = pieces.size();
   Real least = std::numeric_limits<Real>::infinity();
   const Piece& piece = pieces[small];
   for (std::size_t k = 0; k < pieces.size(); ++k) {
-    const bool adjoin = std::abs(pieces[k].part[0] - piece.part[0]) <= 1 && std::abs(pieces[k].part[1] - piece.part[1]) <= 1;
+    const bool adjoin =
+        std::abs(pieces[k].part[0] - piece.part[0]) <= 1 && std::abs(pieces[k].part[1] - piece.part[1]) <= 1;
     const Real distance = std::hypot(pieces[k].x[0] - piece.x[0], pieces[k].x[1] - piece.x[1]);
     if (k == small || !adjoin || distance >= least || !stays_in_body(overlay, body, piece.x, pieces[k].x)) continue;
     best = k;
@@ -79,7 +83,9 @@ void merge_small_pieces(const Overlay& overlay, Index body, std::vector<Piece>& 
   while (true) {
     std::size_t small = pieces.size();
     for (std::size_t k = 0; k < pieces.size(); ++k)
-      if (is_too_small(pieces[k]) && !pieces[k].stays_alone && (small == pieces.size() || pieces[k].volume < pieces[small].volume)) small = k;
+      if (is_too_small(pieces[k]) && !pieces[k].stays_alone &&
+          (small == pieces.size() || pieces[k].volume < pieces[small].volume))
+        small = k;
     if (small == pieces.size()) return;
     const std::size_t taker = find_taker(overlay, body, pieces, small);
     if (taker == pieces.size()) {

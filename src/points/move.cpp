@@ -9,12 +9,14 @@ namespace {
 bool beyond_open_side(std::uint8_t open, Vec<2> local)
 {
   const auto is_open = [open](int side) { return (open >> side & 1) != 0; };
-  return (local[1] < -1.0 && is_open(0)) || (local[0] > 1.0 && is_open(1)) || (local[1] > 1.0 && is_open(2)) || (local[0] < -1.0 && is_open(3));
+  return (local[1] < -1.0 && is_open(0)) || (local[0] > 1.0 && is_open(1)) || (local[1] > 1.0 && is_open(2)) ||
+         (local[0] < -1.0 && is_open(3));
 }
 
 }  // namespace
 
-Moved move_to_new_cell(const Mesh<2>& mesh, const OpenSides& open, PointBlocks<2>& points, PointPlace at, std::span<Real> values)
+Moved move_to_new_cell(
+    const Mesh<2>& mesh, const OpenSides& open, PointBlocks<2>& points, PointPlace at, std::span<Real> values)
 {
   using Rows = PointRows<2>;
   const PointBlock<2>& block = points.block(at.block);

@@ -16,8 +16,9 @@ enum class Moved {
 /// Sides of each cell that soil may leave by: bit s of entry e is set if side s of cell e is open, shape [n_cells].
 using OpenSides = std::vector<std::uint8_t>;
 
-/// Moves the point at (block, lane) to the cell that holds its position. values: shape [n_rows]; scratch, but its id row is
-/// always the point's, and all rows are if it left.
-Moved move_to_new_cell(const Mesh<2>& mesh, const OpenSides& open, PointBlocks<2>& points, PointPlace at, std::span<Real> values);
+/// Moves the point at (block, lane) to the cell that holds its position. values: shape [n_rows]; scratch, but its id
+/// row is always the point's, and all rows are if it left.
+Moved move_to_new_cell(
+    const Mesh<2>& mesh, const OpenSides& open, PointBlocks<2>& points, PointPlace at, std::span<Real> values);
 
 }  // namespace terp

@@ -33,8 +33,15 @@ Overfull look_around(const Mesh<2>& mesh, const CellContents& contents, Index ce
     found.area += mesh.geometry(k).volume;
     largest = std::max(largest, contents.largest[k]);
   }
-  const Real mean = found.area / static_cast<Real>(found.around.size()), own = contents.largest[cell], s = std::sqrt(std::min(largest, mean));
-  if (own > largest_point * mean) return {.cell = cell, .around = {cell}, .by_one_point = true, .volume = own, .area = mean, .limit = largest_point * mean};
+  const Real mean = found.area / static_cast<Real>(found.around.size()), own = contents.largest[cell],
+             s = std::sqrt(std::min(largest, mean));
+  if (own > largest_point * mean)
+    return {.cell = cell,
+        .around = {cell},
+        .by_one_point = true,
+        .volume = own,
+        .area = mean,
+        .limit = largest_point * mean};
   found.limit = found.area + length_of_outline(mesh, found.around) * s + 4.0 * s * s;
   return found;
 }
@@ -56,7 +63,8 @@ std::optional<Overfull> find_overfull(const Mesh<2>& mesh, const CellContents& c
 {
   std::optional<Overfull> worst;
   for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
-    if (contents.volume[cell] <= (1.0 + round_off) * mesh.geometry(cell).volume) continue;  // where cells hold too much together, one does alone
+    if (contents.volume[cell] <= (1.0 + round_off) * mesh.geometry(cell).volume)
+      continue;  // where cells hold too much together, one does alone
     Overfull found = look_around(mesh, contents, cell);
     if (found.volume <= found.limit) continue;
     if (!worst || found.volume / found.limit > worst->volume / worst->limit) worst = std::move(found);

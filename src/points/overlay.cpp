@@ -8,8 +8,8 @@
 namespace terp {
 namespace {
 
-/// Heights closer than this part of the quadrilateral's are one; trapezoids that share less of a side do not touch. Above the round-off of
-/// crossings, below anything drawn on purpose.
+/// Heights closer than this part of the quadrilateral's are one; trapezoids that share less of a side do not touch.
+/// Above the round-off of crossings, below anything drawn on purpose.
 constexpr Real resolution = 1e-13;
 
 /// A line that is not level; a is its lower end.
@@ -63,8 +63,8 @@ void add_lines(std::span<const Vec<2>> corners, int ring, const BoundingBox& box
   }
 }
 
-/// Where the line from a to b crosses or touches the one from c to e, as a share of the way to b. Parallel to round-off: nowhere, for what
-/// lies between them has no area.
+/// Where the line from a to b crosses or touches the one from c to e, as a share of the way to b. Parallel to
+/// round-off: nowhere, for what lies between them has no area.
 std::optional<Real> share_to_crossing(Vec<2> a, Vec<2> b, Vec<2> c, Vec<2> e)
 {
   const Vec<2> r{b[0] - a[0], b[1] - a[1]}, s{e[0] - c[0], e[1] - c[1]}, d{c[0] - a[0], c[1] - a[1]};
@@ -103,7 +103,8 @@ std::vector<Cut> cut_strip(const std::vector<Line>& lines, Real y0, Real y1)
   std::vector<Cut> cuts;
   std::vector<Cut> sides;
   for (const Line& line : lines)
-    if (line.a[1] <= y && line.b[1] > y) (line.ring < 0 ? sides : cuts).push_back({line.x_at(y), line.x_at(y0), line.x_at(y1), line.ring});
+    if (line.a[1] <= y && line.b[1] > y)
+      (line.ring < 0 ? sides : cuts).push_back({line.x_at(y), line.x_at(y0), line.x_at(y1), line.ring});
   if (sides.size() != 2) return {};  // less than round-off of the quadrilateral's height
   if (sides[0].middle > sides[1].middle) std::swap(sides[0], sides[1]);
   for (Cut& cut : cuts) {
@@ -132,7 +133,8 @@ Index top_of(const Overlay& overlay, const std::vector<char>& inside)
   return in_body ? body : top;
 }
 
-void share_out_strip(const Overlay& overlay, const std::vector<Cut>& cuts, Real y0, Real y1, std::vector<Trapezoid>& trapezoids)
+void share_out_strip(
+    const Overlay& overlay, const std::vector<Cut>& cuts, Real y0, Real y1, std::vector<Trapezoid>& trapezoids)
 {
   const std::size_t first = trapezoids.size();
   std::vector<char> inside(overlay.rings.size(), 0);
@@ -199,7 +201,8 @@ bool stays_in_body(const Overlay& overlay, Index body, Vec<2> a, Vec<2> b)
   std::vector<Real> shares{0.0, 1.0};
   for (const Ring& ring : overlay.rings)
     for (std::size_t k = 0; k < ring.corners.size(); ++k)
-      if (const auto t = share_to_crossing(a, b, ring.corners[k], ring.corners[(k + 1) % ring.corners.size()])) shares.push_back(*t);
+      if (const auto t = share_to_crossing(a, b, ring.corners[k], ring.corners[(k + 1) % ring.corners.size()]))
+        shares.push_back(*t);
   std::sort(shares.begin(), shares.end());
   for (std::size_t k = 1; k < shares.size(); ++k) {
     const Real t = 0.5 * (shares[k - 1] + shares[k]);
@@ -214,7 +217,8 @@ std::vector<Part> share_out(const Overlay& overlay, const std::array<Vec<2>, 4>&
   const BoundingBox box = box_around(corners);
   std::vector<Line> lines;
   add_lines(corners, -1, box, lines);
-  for (std::size_t k = 0; k < overlay.rings.size(); ++k) add_lines(overlay.rings[k].corners, static_cast<int>(k), box, lines);
+  for (std::size_t k = 0; k < overlay.rings.size(); ++k)
+    add_lines(overlay.rings[k].corners, static_cast<int>(k), box, lines);
   const std::vector<Real> heights = find_heights(lines, box);
   std::vector<Trapezoid> trapezoids;
   for (std::size_t k = 0; k + 1 < heights.size(); ++k)

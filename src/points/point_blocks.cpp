@@ -7,7 +7,8 @@
 namespace terp {
 namespace {
 
-constexpr std::size_t smallest_slab = 1u << 17, largest_slab = 1u << 22;  // 1 and 32 MiB of Reals: asked for rarely, more as there are more
+constexpr std::size_t smallest_slab = 1u << 17,
+                      largest_slab = 1u << 22;  // 1 and 32 MiB of Reals: asked for rarely, more as there are more
 
 }  // namespace
 
@@ -32,7 +33,8 @@ Real* PointBlocks<Dim>::allocate(Index capacity)
   }
   const std::size_t n = static_cast<std::size_t>(capacity) * n_rows_;
   if (slabs_.empty() || slab_used_ + n > slabs_.back().size()) {
-    slabs_.emplace_back(std::max(n, std::clamp<std::size_t>(reserved_bytes() / sizeof(Real), smallest_slab, largest_slab)));
+    slabs_.emplace_back(
+        std::max(n, std::clamp<std::size_t>(reserved_bytes() / sizeof(Real), smallest_slab, largest_slab)));
     slab_used_ = 0;
   }
   Real* data = slabs_.back().data() + slab_used_;  // aligned: slabs begin with a page, blocks are whole packs
@@ -71,7 +73,8 @@ void PointBlocks<Dim>::grow(PointBlock<Dim>& block)
   const Index capacity = block.capacity + pack_width;
   Real* data = allocate(capacity);
   std::fill_n(data, static_cast<std::size_t>(capacity) * n_rows_, 0.0);
-  for (int r = 0; r < n_rows_; ++r) std::copy_n(block.row(r), block.n, data + static_cast<std::ptrdiff_t>(r) * capacity);
+  for (int r = 0; r < n_rows_; ++r)
+    std::copy_n(block.row(r), block.n, data + static_cast<std::ptrdiff_t>(r) * capacity);
   const std::size_t size_class = block.capacity / pack_width;
   if (free_.size() <= size_class) free_.resize(size_class + 1);
   free_[size_class].push_back(block.data);

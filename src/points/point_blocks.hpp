@@ -15,26 +15,26 @@ namespace terp {
 /// The fields of a material point, as rows of a block. Row r of a block is data + r * capacity, one Real per point.
 template <int Dim>
 struct PointRows {
-  static constexpr int x = 0;                         ///< position [m], Dim rows
-  static constexpr int xi = x + Dim;                  ///< local coordinates in the cell [-], Dim rows; follow from x
-  static constexpr int v = xi + Dim;                  ///< velocity [m/s], Dim rows
-  static constexpr int mass = v + Dim;                ///< [kg per m]
-  static constexpr int volume = mass + 1;             ///< Omega_p [m^2]
-  static constexpr int sigma = volume + 1;            ///< Cauchy stress [Pa], n_sym rows
-  static constexpr int strain = sigma + n_sym<Dim>;   ///< accumulated total strain [-], n_sym rows
-  static constexpr int id = strain + n_sym<Dim>;      ///< whole number, exact as a Real
-  static constexpr int state = id + 1;                ///< state variables of the material
+  static constexpr int x = 0;                        ///< position [m], Dim rows
+  static constexpr int xi = x + Dim;                 ///< local coordinates in the cell [-], Dim rows; follow from x
+  static constexpr int v = xi + Dim;                 ///< velocity [m/s], Dim rows
+  static constexpr int mass = v + Dim;               ///< [kg per m]
+  static constexpr int volume = mass + 1;            ///< Omega_p [m^2]
+  static constexpr int sigma = volume + 1;           ///< Cauchy stress [Pa], n_sym rows
+  static constexpr int strain = sigma + n_sym<Dim>;  ///< accumulated total strain [-], n_sym rows
+  static constexpr int id = strain + n_sym<Dim>;     ///< whole number, exact as a Real
+  static constexpr int state = id + 1;               ///< state variables of the material
 };
 
 /// Points of one material in one cell. Lanes n ... capacity are padding: mass, volume and velocity zero, never moved.
 template <int Dim>
 struct PointBlock {
-  Real* data = nullptr;   ///< 64-byte aligned, shape [n_rows, capacity]
-  Index capacity = 0;     ///< multiple of pack_width
-  Index n = 0;            ///< points in use, lanes 0 ... n-1
+  Real* data = nullptr;  ///< 64-byte aligned, shape [n_rows, capacity]
+  Index capacity = 0;    ///< multiple of pack_width
+  Index n = 0;           ///< points in use, lanes 0 ... n-1
   Index cell = -1;
-  Index material = -1;    ///< index into Model::materials
-  Index next = -1;        ///< next block of the same cell, larger material number; -1: last
+  Index material = -1;  ///< index into Model::materials
+  Index next = -1;      ///< next block of the same cell, larger material number; -1: last
 
   Real* row(int r) const { return data + static_cast<std::ptrdiff_t>(r) * capacity; }
   Index n_padded() const { return round_up_to_pack(n); }
@@ -96,10 +96,10 @@ class PointBlocks {
   int n_rows_ = 0;
   std::int64_t n_points_ = 0;
   std::vector<PointBlock<Dim>> blocks_;
-  std::vector<Index> unused_;                      // numbers of blocks that may be used again
-  std::vector<std::vector<Real*>> free_;           // by capacity / pack_width
+  std::vector<Index> unused_;             // numbers of blocks that may be used again
+  std::vector<std::vector<Real*>> free_;  // by capacity / pack_width
   std::vector<ZeroedArray<Real>> slabs_;
-  std::size_t slab_used_ = 0;                      // of the last slab [Reals]
+  std::size_t slab_used_ = 0;  // of the last slab [Reals]
   std::vector<Index> first_block_, slot_of_cell_, occupied_, new_cells_;
   bool occupation_changed_ = false;
 };
@@ -115,7 +115,8 @@ void for_each_block(const PointBlocks<Dim>& points, Index cell, F&& f)
 template <int Dim, class F>
 void for_each_block(const PointBlocks<Dim>& points, F&& f)
 {
-  for (const Index cell : points.occupied()) for_each_block(points, cell, [&](const PointBlock<Dim>& block, Index) { f(block); });
+  for (const Index cell : points.occupied())
+    for_each_block(points, cell, [&](const PointBlock<Dim>& block, Index) { f(block); });
 }
 
 /// Calls f(block, lane) for every point, cells ascending: the fixed order of checkpoints and reports.

@@ -31,8 +31,10 @@ class Faults {
     if (n_ == 0) return;
     std::string text = fmt::format("the table of points has {} fault{}:{}", n_, n_ == 1 ? "" : "s", text_);
     if (n_ > most_shown) text += fmt::format("\n  and {} more", n_ - most_shown);
-    throw PointsFileError(text + fmt::format("\n  It has the columns {}: m, m, m^2 (volume per metre of thickness), and a material of the case.",
-                                             fmt::join(columns, ", ")));
+    throw PointsFileError(
+        text +
+        fmt::format("\n  It has the columns {}: m, m, m^2 (volume per metre of thickness), and a material of the case.",
+            fmt::join(columns, ", ")));
   }
 
  private:
@@ -94,7 +96,8 @@ Places read_header(std::string_view line, Index number, Faults& faults)
   for (const std::string_view name : names) {
     if (std::ranges::find(columns, name) != columns.end()) continue;
     const std::string meant = closest_column(name);
-    faults.add(number, fmt::format("unknown column `{}`{}", name, meant.empty() ? "" : "; did you mean `" + meant + "`?"));
+    faults.add(
+        number, fmt::format("unknown column `{}`{}", name, meant.empty() ? "" : "; did you mean `" + meant + "`?"));
   }
   Places places{};
   for (std::size_t k = 0; k < columns.size(); ++k) {

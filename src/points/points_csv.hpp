@@ -24,8 +24,9 @@ struct CsvPoint {
   Index line;            ///< in the file, from 1
 };
 
-/// In file order. The first line names the four columns, in any order; cells are apart by commas, spaces around them do not count, a name
-/// may stand in double quotes; empty lines and lines from # on are passed over. Numbers are finite. Throws PointsFileError.
+/// In file order. The first line names the four columns, in any order; cells are apart by commas, spaces around them do
+/// not count, a name may stand in double quotes; empty lines and lines from # on are passed over. Numbers are finite.
+/// Throws PointsFileError.
 std::vector<CsvPoint> read_points_csv(const std::string& path);
 
 /// The same from the text of a file; path: for messages.

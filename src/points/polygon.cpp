@@ -58,7 +58,8 @@ bool crosses(const BoundingBox& box, Vec<2> a, Vec<2> b)
   const Vec<2> along{b[0] - a[0], b[1] - a[1]};
   const Vec<2> to_centre{0.5 * (box.low[0] + box.high[0]) - a[0], 0.5 * (box.low[1] + box.high[1]) - a[1]};
   const Real reach = std::abs(along[1]) * (box.high[0] - box.low[0]) + std::abs(along[0]) * (box.high[1] - box.low[1]);
-  return 2.0 * std::abs(to_centre[0] * along[1] - to_centre[1] * along[0]) <= (1.0 + 1e-9) * reach;  // touching counts, in spite of round-off
+  return 2.0 * std::abs(to_centre[0] * along[1] - to_centre[1] * along[0]) <=
+         (1.0 + 1e-9) * reach;  // touching counts, in spite of round-off
 }
 
 Polygon clip_to_box(std::span<const Vec<2>> polygon, const BoundingBox& box)

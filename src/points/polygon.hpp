@@ -22,8 +22,8 @@ bool overlap(const BoundingBox& a, const BoundingBox& b);
 /// True if the line from a to b and the closed box share a place, or nearly do.
 bool crosses(const BoundingBox& box, Vec<2> a, Vec<2> b);
 
-/// The part of a polygon in a box. Where the polygon leaves the box it is closed along the box, there and back again if need be: areas
-/// and the even-odd rule inside the box are those of the polygon.
+/// The part of a polygon in a box. Where the polygon leaves the box it is closed along the box, there and back again if
+/// need be: areas and the even-odd rule inside the box are those of the polygon.
 Polygon clip_to_box(std::span<const Vec<2>> polygon, const BoundingBox& box);
 
 }  // namespace terp

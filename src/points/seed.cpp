@@ -1,14 +1,17 @@
 // The rule (decision 0026). A cell is parted into n x n by its local coordinates; the sides of a part are straight.
 //
 //   whole part    a point in the middle of its local coordinates, with the volume of the part
-//   cut part      what a body keeps of it, less its holes and all later bodies, is cut out exactly; each piece is a point at its centroid
+//   cut part      what a body keeps of it, less its holes and all later bodies, is cut out exactly; each piece is a
+//   point at its centroid
 //                 with its area
-//   small piece   less than a fifth of its part: goes to the nearest piece of its body in the same or an adjoining part of the cell, or else
-//                 in a cell across a side. Volumes add up and the common centroid is kept. The straight way between the two must lie
-//                 in the body and the centroid in the cell; if there is no such neighbour, the small piece is a point of its own
+//   small piece   less than a fifth of its part: goes to the nearest piece of its body in the same or an adjoining part
+//   of the cell, or else
+//                 in a cell across a side. Volumes add up and the common centroid is kept. The straight way between the
+//                 two must lie in the body and the centroid in the cell; if there is no such neighbour, the small piece
+//                 is a point of its own
 //
-// So the volume of each body is right to round-off, no point is out of proportion to its neighbours, and a sloping surface is a row of points
-// along the slope.
+// So the volume of each body is right to round-off, no point is out of proportion to its neighbours, and a sloping
+// surface is a row of points along the slope.
 
 #include "points/seed.hpp"
 
@@ -25,8 +28,9 @@ namespace {
 struct Drawing {
   const Mesh<2>& mesh;
   std::span<const BodyOutline> bodies;
-  std::vector<BoundingBox> boxes;           ///< of the polygons, shape [n_bodies]
-  std::vector<std::vector<char>> in_region; ///< of bodies of whole cells: 1 if the cell is one, shape [n_bodies][n_cells or 0]
+  std::vector<BoundingBox> boxes;  ///< of the polygons, shape [n_bodies]
+  std::vector<std::vector<char>>
+      in_region;  ///< of bodies of whole cells: 1 if the cell is one, shape [n_bodies][n_cells or 0]
 };
 
 Drawing make_drawing(const Mesh<2>& mesh, std::span<const BodyOutline> bodies)
@@ -89,7 +93,8 @@ void seed_whole_cell(const Drawing& drawing, Index cell, Index body, std::vector
   for (Index row = 0; row < lattice.n[1]; ++row)
     for (Index column = 0; column < lattice.n[0]; ++column) {
       const Vec<2> local = middle_of_part(lattice, {column, row});
-      seeds.push_back({place_in_cell(drawing.mesh, cell, local), local, cell, body, volume_of_part(lattice, {column, row})});
+      seeds.push_back(
+          {place_in_cell(drawing.mesh, cell, local), local, cell, body, volume_of_part(lattice, {column, row})});
     }
 }
 
@@ -101,7 +106,8 @@ Vec<2> local_of(const CellGeometry<2>& geometry, Vec<2> x)
 }
 
 /// small: numbers of the seeds that are too small and found no neighbour in their cell.
-void seed_cut_cell(const Drawing& drawing, const Overlay& overlay, Index cell, std::vector<Seed>& seeds, std::vector<std::size_t>& small)
+void seed_cut_cell(const Drawing& drawing, const Overlay& overlay, Index cell, std::vector<Seed>& seeds,
+    std::vector<std::size_t>& small)
 {
   const CellGeometry<2>& geometry = drawing.mesh.geometry(cell);
   const Vec<2> centre = drawing.mesh.centres[cell];
@@ -125,14 +131,16 @@ Vec<2> common_centroid(const Seed& a, const Seed& b)
   return {a.x[0] + t * (b.x[0] - a.x[0]), a.x[1] + t * (b.x[1] - a.x[1])};
 }
 
-/// True if a seed and a small one may become one: the small one is in sight, and their centroid lies in the cell of the first.
+/// True if a seed and a small one may become one: the small one is in sight, and their centroid lies in the cell of the
+/// first.
 bool may_take(const Drawing& drawing, const Overlay& overlay, const Seed& taker, const Seed& small)
 {
   const Vec<2> x = common_centroid(taker, small), centre = drawing.mesh.centres[taker.cell];
   const auto relative = [&](const Seed& seed) { return Vec<2>{seed.x[0] - centre[0], seed.x[1] - centre[1]}; };
   const Vec<2> offset{x[0] - centre[0], x[1] - centre[1]};
   const Vec<2> local = local_of(drawing.mesh.geometry(taker.cell), offset);
-  return std::abs(local[0]) < 1.0 && std::abs(local[1]) < 1.0 && stays_in_body(overlay, taker.body, relative(taker), relative(small));
+  return std::abs(local[0]) < 1.0 && std::abs(local[1]) < 1.0 &&
+         stays_in_body(overlay, taker.body, relative(taker), relative(small));
 }
 
 /// The nearest seed of the same body in the cells across the four sides that may take the small one, or null.
@@ -146,7 +154,9 @@ Seed* find_taker(const Drawing& drawing, std::vector<Seed>& seeds, const Seed& s
     auto seed = std::partition_point(seeds.begin(), seeds.end(), [&](const Seed& s) { return s.cell < cell; });
     for (; seed != seeds.end() && seed->cell == cell; ++seed) {
       const Real distance = std::hypot(seed->x[0] - small.x[0], seed->x[1] - small.x[1]);
-      if (seed->body != small.body || seed->volume == 0.0 || distance >= least || !may_take(drawing, overlay, *seed, small)) continue;
+      if (seed->body != small.body || seed->volume == 0.0 || distance >= least ||
+          !may_take(drawing, overlay, *seed, small))
+        continue;
       best = &*seed;
       least = distance;
     }

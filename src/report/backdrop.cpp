@@ -75,7 +75,8 @@ std::vector<float> surface_line(const std::vector<Real>& places, const std::vect
   std::map<long, Real> height;  // by column
   for (std::size_t p = 0; p < material.size(); ++p) {
     if (material[p] < 0.0) continue;  // left the mesh
-    const auto [entry, fresh] = height.try_emplace(std::lround(std::floor(places[2 * p] / column_width)), places[2 * p + 1]);
+    const auto [entry, fresh] =
+        height.try_emplace(std::lround(std::floor(places[2 * p] / column_width)), places[2 * p + 1]);
     if (!fresh) entry->second = std::max(entry->second, places[2 * p + 1]);
   }
   std::vector<float> line;

@@ -12,10 +12,12 @@ namespace terp {
 /// Lines of the background mesh, each once: x0, y0, x1, y1 [m], shape [n_edges, 4].
 std::vector<float> mesh_edges(const Mesh<2>& mesh);
 
-/// Outlines of the bodies at t = 0: x, y [m], shape [n, 2]; closed polylines, with NaN, NaN between them. Bodies that come as points have none.
+/// Outlines of the bodies at t = 0: x, y [m], shape [n, 2]; closed polylines, with NaN, NaN between them. Bodies that
+/// come as points have none.
 std::vector<float> first_outline(const Case& description, const Mesh<2>& mesh);
 
-/// The highest point in each column of one cell's width, from left to right: x, y [m], shape [n, 2]. Columns without a point are left out.
+/// The highest point in each column of one cell's width, from left to right: x, y [m], shape [n, 2]. Columns without a
+/// point are left out.
 std::vector<float> surface_line(const std::vector<Real>& places, const std::vector<Real>& material, Real column_width);
 
 }  // namespace terp

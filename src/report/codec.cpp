@@ -54,7 +54,8 @@ std::vector<Codes> decode_frames(std::string_view bytes, std::size_t n_points)
   for (std::size_t start = 0; start < bytes.size(); start += 2 * n_points) {
     Codes codes(n_points);
     for (std::size_t p = 0; p < n_points; ++p) {
-      const auto low = static_cast<unsigned char>(bytes[start + p]), high = static_cast<unsigned char>(bytes[start + n_points + p]);
+      const auto low = static_cast<unsigned char>(bytes[start + p]),
+                 high = static_cast<unsigned char>(bytes[start + n_points + p]);
       codes[p] = static_cast<std::uint16_t>((frames.empty() ? 0 : frames.back()[p]) + low + 256 * high);
     }
     frames.push_back(std::move(codes));

@@ -1,5 +1,5 @@
-// Values of all points in all frames as few bytes: 16 bits each, differences from frame to frame (docs/report_format.md).
-// Not for: which values, and how exact (payload).
+// Values of all points in all frames as few bytes: 16 bits each, differences from frame to frame
+// (docs/report_format.md). Not for: which values, and how exact (payload).
 #pragma once
 
 #include "base/types.hpp"
@@ -15,7 +15,8 @@ namespace terp {
 /// One number q of 16 bits per point.
 using Codes = std::vector<std::uint16_t>;
 
-inline constexpr std::uint16_t no_value = 65535;  ///< q of a value that is not a number, or of a point that is not there
+inline constexpr std::uint16_t no_value =
+    65535;  ///< q of a value that is not a number, or of a point that is not there
 
 /// value = lo + q * step; q of a value is 0 ... 65534.
 struct Scale {
@@ -34,7 +35,8 @@ Codes quantise(std::span<const Real> values, const Scale& scale);
 /// The codes on a scale whose steps are `factor` times as long.
 void coarsen(Codes& codes, int factor);
 
-/// Frames after each other: N low bytes, then N high bytes, of q in the first frame and of its change (mod 65536) in the others.
+/// Frames after each other: N low bytes, then N high bytes, of q in the first frame and of its change (mod 65536) in
+/// the others.
 std::string encode_frames(std::span<const Codes> frames);
 
 /// What encode_frames was given. Throws std::invalid_argument if the length is not that of whole frames.

@@ -21,8 +21,14 @@ void put_slip(JsonText& json, const SlipSurface& slip)
 
 void put_slide(JsonText& json, const SlideSummary& slide)
 {
-  json.begin_object().entry("facing", slide.slide.facing == Facing::left ? "left" : "right").entry("begins", slide.slide.begins).entry("stops", slide.slide.stops);
-  json.entry("crest_from", slide.slide.crest_from).entry("crest_to", slide.slide.crest_to).entry("kinetic_peak", slide.slide.kinetic_peak).key("slip_surface");
+  json.begin_object()
+      .entry("facing", slide.slide.facing == Facing::left ? "left" : "right")
+      .entry("begins", slide.slide.begins)
+      .entry("stops", slide.slide.stops);
+  json.entry("crest_from", slide.slide.crest_from)
+      .entry("crest_to", slide.slide.crest_to)
+      .entry("kinetic_peak", slide.slide.kinetic_peak)
+      .key("slip_surface");
   put_slip(json, slide.slip);
   json.end_object();
 }
@@ -41,7 +47,9 @@ void put_events(JsonText& json, const Summary& s)
   };
   slide_or_null("first_slide", 0);
   slide_or_null("second_slide", 1);
-  json.entry("moved_volume", s.moved_volume).entry("moved_fraction", s.moved_fraction).entry("moved_distance", s.moved_distance);
+  json.entry("moved_volume", s.moved_volume)
+      .entry("moved_fraction", s.moved_fraction)
+      .entry("moved_distance", s.moved_distance);
   json.entry("intact_fraction", s.intact_fraction).entry("free_toe", s.free_toe);
   json.key("facing");
   if (s.facing)
@@ -63,7 +71,8 @@ void put_failure(JsonText& json, const RunResults& run, const std::vector<std::s
 {
   const Summary& s = run.summary.values;
   json.key("passes").begin_array();
-  for (const PassTime& pass : s.passes) json.begin_object().entry("name", pass.name).entry("seconds", pass.seconds).end_object();
+  for (const PassTime& pass : s.passes)
+    json.begin_object().entry("name", pass.name).entry("seconds", pass.seconds).end_object();
   json.end_array();
   if (summary_is_behind(run))
     json.key("events").null();
@@ -74,12 +83,22 @@ void put_failure(JsonText& json, const RunResults& run, const std::vector<std::s
   cautions.insert(cautions.end(), warnings.begin(), warnings.end());
   put_texts(json, "warnings", cautions);
   json.key("checks").begin_array();
-  for (const Check& check : list_checks(run)) json.begin_object().entry("name", check.name).entry("value", check.value).entry("passed", check.passed).end_object();
+  for (const Check& check : list_checks(run))
+    json.begin_object()
+        .entry("name", check.name)
+        .entry("value", check.value)
+        .entry("passed", check.passed)
+        .end_object();
   json.end_array().key("audit");
   if (summary_is_behind(run)) return void(json.null());
   json.begin_object();
-  json.entry("points", s.n_points).entry("points_eps_eq_p_fell", s.points_eps_eq_p_fell).entry("points_su_rose", s.points_su_rose);
-  json.entry("energy_balance_error", s.energy_balance_error).entry("clamped_points", s.clamped_points).entry("points_left", s.points_left).end_object();
+  json.entry("points", s.n_points)
+      .entry("points_eps_eq_p_fell", s.points_eps_eq_p_fell)
+      .entry("points_su_rose", s.points_su_rose);
+  json.entry("energy_balance_error", s.energy_balance_error)
+      .entry("clamped_points", s.clamped_points)
+      .entry("points_left", s.points_left)
+      .end_object();
 }
 
 }  // namespace terp

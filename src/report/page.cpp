@@ -13,7 +13,10 @@ extern const char _binary_page_html_end[];
 namespace terp {
 namespace {
 
-std::string_view built_page() { return {_binary_page_html_start, static_cast<std::size_t>(_binary_page_html_end - _binary_page_html_start)}; }
+std::string_view built_page()
+{
+  return {_binary_page_html_start, static_cast<std::size_t>(_binary_page_html_end - _binary_page_html_start)};
+}
 
 constexpr std::string_view bare_page = R"(<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>Terp report</title></head>
@@ -37,7 +40,8 @@ std::string make_page(std::string_view page, const Payload& payload)
   std::string html(page.substr(0, marker));
   html += "<script id=\"terp-report\" type=\"application/json\">" + payload.json + "</script>\n";
   for (std::size_t k = 0; k < payload.chunks.size(); ++k)
-    html += fmt::format("<script type=\"application/octet-stream\" data-chunk=\"{}\">{}</script>\n", k, payload.chunks[k]);
+    html +=
+        fmt::format("<script type=\"application/octet-stream\" data-chunk=\"{}\">{}</script>\n", k, payload.chunks[k]);
   html += page.substr(marker + data_marker.size());
   return html;
 }

@@ -19,7 +19,8 @@
 namespace terp {
 namespace {
 
-constexpr double codes_share = 0.75 * 0.88;   // base64 makes 4 bytes of 3; tables and texts take a little, and the size is an estimate
+constexpr double codes_share =
+    0.75 * 0.88;  // base64 makes 4 bytes of 3; tables and texts take a little, and the size is an estimate
 constexpr std::size_t most_edges = 100'000;  // of a mesh that is drawn
 
 /// Collects chunks; each gets a number.
@@ -57,9 +58,11 @@ Source open_source(const std::string& folder, const std::string& name)
     source.case_read = read_case(path_in(folder, case_file));
     source.mesh = build_mesh(source.case_read->values);
   } catch (const CaseError&) {
-    source.warnings.push_back("The case file of this run can no longer be read: the page shows no mesh and no outline.");
+    source.warnings.push_back(
+        "The case file of this run can no longer be read: the page shows no mesh and no outline.");
   } catch (const std::exception& error) {
-    source.warnings.push_back(fmt::format("The background mesh cannot be built again and is not shown: {}", error.what()));
+    source.warnings.push_back(
+        fmt::format("The background mesh cannot be built again and is not shown: {}", error.what()));
   }
   return source;
 }
@@ -92,7 +95,11 @@ void put_columns(JsonText& json, const Table& table)
   json.key("columns").begin_array();
   for (const auto& name : table.names) {
     const ColumnInfo info = describe_column(name);
-    json.begin_object().entry("name", name).entry("label", info.label).entry("unit", readable(info.unit).name).end_object();
+    json.begin_object()
+        .entry("name", name)
+        .entry("label", info.label)
+        .entry("unit", readable(info.unit).name)
+        .end_object();
   }
   json.end_array();
 }
@@ -106,7 +113,11 @@ void put_table(JsonText& json, Chunks& chunks, const Table& table)
 void put_array(JsonText& json, std::int64_t chunk, const std::vector<Codes>& frames, const Scale& scale)
 {
   json.begin_object().entry("chunk", chunk).entry("lo", scale.lo).entry("hi", scale.hi()).entry("log", false);
-  json.entry("frames", frames.size()).entry("points", frames[0].size()).entry("bits", 16).entry("static", frames.size() == 1).end_object();
+  json.entry("frames", frames.size())
+      .entry("points", frames[0].size())
+      .entry("bits", 16)
+      .entry("static", frames.size() == 1)
+      .end_object();
 }
 
 void put_places(JsonText& json, Chunks& chunks, const ShownRun& shown)
@@ -126,7 +137,11 @@ void put_fields(JsonText& json, Chunks& chunks, const ShownRun& shown)
     const bool own = field.shares < 0;
     const auto& frames = own ? field.frames : shown.fields[static_cast<std::size_t>(field.shares)].frames;
     chunk_of.push_back(own ? chunks.add(encode_frames(frames)) : chunk_of[static_cast<std::size_t>(field.shares)]);
-    json.begin_object().entry("name", field.name).entry("symbol", field.symbol).entry("label", field.label).entry("unit", field.unit);
+    json.begin_object()
+        .entry("name", field.name)
+        .entry("symbol", field.symbol)
+        .entry("label", field.label)
+        .entry("unit", field.unit);
     json.entry("kind", field.kind).entry("log", field.name.starts_with("eps_"));
     json.key("range").begin_array().value(field.low).value(field.high).end_array();
     json.entry("precision", field.scale.step).key("data");
@@ -141,7 +156,8 @@ void put_materials(JsonText& json, const Source& source)
   json.key("materials").begin_array();
   if (source.case_read) {
     const auto& materials = source.case_read->values.materials;
-    for (std::size_t k = 0; k < materials.size(); ++k) json.begin_object().entry("id", k).entry("name", materials[k].name).end_object();
+    for (std::size_t k = 0; k < materials.size(); ++k)
+      json.begin_object().entry("id", k).entry("name", materials[k].name).end_object();
   }
   json.end_array();
 }
@@ -156,7 +172,11 @@ void put_backdrop(JsonText& json, Chunks& chunks, const Source& source)
   }
   json.key("mesh").begin_object().key("edges").begin_object();
   json.entry("chunk", chunks.add(edges)).entry("count", edges.size() / 4).end_object().end_object();
-  json.key("outline").begin_object().entry("chunk", chunks.add(outline)).entry("count", outline.size() / 2).end_object();
+  json.key("outline")
+      .begin_object()
+      .entry("chunk", chunks.add(outline))
+      .entry("count", outline.size() / 2)
+      .end_object();
 }
 
 /// The free surface in each frame that is shown.
@@ -167,7 +187,8 @@ void put_surfaces(JsonText& json, Chunks& chunks, const Source& source, const Sh
   std::vector<float> lines;
   std::vector<std::size_t> offsets{0};
   for (const std::size_t k : shown.frames) {
-    const auto material = frames.has("material") ? frames.read("material", k) : std::vector<Real>(static_cast<std::size_t>(shown.n_points), 0.0);
+    const auto material = frames.has("material") ? frames.read("material", k)
+                                                 : std::vector<Real>(static_cast<std::size_t>(shown.n_points), 0.0);
     const auto line = surface_line(frames.places(k), material, width);
     lines.insert(lines.end(), line.begin(), line.end());
     offsets.push_back(lines.size() / 2);
@@ -196,7 +217,8 @@ void put_bounds(JsonText& json, const Source& source, const ShownRun& shown)
 {
   auto b = shown.bounds;
   if (source.mesh)
-    for (const Vec<2> x : source.mesh->nodes) b = {std::min(b[0], x[0]), std::min(b[1], x[1]), std::max(b[2], x[0]), std::max(b[3], x[1])};
+    for (const Vec<2> x : source.mesh->nodes)
+      b = {std::min(b[0], x[0]), std::min(b[1], x[1]), std::max(b[2], x[0]), std::max(b[3], x[1])};
   json.key("bounds").begin_array();
   for (const Real v : b) json.value(v);
   json.end_array();
@@ -206,9 +228,17 @@ void put_head(JsonText& json, const Source& source, const ShownRun& shown)
 {
   const Summary& s = source.run.summary.values;
   const std::string title = source.case_read ? source.case_read->values.title : "";
-  json.entry("name", source.name).entry("title", title).entry("scheme", s.scheme).entry("case_toml", source.run.case_toml);
-  json.entry("machine", fmt::format("{} ({})", s.processor.empty() ? "unknown processor" : s.processor, s.instructions)).entry("threads", s.threads).entry("wall_seconds", s.wall_s).entry("finished", source.run.summary.finished);
-  json.entry("n_points", shown.n_points).entry("n_shown", shown.ids.size()).entry("n_frames_in_run", shown.n_frames_in_run);
+  json.entry("name", source.name)
+      .entry("title", title)
+      .entry("scheme", s.scheme)
+      .entry("case_toml", source.run.case_toml);
+  json.entry("machine", fmt::format("{} ({})", s.processor.empty() ? "unknown processor" : s.processor, s.instructions))
+      .entry("threads", s.threads)
+      .entry("wall_seconds", s.wall_s)
+      .entry("finished", source.run.summary.finished);
+  json.entry("n_points", shown.n_points)
+      .entry("n_shown", shown.ids.size())
+      .entry("n_frames_in_run", shown.n_frames_in_run);
   json.key("times").begin_array();
   for (const Real t : shown.times) json.value(t);
   json.end_array();
@@ -273,7 +303,12 @@ Payload make_payload(const std::vector<std::string>& folders, const ReportOption
   Payload payload;
   Chunks chunks;
   JsonText json;
-  json.begin_object().entry("format", 1).entry("terp", TERP_VERSION).entry("written", options.written).key("runs").begin_array();
+  json.begin_object()
+      .entry("format", 1)
+      .entry("terp", TERP_VERSION)
+      .entry("written", options.written)
+      .key("runs")
+      .begin_array();
   for (std::size_t k = 0; k < sources.size(); ++k) {
     put_run(json, chunks, sources[k], shown[k]);
     payload.notes.push_back(note_on(names[k], shown[k]));

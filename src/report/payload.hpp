@@ -1,5 +1,5 @@
-// The data of a report page: one JSON document and chunks of compressed bytes that it points to (docs/report_format.md).
-// Not for: the page around them (page).
+// The data of a report page: one JSON document and chunks of compressed bytes that it points to
+// (docs/report_format.md). Not for: the page around them (page).
 #pragma once
 
 #include "results/run_results.hpp"
@@ -10,9 +10,9 @@
 namespace terp {
 
 struct ReportOptions {
-  std::size_t most_bytes = 14'000'000;    ///< of the data, as they stand in the page
-  std::int64_t most_points = 200'000;     ///< per run
-  std::string written;                    ///< time of writing, UTC, ISO 8601
+  std::size_t most_bytes = 14'000'000;  ///< of the data, as they stand in the page
+  std::int64_t most_points = 200'000;   ///< per run
+  std::string written;                  ///< time of writing, UTC, ISO 8601
 };
 
 struct Payload {

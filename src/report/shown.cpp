@@ -10,9 +10,9 @@
 namespace terp {
 namespace {
 
-constexpr Real places_per_spacing = 50.0;   // steps of a place between two neighbouring points, at first
-constexpr Real outliers = 0.001;            // share of the values that this range leaves out at each end
-constexpr Real strained = 0.06;             // strain that counts as having sheared: 95 % of the softening of the paper's soil
+constexpr Real places_per_spacing = 50.0;  // steps of a place between two neighbouring points, at first
+constexpr Real outliers = 0.001;           // share of the values that this range leaves out at each end
+constexpr Real strained = 0.06;  // strain that counts as having sheared: 95 % of the softening of the paper's soil
 
 using Values = std::vector<std::vector<float>>;  // by frame and point
 
@@ -37,17 +37,20 @@ std::vector<Recipe> all_recipes(const Frames& frames)
       {"material", "material", "", "material", "-", "category"},
   };
   const auto known = [&](const std::string& name) {
-    return name == "volume" || name == "cell" || std::any_of(recipes.begin(), recipes.end(), [&](const Recipe& r) { return r.source == name; });
+    return name == "volume" || name == "cell" ||
+           std::any_of(recipes.begin(), recipes.end(), [&](const Recipe& r) { return r.source == name; });
   };
   for (const ResultField& field : frames.fields())  // state and derived fields of other laws
-    if (field.n_components == 1 && !known(field.name)) recipes.insert(recipes.end() - 1, {field.name, field.name, field.name, field.name, field.unit, "sequential"});
+    if (field.n_components == 1 && !known(field.name))
+      recipes.insert(recipes.end() - 1, {field.name, field.name, field.name, field.name, field.unit, "sequential"});
   std::erase_if(recipes, [&](const Recipe& r) {
     return !frames.has(r.source) || (r.take == Take::mean_stress && frames.field(r.source).n_components < 3);
   });
   return recipes;
 }
 
-std::vector<float> read_values(const Frames& frames, const Recipe& recipe, std::size_t k, const std::vector<std::uint32_t>& ids)
+std::vector<float> read_values(
+    const Frames& frames, const Recipe& recipe, std::size_t k, const std::vector<std::uint32_t>& ids)
 {
   std::vector<Real> stored = frames.read(recipe.source, k);
   const int n = frames.field(recipe.source).n_components;
@@ -89,8 +92,8 @@ Real round_up(Real value)
   return 10.0 * power;
 }
 
-/// The upper quartile of the strain of the points that have sheared in the end: the thin basal layer shears ten times as much as the
-/// slip surfaces and would leave those dark.
+/// The upper quartile of the strain of the points that have sheared in the end: the thin basal layer shears ten times
+/// as much as the slip surfaces and would leave those dark.
 Real end_of_strain_scale(const Values& values)
 {
   std::vector<float> sheared;
@@ -118,8 +121,16 @@ void set_colour_range(ShownField& field, const Values& values, const std::vector
 
 ShownField make_field(const Recipe& recipe, const Values& values)
 {
-  ShownField field{.name = recipe.name, .symbol = recipe.symbol, .label = recipe.label, .unit = recipe.unit, .kind = recipe.kind, .low = 0.0, .high = 1.0,
-                   .scale = {}, .frames = {}, .shares = -1};
+  ShownField field{.name = recipe.name,
+      .symbol = recipe.symbol,
+      .label = recipe.label,
+      .unit = recipe.unit,
+      .kind = recipe.kind,
+      .low = 0.0,
+      .high = 1.0,
+      .scale = {},
+      .frames = {},
+      .shares = -1};
   const std::vector<float> sorted = sorted_sample(values);
   set_colour_range(field, values, sorted);
   Real lo = std::numeric_limits<Real>::infinity(), hi = -lo;
@@ -140,8 +151,16 @@ ShownField make_field(const Recipe& recipe, const Values& values)
 /// S_u over its first value. Where all points began with one strength, it has the codes of S_u.
 ShownField strength_ratio(const ShownField& su, int index, const Values& values)
 {
-  ShownField ratio{.name = "su_ratio", .symbol = "S_u/S_u,0", .label = "strength left of the first", .unit = "-", .kind = "sequential", .low = 0.0,
-                   .high = 1.0, .scale = {}, .frames = {}, .shares = index};
+  ShownField ratio{.name = "su_ratio",
+      .symbol = "S_u/S_u,0",
+      .label = "strength left of the first",
+      .unit = "-",
+      .kind = "sequential",
+      .low = 0.0,
+      .high = 1.0,
+      .scale = {},
+      .frames = {},
+      .shares = index};
   const auto& first = values[0];
   if (std::all_of(first.begin(), first.end(), [&](float v) { return v == first[0]; }) && first[0] > 0.0f) {
     ratio.scale = {su.scale.lo / first[0], su.scale.step / first[0]};
@@ -177,7 +196,8 @@ Real spacing_of(const Frames& frames, std::size_t n)
   } else {
     const auto x = frames.places(0);
     Real low[2] = {x[0], x[1]}, high[2] = {x[0], x[1]};
-    for (std::size_t k = 0; k < x.size(); ++k) low[k % 2] = std::min(low[k % 2], x[k]), high[k % 2] = std::max(high[k % 2], x[k]);
+    for (std::size_t k = 0; k < x.size(); ++k)
+      low[k % 2] = std::min(low[k % 2], x[k]), high[k % 2] = std::max(high[k % 2], x[k]);
     area = (high[0] - low[0]) * (high[1] - low[1]);
   }
   return std::sqrt(area / static_cast<Real>(std::max<std::size_t>(1, n)));
@@ -190,7 +210,8 @@ void read_places(const Frames& frames, ShownRun& shown)
   shown.bounds = {inf, inf, -inf, -inf};
   for (const std::size_t k : shown.frames) {
     const auto places = frames.places(k);
-    const auto material = frames.has("material") ? frames.read("material", k) : std::vector<Real>(static_cast<std::size_t>(shown.n_points), 0.0);
+    const auto material = frames.has("material") ? frames.read("material", k)
+                                                 : std::vector<Real>(static_cast<std::size_t>(shown.n_points), 0.0);
     x.emplace_back(shown.ids.size(), std::nan(""));
     y.emplace_back(shown.ids.size(), std::nan(""));
     for (std::size_t p = 0; p < shown.ids.size(); ++p) {
@@ -226,7 +247,8 @@ void read_fields(const Frames& frames, ShownRun& shown)
 }
 
 /// Every array of codes in the runs.
-void for_each_array(std::vector<ShownRun>& runs, const std::function<void(ShownRun&, std::vector<Codes>&, Scale*, bool is_place)>& f)
+void for_each_array(
+    std::vector<ShownRun>& runs, const std::function<void(ShownRun&, std::vector<Codes>&, Scale*, bool is_place)>& f)
 {
   for (ShownRun& run : runs) {
     f(run, run.x_codes, &run.x, true);
@@ -297,8 +319,16 @@ std::size_t fewest_frames(const std::vector<ShownRun>& runs)
 ShownRun read_shown(const RunResults& run, std::int64_t n_most)
 {
   const Frames frames = run.frames();
-  ShownRun shown{.n_points = frames.n_points(), .ids = choose_points(frames.n_points(), n_most), .n_frames_in_run = frames.times().size(), .frames = {},
-                 .times = frames.times(), .x = {}, .y = {}, .x_codes = {}, .y_codes = {}, .fields = {}};
+  ShownRun shown{.n_points = frames.n_points(),
+      .ids = choose_points(frames.n_points(), n_most),
+      .n_frames_in_run = frames.times().size(),
+      .frames = {},
+      .times = frames.times(),
+      .x = {},
+      .y = {},
+      .x_codes = {},
+      .y_codes = {},
+      .fields = {}};
   for (std::size_t k = 0; k < shown.n_frames_in_run; ++k) shown.frames.push_back(k);
   shown.point_size = spacing_of(frames, shown.ids.size());
   read_places(frames, shown);
@@ -310,19 +340,20 @@ std::size_t estimate_bytes(const std::vector<ShownRun>& runs)
 {
   constexpr std::size_t part = 512, every = 4096;  // neighbours stay together, as gzip finds them
   std::size_t bytes = 0;
-  for_each_array(const_cast<std::vector<ShownRun>&>(runs), [&](ShownRun& run, std::vector<Codes>& frames, Scale*, bool) {
-    const std::size_t n = run.ids.size();
-    if (n < 4 * every) return void(bytes += gzip(encode_frames(frames)).size());
-    std::vector<Codes> sample;
-    for (const Codes& codes : frames) {
-      Codes some;
-      for (std::size_t p = 0; p < n; ++p)
-        if (p % every < part) some.push_back(codes[p]);
-      sample.push_back(std::move(some));
-    }
-    const double share = static_cast<double>(sample[0].size()) / static_cast<double>(n);
-    bytes += static_cast<std::size_t>(static_cast<double>(gzip(encode_frames(sample)).size()) / share);
-  });
+  for_each_array(
+      const_cast<std::vector<ShownRun>&>(runs), [&](ShownRun& run, std::vector<Codes>& frames, Scale*, bool) {
+        const std::size_t n = run.ids.size();
+        if (n < 4 * every) return void(bytes += gzip(encode_frames(frames)).size());
+        std::vector<Codes> sample;
+        for (const Codes& codes : frames) {
+          Codes some;
+          for (std::size_t p = 0; p < n; ++p)
+            if (p % every < part) some.push_back(codes[p]);
+          sample.push_back(std::move(some));
+        }
+        const double share = static_cast<double>(sample[0].size()) / static_cast<double>(n);
+        bytes += static_cast<std::size_t>(static_cast<double>(gzip(encode_frames(sample)).size()) / share);
+      });
   return bytes;
 }
 
@@ -333,7 +364,7 @@ void fit(std::vector<ShownRun>& runs, std::size_t most_bytes)
     if (round < 3)
       coarsen_arrays(runs, false);  // to 512 steps: more than a colour scale or a hover shows
     else if (round < 5)
-      coarsen_arrays(runs, true);   // to an eighth or so of the distance of two points
+      coarsen_arrays(runs, true);  // to an eighth or so of the distance of two points
     else if (n_frames > 60)
       leave_out_frames(runs);
     else if (round < 8)

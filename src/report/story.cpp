@@ -44,17 +44,21 @@ std::string end_of_slide(const RunResults& run, std::size_t k)
 {
   const auto& slides = run.summary.values.slides;
   const Slide& slide = slides[k].slide;
-  if (slide.stops) return fmt::format("At {:.2f} s it has slowed to a tenth of its largest kinetic energy.", *slide.stops);
-  if (k + 1 < slides.size()) return "It has not slowed to a tenth of its largest kinetic energy when the next one begins.";
+  if (slide.stops)
+    return fmt::format("At {:.2f} s it has slowed to a tenth of its largest kinetic energy.", *slide.stops);
+  if (k + 1 < slides.size())
+    return "It has not slowed to a tenth of its largest kinetic energy when the next one begins.";
   const Extent kinetic = kinetic_energy_of(run), time = extent_of(run, "time");
   if (!(slide.kinetic_peak > 0.0) || std::isnan(kinetic.last)) return "";
-  return fmt::format("It still moves at {:.2f} s, with {:.0f} % of its largest kinetic energy.", time.last, 100.0 * kinetic.last / slide.kinetic_peak);
+  return fmt::format("It still moves at {:.2f} s, with {:.0f} % of its largest kinetic energy.", time.last,
+      100.0 * kinetic.last / slide.kinetic_peak);
 }
 
 /// " on the slope to the left"; nothing where all slides are to the right.
 std::string side_of(const std::vector<SlideSummary>& slides, Facing facing)
 {
-  const bool all_right = std::all_of(slides.begin(), slides.end(), [](const SlideSummary& s) { return s.slide.facing == Facing::right; });
+  const bool all_right =
+      std::all_of(slides.begin(), slides.end(), [](const SlideSummary& s) { return s.slide.facing == Facing::right; });
   return all_right ? "" : facing == Facing::left ? " on the slope to the left" : " on the slope to the right";
 }
 
@@ -63,12 +67,14 @@ void tell_slides(const RunResults& run, std::vector<std::string>& story)
   const auto& slides = run.summary.values.slides;
   for (std::size_t k = 0; k < slides.size(); ++k) {
     const Slide& slide = slides[k].slide;
-    story.push_back(fmt::format("The {} slide begins at {:.2f} s{}: the crest retreats from x = {:.2f} m to {:.2f} m. {}", ordinal(k), slide.begins,
-                                side_of(slides, slide.facing), slide.crest_from, slide.crest_to, end_of_slide(run, k)));
+    story.push_back(fmt::format(
+        "The {} slide begins at {:.2f} s{}: the crest retreats from x = {:.2f} m to {:.2f} m. {}", ordinal(k),
+        slide.begins, side_of(slides, slide.facing), slide.crest_from, slide.crest_to, end_of_slide(run, k)));
   }
   if (!slides.empty()) return;
-  story.push_back(run.summary.values.moved_fraction < hardly_moved ? "The soil holds: there is no slide."
-                                                                   : "Soil moves, but the crest does not retreat as in a slide.");
+  story.push_back(run.summary.values.moved_fraction < hardly_moved
+                      ? "The soil holds: there is no slide."
+                      : "Soil moves, but the crest does not retreat as in a slide.");
 }
 
 /// How far the front came, or why there is none.
@@ -76,10 +82,13 @@ std::string front_sentence(const Summary& s)
 {
   if (!s.facing) return "The section has no slope: there is no front and no crest.";
   const bool known = std::isfinite(s.front_x) && std::isfinite(s.run_out);
-  if (s.free_toe) return known ? fmt::format("The front has run out by {:.2f} m, to x = {:.2f} m.", s.run_out, s.front_x) : "No soil is left, and no front.";
+  if (s.free_toe)
+    return known ? fmt::format("The front has run out by {:.2f} m, to x = {:.2f} m.", s.run_out, s.front_x)
+                 : "No soil is left, and no front.";
   const std::string why = "The soil fills the section to its side, so its toe is not free: ";
   if (!known) return why + "no soil has come out of the slope.";
-  const std::string how_far = s.run_out > 0.0 ? fmt::format("{:.2f} m beyond the toe of the slope", s.run_out) : std::string("not beyond the toe of the slope");
+  const std::string how_far = s.run_out > 0.0 ? fmt::format("{:.2f} m beyond the toe of the slope", s.run_out)
+                                              : std::string("not beyond the toe of the slope");
   return why + fmt::format("what moved reaches x = {:.2f} m, {}.", s.front_x, how_far);
 }
 
@@ -88,37 +97,47 @@ void tell_motion(const RunResults& run, std::vector<std::string>& story)
   const Summary& s = run.summary.values;
   const Extent time = extent_of(run, "time"), kinetic = kinetic_energy_of(run);
   story.push_back(fmt::format("{}, {:.2f} m² of soil ({:.1f} % of the section) have moved by more than {:.2g} m. {}",
-                              std::isnan(time.last) ? "At the end" : fmt::format("By {:.2f} s", time.last), s.moved_volume,
-                              100.0 * s.moved_fraction, s.moved_distance, front_sentence(s)));
+      std::isnan(time.last) ? "At the end" : fmt::format("By {:.2f} s", time.last), s.moved_volume,
+      100.0 * s.moved_fraction, s.moved_distance, front_sentence(s)));
   if (s.intact_fraction && s.moved_fraction > hardly_moved)
-    story.push_back(fmt::format("Of the soil that moved, {:.1f} % is intact: its plastic strain is below {:g}.", 100.0 * *s.intact_fraction, intact_strain));
-  if (s.crest_x && s.crest_y) story.push_back(fmt::format("The crest that remains stands at x = {:.2f} m, y = {:.2f} m.", *s.crest_x, *s.crest_y));
+    story.push_back(fmt::format("Of the soil that moved, {:.1f} % is intact: its plastic strain is below {:g}.",
+        100.0 * *s.intact_fraction, intact_strain));
+  if (s.crest_x && s.crest_y)
+    story.push_back(
+        fmt::format("The crest that remains stands at x = {:.2f} m, y = {:.2f} m.", *s.crest_x, *s.crest_y));
   if (!s.crest_x && !s.slides.empty()) story.push_back("Nothing of the first surface stands.");
   const bool told = !s.slides.empty() && !s.slides.back().slide.stops;
   if (!told && kinetic.last > still_moving * kinetic.largest)
-    story.push_back(fmt::format("At the end the soil still moves, with {:.0f} % of its largest kinetic energy.", 100.0 * kinetic.last / kinetic.largest));
+    story.push_back(fmt::format("At the end the soil still moves, with {:.0f} % of its largest kinetic energy.",
+        100.0 * kinetic.last / kinetic.largest));
 }
 
 void tell_softening(const RunResults& run, std::vector<std::string>& story)
 {
   const auto& softened = run.summary.values.softened_fraction;
   if (softened.empty() || softened.back().second == 0.0) return;
-  story.push_back(fmt::format("{:.1f} % of the soil has lost more than half of its strength.", 100.0 * softened.back().second));
+  story.push_back(
+      fmt::format("{:.1f} % of the soil has lost more than half of its strength.", 100.0 * softened.back().second));
 }
 
 void tell_history(const RunResults& run, std::vector<std::string>& story)
 {
   const Summary& s = run.summary.values;
   if (s.points_eps_eq_p_fell == 0) return;
-  story.push_back(fmt::format("At {} of {} points the plastic strain fell at some time{}. The law of the soil does not allow it: {} averages the history of neighbouring points.",
-                              s.points_eps_eq_p_fell, s.n_points, s.points_su_rose > 0 ? " and strength came back" : "", scheme_title(s.scheme)));
+  story.push_back(
+      fmt::format("At {} of {} points the plastic strain fell at some time{}. The law of the soil does not allow it: "
+                  "{} averages the history of neighbouring points.",
+          s.points_eps_eq_p_fell, s.n_points, s.points_su_rose > 0 ? " and strength came back" : "",
+          scheme_title(s.scheme)));
 }
 
 }  // namespace
 
 std::vector<std::string> tell_story(const RunResults& run)
 {
-  if (summary_is_behind(run)) return {fmt::format("The run has come to {:.2f} s. What happened is told when it ends or is stopped.", extent_of(run, "time").last)};
+  if (summary_is_behind(run))
+    return {fmt::format("The run has come to {:.2f} s. What happened is told when it ends or is stopped.",
+        extent_of(run, "time").last)};
   std::vector<std::string> story;
   tell_slides(run, story);
   tell_motion(run, story);
@@ -134,9 +153,11 @@ std::vector<std::string> find_cautions(const RunResults& run)
   const auto add = [&](bool so, std::string text) {
     if (so) cautions.push_back(std::move(text));
   };
-  add(!run.summary.finished, fmt::format("The run has not reached its end: the last row of its ledger is at {:.3g} s.", extent_of(run, "time").last));
+  add(!run.summary.finished, fmt::format("The run has not reached its end: the last row of its ledger is at {:.3g} s.",
+                                 extent_of(run, "time").last));
   if (summary_is_behind(run)) return cautions;
-  add(s.energy_balance_error > much_imbalance, fmt::format("The energy balance is off by {:.2g} % of the energy exchanged.", 100.0 * s.energy_balance_error));
+  add(s.energy_balance_error > much_imbalance,
+      fmt::format("The energy balance is off by {:.2g} % of the energy exchanged.", 100.0 * s.energy_balance_error));
   add(s.clamped_points > 0, fmt::format("{} points had to be put back at a wall of the mesh.", s.clamped_points));
   add(s.points_left > 0, fmt::format("{} points left the mesh through open sides.", s.points_left));
   return cautions;
@@ -147,10 +168,11 @@ std::vector<Check> list_checks(const RunResults& run)
   const Summary& s = run.summary.values;
   if (summary_is_behind(run)) return {{"The run reached its end", "no", false}};  // the rest is not known yet
   return {{"The run reached its end", run.summary.finished ? "yes" : "no", run.summary.finished},
-          {"Energy balance error (at most 5 %)", fmt::format("{:.2g} %", 100.0 * s.energy_balance_error), s.energy_balance_error <= much_imbalance},
-          {"Points put back at walls", std::to_string(s.clamped_points), s.clamped_points == 0},
-          {"Points whose plastic strain ever fell", std::to_string(s.points_eps_eq_p_fell), s.points_eps_eq_p_fell == 0},
-          {"Points whose strength ever rose", std::to_string(s.points_su_rose), s.points_su_rose == 0}};
+      {"Energy balance error (at most 5 %)", fmt::format("{:.2g} %", 100.0 * s.energy_balance_error),
+          s.energy_balance_error <= much_imbalance},
+      {"Points put back at walls", std::to_string(s.clamped_points), s.clamped_points == 0},
+      {"Points whose plastic strain ever fell", std::to_string(s.points_eps_eq_p_fell), s.points_eps_eq_p_fell == 0},
+      {"Points whose strength ever rose", std::to_string(s.points_su_rose), s.points_su_rose == 0}};
 }
 
 }  // namespace terp

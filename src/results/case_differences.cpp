@@ -53,7 +53,8 @@ std::string difference(const std::string& path, const std::string* first, const 
 
 const std::string* find(const std::vector<Entry>& entries, const std::string& path)
 {
-  const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.first == path; });
+  const auto found =
+      std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.first == path; });
   return found == entries.end() ? nullptr : &found->second;
 }
 
@@ -65,7 +66,8 @@ std::vector<std::string> case_differences(const std::string& first_toml, const s
   try {
     const auto first = entries_of(first_toml), other = entries_of(other_toml);
     for (const auto& [path, value] : first)
-      if (const std::string* there = find(other, path); there == nullptr || *there != value) differences.push_back(difference(path, &value, there));
+      if (const std::string* there = find(other, path); there == nullptr || *there != value)
+        differences.push_back(difference(path, &value, there));
     for (const auto& [path, value] : other)
       if (find(first, path) == nullptr) differences.push_back(difference(path, nullptr, &value));
   } catch (const SyntaxError&) {

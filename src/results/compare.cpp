@@ -15,8 +15,9 @@ namespace {
 
 using Value = std::optional<Real>;
 
-constexpr Real round_off = 1e-9;        // of a strength, relative [-]
-constexpr Real softened_strain = 0.06;  // eps_eq_p at which 95 % of the strength drop is reached with the paper's eta = 50 [-]
+constexpr Real round_off = 1e-9;  // of a strength, relative [-]
+constexpr Real softened_strain =
+    0.06;  // eps_eq_p at which 95 % of the strength drop is reached with the paper's eta = 50 [-]
 
 Value finite(Real value) { return std::isfinite(value) ? Value(value) : std::nullopt; }
 
@@ -35,7 +36,10 @@ Value softened_at(const RunResults& run, Real time)
 }
 
 /// The slides that the summary tells of: none while it is behind.
-std::vector<SlideSummary> slides_in(const RunResults& run) { return summary_is_behind(run) ? std::vector<SlideSummary>{} : run.summary.values.slides; }
+std::vector<SlideSummary> slides_in(const RunResults& run)
+{
+  return summary_is_behind(run) ? std::vector<SlideSummary>{} : run.summary.values.slides;
+}
 
 Value slide_begins(const RunResults& run, std::size_t k)
 {
@@ -62,7 +66,7 @@ struct RowMaker {
   }
   /// A number of the summary; none while that is behind.
   template <class T>
-  void add(std::string label, std::string unit, int digits, T Summary::* member, Real factor = 1.0) const
+  void add(std::string label, std::string unit, int digits, T Summary::*member, Real factor = 1.0) const
   {
     add(std::move(label), std::move(unit), digits, [=](const RunResults& run) -> Value {
       if (summary_is_behind(run)) return std::nullopt;
@@ -95,7 +99,8 @@ void add_softening(const RowMaker& table)
   for (const RunResults& run : table.runs) end = std::min(end, end_time(run).value_or(0.0));
   for (int quarter = 1; quarter <= 4; ++quarter) {
     const Real time = end * quarter / 4.0;
-    table.add(fmt::format("softened volume at {:.3g} s", time), "%", 1, [=](const RunResults& run) { return softened_at(run, time); });
+    table.add(fmt::format("softened volume at {:.3g} s", time), "%", 1,
+        [=](const RunResults& run) { return softened_at(run, time); });
   }
 }
 
@@ -125,7 +130,8 @@ void add_audit(const RowMaker& table)
 Value largest_in(const RunResults& run, std::string_view column)
 {
   const auto* values = run.ledger.find(column);
-  return values != nullptr && !values->empty() ? finite(*std::max_element(values->begin(), values->end())) : std::nullopt;
+  return values != nullptr && !values->empty() ? finite(*std::max_element(values->begin(), values->end()))
+                                               : std::nullopt;
 }
 Value last_in(const RunResults& run, std::string_view column)
 {
@@ -155,7 +161,10 @@ void add_cost(const RowMaker& table)
   table.add("wall time", "s", 1, &Summary::wall_s);
 }
 
-std::string cell_text(Value value, int digits) { return value ? fmt::format("{:.{}f}", *value, digits) : std::string("-"); }
+std::string cell_text(Value value, int digits)
+{
+  return value ? fmt::format("{:.{}f}", *value, digits) : std::string("-");
+}
 
 }  // namespace
 
@@ -197,7 +206,8 @@ Comparison compare_runs(const std::vector<RunResults>& runs, const std::vector<s
   add_motion(table);
   add_softening(table);
   for (const std::string& point : named_points(runs))
-    table.add(point + ": eps_eq_p > 0.06 from", "s", 2, [&](const RunResults& run) { return softening_time(run, point); });
+    table.add(
+        point + ": eps_eq_p > 0.06 from", "s", 2, [&](const RunResults& run) { return softening_time(run, point); });
   add_audit(table);
   add_energies(table);
   add_cost(table);
@@ -239,7 +249,12 @@ std::string comparison_json(const Comparison& comparison)
   for (const auto& scheme : comparison.schemes) json.value(scheme);
   json.end_array().key("rows").begin_array();
   for (const ComparisonRow& row : comparison.rows) {
-    json.begin_object().entry("label", row.label).entry("unit", row.unit).entry("digits", row.digits).key("values").begin_array();
+    json.begin_object()
+        .entry("label", row.label)
+        .entry("unit", row.unit)
+        .entry("digits", row.digits)
+        .key("values")
+        .begin_array();
     for (const Value& value : row.values) json.value(value);
     json.end_array().end_object();
   }

@@ -1,4 +1,5 @@
-// Runs side by side: one table of what differs, and the differences in words. `terp compare` prints it, the report shows it.
+// Runs side by side: one table of what differs, and the differences in words. `terp compare` prints it, the report
+// shows it.
 #pragma once
 
 #include "results/run_results.hpp"
@@ -22,7 +23,7 @@ inline constexpr Real same_time = 0.02;
 struct Comparison {
   std::vector<std::string> names, schemes;  ///< of the runs
   std::vector<ComparisonRow> rows;
-  std::vector<std::string> text;            ///< sentences; the first run against each of the others
+  std::vector<std::string> text;  ///< sentences; the first run against each of the others
 };
 
 /// names: what to call the runs.

@@ -23,8 +23,10 @@ std::size_t parse_frame(std::string_view word, const std::string& text, std::siz
   std::size_t k = 0;
   const auto end = std::from_chars(word.data(), word.data() + word.size(), k);
   if (!word.empty() && end.ec == std::errc() && end.ptr == word.data() + word.size() && k < n_frames) return k;
-  throw CaseError(fmt::format("error: there is no frame `{}` in `{}`: the run has frames 0 to {}\n  Write numbers, ranges and `last`, as in --frames 0,5,10:20,last\n", word, text,
-                              static_cast<long>(n_frames) - 1));
+  throw CaseError(
+      fmt::format("error: there is no frame `{}` in `{}`: the run has frames 0 to {}\n  Write numbers, ranges and "
+                  "`last`, as in --frames 0,5,10:20,last\n",
+          word, text, static_cast<long>(n_frames) - 1));
 }
 
 ExportFrame read_frame(const Frames& frames, const std::vector<std::string>& fields, std::size_t k)
@@ -60,7 +62,9 @@ std::string npz_bytes(const ExportFrame& frame)
   file.add("id", {n}, id);
   file.add("x", {n, 2}, frame.x);
   for (const auto& [field, values] : frame.fields)
-    file.add(field.name, field.n_components == 1 ? std::vector<std::int64_t>{n} : std::vector<std::int64_t>{n, field.n_components}, values);
+    file.add(field.name,
+        field.n_components == 1 ? std::vector<std::int64_t>{n} : std::vector<std::int64_t>{n, field.n_components},
+        values);
   return file.bytes();
 }
 
@@ -86,8 +90,11 @@ std::vector<std::size_t> parse_frames(const std::string& text, std::size_t n_fra
     const std::string_view word = std::string_view(text).substr(begin, end - begin);
     const std::size_t colon = word.find(':');
     const std::size_t first = parse_frame(word.substr(0, colon), text, n_frames);
-    const std::size_t last = colon == std::string_view::npos ? first : parse_frame(word.substr(colon + 1), text, n_frames);
-    if (first > last) throw CaseError(fmt::format("error: the frames `{}` in `{}` run backwards\n  Write the smaller number first, as in 10:20\n", word, text));
+    const std::size_t last =
+        colon == std::string_view::npos ? first : parse_frame(word.substr(colon + 1), text, n_frames);
+    if (first > last)
+      throw CaseError(fmt::format(
+          "error: the frames `{}` in `{}` run backwards\n  Write the smaller number first, as in 10:20\n", word, text));
     for (std::size_t k = first; k <= last; ++k) chosen.insert(k);
     begin = end + 1;
   }

@@ -17,10 +17,12 @@ struct ExportOptions {
   std::string folder;               ///< made if it is not there
 };
 
-/// Frames of "0,5,10:20,last", each once and ascending; a range ends with its second number. Throws FileError that says what is allowed.
+/// Frames of "0,5,10:20,last", each once and ascending; a range ends with its second number. Throws FileError that says
+/// what is allowed.
 std::vector<std::size_t> parse_frames(const std::string& text, std::size_t n_frames);
 
-/// Writes frame_00000.<format> ..., and for vtu frames.pvd, for csv and npz frames.csv with file, time and step. Returns the paths.
+/// Writes frame_00000.<format> ..., and for vtu frames.pvd, for csv and npz frames.csv with file, time and step.
+/// Returns the paths.
 std::vector<std::string> export_frames(const Frames& frames, const ExportOptions& options);
 
 }  // namespace terp

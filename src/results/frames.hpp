@@ -23,14 +23,15 @@ class Frames {
   explicit Frames(const std::string& path);
 
   std::int64_t n_points() const { return n_points_; }
-  const std::vector<Real>& times() const { return times_; }         ///< [s], shape [n_frames]
-  const std::vector<std::int64_t>& steps() const { return steps_; } ///< shape [n_frames]
+  const std::vector<Real>& times() const { return times_; }           ///< [s], shape [n_frames]
+  const std::vector<std::int64_t>& steps() const { return steps_; }   ///< shape [n_frames]
   const std::vector<ResultField>& fields() const { return fields_; }  ///< without id
   bool has(std::string_view name) const { return find(name) != nullptr; }
 
   /// Places in frame k [m], shape [n_points, 2]. Row p is the same material point in every frame.
   std::vector<Real> places(std::size_t k) const;
-  /// A field in frame k, shape [n_points, n_components]. Throws FileError that lists the fields if there is none of that name.
+  /// A field in frame k, shape [n_points, n_components]. Throws FileError that lists the fields if there is none of
+  /// that name.
   std::vector<Real> read(std::string_view name, std::size_t k) const;
   const ResultField& field(std::string_view name) const;
 

@@ -36,11 +36,13 @@ std::string npy(const char* type, const std::vector<std::int64_t>& shape, std::s
   return bytes;
 }
 
-/// What local header and directory entry share (APPNOTE 4.3.7): versions, flags, method 0 (stored), time, checksum, sizes, lengths.
+/// What local header and directory entry share (APPNOTE 4.3.7): versions, flags, method 0 (stored), time, checksum,
+/// sizes, lengths.
 std::string entry_head(const std::string& name, const std::string& member)
 {
   std::string bytes;
-  for (const std::uint16_t v : {zip_version, std::uint16_t{0}, std::uint16_t{0}, std::uint16_t{0}, first_day}) put(bytes, v);
+  for (const std::uint16_t v : {zip_version, std::uint16_t{0}, std::uint16_t{0}, std::uint16_t{0}, first_day})
+    put(bytes, v);
   const auto size = static_cast<std::uint32_t>(member.size());
   for (const std::uint32_t v : {crc32_of(member), size, size}) put(bytes, v);
   put(bytes, static_cast<std::uint16_t>(name.size()));

@@ -19,7 +19,8 @@ std::string tail_of(const fs::path& path, int n)
 {
   fs::path tail;
   fs::path rest = path;
-  for (int k = 0; k < n && rest.has_filename(); ++k, rest = rest.parent_path()) tail = tail.empty() ? rest.filename() : rest.filename() / tail;
+  for (int k = 0; k < n && rest.has_filename(); ++k, rest = rest.parent_path())
+    tail = tail.empty() ? rest.filename() : rest.filename() / tail;
   return tail.empty() ? path.string() : tail.string();
 }
 
@@ -42,8 +43,10 @@ void require_whole_ledger(const RunResults& run)
   const auto n_steps = run.summary.values.n_steps;
   const auto last = step == nullptr || step->empty() ? std::int64_t{0} : static_cast<std::int64_t>(step->back());
   if (!run.summary.finished || last >= n_steps) return;
-  throw FileError(fmt::format("{}: ends at step {}, the run at step {}\n  The table was damaged or cut off: copy the folder again, or solve the case again.",
-                              path_in(run.folder, ledger_file), last, n_steps));
+  throw FileError(
+      fmt::format("{}: ends at step {}, the run at step {}\n  The table was damaged or cut off: copy the folder again, "
+                  "or solve the case again.",
+          path_in(run.folder, ledger_file), last, n_steps));
 }
 
 }  // namespace
@@ -53,9 +56,14 @@ RunResults read_run(const std::string& folder)
   if (!fs::is_directory(folder.empty() ? "." : folder)) throw FileError(fmt::format("{}: no such run folder", folder));
   require(folder, case_file, "Give the folder that `terp run` wrote, e.g. runs/model_2.");
   require(folder, summary_file, "It is written when a run starts: solve the case first.");
-  require(folder, results_file, "It is written with the first frame: the run has not begun to move yet, or failed before.");
-  RunResults run{.folder = folder, .name = distinct_names({folder})[0], .case_toml = read_file(path_in(folder, case_file)),
-                 .summary = read_summary(path_in(folder, summary_file)), .ledger = {}, .history = {}};
+  require(
+      folder, results_file, "It is written with the first frame: the run has not begun to move yet, or failed before.");
+  RunResults run{.folder = folder,
+      .name = distinct_names({folder})[0],
+      .case_toml = read_file(path_in(folder, case_file)),
+      .summary = read_summary(path_in(folder, summary_file)),
+      .ledger = {},
+      .history = {}};
   if (fs::exists(path_in(folder, ledger_file))) {
     run.ledger = read_number_table(path_in(folder, ledger_file));
     require_whole_ledger(run);

@@ -13,8 +13,8 @@ namespace terp {
 /// Read when made: summary and tables. Frames are read when asked for.
 struct RunResults {
   std::string folder;
-  std::string name;              ///< of the folder: "model_2_gp"
-  std::string case_toml;         ///< text of case.toml
+  std::string name;       ///< of the folder: "model_2_gp"
+  std::string case_toml;  ///< text of case.toml
   SavedSummary summary;
   Table ledger;
   std::vector<PointTable> history;

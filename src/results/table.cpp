@@ -77,7 +77,8 @@ Real number_in(const std::string& cell)
   return end.ec == std::errc() && end.ptr == cell.data() + cell.size() ? value : std::numeric_limits<Real>::quiet_NaN();
 }
 
-/// The cells of all whole lines, the header first. Throws FileError if a line has another number of cells than the header.
+/// The cells of all whole lines, the header first. Throws FileError if a line has another number of cells than the
+/// header.
 std::vector<std::vector<std::string>> read_cells(const std::string& path)
 {
   const std::string text = read_file(path);
@@ -85,7 +86,8 @@ std::vector<std::vector<std::string>> read_cells(const std::string& path)
   for (std::size_t begin = 0, end = 0; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1) {
     rows.push_back(split(std::string_view(text).substr(begin, end - begin)));
     if (rows.back().size() != rows.front().size())
-      throw FileError(fmt::format("cannot read {}: line {} has {} columns, the header {}", path, rows.size(), rows.back().size(), rows.front().size()));
+      throw FileError(fmt::format("cannot read {}: line {} has {} columns, the header {}", path, rows.size(),
+          rows.back().size(), rows.front().size()));
   }
   if (rows.empty()) throw FileError(fmt::format("cannot read {}: it has no header", path));
   return rows;
@@ -96,7 +98,10 @@ void add_row(Table& table, const std::vector<std::string>& cells)
   for (std::size_t c = 0; c < cells.size(); ++c) table.columns[c].push_back(number_in(cells[c]));
 }
 
-Table empty_table(const std::vector<std::string>& names) { return {names, std::vector<std::vector<Real>>(names.size())}; }
+Table empty_table(const std::vector<std::string>& names)
+{
+  return {names, std::vector<std::vector<Real>>(names.size())};
+}
 
 }  // namespace
 

@@ -11,7 +11,7 @@ namespace terp {
 
 /// A frame that is exported: places [m], shape [n, 2], and some fields.
 struct ExportFrame {
-  Real time = 0.0;        ///< [s]
+  Real time = 0.0;  ///< [s]
   std::int64_t step = 0;
   std::vector<Real> x;
   std::vector<std::pair<ResultField, std::vector<Real>>> fields;

@@ -1,5 +1,5 @@
-// Eight neighbouring cells, whose work per cell is done in packs, one lane per cell; the points stay in the blocks of each cell
-// (decision 0031). A lane knows nothing of its neighbours: who stands beside whom changes no bit.
+// Eight neighbouring cells, whose work per cell is done in packs, one lane per cell; the points stay in the blocks of
+// each cell (decision 0031). A lane knows nothing of its neighbours: who stands beside whom changes no bit.
 #pragma once
 
 #include "mesh/geometry_lanes.hpp"
@@ -13,23 +13,24 @@ namespace terp {
 
 /// Up to eight neighbouring occupied cells.
 struct CellGroup {
-  std::span<const Index> cells;                  ///< shape [n], n at most pack_width
+  std::span<const Index> cells;  ///< shape [n], n at most pack_width
   const Mesh<2>& mesh;
   PointBlocks<2>& points;
-  std::span<CornerSums<2>> corners;              ///< shape [n]
-  std::span<Real> pressure;                      ///< p_e [Pa], by block number; of schemes that need no more from gather to update_stress
-  std::span<GaussValues<2, Pack>> gauss;         ///< shape [n_materials, n_groups]; of schemes that keep them from gather to update_stress
+  std::span<CornerSums<2>> corners;  ///< shape [n]
+  std::span<Real> pressure;  ///< p_e [Pa], by block number; of schemes that need no more from gather to update_stress
+  std::span<GaussValues<2, Pack>>
+      gauss;  ///< shape [n_materials, n_groups]; of schemes that keep them from gather to update_stress
   Index number = 0, n_groups = 1;
-  Index next_cell = -1;                          ///< first cell of the next group, -1: none
-  bool prefetch_points = false;                  ///< the points are more than the caches hold
+  Index next_cell = -1;          ///< first cell of the next group, -1: none
+  bool prefetch_points = false;  ///< the points are more than the caches hold
 
   int n() const { return static_cast<int>(cells.size()); }
   CellView cell(int c) const { return {cells[c], mesh.geometry(cells[c]), points, corners[c]}; }
   GaussValues<2, Pack>& gauss_of(Index material) const { return gauss[material * n_groups + number]; }
 };
 
-/// Fetches rows `first` to `end` - 1 of the points of the cell after cell c while those of c are worked on: the processor does not see by
-/// itself that one block follows another.
+/// Fetches rows `first` to `end` - 1 of the points of the cell after cell c while those of c are worked on: the
+/// processor does not see by itself that one block follows another.
 inline void prefetch_next(const CellGroup& group, int c, int first, int end)
 {
   const Index next = c + 1 < group.n() ? group.cells[c + 1] : group.next_cell;
@@ -65,7 +66,8 @@ void for_each_layer(const CellGroup& group, F&& f)
   for (;;) {
     BlockLayer layer{-1, {}};
     for (const Index b : next)
-      if (b >= 0 && (layer.material < 0 || group.points.block(b).material < layer.material)) layer.material = group.points.block(b).material;
+      if (b >= 0 && (layer.material < 0 || group.points.block(b).material < layer.material))
+        layer.material = group.points.block(b).material;
     if (layer.material < 0) return;
     for (int c = 0; c < pack_width; ++c) {
       const bool here = next[c] >= 0 && group.points.block(next[c]).material == layer.material;
@@ -99,8 +101,8 @@ inline void sum_layer(const CellGroup& group, const BlockLayer& layer, int n_sta
 }
 
 /// Adds the internal force of the Gauss values of a layer to the corners of its cells, Eq. (4).
-inline void add_internal_force(const CellGroup& group, const GeometryLanes& geometry, const BlockLayer& layer, const GaussValues<2, Pack>& gauss,
-                               ForceOperator op)
+inline void add_internal_force(const CellGroup& group, const GeometryLanes& geometry, const BlockLayer& layer,
+    const GaussValues<2, Pack>& gauss, ForceOperator op)
 {
   CornerSums<2, Pack> sums;
   for (auto& direction : sums.internal_force) direction.fill(Pack(0.0));
@@ -114,11 +116,13 @@ inline void add_internal_force(const CellGroup& group, const GeometryLanes& geom
   }
 }
 
-/// Gauss values, weights, smooth pressure and internal force of the cells of a group for the schemes that integrate at Gauss points.
-/// gauss_of(material): where those of a layer are; n_state(material): state variables to average too; finish(layer, gauss): what the
-/// scheme does before the force. Returns in how many cells a pressure was cut to the tension limit.
+/// Gauss values, weights, smooth pressure and internal force of the cells of a group for the schemes that integrate at
+/// Gauss points. gauss_of(material): where those of a layer are; n_state(material): state variables to average too;
+/// finish(layer, gauss): what the scheme does before the force. Returns in how many cells a pressure was cut to the
+/// tension limit.
 template <class GaussOf, class NState, class Finish>
-int gather_at_gauss_points(const SchemeContext& context, const CellGroup& group, GaussOf&& gauss_of, NState&& n_state, Finish&& finish)
+int gather_at_gauss_points(
+    const SchemeContext& context, const CellGroup& group, GaussOf&& gauss_of, NState&& n_state, Finish&& finish)
 {
   auto cell_volume = zero_packs<4>();
   for_each_layer(group, [&](const BlockLayer& layer) {
@@ -131,17 +135,19 @@ int gather_at_gauss_points(const SchemeContext& context, const CellGroup& group,
   unsigned cut = 0;
   for_each_layer(group, [&](const BlockLayer& layer) {
     GaussValues<2, Pack>& gauss = gauss_of(layer.material);
-    set_weights(geometry, cell_volume, context.method, gauss);                              // R3
-    divide_by_volume(n_state(layer.material), gauss);                                       // Eq. (1)
-    cut |= to_bits(smooth_pressure(part_filled, context.method, gauss));                    // Eqs. (2), (3)
+    set_weights(geometry, cell_volume, context.method, gauss);            // R3
+    divide_by_volume(n_state(layer.material), gauss);                     // Eq. (1)
+    cut |= to_bits(smooth_pressure(part_filled, context.method, gauss));  // Eqs. (2), (3)
     finish(layer, gauss);
-    add_internal_force(group, geometry, layer, gauss, context.method.force_operator);       // Eq. (4)
+    add_internal_force(group, geometry, layer, gauss, context.method.force_operator);  // Eq. (4)
   });
   return std::popcount(cut);
 }
 
-/// Strain increments at the Gauss points of a group from displacements of the corners of each cell [m], shape [pack_width].
-inline GaussStrain<2, Pack> strain_of_group(const CellGroup& group, std::span<const CornerVectors, pack_width> du, bool b_bar)
+/// Strain increments at the Gauss points of a group from displacements of the corners of each cell [m], shape
+/// [pack_width].
+inline GaussStrain<2, Pack> strain_of_group(
+    const CellGroup& group, std::span<const CornerVectors, pack_width> du, bool b_bar)
 {
   CornerVectorsOf<Pack> lanes;
   for (int d = 0; d < 2; ++d) lanes[d] = to_lanes([&](int c) { return du[c][d].data(); });

@@ -110,7 +110,13 @@ inline SymTensor<Pack, 2> strain_at_points(const GaussStrain<2>& strain, Mask ri
   return d_eps;
 }
 
-inline Mask right_half(const PointBlock<2>& block, Index p) { return Pack::load(block.row(PointRows<2>::xi) + p) >= Pack(-tie); }
-inline Mask upper_half(const PointBlock<2>& block, Index p) { return Pack::load(block.row(PointRows<2>::xi + 1) + p) >= Pack(-tie); }
+inline Mask right_half(const PointBlock<2>& block, Index p)
+{
+  return Pack::load(block.row(PointRows<2>::xi) + p) >= Pack(-tie);
+}
+inline Mask upper_half(const PointBlock<2>& block, Index p)
+{
+  return Pack::load(block.row(PointRows<2>::xi + 1) + p) >= Pack(-tie);
+}
 
 }  // namespace terp

@@ -6,21 +6,25 @@
 namespace terp {
 
 struct MpmGp {
-  /// Gauss stress and internal force, Eqs. (1) to (4). The state stays at the points; of the Gauss values the pressure is kept.
+  /// Gauss stress and internal force, Eqs. (1) to (4). The state stays at the points; of the Gauss values the pressure
+  /// is kept.
   static int gather(const SchemeContext& context, const CellGroup& group)
   {
     GaussValues<2, Pack> only;
     const bool one_layer = has_one_layer(group);
     return gather_at_gauss_points(
-        context, group, [&](Index material) -> GaussValues<2, Pack>& { return one_layer ? only : group.gauss_of(material); },
-        [](Index) { return 0; }, [&](const BlockLayer& layer, const GaussValues<2, Pack>& gauss) {
+        context, group,
+        [&](Index material) -> GaussValues<2, Pack>& { return one_layer ? only : group.gauss_of(material); },
+        [](Index) { return 0; },
+        [&](const BlockLayer& layer, const GaussValues<2, Pack>& gauss) {
           for (int c = 0; c < group.n(); ++c)
             if (layer.block[c] >= 0) group.pressure[layer.block[c]] = gauss.pressure[c];
         });
   }
 
   /// New stress and state in each material point from the strain of its own Gauss point (instead of Steps 3 and 4).
-  static void update_stress(const SchemeContext& context, const CellGroup& group, std::span<const CornerVectors, pack_width> du, StressSums& sums)
+  static void update_stress(const SchemeContext& context, const CellGroup& group,
+      std::span<const CornerVectors, pack_width> du, StressSums& sums)
   {
     const auto strain = strain_by_cell(strain_of_group(group, du, context.method.b_bar));  // Step 2
     for (int c = 0; c < group.n(); ++c) {
@@ -32,13 +36,14 @@ struct MpmGp {
   }
 
  private:
-  static void update_points(const SchemeContext& context, const PointBlock<2>& block, const GaussStrain<2>& strain, Real cell_pressure,
-                            StressSums& sums)
+  static void update_points(const SchemeContext& context, const PointBlock<2>& block, const GaussStrain<2>& strain,
+      Real cell_pressure, StressSums& sums)
   {
     for (Index first = 0; first < block.n_padded(); first += strip_length) {
       const Index n = std::min(strip_length, block.n_padded() - first);
       StripArrays strip;
-      for (Index p = 0; p < n; p += pack_width) prepare_points(context.method, block, first + p, strain, cell_pressure, strip, p);
+      for (Index p = 0; p < n; p += pack_width)
+        prepare_points(context.method, block, first + p, strain, cell_pressure, strip, p);
       context.materials[block.material].law->update(stress_arrays(block, first, n, context.dt, strip));
       sums.plastic_work += sum_plastic_work(block, first, n, strip);
       for (Index p = 0; p < n; p += pack_width) add_strain(block, first + p, strip, p);
@@ -46,8 +51,8 @@ struct MpmGp {
   }
 
   /// Start stress (reading R10, objective rate) and strain increment of eight points.
-  static void prepare_points(const MethodOptions& method, const PointBlock<2>& block, Index p, const GaussStrain<2>& strain,
-                             Real cell_pressure, StripArrays& strip, Index at)
+  static void prepare_points(const MethodOptions& method, const PointBlock<2>& block, Index p,
+      const GaussStrain<2>& strain, Real cell_pressure, StripArrays& strip, Index at)
   {
     const Mask right = right_half(block, p), upper = upper_half(block, p);
     const SymTensor<Pack, 2> d_eps = strain_at_points(strain, right, upper);
@@ -60,7 +65,8 @@ struct MpmGp {
                        : method.point_pressure == PointPressure::relax ? method.pressure_relaxation
                                                                        : 0.0;
     add_isotropic(sigma, Pack(share) * (Pack(cell_pressure) - trace(sigma) * Pack(1.0 / 3.0)));
-    if (method.objective_rate == ObjectiveRate::jaumann) rotate_stress(sigma, at_sub_cell<Pack>(strain.d_spin, right, upper));
+    if (method.objective_rate == ObjectiveRate::jaumann)
+      rotate_stress(sigma, at_sub_cell<Pack>(strain.d_spin, right, upper));
     for (int k = 0; k < n_sym<2>; ++k) sigma[k].store(block.row(PointRows<2>::sigma + k) + p);
   }
 

@@ -20,21 +20,23 @@ struct MpmMixed {
   }
 
   /// Steps 2 to 4 of Sec. 2.1: new stress and state at the Gauss points, assigned to the points of each sub-cell.
-  static void update_stress(const SchemeContext& context, const CellGroup& group, std::span<const CornerVectors, pack_width> du, StressSums& sums)
+  static void update_stress(const SchemeContext& context, const CellGroup& group,
+      std::span<const CornerVectors, pack_width> du, StressSums& sums)
   {
     const GaussStrain<2, Pack> lanes = strain_of_group(group, du, context.method.b_bar);  // Step 2
     const auto strain = strain_by_cell(lanes);
     for_each_layer(group, [&](const BlockLayer& layer) {
       const SoilMaterial& material = context.materials[layer.material];
       GaussValues<2, Pack>& gauss = group.gauss_of(layer.material);
-      const Pack plastic_work = update_gauss_points(context, material, lanes, gauss);       // Step 3
+      const Pack plastic_work = update_gauss_points(context, material, lanes, gauss);  // Step 3
       const auto values = by_cell(gauss, material.n_state());
       for (int c = 0; c < group.n(); ++c) {
         if (layer.block[c] < 0) continue;
         prefetch_next(group, c);
         sums.plastic_work += plastic_work[c];
         const PointBlock<2>& block = group.points.block(layer.block[c]);
-        for (Index p = 0; p < block.n; p += pack_width) assign_to_points(values[c], strain[c], material.n_state(), block, p);  // Step 4
+        for (Index p = 0; p < block.n; p += pack_width)
+          assign_to_points(values[c], strain[c], material.n_state(), block, p);  // Step 4
       }
     });
   }
@@ -47,8 +49,8 @@ struct MpmMixed {
   }
 
   /// Runs the law on the four Gauss points of eight cells. Returns the plastic work of each cell [J per m].
-  static Pack update_gauss_points(const SchemeContext& context, const SoilMaterial& material, const GaussStrain<2, Pack>& strain,
-                                  GaussValues<2, Pack>& gauss)
+  static Pack update_gauss_points(const SchemeContext& context, const SoilMaterial& material,
+      const GaussStrain<2, Pack>& strain, GaussValues<2, Pack>& gauss)
   {
     if (context.method.objective_rate == ObjectiveRate::jaumann) rotate_gauss_points(strain, gauss);
     std::array<Pack, 4> plastic_work;
@@ -84,12 +86,15 @@ struct MpmMixed {
     return gauss;
   }
 
-  static void assign_to_points(const GaussValues<2>& gauss, const GaussStrain<2>& strain, int n_state, const PointBlock<2>& block, Index p)
+  static void assign_to_points(
+      const GaussValues<2>& gauss, const GaussStrain<2>& strain, int n_state, const PointBlock<2>& block, Index p)
   {
     using Rows = PointRows<2>;
     const Mask right = right_half(block, p), upper = upper_half(block, p);
-    for (int k = 0; k < n_sym<2>; ++k) at_sub_cell<Pack>(gauss.sigma[k], right, upper).store(block.row(Rows::sigma + k) + p);
-    for (int k = 0; k < n_state; ++k) at_sub_cell<Pack>(gauss.state[k], right, upper).store(block.row(Rows::state + k) + p);
+    for (int k = 0; k < n_sym<2>; ++k)
+      at_sub_cell<Pack>(gauss.sigma[k], right, upper).store(block.row(Rows::sigma + k) + p);
+    for (int k = 0; k < n_state; ++k)
+      at_sub_cell<Pack>(gauss.state[k], right, upper).store(block.row(Rows::state + k) + p);
     scale_volume(block, p, accumulate_strain(block, p, strain_at_points(strain, right, upper)));
   }
 };

@@ -8,8 +8,8 @@
 namespace terp {
 
 struct SchemeInfo {
-  std::string_view name;     ///< as in the case file: "mpm_gp"
-  std::string_view summary;  ///< one line
+  std::string_view name;            ///< as in the case file: "mpm_gp"
+  std::string_view summary;         ///< one line
   std::string_view unused_options;  ///< names in MethodOptions, separated by blanks
 };
 

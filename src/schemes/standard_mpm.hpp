@@ -15,7 +15,8 @@ struct StandardMpm {
     return 0;
   }
 
-  static void update_stress(const SchemeContext& context, const CellGroup& group, std::span<const CornerVectors, pack_width> du, StressSums& sums)
+  static void update_stress(const SchemeContext& context, const CellGroup& group,
+      std::span<const CornerVectors, pack_width> du, StressSums& sums)
   {
     for (int c = 0; c < group.n(); ++c) {
       prefetch_next(group, c);
@@ -26,8 +27,8 @@ struct StandardMpm {
   }
 
  private:
-  static void update_points(const SchemeContext& context, const CellGeometry<2>& cell, const CornerVectors& du, const PointBlock<2>& block,
-                            StressSums& sums)
+  static void update_points(const SchemeContext& context, const CellGeometry<2>& cell, const CornerVectors& du,
+      const PointBlock<2>& block, StressSums& sums)
   {
     for (Index first = 0; first < block.n_padded(); first += strip_length) {
       const Index n = std::min(strip_length, block.n_padded() - first);
@@ -40,10 +41,11 @@ struct StandardMpm {
   }
 
   static void prepare_points(const MethodOptions& method, const CellGeometry<2>& cell, const CornerVectors& du,
-                             const PointBlock<2>& block, Index p, StripArrays& strip, Index at)
+      const PointBlock<2>& block, Index p, StripArrays& strip, Index at)
   {
     using Rows = PointRows<2>;
-    const auto gradient = gradients_at(cell, Pack::load(block.row(Rows::xi) + p), Pack::load(block.row(Rows::xi + 1) + p));
+    const auto gradient =
+        gradients_at(cell, Pack::load(block.row(Rows::xi) + p), Pack::load(block.row(Rows::xi + 1) + p));
     const auto l = displacement_gradient(gradient, du);
     l[0][0].store(strip.d_eps[0] + at);
     l[1][1].store(strip.d_eps[1] + at);

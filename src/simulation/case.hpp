@@ -13,11 +13,11 @@
 
 namespace terp {
 
-enum class InitialStress { none, k0, equilibrium };                               ///< reading R14
+enum class InitialStress { none, k0, equilibrium };  ///< reading R14
 enum class MeshKind { rectangle, graded, mapped, file, polygon };
 enum class SideKind { free, open, roller, fixed, velocity, contact_bilateral, contact_separating };  ///< reading R15
 enum class FootingContact { rough, smooth };
-enum class DeviatoricNorm { half, von_mises };                                    ///< reading R18
+enum class DeviatoricNorm { half, von_mises };  ///< reading R18
 
 struct TimeCase {
   Real end = 0.0;       ///< [s]
@@ -26,32 +26,33 @@ struct TimeCase {
 
 /// Smaller cells near a line or in a box.
 struct RefineCase {
-  std::vector<Vec<2>> line;   ///< two or more places [m]; empty: a box
+  std::vector<Vec<2>> line;              ///< two or more places [m]; empty: a box
   Vec<2> low{0.0, 0.0}, high{0.0, 0.0};  ///< corners of the box [m]
-  Real cell = 0.0;            ///< target cell size there [m]
-  Real distance = 0.0;        ///< from the line over which the size grows back [m]
+  Real cell = 0.0;                       ///< target cell size there [m]
+  Real distance = 0.0;                   ///< from the line over which the size grows back [m]
 };
 
 /// A named part of the boundary of a polygon mesh.
 struct EdgesCase {
   std::string side;
-  std::vector<Index> edges;   ///< edge k runs from corner k of the polygon to corner k + 1
+  std::vector<Index> edges;  ///< edge k runs from corner k of the polygon to corner k + 1
 };
 
 struct MeshCase {
   MeshKind kind = MeshKind::rectangle;
-  Vec<2> origin{0.0, 0.0};    ///< rectangle, graded: lower left corner [m]
-  Vec<2> size{0.0, 0.0};      ///< rectangle, graded: width and height [m]
-  Vec<2> cell{0.0, 0.0};      ///< rectangle: width and height of a cell; polygon: target size (both equal) [m]
-  std::array<Index, 2> cells{0, 0};   ///< graded, mapped: number of cells along each direction
-  Vec<2> grading{1.0, 1.0};   ///< graded, mapped: size of the last cell over the first, in x and y [-]
-  std::array<std::vector<Vec<2>>, 4> sides;  ///< mapped: polylines bottom, right, top, left; bottom and top run to +x, left and right to +y [m]
-  std::string file;           ///< file: gmsh mesh, relative to the case file
-  std::vector<Vec<2>> polygon;       ///< polygon: corners of the domain, counter-clockwise [m]
-  std::vector<EdgesCase> edges;      ///< polygon: names of its sides
-  std::vector<RefineCase> refine;    ///< polygon
-  bool follow_bodies = true;         ///< polygon: cells follow the outlines of the bodies
-  Index variant = 0;                 ///< polygon: 1, 2, ... are other meshes of the same size, to see what depends on the mesh
+  Vec<2> origin{0.0, 0.0};           ///< rectangle, graded: lower left corner [m]
+  Vec<2> size{0.0, 0.0};             ///< rectangle, graded: width and height [m]
+  Vec<2> cell{0.0, 0.0};             ///< rectangle: width and height of a cell; polygon: target size (both equal) [m]
+  std::array<Index, 2> cells{0, 0};  ///< graded, mapped: number of cells along each direction
+  Vec<2> grading{1.0, 1.0};          ///< graded, mapped: size of the last cell over the first, in x and y [-]
+  std::array<std::vector<Vec<2>>, 4>
+      sides;         ///< mapped: polylines bottom, right, top, left; bottom and top run to +x, left and right to +y [m]
+  std::string file;  ///< file: gmsh mesh, relative to the case file
+  std::vector<Vec<2>> polygon;     ///< polygon: corners of the domain, counter-clockwise [m]
+  std::vector<EdgesCase> edges;    ///< polygon: names of its sides
+  std::vector<RefineCase> refine;  ///< polygon
+  bool follow_bodies = true;       ///< polygon: cells follow the outlines of the bodies
+  Index variant = 0;  ///< polygon: 1, 2, ... are other meshes of the same size, to see what depends on the mesh
 };
 
 /// Velocity at a place [m/s]; empty: the same everywhere.
@@ -60,30 +61,31 @@ using VelocityField = std::function<Vec<2>(Vec<2>)>;
 /// Exactly one of polygon, region and points_file says where a body is.
 struct BodyCase {
   std::string material;
-  std::vector<Vec<2>> polygon;           ///< corners [m]; a box is stored as its four corners, counter-clockwise
+  std::vector<Vec<2>> polygon;             ///< corners [m]; a box is stored as its four corners, counter-clockwise
   std::vector<std::vector<Vec<2>>> holes;  ///< [m]
-  std::string region;                    ///< of a mesh file: all its cells
-  std::string points_file;               ///< CSV with header x,y,volume,material, relative to the case file
+  std::string region;                      ///< of a mesh file: all its cells
+  std::string points_file;                 ///< CSV with header x,y,volume,material, relative to the case file
   std::array<Index, 2> points_per_cell{5, 5};
-  Vec<2> velocity{0.0, 0.0};             ///< at t = 0 [m/s]
-  VelocityField velocity_at;             ///< instead of velocity
+  Vec<2> velocity{0.0, 0.0};  ///< at t = 0 [m/s]
+  VelocityField velocity_at;  ///< instead of velocity
 };
 
 struct MaterialCase {
-  std::string name;             ///< the user's: "clay"
-  std::string model;            ///< the law's: "tresca_softening"
-  Real density = 0.0;           ///< [kg/m^3]
-  std::vector<Real> parameters; ///< in the order of the law's table
+  std::string name;              ///< the user's: "clay"
+  std::string model;             ///< the law's: "tresca_softening"
+  Real density = 0.0;            ///< [kg/m^3]
+  std::vector<Real> parameters;  ///< in the order of the law's table
 };
 
 struct SideCase {
-  std::string side;  ///< of the mesh: "left", "right", "bottom", "top", a name of mesh.edges, or a physical group of the file
+  std::string
+      side;  ///< of the mesh: "left", "right", "bottom", "top", a name of mesh.edges, or a physical group of the file
   SideKind kind = SideKind::free;
-  Real adhesion = 0.0;          ///< a [Pa]
-  Real friction = 0.0;          ///< tangent of the contact friction angle [-]
-  Vec<2> velocity{0.0, 0.0};    ///< of SideKind::velocity [m/s]
-  VelocityField velocity_at;    ///< instead of velocity
-  bool slip = false;            ///< of SideKind::velocity: only the component across the side is prescribed
+  Real adhesion = 0.0;        ///< a [Pa]
+  Real friction = 0.0;        ///< tangent of the contact friction angle [-]
+  Vec<2> velocity{0.0, 0.0};  ///< of SideKind::velocity [m/s]
+  VelocityField velocity_at;  ///< instead of velocity
+  bool slip = false;          ///< of SideKind::velocity: only the component across the side is prescribed
 };
 
 inline constexpr std::size_t most_footings = 8;  ///< of one case
@@ -92,35 +94,35 @@ inline constexpr std::size_t most_footings = 8;  ///< of one case
 struct FootingCase {
   std::string name = "footing";
   Vec<2> low{0.0, 0.0}, high{0.0, 0.0};  ///< corners of the box at t = 0 [m]
-  Vec<2> velocity{0.0, 0.0};    ///< after the ramp [m/s]
-  Real ramp = 0.0;              ///< time over which the velocity grows from zero [s]
+  Vec<2> velocity{0.0, 0.0};             ///< after the ramp [m/s]
+  Real ramp = 0.0;                       ///< time over which the velocity grows from zero [s]
   FootingContact contact = FootingContact::rough;
 };
 
 struct ForcesCase {
-  Vec<2> gravity{0.0, 0.0};     ///< [m/s^2]
-  Real local_damping = 0.0;     ///< alpha of local (Cundall) damping, reading R13 [-]
-  Real viscous_damping = 0.0;   ///< mass-proportional damping coefficient [1/s]
+  Vec<2> gravity{0.0, 0.0};    ///< [m/s^2]
+  Real local_damping = 0.0;    ///< alpha of local (Cundall) damping, reading R13 [-]
+  Real viscous_damping = 0.0;  ///< mass-proportional damping coefficient [1/s]
 };
 
 struct InitialCase {
   InitialStress stress = InitialStress::none;
-  Real k0 = 1.0;                ///< horizontal over vertical stress, InitialStress::k0 [-]
-  Real damping = 0.8;           ///< local damping while seeking equilibrium [-]
-  Real limit = 1e-3;            ///< out-of-balance force over weight at which equilibrium is reached [-]
-  Index max_steps = 20000;      ///< give up after this many steps
+  Real k0 = 1.0;            ///< horizontal over vertical stress, InitialStress::k0 [-]
+  Real damping = 0.8;       ///< local damping while seeking equilibrium [-]
+  Real limit = 1e-3;        ///< out-of-balance force over weight at which equilibrium is reached [-]
+  Index max_steps = 20000;  ///< give up after this many steps
 };
 
 struct OutputCase {
-  Real fields_every = 0.0;      ///< [s]; 0: only first and last
-  std::vector<std::string> field_names;  ///< empty: all
-  Real history_every = 0.01;    ///< [s]
+  Real fields_every = 0.0;                                     ///< [s]; 0: only first and last
+  std::vector<std::string> field_names;                        ///< empty: all
+  Real history_every = 0.01;                                   ///< [s]
   std::vector<std::pair<std::string, Vec<2>>> history_points;  ///< name and initial place [m]
-  Real ledger_every = 0.01;     ///< [s]
-  Real checkpoint_every = 0.0;  ///< [s]; 0: only at the end and when stopped
-  Index checkpoint_keep = 2;    ///< how many of the newest are kept; 0: all
+  Real ledger_every = 0.01;                                    ///< [s]
+  Real checkpoint_every = 0.0;                                 ///< [s]; 0: only at the end and when stopped
+  Index checkpoint_keep = 2;                                   ///< how many of the newest are kept; 0: all
   DeviatoricNorm deviatoric_norm = DeviatoricNorm::half;
-  bool mesh = false;            ///< whether mesh.vtkhdf also says what the mesh carries at the times of the fields
+  bool mesh = false;  ///< whether mesh.vtkhdf also says what the mesh carries at the times of the fields
 };
 
 /// The velocity that a body or a side has at a place [m/s].
@@ -138,8 +140,8 @@ inline std::string path_of(const std::string& folder, const std::string& file)
 
 struct Case {
   std::string title;
-  std::string name;             ///< of the file without .toml: the run folder's name
-  std::string folder;           ///< that holds the case file: other files are named relative to it
+  std::string name;    ///< of the file without .toml: the run folder's name
+  std::string folder;  ///< that holds the case file: other files are named relative to it
   std::string scheme = "mpm_gp";
   TimeCase time;
   MeshCase mesh;

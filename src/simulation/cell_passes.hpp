@@ -7,8 +7,8 @@
 
 namespace terp {
 
-/// Least memory of the points from which blocks are fetched ahead [bytes]: where they stay in the last cache it costs 5 to 10 % of a step,
-/// beyond it saves up to a quarter.
+/// Least memory of the points from which blocks are fetched ahead [bytes]: where they stay in the last cache it costs 5
+/// to 10 % of a step, beyond it saves up to a quarter.
 inline constexpr std::int64_t prefetch_from = 16 << 20;
 
 /// The occupied cells `first` to `end` - 1, first a multiple of pack_width, as a group.
@@ -19,12 +19,13 @@ inline CellGroup view_group(const Model& model, State& state, Workspace& work, I
   const Index n = end - first, n_groups = Threads::n_chunks(static_cast<Index>(occupied.size()), pack_width);
   const bool in_cache = state.points.n_points() * state.points.n_rows() * std::int64_t{sizeof(Real)} < prefetch_from;
   const Index next_cell = static_cast<std::size_t>(end) < occupied.size() ? occupied[end] : -1;
-  return {occupied.subspan(first, n), model.mesh,  state.points, corners.subspan(first, n), work.pressure, work.gauss,
-          first / pack_width,         n_groups,    next_cell,    !in_cache};
+  return {occupied.subspan(first, n), model.mesh, state.points, corners.subspan(first, n), work.pressure, work.gauss,
+      first / pack_width, n_groups, next_cell, !in_cache};
 }
 
 /// Values of the cell's corners; part: &NodeValues::v or &NodeValues::dv; times `factor`.
-inline CornerVectors corner_values(const Mesh<2>& mesh, std::span<const NodeValues> node, Index cell, Vec<2> NodeValues::*part, Real factor)
+inline CornerVectors corner_values(
+    const Mesh<2>& mesh, std::span<const NodeValues> node, Index cell, Vec<2> NodeValues::*part, Real factor)
 {
   CornerVectors values;
   for (int i = 0; i < 4; ++i) {
@@ -35,7 +36,8 @@ inline CornerVectors corner_values(const Mesh<2>& mesh, std::span<const NodeValu
 }
 
 /// v_i dt of the corners of each cell of a group [m]; zero beyond the last.
-inline std::array<CornerVectors, pack_width> displacements(const Model& model, std::span<const NodeValues> node, const CellGroup& group)
+inline std::array<CornerVectors, pack_width> displacements(
+    const Model& model, std::span<const NodeValues> node, const CellGroup& group)
 {
   std::array<CornerVectors, pack_width> du{};
   for (int c = 0; c < group.n(); ++c) du[c] = corner_values(model.mesh, node, group.cells[c], &NodeValues::v, model.dt);
@@ -48,7 +50,8 @@ inline void map_mass_and_momentum(const CellGroup& group, int c)
   prefetch_next(group, c, PointRows<2>::xi, PointRows<2>::strain);
   const CellView view = group.cell(c);
   view.corners = {};
-  for_each_block(view.points, view.cell, [&](const PointBlock<2>& block, Index) { map_mass_and_momentum(block, view.corners); });
+  for_each_block(
+      view.points, view.cell, [&](const PointBlock<2>& block, Index) { map_mass_and_momentum(block, view.corners); });
 }
 
 /// v_p of a cell from the accelerated nodes, and the momentum of the points with it.
@@ -63,10 +66,10 @@ inline void accelerate_and_map(const Model& model, std::span<const NodeValues> n
   });
 }
 
-/// x_p += sum N_i du_i; new local coordinates; lanes that left the half-open cell go to `leavers`, with those whose place the cell's map
-/// does not reach. A place that is not a number stays: the guards speak of it.
-inline void advance_points(const CellView& view, Vec<2> centre, const CornerVectors& du, const PointBlock<2>& block, Index b,
-                           std::vector<PointPlace>& leavers)
+/// x_p += sum N_i du_i; new local coordinates; lanes that left the half-open cell go to `leavers`, with those whose
+/// place the cell's map does not reach. A place that is not a number stays: the guards speak of it.
+inline void advance_points(const CellView& view, Vec<2> centre, const CornerVectors& du, const PointBlock<2>& block,
+    Index b, std::vector<PointPlace>& leavers)
 {
   using Rows = PointRows<2>;
   for (Index p = 0; p < block.n; p += pack_width) {
@@ -91,9 +94,11 @@ inline void advance_points(const CellView& view, Vec<2> centre, const CornerVect
   }
 }
 
-inline void advance_points(const CellView& view, Vec<2> centre, const CornerVectors& du, std::vector<PointPlace>& leavers)
+inline void advance_points(
+    const CellView& view, Vec<2> centre, const CornerVectors& du, std::vector<PointPlace>& leavers)
 {
-  for_each_block(view.points, view.cell, [&](const PointBlock<2>& block, Index b) { advance_points(view, centre, du, block, b, leavers); });
+  for_each_block(view.points, view.cell,
+      [&](const PointBlock<2>& block, Index b) { advance_points(view, centre, du, block, b, leavers); });
 }
 
 }  // namespace terp

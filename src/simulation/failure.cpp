@@ -8,7 +8,8 @@
 namespace terp {
 namespace {
 
-constexpr Real same_way = 0.1;  // of a column: fronts that came equally far, as round-off makes even a mirrored slide differ
+constexpr Real same_way =
+    0.1;  // of a column: fronts that came equally far, as round-off makes even a mirrored slide differ
 
 /// Number of slides of a slope so far. A new one shows only when the crest has retreated.
 std::size_t count_slides(const SlopeFailure& slope)
@@ -32,7 +33,8 @@ Columns columns_of(const State& state, const Slope& slope)
   return columns;
 }
 
-/// Growth of eps_eq_p since the last ledger row, in the order of for_each_point; seven digits are enough. Below 0 where MPM-Mixed averages it away.
+/// Growth of eps_eq_p since the last ledger row, in the order of for_each_point; seven digits are enough. Below 0 where
+/// MPM-Mixed averages it away.
 std::vector<float> growth_of_strain(const Model& model, const State& state)
 {
   std::vector<float> growth;
@@ -41,7 +43,9 @@ std::vector<float> growth_of_strain(const Model& model, const State& state)
     const int strain = find_eps_eq_p(*model.materials[block.material].type);
     for (Index lane = 0; lane < block.n; ++lane) {
       const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
-      growth.push_back(strain < 0 ? 0.0f : static_cast<float>(block.row(PointRows<2>::state + strain)[lane] - state.audit.last_eps_eq_p[id]));
+      growth.push_back(strain < 0 ? 0.0f
+                                  : static_cast<float>(
+                                        block.row(PointRows<2>::state + strain)[lane] - state.audit.last_eps_eq_p[id]));
     }
   });
   return growth;
@@ -57,10 +61,13 @@ void follow_slip(const Model& model, const State& state, Real growth, SlopeFailu
   const Real rate = growth / (time.back() - time[time.size() - 2]);
   if (!(rate > slip.rate)) return;
   const auto smooth = mean_over_nodes(model.mesh, state.points, growth_of_strain(model, state));
-  slip = {.time = time.back(), .rate = rate, .line = find_slip_line(state.points, smooth, columns_of(state, slope.crest.slope))};
+  slip = {.time = time.back(),
+      .rate = rate,
+      .line = find_slip_line(state.points, smooth, columns_of(state, slope.crest.slope))};
 }
 
-/// Where the fronts of the slopes to the left and to the right are [m]; NaN where nothing came that way yet and the toe is not free.
+/// Where the fronts of the slopes to the left and to the right are [m]; NaN where nothing came that way yet and the toe
+/// is not free.
 using Fronts = std::array<Real, 2>;
 
 Fronts find_fronts(const Model& model, const State& state, const MovedSoil& moved)
@@ -68,7 +75,9 @@ Fronts find_fronts(const Model& model, const State& state, const MovedSoil& move
   Fronts x{std::nan(""), std::nan("")};
   for (const SlopeFailure& slope : state.slopes) {
     const std::size_t side = slope.crest.slope.facing == Facing::left ? 0 : 1;
-    x[side] = slope.crest.slope.free_toe ? extent_in_x(model.mesh, state.points)[side] : side == 0 ? moved.reach_left : moved.reach_right;
+    x[side] = slope.crest.slope.free_toe ? extent_in_x(model.mesh, state.points)[side]
+              : side == 0                ? moved.reach_left
+                                         : moved.reach_right;
   }
   return x;
 }
@@ -93,7 +102,8 @@ Real run_out_of(const State& state, const Fronts& fronts, const Slope& slope)
   return slope.free_toe || std::isnan(way) ? way : std::max(way, 0.0);
 }
 
-/// The slides of a slope. Of two slopes one may merely lose the soil that slides the other way: its front did not come out.
+/// The slides of a slope. Of two slopes one may merely lose the soil that slides the other way: its front did not come
+/// out.
 std::vector<SlideSummary> slides_of(const State& state, const Fronts& fronts, const SlopeFailure& slope)
 {
   std::vector<SlideSummary> list;
@@ -127,7 +137,8 @@ Real volume_that_left(const State& state)
 Real total_volume(const PointBlocks<2>& points)
 {
   Real volume = 0.0;
-  for_each_point(points, [&](const PointBlock<2>& block, Index lane) { volume += block.row(PointRows<2>::volume)[lane]; });
+  for_each_point(
+      points, [&](const PointBlock<2>& block, Index lane) { volume += block.row(PointRows<2>::volume)[lane]; });
   return volume;
 }
 
@@ -196,7 +207,8 @@ void summarise_failure(const Model& model, const State& state, Summary& s)
   if (const SlopeFailure* main = main_slope(state, fronts)) summarise_slope(model, state, fronts, *main, s);
   for (const SlopeFailure& slope : state.slopes)
     for (SlideSummary& slide : slides_of(state, fronts, slope)) s.slides.push_back(std::move(slide));
-  std::stable_sort(s.slides.begin(), s.slides.end(), [](const auto& a, const auto& b) { return a.slide.begins < b.slide.begins; });
+  std::stable_sort(
+      s.slides.begin(), s.slides.end(), [](const auto& a, const auto& b) { return a.slide.begins < b.slide.begins; });
   const Real left = volume_that_left(state), volume = total_volume(state.points) + left;
   s.moved_volume = moved.volume + left;
   s.moved_fraction = volume > 0.0 ? s.moved_volume / volume : 0.0;

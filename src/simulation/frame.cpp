@@ -12,7 +12,10 @@ namespace {
 using Rows = PointRows<2>;
 constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 
-std::size_t id_of(const PointBlock<2>& block, Index lane) { return static_cast<std::size_t>(block.row(Rows::id)[lane]); }
+std::size_t id_of(const PointBlock<2>& block, Index lane)
+{
+  return static_cast<std::size_t>(block.row(Rows::id)[lane]);
+}
 
 std::array<Real, 4> strain_of(const PointBlock<2>& block, Index lane)
 {
@@ -67,7 +70,8 @@ std::vector<FieldRecipe> common_recipes(const Model& model, const State& state)
   }));
   recipes.push_back(rows_recipe("stress", "Pa", Rows::sigma, n_sym<2>, n_sym<2>));
   recipes.push_back(rows_recipe("volume", "m^2", Rows::volume, 1, 1));
-  recipes.push_back(recipe("material", "-", 1, [](const PointBlock<2>& block, Index, Real* out) { *out = block.material; }));
+  recipes.push_back(
+      recipe("material", "-", 1, [](const PointBlock<2>& block, Index, Real* out) { *out = block.material; }));
   recipes.push_back(recipe("cell", "-", 1, [](const PointBlock<2>& block, Index, Real* out) { *out = block.cell; }));
   recipes.push_back(rows_recipe("strain", "-", Rows::strain, n_sym<2>, n_sym<2>));
   const DeviatoricNorm norm = model.description.output.deviatoric_norm;
@@ -89,18 +93,23 @@ void add_material_recipes(const Model& model, std::vector<FieldRecipe>& recipes)
   const auto add = [&](const auto& info, auto infos, auto value) {
     if (known(recipes, info.name)) return;
     recipes.push_back({std::string(info.name), std::string(info.unit), 1,
-                       [&model, name = info.name, infos, value](const PointBlock<2>& block, Places places, Real* values) {
-                         const SoilMaterial& material = model.materials[block.material];
-                         const int k = find_name(infos(*material.type), name);
-                         for_each_place(block, places, 1, values, [&](Index lane, Real* out) { *out = k < 0 ? nan : value(material, k, block, lane); });
-                       }});
+        [&model, name = info.name, infos, value](const PointBlock<2>& block, Places places, Real* values) {
+          const SoilMaterial& material = model.materials[block.material];
+          const int k = find_name(infos(*material.type), name);
+          for_each_place(block, places, 1, values,
+              [&](Index lane, Real* out) { *out = k < 0 ? nan : value(material, k, block, lane); });
+        }});
   };
   for (const SoilMaterial& m : model.materials) {
     for (const StateInfo& info : m.type->state)
-      add(info, [](const MaterialType& type) { return type.state; },
-          [](const SoilMaterial&, int k, const PointBlock<2>& block, Index lane) { return block.row(Rows::state + k)[lane]; });
+      add(
+          info, [](const MaterialType& type) { return type.state; },
+          [](const SoilMaterial&, int k, const PointBlock<2>& block, Index lane) {
+            return block.row(Rows::state + k)[lane];
+          });
     for (const DerivedInfo& info : m.type->derived)
-      add(info, [](const MaterialType& type) { return type.derived; },
+      add(
+          info, [](const MaterialType& type) { return type.derived; },
           [](const SoilMaterial& material, int k, const PointBlock<2>& block, Index lane) {
             return material.law->derived(k, state_of(block, lane, material.n_state()).data());
           });
@@ -130,16 +139,17 @@ HistoryRow history_of(const Model& model, const State& state, const PointBlock<2
   const SoilMaterial& material = model.materials[block.material];
   const auto values = state_of(block, lane, material.n_state());
   const int eps = find_eps_eq_p(*material.type), su = find_su(*material.type);
-  const Real pressure = (block.row(Rows::sigma)[lane] + block.row(Rows::sigma + 1)[lane] + block.row(Rows::sigma + 2)[lane]) / 3.0;
+  const Real pressure =
+      (block.row(Rows::sigma)[lane] + block.row(Rows::sigma + 1)[lane] + block.row(Rows::sigma + 2)[lane]) / 3.0;
   return {.time = state.time,
-          .point = "",
-          .id = static_cast<std::int64_t>(id_of(block, lane)),
-          .x = block.row(Rows::x)[lane],
-          .y = block.row(Rows::x + 1)[lane],
-          .eps_deviatoric = deviatoric_strain(strain_of(block, lane), model.description.output.deviatoric_norm),
-          .eps_eq_p = eps < 0 ? nan : values[eps],
-          .su = su < 0 ? nan : material.law->derived(su, values.data()),
-          .pressure = pressure};
+      .point = "",
+      .id = static_cast<std::int64_t>(id_of(block, lane)),
+      .x = block.row(Rows::x)[lane],
+      .y = block.row(Rows::x + 1)[lane],
+      .eps_deviatoric = deviatoric_strain(strain_of(block, lane), model.description.output.deviatoric_norm),
+      .eps_eq_p = eps < 0 ? nan : values[eps],
+      .su = su < 0 ? nan : material.law->derived(su, values.data()),
+      .pressure = pressure};
 }
 
 bool holds(const PointBlocks<2>& points, PointPlace place, std::int64_t id)
@@ -155,7 +165,8 @@ void find_points(const State& state, const std::vector<std::int64_t>& ids, std::
   places.resize(ids.size(), {-1, -1});
   std::vector<std::size_t> lost;
   for (std::size_t k = 0; k < ids.size(); ++k) {
-    const bool has_left = std::any_of(state.left.begin(), state.left.end(), [&](const LeftPoint& p) { return p.id == ids[k]; });
+    const bool has_left =
+        std::any_of(state.left.begin(), state.left.end(), [&](const LeftPoint& p) { return p.id == ids[k]; });
     if (!has_left && !holds(state.points, places[k], ids[k])) lost.push_back(k);
   }
   if (lost.empty()) return;
@@ -170,7 +181,15 @@ void find_points(const State& state, const std::vector<std::int64_t>& ids, std::
 /// Of a point that left through an open side: the place where it left.
 HistoryRow history_of_left(const State& state, std::int64_t id)
 {
-  HistoryRow row{.time = state.time, .point = "", .id = id, .x = nan, .y = nan, .eps_deviatoric = nan, .eps_eq_p = nan, .su = nan, .pressure = nan};
+  HistoryRow row{.time = state.time,
+      .point = "",
+      .id = id,
+      .x = nan,
+      .y = nan,
+      .eps_deviatoric = nan,
+      .eps_eq_p = nan,
+      .su = nan,
+      .pressure = nan};
   for (const LeftPoint& p : state.left)
     if (p.id == id) row.x = p.x[0], row.y = p.x[1];
   return row;
@@ -195,8 +214,14 @@ Frame make_frame(const Model& model, const State& state, std::int64_t first, std
   std::erase_if(recipes, [&](const FieldRecipe& r) { return !wanted(model, r.name); });
 
   const auto size = static_cast<std::size_t>(n);
-  Frame frame{.time = state.time, .step = state.step, .x = std::vector<Real>(2 * size), .fields = {}, .first = first, .n_all = state.n_ids()};
-  for (const FieldRecipe& r : recipes) frame.fields.push_back({r.name, r.unit, r.n_components, std::vector<Real>(size * r.n_components, 0.0)});
+  Frame frame{.time = state.time,
+      .step = state.step,
+      .x = std::vector<Real>(2 * size),
+      .fields = {},
+      .first = first,
+      .n_all = state.n_ids()};
+  for (const FieldRecipe& r : recipes)
+    frame.fields.push_back({r.name, r.unit, r.n_components, std::vector<Real>(size * r.n_components, 0.0)});
   std::vector<std::size_t> places;
   for_each_block(state.points, [&](const PointBlock<2>& block) {
     places.clear();

@@ -12,8 +12,8 @@ Frame make_frame(const Model& model, const State& state);
 /// Those with ids from `first` on, n of them.
 Frame make_frame(const Model& model, const State& state, std::int64_t first, std::int64_t n);
 
-/// Rows of history.csv for the named points. places: where they were stored at the last call, empty at the first; looked up anew if
-/// one is no longer there.
+/// Rows of history.csv for the named points. places: where they were stored at the last call, empty at the first;
+/// looked up anew if one is no longer there.
 std::vector<HistoryRow> make_history(const Model& model, const State& state, std::vector<PointPlace>& places);
 
 /// Deviatoric measure of a strain tensor (xx yy zz xy): sqrt(1/2 e:e), or von Mises sqrt(2/3 e:e) (reading R18) [-].

@@ -40,7 +40,7 @@ BadPoint find_bad_point(const State& state)
     const char* what = fault_of(block, lane);
     if (what == nullptr || found.id >= 0) return;
     found = {static_cast<std::int64_t>(block.row(Rows::id)[lane]), block.cell, block.material,
-             {block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]}, what};
+        {block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]}, what};
   });
   return found;
 }
@@ -56,22 +56,25 @@ Real smallest_nodal_mass(const Workspace& work)
 
 std::string describe_clamped(const State& state)
 {
-  return fmt::format("step {}, t = {:.4f} s: {} points had to be put back at the walls, more than {:.1f} % of all\n\n"
-                     "  likely   soil flies out of the mesh, or runs against a side that is `free`\n"
-                     "  try      a larger mesh.size, or a `roller` on that side (docs/troubleshooting.md#clamped-points)",
-                     state.step, state.time, state.clamped, 100.0 * most_clamped);
+  return fmt::format(
+      "step {}, t = {:.4f} s: {} points had to be put back at the walls, more than {:.1f} % of all\n\n"
+      "  likely   soil flies out of the mesh, or runs against a side that is `free`\n"
+      "  try      a larger mesh.size, or a `roller` on that side (docs/troubleshooting.md#clamped-points)",
+      state.step, state.time, state.clamped, 100.0 * most_clamped);
 }
 
 std::string describe_energy(const State& state, const LedgerRow& row)
 {
-  return fmt::format("step {}, t = {:.4f} s: the energy grows by itself: {:.3g} J per m that no work explains, {:.3g} J exchanged\n\n"
-                     "  before   kinetic {:.3g} J, elastic {:.3g} J; largest 99.9 % speed {:.3g} m/s\n"
-                     "  likely   an unstable time step, or a stiff body that travels far in pure FLIP\n"
-                     "  try      a lower time.courant, or method.flip = 0.9 (docs/troubleshooting.md#the-energy-balance-is-off)",
-                     state.step, state.time, row.numerical, energy_exchanged(state), row.kinetic, row.elastic, row.v_999);
+  return fmt::format(
+      "step {}, t = {:.4f} s: the energy grows by itself: {:.3g} J per m that no work explains, {:.3g} J exchanged\n\n"
+      "  before   kinetic {:.3g} J, elastic {:.3g} J; largest 99.9 % speed {:.3g} m/s\n"
+      "  likely   an unstable time step, or a stiff body that travels far in pure FLIP\n"
+      "  try      a lower time.courant, or method.flip = 0.9 (docs/troubleshooting.md#the-energy-balance-is-off)",
+      state.step, state.time, row.numerical, energy_exchanged(state), row.kinetic, row.elastic, row.v_999);
 }
 
-/// Mass of the points whose waves cross the smallest cell within a step, as a part of all: the density of a point falls as it swells.
+/// Mass of the points whose waves cross the smallest cell within a step, as a part of all: the density of a point falls
+/// as it swells.
 Real overtaken_share(const Model& model, const State& state)
 {
   Real fast = 0.0, all = 0.0;
@@ -89,16 +92,18 @@ Real overtaken_share(const Model& model, const State& state)
 
 std::string describe_time_step(const Model& model, const State& state, Real share)
 {
-  return fmt::format("step {}, t = {:.4f} s: the time step has become too long for {:.2g} % of the soil, more than {:.0f} %\n\n"
-                     "  where    soil so loose that its waves cross the smallest cell ({:.3g} m) within dt = {:.3g} s\n"
-                     "  likely   soil that swells without end, often under tension; dt is that of the density at t = 0\n"
-                     "  try      a time.courant lower than {:g} (docs/troubleshooting.md#the-time-step-is-too-long)",
-                     state.step, state.time, 100.0 * share, 100.0 * most_overtaken, model.mesh.smallest_altitude, model.dt,
-                     model.description.time.courant);
+  return fmt::format(
+      "step {}, t = {:.4f} s: the time step has become too long for {:.2g} % of the soil, more than {:.0f} %\n\n"
+      "  where    soil so loose that its waves cross the smallest cell ({:.3g} m) within dt = {:.3g} s\n"
+      "  likely   soil that swells without end, often under tension; dt is that of the density at t = 0\n"
+      "  try      a time.courant lower than {:g} (docs/troubleshooting.md#the-time-step-is-too-long)",
+      state.step, state.time, 100.0 * share, 100.0 * most_overtaken, model.mesh.smallest_altitude, model.dt,
+      model.description.time.courant);
 }
 
-/// What the ledger cannot know of: forces do their work at the stress of the start of a step, the soil stores sigma : d_eps + 1/2 d_sigma : d_eps.
-/// Under steady loading the second terms add up to elastic/n after n steps: all of it in the first step of a side that begins to move [J per m].
+/// What the ledger cannot know of: forces do their work at the stress of the start of a step, the soil stores sigma :
+/// d_eps + 1/2 d_sigma : d_eps. Under steady loading the second terms add up to elastic/n after n steps: all of it in
+/// the first step of a side that begins to move [J per m].
 Real half_step_offset(const State& state, const LedgerRow& row) { return row.elastic / static_cast<Real>(state.step); }
 
 }  // namespace
@@ -106,9 +111,11 @@ Real half_step_offset(const State& state, const LedgerRow& row) { return row.ela
 std::string find_fault_in_balance(const Model& model, const State& state, const LedgerRow& row)
 {
   const Real exchanged = energy_exchanged(state);
-  if (state.step > 0 && row.numerical - half_step_offset(state, row) > most_gained * exchanged) return describe_energy(state, row);
+  if (state.step > 0 && row.numerical - half_step_offset(state, row) > most_gained * exchanged)
+    return describe_energy(state, row);
   if (row.numerical <= gain_of_harm * exchanged) return {};
-  if (const Real share = overtaken_share(model, state); share > most_overtaken) return describe_time_step(model, state, share);
+  if (const Real share = overtaken_share(model, state); share > most_overtaken)
+    return describe_time_step(model, state, share);
   return {};
 }
 
@@ -121,20 +128,23 @@ std::string describe_not_finite(const Model& model, const State& state, const Wo
     const SoilMaterial& m = model.materials[bad.material];
     const Vec<2> c = model.mesh.centres[bad.cell];
     what = fmt::format("the {} of material point {}", bad.what, bad.id);
-    where = fmt::format("cell {} at x = {} m, y = {} m; material `{}` ({})", bad.cell, coordinate_text(c[0]), coordinate_text(c[1]), m.name, m.type->name);
+    where = fmt::format("cell {} at x = {} m, y = {} m; material `{}` ({})", bad.cell, coordinate_text(c[0]),
+        coordinate_text(c[1]), m.name, m.type->name);
   }
-  return head + fmt::format("{} is not a number\n\n"
-                            "  where    {}\n"
-                            "  before   largest 99.9 % speed {:.3g} m/s; dt = {:.3g} s, courant {:.2f}\n"
-                            "  likely   an unstable time step, or a nearly empty node: smallest nodal mass {:.2g} kg "
-                            "(docs/troubleshooting.md#not-a-number)",
-                            what, where, speed, model.dt, model.description.time.courant, smallest_nodal_mass(work));
+  return head + fmt::format(
+                    "{} is not a number\n\n"
+                    "  where    {}\n"
+                    "  before   largest 99.9 % speed {:.3g} m/s; dt = {:.3g} s, courant {:.2f}\n"
+                    "  likely   an unstable time step, or a nearly empty node: smallest nodal mass {:.2g} kg "
+                    "(docs/troubleshooting.md#not-a-number)",
+                    what, where, speed, model.dt, model.description.time.courant, smallest_nodal_mass(work));
 }
 
 std::string find_fault(const Model& model, const State& state, const Workspace& work, Real speed)
 {
   if (!work.finite) return describe_not_finite(model, state, work, speed);
-  if (static_cast<Real>(state.clamped) > most_clamped * static_cast<Real>(state.points.n_points()) + 1.0) return describe_clamped(state);
+  if (static_cast<Real>(state.clamped) > most_clamped * static_cast<Real>(state.points.n_points()) + 1.0)
+    return describe_clamped(state);
   return {};
 }
 

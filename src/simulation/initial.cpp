@@ -25,7 +25,8 @@ std::vector<DrawnBody> draw_bodies(const Model& model)
   std::size_t k = 0;
   for (const BodyCase& body : model.description.bodies)
     if (body.points_file.empty())
-      drawn.push_back({outline_sides(model.mesh, outlines[k++]), model.materials[material_number(model, body.material)].density});
+      drawn.push_back(
+          {outline_sides(model.mesh, outlines[k++]), model.materials[material_number(model, body.material)].density});
   return drawn;
 }
 
@@ -88,8 +89,10 @@ Flow find_flow(const Model& model, const State& state)
     const int strain = find_eps_eq_p(*model.materials[block.material].type);
     if (strain < 0 || block.row(Rows::state + strain)[lane] < yielded) return;
     const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
-    const Real way = std::hypot(block.row(Rows::x)[lane] - state.x_initial[2 * id], block.row(Rows::x + 1)[lane] - state.x_initial[2 * id + 1]);
-    const Vec<2> a = model.mesh.nodes[model.mesh.cells[block.cell][0]], c = model.mesh.nodes[model.mesh.cells[block.cell][2]];
+    const Real way = std::hypot(
+        block.row(Rows::x)[lane] - state.x_initial[2 * id], block.row(Rows::x + 1)[lane] - state.x_initial[2 * id + 1]);
+    const Vec<2> a = model.mesh.nodes[model.mesh.cells[block.cell][0]],
+                 c = model.mesh.nodes[model.mesh.cells[block.cell][2]];
     if (way <= std::hypot(c[0] - a[0], c[1] - a[1])) return;
     ++flow.n;
     flow.way = std::max(flow.way, way);
@@ -99,19 +102,22 @@ Flow find_flow(const Model& model, const State& state)
 
 std::string describe_flow(const Flow& flow, Index n_points)
 {
-  return fmt::format("no equilibrium: the body came to rest only after {:.2g} % of its soil had yielded and moved by up to {:.3g} m\n\n"
-                     "  likely   the body cannot stand under its own weight\n"
-                     "  try      initial.stress = \"none\" or \"k0\", or a stronger soil (docs/troubleshooting.md#no-equilibrium)",
-                     100.0 * static_cast<Real>(flow.n) / static_cast<Real>(n_points), flow.way);
+  return fmt::format(
+      "no equilibrium: the body came to rest only after {:.2g} % of its soil had yielded and moved by up to {:.3g} "
+      "m\n\n"
+      "  likely   the body cannot stand under its own weight\n"
+      "  try      initial.stress = \"none\" or \"k0\", or a stronger soil (docs/troubleshooting.md#no-equilibrium)",
+      100.0 * static_cast<Real>(flow.n) / static_cast<Real>(n_points), flow.way);
 }
 
 std::string describe_no_equilibrium(const InitialCase& initial, Real ratio)
 {
-  return fmt::format("no equilibrium: after {} steps the out-of-balance force is {:.2e} of the weight, limit {:.2e}\n\n"
-                     "  likely   the body cannot stand under its own weight, or needs more steps\n"
-                     "  try      initial.stress = \"none\" or \"k0\", a stronger soil, or a larger initial.max_steps "
-                     "(docs/troubleshooting.md#no-equilibrium)",
-                     initial.max_steps, ratio, initial.limit);
+  return fmt::format(
+      "no equilibrium: after {} steps the out-of-balance force is {:.2e} of the weight, limit {:.2e}\n\n"
+      "  likely   the body cannot stand under its own weight, or needs more steps\n"
+      "  try      initial.stress = \"none\" or \"k0\", a stronger soil, or a larger initial.max_steps "
+      "(docs/troubleshooting.md#no-equilibrium)",
+      initial.max_steps, ratio, initial.limit);
 }
 
 }  // namespace
@@ -123,7 +129,8 @@ void set_initial_stress(const Model& model, State& state)
   const Real k0 = model.description.initial.k0;
   const std::vector<DrawnBody> drawn = draw_bodies(model);
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
-    const Real vertical = model.gravity[1] * mass_above(drawn, {block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]});
+    const Real vertical =
+        model.gravity[1] * mass_above(drawn, {block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]});
     block.row(Rows::sigma)[lane] = k0 * vertical;
     block.row(Rows::sigma + 1)[lane] = vertical;
     block.row(Rows::sigma + 2)[lane] = k0 * vertical;
@@ -142,11 +149,15 @@ Search seek_equilibrium(const Model& model, State& state, Workspace& work, const
     ++state.equilibrium_steps;
     state.step = 0;
     state.time = 0.0;
-    if (std::string fault = find_fault(model, state, work, 0.0); !fault.empty()) return {.fault = "in the search for equilibrium: " + fault};
+    if (std::string fault = find_fault(model, state, work, 0.0); !fault.empty())
+      return {.fault = "in the search for equilibrium: " + fault};
     if (!state.left.empty())
-      return {.fault = "in the search for equilibrium soil left through an open side; give that side a `roller`, or start with \"k0\""};
+      return {.fault =
+                  "in the search for equilibrium soil left through an open side; give that side a `roller`, or start "
+                  "with \"k0\""};
     if (state.equilibrium_steps < fewest_steps || work.unbalanced_ratio > initial.limit) continue;
-    if (const Flow flow = find_flow(model, state); flow.n > most_that_flows * static_cast<Real>(state.n_ids())) return {.fault = describe_flow(flow, state.n_ids())};
+    if (const Flow flow = find_flow(model, state); flow.n > most_that_flows * static_cast<Real>(state.n_ids()))
+      return {.fault = describe_flow(flow, state.n_ids())};
     work.damping_local = model.damping.local;
     work.settling = false;
     reset_history(state, model.n_state);

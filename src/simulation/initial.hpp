@@ -19,10 +19,11 @@ struct Search {
   std::string fault = {};  ///< what went wrong
 };
 
-/// InitialStress::equilibrium: steps with strong local damping while the clock stands at 0, until the out-of-balance ratio is below
-/// the limit; then displacement, velocity, strain and history are reset. Goes on where an interrupted search stopped.
-/// A body of which more than 1 % yielded and moved beyond a cell before it came to rest is none in equilibrium: it could not stand as drawn.
-/// A `stop` that comes with the very step that meets the limit is too late: the search has ended.
+/// InitialStress::equilibrium: steps with strong local damping while the clock stands at 0, until the out-of-balance
+/// ratio is below the limit; then displacement, velocity, strain and history are reset. Goes on where an interrupted
+/// search stopped. A body of which more than 1 % yielded and moved beyond a cell before it came to rest is none in
+/// equilibrium: it could not stand as drawn. A `stop` that comes with the very step that meets the limit is too late:
+/// the search has ended.
 Search seek_equilibrium(const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop);
 
 }  // namespace terp

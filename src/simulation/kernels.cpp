@@ -27,7 +27,8 @@ constexpr const MaterialType* materials[] = {
 #undef TERP_MATERIAL
 };
 
-constexpr Kernels table{TERP_TEXT(TERP_KERNEL_COPY), materials, &find_compiled_step, &add_up_compiled, &measure_triad, &measure_multiply_add};
+constexpr Kernels table{TERP_TEXT(TERP_KERNEL_COPY), materials, &find_compiled_step, &add_up_compiled, &measure_triad,
+    &measure_multiply_add};
 
 }  // namespace
 }  // namespace terp

@@ -20,7 +20,8 @@ void remember(const SoilMaterial& material, const PointBlock<2>& block, Index la
   const int strain = find_eps_eq_p(*material.type), su = find_su(*material.type);
   if (strain < 0) return;
   audit.last_eps_eq_p[id] = block.row(Rows::state + strain)[lane];
-  if (su >= 0 && !audit.last_su.empty()) audit.last_su[id] = material.law->derived(su, state_of(block, lane, material.n_state()).data());
+  if (su >= 0 && !audit.last_su.empty())
+    audit.last_su[id] = material.law->derived(su, state_of(block, lane, material.n_state()).data());
 }
 
 /// Takes up what the walk has found of the history.
@@ -32,7 +33,8 @@ void audit_history(const Model& model, const Totals& totals, State& state)
     if (!totals.strained[b]) continue;
     const PointBlock<2>& block = state.points.block(b);
     const Real* eps = block.row(Rows::state + find_eps_eq_p(*model.materials[block.material].type));
-    for (Index lane = 0; lane < block.n; ++lane) state.audit.last_eps_eq_p[static_cast<std::size_t>(block.row(Rows::id)[lane])] = eps[lane];
+    for (Index lane = 0; lane < block.n; ++lane)
+      state.audit.last_eps_eq_p[static_cast<std::size_t>(block.row(Rows::id)[lane])] = eps[lane];
   }
 }
 
@@ -84,7 +86,9 @@ void start_audit(const Model& model, State& state)
   state.audit.last_eps_eq_p.assign(n, 0.0);
   state.audit.last_su.assign(needs_su ? n : 0, std::numeric_limits<Real>::infinity());
   for (auto* flags : {&state.audit.fell, &state.audit.rose}) flags->assign(n, false);
-  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) { remember(model.materials[block.material], block, lane, state.audit); });
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    remember(model.materials[block.material], block, lane, state.audit);
+  });
 }
 
 LedgerRow keep_ledger(const Model& model, State& state, Workspace& work)

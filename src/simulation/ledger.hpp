@@ -26,8 +26,8 @@ inline Real energy_exchanged(const WorkTotals& w)
   return std::max(w.exchanged, std::abs(w.gravity) + std::abs(w.damping) + std::abs(w.boundary) + w.plastic);
 }
 
-/// The books as they stand, on the threads of the run; follows the failure, enters the speed into state.largest_v_999, and audits the history:
-/// a point whose eps_eq_p fell, or whose S_u rose, since the row before is marked for good.
+/// The books as they stand, on the threads of the run; follows the failure, enters the speed into state.largest_v_999,
+/// and audits the history: a point whose eps_eq_p fell, or whose S_u rose, since the row before is marked for good.
 LedgerRow keep_ledger(const Model& model, State& state, Workspace& work);
 
 /// Sizes the audit for the points of a new state.

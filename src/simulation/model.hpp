@@ -14,7 +14,7 @@ namespace terp {
 
 /// What came of a body at t = 0.
 struct BodyShare {
-  std::string material;     ///< name; of a file of points the names of all, "sand + clay"
+  std::string material;  ///< name; of a file of points the names of all, "sand + clay"
   std::int64_t n_points = 0;
   Real area = 0.0;          ///< of its points [m^2]
   Real mass = 0.0;          ///< [kg per m]
@@ -22,22 +22,22 @@ struct BodyShare {
 };
 
 struct Model {
-  Case description;                      ///< as the user gave it
+  Case description;  ///< as the user gave it
   Mesh<2> mesh;
   std::vector<SoilMaterial> materials;
   MethodOptions method;
   Boundary boundary;
-  OpenSides open_sides;                  ///< sides that soil may leave by, shape [n_cells]
+  OpenSides open_sides;  ///< sides that soil may leave by, shape [n_cells]
   std::vector<Footing> footings;
-  Vec<2> gravity{0.0, 0.0};              ///< [m/s^2]
+  Vec<2> gravity{0.0, 0.0};  ///< [m/s^2]
   Damping damping;
   StepFunction step = nullptr;
-  Real dt = 0.0;                         ///< [s]; end time over a whole number of steps
+  Real dt = 0.0;  ///< [s]; end time over a whole number of steps
   std::int64_t n_steps = 0;
-  Real largest_density = 0.0;            ///< [kg/m^3], for the small-mass limit
-  std::vector<std::int64_t> history_ids; ///< ids of the named points, in the order of the case
-  std::vector<BodyShare> bodies;         ///< in the order of the case; filled with the first state
-  int n_state = 0;                       ///< rows of state per point: the most that any material has
+  Real largest_density = 0.0;             ///< [kg/m^3], for the small-mass limit
+  std::vector<std::int64_t> history_ids;  ///< ids of the named points, in the order of the case
+  std::vector<BodyShare> bodies;          ///< in the order of the case; filled with the first state
+  int n_state = 0;                        ///< rows of state per point: the most that any material has
   int threads = 1;
 };
 

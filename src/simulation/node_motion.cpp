@@ -23,7 +23,8 @@ NodeMotion map_motion(const Model& model, const State& state)
   NodeMotion motion{.mass = std::vector<Real>(n_nodes), .velocity = std::vector<Real>(2 * n_nodes)};
   for (const Index cell : state.points.occupied()) {
     CornerSums<2> corners{};
-    for_each_block(state.points, cell, [&](const PointBlock<2>& block, Index) { map_mass_and_momentum(block, corners); });
+    for_each_block(
+        state.points, cell, [&](const PointBlock<2>& block, Index) { map_mass_and_momentum(block, corners); });
     add_corners(model.mesh.cells[static_cast<std::size_t>(cell)], corners, motion);
   }
   for (std::size_t i = 0; i < n_nodes; ++i)

@@ -1,5 +1,5 @@
-// Mass and velocity of the nodes, from the points as they are now; the kinetic energy of the motion that the mesh can see.
-// Not for: a step, which has its own nodal values (workspace).
+// Mass and velocity of the nodes, from the points as they are now; the kinetic energy of the motion that the mesh can
+// see. Not for: a step, which has its own nodal values (workspace).
 #pragma once
 
 #include "simulation/model.hpp"
@@ -9,14 +9,15 @@ namespace terp {
 
 struct NodeMotion {
   std::vector<Real> mass;      ///< m_i = sum_p N_i m_p [kg per m], shape [n_nodes]
-  std::vector<Real> velocity;  ///< v_i = sum_p N_i m_p v_p / m_i, before boundary conditions [m/s], shape [n_nodes, 2]; 0 where m_i = 0
+  std::vector<Real> velocity;  ///< v_i = sum_p N_i m_p v_p / m_i, before boundary conditions [m/s], shape [n_nodes, 2];
+                               ///< 0 where m_i = 0
 };
 
 /// Cells in order, one after the other: the same bits on any number of threads.
 NodeMotion map_motion(const Model& model, const State& state);
 
-/// 1/2 sum m_i |v_i|^2 [J per m]: at most that of the points. What points move against each other within a cell, which in pure FLIP no
-/// force ever sees, is not in it.
+/// 1/2 sum m_i |v_i|^2 [J per m]: at most that of the points. What points move against each other within a cell, which
+/// in pure FLIP no force ever sees, is not in it.
 Real kinetic_energy(const NodeMotion& motion);
 
 }  // namespace terp

@@ -34,7 +34,8 @@ inline NodeGather sum_cells(const Model& model, const State& state, const Worksp
 inline Real mass_limit(const Model& model, Index node)
 {
   const auto& first = model.mesh.first_cell_of_node;
-  return model.method.small_mass * model.largest_density * model.mesh.geometry(model.mesh.cells_of_node[first[node]].cell).volume;
+  return model.method.small_mass * model.largest_density *
+         model.mesh.geometry(model.mesh.cells_of_node[first[node]].cell).volume;
 }
 
 /// Number of the footing that holds a place, the last if several do; -1: none.
@@ -75,7 +76,8 @@ inline void accelerate_node(const Model& model, const NodeGather& sum, Index i, 
   const int k = footing_at(work, model.mesh.nodes[i]);
   const PlacedFooting* const footing = k < 0 ? nullptr : &work.footings[k];
   const auto beside = [&](Vec<2> value) { return footing == nullptr ? value : footing->free_part(value); };
-  const Vec<2> force = beside(model.boundary.free_force(i, out_of_balance)), v = beside(model.boundary.free_velocity(i, v_0, out_of_balance));
+  const Vec<2> force = beside(model.boundary.free_force(i, out_of_balance)),
+               v = beside(model.boundary.free_velocity(i, v_0, out_of_balance));
   node.damping = damping_force(damping, force, sum.mass, v);
   for (int d = 0; d < 2; ++d) v_free[d] = v_0[d] + (out_of_balance[d] + node.damping[d]) / sum.mass * model.dt;
   node.v = v_free;
@@ -90,8 +92,8 @@ inline void accelerate_node(const Model& model, const NodeGather& sum, Index i, 
   }
 }
 
-/// Works of the step with the remapped velocity, which moves and strains the points. With it they add up to the change of the
-/// points' kinetic energy plus 1/2 sum m_p |dv_p|^2 exactly (docs/methods.md, energy).
+/// Works of the step with the remapped velocity, which moves and strains the points. With it they add up to the change
+/// of the points' kinetic energy plus 1/2 sum m_p |dv_p|^2 exactly (docs/methods.md, energy).
 inline void add_works(const Model& model, const NodeValues& node, NodeSums& sums)
 {
   for (int d = 0; d < 2; ++d) {
@@ -103,8 +105,9 @@ inline void add_works(const Model& model, const NodeValues& node, NodeSums& sums
   }
 }
 
-/// Step 4: velocity from the updated momentum of the points (MUSL), clamped at the boundary. However light the node: a mean of the
-/// velocities of the points around it is always sound, and a node left at rest would strain the cell (decision 0027).
+/// Step 4: velocity from the updated momentum of the points (MUSL), clamped at the boundary. However light the node: a
+/// mean of the velocities of the points around it is always sound, and a node left at rest would strain the cell
+/// (decision 0027).
 inline void remap_velocity(const Model& model, const NodeGather& sum, Index i, Workspace& work, NodeSums& sums)
 {
   NodeValues& node = work.node[i];

@@ -1,5 +1,5 @@
-// What each pass of the step must do at least, per point: floating-point operations and bytes moved. Counted from the kernels by
-// hand (benchmarks/README.md), for `terp bench`.
+// What each pass of the step must do at least, per point: floating-point operations and bytes moved. Counted from the
+// kernels by hand (benchmarks/README.md), for `terp bench`.
 #pragma once
 
 #include "simulation/workspace.hpp"

@@ -48,7 +48,9 @@ std::optional<PointOfFile> largest_of_files(const Model& model, const std::vecto
 {
   std::optional<PointOfFile> found;
   for_each_point_of_files(model, [&](const PointOfFile& p) {
-    if (std::binary_search(cells.begin(), cells.end(), locate(model.mesh, p.point.x, 0).cell) && (!found || p.point.volume > found->point.volume)) found = p;
+    if (std::binary_search(cells.begin(), cells.end(), locate(model.mesh, p.point.x, 0).cell) &&
+        (!found || p.point.volume > found->point.volume))
+      found = p;
   });
   return found;
 }
@@ -64,24 +66,27 @@ CellContents contents_of_cells(const Mesh<2>& mesh, const PointBatches& points)
   return contents;
 }
 
-/// Bodies that are drawn share their cells; points of files lie where they lie, over each other and over drawn bodies too.
+/// Bodies that are drawn share their cells; points of files lie where they lie, over each other and over drawn bodies
+/// too.
 void check_room_for_points(const Model& model, const PointBatches& points)
 {
   const auto overfull = find_overfull(model.mesh, contents_of_cells(model.mesh, points));
   if (!overfull) return;
   const auto at = largest_of_files(model, overfull->around);
   if (!at) return;  // no cell of theirs
-  const std::string where = fmt::format("{}: the point of {:.4g} m^2 at {} m lies in cell {}", at->line(), at->point.volume, place_text(at->point.x),
-                                        overfull->cell);
+  const std::string where = fmt::format("{}: the point of {:.4g} m^2 at {} m lies in cell {}", at->line(),
+      at->point.volume, place_text(at->point.x), overfull->cell);
   const std::string too_much =
       overfull->by_one_point
           ? fmt::format("{}, where cells have {:.4g} m^2. Allowed: {:.4g} m^2.", where, overfull->area, overfull->limit)
-          : fmt::format("{} or beside it. All points there hold {:.4g} m^2,\n"
-                        "these {} cells have {:.4g} m^2. Allowed, as points at the edge reach beyond: {:.4g} m^2.", where,
-                        overfull->volume, overfull->around.size(), overfull->area, overfull->limit);
+          : fmt::format(
+                "{} or beside it. All points there hold {:.4g} m^2,\n"
+                "these {} cells have {:.4g} m^2. Allowed, as points at the edge reach beyond: {:.4g} m^2.",
+                where, overfull->volume, overfull->around.size(), overfull->area, overfull->limit);
   throw InputError(Problem{points_key(at->body), "the points hold more volume than there is room",
-                           too_much + "\nVolumes are in m^2 (per metre of thickness); no point may be there twice, nor in a body that is drawn.", "body", false,
-                           {"mesh"}});
+      too_much +
+          "\nVolumes are in m^2 (per metre of thickness); no point may be there twice, nor in a body that is drawn.",
+      "body", false, {"mesh"}});
 }
 
 /// Two points at one place, and how many more such there are.
@@ -102,7 +107,8 @@ SamePlace find_same_place(const PointBatches& points)
   for (std::size_t k = 0; k < sorted.size(); ++k) {
     const NewPoint& a = *sorted[k];
     const Real near = one_place * size_of(a.volume);
-    for (std::size_t j = k + 1; j < sorted.size() && sorted[j]->cell == a.cell && sorted[j]->x[0] - a.x[0] <= near; ++j) {
+    for (std::size_t j = k + 1; j < sorted.size() && sorted[j]->cell == a.cell && sorted[j]->x[0] - a.x[0] <= near;
+         ++j) {
       const NewPoint& b = *sorted[j];
       if (std::hypot(b.x[0] - a.x[0], b.x[1] - a.x[1]) > std::min(near, one_place * size_of(b.volume))) continue;
       if (++found.n_more == 0) found.point = &a;
@@ -118,25 +124,32 @@ void check_places(const Model& model, const PointBatches& points)
   if (found.point == nullptr) return;
   std::vector<PointOfFile> at;
   for_each_point_of_files(model, [&](const PointOfFile& p) {
-    if (std::hypot(p.point.x[0] - found.point->x[0], p.point.x[1] - found.point->x[1]) <= one_place * size_of(found.point->volume)) at.push_back(p);
+    if (std::hypot(p.point.x[0] - found.point->x[0], p.point.x[1] - found.point->x[1]) <=
+        one_place * size_of(found.point->volume))
+      at.push_back(p);
   });
   const std::string other = at.size() > 1 ? at[1].line() : "a body that is drawn";
   throw InputError(Problem{points_key(at.front().body), "two points lie at one place",
-                           fmt::format("{} and {}: {} m{}.\nEach point is soil of its own, and no soil may be there twice: leave one of them out.", at.front().line(),
-                                       other, place_text(found.point->x), found.n_more > 0 ? fmt::format(", and {} more such places", found.n_more) : ""),
-                           "body"});
+      fmt::format(
+          "{} and {}: {} m{}.\nEach point is soil of its own, and no soil may be there twice: leave one of them out.",
+          at.front().line(), other, place_text(found.point->x),
+          found.n_more > 0 ? fmt::format(", and {} more such places", found.n_more) : ""),
+      "body"});
 }
 
 /// True if all of a point lies in a body, as a square of its volume along the side next to it.
 bool lies_wholly_in(const BodyOutline& body, std::span<const Side> sides, const NewPoint& p)
 {
-  if (!(body.cells.empty() ? covers(body, p.x) : std::binary_search(body.cells.begin(), body.cells.end(), p.cell))) return false;
+  if (!(body.cells.empty() ? covers(body, p.x) : std::binary_search(body.cells.begin(), body.cells.end(), p.cell)))
+    return false;
   const Real depth = (0.5 - round_off) * size_of(p.volume);
-  return std::all_of(sides.begin(), sides.end(), [&](const Side& side) { return distance_to_line(side.a, side.b, p.x) >= depth; });
+  return std::all_of(
+      sides.begin(), sides.end(), [&](const Side& side) { return distance_to_line(side.a, side.b, p.x) >= depth; });
 }
 
 /// A point that reaches over the side of a body may be a coarse neighbour; one within it is soil that is there twice.
-void check_drawn_bodies(const Model& model, const std::vector<BodyOutline>& outlines, const std::vector<std::size_t>& drawn, const PointBatches& points)
+void check_drawn_bodies(const Model& model, const std::vector<BodyOutline>& outlines,
+    const std::vector<std::size_t>& drawn, const PointBatches& points)
 {
   std::vector<std::vector<Side>> sides;
   for (const BodyOutline& outline : outlines) sides.push_back(outline_sides(model.mesh, outline));
@@ -150,10 +163,11 @@ void check_drawn_bodies(const Model& model, const std::vector<BodyOutline>& outl
           if (line.empty() && static_cast<Index>(other.body) == p.body && other.point.x == p.x) line = other.line();
         });
         throw InputError(Problem{points_key(p.body), "a point lies in a body that is drawn",
-                                 fmt::format("{}: the point of {:.4g} m^2 at {} m lies within body[{}].\nNo soil may be there twice: leave the point out, or draw that body "
-                                             "without its place (`holes`).",
-                                             line, p.volume, place_text(p.x), drawn[k]),
-                                 "body"});
+            fmt::format("{}: the point of {:.4g} m^2 at {} m lies within body[{}].\nNo soil may be there twice: leave "
+                        "the point out, or draw that body "
+                        "without its place (`holes`).",
+                line, p.volume, place_text(p.x), drawn[k]),
+            "body"});
       }
     }
 }
@@ -165,7 +179,8 @@ bool has_file_of_points(const Case& c)
 
 }  // namespace
 
-void check_points_of_files(const Model& model, const std::vector<BodyOutline>& outlines, const std::vector<std::size_t>& drawn, const PointBatches& points)
+void check_points_of_files(const Model& model, const std::vector<BodyOutline>& outlines,
+    const std::vector<std::size_t>& drawn, const PointBatches& points)
 {
   if (!has_file_of_points(model.description)) return;
   check_drawn_bodies(model, outlines, drawn, points);

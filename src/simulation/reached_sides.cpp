@@ -13,7 +13,8 @@ bool holds_soil(const State& state, const CellSide& edge) { return state.points.
 
 bool has_soil(const State& state, const NamedSide& side)
 {
-  return std::any_of(side.edges.begin(), side.edges.end(), [&](const CellSide& edge) { return holds_soil(state, edge); });
+  return std::any_of(
+      side.edges.begin(), side.edges.end(), [&](const CellSide& edge) { return holds_soil(state, edge); });
 }
 
 /// What the case says of a side; free if it says nothing.
@@ -49,7 +50,8 @@ Real top_of_soil(const Model& model, const State& state, const NamedSide& side)
 {
   Real top = nan;
   for (const CellSide& edge : side.edges)
-    if (const Steep part = heights_of(model.mesh, edge); part.is && holds_soil(state, edge)) top = std::fmax(top, part.high);
+    if (const Steep part = heights_of(model.mesh, edge); part.is && holds_soil(state, edge))
+      top = std::fmax(top, part.high);
   return top;
 }
 
@@ -69,7 +71,9 @@ void note_sides(const Model& model, Real time, State& state)
   for (std::size_t k = 0; k < state.side_reached.size(); ++k) {
     Real& reached = state.side_reached[k];
     const NamedSide& side = model.mesh.sides[k];
-    if (std::isnan(reached) ? has_soil(state, side) : reached == 0.0 && has_risen(model, state, side, state.side_top[k])) reached = time;
+    if (std::isnan(reached) ? has_soil(state, side)
+                            : reached == 0.0 && has_risen(model, state, side, state.side_top[k]))
+      reached = time;
   }
 }
 
@@ -90,9 +94,11 @@ std::vector<ReachedSide> list_reached_sides(const Model& model, const State& sta
 {
   std::vector<ReachedSide> reached;
   for (std::size_t k = 0; k < state.side_reached.size(); ++k)
-    if (const std::string& name = model.mesh.sides[k].name; state.side_reached[k] > 0.0 && kind_of(model, name) != SideKind::open)
+    if (const std::string& name = model.mesh.sides[k].name;
+        state.side_reached[k] > 0.0 && kind_of(model, name) != SideKind::open)
       reached.push_back({name, state.side_reached[k], !std::isnan(state.side_top[k])});
-  std::stable_sort(reached.begin(), reached.end(), [](const ReachedSide& a, const ReachedSide& b) { return a.time < b.time; });
+  std::stable_sort(
+      reached.begin(), reached.end(), [](const ReachedSide& a, const ReachedSide& b) { return a.time < b.time; });
   return reached;
 }
 

@@ -57,8 +57,10 @@ struct Loop {
     const auto now = [&](Real every) { return last || state.step == 0 || due(state.step, model.dt, every); };
     if (now(output.ledger_every)) tell_left();
     if (now(output.ledger_every)) write_ledger();
-    if (now(output.ledger_every) && !model.footings.empty()) tell([rows = keep_footings(model, state)](Observer& o) { o.footings(rows); });
-    if (now(output.history_every)) tell([rows = make_history(model, state, history_places)](Observer& o) { o.history(rows); });
+    if (now(output.ledger_every) && !model.footings.empty())
+      tell([rows = keep_footings(model, state)](Observer& o) { o.footings(rows); });
+    if (now(output.history_every))
+      tell([rows = make_history(model, state, history_places)](Observer& o) { o.history(rows); });
     if (now(output.fields_every)) {
       state.softened_fraction.emplace_back(state.time, softened_fraction(model, state));
       tell_frame();
@@ -71,15 +73,18 @@ struct Loop {
     const LedgerRow row = keep_ledger(model, state, work);
     follow_sides(model, state);
     tell([&](Observer& o) { o.ledger(row); });
-    if (!std::isfinite(row.kinetic + row.elastic)) stop_run(state, observers, describe_not_finite(model, state, work, row.v_999));
-    if (const std::string fault = find_fault_in_balance(model, state, row); !fault.empty()) stop_run(state, observers, fault);
+    if (!std::isfinite(row.kinetic + row.elastic))
+      stop_run(state, observers, describe_not_finite(model, state, work, row.v_999));
+    if (const std::string fault = find_fault_in_balance(model, state, row); !fault.empty())
+      stop_run(state, observers, fault);
   }
 
   /// The points that left through open sides since this was last called.
   void tell_left()
   {
     if (state.left_told == state.left.size()) return;
-    const std::vector<LeftPoint> fresh(state.left.begin() + static_cast<std::ptrdiff_t>(state.left_told), state.left.end());
+    const std::vector<LeftPoint> fresh(
+        state.left.begin() + static_cast<std::ptrdiff_t>(state.left_told), state.left.end());
     tell([&](Observer& o) { o.left(fresh); });
     state.left_told = state.left.size();
   }
@@ -88,7 +93,8 @@ struct Loop {
   {
     const std::int64_t n = state.n_ids(), step = n > most_points_at_once ? points_per_part : n;
     for (std::int64_t first = 0; first < n; first += step)
-      tell([part = std::make_shared<const Frame>(make_frame(model, state, first, std::min(step, n - first)))](Observer& o) { o.frame(part); });
+      tell([part = std::make_shared<const Frame>(make_frame(model, state, first, std::min(step, n - first)))](
+               Observer& o) { o.frame(part); });
   }
 
   void write_checkpoint()
@@ -109,7 +115,8 @@ struct Loop {
     const double rate = wall > 0.0 ? done * static_cast<double>(state.points.n_points()) / wall : 0.0;
     const double eta = done > 0.0 ? wall / done * static_cast<double>(model.n_steps - state.step) : 0.0;
     tell([&](Observer& o) {
-      o.progress({state.time, model.description.time.end, state.step, model.n_steps, state.points.n_points(), wall, rate, eta});
+      o.progress({state.time, model.description.time.end, state.step, model.n_steps, state.points.n_points(), wall,
+          rate, eta});
     });
   }
 };
@@ -141,9 +148,15 @@ std::int64_t count_due(std::int64_t step, Real dt, Real every)
   return n;
 }
 
-Outcome run(const Model& model, State& state, Workspace& work, std::span<Observer* const> observers, const std::atomic<bool>& stop)
+Outcome run(const Model& model, State& state, Workspace& work, std::span<Observer* const> observers,
+    const std::atomic<bool>& stop)
 {
-  Loop loop{.model = model, .state = state, .work = work, .observers = observers, .wall_before = state.wall_s, .first_step = state.step};
+  Loop loop{.model = model,
+      .state = state,
+      .work = work,
+      .observers = observers,
+      .wall_before = state.wall_s,
+      .first_step = state.step};
   if (state.step == 0) {
     const Search search = start_run(model, state, work, stop);
     if (!search.fault.empty()) stop_run(state, observers, search.fault);
@@ -154,13 +167,15 @@ Outcome run(const Model& model, State& state, Workspace& work, std::span<Observe
     loop.write_due(false);
   }
   while (state.step < model.n_steps) {
-    if (state.step > 0 && stop.load(std::memory_order_relaxed)) {  // a checkpoint of step 0 is that of a search that goes on
+    if (state.step > 0 &&
+        stop.load(std::memory_order_relaxed)) {  // a checkpoint of step 0 is that of a search that goes on
       loop.write_checkpoint();
       return Outcome::interrupted;
     }
     const Real before = state.largest_v_999;
     model.step(model, state, work);
-    if (const std::string fault = find_fault(model, state, work, before); !fault.empty()) stop_run(state, observers, fault);
+    if (const std::string fault = find_fault(model, state, work, before); !fault.empty())
+      stop_run(state, observers, fault);
     loop.write_due(state.step == model.n_steps);
     loop.tell_progress(state.step == model.n_steps);
   }
@@ -177,7 +192,8 @@ Summary summarise(const Model& model, const State& state)
   s.n_steps = state.step;
   s.dt = model.dt;
   s.wall_s = state.wall_s;
-  s.point_steps_per_s = state.wall_s > 0.0 ? static_cast<double>(s.n_points) * static_cast<double>(s.n_steps) / state.wall_s : 0.0;
+  s.point_steps_per_s =
+      state.wall_s > 0.0 ? static_cast<double>(s.n_points) * static_cast<double>(s.n_steps) / state.wall_s : 0.0;
   s.threads = model.threads;
   s.instructions = kernels().instructions;
   s.processor = processor_name();
@@ -189,16 +205,19 @@ Summary summarise(const Model& model, const State& state)
   s.points_su_rose = std::count(state.audit.rose.begin(), state.audit.rose.end(), true);
   const WorkTotals& w = state.work;
   const Real exchanged = energy_exchanged(state);
-  // Velocities are those of half a step before the places, so half of the last step's work is not yet in the kinetic energy (docs/methods.md, section 5).
+  // Velocities are those of half a step before the places, so half of the last step's work is not yet in the kinetic
+  // energy (docs/methods.md, section 5).
   const Real half_step = 0.5 * w.last_step;
-  const Real numerical = kinetic_and_elastic_energy(model, state) + half_step + w.plastic - state.start_energy - (w.gravity + w.damping + w.boundary);
+  const Real numerical = kinetic_and_elastic_energy(model, state) + half_step + w.plastic - state.start_energy -
+                         (w.gravity + w.damping + w.boundary);
   s.energy_balance_error = exchanged > 0.0 ? std::abs(numerical) / exchanged : 0.0;
   s.clamped_points = state.clamped;
   s.reached_sides = list_reached_sides(model, state);
   s.points_left = static_cast<std::int64_t>(state.left.size());
   for (std::size_t k = 0; k < model.footings.size(); ++k) {
     const FootingMeter& meter = state.footings[k];
-    s.footings.push_back({model.footings[k].name, model.footings[k].displacement(state.time), meter.reaction, meter.largest, meter.work});
+    s.footings.push_back({model.footings[k].name, model.footings[k].displacement(state.time), meter.reaction,
+        meter.largest, meter.work});
   }
   s.v_999 = state.largest_v_999;
   return s;

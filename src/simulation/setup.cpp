@@ -28,7 +28,8 @@ std::vector<SoilMaterial> make_materials(const Case& c)
   std::vector<SoilMaterial> materials;
   for (const MaterialCase& m : c.materials) {
     const MaterialType* type = find_material(m.model);
-    if (type == nullptr) throw InputError(Problem{"material." + m.name + ".model", "no such material model", "", "material"});
+    if (type == nullptr)
+      throw InputError(Problem{"material." + m.name + ".model", "no such material model", "", "material"});
     materials.push_back({m.name, type, type->make(m.parameters), m.density});
   }
   return materials;
@@ -39,17 +40,22 @@ void check_velocity(const SideCase& side, Vec<2> x)
 {
   const Vec<2> v = velocity_of(side, x);
   if (side.velocity_at && !std::isfinite(v[0] + v[1]))
-    throw InputError(Problem{fmt::format("boundary.\"{}\".velocity", side.side), "the velocity is not a finite number everywhere on the side",
-                             fmt::format("It is [{}, {}] m/s at {} m.", v[0], v[1], place_text(x)), "boundary.SIDE.velocity"});
+    throw InputError(Problem{fmt::format("boundary.\"{}\".velocity", side.side),
+        "the velocity is not a finite number everywhere on the side",
+        fmt::format("It is [{}, {}] m/s at {} m.", v[0], v[1], place_text(x)), "boundary.SIDE.velocity"});
 }
 
-/// Conditions of the sides that hold something. Every name must be one of the mesh, of free sides too: it may be misspelt.
+/// Conditions of the sides that hold something. Every name must be one of the mesh, of free sides too: it may be
+/// misspelt.
 std::vector<SideCondition> make_sides(const Case& c, const Mesh<2>& mesh)
 {
   std::vector<SideCondition> sides;
   for (const SideCase& s : c.sides) {
-    for (const CellSide& edge : find_side(mesh, s.side).edges) check_velocity(s, mesh.nodes[mesh.cells[edge.cell][edge.side]]);
-    const auto add = [&](Hold hold) { sides.push_back({s.side, hold, s.adhesion, s.friction, s.velocity, s.velocity_at}); };
+    for (const CellSide& edge : find_side(mesh, s.side).edges)
+      check_velocity(s, mesh.nodes[mesh.cells[edge.cell][edge.side]]);
+    const auto add = [&](Hold hold) {
+      sides.push_back({s.side, hold, s.adhesion, s.friction, s.velocity, s.velocity_at});
+    };
     switch (s.kind) {
       case SideKind::free: break;
       case SideKind::open: break;
@@ -66,7 +72,8 @@ std::vector<SideCondition> make_sides(const Case& c, const Mesh<2>& mesh)
 std::vector<Footing> make_footings(const Case& c)
 {
   std::vector<Footing> footings;
-  for (const FootingCase& f : c.footings) footings.push_back({f.name, f.low, f.high, f.velocity, f.ramp, f.contact == FootingContact::rough});
+  for (const FootingCase& f : c.footings)
+    footings.push_back({f.name, f.low, f.high, f.velocity, f.ramp, f.contact == FootingContact::rough});
   return footings;
 }
 
@@ -76,7 +83,8 @@ OpenSides make_open_sides(const Case& c, const Mesh<2>& mesh)
   OpenSides open(mesh.cells.size(), 0);
   for (const SideCase& s : c.sides)
     if (s.kind == SideKind::open)
-      for (const CellSide& edge : find_side(mesh, s.side).edges) open[edge.cell] |= static_cast<std::uint8_t>(1u << edge.side);
+      for (const CellSide& edge : find_side(mesh, s.side).edges)
+        open[edge.cell] |= static_cast<std::uint8_t>(1u << edge.side);
   return open;
 }
 
@@ -101,16 +109,17 @@ void set_time_step(Model& model)
   for (const SoilMaterial* m : used_materials(model)) {
     const Real wave = wave_speed(m->law->p_wave_modulus(), m->density);
     fastest = std::max(fastest, wave);
-    stable = std::min(stable, stable_time_step(time.courant, altitude, wave) * viscous_reduction(m->law->viscosity() / m->density, altitude, wave));
+    stable = std::min(stable, stable_time_step(time.courant, altitude, wave) *
+                                  viscous_reduction(m->law->viscosity() / m->density, altitude, wave));
     model.largest_density = std::max(model.largest_density, m->density);
     model.n_state = std::max(model.n_state, m->n_state());
   }
   const Real n = steps_to(time.end, stable);
   if (!(n < most_steps))
     throw InputError(Problem{"time.end", "the time step has collapsed",
-                             fmt::format("{:.3g} s need {:.3g} steps of {:.3g} s (smallest cell altitude {:.3g} m, wave speed {:.4g} m/s).",
-                                         time.end, n, stable, altitude, fastest),
-                             "time", false, {"mesh", "material", "time"}});
+        fmt::format("{:.3g} s need {:.3g} steps of {:.3g} s (smallest cell altitude {:.3g} m, wave speed {:.4g} m/s).",
+            time.end, n, stable, altitude, fastest),
+        "time", false, {"mesh", "material", "time"}});
   model.n_steps = static_cast<std::int64_t>(n);
   model.dt = time.end / n;
 }
@@ -126,9 +135,11 @@ void check_bodies_in_mesh(const Case& c)
         const Real slack = 1e-9 * c.mesh.size[d];
         if (x[d] >= low[d] - slack && x[d] <= high[d] + slack) continue;
         throw InputError(Problem{fmt::format("body[{}]", b), "the body lies outside the mesh",
-                                 fmt::format("corner {} m; the mesh covers x = {} to {} m, y = {} to {} m.\nEnlarge mesh.size or move the body.",
-                                             place_text(x), coordinate_text(low[0]), coordinate_text(high[0]), coordinate_text(low[1]), coordinate_text(high[1])),
-                                 "mesh", false, keys_of_outline(b)});
+            fmt::format(
+                "corner {} m; the mesh covers x = {} to {} m, y = {} to {} m.\nEnlarge mesh.size or move the body.",
+                place_text(x), coordinate_text(low[0]), coordinate_text(high[0]), coordinate_text(low[1]),
+                coordinate_text(high[1])),
+            "mesh", false, keys_of_outline(b)});
       }
 }
 
@@ -198,7 +209,8 @@ Model build_model(const Case& description, Mesh<2> mesh, int threads)
   model.open_sides = make_open_sides(description, model.mesh);
   model.gravity = description.forces.gravity;
   model.damping = {.local = description.forces.local_damping, .viscous = description.forces.viscous_damping};
-  if (const Real g = std::hypot(model.gravity[0], model.gravity[1]); g > 0.0) model.damping.down = {model.gravity[0] / g, model.gravity[1] / g};
+  if (const Real g = std::hypot(model.gravity[0], model.gravity[1]); g > 0.0)
+    model.damping.down = {model.gravity[0] / g, model.gravity[1] / g};
   model.step = find_step(description.scheme);
   if (model.step == nullptr) throw InputError(Problem{"scheme", "no such scheme", "", "scheme"});
   model.threads = threads;
@@ -210,7 +222,8 @@ void move_end(Model& model, Real end)
 {
   const Real n = steps_to(end, model.dt);
   if (!(n < most_steps))
-    throw InputError(Problem{"time.end", "the end is too far", fmt::format("{:.3g} s need {:.3g} steps of {:.3g} s.", end, n, model.dt), "time"});
+    throw InputError(Problem{"time.end", "the end is too far",
+        fmt::format("{:.3g} s need {:.3g} steps of {:.3g} s.", end, n, model.dt), "time"});
   model.n_steps = static_cast<std::int64_t>(n);
   model.description.time.end = n * model.dt;
 }

@@ -12,7 +12,8 @@ namespace terp {
 /// Sets model.history_ids: the material point nearest to each named place at t = 0 (reading R21).
 void follow_history_points(Model& model, const State& state);
 
-/// A warning for each named place that lies more than a cell from the point that is followed. The state is that of t = 0.
+/// A warning for each named place that lies more than a cell from the point that is followed. The state is that of t =
+/// 0.
 std::vector<Problem> find_far_history_points(const Model& model, const State& state);
 
 }  // namespace terp

@@ -21,12 +21,12 @@ Index whole_cells(Real size, Real cell)
   const Real n = size / cell;
   if (std::abs(n - std::round(n)) > 1e-6 * n || n < 0.5)
     throw InputError(Problem{"mesh.cell", "the mesh is not a whole number of cells",
-                             fmt::format("size {} m over cell {} m is {:.6g} cells. Use {:.6g} m.", size, cell, n,
-                                         size / std::max<Real>(1.0, std::round(n))),
-                             "mesh", false, {"mesh.size"}});
+        fmt::format("size {} m over cell {} m is {:.6g} cells. Use {:.6g} m.", size, cell, n,
+            size / std::max<Real>(1.0, std::round(n))),
+        "mesh", false, {"mesh.size"}});
   if (n > most_cells)
-    throw InputError(Problem{"mesh.cell", "the mesh has too many cells", fmt::format("{:.3g} cells in one direction, at most {:.0f}.", n, most_cells), "mesh", false,
-                             {"mesh.size"}});
+    throw InputError(Problem{"mesh.cell", "the mesh has too many cells",
+        fmt::format("{:.3g} cells in one direction, at most {:.0f}.", n, most_cells), "mesh", false, {"mesh.size"}});
   return static_cast<Index>(std::round(n));
 }
 
@@ -35,9 +35,9 @@ void refuse_too_many(Real n, const std::string& key, const std::string& other)
 {
   if (n <= most_cells_in_all) return;
   throw InputError(Problem{key, "the mesh has too many cells",
-                           fmt::format("About {} cells, at most {:g} million. Lengths are in metres; use larger cells.",
-                                       n < 1e9 ? fmt::format("{:.4g} million", n / 1e6) : fmt::format("{:.3g}", n), most_cells_in_all / 1e6),
-                           "mesh", false, {other}});
+      fmt::format("About {} cells, at most {:g} million. Lengths are in metres; use larger cells.",
+          n < 1e9 ? fmt::format("{:.4g} million", n / 1e6) : fmt::format("{:.3g}", n), most_cells_in_all / 1e6),
+      "mesh", false, {other}});
 }
 
 void refuse_too_many(const PolygonMesh& mesh)
@@ -106,10 +106,12 @@ Mesh<2> build_mesh(const Case& description)
 {
   try {
     Mesh<2> mesh = make_mesh(description);
-    if (description.mesh.kind != MeshKind::rectangle) check_mesh(mesh);  // the built-in rectangle is sound by construction
+    if (description.mesh.kind != MeshKind::rectangle)
+      check_mesh(mesh);  // the built-in rectangle is sound by construction
     return mesh;
   } catch (const MeshError& error) {
-    throw InputError(Problem{key_of(description.mesh.kind), "the mesh cannot be used", error.what(), "mesh", false, {"mesh"}});
+    throw InputError(
+        Problem{key_of(description.mesh.kind), "the mesh cannot be used", error.what(), "mesh", false, {"mesh"}});
   }
 }
 
@@ -122,7 +124,8 @@ Real typical_cell_size(const Mesh<2>& mesh)
 
 Vec<2> extent_in_x(const Mesh<2>& mesh)
 {
-  const auto [low, high] = std::minmax_element(mesh.nodes.begin(), mesh.nodes.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; });
+  const auto [low, high] = std::minmax_element(
+      mesh.nodes.begin(), mesh.nodes.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; });
   return {(*low)[0], (*high)[0]};
 }
 

@@ -17,7 +17,8 @@ namespace {
 const std::vector<std::string> mesh_extent = {"mesh.origin", "mesh.size", "mesh.sides", "mesh.file", "mesh.polygon"};
 
 const char* const grid_cuts_corners =
-    "\nThe grid follows mesh.sides only at its nodes: it cuts off a corner between two of them. Use more cells, so that a node\n"
+    "\nThe grid follows mesh.sides only at its nodes: it cuts off a corner between two of them. Use more cells, so "
+    "that a node\n"
     "comes to lie at the corner, or draw the body along the grid.";
 
 constexpr std::size_t batch_size = 1 << 17;  // points of 10 MB
@@ -37,13 +38,15 @@ const std::vector<Index>& cells_of_region(const Mesh<2>& mesh, const std::string
     if (region.name == name) return region.cells;
     known += (known.empty() ? "" : ", ") + region.name;
   }
-  throw InputError(Problem{body_key(body, "region"), "the mesh has no region `" + name + "`", "Regions of this mesh: " + known, "body", false, {"mesh.file"}});
+  throw InputError(Problem{body_key(body, "region"), "the mesh has no region `" + name + "`",
+      "Regions of this mesh: " + known, "body", false, {"mesh.file"}});
 }
 
 BodyOutline outline_of(const Model& model, std::size_t b)
 {
   const BodyCase& body = model.description.bodies[b];
-  BodyOutline outline{.polygon = body.polygon, .points_per_cell = body.points_per_cell, .holes = body.holes, .cells = {}};
+  BodyOutline outline{
+      .polygon = body.polygon, .points_per_cell = body.points_per_cell, .holes = body.holes, .cells = {}};
   if (!body.region.empty()) outline.cells = cells_of_region(model.mesh, body.region, b);
   return outline;
 }
@@ -56,14 +59,14 @@ void check_outlines(const Model& model, const std::vector<BodyOutline>& outlines
     const BodyOutline& outline = outlines[k++];
     if (!outline.cells.empty()) continue;
     for (const std::string& text : check_outline(outline))
-      throw InputError(Problem{body_key(b, "polygon"), "the outline of the body is not usable", text, "body", false, keys_of_outline(b)});
+      throw InputError(Problem{
+          body_key(b, "polygon"), "the outline of the body is not usable", text, "body", false, keys_of_outline(b)});
     for (const Vec<2>& x : outline.polygon) {
       if (locate(model.mesh, x, 0).inside) continue;
       throw InputError(Problem{fmt::format("body[{}]", b), "the body lies outside the mesh",
-                               fmt::format("corner {} m lies in no cell. Enlarge the mesh or move the body.{}", place_text(x),
-                                           model.description.mesh.kind == MeshKind::mapped ? grid_cuts_corners : ""),
-                               "mesh", false,
-                               keys_of_outline(b)});
+          fmt::format("corner {} m lies in no cell. Enlarge the mesh or move the body.{}", place_text(x),
+              model.description.mesh.kind == MeshKind::mapped ? grid_cuts_corners : ""),
+          "mesh", false, keys_of_outline(b)});
     }
   }
 }
@@ -74,7 +77,7 @@ Vec<2> finite_velocity(const BodyCase& body, std::size_t b, Vec<2> x)
   const Vec<2> v = velocity_of(body, x);
   if (body.velocity_at && !std::isfinite(v[0] + v[1]))
     throw InputError(Problem{body_key(b, "velocity"), "the velocity is not a finite number everywhere in the body",
-                             fmt::format("It is [{}, {}] m/s at {} m.", v[0], v[1], place_text(x)), "body.velocity"});
+        fmt::format("It is [{}, {}] m/s at {} m.", v[0], v[1], place_text(x)), "body.velocity"});
   return v;
 }
 
@@ -85,7 +88,8 @@ Index material_of_point(const Model& model, const std::string& path, const CsvPo
     if (model.materials[k].name == p.material) return static_cast<Index>(k);
     known += (known.empty() ? "" : ", ") + model.materials[k].name;
   }
-  throw PointsFileError(fmt::format("{}:{}: no material `{}`. Materials of this case: {}", path, p.line, p.material, known));
+  throw PointsFileError(
+      fmt::format("{}:{}: no material `{}`. Materials of this case: {}", path, p.line, p.material, known));
 }
 
 /// Points of one file, each found in the mesh. Throws PointsFileError.
@@ -98,8 +102,10 @@ void add_points_of_file(const Model& model, std::size_t b, PointBatches& points)
     const Location at = locate(model.mesh, p.x, guess);
     if (!at.inside)
       throw InputError(Problem{body_key(b, "points"), "a point lies outside the mesh",
-                               fmt::format("{}:{}: {} m lies in no cell.", path, p.line, place_text(p.x)), "body", false, mesh_extent});
-    add_point({p.x, at.local, finite_velocity(body, b, p.x), p.volume, at.cell, material_of_point(model, path, p), static_cast<Index>(b)}, points);
+          fmt::format("{}:{}: {} m lies in no cell.", path, p.line, place_text(p.x)), "body", false, mesh_extent});
+    add_point({p.x, at.local, finite_velocity(body, b, p.x), p.volume, at.cell, material_of_point(model, path, p),
+                  static_cast<Index>(b)},
+        points);
     guess = at.cell;
   }
 }
@@ -121,7 +127,8 @@ Real fullest_cell(const Mesh<2>& mesh, const PointBatches& points, std::size_t b
     for (const NewPoint& p : batch)
       if (static_cast<std::size_t>(p.body) == body) volume[p.cell] += p.volume;
   Real fullest = 0.0;
-  for (Index cell = 0; cell < mesh.n_cells(); ++cell) fullest = std::max(fullest, volume[cell] / mesh.geometry(cell).volume);
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
+    fullest = std::max(fullest, volume[cell] / mesh.geometry(cell).volume);
   return fullest;
 }
 
@@ -181,14 +188,16 @@ PointBatches make_points(const Model& model)
   PointBatches points;
   for (const Seed& seed : seed_points(model.mesh, outlines)) {
     const BodyCase& body = model.description.bodies[drawn[seed.body]];
-    add_point({seed.x, seed.local, finite_velocity(body, drawn[seed.body], seed.x), seed.volume, seed.cell, material_number(model, body.material), static_cast<Index>(drawn[seed.body])}, points);
+    add_point({seed.x, seed.local, finite_velocity(body, drawn[seed.body], seed.x), seed.volume, seed.cell,
+                  material_number(model, body.material), static_cast<Index>(drawn[seed.body])},
+        points);
   }
   for (std::size_t b = 0; b < model.description.bodies.size(); ++b)
     if (!model.description.bodies[b].points_file.empty()) try_points_of_file(model, b, points);
   if (points.empty())
     throw InputError(Problem{"body[0]", "no material points",
-                             "The bodies hold no point of the seeding lattice. Use a larger body, smaller cells or more points per cell.", "body", false,
-                             {"body", "mesh"}});
+        "The bodies hold no point of the seeding lattice. Use a larger body, smaller cells or more points per cell.",
+        "body", false, {"body", "mesh"}});
   check_points_of_files(model, outlines, drawn, points);
   return points;
 }

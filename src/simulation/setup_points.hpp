@@ -8,12 +8,12 @@ namespace terp {
 
 /// A material point at t = 0.
 struct NewPoint {
-  Vec<2> x;          ///< [m]
-  Vec<2> local;      ///< xi, eta in its cell
-  Vec<2> v;          ///< [m/s]
-  Real volume;       ///< [m^2]
+  Vec<2> x;      ///< [m]
+  Vec<2> local;  ///< xi, eta in its cell
+  Vec<2> v;      ///< [m/s]
+  Real volume;   ///< [m^2]
   Index cell, material;
-  Index body;        ///< of the case
+  Index body;  ///< of the case
 };
 
 /// Points in batches that can be dropped one by one.

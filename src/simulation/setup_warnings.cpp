@@ -16,22 +16,24 @@ void find_empty_bodies(const Model& model, std::vector<Problem>& warnings)
     if (model.bodies[b].n_points > 0) continue;
     const std::string of = model.bodies[b].material.empty() ? "" : fmt::format(" of `{}`", model.bodies[b].material);
     warnings.push_back({fmt::format("body[{}]", b), fmt::format("body {}{} has no material points", b, of),
-                        "Later bodies cover it wholly: where bodies overlap, the last one counts. Change the order of the bodies, or leave it out.", "body"});
+        "Later bodies cover it wholly: where bodies overlap, the last one counts. Change the order of the bodies, or "
+        "leave it out.",
+        "body"});
   }
 }
 
-/// Points that fill no cell by a quarter: a lattice of one point per cell fills whole ones, so their volumes are in another unit, or the cells
-/// far too large for them.
+/// Points that fill no cell by a quarter: a lattice of one point per cell fills whole ones, so their volumes are in
+/// another unit, or the cells far too large for them.
 void find_thin_points(const Model& model, std::vector<Problem>& warnings)
 {
   constexpr Real little = 0.25;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     if (!(model.bodies[b].fullest_cell < little)) continue;
     warnings.push_back({fmt::format("body[{}].points", b), "the points of the file fill no cell by a quarter",
-                        fmt::format("Their volumes fill {:.2g} % of the fullest cell; inside a body they fill the cells. "
-                                    "Volumes are in m^2 (per metre of thickness).",
-                                    100.0 * model.bodies[b].fullest_cell),
-                        "body"});
+        fmt::format("Their volumes fill {:.2g} % of the fullest cell; inside a body they fill the cells. "
+                    "Volumes are in m^2 (per metre of thickness).",
+            100.0 * model.bodies[b].fullest_cell),
+        "body"});
   }
 }
 
@@ -45,11 +47,13 @@ void find_sides_that_move_far(const Model& model, std::vector<Problem>& warnings
     }
     const Real way = speed * model.description.time.end;
     if (side.kind != SideKind::velocity || !(way > model.mesh.smallest_altitude)) continue;
-    warnings.push_back({fmt::format("boundary.\"{}\".velocity", side.side), "the side stays in place: it pushes soil over one cell at most",
-                        fmt::format("Its velocity times time.end is {:.4g} m, the smallest cell is {:.4g} m high. The mesh does not move with the side:\n"
-                                    "soil that has left the cells next to it is pushed no more.",
-                                    way, model.mesh.smallest_altitude),
-                        "boundary.SIDE.velocity"});
+    warnings.push_back({fmt::format("boundary.\"{}\".velocity", side.side),
+        "the side stays in place: it pushes soil over one cell at most",
+        fmt::format("Its velocity times time.end is {:.4g} m, the smallest cell is {:.4g} m high. The mesh does not "
+                    "move with the side:\n"
+                    "soil that has left the cells next to it is pushed no more.",
+            way, model.mesh.smallest_altitude),
+        "boundary.SIDE.velocity"});
   }
 }
 

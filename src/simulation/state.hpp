@@ -13,17 +13,18 @@ namespace terp {
 /// Work done so far [J per m]; positive when it adds energy to the soil.
 struct WorkTotals {
   Real gravity = 0.0, damping = 0.0, boundary = 0.0;
-  Real plastic = 0.0;     ///< dissipated
-  Real internal = 0.0;    ///< of the internal forces on the nodes
-  Real exchanged = 0.0;   ///< largest sum of the sizes of gravity, damping, boundary and plastic so far: what swings to and fro was exchanged, too
-  Real last_step = 0.0;   ///< gravity, damping, boundary and internal, in the last step alone
+  Real plastic = 0.0;    ///< dissipated
+  Real internal = 0.0;   ///< of the internal forces on the nodes
+  Real exchanged = 0.0;  ///< largest sum of the sizes of gravity, damping, boundary and plastic so far: what swings to
+                         ///< and fro was exchanged, too
+  Real last_step = 0.0;  ///< gravity, damping, boundary and internal, in the last step alone
 };
 
 /// What the history audit remembers of each point; by id. Judged at ledger rows.
 struct HistoryAudit {
-  std::vector<Real> last_eps_eq_p;            ///< at the last ledger row
-  std::vector<Real> last_su;                  ///< the same; empty where no material needs it: eps_eq_p alone tells S_u
-  std::vector<bool> fell, rose;               ///< true where eps_eq_p ever fell, S_u ever rose
+  std::vector<Real> last_eps_eq_p;  ///< at the last ledger row
+  std::vector<Real> last_su;        ///< the same; empty where no material needs it: eps_eq_p alone tells S_u
+  std::vector<bool> fell, rose;     ///< true where eps_eq_p ever fell, S_u ever rose
 };
 
 /// What a footing has met so far.
@@ -42,30 +43,31 @@ struct SlopeFailure {
 };
 
 struct State {
-  Real time = 0.0;            ///< [s]
+  Real time = 0.0;  ///< [s]
   std::int64_t step = 0;
   PointBlocks<2> points;
-  std::vector<Real> x_initial;    ///< by id, shape [n_points, 2] [m]
+  std::vector<Real> x_initial;  ///< by id, shape [n_points, 2] [m]
   WorkTotals work;
   std::int64_t equilibrium_steps = 0;  ///< made in the search for equilibrium, while the clock stands at 0
-  Real start_energy = 0.0;        ///< kinetic + elastic at t = 0 [J per m]
-  std::int64_t clamped = 0;       ///< points that ever had to be put back at a wall
-  std::vector<bool> put_back;     ///< which, by id
-  std::int64_t tension_cut = 0;   ///< cell-steps in which a pressure was cut to the tension limit
-  std::vector<LeftPoint> left;    ///< points that crossed an open side, in the order in which they did
-  std::size_t left_told = 0;      ///< how many of them the observers know
+  Real start_energy = 0.0;             ///< kinetic + elastic at t = 0 [J per m]
+  std::int64_t clamped = 0;            ///< points that ever had to be put back at a wall
+  std::vector<bool> put_back;          ///< which, by id
+  std::int64_t tension_cut = 0;        ///< cell-steps in which a pressure was cut to the tension limit
+  std::vector<LeftPoint> left;         ///< points that crossed an open side, in the order in which they did
+  std::size_t left_told = 0;           ///< how many of them the observers know
   HistoryAudit audit;
-  std::int64_t ledger_rows = 0;   ///< so far
-  Section section;                ///< at t = 0
+  std::int64_t ledger_rows = 0;      ///< so far
+  Section section;                   ///< at t = 0
   std::vector<SlopeFailure> slopes;  ///< of the section, in its order
-  std::vector<Real> side_reached;    ///< when soil first lay in a cell at each side of the mesh, or rose there [s]; 0: at the start, NaN: not yet
-  std::vector<Real> side_top;        ///< top of the cells with soil at each steep side at the start [m]; NaN: none
-  std::vector<FootingMeter> footings;     ///< in the order of the case
+  std::vector<Real> side_reached;  ///< when soil first lay in a cell at each side of the mesh, or rose there [s]; 0: at
+                                   ///< the start, NaN: not yet
+  std::vector<Real> side_top;      ///< top of the cells with soil at each steep side at the start [m]; NaN: none
+  std::vector<FootingMeter> footings;                    ///< in the order of the case
   std::vector<std::pair<Real, Real>> softened_fraction;  ///< at the frame times
-  Real largest_v_999 = 0.0;       ///< [m/s]
+  Real largest_v_999 = 0.0;                              ///< [m/s]
   /// Points at t = 0; ids run from 0 to this.
   std::int64_t n_ids() const { return static_cast<std::int64_t>(x_initial.size() / 2); }
-  double wall_s = 0.0;            ///< spent solving, over all processes
+  double wall_s = 0.0;  ///< spent solving, over all processes
 };
 
 }  // namespace terp

@@ -68,8 +68,10 @@ void add_points(const State& state, std::vector<ArraySource>& arrays)
       return values;
     };
   };
-  arrays.push_back({"points/cell", {points.n_points()}, whole_number([](const PointBlock<2>& block) { return block.cell; })});
-  arrays.push_back({"points/material", {points.n_points()}, whole_number([](const PointBlock<2>& block) { return block.material; })});
+  arrays.push_back(
+      {"points/cell", {points.n_points()}, whole_number([](const PointBlock<2>& block) { return block.cell; })});
+  arrays.push_back({"points/material", {points.n_points()},
+      whole_number([](const PointBlock<2>& block) { return block.material; })});
   arrays.push_back({"points/rows", {points.n_points(), points.n_rows()}, [&points](std::int64_t first, std::int64_t n) {
                       std::vector<Real> values;
                       values.reserve(n * points.n_rows());
@@ -82,7 +84,8 @@ void add_points(const State& state, std::vector<ArraySource>& arrays)
 
 [[noreturn]] void throw_missing(std::string_view name)
 {
-  throw FileError("the checkpoint does not fit this case: array `" + std::string(name) + "` is missing or has another size");
+  throw FileError(
+      "the checkpoint does not fit this case: array `" + std::string(name) + "` is missing or has another size");
 }
 
 template <class T>
@@ -99,7 +102,8 @@ const std::vector<T>& get(const StateImage& image, std::string_view name, std::s
 
 bool holds(const StateImage& image, std::string_view name)
 {
-  return std::any_of(image.arrays.begin(), image.arrays.end(), [&](const NamedArray& array) { return array.name == name; });
+  return std::any_of(
+      image.arrays.begin(), image.arrays.end(), [&](const NamedArray& array) { return array.name == name; });
 }
 
 /// What checkpoints hold since format 4, or 5.
@@ -112,12 +116,14 @@ void get_since_format_4(const Model& model, const StateImage& image, State& stat
   if (holds(image, "last_step_work")) state.work.last_step = get<Real>(image, "last_step_work", 1)[0];
 }
 
-/// The first surface, and of each slope its crest over time; time, rate and number of places of each slip surface, and the places of all.
+/// The first surface, and of each slope its crest over time; time, rate and number of places of each slip surface, and
+/// the places of all.
 void add_failure(const State& state, std::vector<ArraySource>& arrays)
 {
   const Section& section = state.section;
   arrays.push_back(kept("section/heights", section.heights));
-  arrays.push_back(few("section/columns", std::vector<Real>{section.columns.left, section.columns.width, section.base}));
+  arrays.push_back(
+      few("section/columns", std::vector<Real>{section.columns.left, section.columns.width, section.base}));
   for (std::size_t k = 0; k < state.slopes.size(); ++k) {
     const SlopeFailure& slope = state.slopes[k];
     const std::string room = fmt::format("slope_{}/", k);
@@ -139,7 +145,8 @@ void get_slip(const std::vector<Real>& surfaces, const std::vector<Real>& places
   std::size_t next = 0;
   for (std::size_t k = 0; k + 2 < surfaces.size(); k += 3) {
     SlipSurface slip{.time = surfaces[k], .rate = surfaces[k + 1], .line = {}};
-    for (Real n = surfaces[k + 2]; n > 0.5 && next + 1 < places.size(); n -= 1.0, next += 2) slip.line.push_back({places[next], places[next + 1]});
+    for (Real n = surfaces[k + 2]; n > 0.5 && next + 1 < places.size(); n -= 1.0, next += 2)
+      slip.line.push_back({places[next], places[next + 1]});
     slope.slip.push_back(std::move(slip));
   }
 }
@@ -155,8 +162,12 @@ void get_failure(const StateImage& image, State& state)
   for (const Slope& slope : find_slopes(state.section)) {
     const std::string room = fmt::format("slope_{}/", state.slopes.size());
     const auto& time = get<Real>(image, room + "time");
-    SlopeFailure followed{{.slope = slope, .width = columns[1], .time = time, .x = get<Real>(image, room + "crest", time.size()),
-                           .kinetic = get<Real>(image, room + "kinetic", time.size())}, {}};
+    SlopeFailure followed{{.slope = slope,
+                              .width = columns[1],
+                              .time = time,
+                              .x = get<Real>(image, room + "crest", time.size()),
+                              .kinetic = get<Real>(image, room + "kinetic", time.size())},
+        {}};
     get_slip(get<Real>(image, room + "slip_surfaces"), get<Real>(image, room + "slip_places"), followed);
     state.slopes.push_back(std::move(followed));
   }
@@ -170,10 +181,12 @@ void get_points(const Model& model, const StateImage& image, State& state)
   const auto& material = get<std::int64_t>(image, "points/material", cell.size());
   const auto& rows = get<Real>(image, "points/rows", cell.size() * n_rows);
   const auto fits = [](const std::vector<std::int64_t>& values, std::size_t limit) {
-    return std::all_of(values.begin(), values.end(), [&](std::int64_t v) { return v >= 0 && v < static_cast<std::int64_t>(limit); });
+    return std::all_of(
+        values.begin(), values.end(), [&](std::int64_t v) { return v >= 0 && v < static_cast<std::int64_t>(limit); });
   };
   if (!fits(cell, model.mesh.cells.size()) || !fits(material, model.materials.size()))
-    throw FileError("the checkpoint does not fit this case: a point lies in a cell or has a material that the case does not have");
+    throw FileError(
+        "the checkpoint does not fit this case: a point lies in a cell or has a material that the case does not have");
   for (std::size_t k = 0, end = 0; k < cell.size(); k = end) {
     while (end < cell.size() && cell[end] == cell[k] && material[end] == material[k]) ++end;
     state.points.expect(static_cast<Index>(cell[k]), static_cast<Index>(material[k]), static_cast<Index>(end - k));
@@ -204,7 +217,8 @@ void get_left(const StateImage& image, State& state)
   const auto& values = get<Real>(image, "left/values", 7 * ids.size());
   for (std::size_t k = 0; k < ids.size(); ++k) {
     const Real* v = &values[7 * k];
-    state.left.push_back({.time = v[0], .id = ids[k], .x = {v[1], v[2]}, .v = {v[3], v[4]}, .mass = v[5], .elastic = v[6]});
+    state.left.push_back(
+        {.time = v[0], .id = ids[k], .x = {v[1], v[2]}, .v = {v[3], v[4]}, .mass = v[5], .elastic = v[6]});
   }
   if (holds(image, "left/volume")) {  // since format 5
     const auto& volumes = get<Real>(image, "left/volume", ids.size());
@@ -232,13 +246,15 @@ void get_footings(const Model& model, const StateImage& image, State& state)
   }
 }
 
-/// Every id, of points and of those that left, must lie in the range that x_initial spans: other arrays are indexed by it.
+/// Every id, of points and of those that left, must lie in the range that x_initial spans: other arrays are indexed by
+/// it.
 void check_ids(const State& state)
 {
   const auto n = static_cast<Real>(state.n_ids());
   const auto fits = [n](Real id) { return id >= 0.0 && id < n && id == std::floor(id); };
   bool all_fit = static_cast<Real>(state.points.n_points()) + static_cast<Real>(state.left.size()) == n;
-  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) { all_fit &= fits(block.row(Rows::id)[lane]); });
+  for_each_point(
+      state.points, [&](const PointBlock<2>& block, Index lane) { all_fit &= fits(block.row(Rows::id)[lane]); });
   for (const LeftPoint& p : state.left) all_fit &= fits(static_cast<Real>(p.id));
   if (!all_fit) throw FileError("the checkpoint does not fit this case: its points are not those that the case seeds");
 }
@@ -250,13 +266,15 @@ std::vector<ArraySource> arrays_of(const State& state)
   add_points(state, arrays);
   arrays.push_back(kept("x_initial", state.x_initial));
   const WorkTotals& w = state.work;
-  arrays.push_back(few("work", std::vector<Real>{w.gravity, w.damping, w.boundary, w.plastic, w.internal, state.start_energy, state.largest_v_999}));
+  arrays.push_back(few("work", std::vector<Real>{w.gravity, w.damping, w.boundary, w.plastic, w.internal,
+                                   state.start_energy, state.largest_v_999}));
   arrays.push_back(few("work_exchanged", std::vector<Real>{w.exchanged}));
   arrays.push_back(few("last_step_work", std::vector<Real>{w.last_step}));
   arrays.push_back(kept("side_reached", state.side_reached));
   arrays.push_back(kept("side_top", state.side_top));
   arrays.push_back(few("wall_s", std::vector<Real>{state.wall_s}));  // the one number that differs between equal runs
-  arrays.push_back(few("counts", std::vector<std::int64_t>{state.clamped, state.tension_cut, state.equilibrium_steps, state.ledger_rows}));
+  arrays.push_back(few("counts",
+      std::vector<std::int64_t>{state.clamped, state.tension_cut, state.equilibrium_steps, state.ledger_rows}));
   add_left(state, arrays);
   add_footings(state, arrays);
   arrays.push_back(kept("put_back", state.put_back));
@@ -282,7 +300,9 @@ StateImage make_image(const State& state)
 
 void for_each_part(const State& state, std::int64_t most_values, const std::function<void(StateImage)>& f)
 {
-  const auto start_part = [&](int number) { return StateImage{.time = state.time, .step = state.step, .arrays = {}, .part = number, .last = false}; };
+  const auto start_part = [&](int number) {
+    return StateImage{.time = state.time, .step = state.step, .arrays = {}, .part = number, .last = false};
+  };
   StateImage part = start_part(0);
   std::int64_t room = most_values;
   for (const ArraySource& array : arrays_of(state)) {
@@ -292,7 +312,8 @@ void for_each_part(const State& state, std::int64_t most_values, const std::func
         f(std::exchange(part, start_part(part.part + 1)));
         room = most_values;
       }
-      const std::int64_t n = std::clamp<std::int64_t>(room / array.row_length(), 1, std::max<std::int64_t>(array.n_rows() - first, 1));
+      const std::int64_t n =
+          std::clamp<std::int64_t>(room / array.row_length(), 1, std::max<std::int64_t>(array.n_rows() - first, 1));
       part.arrays.push_back({array.name, array.shape, array.read(first, std::min(n, array.n_rows() - first)), first});
       first += n;
       room -= n * array.row_length();
@@ -304,7 +325,8 @@ void for_each_part(const State& state, std::int64_t most_values, const std::func
 
 std::int64_t most_values_of_part(const State& state)
 {
-  return state.n_ids() <= most_points_at_once ? std::numeric_limits<std::int64_t>::max() : points_per_part * state.points.n_rows();
+  return state.n_ids() <= most_points_at_once ? std::numeric_limits<std::int64_t>::max()
+                                              : points_per_part * state.points.n_rows();
 }
 
 std::int64_t count_points(const StateImage& image) { return std::ssize(get<Real>(image, "x_initial")) / 2; }
@@ -339,11 +361,14 @@ State restore(const Model& model, const StateImage& image)
   const auto& rose = get<std::int64_t>(image, "audit/rose", n);
   const auto& last_su = get<Real>(image, "audit/last_su");
   if (!last_su.empty() && last_su.size() != n) throw_missing("audit/last_su");
-  state.audit = {.last_eps_eq_p = get<Real>(image, "audit/last_eps_eq_p", n), .last_su = last_su,
-                 .fell = {fell.begin(), fell.end()}, .rose = {rose.begin(), rose.end()}};
+  state.audit = {.last_eps_eq_p = get<Real>(image, "audit/last_eps_eq_p", n),
+      .last_su = last_su,
+      .fell = {fell.begin(), fell.end()},
+      .rose = {rose.begin(), rose.end()}};
   get_failure(image, state);
   const auto& softened = get<Real>(image, "softened_fraction");
-  for (std::size_t k = 0; k + 1 < softened.size(); k += 2) state.softened_fraction.emplace_back(softened[k], softened[k + 1]);
+  for (std::size_t k = 0; k + 1 < softened.size(); k += 2)
+    state.softened_fraction.emplace_back(softened[k], softened[k + 1]);
   return state;
 }
 

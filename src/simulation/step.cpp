@@ -28,23 +28,24 @@ void for_each_group(const Model& model, State& state, Workspace& work, F&& f)
 {
   static_assert(cells_per_chunk % pack_width == 0);
   work.threads.for_each_range(static_cast<Index>(state.points.occupied().size()), cells_per_chunk,
-                              [&](Index begin, Index end, Index chunk, int thread) {
-                                CellSums& sums = work.cell_sums[chunk];
-                                std::vector<PointPlace>& leavers = work.leavers[thread];
-                                sums.thread = thread;
-                                sums.first_leaver = leavers.size();
-                                for (Index slot = begin; slot < end; slot += pack_width)
-                                  f(view_group(model, state, work, slot, std::min(slot + pack_width, end)), sums, leavers);
-                                sums.end_of_leavers = leavers.size();
-                              });
+      [&](Index begin, Index end, Index chunk, int thread) {
+        CellSums& sums = work.cell_sums[chunk];
+        std::vector<PointPlace>& leavers = work.leavers[thread];
+        sums.thread = thread;
+        sums.first_leaver = leavers.size();
+        for (Index slot = begin; slot < end; slot += pack_width)
+          f(view_group(model, state, work, slot, std::min(slot + pack_width, end)), sums, leavers);
+        sums.end_of_leavers = leavers.size();
+      });
 }
 
 template <class F>
 void for_each_node(Workspace& work, F&& f)
 {
-  work.threads.for_each_range(static_cast<Index>(work.active_nodes.size()), nodes_per_chunk, [&](Index begin, Index end, Index chunk, int) {
-    for (Index k = begin; k < end; ++k) f(work.active_nodes[k], work.node_sums[chunk]);
-  });
+  work.threads.for_each_range(
+      static_cast<Index>(work.active_nodes.size()), nodes_per_chunk, [&](Index begin, Index end, Index chunk, int) {
+        for (Index k = begin; k < end; ++k) f(work.active_nodes[k], work.node_sums[chunk]);
+      });
 }
 
 void start_sums(Workspace& work)
@@ -90,14 +91,15 @@ void finish_sums(State& state, Workspace& work)
 void enter_left(const Model& model, Index material, std::span<const Real> values, State& state)
 {
   using Rows = PointRows<2>;
-  const std::array<Real, 4> sigma{values[Rows::sigma], values[Rows::sigma + 1], values[Rows::sigma + 2], values[Rows::sigma + 3]};
+  const std::array<Real, 4> sigma{
+      values[Rows::sigma], values[Rows::sigma + 1], values[Rows::sigma + 2], values[Rows::sigma + 3]};
   state.left.push_back({.time = static_cast<Real>(state.step + 1) * model.dt,
-                        .id = static_cast<std::int64_t>(values[Rows::id]),
-                        .x = {values[Rows::x], values[Rows::x + 1]},
-                        .v = {values[Rows::v], values[Rows::v + 1]},
-                        .mass = values[Rows::mass],
-                        .elastic = elastic_energy(*model.materials[material].law, sigma, values[Rows::volume]),
-                        .volume = values[Rows::volume]});
+      .id = static_cast<std::int64_t>(values[Rows::id]),
+      .x = {values[Rows::x], values[Rows::x + 1]},
+      .v = {values[Rows::v], values[Rows::v + 1]},
+      .mass = values[Rows::mass],
+      .elastic = elastic_energy(*model.materials[material].law, sigma, values[Rows::volume]),
+      .volume = values[Rows::volume]});
 }
 
 /// Counts a point that had to be put back at a wall, once.
@@ -111,7 +113,8 @@ void enter_put_back(std::span<const Real> values, State& state)
 void move_leavers(const Model& model, State& state, Workspace& work)
 {
   for (const CellSums& sums : work.cell_sums)
-    for (std::size_t k = sums.end_of_leavers; k-- > sums.first_leaver;) {  // from the last lane of a block to the first: see take()
+    for (std::size_t k = sums.end_of_leavers;
+         k-- > sums.first_leaver;) {  // from the last lane of a block to the first: see take()
       const PointPlace place = work.leavers[sums.thread][k];
       const Index material = state.points.block(place.block).material;
       const Moved moved = move_to_new_cell(model.mesh, model.open_sides, state.points, place, work.leaver);
@@ -131,11 +134,12 @@ void step(const Model& model, State& state, Workspace& work)
   timed(work, points_to_cells, [&] {
     for_each_group(model, state, work, [&](const CellGroup& group, CellSums& sums, auto&) {
       for (int c = 0; c < group.n(); ++c) map_mass_and_momentum(group, c);
-      sums.tension_cut += Scheme::gather(context, group);                                       // Eqs. (1) to (4)
+      sums.tension_cut += Scheme::gather(context, group);  // Eqs. (1) to (4)
     });
   });
   timed(work, nodes, [&] {
-    for_each_node(work, [&](Index i, NodeSums& sums) { accelerate_node(model, sum_cells(model, state, work, i), i, work, sums); });
+    for_each_node(work,
+        [&](Index i, NodeSums& sums) { accelerate_node(model, sum_cells(model, state, work, i), i, work, sums); });
   });
   timed(work, cells_to_points, [&] {
     for_each_group(model, state, work, [&](const CellGroup& group, CellSums&, auto&) {
@@ -143,15 +147,17 @@ void step(const Model& model, State& state, Workspace& work)
     });
   });
   timed(work, velocities, [&] {
-    for_each_node(work, [&](Index i, NodeSums& sums) { remap_velocity(model, sum_cells(model, state, work, i), i, work, sums); });
+    for_each_node(
+        work, [&](Index i, NodeSums& sums) { remap_velocity(model, sum_cells(model, state, work, i), i, work, sums); });
   });
   timed(work, stress, [&] {
     for_each_group(model, state, work, [&](const CellGroup& group, CellSums& sums, auto& leavers) {
       const auto du = displacements(model, work.node, group);
       StressSums stress_sums;
-      Scheme::update_stress(context, group, du, stress_sums);                                   // Steps 2 to 4, or Sec. 2.2
+      Scheme::update_stress(context, group, du, stress_sums);  // Steps 2 to 4, or Sec. 2.2
       sums.plastic += stress_sums.plastic_work;
-      for (int c = 0; c < group.n(); ++c) advance_points(group.cell(c), model.mesh.centres[group.cells[c]], du[c], leavers);
+      for (int c = 0; c < group.n(); ++c)
+        advance_points(group.cell(c), model.mesh.centres[group.cells[c]], du[c], leavers);
     });
   });
   finish_sums(state, work);  // before points move and the chunks change

@@ -44,35 +44,38 @@ struct PassTime {
 struct Summary {
   std::string scheme;
   std::int64_t n_points = 0, n_cells = 0, n_steps = 0;
-  Real dt = 0.0;                          ///< [s]
-  double wall_s = 0.0;                    ///< spent solving, over all processes that worked on the run
+  Real dt = 0.0;        ///< [s]
+  double wall_s = 0.0;  ///< spent solving, over all processes that worked on the run
   double point_steps_per_s = 0.0;
   int threads = 1;
-  std::string instructions;               ///< instruction set of the kernels
-  std::string processor;                  ///< as the system calls it
-  std::vector<PassTime> passes;           ///< of the last process
-  std::optional<Facing> facing;           ///< of the slope that front, crest and run-out are of; none: the section has no slope
-  bool free_toe = true;                   ///< of that slope
+  std::string instructions;      ///< instruction set of the kernels
+  std::string processor;         ///< as the system calls it
+  std::vector<PassTime> passes;  ///< of the last process
+  std::optional<Facing> facing;  ///< of the slope that front, crest and run-out are of; none: the section has no slope
+  bool free_toe = true;          ///< of that slope
   Real front_x = std::numeric_limits<Real>::quiet_NaN();  ///< at the end [m]; NaN: none
-  std::optional<Real> crest_x;            ///< at the end [m]; none if nothing of the first surface stands
-  std::optional<Real> crest_y;            ///< height of the surface there [m]
-  Real run_out = std::numeric_limits<Real>::quiet_NaN();  ///< of the front since t = 0 [m]; without a free toe: beyond the toe of the slope
-  Real moved_distance = 0.0;              ///< displacement from which on soil counts as moved [m]
-  Real moved_volume = 0.0;                ///< at the end [m^2]
-  Real moved_fraction = 0.0;              ///< of all volume [-]
-  std::optional<Real> intact_fraction;    ///< of the volume that moved, with an eps_eq_p below `intact_strain` [-]
-  std::vector<SlideSummary> slides;       ///< in order of time, definition in docs/formats.md
+  std::optional<Real> crest_x;  ///< at the end [m]; none if nothing of the first surface stands
+  std::optional<Real> crest_y;  ///< height of the surface there [m]
+  Real run_out = std::numeric_limits<Real>::quiet_NaN();  ///< of the front since t = 0 [m]; without a free toe: beyond
+                                                          ///< the toe of the slope
+  Real moved_distance = 0.0;                              ///< displacement from which on soil counts as moved [m]
+  Real moved_volume = 0.0;                                ///< at the end [m^2]
+  Real moved_fraction = 0.0;                              ///< of all volume [-]
+  std::optional<Real> intact_fraction;      ///< of the volume that moved, with an eps_eq_p below `intact_strain` [-]
+  std::vector<SlideSummary> slides;         ///< in order of time, definition in docs/formats.md
   std::optional<Real> second_failure_time;  ///< [s], definition in docs/formats.md
-  Real max_eps_eq_p = 0.0;                ///< at the end [-]
-  std::vector<std::pair<Real, Real>> softened_fraction;  ///< (time [s], share of the volume with S_u below half its peak [-])
+  Real max_eps_eq_p = 0.0;                  ///< at the end [-]
+  std::vector<std::pair<Real, Real>>
+      softened_fraction;                  ///< (time [s], share of the volume with S_u below half its peak [-])
   std::int64_t points_eps_eq_p_fell = 0;  ///< points whose eps_eq_p ever fell between two ledger rows
   std::int64_t points_su_rose = 0;        ///< points whose S_u ever rose between two ledger rows
-  Real energy_balance_error = 0.0;        ///< |numerical| at the end over the energy exchanged: works, plastic, start [-]
+  Real energy_balance_error = 0.0;  ///< |numerical| at the end over the energy exchanged: works, plastic, start [-]
   std::int64_t clamped_points = 0;
-  std::vector<ReachedSide> reached_sides;  ///< in order of time; without open sides and those where soil lay at the start
-  std::int64_t points_left = 0;           ///< through open sides
+  std::vector<ReachedSide>
+      reached_sides;             ///< in order of time; without open sides and those where soil lay at the start
+  std::int64_t points_left = 0;  ///< through open sides
   std::vector<FootingSummary> footings;
-  Real v_999 = 0.0;                       ///< largest 99.9 % quantile of the speed over all ledger rows [m/s]
+  Real v_999 = 0.0;  ///< largest 99.9 % quantile of the speed over all ledger rows [m/s]
 };
 
 }  // namespace terp

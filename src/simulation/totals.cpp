@@ -21,7 +21,8 @@ Real largest(Pack a)
   return most;
 }
 
-/// Squares of the speeds of eight points [m^2/s^2]; of lanes that hold no point zero (what stands there is the trace of the last step).
+/// Squares of the speeds of eight points [m^2/s^2]; of lanes that hold no point zero (what stands there is the trace of
+/// the last step).
 Pack squared_speeds(const PointBlock<2>& block, Index p)
 {
   const Pack vx = Pack::load(block.row(Rows::v) + p), vy = Pack::load(block.row(Rows::v + 1) + p);
@@ -37,8 +38,8 @@ Real nth_largest(std::vector<Real> values, std::size_t n)
   return *nth;
 }
 
-/// The n-th largest of all points cannot be below that of the blocks' fastest, so only what is faster is looked at: nothing in soil that
-/// rests or falls as a whole. fastest: largest squared speed by block number.
+/// The n-th largest of all points cannot be below that of the blocks' fastest, so only what is faster is looked at:
+/// nothing in soil that rests or falls as a whole. fastest: largest squared speed by block number.
 void enter_speeds(const PointBlocks<2>& points, const std::vector<Real>& fastest, Totals& totals)
 {
   if (points.n_points() == 0) return;  // all soil has left
@@ -65,7 +66,8 @@ struct MaterialRows {
   ElasticEnergy energy{*material.law};
   int strain = find_eps_eq_p(*material.type);  ///< state variable that is eps_eq_p; -1: none
   int su = find_su(*material.type);            ///< derived field that is S_u; -1: none
-  bool told = strain_tells_strength(material); ///< S_u is a function of eps_eq_p alone: it need not be remembered beside it
+  bool told =
+      strain_tells_strength(material);  ///< S_u is a function of eps_eq_p alone: it need not be remembered beside it
 };
 
 /// What the walk finds in the cells of one chunk.
@@ -76,8 +78,8 @@ struct ChunkTotals {
   std::vector<std::size_t> fell, rose;
 };
 
-/// Looks at the history of a block point by point. Where the strain tells the strength, a rise is one only if the strain fell: a law that
-/// hardens as it strains is no fault.
+/// Looks at the history of a block point by point. Where the strain tells the strength, a rise is one only if the
+/// strain fell: a law that hardens as it strains is no fault.
 void audit_points(const MaterialRows& rows, const PointBlock<2>& block, HistoryAudit& audit, ChunkTotals& chunk)
 {
   const Material& law = *rows.material.law;
@@ -100,11 +102,13 @@ struct StrainChange {
 };
 
 /// Sums its growth by the columns of the slopes.
-StrainChange enter_strain(const PointBlock<2>& block, Index p, int strain, std::span<const Real> last, std::span<const Columns> shear, ChunkTotals& chunk)
+StrainChange enter_strain(const PointBlock<2>& block, Index p, int strain, std::span<const Real> last,
+    std::span<const Columns> shear, ChunkTotals& chunk)
 {
   const Index n = block.n - p;
   const Mask in_use = lane_numbers() < Pack(static_cast<Real>(n));
-  const Pack before = Pack::gather(last.data(), 1, block.row(Rows::id) + p, n), eps = Pack::load(block.row(Rows::state + strain) + p);
+  const Pack before = Pack::gather(last.data(), 1, block.row(Rows::id) + p, n),
+             eps = Pack::load(block.row(Rows::state + strain) + p);
   const Pack x = Pack::load(block.row(Rows::x) + p), growth = Pack::load(block.row(Rows::volume) + p) * (eps - before);
   for (std::size_t k = 0; k < shear.size(); ++k) {
     const Mask inside = (x >= Pack(shear[k].left)) & (x < Pack(shear[k].right())) & in_use;
@@ -115,7 +119,8 @@ StrainChange enter_strain(const PointBlock<2>& block, Index p, int strain, std::
 }
 
 /// Enters all points of a block; fastest: largest squared speed [m^2/s^2]. Returns true if eps_eq_p of any changed.
-bool enter_block(const MaterialRows& rows, std::span<const Columns> shear, const PointBlock<2>& block, HistoryAudit& audit, ChunkTotals& chunk, Real& fastest)
+bool enter_block(const MaterialRows& rows, std::span<const Columns> shear, const PointBlock<2>& block,
+    HistoryAudit& audit, ChunkTotals& chunk, Real& fastest)
 {
   Pack most(0.0);
   StrainChange any{lane_numbers() < Pack(0.0), lane_numbers() < Pack(0.0)};
@@ -150,7 +155,8 @@ void add_chunks(const std::vector<ChunkTotals>& chunks, Totals& totals)
 
 }  // namespace
 
-Totals add_up_compiled(const Model& model, State& state, Threads& threads, Real moved_distance, std::span<const Columns> shear)
+Totals add_up_compiled(
+    const Model& model, State& state, Threads& threads, Real moved_distance, std::span<const Columns> shear)
 {
   const auto n_blocks = static_cast<std::size_t>(state.points.n_blocks());
   const auto n_cells = static_cast<Index>(state.points.occupied().size());

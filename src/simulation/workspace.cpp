@@ -20,7 +20,8 @@ void list_active_nodes(const Mesh<2>& mesh, const std::vector<Index>& cells, Wor
 
 }  // namespace
 
-Workspace::Workspace(const Model& model, const State& state) : threads(model.threads), damping_local(model.damping.local)
+Workspace::Workspace(const Model& model, const State& state)
+    : threads(model.threads), damping_local(model.damping.local)
 {
   node.make_anew(model.mesh.nodes.size());
   active_nodes.reserve(model.mesh.nodes.size());

@@ -11,35 +11,37 @@ namespace terp {
 
 /// A node of the background mesh during a step.
 struct NodeValues {
-  Real mass = 0.0;         ///< m_i [kg per m]
-  Vec<2> v{0.0, 0.0};      ///< velocity: at the start of the step, v* after pass 2, remapped after pass 4 [m/s]
-  Vec<2> dv{0.0, 0.0};     ///< a_i dt [m/s]
-  Vec<2> internal{0.0, 0.0}, damping{0.0, 0.0}, boundary{0.0, 0.0};  ///< forces of the step, kept for the ledger [N per m]
+  Real mass = 0.0;      ///< m_i [kg per m]
+  Vec<2> v{0.0, 0.0};   ///< velocity: at the start of the step, v* after pass 2, remapped after pass 4 [m/s]
+  Vec<2> dv{0.0, 0.0};  ///< a_i dt [m/s]
+  Vec<2> internal{0.0, 0.0}, damping{0.0, 0.0},
+      boundary{0.0, 0.0};  ///< forces of the step, kept for the ledger [N per m]
 };
 
 /// Sums over the nodes of one chunk.
 struct NodeSums {
   Real gravity = 0.0, damping = 0.0, boundary = 0.0, internal = 0.0;  ///< work of the step [J per m]
   Real unbalanced = 0.0, weight = 0.0;                                ///< sum of |m a|, of |m g| [N per m]
-  Real kinetic = 0.0;                                                 ///< of the nodes at the start of the step [J per m]
-  std::array<Vec<2>, most_footings> footing{};                        ///< impulse of each footing on its nodes [N s per m]
+  Real kinetic = 0.0;                           ///< of the nodes at the start of the step [J per m]
+  std::array<Vec<2>, most_footings> footing{};  ///< impulse of each footing on its nodes [N s per m]
   bool finite = true;
 };
 
 /// Sums over the cells of one chunk, and where the points are listed that left their cell.
 struct CellSums {
-  Real plastic = 0.0;              ///< work of the step [J per m]
+  Real plastic = 0.0;  ///< work of the step [J per m]
   std::int64_t tension_cut = 0;
-  int thread = 0;                  ///< whose list holds the points that left
+  int thread = 0;  ///< whose list holds the points that left
   std::size_t first_leaver = 0, end_of_leavers = 0;
 };
 
-inline constexpr Index cells_per_chunk = 2 * pack_width;   // 400 points at 5 x 5: about 10 us, long against claiming a chunk
+inline constexpr Index cells_per_chunk =
+    2 * pack_width;  // 400 points at 5 x 5: about 10 us, long against claiming a chunk
 inline constexpr Index nodes_per_chunk = 128;
 
 enum Pass { points_to_cells, nodes, cells_to_points, velocities, stress, move, n_passes };
-inline constexpr std::array<const char*, n_passes> pass_names{"points to cells", "nodes",  "cells to points",
-                                                              "velocities",      "stress", "move"};
+inline constexpr std::array<const char*, n_passes> pass_names{
+    "points to cells", "nodes", "cells to points", "velocities", "stress", "move"};
 
 struct Workspace {
   explicit Workspace(const Model& model, const State& state);
@@ -47,23 +49,24 @@ struct Workspace {
   /// Fits the arrays to the occupied cells; asks for memory only when they grew.
   void fit(const Model& model, const State& state);
   Threads threads;
-  std::vector<CornerSums<2>> corners;      ///< shape [n_occupied]
-  ZeroedArray<GaussValues<2, Pack>> gauss; ///< shape [n_materials * n_groups at least]; a scheme may use few of them or none
-  std::vector<Real> pressure;              ///< p_e [Pa], shape [n_blocks]; of schemes that keep no other Gauss values
-  ZeroedArray<NodeValues> node;            ///< shape [n_nodes]; only those of active nodes are written
-  std::vector<Index> active_nodes;         ///< nodes of occupied cells, ascending
+  std::vector<CornerSums<2>> corners;  ///< shape [n_occupied]
+  ZeroedArray<GaussValues<2, Pack>>
+      gauss;                        ///< shape [n_materials * n_groups at least]; a scheme may use few of them or none
+  std::vector<Real> pressure;       ///< p_e [Pa], shape [n_blocks]; of schemes that keep no other Gauss values
+  ZeroedArray<NodeValues> node;     ///< shape [n_nodes]; only those of active nodes are written
+  std::vector<Index> active_nodes;  ///< nodes of occupied cells, ascending
   std::vector<std::uint64_t> node_bits;
-  std::vector<NodeSums> node_sums;         ///< by chunk
-  std::vector<CellSums> cell_sums;         ///< by chunk
+  std::vector<NodeSums> node_sums;               ///< by chunk
+  std::vector<CellSums> cell_sums;               ///< by chunk
   std::vector<std::vector<PointPlace>> leavers;  ///< points that left their cell, by thread; in the order of its chunks
-  std::vector<Real> leaver;                ///< values of the point being moved
-  std::array<double, n_passes> seconds{};  ///< spent in each pass
-  std::vector<PlacedFooting> footings;     ///< in this step
-  bool settling = false;                   ///< in the search for equilibrium, which knows no footing
-  Real damping_local = 0.0;                ///< alpha in force: the model's, or that of the search for equilibrium
-  bool finite = true;                      ///< no nodal value was NaN or infinite in the last step
-  Real unbalanced_ratio = 0.0;             ///< sum |m a| over sum |m g| in the last step
-  Real kinetic_nodal = 0.0;                ///< 1/2 sum m_i |v_i|^2 at the start of the last step [J per m]
+  std::vector<Real> leaver;                      ///< values of the point being moved
+  std::array<double, n_passes> seconds{};        ///< spent in each pass
+  std::vector<PlacedFooting> footings;           ///< in this step
+  bool settling = false;                         ///< in the search for equilibrium, which knows no footing
+  Real damping_local = 0.0;                      ///< alpha in force: the model's, or that of the search for equilibrium
+  bool finite = true;                            ///< no nodal value was NaN or infinite in the last step
+  Real unbalanced_ratio = 0.0;                   ///< sum |m a| over sum |m g| in the last step
+  Real kinetic_nodal = 0.0;                      ///< 1/2 sum m_i |v_i|^2 at the start of the last step [J per m]
 };
 
 }  // namespace terp

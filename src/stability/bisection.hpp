@@ -13,9 +13,9 @@ struct BisectionOptions {
 };
 
 struct Bisection {
-  std::optional<Real> stable;    ///< largest factor that stood
-  std::optional<Real> failed;    ///< smallest factor that did not, if any
-  std::vector<Trial> trials;     ///< in order of time
+  std::optional<Real> stable;  ///< largest factor that stood
+  std::optional<Real> failed;  ///< smallest factor that did not, if any
+  std::vector<Trial> trials;   ///< in order of time
   /// Both ends were found.
   bool found() const { return stable.has_value() && failed.has_value(); }
 };

@@ -23,7 +23,8 @@ bool has_strength(const MaterialType& law)
 MaterialCase elastic_twin(const MaterialCase& material, const Material& law)
 {
   const Real bulk = law.bulk_modulus(), shear = law.shear_modulus();
-  return {material.name, "linear_elastic", material.density, {shear, (3.0 * bulk - 2.0 * shear) / (2.0 * (3.0 * bulk + shear))}};
+  return {material.name, "linear_elastic", material.density,
+      {shear, (3.0 * bulk - 2.0 * shear) / (2.0 * (3.0 * bulk + shear))}};
 }
 
 int most_state(const Case& c)
@@ -83,10 +84,12 @@ Case quiet_case(Case c)
   return c;
 }
 
-ElasticStart settle_elastically(const Case& quiet, const Mesh<2>& mesh, Real stiffening, int threads, const std::atomic<bool>& stop)
+ElasticStart settle_elastically(
+    const Case& quiet, const Mesh<2>& mesh, Real stiffening, int threads, const std::atomic<bool>& stop)
 {
   if (quiet.forces.gravity == Vec<2>{0.0, 0.0})
-    throw InputError(Problem{"forces.gravity", "a factor of safety needs gravity", "Set gravity = [0.0, -9.81] in [forces].", "forces", true, {"forces"}});
+    throw InputError(Problem{"forces.gravity", "a factor of safety needs gravity",
+        "Set gravity = [0.0, -9.81] in [forces].", "forces", true, {"forces"}});
   Model model = build_model(elastic_case(stiffen(quiet, stiffening)), mesh, threads);
   model.n_state = most_state(quiet);
   State state = build_state(model);

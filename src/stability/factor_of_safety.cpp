@@ -15,7 +15,9 @@ void check_strengths(const Case& reduced, Real factor)
 {
   const auto faults = check_reduced(reduced);
   if (!faults.empty())
-    throw RunError(fmt::format("at the factor {:g} the strengths are not usable\n  {}\n  Choose --from and --to nearer to the answer.", factor, faults.front()));
+    throw RunError(fmt::format(
+        "at the factor {:g} the strengths are not usable\n  {}\n  Choose --from and --to nearer to the answer.", factor,
+        faults.front()));
 }
 
 }  // namespace
@@ -25,14 +27,16 @@ Real StabilityResult::factor() const
   return search.found() ? 0.5 * (*search.stable + *search.failed) : std::numeric_limits<Real>::quiet_NaN();
 }
 
-StabilityResult find_factor_of_safety(const Case& c, const StabilityOptions& options, const std::atomic<bool>& stop, const TrialTold& told)
+StabilityResult find_factor_of_safety(
+    const Case& c, const StabilityOptions& options, const std::atomic<bool>& stop, const TrialTold& told)
 {
   const Case quiet = quiet_case(c);
   StabilityResult result;
   result.options = options;
   result.strengths = strengths_of(quiet);
   if (result.strengths.empty())
-    throw InputError(Problem{"material", "no material of this case has a strength to reduce", "Elastic soil does not fail. `terp list` names the laws.", "material", true});
+    throw InputError(Problem{"material", "no material of this case has a strength to reduce",
+        "Elastic soil does not fail. `terp list` names the laws.", "material", true});
   const Mesh<2> mesh = build_mesh(quiet);
   const ElasticStart start = settle_elastically(quiet, mesh, options.rules.stiffening, options.threads, stop);
   result.height = start.height;

@@ -17,13 +17,13 @@ struct StabilityOptions {
 
 /// What a search leaves behind.
 struct StabilityResult {
-  std::vector<Strength> strengths;   ///< that were reduced, unreduced
+  std::vector<Strength> strengths;  ///< that were reduced, unreduced
   StabilityOptions options;
-  Real height = 0.0;                 ///< H [m]
-  Real displacement = 0.0;           ///< rho g H^2 / E [m]
+  Real height = 0.0;        ///< H [m]
+  Real displacement = 0.0;  ///< rho g H^2 / E [m]
   std::int64_t n_points = 0, rest_steps = 0;
   Bisection search;
-  bool stopped = false;              ///< from outside, before the bracket was as narrow as asked for
+  bool stopped = false;  ///< from outside, before the bracket was as narrow as asked for
 
   /// Middle of the bracket; not a number without one.
   Real factor() const;
@@ -32,8 +32,9 @@ struct StabilityResult {
 /// Told after each window of a trial, and with the trials still to come after this one, at a guess.
 using TrialTold = std::function<void(const Trial&, const StabilityResult& so_far, int trials_left)>;
 
-/// Throws InputError for a case without strength or gravity, RunError if the soil cannot be settled or `stop` was set before that. Stopped
-/// later, the search ends with the trials that it has.
-StabilityResult find_factor_of_safety(const Case& c, const StabilityOptions& options, const std::atomic<bool>& stop, const TrialTold& told = {});
+/// Throws InputError for a case without strength or gravity, RunError if the soil cannot be settled or `stop` was set
+/// before that. Stopped later, the search ends with the trials that it has.
+StabilityResult find_factor_of_safety(
+    const Case& c, const StabilityOptions& options, const std::atomic<bool>& stop, const TrialTold& told = {});
 
 }  // namespace terp

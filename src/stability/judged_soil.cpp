@@ -20,12 +20,17 @@ bool is_filled(const Model& model, const State& state, Index cell)
   return filled_share(model.mesh.geometry(cell), volume, model.method) >= 1.0;
 }
 
-std::size_t id_of(const PointBlock<2>& block, Index lane) { return static_cast<std::size_t>(block.row(Rows::id)[lane]); }
+std::size_t id_of(const PointBlock<2>& block, Index lane)
+{
+  return static_cast<std::size_t>(block.row(Rows::id)[lane]);
+}
 
 }  // namespace
 
 JudgedSoil::JudgedSoil(const Model& model, const State& state)
-    : point_(static_cast<std::size_t>(state.n_ids()), true), node_(model.mesh.nodes.size(), true), force_(model.mesh.nodes.size(), Vec<2>{0.0, 0.0})
+    : point_(static_cast<std::size_t>(state.n_ids()), true),
+      node_(model.mesh.nodes.size(), true),
+      force_(model.mesh.nodes.size(), Vec<2>{0.0, 0.0})
 {
   std::vector<Index> part_filled;
   for (const Index cell : state.points.occupied())
@@ -48,7 +53,8 @@ Real JudgedSoil::largest_displacement(const State& state) const
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const std::size_t id = id_of(block, lane);
     if (!point_[id]) return;
-    way.push_back(std::hypot(block.row(Rows::x)[lane] - state.x_initial[2 * id], block.row(Rows::x + 1)[lane] - state.x_initial[2 * id + 1]));
+    way.push_back(std::hypot(block.row(Rows::x)[lane] - state.x_initial[2 * id],
+        block.row(Rows::x + 1)[lane] - state.x_initial[2 * id + 1]));
   });
   const std::size_t n = std::max<std::size_t>(1, way.size() / 100);
   if (way.size() < n) return 0.0;

@@ -17,12 +17,13 @@ class JudgedSoil {
   Real largest_displacement(const State& state) const;
   /// Adds the forces of the last step at its nodes.
   void add_forces(const Model& model, const Workspace& work);
-  /// sum |mean m a| over sum |m g| of its nodes, the mean over the steps since this was last called [-]: vibration cancels, motion does not.
+  /// sum |mean m a| over sum |m g| of its nodes, the mean over the steps since this was last called [-]: vibration
+  /// cancels, motion does not.
   Real take_out_of_balance();
 
  private:
-  std::vector<bool> point_;  // by id: it began in a filled cell
-  std::vector<bool> node_;   // no part-filled cell holds it
+  std::vector<bool> point_;    // by id: it began in a filled cell
+  std::vector<bool> node_;     // no part-filled cell holds it
   std::vector<Vec<2>> force_;  // sum of m a over the steps, by node [N per m]
   Real weight_ = 0.0;          // sum of |m g| over nodes and steps [N per m]
 };

@@ -24,7 +24,8 @@ Real reduced(Reduction reduction, Real value, Real factor)
 
 bool is_used(const Case& c, const MaterialCase& material)
 {
-  return std::ranges::any_of(c.bodies, [&](const BodyCase& body) { return !body.points_file.empty() || body.material == material.name; });
+  return std::ranges::any_of(
+      c.bodies, [&](const BodyCase& body) { return !body.points_file.empty() || body.material == material.name; });
 }
 
 }  // namespace
@@ -38,7 +39,8 @@ std::vector<Strength> strengths_of(const Case& c)
     for (std::size_t k = 0; k < law->parameters.size(); ++k) {
       const ParameterInfo& p = law->parameters[k];
       if (p.reduction != Reduction::none && std::isfinite(material.parameters[k]))
-        strengths.push_back({fmt::format("material.{}.{}", material.name, p.name), std::string(p.unit), material.parameters[k]});
+        strengths.push_back(
+            {fmt::format("material.{}.{}", material.name, p.name), std::string(p.unit), material.parameters[k]});
     }
   }
   for (const SideCase& side : c.sides) {
@@ -67,7 +69,8 @@ std::vector<std::string> check_reduced(const Case& c)
   std::vector<std::string> problems;
   for (const MaterialCase& material : c.materials)
     if (const MaterialType* law = find_material(material.model))
-      for (const ParameterProblem& p : law->check(material.parameters)) problems.push_back(fmt::format("material.{}: {}: {}", material.name, p.what, p.detail));
+      for (const ParameterProblem& p : law->check(material.parameters))
+        problems.push_back(fmt::format("material.{}: {}: {}", material.name, p.what, p.detail));
   return problems;
 }
 

@@ -11,7 +11,7 @@ namespace terp {
 
 /// One strength of a case.
 struct Strength {
-  std::string key;    ///< "material.clay.su_peak", "boundary.bottom.adhesion"
+  std::string key;  ///< "material.clay.su_peak", "boundary.bottom.adhesion"
   std::string unit;
   Real value = 0.0;
 };

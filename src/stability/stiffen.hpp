@@ -5,8 +5,8 @@
 
 namespace terp {
 
-/// The case whose strains and displacements are s times smaller and whose times are sqrt(s) times shorter, with the same stresses, forces and
-/// accelerations. The laws' tables say what that takes (ParameterInfo::strain_scale).
+/// The case whose strains and displacements are s times smaller and whose times are sqrt(s) times shorter, with the
+/// same stresses, forces and accelerations. The laws' tables say what that takes (ParameterInfo::strain_scale).
 Case stiffen(Case c, Real s);
 
 }  // namespace terp

@@ -21,8 +21,9 @@ constexpr std::ptrdiff_t windows_at_rest = 3;  // in a row: a trial that pauses 
 std::string reason_of(const Trial& trial, Real displacement)
 {
   const TrialWindow& last = trial.windows.back();
-  const std::string text = fmt::format("out of balance {:.1e} of the weight, displacement {:.3g} m = {:.2f} rho g H^2/E", last.out_of_balance, last.displacement,
-                                       last.displacement / displacement);
+  const std::string text =
+      fmt::format("out of balance {:.1e} of the weight, displacement {:.3g} m = {:.2f} rho g H^2/E",
+          last.out_of_balance, last.displacement, last.displacement / displacement);
   switch (trial.verdict) {
     case TrialVerdict::stable: return "at rest: " + text;
     case TrialVerdict::failed: return "runs away: " + text;
@@ -53,14 +54,16 @@ TrialVerdict judge(const std::vector<TrialWindow>& windows, const TrialRules& ru
   for (std::ptrdiff_t back = 0; back < windows_at_rest; ++back) most = std::max(most, std::abs(moved(back)));
   if (most < rules.rest * start.free_motion) return TrialVerdict::stable;
   const bool slows_down = moved(0) < 0.98 * moved(1);
-  return windows.back().displacement > rules.failure * start.displacement && !slows_down ? TrialVerdict::failed : TrialVerdict::undecided;
+  return windows.back().displacement > rules.failure * start.displacement && !slows_down ? TrialVerdict::failed
+                                                                                         : TrialVerdict::undecided;
 }
 
-Trial run_trial(const Case& quiet, const Mesh<2>& mesh, const ElasticStart& start, Real factor, const TrialRules& rules, int threads,
-                const std::atomic<bool>& stop, const std::function<void(const Trial&)>& told)
+Trial run_trial(const Case& quiet, const Mesh<2>& mesh, const ElasticStart& start, Real factor, const TrialRules& rules,
+    int threads, const std::atomic<bool>& stop, const std::function<void(const Trial&)>& told)
 {
   const auto began = std::chrono::steady_clock::now();
-  const Model model = build_trial(reduce_strength(stiffen(quiet, start.stiffening), factor), mesh, start, rules, threads);
+  const Model model =
+      build_trial(reduce_strength(stiffen(quiet, start.stiffening), factor), mesh, start, rules, threads);
   State state = restore(model, start.rest);
   Workspace work(model, state);
   JudgedSoil soil(model, state);
@@ -79,12 +82,13 @@ Trial run_trial(const Case& quiet, const Mesh<2>& mesh, const ElasticStart& star
         return trial;
       }
     }
-    trial.windows.push_back({state.time * std::sqrt(start.stiffening), soil.largest_displacement(state) * start.stiffening,
-                             soil.take_out_of_balance()});
+    trial.windows.push_back({state.time * std::sqrt(start.stiffening),
+        soil.largest_displacement(state) * start.stiffening, soil.take_out_of_balance()});
     trial.steps = state.step;
     trial.verdict = judge(trial.windows, rules, start);
     trial.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    if (trial.verdict != TrialVerdict::undecided || std::ssize(trial.windows) == rules.most_windows) trial.reason = reason_of(trial, start.displacement);
+    if (trial.verdict != TrialVerdict::undecided || std::ssize(trial.windows) == rules.most_windows)
+      trial.reason = reason_of(trial, start.displacement);
     told(trial);
   }
   return trial;

@@ -15,25 +15,28 @@ enum class TrialVerdict { stable, failed, undecided };
 
 /// When a trial ends, in scales that are free of the case's units.
 struct TrialRules {
-  Real damping = 0.5;          ///< local damping [-]
-  Real rest = 2e-5;            ///< stable: moves less in a window than it would under this share of its weight (ElasticStart::free_motion)
-  Real failure = 4.0;          ///< failed: displacement beyond this many rho g H^2 / E, and it does not slow down
-  Index most_windows = 200;    ///< undecided after so many windows
-  Real stiffening = 1000.0;    ///< displacements are kept this many times smaller than they were (stiffen()); 1: as they are
+  Real damping = 0.5;        ///< local damping [-]
+  Real rest = 2e-5;          ///< stable: moves less in a window than it would under this share of its weight
+                             ///< (ElasticStart::free_motion)
+  Real failure = 4.0;        ///< failed: displacement beyond this many rho g H^2 / E, and it does not slow down
+  Index most_windows = 200;  ///< undecided after so many windows
+  Real stiffening =
+      1000.0;  ///< displacements are kept this many times smaller than they were (stiffen()); 1: as they are
 };
 
-/// What is looked at after each window: the time in which a shear wave goes down the soil and up again. Of the soil as it is: what the
-/// stiffer soil of the trial does, turned back.
+/// What is looked at after each window: the time in which a shear wave goes down the soil and up again. Of the soil as
+/// it is: what the stiffer soil of the trial does, turned back.
 struct TrialWindow {
-  Real time = 0.0;             ///< at its end [s]
-  Real displacement = 0.0;     ///< mean of the one per cent of the judged points that moved furthest [m]
-  Real out_of_balance = 0.0;   ///< sum |m a| over sum |m g| of the judged nodes, m a the mean over the window [-]; told, not judged
+  Real time = 0.0;          ///< at its end [s]
+  Real displacement = 0.0;  ///< mean of the one per cent of the judged points that moved furthest [m]
+  Real out_of_balance =
+      0.0;  ///< sum |m a| over sum |m g| of the judged nodes, m a the mean over the window [-]; told, not judged
 };
 
 struct Trial {
   Real factor = 0.0;
   TrialVerdict verdict = TrialVerdict::undecided;
-  std::string reason;          ///< in words
+  std::string reason;  ///< in words
   std::int64_t steps = 0;
   double wall_s = 0.0;
   std::vector<TrialWindow> windows;
@@ -43,7 +46,7 @@ struct Trial {
 TrialVerdict judge(const std::vector<TrialWindow>& windows, const TrialRules& rules, const ElasticStart& start);
 
 /// Runs a trial. told: called after each window. Ends undecided where it is when `stop` is set.
-Trial run_trial(const Case& quiet, const Mesh<2>& mesh, const ElasticStart& start, Real factor, const TrialRules& rules, int threads,
-                const std::atomic<bool>& stop, const std::function<void(const Trial&)>& told);
+Trial run_trial(const Case& quiet, const Mesh<2>& mesh, const ElasticStart& start, Real factor, const TrialRules& rules,
+    int threads, const std::atomic<bool>& stop, const std::function<void(const Trial&)>& told);
 
 }  // namespace terp

@@ -1,5 +1,5 @@
-// What one cell adds to its nodes, and what its Gauss points hold; with packs in place of numbers that of eight cells, one per lane.
-// Small arrays that stay in the first cache.
+// What one cell adds to its nodes, and what its Gauss points hold; with packs in place of numbers that of eight cells,
+// one per lane. Small arrays that stay in the first cache.
 #pragma once
 
 #include "materials/material.hpp"
@@ -10,9 +10,9 @@ namespace terp {
 /// A cell's own contributions to its corners; a node sums those of its cells in a fixed order.
 template <int Dim, class R = Real>
 struct CornerSums {
-  std::array<R, n_corners<Dim>> mass;                            ///< m_i [kg per m]
-  std::array<std::array<R, n_corners<Dim>>, Dim> momentum;       ///< (m v)_i [kg m/s per m]
-  std::array<std::array<R, n_corners<Dim>>, Dim> internal_force; ///< f_int of Eq. (4) [N per m]
+  std::array<R, n_corners<Dim>> mass;                             ///< m_i [kg per m]
+  std::array<std::array<R, n_corners<Dim>>, Dim> momentum;        ///< (m v)_i [kg m/s per m]
+  std::array<std::array<R, n_corners<Dim>>, Dim> internal_force;  ///< f_int of Eq. (4) [N per m]
 };
 
 /// Values at the Gauss points of the points of one block.

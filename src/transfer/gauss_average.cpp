@@ -13,7 +13,8 @@ std::array<Pack, 4> split_volume(Pack xi, Pack eta, Pack volume)
   const Mask right = xi >= Pack(-tie), upper = eta >= Pack(-tie);
   const Pack zero(0.0);
   const Pack in_upper = select(upper, volume, zero), in_lower = select(upper, zero, volume);
-  return {select(right, zero, in_lower), select(right, in_lower, zero), select(right, zero, in_upper), select(right, in_upper, zero)};
+  return {select(right, zero, in_lower), select(right, in_lower, zero), select(right, zero, in_upper),
+      select(right, in_upper, zero)};
 }
 
 /// Sub-cell sums of Omega_p -> volume, and of N rows from `first` on, times Omega_p -> out[row][g].
@@ -26,7 +27,7 @@ void sum_rows(const PointBlock<2>& block, int first, PerGauss* volume, PerGauss*
   auto volume_sums = zero_packs<4>();
   for (Index p = 0; p < block.n; p += pack_width) {
     const auto part = split_volume(Pack::load(block.row(Rows::xi) + p), Pack::load(block.row(Rows::xi + 1) + p),
-                                   Pack::load(block.row(Rows::volume) + p));
+        Pack::load(block.row(Rows::volume) + p));
     for (int g = 0; g < 4; ++g) volume_sums[g] += part[g];
     for (int r = 0; r < N; ++r) {
       const Pack value = Pack::load(block.row(first + r) + p);

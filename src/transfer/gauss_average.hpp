@@ -1,5 +1,6 @@
 // Material points to Gauss points: means over sub-cells, integration weights and the cell's pressure, Eqs. (1) to (3).
-// After the sums over points one text serves a cell and eight in packs: R is Real or Pack, Geometry CellGeometry<2> or GeometryLanes.
+// After the sums over points one text serves a cell and eight in packs: R is Real or Pack, Geometry CellGeometry<2> or
+// GeometryLanes.
 #pragma once
 
 #include "mesh/cell_geometry.hpp"
@@ -8,8 +9,8 @@
 
 namespace terp {
 
-/// Sums over each sub-cell of one block: Omega_p -> gauss.volume, sigma_p Omega_p -> gauss.sigma, and, for the first n_state
-/// state variables, alpha_p Omega_p -> gauss.state. The numerators and denominator of Eq. (1).
+/// Sums over each sub-cell of one block: Omega_p -> gauss.volume, sigma_p Omega_p -> gauss.sigma, and, for the first
+/// n_state state variables, alpha_p Omega_p -> gauss.state. The numerators and denominator of Eq. (1).
 void sum_over_sub_cells(const PointBlock<2>& block, int n_state, GaussValues<2>& gauss);
 
 template <class R>
@@ -21,7 +22,8 @@ R total(const std::array<R, 4>& a)
 template <class R>
 R weighted_mean(const std::array<R, 4>& value, const std::array<R, 4>& weight)
 {
-  return ((value[0] * weight[0] + value[1] * weight[1]) + (value[2] * weight[2] + value[3] * weight[3])) / total(weight);
+  return ((value[0] * weight[0] + value[1] * weight[1]) + (value[2] * weight[2] + value[3] * weight[3])) /
+         total(weight);
 }
 
 /// How far a cell counts as filled: 0 part-filled, 1 filled, between only with a blend.
@@ -33,10 +35,11 @@ R filled_share(const Geometry& cell, R volume, const MethodOptions& method)
   return min(max(R(0.5) + R(0.5) * excess / R(method.filled_blend), R(0.0)), R(1.0));
 }
 
-/// Integration weights of one block (reading R3): w_g detJ in a filled cell, shared between blocks by volume; the points'
-/// own volume otherwise. cell_volume: sum over all blocks of the cell, shape [g].
+/// Integration weights of one block (reading R3): w_g detJ in a filled cell, shared between blocks by volume; the
+/// points' own volume otherwise. cell_volume: sum over all blocks of the cell, shape [g].
 template <class Geometry, class R>
-void set_weights(const Geometry& cell, const std::array<R, 4>& cell_volume, const MethodOptions& method, GaussValues<2, R>& gauss)
+void set_weights(
+    const Geometry& cell, const std::array<R, 4>& cell_volume, const MethodOptions& method, GaussValues<2, R>& gauss)
 {
   const R all = total(cell_volume), own = total(gauss.volume);
   R filled = filled_share(cell, all, method);

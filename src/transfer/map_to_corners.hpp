@@ -7,8 +7,9 @@
 
 namespace terp {
 
-/// Least share of a point that a corner of its cell gets. A point exactly on a side gives the corners across nothing; with this they
-/// have its velocity, and do not stand still and strain the cell (decision 0027). Far below the round-off of any mass.
+/// Least share of a point that a corner of its cell gets. A point exactly on a side gives the corners across nothing;
+/// with this they have its velocity, and do not stand still and strain the cell (decision 0027). Far below the
+/// round-off of any mass.
 inline constexpr Real least_share = 1e-30;
 
 /// N_i, at least `least_share`; not a number stays so.

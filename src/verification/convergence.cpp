@@ -36,7 +36,8 @@ Real observed_order(const std::vector<Real>& x, const std::vector<Real>& y)
 {
   const auto runs = from_fine_to_coarse(x, y);
   std::vector<Real> sizes, steps;
-  for (std::size_t k = 0; k + 1 < runs.size(); ++k) sizes.push_back(runs[k].first), steps.push_back(std::abs(runs[k + 1].second - runs[k].second));
+  for (std::size_t k = 0; k + 1 < runs.size(); ++k)
+    sizes.push_back(runs[k].first), steps.push_back(std::abs(runs[k + 1].second - runs[k].second));
   return log_slope(sizes, steps);
 }
 

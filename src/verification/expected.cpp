@@ -19,18 +19,22 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-const Names quantity_keys = {"name", "kind",  "value",     "reduce", "reference", "where",    "scale",    "time",    "from", "to",     "threshold",
-                             "at",   "runs",  "tolerance", "relative", "at_least", "at_most", "of",      "over",    "unit", "source", "red", "as", "shown", "differences", "red_runs"};
+const Names quantity_keys = {"name", "kind", "value", "reduce", "reference", "where", "scale", "time", "from", "to",
+    "threshold", "at", "runs", "tolerance", "relative", "at_least", "at_most", "of", "over", "unit", "source", "red",
+    "as", "shown", "differences", "red_runs"};
 const Names run_keys = {"name", "case", "schemes", "set", "constants", "long", "seconds", "stability"};
-const Names kind_words = {"field", "point", "ledger", "summary", "formula", "order", "footing", "extrapolated", "mesh_error"};
-const Names reduce_words = {"rms_error", "max_error", "mean", "sum", "max", "min", "at", "last", "period", "frequency", "arrival"};
+const Names kind_words = {
+    "field", "point", "ledger", "summary", "formula", "order", "footing", "extrapolated", "mesh_error"};
+const Names reduce_words = {
+    "rms_error", "max_error", "mean", "sum", "max", "min", "at", "last", "period", "frequency", "arrival"};
 
 /// Reads the entries of one table; every wrong one is refused with its place.
 class TableReader {
  public:
   TableReader(const Expected& file, const Node& table, const Names& allowed) : file_(file), table_(table)
   {
-    if (table.kind != NodeKind::table) refuse(file, table.value, "a table must stand here", "Got " + describe_value(table) + ".");
+    if (table.kind != NodeKind::table)
+      refuse(file, table.value, "a table must stand here", "Got " + describe_value(table) + ".");
     for (const Node& item : table.items)
       if (std::find(allowed.begin(), allowed.end(), item.name) == allowed.end()) unknown(item.key, item.name, allowed);
   }
@@ -93,7 +97,8 @@ class TableReader {
   const Node* find(const char* name, bool required) const
   {
     const Node* item = find_item(table_, name);
-    if (item == nullptr && required) refuse(file_, table_.value, fmt::format("`{}` is missing", name), "See docs/verification_cases.md.");
+    if (item == nullptr && required)
+      refuse(file_, table_.value, fmt::format("`{}` is missing", name), "See docs/verification_cases.md.");
     return item;
   }
   [[noreturn]] void wrong(const Node& item, const std::string& wanted) const
@@ -104,7 +109,8 @@ class TableReader {
   {
     const std::string nearest = closest(got, words);
     refuse(file_, place, fmt::format("`{}` is not known here", got),
-           (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) + fmt::format("Allowed: {}", fmt::join(words, ", ")));
+        (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) +
+            fmt::format("Allowed: {}", fmt::join(words, ", ")));
   }
 
  private:
@@ -118,9 +124,12 @@ void check_word(const Expected& file, Place place, const std::string& name)
   const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; };
   const auto is_part = [&](char c) { return is_letter(c) || std::isdigit(static_cast<unsigned char>(c)) != 0; };
   if (name.empty() || !is_letter(name.front()) || !std::all_of(name.begin(), name.end(), is_part))
-    refuse(file, place, fmt::format("`{}` is no name for a formula", name), "Letters, digits and _ make one, a letter first.");
+    refuse(file, place, fmt::format("`{}` is no name for a formula", name),
+        "Letters, digits and _ make one, a letter first.");
   for (const char* taken : {"pi", "end", "dt", "gci", "factor", "stable_at", "not_stable_at"})
-    if (name == taken) refuse(file, place, fmt::format("`{}` has a meaning of its own in formulas", name), "Take another name; see docs/verification_cases.md.");
+    if (name == taken)
+      refuse(file, place, fmt::format("`{}` has a meaning of its own in formulas", name),
+          "Take another name; see docs/verification_cases.md.");
 }
 
 std::vector<Constant> read_constants(const Expected& file, const Node* table)
@@ -148,29 +157,41 @@ std::vector<Constant> read_constants(const Expected& file, const Node* table)
 std::vector<Real> read_stability(const TableReader& reader, const Node& bounds)
 {
   const auto is_number = [](const Node& n) { return n.kind == NodeKind::number || n.kind == NodeKind::integer; };
-  if (bounds.kind != NodeKind::list || bounds.items.size() != 3 || !std::all_of(bounds.items.begin(), bounds.items.end(), is_number))
+  if (bounds.kind != NodeKind::list || bounds.items.size() != 3 ||
+      !std::all_of(bounds.items.begin(), bounds.items.end(), is_number))
     reader.wrong(bounds, "[from, to, tolerance] of the factor");
   std::vector<Real> values;
-  for (const Node& n : bounds.items) values.push_back(n.kind == NodeKind::integer ? static_cast<Real>(n.integer) : n.number);
-  if (!(least_factor <= values[0] && values[0] < values[1] && values[1] <= greatest_factor && least_tolerance <= values[2] && values[2] <= greatest_tolerance))
-    reader.wrong(bounds, fmt::format("[from, to, tolerance] of the factor: {:g} <= from < to <= {:g}, tolerance from {:g} to {:g}", least_factor, greatest_factor,
-                                     least_tolerance, greatest_tolerance));
+  for (const Node& n : bounds.items)
+    values.push_back(n.kind == NodeKind::integer ? static_cast<Real>(n.integer) : n.number);
+  if (!(least_factor <= values[0] && values[0] < values[1] && values[1] <= greatest_factor &&
+          least_tolerance <= values[2] && values[2] <= greatest_tolerance))
+    reader.wrong(bounds,
+        fmt::format("[from, to, tolerance] of the factor: {:g} <= from < to <= {:g}, tolerance from {:g} to {:g}",
+            least_factor, greatest_factor, least_tolerance, greatest_tolerance));
   return values;
 }
 
 Variant read_variant(const Expected& file, const Node& table)
 {
   const TableReader reader(file, table, run_keys);
-  Variant v{.name = reader.label("name"), .case_file = reader.text("case"), .schemes = reader.texts("schemes"), .set = reader.texts("set"),
-            .constants = read_constants(file, find_item(table, "constants")), .is_long = reader.flag("long")};
+  Variant v{.name = reader.label("name"),
+      .case_file = reader.text("case"),
+      .schemes = reader.texts("schemes"),
+      .set = reader.texts("set"),
+      .constants = read_constants(file, find_item(table, "constants")),
+      .is_long = reader.flag("long")};
   v.place = table.value;
   for (std::size_t k = 0; k < v.schemes.size(); ++k)
-    if (std::find(v.schemes.begin(), v.schemes.begin() + static_cast<std::ptrdiff_t>(k), v.schemes[k]) != v.schemes.begin() + static_cast<std::ptrdiff_t>(k))
-      refuse(file, find_item(table, "schemes")->items[k].value, fmt::format("`{}` is in `schemes` already", v.schemes[k]), "Each scheme is one run.");
+    if (std::find(v.schemes.begin(), v.schemes.begin() + static_cast<std::ptrdiff_t>(k), v.schemes[k]) !=
+        v.schemes.begin() + static_cast<std::ptrdiff_t>(k))
+      refuse(file, find_item(table, "schemes")->items[k].value,
+          fmt::format("`{}` is in `schemes` already", v.schemes[k]), "Each scheme is one run.");
   if (const Node* bounds = find_item(table, "stability")) v.stability = read_stability(reader, *bounds);
   if (v.case_file.empty()) v.case_file = "case.toml";
   if (const Node* seconds = find_item(table, "seconds")) {
-    v.seconds = seconds->kind == NodeKind::integer ? static_cast<double>(seconds->integer) : seconds->kind == NodeKind::number ? seconds->number : -1.0;
+    v.seconds = seconds->kind == NodeKind::integer  ? static_cast<double>(seconds->integer)
+                : seconds->kind == NodeKind::number ? seconds->number
+                                                    : -1.0;
     if (!(v.seconds >= 0.0)) reader.wrong(*seconds, "a number of seconds, 0 or more");
   }
   return v;
@@ -193,9 +214,13 @@ void check_judgement(const Expected& file, const Quantity& q)
 {
   const int n_bounds = q.tolerance.given() + q.relative.given() + q.at_least.given() + q.at_most.given();
   if (n_bounds == 0 && !q.as.empty() && !compares_runs(q)) return;
-  if (n_bounds != 1) refuse(file, q.place, "one of `tolerance`, `relative`, `at_least`, `at_most` must be given", fmt::format("Got {}.", n_bounds));
-  if ((q.tolerance.given() || q.relative.given()) && !q.reference.given()) refuse(file, q.place, "`reference` is missing", "A tolerance needs it.");
-  if (is_error(q.reduce) && q.relative.given()) refuse(file, q.relative.place, "an error takes `tolerance`, not `relative`", "Use `scale`.");
+  if (n_bounds != 1)
+    refuse(file, q.place, "one of `tolerance`, `relative`, `at_least`, `at_most` must be given",
+        fmt::format("Got {}.", n_bounds));
+  if ((q.tolerance.given() || q.relative.given()) && !q.reference.given())
+    refuse(file, q.place, "`reference` is missing", "A tolerance needs it.");
+  if (is_error(q.reduce) && q.relative.given())
+    refuse(file, q.relative.place, "an error takes `tolerance`, not `relative`", "Use `scale`.");
   if (q.source.empty()) refuse(file, q.place, "`source` is missing", "Say where the reference comes from.");
 }
 
@@ -207,7 +232,10 @@ void read_place(const TableReader& reader, Quantity& q)
   for (std::size_t d = 0; d < 2; ++d) q.at[d] = reader.to_formula(at->items[d]);
 }
 
-bool is_series(const Quantity& q) { return q.kind == QuantityKind::point || q.kind == QuantityKind::ledger || q.kind == QuantityKind::footing; }
+bool is_series(const Quantity& q)
+{
+  return q.kind == QuantityKind::point || q.kind == QuantityKind::ledger || q.kind == QuantityKind::footing;
+}
 
 /// A key that only some quantities look at.
 struct KeyUse {
@@ -217,16 +245,23 @@ struct KeyUse {
 };
 
 const KeyUse key_uses[] = {
-    {"value", [](const Quantity& q) { return !compares_runs(q); }, "not for order, extrapolated, mesh_error, which take the numbers of the quantity in `of`"},
+    {"value", [](const Quantity& q) { return !compares_runs(q); },
+        "not for order, extrapolated, mesh_error, which take the numbers of the quantity in `of`"},
     {"as", [](const Quantity& q) { return !compares_runs(q); }, "not for order, extrapolated, mesh_error"},
-    {"reduce", [](const Quantity& q) { return q.kind == QuantityKind::field || is_series(q); }, "for field, point, ledger, footing: the other kinds are one number already"},
+    {"reduce", [](const Quantity& q) { return q.kind == QuantityKind::field || is_series(q); },
+        "for field, point, ledger, footing: the other kinds are one number already"},
     {"where", [](const Quantity& q) { return q.kind == QuantityKind::field; }, "for the points of a field"},
-    {"at", [](const Quantity& q) { return q.kind == QuantityKind::point; }, "for a point; points of a field are chosen by `where`"},
-    {"time", [](const Quantity& q) { return q.kind == QuantityKind::field || (is_series(q) && q.reduce == Reduce::at); }, "for a field, and for a series with reduce = \"at\""},
+    {"at", [](const Quantity& q) { return q.kind == QuantityKind::point; },
+        "for a point; points of a field are chosen by `where`"},
+    {"time",
+        [](const Quantity& q) { return q.kind == QuantityKind::field || (is_series(q) && q.reduce == Reduce::at); },
+        "for a field, and for a series with reduce = \"at\""},
     {"from", is_series, "for series: point, ledger, footing"},
     {"to", is_series, "for series: point, ledger, footing"},
-    {"threshold", [](const Quantity& q) { return is_series(q) && q.reduce == Reduce::arrival; }, "for a series with reduce = \"arrival\""},
-    {"scale", [](const Quantity& q) { return !compares_runs(q) && is_error(q.reduce); }, "for reduce = \"rms_error\" or \"max_error\""},
+    {"threshold", [](const Quantity& q) { return is_series(q) && q.reduce == Reduce::arrival; },
+        "for a series with reduce = \"arrival\""},
+    {"scale", [](const Quantity& q) { return !compares_runs(q) && is_error(q.reduce); },
+        "for reduce = \"rms_error\" or \"max_error\""},
     {"of", compares_runs, "for order, extrapolated, mesh_error"},
     {"over", compares_runs, "for order, extrapolated, mesh_error"},
     {"differences", [](const Quantity& q) { return q.kind == QuantityKind::order; }, "for order"},
@@ -238,18 +273,27 @@ void check_uses(const Expected& file, const Node& table, const Quantity& q)
 {
   for (const KeyUse& use : key_uses)
     if (const Node* item = find_item(table, use.key); item != nullptr && !use.has(q))
-      refuse(file, item->key, fmt::format("`{}` has no effect on a quantity of kind `{}` here", use.key, kind_words[static_cast<std::size_t>(q.kind)]),
-             fmt::format("It is {}.", use.whose));
-  const bool of_times = q.reduce == Reduce::at || q.reduce == Reduce::last || q.reduce == Reduce::period || q.reduce == Reduce::frequency || q.reduce == Reduce::arrival;
+      refuse(file, item->key,
+          fmt::format("`{}` has no effect on a quantity of kind `{}` here", use.key,
+              kind_words[static_cast<std::size_t>(q.kind)]),
+          fmt::format("It is {}.", use.whose));
+  const bool of_times = q.reduce == Reduce::at || q.reduce == Reduce::last || q.reduce == Reduce::period ||
+                        q.reduce == Reduce::frequency || q.reduce == Reduce::arrival;
   if (q.kind == QuantityKind::field && of_times)
-    refuse(file, find_item(table, "reduce")->value, fmt::format("a field has no `{}`", reduce_words[static_cast<std::size_t>(q.reduce)]),
-           "It is at one time. Allowed: rms_error, max_error, mean, sum, max, min. A curve over time is a point, ledger or footing.");
+    refuse(file, find_item(table, "reduce")->value,
+        fmt::format("a field has no `{}`", reduce_words[static_cast<std::size_t>(q.reduce)]),
+        "It is at one time. Allowed: rms_error, max_error, mean, sum, max, min. A curve over time is a point, ledger "
+        "or footing.");
 }
 
 Quantity read_quantity(const Expected& file, const Node& table)
 {
   const TableReader reader(file, table, quantity_keys);
-  Quantity q{.name = reader.label("name", true), .unit = reader.text("unit"), .source = reader.text("source"), .shown = reader.text("shown"), .red = reader.text("red")};
+  Quantity q{.name = reader.label("name", true),
+      .unit = reader.text("unit"),
+      .source = reader.text("source"),
+      .shown = reader.text("shown"),
+      .red = reader.text("red")};
   q.place = table.value;
   q.differences = reader.flag("differences");
   q.kind = static_cast<QuantityKind>(reader.word("kind", kind_words, 0));
@@ -286,13 +330,16 @@ void check_as(const Expected& file)
     if (q->as.empty()) continue;
     const auto same = [&](const Quantity& other) { return other.as == q->as && share_a_run(other.runs, q->runs); };
     if (std::any_of(file.quantities.begin(), q, same))
-      refuse(file, q->place, fmt::format("there are two quantities with as = \"{}\" in one run", q->as), "Formulas that speak of it would mean the last.");
-    if (is_constant(file.constants, q->as) || std::any_of(file.variants.begin(), file.variants.end(), [&](const Variant& v) { return is_constant(v.constants, q->as); }))
+      refuse(file, q->place, fmt::format("there are two quantities with as = \"{}\" in one run", q->as),
+          "Formulas that speak of it would mean the last.");
+    if (is_constant(file.constants, q->as) || std::any_of(file.variants.begin(), file.variants.end(),
+                                                  [&](const Variant& v) { return is_constant(v.constants, q->as); }))
       refuse(file, q->place, fmt::format("as = \"{}\" is a constant already", q->as), "Take another name.");
   }
 }
 
-/// Quantities of one name are told apart by their runs; `of` means all rows of a name, so that there it must be one quantity's.
+/// Quantities of one name are told apart by their runs; `of` means all rows of a name, so that there it must be one
+/// quantity's.
 void check_quantity_names(const Expected& file)
 {
   for (auto q = file.quantities.begin(); q != file.quantities.end(); ++q) {
@@ -300,9 +347,11 @@ void check_quantity_names(const Expected& file)
     for (auto earlier = file.quantities.begin(); earlier != q; ++earlier) {
       if (earlier->name != q->name) continue;
       if (share_a_run(earlier->runs, q->runs))
-        refuse(file, q->place, fmt::format("there are two quantities `{}` of one run", q->name), "Each needs a name of its own, or `runs` that the other has not.");
+        refuse(file, q->place, fmt::format("there are two quantities `{}` of one run", q->name),
+            "Each needs a name of its own, or `runs` that the other has not.");
       if (std::any_of(file.quantities.begin(), file.quantities.end(), is_compared))
-        refuse(file, q->place, fmt::format("there are two quantities `{}`, and an `of` names it", q->name), "Give each a name of its own: `of` would mix their numbers.");
+        refuse(file, q->place, fmt::format("there are two quantities `{}`, and an `of` names it", q->name),
+            "Give each a name of its own: `of` would mix their numbers.");
     }
   }
 }
@@ -313,8 +362,9 @@ void check_names(const Expected& file)
   Names runs, quantities;
   for (const Variant& v : file.variants) {
     if (std::find(runs.begin(), runs.end(), v.name) != runs.end())
-      refuse(file, v.place, v.name.empty() ? "more than one run has no `name`" : fmt::format("there are two runs `{}`", v.name),
-             "Where there is more than one, each needs a name of its own: the rows are told apart by it.");
+      refuse(file, v.place,
+          v.name.empty() ? "more than one run has no `name`" : fmt::format("there are two runs `{}`", v.name),
+          "Where there is more than one, each needs a name of its own: the rows are told apart by it.");
     runs.push_back(v.name);
   }
   Names red_runs = runs;
@@ -325,7 +375,8 @@ void check_names(const Expected& file)
   for (const Quantity& q : file.quantities) quantities.push_back(q.name);
   const auto check = [&](const Quantity& q, const std::string& name, const Names& known, const char* what) {
     if (std::find(known.begin(), known.end(), name) == known.end())
-      refuse(file, q.place, fmt::format("there is no {} `{}`", what, name), fmt::format("There are: {}", fmt::join(known, ", ")));
+      refuse(file, q.place, fmt::format("there is no {} `{}`", what, name),
+          fmt::format("There are: {}", fmt::join(known, ", ")));
   };
   for (const Quantity& q : file.quantities) {
     for (const std::string& run : q.runs) check(q, run, runs, "run");
@@ -334,7 +385,8 @@ void check_names(const Expected& file)
     check(q, q.of, quantities, "quantity");
     const auto compared = [&](const Quantity& other) { return other.name == q.of && compares_runs(other); };
     if (std::any_of(file.quantities.begin(), file.quantities.end(), compared))
-      refuse(file, q.place, fmt::format("`of` names `{}`, which compares runs itself", q.of), "Name a quantity that each run measures.");
+      refuse(file, q.place, fmt::format("`of` names `{}`, which compares runs itself", q.of),
+          "Name a quantity that each run measures.");
   }
 }
 
@@ -343,7 +395,8 @@ void check_run_counts(const Expected& file)
 {
   for (const Quantity& q : file.quantities) {
     if (!compares_runs(q)) continue;
-    std::map<std::string, std::ptrdiff_t> n_runs{{"", 0}};  // of each scheme; "": that of the case, which may be any of them
+    std::map<std::string, std::ptrdiff_t> n_runs{
+        {"", 0}};  // of each scheme; "": that of the case, which may be any of them
     for (const Quantity& measured : file.quantities)
       for (const Variant& v : file.variants)
         if (measured.name == q.of && names_run(measured.runs, v.name) && names_run(q.runs, v.name))
@@ -351,7 +404,8 @@ void check_run_counts(const Expected& file)
     std::ptrdiff_t most = 0;
     for (const auto& [scheme, n] : n_runs) most = std::max(most, n + (scheme.empty() ? 0 : n_runs[""]));
     if (most < least_runs(q))
-      refuse(file, q.place, fmt::format("`{}` needs {} runs of one scheme", q.name, least_runs(q)), fmt::format("`{}` is measured in {}.", q.of, most));
+      refuse(file, q.place, fmt::format("`{}` needs {} runs of one scheme", q.name, least_runs(q)),
+          fmt::format("`{}` is measured in {}.", q.of, most));
   }
 }
 
@@ -375,7 +429,10 @@ Expected read_expected(const std::string& path)
 {
   Expected file{.path = path};
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw CaseError(fmt::format("error: {}: the file cannot be read\n  A verification case is a folder with case.toml and expected.toml.\n", path));
+  if (!stream)
+    throw CaseError(fmt::format(
+        "error: {}: the file cannot be read\n  A verification case is a folder with case.toml and expected.toml.\n",
+        path));
   std::ostringstream text;
   text << stream.rdbuf();
   file.text = text.str();

@@ -1,5 +1,5 @@
-// What a verification case expects: expected.toml as it stands in the file, checked. Format: docs/verification_cases.md.
-// Not for: evaluating its formulas (scope.hpp).
+// What a verification case expects: expected.toml as it stands in the file, checked. Format:
+// docs/verification_cases.md. Not for: evaluating its formulas (scope.hpp).
 #pragma once
 
 #include "input/document.hpp"
@@ -26,20 +26,22 @@ enum class Reduce { rms_error, max_error, mean, sum, max, min, at, last, period,
 
 struct Quantity {
   std::string name = {}, unit = {}, source = {};
-  std::string shown = {};       ///< the reference as the table shows it; empty: its number or formula
-  std::string red = {};         ///< why it is known not to agree, and what would mend it; empty: it must agree
+  std::string shown = {};  ///< the reference as the table shows it; empty: its number or formula
+  std::string red = {};    ///< why it is known not to agree, and what would mend it; empty: it must agree
   QuantityKind kind = QuantityKind::field;
   Reduce reduce = Reduce::rms_error;
   Formula value = {}, reference = {};
-  Formula where = {}, scale = {};  ///< field: points that count; what errors are measured in
+  Formula where = {}, scale = {};         ///< field: points that count; what errors are measured in
   Formula time = {}, from = {}, to = {};  ///< field, at: when; series: the window that counts [s]
-  Formula threshold = {};       ///< arrival: |value| that has to be reached
-  std::array<Formula, 2> at = {};  ///< point: initial place [m]
+  Formula threshold = {};                 ///< arrival: |value| that has to be reached
+  std::array<Formula, 2> at = {};         ///< point: initial place [m]
   Formula tolerance = {}, relative = {}, at_least = {}, at_most = {};
-  std::string as = {};          ///< name of its value in later quantities of kind formula; without a bound it is no row of its own
-  std::string of = {}, over = {};  ///< order, extrapolated, mesh_error: name of another quantity; the constant that is refined
-  bool differences = false;     ///< order: of the differences of successive values, where the limit is not the reference
-  std::vector<std::string> runs = {};  ///< names of the runs it is measured in; empty: all
+  std::string as =
+      {};  ///< name of its value in later quantities of kind formula; without a bound it is no row of its own
+  std::string of = {},
+              over = {};  ///< order, extrapolated, mesh_error: name of another quantity; the constant that is refined
+  bool differences = false;  ///< order: of the differences of successive values, where the limit is not the reference
+  std::vector<std::string> runs = {};      ///< names of the runs it is measured in; empty: all
   std::vector<std::string> red_runs = {};  ///< those that `red` speaks of; empty: all
   Place place = {};
 };
@@ -51,14 +53,14 @@ struct Constant {
 };
 
 struct Variant {
-  std::string name = {};               ///< "h = 0.25 m"; empty if there is one only
+  std::string name = {};  ///< "h = 0.25 m"; empty if there is one only
   std::string case_file = {};
   std::vector<std::string> schemes = {};  ///< empty: that of the case
-  std::vector<std::string> set = {};   ///< KEY=VALUE
-  std::vector<Constant> constants = {};  ///< in addition to those of the file
-  std::vector<Real> stability = {};    ///< a factor of safety instead of a run: from, to, tolerance; empty: a run
+  std::vector<std::string> set = {};      ///< KEY=VALUE
+  std::vector<Constant> constants = {};   ///< in addition to those of the file
+  std::vector<Real> stability = {};       ///< a factor of safety instead of a run: from, to, tolerance; empty: a run
   bool is_long = false;
-  double seconds = 1.0;                ///< about, on one core; for the time to go
+  double seconds = 1.0;  ///< about, on one core; for the time to go
   Place place = {};
 };
 
@@ -89,12 +91,16 @@ inline bool names_run(const std::vector<std::string>& runs, const std::string& r
 }
 
 /// It needs the limit that the runs of a scheme tend to.
-inline bool needs_limit(const Quantity& q) { return q.kind == QuantityKind::extrapolated || q.kind == QuantityKind::mesh_error; }
+inline bool needs_limit(const Quantity& q)
+{
+  return q.kind == QuantityKind::extrapolated || q.kind == QuantityKind::mesh_error;
+}
 
 /// It compares the runs of a scheme; a single run does not measure it.
 inline bool compares_runs(const Quantity& q) { return q.kind == QuantityKind::order || needs_limit(q); }
 
-/// The fewest runs of a scheme that it can be told from: an order of errors takes two, one of differences or a limit three.
+/// The fewest runs of a scheme that it can be told from: an order of errors takes two, one of differences or a limit
+/// three.
 inline std::ptrdiff_t least_runs(const Quantity& q) { return q.differences || needs_limit(q) ? 3 : 2; }
 
 /// Errors of a norm are themselves the number that is judged.

@@ -29,8 +29,10 @@ class FieldMeasure : public Measure {
   Measured finish(const Summary& summary) override
   {
     if (!(std::abs(nearest_->time - time_) <= 0.51 * std::max(summary.dt, 1e-9 * time_)))
-      refuse(scope_.file, quantity_.time.given() ? quantity_.time.place : quantity_.place, fmt::format("there is no frame at {:g} s", time_),
-             fmt::format("The nearest is at {:g} s. Let output.fields.every of the case divide the time.", nearest_->time));
+      refuse(scope_.file, quantity_.time.given() ? quantity_.time.place : quantity_.place,
+          fmt::format("there is no frame at {:g} s", time_),
+          fmt::format(
+              "The nearest is at {:g} s. Let output.fields.every of the case divide the time.", nearest_->time));
     read_points();
     if (values_.empty()) refuse(scope_.file, quantity_.where.place, "no point is `where` this says", "");
     const Real scale = scope_.scale(quantity_.scale);
@@ -66,6 +68,9 @@ class FieldMeasure : public Measure {
 
 }  // namespace
 
-std::unique_ptr<Measure> make_field_measure(const Quantity& quantity, const Scope& scope) { return std::make_unique<FieldMeasure>(quantity, scope); }
+std::unique_ptr<Measure> make_field_measure(const Quantity& quantity, const Scope& scope)
+{
+  return std::make_unique<FieldMeasure>(quantity, scope);
+}
 
 }  // namespace terp

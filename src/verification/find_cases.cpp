@@ -20,7 +20,7 @@ std::string find_cases_folder()
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   std::vector<std::string> tried;
-  for (fs::path above = program.parent_path(); ; above = above.parent_path()) {
+  for (fs::path above = program.parent_path();; above = above.parent_path()) {
     for (const char* inside : {"cases/verification", "share/terp/cases/verification"}) {
       const fs::path folder = above / inside;
       if (fs::is_directory(folder, error)) return folder.string();
@@ -28,8 +28,9 @@ std::string find_cases_folder()
     }
     if (above == above.parent_path()) break;
   }
-  throw FileError(fmt::format("there are no verification cases beside the program. Looked for:\n  {}\n  Say where they are with --cases DIR.",
-                              fmt::join(tried, "\n  ")));
+  throw FileError(fmt::format(
+      "there are no verification cases beside the program. Looked for:\n  {}\n  Say where they are with --cases DIR.",
+      fmt::join(tried, "\n  ")));
 }
 
 std::vector<std::string> names_of_cases(const std::string& folder)
@@ -38,7 +39,8 @@ std::vector<std::string> names_of_cases(const std::string& folder)
   std::vector<std::string> names;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
     if (fs::exists(entry.path() / "expected.toml", error)) names.push_back(entry.path().filename().string());
-  if (names.empty()) throw FileError(fmt::format("{}: there are no verification cases: folders with an expected.toml", folder));
+  if (names.empty())
+    throw FileError(fmt::format("{}: there are no verification cases: folders with an expected.toml", folder));
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -56,7 +58,7 @@ std::vector<std::string> choose_cases(const std::string& folder, const std::vect
     if (chosen.size() > n) continue;
     const std::string nearest = closest(word, names);
     throw FileError(fmt::format("there is no verification case `{}`.{}\n  Cases: {}", word,
-                                nearest.empty() ? "" : fmt::format(" Did you mean `{}`?", nearest), fmt::join(names, ", ")));
+        nearest.empty() ? "" : fmt::format(" Did you mean `{}`?", nearest), fmt::join(names, ", ")));
   }
   std::vector<std::string> once;  // however often a case was named
   for (std::string& name : chosen)

@@ -8,8 +8,8 @@
 
 namespace terp {
 
-/// t, x, y; x0, y0 (where the point was at t = 0), ux, uy, vx, vy; sxx syy szz sxy [Pa] and p = their mean, tension positive; exx eyy ezz exy;
-/// and every field of one component by its own name.
+/// t, x, y; x0, y0 (where the point was at t = 0), ux, uy, vx, vy; sxx syy szz sxy [Pa] and p = their mean, tension
+/// positive; exx eyy ezz exy; and every field of one component by its own name.
 std::vector<std::string> names_of(const Frame& frame);
 
 /// The numbers of one point, in the order of the names.

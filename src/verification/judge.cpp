@@ -20,7 +20,10 @@ std::string number(Real value, const std::string& unit)
   return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit);
 }
 
-std::string run_text(const std::string& run, const std::string& scheme) { return run.empty() ? scheme : run + ", " + scheme; }
+std::string run_text(const std::string& run, const std::string& scheme)
+{
+  return run.empty() ? scheme : run + ", " + scheme;
+}
 
 /// The distance that is judged: of a norm, the norm itself; with `relative`, over the reference.
 Real error_of(const Finding& f)
@@ -62,13 +65,17 @@ std::string why_none(const Finding& f)
 Row to_row(const std::string& case_name, const Finding& f)
 {
   const Quantity& q = *f.quantity;
-  const bool norm = is_error(q.reduce), bound = !std::isnan(f.at_least) || !std::isnan(f.at_most), relative = !std::isnan(f.relative);
+  const bool norm = is_error(q.reduce), bound = !std::isnan(f.at_least) || !std::isnan(f.at_most),
+             relative = !std::isnan(f.relative);
   Row row{.case_name = case_name, .run = run_text(f.run, f.scheme), .quantity = q.name, .source = q.source};
   row.reference = norm ? q.reference.text : std::isnan(f.reference) ? "-" : number(f.reference, q.unit);
   if (norm && row.reference.empty()) row.reference = "0";
   if (!q.shown.empty()) row.reference = q.shown;
-  row.terp = norm ? fmt::format("{} error {:.3g}", q.reduce == Reduce::rms_error ? "rms" : "largest", f.value) : number(f.value, q.unit);
-  row.error = bound ? "-" : relative ? fmt::format("{:.2g} %", 100.0 * error_of(f)) : fmt::format("{:.2g}", error_of(f));
+  row.terp = norm ? fmt::format("{} error {:.3g}", q.reduce == Reduce::rms_error ? "rms" : "largest", f.value)
+                  : number(f.value, q.unit);
+  row.error = bound      ? "-"
+              : relative ? fmt::format("{:.2g} %", 100.0 * error_of(f))
+                         : fmt::format("{:.2g}", error_of(f));
   row.tolerance = !std::isnan(f.at_least)  ? fmt::format("at least {:.3g}", f.at_least)
                   : !std::isnan(f.at_most) ? fmt::format("at most {:.3g}", f.at_most)
                   : relative               ? fmt::format("{:.3g} %", 100.0 * f.relative)
@@ -101,7 +108,8 @@ struct Refinement {
   Scope scope;
 };
 
-Refinement collect(const Expected& file, const Quantity& q, const std::string& scheme, const std::vector<Finding>& findings)
+Refinement collect(
+    const Expected& file, const Quantity& q, const std::string& scheme, const std::vector<Finding>& findings)
 {
   Refinement runs{.sizes = {}, .numbers = {}, .scope = {.file = file, .constants = {}}};
   const bool of_values = q.differences || needs_limit(q);
@@ -117,23 +125,34 @@ Refinement collect(const Expected& file, const Quantity& q, const std::string& s
 /// The order or the limit of the runs; a limit leaves its uncertainty as the constant `gci`.
 Real number_of(const Quantity& q, Refinement& runs)
 {
-  if (q.kind == QuantityKind::order) return q.differences ? observed_order(runs.sizes, runs.numbers) : log_slope(runs.sizes, runs.numbers);
+  if (q.kind == QuantityKind::order)
+    return q.differences ? observed_order(runs.sizes, runs.numbers) : log_slope(runs.sizes, runs.numbers);
   const Limit limit = extrapolate(runs.sizes, runs.numbers);
   runs.scope.constants["gci"] = limit.uncertainty;
   return limit.value;
 }
 
 /// A number with the bounds that a quantity gives in a scope.
-Finding find_by_bounds(const Quantity& q, const std::string& run, const std::string& scheme, Real value, const Scope& scope)
+Finding find_by_bounds(
+    const Quantity& q, const std::string& run, const std::string& scheme, Real value, const Scope& scope)
 {
-  Finding finding{.quantity = &q, .run = run, .scheme = scheme, .value = value, .reference = scope.evaluate_or(q.reference, nan),
-                  .tolerance = nan, .relative = nan, .at_least = nan, .at_most = nan, .constants = {}};
+  Finding finding{.quantity = &q,
+      .run = run,
+      .scheme = scheme,
+      .value = value,
+      .reference = scope.evaluate_or(q.reference, nan),
+      .tolerance = nan,
+      .relative = nan,
+      .at_least = nan,
+      .at_most = nan,
+      .constants = {}};
   read_bounds(scope, finding);
   return finding;
 }
 
 /// Each run of a scheme, its distance from the limit of the runs, with their safety, as the constant `gci`.
-void add_runs_by_limit(const Quantity& q, const std::string& scheme, const std::vector<Finding>& findings, Refinement& runs, std::vector<Finding>& result)
+void add_runs_by_limit(const Quantity& q, const std::string& scheme, const std::vector<Finding>& findings,
+    Refinement& runs, std::vector<Finding>& result)
 {
   const Limit limit = extrapolate(runs.sizes, runs.numbers);
   for (const Finding& f : findings) {
@@ -162,7 +181,8 @@ std::vector<Finding> compare_runs(const Expected& file, const Quantity& q, const
 }
 
 /// A formula that cannot be evaluated costs this row, not those of the runs.
-void add_comparison(const std::string& case_name, const Expected& file, const Quantity& q, const std::vector<Finding>& findings, std::vector<Row>& rows)
+void add_comparison(const std::string& case_name, const Expected& file, const Quantity& q,
+    const std::vector<Finding>& findings, std::vector<Row>& rows)
 {
   try {
     for (const Finding& f : compare_runs(file, q, findings)) rows.push_back(to_row(case_name, f));
@@ -173,24 +193,38 @@ void add_comparison(const std::string& case_name, const Expected& file, const Qu
 
 }  // namespace
 
-Row fault_row(const std::string& case_name, const std::string& run, const std::string& quantity, const std::string& fault)
+Row fault_row(
+    const std::string& case_name, const std::string& run, const std::string& quantity, const std::string& fault)
 {
-  return {.case_name = case_name, .run = run, .quantity = quantity, .reference = "-", .source = "", .terp = "no result", .error = "-", .tolerance = "-",
-          .verdict = Verdict::fail, .remark = fault};
+  return {.case_name = case_name,
+      .run = run,
+      .quantity = quantity,
+      .reference = "-",
+      .source = "",
+      .terp = "no result",
+      .error = "-",
+      .tolerance = "-",
+      .verdict = Verdict::fail,
+      .remark = fault};
 }
 
-std::vector<Row> judge(const std::string& case_name, const Expected& file, const std::vector<Solve>& solves, const std::vector<Solved>& solved)
+std::vector<Row> judge(const std::string& case_name, const Expected& file, const std::vector<Solve>& solves,
+    const std::vector<Solved>& solved)
 {
   std::vector<Row> rows;
   std::vector<Finding> findings;
   for (std::size_t k = 0; k < solved.size(); ++k) {
-    if (!solved[k].fault.empty()) rows.push_back(fault_row(case_name, run_text(solves[k].variant->name, solves[k].scheme), "the run", solved[k].fault));
+    if (!solved[k].fault.empty())
+      rows.push_back(
+          fault_row(case_name, run_text(solves[k].variant->name, solves[k].scheme), "the run", solved[k].fault));
     findings.insert(findings.end(), solved[k].findings.begin(), solved[k].findings.end());
   }
   for (const Quantity& q : file.quantities) {
     if (compares_runs(q)) add_comparison(case_name, file, q, findings, rows);
     for (const Finding& f : findings)
-      if (f.quantity == &q) rows.push_back(f.fault.empty() ? to_row(case_name, f) : fault_row(case_name, run_text(f.run, f.scheme), q.name, f.fault));
+      if (f.quantity == &q)
+        rows.push_back(
+            f.fault.empty() ? to_row(case_name, f) : fault_row(case_name, run_text(f.run, f.scheme), q.name, f.fault));
   }
   return rows;
 }

@@ -13,16 +13,19 @@ enum class Verdict {
 
 /// One row, ready to be shown.
 struct Row {
-  std::string case_name = {}, run = {}, quantity = {}, reference = {}, source = {}, terp = {}, error = {}, tolerance = {};
+  std::string case_name = {}, run = {}, quantity = {}, reference = {}, source = {}, terp = {}, error = {},
+              tolerance = {};
   Verdict verdict = Verdict::pass;
   bool declared_red = false;  ///< the case says that it does not agree, whether it does or not
-  std::string remark = {};  ///< why it is red, or what went wrong
+  std::string remark = {};    ///< why it is red, or what went wrong
 };
 
 /// What gave no numbers: a run, or all of a case.
-Row fault_row(const std::string& case_name, const std::string& run, const std::string& quantity, const std::string& fault);
+Row fault_row(
+    const std::string& case_name, const std::string& run, const std::string& quantity, const std::string& fault);
 
 /// Rows of one case from all its runs: quantities in the order of the file, then orders of convergence.
-std::vector<Row> judge(const std::string& case_name, const Expected& file, const std::vector<Solve>& solves, const std::vector<Solved>& solved);
+std::vector<Row> judge(const std::string& case_name, const Expected& file, const std::vector<Solve>& solves,
+    const std::vector<Solved>& solved);
 
 }  // namespace terp

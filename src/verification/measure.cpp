@@ -9,15 +9,16 @@ namespace {
 
 constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 
-const std::vector<std::string> summary_names = {"front_x",        "crest_x", "second_failure_time", "max_eps_eq_p", "softened_fraction", "energy_balance_error",
-                                                "clamped_points", "points_left", "v_999", "n_points", "n_steps", "points_eps_eq_p_fell", "points_su_rose"};
+const std::vector<std::string> summary_names = {"front_x", "crest_x", "second_failure_time", "max_eps_eq_p",
+    "softened_fraction", "energy_balance_error", "clamped_points", "points_left", "v_999", "n_points", "n_steps",
+    "points_eps_eq_p_fell", "points_su_rose"};
 
 std::vector<Real> summary_row(const Summary& s)
 {
   return {s.front_x, s.crest_x.value_or(nan), s.second_failure_time.value_or(nan), s.max_eps_eq_p,
-          s.softened_fraction.empty() ? nan : s.softened_fraction.back().second, s.energy_balance_error, static_cast<Real>(s.clamped_points),
-          static_cast<Real>(s.points_left), s.v_999, static_cast<Real>(s.n_points), static_cast<Real>(s.n_steps),
-          static_cast<Real>(s.points_eps_eq_p_fell), static_cast<Real>(s.points_su_rose)};
+      s.softened_fraction.empty() ? nan : s.softened_fraction.back().second, s.energy_balance_error,
+      static_cast<Real>(s.clamped_points), static_cast<Real>(s.points_left), s.v_999, static_cast<Real>(s.n_points),
+      static_cast<Real>(s.n_steps), static_cast<Real>(s.points_eps_eq_p_fell), static_cast<Real>(s.points_su_rose)};
 }
 
 /// A number of summary.json.
@@ -26,7 +27,8 @@ class SummaryMeasure : public Measure {
   SummaryMeasure(const Quantity& quantity, const Scope& scope) : quantity_(quantity), scope_(scope) {}
   Measured finish(const Summary& summary) override
   {
-    return {scope_.compile(quantity_.value, summary_names)(summary_row(summary)), scope_.evaluate_or(quantity_.reference, nan)};
+    return {scope_.compile(quantity_.value, summary_names)(summary_row(summary)),
+        scope_.evaluate_or(quantity_.reference, nan)};
   }
 
  private:
@@ -38,7 +40,10 @@ class SummaryMeasure : public Measure {
 class FormulaMeasure : public Measure {
  public:
   FormulaMeasure(const Quantity& quantity, const Scope& scope) : quantity_(quantity), scope_(scope) {}
-  Measured finish(const Summary&) override { return {scope_.evaluate(quantity_.value), scope_.evaluate_or(quantity_.reference, nan)}; }
+  Measured finish(const Summary&) override
+  {
+    return {scope_.evaluate(quantity_.value), scope_.evaluate_or(quantity_.reference, nan)};
+  }
 
  private:
   const Quantity& quantity_;
@@ -104,8 +109,14 @@ class GuardedMeasure : public Measure {
 
 }  // namespace
 
-std::unique_ptr<Measure> make_summary_measure(const Quantity& quantity, const Scope& scope) { return std::make_unique<SummaryMeasure>(quantity, scope); }
+std::unique_ptr<Measure> make_summary_measure(const Quantity& quantity, const Scope& scope)
+{
+  return std::make_unique<SummaryMeasure>(quantity, scope);
+}
 
-std::unique_ptr<Measure> make_measure(const Quantity& quantity, const Scope& scope) { return std::make_unique<GuardedMeasure>(quantity, scope); }
+std::unique_ptr<Measure> make_measure(const Quantity& quantity, const Scope& scope)
+{
+  return std::make_unique<GuardedMeasure>(quantity, scope);
+}
 
 }  // namespace terp

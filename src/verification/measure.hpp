@@ -21,7 +21,8 @@ class Measure : public Observer {
   virtual Measured finish(const Summary& summary) = 0;
 };
 
-/// What it refuses, now or while it watches, it throws at its end. Not for what compares runs (judge.hpp). Quantity and scope must outlive the measure.
+/// What it refuses, now or while it watches, it throws at its end. Not for what compares runs (judge.hpp). Quantity and
+/// scope must outlive the measure.
 std::unique_ptr<Measure> make_measure(const Quantity& quantity, const Scope& scope);
 
 std::unique_ptr<Measure> make_field_measure(const Quantity& quantity, const Scope& scope);

@@ -8,9 +8,13 @@ namespace terp {
 namespace {
 
 constexpr int n_columns = 8;
-constexpr std::array<const char*, n_columns> heads{"quantity", "run", "reference", "Terp", "error", "tolerance", "result", "source"};
+constexpr std::array<const char*, n_columns> heads{
+    "quantity", "run", "reference", "Terp", "error", "tolerance", "result", "source"};
 
-const char* word(Verdict verdict) { return verdict == Verdict::pass ? "pass" : verdict == Verdict::red ? "red" : "FAIL"; }
+const char* word(Verdict verdict)
+{
+  return verdict == Verdict::pass ? "pass" : verdict == Verdict::red ? "red" : "FAIL";
+}
 
 std::array<std::string, n_columns> cells_of(const Row& r)
 {
@@ -20,10 +24,14 @@ std::array<std::string, n_columns> cells_of(const Row& r)
 /// In characters, not bytes.
 std::size_t width_of(const std::string& text)
 {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-std::string padded(const std::string& text, std::size_t width) { return text + std::string(width - std::min(width, width_of(text)), ' '); }
+std::string padded(const std::string& text, std::size_t width)
+{
+  return text + std::string(width - std::min(width, width_of(text)), ' ');
+}
 
 /// Remarks of the rows that do not agree, each text once.
 std::vector<std::string> remarks_of(const CaseRows& c)
@@ -39,19 +47,29 @@ std::vector<std::string> remarks_of(const CaseRows& c)
 
 std::string replaced(std::string text, const std::string& what, const std::string& by)
 {
-  for (std::size_t k = text.find(what); k != std::string::npos; k = text.find(what, k + by.size())) text.replace(k, what.size(), by);
+  for (std::size_t k = text.find(what); k != std::string::npos; k = text.find(what, k + by.size()))
+    text.replace(k, what.size(), by);
   return text;
 }
 
-std::string for_markdown(const std::string& text) { return replaced(replaced(replaced(replaced(text, "<", "\\<"), "|", "\\|"), "*", "\\*"), "\n", " "); }
+std::string for_markdown(const std::string& text)
+{
+  return replaced(replaced(replaced(replaced(text, "<", "\\<"), "|", "\\|"), "*", "\\*"), "\n", " ");
+}
 
-std::string for_html(const std::string& text) { return replaced(replaced(replaced(text, "&", "&amp;"), "<", "&lt;"), ">", "&gt;"); }
+std::string for_html(const std::string& text)
+{
+  return replaced(replaced(replaced(text, "&", "&amp;"), "<", "&lt;"), ">", "&gt;");
+}
 
 constexpr const char* html_head = R"(<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><title>Terp: verification</title><style>
-body { font: 15px/1.45 system-ui, sans-serif; margin: 2rem auto; max-width: 80rem; padding: 0 1rem; color: #1c1c1c; background: #fff }
-table { border-collapse: collapse; width: 100%; margin: .5rem 0 1rem } th, td { text-align: left; padding: .25rem .6rem; border-bottom: 1px solid #ddd; vertical-align: top }
-th { font-weight: 600 } td { font-variant-numeric: tabular-nums } .pass { color: #14692b } .red, .fail { color: #b00020; font-weight: 600 }
+body { font: 15px/1.45 system-ui, sans-serif; margin: 2rem auto; max-width: 80rem; padding: 0 1rem; color: #1c1c1c;
+       background: #fff }
+table { border-collapse: collapse; width: 100%; margin: .5rem 0 1rem }
+th, td { text-align: left; padding: .25rem .6rem; border-bottom: 1px solid #ddd; vertical-align: top }
+th { font-weight: 600 } td { font-variant-numeric: tabular-nums }
+.pass { color: #14692b } .red, .fail { color: #b00020; font-weight: 600 }
 .source { color: #555 }
 </style></head><body><h1>Verification</h1>
 )";
@@ -66,7 +84,11 @@ std::string html_section(const CaseRows& c)
     const auto cells = cells_of(r);
     for (int k = 0; k < n_columns; ++k) {
       const bool verdict = k == n_columns - 2, source = k == n_columns - 1;
-      const std::string style = verdict ? (r.verdict == Verdict::pass ? "pass" : r.verdict == Verdict::red ? "red" : "fail") : source ? "source" : "";
+      const std::string style = verdict  ? (r.verdict == Verdict::pass     ? "pass"
+                                               : r.verdict == Verdict::red ? "red"
+                                                                           : "fail")
+                                : source ? "source"
+                                         : "";
       out += fmt::format("<td{}>{}</td>", style.empty() ? "" : fmt::format(" class=\"{}\"", style), for_html(cells[k]));
     }
     out += "</tr>\n";
@@ -82,7 +104,8 @@ std::string markdown_overview(const std::vector<CaseRows>& cases)
   std::string out = "| case | | rows | pass | red |\n|---|---|---|---|---|\n";
   for (const CaseRows& c : cases) {
     const Counts n = count({c});
-    out += fmt::format("| [{0}](#{0}) | {1} | {2} | {3} | {4} |\n", c.name, for_markdown(c.title), n.pass + n.red + n.fail, n.pass, n.red + n.fail);
+    out += fmt::format("| [{0}](#{0}) | {1} | {2} | {3} | {4} |\n", c.name, for_markdown(c.title),
+        n.pass + n.red + n.fail, n.pass, n.red + n.fail);
   }
   return out;
 }
@@ -128,18 +151,22 @@ std::string text_table(const CaseRows& c)
   }
   for (const Row& r : c.rows)
     if (r.verdict == Verdict::pass && r.declared_red)
-      out += fmt::format("  ? {}, {}: declared red in expected.toml, but agrees. Take `red` away, or name in `red_runs` the runs that it is true of.\n",
-                         r.quantity, r.run);
+      out += fmt::format(
+          "  ? {}, {}: declared red in expected.toml, but agrees. Take `red` away, or name in `red_runs` the runs that "
+          "it is true of.\n",
+          r.quantity, r.run);
   for (const std::string& remark : remarks_of(c)) out += fmt::format("  ! {}\n", replaced(remark, "\n", "\n    "));
   return out;
 }
 
 std::string markdown_page(const std::vector<CaseRows>& cases, const std::string& head)
 {
-  std::string out = fmt::format("# Verification\n\nWritten by `terp verify --markdown`; not to be changed by hand.\n\n{}.\n\n{}\n{}", counts_text(count(cases)), head,
-                                markdown_overview(cases));
+  std::string out =
+      fmt::format("# Verification\n\nWritten by `terp verify --markdown`; not to be changed by hand.\n\n{}.\n\n{}\n{}",
+          counts_text(count(cases)), head, markdown_overview(cases));
   for (const CaseRows& c : cases) {
-    out += fmt::format("\n## {0}\n\n{1}: [`cases/verification/{0}`](../cases/verification/{0}/README.md)\n\n|", c.name, for_markdown(c.title));
+    out += fmt::format("\n## {0}\n\n{1}: [`cases/verification/{0}`](../cases/verification/{0}/README.md)\n\n|", c.name,
+        for_markdown(c.title));
     for (const char* name : heads) out += fmt::format(" {} |", name);
     out += "\n|";
     for (int k = 0; k < n_columns; ++k) out += "---|";

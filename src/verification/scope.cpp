@@ -10,7 +10,8 @@ Real number_of_case(const Expected& file, const Constant& c, const CaseFile& sol
 {
   const Node* node = find_node(solved.source.root, c.key);
   if (node == nullptr)
-    refuse(file, c.formula.place, fmt::format("the case says nothing of `{}`", c.key), "A constant takes a number that case.toml or `set` gives.");
+    refuse(file, c.formula.place, fmt::format("the case says nothing of `{}`", c.key),
+        "A constant takes a number that case.toml or `set` gives.");
   if (node->kind == NodeKind::integer) return static_cast<Real>(node->integer);
   if (node->kind != NodeKind::number) refuse(file, c.formula.place, fmt::format("`{}` is not a number", c.key), "");
   return node->number;
@@ -33,12 +34,16 @@ Real Scope::evaluate(const Formula& formula) const
   }
 }
 
-Real Scope::evaluate_or(const Formula& formula, Real otherwise) const { return formula.given() ? evaluate(formula) : otherwise; }
+Real Scope::evaluate_or(const Formula& formula, Real otherwise) const
+{
+  return formula.given() ? evaluate(formula) : otherwise;
+}
 
 Real Scope::scale(const Formula& formula) const
 {
   const Real value = evaluate_or(formula, 1.0);
-  if (!(std::isfinite(value) && value > 0.0)) refuse(file, formula.place, "`scale` must be a finite number, greater than 0", fmt::format("Got {}.", value));
+  if (!(std::isfinite(value) && value > 0.0))
+    refuse(file, formula.place, "`scale` must be a finite number, greater than 0", fmt::format("Got {}.", value));
   return value;
 }
 

@@ -1,4 +1,5 @@
-// What the formulas of one run may name: the constants of expected.toml, numbers of the case as it runs, and `end` and `dt`.
+// What the formulas of one run may name: the constants of expected.toml, numbers of the case as it runs, and `end` and
+// `dt`.
 #pragma once
 
 #include "input/case_file.hpp"

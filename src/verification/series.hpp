@@ -9,7 +9,7 @@ namespace terp {
 
 /// A measured curve; reference: at the same times, or empty.
 struct Series {
-  std::vector<Real> time;       ///< [s], ascending
+  std::vector<Real> time;  ///< [s], ascending
   std::vector<Real> value, reference;
 };
 
@@ -28,7 +28,8 @@ Real period_of(const Series& series);
 /// When |value| first reaches the threshold, interpolated [s]; NaN if never.
 Real arrival_of(const Series& series, Real threshold);
 
-/// Means, sums and extremes; root mean square and largest error against the reference, over `scale`. NaN for what needs more than the numbers.
+/// Means, sums and extremes; root mean square and largest error against the reference, over `scale`. NaN for what needs
+/// more than the numbers.
 Real reduce_values(const std::vector<Real>& values, const std::vector<Real>& reference, Reduce reduce, Real scale);
 
 }  // namespace terp

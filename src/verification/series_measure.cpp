@@ -44,12 +44,18 @@ class SeriesMeasure : public Measure {
  private:
   Real time() const { return scope_.evaluate_or(quantity_.time, scope_.constants.at("end")); }
 
-  /// What the number of these rows is held against: of a mean, sum, max or min the same of the reference at their times.
+  /// What the number of these rows is held against: of a mean, sum, max or min the same of the reference at their
+  /// times.
   Real reference_of(const Series& s) const
   {
-    const bool of_a_time = quantity_.reduce != Reduce::period && quantity_.reduce != Reduce::frequency && quantity_.reduce != Reduce::arrival;
-    const Expression reference = scope_.compile(quantity_.reference, of_a_time ? std::vector<std::string>{"x0", "y0", "t"} : std::vector<std::string>{"x0", "y0"});
-    const auto at = [&](Real t) { return reference(of_a_time ? std::vector<Real>{start_[0], start_[1], t} : std::vector<Real>{start_[0], start_[1]}); };
+    const bool of_a_time = quantity_.reduce != Reduce::period && quantity_.reduce != Reduce::frequency &&
+                           quantity_.reduce != Reduce::arrival;
+    const Expression reference = scope_.compile(quantity_.reference,
+        of_a_time ? std::vector<std::string>{"x0", "y0", "t"} : std::vector<std::string>{"x0", "y0"});
+    const auto at = [&](Real t) {
+      return reference(
+          of_a_time ? std::vector<Real>{start_[0], start_[1], t} : std::vector<Real>{start_[0], start_[1]});
+    };
     if (quantity_.reduce == Reduce::at) return at(time());
     if (!of_a_time || quantity_.reduce == Reduce::last) return at(s.time.back());
     std::vector<Real> values;
@@ -57,19 +63,24 @@ class SeriesMeasure : public Measure {
     return reduce_values(values, {}, quantity_.reduce, 1.0);
   }
 
-  /// The rows from `from` to `to`; throws CaseError where there is nothing to reduce, which would be told as a number that never came.
+  /// The rows from `from` to `to`; throws CaseError where there is nothing to reduce, which would be told as a number
+  /// that never came.
   Series rows_of_interest() const
   {
     if (series_.time.empty())
-      refuse(scope_.file, quantity_.place, quantity_.kind == QuantityKind::footing ? "there is no footing in this case" : "the run has no rows",
-             "A quantity of kind `footing` needs a [[footing]] in the case.");
+      refuse(scope_.file, quantity_.place,
+          quantity_.kind == QuantityKind::footing ? "there is no footing in this case" : "the run has no rows",
+          "A quantity of kind `footing` needs a [[footing]] in the case.");
     const Real from = scope_.evaluate_or(quantity_.from, 0.0), to = scope_.evaluate_or(quantity_.to, infinity);
     const Series s = cut(series_, from * (1.0 - 1e-9), to * (1.0 + 1e-9));
-    const std::string rows = fmt::format("There are {} rows, from {:g} to {:g} s.", series_.time.size(), series_.time.front(), series_.time.back());
+    const std::string rows = fmt::format(
+        "There are {} rows, from {:g} to {:g} s.", series_.time.size(), series_.time.front(), series_.time.back());
     if (s.time.empty())
-      refuse(scope_.file, (quantity_.from.given() ? quantity_.from : quantity_.to).place, fmt::format("there is no row from {:g} to {:g} s", from, to), rows);
+      refuse(scope_.file, (quantity_.from.given() ? quantity_.from : quantity_.to).place,
+          fmt::format("there is no row from {:g} to {:g} s", from, to), rows);
     if (quantity_.reduce == Reduce::at && !covers(s, time()))
-      refuse(scope_.file, quantity_.time.given() ? quantity_.time.place : quantity_.place, fmt::format("there is no row at {:g} s", time()), rows);
+      refuse(scope_.file, quantity_.time.given() ? quantity_.time.place : quantity_.place,
+          fmt::format("there is no row at {:g} s", time()), rows);
     return s;
   }
 
@@ -116,8 +127,11 @@ class PointMeasure : public SeriesMeasure {
       if (distance < smallest) smallest = distance, best = k;
     }
     if (const Real spacing = nearest_other(frame, best); smallest > most_spacings * spacing)
-      refuse(scope().file, quantity().at[0].place, fmt::format("there is no soil at x = {:g} m, y = {:g} m", place[0], place[1]),
-             fmt::format("The nearest material point is {:.3g} m away; its own neighbour {:.3g} m. Choose a place in a body at t = 0.", smallest, spacing));
+      refuse(scope().file, quantity().at[0].place,
+          fmt::format("there is no soil at x = {:g} m, y = {:g} m", place[0], place[1]),
+          fmt::format("The nearest material point is {:.3g} m away; its own neighbour {:.3g} m. Choose a place in a "
+                      "body at t = 0.",
+              smallest, spacing));
     return best;
   }
 
@@ -126,7 +140,9 @@ class PointMeasure : public SeriesMeasure {
   {
     Real smallest = infinity;
     for (std::size_t k = 0; k < frame.x.size() / 2; ++k)
-      if (k != point) smallest = std::min(smallest, std::hypot(frame.x[2 * k] - frame.x[2 * point], frame.x[2 * k + 1] - frame.x[2 * point + 1]));
+      if (k != point)
+        smallest = std::min(
+            smallest, std::hypot(frame.x[2 * k] - frame.x[2 * point], frame.x[2 * k + 1] - frame.x[2 * point + 1]));
     return smallest;
   }
 
@@ -135,10 +151,9 @@ class PointMeasure : public SeriesMeasure {
   std::vector<Real> row_;
 };
 
-const std::vector<std::string> ledger_names = {
-    "t",    "kinetic",    "kinetic_nodal", "elastic", "plastic", "gravity_work", "damping_work", "boundary_work", "left_energy",  "numerical",
-    "mass", "momentum_x", "momentum_y",    "clamped", "left",    "front_x",      "crest_x",      "crest_y",       "front_left_x", "crest_left_x",
-    "crest_left_y", "moved_volume", "v_max", "v_999"};
+const std::vector<std::string> ledger_names = {"t", "kinetic", "kinetic_nodal", "elastic", "plastic", "gravity_work",
+    "damping_work", "boundary_work", "left_energy", "numerical", "mass", "momentum_x", "momentum_y", "clamped", "left",
+    "front_x", "crest_x", "crest_y", "front_left_x", "crest_left_x", "crest_left_y", "moved_volume", "v_max", "v_999"};
 
 /// Rows of the ledger.
 class LedgerMeasure : public SeriesMeasure {
@@ -147,13 +162,15 @@ class LedgerMeasure : public SeriesMeasure {
   void ledger(const LedgerRow& r) override
   {
     add(r.time, ledger_names,
-        {r.time, r.kinetic, r.kinetic_nodal, r.elastic, r.plastic, r.gravity_work, r.damping_work, r.boundary_work, r.left_energy, r.numerical, r.mass,
-         r.momentum_x, r.momentum_y, static_cast<Real>(r.clamped), static_cast<Real>(r.left), r.front_x, r.crest_x, r.crest_y, r.front_left_x,
-         r.crest_left_x, r.crest_left_y, r.moved_volume, r.v_max, r.v_999});
+        {r.time, r.kinetic, r.kinetic_nodal, r.elastic, r.plastic, r.gravity_work, r.damping_work, r.boundary_work,
+            r.left_energy, r.numerical, r.mass, r.momentum_x, r.momentum_y, static_cast<Real>(r.clamped),
+            static_cast<Real>(r.left), r.front_x, r.crest_x, r.crest_y, r.front_left_x, r.crest_left_x, r.crest_left_y,
+            r.moved_volume, r.v_max, r.v_999});
   }
 };
 
-const std::vector<std::string> footing_names = {"t", "displacement_x", "displacement_y", "reaction_x", "reaction_y", "work"};
+const std::vector<std::string> footing_names = {
+    "t", "displacement_x", "displacement_y", "reaction_x", "reaction_y", "work"};
 
 /// Rows of footings.csv of the first footing.
 class FootingMeasure : public SeriesMeasure {
@@ -168,8 +185,17 @@ class FootingMeasure : public SeriesMeasure {
 
 }  // namespace
 
-std::unique_ptr<Measure> make_footing_measure(const Quantity& quantity, const Scope& scope) { return std::make_unique<FootingMeasure>(quantity, scope); }
-std::unique_ptr<Measure> make_point_measure(const Quantity& quantity, const Scope& scope) { return std::make_unique<PointMeasure>(quantity, scope); }
-std::unique_ptr<Measure> make_ledger_measure(const Quantity& quantity, const Scope& scope) { return std::make_unique<LedgerMeasure>(quantity, scope); }
+std::unique_ptr<Measure> make_footing_measure(const Quantity& quantity, const Scope& scope)
+{
+  return std::make_unique<FootingMeasure>(quantity, scope);
+}
+std::unique_ptr<Measure> make_point_measure(const Quantity& quantity, const Scope& scope)
+{
+  return std::make_unique<PointMeasure>(quantity, scope);
+}
+std::unique_ptr<Measure> make_ledger_measure(const Quantity& quantity, const Scope& scope)
+{
+  return std::make_unique<LedgerMeasure>(quantity, scope);
+}
 
 }  // namespace terp

@@ -41,8 +41,16 @@ void guarded(Finding& finding, F&& f)
 /// All but the numbers that the run gives.
 Finding start_finding(const Quantity& q, const Solve& solve, const std::string& scheme, const Scope& scope)
 {
-  Finding f{.quantity = &q, .run = solve.variant->name, .scheme = scheme, .value = nan, .reference = nan,
-            .tolerance = nan, .relative = nan, .at_least = nan, .at_most = nan, .constants = scope.constants};
+  Finding f{.quantity = &q,
+      .run = solve.variant->name,
+      .scheme = scheme,
+      .value = nan,
+      .reference = nan,
+      .tolerance = nan,
+      .relative = nan,
+      .at_least = nan,
+      .at_most = nan,
+      .constants = scope.constants};
   guarded(f, [&] { read_bounds(scope, f); });
   return f;
 }
@@ -55,17 +63,20 @@ std::vector<Finding> rows_of(std::vector<Finding> findings)
 }
 
 /// A search for a factor of safety in place of the run: its numbers are constants of formulas.
-std::vector<Finding> findings_of_factor(const Solve& solve, const CaseFile& solved, Scope& scope, std::vector<Finding> findings, const std::atomic<bool>& stop)
+std::vector<Finding> findings_of_factor(const Solve& solve, const CaseFile& solved, Scope& scope,
+    std::vector<Finding> findings, const std::atomic<bool>& stop)
 {
   const std::vector<Real>& bounds = solve.variant->stability;
-  const StabilityResult result = find_factor_of_safety(solved.values, {.search = {bounds[0], bounds[1], bounds[2]}, .rules = {}, .threads = 1}, stop);
+  const StabilityResult result = find_factor_of_safety(
+      solved.values, {.search = {bounds[0], bounds[1], bounds[2]}, .rules = {}, .threads = 1}, stop);
   scope.constants["factor"] = result.factor();
   scope.constants["stable_at"] = result.search.stable.value_or(nan);
   scope.constants["not_stable_at"] = result.search.failed.value_or(nan);
   for (Finding& finding : findings)
     guarded(finding, [&, &f = finding] {
       if (f.quantity->kind != QuantityKind::formula)
-        refuse(*solve.file, f.quantity->place, "a run for a factor of safety has quantities of kind `formula` only", "They may name factor, stable_at, not_stable_at.");
+        refuse(*solve.file, f.quantity->place, "a run for a factor of safety has quantities of kind `formula` only",
+            "They may name factor, stable_at, not_stable_at.");
       f.value = scope.evaluate(f.quantity->value);
       f.reference = scope.evaluate_or(f.quantity->reference, nan);
       if (const std::string& name = f.quantity->as; !name.empty()) scope.constants[name] = f.value;
@@ -108,7 +119,9 @@ void read_bounds(const Scope& scope, Finding& f)
   const auto bound = [&](const Formula& formula, const char* name, Real least) {
     const Real value = scope.evaluate_or(formula, nan);
     if (formula.given() && !(std::isfinite(value) && value >= least))
-      refuse(scope.file, formula.place, fmt::format("`{}` must be a finite number{}", name, least == 0.0 ? ", 0 or more" : ""), fmt::format("Got {}.", value));
+      refuse(scope.file, formula.place,
+          fmt::format("`{}` must be a finite number{}", name, least == 0.0 ? ", 0 or more" : ""),
+          fmt::format("Got {}.", value));
     return value;
   };
   constexpr Real any = std::numeric_limits<Real>::lowest();

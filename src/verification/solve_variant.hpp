@@ -20,17 +20,17 @@ struct Solve {
 /// What came of a quantity in one run, and the numbers that it is judged with; NaN where there is none.
 struct Finding {
   const Quantity* quantity;
-  std::string run;                 ///< "h = 0.25 m"
+  std::string run;  ///< "h = 0.25 m"
   std::string scheme;
   Real value, reference;
   Real tolerance, relative, at_least, at_most;
   std::map<std::string, Real> constants;  ///< of the run
-  std::string fault = {};          ///< why it could not be measured; then the numbers say nothing
+  std::string fault = {};                 ///< why it could not be measured; then the numbers say nothing
 };
 
 struct Solved {
   std::vector<Finding> findings;
-  std::string fault;               ///< why there are none: the run stopped, or its case cannot be used
+  std::string fault;  ///< why there are none: the run stopped, or its case cannot be used
   double seconds = 0.0;
 };
 

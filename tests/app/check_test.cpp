@@ -16,13 +16,15 @@ TEST(Check, TellsWhatWouldRun)
   const test::ScratchFolder folder;
   const Finished f = test::terp(test::column_command("check"), folder.path());
   EXPECT_EQ(f.status, 0);
-  for (const char* line : {"  scheme         mpm_gp\n", "  mesh           192 cells, 231 nodes\n", "  cells of soil  64\n",
-                           "  points         1600\n", "  body 0         clay, 16 m^2, 31840 kg per m, 1600 points\n", "  mass           31840 kg per m\n", "  time step      0.00303 s\n",
-                           "  steps          66 to t = 0.2 s\n", "nothing was run\n"})
+  for (const char* line : {"  scheme         mpm_gp\n", "  mesh           192 cells, 231 nodes\n",
+           "  cells of soil  64\n", "  points         1600\n",
+           "  body 0         clay, 16 m^2, 31840 kg per m, 1600 points\n", "  mass           31840 kg per m\n",
+           "  time step      0.00303 s\n", "  steps          66 to t = 0.2 s\n", "nothing was run\n"})
     EXPECT_THAT(f.out, HasSubstr(line));
   EXPECT_THAT(f.out, HasSubstr("  smallest cell  0.5 m high, "));
   EXPECT_THAT(f.out, testing::ContainsRegex("  memory         [0-9]+ MB\n"));
-  EXPECT_THAT(f.out, testing::ContainsRegex("  expected time  [0-9.]+ s on 1 thread [(][0-9.]+ M point-steps/s in a trial[)]\n"));
+  EXPECT_THAT(f.out,
+      testing::ContainsRegex("  expected time  [0-9.]+ s on 1 thread [(][0-9.]+ M point-steps/s in a trial[)]\n"));
   EXPECT_TRUE(test::names_in(folder.path()).empty());
 }
 
@@ -30,7 +32,8 @@ TEST(Check, WarnsOfASideThatMovesFurtherThanItsCells)
 {
   const Finished f = test::terp(test::column_command("check", {"--set", "boundary.left={velocity=[4.0, 0.0]}"}));
   EXPECT_EQ(f.status, 0);
-  EXPECT_THAT(f.err, AllOf(StartsWith("warning: --set boundary.left={velocity=[4.0, 0.0]}: the side stays in place"), HasSubstr("time.end is 0.8 m")));
+  EXPECT_THAT(f.err, AllOf(StartsWith("warning: --set boundary.left={velocity=[4.0, 0.0]}: the side stays in place"),
+                         HasSubstr("time.end is 0.8 m")));
 }
 
 TEST(Check, ShowsNoControlCharactersOfTheTitle)
@@ -44,14 +47,16 @@ TEST(Check, SaysWhereABodyLiesOutsideTheMesh)
 {
   const Finished f = test::terp(test::column_command("check", {"--set", "mesh.size=[6.0, 3.0]"}));
   EXPECT_EQ(f.status, 2);
-  EXPECT_THAT(f.err, AllOf(StartsWith("error: --set mesh.size=[6.0, 3.0]: the body lies outside the mesh\n"), HasSubstr("Enlarge mesh.size")));
+  EXPECT_THAT(f.err, AllOf(StartsWith("error: --set mesh.size=[6.0, 3.0]: the body lies outside the mesh\n"),
+                         HasSubstr("Enlarge mesh.size")));
   EXPECT_EQ(f.out, "");
 }
 
 TEST(Check, AVariantOfAMeshFromAPolygonHasOtherCells)
 {
   const auto told = [](const std::string& variant) {
-    return test::terp({"check", test::source_path("cases/dike/dike.toml"), "--set", "mesh.cell=2.0", "--set", "mesh.variant=" + variant, "-j", "1"});
+    return test::terp({"check", test::source_path("cases/dike/dike.toml"), "--set", "mesh.cell=2.0", "--set",
+        "mesh.variant=" + variant, "-j", "1"});
   };
   const auto mesh_line = [](const std::string& out) {
     const std::size_t begin = out.find("  mesh  ");
@@ -66,18 +71,23 @@ TEST(Check, WarnsOfAHistoryPointFarFromTheSoil)
 {
   const Finished f = test::terp(test::column_command("check", {"--set", "output.history.points.far=[12.0, 1.0]"}));
   EXPECT_EQ(f.status, 0);
-  EXPECT_THAT(f.err, StartsWith("warning: --set output.history.points.far=[12.0, 1.0]: no soil is near the history point `far`\n"));
+  EXPECT_THAT(f.err,
+      StartsWith("warning: --set output.history.points.far=[12.0, 1.0]: no soil is near the history point `far`\n"));
 }
 
 TEST(Check, PointsAtTheChangeThatSetUpCannotUse)
 {
   const std::string dike = test::source_path("cases/dike/dike.toml");
-  const auto error_after = [](const std::string& file, const std::string& change) { return test::terp({"check", file, "--set", change}).err; };
+  const auto error_after = [](const std::string& file, const std::string& change) {
+    return test::terp({"check", file, "--set", change}).err;
+  };
   EXPECT_THAT(error_after(test::column_file, "body[0].box=[[0.0, 0.0], [20.0, 2.0]]"),
-              StartsWith("error: --set body[0].box=[[0.0, 0.0], [20.0, 2.0]]: the body lies outside the mesh\n"));
-  EXPECT_THAT(error_after(test::column_file, "mesh.cell=1e-6"), HasSubstr("error: --set mesh.cell=1e-6: the mesh has too many cells\n"));
+      StartsWith("error: --set body[0].box=[[0.0, 0.0], [20.0, 2.0]]: the body lies outside the mesh\n"));
+  EXPECT_THAT(error_after(test::column_file, "mesh.cell=1e-6"),
+      HasSubstr("error: --set mesh.cell=1e-6: the mesh has too many cells\n"));
   EXPECT_THAT(error_after(dike, "mesh.polygon=[[0, 0], [3, 0], [3, 2], [2, 3], [0, 2]]"),
-              StartsWith("error: --set mesh.polygon=[[0, 0], [3, 0], [3, 2], [2, 3], [0, 2]]: the body lies outside the mesh\n"));
+      StartsWith(
+          "error: --set mesh.polygon=[[0, 0], [3, 0], [3, 2], [2, 3], [0, 2]]: the body lies outside the mesh\n"));
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ StateImage end_of_column(const std::string& instructions, const std::string& sch
 {
   const Variable variable("TERP_INSTRUCTIONS", instructions);
   const test::ScratchFolder folder;
-  const Finished f = test::terp({"run", test::column_file, "--set", "mesh.cell=[0.2,0.2]", "--set", "time.end=2", "--set", "scheme=" + scheme, "-q",
-                                 "-o", folder.path() + "/run"});
+  const Finished f = test::terp({"run", test::column_file, "--set", "mesh.cell=[0.2,0.2]", "--set", "time.end=2",
+      "--set", "scheme=" + scheme, "-q", "-o", folder.path() + "/run"});
   EXPECT_EQ(f.status, 0) << f.err;
   const auto summary = nlohmann::json::parse(test::text_of(folder.path() + "/run/summary.json"));
   EXPECT_EQ(summary["instructions"], instructions);
@@ -48,13 +48,14 @@ TEST(EverySet, IsTheOneThatTheVariableNames)
   for (const InstructionSet& set : instruction_sets()) {
     const Variable variable("TERP_INSTRUCTIONS", std::string(set.name));
     const Finished f = test::terp({"--version"});
-    EXPECT_THAT(f.out + f.err, HasSubstr(set.offered ? "(" + std::string(set.name) + ")\n" : "this processor does not offer it"));
+    EXPECT_THAT(f.out + f.err,
+        HasSubstr(set.offered ? "(" + std::string(set.name) + ")\n" : "this processor does not offer it"));
     EXPECT_EQ(f.status, set.offered ? 0 : 2);
   }
 }
 
-/// Rows of the points of the short column, shape [n_points][n_rows]. Without local damping: it pushes against the sign of a velocity, which
-/// round-off decides in soil that a wave has not yet reached.
+/// Rows of the points of the short column, shape [n_points][n_rows]. Without local damping: it pushes against the sign
+/// of a velocity, which round-off decides in soil that a wave has not yet reached.
 NamedArray rows_of_short_column(const std::string& instructions)
 {
   const Variable variable("TERP_INSTRUCTIONS", instructions);
@@ -77,13 +78,15 @@ TEST(EverySet, WithoutFusedProductsDiffersByRoundOff)
   const auto n_rows = static_cast<std::size_t>(fused.shape.at(1));
   std::vector<Real> largest(n_rows, 0.0);
   for (std::size_t k = 0; k < b.size(); ++k) largest[k % n_rows] = std::max(largest[k % n_rows], std::abs(b[k]));
-  for (std::size_t k = 0; k < b.size(); ++k) ASSERT_NEAR(a[k], b[k], 1e-12 * largest[k % n_rows]) << "row " << k % n_rows;
+  for (std::size_t k = 0; k < b.size(); ++k)
+    ASSERT_NEAR(a[k], b[k], 1e-12 * largest[k % n_rows]) << "row " << k % n_rows;
 }
 
 TEST(Instructions, AWordThatIsNoneIsBadInputWhateverTheCommand)
 {
   const Variable variable("TERP_INSTRUCTIONS", "mmx");
-  for (const auto& words : std::vector<std::vector<std::string>>{{"--version"}, {"list"}, test::column_command("check")}) {
+  for (const auto& words :
+      std::vector<std::vector<std::string>>{{"--version"}, {"list"}, test::column_command("check")}) {
     const Finished f = test::terp(words);
     EXPECT_EQ(f.status, 2);
     EXPECT_EQ(f.out, "");

@@ -18,8 +18,9 @@ TEST(Help, NamesTheCommandsOptionsAndExitStatuses)
     const Finished f = test::terp(words);
     EXPECT_EQ(f.status, 0);
     EXPECT_THAT(f.out, StartsWith("terp: explicit material point method for soil"));
-    for (const char* part : {"run CASE.toml", "resume RUN", "report RUN", "compare RUN", "check CASE.toml", "explain TOPIC", "  list ", "--set KEY=VALUE",
-                             "--threads N", "--force", "Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else"})
+    for (const char* part : {"run CASE.toml", "resume RUN", "report RUN", "compare RUN", "check CASE.toml",
+             "explain TOPIC", "  list ", "--set KEY=VALUE", "--threads N", "--force",
+             "Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else"})
       EXPECT_THAT(f.out, HasSubstr(part));
     EXPECT_EQ(f.err, "");
   }
@@ -28,11 +29,15 @@ TEST(Help, NamesTheCommandsOptionsAndExitStatuses)
 TEST(Help, OfACommandIsItsOwnAndNamesItsOptions)
 {
   const std::vector<std::pair<std::string, std::vector<std::string>>> commands{
-      {"run", {"--output", "--threads", "--set", "--force", "--report", "--quiet", "--verbose"}}, {"resume", {"--threads", "--report", "--quiet"}},
-      {"stability", {"--from", "--to", "--tolerance", "--damping", "--rest", "--failure", "--windows", "--output", "--json", "--set"}},
-      {"check", {"--set"}}, {"bench", {"--steps", "--warm", "--json", "--set"}}, {"report", {"--output"}}, {"compare", {"--json"}},
-      {"export", {"--format", "--field", "--frames", "--output"}}, {"watch", {"--every", "--once"}},
-      {"verify", {"--list", "--short", "--long", "--html", "--markdown", "--cases", "--threads"}}, {"explain", {"TOPIC"}}, {"list", {}}};
+      {"run", {"--output", "--threads", "--set", "--force", "--report", "--quiet", "--verbose"}},
+      {"resume", {"--threads", "--report", "--quiet"}},
+      {"stability", {"--from", "--to", "--tolerance", "--damping", "--rest", "--failure", "--windows", "--output",
+                        "--json", "--set"}},
+      {"check", {"--set"}}, {"bench", {"--steps", "--warm", "--json", "--set"}}, {"report", {"--output"}},
+      {"compare", {"--json"}}, {"export", {"--format", "--field", "--frames", "--output"}},
+      {"watch", {"--every", "--once"}},
+      {"verify", {"--list", "--short", "--long", "--html", "--markdown", "--cases", "--threads"}},
+      {"explain", {"TOPIC"}}, {"list", {}}};
   for (const auto& [command, options] : commands) {
     const Finished f = test::terp({command, "--help"});
     EXPECT_EQ(f.status, 0);
@@ -59,9 +64,8 @@ TEST(Version, IsOneLineAndSaysWhichInstructionsItUses)
 
 TEST(CommandLine, WhatItDoesNotKnowIsBadInputAndPointsToTheHelp)
 {
-  for (const auto& words : std::vector<std::vector<std::string>>{
-           {"solve"}, {"run"}, {"run", "a.toml", "--fast"}, {"run", "a.toml", "-j", "0"}, {"run", "a.toml", "b.toml"}, {"explain"},
-           {"list", "all"}}) {
+  for (const auto& words : std::vector<std::vector<std::string>>{{"solve"}, {"run"}, {"run", "a.toml", "--fast"},
+           {"run", "a.toml", "-j", "0"}, {"run", "a.toml", "b.toml"}, {"explain"}, {"list", "all"}}) {
     const Finished f = test::terp(words);
     EXPECT_EQ(f.status, 2) << words[0];
     EXPECT_EQ(f.out, "");
@@ -75,8 +79,9 @@ TEST(CommandLine, NamesAWordThatIsNoCommandAndTheNearestThatIs)
   EXPECT_EQ(f.status, 2);
   EXPECT_EQ(f.out, "");
   EXPECT_EQ(f.err,
-            "error: there is no command `rnu`\n  Did you mean `run`?\n  Commands: run, check, resume, bench, stability, verify, report, compare, export, watch, explain, list\n"
-            "Usage: terp COMMAND [options]; see terp --help\n");
+      "error: there is no command `rnu`\n  Did you mean `run`?\n  Commands: run, check, resume, bench, stability, "
+      "verify, report, compare, export, watch, explain, list\n"
+      "Usage: terp COMMAND [options]; see terp --help\n");
   EXPECT_THAT(test::terp({"bogus"}).err, StartsWith("error: there is no command `bogus`\n  Commands: run, "));
   EXPECT_THAT(test::terp({"cases/a.toml"}).err, HasSubstr("  To solve that case: terp run cases/a.toml\n"));
   EXPECT_THAT(test::terp({"\x1B[2J"}).err, StartsWith("error: there is no command `?[2J`\n"));
@@ -112,7 +117,8 @@ TEST(List, NamesEverySchemeMaterialAndOutput)
 {
   const Finished f = test::terp({"list"});
   EXPECT_EQ(f.status, 0);
-  for (const char* name : {"standard_mpm", "mpm_mixed", "mpm_gp", "linear_elastic", "tresca_softening", "eps_deviatoric", "velocity"})
+  for (const char* name :
+      {"standard_mpm", "mpm_mixed", "mpm_gp", "linear_elastic", "tresca_softening", "eps_deviatoric", "velocity"})
     EXPECT_THAT(f.out, HasSubstr(name));
 }
 

@@ -54,15 +54,19 @@ struct Place {
 /// A short column whose every name is NAME.
 std::string case_with_name(const std::string& name)
 {
-  return "title = '" + name + "'\nscheme = \"mpm_gp\"\ntime.end = 0.02\nmesh = { size = [2, 1], cell = 0.5 }\n[[body]]\nmaterial = '" + name +
-         "'\nbox = [[0, 0], [1, 1]]\npoints_per_cell = [2, 2]\n[material.'" + name +
-         "']\nmodel = \"tresca_softening\"\ndensity = 2e3\nshear_modulus = 1e6\npoisson_ratio = 0.3\nsu_peak = 5e3\nsu_residual = 5e3\neta = 0\n"
-         "[output.history.points]\n'" + name + "' = [0.1, 0.1]\n";
+  return "title = '" + name +
+         "'\nscheme = \"mpm_gp\"\ntime.end = 0.02\nmesh = { size = [2, 1], cell = 0.5 }\n[[body]]\nmaterial = '" +
+         name + "'\nbox = [[0, 0], [1, 1]]\npoints_per_cell = [2, 2]\n[material.'" + name +
+         "']\nmodel = \"tresca_softening\"\ndensity = 2e3\nshear_modulus = 1e6\npoisson_ratio = 0.3\nsu_peak = "
+         "5e3\nsu_residual = 5e3\neta = 0\n"
+         "[output.history.points]\n'" +
+         name + "' = [0.1, 0.1]\n";
 }
 
 TEST(Paths, NamesInACaseFileAreNoPaths)
 {
-  for (const std::string name : {"../escaped", "../../escaped", "/tmp/terp_escaped", "$(touch escaped)", "`touch escaped`", "; touch escaped", "a/b", "|touch escaped"}) {
+  for (const std::string name : {"../escaped", "../../escaped", "/tmp/terp_escaped", "$(touch escaped)",
+           "`touch escaped`", "; touch escaped", "a/b", "|touch escaped"}) {
     const Place place(case_with_name(name));
     const Finished f = place.run();
     EXPECT_EQ(f.status, 0) << name << ": " << f.err;
@@ -82,7 +86,8 @@ TEST(Paths, ACaseFileWhoseNameIsAPathGoesNowhereButWhereItIsTold)
       if (command == "run") words.push_back("--force");
       const Finished f = test::terp(words, scratch.path());
       EXPECT_EQ(f.status, 2) << f.err;
-      EXPECT_THAT(f.err, testing::AllOf(testing::StartsWith("error: " + name + ": its run would be named `"), testing::HasSubstr("terp run " + name + " -o DIR\n")));
+      EXPECT_THAT(f.err, testing::AllOf(testing::StartsWith("error: " + name + ": its run would be named `"),
+                             testing::HasSubstr("terp run " + name + " -o DIR\n")));
     }
     EXPECT_EQ(test::terp({"run", name, "-q", "-o", "told" + name}, scratch.path()).status, 0);
   }
@@ -105,7 +110,8 @@ TEST(Paths, LinksInAnEarlierRunAreReplacedAndNotFollowed)
   const std::string folder = place.scratch.path() + "/a/b/run", mine = place.scratch.path() + "/mine";
   test::write_text(mine, "mine");
   fs::create_directory(folder);
-  for (const char* name : {"results.vtkhdf", "history.csv", "ledger.csv", "summary.json", "case.toml", "case.toml.tmp", "results.vtkhdf.journal", "checkpoint_000000001.h5"})
+  for (const char* name : {"results.vtkhdf", "history.csv", "ledger.csv", "summary.json", "case.toml", "case.toml.tmp",
+           "results.vtkhdf.journal", "checkpoint_000000001.h5"})
     fs::create_symlink(mine, folder + "/" + name);
   EXPECT_EQ(place.run({"--force"}).status, 0);
   EXPECT_EQ(test::text_of(mine), "mine");
@@ -114,7 +120,8 @@ TEST(Paths, LinksInAnEarlierRunAreReplacedAndNotFollowed)
 TEST(Paths, FilesThatACaseNamesAreOnlyRead)
 {
   std::string text = case_with_name("clay");
-  text.replace(text.find("box ="), text.find("points_per_cell = [2, 2]") + 24 - text.find("box ="), "points = '../../points.csv'");
+  text.replace(text.find("box ="), text.find("points_per_cell = [2, 2]") + 24 - text.find("box ="),
+      "points = '../../points.csv'");
   text.replace(text.find("material = 'clay'\n"), 18, "");
   const Place place(text);
   test::write_text(place.scratch.path() + "/points.csv", "x,y,volume,material\n0.25,0.25,0.25,clay\n");
@@ -125,7 +132,9 @@ TEST(Paths, FilesThatACaseNamesAreOnlyRead)
 
 TEST(Paths, ASideWhoseNameWouldBeACommandOfGmshIsRefused)
 {
-  const std::string mesh = "mesh = { polygon = [[0, 0], [2, 0], [2, 1], [0, 1]], cell = 0.5, edges = { 'a\") = {1}; SystemCall \"touch escaped\"; Physical Curve(\"b' = [0] } }";
+  const std::string mesh =
+      "mesh = { polygon = [[0, 0], [2, 0], [2, 1], [0, 1]], cell = 0.5, edges = { 'a\") = {1}; SystemCall \"touch "
+      "escaped\"; Physical Curve(\"b' = [0] } }";
   std::string text = case_with_name("clay");
   text.replace(text.find("mesh ="), text.find("\n[[body]]") - text.find("mesh ="), mesh);
   const Place place(text);
@@ -142,7 +151,7 @@ TEST(Paths, GmshIsCalledWithoutAShell)
   const std::string name = "base; touch escaped & $(touch escaped)";
   std::string text = case_with_name("clay");
   text.replace(text.find("mesh ="), text.find("\n[[body]]") - text.find("mesh ="),
-               "mesh = { polygon = [[0, 0], [2, 0], [2, 1], [0, 1]], cell = 0.5, edges = { '" + name + "' = [0] } }");
+      "mesh = { polygon = [[0, 0], [2, 0], [2, 1], [0, 1]], cell = 0.5, edges = { '" + name + "' = [0] } }");
   const Place place(text + "[boundary]\n'" + name + "' = \"roller\"\n");
   const Finished f = place.run();
   EXPECT_EQ(f.status, 0) << f.err;

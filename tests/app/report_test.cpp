@@ -48,7 +48,8 @@ TEST(Report, IsOneFileWithBothRunsAndTheirComparison)
   const std::string path = runs().scratch.path() + "/report.html";
   const Finished f = test::terp({"report", runs().mixed, runs().gp, "-o", path});
   EXPECT_EQ(f.status, 0);
-  EXPECT_THAT(f.out, AllOf(StartsWith("mixed: 3 frames, 1600 points, places to "), HasSubstr("report in " + path + " (")));
+  EXPECT_THAT(
+      f.out, AllOf(StartsWith("mixed: 3 frames, 1600 points, places to "), HasSubstr("report in " + path + " (")));
   const auto document = document_in(read_file(path));
   EXPECT_EQ(document["runs"].size(), 2);
   EXPECT_EQ(document["runs"][0]["scheme"], "mpm_mixed");
@@ -95,7 +96,8 @@ TEST(Report, IsWrittenAtTheEndOfARunThatAsksForIt)
 TEST(Report, IsWrittenAtTheEndOfARunThatGoesOn)
 {
   const test::ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/run", page = folder + "/report.html", checkpoint = folder + "/checkpoint_000000033.h5";
+  const std::string folder = scratch.path() + "/run", page = folder + "/report.html",
+                    checkpoint = folder + "/checkpoint_000000033.h5";
   ASSERT_EQ(test::run_column(folder, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}"}).status, 0);
   ASSERT_EQ(test::terp({"resume", checkpoint, "-q"}).status, 0);
   EXPECT_FALSE(std::filesystem::exists(page));
@@ -108,7 +110,8 @@ TEST(Compare, PrintsATableAndWantsTwoRuns)
 {
   const Finished f = test::terp({"compare", runs().mixed, runs().gp});
   EXPECT_EQ(f.status, 0);
-  EXPECT_THAT(f.out, AllOf(HasSubstr("mpm_mixed   mpm_gp\n"), HasSubstr("front at the end [m]"), HasSubstr("A: eps_eq_p > 0.06 from [s]"), HasSubstr("With MPM-Mixed")));
+  EXPECT_THAT(f.out, AllOf(HasSubstr("mpm_mixed   mpm_gp\n"), HasSubstr("front at the end [m]"),
+                         HasSubstr("A: eps_eq_p > 0.06 from [s]"), HasSubstr("With MPM-Mixed")));
   const Finished one = test::terp({"compare", runs().gp});
   EXPECT_EQ(one.status, 2);
   EXPECT_EQ(one.err, "error: terp compare takes two run folders or more\n  One run by itself: terp report RUN\n");
@@ -119,7 +122,8 @@ TEST(Compare, RefusesARunThatIsGivenTwice)
   for (const char* command : {"compare", "report"}) {
     const Finished f = test::terp({command, runs().gp, runs().gp + "/../gp"});
     EXPECT_EQ(f.status, 2);
-    EXPECT_EQ(f.err, "error: the run " + runs().gp + " is given twice, also as " + runs().gp + "/../gp\n  Name each run once.\n");
+    EXPECT_EQ(f.err,
+        "error: the run " + runs().gp + " is given twice, also as " + runs().gp + "/../gp\n  Name each run once.\n");
   }
 }
 
@@ -136,7 +140,8 @@ TEST(Export, OfAFrameOrFieldThatIsNotThereIsBadInput)
 TEST(Export, WritesTheFramesAndSaysWhere)
 {
   const std::string folder = runs().scratch.path() + "/vtu";
-  const Finished f = test::terp({"export", runs().gp, "--format", "vtu", "--field", "su", "--frames", "0,last", "-o", folder});
+  const Finished f =
+      test::terp({"export", runs().gp, "--format", "vtu", "--field", "su", "--frames", "0,last", "-o", folder});
   EXPECT_EQ(f.status, 0);
   EXPECT_EQ(f.out, "2 frames in " + folder + ", listed in " + folder + "/frames.pvd\n");
   EXPECT_TRUE(std::filesystem::exists(folder + "/frame_00002.vtu"));
@@ -149,21 +154,24 @@ TEST(Watch, SaysHowFarARunCameAndThatItIsFinished)
 {
   const Finished f = test::terp({"watch", runs().gp});
   EXPECT_EQ(f.status, 0);
-  EXPECT_THAT(f.out, AllOf(StartsWith("t = 0.200 of 0.2 s (100 %)  kinetic energy "), HasSubstr(" kJ/m  front 8."), HasSubstr("no terp is writing to " + runs().gp + ": the run is finished\n")));
+  EXPECT_THAT(f.out, AllOf(StartsWith("t = 0.200 of 0.2 s (100 %)  kinetic energy "), HasSubstr(" kJ/m  front 8."),
+                         HasSubstr("no terp is writing to " + runs().gp + ": the run is finished\n")));
 }
 
 TEST(Watch, WhileARunGoesOnSaysWhenItWillEnd)
 {
   const test::ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";
-  const test::Process solver(test::column_command("run", {"-q", "-o", folder, "--set", "time.end=1000", "--set", "mesh.cell=0.25", "--set", "output.fields.every=0"}));
+  const test::Process solver(test::column_command("run",
+      {"-q", "-o", folder, "--set", "time.end=1000", "--set", "mesh.cell=0.25", "--set", "output.fields.every=0"}));
   Finished f;
   for (int k = 0; k < 300 && f.out.find("ETA") == std::string::npos; ++k) {
     poll(nullptr, 0, 100);
     if (std::filesystem::exists(folder + "/case.toml")) f = test::terp({"watch", folder, "--once"});
   }
   EXPECT_EQ(f.status, 0) << f.err;
-  EXPECT_THAT(f.out, AllOf(StartsWith("t = "), HasSubstr(" of 1000 s (0 %)"), HasSubstr("  ETA "), testing::Not(HasSubstr("no terp"))));
+  EXPECT_THAT(f.out, AllOf(StartsWith("t = "), HasSubstr(" of 1000 s (0 %)"), HasSubstr("  ETA "),
+                         testing::Not(HasSubstr("no terp"))));
 }
 
 TEST(Watch, OfAFolderThatIsNoRunSaysSo)
@@ -174,7 +182,8 @@ TEST(Watch, OfAFolderThatIsNoRunSaysSo)
   EXPECT_EQ(f.err, "error: " + scratch.path() + ": this is no run folder, it holds no case.toml\n");
   const Finished missing = test::terp({"watch", "no/such"});
   EXPECT_EQ(missing.status, 1);
-  EXPECT_THAT(missing.err, StartsWith("error: no/such: no such run folder\n  Give the folder that `terp run` writes to"));
+  EXPECT_THAT(
+      missing.err, StartsWith("error: no/such: no such run folder\n  Give the folder that `terp run` writes to"));
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include <csignal>
 #include <filesystem>
 #include <thread>
-
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
@@ -27,7 +26,6 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
-
 const std::string last_checkpoint = "/checkpoint_000000066.h5";
 
 TEST(Run, LeavesAllItsFilesAndSaysWhereTheyAre)
@@ -37,10 +35,12 @@ TEST(Run, LeavesAllItsFilesAndSaysWhereTheyAre)
   const Finished f = run_column(folder);
   EXPECT_EQ(f.status, 0);
   EXPECT_EQ(f.err, "");
-  EXPECT_THAT(f.out, AllOf(HasSubstr("solved in "), HasSubstr(": 1600 points, 66 steps of 0.00303 s, "), HasSubstr(" on 1 thread\n"),
-                           HasSubstr("points lost: 0; put back at walls: 0; left through open sides: 0\n"), HasSubstr("results in " + folder + "\n")));
-  EXPECT_THAT(test::names_in(folder),
-              testing::IsSupersetOf({"case.toml", "checkpoint_000000066.h5", "history.csv", "ledger.csv", "mesh.vtkhdf", "results.vtkhdf", "summary.json"}));
+  EXPECT_THAT(f.out,
+      AllOf(HasSubstr("solved in "), HasSubstr(": 1600 points, 66 steps of 0.00303 s, "), HasSubstr(" on 1 thread\n"),
+          HasSubstr("points lost: 0; put back at walls: 0; left through open sides: 0\n"),
+          HasSubstr("results in " + folder + "\n")));
+  EXPECT_THAT(test::names_in(folder), testing::IsSupersetOf({"case.toml", "checkpoint_000000066.h5", "history.csv",
+                                          "ledger.csv", "mesh.vtkhdf", "results.vtkhdf", "summary.json"}));
   const auto summary = nlohmann::json::parse(text_of(folder + "/summary.json"));
   EXPECT_EQ(summary.at("finished"), true);
   EXPECT_EQ(summary.at("steps"), 66);
@@ -69,11 +69,12 @@ TEST(Run, OnATerminalTellsItsProgressInOneLineThatIsWrittenAnew)
 {
   const test::ScratchFolder scratch;
   if (std::system("command -v script > /dev/null") != 0) GTEST_SKIP() << "needs script(1)";
-  const std::string command = "script -qec '" + std::string(TERP_PROGRAM) + " run " + test::column_file +
-                              " --set mesh.cell=0.5 --set time.end=0.2 -j 1 -o " + scratch.path() + "/run' /dev/null < /dev/null > " +
-                              scratch.path() + "/seen";
+  const std::string command = "script -qec '" + test::program() + " run " + test::column_file +
+                              " --set mesh.cell=0.5 --set time.end=0.2 -j 1 -o " + scratch.path() +
+                              "/run' /dev/null < /dev/null > " + scratch.path() + "/seen";
   ASSERT_EQ(std::system(command.c_str()), 0);
-  EXPECT_THAT(text_of(scratch.path() + "/seen"), AllOf(HasSubstr("\r\033[K100.0 %  t = 0.200 of 0.2 s"), HasSubstr("solved in ")));
+  EXPECT_THAT(text_of(scratch.path() + "/seen"),
+      AllOf(HasSubstr("\r\033[K100.0 %  t = 0.200 of 0.2 s"), HasSubstr("solved in ")));
 }
 
 TEST(Run, QuietSaysNothing)
@@ -88,7 +89,8 @@ TEST(Run, VerboseTellsTheTimeOfEachPass)
 {
   const test::ScratchFolder scratch;
   const Finished f = run_column(scratch.path() + "/run", {"-v"});
-  for (const char* pass : {"points to cells", "nodes", "cells to points", "velocities", "stress", "move"}) EXPECT_THAT(f.out, HasSubstr(pass));
+  for (const char* pass : {"points to cells", "nodes", "cells to points", "velocities", "stress", "move"})
+    EXPECT_THAT(f.out, HasSubstr(pass));
 }
 
 TEST(Run, DoesNotTouchAnEarlierRunWithoutForce)
@@ -112,12 +114,13 @@ TEST(Run, OfABadCaseNamesFileAndLineAndLeavesNothing)
   std::string text = text_of(test::column_file);
   text.replace(text.find("su_residual   = 2.0e3"), 11, "su_resdiual");
   test::write_text(scratch.path() + "/bad.toml", text);
-  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find("su_resdiual")), '\n');
+  const auto line =
+      1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find("su_resdiual")), '\n');
   const Finished f = test::terp({"run", "bad.toml", "-o", "run"}, scratch.path());
   EXPECT_EQ(f.status, 2);
   EXPECT_EQ(f.out, "");
   EXPECT_THAT(f.err, AllOf(StartsWith("error: bad.toml:" + std::to_string(line) + ":1: unknown key `su_resdiual`"),
-                           HasSubstr("Did you mean `su_residual`?"), HasSubstr("nothing was run")));
+                         HasSubstr("Did you mean `su_residual`?"), HasSubstr("nothing was run")));
   EXPECT_THAT(test::names_in(scratch.path()), ElementsAre("bad.toml"));
 }
 
@@ -146,7 +149,8 @@ TEST(Run, OnAFullDiskFailsWithThePathAndTheReason)
   const Finished f = run_column(folder, {"--set", "output.fields.every=0.01"});
   EXPECT_EQ(f.status, 1);
   EXPECT_THAT(f.err, AllOf(StartsWith("error: "), HasSubstr(folder), HasSubstr("No space left on device"),
-                           HasSubstr("\n  No checkpoint was written yet. Make room on the disk, or mend what is told above, then give the same command with --force.\n")));
+                         HasSubstr("\n  No checkpoint was written yet. Make room on the disk, or mend what is told "
+                                   "above, then give the same command with --force.\n")));
 }
 
 TEST(Run, OnADiskThatFillsUpSaysHowToGoOnAndCanGoOn)
@@ -154,13 +158,17 @@ TEST(Run, OnADiskThatFillsUpSaysHowToGoOnAndCanGoOn)
   const test::SmallDisk disk(26 << 20);  // resume sets 16 MB aside to cut results.vtkhdf
   if (!disk.is_there()) GTEST_SKIP() << "needs the right to mount a tmpfs";
   const std::string folder = disk.path() + "/run", filler = disk.path() + "/mine";
-  const std::vector<std::string> often{"-q", "--set", "output.fields.every=0.01", "--set", "output.checkpoint.every=0.03"};
+  const std::vector<std::string> often{
+      "-q", "--set", "output.fields.every=0.01", "--set", "output.checkpoint.every=0.03"};
   test::write_text(filler, std::string((24 << 20) + (1 << 19), 'x'));
   const Finished f = run_column(folder, often);
   EXPECT_EQ(f.status, 1);
-  EXPECT_THAT(f.err, testing::MatchesRegex("error: cannot write " + folder + "/[a-z0-9_.]+: No space left on device\n"
-                                           "  Earlier results are intact, up to the checkpoint at t = 0[.][0-9]+ s. Make room on the disk, or mend what is told above, then go on with:\n"
-                                           "  terp resume " + folder + "\n"));
+  EXPECT_THAT(f.err, testing::MatchesRegex("error: cannot write " + folder +
+                                           "/[a-z0-9_.]+: No space left on device\n"
+                                           "  Earlier results are intact, up to the checkpoint at t = 0[.][0-9]+ s. "
+                                           "Make room on the disk, or mend what is told above, then go on with:\n"
+                                           "  terp resume " +
+                                           folder + "\n"));
   std::filesystem::remove(filler);
   const Finished resumed = test::terp({"resume", folder, "-q", "-j", "1"});
   EXPECT_EQ(resumed.status, 0) << resumed.err;
@@ -173,9 +181,11 @@ TEST(Run, ThatStopsItselfHasAStatusOfItsOwnAndKeepsItsState)
 {
   const test::ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";
-  const Finished f = run_column(folder, {"--set", "body[0].velocity=[60.0, 0.0]", "--set", "boundary.right=\"free\"", "--set", "time.end=0.3"});
+  const Finished f = run_column(
+      folder, {"--set", "body[0].velocity=[60.0, 0.0]", "--set", "boundary.right=\"free\"", "--set", "time.end=0.3"});
   EXPECT_EQ(f.status, 3);
-  EXPECT_THAT(f.err, AllOf(HasSubstr("points had to be put back at the walls"), HasSubstr("  saved    " + folder + "/failed_")));
+  EXPECT_THAT(f.err,
+      AllOf(HasSubstr("points had to be put back at the walls"), HasSubstr("  saved    " + folder + "/failed_")));
   EXPECT_THAT(test::names_in(folder), testing::Contains(StartsWith("failed_")));
   EXPECT_EQ(nlohmann::json::parse(text_of(folder + "/summary.json")).at("finished"), false);
 }
@@ -184,7 +194,8 @@ TEST(Run, SaysWhenSoilCameToASideOfTheMesh)
 {
   const test::ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";  // the column from 0 to 8 m, a wall 1 m before it
-  const Finished f = run_column(folder, {"-q", "--set", "body[0].velocity=[8.0, 0.0]", "--set", "mesh.size=[9.5, 3.0]"});
+  const Finished f =
+      run_column(folder, {"-q", "--set", "body[0].velocity=[8.0, 0.0]", "--set", "mesh.size=[9.5, 3.0]"});
   EXPECT_EQ(f.status, 0) << f.err;
   const auto reached = nlohmann::json::parse(text_of(folder + "/summary.json")).at("reached_sides");
   ASSERT_EQ(reached.size(), 1u) << reached;
@@ -223,7 +234,8 @@ void stop_and_resume(int signal)
   running.send(signal);
   const Finished f = running.wait();
   EXPECT_EQ(f.status, 1);
-  EXPECT_THAT(f.out, AllOf(HasSubstr("stopped at t = "), HasSubstr("a checkpoint is written. Go on with:\n  terp resume " + stopped + "\n")));
+  EXPECT_THAT(f.out, AllOf(HasSubstr("stopped at t = "),
+                         HasSubstr("a checkpoint is written. Go on with:\n  terp resume " + stopped + "\n")));
   EXPECT_EQ(nlohmann::json::parse(text_of(stopped + "/summary.json")).at("finished"), false);
 
   const Finished resumed = test::terp({"resume", stopped, "-j", "2"});
@@ -244,13 +256,16 @@ TEST(Resume, FromACheckpointThatIsNamedEndsInTheSameResults)
 {
   const test::ScratchFolder scratch;
   const std::string whole = scratch.path() + "/whole", again = scratch.path() + "/again";
-  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.mesh=true"}).status, 0);
+  ASSERT_EQ(
+      run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.mesh=true"}).status,
+      0);
   std::filesystem::copy(whole, again);
   const Finished f = test::terp({"resume", again + "/checkpoint_000000033.h5", "-j", "1"});
   EXPECT_EQ(f.status, 0) << f.err;
   EXPECT_THAT(f.out, HasSubstr("step 33 of 66\n"));
   test::expect_same_results(whole, again, last_checkpoint);
-  test::expect_same_fields(whole + "/mesh.vtkhdf", again + "/mesh.vtkhdf", {"/VTKHDF/PointData", "/VTKHDF/CellData"}, {"/VTKHDF/Steps/Values"});
+  test::expect_same_fields(whole + "/mesh.vtkhdf", again + "/mesh.vtkhdf", {"/VTKHDF/PointData", "/VTKHDF/CellData"},
+      {"/VTKHDF/Steps/Values"});
 }
 
 TEST(Resume, SkipsADamagedCheckpointAndSaysSo)
@@ -286,19 +301,24 @@ TEST(Resume, OfACaseFileSaysWhatItTakesAndWhatRunIsFor)
   const Finished f = test::terp({"resume", "base.toml"}, scratch.path());
   EXPECT_EQ(f.status, 2);
   EXPECT_EQ(f.err,
-            "error: base.toml: `terp resume` takes a run folder, as in terp resume runs/base\n"
-            "  It goes on from the newest checkpoint there. To solve a case file from its start: terp run base.toml\n");
+      "error: base.toml: `terp resume` takes a run folder, as in terp resume runs/base\n"
+      "  It goes on from the newest checkpoint there. To solve a case file from its start: terp run base.toml\n");
   EXPECT_THAT(test::terp({"resume", "runs/base/case.toml"}).err, HasSubstr("as in terp resume runs/base\n"));
-  EXPECT_EQ(test::terp({"resume", scratch.path()}).err, "error: " + scratch.path() + ": this is no run folder, it holds no case.toml\n");
+  EXPECT_EQ(test::terp({"resume", scratch.path()}).err,
+      "error: " + scratch.path() + ": this is no run folder, it holds no case.toml\n");
   std::filesystem::create_directory(scratch.path() + "/folder.toml");
-  EXPECT_EQ(test::terp({"resume", "folder.toml"}, scratch.path()).err, "error: folder.toml: this is no run folder, it holds no case.toml\n");
+  EXPECT_EQ(test::terp({"resume", "folder.toml"}, scratch.path()).err,
+      "error: folder.toml: this is no run folder, it holds no case.toml\n");
 }
 
 TEST(Resume, WhereAFileOfTheRunIsMissingOrShortIsRefused)
 {
   const test::ScratchFolder scratch;
   const std::string whole = scratch.path() + "/whole";
-  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.fields.every=0.05", "--set", "output.mesh=true"}).status, 0);
+  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set",
+                                  "output.fields.every=0.05", "--set", "output.mesh=true"})
+                .status,
+      0);
   std::filesystem::remove(whole + last_checkpoint);
   for (const std::string name : {"results.vtkhdf", "mesh.vtkhdf", "history.csv", "ledger.csv"}) {
     const std::string folder = scratch.path() + "/no_" + name;
@@ -307,7 +327,8 @@ TEST(Resume, WhereAFileOfTheRunIsMissingOrShortIsRefused)
     const auto before = test::names_in(folder);
     const Finished f = test::terp({"resume", folder});
     EXPECT_EQ(f.status, 1) << name;
-    EXPECT_THAT(f.err, StartsWith("error: cannot resume from step 33, t = 0.1 s, without all of " + folder + "/" + name + ": it is missing\n"));
+    EXPECT_THAT(f.err, StartsWith("error: cannot resume from step 33, t = 0.1 s, without all of " + folder + "/" +
+                                  name + ": it is missing\n"));
     EXPECT_EQ(test::names_in(folder), before);
   }
   const std::string ledger = text_of(whole + "/ledger.csv");
@@ -321,18 +342,25 @@ TEST(Resume, WhereAFolderOrAPipeStandsForAFileOfTheRunIsRefused)
 {
   const test::ScratchFolder scratch;
   const std::string whole = scratch.path() + "/whole";
-  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.mesh=true"}).status, 0);
-  for (const std::string name : {"results.vtkhdf", "mesh.vtkhdf", "history.csv", "ledger.csv", "left_the_mesh.csv", "footings.csv"}) {
+  ASSERT_EQ(
+      run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.mesh=true"}).status,
+      0);
+  for (const std::string name :
+      {"results.vtkhdf", "mesh.vtkhdf", "history.csv", "ledger.csv", "left_the_mesh.csv", "footings.csv"}) {
     for (const bool is_pipe : {false, true}) {
       const std::string folder = scratch.path() + (is_pipe ? "/pipe_" : "/folder_") + name, path = folder + "/" + name;
       std::filesystem::copy(whole, folder);
       std::filesystem::remove(path);
-      if (is_pipe) ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
-      else std::filesystem::create_directory(path);
+      if (is_pipe)
+        ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+      else
+        std::filesystem::create_directory(path);
       const Finished f = test::terp({"resume", folder});
       EXPECT_EQ(f.status, 1) << path;
-      EXPECT_THAT(f.err, AllOf(StartsWith("error: cannot "), HasSubstr(path), HasSubstr(is_pipe ? "a pipe or device is in the place of the file" : "a folder is in the place of the file"),
-                               HasSubstr("Put the file back")));
+      EXPECT_THAT(f.err, AllOf(StartsWith("error: cannot "), HasSubstr(path),
+                             HasSubstr(is_pipe ? "a pipe or device is in the place of the file"
+                                               : "a folder is in the place of the file"),
+                             HasSubstr("Put the file back")));
       EXPECT_EQ(text_of(folder + "/case.toml"), text_of(whole + "/case.toml"));
     }
   }
@@ -342,7 +370,10 @@ TEST(Resume, WhereTheResultsWereCutOrAlteredIsRefusedAndNothingChanges)
 {
   const test::ScratchFolder scratch;
   const std::string whole = scratch.path() + "/whole";
-  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.fields.every=0.05", "--set", "output.mesh=true"}).status, 0);
+  ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set",
+                                  "output.fields.every=0.05", "--set", "output.mesh=true"})
+                .status,
+      0);
   std::filesystem::remove(whole + last_checkpoint);
   for (const std::string name : {"results.vtkhdf", "mesh.vtkhdf"}) {
     const std::string folder = scratch.path() + "/cut_" + name, path = folder + "/" + name;
@@ -350,15 +381,19 @@ TEST(Resume, WhereTheResultsWereCutOrAlteredIsRefusedAndNothingChanges)
     std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
     Finished f = test::terp({"resume", folder});
     EXPECT_EQ(f.status, 1) << name;
-    EXPECT_THAT(f.err, AllOf(StartsWith("error: cannot resume from step 33, t = 0.1 s: " + path + " was cut or altered, and its frames cannot be read\n"),
-                             HasSubstr("truncated file"), HasSubstr("\n  Put a copy of it back, or start the case anew: terp run " + folder + "/case.toml -o NEW_FOLDER\n"),
-                             HasSubstr("Nothing was changed")));
+    EXPECT_THAT(f.err, AllOf(StartsWith("error: cannot resume from step 33, t = 0.1 s: " + path +
+                                        " was cut or altered, and its frames cannot be read\n"),
+                           HasSubstr("truncated file"),
+                           HasSubstr("\n  Put a copy of it back, or start the case anew: terp run " + folder +
+                                     "/case.toml -o NEW_FOLDER\n"),
+                           HasSubstr("Nothing was changed")));
     EXPECT_EQ(text_of(folder + "/ledger.csv"), text_of(whole + "/ledger.csv"));
     std::string bytes = text_of(whole + "/" + name);
     bytes.replace(48, 40, 40, 'x');  // the superblock and what follows
     test::write_text(path, bytes);
     f = test::terp({"resume", folder});
-    EXPECT_THAT(f.err, AllOf(HasSubstr("error: cannot resume from step 33, t = 0.1 s"), HasSubstr(path), HasSubstr("NEW_FOLDER")));
+    EXPECT_THAT(f.err,
+        AllOf(HasSubstr("error: cannot resume from step 33, t = 0.1 s"), HasSubstr(path), HasSubstr("NEW_FOLDER")));
     EXPECT_EQ(text_of(folder + "/ledger.csv"), text_of(whole + "/ledger.csv"));
   }
 }
@@ -374,7 +409,8 @@ TEST(Resume, WithAFileOfAnotherRunOfTheSameSizeIsRefused)
     test::write_text(folder + name, text_of(other + name));
     const Finished f = test::terp({"resume", folder});
     EXPECT_EQ(f.status, 1) << name;
-    EXPECT_THAT(f.err, AllOf(StartsWith("error: cannot resume from step 66, t = 0.2 s: " + folder + name + " is not "), HasSubstr("Nothing was changed")));
+    EXPECT_THAT(f.err, AllOf(StartsWith("error: cannot resume from step 66, t = 0.2 s: " + folder + name + " is not "),
+                           HasSubstr("Nothing was changed")));
     test::write_text(folder + name, ours);
   }
   EXPECT_EQ(test::terp({"resume", folder, "-q"}).status, 0);
@@ -397,11 +433,14 @@ TEST(Resume, OfACaseThatWasChangedIsRefusedWithWhatChanged)
   const auto before = test::names_in(folder);
   const Finished f = test::terp({"resume", folder});
   EXPECT_EQ(f.status, 1);
-  EXPECT_EQ(f.err, "error: cannot resume from step 66: " + folder + "/case.toml was changed since the run began\n"
-            "  body[0].points_per_cell ([5, 5], now [4, 4])\n"
-            "  material.clay.eta (50, now 40)\n"
-            "  Put back what it began with, or solve the changed case from its start: terp run " + folder + "/case.toml -o NEW_FOLDER\n"
-            "  These may change: title, time.end, output.fields.every, output.checkpoint\n");
+  EXPECT_EQ(f.err, "error: cannot resume from step 66: " + folder +
+                       "/case.toml was changed since the run began\n"
+                       "  body[0].points_per_cell ([5, 5], now [4, 4])\n"
+                       "  material.clay.eta (50, now 40)\n"
+                       "  Put back what it began with, or solve the changed case from its start: terp run " +
+                       folder +
+                       "/case.toml -o NEW_FOLDER\n"
+                       "  These may change: title, time.end, output.fields.every, output.checkpoint\n");
   EXPECT_EQ(test::names_in(folder), before);
   edit_case(folder, "[4, 4]", "5");
   edit_case(folder, "eta = 40.0", "eta = 5.0e1");
@@ -417,14 +456,16 @@ TEST(Resume, WithALaterEndGoesOnInTheSameTimeStepWithoutGapOrDoubleRows)
   edit_case(folder, "end = 0.2", "end = 0.4");
   const Finished f = test::terp({"resume", folder, "-j", "1"});
   EXPECT_EQ(f.status, 0) << f.err;
-  EXPECT_THAT(f.out, AllOf(HasSubstr("step 66 of 132\n"), HasSubstr("  from here on with another time.end (0.2, now 0.4)\n")));
-  test::expect_same_results(whole, folder, "/checkpoint_000000132.h5");  // 0.4 s are just twice as many of the same steps
+  EXPECT_THAT(
+      f.out, AllOf(HasSubstr("step 66 of 132\n"), HasSubstr("  from here on with another time.end (0.2, now 0.4)\n")));
+  test::expect_same_results(
+      whole, folder, "/checkpoint_000000132.h5");  // 0.4 s are just twice as many of the same steps
   edit_case(folder, "end = 0.4", "end = 0.401");
   EXPECT_THAT(test::terp({"resume", folder, "-j", "1"}).out, HasSubstr("step 132 of 133\n"));
   edit_case(folder, "end = 0.401", "end = 0.3");
   EXPECT_EQ(test::terp({"resume", folder}).err,
-            "error: cannot resume from step 133, t = 0.403 s: time.end = 0.3 s lies before it\n"
-            "  Set a later time.end in case.toml of the folder, or name an earlier checkpoint.\n");
+      "error: cannot resume from step 133, t = 0.403 s: time.end = 0.3 s lies before it\n"
+      "  Set a later time.end in case.toml of the folder, or name an earlier checkpoint.\n");
 }
 
 TEST(Resume, FromACheckpointThatKnowsNoCaseSaysSoAndChecksThePointsOnly)
@@ -435,11 +476,12 @@ TEST(Resume, FromACheckpointThatKnowsNoCaseSaysSoAndChecksThePointsOnly)
   StateImage image = read_checkpoint(folder + last_checkpoint);
   image.case_record.clear();
   write_checkpoint(folder + last_checkpoint, image);
-  EXPECT_THAT(test::terp({"resume", folder, "-q"}).err, HasSubstr("warning: the checkpoint of step 66 is from an earlier Terp and does not say what case"));
+  EXPECT_THAT(test::terp({"resume", folder, "-q"}).err,
+      HasSubstr("warning: the checkpoint of step 66 is from an earlier Terp and does not say what case"));
   edit_case(folder, "[5, 5]", "[4, 4]");
   EXPECT_THAT(test::terp({"resume", folder}).err,
-              HasSubstr("error: cannot resume from step 66: the case seeds 1024 material points, the checkpoint holds 1600\n"
-                        "  case.toml of the folder, or a file that it names, is not what the run began with.\n"));
+      HasSubstr("error: cannot resume from step 66: the case seeds 1024 material points, the checkpoint holds 1600\n"
+                "  case.toml of the folder, or a file that it names, is not what the run began with.\n"));
 }
 
 TEST(Resume, SaysFirstThatAnotherTerpIsWriting)

@@ -15,7 +15,8 @@
 namespace terp::test {
 
 /// Every table of fields, and what `also` names, of two VTKHDF files.
-inline void expect_same_fields(const std::string& a, const std::string& b, const std::vector<std::string>& groups, std::vector<std::string> also)
+inline void expect_same_fields(
+    const std::string& a, const std::string& b, const std::vector<std::string>& groups, std::vector<std::string> also)
 {
   const Hdf5File first(a, Hdf5File::Mode::read), second(b, Hdf5File::Mode::read);
   for (const std::string& group : groups)
@@ -23,7 +24,8 @@ inline void expect_same_fields(const std::string& a, const std::string& b, const
   for (const std::string& table : also) {
     const auto same_numbers = [&]<class T>(T) {
       const auto one = first.read<T>(table), other = second.read<T>(table);
-      return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](T x, T y) { return x == y || (x != x && y != y); });
+      return std::equal(
+          one.begin(), one.end(), other.begin(), other.end(), [](T x, T y) { return x == y || (x != x && y != y); });
     };
     EXPECT_TRUE(first.holds_reals(table) ? same_numbers(Real{}) : same_numbers(std::int64_t{})) << table;
   }
@@ -36,7 +38,8 @@ inline void expect_same_results(const std::string& a, const std::string& b, cons
   EXPECT_EQ(text_of(a + "/history.csv"), text_of(b + "/history.csv"));
   EXPECT_EQ(text_of(a + "/ledger.csv"), text_of(b + "/ledger.csv"));
   EXPECT_GT(Hdf5File(a + "/results.vtkhdf", Hdf5File::Mode::read).members("/VTKHDF/PointData").size(), 8u);
-  expect_same_fields(a + "/results.vtkhdf", b + "/results.vtkhdf", {"/VTKHDF/PointData"}, {"/VTKHDF/Points", "/VTKHDF/Steps/Values"});
+  expect_same_fields(
+      a + "/results.vtkhdf", b + "/results.vtkhdf", {"/VTKHDF/PointData"}, {"/VTKHDF/Points", "/VTKHDF/Steps/Values"});
 }
 
 /// 1320 steps of 6400 points.

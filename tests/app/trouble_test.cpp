@@ -13,7 +13,6 @@
 
 #include <gmock/gmock.h>
 
-
 namespace terp {
 namespace {
 
@@ -41,12 +40,15 @@ class FileSizeLimit {
   rlimit before_{};
 };
 
-const std::vector<std::string> often{"-q", "--set", "output.fields.every=0.02", "--set", "output.checkpoint.every=0.02"};
+const std::vector<std::string> often{
+    "-q", "--set", "output.fields.every=0.02", "--set", "output.checkpoint.every=0.02"};
 
 /// Waits until a run has written a checkpoint.
 void wait_for_checkpoint(const std::string& folder)
 {
-  const auto is_checkpoint = [](const std::string& name) { return name.starts_with("checkpoint_") && name.ends_with(".h5"); };
+  const auto is_checkpoint = [](const std::string& name) {
+    return name.starts_with("checkpoint_") && name.ends_with(".h5");
+  };
   for (int k = 0; k < 6000; ++k) {
     const auto names = fs::exists(folder) ? test::names_in(folder) : std::vector<std::string>{};
     if (std::any_of(names.begin(), names.end(), is_checkpoint)) return;
@@ -76,8 +78,9 @@ TEST(Trouble, AFileThatMayGrowNoMoreIsAnErrorAndTheRunCanGoOn)
     f = test::run_column(folder, often);
   }
   EXPECT_EQ(f.status, 1);
-  EXPECT_THAT(f.err, AllOf(StartsWith("error: cannot write " + folder + "/results.vtkhdf"), HasSubstr("File too large"),
-                           HasSubstr("Earlier results are intact, up to the checkpoint at t = "), HasSubstr("terp resume " + folder)));
+  EXPECT_THAT(f.err,
+      AllOf(StartsWith("error: cannot write " + folder + "/results.vtkhdf"), HasSubstr("File too large"),
+          HasSubstr("Earlier results are intact, up to the checkpoint at t = "), HasSubstr("terp resume " + folder)));
   const Finished resumed = test::terp({"resume", folder, "-q", "-j", "2"});
   EXPECT_EQ(resumed.status, 0) << resumed.err;
   ASSERT_EQ(test::run_column(whole, often).status, 0);
@@ -87,8 +90,10 @@ TEST(Trouble, AFileThatMayGrowNoMoreIsAnErrorAndTheRunCanGoOn)
 TEST(Trouble, ResultsThatCannotBeWrittenAnyMoreEndTheRunAndItCanGoOn)
 {
   const test::ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/run", whole = scratch.path() + "/whole", aside = scratch.path() + "/aside";
-  const std::vector<std::string> more{"--set", "time.end=0.6", "--set", "output.fields.every=0.02", "--set", "output.checkpoint.every=0.02"};
+  const std::string folder = scratch.path() + "/run", whole = scratch.path() + "/whole",
+                    aside = scratch.path() + "/aside";
+  const std::vector<std::string> more{
+      "--set", "time.end=0.6", "--set", "output.fields.every=0.02", "--set", "output.checkpoint.every=0.02"};
   std::vector<std::string> words = test::longer_run(folder, "1");
   words.insert(words.end(), more.begin(), more.end());
   test::Process running(words);
@@ -97,7 +102,9 @@ TEST(Trouble, ResultsThatCannotBeWrittenAnyMoreEndTheRunAndItCanGoOn)
   fs::create_directory(folder + "/results.vtkhdf");
   const Finished f = running.wait();
   EXPECT_EQ(f.status, 1);
-  EXPECT_THAT(f.err, AllOf(HasSubstr("error: cannot read " + folder + "/results.vtkhdf: a folder is in the place of the file"), HasSubstr("terp resume " + folder)));
+  EXPECT_THAT(
+      f.err, AllOf(HasSubstr("error: cannot read " + folder + "/results.vtkhdf: a folder is in the place of the file"),
+                 HasSubstr("terp resume " + folder)));
 
   fs::remove(folder + "/results.vtkhdf");
   fs::rename(aside, folder + "/results.vtkhdf");
@@ -114,7 +121,8 @@ TEST(Trouble, AClosedTerminalStopsTheRunWithACheckpoint)
   const test::ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";
   const std::vector<std::string> words = test::longer_run(folder, "1");
-  std::vector<char*> arguments{const_cast<char*>(TERP_PROGRAM)};
+  std::string program = test::program();
+  std::vector<char*> arguments{program.data()};
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   int terminal = -1;
@@ -150,7 +158,7 @@ TEST(Trouble, APipeThatNobodyReadsDoesNotEndTheRun)
 {
   const test::ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";
-  std::string command = TERP_PROGRAM;
+  std::string command = test::program();
   for (const std::string& word : test::column_command("run", {"-o", folder})) command += ' ' + word;
   EXPECT_EQ(std::system(("bash -c '" + command + " | true; exit ${PIPESTATUS[0]}'").c_str()), 0);
   EXPECT_THAT(test::text_of(folder + "/summary.json"), HasSubstr("\"finished\": true"));
@@ -160,11 +168,14 @@ TEST(Trouble, AnAnswerThatCannotBePrintedIsAnErrorButARunIsSolved)
 {
   const test::ScratchFolder scratch;
   const auto status_of = [&](const std::string& words) {
-    return WEXITSTATUS(std::system((TERP_PROGRAM " " + words + " > /dev/full 2> " + scratch.path() + "/errors").c_str()));
+    return WEXITSTATUS(
+        std::system((test::program() + " " + words + " > /dev/full 2> " + scratch.path() + "/errors").c_str()));
   };
   for (const std::string words : {"list", "--help", "explain mpm_gp"}) {
     EXPECT_EQ(status_of(words), 1) << words;
-    EXPECT_EQ(test::text_of(scratch.path() + "/errors"), "error: what was to be printed is not complete: No space left on device\n") << words;
+    EXPECT_EQ(test::text_of(scratch.path() + "/errors"),
+        "error: what was to be printed is not complete: No space left on device\n")
+        << words;
   }
   std::string run;
   for (const std::string& word : test::column_command("run", {"-o", scratch.path() + "/run"})) run += word + ' ';
@@ -176,8 +187,9 @@ TEST(Trouble, ClosedStandardStreamsLeaveTheTablesAsTheyAre)
 {
   const test::ScratchFolder scratch;
   const auto run = [&](const std::string& name, const std::string& redirections) {
-    std::string command = TERP_PROGRAM;
-    for (const std::string& word : test::column_command("run", {"-v", "-o", scratch.path() + "/" + name})) command += ' ' + word;
+    std::string command = test::program();
+    for (const std::string& word : test::column_command("run", {"-v", "-o", scratch.path() + "/" + name}))
+      command += ' ' + word;
     return std::system((command + redirections).c_str());
   };
   ASSERT_EQ(run("open", " > /dev/null 2> /dev/null"), 0);
@@ -185,7 +197,8 @@ TEST(Trouble, ClosedStandardStreamsLeaveTheTablesAsTheyAre)
     const std::string name = "closed" + std::to_string(closed.size());
     EXPECT_EQ(run(name, closed), 0) << closed;
     for (const char* table : {"/ledger.csv", "/history.csv", "/case.toml"})
-      EXPECT_EQ(test::text_of(scratch.path() + "/" + name + table), test::text_of(scratch.path() + "/open" + table)) << table << closed;
+      EXPECT_EQ(test::text_of(scratch.path() + "/" + name + table), test::text_of(scratch.path() + "/open" + table))
+          << table << closed;
   }
 }
 

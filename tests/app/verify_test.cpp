@@ -32,7 +32,8 @@ struct Ledger {
 
 std::string path_is(const std::string& reference, const std::string& more = "")
 {
-  return "[[quantity]]\nname = \"path\"\nvalue = \"ux\"\nreduce = \"mean\"\nreference = " + reference + "\nunit = \"m\"\ntolerance = 1e-9\nsource = \"Newton\"\n" + more;
+  return "[[quantity]]\nname = \"path\"\nvalue = \"ux\"\nreduce = \"mean\"\nreference = " + reference +
+         "\nunit = \"m\"\ntolerance = 1e-9\nsource = \"Newton\"\n" + more;
 }
 
 TEST(Verify, PrintsTheRowsAndCountsAndReturnsZeroIfAllPass)
@@ -41,7 +42,8 @@ TEST(Verify, PrintsTheRowsAndCountsAndReturnsZeroIfAllPass)
   ledger.add("flight", path_is("1.0"));
   const Finished f = ledger.verify();
   EXPECT_EQ(f.status, 0) << f.out << f.err;
-  EXPECT_THAT(f.out, AllOf(HasSubstr("flight: Flight\n"), HasSubstr("path      mpm_gp  1 m        1 m   "), HasSubstr("1 rows: 1 pass, 0 red\n")));
+  EXPECT_THAT(f.out, AllOf(HasSubstr("flight: Flight\n"), HasSubstr("path      mpm_gp  1 m        1 m   "),
+                         HasSubstr("1 rows: 1 pass, 0 red\n")));
   EXPECT_THAT(f.err, HasSubstr("[1/1] flight"));
 }
 
@@ -51,11 +53,13 @@ TEST(Verify, ARowThatMissesFailsItUnlessTheCaseDeclaresItRed)
   ledger.add("flight", path_is("1.1"));
   const Finished fails = ledger.verify();
   EXPECT_EQ(fails.status, 1);
-  EXPECT_THAT(fails.out, AllOf(HasSubstr("  FAIL    Newton"), HasSubstr("1 rows: 0 pass, 1 red (1 not known: FAIL)\n")));
+  EXPECT_THAT(
+      fails.out, AllOf(HasSubstr("  FAIL    Newton"), HasSubstr("1 rows: 0 pass, 1 red (1 not known: FAIL)\n")));
   ledger.add("flight", path_is("1.1", "red = \"it was slow\"\n"));
   const Finished red = ledger.verify();
   EXPECT_EQ(red.status, 0);
-  EXPECT_THAT(red.out, AllOf(HasSubstr("  ! path: it was slow\n"), HasSubstr("1 rows: 0 pass, 1 red (1 known, with the reason)\n")));
+  EXPECT_THAT(red.out,
+      AllOf(HasSubstr("  ! path: it was slow\n"), HasSubstr("1 rows: 0 pass, 1 red (1 known, with the reason)\n")));
 }
 
 TEST(Verify, WritesThePages)
@@ -121,8 +125,9 @@ TEST(Verify, AnExpectedTomlThatCannotBeReadIsOneRowAndTheOthersAreSolved)
   const std::string page = ledger.folder.path() + "/page.md";
   const Finished f = ledger.verify({"--markdown", page});
   EXPECT_EQ(f.status, 1);
-  EXPECT_THAT(f.out, AllOf(HasSubstr("broken: \n"), HasSubstr("broken/expected.toml:6:13: "), HasSubstr("there is no [[quantity]], so nothing would be judged"),
-                           HasSubstr("3 rows: 1 pass, 2 red (2 not known: FAIL)")));
+  EXPECT_THAT(f.out, AllOf(HasSubstr("broken: \n"), HasSubstr("broken/expected.toml:6:13: "),
+                         HasSubstr("there is no [[quantity]], so nothing would be judged"),
+                         HasSubstr("3 rows: 1 pass, 2 red (2 not known: FAIL)")));
   EXPECT_THAT(test::text_of(page), HasSubstr("expected.toml"));
   EXPECT_THAT(ledger.verify({"--list"}).out, AllOf(HasSubstr("cannot be read\n"), HasSubstr("flight ")));
 }
@@ -132,7 +137,8 @@ TEST(Verify, ListsWithoutSolvingAndChoosesByNameAndLength)
   Ledger ledger;
   ledger.add("short_one", path_is("1.0"));
   ledger.add("long_one", "[[run]]\nlong = true\n" + path_is("1.0"));
-  EXPECT_THAT(ledger.verify({"--list"}).out, AllOf(HasSubstr("short_one"), HasSubstr("long_one"), Not(HasSubstr("rows"))));
+  EXPECT_THAT(
+      ledger.verify({"--list"}).out, AllOf(HasSubstr("short_one"), HasSubstr("long_one"), Not(HasSubstr("rows"))));
   EXPECT_THAT(ledger.verify({"--short"}).out, AllOf(HasSubstr("short_one"), Not(HasSubstr("long_one"))));
   EXPECT_THAT(ledger.verify({"--long"}).out, AllOf(HasSubstr("long_one"), Not(HasSubstr("short_one"))));
   EXPECT_THAT(ledger.verify({"short_one"}).out, HasSubstr("1 rows: 1 pass"));

@@ -15,12 +15,15 @@ TEST(InputError, NamesItsFirstProblemAndKeepsThemAll)
   EXPECT_EQ(error.problems()[1].key, "time.end");
 }
 
-TEST(InputError, WithoutProblemsStillSaysSomething) { EXPECT_STREQ(InputError(std::vector<Problem>{}).what(), "bad input"); }
+TEST(InputError, WithoutProblemsStillSaysSomething)
+{
+  EXPECT_STREQ(InputError(std::vector<Problem>{}).what(), "bad input");
+}
 
 TEST(FailAssert, EndsTheProgramAndAsksForAReport)
 {
   EXPECT_DEATH(fail_assert("n > 0", "points.cpp", 42),
-               "terp: internal error at points.cpp:42: n > 0 does not hold. Please report it.");
+      "terp: internal error at points.cpp:42: n > 0 does not hold. Please report it.");
 }
 
 }  // namespace

@@ -77,7 +77,8 @@ TEST(FixedSide, StopsAllMotion)
 
 TEST(DrivenSide, TakesThePrescribedVelocityEverywhereAlsoInItsCorners)
 {
-  const Boundary boundary(mesh_3x2(), {{.side = "right", .hold = Hold::all, .velocity = {-0.2, 0.1}}, {.side = "bottom"}});
+  const Boundary boundary(
+      mesh_3x2(), {{.side = "right", .hold = Hold::all, .velocity = {-0.2, 0.1}}, {.side = "bottom"}});
   for (const Index node : {3, 7, 11}) {
     EXPECT_THAT(constrained(boundary, node, {5.0, 5.0}), ElementsAre(-0.2, 0.1));
     EXPECT_THAT(clamped(boundary, node, {5.0, 5.0}), ElementsAre(-0.2, 0.1));
@@ -87,7 +88,9 @@ TEST(DrivenSide, TakesThePrescribedVelocityEverywhereAlsoInItsCorners)
 TEST(DrivenSide, TakesAVelocityThatDependsOnThePlace)
 {
   const Mesh<2> mesh = mesh_3x2();
-  const Boundary boundary(mesh, {{.side = "right", .hold = Hold::all, .velocity_at = [](Vec<2> x) { return Vec<2>{3.0 * x[1], x[0] - x[1]}; }}});
+  const Boundary boundary(mesh, {{.side = "right", .hold = Hold::all, .velocity_at = [](Vec<2> x) {
+                                    return Vec<2>{3.0 * x[1], x[0] - x[1]};
+                                  }}});
   for (const Index node : {3, 7, 11}) {
     const Vec<2> x = mesh.nodes[node];
     EXPECT_THAT(constrained(boundary, node, {5.0, 5.0}), ElementsAre(3.0 * x[1], x[0] - x[1]));
@@ -104,13 +107,15 @@ TEST(ContactPlane, ASeparatingOneThatPushedStaysClosedForTheStep)
 
 TEST(ContactPlane, ActsOnTheRemappedVelocityWithTheStrengthLeftUnused)
 {
-  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::contact, .adhesion = 30.0, .friction = 0.5}});  // node 1: 1 m of base
+  const Boundary boundary(mesh_3x2(),
+      {{.side = "bottom", .hold = Hold::contact, .adhesion = 30.0, .friction = 0.5}});  // node 1: 1 m of base
   const auto near = [](Real v) { return ElementsAre(DoubleNear(v, 1e-12), 0.0); };
   EXPECT_THAT(clamped(boundary, 1, {3.0, 4.0}, {-42.0, 24.0}), near(3.0));  // all of 30 N + 0.5 * 24 N: it slipped
   EXPECT_THAT(clamped(boundary, 1, {3.0, 4.0}, {-37.0, 24.0}), near(3.0 - 5.0 * dt / mass));
   EXPECT_THAT(clamped(boundary, 1, {-3.0, 4.0}, {-37.0, 24.0}), near(-3.0 + 5.0 * dt / mass));
-  EXPECT_THAT(clamped(boundary, 1, {3.0, 4.0}, {-29.0, -24.0}), near(3.0 - 1.0 * dt / mass));  // pulled at: adhesion alone
-  EXPECT_THAT(clamped(boundary, 1, {1e-4, 4.0}, {-12.0, 24.0}), near(0.0));                      // it stuck, and stays
+  EXPECT_THAT(
+      clamped(boundary, 1, {3.0, 4.0}, {-29.0, -24.0}), near(3.0 - 1.0 * dt / mass));  // pulled at: adhesion alone
+  EXPECT_THAT(clamped(boundary, 1, {1e-4, 4.0}, {-12.0, 24.0}), near(0.0));            // it stuck, and stays
 }
 
 TEST(ContactPlane, ASeparatingOneThatDidNotPushHoldsNothing)
@@ -129,7 +134,8 @@ TEST(FreePart, LeavesOutWhatTheSidesCarry)
 
 TEST(FreePart, IsNothingWhereANodeIsHeldInAllDirections)
 {
-  const Boundary fixed(mesh_3x2(), {{.side = "bottom", .hold = Hold::all}}), corner(mesh_3x2(), {{.side = "bottom"}, {.side = "left"}});
+  const Boundary fixed(mesh_3x2(), {{.side = "bottom", .hold = Hold::all}}),
+      corner(mesh_3x2(), {{.side = "bottom"}, {.side = "left"}});
   EXPECT_THAT(fixed.free_force(2, {3.0, 4.0}), ElementsAre(0.0, 0.0));
   EXPECT_THAT(corner.free_velocity(0, {3.0, 4.0}, {3.0, 4.0}), ElementsAre(0.0, 0.0));
 }
@@ -145,7 +151,8 @@ TEST(FreePart, OfAForceIsWhatExceedsAdhesionAndFriction)
 {
   const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::contact, .adhesion = 30.0, .friction = 0.5}});
   EXPECT_THAT(boundary.free_force(1, {50.0, -24.0}), ElementsAre(DoubleEq(50.0 - 30.0 - 12.0), 0.0));  // 1 m of base
-  EXPECT_THAT(boundary.free_force(1, {-50.0, 24.0}), ElementsAre(DoubleEq(-20.0), 0.0)) << "a pull is not met with friction";
+  EXPECT_THAT(boundary.free_force(1, {-50.0, 24.0}), ElementsAre(DoubleEq(-20.0), 0.0))
+      << "a pull is not met with friction";
   EXPECT_THAT(boundary.free_force(1, {41.0, -24.0}), ElementsAre(0.0, 0.0)) << "all is carried";
   EXPECT_THAT(boundary.free_velocity(1, {0.3, -0.2}, {41.0, -24.0}), ElementsAre(0.3, 0.0)) << "a velocity is not";
 }
@@ -260,8 +267,8 @@ TEST(InclinedSide, HasOutwardNormalsWeightedByLength)
   EXPECT_THAT(boundary.at(0)->holds[0].normal, ElementsAre(0.0, -1.0));
   EXPECT_THAT(boundary.at(2)->holds[0].normal, ElementsAre(DoubleEq(1.0 / s), DoubleEq(-2.0 / s)));
   // node 1: edge vectors (1, 0) and (2, 1) give the sum (1, -3) of normals times length
-  EXPECT_THAT(boundary.at(1)->holds[0].normal,
-              ElementsAre(DoubleEq(1.0 / std::sqrt(10.0)), DoubleEq(-3.0 / std::sqrt(10.0))));
+  EXPECT_THAT(
+      boundary.at(1)->holds[0].normal, ElementsAre(DoubleEq(1.0 / std::sqrt(10.0)), DoubleEq(-3.0 / std::sqrt(10.0))));
 }
 
 TEST(InclinedSide, HasHalfTheLengthOfEachEdge)
@@ -309,13 +316,15 @@ Mesh<2> flat_valley()
 TEST(Corner, OfTwoSeparatingBanksHoldsWhatPushesOnBothAndLetsGoWhatLeavesOne)
 {
   for (const auto& [first, second] : {std::pair{"left", "right"}, std::pair{"right", "left"}}) {
-    const Boundary boundary(flat_valley(), {{.side = first, .hold = Hold::separating}, {.side = second, .hold = Hold::separating}});
+    const Boundary boundary(
+        flat_valley(), {{.side = first, .hold = Hold::separating}, {.side = second, .hold = Hold::separating}});
     EXPECT_THAT(constrained(boundary, 1, {0.0, -2.0}), ElementsAre(0.0, 0.0));
     EXPECT_THAT(constrained(boundary, 1, {0.5, -2.0}), ElementsAre(0.0, 0.0));
-    EXPECT_THAT(constrained(boundary, 1, {1.0, 3.0}), ElementsAre(1.0, 3.0));    // off both
-    const Vec<2> along = constrained(boundary, 1, {3.0, 1.0});                   // into the right one alone: up along it
+    EXPECT_THAT(constrained(boundary, 1, {1.0, 3.0}), ElementsAre(1.0, 3.0));  // off both
+    const Vec<2> along = constrained(boundary, 1, {3.0, 1.0});                 // into the right one alone: up along it
     EXPECT_THAT(along, ElementsAre(DoubleNear(2.8, 1e-14), DoubleNear(1.4, 1e-14)));
-    const Vec<2> pushed_off = constrained(boundary, 1, {1.0, -1.6});             // pushes on both, and the right one turns it off the left one
+    const Vec<2> pushed_off =
+        constrained(boundary, 1, {1.0, -1.6});  // pushes on both, and the right one turns it off the left one
     EXPECT_THAT(pushed_off, ElementsAre(DoubleNear(0.16, 1e-14), DoubleNear(0.08, 1e-14)));
     EXPECT_THAT(boundary.free_force(1, {1.0, -20.0}), ElementsAre(0.0, 0.0));
     EXPECT_THAT(boundary.free_force(1, {3.0, 1.0}), ElementsAre(DoubleNear(2.8, 1e-14), DoubleNear(1.4, 1e-14)));
@@ -324,18 +333,22 @@ TEST(Corner, OfTwoSeparatingBanksHoldsWhatPushesOnBothAndLetsGoWhatLeavesOne)
 
 TEST(Corner, OfARollerAndASeparatingBankIsClosedWhereTheRollerTurnsTheMotionIntoTheBank)
 {
-  const Boundary boundary(flat_valley(), {{.side = "left"}, {.side = "right", .hold = Hold::separating, .friction = 0.3}});
+  const Boundary boundary(
+      flat_valley(), {{.side = "left"}, {.side = "right", .hold = Hold::separating, .friction = 0.3}});
   EXPECT_THAT(constrained(boundary, 1, {0.0, -2.0}), ElementsAre(0.0, 0.0));
   EXPECT_THAT(constrained(boundary, 1, {0.8, 0.75}), ElementsAre(0.0, 0.0));  // off both, but the roller holds it back
-  EXPECT_THAT(constrained(boundary, 1, {-4.0, 2.0}), ElementsAre(DoubleNear(-4.0, 1e-14), DoubleNear(2.0, 1e-14)));  // up along the roller
+  EXPECT_THAT(constrained(boundary, 1, {-4.0, 2.0}),
+      ElementsAre(DoubleNear(-4.0, 1e-14), DoubleNear(2.0, 1e-14)));  // up along the roller
 }
 
 TEST(Corner, ThatWasClosedStaysClosedInTheRemap)
 {
-  const Boundary boundary(flat_valley(), {{.side = "left", .hold = Hold::separating}, {.side = "right", .hold = Hold::separating}});
+  const Boundary boundary(
+      flat_valley(), {{.side = "left", .hold = Hold::separating}, {.side = "right", .hold = Hold::separating}});
   EXPECT_THAT(clamped(boundary, 1, {0.1, 3.0}, {0.0, 20.0}), ElementsAre(0.0, 0.0));
   EXPECT_THAT(clamped(boundary, 1, {0.1, 3.0}), ElementsAre(0.1, 3.0));  // it held nothing
-  const Vec<2> on_the_right = clamped(boundary, 1, {0.0, 3.0}, {-5.0, 10.0}, {2.0, 1.0});  // which held it in step 2: it runs along that
+  const Vec<2> on_the_right =
+      clamped(boundary, 1, {0.0, 3.0}, {-5.0, 10.0}, {2.0, 1.0});  // which held it in step 2: it runs along that
   EXPECT_THAT(on_the_right, ElementsAre(DoubleNear(1.2, 1e-14), DoubleNear(0.6, 1e-14)));
 }
 
@@ -364,7 +377,8 @@ TEST(TwoParts, OfAStraightBaseThatAreAlikeAreThatBase)
     const Boundary one(mesh_3x2(), {whole}), two(mesh_on_two_bases(), {left, right});
     for (const Vec<2> v : {Vec<2>{2.0, -1.5}, Vec<2>{-0.9, -2.5}, Vec<2>{0.3, 0.7}}) {
       EXPECT_EQ(constrained(two, 1, v), constrained(one, 1, v));
-      for (const Vec<2> reaction : {Vec<2>{0.0, 0.0}, Vec<2>{900.0, 2e4}, Vec<2>{-1e4, 2e4}}) EXPECT_EQ(clamped(two, 1, v, reaction), clamped(one, 1, v, reaction));
+      for (const Vec<2> reaction : {Vec<2>{0.0, 0.0}, Vec<2>{900.0, 2e4}, Vec<2>{-1e4, 2e4}})
+        EXPECT_EQ(clamped(two, 1, v, reaction), clamped(one, 1, v, reaction));
       EXPECT_EQ(two.free_force(1, {1e4 * v[0], 1e4 * v[1]}), one.free_force(1, {1e4 * v[0], 1e4 * v[1]}));
     }
   }
@@ -379,7 +393,8 @@ TEST(TwoParts, OfAStraightBaseShareAdhesionAndFrictionByLength)
     const Boundary boundary(mesh_on_two_bases(), sides);
     const Real expected = 2.0 - 0.5 * 0.4 * 1.5 - (3e3 + 1.5e3) * dt / mass;
     EXPECT_THAT(constrained(boundary, 1, {2.0, -1.5}), ElementsAre(DoubleEq(expected), 0.0));
-    EXPECT_THAT(clamped(boundary, 1, {2.0, -1.5}, {-3000.0, 10000.0}), ElementsAre(DoubleEq(2.0 - (4500.0 + 0.2 * 10000.0 - 3000.0) * dt / mass), 0.0));
+    EXPECT_THAT(clamped(boundary, 1, {2.0, -1.5}, {-3000.0, 10000.0}),
+        ElementsAre(DoubleEq(2.0 - (4500.0 + 0.2 * 10000.0 - 3000.0) * dt / mass), 0.0));
   }
 }
 
@@ -394,8 +409,10 @@ TEST(TwoParts, OfWhichOneLetsGoShareThePushAsWell)
     const Real pressed = 2.0 - 0.5 * (0.4 + 0.2) * 1.5 - (500.0 + 3e3) * dt / mass, pulled = 2.0 - 3e3 * dt / mass;
     EXPECT_THAT(constrained(boundary, 1, {2.0, -1.5}), ElementsAre(DoubleNear(pressed, 1e-14), 0.0));
     EXPECT_THAT(constrained(boundary, 1, {2.0, 1.5}), ElementsAre(DoubleNear(pulled, 1e-14), 0.0));
-    EXPECT_THAT(clamped(boundary, 1, {2.0, -1.5}, {-3000.0, 10000.0}), ElementsAre(DoubleNear(2.0 - (3500.0 + 0.3 * 10000.0 - 3000.0) * dt / mass, 1e-14), 0.0));
-    EXPECT_THAT(boundary.free_force(1, {9000.0, -10000.0}), ElementsAre(DoubleNear(9000.0 - 3500.0 - 3000.0, 1e-9), 0.0));
+    EXPECT_THAT(clamped(boundary, 1, {2.0, -1.5}, {-3000.0, 10000.0}),
+        ElementsAre(DoubleNear(2.0 - (3500.0 + 0.3 * 10000.0 - 3000.0) * dt / mass, 1e-14), 0.0));
+    EXPECT_THAT(
+        boundary.free_force(1, {9000.0, -10000.0}), ElementsAre(DoubleNear(9000.0 - 3500.0 - 3000.0, 1e-9), 0.0));
   }
 }
 
@@ -403,7 +420,8 @@ TEST(TwoParts, OfAContactAndARollerHaveTheStrengthOfTheContact)
 {
   const SideCondition smooth{.side = "base left"}, rough{.side = "base right", .hold = Hold::contact, .adhesion = 6e3};
   for (const auto& sides : {std::vector{smooth, rough}, std::vector{rough, smooth}})
-    EXPECT_THAT(constrained(Boundary(mesh_on_two_bases(), sides), 1, {2.0, -1.5}), ElementsAre(DoubleEq(2.0 - 3e3 * dt / mass), 0.0));
+    EXPECT_THAT(constrained(Boundary(mesh_on_two_bases(), sides), 1, {2.0, -1.5}),
+        ElementsAre(DoubleEq(2.0 - 3e3 * dt / mass), 0.0));
 }
 
 TEST(Boundary, NamesASideThatTheMeshDoesNotHave)

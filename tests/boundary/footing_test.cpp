@@ -33,7 +33,7 @@ TEST(Footing, ComesAsFarAsItsVelocityLeads)
 {
   for (const Real time : {0.05, 0.13, 0.2, 0.7})
     EXPECT_THAT(footing().displacement(time),
-                ElementsAre(DoubleNear(summed_way(0.3, 0.2, time), 1e-9), DoubleNear(summed_way(-0.4, 0.2, time), 1e-9)));
+        ElementsAre(DoubleNear(summed_way(0.3, 0.2, time), 1e-9), DoubleNear(summed_way(-0.4, 0.2, time), 1e-9)));
 }
 
 TEST(Footing, WithoutARampMovesFromTheStart)
@@ -81,7 +81,7 @@ TEST(PlacedFooting, SmoothTakesTheComponentAlongItsMotion)
   Footing f = footing();
   f.rough = false;
   const PlacedFooting placed = place_footing(f, 1.0, 0.01, 0.0);  // along (0.6, -0.8), 0.5 m/s
-  Vec<2> v{5.0, 7.0};                                               // -2.6 along, 8.2 along (0.8, 0.6)
+  Vec<2> v{5.0, 7.0};                                             // -2.6 along, 8.2 along (0.8, 0.6)
   placed.hold(v);
   EXPECT_THAT(v, ElementsAre(DoubleNear(0.6 * 0.5 + 0.8 * 8.2, 1e-12), DoubleNear(-0.8 * 0.5 + 0.6 * 8.2, 1e-12)));
   EXPECT_THAT(placed.free_part({5.0, 7.0}), ElementsAre(DoubleNear(0.8 * 8.2, 1e-12), DoubleNear(0.6 * 8.2, 1e-12)));

@@ -14,7 +14,11 @@ namespace {
 /// A flat surface of columns of 0.1 m over 8 m, 2 m high: a slide is a retreat of 0.5 m.
 CrestHistory column_history()
 {
-  return {.slope = {.facing = Facing::right, .first = 0, .last = 80, .height = 1.92}, .width = 0.1, .time = {}, .x = {}, .kinetic = {}};
+  return {.slope = {.facing = Facing::right, .first = 0, .last = 80, .height = 1.92},
+      .width = 0.1,
+      .time = {},
+      .x = {},
+      .kinetic = {}};
 }
 
 /// Goes on to `time` in rows of 0.01 s, the crest on a straight line to x, in whole columns.
@@ -198,8 +202,9 @@ TEST(SecondFailure, IsNotSeenBeforeTheCrestHasRestedLongEnough)
 }
 
 /// Times at which the crest of model 1 on cells of 0.2 m leaves its column [s], from 7.0 m on in steps of 0.2 m.
-const std::vector<Real> soft_column = {0.22, 0.23, 0.25, 0.27, 0.29, 0.32, 0.36, 0.41, 0.47, 0.56, 0.69, 0.84, 1.01, 1.16, 1.26, 1.33, 1.39,
-                                       1.45, 1.52, 1.60, 1.70, 1.81, 1.93, 2.05, 2.17, 2.27, 2.37, 2.46, 2.55, 2.63, 2.72, 2.79, 2.85};
+const std::vector<Real> soft_column = {0.22, 0.23, 0.25, 0.27, 0.29, 0.32, 0.36, 0.41, 0.47, 0.56, 0.69, 0.84, 1.01,
+    1.16, 1.26, 1.33, 1.39, 1.45, 1.52, 1.60, 1.70, 1.81, 1.93, 2.05, 2.17, 2.27, 2.37, 2.46, 2.55, 2.63, 2.72, 2.79,
+    2.85};
 
 TEST(SecondFailure, IsNotTheCreepOfAColumnOnCoarseCells)
 {
@@ -268,7 +273,8 @@ std::vector<Real> crests(const std::vector<Real>& first, const std::vector<Real>
   const auto slopes = find_slopes(section);
   std::vector<Real> x;
   for (const Slope& slope : slopes)
-    x.push_back(find_crest(section, slope, find_standing(section, slope, slopes.size() == 1, surface_heights(mesh, ground(now), eight))));
+    x.push_back(find_crest(
+        section, slope, find_standing(section, slope, slopes.size() == 1, surface_heights(mesh, ground(now), eight))));
   return x;
 }
 
@@ -291,9 +297,9 @@ TEST(Crest, IsTheLastColumnToWhoseLeftAllStandWithinFiveCentimetres)
 {
   const std::vector<Real> flat{1.5, 1.5, 1.5, 1.5};
   EXPECT_THAT(crests(flat, {1.5, 1.46, 1.54, 1.44}), ElementsAre(1.5));
-  EXPECT_THAT(crests(flat, {1.5, 1.44, 1.5, 1.5}), ElementsAre(0.5));          // what stands beyond a gap does not count
+  EXPECT_THAT(crests(flat, {1.5, 1.44, 1.5, 1.5}), ElementsAre(0.5));  // what stands beyond a gap does not count
   EXPECT_THAT(crests(flat, {1.56, 1.5, 1.5, 1.5}), ElementsAre(testing::IsNan()));  // heave is motion too
-  EXPECT_THAT(crests(flat, {1.5, 1.5, 1.5, 1.5, 1.5}), ElementsAre(2.0));      // soil that came later has no first height
+  EXPECT_THAT(crests(flat, {1.5, 1.5, 1.5, 1.5, 1.5}), ElementsAre(2.0));  // soil that came later has no first height
 }
 
 TEST(Crest, OfASlopeThatFallsToTheLeftIsTheMirrorImage)
@@ -317,7 +323,8 @@ TEST(Crest, OfADikeIsThatOfTheHighestGroundThatStands)
   EXPECT_THAT(crests(dike, dike), ElementsAre(2.5, 1.0));  // to the right, to the left
   EXPECT_THAT(crests(dike, {0.2, 0.8, 1.5, 1.5, 1.3, 0.9, 0.3, 0.2}), ElementsAre(2.0, 1.0));
   EXPECT_THAT(crests(dike, {0.3, 0.9, 1.3, 1.5, 1.5, 0.8, 0.2, 0.2}), ElementsAre(2.5, 1.5));
-  EXPECT_THAT(crests(dike, {0.2, 0.8, 1.2, 1.0, 0.9, 0.9, 0.4, 0.3}), ElementsAre(1.0, testing::IsNan()));  // only the outer slope is left
+  EXPECT_THAT(crests(dike, {0.2, 0.8, 1.2, 1.0, 0.9, 0.9, 0.4, 0.3}),
+      ElementsAre(1.0, testing::IsNan()));  // only the outer slope is left
 }
 
 TEST(Crest, OfAMirroredDikeIsTheMirrorImageWhateverStands)

@@ -11,7 +11,10 @@ namespace {
 constexpr Real none = -INFINITY;
 
 /// Columns of 1 m from x = 10 m on; the lowest point lies at 0.
-Section section_of(const std::vector<Real>& heights) { return {{.left = 10.0, .width = 1.0, .n = static_cast<Index>(heights.size())}, heights, 0.0}; }
+Section section_of(const std::vector<Real>& heights)
+{
+  return {{.left = 10.0, .width = 1.0, .n = static_cast<Index>(heights.size())}, heights, 0.0};
+}
 
 TEST(Section, AColumnAtAWallHasOneSlopeWithAFreeToe)
 {

@@ -33,7 +33,8 @@ const Columns columns{.left = 0.0, .width = 0.25, .n = 32};
 TEST(SlipSurface, IsTheLowerEdgeOfTheBandThatShears)
 {
   // A band 1 m high above the line y = x - 4, in 4 < x < 6.
-  const Soil soil([](Vec<2> x) { return x[0] > 4.0 && x[0] < 6.0 && x[1] > x[0] - 4.0 && x[1] < x[0] - 3.0 ? 0.02 : 0.0; });
+  const Soil soil(
+      [](Vec<2> x) { return x[0] > 4.0 && x[0] < 6.0 && x[1] > x[0] - 4.0 && x[1] < x[0] - 3.0 ? 0.02 : 0.0; });
   const auto line = find_slip_line(soil.points, soil.growth, columns);
   ASSERT_EQ(line.size(), 7);
   for (const Vec<2>& x : line) EXPECT_NEAR(x[1], x[0] - 3.75, 1e-12);  // the lowest point above the line
@@ -59,7 +60,9 @@ TEST(MeanOverNodes, KeepsWhatIsLinearAndErasesACheckerboard)
 {
   const Soil linear([](Vec<2> x) { return 0.01 * x[0] + 0.02 * x[1]; });
   const auto smooth = mean_over_nodes(linear.mesh, linear.points, linear.growth);
-  const Soil board([](Vec<2> x) { return 0.01 + ((std::lround(4.0 * x[0] - 0.5) + std::lround(4.0 * x[1] - 0.5)) % 2 == 0 ? 0.01 : -0.01); });
+  const Soil board([](Vec<2> x) {
+    return 0.01 + ((std::lround(4.0 * x[0] - 0.5) + std::lround(4.0 * x[1] - 0.5)) % 2 == 0 ? 0.01 : -0.01);
+  });
   const auto even = mean_over_nodes(board.mesh, board.points, board.growth);
   for (Index cell = 0; cell < linear.mesh.n_cells(); ++cell) {
     const Vec<2> x = linear.mesh.centres[cell];

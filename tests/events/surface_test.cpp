@@ -29,19 +29,22 @@ PointBlocks<2> points_at(const std::vector<Vec<2>>& places)
 
 TEST(Surface, IsTheHighestPointOfEachColumn)
 {
-  const auto heights = surface_heights(mesh, points_at({{0.2, 0.5}, {0.9, 1.25}, {2.5, 0.75}}), {.left = 0.0, .width = 1.0, .n = 4});
+  const auto heights =
+      surface_heights(mesh, points_at({{0.2, 0.5}, {0.9, 1.25}, {2.5, 0.75}}), {.left = 0.0, .width = 1.0, .n = 4});
   EXPECT_THAT(heights, ElementsAre(1.25, -INFINITY, 0.75, -INFINITY));
 }
 
 TEST(Surface, LooksOnlyAtItsColumns)
 {
-  const auto heights = surface_heights(mesh, points_at({{0.25, 0.5}, {1.25, 0.5}, {3.5, 1.5}}), {.left = 1.0, .width = 0.5, .n = 2});
+  const auto heights =
+      surface_heights(mesh, points_at({{0.25, 0.5}, {1.25, 0.5}, {3.5, 1.5}}), {.left = 1.0, .width = 0.5, .n = 2});
   EXPECT_THAT(heights, ElementsAre(0.5, -INFINITY));
 }
 
 TEST(Surface, APlaceOnAnEdgeBelongsToTheColumnOnItsRight)
 {
-  EXPECT_THAT(surface_heights(mesh, points_at({{1.0, 0.5}}), {.left = 0.0, .width = 1.0, .n = 2}), ElementsAre(-INFINITY, 0.5));
+  EXPECT_THAT(
+      surface_heights(mesh, points_at({{1.0, 0.5}}), {.left = 0.0, .width = 1.0, .n = 2}), ElementsAre(-INFINITY, 0.5));
 }
 
 TEST(Surface, FrontAndLowestAreTheExtremesOfAllPoints)
@@ -64,7 +67,9 @@ TEST(Surface, IsThatOfAllPointsInWhateverOrderTheirCellsCome)
     for_each_point(points, [&](const PointBlock<2>& block, Index lane) {
       const Real x = block.row(0)[lane], column = (x - columns.left) / columns.width;
       right = std::max(right, x);
-      if (column >= 0.0 && column < 8.0) expected[static_cast<std::size_t>(column)] = std::max(expected[static_cast<std::size_t>(column)], block.row(1)[lane]);
+      if (column >= 0.0 && column < 8.0)
+        expected[static_cast<std::size_t>(column)] =
+            std::max(expected[static_cast<std::size_t>(column)], block.row(1)[lane]);
     });
     EXPECT_EQ(surface_heights(mesh, points, columns), expected);
     EXPECT_EQ(extent_in_x(mesh, points)[1], right);

@@ -91,7 +91,8 @@ TEST(InternalForce, DoesTheWorkOfTheStressOnTheStrain)  // for both operators wi
     }
 }
 
-TEST(InternalForce, PullsTheCornersOfATensionedCellInwards)  // f_int = integral of B^T sigma: outwards on the side, by hand
+TEST(InternalForce,
+    PullsTheCornersOfATensionedCellInwards)  // f_int = integral of B^T sigma: outwards on the side, by hand
 {
   const auto cell = make_cell_geometry({{{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {0.0, 1.0}}});
   GaussValues<2> gauss{};
@@ -101,7 +102,7 @@ TEST(InternalForce, PullsTheCornersOfATensionedCellInwards)  // f_int = integral
   CornerSums<2> sums{};
   add_internal_force(cell, gauss, ForceOperator::b_bar, sums);
   EXPECT_THAT(sums.internal_force[0],
-              testing::Pointwise(testing::DoubleNear(1e-13), {-15.0 - 4.0, 15.0 - 4.0, 15.0 + 4.0, -15.0 + 4.0}));
+      testing::Pointwise(testing::DoubleNear(1e-13), {-15.0 - 4.0, 15.0 - 4.0, 15.0 + 4.0, -15.0 + 4.0}));
   EXPECT_THAT(sums.internal_force[1], testing::Pointwise(testing::DoubleNear(1e-13), {-2.0, 2.0, 2.0, -2.0}));
 }
 
@@ -138,7 +139,7 @@ TEST(InternalForce, Eq4_UniformPressureOverUnevenSubCellsGivesNoInteriorForce)
 }
 
 TEST(InternalForce,
-     UniformPressureOverUnevenSubCellsGivesAnInteriorForceWithPlainB)  // why reading R4 takes B-bar transposed
+    UniformPressureOverUnevenSubCellsGivesAnInteriorForceWithPlainB)  // why reading R4 takes B-bar transposed
 {
   EXPECT_GT(largest_inner_force(ForceOperator::b, -1e4, 0.0), 100.0);
   EXPECT_GT(largest_inner_force(ForceOperator::b, -1e4, 0.3), 100.0);
@@ -191,7 +192,8 @@ TEST(StrainAtGaussPoints, BBarKeepsTheDeviatorAndTakesTheTraceOfTheCentre)  // r
       for (int d = 0; d < 2; ++d) theta_0 += cell.centre_gradient[i][d] * du[d][i];
     for (int g = 0; g < 4; ++g) {
       EXPECT_NEAR(bar.d_eps[0][g] + bar.d_eps[1][g] + bar.d_eps[2][g], theta_0, 1e-16);
-      EXPECT_NEAR(bar.d_eps[0][g] - bar.d_eps[1][g], plain.d_eps[0][g] - plain.d_eps[1][g], 1e-16) << "the deviator changed";
+      EXPECT_NEAR(bar.d_eps[0][g] - bar.d_eps[1][g], plain.d_eps[0][g] - plain.d_eps[1][g], 1e-16)
+          << "the deviator changed";
       EXPECT_NEAR(bar.d_eps[0][g] - bar.d_eps[2][g], plain.d_eps[0][g], 1e-16);
       EXPECT_EQ(bar.d_eps[3][g], plain.d_eps[3][g]);
       EXPECT_EQ(plain.d_eps[2][g], 0.0);

@@ -66,8 +66,8 @@ TEST(InternalForceOfPoints, IsTheSumOfBTransposedTimesStressTimesVolume)
   CornerSums<2> expected{}, sums{};
   sums.internal_force[0][1] = expected.internal_force[0][1] = 5.0;  // it adds to what is there
   for (int k = 0; k < 11; ++k) {
-    test::PointValues point{.local = {random.between(-1.0, 1.0), random.between(-1.0, 1.0)},
-                            .volume = random.between(0.01, 0.1)};
+    test::PointValues point{
+        .local = {random.between(-1.0, 1.0), random.between(-1.0, 1.0)}, .volume = random.between(0.01, 0.1)};
     for (Real& s : point.sigma) s = random.between(-1e4, 1e4);
     test::add_point(mesh, 0, point, points);
     const auto gradient = gradients_at(mesh.geometry(0), Pack(point.local[0]), Pack(point.local[1]));

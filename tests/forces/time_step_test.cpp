@@ -9,7 +9,10 @@ namespace {
 
 constexpr Real bulk = 148e6 / 3.0, shear = 2e6;  // [Pa]
 
-TEST(WaveSpeed, OfThePapersSoilIs161Point65) { EXPECT_NEAR(wave_speed(bulk + 4.0 / 3.0 * shear, 1990.0), 161.65, 0.005); }
+TEST(WaveSpeed, OfThePapersSoilIs161Point65)
+{
+  EXPECT_NEAR(wave_speed(bulk + 4.0 / 3.0 * shear, 1990.0), 161.65, 0.005);
+}
 
 TEST(StableTimeStep, IsThatOfThePapersColumn)
 {
@@ -29,7 +32,8 @@ TEST(ViscousReduction, IsOneWithoutViscosity) { EXPECT_EQ(viscous_reduction(0.0,
 TEST(ViscousReduction, LeavesTheLimitOfDiffusionWhereViscosityRules)  // dt = L^2 / (2 4/3 nu)
 {
   const Real nu = 1e4, altitude = 0.1, wave = 20.0;
-  EXPECT_NEAR(stable_time_step(1.0, altitude, wave) * viscous_reduction(nu, altitude, wave), altitude * altitude / (8.0 / 3.0 * nu), 1e-12);
+  EXPECT_NEAR(stable_time_step(1.0, altitude, wave) * viscous_reduction(nu, altitude, wave),
+      altitude * altitude / (8.0 / 3.0 * nu), 1e-12);
 }
 
 TEST(ViscousReduction, IsWhereTheDampedOscillatorOfTheShortestWaveTurnsUnstable)

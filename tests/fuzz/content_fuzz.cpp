@@ -1,5 +1,6 @@
-// Checkpoints that HDF5 takes for sound, with anything in the place of what belongs there: they give an image, or a FileError. HDF5's checksums keep
-// the changes of checkpoint_fuzz.cpp from what lies behind them. Each byte of the input decides how the next item of the file is written.
+// Checkpoints that HDF5 takes for sound, with anything in the place of what belongs there: they give an image, or a
+// FileError. HDF5's checksums keep the changes of checkpoint_fuzz.cpp from what lies behind them. Each byte of the
+// input decides how the next item of the file is written.
 #include "base/errors.hpp"
 #include "output/checkpoint.hpp"
 #include "output/hdf5_file.hpp"
@@ -24,7 +25,8 @@ class Bytes {
 
 std::int64_t strange_number(unsigned char which)
 {
-  const std::int64_t numbers[] = {-1, 0, 2, 3, 4, 5, 1000, std::int64_t{1} << 32, std::int64_t{1} << 61, INT64_MAX, INT64_MIN};
+  const std::int64_t numbers[] = {
+      -1, 0, 2, 3, 4, 5, 1000, std::int64_t{1} << 32, std::int64_t{1} << 61, INT64_MAX, INT64_MIN};
   return numbers[which % std::size(numbers)];
 }
 
@@ -42,8 +44,10 @@ template <class T>
 void write_far(Hdf5File& file, const std::string& name, Bytes& bytes)
 {
   const std::int64_t n_columns = bytes() % 3;
-  file.create_table<T>(name, {.n_columns = n_columns, .chunk_rows = std::int64_t{1} << (bytes() % 17), .compression = 1});
-  file.write_rows<T>(name, std::int64_t{1} << (bytes() % 31), std::vector<T>(static_cast<std::size_t>(std::max<std::int64_t>(1, n_columns)), T{1}));
+  file.create_table<T>(
+      name, {.n_columns = n_columns, .chunk_rows = std::int64_t{1} << (bytes() % 17), .compression = 1});
+  file.write_rows<T>(name, std::int64_t{1} << (bytes() % 31),
+      std::vector<T>(static_cast<std::size_t>(std::max<std::int64_t>(1, n_columns)), T{1}));
 }
 
 void write_values(Hdf5File& file, const std::string& name, unsigned char how, Bytes& bytes)
@@ -101,7 +105,8 @@ void write_file(const std::string& path, Bytes bytes)
   if (bytes() != 1) file.create_group("/arrays");
   dataset("/arrays/a", [&] { file.write<Real>("/arrays/a", {2, 2}, std::vector<Real>{1.0, 2.0, 3.0, 4.0}); });
   dataset("/arrays/b", [&] { file.write<std::int64_t>("/arrays/b", {2}, std::vector<std::int64_t>{5, 6}); });
-  attribute(file.exists("/arrays") ? "/arrays" : "/", "names", [&] { file.set_text(file.exists("/arrays") ? "/arrays" : "/", "names", "a\nb\n"); });
+  attribute(file.exists("/arrays") ? "/arrays" : "/", "names",
+      [&] { file.set_text(file.exists("/arrays") ? "/arrays" : "/", "names", "a\nb\n"); });
   attribute("/", "checksum", [&] { file.set_text("/", "checksum", "0123456789abcdef"); });
   file.close();
 }

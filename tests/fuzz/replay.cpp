@@ -1,5 +1,5 @@
-// Runs a harness over the files of its corpus, whole, cut off, with bytes changed and with pieces of other files: fuzzing for a compiler
-// without libFuzzer.
+// Runs a harness over the files of its corpus, whole, cut off, with bytes changed and with pieces of other files:
+// fuzzing for a compiler without libFuzzer.
 //
 // usage: replay_NAME FOLDER [N]      N inputs are made from each file (20)
 #include <algorithm>
@@ -18,13 +18,17 @@ namespace {
 
 constexpr int usual_number = 20;
 
-void try_input(const std::string& bytes) { LLVMFuzzerTestOneInput(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()); }
+void try_input(const std::string& bytes)
+{
+  LLVMFuzzerTestOneInput(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+}
 
 /// A few bytes changed, a piece doubled, taken out or put in from another input, the end cut off.
 std::string changed(std::string bytes, const std::string& other, std::mt19937& random)
 {
   const auto any = [&](const std::string& text) { return random() % (text.size() + 1); };
-  for (auto n = random() % 4; n > 0 && !bytes.empty(); --n) bytes[random() % bytes.size()] = static_cast<char>(random());
+  for (auto n = random() % 4; n > 0 && !bytes.empty(); --n)
+    bytes[random() % bytes.size()] = static_cast<char>(random());
   switch (random() % 6) {
     case 0: bytes.insert(any(bytes), other.substr(any(other), random() % 40)); break;
     case 1: bytes.erase(any(bytes), random() % 40); break;

@@ -1,5 +1,5 @@
-// Checkpoints whose file is sound and whose arrays are not: any of them gives a state, or a FileError. Every three bytes of the input
-// are a change to the arrays of a good checkpoint: which array, what, where.
+// Checkpoints whose file is sound and whose arrays are not: any of them gives a state, or a FileError. Every three
+// bytes of the input are a change to the arrays of a good checkpoint: which array, what, where.
 #include "base/errors.hpp"
 #include "input/case_file.hpp"
 #include "simulation/setup.hpp"
@@ -45,10 +45,14 @@ T strange_value(unsigned char which)
 void change(NamedArray& array, unsigned char what, unsigned char where)
 {
   const auto act = [&]<class T>(std::vector<T>& values) {
-    if (what >= 250) values.clear();
-    else if (what >= 240) values.resize(values.size() + where, strange_value<T>(where));
-    else if (what >= 230) values.resize(values.size() - std::min<std::size_t>(values.size(), where));
-    else if (!values.empty()) values[where * 7919u % values.size()] = strange_value<T>(what);
+    if (what >= 250)
+      values.clear();
+    else if (what >= 240)
+      values.resize(values.size() + where, strange_value<T>(where));
+    else if (what >= 230)
+      values.resize(values.size() - std::min<std::size_t>(values.size(), where));
+    else if (!values.empty())
+      values[where * 7919u % values.size()] = strange_value<T>(what);
   };
   if (what == 239)
     array.name += 'x';
@@ -64,7 +68,8 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
 {
   static const Start start;
   StateImage image = start.image;
-  for (std::size_t k = 0; k + 3 <= size; k += 3) change(image.arrays[data[k] % image.arrays.size()], data[k + 1], data[k + 2]);
+  for (std::size_t k = 0; k + 3 <= size; k += 3)
+    change(image.arrays[data[k] % image.arrays.size()], data[k + 1], data[k + 2]);
   try {
     const State state = restore(start.model, image);
     make_image(state);

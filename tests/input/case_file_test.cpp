@@ -119,8 +119,8 @@ TEST(CaseFile, SaysThatThereIsNoSuchFile)
   const ScratchFolder folder;
   std::ofstream(folder.path() + "/model_2.toml") << small_case;
   EXPECT_EQ(error_of(folder.path() + "/model2.toml"),
-            "error: " + folder.path() + "/model2.toml: there is no such file\n  Did you mean `" + folder.path() +
-                "/model_2.toml`?\n\n1 error; nothing was run.\n");
+      "error: " + folder.path() + "/model2.toml: there is no such file\n  Did you mean `" + folder.path() +
+          "/model_2.toml`?\n\n1 error; nothing was run.\n");
   EXPECT_THAT(error_of(folder.path() + "/nothing/at_all.toml"), HasSubstr("there is no such file\n\n1 error"));
 }
 
@@ -133,15 +133,15 @@ TEST(CaseFile, SaysThatAFolderIsNoCase)
 TEST(CaseFile, ShowsWhereTheTextIsNotToml)
 {
   EXPECT_EQ(message_for("title = \"a\"\nscheme = mpm_gp\n"),
-            "error: case.toml:2:10: this is not valid TOML\n"
-            "\n"
-            "    2 | scheme = mpm_gp\n"
-            "      |          ^\n"
-            "  Error while parsing value: could not determine value type\n"
-            "  Text stands in quotes, as in scheme = \"mpm_gp\"; numbers are written 8.0e3.\n"
-            "  The format: https://toml.io\n"
-            "\n"
-            "1 error; nothing was run.\n");
+      "error: case.toml:2:10: this is not valid TOML\n"
+      "\n"
+      "    2 | scheme = mpm_gp\n"
+      "      |          ^\n"
+      "  Error while parsing value: could not determine value type\n"
+      "  Text stands in quotes, as in scheme = \"mpm_gp\"; numbers are written 8.0e3.\n"
+      "  The format: https://toml.io\n"
+      "\n"
+      "1 error; nothing was run.\n");
   EXPECT_THAT(message_for("a = 1\na = 2\n"), HasSubstr("case.toml:2:5: this is not valid TOML"));
   EXPECT_THAT(message_for("a = [1\n"), HasSubstr("this is not valid TOML"));
 }
@@ -149,14 +149,15 @@ TEST(CaseFile, ShowsWhereTheTextIsNotToml)
 TEST(CaseFile, SaysThatABinaryFileIsNoCase)
 {
   EXPECT_EQ(message_for(std::string("\x89HDF\r\n\x1A\n\0\0\0", 11)),
-            "error: case.toml: this is not a text file\n  A case file is text in the TOML format: "
-            "https://toml.io\n\n1 error; nothing was run.\n");
+      "error: case.toml: this is not a text file\n  A case file is text in the TOML format: "
+      "https://toml.io\n\n1 error; nothing was run.\n");
 }
 
 TEST(CaseFile, ShowsNoControlCharactersOfTheFile)
 {
   for (const std::string bad : {"\x1B[2J", "\x07", "\x7F", "\xFF", "\r"})
-    for (const std::string& line : {"title = \"" + bad + "\"", "t" + bad + "itle = 1", "# " + bad, "a = [" + bad, "scheme = '" + bad + "'"}) {
+    for (const std::string& line :
+        {"title = \"" + bad + "\"", "t" + bad + "itle = 1", "# " + bad, "a = [" + bad, "scheme = '" + bad + "'"}) {
       const std::string seen = message_for(line + "\nend = -1\n" + small_case);
       EXPECT_EQ(seen, printable(seen)) << line;
     }

@@ -143,29 +143,31 @@ TEST_P(WrongMesh, IsRefused)
 // "s:", "c:", "p:", "r:": changes of `graded`, `mapped`, `polygon` or the rectangle of small_case.
 const Change wrong_meshes[] = {
     {"r:cell", "grading = [1, 2]\ncell",
-     "error: case.toml:5:1: `grading` does not belong to a rectangle of equal cells\n\n    5 | grading = [1, 2]\n      "
-     "| "
-     "^^^^^^^\n  Keys that belong together:\n    size, cell (origin): a rectangle of equal cells\n    size, cells "
-     "(grading, "
-     "origin): a graded rectangle\n    sides, cells (grading): a grid between four sides\n    file: a mesh from a "
-     "file\n   "
-     " polygon, cell (edges, refine, follow_bodies, variant): a mesh from a polygon\n  More: terp explain mesh\n"},
+        "error: case.toml:5:1: `grading` does not belong to a rectangle of equal cells\n\n    5 | grading = [1, 2]\n   "
+        "   "
+        "| "
+        "^^^^^^^\n  Keys that belong together:\n    size, cell (origin): a rectangle of equal cells\n    size, cells "
+        "(grading, "
+        "origin): a graded rectangle\n    sides, cells (grading): a grid between four sides\n    file: a mesh from a "
+        "file\n   "
+        " polygon, cell (edges, refine, follow_bodies, variant): a mesh from a polygon\n  More: terp explain mesh\n"},
     {"r:cell", "cells = 4\ncell", "error: case.toml:6:1: `cell` does not belong to a graded rectangle\n"},
     {"r:cell", "edges = { base = [0] }\ncell", "`edges` does not belong to a rectangle of equal cells"},
     {"r:cell", "follow_bodies = true\ncell", "`follow_bodies` does not belong to a rectangle of equal cells"},
     {"p:cell = 0.5", "cell = 0.5\nsize = [16, 3]", "`size` does not belong to a mesh from a polygon"},
     {"p:cell = 0.5",
-     "cell = 0.5\nsides = { bottom = [[0, 0], [1, 0]], right = [[1, 0], [1, 1]], top = [[0, 1], [1, 1]], "
-     "left = [[0, 0], [0, 1]] }",
-     "`sides` does not belong to a mesh from a polygon"},
+        "cell = 0.5\nsides = { bottom = [[0, 0], [1, 0]], right = [[1, 0], [1, 1]], top = [[0, 1], [1, 1]], "
+        "left = [[0, 0], [0, 1]] }",
+        "`sides` does not belong to a mesh from a polygon"},
     {"c:cells = 8", "cells = 8\ncell = 0.5", "`cell` does not belong to a grid between four sides"},
     {"c:cells = 8", "cells = 8\norigin = [0, 0]", "`origin` does not belong to a grid between four sides"},
 
     {"r:size = [16.0, 3.0]\n", "",
-     "error: case.toml:3:2: the key `size` is missing from [mesh]\n\n    3 | [mesh]\n      |  ^^^^\n  Meaning: width "
-     "and "
-     "height of a rectangle\n  Allowed: two numbers [x, y], more than 0 m\n  Keys that belong together:\n    size, "
-     "cell "},
+        "error: case.toml:3:2: the key `size` is missing from [mesh]\n\n    3 | [mesh]\n      |  ^^^^\n  Meaning: "
+        "width "
+        "and "
+        "height of a rectangle\n  Allowed: two numbers [x, y], more than 0 m\n  Keys that belong together:\n    size, "
+        "cell "},
     {"r:cell = 0.5", "", "the key `cell` is missing from [mesh]\n"},
     {"s:size = [16.0, 3.0]\n", "", "the key `size` is missing from [mesh]\n"},
     {"c:cells = 8\n", "", "the key `cells` is missing from [mesh]\n"},
@@ -181,36 +183,40 @@ const Change wrong_meshes[] = {
     {"c:sides.left", "sides.lefft", "Did you mean `left`?\n  Keys of [mesh.sides]: bottom, right, top, left\n"},
     {"c:sides.left = [[0, 0], [0, 3]]", "sides.left = [[0, 0]]", "`left` must be at least two places [[x, y], [x, y]]"},
     {"c:sides.left = [[0, 0], [0, 3]]", "sides.left = [[0, 0], [0, 0], [0, 3]]",
-     "`left` names the same place twice in a row\n"},
+        "`left` names the same place twice in a row\n"},
     {"c:sides.left = [[0, 0], [0, 3]]", "sides.left = [[0, 3], [0, 0]]",
-     "error: case.toml:8:14: `bottom` and `left` do not meet\n\n    8 | sides.left = [[0, 3], [0, 0]]\n      |         "
-     "     "
-     "^^^^^^^^^^^^^^^^\n  `bottom` starts at (0, 0) m, `left` starts at (0, 3) m.\n  Write bottom and top from left to "
-     "right, "
-     "left and right from bottom to top.\n"},
+        "error: case.toml:8:14: `bottom` and `left` do not meet\n\n    8 | sides.left = [[0, 3], [0, 0]]\n      |      "
+        "   "
+        "     "
+        "^^^^^^^^^^^^^^^^\n  `bottom` starts at (0, 0) m, `left` starts at (0, 3) m.\n  Write bottom and top from left "
+        "to "
+        "right, "
+        "left and right from bottom to top.\n"},
     {"c:[[8, 0], [8, 3]]", "[[8, 0.1], [8, 3]]", "`bottom` and `right` do not meet"},
     {"c:[[0, 3], [8, 3]]", "[[0, 3], [8, 4]]", "`top` ends at (8, 4) m, `right` ends at (8, 3) m."},
     {"c:[[0, 3], [8, 3]]", "[[-1, 3], [8, 3]]", "`top` starts at (-1, 3) m, `left` ends at (0, 3) m."},
     {"c:[[0, 0], [4, 1], [8, 0]]\nsides.right = [[8, 0], [8, 3]]\nsides.top = [[0, 3], [8, 3]]\nsides.left = [[0, 0], "
      "[0, "
      "3]]",
-     "[[8, 0], [0, 0]]\nsides.right = [[0, 0], [0, 3]]\nsides.top = [[8, 3], [0, 3]]\nsides.left = [[8, 0], [8, 3]]",
-     "the four sides run clockwise\n"},
+        "[[8, 0], [0, 0]]\nsides.right = [[0, 0], [0, 3]]\nsides.top = [[8, 3], [0, 3]]\nsides.left = [[8, 0], [8, 3]]",
+        "the four sides run clockwise\n"},
 
     {"p:cell = 0.5", "cell = [0.5, 0.25]",
-     "error: case.toml:5:8: `cell` must be one number for a mesh from a polygon\n"},
+        "error: case.toml:5:8: `cell` must be one number for a mesh from a polygon\n"},
     {"p:[8, 1], [4, 3], [0, 3]]", "[4, 3], [0, 0]]",
-     "error: case.toml:4:36: two corners of the polygon are the same\n\n    4 | polygon = [[0, 0], [8, 0], [4, 3], [0, "
-     "0]]\n"
-     "      |                                    ^^^^^^\n  Name each corner once; the last edge closes the polygon by "
-     "itself.\n"},
+        "error: case.toml:4:36: two corners of the polygon are the same\n\n    4 | polygon = [[0, 0], [8, 0], [4, 3], "
+        "[0, "
+        "0]]\n"
+        "      |                                    ^^^^^^\n  Name each corner once; the last edge closes the polygon "
+        "by "
+        "itself.\n"},
     {"p:[8, 1], [4, 3]", "[4, 3], [8, 1]", "`polygon` crosses itself\n"},
     {"p:[2, 3]", "[2, 7]",
-     "error: case.toml:6:35: the polygon has no edge 7\n\n    6 | edges = { base = [0], slope = [2, 7] }\n      | "
-     "                                  ^\n  It has 5 corners and so the edges 0 to 4; edge k runs from corner k to "
-     "corner k + "
-     "1, edge "
-     "4 back to corner 0.\n"},
+        "error: case.toml:6:35: the polygon has no edge 7\n\n    6 | edges = { base = [0], slope = [2, 7] }\n      | "
+        "                                  ^\n  It has 5 corners and so the edges 0 to 4; edge k runs from corner k to "
+        "corner k + "
+        "1, edge "
+        "4 back to corner 0.\n"},
     {"p:[2, 3]", "[2, -1]", "Got -1; allowed: at least 0."},
     {"p:[2, 3]", "[2, 0.5]", "Got the number 0.5; allowed: a table { NAME = [k, ...] }"},
     {"p:[2, 3]", "[2, 0]", "the edge 0 is named twice\n"},
@@ -236,14 +242,14 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, WrongMesh, testing::ValuesIn(wrong_meshes));
 TEST(CheckMesh, RefusesAFileBesideARectangle)
 {
   EXPECT_THAT(message_for(small_case_on("size = [16.0, 3.0]\ncell = 0.5\nfile = \"a.msh\"")),
-              HasSubstr("error: case.toml:4:1: `size`, `cell` do not belong to a mesh from a file\n"));
+      HasSubstr("error: case.toml:4:1: `size`, `cell` do not belong to a mesh from a file\n"));
 }
 
 TEST(CheckMesh, RefusesARefinementThatIsNoListOfTables)
 {
   EXPECT_THAT(message_for(small_case_on("polygon = [[0, 0], [1, 0], [0, 1]]\ncell = 0.5\nrefine = { cell = 1 }")),
-              HasSubstr("`refine` must be a list of tables\n\n    6 | refine = { cell = 1 }\n      | ^^^^^^\n  Write "
-                        "[[mesh.refine]], with two brackets, above each one.\n"));
+      HasSubstr("`refine` must be a list of tables\n\n    6 | refine = { cell = 1 }\n      | ^^^^^^\n  Write "
+                "[[mesh.refine]], with two brackets, above each one.\n"));
 }
 
 TEST(CheckMesh, TakesARefinementBelowItsOwnHeader)
@@ -264,12 +270,11 @@ TEST(CheckMesh, DoubtsARefinementThatRefinesNothing)
 TEST(CheckMesh, TakesOnlySidesThatAPolygonNames)
 {
   const std::string head = "[boundary]\nslop = \"roller\"\n";
-  EXPECT_THAT(
-      message_for(head + small_case_on(polygon)),
+  EXPECT_THAT(message_for(head + small_case_on(polygon)),
       HasSubstr("error: case.toml:2:1: unknown key `slop`\n\n    2 | slop = \"roller\"\n      | ^^^^\n  Did you mean "
                 "`slope`?\n  Keys of [boundary]: base, slope\n"));
   EXPECT_THAT(message_for(head + small_case_on("polygon = [[0, 0], [1, 0], [0, 1]]\ncell = 0.5")),
-              HasSubstr("No side of this mesh has a name. Name them as in edges = { base = [0] } in [mesh].\n"));
+      HasSubstr("No side of this mesh has a name. Name them as in edges = { base = [0] } in [mesh].\n"));
   EXPECT_EQ(message_for("[boundary]\nslope = \"roller\"\n" + small_case_on(polygon)), "accepted\n");
 }
 
@@ -278,8 +283,8 @@ TEST(CheckMesh, TakesTheFourSidesOfEveryGrid)
   const std::string head = "[boundary]\nright = \"open\"\n";
   EXPECT_EQ(message_for(head + small_case_on(graded)), "accepted\n");
   EXPECT_EQ(message_for(head + small_case_on(mapped)), "accepted\n");
-  EXPECT_THAT(message_for("[boundary]\nrigth = \"open\"\n" + small_case_on(mapped)),
-              HasSubstr("Did you mean `right`?"));
+  EXPECT_THAT(
+      message_for("[boundary]\nrigth = \"open\"\n" + small_case_on(mapped)), HasSubstr("Did you mean `right`?"));
 }
 
 }  // namespace

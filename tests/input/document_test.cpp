@@ -94,13 +94,11 @@ TEST(Document, SaysWhereTheTextIsNotToml)
 
 TEST(Document, TakesForeignLettersInStringsAndCommentsOnly)
 {
-  const char* const good[] = {"a = \"ä \\\" ö\" # ü\nb = 'ä\\' # 'ß",
-                              "a = \"\"\"ä\n\"ö\"\n\"\"\" # é",
-                              "a = '''ä\nö'''\n'ü' = 1",
-                              "\xEF\xBB\xBF"
-                              "a = 1",
-                              "a = \"\" # ä",
-                              "#ä\n#\nb = 1"};
+  const char* const good[] = {"a = \"ä \\\" ö\" # ü\nb = 'ä\\' # 'ß", "a = \"\"\"ä\n\"ö\"\n\"\"\" # é",
+      "a = '''ä\nö'''\n'ü' = 1",
+      "\xEF\xBB\xBF"
+      "a = 1",
+      "a = \"\" # ä", "#ä\n#\nb = 1"};
   for (const char* good_text : good) EXPECT_NO_THROW(parse_toml(good_text)) << good_text;
   const char* const bad[] = {"a = ä", "ä = 1", "a = 1 # x\nb = 2\u00a0", "a = \"\"ö", "[ü]", "#\nä"};
   for (const char* bad_text : bad) EXPECT_THROW(parse_toml(bad_text), SyntaxError) << bad_text;
@@ -129,7 +127,8 @@ std::string key_of(int n_parts)
 TEST(Document, RefusesKeysOfVeryManyPartsAtTheirPlace)
 {
   for (const int n_parts : {101, 20000}) {
-    for (const std::string& bad : {key_of(n_parts) + " = 1", '[' + key_of(n_parts) + ']', "[[" + key_of(n_parts) + "]]", "b = { " + key_of(n_parts) + " = 1 }"}) {
+    for (const std::string& bad : {key_of(n_parts) + " = 1", '[' + key_of(n_parts) + ']', "[[" + key_of(n_parts) + "]]",
+             "b = { " + key_of(n_parts) + " = 1 }"}) {
       try {
         parse_toml("# a.b\n" + bad + '\n');
         ADD_FAILURE() << bad.substr(0, 20);
@@ -142,7 +141,8 @@ TEST(Document, RefusesKeysOfVeryManyPartsAtTheirPlace)
   EXPECT_NO_THROW(parse_toml('[' + key_of(100) + "]\nb." + key_of(99) + " = 1.5\n"));
   std::string dots;
   for (int k = 0; k < 200; ++k) dots += "1.5, ";
-  EXPECT_NO_THROW(parse_toml("a = [" + dots + "]\nb = \"" + std::string(200, '.') + "\"  # " + std::string(200, '.') + '\n'));
+  EXPECT_NO_THROW(
+      parse_toml("a = [" + dots + "]\nb = \"" + std::string(200, '.') + "\"  # " + std::string(200, '.') + '\n'));
 }
 
 TEST(Document, TheDeepestThatItTakesIsWalkedWithoutTrouble)

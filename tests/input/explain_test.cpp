@@ -35,8 +35,9 @@ TEST(Explain, KnowsEveryLawSchemeAndSection)
 TEST(Explain, GivesTheEquationsOfAMaterial)
 {
   EXPECT_THAT(explain("tresca_softening"),
-              HasSubstr("\nEquations\n  sigma_1 - sigma_3 <= 2 S_u, principal stresses sorted in three dimensions; the pressure "
-                        "never changes\n  S_u      = su_residual + (su_peak - su_residual) exp(-eta eps_eq_p)   Eq. (5)\n"));
+      HasSubstr(
+          "\nEquations\n  sigma_1 - sigma_3 <= 2 S_u, principal stresses sorted in three dimensions; the pressure "
+          "never changes\n  S_u      = su_residual + (su_peak - su_residual) exp(-eta eps_eq_p)   Eq. (5)\n"));
   for (const MaterialType* law : all_materials()) {
     const std::string first(law->equations.substr(0, law->equations.find('\n')));
     EXPECT_FALSE(first.empty()) << law->name;
@@ -57,12 +58,12 @@ TEST(Explain, GivesTheSizesOfCellsThatAGradedMeshHas)
 TEST(Explain, GivesMeaningEquationAllowedAndDefault)
 {
   EXPECT_EQ(explain("courant"),
-            "key of the case file\n"
-            "  time.courant\n"
-            "    share of the stable time step that is used (reading R19)\n"
-            "    equation  dt = courant min_e(L_e) / c_p,  c_p = sqrt((K + 4G/3) / rho)\n"
-            "    allowed   a number, more than 0 and at most 1\n"
-            "    default   0.98\n");
+      "key of the case file\n"
+      "  time.courant\n"
+      "    share of the stable time step that is used (reading R19)\n"
+      "    equation  dt = courant min_e(L_e) / c_p,  c_p = sqrt((K + 4G/3) / rho)\n"
+      "    allowed   a number, more than 0 and at most 1\n"
+      "    default   0.98\n");
 }
 
 TEST(Explain, TakesKeysAsTheyStandInACase)
@@ -89,16 +90,17 @@ TEST(Explain, HasAMeaningForEveryKeyAndSection)
 
 TEST(Explain, SaysWhichKeysOfAMeshBelongTogether)
 {
-  EXPECT_THAT(explain("mesh"),
-              HasSubstr("Keys that belong together\n  size, cell (origin): a rectangle of equal cells\n"));
+  EXPECT_THAT(
+      explain("mesh"), HasSubstr("Keys that belong together\n  size, cell (origin): a rectangle of equal cells\n"));
   EXPECT_THAT(explain("mesh.refine"), HasSubstr("[[mesh.refine]]: section of the case file, may be left out\n"));
   EXPECT_THAT(explain("boundary"), HasSubstr("left_the_mesh.csv"));
 }
 
 TEST(Explain, TellsThatAParameterDefaultsToAnother)
 {
-  EXPECT_THAT(explain("mohr_coulomb"), HasSubstr("cohesion_residual\n    cohesion that softening leaves\n    unit      Pa\n    allowed   a number, at "
-                                                 "least 0 Pa\n    default   the value of `cohesion`\n"));
+  EXPECT_THAT(explain("mohr_coulomb"),
+      HasSubstr("cohesion_residual\n    cohesion that softening leaves\n    unit      Pa\n    allowed   a number, at "
+                "least 0 Pa\n    default   the value of `cohesion`\n"));
 }
 
 TEST(Explain, OffersTheNearestTopic)
@@ -115,7 +117,7 @@ TEST(Explain, OffersTheNearestTopic)
 TEST(List, NamesMaterialsSchemesAndFields)
 {
   for (const char* name :
-       {"linear_elastic", "tresca_softening", "standard_mpm", "mpm_mixed", "mpm_gp", "eps_eq_p", "su"})
+      {"linear_elastic", "tresca_softening", "standard_mpm", "mpm_mixed", "mpm_gp", "eps_eq_p", "su"})
     EXPECT_THAT(list(), HasSubstr(std::string("\n  ") + name + " "));
 }
 

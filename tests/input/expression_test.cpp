@@ -48,13 +48,15 @@ TEST(Expression, KeepsItsVariablesWhenItIsMoved)
 TEST(Expression, OfWhatIsNoNumberIsNone)
 {
   constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
-  for (const char* text : {"x", "max(1,x)", "max(x,1)", "min(1,x,2)", "x < 3 ? 0 : 1", "x > 3 || 1", "step(x)", "a + 0*x"}) {
+  for (const char* text :
+      {"x", "max(1,x)", "max(x,1)", "min(1,x,2)", "x < 3 ? 0 : 1", "x > 3 || 1", "step(x)", "a + 0*x"}) {
     EXPECT_TRUE(std::isnan(Expression(text, {"x", "y"}, {{"a", 1.0}})(std::vector<Real>{nan, 0.0}))) << text;
     EXPECT_TRUE(std::isnan(evaluate(text, {{"x", nan}, {"a", 1.0}}))) << text;
   }
   EXPECT_TRUE(std::isnan(evaluate("max(0,sqrt(-1))", {})));
   EXPECT_TRUE(std::isnan(evaluate("step(sqrt(-1))", {})));
-  EXPECT_EQ(Expression("y + a", {"x", "y"}, {{"a", 1.0}})(std::vector<Real>{nan, 2.0}), 3.0);  // which it does not speak of
+  EXPECT_EQ(
+      Expression("y + a", {"x", "y"}, {{"a", 1.0}})(std::vector<Real>{nan, 2.0}), 3.0);  // which it does not speak of
   EXPECT_EQ(evaluate("max(-1,-3,-2)", {}), -1.0);
   EXPECT_EQ(evaluate("min(-1,-3,-2)", {}), -3.0);
 }
@@ -62,12 +64,14 @@ TEST(Expression, OfWhatIsNoNumberIsNone)
 TEST(Expression, RefusesAConstantWithTheNameOfAVariable)
 {
   EXPECT_THROW(Expression("2*p", {"p"}, {{"p", 1.0}}), ExpressionError);
-  EXPECT_EQ(Expression("2*q", {"p", "q"}, {{"p", 1.0}})(std::vector<Real>{0.0, 4.0}), 8.0);  // nobody can take the one for the other
+  EXPECT_EQ(Expression("2*q", {"p", "q"}, {{"p", 1.0}})(std::vector<Real>{0.0, 4.0}),
+      8.0);  // nobody can take the one for the other
 }
 
 TEST(Expression, NamesWhatIsNotKnownAndTheNearestName)
 {
-  EXPECT_EQ(fault_of("2*heigth", {{"height", 1.0}, {"h", 2.0}}), "`heigth` is not known here. Did you mean `height`? Names: h, height");
+  EXPECT_EQ(fault_of("2*heigth", {{"height", 1.0}, {"h", 2.0}}),
+      "`heigth` is not known here. Did you mean `height`? Names: h, height");
 }
 
 TEST(Expression, RefusesWhatIsNoFormula)
@@ -81,7 +85,8 @@ TEST(Expression, RefusesACommaThatSeparatesNoArguments)
 {
   for (const char* text : {"0,5", "0,1*3", "1.5*(0,5)", "min((0,5),1)", "sin(1),2", ",1"})
     EXPECT_THAT(fault_of(text), HasSubstr("The decimal point is `.`")) << text;
-  EXPECT_EQ(fault_of("2*0,5"), "The comma at letter 4 separates no arguments of a function. The decimal point is `.`, as in 0.5.");
+  EXPECT_EQ(fault_of("2*0,5"),
+      "The comma at letter 4 separates no arguments of a function. The decimal point is `.`, as in 0.5.");
   EXPECT_DOUBLE_EQ(evaluate("min(3, max(1,2), (4)) + mod(5,3)", {}), 4.0);
   EXPECT_DOUBLE_EQ(evaluate("max(2*(1+1),3)", {}), 4.0);
 }
@@ -96,7 +101,8 @@ TEST(Expression, RefusesAnAssignment)
       EXPECT_THAT(error.what(), HasSubstr("Compare with `==`")) << text;
     }
   }
-  for (const char* text : {"x == 1", "x<=1", "x >= 1", "(x != 2) == 1", "(x==1)==(x<=1)"}) EXPECT_EQ(Expression(text, {"x"}, {})(std::vector<Real>{1.0}), 1.0) << text;
+  for (const char* text : {"x == 1", "x<=1", "x >= 1", "(x != 2) == 1", "(x==1)==(x<=1)"})
+    EXPECT_EQ(Expression(text, {"x"}, {})(std::vector<Real>{1.0}), 1.0) << text;
 }
 
 }  // namespace

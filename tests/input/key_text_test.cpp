@@ -36,13 +36,13 @@ TEST(KeyText, TakesDefaultsFromTheStructs)
 TEST(KeyText, SaysWhatIsAllowed)
 {
   EXPECT_EQ(allowed_text(*find_key("mesh.origin")), "two numbers [x, y] in m");
-  EXPECT_EQ(allowed_text(*find_key("mesh.cells")),
-            "an integer or two integers [nx, ny], at least 1 and at most 100000");
+  EXPECT_EQ(
+      allowed_text(*find_key("mesh.cells")), "an integer or two integers [nx, ny], at least 1 and at most 100000");
   EXPECT_EQ(allowed_text(*find_key("mesh.sides.top")), "at least two places [[x, y], [x, y]] in m");
   EXPECT_EQ(allowed_text(*find_key("mesh.edges")), "a table { NAME = [k, ...] } of edge numbers, at least 0");
   EXPECT_EQ(allowed_text(*find_key("mesh.refine[].box")), "two corners [[x0, y0], [x1, y1]] in m");
   EXPECT_EQ(allowed_text(*find_key("body[].holes")),
-            "a list of polygons [[[x, y], [x, y], [x, y]], ...], each of three or more in m");
+      "a list of polygons [[[x, y], [x, y], [x, y]], ...], each of three or more in m");
   EXPECT_EQ(allowed_text(*find_key("initial.stress")), "\"none\", \"k0\", \"equilibrium\"");
   EXPECT_EQ(allowed_text(*find_key("mesh.cell")), "a number or two numbers [x, y], more than 0 m");
 }

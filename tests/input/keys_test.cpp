@@ -20,7 +20,8 @@ TEST(Keys, AreDeclaredOnceEach)
 TEST(Keys, EachKeyHasItsOwnPlaceInTheCase)
 {
   Case values;
-  values.bodies.resize(1), values.materials.resize(1), values.sides.resize(1), values.mesh.refine.resize(1), values.footings.resize(1);
+  values.bodies.resize(1), values.materials.resize(1), values.sides.resize(1), values.mesh.refine.resize(1),
+      values.footings.resize(1);
   std::set<const Real*> places;
   for (const KeyInfo& key : all_keys()) {
     const Field field = key.field(values, 0);
@@ -41,7 +42,8 @@ TEST(Keys, EachBelongsToADeclaredSection)
 TEST(Keys, DefaultsAreInTheirRange)
 {
   Case values;
-  values.bodies.resize(1), values.materials.resize(1), values.sides.resize(1), values.mesh.refine.resize(1), values.footings.resize(1);
+  values.bodies.resize(1), values.materials.resize(1), values.sides.resize(1), values.mesh.refine.resize(1),
+      values.footings.resize(1);
   for (const KeyInfo& key : all_keys()) {
     const Field field = key.field(values, 0);
     const auto* number = std::get_if<Real*>(&field);

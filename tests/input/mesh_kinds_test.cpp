@@ -42,11 +42,11 @@ TEST(MeshKinds, TakeEveryKeyOfTheSection)
 TEST(MeshKinds, AreListedWithTheirKeys)
 {
   EXPECT_EQ(mesh_kinds_text("- "),
-            "- size, cell (origin): a rectangle of equal cells\n"
-            "- size, cells (grading, origin): a graded rectangle\n"
-            "- sides, cells (grading): a grid between four sides\n"
-            "- file: a mesh from a file\n"
-            "- polygon, cell (edges, refine, follow_bodies, variant): a mesh from a polygon");
+      "- size, cell (origin): a rectangle of equal cells\n"
+      "- size, cells (grading, origin): a graded rectangle\n"
+      "- sides, cells (grading): a grid between four sides\n"
+      "- file: a mesh from a file\n"
+      "- polygon, cell (edges, refine, follow_bodies, variant): a mesh from a polygon");
 }
 
 TEST(MeshKinds, KnowTheNamesOfTheirSides)

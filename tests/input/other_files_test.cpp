@@ -38,8 +38,7 @@ TEST_F(OtherFiles, AreLookedForBesideTheCaseFile)
 TEST_F(OtherFiles, ThatAreMissingAreShownAtTheirKey)
 {
   std::ofstream(folder_.path() + "/dike.msh"), std::ofstream(folder_.path() + "/dyke.geo");
-  EXPECT_EQ(
-      seen_with("file = \"dyke.msh\""),
+  EXPECT_EQ(seen_with("file = \"dyke.msh\""),
       "error: " + folder_.path() +
           "/case.toml:4:8: there is no such file\n\n    4 | file = \"dyke.msh\"\n      |        ^^^^^^^^^^\n  Did you "
           "mean `dike.msh`?\n  Looked for " +

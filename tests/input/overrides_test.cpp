@@ -49,8 +49,8 @@ TEST(Overrides, CreateTablesThatAreMissing)
 {
   EXPECT_EQ(with({"forces.damping.local=0.25"}).forces.local_damping, 0.25);
   EXPECT_EQ(with({"output.history.points.A=[1.5,2]"}).output.history_points.front().second, (Vec<2>{1.5, 2.0}));
-  EXPECT_EQ(with({"boundary.bottom={contact=\"separating\",adhesion=50}"}).sides.front().kind,
-            SideKind::contact_separating);
+  EXPECT_EQ(
+      with({"boundary.bottom={contact=\"separating\",adhesion=50}"}).sides.front().kind, SideKind::contact_separating);
 }
 
 TEST(Overrides, ReachEntriesOfLists)
@@ -86,37 +86,37 @@ TEST(Overrides, DoNotSmuggleInASecondKey)
 TEST(Overrides, AreNamedInErrors)
 {
   EXPECT_EQ(message_for(small_case, {"time.end=-1"}),
-            "error: --set time.end=-1: `end` is out of range\n"
-            "  Got -1 s; allowed: more than 0 s.\n"
-            "  More: terp explain time.end\n\n"
-            "1 error; nothing was run.\n");
+      "error: --set time.end=-1: `end` is out of range\n"
+      "  Got -1 s; allowed: more than 0 s.\n"
+      "  More: terp explain time.end\n\n"
+      "1 error; nothing was run.\n");
   EXPECT_THAT(message_for(small_case, {"time.ende=1"}),
-              HasSubstr("error: --set time.ende=1: unknown key `ende`\n  Did you mean `end`?"));
+      HasSubstr("error: --set time.ende=1: unknown key `ende`\n  Did you mean `end`?"));
   EXPECT_THAT(message_for(small_case, {"material.clay.eta=800"}),
-              HasSubstr("error: --set material.clay.eta=800: softening is too steep"));
+      HasSubstr("error: --set material.clay.eta=800: softening is too steep"));
 }
 
 TEST(Overrides, AreNamedWhereTheyDoNotGoWithTheFile)
 {
   EXPECT_THAT(message_for(small_case, {"material.clay.su_peak=1e6"}),
-              HasSubstr("error: --set material.clay.su_peak=1e6: softening is too steep"));
+      HasSubstr("error: --set material.clay.su_peak=1e6: softening is too steep"));
   EXPECT_THAT(message_for(small_case, {"mesh.size=[16.2, 3.0]"}),
-              HasSubstr("error: --set mesh.size=[16.2, 3.0]: the width of the mesh is not a whole number of cells"));
+      HasSubstr("error: --set mesh.size=[16.2, 3.0]: the width of the mesh is not a whole number of cells"));
 }
 
 TEST(Overrides, OfTheWrongFormAreRefused)
 {
-  EXPECT_THAT(message_for(small_case, {"time.end"}),
-              HasSubstr("error: --set time.end: a change has the form KEY=VALUE"));
+  EXPECT_THAT(
+      message_for(small_case, {"time.end"}), HasSubstr("error: --set time.end: a change has the form KEY=VALUE"));
   EXPECT_THAT(message_for(small_case, {"=3"}), HasSubstr("a change has the form KEY=VALUE"));
 }
 
 TEST(Overrides, ThatLeadNowhereAreRefused)
 {
   EXPECT_THAT(message_for(small_case, {"body[4].box=3"}),
-              HasSubstr("there is no entry `[4]`\n  The list `body` has 1 entries; count from 0."));
+      HasSubstr("there is no entry `[4]`\n  The list `body` has 1 entries; count from 0."));
   EXPECT_THAT(message_for(small_case, {"mesh.cell.x=3"}),
-              HasSubstr("`mesh.cell` is a single value and holds no keys. Set it as a whole: --set mesh.cell=..."));
+      HasSubstr("`mesh.cell` is a single value and holds no keys. Set it as a whole: --set mesh.cell=..."));
   EXPECT_THAT(message_for(small_case, {"mesh[0]=3"}), HasSubstr("`mesh` is a table, not a list."));
 }
 

@@ -15,7 +15,9 @@ TEST(Printable, ShowsAQuestionMarkForEachControlCharacter)
 {
   EXPECT_EQ(printable(std::string("\x1B[31mred\x7F\r\b", 11)), "?[31mred???");
   EXPECT_EQ(printable(std::string("a\0b", 3)), "a?b");
-  EXPECT_EQ(printable("\xC2\x9B" "31m"), "?31m");  // U+009B, which some terminals take for ESC [
+  EXPECT_EQ(printable("\xC2\x9B"
+                      "31m"),
+      "?31m");  // U+009B, which some terminals take for ESC [
 }
 
 TEST(Printable, ShowsAQuestionMarkForEachByteThatIsNotUtf8)

@@ -19,45 +19,45 @@ std::string shown(const Problem& problem, const std::vector<std::string>& overri
 TEST(Render, ShowsFileLineColumnAndTheUnderlinedText)
 {
   EXPECT_EQ(shown({"body[0].box", "the body lies outside the mesh", "first line\nsecond line", "body"}),
-            "error: case.toml:8:7: the body lies outside the mesh\n"
-            "\n"
-            "    8 | box = [[0.0, 0.0], [8.0, 2.0]]\n"
-            "      |       ^^^^^^^^^^^^^^^^^^^^^^^^\n"
-            "  first line\n"
-            "  second line\n"
-            "  More: terp explain body\n"
-            "\n"
-            "1 error; nothing was run.\n");
+      "error: case.toml:8:7: the body lies outside the mesh\n"
+      "\n"
+      "    8 | box = [[0.0, 0.0], [8.0, 2.0]]\n"
+      "      |       ^^^^^^^^^^^^^^^^^^^^^^^^\n"
+      "  first line\n"
+      "  second line\n"
+      "  More: terp explain body\n"
+      "\n"
+      "1 error; nothing was run.\n");
 }
 
 TEST(Render, PointsAtTheKeyWhenAsked)
 {
   EXPECT_THAT(shown({"material.clay.eta", "w", "", "", true}),
-              HasSubstr("case.toml:16:1: w\n\n   16 | eta = 50.0\n      | ^^^\n"));
+      HasSubstr("case.toml:16:1: w\n\n   16 | eta = 50.0\n      | ^^^\n"));
 }
 
 TEST(Render, FallsBackToTheNearestTableAbove)
 {
-  EXPECT_THAT(shown({"mesh.origin", "w", "", ""}),
-              StartsWith("error: case.toml:3:2: w\n\n    3 | [mesh]\n      |  ^^^^\n"));
+  EXPECT_THAT(
+      shown({"mesh.origin", "w", "", ""}), StartsWith("error: case.toml:3:2: w\n\n    3 | [mesh]\n      |  ^^^^\n"));
   EXPECT_THAT(shown({"body[0].velocity", "w", "", ""}),
-              StartsWith("error: case.toml:6:1: w\n\n    6 | [[body]]\n      | ^^^^^^^^\n"));
+      StartsWith("error: case.toml:6:1: w\n\n    6 | [[body]]\n      | ^^^^^^^^\n"));
   EXPECT_THAT(shown({"body[7].box", "w", "", ""}), StartsWith("error: case.toml:6:3: w\n"));
 }
 
 TEST(Render, SaysTheDefaultOfAKeyThatIsNotThere)
 {
   EXPECT_THAT(shown({"initial.k0", "w", "", ""}),
-              StartsWith("error: case.toml: w\n  `initial.k0` is not given; its default is 1.\n"));
+      StartsWith("error: case.toml: w\n  `initial.k0` is not given; its default is 1.\n"));
 }
 
 TEST(Render, NamesTheOverrideThatSetTheValue)
 {
   EXPECT_THAT(shown({"mesh.cell", "too small", "d", ""}, {"mesh.cell=0.25"}),
-              StartsWith("error: --set mesh.cell=0.25: too small\n  d\n"));
+      StartsWith("error: --set mesh.cell=0.25: too small\n  d\n"));
   EXPECT_THAT(shown({"mesh.size", "w", "", ""}, {"mesh.cell=0.25"}), StartsWith("error: case.toml:4:8: w\n"));
-  EXPECT_THAT(shown({"initial.k0", "w", "", ""}, {"initial.stress=none"}),
-              StartsWith("error: --set initial.stress=none: w\n"));
+  EXPECT_THAT(
+      shown({"initial.k0", "w", "", ""}, {"initial.stress=none"}), StartsWith("error: --set initial.stress=none: w\n"));
 }
 
 TEST(Render, NamesTheOverrideOfAnotherKeyThatDoesNotGoWithThisOne)
@@ -82,7 +82,7 @@ TEST(Render, CountsTheRestBeyondTen)
 TEST(Render, GoesInTheOrderOfTheFile)
 {
   const std::string seen = render({{"time.end", "third", "", ""}, {"", "last", "", ""}, {"time", "first", "", ""}},
-                                  read_case_text(small_case, "case.toml"));
+      read_case_text(small_case, "case.toml"));
   EXPECT_LT(seen.find("first"), seen.find("third"));
   EXPECT_LT(seen.find("third"), seen.find("last"));
 }
@@ -90,15 +90,15 @@ TEST(Render, GoesInTheOrderOfTheFile)
 TEST(Render, UnderlinesCharactersNotBytes)
 {
   EXPECT_THAT(message_for("title = \"äöü\"; x\n" + small_case),
-              HasSubstr("\n    1 | title = \"äöü\"; x\n      |              ^\n"));
+      HasSubstr("\n    1 | title = \"äöü\"; x\n      |              ^\n"));
   EXPECT_THAT(message_for(replaced(small_case, "end = 4.0", "end\t=\t-4.0")),
-              HasSubstr("    2 | end\t=\t-4.0\n      |    \t \t^^^^\n"));
+      HasSubstr("    2 | end\t=\t-4.0\n      |    \t \t^^^^\n"));
 }
 
 TEST(Render, UnderlinesTheFirstLineOfALongValue)
 {
   EXPECT_THAT(message_for(replaced(small_case, "size = [16.0, 3.0]", "size = [16.0,\n3.0, 1.0]")),
-              HasSubstr("    4 | size = [16.0,\n      |        ^^^^^^\n"));
+      HasSubstr("    4 | size = [16.0,\n      |        ^^^^^^\n"));
 }
 
 TEST(Render, LeavesOutCarriageReturns)

@@ -22,7 +22,8 @@ struct WrongCase {
 std::string unescaped(std::string text)
 {
   for (const auto& [mark, character] : {std::pair{"\\n", '\n'}, std::pair{"\\0", '\0'}})
-    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at)) text.replace(at, 2, 1, character);
+    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at))
+      text.replace(at, 2, 1, character);
   return text;
 }
 
@@ -38,7 +39,8 @@ std::vector<WrongCase> read_table(const std::string& name)
     const std::string where = name + ':' + std::to_string(number);
     EXPECT_NE(second, std::string::npos) << where;
     const std::size_t after = std::min(first + 3, second);
-    cases.push_back({where, line.substr(0, first), unescaped(line.substr(after, second - after)), line.substr(second + 3)});
+    cases.push_back(
+        {where, line.substr(0, first), unescaped(line.substr(after, second - after)), line.substr(second + 3)});
   }
   return cases;
 }

@@ -16,13 +16,14 @@ namespace {
 using test::Probe;
 using test::Stress;
 
-/// Parameters of the paper's soil where a law has them, of a soil or fluid like it; elsewhere the default, or the middle of the usual or allowed range.
+/// Parameters of the paper's soil where a law has them, of a soil or fluid like it; elsewhere the default, or the
+/// middle of the usual or allowed range.
 std::vector<Real> typical_parameters(const MaterialType& type)
 {
-  const std::pair<std::string_view, Real> known[] = {
-      {"shear_modulus", 2e6}, {"poisson_ratio", 0.48}, {"su_peak", 8e3}, {"su_residual", 2e3}, {"eta", 50.0},
-      {"cohesion", 8e3}, {"friction_angle", 30.0}, {"dilatancy_angle", 8.0}, {"tension_cutoff", 5e3}, {"cohesion_residual", 2e3},
-      {"friction_angle_residual", 25.0}, {"dilatancy_angle_residual", 0.0}, {"bulk_modulus", 2e6}, {"viscosity", 300.0}};
+  const std::pair<std::string_view, Real> known[] = {{"shear_modulus", 2e6}, {"poisson_ratio", 0.48}, {"su_peak", 8e3},
+      {"su_residual", 2e3}, {"eta", 50.0}, {"cohesion", 8e3}, {"friction_angle", 30.0}, {"dilatancy_angle", 8.0},
+      {"tension_cutoff", 5e3}, {"cohesion_residual", 2e3}, {"friction_angle_residual", 25.0},
+      {"dilatancy_angle_residual", 0.0}, {"bulk_modulus", 2e6}, {"viscosity", 300.0}};
   std::vector<Real> values;
   for (const ParameterInfo& info : type.parameters) {
     std::optional<Real> value = info.fallback;
@@ -168,7 +169,7 @@ TEST_P(EveryMaterial, IsIsotropicElasticNearTheOriginAndViscousWhereItSaysSo)
   point.strain({{-3e-6, 1e-6, -2e-6, 5e-7}});
   const Real volumetric = -4e-6, mean = volumetric / 3.0;
   const Real expected[] = {K * volumetric + twice * (-3e-6 - mean), K * volumetric + twice * (1e-6 - mean),
-                           K * volumetric + twice * (-2e-6 - mean), twice * 5e-7};
+      K * volumetric + twice * (-2e-6 - mean), twice * 5e-7};
   for (int c = 0; c < 4; ++c) EXPECT_NEAR(point.sigma[c], expected[c], -1e-12 * K * volumetric);
   EXPECT_DOUBLE_EQ(point.law().p_wave_modulus(), K + 4.0 * G / 3.0);
 }
@@ -187,7 +188,8 @@ TEST_P(EveryMaterial, HasTheSameStressesAtSmallerStrainsWhenScaledAsItsTableSays
     soft.strain(d_eps);
     for (int c = 0; c < 4; ++c) d_eps[c] /= s;
     stiff.strain(d_eps);
-    for (int c = 0; c < 4; ++c) ASSERT_NEAR(stiff.sigma[c], soft.sigma[c], 1e-6 * std::abs(soft.sigma[c]) + 1e-3) << "step " << step;
+    for (int c = 0; c < 4; ++c)
+      ASSERT_NEAR(stiff.sigma[c], soft.sigma[c], 1e-6 * std::abs(soft.sigma[c]) + 1e-3) << "step " << step;
   }
 }
 
@@ -206,7 +208,7 @@ TEST_P(EveryMaterial, PassesOnWhatIsNotANumber)  // so that the run can stop on 
 }
 
 INSTANTIATE_TEST_SUITE_P(Materials, EveryMaterial, testing::ValuesIn(all_materials().begin(), all_materials().end()),
-                         [](const auto& info) { return std::string(info.param->name); });
+    [](const auto& info) { return std::string(info.param->name); });
 
 }  // namespace
 }  // namespace terp

@@ -17,7 +17,8 @@ using Vector = std::array<Real, 3>;
 constexpr Real degree = std::numbers::pi / 180.0;
 
 struct Soil {
-  Real bulk = 5e6, shear = 2e6, phi = 30.0, psi = 10.0, cohesion = 5e3, tension = 2e3;  // Pa, deg; tension at most c cot(phi)
+  Real bulk = 5e6, shear = 2e6, phi = 30.0, psi = 10.0, cohesion = 5e3,
+       tension = 2e3;  // Pa, deg; tension at most c cot(phi)
 
   MohrCoulombStrength<Real> strength() const
   {
@@ -57,7 +58,8 @@ Real dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + 
 Vector elastic(const Soil& soil, const Vector& eps)
 {
   const Real lame = soil.bulk - 2.0 / 3.0 * soil.shear, volumetric = lame * (eps[0] + eps[1] + eps[2]);
-  return {volumetric + 2.0 * soil.shear * eps[0], volumetric + 2.0 * soil.shear * eps[1], volumetric + 2.0 * soil.shear * eps[2]};
+  return {volumetric + 2.0 * soil.shear * eps[0], volumetric + 2.0 * soil.shear * eps[1],
+      volumetric + 2.0 * soil.shear * eps[2]};
 }
 
 /// Multipliers of the chosen planes by Gauss elimination; none if they depend on each other.
@@ -142,10 +144,12 @@ void expect_the_only_answer(const Soil& soil, Vector trial, std::array<int, 4>& 
   const Answers answers = all_answers(soil, trial);
   ASSERT_FALSE(answers.stresses.empty()) << trial[0] << ' ' << trial[1] << ' ' << trial[2];
   ++count[answers.fewest_planes];
-  const Sorted<Real> s = MohrCoulombReturn<Real>(soil.strength(), soil.bulk, soil.shear)(Sorted<Real>{trial[0], trial[1], trial[2]});
+  const Sorted<Real> s =
+      MohrCoulombReturn<Real>(soil.strength(), soil.bulk, soil.shear)(Sorted<Real>{trial[0], trial[1], trial[2]});
   for (const Vector& answer : answers.stresses) {
     const Real tolerance = 1e-5 + 1e-11 * std::abs(trial[2]);
-    ASSERT_NEAR(s.major, answer[0], tolerance) << trial[0] << ' ' << trial[1] << ' ' << trial[2] << ", phi " << soil.phi << ", psi " << soil.psi;
+    ASSERT_NEAR(s.major, answer[0], tolerance)
+        << trial[0] << ' ' << trial[1] << ' ' << trial[2] << ", phi " << soil.phi << ", psi " << soil.psi;
     ASSERT_NEAR(s.middle, answer[1], tolerance) << trial[0] << ' ' << trial[1] << ' ' << trial[2];
     ASSERT_NEAR(s.minor, answer[2], tolerance) << trial[0] << ' ' << trial[1] << ' ' << trial[2];
   }
@@ -164,13 +168,15 @@ TEST(MohrCoulombReturn, IsTheOneChoiceOfActivePlanesThatIsAdmissible)
     const Real apex = soil.cohesion / std::tan(soil.phi * degree);
     soil.tension = k % 5 == 0 ? apex : k % 5 == 1 ? 0.0 : random.between(0.0, apex);
     const Real p = random.between(-60e3, 30e3);
-    expect_the_only_answer(soil, {p + random.between(-20e3, 20e3), p + random.between(-20e3, 20e3), p + random.between(-20e3, 20e3)}, count);
+    expect_the_only_answer(soil,
+        {p + random.between(-20e3, 20e3), p + random.between(-20e3, 20e3), p + random.between(-20e3, 20e3)}, count);
     if (HasFatalFailure()) return;
   }
   for (const int planes : {1, 2, 3}) EXPECT_GT(count[planes], 1000) << planes << " planes";
 }
 
-TEST(MohrCoulombReturn, TakesTheStressOfTheClosedFormOnAPlane)  // by hand: phi = 30, psi = 0, c = 0: 3 s1 = s3, s1 + s3 stays
+TEST(MohrCoulombReturn,
+    TakesTheStressOfTheClosedFormOnAPlane)  // by hand: phi = 30, psi = 0, c = 0: 3 s1 = s3, s1 + s3 stays
 {
   const Soil soil{.psi = 0.0, .cohesion = 0.0, .tension = 0.0};
   const Sorted<Real> s = MohrCoulombReturn<Real>(soil.strength(), soil.bulk, soil.shear)({-5e3, -30e3, -75e3});

@@ -1,4 +1,5 @@
-// Mohr-Coulomb with softening: paths of the laboratory in closed form, the curve of the softening, and what must hold for any path.
+// Mohr-Coulomb with softening: paths of the laboratory in closed form, the curve of the softening, and what must hold
+// for any path.
 
 #include "materials/probe.hpp"
 #include "support/random.hpp"
@@ -31,7 +32,10 @@ struct Soil {
   Real tension_at(Real e) const { return std::min(cutoff, cohesion_at(e) / std::tan(phi_at(e))); }
 };
 
-Soil softening_soil() { return {.phi = 35.0, .psi = 12.0, .c_residual = 1e3, .phi_residual = 28.0, .psi_residual = 0.0, .eta = 40.0}; }
+Soil softening_soil()
+{
+  return {.phi = 35.0, .psi = 12.0, .c_residual = 1e3, .phi_residual = 28.0, .psi_residual = 0.0, .eta = 40.0};
+}
 
 Stress isotropic(Real p) { return {{p, p, p, 0.0}}; }
 
@@ -68,7 +72,8 @@ TEST(MohrCoulomb, TriaxialCompressionFailsAtThePassiveStress)  // on the edge si
   Probe point = soil.probe();
   point.sigma = isotropic(-50e3);
   Stress d_eps{};
-  for (int k = 0; k < 100; ++k) d_eps = strain_towards(point, {{0.0, -5e-4, 0.0, 0.0}}, {{1.0, 0.0, 1.0, 0.0}}, 0, -50e3);
+  for (int k = 0; k < 100; ++k)
+    d_eps = strain_towards(point, {{0.0, -5e-4, 0.0, 0.0}}, {{1.0, 0.0, 1.0, 0.0}}, 0, -50e3);
   EXPECT_NEAR(point.sigma[1], -50e3 * soil.passive(0.0) - 2.0 * 5e3 * std::sqrt(soil.passive(0.0)), 1e-6);
   EXPECT_NEAR(point.sigma[2], -50e3, 1e-6);
   EXPECT_NEAR(trace(d_eps) / 5e-4, 2.0 * soil.sin_psi() / (1.0 - soil.sin_psi()), 1e-9) << "dilatancy";
@@ -80,7 +85,8 @@ TEST(MohrCoulomb, TriaxialExtensionFailsAtTheActiveStress)  // on the edge sigma
   Probe point = soil.probe();
   point.sigma = isotropic(-80e3);
   Stress d_eps{};
-  for (int k = 0; k < 100; ++k) d_eps = strain_towards(point, {{0.0, 5e-4, 0.0, 0.0}}, {{1.0, 0.0, 1.0, 0.0}}, 0, -80e3);
+  for (int k = 0; k < 100; ++k)
+    d_eps = strain_towards(point, {{0.0, 5e-4, 0.0, 0.0}}, {{1.0, 0.0, 1.0, 0.0}}, 0, -80e3);
   EXPECT_NEAR(point.sigma[1], -80e3 / soil.passive(0.0) + 2.0 * 5e3 / std::sqrt(soil.passive(0.0)), 1e-6);
   EXPECT_NEAR(point.sigma[2], -80e3, 1e-6);
   EXPECT_NEAR(trace(d_eps) / 5e-4, 2.0 * soil.sin_psi() / (1.0 + soil.sin_psi()), 1e-9) << "dilatancy";
@@ -92,7 +98,8 @@ TEST(MohrCoulomb, PlaneStrainCompressionFailsOnThePlaneBetweenTheEdges)
   Probe point = soil.probe();
   point.sigma = isotropic(-50e3);
   Stress d_eps{};
-  for (int k = 0; k < 200; ++k) d_eps = strain_towards(point, {{0.0, -5e-4, 0.0, 0.0}}, {{1.0, 0.0, 0.0, 0.0}}, 0, -50e3);
+  for (int k = 0; k < 200; ++k)
+    d_eps = strain_towards(point, {{0.0, -5e-4, 0.0, 0.0}}, {{1.0, 0.0, 0.0, 0.0}}, 0, -50e3);
   EXPECT_NEAR(point.sigma[1], -50e3 * soil.passive(0.0) - 2.0 * 5e3 * std::sqrt(soil.passive(0.0)), 1e-6);
   EXPECT_LT(point.sigma[2], -50e3 - 1e3);
   EXPECT_GT(point.sigma[2], point.sigma[1] + 1e3);
@@ -123,7 +130,8 @@ TEST(MohrCoulomb, SimpleShearOfDilatantSoilRaisesThePressure)  // d(trace)/3K = 
   Probe point = soil.probe();
   point.sigma = isotropic(-60e3);
   for (int k = 0; k < 50; ++k) point.strain({{0.0, 0.0, 0.0, 1e-3}});
-  const Real plastic_gamma = 2.0 * (0.05 - point.sigma[3] / (2.0 * soil.G));  // lambda = plastic_gamma / 2 while zz stays in the middle
+  const Real plastic_gamma =
+      2.0 * (0.05 - point.sigma[3] / (2.0 * soil.G));  // lambda = plastic_gamma / 2 while zz stays in the middle
   EXPECT_NEAR(trace(point.sigma) + 180e3, -3.0 * point.law().bulk_modulus() * soil.sin_psi() * plastic_gamma, 1e-4);
   EXPECT_NEAR(point.state[0], 0.5 * plastic_gamma * std::sqrt(1.0 + soil.sin_psi() * soil.sin_psi() / 3.0), 1e-12);
 }
@@ -138,7 +146,8 @@ TEST(MohrCoulomb, Eq5_IsTheCurveThatSimpleShearFollows)  // c and phi soften tog
   for (int k = 0; k < 120; ++k) {
     point.strain({{0.0, 0.0, 0.0, 1e-3}});
     eps_xy += 1e-3;
-    const Real e = point.state[0], strength = soil.cohesion_at(e) * std::cos(soil.phi_at(e)) + 60e3 * std::sin(soil.phi_at(e));
+    const Real e = point.state[0],
+               strength = soil.cohesion_at(e) * std::cos(soil.phi_at(e)) + 60e3 * std::sin(soil.phi_at(e));
     if (e > 0.0) {
       ASSERT_NEAR(point.sigma[3], strength, 1e-7) << "eps_eq_p = " << e;
     }
@@ -210,7 +219,15 @@ TEST(MohrCoulomb, WithCohesionComesApartAtTheApexAndClosesWithoutTension)
 
 TEST(MohrCoulomb, WithoutFrictionItIsTresca)  // to the round-off of both, softening included
 {
-  const Soil soil{.G = 2e6, .nu = 0.48, .c = 8e3, .phi = 0.0, .psi = 0.0, .c_residual = 2e3, .phi_residual = 0.0, .psi_residual = 0.0, .eta = 50.0};
+  const Soil soil{.G = 2e6,
+      .nu = 0.48,
+      .c = 8e3,
+      .phi = 0.0,
+      .psi = 0.0,
+      .c_residual = 2e3,
+      .phi_residual = 0.0,
+      .psi_residual = 0.0,
+      .eta = 50.0};
   test::Random random(91);
   for (int walk = 0; walk < 50; ++walk) {
     Probe mohr = soil.probe(), tresca(*find_material("tresca_softening"), {2e6, 0.48, 8e3, 2e3, 50.0});
@@ -219,7 +236,8 @@ TEST(MohrCoulomb, WithoutFrictionItIsTresca)  // to the round-off of both, softe
       for (int c = 0; c < 4; ++c) d_eps[c] = random.between(-0.004, 0.004);
       mohr.strain(d_eps);
       tresca.strain(d_eps);
-      for (int c = 0; c < 4; ++c) ASSERT_NEAR(mohr.sigma[c], tresca.sigma[c], 1e-6) << "walk " << walk << ", step " << step;
+      for (int c = 0; c < 4; ++c)
+        ASSERT_NEAR(mohr.sigma[c], tresca.sigma[c], 1e-6) << "walk " << walk << ", step " << step;
       ASSERT_NEAR(mohr.state[0], tresca.state[0], 1e-12);
       ASSERT_NEAR(mohr.plastic_work, tresca.plastic_work, 1e-8);
     }
@@ -234,8 +252,8 @@ std::vector<Soil> various_soils()
   Soil cut = softening_soil();
   cut.cutoff = 500.0;
   return {Soil{}, softening_soil(), steep, cut, {.c = 0.0, .psi = 0.0, .c_residual = 0.0, .psi_residual = 0.0},
-          {.c = 0.0, .phi = 40.0, .psi = 12.0, .c_residual = 0.0, .phi_residual = 32.0, .psi_residual = 0.0, .eta = 100.0},
-          {.nu = 0.0, .psi = 30.0, .psi_residual = 30.0}, {.nu = 0.49, .psi = 0.0, .cutoff = 0.0, .psi_residual = 0.0}};
+      {.c = 0.0, .phi = 40.0, .psi = 12.0, .c_residual = 0.0, .phi_residual = 32.0, .psi_residual = 0.0, .eta = 100.0},
+      {.nu = 0.0, .psi = 30.0, .psi_residual = 30.0}, {.nu = 0.49, .psi = 0.0, .cutoff = 0.0, .psi_residual = 0.0}};
 }
 
 TEST(MohrCoulomb, EndsEveryStepOnOrInsideTheSurfaceOfItsOwnStrainAndDissipates)
@@ -249,7 +267,8 @@ TEST(MohrCoulomb, EndsEveryStepOnOrInsideTheSurfaceOfItsOwnStrainAndDissipates)
       const Real size = std::pow(10.0, random.between(-5.0, -1.7));
       for (int step = 0; step < 100; ++step) {
         Stress d_eps;
-        for (int c = 0; c < 4; ++c) d_eps[c] = random.between(-size, size) - (c < 3 ? random.between(0.0, 0.1 * size) : 0.0);
+        for (int c = 0; c < 4; ++c)
+          d_eps[c] = random.between(-size, size) - (c < 3 ? random.between(0.0, 0.1 * size) : 0.0);
         const Real before = point.state[0];
         point.strain(d_eps);
         const auto s = sorted_principal(point.sigma);
@@ -261,7 +280,8 @@ TEST(MohrCoulomb, EndsEveryStepOnOrInsideTheSurfaceOfItsOwnStrainAndDissipates)
   EXPECT_LT(worst, 1e-11);
 }
 
-TEST(MohrCoulomb, CountsThePlasticShearOfTheStepItReturnedWith)  // Eq. (6), whatever the softening does to the strength meanwhile
+TEST(MohrCoulomb,
+    CountsThePlasticShearOfTheStepItReturnedWith)  // Eq. (6), whatever the softening does to the strength meanwhile
 {
   test::Random random(93);
   for (const Soil& soil : various_soils())
@@ -276,7 +296,9 @@ TEST(MohrCoulomb, CountsThePlasticShearOfTheStepItReturnedWith)  // Eq. (6), wha
       point.strain(Stress{});
       Real square = 0.0;
       const Real mean = (trace(trial) - trace(point.sigma)) / 3.0;
-      for (int c = 0; c < 4; ++c) square += (c < 3 ? 1.0 : 2.0) * std::pow((trial[c] - point.sigma[c] - (c < 3 ? mean : 0.0)) / (2.0 * soil.G), 2);
+      for (int c = 0; c < 4; ++c)
+        square +=
+            (c < 3 ? 1.0 : 2.0) * std::pow((trial[c] - point.sigma[c] - (c < 3 ? mean : 0.0)) / (2.0 * soil.G), 2);
       ASSERT_NEAR(point.state[0] - before, std::sqrt(0.5 * square), 1e-12) << "eta " << soil.eta;
     }
 }
@@ -293,12 +315,14 @@ TEST(MohrCoulomb, PlasticWorkIsStressTimesPlasticStrain)
     point.strain(Stress{});
     const Real mean = (trace(trial) - trace(point.sigma)) / 3.0;
     for (int c = 0; c < 4; ++c)
-      d_eps_p[c] = (trial[c] - point.sigma[c] - (c < 3 ? mean : 0.0)) / (2.0 * soil.G) + (c < 3 ? mean / (3.0 * point.law().bulk_modulus()) : 0.0);
+      d_eps_p[c] = (trial[c] - point.sigma[c] - (c < 3 ? mean : 0.0)) / (2.0 * soil.G) +
+                   (c < 3 ? mean / (3.0 * point.law().bulk_modulus()) : 0.0);
     EXPECT_NEAR(point.plastic_work, double_dot(point.sigma, d_eps_p), 1e-9);
   }
 }
 
-TEST(MohrCoulomb, IsReturnedFromTheMeanOfTwoStatesThatMixedForms)  // the mean stress may lie outside the surface of the mean strain
+TEST(MohrCoulomb,
+    IsReturnedFromTheMeanOfTwoStatesThatMixedForms)  // the mean stress may lie outside the surface of the mean strain
 {
   test::Random random(95);
   const Soil soil = softening_soil();
@@ -321,7 +345,10 @@ TEST(MohrCoulomb, IsReturnedFromTheMeanOfTwoStatesThatMixedForms)  // the mean s
   EXPECT_GT(outside, 50);
 }
 
-std::vector<ParameterProblem> problems_of(const Soil& soil) { return find_material("mohr_coulomb")->check(soil.values()); }
+std::vector<ParameterProblem> problems_of(const Soil& soil)
+{
+  return find_material("mohr_coulomb")->check(soil.values());
+}
 
 void expect_problem(const Soil& soil, const std::string& parameter, const std::string& what, const std::string& detail)
 {
@@ -339,35 +366,39 @@ TEST(MohrCoulombCheck, AdmitsSoilsOfAllKinds)
 
 TEST(MohrCoulombCheck, RefusesMoreDilatancyThanFriction)
 {
-  expect_problem({.psi = 31.0, .psi_residual = 0.0}, "dilatancy_angle", "the dilatancy angle exceeds the friction angle",
-                 "dilatancy_angle = 31 deg, at most friction_angle = 30 deg: soil that dilates more gains energy by shearing.");
+  expect_problem({.psi = 31.0, .psi_residual = 0.0}, "dilatancy_angle",
+      "the dilatancy angle exceeds the friction angle",
+      "dilatancy_angle = 31 deg, at most friction_angle = 30 deg: soil that dilates more gains energy by shearing.");
   expect_problem({.psi = 20.0, .phi_residual = 15.0, .psi_residual = 20.0}, "dilatancy_angle_residual",
-                 "the dilatancy angle exceeds the friction angle",
-                 "dilatancy_angle_residual = 20 deg, at most friction_angle_residual = 15 deg: soil that dilates more gains energy by shearing.");
+      "the dilatancy angle exceeds the friction angle",
+      "dilatancy_angle_residual = 20 deg, at most friction_angle_residual = 15 deg: soil that dilates more gains "
+      "energy by shearing.");
 }
 
 TEST(MohrCoulombCheck, RefusesResidualsAboveThePeak)
 {
   expect_problem({.c_residual = 6e3}, "cohesion_residual", "the residual cohesion exceeds the peak",
-                 "cohesion_residual = 6000 Pa, at most cohesion = 5000 Pa.");
+      "cohesion_residual = 6000 Pa, at most cohesion = 5000 Pa.");
   expect_problem({.phi_residual = 31.0}, "friction_angle_residual", "the residual friction angle exceeds the peak",
-                 "friction_angle_residual = 31 deg, at most friction_angle = 30 deg.");
+      "friction_angle_residual = 31 deg, at most friction_angle = 30 deg.");
   expect_problem({.psi_residual = 11.0}, "dilatancy_angle_residual", "the residual dilatancy angle exceeds the peak",
-                 "dilatancy_angle_residual = 11 deg, at most dilatancy_angle = 10 deg.");
+      "dilatancy_angle_residual = 11 deg, at most dilatancy_angle = 10 deg.");
 }
 
 TEST(MohrCoulombCheck, RefusesSoilWithoutStrength)
 {
-  expect_problem({.c = 0.0, .phi = 0.0, .psi = 0.0, .c_residual = 0.0, .phi_residual = 0.0, .psi_residual = 0.0}, "cohesion",
-                 "the soil has no strength", "cohesion and friction_angle are both 0. Give one of them, or choose model = \"newtonian_fluid\".");
+  expect_problem({.c = 0.0, .phi = 0.0, .psi = 0.0, .c_residual = 0.0, .phi_residual = 0.0, .psi_residual = 0.0},
+      "cohesion", "the soil has no strength",
+      "cohesion and friction_angle are both 0. Give one of them, or choose model = \"newtonian_fluid\".");
 }
 
 TEST(MohrCoulombCheck, RefusesSofteningOfTheCohesionThatIsTooSteep)
 {
-  expect_problem({.G = 1e6, .phi = 0.0, .psi = 0.0, .c_residual = 1e3, .phi_residual = 0.0, .psi_residual = 0.0, .eta = 500.0}, "eta",
-                 "softening is too steep",
-                 "eta (cohesion - cohesion_residual) cos(phi) = 2e+06 Pa, at most 1.5 G = 1.5e+06 Pa\n"
-                 "(beyond sqrt(3) G the return mapping has no unique answer). Use eta <= 375, or a stiffer soil.");
+  expect_problem(
+      {.G = 1e6, .phi = 0.0, .psi = 0.0, .c_residual = 1e3, .phi_residual = 0.0, .psi_residual = 0.0, .eta = 500.0},
+      "eta", "softening is too steep",
+      "eta (cohesion - cohesion_residual) cos(phi) = 2e+06 Pa, at most 1.5 G = 1.5e+06 Pa\n"
+      "(beyond sqrt(3) G the return mapping has no unique answer). Use eta <= 375, or a stiffer soil.");
 }
 
 }  // namespace

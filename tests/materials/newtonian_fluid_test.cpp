@@ -10,7 +10,10 @@ namespace {
 using test::Probe;
 using test::Stress;
 
-Probe fluid(Real bulk, Real viscosity, Real tension_cutoff = 0.0) { return {*find_material("newtonian_fluid"), {bulk, viscosity, tension_cutoff}}; }
+Probe fluid(Real bulk, Real viscosity, Real tension_cutoff = 0.0)
+{
+  return {*find_material("newtonian_fluid"), {bulk, viscosity, tension_cutoff}};
+}
 
 TEST(NewtonianFluid, TakesItsPressureFromTheChangeOfVolume)
 {
@@ -62,7 +65,8 @@ TEST(NewtonianFluid, CarriesTheTensionThatItIsAllowed)
   EXPECT_EQ(any.state[0], 0.0);
 }
 
-TEST(NewtonianFluid, TornPartsThatMixedAveragesKeepTheirVolume)  // pressure and opening are linear in the volume, so means are consistent
+TEST(NewtonianFluid, TornPartsThatMixedAveragesKeepTheirVolume)  // pressure and opening are linear in the volume, so
+                                                                 // means are consistent
 {
   Probe torn = fluid(2e6, 0.0), pressed = fluid(2e6, 0.0), mean = fluid(2e6, 0.0);
   torn.strain({{3e-4, 0.0, 0.0, 0.0}});

@@ -19,10 +19,10 @@ class Probe {
  public:
   Probe(const MaterialType& type, const std::vector<Real>& parameters) : type_(&type), law_(type.make(parameters)) {}
 
-  static constexpr Real dt = 1e-3;     ///< length of each step [s]
-  Stress sigma{};                      ///< [Pa]
+  static constexpr Real dt = 1e-3;  ///< length of each step [s]
+  Stress sigma{};                   ///< [Pa]
   std::array<Real, max_state> state{};
-  Real plastic_work = 0.0;             ///< of the last increment [J/m^3]
+  Real plastic_work = 0.0;  ///< of the last increment [J/m^3]
 
   /// One increment of this point alone: it takes lane 0, the other seven hold something else.
   void strain(const Stress& d_eps)
@@ -88,7 +88,7 @@ inline Stress rotated(const Stress& s, Real angle)
 {
   const Real c = std::cos(angle), d = std::sin(angle);
   return {{c * c * s[0] + d * d * s[1] + 2.0 * c * d * s[3], d * d * s[0] + c * c * s[1] - 2.0 * c * d * s[3], s[2],
-           c * d * (s[1] - s[0]) + (c * c - d * d) * s[3]}};
+      c * d * (s[1] - s[0]) + (c * c - d * d) * s[3]}};
 }
 
 }  // namespace terp::test

@@ -167,11 +167,13 @@ TEST(TrescaSoftening, WithoutSofteningReturnsToTheEdgesOfTheClosedForm)
 {
   const Soil soil{.eta = 0.0};
   for (const Zz zz : {Zz::major, Zz::middle, Zz::minor}) {
-    const auto upper = sorted_principal(returned_from(soil, stress_of({20e3, 19e3, -12e3}, zz), 0.0).sigma);  // p = 9 kPa
+    const auto upper =
+        sorted_principal(returned_from(soil, stress_of({20e3, 19e3, -12e3}, zz), 0.0).sigma);  // p = 9 kPa
     EXPECT_NEAR(upper[0], 9e3 + 2.0 / 3.0 * 8e3, 1e-8);
     EXPECT_NEAR(upper[1], 9e3 + 2.0 / 3.0 * 8e3, 1e-8);
     EXPECT_NEAR(upper[2], 9e3 - 4.0 / 3.0 * 8e3, 1e-8);
-    const auto lower = sorted_principal(returned_from(soil, stress_of({20e3, -11e3, -12e3}, zz), 0.0).sigma);  // p = -1 kPa
+    const auto lower =
+        sorted_principal(returned_from(soil, stress_of({20e3, -11e3, -12e3}, zz), 0.0).sigma);  // p = -1 kPa
     EXPECT_NEAR(lower[0], -1e3 + 4.0 / 3.0 * 8e3, 1e-8);
     EXPECT_NEAR(lower[1], -1e3 - 2.0 / 3.0 * 8e3, 1e-8);
     EXPECT_NEAR(lower[2], -1e3 - 2.0 / 3.0 * 8e3, 1e-8);
@@ -357,14 +359,15 @@ TEST(TrescaSoftening, NeverGetsItsStrengthBack)
   Real before = 0.0;
   for (int k = 0; k < 3000; ++k) {
     point.strain({{random.between(-0.003, 0.003), random.between(-0.003, 0.003), random.between(-0.003, 0.003),
-                   random.between(-0.003, 0.003)}});
+        random.between(-0.003, 0.003)}});
     ASSERT_GE(point.state[0], before);
     before = point.state[0];
   }
   EXPECT_GT(before, 0.06);
 }
 
-TEST(TrescaSoftening, IsDeterminedByStressAloneOnceResidual)  // far beyond the softening the result is perfect plasticity
+TEST(TrescaSoftening,
+    IsDeterminedByStressAloneOnceResidual)  // far beyond the softening the result is perfect plasticity
 {
   const Stress trial = stress_of({25e3, 2e3, -15e3}, Zz::middle);
   const auto softened = returned_from({}, trial, 5.0);
@@ -384,8 +387,8 @@ TEST(TrescaSofteningCheck, RefusesSofteningThatIsTooSteep)
   EXPECT_EQ(problems[0].parameter, "eta");
   EXPECT_EQ(problems[0].what, "softening is too steep");
   EXPECT_EQ(problems[0].detail,
-            "eta (su_peak - su_residual) = 4.8e+06 Pa, at most 1.5 G = 3e+06 Pa\n"
-            "(beyond sqrt(3) G the return mapping has no unique answer). Use eta <= 500, or a stiffer soil.");
+      "eta (su_peak - su_residual) = 4.8e+06 Pa, at most 1.5 G = 3e+06 Pa\n"
+      "(beyond sqrt(3) G the return mapping has no unique answer). Use eta <= 500, or a stiffer soil.");
 }
 
 TEST(TrescaSofteningCheck, AdmitsTheLimitItself)

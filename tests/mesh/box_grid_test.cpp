@@ -40,7 +40,8 @@ TEST(BoxGrid, NamesEveryBoxThatHoldsAPlaceInAscendingOrder)
       const Vec<2> x = trial < 500 ? boxes[trial].high : Vec<2>{random.between(-4.0, 9.0), random.between(-1.0, 5.0)};
       const auto near = boxes_near(grid, x);
       ASSERT_TRUE(std::is_sorted(near.begin(), near.end()));
-      for (Index k = 0; k < 500; ++k) ASSERT_TRUE(!holds(boxes[k], x) || std::binary_search(near.begin(), near.end(), k)) << k;
+      for (Index k = 0; k < 500; ++k)
+        ASSERT_TRUE(!holds(boxes[k], x) || std::binary_search(near.begin(), near.end(), k)) << k;
     }
   }
 }
@@ -65,7 +66,8 @@ TEST(BoxGrid, IsEmptyWithoutBoxesAndForPlacesOutside)
   EXPECT_TRUE(boxes_near(make_box_grid({}), {0.0, 0.0}).empty());
   const BoxGrid grid = make_box_grid(random_boxes(10, 0.1, 4));
   const Real nan = std::numeric_limits<Real>::quiet_NaN(), infinity = std::numeric_limits<Real>::infinity();
-  for (const Vec<2> x : {Vec<2>{-3.5, 0.5}, Vec<2>{0.0, 2.0}, Vec<2>{nan, 0.5}, Vec<2>{0.0, infinity}}) EXPECT_TRUE(boxes_near(grid, x).empty());
+  for (const Vec<2> x : {Vec<2>{-3.5, 0.5}, Vec<2>{0.0, 2.0}, Vec<2>{nan, 0.5}, Vec<2>{0.0, infinity}})
+    EXPECT_TRUE(boxes_near(grid, x).empty());
 }
 
 TEST(BoxGrid, TakesBoxesOnALineAndAllAtOnePlace)
@@ -88,7 +90,8 @@ TEST(BoundingBox, SurroundsPlacesAndWidensByPartOfItsDiagonal)
 
 TEST(Line, IsAsFarAsItsNextPlaceOrItsNextEnd)
 {
-  EXPECT_DOUBLE_EQ(distance_to_line({1.0, 1.0}, {5.0, 4.0}, {6.0, 1.0}), 3.0);  // beside it: the height of a triangle of sides 5, 3.16 on 5 m
+  EXPECT_DOUBLE_EQ(distance_to_line({1.0, 1.0}, {5.0, 4.0}, {6.0, 1.0}),
+      3.0);  // beside it: the height of a triangle of sides 5, 3.16 on 5 m
   EXPECT_DOUBLE_EQ(distance_to_line({1.0, 1.0}, {5.0, 4.0}, {8.0, 8.0}), 5.0);  // beyond its end
   EXPECT_DOUBLE_EQ(distance_to_line({2.0, 1.0}, {2.0, 1.0}, {5.0, 5.0}), 5.0);  // no line, but a place
 }

@@ -1,4 +1,5 @@
-// The isoparametric map of one cell: a trapezium by hand, general quadrilaterals by what must hold, and the inverse map.
+// The isoparametric map of one cell: a trapezium by hand, general quadrilaterals by what must hold, and the inverse
+// map.
 
 #include "mesh/cell_geometry.hpp"
 
@@ -47,7 +48,8 @@ TEST(CellGeometry, AltitudeIsTheSmallestHeightOverASide)
   EXPECT_DOUBLE_EQ(make_cell_geometry(trapezium).altitude, 1.0);
   EXPECT_DOUBLE_EQ(make_cell_geometry({{{0.0, 0.0}, {1.0, 0.0}, {1.8, 0.6}, {0.8, 0.6}}}).altitude, 0.6);
   // Corner (2, 0) over the side from (2, 0.4) to (0, 1), of length sqrt(4.36).
-  EXPECT_DOUBLE_EQ(make_cell_geometry({{{0.0, 0.0}, {2.0, 0.0}, {2.0, 0.4}, {0.0, 1.0}}}).altitude, 0.8 / std::sqrt(4.36));
+  EXPECT_DOUBLE_EQ(
+      make_cell_geometry({{{0.0, 0.0}, {2.0, 0.0}, {2.0, 0.4}, {0.0, 1.0}}}).altitude, 0.8 / std::sqrt(4.36));
   // A parallelogram of area 1 over sides of length 1 and 1.25.
   EXPECT_DOUBLE_EQ(make_cell_geometry({{{0.0, 0.0}, {1.0, -0.75}, {1.0, 0.25}, {0.0, 1.0}}}).altitude, 0.8);
 }
@@ -188,7 +190,8 @@ TEST(InverseMap, IsExactInAParallelogramHoweverFar)
   const auto cell = make_cell_geometry({{{0.0, 0.0}, {1.0, 0.2}, {1.3, 1.1}, {0.3, 0.9}}});
   for (const Vec<2> local : {Vec<2>{0.3, -0.8}, Vec<2>{-40.0, 17.0}, Vec<2>{1.0, 1.0}}) {
     const auto x = offset_from_centre(cell, local[0], local[1]);
-    EXPECT_THAT(local_coordinates(cell, x[0], x[1]), ElementsAre(DoubleNear(local[0], 1e-14), DoubleNear(local[1], 1e-14)));
+    EXPECT_THAT(
+        local_coordinates(cell, x[0], x[1]), ElementsAre(DoubleNear(local[0], 1e-14), DoubleNear(local[1], 1e-14)));
   }
 }
 

@@ -37,7 +37,8 @@ TEST(CheckMesh, AcceptsWhatTerpMakesItself)
 {
   EXPECT_EQ(refusal_of(two_squares()), "");
   EXPECT_EQ(refusal_of(make_rectangle({-3.0, 100.0}, {7.0, 0.001}, {40, 30})), "");
-  for (std::uint64_t seed = 0; seed < 20; ++seed) EXPECT_EQ(refusal_of(test::distorted_rectangle(12, 8, 0.1, 0.35, seed)), "");
+  for (std::uint64_t seed = 0; seed < 20; ++seed)
+    EXPECT_EQ(refusal_of(test::distorted_rectangle(12, 8, 0.1, 0.35, seed)), "");
 }
 
 TEST(CheckMesh, AcceptsCellsThatTouchInOneNodeAndPartsThatDoNotTouch)
@@ -53,12 +54,14 @@ TEST(CheckMesh, RefusesAnInvertedCell)
   Mesh<2> mesh = two_squares();
   mesh.cells[1] = {1, 4, 5, 2};
   EXPECT_EQ(refusal_of(mesh),
-            "the mesh has 1 fault:\n"
-            "  cell 1 is inverted, its nodes run clockwise: detJ = -0.25 m^2 at node 1 at (1, 0) m\n"
-            "    nodes 1 at (1, 0), 4 at (1, 1), 5 at (2, 1), 2 at (2, 0) m\n"
-            "  The nodes of a cell run counter-clockwise. A surface drawn the other way round, all its cells clockwise, is turned; among others "
-            "such a cell is folded over. In gmsh: move its nodes, optimise the mesh, or use a smaller element size there. In a file written by a "
-            "program: give its nodes in the other order.");
+      "the mesh has 1 fault:\n"
+      "  cell 1 is inverted, its nodes run clockwise: detJ = -0.25 m^2 at node 1 at (1, 0) m\n"
+      "    nodes 1 at (1, 0), 4 at (1, 1), 5 at (2, 1), 2 at (2, 0) m\n"
+      "  The nodes of a cell run counter-clockwise. A surface drawn the other way round, all its cells clockwise, is "
+      "turned; among others "
+      "such a cell is folded over. In gmsh: move its nodes, optimise the mesh, or use a smaller element size there. In "
+      "a file written by a "
+      "program: give its nodes in the other order.");
 }
 
 TEST(CheckMesh, NamesTheFilesOwnNumbers)
@@ -67,8 +70,9 @@ TEST(CheckMesh, NamesTheFilesOwnNumbers)
   mesh.cells[1] = {1, 4, 5, 2};
   mesh.cell_numbers = {70, 80};
   mesh.node_numbers = {10, 11, 12, 13, 14, 15};
-  EXPECT_THAT(refusal_of(mesh), AllOf(HasSubstr("cell 1 (element 80 of the file) is inverted"), HasSubstr("at node 11 at (1, 0) m"),
-                                      HasSubstr("nodes 11 at (1, 0), 14 at (1, 1), 15 at (2, 1), 12 at (2, 0) m")));
+  EXPECT_THAT(refusal_of(mesh),
+      AllOf(HasSubstr("cell 1 (element 80 of the file) is inverted"), HasSubstr("at node 11 at (1, 0) m"),
+          HasSubstr("nodes 11 at (1, 0), 14 at (1, 1), 15 at (2, 1), 12 at (2, 0) m")));
 }
 
 TEST(CheckMesh, RefusesACellThatIsNotConvex)
@@ -89,7 +93,8 @@ TEST(CheckMesh, RefusesDegenerateCells)
 {
   Mesh<2> straight = two_squares(), flat = two_squares(), double_node = two_squares(), one_place = two_squares();
   straight.nodes[4] = {0.5, 0.5};
-  EXPECT_THAT(refusal_of(straight), HasSubstr("cell 0 is degenerate, a corner is straight: detJ = 0 m^2 at node 4 at (0.5, 0.5) m"));
+  EXPECT_THAT(refusal_of(straight),
+      HasSubstr("cell 0 is degenerate, a corner is straight: detJ = 0 m^2 at node 4 at (0.5, 0.5) m"));
   for (auto& x : flat.nodes) x[1] *= 1e-7;
   EXPECT_THAT(refusal_of(flat), HasSubstr("cell 1 is degenerate: two of its nodes lie at one place"));
   double_node.cells[1] = {1, 2, 5, 5};
@@ -114,10 +119,10 @@ TEST(CheckMesh, RefusesACellThatIsThereTwice)
   Mesh<2> mesh = two_squares();
   mesh.cells.push_back({4, 3, 0, 1});
   EXPECT_EQ(refusal_of(mesh),
-            "the mesh has 1 fault:\n"
-            "  cell 0 and cell 2 have the same nodes\n"
-            "    nodes 4 at (1, 1), 3 at (0, 1), 0 at (0, 0), 1 at (1, 0) m\n"
-            "  Remove one of the two. In gmsh: Tools menu, Remove duplicate elements; look for two surfaces at one place.");
+      "the mesh has 1 fault:\n"
+      "  cell 0 and cell 2 have the same nodes\n"
+      "    nodes 4 at (1, 1), 3 at (0, 1), 0 at (0, 0), 1 at (1, 0) m\n"
+      "  Remove one of the two. In gmsh: Tools menu, Remove duplicate elements; look for two surfaces at one place.");
 }
 
 TEST(CheckMesh, RefusesASideOfThreeCells)
@@ -125,8 +130,10 @@ TEST(CheckMesh, RefusesASideOfThreeCells)
   Mesh<2> mesh = two_squares();
   mesh.nodes.insert(mesh.nodes.end(), {{3.0, -1.0}, {3.0, 3.0}});
   mesh.cells.push_back({1, 6, 7, 4});
-  EXPECT_THAT(refusal_of(mesh), AllOf(HasSubstr("a side is shared by 3 cells: cell 0, cell 1, cell 2\n    node 1 at (1, 0) m, node 4 at (1, 1) m"),
-                                      HasSubstr("A side belongs to one or two cells.")));
+  EXPECT_THAT(refusal_of(mesh),
+      AllOf(
+          HasSubstr("a side is shared by 3 cells: cell 0, cell 1, cell 2\n    node 1 at (1, 0) m, node 4 at (1, 1) m"),
+          HasSubstr("A side belongs to one or two cells.")));
 }
 
 TEST(CheckMesh, RefusesAFoldedMesh)  // a clockwise cell of a file, turned round, lies over its neighbour
@@ -135,8 +142,9 @@ TEST(CheckMesh, RefusesAFoldedMesh)  // a clockwise cell of a file, turned round
   mesh.nodes[2] = {0.2, 0.1};
   mesh.nodes[5] = {0.2, 0.9};
   mesh.cells[1] = {1, 4, 5, 2};
-  EXPECT_THAT(refusal_of(mesh), AllOf(HasSubstr("cell 0 and cell 1 lie on the same side of their common side\n    node 1 at (1, 0) m, node 4 at (1, 1) m"),
-                                      HasSubstr("The mesh is folded there")));
+  EXPECT_THAT(refusal_of(mesh), AllOf(HasSubstr("cell 0 and cell 1 lie on the same side of their common side\n    node "
+                                                "1 at (1, 0) m, node 4 at (1, 1) m"),
+                                    HasSubstr("The mesh is folded there")));
 }
 
 TEST(CheckMesh, RefusesAHangingNode)
@@ -146,11 +154,12 @@ TEST(CheckMesh, RefusesAHangingNode)
   mesh.cells[1] = {1, 2, 7, 6};
   mesh.cells.push_back({6, 7, 5, 4});
   EXPECT_EQ(refusal_of(mesh),
-            "the mesh has 1 fault:\n"
-            "  cell 0 has a hanging node inside a side\n"
-            "    node 6 at (1, 0.4) m lies between node 1 at (1, 0) m and node 4 at (1, 1) m\n"
-            "  Cells must meet side to side. Two surfaces that touch must share their curve and its nodes. In gmsh: `Coherence;` in the .geo "
-            "file before meshing, or `Coherence Mesh;` after it (Tools menu: Remove duplicate nodes).");
+      "the mesh has 1 fault:\n"
+      "  cell 0 has a hanging node inside a side\n"
+      "    node 6 at (1, 0.4) m lies between node 1 at (1, 0) m and node 4 at (1, 1) m\n"
+      "  Cells must meet side to side. Two surfaces that touch must share their curve and its nodes. In gmsh: "
+      "`Coherence;` in the .geo "
+      "file before meshing, or `Coherence Mesh;` after it (Tools menu: Remove duplicate nodes).");
 }
 
 TEST(CheckMesh, RefusesTwoNodesAtOnePlace)
@@ -158,8 +167,10 @@ TEST(CheckMesh, RefusesTwoNodesAtOnePlace)
   Mesh<2> mesh = two_squares();
   mesh.nodes.insert(mesh.nodes.end(), {{1.0, 0.0}, {1.0, 1.0 + 1e-9}});
   mesh.cells[1] = {6, 2, 5, 7};
-  EXPECT_THAT(refusal_of(mesh), AllOf(StartsWith("the mesh has 2 faults:\n  two nodes lie at one place\n    node 1 at (1, 0) m, node 6 at (1, 0) m\n"),
-                                      HasSubstr("    node 4 at (1, 1) m, node 7 at (1, 1) m\n"), HasSubstr("`Coherence Mesh;`")));
+  EXPECT_THAT(refusal_of(mesh),
+      AllOf(StartsWith(
+                "the mesh has 2 faults:\n  two nodes lie at one place\n    node 1 at (1, 0) m, node 6 at (1, 0) m\n"),
+          HasSubstr("    node 4 at (1, 1) m, node 7 at (1, 1) m\n"), HasSubstr("`Coherence Mesh;`")));
 }
 
 TEST(CheckMesh, AllowsANarrowGap)
@@ -192,7 +203,8 @@ TEST(CheckMesh, RefusesNumbersThatCannotBe)
   mesh.nodes[3] = {0.0, std::numeric_limits<Real>::quiet_NaN()};
   EXPECT_THAT(refusal_of(mesh), HasSubstr("a coordinate is not a length that Terp can use\n    node 3 at (0, nan) m"));
   mesh.nodes[3] = {0.0, 1e12};
-  EXPECT_THAT(refusal_of(mesh), HasSubstr("node 3 at (0, 1e+12) m\n  Coordinates are in metres, finite, at most 1e+09 m."));
+  EXPECT_THAT(
+      refusal_of(mesh), HasSubstr("node 3 at (0, 1e+12) m\n  Coordinates are in metres, finite, at most 1e+09 m."));
   EXPECT_EQ(refusal_of(Mesh<2>{}), "the mesh has 1 fault:\n  it has no cells");
 }
 
@@ -201,7 +213,8 @@ TEST(CheckMesh, ListsFaultsOfSeveralKindsAtOnce)
   Mesh<2> mesh = make_rectangle({0.0, 0.0}, {5.0, 1.0}, {5, 1});
   mesh.nodes[7] = {1.7, 0.4};
   mesh.cells.push_back(mesh.cells[3]);
-  EXPECT_THAT(refusal_of(mesh), AllOf(HasSubstr("2 faults"), HasSubstr("not convex"), HasSubstr("cell 3 and cell 5 have the same nodes")));
+  EXPECT_THAT(refusal_of(mesh),
+      AllOf(HasSubstr("2 faults"), HasSubstr("not convex"), HasSubstr("cell 3 and cell 5 have the same nodes")));
 }
 
 TEST(CheckMesh, ListsTenOfManyFaults)

@@ -23,7 +23,8 @@ void expect_lane(const GeometryLanes& lanes, int c, const CellGeometry<2>& cell)
 
 TEST(GeometryLanes, HoldEachCellInItsLane)
 {
-  const Mesh<2> distorted = test::distorted_rectangle(4, 2, 1.0, 0.3, 3), equal = make_rectangle({0.0, 0.0}, {4.0, 1.0}, {4, 2});
+  const Mesh<2> distorted = test::distorted_rectangle(4, 2, 1.0, 0.3, 3),
+                equal = make_rectangle({0.0, 0.0}, {4.0, 1.0}, {4, 2});
   for (const Mesh<2>* mesh : {&distorted, &equal}) {
     std::array<const CellGeometry<2>*, pack_width> cells;
     for (Index c = 0; c < pack_width; ++c) cells[c] = &mesh->geometry(c);

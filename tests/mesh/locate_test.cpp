@@ -65,7 +65,8 @@ TEST(Locate, GivesLocalCoordinatesThatMapBackToThePlace)
   }
 }
 
-TEST(Locate, IsNotFooledByAnInverseMapWithoutAnswerInAFarCell)  // plain Newton sent 1.6 % of these places to a wrong cell
+TEST(Locate,
+    IsNotFooledByAnInverseMapWithoutAnswerInAFarCell)  // plain Newton sent 1.6 % of these places to a wrong cell
 {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     const auto mesh = test::distorted_rectangle(12, 8, 0.1, 0.3, seed);
@@ -108,7 +109,8 @@ TEST(Locate, ClosesTheOuterBoundary)
   EXPECT_THAT(owners_from_every_guess(mesh, {1.0, 0.25}), testing::ElementsAre(7));
 }
 
-TEST(Locate, AcceptsAPlaceOnAnySideOfADistortedMesh)  // round-off may leave it to either of the two cells, never to none
+TEST(
+    Locate, AcceptsAPlaceOnAnySideOfADistortedMesh)  // round-off may leave it to either of the two cells, never to none
 {
   for (const Real share : {0.1, 0.3, 0.35}) {
     const auto mesh = test::distorted_rectangle(6, 5, 0.1, share, 15);
@@ -131,7 +133,8 @@ TEST(Locate, ReportsPlacesOutsideTheMesh)
 {
   const auto regular = exact_mesh();
   const auto distorted = test::distorted_rectangle(4, 3, 0.25, 0.3, 17);
-  for (const Vec<2> x : {Vec<2>{-1e-6, 0.3}, Vec<2>{1.000001, 0.3}, Vec<2>{0.3, -0.5}, Vec<2>{0.3, 7.0}, Vec<2>{-3.0, -2.0}})
+  for (const Vec<2> x :
+      {Vec<2>{-1e-6, 0.3}, Vec<2>{1.000001, 0.3}, Vec<2>{0.3, -0.5}, Vec<2>{0.3, 7.0}, Vec<2>{-3.0, -2.0}})
     for (const Mesh<2>* mesh : {&regular, &distorted})
       EXPECT_THAT(owners_from_every_guess(*mesh, x), testing::ElementsAre(outside)) << x[0] << ", " << x[1];
 }

@@ -56,8 +56,9 @@ TEST(MeshFaults, SayEachAdviceOnceAndCountWhatIsNotShown)
     FAIL();
   } catch (const MeshError& error) {
     EXPECT_STREQ(error.what(),
-                 "the file has 15 faults:\n  fault 0\n    here\n  fault 1\n  fault 2\n  fault 3\n  fault 4\n  fault 5\n  fault 6\n  fault 7\n"
-                 "  fault 8\n  fault 9\n  and 5 more\n  Mend it.");
+        "the file has 15 faults:\n  fault 0\n    here\n  fault 1\n  fault 2\n  fault 3\n  fault 4\n  fault 5\n  fault "
+        "6\n  fault 7\n"
+        "  fault 8\n  fault 9\n  and 5 more\n  Mend it.");
   }
 }
 

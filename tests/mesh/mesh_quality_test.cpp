@@ -77,12 +77,12 @@ TEST(DescribeQuality, WarnsOfOneCellThatCostsMoreThanAFactorThree)
 {
   const std::string text = describe(measure_quality(columns({1.0, 0.5, 0.02, 1.0, 0.8})));
   EXPECT_EQ(text,
-            "  mesh           5 cells, 12 nodes\n"
-            "  smallest cell  0.02 m high, cell 2 at x=1.51 y=0.5; median 0.8 m\n"
-            "  sharpest cell  scaled Jacobian 1.000, cell 0 at x=0.5 y=0.5\n"
-            "  slimmest cell  aspect ratio 50, cell 2 at x=1.51 y=0.5\n"
-            "  mesh cost      40x the time steps of the median cell\n"
-            "  warning: dt is set by cell 2 at x=1.51 y=0.5: 40x smaller than the median\n");
+      "  mesh           5 cells, 12 nodes\n"
+      "  smallest cell  0.02 m high, cell 2 at x=1.51 y=0.5; median 0.8 m\n"
+      "  sharpest cell  scaled Jacobian 1.000, cell 0 at x=0.5 y=0.5\n"
+      "  slimmest cell  aspect ratio 50, cell 2 at x=1.51 y=0.5\n"
+      "  mesh cost      40x the time steps of the median cell\n"
+      "  warning: dt is set by cell 2 at x=1.51 y=0.5: 40x smaller than the median\n");
   EXPECT_THAT(describe(measure_quality(columns({1.0, 1.0, 0.32}))), HasSubstr("warning: dt is set by cell 2"));
   EXPECT_THAT(describe(measure_quality(columns({1.0, 1.0, 0.35}))), testing::Not(HasSubstr("warning")));
 }
@@ -91,14 +91,16 @@ TEST(DescribeQuality, NamesTheFilesElement)
 {
   Mesh<2> mesh = columns({1.0, 1.0, 0.1});
   mesh.cell_numbers = {7, 8, 1033};
-  EXPECT_THAT(describe(measure_quality(mesh)), HasSubstr("dt is set by cell 2 (element 1033 of the file) at x=2.05 y=0.5: 10x smaller"));
+  EXPECT_THAT(describe(measure_quality(mesh)),
+      HasSubstr("dt is set by cell 2 (element 1033 of the file) at x=2.05 y=0.5: 10x smaller"));
 }
 
 TEST(DescribeQuality, WarnsOfParts)
 {
   MeshQuality quality;
   quality.n_parts = 3;
-  EXPECT_THAT(describe(quality), HasSubstr("warning: the mesh has 3 parts that share no side; soil cannot pass from one to the other"));
+  EXPECT_THAT(describe(quality),
+      HasSubstr("warning: the mesh has 3 parts that share no side; soil cannot pass from one to the other"));
 }
 
 }  // namespace

@@ -57,7 +57,8 @@ TEST(Rectangle, ListsTheCellsOfANodeInOrder)
   const auto cells_of = [&](Index node) {
     std::vector<std::pair<Index, Index>> list;
     for (Index k = mesh.first_cell_of_node[node]; k < mesh.first_cell_of_node[node + 1]; ++k)
-      list.emplace_back(static_cast<Index>(mesh.cells_of_node[k].cell), static_cast<Index>(mesh.cells_of_node[k].corner));
+      list.emplace_back(
+          static_cast<Index>(mesh.cells_of_node[k].cell), static_cast<Index>(mesh.cells_of_node[k].corner));
     return list;
   };
   EXPECT_THAT(cells_of(5), ElementsAre(Pair(0, 2), Pair(1, 3), Pair(3, 1), Pair(4, 0)));

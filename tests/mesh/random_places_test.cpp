@@ -1,4 +1,5 @@
-// A hundred thousand random places in twenty random meshes: found, owned by one cell, given back, and followed when they move.
+// A hundred thousand random places in twenty random meshes: found, owned by one cell, given back, and followed when
+// they move.
 
 #include "mesh/locate.hpp"
 
@@ -81,7 +82,8 @@ TEST(RandomPlaces, AreNeverLostWhenTheyMove)
       const PointBlock<2>& block = points.block(b);
       Vec<2> x = random_place(random);
       if (p % 10 != 0)
-        for (int d = 0; d < 2; ++d) x[d] = std::clamp(block.row(Rows::x + d)[0] + random.between(-4.0 * h, 4.0 * h), 0.0, (d == 0 ? nx : ny) * h);
+        for (int d = 0; d < 2; ++d)
+          x[d] = std::clamp(block.row(Rows::x + d)[0] + random.between(-4.0 * h, 4.0 * h), 0.0, (d == 0 ? nx : ny) * h);
       for (int d = 0; d < 2; ++d) block.row(Rows::x + d)[0] = x[d];
       ASSERT_EQ(move_to_new_cell(mesh, closed, points, {b, 0}, values), Moved::inside);
       points.update_occupied();

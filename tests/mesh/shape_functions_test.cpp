@@ -15,7 +15,7 @@ using testing::ElementsAre;
 TEST(ShapeFunctions, HaveTheValuesOfTheirFormula)
 {
   EXPECT_THAT(shape_functions(0.6, -0.2),
-              ElementsAre(DoubleEq(0.2 * 0.6), DoubleEq(0.8 * 0.6), DoubleEq(0.8 * 0.4), DoubleEq(0.2 * 0.4)));
+      ElementsAre(DoubleEq(0.2 * 0.6), DoubleEq(0.8 * 0.6), DoubleEq(0.8 * 0.4), DoubleEq(0.2 * 0.4)));
 }
 
 TEST(ShapeFunctions, AreOneAtTheirOwnCornerAndZeroAtTheOthers)

@@ -1,4 +1,5 @@
-// Damaged gmsh files, thousands of them: each gives a mesh that passes the checks, or a MeshError. Never a crash, never a hang.
+// Damaged gmsh files, thousands of them: each gives a mesh that passes the checks, or a MeshError. Never a crash, never
+// a hang.
 
 #include "mesh/check_mesh.hpp"
 #include "meshing/gmsh_file.hpp"
@@ -41,7 +42,8 @@ TEST(DamagedFiles, CutOffAnywhereAreRefused)
     const std::string whole = bytes_of_file(format);
     ASSERT_TRUE(is_read(whole));
     const std::size_t end = whole.rfind("$EndElements") + std::string("$EndElements").size();
-    for (std::size_t n = 0; n < end; n += 3) EXPECT_FALSE(is_read(whole.substr(0, n))) << format << " cut off at byte " << n;
+    for (std::size_t n = 0; n < end; n += 3)
+      EXPECT_FALSE(is_read(whole.substr(0, n))) << format << " cut off at byte " << n;
   }
 }
 

@@ -52,14 +52,16 @@ PolygonMesh slope()
   return mesh;
 }
 
-/// A clay dike, 5 m high, 1:3 outside and 1:2 inside, with berm and ditch, on two layers; the outlines share no thin wedge.
+/// A clay dike, 5 m high, 1:3 outside and 1:2 inside, with berm and ditch, on two layers; the outlines share no thin
+/// wedge.
 PolygonMesh dike()
 {
   PolygonMesh mesh;
   mesh.polygon = {{-15.0, -5.0}, {50.0, -5.0}, {50.0, 9.0}, {-15.0, 9.0}};
   mesh.cell = 0.5;
   mesh.follow = {{{-15, -5}, {50, -5}, {50, -2}, {-15, -2}},
-                 {{-15, -2}, {50, -2}, {50, 0}, {39, 0}, {37, -1.5}, {36, -1.5}, {34, 0}, {32, 0}, {28, 2}, {24, 2}, {18, 5}, {15, 5}, {0, 0}, {-15, 0}}};
+      {{-15, -2}, {50, -2}, {50, 0}, {39, 0}, {37, -1.5}, {36, -1.5}, {34, 0}, {32, 0}, {28, 2}, {24, 2}, {18, 5},
+          {15, 5}, {0, 0}, {-15, 0}}};
   return mesh;
 }
 
@@ -83,7 +85,8 @@ std::map<std::string, Real> lengths_of_sides(const Mesh<2>& mesh)
   std::map<std::string, Real> lengths;
   for (const NamedSide& side : mesh.sides)
     for (const CellSide& edge : side.edges) {
-      const Vec<2> a = mesh.nodes[mesh.cells[edge.cell][edge.side]], b = mesh.nodes[mesh.cells[edge.cell][(edge.side + 1) % 4]];
+      const Vec<2> a = mesh.nodes[mesh.cells[edge.cell][edge.side]],
+                   b = mesh.nodes[mesh.cells[edge.cell][(edge.side + 1) % 4]];
       lengths[side.name] += std::hypot(b[0] - a[0], b[1] - a[1]);
     }
   return lengths;
@@ -117,12 +120,14 @@ class GenerateMesh : public testing::Test {
   test::Variable cache_{"XDG_CACHE_HOME", scratch_.path()};
 };
 
-TEST_F(GenerateMesh, FillsThePolygonWithConvexQuadrilaterals)  // read_gmsh refuses triangles and cells that are not convex
+TEST_F(
+    GenerateMesh, FillsThePolygonWithConvexQuadrilaterals)  // read_gmsh refuses triangles and cells that are not convex
 {
   const auto mesh = mesh_of(slope());
   Real area = 0.0;
   const auto& x = slope().polygon;
-  for (std::size_t k = 0; k < x.size(); ++k) area += 0.5 * (x[k][0] * x[(k + 1) % x.size()][1] - x[k][1] * x[(k + 1) % x.size()][0]);
+  for (std::size_t k = 0; k < x.size(); ++k)
+    area += 0.5 * (x[k][0] * x[(k + 1) % x.size()][1] - x[k][1] * x[(k + 1) % x.size()][0]);
   EXPECT_NEAR(total_area(mesh), area, 1e-9);
   EXPECT_GT(mesh.smallest_altitude, 0.0);
 }
@@ -187,7 +192,8 @@ TEST_F(GenerateMesh, HasSmallerCellsAlongALine)
   Real near = 0.0;
   int n_near = 0;
   for (Index e = 0; e < mesh.n_cells(); ++e)
-    if (std::abs(mesh.centres[e][0] - 1.0) < 0.03 && mesh.centres[e][1] > 1.0) near += std::sqrt(mesh.geometry(e).volume), ++n_near;
+    if (std::abs(mesh.centres[e][0] - 1.0) < 0.03 && mesh.centres[e][1] > 1.0)
+      near += std::sqrt(mesh.geometry(e).volume), ++n_near;
   EXPECT_NEAR(near / n_near, 0.04, 0.01);
   EXPECT_NEAR(total_area(mesh), 8.0, 1e-9);
 }
@@ -202,7 +208,8 @@ TEST_F(GenerateMesh, FollowsOutlines)
     ASSERT_GE(on.size(), 2u);
     EXPECT_NEAR(on.front(), 0.0, 1e-12);
     EXPECT_NEAR(on.back(), 1.0, 1e-12);
-    for (std::size_t i = 1; i < on.size(); ++i) EXPECT_LT((on[i] - on[i - 1]) * std::hypot(b[0] - a[0], b[1] - a[1]), 1.1) << "gap on line " << k;
+    for (std::size_t i = 1; i < on.size(); ++i)
+      EXPECT_LT((on[i] - on[i - 1]) * std::hypot(b[0] - a[0], b[1] - a[1]), 1.1) << "gap on line " << k;
   }
   EXPECT_NEAR(total_area(mesh), 65.0 * 14.0, 1e-9);
 }
@@ -210,7 +217,8 @@ TEST_F(GenerateMesh, FollowsOutlines)
 TEST_F(GenerateMesh, CutsOutlinesAtTheDomain)
 {
   auto polygon = rectangle();
-  polygon.follow = {{{1.0, -1.0}, {2.5, -1.0}, {2.5, 1.33}, {1.0, 1.0}}, {{2.0, 0.5}, {9.0, 0.5}, {9.0, 0.9}, {2.0, 0.9}}};
+  polygon.follow = {
+      {{1.0, -1.0}, {2.5, -1.0}, {2.5, 1.33}, {1.0, 1.0}}, {{2.0, 0.5}, {9.0, 0.5}, {9.0, 0.9}, {2.0, 0.9}}};
   const auto mesh = mesh_of(polygon);
   EXPECT_NEAR(total_area(mesh), 8.0, 1e-9);
   EXPECT_NEAR(lengths_of_sides(mesh).at("bottom"), 4.0, 1e-9);
@@ -284,7 +292,8 @@ TEST_F(GenerateMesh, IgnoresTheUsersGmshOptions)
 {
   const std::string first = content(file_of(rectangle()));
   std::filesystem::remove_all(scratch_.path() + "/terp");
-  for (const char* name : {"/.gmshrc", "/.gmsh-options"}) std::ofstream(scratch_.path() + name) << "Mesh.MeshSizeFactor = 0.5;\nMesh.SaveAll = 1;\n";
+  for (const char* name : {"/.gmshrc", "/.gmsh-options"})
+    std::ofstream(scratch_.path() + name) << "Mesh.MeshSizeFactor = 0.5;\nMesh.SaveAll = 1;\n";
   const test::Variable home("HOME", scratch_.path());
   EXPECT_EQ(content(file_of(rectangle())), first);
 }
@@ -317,11 +326,13 @@ TEST(GenerateMeshWithoutGmsh, SaysHowToGetItAndWhatElseToDo)
   EXPECT_THAT(text, HasSubstr("[mesh] file = "));
 }
 
-TEST(GenerateMeshWithoutGmsh, LeavesNothingBehindWhenItIsEnded)  // a stand-in that takes a minute; we are asked to end while it runs
+TEST(GenerateMeshWithoutGmsh,
+    LeavesNothingBehindWhenItIsEnded)  // a stand-in that takes a minute; we are asked to end while it runs
 {
   const test::ScratchFolder folder;
   const std::string program = folder.path() + "/gmsh", started = folder.path() + "/started";
-  std::ofstream(program) << "#!/bin/sh\n[ \"$1\" = --version ] && echo 9.9 && exit 0\necho $$ > '" << started << "'\nexec /bin/sleep 60\n";
+  std::ofstream(program) << "#!/bin/sh\n[ \"$1\" = --version ] && echo 9.9 && exit 0\necho $$ > '" << started
+                         << "'\nexec /bin/sleep 60\n";
   std::filesystem::permissions(program, std::filesystem::perms::owner_all);
   const std::string temporary = folder.path() + "/tmp";
   std::filesystem::create_directory(temporary);
@@ -349,10 +360,12 @@ TEST(GenerateMeshWithoutGmsh, LeavesNothingBehindWhenItIsEnded)  // a stand-in t
 TEST(GenerateMeshWithoutGmsh, SaysWhatGmshSaidWhenItFails)  // a stand-in that knows its version and nothing else
 {
   const test::ScratchFolder folder;
-  std::ofstream(folder.path() + "/gmsh") << "#!/bin/sh\n[ \"$1\" = --version ] && echo 9.9 && exit 0\necho 'Error: no memory' >&2\nexit 1\n";
+  std::ofstream(folder.path() + "/gmsh")
+      << "#!/bin/sh\n[ \"$1\" = --version ] && echo 9.9 && exit 0\necho 'Error: no memory' >&2\nexit 1\n";
   std::filesystem::permissions(folder.path() + "/gmsh", std::filesystem::perms::owner_all);
   const test::Variable path("PATH", folder.path()), cache("XDG_CACHE_HOME", folder.path());
-  EXPECT_THAT(error_of(rectangle()), HasSubstr("gmsh made no mesh of quadrilaterals from the polygon: Error: no memory"));
+  EXPECT_THAT(
+      error_of(rectangle()), HasSubstr("gmsh made no mesh of quadrilaterals from the polygon: Error: no memory"));
   auto fine = rectangle();
   fine.cell = 0.005;
   testing::internal::CaptureStderr();

@@ -23,7 +23,10 @@ PolygonMesh rectangle()
   return mesh;
 }
 
-std::string text_of(const PolygonMesh& mesh, const Recipe& how = recipe) { return geo_text(mesh, cut_polygon(mesh.polygon, mesh.follow, 0.01), how); }
+std::string text_of(const PolygonMesh& mesh, const Recipe& how = recipe)
+{
+  return geo_text(mesh, cut_polygon(mesh.polygon, mesh.follow, 0.01), how);
+}
 
 TEST(GeoText, HasTheGeometryAndItsNames)
 {
@@ -38,7 +41,9 @@ TEST(GeoText, HasTheGeometryAndItsNames)
 
 TEST(GeoText, AsksForTrianglesOfTwiceTheSize)
 {
-  EXPECT_THAT(text_of(rectangle()), HasSubstr("Mesh.Algorithm = 9;\nMesh.RecombinationAlgorithm = 0;\nMesh.RandomSeed = 1;\nMesh.MeshSizeMax = 1.25;\n"));
+  EXPECT_THAT(text_of(rectangle()),
+      HasSubstr(
+          "Mesh.Algorithm = 9;\nMesh.RecombinationAlgorithm = 0;\nMesh.RandomSeed = 1;\nMesh.MeshSizeMax = 1.25;\n"));
 }
 
 TEST(GeoText, NamesAllPartsOfAnEdgeThatOutlinesCut)
@@ -53,9 +58,11 @@ TEST(GeoText, WritesFieldsForRefinements)
   auto mesh = rectangle();
   mesh.refine = {{{{1.0, 0.0}, {1.0, 0.2}}, {}, {}, 0.2, 0.6}, {{}, {2.0, 0.0}, {3.0, 1.0}, 0.1, 0.5}};
   const std::string text = text_of(mesh);
-  EXPECT_THAT(text, HasSubstr("Point(7) = {1, 0.20000000000000001, 0};\nField[1] = Distance;\nField[1].PointsList = {5:7};\n"));
+  EXPECT_THAT(
+      text, HasSubstr("Point(7) = {1, 0.20000000000000001, 0};\nField[1] = Distance;\nField[1].PointsList = {5:7};\n"));
   EXPECT_THAT(text, HasSubstr("Field[2].SizeMin = 0.5;\nField[2].SizeMax = 1.25;\n"));
-  EXPECT_THAT(text, HasSubstr("Field[3] = Box;\nField[3].VIn = 0.25;\nField[3].VOut = 1.25;\nField[3].Thickness = 0.5;\n"));
+  EXPECT_THAT(
+      text, HasSubstr("Field[3] = Box;\nField[3].VIn = 0.25;\nField[3].VOut = 1.25;\nField[3].Thickness = 0.5;\n"));
   EXPECT_THAT(text, HasSubstr("Field[4].FieldsList = {2, 3};\nBackground Field = 4;\n"));
 }
 
@@ -78,8 +85,8 @@ TEST(TargetSize, GrowsFromTheRefinementToTheCellSize)
   auto mesh = rectangle();
   mesh.refine = {{{{1.0, 0.0}, {1.0, 1.0}}, {}, {}, 0.1, 0.4}, {{}, {3.0, 0.0}, {4.0, 1.0}, 0.2, 0.0}};
   EXPECT_DOUBLE_EQ(target_size(mesh, {1.0, 0.5}), 0.1);
-  EXPECT_NEAR(target_size(mesh, {1.1, 0.5}), 0.1, 1e-15);       // one fine cell beside the line
-  EXPECT_NEAR(target_size(mesh, {1.0, 1.3}), 0.3, 1e-15);       // halfway
+  EXPECT_NEAR(target_size(mesh, {1.1, 0.5}), 0.1, 1e-15);  // one fine cell beside the line
+  EXPECT_NEAR(target_size(mesh, {1.0, 1.3}), 0.3, 1e-15);  // halfway
   EXPECT_DOUBLE_EQ(target_size(mesh, {1.6, 0.5}), 0.5);
   EXPECT_DOUBLE_EQ(target_size(mesh, {3.5, 0.5}), 0.2);
   EXPECT_DOUBLE_EQ(target_size(mesh, {3.5, 1.01}), 0.5);

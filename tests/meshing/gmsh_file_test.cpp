@@ -17,13 +17,17 @@ using testing::HasSubstr;
 
 const std::string formats[] = {"41", "41_binary", "22", "22_binary"};
 
-Mesh<2> read_two_layers(const std::string& format) { return read_gmsh(test::source_path("tests/meshing/data/two_layers_" + format + ".msh")); }
+Mesh<2> read_two_layers(const std::string& format)
+{
+  return read_gmsh(test::source_path("tests/meshing/data/two_layers_" + format + ".msh"));
+}
 
 Real length_of_side(const Mesh<2>& mesh, const NamedSide& side)
 {
   Real length = 0.0;
   for (const CellSide& edge : side.edges) {
-    const Vec<2>&a = mesh.nodes[mesh.cells[edge.cell][edge.side]], &b = mesh.nodes[mesh.cells[edge.cell][(edge.side + 1) % 4]];
+    const Vec<2>&a = mesh.nodes[mesh.cells[edge.cell][edge.side]],
+          &b = mesh.nodes[mesh.cells[edge.cell][(edge.side + 1) % 4]];
     length += std::hypot(b[0] - a[0], b[1] - a[1]);
   }
   return length;
@@ -60,10 +64,12 @@ TEST(ReadGmsh, GivesTheSameMeshInAllFourFormats)
     EXPECT_EQ(mesh.cells, expected.cells) << format;
     ASSERT_EQ(mesh.n_nodes(), expected.n_nodes());
     for (Index i = 0; i < mesh.n_nodes(); ++i)
-      for (int d = 0; d < 2; ++d) EXPECT_NEAR(mesh.nodes[i][d], expected.nodes[i][d], 1e-15) << format;  // text has 16 digits
+      for (int d = 0; d < 2; ++d)
+        EXPECT_NEAR(mesh.nodes[i][d], expected.nodes[i][d], 1e-15) << format;  // text has 16 digits
     EXPECT_EQ(names_of_sides(mesh), names_of_sides(expected));
     EXPECT_EQ(names_of_regions(mesh), names_of_regions(expected));
-    for (std::size_t s = 0; s < mesh.sides.size(); ++s) EXPECT_EQ(mesh.sides[s].edges.size(), expected.sides[s].edges.size());
+    for (std::size_t s = 0; s < mesh.sides.size(); ++s)
+      EXPECT_EQ(mesh.sides[s].edges.size(), expected.sides[s].edges.size());
     for (std::size_t r = 0; r < mesh.regions.size(); ++r) EXPECT_EQ(mesh.regions[r].cells, expected.regions[r].cells);
   }
 }
@@ -76,7 +82,8 @@ TEST(ReadGmsh, NamesSidesAndRegionsAfterThePhysicalGroups)
     EXPECT_NEAR(length_of_side(mesh, mesh.sides[0]), 1.5, 1e-14);
     EXPECT_NEAR(length_of_side(mesh, mesh.sides[1]), 1.0, 1e-14);
     EXPECT_NEAR(length_of_side(mesh, mesh.sides[2]), 0.5 + std::hypot(0.3, 0.5), 1e-14);
-    EXPECT_NEAR(length_of_side(mesh, mesh.sides[3]), 1.5 + std::hypot(0.3, 0.5), 1e-14);  // in two groups: left and right
+    EXPECT_NEAR(
+        length_of_side(mesh, mesh.sides[3]), 1.5 + std::hypot(0.3, 0.5), 1e-14);  // in two groups: left and right
     ASSERT_THAT(names_of_regions(mesh), ElementsAre("sand layer", "clay", "all"));
     EXPECT_NEAR(area_of_region(mesh, mesh.regions[0]), 0.75, 1e-14);
     EXPECT_NEAR(area_of_region(mesh, mesh.regions[1]), 0.675, 1e-14);
@@ -131,9 +138,11 @@ TEST(ReadGmsh, TurnsASurfaceOfTheNewFormatToo)
       "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 6 1 6\n2 1 0 6\n1\n2\n3\n4\n5\n6\n"
       "0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n$EndNodes\n";
   const auto file = [&](const std::string& blocks) { return text + "$Elements\n" + blocks + "$EndElements\n"; };
-  const std::string one = "1 2 7 8\n2 1 3 2\n7 4 5 2 1\n8 2 3 6 5\n", two = "2 2 7 8\n2 2 3 1\n7 4 5 2 1\n2 1 3 1\n8 2 3 6 5\n";
+  const std::string one = "1 2 7 8\n2 1 3 2\n7 4 5 2 1\n8 2 3 6 5\n",
+                    two = "2 2 7 8\n2 2 3 1\n7 4 5 2 1\n2 1 3 1\n8 2 3 6 5\n";
   EXPECT_EQ(test::refusal_of(file(two)), "");
-  EXPECT_THAT(test::refusal_of(file(one)), HasSubstr("cell 0 (element 7 of the file) is inverted, its nodes run clockwise"));
+  EXPECT_THAT(
+      test::refusal_of(file(one)), HasSubstr("cell 0 (element 7 of the file) is inverted, its nodes run clockwise"));
 }
 
 TEST(ReadGmsh, RefusesAClockwiseCellAmongOthers)
@@ -141,8 +150,11 @@ TEST(ReadGmsh, RefusesAClockwiseCellAmongOthers)
   test::MshText file;
   file.elements = {"7 3 2 0 1 4 5 2 1", "8 3 2 0 1 2 3 6 5"};
   EXPECT_THAT(test::refusal_of(file.text()),
-              testing::AllOf(HasSubstr("m.msh: the mesh has 1 fault:\n  cell 0 (element 7 of the file) is inverted, its nodes run clockwise"),
-                             HasSubstr("nodes 4 at (0, 1), 5 at (1, 1), 2 at (1, 0), 1 at (0, 0) m"), HasSubstr("give its nodes in the other order")));
+      testing::AllOf(
+          HasSubstr(
+              "m.msh: the mesh has 1 fault:\n  cell 0 (element 7 of the file) is inverted, its nodes run clockwise"),
+          HasSubstr("nodes 4 at (0, 1), 5 at (1, 1), 2 at (1, 0), 1 at (0, 0) m"),
+          HasSubstr("give its nodes in the other order")));
 }
 
 TEST(ReadGmsh, CallsAGroupWithoutNameByItsNumber)
@@ -195,7 +207,9 @@ TEST(ReadGmsh, NumbersCellsSoThatEachLiesBesideTheNext)
   const Mesh<2> mesh = read_gmsh_text("m.msh", shuffled_square(16).text());
   ASSERT_EQ(mesh.n_cells(), 256);
   for (Index e = 1; e < mesh.n_cells(); ++e)
-    EXPECT_NEAR(std::hypot(mesh.centres[e][0] - mesh.centres[e - 1][0], mesh.centres[e][1] - mesh.centres[e - 1][1]), 1.0, 1e-12) << e;
+    EXPECT_NEAR(std::hypot(mesh.centres[e][0] - mesh.centres[e - 1][0], mesh.centres[e][1] - mesh.centres[e - 1][1]),
+        1.0, 1e-12)
+        << e;
 }
 
 TEST(ReadGmsh, RefusesTriangles)
@@ -203,11 +217,12 @@ TEST(ReadGmsh, RefusesTriangles)
   test::MshText file;
   file.elements[1] = "8 2 2 0 1 2 3 6";
   EXPECT_EQ(test::refusal_of(file.text()),
-            "m.msh: the file has 1 fault:\n"
-            "  element 8 is a triangle\n"
-            "    nodes 2 at (1, 0), 3 at (2, 0), 6 at (2, 1) m\n"
-            "  Terp takes 4-node quadrilaterals only. In gmsh: `Recombine Surface {:};` with Mesh.SubdivisionAlgorithm = 1 (all quads) and "
-            "Mesh.ElementOrder = 1.");
+      "m.msh: the file has 1 fault:\n"
+      "  element 8 is a triangle\n"
+      "    nodes 2 at (1, 0), 3 at (2, 0), 6 at (2, 1) m\n"
+      "  Terp takes 4-node quadrilaterals only. In gmsh: `Recombine Surface {:};` with Mesh.SubdivisionAlgorithm = 1 "
+      "(all quads) and "
+      "Mesh.ElementOrder = 1.");
 }
 
 TEST(ReadGmsh, RefusesCellsOfSecondOrder)
@@ -215,7 +230,8 @@ TEST(ReadGmsh, RefusesCellsOfSecondOrder)
   test::MshText file;
   file.nodes.insert(file.nodes.end(), {"7 0.5 0 0", "8 1 0.5 0", "9 0.5 1 0", "10 0 0.5 0", "11 0.5 0.5 0"});
   file.elements = {"3 10 2 0 1 1 2 5 4 7 8 9 10 11"};
-  EXPECT_THAT(test::refusal_of(file.text()), HasSubstr("element 3 is a quadrilateral with 9 nodes\n    nodes 1 at (0, 0), 2 at (1, 0), 5 at (1, 1), 4 at (0, 1), ... m"));
+  EXPECT_THAT(test::refusal_of(file.text()), HasSubstr("element 3 is a quadrilateral with 9 nodes\n    nodes 1 at (0, "
+                                                       "0), 2 at (1, 0), 5 at (1, 1), 4 at (0, 1), ... m"));
 }
 
 TEST(ReadGmsh, ListsTenOfManyFaults)
@@ -242,17 +258,18 @@ TEST(ReadGmsh, RefusesANamedLineInsideTheMesh)
   file.names = {"1 5 \"weak layer\""};
   file.elements.push_back("9 1 2 5 1 2 5");
   EXPECT_EQ(test::refusal_of(file.text()),
-            "m.msh: the mesh has 1 fault:\n"
-            "  line 9 of side `weak layer` lies inside the mesh, between two cells\n"
-            "    nodes 2 at (1, 0), 5 at (1, 1) m\n"
-            "  Physical groups of dimension 1 name parts of the boundary. Take other curves out of them.");
+      "m.msh: the mesh has 1 fault:\n"
+      "  line 9 of side `weak layer` lies inside the mesh, between two cells\n"
+      "    nodes 2 at (1, 0), 5 at (1, 1) m\n"
+      "  Physical groups of dimension 1 name parts of the boundary. Take other curves out of them.");
 }
 
 TEST(ReadGmsh, RefusesANamedLineThatIsNoSideOfACell)
 {
   test::MshText file;
   file.elements.push_back("9 1 2 5 1 1 5");
-  EXPECT_THAT(test::refusal_of(file.text()), HasSubstr("line 9 of side `5` is not the side of a cell\n    nodes 1 at (0, 0), 5 at (1, 1) m"));
+  EXPECT_THAT(test::refusal_of(file.text()),
+      HasSubstr("line 9 of side `5` is not the side of a cell\n    nodes 1 at (0, 0), 5 at (1, 1) m"));
 }
 
 TEST(ReadGmsh, PassesOverLinesInNoGroup)
@@ -266,8 +283,9 @@ TEST(ReadGmsh, RefusesACellWithANodeThatIsNotThere)
 {
   test::MshText file;
   file.elements[1] = "8 3 2 0 1 2 3 66 5";
-  EXPECT_THAT(test::refusal_of(file.text()), HasSubstr("element 8 names a node that is not there\n"
-                                                       "    nodes 2 at (1, 0), 3 at (2, 0), 66 (not in the file), 5 at (1, 1) m"));
+  EXPECT_THAT(test::refusal_of(file.text()),
+      HasSubstr("element 8 names a node that is not there\n"
+                "    nodes 2 at (1, 0), 3 at (2, 0), 66 (not in the file), 5 at (1, 1) m"));
 }
 
 TEST(ReadGmsh, RefusesANodeNumberUsedTwice)
@@ -282,15 +300,16 @@ TEST(ReadGmsh, RefusesASectionThatIsNotInXAndY)
   test::MshText file;
   file.nodes[5] = "6 2 1 0.25";
   EXPECT_EQ(test::refusal_of(file.text()),
-            "m.msh: the mesh does not lie in a plane z = constant: z = 0 m at node 1, 0.25 m at node 6\n  Draw the section in x and y.");
+      "m.msh: the mesh does not lie in a plane z = constant: z = 0 m at node 1, 0.25 m at node 6\n  Draw the section "
+      "in x and y.");
 }
 
 TEST(ReadGmsh, TellsTheElementsNumberOfABadCell)
 {
   test::MshText file;
   file.nodes[4] = "5 0.2 0.2 0";
-  EXPECT_THAT(test::refusal_of(file.text()),
-              HasSubstr("m.msh: the mesh has 1 fault:\n  cell 0 (element 7 of the file) is not convex: detJ = -0.15 m^2 at node 5 at (0.2, 0.2) m\n"));
+  EXPECT_THAT(test::refusal_of(file.text()), HasSubstr("m.msh: the mesh has 1 fault:\n  cell 0 (element 7 of the file) "
+                                                       "is not convex: detJ = -0.15 m^2 at node 5 at (0.2, 0.2) m\n"));
 }
 
 TEST(ReadGmsh, RefusesTheSameCellTwiceButNotInTwoGroups)
@@ -301,14 +320,14 @@ TEST(ReadGmsh, RefusesTheSameCellTwiceButNotInTwoGroups)
   EXPECT_EQ(mesh.n_cells(), 2);
   EXPECT_THAT(mesh.regions[0].cells, ElementsAre(0));
   file.elements.push_back("10 3 2 4 1 1 2 5 4");
-  EXPECT_THAT(test::refusal_of(file.text()), HasSubstr("(element 7 of the file) and cell 1 (element 10 of the file) have the same nodes"));
+  EXPECT_THAT(test::refusal_of(file.text()),
+      HasSubstr("(element 7 of the file) and cell 1 (element 10 of the file) have the same nodes"));
 }
 
 TEST(ReadGmsh, RefusesAPathThatIsNoFile)
 {
   const test::ScratchFolder folder;
-  for (const std::string& path : {folder.path(), folder.path() + "/none.msh"})
-    try {
+  for (const std::string& path : {folder.path(), folder.path() + "/none.msh"}) try {
       read_gmsh(path);
       FAIL() << path;
     } catch (const MeshError& error) {

@@ -45,7 +45,8 @@ std::string one_cell(int type_of_cell = 3)
 TEST(GmshNodes, AreFoundWithWhatTheyLieOn)
 {
   const auto file = find_nodes(one_cell());
-  EXPECT_THAT(file.nodes, testing::ElementsAre(Vec<2>{0.0, 0.0}, Vec<2>{0.0, 1.0}, Vec<2>{1.0, 0.0}, Vec<2>{1.5, 1.25}));
+  EXPECT_THAT(
+      file.nodes, testing::ElementsAre(Vec<2>{0.0, 0.0}, Vec<2>{0.0, 1.0}, Vec<2>{1.0, 0.0}, Vec<2>{1.5, 1.25}));
   EXPECT_THAT(file.dimension, testing::ElementsAre(0, 0, 1, 2));
   EXPECT_THAT(file.number, testing::ElementsAre(5, 5, 3, 1));
   EXPECT_TRUE(file.all_quads);

@@ -25,7 +25,10 @@ std::vector<Freedom> freedom_of_rectangle(Index nx, Index ny)
   for (Index j = 0; j <= ny; ++j)
     for (Index i = 0; i <= nx; ++i) {
       const bool x_side = i == 0 || i == nx, y_side = j == 0 || j == ny;
-      freedom.push_back(x_side && y_side ? Freedom{0, {}} : x_side ? Freedom{1, {0.0, 1.0}} : y_side ? Freedom{1, {1.0, 0.0}} : Freedom{2, {}});
+      freedom.push_back(x_side && y_side ? Freedom{0, {}}
+                        : x_side         ? Freedom{1, {0.0, 1.0}}
+                        : y_side         ? Freedom{1, {1.0, 0.0}}
+                                         : Freedom{2, {}});
     }
   return freedom;
 }
@@ -33,7 +36,8 @@ std::vector<Freedom> freedom_of_rectangle(Index nx, Index ny)
 TEST(SmallestAltitude, IsTheLeastHeightOverASide)
 {
   const std::vector<Vec<2>> nodes{{0, 0}, {4, 0}, {5, 3}, {0, 2}};
-  EXPECT_NEAR(smallest_altitude({0, 1, 2, 3}, nodes), 10.0 / std::sqrt(26.0), 1e-15);  // of the origin over the upper side
+  EXPECT_NEAR(
+      smallest_altitude({0, 1, 2, 3}, nodes), 10.0 / std::sqrt(26.0), 1e-15);  // of the origin over the upper side
   EXPECT_LT(smallest_altitude({0, 3, 2, 1}, nodes), 0.0);
 }
 

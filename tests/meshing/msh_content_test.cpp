@@ -12,7 +12,8 @@ using testing::HasSubstr;
 
 const std::string head_41 = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
 const std::string square_41 =
-    "$Nodes\n1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n$EndNodes\n$Elements\n1 1 1 1\n2 1 3 1\n1 1 2 3 4\n$EndElements\n";
+    "$Nodes\n1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n$EndNodes\n$Elements\n1 1 1 1\n2 1 3 1\n1 1 2 3 "
+    "4\n$EndElements\n";
 
 std::string refusal_of(const std::string& text)
 {
@@ -58,7 +59,8 @@ TEST(ReadMsh, PassesOverSectionsItDoesNotUse)
 TEST(ReadMsh, PassesOverParametersOfNodes)
 {
   std::string text = changed(square_41, "2 1 0 4", "2 1 1 4");
-  for (const std::string line : {"0 0 0", "1 0 0", "1 1 0", "0 1 0"}) text = changed(text, "\n" + line + "\n", "\n" + line + " 0.5 0.25\n");
+  for (const std::string line : {"0 0 0", "1 0 0", "1 1 0", "0 1 0"})
+    text = changed(text, "\n" + line + "\n", "\n" + line + " 0.5 0.25\n");
   EXPECT_THAT(read_msh("m.msh", head_41 + text).places[3], ElementsAre(0.0, 1.0, 0.0));
 }
 
@@ -71,21 +73,23 @@ TEST(ReadMsh, TakesLinesThatEndInTheDosWay)
 
 TEST(ReadMsh, RefusesWhatIsNoMeshFile)
 {
-  EXPECT_THAT(refusal_of("Point(1) = {0, 0, 0};\n"), HasSubstr("m.msh:1: this is not a gmsh mesh: section $MeshFormat is expected first"));
+  EXPECT_THAT(refusal_of("Point(1) = {0, 0, 0};\n"),
+      HasSubstr("m.msh:1: this is not a gmsh mesh: section $MeshFormat is expected first"));
   EXPECT_THAT(refusal_of(""), HasSubstr("m.msh:1: this is not a gmsh mesh"));
 }
 
 TEST(ReadMsh, RefusesOtherVersions)
 {
   EXPECT_EQ(refusal_of("$MeshFormat\n4 0 8\n$EndMeshFormat\n"),
-            "m.msh:2: MSH version 4 is not read. Save the mesh as 4.1 or 2.2: `gmsh FILE -save -format msh41 -o NEW.msh`");
+      "m.msh:2: MSH version 4 is not read. Save the mesh as 4.1 or 2.2: `gmsh FILE -save -format msh41 -o NEW.msh`");
 }
 
 TEST(ReadMsh, RefusesVersionOneAndParametersInVersionTwo)
 {
-  EXPECT_EQ(refusal_of("$NOD\n0\n$ENDNOD\n"), "m.msh:1: MSH version 1 is not read. Save the mesh as 4.1 or 2.2: `gmsh FILE -save -format msh41 -o NEW.msh`");
+  EXPECT_EQ(refusal_of("$NOD\n0\n$ENDNOD\n"),
+      "m.msh:1: MSH version 1 is not read. Save the mesh as 4.1 or 2.2: `gmsh FILE -save -format msh41 -o NEW.msh`");
   EXPECT_EQ(refusal_of("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$ParametricNodes\n0\n"),
-            "m.msh:4: nodes with parameters are not read in MSH 2.2. Save the mesh with Mesh.SaveParametric = 0, or as 4.1");
+      "m.msh:4: nodes with parameters are not read in MSH 2.2. Save the mesh with Mesh.SaveParametric = 0, or as 4.1");
 }
 
 TEST(ReadMsh, RefusesWrongWordsInTheFormat)
@@ -98,56 +102,67 @@ TEST(ReadMsh, RefusesWrongWordsInTheFormat)
 TEST(ReadMsh, RefusesBytesInTheOtherOrder)
 {
   const std::string text = "$MeshFormat\n4.1 1 8\n" + test::bytes_of<std::int32_t>(0x01000000) + "\n$EndMeshFormat\n";
-  EXPECT_EQ(refusal_of(text), "m.msh: byte 20: the file was written by a machine with another order of bytes. Save it as text (ASCII)");
+  EXPECT_EQ(refusal_of(text),
+      "m.msh: byte 20: the file was written by a machine with another order of bytes. Save it as text (ASCII)");
 }
 
 TEST(ReadMsh, RefusesWhatIsNotANumberAndNamesTheLine)
 {
-  EXPECT_EQ(refusal_of(head_41 + changed(square_41, "1 1 0\n", "1 one 0\n")), "m.msh:13: a coordinate is expected, got `one`");
-  EXPECT_EQ(refusal_of(head_41 + changed(square_41, "1 1 0\n", "1 nan 0\n")), "m.msh:13: a coordinate is not a finite number");
-  EXPECT_EQ(refusal_of(head_41 + changed(square_41, "1 1 0\n", "1 1\n")), "m.msh:13: the line ends where a coordinate is expected");
-  EXPECT_EQ(refusal_of(head_41 + changed(square_41, "1 1 0\n", "1 1 0 7\n")), "m.msh:13: the end of the line is expected, got `7`");
-  EXPECT_EQ(refusal_of(head_41 + changed(square_41, "\n1\n2\n", "\n1\n-2\n")), "m.msh:8: a node number of at least 1 is expected, got -2");
-  EXPECT_EQ(refusal_of(head_41 + changed(square_41, "2 1 0 4", "9 1 0 4")), "m.msh:6: a dimension of 0 to 3 is expected, got 9");
+  EXPECT_EQ(refusal_of(head_41 + changed(square_41, "1 1 0\n", "1 one 0\n")),
+      "m.msh:13: a coordinate is expected, got `one`");
+  EXPECT_EQ(refusal_of(head_41 + changed(square_41, "1 1 0\n", "1 nan 0\n")),
+      "m.msh:13: a coordinate is not a finite number");
+  EXPECT_EQ(refusal_of(head_41 + changed(square_41, "1 1 0\n", "1 1\n")),
+      "m.msh:13: the line ends where a coordinate is expected");
+  EXPECT_EQ(refusal_of(head_41 + changed(square_41, "1 1 0\n", "1 1 0 7\n")),
+      "m.msh:13: the end of the line is expected, got `7`");
+  EXPECT_EQ(refusal_of(head_41 + changed(square_41, "\n1\n2\n", "\n1\n-2\n")),
+      "m.msh:8: a node number of at least 1 is expected, got -2");
+  EXPECT_EQ(refusal_of(head_41 + changed(square_41, "2 1 0 4", "9 1 0 4")),
+      "m.msh:6: a dimension of 0 to 3 is expected, got 9");
 }
 
 TEST(ReadMsh, RefusesCountsThatTheFileCannotHold)  // before any memory is asked for
 {
   EXPECT_EQ(refusal_of(head_41 + changed(square_41, "2 1 0 4", "2 1 0 4000000000000")),
-            "m.msh:6: the number of nodes in a block is 4000000000000, more than the rest of the file can hold");
+      "m.msh:6: the number of nodes in a block is 4000000000000, more than the rest of the file can hold");
   EXPECT_THAT(refusal_of(head_41 + changed(square_41, "2 1 0 4", "2 1 0 -4")), HasSubstr("is -4, more than"));
   EXPECT_EQ(refusal_of(head_41 + changed(square_41, "2 1 3 1\n", "2 1 3 900\n")),
-            "m.msh:18: the number of elements in a block is 900, more than the rest of the file can hold");
+      "m.msh:18: the number of elements in a block is 900, more than the rest of the file can hold");
   EXPECT_EQ(refusal_of(head_41 + "$Entities\n1 999999 1 0\n$EndEntities\n"),
-            "m.msh:5: a number of entities is 999999, more than the rest of the file can hold");
-  EXPECT_THAT(refusal_of(head_41 + "$PhysicalNames\n123456789012\n"), HasSubstr("m.msh:5: the number of names is 123456789012, more than"));
+      "m.msh:5: a number of entities is 999999, more than the rest of the file can hold");
+  EXPECT_THAT(refusal_of(head_41 + "$PhysicalNames\n123456789012\n"),
+      HasSubstr("m.msh:5: the number of names is 123456789012, more than"));
 }
 
 TEST(ReadMsh, RefusesCutOffFiles)
 {
   const std::string whole = head_41 + square_41;
-  EXPECT_EQ(refusal_of(whole.substr(0, whole.find("$EndElements"))), "m.msh:20: the file ends before `$EndElements`: it is cut off");
-  EXPECT_EQ(refusal_of(whole.substr(0, whole.find("$Elements"))), "m.msh:15: the file ends without section $Elements: it is cut off, or holds no mesh");
+  EXPECT_EQ(refusal_of(whole.substr(0, whole.find("$EndElements"))),
+      "m.msh:20: the file ends before `$EndElements`: it is cut off");
+  EXPECT_EQ(refusal_of(whole.substr(0, whole.find("$Elements"))),
+      "m.msh:15: the file ends without section $Elements: it is cut off, or holds no mesh");
   EXPECT_THAT(refusal_of(head_41), HasSubstr("the file ends without section $Nodes"));
-  EXPECT_EQ(refusal_of(head_41 + "$Comments\nhello"), "m.msh:4: section $Comments has no `$EndComments`: the file is cut off");
+  EXPECT_EQ(refusal_of(head_41 + "$Comments\nhello"),
+      "m.msh:4: section $Comments has no `$EndComments`: the file is cut off");
 }
 
 TEST(ReadMsh, RefusesElementsItHasNeverHeardOf)
 {
   EXPECT_EQ(refusal_of(head_41 + changed(square_41, "2 1 3 1", "2 1 300 1")),
-            "m.msh:18: elements of type 300 are not read: Terp takes quadrilaterals (type 3)");
+      "m.msh:18: elements of type 300 are not read: Terp takes quadrilaterals (type 3)");
 }
 
 TEST(ReadMsh, RefusesPartitions)
 {
   EXPECT_EQ(refusal_of(head_41 + "$PartitionedEntities\n1\n$EndPartitionedEntities\n"),
-            "m.msh:4: the mesh is cut into partitions. Save it in one piece, before it is partitioned");
+      "m.msh:4: the mesh is cut into partitions. Save it in one piece, before it is partitioned");
 }
 
 TEST(ReadMsh, RefusesNamesWithoutQuotes)
 {
   EXPECT_EQ(refusal_of(head_41 + "$PhysicalNames\n1\n1 5 base\n$EndPhysicalNames\n"),
-            "m.msh:6: the name of a physical group in double quotes is expected, got `base`");
+      "m.msh:6: the name of a physical group in double quotes is expected, got `base`");
 }
 
 TEST(ReadMsh, NamesTheByteInABinaryFile)
@@ -156,9 +171,10 @@ TEST(ReadMsh, NamesTheByteInABinaryFile)
   std::string node = test::bytes_of<std::int32_t>(1);
   for (int d = 0; d < 3; ++d) node += test::bytes_of(0.5);
   EXPECT_EQ(refusal_of(head + node + test::bytes_of<std::int32_t>(-3) + node),
-            "m.msh: byte " + std::to_string(head.size() + node.size()) + ": a node number of at least 1 is expected, got -3");
-  EXPECT_EQ(refusal_of(head + node + node.substr(0, 6)),
-            "m.msh: byte " + std::to_string(head.size() + node.size() + 4) + ": the file ends where a coordinate is expected: it is cut off");
+      "m.msh: byte " + std::to_string(head.size() + node.size()) + ": a node number of at least 1 is expected, got -3");
+  EXPECT_EQ(
+      refusal_of(head + node + node.substr(0, 6)), "m.msh: byte " + std::to_string(head.size() + node.size() + 4) +
+                                                       ": the file ends where a coordinate is expected: it is cut off");
 }
 
 TEST(MshTypeName, KnowsTheCommonTypes)

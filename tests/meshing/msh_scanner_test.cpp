@@ -82,7 +82,7 @@ TEST(MshScanner, RefusesACountBeyondTheRestOfTheFile)
   const std::string text = "3\n1 2\n3 4\n5 6\n";
   EXPECT_EQ(MshScanner("m", text).count(Width::eight, 2, "n"), 3);
   EXPECT_EQ(refusal([&] { MshScanner("m", "4" + text.substr(1)).count(Width::eight, 2, "n"); }),
-            "m:1: n is 4, more than the rest of the file can hold");
+      "m:1: n is 4, more than the rest of the file can hold");
 }
 
 }  // namespace

@@ -16,7 +16,10 @@ using testing::HasSubstr;
 
 using Polygon = std::vector<Vec<2>>;
 
-Polygon box(Real x, Real y, Real width, Real height) { return {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}}; }
+Polygon box(Real x, Real y, Real width, Real height)
+{
+  return {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
+}
 
 /// Outer loop counts positive, holes negative.
 Real area(const PlanarMap& map, const Face& face)
@@ -69,13 +72,15 @@ TEST(CutPolygon, DropsWhatLiesOutside)
 TEST(CutPolygon, CutsOutlinesWhereTheyCrossEachOther)
 {
   const auto map = cut_polygon(box(0, 0, 4, 3), {box(1, 1, 2, 1), box(2, 0.5, 1.5, 1)}, 0.01);
-  EXPECT_THAT(areas(map), ElementsAre(DoubleNear(0.5, 1e-14), DoubleNear(1.0, 1e-14), DoubleNear(1.5, 1e-14), DoubleNear(9.0, 1e-14)));
+  EXPECT_THAT(areas(map),
+      ElementsAre(DoubleNear(0.5, 1e-14), DoubleNear(1.0, 1e-14), DoubleNear(1.5, 1e-14), DoubleNear(9.0, 1e-14)));
 }
 
 TEST(CutPolygon, KeepsIslandsAsHolesOfTheFaceAround)
 {
   const auto map = cut_polygon(box(0, 0, 10, 10), {box(1, 1, 4, 4), box(2, 2, 1, 1), box(7, 7, 1, 1)}, 0.01);
-  EXPECT_THAT(areas(map), ElementsAre(DoubleNear(1.0, 1e-14), DoubleNear(1.0, 1e-14), DoubleNear(15.0, 1e-13), DoubleNear(83.0, 1e-13)));
+  EXPECT_THAT(areas(map),
+      ElementsAre(DoubleNear(1.0, 1e-14), DoubleNear(1.0, 1e-14), DoubleNear(15.0, 1e-13), DoubleNear(83.0, 1e-13)));
 }
 
 TEST(CutPolygon, RemembersTheEdgeOfThePolygonThatALineCameFrom)
@@ -87,16 +92,19 @@ TEST(CutPolygon, RemembersTheEdgeOfThePolygonThatALineCameFrom)
     if (line.edge < 0)
       ++n_inside;
     else
-      length[line.edge] += std::hypot(map.places[line.b][0] - map.places[line.a][0], map.places[line.b][1] - map.places[line.a][1]);
+      length[line.edge] +=
+          std::hypot(map.places[line.b][0] - map.places[line.a][0], map.places[line.b][1] - map.places[line.a][1]);
   }
-  EXPECT_THAT(length, ElementsAre(DoubleNear(4.0, 1e-14), DoubleNear(3.0, 1e-14), DoubleNear(4.0, 1e-14), DoubleNear(3.0, 1e-14)));
+  EXPECT_THAT(length,
+      ElementsAre(DoubleNear(4.0, 1e-14), DoubleNear(3.0, 1e-14), DoubleNear(4.0, 1e-14), DoubleNear(3.0, 1e-14)));
   EXPECT_EQ(n_inside, 3);
 }
 
 TEST(CutPolygon, SharesLinesOfNeighbourOutlines)
 {
   const auto map = cut_polygon(box(0, 0, 4, 3), {box(0, 0, 4, 1), box(0, 1, 4, 1), box(0, 0, 2, 1)}, 0.01);
-  EXPECT_THAT(areas(map), ElementsAre(DoubleNear(2.0, 1e-14), DoubleNear(2.0, 1e-14), DoubleNear(4.0, 1e-14), DoubleNear(4.0, 1e-14)));
+  EXPECT_THAT(areas(map),
+      ElementsAre(DoubleNear(2.0, 1e-14), DoubleNear(2.0, 1e-14), DoubleNear(4.0, 1e-14), DoubleNear(4.0, 1e-14)));
 }
 
 TEST(CutPolygon, MovesPlacesOntoAnEdgeOrPlaceThatIsNearer)  // 4 mm above the base, 3 mm from a corner: no sliver
@@ -131,13 +139,18 @@ TEST(CutPolygon, LosesNoAreaWhateverOutlinesCrossIt)
 TEST(CutPolygon, RefusesPolygonsThatAreNone)
 {
   EXPECT_THAT(error_of({{0, 0}, {1, 0}}), HasSubstr("2 corners"));
-  EXPECT_THAT(error_of({{0, 0}, {0, 1}, {1, 1}, {1, 0}}), HasSubstr("area is -1 m^2: give its corners counter-clockwise"));
-  EXPECT_THAT(error_of({{0, 0}, {3, 0}, {1, 2}, {1, -1}}), HasSubstr("crosses itself: edges 0 and 2 meet at x = 1 m, y = 0 m"));
-  EXPECT_THAT(error_of({{0, 0}, {2, 0}, {3, 0}, {2, 0}, {2, 1}, {0, 1}}), HasSubstr("lies on itself: edges 1 and 2 share the line from (2, 0) to (3, 0) m"));
-  EXPECT_THAT(error_of({{0, 0}, {3, 0}, {2, 0}, {2, 1}, {0, 1}}), HasSubstr("lies on itself: edges 0 and 1 share the line from (2, 0) to (3, 0) m"));
+  EXPECT_THAT(
+      error_of({{0, 0}, {0, 1}, {1, 1}, {1, 0}}), HasSubstr("area is -1 m^2: give its corners counter-clockwise"));
+  EXPECT_THAT(
+      error_of({{0, 0}, {3, 0}, {1, 2}, {1, -1}}), HasSubstr("crosses itself: edges 0 and 2 meet at x = 1 m, y = 0 m"));
+  EXPECT_THAT(error_of({{0, 0}, {2, 0}, {3, 0}, {2, 0}, {2, 1}, {0, 1}}),
+      HasSubstr("lies on itself: edges 1 and 2 share the line from (2, 0) to (3, 0) m"));
+  EXPECT_THAT(error_of({{0, 0}, {3, 0}, {2, 0}, {2, 1}, {0, 1}}),
+      HasSubstr("lies on itself: edges 0 and 1 share the line from (2, 0) to (3, 0) m"));
   EXPECT_EQ(error_of({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {0, 1}}), "no error");
   EXPECT_EQ(error_of({{0, 0}, {1e5, 0}, {1e5, 0.001}, {0, 0.001}}), "no error");
-  EXPECT_THAT(error_of({{0, 0}, {1, 0}, {1, 0}, {0, 1}}), HasSubstr("edge 1 of the polygon has no length, at x = 1 m, y = 0 m"));
+  EXPECT_THAT(error_of({{0, 0}, {1, 0}, {1, 0}, {0, 1}}),
+      HasSubstr("edge 1 of the polygon has no length, at x = 1 m, y = 0 m"));
 }
 
 }  // namespace

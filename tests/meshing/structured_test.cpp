@@ -15,7 +15,10 @@ using testing::HasSubstr;
 using Sides = std::array<std::vector<Vec<2>>, 4>;
 
 /// A parallelogram: the base rises 1 in 4, the sides lean by 0.5 over 2.
-Sides sheared() { return {{{{1.0, 1.0}, {5.0, 2.0}}, {{5.0, 2.0}, {5.5, 4.0}}, {{1.5, 3.0}, {5.5, 4.0}}, {{1.0, 1.0}, {1.5, 3.0}}}}; }
+Sides sheared()
+{
+  return {{{{1.0, 1.0}, {5.0, 2.0}}, {{5.0, 2.0}, {5.5, 4.0}}, {{1.5, 3.0}, {5.5, 4.0}}, {{1.0, 1.0}, {1.5, 3.0}}}};
+}
 
 template <class Function>
 std::string error_of(const Function& call)
@@ -30,7 +33,8 @@ std::string error_of(const Function& call)
 
 TEST(GradedShares, GrowGeometricallyToTheWholeLength)
 {
-  EXPECT_THAT(graded_shares(3, 4.0), testing::ElementsAre(0.0, testing::DoubleEq(1.0 / 7.0), testing::DoubleEq(3.0 / 7.0), 1.0));
+  EXPECT_THAT(graded_shares(3, 4.0),
+      testing::ElementsAre(0.0, testing::DoubleEq(1.0 / 7.0), testing::DoubleEq(3.0 / 7.0), 1.0));
   EXPECT_THAT(graded_shares(4, 1.0), testing::ElementsAre(0.0, 0.25, 0.5, 0.75, 1.0));
   EXPECT_THAT(graded_shares(1, 5.0), testing::ElementsAre(0.0, 1.0));
 }
@@ -50,7 +54,8 @@ TEST(GradedRectangle, HasTheLastCellOverTheFirstInBothDirections)
 
 TEST(GradedRectangle, NamesItsSidesAsTheRectangleDoes)
 {
-  const auto graded = make_graded_rectangle({0.0, 0.0}, {3.0, 1.0}, {3, 2}, {2.0, 2.0}), regular = make_rectangle({0.0, 0.0}, {3.0, 1.0}, {3, 2});
+  const auto graded = make_graded_rectangle({0.0, 0.0}, {3.0, 1.0}, {3, 2}, {2.0, 2.0}),
+             regular = make_rectangle({0.0, 0.0}, {3.0, 1.0}, {3, 2});
   ASSERT_EQ(graded.sides.size(), 4u);
   for (std::size_t s = 0; s < 4; ++s) {
     EXPECT_EQ(graded.sides[s].name, regular.sides[s].name);
@@ -66,7 +71,10 @@ TEST(GradedRectangle, NamesItsSidesAsTheRectangleDoes)
 TEST(GradedRectangle, RefusesWhatIsNotPositive)
 {
   EXPECT_THAT(error_of([] { make_graded_rectangle({0, 0}, {1, 1}, {2, 0}, {1, 1}); }), HasSubstr("0 cells in y"));
-  EXPECT_THAT(error_of([] { make_graded_rectangle({0, 0}, {1, 1}, {2, 2}, {-1, 1}); }), HasSubstr("grading in x is -1"));
+  EXPECT_THAT(error_of([] {
+    make_graded_rectangle({0, 0}, {1, 1}, {2, 2}, {-1, 1});
+  }),
+      HasSubstr("grading in x is -1"));
   EXPECT_THAT(error_of([] { make_graded_rectangle({0, 0}, {1, 0}, {2, 2}, {1, 1}); }), HasSubstr("size in y is 0 m"));
 }
 
@@ -104,7 +112,9 @@ TEST(MappedRectangle, PutsTheNodesOfCurvedSidesOnThePolyline)
   EXPECT_EQ(mesh.nodes[16], (Vec<2>{4.0, 0.0}));
   EXPECT_EQ(mesh.nodes[6 * 17], (Vec<2>{0.0, 2.0}));
   EXPECT_EQ(mesh.nodes[6 * 17 + 16], (Vec<2>{4.0, 3.0}));
-  const auto step = [&](Index i) { return std::hypot(mesh.nodes[i + 1][0] - mesh.nodes[i][0], mesh.nodes[i + 1][1] - mesh.nodes[i][1]); };
+  const auto step = [&](Index i) {
+    return std::hypot(mesh.nodes[i + 1][0] - mesh.nodes[i][0], mesh.nodes[i + 1][1] - mesh.nodes[i][1]);
+  };
   for (Index i = 0; i < 16; ++i) EXPECT_NEAR(step(i), step(0), 0.003 * step(0));  // equal arcs, chords nearly so
   EXPECT_GT(mesh.smallest_altitude, 0.2);
 }
@@ -131,16 +141,28 @@ TEST(MappedRectangle, RefusesSidesThatDoNotMeet)
 {
   Sides apart = sheared();
   apart[2][1] = {5.5, 4.1};
-  EXPECT_THAT(error_of([&] { make_mapped_rectangle(apart, {8, 4}, {1, 1}); }), HasSubstr("sides `top` and `right` do not meet: (5.5, 4.1) m and (5.5, 4) m"));
+  EXPECT_THAT(error_of([&] {
+    make_mapped_rectangle(apart, {8, 4}, {1, 1});
+  }),
+      HasSubstr("sides `top` and `right` do not meet: (5.5, 4.1) m and (5.5, 4) m"));
   Sides reversed = sheared();
   std::swap(reversed[3][0], reversed[3][1]);
-  EXPECT_THAT(error_of([&] { make_mapped_rectangle(reversed, {8, 4}, {1, 1}); }), HasSubstr("bottom and top run to +x, left and right to +y"));
+  EXPECT_THAT(error_of([&] {
+    make_mapped_rectangle(reversed, {8, 4}, {1, 1});
+  }),
+      HasSubstr("bottom and top run to +x, left and right to +y"));
   Sides short_one = sheared();
   short_one[1].pop_back();
-  EXPECT_THAT(error_of([&] { make_mapped_rectangle(short_one, {8, 4}, {1, 1}); }), HasSubstr("side `right` has 1 places"));
+  EXPECT_THAT(error_of([&] {
+    make_mapped_rectangle(short_one, {8, 4}, {1, 1});
+  }),
+      HasSubstr("side `right` has 1 places"));
   Sides twice = sheared();
   twice[0].push_back(twice[0].back());
-  EXPECT_THAT(error_of([&] { make_mapped_rectangle(twice, {8, 4}, {1, 1}); }), HasSubstr("side `bottom` has the place (5, 2) m twice"));
+  EXPECT_THAT(error_of([&] {
+    make_mapped_rectangle(twice, {8, 4}, {1, 1});
+  }),
+      HasSubstr("side `bottom` has the place (5, 2) m twice"));
 }
 
 }  // namespace

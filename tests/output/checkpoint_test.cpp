@@ -89,7 +89,7 @@ TEST(Checkpoint, ThatIsTruncatedIsRefusedByName)
   const std::string path = write_sample(folder.path(), 1);
   cut_in_half(path);
   EXPECT_THAT(file_error_of([&] { read_checkpoint(path); }),
-              testing::AllOf(HasSubstr("cannot read " + path), HasSubstr("truncated")));
+      testing::AllOf(HasSubstr("cannot read " + path), HasSubstr("truncated")));
 }
 
 TEST(Checkpoint, WhoseNumbersWereAlteredIsRefusedByName)
@@ -102,7 +102,7 @@ TEST(Checkpoint, WhoseNumbersWereAlteredIsRefusedByName)
     file.close();
   }
   EXPECT_EQ(file_error_of([&] { read_checkpoint(path); }),
-            "cannot use " + path + ": its checksum does not match; the file was altered or damaged");
+      "cannot use " + path + ": its checksum does not match; the file was altered or damaged");
 }
 
 TEST(Checkpoint, WithAnyByteFlippedIsRefusedOrComesBackToTheBit)
@@ -134,7 +134,7 @@ TEST(Checkpoint, OfAnotherFormatNamesBothVersions)
     file.close();
   }
   EXPECT_THAT(file_error_of([&] { read_checkpoint(path); }),
-              testing::AllOf(HasSubstr("checkpoint format 99"), HasSubstr("reads formats 3 to 5")));
+      testing::AllOf(HasSubstr("checkpoint format 99"), HasSubstr("reads formats 3 to 5")));
 }
 
 TEST(Checkpoint, KeepsWhatTheRunBeganWithUnderItsChecksum)
@@ -173,8 +173,8 @@ TEST(Checkpoint, AnArrayWhoseShapeDoesNotFitIsRefused)
   const test::ScratchFolder folder;
   const std::string path = folder.path() + "/a.h5";
   const StateImage image{0.0, 0, {{"x", {3}, std::vector<Real>{1.0}}}};
-  EXPECT_THAT(file_error_of([&] { write_checkpoint(path, image); }),
-              HasSubstr("array `x` holds 1 values, its shape says 3"));
+  EXPECT_THAT(
+      file_error_of([&] { write_checkpoint(path, image); }), HasSubstr("array `x` holds 1 values, its shape says 3"));
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
@@ -213,15 +213,16 @@ TEST(Checkpoint, WhoseArraysAreMoreThanItsFileCanHoldIsRefused)
   std::string names;
   for (int k = 0; k < 8000; ++k) names += "x\n";  // 64 MB
   Hdf5File(path, Hdf5File::Mode::change).set_text("/arrays", "names", names);
-  EXPECT_EQ(file_error_of([&] { read_checkpoint(path); }), "cannot read " + path + ": its values are more than it can hold, at /arrays/x");
+  EXPECT_EQ(file_error_of([&] { read_checkpoint(path); }),
+      "cannot read " + path + ": its values are more than it can hold, at /arrays/x");
 }
 
 TEST(Checkpoint, AFolderWithoutAGoodOneGivesNone)
 {
   const test::ScratchFolder folder;
   EXPECT_FALSE(newest_good_checkpoint(folder.path()).image);
-  EXPECT_THAT(file_error_of([] { newest_good_checkpoint("/no/such"); }),
-              HasSubstr("cannot open the run folder /no/such: "));
+  EXPECT_THAT(
+      file_error_of([] { newest_good_checkpoint("/no/such"); }), HasSubstr("cannot open the run folder /no/such: "));
 }
 
 TEST(Checkpoint, OnlyTheNewestAreKept)
@@ -245,7 +246,7 @@ TEST(Checkpoint, AFullDiskLeavesTheEarlierOneAndNoHalfOne)
   const std::string earlier = write_sample(disk.path(), 1), later = path_in(disk.path(), checkpoint_file(2));
   const StateImage big{0.0, 2, {{"x", {100000}, std::vector<Real>(100000, 1.5)}}};
   EXPECT_THAT(file_error_of([&] { write_checkpoint(later, big); }),
-              testing::AllOf(HasSubstr(temporary_name(later)), HasSubstr(": No space left on device")));
+      testing::AllOf(HasSubstr(temporary_name(later)), HasSubstr(": No space left on device")));
   EXPECT_TRUE(same(read_checkpoint(earlier), sample_image(1)));
   EXPECT_FALSE(std::filesystem::exists(later));
   EXPECT_FALSE(std::filesystem::exists(temporary_name(later)));
@@ -260,7 +261,8 @@ TEST(Checkpoint, InPartsIsThatOfTheWhole)
     CheckpointWriter writer(path);
     writer.append({whole.time, 7, {{"points/x", {2, 2}, std::vector<Real>{0.1, 1.0 / 3.0}, 0}}, 0, false});
     EXPECT_FALSE(std::filesystem::exists(path));
-    writer.append({whole.time, 7, {{"points/x", {2, 2}, std::vector<Real>{-0.0, 1e-300}, 1}, whole.arrays[1]}, 1, false});
+    writer.append(
+        {whole.time, 7, {{"points/x", {2, 2}, std::vector<Real>{-0.0, 1e-300}, 1}, whole.arrays[1]}, 1, false});
     writer.append({whole.time, 7, {whole.arrays[2], whole.arrays[3]}, 2, true});
   }
   EXPECT_TRUE(same(read_checkpoint(path), whole));

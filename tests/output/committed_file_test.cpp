@@ -43,7 +43,8 @@ std::string read(const CommittedFile& file, std::int64_t at, std::int64_t n_byte
 std::string number(std::int64_t value) { return {reinterpret_cast<const char*>(&value), sizeof value}; }
 
 /// What a process leaves that dies in the middle of a commit: page k becomes `content`, the file three pages long.
-std::string journal(const std::string& head = std::string(64, 'a'), std::int64_t k = 1, const std::string& content = std::string(page, 'b'))
+std::string journal(const std::string& head = std::string(64, 'a'), std::int64_t k = 1,
+    const std::string& content = std::string(page, 'b'))
 {
   std::string text = "terpjnl2" + number(3 * page) + head + number(k) + content;
   Fnv1a hash;
@@ -57,9 +58,9 @@ TEST(CommittedFile, KeepsItsContentUntilTheCommit)
   const std::string path = make_file(scratch, 2 * page + 10), before = read_file(path);
   CommittedFile file(path);
   file.start_changes(2 * page + 10, 0);
-  write(file, page - 2, "bbbb");       // across two pages
-  write(file, 2 * page + 8, "cccc");   // across the end
-  write(file, 3 * page + 5, "dddd");   // beyond the last page
+  write(file, page - 2, "bbbb");      // across two pages
+  write(file, 2 * page + 8, "cccc");  // across the end
+  write(file, 3 * page + 5, "dddd");  // beyond the last page
   EXPECT_EQ(read_file(path).substr(0, before.size()), before);
   EXPECT_EQ(read(file, page - 3, 6), "abbbba");
   EXPECT_EQ(read(file, 2 * page + 7, 6), std::string("acccc\0", 6));
@@ -119,10 +120,12 @@ TEST(CommittedFile, ACommitThatWasCutShortIsFinished)
 TEST(CommittedFile, AJournalOfAnotherFileIsRefusedAndNothingChanges)
 {
   const test::ScratchFolder scratch;
-  for (const std::int64_t size : {4 * page, 3 * page - 1, std::int64_t{0}}) {  // another content, what was new is missing, nothing there
+  for (const std::int64_t size :
+      {4 * page, 3 * page - 1, std::int64_t{0}}) {  // another content, what was new is missing, nothing there
     const std::string path = make_file(scratch, size), before = read_file(path);
     write_file_atomically(journal_name(path), journal(std::string(64, size == 4 * page ? 'z' : 'a')));
-    EXPECT_THAT(test::file_error_of([&] { finish_commit(path); }), testing::HasSubstr("results.journal is of another " + path));
+    EXPECT_THAT(
+        test::file_error_of([&] { finish_commit(path); }), testing::HasSubstr("results.journal is of another " + path));
     EXPECT_EQ(read_file(path), before);
     EXPECT_TRUE(std::filesystem::exists(journal_name(path)));
   }
@@ -184,7 +187,10 @@ TEST(ReadingBetweenCommits, AnErrorCountsIfNoCommitCameIntoIt)
 }
 
 /// The journal of a commit that has written the first page, with its head of 'a', and not the rest.
-std::string half_written() { return journal(std::string(64, 'z'), 0, std::string(64, 'a') + std::string(page - 64, 'b')); }
+std::string half_written()
+{
+  return journal(std::string(64, 'z'), 0, std::string(64, 'a') + std::string(page - 64, 'b'));
+}
 
 TEST(ReadingBetweenCommits, WaitsWhileThePagesAreWritten)
 {
@@ -226,14 +232,15 @@ TEST(ReadingBetweenCommits, AWriterThatWasKilledHalfWayIsAnError)
   const std::string path = make_file(scratch, 4 * page);
   write_file_atomically(journal_name(path), half_written());
   EXPECT_EQ(test::file_error_of([&] { read_between_commits(path, [] {}); }),
-            "cannot read " + path + ": its run was killed while it added a frame\n  `terp resume` ends that, and goes on.");
+      "cannot read " + path + ": its run was killed while it added a frame\n  `terp resume` ends that, and goes on.");
 }
 
 TEST(ReadingBetweenCommits, DoesNotWaitForAJournalThatChangesNothing)
 {
   const test::ScratchFolder scratch;
   const std::string path = make_file(scratch, 4 * page), not_whole = half_written().substr(0, 200);
-  const std::string not_begun = journal(), of_another_file = journal(std::string(64, 'z')), all_written = journal(std::string(64, 'z'), 0, std::string(page, 'a'));
+  const std::string not_begun = journal(), of_another_file = journal(std::string(64, 'z')),
+                    all_written = journal(std::string(64, 'z'), 0, std::string(page, 'a'));
   for (const std::string& left : {not_whole, not_begun, of_another_file, all_written}) {
     write_file_atomically(journal_name(path), left);
     int n = 0;
@@ -252,7 +259,8 @@ TEST(CommittedFile, OnAFullDiskStaysAsItWas)
   file.start_changes(3 * page, 0);
   write(file, 10, "b");
   disk.fill();
-  EXPECT_THAT(test::file_error_of([&] { file.commit(3 * page); }), testing::HasSubstr("results.journal: No space left on device"));
+  EXPECT_THAT(test::file_error_of([&] { file.commit(3 * page); }),
+      testing::HasSubstr("results.journal: No space left on device"));
   EXPECT_EQ(read_file(path), std::string(3 * page, 'a'));
   EXPECT_FALSE(std::filesystem::exists(journal_name(path)));
 }

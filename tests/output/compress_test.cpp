@@ -19,7 +19,7 @@ TEST(Compress, EqualBytesGiveEqualStreamsOfGzip)
 {
   const std::string stream = gzip("soil soil soil soil soil soil soil soil");
   EXPECT_EQ(stream, gzip("soil soil soil soil soil soil soil soil"));
-  EXPECT_EQ(stream.substr(0, 3), "\x1f\x8b\x08");  // RFC 1952
+  EXPECT_EQ(stream.substr(0, 3), "\x1f\x8b\x08");        // RFC 1952
   EXPECT_EQ(stream.substr(4, 4), std::string(4, '\0'));  // no time
   EXPECT_LT(stream.size(), 39);
 }
@@ -36,7 +36,8 @@ TEST(Crc32, IsThatOfZip) { EXPECT_EQ(crc32_of("123456789"), 0xcbf43926u); }  // 
 
 TEST(Compress, Base64IsThatOfRfc4648)
 {
-  const char* pairs[][2] = {{"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foob", "Zm9vYg=="}, {"fooba", "Zm9vYmE="}, {"foobar", "Zm9vYmFy"}};
+  const char* pairs[][2] = {{"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foob", "Zm9vYg=="},
+      {"fooba", "Zm9vYmE="}, {"foobar", "Zm9vYmFy"}};
   for (const auto& [bytes, text] : pairs) EXPECT_EQ(base64(bytes), text);
   EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
 }

@@ -54,7 +54,7 @@ TEST(Files, AFullDiskLeavesTheOldContentWhole)
   const std::string long_text(100000, 'y');
   EXPECT_THAT(file_error_of([&] { file.append(long_text); }), HasSubstr("No space left on device"));
   EXPECT_THAT(file_error_of([&] { write_file_atomically(disk.path() + "/summary.json", long_text); }),
-              HasSubstr("No space left on device"));
+      HasSubstr("No space left on device"));
   EXPECT_EQ(read_file(disk.path() + "/rows.csv"), "first\n");
   EXPECT_EQ(read_file(disk.path() + "/summary.json"), "{}\n");
   EXPECT_FALSE(std::filesystem::exists(disk.path() + "/summary.json.tmp"));

@@ -62,7 +62,8 @@ TEST(Hdf5File, AnAttributeOfAnotherKindOrNumberIsRefused)
     EXPECT_THAT(file_error_of([&] { file.real("/", name); }), HasSubstr(name));
     EXPECT_THAT(file_error_of([&] { file.integer("/", name); }), HasSubstr(name));
   }
-  EXPECT_THAT(file_error_of([&] { file.real("/", "many"); }), HasSubstr("cannot read many in " + folder.path() + "/a.h5: it has 4000 values, one is expected"));
+  EXPECT_THAT(file_error_of([&] { file.real("/", "many"); }),
+      HasSubstr("cannot read many in " + folder.path() + "/a.h5: it has 4000 values, one is expected"));
   EXPECT_THAT(file_error_of([&] { file.text("/", "many"); }), HasSubstr("it is no text of fixed length"));
 }
 
@@ -87,7 +88,8 @@ TEST(Hdf5File, AShapeThatIsMoreThanTheFileCanHoldIsRefused)
   }
   const Hdf5File file(path, Hdf5File::Mode::read);
   for (const char* name : {"/plain", "/pressed", "/large_pieces", "/many_pieces"}) {
-    EXPECT_THAT(file_error_of([&] { file.read<Real>(name); }), testing::AllOf(HasSubstr(name), HasSubstr("more than a file of")));
+    EXPECT_THAT(file_error_of([&] { file.read<Real>(name); }),
+        testing::AllOf(HasSubstr(name), HasSubstr("more than a file of")));
     EXPECT_THAT(file_error_of([&] { file.read_rows<Real>(name, 0, 1); }), HasSubstr("more than a file of"));
   }
   EXPECT_THAT(file.read<Real>("/sound"), ElementsAre(1.0, 2.0));
@@ -102,7 +104,8 @@ TEST(Hdf5File, RowsOfWhatIsNoTableAreRefused)
   file.write<Real>("/box", {2, 1, 2}, std::vector<Real>{1.0, 2.0, 3.0, 4.0});
   file.write<Real>("/no_columns", {2, 0}, std::vector<Real>{});
   for (const char* name : {"/number", "/box", "/no_columns"}) {
-    EXPECT_THAT(file_error_of([&] { file.read_rows<Real>(name, 0, 1); }), testing::AllOf(HasSubstr(name), HasSubstr("no table")));
+    EXPECT_THAT(file_error_of([&] { file.read_rows<Real>(name, 0, 1); }),
+        testing::AllOf(HasSubstr(name), HasSubstr("no table")));
     EXPECT_THAT(file_error_of([&] { file.write_rows<Real>(name, 0, std::vector<Real>{1.0}); }), HasSubstr("no table"));
     EXPECT_THAT(file_error_of([&] { file.cut_rows(name, 0); }), HasSubstr("no table"));
   }
@@ -113,22 +116,22 @@ TEST(Hdf5File, AFileThatIsNoHdf5IsNamed)
   const test::ScratchFolder folder;
   const std::string path = folder.path() + "/a.h5";
   write_file_atomically(path, "just text");
-  EXPECT_THAT(file_error_of([&] { Hdf5File(path, Hdf5File::Mode::read); }),
-              testing::StartsWith("cannot read " + path + ": "));
+  EXPECT_THAT(
+      file_error_of([&] { Hdf5File(path, Hdf5File::Mode::read); }), testing::StartsWith("cannot read " + path + ": "));
 }
 
 TEST(Hdf5File, TheSystemsReasonIsGiven)
 {
   EXPECT_EQ(file_error_of([] { Hdf5File("/no/such/a.h5", Hdf5File::Mode::create); }),
-            "cannot write /no/such/a.h5: No such file or directory");
+      "cannot write /no/such/a.h5: No such file or directory");
 }
 
 TEST(Hdf5File, AMissingDatasetIsNamedWithItsFile)
 {
   const test::ScratchFolder folder;
   Hdf5File file(folder.path() + "/a.h5", Hdf5File::Mode::create);
-  EXPECT_THAT(file_error_of([&] { file.read<Real>("/velocity"); }),
-              HasSubstr("cannot open /velocity in " + folder.path()));
+  EXPECT_THAT(
+      file_error_of([&] { file.read<Real>("/velocity"); }), HasSubstr("cannot open /velocity in " + folder.path()));
 }
 
 TEST(Hdf5File, AFullDiskIsNoticedEvenWhereNoSpaceWasReserved)
@@ -141,7 +144,7 @@ TEST(Hdf5File, AFullDiskIsNoticedEvenWhereNoSpaceWasReserved)
   std::vector<Real> rows(4096);  // HDF5 keeps one chunk back until the table is closed
   for (std::size_t k = 0; k < rows.size(); ++k) rows[k] = std::sin(static_cast<Real>(k));
   EXPECT_THAT(file_error_of([&] { file.write_rows<Real>("/t", 0, rows); }),
-              testing::AllOf(HasSubstr("/t in " + disk.path()), HasSubstr("No space left on device")));
+      testing::AllOf(HasSubstr("/t in " + disk.path()), HasSubstr("No space left on device")));
 }
 
 TEST(Hdf5File, MayBeReadWhileItIsOpenForWriting)

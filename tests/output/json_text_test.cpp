@@ -12,7 +12,17 @@ namespace {
 TEST(JsonText, HasCommasOnlyBetweenValues)
 {
   JsonText json;
-  json.begin_object().key("a").begin_array().value(1).value(true).null().begin_object().end_object().begin_array().end_array().end_array();
+  json.begin_object()
+      .key("a")
+      .begin_array()
+      .value(1)
+      .value(true)
+      .null()
+      .begin_object()
+      .end_object()
+      .begin_array()
+      .end_array()
+      .end_array();
   json.entry("b", "text").entry("c", -2.5).end_object();
   EXPECT_EQ(json.text(), R"({"a":[1,true,null,{},[]],"b":"text","c":-2.5})");
 }
@@ -20,7 +30,14 @@ TEST(JsonText, HasCommasOnlyBetweenValues)
 TEST(JsonText, NumbersComeBackToTheBitAndWhatIsNoneIsNull)
 {
   JsonText json;
-  json.begin_array().value(0.1 + 0.2).value(1e-300).value(std::nan("")).value(INFINITY).value(std::optional<Real>()).value(std::optional<Real>(3.5)).end_array();
+  json.begin_array()
+      .value(0.1 + 0.2)
+      .value(1e-300)
+      .value(std::nan(""))
+      .value(INFINITY)
+      .value(std::optional<Real>())
+      .value(std::optional<Real>(3.5))
+      .end_array();
   const auto read = nlohmann::json::parse(json.text());
   EXPECT_EQ(read[0].get<Real>(), 0.1 + 0.2);
   EXPECT_EQ(read[1].get<Real>(), 1e-300);

@@ -19,7 +19,8 @@ Mesh<2> two_cells() { return make_rectangle({0.0, 0.0}, {4.0, 1.0}, {2, 1}); }
 /// Values of six nodes and two cells with no two equal numbers.
 MeshFrame sample(int k)
 {
-  MeshFrame frame{.time = 0.1 * k, .step = 100 * k, .mass = {}, .velocity = {}, .pressure = {10.0 * k + 0.5, 10.0 * k + 0.75}};
+  MeshFrame frame{
+      .time = 0.1 * k, .step = 100 * k, .mass = {}, .velocity = {}, .pressure = {10.0 * k + 0.5, 10.0 * k + 0.75}};
   for (int i = 0; i < 6; ++i) {
     frame.mass.push_back(100.0 * k + i);
     frame.velocity.insert(frame.velocity.end(), {100.0 * k + i + 0.1, 100.0 * k + i + 0.2});
@@ -62,7 +63,8 @@ TEST(MeshFile, FramesAreReadBackToTheBit)
   EXPECT_THAT(std::vector<Real>(mass.begin() + 12, mass.end()), ElementsAre(200, 201, 202, 203, 204, 205));
   EXPECT_THAT(file.shape("/VTKHDF/PointData/velocity"), ElementsAre(18, 3));
   const auto velocity = file.read<Real>("/VTKHDF/PointData/velocity");
-  EXPECT_THAT(std::vector<Real>(velocity.begin() + 18, velocity.begin() + 24), ElementsAre(100.1, 100.2, 0.0, 101.1, 101.2, 0.0));
+  EXPECT_THAT(std::vector<Real>(velocity.begin() + 18, velocity.begin() + 24),
+      ElementsAre(100.1, 100.2, 0.0, 101.1, 101.2, 0.0));
   EXPECT_THAT(file.read<std::int64_t>("/VTKHDF/Steps/PointOffsets"), ElementsAre(0, 0, 0));
   EXPECT_THAT(file.read<std::int64_t>("/VTKHDF/Steps/PointDataOffsets/velocity"), ElementsAre(0, 6, 12));
   EXPECT_THAT(file.read<std::int64_t>("/VTKHDF/Steps/CellDataOffsets/pressure"), ElementsAre(0, 2, 4));
@@ -81,7 +83,8 @@ TEST(MeshFile, TruncatingDropsTheLaterFramesAndAppendingGoesOnThere)
   const Hdf5File file(path, Hdf5File::Mode::read);
   EXPECT_THAT(file.read<std::int64_t>("/VTKHDF/Steps/step"), ElementsAre(0, 100, 200, 700));
   EXPECT_THAT(file.shape("/VTKHDF/PointData/mass"), ElementsAre(24));
-  EXPECT_THAT(file.read<Real>("/VTKHDF/CellData/pressure"), ElementsAre(0.5, 0.75, 10.5, 10.75, 20.5, 20.75, 70.5, 70.75));
+  EXPECT_THAT(
+      file.read<Real>("/VTKHDF/CellData/pressure"), ElementsAre(0.5, 0.75, 10.5, 10.75, 20.5, 20.75, 70.5, 70.75));
   EXPECT_THAT(file.shape("/VTKHDF/Points"), ElementsAre(6, 3));
 }
 

@@ -36,20 +36,19 @@ TEST(RunFolder, ThatHoldsAnythingIsRefusedWithThreeWaysOut)
   const test::ScratchFolder scratch;
   write_file_atomically(scratch.path() + "/notes.txt", "mine");
   EXPECT_THAT(file_error_of([&] { prepare_run_folder(scratch.path(), false); }),
-              AllOf(HasSubstr("the run folder " + scratch.path() + " is not empty"), HasSubstr("--force"),
-                    HasSubstr("-o DIR"), HasSubstr("`terp resume " + scratch.path() + "`")));
+      AllOf(HasSubstr("the run folder " + scratch.path() + " is not empty"), HasSubstr("--force"), HasSubstr("-o DIR"),
+          HasSubstr("`terp resume " + scratch.path() + "`")));
 }
 
 TEST(RunFolder, ForceRemovesTheFilesOfARunAndNoOthers)
 {
   const test::ScratchFolder scratch;
-  for (const char* name :
-       {"case.toml", "results.vtkhdf", "mesh.vtkhdf", "history.csv", "ledger.csv", "summary.json", "summary.json.tmp",
-        "checkpoint_000000100.h5", "checkpoint_1234567890.h5", "failed_000000200.h5"}) {
+  for (const char* name : {"case.toml", "results.vtkhdf", "mesh.vtkhdf", "history.csv", "ledger.csv", "summary.json",
+           "summary.json.tmp", "checkpoint_000000100.h5", "checkpoint_1234567890.h5", "failed_000000200.h5"}) {
     write_file_atomically(path_in(scratch.path(), name), "old");
   }
-  const std::vector<std::string> foreign = {"notes.txt", "checkpoint_mine.h5", "checkpoint_.h5", "results.vtkhdf.bak",
-                                            "my_history.csv"};
+  const std::vector<std::string> foreign = {
+      "notes.txt", "checkpoint_mine.h5", "checkpoint_.h5", "results.vtkhdf.bak", "my_history.csv"};
   for (const auto& name : foreign) write_file_atomically(path_in(scratch.path(), name), "mine");
   std::filesystem::create_directory(scratch.path() + "/case.toml.d");
   prepare_run_folder(scratch.path(), true);
@@ -76,7 +75,7 @@ TEST(RunFolder, BelowAFileIsRefusedWithTheReason)
   write_file_atomically(scratch.path() + "/file", "");
   const std::string folder = scratch.path() + "/file/sub";
   EXPECT_EQ(file_error_of([&] { prepare_run_folder(folder, true); }),
-            "cannot make the run folder " + folder + ": Not a directory");
+      "cannot make the run folder " + folder + ": Not a directory");
 }
 
 TEST(RunFolder, InUseByAnotherTerpIsNotTouched)
@@ -85,7 +84,7 @@ TEST(RunFolder, InUseByAnotherTerpIsNotTouched)
   write_file_atomically(scratch.path() + "/ledger.csv", "rows");
   const FolderLock other(scratch.path());
   EXPECT_EQ(file_error_of([&] { prepare_run_folder(scratch.path(), true); }),
-            "another terp is writing to the run folder " + scratch.path());
+      "another terp is writing to the run folder " + scratch.path());
   EXPECT_TRUE(std::filesystem::exists(scratch.path() + "/ledger.csv"));
 }
 

@@ -23,7 +23,10 @@ using test::sample_image;
 using test::sample_ledger;
 using testing::HasSubstr;
 
-RunWriterSettings settings_for(const std::string& folder) { return {folder, {"model_2", "title = \"column\"\n"}, 2, "material.clay.eta = 50\n"}; }
+RunWriterSettings settings_for(const std::string& folder)
+{
+  return {folder, {"model_2", "title = \"column\"\n"}, 2, "material.clay.eta = 50\n"};
+}
 
 /// A run in a folder that goes on from a step of its files.
 std::unique_ptr<RunWriter> resume_in(const std::string& folder, const ResumePoint& from)
@@ -80,7 +83,9 @@ TEST(RunWriter, AResumedRunEndsInTheSameTablesAsOneInOneGo)
   write_outputs(*RunWriter::start(settings_for(resumed.path()), false), 0, 4);
   std::filesystem::remove(path_in(resumed.path(), checkpoint_file(400)));
   const StateImage image = newest_good_checkpoint(resumed.path()).image.value();
-  write_outputs(*resume_in(resumed.path(), {.step = image.step, .time = image.time, .n_points = 5, .fields = sample_frame(0).fields}), 4, 5);
+  write_outputs(*resume_in(resumed.path(),
+                    {.step = image.step, .time = image.time, .n_points = 5, .fields = sample_frame(0).fields}),
+      4, 5);
   for (const char* name : {"history.csv", "ledger.csv", "case.toml"}) {
     EXPECT_EQ(read_file(path_in(resumed.path(), name)), read_file(path_in(one_go.path(), name))) << name;
   }
@@ -95,7 +100,12 @@ TEST(RunWriter, ResumingDropsTheCheckpointsOfTheAbandonedSteps)
 {
   const test::ScratchFolder scratch;
   write_outputs(*RunWriter::start(settings_for(scratch.path()), false), 0, 3);
-  resume_in(scratch.path(), {.step = 200, .time = 0.2, .n_points = 5, .n_history_rows = 6, .n_ledger_rows = 3, .fields = sample_frame(0).fields});
+  resume_in(scratch.path(), {.step = 200,
+                                .time = 0.2,
+                                .n_points = 5,
+                                .n_history_rows = 6,
+                                .n_ledger_rows = 3,
+                                .fields = sample_frame(0).fields});
   EXPECT_EQ(newest_good_checkpoint(scratch.path()).image->step, 200);
 }
 
@@ -104,16 +114,27 @@ TEST(RunWriter, DoesNotResumeWhereAFileIsMissingOrTooShort)
   const test::ScratchFolder scratch;
   const std::string folder = scratch.path();
   write_outputs(*RunWriter::start(settings_for(folder), false), 0, 3);
-  const ResumePoint from{.step = 200, .time = 0.2, .n_points = 5, .n_frames = 3, .n_history_rows = 6, .n_ledger_rows = 3, .fields = sample_frame(0).fields};
-  const std::string ledger = read_file(folder + "/ledger.csv"), head = "cannot resume from step 200, t = 0.2 s, without all of " + folder;
-  const std::string advice = "\n  Put the file back, resume from an earlier checkpoint, or start the case anew: terp run " + folder + "/case.toml -o NEW_FOLDER";
+  const ResumePoint from{.step = 200,
+      .time = 0.2,
+      .n_points = 5,
+      .n_frames = 3,
+      .n_history_rows = 6,
+      .n_ledger_rows = 3,
+      .fields = sample_frame(0).fields};
+  const std::string ledger = read_file(folder + "/ledger.csv"),
+                    head = "cannot resume from step 200, t = 0.2 s, without all of " + folder;
+  const std::string advice =
+      "\n  Put the file back, resume from an earlier checkpoint, or start the case anew: terp run " + folder +
+      "/case.toml -o NEW_FOLDER";
 
   ResumePoint more = from;
   more.n_history_rows = 7;
-  EXPECT_EQ(file_error_of([&] { resume_in(folder, more); }), head + "/history.csv: it holds 6 rows up to there, 7 are due" + advice);
+  EXPECT_EQ(file_error_of([&] { resume_in(folder, more); }),
+      head + "/history.csv: it holds 6 rows up to there, 7 are due" + advice);
   more = from;
   more.n_frames = 4;
-  EXPECT_EQ(file_error_of([&] { resume_in(folder, more); }), head + "/results.vtkhdf: it holds 3 frames up to there, 4 are due" + advice);
+  EXPECT_EQ(file_error_of([&] { resume_in(folder, more); }),
+      head + "/results.vtkhdf: it holds 3 frames up to there, 4 are due" + advice);
   more = from;
   more.n_left_rows = 1;
   EXPECT_EQ(file_error_of([&] { resume_in(folder, more); }), head + "/left_the_mesh.csv: it is missing" + advice);
@@ -142,9 +163,22 @@ ResumePoint write_run_with_mesh(const std::string& folder, const std::string& ca
   const MeshFile mesh(folder + "/mesh.vtkhdf", digits_of(case_record));
   mesh.create(make_rectangle({0.0, 0.0}, {4.0, 1.0}, {2, 1}), true);
   for (int k = 0; k <= 3; ++k)
-    mesh.append({.time = 0.1 * k, .step = 100 * k, .mass = std::vector<Real>(6, 1.0 + k), .velocity = std::vector<Real>(12, 2.0 + k), .pressure = {0.5, 1.5 + k}});
-  return {.step = 200, .time = 0.2, .n_points = 5, .n_nodes = 6, .n_cells = 2, .n_frames = 3, .n_mesh_frames = 3, .n_history_rows = 6, .n_ledger_rows = 3,
-          .tables = read_checkpoint(path_in(folder, checkpoint_file(200))).tables, .fields = sample_frame(0).fields};
+    mesh.append({.time = 0.1 * k,
+        .step = 100 * k,
+        .mass = std::vector<Real>(6, 1.0 + k),
+        .velocity = std::vector<Real>(12, 2.0 + k),
+        .pressure = {0.5, 1.5 + k}});
+  return {.step = 200,
+      .time = 0.2,
+      .n_points = 5,
+      .n_nodes = 6,
+      .n_cells = 2,
+      .n_frames = 3,
+      .n_mesh_frames = 3,
+      .n_history_rows = 6,
+      .n_ledger_rows = 3,
+      .tables = read_checkpoint(path_in(folder, checkpoint_file(200))).tables,
+      .fields = sample_frame(0).fields};
 }
 
 TEST(RunWriter, FilesOfAnotherRunAreRefusedAndNothingChanges)
@@ -153,16 +187,20 @@ TEST(RunWriter, FilesOfAnotherRunAreRefusedAndNothingChanges)
   const std::string ours = scratch.path() + "/ours", theirs = scratch.path() + "/theirs";
   const ResumePoint from = write_run_with_mesh(ours, settings_for(ours).case_record);
   write_run_with_mesh(theirs, "material.clay.eta = 60\n");
-  write_file_atomically(theirs + "/ledger.csv", std::string(ledger_header) + '\n' + csv_line(sample_ledger(0.0)) + csv_line(sample_ledger(0.05)) + csv_line(sample_ledger(0.2)));
-  write_file_atomically(theirs + "/history.csv", std::string(history_header) + '\n' + csv_lines(sample_history(0.0)) + csv_lines(sample_history(0.05)) + csv_lines(sample_history(0.2)));
+  write_file_atomically(theirs + "/ledger.csv", std::string(ledger_header) + '\n' + csv_line(sample_ledger(0.0)) +
+                                                    csv_line(sample_ledger(0.05)) + csv_line(sample_ledger(0.2)));
+  write_file_atomically(theirs + "/history.csv", std::string(history_header) + '\n' + csv_lines(sample_history(0.0)) +
+                                                     csv_lines(sample_history(0.05)) + csv_lines(sample_history(0.2)));
   for (const std::string name : {"results.vtkhdf", "mesh.vtkhdf", "ledger.csv", "history.csv"}) {
     const std::string aside = scratch.path() + "/aside", path = path_in(ours, name);
     std::filesystem::copy_file(path, aside);
     std::filesystem::copy_file(path_in(theirs, name), path, std::filesystem::copy_options::overwrite_existing);
     const std::string before = bytes_of(ours);
     EXPECT_THAT(file_error_of([&] { resume_in(ours, from); }),
-                testing::AllOf(testing::StartsWith("cannot resume from step 200, t = 0.2 s: " + path + " is not "), HasSubstr("another "),
-                               HasSubstr("\n  Put a copy of it back, or start the case anew: terp run " + ours + "/case.toml -o NEW_FOLDER\n  Nothing was changed")));
+        testing::AllOf(testing::StartsWith("cannot resume from step 200, t = 0.2 s: " + path + " is not "),
+            HasSubstr("another "),
+            HasSubstr("\n  Put a copy of it back, or start the case anew: terp run " + ours +
+                      "/case.toml -o NEW_FOLDER\n  Nothing was changed")));
     EXPECT_EQ(bytes_of(ours), before) << name;
     std::filesystem::rename(aside, path);
   }
@@ -173,11 +211,15 @@ TEST(RunWriter, FilesOfAnotherRunAreRefusedAndNothingChanges)
   more_points.n_points = 6, finer_mesh.n_cells = 8, more_nodes.n_nodes = 7;
   more_fields.fields = {{"su", "Pa", 1, {}}, {"strain", "-", 4, {}}};
   wider_fields.fields = {{"su", "Pa", 4, {}}};
-  EXPECT_THAT(file_error_of([&] { resume_in(ours, more_points); }), HasSubstr("results.vtkhdf is not of this run: it has 5 cells, the run 6\n"));
-  EXPECT_THAT(file_error_of([&] { resume_in(ours, finer_mesh); }), HasSubstr("mesh.vtkhdf is not of this run: it has 2 cells, the run 8\n"));
-  EXPECT_THAT(file_error_of([&] { resume_in(ours, more_nodes); }), HasSubstr("mesh.vtkhdf is not of this run: it has 6 points, the run 7\n"));
+  EXPECT_THAT(file_error_of([&] { resume_in(ours, more_points); }),
+      HasSubstr("results.vtkhdf is not of this run: it has 5 cells, the run 6\n"));
+  EXPECT_THAT(file_error_of([&] { resume_in(ours, finer_mesh); }),
+      HasSubstr("mesh.vtkhdf is not of this run: it has 2 cells, the run 8\n"));
+  EXPECT_THAT(file_error_of([&] { resume_in(ours, more_nodes); }),
+      HasSubstr("mesh.vtkhdf is not of this run: it has 6 points, the run 7\n"));
   EXPECT_THAT(file_error_of([&] { resume_in(ours, more_fields); }), HasSubstr("/VTKHDF/PointData/strain"));
-  EXPECT_THAT(file_error_of([&] { resume_in(ours, wider_fields); }), HasSubstr("/VTKHDF/PointData/su has the shape 20; 4 steps of 5 rows x 4 are due"));
+  EXPECT_THAT(file_error_of([&] { resume_in(ours, wider_fields); }),
+      HasSubstr("/VTKHDF/PointData/su has the shape 20; 4 steps of 5 rows x 4 are due"));
   EXPECT_NO_THROW(resume_in(ours, from));
 }
 
@@ -220,8 +262,7 @@ TEST(RunWriter, TwoAtOnceInOneFolderAreRefused)
   const test::ScratchFolder scratch;
   const auto writer = RunWriter::start(settings_for(scratch.path()), false);
   EXPECT_THAT(file_error_of([&] { RunWriter::start(settings_for(scratch.path()), true); }), HasSubstr("another terp"));
-  EXPECT_THAT(file_error_of([&] { resume_in(scratch.path(), {}); }),
-              HasSubstr("another terp"));
+  EXPECT_THAT(file_error_of([&] { resume_in(scratch.path(), {}); }), HasSubstr("another terp"));
 }
 
 TEST(RunWriter, AFailedStateIsKeptBesideTheCheckpoints)
@@ -248,8 +289,8 @@ TEST(RunWriter, ARunResumedAtItsStartShowsTheStartOnce)
   const test::ScratchFolder scratch;
   write_outputs(*RunWriter::start(settings_for(scratch.path()), false), 0, 0);
   write_outputs(*resume_in(scratch.path(), {.n_points = 5, .fields = sample_frame(0).fields}), 0, 0);
-  EXPECT_EQ(read_file(scratch.path() + "/ledger.csv"),
-            std::string(ledger_header) + "\n" + csv_line(sample_ledger(0.0)));
+  EXPECT_EQ(
+      read_file(scratch.path() + "/ledger.csv"), std::string(ledger_header) + "\n" + csv_line(sample_ledger(0.0)));
   const Hdf5File file(path_in(scratch.path(), results_file), Hdf5File::Mode::read);
   EXPECT_EQ(file.integers("/VTKHDF/Steps", "NSteps").at(0), 1);
 }
@@ -266,7 +307,7 @@ TEST(RunWriter, AFolderBelowAFileIsRefusedBeforeAnythingRuns)
   const test::ScratchFolder scratch;
   write_file_atomically(scratch.path() + "/file", "");
   EXPECT_THAT(file_error_of([&] { RunWriter::start(settings_for(scratch.path() + "/file/sub"), false); }),
-              testing::AllOf(HasSubstr(scratch.path() + "/file/sub"), HasSubstr("Not a directory")));
+      testing::AllOf(HasSubstr(scratch.path() + "/file/sub"), HasSubstr("Not a directory")));
 }
 
 TEST(RunWriter, OnAFullDiskEveryWriteFailsAndNothingEarlierIsHarmed)
@@ -279,9 +320,12 @@ TEST(RunWriter, OnAFullDiskEveryWriteFailsAndNothingEarlierIsHarmed)
   disk.fill();
   const std::vector<HistoryRow> many(1000, sample_history(0.2)[0]);
   const char* full = "No space left on device";
-  EXPECT_THAT(file_error_of([&] { writer->frame(std::make_shared<const Frame>(sample_frame(2))), writer->finish(); }), HasSubstr(full));
+  EXPECT_THAT(file_error_of([&] { writer->frame(std::make_shared<const Frame>(sample_frame(2))), writer->finish(); }),
+      HasSubstr(full));
   EXPECT_THAT(file_error_of([&] { writer->history(many), writer->finish(); }), HasSubstr(full));
-  EXPECT_THAT(file_error_of([&] { writer->checkpoint(std::make_shared<const StateImage>(sample_image(200))), writer->finish(); }), HasSubstr(full));
+  EXPECT_THAT(file_error_of(
+                  [&] { writer->checkpoint(std::make_shared<const StateImage>(sample_image(200))), writer->finish(); }),
+      HasSubstr(full));
   EXPECT_THAT(file_error_of([&] { writer->summary(Summary{}, false); }), HasSubstr(full));
   EXPECT_THAT(read_file(folder + "/history.csv"), testing::EndsWith(csv_lines(sample_history(0.1))));
   EXPECT_EQ(newest_good_checkpoint(folder).image->step, 100);

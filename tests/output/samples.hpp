@@ -13,9 +13,9 @@ namespace terp::test {
 inline Frame sample_frame(int k)
 {
   Frame frame{.time = 0.1 * k,
-              .step = 100 * k,
-              .x = {},
-              .fields = {{"su", "Pa", 1, {}}, {"velocity", "m/s", 2, {}}, {"stress", "Pa", 4, {}}}};
+      .step = 100 * k,
+      .x = {},
+      .fields = {{"su", "Pa", 1, {}}, {"velocity", "m/s", 2, {}}, {"stress", "Pa", 4, {}}}};
   for (int p = 0; p < 5; ++p) {
     const Real base = 1000.0 * k + 10.0 * p;
     frame.x.insert(frame.x.end(), {base + 0.1, base + 0.2});
@@ -29,7 +29,7 @@ inline Frame sample_frame(int k)
 inline std::vector<HistoryRow> sample_history(Real time)
 {
   return {{time, "A", 7, 1.5, 0.25, 0.01, 0.002, 8000.0, -125.5},
-          {time, "B", 9, 2.5, 0.75, 0.03, 0.0, std::nan(""), 1.0 / 3.0}};
+      {time, "B", 9, 2.5, 0.75, 0.03, 0.0, std::nan(""), 1.0 / 3.0}};
 }
 
 inline LedgerRow sample_ledger(Real time)
@@ -37,19 +37,20 @@ inline LedgerRow sample_ledger(Real time)
   LedgerRow row{.time = time, .step = 100, .kinetic = 1.25, .elastic = 2.5, .plastic = 3.75};
   row.gravity_work = 4.5, row.damping_work = -5.5, row.boundary_work = -6.5, row.left_energy = 0.125;
   row.numerical = 1e-12, row.mass = 31840.0;
-  row.momentum_x = 7.5, row.momentum_y = -8.5, row.clamped = 3, row.front_left_x = std::nan(""), row.crest_left_x = 3.5, row.crest_left_y = 1.5, row.kinetic_nodal = 0.75, row.front_x = 13.1, row.crest_x = std::nan(""), row.crest_y = 1.75, row.moved_volume = 4.25;
+  row.momentum_x = 7.5, row.momentum_y = -8.5, row.clamped = 3, row.front_left_x = std::nan(""), row.crest_left_x = 3.5,
+  row.crest_left_y = 1.5, row.kinetic_nodal = 0.75, row.front_x = 13.1, row.crest_x = std::nan(""), row.crest_y = 1.75,
+  row.moved_volume = 4.25;
   row.v_max = 6.25, row.v_999 = 5.75;
   return row;
 }
 
 inline StateImage sample_image(std::int64_t step)
 {
-  return {0.001 * static_cast<Real>(step),
-          step,
-          {{"points/x", {2, 2}, std::vector<Real>{0.1, 1.0 / 3.0, -0.0, 1e-300}},
-           {"points/id", {2}, std::vector<std::int64_t>{-1, std::int64_t{1} << 53}},
-           {"counters", {}, std::vector<std::int64_t>{static_cast<std::int64_t>(step)}},
-           {"empty", {0, 3}, std::vector<Real>{}}}};
+  return {0.001 * static_cast<Real>(step), step,
+      {{"points/x", {2, 2}, std::vector<Real>{0.1, 1.0 / 3.0, -0.0, 1e-300}},
+          {"points/id", {2}, std::vector<std::int64_t>{-1, std::int64_t{1} << 53}},
+          {"counters", {}, std::vector<std::int64_t>{static_cast<std::int64_t>(step)}},
+          {"empty", {0, 3}, std::vector<Real>{}}}};
 }
 
 /// A ResultsFile (fields: those of its frames) or MeshFile without the frames of later steps.

@@ -53,21 +53,26 @@ TEST(StabilityJson, AFactorThatWasNotFoundIsNull)
 TEST(StabilityText, SaysFactorCriterionAndTrials)
 {
   const std::string text = stability_text(result(), "mpm_gp");
-  EXPECT_THAT(text, HasSubstr("factor of safety 1.050 +- 0.050   (stands at 1.000, does not at 1.100)\n  by reduction of 1 strength, mpm_gp, 900 points"));
+  EXPECT_THAT(text, HasSubstr("factor of safety 1.050 +- 0.050   (stands at 1.000, does not at 1.100)\n  by reduction "
+                              "of 1 strength, mpm_gp, 900 points"));
   EXPECT_THAT(text, HasSubstr("    1.0000  stable     why\n    1.1000  undecided  why\n"));
-  EXPECT_THAT(text, HasSubstr("At 1.1000 the soil still crept after 200 windows; that counts as not standing. Larger --windows decide it.\n"));
+  EXPECT_THAT(text, HasSubstr("At 1.1000 the soil still crept after 200 windows; that counts as not standing. Larger "
+                              "--windows decide it.\n"));
 }
 
 TEST(StabilityText, SaysWhatTheBracketDoesNot)
 {
   StabilityResult r = result();
-  const std::string creep = "No trial failed, so nothing bounds the factor from above but creep", mesh = "The width is that of the search alone";
-  EXPECT_THAT(stability_text(r, "mpm_gp"), AllOf(HasSubstr(creep), HasSubstr(mesh), Not(HasSubstr("standard_mpm locks"))));
+  const std::string creep = "No trial failed, so nothing bounds the factor from above but creep",
+                    mesh = "The width is that of the search alone";
+  EXPECT_THAT(
+      stability_text(r, "mpm_gp"), AllOf(HasSubstr(creep), HasSubstr(mesh), Not(HasSubstr("standard_mpm locks"))));
   EXPECT_THAT(stability_text(r, "standard_mpm"), HasSubstr("standard_mpm locks"));
   r.search.trials[1].verdict = TrialVerdict::failed;
   EXPECT_THAT(stability_text(r, "mpm_gp"), AllOf(Not(HasSubstr(creep)), HasSubstr(mesh)));
   r.stopped = true;
-  EXPECT_THAT(stability_text(r, "mpm_gp"), HasSubstr("The search was stopped before the bracket was as narrow as asked for"));
+  EXPECT_THAT(
+      stability_text(r, "mpm_gp"), HasSubstr("The search was stopped before the bracket was as narrow as asked for"));
 }
 
 TEST(StabilityJson, IsWrittenIntoAFolderThatIsMade)

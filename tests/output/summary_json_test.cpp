@@ -21,13 +21,17 @@ Summary sample_summary()
   Summary summary;
   summary.scheme = "mpm_gp", summary.n_points = 40000, summary.n_cells = 1600, summary.n_steps = 6598;
   summary.dt = 6.0623e-4, summary.wall_s = 33.5;
-  summary.point_steps_per_s = 7.9e6, summary.threads = 2, summary.instructions = "avx2", summary.facing = Facing::left, summary.free_toe = false, summary.front_x = 13.25, summary.crest_x = 3.75;
-  summary.processor = "a processor", summary.passes = {{"stress", 1.5}}, summary.crest_y = 1.9, summary.run_out = 5.25, summary.moved_distance = 0.1,
-  summary.moved_volume = 6.5, summary.moved_fraction = 0.4, summary.intact_fraction = 0.25;
-  summary.slides.push_back({{.begins = 0.2, .stops = {}, .crest_from = 8.0, .crest_to = 6.0, .kinetic_peak = 11.5, .facing = Facing::left},
-                            {.time = 0.7, .rate = 4.5, .line = {{6.0, 1.9}, {7.5, 0.1}}}});
+  summary.point_steps_per_s = 7.9e6, summary.threads = 2, summary.instructions = "avx2", summary.facing = Facing::left,
+  summary.free_toe = false, summary.front_x = 13.25, summary.crest_x = 3.75;
+  summary.processor = "a processor", summary.passes = {{"stress", 1.5}}, summary.crest_y = 1.9, summary.run_out = 5.25,
+  summary.moved_distance = 0.1, summary.moved_volume = 6.5, summary.moved_fraction = 0.4,
+  summary.intact_fraction = 0.25;
+  summary.slides.push_back(
+      {{.begins = 0.2, .stops = {}, .crest_from = 8.0, .crest_to = 6.0, .kinetic_peak = 11.5, .facing = Facing::left},
+          {.time = 0.7, .rate = 4.5, .line = {{6.0, 1.9}, {7.5, 0.1}}}});
   summary.max_eps_eq_p = 2.5, summary.softened_fraction = {{0.5, 0.125}, {1.0, 0.25}}, summary.points_su_rose = 4;
-  summary.points_eps_eq_p_fell = 3, summary.energy_balance_error = 1e-3, summary.clamped_points = 6, summary.points_left = 2, summary.reached_sides = {{"right", 1.5, true}},
+  summary.points_eps_eq_p_fell = 3, summary.energy_balance_error = 1e-3, summary.clamped_points = 6,
+  summary.points_left = 2, summary.reached_sides = {{"right", 1.5, true}},
   summary.footings = {{"plate", {0.5, -0.25}, {3.0, 4.5}, 7.0, 12.5}};
   summary.v_999 = 5.5;
   return summary;
@@ -41,16 +45,24 @@ json written(const Summary& summary, bool finished)
 TEST(SummaryJson, HoldsEveryNumberUnderItsName)
 {
   EXPECT_EQ(written(sample_summary(), true),
-            json::parse(R"({
+      json::parse(
+          R"({
     "terp_version": ")" TERP_VERSION
-                        R"(", "format": 1, "finished": true, "scheme": "mpm_gp", "points": 40000, "cells": 1600, "steps": 6598,
-    "dt": 6.0623e-4, "wall_s": 33.5, "point_steps_per_s": 7.9e6, "threads": 2, "instructions": "avx2", "processor": "a processor",
-    "passes": [{"name": "stress", "seconds": 1.5}], "facing": "left", "free_toe": false, "front_x": 13.25, "crest_x": 3.75, "crest_y": 1.9, "run_out": 5.25, "moved_distance": 0.1,
-    "moved_volume": 6.5, "moved_fraction": 0.4, "intact_fraction": 0.25, "slides": [{"facing": "left", "begins": 0.2, "stops": null, "crest_from": 8.0, "crest_to": 6.0, "kinetic_peak": 11.5,
+          R"(", "format": 1, "finished": true, "scheme": "mpm_gp", "points": 40000, "cells": 1600, "steps": 6598,
+    "dt": 6.0623e-4, "wall_s": 33.5, "point_steps_per_s": 7.9e6, "threads": 2, "instructions": "avx2",
+    "processor": "a processor",
+    "passes": [{"name": "stress", "seconds": 1.5}], "facing": "left", "free_toe": false,
+    "front_x": 13.25, "crest_x": 3.75, "crest_y": 1.9, "run_out": 5.25,
+    "moved_distance": 0.1,
+    "moved_volume": 6.5, "moved_fraction": 0.4, "intact_fraction": 0.25,
+    "slides": [{"facing": "left", "begins": 0.2, "stops": null,
+    "crest_from": 8.0, "crest_to": 6.0, "kinetic_peak": 11.5,
     "slip_surface": {"time": 0.7, "rate": 4.5, "points": [[6.0, 1.9], [7.5, 0.1]]}}],
     "second_failure_time": null, "max_eps_eq_p": 2.5,
     "softened_fraction": [{"time": 0.5, "fraction": 0.125}, {"time": 1.0, "fraction": 0.25}],
-    "points_eps_eq_p_fell": 3, "points_su_rose": 4, "energy_balance_error": 1e-3, "clamped_points": 6, "points_left": 2, "reached_sides": [{"side": "right", "time": 1.5, "rose": true}], "footings": [{"name": "plate", "displacement": [0.5, -0.25], "reaction": [3.0, 4.5],
+    "points_eps_eq_p_fell": 3, "points_su_rose": 4, "energy_balance_error": 1e-3, "clamped_points": 6,
+    "points_left": 2, "reached_sides": [{"side": "right", "time": 1.5, "rose": true}],
+    "footings": [{"name": "plate", "displacement": [0.5, -0.25], "reaction": [3.0, 4.5],
     "largest_reaction": 7.0, "work": 12.5}], "v_999": 5.5,
     "case_name": "model_2", "case": "title = \"column\"\n"})"));
 }
@@ -60,8 +72,10 @@ TEST(SummaryJson, OfANewerFormatIsRefusedWithItsVersion)
   const test::ScratchFolder folder;
   const std::string path = folder.path() + "/summary.json";
   write_file_atomically(path, R"({"terp_version": "9.1", "format": 2, "scheme": "mpm_gp"})");
-  EXPECT_EQ(test::file_error_of([&] { read_summary(path); }), "cannot read " + path + ": it is of format 2, terp " TERP_VERSION
-                                                              " reads formats up to 1\n  terp 9.1 wrote it: read it with that one.");
+  EXPECT_EQ(test::file_error_of([&] { read_summary(path); }),
+      "cannot read " + path +
+          ": it is of format 2, terp " TERP_VERSION
+          " reads formats up to 1\n  terp 9.1 wrote it: read it with that one.");
 }
 
 TEST(SummaryJson, WhatIsNotANumberIsNull)
@@ -121,10 +135,12 @@ TEST(SummaryJson, WithValuesOfAnotherKindIsRefusedByNameOrReadWithoutThem)
     for (const std::string key : {"slides", "reached_sides", "footings", "passes", "softened_fraction"}) {
       write_file_atomically(path, "{\"" + key + "\": " + value + "}");
       const std::string error = test::file_error_of([&] { read_summary(path); });
-      EXPECT_TRUE(error.empty() || error.starts_with("cannot read " + path + ": it is not what terp wrote there")) << key << ' ' << value << ": " << error;
+      EXPECT_TRUE(error.empty() || error.starts_with("cannot read " + path + ": it is not what terp wrote there"))
+          << key << ' ' << value << ": " << error;
     }
   for (const char* key : {"slides", "other"}) {
-    write_file_atomically(path, "{\"" + std::string(key) + "\": " + std::string(400'000, '[') + std::string(400'000, ']') + "}");
+    write_file_atomically(
+        path, "{\"" + std::string(key) + "\": " + std::string(400'000, '[') + std::string(400'000, ']') + "}");
     const std::string error = test::file_error_of([&] { read_summary(path); });
     EXPECT_TRUE(error.empty() || error.starts_with("cannot read " + path)) << error;
   }

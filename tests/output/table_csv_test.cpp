@@ -16,8 +16,8 @@ using test::sample_ledger;
 TEST(TableCsv, AHistoryRowIsWrittenWithShortestNumbersAndNan)
 {
   EXPECT_EQ(csv_lines(sample_history(0.1)),
-            "0.1,A,7,1.5,0.25,0.01,0.002,8000,-125.5\n"
-            "0.1,B,9,2.5,0.75,0.03,0,nan,0.3333333333333333\n");
+      "0.1,A,7,1.5,0.25,0.01,0.002,8000,-125.5\n"
+      "0.1,B,9,2.5,0.75,0.03,0,nan,0.3333333333333333\n");
 }
 
 TEST(TableCsv, ANegativeNanIsNanToo)
@@ -37,7 +37,8 @@ TEST(TableCsv, ANameWithACommaOrAQuotationMarkIsQuoted)
 TEST(TableCsv, ALedgerRowFollowsItsHeader)
 {
   EXPECT_EQ(csv_line(sample_ledger(0.5)),
-            "0.5,100,1.25,0.75,2.5,3.75,4.5,-5.5,-6.5,0.125,1e-12,31840,7.5,-8.5,3,0,13.1,nan,1.75,nan,3.5,1.5,4.25,6.25,5.75\n");
+      "0.5,100,1.25,0.75,2.5,3.75,4.5,-5.5,-6.5,0.125,1e-12,31840,7.5,-8.5,3,0,13.1,nan,1.75,nan,3.5,1.5,4.25,6.25,5."
+      "75\n");
   EXPECT_EQ(std::count(ledger_header.begin(), ledger_header.end(), ','), 24);
 }
 
@@ -48,7 +49,7 @@ TEST(TableCsv, OpeningWritesTheHeaderOnce)
   TableFile(path, history_header).append(csv_lines(sample_history(0.1)));
   TableFile(path, history_header).append(csv_lines(sample_history(0.2)));
   EXPECT_EQ(read_file(path),
-            std::string(history_header) + "\n" + csv_lines(sample_history(0.1)) + csv_lines(sample_history(0.2)));
+      std::string(history_header) + "\n" + csv_lines(sample_history(0.1)) + csv_lines(sample_history(0.2)));
 }
 
 TEST(TableCsv, RowsAfterATimeAreDroppedAndThatTimeStays)
@@ -60,7 +61,7 @@ TEST(TableCsv, RowsAfterATimeAreDroppedAndThatTimeStays)
   for (const Real time : {0.1, exact, std::nextafter(exact, 1.0)}) table.append(csv_line(sample_ledger(time)));
   drop_rows_after(path, ledger_header, exact);
   EXPECT_EQ(read_file(path),
-            std::string(ledger_header) + "\n" + csv_line(sample_ledger(0.1)) + csv_line(sample_ledger(exact)));
+      std::string(ledger_header) + "\n" + csv_line(sample_ledger(0.1)) + csv_line(sample_ledger(exact)));
 }
 
 TEST(TableCsv, ALastRowThatWasCutShortIsDropped)
@@ -126,7 +127,7 @@ TEST(TableCsv, ATableOfOtherColumnsIsRefused)
   const std::string path = folder.path() + "/history.csv";
   write_file_atomically(path, "time,x\n0.1,2\n");
   EXPECT_EQ(file_error_of([&] { drop_rows_after(path, history_header, 1.0); }),
-            "cannot continue " + path + ": its columns are not those of terp " TERP_VERSION);
+      "cannot continue " + path + ": its columns are not those of terp " TERP_VERSION);
 }
 
 TEST(TableCsv, WithoutATableThereIsNothingToDrop)
@@ -138,7 +139,8 @@ TEST(TableCsv, WithoutATableThereIsNothingToDrop)
 TEST(TableCsv, OneLinePerFooting)
 {
   const FootingRow row{0.25, "plate, left", 0.0, -0.125, 1.5, 20000.5, 64.0};
-  EXPECT_EQ(csv_lines(std::vector<FootingRow>{row, row}), "0.25,\"plate, left\",0,-0.125,1.5,20000.5,64\n0.25,\"plate, left\",0,-0.125,1.5,20000.5,64\n");
+  EXPECT_EQ(csv_lines(std::vector<FootingRow>{row, row}),
+      "0.25,\"plate, left\",0,-0.125,1.5,20000.5,64\n0.25,\"plate, left\",0,-0.125,1.5,20000.5,64\n");
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ TEST(VtkhdfSteps, AFileOfAnotherCaseOrAnotherNumberOfCellsOrPointsIsOfAnotherRun
   EXPECT_EQ(vtkhdf::why_of_another_run(file, "85944171f73967e8", {9, 8}), "it has 7 cells, the run 8");
   EXPECT_EQ(vtkhdf::why_of_another_run(file, "85944171f73967e8", {8, 7}), "it has 9 points, the run 8");
   EXPECT_EQ(vtkhdf::why_of_another_run(file, "af63dc4c8601ec8c", {9, 7}),
-            "it is of a run of another case (`case` in it is 85944171f73967e8, of this run af63dc4c8601ec8c)");
+      "it is of a run of another case (`case` in it is 85944171f73967e8, of this run af63dc4c8601ec8c)");
 }
 
 TEST(VtkhdfSteps, AreCountedUpToATimeStep)
@@ -99,13 +99,15 @@ TEST(VtkhdfSteps, WhereATableIsNotWhatItMustBeNothingIsCut)
   Hdf5File file(write_steps(folder.path(), 4), Hdf5File::Mode::change);
   const std::string box = vtkhdf::root + "/box", missing = vtkhdf::root + "/missing";
   file.write<Real>(box, {8, 1, 1}, std::vector<Real>(8));
-  for (const vtkhdf::StepTable& table : {vtkhdf::StepTable{missing, 2, 0}, vtkhdf::StepTable{box, 2, 0}, vtkhdf::StepTable{speed_table, 3, 0}, vtkhdf::StepTable{speed_table, 2, 3}}) {
+  for (const vtkhdf::StepTable& table : {vtkhdf::StepTable{missing, 2, 0}, vtkhdf::StepTable{box, 2, 0},
+           vtkhdf::StepTable{speed_table, 3, 0}, vtkhdf::StepTable{speed_table, 2, 3}}) {
     EXPECT_THAT(test::file_error_of([&] { vtkhdf::cut_steps(file, 150, {table}); }), testing::HasSubstr(table.name));
     EXPECT_EQ(file.integer(vtkhdf::steps, "NSteps"), 4);
     EXPECT_THAT(file.shape(speed_table), ElementsAre(8));
   }
   file.cut_rows(vtkhdf::steps + "/NumberOfParts", 3);
-  EXPECT_THAT(test::file_error_of([&] { vtkhdf::cut_steps(file, 150, {}); }), testing::HasSubstr("NumberOfParts has the shape 3; 4 steps of 1 rows are due"));
+  EXPECT_THAT(test::file_error_of([&] { vtkhdf::cut_steps(file, 150, {}); }),
+      testing::HasSubstr("NumberOfParts has the shape 3; 4 steps of 1 rows are due"));
 }
 
 TEST(VtkhdfSteps, CuttingDropsEveryTableOfTheLaterSteps)

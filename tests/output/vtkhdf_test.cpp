@@ -35,8 +35,8 @@ std::vector<Real> rows_of_frame(const Hdf5File& file, const std::string& name, s
 {
   const auto values = file.read<Real>(name);
   const auto n = static_cast<std::size_t>(5 * (file.shape(name).size() == 1 ? 1 : file.shape(name)[1]));
-  return {values.begin() + static_cast<std::ptrdiff_t>(k * n),
-          values.begin() + static_cast<std::ptrdiff_t>((k + 1) * n)};
+  return {
+      values.begin() + static_cast<std::ptrdiff_t>(k * n), values.begin() + static_cast<std::ptrdiff_t>((k + 1) * n)};
 }
 
 TEST(Vtkhdf, HasTheHeaderOfTheFormat)
@@ -158,15 +158,15 @@ TEST(Vtkhdf, AFrameOfAnotherRunIsRefused)
   Frame fewer_points = sample_frame(1), other_field = sample_frame(1), other_size = sample_frame(1);
   fewer_points.x.resize(8);
   EXPECT_EQ(file_error_of([&] { ResultsFile(path).append(fewer_points); }),
-            "cannot add the frame of step 100 to " + path + ": the file has 5 points, the run 4");
+      "cannot add the frame of step 100 to " + path + ": the file has 5 points, the run 4");
   other_field.fields[0].name = "pore_pressure";
-  EXPECT_THAT(file_error_of([&] { ResultsFile(path).append(other_field); }),
-              HasSubstr("the file has no field pore_pressure"));
+  EXPECT_THAT(
+      file_error_of([&] { ResultsFile(path).append(other_field); }), HasSubstr("the file has no field pore_pressure"));
   other_size.fields[0].n_components = 2;
   EXPECT_THAT(file_error_of([&] { ResultsFile(path).append(other_size); }), HasSubstr("field su has another size"));
   other_size.fields.erase(other_size.fields.begin());
-  EXPECT_THAT(file_error_of([&] { ResultsFile(path).append(other_size); }),
-              HasSubstr("the file has 3 fields, the run 2"));
+  EXPECT_THAT(
+      file_error_of([&] { ResultsFile(path).append(other_size); }), HasSubstr("the file has 3 fields, the run 2"));
 }
 
 TEST(Vtkhdf, AFullDiskLeavesTheEarlierFramesWhole)
@@ -176,7 +176,7 @@ TEST(Vtkhdf, AFullDiskLeavesTheEarlierFramesWhole)
   const std::string path = write_frames(disk.path(), 0, 1);
   disk.fill();
   EXPECT_THAT(file_error_of([&] { ResultsFile(path).append(sample_frame(2)); }),
-              testing::AllOf(testing::StartsWith("cannot write " + path), HasSubstr("No space left on device")));
+      testing::AllOf(testing::StartsWith("cannot write " + path), HasSubstr("No space left on device")));
   const Hdf5File file(path, Hdf5File::Mode::read);
   EXPECT_THAT(file.integers("/VTKHDF/Steps", "NSteps"), ElementsAre(2));
   EXPECT_EQ(rows_of_frame(file, "/VTKHDF/PointData/su", 1), sample_frame(1).fields[0].values);
@@ -257,7 +257,8 @@ TEST(Vtkhdf, AFrameInPartsIsThatFrame)
     }
   const Hdf5File parts(path, Hdf5File::Mode::read), whole(write_frames(folder.path(), 0, 2), Hdf5File::Mode::read);
   for (const char* name : {"Points", "PointData/su", "PointData/velocity", "PointData/stress", "Steps/Values"})
-    EXPECT_EQ(parts.read<Real>(std::string("/VTKHDF/") + name), whole.read<Real>(std::string("/VTKHDF/") + name)) << name;
+    EXPECT_EQ(parts.read<Real>(std::string("/VTKHDF/") + name), whole.read<Real>(std::string("/VTKHDF/") + name))
+        << name;
   EXPECT_EQ(parts.read<std::int64_t>("/VTKHDF/PointData/id"), whole.read<std::int64_t>("/VTKHDF/PointData/id"));
 }
 

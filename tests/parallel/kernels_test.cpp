@@ -34,19 +34,22 @@ TEST(Instructions, TheWordOfTheUserCounts) { EXPECT_EQ(choose_instructions(sets,
 
 TEST(Instructions, WhatTheProcessorLacksIsRefused)
 {
-  EXPECT_EQ(refusal(sets, "avx512"), "TERP_INSTRUCTIONS=avx512: this processor does not offer it\n"
-                                     "  Without the variable Terp takes the best set that the processor offers.");
+  EXPECT_EQ(refusal(sets, "avx512"),
+      "TERP_INSTRUCTIONS=avx512: this processor does not offer it\n"
+      "  Without the variable Terp takes the best set that the processor offers.");
 }
 
 TEST(Instructions, AnUnknownWordIsRefusedWithThoseThatAreKnown)
 {
-  EXPECT_EQ(refusal(sets, "AVX2"), "TERP_INSTRUCTIONS=AVX2: there is no such set in this build. It has: avx512, avx2, sse2\n"
-                                   "  Without the variable Terp takes the best set that the processor offers.");
+  EXPECT_EQ(refusal(sets, "AVX2"),
+      "TERP_INSTRUCTIONS=AVX2: there is no such set in this build. It has: avx512, avx2, sse2\n"
+      "  Without the variable Terp takes the best set that the processor offers.");
 }
 
 TEST(Instructions, AProcessorBelowAllSetsIsRefused)
 {
-  EXPECT_EQ(refusal(std::span(sets).first(1), ""), "this processor offers none of the instruction sets of this build: avx512.");
+  EXPECT_EQ(refusal(std::span(sets).first(1), ""),
+      "this processor offers none of the instruction sets of this build: avx512.");
 }
 
 TEST(Instructions, TheLastSetOfThisBuildRunsOnAnyMachine) { EXPECT_TRUE(instruction_sets().back().offered); }

@@ -31,7 +31,10 @@ const std::array<Real, 8> other{-4.0, 2.0, 0.5, 8.0, -3.0, 1.0, 10.0, 1e3};
 
 TEST(Pack, LoadsAndStoresLanesInOrder) { EXPECT_EQ(lanes_of(pack_of(some)), some); }
 
-TEST(Pack, LaneNumbersCountFromZero) { EXPECT_THAT(lanes_of(lane_numbers()), testing::ElementsAre(0, 1, 2, 3, 4, 5, 6, 7)); }
+TEST(Pack, LaneNumbersCountFromZero)
+{
+  EXPECT_THAT(lanes_of(lane_numbers()), testing::ElementsAre(0, 1, 2, 3, 4, 5, 6, 7));
+}
 
 TEST(Pack, ArithmeticActsLaneByLane)
 {
@@ -164,8 +167,10 @@ TEST(Sine, IsTheSameInAPackAndAlone)
 TEST(Pack, GathersWhatItsIndicesNameAndNothingElse)
 {
   const std::vector<Real> numbers{10.0, 11.0, 20.0, 21.0, 30.0, 31.0};
-  alignas(64) constexpr std::array<Real, pack_width> index{2, 0, 1, 2, 1, 1e9, 1e9, 1e9};  // the last three lanes are beyond
-  const Pack first = Pack::gather(numbers.data(), 2, index.data(), 5), second = Pack::gather(numbers.data() + 1, 2, index.data(), 5);
+  alignas(64) constexpr std::array<Real, pack_width> index{
+      2, 0, 1, 2, 1, 1e9, 1e9, 1e9};  // the last three lanes are beyond
+  const Pack first = Pack::gather(numbers.data(), 2, index.data(), 5),
+             second = Pack::gather(numbers.data() + 1, 2, index.data(), 5);
   constexpr std::array<Real, pack_width> expected{30.0, 10.0, 20.0, 30.0, 20.0, -1.0, -1.0, -1.0};
   for (int k = 0; k < pack_width; ++k) {
     EXPECT_EQ(first[k], expected[k] < 0.0 ? 0.0 : expected[k]) << k;

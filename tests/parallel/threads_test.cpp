@@ -107,7 +107,8 @@ TEST(Threads, DoAHundredThousandTinyJobsWithoutStandingStill)
   for (const int n_threads : {2, 4}) {
     Threads threads(n_threads);
     std::array<std::atomic<std::int64_t>, 3> total{};
-    for (int job = 0; job < 50000; ++job) threads.for_each_chunk(3, [&](Index chunk, int) { total[chunk].fetch_add(job); });
+    for (int job = 0; job < 50000; ++job)
+      threads.for_each_chunk(3, [&](Index chunk, int) { total[chunk].fetch_add(job); });
     for (const auto& sum : total) EXPECT_EQ(sum.load(), 50000LL * 49999 / 2);
   }
 }

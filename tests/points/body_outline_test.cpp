@@ -19,7 +19,8 @@ BodyOutline body(const Polygon& polygon, const std::vector<Polygon>& holes = {})
 
 TEST(BodyOutline, CoversItsPolygonButNotItsHoles)
 {
-  const BodyOutline wall = body(box({0.0, 0.0}, {6.0, 2.0}), {box({1.0, 0.5}, {2.0, 1.5}), box({3.0, 0.5}, {4.0, 1.5})});
+  const BodyOutline wall =
+      body(box({0.0, 0.0}, {6.0, 2.0}), {box({1.0, 0.5}, {2.0, 1.5}), box({3.0, 0.5}, {4.0, 1.5})});
   EXPECT_TRUE(covers(wall, {0.5, 1.0}));
   EXPECT_TRUE(covers(wall, {2.5, 1.0}));
   EXPECT_FALSE(covers(wall, {1.5, 1.0}));
@@ -29,7 +30,10 @@ TEST(BodyOutline, CoversItsPolygonButNotItsHoles)
 }
 
 /// Where the vertical through x crosses the outline of a body that is no region.
-std::vector<Real> crossings(const BodyOutline& outline, Real x) { return crossings_of_vertical(outline_sides({}, outline), x); }
+std::vector<Real> crossings(const BodyOutline& outline, Real x)
+{
+  return crossings_of_vertical(outline_sides({}, outline), x);
+}
 
 TEST(BodyOutline, VerticalsCrossItInAscendingOrder)
 {
@@ -56,12 +60,15 @@ TEST(BodyOutline, OfCellsIsTheSidesThatNoOtherCellOfTheBodyShares)
   EXPECT_EQ(sides.size(), 12u + 4u);
   EXPECT_THAT(crossings_of_vertical(sides, 0.5), ElementsAre(0.0, 3.0));
   EXPECT_THAT(crossings_of_vertical(sides, 1.5), ElementsAre(0.0, 1.0, 2.0, 3.0));
-  EXPECT_THAT(crossings_of_vertical(sides, 1.0), testing::SizeIs(testing::AnyOf(2, 4)));  // along a side: of one column or the other
+  EXPECT_THAT(crossings_of_vertical(sides, 1.0),
+      testing::SizeIs(testing::AnyOf(2, 4)));  // along a side: of one column or the other
 }
 
 TEST(CheckOutline, FindsNothingWrongWithASoundBody)
 {
-  EXPECT_THAT(check_outline(body(box({0.0, 0.0}, {6.0, 2.0}), {box({1.0, 0.5}, {2.0, 1.25}), box({2.0, 0.5}, {3.0, 1.25})})), IsEmpty());
+  EXPECT_THAT(
+      check_outline(body(box({0.0, 0.0}, {6.0, 2.0}), {box({1.0, 0.5}, {2.0, 1.25}), box({2.0, 0.5}, {3.0, 1.25})})),
+      IsEmpty());
   const Polygon closed_by_hand{{0.0, 0.0}, {3.0, 0.0}, {3.0, 1.0}, {0.0, 0.0}};
   EXPECT_THAT(check_outline(body(closed_by_hand)), IsEmpty());
   EXPECT_THAT(check_outline({{}, {5, 5}, {}, {3, 4}}), IsEmpty());
@@ -71,62 +78,65 @@ TEST(CheckOutline, RefusesTooFewCorners)
 {
   EXPECT_THAT(check_outline(body({})), ElementsAre("the polygon has 0 different corners; it needs at least 3"));
   EXPECT_THAT(check_outline(body({{1.5, 2.0}, {3.0, 0.0}, {1.5, 2.0}})),
-              ElementsAre("the polygon has 2 different corners from (1.5, 2) m; it needs at least 3"));
+      ElementsAre("the polygon has 2 different corners from (1.5, 2) m; it needs at least 3"));
 }
 
 TEST(CheckOutline, RefusesAPolygonThatIsALine)
 {
   EXPECT_THAT(check_outline(body({{1.0, 2.0}, {3.0, 3.0}, {5.0, 4.0}})),
-              ElementsAre("the polygon has no area: all its corners lie on a line in the box from (1, 2) to (5, 4) m"));
+      ElementsAre("the polygon has no area: all its corners lie on a line in the box from (1, 2) to (5, 4) m"));
 }
 
 TEST(CheckOutline, RefusesABowTieAndSaysWhereItCrosses)
 {
   EXPECT_THAT(check_outline(body({{0.0, 0.0}, {2.0, 2.0}, {2.0, 0.0}, {0.0, 1.0}})),
-              ElementsAre("the polygon crosses itself: its side from (0, 0) to (2, 2) m crosses its side from (2, 0) to (0, 1) m "
-                          "at (0.666667, 0.666667) m"));
+      ElementsAre(
+          "the polygon crosses itself: its side from (0, 0) to (2, 2) m crosses its side from (2, 0) to (0, 1) m "
+          "at (0.666667, 0.666667) m"));
 }
 
 TEST(CheckOutline, LetsAPolygonTouchItself)
 {
-  const Polygon keyhole{{0.0, 0.0}, {4.0, 0.0}, {4.0, 4.0}, {2.0, 4.0}, {2.0, 3.0}, {3.0, 1.0}, {1.0, 1.0}, {2.0, 3.0}, {2.0, 4.0}, {0.0, 4.0}};
+  const Polygon keyhole{{0.0, 0.0}, {4.0, 0.0}, {4.0, 4.0}, {2.0, 4.0}, {2.0, 3.0}, {3.0, 1.0}, {1.0, 1.0}, {2.0, 3.0},
+      {2.0, 4.0}, {0.0, 4.0}};
   EXPECT_THAT(check_outline(body(keyhole)), IsEmpty());
 }
 
 TEST(CheckOutline, RefusesAHoleOutsideItsBody)
 {
   const Polygon ground = box({0.0, 0.0}, {6.0, 2.0});
-  EXPECT_THAT(check_outline(body(ground, {box({7.0, 0.5}, {8.0, 1.0})})), ElementsAre("hole 1 lies outside its body: its corner (7, 0.5) m"));
+  EXPECT_THAT(check_outline(body(ground, {box({7.0, 0.5}, {8.0, 1.0})})),
+      ElementsAre("hole 1 lies outside its body: its corner (7, 0.5) m"));
   const Polygon notched{{0.0, 0.0}, {6.0, 0.0}, {6.0, 2.0}, {4.0, 2.0}, {3.0, 0.5}, {2.0, 2.0}, {0.0, 2.0}};
   EXPECT_THAT(check_outline(body(notched, {box({1.0, 1.0}, {5.0, 1.5})})),
-              ElementsAre(HasSubstr("hole 1 lies outside its body: it crosses the polygon at (")));
+      ElementsAre(HasSubstr("hole 1 lies outside its body: it crosses the polygon at (")));
 }
 
 TEST(CheckOutline, RefusesHolesInEachOther)
 {
   const Polygon ground = box({0.0, 0.0}, {6.0, 2.0});
   EXPECT_THAT(check_outline(body(ground, {box({1.0, 0.5}, {3.0, 1.5}), box({2.0, 1.0}, {4.0, 1.8})})),
-              ElementsAre(AllOf(HasSubstr("hole 1 and hole 2 cross at ("), HasSubstr(") m"))));
+      ElementsAre(AllOf(HasSubstr("hole 1 and hole 2 cross at ("), HasSubstr(") m"))));
   EXPECT_THAT(check_outline(body(ground, {box({1.0, 0.5}, {3.0, 1.5}), box({2.0, 1.0}, {2.5, 1.2})})),
-              ElementsAre("hole 1 and hole 2 lie in each other at (2, 1) m"));
+      ElementsAre("hole 1 and hole 2 lie in each other at (2, 1) m"));
 }
 
 TEST(CheckOutline, NamesTheHoleThatIsUnsound)
 {
   EXPECT_THAT(check_outline(body(box({0.0, 0.0}, {6.0, 2.0}), {box({1.0, 0.5}, {2.0, 1.0}), {{3.0, 1.0}, {4.0, 1.0}}})),
-              ElementsAre("hole 2 has 2 different corners from (3, 1) m; it needs at least 3"));
+      ElementsAre("hole 2 has 2 different corners from (3, 1) m; it needs at least 3"));
 }
 
 TEST(CheckOutline, RefusesACornerThatIsNotANumber)
 {
   EXPECT_THAT(check_outline(body({{0.0, 0.0}, {std::numeric_limits<Real>::quiet_NaN(), 1.0}, {2.0, 0.0}})),
-              ElementsAre("the polygon has a corner that is not a number: (nan, 1)"));
+      ElementsAre("the polygon has a corner that is not a number: (nan, 1)"));
 }
 
 TEST(CheckOutline, RefusesCellsAndAPolygonInOneBody)
 {
   EXPECT_THAT(check_outline({box({0.0, 0.0}, {1.0, 1.0}), {5, 5}, {}, {3, 4}}),
-              ElementsAre("a body of whole cells has no polygon and no holes"));
+      ElementsAre("a body of whole cells has no polygon and no holes"));
 }
 
 }  // namespace

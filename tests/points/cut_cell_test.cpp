@@ -67,7 +67,9 @@ TEST(CutCell, MergesASliverIntoTheNearestPieceAndKeepsTheirCentroid)
 
 TEST(CutCell, MergesBelowAFifthAndNotAbove)
 {
-  const auto pieces_to = [](Real x) { return cut_cell({square, {2, 2}}, {-1, {{box({-3.0, -3.0}, {x, 3.0}), 0, false}}}, 0).size(); };
+  const auto pieces_to = [](Real x) {
+    return cut_cell({square, {2, 2}}, {-1, {{box({-3.0, -3.0}, {x, 3.0}), 0, false}}}, 0).size();
+  };
   EXPECT_EQ(pieces_to(0.199), 2u);
   EXPECT_EQ(pieces_to(0.201), 4u);
 }

@@ -26,8 +26,7 @@ struct OnePoint {
   OnePoint(Mesh<2> m, Vec<2> x, const OpenSides& open)
       : mesh(std::move(m)), points(mesh.n_cells(), 1), values(points.n_rows())
   {
-    test::add_point(
-        mesh, 5,
+    test::add_point(mesh, 5,
         {.volume = 0.01, .mass = 20.0, .v = {1.0, -2.0}, .sigma = {4.0, 5.0, 6.0, 7.0}, .state = {0.03}, .id = 9},
         points);
     points.update_occupied();
@@ -168,8 +167,8 @@ TEST(MoveToNewCell, KeepsTheMassOfAThousandWanderers)
   test::Random random(44);
   for (int id = 0; id < 1000; ++id)
     test::add_point(mesh, random.below(mesh.n_cells()),
-                    {.local = {random.between(-1.0, 1.0), random.between(-1.0, 1.0)}, .mass = 1.0 + id, .id = 1.0 * id},
-                    points, id % 2);
+        {.local = {random.between(-1.0, 1.0), random.between(-1.0, 1.0)}, .mass = 1.0 + id, .id = 1.0 * id}, points,
+        id % 2);
   points.update_occupied();
   std::vector<Real> scratch(points.n_rows());
   int put_back = 0;

@@ -35,7 +35,8 @@ CellContents lattice(Real apart, Real first, int n)
 TEST(Overfull, ALatticeMayLieAcrossTheCellsInAnyWay)
 {
   for (const Real apart : {0.1, 0.17, 0.25, 0.33, 0.49, 0.5})
-    for (const Real first : {0.01, 0.05, 0.1}) EXPECT_FALSE(find_overfull(mesh, lattice(apart, first, 1))) << apart << ' ' << first;
+    for (const Real first : {0.01, 0.05, 0.1})
+      EXPECT_FALSE(find_overfull(mesh, lattice(apart, first, 1))) << apart << ' ' << first;
 }
 
 TEST(Overfull, SoilThatLiesTwiceInOnePlaceIsFound)

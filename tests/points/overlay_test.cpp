@@ -53,10 +53,8 @@ TEST(ShareOut, CutsOffATriangleExactly)
 
 TEST(ShareOut, PutsLaterBodiesOnTopAndHolesThroughTheirOwnBodyAlone)
 {
-  const Overlay overlay{0,
-                        {{box({-1.0, -1.0}, {0.5, 0.5}), 1, false},
-                         {box({-0.5, -0.5}, {0.0, 0.0}), 1, true},
-                         {box({-0.25, -2.0}, {2.0, 2.0}), 3, false}}};
+  const Overlay overlay{0, {{box({-1.0, -1.0}, {0.5, 0.5}), 1, false}, {box({-0.5, -0.5}, {0.0, 0.0}), 1, true},
+                               {box({-0.25, -2.0}, {2.0, 2.0}), 3, false}}};
   const auto parts = share_out(overlay, square);
   EXPECT_NEAR(area_of(parts, 3), 2.5, 1e-15);
   EXPECT_NEAR(area_of(parts, 1), 0.75 * 1.5 - 0.25 * 0.5, 1e-15);
@@ -74,7 +72,8 @@ TEST(ShareOut, GivesWhatIsApartAsPartsOfTheirOwn)
 
 TEST(ShareOut, KeepsWhatHangsTogetherInOnePart)
 {
-  const Polygon tee{{-1.0, 0.5}, {-0.25, 0.5}, {-0.25, -1.0}, {0.5, -1.0}, {0.5, 0.5}, {1.0, 0.5}, {1.0, 1.0}, {-1.0, 1.0}};
+  const Polygon tee{
+      {-1.0, 0.5}, {-0.25, 0.5}, {-0.25, -1.0}, {0.5, -1.0}, {0.5, 0.5}, {1.0, 0.5}, {1.0, 1.0}, {-1.0, 1.0}};
   const auto parts = share_out({-1, {{tee, 0, false}}}, square);
   ASSERT_THAT(parts, SizeIs(1));
   expect_part(parts[0], 0, 2.125, {1.125 * 0.125 / 2.125, (1.125 * -0.25 + 0.75) / 2.125});
@@ -93,13 +92,15 @@ TEST(ShareOut, SplitsABentSliverThatDoesNotHoldItsCentroid)
 TEST(ShareOut, IsNotConfusedByLinesThatCoincideButForRoundOff)
 {
   const Real shift = 3e-17;
-  const Overlay overlay{-1, {{box({-2.0, -2.0}, {0.1, 2.0}), 0, false}, {box({0.1 + shift, -2.0}, {1.0 + shift, 1.0 - shift}), 1, false}}};
+  const Overlay overlay{-1,
+      {{box({-2.0, -2.0}, {0.1, 2.0}), 0, false}, {box({0.1 + shift, -2.0}, {1.0 + shift, 1.0 - shift}), 1, false}}};
   const auto parts = share_out(overlay, square);
   EXPECT_NEAR(area_of(parts, 0), 2.2, 1e-14);
   EXPECT_NEAR(area_of(parts, 1), 1.8, 1e-14);
 }
 
-/// A ring of n random corners in the square from -1.5 to 1.5, or on a lattice of 0.25 in it, where lines meet and coincide.
+/// A ring of n random corners in the square from -1.5 to 1.5, or on a lattice of 0.25 in it, where lines meet and
+/// coincide.
 Polygon random_ring(int n, bool on_lattice, test::Random& random)
 {
   Polygon ring;
@@ -136,14 +137,15 @@ TEST(ShareOut, GivesTheSameShareInEveryQuadrilateralAsInTheirUnion)
 {
   test::Random random(6);
   for (int trial = 0; trial < 1000; ++trial) {
-    Overlay overlay{-1, {{random_ring(6, trial % 2 == 0, random), 0, false}, {random_ring(5, trial % 2 == 0, random), 1, false}}};
+    Overlay overlay{
+        -1, {{random_ring(6, trial % 2 == 0, random), 0, false}, {random_ring(5, trial % 2 == 0, random), 1, false}}};
     const Vec<2> m{random.between(-0.5, 0.5), random.between(-0.5, 0.5)};
     const Vec<2> s{m[0], -1.0}, e{1.0, m[1]}, n{m[0], 1.0}, w{-1.0, m[1]};
     const auto whole = share_out(overlay, square);
     for (const Index body : {0, 1}) {
       Real sum = 0.0;
       for (const Corners& quarter : {Corners{{square[0], s, m, w}}, Corners{{s, square[1], e, m}},
-                                     Corners{{m, e, square[2], n}}, Corners{{w, m, n, square[3]}}})
+               Corners{{m, e, square[2], n}}, Corners{{w, m, n, square[3]}}})
         sum += area_of(share_out(overlay, quarter), body);
       ASSERT_NEAR(sum, area_of(whole, body), 1e-13) << "trial " << trial;
     }

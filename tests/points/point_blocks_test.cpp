@@ -50,7 +50,8 @@ void expect_empty_padding(const PointBlocks<2>& points)
   for (const Index cell : points.occupied())
     for_each_block(points, cell, [&](const PointBlock<2>& block, Index) {
       for (Index lane = block.n; lane < block.capacity; ++lane)
-        for (int r = 0; r < points.n_rows(); ++r) EXPECT_EQ(block.row(r)[lane], 0.0) << "row " << r << ", lane " << lane;
+        for (int r = 0; r < points.n_rows(); ++r)
+          EXPECT_EQ(block.row(r)[lane], 0.0) << "row " << r << ", lane " << lane;
     });
 }
 
@@ -198,7 +199,8 @@ TEST(PointBlocks, ReserveSetsMemoryAsideForTheRun)
   points.reserve(20000);
   const auto held = points.reserved_bytes();
   EXPECT_GT(held, 0);
-  for (int id = 0; id < 100 * 25; ++id) points.add(id % 100, 0, values_of(id, points));  // each block grows from 8 to 32
+  for (int id = 0; id < 100 * 25; ++id)
+    points.add(id % 100, 0, values_of(id, points));  // each block grows from 8 to 32
   points.update_occupied();
   EXPECT_EQ(points.bytes(), 100 * 32 * points.n_rows() * 8);
   EXPECT_EQ(points.reserved_bytes(), held) << "the run had to ask for memory";

@@ -54,17 +54,20 @@ TEST(PointsCsv, ANumberMayBeginWithAPlus)
   EXPECT_EQ(points[0].x, (Vec<2>{0.06, -1.0}));
   EXPECT_EQ(points[0].volume, 4e-4);
   for (const char* wrong : {"+", "+-1", "++1", "-+1", "+ 1"})
-    EXPECT_THAT(message_for(std::string("x,y,volume,material\n") + wrong + ",1,1,clay\n"), HasSubstr(std::string("x is `") + wrong + "`, which is not a number"));
+    EXPECT_THAT(message_for(std::string("x,y,volume,material\n") + wrong + ",1,1,clay\n"),
+        HasSubstr(std::string("x is `") + wrong + "`, which is not a number"));
 }
 
 TEST(PointsCsv, RefusesAnUnknownColumnAndSaysWhatWasMeant)
 {
   EXPECT_EQ(message_for("x,y,volme,material\n1,2,3,clay\n"),
-            "the table of points has 2 faults:\n"
-            "  points.csv:1: unknown column `volme`; did you mean `volume`?\n"
-            "  points.csv:1: no column `volume`\n"
-            "  It has the columns x, y, volume, material: m, m, m^2 (volume per metre of thickness), and a material of the case.");
-  EXPECT_THAT(message_for("x,y,volume,material,temperature\n"), HasSubstr("points.csv:1: unknown column `temperature`\n"));
+      "the table of points has 2 faults:\n"
+      "  points.csv:1: unknown column `volme`; did you mean `volume`?\n"
+      "  points.csv:1: no column `volume`\n"
+      "  It has the columns x, y, volume, material: m, m, m^2 (volume per metre of thickness), and a material of the "
+      "case.");
+  EXPECT_THAT(
+      message_for("x,y,volume,material,temperature\n"), HasSubstr("points.csv:1: unknown column `temperature`\n"));
   EXPECT_THAT(message_for("x,y,x,volume,material\n"), HasSubstr("points.csv:1: column `x` is there 2 times"));
 }
 
@@ -98,7 +101,8 @@ TEST(PointsCsv, ShowsTenFaultsAndCountsTheRest)
 TEST(PointsCsv, RefusesATableWithoutPoints)
 {
   EXPECT_THAT(message_for(""), HasSubstr("points.csv:1: the file is empty\n"));
-  EXPECT_THAT(message_for("x,y,volume,material\n"), HasSubstr("points.csv:1: no points below the names of the columns\n"));
+  EXPECT_THAT(
+      message_for("x,y,volume,material\n"), HasSubstr("points.csv:1: no points below the names of the columns\n"));
 }
 
 TEST(PointsCsv, ReadsAFileAndSaysWhichOneItCannotRead)

@@ -38,7 +38,8 @@ TEST(Polygon, SlantedSidesCutWhereTheyLie)
 
 TEST(Polygon, APlaceOnASharedSideBelongsToExactlyOneNeighbour)
 {
-  const Polygon left{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}, right{{1.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {1.0, 1.0}};
+  const Polygon left{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}},
+      right{{1.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {1.0, 1.0}};
   EXPECT_NE(contains(left, {1.0, 0.5}), contains(right, {1.0, 0.5}));
 }
 

@@ -1,4 +1,5 @@
-// Bodies cut anyhow by the mesh: mass, centroid, places and surface of their points, on regular and on strongly distorted meshes.
+// Bodies cut anyhow by the mesh: mass, centroid, places and surface of their points, on regular and on strongly
+// distorted meshes.
 
 #include "points/seed.hpp"
 
@@ -99,11 +100,14 @@ TEST(SeedCutBodies, HaveTheirMassWhereTheyLieOnTopOfEachOther)
 {
   const Polygon ground = box({0.0, 0.0}, {4.0, 1.23}), wall = box({1.515, 0.333}, {1.737, 2.9});
   const std::vector<BodyOutline> bodies{{ground, {5, 5}}, {disc, {4, 4}, {pipe}}, {wall, {6, 3}}};
-  const auto in = [](const Polygon& polygon, Vec<2> low, Vec<2> high) { return signed_area(clip_to_box(polygon, {low, high})); };
+  const auto in = [](const Polygon& polygon, Vec<2> low, Vec<2> high) {
+    return signed_area(clip_to_box(polygon, {low, high}));
+  };
   const auto ring_in = [&](Vec<2> low, Vec<2> high) { return in(disc, low, high) - in(pipe, low, high); };
   const Real wall_area = 0.222 * 2.567;
   const Real disc_area = signed_area(disc) - signed_area(pipe) - ring_in(wall[0], wall[2]);
-  const Real ground_area = 4.0 * 1.23 - ring_in(ground[0], ground[2]) - 0.222 * (1.23 - 0.333) + ring_in(wall[0], {wall[2][0], 1.23});
+  const Real ground_area =
+      4.0 * 1.23 - ring_in(ground[0], ground[2]) - 0.222 * (1.23 - 0.333) + ring_in(wall[0], {wall[2][0], 1.23});
   for (const Real share : {0.0, 0.35}) {
     const auto seeds = seed_points(make_mesh(share), bodies);
     EXPECT_NEAR(volume_of(seeds, 0) / ground_area, 1.0, 1e-12);
@@ -116,10 +120,12 @@ TEST(SeedCutBodies, HaveTheirCentroid)
 {
   for (const auto& [name, body] : single_bodies()) {
     const Vec<2> exact = centroid_of(body);
-    const Vec<2> regular = centroid_of(seed_one(make_mesh(0.0), body)), distorted = centroid_of(seed_one(make_mesh(0.35), body));
+    const Vec<2> regular = centroid_of(seed_one(make_mesh(0.0), body)),
+                 distorted = centroid_of(seed_one(make_mesh(0.35), body));
     for (int d = 0; d < 2; ++d) {
       EXPECT_NEAR(regular[d], exact[d], 1e-12) << name;
-      EXPECT_NEAR(distorted[d], exact[d], 1e-4 * h) << name;  // a lattice point of a twisted cell is not the centroid of its part
+      EXPECT_NEAR(distorted[d], exact[d], 1e-4 * h)
+          << name;  // a lattice point of a twisted cell is not the centroid of its part
     }
   }
 }
@@ -151,12 +157,14 @@ TEST(SeedCutBodies, KeepTheirPointsApartAndInProportion)
       EXPECT_GT(nearest, (share == 0.0 ? 0.5 : 0.2) * spacing) << name;
       const Real part = h * h / (body.points_per_cell[0] * body.points_per_cell[1]);
       if (share > 0.0) continue;
-      for (const Seed& seed : seeds) ASSERT_TRUE(seed.volume >= 0.2 * part * (1.0 - 1e-12) && seed.volume < 1.6 * part) << name;
+      for (const Seed& seed : seeds)
+        ASSERT_TRUE(seed.volume >= 0.2 * part * (1.0 - 1e-12) && seed.volume < 1.6 * part) << name;
     }
   }
 }
 
-/// Distance from the slope to the nearest point beneath it, least and most over windows of two spacings along the slope [m].
+/// Distance from the slope to the nearest point beneath it, least and most over windows of two spacings along the slope
+/// [m].
 std::pair<Real, Real> depth_of_surface(const std::vector<Seed>& seeds)
 {
   const Vec<2> top = embankment[4], foot = embankment[3];
@@ -166,12 +174,14 @@ std::pair<Real, Real> depth_of_surface(const std::vector<Seed>& seeds)
   for (const Seed& seed : seeds) {
     const Real down = (seed.x[0] - top[0]) * along[0] + (seed.x[1] - top[1]) * along[1];
     const Real below = (seed.x[0] - top[0]) * along[1] - (seed.x[1] - top[1]) * along[0];
-    const int window = static_cast<int>(std::floor(down / (2.0 * spacing))), n_windows = static_cast<int>(length / (2.0 * spacing));
+    const int window = static_cast<int>(std::floor(down / (2.0 * spacing))),
+              n_windows = static_cast<int>(length / (2.0 * spacing));
     if (window < 2 || window >= n_windows - 2) continue;
     Real& least = depth.try_emplace(window, h).first->second;
     least = std::min(least, below);
   }
-  const auto [least, most] = std::minmax_element(depth.begin(), depth.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto [least, most] =
+      std::minmax_element(depth.begin(), depth.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   return {least->second, most->second};
 }
 
@@ -191,7 +201,8 @@ TEST(SeedCutBodies, HaveASlopeThatIsNoStaircase)
 TEST(SeedCutBodies, GiveASliverInACellOfItsOwnToTheCellNextDoor)
 {
   const auto mesh = make_rectangle({0.0, 0.0}, {3.0, 1.0}, {3, 1});
-  const auto seeds = seed_one(mesh, {box({0.0, 0.0}, {1.01, 1.0}), {5, 5}});  // 1 cm into the second cell, whose parts are 20 cm wide
+  const auto seeds =
+      seed_one(mesh, {box({0.0, 0.0}, {1.01, 1.0}), {5, 5}});  // 1 cm into the second cell, whose parts are 20 cm wide
   EXPECT_EQ(seeds.size(), 25u);
   EXPECT_NEAR(volume_of(seeds, 0), 1.01, 1e-15);
   EXPECT_NEAR(centroid_of(seeds)[0], 0.505, 1e-15);
@@ -237,7 +248,9 @@ TEST(SeedCutBodies, AreSeededInOneOrderAndToTheBit)
   const auto mesh = make_mesh(0.35);
   const std::vector<BodyOutline> bodies{{embankment, {5, 5}}, {disc, {3, 4}, {pipe}}};
   const auto seeds = seed_points(mesh, bodies), again = seed_points(mesh, bodies);
-  const auto before = [](const Seed& a, const Seed& b) { return std::pair(a.cell, a.body) < std::pair(b.cell, b.body); };
+  const auto before = [](const Seed& a, const Seed& b) {
+    return std::pair(a.cell, a.body) < std::pair(b.cell, b.body);
+  };
   EXPECT_TRUE(std::is_sorted(seeds.begin(), seeds.end(), before));
   ASSERT_EQ(seeds.size(), again.size());
   for (std::size_t k = 0; k < seeds.size(); ++k) {

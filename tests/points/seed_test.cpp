@@ -123,7 +123,8 @@ TEST(SeedPoints, FarFromTheOriginFollowTheMeshAllTheSame)
 {
   const Vec<2> origin{155000.3, 463000.7};  // a national grid, in metres
   const auto mesh = make_rectangle(origin, {4.0, 2.0}, {40, 20});
-  const std::vector<BodyOutline> bodies{{box({origin[0] + 0.3, origin[1]}, {origin[0] + 1.7, origin[1] + 1.1}), {5, 5}}};
+  const std::vector<BodyOutline> bodies{
+      {box({origin[0] + 0.3, origin[1]}, {origin[0] + 1.7, origin[1] + 1.1}), {5, 5}}};
   const auto seeds = seed_points(mesh, bodies);
   EXPECT_EQ(seeds.size(), 14u * 11u * 25u);
   EXPECT_NEAR(total_volume(seeds), 1.54, 1.54 * 1e-9);  // the corners themselves are known to 6e-11 m

@@ -15,7 +15,8 @@ TEST(Backdrop, EachLineOfTheMeshIsThereOnce)
   const auto edges = mesh_edges(make_rectangle({0.0, 0.0}, {3.0, 2.0}, {3, 2}));
   EXPECT_EQ(edges.size() / 4, 3 * 3 + 4 * 2);
   Real length = 0.0;
-  for (std::size_t k = 0; k < edges.size(); k += 4) length += std::hypot(edges[k + 2] - edges[k], edges[k + 3] - edges[k + 1]);
+  for (std::size_t k = 0; k < edges.size(); k += 4)
+    length += std::hypot(edges[k + 2] - edges[k], edges[k + 3] - edges[k + 1]);
   EXPECT_NEAR(length, 17.0, 1e-6);
 }
 

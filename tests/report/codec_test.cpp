@@ -17,7 +17,8 @@ TEST(Codec, ACodeIsWithinHalfAStepOfItsValue)
   const Scale scale = make_scale(-3.0, 5.0, 0.001);
   EXPECT_EQ(scale.step, 0.001);
   for (Real v = -3.0; v <= 5.0; v += 0.00137) {
-    const Real back = scale.lo + (scale.hi() - scale.lo) * quantise(v, scale) / 65535.0;  // as docs/report_format.md has it
+    const Real back =
+        scale.lo + (scale.hi() - scale.lo) * quantise(v, scale) / 65535.0;  // as docs/report_format.md has it
     EXPECT_NEAR(back, v, 0.0005 + 1e-12);
   }
 }

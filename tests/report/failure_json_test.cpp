@@ -23,7 +23,8 @@ TEST(FailureJson, HasTheEventsUnderTheirNames)
   s.n_steps = 100;
   s.passes = {{"stress", 1.5}};
   s.moved_volume = 6.5, s.crest_x = 4.0;
-  s.slides.push_back({{.begins = 0.2, .stops = {}, .crest_from = 8.0, .crest_to = 6.0, .kinetic_peak = 11.0}, {.time = 0.7, .rate = 4.0, .line = {{6.0, 1.5}, {7.0, 0.5}}}});
+  s.slides.push_back({{.begins = 0.2, .stops = {}, .crest_from = 8.0, .crest_to = 6.0, .kinetic_peak = 11.0},
+      {.time = 0.7, .rate = 4.0, .line = {{6.0, 1.5}, {7.0, 0.5}}}});
   const auto json = written(run);
   EXPECT_EQ(json["passes"][0]["name"], "stress");
   EXPECT_EQ(json["events"]["first_slide"]["begins"], 0.2);

@@ -13,9 +13,9 @@ const Payload payload{.json = R"({"format":1})", .chunks = {"QUJD", "Zg=="}, .no
 TEST(Page, HasTheDataWhereTheMarkerStood)
 {
   EXPECT_EQ(make_page("<body><!--terp-data--><p></body>", payload),
-            "<body><script id=\"terp-report\" type=\"application/json\">{\"format\":1}</script>\n"
-            "<script type=\"application/octet-stream\" data-chunk=\"0\">QUJD</script>\n"
-            "<script type=\"application/octet-stream\" data-chunk=\"1\">Zg==</script>\n<p></body>");
+      "<body><script id=\"terp-report\" type=\"application/json\">{\"format\":1}</script>\n"
+      "<script type=\"application/octet-stream\" data-chunk=\"0\">QUJD</script>\n"
+      "<script type=\"application/octet-stream\" data-chunk=\"1\">Zg==</script>\n<p></body>");
 }
 
 TEST(Page, WithoutTheMarkerOrWithTwoIsRefused)

@@ -30,11 +30,16 @@ std::string from_base64(const std::string& text)
 
 struct PayloadTest : testing::Test {
   test::ScratchFolder scratch;
-  Payload payload = make_payload({test::write_run(scratch.path() + "/mixed", [](Summary& s) { s.scheme = "mpm_mixed"; }), test::write_run(scratch.path() + "/gp")},
-                                 {.written = "2026-11-21T10:00:00Z"});
+  Payload payload =
+      make_payload({test::write_run(scratch.path() + "/mixed", [](Summary& s) { s.scheme = "mpm_mixed"; }),
+                       test::write_run(scratch.path() + "/gp")},
+          {.written = "2026-11-21T10:00:00Z"});
   json document = json::parse(payload.json);
 
-  std::string chunk(const json& part) const { return gunzip(from_base64(payload.chunks.at(part.at("chunk").get<std::size_t>()))); }
+  std::string chunk(const json& part) const
+  {
+    return gunzip(from_base64(payload.chunks.at(part.at("chunk").get<std::size_t>())));
+  }
   std::vector<float> floats(const json& part) const
   {
     const std::string bytes = chunk(part);
@@ -70,7 +75,8 @@ TEST_F(PayloadTest, PlacesDecodeToThoseOfTheRun)
   const Real lo = x["lo"], hi = x["hi"];
   for (std::size_t k = 0; k < 3; ++k)
     for (std::size_t p = 0; p < 5; ++p)
-      EXPECT_NEAR(lo + (hi - lo) * frames[k][p] / 65535.0, test::sample_frame(static_cast<int>(k)).x[2 * p], 0.501 * run["position_precision"].get<Real>());
+      EXPECT_NEAR(lo + (hi - lo) * frames[k][p] / 65535.0, test::sample_frame(static_cast<int>(k)).x[2 * p],
+          0.501 * run["position_precision"].get<Real>());
 }
 
 TEST_F(PayloadTest, TablesAreColumnsOfFloatsInReadableUnits)
@@ -112,7 +118,11 @@ TEST_F(PayloadTest, ACaseThatCannotBeReadCostsTheMeshAndSaysSo)
   EXPECT_TRUE(alone["comparison"].is_null());
 }
 
-TEST_F(PayloadTest, SaysWhatIsShown) { EXPECT_THAT(payload.notes, testing::ElementsAre(testing::StartsWith("mixed: 3 frames, 5 points, places to "), testing::StartsWith("gp: "))); }
+TEST_F(PayloadTest, SaysWhatIsShown)
+{
+  EXPECT_THAT(payload.notes,
+      testing::ElementsAre(testing::StartsWith("mixed: 3 frames, 5 points, places to "), testing::StartsWith("gp: ")));
+}
 
 }  // namespace
 }  // namespace terp

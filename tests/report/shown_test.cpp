@@ -13,8 +13,8 @@ namespace {
 
 using testing::ElementsAre;
 
-/// A run of n points in F frames: point p moves right by k at frame k and has S_u = 8000 - 100 k p; the last leaves in the last frame.
-/// noise: what chance adds to coordinates [m], and a thousand times to S_u [Pa].
+/// A run of n points in F frames: point p moves right by k at frame k and has S_u = 8000 - 100 k p; the last leaves in
+/// the last frame. noise: what chance adds to coordinates [m], and a thousand times to S_u [Pa].
 struct Folder {
   test::ScratchFolder scratch;
   std::string path = test::write_run(scratch.path() + "/run");
@@ -25,8 +25,11 @@ struct Folder {
     std::filesystem::remove(path_in(path, results_file));
     ResultsFile results(path_in(path, results_file));
     for (int k = 0; k < n_frames; ++k) {
-      Frame frame{.time = 0.1 * k, .step = k, .x = {}, .fields = {{"su", "Pa", 1, {}}, {"stress", "Pa", 4, {}}, {"velocity", "m/s", 3, {}},
-                                                                   {"material", "-", 1, {}}, {"volume", "m^2", 1, {}}}};
+      Frame frame{.time = 0.1 * k,
+          .step = k,
+          .x = {},
+          .fields = {{"su", "Pa", 1, {}}, {"stress", "Pa", 4, {}}, {"velocity", "m/s", 3, {}}, {"material", "-", 1, {}},
+              {"volume", "m^2", 1, {}}}};
       for (int p = 0; p < n; ++p) {
         frame.x.insert(frame.x.end(), {0.5 * p + k + random.between(0.0, noise), 0.25 * p});
         frame.fields[0].values.push_back(8000.0 - 100.0 * k * p + 1000.0 * random.between(0.0, noise));
@@ -41,7 +44,10 @@ struct Folder {
   ShownRun shown(std::int64_t n_most = 1000) const { return read_shown(read_run(path), n_most); }
 };
 
-Real value(const ShownField& field, std::size_t frame, std::size_t point) { return field.scale.lo + field.scale.step * field.frames[frame][point]; }
+Real value(const ShownField& field, std::size_t frame, std::size_t point)
+{
+  return field.scale.lo + field.scale.step * field.frames[frame][point];
+}
 
 const ShownField& field_of(const ShownRun& run, const std::string& name)
 {
@@ -97,7 +103,8 @@ TEST(Shown, MorePointsThanAllowedAreSampledTheSameWayEachTime)
   EXPECT_NEAR(static_cast<double>(run.ids.size()), 500.0, 50.0);
   EXPECT_TRUE(std::is_sorted(run.ids.begin(), run.ids.end()));
   EXPECT_EQ(run.ids, folder.shown(500).ids);
-  for (std::size_t p = 0; p < run.ids.size(); p += 50) EXPECT_NEAR(run.x.lo + run.x.step * run.x_codes[0][p], 0.5 * run.ids[p], run.x.step);
+  for (std::size_t p = 0; p < run.ids.size(); p += 50)
+    EXPECT_NEAR(run.x.lo + run.x.step * run.x_codes[0][p], 0.5 * run.ids[p], run.x.step);
 }
 
 TEST(Fit, LeavesWhatFits)

@@ -20,29 +20,36 @@ RunResults sample_run()
   run.ledger = {{"time", "kinetic"}, {{0.0, 1.0, 4.0}, {0.0, 1000.0, 200.0}}};
   run.summary.finished = true;
   Summary& s = run.summary.values;
-  s.facing = Facing::right, s.scheme = "mpm_gp", s.n_points = 500, s.n_steps = 100, s.front_x = 13.06, s.run_out = 5.07, s.crest_x = 4.1, s.crest_y = 1.96;
+  s.facing = Facing::right, s.scheme = "mpm_gp", s.n_points = 500, s.n_steps = 100, s.front_x = 13.06, s.run_out = 5.07,
+  s.crest_x = 4.1, s.crest_y = 1.96;
   s.moved_volume = 6.47, s.moved_fraction = 0.404, s.moved_distance = 0.1;
   return run;
 }
 
-Slide slide(Real begins, std::optional<Real> stops) { return {.begins = begins, .stops = stops, .crest_from = 8.0, .crest_to = 6.0, .kinetic_peak = 1000.0}; }
+Slide slide(Real begins, std::optional<Real> stops)
+{
+  return {.begins = begins, .stops = stops, .crest_from = 8.0, .crest_to = 6.0, .kinetic_peak = 1000.0};
+}
 
 TEST(Story, TellsEachSlideMotionAndCrest)
 {
   RunResults run = sample_run();
   run.summary.values.slides = {{slide(0.18, 2.16), {}}, {slide(2.52, {}), {}}};
-  EXPECT_THAT(tell_story(run),
-              ElementsAre("The first slide begins at 0.18 s: the crest retreats from x = 8.00 m to 6.00 m. At 2.16 s it has slowed to a tenth of its largest kinetic energy.",
-                          "The second slide begins at 2.52 s: the crest retreats from x = 8.00 m to 6.00 m. It still moves at 4.00 s, with 20 % of its largest kinetic energy.",
-                          "By 4.00 s, 6.47 m² of soil (40.4 % of the section) have moved by more than 0.1 m. The front has run out by 5.07 m, to x = 13.06 m.",
-                          "The crest that remains stands at x = 4.10 m, y = 1.96 m."));
+  EXPECT_THAT(tell_story(run), ElementsAre("The first slide begins at 0.18 s: the crest retreats from x = 8.00 m to "
+                                           "6.00 m. At 2.16 s it has slowed to a tenth of its largest kinetic energy.",
+                                   "The second slide begins at 2.52 s: the crest retreats from x = 8.00 m to 6.00 m. "
+                                   "It still moves at 4.00 s, with 20 % of its largest kinetic energy.",
+                                   "By 4.00 s, 6.47 m² of soil (40.4 % of the section) have moved by more than 0.1 m. "
+                                   "The front has run out by 5.07 m, to x = 13.06 m.",
+                                   "The crest that remains stands at x = 4.10 m, y = 1.96 m."));
 }
 
 TEST(Story, SaysWhenASlideIsOvertakenByTheNext)
 {
   RunResults run = sample_run();
   run.summary.values.slides = {{slide(0.18, {}), {}}, {slide(2.52, 3.0), {}}};
-  EXPECT_THAT(tell_story(run)[0], HasSubstr("It has not slowed to a tenth of its largest kinetic energy when the next one begins."));
+  EXPECT_THAT(tell_story(run)[0],
+      HasSubstr("It has not slowed to a tenth of its largest kinetic energy when the next one begins."));
   EXPECT_THAT(tell_story(run), Contains("At the end the soil still moves, with 20 % of its largest kinetic energy."));
 }
 
@@ -59,7 +66,8 @@ TEST(Story, OfARunThatGoesOnWaitsForItsSummary)
 {
   RunResults run = sample_run();
   run.ledger = {{"time", "step", "kinetic"}, {{0.0, 1.0}, {0.0, 200.0}, {0.0, 10.0}}};
-  EXPECT_THAT(tell_story(run), ElementsAre("The run has come to 1.00 s. What happened is told when it ends or is stopped."));
+  EXPECT_THAT(
+      tell_story(run), ElementsAre("The run has come to 1.00 s. What happened is told when it ends or is stopped."));
   run.summary.values.n_steps = 200;
   EXPECT_GT(tell_story(run).size(), 1);
 }
@@ -76,7 +84,8 @@ TEST(Story, SaysThatTheToeIsNotFreeAndHowFarSoilCame)
   RunResults run = sample_run();
   Summary& s = run.summary.values;
   s.free_toe = false;
-  EXPECT_THAT(tell_story(run)[1], testing::EndsWith("The soil fills the section to its side, so its toe is not free: what moved reaches x = 13.06 m, 5.07 m beyond the toe of "
+  EXPECT_THAT(tell_story(run)[1], testing::EndsWith("The soil fills the section to its side, so its toe is not free: "
+                                                    "what moved reaches x = 13.06 m, 5.07 m beyond the toe of "
                                                     "the slope."));
   s.front_x = std::nan("");
   EXPECT_THAT(tell_story(run)[1], testing::EndsWith("its toe is not free: no soil has come out of the slope."));
@@ -90,7 +99,8 @@ TEST(Story, NamesTheSlopeThatSlidesToTheLeft)
   Slide left = slide(0.18, 2.16);
   left.facing = Facing::left;
   run.summary.values.slides = {{left, {}}};
-  EXPECT_THAT(tell_story(run)[0], testing::StartsWith("The first slide begins at 0.18 s on the slope to the left: the crest retreats"));
+  EXPECT_THAT(tell_story(run)[0],
+      testing::StartsWith("The first slide begins at 0.18 s on the slope to the left: the crest retreats"));
 }
 
 TEST(Story, SaysHowMuchOfWhatMovedIsIntact)
@@ -106,7 +116,8 @@ TEST(Story, NamesSofteningAndAHistoryThatFell)
   Summary& s = run.summary.values;
   s.scheme = "mpm_mixed", s.softened_fraction = {{4.0, 0.417}}, s.points_eps_eq_p_fell = 16, s.points_su_rose = 14;
   EXPECT_THAT(tell_story(run), Contains("41.7 % of the soil has lost more than half of its strength."));
-  EXPECT_THAT(tell_story(run), Contains("At 16 of 500 points the plastic strain fell at some time and strength came back. The law of the soil does not allow it: "
+  EXPECT_THAT(tell_story(run), Contains("At 16 of 500 points the plastic strain fell at some time and strength came "
+                                        "back. The law of the soil does not allow it: "
                                         "MPM-Mixed averages the history of neighbouring points."));
 }
 
@@ -118,8 +129,10 @@ TEST(Cautions, AreNoneForAGoodRunAndNameWhatIsNot)
   run.summary.values.energy_balance_error = 0.06;
   run.summary.values.clamped_points = 3;
   run.summary.values.points_left = 7;
-  EXPECT_THAT(find_cautions(run), ElementsAre("The run has not reached its end: the last row of its ledger is at 4 s.", "The energy balance is off by 6 % of the energy exchanged.",
-                                              "3 points had to be put back at a wall of the mesh.", "7 points left the mesh through open sides."));
+  EXPECT_THAT(find_cautions(run),
+      ElementsAre("The run has not reached its end: the last row of its ledger is at 4 s.",
+          "The energy balance is off by 6 % of the energy exchanged.",
+          "3 points had to be put back at a wall of the mesh.", "7 points left the mesh through open sides."));
 }
 
 TEST(Checks, OfAKilledRunAreNotPassedForWantOfNumbers)

@@ -22,8 +22,10 @@ struct CompareTest : testing::Test {
   CompareTest()
   {
     const std::string mixed = test::write_run(scratch.path() + "/mixed", [](Summary& s) {
-      s.scheme = "mpm_mixed", s.front_x = 13.39, s.moved_fraction = 0.403, s.intact_fraction = 0.003, s.points_eps_eq_p_fell = 2, s.softened_fraction = {{0.25, 0.417}};
-      s.slides = {{{.begins = 0.18, .stops = 2.0, .crest_from = 8.0, .crest_to = 6.0}, {}}, {{.begins = 2.36, .stops = {}, .crest_from = 6.0, .crest_to = 4.1}, {}}};
+      s.scheme = "mpm_mixed", s.front_x = 13.39, s.moved_fraction = 0.403, s.intact_fraction = 0.003,
+      s.points_eps_eq_p_fell = 2, s.softened_fraction = {{0.25, 0.417}};
+      s.slides = {{{.begins = 0.18, .stops = 2.0, .crest_from = 8.0, .crest_to = 6.0}, {}},
+          {{.begins = 2.36, .stops = {}, .crest_from = 6.0, .crest_to = 4.1}, {}}};
     });
     const std::string gp = test::write_run(scratch.path() + "/gp", [](Summary& s) {
       s.front_x = 13.06, s.crest_x = 4.0, s.intact_fraction = 0.248, s.softened_fraction = {{0.25, 0.311}};
@@ -51,7 +53,8 @@ TEST_F(CompareTest, HasARowForFrontCrestEventsPointsAuditAndCost)
   EXPECT_THAT(row("largest kinetic energy").values, Each(Optional(testing::DoubleNear(1.25e-3, 1e-12))));
   EXPECT_THAT(row("plastic dissipation").values, Each(Optional(testing::DoubleNear(3.75e-3, 1e-12))));
   EXPECT_THAT(row("share that moved").values, ElementsAre(Optional(testing::DoubleNear(40.3, 1e-9)), Optional(0.0)));
-  EXPECT_THAT(row("softened volume at 0.25 s").values, ElementsAre(Optional(testing::DoubleNear(41.7, 1e-9)), Optional(testing::DoubleNear(31.1, 1e-9))));
+  EXPECT_THAT(row("softened volume at 0.25 s").values,
+      ElementsAre(Optional(testing::DoubleNear(41.7, 1e-9)), Optional(testing::DoubleNear(31.1, 1e-9))));
   EXPECT_THAT(row("softened volume at 0.125 s").values, ElementsAre(std::nullopt, std::nullopt));
   EXPECT_THAT(row("A: eps_eq_p > 0.06 from").values, ElementsAre(std::nullopt, std::nullopt));
   EXPECT_THAT(row("points whose eps_eq_p ever fell").values, ElementsAre(Optional(2.0), Optional(0.0)));
@@ -61,24 +64,32 @@ TEST_F(CompareTest, HasARowForFrontCrestEventsPointsAuditAndCost)
 TEST_F(CompareTest, SaysTheDifferencesInWords)
 {
   ASSERT_EQ(comparison.text.size(), 5);
-  EXPECT_EQ(comparison.text[0], "The first slide begins at 0.18 s with MPM-Mixed, at 0.25 s with MPM-GP. A second begins at 2.36 s with MPM-Mixed; with MPM-GP there is none.");
-  EXPECT_EQ(comparison.text[1], "With MPM-Mixed the front ends 0.33 m farther than with MPM-GP (13.39 m against 13.06 m).");
+  EXPECT_EQ(comparison.text[0],
+      "The first slide begins at 0.18 s with MPM-Mixed, at 0.25 s with MPM-GP. A second begins at 2.36 s with "
+      "MPM-Mixed; with MPM-GP there is none.");
+  EXPECT_EQ(
+      comparison.text[1], "With MPM-Mixed the front ends 0.33 m farther than with MPM-GP (13.39 m against 13.06 m).");
   EXPECT_EQ(comparison.text[2],
-            "Of the soil that moved, 0.3 % is intact at the end with MPM-Mixed (eps_eq_p below 0.01), 24.8 % with MPM-GP: blocks that slide in one piece survive with "
-            "MPM-GP and are erased with MPM-Mixed.");
-  EXPECT_EQ(comparison.text[3], "At the end 41.7 % of the soil has lost more than half of its strength with MPM-Mixed, 31.1 % with MPM-GP.");
+      "Of the soil that moved, 0.3 % is intact at the end with MPM-Mixed (eps_eq_p below 0.01), 24.8 % with MPM-GP: "
+      "blocks that slide in one piece survive with "
+      "MPM-GP and are erased with MPM-Mixed.");
+  EXPECT_EQ(comparison.text[3],
+      "At the end 41.7 % of the soil has lost more than half of its strength with MPM-Mixed, 31.1 % with MPM-GP.");
   EXPECT_EQ(comparison.text[4],
-            "With MPM-Mixed the plastic strain fell at 2 of 5 points, so that soil regained strength, which its law forbids; with MPM-GP no point loses any of its plastic strain.");
+      "With MPM-Mixed the plastic strain fell at 2 of 5 points, so that soil regained strength, which its law forbids; "
+      "with MPM-GP no point loses any of its plastic strain.");
 }
 
 TEST(CompareRuns, HasNoNumbersOfASummaryThatIsBehind)
 {
   test::ScratchFolder scratch;
-  std::vector<RunResults> runs{read_run(test::write_run(scratch.path() + "/done")), read_run(test::write_run(scratch.path() + "/killed"))};
+  std::vector<RunResults> runs{
+      read_run(test::write_run(scratch.path() + "/done")), read_run(test::write_run(scratch.path() + "/killed"))};
   runs[1].summary.finished = false;
   runs[1].summary.values.n_steps = 0;
   for (const ComparisonRow& row : compare_runs(runs, {"done", "killed"}).rows)
-    if (row.label == "share that moved" || row.label == "points whose S_u ever rose" || row.label == "energy balance error") {
+    if (row.label == "share that moved" || row.label == "points whose S_u ever rose" ||
+        row.label == "energy balance error") {
       EXPECT_TRUE(row.values[0].has_value()) << row.label;
       EXPECT_FALSE(row.values[1].has_value()) << row.label;
     }
@@ -107,7 +118,8 @@ TEST_F(CompareTest, IsTheSameAsJson)
 TEST(SofteningTime, IsTheFirstAtWhichThePlasticStrainOfAPointPasses6Percent)
 {
   RunResults run;
-  run.history = {{"A", {{"time", "eps_eq_p"}, {{0.0, 0.1, 0.2, 0.3}, {0.0, 0.06, 0.061, 0.02}}}}, {"B", {{"time", "eps_eq_p"}, {{0.0, 0.1}, {0.0, std::nan("")}}}}};
+  run.history = {{"A", {{"time", "eps_eq_p"}, {{0.0, 0.1, 0.2, 0.3}, {0.0, 0.06, 0.061, 0.02}}}},
+      {"B", {{"time", "eps_eq_p"}, {{0.0, 0.1}, {0.0, std::nan("")}}}}};
   EXPECT_THAT(softening_time(run, "A"), Optional(0.2));
   EXPECT_EQ(softening_time(run, "B"), std::nullopt);
   EXPECT_EQ(softening_time(run, "C"), std::nullopt);

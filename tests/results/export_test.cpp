@@ -23,12 +23,15 @@ TEST(ParseFrames, TakesNumbersRangesAndLast)
 TEST(ParseFrames, SaysWhichFramesThereAre)
 {
   for (const char* text : {"3", "x", "", "0,", "1:", "-1"})
-    EXPECT_THAT(test::case_error_of([&] { parse_frames(text, 3); }), testing::AllOf(StartsWith("error: there is no frame `"), HasSubstr("the run has frames 0 to 2"))) << text;
+    EXPECT_THAT(test::case_error_of([&] { parse_frames(text, 3); }),
+        testing::AllOf(StartsWith("error: there is no frame `"), HasSubstr("the run has frames 0 to 2")))
+        << text;
 }
 
 TEST(ParseFrames, RefusesARangeThatRunsBackwards)
 {
-  EXPECT_THAT(test::case_error_of([] { parse_frames("0,2:1", 3); }), StartsWith("error: the frames `2:1` in `0,2:1` run backwards"));
+  EXPECT_THAT(test::case_error_of([] { parse_frames("0,2:1", 3); }),
+      StartsWith("error: the frames `2:1` in `0,2:1` run backwards"));
   EXPECT_THAT(parse_frames("1:1", 3), ElementsAre(1));
 }
 
@@ -42,7 +45,8 @@ TEST_F(ExportTest, CsvHasAColumnPerComponentAndNumbersToTheBit)
 {
   const auto paths = export_frames(frames, {ExportFormat::csv, {"stress", "su"}, "1", folder});
   EXPECT_THAT(paths, ElementsAre(folder + "/frame_00001.csv", folder + "/frames.csv"));
-  EXPECT_THAT(read_file(paths[0]), StartsWith("id,x,y,stress_xx,stress_yy,stress_zz,stress_xy,su\n0,1000.1,1000.2,1000.6,1000.7,1000.8,1000.9,1000.3\n1,1010.1,"));
+  EXPECT_THAT(read_file(paths[0]), StartsWith("id,x,y,stress_xx,stress_yy,stress_zz,stress_xy,su\n0,1000.1,1000.2,1000."
+                                              "6,1000.7,1000.8,1000.9,1000.3\n1,1010.1,"));
   EXPECT_EQ(read_file(paths[1]), "file,time,step\nframe_00001.csv,0.1,100\n");
 }
 
@@ -50,18 +54,23 @@ TEST_F(ExportTest, AllFramesAndFieldsUnlessToldOtherwise)
 {
   const auto paths = export_frames(frames, {ExportFormat::npz, {}, "", folder});
   ASSERT_EQ(paths.size(), 4);
-  for (const char* name : {"time.npy", "step.npy", "id.npy", "x.npy", "su.npy", "velocity.npy", "stress.npy"}) EXPECT_THAT(read_file(paths[2]), HasSubstr(name));
+  for (const char* name : {"time.npy", "step.npy", "id.npy", "x.npy", "su.npy", "velocity.npy", "stress.npy"})
+    EXPECT_THAT(read_file(paths[2]), HasSubstr(name));
 }
 
 TEST_F(ExportTest, VtuIsListedInAPvd)
 {
   const auto paths = export_frames(frames, {ExportFormat::vtu, {"su"}, "0,last", folder});
-  EXPECT_THAT(read_file(paths.back()), testing::AllOf(HasSubstr("timestep=\"0.2\" part=\"0\" file=\"frame_00002.vtu\""), testing::Not(HasSubstr("frame_00001"))));
+  EXPECT_THAT(read_file(paths.back()), testing::AllOf(HasSubstr("timestep=\"0.2\" part=\"0\" file=\"frame_00002.vtu\""),
+                                           testing::Not(HasSubstr("frame_00001"))));
 }
 
 TEST_F(ExportTest, AFieldThatIsNotThereWritesNothing)
 {
-  EXPECT_THAT(test::case_error_of([&] { export_frames(frames, {ExportFormat::csv, {"sigma"}, "", folder}); }), HasSubstr("has no field `sigma`"));
+  EXPECT_THAT(test::case_error_of([&] {
+    export_frames(frames, {ExportFormat::csv, {"sigma"}, "", folder});
+  }),
+      HasSubstr("has no field `sigma`"));
   EXPECT_FALSE(std::filesystem::exists(folder));
 }
 

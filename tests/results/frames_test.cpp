@@ -61,26 +61,31 @@ TEST_F(FramesTest, OfAnotherCaseThatTookThePlaceAreNotMixedIn)
   const Frames frames(path);
   std::filesystem::remove(path);
   ResultsFile(path, "0123456789abcdef").append(test::sample_frame(0));
-  EXPECT_EQ(file_error_of([&] { frames.places(0); }), "cannot read " + path + ": it has become the file of another case");
+  EXPECT_EQ(
+      file_error_of([&] { frames.places(0); }), "cannot read " + path + ": it has become the file of another case");
 }
 
 TEST_F(FramesTest, NamesTheFieldsWhenAskedForAnother)
 {
   const Frames frames(path);
-  EXPECT_EQ(test::case_error_of([&] { frames.read("sigma", 0); }), "error: " + path + " has no field `sigma`\n  It has: su, velocity, stress\n");
+  EXPECT_EQ(test::case_error_of([&] { frames.read("sigma", 0); }),
+      "error: " + path + " has no field `sigma`\n  It has: su, velocity, stress\n");
 }
 
 TEST_F(FramesTest, AFrameThatIsNotThereIsAnErrorThatNamesTheFile)
 {
   const Frames frames(path);
-  EXPECT_THAT(file_error_of([&] { frames.places(3); }), testing::AllOf(HasSubstr("cannot read rows 15 to 19"), HasSubstr(path), HasSubstr("it has 15")));
+  EXPECT_THAT(file_error_of([&] { frames.places(3); }),
+      testing::AllOf(HasSubstr("cannot read rows 15 to 19"), HasSubstr(path), HasSubstr("it has 15")));
 }
 
 TEST_F(FramesTest, OfANewerFormatAreRefusedWithItsVersion)
 {
   Hdf5File(path, Hdf5File::Mode::change).set_integers("/VTKHDF", "Version", {3, 0});
-  EXPECT_EQ(file_error_of([&] { Frames{path}; }),
-            "cannot read " + path + ": it is of VTKHDF version 3.0, terp " TERP_VERSION " reads version 2\n  A newer terp wrote it: read it with that one.");
+  EXPECT_EQ(
+      file_error_of([&] { Frames{path}; }), "cannot read " + path +
+                                                ": it is of VTKHDF version 3.0, terp " TERP_VERSION
+                                                " reads version 2\n  A newer terp wrote it: read it with that one.");
 }
 
 TEST_F(FramesTest, TablesThatDoNotHoldWhatTheFileSaysAreRefused)
@@ -108,9 +113,12 @@ TEST_F(FramesTest, TablesThatDoNotHoldWhatTheFileSaysAreRefused)
     return other;
   };
   EXPECT_EQ(Frames(written("", 0)).places(0).size(), 10);
-  EXPECT_THAT(file_error_of([&] { Frames{written("/VTKHDF/Points", 1)}; }), HasSubstr("its points have no three coordinates"));
-  EXPECT_THAT(file_error_of([&] { Frames{written("/VTKHDF/Points", 5)}; }), HasSubstr("it has 3 rows, 1 frames of 5 points take more"));
-  EXPECT_THAT(file_error_of([&] { Frames{written("/VTKHDF/PointData/velocity", 5)}; }), HasSubstr("cannot read /VTKHDF/PointData/velocity"));
+  EXPECT_THAT(
+      file_error_of([&] { Frames{written("/VTKHDF/Points", 1)}; }), HasSubstr("its points have no three coordinates"));
+  EXPECT_THAT(file_error_of([&] { Frames{written("/VTKHDF/Points", 5)}; }),
+      HasSubstr("it has 3 rows, 1 frames of 5 points take more"));
+  EXPECT_THAT(file_error_of([&] { Frames{written("/VTKHDF/PointData/velocity", 5)}; }),
+      HasSubstr("cannot read /VTKHDF/PointData/velocity"));
 }
 
 TEST(Magnitudes, AreLengthsOfVectorsAndSizesOfNumbers)

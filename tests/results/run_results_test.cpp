@@ -28,7 +28,8 @@ TEST(RunResults, SaysWhichFileIsMissingAndWhatToDo)
 {
   const test::ScratchFolder scratch;
   EXPECT_EQ(file_error_of([&] { read_run(scratch.path() + "/none"); }), scratch.path() + "/none: no such run folder");
-  EXPECT_THAT(file_error_of([&] { read_run(scratch.path()); }), testing::AllOf(HasSubstr("it has no case.toml"), HasSubstr("Give the folder that `terp run` wrote")));
+  EXPECT_THAT(file_error_of([&] { read_run(scratch.path()); }),
+      testing::AllOf(HasSubstr("it has no case.toml"), HasSubstr("Give the folder that `terp run` wrote")));
   const std::string folder = test::write_run(scratch.path() + "/run");
   std::filesystem::remove(folder + "/results.vtkhdf");
   EXPECT_THAT(file_error_of([&] { read_run(folder); }), HasSubstr("it has no results.vtkhdf"));

@@ -52,7 +52,8 @@ TEST(Table, WithALineOfAnotherLengthIsRefusedWithItsNumber)
   const test::ScratchFolder scratch;
   const std::string path = scratch.path() + "/ledger.csv";
   write_file_atomically(path, "time,step\n0,0\n1\n");
-  EXPECT_EQ(file_error_of([&] { read_number_table(path); }), "cannot read " + path + ": line 3 has 1 columns, the header 2");
+  EXPECT_EQ(
+      file_error_of([&] { read_number_table(path); }), "cannot read " + path + ": line 3 has 1 columns, the header 2");
   write_file_atomically(path, "");
   EXPECT_EQ(file_error_of([&] { read_number_table(path); }), "cannot read " + path + ": it has no header");
 }
@@ -65,7 +66,8 @@ TEST(ColumnInfo, IsKnownForEveryColumnOfTheTables)
       const std::string name = header.substr(begin, end - begin);
       if (name == "point" || name == "id") continue;
       const ColumnInfo info = describe_column(name);
-      EXPECT_NE(static_cast<const void*>(info.name.data()), static_cast<const void*>(name.data())) << name;  // an entry of the table
+      EXPECT_NE(static_cast<const void*>(info.name.data()), static_cast<const void*>(name.data()))
+          << name;  // an entry of the table
     }
   EXPECT_EQ(describe_column("front_x").unit, "m");
   EXPECT_EQ(describe_column("porosity").label, "porosity");

@@ -1,4 +1,5 @@
-// What the schemes make of stresses and states, by averages and by the pressure of the cell, is back inside the yield surface after each step.
+// What the schemes make of stresses and states, by averages and by the pressure of the cell, is back inside the yield
+// surface after each step.
 
 #include "materials/probe.hpp"
 #include "support/cases.hpp"
@@ -18,7 +19,8 @@ class EveryScheme : public testing::TestWithParam<const char*> {};
 constexpr Real degree = std::numbers::pi / 180.0;
 
 /// Frictional soil that softens [Pa, deg]: c 5 to 0.5 kPa, phi 30 to 22, psi 8 to 0.
-const MaterialCase sand{"clay", "mohr_coulomb", 1990.0, {2e6, 0.3, 5e3, 30.0, 8.0, std::numeric_limits<Real>::infinity(), 0.5e3, 22.0, 0.0, 50.0}};
+const MaterialCase sand{"clay", "mohr_coulomb", 1990.0,
+    {2e6, 0.3, 5e3, 30.0, 8.0, std::numeric_limits<Real>::infinity(), 0.5e3, 22.0, 0.0, 50.0}};
 
 /// How far a point lies outside the surface of its own strain, over the size of its stress.
 Real excess_of(const Point& point)
@@ -50,10 +52,12 @@ TEST_P(EveryScheme, EndsEveryStepInsideTheYieldSurfaceOfSofteningFrictionalSoil)
   EXPECT_GT(largest_strain, 0.2);
 }
 
-TEST_P(EveryScheme, GivesSoilWithoutFrictionThePathOfTresca)  // two laws, two returns, one column that fails and softens
+TEST_P(
+    EveryScheme, GivesSoilWithoutFrictionThePathOfTresca)  // two laws, two returns, one column that fails and softens
 {
   Case tresca = test::column(GetParam()), mohr = tresca;
-  mohr.materials = {{"clay", "mohr_coulomb", 1990.0, {2e6, 0.48, 8e3, 0.0, 0.0, std::numeric_limits<Real>::infinity(), 2e3, 0.0, 0.0, 50.0}}};
+  mohr.materials = {{"clay", "mohr_coulomb", 1990.0,
+      {2e6, 0.48, 8e3, 0.0, 0.0, std::numeric_limits<Real>::infinity(), 2e3, 0.0, 0.0, 50.0}}};
   Simulation a(tresca), b(mohr);
   a.step(200), b.step(200);
   const auto p = test::points_by_id(a.state), q = test::points_by_id(b.state);
@@ -68,7 +72,7 @@ TEST_P(EveryScheme, GivesSoilWithoutFrictionThePathOfTresca)  // two laws, two r
 }
 
 INSTANTIATE_TEST_SUITE_P(Schemes, EveryScheme, testing::Values("mpm_mixed", "mpm_gp", "standard_mpm"),
-                         [](const auto& info) { return std::string(info.param); });
+    [](const auto& info) { return std::string(info.param); });
 
 }  // namespace
 }  // namespace terp

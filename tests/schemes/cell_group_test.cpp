@@ -28,7 +28,8 @@ struct Row {
   CellGroup group(Index first, Index n)
   {
     pressure.resize(points.n_blocks());
-    return {std::span(points.occupied()).subspan(first, n), mesh, points, std::span(corners).subspan(first, n), pressure, gauss};
+    return {std::span(points.occupied()).subspan(first, n), mesh, points, std::span(corners).subspan(first, n),
+        pressure, gauss};
   }
 };
 
@@ -36,8 +37,9 @@ struct Row {
 int gather(Row& row, const SchemeContext& context, int n_state, Index first = 0, Index n = 1)
 {
   const CellGroup group = row.group(first, n);
-  return gather_at_gauss_points(context, group, [&](Index material) -> GaussValues<2, Pack>& { return group.gauss_of(material); },
-                                [&](Index) { return n_state; }, [](const auto&, auto&) {});
+  return gather_at_gauss_points(
+      context, group, [&](Index material) -> GaussValues<2, Pack>& { return group.gauss_of(material); },
+      [&](Index) { return n_state; }, [](const auto&, auto&) {});
 }
 
 std::vector<SoilMaterial> two_names_of_one_soil()
@@ -56,8 +58,9 @@ CornerSums<2> force_of_uniform_stress(Index other, const MethodOptions& method, 
   int k = 0;
   for (const Real eta : {-0.7, -0.2, 0.3, 0.6})
     for (const Real xi : {-0.5, 0.4})
-      add_point(cell.mesh, 0, {.local = {xi, eta}, .volume = volume * (1.0 + 0.1 * k), .sigma = {-3e3, -5e3, -4e3, 1e3}, .state = {0.01}},
-                cell.points, k++ % 2 == 0 ? 0 : other);
+      add_point(cell.mesh, 0,
+          {.local = {xi, eta}, .volume = volume * (1.0 + 0.1 * k), .sigma = {-3e3, -5e3, -4e3, 1e3}, .state = {0.01}},
+          cell.points, k++ % 2 == 0 ? 0 : other);
   cell.points.update_occupied();
   const auto materials = two_names_of_one_soil();
   gather(cell, {method, materials}, 1);
@@ -80,7 +83,8 @@ TEST(CellGroup, TwoMaterialsUnderOneStressShareTheWeightOfTheirCell)
 std::pair<bool, Real> cut_tension(Real limit, Real volume)
 {
   Row cell(1);
-  add_point(cell.mesh, 0, {.local = {0.3, 0.3}, .volume = volume, .sigma = {5e3, 5e3, 5e3, 0.0}, .state = {0.0}}, cell.points);
+  add_point(cell.mesh, 0, {.local = {0.3, 0.3}, .volume = volume, .sigma = {5e3, 5e3, 5e3, 0.0}, .state = {0.0}},
+      cell.points);
   cell.points.update_occupied();
   const auto materials = two_names_of_one_soil();
   MethodOptions method;
@@ -108,10 +112,12 @@ Row eight_distorted_cells()
   for (Index cell = 0; cell < 8; ++cell)
     for (int k = 0; k < (cell == 7 ? 2 : 11 + cell); ++k)
       add_point(row.mesh, cell,
-                {.local = {random.between(-1.0, 1.0), random.between(-1.0, 1.0)}, .volume = random.between(0.02, 0.1),
-                 .sigma = {random.between(-9e3, 0.0), random.between(-9e3, 0.0), random.between(-9e3, 0.0), random.between(-2e3, 2e3)},
-                 .state = {random.between(0.0, 0.1)}},
-                row.points, cell % 3 == 1 && k % 2 == 0 ? 1 : 0);
+          {.local = {random.between(-1.0, 1.0), random.between(-1.0, 1.0)},
+              .volume = random.between(0.02, 0.1),
+              .sigma = {random.between(-9e3, 0.0), random.between(-9e3, 0.0), random.between(-9e3, 0.0),
+                  random.between(-2e3, 2e3)},
+              .state = {random.between(0.0, 0.1)}},
+          row.points, cell % 3 == 1 && k % 2 == 0 ? 1 : 0);
   row.points.update_occupied();
   return row;
 }
@@ -163,7 +169,8 @@ TEST(CellGroup, GivesWhatOneCellInScalarsGives)
 TEST(CellGroup, LayersAreTheMaterialsInOrderWithTheCellsThatHoldThem)
 {
   Row row(3);
-  for (const auto& [cell, material] : {std::pair{0, 1}, {1, 0}, {1, 1}, {2, 0}}) add_point(row.mesh, cell, {}, row.points, material);
+  for (const auto& [cell, material] : {std::pair{0, 1}, {1, 0}, {1, 1}, {2, 0}})
+    add_point(row.mesh, cell, {}, row.points, material);
   row.points.update_occupied();
   std::vector<std::pair<Index, std::vector<int>>> layers;
   for_each_layer(row.group(0, 3), [&](const BlockLayer& layer) {

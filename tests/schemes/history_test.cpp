@@ -13,7 +13,8 @@ using test::Simulation;
 using testing::DoubleEq;
 using testing::Pointwise;
 
-/// Plastic strain of two points of equal volume in one sub-cell, the only ones of their cell, after a step in which nothing deforms.
+/// Plastic strain of two points of equal volume in one sub-cell, the only ones of their cell, after a step in which
+/// nothing deforms.
 std::vector<Real> eps_eq_p_after_one_step(const char* scheme, const std::vector<Real>& before)
 {
   Case c = test::clamped_cell(scheme);
@@ -67,11 +68,14 @@ TEST(History, MixedLowersThePlasticStrainOfPointsThatMoveAmongFresherOnes) { EXP
 
 TEST(History, WithoutSofteningTheSchemesSlideAlike)
 {
-  Simulation gp(test::column_without_softening("mpm_gp", 0.25)), mixed(test::column_without_softening("mpm_mixed", 0.25));
+  Simulation gp(test::column_without_softening("mpm_gp", 0.25)),
+      mixed(test::column_without_softening("mpm_mixed", 0.25));
   for (const Real time : {1.0, 2.0}) {
     while (gp.state.time < time) gp.step();
     while (mixed.state.time < time) mixed.step();
-    EXPECT_NEAR(extent_in_x(gp.model.mesh, gp.state.points)[1], extent_in_x(mixed.model.mesh, mixed.state.points)[1], 0.1) << time << " s";
+    EXPECT_NEAR(
+        extent_in_x(gp.model.mesh, gp.state.points)[1], extent_in_x(mixed.model.mesh, mixed.state.points)[1], 0.1)
+        << time << " s";
     EXPECT_GT(extent_in_x(gp.model.mesh, gp.state.points)[1], 8.0 + time);
   }
 }

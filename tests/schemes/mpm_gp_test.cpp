@@ -16,7 +16,8 @@ using test::Point;
 using test::Simulation;
 using Rows = PointRows<2>;
 
-constexpr std::array<Real, 4> pressure{-900.0, 300.0, 1500.0, -1300.0};  // tr(sigma)/3 of the four points, mean -100 [Pa]
+constexpr std::array<Real, 4> pressure{
+    -900.0, 300.0, 1500.0, -1300.0};  // tr(sigma)/3 of the four points, mean -100 [Pa]
 
 /// A full cell of four points with unlike stresses after a step in which nothing deforms.
 std::vector<Point> points_after_one_step(PointPressure choice, Real relaxation, std::vector<Point>& before)
@@ -61,7 +62,8 @@ TEST(MpmGp, WithRelaxationAPointTakesAShareOfTheDifference)
 {
   std::vector<Point> before;
   const auto after = points_after_one_step(PointPressure::relax, 0.3, before);
-  for (std::size_t p = 0; p < 4; ++p) EXPECT_NEAR(pressure_of(after[p]), pressure[p] + 0.3 * (-100.0 - pressure[p]), 1e-10);
+  for (std::size_t p = 0; p < 4; ++p)
+    EXPECT_NEAR(pressure_of(after[p]), pressure[p] + 0.3 * (-100.0 - pressure[p]), 1e-10);
 }
 
 /// Gives every point a plastic strain of its own, by id.

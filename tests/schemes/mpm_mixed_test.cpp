@@ -16,8 +16,9 @@ using test::Point;
 using test::Simulation;
 using Rows = PointRows<2>;
 
-/// Two points on top of each other in each sub-cell of a full clamped cell, the second with three times the volume of the first.
-/// Stress and state of the pair in sub-cell g: 100 (g + 1) and 500 (g + 1), times one factor for each component.
+/// Two points on top of each other in each sub-cell of a full clamped cell, the second with three times the volume of
+/// the first. Stress and state of the pair in sub-cell g: 100 (g + 1) and 500 (g + 1), times one factor for each
+/// component.
 constexpr std::array<Real, 4> factor{-3.0, -1.0, -2.0, 0.5};
 
 std::vector<Point> points_after_one_step(StateAveraging averaging)
@@ -48,20 +49,23 @@ TEST(MpmMixed, PointsOfASubCellTakeItsMeanDeviatorAndThePressureOfTheCell)
   for (const Point& p : points_after_one_step(StateAveraging::as_declared)) {
     const Real own = mean_of(sub_cell_of(p)), cell = 1000.0;  // means of `value`
     const Real pressure_factor = -2.0;                        // (-3 - 1 - 2) / 3
-    for (int k = 0; k < 3; ++k) EXPECT_NEAR(p.sigma[k], (factor[k] - pressure_factor) * own + pressure_factor * cell, 1e-9);
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(p.sigma[k], (factor[k] - pressure_factor) * own + pressure_factor * cell, 1e-9);
     EXPECT_NEAR(p.sigma[3], factor[3] * own, 1e-9);
   }
 }
 
 TEST(MpmMixed, ThePlasticStrainIsAveragedOverTheCellAsItsLawDeclares)
 {
-  for (const Point& p : points_after_one_step(StateAveraging::as_declared)) EXPECT_NEAR(p.eps_eq_p(), 1e-5 * 1000.0, 1e-16);
+  for (const Point& p : points_after_one_step(StateAveraging::as_declared))
+    EXPECT_NEAR(p.eps_eq_p(), 1e-5 * 1000.0, 1e-16);
   for (const Point& p : points_after_one_step(StateAveraging::cell)) EXPECT_NEAR(p.eps_eq_p(), 1e-5 * 1000.0, 1e-16);
 }
 
 TEST(MpmMixed, ThePlasticStrainMayBeAveragedOverTheSubCellInstead)
 {
-  for (const Point& p : points_after_one_step(StateAveraging::sub_cell)) EXPECT_NEAR(p.eps_eq_p(), 1e-5 * mean_of(sub_cell_of(p)), 1e-16);
+  for (const Point& p : points_after_one_step(StateAveraging::sub_cell))
+    EXPECT_NEAR(p.eps_eq_p(), 1e-5 * mean_of(sub_cell_of(p)), 1e-16);
 }
 
 /// Variance of the plastic strain along x about its centre [m^2].
@@ -76,8 +80,8 @@ Real variance(const State& state)
   return second / sum - (first / sum) * (first / sum);
 }
 
-/// A bar that moves along x with a bell of plastic strain in it, far from its ends. Weights are the points' own volumes, with
-/// which the mean over a cell keeps the sum of the state.
+/// A bar that moves along x with a bell of plastic strain in it, far from its ends. Weights are the points' own
+/// volumes, with which the mean over a cell keeps the sum of the state.
 Simulation make_moving_bar(Index n)
 {
   Case c = test::free_box("mpm_mixed", {0.0, 0.25}, {10.0, 0.75});

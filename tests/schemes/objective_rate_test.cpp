@@ -1,4 +1,5 @@
-// The stress of a turning body turns with it under the Jaumann rate, and stays without it, in every scheme (reading R17).
+// The stress of a turning body turns with it under the Jaumann rate, and stays without it, in every scheme (reading
+// R17).
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
@@ -14,8 +15,8 @@ using test::Point;
 using test::Simulation;
 using Rows = PointRows<2>;
 
-constexpr Real spin = 10.0;          // counter-clockwise [rad/s]
-constexpr Real dt = 1e-6;            // so short that the stress does not yet strain the body [s]
+constexpr Real spin = 10.0;  // counter-clockwise [rad/s]
+constexpr Real dt = 1e-6;    // so short that the stress does not yet strain the body [s]
 constexpr Real sigma_xx = -0.5, sigma_yy = 1.5, sigma_xy = 0.75;  // [Pa]
 
 /// A box under one stress that turns about its middle, after one step.

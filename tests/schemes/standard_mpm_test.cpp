@@ -32,7 +32,8 @@ TEST(StandardMpm, LocksInNearlyIncompressibleSoilWhereTheOthersSlide)
   EXPECT_GT(path_of_front("mpm_gp"), 0.8);
 }
 
-/// Root mean square difference between the pressure of a point and the mean of its cell, after 0.5 s of the softening column [Pa].
+/// Root mean square difference between the pressure of a point and the mean of its cell, after 0.5 s of the softening
+/// column [Pa].
 Real pressure_noise(const char* scheme)
 {
   Simulation s(test::column(scheme));

@@ -49,7 +49,7 @@ TEST(CellPasses, PointsMoveWithTheShapeFunctions)
   du[1] = {0.0, 0.0, 0.0, 0.16};  // corner 3: N = 0.25 * 0.25
   std::vector<PointPlace> leavers;
   advance_points({0, cells.mesh.geometry(0), cells.points, cells.corners}, cells.mesh.centres[0], du,
-                 test::only_block(cells.points, 0), 0, leavers);
+      test::only_block(cells.points, 0), 0, leavers);
   const PointBlock<2>& block = test::only_block(cells.points, 0);
   EXPECT_NEAR(block.row(Rows::x)[0], 1.5 + 0.09, 1e-15);
   EXPECT_NEAR(block.row(Rows::x + 1)[0], 0.25 + 0.01, 1e-15);
@@ -62,7 +62,7 @@ TEST(CellPasses, ACellIsHalfOpen)
 {
   TwoCells cells;
   for (const Real xi : {-1.0, -0.75, 0.75, 0.875}) add_point(cells.mesh, 0, {.local = {xi, 0.0}}, cells.points);
-  EXPECT_THAT(cells.lanes_that_leave({0.0, 0.0}), testing::IsEmpty());       // xi = -1 belongs to the cell
+  EXPECT_THAT(cells.lanes_that_leave({0.0, 0.0}), testing::IsEmpty());         // xi = -1 belongs to the cell
   EXPECT_THAT(cells.lanes_that_leave({0.125, 0.0}), testing::ElementsAre(3));  // xi = 1 does not
   EXPECT_THAT(cells.lanes_that_leave({-0.25, 0.0}), testing::ElementsAre(0));
 }
@@ -107,7 +107,8 @@ TEST(CellPasses, BesideAnAlmostStraightCornerLocalCoordinatesFollowThePlace)
 
 TEST(CellPasses, APlaceThatTheMapDoesNotReachHasLeft)
 {
-  for (const Vec<2> du : {Vec<2>{0.02, 0.02}, Vec<2>{0.1, 0.1}, Vec<2>{1.0, 1.0}, Vec<2>{0.3, -0.1}, Vec<2>{3.0, 0.0}}) {
+  for (const Vec<2> du :
+      {Vec<2>{0.02, 0.02}, Vec<2>{0.1, 0.1}, Vec<2>{1.0, 1.0}, Vec<2>{0.3, -0.1}, Vec<2>{3.0, 0.0}}) {
     Vec<2> after, x;
     EXPECT_TRUE(leaves_triangle({0.97, 0.97}, du, after, x)) << du[0] << ' ' << du[1];
   }

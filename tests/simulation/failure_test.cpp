@@ -50,9 +50,10 @@ TEST(Failure, OfTheColumnIsASlideWithASlipSurfaceFromTheCrestToTheToe)
   EXPECT_GT(slip.line.back()[0], 8.0);
 }
 
-/// The column at the left wall, or at the right wall, where it falls to the left. Of 5 x 5 points the middle ones lie between two sub-cells
-/// and belong to the one on the right, so that the mirror image differs by 1e-5 of its energy at once; of 4 x 4 points it does not (decision 0007).
-/// Without local damping, which acts by the sign of a velocity, also of one that is round-off: with 0.1 of it the fronts differ by 1 cm at 0.6 s.
+/// The column at the left wall, or at the right wall, where it falls to the left. Of 5 x 5 points the middle ones lie
+/// between two sub-cells and belong to the one on the right, so that the mirror image differs by 1e-5 of its energy at
+/// once; of 4 x 4 points it does not (decision 0007). Without local damping, which acts by the sign of a velocity, also
+/// of one that is round-off: with 0.1 of it the fronts differ by 1 cm at 0.6 s.
 Case column_at(Facing facing)
 {
   Case c = test::column("mpm_gp", 0.25);

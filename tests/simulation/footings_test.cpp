@@ -80,7 +80,8 @@ TEST(Footings, DampingDoesNotPushWhatAFootingHolds)
   EXPECT_EQ(s.state.work.damping, 0.0);
   const Vec<2> p = test::momentum(s.state);
   EXPECT_NEAR(p[1], 1990.0 * 2.0 * s.work.footings[0].velocity[1], 1e-6);
-  EXPECT_NEAR(s.state.footings[0].impulse[1], -p[1] - 1990.0 * 2.0 * 9.81 * s.state.time, 1e-6);  // it carries the weight: pulled down
+  EXPECT_NEAR(s.state.footings[0].impulse[1], -p[1] - 1990.0 * 2.0 * 9.81 * s.state.time,
+      1e-6);  // it carries the weight: pulled down
 }
 
 TEST(Footings, ARowHoldsTheMeanSinceTheRowBefore)
@@ -114,7 +115,8 @@ TEST(Footings, SurviveInACheckpoint)
   const State back = restore(s.model, make_image(s.state));
   EXPECT_EQ(test::first_difference(make_image(s.state), make_image(back)), "");
   const FootingMeter &a = s.state.footings[0], &b = back.footings.at(0);
-  EXPECT_THAT((std::array{b.impulse[1], b.since, b.reaction[1], b.largest, b.work}), ElementsAre(a.impulse[1], a.since, a.reaction[1], a.largest, a.work));
+  EXPECT_THAT((std::array{b.impulse[1], b.since, b.reaction[1], b.largest, b.work}),
+      ElementsAre(a.impulse[1], a.since, a.reaction[1], a.largest, a.work));
   EXPECT_NE(a.impulse[1], 0.0);
 }
 
@@ -153,14 +155,16 @@ TEST(Footings, OneThatTouchesNoSoilIsToldOf)
   Case c = pushed("mpm_gp");
   EXPECT_EQ(warnings_of(c), "");
   c.footings[0].low[1] = 1.6;
-  EXPECT_THAT(warnings_of(c), HasSubstr("footing[0].box: the footing `plate` touches no soil\nNo node of a cell with soil lies in its box at t = 0."));
+  EXPECT_THAT(warnings_of(c), HasSubstr("footing[0].box: the footing `plate` touches no soil\nNo node of a cell with "
+                                        "soil lies in its box at t = 0."));
 }
 
 TEST(Footings, OneThatMovesOutOfWhatItHoldsIsToldOf)
 {
   Case c = pushed("mpm_gp");
   c.time.end = 4.0;
-  EXPECT_THAT(warnings_of(c), HasSubstr("footing[0].box: the footing `plate` moves out of the soil that it holds\nIt comes 0.798 m far; the nodes at its "
+  EXPECT_THAT(warnings_of(c), HasSubstr("footing[0].box: the footing `plate` moves out of the soil that it holds\nIt "
+                                        "comes 0.798 m far; the nodes at its "
                                         "front leave it at its back after 0.5 m. Make the box larger."));
 }
 

@@ -26,7 +26,8 @@ const PointField& field(const Frame& frame, const std::string& name)
 std::vector<std::string> names(const Frame& frame)
 {
   std::vector<std::string> list;
-  for (const PointField& f : frame.fields) list.push_back(f.name + " [" + f.unit + "] x" + std::to_string(f.n_components));
+  for (const PointField& f : frame.fields)
+    list.push_back(f.name + " [" + f.unit + "] x" + std::to_string(f.n_components));
   return list;
 }
 
@@ -34,8 +35,8 @@ TEST(Frame, HoldsTheFieldsOfEveryPointAndOfItsMaterial)
 {
   const Simulation s(test::column("mpm_gp"));
   EXPECT_THAT(names(make_frame(s.model, s.state)),
-              ElementsAre("velocity [m/s] x3", "displacement [m] x3", "stress [Pa] x4", "volume [m^2] x1", "material [-] x1", "cell [-] x1",
-                          "strain [-] x4", "eps_deviatoric [-] x1", "eps_eq_p [-] x1", "su [Pa] x1"));
+      ElementsAre("velocity [m/s] x3", "displacement [m] x3", "stress [Pa] x4", "volume [m^2] x1", "material [-] x1",
+          "cell [-] x1", "strain [-] x4", "eps_deviatoric [-] x1", "eps_eq_p [-] x1", "su [Pa] x1"));
 }
 
 TEST(Frame, HoldsTheFieldsThatTheCaseChooses)
@@ -124,7 +125,8 @@ TEST(Frame, TheCaseChoosesTheNorm)
   Case c = test::clamped_cell("mpm_gp");
   c.output.deviatoric_norm = DeviatoricNorm::von_mises;
   Simulation s(c);
-  test::edit_points(s.state, [](const PointBlock<2>& block, Index lane) { block.row(PointRows<2>::strain + 3)[lane] = 0.01; });
+  test::edit_points(
+      s.state, [](const PointBlock<2>& block, Index lane) { block.row(PointRows<2>::strain + 3)[lane] = 0.01; });
   EXPECT_NEAR(field(make_frame(s.model, s.state), "eps_deviatoric").values[2], 0.02 / std::sqrt(3.0), 1e-16);
 }
 

@@ -35,13 +35,14 @@ TEST(Guards, AValueThatIsNotANumberIsNamedWithPointCellMaterialAndLikelyCause)
     if (block.row(Rows::id)[lane] == 30.0) block.row(Rows::v)[lane] = NAN;
   });
   s.work.finite = false;
-  const std::string smallest = fmt::format("{:.2g}", s.work.node[s.work.active_nodes[0]].mass);  // at the corner of the column
+  const std::string smallest =
+      fmt::format("{:.2g}", s.work.node[s.work.active_nodes[0]].mass);  // at the corner of the column
   EXPECT_EQ(find_fault(s.model, s.state, s.work, 0.25),
-            "step 5, t = 0.0152 s: the velocity of material point 30 is not a number\n\n"
-            "  where    cell 1 at x = 0.75 m, y = 0.25 m; material `clay` (tresca_softening)\n"
-            "  before   largest 99.9 % speed 0.25 m/s; dt = 0.00303 s, courant 0.98\n"
-            "  likely   an unstable time step, or a nearly empty node: smallest nodal mass " +
-                smallest + " kg (docs/troubleshooting.md#not-a-number)");
+      "step 5, t = 0.0152 s: the velocity of material point 30 is not a number\n\n"
+      "  where    cell 1 at x = 0.75 m, y = 0.25 m; material `clay` (tresca_softening)\n"
+      "  before   largest 99.9 % speed 0.25 m/s; dt = 0.00303 s, courant 0.98\n"
+      "  likely   an unstable time step, or a nearly empty node: smallest nodal mass " +
+          smallest + " kg (docs/troubleshooting.md#not-a-number)");
 }
 
 TEST(Guards, EachKindOfValueHasItsName)
@@ -66,7 +67,7 @@ TEST(Guards, WithoutABadPointTheNodesAreNamed)
   s.step();
   s.work.finite = false;
   EXPECT_THAT(find_fault(s.model, s.state, s.work, 0.0),
-              AllOf(HasSubstr("a nodal acceleration is not a number"), HasSubstr("where    a node of the background mesh")));
+      AllOf(HasSubstr("a nodal acceleration is not a number"), HasSubstr("where    a node of the background mesh")));
 }
 
 TEST(Guards, TooManyPointsPutBackAtWallsAreAFault)
@@ -77,9 +78,9 @@ TEST(Guards, TooManyPointsPutBackAtWallsAreAFault)
   EXPECT_EQ(find_fault(s.model, s.state, s.work, 0.0), "");
   s.state.clamped = 3;
   EXPECT_EQ(find_fault(s.model, s.state, s.work, 0.0),
-            "step 1, t = 0.0030 s: 3 points had to be put back at the walls, more than 0.1 % of all\n\n"
-            "  likely   soil flies out of the mesh, or runs against a side that is `free`\n"
-            "  try      a larger mesh.size, or a `roller` on that side (docs/troubleshooting.md#clamped-points)");
+      "step 1, t = 0.0030 s: 3 points had to be put back at the walls, more than 0.1 % of all\n\n"
+      "  likely   soil flies out of the mesh, or runs against a side that is `free`\n"
+      "  try      a larger mesh.size, or a `roller` on that side (docs/troubleshooting.md#clamped-points)");
 }
 
 TEST(Guards, EnergyThatNoWorkExplainsIsAFaultOnceItIsAsMuchAsAllThatWasExchanged)
@@ -93,21 +94,25 @@ TEST(Guards, EnergyThatNoWorkExplainsIsAFaultOnceItIsAsMuchAsAllThatWasExchanged
   EXPECT_EQ(find_fault_in_balance(s.model, s.state, row), "");
   row.numerical = 2.0 * energy_exchanged(s.state);
   EXPECT_EQ(find_fault_in_balance(s.model, s.state, row),
-            fmt::format("step 100, t = 0.3030 s: the energy grows by itself: {:.3g} J per m that no work explains, {:.3g} J exchanged\n\n"
-                        "  before   kinetic {:.3g} J, elastic {:.3g} J; largest 99.9 % speed {:.3g} m/s\n"
-                        "  likely   an unstable time step, or a stiff body that travels far in pure FLIP\n"
-                        "  try      a lower time.courant, or method.flip = 0.9 (docs/troubleshooting.md#the-energy-balance-is-off)",
-                        row.numerical, 0.5 * row.numerical, row.kinetic, row.elastic, row.v_999));
+      fmt::format(
+          "step 100, t = 0.3030 s: the energy grows by itself: {:.3g} J per m that no work explains, {:.3g} J "
+          "exchanged\n\n"
+          "  before   kinetic {:.3g} J, elastic {:.3g} J; largest 99.9 % speed {:.3g} m/s\n"
+          "  likely   an unstable time step, or a stiff body that travels far in pure FLIP\n"
+          "  try      a lower time.courant, or method.flip = 0.9 (docs/troubleshooting.md#the-energy-balance-is-off)",
+          row.numerical, 0.5 * row.numerical, row.kinetic, row.elastic, row.v_999));
 }
 
-// An elastic layer that swings under its weight: once in a period gravity has done no work on the whole, and 28 J to and fro.
+// An elastic layer that swings under its weight: once in a period gravity has done no work on the whole, and 28 J to
+// and fro.
 TEST(Guards, WorkThatSwingsToAndFroWasExchanged)
 {
   Case c = test::free_box("mpm_gp", {0.0, 0.0}, {4.0, 1.0}, test::elastic(1e7, 0.3, 2000.0));
   c.mesh.size = {4.0, 2.0};
   c.mesh.cell = {0.25, 0.25};
   c.forces.gravity = {0.0, -9.81};
-  c.sides = {test::side("left", SideKind::roller), test::side("right", SideKind::roller), test::side("bottom", SideKind::fixed)};
+  c.sides = {test::side("left", SideKind::roller), test::side("right", SideKind::roller),
+      test::side("bottom", SideKind::fixed)};
   Simulation s(c);
   start_audit(s.model, s.state);
   Real largest = 0.0, least_share = 1.0;
@@ -121,7 +126,8 @@ TEST(Guards, WorkThatSwingsToAndFroWasExchanged)
   EXPECT_LT(least_share, 0.1);  // it did swing back
 }
 
-// Forces work at the stress of the start of a step: in the first step of sides that move, all energy that is stored is without work, later 1/n of it.
+// Forces work at the stress of the start of a step: in the first step of sides that move, all energy that is stored is
+// without work, later 1/n of it.
 TEST(Guards, TheOffsetOfHalfAStepIsNoGainOfEnergy)
 {
   Simulation s(test::column("mpm_gp"));
@@ -132,7 +138,8 @@ TEST(Guards, TheOffsetOfHalfAStepIsNoGainOfEnergy)
   row.numerical = 1.1 * row.elastic;
   EXPECT_EQ(find_fault_in_balance(s.model, s.state, row), "");
   s.state.step = 10;
-  EXPECT_THAT(find_fault_in_balance(s.model, s.state, row), HasSubstr("step 10, t = 0.0030 s: the energy grows by itself"));
+  EXPECT_THAT(
+      find_fault_in_balance(s.model, s.state, row), HasSubstr("step 10, t = 0.0030 s: the energy grows by itself"));
 }
 
 TEST(Guards, SoilSoLooseThatItsWavesOvertakeTheTimeStepIsAFault)
@@ -145,16 +152,17 @@ TEST(Guards, SoilSoLooseThatItsWavesOvertakeTheTimeStepIsAFault)
       if (block.row(Rows::id)[lane] <= last_id) block.row(Rows::volume)[lane] *= factor;
     });
   };
-  swell(79.0, 1.1);  // 5 % of 1600 points; courant 0.98: waves may become faster by 1/0.98, volumes larger by 1/0.98^2 = 1.041
+  swell(79.0,
+      1.1);  // 5 % of 1600 points; courant 0.98: waves may become faster by 1/0.98, volumes larger by 1/0.98^2 = 1.041
   EXPECT_EQ(find_fault_in_balance(s.model, s.state, row), "");
   swell(159.0, 1.03);
   EXPECT_EQ(find_fault_in_balance(s.model, s.state, row), "");
   swell(159.0, 1.02);
   EXPECT_EQ(find_fault_in_balance(s.model, s.state, row),
-            "step 0, t = 0.0000 s: the time step has become too long for 10 % of the soil, more than 5 %\n\n"
-            "  where    soil so loose that its waves cross the smallest cell (0.5 m) within dt = 0.00303 s\n"
-            "  likely   soil that swells without end, often under tension; dt is that of the density at t = 0\n"
-            "  try      a time.courant lower than 0.98 (docs/troubleshooting.md#the-time-step-is-too-long)");
+      "step 0, t = 0.0000 s: the time step has become too long for 10 % of the soil, more than 5 %\n\n"
+      "  where    soil so loose that its waves cross the smallest cell (0.5 m) within dt = 0.00303 s\n"
+      "  likely   soil that swells without end, often under tension; dt is that of the density at t = 0\n"
+      "  try      a time.courant lower than 0.98 (docs/troubleshooting.md#the-time-step-is-too-long)");
   row.numerical = 0.0;  // it does no harm
   EXPECT_EQ(find_fault_in_balance(s.model, s.state, row), "");
 }
@@ -216,7 +224,8 @@ TEST(Guards, ARunThatGainsEnergyStopsAtItsNextRow)
   Saboteur saboteur;
   saboteur.at_step = 120;
   saboteur.velocity = 30.0;
-  EXPECT_THAT(message_of_run(s, saboteur), AllOf(HasSubstr("step 121, t = 0.3667 s: the energy grows by itself: "), HasSubstr("  saved    runs/column/failed.h5")));
+  EXPECT_THAT(message_of_run(s, saboteur), AllOf(HasSubstr("step 121, t = 0.3667 s: the energy grows by itself: "),
+                                               HasSubstr("  saved    runs/column/failed.h5")));
   EXPECT_EQ(saboteur.saved_steps, std::vector<std::int64_t>{121});
 }
 

@@ -41,7 +41,8 @@ Case confined_box(InitialStress stress)
 
 TEST(InitialStress, NoneStartsWithoutStress)
 {
-  for (const Point& p : test::points_by_id(Simulation(confined_box(InitialStress::none)).state)) EXPECT_EQ(p.sigma, (std::array<Real, 4>{}));
+  for (const Point& p : test::points_by_id(Simulation(confined_box(InitialStress::none)).state))
+    EXPECT_EQ(p.sigma, (std::array<Real, 4>{}));
 }
 
 TEST(InitialStress, K0CarriesTheWeightOfTheSoilAbove)
@@ -60,8 +61,8 @@ TEST(InitialStress, K0CarriesTheWeightOfTheSoilAbove)
 TEST(InitialStress, K0CountsEachLayerWithItsOwnDensityAndAnOverlapOnce)
 {
   Case c = confined_box(InitialStress::k0);
-  c.materials.push_back(test::clay());                                  // 1990 kg/m^3
-  c.bodies.push_back(test::body("clay", {0.0, 1.0}, {2.0, 1.75}));      // lies on top of the left half, and on part of it
+  c.materials.push_back(test::clay());                              // 1990 kg/m^3
+  c.bodies.push_back(test::body("clay", {0.0, 1.0}, {2.0, 1.75}));  // lies on top of the left half, and on part of it
   for (const Point& p : test::points_by_id(Simulation(c).state)) {
     const bool left = p.x[0] < 2.0;
     const Real top = left ? 1.75 : 1.5, border = left ? 1.0 : 1.5;
@@ -106,11 +107,13 @@ TEST(InitialStress, K0OfARegionCarriesTheBodyOnItAndSkipsTheHoleInIt)
 {
   std::vector<Index> cells = lowest_rows(6);
   cells.erase(cells.begin() + 16 * 2 + 8);  // x = 2 to 2.25 m, y = 0.5 to 0.75 m
-  const Simulation s = box_of_region(cells, {test::body("clay", {0.0, 1.25}, {3.0, 1.75})});  // one row deep in the rock
+  const Simulation s =
+      box_of_region(cells, {test::body("clay", {0.0, 1.25}, {3.0, 1.75})});  // one row deep in the rock
   for (const Point& p : test::points_by_id(s.state)) {
     const Real x = p.x[0], y = p.x[1], top = x < 3.0 ? 1.75 : 1.5, border = x < 3.0 ? 1.25 : 1.5;
     const Real hole = x > 2.0 && x < 2.25 && y < 0.5 ? 0.25 : 0.0;
-    const Real weight = 1990.0 * (top - std::max(y, border)) * (x < 3.0 ? 1.0 : 0.0) + 2000.0 * (std::max(0.0, border - y) - hole);
+    const Real weight =
+        1990.0 * (top - std::max(y, border)) * (x < 3.0 ? 1.0 : 0.0) + 2000.0 * (std::max(0.0, border - y) - hole);
     EXPECT_NEAR(p.sigma[1], -g * weight, 1e-8) << x << ' ' << y;
   }
 }
@@ -118,7 +121,8 @@ TEST(InitialStress, K0OfARegionCarriesTheBodyOnItAndSkipsTheHoleInIt)
 TEST(InitialStress, K0SkipsTheGapUnderAnOverhang)
 {
   Case c = confined_box(InitialStress::k0);
-  c.bodies[0].polygon = {{0.0, 0.0}, {4.0, 0.0}, {4.0, 1.5}, {1.0, 1.5}, {1.0, 1.0}, {3.0, 1.0}, {3.0, 0.5}, {0.0, 0.5}};
+  c.bodies[0].polygon = {
+      {0.0, 0.0}, {4.0, 0.0}, {4.0, 1.5}, {1.0, 1.5}, {1.0, 1.0}, {3.0, 1.0}, {3.0, 0.5}, {0.0, 0.5}};
   for (const Point& p : test::points_by_id(Simulation(c).state)) {
     if (p.x[0] < 1.0 || p.x[0] > 3.0 || p.x[1] > 0.5) continue;
     EXPECT_NEAR(p.sigma[1], -2000.0 * g * (0.5 - p.x[1] + 0.5), 1e-9);
@@ -187,7 +191,8 @@ TEST(Equilibrium, AColumnThatFlowsUntilItRestsIsRefused)
   Case c = test::column("mpm_gp", 0.25);
   c.initial.stress = InitialStress::equilibrium;
   Simulation s(c);
-  EXPECT_THAT(seek(s), testing::MatchesRegex("no equilibrium: the body came to rest only after [0-9]+ % of its soil had yielded and moved by up to [1-9][.][0-9]+ m\n\n"
+  EXPECT_THAT(seek(s), testing::MatchesRegex("no equilibrium: the body came to rest only after [0-9]+ % of its soil "
+                                             "had yielded and moved by up to [1-9][.][0-9]+ m\n\n"
                                              "  likely   the body cannot stand under its own weight\n.*"));
 }
 
@@ -199,7 +204,7 @@ TEST(Equilibrium, ARunThatFindsNoneStopsItself)
   Simulation s(c);
   const std::atomic<bool> go_on{false};
   EXPECT_THAT([&] { run(s.model, s.state, s.work, {}, go_on); },
-              testing::ThrowsMessage<RunError>(testing::StartsWith("no equilibrium: after 50 steps ")));
+      testing::ThrowsMessage<RunError>(testing::StartsWith("no equilibrium: after 50 steps ")));
 }
 
 TEST(Equilibrium, ASearchThatIsStoppedGoesOnWhereItWas)
@@ -270,7 +275,8 @@ TEST(Equilibrium, SoilThatLeavesEndsTheSearch)
   c.materials = {test::elastic(1e5, 0.3, 2000.0)};  // soft: it bulges by more than half the distance between points
   c.sides[1].kind = SideKind::open;
   Simulation s(c);
-  EXPECT_EQ(seek(s), "in the search for equilibrium soil left through an open side; give that side a `roller`, or start with \"k0\"");
+  EXPECT_EQ(seek(s),
+      "in the search for equilibrium soil left through an open side; give that side a `roller`, or start with \"k0\"");
 }
 
 TEST(Equilibrium, AValueThatIsNotANumberEndsTheSearch)

@@ -1,4 +1,5 @@
-// What every step keeps, whatever the scheme: mass, momentum, and the works of the step against the energy of the points.
+// What every step keeps, whatever the scheme: mass, momentum, and the works of the step against the energy of the
+// points.
 #include "support/cases.hpp"
 #include "support/twin.hpp"
 
@@ -15,7 +16,7 @@ using test::Simulation;
 class EveryScheme : public testing::TestWithParam<const char*> {};
 
 INSTANTIATE_TEST_SUITE_P(Schemes, EveryScheme, testing::Values("standard_mpm", "mpm_mixed", "mpm_gp"),
-                         [](const auto& info) { return std::string(info.param); });
+    [](const auto& info) { return std::string(info.param); });
 
 /// The twin's scattered points on its distorted mesh, without boundaries and damping.
 Simulation free_simulation(const std::string& scheme)
@@ -95,7 +96,8 @@ Real power_gap(Simulation s)
   Real sum = 0.0, scale = 0.0;
   for (std::size_t p = 0; p < before.size(); ++p) {
     Real power = 0.0;
-    for (int k = 0; k < 4; ++k) power += (k == 3 ? 2.0 : 1.0) * before[p].sigma[k] * (after[p].strain[k] - before[p].strain[k]);
+    for (int k = 0; k < 4; ++k)
+      power += (k == 3 ? 2.0 : 1.0) * before[p].sigma[k] * (after[p].strain[k] - before[p].strain[k]);
     sum += before[p].volume * power;
     scale += std::abs(before[p].volume * power);
   }
@@ -152,7 +154,8 @@ TEST_P(EveryScheme, GravityWorkIsTheChangeOfPotential)
   Simulation s(test::column(GetParam()));
   const auto potential = [&] {
     Real sum = 0.0;
-    for (const Point& p : test::points_by_id(s.state)) sum -= p.mass * (s.model.gravity[0] * p.x[0] + s.model.gravity[1] * p.x[1]);
+    for (const Point& p : test::points_by_id(s.state))
+      sum -= p.mass * (s.model.gravity[0] * p.x[0] + s.model.gravity[1] * p.x[1]);
     return sum;
   };
   const Real start = potential();

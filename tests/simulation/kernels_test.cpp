@@ -14,8 +14,10 @@ TEST(Kernels, EveryCopyHasItsOwnNameAndEveryLawAndScheme)
   for (const InstructionSet& set : instruction_sets()) {
     EXPECT_EQ(set.kernels->instructions, set.name);
     ASSERT_EQ(set.kernels->materials.size(), all_materials().size());
-    for (std::size_t k = 0; k < all_materials().size(); ++k) EXPECT_EQ(set.kernels->materials[k]->name, all_materials()[k]->name);
-    for (const SchemeInfo& scheme : all_schemes()) EXPECT_NE(set.kernels->find_step(scheme.name), nullptr) << set.name << scheme.name;
+    for (std::size_t k = 0; k < all_materials().size(); ++k)
+      EXPECT_EQ(set.kernels->materials[k]->name, all_materials()[k]->name);
+    for (const SchemeInfo& scheme : all_schemes())
+      EXPECT_NE(set.kernels->find_step(scheme.name), nullptr) << set.name << scheme.name;
     EXPECT_EQ(set.kernels->find_step("mpm"), nullptr);
   }
 }

@@ -56,7 +56,8 @@ TEST(Ledger, EnergiesMassAndMomentumAreSumsOverThePoints)
 TEST(Ledger, AFluidStoresPressureAndNoShear)
 {
   const auto fluid = find_material("newtonian_fluid")->make(std::vector<Real>{2e6, 50.0, 0.0});
-  EXPECT_NEAR(elastic_energy(*fluid, {-3000.0, -3000.0, -3000.0, 40.0}, 0.5), 0.5 * 3000.0 * 3000.0 / (2.0 * 2e6), 1e-12);
+  EXPECT_NEAR(
+      elastic_energy(*fluid, {-3000.0, -3000.0, -3000.0, 40.0}, 0.5), 0.5 * 3000.0 * 3000.0 / (2.0 * 2e6), 1e-12);
 }
 
 TEST(Ledger, TheDifferenceOfTheBooksIsWhatWorksDoNotExplain)
@@ -133,7 +134,8 @@ TEST(Ledger, TheSpeedThat999InAThousandPointsDoNotExceedLeavesOutTheFastest)
 {
   Simulation s(test::column("mpm_gp"));  // 1600 points
   start_audit(s.model, s.state);
-  test::edit_points(s.state, [](const PointBlock<2>& block, Index lane) { block.row(Rows::v)[lane] = -block.row(Rows::id)[lane]; });
+  test::edit_points(
+      s.state, [](const PointBlock<2>& block, Index lane) { block.row(Rows::v)[lane] = -block.row(Rows::id)[lane]; });
   const LedgerRow row = keep_ledger(s.model, s.state, s.work);
   EXPECT_EQ(row.v_max, 1599.0);
   EXPECT_EQ(row.v_999, 1597.0);

@@ -24,7 +24,8 @@ Totals of_points(const State& state)
   for_each_point(state.points, [&](const PointBlock<2>& block, Index p) {
     t.mass += block.row(Rows::mass)[p];
     t.momentum_x += block.row(Rows::mass)[p] * block.row(Rows::v)[p];
-    t.pressure += (block.row(Rows::sigma)[p] + block.row(Rows::sigma + 1)[p] + block.row(Rows::sigma + 2)[p]) / 3.0 * block.row(Rows::volume)[p];
+    t.pressure += (block.row(Rows::sigma)[p] + block.row(Rows::sigma + 1)[p] + block.row(Rows::sigma + 2)[p]) / 3.0 *
+                  block.row(Rows::volume)[p];
   });
   return t;
 }

@@ -34,8 +34,11 @@ TEST(NodalKineticEnergy, OfAMovingBodyIsThatOfItsPoints)
 TEST(NodalKineticEnergy, DoesNotSeeWhatPointsOfACellMoveAgainstEachOther)
 {
   Simulation s(test::column("mpm_gp"));
-  constexpr std::array<Real, 5> noise{-1.0, 2.0, 0.0, -2.0, 1.0};  // of five points in a row: no sum and no first moment
-  set_velocities(s.state, [&](Vec<2> x) { return Vec<2>{noise[static_cast<std::size_t>(10.0 * x[0]) % 5], 0.0}; });  // cells of 0.5 m
+  constexpr std::array<Real, 5> noise{
+      -1.0, 2.0, 0.0, -2.0, 1.0};  // of five points in a row: no sum and no first moment
+  set_velocities(s.state, [&](Vec<2> x) {
+    return Vec<2>{noise[static_cast<std::size_t>(10.0 * x[0]) % 5], 0.0};
+  });  // cells of 0.5 m
   const LedgerRow ledger = [&] {
     start_audit(s.model, s.state);
     return keep_ledger(s.model, s.state, s.work);

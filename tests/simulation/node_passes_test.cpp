@@ -94,7 +94,8 @@ TEST(NodePasses, TheWorksOfAStepAreForcesTimesTheMotionOfTheirNodes)
   const Real path = test::points_by_id(s.state)[0].v[0] * dt;  // of all four nodes [m]
   EXPECT_NEAR(s.state.work.boundary, -1000.0 * 1.0 * path, 1e-12);
   EXPECT_NEAR(s.state.work.gravity, 1990.0 * 3.0 * path, 1e-12);
-  EXPECT_NEAR(s.state.work.damping, -0.1 * (1990.0 * 3.0 - 1000.0 * 1.0) * path, 1e-12);  // of what the base does not carry
+  EXPECT_NEAR(
+      s.state.work.damping, -0.1 * (1990.0 * 3.0 - 1000.0 * 1.0) * path, 1e-12);  // of what the base does not carry
 }
 
 TEST(NodePasses, NodesLighterThanTheLimitAreNotAcceleratedButMoveWithTheirPoints)
@@ -113,7 +114,8 @@ TEST(NodePasses, NodesLighterThanTheLimitAreNotAcceleratedButMoveWithTheirPoints
   EXPECT_LT(heavier.work.node[0].dv[1], 0.0);
 }
 
-/// A block of four cells with one point each, all at the local coordinate xi or eta = `place` of their cell, moving along that side.
+/// A block of four cells with one point each, all at the local coordinate xi or eta = `place` of their cell, moving
+/// along that side.
 Simulation block_on_sides(const std::string& scheme, int across, Real place)
 {
   Case c = test::free_box(scheme, {1.0, 0.5}, {1.5, 1.0}, test::elastic(2e6, 0.3, 2000.0));

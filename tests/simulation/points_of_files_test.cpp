@@ -25,7 +25,8 @@ Problem problem_of(const std::string& lines)
     make_points(build_model(c, 1));
   } catch (const InputError& error) {
     Problem problem = error.problems().at(0);
-    for (std::size_t at; (at = problem.detail.find(folder.path())) != std::string::npos;) problem.detail.erase(at, folder.path().size() + 1);
+    for (std::size_t at; (at = problem.detail.find(folder.path())) != std::string::npos;)
+      problem.detail.erase(at, folder.path().size() + 1);
     return problem;
   }
   return {};
@@ -37,8 +38,9 @@ TEST(PointsOfFiles, ThatHaveNoRoomAreToldWithTheLineOfTheLargest)
   EXPECT_EQ(p.key, "body[1].points");
   EXPECT_EQ(p.what, "the points hold more volume than there is room");
   EXPECT_EQ(p.detail,
-            "more.csv:3: the point of 0.3 m^2 at (3.1, 1.1) m lies in cell 76, where cells have 0.0625 m^2. Allowed: 0.25 m^2.\n"
-            "Volumes are in m^2 (per metre of thickness); no point may be there twice, nor in a body that is drawn.");
+      "more.csv:3: the point of 0.3 m^2 at (3.1, 1.1) m lies in cell 76, where cells have 0.0625 m^2. Allowed: 0.25 "
+      "m^2.\n"
+      "Volumes are in m^2 (per metre of thickness); no point may be there twice, nor in a body that is drawn.");
 }
 
 /// n x n points of equal volume that fill a square.
@@ -47,7 +49,8 @@ std::string square(Vec<2> low, Real side, int n)
   std::string lines;
   const Real size = side / n;
   for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) lines += fmt::format("{},{},{},clay\n", low[0] + (i + 0.5) * size, low[1] + (j + 0.5) * size, size * size);
+    for (int j = 0; j < n; ++j)
+      lines += fmt::format("{},{},{},clay\n", low[0] + (i + 0.5) * size, low[1] + (j + 0.5) * size, size * size);
   return lines;
 }
 
@@ -55,8 +58,10 @@ TEST(PointsOfFiles, ThatCrowdTogetherAreTold)
 {
   const Problem p = problem_of(square({2.5, 1.0}, 0.75, 12) + square({2.51, 1.01}, 0.75, 12));
   EXPECT_EQ(p.what, "the points hold more volume than there is room");
-  EXPECT_THAT(p.detail, testing::AllOf(testing::HasSubstr(": the point of 0.003906 m^2 at ("),
-                                       testing::HasSubstr(" or beside it. All points there hold 1.125 m^2,\nthese 9 cells have 0.5625 m^2. Allowed")));
+  EXPECT_THAT(
+      p.detail, testing::AllOf(testing::HasSubstr(": the point of 0.003906 m^2 at ("),
+                    testing::HasSubstr(
+                        " or beside it. All points there hold 1.125 m^2,\nthese 9 cells have 0.5625 m^2. Allowed")));
 }
 
 TEST(PointsOfFiles, OnePointWithinABodyThatIsDrawnIsEnough)
@@ -64,9 +69,11 @@ TEST(PointsOfFiles, OnePointWithinABodyThatIsDrawnIsEnough)
   const Problem p = problem_of("3.1,1.1,0.01,clay\n1.1,0.6,0.01,clay\n");
   EXPECT_EQ(p.key, "body[1].points");
   EXPECT_EQ(p.what, "a point lies in a body that is drawn");
-  EXPECT_EQ(p.detail, "more.csv:3: the point of 0.01 m^2 at (1.1, 0.6) m lies within body[0].\n"
-                      "No soil may be there twice: leave the point out, or draw that body without its place (`holes`).");
-  EXPECT_EQ(problem_of(square({1.25, 0.75}, 0.5, 4)).what, "a point lies in a body that is drawn");  // a body of two cells, too
+  EXPECT_EQ(p.detail,
+      "more.csv:3: the point of 0.01 m^2 at (1.1, 0.6) m lies within body[0].\n"
+      "No soil may be there twice: leave the point out, or draw that body without its place (`holes`).");
+  EXPECT_EQ(problem_of(square({1.25, 0.75}, 0.5, 4)).what,
+      "a point lies in a body that is drawn");  // a body of two cells, too
 }
 
 TEST(PointsOfFiles, MayTouchADrawnBodyAndReachALittleOverItsSide)
@@ -92,16 +99,20 @@ TEST(PointsOfFiles, TwoAtOnePlaceAreToldWithBothLines)
   const Problem p = problem_of("3.1,1.1,0.01,clay\n3.3,1.2,0.01,clay\n3.1000000001,1.1,0.02,clay\n");
   EXPECT_EQ(p.key, "body[1].points");
   EXPECT_EQ(p.what, "two points lie at one place");
-  EXPECT_EQ(p.detail, "more.csv:2 and more.csv:4: (3.1, 1.1) m.\nEach point is soil of its own, and no soil may be there twice: leave one of them out.");
+  EXPECT_EQ(p.detail,
+      "more.csv:2 and more.csv:4: (3.1, 1.1) m.\nEach point is soil of its own, and no soil may be there twice: leave "
+      "one of them out.");
   EXPECT_THAT(problem_of(square({3.0, 1.0}, 0.25, 3) + square({3.0, 1.0}, 0.25, 3)).detail,
-              testing::AllOf(testing::StartsWith("more.csv:2 and more.csv:11: ("), testing::HasSubstr(") m, and 8 more such places.\n")));
+      testing::AllOf(
+          testing::StartsWith("more.csv:2 and more.csv:11: ("), testing::HasSubstr(") m, and 8 more such places.\n")));
   EXPECT_EQ(problem_of("3.1,1.1,0.01,clay\n3.101,1.1,0.01,clay\n").what, "");  // a hundredth of their size apart
 }
 
 TEST(PointsOfFiles, TwoOfTwoFilesAtOnePlaceAreToldWithBothFiles)
 {
   const test::ScratchFolder folder;
-  for (const std::string name : {"/one.csv", "/two.csv"}) std::ofstream(folder.path() + name) << "x,y,volume,material\n" << square({3.0, 1.0}, 0.25, 2);
+  for (const std::string name : {"/one.csv", "/two.csv"})
+    std::ofstream(folder.path() + name) << "x,y,volume,material\n" << square({3.0, 1.0}, 0.25, 2);
   Case c = test::free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.5});
   c.folder = folder.path();
   c.bodies.emplace_back().points_file = "one.csv";
@@ -110,7 +121,8 @@ TEST(PointsOfFiles, TwoOfTwoFilesAtOnePlaceAreToldWithBothFiles)
     make_points(build_model(c, 1));
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.problems().at(0).detail, testing::AllOf(testing::HasSubstr("/one.csv:2 and "), testing::HasSubstr("/two.csv:2: ")));
+    EXPECT_THAT(error.problems().at(0).detail,
+        testing::AllOf(testing::HasSubstr("/one.csv:2 and "), testing::HasSubstr("/two.csv:2: ")));
   }
 }
 

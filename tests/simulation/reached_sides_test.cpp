@@ -14,7 +14,8 @@
 namespace terp {
 namespace {
 
-/// A box that flies to the right at 10 m/s, 1 m from the side; a cell is 0.25 m, its points are 0.025 m inside its face.
+/// A box that flies to the right at 10 m/s, 1 m from the side; a cell is 0.25 m, its points are 0.025 m inside its
+/// face.
 Case flying_box()
 {
   Case c = test::free_box("mpm_gp", {2.0, 0.0}, {3.0, 1.0});
@@ -69,7 +70,8 @@ TEST(ReachedSides, SoilThatRisesWhereSoilLayFromTheStartIsNoted)
 TEST(ReachedSides, SoilThatHeavesByACellIsNotToldNorIsWhatSpreadsAlongTheBottom)
 {
   Case c = test::free_box("mpm_gp", {0.0, 0.0}, {4.0, 0.5});
-  c.bodies.push_back(test::body(c.bodies[0].material.c_str(), {2.75, 0.5}, {3.75, 0.75}));  // one cell high, beside the last one
+  c.bodies.push_back(
+      test::body(c.bodies[0].material.c_str(), {2.75, 0.5}, {3.75, 0.75}));  // one cell high, beside the last one
   c.bodies[1].velocity = {10.0, 0.0};
   test::Simulation s(c);
   EXPECT_TRUE(run_until(0.005, s).empty());

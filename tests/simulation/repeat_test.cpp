@@ -24,7 +24,8 @@ TEST(Repeat, OneTwoAndFourThreadsGiveTheSameBits)
 {
   for (const char* scheme : {"standard_mpm", "mpm_mixed", "mpm_gp"}) {
     const StateImage one = state_after_300_steps(scheme, 1);
-    for (const int threads : {2, 4}) EXPECT_EQ(test::first_difference(one, state_after_300_steps(scheme, threads)), "") << scheme << threads;
+    for (const int threads : {2, 4})
+      EXPECT_EQ(test::first_difference(one, state_after_300_steps(scheme, threads)), "") << scheme << threads;
   }
 }
 

@@ -222,9 +222,11 @@ TEST(Summarise, TheBalanceErrorIsAShareOfTheEnergyExchanged)
   Recorder recorder;
   solve(s, recorder);
   const LedgerRow& row = recorder.last_row;
-  const Real exchanged = std::abs(row.gravity_work) + std::abs(row.damping_work) + std::abs(row.boundary_work) + row.plastic + s.state.start_energy;
+  const Real exchanged = std::abs(row.gravity_work) + std::abs(row.damping_work) + std::abs(row.boundary_work) +
+                         row.plastic + s.state.start_energy;
   EXPECT_GT(std::abs(row.numerical), 1e-6 * exchanged);
-  EXPECT_NEAR(summarise(s.model, s.state).energy_balance_error, std::abs(row.numerical + 0.5 * s.state.work.last_step) / exchanged, 1e-12);
+  EXPECT_NEAR(summarise(s.model, s.state).energy_balance_error,
+      std::abs(row.numerical + 0.5 * s.state.work.last_step) / exchanged, 1e-12);
 }
 
 TEST(Summarise, ABodyThatFallsForAFewStepsIsInBalance)
@@ -236,7 +238,8 @@ TEST(Summarise, ABodyThatFallsForAFewStepsIsInBalance)
     start_audit(s.model, s.state);
     s.step(n);
     const LedgerRow row = keep_ledger(s.model, s.state, s.work);
-    EXPECT_NEAR(row.numerical / row.gravity_work, -1.0 / (n + 1), 1e-9);  // n (n + 1) / 2 of work, n^2 / 2 of kinetic energy
+    EXPECT_NEAR(
+        row.numerical / row.gravity_work, -1.0 / (n + 1), 1e-9);  // n (n + 1) / 2 of work, n^2 / 2 of kinetic energy
     EXPECT_LT(summarise(s.model, s.state).energy_balance_error, 1e-9);
   }
 }
@@ -259,7 +262,8 @@ TEST(Summarise, WhatAColumnOfAFewStepsIsOffByFallsWithTheirSquare)
 TEST(Summarise, ABodyWithoutALevelSurfaceHasNoCrest)
 {
   Simulation s(short_column());
-  test::edit_points(s.state, [](const PointBlock<2>& block, Index lane) { block.row(PointRows<2>::x + 1)[lane] -= 0.06; });
+  test::edit_points(
+      s.state, [](const PointBlock<2>& block, Index lane) { block.row(PointRows<2>::x + 1)[lane] -= 0.06; });
   EXPECT_FALSE(summarise(s.model, s.state).crest_x.has_value());
 }
 

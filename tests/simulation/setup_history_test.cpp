@@ -29,7 +29,8 @@ TEST(SetupHistory, APlaceMoreThanACellFromAnyPointIsAWarning)
   ASSERT_EQ(warnings.size(), 2u);
   EXPECT_EQ(warnings[0].key, "output.history.points.\"far\"");
   EXPECT_EQ(warnings[0].what, "no soil is near the history point `far`");
-  EXPECT_EQ(warnings[0].detail, "The nearest material point, which is followed, lies 4 m away at (7.95, 1.95) m; a cell there is 0.5 m wide.");
+  EXPECT_EQ(warnings[0].detail,
+      "The nearest material point, which is followed, lies 4 m away at (7.95, 1.95) m; a cell there is 0.5 m wide.");
   EXPECT_EQ(warnings[1].key, "output.history.points.\"above\"");
 }
 

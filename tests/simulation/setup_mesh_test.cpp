@@ -43,7 +43,8 @@ TEST(SetupMesh, AGradedRectangleFillsTheSamePlace)
 TEST(SetupMesh, AMappedGridFollowsItsSides)
 {
   Case c = case_of(MeshKind::mapped);
-  c.mesh.sides = {{{{0.0, 0.0}, {4.0, 0.0}}, {{4.0, 0.0}, {5.0, 2.0}}, {{1.0, 2.0}, {5.0, 2.0}}, {{0.0, 0.0}, {1.0, 2.0}}}};  // a parallelogram
+  c.mesh.sides = {{{{0.0, 0.0}, {4.0, 0.0}}, {{4.0, 0.0}, {5.0, 2.0}}, {{1.0, 2.0}, {5.0, 2.0}},
+      {{0.0, 0.0}, {1.0, 2.0}}}};  // a parallelogram
   const Mesh<2> mesh = build_mesh(c);
   EXPECT_EQ(mesh.n_cells(), 8 * 4);
   EXPECT_NEAR(typical_cell_size(mesh), 0.5, 1e-12);  // 4 m x 2 m in 32 cells, sheared

@@ -49,7 +49,8 @@ TEST(Setup, AnotherEndOfARunThatGoesOnKeepsItsTimeStep)
   const Real dt = model.dt;
   move_end(model, 2.5 * model.description.time.end);
   EXPECT_EQ(model.dt, dt);
-  EXPECT_EQ(model.n_steps, static_cast<std::int64_t>(std::ceil(2.5 * test::column("mpm_gp").time.end / dt * (1.0 - 1e-12))));
+  EXPECT_EQ(
+      model.n_steps, static_cast<std::int64_t>(std::ceil(2.5 * test::column("mpm_gp").time.end / dt * (1.0 - 1e-12))));
   EXPECT_EQ(model.description.time.end, static_cast<Real>(model.n_steps) * dt);
   EXPECT_THROW(move_end(model, 1e12), InputError);
 }
@@ -134,7 +135,9 @@ TEST(Setup, FollowsTheNearestPointAndOfEqualOnesThatWithLowerXThenLowerY)
   Model model = build_model(c, 1);
   const State state = build_state(model);
   ASSERT_EQ(model.history_ids.size(), 3u);
-  const auto place = [&](int k) { return Vec<2>{state.x_initial[2 * model.history_ids[k]], state.x_initial[2 * model.history_ids[k] + 1]}; };
+  const auto place = [&](int k) {
+    return Vec<2>{state.x_initial[2 * model.history_ids[k]], state.x_initial[2 * model.history_ids[k] + 1]};
+  };
   const auto expect_place = [&](int k, Real x, Real y) {
     EXPECT_NEAR(place(k)[0], x, 1e-12);
     EXPECT_NEAR(place(k)[1], y, 1e-12);
@@ -160,7 +163,8 @@ TEST(Setup, ABodyOutsideTheMeshIsRefused)
   const Problem p = problem_of(test::free_box("mpm_gp", {1.0, 0.5}, {4.5, 1.0}));
   EXPECT_EQ(p.key, "body[0]");
   EXPECT_EQ(p.what, "the body lies outside the mesh");
-  EXPECT_EQ(p.detail, "corner (4.5, 0.5) m; the mesh covers x = 0 to 4 m, y = 0 to 2 m.\nEnlarge mesh.size or move the body.");
+  EXPECT_EQ(p.detail,
+      "corner (4.5, 0.5) m; the mesh covers x = 0 to 4 m, y = 0 to 2 m.\nEnlarge mesh.size or move the body.");
 }
 
 TEST(Setup, AMeshThatIsNoWholeNumberOfCellsIsRefused)
@@ -177,16 +181,18 @@ TEST(Setup, AMeshOfTooManyCellsIsRefused)
 {
   Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});
   c.mesh.cell = {1e-5, 0.25};
-  EXPECT_THAT(problem_of(c), AllOf(Field(&Problem::key, "mesh.cell"), Field(&Problem::what, "the mesh has too many cells"),
-                                   Field(&Problem::detail, "4e+05 cells in one direction, at most 100000.")));
+  EXPECT_THAT(
+      problem_of(c), AllOf(Field(&Problem::key, "mesh.cell"), Field(&Problem::what, "the mesh has too many cells"),
+                         Field(&Problem::detail, "4e+05 cells in one direction, at most 100000.")));
 }
 
 TEST(Setup, MoreThanTwentyMillionCellsAreRefusedAtOnceWhateverTheKindOfMesh)
 {
   Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});  // 4 m x 2 m
   const auto refused = [&](const std::string& key, const std::string& number) {
-    EXPECT_THAT(problem_of(c), AllOf(Field(&Problem::key, key), Field(&Problem::what, "the mesh has too many cells"),
-                                     Field(&Problem::detail, testing::StartsWith("About " + number + " million cells, at most 20 million."))));
+    EXPECT_THAT(problem_of(c),
+        AllOf(Field(&Problem::key, key), Field(&Problem::what, "the mesh has too many cells"),
+            Field(&Problem::detail, testing::StartsWith("About " + number + " million cells, at most 20 million."))));
   };
   c.mesh.cell = {5e-4, 5e-4};
   refused("mesh.cell", "32");
@@ -209,8 +215,9 @@ TEST(Setup, ACornerThatAMappedGridCutsOffIsRefusedWithTheReason)
   c.mesh.sides = {{{{0, 0}, {2, -1}, {4, 0}}, {{4, 0}, {4, 2}}, {{0, 2}, {4, 2}}, {{0, 0}, {0, 2}}}};
   c.mesh.cells = {5, 4};
   c.bodies[0].polygon = {{0.0, 0.0}, {2.0, -1.0}, {4.0, 0.0}, {4.0, 2.0}, {0.0, 2.0}};
-  EXPECT_THAT(problem_of(c).detail, AllOf(testing::StartsWith("corner (2, -1) m lies in no cell."),
-                                          testing::HasSubstr("follows mesh.sides only at its nodes"), testing::HasSubstr("Use more cells")));
+  EXPECT_THAT(problem_of(c).detail,
+      AllOf(testing::StartsWith("corner (2, -1) m lies in no cell."),
+          testing::HasSubstr("follows mesh.sides only at its nodes"), testing::HasSubstr("Use more cells")));
   c.mesh.cells = {6, 4};
   EXPECT_EQ(problem_of(c).what, "");
 }
@@ -236,7 +243,8 @@ TEST(Setup, BodiesWithoutAnyPointAreRefused)
   const Problem p = problem_of(c);
   EXPECT_EQ(p.key, "body[0]");
   EXPECT_EQ(p.what, "no material points");
-  EXPECT_EQ(p.detail, "The bodies hold no point of the seeding lattice. Use a larger body, smaller cells or more points per cell.");
+  EXPECT_EQ(p.detail,
+      "The bodies hold no point of the seeding lattice. Use a larger body, smaller cells or more points per cell.");
 }
 
 TEST(Setup, ASideThatTheMeshDoesNotHaveIsRefusedWhateverItsCondition)
@@ -244,8 +252,9 @@ TEST(Setup, ASideThatTheMeshDoesNotHaveIsRefusedWhateverItsCondition)
   for (const SideKind kind : {SideKind::free, SideKind::open, SideKind::roller}) {
     Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});
     c.sides = {test::side("wall", kind)};
-    EXPECT_THAT(problem_of(c), AllOf(Field(&Problem::key, "boundary.wall"), Field(&Problem::what, "the mesh has no side `wall`"),
-                                     Field(&Problem::detail, "Sides of this mesh: left, right, bottom, top")));
+    EXPECT_THAT(problem_of(c),
+        AllOf(Field(&Problem::key, "boundary.wall"), Field(&Problem::what, "the mesh has no side `wall`"),
+            Field(&Problem::detail, "Sides of this mesh: left, right, bottom, top")));
   }
 }
 
@@ -256,7 +265,8 @@ TEST(Setup, ATimeStepThatHasCollapsedIsRefused)
   EXPECT_EQ(p.key, "time.end");
   EXPECT_EQ(p.what, "the time step has collapsed");
   // c_p = sqrt(3 G / rho) = 1.732e10 m/s at nu = 0.25
-  EXPECT_EQ(p.detail, "1 s need 7.07e+10 steps of 1.41e-11 s (smallest cell altitude 0.25 m, wave speed 1.732e+10 m/s).");
+  EXPECT_EQ(
+      p.detail, "1 s need 7.07e+10 steps of 1.41e-11 s (smallest cell altitude 0.25 m, wave speed 1.732e+10 m/s).");
 }
 
 TEST(Setup, AnUnknownSchemeModelOrMaterialIsRefused)

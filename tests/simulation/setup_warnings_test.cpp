@@ -59,7 +59,8 @@ TEST(SetupWarnings, ASideThatMovesMoreThanACellIsTold)
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0].key, "boundary.\"left\".velocity");
   EXPECT_EQ(warnings[0].what, "the side stays in place: it pushes soil over one cell at most");
-  EXPECT_THAT(warnings[0].detail, testing::StartsWith("Its velocity times time.end is 0.6 m, the smallest cell is 0.5 m high."));
+  EXPECT_THAT(warnings[0].detail,
+      testing::StartsWith("Its velocity times time.end is 0.6 m, the smallest cell is 0.5 m high."));
 }
 
 TEST(SetupWarnings, SharesOfBodiesAddUp)

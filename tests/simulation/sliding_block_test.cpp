@@ -61,7 +61,7 @@ Vec<2> tilted(Real degrees)
 class SlidingBlock : public testing::TestWithParam<const char*> {};
 
 INSTANTIATE_TEST_SUITE_P(Schemes, SlidingBlock, testing::Values("standard_mpm", "mpm_mixed", "mpm_gp"),
-                         [](const auto& info) { return std::string(info.param); });
+    [](const auto& info) { return std::string(info.param); });
 
 TEST_P(SlidingBlock, WithAdhesionAcceleratesByGravityLessAdhesionOverMass)
 {
@@ -76,7 +76,8 @@ TEST_P(SlidingBlock, SticksWhenAdhesionExceedsThePush)
   const auto before = test::points_by_id(s.state);
   s.step(s.model.n_steps);
   const auto after = test::points_by_id(s.state);
-  for (std::size_t p = 0; p < before.size(); ++p) EXPECT_LT(std::abs(after[p].x[0] - before[p].x[0]), 0.002);  // free: 0.1 m
+  for (std::size_t p = 0; p < before.size(); ++p)
+    EXPECT_LT(std::abs(after[p].x[0] - before[p].x[0]), 0.002);  // free: 0.1 m
 }
 
 /// A column of one cell's width between rollers, its weight carried from the start.
@@ -87,19 +88,20 @@ Case standing_soil(const char* scheme)
   c.mesh.cell = {0.1, 0.1};
   c.forces.gravity = {0.0, -9.81};
   c.initial.stress = InitialStress::k0;
-  c.sides = {test::side("left", SideKind::roller), test::side("right", SideKind::roller), base(SideKind::contact_separating, 0.0, 0.0)};
+  c.sides = {test::side("left", SideKind::roller), test::side("right", SideKind::roller),
+      base(SideKind::contact_separating, 0.0, 0.0)};
   return c;
 }
 
 using SeparatingContact = SlidingBlock;
 INSTANTIATE_TEST_SUITE_P(Schemes, SeparatingContact, testing::Values("standard_mpm", "mpm_mixed", "mpm_gp"),
-                         [](const auto& info) { return std::string(info.param); });
+    [](const auto& info) { return std::string(info.param); });
 
 TEST_P(SeparatingContact, SoilAtRestGainsNoEnergy)
 {
   Simulation s(standing_soil(GetParam()));
   s.step(static_cast<std::int64_t>(6.0 / s.model.dt));
-  EXPECT_LT(s.state.work.boundary, 1e-9);  // a floor that stays does no work
+  EXPECT_LT(s.state.work.boundary, 1e-9);                              // a floor that stays does no work
   EXPECT_LT(test::kinetic_energy(test::points_by_id(s.state)), 0.01);  // of 24 J elastic
 }
 
@@ -115,7 +117,8 @@ TEST_P(SlidingBlock, SoilAtRestOnAnAdhesiveSlopeGainsNoEnergy)
   EXPECT_LT(test::kinetic_energy(test::points_by_id(s.state)), 0.01);
 }
 
-/// A block that slides under pure FLIP rings, and a bilateral base meets only the pushes with friction: 10 % PIC keeps it quiet.
+/// A block that slides under pure FLIP rings, and a bilateral base meets only the pushes with friction: 10 % PIC keeps
+/// it quiet.
 Case rubbing_block(const char* scheme, SideKind kind, Real friction, Real degrees)
 {
   Case c = block(scheme, base(kind, 0.0, friction), tilted(degrees));

@@ -51,7 +51,13 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
   s.step(3);
   keep_ledger(s.model, s.state, s.work);
   State& state = s.state;
-  state.work = {.gravity = 1.0, .damping = 2.0, .boundary = 3.0, .plastic = 4.0, .internal = 5.0, .exchanged = 5.25, .last_step = 5.5};
+  state.work = {.gravity = 1.0,
+      .damping = 2.0,
+      .boundary = 3.0,
+      .plastic = 4.0,
+      .internal = 5.0,
+      .exchanged = 5.25,
+      .last_step = 5.5};
   state.start_energy = 6.0;
   state.clamped = 7;
   state.tension_cut = 8;
@@ -61,7 +67,8 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
   state.audit.fell[3] = true;
   state.audit.rose[5] = true;
   state.softened_fraction = {{0.5, 0.25}};
-  state.slopes.at(0).slip = {{.time = 0.5, .rate = 2.0, .line = {}}, {.time = 0.75, .rate = 3.0, .line = {{1.0, 2.0}, {3.0, 4.0}}}};
+  state.slopes.at(0).slip = {
+      {.time = 0.5, .rate = 2.0, .line = {}}, {.time = 0.75, .rate = 3.0, .line = {{1.0, 2.0}, {3.0, 4.0}}}};
   const State back = restore(s.model, make_image(state));
   EXPECT_EQ(back.step, 3);
   EXPECT_EQ(back.time, state.time);
@@ -111,16 +118,18 @@ TEST(StateImage, InPartsHasTheSameArrays)
     std::size_t n_values = 0;
     for (const NamedArray& array : part.arrays) {
       if (array.first == 0) joined.arrays.push_back({array.name, array.shape, array.values});
-      std::visit([&](const auto& more) {
-        auto& all = std::get<std::decay_t<decltype(more)>>(joined.arrays.back().values);
-        EXPECT_EQ(array.name, joined.arrays.back().name);
-        const std::size_t row = array.shape.size() == 2 ? static_cast<std::size_t>(array.shape[1]) : 1;
-        if (array.first > 0) {
-          EXPECT_EQ(all.size(), static_cast<std::size_t>(array.first) * row);
-          all.insert(all.end(), more.begin(), more.end());
-        }
-        n_values += more.size();
-      }, array.values);
+      std::visit(
+          [&](const auto& more) {
+            auto& all = std::get<std::decay_t<decltype(more)>>(joined.arrays.back().values);
+            EXPECT_EQ(array.name, joined.arrays.back().name);
+            const std::size_t row = array.shape.size() == 2 ? static_cast<std::size_t>(array.shape[1]) : 1;
+            if (array.first > 0) {
+              EXPECT_EQ(all.size(), static_cast<std::size_t>(array.first) * row);
+              all.insert(all.end(), more.begin(), more.end());
+            }
+            n_values += more.size();
+          },
+          array.values);
     }
     EXPECT_LE(n_values, 1000u);
     joined.time = part.time;
@@ -153,7 +162,8 @@ TEST(StateImage, WithoutOneOfItsArraysIsRefused)
     StateImage cut = image;
     cut.arrays.erase(cut.arrays.begin() + static_cast<std::ptrdiff_t>(k));
     const std::string& name = image.arrays[k].name;
-    if (name == "work_exchanged" || name == "last_step_work" || name == "side_reached" || name == "side_top" || name == "left/volume")  // since format 4 and 5; 3 is still read
+    if (name == "work_exchanged" || name == "last_step_work" || name == "side_reached" || name == "side_top" ||
+        name == "left/volume")  // since format 4 and 5; 3 is still read
       EXPECT_NO_THROW(restore(s.model, cut));
     else
       EXPECT_THROW(restore(s.model, cut), FileError) << name;
@@ -176,8 +186,10 @@ TEST(StateImage, WithATimeOrASurfaceThatNoRunHasIsRefused)
   EXPECT_THROW(restore(s.model, image), FileError);
   for (const char* name : {"section/heights", "section/columns"}) {
     image = sound;
-    const auto array = std::find_if(image.arrays.begin(), image.arrays.end(), [&](const NamedArray& a) { return a.name == name; });
-    std::get<std::vector<Real>>(array->values) = std::string(name) == "section/heights" ? std::vector<Real>{} : std::vector<Real>{0.0, 0.0, 0.0};
+    const auto array =
+        std::find_if(image.arrays.begin(), image.arrays.end(), [&](const NamedArray& a) { return a.name == name; });
+    std::get<std::vector<Real>>(array->values) =
+        std::string(name) == "section/heights" ? std::vector<Real>{} : std::vector<Real>{0.0, 0.0, 0.0};
     EXPECT_THROW(restore(s.model, image), FileError) << name;
   }
 }
@@ -190,12 +202,12 @@ TEST(StateImage, OfAnotherCaseIsRefused)
   elastic.materials = {test::elastic(2e6, 0.3, 2000.0)};
   elastic.bodies[0].material = "rock";
   EXPECT_THAT([&] { restore(Simulation(elastic).model, image); },
-              testing::ThrowsMessage<FileError>(
-                  "the checkpoint does not fit this case: array `points/rows` is missing or has another size"));
+      testing::ThrowsMessage<FileError>(
+          "the checkpoint does not fit this case: array `points/rows` is missing or has another size"));
   std::get<std::vector<std::int64_t>>(image.arrays[0].values)[4] = 1000000;
   EXPECT_THAT([&] { restore(s.model, image); },
-              testing::ThrowsMessage<FileError>(
-                  "the checkpoint does not fit this case: a point lies in a cell or has a material that the case does not have"));
+      testing::ThrowsMessage<FileError>("the checkpoint does not fit this case: a point lies in a cell or has a "
+                                        "material that the case does not have"));
 }
 
 TEST(StateImage, TellsHowManyPointsTheRunBeganWith)

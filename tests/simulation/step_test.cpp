@@ -36,8 +36,8 @@ TEST_P(TwinStep, IsThatOfTheNumPyTwinToRoundOff)
     EXPECT_LE(relative_error(test::field_values(s.state, field), expected), 1e-12) << field;
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenarios, TwinStep, testing::ValuesIn(test::scenario_names()),
-                         [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(
+    Scenarios, TwinStep, testing::ValuesIn(test::scenario_names()), [](const auto& info) { return info.param; });
 
 TEST(Step, TheTwinHasScenariosForEveryScheme)
 {

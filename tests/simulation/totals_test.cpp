@@ -38,7 +38,8 @@ TEST(Totals, AreSumsOverThePoints)
     mass += p.mass;
     kinetic += 0.5 * p.mass * (p.v[0] * p.v[0] + p.v[1] * p.v[1]);
     for (int d = 0; d < 2; ++d) momentum[d] += p.mass * p.v[d];
-    growth[p.x[0] < 7.5 ? 0 : 1] += p.volume * (p.eps_eq_p() - s.state.audit.last_eps_eq_p[static_cast<std::size_t>(p.id)]);
+    growth[p.x[0] < 7.5 ? 0 : 1] +=
+        p.volume * (p.eps_eq_p() - s.state.audit.last_eps_eq_p[static_cast<std::size_t>(p.id)]);
   }
   EXPECT_NEAR(totals.mass, mass, 1e-12 * mass);
   EXPECT_NEAR(totals.kinetic, kinetic, 1e-12 * kinetic);
@@ -57,7 +58,8 @@ TEST(Totals, AreSumsOverThePoints)
 TEST(Totals, HaveTheSameBitsOnAnyNumberOfThreads)
 {
   Flowing one("mpm_mixed", 1), three("mpm_mixed", 3);
-  const Totals a = add_up(one.model, one.state, one.work.threads, 0.1, halves), b = add_up(three.model, three.state, three.work.threads, 0.1, halves);
+  const Totals a = add_up(one.model, one.state, one.work.threads, 0.1, halves),
+               b = add_up(three.model, three.state, three.work.threads, 0.1, halves);
   EXPECT_EQ(a.kinetic, b.kinetic);
   EXPECT_EQ(a.elastic, b.elastic);
   EXPECT_EQ(a.momentum, b.momentum);

@@ -99,8 +99,8 @@ TEST(Workspace, AMovingColumnAsksForNoMemoryAfterTheFirstStep)
       const auto cells = s.state.points.occupied().size();
       const std::int64_t bytes = s.state.points.reserved_bytes();
       EXPECT_EQ(allocations_during(s, 400), 0) << scheme << " on " << threads;
-      EXPECT_EQ(s.state.points.reserved_bytes(), bytes) << scheme;       // the slabs do not come from operator new
-      EXPECT_GT(s.state.points.occupied().size(), cells + 10);  // points did enter new cells
+      EXPECT_EQ(s.state.points.reserved_bytes(), bytes) << scheme;  // the slabs do not come from operator new
+      EXPECT_GT(s.state.points.occupied().size(), cells + 10);      // points did enter new cells
     }
 }
 

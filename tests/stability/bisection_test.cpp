@@ -17,7 +17,9 @@ Bisection search(Real limit, const BisectionOptions& options, Real creep = 0.0)
   while (const auto factor = next_factor(found, options)) {
     Trial trial;
     trial.factor = *factor;
-    trial.verdict = *factor < limit ? TrialVerdict::stable : *factor < creep ? TrialVerdict::undecided : TrialVerdict::failed;
+    trial.verdict = *factor < limit   ? TrialVerdict::stable
+                    : *factor < creep ? TrialVerdict::undecided
+                                      : TrialVerdict::failed;
     enter(std::move(trial), found);
   }
   return found;

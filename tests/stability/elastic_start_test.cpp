@@ -19,7 +19,8 @@ Case filled_box()
   c.bodies[0].points_per_cell = {2, 2};
   c.mesh.size = {4.0, 2.5};
   c.forces.gravity = {0.0, -10.0};
-  c.sides = {test::side("left", SideKind::roller), test::side("right", SideKind::roller), test::side("bottom", SideKind::roller)};
+  c.sides = {test::side("left", SideKind::roller), test::side("right", SideKind::roller),
+      test::side("bottom", SideKind::roller)};
   return c;
 }
 

@@ -26,13 +26,15 @@ StabilityResult search(Real cell, Real from, Real to, const TrialTold& told = {}
   return find_factor_of_safety(cut(cell), {.search = {from, to, 0.02}, .rules = {}, .threads = 1}, go, told);
 }
 
-// A mesh carries no less than the soil, and too much by an order between 1/2 and 1 of its cells (cases/verification/vertical_cut): the limit of two meshes by
-// the order 1/2 lies below the exact factor, by the order 2 above it.
+// A mesh carries no less than the soil, and too much by an order between 1/2 and 1 of its cells
+// (cases/verification/vertical_cut): the limit of two meshes by the order 1/2 lies below the exact factor, by the order
+// 2 above it.
 TEST(FactorOfSafety, OfAVerticalCutTendsToTheLimitLoad)
 {
   int told = 0;
   constexpr Real exact = 3.776 / 4.880;  // bounds of limit analysis, as there
-  const StabilityResult coarse = search(0.5, 0.9, 0.96, [&](const Trial&, const StabilityResult&, int left) { told += left >= 0; });
+  const StabilityResult coarse =
+      search(0.5, 0.9, 0.96, [&](const Trial&, const StabilityResult&, int left) { told += left >= 0; });
   const StabilityResult fine = search(0.25, 0.84, 0.88);
   ASSERT_TRUE(coarse.search.found() && fine.search.found());
   EXPECT_GT(*coarse.search.failed, exact);

@@ -17,7 +17,10 @@ struct Box {
   Model model;
   State state;
   Workspace work;
-  explicit Box(Real top) : description(make(top)), model(build_model(description, 1)), state(build_state(model)), work(model, state) {}
+  explicit Box(Real top)
+      : description(make(top)), model(build_model(description, 1)), state(build_state(model)), work(model, state)
+  {
+  }
   static Case make(Real top)
   {
     Case c = test::free_box("mpm_gp", {1.0, 0.5}, {2.0, top});

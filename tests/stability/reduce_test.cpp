@@ -68,7 +68,10 @@ TEST(Reduce, DividesTheTangentsOfAngles)
   sand.model = "mohr_coulomb";
   sand.parameters.clear();
   for (const ParameterInfo& p : find_material("mohr_coulomb")->parameters)
-    sand.parameters.push_back(p.name == "friction_angle" || p.name == "friction_angle_residual" ? 35.0 : p.name == "dilatancy_angle" ? 5.0 : p.name == "cohesion" ? 3000.0 : p.fallback.value_or(1.0));
+    sand.parameters.push_back(p.name == "friction_angle" || p.name == "friction_angle_residual" ? 35.0
+                              : p.name == "dilatancy_angle"                                     ? 5.0
+                              : p.name == "cohesion"                                            ? 3000.0
+                                                     : p.fallback.value_or(1.0));
   const MaterialCase reduced = reduce_strength(c, 1.25).materials[0];
   EXPECT_NEAR(std::tan(parameter(reduced, "friction_angle") * degree), std::tan(35.0 * degree) / 1.25, 1e-14);
   EXPECT_NEAR(std::tan(parameter(reduced, "friction_angle_residual") * degree), std::tan(35.0 * degree) / 1.25, 1e-14);
@@ -83,7 +86,9 @@ TEST(Reduce, SaysWhatALawCannotTake)
   EXPECT_THAT(check_reduced(c), IsEmpty());
   const auto faults = check_reduced(reduce_strength(c, 0.05));
   ASSERT_EQ(faults.size(), 1u);
-  EXPECT_THAT(faults[0], testing::StartsWith("material.clay: softening is too steep: eta (su_peak - su_residual) = 6e+06 Pa, at most 1.5 G = 3e+06 Pa"));
+  EXPECT_THAT(faults[0],
+      testing::StartsWith(
+          "material.clay: softening is too steep: eta (su_peak - su_residual) = 6e+06 Pa, at most 1.5 G = 3e+06 Pa"));
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ TEST(Stiffen, MultipliesStiffnessAndSofteningPerStrainAndLeavesStrength)
   const auto parameters = find_material(c.materials[0].model)->parameters;
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const bool per_strain = parameters[k].name == "shear_modulus" || parameters[k].name == "eta";
-    EXPECT_DOUBLE_EQ(stiff.materials[0].parameters[k], c.materials[0].parameters[k] * (per_strain ? 100.0 : 1.0)) << parameters[k].name;
+    EXPECT_DOUBLE_EQ(stiff.materials[0].parameters[k], c.materials[0].parameters[k] * (per_strain ? 100.0 : 1.0))
+        << parameters[k].name;
   }
   EXPECT_DOUBLE_EQ(stiff.forces.viscous_damping, 3.0);  // times are ten times shorter
   EXPECT_DOUBLE_EQ(stiff.time.end, c.time.end / 10.0);

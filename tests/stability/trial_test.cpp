@@ -24,7 +24,8 @@ std::vector<TrialWindow> moving(std::initializer_list<Real> displacements)
   return windows;
 }
 
-/// Scales of soil that is as far as 0.05 m at rho g H^2/E, and moves 10 m more in each window where nothing holds it: 1 mm is rest.
+/// Scales of soil that is as far as 0.05 m at rho g H^2/E, and moves 10 m more in each window where nothing holds it: 1
+/// mm is rest.
 ElasticStart scales()
 {
   ElasticStart start;
@@ -38,7 +39,7 @@ TEST(Judge, StandsWhenItHardlyMovedInThreeWindowsInARow)
   EXPECT_EQ(judge(moving({0.02, 0.0205, 0.0203, 0.0212}), rules, scales()), TrialVerdict::stable);
   EXPECT_EQ(judge(moving({0.02, 0.0220, 0.0221, 0.0222}), rules, scales()), TrialVerdict::undecided);  // only in two
   EXPECT_EQ(judge(moving({0.02, 0.0185, 0.0184, 0.0183}), rules, scales()), TrialVerdict::undecided);  // swings back
-  EXPECT_EQ(judge(moving({0.0002, 0.0003}), rules, scales()), TrialVerdict::undecided);                // too early to say
+  EXPECT_EQ(judge(moving({0.0002, 0.0003}), rules, scales()), TrialVerdict::undecided);  // too early to say
   EXPECT_EQ(judge(moving({0.0002, 0.0003, 0.0004}), rules, scales()), TrialVerdict::stable);
 }
 
@@ -56,7 +57,12 @@ struct Column {
   Case quiet;
   Mesh<2> mesh;
   ElasticStart start;
-  Column() : quiet(quiet_case(make())), mesh(build_mesh(quiet)), start(settle_elastically(quiet, mesh, rules.stiffening, 1, go)) {}
+  Column()
+      : quiet(quiet_case(make())),
+        mesh(build_mesh(quiet)),
+        start(settle_elastically(quiet, mesh, rules.stiffening, 1, go))
+  {
+  }
   static Case make()
   {
     Case c = test::column_without_softening("mpm_mixed");
@@ -64,7 +70,10 @@ struct Column {
     c.bodies[0].velocity = {1.0, 0.0};
     return c;
   }
-  explicit Column(Real stiffening) : quiet(quiet_case(make())), mesh(build_mesh(quiet)), start(settle_elastically(quiet, mesh, stiffening, 1, go)) {}
+  explicit Column(Real stiffening)
+      : quiet(quiet_case(make())), mesh(build_mesh(quiet)), start(settle_elastically(quiet, mesh, stiffening, 1, go))
+  {
+  }
   Trial at(Real factor, const TrialRules& r = rules) const
   {
     return run_trial(quiet, mesh, start, factor, r, 1, go, [](const Trial&) {});
@@ -81,7 +90,8 @@ TEST(ElasticStart, IsAtRestWithScalesOfTheSoil)
   const Real height = 1.9;  // between the outer rows of points, 5 per cell of 0.5 m
   EXPECT_NEAR(column.start.height, height, 1e-9);
   EXPECT_NEAR(column.start.traversal, height / std::sqrt(2.0e6 / 1990.0), 1e-12);
-  EXPECT_NEAR(column.start.displacement, 1990.0 * 9.81 * height * height / (2.0 * 2.0e6 * 1.48), 1e-9);  // of the soil as it is
+  EXPECT_NEAR(
+      column.start.displacement, 1990.0 * 9.81 * height * height / (2.0 * 2.0e6 * 1.48), 1e-9);  // of the soil as it is
   EXPECT_NEAR(column.start.free_motion, 9.81 * 4.0 * height * height / (2.0e6 / 1990.0), 1e-9);
 }
 
@@ -113,7 +123,8 @@ TEST(Trial, IsTheSameEachTime)
   EXPECT_EQ(a.windows.back().displacement, b.windows.back().displacement);
 }
 
-// Stresses do not depend on the stiffening, strains go with one over it: the soil comes to the same place in the same scales.
+// Stresses do not depend on the stiffening, strains go with one over it: the soil comes to the same place in the same
+// scales.
 TEST(Trial, DoesNotDependOnHowSmallTheDisplacementsAre)
 {
   const Column little(1e2), much(1e4);

@@ -17,7 +17,8 @@ struct PointValues {
   Real id = 0.0;
 };
 
-inline void add_point(const Mesh<2>& mesh, Index cell, const PointValues& point, PointBlocks<2>& points, Index material = 0)
+inline void add_point(
+    const Mesh<2>& mesh, Index cell, const PointValues& point, PointBlocks<2>& points, Index material = 0)
 {
   using Rows = PointRows<2>;
   std::vector<Real> values(points.n_rows(), 0.0);

@@ -40,7 +40,8 @@ Case column(const std::string& scheme, Real cell)
   c.materials = {clay()};
   c.forces.gravity = {0.0, -9.81};
   c.forces.local_damping = 0.1;
-  c.sides = {side("left", SideKind::roller), side("right", SideKind::roller), side("bottom", SideKind::contact_bilateral)};
+  c.sides = {
+      side("left", SideKind::roller), side("right", SideKind::roller), side("bottom", SideKind::contact_bilateral)};
   c.sides[2].adhesion = 8.0e3;
   return c;
 }

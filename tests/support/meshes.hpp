@@ -12,7 +12,8 @@ namespace terp::test {
 /// A vector of length at most `reach` in any direction.
 inline Vec<2> random_shift(Real reach, Random& random)
 {
-  const Real angle = random.between(-std::numbers::pi, std::numbers::pi), length = reach * std::sqrt(random.between(0.0, 1.0));
+  const Real angle = random.between(-std::numbers::pi, std::numbers::pi),
+             length = reach * std::sqrt(random.between(0.0, 1.0));
   return {length * std::cos(angle), length * std::sin(angle)};
 }
 

@@ -5,6 +5,8 @@
 
 namespace terp::test {
 
+std::string program() { return TERP_PROGRAM; }
+
 std::string source_path(const std::string& relative) { return std::string(TERP_SOURCE_DIR) + "/" + relative; }
 
 ScratchFolder::ScratchFolder()

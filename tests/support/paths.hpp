@@ -5,6 +5,9 @@
 
 namespace terp::test {
 
+/// The program `terp` of this build.
+std::string program();
+
 /// Absolute path of a file of the project, e.g. source_path("cases/column_collapse/model_2.toml").
 std::string source_path(const std::string& relative);
 

@@ -1,5 +1,7 @@
 #include "support/process.hpp"
 
+#include "support/paths.hpp"
+
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
@@ -25,7 +27,7 @@ void redirect(int descriptor, const std::string& path)
 
 Process::Process(const std::vector<std::string>& arguments, const std::string& working_folder)
 {
-  std::vector<std::string> words{TERP_PROGRAM};
+  std::vector<std::string> words{program()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
@@ -55,11 +57,14 @@ Finished Process::wait()
   ::waitpid(pid_, &status, 0);
   pid_ = -1;
   return {.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
-          .out = text_of(output_.path() + "/out"),
-          .err = text_of(output_.path() + "/err")};
+      .out = text_of(output_.path() + "/out"),
+      .err = text_of(output_.path() + "/err")};
 }
 
-Finished terp(const std::vector<std::string>& arguments, const std::string& working_folder) { return Process(arguments, working_folder).wait(); }
+Finished terp(const std::vector<std::string>& arguments, const std::string& working_folder)
+{
+  return Process(arguments, working_folder).wait();
+}
 
 std::string text_of(const std::string& path)
 {

@@ -30,9 +30,17 @@ std::vector<Point> points_by_id(const State& state)
   std::vector<Point> points;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const auto at = [&](int row) { return block.row(row)[lane]; };
-    Point p{.id = static_cast<std::int64_t>(at(Rows::id)), .cell = block.cell, .material = block.material,
-            .x = {at(Rows::x), at(Rows::x + 1)}, .local = {at(Rows::xi), at(Rows::xi + 1)}, .v = {at(Rows::v), at(Rows::v + 1)},
-            .mass = at(Rows::mass), .volume = at(Rows::volume), .sigma = {}, .strain = {}, .values = {}};
+    Point p{.id = static_cast<std::int64_t>(at(Rows::id)),
+        .cell = block.cell,
+        .material = block.material,
+        .x = {at(Rows::x), at(Rows::x + 1)},
+        .local = {at(Rows::xi), at(Rows::xi + 1)},
+        .v = {at(Rows::v), at(Rows::v + 1)},
+        .mass = at(Rows::mass),
+        .volume = at(Rows::volume),
+        .sigma = {},
+        .strain = {},
+        .values = {}};
     for (int k = 0; k < 4; ++k) {
       p.sigma[k] = at(Rows::sigma + k);
       p.strain[k] = at(Rows::strain + k);
@@ -77,7 +85,8 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b)
 bool same_array(const NamedArray& a, const NamedArray& b)
 {
   if (a.name != b.name || a.shape != b.shape || a.values.index() != b.values.index()) return false;
-  if (const auto* reals = std::get_if<std::vector<Real>>(&a.values)) return same_bits(*reals, std::get<std::vector<Real>>(b.values));
+  if (const auto* reals = std::get_if<std::vector<Real>>(&a.values))
+    return same_bits(*reals, std::get<std::vector<Real>>(b.values));
   return same_bits(std::get<std::vector<std::int64_t>>(a.values), std::get<std::vector<std::int64_t>>(b.values));
 }
 

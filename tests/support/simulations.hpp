@@ -28,7 +28,7 @@ struct Point {
   Index cell, material;
   Vec<2> x, local, v;
   Real mass, volume;
-  std::array<Real, 4> sigma, strain;  ///< xx yy zz xy
+  std::array<Real, 4> sigma, strain;   ///< xx yy zz xy
   std::array<Real, max_state> values;  ///< state variables
   Real eps_eq_p() const { return values[0]; }
 };

@@ -35,7 +35,8 @@ NamedSide side_of(const Mesh<2>& mesh, const char* name, Chosen&& chosen)
   NamedSide side{name, {}};
   for (Index e = 0; e < mesh.n_cells(); ++e)
     for (int s = 0; s < 4; ++s)
-      if (mesh.neighbours[e][s] == outside && chosen(mesh.cells[e][s]) && chosen(mesh.cells[e][(s + 1) % 4])) side.edges.push_back({e, s});
+      if (mesh.neighbours[e][s] == outside && chosen(mesh.cells[e][s]) && chosen(mesh.cells[e][(s + 1) % 4]))
+        side.edges.push_back({e, s});
   return side;
 }
 
@@ -49,21 +50,19 @@ Mesh<2> make_mesh(const Json& j)
   const auto contact = j.at("contact").at("nodes").get<std::vector<Index>>();
   mesh.sides.push_back(side_of(mesh, "wall", [&](Index i) { return fixed[i][0] == 1; }));
   mesh.sides.push_back(side_of(mesh, "base", [&](Index i) { return fixed[i][1] == 1; }));
-  mesh.sides.push_back(side_of(mesh, "slab", [&](Index i) { return std::count(contact.begin(), contact.end(), i) == 1; }));
+  mesh.sides.push_back(
+      side_of(mesh, "slab", [&](Index i) { return std::count(contact.begin(), contact.end(), i) == 1; }));
   return mesh;
 }
 
 /// One number for all nodes of the contact; 0 without contact.
-Real common_value(const Json& list)
-{
-  return list.empty() ? 0.0 : list.at(0).get<Real>();
-}
+Real common_value(const Json& list) { return list.empty() ? 0.0 : list.at(0).get<Real>(); }
 
 Boundary make_boundary(const Mesh<2>& mesh, const Json& contact)
 {
-  return Boundary(mesh, {{"wall", Hold::normal, 0.0, 0.0, {}},
-                         {"base", Hold::normal, 0.0, 0.0, {}},
-                         {"slab", Hold::contact, common_value(contact.at("adhesion")), common_value(contact.at("friction")), {}}});
+  return Boundary(mesh,
+      {{"wall", Hold::normal, 0.0, 0.0, {}}, {"base", Hold::normal, 0.0, 0.0, {}},
+          {"slab", Hold::contact, common_value(contact.at("adhesion")), common_value(contact.at("friction")), {}}});
 }
 
 const NodeHold* find_hold(const Boundary& boundary, Index node, Hold kind, int direction)
@@ -146,7 +145,8 @@ State make_state(const Model& model, const Json& points)
     if (model.n_state > 0) put_row(points.at("eps_eq_p")[p], Rows::state, values);
     values[Rows::id] = static_cast<Real>(p);
     const Vec<2> centre = model.mesh.centres[cell];
-    const auto local = local_coordinates(model.mesh.geometry(cell), values[Rows::x] - centre[0], values[Rows::x + 1] - centre[1]);
+    const auto local =
+        local_coordinates(model.mesh.geometry(cell), values[Rows::x] - centre[0], values[Rows::x + 1] - centre[1]);
     for (int d = 0; d < 2; ++d) values[Rows::xi + d] = local[d];
     state.points.add(cell, 0, values);
   }
@@ -160,7 +160,8 @@ std::vector<Real> flat(const Json& rows)
 {
   std::vector<Real> values;
   for (const Json& row : rows) {
-    const std::vector<Real> numbers = row.is_number() ? std::vector<Real>{row.get<Real>()} : row.get<std::vector<Real>>();
+    const std::vector<Real> numbers =
+        row.is_number() ? std::vector<Real>{row.get<Real>()} : row.get<std::vector<Real>>();
     values.insert(values.end(), numbers.begin(), numbers.end());
   }
   return values;
@@ -182,7 +183,8 @@ Scenario load_scenario(const std::string& name)
   s.model.boundary = make_boundary(s.model.mesh, j.at("mesh").at("contact"));
   check_boundary(s.model.boundary, j.at("mesh"));
   s.state = make_state(s.model, j.at("points"));
-  for (const char* field : {"x", "v", "volume", "sigma", "strain", "eps_eq_p"}) s.expected.push_back({field, flat(j.at("expected").at(field))});
+  for (const char* field : {"x", "v", "volume", "sigma", "strain", "eps_eq_p"})
+    s.expected.push_back({field, flat(j.at("expected").at(field))});
   return s;
 }
 

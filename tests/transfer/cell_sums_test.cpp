@@ -8,7 +8,8 @@
 namespace terp {
 namespace {
 
-const std::array<Real, 4> values{10.0, 11.0, 12.0, 13.0};  // of Gauss points g = (xi >= 0) + 2 (eta >= 0), not in the order of corners
+const std::array<Real, 4> values{
+    10.0, 11.0, 12.0, 13.0};  // of Gauss points g = (xi >= 0) + 2 (eta >= 0), not in the order of corners
 
 TEST(AtSubCell, IsTheValueOfTheGaussPointOnThatSide)
 {
@@ -25,8 +26,10 @@ TEST(AtSubCell, ChoosesForEachLaneOnItsOwn)
     xi[k] = k % 2 == 0 ? -0.5 : 0.5;
     eta[k] = k % 4 < 2 ? -0.5 : 0.5;
   }
-  at_sub_cell<Pack>(values, Pack::load(xi.data()) >= Pack(0.0), Pack::load(eta.data()) >= Pack(0.0)).store(chosen.data());
-  for (int k = 0; k < pack_width; ++k) EXPECT_EQ(chosen[k], at_sub_cell<Real>(values, xi[k] > 0.0, eta[k] > 0.0)) << "lane " << k;
+  at_sub_cell<Pack>(values, Pack::load(xi.data()) >= Pack(0.0), Pack::load(eta.data()) >= Pack(0.0))
+      .store(chosen.data());
+  for (int k = 0; k < pack_width; ++k)
+    EXPECT_EQ(chosen[k], at_sub_cell<Real>(values, xi[k] > 0.0, eta[k] > 0.0)) << "lane " << k;
 }
 
 }  // namespace

@@ -39,10 +39,10 @@ constexpr Vec<2> low_left{-0.5, -0.5}, low_right{0.5, -0.5}, up_left{-0.5, 0.5},
 std::vector<PointValues> uneven_cell()
 {
   return {{.local = low_left, .volume = 0.3, .sigma = {10.0, 20.0, 30.0, 1.0}, .state = {0.1, 5.0}},
-          {.local = {-0.1, -0.9}, .volume = 0.9, .sigma = {50.0, 60.0, 40.0, 3.0}, .state = {0.3, 7.0}},
-          {.local = low_right, .volume = 1.4, .sigma = {-7.0, 3.0, -2.0, 4.0}, .state = {0.02, 1.0}},
-          {.local = up_left, .volume = 0.6, .sigma = {8.0, -6.0, 1.0, -5.0}, .state = {0.5, 2.0}},
-          {.local = up_right, .volume = 0.8, .sigma = {100.0, 200.0, 300.0, 50.0}, .state = {0.0, 3.0}}};
+      {.local = {-0.1, -0.9}, .volume = 0.9, .sigma = {50.0, 60.0, 40.0, 3.0}, .state = {0.3, 7.0}},
+      {.local = low_right, .volume = 1.4, .sigma = {-7.0, 3.0, -2.0, 4.0}, .state = {0.02, 1.0}},
+      {.local = up_left, .volume = 0.6, .sigma = {8.0, -6.0, 1.0, -5.0}, .state = {0.5, 2.0}},
+      {.local = up_right, .volume = 0.8, .sigma = {100.0, 200.0, 300.0, 50.0}, .state = {0.0, 3.0}}};
 }
 
 TEST(GaussAverage, Eq1_IsTheVolumeWeightedMeanOfEachSubCell)
@@ -51,16 +51,17 @@ TEST(GaussAverage, Eq1_IsTheVolumeWeightedMeanOfEachSubCell)
   cell.average();
   EXPECT_THAT(cell.gauss.volume, ElementsAre(DoubleEq(1.2), 1.4, 0.6, 0.8));
   EXPECT_THAT(cell.gauss.sigma[0],
-              ElementsAre(DoubleEq((0.3 * 10.0 + 0.9 * 50.0) / 1.2), DoubleEq(-7.0), DoubleEq(8.0), DoubleEq(100.0)));
+      ElementsAre(DoubleEq((0.3 * 10.0 + 0.9 * 50.0) / 1.2), DoubleEq(-7.0), DoubleEq(8.0), DoubleEq(100.0)));
   EXPECT_THAT(cell.gauss.sigma[1],
-              ElementsAre(DoubleEq((0.3 * 20.0 + 0.9 * 60.0) / 1.2), DoubleEq(3.0), DoubleEq(-6.0), DoubleEq(200.0)));
+      ElementsAre(DoubleEq((0.3 * 20.0 + 0.9 * 60.0) / 1.2), DoubleEq(3.0), DoubleEq(-6.0), DoubleEq(200.0)));
   EXPECT_THAT(cell.gauss.sigma[2],
-              ElementsAre(DoubleEq((0.3 * 30.0 + 0.9 * 40.0) / 1.2), DoubleEq(-2.0), DoubleEq(1.0), DoubleEq(300.0)));
+      ElementsAre(DoubleEq((0.3 * 30.0 + 0.9 * 40.0) / 1.2), DoubleEq(-2.0), DoubleEq(1.0), DoubleEq(300.0)));
   EXPECT_THAT(cell.gauss.sigma[3],
-              ElementsAre(DoubleEq((0.3 * 1.0 + 0.9 * 3.0) / 1.2), DoubleEq(4.0), DoubleEq(-5.0), DoubleEq(50.0)));
-  EXPECT_THAT(cell.gauss.state[0], ElementsAre(DoubleEq((0.3 * 0.1 + 0.9 * 0.3) / 1.2), DoubleEq(0.02), DoubleEq(0.5), 0.0));
+      ElementsAre(DoubleEq((0.3 * 1.0 + 0.9 * 3.0) / 1.2), DoubleEq(4.0), DoubleEq(-5.0), DoubleEq(50.0)));
+  EXPECT_THAT(
+      cell.gauss.state[0], ElementsAre(DoubleEq((0.3 * 0.1 + 0.9 * 0.3) / 1.2), DoubleEq(0.02), DoubleEq(0.5), 0.0));
   EXPECT_THAT(cell.gauss.state[1],
-              ElementsAre(DoubleEq((0.3 * 5.0 + 0.9 * 7.0) / 1.2), DoubleEq(1.0), DoubleEq(2.0), DoubleEq(3.0)));
+      ElementsAre(DoubleEq((0.3 * 5.0 + 0.9 * 7.0) / 1.2), DoubleEq(1.0), DoubleEq(2.0), DoubleEq(3.0)));
 }
 
 TEST(GaussAverage, Eq1_HoldsForAnyNumberOfPoints)
@@ -72,9 +73,9 @@ TEST(GaussAverage, Eq1_HoldsForAnyNumberOfPoints)
     for (int k = 0; k < n; ++k) {
       const Vec<2> local{random.between(-1.0, 1.0), random.between(-1.0, 1.0)};
       values.push_back({.local = local,
-                        .volume = random.between(0.1, 0.3),
-                        .sigma = {random.between(-9.0, 9.0)},
-                        .state = {0.0, 0.0}});
+          .volume = random.between(0.1, 0.3),
+          .sigma = {random.between(-9.0, 9.0)},
+          .state = {0.0, 0.0}});
       const int g = (local[0] >= 0.0) + 2 * (local[1] >= 0.0);
       volume[g] += values.back().volume;
       stress[g] += values.back().volume * values.back().sigma[0];
@@ -96,8 +97,8 @@ TEST(GaussAverage, PointsOnTheSplitGoRightAndUp)  // reading R7: a 5 x 5 lattice
     for (int i = 0; i < 5; ++i) values.push_back({.local = {-0.8 + 0.4 * i, -0.8 + 0.4 * j}, .volume = 0.16});
   Cell cell(values);
   cell.average();
-  EXPECT_THAT(cell.gauss.volume,
-              ElementsAre(DoubleEq(4 * 0.16), DoubleEq(6 * 0.16), DoubleEq(6 * 0.16), DoubleEq(9 * 0.16)));
+  EXPECT_THAT(
+      cell.gauss.volume, ElementsAre(DoubleEq(4 * 0.16), DoubleEq(6 * 0.16), DoubleEq(6 * 0.16), DoubleEq(9 * 0.16)));
   Cell shaken({{.local = {-0.9e-9, -0.9e-9}}, {.local = {-1.1e-9, -1.1e-9}, .volume = 0.5}});
   shaken.average();
   EXPECT_THAT(shaken.gauss.volume, ElementsAre(0.5, 0.0, 0.0, 0.25));
@@ -119,7 +120,8 @@ TEST(GaussAverage, AnEmptySubCellTakesTheMeanInAFilledCellAndHasNoWeightElsewher
   EXPECT_THAT(part.gauss.weight, ElementsAre(DoubleEq(3.0), 0.0, 0.0, DoubleEq(0.5)));
 }
 
-TEST(Weights, AFilledCellHasGaussWeightsAndAnyOtherItsPointsVolume)  // reading R3: filled from nine tenths of V_e = 4 on
+TEST(
+    Weights, AFilledCellHasGaussWeightsAndAnyOtherItsPointsVolume)  // reading R3: filled from nine tenths of V_e = 4 on
 {
   Cell filled({{.local = low_left, .volume = 3.61}});
   filled.average();
@@ -178,7 +180,8 @@ TEST(Weights, OfSeveralMaterialsInAFilledCellShareTheGaussWeight)
 GaussValues<2> uneven_gauss()
 {
   GaussValues<2> gauss{};
-  gauss.sigma = {{{10.0, -7.0, 8.0, 100.0}, {20.0, 3.0, -6.0, 200.0}, {30.0, -2.0, 1.0, 300.0}, {1.0, 4.0, -5.0, 50.0}}};
+  gauss.sigma = {
+      {{10.0, -7.0, 8.0, 100.0}, {20.0, 3.0, -6.0, 200.0}, {30.0, -2.0, 1.0, 300.0}, {1.0, 4.0, -5.0, 50.0}}};
   gauss.state[1] = {0.1, 0.2, 0.4, 0.8};
   gauss.weight = {0.5, 1.0, 2.0, 0.1};
   return gauss;
@@ -194,7 +197,7 @@ TEST(SmoothPressure, Eq2_IsTheWeightedMeanOfTheGaussPressures)
 TEST(SmoothPressure, Eq2_LeavesOutEmptySubCellsOfAPartFilledCell)
 {
   Cell cell({{.local = low_left, .volume = 1.0, .sigma = {30.0, 30.0, 30.0, 0.0}},
-             {.local = up_left, .volume = 0.5, .sigma = {60.0, 60.0, 60.0, 0.0}}});
+      {.local = up_left, .volume = 0.5, .sigma = {60.0, 60.0, 60.0, 0.0}}});
   cell.average();
   smooth_pressure(true, {}, cell.gauss);
   EXPECT_DOUBLE_EQ(cell.gauss.pressure, 40.0);

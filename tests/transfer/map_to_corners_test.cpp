@@ -27,8 +27,8 @@ Cell random_cell(int n, std::uint64_t seed)
   test::Random random(seed);
   for (int k = 0; k < n; ++k)
     cell.add({.local = {random.between(-1.0, 1.0), random.between(-1.0, 1.0)},
-              .mass = random.between(1.0, 3.0),
-              .v = {random.between(-2.0, 2.0), random.between(-2.0, 2.0)}});
+        .mass = random.between(1.0, 3.0),
+        .v = {random.between(-2.0, 2.0), random.between(-2.0, 2.0)}});
   return cell;
 }
 

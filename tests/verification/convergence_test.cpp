@@ -18,7 +18,8 @@ TEST(Convergence, ExtrapolatesASequenceOfOneOrderToItsLimit)
 {
   for (const Real order : {0.6, 1.0, 1.7}) {
     const auto y = [&](Real h) { return 3.0 - 0.4 * std::pow(h, order); };
-    const Limit limit = extrapolate({0.5, 0.125, 0.25, 1.0}, {y(0.5), y(0.125), y(0.25), 100.0});  // the coarsest is not asked
+    const Limit limit =
+        extrapolate({0.5, 0.125, 0.25, 1.0}, {y(0.5), y(0.125), y(0.25), 100.0});  // the coarsest is not asked
     EXPECT_NEAR(limit.value, 3.0, 1e-12);
     EXPECT_NEAR(limit.uncertainty, 1.25 * 0.4 * std::pow(0.125, order), 1e-12);
   }
@@ -26,7 +27,8 @@ TEST(Convergence, ExtrapolatesASequenceOfOneOrderToItsLimit)
 
 TEST(Convergence, TakesNoOrderBeyondItsBounds)
 {
-  const Limit steep = extrapolate({0.25, 0.5, 1.0}, {1.0, 1.0 + 1.0 / 64.0, 1.0 + 1.0 / 64.0 + 1.0});  // order 6: taken as 2
+  const Limit steep =
+      extrapolate({0.25, 0.5, 1.0}, {1.0, 1.0 + 1.0 / 64.0, 1.0 + 1.0 / 64.0 + 1.0});  // order 6: taken as 2
   EXPECT_NEAR(steep.value, 1.0 - 1.0 / 64.0 / 3.0, 1e-12);
 }
 

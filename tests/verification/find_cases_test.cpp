@@ -16,8 +16,10 @@ using testing::HasSubstr;
 struct Cases {
   Cases()
   {
-    for (const char* name : {"bar", "column_1", "column_2", "no_case"}) std::filesystem::create_directory(folder.path() + "/" + name);
-    for (const char* name : {"bar", "column_1", "column_2"}) std::ofstream(folder.path() + "/" + name + "/expected.toml") << "title = \"x\"\n";
+    for (const char* name : {"bar", "column_1", "column_2", "no_case"})
+      std::filesystem::create_directory(folder.path() + "/" + name);
+    for (const char* name : {"bar", "column_1", "column_2"})
+      std::ofstream(folder.path() + "/" + name + "/expected.toml") << "title = \"x\"\n";
   }
   test::ScratchFolder folder;
 };
@@ -42,7 +44,8 @@ TEST(FindCases, AWrongNameIsRefusedWithTheNearest)
     choose_cases(cases.folder.path(), {"colum_1"});
     FAIL();
   } catch (const FileError& error) {
-    EXPECT_STREQ(error.what(), "there is no verification case `colum_1`. Did you mean `column_1`?\n  Cases: bar, column_1, column_2");
+    EXPECT_STREQ(error.what(),
+        "there is no verification case `colum_1`. Did you mean `column_1`?\n  Cases: bar, column_1, column_2");
   }
 }
 

@@ -65,11 +65,13 @@ TEST_P(Flight, FallsAsAStone)
   const Real t = s.state.time, dt = s.model.dt;
   const Vec<2> end = test::centre_of_mass(s.state);
   EXPECT_NEAR(end[0] - start[0], v[0] * t, 1e-9);
-  EXPECT_NEAR(end[1] - start[1], -0.5 * t * (t + dt), 1e-9);  // symplectic Euler: the sum of v dt with v at the end of each step
+  EXPECT_NEAR(end[1] - start[1], -0.5 * t * (t + dt),
+      1e-9);  // symplectic Euler: the sum of v dt with v at the end of each step
   EXPECT_NEAR(test::mean_velocity(s.state)[1], -t, 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(Schemes, Flight, testing::Values("standard_mpm", "mpm_mixed", "mpm_gp"), [](const auto& p) { return p.param; });
+INSTANTIATE_TEST_SUITE_P(
+    Schemes, Flight, testing::Values("standard_mpm", "mpm_mixed", "mpm_gp"), [](const auto& p) { return p.param; });
 
 }  // namespace
 }  // namespace terp

@@ -17,7 +17,7 @@ Simulation column_in_frame(const std::string& scheme, Real cell, Real turn)
 {
   Case c = test::column(scheme, cell);
   const Mesh<2> mesh = make_rectangle(c.mesh.origin, c.mesh.size,
-                                      {static_cast<Index>(std::lround(c.mesh.size[0] / cell)), static_cast<Index>(std::lround(c.mesh.size[1] / cell))});
+      {static_cast<Index>(std::lround(c.mesh.size[0] / cell)), static_cast<Index>(std::lround(c.mesh.size[1] / cell))});
   for (Vec<2>& x : c.bodies[0].polygon) x = test::turned(x, turn);
   c.forces.gravity = test::turned(c.forces.gravity, turn);
   c.forces.local_damping = 0.0;  // sign(v) of a velocity that is round-off: differences of 1e-8 m by 0.1 s
@@ -43,11 +43,13 @@ TEST_P(Frame30, ColumnFailsTheSameWayInATurnedFrame)
   }
   EXPECT_GT(largest, 0.5);  // it has failed
   RecordProperty("place", std::to_string(place));
-  EXPECT_LT(place, 1e-6) << "m; round-off that the failure amplifies: 5e-10 m here, 1 cm at 0.8 s, when single points run ahead";
+  EXPECT_LT(place, 1e-6)
+      << "m; round-off that the failure amplifies: 5e-10 m here, 1 cm at 0.8 s, when single points run ahead";
   EXPECT_LT(strain, 1e-5 * largest);
 }
 
-INSTANTIATE_TEST_SUITE_P(Schemes, Frame30, testing::Values("mpm_mixed", "mpm_gp"), [](const auto& p) { return p.param; });
+INSTANTIATE_TEST_SUITE_P(
+    Schemes, Frame30, testing::Values("mpm_mixed", "mpm_gp"), [](const auto& p) { return p.param; });
 
 }  // namespace
 }  // namespace terp

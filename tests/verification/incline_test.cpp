@@ -1,6 +1,7 @@
 // A stiff block on an inclined mesh: a = g (sin t - mu cos t) - a L / m along the slope, and it sticks when it should.
-// The block is flat, so that it does not rock; its base nodes are close, as adhesion counts half an edge too much at each end; and friction
-// acts on a separating contact, as a bilateral one meets pushes with friction and forgets pulls (decision 0015).
+// The block is flat, so that it does not rock; its base nodes are close, as adhesion counts half an edge too much at
+// each end; and friction acts on a separating contact, as a bilateral one meets pushes with friction and forgets pulls
+// (decision 0015).
 
 #include "support/cases.hpp"
 #include "support/verification.hpp"
@@ -72,7 +73,8 @@ class Incline : public testing::TestWithParam<std::string> {};
 
 TEST_P(Incline, BlockAcceleratesByGravityLessFrictionAndAdhesion)
 {
-  for (const Slope slope : {Slope{15.0, 0.1, 0.0}, {30.0, 0.3, 0.0}, {45.0, 0.5, 0.0}, {30.0, 0.0, 1.0e3}, {45.0, 0.2, 1.0e3}}) {
+  for (const Slope slope :
+      {Slope{15.0, 0.1, 0.0}, {30.0, 0.3, 0.0}, {45.0, 0.5, 0.0}, {30.0, 0.0, 1.0e3}, {45.0, 0.2, 1.0e3}}) {
     const Real expected = expected_acceleration(slope);
     EXPECT_NEAR(acceleration(slope, GetParam(), SideKind::contact_separating), expected, 0.01 * expected)
         << slope.degrees << " degrees, friction " << slope.friction << ", adhesion " << slope.adhesion;
@@ -98,7 +100,8 @@ TEST_P(Incline, BlockSticksWhereTheSlopeIsTooGentle)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Schemes, Incline, testing::Values("mpm_mixed", "mpm_gp"), [](const auto& p) { return p.param; });
+INSTANTIATE_TEST_SUITE_P(
+    Schemes, Incline, testing::Values("mpm_mixed", "mpm_gp"), [](const auto& p) { return p.param; });
 
 }  // namespace
 }  // namespace terp

@@ -21,8 +21,16 @@ struct Sample {
 
 Finding finding(const Quantity& q, Real value, Real reference, Real tolerance)
 {
-  return {.quantity = &q, .run = "coarse", .scheme = "mpm_gp", .value = value, .reference = reference, .tolerance = tolerance, .relative = NAN,
-          .at_least = NAN, .at_most = NAN, .constants = {}};
+  return {.quantity = &q,
+      .run = "coarse",
+      .scheme = "mpm_gp",
+      .value = value,
+      .reference = reference,
+      .tolerance = tolerance,
+      .relative = NAN,
+      .at_least = NAN,
+      .at_most = NAN,
+      .constants = {}};
 }
 
 Row judge_one(const Sample& s, const Finding& f)
@@ -94,7 +102,8 @@ TEST(Judge, AQuantityThatCouldNotBeMeasuredIsARowThatFailsBesideTheOthers)
   const Quantity &bad = s.add("bad"), &good = s.add("good");
   Finding faulty = finding(bad, NAN, NAN, NAN);
   faulty.fault = "no point is `where` this says";
-  const auto rows = judge("case", s.file, {{&s.file, &s.coarse, "mpm_gp"}}, {{.findings = {faulty, finding(good, 2.0, 2.0, 0.1)}, .fault = ""}});
+  const auto rows = judge("case", s.file, {{&s.file, &s.coarse, "mpm_gp"}},
+      {{.findings = {faulty, finding(good, 2.0, 2.0, 0.1)}, .fault = ""}});
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0].verdict, Verdict::fail);
   EXPECT_EQ(rows[0].quantity, "bad");
@@ -151,7 +160,8 @@ TEST(Judge, TheOrderOfConvergenceComparesRunsOfOneScheme)
     f.run = name, f.constants = {{"h", h}};
     return Solved{.findings = {f}, .fault = ""};
   };
-  const auto rows = judge("case", s.file, {{&s.file, &s.coarse, "mpm_gp"}, {&s.file, &s.fine, "mpm_gp"}}, {run("coarse", 0.5, 0.08), run("fine", 0.25, 0.02)});
+  const auto rows = judge("case", s.file, {{&s.file, &s.coarse, "mpm_gp"}, {&s.file, &s.fine, "mpm_gp"}},
+      {run("coarse", 0.5, 0.08), run("fine", 0.25, 0.02)});
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_EQ(rows[2].terp, "2");
   EXPECT_EQ(rows[2].run, "over h, mpm_gp");
@@ -176,13 +186,15 @@ TEST(Judge, AnExtrapolatedValueIsHeldAgainstItsOwnUncertainty)
   s.file.quantities.reserve(2);
   const Quantity& load = s.add("load");
   Quantity& limit = s.add("limit");
-  limit.kind = QuantityKind::extrapolated, limit.of = "load", limit.over = "h", limit.tolerance = {"gci", {}}, limit.reference = {"5", {}};
+  limit.kind = QuantityKind::extrapolated, limit.of = "load", limit.over = "h", limit.tolerance = {"gci", {}},
+  limit.reference = {"5", {}};
   const std::vector<Solve> solves(3, {&s.file, &s.coarse, "mpm_gp"});
   const auto solved = [&](Real shift) { return refined(load, shift); };
   EXPECT_EQ(judge("case", s.file, solves, solved(0.1)).back().verdict, Verdict::pass);  // gci = 1.25 * 0.125
   EXPECT_EQ(judge("case", s.file, solves, solved(0.1)).back().terp, "5.1");
   EXPECT_EQ(judge("case", s.file, solves, solved(0.2)).back().verdict, Verdict::fail);
-  EXPECT_EQ(judge("case", s.file, {solves[0], solves[1]}, {solved(0.0)[0], solved(0.0)[1]}).size(), 2u);  // too few: no row
+  EXPECT_EQ(
+      judge("case", s.file, {solves[0], solves[1]}, {solved(0.0)[0], solved(0.0)[1]}).size(), 2u);  // too few: no row
 }
 
 TEST(Judge, ARunMayErrByWhatRefinementShowsOfItsMesh)
@@ -191,7 +203,8 @@ TEST(Judge, ARunMayErrByWhatRefinementShowsOfItsMesh)
   s.file.quantities.reserve(2);
   const Quantity& load = s.add("load");
   Quantity& error = s.add("error");
-  error.kind = QuantityKind::mesh_error, error.of = "load", error.over = "h", error.tolerance = {"gci", {}}, error.reference = {"5", {}};
+  error.kind = QuantityKind::mesh_error, error.of = "load", error.over = "h", error.tolerance = {"gci", {}},
+  error.reference = {"5", {}};
   const std::vector<Solve> solves(3, {&s.file, &s.coarse, "mpm_gp"});
   const auto verdicts = [&](Real shift) {
     std::vector<Verdict> list;
@@ -202,7 +215,8 @@ TEST(Judge, ARunMayErrByWhatRefinementShowsOfItsMesh)
   using enum Verdict;
   EXPECT_EQ(verdicts(0.0), (std::vector{pass, pass, pass}));
   EXPECT_EQ(verdicts(0.05), (std::vector{pass, pass, fail}));  // 1.25 * 0.125 < 0.125 + 0.05
-  EXPECT_EQ(judge("case", s.file, {solves[0], solves[1]}, {refined(load, 0.0)[0], refined(load, 0.0)[1]}).size(), 2u);  // too few: no row
+  EXPECT_EQ(judge("case", s.file, {solves[0], solves[1]}, {refined(load, 0.0)[0], refined(load, 0.0)[1]}).size(),
+      2u);  // too few: no row
 }
 
 }  // namespace

@@ -39,5 +39,4 @@ struct LedgerSample {
   ScratchFolder folder;
 };
 
-
 }  // namespace terp::test

@@ -1,5 +1,6 @@
-// Noise of the pressure in clay that fails, nearly incompressible, on a distorted mesh: how far points lie from the plane that fits the
-// pressure of their neighbourhood. Integration at the points locks and checkerboards; the mixed schemes do not.
+// Noise of the pressure in clay that fails, nearly incompressible, on a distorted mesh: how far points lie from the
+// plane that fits the pressure of their neighbourhood. Integration at the points locks and checkerboards; the mixed
+// schemes do not.
 
 #include "support/cases.hpp"
 #include "support/meshes.hpp"
@@ -27,8 +28,11 @@ Real plane_at(const std::vector<test::Point>& points, const test::Point& centre,
     s[0] += x, s[1] += y, s[2] += x * x, s[3] += x * y, s[4] += y * y;
     b[0] += p, b[1] += x * p, b[2] += y * p;
   }
-  const Real det = n * (s[2] * s[4] - s[3] * s[3]) - s[0] * (s[0] * s[4] - s[3] * s[1]) + s[1] * (s[0] * s[3] - s[2] * s[1]);
-  return (b[0] * (s[2] * s[4] - s[3] * s[3]) - s[0] * (b[1] * s[4] - s[3] * b[2]) + s[1] * (b[1] * s[3] - s[2] * b[2])) / det;
+  const Real det =
+      n * (s[2] * s[4] - s[3] * s[3]) - s[0] * (s[0] * s[4] - s[3] * s[1]) + s[1] * (s[0] * s[3] - s[2] * s[1]);
+  return (b[0] * (s[2] * s[4] - s[3] * s[3]) - s[0] * (b[1] * s[4] - s[3] * b[2]) +
+             s[1] * (b[1] * s[3] - s[2] * b[2])) /
+         det;
 }
 
 /// Root mean square of pressure less the fitted plane [Pa], away from the surface.
@@ -44,7 +48,8 @@ Real pressure_noise(const std::vector<test::Point>& points)
   return std::sqrt(square / count);
 }
 
-/// Its mean over 16 moments of the slide, 0.3 s to 0.9 s: one moment may be three times as noisy as another, when points change cells.
+/// Its mean over 16 moments of the slide, 0.3 s to 0.9 s: one moment may be three times as noisy as another, when
+/// points change cells.
 Real mean_pressure_noise(const std::string& scheme)
 {
   constexpr int moments = 16;
@@ -60,9 +65,10 @@ Real mean_pressure_noise(const std::string& scheme)
 
 TEST(Noise, PressureIsTwentyTimesSmootherThanWithIntegrationAtThePoints)
 {
-  const Real standard = mean_pressure_noise("standard_mpm"), mixed = mean_pressure_noise("mpm_mixed"), gp = mean_pressure_noise("mpm_gp");
-  std::cout << "pressure noise: standard_mpm " << standard << " Pa, mpm_mixed " << mixed << " Pa, mpm_gp " << gp << " Pa; ratios "
-            << standard / mixed << ", " << standard / gp << '\n';
+  const Real standard = mean_pressure_noise("standard_mpm"), mixed = mean_pressure_noise("mpm_mixed"),
+             gp = mean_pressure_noise("mpm_gp");
+  std::cout << "pressure noise: standard_mpm " << standard << " Pa, mpm_mixed " << mixed << " Pa, mpm_gp " << gp
+            << " Pa; ratios " << standard / mixed << ", " << standard / gp << '\n';
   EXPECT_GT(standard, 20.0 * mixed);
   EXPECT_GT(standard, 20.0 * gp);
 }

@@ -1,5 +1,5 @@
-// Patch tests on strongly distorted quadrilaterals: constant strain is exact, constant stress gives no interior force, rigid motion
-// gives no stress.
+// Patch tests on strongly distorted quadrilaterals: constant strain is exact, constant stress gives no interior force,
+// rigid motion gives no stress.
 
 #include "materials/elastic_constants.hpp"
 #include "schemes/mpm_gp.hpp"
@@ -33,7 +33,8 @@ CornerVectors affine(const Mesh<2>& mesh, Index cell, const std::array<Vec<2>, 2
 {
   CornerVectors du;
   for (int i = 0; i < 4; ++i)
-    for (int d = 0; d < 2; ++d) du[d][i] = a[d][0] * mesh.nodes[mesh.cells[cell][i]][0] + a[d][1] * mesh.nodes[mesh.cells[cell][i]][1];
+    for (int d = 0; d < 2; ++d)
+      du[d][i] = a[d][0] * mesh.nodes[mesh.cells[cell][i]][0] + a[d][1] * mesh.nodes[mesh.cells[cell][i]][1];
   return du;
 }
 
@@ -57,7 +58,8 @@ void strain_all_cells(Simulation& s, const std::array<Vec<2>, 2>& a)
 }
 
 template <class Scheme>
-class Patch : public testing::Test {};
+class Patch : public testing::Test {
+};
 
 struct NameOf {
   template <class T>
@@ -106,8 +108,8 @@ TYPED_TEST(Patch, RotationGivesNoStrainAndOnlyTurnsTheStress)
   }
 }
 
-/// Largest force at an inner node over the largest at any node, for one stress in all points, whose volumes are uneven: in
-/// each cell more lies to the left than to the right.
+/// Largest force at an inner node over the largest at any node, for one stress in all points, whose volumes are uneven:
+/// in each cell more lies to the left than to the right.
 template <class Scheme>
 Real interior_force_share(std::uint64_t seed)
 {
@@ -121,7 +123,8 @@ Real interior_force_share(std::uint64_t seed)
   std::vector<Vec<2>> force(s.model.mesh.nodes.size(), Vec<2>{0.0, 0.0});
   for (std::size_t slot = 0; slot < s.state.points.occupied().size(); ++slot)
     for (int i = 0; i < 4; ++i)
-      for (int d = 0; d < 2; ++d) force[s.model.mesh.cells[s.state.points.occupied()[slot]][i]][d] += s.work.corners[slot].internal_force[d][i];
+      for (int d = 0; d < 2; ++d)
+        force[s.model.mesh.cells[s.state.points.occupied()[slot]][i]][d] += s.work.corners[slot].internal_force[d][i];
   Real inner = 0.0, all = 0.0;
   for (std::size_t i = 0; i < force.size(); ++i) {
     const Vec<2> x = s.model.mesh.nodes[i];

@@ -9,8 +9,15 @@ using testing::HasSubstr;
 
 std::vector<CaseRows> sample()
 {
-  const Row good{.case_name = "bar", .run = "h = 1 m, mpm_gp", .quantity = "stress <zz>", .reference = "a|b", .source = "Euler", .terp = "2",
-                 .error = "0.1", .tolerance = "0.2", .verdict = Verdict::pass};
+  const Row good{.case_name = "bar",
+      .run = "h = 1 m, mpm_gp",
+      .quantity = "stress <zz>",
+      .reference = "a|b",
+      .source = "Euler",
+      .terp = "2",
+      .error = "0.1",
+      .tolerance = "0.2",
+      .verdict = Verdict::pass};
   Row red = good, fail = good;
   red.verdict = Verdict::red, red.remark = "too coarse";
   fail.verdict = Verdict::fail;
@@ -28,7 +35,8 @@ TEST(Report, ARowThatAgreesThoughItIsDeclaredRedIsToldAndCounted)
   auto pages = sample();
   pages[0].rows[0].declared_red = true;
   EXPECT_THAT(counts_text(count(pages)), HasSubstr("(1 declared red, but agree)"));
-  EXPECT_THAT(text_table(pages[0]), HasSubstr("  ? stress <zz>, h = 1 m, mpm_gp: declared red in expected.toml, but agrees. Take `red` away, or name in `red_runs`"));
+  EXPECT_THAT(text_table(pages[0]), HasSubstr("  ? stress <zz>, h = 1 m, mpm_gp: declared red in expected.toml, but "
+                                              "agrees. Take `red` away, or name in `red_runs`"));
 }
 
 TEST(Report, TheTextNamesEveryColumnAndTheReasons)

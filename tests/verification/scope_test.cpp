@@ -12,7 +12,8 @@ using testing::HasSubstr;
 
 std::string expected_with(const std::string& constants)
 {
-  return "title = \"Flight\"\n[constants]\n" + constants + "\n[[run]]\nname = \"a\"\n[[quantity]]\nname = \"path\"\nvalue = \"ux\"\nreduce = \"max_error\"\n"
+  return "title = \"Flight\"\n[constants]\n" + constants +
+         "\n[[run]]\nname = \"a\"\n[[quantity]]\nname = \"path\"\nvalue = \"ux\"\nreduce = \"max_error\"\n"
          "reference = \"0\"\ntolerance = 1\nsource = \"Newton\"\n";
 }
 
@@ -21,7 +22,8 @@ std::map<std::string, Real> constants_of(const std::string& text, const std::vec
 {
   const test::LedgerSample sample(expected_with(text));
   const Expected expected = read_expected(sample.path());
-  return make_scope(expected, expected.variants.at(0), read_case(sample.folder.path() + "/case.toml", changes), 0.01).constants;
+  return make_scope(expected, expected.variants.at(0), read_case(sample.folder.path() + "/case.toml", changes), 0.01)
+      .constants;
 }
 
 std::string refusal_of(const std::string& text)
@@ -44,7 +46,8 @@ TEST(Scope, KnowsTheEndAndTheTimeStep)
 TEST(Scope, TakesNumbersOfTheCaseAsItRuns)
 {
   EXPECT_EQ(constants_of("G = { key = \"material.rock.shear_modulus\" }").at("G"), 1e6);
-  EXPECT_EQ(constants_of("G = { key = \"material.rock.shear_modulus\" }", {"material.rock.shear_modulus=3e6"}).at("G"), 3e6);
+  EXPECT_EQ(
+      constants_of("G = { key = \"material.rock.shear_modulus\" }", {"material.rock.shear_modulus=3e6"}).at("G"), 3e6);
   EXPECT_EQ(constants_of("n = { key = \"body[0].points_per_cell\" }").at("n"), 2.0);
 }
 
@@ -57,7 +60,8 @@ TEST(Scope, LaterFormulasKnowEarlierConstants)
 TEST(Scope, RefusesAKeyThatGivesNoNumber)
 {
   EXPECT_THAT(refusal_of("a = { key = \"material.rock.model\" }"), HasSubstr("`material.rock.model` is not a number"));
-  EXPECT_THAT(refusal_of("a = { key = \"material.rock.su_peak\" }"), HasSubstr("the case says nothing of `material.rock.su_peak`"));
+  EXPECT_THAT(refusal_of("a = { key = \"material.rock.su_peak\" }"),
+      HasSubstr("the case says nothing of `material.rock.su_peak`"));
 }
 
 }  // namespace

@@ -43,7 +43,8 @@ TEST(Series, AValueIsLinearBetweenSamplesAndNoneOutside)
 
 TEST(Series, ACutKeepsItsEnds)
 {
-  const Series part = cut({.time = {0.0, 1.0, 2.0, 3.0}, .value = {5.0, 6.0, 7.0, 8.0}, .reference = {1.0, 2.0, 3.0, 4.0}}, 1.0, 2.0);
+  const Series part =
+      cut({.time = {0.0, 1.0, 2.0, 3.0}, .value = {5.0, 6.0, 7.0, 8.0}, .reference = {1.0, 2.0, 3.0, 4.0}}, 1.0, 2.0);
   EXPECT_THAT(part.value, testing::ElementsAre(6.0, 7.0));
   EXPECT_THAT(part.reference, testing::ElementsAre(2.0, 3.0));
 }

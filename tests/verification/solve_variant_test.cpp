@@ -41,7 +41,9 @@ Finding find(const std::string& lines)
 
 TEST(SolveVariant, AFieldAtATimeIsHeldAgainstItsFormula)
 {
-  const Finding f = find("name = \"path\"\nvalue = \"x-x0\"\ntime = 0.2\nreduce = \"max_error\"\nreference = \"V*t\"\ntolerance = \"1e-9*V\"");
+  const Finding f = find(
+      "name = \"path\"\nvalue = \"x-x0\"\ntime = 0.2\nreduce = \"max_error\"\nreference = \"V*t\"\ntolerance = "
+      "\"1e-9*V\"");
   EXPECT_LT(f.value, 1e-12);
   EXPECT_TRUE(std::isnan(f.reference));
   EXPECT_EQ(f.tolerance, 2e-9);
@@ -50,23 +52,28 @@ TEST(SolveVariant, AFieldAtATimeIsHeldAgainstItsFormula)
 
 TEST(SolveVariant, OnlyPointsThatAreMeantCount)
 {
-  const Finding f = find("name = \"mean\"\nvalue = \"x0\"\nwhere = \"x0 < 1\"\nreduce = \"mean\"\nreference = 0.75\ntolerance = 1");
+  const Finding f =
+      find("name = \"mean\"\nvalue = \"x0\"\nwhere = \"x0 < 1\"\nreduce = \"mean\"\nreference = 0.75\ntolerance = 1");
   EXPECT_NEAR(f.value, 0.75, 1e-12);
   EXPECT_NEAR(f.reference, 0.75, 1e-12);
 }
 
 TEST(SolveVariant, APointIsFollowedFromWhereItStarted)
 {
-  const Finding f = find("name = \"place\"\nkind = \"point\"\nat = [0.6, 0.1]\nvalue = \"x\"\ntime = 0.3\nreference = \"x0+V*t\"\ntolerance = 1e-9");
+  const Finding f = find(
+      "name = \"place\"\nkind = \"point\"\nat = [0.6, 0.1]\nvalue = \"x\"\ntime = 0.3\nreference = "
+      "\"x0+V*t\"\ntolerance = 1e-9");
   EXPECT_NEAR(f.value, 0.625 + 0.6, 1e-9);
   EXPECT_NEAR(f.reference, 0.625 + 0.6, 1e-9);
 }
 
 TEST(SolveVariant, LedgerSummaryAndFormulasOfEarlierQuantities)
 {
-  const Solved solved = solve(quantity("name = \"p\"\nas = \"p\"\nkind = \"ledger\"\nvalue = \"momentum_x\"\ntime = \"end\"") +
-                              quantity("name = \"n\"\nas = \"n\"\nkind = \"summary\"\nvalue = \"n_points\"") +
-                              quantity("name = \"per point\"\nkind = \"formula\"\nvalue = \"p/n\"\nreference = \"2000/16*V\"\nrelative = 1e-12"));
+  const Solved solved = solve(
+      quantity("name = \"p\"\nas = \"p\"\nkind = \"ledger\"\nvalue = \"momentum_x\"\ntime = \"end\"") +
+      quantity("name = \"n\"\nas = \"n\"\nkind = \"summary\"\nvalue = \"n_points\"") +
+      quantity(
+          "name = \"per point\"\nkind = \"formula\"\nvalue = \"p/n\"\nreference = \"2000/16*V\"\nrelative = 1e-12"));
   ASSERT_EQ(solved.fault, "");
   ASSERT_EQ(solved.findings.size(), 1u);  // the first two are no rows of their own
   EXPECT_NEAR(solved.findings[0].value, 250.0, 1e-9);
@@ -88,7 +95,8 @@ std::string fault_of(const std::string& lines) { return find(lines).fault; }
 
 TEST(SolveVariant, ATimeWithoutAFrameIsRefused)
 {
-  const std::string fault = fault_of("name = \"path\"\nvalue = \"ux\"\ntime = 0.25\nreference = \"V*t\"\ntolerance = 1");
+  const std::string fault =
+      fault_of("name = \"path\"\nvalue = \"ux\"\ntime = 0.25\nreference = \"V*t\"\ntolerance = 1");
   EXPECT_THAT(fault, HasSubstr("there is no frame at 0.25 s"));
   EXPECT_THAT(fault, HasSubstr("Let output.fields.every of the case divide the time."));
 }
@@ -97,16 +105,21 @@ TEST(SolveVariant, ATimeWithoutARowIsRefused)
 {
   const std::string mass = "name = \"mass\"\nkind = \"ledger\"\nvalue = \"mass\"\nat_least = 1\n";
   EXPECT_EQ(fault_of(mass + "time = \"end\""), "");
-  EXPECT_THAT(fault_of(mass + "time = 0.6"), AllOf(HasSubstr("expected.toml:10:8: there is no row at 0.6 s"), HasSubstr(" rows, from 0 to 0.5 s.")));
-  EXPECT_THAT(fault_of(mass + "reduce = \"max\"\nfrom = 0.4\nto = 0.2"), HasSubstr("expected.toml:11:8: there is no row from 0.4 to 0.2 s"));
+  EXPECT_THAT(fault_of(mass + "time = 0.6"),
+      AllOf(HasSubstr("expected.toml:10:8: there is no row at 0.6 s"), HasSubstr(" rows, from 0 to 0.5 s.")));
+  EXPECT_THAT(fault_of(mass + "reduce = \"max\"\nfrom = 0.4\nto = 0.2"),
+      HasSubstr("expected.toml:11:8: there is no row from 0.4 to 0.2 s"));
   EXPECT_THAT(fault_of(mass + "reduce = \"max\"\nfrom = 0.6"), HasSubstr("there is no row from 0.6 to inf s"));
   EXPECT_EQ(fault_of(mass + "reduce = \"arrival\"\nthreshold = 1e9"), "");  // never, but looked for
 }
 
 TEST(SolveVariant, TheReferenceOfASeriesIsReducedAsTheSeriesIs)
 {
-  const std::string way = "name = \"way\"\nkind = \"point\"\nat = [0.6, 0.1]\nvalue = \"x\"\nreference = \"x0+V*t\"\ntolerance = 1e-9\nreduce = ";  // frames 0, 0.1, ..., 0.5
-  for (const auto& [reduce, expected] : std::vector<std::pair<std::string, Real>>{{"mean", 1.125}, {"max", 1.625}, {"min", 0.625}, {"sum", 6.75}, {"last", 1.625}}) {
+  const std::string way =
+      "name = \"way\"\nkind = \"point\"\nat = [0.6, 0.1]\nvalue = \"x\"\nreference = \"x0+V*t\"\ntolerance = "
+      "1e-9\nreduce = ";  // frames 0, 0.1, ..., 0.5
+  for (const auto& [reduce, expected] : std::vector<std::pair<std::string, Real>>{
+           {"mean", 1.125}, {"max", 1.625}, {"min", 0.625}, {"sum", 6.75}, {"last", 1.625}}) {
     const Finding f = find(way + '"' + reduce + '"');
     EXPECT_EQ(f.fault, "") << reduce;
     EXPECT_NEAR(f.value, expected, 1e-9) << reduce;
@@ -117,7 +130,8 @@ TEST(SolveVariant, TheReferenceOfASeriesIsReducedAsTheSeriesIs)
 
 TEST(SolveVariant, AConstantDoesNotHideWhatIsMeasured)
 {
-  const Solved solved = solve(quantity("name = \"p\"\nvalue = \"x\"\nas = \"y\"\nreduce = \"mean\"") + quantity("name = \"q\"\nvalue = \"y\"\nreduce = \"mean\"\nat_least = 0"));
+  const Solved solved = solve(quantity("name = \"p\"\nvalue = \"x\"\nas = \"y\"\nreduce = \"mean\"") +
+                              quantity("name = \"q\"\nvalue = \"y\"\nreduce = \"mean\"\nat_least = 0"));
   ASSERT_EQ(solved.findings.size(), 1u);
   EXPECT_THAT(solved.findings[0].fault, HasSubstr("`y` is a constant and the name of what stands here"));
 }
@@ -125,12 +139,13 @@ TEST(SolveVariant, AConstantDoesNotHideWhatIsMeasured)
 TEST(SolveVariant, AFootingThatTheCaseHasNotIsRefused)
 {
   EXPECT_THAT(fault_of("name = \"push\"\nkind = \"footing\"\nvalue = \"reaction_y\"\nreduce = \"max\"\nat_least = 1"),
-              AllOf(HasSubstr("there is no footing in this case"), HasSubstr("[[footing]]")));
+      AllOf(HasSubstr("there is no footing in this case"), HasSubstr("[[footing]]")));
 }
 
 TEST(SolveVariant, APointWhereThereIsNoSoilIsRefused)
 {
-  const std::string fault = fault_of("name = \"place\"\nkind = \"point\"\nat = [3.0, 0.1]\nvalue = \"x\"\ntime = 0.3\nreference = 0\ntolerance = 1");
+  const std::string fault = fault_of(
+      "name = \"place\"\nkind = \"point\"\nat = [3.0, 0.1]\nvalue = \"x\"\ntime = 0.3\nreference = 0\ntolerance = 1");
   EXPECT_THAT(fault, HasSubstr("there is no soil at x = 3 m, y = 0.1 m"));
   EXPECT_THAT(fault, HasSubstr("Choose a place in a body at t = 0."));
 }
@@ -144,9 +159,13 @@ TEST(SolveVariant, AFormulaThatCannotBeReadIsRefusedAtItsPlace)
 
 TEST(SolveVariant, AWrongQuantityCostsNoOther)
 {
-  const std::string good = "value = \"x-x0\"\ntime = 0.2\nreduce = \"max_error\"\nreference = \"V*t\"\ntolerance = 1e-9";
-  const Solved solved = solve(quantity("name = \"nowhere\"\nwhere = \"x0 > 99\"\n" + good) + quantity("name = \"no place\"\nkind = \"point\"\nat = [3.0, 0.1]\nvalue = \"x\"\nas = \"p\"") +
-                              quantity("name = \"path\"\n" + good) + quantity("name = \"of p\"\nkind = \"formula\"\nvalue = \"2*p\"\nreference = 1\ntolerance = 1"));
+  const std::string good =
+      "value = \"x-x0\"\ntime = 0.2\nreduce = \"max_error\"\nreference = \"V*t\"\ntolerance = 1e-9";
+  const Solved solved =
+      solve(quantity("name = \"nowhere\"\nwhere = \"x0 > 99\"\n" + good) +
+            quantity("name = \"no place\"\nkind = \"point\"\nat = [3.0, 0.1]\nvalue = \"x\"\nas = \"p\"") +
+            quantity("name = \"path\"\n" + good) +
+            quantity("name = \"of p\"\nkind = \"formula\"\nvalue = \"2*p\"\nreference = 1\ntolerance = 1"));
   EXPECT_EQ(solved.fault, "");
   ASSERT_EQ(solved.findings.size(), 4u);
   EXPECT_THAT(solved.findings[0].fault, HasSubstr("no point is `where` this says"));
@@ -161,9 +180,11 @@ TEST(SolveVariant, TolerancesAndScalesThatAreNoneAreRefused)
   const std::string path = "name = \"path\"\nvalue = \"x\"\nreduce = \"max_error\"\nreference = 0\n";
   EXPECT_THAT(fault_of(path + "tolerance = -0.1"), HasSubstr("`tolerance` must be a finite number, 0 or more"));
   EXPECT_THAT(fault_of(path + "tolerance = \"1/0\""), HasSubstr("Got inf."));
-  EXPECT_THAT(fault_of(path + "tolerance = 1\nscale = \"-V\""), HasSubstr("`scale` must be a finite number, greater than 0"));
+  EXPECT_THAT(
+      fault_of(path + "tolerance = 1\nscale = \"-V\""), HasSubstr("`scale` must be a finite number, greater than 0"));
   const std::string mean = "name = \"mean\"\nvalue = \"x\"\nreduce = \"mean\"\n";
-  EXPECT_THAT(fault_of(mean + "reference = 1\nrelative = \"-V\""), HasSubstr("`relative` must be a finite number, 0 or more"));
+  EXPECT_THAT(
+      fault_of(mean + "reference = 1\nrelative = \"-V\""), HasSubstr("`relative` must be a finite number, 0 or more"));
   EXPECT_THAT(fault_of(mean + "at_least = \"sqrt(-V)\""), HasSubstr("`at_least` must be a finite number\n"));
 }
 
@@ -172,7 +193,8 @@ TEST(SolveVariant, OneValueThatIsNoNumberMakesTheLargestNone)
   const Finding f = find("name = \"largest\"\nvalue = \"sqrt(x0-1)\"\nreduce = \"max\"\nat_least = 0");
   EXPECT_EQ(f.fault, "");
   EXPECT_TRUE(std::isnan(f.value));
-  EXPECT_TRUE(std::isnan(find("name = \"mean\"\nvalue = \"x0\"\nwhere = \"sqrt(x0-1)\"\nreduce = \"mean\"\nat_least = 0").value));
+  EXPECT_TRUE(std::isnan(
+      find("name = \"mean\"\nvalue = \"x0\"\nwhere = \"sqrt(x0-1)\"\nreduce = \"mean\"\nat_least = 0").value));
 }
 
 TEST(SolveVariant, AKeyThatTheCaseDoesNotSetIsNoConstant)
@@ -181,12 +203,15 @@ TEST(SolveVariant, AKeyThatTheCaseDoesNotSetIsNoConstant)
   EXPECT_EQ(solved.fault, "");
   const test::LedgerSample sample("title = \"x\"\n[constants]\na = { key = \"time.courant\" }\n");
   const Expected file = read_expected(sample.path());
-  EXPECT_THAT(solve_variant(list_solves(file, true, true).front(), std::atomic<bool>{false}).fault, HasSubstr("the case says nothing of `time.courant`"));
+  EXPECT_THAT(solve_variant(list_solves(file, true, true).front(), std::atomic<bool>{false}).fault,
+      HasSubstr("the case says nothing of `time.courant`"));
 }
 
 TEST(SolveVariant, RunsAreEachVariantWithEachSchemeShortOrLong)
 {
-  const test::LedgerSample sample("title = \"x\"\n[[run]]\nname = \"a\"\nschemes = [\"mpm_gp\", \"mpm_mixed\"]\n[[run]]\nname = \"b\"\nlong = true\n");
+  const test::LedgerSample sample(
+      "title = \"x\"\n[[run]]\nname = \"a\"\nschemes = [\"mpm_gp\", \"mpm_mixed\"]\n[[run]]\nname = \"b\"\nlong = "
+      "true\n");
   const Expected file = read_expected(sample.path());
   EXPECT_EQ(list_solves(file, true, true).size(), 3u);
   EXPECT_EQ(list_solves(file, true, false).size(), 2u);

@@ -1,6 +1,6 @@
-// Elastic soil settled under its own weight on distorted meshes, against closed forms. The points lie on a lattice of their own, so that
-// cells hold uneven numbers of them. Stress is constant in a cell (MPM-Mixed: its mean), so the error is of first order: on a linear
-// stress h / sqrt(12) over the height.
+// Elastic soil settled under its own weight on distorted meshes, against closed forms. The points lie on a lattice of
+// their own, so that cells hold uneven numbers of them. Stress is constant in a cell (MPM-Mixed: its mean), so the
+// error is of first order: on a linear stress h / sqrt(12) over the height.
 //   column:         sigma_yy = -rho g (H - y), sigma_xx = nu / (1 - nu) sigma_yy
 //   infinite slope: as the column with g cos t, and sigma_xy = rho g sin t (H - y), in axes along and across the slope
 
@@ -42,7 +42,9 @@ void write_lattice(const std::string& path, const Layer& layer, Real spacing)
   const auto nx = std::lround(layer.width / spacing), ny = std::lround(layer.height / spacing);
   const Real dx = layer.width / static_cast<Real>(nx), dy = layer.height / static_cast<Real>(ny);
   for (long j = 0; j < ny; ++j)
-    for (long i = 0; i < nx; ++i) file << (static_cast<Real>(i) + 0.5) * dx << ',' << (static_cast<Real>(j) + 0.5) * dy << ',' << dx * dy << ",rock\n";
+    for (long i = 0; i < nx; ++i)
+      file << (static_cast<Real>(i) + 0.5) * dx << ',' << (static_cast<Real>(j) + 0.5) * dy << ',' << dx * dy
+           << ",rock\n";
 }
 
 Case settling(const Layer& layer, const std::string& scheme, const std::string& points_file)
@@ -72,7 +74,8 @@ std::array<Real, 3> stress_error(const Layer& layer, const std::string& scheme, 
   std::array<Real, 3> square{};
   Real count = 0.0;
   for (const test::Point& p : test::points_by_id(s.state)) {
-    const Real x = s.state.x_initial[2 * static_cast<std::size_t>(p.id)], y = s.state.x_initial[2 * static_cast<std::size_t>(p.id) + 1];
+    const Real x = s.state.x_initial[2 * static_cast<std::size_t>(p.id)],
+               y = s.state.x_initial[2 * static_cast<std::size_t>(p.id) + 1];
     if (std::abs(x - 0.5 * layer.width) > layer.height) continue;
     const Real depth = density * (layer.height - y), normal = depth * c.forces.gravity[1];
     square[0] += std::pow(p.sigma[1] - normal, 2);
@@ -92,16 +95,26 @@ TEST_P(StaticStress, ErrorIsOfFirstOrderOnDistortedMeshes)
   const auto coarse = stress_error(layer, scheme, 0.5), fine = stress_error(layer, scheme, 0.25);
   const Real within_a_cell = 0.25 / std::sqrt(12.0) / layer.height;
   for (int k = 0; k < 3; ++k) {
-    std::cout << scheme << ": rms error over rho g H, " << (k == 0 ? "normal" : k == 1 ? "horizontal" : "shear") << ": " << coarse[k]
-              << " at h = 0.5 m, " << fine[k] << " at h = 0.25 m\n";
+    std::cout << scheme << ": rms error over rho g H, "
+              << (k == 0      ? "normal"
+                     : k == 1 ? "horizontal"
+                              : "shear")
+              << ": " << coarse[k] << " at h = 0.5 m, " << fine[k] << " at h = 0.25 m\n";
     EXPECT_LT(fine[k], 1.4 * within_a_cell);
-    if (coarse[k] > 0.5 * within_a_cell) { EXPECT_GT(coarse[k] / fine[k], 1.7); }
+    if (coarse[k] > 0.5 * within_a_cell) {
+      EXPECT_GT(coarse[k] / fine[k], 1.7);
+    }
   }
 }
 
-std::string scheme_name(const testing::TestParamInfo<std::tuple<Layer, std::string>>& p) { return std::get<1>(p.param); }
-INSTANTIATE_TEST_SUITE_P(Column, StaticStress, testing::Combine(testing::Values(column), testing::Values("mpm_mixed", "mpm_gp")), scheme_name);
-INSTANTIATE_TEST_SUITE_P(InfiniteSlope, StaticStress, testing::Combine(testing::Values(slope), testing::Values("mpm_mixed", "mpm_gp")), scheme_name);
+std::string scheme_name(const testing::TestParamInfo<std::tuple<Layer, std::string>>& p)
+{
+  return std::get<1>(p.param);
+}
+INSTANTIATE_TEST_SUITE_P(Column, StaticStress,
+    testing::Combine(testing::Values(column), testing::Values("mpm_mixed", "mpm_gp")), scheme_name);
+INSTANTIATE_TEST_SUITE_P(InfiniteSlope, StaticStress,
+    testing::Combine(testing::Values(slope), testing::Values("mpm_mixed", "mpm_gp")), scheme_name);
 
 }  // namespace
 }  // namespace terp

@@ -34,19 +34,22 @@ test::Simulation soil_between(SideKind west, SideKind east, const char* scheme)
 }
 
 class Valley : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Schemes, Valley, testing::Values("standard_mpm", "mpm_mixed", "mpm_gp"), [](const auto& info) { return std::string(info.param); });
+INSTANTIATE_TEST_SUITE_P(Schemes, Valley, testing::Values("standard_mpm", "mpm_mixed", "mpm_gp"),
+    [](const auto& info) { return std::string(info.param); });
 
 TEST_P(Valley, HoldsSoilAndDoesNoWorkOnIt)
 {
   for (const auto& [west, east] : {std::pair{SideKind::contact_separating, SideKind::contact_separating},
-                                   std::pair{SideKind::roller, SideKind::contact_separating}, std::pair{SideKind::contact_separating, SideKind::roller}}) {
+           std::pair{SideKind::roller, SideKind::contact_separating},
+           std::pair{SideKind::contact_separating, SideKind::roller}}) {
     auto s = soil_between(west, east, GetParam());
     s.step(static_cast<std::int64_t>(2.0 / s.model.dt));
     EXPECT_LT(s.state.work.boundary, 1e-6 * s.state.work.gravity);
     EXPECT_GT(s.state.work.gravity, 0.0);  // it settles
     Real mean = 0.0, largest = 0.0;
     const auto points = test::points_by_id(s.state);
-    for (const auto& p : points) mean += p.v[0] / static_cast<Real>(points.size()), largest = std::max(largest, std::hypot(p.v[0], p.v[1]));
+    for (const auto& p : points)
+      mean += p.v[0] / static_cast<Real>(points.size()), largest = std::max(largest, std::hypot(p.v[0], p.v[1]));
     EXPECT_LT(std::abs(mean), 1e-3);
     EXPECT_LT(largest, 0.05);  // m/s
   }

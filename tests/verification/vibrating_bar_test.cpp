@@ -1,5 +1,6 @@
-// An elastic bar that vibrates along its axis between fixed ends: v = V sin(pi x / L) cos(omega t), omega = pi c_p / L. Error of the
-// velocity after one period against h, on distorted meshes; on rectangular ones: cases/verification/vibrating_bar.
+// An elastic bar that vibrates along its axis between fixed ends: v = V sin(pi x / L) cos(omega t), omega = pi c_p / L.
+// Error of the velocity after one period against h, on distorted meshes; on rectangular ones:
+// cases/verification/vibrating_bar.
 
 #include "support/cases.hpp"
 #include "support/meshes.hpp"
@@ -22,9 +23,11 @@ Real error_after_a_period(const std::string& scheme, Real h, Real distortion)
   Case c = test::free_box(scheme, {0.0, 0.0}, {length, 4.0 * h}, test::elastic(4.0e6, 0.25, 2000.0));
   c.time.courant = 0.2;
   for (const char* side : {"left", "right", "bottom", "top"}) c.sides.push_back(test::side(side, SideKind::roller));
-  Simulation s = test::simulate_on(test::distorted_rectangle(static_cast<Index>(std::lround(length / h)), 4, h, distortion, 3), c);
+  Simulation s =
+      test::simulate_on(test::distorted_rectangle(static_cast<Index>(std::lround(length / h)), 4, h, distortion, 3), c);
   const Material& law = *s.model.materials[0].law;
-  const Real speed = std::sqrt(law.p_wave_modulus() / 2000.0), period = 2.0 * length / speed, wave = std::numbers::pi / length;
+  const Real speed = std::sqrt(law.p_wave_modulus() / 2000.0), period = 2.0 * length / speed,
+             wave = std::numbers::pi / length;
   test::edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
     block.row(PointRows<2>::v)[lane] = amplitude * std::sin(wave * block.row(PointRows<2>::x)[lane]);
   });
@@ -45,12 +48,14 @@ TEST_P(VibratingBar, ErrorFallsWithTheCellSize)
   std::array<Real, 3> error;
   for (int k = 0; k < 3; ++k) error[k] = error_after_a_period(GetParam(), sizes[k], distortion);
   const Real order = std::log2(error[0] / error[2]) / 2.0;
-  std::cout << GetParam() << ": rms error " << error[0] << ' ' << error[1] << ' ' << error[2] << ", order " << order << '\n';
+  std::cout << GetParam() << ": rms error " << error[0] << ' ' << error[1] << ' ' << error[2] << ", order " << order
+            << '\n';
   EXPECT_GT(order, 0.9);
   EXPECT_LT(error[2], 0.15);
 }
 
-INSTANTIATE_TEST_SUITE_P(Schemes, VibratingBar, testing::Values("standard_mpm", "mpm_mixed", "mpm_gp"), [](const auto& p) { return p.param; });
+INSTANTIATE_TEST_SUITE_P(Schemes, VibratingBar, testing::Values("standard_mpm", "mpm_mixed", "mpm_gp"),
+    [](const auto& p) { return p.param; });
 
 }  // namespace
 }  // namespace terp

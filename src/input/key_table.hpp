@@ -1,0 +1,11 @@
+// The table of all keys of the case file as it is written down; keys.hpp is what the rest of the room asks.
+#pragma once
+
+#include "input/keys.hpp"
+
+namespace terp {
+
+/// All keys but those of laws, in the order of the case file, without the text of their defaults.
+std::vector<KeyInfo> key_table();
+
+}  // namespace terp
