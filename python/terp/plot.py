@@ -25,10 +25,11 @@ SAMPLE = 200           # points whose neighbours are measured to find the lattic
 def field(run, name, time=None, panel=None, limits=None):
     """A field of all material points at `time` [s] (default: the last frame), over the outlines of the bodies at the start.
 
-    name: as Frame.scalar has it, e.g. "eps_eq_p", "stress.yy", "velocity". limits: of the colours, in the field's own unit.
+    name: as Frame.scalar has it, e.g. "eps_eq_p", "stress.yy", "velocity". limits: of the colours, in the unit
+    of the colour bar (stress in kPa). Points whose material has no such field are grey.
     """
     frame = run.frame(run.at(time) if time is not None else -1)
-    norm = Normalize(*limits) if limits else colour_norm([frame], name)
+    norm = norm_of_limits(run, name, limits) if limits else colour_norm([frame], name)
     with style.house_style():
         place = {"ax": panel, "shrink": 0.6}
         if panel is None:
@@ -88,13 +89,17 @@ def section_page(window):
 
 
 def squares(panel, frame, name, norm):
-    """Every material point as a square of about the lattice spacing, coloured by a field."""
+    """Every material point as a square of about the lattice spacing, coloured by a field; grey where it has none."""
     spacing = lattice_spacing(frame.run.field("x", 0))
     x_begin, x_end = panel.get_xlim()
     width = panel.get_position().width * panel.figure.get_size_inches()[0] * 72.0  # [pt]
+    values = frame.scalar(name)
+    here = np.isfinite(values)
+    look = {"marker": "s", "linewidths": 0, "antialiased": False, "rasterized": True, "zorder": 2}
     for side in np.array(SIDES) * spacing * width / (x_end - x_begin):
-        panel.scatter(frame.x[:, 0], frame.x[:, 1], s=side**2, c=frame.scalar(name), cmap=style.COLOUR_MAP, norm=norm,
-                      marker="s", linewidths=0, antialiased=False, rasterized=True, zorder=2)
+        if not here.all():
+            panel.scatter(*frame.x[~here].T[:2], s=side**2, color=style.NO_VALUE, **look)
+        panel.scatter(*frame.x[here].T[:2], s=side**2, c=values[here], cmap=style.COLOUR_MAP, norm=norm, **look)
 
 
 def outlines(panel, case):
@@ -159,6 +164,25 @@ def window_of(frames):
     low = np.min([frame.x.min(axis=0) for frame in frames], axis=0)
     high = np.max([frame.x.max(axis=0) for frame in frames], axis=0)
     return (*np.floor(low / steps) * steps, *np.ceil(high / steps + (0.2, 0.5)) * steps)
+
+
+def norm_of_limits(run, name, limits):
+    """A colour scale between two values in the unit of the colour bar."""
+    factor, _ = style.in_print(run.unit(name))
+    return Normalize(*(limit / factor for limit in limits))
+
+
+def without_value(frames, name):
+    """Names of the materials whose points have no value of a field in these frames; "some points" where the run has no field `material`."""
+    lacking = set()
+    for frame in frames:
+        here = np.isfinite(frame.scalar(name))
+        if "material" in frame.run.units:
+            names = list(frame.run.case["material"])
+            lacking.update(names[int(k)] for k in np.unique(frame.scalar("material")[~here]) if k >= 0)
+        elif not here.all():
+            lacking.add("some points")
+    return sorted(lacking)
 
 
 def colour_norm(frames, name):

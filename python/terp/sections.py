@@ -11,7 +11,6 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from matplotlib.colors import Normalize
 from matplotlib.ticker import MaxNLocator
 
 from terp import plot, style
@@ -33,7 +32,7 @@ class Section:
     field: str            # as Frame.scalar has it: "eps_eq_p", "stress.yy"
     times: tuple          # [s], one row each
     points: str = ""      # names of the points drawn as dots
-    limit: float = None   # end of the colour scale, which then begins at 0; None: from the last frames
+    limit: float = None   # end of the colour scale in the unit of the colour bar; it begins at 0; None: from the last frames
     window: tuple = None  # x0, y0, x1, y1 [m]; None: all points in all frames
 
 
@@ -47,7 +46,9 @@ def draw_sections(runs, what):
         return None, notes
     present = [frame for _, row in rows for frame in row if frame]
     last = [next(filter(None, column), None) for column in zip(*(row for _, row in reversed(rows)))]
-    norm = Normalize(0.0, what.limit) if what.limit else plot.colour_norm([frame for frame in last if frame], what.field)
+    if grey := plot.without_value(present, what.field):
+        notes.append(f"no {what.field} in {', '.join(grey)}: drawn grey")
+    norm = plot.norm_of_limits(present[0].run, what.field, (0.0, what.limit)) if what.limit else plot.colour_norm([frame for frame in last if frame], what.field)
     figure, panels, bar = lay_out(len(rows), len(runs), what.window or plot.window_of(present))
     for (time, row), row_panels in zip(rows, panels):
         for run, frame, panel in zip(runs, row, row_panels):

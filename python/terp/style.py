@@ -25,6 +25,7 @@ OTHER_LINES = [(colour, dashes) for dashes in ("-", (0, (4, 1.4))) for colour in
 COLOUR_MAP = "viridis"
 
 GREY = "#6b6b6b"
+NO_VALUE = "#c9ced3"    # of points whose material lacks the field
 
 RC = {
     "font.family": "sans-serif", "font.size": 8, "axes.labelsize": 8, "axes.titlesize": 8.5,

@@ -24,9 +24,11 @@ class Pictures(unittest.TestCase):
         np.testing.assert_array_equal(panel.collections[0].get_offsets(), frame.x)
 
     def test_the_last_frame_is_the_default_and_limits_are_kept(self):
-        panel = plot.field(self.run_, "su", limits=(2000.0, 8000.0))
+        panel = plot.field(self.run_, "su", limits=(2.0, 8.0))  # kPa, as the bar says
         self.assertEqual(panel.get_title(), "$t$ = 4 s")
         self.assertEqual(panel.collections[0].get_clim(), (2000.0, 8000.0))
+        self.assertEqual(panel.figure.axes[1].get_xlim(), (2000.0, 8000.0))
+        self.assertEqual(plot.field(self.run_, "eps_eq_p", limits=(0.0, 2.0)).collections[0].get_clim(), (0.0, 2.0))
 
     def test_stress_is_in_kilopascal_on_the_bar(self):
         panel = plot.field(self.run_, "stress.yy")
@@ -87,7 +89,30 @@ class Pictures(unittest.TestCase):
         self.assertEqual(ends([np.nan]), (0.0, 1.0))
 
 
+class WithoutValue:
+    """A frame in which every other point is of a material without strength."""
+
+    def __init__(self, frame):
+        self.frame, self.run, self.x = frame, frame.run, frame.x
+
+    def scalar(self, name):
+        values = np.array(self.frame.scalar(name))
+        values[::2] = np.nan
+        return values
+
+
 class Sections(unittest.TestCase):
+    def test_points_whose_material_lacks_the_field_are_grey_and_named(self):
+        run = terp.open(support.synthetic_run("mpm_gp", 2))
+        frame = WithoutValue(run.frame(-1))
+        panel, _ = plot.section_page(plot.window_of([frame]))
+        plot.squares(panel, frame, "su", plot.colour_norm([frame], "su"))
+        grey, soil = panel.collections[:2]
+        self.assertEqual(len(grey.get_offsets()), len(frame.x[::2]))
+        self.assertEqual(len(soil.get_offsets()), len(frame.x[1::2]))
+        self.assertEqual(plot.without_value([frame], "su"), ["clay" if "material" in run.units else "some points"])
+        self.assertEqual(plot.without_value([run.frame(-1)], "su"), [])
+
     def test_the_command_draws_any_number_of_runs_at_any_times(self):
         runs = [support.synthetic_run(scheme) for scheme in ("mpm_mixed", "mpm_gp")]
         with tempfile.TemporaryDirectory() as folder:

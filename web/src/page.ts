@@ -40,6 +40,8 @@ function startDark(): boolean {
   return matchMedia("(prefers-color-scheme: dark)").matches;
 }
 
+const WIDE = 3.5; // length over height; beside the story such a section gets less than a quarter of the window's height
+
 export function titleOf(report: Report): string {
   const titles = [...new Set(report.runs.map((run) => run.meta.title).filter(Boolean))];
   if (titles.length === 1) return titles[0]!;
@@ -71,7 +73,7 @@ export function buildPage(report: Report, page: HTMLElement): void {
   page.replaceChildren(
     header(report, title, actions, keys),
     element("main", {},
-      element("div", { class: "first" }, see, element("div", { class: "beside" }, pinned.root, summarySection(report, store))),
+      element("div", { class: isWide(viewer) ? "first wide" : "first" }, see, element("div", { class: "beside" }, pinned.root, summarySection(report, store))),
       storiesSection(report, store) ?? "",
       momentsSection(current, viewer) ?? "",
       comparisonSection(report, store) ?? "",
@@ -82,6 +84,12 @@ export function buildPage(report: Report, page: HTMLElement): void {
   keepInAddress(store, report.fieldNames(), player.span);
   printLight(store, viewer);
   window.terp = probe(current, viewer);
+}
+
+/** A section much longer than high: the views take the whole width of the page, the story stands below them. */
+function isWide(viewer: Viewer): boolean {
+  const [x0, y0, x1, y1] = viewer.extent();
+  return x1 - x0 > WIDE * (y1 - y0);
 }
 
 declare global {

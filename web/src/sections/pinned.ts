@@ -14,6 +14,7 @@ export class Pinned {
   readonly root = element("section", { class: "pinned card", hidden: true, "aria-label": "Pinned point" });
   private readonly title = element("h3");
   private readonly values = element("table", { class: "values" });
+  private readonly nothing = element("p", { class: "muted", hidden: true });
   private readonly chart: Chart;
   private readonly labels: string[];
 
@@ -23,7 +24,7 @@ export class Pinned {
     this.chart = new Chart(store, { title: "", xLabel: "time [s]", unit: "-", height: 210 });
     this.root.append(
       element("header", {}, this.title, iconButton("close", "Let go of the point", "Esc", () => store.set({ pin: null }))),
-      element("div", { class: "pinned-body" }, element("div", { class: "scroll" }, this.values), this.chart.root));
+      element("div", { class: "pinned-body" }, element("div", { class: "scroll" }, this.values), this.nothing, this.chart.root));
     store.on((_, changed) => {
       if (changed.has("pin") || changed.has("field")) void this.showPoint();
       if (changed.has("time")) this.showValues();
@@ -57,6 +58,13 @@ export class Pinned {
       const y = r.meta.times.map((_, f) => (r.present(f, p) ? values.value(f, p) : null));
       return [{ label: this.labels[r.index]!, x: r.meta.times, y, colour: (dark) => runColour(r.index, dark), width: 2 }];
     });
+    const hasValues = lines.some(({ y }) => Array.from(y).some((value) => value !== null && Number.isFinite(value)));
+    this.nothing.hidden = hasValues;
+    this.chart.root.hidden = !hasValues;
+    if (!hasValues) {
+      this.nothing.textContent = `This point has no value of ${meta?.label ?? field}: its material has no such quantity.`;
+      return;
+    }
     this.chart.title = `Its ${meta?.label ?? field} over the frames`;
     this.chart.show(lines, { unit: meta?.unit ?? "-" });
   }

@@ -36,8 +36,8 @@ export class Keys {
       { keys: ["ArrowRight"], show: "→", does: "one frame on", act: arrow(1, -60) },
       { keys: ["PageUp", "j"], show: "J", does: "ten frames back", act: () => player.step(-10) },
       { keys: ["PageDown", "k"], show: "K", does: "ten frames on", act: () => player.step(10) },
-      { keys: ["Home"], show: "Home", does: "first frame", act: () => player.step(-1e9) },
-      { keys: ["End"], show: "End", does: "last frame", act: () => player.step(1e9) },
+      { keys: ["Home"], show: "Home", does: "first frame, in a view that was clicked", act: () => player.step(-1e9) },
+      { keys: ["End"], show: "End", does: "last frame, in a view that was clicked", act: () => player.step(1e9) },
       { keys: ["<", ","], show: ",", does: "slower", act: () => player.changeSpeed(-1) },
       { keys: [">", "."], show: ".", does: "faster", act: () => player.changeSpeed(1) },
       { keys: ["1", "2", "3", "4", "5", "6", "7", "8", "9"], show: "1 … 9", does: "colour by the first … ninth field", act: (event) => {

@@ -1,13 +1,14 @@
-// The values of the point under the pointer, beside the pointer.
+// Place and chosen field of the point under the pointer, beside the pointer: small, so that it covers little of the section.
+// All values of a point are shown by the pinned point (sections/pinned.ts).
 
 import type { Current } from "./current";
 import type { Run } from "../data/run";
 import { element } from "../shell/element";
 import { numberText, withUnit } from "../logic/numbers";
 
-/** Name, value and unit of all fields of a point; "…" while a field is being decoded. */
-export function pointValues(run: Run, frame: number, point: number): { name: string; label: string; value: string }[] {
-  return run.meta.fields.map((meta) => {
+/** Name, value and unit of fields of a point (by default all); "…" while a field is being decoded. */
+export function pointValues(run: Run, frame: number, point: number, fields = run.meta.fields): { name: string; label: string; value: string }[] {
+  return fields.map((meta) => {
     const field = run.fields.get(meta.name);
     let value = "…";
     if (field) {
@@ -19,6 +20,12 @@ export function pointValues(run: Run, frame: number, point: number): { name: str
     }
     return { name: meta.name, label: meta.label, value };
   });
+}
+
+/** Whether a point is the pinned one, whose values stand beside the views. */
+function isPinned(current: Current, point: { run: number; point: number }): boolean {
+  const { pin } = current.state;
+  return pin !== null && pin.run === point.run && pin.point === point.point;
 }
 
 export class Tip {
@@ -37,15 +44,16 @@ export class Tip {
     const { hover, field } = this.current.state;
     const run = hover && this.current.report.runs[hover.run];
     const frame = run ? this.current.frame(run) : 0;
-    this.root.hidden = !run || !run.present(frame, hover.point);
+    this.root.hidden = !run || !run.present(frame, hover.point) || isPinned(this.current, hover);
     if (!run || !hover || this.root.hidden) return;
     const [x, y] = run.place(frame, hover.point);
-    const rows = pointValues(run, frame, hover.point).map(({ name, label, value }) =>
-      element("tr", name === field ? { class: "chosen" } : {}, element("th", {}, label), element("td", {}, value)),
-    );
+    const row = (label: string, value: string) => element("tr", {}, element("th", {}, label), element("td", {}, value));
+    const chosen = pointValues(run, frame, hover.point, run.meta.fields.filter(({ name }) => name === field));
     this.root.replaceChildren(
-      element("div", { class: "tip-head" }, `point ${numberText(run.ids[hover.point], 9)}`),
-      element("table", {}, element("tr", {}, element("th", {}, "place x, y"), element("td", {}, `${x.toFixed(2)}, ${withUnit(Number(y.toFixed(2)), "m")}`)), ...rows),
+      element("table", {},
+        row("x, y", `${x.toFixed(2)}, ${withUnit(Number(y.toFixed(2)), "m")}`),
+        ...chosen.map(({ label, value }) => row(label, value))),
+      element("div", { class: "tip-more" }, `point ${numberText(run.ids[hover.point], 9)}; click for all its values`),
     );
   }
 }

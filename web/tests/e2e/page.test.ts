@@ -4,7 +4,8 @@ import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { readFileSync } from "node:fs";
 import { PNG } from "pngjs";
 import type { Browser, Page } from "playwright-core";
-import { launch, open, type Opened } from "../support/browser";
+import type { ReportMeta } from "../../src/data/format";
+import { launch, open, until, type Opened } from "../support/browser";
 import { examplePage, realRuns } from "../support/fixture";
 
 let browser: Browser;
@@ -66,7 +67,7 @@ describe.each(pages)("the page of %s", (_, make) => {
     await settled(page);
     const before = await pixels(page, 1);
     await page.getByRole("button", { name: "Play" }).click();
-    await page.waitForFunction("window.terp.store.state.time > 0.3");
+    await until(page, "window.terp.store.state.time > 0.3");
     await page.getByRole("button", { name: "Pause" }).click();
     expect(await state<boolean>(page, "playing")).toBe(false);
     await page.getByRole("slider", { name: "Time" }).fill("2.5");
@@ -84,7 +85,7 @@ describe.each(pages)("the page of %s", (_, make) => {
     const names = (await page.evaluate(`[...document.querySelectorAll("#field option")].map((o) => o.value)`)) as string[];
     const velocity = names.find((name) => name === "velocity")!;
     await page.selectOption("#field", velocity);
-    await page.waitForFunction("window.terp.ready");
+    await until(page, "window.terp.ready");
     await settled(page);
     const second = await pixels(page, 0);
     expect(first.data.equals(second.data)).toBe(false);
@@ -100,12 +101,12 @@ describe.each(pages)("the page of %s", (_, make) => {
     await page.selectOption("#range", "frame");
     await page.selectOption("#map", "cividis");
     await page.selectOption("#field", "material");
-    await page.waitForFunction("window.terp.ready");
+    await until(page, "window.terp.ready");
     expect(await page.locator("#map").isDisabled()).toBe(true);
     await page.selectOption("#field", names[0]!);
     await page.selectOption("#map", "viridis");
     await page.selectOption("#range", "run");
-    await page.waitForFunction("window.terp.ready");
+    await until(page, "window.terp.ready");
   });
 
   it("zooms and pans both runs alike, and shows all again", async () => {
@@ -133,7 +134,7 @@ describe.each(pages)("the page of %s", (_, make) => {
     const box = (await page.locator(".view").first().boundingBox())!;
     await page.mouse.move(box.x + 100, box.y + 60);
     await page.mouse.wheel(0, 200);
-    await page.waitForFunction("window.scrollY > 50");
+    await until(page, "window.scrollY > 50");
     expect(await state(page, "camera")).toBeNull();
     await page.evaluate("window.scrollTo(0, 0)");
   });
@@ -143,8 +144,8 @@ describe.each(pages)("the page of %s", (_, make) => {
     const [x, y] = (await page.evaluate("window.terp.place(0, 3)")) as [number, number];
     await page.mouse.move(box.x + x, box.y + y);
     await page.waitForSelector(".tip:not([hidden])");
-    await page.waitForFunction(`!document.querySelector(".tip").textContent.includes("…")`);
-    expect(await page.locator(".tip").textContent()).toMatch(/point \d+.*place.*m/);
+    await until(page, `!document.querySelector(".tip").textContent.includes("…")`);
+    expect(await page.locator(".tip").textContent()).toMatch(/x, y.*\sm.*point \d+/);
     await page.mouse.click(box.x + x, box.y + y);
     await page.waitForSelector(".pinned:not([hidden]) canvas");
     const pin = await state<{ run: number; point: number }>(page, "pin");
@@ -152,8 +153,20 @@ describe.each(pages)("the page of %s", (_, make) => {
     const [px, py] = (await page.evaluate(`window.terp.place(0, ${pin.point})`)) as [number, number];
     expect(Math.hypot(px - x, py - y)).toBeLessThan(2);
     expect(await page.locator(".pinned thead th").count()).toBe(2);
+    expect(await page.locator(".tip").isHidden()).toBe(true); // its values stand beside the views now
     await page.keyboard.press("Escape");
     expect(await page.locator(".pinned").isHidden()).toBe(true);
+  });
+
+  it("says so where the pinned point has no value of the chosen field", async () => {
+    const { page } = await open(browser, examplePage(20, 1));
+    await page.evaluate(`window.terp.store.set({ field: "pressure", pin: { run: 0, point: 0 } })`);
+    await until(page, `document.querySelector(".pinned").textContent.includes("This point has no value of mean stress")`);
+    expect(await page.locator(".pinned .chart").isHidden()).toBe(true);
+    await page.evaluate(`window.terp.store.set({ pin: { run: 0, point: 1 } })`);
+    await page.waitForSelector(".pinned .chart canvas");
+    expect(await page.locator(".pinned p").isHidden()).toBe(true);
+    await page.context().close();
   });
 
   it("switches mesh, outline and surfaces on and off", async () => {
@@ -249,6 +262,33 @@ describe("the page", () => {
     await page.context().close();
   });
 
+  it("runs no script but its own, and asks no network, whatever is put into it", async () => {
+    const { page, errors, requests } = await open(browser, examplePage(20, 1));
+    const tried = await page.evaluate(`(async () => {
+      const script = document.createElement("script");
+      script.textContent = "window.foreign = 1";
+      document.body.append(script);
+      return fetch("https://example.org/").then(() => "sent", () => "refused");
+    })()`);
+    expect(tried).toBe("refused");
+    expect(await page.evaluate("window.foreign")).toBeUndefined();
+    expect(requests).toEqual([]);
+    expect(errors.filter((text) => /Content Security Policy/.test(text)).length).toBeGreaterThanOrEqual(2);
+    await page.context().close();
+  });
+
+  it("of a wide section gives the views the whole width", async () => {
+    const width = async (height: number) => {
+      const low = ({ runs: [run] }: ReportMeta) => Object.assign(run!, { outline: null, positions: { ...run!.positions, y: { ...run!.positions.y, lo: 0, hi: height } } });
+      const { page } = await open(browser, examplePage(20, 1, low));
+      const views = (await page.locator(".stage").boundingBox())!;
+      await page.context().close();
+      return views.width;
+    };
+    expect(await width(5)).toBeLessThan(1000); // of 1366: the story stands beside
+    expect(await width(0.8)).toBeGreaterThan(1200);
+  });
+
   it("of three runs can hide one", async () => {
     const { page, errors } = await open(browser, examplePage(20, 3));
     await page.locator(".toggle", { hasText: "MPM-GP" }).click();
@@ -270,9 +310,9 @@ describe("the page", () => {
   it("keeps what one looks at over a reload", async () => {
     const { page, errors } = await open(browser, examplePage(20));
     await page.evaluate(`window.terp.store.set({ field: "velocity", time: 1.5, mesh: true })`);
-    await page.waitForFunction(`location.hash.includes("velocity")`);
+    await until(page, `location.hash.includes("velocity")`);
     await page.reload();
-    await page.waitForFunction("window.terp && window.terp.ready");
+    await until(page, "window.terp && window.terp.ready");
     expect([await state(page, "field"), await state(page, "time"), await state(page, "mesh")]).toEqual(["velocity", 1.5, true]);
     expect(errors).toEqual([]);
     await page.context().close();

@@ -20,6 +20,13 @@ export interface Opened {
   requests: string[]; // addresses other than file: and data:
 }
 
+/** Waits until an expression is true in the page. Asked from outside: the page's policy allows no `eval`, which waitForFunction needs. */
+export async function until(page: Page, expression: string, seconds = 60): Promise<void> {
+  for (const end = Date.now() + 1000 * seconds; !(await page.evaluate(`Boolean(${expression})`)); await page.waitForTimeout(30)) {
+    if (Date.now() > end) throw new Error(`not true after ${seconds} s: ${expression}`);
+  }
+}
+
 /** Opens the file and waits for the first picture. */
 export async function open(browser: Browser, file: string, options: { width?: number; height?: number; dark?: boolean } = {}): Promise<Opened> {
   const { width = 1366, height = 768, dark = false } = options;
@@ -36,7 +43,7 @@ export async function open(browser: Browser, file: string, options: { width?: nu
   });
   await page.goto(`file://${file}`);
   await page.waitForSelector(".view", { timeout: 60_000 });
-  await page.waitForFunction("window.terp && window.terp.drawn > 0 && window.terp.ready", undefined, { timeout: 60_000 });
+  await until(page, "window.terp && window.terp.drawn > 0 && window.terp.ready");
   return { page, errors, requests };
 }
 

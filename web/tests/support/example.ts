@@ -48,7 +48,7 @@ function exampleRun(writer: ChunkWriter, side: number, k: number, scheme: string
   const gone = (f: number, p: number) => p === n - 1 && f > FRAMES / 2; // one point leaves
   const x = writer.quantity(places.map((row, f) => row.map((place, p) => (gone(f, p) ? null : place[0]))));
   const y = writer.quantity(places.map((row, f) => row.map((place, p) => (gone(f, p) ? null : place[1]))));
-  const field = (name: string, label: string, unit: string, kind: "sequential" | "diverging" | "category", values: number[][], log = false) => {
+  const field = (name: string, label: string, unit: string, kind: "sequential" | "diverging" | "category", values: (number | null)[][], log = false) => {
     const data = writer.quantity(values, log);
     return { name, symbol: name, label, unit, kind, log, range: [data.lo, data.hi] as [number, number], precision: (data.hi - data.lo) / 65535, data };
   };
@@ -65,7 +65,7 @@ function exampleRun(writer: ChunkWriter, side: number, k: number, scheme: string
     fields: [
       field("eps_eq_p", "equivalent plastic strain", "-", "sequential", strain),
       field("velocity", "velocity", "m/s", "sequential", speed.map((row) => row.map((v) => Math.max(v, 1e-4))), true),
-      field("pressure", "mean stress", "kPa", "diverging", times.map(() => start.map(([, py]) => -20 * (BASE + HEIGHT - py) + 10))),
+      field("pressure", "mean stress", "kPa", "diverging", times.map(() => start.map(([, py], p) => (p === 0 ? null : -20 * (BASE + HEIGHT - py) + 10)))),
       field("material", "material", "-", "category", times.map(() => start.map(([, py]) => (py > 3 ? 1 : 0)))),
     ],
     mesh: meshOf(writer), outline: outlineOf(writer),
