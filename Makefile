@@ -39,8 +39,8 @@ test: install    ## install, build and run the tests
 	@cmake --build $(BUILD)
 	@ctest --test-dir $(BUILD) --output-on-failure -j 2 -LE verify
 
-verify: build    ## the verification ledger: all cases with a known answer; writes docs/verification.md
-	@$(TERP) verify --markdown docs/verification.md
+verify: build    ## the verification ledger: all cases with a known answer; writes build/verification.md, and docs/verification.md (one line per case)
+	@$(TERP) verify --markdown $(BUILD)/verification.md --overview docs/verification.md
 
 test-web: build  ## the report page: unit tests, and end-to-end tests in Chromium on runs of the program
 	@tools/install-dependencies --web

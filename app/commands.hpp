@@ -23,10 +23,10 @@ struct RunOptions {
 };
 
 struct VerifyOptions {
-  std::vector<std::string> names;  ///< of cases; empty: all
-  std::string cases;               ///< folder of the cases; empty: that beside the program
-  std::string html, markdown;      ///< pages to write; empty: none
-  int threads = 0;                 ///< 0: what this job may use
+  std::vector<std::string> names;        ///< of cases; empty: all
+  std::string cases;                     ///< folder of the cases; empty: that beside the program
+  std::string html, markdown, overview;  ///< pages to write; empty: none
+  int threads = 0;                       ///< 0: what this job may use
   bool list = false, only_short = false, only_long = false;
 };
 

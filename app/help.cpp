@@ -31,7 +31,7 @@ Understand
   bench [CASE.toml]       how fast the step is here, pass by pass; without a case:
                           the paper's column (--steps, --warm, --json)
   verify [CASE...]        solve problems with a known answer, print what came out
-                          (--list, --short, --long, --html FILE, --markdown FILE,
+                          (--list, --short, --long, --html, --markdown, --overview FILE,
                           --cases DIR)
 
 Options
@@ -163,6 +163,7 @@ Solves problems with a known answer and prints what came out (docs/verification_
       --short, --long     only those that take seconds, or minutes
       --html FILE, --markdown FILE
                           write the ledger as a page
+      --overview FILE     write one line per case, and what does not agree
       --cases DIR         folder of the cases
   -j, --threads N         CPU threads (default: what this job may use)
 

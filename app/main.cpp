@@ -95,6 +95,7 @@ void declare_verify(CLI::App& app, terp::VerifyOptions& options)
   verify->add_option("--cases", options.cases);
   verify->add_option("--html", options.html);
   verify->add_option("--markdown", options.markdown);
+  verify->add_option("--overview", options.overview);
   verify->add_option("-j,--threads", options.threads)->check(CLI::Range(1, 1024));
   verify->add_flag("--list", options.list);
   CLI::Option* only_short = verify->add_flag("--short", options.only_short);

@@ -42,6 +42,15 @@ bool agrees(const Finding& f)
   return error_of(f) <= (std::isnan(f.relative) ? f.tolerance : f.relative);
 }
 
+/// Share of the bound that is used [-], 1 at the bound; -1 for a bound that is not positive, or a value that is not.
+Real share_of_bound(const Finding& f)
+{
+  const bool low = !std::isnan(f.at_least), high = !std::isnan(f.at_most);
+  const Real part = low ? f.at_least : high ? f.value : error_of(f);
+  const Real whole = low ? f.value : high ? f.at_most : std::isnan(f.relative) ? f.tolerance : f.relative;
+  return std::isfinite(part) && part >= 0.0 && whole > 0.0 ? part / whole : -1.0;
+}
+
 /// True if a quantity is declared red for this run and scheme.
 bool declared_red(const Quantity& q, const std::string& run, const std::string& scheme)
 {
@@ -86,6 +95,7 @@ Row to_row(const std::string& case_name, const Finding& f)
   if (!good && excused) row.remark = q.red;
   if (!std::isfinite(f.value)) row.remark = why_none(f);
   row.declared_red = known;
+  row.used = share_of_bound(f);
   return row;
 }
 

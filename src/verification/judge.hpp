@@ -18,6 +18,7 @@ struct Row {
   Verdict verdict = Verdict::pass;
   bool declared_red = false;  ///< the case says that it does not agree, whether it does or not
   std::string remark = {};    ///< why it is red, or what went wrong
+  Real used = -1.0;           ///< share of the bound that is used [-], 1 at the bound; negative: the bound has no size
 };
 
 /// What gave no numbers: a run, or all of a case.

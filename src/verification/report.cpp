@@ -33,14 +33,21 @@ std::string padded(const std::string& text, std::size_t width)
   return text + std::string(width - std::min(width, width_of(text)), ' ');
 }
 
+/// Of a row that does not agree; empty if it does.
+std::string remark_of(const Row& r)
+{
+  if (r.verdict == Verdict::pass || r.remark.empty()) return "";
+  return fmt::format("{}: {}", r.quantity == "the run" ? r.run : r.quantity, r.remark);
+}
+
 /// Remarks of the rows that do not agree, each text once.
 std::vector<std::string> remarks_of(const CaseRows& c)
 {
   std::vector<std::string> remarks;
   for (const Row& r : c.rows) {
-    if (r.verdict == Verdict::pass || r.remark.empty()) continue;
-    const std::string remark = fmt::format("{}: {}", r.quantity == "the run" ? r.run : r.quantity, r.remark);
-    if (std::find(remarks.begin(), remarks.end(), remark) == remarks.end()) remarks.push_back(remark);
+    const std::string remark = remark_of(r);
+    if (!remark.empty() && std::find(remarks.begin(), remarks.end(), remark) == remarks.end())
+      remarks.push_back(remark);
   }
   return remarks;
 }
@@ -98,14 +105,30 @@ std::string html_section(const CaseRows& c)
   return out;
 }
 
-/// One line per case.
-std::string markdown_overview(const std::vector<CaseRows>& cases)
+std::string markdown_head(const std::vector<CaseRows>& cases, const std::string& head)
 {
-  std::string out = "| case | | rows | pass | red |\n|---|---|---|---|---|\n";
-  for (const CaseRows& c : cases) {
-    const Counts n = count({c});
-    out += fmt::format("| [{0}](#{0}) | {1} | {2} | {3} | {4} |\n", c.name, for_markdown(c.title),
-        n.pass + n.red + n.fail, n.pass, n.red + n.fail);
+  return fmt::format("# Verification\n\nWritten by `terp verify`; not to be changed by hand.\n\n{}.\n\n{}\n",
+      counts_text(count(cases)), head);
+}
+
+/// The row that agrees with the least to spare.
+std::string nearest_to_bound(const CaseRows& c)
+{
+  const Row* nearest = nullptr;
+  for (const Row& r : c.rows)
+    if (r.verdict == Verdict::pass && r.used >= 0.0 && (nearest == nullptr || r.used > nearest->used)) nearest = &r;
+  if (nearest == nullptr) return "-";
+  return fmt::format(
+      "{:.0f} % of {}: {}, {}", 100.0 * nearest->used, nearest->tolerance, nearest->quantity, nearest->run);
+}
+
+/// What does not agree, each reason once with the number of its rows.
+std::string reasons(const CaseRows& c)
+{
+  std::string out;
+  for (const std::string& remark : remarks_of(c)) {
+    const auto n = std::count_if(c.rows.begin(), c.rows.end(), [&](const Row& r) { return remark_of(r) == remark; });
+    out += fmt::format("- **{}**, {} row{}: {}\n", c.name, n, n == 1 ? "" : "s", for_markdown(remark));
   }
   return out;
 }
@@ -161,9 +184,7 @@ std::string text_table(const CaseRows& c)
 
 std::string markdown_page(const std::vector<CaseRows>& cases, const std::string& head)
 {
-  std::string out =
-      fmt::format("# Verification\n\nWritten by `terp verify --markdown`; not to be changed by hand.\n\n{}.\n\n{}\n{}",
-          counts_text(count(cases)), head, markdown_overview(cases));
+  std::string out = markdown_head(cases, head);
   for (const CaseRows& c : cases) {
     out += fmt::format("\n## {0}\n\n{1}: [`cases/verification/{0}`](../cases/verification/{0}/README.md)\n\n|", c.name,
         for_markdown(c.title));
@@ -179,6 +200,20 @@ std::string markdown_page(const std::vector<CaseRows>& cases, const std::string&
     for (const std::string& remark : remarks_of(c)) out += fmt::format("\n**Red.** {}\n", for_markdown(remark));
   }
   return out;
+}
+
+std::string markdown_overview(const std::vector<CaseRows>& cases, const std::string& head)
+{
+  std::string out =
+      markdown_head(cases, head) + "| case | | rows | red | nearest to its bound |\n|---|---|---|---|---|\n";
+  std::string red;
+  for (const CaseRows& c : cases) {
+    const Counts n = count({c});
+    out += fmt::format("| [{0}](../cases/verification/{0}/README.md) | {1} | {2} | {3} | {4} |\n", c.name,
+        for_markdown(c.title), c.rows.size(), n.red + n.fail, for_markdown(nearest_to_bound(c)));
+    red += reasons(c);
+  }
+  return red.empty() ? out : out + "\n## Red\n\n" + red;
 }
 
 std::string html_page(const std::vector<CaseRows>& cases)

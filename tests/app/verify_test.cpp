@@ -67,8 +67,11 @@ TEST(Verify, WritesThePages)
   Ledger ledger;
   ledger.add("flight", path_is("1.0"));
   const std::string page = ledger.folder.path() + "/page";
-  EXPECT_EQ(ledger.verify({"--markdown", page + ".md", "--html", page + ".html"}).status, 0);
+  EXPECT_EQ(
+      ledger.verify({"--markdown", page + ".md", "--overview", page + "_short.md", "--html", page + ".html"}).status,
+      0);
   EXPECT_TRUE(std::filesystem::file_size(page + ".md") > 100);
+  EXPECT_THAT(test::text_of(page + "_short.md"), HasSubstr("| Flight | 1 | 0 | "));
   EXPECT_TRUE(std::filesystem::file_size(page + ".html") > 500);
 }
 

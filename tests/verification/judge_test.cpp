@@ -49,6 +49,7 @@ TEST(Judge, ANumberWithinItsToleranceOfTheReferencePasses)
   EXPECT_EQ(row.terp, "2.1");
   EXPECT_EQ(row.error, "0.1");
   EXPECT_EQ(row.tolerance, "0.09");
+  EXPECT_NEAR(row.used, 0.1 / 0.09, 1e-12);
 }
 
 TEST(Judge, ARelativeToleranceIsOfTheReference)
@@ -58,6 +59,7 @@ TEST(Judge, ARelativeToleranceIsOfTheReference)
   f.relative = 0.051;
   EXPECT_EQ(judge_one(s, f).verdict, Verdict::pass);
   EXPECT_EQ(judge_one(s, f).error, "5 %");
+  EXPECT_NEAR(judge_one(s, f).used, 0.05 / 0.051, 1e-12);
   f.relative = 0.049;
   EXPECT_EQ(judge_one(s, f).verdict, Verdict::fail);
 }
@@ -68,10 +70,17 @@ TEST(Judge, BoundsHoldOnOneSide)
   Finding f = finding(s.add("width"), 2.0, NAN, NAN);
   f.at_least = 2.0;
   EXPECT_EQ(judge_one(s, f).verdict, Verdict::pass);
+  EXPECT_EQ(judge_one(s, f).used, 1.0);
+  f.at_least = 1.0;
+  EXPECT_EQ(judge_one(s, f).used, 0.5);
+  f.at_least = -1.0;
+  EXPECT_LT(judge_one(s, f).used, 0.0);  // a bound without size
+  f.at_least = 2.0;
   f.value = 1.99;
   EXPECT_EQ(judge_one(s, f).verdict, Verdict::fail);
   f.at_least = NAN, f.at_most = 1.98;
   EXPECT_EQ(judge_one(s, f).verdict, Verdict::fail);
+  EXPECT_EQ(judge_one(s, f).used, 1.99 / 1.98);
 }
 
 TEST(Judge, WhatIsNoNumberNeverPasses)

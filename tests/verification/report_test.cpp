@@ -5,6 +5,7 @@
 namespace terp {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 
 std::vector<CaseRows> sample()
@@ -51,9 +52,22 @@ TEST(Report, MarkdownKeepsItsColumns)
 {
   const std::string page = markdown_page(sample(), "How to read it.");
   EXPECT_THAT(page, HasSubstr("How to read it."));
-  EXPECT_THAT(page, HasSubstr("| [bar](#bar) | A bar | 3 | 1 | 2 |"));
   EXPECT_THAT(page, HasSubstr("| stress \\<zz> | h = 1 m, mpm_gp | a\\|b | 2 | 0.1 | 0.2 | red | Euler |"));
   EXPECT_THAT(page, HasSubstr("**Red.** stress \\<zz>: too coarse"));
+}
+
+TEST(Report, TheOverviewHasOneLinePerCaseAndEachReasonOnce)
+{
+  auto pages = sample();
+  pages[0].rows[0].used = 0.5;
+  pages[0].rows[1].used = 1.5;  // it does not agree: not the nearest
+  pages[0].rows.push_back(pages[0].rows[1]);
+  pages[0].rows.push_back(pages[0].rows[0]);
+  pages[0].rows.back().used = 0.7, pages[0].rows.back().quantity = "strain";
+  EXPECT_THAT(markdown_overview(pages, "How to read it."),
+      EndsWith("How to read it.\n| case | | rows | red | nearest to its bound |\n|---|---|---|---|---|\n"
+               "| [bar](../cases/verification/bar/README.md) | A bar | 5 | 3 | 70 % of 0.2: strain, h = 1 m, mpm_gp |\n"
+               "\n## Red\n\n- **bar**, 2 rows: stress \\<zz>: too coarse\n"));
 }
 
 TEST(Report, HtmlIsOnePageAndEscapesText)
