@@ -7,8 +7,6 @@
 #include "parallel/prefetch.hpp"
 #include "schemes/cell_view.hpp"
 
-#include <bit>
-
 namespace terp {
 
 /// Up to eight neighbouring occupied cells.
@@ -118,10 +116,9 @@ inline void add_internal_force(const CellGroup& group, const GeometryLanes& geom
 
 /// Gauss values, weights, smooth pressure and internal force of the cells of a group for the schemes that integrate at
 /// Gauss points. gauss_of(material): where those of a layer are; n_state(material): state variables to average too;
-/// finish(layer, gauss): what the scheme does before the force. Returns in how many cells a pressure was cut to the
-/// tension limit.
+/// finish(layer, gauss): what the scheme does before the force.
 template <class GaussOf, class NState, class Finish>
-int gather_at_gauss_points(
+void gather_at_gauss_points(
     const SchemeContext& context, const CellGroup& group, GaussOf&& gauss_of, NState&& n_state, Finish&& finish)
 {
   auto cell_volume = zero_packs<4>();
@@ -131,17 +128,14 @@ int gather_at_gauss_points(
     for (int g = 0; g < 4; ++g) cell_volume[g] += gauss.volume[g];
   });
   const GeometryLanes geometry = geometry_of(group);
-  const Mask part_filled = filled_share(geometry, total(cell_volume), context.method) < Pack(1.0);
-  unsigned cut = 0;
   for_each_layer(group, [&](const BlockLayer& layer) {
     GaussValues<2, Pack>& gauss = gauss_of(layer.material);
-    set_weights(geometry, cell_volume, context.method, gauss);            // R3
-    divide_by_volume(n_state(layer.material), gauss);                     // Eq. (1)
-    cut |= to_bits(smooth_pressure(part_filled, context.method, gauss));  // Eqs. (2), (3)
+    set_weights(geometry, cell_volume, context.method, gauss);  // R3
+    divide_by_volume(n_state(layer.material), gauss);           // Eq. (1)
+    smooth_pressure(gauss);                                     // Eqs. (2), (3)
     finish(layer, gauss);
     add_internal_force(group, geometry, layer, gauss, context.method.force_operator);  // Eq. (4)
   });
-  return std::popcount(cut);
 }
 
 /// Strain increments at the Gauss points of a group from displacements of the corners of each cell [m], shape

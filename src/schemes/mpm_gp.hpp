@@ -8,11 +8,11 @@ namespace terp {
 struct MpmGp {
   /// Gauss stress and internal force, Eqs. (1) to (4). The state stays at the points; of the Gauss values the pressure
   /// is kept.
-  static int gather(const SchemeContext& context, const CellGroup& group)
+  static void gather(const SchemeContext& context, const CellGroup& group)
   {
     GaussValues<2, Pack> only;
     const bool one_layer = has_one_layer(group);
-    return gather_at_gauss_points(
+    gather_at_gauss_points(
         context, group,
         [&](Index material) -> GaussValues<2, Pack>& { return one_layer ? only : group.gauss_of(material); },
         [](Index) { return 0; },

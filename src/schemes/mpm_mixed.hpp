@@ -7,9 +7,9 @@ namespace terp {
 
 struct MpmMixed {
   /// Gauss stress, state and internal force, Eqs. (1) to (4). Each state variable says how it is averaged (reading R9).
-  static int gather(const SchemeContext& context, const CellGroup& group)
+  static void gather(const SchemeContext& context, const CellGroup& group)
   {
-    return gather_at_gauss_points(
+    gather_at_gauss_points(
         context, group, [&](Index material) -> GaussValues<2, Pack>& { return group.gauss_of(material); },
         [&](Index material) { return context.materials[material].n_state(); },
         [&](const BlockLayer& layer, GaussValues<2, Pack>& gauss) {

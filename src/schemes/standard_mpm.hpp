@@ -6,13 +6,12 @@
 namespace terp {
 
 struct StandardMpm {
-  static int gather(const SchemeContext&, const CellGroup& group)
+  static void gather(const SchemeContext&, const CellGroup& group)
   {
     for (int c = 0; c < group.n(); ++c)
       for_each_block(group.points, group.cells[c], [&](const PointBlock<2>& block, Index) {
         add_internal_force_of_points(group.mesh.geometry(group.cells[c]), block, group.corners[c]);
       });
-    return 0;
   }
 
   static void update_stress(const SchemeContext& context, const CellGroup& group,

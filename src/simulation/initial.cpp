@@ -70,7 +70,7 @@ void reset_history(State& state, int n_state)
     for (int k = 0; k < n_state; ++k) block.row(Rows::state + k)[lane] = 0.0;
   });
   state.work = {};
-  state.clamped = state.tension_cut = 0;
+  state.clamped = 0;
   std::fill(state.put_back.begin(), state.put_back.end(), false);
 }
 

@@ -52,7 +52,6 @@ struct State {
   Real start_energy = 0.0;             ///< kinetic + elastic at t = 0 [J per m]
   std::int64_t clamped = 0;            ///< points that ever had to be put back at a wall
   std::vector<bool> put_back;          ///< which, by id
-  std::int64_t tension_cut = 0;        ///< cell-steps in which a pressure was cut to the tension limit
   std::vector<LeftPoint> left;         ///< points that crossed an open side, in the order in which they did
   std::size_t left_told = 0;           ///< how many of them the observers know
   HistoryAudit audit;

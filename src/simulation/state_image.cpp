@@ -273,8 +273,7 @@ std::vector<ArraySource> arrays_of(const State& state)
   arrays.push_back(kept("side_reached", state.side_reached));
   arrays.push_back(kept("side_top", state.side_top));
   arrays.push_back(few("wall_s", std::vector<Real>{state.wall_s}));  // the one number that differs between equal runs
-  arrays.push_back(few("counts",
-      std::vector<std::int64_t>{state.clamped, state.tension_cut, state.equilibrium_steps, state.ledger_rows}));
+  arrays.push_back(few("counts", std::vector<std::int64_t>{state.clamped, state.equilibrium_steps, state.ledger_rows}));
   add_left(state, arrays);
   add_footings(state, arrays);
   arrays.push_back(kept("put_back", state.put_back));
@@ -350,11 +349,10 @@ State restore(const Model& model, const StateImage& image)
   state.start_energy = w[5];
   state.largest_v_999 = w[6];
   state.wall_s = get<Real>(image, "wall_s", 1)[0];
-  const auto& counts = get<std::int64_t>(image, "counts", 4);
+  const auto& counts = get<std::int64_t>(image, "counts", 3);
   state.clamped = counts[0];
-  state.tension_cut = counts[1];
-  state.equilibrium_steps = counts[2];
-  state.ledger_rows = counts[3];
+  state.equilibrium_steps = counts[1];
+  state.ledger_rows = counts[2];
   const auto& put_back = get<std::int64_t>(image, "put_back", n);
   state.put_back.assign(put_back.begin(), put_back.end());
   const auto& fell = get<std::int64_t>(image, "audit/fell", n);

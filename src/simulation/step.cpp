@@ -77,10 +77,7 @@ void finish_sums(State& state, Workspace& work)
   state.work.boundary += total.boundary;
   state.work.internal += total.internal;
   state.work.last_step = total.gravity + total.damping + total.boundary + total.internal;
-  for (const CellSums& sums : work.cell_sums) {
-    state.work.plastic += sums.plastic;
-    state.tension_cut += sums.tension_cut;
-  }
+  for (const CellSums& sums : work.cell_sums) state.work.plastic += sums.plastic;
   state.work.exchanged = energy_exchanged(state.work);
   work.finite = total.finite;
   work.kinetic_nodal = total.kinetic;
@@ -132,9 +129,9 @@ void step(const Model& model, State& state, Workspace& work)
   place_footings(model, state, work);
 
   timed(work, points_to_cells, [&] {
-    for_each_group(model, state, work, [&](const CellGroup& group, CellSums& sums, auto&) {
+    for_each_group(model, state, work, [&](const CellGroup& group, CellSums&, auto&) {
       for (int c = 0; c < group.n(); ++c) map_mass_and_momentum(group, c);
-      sums.tension_cut += Scheme::gather(context, group);  // Eqs. (1) to (4)
+      Scheme::gather(context, group);  // Eqs. (1) to (4)
     });
   });
   timed(work, nodes, [&] {

@@ -30,8 +30,7 @@ struct NodeSums {
 /// Sums over the cells of one chunk, and where the points are listed that left their cell.
 struct CellSums {
   Real plastic = 0.0;  ///< work of the step [J per m]
-  std::int64_t tension_cut = 0;
-  int thread = 0;  ///< whose list holds the points that left
+  int thread = 0;      ///< whose list holds the points that left
   std::size_t first_leaver = 0, end_of_leavers = 0;
 };
 

@@ -26,13 +26,12 @@ R weighted_mean(const std::array<R, 4>& value, const std::array<R, 4>& weight)
          total(weight);
 }
 
-/// How far a cell counts as filled: 0 part-filled, 1 filled, between only with a blend.
+/// 1 where the points fill the cell up to `filled_fraction` at least (reading R3), else 0.
 template <class Geometry, class R>
 R filled_share(const Geometry& cell, R volume, const MethodOptions& method)
 {
   const R excess = volume / R(cell.volume) - R(method.filled_fraction);
-  if (method.filled_blend == 0.0) return select(excess >= R(0.0), R(1.0), R(0.0));
-  return min(max(R(0.5) + R(0.5) * excess / R(method.filled_blend), R(0.0)), R(1.0));
+  return select(excess >= R(0.0), R(1.0), R(0.0));
 }
 
 /// Integration weights of one block (reading R3): w_g detJ in a filled cell, shared between blocks by volume; the
@@ -66,19 +65,15 @@ void divide_by_volume(int n_state, GaussValues<2, R>& gauss)
   for (int k = 0; k < n_state; ++k) divide(gauss.state[k]);
 }
 
-/// p_e by Eq. (2) and sigma_hat by Eq. (3). Returns true if p_e was cut to the tension limit of a part-filled cell.
-template <class M, class R>
-M smooth_pressure(M part_filled, const MethodOptions& method, GaussValues<2, R>& gauss)
+/// p_e by Eq. (2) and sigma_hat by Eq. (3).
+template <class R>
+void smooth_pressure(GaussValues<2, R>& gauss)
 {
   std::array<R, 4> p;
   for (int g = 0; g < 4; ++g) p[g] = (gauss.sigma[0][g] + gauss.sigma[1][g] + gauss.sigma[2][g]) * R(1.0 / 3.0);
   gauss.pressure = weighted_mean(p, gauss.weight);  // Eq. (2)
-  const R limit = select(part_filled, R(method.tension_limit), R(std::numeric_limits<Real>::infinity()));
-  const M cut = gauss.pressure > limit;
-  gauss.pressure = select(cut, limit, gauss.pressure);
   for (int k = 0; k < 3; ++k)
     for (int g = 0; g < 4; ++g) gauss.sigma[k][g] -= p[g] - gauss.pressure;  // Eq. (3)
-  return cut;
 }
 
 /// Replaces state variable k at all Gauss points by its mean over the cell with the weights of Eq. (2).

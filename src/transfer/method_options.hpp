@@ -3,8 +3,6 @@
 
 #include "base/types.hpp"
 
-#include <limits>
-
 namespace terp {
 
 enum class Weights { hybrid, summed, gauss };               ///< Omega_GP of Eqs. (2), (4): reading R3
@@ -16,15 +14,13 @@ enum class ObjectiveRate { none, jaumann };                 ///< reading R17
 struct MethodOptions {
   Weights weights = Weights::hybrid;
   Real filled_fraction = 0.9;  ///< a cell is filled when its points fill at least this part of it, R3 [-]
-  Real filled_blend = 0.0;     ///< half width of a linear blend about filled_fraction [-]
   bool b_bar = true;           ///< volumetric strain of the cell centre at all Gauss points, R5
   ForceOperator force_operator = ForceOperator::b_bar;
   PointPressure point_pressure = PointPressure::cell;
   Real pressure_relaxation = 0.1;  ///< share of p_e a point takes per step with PointPressure::relax [-]
   StateAveraging state_averaging = StateAveraging::as_declared;
   ObjectiveRate objective_rate = ObjectiveRate::none;
-  Real flip = 1.0;                                             ///< 1: pure FLIP, 0: pure PIC [-]
-  Real tension_limit = std::numeric_limits<Real>::infinity();  ///< largest p_e of a part-filled cell [Pa]
+  Real flip = 1.0;         ///< 1: pure FLIP, 0: pure PIC [-]
   Real small_mass = 1e-9;  ///< nodes lighter than this times rho V_e keep v = a = 0 [-]
 };
 

@@ -20,7 +20,6 @@ TEST(KeyText, TakesDefaultsFromTheStructs)
   EXPECT_EQ(find_key("time.courant")->default_text, "0.98");
   EXPECT_EQ(find_key("scheme")->default_text, "\"mpm_gp\"");
   EXPECT_EQ(find_key("body[].points_per_cell")->default_text, "[5, 5]");
-  EXPECT_EQ(find_key("method.tension_limit")->default_text, "inf Pa");
   EXPECT_EQ(find_key("method.b_bar")->default_text, "true");
   EXPECT_EQ(find_key("output.history.every")->default_text, "0.01 s");
   EXPECT_EQ(find_key("boundary.SIDE")->default_text, "\"free\"");

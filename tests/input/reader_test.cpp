@@ -63,7 +63,6 @@ top = "fixed"
 [method]
 weights = "summed"
 filled_fraction = 0.8
-filled_blend = 0.05
 b_bar = false
 force_operator = "b"
 point_pressure = "relax"
@@ -71,7 +70,6 @@ pressure_relaxation = 0.2
 state_averaging = "sub_cell"
 objective_rate = "jaumann"
 flip = 0.95
-tension_limit = 1e4
 small_mass = 1e-8
 [output]
 fields = { every = 0.5, names = ["su", "stress"] }
@@ -206,7 +204,6 @@ TEST(Reader, FillsTheMethod)
   const MethodOptions m = read_every_key().method;
   EXPECT_EQ(m.weights, Weights::summed);
   EXPECT_EQ(m.filled_fraction, 0.8);
-  EXPECT_EQ(m.filled_blend, 0.05);
   EXPECT_FALSE(m.b_bar);
   EXPECT_EQ(m.force_operator, ForceOperator::b);
   EXPECT_EQ(m.point_pressure, PointPressure::relax);
@@ -214,7 +211,6 @@ TEST(Reader, FillsTheMethod)
   EXPECT_EQ(m.state_averaging, StateAveraging::sub_cell);
   EXPECT_EQ(m.objective_rate, ObjectiveRate::jaumann);
   EXPECT_EQ(m.flip, 0.95);
-  EXPECT_EQ(m.tension_limit, 1e4);
   EXPECT_EQ(m.small_mass, 1e-8);
 }
 
@@ -257,12 +253,6 @@ TEST(Reader, GivesAParameterTheValueOfAnotherWhereTheLawSaysSo)
   EXPECT_THAT(read(""), ElementsAre(1e7, 0.3, 3e3, 33.0, 0.0, inf, 3e3, 33.0, 0.0, 0.0));
   EXPECT_THAT(read("dilatancy_angle = 5\ncohesion_residual = 1e3\neta = 20\ntension_cutoff = inf\n"),
       ElementsAre(1e7, 0.3, 3e3, 33.0, 5.0, inf, 1e3, 33.0, 5.0, 20.0));
-}
-
-TEST(Reader, AnUnlimitedTensionMayBeWritten)
-{
-  const Case c = read_case_text(small_case + "[method]\ntension_limit = inf\n", "case.toml").values;
-  EXPECT_GT(c.method.tension_limit, 1e300);
 }
 
 class WrongKey : public testing::TestWithParam<Change> {};

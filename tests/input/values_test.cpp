@@ -80,7 +80,7 @@ const Change wrong_values[] = {
         "`scheme` cannot be \"mpm_pg\"\n\n    1 | scheme = \"mpm_pg\"\n      |          ^^^^^^^^\n  Did you mean "
         "`mpm_gp`?\n  Allowed: \"standard_mpm\", \"mpm_mixed\", \"mpm_gp\"\n  More: terp explain scheme\n"},
     {"[time]", "[method]\nb_bar = 1\n[time]", "`b_bar` must be true or false"},
-    {"[time]", "[method]\ntension_limit = nan\n[time]", "`tension_limit` is out of range"},
+    {"[time]", "[method]\nflip = nan\n[time]", "`flip` must be a finite number"},
     {"[time]", "[output]\nfields = { names = [\"su\", \"stres\"] }\n[time]",
         "error: case.toml:2:27: `names` cannot be \"stres\"\n"},
     {"[time]", "[output]\nfields = { names = \"su\" }\n[time]", "`names` must be a list of names"},

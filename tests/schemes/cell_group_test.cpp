@@ -1,4 +1,4 @@
-// Cells side by side in packs: two materials in a cell, tension, and that a lane knows nothing of its neighbours.
+// Cells side by side in packs: two materials in a cell, and that a lane knows nothing of its neighbours.
 #include "schemes/cell_group.hpp"
 
 #include "support/blocks.hpp"
@@ -33,11 +33,11 @@ struct Row {
   }
 };
 
-/// Gathers the first n cells; returns in how many the tension was cut.
-int gather(Row& row, const SchemeContext& context, int n_state, Index first = 0, Index n = 1)
+/// Gathers the first n cells.
+void gather(Row& row, const SchemeContext& context, int n_state, Index first = 0, Index n = 1)
 {
   const CellGroup group = row.group(first, n);
-  return gather_at_gauss_points(
+  gather_at_gauss_points(
       context, group, [&](Index material) -> GaussValues<2, Pack>& { return group.gauss_of(material); },
       [&](Index) { return n_state; }, [](const auto&, auto&) {});
 }
@@ -77,31 +77,6 @@ TEST(CellGroup, TwoMaterialsUnderOneStressShareTheWeightOfTheirCell)
         EXPECT_GT(std::abs(one.internal_force[d][i]), 100.0);
       }
   }
-}
-
-/// Whether the pressure of a cell with one point under tension is cut, and the largest force it then gives.
-std::pair<bool, Real> cut_tension(Real limit, Real volume)
-{
-  Row cell(1);
-  add_point(cell.mesh, 0, {.local = {0.3, 0.3}, .volume = volume, .sigma = {5e3, 5e3, 5e3, 0.0}, .state = {0.0}},
-      cell.points);
-  cell.points.update_occupied();
-  const auto materials = two_names_of_one_soil();
-  MethodOptions method;
-  method.tension_limit = limit;
-  const bool cut = gather(cell, {method, materials}, 0) > 0;
-  return {cut, cell.corners[0].internal_force[0][1]};
-}
-
-TEST(CellGroup, TensionIsCutInPartFilledCellsOnlyAndOnlyBeyondTheLimit)
-{
-  const auto [free_cut, free_force] = cut_tension(INFINITY, 0.25);
-  EXPECT_FALSE(free_cut);
-  const auto [cut, force] = cut_tension(1e3, 0.25);
-  EXPECT_TRUE(cut);
-  EXPECT_NEAR(force, free_force / 5.0, 1e-12 * free_force);
-  EXPECT_FALSE(cut_tension(6e3, 0.25).first);
-  EXPECT_FALSE(cut_tension(1e3, 1.0).first);
 }
 
 /// Eight distorted cells with points at random, of one material or two; the last has few.
@@ -158,7 +133,7 @@ TEST(CellGroup, GivesWhatOneCellInScalarsGives)
     sum_over_sub_cells(test::only_block(row.points, c), 1, gauss);
     set_weights(row.mesh.geometry(c), gauss.volume, method, gauss);
     divide_by_volume(1, gauss);
-    smooth_pressure(false, method, gauss);
+    smooth_pressure(gauss);
     add_internal_force(row.mesh.geometry(c), gauss, method.force_operator, expected);
     EXPECT_EQ(row.corners[c].internal_force, expected.internal_force) << "cell " << c;
     EXPECT_EQ(row.gauss[0].pressure[static_cast<int>(c)], gauss.pressure);

@@ -39,14 +39,12 @@ TEST(SchemeInfo, SaysTruthfullyWhichOptionsChangeNothing)
   const Change changes[] = {
       {"weights", [](MethodOptions& m) { m.weights = Weights::summed; }},
       {"filled_fraction", [](MethodOptions& m) { m.filled_fraction = 0.5; }},
-      {"filled_blend", [](MethodOptions& m) { m.filled_blend = 0.3; }},
       {"b_bar", [](MethodOptions& m) { m.b_bar = false; }},
       {"force_operator", [](MethodOptions& m) { m.force_operator = ForceOperator::b; }},
       {"point_pressure", [](MethodOptions& m) { m.point_pressure = PointPressure::own; }},
       {"state_averaging", [](MethodOptions& m) { m.state_averaging = StateAveraging::sub_cell; }},
       {"objective_rate", [](MethodOptions& m) { m.objective_rate = ObjectiveRate::jaumann; }},
       {"flip", [](MethodOptions& m) { m.flip = 0.9; }},
-      {"tension_limit", [](MethodOptions& m) { m.tension_limit = 0.0; }},
   };
   for (const SchemeInfo& scheme : all_schemes()) {
     const StateImage plain = after_steps(scheme.name, [](MethodOptions&) {});

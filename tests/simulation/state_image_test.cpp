@@ -60,7 +60,6 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
       .last_step = 5.5};
   state.start_energy = 6.0;
   state.clamped = 7;
-  state.tension_cut = 8;
   state.ledger_rows = 11;
   state.largest_v_999 = 9.0;
   state.wall_s = 10.0;
@@ -81,7 +80,6 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
   EXPECT_EQ(back.work.last_step, 5.5);
   EXPECT_EQ(back.start_energy, 6.0);
   EXPECT_EQ(back.clamped, 7);
-  EXPECT_EQ(back.tension_cut, 8);
   EXPECT_EQ(back.ledger_rows, 11);
   EXPECT_EQ(back.largest_v_999, 9.0);
   EXPECT_EQ(back.wall_s, 10.0);

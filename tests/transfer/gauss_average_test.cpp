@@ -150,20 +150,6 @@ TEST(Weights, ObeyTheOptions)
   EXPECT_THAT(part.gauss.weight, Each(DoubleEq(1.0)));
 }
 
-TEST(Weights, TheBlendRunsLinearlyBetweenTheTwoWeights)  // 0.85 to 0.95
-{
-  const MethodOptions method{.filled_blend = 0.05};
-  const auto cell = make_rectangle({0.0, 0.0}, {2.0, 2.0}, {1, 1}).geometry(0);
-  EXPECT_EQ(filled_share(cell, 4.0 * 0.84, method), 0.0);
-  EXPECT_NEAR(filled_share(cell, 4.0 * 0.875, method), 0.25, 1e-13);
-  EXPECT_NEAR(filled_share(cell, 4.0 * 0.90, method), 0.5, 1e-13);
-  EXPECT_EQ(filled_share(cell, 4.0 * 0.96, method), 1.0);
-  Cell half({{.local = low_left, .volume = 3.6}});
-  half.average(method);
-  EXPECT_NEAR(half.gauss.weight[0], 0.5 * 1.0 + 0.5 * 3.6, 1e-12);
-  EXPECT_NEAR(half.gauss.weight[3], 0.5, 1e-12);
-}
-
 TEST(Weights, OfSeveralMaterialsInAFilledCellShareTheGaussWeight)
 {
   const auto mesh = make_rectangle({0.0, 0.0}, {2.0, 2.0}, {1, 1});
@@ -190,7 +176,7 @@ GaussValues<2> uneven_gauss()
 TEST(SmoothPressure, Eq2_IsTheWeightedMeanOfTheGaussPressures)
 {
   auto gauss = uneven_gauss();
-  EXPECT_FALSE(smooth_pressure(false, {}, gauss));
+  smooth_pressure(gauss);
   EXPECT_DOUBLE_EQ(gauss.pressure, (0.5 * 20.0 + 1.0 * -2.0 + 2.0 * 1.0 + 0.1 * 200.0) / 3.6);
 }
 
@@ -199,7 +185,7 @@ TEST(SmoothPressure, Eq2_LeavesOutEmptySubCellsOfAPartFilledCell)
   Cell cell({{.local = low_left, .volume = 1.0, .sigma = {30.0, 30.0, 30.0, 0.0}},
       {.local = up_left, .volume = 0.5, .sigma = {60.0, 60.0, 60.0, 0.0}}});
   cell.average();
-  smooth_pressure(true, {}, cell.gauss);
+  smooth_pressure(cell.gauss);
   EXPECT_DOUBLE_EQ(cell.gauss.pressure, 40.0);
 }
 
@@ -207,7 +193,7 @@ TEST(SmoothPressure, Eq3_ReplacesThePressureAndKeepsTheDeviator)  // reading R6:
 {
   const auto before = uneven_gauss();
   auto after = before;
-  smooth_pressure(false, {}, after);
+  smooth_pressure(after);
   for (int g = 0; g < 4; ++g) {
     EXPECT_NEAR((after.sigma[0][g] + after.sigma[1][g] + after.sigma[2][g]) / 3.0, after.pressure, 1e-13);
     EXPECT_NEAR(after.sigma[0][g] - after.sigma[1][g], before.sigma[0][g] - before.sigma[1][g], 1e-13);
@@ -225,20 +211,8 @@ TEST(SmoothPressure, KeepsTheMeanStressOfTheCell)
     return sum;
   };
   const Real before = total();
-  smooth_pressure(false, {}, gauss);
+  smooth_pressure(gauss);
   EXPECT_NEAR(total(), before, 1e-12);
-}
-
-TEST(SmoothPressure, CutsTensionInPartFilledCellsOnly)
-{
-  const MethodOptions method{.tension_limit = 2.0};
-  auto gauss = uneven_gauss();
-  EXPECT_TRUE(smooth_pressure(true, method, gauss));
-  EXPECT_EQ(gauss.pressure, 2.0);
-  EXPECT_NEAR((gauss.sigma[0][3] + gauss.sigma[1][3] + gauss.sigma[2][3]) / 3.0, 2.0, 1e-13);
-  gauss = uneven_gauss();
-  EXPECT_FALSE(smooth_pressure(false, method, gauss));
-  EXPECT_GT(gauss.pressure, 2.0);
 }
 
 TEST(AverageStateOverCell, GivesAllGaussPointsTheMeanWithTheWeightsOfEq2)  // reading R9
