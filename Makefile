@@ -27,9 +27,11 @@ build: install   ## build the program: build/terp
 demo: build      ## run the paper's models with both schemes, draw figures 1 to 9, compare, write the report page
 	@for model in 1 2; do for scheme in mixed gp; do \
 	   echo "model $$model, MPM-$$scheme:"; \
-	   $(TERP) run $(CASES)/model_$$model.toml --set scheme=mpm_$$scheme --set output.fields.every=0.05 -o $(RUNS)/model_$${model}_$$scheme --force || exit; \
+	   $(TERP) run $(CASES)/model_$$model.toml --set scheme=mpm_$$scheme --set output.fields.every=0.05 \
+	     -o $(RUNS)/model_$${model}_$$scheme --force || exit; \
 	 done; done
-	@$(PYTHON) -m terp.figures $(RUNS)/model_1_mixed $(RUNS)/model_1_gp $(RUNS)/model_2_mixed $(RUNS)/model_2_gp -o $(FIGURES)
+	@$(PYTHON) -m terp.figures $(RUNS)/model_1_mixed $(RUNS)/model_1_gp \
+	   $(RUNS)/model_2_mixed $(RUNS)/model_2_gp -o $(FIGURES)
 	@for model in 1 2; do $(TERP) compare $(RUNS)/model_$${model}_mixed $(RUNS)/model_$${model}_gp || exit; done
 	@echo "figures in $(FIGURES)/, runs in $(RUNS)/"
 	@$(TERP) report $(RUNS)/model_2_mixed $(RUNS)/model_2_gp -o $(RUNS)/report.html
@@ -39,12 +41,13 @@ test: install    ## install, build and run the tests
 	@cmake --build $(BUILD)
 	@ctest --test-dir $(BUILD) --output-on-failure -j 2 -LE verify
 
-verify: build    ## the verification ledger: all cases with a known answer; writes build/verification.md, and docs/verification.md (one line per case)
+verify: build    ## the verification ledger: all cases with a known answer; writes build/ and docs/verification.md
 	@$(TERP) verify --markdown $(BUILD)/verification.md --overview docs/verification.md
 
 test-web: build  ## the report page: unit tests, and end-to-end tests in Chromium on runs of the program
 	@tools/install-dependencies --web
-	@cd web && { [ -e node_modules/.terp-lock ] || npm ci --silent; } && npm run --silent build && npm test && TERP=$(abspath $(TERP)) npm run test:e2e
+	@cd web && { [ -e node_modules/.terp-lock ] || npm ci --silent; } && npm run --silent build && npm test \
+	   && TERP=$(abspath $(TERP)) npm run test:e2e
 
 vtk: install     ## read results with VTK 9.3 and the newest: Debian 13 and sid, 2.5 GB in build/vtk
 	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null
@@ -52,7 +55,7 @@ vtk: install     ## read results with VTK 9.3 and the newest: Debian 13 and sid,
 	@for release in trixie sid; do tests/vtk/fetch_vtk $$release $(BUILD)/vtk/$$release || exit; done
 	@ctest --test-dir $(BUILD) --output-on-failure -R '^vtk\.'
 
-verify-paper: install  ## what takes minutes without a closed form: the paper's column on other meshes and in a turned frame, the dike
+verify-paper: install  ## takes minutes: the paper's column on other meshes and in a turned frame, the dike
 	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null
 	@cmake --build $(BUILD)
 	@ctest --test-dir $(BUILD) --output-on-failure -L verify -V
@@ -60,7 +63,8 @@ verify-paper: install  ## what takes minutes without a closed form: the paper's 
 kill: install    ## kill KILLS=200 runs at random moments, resume them, compare every file
 	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null
 	@cmake --build $(BUILD) --target terp kill_at_call
-	@/usr/bin/python3 tests/reliability/kill_runs.py $(TERP) --library $(BUILD)/tests/reliability/libkill_at_call.so --kills $(KILLS)
+	@/usr/bin/python3 tests/reliability/kill_runs.py $(TERP) --kills $(KILLS) \
+	   --library $(BUILD)/tests/reliability/libkill_at_call.so
 
 fuzz: install    ## fuzz each reader of files with libFuzzer (clang), FUZZ_SECONDS=600 fast, as many with sanitizers
 	@tools/install-dependencies --checks

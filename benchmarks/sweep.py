@@ -3,9 +3,9 @@
 
     benchmarks/sweep.py [build/terp] [--only NAME ...] [--machine NAME]
 
-Prints a table and writes benchmarks/results/MACHINE.csv (what, value, unit, low, high). Things that are compared are run in turn, A B A B,
-and the ratio is the median of the ratios of neighbours, so that a machine whose speed drifts does not decide. Takes about eight minutes. Leave
-the machine alone meanwhile.
+Prints a table and writes benchmarks/results/MACHINE.csv (what, value, unit, low, high). Compared runs take turns, A B A
+B, and the ratio is the median of the ratios of neighbours, so that a drifting speed of the machine cancels. Takes about
+eight minutes, on an otherwise idle machine.
 """
 
 import argparse
@@ -34,10 +34,15 @@ class Sweep:
 
     def bench(self, case=COLUMN, threads=1, steps=200, settings=()):
         """Point-steps per second of one `terp bench`: its median of five groups of steps."""
-        command = [self.terp, "bench", case, "-j", str(threads), "--steps", str(steps), "--warm", str(steps // 4), "--json"]
+        command = [self.terp, "bench", case, "-j", str(threads), "--steps", str(steps), "--warm", str(steps // 4)]
         for setting in settings:
             command += ["--set", setting]
-        return json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)["point_steps_per_s"]
+        return self.point_steps(command)
+
+    @staticmethod
+    def point_steps(command):
+        done = subprocess.run([*command, "--json"], check=True, capture_output=True, text=True)
+        return json.loads(done.stdout)["point_steps_per_s"]
 
     def enter(self, what, values, unit, scale=1.0):
         scaled = [v * scale for v in values]
@@ -61,8 +66,8 @@ class Sweep:
                 self.enter(f"{scheme}, column of 40 000 points, one thread, {state}", rates, "M point-steps/s", 1e-6)
 
     def bench_warm(self, scheme, warm):
-        command = [self.terp, "bench", COLUMN, "-j", "1", "--steps", "200", "--warm", str(warm or 50), "--json", "--set", f"scheme={scheme}"]
-        return json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)["point_steps_per_s"]
+        return self.point_steps([self.terp, "bench", COLUMN, "-j", "1", "--steps", "200", "--warm", str(warm or 50),
+                                 "--set", f"scheme={scheme}"])
 
     def threads(self):
         """Two threads against one; and against one when another process is busy."""
@@ -93,8 +98,8 @@ class Sweep:
     def memory(self):
         """Largest resident memory of a run of 2.56 million points, everything in it, per point."""
         with tempfile.TemporaryDirectory() as folder:
-            run = subprocess.Popen([self.terp, "run", COLUMN, "-o", f"{folder}/run", "-q", "--set", "mesh.cell=0.0125", "--set", "time.end=0.001",
-                                    "--set", "output.fields.every=0.001"])
+            run = subprocess.Popen([self.terp, "run", COLUMN, "-o", f"{folder}/run", "-q", "--set", "mesh.cell=0.0125",
+                                    "--set", "time.end=0.001", "--set", "output.fields.every=0.001"])
             _, status, usage = os.wait4(run.pid, 0)  # of this process alone
         if status != 0:
             raise SystemExit("the run for the memory failed")
@@ -102,7 +107,7 @@ class Sweep:
         self.enter("memory of a run of 2 560 000 points", [peak / 2.56e6], "bytes per point")
 
     def output(self):
-        """Wall time of the paper's model 2 with its output, over the same without; and without the ledger, of which the paper shows nothing."""
+        """Wall time of the paper's model 2 with output over that without; and with output but the ledger."""
         def wall(settings):
             with tempfile.TemporaryDirectory() as folder:
                 command = [self.terp, "run", COLUMN, "-o", f"{folder}/run", "-q", "-j", "1"]
@@ -112,8 +117,9 @@ class Sweep:
                 subprocess.run(command, check=True)
                 return time.monotonic() - start
         rare = [f"output.{what}.every=4" for what in ("ledger", "fields", "history", "checkpoint")]
-        of_all, of_paper, without = self.in_turn(lambda: wall([]), lambda: wall(rare[:1]), lambda: wall(rare), repeats=11)
-        for what, walls in (("fields, history and checkpoints at the paper's rate", of_paper), ("the same with 100 ledger rows per second", of_all)):
+        all_, paper, without = self.in_turn(lambda: wall([]), lambda: wall(rare[:1]), lambda: wall(rare), repeats=11)
+        for what, walls in (("fields, history and checkpoints at the paper's rate", paper),
+                            ("the same with 100 ledger rows per second", all_)):
             self.enter(f"{what}, of the wall time", [(a - b) / b * 100.0 for a, b in zip(walls, without)], "%")
 
 
@@ -132,14 +138,16 @@ def machine_name():
 
 
 def main():
-    names = [name for name in vars(Sweep) if not name.startswith("_") and name not in ("bench", "bench_warm", "enter", "in_turn")]
+    helpers = ("bench", "bench_warm", "point_steps", "enter", "in_turn")
+    names = [name for name in vars(Sweep) if not name.startswith("_") and name not in helpers]
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("terp", nargs="?", type=Path, default=ROOT / "build/terp")
     parser.add_argument("--only", nargs="+", choices=names, default=names, help="what to measure (default: all)")
     parser.add_argument("--machine", default=machine_name(), help="name of the file in benchmarks/results")
     options = parser.parse_args()
     sweep = Sweep(options.terp)
-    print(f"{platform.node() and options.machine}, {os.cpu_count()} processors, {datetime.date.today()}; median of {REPEATS} (low to high)")
+    print(f"{platform.node() and options.machine}, {os.cpu_count()} processors, {datetime.date.today()}; "
+          f"median of {REPEATS} (low to high)")
     for name in options.only:
         getattr(sweep, name)()
     if options.only == names:

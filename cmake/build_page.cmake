@@ -1,12 +1,14 @@
-# Builds web/dist/index.html and copies it to PAGE. Run by cmake/page.cmake with NPM, WEB and PAGE.
-# A page that cannot be built does not stop the build: PAGE is then an empty line, so old that the next build tries again.
+# Builds web/dist/index.html and copies it to PAGE. Run by cmake/page.cmake with NPM, WEB and PAGE. A page that cannot
+# be built does not stop the build: PAGE is then an empty line, so old that the next build tries again.
 
 function(call what)
-  execute_process(COMMAND ${NPM} ${ARGN} WORKING_DIRECTORY ${WEB} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  execute_process(COMMAND ${NPM} ${ARGN} WORKING_DIRECTORY ${WEB}
+                  RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(status EQUAL 0)
     set(failed "" PARENT_SCOPE)
   else()
-    message(WARNING "The report page was not built: ${what} failed.\n${output}\nTerp works without it, but `terp report` shows nothing. Try: cd web && npm ${ARGN}")
+    message(WARNING "The report page was not built: ${what} failed.\n${output}\n"
+                    "Terp works without it, but `terp report` shows nothing. Try: cd web && npm ${ARGN}")
     set(failed ${what} PARENT_SCOPE)
   endif()
 endfunction()

@@ -1,11 +1,12 @@
-# The kernels: what a step spends its time in, compiled once per instruction set (docs/decisions/0028). One of the sets is
-# chosen when the program starts, in src/parallel/kernels.cpp.
+# The kernels: what a step spends its time in, compiled once per instruction set (docs/decisions/0028). One of the sets
+# is chosen when the program starts, in src/parallel/kernels.cpp.
 
 # Compiled for each set, and there alone. A new law belongs to them by itself.
 file(GLOB TERP_KERNEL_SOURCES CONFIGURE_DEPENDS src/materials/*.cpp)
 list(REMOVE_ITEM TERP_KERNEL_SOURCES ${PROJECT_SOURCE_DIR}/src/materials/material.cpp)
-list(APPEND TERP_KERNEL_SOURCES ${PROJECT_SOURCE_DIR}/src/parallel/machine.cpp ${PROJECT_SOURCE_DIR}/src/simulation/kernels.cpp
-                                ${PROJECT_SOURCE_DIR}/src/simulation/step.cpp ${PROJECT_SOURCE_DIR}/src/simulation/totals.cpp)
+foreach(kernel parallel/machine simulation/kernels simulation/step simulation/totals)
+  list(APPEND TERP_KERNEL_SOURCES ${PROJECT_SOURCE_DIR}/src/${kernel}.cpp)
+endforeach()
 # Compiled for each set, and once more for what calls them before the first step (seeding) and for their tests.
 set(TERP_SHARED_KERNEL_SOURCES src/mesh/locate.cpp src/points/move.cpp src/transfer/gauss_average.cpp)
 
@@ -13,17 +14,20 @@ set(TERP_FLAGS_avx512 -march=x86-64-v4 -mprefer-vector-width=512)
 set(TERP_FLAGS_avx2 -march=x86-64-v3)
 set(TERP_FLAGS_sse2 -march=x86-64)
 
-# With the address sanitizer a step is 2.4 times as fast when the kernels are optimised and GCC does not mark the scope of each pack that an
-# expression makes. Limits of arrays, the heap and undefined behaviour are checked in them as everywhere.
+# With the address sanitizer a step is 2.4 times as fast when the kernels are optimised and GCC does not mark the scope
+# of each pack that an expression makes. Limits of arrays, the heap and undefined behaviour are checked in them as
+# everywhere.
 if(TERP_SANITIZE OR TERP_TSAN)
   set(options -O2)
   if(TERP_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     list(APPEND options -fno-sanitize-address-use-after-scope)
   endif()
-  set_source_files_properties(${TERP_KERNEL_SOURCES} ${TERP_SHARED_KERNEL_SOURCES} PROPERTIES COMPILE_OPTIONS "${options}")
+  set_source_files_properties(${TERP_KERNEL_SOURCES} ${TERP_SHARED_KERNEL_SOURCES}
+                              PROPERTIES COMPILE_OPTIONS "${options}")
 endif()
 
-# Links a generated object with whatever links a library. As a source of the library every object file of it would wait for it.
+# Links a generated object with whatever links a library. As a source of the library every object file of it would wait
+# for it.
 function(link_object target object)
   get_filename_component(name ${object} NAME_WE)
   add_custom_target(${name} DEPENDS ${object})
@@ -31,7 +35,8 @@ function(link_object target object)
   set_property(TARGET ${target} APPEND PROPERTY INTERFACE_LINK_DEPENDS ${object})
 endfunction()
 
-# Adds the kernels to a target. sets: the best first; "native" or "plain" alone mean one copy, linked like anything else.
+# Adds the kernels to a target. sets: the best first; "native" or "plain" alone mean one copy, linked like anything
+# else.
 function(add_kernels target sets)
   list(TRANSFORM sets REPLACE "(.+)" "TERP_KERNEL_SET(\\1)" OUTPUT_VARIABLE calls)
   list(JOIN calls " " calls)
@@ -46,9 +51,9 @@ function(add_kernels target sets)
   endforeach()
 endfunction()
 
-# One relocatable object per set, with one global name. Inline functions and templates would else be merged between the copies
-# and with the rest of the program by the linker, which takes any: --force-group-allocation ends their COMDAT groups, and objcopy
-# makes their names local.
+# One relocatable object per set, with one global name. Inline functions and templates would else be merged between the
+# copies and with the rest of the program by the linker, which takes any: --force-group-allocation ends their COMDAT
+# groups, and objcopy makes their names local.
 function(add_kernel_copy target set)
   add_library(terp_kernels_${set} OBJECT ${TERP_KERNEL_SOURCES} ${TERP_SHARED_KERNEL_SOURCES})
   target_include_directories(terp_kernels_${set} PRIVATE src)

@@ -1,4 +1,4 @@
-"""A first look at a run with numpy: what moved, how the soil softened, where the strength went. Read it from top to bottom, change it, run it.
+"""A first look at a run with numpy: what moved, how the soil softened, where its strength fell. Read, change, run it.
 
     PYTHONPATH=python python3 python/examples/first_look.py RUN FOLDER
 
@@ -38,13 +38,15 @@ if "su" in run.fields:
 x_middle, y_middle = np.median(run.frame(0).x, axis=0)
 row = run.nearest(x_middle, y_middle, time=0.0)
 path = run.series("x", row)  # [n_frames, 2]
-print(f"the point nearest to ({x_middle:.2f}, {y_middle:.2f}) m is row {row}; it ends at ({path[-1, 0]:.2f}, {path[-1, 1]:.2f}) m")
+print(f"the point nearest to ({x_middle:.2f}, {y_middle:.2f}) m is row {row}; "
+      f"it ends at ({path[-1, 0]:.2f}, {path[-1, 1]:.2f}) m")
 
 # 5. What the solver has judged already is in the ledger and the summary: front, crest, energies.
 print(f"front at {run.ledger['front_x'][-1]:.2f} m, second failure: {run.summary['second_failure_time']} s")
 
 # 6. Pictures. Each call draws into axes of matplotlib (its own, or those given as `panel`) and returns them.
-plot.field(run, "eps_eq_p" if "eps_eq_p" in run.fields else "displacement").figure.savefig(pictures / "field.png", dpi=150)
+shown = "eps_eq_p" if "eps_eq_p" in run.fields else "displacement"
+plot.field(run, shown).figure.savefig(pictures / "field.png", dpi=150)
 plot.ledger(run, ["kinetic", "plastic", "gravity_work"]).figure.savefig(pictures / "energies.png", dpi=150)
 if run.history_points:
     plot.history(run, "eps_deviatoric").figure.savefig(pictures / "points.png", dpi=150)

@@ -10,8 +10,8 @@
     from terp import plot
     plot.field(run, "eps_eq_p", 2.5).figure.savefig("slip.png")
 
-Described in docs/python.md. The paper's figures: `python3 -m terp.figures`; a field at some times: `python3 -m terp.sections`;
-runs side by side in numbers: the program itself, `terp compare`.
+Described in docs/python.md. The paper's figures: `python3 -m terp.figures`; a field at some times:
+`python3 -m terp.sections`; runs compared in numbers: the program itself, `terp compare`.
 """
 
 from terp.errors import RunError

@@ -7,7 +7,7 @@ from terp.errors import RunError
 
 
 def exit_status(action):
-    """Does it. 0: done; 2: a run is missing or does not fit; 1: something could not be written. Says why on the error stream."""
+    """Runs the action. 0: done; 2: a run is missing or does not fit; 1: a file could not be written. Reports why."""
     try:
         action()
     except RunError as error:

@@ -23,7 +23,7 @@ SAMPLE = 200           # points whose neighbours are measured to find the lattic
 
 
 def field(run, name, time=None, panel=None, limits=None):
-    """A field of all material points at `time` [s] (default: the last frame), over the outlines of the bodies at the start.
+    """A field of all material points at `time` [s] (default: the last frame), over the first outlines of the bodies.
 
     name: as Frame.scalar has it, e.g. "eps_eq_p", "stress.yy", "velocity". limits: of the colours, in the unit
     of the colour bar (stress in kPa). Points whose material has no such field are grey.
@@ -58,7 +58,8 @@ def ledger(run, columns, panel=None):
     for column in columns:
         _check_column(column, run.ledger, run.folder / "ledger.csv")
     if len({run.unit(column) for column in columns}) > 1:
-        raise RunError("columns of one picture have one unit, not " + ", ".join(f"{column} [{run.unit(column)}]" for column in columns))
+        raise RunError("columns of one picture have one unit, not "
+                       + ", ".join(f"{column} [{run.unit(column)}]" for column in columns))
     factor, unit = style.in_print(run.unit(columns[0]))
     with style.house_style():
         panel = panel or chart_page()
@@ -79,7 +80,7 @@ def chart_page():
 
 
 def section_page(window):
-    """Axes that show a window x0, y0, x1, y1 [m] with equal aspect, in a figure of their own, and those of its colour bar."""
+    """Axes of a new figure that show a window x0, y0, x1, y1 [m] with equal aspect, and those of its colour bar."""
     width = style.TWO_COLUMNS - 14.0
     height = width * (window[3] - window[1]) / (window[2] - window[0])
     figure = style.new_figure(style.TWO_COLUMNS, height + 31.0)
@@ -114,7 +115,8 @@ def history_lines(panel, run, column, names):
     _check_column(column, run.history, run.folder / "history.csv")
     for name, (colour, dashes) in zip(names, style.lines_of(names)):
         rows = run.history_of(name)
-        panel.plot(rows["time"], style.in_print(run.unit(column))[0] * rows[column], color=colour, ls=dashes, label=name)
+        panel.plot(rows["time"], style.in_print(run.unit(column))[0] * rows[column], color=colour, ls=dashes,
+                   label=name)
 
 
 def dots(panel, run, time, names, named):
@@ -159,7 +161,7 @@ def body_outlines(case):
 
 
 def window_of(frames):
-    """Limits that hold every point of every frame [m]: x0, y0, x1, y1; outward to half metres along x, tenths along y."""
+    """Limits around every point of every frame [m]: x0, y0, x1, y1; outward to half metres in x, tenths in y."""
     steps = np.array([0.5, 0.1])
     low = np.min([frame.x.min(axis=0) for frame in frames], axis=0)
     high = np.max([frame.x.max(axis=0) for frame in frames], axis=0)
@@ -173,7 +175,10 @@ def norm_of_limits(run, name, limits):
 
 
 def without_value(frames, name):
-    """Names of the materials whose points have no value of a field in these frames; "some points" where the run has no field `material`."""
+    """Names of the materials whose points have no value of a field in these frames.
+
+    "some points" where the run has no field `material`.
+    """
     lacking = set()
     for frame in frames:
         here = np.isfinite(frame.scalar(name))
@@ -186,8 +191,10 @@ def without_value(frames, name):
 
 
 def colour_norm(frames, name):
-    """A colour scale for a field of these frames: of a strain from 0 to the upper quartile of the points that have sheared; of any other
-    field without its outliers. Its ends are plain numbers."""
+    """A colour scale for a field of these frames, with plain numbers at its ends.
+
+    A strain goes from 0 to the upper quartile of the points that have sheared; any other field leaves out its outliers.
+    """
     values = np.concatenate([frame.scalar(name) for frame in frames])
     values = values[np.isfinite(values)]
     if not len(values):
@@ -196,7 +203,8 @@ def colour_norm(frames, name):
         sheared = values[values > STRAINED]
         return Normalize(0.0, style.round_up(np.quantile(sheared, QUANTILE) if len(sheared) else values.max() or 1.0))
     low, high = np.quantile(values, (OUTLIERS, 1.0 - OUTLIERS))
-    return Normalize(-style.round_up(-low) if low < 0 else 0.0, style.round_up(high) if high > 0 else 0.0 if low < 0 else 1.0)
+    return Normalize(-style.round_up(-low) if low < 0 else 0.0,
+                     style.round_up(high) if high > 0 else 0.0 if low < 0 else 1.0)
 
 
 def lattice_spacing(x):
@@ -220,7 +228,8 @@ def places_at(run, time, names):
 
 def label_of(run, name, in_two_lines=False):
     """A field or column in words, its symbol, its unit in print; in one line also how it is defined."""
-    words, symbol, definition = style.words_of(name, run.case.get("output", {}).get("deviatoric_norm", "half"))  # reading R18
+    # the norm of a strain: reading R18
+    words, symbol, definition = style.words_of(name, run.case.get("output", {}).get("deviatoric_norm", "half"))
     unit = style.in_print(run.unit(name))[1]
     if symbol:
         words += f"\n{symbol}" if in_two_lines else f"  {symbol}{definition}"

@@ -1,6 +1,6 @@
 """One run folder as numpy arrays and dictionaries.
 
-Not for drawing (plot.py) and not for judging a run: it hands out what the solver wrote, in SI units, and computes nothing anew.
+Not for drawing (plot.py) and not for judging a run: it returns what the solver wrote, in SI units.
 """
 
 import functools
@@ -38,7 +38,7 @@ class Frame:
         return self["x"]
 
     def scalar(self, name):
-        """One number per point, shape [n_points]: a scalar field, the component "stress.xx" of a field, or the size of a vector."""
+        """One number per point, shape [n_points]: a scalar field, a component ("stress.xx"), a vector's magnitude."""
         field, _, component = name.partition(".")
         values = self[field]
         if component:
@@ -77,8 +77,7 @@ class Mesh:
 
 
 class Run:
-    """The results in one run folder. Each file is read when it is first asked for, and what was read is kept: `refresh` lets go of
-    it, for a run that is still going."""
+    """The results in one run folder. Files are read when first used, and kept until `refresh`."""
 
     def __init__(self, folder):
         self.folder = Path(folder)
@@ -104,7 +103,7 @@ class Run:
 
     @functools.cached_property
     def times(self):
-        """Times of the frames [s], shape [n_frames], ascending. Of a run that is going on, those of its whole frames."""
+        """Times of the whole frames [s], shape [n_frames], ascending."""
         return np.asarray(self._results.times(), dtype=float)
 
     @functools.cached_property
@@ -161,7 +160,7 @@ class Run:
         return self._results.series("PointData", name, row)[:len(self)]
 
     def nearest(self, x, y, time=0.0):
-        """Row of the material point nearest to (x, y) [m] in the frame nearest to `time` [s]; ties: lower x, then lower y."""
+        """Row of the point nearest to (x, y) [m] in the frame nearest to `time` [s]; ties: lower x, then lower y."""
         if not np.isfinite([x, y]).all():
             raise ValueError(f"({x}, {y}) is no place")
         places = self.field("x", self.at(time))
@@ -229,7 +228,7 @@ class Run:
         return Mesh(VtkhdfFile(self._file(MESH)))
 
     def unit(self, name):
-        """Unit of a field or of a column of the tables, e.g. "Pa"; "-" where it has none. "stress.xx" has that of "stress"."""
+        """Unit of a field, a component or a column of the tables, e.g. "Pa"; "-" where it has none."""
         name = name.partition(".")[0]
         units = {**COLUMN_UNITS, **(self.units if (self.folder / RESULTS).is_file() else {})}
         if name not in units:

@@ -32,13 +32,12 @@ class Section:
     field: str            # as Frame.scalar has it: "eps_eq_p", "stress.yy"
     times: tuple          # [s], one row each
     points: str = ""      # names of the points drawn as dots
-    limit: float = None   # end of the colour scale in the unit of the colour bar; it begins at 0; None: from the last frames
+    limit: float = None   # end of the colour scale, from 0, in the unit of the colour bar; None: from the last frames
     window: tuple = None  # x0, y0, x1, y1 [m]; None: all points in all frames
 
 
 def draw_sections(runs, what):
-    """The figure, a row for each time and a column for each run, or None if no run has a frame at any of the times; and a list of notes on
-    what is missing."""
+    """The figure, a row per time and a column per run (None without any frame), and notes on what is missing."""
     frames = [[frame_at(run, time) for run in runs] for time in what.times]
     notes = missing_frames(runs, what.times, frames)
     rows = [(time, row) for time, row in zip(what.times, frames) if any(row)]
@@ -48,7 +47,8 @@ def draw_sections(runs, what):
     last = [next(filter(None, column), None) for column in zip(*(row for _, row in reversed(rows)))]
     if grey := plot.without_value(present, what.field):
         notes.append(f"no {what.field} in {', '.join(grey)}: drawn grey")
-    norm = plot.norm_of_limits(present[0].run, what.field, (0.0, what.limit)) if what.limit else plot.colour_norm([frame for frame in last if frame], what.field)
+    norm = (plot.norm_of_limits(present[0].run, what.field, (0.0, what.limit)) if what.limit
+            else plot.colour_norm([frame for frame in last if frame], what.field))
     figure, panels, bar = lay_out(len(rows), len(runs), what.window or plot.window_of(present))
     for (time, row), row_panels in zip(rows, panels):
         for run, frame, panel in zip(runs, row, row_panels):
@@ -117,12 +117,16 @@ def finish_axes(panels, runs):
 
 
 def main(arguments=None):
-    parser = argparse.ArgumentParser(prog="python3 -m terp.sections", description="Draw a field over the cross-section.")
+    parser = argparse.ArgumentParser(prog="python3 -m terp.sections",
+                                     description="Draw a field over the cross-section.")
     parser.add_argument("runs", nargs="+", metavar="RUN", help="run folders, drawn side by side")
-    parser.add_argument("-o", "--output", required=True, metavar="FILE", help="where the figure goes, without extension")
-    parser.add_argument("--field", default="eps_eq_p", help="a field in results.vtkhdf, or a component: stress.yy (default: eps_eq_p)")
+    parser.add_argument("-o", "--output", required=True, metavar="FILE",
+                        help="where the figure goes, without extension")
+    parser.add_argument("--field", default="eps_eq_p",
+                        help="a field in results.vtkhdf, or a component: stress.yy (default: eps_eq_p)")
     parser.add_argument("--times", nargs="+", type=float, help="times in s (default: first, middle and last frame)")
-    parser.add_argument("--window", nargs=4, type=float, metavar=("X0", "Y0", "X1", "Y1"), help="part to draw in m (default: all)")
+    parser.add_argument("--window", nargs=4, type=float, metavar=("X0", "Y0", "X1", "Y1"),
+                        help="part to draw in m (default: all)")
     options = parser.parse_args(arguments)
     return exit_status(lambda: draw(options))
 

@@ -44,7 +44,7 @@ INCREMENTS = r"$\sum\sqrt{\frac{1}{2}\,\mathrm{d}\mathbf{e}_p:\mathrm{d}\mathbf{
 
 
 def words_of(name, norm):
-    """(words, symbol, definition) of a quantity, with the norm of a strain (Eq. (6); `output.deviatoric_norm`); name alone of others."""
+    """(words, symbol, definition) of a quantity, with the norm of a strain (Eq. (6)); of others the name alone."""
     known = {"eps_deviatoric": ("total deviatoric strain", NORMS.get(norm, norm), ""),
              "eps_eq_p": ("plastic deviatoric strain", r"$\varepsilon_{eq,p}$", f" = {INCREMENTS}"),
              "su": ("undrained shear strength", "$S_u$", "")}
@@ -52,7 +52,7 @@ def words_of(name, norm):
 
 
 def lines_of(names):
-    """(colour, dashes) of the line of each name: those of the paper's points where these tell all names apart, else others."""
+    """(colour, dashes) of the line of each name: those of the paper's points if these are unique, else others."""
     own = [LINES.get(name) for name in names]
     plain = [OTHER_LINES[n % len(OTHER_LINES)] for n in range(len(own))]
     return own if None not in own and len(set(own)) == len(own) else plain
@@ -75,7 +75,7 @@ def add_panel(figure, left, top, width, height):
 
 
 def panel_grid(figure, shape, corner, size, gaps):
-    """Panels [n_rows][n_columns]; corner: left, top of the first; size: width, height; gaps: between columns, between rows [mm]."""
+    """Panels [n_rows][n_columns]; corner: left, top of the first; size: width, height; gaps: columns, rows [mm]."""
     (left, top), (width, height), (gap, row_gap) = corner, size, gaps
     return [[add_panel(figure, left + column * (width + gap), top + row * (height + row_gap), width, height)
              for column in range(shape[1])] for row in range(shape[0])]

@@ -1,15 +1,17 @@
-"""The tables of a run, history.csv and ledger.csv, as numpy structured arrays, and as pandas data frames for those who have it."""
+"""The tables of a run, history.csv and ledger.csv, as numpy structured arrays or, if installed, pandas data frames."""
 
 import numpy as np
 
 from terp.errors import RunError
 
 COLUMN_UNITS = {
-    "time": "s", "step": "-", "point": "-", "id": "-", "x": "m", "y": "m", "eps_deviatoric": "-", "eps_eq_p": "-", "su": "Pa",
-    "pressure": "Pa", "kinetic": "J per m", "kinetic_nodal": "J per m", "elastic": "J per m", "plastic": "J per m", "gravity_work": "J per m",
-    "damping_work": "J per m", "boundary_work": "J per m", "left_energy": "J per m", "numerical": "J per m", "mass": "kg per m",
-    "momentum_x": "kg m/s per m", "momentum_y": "kg m/s per m", "clamped": "-", "left": "-", "front_x": "m", "crest_x": "m",
-    "crest_y": "m", "front_left_x": "m", "crest_left_x": "m", "crest_left_y": "m", "moved_volume": "m^2", "v_max": "m/s", "v_999": "m/s",
+    "time": "s", "step": "-", "point": "-", "id": "-", "x": "m", "y": "m", "eps_deviatoric": "-", "eps_eq_p": "-",
+    "su": "Pa", "pressure": "Pa", "kinetic": "J per m", "kinetic_nodal": "J per m", "elastic": "J per m",
+    "plastic": "J per m", "gravity_work": "J per m", "damping_work": "J per m", "boundary_work": "J per m",
+    "left_energy": "J per m", "numerical": "J per m", "mass": "kg per m", "momentum_x": "kg m/s per m",
+    "momentum_y": "kg m/s per m", "clamped": "-", "left": "-", "front_x": "m", "crest_x": "m", "crest_y": "m",
+    "front_left_x": "m", "crest_left_x": "m", "crest_left_y": "m", "moved_volume": "m^2", "v_max": "m/s",
+    "v_999": "m/s",
 }
 """Unit of each column; "per m" is per metre of thickness. The fields of results.vtkhdf carry their own units."""
 
@@ -18,7 +20,7 @@ INTEGER_COLUMNS = {"id", "step", "clamped", "left"}
 
 
 def read_table(path):
-    """A structured array with the columns of the file. A last row without its line end is still being written and left out."""
+    """A structured array with the columns of the file, without a last row that has no line end yet."""
     head, _, text = path.read_text(encoding="utf-8").partition("\n")
     dtype = np.dtype([(column, _column_type(column)) for column in head.strip().split(",")])
     rows = text[:text.rfind("\n") + 1].splitlines()

@@ -1,7 +1,7 @@
 """A file in the VTKHDF format with time steps, type UnstructuredGrid: tables of points and cells, read by step.
 
-Also while a run adds steps to it: a step counts once it is whole (NSteps), and a reading into which a step came is repeated.
-Not for: what the fields mean (run.py).
+Also while a run adds steps to it: a step counts once it is whole (NSteps), and a reading disturbed by a step is
+repeated. Not for: what the fields mean (run.py).
 """
 
 import time
@@ -35,7 +35,8 @@ class VtkhdfFile:
 
     def attributes(self, data, key, default=""):
         """{name: text} of attribute `key` of the tables in `data`, "PointData" or "CellData"."""
-        return self.read(lambda root: {name: _text(table.attrs.get(key, default)) for name, table in root.get(data, {}).items()})
+        return self.read(lambda root: {name: _text(table.attrs.get(key, default))
+                                       for name, table in root.get(data, {}).items()})
 
     def places(self, k):
         """Places of the points in step k [m], shape [n_points, 2]."""
@@ -49,14 +50,16 @@ class VtkhdfFile:
         """Row `row` of a table in all whole steps, shape [n_steps] or [n_steps, n_components]."""
         n = len(self.times())
         parts = [range(first, min(first + STEPS_AT_ONCE, n)) for first in range(0, n, STEPS_AT_ONCE)]
-        return np.array([value for ks in parts for value in self.read(lambda root: [root[data][name][_rows(root, data, name, k).start + row] for k in ks])])
+        return np.array([value for ks in parts
+                         for value in self.read(lambda root: [root[data][name][_rows(root, data, name, k).start + row]
+                                                              for k in ks])])
 
     def cells(self):
         """Corners of the cells, shape [n_cells, n_corners]; all cells have the same number."""
         return self.read(lambda root: root["Connectivity"][:].reshape(root["NumberOfCells"][0], -1))
 
     def read(self, of):
-        """of(group /VTKHDF), repeated until no step came meanwhile: only then what it gives, or its failure, is of one content of the file."""
+        """of(group /VTKHDF), repeated until no step came meanwhile: then its result, or failure, is of one content."""
         half_head, half_since = None, 0.0  # of the change that the file is in the middle of
         while True:
             head = _head(self.path)
@@ -71,7 +74,8 @@ class VtkhdfFile:
             elif head != half_head:
                 half_head, half_since = head, time.monotonic()
             elif time.monotonic() - half_since > PATIENCE:
-                raise RunError(f"{self.path} cannot be read: its run was killed while it added a frame; `terp resume` ends that, and goes on")
+                raise RunError(f"{self.path} cannot be read: its run was killed while it added a frame; "
+                               "`terp resume` ends that, and goes on")
             time.sleep(MOMENT)
 
     def _read_once(self, of):
@@ -80,7 +84,7 @@ class VtkhdfFile:
                 return of(self._checked_root(file))
         except KeyError as error:
             raise RunError(f"{self.path} lacks a part of the format: {error.args[0]}") from error
-        except (OSError, RuntimeError, TypeError, ValueError, IndexError) as error:  # what h5py makes of bytes that HDF5 cannot read
+        except (OSError, RuntimeError, TypeError, ValueError, IndexError) as error:  # h5py's, of what HDF5 cannot read
             raise RunError(f"{self.path} cannot be read as VTKHDF: {error}") from error
 
     def _checked_root(self, file):
@@ -89,7 +93,8 @@ class VtkhdfFile:
         root = file["VTKHDF"]
         version = root.attrs.get("Version", (KNOWN_VERSION,))
         if version[0] != KNOWN_VERSION:
-            raise RunError(f"{self.path} is of VTKHDF version {'.'.join(str(n) for n in version)}; this terp reads version {KNOWN_VERSION}")
+            raise RunError(f"{self.path} is of VTKHDF version {'.'.join(str(n) for n in version)}; this terp reads "
+                           f"version {KNOWN_VERSION}")
         return root
 
 
@@ -102,7 +107,7 @@ def _head(path):
 
 
 def _is_half_changed(path, head):
-    """Whether, in a file with this head, some pages of the change that the journal describes are there and others not (docs/reliability.md)."""
+    """Whether a file with this head has some, but not all, pages of the change in the journal (docs/reliability.md)."""
     try:
         journal = path.with_name(path.name + ".journal").read_bytes()
     except OSError:

@@ -62,7 +62,8 @@ def check(name, table, summary):
         got = look_up(summary, key)
         agrees, wanted = judge(got, expected)
         good &= agrees
-        print(f"{'   ok' if agrees else 'WRONG'}  {name}.{key}: {'never' if got is None else f'{got:.6g}'}, expected {wanted}")
+        print(f"{'   ok' if agrees else 'WRONG'}  {name}.{key}: "
+              f"{'never' if got is None else f'{got:.6g}'}, expected {wanted}")
     return good
 
 
@@ -76,7 +77,8 @@ def accept(text, name, summary):
         got = look_up(summary, match["key"])
         return f"{match['key_part']}{{ value = " + ('"never"' if got is None else f"{got:.6g}")
 
-    body = re.sub(r'(?m)(?P<key_part>^"?(?P<key>[\w.]+)"?\s*=\s*)\{\s*value\s*=\s*[^,}]+(?<!\s)', replace, text[start:end])
+    body = re.sub(r'(?m)(?P<key_part>^"?(?P<key>[\w.]+)"?\s*=\s*)\{\s*value\s*=\s*[^,}]+(?<!\s)', replace,
+                  text[start:end])
     return text[:start] + body + text[end:]
 
 

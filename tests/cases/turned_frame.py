@@ -2,8 +2,9 @@
 
 turned_frame.py TERP [--degrees 30] [--scheme mpm_gp]
 
-Only round-off differs, and the failure amplifies it: points that soften in the first slide (before 1.5 s) must do so within one row of
-the history, those of the second slide, a bifurcation, within 0.1 s. One point at the edge of the second slide may soften in one run only.
+Only round-off differs, and the failure amplifies it. Points that soften in the first slide (before 1.5 s) must do so
+within one row of the history, those of the second slide, a bifurcation, within 0.1 s. One point at the edge of the
+second slide may soften in one run only.
 """
 
 import argparse
@@ -34,7 +35,8 @@ def write_case(path, degrees, scheme):
     sides = {"bottom": [[0, 0], [w, 0]], "right": [[w, 0], [w, h]], "top": [[0, h], [w, h]], "left": [[0, 0], [0, h]]}
     mesh = ["cells = [160, 30]", "[mesh.sides]"] + [f"{name} = {turned(ends, degrees)}" for name, ends in sides.items()]
     points = tomllib.loads(text)["output"]["history"]["points"]
-    new = {"scheme": f'"{scheme}"', "box": None, "size": None, "cell": None, "gravity": turned([[0.0, -9.81]], degrees)[0]}
+    new = {"scheme": f'"{scheme}"', "box": None, "size": None, "cell": None,
+           "gravity": turned([[0.0, -9.81]], degrees)[0]}
     new |= {name: turned([place], degrees)[0] for name, place in points.items()}
     rows = []
     for row in text.splitlines():

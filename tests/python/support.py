@@ -38,7 +38,8 @@ def texts_of(figure):
     axes = [axis for panel in figure.axes for axis in (panel.xaxis, panel.yaxis)]
     unseen = {tick.label1 for axis in axes for tick in axis.get_major_ticks()
               if not min(axis.get_view_interval()) <= tick.get_loc() <= max(axis.get_view_interval())}
-    return [text for text in figure.findobj(Text) if text.get_visible() and text.get_text().strip() and text not in unseen]
+    return [text for text in figure.findobj(Text) if text.get_visible() and text.get_text().strip()
+            and text not in unseen]
 
 
 def texts_cut_off(figure):

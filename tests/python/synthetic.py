@@ -136,7 +136,8 @@ def write_results(path, start, scheme, model, times):
         root["Points"] = np.concatenate([np.column_stack([places(start, t, model), np.zeros(n)]) for t in times])
         frames = [fields_at(start, t, scheme, model) for t in times]
         for name in frames[0]:
-            root.create_dataset(f"PointData/{name}", data=np.concatenate([frame[name] for frame in frames]), compression="gzip")
+            root.create_dataset(f"PointData/{name}", data=np.concatenate([frame[name] for frame in frames]),
+                                compression="gzip")
         for name, table in root["PointData"].items():
             table.attrs["unit"] = np.bytes_(UNITS[name])
             if name in COMPONENTS:

@@ -171,7 +171,8 @@ class Geometry(unittest.TestCase):
 
     def test_a_polygon_body_is_drawn_too(self):
         corners = plot.body_outlines({"body": [{"polygon": [[0, 0], [4, 0], [2, 3]]}, {"box": [[0, 0], [2, 1]]}]})
-        self.assertEqual([polygon.tolist() for polygon in corners], [[[0, 0], [4, 0], [2, 3]], [[0, 0], [2, 0], [2, 1], [0, 1]]])
+        self.assertEqual([polygon.tolist() for polygon in corners],
+                         [[[0, 0], [4, 0], [2, 3]], [[0, 0], [2, 0], [2, 1], [0, 1]]])
 
 
 if __name__ == "__main__":

@@ -37,7 +37,8 @@ class Pictures(unittest.TestCase):
         self.assertEqual(bar.xaxis.get_major_formatter()(-4000.0, 0), "-4")
 
     def test_no_text_is_cut_off(self):
-        for panel in (plot.field(self.run_, "eps_eq_p"), plot.history(self.run_, "eps_deviatoric"), plot.ledger(self.run_, ["kinetic", "elastic"])):
+        for panel in (plot.field(self.run_, "eps_eq_p"), plot.history(self.run_, "eps_deviatoric"),
+                      plot.ledger(self.run_, ["kinetic", "elastic"])):
             self.assertEqual(support.texts_cut_off(panel.figure), [])
 
     def test_every_point_lies_inside(self):
@@ -120,7 +121,8 @@ class Sections(unittest.TestCase):
             status, said, error = support.call(sections.main, runs[0], "-o", out)
             self.assertEqual((status, error), (0, ""))
             self.assertTrue(out.with_suffix(".png").exists() and out.with_suffix(".pdf").exists())
-            status, said, _ = support.call(sections.main, *runs, "-o", out, "--field", "stress.xy", "--times", "1", "3.3")
+            status, said, _ = support.call(sections.main, *runs, "-o", out, "--field", "stress.xy", "--times",
+                                           "1", "3.3")
             self.assertEqual(status, 0)
             self.assertIn("has no frame at t = 3.3 s", said)
             status, _, error = support.call(sections.main, runs[0], "-o", out, "--field", "eps_eqp")

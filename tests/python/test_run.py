@@ -77,7 +77,8 @@ class RunFolder(unittest.TestCase):
         np.testing.assert_array_equal(frame.scalar("su"), frame["su"])
         np.testing.assert_array_equal(frame.scalar("stress.yy"), frame["stress"][:, 1])
         np.testing.assert_allclose(frame.scalar("displacement"), np.hypot(*frame["displacement"].T[:2]))
-        for name, words in (("stress", "ask for one of them: stress.xx, stress.yy"), ("stress.xz", "has no component `xz`"),
+        for name, words in (("stress", "ask for one of them: stress.xx, stress.yy"),
+                            ("stress.xz", "has no component `xz`"),
                             ("sress.xx", "Did you mean `stress`?"), ("su.xx", "has no component `xx`")):
             with self.assertRaisesRegex(terp.RunError, words):
                 frame.scalar(name)
@@ -142,7 +143,8 @@ class RunFolder(unittest.TestCase):
             frame = terp.to_pandas(self.run_.ledger)
             self.assertEqual(list(frame.columns), list(self.run_.ledger.dtype.names))
             np.testing.assert_array_equal(frame["time"].to_numpy(), self.run_.ledger["time"])
-        with unittest.mock.patch.dict("sys.modules", pandas=None), self.assertRaisesRegex(terp.RunError, "install python3-pandas"):
+        without_pandas = unittest.mock.patch.dict("sys.modules", pandas=None)
+        with without_pandas, self.assertRaisesRegex(terp.RunError, "install python3-pandas"):
             terp.to_pandas(self.run_.ledger)
 
 
@@ -181,7 +183,8 @@ class RunThatIsGoing(unittest.TestCase):
 
     def test_a_reading_into_which_a_frame_came_is_repeated(self):
         results, longer = self.folder / "results.vtkhdf", self.folder / "longer.vtkhdf"
-        for first_time in (lambda root: root["Steps"].attrs["NSteps"], lambda root: root["nothing"], lambda root: root["Points"][:].reshape(2, 2)):
+        for first_time in (lambda root: root["Steps"].attrs["NSteps"], lambda root: root["nothing"],
+                           lambda root: root["Points"][:].reshape(2, 2)):
             synthetic.write_results(results, synthetic.lattice(0.5), "mpm_gp", 2, synthetic.TIMES[:3])
             synthetic.write_results(longer, synthetic.lattice(0.5), "mpm_gp", 2, synthetic.TIMES[:4])
 
@@ -196,7 +199,8 @@ class RunThatIsGoing(unittest.TestCase):
         """The journal of a frame that is added: the first page, the last bytes of it changed."""
         page = (self.folder / "results.vtkhdf").read_bytes()[:4096]
         page = page[:len(page) - len(changed)] + changed
-        (self.folder / "results.vtkhdf.journal").write_bytes(b"terpjnl2" + bytes(8) + head_before + bytes(8) + page + bytes(8))
+        (self.folder / "results.vtkhdf.journal").write_bytes(b"terpjnl2" + bytes(8) + head_before + bytes(8) + page
+                                                             + bytes(8))
 
     def test_a_reading_waits_while_a_frame_is_added(self):
         self.write_journal(bytes(64), b"new")
@@ -206,7 +210,8 @@ class RunThatIsGoing(unittest.TestCase):
         self.assertFalse(journal.exists())
 
     def test_a_reading_waits_however_long_it_has_read_before(self):
-        results, longer, journal = (self.folder / name for name in ("results.vtkhdf", "longer.vtkhdf", "results.vtkhdf.journal"))
+        results, longer, journal = (self.folder / name
+                                    for name in ("results.vtkhdf", "longer.vtkhdf", "results.vtkhdf.journal"))
         synthetic.write_results(longer, synthetic.lattice(0.5), "mpm_gp", 2, synthetic.TIMES[:4])
         readings = []
 
@@ -227,7 +232,8 @@ class RunThatIsGoing(unittest.TestCase):
 
     def test_a_journal_that_changes_nothing_is_passed_over(self):
         head = (self.folder / "results.vtkhdf").read_bytes()[:64]
-        for write in (lambda: self.write_journal(bytes(64)), lambda: self.write_journal(head, b"new"),  # all is written, or nothing yet
+        # each: everything is written, or nothing yet
+        for write in (lambda: self.write_journal(bytes(64)), lambda: self.write_journal(head, b"new"),
                       lambda: (self.folder / "results.vtkhdf.journal").write_bytes(b"terpjnl2 and no more")):
             write()
             self.assertEqual(len(terp.open(self.folder).times), 3)
@@ -248,13 +254,15 @@ class MissingThings(unittest.TestCase):
             for name, action in (("summary.json", lambda: run.summary), ("history.csv", lambda: run.history),
                                  ("case.toml", lambda: run.case), ("mesh.vtkhdf", lambda: run.mesh),
                                  ("results.vtkhdf", lambda: run.times)):
-                self.assertEqual(self.message(action), f"{folder} has no {name}; is it the folder of a run, and has that run begun?")
+                self.assertEqual(self.message(action),
+                                 f"{folder} has no {name}; is it the folder of a run, and has that run begun?")
 
     def test_a_newer_format_is_refused_with_its_version(self):
         with tempfile.TemporaryDirectory() as folder:
             with h5py.File(pathlib.Path(folder) / "results.vtkhdf", "w") as file:
                 file.create_group("VTKHDF").attrs["Version"] = (3, 1)
-            self.assertIn("results.vtkhdf is of VTKHDF version 3.1; this terp reads version 2", self.message(lambda: terp.open(folder).times))
+            self.assertIn("results.vtkhdf is of VTKHDF version 3.1; this terp reads version 2",
+                          self.message(lambda: terp.open(folder).times))
 
     def test_damaged_files_are_named(self):
         with tempfile.TemporaryDirectory() as folder:

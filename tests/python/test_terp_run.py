@@ -66,7 +66,8 @@ class RunOfTheProgram(unittest.TestCase):
             n = root["NumberOfPoints"][0]
             for name in root["PointData"]:
                 table = root["PointData"][name]
-                np.testing.assert_array_equal(self.run_.field(name, k), table[k * n:(k + 1) * n] if len(table) > n else table[:])
+                np.testing.assert_array_equal(self.run_.field(name, k),
+                                              table[k * n:(k + 1) * n] if len(table) > n else table[:])
             np.testing.assert_array_equal(self.run_.field("x", k), root["Points"][k * n:(k + 1) * n, :2])
 
     def test_places_are_the_start_plus_the_displacement(self):
@@ -101,7 +102,8 @@ class RunOfTheProgram(unittest.TestCase):
             row = ledger[np.argmin(np.abs(ledger["time"] - time))]
             mass, velocity = mesh.field("mass", k), mesh.field("velocity", k)
             np.testing.assert_allclose(mass.sum(), row["mass"], rtol=1e-12)
-            np.testing.assert_allclose(mass @ velocity[:, :2], (row["momentum_x"], row["momentum_y"]), rtol=1e-9, atol=1e-9)
+            np.testing.assert_allclose(mass @ velocity[:, :2], (row["momentum_x"], row["momentum_y"]), rtol=1e-9,
+                                       atol=1e-9)
 
     def test_the_pressure_of_a_cell_is_that_of_its_points(self):
         frame, pressure = self.run_.frame(-1), self.run_.mesh.field("pressure", -1)

@@ -167,7 +167,10 @@ def gauss_force(case, corners, weight, sigma):
 
 
 def correct_at_boundary(case, v, m):
-    """Rollers, then bilateral contact with adhesion and friction on a horizontal base, reading R15. Changes v; returns the impulses along it left unused."""
+    """Rollers, then bilateral contact with adhesion and friction on a horizontal base, reading R15.
+
+    Changes v; returns the impulses along the base that were left unused.
+    """
     v[case["mesh"]["fixed"]] = 0
     contact, unused = case["mesh"]["contact"], np.zeros(len(m))
     for i, a, mu, length in zip(contact["nodes"], contact["adhesion"], contact["friction"], contact["length"]):
@@ -204,7 +207,8 @@ def accelerate_nodes(case, m, momentum, f_int, moving):
     r = m[:, None] * o["gravity"] - f_int
     free_r, free_v = free_force(case, r), clamped(case, v.copy())
     down = o["gravity"] / np.linalg.norm(o["gravity"])
-    for e in (down, np.array([-down[1], down[0]])):  # per component along and across gravity, of what the sides do not carry
+    # per component along and across gravity, of what the sides do not carry
+    for e in (down, np.array([-down[1], down[0]])):
         r -= np.outer(o["local_damping"] * np.abs(free_r @ e) * np.sign(free_v @ e), e)
     a[moving] = r[moving] / m[moving, None]
     v_1 = v + a * case["dt"]
@@ -213,7 +217,10 @@ def accelerate_nodes(case, m, momentum, f_int, moving):
 
 
 def nodal_velocity(case, m, momentum, unused):
-    """Velocity after the second map, however light the node; fixed components and the contact's normal one are clamped, along it acts what is unused."""
+    """Velocity after the second map, however light the node.
+
+    Fixed components and the normal one of a contact are set to zero; along it acts the strength that was left unused.
+    """
     v = np.zeros_like(momentum)
     v[m > 0] = momentum[m > 0] / m[m > 0, None]
     for i in case["mesh"]["contact"]["nodes"]:

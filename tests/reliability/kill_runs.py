@@ -1,10 +1,11 @@
-"""Kills `terp run` and `terp resume` with SIGKILL again and again, and compares what comes out with a run that was left alone.
+"""Kills `terp run` and `terp resume` with SIGKILL again and again, and compares the files with an undisturbed run.
 
-A kill comes after a random time, or, with --library, at a random one of the calls that write, cut, rename or remove a file of the
-run (a write is then done by half). After each kill results.vtkhdf is opened as ParaView would and must hold whole frames, equal to
-those of the reference. Then the run is resumed, and killed again in one of three cases, until it ends; the last time on another number
-of threads. At the end every file must be that of the reference: tables and case bit by bit, results.vtkhdf and checkpoints
-array by array and bit by bit, summary.json but for the clock; and there must be no other file.
+A kill comes after a random time, or, with --library, at a random one of the calls that write, cut, rename or remove a
+file of the run (a write is then half done). After each kill results.vtkhdf is opened as ParaView would, and must
+contain whole frames, equal to those of the reference. Then the run is resumed, and killed again in one of three cases,
+until it ends; the last time on another number of threads. At the end every file must be that of the reference: tables
+and case to the bit, results.vtkhdf and checkpoints array by array to the bit, summary.json but for the clock; and there
+must be no other file.
 
 usage: kill_runs.py TERP [--kills N] [--seed S] [--library kill_at_call.so] [--keep]
 """
@@ -80,7 +81,8 @@ class Fault(Exception):
 
 class Harness:
     def __init__(self, options, scratch):
-        self.terp, self.library, self.random, self.scratch = options.terp, options.library, random.Random(options.seed), scratch
+        self.terp, self.library, self.scratch = options.terp, options.library, scratch
+        self.random = random.Random(options.seed)
         self.kills = self.runs = self.commits = self.missed = self.anew = 0
         self.killed_in = {}
 
@@ -95,7 +97,8 @@ class Harness:
         folder = self.scratch / "reference"
         count = self.scratch / "count"
         begin = time.monotonic()
-        process = self.start(self.run_words(folder, 1), folder, self.preload({"KILL_COUNT": str(count), "KILL_IN": str(folder)}))
+        process = self.start(self.run_words(folder, 1), folder,
+                             self.preload({"KILL_COUNT": str(count), "KILL_IN": str(folder)}))
         if process.wait() != 0:
             raise Fault("the reference run fails: " + Path(f"{folder}.err").read_text())
         self.duration = time.monotonic() - begin
@@ -193,11 +196,11 @@ def main():
     except Fault as fault:
         print(f"fault after {harness.kills} kills, seed {options.seed}: {fault}\n  kept: {scratch}", file=sys.stderr)
         return 1
-    print(f"{harness.kills} kills ({', '.join(f'{n} {kind}' for kind, n in sorted(harness.killed_in.items()))}) of {harness.runs} runs; "
-          f"{harness.missed} ended before their kill, {harness.anew} began anew (no checkpoint yet), {harness.commits} were killed while "
-          f"results.vtkhdf changed.\n"
-          f"All ended in the files of the run that was left alone: {len(harness.reference)} files, {len(harness.frames)} frames, "
-          f"{harness.duration:.2f} s, {harness.n_calls} calls that change files.")
+    print(f"{harness.kills} kills ({', '.join(f'{n} {kind}' for kind, n in sorted(harness.killed_in.items()))}) of "
+          f"{harness.runs} runs; {harness.missed} ended before their kill, {harness.anew} began anew "
+          f"(no checkpoint yet), {harness.commits} were killed while results.vtkhdf changed.\n"
+          f"All ended in the files of the undisturbed run: {len(harness.reference)} files, "
+          f"{len(harness.frames)} frames, {harness.duration:.2f} s, {harness.n_calls} calls that change files.")
     if not options.keep:
         shutil.rmtree(scratch)
     return 0

@@ -1,4 +1,4 @@
-"""tools/new_material in a copy of the files that it touches: what it writes compiles, and what it refuses stays as it was.
+"""tools/new_material in a copy of the files that it touches: its files compile, and what it refuses stays as it was.
 
 usage: new_material.py REPOSITORY COMPILER
 """
@@ -27,7 +27,8 @@ with tempfile.TemporaryDirectory() as folder:
     assert (root / "src/materials/materials.def").read_text().endswith("TERP_MATERIAL(soft_clay)\n")
     assert "### soft_clay\n" in (root / "docs/methods.md").read_text().split("## 5. Energy ledger")[0]
     for file in ("src/materials/soft_clay.cpp", "tests/materials/soft_clay_test.cpp"):
-        subprocess.run([compiler, "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", f"-I{repository}/src", f"-I{repository}/tests",
+        subprocess.run([compiler, "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", f"-I{repository}/src",
+                        f"-I{repository}/tests",
                         root / file], check=True)
 
     before = (root / "src/materials/materials.def").read_text()

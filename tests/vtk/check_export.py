@@ -1,4 +1,4 @@
-"""What `terp export` writes, read by VTK, numpy and csv, against the values that h5py finds in results.vtkhdf, to the bit.
+"""What `terp export` writes, read by VTK, numpy and csv, compared to the bit with what h5py reads in results.vtkhdf.
 
     check_export.py TERP
 
@@ -38,7 +38,8 @@ def read_vtu(path):
     data = grid.GetPointData()
     fields = {data.GetArrayName(k): vtk_to_numpy(data.GetArray(k)) for k in range(data.GetNumberOfArrays())}
     assert data.GetArray("stress").GetComponentName(3) == "xy"
-    return vtk_to_numpy(grid.GetPoints().GetData())[:, :2], fields, grid.GetFieldData().GetArray("TimeValue").GetValue(0)
+    time = grid.GetFieldData().GetArray("TimeValue").GetValue(0)
+    return vtk_to_numpy(grid.GetPoints().GetData())[:, :2], fields, time
 
 
 def check_frame(folder, k, time, x, fields):
@@ -57,7 +58,8 @@ def check_frame(folder, k, time, x, fields):
 def main(terp):
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch) / "run"
-        call(terp, "run", CASE, "-q", "-j", 1, "-o", folder, *(word for setting in SETTINGS for word in ("--set", setting)))
+        call(terp, "run", CASE, "-q", "-j", 1, "-o", folder,
+             *(word for setting in SETTINGS for word in ("--set", setting)))
         for form in ("vtu", "csv", "npz"):
             call(terp, "export", folder, "--format", form)
         with h5py.File(folder / "results.vtkhdf") as file:

@@ -1,8 +1,9 @@
-"""results.vtkhdf and mesh.vtkhdf read by VTK itself, step by step, against the values that h5py finds in the file, to the bit.
+"""results.vtkhdf and mesh.vtkhdf read by VTK itself, step by step, compared to the bit with what h5py reads.
 
     check_vtkhdf.py TERP --vtk system|FOLDER     FOLDER: made by fetch_vtk
 
-VTK 9.3 was the first to read steps; an older one reads the first. Exit status: 0 all equal, 1 a difference, 77 this VTK is not there.
+VTK 9.3 was the first to read steps; an older one reads the first.
+Exit status: 0 all equal, 1 a difference, 77 this VTK is missing.
 """
 
 import argparse
@@ -33,7 +34,8 @@ def command_of(vtk):
     environment = {key: value for key, value in os.environ.items() if not key.startswith("PYTHON")}
     if vtk == "system":
         command = ["/usr/bin/python3"]
-        found = subprocess.run([*command, "-c", "import vtkmodules.vtkIOHDF"], capture_output=True, env=environment).returncode == 0
+        test = [*command, "-c", "import vtkmodules.vtkIOHDF"]
+        found = subprocess.run(test, capture_output=True, env=environment).returncode == 0
         return (command, environment) if found else None
     root = Path(vtk).resolve() / "root" / "usr"
     libraries = root / "lib" / "x86_64-linux-gnu"
@@ -49,7 +51,8 @@ def read_with_vtk(vtk, path, folder):
     """index.json of read_with_vtk.py, with the arrays' values in place of their files' names."""
     command, environment = vtk
     folder.mkdir()
-    said = subprocess.run([*command, HERE / "read_with_vtk.py", path, folder], stderr=subprocess.PIPE, text=True, env=environment)
+    said = subprocess.run([*command, HERE / "read_with_vtk.py", path, folder], stderr=subprocess.PIPE, text=True,
+                          env=environment)
     if said.returncode != 0:
         raise CannotRead(said.stderr)
     index = json.loads((folder / "index.json").read_text())
@@ -80,19 +83,20 @@ class Checker:
 
     def equal(self, what, got, wanted):
         self.n += 1
-        same = np.array_equal(got, wanted, equal_nan=True) if isinstance(wanted, np.ndarray) and wanted.dtype.kind == "f" else np.array_equal(got, wanted)
+        floating = isinstance(wanted, np.ndarray) and wanted.dtype.kind == "f"
+        same = np.array_equal(got, wanted, equal_nan=floating)
         if not same:
             self.faults.append(f"{what}: VTK has {np.asarray(got)!s:.80}, the file {np.asarray(wanted)!s:.80}")
 
 
 def rows(values, k, size):
-    """Step k of a table that holds step after step, or one for all; not by the file's own offsets, which may be wrong."""
+    """Step k of a table of all steps, or one for all; not by the file's own offsets, which may be wrong."""
     first = k * size if len(values) > size else 0
     return values[first:first + size]
 
 
 def compare(index, path, n_steps, cell):
-    """Every array of every step that this VTK knows of; n_steps: 0 for a file without time; cell: class of all cells."""
+    """Every array of every step that this VTK knows; n_steps: 0 for a file without time; cell: class of all cells."""
     check = Checker()
     with h5py.File(path) as file:
         root = file["VTKHDF"]
@@ -129,7 +133,8 @@ def main():
     options = parser.parse_args()
     vtk = command_of(options.vtk)
     if vtk is None:
-        print(f"not checked: no VTK in {options.vtk}; `make vtk` brings some (Debian 12's own: apt-get install python3-vtk9)")
+        print(f"not checked: no VTK in {options.vtk}; `make vtk` brings some "
+              "(Debian 12's own: apt-get install python3-vtk9)")
         return NOT_THERE
     with tempfile.TemporaryDirectory() as scratch:
         run = Path(scratch) / "run"
@@ -146,7 +151,8 @@ def check_file(vtk, path, scratch, n_steps, cell):
         print(f"VTK cannot read {path.name}: {error}")
         return 1
     check = compare(index, path, n_steps, cell)
-    print(f"VTK {index['version']}, {path.name}: {len(index['steps'])} steps, {check.n} comparisons, {len(check.faults)} differ")
+    print(f"VTK {index['version']}, {path.name}: {len(index['steps'])} steps, {check.n} comparisons, "
+          f"{len(check.faults)} differ")
     for fault in check.faults:
         print("  " + fault)
     return 1 if check.faults else 0

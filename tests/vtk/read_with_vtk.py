@@ -1,9 +1,9 @@
-"""What VTK's own reader makes of a file, for check_vtkhdf.py. Runs in the Python of any VTK from 9.1 on, which need not have numpy.
+"""What VTK's own reader makes of a file, for check_vtkhdf.py. Runs in the Python of any VTK from 9.1 on, without numpy.
 
     python3 read_with_vtk.py FILE.vtkhdf FOLDER
 
-Writes FOLDER/index.json: version of VTK, times, and for each step its sizes and arrays; the values of array number k lie in
-FOLDER/k.bin in the byte order of the machine. What VTK complains about goes to the standard error stream.
+Writes FOLDER/index.json: version of VTK, times, and for each step its sizes and arrays. The values of array number k
+are in FOLDER/k.bin in the byte order of the machine. Complaints of VTK go to the standard error stream.
 """
 
 import json
@@ -49,7 +49,8 @@ class Writer:
         self.n += 1
         (self.folder / name).write_bytes(bytes(memoryview(values)))
         kind = values.GetDataTypeAsString()
-        return {"file": name, "type": "int64" if kind in INTEGERS else {"double": "float64", "unsigned char": "uint8"}[kind],
+        return {"file": name, "type": "int64" if kind in INTEGERS
+                else {"double": "float64", "unsigned char": "uint8"}[kind],
                 "components": values.GetNumberOfComponents()}
 
     def step(self, grid):
@@ -57,8 +58,10 @@ class Writer:
             return {data.GetArrayName(k): self.array(data.GetArray(k)) for k in range(data.GetNumberOfArrays())}
         cells = grid.GetCells()
         types = {grid.GetCell(k).GetClassName() for k in range(grid.GetNumberOfCells())}
-        return {"class": grid.GetClassName(), "points": grid.GetNumberOfPoints(), "cells": grid.GetNumberOfCells(), "types": sorted(types),
-                "Points": self.array(grid.GetPoints().GetData()), "Connectivity": self.array(cells.GetConnectivityArray()),
+        return {"class": grid.GetClassName(), "points": grid.GetNumberOfPoints(), "cells": grid.GetNumberOfCells(),
+                "types": sorted(types),
+                "Points": self.array(grid.GetPoints().GetData()),
+                "Connectivity": self.array(cells.GetConnectivityArray()),
                 "Offsets": self.array(cells.GetOffsetsArray()), "PointData": fields(grid.GetPointData()),
                 "CellData": fields(grid.GetCellData())}
 

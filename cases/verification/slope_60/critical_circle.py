@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Stability number S_u / (F gamma H) of a slope in soil with phi_u = 0 by the worst slip circle: an independent check of Taylor (1937).
+"""Stability number S_u / (F gamma H) of a slope with phi_u = 0 by the worst slip circle: checks Taylor (1937).
 
-usage: critical_circle.py [BETA DEPTH]...     slope angle [degrees] and depth factor (firm base at DEPTH H below the crest)
+usage: critical_circle.py [BETA DEPTH]...   slope angle [degrees], depth factor (firm base at DEPTH H below the crest)
 """
 import sys
 
@@ -11,7 +11,7 @@ N_SLICES = 1000
 
 
 def stability_number(circle, beta, depth):
-    """Driving moment over R^2 times the angle of the arc, for gamma = H = S_u = 1. The toe is the origin, the soil to the right."""
+    """Driving moment over R^2 times the arc's angle, for gamma = H = S_u = 1. Origin at the toe, soil to the right."""
     xc, yc, radius = circle
     if yc - radius < 1.0 - depth or radius <= 0.0:
         return 0.0
@@ -55,8 +55,10 @@ def worst_circle(beta, depth, seed=1):
 def main(arguments):
     values = [float(a) for a in arguments] or [60.0, 1.0, 26.565, 2.0]
     for beta, depth in zip(values[::2], values[1::2]):
-        number, (xc, yc, radius) = max((worst_circle(np.radians(beta), depth, seed) for seed in range(4)), key=lambda found: found[0])
-        print(f"{beta:7.3f} degrees, D = {depth:g}: N = {number:.4f}, centre ({xc:.2f}, {yc:.2f}) H from the toe, radius {radius:.2f} H")
+        number, (xc, yc, radius) = max((worst_circle(np.radians(beta), depth, seed) for seed in range(4)),
+                                       key=lambda found: found[0])
+        print(f"{beta:7.3f} degrees, D = {depth:g}: N = {number:.4f}, centre ({xc:.2f}, {yc:.2f}) H from the toe, "
+              f"radius {radius:.2f} H")
 
 
 if __name__ == "__main__":
