@@ -11,8 +11,11 @@ async function start(): Promise<void> {
   const page = document.getElementById("page")!;
   try {
     const data = document.getElementById("terp-report")?.textContent;
-    if (!data) throw new Error("This is the empty template of the report page. `terp report RUN` writes one with data.");
-    if (typeof DecompressionStream === "undefined") throw new Error("This browser is too old to unpack the data: Chrome and Edge from 80, Firefox from 113, Safari from 16.4 can.");
+    if (!data)
+      throw new Error("This is the empty template of the report page. `terp report RUN` writes one with data.");
+    if (typeof DecompressionStream === "undefined")
+      throw new Error("This browser is too old to unpack the data: " +
+        "Chrome and Edge from 80, Firefox from 113, Safari from 16.4 can.");
     const report = new Report(JSON.parse(data) as ReportMeta, textInPage);
     if (report.runs.length === 0) throw new Error("The report holds no run.");
     await report.open();

@@ -29,7 +29,8 @@ function startState(report: Report): ViewState {
   const times = report.runs.flatMap((run) => [run.meta.times[0]!, run.meta.times[run.meta.times.length - 1]!]);
   const field = first!.meta.fields[0];
   return {
-    time: Math.max(...times), playing: false, again: false, speed: speeds(Math.max(...times) - Math.min(...times)).start,
+    time: Math.max(...times), playing: false, again: false,
+      speed: speeds(Math.max(...times) - Math.min(...times)).start,
     field: field?.name ?? "", map: "viridis", rangeMode: "run", fixed: field?.range ?? [0, 1], log: field?.log ?? false,
     mesh: false, outline: true, slip: true, surfaces: report.runs.length > 1, names: false, pointScale: 1,
     camera: null, layout: "auto", hover: null, pin: null, shown: report.runs.map(() => true), dark: startDark(),
@@ -68,18 +69,22 @@ export function buildPage(report: Report, page: HTMLElement): void {
     viewer.trouble ? element("p", { class: "notice" }, viewer.trouble) : "",
     element("div", { class: "stage" }, viewer.root, zoomButtons(current, viewer)),
     colourBar(current), player.root,
-    element("div", { class: "control-rows no-print" }, fieldControls(current), exportButtons(actions), layerControls(current, viewer)),
+    element("div", { class: "control-rows no-print" }, fieldControls(current), exportButtons(actions),
+      layerControls(current, viewer)),
     sampling(report));
   page.replaceChildren(
     header(report, title, actions, keys),
     element("main", {},
-      element("div", { class: isWide(viewer) ? "first wide" : "first" }, see, element("div", { class: "beside" }, pinned.root, summarySection(report, store))),
+      element("div", { class: isWide(viewer) ? "first wide" : "first" }, see,
+        element("div", { class: "beside" }, pinned.root, summarySection(report, store))),
       storiesSection(report, store) ?? "",
       momentsSection(current, viewer) ?? "",
       comparisonSection(report, store) ?? "",
       chartsSection(current),
       aboutSection(report, store)),
-    element("footer", {}, `Written by Terp ${report.meta.terp}, ${report.meta.written.replace("T", " ").replace("Z", " UTC")}. This file holds all data that it shows.`),
+    element("footer", {},
+      `Written by Terp ${report.meta.terp}, ${report.meta.written.replace("T", " ").replace("Z", " UTC")}. ` +
+        "This file holds all data that it shows."),
     notice.root, keys.help);
   keepInAddress(store, report.fieldNames(), player.span);
   printLight(store, viewer);
@@ -129,7 +134,9 @@ function header(report: Report, title: string, actions: Actions, keys: Keys): HT
     element("span", { class: "mark-name" }, "Terp"),
     element("div", { class: "titles" }, element("h1", {}, title), element("p", { class: "muted" }, names)),
     element("nav", { class: "no-print", "aria-label": "Page" },
-      iconButton("print", "Print, or save as PDF", "P", actions.print), iconButton("theme", "Light, dark", "T", actions.theme), iconButton("help", "Keys", "?", () => keys.toggleHelp())));
+      iconButton("print", "Print, or save as PDF", "P", actions.print),
+        iconButton("theme", "Light, dark", "T", actions.theme),
+        iconButton("help", "Keys", "?", () => keys.toggleHelp())));
 }
 
 /** The chosen field of the shown runs first; the others when they are asked for. */
@@ -150,7 +157,8 @@ const MARKS = "Below: 1, 2 slide begins · ~ shears fastest · ■ stops";
 function colourBar(current: Current): HTMLElement {
   const canvas = element("canvas", { role: "img", "aria-label": "Colour bar" });
   const help = element("span");
-  const marks = current.report.runs.some((run) => marksOf(run).length > 0) ? element("span", { class: "no-print" }, MARKS) : null;
+  const marks = current.report.runs.some((run) => marksOf(run).length > 0)
+    ? element("span", { class: "no-print" }, MARKS) : null;
   const root = element("div", { class: "colour-bar" }, canvas, element("p", { class: "muted small" }, help, marks));
   const draw = () => {
     const ratio = window.devicePixelRatio || 1;
@@ -162,7 +170,8 @@ function colourBar(current: Current): HTMLElement {
     drawColourBar(context, current, width);
     const { lo, hi } = current.range();
     const meta = current.fieldMeta();
-    canvas.setAttribute("aria-label", `Colours: ${meta?.label} from ${numberText(lo, 3)} to ${withUnit(hi, meta?.unit ?? "", 3)}`);
+    canvas.setAttribute("aria-label",
+      `Colours: ${meta?.label} from ${numberText(lo, 3)} to ${withUnit(hi, meta?.unit ?? "", 3)}`);
   };
   const { store, report } = current;
   store.watch(["field"], ({ field }) => (help.textContent = fieldHelp(field)));
@@ -176,7 +185,9 @@ function colourBar(current: Current): HTMLElement {
 }
 
 function exportButtons(actions: Actions): HTMLElement {
-  const button = (name: string, text: string, title: string, act: () => void) => element("button", { type: "button", class: "text-button", title, "aria-label": title, onclick: act }, icon(name), element("span", {}, text));
+  const button = (name: string, text: string, title: string, act: () => void) =>
+    element("button", { type: "button", class: "text-button", title, "aria-label": title, onclick: act }, icon(name),
+    element("span", {}, text));
   return element("div", { class: "controls exports" },
     button("image", "Image", "Save the views as a PNG (E)", actions.image),
     button("film", "Video", "Save the animation (V)", actions.video),
@@ -188,26 +199,34 @@ function sampling(report: Report): HTMLElement | string {
   if (sampled.length === 0) return "";
   const [run] = sampled;
   const every = Math.round(run!.meta.n_points / run!.meta.n_shown);
-  return element("p", { class: "muted small" }, `One material point in ${every} is shown: ${numberText(run!.meta.n_shown, 9)} of ${numberText(run!.meta.n_points, 9)}. All are in the run's results.vtkhdf.`);
+  return element("p", { class: "muted small" },
+    `One material point in ${every} is shown: ${numberText(run!.meta.n_shown, 9)} of ` +
+      `${numberText(run!.meta.n_points, 9)}. ` +
+      "All are in the run's results.vtkhdf.");
 }
 
-function makeActions(current: Current, viewer: Viewer, player: Player, notice: Notice, title: string, see: HTMLElement): Actions {
+function makeActions(current: Current, viewer: Viewer, player: Player, notice: Notice, title: string,
+  see: HTMLElement): Actions {
   const { store } = current;
   const figure = new Figure(current, viewer, title);
   const name = current.report.runs.map((run) => run.meta.name).join("_");
   return {
-    image: () => void pngOf(figure, store.state.time).then((blob) => save(blob, `${name}_${store.state.time.toFixed(2)}s.png`), (error: Error) => notice.say(error.message)),
+    image: () => void pngOf(figure,
+      store.state.time).then((blob) => save(blob, `${name}_${store.state.time.toFixed(2)}s.png`),
+      (error: Error) => notice.say(error.message)),
     video: () => {
       const type = videoType();
       if (!type) return notice.say("This browser cannot record a video. Chrome, Edge and Firefox can.");
       store.set({ playing: false });
-      const recording = record(figure, type, player.span, store.state.speed, (part) => notice.progress("Recording the video", part, () => recording.cancel()));
+      const recording = record(figure, type, player.span, store.state.speed,
+        (part) => notice.progress("Recording the video", part, () => recording.cancel()));
       recording.done.then((blob) => {
         notice.hide();
         if (blob) save(blob, `${name}.${videoEnding(type)}`);
       }, (error: Error) => notice.say(error.message));
     },
-    fullScreen: () => void (document.fullscreenElement ? document.exitFullscreen() : see.requestFullscreen?.())?.catch?.(() => notice.say("This browser does not allow the full screen here.")),
+    fullScreen: () => void (document.fullscreenElement ? document.exitFullscreen()
+      : see.requestFullscreen?.())?.catch?.(() => notice.say("This browser does not allow the full screen here.")),
     theme: () => store.set({ dark: !store.state.dark }),
     print: () => window.print(),
   };

@@ -64,14 +64,17 @@ export class Chart {
 
   private scaled(): { factor: number; unit: string } {
     let size = 0;
-    for (const { y } of this.lines) for (let k = 0; k < y.length; k++) if (Math.abs(y[k] ?? 0) > size) size = Math.abs(y[k]!);
+    for (const { y } of this.lines) for (let k = 0; k < y.length; k++) if (Math.abs(y[k] ?? 0) > size)
+      size = Math.abs(y[k]!);
     return readableUnit(this.options.unit, Number.isFinite(size) ? size : 0);
   }
 
   private data(): uPlot.AlignedData {
     const { factor } = this.scaled();
-    const tables = this.lines.map(({ x, y }) => [Array.from(x), Array.from(y, (v) => (v === null || !Number.isFinite(v) ? null : v * factor))] as uPlot.AlignedData);
-    return tables.length > 0 ? uPlot.join(tables, tables.map((table) => table.map(() => 0 as uPlot.JoinNullMode))) : [[], []];
+    const scaled = (v: number | null) => (v === null || !Number.isFinite(v) ? null : v * factor);
+    const tables = this.lines.map(({ x, y }) => [Array.from(x), Array.from(y, scaled)] as uPlot.AlignedData);
+    return tables.length > 0 ? uPlot.join(tables, tables.map((table) => table.map(() => 0 as uPlot.JoinNullMode)))
+      : [[], []];
   }
 
   private build(): void {
@@ -83,7 +86,8 @@ export class Chart {
     this.placeNow();
     this.plot.over.setAttribute("aria-hidden", "true");
     this.holder.setAttribute("role", "img");
-    this.holder.setAttribute("aria-label", `${this.options.title}: ${this.lines.map((line) => line.label).join(", ")} against ${this.options.xLabel}`);
+    this.holder.setAttribute("aria-label",
+      `${this.options.title}: ${this.lines.map((line) => line.label).join(", ")} against ${this.options.xLabel}`);
   }
 
   private settings(): uPlot.Options {
@@ -102,18 +106,23 @@ export class Chart {
       scales: { x: { time: false }, y: { range: this.options.yRange ? () => this.options.yRange! : this.rangeY() } },
       axes: [
         { ...axis, label: this.options.xLabel, size: 26, values: (_, ticks) => ticks.map((t) => numberText(t)) },
-        { ...axis, label: unitSuffix(unit).trim(), size: (_, values) => 14 + 6.4 * Math.max(2, ...(values ?? []).map((v) => v.length)), values: (_, ticks) => ticks.map((t) => numberText(t)) },
+        { ...axis, label: unitSuffix(unit).trim(),
+          size: (_, values) => 14 + 6.4 * Math.max(2, ...(values ?? []).map((v) => v.length)),
+          values: (_, ticks) => ticks.map((t) => numberText(t)) },
       ],
       series: [
         { label: this.options.xLabel.replace(/ \[.*/, ""), value: text },
         ...this.lines.map((line) => ({
-          label: line.label, stroke: line.colour(dark), width: line.width ?? 1.6, dash: line.dash, spanGaps: true, points: { show: false }, value: text,
+          label: line.label, stroke: line.colour(dark), width: line.width ?? 1.6, dash: line.dash, spanGaps: true,
+            points: { show: false }, value: text,
         })),
       ],
-      cursor: { sync: this.options.overTime ? { key: SYNC.key, setSeries: false, scales: ["x", null] } : undefined, drag: { x: true, y: false }, focus: { prox: 16 }, points: { size: 6 } },
+      cursor: { sync: this.options.overTime ? { key: SYNC.key, setSeries: false, scales: ["x", null] } : undefined,
+        drag: { x: true, y: false }, focus: { prox: 16 }, points: { size: 6 } },
       focus: { alpha: 0.35 },
       legend: { live: true, markers: { width: 2, dash: (_, k) => (this.lines[k - 1]?.dash ? "dashed" : "solid") } },
-      hooks: { draw: [(plot) => this.drawNames(plot), () => this.placeNow()], ready: [(plot) => this.listen(plot)], setScale: [(plot, key) => key === "x" && this.noteZoom(plot)] },
+      hooks: { draw: [(plot) => this.drawNames(plot), () => this.placeNow()], ready: [(plot) => this.listen(plot)],
+        setScale: [(plot, key) => key === "x" && this.noteZoom(plot)] },
     };
   }
 
@@ -147,13 +156,15 @@ export class Chart {
     const names = this.lines.map((line, k) => {
       const y = plot.data[k + 1]!;
       let last = y.length - 1;
-      while (last > 0 && (y[last] === null || y[last] === undefined || plot.data[0][last]! > plot.scales.x!.max!)) last--;
+      while (last > 0 && (y[last] === null || y[last] === undefined
+        || plot.data[0][last]! > plot.scales.x!.max!)) last--;
       return { line, y: plot.valToPos(y[last] ?? 0, "y", true) };
     });
     names.sort((a, b) => a.y - b.y);
     const step = 11 * ratio;
     names.forEach((name, k) => (name.y = Math.max(name.y, k === 0 ? top : names[k - 1]!.y + step)));
-    for (let k = names.length - 1, below = top + height + step / 2; k >= 0; k--) below = names[k]!.y = Math.min(names[k]!.y, below - (k === names.length - 1 ? 0 : step));
+    for (let k = names.length - 1, below = top + height + step / 2; k >= 0; k--) 
+      below = names[k]!.y = Math.min(names[k]!.y, below - (k === names.length - 1 ? 0 : step));
     const context = plot.ctx;
     context.save();
     context.font = `600 ${11 * ratio}px ${FONT}`;

@@ -21,7 +21,8 @@ export class Chunks {
 
   async bytes(chunk: number): Promise<Uint8Array<ArrayBuffer>> {
     const text = this.text(chunk);
-    if (text === null) throw new Error(`Part ${chunk} of the data is missing: the file was cut short. Write the report anew.`);
+    if (text === null)
+      throw new Error(`Part ${chunk} of the data is missing: the file was cut short. Write the report anew.`);
     return gunzip(bytesOfBase64(text));
   }
 
@@ -34,7 +35,7 @@ export class Chunks {
   }
 }
 
-/** Reads the chunks of this page; the element goes when its text was taken, so that the text does not stay in memory. */
+/** Reads the chunks of this page. An element is removed once its text was taken, to free the memory. */
 export function textInPage(chunk: number): string | null {
   const element = document.querySelector(`script[data-chunk="${chunk}"]`);
   const text = element?.textContent ?? null;

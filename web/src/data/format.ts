@@ -1,4 +1,4 @@
-// The JSON of a report, format 1, as src/report of the C++ program writes it. Units: SI, unless a `unit` says otherwise.
+// The JSON of a report, format 1, as src/report of the C++ program writes it. SI units, unless a `unit` says otherwise.
 
 /** A quantity per frame and point, 16 bits each; see data/quantised.ts. */
 export interface QuantisedMeta {
@@ -74,7 +74,8 @@ export interface Events {
   moved_fraction?: number | null;
   intact_fraction?: number | null; // of the volume that moved
   facing?: "right" | "left" | null; // of the slope that front, crest and run-out are of
-  free_toe?: boolean; // false: the soil fills the mesh to its side; the front is of what moved, the run-out beyond the toe of the slope
+  // false: the soil fills the mesh to its side; the front is of what moved, the run-out beyond the toe of the slope
+  free_toe?: boolean;
   run_out?: number | null;
   front_x?: number | null;
   remaining_crest?: Place | null;

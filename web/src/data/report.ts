@@ -7,7 +7,8 @@ import { Run } from "./run";
 export const FORMAT = 1;
 
 /** What a run may leave out. */
-const ABSENT = { mesh: null, outline: null, surfaces: null, histories: [], series: null, passes: [], events: null, story: [], audit: null, warnings: [], checks: [], summary: {} };
+const ABSENT = { mesh: null, outline: null, surfaces: null, histories: [], series: null, passes: [], events: null,
+  story: [], audit: null, warnings: [], checks: [], summary: {} };
 
 export class Report {
   readonly runs: Run[];
@@ -18,7 +19,8 @@ export class Report {
     text: ChunkText,
   ) {
     if (meta.format !== FORMAT) {
-      throw new Error(`This page reads reports of format ${FORMAT}, but the data in it has format ${meta.format}. Write the report anew with one version of Terp.`);
+      throw new Error(`This page reads reports of format ${FORMAT}, but the data in it has format ${meta.format}. ` +
+        "Write the report anew with one version of Terp.");
     }
     const chunks = new Chunks(text);
     this.runs = meta.runs.map((run, index) => new Run({ ...ABSENT, ...run }, index, chunks));

@@ -75,7 +75,8 @@ export class Run {
   private async quantity(meta: QuantisedMeta): Promise<Quantised> {
     let q = this.decoded.get(meta.chunk);
     if (!q) {
-      q = this.chunks.bytes(meta.chunk).then((bytes) => decodeFrames(bytes, meta.static ? 1 : meta.frames, meta.points));
+      q = this.chunks.bytes(meta.chunk).then((bytes) =>
+        decodeFrames(bytes, meta.static ? 1 : meta.frames, meta.points));
       this.decoded.set(meta.chunk, q);
     }
     return new Quantised(meta, await q);
@@ -122,11 +123,13 @@ export class Run {
       if (qy < y0) y0 = qy;
       if (qy > y1) y1 = qy;
     }
-    const box: [number, number, number, number] = [valueOf(x.meta, x0), valueOf(y.meta, y0), valueOf(x.meta, x1), valueOf(y.meta, y1)];
+    const box: [number, number, number, number] =
+      [valueOf(x.meta, x0), valueOf(y.meta, y0), valueOf(x.meta, x1), valueOf(y.meta, y1)];
     for (let k = 0; k + 1 < this.outline.length; k += 2) {
       const [px, py] = [this.outline[k]!, this.outline[k + 1]!];
       if (!Number.isFinite(px)) continue;
-      [box[0], box[1], box[2], box[3]] = [Math.min(box[0], px), Math.min(box[1], py), Math.max(box[2], px), Math.max(box[3], py)];
+      [box[0], box[1], box[2], box[3]] =
+        [Math.min(box[0], px), Math.min(box[1], py), Math.max(box[2], px), Math.max(box[3], py)];
     }
     return box;
   }

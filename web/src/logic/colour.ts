@@ -1,6 +1,7 @@
 // From a value to a colour. Maps are safe for the colour-blind; the tables come from d3-scale-chromatic.
 
-import { interpolateBrBG, interpolateCividis, interpolateMagma, interpolatePuOr, interpolateRdBu, interpolateViridis } from "d3-scale-chromatic";
+import { interpolateBrBG, interpolateCividis, interpolateMagma, interpolatePuOr, interpolateRdBu,
+  interpolateViridis } from "d3-scale-chromatic";
 import type { FieldKind } from "../data/format";
 import { numberText } from "./numbers";
 
@@ -15,7 +16,8 @@ export const MAPS: ColourMap[] = [
   { name: "viridis", label: "viridis", kind: "sequential", at: interpolateViridis },
   { name: "cividis", label: "cividis", kind: "sequential", at: interpolateCividis },
   { name: "magma", label: "magma", kind: "sequential", at: interpolateMagma },
-  { name: "grey", label: "grey", kind: "sequential", at: (t) => `rgb(${[0, 1, 2].map(() => Math.round(40 + 200 * t)).join(",")})` },
+  { name: "grey", label: "grey", kind: "sequential",
+    at: (t) => `rgb(${[0, 1, 2].map(() => Math.round(40 + 200 * t)).join(",")})` },
   { name: "RdBu", label: "blue to red", kind: "diverging", at: (t) => interpolateRdBu(1 - t) },
   { name: "PuOr", label: "purple to orange", kind: "diverging", at: (t) => interpolatePuOr(1 - t) },
   { name: "BrBG", label: "brown to green", kind: "diverging", at: interpolateBrBG },
@@ -67,7 +69,8 @@ export function symmetric(range: Range): Range {
 
 /** Place of a value on the colour bar, 0...1. The vertex shader of view/points.ts computes the same. */
 export function placeOnBar(value: number, range: Range): number {
-  const t = range.log ? Math.log(Math.max(value, 1e-30) / range.lo) / Math.log(range.hi / range.lo) : (value - range.lo) / (range.hi - range.lo);
+  const t = range.log ? Math.log(Math.max(value, 1e-30) / range.lo) / Math.log(range.hi / range.lo)
+    : (value - range.lo) / (range.hi - range.lo);
   return Math.min(1, Math.max(0, t));
 }
 
@@ -109,6 +112,7 @@ export function categoryTable(size = 256): Uint8Array {
 
 /** "#rrggbb" or "rgb(r, g, b)" -> three bytes. */
 export function rgb(colour: string): [number, number, number] {
-  if (colour.startsWith("#")) return [1, 3, 5].map((k) => parseInt(colour.slice(k, k + 2), 16)) as [number, number, number];
+  if (colour.startsWith("#")) return [1, 3, 5].map((k) => parseInt(colour.slice(k, k + 2), 16)) as
+    [number, number, number];
   return colour.match(/\d+/g)!.slice(0, 3).map(Number) as [number, number, number];
 }

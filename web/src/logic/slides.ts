@@ -7,7 +7,8 @@ export function slidesOf(meta: Pick<RunMeta, "events">): Slide[] {
   if (!events) return [];
   if (events.slides) return events.slides;
   return [
-    events.first_slide && { ...events.first_slide, slip_surface: events.first_slide.slip_surface ?? events.slip_surface },
+    events.first_slide && { ...events.first_slide,
+      slip_surface: events.first_slide.slip_surface ?? events.slip_surface },
     events.second_slide,
   ].filter((slide): slide is Slide => Boolean(slide));
 }
@@ -15,7 +16,8 @@ export function slidesOf(meta: Pick<RunMeta, "events">): Slide[] {
 export interface ShownSlip {
   surface: SlipSurface;
   time: number;
-  phase: "to come" | "acting" | "past"; // it lies where the soil was at its time; after the slide that soil has moved on
+  // it lies where the soil was at its time; after the slide that soil has moved on
+  phase: "to come" | "acting" | "past";
 }
 
 /** The slip surface of the last slide that had formed one by time t; before the first, that one as yet to come. */

@@ -1,4 +1,4 @@
-// What the reader has chosen, in one place. Listeners are told which keys changed, at once; drawing is theirs to put off.
+// What the reader has chosen, in one place. Listeners learn at once which keys changed, and may draw later.
 
 import type { Camera } from "./camera";
 

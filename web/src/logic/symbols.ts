@@ -16,7 +16,8 @@ export function symbolic(text: string): Part[] {
     const match = pattern.exec(text);
     if (!match) continue;
     const before = text.slice(0, match.index);
-    return [...(before ? symbolic(before) : []), { text: symbol, index }, ...symbolic(text.slice(match.index + match[0].length))];
+    return [...(before ? symbolic(before) : []), { text: symbol, index },
+      ...symbolic(text.slice(match.index + match[0].length))];
   }
   return text ? [{ text, index: "" }] : [];
 }

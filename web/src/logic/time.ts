@@ -38,7 +38,8 @@ export function speeds(duration: number): { all: number[]; start: number } {
 }
 
 /** Time after `elapsed` seconds of the viewer; at the end it stops, or begins again if `again`. */
-export function advance(t: number, elapsed: number, speed: number, span: [number, number], again: boolean): { time: number; ended: boolean } {
+export function advance(t: number, elapsed: number, speed: number, span: [number, number],
+  again: boolean): { time: number; ended: boolean } {
   const next = t + elapsed * speed;
   if (next < span[1]) return { time: next, ended: false };
   return again ? { time: span[0], ended: false } : { time: span[1], ended: true };

@@ -35,14 +35,21 @@ function facts(report: Report, run: Run): HTMLElement {
     ["Machine", meta.machine],
     ["Threads", [numberText(meta.threads), summary("instructions")].filter(Boolean).join(", ")],
     ["Time to solve", durationText(meta.wall_seconds)],
-    ["Material points", meta.n_shown === meta.n_points ? numberText(meta.n_points, 9) : `${numberText(meta.n_points, 9)}, of which ${numberText(meta.n_shown, 9)} are shown`],
+    ["Material points", meta.n_shown === meta.n_points ? numberText(meta.n_points, 9)
+      : `${numberText(meta.n_points, 9)}, of which ${numberText(meta.n_shown, 9)} are shown`],
     ["Cells", typeof summary("cells") === "number" ? numberText(summary("cells") as number, 9) : ""],
-    ["Time steps", typeof summary("steps") === "number" ? `${numberText(summary("steps") as number, 9)} of ${withUnit(summary("dt") as number, "s", 3)}` : ""],
-    ["Frames", meta.times.length === meta.n_frames_in_run ? numberText(meta.n_frames_in_run) : `${numberText(meta.n_frames_in_run)}, of which ${numberText(meta.times.length)} are shown`],
+    ["Time steps", typeof summary("steps") === "number"
+      ? `${numberText(summary("steps") as number, 9)} of ${withUnit(summary("dt") as number, "s", 3)}` : ""],
+    ["Frames", meta.times.length === meta.n_frames_in_run ? numberText(meta.n_frames_in_run)
+      : `${numberText(meta.n_frames_in_run)}, of which ${numberText(meta.times.length)} are shown`],
     ["Places rounded to", withUnit(meta.position_precision * 1000, "mm", 2)],
-    ["Values rounded to", meta.fields.filter((field) => field.kind !== "category").map((field) => `${field.label} ${withUnit(field.precision, field.unit, 1)}`).join(", ")],
+    ["Values rounded to",
+      meta.fields.filter((field) => field.kind !== "category").map((field) =>
+      `${field.label} ${withUnit(field.precision, field.unit, 1)}`).join(", ")],
   ];
-  return element("dl", { class: "pairs" }, ...rows.filter(([, value]) => value).flatMap(([name, value]) => [element("dt", {}, name), element("dd", {}, value)]));
+  return element("dl", { class: "pairs" },
+    ...rows.filter(([, value]) => value).flatMap(([name, value]) =>
+    [element("dt", {}, name), element("dd", {}, value)]));
 }
 
 function checks(run: Run): HTMLElement | null {
@@ -52,7 +59,8 @@ function checks(run: Run): HTMLElement | null {
     element("th", { scope: "row" }, name),
     element("td", {}, value),
     element("td", { class: "verdict" }, passed ? "passed" : "not passed")));
-  return element("div", {}, element("h4", {}, "Checks"), element("table", { class: "checks" }, element("tbody", {}, ...rows)));
+  return element("div", {}, element("h4", {}, "Checks"),
+    element("table", { class: "checks" }, element("tbody", {}, ...rows)));
 }
 
 /** What the program watched at every row of the ledger, in words. */
@@ -68,8 +76,11 @@ const AUDIT: Record<string, string> = {
 function audit(run: Run): HTMLElement | null {
   const entries = Object.entries(run.meta.audit ?? {}).filter(([, value]) => typeof value !== "object");
   if (entries.length === 0) return null;
-  const text = (name: string, value: unknown) => (typeof value !== "number" ? String(value) : name.endsWith("_error") ? `${numberText(100 * value, 2)}\u202f%` : numberText(value, 9));
-  const pairs = entries.flatMap(([name, value]) => [element("dt", {}, AUDIT[name] ?? spoken(name)), element("dd", {}, text(name, value))]);
+  const text = (name: string, value: unknown) =>
+    (typeof value !== "number" ? String(value) : name.endsWith("_error") ? `${numberText(100 * value, 2)}\u202f%`
+    : numberText(value, 9));
+  const pairs = entries.flatMap(([name, value]) =>
+    [element("dt", {}, AUDIT[name] ?? spoken(name)), element("dd", {}, text(name, value))]);
   return element("div", {}, element("h4", {}, "Audit of the history"), element("dl", { class: "pairs" }, ...pairs));
 }
 
@@ -78,9 +89,11 @@ function caseFile(run: Run): HTMLElement {
   const code = element("code");
   for (const part of text.split("\n")) code.append(tomlLine(part), "\n");
   const copy = element("button", { type: "button", class: "text-button", onclick: () => {
-    void navigator.clipboard?.writeText(text).then(() => (copy.textContent = "Copied"), () => (copy.textContent = "Could not copy"));
+    void navigator.clipboard?.writeText(text).then(() => (copy.textContent = "Copied"),
+      () => (copy.textContent = "Could not copy"));
   } }, "Copy");
-  return element("details", { class: "case" }, element("summary", {}, "Case file"), copy, element("pre", { tabindex: 0 }, code));
+  return element("details", { class: "case" }, element("summary", {}, "Case file"), copy,
+    element("pre", { tabindex: 0 }, code));
 }
 
 /** Comments, tables and keys of TOML apart. */
@@ -89,5 +102,6 @@ function tomlLine(text: string): Node {
   if (/^\s*\[/.test(text)) return element("span", { class: "table-name" }, text);
   const match = /^([^=#]*=)((?:[^"#]|"[^"]*")*)(#.*)?$/.exec(text);
   if (!match) return document.createTextNode(text);
-  return element("span", {}, element("span", { class: "key" }, match[1]!), match[2]!, match[3] ? element("span", { class: "comment" }, match[3]) : null);
+  return element("span", {}, element("span", { class: "key" }, match[1]!), match[2]!,
+    match[3] ? element("span", { class: "comment" }, match[3]) : null);
 }

@@ -17,7 +17,8 @@ const DASH = [7, 4];
 export function chartsSection(current: Current): HTMLElement {
   const { report } = current;
   const labels = runLabels(report.runs.map((run) => run.meta));
-  const cards = [frontAndCrest(current, labels), kinetic(current, labels), surfaces(current, labels), ...energies(current, labels)];
+  const cards = [frontAndCrest(current, labels), kinetic(current, labels), surfaces(current, labels),
+    ...energies(current, labels)];
   return element("section", { id: "charts", "aria-labelledby": "charts-title" },
     element("h2", { id: "charts-title" }, "Over time"),
     element("p", { class: "muted no-print" }, "Drag to zoom, double click for all, click to show that time above."),
@@ -29,7 +30,8 @@ export function chartsSection(current: Current): HTMLElement {
 /** None if the column holds no number, as of a slope that is not there. */
 function runLine(run: Run, label: string, column: string, dash?: number[]): Line | null {
   const [x, y] = [run.series?.column("time"), run.series?.column(column)];
-  return x && y?.some((value) => Number.isFinite(value)) ? { label, x, y, dash, colour: (dark) => runColour(run.index, dark) } : null;
+  return x && y?.some((value) => Number.isFinite(value))
+    ? { label, x, y, dash, colour: (dark) => runColour(run.index, dark) } : null;
 }
 
 function present(lines: (Line | null)[]): Line[] {
@@ -65,7 +67,8 @@ function kinetic(current: Current, labels: string[]): HTMLElement | null {
     several(run) ? runLine(run, named(labels, run, "of the points"), "kinetic", DASH) : null,
   ]));
   if (lines.length === 0) return null;
-  const chart = new Chart(current.store, { title: "Kinetic energy", xLabel: "time [s]", unit: unitOf(current.report, column), fromZero: true });
+  const chart = new Chart(current.store,
+    { title: "Kinetic energy", xLabel: "time [s]", unit: unitOf(current.report, column), fromZero: true });
   chart.show(lines);
   return card(chart);
 }
@@ -81,7 +84,8 @@ function energies(current: Current, labels: string[]): HTMLElement[] {
     const { series } = run;
     if (!series) return [];
     const x = series.column("time");
-    const columns = series.columns.filter(({ name, unit }) => /^[kM]?J/.test(unit) && name !== "kinetic_nodal" && series.column(name)!.some((v) => v !== 0));
+    const columns = series.columns.filter(({ name, unit }) => /^[kM]?J/.test(unit) && name !== "kinetic_nodal"
+      && series.column(name)!.some((v) => v !== 0));
     if (!x || columns.length === 0) return [];
     const lines = columns.map(({ name }, k): Line => ({
       label: series.label(name) === name ? spoken(name) : series.label(name), x, y: series.column(name)!,
@@ -100,9 +104,11 @@ function surfaces(current: Current, labels: string[]): HTMLElement | null {
   if (runs.length === 0) return null;
   let [low, high] = [0, 0];
   const all = runs.flatMap((run) => run.meta.times.map((_, f) => run.surface(f)));
-  for (const line of all) for (let k = 1; k < line.length; k += 2) [low, high] = [Math.min(low, line[k]!), Math.max(high, line[k]!)];
+  for (const line of all) for (let k = 1; k < line.length; k += 2) [low, high] =
+    [Math.min(low, line[k]!), Math.max(high, line[k]!)];
   if (runs.length > 1) low = Math.min(low, -0.45 * high);
-  const chart = new Chart(current.store, { title: "Free surface", xLabel: "x [m]", unit: "m", overTime: false, yRange: [low, 1.05 * high] });
+  const chart = new Chart(current.store,
+    { title: "Free surface", xLabel: "x [m]", unit: "m", overTime: false, yRange: [low, 1.05 * high] });
   let drawn = "";
   current.store.watch(["time"], ({ time }) => {
     const frames = runs.map((run) => current.frame(run, time)).join();
@@ -111,10 +117,13 @@ function surfaces(current: Current, labels: string[]): HTMLElement | null {
     const lines = runs.map((run) => run.surface(current.frame(run, time)));
     const x = places(lines);
     const heights = lines.map((line) => heightsAt(line, x));
-    const shown = runs.map((run, k): Line => ({ label: labels[run.index]!, x, y: heights[k]!, colour: (dark) => runColour(run.index, dark), width: 2 }));
+    const shown = runs.map((run, k): Line =>
+      ({ label: labels[run.index]!, x, y: heights[k]!, colour: (dark) => runColour(run.index, dark), width: 2 }));
     if (runs.length > 1) {
-      const difference = x.map((_, k) => (heights[1]![k] === null || heights[0]![k] === null ? null : heights[1]![k]! - heights[0]![k]!));
-      shown.push({ label: `${labels[runs[1]!.index]} − ${labels[runs[0]!.index]}`, x, y: difference, colour: () => "#8a94a0", dash: [3, 3] });
+      const difference = x.map((_, k) =>
+        (heights[1]![k] === null || heights[0]![k] === null ? null : heights[1]![k]! - heights[0]![k]!));
+      shown.push({ label: `${labels[runs[1]!.index]} − ${labels[runs[0]!.index]}`, x, y: difference,
+        colour: () => "#8a94a0", dash: [3, 3] });
     }
     chart.title = `Free surface${runs.length > 1 ? "s and their difference" : ""} at ${numberText(time, 3)} s`;
     chart.show(shown);
@@ -128,13 +137,16 @@ function histories(current: Current, labels: string[]): HTMLElement | null {
   const first = runs[0]?.histories[0]?.table;
   if (!first) return null;
   const names = first.columns.map((column) => column.name).filter((name) => !["time", "id"].includes(name));
-  const charts = runs.map((run) => new Chart(current.store, { title: labels[run.index]!, xLabel: "time [s]", unit: "-", height: 260 }));
+  const charts = runs.map((run) =>
+    new Chart(current.store, { title: labels[run.index]!, xLabel: "time [s]", unit: "-", height: 260 }));
   const quantity = (name: string) => (first.label(name) === name ? spoken(name) : first.label(name));
-  const select = element("select", { id: "history", onchange: () => show(select.value) }, ...names.map((name) => element("option", { value: name }, quantity(name))));
+  const select = element("select", { id: "history", onchange: () => show(select.value) },
+    ...names.map((name) => element("option", { value: name }, quantity(name))));
   const show = (name: string) => {
     const lines = runs.map((run) => run.histories.flatMap((history, k): Line[] => {
       const [x, y] = [history.table.column("time"), history.table.column(name)];
-      return x && y ? [{ label: history.name, x, y, colour: (dark) => lineColour(k, dark), dash: k >= CATEGORIES.length ? [4, 3] : undefined, width: 1.8 }] : [];
+      return x && y ? [{ label: history.name, x, y, colour: (dark) => lineColour(k, dark),
+        dash: k >= CATEGORIES.length ? [4, 3] : undefined, width: 1.8 }] : [];
     }));
     const yRange = commonRange(lines.flat());
     charts.forEach((chart, k) => {
@@ -142,11 +154,15 @@ function histories(current: Current, labels: string[]): HTMLElement | null {
       chart.show(lines[k]!, { unit: first.unit(name), yRange, nameEnds: true });
     });
   };
-  select.value = names.find((name) => name === "eps_deviatoric") ?? names.find((name) => name.startsWith("eps")) ?? names[0]!;
+  select.value = names.find((name) => name === "eps_deviatoric") ?? names.find((name) => name.startsWith("eps"))
+    ?? names[0]!;
   show(select.value);
   return element("div", { class: "histories" },
-    element("div", { class: "heading" }, element("h3", {}, "Named points"), element("label", { class: "no-print" }, element("span", {}, "Quantity"), select)),
-    element("div", { class: "cards" }, ...charts.map((chart, k) => element("article", { class: "card" }, coloured(chart.root, runs[k]!, current.store)))));
+    element("div", { class: "heading" }, element("h3", {}, "Named points"),
+      element("label", { class: "no-print" }, element("span", {}, "Quantity"), select)),
+    element("div", { class: "cards" },
+      ...charts.map((chart, k) =>
+      element("article", { class: "card" }, coloured(chart.root, runs[k]!, current.store)))));
 }
 
 function commonRange(lines: Line[]): [number, number] {
@@ -173,9 +189,12 @@ function passes(report: Report, labels: string[], current: Current): HTMLElement
     const rows = run.meta.passes.map(({ name, seconds }) => {
       const bar = element("div", { class: "bar" });
       bar.style.width = `${(100 * seconds) / longest}%`;
-      return element("tr", {}, element("th", { scope: "row" }, name), element("td", { class: "bar-cell" }, bar), element("td", {}, durationText(seconds)), element("td", {}, `${Math.round((100 * seconds) / total)}\u202f%`));
+      return element("tr", {}, element("th", { scope: "row" }, name), element("td", { class: "bar-cell" }, bar),
+        element("td", {}, durationText(seconds)), element("td", {}, `${Math.round((100 * seconds) / total)}\u202f%`));
     });
-    return coloured(element("article", { class: "card" }, element("h4", {}, labels[run.index]!), element("table", { class: "bars" }, element("tbody", {}, ...rows))), run, current.store);
+    return coloured(element("article", { class: "card" }, element("h4", {}, labels[run.index]!),
+      element("table", { class: "bars" }, element("tbody", {}, ...rows))), run, current.store);
   });
-  return element("div", {}, element("h3", {}, "Time per pass of the step"), element("div", { class: "cards" }, ...cards));
+  return element("div", {}, element("h3", {}, "Time per pass of the step"),
+    element("div", { class: "cards" }, ...cards));
 }

@@ -18,7 +18,8 @@ export function comparisonSection(report: Report, store: Store): HTMLElement | n
     return run ? coloured(head, run, store) : head;
   });
   const rows = comparison.rows.map(({ label, unit, digits, values }) => element("tr", {},
-    element("th", { scope: "row" }, ...symbolic(label).flatMap(({ text, index }) => [text, index ? element("sub", {}, index) : null])),
+    element("th", { scope: "row" },
+      ...symbolic(label).flatMap(({ text, index }) => [text, index ? element("sub", {}, index) : null])),
     ...values.map((value) => element("td", {}, typeof value === "string" ? value : fixedText(value, digits))),
     element("td", { class: "unit" }, unitText(unit))));
   const half = rows.length > 12 ? Math.ceil(rows.length / 2) : rows.length;
@@ -27,7 +28,8 @@ export function comparisonSection(report: Report, store: Store): HTMLElement | n
     element("tbody", {}, ...part)));
   return element("section", { id: "comparison", "aria-labelledby": "comparison-title" },
     element("h2", { id: "comparison-title" }, "Comparison"),
-    element("div", { class: "halves" }, table(rows.slice(0, half)), half < rows.length ? table(rows.slice(half)) : null));
+    element("div", { class: "halves" }, table(rows.slice(0, half)),
+      half < rows.length ? table(rows.slice(half)) : null));
 }
 
 function fixedText(value: number | null, digits: number | undefined): string {

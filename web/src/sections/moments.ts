@@ -22,14 +22,16 @@ export function momentsOf(run: Run, frameOf: (time: number) => number): Moment[]
   const { times } = run.meta;
   const first = { time: times[0]!, text: "start" };
   const last = { time: times[times.length - 1]!, text: run.meta.finished ? "end" : "so far" };
-  const events = marksOf(run).filter(({ text }) => !/stops|(second|third|fourth|fifth|th) slide shears/.test(text)).map(({ time, text }) => ({ time, text }));
+  const events = marksOf(run).filter(({ text }) =>
+    !/stops|(second|third|fourth|fifth|th) slide shears/.test(text)).map(({ time, text }) => ({ time, text }));
   const taken = new Set([frameOf(first.time)]);
   const fresh = ({ time }: Moment) => {
     const frame = frameOf(time);
     return frame < times.length - 1 && !taken.has(frame) && taken.add(frame);
   };
   const between = events.sort((a, b) => a.time - b.time).filter(fresh);
-  const some = between.length > 0 ? between : [0.25, 0.5, 0.75].map((part) => ({ time: first.time + part * (last.time - first.time), text: "" })).filter(fresh);
+  const some = between.length > 0 ? between
+    : [0.25, 0.5, 0.75].map((part) => ({ time: first.time + part * (last.time - first.time), text: "" })).filter(fresh);
   return times.length > 1 ? [first, ...some, last] : [last];
 }
 
@@ -46,17 +48,23 @@ export function momentsSection(current: Current, viewer: Viewer): HTMLElement | 
     const items = moments[run.index]!.map(({ time, text }) => {
       const canvas = element("canvas", { width: 2 * WIDTH, height: 2 * height, "aria-hidden": "true" });
       pictures.push({ run, time, canvas });
-      return element("li", {}, element("button", { type: "button", title: "Show this time above", onclick: () => store.set({ time, playing: false }) },
-        canvas, element("span", {}, element("b", {}, timeText(run.meta.times[current.frame(run, time)]!, decimals)), text ? ` ${text}` : "")));
+      return element("li", {},
+        element("button", { type: "button", title: "Show this time above",
+        onclick: () => store.set({ time, playing: false }) },
+        canvas, element("span", {}, element("b", {}, timeText(run.meta.times[current.frame(run, time)]!, decimals)),
+          text ? ` ${text}` : "")));
     });
-    return element("div", { class: "moments-row" }, coloured(element("h3", {}, viewer.labels[run.index]!), run, store), element("ol", { style: `--most: ${most}` }, ...items));
+    return element("div", { class: "moments-row" }, coloured(element("h3", {}, viewer.labels[run.index]!), run, store),
+      element("ol", { style: `--most: ${most}` }, ...items));
   });
   const draw = () => {
     for (const { run, time, canvas } of pictures) {
       const context = canvas.getContext("2d")!;
       context.setTransform(2, 0, 0, 2, 0, 0);
       const size = { width: WIDTH, height };
-      drawPanel(context, viewer.renderer, run, current, { camera: viewer.fitted(size, PAD), size, ratio: 2, time, names: viewer.labels, label: "", note: "", bare: true });
+      drawPanel(context, viewer.renderer, run, current,
+        { camera: viewer.fitted(size, PAD), size, ratio: 2, time, names: viewer.labels, label: "", note: "",
+        bare: true });
     }
   };
   let waiting = 0;
@@ -67,5 +75,6 @@ export function momentsSection(current: Current, viewer: Viewer): HTMLElement | 
   store.watch(["field", "map", "rangeMode", "fixed", "log", "mesh", "outline", "slip", "pointScale"], later);
   store.on((_, changed) => changed.has("dark") && draw()); // at once: paper does not wait
   for (const run of report.runs) run.onField.push(later);
-  return element("section", { id: "moments", "aria-labelledby": "moments-title" }, element("h2", { id: "moments-title" }, "In pictures"), ...rows);
+  return element("section", { id: "moments", "aria-labelledby": "moments-title" },
+    element("h2", { id: "moments-title" }, "In pictures"), ...rows);
 }

@@ -23,8 +23,10 @@ export class Pinned {
     this.labels = runLabels(report.runs.map((run) => run.meta));
     this.chart = new Chart(store, { title: "", xLabel: "time [s]", unit: "-", height: 210 });
     this.root.append(
-      element("header", {}, this.title, iconButton("close", "Let go of the point", "Esc", () => store.set({ pin: null }))),
-      element("div", { class: "pinned-body" }, element("div", { class: "scroll" }, this.values), this.nothing, this.chart.root));
+      element("header", {}, this.title,
+        iconButton("close", "Let go of the point", "Esc", () => store.set({ pin: null }))),
+      element("div", { class: "pinned-body" }, element("div", { class: "scroll" }, this.values), this.nothing,
+        this.chart.root));
     store.on((_, changed) => {
       if (changed.has("pin") || changed.has("field")) void this.showPoint();
       if (changed.has("time")) this.showValues();
@@ -56,13 +58,15 @@ export class Pinned {
       const values = r.fields.get(field);
       if (!values) return [];
       const y = r.meta.times.map((_, f) => (r.present(f, p) ? values.value(f, p) : null));
-      return [{ label: this.labels[r.index]!, x: r.meta.times, y, colour: (dark) => runColour(r.index, dark), width: 2 }];
+      return [{ label: this.labels[r.index]!, x: r.meta.times, y, colour: (dark) => runColour(r.index, dark),
+        width: 2 }];
     });
     const hasValues = lines.some(({ y }) => Array.from(y).some((value) => value !== null && Number.isFinite(value)));
     this.nothing.hidden = hasValues;
     this.chart.root.hidden = !hasValues;
     if (!hasValues) {
-      this.nothing.textContent = `This point has no value of ${meta?.label ?? field}: its material has no such quantity.`;
+      this.nothing.textContent =
+        `This point has no value of ${meta?.label ?? field}: its material has no such quantity.`;
       return;
     }
     this.chart.title = `Its ${meta?.label ?? field} over the frames`;
@@ -76,13 +80,16 @@ export class Pinned {
       const frame = this.current.frame(run);
       if (!run.present(frame, point)) return null;
       const [x, y] = run.place(frame, point);
-      return [{ name: "x", label: "x", value: withUnit(Number(x.toFixed(3)), "m", 5) }, { name: "y", label: "y", value: withUnit(Number(y.toFixed(3)), "m", 5) }, ...pointValues(run, frame, point)];
+      return [{ name: "x", label: "x", value: withUnit(Number(x.toFixed(3)), "m", 5) },
+        { name: "y", label: "y", value: withUnit(Number(y.toFixed(3)), "m", 5) }, ...pointValues(run, frame, point)];
     });
     const rows = columns.find((column) => column !== null) ?? [];
-    const head = element("tr", {}, element("td"), ...all.map(({ run }) => element("th", { scope: "col" }, this.labels[run.index]!)));
+    const head = element("tr", {}, element("td"),
+      ...all.map(({ run }) => element("th", { scope: "col" }, this.labels[run.index]!)));
     this.values.replaceChildren(
       element("thead", {}, all.length > 1 ? head : null),
-      element("tbody", {}, ...rows.map(({ name, label }) => element("tr", name === this.current.state.field ? { class: "chosen" } : {},
+      element("tbody", {}, ...rows.map(({ name, label }) =>
+        element("tr", name === this.current.state.field ? { class: "chosen" } : {},
         element("th", { scope: "row" }, label),
         ...columns.map((column) => element("td", {}, column?.find((row) => row.name === name)?.value ?? "left"))))));
   }

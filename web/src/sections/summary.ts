@@ -16,19 +16,26 @@ interface Fact {
   time?: (run: Run) => number | null | undefined; // a click goes there
 }
 
-const STOPS = "when a tenth of its largest kinetic energy (of the nodes) is left; overtaken: the next slide begins before that; not yet: it moves at the end";
+const STOPS = "when a tenth of its largest kinetic energy (of the nodes) is left; " +
+  "overtaken: the next slide begins before that; not yet: it moves at the end";
 
 const FACTS: Fact[] = [
   { label: "First slide begins", help: "when the first block of soil starts to move", ...slideTime(0, "begins") },
   { label: "First slide stops", help: STOPS, ...slideTime(0, "stops") },
   { label: "Second slide begins", help: "when a further block follows", ...slideTime(1, "begins") },
   { label: "Second slide stops", help: STOPS, ...slideTime(1, "stops") },
-  { label: "Run-out", help: "how far the front came from where it stood; without a free toe, beyond the toe of the slope", value: runOut },
-  { label: "Front at the end, x", help: "outermost soil; without a free toe, outermost soil that moved", value: (run) => metres(run.meta.events?.front_x) },
-  { label: "Crest that remains, x", help: "edge of the ground that still stands", value: (run) => metres(run.meta.events?.remaining_crest?.x) },
-  { label: "Volume that moved", help: "per metre of thickness", value: (run) => fixed(run.meta.events?.moved_volume, 2, "\u00a0m²") },
-  { label: "Share that moved", help: "of the volume of all soil", value: (run) => percent(run.meta.events?.moved_fraction) },
-  { label: "Intact share of that", help: "plastic strain below 0.01: blocks that slid in one piece", value: (run) => percent(run.meta.events?.intact_fraction) },
+  { label: "Run-out", value: runOut,
+    help: "how far the front came from where it stood; without a free toe, beyond the toe of the slope" },
+  { label: "Front at the end, x", help: "outermost soil; without a free toe, outermost soil that moved",
+    value: (run) => metres(run.meta.events?.front_x) },
+  { label: "Crest that remains, x", help: "edge of the ground that still stands",
+    value: (run) => metres(run.meta.events?.remaining_crest?.x) },
+  { label: "Volume that moved", help: "per metre of thickness",
+    value: (run) => fixed(run.meta.events?.moved_volume, 2, "\u00a0m²") },
+  { label: "Share that moved", help: "of the volume of all soil",
+    value: (run) => percent(run.meta.events?.moved_fraction) },
+  { label: "Intact share of that", help: "plastic strain below 0.01: blocks that slid in one piece",
+    value: (run) => percent(run.meta.events?.intact_fraction) },
 ];
 
 /** A slide that is not there has no times; one that is there may not stop. */
@@ -72,7 +79,8 @@ export function summarySection(report: Report, store: Store): HTMLElement {
     element("h2", { id: "story-title" }, "What happened"),
     ...unfinished(report, labels),
     factTable(report, labels, store),
-    report.runs.every((run) => !run.meta.events && run.meta.story.length === 0) ? element("p", { class: "muted" }, "This report was written without a search for events.") : null,
+    report.runs.every((run) => !run.meta.events && run.meta.story.length === 0)
+      ? element("p", { class: "muted" }, "This report was written without a search for events.") : null,
     several && report.comparison && report.comparison.text.length > 0 ? comparisonText(report) : null,
     ...(several ? [] : report.runs.map(storyOf)),
   );
@@ -81,7 +89,8 @@ export function summarySection(report: Report, store: Store): HTMLElement {
 function unfinished(report: Report, labels: string[]): HTMLElement[] {
   return report.runs.filter((run) => !run.meta.finished).map((run) => {
     const last = run.meta.times[run.meta.times.length - 1];
-    return element("p", { class: "notice" }, `${labels[run.index]} has not reached its end: this is what it had written up to ${withUnit(last, "s", 3)}.`);
+    return element("p", { class: "notice" },
+      `${labels[run.index]} has not reached its end: this is what it had written up to ${withUnit(last, "s", 3)}.`);
   });
 }
 
@@ -89,16 +98,22 @@ function factTable(report: Report, labels: string[], store: Store): HTMLElement 
   const facts = FACTS.filter((fact) => report.runs.some((run) => fact.value(run) !== "–"));
   if (facts.length === 0) return null;
   const several = report.runs.length > 1;
-  const head = element("tr", {}, element("td"), ...report.runs.map((run, k) => coloured(element("th", { scope: "col" }, labels[k]!.replaceAll("_", "_\u200b")), run, store))); // a long name may break there
+  // a long name may break there
+  const head = element("tr", {}, element("td"),
+    ...report.runs.map((run, k) =>
+    coloured(element("th", { scope: "col" }, labels[k]!.replaceAll("_", "_\u200b")), run, store)));
   const rows = facts.map((fact) => element("tr", {},
     element("th", { scope: "row", title: fact.help }, fact.label),
     ...report.runs.map((run) => {
       const time = fact.time?.(run);
       const text = fact.value(run);
       if (typeof time !== "number") return element("td", {}, text);
-      return element("td", {}, element("button", { type: "button", class: "go", title: "Show this time", onclick: () => store.set({ time, playing: false }) }, text));
+      return element("td", {},
+        element("button", { type: "button", class: "go", title: "Show this time",
+        onclick: () => store.set({ time, playing: false }) }, text));
     })));
-  const table = element("table", { class: report.runs.length > 2 ? "facts many" : "facts" }, several ? element("thead", {}, head) : null, element("tbody", {}, ...rows));
+  const table = element("table", { class: report.runs.length > 2 ? "facts many" : "facts" },
+    several ? element("thead", {}, head) : null, element("tbody", {}, ...rows));
   return element("div", { class: "scroll" }, table);
 }
 
@@ -110,11 +125,13 @@ export function coloured<T extends HTMLElement>(made: T, run: Run, store: Store)
 }
 
 function comparisonText(report: Report): HTMLElement {
-  return element("div", { class: "difference" }, element("h3", {}, "The difference"), ...report.comparison!.text.map((text) => element("p", {}, text)));
+  return element("div", { class: "difference" }, element("h3", {}, "The difference"),
+    ...report.comparison!.text.map((text) => element("p", {}, text)));
 }
 
 function storyOf(run: Run): HTMLElement {
-  return element("div", { class: "story-of" }, element("h3", {}, `In words (${schemeLabel(run.meta.scheme)})`), ...run.meta.story.map((text) => element("p", {}, text)), warnings(run));
+  return element("div", { class: "story-of" }, element("h3", {}, `In words (${schemeLabel(run.meta.scheme)})`),
+    ...run.meta.story.map((text) => element("p", {}, text)), warnings(run));
 }
 
 /** The stories of several runs, side by side. */
@@ -125,12 +142,17 @@ export function storiesSection(report: Report, store: Store): HTMLElement | null
   return element("section", { id: "stories", "aria-labelledby": "stories-title" },
     element("h2", { id: "stories-title" }, "Run by run"),
     element("div", { class: "cards" }, ...told.map((run) => element("article", { class: "card story-of" },
-      coloured(element("h3", {}, labels[run.index]!), run, store), ...run.meta.story.map((text) => element("p", {}, text)), warnings(run)))));
+      coloured(element("h3", {}, labels[run.index]!), run, store),
+        ...run.meta.story.map((text) => element("p", {}, text)), warnings(run)))));
 }
 
 /** Warnings of a run, and checks that it did not pass. */
 function warnings(run: Run): HTMLElement | null {
-  const texts = [...run.meta.warnings, ...run.meta.checks.filter((check) => !check.passed).map((check) => `Check not passed: ${check.name}: ${check.value}.`)];
+  const texts = [...run.meta.warnings,
+    ...run.meta.checks.filter((check) => !check.passed).map((check) =>
+    `Check not passed: ${check.name}: ${check.value}.`)];
   if (texts.length === 0) return null;
-  return element("div", { class: "notice" }, element("h4", {}, texts.length === 1 ? "A warning" : `${texts.length} warnings`), element("ul", {}, ...texts.map((text) => element("li", {}, text))));
+  return element("div", { class: "notice" },
+    element("h4", {}, texts.length === 1 ? "A warning" : `${texts.length} warnings`),
+    element("ul", {}, ...texts.map((text) => element("li", {}, text))));
 }

@@ -1,15 +1,20 @@
-// What the reader looks at, in the address behind "#": survives a reload of the page (of a run under way, say) and can be sent along.
+// What the reader looks at, in the address behind "#": survives a reload of the page (of a run under way, say) and can
+// be sent along.
 
 import type { Store, ViewState } from "../logic/store";
 
-type Kept = Partial<Pick<ViewState, "time" | "field" | "map" | "rangeMode" | "fixed" | "log" | "mesh" | "outline" | "slip" | "surfaces" | "names" | "camera">>;
+type Kept = Partial<Pick<ViewState,
+  "time" | "field" | "map" | "rangeMode" | "fixed" | "log" | "mesh" | "outline" | "slip" | "surfaces" |
+  "names" | "camera">>;
 
 const FLAGS = ["log", "mesh", "outline", "slip", "surfaces", "names"] as const;
 
 export function toHash(state: ViewState): string {
-  const parts = new URLSearchParams({ t: state.time.toPrecision(6), field: state.field, map: state.map, range: state.rangeMode });
+  const parts = new URLSearchParams({ t: state.time.toPrecision(6), field: state.field, map: state.map,
+    range: state.rangeMode });
   if (state.rangeMode === "fixed") parts.set("fixed", state.fixed.join("_"));
-  if (state.camera) parts.set("camera", [state.camera.x, state.camera.y, state.camera.scale].map((v) => Number(v.toPrecision(6))).join("_"));
+  if (state.camera) parts.set("camera",
+    [state.camera.x, state.camera.y, state.camera.scale].map((v) => Number(v.toPrecision(6))).join("_"));
   parts.set("show", FLAGS.filter((flag) => state[flag]).join("_"));
   return `#${parts.toString()}`;
 }
@@ -31,7 +36,8 @@ export function fromHash(hash: string, fields: readonly string[], span: [number,
   if (fixed.length === 2 && fixed.every(Number.isFinite)) kept.fixed = fixed as [number, number];
   else if (kept.rangeMode === "fixed") delete kept.rangeMode;
   const [x, y, scale, ...more] = numbers("camera");
-  if (more.length === 0 && [x, y, scale].every(Number.isFinite) && scale! > 0) kept.camera = { x: x!, y: y!, scale: scale! };
+  if (more.length === 0 && [x, y, scale].every(Number.isFinite) && scale! > 0) kept.camera = { x: x!, y: y!,
+    scale: scale! };
   const show = parts.get("show");
   if (show !== null) for (const flag of FLAGS) kept[flag] = show.split("_").includes(flag);
   return kept;

@@ -15,7 +15,8 @@ export function fieldControls(current: Current): HTMLElement {
     ...report.fieldNames().map((name) => element("option", { value: name }, current.fieldMeta(name)?.label ?? name)));
   const map = element("select", { id: "map", onchange: () => store.set({ map: map.value }) });
   const mode = element("select", { id: "range", onchange: () => chooseMode(current, mode.value as RangeMode) },
-    element("option", { value: "run" }, "whole run"), element("option", { value: "frame" }, "this time"), element("option", { value: "fixed" }, "fixed"));
+    element("option", { value: "run" }, "whole run"), element("option", { value: "frame" }, "this time"),
+      element("option", { value: "fixed" }, "fixed"));
   const bound = (k: 0 | 1, label: string) => {
     const input = element("input", { type: "number", step: "any", class: "bound", "aria-label": label, onchange: () => {
       const fixed: [number, number] = [...store.state.fixed];
@@ -29,7 +30,8 @@ export function fieldControls(current: Current): HTMLElement {
   store.watch(["field"], (state) => {
     field.value = state.field;
     const meta = current.fieldMeta();
-    map.replaceChildren(...mapsFor(meta?.kind ?? "sequential").map((m) => element("option", { value: m.name }, m.label)));
+    map.replaceChildren(...mapsFor(meta?.kind ?? "sequential").map((m) =>
+      element("option", { value: m.name }, m.label)));
     map.value = current.map().name;
     for (const control of [map, mode]) control.disabled = meta?.kind === "category";
     log.hidden = meta?.kind !== "sequential";
@@ -40,7 +42,8 @@ export function fieldControls(current: Current): HTMLElement {
     low.hidden = high.hidden = rangeMode !== "fixed";
     [low.value, high.value] = fixed.map((value) => String(Number(value.toPrecision(4)))) as [string, string];
   });
-  return element("div", { class: "controls" }, labelled("Colour by", field), labelled("Map", map), labelled("Range", mode), low, high, log);
+  return element("div", { class: "controls" }, labelled("Colour by", field), labelled("Map", map),
+    labelled("Range", mode), low, high, log);
 }
 
 /** A range that becomes fixed begins as the one on show. */
@@ -55,7 +58,9 @@ function labelled(text: string, control: HTMLElement): HTMLElement {
 
 function toggle(current: Current, key: Flag | "log", text: string, letter: string): HTMLButtonElement {
   const { store } = current;
-  const button = element("button", { type: "button", class: "toggle", title: `${text} (${letter})`, onclick: () => store.set({ [key]: !store.state[key] } as Partial<ViewState>) }, text);
+  const button = element("button",
+    { type: "button", class: "toggle", title: `${text} (${letter})`,
+    onclick: () => store.set({ [key]: !store.state[key] } as Partial<ViewState>) }, text);
   store.watch([key], (state) => button.setAttribute("aria-pressed", String(state[key])));
   return button;
 }
@@ -64,13 +69,17 @@ export function layerControls(current: Current, viewer: Viewer): HTMLElement {
   const { store, report } = current;
   const runs = report.runs;
   const buttons = [toggle(current, "mesh", "mesh", "M"), toggle(current, "outline", "outline", "O")];
-  if (runs.some((run) => slipAt(slidesOf(run.meta), Infinity))) buttons.push(toggle(current, "slip", "slip surface", "S"));
+  if (runs.some((run) => slipAt(slidesOf(run.meta), Infinity))) buttons.push(toggle(current, "slip", "slip surface",
+    "S"));
   if (runs.some((run) => run.histories.length > 0)) buttons.push(toggle(current, "names", "named points", "N"));
   if (runs.length > 1) buttons.push(toggle(current, "surfaces", "other surface", "D"));
-  const size = element("input", { type: "range", min: 0.4, max: 2, step: 0.1, class: "point-size", "aria-label": "Size of the points", oninput: () => store.set({ pointScale: size.valueAsNumber }) });
+  const size = element("input",
+    { type: "range", min: 0.4, max: 2, step: 0.1, class: "point-size", "aria-label": "Size of the points",
+    oninput: () => store.set({ pointScale: size.valueAsNumber }) });
   store.watch(["pointScale"], ({ pointScale }) => (size.value = String(pointScale)));
   return element("div", { class: "controls" }, element("span", { class: "caption" }, "Show"), ...buttons,
-    element("label", {}, element("span", {}, "Points"), size), ...(runs.length > 1 ? [runChoice(current, viewer), layoutChoice(current)] : []));
+    element("label", {}, element("span", {}, "Points"), size),
+      ...(runs.length > 1 ? [runChoice(current, viewer), layoutChoice(current)] : []));
 }
 
 function runChoice(current: Current, viewer: Viewer): HTMLElement {
@@ -88,8 +97,10 @@ function runChoice(current: Current, viewer: Viewer): HTMLElement {
 
 function layoutChoice(current: Current): HTMLElement {
   const { store } = current;
-  const select = element("select", { id: "layout", onchange: () => store.set({ layout: select.value as ViewState["layout"] }) },
-    element("option", { value: "auto" }, "as fits"), element("option", { value: "columns" }, "side by side"), element("option", { value: "rows" }, "stacked"));
+  const select = element("select",
+    { id: "layout", onchange: () => store.set({ layout: select.value as ViewState["layout"] }) },
+    element("option", { value: "auto" }, "as fits"), element("option", { value: "columns" }, "side by side"),
+      element("option", { value: "rows" }, "stacked"));
   store.watch(["layout"], ({ layout }) => (select.value = layout));
   return labelled("Views", select);
 }

@@ -3,7 +3,8 @@
 type Child = Node | string | null | undefined | false;
 type Attributes = Record<string, string | number | boolean | null | undefined | ((event: never) => void)>;
 
-export function element<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Attributes = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
+export function element<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Attributes = {},
+  ...children: Child[]): HTMLElementTagNameMap[K] {
   const made = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
     if (value === null || value === undefined || value === false) continue;
@@ -29,7 +30,8 @@ const ICONS: Record<string, string> = {
   full: "M4 4h7v2H7.4l3.3 3.3-1.4 1.4L6 7.4V11H4zm16 16h-7v-2h3.6l-3.3-3.3 1.4-1.4 3.3 3.3V13h2z",
   print: "M7 3h10v5H7zM4 9h16v8h-3v4H7v-4H4zm5 5v5h6v-5z",
   theme: "M12 3a9 9 0 1 0 0 18 9 9 0 0 0 0-18zm0 2a7 7 0 0 1 0 14z",
-  help: "M12 3a9 9 0 1 0 0 18 9 9 0 0 0 0-18zm-1 13h2v2h-2zm1-10a4 4 0 0 1 2 7.4c-.7.4-1 .8-1 1.6h-2c0-1.7.8-2.6 1.9-3.3A2 2 0 1 0 10 10H8a4 4 0 0 1 4-4z",
+  help: "M12 3a9 9 0 1 0 0 18 9 9 0 0 0 0-18zm-1 13h2v2h-2zm1-10a4 4 0 0 1 2 7.4" +
+    "c-.7.4-1 .8-1 1.6h-2c0-1.7.8-2.6 1.9-3.3A2 2 0 1 0 10 10H8a4 4 0 0 1 4-4z",
 };
 
 export function icon(name: string): SVGElement {
@@ -46,5 +48,7 @@ export function icon(name: string): SVGElement {
 
 /** A button with an icon; its label is for screen readers and the tip. */
 export function iconButton(name: string, label: string, key: string, onclick: () => void): HTMLButtonElement {
-  return element("button", { type: "button", class: "icon-button", "aria-label": label, title: key ? `${label} (${key})` : label, onclick }, icon(name));
+  return element("button",
+    { type: "button", class: "icon-button", "aria-label": label, title: key ? `${label} (${key})` : label, onclick },
+    icon(name));
 }

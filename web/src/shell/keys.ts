@@ -28,8 +28,10 @@ export class Keys {
 
   constructor(current: Current, viewer: Viewer, player: Player, actions: Actions) {
     const { store } = current;
-    const flip = (key: "mesh" | "outline" | "slip" | "surfaces" | "names" | "log") => () => store.set({ [key]: !store.state[key] } as Partial<ViewState>);
-    const arrow = (frames: number, dx: number) => (event: KeyboardEvent) => (event.shiftKey ? viewer.move(dx, 0) : player.step(frames));
+    const flip = (key: "mesh" | "outline" | "slip" | "surfaces" | "names" | "log") => () =>
+      store.set({ [key]: !store.state[key] } as Partial<ViewState>);
+    const arrow = (frames: number, dx: number) => (event: KeyboardEvent) =>
+      (event.shiftKey ? viewer.move(dx, 0) : player.step(frames));
     this.keys = [
       { keys: [" "], show: "Space", does: "play, pause", act: () => player.toggle() },
       { keys: ["ArrowLeft"], show: "←", does: "one frame back", act: arrow(-1, 60) },
@@ -40,15 +42,20 @@ export class Keys {
       { keys: ["End"], show: "End", does: "last frame, in a view that was clicked", act: () => player.step(1e9) },
       { keys: ["<", ","], show: ",", does: "slower", act: () => player.changeSpeed(-1) },
       { keys: [">", "."], show: ".", does: "faster", act: () => player.changeSpeed(1) },
-      { keys: ["1", "2", "3", "4", "5", "6", "7", "8", "9"], show: "1 … 9", does: "colour by the first … ninth field", act: (event) => {
+      { keys: ["1", "2", "3", "4", "5", "6", "7", "8", "9"], show: "1 … 9", does: "colour by the first … ninth field",
+        act: (event) => {
         const name = current.report.fieldNames()[Number(event.key) - 1];
         if (name) store.set({ field: name });
       } },
-      { keys: ["r"], show: "R", does: "range: whole run, this time, fixed", act: () => chooseMode(current, ({ run: "frame", frame: "fixed", fixed: "run" } as const)[store.state.rangeMode]) },
+      { keys: ["r"], show: "R", does: "range: whole run, this time, fixed",
+        act: () => chooseMode(current,
+        ({ run: "frame", frame: "fixed", fixed: "run" } as const)[store.state.rangeMode]) },
       { keys: ["l"], show: "L", does: "logarithmic scale", act: flip("log") },
-      { keys: ["+", "="], show: "+", does: "zoom in (also wheel in a view that was clicked, or Ctrl and wheel)", act: () => viewer.zoom(1.3) },
+      { keys: ["+", "="], show: "+", does: "zoom in (also wheel in a view that was clicked, or Ctrl and wheel)",
+        act: () => viewer.zoom(1.3) },
       { keys: ["-"], show: "−", does: "zoom out", act: () => viewer.zoom(1 / 1.3) },
-      { keys: ["ArrowUp", "ArrowDown"], show: "Shift arrows", does: "move (also drag)", act: (event) => event.shiftKey && viewer.move(0, event.key === "ArrowUp" ? 60 : -60) },
+      { keys: ["ArrowUp", "ArrowDown"], show: "Shift arrows", does: "move (also drag)",
+        act: (event) => event.shiftKey && viewer.move(0, event.key === "ArrowUp" ? 60 : -60) },
       { keys: ["0"], show: "0", does: "show all (also double click)", act: () => store.set({ camera: null }) },
       { keys: ["m"], show: "M", does: "background mesh", act: flip("mesh") },
       { keys: ["o"], show: "O", does: "initial outline", act: flip("outline") },
@@ -75,11 +82,13 @@ export class Keys {
   private press(event: KeyboardEvent): void {
     const target = event.target as HTMLElement;
     if (this.help.open && event.key !== "?") return;
-    if (event.ctrlKey || event.metaKey || event.altKey || target.closest("input:not([type=range]), textarea, select")) return;
+    if (event.ctrlKey || event.metaKey || event.altKey
+      || target.closest("input:not([type=range]), textarea, select")) return;
     const onRange = target.matches("input[type=range]");
     if (onRange && !target.classList.contains("scrub") && event.key.startsWith("Arrow")) return;
     if (event.key === " " && target.closest("button, summary, a")) return; // Space presses what has the focus
-    if (/^(Arrow(Up|Down)|Page|Home|End)/.test(event.key) && !event.shiftKey && !target.closest(".see")) return; // scrolls the page
+    // scrolls the page
+    if (/^(Arrow(Up|Down)|Page|Home|End)/.test(event.key) && !event.shiftKey && !target.closest(".see")) return;
     const key = this.keys.find(({ keys }) => keys.includes(event.key) || keys.includes(event.key.toLowerCase()));
     if (!key || (event.key.startsWith("Arrow") && /Up|Down/.test(event.key) && !event.shiftKey)) return;
     event.preventDefault();
@@ -88,7 +97,10 @@ export class Keys {
 
   private makeHelp(): HTMLDialogElement {
     const close = iconButton("close", "Close", "Esc", () => this.help.close());
-    const rows = this.keys.map(({ show, does }) => element("div", {}, element("dt", {}, ...show.split(" ").map((part) => (part.length > 1 || /\S/.test(part) ? element("kbd", {}, part) : null))), element("dd", {}, does)));
+    const rows = this.keys.map(({ show, does }) =>
+      element("div", {}, element("dt", {},
+      ...show.split(" ").map((part) => (part.length > 1 || /\S/.test(part) ? element("kbd", {}, part) : null))),
+      element("dd", {}, does)));
     return element("dialog", { class: "keys", "aria-labelledby": "keys-title" },
       element("header", {}, element("h2", { id: "keys-title" }, "Keys"), close), element("dl", {}, ...rows));
   }

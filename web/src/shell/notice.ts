@@ -16,7 +16,8 @@ export class Notice {
   progress(text: string, part: number, cancel: () => void): void {
     clearTimeout(this.timer);
     if (this.root.hidden || !this.root.querySelector("progress")) {
-      this.root.replaceChildren(element("span", {}, text), element("progress", { max: 1 }), element("button", { type: "button", class: "text-button", onclick: cancel }, "Cancel"));
+      this.root.replaceChildren(element("span", {}, text), element("progress", { max: 1 }),
+        element("button", { type: "button", class: "text-button", onclick: cancel }, "Cancel"));
       this.root.hidden = false;
     }
     this.root.querySelector("progress")!.value = part;

@@ -44,14 +44,17 @@ export class Player {
     this.times = allTimes(report.runs.map((run) => run.meta.times));
     this.span = [this.times[0] ?? 0, this.times[this.times.length - 1] ?? 0];
     this.decimals = timeDecimals(this.times);
-    this.bar = element("input", { type: "range", class: "scrub", min: this.span[0], max: this.span[1], step: "any", "aria-label": "Time", oninput: () => store.set({ time: this.bar.valueAsNumber, playing: false }) });
+    this.bar = element("input",
+      { type: "range", class: "scrub", min: this.span[0], max: this.span[1], step: "any", "aria-label": "Time",
+      oninput: () => store.set({ time: this.bar.valueAsNumber, playing: false }) });
     const play = iconButton("play", "Play", "Space", () => this.toggle());
     play.classList.add("primary");
     const again = iconButton("again", "Begin again at the end", "", () => store.set({ again: !store.state.again }));
     const now = element("output", { class: "now", "aria-live": "off" });
     this.root = element("div", { class: "player" },
       element("div", { class: "buttons" },
-        iconButton("back", "One frame back", "←", () => this.step(-1)), play, iconButton("forward", "One frame on", "→", () => this.step(1)), again),
+        iconButton("back", "One frame back", "←", () => this.step(-1)), play,
+          iconButton("forward", "One frame on", "→", () => this.step(1)), again),
       element("div", { class: "track" }, this.bar, this.marks()),
       now,
       this.speedChoice(),
@@ -76,7 +79,9 @@ export class Player {
       const row = element("div", { class: "marks", "data-run": run.index });
       for (const mark of marksOf(run)) {
         const text = `${labels[run.index]}: ${mark.text}, ${timeText(mark.time, this.decimals)}`;
-        const button = element("button", { type: "button", class: "mark", title: text, "aria-label": `Go to ${text}`, onclick: () => store.set({ time: mark.time, playing: false }) }, mark.sign);
+        const button = element("button",
+          { type: "button", class: "mark", title: text, "aria-label": `Go to ${text}`,
+          onclick: () => store.set({ time: mark.time, playing: false }) }, mark.sign);
         button.style.left = `${(100 * (mark.time - this.span[0])) / length}%`;
         row.append(button);
       }
@@ -89,8 +94,11 @@ export class Player {
   private speedChoice(): HTMLElement {
     const { store } = this.current;
     const { all } = speeds(this.span[1] - this.span[0]);
-    const select = element("select", { "aria-label": "Speed, in seconds of the run per second", onchange: () => store.set({ speed: Number(select.value) }) },
-      ...all.map((speed) => element("option", { value: speed }, speed === 1 ? "real time" : `${numberText(speed)} × real time`)));
+    const select = element("select",
+      { "aria-label": "Speed, in seconds of the run per second",
+      onchange: () => store.set({ speed: Number(select.value) }) },
+      ...all.map((speed) =>
+        element("option", { value: speed }, speed === 1 ? "real time" : `${numberText(speed)} × real time`)));
     store.watch(["speed"], ({ speed }) => (select.value = String(speed)));
     return element("label", { class: "speed" }, element("span", {}, "Speed"), select);
   }

@@ -8,7 +8,8 @@ import { canvasTheme, FONT } from "./theme";
 export const BAR_HEIGHT = 40;
 
 /** Draws the bar in a box of that width and of BAR_HEIGHT, CSS pixels. */
-export function drawColourBar(context: CanvasRenderingContext2D, current: Current, width: number, time = current.state.time): void {
+export function drawColourBar(context: CanvasRenderingContext2D, current: Current, width: number,
+  time = current.state.time): void {
   const theme = canvasTheme(current.state.dark);
   const meta = current.fieldMeta();
   if (!meta) return;
@@ -17,7 +18,8 @@ export function drawColourBar(context: CanvasRenderingContext2D, current: Curren
   context.font = `600 12px ${FONT}`;
   context.fillStyle = theme.text;
   const full = `${meta.label}${unitSuffix(meta.unit)}`;
-  const title = meta.symbol && context.measureText(full).width > 0.4 * width ? `${meta.symbol.replace("_", "\u2009")}${unitSuffix(meta.unit)}` : full;
+  const title = meta.symbol && context.measureText(full).width > 0.4 * width
+    ? `${meta.symbol.replace("_", "\u2009")}${unitSuffix(meta.unit)}` : full;
   context.fillText(title, 0, 12);
   const left = Math.min(width * 0.6, context.measureText(title).width + 18);
   if (meta.kind === "category") drawCategories(context, current, left, theme.text);
@@ -41,7 +43,8 @@ function drawCategories(context: CanvasRenderingContext2D, current: Current, lef
   }
 }
 
-function drawScale(context: CanvasRenderingContext2D, current: Current, range: Range, left: number, width: number): void {
+function drawScale(context: CanvasRenderingContext2D, current: Current, range: Range, left: number,
+  width: number): void {
   const theme = canvasTheme(current.state.dark);
   const map = mapNamed(current.map().name);
   const steps = Math.max(1, Math.round(width));

@@ -4,7 +4,8 @@ import type { Report } from "../data/report";
 import type { Run } from "../data/run";
 import type { FieldMeta } from "../data/format";
 import type { Store, ViewState } from "../logic/store";
-import { categoryTable, mapNamed, mapsFor, symmetric, table, validRange, type ColourMap, type Range } from "../logic/colour";
+import { categoryTable, mapNamed, mapsFor, symmetric, table, validRange, type ColourMap,
+  type Range } from "../logic/colour";
 import { FULL, NONE, valueOf } from "../data/quantised";
 import { frameAt } from "../logic/time";
 

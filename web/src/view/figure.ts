@@ -59,10 +59,12 @@ export class Figure {
       const y = MARGIN + TITLE + Math.floor(k / columns) * (view.height + GAP);
       context.setTransform(ratio, 0, 0, ratio, Math.round(x * ratio), Math.round(y * ratio));
       drawPanel(context, this.viewer.renderer, run, this.current, {
-        camera: this.viewer.camera(), size: view, ratio, time, names: this.viewer.labels, label: this.viewer.labels[run.index]!, note: run.meta.name, bare: false,
+        camera: this.viewer.camera(), size: view, ratio, time, names: this.viewer.labels,
+          label: this.viewer.labels[run.index]!, note: run.meta.name, bare: false,
       });
     });
-    context.setTransform(ratio, 0, 0, ratio, MARGIN * ratio, Math.round((size.height - MARGIN - BAR_HEIGHT + 6) * ratio));
+    context.setTransform(ratio, 0, 0, ratio, MARGIN * ratio,
+      Math.round((size.height - MARGIN - BAR_HEIGHT + 6) * ratio));
     drawColourBar(context, this.current, size.width - 2 * MARGIN, time);
   }
 }
@@ -80,6 +82,7 @@ export async function pngOf(figure: Figure, time: number): Promise<Blob> {
   const canvas = document.createElement("canvas");
   figure.draw(canvas, time, Math.max(2, window.devicePixelRatio || 1));
   return new Promise((resolve, reject) => {
-    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("The browser could not make an image of this size."))), "image/png");
+    canvas.toBlob((blob) =>
+      (blob ? resolve(blob) : reject(new Error("The browser could not make an image of this size."))), "image/png");
   });
 }

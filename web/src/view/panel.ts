@@ -1,5 +1,5 @@
-// One run at one time on a 2D canvas: points and mesh from the renderer, lines and words on top. Screen, exports and the
-// strip of pictures all draw with this.
+// One run at one time on a 2D canvas: points and mesh from the renderer, lines and words on top. Screen, exports and
+// the strip of pictures all draw with this.
 
 import type { Run } from "../data/run";
 import type { Current } from "./current";
@@ -33,7 +33,8 @@ interface Drawing {
   frame: number;
 }
 
-export function drawPanel(context: CanvasRenderingContext2D, renderer: PointRenderer | null, run: Run, current: Current, options: PanelOptions): void {
+export function drawPanel(context: CanvasRenderingContext2D, renderer: PointRenderer | null, run: Run, current: Current,
+  options: PanelOptions): void {
   const { state } = current;
   const theme = canvasTheme(state.dark);
   const frame = current.frame(run, options.time);
@@ -268,15 +269,21 @@ function drawHead(drawing: Drawing): void {
   drawKey(drawing, used + 16, options.size.width - 30 - context.measureText(stamp).width, decimals);
 }
 
-/** What the lines mean, between name and time, as far as there is room; at the end, if there is still, the run's name. */
+/**
+ * What the lines mean, between name and time, as far as there is room; at the end, if there is still, the run's name.
+ */
 function drawKey(drawing: Drawing, from: number, to: number, decimals: number): void {
   const { context, run, current, theme, options } = drawing;
   const { state } = current;
   const slip = state.slip ? slipAt(slidesOf(run.meta), timeOf(drawing)) : null;
   const others = state.surfaces ? current.shownRuns().filter((other) => other !== run) : [];
   const entries = [
-    ...others.map((other) => ({ text: `surface of ${options.names[other.index]}`, colour: runColour(other.index, state.dark), dash: [] as number[] })),
-    slip && { text: `slip surface of ${timeText(slip.time, decimals)}${slip.phase === "acting" ? "" : `, ${slip.phase}`}`, colour: theme.slip, dash: slip.phase === "acting" ? [] : [2, 4] },
+    ...others.map((other) =>
+      ({ text: `surface of ${options.names[other.index]}`, colour: runColour(other.index, state.dark),
+      dash: [] as number[] })),
+    slip && {
+      text: `slip surface of ${timeText(slip.time, decimals)}${slip.phase === "acting" ? "" : `, ${slip.phase}`}`,
+      colour: theme.slip, dash: slip.phase === "acting" ? [] : [2, 4] },
     state.outline && { text: "initial outline", colour: theme.ghost, dash: [4, 3] },
     options.note !== options.label && { text: options.note, colour: "", dash: [] },
   ];

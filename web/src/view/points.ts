@@ -104,8 +104,11 @@ export class PointRenderer {
   lost = false;
 
   constructor(onRestored: () => void) {
-    const gl = this.canvas.getContext("webgl2", { antialias: false, alpha: true, premultipliedAlpha: true, preserveDrawingBuffer: false });
-    if (!gl) throw new Error("This browser offers no WebGL 2, which draws the material points. Charts and texts below work without it.");
+    const gl = this.canvas.getContext("webgl2",
+      { antialias: false, alpha: true, premultipliedAlpha: true, preserveDrawingBuffer: false });
+    if (!gl)
+      throw new Error("This browser offers no WebGL 2, which draws the material points. " +
+        "Charts and texts below work without it.");
     this.gl = gl;
     this.points = twgl.createProgramInfo(gl, [POINTS_VERTEX, POINTS_FRAGMENT]);
     this.lines = twgl.createProgramInfo(gl, [LINES_VERTEX, LINES_FRAGMENT]);
@@ -120,7 +123,8 @@ export class PointRenderer {
   /** Draws into `canvas`, of size width x ratio, height x ratio; valid until the next call. */
   draw(run: Run, picture: Picture): void {
     const { gl, canvas } = this;
-    const [width, height] = [Math.round(picture.size.width * picture.ratio), Math.round(picture.size.height * picture.ratio)];
+    const [width, height] =
+      [Math.round(picture.size.width * picture.ratio), Math.round(picture.size.height * picture.ratio)];
     if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
     gl.viewport(0, 0, width, height);
     gl.clearColor(0, 0, 0, 0);
@@ -141,7 +145,8 @@ export class PointRenderer {
     gl.bindVertexArray(null);
   }
 
-  private drawPoints(run: Run, picture: Picture, field: Quantised, buffers: Buffers, common: object, ratio: number): void {
+  private drawPoints(run: Run, picture: Picture, field: Quantised, buffers: Buffers, common: object,
+    ratio: number): void {
     const { gl } = this;
     const spacing = run.meta.point_size * picture.camera.scale * ratio * picture.pointScale;
     const discs = spacing > 7; // smaller ones would only show gaps

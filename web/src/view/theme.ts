@@ -49,4 +49,5 @@ export function canvasTheme(dark: boolean): CanvasTheme {
   return dark ? DARK : LIGHT;
 }
 
-export const FONT = `"Segoe UI", system-ui, -apple-system, "Helvetica Neue", "Noto Sans", "Liberation Sans", Arial, sans-serif`;
+export const FONT = `"Segoe UI", system-ui, -apple-system, "Helvetica Neue", "Noto Sans", ` +
+  `"Liberation Sans", Arial, sans-serif`;

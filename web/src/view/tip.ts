@@ -1,5 +1,5 @@
-// Place and chosen field of the point under the pointer, beside the pointer: small, so that it covers little of the section.
-// All values of a point are shown by the pinned point (sections/pinned.ts).
+// Place and chosen field of the point under the pointer, beside the pointer: small, so that it covers little of the
+// section. All values of a point are shown by the pinned point (sections/pinned.ts).
 
 import type { Current } from "./current";
 import type { Run } from "../data/run";
@@ -7,7 +7,8 @@ import { element } from "../shell/element";
 import { numberText, withUnit } from "../logic/numbers";
 
 /** Name, value and unit of fields of a point (by default all); "…" while a field is being decoded. */
-export function pointValues(run: Run, frame: number, point: number, fields = run.meta.fields): { name: string; label: string; value: string }[] {
+export function pointValues(run: Run, frame: number, point: number, fields = run.meta.fields): { name: string;
+  label: string; value: string }[] {
   return fields.map((meta) => {
     const field = run.fields.get(meta.name);
     let value = "…";

@@ -21,7 +21,8 @@ export interface Recording {
 }
 
 /** Records from span[0] to span[1] with `speed` seconds of the run per second; `progress` gets 0...1. */
-export function record(figure: Figure, type: string, span: [number, number], speed: number, progress: (part: number) => void): Recording {
+export function record(figure: Figure, type: string, span: [number, number], speed: number,
+  progress: (part: number) => void): Recording {
   const canvas = document.createElement("canvas");
   const { width } = figure.size();
   const ratio = Math.min(2, 1920 / width);
@@ -34,7 +35,8 @@ export function record(figure: Figure, type: string, span: [number, number], spe
     recorder.onstop = () => {
       const blob = new Blob(parts, { type: type.split(";")[0]! });
       if (cancelled) resolve(null);
-      else if (blob.size === 0) reject(new Error("The browser recorded nothing: it seems to lack the encoder that it names."));
+      else if (blob.size === 0)
+        reject(new Error("The browser recorded nothing: it seems to lack the encoder that it names."));
       else resolve(blob);
     };
     recorder.onerror = () => reject(new Error("The browser stopped recording."));

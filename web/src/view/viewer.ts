@@ -70,7 +70,8 @@ export class Viewer {
     for (const view of this.views) view.canvas.hidden = !visible.includes(view);
     const area = this.room(visible.length);
     if (visible.length === 0 || area.width === 0) return;
-    const columns = layout === "rows" ? 1 : layout === "columns" ? visible.length : bestColumns(visible.length, this.box, area, PADDING);
+    const columns = layout === "rows" ? 1 : layout === "columns" ? visible.length
+      : bestColumns(visible.length, this.box, area, PADDING);
     const rows = Math.ceil(visible.length / columns);
     this.root.style.gridTemplateColumns = `repeat(${columns}, minmax(0, 1fr))`;
     this.size = {
@@ -86,7 +87,10 @@ export class Viewer {
     this.ask();
   }
 
-  /** Width and height for the views: as high as the style allows, of three rows and more high enough to see, but not higher than the soil needs. */
+  /**
+   * Width and height for the views: as high as the style allows, of three rows and more high enough to see, but not
+   * higher than the soil needs.
+   */
   private room(views: number): Size {
     const stage = this.root.parentElement;
     if (!stage) return { width: 0, height: 0 };
@@ -94,7 +98,8 @@ export class Viewer {
     stage.style.setProperty("--least", "0px");
     const [width, height] = [this.root.clientWidth, this.root.clientHeight];
     const { layout } = this.current.state;
-    const columns = layout === "rows" ? 1 : layout === "columns" ? views : bestColumns(views, this.box, { width, height }, PADDING);
+    const columns = layout === "rows" ? 1 : layout === "columns" ? views
+      : bestColumns(views, this.box, { width, height }, PADDING);
     const rows = Math.ceil(views / columns);
     const scale = (width / columns - GAP - PADDING.left - PADDING.right) / (this.box[2] - this.box[0]);
     if (rows > 2 && !document.fullscreenElement) stage.style.setProperty("--least", `${LEAST * rows}px`);
@@ -189,7 +194,8 @@ export class Viewer {
     if (!event.ctrlKey && document.activeElement !== canvas) return;
     event.preventDefault();
     const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1;
-    this.zoom(Math.exp(-Math.max(-120, Math.min(120, event.deltaY * lines)) * (event.ctrlKey ? 0.006 : 0.0025)), event.offsetX, event.offsetY);
+    this.zoom(Math.exp(-Math.max(-120, Math.min(120, event.deltaY * lines)) * (event.ctrlKey ? 0.006 : 0.0025)),
+      event.offsetX, event.offsetY);
   }
 
   private pinch(pointers: Map<number, [number, number]>, id: number, now: [number, number]): void {
