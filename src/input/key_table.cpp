@@ -101,9 +101,9 @@ std::vector<KeyInfo> mesh_keys()
       {.path = "mesh.file",
           .field = [](Case& c, std::size_t) { return &c.mesh.file; },
           .required_for = "a mesh from a file",
-          .meaning =
-              "gmsh mesh of quadrilaterals (MSH 4.1 or 2.2), relative to the case file; its physical groups name "
-              "sides and regions"},
+          .meaning = "mesh of quadrilaterals (MSH 4.1, or what gmsh converts to it), relative to the case file; its "
+                     "physical groups name "
+                     "sides and regions"},
       {.path = "mesh.polygon",
           .field =
               [](Case& c, std::size_t) {

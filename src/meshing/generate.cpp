@@ -2,26 +2,27 @@
 
 #include "meshing/geo_text.hpp"
 #include "meshing/gmsh_file.hpp"
-#include "meshing/gmsh_nodes.hpp"
+#include "meshing/gmsh_program.hpp"
 #include "meshing/improve.hpp"
 #include "meshing/mesh_cache.hpp"
+#include "meshing/msh_content.hpp"
 #include "mesh/mesh_error.hpp"
-#include "meshing/process.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
+#include <chrono>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <unordered_map>
 
 namespace terp {
 namespace {
 
-constexpr double longest_run = 600.0;  // [s] that gmsh may take
 constexpr Real merged_share =
     0.2;  // of a cell: followed places closer than this are one, lest a sliver sets the time step
 constexpr Real many_cells = 2e5;          // from which on the user is told that gmsh is at work
@@ -44,24 +45,7 @@ std::vector<Recipe> recipes(int variant)
       "  or bring a mesh that you have made elsewhere: [mesh] file = \"section.msh\"");
 }
 
-ProcessResult run_gmsh(std::vector<std::string> arguments, const std::string& home)
-{
-  arguments.insert(arguments.begin(), "gmsh");
-  // A home of its own: the user's gmsh options must not change the mesh.
-  const ProcessResult result =
-      run_process(arguments, longest_run, {"GMSH_HOME=" + home, "LC_ALL=C", "OMP_NUM_THREADS=1"});
-  if (result.interrupted || result.signal == SIGINT) throw MeshError("gmsh was interrupted");
-  return result;
-}
-
-/// Empty if it is not installed.
-std::string gmsh_version(const std::string& home)
-{
-  const ProcessResult result = run_gmsh({"--version"}, home);
-  if (!result.found) return "";
-  if (!result.succeeded()) throw MeshError("`gmsh --version` fails: " + result.output);
-  return result.output.substr(0, result.output.find_last_not_of(" \n") + 1);
-}
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 std::string bytes_of(const std::string& path)
 {
@@ -69,13 +53,14 @@ std::string bytes_of(const std::string& path)
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-std::vector<Freedom> freedom_of(const GmshNodes& file, const PlanarMap& map)
+/// How the nodes may move: along the lines of the map, and freely inside its faces.
+std::vector<Freedom> freedom_of(const MshContent& file, const PlanarMap& map)
 {
-  std::vector<Freedom> freedom(file.nodes.size());
+  std::vector<Freedom> freedom(file.places.size());
   for (std::size_t i = 0; i < freedom.size(); ++i) {
-    freedom[i].n = file.dimension[i];
-    if (file.dimension[i] != 1) continue;
-    const CutLine& line = map.lines.at(file.number[i] - 1);
+    freedom[i].n = file.node_entities[i].dimension;
+    if (freedom[i].n != 1) continue;
+    const CutLine& line = map.lines.at(file.node_entities[i].number - 1);
     const Vec<2>&a = map.places[line.a], &b = map.places[line.b];
     const Real length = std::hypot(b[0] - a[0], b[1] - a[1]);
     freedom[i].along = {(b[0] - a[0]) / length, (b[1] - a[1]) / length};
@@ -83,40 +68,78 @@ std::vector<Freedom> freedom_of(const GmshNodes& file, const PlanarMap& map)
   return freedom;
 }
 
-std::vector<Real> targets_of(const GmshNodes& file, const PolygonMesh& mesh)
+std::vector<std::array<Index, 4>> cells_of(const MshContent& file)
+{
+  std::unordered_map<std::int64_t, Index> place;
+  for (std::size_t i = 0; i < file.node_numbers.size(); ++i) place[file.node_numbers[i]] = static_cast<Index>(i);
+  std::vector<std::array<Index, 4>> cells(file.quads.size());
+  for (std::size_t e = 0; e < cells.size(); ++e)
+    for (int k = 0; k < 4; ++k) cells[e][k] = place.at(file.quads[e].nodes[k]);
+  return cells;
+}
+
+std::vector<Real> targets_of(
+    const std::vector<std::array<Index, 4>>& cells, const std::vector<Vec<2>>& nodes, const PolygonMesh& mesh)
 {
   std::vector<Real> target;
-  for (const auto& cell : file.cells) {
+  for (const auto& cell : cells) {
     Vec<2> centre{0.0, 0.0};
     for (const Index i : cell)
-      for (int d = 0; d < 2; ++d) centre[d] += 0.25 * file.nodes[i][d];
+      for (int d = 0; d < 2; ++d) centre[d] += 0.25 * nodes[i][d];
     target.push_back(target_size(mesh, centre));
   }
   return target;
 }
 
+/// Moves the nodes in the bytes of gmsh's file until the worst cells are better. False if a cell is still not convex.
+bool improve_file(const PolygonMesh& mesh, const PlanarMap& map, const MshContent& file, std::string& bytes)
+{
+  const auto cells = cells_of(file);
+  std::vector<Vec<2>> nodes;
+  for (const auto& place : file.places) nodes.push_back({place[0], place[1]});
+  enlarge_altitudes(cells, freedom_of(file, map), targets_of(cells, nodes, mesh), nodes);
+  for (const auto& cell : cells)
+    if (!(smallest_altitude(cell, nodes) > 0.0)) return false;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    std::memcpy(bytes.data() + file.node_bytes[i], nodes[i].data(), sizeof(Vec<2>));
+  return true;
+}
+
+/// Says on the terminal which recipe gmsh is at, and how long: after `first` seconds, then now and then.
+class Waiting {
+ public:
+  Waiting(std::string what, double longest, double first) : what_(std::move(what)), longest_(longest), next_(first) {}
+  void operator()(double seconds)
+  {
+    if (seconds < next_) return;
+    fmt::print(stderr, "{}: {:.0f} s of at most {:.0f} s\n", what_, seconds, longest_);
+    next_ = std::max(2.0 * next_, next_ + 10.0);
+  }
+
+ private:
+  std::string what_;
+  double longest_, next_;
+};
+
 /// What gmsh writes for one recipe, with better cells; empty, and the reason in `why`, if they are not all convex
-/// quadrilaterals.
-std::string try_recipe(
-    const PolygonMesh& mesh, const PlanarMap& map, const Recipe& recipe, const std::string& folder, std::string& why)
+/// quadrilaterals. seconds: that gmsh may take.
+std::string try_recipe(const PolygonMesh& mesh, const PlanarMap& map, const Recipe& recipe, const std::string& folder,
+    Waiting waiting, double seconds, std::string& why)
 {
   const std::string script = folder + "/section.geo", result = folder + "/section.msh";
   std::ofstream(script) << geo_text(mesh, map, recipe);
   std::filesystem::remove(result);
-  const ProcessResult run = run_gmsh({"-2", script, "-o", result, "-nt", "1", "-v", "2"}, folder);
-  why = run.timed_out     ? fmt::format("gmsh did not finish in {:g} s", longest_run)
+  const ProcessResult run =
+      run_gmsh({"-2", script, "-o", result, "-nt", "1", "-v", "2"}, folder, seconds, std::ref(waiting));
+  why = run.timed_out     ? fmt::format("gmsh did not finish in {:.3g} s", seconds)
         : run.signal != 0 ? fmt::format("gmsh crashed (signal {})", run.signal)
                           : run.output;
   std::string bytes = bytes_of(result);
   if (!run.succeeded() || bytes.empty()) return "";
-  GmshNodes file = find_nodes(bytes);
-  if (file.cells.empty() || !file.all_quads) return "";
-  enlarge_altitudes(file.cells, freedom_of(file, map), targets_of(file, mesh), file.nodes);
+  const MshContent file = read_msh(result, bytes);
+  if (file.quads.empty() || file.n_others > 0) return "";
   why = "some of its cells are not convex";
-  for (const auto& cell : file.cells)
-    if (!(smallest_altitude(cell, file.nodes) > 0.0)) return "";
-  put_nodes(file, bytes);
-  return bytes;
+  return improve_file(mesh, map, file, bytes) ? bytes : "";
 }
 
 /// For a mesh that takes gmsh minutes.
@@ -128,13 +151,20 @@ void tell_of_work(const PolygonMesh& mesh)
     fmt::print(stderr, "gmsh is at work on about {:.2g} million cells; it may take minutes, once\n", n / 1e6);
 }
 
-std::string make_mesh(const PolygonMesh& mesh, const PlanarMap& map, const std::string& folder)
+std::string make_mesh(const PolygonMesh& mesh, const PlanarMap& map, const GmshTimes& times, const std::string& folder)
 {
   tell_of_work(mesh);
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<Recipe> all = recipes(mesh.variant);
   std::string why;
-  for (const Recipe& recipe : recipes(mesh.variant)) {
-    std::string bytes = try_recipe(mesh, map, recipe, folder, why);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const double passed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = std::min(times.recipe, times.all - passed);
+    if (seconds <= 0.0) break;
+    const std::string what = fmt::format("gmsh, recipe {} of {}", k + 1, all.size());
+    std::string bytes = try_recipe(mesh, map, all[k], folder, Waiting(what, seconds, times.first_word), seconds, why);
     if (!bytes.empty()) return bytes;
+    if (k + 1 < all.size()) fmt::print(stderr, "{} gave no mesh ({}); trying the next\n", what, first_line(why));
   }
   throw MeshError(
       fmt::format("gmsh made no mesh of quadrilaterals from the polygon: {}\n"
@@ -178,7 +208,7 @@ std::optional<GeneratedMesh> read_any_kept(const std::string& start_of_key)
 
 }  // namespace
 
-GeneratedMesh generate_mesh(const PolygonMesh& mesh)
+GeneratedMesh generate_mesh(const PolygonMesh& mesh, const GmshTimes& times)
 {
   check_sizes(mesh);
   const PlanarMap map = cut_polygon(mesh.polygon, mesh.follow, merged_share * mesh.cell);
@@ -191,8 +221,9 @@ GeneratedMesh generate_mesh(const PolygonMesh& mesh)
   auto kept = version.empty() ? read_any_kept(start) : read_kept(cached_mesh_path(key));
   if (kept) return std::move(*kept);
   if (version.empty()) refuse_without_gmsh();
-  const std::string path = keep_mesh(key, make_mesh(mesh, map, folder.path()));
-  return {path, read_gmsh(path)};
+  std::string bytes = make_mesh(mesh, map, times, folder.path());
+  const std::string path = keep_mesh(key, bytes) ? cached_mesh_path(key) : "";
+  return {path, read_gmsh_text("the mesh of gmsh", std::move(bytes))};
 }
 
 }  // namespace terp

@@ -1,6 +1,7 @@
 #include "meshing/gmsh_file.hpp"
 
 #include "mesh/check_mesh.hpp"
+#include "meshing/convert.hpp"
 #include "meshing/msh_content.hpp"
 
 #include <algorithm>
@@ -84,35 +85,19 @@ void refuse_unknown_nodes(const MshContent& content, const NodeTable& table)
   faults.stop_if_any();
 }
 
-/// A quad may stand in the file once per physical group (MSH 2.2): one cell, all its groups.
 struct FileCell {
   std::array<Index, 4> nodes;  // into MshContent::places
   std::int64_t number;
-  int surface;  // gmsh's entity
-  std::vector<int> groups;
+  int surface;   // gmsh's entity
+  Index groups;  // into MshContent::group_sets
 };
 
-/// Gives the cell a group it does not have yet. False if there is none.
-bool join(FileCell& cell, const std::vector<int>& groups)
-{
-  if (groups.empty() || std::find(cell.groups.begin(), cell.groups.end(), groups[0]) != cell.groups.end()) return false;
-  cell.groups.push_back(groups[0]);
-  return true;
-}
-
-std::vector<FileCell> merge_groups(const MshContent& content, const NodeTable& table)
+std::vector<FileCell> cells_of_quads(const MshContent& content, const NodeTable& table)
 {
   std::vector<FileCell> cells;
-  std::map<std::array<std::int64_t, 4>, std::size_t> known;
   for (const MshElement& quad : content.quads) {
-    const auto& groups = content.group_sets[quad.groups];
-    if (content.version == "2.2") {
-      const auto [at, is_new] = known.try_emplace(quad.nodes, cells.size());
-      if (!is_new && join(cells[at->second], groups)) continue;
-    }
-    FileCell cell{{}, quad.number, quad.entity, groups};
-    for (int k = 0; k < 4; ++k) cell.nodes[k] = static_cast<Index>(table.at(quad.nodes[k]));
-    cells.push_back(std::move(cell));
+    cells.push_back({{}, quad.number, quad.entity, quad.groups});
+    for (int k = 0; k < 4; ++k) cells.back().nodes[k] = static_cast<Index>(table.at(quad.nodes[k]));
   }
   return cells;
 }
@@ -256,7 +241,7 @@ void add_regions(const MshContent& content, const std::vector<FileCell>& cells, 
 {
   std::map<int, std::vector<Index>> cells_of_group;
   for (std::size_t e = 0; e < cells.size(); ++e)
-    for (const int group : cells[e].groups) cells_of_group[group].push_back(static_cast<Index>(e));
+    for (const int group : content.group_sets[cells[e].groups]) cells_of_group[group].push_back(static_cast<Index>(e));
   mesh.regions = named_in_order<NamedRegion>(content, 2, cells_of_group);
   for (NamedRegion& region : mesh.regions) {
     std::sort(region.cells.begin(), region.cells.end());
@@ -317,7 +302,7 @@ Mesh<2> make_mesh(const MshContent& content)
   const NodeTable table = number_nodes(content);
   refuse_other_elements(content, table);
   refuse_unknown_nodes(content, table);
-  std::vector<FileCell> cells = merge_groups(content, table);
+  std::vector<FileCell> cells = cells_of_quads(content, table);
   turn_clockwise_surfaces(content, cells);
   sort_along_curve(content, cells);
   Mesh<2> mesh;
@@ -329,18 +314,27 @@ Mesh<2> make_mesh(const MshContent& content)
   return mesh;
 }
 
-}  // namespace
-
-Mesh<2> read_gmsh(const std::string& path) { return read_gmsh_text(path, contents_of(path)); }
-
-Mesh<2> read_gmsh_text(const std::string& path, std::string text)
+/// path: for messages.
+Mesh<2> make_mesh(const std::string& path, const MshContent& content)
 {
-  const MshContent content = read_msh(path, std::move(text));
   try {
     return make_mesh(content);
   } catch (const MeshError& error) {
     throw MeshError(path + ": " + error.what());
   }
+}
+
+}  // namespace
+
+Mesh<2> read_gmsh(const std::string& path)
+{
+  std::string text = contents_of(path);
+  return make_mesh(path, needs_conversion(path, text) ? convert_by_gmsh(path) : read_msh(path, std::move(text)));
+}
+
+Mesh<2> read_gmsh_text(const std::string& path, std::string text)
+{
+  return make_mesh(path, read_msh(path, std::move(text)));
 }
 
 }  // namespace terp

@@ -6,7 +6,8 @@
 
 namespace terp {
 
-/// MSH 4.1 or 2.2, text or binary, quadrilaterals in a plane z = constant, lengths in m. Checked (check_mesh) and
+/// MSH 4.1, text or binary, read directly; other versions of MSH, and files that end in .unv, .bdf, .nas or .vtk, as
+/// gmsh converts them. Quadrilaterals in a plane z = constant, lengths in m. Checked (check_mesh) and
 /// connected.
 ///
 /// cells    in the order of a Hilbert curve through their centres, so that cells with near numbers are near in space

@@ -1,7 +1,5 @@
 #include "meshing/mesh_cache.hpp"
 
-#include "base/errors.hpp"
-
 #include <fmt/format.h>
 
 #include <unistd.h>
@@ -15,13 +13,6 @@ namespace terp {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string new_temporary_folder()
-{
-  std::string pattern = (fs::temp_directory_path() / "terp-mesh-XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) throw FileError("cannot make a folder for temporary files: " + pattern);
-  return pattern;
-}
 
 /// Written beside its place under a name of this process, then renamed: nobody sees half a file.
 bool write_whole(const fs::path& path, const std::string& bytes)
@@ -39,14 +30,6 @@ bool write_whole(const fs::path& path, const std::string& bytes)
 }
 
 }  // namespace
-
-WorkFolder::WorkFolder() : path_(new_temporary_folder()) {}
-
-WorkFolder::~WorkFolder()
-{
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
 
 std::string content_key(std::string_view text)
 {
@@ -79,13 +62,10 @@ std::vector<std::string> cached_meshes(const std::string& start_of_key)
   return paths;
 }
 
-std::string keep_mesh(const std::string& key, const std::string& bytes)
+bool keep_mesh(const std::string& key, const std::string& bytes)
 {
   const std::string path = cached_mesh_path(key);
-  if (!path.empty() && write_whole(path, bytes)) return path;
-  const std::string other = new_temporary_folder() + "/" + key + ".msh";
-  if (!write_whole(other, bytes)) throw FileError("cannot write " + other);
-  return other;
+  return !path.empty() && write_whole(path, bytes);
 }
 
 }  // namespace terp

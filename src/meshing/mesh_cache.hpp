@@ -7,19 +7,6 @@
 
 namespace terp {
 
-/// A new empty folder for work in progress, removed with its contents at the end of the scope.
-class WorkFolder {
- public:
-  WorkFolder();
-  ~WorkFolder();
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
-
 /// 16 hexadecimal digits that depend on every character (FNV-1a, 64 bits).
 std::string content_key(std::string_view text);
 
@@ -30,8 +17,7 @@ std::string cached_mesh_path(const std::string& key);
 /// Paths of all kept files whose keys start like this, the newest first.
 std::vector<std::string> cached_meshes(const std::string& start_of_key);
 
-/// Keeps `bytes` under the key and returns the path. If the cache cannot be written: in a new folder for temporary
-/// files.
-std::string keep_mesh(const std::string& key, const std::string& bytes);
+/// Keeps `bytes` under the key. False if the cache cannot be written.
+bool keep_mesh(const std::string& key, const std::string& bytes);
 
 }  // namespace terp

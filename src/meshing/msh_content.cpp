@@ -1,5 +1,5 @@
-// The format: gmsh reference manual, "MSH file format" (4.1) and "MSH file format version 2 (Legacy)". Section by
-// section, each read by one body for text and bytes. Sections that Terp does not use are passed over.
+// The format: gmsh reference manual, "MSH file format". Section by section, each read by one body for text and bytes.
+// Sections that Terp does not use are passed over.
 
 #include "meshing/msh_content.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::int64_t most_others = 16;  // kept for the message
 
-const std::string save_again = "Save the mesh as 4.1 or 2.2: `gmsh FILE -save -format msh41 -o NEW.msh`";
+const std::string save_again = "Save the mesh as 4.1: `gmsh FILE -save -format msh41 -o NEW.msh`";
 
 struct ElementType {
   int n_nodes;
@@ -58,18 +58,6 @@ class MshReader {
   }
 
  private:
-  bool is_4() const { return content_.version == "4.1"; }
-
-  /// Lines of text stand in binary files too.
-  std::int64_t text_count(int numbers, const char* what)
-  {
-    scan_.set_binary(false);
-    const std::int64_t n = scan_.count(Width::eight, numbers, what);
-    scan_.end_record();
-    scan_.set_binary(binary_);
-    return n;
-  }
-
   void read_format()
   {
     const std::string first = scan_.next_section();
@@ -79,9 +67,7 @@ class MshReader {
           "this is not a gmsh mesh: section $MeshFormat is expected first. A .geo file is meshed by `gmsh -2 -format "
           "msh41 FILE.geo`");
     const Real version = scan_.real("the version of the format");
-    if (version != 2.2 && version != 4.1)
-      scan_.fail(fmt::format("MSH version {:g} is not read. {}", version, save_again));
-    content_.version = version == 4.1 ? "4.1" : "2.2";
+    if (version != 4.1) scan_.fail(fmt::format("MSH version {:g} is not read. {}", version, save_again));
     const std::int64_t form = scan_.integer(Width::four, "0 (text) or 1 (binary)");
     if (form != 0 && form != 1) scan_.fail(fmt::format("0 (text) or 1 (binary) is expected, got {}", form));
     if (scan_.integer(Width::four, "the size of a number") != 8) scan_.fail("numbers of 8 bytes are expected");
@@ -97,17 +83,14 @@ class MshReader {
   {
     if (name == "PhysicalNames")
       read_names();
-    else if (name == "Entities" && is_4())
+    else if (name == "Entities")
       read_entities();
     else if (name == "Nodes" && content_.node_numbers.empty())
-      is_4() ? read_nodes_4() : read_nodes_2();
+      read_nodes();
     else if (name == "Elements" && !has_elements_)
-      is_4() ? read_elements_4() : read_elements_2();
+      read_elements();
     else if (name == "PartitionedEntities")
       scan_.fail("the mesh is cut into partitions. Save it in one piece, before it is partitioned");
-    else if (name == "ParametricNodes")
-      scan_.fail(
-          "nodes with parameters are not read in MSH 2.2. Save the mesh with Mesh.SaveParametric = 0, or as 4.1");
     else
       return scan_.skip_section(name);
     scan_.end_section(name);
@@ -115,8 +98,9 @@ class MshReader {
 
   void read_names()
   {
-    const std::int64_t n = text_count(3, "the number of names");
-    scan_.set_binary(false);
+    scan_.set_binary(false);  // lines of text stand in binary files too
+    const std::int64_t n = scan_.count(Width::eight, 3, "the number of names");
+    scan_.end_record();
     for (std::int64_t k = 0; k < n; ++k) {
       const auto dimension = static_cast<int>(scan_.integer(Width::four, "a dimension"));
       const auto number = static_cast<int>(scan_.integer(Width::four, "the number of a physical group"));
@@ -126,7 +110,7 @@ class MshReader {
     scan_.set_binary(binary_);
   }
 
-  /// MSH 4.1: elements belong to entities, entities to physical groups.
+  /// Elements belong to entities, entities to physical groups.
   void read_entities()
   {
     std::array<std::int64_t, 4> n;
@@ -164,52 +148,44 @@ class MshReader {
     return entry->second;
   }
 
-  void read_nodes_2()
-  {
-    const std::int64_t n = text_count(4, "the number of nodes");
-    for (std::int64_t k = 0; k < n; ++k) {
-      add_node_number(Width::four);
-      add_place();
-      scan_.end_record();
-    }
-  }
-
-  void read_nodes_4()
+  void read_nodes()
   {
     const std::int64_t n_blocks = scan_.count(Width::eight, 4, "the number of node blocks");
     for (const char* what : {"the number of nodes", "the lowest node number", "the highest node number"})
       scan_.integer(Width::eight, what);
     scan_.end_record();
     for (std::int64_t b = 0; b < n_blocks; ++b) {
-      const std::int64_t dimension = scan_.integer(Width::four, "a dimension");
+      const auto dimension = static_cast<int>(scan_.integer(Width::four, "a dimension"));
       if (dimension < 0 || dimension > 3)
         scan_.fail(fmt::format("a dimension of 0 to 3 is expected, got {}", dimension));
-      scan_.integer(Width::four, "the number of an entity");
-      const std::int64_t n_parameters = scan_.integer(Width::four, "0 or 1 (parametric)") != 0 ? dimension : 0;
+      const auto entity = static_cast<int>(scan_.integer(Width::four, "the number of an entity"));
+      const int n_parameters = scan_.integer(Width::four, "0 or 1 (parametric)") != 0 ? dimension : 0;
       const std::int64_t n = scan_.count(Width::eight, 4, "the number of nodes in a block");
       scan_.end_record();
       for (std::int64_t k = 0; k < n; ++k) {
-        add_node_number(Width::eight);
-        scan_.end_record();
+        add_node_number();
+        content_.node_entities.push_back({dimension, entity});
       }
       for (std::int64_t k = 0; k < n; ++k) {
         add_place();
-        for (std::int64_t p = 0; p < n_parameters; ++p) scan_.real("a parameter");
+        for (int p = 0; p < n_parameters; ++p) scan_.real("a parameter");
         scan_.end_record();
       }
     }
   }
 
-  void add_node_number(Width width)
+  void add_node_number()
   {
-    content_.node_numbers.push_back(scan_.integer(width, "a node number"));
+    content_.node_numbers.push_back(scan_.integer(Width::eight, "a node number"));
     if (content_.node_numbers.back() < 1)
       scan_.fail(fmt::format("a node number of at least 1 is expected, got {}", content_.node_numbers.back()));
+    scan_.end_record();
   }
 
   void add_place()
   {
     std::array<Real, 3> place;
+    content_.node_bytes.push_back(scan_.at());
     for (Real& x : place) {
       x = scan_.real("a coordinate");
       if (!std::isfinite(x)) scan_.fail("a coordinate is not a finite number");
@@ -217,37 +193,7 @@ class MshReader {
     content_.places.push_back(place);
   }
 
-  /// Text has one element per line, bytes have blocks of one type.
-  void read_elements_2()
-  {
-    std::int64_t left = text_count(4, "the number of elements");
-    while (left > 0) {
-      const std::int64_t number = binary_ ? 0 : scan_.integer(Width::four, "an element number");
-      const auto type = static_cast<int>(scan_.integer(Width::four, "an element type"));
-      const std::int64_t n = binary_ ? scan_.count(Width::four, 2, "the number of elements in a block") : 1;
-      if (n < 1 || n > left) scan_.fail(fmt::format("1 to {} elements are expected in the block, got {}", left, n));
-      const std::int64_t n_tags = scan_.count(Width::four, 1, "the number of tags");
-      for (std::int64_t k = 0; k < n; ++k) read_element_2(type, number, n_tags);
-      left -= n;
-    }
-    has_elements_ = true;
-  }
-
-  void read_element_2(int type, std::int64_t number, std::int64_t n_tags)
-  {
-    MshElement element = new_element(type);
-    element.number = binary_ ? scan_.integer(Width::four, "an element number") : number;
-    std::vector<int> groups;
-    for (std::int64_t t = 0; t < n_tags; ++t) {
-      const std::int64_t tag = scan_.integer(Width::four, "a tag");
-      if (t == 0 && tag != 0) groups.push_back(group_number(tag));  // 0: no group
-      if (t == 1) element.entity = static_cast<int>(tag);
-    }
-    element.groups = group_set(std::move(groups));
-    add_element(element, Width::four);
-  }
-
-  void read_elements_4()
+  void read_elements()
   {
     const std::int64_t n_blocks = scan_.count(Width::eight, 4, "the number of element blocks");
     for (const char* what : {"the number of elements", "the lowest element number", "the highest element number"})
@@ -264,7 +210,7 @@ class MshReader {
       element.groups = groups == groups_of_entity_.end() ? group_set({}) : groups->second;
       for (std::int64_t k = 0; k < n; ++k) {
         element.number = scan_.integer(Width::eight, "an element number");
-        add_element(element, Width::eight);
+        add_element(element);
       }
     }
     has_elements_ = true;
@@ -278,10 +224,10 @@ class MshReader {
     return {0, type, known->second.n_nodes, {}, 0, 0};
   }
 
-  void add_element(MshElement element, Width width)
+  void add_element(MshElement element)
   {
     for (int k = 0; k < element.n_nodes; ++k) {
-      const std::int64_t node = scan_.integer(width, "the number of a node of an element");
+      const std::int64_t node = scan_.integer(Width::eight, "the number of a node of an element");
       if (k < 4) element.nodes[k] = node;
     }
     scan_.end_record();
@@ -296,8 +242,8 @@ class MshReader {
   MshScanner scan_;
   MshContent content_;
   bool binary_ = false, has_elements_ = false;
-  std::map<std::pair<int, int>, Index> groups_of_entity_;  // by dimension and number of the entity
-  std::map<std::vector<int>, Index> set_numbers_;          // into group_sets
+  std::map<MshEntity, Index> groups_of_entity_;
+  std::map<std::vector<int>, Index> set_numbers_;  // into group_sets
 };
 
 }  // namespace

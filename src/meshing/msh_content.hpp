@@ -1,4 +1,4 @@
-// What a gmsh mesh file holds, as it stands there: MSH 2.2 and 4.1, text and binary.
+// What a gmsh mesh file holds, as it stands there: MSH 4.1, text or binary.
 // Not for: cells, sides and regions (gmsh_file.hpp).
 #pragma once
 
@@ -20,13 +20,20 @@ struct MshElement {
   int n_nodes;                        ///< of the type; the first four are kept
   std::array<std::int64_t, 4> nodes;  ///< gmsh's node numbers
   Index groups;                       ///< into MshContent::group_sets
-  int entity;                         ///< gmsh's number of the curve or surface it was made from; 0: not told
+  int entity;                         ///< gmsh's number of the curve or surface it was made from
+};
+
+/// A point (dimension 0), curve (1) or surface (2) of the geometry.
+struct MshEntity {
+  int dimension, number;
+  auto operator<=>(const MshEntity&) const = default;
 };
 
 struct MshContent {
-  std::string version;                      ///< "2.2" or "4.1"
   std::vector<std::int64_t> node_numbers;   ///< gmsh's, in file order
   std::vector<std::array<Real, 3>> places;  ///< of the nodes, in file order
+  std::vector<MshEntity> node_entities;     ///< what each node was made on
+  std::vector<std::size_t> node_bytes;      ///< where the x of each node begins in the file
   std::vector<MshElement> lines, quads;     ///< in file order
   std::vector<MshElement> others;           ///< the first few elements that are neither, nor points
   std::int64_t n_others = 0;

@@ -35,6 +35,8 @@ class MshScanner {
   std::string quoted(const char* what);
   /// How many items follow, refused when they cannot be in the rest of the file. numbers: least numbers per item.
   std::int64_t count(Width width, int numbers, const char* what);
+  /// Where the next number begins, in bytes from the start of the file.
+  std::size_t at() const { return at_; }
   /// In text the line must end here; bytes have no lines.
   void end_record();
 

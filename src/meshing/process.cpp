@@ -116,10 +116,13 @@ int spawn(
 }
 
 /// Until the program closes its output. False: the time is over, or we are asked to end.
-bool read_until(Clock::time_point end, int from, std::string& output)
+bool read_until(double seconds, int from, const std::function<void(double)>& waiting, std::string& output)
 {
+  const auto start = Clock::now();
+  const auto passed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   char buffer[4096];
-  while (Clock::now() < end && !signal_waits()) {
+  while (passed() < seconds && !signal_waits()) {
+    if (waiting) waiting(passed());
     pollfd ready{from, POLLIN, 0};
     if (poll(&ready, 1, longest_wait) <= 0) continue;
     const ssize_t n = read(from, buffer, sizeof buffer);
@@ -140,19 +143,18 @@ int wait_for(pid_t pid)
 
 }  // namespace
 
-ProcessResult run_process(
-    const std::vector<std::string>& arguments, double seconds, const std::vector<std::string>& environment)
+ProcessResult run_process(const std::vector<std::string>& arguments, double seconds,
+    const std::vector<std::string>& environment, const std::function<void(double)>& waiting)
 {
   Pipe pipe;
   ProcessResult result;
   pid_t pid = 0;
-  const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   const int problem = spawn(arguments, our_environment_and(environment), pipe.ends[1], pid);
   if (problem == ENOENT || problem == EACCES || problem == ENOTDIR) return result;
   if (problem != 0) throw FileError("cannot start " + arguments[0] + ": " + std::strerror(problem));
   result.found = true;
   pipe.close_end(1);
-  const bool ended = read_until(end, pipe.ends[0], result.output);
+  const bool ended = read_until(seconds, pipe.ends[0], waiting, result.output);
   if (!ended) kill(pid, SIGKILL);
   result.interrupted = signal_waits();
   result.timed_out = !ended && !result.interrupted;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <csignal>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,11 +19,12 @@ struct ProcessResult {
   bool succeeded() const { return found && !timed_out && signal == 0 && status == 0; }
 };
 
-/// arguments: the program, looked up in PATH, then its arguments. environment: "NAME=value" added to ours.
+/// arguments: the program, looked up in PATH, then its arguments. environment: "NAME=value" added to ours. waiting:
+/// called a few times per second with the time that has passed [s].
 /// The program ends with us: when Ctrl-C is pressed, for it stays in our process group and takes the signal's default,
 /// and however else we end, for the kernel kills it when the thread that called is gone.
-ProcessResult run_process(
-    const std::vector<std::string>& arguments, double seconds, const std::vector<std::string>& environment = {});
+ProcessResult run_process(const std::vector<std::string>& arguments, double seconds,
+    const std::vector<std::string>& environment = {}, const std::function<void(double)>& waiting = {});
 
 /// While it lives, signals that ask this thread to end wait, so that a scope can put its things away first; they arrive
 /// at the end of it. run_process ends its program as soon as one waits. Signals that are ignored stay so.

@@ -13,7 +13,7 @@
 namespace terp {
 namespace {
 
-const std::string formats[] = {"41", "41_binary", "22", "22_binary"};
+const std::string formats[] = {"41", "41_binary"};
 
 std::string bytes_of_file(const std::string& format)
 {

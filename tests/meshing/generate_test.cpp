@@ -238,6 +238,15 @@ TEST_F(GenerateMesh, RepeatsItselfToTheBit)
   }
 }
 
+TEST_F(GenerateMesh, IsMadeAlsoWhereItCannotBeKept)
+{
+  std::ofstream(scratch_.path() + "/file") << "not a folder";
+  const test::Variable cache("XDG_CACHE_HOME", scratch_.path() + "/file");
+  const GeneratedMesh made = generate_mesh(rectangle());
+  EXPECT_EQ(made.mesh.n_cells(), 800);
+  EXPECT_EQ(made.path, "");
+}
+
 /// Puts the mesh of another size where that of `polygon` is kept, to see whether it is taken.
 Index put_another(const PolygonMesh& polygon, const std::string& path)
 {
@@ -298,10 +307,10 @@ TEST_F(GenerateMesh, IgnoresTheUsersGmshOptions)
   EXPECT_EQ(content(file_of(rectangle())), first);
 }
 
-std::string error_of(const PolygonMesh& polygon)
+std::string error_of(const PolygonMesh& polygon, const GmshTimes& times = {})
 {
   try {
-    generate_mesh(polygon);
+    generate_mesh(polygon, times);
   } catch (const MeshError& error) {
     return error.what();
   }
@@ -357,6 +366,23 @@ TEST(GenerateMeshWithoutGmsh,
   }
 }
 
+TEST(GenerateMeshWithoutGmsh, SaysWhichRecipeGmshIsAtAndStopsAfterATimeForAll)  // a stand-in that takes a minute
+{
+  const test::ScratchFolder folder;
+  std::ofstream(folder.path() + "/gmsh")
+      << "#!/bin/sh\n[ \"$1\" = --version ] && echo 9.9 && exit 0\nexec /bin/sleep 60\n";
+  std::filesystem::permissions(folder.path() + "/gmsh", std::filesystem::perms::owner_all);
+  const test::Variable path("PATH", folder.path()), cache("XDG_CACHE_HOME", folder.path());
+  testing::internal::CaptureStderr();
+  EXPECT_THAT(error_of(rectangle(), {.recipe = 1.5, .all = 3.0, .first_word = 0.5}),
+      testing::ContainsRegex("from the polygon: gmsh did not finish in [01]\\.[0-9]+ s"));
+  EXPECT_THAT(testing::internal::GetCapturedStderr(),
+      testing::AllOf(testing::StartsWith("gmsh, recipe 1 of 3: 1 s of at most 2 s\n"),
+          HasSubstr("gmsh, recipe 1 of 3 gave no mesh (gmsh did not finish in 1.5 s); trying the next\n"),
+          testing::ContainsRegex("recipe 2 of 3 gave no mesh .gmsh did not finish in [01]\\.[0-9]+ s"),
+          testing::Not(HasSubstr("recipe 3"))));
+}
+
 TEST(GenerateMeshWithoutGmsh, SaysWhatGmshSaidWhenItFails)  // a stand-in that knows its version and nothing else
 {
   const test::ScratchFolder folder;
@@ -370,7 +396,9 @@ TEST(GenerateMeshWithoutGmsh, SaysWhatGmshSaidWhenItFails)  // a stand-in that k
   fine.cell = 0.005;
   testing::internal::CaptureStderr();
   error_of(fine);
-  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("gmsh is at work on about 0.32 million cells"));
+  EXPECT_THAT(testing::internal::GetCapturedStderr(),
+      testing::AllOf(HasSubstr("gmsh is at work on about 0.32 million cells"),
+          HasSubstr("gmsh, recipe 1 of 3 gave no mesh (Error: no memory); trying the next\n")));
 }
 
 TEST(GenerateMeshWithoutGmsh, RefusesWhatCannotBeMeshed)

@@ -3,6 +3,10 @@
 #include "meshing/msh_content.hpp"
 
 #include "meshing/msh_text.hpp"
+#include "support/paths.hpp"
+
+#include <fstream>
+#include <iterator>
 
 namespace terp {
 namespace {
@@ -36,9 +40,10 @@ std::string changed(std::string text, const std::string& from, const std::string
 TEST(ReadMsh, ReadsNodesAndElements)
 {
   const MshContent content = read_msh("m.msh", head_41 + square_41);
-  EXPECT_EQ(content.version, "4.1");
   EXPECT_THAT(content.node_numbers, ElementsAre(1, 2, 3, 4));
   EXPECT_THAT(content.places[2], ElementsAre(1.0, 1.0, 0.0));
+  EXPECT_EQ(content.node_entities[2], (MshEntity{2, 1}));
+  EXPECT_EQ((head_41 + square_41).substr(content.node_bytes[2], 6), "1 1 0\n");
   ASSERT_EQ(content.quads.size(), 1u);
   EXPECT_THAT(content.quads[0].nodes, ElementsAre(1, 2, 3, 4));
 }
@@ -81,15 +86,11 @@ TEST(ReadMsh, RefusesWhatIsNoMeshFile)
 TEST(ReadMsh, RefusesOtherVersions)
 {
   EXPECT_EQ(refusal_of("$MeshFormat\n4 0 8\n$EndMeshFormat\n"),
-      "m.msh:2: MSH version 4 is not read. Save the mesh as 4.1 or 2.2: `gmsh FILE -save -format msh41 -o NEW.msh`");
-}
-
-TEST(ReadMsh, RefusesVersionOneAndParametersInVersionTwo)
-{
+      "m.msh:2: MSH version 4 is not read. Save the mesh as 4.1: `gmsh FILE -save -format msh41 -o NEW.msh`");
+  EXPECT_EQ(refusal_of("$MeshFormat\n2.2 1 8\n"),
+      "m.msh:2: MSH version 2.2 is not read. Save the mesh as 4.1: `gmsh FILE -save -format msh41 -o NEW.msh`");
   EXPECT_EQ(refusal_of("$NOD\n0\n$ENDNOD\n"),
-      "m.msh:1: MSH version 1 is not read. Save the mesh as 4.1 or 2.2: `gmsh FILE -save -format msh41 -o NEW.msh`");
-  EXPECT_EQ(refusal_of("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$ParametricNodes\n0\n"),
-      "m.msh:4: nodes with parameters are not read in MSH 2.2. Save the mesh with Mesh.SaveParametric = 0, or as 4.1");
+      "m.msh:1: MSH version 1 is not read. Save the mesh as 4.1: `gmsh FILE -save -format msh41 -o NEW.msh`");
 }
 
 TEST(ReadMsh, RefusesWrongWordsInTheFormat)
@@ -165,16 +166,35 @@ TEST(ReadMsh, RefusesNamesWithoutQuotes)
       "m.msh:6: the name of a physical group in double quotes is expected, got `base`");
 }
 
+template <class... T>
+std::string all_bytes_of(T... numbers)
+{
+  return (test::bytes_of(numbers) + ...);
+}
+
 TEST(ReadMsh, NamesTheByteInABinaryFile)
 {
-  const std::string head = "$MeshFormat\n2.2 1 8\n" + test::bytes_of<std::int32_t>(1) + "\n$EndMeshFormat\n$Nodes\n2\n";
-  std::string node = test::bytes_of<std::int32_t>(1);
-  for (int d = 0; d < 3; ++d) node += test::bytes_of(0.5);
-  EXPECT_EQ(refusal_of(head + node + test::bytes_of<std::int32_t>(-3) + node),
-      "m.msh: byte " + std::to_string(head.size() + node.size()) + ": a node number of at least 1 is expected, got -3");
-  EXPECT_EQ(
-      refusal_of(head + node + node.substr(0, 6)), "m.msh: byte " + std::to_string(head.size() + node.size() + 4) +
-                                                       ": the file ends where a coordinate is expected: it is cut off");
+  const std::string head = "$MeshFormat\n4.1 1 8\n" + test::bytes_of<std::int32_t>(1) + "\n$EndMeshFormat\n$Nodes\n" +
+                           all_bytes_of(1l, 2l, 1l, 2l, 0, 5, 0, 2l),
+                    first = test::bytes_of(1l), places = all_bytes_of(0.5, 0.5, 0.0, 1.5, 0.5, 0.0);
+  EXPECT_EQ(refusal_of(head + first + test::bytes_of(-3l) + places),
+      fmt::format("m.msh: byte {}: a node number of at least 1 is expected, got -3", head.size() + 8));
+  EXPECT_EQ(refusal_of(head + first + test::bytes_of(2l) + places.substr(0, 20)),
+      fmt::format("m.msh: byte {}: the file ends where a coordinate is expected: it is cut off", head.size() + 32));
+}
+
+TEST(ReadMsh, KnowsWhereTheCoordinatesOfANodeStandAmongTheBytes)
+{
+  const std::string path = test::source_path("tests/meshing/data/two_layers_41_binary.msh");
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const MshContent content = read_msh(path, bytes);
+  ASSERT_EQ(content.node_bytes.size(), 45u);
+  for (std::size_t i = 0; i < content.places.size(); ++i)
+    EXPECT_EQ(
+        bytes.substr(content.node_bytes[i], 24), std::string(reinterpret_cast<const char*>(&content.places[i]), 24));
+  EXPECT_EQ(content.node_entities[0], (MshEntity{0, 1}));
+  EXPECT_EQ(content.node_entities[44], (MshEntity{2, 2}));
 }
 
 TEST(MshTypeName, KnowsTheCommonTypes)

@@ -1,0 +1,69 @@
+#include "meshing/convert.hpp"
+
+#include "mesh/mesh_error.hpp"
+#include "meshing/gmsh_program.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+namespace terp {
+namespace {
+
+constexpr double longest_conversion = 300.0;  // [s] that gmsh may take
+
+std::string bytes_of(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+[[noreturn]] void refuse_to_convert(const std::string& path, const std::string& why)
+{
+  throw MeshError(
+      fmt::format("{}: this is not MSH 4.1, and {}\n"
+                  "  Save the mesh as MSH 4.1; in gmsh: `gmsh FILE -save -format msh41 -o NEW.msh`",
+          path, why));
+}
+
+}  // namespace
+
+bool needs_conversion(const std::string& path, const std::string& text)
+{
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (ending == ".unv" || ending == ".bdf" || ending == ".nas" || ending == ".vtk") return true;
+  const std::string head = "$MeshFormat\n";
+  return text.starts_with("$NOD") || (text.starts_with(head) && text.compare(head.size(), 4, "4.1 ") != 0);
+}
+
+MshContent convert_by_gmsh(const std::string& path)
+{
+  const SignalsHeld until_the_folder_is_gone;
+  const WorkFolder folder;
+  // A link of our own name: gmsh also reads options from a file that lies beside its input.
+  const std::string input = folder.path() + "/mesh" + std::filesystem::path(path).extension().string(),
+                    output = folder.path() + "/converted.msh";
+  std::filesystem::create_symlink(std::filesystem::absolute(path), input);
+  const ProcessResult run =
+      run_gmsh({input, "-save", "-save_all", "-format", "msh41", "-bin", "-o", output, "-nt", "1", "-v", "2"},
+          folder.path(), longest_conversion);
+  if (!run.found) refuse_to_convert(path, "gmsh, which would convert it, is not installed: apt-get install gmsh");
+  if (run.timed_out) refuse_to_convert(path, fmt::format("gmsh did not convert it in {:g} s", longest_conversion));
+  std::string bytes = bytes_of(output);
+  if (!run.succeeded() || bytes.empty()) {
+    std::string why = run.output.substr(0, run.output.find('\n'));
+    if (const auto at = why.find(input); at != std::string::npos) why.replace(at, input.size(), path);
+    refuse_to_convert(path, "gmsh cannot convert it: " + why);
+  }
+  if (bytes.find("$Nodes\n") == std::string::npos) refuse_to_convert(path, "gmsh finds no mesh in it");
+  MshContent content = read_msh(path + " (converted by gmsh)", std::move(bytes));
+  // gmsh gives an element of MSH 2.2 that is there once for each of its groups a number for each.
+  std::set<std::pair<int, std::array<std::int64_t, 4>>> known;
+  std::erase_if(content.quads, [&](const MshElement& quad) { return !known.emplace(quad.entity, quad.nodes).second; });
+  return content;
+}
+
+}  // namespace terp

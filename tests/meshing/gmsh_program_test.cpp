@@ -1,0 +1,94 @@
+// The folder in which gmsh works, and gmsh as a program; here a stand-in.
+
+#include "meshing/gmsh_program.hpp"
+
+#include "mesh/mesh_error.hpp"
+#include "support/environment.hpp"
+#include "support/paths.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(WorkFolder, IsGoneAtTheEnd)
+{
+  std::string path;
+  {
+    const WorkFolder folder;
+    path = folder.path();
+    std::ofstream(path + "/file") << "x";
+    EXPECT_TRUE(fs::exists(path + "/file"));
+  }
+  EXPECT_FALSE(fs::exists(path));
+}
+
+/// Looks two minutes old.
+void age(const std::string& path)
+{
+  fs::last_write_time(path, fs::file_time_type::clock::now() - std::chrono::minutes(2));
+}
+
+TEST(WorkFolder, OfAKilledProcessIsRemovedByTheNextOneAndNoOther)
+{
+  const test::ScratchFolder scratch;
+  const test::Variable place("TMPDIR", scratch.path());
+  const pid_t child = fork();
+  if (child == 0) {
+    const WorkFolder folder;
+    std::ofstream(folder.path() + "/section.geo") << "x";
+    _exit(0);  // as a kill: no destructor runs
+  }
+  waitpid(child, nullptr, 0);
+  ASSERT_EQ(std::distance(fs::directory_iterator(scratch.path()), {}), 1);
+  const std::string stale = fs::directory_iterator(scratch.path())->path().string();
+  const WorkFolder first;  // the stale one may be a folder that is not locked yet
+  EXPECT_TRUE(fs::exists(stale));
+  age(stale);
+  age(first.path());
+  fs::create_directory(scratch.path() + "/other");
+  age(scratch.path() + "/other");
+  const WorkFolder second;
+  EXPECT_FALSE(fs::exists(stale));
+  EXPECT_TRUE(fs::exists(first.path()));  // at work
+  EXPECT_TRUE(fs::exists(scratch.path() + "/other"));
+}
+
+TEST(RunGmsh, HasAHomeOfItsOwnAndSaysHowLongItTakes)
+{
+  const test::ScratchFolder scratch;
+  std::ofstream(scratch.path() + "/gmsh") << "#!/bin/sh\necho $GMSH_HOME $LC_ALL $1\nexec /bin/sleep 0.5\n";
+  fs::permissions(scratch.path() + "/gmsh", fs::perms::owner_all);
+  const test::Variable path("PATH", scratch.path());
+  double seconds = -1.0;
+  const auto run = run_gmsh({"-2"}, "/home", 10.0, [&](double passed) { seconds = passed; });
+  EXPECT_EQ(run.output, "/home C -2\n");
+  EXPECT_GT(seconds, 0.1);
+  EXPECT_TRUE(run_gmsh({"-2"}, "/home", 0.1).timed_out);
+}
+
+TEST(GmshVersion, IsEmptyWithoutGmshAndRefusedIfItFails)
+{
+  const test::ScratchFolder scratch;
+  const test::Variable path("PATH", scratch.path());
+  EXPECT_EQ(gmsh_version("/home"), "");
+  std::ofstream(scratch.path() + "/gmsh") << "#!/bin/sh\necho no display\nexit 1\n";
+  fs::permissions(scratch.path() + "/gmsh", fs::perms::owner_all);
+  try {
+    gmsh_version("/home");
+    FAIL();
+  } catch (const MeshError& error) {
+    EXPECT_STREQ(error.what(), "`gmsh --version` fails: no display\n");
+  }
+}
+
+}  // namespace
+}  // namespace terp
