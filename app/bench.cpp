@@ -7,8 +7,8 @@
 #include "parallel/machine.hpp"
 #include "parallel/threads.hpp"
 #include "simulation/pass_costs.hpp"
+#include "simulation/run.hpp"
 #include "simulation/setup.hpp"
-#include "simulation/step.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -51,17 +51,23 @@ struct Measurement {
   double fastest = 0.0, slowest = 0.0;    // trials
 };
 
+void step(const Model& model, State& state, Workspace& work, std::int64_t n)
+{
+  if (const StepsMade made = make_steps(model, state, work, {.most_steps = n}); made.end == LoopEnd::fault)
+    throw RunError(made.fault);
+}
+
 /// Median of `trials` groups of steps, after some to warm up.
 Measurement measure(const Model& model, State& state, std::int64_t n_steps, std::int64_t warm)
 {
   constexpr int trials = 5;
   Workspace work(model, state);
-  for (std::int64_t k = 0; k < warm; ++k) model.step(model, state, work);
+  step(model, state, work, warm);
   std::vector<Measurement> all;
   for (int trial = 0; trial < trials; ++trial) {
     work.seconds = {};
     const auto start = std::chrono::steady_clock::now();
-    for (std::int64_t k = 0; k < n_steps; ++k) model.step(model, state, work);
+    step(model, state, work, n_steps);
     all.push_back(
         {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), work.seconds, 0.0, 0.0});
   }
@@ -134,7 +140,7 @@ void print_json(
   fmt::print(
       "{{\"terp_version\": \"{}\", \"scheme\": \"{}\", \"points\": {}, \"cells\": {}, \"threads\": {}, "
       "\"instructions\": \"{}\",\n",
-      TERP_VERSION, model.description.scheme, state.points.n_points(), model.mesh.n_cells(), model.threads,
+      TERP_VERSION, model.description.scheme, state.points.n_points(), model.mesh->n_cells(), model.threads,
       kernels().instructions);
   fmt::print(" \"point_steps_per_s\": {}, \"slowest\": {}, \"fastest\": {}, \"bytes_per_point\": {},\n",
       points / m.seconds, points / m.slowest, points / m.fastest,

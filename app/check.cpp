@@ -26,14 +26,18 @@ double time_a_step(const Model& model, State& state)
 {
   using Clock = std::chrono::steady_clock;
   Workspace work(model, state);
-  for (int k = 0; k < 5; ++k) model.step(model, state, work);  // warm caches, wake threads
+  const auto make = [&](const StepPolicy& policy) {
+    if (const StepsMade made = make_steps(model, state, work, policy); made.end == LoopEnd::fault)
+      throw RunError(made.fault);
+  };
+  make({.most_steps = 5});  // warm caches, wake threads
   const auto start = Clock::now();
   double seconds = 0.0;
   std::int64_t n = 0;
-  for (; n < model.n_steps && (n < fewest_trial_steps || seconds < trial_seconds); ++n) {
-    model.step(model, state, work);
-    seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  }
+  make({.most_steps = model.n_steps, .after_step = [&] {
+          seconds = std::chrono::duration<double>(Clock::now() - start).count();
+          return ++n < fewest_trial_steps || seconds < trial_seconds;
+        }});
   return seconds / static_cast<double>(n);
 }
 
@@ -52,7 +56,7 @@ std::int64_t bytes_of(const Model& model, const State& state)
                          per_point = 27;  // of the mesh, counted; first place, audit and flags by id
   const auto cells = static_cast<std::int64_t>(state.points.occupied().size());
   const std::int64_t gauss = model.description.scheme == "mpm_mixed" ? sizeof(GaussValues<2>) : sizeof(Real);
-  return state.points.bytes() + per_point * state.points.n_points() + per_cell_of_the_mesh * model.mesh.n_cells() +
+  return state.points.bytes() + per_point * state.points.n_points() + per_cell_of_the_mesh * model.mesh->n_cells() +
          cells * (std::int64_t{sizeof(CornerSums<2>) + sizeof(NodeValues)} + gauss);
 }
 
@@ -67,7 +71,7 @@ void print_bodies(const Model& model)
 
 void print_check(const CaseFile& file, const Model& model, State& state)
 {
-  const Mesh<2>& mesh = model.mesh;
+  const Mesh<2>& mesh = *model.mesh;
   fmt::print("{}\n", printable(file.values.title.empty() ? file.values.name : file.values.title));
   fmt::print("  scheme         {}\n", file.values.scheme);
   fmt::print("{}", describe(measure_quality(mesh)));

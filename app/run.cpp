@@ -11,9 +11,8 @@
 #include "parallel/threads.hpp"
 #include "progress.hpp"
 #include "simulation/frame.hpp"
-#include "simulation/run.hpp"
-#include "simulation/setup.hpp"
 #include "simulation/setup_warnings.hpp"
+#include "simulation/simulation.hpp"
 #include "simulation/state_image.hpp"
 #include "stop.hpp"
 
@@ -96,19 +95,21 @@ std::string hint_to_go_on(const std::string& folder, const RunOptions& options)
 }
 
 /// Solves, and leaves a summary however the run ends.
-int solve(const Model& model, State& state, RunWriter& writer, const RunOptions& options, const std::string& folder)
+int solve(Simulation& simulation, RunWriter& writer, const RunOptions& options, const std::string& folder)
 {
   listen_for_stop();
   ProgressLine progress(options.quiet);
-  Workspace work(model, state);
+  const Model& model = simulation.model;
+  const State& state = simulation.state;
   try {
     MeshWriter mesh(folder, writer.case_record(), model, state);
-    Observer* const observers[] = {&writer, &mesh, &progress};
+    simulation.observers = {&writer, &mesh, &progress};
     writer.summary(summarise(model, state), false);  // also names the case for `resume`
-    const Outcome outcome = run(model, state, work, observers, stop_requested);
+    const Outcome outcome = simulation.run(stop_requested);
     progress.finish();
     Summary summary = summarise(model, state);
-    for (int pass = 0; pass < n_passes; ++pass) summary.passes.push_back({pass_names[pass], work.seconds[pass]});
+    for (int pass = 0; pass < n_passes; ++pass)
+      summary.passes.push_back({pass_names[pass], simulation.work.seconds[pass]});
     writer.summary(summary, outcome == Outcome::finished);
     if (outcome == Outcome::interrupted) {
       fmt::print("stopped at t = {:.4g} s, step {}; a checkpoint is written. Go on with:\n  {}\n", state.time,
@@ -117,7 +118,7 @@ int solve(const Model& model, State& state, RunWriter& writer, const RunOptions&
     }
     if (!options.quiet) print_summary(summary, folder);
     warn_of(summary);
-    if (options.verbose) print_passes(work);
+    if (options.verbose) print_passes(simulation.work);
     return solved;
   } catch (const RunError& error) {
     progress.finish();
@@ -131,10 +132,9 @@ int solve(const Model& model, State& state, RunWriter& writer, const RunOptions&
 }
 
 /// The same, and the page of the run if it is wanted.
-int solve_and_show(
-    const Model& model, State& state, RunWriter& writer, const RunOptions& options, const std::string& folder)
+int solve_and_show(Simulation& simulation, RunWriter& writer, const RunOptions& options, const std::string& folder)
 {
-  const int status = solve(model, state, writer, options, folder);
+  const int status = solve(simulation, writer, options, folder);
   if (options.report && status == solved) report_runs({.runs = {folder}, .output = path_in(folder, report_file)});
   return status;
 }
@@ -247,8 +247,8 @@ ResumePoint resume_point(const Model& model, const State& state, const std::stri
   return {.step = state.step,
       .time = state.time,
       .n_points = state.n_ids(),
-      .n_nodes = model.mesh.n_nodes(),
-      .n_cells = model.mesh.n_cells(),
+      .n_nodes = model.mesh->n_nodes(),
+      .n_cells = model.mesh->n_cells(),
       .n_frames = std::ssize(state.softened_fraction),
       .n_mesh_frames = output.mesh ? std::ssize(state.softened_fraction) : 0,
       .n_history_rows = n_times * std::ssize(output.history_points),
@@ -267,13 +267,12 @@ int run_case(const RunOptions& options)
   const std::string folder = options.output.empty() ? default_run_folder(options.path) : options.output;
   fmt::print(stderr, "{}", render_warnings(file));
   try {
-    Model model = build_model(file.values, threads_of(options));
-    State state = build_state(model);
-    fmt::print(stderr, "{}", render_warnings(find_warnings(model, state), file));
+    Simulation simulation(file.values, threads_of(options));
+    fmt::print(stderr, "{}", render_warnings(find_warnings(simulation.model, simulation.state), file));
     const auto writer = RunWriter::start({folder, {file.values.name, file.text}, file.values.output.checkpoint_keep,
-                                             record_text(make_case_record(file, model.mesh))},
+                                             record_text(make_case_record(file, *simulation.model.mesh))},
         options.force);
-    return solve_and_show(model, state, *writer, options, folder);
+    return solve_and_show(simulation, *writer, options, folder);
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));
   }
@@ -289,20 +288,23 @@ int resume_run(const RunOptions& options)
   const auto [checkpoint, image] = find_checkpoint(options.path);
   try {
     Model model = build_model(with_first_end(file.values, image), threads_of(options));
-    const CaseRecord record = make_case_record(file, model.mesh);
+    const CaseRecord record = make_case_record(file, *model.mesh);
     const auto changes = check_unchanged(folder, image, record);
     seed_again(image, model);
     set_end(file.values, image, model);
-    State state = restore_from(checkpoint, model, image);
+    State restored = restore_from(checkpoint, model, image);
+    Simulation simulation(std::move(model), std::move(restored));
+    const State& state = simulation.state;
     const std::string kept = image.case_record.empty() ? record_text(record) : image.case_record;
     RunWriterSettings settings{folder, {case_name_in(folder), file.text}, file.values.output.checkpoint_keep, kept};
     const auto writer =
-        RunWriter::resume(std::move(settings), std::move(lock), resume_point(model, state, image.tables));
+        RunWriter::resume(std::move(settings), std::move(lock), resume_point(simulation.model, state, image.tables));
     if (!options.quiet)
-      fmt::print("resuming {} at t = {:.4g} s, step {} of {}\n", folder, state.time, state.step, model.n_steps);
+      fmt::print(
+          "resuming {} at t = {:.4g} s, step {} of {}\n", folder, state.time, state.step, simulation.model.n_steps);
     for (const ChangedValue& change : changes)
       if (!options.quiet) fmt::print("  from here on with another {}\n", change.text());
-    return solve_and_show(model, state, *writer, options, folder);
+    return solve_and_show(simulation, *writer, options, folder);
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));
   }

@@ -219,7 +219,7 @@ void GatherLanesAcrossCells(benchmark::State& bench)
     for (std::size_t k = 0; k < groups.size(); ++k) {
       GroupSums sums;
       map_group(groups[k], sums);
-      pressure[k] = gather_group(ready.model.mesh.geometry(0), ready.model.method, groups[k], sums);
+      pressure[k] = gather_group(ready.model.mesh->geometry(0), ready.model.method, groups[k], sums);
       spread(groups[k], sums, corners);
     }
   benchmark::DoNotOptimize(pressure.data());
@@ -258,7 +258,7 @@ void StrainLanesAcrossCells(benchmark::State& bench)
       const auto by_cell = displacements(ready.model, ready.work.node, group_from(ready, group.slot[0]));
       std::array<PerCorner, 2> du;
       for (int d = 0; d < 2; ++d) du[d] = to_lanes([&](int c) { return by_cell[c][d].data(); });
-      strain_group(ready.model.mesh.geometry(0), du, group);
+      strain_group(ready.model.mesh->geometry(0), du, group);
     }
   count_points(bench, ready);
 }

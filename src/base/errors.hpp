@@ -25,14 +25,17 @@ struct Problem {
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::vector<Problem> problems)
-      : std::runtime_error(problems.empty() ? "bad input" : problems.front().key + ": " + problems.front().what),
-        problems_(std::move(problems))
+      : std::runtime_error(problems.empty() ? "bad input" : text_of(problems.front())), problems_(std::move(problems))
   {
   }
   explicit InputError(Problem problem) : InputError(std::vector<Problem>{std::move(problem)}) {}
   const std::vector<Problem>& problems() const { return problems_; }
 
  private:
+  static std::string text_of(const Problem& p)
+  {
+    return p.key + ": " + p.what + (p.detail.empty() ? "" : "\n  " + p.detail);
+  }
   std::vector<Problem> problems_;
 };
 

@@ -5,6 +5,7 @@
 #include "mesh/box_grid.hpp"
 #include "mesh/cell_geometry.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,9 @@ struct Mesh {
     return x;
   }
 };
+
+/// A mesh that several models hold at once; nobody changes it any more.
+using SharedMesh = std::shared_ptr<const Mesh<2>>;
 
 /// Fills everything that follows from nodes and cells: neighbours, centres, geometries, cells of nodes, grid of cells.
 void connect(Mesh<2>& mesh);

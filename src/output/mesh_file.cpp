@@ -164,7 +164,7 @@ MeshWriter::MeshWriter(
     const std::string& folder, const std::string& case_record, const Model& model, const State& state)
     : file_(path_in(folder, mesh_file), digits_of(case_record)), model_(model), state_(state)
 {
-  if (!std::filesystem::exists(path_in(folder, mesh_file))) file_.create(model.mesh, model.description.output.mesh);
+  if (!std::filesystem::exists(path_in(folder, mesh_file))) file_.create(*model.mesh, model.description.output.mesh);
 }
 
 void MeshWriter::frame(const std::shared_ptr<const Frame>&)

@@ -19,7 +19,7 @@ inline CellGroup view_group(const Model& model, State& state, Workspace& work, I
   const Index n = end - first, n_groups = Threads::n_chunks(static_cast<Index>(occupied.size()), pack_width);
   const bool in_cache = state.points.n_points() * state.points.n_rows() * std::int64_t{sizeof(Real)} < prefetch_from;
   const Index next_cell = static_cast<std::size_t>(end) < occupied.size() ? occupied[end] : -1;
-  return {occupied.subspan(first, n), model.mesh, state.points, corners.subspan(first, n), work.pressure, work.gauss,
+  return {occupied.subspan(first, n), *model.mesh, state.points, corners.subspan(first, n), work.pressure, work.gauss,
       first / pack_width, n_groups, next_cell, !in_cache};
 }
 
@@ -40,7 +40,8 @@ inline std::array<CornerVectors, pack_width> displacements(
     const Model& model, std::span<const NodeValues> node, const CellGroup& group)
 {
   std::array<CornerVectors, pack_width> du{};
-  for (int c = 0; c < group.n(); ++c) du[c] = corner_values(model.mesh, node, group.cells[c], &NodeValues::v, model.dt);
+  for (int c = 0; c < group.n(); ++c)
+    du[c] = corner_values(*model.mesh, node, group.cells[c], &NodeValues::v, model.dt);
   return du;
 }
 
@@ -57,8 +58,8 @@ inline void map_mass_and_momentum(const CellGroup& group, int c)
 /// v_p of a cell from the accelerated nodes, and the momentum of the points with it.
 inline void accelerate_and_map(const Model& model, std::span<const NodeValues> node, const CellView& view)
 {
-  const CornerVectors dv = corner_values(model.mesh, node, view.cell, &NodeValues::dv, 1.0);
-  const CornerVectors v_star = corner_values(model.mesh, node, view.cell, &NodeValues::v, 1.0);
+  const CornerVectors dv = corner_values(*model.mesh, node, view.cell, &NodeValues::dv, 1.0);
+  const CornerVectors v_star = corner_values(*model.mesh, node, view.cell, &NodeValues::v, 1.0);
   view.corners.momentum = {};
   for_each_block(view.points, view.cell, [&](PointBlock<2> block, Index) {
     accelerate_points(dv, v_star, model.method.flip, block);

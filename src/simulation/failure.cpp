@@ -60,7 +60,7 @@ void follow_slip(const Model& model, const State& state, Real growth, SlopeFailu
   SlipSurface& slip = slope.slip.back();
   const Real rate = growth / (time.back() - time[time.size() - 2]);
   if (!(rate > slip.rate)) return;
-  const auto smooth = mean_over_nodes(model.mesh, state.points, growth_of_strain(model, state));
+  const auto smooth = mean_over_nodes(*model.mesh, state.points, growth_of_strain(model, state));
   slip = {.time = time.back(),
       .rate = rate,
       .line = find_slip_line(state.points, smooth, columns_of(state, slope.crest.slope))};
@@ -75,7 +75,7 @@ Fronts find_fronts(const Model& model, const State& state, const MovedSoil& move
   Fronts x{std::nan(""), std::nan("")};
   for (const SlopeFailure& slope : state.slopes) {
     const std::size_t side = slope.crest.slope.facing == Facing::left ? 0 : 1;
-    x[side] = slope.crest.slope.free_toe ? extent_in_x(model.mesh, state.points)[side]
+    x[side] = slope.crest.slope.free_toe ? extent_in_x(*model.mesh, state.points)[side]
               : side == 0                ? moved.reach_left
                                          : moved.reach_right;
   }
@@ -151,7 +151,7 @@ void summarise_slope(const Model& model, const State& state, const Fronts& front
   s.free_toe = slope.free_toe;
   s.front_x = front_of(fronts, slope.facing);
   s.run_out = run_out_of(state, fronts, slope);
-  const auto heights = surface_heights(model.mesh, state.points, state.section.columns);
+  const auto heights = surface_heights(*model.mesh, state.points, state.section.columns);
   const Standing standing = find_standing(state.section, slope, state.slopes.size() == 1, heights);
   s.crest_x = finite(find_crest(state.section, slope, standing));
   s.crest_y = finite(crest_height(state.section, slope, standing, heights));
@@ -163,7 +163,7 @@ void summarise_slope(const Model& model, const State& state, const Fronts& front
 
 void start_following(const Model& model, Columns columns, State& state)
 {
-  state.section = look_at_section(model.mesh, state.points, columns);
+  state.section = look_at_section(*model.mesh, state.points, columns);
   state.slopes.clear();
   for (const Slope& slope : find_slopes(state.section))
     state.slopes.push_back({{.slope = slope, .width = columns.width, .time = {}, .x = {}, .kinetic = {}}, {}});
@@ -181,7 +181,7 @@ void follow_failure(const Model& model, const Totals& totals, State& state, Ledg
   const Real none = std::nan("");
   row.front_x = row.crest_x = row.crest_y = row.front_left_x = row.crest_left_x = row.crest_left_y = none;
   const Fronts fronts = find_fronts(model, state, totals.moved);
-  const auto heights = surface_heights(model.mesh, state.points, state.section.columns);
+  const auto heights = surface_heights(*model.mesh, state.points, state.section.columns);
   row.moved_volume = totals.moved.volume + volume_that_left(state);
   for (std::size_t k = 0; k < state.slopes.size(); ++k) {
     SlopeFailure& slope = state.slopes[k];

@@ -11,7 +11,7 @@ namespace {
 
 constexpr Real outline_slack = 1e-6;  // of the lowest cell: nodes on the outline belong to the footing
 
-Real slack_of(const Model& model) { return outline_slack * model.mesh.smallest_altitude; }
+Real slack_of(const Model& model) { return outline_slack * model.mesh->smallest_altitude; }
 
 Real dot(Vec<2> a, Vec<2> b) { return a[0] * b[0] + a[1] * b[1]; }
 
@@ -26,7 +26,7 @@ bool touches_soil(const Model& model, const State& state, const PlacedFooting& f
 {
   const auto has_node = [&](Index cell) {
     return std::ranges::any_of(
-        model.mesh.cells[cell], [&](Index node) { return footing.holds(model.mesh.nodes[node]); });
+        model.mesh->cells[cell], [&](Index node) { return footing.holds(model.mesh->nodes[node]); });
   };
   return std::ranges::any_of(state.points.occupied(), has_node);
 }

@@ -134,6 +134,34 @@ void mark_left(const State& state, Frame& frame)
   }
 }
 
+/// The fields of n points from the id `first` on.
+Frame gather_frame(const State& state, const std::vector<FieldRecipe>& recipes, std::int64_t first, std::int64_t n)
+{
+  const auto size = static_cast<std::size_t>(n);
+  Frame frame{.time = state.time,
+      .step = state.step,
+      .x = std::vector<Real>(2 * size),
+      .fields = {},
+      .first = first,
+      .n_all = state.n_ids()};
+  for (const FieldRecipe& r : recipes)
+    frame.fields.push_back({r.name, r.unit, r.n_components, std::vector<Real>(size * r.n_components, 0.0)});
+  std::vector<std::size_t> places;
+  for_each_block(state.points, [&](const PointBlock<2>& block) {
+    places.clear();
+    for (Index lane = 0; lane < block.n; ++lane) {
+      const std::size_t place = id_of(block, lane) - static_cast<std::size_t>(first);  // wraps below `first`
+      places.push_back(place < size ? place : nowhere);
+    }
+    for_each_place(block, places, 2, frame.x.data(), [&](Index lane, Real* out) {
+      for (int d = 0; d < 2; ++d) out[d] = block.row(Rows::x + d)[lane];
+    });
+    for (std::size_t r = 0; r < recipes.size(); ++r) recipes[r].read(block, places, frame.fields[r].values.data());
+  });
+  mark_left(state, frame);
+  return frame;
+}
+
 HistoryRow history_of(const Model& model, const State& state, const PointBlock<2>& block, Index lane)
 {
   const SoilMaterial& material = model.materials[block.material];
@@ -205,6 +233,20 @@ Real deviatoric_strain(const std::array<Real, 4>& strain, DeviatoricNorm norm)
   return std::sqrt(square * (norm == DeviatoricNorm::half ? 0.5 : 2.0 / 3.0));
 }
 
+std::optional<PointField> make_field(
+    const Model& model, const State& state, const std::string& name, std::vector<std::string>& names)
+{
+  std::vector<FieldRecipe> recipes = common_recipes(model, state);
+  add_material_recipes(model, recipes);
+  names = {"position"};
+  for (const FieldRecipe& r : recipes) names.push_back(r.name);
+  std::erase_if(recipes, [&](const FieldRecipe& r) { return r.name != name; });
+  if (recipes.empty() && name != "position") return {};
+  Frame frame = gather_frame(state, recipes, 0, state.n_ids());
+  if (recipes.empty()) return PointField{"position", "m", 2, std::move(frame.x)};
+  return std::move(frame.fields[0]);
+}
+
 Frame make_frame(const Model& model, const State& state) { return make_frame(model, state, 0, state.n_ids()); }
 
 Frame make_frame(const Model& model, const State& state, std::int64_t first, std::int64_t n)
@@ -212,30 +254,7 @@ Frame make_frame(const Model& model, const State& state, std::int64_t first, std
   std::vector<FieldRecipe> recipes = common_recipes(model, state);
   add_material_recipes(model, recipes);
   std::erase_if(recipes, [&](const FieldRecipe& r) { return !wanted(model, r.name); });
-
-  const auto size = static_cast<std::size_t>(n);
-  Frame frame{.time = state.time,
-      .step = state.step,
-      .x = std::vector<Real>(2 * size),
-      .fields = {},
-      .first = first,
-      .n_all = state.n_ids()};
-  for (const FieldRecipe& r : recipes)
-    frame.fields.push_back({r.name, r.unit, r.n_components, std::vector<Real>(size * r.n_components, 0.0)});
-  std::vector<std::size_t> places;
-  for_each_block(state.points, [&](const PointBlock<2>& block) {
-    places.clear();
-    for (Index lane = 0; lane < block.n; ++lane) {
-      const std::size_t place = id_of(block, lane) - static_cast<std::size_t>(first);  // wraps below `first`
-      places.push_back(place < size ? place : nowhere);
-    }
-    for_each_place(block, places, 2, frame.x.data(), [&](Index lane, Real* out) {
-      for (int d = 0; d < 2; ++d) out[d] = block.row(Rows::x + d)[lane];
-    });
-    for (std::size_t r = 0; r < recipes.size(); ++r) recipes[r].read(block, places, frame.fields[r].values.data());
-  });
-  mark_left(state, frame);
-  return frame;
+  return gather_frame(state, recipes, first, n);
 }
 
 std::vector<HistoryRow> make_history(const Model& model, const State& state, std::vector<PointPlace>& places)

@@ -78,7 +78,7 @@ std::string describe_energy(const State& state, const LedgerRow& row)
 Real overtaken_share(const Model& model, const State& state)
 {
   Real fast = 0.0, all = 0.0;
-  const Real limit = model.mesh.smallest_altitude / model.dt;
+  const Real limit = model.mesh->smallest_altitude / model.dt;
   for_each_block(state.points, [&](const PointBlock<2>& block) {
     const Real modulus = model.materials[block.material].law->p_wave_modulus();
     const Real *mass = block.row(Rows::mass), *volume = block.row(Rows::volume);
@@ -97,7 +97,7 @@ std::string describe_time_step(const Model& model, const State& state, Real shar
       "  where    soil so loose that its waves cross the smallest cell ({:.3g} m) within dt = {:.3g} s\n"
       "  likely   soil that swells without end, often under tension; dt is that of the density at t = 0\n"
       "  try      a time.courant lower than {:g} (docs/troubleshooting.md#the-time-step-is-too-long)",
-      state.step, state.time, 100.0 * share, 100.0 * most_overtaken, model.mesh.smallest_altitude, model.dt,
+      state.step, state.time, 100.0 * share, 100.0 * most_overtaken, model.mesh->smallest_altitude, model.dt,
       model.description.time.courant);
 }
 
@@ -126,7 +126,7 @@ std::string describe_not_finite(const Model& model, const State& state, const Wo
   std::string where = "a node of the background mesh", what = "a nodal acceleration";
   if (bad.id >= 0) {
     const SoilMaterial& m = model.materials[bad.material];
-    const Vec<2> c = model.mesh.centres[bad.cell];
+    const Vec<2> c = model.mesh->centres[bad.cell];
     what = fmt::format("the {} of material point {}", bad.what, bad.id);
     where = fmt::format("cell {} at x = {} m, y = {} m; material `{}` ({})", bad.cell, coordinate_text(c[0]),
         coordinate_text(c[1]), m.name, m.type->name);

@@ -1,8 +1,8 @@
 #include "simulation/initial.hpp"
 
 #include "simulation/failure.hpp"
-#include "simulation/guards.hpp"
 #include "simulation/ledger.hpp"
+#include "simulation/run.hpp"
 #include "simulation/setup_points.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::vector<DrawnBody> draw_bodies(const Model& model)
   for (const BodyCase& body : model.description.bodies)
     if (body.points_file.empty())
       drawn.push_back(
-          {outline_sides(model.mesh, outlines[k++]), model.materials[material_number(model, body.material)].density});
+          {outline_sides(*model.mesh, outlines[k++]), model.materials[material_number(model, body.material)].density});
   return drawn;
 }
 
@@ -91,8 +91,8 @@ Flow find_flow(const Model& model, const State& state)
     const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
     const Real way = std::hypot(
         block.row(Rows::x)[lane] - state.x_initial[2 * id], block.row(Rows::x + 1)[lane] - state.x_initial[2 * id + 1]);
-    const Vec<2> a = model.mesh.nodes[model.mesh.cells[block.cell][0]],
-                 c = model.mesh.nodes[model.mesh.cells[block.cell][2]];
+    const Vec<2> a = model.mesh->nodes[model.mesh->cells[block.cell][0]],
+                 c = model.mesh->nodes[model.mesh->cells[block.cell][2]];
     if (way <= std::hypot(c[0] - a[0], c[1] - a[1])) return;
     ++flow.n;
     flow.way = std::max(flow.way, way);
@@ -109,6 +109,11 @@ std::string describe_flow(const Flow& flow, Index n_points)
       "  try      initial.stress = \"none\" or \"k0\", or a stronger soil (docs/troubleshooting.md#no-equilibrium)",
       100.0 * static_cast<Real>(flow.n) / static_cast<Real>(n_points), flow.way);
 }
+
+constexpr Real most_that_flows = 0.01;  // of the points: some trickle down the face of soil that stands
+
+constexpr const char* soil_left =
+    "in the search for equilibrium soil left through an open side; give that side a `roller`, or start with \"k0\"";
 
 std::string describe_no_equilibrium(const InitialCase& initial, Real ratio)
 {
@@ -141,31 +146,28 @@ Search seek_equilibrium(const Model& model, State& state, Workspace& work, const
 {
   const InitialCase& initial = model.description.initial;
   constexpr std::int64_t fewest_steps = 10;  // before the ratio says anything
-  constexpr Real most_that_flows = 0.01;     // of the points: some trickle down the face of soil that stands
   work.damping_local = initial.damping;
   work.settling = true;
-  while (state.equilibrium_steps < initial.max_steps && !stop.load(std::memory_order_relaxed)) {
-    model.step(model, state, work);
+  const auto goes_on = [&] {
     ++state.equilibrium_steps;
-    state.step = 0;
-    state.time = 0.0;
-    if (std::string fault = find_fault(model, state, work, 0.0); !fault.empty())
-      return {.fault = "in the search for equilibrium: " + fault};
-    if (!state.left.empty())
-      return {.fault =
-                  "in the search for equilibrium soil left through an open side; give that side a `roller`, or start "
-                  "with \"k0\""};
-    if (state.equilibrium_steps < fewest_steps || work.unbalanced_ratio > initial.limit) continue;
-    if (const Flow flow = find_flow(model, state); flow.n > most_that_flows * static_cast<Real>(state.n_ids()))
-      return {.fault = describe_flow(flow, state.n_ids())};
-    work.damping_local = model.damping.local;
-    work.settling = false;
-    reset_history(state, model.n_state);
-    start_following(model, state.section.columns, state);
-    return {.reached = true};
-  }
-  if (state.equilibrium_steps < initial.max_steps) return {};
-  return {.fault = describe_no_equilibrium(initial, work.unbalanced_ratio)};
+    return state.left.empty() && (state.equilibrium_steps < fewest_steps || work.unbalanced_ratio > initial.limit);
+  };
+  const StepsMade made = make_steps(model, state, work,
+      {.most_steps = initial.max_steps - state.equilibrium_steps,
+          .stop = &stop,
+          .clock_stands = true,
+          .after_step = goes_on});
+  if (made.end == LoopEnd::fault) return {.fault = "in the search for equilibrium: " + made.fault};
+  if (made.end == LoopEnd::stopped) return {};
+  if (made.end == LoopEnd::all_steps) return {.fault = describe_no_equilibrium(initial, work.unbalanced_ratio)};
+  if (!state.left.empty()) return {.fault = soil_left};
+  if (const Flow flow = find_flow(model, state); flow.n > most_that_flows * static_cast<Real>(state.n_ids()))
+    return {.fault = describe_flow(flow, state.n_ids())};
+  work.damping_local = model.damping.local;
+  work.settling = false;
+  reset_history(state, model.n_state);
+  start_following(model, state.section.columns, state);
+  return {.reached = true};
 }
 
 }  // namespace terp

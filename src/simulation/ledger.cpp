@@ -86,6 +86,11 @@ void start_audit(const Model& model, State& state)
   state.audit.last_eps_eq_p.assign(n, 0.0);
   state.audit.last_su.assign(needs_su ? n : 0, std::numeric_limits<Real>::infinity());
   for (auto* flags : {&state.audit.fell, &state.audit.rose}) flags->assign(n, false);
+  remember_history(model, state);
+}
+
+void remember_history(const Model& model, State& state)
+{
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     remember(model.materials[block.material], block, lane, state.audit);
   });

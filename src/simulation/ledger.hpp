@@ -33,6 +33,9 @@ LedgerRow keep_ledger(const Model& model, State& state, Workspace& work);
 /// Sizes the audit for the points of a new state.
 void start_audit(const Model& model, State& state);
 
+/// Takes the strain and strength of the points as they are for those of the last row: after somebody else set them.
+void remember_history(const Model& model, State& state);
+
 /// Share of the volume with S_u below half of its value at no plastic strain; 0 where no material has S_u [-].
 Real softened_fraction(const Model& model, const State& state);
 

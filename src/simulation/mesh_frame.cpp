@@ -36,7 +36,7 @@ MeshFrame make_mesh_frame(const Model& model, const State& state)
       .mass = std::move(motion.mass),
       .velocity = std::move(motion.velocity),
       .pressure =
-          std::vector<Real>(static_cast<std::size_t>(model.mesh.n_cells()), std::numeric_limits<Real>::quiet_NaN())};
+          std::vector<Real>(static_cast<std::size_t>(model.mesh->n_cells()), std::numeric_limits<Real>::quiet_NaN())};
   for (const Index cell : state.points.occupied()) {
     PressureSum sum;
     for_each_block(state.points, cell, [&](const PointBlock<2>& block, Index) { add_pressure(block, sum); });

@@ -23,7 +23,7 @@ struct BodyShare {
 
 struct Model {
   Case description;  ///< as the user gave it
-  Mesh<2> mesh;
+  SharedMesh mesh;   ///< one for all runs of a study
   std::vector<SoilMaterial> materials;
   MethodOptions method;
   Boundary boundary;

@@ -19,13 +19,13 @@ void add_corners(const std::array<Index, 4>& nodes, const CornerSums<2>& corners
 
 NodeMotion map_motion(const Model& model, const State& state)
 {
-  const auto n_nodes = static_cast<std::size_t>(model.mesh.n_nodes());
+  const auto n_nodes = static_cast<std::size_t>(model.mesh->n_nodes());
   NodeMotion motion{.mass = std::vector<Real>(n_nodes), .velocity = std::vector<Real>(2 * n_nodes)};
   for (const Index cell : state.points.occupied()) {
     CornerSums<2> corners{};
     for_each_block(
         state.points, cell, [&](const PointBlock<2>& block, Index) { map_mass_and_momentum(block, corners); });
-    add_corners(model.mesh.cells[static_cast<std::size_t>(cell)], corners, motion);
+    add_corners(model.mesh->cells[static_cast<std::size_t>(cell)], corners, motion);
   }
   for (std::size_t i = 0; i < n_nodes; ++i)
     for (std::size_t d = 0; d < 2; ++d) motion.velocity[2 * i + d] /= motion.mass[i] > 0.0 ? motion.mass[i] : 1.0;

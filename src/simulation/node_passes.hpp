@@ -16,8 +16,8 @@ struct NodeGather {
 inline NodeGather sum_cells(const Model& model, const State& state, const Workspace& work, Index node)
 {
   NodeGather sum;
-  for (Index k = model.mesh.first_cell_of_node[node]; k < model.mesh.first_cell_of_node[node + 1]; ++k) {
-    const auto [cell, corner] = model.mesh.cells_of_node[k];
+  for (Index k = model.mesh->first_cell_of_node[node]; k < model.mesh->first_cell_of_node[node + 1]; ++k) {
+    const auto [cell, corner] = model.mesh->cells_of_node[k];
     const Index slot = state.points.slot_of_cell()[cell];
     if (slot < 0) continue;
     const CornerSums<2>& from = work.corners[slot];
@@ -33,9 +33,9 @@ inline NodeGather sum_cells(const Model& model, const State& state, const Worksp
 /// Smallest mass of a node that may move: small_mass rho V_e of the first cell around it [kg per m].
 inline Real mass_limit(const Model& model, Index node)
 {
-  const auto& first = model.mesh.first_cell_of_node;
+  const auto& first = model.mesh->first_cell_of_node;
   return model.method.small_mass * model.largest_density *
-         model.mesh.geometry(model.mesh.cells_of_node[first[node]].cell).volume;
+         model.mesh->geometry(model.mesh->cells_of_node[first[node]].cell).volume;
 }
 
 /// Number of the footing that holds a place, the last if several do; -1: none.
@@ -73,7 +73,7 @@ inline void accelerate_node(const Model& model, const NodeGather& sum, Index i, 
     node.internal[d] = -sum.internal_force[d];
   }
   sums.kinetic += 0.5 * sum.mass * (v_0[0] * v_0[0] + v_0[1] * v_0[1]);
-  const int k = footing_at(work, model.mesh.nodes[i]);
+  const int k = footing_at(work, model.mesh->nodes[i]);
   const PlacedFooting* const footing = k < 0 ? nullptr : &work.footings[k];
   const auto beside = [&](Vec<2> value) { return footing == nullptr ? value : footing->free_part(value); };
   const Vec<2> force = beside(model.boundary.free_force(i, out_of_balance)),
@@ -115,7 +115,7 @@ inline void remap_velocity(const Model& model, const NodeGather& sum, Index i, W
   const Vec<2> v_1 = node.v;
   for (int d = 0; d < 2; ++d) node.v[d] = sum.momentum[d] / node.mass;
   model.boundary.clamp(i, node.mass, model.dt, v_1, node.boundary, node.v);
-  if (const int k = footing_at(work, model.mesh.nodes[i]); k >= 0) work.footings[k].hold(node.v);
+  if (const int k = footing_at(work, model.mesh->nodes[i]); k >= 0) work.footings[k].hold(node.v);
   add_works(model, node, sums);
 }
 

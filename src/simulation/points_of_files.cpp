@@ -48,7 +48,7 @@ std::optional<PointOfFile> largest_of_files(const Model& model, const std::vecto
 {
   std::optional<PointOfFile> found;
   for_each_point_of_files(model, [&](const PointOfFile& p) {
-    if (std::binary_search(cells.begin(), cells.end(), locate(model.mesh, p.point.x, 0).cell) &&
+    if (std::binary_search(cells.begin(), cells.end(), locate(*model.mesh, p.point.x, 0).cell) &&
         (!found || p.point.volume > found->point.volume))
       found = p;
   });
@@ -70,7 +70,7 @@ CellContents contents_of_cells(const Mesh<2>& mesh, const PointBatches& points)
 /// too.
 void check_room_for_points(const Model& model, const PointBatches& points)
 {
-  const auto overfull = find_overfull(model.mesh, contents_of_cells(model.mesh, points));
+  const auto overfull = find_overfull(*model.mesh, contents_of_cells(*model.mesh, points));
   if (!overfull) return;
   const auto at = largest_of_files(model, overfull->around);
   if (!at) return;  // no cell of theirs
@@ -152,7 +152,7 @@ void check_drawn_bodies(const Model& model, const std::vector<BodyOutline>& outl
     const std::vector<std::size_t>& drawn, const PointBatches& points)
 {
   std::vector<std::vector<Side>> sides;
-  for (const BodyOutline& outline : outlines) sides.push_back(outline_sides(model.mesh, outline));
+  for (const BodyOutline& outline : outlines) sides.push_back(outline_sides(*model.mesh, outline));
   for (const auto& batch : points)
     for (const NewPoint& p : batch) {
       if (model.description.bodies[p.body].points_file.empty()) continue;

@@ -50,7 +50,7 @@ Real top_of_soil(const Model& model, const State& state, const NamedSide& side)
 {
   Real top = nan;
   for (const CellSide& edge : side.edges)
-    if (const Steep part = heights_of(model.mesh, edge); part.is && holds_soil(state, edge))
+    if (const Steep part = heights_of(*model.mesh, edge); part.is && holds_soil(state, edge))
       top = std::fmax(top, part.high);
   return top;
 }
@@ -60,7 +60,7 @@ bool has_risen(const Model& model, const State& state, const NamedSide& side, Re
 {
   if (std::isnan(top) || !is_end_of_mesh(model, side.name)) return false;
   return std::any_of(side.edges.begin(), side.edges.end(), [&](const CellSide& edge) {
-    const Steep part = heights_of(model.mesh, edge);
+    const Steep part = heights_of(*model.mesh, edge);
     return part.is && part.low > top + 0.5 * (part.high - part.low) && holds_soil(state, edge);
   });
 }
@@ -70,7 +70,7 @@ void note_sides(const Model& model, Real time, State& state)
 {
   for (std::size_t k = 0; k < state.side_reached.size(); ++k) {
     Real& reached = state.side_reached[k];
-    const NamedSide& side = model.mesh.sides[k];
+    const NamedSide& side = model.mesh->sides[k];
     if (std::isnan(reached) ? has_soil(state, side)
                             : reached == 0.0 && has_risen(model, state, side, state.side_top[k]))
       reached = time;
@@ -82,7 +82,7 @@ void note_sides(const Model& model, Real time, State& state)
 void start_following_sides(const Model& model, State& state)
 {
   state.side_reached.clear(), state.side_top.clear();
-  for (const NamedSide& side : model.mesh.sides) {
+  for (const NamedSide& side : model.mesh->sides) {
     state.side_reached.push_back(has_soil(state, side) ? 0.0 : nan);
     state.side_top.push_back(top_of_soil(model, state, side));
   }
@@ -94,7 +94,7 @@ std::vector<ReachedSide> list_reached_sides(const Model& model, const State& sta
 {
   std::vector<ReachedSide> reached;
   for (std::size_t k = 0; k < state.side_reached.size(); ++k)
-    if (const std::string& name = model.mesh.sides[k].name;
+    if (const std::string& name = model.mesh->sides[k].name;
         state.side_reached[k] > 0.0 && kind_of(model, name) != SideKind::open)
       reached.push_back({name, state.side_reached[k], !std::isnan(state.side_top[k])});
   std::stable_sort(

@@ -148,8 +148,24 @@ std::int64_t count_due(std::int64_t step, Real dt, Real every)
   return n;
 }
 
+StepsMade make_steps(const Model& model, State& state, Workspace& work, const StepPolicy& policy)
+{
+  for (std::int64_t n = 0; n < policy.most_steps; ++n) {
+    const bool may_stop = policy.stop != nullptr && n >= policy.least_steps;
+    if (may_stop && policy.stop->load(std::memory_order_relaxed)) return {.end = LoopEnd::stopped};
+    model.step(model, state, work);
+    if (policy.clock_stands) state.step = 0, state.time = 0.0;
+    if (std::string fault = find_fault(model, state, work, state.largest_v_999); !fault.empty())
+      return {.end = LoopEnd::fault, .fault = std::move(fault)};
+    if (policy.after_step && !policy.after_step()) return {.end = LoopEnd::enough};
+  }
+  return {.end = LoopEnd::all_steps};
+}
+
+bool has_started(const State& state) { return state.step > 0 || state.ledger_rows > 0; }
+
 Outcome run(const Model& model, State& state, Workspace& work, std::span<Observer* const> observers,
-    const std::atomic<bool>& stop)
+    const std::atomic<bool>& stop, std::int64_t until)
 {
   Loop loop{.model = model,
       .state = state,
@@ -157,7 +173,7 @@ Outcome run(const Model& model, State& state, Workspace& work, std::span<Observe
       .observers = observers,
       .wall_before = state.wall_s,
       .first_step = state.step};
-  if (state.step == 0) {
+  if (!has_started(state)) {
     const Search search = start_run(model, state, work, stop);
     if (!search.fault.empty()) stop_run(state, observers, search.fault);
     if (!search.reached) {
@@ -166,21 +182,20 @@ Outcome run(const Model& model, State& state, Workspace& work, std::span<Observe
     }
     loop.write_due(false);
   }
-  while (state.step < model.n_steps) {
-    if (state.step > 0 &&
-        stop.load(std::memory_order_relaxed)) {  // a checkpoint of step 0 is that of a search that goes on
-      loop.write_checkpoint();
-      return Outcome::interrupted;
-    }
-    const Real before = state.largest_v_999;
-    model.step(model, state, work);
-    if (const std::string fault = find_fault(model, state, work, before); !fault.empty())
-      stop_run(state, observers, fault);
+  const auto write_what_is_due = [&] {
     loop.write_due(state.step == model.n_steps);
     loop.tell_progress(state.step == model.n_steps);
-  }
+    return true;
+  };
+  const StepsMade made = make_steps(model, state, work,
+      {.most_steps = until - state.step,
+          .stop = &stop,
+          .least_steps = state.step == 0 ? 1 : 0,  // a checkpoint of step 0 is that of a search that goes on
+          .after_step = write_what_is_due});
+  if (made.end == LoopEnd::fault) stop_run(state, observers, made.fault);
+  if (made.end == LoopEnd::stopped) loop.write_checkpoint();
   state.wall_s = loop.wall_before + seconds_since(loop.start);
-  return Outcome::finished;
+  return made.end == LoopEnd::stopped ? Outcome::interrupted : Outcome::finished;
 }
 
 Summary summarise(const Model& model, const State& state)
@@ -188,7 +203,7 @@ Summary summarise(const Model& model, const State& state)
   Summary s;
   s.scheme = model.description.scheme;
   s.n_points = state.points.n_points();
-  s.n_cells = model.mesh.n_cells();
+  s.n_cells = model.mesh->n_cells();
   s.n_steps = state.step;
   s.dt = model.dt;
   s.wall_s = state.wall_s;

@@ -18,8 +18,6 @@
 namespace terp {
 namespace {
 
-constexpr std::int64_t most_steps = 1'000'000'000;  // beyond: a time step that has collapsed, not a case
-
 /// Steps to the end; the tolerance is round-off of an end that is a whole number of steps.
 Real steps_to(Real end, Real step) { return std::ceil(end / step * (1.0 - 1e-12)); }
 
@@ -104,7 +102,7 @@ std::vector<const SoilMaterial*> used_materials(const Model& model)
 void set_time_step(Model& model)
 {
   const TimeCase& time = model.description.time;
-  const Real altitude = model.mesh.smallest_altitude;
+  const Real altitude = model.mesh->smallest_altitude;
   Real fastest = 0.0, stable = std::numeric_limits<Real>::infinity();
   for (const SoilMaterial* m : used_materials(model)) {
     const Real wave = wave_speed(m->law->p_wave_modulus(), m->density);
@@ -194,19 +192,19 @@ std::size_t count_all(const PointBatches& points)
 Model build_model(const Case& description, int threads)
 {
   check_bodies_in_mesh(description);
-  return build_model(description, build_mesh(description), threads);
+  return build_model(description, std::make_shared<const Mesh<2>>(build_mesh(description)), threads);
 }
 
-Model build_model(const Case& description, Mesh<2> mesh, int threads)
+Model build_model(const Case& description, SharedMesh mesh, int threads)
 {
   Model model;
   model.description = description;
   model.mesh = std::move(mesh);
   model.materials = make_materials(description);
   model.method = description.method;
-  model.boundary = Boundary(model.mesh, make_sides(description, model.mesh));
+  model.boundary = Boundary(*model.mesh, make_sides(description, *model.mesh));
   model.footings = make_footings(description);
-  model.open_sides = make_open_sides(description, model.mesh);
+  model.open_sides = make_open_sides(description, *model.mesh);
   model.gravity = description.forces.gravity;
   model.damping = {.local = description.forces.local_damping, .viscous = description.forces.viscous_damping};
   if (const Real g = std::hypot(model.gravity[0], model.gravity[1]); g > 0.0)
@@ -234,7 +232,7 @@ State build_state(Model& model)
   model.bodies = shares_of_bodies(model, points);
   const std::size_t n = count_all(points);
   State state;
-  state.points = PointBlocks<2>(model.mesh.n_cells(), model.n_state);
+  state.points = PointBlocks<2>(model.mesh->n_cells(), model.n_state);
   state.x_initial.resize(2 * n);
   state.put_back.assign(n, false);
   state.footings.resize(model.footings.size());
@@ -243,8 +241,8 @@ State build_state(Model& model)
   state.points.reserve(static_cast<std::int64_t>(n / 4));
   set_initial_stress(model, state);
   follow_history_points(model, state);
-  const Vec<2> x = extent_in_x(model.mesh);
-  start_following(model, columns_between(x[0], x[1], typical_cell_size(model.mesh)), state);
+  const Vec<2> x = extent_in_x(*model.mesh);
+  start_following(model, columns_between(x[0], x[1], typical_cell_size(*model.mesh)), state);
   start_following_sides(model, state);
   return state;
 }

@@ -6,11 +6,13 @@
 
 namespace terp {
 
+inline constexpr std::int64_t most_steps = 1'000'000'000;  ///< beyond: a time step that has collapsed, not a case
+
 /// Throws InputError with the key of the case that is at fault.
 Model build_model(const Case& description, int threads);
 
-/// The same on a mesh that is already there; what the case says of the mesh is not used.
-Model build_model(const Case& description, Mesh<2> mesh, int threads);
+/// The same on a mesh that is already there and may be shared; what the case says of the mesh is not used.
+Model build_model(const Case& description, SharedMesh mesh, int threads);
 
 /// Another end with the time step that the model has: the first step at or after it [s]. For a run that goes on.
 void move_end(Model& model, Real end);

@@ -47,7 +47,7 @@ BodyOutline outline_of(const Model& model, std::size_t b)
   const BodyCase& body = model.description.bodies[b];
   BodyOutline outline{
       .polygon = body.polygon, .points_per_cell = body.points_per_cell, .holes = body.holes, .cells = {}};
-  if (!body.region.empty()) outline.cells = cells_of_region(model.mesh, body.region, b);
+  if (!body.region.empty()) outline.cells = cells_of_region(*model.mesh, body.region, b);
   return outline;
 }
 
@@ -62,7 +62,7 @@ void check_outlines(const Model& model, const std::vector<BodyOutline>& outlines
       throw InputError(Problem{
           body_key(b, "polygon"), "the outline of the body is not usable", text, "body", false, keys_of_outline(b)});
     for (const Vec<2>& x : outline.polygon) {
-      if (locate(model.mesh, x, 0).inside) continue;
+      if (locate(*model.mesh, x, 0).inside) continue;
       throw InputError(Problem{fmt::format("body[{}]", b), "the body lies outside the mesh",
           fmt::format("corner {} m lies in no cell. Enlarge the mesh or move the body.{}", place_text(x),
               model.description.mesh.kind == MeshKind::mapped ? grid_cuts_corners : ""),
@@ -99,7 +99,7 @@ void add_points_of_file(const Model& model, std::size_t b, PointBatches& points)
   Index guess = 0;
   const std::string path = path_of(model.description.folder, body.points_file);
   for (const CsvPoint& p : read_points_csv(path)) {
-    const Location at = locate(model.mesh, p.x, guess);
+    const Location at = locate(*model.mesh, p.x, guess);
     if (!at.inside)
       throw InputError(Problem{body_key(b, "points"), "a point lies outside the mesh",
           fmt::format("{}:{}: {} m lies in no cell.", path, p.line, place_text(p.x)), "body", false, mesh_extent});
@@ -164,7 +164,7 @@ std::vector<BodyShare> shares_of_bodies(const Model& model, const PointBatches& 
     for (std::size_t m = 0; m < model.materials.size(); ++m)
       if (has[b][m]) shares[b].material += (shares[b].material.empty() ? "" : " + ") + model.materials[m].name;
     if (shares[b].n_points == 0) shares[b].material = model.description.bodies[b].material;
-    if (!model.description.bodies[b].points_file.empty()) shares[b].fullest_cell = fullest_cell(model.mesh, points, b);
+    if (!model.description.bodies[b].points_file.empty()) shares[b].fullest_cell = fullest_cell(*model.mesh, points, b);
   }
   return shares;
 }
@@ -186,7 +186,7 @@ PointBatches make_points(const Model& model)
     if (model.description.bodies[b].points_file.empty()) drawn.push_back(b);
 
   PointBatches points;
-  for (const Seed& seed : seed_points(model.mesh, outlines)) {
+  for (const Seed& seed : seed_points(*model.mesh, outlines)) {
     const BodyCase& body = model.description.bodies[drawn[seed.body]];
     add_point({seed.x, seed.local, finite_velocity(body, drawn[seed.body], seed.x), seed.volume, seed.cell,
                   material_number(model, body.material), static_cast<Index>(drawn[seed.body])},

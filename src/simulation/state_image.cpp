@@ -110,8 +110,8 @@ bool holds(const StateImage& image, std::string_view name)
 void get_since_format_4(const Model& model, const StateImage& image, State& state)
 {
   start_following_sides(model, state);  // of an earlier one: as if the soil that is there now had always been there
-  if (holds(image, "side_reached")) state.side_reached = get<Real>(image, "side_reached", model.mesh.sides.size());
-  if (holds(image, "side_top")) state.side_top = get<Real>(image, "side_top", model.mesh.sides.size());
+  if (holds(image, "side_reached")) state.side_reached = get<Real>(image, "side_reached", model.mesh->sides.size());
+  if (holds(image, "side_top")) state.side_top = get<Real>(image, "side_top", model.mesh->sides.size());
   if (holds(image, "work_exchanged")) state.work.exchanged = get<Real>(image, "work_exchanged", 1)[0];
   if (holds(image, "last_step_work")) state.work.last_step = get<Real>(image, "last_step_work", 1)[0];
 }
@@ -175,7 +175,7 @@ void get_failure(const StateImage& image, State& state)
 
 void get_points(const Model& model, const StateImage& image, State& state)
 {
-  state.points = PointBlocks<2>(model.mesh.n_cells(), model.n_state);
+  state.points = PointBlocks<2>(model.mesh->n_cells(), model.n_state);
   const auto n_rows = static_cast<std::size_t>(state.points.n_rows());
   const auto& cell = get<std::int64_t>(image, "points/cell");
   const auto& material = get<std::int64_t>(image, "points/material", cell.size());
@@ -184,7 +184,7 @@ void get_points(const Model& model, const StateImage& image, State& state)
     return std::all_of(
         values.begin(), values.end(), [&](std::int64_t v) { return v >= 0 && v < static_cast<std::int64_t>(limit); });
   };
-  if (!fits(cell, model.mesh.cells.size()) || !fits(material, model.materials.size()))
+  if (!fits(cell, model.mesh->cells.size()) || !fits(material, model.materials.size()))
     throw FileError(
         "the checkpoint does not fit this case: a point lies in a cell or has a material that the case does not have");
   for (std::size_t k = 0, end = 0; k < cell.size(); k = end) {

@@ -114,7 +114,7 @@ void move_leavers(const Model& model, State& state, Workspace& work)
          k-- > sums.first_leaver;) {  // from the last lane of a block to the first: see take()
       const PointPlace place = work.leavers[sums.thread][k];
       const Index material = state.points.block(place.block).material;
-      const Moved moved = move_to_new_cell(model.mesh, model.open_sides, state.points, place, work.leaver);
+      const Moved moved = move_to_new_cell(*model.mesh, model.open_sides, state.points, place, work.leaver);
       if (moved == Moved::put_back) enter_put_back(work.leaver, state);
       if (moved == Moved::left) enter_left(model, material, work.leaver, state);
     }
@@ -154,7 +154,7 @@ void step(const Model& model, State& state, Workspace& work)
       Scheme::update_stress(context, group, du, stress_sums);  // Steps 2 to 4, or Sec. 2.2
       sums.plastic += stress_sums.plastic_work;
       for (int c = 0; c < group.n(); ++c)
-        advance_points(group.cell(c), model.mesh.centres[group.cells[c]], du[c], leavers);
+        advance_points(group.cell(c), model.mesh->centres[group.cells[c]], du[c], leavers);
     });
   });
   finish_sums(state, work);  // before points move and the chunks change

@@ -23,9 +23,9 @@ void list_active_nodes(const Mesh<2>& mesh, const std::vector<Index>& cells, Wor
 Workspace::Workspace(const Model& model, const State& state)
     : threads(model.threads), damping_local(model.damping.local)
 {
-  node.make_anew(model.mesh.nodes.size());
-  active_nodes.reserve(model.mesh.nodes.size());
-  node_sums.reserve(Threads::n_chunks(model.mesh.n_nodes(), nodes_per_chunk));
+  node.make_anew(model.mesh->nodes.size());
+  active_nodes.reserve(model.mesh->nodes.size());
+  node_sums.reserve(Threads::n_chunks(model.mesh->n_nodes(), nodes_per_chunk));
   leaver.resize(state.points.n_rows());
   leavers.resize(threads.count());
   for (auto& list : leavers) list.reserve(state.points.n_points());
@@ -43,7 +43,7 @@ void Workspace::fit(const Model& model, const State& state)
   pressure.resize(state.points.n_blocks());
   const std::size_t n_gauss = model.materials.size() * Threads::n_chunks(static_cast<Index>(cells.size()), pack_width);
   if (gauss.size() < n_gauss) gauss.make_anew(2 * n_gauss);
-  list_active_nodes(model.mesh, cells, *this);
+  list_active_nodes(*model.mesh, cells, *this);
   cell_sums.resize(Threads::n_chunks(static_cast<Index>(cells.size()), cells_per_chunk));
   node_sums.resize(Threads::n_chunks(static_cast<Index>(active_nodes.size()), nodes_per_chunk));
 }

@@ -85,7 +85,7 @@ Case quiet_case(Case c)
 }
 
 ElasticStart settle_elastically(
-    const Case& quiet, const Mesh<2>& mesh, Real stiffening, int threads, const std::atomic<bool>& stop)
+    const Case& quiet, const SharedMesh& mesh, Real stiffening, int threads, const std::atomic<bool>& stop)
 {
   if (quiet.forces.gravity == Vec<2>{0.0, 0.0})
     throw InputError(Problem{"forces.gravity", "a factor of safety needs gravity",

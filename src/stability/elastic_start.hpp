@@ -30,6 +30,6 @@ Case quiet_case(Case c);
 /// planes with adhesion or friction that never slip. Throws RunError if that fails, or is stopped, and InputError
 /// without gravity. stiffening: see stiffen().
 ElasticStart settle_elastically(
-    const Case& quiet, const Mesh<2>& mesh, Real stiffening, int threads, const std::atomic<bool>& stop);
+    const Case& quiet, const SharedMesh& mesh, Real stiffening, int threads, const std::atomic<bool>& stop);
 
 }  // namespace terp

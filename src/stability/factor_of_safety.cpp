@@ -37,7 +37,7 @@ StabilityResult find_factor_of_safety(
   if (result.strengths.empty())
     throw InputError(Problem{"material", "no material of this case has a strength to reduce",
         "Elastic soil does not fail. `terp list` names the laws.", "material", true});
-  const Mesh<2> mesh = build_mesh(quiet);
+  const auto mesh = std::make_shared<const Mesh<2>>(build_mesh(quiet));
   const ElasticStart start = settle_elastically(quiet, mesh, options.rules.stiffening, options.threads, stop);
   result.height = start.height;
   result.displacement = start.displacement;

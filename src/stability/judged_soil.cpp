@@ -17,7 +17,7 @@ bool is_filled(const Model& model, const State& state, Index cell)
   for_each_block(state.points, cell, [&](const PointBlock<2>& block, Index) {
     for (Index lane = 0; lane < block.n; ++lane) volume += block.row(Rows::volume)[lane];
   });
-  return filled_share(model.mesh.geometry(cell), volume, model.method) >= 1.0;
+  return filled_share(model.mesh->geometry(cell), volume, model.method) >= 1.0;
 }
 
 std::size_t id_of(const PointBlock<2>& block, Index lane)
@@ -29,17 +29,17 @@ std::size_t id_of(const PointBlock<2>& block, Index lane)
 
 JudgedSoil::JudgedSoil(const Model& model, const State& state)
     : point_(static_cast<std::size_t>(state.n_ids()), true),
-      node_(model.mesh.nodes.size(), true),
-      force_(model.mesh.nodes.size(), Vec<2>{0.0, 0.0})
+      node_(model.mesh->nodes.size(), true),
+      force_(model.mesh->nodes.size(), Vec<2>{0.0, 0.0})
 {
   std::vector<Index> part_filled;
   for (const Index cell : state.points.occupied())
     if (!is_filled(model, state, cell)) part_filled.push_back(cell);
   if (part_filled.size() == state.points.occupied().size()) return;
   for (const Index cell : part_filled)
-    for (const Index node : model.mesh.cells[cell]) node_[node] = false;
+    for (const Index node : model.mesh->cells[cell]) node_[node] = false;
   for (const Index cell : state.points.occupied()) {
-    const auto& corners = model.mesh.cells[cell];
+    const auto& corners = model.mesh->cells[cell];
     if (std::all_of(corners.begin(), corners.end(), [&](Index node) { return node_[node]; })) continue;
     for_each_block(state.points, cell, [&](const PointBlock<2>& block, Index) {
       for (Index lane = 0; lane < block.n; ++lane) point_[id_of(block, lane)] = false;

@@ -1,7 +1,7 @@
 #include "stability/trial.hpp"
 
 #include "base/errors.hpp"
-#include "simulation/guards.hpp"
+#include "simulation/run.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/state_image.hpp"
 #include "stability/judged_soil.hpp"
@@ -33,7 +33,7 @@ std::string reason_of(const Trial& trial, Real displacement)
 }
 
 /// The trial's model: no shorter in time than its windows may take.
-Model build_trial(Case c, const Mesh<2>& mesh, const ElasticStart& start, const TrialRules& rules, int threads)
+Model build_trial(Case c, const SharedMesh& mesh, const ElasticStart& start, const TrialRules& rules, int threads)
 {
   c.forces.local_damping = rules.damping;
   c.time.end = window_traversals * start.traversal / std::sqrt(start.stiffening) * rules.most_windows;
@@ -58,8 +58,8 @@ TrialVerdict judge(const std::vector<TrialWindow>& windows, const TrialRules& ru
                                                                                          : TrialVerdict::undecided;
 }
 
-Trial run_trial(const Case& quiet, const Mesh<2>& mesh, const ElasticStart& start, Real factor, const TrialRules& rules,
-    int threads, const std::atomic<bool>& stop, const std::function<void(const Trial&)>& told)
+Trial run_trial(const Case& quiet, const SharedMesh& mesh, const ElasticStart& start, Real factor,
+    const TrialRules& rules, int threads, const std::atomic<bool>& stop, const std::function<void(const Trial&)>& told)
 {
   const auto began = std::chrono::steady_clock::now();
   const Model model =
@@ -70,18 +70,7 @@ Trial run_trial(const Case& quiet, const Mesh<2>& mesh, const ElasticStart& star
   Trial trial;
   trial.factor = factor;
   const std::int64_t per_window = std::max<std::int64_t>(1, model.n_steps / rules.most_windows);
-  while (std::ssize(trial.windows) < rules.most_windows && trial.verdict == TrialVerdict::undecided) {
-    for (std::int64_t k = 0; k < per_window; ++k) {
-      if (stop.load(std::memory_order_relaxed)) return trial;
-      model.step(model, state, work);
-      soil.add_forces(model, work);
-      if (const std::string fault = find_fault(model, state, work, 0.0); !fault.empty()) {
-        trial.verdict = TrialVerdict::failed;
-        trial.reason = "runs away until the run stops itself: " + fault.substr(0, fault.find('\n'));
-        told(trial);
-        return trial;
-      }
-    }
+  const auto judge_window = [&] {
     trial.windows.push_back({state.time * std::sqrt(start.stiffening),
         soil.largest_displacement(state) * start.stiffening, soil.take_out_of_balance()});
     trial.steps = state.step;
@@ -89,6 +78,18 @@ Trial run_trial(const Case& quiet, const Mesh<2>& mesh, const ElasticStart& star
     trial.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     if (trial.verdict != TrialVerdict::undecided || std::ssize(trial.windows) == rules.most_windows)
       trial.reason = reason_of(trial, start.displacement);
+    told(trial);
+    return trial.verdict == TrialVerdict::undecided;
+  };
+  const auto goes_on = [&] {
+    soil.add_forces(model, work);
+    return state.step % per_window != 0 || judge_window();
+  };
+  const StepsMade made = make_steps(
+      model, state, work, {.most_steps = per_window * rules.most_windows, .stop = &stop, .after_step = goes_on});
+  if (made.end == LoopEnd::fault) {
+    trial.verdict = TrialVerdict::failed;
+    trial.reason = "runs away until the run stops itself: " + made.fault.substr(0, made.fault.find('\n'));
     told(trial);
   }
   return trial;

@@ -46,7 +46,7 @@ struct Trial {
 TrialVerdict judge(const std::vector<TrialWindow>& windows, const TrialRules& rules, const ElasticStart& start);
 
 /// Runs a trial. told: called after each window. Ends undecided where it is when `stop` is set.
-Trial run_trial(const Case& quiet, const Mesh<2>& mesh, const ElasticStart& start, Real factor, const TrialRules& rules,
-    int threads, const std::atomic<bool>& stop, const std::function<void(const Trial&)>& told);
+Trial run_trial(const Case& quiet, const SharedMesh& mesh, const ElasticStart& start, Real factor,
+    const TrialRules& rules, int threads, const std::atomic<bool>& stop, const std::function<void(const Trial&)>& told);
 
 }  // namespace terp

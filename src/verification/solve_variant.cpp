@@ -1,8 +1,7 @@
 #include "verification/solve_variant.hpp"
 
 #include "base/errors.hpp"
-#include "simulation/run.hpp"
-#include "simulation/setup.hpp"
+#include "simulation/simulation.hpp"
 #include "stability/factor_of_safety.hpp"
 #include "verification/measure.hpp"
 
@@ -86,22 +85,19 @@ std::vector<Finding> findings_of_factor(const Solve& solve, const CaseFile& solv
 
 std::vector<Finding> solve_and_measure(const Solve& solve, const CaseFile& solved, const std::atomic<bool>& stop)
 {
-  Model model = build_model(solved.values, 1);
-  State state = build_state(model);
-  Scope scope = make_scope(*solve.file, *solve.variant, solved, model.dt);
+  Simulation simulation(solved.values);
+  Scope scope = make_scope(*solve.file, *solve.variant, solved, simulation.model.dt);
   std::vector<Finding> findings;
   std::vector<std::unique_ptr<Measure>> measured;
-  std::vector<Observer*> observers;
   for (const Quantity& q : solve.file->quantities) {
     if (!measures(q, *solve.variant)) continue;
     findings.push_back(start_finding(q, solve, solved.values.scheme, scope));
     measured.push_back(make_measure(q, scope));
-    observers.push_back(measured.back().get());
+    simulation.observers.push_back(measured.back().get());
   }
   if (!solve.variant->stability.empty()) return findings_of_factor(solve, solved, scope, std::move(findings), stop);
-  Workspace work(model, state);
-  if (run(model, state, work, observers, stop) == Outcome::interrupted) throw RunError("stopped");
-  const Summary summary = summarise(model, state);
+  if (simulation.run(stop) == Outcome::interrupted) throw RunError("stopped");
+  const Summary summary = summarise(simulation.model, simulation.state);
   for (std::size_t k = 0; k < findings.size(); ++k)
     guarded(findings[k], [&] {
       const Measured result = measured[k]->finish(summary);

@@ -12,7 +12,6 @@ namespace terp {
 namespace {
 
 using test::Point;
-using test::Simulation;
 
 class EveryScheme : public testing::TestWithParam<const char*> {};
 

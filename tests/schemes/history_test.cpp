@@ -9,7 +9,6 @@ namespace terp {
 namespace {
 
 using test::Point;
-using test::Simulation;
 using testing::DoubleEq;
 using testing::Pointwise;
 
@@ -58,7 +57,7 @@ std::int64_t count_falls(const char* scheme)
     for (std::size_t p = 0; p < after.size(); ++p) falls += after[p].eps_eq_p() < before[p].eps_eq_p();
     before = after;
   }
-  EXPECT_GT(extent_in_x(s.model.mesh, s.state.points)[1], 9.0);  // it did slide, through cells
+  EXPECT_GT(extent_in_x(*s.model.mesh, s.state.points)[1], 9.0);  // it did slide, through cells
   return falls;
 }
 
@@ -74,9 +73,9 @@ TEST(History, WithoutSofteningTheSchemesSlideAlike)
     while (gp.state.time < time) gp.step();
     while (mixed.state.time < time) mixed.step();
     EXPECT_NEAR(
-        extent_in_x(gp.model.mesh, gp.state.points)[1], extent_in_x(mixed.model.mesh, mixed.state.points)[1], 0.1)
+        extent_in_x(*gp.model.mesh, gp.state.points)[1], extent_in_x(*mixed.model.mesh, mixed.state.points)[1], 0.1)
         << time << " s";
-    EXPECT_GT(extent_in_x(gp.model.mesh, gp.state.points)[1], 8.0 + time);
+    EXPECT_GT(extent_in_x(*gp.model.mesh, gp.state.points)[1], 8.0 + time);
   }
 }
 

@@ -13,7 +13,6 @@ namespace terp {
 namespace {
 
 using test::Point;
-using test::Simulation;
 using Rows = PointRows<2>;
 
 constexpr std::array<Real, 4> pressure{

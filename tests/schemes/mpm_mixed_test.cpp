@@ -13,7 +13,6 @@ namespace terp {
 namespace {
 
 using test::Point;
-using test::Simulation;
 using Rows = PointRows<2>;
 
 /// Two points on top of each other in each sub-cell of a full clamped cell, the second with three times the volume of

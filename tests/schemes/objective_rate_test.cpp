@@ -12,7 +12,6 @@ namespace terp {
 namespace {
 
 using test::Point;
-using test::Simulation;
 using Rows = PointRows<2>;
 
 constexpr Real spin = 10.0;  // counter-clockwise [rad/s]

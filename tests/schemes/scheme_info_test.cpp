@@ -28,7 +28,7 @@ StateImage after_steps(std::string_view scheme, void (*change)(MethodOptions&))
   Case c = test::column(std::string(scheme));
   c.bodies[0].velocity = {2.0, 0.5};
   change(c.method);
-  test::Simulation s(c);
+  Simulation s(c);
   s.step(40);
   return make_image(s.state);
 }

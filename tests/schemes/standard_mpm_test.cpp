@@ -13,7 +13,6 @@ namespace terp {
 namespace {
 
 using test::Point;
-using test::Simulation;
 
 /// How far the front of a nearly incompressible column without softening has moved after 1 s [m].
 Real path_of_front(const char* scheme)
@@ -22,7 +21,7 @@ Real path_of_front(const char* scheme)
   c.materials = {test::clay({.poisson_ratio = 0.499, .su_residual = 8.0e3})};
   Simulation s(c);
   while (s.state.time < 1.0) s.step();
-  return extent_in_x(s.model.mesh, s.state.points)[1] - 8.0;
+  return extent_in_x(*s.model.mesh, s.state.points)[1] - 8.0;
 }
 
 TEST(StandardMpm, LocksInNearlyIncompressibleSoilWhereTheOthersSlide)
@@ -38,7 +37,7 @@ Real pressure_noise(const char* scheme)
 {
   Simulation s(test::column(scheme));
   while (s.state.time < 0.5) s.step();
-  std::vector<Real> sum(s.model.mesh.cells.size()), count(s.model.mesh.cells.size());
+  std::vector<Real> sum(s.model.mesh->cells.size()), count(s.model.mesh->cells.size());
   const auto points = test::points_by_id(s.state);
   const auto pressure = [](const Point& p) { return (p.sigma[0] + p.sigma[1] + p.sigma[2]) / 3.0; };
   for (const Point& p : points) {
@@ -61,7 +60,7 @@ TEST(StandardMpm, ASofteningColumnStandsOnALockedMesh)
   const auto path = [](const char* scheme) {
     Simulation s(test::column(scheme));
     while (s.state.time < 1.0) s.step();
-    return extent_in_x(s.model.mesh, s.state.points)[1] - 8.0;
+    return extent_in_x(*s.model.mesh, s.state.points)[1] - 8.0;
   };
   EXPECT_LT(path("standard_mpm"), 0.1);
   EXPECT_GT(path("mpm_gp"), 1.0);

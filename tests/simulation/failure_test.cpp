@@ -12,8 +12,6 @@
 namespace terp {
 namespace {
 
-using test::Simulation;
-
 /// The column for a time, with a row of the ledger every 0.02 s.
 struct Collapse : Simulation {
   std::vector<LedgerRow> rows;
@@ -200,7 +198,7 @@ TEST(Failure, SoilThatRestsHasNone)
   start_audit(s.model, s.state);
   for (int k = 0; k < 3; ++k) {
     keep_ledger(s.model, s.state, s.work);
-    s.step(5);
+    test::make_steps(s, 5);
   }
   Summary summary;
   summarise_failure(s.model, s.state, summary);

@@ -16,7 +16,6 @@
 namespace terp {
 namespace {
 
-using test::Simulation;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -76,7 +75,7 @@ TEST(Footings, DampingDoesNotPushWhatAFootingHolds)
   c.forces.local_damping = 0.7;
   c.forces.gravity = {0.0, -9.81};
   Simulation s(c);
-  s.step(100);
+  test::make_steps(s, 100);
   EXPECT_EQ(s.state.work.damping, 0.0);
   const Vec<2> p = test::momentum(s.state);
   EXPECT_NEAR(p[1], 1990.0 * 2.0 * s.work.footings[0].velocity[1], 1e-6);
@@ -88,14 +87,14 @@ TEST(Footings, ARowHoldsTheMeanSinceTheRowBefore)
 {
   Simulation s(pushed("mpm_gp"));
   EXPECT_EQ(keep_footings(s.model, s.state)[0].reaction_y, 0.0);
-  s.step(50);
+  test::make_steps(s, 50);
   const Real p = test::momentum(s.state)[1], t = s.state.time;
   FootingRow row = keep_footings(s.model, s.state).at(0);
   EXPECT_EQ(row.footing, "plate");
   EXPECT_NEAR(row.reaction_y, -p / t, 1e-9 * std::abs(p / t));
   EXPECT_EQ(row.displacement_y, s.model.footings[0].displacement(t)[1]);
   EXPECT_EQ(row.work, s.state.footings[0].work);
-  s.step(30);
+  test::make_steps(s, 30);
   row = keep_footings(s.model, s.state).at(0);
   EXPECT_NEAR(row.reaction_y, -(test::momentum(s.state)[1] - p) / (s.state.time - t), 1e-7 * std::abs(p / t));
   EXPECT_DOUBLE_EQ(s.state.footings[0].largest, std::max(-p / t, row.reaction_y));
@@ -109,9 +108,9 @@ TEST(Footings, SurviveInACheckpoint)
 {
   Simulation s(pushed("mpm_gp"));
   start_audit(s.model, s.state);  // sizes what a checkpoint holds
-  s.step(20);
+  test::make_steps(s, 20);
   keep_footings(s.model, s.state);
-  s.step(5);
+  test::make_steps(s, 5);
   const State back = restore(s.model, make_image(s.state));
   EXPECT_EQ(test::first_difference(make_image(s.state), make_image(back)), "");
   const FootingMeter &a = s.state.footings[0], &b = back.footings.at(0);

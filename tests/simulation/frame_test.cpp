@@ -13,7 +13,6 @@ namespace terp {
 namespace {
 
 using test::Point;
-using test::Simulation;
 using testing::ElementsAre;
 
 const PointField& field(const Frame& frame, const std::string& name)

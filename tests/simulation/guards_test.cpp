@@ -16,21 +16,20 @@
 namespace terp {
 namespace {
 
-using test::Simulation;
 using testing::HasSubstr;
 using Rows = PointRows<2>;
 
 TEST(Guards, AHealthyStateHasNoFault)
 {
   Simulation s(test::column("mpm_gp"));
-  s.step(5);
+  test::make_steps(s, 5);
   EXPECT_EQ(find_fault(s.model, s.state, s.work, 0.0), "");
 }
 
 TEST(Guards, AValueThatIsNotANumberIsNamedWithPointCellMaterialAndLikelyCause)
 {
   Simulation s(test::column("mpm_gp"));
-  s.step(5);
+  test::make_steps(s, 5);
   test::edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
     if (block.row(Rows::id)[lane] == 30.0) block.row(Rows::v)[lane] = NAN;
   });
@@ -49,7 +48,7 @@ TEST(Guards, EachKindOfValueHasItsName)
 {
   const auto fault_in = [](int row) {
     Simulation s(test::column("mpm_gp"));
-    s.step();
+    test::make_steps(s);
     test::edit_points(s.state, [row](const PointBlock<2>& block, Index lane) {
       if (block.row(Rows::id)[lane] == 7.0) block.row(row)[lane] = INFINITY;
     });
@@ -64,7 +63,7 @@ TEST(Guards, EachKindOfValueHasItsName)
 TEST(Guards, WithoutABadPointTheNodesAreNamed)
 {
   Simulation s(test::column("mpm_gp"));
-  s.step();
+  test::make_steps(s);
   s.work.finite = false;
   EXPECT_THAT(find_fault(s.model, s.state, s.work, 0.0),
       AllOf(HasSubstr("a nodal acceleration is not a number"), HasSubstr("where    a node of the background mesh")));
@@ -73,7 +72,7 @@ TEST(Guards, WithoutABadPointTheNodesAreNamed)
 TEST(Guards, TooManyPointsPutBackAtWallsAreAFault)
 {
   Simulation s(test::column("mpm_gp"));  // 1600 points: at most 1.6 + 1
-  s.step();
+  test::make_steps(s);
   s.state.clamped = 2;
   EXPECT_EQ(find_fault(s.model, s.state, s.work, 0.0), "");
   s.state.clamped = 3;
@@ -86,7 +85,7 @@ TEST(Guards, TooManyPointsPutBackAtWallsAreAFault)
 TEST(Guards, EnergyThatNoWorkExplainsIsAFaultOnceItIsAsMuchAsAllThatWasExchanged)
 {
   Simulation s(test::column("mpm_gp"));
-  s.step(100);
+  test::make_steps(s, 100);
   start_audit(s.model, s.state);
   LedgerRow row = keep_ledger(s.model, s.state, s.work);
   EXPECT_EQ(find_fault_in_balance(s.model, s.state, row), "");
@@ -117,7 +116,7 @@ TEST(Guards, WorkThatSwingsToAndFroWasExchanged)
   start_audit(s.model, s.state);
   Real largest = 0.0, least_share = 1.0;
   while (s.state.time < 0.1) {
-    s.step();
+    test::make_steps(s);
     largest = std::max(largest, std::abs(s.state.work.gravity));
     EXPECT_EQ(find_fault_in_balance(s.model, s.state, keep_ledger(s.model, s.state, s.work)), "") << s.state.step;
     EXPECT_GE(energy_exchanged(s.state), largest);
@@ -131,7 +130,7 @@ TEST(Guards, WorkThatSwingsToAndFroWasExchanged)
 TEST(Guards, TheOffsetOfHalfAStepIsNoGainOfEnergy)
 {
   Simulation s(test::column("mpm_gp"));
-  s.step(1);
+  test::make_steps(s, 1);
   start_audit(s.model, s.state);
   LedgerRow row = keep_ledger(s.model, s.state, s.work);
   row.elastic = 5.0 * energy_exchanged(s.state);
@@ -191,10 +190,9 @@ struct Saboteur : Observer {
 std::string message_of_run(Simulation& s, Saboteur& saboteur)
 {
   saboteur.state = &s.state;
-  Observer* const observers[] = {&saboteur};
-  const std::atomic<bool> go_on{false};
+  s.observers = {&saboteur};
   try {
-    run(s.model, s.state, s.work, observers, go_on);
+    s.run();
   } catch (const RunError& error) {
     return error.what();
   }

@@ -17,7 +17,6 @@ namespace terp {
 namespace {
 
 using test::Point;
-using test::Simulation;
 
 constexpr Real g = 9.81;
 
@@ -82,7 +81,7 @@ Simulation box_of_region(const std::vector<Index>& cells, const std::vector<Body
   c.bodies.insert(c.bodies.end(), more.begin(), more.end());
   Mesh<2> mesh = make_rectangle({0.0, 0.0}, {4.0, 2.0}, {16, 8});
   mesh.regions = {{"rock", cells}};
-  Model model = build_model(c, std::move(mesh), 1);
+  Model model = build_model(c, std::make_shared<const Mesh<2>>(std::move(mesh)), 1);
   State state = build_state(model);
   return Simulation(std::move(model), std::move(state));
 }
@@ -134,11 +133,11 @@ TEST(Equilibrium, AnElasticBoxComesToRestUnderItsWeight)
   Simulation s(confined_box(InitialStress::equilibrium));
   ASSERT_EQ(seek(s), "");
   EXPECT_LE(s.work.unbalanced_ratio, 1e-3);
-  std::vector<Vec<2>> mean(s.model.mesh.cells.size(), {0.0, 0.0});  // stress xx, yy of each cell [Pa]
+  std::vector<Vec<2>> mean(s.model.mesh->cells.size(), {0.0, 0.0});  // stress xx, yy of each cell [Pa]
   for (const Point& p : test::points_by_id(s.state))
     for (int k = 0; k < 2; ++k) mean[p.cell][k] += p.sigma[k] / 25.0;
   for (Index cell = 0; cell < 6 * 16; ++cell) {
-    const Real vertical = -2000.0 * g * (1.5 - s.model.mesh.centres[cell][1]);
+    const Real vertical = -2000.0 * g * (1.5 - s.model.mesh->centres[cell][1]);
     EXPECT_NEAR(mean[cell][1], vertical, 0.02 * 2000.0 * g * 1.5);
     EXPECT_NEAR(mean[cell][0], 0.3 / 0.7 * vertical, 0.02 * 2000.0 * g * 1.5);  // nu / (1 - nu), confined
   }
@@ -165,9 +164,7 @@ TEST(Equilibrium, PlasticStrainIsResetToo)
   c.materials = {test::clay({.poisson_ratio = 0.3, .su_peak = 5e3, .su_residual = 5e3})};
   c.bodies[0].material = "clay";
   Simulation s(c);
-  const std::atomic<bool> go_on{false};
-  s.model.n_steps = 0;
-  run(s.model, s.state, s.work, {}, go_on);  // seeks, then audits
+  s.start();  // seeks, then audits
   for (const Point& p : test::points_by_id(s.state)) EXPECT_EQ(p.eps_eq_p(), 0.0);
   for (const Real eps : s.state.audit.last_eps_eq_p) EXPECT_EQ(eps, 0.0);
 }
@@ -202,9 +199,8 @@ TEST(Equilibrium, ARunThatFindsNoneStopsItself)
   c.initial.stress = InitialStress::equilibrium;
   c.initial.max_steps = 50;
   Simulation s(c);
-  const std::atomic<bool> go_on{false};
-  EXPECT_THAT([&] { run(s.model, s.state, s.work, {}, go_on); },
-      testing::ThrowsMessage<RunError>(testing::StartsWith("no equilibrium: after 50 steps ")));
+  EXPECT_THAT(
+      [&] { s.start(); }, testing::ThrowsMessage<RunError>(testing::StartsWith("no equilibrium: after 50 steps ")));
 }
 
 TEST(Equilibrium, ASearchThatIsStoppedGoesOnWhereItWas)
@@ -251,20 +247,21 @@ TEST(Equilibrium, ARunThatIsStoppedAnywhereAboutTheEndOfTheSearchGoesOnToTheSame
 {
   Case c = confined_box(InitialStress::equilibrium);
   c.time.end = 0.01;
-  const std::atomic<bool> go_on{false};
   LastCheckpoint last;
-  Observer* const observers[] = {&last};
   Simulation whole(c);
-  ASSERT_EQ(run(whole.model, whole.state, whole.work, observers, go_on), Outcome::finished);
+  whole.observers = {&last};
+  ASSERT_EQ(whole.run(), Outcome::finished);
   const StateImage expected = last.image;
   const std::int64_t n = whole.state.equilibrium_steps;
   for (const std::int64_t after : {n - 1, n}) {
     Simulation first(c);
     StopsAfter stops(first, after);
-    EXPECT_EQ(run(first.model, first.state, first.work, observers, stops.stop), Outcome::interrupted) << after;
+    first.observers = {&last};
+    EXPECT_EQ(first.run(stops.stop), Outcome::interrupted) << after;
     EXPECT_EQ(last.image.step, after < n ? 0 : 1);
     Simulation second(build_model(c, 1), restore(first.model, last.image));
-    EXPECT_EQ(run(second.model, second.state, second.work, observers, go_on), Outcome::finished);
+    second.observers = {&last};
+    EXPECT_EQ(second.run(), Outcome::finished);
     EXPECT_EQ(test::first_difference(last.image, expected), "") << after;
   }
 }

@@ -13,7 +13,6 @@
 namespace terp {
 namespace {
 
-using test::Simulation;
 using Rows = PointRows<2>;
 
 constexpr Real shear = 2.0e6, bulk = 2.0 * 2.0e6 * 1.48 / (3.0 * 0.04);  // of the clay [Pa]

@@ -11,8 +11,6 @@
 namespace terp {
 namespace {
 
-using test::Simulation;
-
 struct Totals {
   Real mass = 0.0, momentum_x = 0.0, pressure = 0.0;  ///< the last: sum of tr(sigma)/3 Omega_p
 };

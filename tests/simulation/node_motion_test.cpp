@@ -11,7 +11,6 @@ namespace terp {
 namespace {
 
 using Rows = PointRows<2>;
-using test::Simulation;
 
 /// Sets the velocities of all points: f(x).
 template <class F>

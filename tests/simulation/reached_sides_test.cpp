@@ -23,7 +23,7 @@ Case flying_box()
   return c;
 }
 
-std::vector<ReachedSide> run_until(Real time, test::Simulation& s)
+std::vector<ReachedSide> run_until(Real time, Simulation& s)
 {
   while (s.state.time < time) {
     s.step();
@@ -34,7 +34,7 @@ std::vector<ReachedSide> run_until(Real time, test::Simulation& s)
 
 TEST(ReachedSides, TheFirstPointInACellAtTheSideIsNoted)
 {
-  test::Simulation s(flying_box());
+  Simulation s(flying_box());
   EXPECT_TRUE(list_reached_sides(s.model, s.state).empty());  // the bottom has soil from the start
   EXPECT_TRUE(run_until(0.070, s).empty());                   // 0.75 m + 0.025 m to go
   const auto reached = run_until(0.085, s);
@@ -52,7 +52,7 @@ std::vector<ReachedSide> after_a_slide_over_ground(SideKind kind, Real until)
   c.bodies.push_back(test::body(c.bodies[0].material.c_str(), {2.0, 0.5}, {3.0, 1.5}));
   c.bodies[1].velocity = {10.0, 0.0};
   c.sides.push_back(test::side("right", kind));
-  test::Simulation s(c);
+  Simulation s(c);
   return run_until(until, s);
 }
 
@@ -73,7 +73,7 @@ TEST(ReachedSides, SoilThatHeavesByACellIsNotToldNorIsWhatSpreadsAlongTheBottom)
   c.bodies.push_back(
       test::body(c.bodies[0].material.c_str(), {2.75, 0.5}, {3.75, 0.75}));  // one cell high, beside the last one
   c.bodies[1].velocity = {10.0, 0.0};
-  test::Simulation s(c);
+  Simulation s(c);
   EXPECT_TRUE(run_until(0.005, s).empty());
   Index last = 0;
   for (const test::Point& p : test::points_by_id(s.state))
@@ -85,13 +85,13 @@ TEST(ReachedSides, AnOpenSideIsNone)
 {
   Case c = flying_box();
   c.sides.push_back(test::side("right", SideKind::open));
-  test::Simulation s(c);
+  Simulation s(c);
   EXPECT_TRUE(run_until(0.085, s).empty());
 }
 
 TEST(ReachedSides, AreKeptInCheckpoints)
 {
-  test::Simulation s(flying_box());
+  Simulation s(flying_box());
   start_audit(s.model, s.state);
   run_until(0.085, s);
   const State back = restore(s.model, make_image(s.state));

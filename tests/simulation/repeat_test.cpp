@@ -8,8 +8,6 @@
 namespace terp {
 namespace {
 
-using test::Simulation;
-
 StateImage state_after_300_steps(const char* scheme, int threads)
 {
   Case c = test::column(scheme, 0.25);  // 256 cells: 16 chunks

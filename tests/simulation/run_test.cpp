@@ -14,7 +14,6 @@
 namespace terp {
 namespace {
 
-using test::Simulation;
 using testing::ElementsAre;
 
 TEST(Due, IsTheStepNearestToEachMultiple)
@@ -85,8 +84,8 @@ Case short_column()
 
 Outcome solve(Simulation& s, Recorder& recorder)
 {
-  Observer* const observers[] = {&recorder};
-  return run(s.model, s.state, s.work, observers, recorder.stop);
+  s.observers = {&recorder};
+  return s.run(recorder.stop);
 }
 
 TEST(Run, TellsItsObserversAtTheStartAtEachDueStepAndAtTheEnd)
@@ -131,9 +130,8 @@ TEST(Run, OfManyPointsTellsItsFramesAndCheckpointsInParts)
   const std::int64_t n = s.state.n_ids();
   ASSERT_GT(n, most_points_at_once);
   PartsRecorder recorder;
-  Observer* const observers[] = {&recorder};
-  const std::atomic<bool> stop{false};
-  run(s.model, s.state, s.work, observers, stop);
+  s.observers = {&recorder};
+  s.run();
   EXPECT_THAT(recorder.ends, ElementsAre(n, 2 * n));
   EXPECT_EQ(recorder.largest, points_per_part);
   EXPECT_EQ(recorder.n_images, 1);
@@ -273,8 +271,7 @@ TEST(Run, TheBooksBalanceToAFewPercentOfTheGravityWork)
     Case c = test::column(scheme, 0.25);
     c.time.end = 1.0;
     Simulation s(c);
-    const std::atomic<bool> go_on{false};
-    run(s.model, s.state, s.work, {}, go_on);
+    s.run();
     EXPECT_LT(summarise(s.model, s.state).energy_balance_error, 0.05) << scheme;
   }
 }

@@ -13,8 +13,6 @@
 namespace terp {
 namespace {
 
-using test::Simulation;
-
 constexpr Real length = 4.0, height = 0.5, density = 2000.0;  // [m], [m], [kg/m^3]
 constexpr Real mass = density * length * height;              // [kg per m]
 

@@ -16,7 +16,6 @@ namespace terp {
 namespace {
 
 using test::first_difference;
-using test::Simulation;
 
 /// A column on the move, with books.
 Case moving_column(const char* scheme)
@@ -210,7 +209,7 @@ TEST(StateImage, OfAnotherCaseIsRefused)
 
 TEST(StateImage, TellsHowManyPointsTheRunBeganWith)
 {
-  const test::Simulation s(test::column("mpm_gp"));
+  const Simulation s(test::column("mpm_gp"));
   EXPECT_EQ(count_points(make_image(s.state)), 1600);
   EXPECT_THROW(count_points(StateImage{}), FileError);
 }

@@ -12,7 +12,7 @@ namespace {
 TEST(State, CountsThePointsOfTheStart)
 {
   EXPECT_EQ(State{}.n_ids(), 0);
-  const test::Simulation simulation(test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0}));
+  const Simulation simulation(test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0}));
   EXPECT_EQ(simulation.state.n_ids(), 100);
 }
 
@@ -21,7 +21,7 @@ TEST(State, PointsThatLeaveKeepTheirIds)
   Case c = test::free_box("mpm_gp", {3.25, 0.5}, {3.75, 1.0});
   c.bodies[0].velocity = {8.0, 0.0};  // to the side at x = 4 m
   c.sides = {test::side("right", SideKind::open)};
-  test::Simulation simulation(c);
+  Simulation simulation(c);
   for (int k = 0; k < 500 && simulation.state.left.empty(); ++k) simulation.step();
   ASSERT_FALSE(simulation.state.left.empty());
   EXPECT_EQ(simulation.state.n_ids(), 100);

@@ -12,7 +12,6 @@
 namespace terp {
 namespace {
 
-using test::Simulation;
 using testing::ElementsAre;
 using Rows = PointRows<2>;
 

@@ -61,8 +61,6 @@ void operator delete[](void* p, std::size_t, std::align_val_t) noexcept { releas
 namespace terp {
 namespace {
 
-using test::Simulation;
-
 int allocations_during(Simulation& s, std::int64_t n_steps)
 {
   n_allocations = 0;
@@ -112,7 +110,7 @@ TEST(Workspace, FitsItsArraysToTheOccupiedCellsAndListsTheirNodesInOrder)
   EXPECT_GE(s.work.gauss.size(), 2u);
   EXPECT_EQ(s.work.pressure.size(), 2u);
   EXPECT_THAT(s.work.active_nodes, testing::ElementsAre(18, 19, 20, 35, 36, 37));
-  EXPECT_EQ(s.work.node.size(), s.model.mesh.nodes.size());
+  EXPECT_EQ(s.work.node.size(), s.model.mesh->nodes.size());
 }
 
 TEST(Workspace, StartsWithTheDampingOfTheModel)

@@ -27,7 +27,7 @@ Case filled_box()
 ElasticStart settle(const Case& c)
 {
   const std::atomic<bool> stop{false};
-  return settle_elastically(c, build_mesh(c), 1.0, 1, stop);
+  return settle_elastically(c, std::make_shared<const Mesh<2>>(build_mesh(c)), 1.0, 1, stop);
 }
 
 TEST(ElasticStart, ScalesAreThoseOfTheHandCalculation)

@@ -55,11 +55,11 @@ TEST(Judge, FailsWhenItMovedFarAndDoesNotSlowDown)
 /// The column of model 1 on a rough base, which stands up to a factor of about 0.8.
 struct Column {
   Case quiet;
-  Mesh<2> mesh;
+  SharedMesh mesh;
   ElasticStart start;
   Column()
       : quiet(quiet_case(make())),
-        mesh(build_mesh(quiet)),
+        mesh(std::make_shared<const Mesh<2>>(build_mesh(quiet))),
         start(settle_elastically(quiet, mesh, rules.stiffening, 1, go))
   {
   }
@@ -71,7 +71,9 @@ struct Column {
     return c;
   }
   explicit Column(Real stiffening)
-      : quiet(quiet_case(make())), mesh(build_mesh(quiet)), start(settle_elastically(quiet, mesh, stiffening, 1, go))
+      : quiet(quiet_case(make())),
+        mesh(std::make_shared<const Mesh<2>>(build_mesh(quiet))),
+        start(settle_elastically(quiet, mesh, stiffening, 1, go))
   {
   }
   Trial at(Real factor, const TrialRules& r = rules) const
@@ -99,7 +101,8 @@ TEST(ElasticStart, NeedsGravity)
 {
   Case c = Column::make();
   c.forces.gravity = {0.0, 0.0};
-  EXPECT_THROW(settle_elastically(quiet_case(c), build_mesh(c), 1.0, 1, go), InputError);
+  EXPECT_THROW(
+      settle_elastically(quiet_case(c), std::make_shared<const Mesh<2>>(build_mesh(c)), 1.0, 1, go), InputError);
 }
 
 TEST(Trial, StandsWithMoreStrengthAndRunsAwayWithLess)

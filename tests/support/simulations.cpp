@@ -1,7 +1,5 @@
 #include "support/simulations.hpp"
 
-#include "simulation/setup.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -10,19 +8,9 @@ namespace terp::test {
 
 using Rows = PointRows<2>;
 
-Simulation::Simulation(const Case& description, int threads)
-    : model(build_model(description, threads)), state(build_state(model)), work(model, state)
+void make_steps(Simulation& s, std::int64_t n)
 {
-}
-
-Simulation::Simulation(Model ready_model, State ready_state)
-    : model(std::move(ready_model)), state(std::move(ready_state)), work(model, state)
-{
-}
-
-void Simulation::step(std::int64_t n)
-{
-  for (std::int64_t k = 0; k < n; ++k) model.step(model, state, work);
+  for (std::int64_t k = 0; k < n; ++k) s.model.step(s.model, s.state, s.work);
 }
 
 std::vector<Point> points_by_id(const State& state)

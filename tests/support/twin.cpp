@@ -103,7 +103,7 @@ Model make_model(const Json& j)
 {
   const Json& o = j.at("options");
   Model model;
-  model.mesh = make_mesh(j.at("mesh"));
+  model.mesh = std::make_shared<const Mesh<2>>(make_mesh(j.at("mesh")));
   model.materials.push_back(make_material(j.at("material")));
   model.method.filled_fraction = o.at("filled_fraction");
   model.method.force_operator = o.at("force_operator") == "b" ? ForceOperator::b : ForceOperator::b_bar;
@@ -131,7 +131,7 @@ void put_row(const Json& value, int row, std::vector<Real>& values)
 State make_state(const Model& model, const Json& points)
 {
   State state;
-  state.points = PointBlocks<2>(model.mesh.n_cells(), model.n_state);
+  state.points = PointBlocks<2>(model.mesh->n_cells(), model.n_state);
   const std::size_t n = points.at("x").size();
   for (std::size_t p = 0; p < n; ++p) {
     std::vector<Real> values(state.points.n_rows(), 0.0);
@@ -144,9 +144,9 @@ State make_state(const Model& model, const Json& points)
     put_row(points.at("strain")[p], Rows::strain, values);
     if (model.n_state > 0) put_row(points.at("eps_eq_p")[p], Rows::state, values);
     values[Rows::id] = static_cast<Real>(p);
-    const Vec<2> centre = model.mesh.centres[cell];
+    const Vec<2> centre = model.mesh->centres[cell];
     const auto local =
-        local_coordinates(model.mesh.geometry(cell), values[Rows::x] - centre[0], values[Rows::x + 1] - centre[1]);
+        local_coordinates(model.mesh->geometry(cell), values[Rows::x] - centre[0], values[Rows::x + 1] - centre[1]);
     for (int d = 0; d < 2; ++d) values[Rows::xi + d] = local[d];
     state.points.add(cell, 0, values);
   }
@@ -180,7 +180,7 @@ Scenario load_scenario(const std::string& name)
 {
   const Json& j = find_scenario(name);
   Scenario s{.name = name, .n_steps = j.at("n_steps"), .model = make_model(j), .state = {}, .expected = {}};
-  s.model.boundary = make_boundary(s.model.mesh, j.at("mesh").at("contact"));
+  s.model.boundary = make_boundary(*s.model.mesh, j.at("mesh").at("contact"));
   check_boundary(s.model.boundary, j.at("mesh"));
   s.state = make_state(s.model, j.at("points"));
   for (const char* field : {"x", "v", "volume", "sigma", "strain", "eps_eq_p"})
@@ -191,7 +191,7 @@ Scenario load_scenario(const std::string& name)
 Scenario load_free_scenario(const std::string& name)
 {
   Scenario s = load_scenario(name);
-  s.model.boundary = Boundary(s.model.mesh, {});
+  s.model.boundary = Boundary(*s.model.mesh, {});
   s.model.damping.local = 0.0;
   return s;
 }

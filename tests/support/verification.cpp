@@ -8,7 +8,7 @@ namespace terp::test {
 
 Simulation simulate_on(Mesh<2> mesh, const Case& description, int threads)
 {
-  Model model = build_model(description, std::move(mesh), threads);
+  Model model = build_model(description, std::make_shared<const Mesh<2>>(std::move(mesh)), threads);
   State state = build_state(model);
   return {std::move(model), std::move(state)};
 }

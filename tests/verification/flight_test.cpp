@@ -9,8 +9,6 @@
 namespace terp {
 namespace {
 
-using test::Simulation;
-
 constexpr Real h = 0.25;  // [m]
 
 class Flight : public testing::TestWithParam<std::string> {};

@@ -9,8 +9,6 @@
 namespace terp {
 namespace {
 
-using test::Simulation;
-
 constexpr Real angle = std::numbers::pi / 6.0;
 
 Simulation column_in_frame(const std::string& scheme, Real cell, Real turn)

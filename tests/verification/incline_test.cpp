@@ -12,8 +12,6 @@
 namespace terp {
 namespace {
 
-using test::Simulation;
-
 constexpr Real g = 9.81;           // [m/s^2]
 constexpr Real density = 2000.0;   // [kg/m^3]
 constexpr Vec<2> block{4.0, 0.5};  // length along the slope and height [m]

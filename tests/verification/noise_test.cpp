@@ -12,8 +12,6 @@
 namespace terp {
 namespace {
 
-using test::Simulation;
-
 constexpr Real h = 0.2;  // [m]
 
 /// Value at a point of the least-squares plane through the pressures around it [Pa].

@@ -15,8 +15,6 @@
 namespace terp {
 namespace {
 
-using test::Simulation;
-
 constexpr Index n_cells = 6;
 constexpr Real h = 0.5;  // [m]
 
@@ -49,7 +47,7 @@ void strain_all_cells(Simulation& s, const std::array<Vec<2>, 2>& a)
     std::array<CornerVectors, pack_width> du{};
     for (int c = 0; c < group.n(); ++c) {
       group.corners[c] = {};
-      du[c] = affine(s.model.mesh, group.cells[c], a);
+      du[c] = affine(*s.model.mesh, group.cells[c], a);
     }
     Scheme::gather(context, group);
     StressSums sums;
@@ -120,14 +118,14 @@ Real interior_force_share(std::uint64_t seed)
     block.row(PointRows<2>::volume)[lane] *= lane % 5 < 2 ? 1.3 : 0.8;
   });
   strain_all_cells<Scheme>(s, {});
-  std::vector<Vec<2>> force(s.model.mesh.nodes.size(), Vec<2>{0.0, 0.0});
+  std::vector<Vec<2>> force(s.model.mesh->nodes.size(), Vec<2>{0.0, 0.0});
   for (std::size_t slot = 0; slot < s.state.points.occupied().size(); ++slot)
     for (int i = 0; i < 4; ++i)
       for (int d = 0; d < 2; ++d)
-        force[s.model.mesh.cells[s.state.points.occupied()[slot]][i]][d] += s.work.corners[slot].internal_force[d][i];
+        force[s.model.mesh->cells[s.state.points.occupied()[slot]][i]][d] += s.work.corners[slot].internal_force[d][i];
   Real inner = 0.0, all = 0.0;
   for (std::size_t i = 0; i < force.size(); ++i) {
-    const Vec<2> x = s.model.mesh.nodes[i];
+    const Vec<2> x = s.model.mesh->nodes[i];
     const bool is_inner = x[0] > 1e-9 && x[0] < n_cells * h - 1e-9 && x[1] > 1e-9 && x[1] < n_cells * h - 1e-9;
     const Real size = std::hypot(force[i][0], force[i][1]);
     all = std::max(all, size);

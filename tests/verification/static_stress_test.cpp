@@ -20,8 +20,6 @@
 namespace terp {
 namespace {
 
-using test::Simulation;
-
 constexpr Real density = 1800.0, g = 9.81, nu = 0.3, shear = 5.0e6;
 
 struct Layer {

@@ -21,7 +21,7 @@ Mesh<2> valley()
 }
 
 /// Elastic soil 1 m high on banks without friction, under its weight at once.
-test::Simulation soil_between(SideKind west, SideKind east, const char* scheme)
+Simulation soil_between(SideKind west, SideKind east, const char* scheme)
 {
   Case c = test::free_box(scheme, {-2.0, 0.0}, {2.0, 1.0}, test::elastic(2.0e6, 0.3, 2000.0));
   c.bodies[0].polygon = {{-2.0, 1.1548}, {0.0, 0.0}, {2.0, 1.1548}, {2.0, 2.1548}, {0.0, 1.0}, {-2.0, 2.1548}};

@@ -13,8 +13,6 @@
 namespace terp {
 namespace {
 
-using test::Simulation;
-
 constexpr Real length = 4.0, amplitude = 1.0e-4;  // [m], [m/s]: displacements stay far below a cell
 
 /// Largest error of the axial velocity after one period, over the amplitude.

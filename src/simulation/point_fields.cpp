@@ -1,0 +1,132 @@
+#include "simulation/point_fields.hpp"
+
+#include "base/errors.hpp"
+#include "simulation/frame.hpp"
+#include "simulation/ledger.hpp"
+#include "simulation/run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace terp {
+namespace {
+
+using Rows = PointRows<2>;
+
+/// A field of every point that can be set. Of a vector the third component is 0.
+struct CommonField {
+  std::string_view name;
+  int first_row, n_rows, n_components;
+};
+
+constexpr CommonField common_fields[] = {{"velocity", Rows::v, 2, 3}, {"stress", Rows::sigma, n_sym<2>, n_sym<2>},
+    {"strain", Rows::strain, n_sym<2>, n_sym<2>}, {"volume", Rows::volume, 1, 1}};
+
+std::vector<std::string> names_to_set(const Model& model)
+{
+  std::vector<std::string> names;
+  for (const CommonField& field : common_fields) names.emplace_back(field.name);
+  for (const SoilMaterial& m : model.materials)
+    for (const StateInfo& info : m.type->state)
+      if (std::find(names.begin(), names.end(), info.name) == names.end()) names.emplace_back(info.name);
+  return names;
+}
+
+[[noreturn]] void refuse(const std::string& name, const std::string& what, const std::string& detail)
+{
+  throw InputError(Problem{name, what, detail, ""});
+}
+
+/// Where a field lies in the rows of a material's points.
+struct FieldPlace {
+  int first_row = -1;  ///< -1: points of the material have no such variable
+  int n_rows = 1, n_components = 1;
+};
+
+std::vector<FieldPlace> places_of(const Model& model, const std::string& name)
+{
+  const auto common = std::find_if(
+      std::begin(common_fields), std::end(common_fields), [&](const CommonField& f) { return f.name == name; });
+  std::vector<FieldPlace> places;
+  for (const SoilMaterial& m : model.materials) {
+    const int k = find_name(m.type->state, name);
+    places.push_back(common != std::end(common_fields)
+                         ? FieldPlace{common->first_row, common->n_rows, common->n_components}
+                         : FieldPlace{.first_row = k < 0 ? -1 : Rows::state + k});
+  }
+  if (std::none_of(places.begin(), places.end(), [](const FieldPlace& p) { return p.first_row >= 0; }))
+    refuse(name, "there is no field of this name that can be set",
+        fmt::format("These can be set: {}.", fmt::join(names_to_set(model), ", ")));
+  return places;
+}
+
+/// Calls f(block, lane, place, values of the point).
+template <class F>
+void for_each_value(State& state, const std::vector<FieldPlace>& places, const std::vector<Real>& values, F&& f)
+{
+  for_each_point(state.points, [&](PointBlock<2> block, Index lane) {
+    const FieldPlace& place = places[static_cast<std::size_t>(block.material)];
+    const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
+    f(block, lane, place, values.data() + id * static_cast<std::size_t>(place.n_components));
+  });
+}
+
+/// Refuses values that a point cannot take.
+void check_value(const Model& model, const std::string& name, const PointBlock<2>& block, Index lane,
+    const FieldPlace& place, const Real* value)
+{
+  const auto id = static_cast<std::int64_t>(block.row(Rows::id)[lane]);
+  const SoilMaterial& material = model.materials[block.material];
+  if (place.first_row < 0) {
+    if (!std::isnan(*value))
+      refuse(name, fmt::format("material point {} cannot take the value {}", id, *value),
+          fmt::format("Its material `{}` ({}) has no `{}`: give NaN there, as the field itself does.", material.name,
+              material.type->name, name));
+    return;
+  }
+  for (int k = 0; k < place.n_components; ++k)
+    if (!std::isfinite(value[k]))
+      refuse(name, fmt::format("the value of material point {} is not a finite number", id),
+          fmt::format("Component {} is {}.", k, value[k]));
+  for (int k = place.n_rows; k < place.n_components; ++k)
+    if (value[k] != 0.0)
+      refuse(name, fmt::format("the value of material point {} points out of the plane", id),
+          fmt::format("Component {} is {}, in plane strain it is 0.", k, value[k]));
+  if (place.first_row == Rows::volume && !(*value > 0.0))
+    refuse(
+        name, fmt::format("the volume of material point {} is not positive", id), fmt::format("Got {} m^2.", *value));
+}
+
+}  // namespace
+
+PointField get_point_field(const Model& model, const State& state, const std::string& name)
+{
+  std::vector<std::string> names;
+  if (auto field = make_field(model, state, name, names)) return std::move(*field);
+  refuse(name, "there is no field of this name", fmt::format("Fields of this run: {}.", fmt::join(names, ", ")));
+}
+
+void set_point_field(const Model& model, const std::string& name, const std::vector<Real>& values, State& state)
+{
+  const std::vector<FieldPlace> places = places_of(model, name);
+  const std::int64_t n = state.n_ids() * places.front().n_components;
+  if (std::ssize(values) != n)
+    refuse(name, fmt::format("{} values were given, {} are needed", values.size(), n),
+        fmt::format("Its shape is [{}, {}], sorted by id.", state.n_ids(), places.front().n_components));
+  for_each_value(
+      state, places, values, [&](const PointBlock<2>& block, Index lane, const FieldPlace& place, const Real* value) {
+        check_value(model, name, block, lane, place, value);
+      });
+  const Real before = kinetic_and_elastic_energy(model, state);
+  for_each_value(
+      state, places, values, [](const PointBlock<2>& block, Index lane, const FieldPlace& place, const Real* value) {
+        for (int k = 0; k < place.n_rows && place.first_row >= 0; ++k) block.row(place.first_row + k)[lane] = value[k];
+      });
+  if (!has_started(state)) return;
+  state.start_energy += kinetic_and_elastic_energy(model, state) - before;
+  remember_history(model, state);
+}
+
+}  // namespace terp
