@@ -3,12 +3,13 @@
 #include "commands.hpp"
 #include "input/case_file.hpp"
 #include "input/printable.hpp"
-#include "parallel/kernels.hpp"
-#include "parallel/machine.hpp"
+#include "parallel/instructions.hpp"
 #include "parallel/threads.hpp"
-#include "simulation/pass_costs.hpp"
+#include "simulation/kernels.hpp"
+#include "simulation/passes.hpp"
 #include "simulation/run.hpp"
 #include "simulation/setup.hpp"
+#include "simulation/workspace.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -97,15 +98,15 @@ struct PassReport {
 std::vector<PassReport> report_passes(
     const Model& model, const State& state, const Measurement& m, const Machine& machine, std::int64_t n_steps)
 {
-  const auto costs = pass_costs(model.description.scheme);
+  const auto costs = pass_costs(*model.scheme);
   const double points = static_cast<double>(state.points.n_points()) * static_cast<double>(n_steps);
   const double rate = stream_rate(machine, state.points.bytes()) * model.threads,
                peak = machine.multiply_add * model.threads;
   std::vector<PassReport> reports;
   for (int pass = 0; pass < n_passes; ++pass) {
     const double ns = m.passes[pass] / points * 1e9;
-    const double bound = std::max(costs[pass].bytes / rate, costs[pass].flops / peak);  // ns per point
-    reports.push_back({ns, costs[pass].flops, costs[pass].bytes, ns > 0.0 ? bound / ns : 0.0});
+    const double bound = std::max(costs[pass].bytes() / rate, costs[pass].flops / peak);  // ns per point
+    reports.push_back({ns, costs[pass].flops, costs[pass].bytes(), ns > 0.0 ? bound / ns : 0.0});
   }
   return reports;
 }
@@ -115,8 +116,7 @@ void print_text(
 {
   const double points = static_cast<double>(state.points.n_points()) * static_cast<double>(n_steps);
   fmt::print("{}, {}, {} points, {} thread{}, {}, double\n", printable(model.description.title),
-      model.description.scheme, state.points.n_points(), model.threads, model.threads == 1 ? "" : "s",
-      kernels().instructions);
+      model.description.scheme, state.points.n_points(), model.threads, model.threads == 1 ? "" : "s", instructions());
   fmt::print("  {:.1f} M point-steps/s (median of 5 x {} steps; {:.1f} to {:.1f})\n", points / m.seconds / 1e6, n_steps,
       points / m.slowest / 1e6, points / m.fastest / 1e6);
   fmt::print("  {:.0f} bytes per point\n\n",
@@ -141,7 +141,7 @@ void print_json(
       "{{\"terp_version\": \"{}\", \"scheme\": \"{}\", \"points\": {}, \"cells\": {}, \"threads\": {}, "
       "\"instructions\": \"{}\",\n",
       TERP_VERSION, model.description.scheme, state.points.n_points(), model.mesh->n_cells(), model.threads,
-      kernels().instructions);
+      instructions());
   fmt::print(" \"point_steps_per_s\": {}, \"slowest\": {}, \"fastest\": {}, \"bytes_per_point\": {},\n",
       points / m.seconds, points / m.slowest, points / m.fastest,
       static_cast<double>(state.points.bytes()) / static_cast<double>(state.points.n_points()));

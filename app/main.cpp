@@ -6,7 +6,7 @@
 #include "input/closest.hpp"
 #include "input/explain.hpp"
 #include "input/printable.hpp"
-#include "parallel/kernels.hpp"
+#include "parallel/instructions.hpp"
 #include "parallel/memory.hpp"
 #include "stability/limits.hpp"
 
@@ -186,7 +186,7 @@ bool answer_help(int argc, char** argv)
     const std::string_view word = argv[k];
     if (k == 1 && word == "help") return fmt::print("{}", argc > 2 ? terp::help_on(argv[2]) : terp::help()), true;
     if (word == "-h" || word == "--help") return fmt::print("{}", terp::help_on(argv[1])), true;
-    if (word == "--version") return fmt::print("terp {} ({})\n", TERP_VERSION, terp::kernels().instructions), true;
+    if (word == "--version") return fmt::print("terp {} ({})\n", TERP_VERSION, terp::instructions()), true;
   }
   if (argc == 1) fmt::print("{}", terp::help());
   return argc == 1;

@@ -1,12 +1,18 @@
 # The kernels: what a step spends its time in, compiled once per instruction set (docs/decisions/0028). One of the sets
-# is chosen when the program starts, in src/parallel/kernels.cpp.
+# is chosen when the program starts, in src/parallel/instructions.cpp.
 
-# Compiled for each set, and there alone. A new law belongs to them by itself.
-file(GLOB TERP_KERNEL_SOURCES CONFIGURE_DEPENDS src/materials/*.cpp)
-list(REMOVE_ITEM TERP_KERNEL_SOURCES ${PROJECT_SOURCE_DIR}/src/materials/material.cpp)
-foreach(kernel parallel/machine simulation/kernels simulation/step simulation/totals)
+# Compiled for each set, and there alone. A new law or scheme belongs to them by itself.
+file(GLOB TERP_KERNEL_SOURCES CONFIGURE_DEPENDS src/materials/*.cpp src/schemes/*.cpp)
+list(REMOVE_ITEM TERP_KERNEL_SOURCES ${PROJECT_SOURCE_DIR}/src/materials/material.cpp
+                                     ${PROJECT_SOURCE_DIR}/src/schemes/scheme.cpp)
+foreach(kernel parallel/machine simulation/kernel_table simulation/step simulation/totals)
   list(APPEND TERP_KERNEL_SOURCES ${PROJECT_SOURCE_DIR}/src/${kernel}.cpp)
 endforeach()
+# Rooms whose kernels have a table (src/parallel/kernel_table.hpp), the files that offer it, and those that choose.
+set(TERP_KERNEL_ROOMS materials schemes simulation)
+set(TERP_KERNEL_TABLES src/materials/laws.cpp src/schemes/scheme_list.cpp src/simulation/kernel_table.cpp)
+set(TERP_KERNEL_CHOICES src/parallel/instructions.cpp src/materials/material.cpp src/schemes/scheme.cpp
+                        src/simulation/kernels.cpp)
 # Compiled for each set, and once more for what calls them before the first step (seeding) and for their tests.
 set(TERP_SHARED_KERNEL_SOURCES src/mesh/locate.cpp src/points/move.cpp src/transfer/gauss_average.cpp)
 
@@ -40,9 +46,9 @@ endfunction()
 function(add_kernels target sets)
   list(TRANSFORM sets REPLACE "(.+)" "TERP_KERNEL_SET(\\1)" OUTPUT_VARIABLE calls)
   list(JOIN calls " " calls)
-  set_source_files_properties(src/parallel/kernels.cpp PROPERTIES COMPILE_DEFINITIONS "TERP_KERNEL_SETS=${calls}")
+  set_source_files_properties(${TERP_KERNEL_CHOICES} PROPERTIES COMPILE_DEFINITIONS "TERP_KERNEL_SETS=${calls}")
   if(sets STREQUAL "native" OR sets STREQUAL "plain")
-    set_source_files_properties(src/simulation/kernels.cpp PROPERTIES COMPILE_DEFINITIONS TERP_KERNEL_COPY=${sets})
+    set_source_files_properties(${TERP_KERNEL_TABLES} PROPERTIES COMPILE_DEFINITIONS TERP_KERNEL_COPY=${sets})
     target_sources(${target} PRIVATE ${TERP_KERNEL_SOURCES})
     return()
   endif()
@@ -51,9 +57,9 @@ function(add_kernels target sets)
   endforeach()
 endfunction()
 
-# One relocatable object per set, with one global name. Inline functions and templates would else be merged between the
-# copies and with the rest of the program by the linker, which takes any: --force-group-allocation ends their COMDAT
-# groups, and objcopy makes their names local.
+# One relocatable object per set, with one global name per table. Inline functions and templates would else be merged
+# between the copies and with the rest of the program by the linker, which takes any: --force-group-allocation ends
+# their COMDAT groups, and objcopy makes their names local.
 function(add_kernel_copy target set)
   add_library(terp_kernels_${set} OBJECT ${TERP_KERNEL_SOURCES} ${TERP_SHARED_KERNEL_SOURCES})
   target_include_directories(terp_kernels_${set} PRIVATE src)
@@ -62,10 +68,11 @@ function(add_kernel_copy target set)
   target_compile_definitions(terp_kernels_${set} PRIVATE TERP_KERNEL_COPY=${set})
   set(whole ${PROJECT_BINARY_DIR}/kernels_${set}_whole.o)
   set(object ${PROJECT_BINARY_DIR}/kernels_${set}.o)
+  list(TRANSFORM TERP_KERNEL_ROOMS REPLACE "(.+)" "--keep-global-symbol=terp_\\1_${set}" OUTPUT_VARIABLE keep)
   add_custom_command(
     OUTPUT ${object}
     COMMAND ${CMAKE_LINKER} -r --force-group-allocation -o ${whole} $<TARGET_OBJECTS:terp_kernels_${set}>
-    COMMAND ${CMAKE_OBJCOPY} --keep-global-symbol=terp_kernels_${set} ${whole} ${object}
+    COMMAND ${CMAKE_OBJCOPY} ${keep} ${whole} ${object}
     DEPENDS $<TARGET_OBJECTS:terp_kernels_${set}>
     COMMENT "Closing the kernels for ${set}" COMMAND_EXPAND_LISTS VERBATIM)
   link_object(${target} ${object})

@@ -1,6 +1,6 @@
 #include "input/check_method.hpp"
 
-#include "schemes/scheme_info.hpp"
+#include "schemes/scheme.hpp"
 
 #include <fmt/format.h>
 
@@ -11,20 +11,13 @@ namespace {
 
 using Problems = std::vector<Problem>;
 
-const SchemeInfo* find_scheme(std::string_view name)
-{
-  for (const SchemeInfo& scheme : all_schemes())
-    if (scheme.name == name) return &scheme;
-  return nullptr;
-}
-
 Problem no_effect(const std::string& option, std::string why)
 {
   const std::string path = "method." + option;
   return {path, fmt::format("`{}` has no effect", option), std::move(why), path, true, {"scheme"}};
 }
 
-void check_unused(const Node& method, const SchemeInfo& scheme, Problems& warnings)
+void check_unused(const Node& method, const Scheme& scheme, Problems& warnings)
 {
   for (const Node& option : method.items)
     if (!looks_at(scheme, option.name))
@@ -56,7 +49,7 @@ void check_relaxation(const Node& method, const MethodOptions& options, Problems
 void check_method(const Node& root, const Case& values, Problems& warnings)
 {
   const Node* method = find_item(root, "method");
-  const SchemeInfo* scheme = find_scheme(values.scheme);
+  const Scheme* scheme = find_scheme(values.scheme);
   if (method == nullptr || method->kind != NodeKind::table || scheme == nullptr) return;
   check_unused(*method, *scheme, warnings);
   if (looks_at(*scheme, "b_bar") && looks_at(*scheme, "force_operator"))

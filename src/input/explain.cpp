@@ -5,7 +5,7 @@
 #include "input/key_text.hpp"
 #include "input/keys.hpp"
 #include "input/mesh_kinds.hpp"
-#include "schemes/scheme_info.hpp"
+#include "schemes/scheme.hpp"
 
 #include <fmt/format.h>
 
@@ -94,7 +94,7 @@ std::string describe_law(const MaterialType& law)
   return out;
 }
 
-std::string describe_scheme(const SchemeInfo& scheme)
+std::string describe_scheme(const Scheme& scheme)
 {
   return fmt::format(
       "{0}: scheme\n  {1}\n  Choose it with scheme = \"{0}\" at the top of the case file; its equations are in "
@@ -144,7 +144,7 @@ std::vector<std::string> find_blocks(const std::string& topic, Match match)
 std::vector<std::string> all_topics()
 {
   std::vector<std::string> topics = material_model_names();
-  for (const SchemeInfo& scheme : all_schemes()) topics.emplace_back(scheme.name);
+  for (const Scheme* scheme : all_schemes()) topics.emplace_back(scheme->name);
   const auto add = [&](const std::string& path) {
     topics.push_back(topic_of(path)), topics.push_back(last_part(path));
   };
@@ -159,7 +159,7 @@ std::vector<std::string> all_topics()
 {
   const std::string nearest = closest(topic, all_topics());
   std::vector<std::string> schemes, sections;
-  for (const SchemeInfo& scheme : all_schemes()) schemes.emplace_back(scheme.name);
+  for (const Scheme* scheme : all_schemes()) schemes.emplace_back(scheme->name);
   for (const SectionInfo& section : all_sections()) sections.push_back(topic_of(section.path));
   throw CaseError(
       fmt::format("error: there is nothing to explain about `{}`\n\n{}"
@@ -182,8 +182,7 @@ std::string list_of(const char* title, const Infos& infos)
 std::string explain(const std::string& topic)
 {
   if (const MaterialType* law = find_material(topic)) return describe_law(*law);
-  for (const SchemeInfo& scheme : all_schemes())
-    if (scheme.name == topic) return describe_scheme(scheme);
+  if (const Scheme* scheme = find_scheme(topic)) return describe_scheme(*scheme);
   auto blocks = find_blocks(topic, means);
   if (blocks.empty()) blocks = find_blocks(topic, is_last_part);
   if (blocks.empty()) refuse_topic(topic);
@@ -197,7 +196,7 @@ std::string list()
   using Rows = std::vector<std::pair<std::string, std::string>>;
   Rows materials, schemes, fields = {{"position, id", "[m, -] always written"}};
   for (const MaterialType* law : all_materials()) materials.emplace_back(law->name, law->summary);
-  for (const SchemeInfo& scheme : all_schemes()) schemes.emplace_back(scheme.name, scheme.summary);
+  for (const Scheme* scheme : all_schemes()) schemes.emplace_back(scheme->name, scheme->summary);
   for (const FieldInfo& field : all_output_fields())
     fields.emplace_back(field.name, fmt::format("[{}] {}", field.unit, field.meaning));
   return list_of("Materials", materials) + '\n' + list_of("Schemes", schemes) + '\n' +

@@ -2,7 +2,7 @@
 
 #include "input/key_table.hpp"
 
-#include "schemes/scheme_info.hpp"
+#include "schemes/scheme.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ using Words = std::vector<std::string>;
 Words scheme_words()
 {
   Words words;
-  for (const SchemeInfo& scheme : all_schemes()) words.emplace_back(scheme.name);
+  for (const Scheme* scheme : all_schemes()) words.emplace_back(scheme->name);
   return words;
 }
 // In the order of the enums in case.hpp and method_options.hpp.

@@ -116,7 +116,7 @@ struct MaterialType {
   std::unique_ptr<Material> (*make)(std::span<const Real> values);
 };
 
-/// Every law in this build, in the order of materials.def, compiled for this processor (parallel/kernels.hpp).
+/// Every law in this build, in the order of materials.def, compiled for this processor (material_list.hpp).
 std::span<const MaterialType* const> all_materials();
 /// nullptr if there is no such law.
 const MaterialType* find_material(std::string_view name);

@@ -3,6 +3,7 @@
 
 #include "base/errors.hpp"
 #include "output/files.hpp"
+#include "schemes/scheme.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +74,12 @@ std::string notes_text(const StabilityResult& r, const std::string& scheme)
   text +=
       "  The width is that of the search alone; the mesh makes the factor too large. Halve the cells and compare "
       "(docs/stability.md).\n";
-  if (scheme == "standard_mpm") text += "  standard_mpm locks: its factor is far too large. Use mpm_mixed or mpm_gp.\n";
+  if (const Scheme* known = find_scheme(scheme); known != nullptr && known->locks) {
+    std::string others;
+    for (const Scheme* other : all_schemes())
+      if (!other->locks) others += (others.empty() ? "" : " or ") + std::string(other->name);
+    text += fmt::format("  {} locks: its factor is far too large. Use {}.\n", scheme, others);
+  }
   return text;
 }
 

@@ -1,6 +1,6 @@
 // What this machine can do at most: how fast it streams memory and how fast it multiplies and adds.
-// Part of the kernels: each copy measures what its own instructions can do; call by way of kernels().
-// Not for: what Terp makes of it (simulation/pass_costs, `terp bench`).
+// Part of the kernels: each copy measures what its own instructions can do; call by way of simulation/kernels.hpp.
+// Not for: what Terp makes of it (simulation/passes, `terp bench`).
 #pragma once
 
 #include "base/types.hpp"

@@ -2,6 +2,7 @@
 
 #include "output/json_text.hpp"
 #include "results/compare_words.hpp"
+#include "schemes/scheme.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -170,9 +171,8 @@ std::string cell_text(Value value, int digits)
 
 std::string scheme_title(std::string_view scheme)
 {
-  if (scheme == "mpm_mixed") return "MPM-Mixed";
-  if (scheme == "mpm_gp") return "MPM-GP";
-  return scheme == "standard_mpm" ? "standard MPM" : std::string(scheme);
+  const Scheme* known = find_scheme(scheme);
+  return std::string(known == nullptr ? scheme : known->title);
 }
 
 std::vector<std::string> points_that_regained_strength(const RunResults& run)

@@ -41,7 +41,7 @@ std::optional<Real> softening_time(const RunResults& run, std::string_view point
 /// The named points whose S_u is larger in some row of their history than in the row before.
 std::vector<std::string> points_that_regained_strength(const RunResults& run);
 
-/// "MPM-GP" for "mpm_gp".
+/// "MPM-GP" for "mpm_gp"; the name itself of a scheme that is not in this build.
 std::string scheme_title(std::string_view scheme);
 
 }  // namespace terp

@@ -1,8 +1,8 @@
 #include "simulation/ledger.hpp"
 
 #include "simulation/failure.hpp"
+#include "simulation/kernels.hpp"
 #include "simulation/node_motion.hpp"
-#include "simulation/totals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -98,7 +98,8 @@ void remember_history(const Model& model, State& state)
 
 LedgerRow keep_ledger(const Model& model, State& state, Workspace& work)
 {
-  const Totals totals = add_up(model, state, work.threads, moved_distance(state.section), shear_columns(state));
+  const Totals totals =
+      kernels().add_up(model, state, work.threads, moved_distance(state.section), shear_columns(state));
   LedgerRow row;
   row.time = state.time;
   row.step = state.step;

@@ -4,10 +4,9 @@
 #include "boundary/conditions.hpp"
 #include "boundary/footing.hpp"
 #include "forces/damping.hpp"
-#include "parallel/kernels.hpp"
 #include "points/move.hpp"
 #include "points/seed.hpp"
-#include "schemes/cell_view.hpp"
+#include "schemes/scheme.hpp"
 #include "simulation/case.hpp"
 
 namespace terp {
@@ -21,6 +20,13 @@ struct BodyShare {
   Real fullest_cell = 1.0;  ///< of a file of points: largest share of a cell's area that its points fill [-]
 };
 
+struct Model;
+struct State;
+struct Workspace;
+
+/// One step (step.hpp).
+using StepFunction = void (*)(const Model&, State&, Workspace&);
+
 struct Model {
   Case description;  ///< as the user gave it
   SharedMesh mesh;   ///< one for all runs of a study
@@ -31,8 +37,9 @@ struct Model {
   std::vector<Footing> footings;
   Vec<2> gravity{0.0, 0.0};  ///< [m/s^2]
   Damping damping;
-  StepFunction step = nullptr;
-  Real dt = 0.0;  ///< [s]; end time over a whole number of steps
+  const Scheme* scheme = nullptr;
+  StepFunction step = nullptr;  ///< of the same copy of the kernels as the laws and the scheme
+  Real dt = 0.0;                ///< [s]; end time over a whole number of steps
   std::int64_t n_steps = 0;
   Real largest_density = 0.0;             ///< [kg/m^3], for the small-mass limit
   std::vector<std::int64_t> history_ids;  ///< ids of the named points, in the order of the case

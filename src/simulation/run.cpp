@@ -1,6 +1,7 @@
 #include "simulation/run.hpp"
 
 #include "base/errors.hpp"
+#include "parallel/instructions.hpp"
 #include "parallel/processor.hpp"
 #include "simulation/failure.hpp"
 #include "simulation/footings.hpp"
@@ -210,7 +211,7 @@ Summary summarise(const Model& model, const State& state)
   s.point_steps_per_s =
       state.wall_s > 0.0 ? static_cast<double>(s.n_points) * static_cast<double>(s.n_steps) / state.wall_s : 0.0;
   s.threads = model.threads;
-  s.instructions = kernels().instructions;
+  s.instructions = instructions();
   s.processor = processor_name();
   summarise_failure(model, state, s);
   const auto& eps = state.audit.last_eps_eq_p;

@@ -3,8 +3,9 @@
 #pragma once
 
 #include "simulation/observer.hpp"
-#include "simulation/step.hpp"
+#include "simulation/state.hpp"
 #include "simulation/summary.hpp"
+#include "simulation/workspace.hpp"
 
 #include <atomic>
 #include <functional>

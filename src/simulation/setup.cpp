@@ -9,7 +9,7 @@
 #include "simulation/setup_history.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "simulation/setup_points.hpp"
-#include "simulation/step.hpp"
+#include "simulation/kernels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -209,8 +209,9 @@ Model build_model(const Case& description, SharedMesh mesh, int threads)
   model.damping = {.local = description.forces.local_damping, .viscous = description.forces.viscous_damping};
   if (const Real g = std::hypot(model.gravity[0], model.gravity[1]); g > 0.0)
     model.damping.down = {model.gravity[0] / g, model.gravity[1] / g};
-  model.step = find_step(description.scheme);
-  if (model.step == nullptr) throw InputError(Problem{"scheme", "no such scheme", "", "scheme"});
+  model.scheme = find_scheme(description.scheme);
+  model.step = kernels().step;
+  if (model.scheme == nullptr) throw InputError(Problem{"scheme", "no such scheme", "", "scheme"});
   model.threads = threads;
   set_time_step(model);
   return model;

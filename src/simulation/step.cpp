@@ -3,9 +3,6 @@
 #include "simulation/step.hpp"
 
 #include "points/move.hpp"
-#include "schemes/mpm_gp.hpp"
-#include "schemes/mpm_mixed.hpp"
-#include "schemes/standard_mpm.hpp"
 #include "simulation/cell_passes.hpp"
 #include "simulation/footings.hpp"
 #include "simulation/ledger.hpp"
@@ -121,9 +118,11 @@ void move_leavers(const Model& model, State& state, Workspace& work)
   if (state.points.update_occupied()) work.fit(model, state);
 }
 
-template <class Scheme>
-void step(const Model& model, State& state, Workspace& work)
+}  // namespace
+
+void step_compiled(const Model& model, State& state, Workspace& work)
 {
+  const Scheme& scheme = *model.scheme;
   const SchemeContext context{model.method, model.materials, model.dt};
   start_sums(work);
   place_footings(model, state, work);
@@ -131,7 +130,7 @@ void step(const Model& model, State& state, Workspace& work)
   timed(work, points_to_cells, [&] {
     for_each_group(model, state, work, [&](const CellGroup& group, CellSums&, auto&) {
       for (int c = 0; c < group.n(); ++c) map_mass_and_momentum(group, c);
-      Scheme::gather(context, group);  // Eqs. (1) to (4)
+      scheme.gather(context, group);  // Eqs. (1) to (4)
     });
   });
   timed(work, nodes, [&] {
@@ -151,7 +150,7 @@ void step(const Model& model, State& state, Workspace& work)
     for_each_group(model, state, work, [&](const CellGroup& group, CellSums& sums, auto& leavers) {
       const auto du = displacements(model, work.node, group);
       StressSums stress_sums;
-      Scheme::update_stress(context, group, du, stress_sums);  // Steps 2 to 4, or Sec. 2.2
+      scheme.update_stress(context, group, du, stress_sums);  // Steps 2 to 4, or Sec. 2.2
       sums.plastic += stress_sums.plastic_work;
       for (int c = 0; c < group.n(); ++c)
         advance_points(group.cell(c), model.mesh->centres[group.cells[c]], du[c], leavers);
@@ -162,17 +161,6 @@ void step(const Model& model, State& state, Workspace& work)
 
   ++state.step;
   state.time = static_cast<Real>(state.step) * model.dt;
-}
-
-}  // namespace
-
-StepFunction find_compiled_step(std::string_view scheme)
-{
-#define TERP_SCHEME(name, Type, summary, unused_options) \
-  if (scheme == #name) return &step<Type>;
-#include "schemes/schemes.def"
-#undef TERP_SCHEME
-  return nullptr;
 }
 
 }  // namespace terp

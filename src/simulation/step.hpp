@@ -1,18 +1,14 @@
 // One explicit step. The order of its passes is the method: docs/methods.md.
+// Part of the kernels: call by way of Model::step.
 #pragma once
 
 #include "simulation/model.hpp"
 #include "simulation/state.hpp"
 #include "simulation/workspace.hpp"
 
-#include <string_view>
-
 namespace terp {
 
-/// The step of a scheme by its name in schemes.def, or nullptr; compiled for this processor (parallel/kernels.hpp).
-inline StepFunction find_step(std::string_view scheme) { return kernels().find_step(scheme); }
-
-/// The same in one copy of the kernels: what their table holds.
-StepFunction find_compiled_step(std::string_view scheme);
+/// One step with the scheme of the model, in this copy of the kernels.
+void step_compiled(const Model& model, State& state, Workspace& work);
 
 }  // namespace terp

@@ -1,5 +1,5 @@
 // What a ledger row needs of all points, from one walk over the blocks on the threads of the run.
-// Part of the kernels: each copy walks with its own instructions; call by way of kernels().
+// Part of the kernels: each copy walks with its own instructions; call by way of kernels() (kernels.hpp).
 // Not for: what follows from it (ledger, failure).
 #pragma once
 
@@ -28,14 +28,7 @@ struct Totals {
 
 /// Walks over all points. Sums go by chunks of cells in their order: the same bits on any number of threads. Of what
 /// the audit remembers only last_su is renewed. moved_distance: from where on soil counts as moved [m]; shear: columns
-/// of each slope in which growth counts.
-inline Totals add_up(
-    const Model& model, State& state, Threads& threads, Real moved_distance, std::span<const Columns> shear)
-{
-  return kernels().add_up(model, state, threads, moved_distance, shear);
-}
-
-/// The same in one copy of the kernels: what their table holds.
+/// of each slope in which growth counts. Of this copy of the kernels: call by way of kernels().add_up.
 Totals add_up_compiled(
     const Model& model, State& state, Threads& threads, Real moved_distance, std::span<const Columns> shear);
 

@@ -4,6 +4,7 @@
 #include "parallel/threads.hpp"
 #include "parallel/memory.hpp"
 #include "simulation/model.hpp"
+#include "simulation/passes.hpp"
 
 #include <chrono>
 
@@ -37,10 +38,6 @@ struct CellSums {
 inline constexpr Index cells_per_chunk =
     2 * pack_width;  // 400 points at 5 x 5: about 10 us, long against claiming a chunk
 inline constexpr Index nodes_per_chunk = 128;
-
-enum Pass { points_to_cells, nodes, cells_to_points, velocities, stress, move, n_passes };
-inline constexpr std::array<const char*, n_passes> pass_names{
-    "points to cells", "nodes", "cells to points", "velocities", "stress", "move"};
 
 struct Workspace {
   explicit Workspace(const Model& model, const State& state);

@@ -1,7 +1,7 @@
 // The program under each set of instructions that this machine has.
 #include "app/coarse_column.hpp"
 #include "output/checkpoint.hpp"
-#include "parallel/kernels.hpp"
+#include "parallel/instructions.hpp"
 #include "support/environment.hpp"
 #include "support/simulations.hpp"
 

@@ -1,5 +1,5 @@
 // The command line: help, version, words that are not commands, and the commands that only tell.
-#include "parallel/kernels.hpp"
+#include "parallel/instructions.hpp"
 #include "support/process.hpp"
 
 #include <gmock/gmock.h>
@@ -59,7 +59,7 @@ TEST(Version, IsOneLineAndSaysWhichInstructionsItUses)
 {
   const Finished f = test::terp({"--version"});
   EXPECT_EQ(f.status, 0);
-  EXPECT_EQ(f.out, "terp " TERP_VERSION " (" + std::string(kernels().instructions) + ")\n");
+  EXPECT_EQ(f.out, "terp " TERP_VERSION " (" + std::string(instructions()) + ")\n");
 }
 
 TEST(CommandLine, WhatItDoesNotKnowIsBadInputAndPointsToTheHelp)

@@ -3,7 +3,7 @@
 #include "input/case_file.hpp"
 #include "input/key_text.hpp"
 #include "meshing/structured.hpp"
-#include "schemes/scheme_info.hpp"
+#include "schemes/scheme.hpp"
 
 #include <gmock/gmock.h>
 
@@ -26,7 +26,7 @@ TEST(Explain, KnowsEveryLawSchemeAndSection)
 {
   for (const MaterialType* law : all_materials())
     EXPECT_THAT(explain(std::string(law->name)), HasSubstr(std::string(law->summary)));
-  for (const SchemeInfo& scheme : all_schemes())
+  for (const Scheme* scheme : all_schemes())
     EXPECT_THAT(explain(std::string(scheme.name)), HasSubstr(std::string(scheme.summary)));
   for (const SectionInfo& section : all_sections())
     EXPECT_THAT(explain(topic_of(section.path)), HasSubstr(section.meaning));

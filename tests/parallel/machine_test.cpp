@@ -1,5 +1,5 @@
 // What the machine can do at most: numbers that could be of a machine. How large they are is its own affair.
-#include "parallel/kernels.hpp"
+#include "simulation/kernels.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,4 @@
 // MPM-GP: what a material point keeps for itself, and what it takes from its cell.
-#include "schemes/mpm_gp.hpp"
-
 #include "support/cases.hpp"
 #include "support/random.hpp"
 #include "support/simulations.hpp"

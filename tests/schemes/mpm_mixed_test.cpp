@@ -1,6 +1,4 @@
 // MPM-Mixed: what the points of a cell are given, and how fast that diffuses a state that only moves.
-#include "schemes/mpm_mixed.hpp"
-
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"

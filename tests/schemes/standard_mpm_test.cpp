@@ -1,6 +1,4 @@
 // The baseline: it locks where soil hardly changes its volume, and its pressures oscillate. Controls that can fail.
-#include "schemes/standard_mpm.hpp"
-
 #include "events/surface.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"

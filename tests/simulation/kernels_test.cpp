@@ -1,8 +1,9 @@
-// The table of each copy of the kernels: its own name, every law and every scheme.
-#include "parallel/kernels.hpp"
+// The tables of each copy of the kernels: its own name, every law and every scheme.
+#include "simulation/kernels.hpp"
 
-#include "materials/material.hpp"
-#include "schemes/scheme_info.hpp"
+#include "materials/material_list.hpp"
+#include "parallel/instructions.hpp"
+#include "schemes/scheme.hpp"
 
 #include <gmock/gmock.h>
 
@@ -11,26 +12,33 @@ namespace {
 
 TEST(Kernels, EveryCopyHasItsOwnNameAndEveryLawAndScheme)
 {
-  for (const InstructionSet& set : instruction_sets()) {
-    EXPECT_EQ(set.kernels->instructions, set.name);
-    ASSERT_EQ(set.kernels->materials.size(), all_materials().size());
+  for (std::size_t set = 0; set < instruction_sets().size(); ++set) {
+    EXPECT_EQ(kernels_of_set(set).instructions, instruction_sets()[set].name);
+    ASSERT_EQ(materials_of_set(set).size(), all_materials().size());
     for (std::size_t k = 0; k < all_materials().size(); ++k)
-      EXPECT_EQ(set.kernels->materials[k]->name, all_materials()[k]->name);
-    for (const SchemeInfo& scheme : all_schemes())
-      EXPECT_NE(set.kernels->find_step(scheme.name), nullptr) << set.name << scheme.name;
-    EXPECT_EQ(set.kernels->find_step("mpm"), nullptr);
+      EXPECT_EQ(materials_of_set(set)[k]->name, all_materials()[k]->name);
+    ASSERT_EQ(schemes_of_set(set).size(), all_schemes().size());
+    for (std::size_t k = 0; k < all_schemes().size(); ++k)
+      EXPECT_EQ(schemes_of_set(set)[k]->name, all_schemes()[k]->name);
   }
 }
 
-TEST(Kernels, NoTwoCopiesShareALawOrAStep)
+TEST(Kernels, NoTwoCopiesShareALawASchemeOrAStep)
 {
-  const auto sets = instruction_sets();
-  for (std::size_t a = 0; a < sets.size(); ++a)
+  for (std::size_t a = 0; a < instruction_sets().size(); ++a)
     for (std::size_t b = 0; b < a; ++b) {
-      EXPECT_NE(sets[a].kernels->materials[0], sets[b].kernels->materials[0]);
-      EXPECT_NE(sets[a].kernels->materials[0]->make, sets[b].kernels->materials[0]->make);
-      EXPECT_NE(sets[a].kernels->find_step("mpm_gp"), sets[b].kernels->find_step("mpm_gp"));
+      EXPECT_NE(materials_of_set(a)[0], materials_of_set(b)[0]);
+      EXPECT_NE(materials_of_set(a)[0]->make, materials_of_set(b)[0]->make);
+      EXPECT_NE(schemes_of_set(a)[0]->gather, schemes_of_set(b)[0]->gather);
+      EXPECT_NE(kernels_of_set(a).step, kernels_of_set(b).step);
     }
+}
+
+TEST(Kernels, LawsSchemesAndStepsOfThisProcessAreOfOneCopy)
+{
+  EXPECT_EQ(kernels().instructions, instructions());
+  EXPECT_EQ(all_materials()[0], materials_of_set(chosen_set())[0]);
+  EXPECT_EQ(all_schemes()[0], schemes_of_set(chosen_set())[0]);
 }
 
 }  // namespace

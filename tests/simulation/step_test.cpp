@@ -1,5 +1,5 @@
 // Whole steps against the NumPy twin, which was written from the paper and the readings and not from the C++.
-#include "simulation/step.hpp"
+#include "simulation/kernels.hpp"
 
 #include "support/twin.hpp"
 
@@ -42,13 +42,6 @@ TEST(Step, TheTwinHasScenariosForEveryScheme)
   EXPECT_EQ(test::scenario_names().size(), 11u);
   for (const char* scheme : {"standard_mpm", "mpm_mixed", "mpm_gp"})
     EXPECT_THAT(test::scenario_names(), testing::Contains(testing::StartsWith(scheme)));
-}
-
-TEST(Step, IsFoundByTheNameOfItsScheme)
-{
-  for (const char* scheme : {"standard_mpm", "mpm_mixed", "mpm_gp"}) EXPECT_NE(find_step(scheme), nullptr) << scheme;
-  EXPECT_NE(find_step("mpm_gp"), find_step("mpm_mixed"));
-  EXPECT_EQ(find_step("mpm"), nullptr);
 }
 
 TEST(Step, CountsItselfAndKeepsTimeAsAMultipleOfDt)

@@ -30,7 +30,7 @@ const std::vector<Columns> halves{{.left = 0.0, .width = 0.5, .n = 15}, {.left =
 TEST(Totals, AreSumsOverThePoints)
 {
   Flowing s;
-  const Totals totals = add_up(s.model, s.state, s.work.threads, 0.1, halves);
+  const Totals totals = kernels().add_up(s.model, s.state, s.work.threads, 0.1, halves);
   Real mass = 0.0, kinetic = 0.0;
   std::array<Real, 2> growth{}, momentum{};
   for (const test::Point& p : test::points_by_id(s.state)) {
@@ -57,8 +57,8 @@ TEST(Totals, AreSumsOverThePoints)
 TEST(Totals, HaveTheSameBitsOnAnyNumberOfThreads)
 {
   Flowing one("mpm_mixed", 1), three("mpm_mixed", 3);
-  const Totals a = add_up(one.model, one.state, one.work.threads, 0.1, halves),
-               b = add_up(three.model, three.state, three.work.threads, 0.1, halves);
+  const Totals a = kernels().add_up(one.model, one.state, one.work.threads, 0.1, halves),
+               b = kernels().add_up(three.model, three.state, three.work.threads, 0.1, halves);
   EXPECT_EQ(a.kinetic, b.kinetic);
   EXPECT_EQ(a.elastic, b.elastic);
   EXPECT_EQ(a.momentum, b.momentum);
@@ -73,10 +73,11 @@ TEST(Totals, HaveTheSameBitsOnAnyNumberOfThreads)
 TEST(Totals, OfEachCopyOfTheKernelsAgree)
 {
   Flowing s;
-  const Totals first = add_up(s.model, s.state, s.work.threads, 0.1, halves);
-  for (const InstructionSet& set : instruction_sets()) {
+  const Totals first = kernels().add_up(s.model, s.state, s.work.threads, 0.1, halves);
+  for (std::size_t k = 0; k < instruction_sets().size(); ++k) {
+    const InstructionSet& set = instruction_sets()[k];
     if (!set.offered) continue;
-    const Totals other = set.kernels->add_up(s.model, s.state, s.work.threads, 0.1, halves);
+    const Totals other = kernels_of_set(k).add_up(s.model, s.state, s.work.threads, 0.1, halves);
     EXPECT_NEAR(other.kinetic, first.kinetic, 1e-13 * first.kinetic) << set.name;
     EXPECT_NEAR(other.elastic, first.elastic, 1e-13 * first.elastic) << set.name;
     EXPECT_EQ(other.moved.reach_right, first.moved.reach_right) << set.name;
@@ -98,7 +99,7 @@ TEST(Totals, NameThePointsWhoseHistoryWentBack)
   start_audit(s.model, s.state);
   strain_to(7, 0.01);
   strain_to(9, 0.03);
-  const Totals totals = add_up(s.model, s.state, s.work.threads, 0.1, {});
+  const Totals totals = kernels().add_up(s.model, s.state, s.work.threads, 0.1, {});
   EXPECT_THAT(totals.fell, ElementsAre(7));
   EXPECT_THAT(totals.rose, ElementsAre(7));  // its strength rose with it
   EXPECT_EQ(std::count(totals.strained.begin(), totals.strained.end(), 1), 1);

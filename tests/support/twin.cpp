@@ -1,6 +1,6 @@
 #include "support/twin.hpp"
 
-#include "simulation/step.hpp"
+#include "simulation/kernels.hpp"
 #include "support/paths.hpp"
 
 #include <algorithm>
@@ -112,7 +112,8 @@ Model make_model(const Json& j)
   model.damping.local = o.at("local_damping");
   const Real g = std::hypot(model.gravity[0], model.gravity[1]);
   model.damping.down = {model.gravity[0] / g, model.gravity[1] / g};
-  model.step = find_step(j.at("scheme").get<std::string>());
+  model.scheme = find_scheme(j.at("scheme").get<std::string>());
+  model.step = kernels().step;
   model.dt = j.at("dt");
   model.largest_density = model.materials[0].density;
   model.n_state = model.materials[0].n_state();

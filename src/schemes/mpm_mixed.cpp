@@ -1,9 +1,8 @@
 // MPM-Mixed, paper Sec. 2.1: the Gauss points own the history; material points are overwritten every step.
-#pragma once
-
-#include "schemes/cell_group.hpp"
+#include "schemes/scheme.hpp"
 
 namespace terp {
+namespace {
 
 struct MpmMixed {
   /// Gauss stress, state and internal force, Eqs. (1) to (4). Each state variable says how it is averaged (reading R9).
@@ -98,5 +97,16 @@ struct MpmMixed {
     scale_volume(block, p, accumulate_strain(block, p, strain_at_points(strain, right, upper)));
   }
 };
+
+// Rows: sigma, Omega and one state variable to gather; then strain and Omega read, and with sigma and state written.
+constexpr PassCost gather_cost{.flops = 4 + 40, .rows = 1 + 4 + 1};
+constexpr PassCost stress_cost{.flops = 9, .rows = (4 + 1) + (4 + 4 + 1 + 1)};
+
+}  // namespace
+
+TERP_SCHEME_DEFINITION(mpm_mixed, MpmMixed, .title = "MPM-Mixed",
+    .summary = "Gauss points own the history (Martinelli & Galavi 2022)",
+    .unused_options = "point_pressure pressure_relaxation", .keeps_gauss_values = true, .gather_cost = gather_cost,
+    .stress_cost = stress_cost)
 
 }  // namespace terp

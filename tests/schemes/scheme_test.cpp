@@ -1,4 +1,4 @@
-#include "schemes/scheme_info.hpp"
+#include "schemes/scheme.hpp"
 
 #include "simulation/state_image.hpp"
 #include "support/cases.hpp"
@@ -12,14 +12,21 @@
 namespace terp {
 namespace {
 
-TEST(SchemeInfo, ListsEverySchemeOnceWithALineOfText)
+TEST(Schemes, ListsEverySchemeOnceWithALineOfText)
 {
   std::vector<std::string> names;
-  for (const SchemeInfo& scheme : all_schemes()) {
-    names.emplace_back(scheme.name);
-    EXPECT_FALSE(scheme.summary.empty()) << scheme.name;
+  for (const Scheme* scheme : all_schemes()) {
+    names.emplace_back(scheme->name);
+    EXPECT_FALSE(scheme->summary.empty()) << scheme->name;
+    EXPECT_FALSE(scheme->title.empty()) << scheme->name;
   }
   EXPECT_THAT(names, testing::ElementsAre("standard_mpm", "mpm_mixed", "mpm_gp"));
+}
+
+TEST(Schemes, AreFoundByNameAndOnlyByName)
+{
+  for (const Scheme* scheme : all_schemes()) EXPECT_EQ(find_scheme(scheme->name), scheme);
+  EXPECT_EQ(find_scheme("mpm"), nullptr);
 }
 
 /// State of the column after some steps, with one option of the method changed.
@@ -33,7 +40,7 @@ StateImage after_steps(std::string_view scheme, void (*change)(MethodOptions&))
   return make_image(s.state);
 }
 
-TEST(SchemeInfo, SaysTruthfullyWhichOptionsChangeNothing)
+TEST(Schemes, SaysTruthfullyWhichOptionsChangeNothing)
 {
   using Change = std::pair<const char*, void (*)(MethodOptions&)>;
   const Change changes[] = {
@@ -46,13 +53,13 @@ TEST(SchemeInfo, SaysTruthfullyWhichOptionsChangeNothing)
       {"objective_rate", [](MethodOptions& m) { m.objective_rate = ObjectiveRate::jaumann; }},
       {"flip", [](MethodOptions& m) { m.flip = 0.9; }},
   };
-  for (const SchemeInfo& scheme : all_schemes()) {
-    const StateImage plain = after_steps(scheme.name, [](MethodOptions&) {});
+  for (const Scheme* scheme : all_schemes()) {
+    const StateImage plain = after_steps(scheme->name, [](MethodOptions&) {});
     for (const auto& [option, change] : changes) {
-      const bool changes_nothing = test::first_difference(plain, after_steps(scheme.name, change)).empty();
-      EXPECT_EQ(changes_nothing, !looks_at(scheme, option)) << scheme.name << ' ' << option;
+      const bool changes_nothing = test::first_difference(plain, after_steps(scheme->name, change)).empty();
+      EXPECT_EQ(changes_nothing, !looks_at(*scheme, option)) << scheme->name << ' ' << option;
     }
-    EXPECT_EQ(looks_at(scheme, "pressure_relaxation"), looks_at(scheme, "point_pressure"));
+    EXPECT_EQ(looks_at(*scheme, "pressure_relaxation"), looks_at(*scheme, "point_pressure"));
   }
 }
 

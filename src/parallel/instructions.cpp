@@ -1,12 +1,7 @@
-#include "parallel/kernels.hpp"
+#include "parallel/instructions.hpp"
 
 #include <cstdlib>
 #include <string>
-
-// TERP_KERNEL_SETS, from CMakeLists.txt: TERP_KERNEL_SET(name) for each copy of the kernels, the best first.
-#define TERP_KERNEL_SET(set) extern "C" const terp::Kernels* terp_kernels_##set();
-TERP_KERNEL_SETS
-#undef TERP_KERNEL_SET
 
 namespace terp {
 namespace {
@@ -37,38 +32,35 @@ std::string names_of(std::span<const InstructionSet> sets)
 std::span<const InstructionSet> instruction_sets()
 {
   static const InstructionSet sets[] = {
-#define TERP_KERNEL_SET(set) {#set, is_offered(#set), terp_kernels_##set()},
+#define TERP_KERNEL_SET(set) {#set, is_offered(#set)},  // TERP_KERNEL_SETS: one per copy of the kernels, the best first
       TERP_KERNEL_SETS
 #undef TERP_KERNEL_SET
   };
   return sets;
 }
 
-const InstructionSet& choose_instructions(std::span<const InstructionSet> sets, std::string_view word)
+std::size_t choose_instructions(std::span<const InstructionSet> sets, std::string_view word)
 {
-  const InstructionSet* best = nullptr;
-  for (const InstructionSet& set : sets) {
-    if (set.offered && best == nullptr) best = &set;
-    if (set.name != word) continue;
-    if (set.offered) return set;
+  for (std::size_t k = 0; k < sets.size(); ++k) {
+    if (word.empty() ? !sets[k].offered : sets[k].name != word) continue;
+    if (sets[k].offered) return k;
     throw InstructionsError("TERP_INSTRUCTIONS=" + std::string(word) + ": this processor does not offer it" + advice);
   }
   if (!word.empty())
     throw InstructionsError("TERP_INSTRUCTIONS=" + std::string(word) +
                             ": there is no such set in this build. It has: " + names_of(sets) + advice);
-  if (best == nullptr)
-    throw InstructionsError(
-        "this processor offers none of the instruction sets of this build: " + names_of(sets) + ".");
-  return *best;
+  throw InstructionsError("this processor offers none of the instruction sets of this build: " + names_of(sets) + ".");
 }
 
-const Kernels& kernels()
+std::size_t chosen_set()
 {
-  static const Kernels& chosen = []() -> const Kernels& {
+  static const std::size_t chosen = [] {
     const char* word = std::getenv("TERP_INSTRUCTIONS");
-    return *choose_instructions(instruction_sets(), word == nullptr ? "" : word).kernels;
+    return choose_instructions(instruction_sets(), word == nullptr ? "" : word);
   }();
   return chosen;
 }
+
+std::string_view instructions() { return instruction_sets()[chosen_set()].name; }
 
 }  // namespace terp

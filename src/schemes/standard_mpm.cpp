@@ -1,9 +1,8 @@
 // Standard MPM: force and strain at the material points, with B at the point. The baseline: it locks and oscillates.
-#pragma once
-
-#include "schemes/cell_group.hpp"
+#include "schemes/scheme.hpp"
 
 namespace terp {
+namespace {
 
 struct StandardMpm {
   static void gather(const SchemeContext&, const CellGroup& group)
@@ -65,5 +64,17 @@ struct StandardMpm {
     scale_volume(block, p, accumulate_strain(block, p, d_eps));
   }
 };
+
+// Rows: sigma, strain, Omega and one state variable, read and written. Flops: gradients 44, force or strain 28; an
+// elastic law 30.
+constexpr PassCost gather_cost{.flops = 3 + 44 + 28, .rows = 1 + 4};
+constexpr PassCost stress_cost{.flops = 44 + 28 + 20 + 30 + 9, .rows = 2 * (4 + 4 + 1 + 1)};
+
+}  // namespace
+
+TERP_SCHEME_DEFINITION(standard_mpm, StandardMpm, .title = "standard MPM",
+    .summary = "points carry strain and force; the baseline, which locks and oscillates",
+    .unused_options = "weights filled_fraction b_bar force_operator point_pressure pressure_relaxation state_averaging",
+    .locks = true, .gather_cost = gather_cost, .stress_cost = stress_cost)
 
 }  // namespace terp

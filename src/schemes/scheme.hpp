@@ -1,0 +1,56 @@
+// What a scheme is to the rest of Terp: its properties, and two functions over a group of cells.
+// Not for: what a scheme computes (one file each beside this one, listed in schemes.def).
+#pragma once
+
+#include "schemes/cell_group.hpp"
+
+#include <span>
+#include <string_view>
+
+namespace terp {
+
+/// Floating-point operations and memory traffic of one point in one pass, counted from the kernels by hand.
+struct PassCost {
+  double flops = 0.0;  ///< a multiply-add counts two; of an elastic point
+  double rows = 0.0;   ///< of a block, each once per pass where it is read and once where it is written
+  double bytes() const { return rows * sizeof(Real); }
+};
+
+struct Scheme {
+  std::string_view name;            ///< as in the case file: "mpm_gp"
+  std::string_view title;           ///< as in a text: "MPM-GP"
+  std::string_view summary;         ///< one line
+  std::string_view unused_options;  ///< names in MethodOptions that it does not look at, separated by blanks
+  bool locks = false;               ///< in nearly incompressible soil: a factor of safety would be far too large
+  bool keeps_gauss_values = false;  ///< from gather to update_stress, of every material in every cell
+  PassCost gather_cost, stress_cost;
+
+  /// Turns the points of a group into their Gauss values and adds the internal force to group.corners.
+  void (*gather)(const SchemeContext& context, const CellGroup& group) = nullptr;
+  /// Turns displacements of the corners of each cell, du [m], into new stress, state, strain and volume of the points,
+  /// and adds their plastic work to `sums`.
+  void (*update_stress)(const SchemeContext& context, const CellGroup& group,
+      std::span<const CornerVectors, pack_width> du, StressSums& sums) = nullptr;
+};
+
+/// Schemes in the order of schemes.def.
+using SchemeList = std::span<const Scheme* const>;
+
+/// Every scheme in this build, compiled for set number `set` of instruction_sets() (parallel/instructions.hpp).
+SchemeList schemes_of_set(std::size_t set);
+/// The same, compiled for this processor.
+SchemeList all_schemes();
+/// nullptr if there is no such scheme.
+const Scheme* find_scheme(std::string_view name);
+
+/// Whether an option of [method] changes anything with this scheme.
+bool looks_at(const Scheme& scheme, std::string_view option);
+
+}  // namespace terp
+
+/// Last lines of a scheme's file, in namespace terp: the properties of the scheme NAME, whose functions are static
+/// members of Struct; schemes.def lists it.
+#define TERP_SCHEME_DEFINITION(NAME, Struct, ...) \
+  extern const Scheme scheme_##NAME;              \
+  constinit const Scheme scheme_##NAME{           \
+      .name = #NAME, __VA_ARGS__, .gather = &Struct::gather, .update_stress = &Struct::update_stress};

@@ -1,0 +1,27 @@
+// What the kernels of a step offer to the program, in the copy for this processor (parallel/kernel_table.hpp).
+// Not for: laws and schemes, whose lists have copies of their own (materials/material.hpp, schemes/scheme.hpp).
+#pragma once
+
+#include "simulation/model.hpp"
+#include "simulation/totals.hpp"
+
+#include <string_view>
+
+namespace terp {
+
+/// The table of one copy. The functions are declared, with what they take and return, where they are at home.
+struct Kernels {
+  std::string_view instructions;               ///< name of the set
+  StepFunction step;                           ///< step.hpp
+  decltype(&add_up_compiled) add_up;           ///< totals.hpp
+  double (*measure_triad)(std::size_t bytes);  ///< parallel/machine.hpp
+  double (*measure_multiply_add)();
+};
+
+/// Of set number `set` of instruction_sets().
+const Kernels& kernels_of_set(std::size_t set);
+
+/// Of this process. Throws InstructionsError.
+const Kernels& kernels();
+
+}  // namespace terp
