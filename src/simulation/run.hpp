@@ -20,10 +20,4 @@ Outcome run(const Model& model, State& state, Workspace& work, std::span<Observe
 /// What the summary says of a run in this state.
 Summary summarise(const Model& model, const State& state);
 
-/// True at the steps nearest to whole multiples of `every` [s]; never if every is 0.
-bool due(std::int64_t step, Real dt, Real every);
-
-/// How many of the steps from 0 to `step` are due.
-std::int64_t count_due(std::int64_t step, Real dt, Real every);
-
 }  // namespace terp
