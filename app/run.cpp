@@ -11,6 +11,7 @@
 #include "parallel/threads.hpp"
 #include "progress.hpp"
 #include "simulation/frame.hpp"
+#include "simulation/run_table.hpp"
 #include "simulation/setup_warnings.hpp"
 #include "simulation/simulation.hpp"
 #include "simulation/state_image.hpp"
@@ -34,8 +35,8 @@ void print_summary(const Summary& s, const std::string& folder)
   fmt::print("solved in {}: {} points, {} steps of {:.4g} s, {:.1f} M point-steps/s on {} thread{}\n",
       readable_duration(s.wall_s), s.n_points, s.n_steps, s.dt, s.point_steps_per_s / 1e6, s.threads,
       s.threads == 1 ? "" : "s");
-  fmt::print("  front            {}\n", std::isfinite(s.front_x) ? fmt::format("{:.2f} m", s.front_x) : "-");
-  fmt::print("  crest            {}\n", optional_number(s.crest_x, "m"));
+  fmt::print("  front            {}\n", std::isfinite(s.front_x) ? fmt::format("x = {:.2f} m", s.front_x) : "-");
+  fmt::print("  crest            {}\n", s.crest_x ? fmt::format("x = {:.2f} m", *s.crest_x) : "-");
   fmt::print("  second failure   {}\n", optional_number(s.second_failure_time, "s"));
   fmt::print("  largest eps_eq_p {:.3g}\n", s.max_eps_eq_p);
   fmt::print("  energy balance   {:.2g} % of the energy exchanged\n", 100.0 * s.energy_balance_error);
@@ -239,22 +240,18 @@ void seed_again(const StateImage& image, Model& model)
             image.step, n_seeded, n, case_file));
 }
 
-/// What the files of the run must hold. Ledger rows and frames were counted as they were written.
+/// What the files of the run must hold: rows and frames were counted as they were written.
 ResumePoint resume_point(const Model& model, const State& state, const std::string& tables)
 {
   const OutputCase& output = model.description.output;
-  const std::int64_t n_times = count_due(state.step, model.dt, output.history_every);
   return {.step = state.step,
       .time = state.time,
       .n_points = state.n_ids(),
       .n_nodes = model.mesh->n_nodes(),
       .n_cells = model.mesh->n_cells(),
-      .n_frames = std::ssize(state.softened_fraction),
-      .n_mesh_frames = output.mesh ? std::ssize(state.softened_fraction) : 0,
-      .n_history_rows = n_times * std::ssize(output.history_points),
-      .n_ledger_rows = state.ledger_rows,
-      .n_left_rows = std::ssize(state.left),
-      .n_footing_rows = state.ledger_rows * std::ssize(model.footings),
+      .n_frames = state.frames_reported,
+      .n_mesh_frames = output.mesh ? state.frames_reported : 0,
+      .n_rows = state.rows_reported,
       .tables = tables,
       .fields = make_frame(model, state, 0, 0).fields};
 }
@@ -270,7 +267,7 @@ int run_case(const RunOptions& options)
     Simulation simulation(file.values, threads_of(options));
     fmt::print(stderr, "{}", render_warnings(find_warnings(simulation.model, simulation.state), file));
     const auto writer = RunWriter::start({folder, {file.values.name, file.text}, file.values.output.checkpoint_keep,
-                                             record_text(make_case_record(file, *simulation.model.mesh))},
+                                             record_text(make_case_record(file, *simulation.model.mesh)), all_tables()},
         options.force);
     return solve_and_show(simulation, *writer, options, folder);
   } catch (const InputError& error) {
@@ -296,7 +293,8 @@ int resume_run(const RunOptions& options)
     Simulation simulation(std::move(model), std::move(restored));
     const State& state = simulation.state;
     const std::string kept = image.case_record.empty() ? record_text(record) : image.case_record;
-    RunWriterSettings settings{folder, {case_name_in(folder), file.text}, file.values.output.checkpoint_keep, kept};
+    RunWriterSettings settings{
+        folder, {case_name_in(folder), file.text}, file.values.output.checkpoint_keep, kept, all_tables()};
     const auto writer =
         RunWriter::resume(std::move(settings), std::move(lock), resume_point(simulation.model, state, image.tables));
     if (!options.quiet)

@@ -57,8 +57,8 @@ std::string describe(const Reading& now, Real end, double left)
   if (std::isnan(now.time)) return "no row of the ledger yet";
   std::string text = fmt::format("t = {:.3f} of {:g} s ({:.0f} %)  kinetic energy {:.3g} kJ/m", now.time, end,
       100.0 * now.time / end, now.kinetic / 1e3);
-  if (!std::isnan(now.front)) text += fmt::format("  front {:.2f} m", now.front);
-  if (!std::isnan(now.crest)) text += fmt::format("  crest {:.2f} m", now.crest);
+  if (!std::isnan(now.front)) text += fmt::format("  front x = {:.2f} m", now.front);
+  if (!std::isnan(now.crest)) text += fmt::format("  crest x = {:.2f} m", now.crest);
   return left >= 0.0 ? text + "  ETA " + readable_duration(left) : text;
 }
 

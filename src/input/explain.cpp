@@ -6,6 +6,7 @@
 #include "input/keys.hpp"
 #include "input/mesh_kinds.hpp"
 #include "schemes/scheme.hpp"
+#include "simulation/run_table.hpp"
 
 #include <fmt/format.h>
 
@@ -122,6 +123,22 @@ std::string describe_section(const SectionInfo& section)
   return out;
 }
 
+std::string describe_quantity(const QuantityInfo& quantity, const RunTable& table)
+{
+  return fmt::format("column of {}\n  {}\n", table.file(), quantity.name) +
+         wrapped(std::string(quantity.meaning), "    ") + row("unit", std::string(quantity.unit));
+}
+
+/// A table that a run writes.
+std::string describe_table(const RunTable& table)
+{
+  std::string out = fmt::format("{}: table of a run\n  {}\n\nColumns\n", table.file(), table.meaning);
+  for (const QuantityInfo& column : table.columns)
+    out += fmt::format("  {}\n", column.name) + wrapped(std::string(column.meaning), "    ") +
+           row("unit", std::string(column.unit));
+  return out;
+}
+
 using Match = bool (*)(const std::string& topic, const std::string& path);
 
 /// Everything that a topic may mean, one block each.
@@ -148,6 +165,10 @@ std::vector<std::string> all_topics()
   const auto add = [&](const std::string& path) {
     topics.push_back(topic_of(path)), topics.push_back(last_part(path));
   };
+  for (const auto& table : all_tables()) {
+    topics.push_back(table->file());
+    for (const QuantityInfo& column : table->columns) topics.emplace_back(column.name);
+  }
   for (const SectionInfo& section : all_sections()) add(section.path);
   for (const KeyInfo& key : all_keys()) add(key.path);
   for (const MaterialType* law : all_materials())
@@ -183,8 +204,13 @@ std::string explain(const std::string& topic)
 {
   if (const MaterialType* law = find_material(topic)) return describe_law(*law);
   if (const Scheme* scheme = find_scheme(topic)) return describe_scheme(*scheme);
+  for (const auto& table : all_tables())
+    if (table->file() == topic) return describe_table(*table);
   auto blocks = find_blocks(topic, means);
   if (blocks.empty()) blocks = find_blocks(topic, is_last_part);
+  for (const auto& table : all_tables())
+    for (const QuantityInfo& column : table->columns)
+      if (column.name == topic) blocks.push_back(describe_quantity(column, *table));
   if (blocks.empty()) refuse_topic(topic);
   std::string out;
   for (const std::string& block : blocks) out += (out.empty() ? "" : "\n") + block;

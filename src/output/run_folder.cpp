@@ -3,6 +3,7 @@
 
 #include "base/errors.hpp"
 #include "output/files.hpp"
+#include "simulation/run_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -70,10 +71,10 @@ bool is_written_by_terp(std::string_view file_name)
 {
   for (const std::string_view ending : {temporary, std::string_view(".journal")})
     if (file_name.ends_with(ending)) file_name.remove_suffix(ending.size());
-  constexpr std::array names = {case_file, results_file, mesh_file, history_file, ledger_file, left_file, footings_file,
-      summary_file, report_file};
-  return std::find(names.begin(), names.end(), file_name) != names.end() || step_of_checkpoint(file_name) >= 0 ||
-         step_in_name(file_name, "failed_") >= 0;
+  constexpr std::array names = {case_file, results_file, mesh_file, summary_file, report_file};
+  const auto is_table = [&](const auto& table) { return table->file() == file_name; };
+  return std::ranges::find(names, file_name) != names.end() || std::ranges::any_of(all_tables(), is_table) ||
+         step_of_checkpoint(file_name) >= 0 || step_in_name(file_name, "failed_") >= 0;
 }
 
 std::string path_in(const std::string& folder, std::string_view file_name)

@@ -19,8 +19,6 @@ inline constexpr std::string_view results_file = "results.vtkhdf";
 inline constexpr std::string_view mesh_file = "mesh.vtkhdf";
 inline constexpr std::string_view history_file = "history.csv";
 inline constexpr std::string_view ledger_file = "ledger.csv";
-inline constexpr std::string_view left_file = "left_the_mesh.csv";
-inline constexpr std::string_view footings_file = "footings.csv";
 inline constexpr std::string_view summary_file = "summary.json";
 inline constexpr std::string_view report_file = "report.html";
 std::string checkpoint_file(std::int64_t step);  ///< "checkpoint_000000123.h5"

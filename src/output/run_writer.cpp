@@ -46,16 +46,6 @@ void check_length(
 std::int64_t last_step(const ResumePoint& from) { return from.step == 0 ? -1 : from.step; }
 Real last_time(const ResumePoint& from) { return from.step == 0 ? -std::numeric_limits<Real>::infinity() : from.time; }
 
-/// What a table must be.
-struct TableInfo {
-  std::string_view name, header;
-  std::int64_t ResumePoint::*n_due;
-};
-constexpr std::array tables = {TableInfo{history_file, history_header, &ResumePoint::n_history_rows},
-    TableInfo{ledger_file, ledger_header, &ResumePoint::n_ledger_rows},
-    TableInfo{left_file, left_header, &ResumePoint::n_left_rows},
-    TableInfo{footings_file, footings_header, &ResumePoint::n_footing_rows}};
-
 /// One line per table of a run, "ledger.csv = 85944171f73967e8": its checksum.
 std::string table_line(std::string_view name, const std::string& checksum)
 {
@@ -63,12 +53,13 @@ std::string table_line(std::string_view name, const std::string& checksum)
 }
 
 /// Throws FileError unless the rows up to the checkpoint are those that the run wrote.
-void check_table(const std::string& folder, const TableInfo& table, const ResumePoint& from)
+void check_table(const std::string& folder, const RunTable& table, const ResumePoint& from)
 {
-  const std::string path = path_in(folder, table.name);
-  const TablePart part = read_part_until(path, table.header, last_time(from));
-  check_length(path, "rows", part.n_rows, from.step == 0 ? 0 : from.*table.n_due, from);
-  const bool same = from.tables.find(table_line(table.name, part.checksum)) != std::string::npos;
+  const std::string path = path_in(folder, table.file());
+  const TablePart part = read_part_until(path, header_of(table), last_time(from));
+  const auto n_due = from.n_rows.find(table.name);
+  check_length(path, "rows", part.n_rows, from.step == 0 || n_due == from.n_rows.end() ? 0 : n_due->second, from);
+  const bool same = from.tables.find(table_line(table.file(), part.checksum)) != std::string::npos;
   if (!from.tables.empty() && part.n_rows > 0 && !same)
     refuse(path, from, "is not what this run wrote: rows of it were altered, or it is of another run");
 }
@@ -110,9 +101,8 @@ RunWriter::RunWriter(RunWriterSettings settings, FolderLock lock)
       results_(path_in(settings_.folder, results_file), digits_of(settings_.case_record)),
       background_(most_waiting)
 {
-  for (std::size_t k = 0; k < n_tables; ++k)
-    if (k == history_table || k == ledger_table || std::filesystem::exists(path_in(settings_.folder, tables[k].name)))
-      open_table(k);
+  for (const auto& table : settings_.tables)
+    if (table->from_start || std::filesystem::exists(path_in(settings_.folder, table->file()))) open_table(*table);
 }
 
 std::unique_ptr<RunWriter> RunWriter::start(RunWriterSettings settings, bool force)
@@ -130,12 +120,13 @@ std::unique_ptr<RunWriter> RunWriter::resume(RunWriterSettings settings, FolderL
       from, [&](Hdf5File& file) { ResultsFile::cut_after(file, last_step(from), from.fields); });
   const auto mesh = cut(MeshFile(mesh_path), mesh_path, from.n_mesh_frames, {from.n_nodes, from.n_cells}, run, from,
       [&](Hdf5File& file) { MeshFile::cut_after(file, last_step(from)); });
-  for (const TableInfo& table : tables) check_table(folder, table, from);
+  for (const auto& table : settings.tables) check_table(folder, *table, from);
   check_is_file(path_in(folder, summary_file));
   if (results) results->close();  // all agree: from here on the folder changes
   if (mesh) mesh->close();
   remove_unfinished(folder);
-  for (const TableInfo& table : tables) drop_rows_after(path_in(folder, table.name), table.header, last_time(from));
+  for (const auto& table : settings.tables)
+    drop_rows_after(path_in(folder, table->file()), header_of(*table), last_time(from));
   remove_checkpoints_after(folder, from.step);
   remove_old_checkpoints(folder, settings.checkpoint_keep);
   return std::unique_ptr<RunWriter>(new RunWriter(std::move(settings), std::move(lock)));
@@ -150,24 +141,9 @@ void RunWriter::frame(const std::shared_ptr<const Frame>& frame)
   background_.add([this, frame] { results_.append(*frame); });
 }
 
-void RunWriter::history(const std::vector<HistoryRow>& rows)
+void RunWriter::rows(const std::vector<TableRow>& rows)
 {
-  background_.add([this, rows] { append_to(history_table, csv_lines(rows)); });
-}
-
-void RunWriter::ledger(const LedgerRow& row)
-{
-  background_.add([this, row] { append_to(ledger_table, csv_line(row)); });
-}
-
-void RunWriter::left(const std::vector<LeftPoint>& points)
-{
-  background_.add([this, points] { append_to(left_table, csv_lines(points)); });
-}
-
-void RunWriter::footings(const std::vector<FootingRow>& rows)
-{
-  background_.add([this, rows] { append_to(footings_table, csv_lines(rows)); });
+  background_.add([this, rows] { open_table(*rows.front().table).append(csv_lines(rows)); });
 }
 
 void RunWriter::checkpoint(const std::shared_ptr<const StateImage>& image)
@@ -179,25 +155,22 @@ void RunWriter::checkpoint(const std::shared_ptr<const StateImage>& image)
 
 void RunWriter::finish() { background_.finish(); }
 
-TableFile& RunWriter::open_table(std::size_t which)
+TableFile& RunWriter::open_table(const RunTable& table)
 {
-  if (!tables_[which]) tables_[which].emplace(path_in(settings_.folder, tables[which].name), tables[which].header);
-  return *tables_[which];
+  return tables_.try_emplace(table.file(), path_in(settings_.folder, table.file()), header_of(table)).first->second;
 }
-
-void RunWriter::append_to(Which which, const std::string& lines) { open_table(which).append(lines); }
 
 void RunWriter::write_checkpoint_part(const StateImage& part)
 {
   if (part.part == 0) {
-    for (const auto name : {results_file, mesh_file, history_file, ledger_file, left_file,
-             footings_file}) {  // on the disk before what relies on them
-      const std::string path = path_in(settings_.folder, name);
-      if (std::filesystem::exists(path)) sync_to_disk(path);
-    }
+    std::vector<std::string> files{std::string(results_file), std::string(mesh_file)};
     std::string written;
-    for (std::size_t k = 0; k < n_tables; ++k)
-      if (tables_[k]) written += table_line(tables[k].name, tables_[k]->checksum());
+    for (const auto& [file, table] : tables_) {
+      files.push_back(file);
+      written += table_line(file, table.checksum());
+    }
+    for (const std::string& file : files)  // on the disk before what relies on them
+      if (const std::string path = path_in(settings_.folder, file); std::filesystem::exists(path)) sync_to_disk(path);
     checkpoint_.emplace(
         path_in(settings_.folder, checkpoint_file(part.step)), settings_.case_record, std::move(written));
   }

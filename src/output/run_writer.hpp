@@ -11,7 +11,7 @@
 #include "simulation/observer.hpp"
 #include "simulation/summary.hpp"
 
-#include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,8 +21,9 @@ namespace terp {
 struct RunWriterSettings {
   std::string folder;  ///< "runs/model_2"
   CaseText case_text;
-  Index checkpoint_keep = 2;     ///< how many of the newest checkpoints are kept; 0: all
-  std::string case_record = {};  ///< what the run began with, for its checkpoints
+  Index checkpoint_keep = 2;                                 ///< how many of the newest checkpoints are kept; 0: all
+  std::string case_record = {};                              ///< what the run began with, for its checkpoints
+  std::vector<std::shared_ptr<const RunTable>> tables = {};  ///< that the run may write
 };
 
 /// A checkpoint, and what the other files of the run must hold up to there.
@@ -30,10 +31,10 @@ struct ResumePoint {
   std::int64_t step = 0;
   Real time = 0.0;  ///< [s]
   std::int64_t n_points = 0, n_nodes = 0, n_cells = 0;
-  std::int64_t n_frames = 0, n_mesh_frames = 0, n_history_rows = 0, n_ledger_rows = 0, n_left_rows = 0,
-               n_footing_rows = 0;
-  std::string tables = {};              ///< as the checkpoint has it; empty: not known
-  std::vector<PointField> fields = {};  ///< of a frame; values do not count
+  std::int64_t n_frames = 0, n_mesh_frames = 0;
+  std::map<std::string, std::int64_t, std::less<>> n_rows = {};  ///< by table
+  std::string tables = {};                                       ///< as the checkpoint has it; empty: not known
+  std::vector<PointField> fields = {};                           ///< of a frame; values do not count
 };
 
 /// What is shown is written in the order in which it was shown, by a thread of its own, so that the run goes on
@@ -54,10 +55,7 @@ class RunWriter : public Observer {
   ~RunWriter() override;
 
   void frame(const std::shared_ptr<const Frame>& frame) override;
-  void history(const std::vector<HistoryRow>& rows) override;
-  void ledger(const LedgerRow& row) override;
-  void left(const std::vector<LeftPoint>& points) override;
-  void footings(const std::vector<FootingRow>& rows) override;
+  void rows(const std::vector<TableRow>& rows) override;
   void checkpoint(const std::shared_ptr<const StateImage>& image) override;
 
   /// What the run began with.
@@ -77,19 +75,14 @@ class RunWriter : public Observer {
  private:
   RunWriter(RunWriterSettings settings, FolderLock lock);
 
-  /// Of tables.
-  enum Which { history_table, ledger_table, left_table, footings_table, n_tables };
-
-  TableFile& open_table(std::size_t which);
-  void append_to(Which which, const std::string& lines);
+  TableFile& open_table(const RunTable& table);
   void write_checkpoint_part(const StateImage& part);
 
   RunWriterSettings settings_;
   FolderLock lock_;
   ResultsFile results_;
-  std::array<std::optional<TableFile>, n_tables>
-      tables_;                                  // those of points that left and of footings from their first row on
-  std::optional<CheckpointWriter> checkpoint_;  // between its first part and its last
+  std::map<std::string, TableFile, std::less<>> tables_;  // by file; some only from their first row on
+  std::optional<CheckpointWriter> checkpoint_;            // between its first part and its last
   std::weak_ptr<const Frame> last_frame_;
   std::weak_ptr<const StateImage> last_image_;
   Background background_;  // last: its tasks use the rest

@@ -1,4 +1,4 @@
-// history.csv and ledger.csv: see table_csv.hpp.
+// The tables of a run: see table_csv.hpp.
 #include "output/table_csv.hpp"
 
 #include "base/errors.hpp"
@@ -19,14 +19,6 @@ void add_number(std::string& line, Real value)
     line += "nan";  // never "-nan"
   else
     fmt::format_to(std::back_inserter(line), "{}", value);
-}
-
-void add_numbers(std::string& line, std::initializer_list<Real> values)
-{
-  for (const Real value : values) {
-    line += ',';
-    add_number(line, value);
-  }
 }
 
 /// A name that holds a comma or a quotation mark is quoted; a line break becomes a blank.
@@ -82,53 +74,28 @@ std::string read_table(const std::string& path, std::string_view header)
 
 }  // namespace
 
-std::string csv_lines(const std::vector<HistoryRow>& rows)
-{
-  std::string lines;
-  for (const auto& row : rows) {
-    add_number(lines, row.time);
-    fmt::format_to(std::back_inserter(lines), ",{},{}", quoted(row.point), row.id);
-    add_numbers(lines, {row.x, row.y, row.eps_deviatoric, row.eps_eq_p, row.su, row.pressure});
-    lines += '\n';
-  }
-  return lines;
-}
-
-std::string csv_lines(const std::vector<LeftPoint>& points)
-{
-  std::string lines;
-  for (const auto& point : points) {
-    add_number(lines, point.time);
-    fmt::format_to(std::back_inserter(lines), ",{}", point.id);
-    add_numbers(lines, {point.x[0], point.x[1], point.v[0], point.v[1], point.mass});
-    lines += '\n';
-  }
-  return lines;
-}
-
-std::string csv_lines(const std::vector<FootingRow>& rows)
-{
-  std::string lines;
-  for (const auto& row : rows) {
-    add_number(lines, row.time);
-    lines += ',' + quoted(row.footing);
-    add_numbers(lines, {row.displacement_x, row.displacement_y, row.reaction_x, row.reaction_y, row.work});
-    lines += '\n';
-  }
-  return lines;
-}
-
-std::string csv_line(const LedgerRow& row)
+std::string header_of(const RunTable& table)
 {
   std::string line;
-  add_number(line, row.time);
-  fmt::format_to(std::back_inserter(line), ",{}", row.step);
-  add_numbers(line, {row.kinetic, row.kinetic_nodal, row.elastic, row.plastic, row.gravity_work, row.damping_work,
-                        row.boundary_work, row.left_energy, row.numerical, row.mass, row.momentum_x, row.momentum_y});
-  fmt::format_to(std::back_inserter(line), ",{},{}", row.clamped, row.left);
-  add_numbers(line, {row.front_x, row.crest_x, row.crest_y, row.front_left_x, row.crest_left_x, row.crest_left_y,
-                        row.moved_volume, row.v_max, row.v_999});
-  return line + '\n';
+  for (const QuantityInfo& column : table.columns) line += (line.empty() ? "" : ",") + std::string(column.name);
+  return line;
+}
+
+std::string csv_lines(const std::vector<TableRow>& rows)
+{
+  std::string lines;
+  for (const TableRow& row : rows) {
+    std::size_t k = 0;
+    for (const QuantityInfo& column : row.table->columns) {
+      if (column.is_text)
+        lines += quoted(row.text);
+      else
+        add_number(lines, row.values[k++]);
+      lines += ',';
+    }
+    lines.back() = '\n';
+  }
+  return lines;
 }
 
 TablePart read_part_until(const std::string& path, std::string_view header, Real time)

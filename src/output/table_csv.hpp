@@ -1,9 +1,9 @@
-// history.csv and ledger.csv: tables with a header line and the time in the first column (docs/formats.md).
+// The tables of a run: CSV with a header line and the time in the first column (docs/formats.md).
 #pragma once
 
 #include "output/checksum.hpp"
 #include "output/files.hpp"
-#include "simulation/observer.hpp"
+#include "simulation/run_table.hpp"
 
 #include <string>
 #include <string_view>
@@ -11,20 +11,11 @@
 
 namespace terp {
 
-inline constexpr std::string_view history_header = "time,point,id,x,y,eps_deviatoric,eps_eq_p,su,pressure";
-inline constexpr std::string_view ledger_header =
-    "time,step,kinetic,kinetic_nodal,elastic,plastic,gravity_work,damping_work,boundary_work,left_energy,numerical,"
-    "mass,momentum_x,momentum_y,"
-    "clamped,left,front_x,crest_x,crest_y,front_left_x,crest_left_x,crest_left_y,moved_volume,v_max,v_999";
-inline constexpr std::string_view left_header = "time,id,x,y,v_x,v_y,mass";
-inline constexpr std::string_view footings_header =
-    "time,footing,displacement_x,displacement_y,reaction_x,reaction_y,work";
+/// "time,step,kinetic": the names of the columns.
+std::string header_of(const RunTable& table);
 
 /// Lines with their line ends. Numbers are the shortest that read back to the same bits; not a number is "nan".
-std::string csv_lines(const std::vector<HistoryRow>& rows);
-std::string csv_line(const LedgerRow& row);
-std::string csv_lines(const std::vector<LeftPoint>& points);
-std::string csv_lines(const std::vector<FootingRow>& rows);
+std::string csv_lines(const std::vector<TableRow>& rows);
 
 /// A table up to some row.
 struct TablePart {

@@ -94,7 +94,7 @@ void put_columns(JsonText& json, const Table& table)
 {
   json.key("columns").begin_array();
   for (const auto& name : table.names) {
-    const ColumnInfo info = describe_column(name);
+    const QuantityInfo info = describe_column(name);
     json.begin_object()
         .entry("name", name)
         .entry("label", info.label)

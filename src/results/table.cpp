@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "output/files.hpp"
+#include "simulation/run_table.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -13,43 +14,6 @@
 
 namespace terp {
 namespace {
-
-constexpr ColumnInfo known_columns[] = {
-    {"time", "time", "s"},
-    {"step", "step", "-"},
-    {"kinetic", "kinetic energy of the points", "J/m"},
-    {"kinetic_nodal", "kinetic energy of the nodes", "J/m"},
-    {"elastic", "elastic energy", "J/m"},
-    {"plastic", "plastic work", "J/m"},
-    {"gravity_work", "work of gravity", "J/m"},
-    {"damping_work", "work of damping", "J/m"},
-    {"boundary_work", "work of boundaries", "J/m"},
-    {"left_energy", "energy of soil that left", "J/m"},
-    {"numerical", "not explained by the balance", "J/m"},
-    {"mass", "mass", "kg/m"},
-    {"momentum_x", "momentum, x", "kg/s"},
-    {"momentum_y", "momentum, y", "kg/s"},
-    {"clamped", "points put back at walls", "-"},
-    {"left", "points that left", "-"},
-    {"front_x", "front", "m"},
-    {"crest_x", "crest", "m"},
-    {"crest_y", "height of the crest", "m"},
-    {"front_left_x", "front to the left", "m"},
-    {"crest_left_x", "crest to the left", "m"},
-    {"crest_left_y", "height of the crest to the left", "m"},
-    {"moved_volume", "volume that moved", "m^2"},
-    {"v_max", "largest speed", "m/s"},
-    {"v_999", "speed, 99.9 % quantile", "m/s"},
-    {"x", "x", "m"},
-    {"y", "y", "m"},
-    {"eps_deviatoric", "total deviatoric strain", "-"},
-    {"eps_eq_p", "equivalent plastic strain", "-"},
-    {"su", "undrained shear strength", "Pa"},
-    {"pressure", "mean stress, tension positive", "Pa"},
-    {"velocity", "speed", "m/s"},
-    {"displacement", "displacement", "m"},
-    {"material", "material", "-"},
-};
 
 /// The cells of a line; a cell in quotation marks may hold commas and doubled quotation marks.
 std::vector<std::string> split(std::string_view line)
@@ -138,11 +102,12 @@ std::vector<PointTable> read_history(const std::string& path)
   return tables;
 }
 
-ColumnInfo describe_column(std::string_view name)
+QuantityInfo describe_column(std::string_view name)
 {
-  for (const auto& info : known_columns)
-    if (info.name == name) return info;
-  return {name, name, "-"};
+  for (const auto& table : all_tables())
+    for (const QuantityInfo& column : table->columns)
+      if (column.name == name) return column;
+  return {.name = name, .unit = "-", .label = name, .meaning = {}};
 }
 
 }  // namespace terp

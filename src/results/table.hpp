@@ -2,6 +2,7 @@
 // Not for: writing them (output/table_csv).
 #pragma once
 
+#include "base/quantity.hpp"
 #include "base/types.hpp"
 
 #include <string>
@@ -32,12 +33,7 @@ Table read_number_table(const std::string& path);
 /// The rows of history.csv by point, in the order of the file.
 std::vector<PointTable> read_history(const std::string& path);
 
-/// What a column holds: for axes and legends.
-struct ColumnInfo {
-  std::string_view name, label, unit;
-};
-
-/// Of a column of ledger.csv or history.csv, or a field of results.vtkhdf; one that is not known is called by its name.
-ColumnInfo describe_column(std::string_view name);
+/// Of a column of a table of a run; one that is not known is called by its name. For axes and legends.
+QuantityInfo describe_column(std::string_view name);
 
 }  // namespace terp

@@ -176,26 +176,25 @@ std::vector<Columns> shear_columns(const State& state)
   return columns;
 }
 
-void follow_failure(const Model& model, const Totals& totals, State& state, LedgerRow& row)
+void follow_failure(const LedgerContext& context, State& state, std::span<Real> values)
 {
-  const Real none = std::nan("");
-  row.front_x = row.crest_x = row.crest_y = row.front_left_x = row.crest_left_x = row.crest_left_y = none;
-  const Fronts fronts = find_fronts(model, state, totals.moved);
+  const Model& model = context.model;
+  const Fronts fronts = find_fronts(model, state, context.totals.moved);
   const auto heights = surface_heights(*model.mesh, state.points, state.section.columns);
-  row.moved_volume = totals.moved.volume + volume_that_left(state);
+  values.back() = context.totals.moved.volume + volume_that_left(state);
   for (std::size_t k = 0; k < state.slopes.size(); ++k) {
     SlopeFailure& slope = state.slopes[k];
     CrestHistory& crest = slope.crest;
-    const bool left = crest.slope.facing == Facing::left;
     const Standing standing = find_standing(state.section, crest.slope, state.slopes.size() == 1, heights);
     const Real x = find_crest(state.section, crest.slope, standing);
-    crest.time.push_back(row.time);
+    crest.time.push_back(state.time);
     crest.x.push_back(std::isnan(x) ? back_of(state.section, crest.slope) : x);
-    crest.kinetic.push_back(row.kinetic_nodal);
-    (left ? row.front_left_x : row.front_x) = front_of(fronts, crest.slope.facing);
-    (left ? row.crest_left_x : row.crest_x) = crest.x.back();
-    (left ? row.crest_left_y : row.crest_y) = crest_height(state.section, crest.slope, standing, heights);
-    follow_slip(model, state, totals.growth[k], slope);
+    crest.kinetic.push_back(context.kinetic_nodal);
+    Real* const of_slope = &values[crest.slope.facing == Facing::left ? 3 : 0];
+    of_slope[0] = front_of(fronts, crest.slope.facing);
+    of_slope[1] = crest.x.back();
+    of_slope[2] = crest_height(state.section, crest.slope, standing, heights);
+    follow_slip(model, state, context.totals.growth[k], slope);
   }
 }
 

@@ -9,6 +9,9 @@
 namespace terp {
 namespace {
 
+constexpr std::string_view reaction_meaning =
+    "force of the soil on the footing, summed over its nodes, mean since the row before: the momentum that the footing "
+    "gave over the time";
 constexpr Real outline_slack = 1e-6;  // of the lowest cell: nodes on the outline belong to the footing
 
 Real slack_of(const Model& model) { return outline_slack * model.mesh->smallest_altitude; }
@@ -60,9 +63,22 @@ void add_footing_impulses(const Workspace& work, const std::array<Vec<2>, most_f
   }
 }
 
-std::vector<FootingRow> keep_footings(const Model& model, State& state)
+const std::shared_ptr<const RunTable>& footings_table()
 {
-  std::vector<FootingRow> rows;
+  static const auto table = std::make_shared<const RunTable>(RunTable{.name = "footings",
+      .meaning = "displacement and measured reaction of each footing",
+      .columns = {{"time", "s", "time", "of the step"}, {"footing", "", "footing", "name in the case file", true},
+          {"displacement_x", "m", "displacement, x", "of the footing since t = 0"},
+          {"displacement_y", "m", "displacement, y", "of the footing since t = 0"},
+          {"reaction_x", "N/m", "reaction, x", reaction_meaning},
+          {"reaction_y", "N/m", "reaction, y", reaction_meaning},
+          {"work", "J/m", "work", "done by the footing on the soil so far; part of `boundary_work` of the ledger"}}});
+  return table;
+}
+
+std::vector<TableRow> keep_footings(const Model& model, State& state)
+{
+  std::vector<TableRow> rows;
   for (std::size_t k = 0; k < model.footings.size(); ++k) {
     const Footing& footing = model.footings[k];
     FootingMeter& meter = state.footings[k];
@@ -72,8 +88,10 @@ std::vector<FootingRow> keep_footings(const Model& model, State& state)
       meter.since = state.time;
       meter.largest = std::max(meter.largest, resistance(footing, meter.reaction));
     }
-    const Vec<2> way = footing.displacement(state.time);
-    rows.push_back({state.time, footing.name, way[0], way[1], meter.reaction[0], meter.reaction[1], meter.work});
+    const Vec<2> moved = footing.displacement(state.time);
+    TableRow row(footings_table(), footing.name);
+    row.values = {state.time, moved[0], moved[1], meter.reaction[0], meter.reaction[1], meter.work};
+    rows.push_back(std::move(row));
   }
   return rows;
 }

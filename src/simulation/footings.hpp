@@ -17,8 +17,11 @@ void place_footings(const Model& model, const State& state, Workspace& work);
 /// reaction [N s per m].
 void add_footing_impulses(const Workspace& work, const std::array<Vec<2>, most_footings>& impulse, State& state);
 
+/// footings.csv: its columns.
+const std::shared_ptr<const RunTable>& footings_table();
+
 /// One row per footing; the reaction is the mean since the rows before.
-std::vector<FootingRow> keep_footings(const Model& model, State& state);
+std::vector<TableRow> keep_footings(const Model& model, State& state);
 
 /// A warning for each footing that touches no soil at t = 0, or comes so far that the nodes at its base leave it at its
 /// top.

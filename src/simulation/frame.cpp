@@ -17,13 +17,6 @@ std::size_t id_of(const PointBlock<2>& block, Index lane)
   return static_cast<std::size_t>(block.row(Rows::id)[lane]);
 }
 
-std::array<Real, 4> strain_of(const PointBlock<2>& block, Index lane)
-{
-  std::array<Real, 4> strain;
-  for (int k = 0; k < n_sym<2>; ++k) strain[k] = block.row(Rows::strain + k)[lane];
-  return strain;
-}
-
 /// Where the points of a block stand in a frame, by lane; `nowhere`: not in this part of it.
 using Places = std::span<const std::size_t>;
 constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
@@ -75,9 +68,8 @@ std::vector<FieldRecipe> common_recipes(const Model& model, const State& state)
   recipes.push_back(recipe("cell", "-", 1, [](const PointBlock<2>& block, Index, Real* out) { *out = block.cell; }));
   recipes.push_back(rows_recipe("strain", "-", Rows::strain, n_sym<2>, n_sym<2>));
   const DeviatoricNorm norm = model.description.output.deviatoric_norm;
-  recipes.push_back(recipe("eps_deviatoric", "-", 1, [norm](const PointBlock<2>& block, Index lane, Real* out) {
-    *out = deviatoric_strain(strain_of(block, lane), norm);
-  }));
+  recipes.push_back(recipe("eps_deviatoric", "-", 1,
+      [norm](const PointBlock<2>& block, Index lane, Real* out) { *out = deviatoric_strain(block, lane, norm); }));
   return recipes;
 }
 
@@ -162,68 +154,14 @@ Frame gather_frame(const State& state, const std::vector<FieldRecipe>& recipes, 
   return frame;
 }
 
-HistoryRow history_of(const Model& model, const State& state, const PointBlock<2>& block, Index lane)
-{
-  const SoilMaterial& material = model.materials[block.material];
-  const auto values = state_of(block, lane, material.n_state());
-  const int eps = find_eps_eq_p(*material.type), su = find_su(*material.type);
-  const Real pressure =
-      (block.row(Rows::sigma)[lane] + block.row(Rows::sigma + 1)[lane] + block.row(Rows::sigma + 2)[lane]) / 3.0;
-  return {.time = state.time,
-      .point = "",
-      .id = static_cast<std::int64_t>(id_of(block, lane)),
-      .x = block.row(Rows::x)[lane],
-      .y = block.row(Rows::x + 1)[lane],
-      .eps_deviatoric = deviatoric_strain(strain_of(block, lane), model.description.output.deviatoric_norm),
-      .eps_eq_p = eps < 0 ? nan : values[eps],
-      .su = su < 0 ? nan : material.law->derived(su, values.data()),
-      .pressure = pressure};
-}
-
-bool holds(const PointBlocks<2>& points, PointPlace place, std::int64_t id)
-{
-  if (place.block < 0 || place.block >= points.n_blocks()) return false;
-  const PointBlock<2>& block = points.block(place.block);
-  return place.lane < block.n && id_of(block, place.lane) == static_cast<std::size_t>(id);
-}
-
-/// Renews the places of points where they are no longer right; those of points that left stay wrong.
-void find_points(const State& state, const std::vector<std::int64_t>& ids, std::vector<PointPlace>& places)
-{
-  places.resize(ids.size(), {-1, -1});
-  std::vector<std::size_t> lost;
-  for (std::size_t k = 0; k < ids.size(); ++k) {
-    const bool has_left =
-        std::any_of(state.left.begin(), state.left.end(), [&](const LeftPoint& p) { return p.id == ids[k]; });
-    if (!has_left && !holds(state.points, places[k], ids[k])) lost.push_back(k);
-  }
-  if (lost.empty()) return;
-  for (const Index cell : state.points.occupied())
-    for_each_block(state.points, cell, [&](const PointBlock<2>& block, Index b) {
-      for (Index lane = 0; lane < block.n; ++lane)
-        for (const std::size_t k : lost)
-          if (id_of(block, lane) == static_cast<std::size_t>(ids[k])) places[k] = {b, lane};
-    });
-}
-
-/// Of a point that left through an open side: the place where it left.
-HistoryRow history_of_left(const State& state, std::int64_t id)
-{
-  HistoryRow row{.time = state.time,
-      .point = "",
-      .id = id,
-      .x = nan,
-      .y = nan,
-      .eps_deviatoric = nan,
-      .eps_eq_p = nan,
-      .su = nan,
-      .pressure = nan};
-  for (const LeftPoint& p : state.left)
-    if (p.id == id) row.x = p.x[0], row.y = p.x[1];
-  return row;
-}
-
 }  // namespace
+
+Real deviatoric_strain(const PointBlock<2>& block, Index lane, DeviatoricNorm norm)
+{
+  std::array<Real, 4> strain;
+  for (int k = 0; k < n_sym<2>; ++k) strain[k] = block.row(Rows::strain + k)[lane];
+  return deviatoric_strain(strain, norm);
+}
 
 Real deviatoric_strain(const std::array<Real, 4>& strain, DeviatoricNorm norm)
 {
@@ -255,20 +193,6 @@ Frame make_frame(const Model& model, const State& state, std::int64_t first, std
   add_material_recipes(model, recipes);
   std::erase_if(recipes, [&](const FieldRecipe& r) { return !wanted(model, r.name); });
   return gather_frame(state, recipes, first, n);
-}
-
-std::vector<HistoryRow> make_history(const Model& model, const State& state, std::vector<PointPlace>& places)
-{
-  const auto& names = model.description.output.history_points;
-  find_points(state, model.history_ids, places);
-  std::vector<HistoryRow> rows;
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    const bool is_there = holds(state.points, places[k], model.history_ids[k]);
-    rows.push_back(is_there ? history_of(model, state, state.points.block(places[k].block), places[k].lane)
-                            : history_of_left(state, model.history_ids[k]));
-    rows.back().point = names[k].first;
-  }
-  return rows;
 }
 
 }  // namespace terp

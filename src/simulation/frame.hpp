@@ -19,11 +19,9 @@ Frame make_frame(const Model& model, const State& state, std::int64_t first, std
 std::optional<PointField> make_field(
     const Model& model, const State& state, const std::string& name, std::vector<std::string>& names);
 
-/// Rows of history.csv for the named points. places: where they were stored at the last call, empty at the first;
-/// looked up anew if one is no longer there.
-std::vector<HistoryRow> make_history(const Model& model, const State& state, std::vector<PointPlace>& places);
-
 /// Deviatoric measure of a strain tensor (xx yy zz xy): sqrt(1/2 e:e), or von Mises sqrt(2/3 e:e) (reading R18) [-].
 Real deviatoric_strain(const std::array<Real, 4>& strain, DeviatoricNorm norm);
+/// That of a point.
+Real deviatoric_strain(const PointBlock<2>& block, Index lane, DeviatoricNorm norm);
 
 }  // namespace terp

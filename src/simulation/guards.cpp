@@ -63,14 +63,14 @@ std::string describe_clamped(const State& state)
       state.step, state.time, state.clamped, 100.0 * most_clamped);
 }
 
-std::string describe_energy(const State& state, const LedgerRow& row)
+std::string describe_energy(const State& state, const TableRow& row)
 {
   return fmt::format(
       "step {}, t = {:.4f} s: the energy grows by itself: {:.3g} J per m that no work explains, {:.3g} J exchanged\n\n"
       "  before   kinetic {:.3g} J, elastic {:.3g} J; largest 99.9 % speed {:.3g} m/s\n"
       "  likely   an unstable time step, or a stiff body that travels far in pure FLIP\n"
       "  try      a lower time.courant, or method.flip = 0.9 (docs/troubleshooting.md#the-energy-balance-is-off)",
-      state.step, state.time, row.numerical, energy_exchanged(state), row.kinetic, row.elastic, row.v_999);
+      state.step, state.time, row["numerical"], energy_exchanged(state), row["kinetic"], row["elastic"], row["v_999"]);
 }
 
 /// Mass of the points whose waves cross the smallest cell within a step, as a part of all: the density of a point falls
@@ -104,16 +104,19 @@ std::string describe_time_step(const Model& model, const State& state, Real shar
 /// What the ledger cannot know of: forces do their work at the stress of the start of a step, the soil stores sigma :
 /// d_eps + 1/2 d_sigma : d_eps. Under steady loading the second terms add up to elastic/n after n steps: all of it in
 /// the first step of a side that begins to move [J per m].
-Real half_step_offset(const State& state, const LedgerRow& row) { return row.elastic / static_cast<Real>(state.step); }
+Real half_step_offset(const State& state, const TableRow& row)
+{
+  return row["elastic"] / static_cast<Real>(state.step);
+}
 
 }  // namespace
 
-std::string find_fault_in_balance(const Model& model, const State& state, const LedgerRow& row)
+std::string find_fault_in_balance(const Model& model, const State& state, const TableRow& row)
 {
   const Real exchanged = energy_exchanged(state);
-  if (state.step > 0 && row.numerical - half_step_offset(state, row) > most_gained * exchanged)
+  if (state.step > 0 && row["numerical"] - half_step_offset(state, row) > most_gained * exchanged)
     return describe_energy(state, row);
-  if (row.numerical <= gain_of_harm * exchanged) return {};
+  if (row["numerical"] <= gain_of_harm * exchanged) return {};
   if (const Real share = overtaken_share(model, state); share > most_overtaken)
     return describe_time_step(model, state, share);
   return {};

@@ -27,6 +27,6 @@ std::string find_fault(const Model& model, const State& state, const Workspace& 
 
 /// The message for a run that must stop at a row of its ledger, or nothing: energy out of nowhere, a time step that has
 /// become too long.
-std::string find_fault_in_balance(const Model& model, const State& state, const LedgerRow& row);
+std::string find_fault_in_balance(const Model& model, const State& state, const TableRow& row);
 
 }  // namespace terp

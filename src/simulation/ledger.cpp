@@ -38,6 +38,14 @@ void audit_history(const Model& model, const Totals& totals, State& state)
   }
 }
 
+/// What the balance of energy does not explain [J per m].
+Real numerical_energy(const LedgerContext& c)
+{
+  const WorkTotals& w = c.state.work;
+  return c.totals.kinetic + c.totals.elastic + c.left_energy + w.plastic - c.state.start_energy -
+         (w.gravity + w.damping + w.boundary);
+}
+
 /// Of the points that left, when they did.
 Real kinetic_and_elastic_energy(const std::vector<LeftPoint>& points)
 {
@@ -45,6 +53,50 @@ Real kinetic_and_elastic_energy(const std::vector<LeftPoint>& points)
   for (const LeftPoint& p : points) energy += 0.5 * p.mass * (p.v[0] * p.v[0] + p.v[1] * p.v[1]) + p.elastic;
   return energy;
 }
+
+struct LedgerQuantity {
+  QuantityInfo info;
+  Real (*read)(const LedgerContext&);
+};
+
+using C = const LedgerContext&;
+
+/// Columns of ledger.csv; those of the failure follow them. A new one is one entry here.
+constexpr LedgerQuantity balance[] = {
+    {{"time", "s", "time", "of the step"}, [](C c) { return c.state.time; }},
+    {{"step", "-", "step", "number of the step"}, [](C c) { return static_cast<Real>(c.state.step); }},
+    {{"kinetic", "J/m", "kinetic energy of the points", "kinetic energy of the material points"},
+        [](C c) { return c.totals.kinetic; }},
+    {{"kinetic_nodal", "J/m", "kinetic energy of the nodes",
+         "of the nodes at the start of the last step, 1/2 sum m_i v_i^2: the part that the mesh sees, without the "
+         "motion of points against each other within a cell"},
+        [](C c) { return c.kinetic_nodal; }},
+    {{"elastic", "J/m", "elastic energy", "elastic energy stored"}, [](C c) { return c.totals.elastic; }},
+    {{"plastic", "J/m", "plastic work", "plastic work so far"}, [](C c) { return c.state.work.plastic; }},
+    {{"gravity_work", "J/m", "work of gravity", "work of gravity so far"}, [](C c) { return c.state.work.gravity; }},
+    {{"damping_work", "J/m", "work of damping", "work of damping so far"}, [](C c) { return c.state.work.damping; }},
+    {{"boundary_work", "J/m", "work of boundaries", "work of boundaries so far: friction, adhesion, prescribed motion"},
+        [](C c) { return c.state.work.boundary; }},
+    {{"left_energy", "J/m", "energy of soil that left",
+         "kinetic and elastic energy that points took along through open sides so far"},
+        [](C c) { return c.left_energy; }},
+    {{"numerical", "J/m", "not explained by the balance",
+         "what the balance does not explain: (kinetic + elastic) - (the same at t = 0) + left_energy + plastic - the "
+         "three works"},
+        numerical_energy},
+    {{"mass", "kg/m", "mass", "of all material points"}, [](C c) { return c.totals.mass; }},
+    {{"momentum_x", "kg/s", "momentum, x", "of all material points, per metre"},
+        [](C c) { return c.totals.momentum[0]; }},
+    {{"momentum_y", "kg/s", "momentum, y", "of all material points, per metre"},
+        [](C c) { return c.totals.momentum[1]; }},
+    {{"clamped", "-", "points put back at walls", "points so far that ever had to be put back at a wall"},
+        [](C c) { return static_cast<Real>(c.state.clamped); }},
+    {{"left", "-", "points that left", "points so far that left through open sides"},
+        [](C c) { return static_cast<Real>(c.state.left.size()); }},
+    {{"v_max", "m/s", "largest speed", "largest speed of a material point"}, [](C c) { return c.totals.v_max; }},
+    {{"v_999", "m/s", "speed, 99.9 % quantile", "speed that 99.9 % of the points do not exceed"},
+        [](C c) { return c.totals.v_999; }},
+};
 
 }  // namespace
 
@@ -96,34 +148,30 @@ void remember_history(const Model& model, State& state)
   });
 }
 
-LedgerRow keep_ledger(const Model& model, State& state, Workspace& work)
+const std::shared_ptr<const RunTable>& ledger_table()
 {
-  const Totals totals =
-      kernels().add_up(model, state, work.threads, moved_distance(state.section), shear_columns(state));
-  LedgerRow row;
-  row.time = state.time;
-  row.step = state.step;
-  row.mass = totals.mass;
-  row.momentum_x = totals.momentum[0];
-  row.momentum_y = totals.momentum[1];
-  row.kinetic = totals.kinetic;
-  row.elastic = totals.elastic;
-  row.kinetic_nodal = state.step == 0 ? kinetic_energy(map_motion(model, state)) : work.kinetic_nodal;
-  row.v_max = totals.v_max;
-  row.v_999 = totals.v_999;
-  row.plastic = state.work.plastic;
-  row.gravity_work = state.work.gravity;
-  row.damping_work = state.work.damping;
-  row.boundary_work = state.work.boundary;
-  row.left_energy = kinetic_and_elastic_energy(state.left);
-  row.numerical = row.kinetic + row.elastic + row.left_energy + row.plastic - state.start_energy -
-                  (row.gravity_work + row.damping_work + row.boundary_work);
-  row.clamped = state.clamped;
-  row.left = static_cast<std::int64_t>(state.left.size());
-  state.largest_v_999 = std::max(state.largest_v_999, row.v_999);
-  follow_failure(model, totals, state, row);
+  static const auto table = [] {
+    RunTable t{.name = "ledger", .meaning = "balances over time", .columns = {}, .from_start = true};
+    for (const LedgerQuantity& quantity : balance) t.columns.push_back(quantity.info);
+    t.columns.insert(t.columns.end(), failure_columns.begin(), failure_columns.end());
+    return std::make_shared<const RunTable>(std::move(t));
+  }();
+  return table;
+}
+
+TableRow keep_ledger(const Model& model, State& state, Workspace& work)
+{
+  const Totals totals = kernels().add_up(model, state, work.threads, moved_distance(state.section), shear_columns(state));
+  const LedgerContext context{.model = model,
+      .state = state,
+      .totals = totals,
+      .kinetic_nodal = state.step == 0 ? kinetic_energy(map_motion(model, state)) : work.kinetic_nodal,
+      .left_energy = kinetic_and_elastic_energy(state.left)};
+  TableRow row(ledger_table());
+  for (std::size_t k = 0; k < std::size(balance); ++k) row.values[k] = balance[k].read(context);
+  state.largest_v_999 = std::max(state.largest_v_999, totals.v_999);
+  follow_failure(context, state, std::span(row.values).subspan(std::size(balance)));
   audit_history(model, totals, state);
-  ++state.ledger_rows;
   return row;
 }
 

@@ -1,4 +1,5 @@
-// The books of a run: energy, mass, momentum, and the audit of the strain history.
+// The ledger of a run: energy, mass and momentum over time, and the audit of the strain history. Its columns stand in
+// one table in ledger.cpp.
 #pragma once
 
 #include "simulation/model.hpp"
@@ -26,9 +27,13 @@ inline Real energy_exchanged(const WorkTotals& w)
   return std::max(w.exchanged, std::abs(w.gravity) + std::abs(w.damping) + std::abs(w.boundary) + w.plastic);
 }
 
-/// The books as they stand, on the threads of the run; follows the failure, enters the speed into state.largest_v_999,
-/// and audits the history: a point whose eps_eq_p fell, or whose S_u rose, since the row before is marked for good.
-LedgerRow keep_ledger(const Model& model, State& state, Workspace& work);
+/// ledger.csv: its columns.
+const std::shared_ptr<const RunTable>& ledger_table();
+
+/// A row of the ledger as of now, computed on the threads of the run; follows the failure, enters the speed into
+/// state.largest_v_999, and audits the history: a point whose eps_eq_p fell, or whose S_u rose, since the row before is
+/// marked for good.
+TableRow keep_ledger(const Model& model, State& state, Workspace& work);
 
 /// Sizes the audit for the points of a new state.
 void start_audit(const Model& model, State& state);

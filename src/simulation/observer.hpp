@@ -1,13 +1,10 @@
 // What a run shows to the outside. simulation/ calls an Observer; output/ and app/ implement it.
 #pragma once
 
-#include "base/types.hpp"
+#include "simulation/run_table.hpp"
 
 #include <cstdint>
-#include <memory>
-#include <string>
 #include <variant>
-#include <vector>
 
 namespace terp {
 
@@ -33,56 +30,15 @@ struct Frame {
   bool ends() const { return first + n_points() == n_whole(); }
 };
 
-/// One row of history.csv.
-struct HistoryRow {
-  Real time;          ///< [s]
-  std::string point;  ///< the user's name, "A"
-  std::int64_t id;
-  Real x, y;                      ///< [m]
-  Real eps_deviatoric, eps_eq_p;  ///< [-]
-  Real su;                        ///< [Pa]; NaN where the material has none
-  Real pressure;                  ///< tr(sigma)/3, tension positive [Pa]
-};
-
-/// One row of left_the_mesh.csv: a point that crossed an open side.
+/// A point that crossed an open side.
 struct LeftPoint {
   Real time;  ///< [s]
   std::int64_t id;
   Vec<2> x;            ///< where [m]
   Vec<2> v;            ///< how fast [m/s]
   Real mass;           ///< [kg per m]
-  Real elastic = 0.0;  ///< elastic energy that it took along [J per m]; not in the table
-  Real volume = 0.0;   ///< [m^2]; not in the table
-};
-
-/// One row of ledger.csv. Energies in J per metre of thickness; work is positive when it adds energy to the soil.
-struct LedgerRow {
-  Real time = 0.0;
-  std::int64_t step = 0;
-  Real kinetic = 0.0;        ///< of the material points
-  Real kinetic_nodal = 0.0;  ///< of the nodes at the start of the last step: the part of it that the mesh sees
-  Real elastic = 0.0;        ///< stored
-  Real plastic = 0.0;        ///< dissipated so far
-  Real gravity_work = 0.0, damping_work = 0.0, boundary_work = 0.0;  ///< so far
-  Real left_energy = 0.0;  ///< kinetic + elastic of the points that left through open sides so far
-  Real numerical = 0.0;    ///< gained by the balance: kinetic + elastic + plastic + left_energy - works - their start
-  Real mass = 0.0;         ///< [kg per m]
-  Real momentum_x = 0.0, momentum_y = 0.0;           ///< [kg m/s per m]
-  std::int64_t clamped = 0;                          ///< points put back at a wall so far
-  std::int64_t left = 0;                             ///< points that left through open sides so far
-  Real front_x = 0.0, crest_x = 0.0, crest_y = 0.0;  ///< of the slope to the right [m]; NaN if not defined
-  Real front_left_x = 0.0, crest_left_x = 0.0, crest_left_y = 0.0;  ///< of the slope to the left
-  Real moved_volume = 0.0;                                          ///< volume away from its first place [m^2]
-  Real v_max = 0.0, v_999 = 0.0;                                    ///< largest speed, and its 99.9 % quantile [m/s]
-};
-
-/// One row of footings.csv.
-struct FootingRow {
-  Real time;                            ///< [s]
-  std::string footing;                  ///< the user's name
-  Real displacement_x, displacement_y;  ///< since t = 0 [m]
-  Real reaction_x, reaction_y;          ///< force of the soil on the footing, mean since the row before [N per m]
-  Real work;                            ///< done on the soil so far [J per m]; part of the ledger's boundary_work
+  Real elastic = 0.0;  ///< elastic energy that it took along [J per m]
+  Real volume = 0.0;   ///< [m^2]
 };
 
 /// A named array of a checkpoint, or rows of it.
@@ -126,10 +82,8 @@ class Observer {
  public:
   virtual ~Observer() = default;
   virtual void frame(const std::shared_ptr<const Frame>&) {}
-  virtual void history(const std::vector<HistoryRow>&) {}
-  virtual void ledger(const LedgerRow&) {}
-  virtual void left(const std::vector<LeftPoint>&) {}
-  virtual void footings(const std::vector<FootingRow>&) {}
+  /// Rows of one table, at least one.
+  virtual void rows(const std::vector<TableRow>&) {}
   virtual void checkpoint(const std::shared_ptr<const StateImage>&) {}
   virtual void progress(const Progress&) {}
   /// Keeps the state of a run that stopped itself; returns where it was saved, or nothing.

@@ -47,10 +47,4 @@ bool has_started(const State& state);
 /// What the summary says of a run in this state.
 Summary summarise(const Model& model, const State& state);
 
-/// True at the steps nearest to whole multiples of `every` [s]; never if every is 0.
-bool due(std::int64_t step, Real dt, Real every);
-
-/// How many of the steps from 0 to `step` are due.
-std::int64_t count_due(std::int64_t step, Real dt, Real every);
-
 }  // namespace terp

@@ -6,6 +6,7 @@
 #include "points/point_blocks.hpp"
 #include "simulation/observer.hpp"
 
+#include <map>
 #include <vector>
 
 namespace terp {
@@ -53,9 +54,10 @@ struct State {
   std::int64_t clamped = 0;            ///< points that ever had to be put back at a wall
   std::vector<bool> put_back;          ///< which, by id
   std::vector<LeftPoint> left;         ///< points that crossed an open side, in the order in which they did
-  std::size_t left_told = 0;           ///< how many of them the observers know
+  std::size_t left_reported = 0;       ///< how many of them have a row in left_the_mesh.csv
   HistoryAudit audit;
-  std::int64_t ledger_rows = 0;      ///< so far
+  std::map<std::string, std::int64_t, std::less<>> rows_reported;  ///< so far, by table
+  std::int64_t frames_reported = 0;
   Section section;                   ///< at t = 0
   std::vector<SlopeFailure> slopes;  ///< of the section, in its order
   std::vector<Real> side_reached;  ///< when soil first lay in a cell at each side of the mesh, or rose there [s]; 0: at

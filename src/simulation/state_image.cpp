@@ -224,7 +224,7 @@ void get_left(const StateImage& image, State& state)
     const auto& volumes = get<Real>(image, "left/volume", ids.size());
     for (std::size_t k = 0; k < ids.size(); ++k) state.left[k].volume = volumes[k];
   }
-  state.left_told = state.left.size();
+  state.left_reported = state.left.size();
 }
 
 void add_footings(const State& state, std::vector<ArraySource>& arrays)
@@ -273,7 +273,10 @@ std::vector<ArraySource> arrays_of(const State& state)
   arrays.push_back(kept("side_reached", state.side_reached));
   arrays.push_back(kept("side_top", state.side_top));
   arrays.push_back(few("wall_s", std::vector<Real>{state.wall_s}));  // the one number that differs between equal runs
-  arrays.push_back(few("counts", std::vector<std::int64_t>{state.clamped, state.equilibrium_steps, state.ledger_rows}));
+  arrays.push_back(few("counts",
+      std::vector<std::int64_t>{state.clamped, state.equilibrium_steps, state.frames_reported}));
+  for (const auto& [table, n] : state.rows_reported)
+    arrays.push_back(few("rows_reported/" + table, std::vector<std::int64_t>{n}));
   add_left(state, arrays);
   add_footings(state, arrays);
   arrays.push_back(kept("put_back", state.put_back));
@@ -352,7 +355,10 @@ State restore(const Model& model, const StateImage& image)
   const auto& counts = get<std::int64_t>(image, "counts", 3);
   state.clamped = counts[0];
   state.equilibrium_steps = counts[1];
-  state.ledger_rows = counts[2];
+  state.frames_reported = counts[2];
+  for (const NamedArray& array : image.arrays)
+    if (constexpr std::string_view head = "rows_reported/"; array.name.starts_with(head))
+      state.rows_reported[array.name.substr(head.size())] = get<std::int64_t>(image, array.name, 1)[0];
   const auto& put_back = get<std::int64_t>(image, "put_back", n);
   state.put_back.assign(put_back.begin(), put_back.end());
   const auto& fell = get<std::int64_t>(image, "audit/fell", n);

@@ -77,13 +77,9 @@ class GuardedMeasure : public Measure {
   {
     guard([&] { inner_->frame(frame); });
   }
-  void ledger(const LedgerRow& row) override
+  void rows(const std::vector<TableRow>& rows) override
   {
-    guard([&] { inner_->ledger(row); });
-  }
-  void footings(const std::vector<FootingRow>& rows) override
-  {
-    guard([&] { inner_->footings(rows); });
+    guard([&] { inner_->rows(rows); });
   }
   Measured finish(const Summary& summary) override
   {

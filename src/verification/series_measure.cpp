@@ -151,43 +151,33 @@ class PointMeasure : public SeriesMeasure {
   std::vector<Real> row_;
 };
 
-const std::vector<std::string> ledger_names = {"t", "kinetic", "kinetic_nodal", "elastic", "plastic", "gravity_work",
-    "damping_work", "boundary_work", "left_energy", "numerical", "mass", "momentum_x", "momentum_y", "clamped", "left",
-    "front_x", "crest_x", "crest_y", "front_left_x", "crest_left_x", "crest_left_y", "moved_volume", "v_max", "v_999"};
-
-/// Rows of the ledger.
-class LedgerMeasure : public SeriesMeasure {
+/// Rows of a table of the run; of those with several rows per time the first.
+class TableMeasure : public SeriesMeasure {
  public:
-  using SeriesMeasure::SeriesMeasure;
-  void ledger(const LedgerRow& r) override
+  TableMeasure(const Quantity& quantity, const Scope& scope, std::string_view table)
+      : SeriesMeasure(quantity, scope), table_(table)
   {
-    add(r.time, ledger_names,
-        {r.time, r.kinetic, r.kinetic_nodal, r.elastic, r.plastic, r.gravity_work, r.damping_work, r.boundary_work,
-            r.left_energy, r.numerical, r.mass, r.momentum_x, r.momentum_y, static_cast<Real>(r.clamped),
-            static_cast<Real>(r.left), r.front_x, r.crest_x, r.crest_y, r.front_left_x, r.crest_left_x, r.crest_left_y,
-            r.moved_volume, r.v_max, r.v_999});
   }
-};
-
-const std::vector<std::string> footing_names = {
-    "t", "displacement_x", "displacement_y", "reaction_x", "reaction_y", "work"};
-
-/// Rows of footings.csv of the first footing.
-class FootingMeasure : public SeriesMeasure {
- public:
-  using SeriesMeasure::SeriesMeasure;
-  void footings(const std::vector<FootingRow>& rows) override
+  void rows(const std::vector<TableRow>& rows) override
   {
-    const FootingRow& r = rows.front();
-    add(r.time, footing_names, {r.time, r.displacement_x, r.displacement_y, r.reaction_x, r.reaction_y, r.work});
+    const TableRow& row = rows.front();
+    if (row.table->name != table_) return;
+    if (names_.empty())
+      for (const QuantityInfo& column : row.table->columns)
+        if (!column.is_text) names_.emplace_back(column.name == "time" ? "t" : column.name);
+    add(row["time"], names_, row.values);
   }
+
+ private:
+  std::string_view table_;
+  std::vector<std::string> names_;
 };
 
 }  // namespace
 
 std::unique_ptr<Measure> make_footing_measure(const Quantity& quantity, const Scope& scope)
 {
-  return std::make_unique<FootingMeasure>(quantity, scope);
+  return std::make_unique<TableMeasure>(quantity, scope, "footings");
 }
 std::unique_ptr<Measure> make_point_measure(const Quantity& quantity, const Scope& scope)
 {
@@ -195,7 +185,7 @@ std::unique_ptr<Measure> make_point_measure(const Quantity& quantity, const Scop
 }
 std::unique_ptr<Measure> make_ledger_measure(const Quantity& quantity, const Scope& scope)
 {
-  return std::make_unique<LedgerMeasure>(quantity, scope);
+  return std::make_unique<TableMeasure>(quantity, scope, "ledger");
 }
 
 }  // namespace terp

@@ -7,6 +7,8 @@
 #include "output/samples.hpp"
 #include "output/small_disk.hpp"
 #include "output/table_csv.hpp"
+#include "simulation/left_points.hpp"
+#include "simulation/run_table.hpp"
 #include "support/process.hpp"
 
 #include <filesystem>
@@ -25,7 +27,7 @@ using testing::HasSubstr;
 
 RunWriterSettings settings_for(const std::string& folder)
 {
-  return {folder, {"model_2", "title = \"column\"\n"}, 2, "material.clay.eta = 50\n"};
+  return {folder, {"model_2", "title = \"column\"\n"}, 2, "material.clay.eta = 50\n", all_tables()};
 }
 
 /// A run in a folder that goes on from a step of its files.
@@ -40,8 +42,8 @@ void write_outputs(RunWriter& writer, int first, int last)
   for (int k = first; k <= last; ++k) {
     StateImage image = sample_image(100 * k);
     image.time = 0.1 * k;
-    writer.history(sample_history(0.1 * k));
-    writer.ledger(sample_ledger(0.1 * k));
+    writer.rows(sample_history(0.1 * k));
+    writer.rows(sample_ledger(0.1 * k));
     writer.frame(std::make_shared<const Frame>(sample_frame(k)));
     writer.checkpoint(std::make_shared<const StateImage>(image));
   }
@@ -54,17 +56,17 @@ TEST(RunWriter, ANewRunHasItsCaseAndTheHeadersOfItsTables)
   const std::string folder = scratch.path() + "/runs/model_2";
   RunWriter::start(settings_for(folder), false);
   EXPECT_EQ(read_file(folder + "/case.toml"), "title = \"column\"\n");
-  EXPECT_EQ(read_file(folder + "/history.csv"), std::string(history_header) + "\n");
-  EXPECT_EQ(read_file(folder + "/ledger.csv"), std::string(ledger_header) + "\n");
+  EXPECT_EQ(read_file(folder + "/history.csv"), header_of(*history_table()) + "\n");
+  EXPECT_EQ(read_file(folder + "/ledger.csv"), header_of(*ledger_table()) + "\n");
 }
 
 TEST(RunWriter, ARowIsInTheFileOnceTheWriterHasFinished)
 {
   const test::ScratchFolder scratch;
   const auto writer = RunWriter::start(settings_for(scratch.path()), false);
-  writer->ledger(sample_ledger(0.5));
+  writer->rows(sample_ledger(0.5));
   writer->finish();
-  EXPECT_THAT(read_file(scratch.path() + "/ledger.csv"), testing::EndsWith(csv_line(sample_ledger(0.5))));
+  EXPECT_THAT(read_file(scratch.path() + "/ledger.csv"), testing::EndsWith(csv_lines(sample_ledger(0.5))));
 }
 
 TEST(RunWriter, KeepsAsManyCheckpointsAsAsked)
@@ -103,8 +105,7 @@ TEST(RunWriter, ResumingDropsTheCheckpointsOfTheAbandonedSteps)
   resume_in(scratch.path(), {.step = 200,
                                 .time = 0.2,
                                 .n_points = 5,
-                                .n_history_rows = 6,
-                                .n_ledger_rows = 3,
+                                .n_rows = {{"history", 6}, {"ledger", 3}},
                                 .fields = sample_frame(0).fields});
   EXPECT_EQ(newest_good_checkpoint(scratch.path()).image->step, 200);
 }
@@ -118,8 +119,7 @@ TEST(RunWriter, DoesNotResumeWhereAFileIsMissingOrTooShort)
       .time = 0.2,
       .n_points = 5,
       .n_frames = 3,
-      .n_history_rows = 6,
-      .n_ledger_rows = 3,
+      .n_rows = {{"history", 6}, {"ledger", 3}},
       .fields = sample_frame(0).fields};
   const std::string ledger = read_file(folder + "/ledger.csv"),
                     head = "cannot resume from step 200, t = 0.2 s, without all of " + folder;
@@ -128,7 +128,7 @@ TEST(RunWriter, DoesNotResumeWhereAFileIsMissingOrTooShort)
       "/case.toml -o NEW_FOLDER";
 
   ResumePoint more = from;
-  more.n_history_rows = 7;
+  more.n_rows["history"] = 7;
   EXPECT_EQ(file_error_of([&] { resume_in(folder, more); }),
       head + "/history.csv: it holds 6 rows up to there, 7 are due" + advice);
   more = from;
@@ -136,7 +136,7 @@ TEST(RunWriter, DoesNotResumeWhereAFileIsMissingOrTooShort)
   EXPECT_EQ(file_error_of([&] { resume_in(folder, more); }),
       head + "/results.vtkhdf: it holds 3 frames up to there, 4 are due" + advice);
   more = from;
-  more.n_left_rows = 1;
+  more.n_rows["left_the_mesh"] = 1;
   EXPECT_EQ(file_error_of([&] { resume_in(folder, more); }), head + "/left_the_mesh.csv: it is missing" + advice);
   std::filesystem::remove(folder + "/history.csv");
   EXPECT_EQ(file_error_of([&] { resume_in(folder, from); }), head + "/history.csv: it is missing" + advice);
@@ -175,8 +175,7 @@ ResumePoint write_run_with_mesh(const std::string& folder, const std::string& ca
       .n_cells = 2,
       .n_frames = 3,
       .n_mesh_frames = 3,
-      .n_history_rows = 6,
-      .n_ledger_rows = 3,
+      .n_rows = {{"history", 6}, {"ledger", 3}},
       .tables = read_checkpoint(path_in(folder, checkpoint_file(200))).tables,
       .fields = sample_frame(0).fields};
 }
@@ -187,9 +186,9 @@ TEST(RunWriter, FilesOfAnotherRunAreRefusedAndNothingChanges)
   const std::string ours = scratch.path() + "/ours", theirs = scratch.path() + "/theirs";
   const ResumePoint from = write_run_with_mesh(ours, settings_for(ours).case_record);
   write_run_with_mesh(theirs, "material.clay.eta = 60\n");
-  write_file_atomically(theirs + "/ledger.csv", std::string(ledger_header) + '\n' + csv_line(sample_ledger(0.0)) +
-                                                    csv_line(sample_ledger(0.05)) + csv_line(sample_ledger(0.2)));
-  write_file_atomically(theirs + "/history.csv", std::string(history_header) + '\n' + csv_lines(sample_history(0.0)) +
+  write_file_atomically(theirs + "/ledger.csv", header_of(*ledger_table()) + '\n' + csv_lines(sample_ledger(0.0)) +
+                                                    csv_lines(sample_ledger(0.05)) + csv_lines(sample_ledger(0.2)));
+  write_file_atomically(theirs + "/history.csv", header_of(*history_table()) + '\n' + csv_lines(sample_history(0.0)) +
                                                      csv_lines(sample_history(0.05)) + csv_lines(sample_history(0.2)));
   for (const std::string name : {"results.vtkhdf", "mesh.vtkhdf", "ledger.csv", "history.csv"}) {
     const std::string aside = scratch.path() + "/aside", path = path_in(ours, name);
@@ -204,7 +203,7 @@ TEST(RunWriter, FilesOfAnotherRunAreRefusedAndNothingChanges)
     EXPECT_EQ(bytes_of(ours), before) << name;
     std::filesystem::rename(aside, path);
   }
-  write_file_atomically(ours + "/left_the_mesh.csv", std::string(left_header) + "\n0.05,3,1,2,3,4,5\n");
+  write_file_atomically(ours + "/left_the_mesh.csv", header_of(*left_table()) + "\n0.05,3,1,2,3,4,5\n");
   EXPECT_THAT(file_error_of([&] { resume_in(ours, from); }), HasSubstr("left_the_mesh.csv is not what this run wrote"));
   std::filesystem::remove(ours + "/left_the_mesh.csv");
   ResumePoint more_points = from, finer_mesh = from, more_nodes = from, more_fields = from, wider_fields = from;
@@ -290,7 +289,7 @@ TEST(RunWriter, ARunResumedAtItsStartShowsTheStartOnce)
   write_outputs(*RunWriter::start(settings_for(scratch.path()), false), 0, 0);
   write_outputs(*resume_in(scratch.path(), {.n_points = 5, .fields = sample_frame(0).fields}), 0, 0);
   EXPECT_EQ(
-      read_file(scratch.path() + "/ledger.csv"), std::string(ledger_header) + "\n" + csv_line(sample_ledger(0.0)));
+      read_file(scratch.path() + "/ledger.csv"), header_of(*ledger_table()) + "\n" + csv_lines(sample_ledger(0.0)));
   const Hdf5File file(path_in(scratch.path(), results_file), Hdf5File::Mode::read);
   EXPECT_EQ(file.integers("/VTKHDF/Steps", "NSteps").at(0), 1);
 }
@@ -318,11 +317,11 @@ TEST(RunWriter, OnAFullDiskEveryWriteFailsAndNothingEarlierIsHarmed)
   const auto writer = RunWriter::start(settings_for(folder), false);
   write_outputs(*writer, 0, 1);
   disk.fill();
-  const std::vector<HistoryRow> many(1000, sample_history(0.2)[0]);
+  const std::vector<TableRow> many(1000, sample_history(0.2)[0]);
   const char* full = "No space left on device";
   EXPECT_THAT(file_error_of([&] { writer->frame(std::make_shared<const Frame>(sample_frame(2))), writer->finish(); }),
       HasSubstr(full));
-  EXPECT_THAT(file_error_of([&] { writer->history(many), writer->finish(); }), HasSubstr(full));
+  EXPECT_THAT(file_error_of([&] { writer->rows(many), writer->finish(); }), HasSubstr(full));
   EXPECT_THAT(file_error_of(
                   [&] { writer->checkpoint(std::make_shared<const StateImage>(sample_image(200))), writer->finish(); }),
       HasSubstr(full));

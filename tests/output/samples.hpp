@@ -2,6 +2,8 @@
 #pragma once
 
 #include "base/errors.hpp"
+#include "simulation/history.hpp"
+#include "simulation/ledger.hpp"
 #include "simulation/observer.hpp"
 
 #include <cmath>
@@ -26,22 +28,25 @@ inline Frame sample_frame(int k)
   return frame;
 }
 
-inline std::vector<HistoryRow> sample_history(Real time)
+inline std::vector<TableRow> sample_history(Real time)
 {
-  return {{time, "A", 7, 1.5, 0.25, 0.01, 0.002, 8000.0, -125.5},
-      {time, "B", 9, 2.5, 0.75, 0.03, 0.0, std::nan(""), 1.0 / 3.0}};
+  std::vector<TableRow> rows{TableRow(history_table(), "A"), TableRow(history_table(), "B")};
+  rows[0].values = {time, 7.0, 1.5, 0.25, 0.01, 0.002, 8000.0, -125.5};
+  rows[1].values = {time, 9.0, 2.5, 0.75, 0.03, 0.0, std::nan(""), 1.0 / 3.0};
+  return rows;
 }
 
-inline LedgerRow sample_ledger(Real time)
+/// One row.
+inline std::vector<TableRow> sample_ledger(Real time)
 {
-  LedgerRow row{.time = time, .step = 100, .kinetic = 1.25, .elastic = 2.5, .plastic = 3.75};
-  row.gravity_work = 4.5, row.damping_work = -5.5, row.boundary_work = -6.5, row.left_energy = 0.125;
-  row.numerical = 1e-12, row.mass = 31840.0;
-  row.momentum_x = 7.5, row.momentum_y = -8.5, row.clamped = 3, row.front_left_x = std::nan(""), row.crest_left_x = 3.5,
-  row.crest_left_y = 1.5, row.kinetic_nodal = 0.75, row.front_x = 13.1, row.crest_x = std::nan(""), row.crest_y = 1.75,
-  row.moved_volume = 4.25;
-  row.v_max = 6.25, row.v_999 = 5.75;
-  return row;
+  TableRow row(ledger_table());
+  row["time"] = time, row["step"] = 100, row["kinetic"] = 1.25, row["kinetic_nodal"] = 0.75, row["elastic"] = 2.5;
+  row["plastic"] = 3.75, row["gravity_work"] = 4.5, row["damping_work"] = -5.5, row["boundary_work"] = -6.5;
+  row["left_energy"] = 0.125, row["numerical"] = 1e-12, row["mass"] = 31840.0, row["momentum_x"] = 7.5;
+  row["momentum_y"] = -8.5, row["clamped"] = 3, row["left"] = 0, row["v_max"] = 6.25, row["v_999"] = 5.75;
+  row["front_x"] = 13.1, row["crest_y"] = 1.75, row["crest_left_x"] = 3.5, row["crest_left_y"] = 1.5;
+  row["moved_volume"] = 4.25;
+  return {row};
 }
 
 inline StateImage sample_image(std::int64_t step)

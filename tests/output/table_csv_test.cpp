@@ -2,6 +2,8 @@
 #include "output/table_csv.hpp"
 
 #include "output/samples.hpp"
+#include "simulation/footings.hpp"
+#include "simulation/left_points.hpp"
 #include "support/paths.hpp"
 
 #include <gmock/gmock.h>
@@ -23,33 +25,35 @@ TEST(TableCsv, AHistoryRowIsWrittenWithShortestNumbersAndNan)
 TEST(TableCsv, ANegativeNanIsNanToo)
 {
   auto rows = sample_history(0.1);
-  rows[0].su = -std::nan("");
+  rows[0]["su"] = -std::nan("");
   EXPECT_THAT(csv_lines(rows), testing::HasSubstr(",nan,-125.5\n"));
 }
 
 TEST(TableCsv, ANameWithACommaOrAQuotationMarkIsQuoted)
 {
   auto rows = sample_history(0.0);
-  rows[0].point = "toe, \"left\"";
+  rows[0].text = "toe, \"left\"";
   EXPECT_THAT(csv_lines(rows), testing::StartsWith("0,\"toe, \"\"left\"\"\",7,"));
 }
 
 TEST(TableCsv, ALedgerRowFollowsItsHeader)
 {
-  EXPECT_EQ(csv_line(sample_ledger(0.5)),
-      "0.5,100,1.25,0.75,2.5,3.75,4.5,-5.5,-6.5,0.125,1e-12,31840,7.5,-8.5,3,0,13.1,nan,1.75,nan,3.5,1.5,4.25,6.25,5."
-      "75\n");
-  EXPECT_EQ(std::count(ledger_header.begin(), ledger_header.end(), ','), 24);
+  EXPECT_EQ(csv_lines(sample_ledger(0.5)),
+      "0.5,100,1.25,0.75,2.5,3.75,4.5,-5.5,-6.5,0.125,1e-12,31840,7.5,-8.5,3,0,6.25,5.75,13.1,nan,1.75,nan,3.5,1.5,"
+      "4.25\n");
+  const std::string header = header_of(*ledger_table());
+  EXPECT_TRUE(header.starts_with("time,step,kinetic,kinetic_nodal,elastic,")) << header;
+  EXPECT_EQ(std::count(header.begin(), header.end(), ','), 24);
 }
 
 TEST(TableCsv, OpeningWritesTheHeaderOnce)
 {
   const test::ScratchFolder folder;
   const std::string path = folder.path() + "/history.csv";
-  TableFile(path, history_header).append(csv_lines(sample_history(0.1)));
-  TableFile(path, history_header).append(csv_lines(sample_history(0.2)));
+  TableFile(path, header_of(*history_table())).append(csv_lines(sample_history(0.1)));
+  TableFile(path, header_of(*history_table())).append(csv_lines(sample_history(0.2)));
   EXPECT_EQ(read_file(path),
-      std::string(history_header) + "\n" + csv_lines(sample_history(0.1)) + csv_lines(sample_history(0.2)));
+      header_of(*history_table()) + "\n" + csv_lines(sample_history(0.1)) + csv_lines(sample_history(0.2)));
 }
 
 TEST(TableCsv, RowsAfterATimeAreDroppedAndThatTimeStays)
@@ -57,33 +61,33 @@ TEST(TableCsv, RowsAfterATimeAreDroppedAndThatTimeStays)
   const test::ScratchFolder folder;
   const std::string path = folder.path() + "/ledger.csv";
   const Real exact = 0.1 + 0.2;  // not 0.3: only the exact bits keep the row
-  TableFile table(path, ledger_header);
-  for (const Real time : {0.1, exact, std::nextafter(exact, 1.0)}) table.append(csv_line(sample_ledger(time)));
-  drop_rows_after(path, ledger_header, exact);
+  TableFile table(path, header_of(*ledger_table()));
+  for (const Real time : {0.1, exact, std::nextafter(exact, 1.0)}) table.append(csv_lines(sample_ledger(time)));
+  drop_rows_after(path, header_of(*ledger_table()), exact);
   EXPECT_EQ(read_file(path),
-      std::string(ledger_header) + "\n" + csv_line(sample_ledger(0.1)) + csv_line(sample_ledger(exact)));
+      header_of(*ledger_table()) + "\n" + csv_lines(sample_ledger(0.1)) + csv_lines(sample_ledger(exact)));
 }
 
 TEST(TableCsv, ALastRowThatWasCutShortIsDropped)
 {
   const test::ScratchFolder folder;
   const std::string path = folder.path() + "/ledger.csv";
-  TableFile(path, ledger_header).append(csv_line(sample_ledger(0.1)) + "0.2,100,1.2");
-  drop_rows_after(path, ledger_header, 5.0);
-  EXPECT_EQ(read_file(path), std::string(ledger_header) + "\n" + csv_line(sample_ledger(0.1)));
+  TableFile(path, header_of(*ledger_table())).append(csv_lines(sample_ledger(0.1)) + "0.2,100,1.2");
+  drop_rows_after(path, header_of(*ledger_table()), 5.0);
+  EXPECT_EQ(read_file(path), header_of(*ledger_table()) + "\n" + csv_lines(sample_ledger(0.1)));
 }
 
 /// A table is begun when its first row comes, which may be after the checkpoint that a run goes on from.
 TEST(TableCsv, OneThatWasCutWithinItsHeaderIsBegunAgain)
 {
-  const std::string header = std::string(left_header) + '\n';
+  const std::string header = header_of(*left_table()) + '\n';
   for (const std::size_t length : {std::size_t{0}, std::size_t{12}, header.size() - 1}) {
     const test::ScratchFolder folder;
     const std::string path = folder.path() + "/left_the_mesh.csv";
     write_file_atomically(path, header.substr(0, length));
-    EXPECT_EQ(read_part_until(path, left_header, 5.0).n_rows, 0) << length;
-    drop_rows_after(path, left_header, 5.0);
-    TableFile(path, left_header).append("");
+    EXPECT_EQ(read_part_until(path, header_of(*left_table()), 5.0).n_rows, 0) << length;
+    drop_rows_after(path, header_of(*left_table()), 5.0);
+    TableFile(path, header_of(*left_table())).append("");
     EXPECT_EQ(read_file(path), header) << length;
   }
 }
@@ -92,13 +96,13 @@ TEST(TableCsv, CountsTheWholeRowsUpToATime)
 {
   const test::ScratchFolder folder;
   const std::string path = folder.path() + "/ledger.csv";
-  EXPECT_EQ(read_part_until(path, ledger_header, 1.0).n_rows, 0);
-  EXPECT_EQ(read_part_until(path, ledger_header, 1.0).checksum, "");
-  TableFile table(path, ledger_header);
-  for (const Real time : {0.1, 0.2, 0.3}) table.append(csv_line(sample_ledger(time)));
+  EXPECT_EQ(read_part_until(path, header_of(*ledger_table()), 1.0).n_rows, 0);
+  EXPECT_EQ(read_part_until(path, header_of(*ledger_table()), 1.0).checksum, "");
+  TableFile table(path, header_of(*ledger_table()));
+  for (const Real time : {0.1, 0.2, 0.3}) table.append(csv_lines(sample_ledger(time)));
   table.append("0.4,100,1.2");
-  EXPECT_EQ(read_part_until(path, ledger_header, 0.2).n_rows, 2);
-  EXPECT_EQ(read_part_until(path, ledger_header, 0.4).n_rows, 3);
+  EXPECT_EQ(read_part_until(path, header_of(*ledger_table()), 0.2).n_rows, 2);
+  EXPECT_EQ(read_part_until(path, header_of(*ledger_table()), 0.4).n_rows, 3);
 }
 
 TEST(TableCsv, TheChecksumOfAGrowingTableIsThatOfItsPartUpToThere)
@@ -107,17 +111,17 @@ TEST(TableCsv, TheChecksumOfAGrowingTableIsThatOfItsPartUpToThere)
   const std::string path = folder.path() + "/ledger.csv";
   std::string first, second;
   {
-    TableFile table(path, ledger_header);
-    table.append(csv_line(sample_ledger(0.1)));
+    TableFile table(path, header_of(*ledger_table()));
+    table.append(csv_lines(sample_ledger(0.1)));
     first = table.checksum();
   }
-  TableFile again(path, ledger_header);
+  TableFile again(path, header_of(*ledger_table()));
   EXPECT_EQ(again.checksum(), first);
-  again.append(csv_line(sample_ledger(0.2)));
+  again.append(csv_lines(sample_ledger(0.2)));
   second = again.checksum();
-  again.append(csv_line(sample_ledger(0.3)));
-  EXPECT_EQ(read_part_until(path, ledger_header, 0.1).checksum, first);
-  EXPECT_EQ(read_part_until(path, ledger_header, 0.2).checksum, second);
+  again.append(csv_lines(sample_ledger(0.3)));
+  EXPECT_EQ(read_part_until(path, header_of(*ledger_table()), 0.1).checksum, first);
+  EXPECT_EQ(read_part_until(path, header_of(*ledger_table()), 0.2).checksum, second);
   EXPECT_NE(first, second);
 }
 
@@ -126,20 +130,21 @@ TEST(TableCsv, ATableOfOtherColumnsIsRefused)
   const test::ScratchFolder folder;
   const std::string path = folder.path() + "/history.csv";
   write_file_atomically(path, "time,x\n0.1,2\n");
-  EXPECT_EQ(file_error_of([&] { drop_rows_after(path, history_header, 1.0); }),
+  EXPECT_EQ(file_error_of([&] { drop_rows_after(path, header_of(*history_table()), 1.0); }),
       "cannot continue " + path + ": its columns are not those of terp " TERP_VERSION);
 }
 
 TEST(TableCsv, WithoutATableThereIsNothingToDrop)
 {
   const test::ScratchFolder folder;
-  EXPECT_NO_THROW(drop_rows_after(folder.path() + "/history.csv", history_header, 1.0));
+  EXPECT_NO_THROW(drop_rows_after(folder.path() + "/history.csv", header_of(*history_table()), 1.0));
 }
 
 TEST(TableCsv, OneLinePerFooting)
 {
-  const FootingRow row{0.25, "plate, left", 0.0, -0.125, 1.5, 20000.5, 64.0};
-  EXPECT_EQ(csv_lines(std::vector<FootingRow>{row, row}),
+  TableRow row(footings_table(), "plate, left");
+  row.values = {0.25, 0.0, -0.125, 1.5, 20000.5, 64.0};
+  EXPECT_EQ(csv_lines({row, row}),
       "0.25,\"plate, left\",0,-0.125,1.5,20000.5,64\n0.25,\"plate, left\",0,-0.125,1.5,20000.5,64\n");
 }
 

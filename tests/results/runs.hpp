@@ -22,13 +22,13 @@ std::string write_run(const std::string& folder, Change&& change)
   write_file_atomically(path_in(folder, case_file), read_file(source_path("cases/column_collapse/model_2.toml")));
   ResultsFile results(path_in(folder, results_file));
   for (int k = 0; k < 3; ++k) results.append(sample_frame(k));
-  TableFile(path_in(folder, history_file), history_header)
+  TableFile(path_in(folder, history_file), header_of(*history_table()))
       .append(csv_lines(sample_history(0.0)) + csv_lines(sample_history(0.25)));
-  TableFile(path_in(folder, ledger_file), ledger_header)
-      .append(csv_line(sample_ledger(0.0)) + csv_line(sample_ledger(0.25)));
+  TableFile(path_in(folder, ledger_file), header_of(*ledger_table()))
+      .append(csv_lines(sample_ledger(0.0)) + csv_lines(sample_ledger(0.25)));
   Summary summary;
-  summary.scheme = "mpm_gp", summary.n_points = 5, summary.n_steps = sample_ledger(0.25).step, summary.front_x = 13.0,
-  summary.run_out = 5.0, summary.facing = Facing::right;
+  summary.scheme = "mpm_gp", summary.n_points = 5, summary.n_steps = 100, summary.front_x = 13.0, summary.run_out = 5.0,
+  summary.facing = Facing::right;
   change(summary);
   write_summary(path_in(folder, summary_file), summary, true, {"model_2", "title = \"column\"\n"});
   return folder;

@@ -2,6 +2,7 @@
 #include "results/table.hpp"
 
 #include "results/runs.hpp"
+#include "simulation/run_table.hpp"
 
 #include <cmath>
 
@@ -58,16 +59,12 @@ TEST(Table, WithALineOfAnotherLengthIsRefusedWithItsNumber)
   EXPECT_EQ(file_error_of([&] { read_number_table(path); }), "cannot read " + path + ": it has no header");
 }
 
-TEST(ColumnInfo, IsKnownForEveryColumnOfTheTables)
+TEST(DescribeColumn, NamesEveryColumnOfTheTables)
 {
-  for (const std::string& header : {std::string(ledger_header), std::string(history_header)})
-    for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
-      end = header.find(',', begin);
-      const std::string name = header.substr(begin, end - begin);
-      if (name == "point" || name == "id") continue;
-      const ColumnInfo info = describe_column(name);
-      EXPECT_NE(static_cast<const void*>(info.name.data()), static_cast<const void*>(name.data()))
-          << name;  // an entry of the table
+  for (const auto& table : all_tables())
+    for (const QuantityInfo& column : table->columns) {
+      EXPECT_EQ(describe_column(column.name).unit, column.unit) << column.name;
+      EXPECT_FALSE(column.label.empty() || column.meaning.empty()) << table->name << ' ' << column.name;
     }
   EXPECT_EQ(describe_column("front_x").unit, "m");
   EXPECT_EQ(describe_column("porosity").label, "porosity");

@@ -87,11 +87,11 @@ TEST(Guards, EnergyThatNoWorkExplainsIsAFaultOnceItIsAsMuchAsAllThatWasExchanged
   Simulation s(test::column("mpm_gp"));
   test::make_steps(s, 100);
   start_audit(s.model, s.state);
-  LedgerRow row = keep_ledger(s.model, s.state, s.work);
+  TableRow row = keep_ledger(s.model, s.state, s.work);
   EXPECT_EQ(find_fault_in_balance(s.model, s.state, row), "");
-  row.numerical = 0.99 * energy_exchanged(s.state);
+  row["numerical"] = 0.99 * energy_exchanged(s.state);
   EXPECT_EQ(find_fault_in_balance(s.model, s.state, row), "");
-  row.numerical = 2.0 * energy_exchanged(s.state);
+  row["numerical"] = 2.0 * energy_exchanged(s.state);
   EXPECT_EQ(find_fault_in_balance(s.model, s.state, row),
       fmt::format(
           "step 100, t = 0.3030 s: the energy grows by itself: {:.3g} J per m that no work explains, {:.3g} J "
@@ -99,7 +99,7 @@ TEST(Guards, EnergyThatNoWorkExplainsIsAFaultOnceItIsAsMuchAsAllThatWasExchanged
           "  before   kinetic {:.3g} J, elastic {:.3g} J; largest 99.9 % speed {:.3g} m/s\n"
           "  likely   an unstable time step, or a stiff body that travels far in pure FLIP\n"
           "  try      a lower time.courant, or method.flip = 0.9 (docs/troubleshooting.md#the-energy-balance-is-off)",
-          row.numerical, 0.5 * row.numerical, row.kinetic, row.elastic, row.v_999));
+          row["numerical"], 0.5 * row["numerical"], row["kinetic"], row["elastic"], row["v_999"]));
 }
 
 // An elastic layer that swings under its weight: once in a period gravity has done no work on the whole, and 28 J to
@@ -132,9 +132,9 @@ TEST(Guards, TheOffsetOfHalfAStepIsNoGainOfEnergy)
   Simulation s(test::column("mpm_gp"));
   test::make_steps(s, 1);
   start_audit(s.model, s.state);
-  LedgerRow row = keep_ledger(s.model, s.state, s.work);
-  row.elastic = 5.0 * energy_exchanged(s.state);
-  row.numerical = 1.1 * row.elastic;
+  TableRow row = keep_ledger(s.model, s.state, s.work);
+  row["elastic"] = 5.0 * energy_exchanged(s.state);
+  row["numerical"] = 1.1 * row["elastic"];
   EXPECT_EQ(find_fault_in_balance(s.model, s.state, row), "");
   s.state.step = 10;
   EXPECT_THAT(
@@ -144,8 +144,8 @@ TEST(Guards, TheOffsetOfHalfAStepIsNoGainOfEnergy)
 TEST(Guards, SoilSoLooseThatItsWavesOvertakeTheTimeStepIsAFault)
 {
   Simulation s(test::column("mpm_gp"));
-  LedgerRow row{};
-  row.numerical = 1.0;
+  TableRow row(ledger_table());
+  row["numerical"] = 1.0;
   const auto swell = [&](Real last_id, Real factor) {
     test::edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
       if (block.row(Rows::id)[lane] <= last_id) block.row(Rows::volume)[lane] *= factor;
@@ -162,7 +162,7 @@ TEST(Guards, SoilSoLooseThatItsWavesOvertakeTheTimeStepIsAFault)
       "  where    soil so loose that its waves cross the smallest cell (0.5 m) within dt = 0.00303 s\n"
       "  likely   soil that swells without end, often under tension; dt is that of the density at t = 0\n"
       "  try      a time.courant lower than 0.98 (docs/troubleshooting.md#the-time-step-is-too-long)");
-  row.numerical = 0.0;  // it does no harm
+  row["numerical"] = 0.0;  // it does no harm
   EXPECT_EQ(find_fault_in_balance(s.model, s.state, row), "");
 }
 
@@ -173,9 +173,9 @@ struct Saboteur : Observer {
   Real velocity = NAN;
   std::vector<std::int64_t> saved_steps;
 
-  void ledger(const LedgerRow& row) override
+  void rows(const std::vector<TableRow>& rows) override
   {
-    if (row.step != at_step) return;
+    if (rows[0].table != ledger_table() || rows[0]["step"] != at_step) return;
     for_each_point(state->points, [&](const PointBlock<2>& block, Index lane) {
       if (block.row(Rows::id)[lane] == 700.0) block.row(Rows::v)[lane] = velocity;
     });

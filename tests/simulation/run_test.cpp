@@ -2,6 +2,7 @@
 #include "simulation/run.hpp"
 
 #include "simulation/ledger.hpp"
+#include "simulation/reporter.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/state_image.hpp"
 #include "support/cases.hpp"
@@ -16,49 +17,25 @@ namespace {
 
 using testing::ElementsAre;
 
-TEST(Due, IsTheStepNearestToEachMultiple)
-{
-  std::vector<std::int64_t> steps;
-  for (std::int64_t step = 0; step <= 14; ++step)
-    if (due(step, 0.3, 1.0)) steps.push_back(step);
-  EXPECT_THAT(steps, ElementsAre(0, 3, 7, 10, 13));  // 0, 0.9, 2.1, 3.0, 3.9 s
-}
-
-TEST(Due, EveryStepIsDueWhenTheIntervalIsShorterThanAStep)
-{
-  for (std::int64_t step = 0; step < 20; ++step) EXPECT_TRUE(due(step, 0.3, 0.1)) << step;
-}
-
-TEST(Due, NothingIsDueWithoutAnInterval)
-{
-  for (std::int64_t step = 0; step < 5; ++step) EXPECT_FALSE(due(step, 0.3, 0.0));
-}
-
-TEST(Due, IsCountedFromStepZero)
-{
-  EXPECT_EQ(count_due(0, 0.3, 1.0), 1);
-  EXPECT_EQ(count_due(9, 0.3, 1.0), 3);
-  EXPECT_EQ(count_due(10, 0.3, 1.0), 4);
-  EXPECT_EQ(count_due(10, 0.3, 0.0), 0);
-}
-
 /// Keeps the steps at which it was called, and may ask for a stop.
 struct Recorder : Observer {
   std::vector<std::int64_t> frames, ledgers, checkpoints;
   std::vector<Real> histories;
   std::vector<Progress> progresses;
   StateImage last_checkpoint;
-  LedgerRow last_row;
+  TableRow last_row;
   std::int64_t stop_after = -1;
   std::atomic<bool> stop{false};
 
   void frame(const std::shared_ptr<const Frame>& f) override { frames.push_back(f->step); }
-  void history(const std::vector<HistoryRow>& rows) override { histories.push_back(rows.at(0).time); }
-  void ledger(const LedgerRow& row) override
+  void rows(const std::vector<TableRow>& rows) override
   {
-    ledgers.push_back(row.step);
+    const TableRow& row = rows.at(0);
+    if (row.table->name == "history") histories.push_back(row["time"]);
+    if (row.table->name != "ledger") return;
+    ledgers.push_back(row["step"]);
     last_row = row;
-    if (row.step == stop_after) stop = true;
+    if (row["step"] == stop_after) stop = true;
   }
   void checkpoint(const std::shared_ptr<const StateImage>& image) override
   {
@@ -219,12 +196,12 @@ TEST(Summarise, TheBalanceErrorIsAShareOfTheEnergyExchanged)
   Simulation s(short_column());
   Recorder recorder;
   solve(s, recorder);
-  const LedgerRow& row = recorder.last_row;
-  const Real exchanged = std::abs(row.gravity_work) + std::abs(row.damping_work) + std::abs(row.boundary_work) +
-                         row.plastic + s.state.start_energy;
-  EXPECT_GT(std::abs(row.numerical), 1e-6 * exchanged);
+  const TableRow& row = recorder.last_row;
+  const Real exchanged = std::abs(row["gravity_work"]) + std::abs(row["damping_work"]) +
+                         std::abs(row["boundary_work"]) + row["plastic"] + s.state.start_energy;
+  EXPECT_GT(std::abs(row["numerical"]), 1e-6 * exchanged);
   EXPECT_NEAR(summarise(s.model, s.state).energy_balance_error,
-      std::abs(row.numerical + 0.5 * s.state.work.last_step) / exchanged, 1e-12);
+      std::abs(row["numerical"] + 0.5 * s.state.work.last_step) / exchanged, 1e-12);
 }
 
 TEST(Summarise, ABodyThatFallsForAFewStepsIsInBalance)
@@ -235,9 +212,9 @@ TEST(Summarise, ABodyThatFallsForAFewStepsIsInBalance)
     Simulation s(c);
     start_audit(s.model, s.state);
     s.step(n);
-    const LedgerRow row = keep_ledger(s.model, s.state, s.work);
-    EXPECT_NEAR(
-        row.numerical / row.gravity_work, -1.0 / (n + 1), 1e-9);  // n (n + 1) / 2 of work, n^2 / 2 of kinetic energy
+    const TableRow row = keep_ledger(s.model, s.state, s.work);
+    EXPECT_NEAR(row["numerical"] / row["gravity_work"], -1.0 / (n + 1),
+        1e-9);  // n (n + 1) / 2 of work, n^2 / 2 of kinetic energy
     EXPECT_LT(summarise(s.model, s.state).energy_balance_error, 1e-9);
   }
 }

@@ -44,7 +44,7 @@ TEST(Simulation, InPiecesEndsInTheBitsOfOneRun)
   EXPECT_EQ(whole.run(), Outcome::finished);
   EXPECT_EQ(pieces.start(), Outcome::finished);
   EXPECT_EQ(pieces.start(), Outcome::finished);  // once
-  EXPECT_EQ(pieces.state.ledger_rows, 1);
+  EXPECT_EQ(pieces.state.rows_reported.at("ledger"), 1);
   pieces.step();
   pieces.step(10);
   pieces.advance_to(0.1);

@@ -59,7 +59,8 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
       .last_step = 5.5};
   state.start_energy = 6.0;
   state.clamped = 7;
-  state.ledger_rows = 11;
+  state.rows_reported["ledger"] = 11;
+  state.frames_reported = 12;
   state.largest_v_999 = 9.0;
   state.wall_s = 10.0;
   state.audit.fell[3] = true;
@@ -79,7 +80,8 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
   EXPECT_EQ(back.work.last_step, 5.5);
   EXPECT_EQ(back.start_energy, 6.0);
   EXPECT_EQ(back.clamped, 7);
-  EXPECT_EQ(back.ledger_rows, 11);
+  EXPECT_EQ(back.rows_reported, state.rows_reported);
+  EXPECT_EQ(back.frames_reported, 12);
   EXPECT_EQ(back.largest_v_999, 9.0);
   EXPECT_EQ(back.wall_s, 10.0);
   EXPECT_EQ(back.audit.fell, state.audit.fell);

@@ -1,0 +1,18 @@
+// What the columns of a ledger row are read from.
+#pragma once
+
+#include "simulation/model.hpp"
+#include "simulation/state.hpp"
+#include "simulation/totals.hpp"
+
+namespace terp {
+
+struct LedgerContext {
+  const Model& model;
+  const State& state;
+  const Totals& totals;
+  Real kinetic_nodal;  ///< of the nodes at the start of the last step [J per m]
+  Real left_energy;    ///< of the points that left, when they did [J per m]
+};
+
+}  // namespace terp

@@ -1,0 +1,94 @@
+#include "simulation/reporter.hpp"
+
+#include "base/errors.hpp"
+#include "simulation/footings.hpp"
+#include "simulation/frame.hpp"
+#include "simulation/guards.hpp"
+#include "simulation/history.hpp"
+#include "simulation/ledger.hpp"
+#include "simulation/left_points.hpp"
+#include "simulation/reached_sides.hpp"
+#include "simulation/state_image.hpp"
+
+#include <cmath>
+
+namespace terp {
+
+bool due(std::int64_t step, Real dt, Real every)
+{
+  if (every <= 0.0) return false;
+  const Real multiple = std::round(static_cast<Real>(step) * dt / every);
+  return std::llround(multiple * every / dt) == step;
+}
+
+const std::vector<std::shared_ptr<const RunTable>>& all_tables()
+{
+  static const std::vector<std::shared_ptr<const RunTable>> tables{
+      history_table(), ledger_table(), left_table(), footings_table()};
+  return tables;
+}
+
+std::string Reporter::report_due(bool last)
+{
+  const OutputCase& output = model_.description.output;
+  const auto now = [&](Real every) { return last || state_.step == 0 || due(state_.step, model_.dt, every); };
+  if (now(output.ledger_every))
+    if (std::string fault = report_ledger(); !fault.empty()) return fault;
+  if (now(output.history_every)) report_rows(make_history(model_, state_, history_places_));
+  if (now(output.fields_every)) report_frame();
+  if (last || (state_.step > 0 && due(state_.step, model_.dt, output.checkpoint_every))) report_checkpoint();
+  return {};
+}
+
+void Reporter::report_rows(const std::vector<TableRow>& rows)
+{
+  if (rows.empty()) return;
+  state_.rows_reported[std::string(rows[0].table->name)] += std::ssize(rows);
+  tell([&](Observer& o) { o.rows(rows); });
+}
+
+std::string Reporter::report_ledger()
+{
+  report_rows(list_left_since(state_));
+  const TableRow row = keep_ledger(model_, state_, work_);
+  follow_sides(model_, state_);
+  report_rows({row});
+  if (!std::isfinite(row["kinetic"] + row["elastic"])) return describe_not_finite(model_, state_, work_, row["v_999"]);
+  if (std::string fault = find_fault_in_balance(model_, state_, row); !fault.empty()) return fault;
+  report_rows(keep_footings(model_, state_));
+  return {};
+}
+
+void Reporter::report_frame()
+{
+  state_.softened_fraction.emplace_back(state_.time, softened_fraction(model_, state_));
+  ++state_.frames_reported;
+  const std::int64_t n = state_.n_ids(), step = n > most_points_at_once ? points_per_part : n;
+  for (std::int64_t first = 0; first < n; first += step)
+    tell([part = std::make_shared<const Frame>(make_frame(model_, state_, first, std::min(step, n - first)))](
+             Observer& o) { o.frame(part); });
+}
+
+void Reporter::report_checkpoint()
+{
+  report_rows(list_left_since(state_));
+  for_each_part(state_, most_values_of_part(state_), [&](StateImage part) {
+    tell([image = std::make_shared<const StateImage>(std::move(part))](Observer& o) { o.checkpoint(image); });
+  });
+}
+
+void Reporter::report(const Progress& progress) const
+{
+  tell([&](Observer& o) { o.progress(progress); });
+}
+
+void Reporter::stop_run(std::string message) const
+{
+  for (Observer* observer : observers_) {
+    const std::string saved = observer->save_failed(make_image(state_));
+    if (!saved.empty()) message += "\n  saved    " + saved;
+  }
+  throw RunError(message);
+}
+
+}  // namespace terp

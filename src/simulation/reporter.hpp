@@ -1,0 +1,47 @@
+// What a run reports while it goes on, and when: rows of tables, frames, checkpoints. The loop (run) asks at every
+// step.
+#pragma once
+
+#include "simulation/observer.hpp"
+#include "simulation/state.hpp"
+#include "simulation/workspace.hpp"
+
+#include <span>
+
+namespace terp {
+
+/// True at the steps nearest to whole multiples of `every` [s]; never if every is 0.
+bool due(std::int64_t step, Real dt, Real every);
+
+class Reporter {
+ public:
+  Reporter(const Model& model, State& state, Workspace& work, std::span<Observer* const> observers)
+      : model_(model), state_(state), work_(work), observers_(observers)
+  {
+  }
+
+  /// Reports what is due at this step; last: all of it. Returns why the run must stop itself, or nothing.
+  std::string report_due(bool last);
+  void report_checkpoint();
+  void report(const Progress& progress) const;
+  /// Keeps the evidence of a run that must stop, and stops it: throws RunError.
+  [[noreturn]] void stop_run(std::string message) const;
+
+ private:
+  template <class F>
+  void tell(F&& f) const
+  {
+    for (Observer* observer : observers_) f(*observer);
+  }
+  void report_rows(const std::vector<TableRow>& rows);
+  std::string report_ledger();
+  void report_frame();
+
+  const Model& model_;
+  State& state_;
+  Workspace& work_;
+  std::span<Observer* const> observers_;
+  std::vector<PointPlace> history_places_;
+};
+
+}  // namespace terp
