@@ -58,12 +58,17 @@ struct ParameterInfo {
 /// How MPM-Mixed averages a state variable (reading R9).
 enum class Averaging { cell, sub_cell };
 
+/// What a quantity is to the rest of the program, whatever the law calls it: the measure of how far the soil has
+/// sheared plastically, and the strength that it has left.
+enum class Role { none, plastic_strain, strength };
+
 /// One history variable of a law, kept at the material points and in checkpoints.
 struct StateInfo {
   std::string_view name;
   std::string_view unit;
   Averaging averaging;
   std::string_view meaning;
+  Role role = Role::none;
 };
 
 /// A field that results show and that follows from the state, e.g. the current strength.
@@ -71,7 +76,16 @@ struct DerivedInfo {
   std::string_view name;
   std::string_view unit;
   std::string_view meaning;
+  Role role = Role::none;
 };
+
+/// Number of the entry of a table with a role; -1: none.
+int find_role(auto infos, Role role)
+{
+  for (std::size_t k = 0; k < infos.size(); ++k)
+    if (infos[k].role == role) return static_cast<int>(k);
+  return -1;
+}
 
 /// The arrays of one call of Material::update, each of n entries, n a multiple of pack_width.
 template <int Dim>

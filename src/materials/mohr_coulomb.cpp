@@ -76,7 +76,8 @@ struct MohrCoulomb {
           0.0, {}, {}, Reduction::none, StrainScale::multiply},
   };
   static constexpr std::array state{
-      StateInfo{"eps_eq_p", "-", Averaging::cell, "accumulated equivalent plastic strain, Eq. (6)"},
+      StateInfo{
+          "eps_eq_p", "-", Averaging::cell, "accumulated equivalent plastic strain, Eq. (6)", Role::plastic_strain},
       StateInfo{"opening", "-", Averaging::cell, "volume strain by which the soil has come apart"},
   };
   static constexpr std::array derived{

@@ -48,10 +48,11 @@ struct TrescaSoftening {
           {}, {}, Reduction::none, StrainScale::multiply},
   };
   static constexpr std::array state{
-      StateInfo{"eps_eq_p", "-", Averaging::cell, "accumulated equivalent plastic strain, Eq. (6)"},
+      StateInfo{
+          "eps_eq_p", "-", Averaging::cell, "accumulated equivalent plastic strain, Eq. (6)", Role::plastic_strain},
   };
   static constexpr std::array derived{
-      DerivedInfo{"su", "Pa", "current undrained shear strength, Eq. (5)"},
+      DerivedInfo{"su", "Pa", "current undrained shear strength, Eq. (5)", Role::strength},
   };
 
   explicit TrescaSoftening(std::span<const Real> v)

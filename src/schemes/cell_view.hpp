@@ -4,22 +4,13 @@
 #include "base/tensor.hpp"
 #include "forces/internal_force.hpp"
 #include "forces/point_gradients.hpp"
+#include "materials/soil_material.hpp"
 #include "transfer/gauss_average.hpp"
 
 #include <algorithm>
-#include <string>
 #include <vector>
 
 namespace terp {
-
-/// A law with its parameters, under the user's name.
-struct SoilMaterial {
-  std::string name;
-  const MaterialType* type = nullptr;
-  std::unique_ptr<Material> law;
-  Real density = 0.0;  ///< rho at t = 0 [kg/m^3]
-  int n_state() const { return static_cast<int>(type->state.size()); }
-};
 
 /// Choices and laws: the same for every cell of a run.
 struct SchemeContext {

@@ -137,8 +137,7 @@ void mark_left(const State& state, Frame& frame)
 HistoryRow history_of(const Model& model, const State& state, const PointBlock<2>& block, Index lane)
 {
   const SoilMaterial& material = model.materials[block.material];
-  const auto values = state_of(block, lane, material.n_state());
-  const int eps = find_eps_eq_p(*material.type), su = find_su(*material.type);
+  const int strain = row_of(material, Role::plastic_strain);
   const Real pressure =
       (block.row(Rows::sigma)[lane] + block.row(Rows::sigma + 1)[lane] + block.row(Rows::sigma + 2)[lane]) / 3.0;
   return {.time = state.time,
@@ -147,8 +146,8 @@ HistoryRow history_of(const Model& model, const State& state, const PointBlock<2
       .x = block.row(Rows::x)[lane],
       .y = block.row(Rows::x + 1)[lane],
       .eps_deviatoric = deviatoric_strain(strain_of(block, lane), model.description.output.deviatoric_norm),
-      .eps_eq_p = eps < 0 ? nan : values[eps],
-      .su = su < 0 ? nan : material.law->derived(su, values.data()),
+      .eps_eq_p = strain < 0 ? nan : block.row(strain)[lane],
+      .su = has_strength(material) ? strength_of(material, block, lane) : nan,
       .pressure = pressure};
 }
 

@@ -86,8 +86,8 @@ Flow find_flow(const Model& model, const State& state)
   constexpr Real yielded = 0.1;  // eps_eq_p; single points at a toe come to 0.09 in soil that stands
   Flow flow;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
-    const int strain = find_eps_eq_p(*model.materials[block.material].type);
-    if (strain < 0 || block.row(Rows::state + strain)[lane] < yielded) return;
+    const int strain = row_of(model.materials[block.material], Role::plastic_strain);
+    if (strain < 0 || block.row(strain)[lane] < yielded) return;
     const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
     const Real way = std::hypot(
         block.row(Rows::x)[lane] - state.x_initial[2 * id], block.row(Rows::x + 1)[lane] - state.x_initial[2 * id + 1]);

@@ -44,13 +44,6 @@ int find_name(auto infos, std::string_view name)
   return -1;
 }
 
-/// Which state variable of a material is called eps_eq_p, and which derived field su; -1 if none.
-int find_eps_eq_p(const MaterialType& type);
-int find_su(const MaterialType& type);
-
-/// True if S_u is a function of eps_eq_p alone: it need not be remembered beside it.
-bool strain_tells_strength(const SoilMaterial& material);
-
 /// State variables of one point, shape [max_state].
 std::array<Real, max_state> state_of(const PointBlock<2>& block, Index lane, int n_state);
 

@@ -230,14 +230,6 @@ TEST(Ledger, AMaterialWithoutStrengthNeverSoftens)
   EXPECT_EQ(count(s.state.audit.fell) + count(s.state.audit.rose), 0);
 }
 
-TEST(Ledger, StateVariablesAreFoundByName)
-{
-  EXPECT_EQ(find_eps_eq_p(*find_material("tresca_softening")), 0);
-  EXPECT_EQ(find_su(*find_material("tresca_softening")), 0);
-  EXPECT_EQ(find_eps_eq_p(*find_material("linear_elastic")), -1);
-  EXPECT_EQ(find_su(*find_material("linear_elastic")), -1);
-}
-
 TEST(Ledger, TheLargestSpeedsAreThoseOfPointsHoweverTheyAreStored)
 {
   Case c = test::column("mpm_gp", 0.25);
