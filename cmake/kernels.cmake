@@ -3,7 +3,9 @@
 
 # Compiled for each set, and there alone. A new law belongs to them by itself.
 file(GLOB TERP_KERNEL_SOURCES CONFIGURE_DEPENDS src/materials/*.cpp)
-list(REMOVE_ITEM TERP_KERNEL_SOURCES ${PROJECT_SOURCE_DIR}/src/materials/material.cpp)
+foreach(no_kernel material soil_material)
+  list(REMOVE_ITEM TERP_KERNEL_SOURCES ${PROJECT_SOURCE_DIR}/src/materials/${no_kernel}.cpp)
+endforeach()
 foreach(kernel parallel/machine simulation/kernels simulation/step simulation/totals)
   list(APPEND TERP_KERNEL_SOURCES ${PROJECT_SOURCE_DIR}/src/${kernel}.cpp)
 endforeach()

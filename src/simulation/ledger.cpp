@@ -47,24 +47,18 @@ Real kinetic_and_elastic_energy(const std::vector<LeftPoint>& points)
 
 }  // namespace
 
-Real elastic_energy(const Material& law, std::array<Real, 4> sigma, Real volume)
+Real elastic_energy(Moduli moduli, std::array<Real, 4> sigma, Real volume)
 {
-  return volume * ElasticEnergy(law)(sigma[0], sigma[1], sigma[2], sigma[3]);
-}
-
-std::array<Real, max_state> state_of(const PointBlock<2>& block, Index lane, int n_state)
-{
-  std::array<Real, max_state> values{};
-  for (int k = 0; k < n_state; ++k) values[k] = block.row(Rows::state + k)[lane];
-  return values;
+  return volume * ElasticEnergy<Real>(moduli)(sigma[0], sigma[1], sigma[2], sigma[3]);
 }
 
 Real kinetic_and_elastic_energy(const Model& model, const State& state)
 {
   Books books;
   for_each_block(state.points, [&](const PointBlock<2>& block) {
-    const ElasticEnergy energy(*model.materials[block.material].law);
-    for (Index p = 0; p < block.n; p += pack_width) books.enter(energy, block, p);
+    const SoilMaterial& material = model.materials[block.material];
+    const ElasticEnergy<Real> energy(material.law->moduli());
+    for (Index p = 0; p < block.n; p += pack_width) books.enter(material, energy, block, p);
   });
   return 0.5 * sum(books.twice_kinetic) + sum(books.elastic) + kinetic_and_elastic_energy(state.left);
 }

@@ -63,7 +63,7 @@ void enter_speeds(const PointBlocks<2>& points, const std::vector<Real>& fastest
 /// What the walk needs of a material.
 struct MaterialRows {
   const SoilMaterial& material;
-  ElasticEnergy energy{*material.law};
+  ElasticEnergy<Real> energy{material.law->moduli()};
   int strain = row_of(material, Role::plastic_strain);  ///< -1: none
   bool has_su = has_strength(material);
   bool told = strain_gives_strength(material);
@@ -122,7 +122,7 @@ bool enter_block(const MaterialRows& rows, std::span<const Columns> shear, const
   Pack most(0.0);
   StrainChange any{lane_numbers() < Pack(0.0), lane_numbers() < Pack(0.0)};
   for (Index p = 0; p < block.n; p += pack_width) {
-    chunk.books.enter(rows.energy, block, p);
+    chunk.books.enter(rows.material, rows.energy, block, p);
     chunk.moved.enter(block, p);
     most = max(most, squared_speeds(block, p));
     if (rows.strain < 0) continue;
