@@ -4,6 +4,7 @@
 # Compiled for each set, and there alone. A new law or scheme belongs to them by itself.
 file(GLOB TERP_KERNEL_SOURCES CONFIGURE_DEPENDS src/materials/*.cpp src/schemes/*.cpp)
 list(REMOVE_ITEM TERP_KERNEL_SOURCES ${PROJECT_SOURCE_DIR}/src/materials/material.cpp
+                                     ${PROJECT_SOURCE_DIR}/src/materials/soil_material.cpp
                                      ${PROJECT_SOURCE_DIR}/src/schemes/scheme.cpp)
 foreach(kernel parallel/machine simulation/kernel_table simulation/step simulation/totals)
   list(APPEND TERP_KERNEL_SOURCES ${PROJECT_SOURCE_DIR}/src/${kernel}.cpp)

@@ -36,9 +36,10 @@ R double_dot(const SymTensor<R, Dim>& a, const SymTensor<R, Dim>& b)
   return direct + (shear + shear);
 }
 
-/// sigma += K tr(d_eps) I + 2 G dev(d_eps): isotropic linear elasticity.
-template <class R, int Dim>
-void add_elastic_stress(SymTensor<R, Dim>& sigma, const SymTensor<R, Dim>& d_eps, Real bulk, Real shear)
+/// sigma += K tr(d_eps) I + 2 G dev(d_eps): isotropic linear elasticity. P: Real, or R where points differ in
+/// stiffness.
+template <class R, int Dim, class P>
+void add_elastic_stress(SymTensor<R, Dim>& sigma, const SymTensor<R, Dim>& d_eps, P bulk, P shear)
 {
   const R volumetric = trace(d_eps);
   const R lame = volumetric * R(bulk - 2.0 / 3.0 * shear);

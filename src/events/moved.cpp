@@ -32,7 +32,7 @@ Real intact_share(
     if (row < 0 || !(dx * dx + dy * dy > distance * distance)) return;
     const Real volume = block.row(Rows::volume)[lane];
     all += volume;
-    if (block.row(Rows::state + row)[lane] < intact_strain) intact += volume;
+    if (block.row(row)[lane] < intact_strain) intact += volume;
   });
   return all > 0.0 ? intact / all : std::nan("");
 }

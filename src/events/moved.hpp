@@ -71,7 +71,7 @@ MovedSoil find_moved(const PointBlocks<2>& points, std::span<const Real> x_initi
 inline constexpr Real intact_strain = 0.01;
 
 /// Share of the volume that moved whose eps_eq_p is below `intact_strain` [-]; NaN if no such soil moved. strain_rows:
-/// by material the state variable that is eps_eq_p, -1: none, and soil of that material is left out.
+/// by material the row of the plastic strain, -1: none, and soil of that material is left out.
 Real intact_share(
     const PointBlocks<2>& points, std::span<const Real> x_initial, Real distance, std::span<const int> strain_rows);
 

@@ -5,13 +5,24 @@
 
 namespace terp {
 
-inline constexpr ParameterInfo shear_modulus_info{"shear_modulus", "Pa", positive, "elastic shear modulus G", {},
-    {1e4, 1e11, false, false}, {}, Reduction::none, StrainScale::multiply};
-inline constexpr ParameterInfo poisson_ratio_info{
-    "poisson_ratio", "-", {0.0, 0.5, false, true}, "Poisson's ratio, drained or undrained to suit the analysis"};
+inline constexpr ParameterInfo shear_modulus_info{.name = "shear_modulus",
+    .unit = "Pa",
+    .range = positive,
+    .typical = 2e6,
+    .meaning = "elastic shear modulus G",
+    .usual = between(1e4, 1e11),
+    .strain_exponent = 1.0,
+    .may_vary = true};
+inline constexpr ParameterInfo poisson_ratio_info{.name = "poisson_ratio",
+    .unit = "-",
+    .range = {0.0, 0.5, false, true},
+    .typical = 0.48,
+    .meaning = "Poisson's ratio, drained or undrained to suit the analysis",
+    .may_vary = true};
 
 /// K = 2 G (1 + nu) / (3 (1 - 2 nu)) [Pa].
-constexpr Real bulk_from_poisson(Real shear, Real poisson)
+template <class P>
+constexpr P bulk_from_poisson(P shear, P poisson)
 {
   return 2.0 * shear * (1.0 + poisson) / (3.0 * (1.0 - 2.0 * poisson));
 }

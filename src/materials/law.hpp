@@ -1,66 +1,202 @@
-// Turns one law, a small struct with a pointwise update, into a MaterialType: the loop over packs, the factory and
-// the checks that every law shares. A law's file includes this; nobody else does.
+// Turns one law, a small struct with a pointwise update, into a MaterialType: the loop over packs, the factory and the
+// checks that every law shares. A law's file includes this; nobody else does.
+//
+// A law is a template on the number type P of its parameters. Law<Real> has the same parameters for all points, and is
+// made once. Law<Pack> has those of eight points, and is made for each pack from their rows. One text serves both.
 #pragma once
 
 #include "base/tensor.hpp"
 #include "materials/material.hpp"
 #include "parallel/pack.hpp"
 
+#include <algorithm>
+
 namespace terp {
 
 /// A law in the form that the rest of Terp calls.
 ///
-/// Law has: static constexpr std::string_view `equations`; static constexpr tables `parameters` (ParameterInfo[]),
-/// `state` (StateInfo[]) and `derived` (DerivedInfo[]), as std::array; `explicit Law(std::span<const Real>)`;
-/// bulk_modulus(), shear_modulus(), derived_value(k, state); template <class R, int Dim> R update(SymTensor<R, Dim>&
-/// sigma, std::array<R, n>& state, const SymTensor<R, Dim>& d_eps, Real dt) const, which returns the plastic or viscous
-/// work per volume [J/m^3]. A law whose stress depends on the rate has viscosity() too.
-template <class Law>
+/// Law<P> must have: static constexpr std::string_view `equations`; static constexpr tables `parameters`
+/// (ParameterInfo[]), `state` (StateInfo[]) and `derived` (DerivedInfo[]), as std::array; `explicit Law(std::span<const
+/// P>)`, the parameters in the order of the table; bulk_modulus() and shear_modulus(); template <class R, int Dim> R
+/// update(SymTensor<R, Dim>& sigma, std::array<R, n>& state, const SymTensor<R, Dim>& d_eps, Real dt) const, which
+/// returns the plastic or viscous work per volume [J/m^3]. P is R or Real: R(parameter) is right for both.
+///
+/// It may have: derived_value(k, state); check(); softened_strain(), the plastic strain at which 95 % of the softening
+/// is done; viscosity(), of a stress that grows with the rate without bound: it shortens the time step;
+/// `depends_on_rate = true` where the update looks at dt, be it viscosity or a strength that the rate raises;
+/// `not_judged`, a reason why `terp stability` would give a number that is none.
+template <template <class> class Law>
 class MaterialOf final : public Material {
+  using Uniform = Law<Real>;
+  static constexpr std::size_t n_parameters = Uniform::parameters.size(), n_state = Uniform::state.size();
+
  public:
-  explicit MaterialOf(std::span<const Real> values) : law_(values) {}
+  MaterialOf(std::span<const Real> values, std::span<const int> varying)
+      : law_(values), varying_(varying.begin(), varying.end())
+  {
+    std::ranges::copy(values, values_.begin());
+  }
 
   void update(const StressArrays<2>& arrays) const override
   {
-    for (Index p = 0; p < arrays.n; p += pack_width) update_pack(arrays, p);
+    std::array<Real*, n_state> state;
+    for (std::size_t k = 0; k < n_state; ++k) state[k] = arrays.law.state(k);
+    if (varying_.empty())
+      for (Index p = 0; p < arrays.n; p += pack_width) update_pack(law_, arrays, state, p);
+    else
+      for (Index p = 0; p < arrays.n; p += pack_width)
+        update_pack(Law<Pack>(parameters_of(arrays, p)), arrays, state, p);
   }
-  Real bulk_modulus() const override { return law_.bulk_modulus(); }
-  Real shear_modulus() const override { return law_.shear_modulus(); }
-  Real viscosity() const override
+
+  Moduli moduli() const override { return {law_.bulk_modulus(), law_.shear_modulus()}; }
+  Moduli moduli(const LawRows& at) const override
   {
-    if constexpr (requires { law_.viscosity(); }) return law_.viscosity();
-    return 0.0;
+    const Uniform law = law_of(at);
+    return {law.bulk_modulus(), law.shear_modulus()};
   }
-  Real derived(int k, const Real* state) const override { return law_.derived_value(k, state); }
-  const Law& law() const { return law_; }
+  Real viscosity() const override { return viscosity_of(law_); }
+  Real viscosity(const LawRows& at) const override { return viscosity_of(law_of(at)); }
+  Real derived(int k, const LawRows& at) const override
+  {
+    std::array<Real, n_state> state;
+    for (std::size_t s = 0; s < n_state; ++s) state[s] = *at.state(s);
+    if constexpr (requires { law_.derived_value(k, state); }) return law_of(at).derived_value(k, state);
+    return std::numeric_limits<Real>::quiet_NaN();
+  }
+  Real softened_strain() const override
+  {
+    if constexpr (requires { law_.softened_strain(); }) return law_.softened_strain();
+    return std::numeric_limits<Real>::infinity();
+  }
+  std::span<const int> varying() const override { return varying_; }
 
  private:
-  void update_pack(const StressArrays<2>& arrays, Index p) const
+  template <class AnyLaw>
+  static void update_pack(
+      const AnyLaw& law, const StressArrays<2>& arrays, const std::array<Real*, n_state>& rows, Index p)
   {
     SymTensor<Pack, 2> sigma, d_eps;
-    std::array<Pack, Law::state.size()> state;
+    std::array<Pack, n_state> state;
     for (int k = 0; k < n_sym<2>; ++k) sigma[k] = Pack::load(arrays.sigma[k] + p);
     for (int k = 0; k < n_sym<2>; ++k) d_eps[k] = Pack::load(arrays.d_eps[k] + p);
-    for (std::size_t k = 0; k < state.size(); ++k) state[k] = Pack::load(arrays.state[k] + p);
-    const Pack work = law_.update(sigma, state, d_eps, arrays.dt);
+    for (std::size_t k = 0; k < n_state; ++k) state[k] = Pack::load(rows[k] + p);
+    const Pack work = law.update(sigma, state, d_eps, arrays.dt);
     for (int k = 0; k < n_sym<2>; ++k) sigma[k].store(arrays.sigma[k] + p);
-    for (std::size_t k = 0; k < state.size(); ++k) state[k].store(arrays.state[k] + p);
+    for (std::size_t k = 0; k < n_state; ++k) state[k].store(rows[k] + p);
     work.store(arrays.plastic_work + p);
   }
 
-  Law law_;
+  /// Parameters of eight points; padding takes the reference values, so that it stays finite.
+  std::array<Pack, n_parameters> parameters_of(const StressArrays<2>& arrays, Index p) const
+  {
+    const Mask in_use = lane_numbers() < Pack(static_cast<Real>(arrays.n_points - p));
+    std::array<Pack, n_parameters> parameters;
+    for (std::size_t k = 0; k < n_parameters; ++k) parameters[k] = Pack(values_[k]);
+    for (std::size_t k = 0; k < varying_.size(); ++k) {
+      Pack& parameter = parameters[static_cast<std::size_t>(varying_[k])];
+      parameter = select(in_use, Pack::load(arrays.law.parameters(k) + p), parameter);
+    }
+    return parameters;
+  }
+
+  /// The law with the parameters of one point.
+  Uniform law_of(const LawRows& at) const
+  {
+    if (varying_.empty()) return law_;
+    std::array<Real, n_parameters> values = values_;
+    for (std::size_t k = 0; k < varying_.size(); ++k) values[static_cast<std::size_t>(varying_[k])] = *at.parameters(k);
+    return Uniform(values);
+  }
+
+  static Real viscosity_of(const Uniform& law)
+  {
+    if constexpr (requires { law.viscosity(); }) return law.viscosity();
+    return 0.0;
+  }
+
+  Uniform law_;
+  std::array<Real, n_parameters> values_;
+  std::vector<int> varying_;
 };
 
-template <class Law>
+template <template <class> class Law>
 std::vector<ParameterProblem> check_law(std::span<const Real> values)
 {
-  return Law(values).check();
+  const Law<Real> law(values);
+  if constexpr (requires { law.check(); }) return law.check();
+  return {};
+}
+
+template <template <class> class Law>
+std::unique_ptr<Material> make_law(std::span<const Real> values, std::span<const int> varying)
+{
+  return std::make_unique<MaterialOf<Law>>(values, varying);
 }
 
 template <class Law>
-std::unique_ptr<Material> make_law(std::span<const Real> values)
+constexpr bool law_depends_on_rate()
 {
-  return std::make_unique<MaterialOf<Law>>(values);
+  if constexpr (requires { Law::depends_on_rate; }) return Law::depends_on_rate;
+  return false;
+}
+
+template <class Law>
+constexpr std::string_view reason_not_to_judge()
+{
+  if constexpr (requires { Law::not_judged; }) return Law::not_judged;
+  return {};
+}
+
+/// Every parameter has a typical value that is allowed.
+template <class Law>
+constexpr bool has_typical_values()
+{
+  return std::ranges::all_of(Law::parameters, [](const ParameterInfo& p) { return p.range.contains(p.typical); });
+}
+
+/// Soil that remembers or flows has a strength, which `terp stability` reduces, or says why it may not be judged.
+template <class Law>
+constexpr bool may_be_judged_or_says_why()
+{
+  const bool has_strength =
+      std::ranges::any_of(Law::parameters, [](const ParameterInfo& p) { return p.reduction != Reduction::none; });
+  const bool elastic = Law::state.empty() && !law_depends_on_rate<Law>();
+  return has_strength || elastic || !reason_not_to_judge<Law>().empty();
+}
+
+/// What the law changes, the points take back.
+template <class Law>
+constexpr bool gives_its_state_back()
+{
+  return std::ranges::none_of(Law::state, [](const StateInfo& s) { return s.averaging == Averaging::keep; });
+}
+
+template <class Law>
+constexpr MaterialType describe_law(std::string_view name, std::string_view summary)
+{
+  static_assert(has_typical_values<Law>(), "a parameter of this law has no `typical` value, or one outside its range");
+  static_assert(may_be_judged_or_says_why<Law>(),
+      "this law has state or depends on the rate, but no parameter with a `reduction` and no reason `not_judged`");
+  static_assert(gives_its_state_back<Law>(), "Averaging::keep is for parameters: a state variable would not change");
+  MaterialType type{};
+  type.name = name;
+  type.summary = summary;
+  type.equations = Law::equations;
+  type.parameters = Law::parameters;
+  type.state = Law::state;
+  type.derived = Law::derived;
+  type.depends_on_rate = law_depends_on_rate<Law>();
+  type.not_judged = reason_not_to_judge<Law>();
+  return type;
+}
+
+template <template <class> class Law>
+constexpr MaterialType define_law(std::string_view name, std::string_view summary)
+{
+  MaterialType type = describe_law<Law<Real>>(name, summary);
+  type.check = &check_law<Law>;
+  type.make_varying = &make_law<Law>;
+  return type;
 }
 
 }  // namespace terp
@@ -68,5 +204,4 @@ std::unique_ptr<Material> make_law(std::span<const Real> values)
 /// Defines `material_NAME`, which materials.def lists.
 #define TERP_MATERIAL_DEFINITION(name, Law, summary) \
   extern const MaterialType material_##name;         \
-  const MaterialType material_##name{                \
-      #name, summary, Law::equations, Law::parameters, Law::state, Law::derived, &check_law<Law>, &make_law<Law>};
+  constexpr MaterialType material_##name = define_law<Law>(#name, summary);

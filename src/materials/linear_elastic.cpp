@@ -6,6 +6,7 @@
 namespace terp {
 namespace {
 
+template <class P>
 struct LinearElastic {
   static constexpr std::string_view equations =
       "d_sigma = K tr(d_eps) I + 2 G dev(d_eps),  K = 2 G (1 + nu) / (3 (1 - 2 nu))\n";
@@ -13,9 +14,7 @@ struct LinearElastic {
   static constexpr std::array<StateInfo, 0> state{};
   static constexpr std::array<DerivedInfo, 0> derived{};
 
-  explicit LinearElastic(std::span<const Real> values) : shear(values[0]), bulk(bulk_from_poisson(values[0], values[1]))
-  {
-  }
+  explicit LinearElastic(std::span<const P> v) : shear(v[0]), bulk(bulk_from_poisson(v[0], v[1])) {}
 
   template <class R, int Dim>
   R update(SymTensor<R, Dim>& sigma, std::array<R, 0>&, const SymTensor<R, Dim>& d_eps, Real) const
@@ -24,13 +23,11 @@ struct LinearElastic {
     return R(0.0);
   }
 
-  Real bulk_modulus() const { return bulk; }
-  Real shear_modulus() const { return shear; }
-  Real derived_value(int, const Real*) const { return 0.0; }
-  std::vector<ParameterProblem> check() const { return {}; }
+  P bulk_modulus() const { return bulk; }
+  P shear_modulus() const { return shear; }
 
-  Real shear;  // G [Pa]
-  Real bulk;   // K [Pa]
+  P shear;  // G [Pa]
+  P bulk;   // K [Pa]
 };
 
 }  // namespace

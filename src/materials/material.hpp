@@ -2,7 +2,7 @@
 // Not for: any particular law (one file each), nor for where the arrays come from (the schemes).
 #pragma once
 
-#include "base/types.hpp"
+#include "points/row_table.hpp"
 
 #include <limits>
 #include <memory>
@@ -14,16 +14,13 @@
 
 namespace terp {
 
-/// Most state variables that one law may have.
-inline constexpr int max_state = 4;
-
 /// Closed or open interval of allowed values.
 struct Range {
   Real low = -std::numeric_limits<Real>::infinity();
   Real high = std::numeric_limits<Real>::infinity();
   bool low_open = false;
   bool high_open = false;
-  bool contains(Real value) const
+  constexpr bool contains(Real value) const
   {
     return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);  // false for NaN
   }
@@ -37,26 +34,27 @@ constexpr Range between(Real low, Real high) { return {low, high, false, false};
 /// What `terp stability` does to a parameter at a factor F: nothing, p / F, or atan(tan(p) / F) of an angle in degrees.
 enum class Reduction { none, divide, divide_tangent };
 
-/// What makes all strains s times smaller at the same stresses, in times that are sqrt(s) shorter: nothing, p s
-/// (stiffness, softening per strain), or p sqrt(s) (viscosity). `terp stability` keeps displacements small by it
-/// (decision 0035).
-enum class StrainScale { none, multiply, multiply_root };
-
 /// One number that the case file gives to a law.
 struct ParameterInfo {
   std::string_view name;
   std::string_view unit;  ///< "-" if it has none
   Range range;
+  Real typical = std::numeric_limits<Real>::quiet_NaN();  ///< of a soil that has all that the law knows; must be given
   std::string_view meaning;
-  std::optional<Real> fallback = {};             ///< default; none: the key must be given
-  Range usual = any_number;                      ///< outside: warn of a wrong order of magnitude
-  std::string_view fallback_of = {};             ///< name of an earlier parameter whose value is the default
-  Reduction reduction = Reduction::none;         ///< of a strength
-  StrainScale strain_scale = StrainScale::none;  ///< of a stiffness, a viscosity, and what a strain is compared with
+  std::optional<Real> fallback = {};      ///< default; none: the key must be given
+  std::string_view fallback_of = {};      ///< name of an earlier parameter whose value is the default
+  Range usual = any_number;               ///< outside: warn of a wrong order of magnitude
+  Reduction reduction = Reduction::none;  ///< of a strength
+  /// The same stresses at strains s times smaller, in times sqrt(s) times shorter, take p s^strain_exponent: 1 of a
+  /// stiffness and of softening per strain, 1/2 of a viscosity, -1/2 of a strain rate. `terp stability` keeps
+  /// displacements small by it (decision 0035).
+  Real strain_exponent = 0.0;
+  bool may_vary = false;  ///< from point to point
 };
 
-/// How MPM-Mixed averages a state variable (reading R9).
-enum class Averaging { cell, sub_cell };
+/// What a quantity is to the rest of the program, whatever the law calls it: the measure of how far the soil has
+/// sheared plastically, and the strength that it has left.
+enum class Role { none, plastic_strain, strength };
 
 /// One history variable of a law, kept at the material points and in checkpoints.
 struct StateInfo {
@@ -64,6 +62,8 @@ struct StateInfo {
   std::string_view unit;
   Averaging averaging;
   std::string_view meaning;
+  Role role = Role::none;
+  Real initial = 0.0;  ///< at t = 0
 };
 
 /// A field that results show and that follows from the state, e.g. the current strength.
@@ -71,31 +71,61 @@ struct DerivedInfo {
   std::string_view name;
   std::string_view unit;
   std::string_view meaning;
+  Role role = Role::none;
+};
+
+/// Number of the entry of a table with a role; -1: none.
+int find_role(auto infos, Role role)
+{
+  for (std::size_t k = 0; k < infos.size(); ++k)
+    if (infos[k].role == role) return static_cast<int>(k);
+  return -1;
+}
+
+/// What the points carry for a law: its state variables in the order of its table, and those of its parameters that
+/// vary from point to point, in the order of its table too.
+struct LawRows {
+  RowView state, parameters;
 };
 
 /// The arrays of one call of Material::update, each of n entries, n a multiple of pack_width.
 template <int Dim>
 struct StressArrays {
   std::array<Real*, n_sym<Dim>> sigma;        ///< in: stress at the start of the step [Pa]; out: at its end
-  std::array<Real*, max_state> state;         ///< in, out: state variables in the order of the law's table
+  LawRows law;                                ///< state: in, out; parameters: in
   std::array<const Real*, n_sym<Dim>> d_eps;  ///< strain increment of the step, tensorial shear [-]
   Real* plastic_work;                         ///< out: plastic or viscous work of the step per volume [J/m^3]
   Index n;
-  Real dt;  ///< length of the step [s]
+  Index n_points;  ///< of the n entries; those beyond are padding, which has no parameters of its own
+  Real dt;         ///< length of the step [s]
 };
 
-/// A law with its parameters.
+/// Elastic moduli [Pa].
+struct Moduli {
+  Real bulk, shear;
+  Real p_wave() const { return bulk + 4.0 / 3.0 * shear; }  ///< K + 4G/3
+};
+
+/// A law with its parameters. `at` is one point: pointers to its numbers.
 class Material {
  public:
   virtual ~Material() = default;
   virtual void update(const StressArrays<2>& arrays) const = 0;
-  virtual Real bulk_modulus() const = 0;   ///< K [Pa]
-  virtual Real shear_modulus() const = 0;  ///< G [Pa]; 0 of a fluid
-  virtual Real viscosity() const = 0;      ///< mu [Pa s], for the time step; 0 where the law knows no rate
-  /// Value of derived field k (order of MaterialType::derived) for one point. state: shape [n_state].
-  virtual Real derived(int k, const Real* state) const = 0;
+  virtual Moduli moduli(const LawRows& at) const = 0;
+  virtual Real viscosity(const LawRows& at) const = 0;  ///< mu [Pa s], for the time step; 0 where the stress knows none
+  /// Value of derived field k (order of MaterialType::derived).
+  virtual Real derived(int k, const LawRows& at) const = 0;
+  /// Plastic strain at which softening has taken 95 % of what it can take [-]; infinite where nothing softens.
+  virtual Real softened_strain() const = 0;
+  /// Numbers of the parameters that vary from point to point; those of a point are in LawRows::parameters.
+  virtual std::span<const int> varying() const = 0;
 
-  Real p_wave_modulus() const { return bulk_modulus() + 4.0 / 3.0 * shear_modulus(); }  ///< K + 4G/3 [Pa]
+  // Of the parameters that are the same for all points, and of the reference values of those that vary.
+  virtual Moduli moduli() const = 0;
+  Real bulk_modulus() const { return moduli().bulk; }
+  Real shear_modulus() const { return moduli().shear; }
+  Real p_wave_modulus() const { return moduli().p_wave(); }
+  virtual Real viscosity() const = 0;
 };
 
 /// What is wrong with a set of parameters that are each in range.
@@ -111,9 +141,14 @@ struct MaterialType {
   std::span<const ParameterInfo> parameters;
   std::span<const StateInfo> state;
   std::span<const DerivedInfo> derived;
+  bool depends_on_rate;         ///< the stress at the end of a step depends on its length
+  std::string_view not_judged;  ///< why `terp stability` may not judge soil of this law; empty: it may
   /// values: one per entry of `parameters`, in that order, each in its range.
   std::vector<ParameterProblem> (*check)(std::span<const Real> values);
-  std::unique_ptr<Material> (*make)(std::span<const Real> values);
+  /// varying: ascending numbers of the parameters that the points bring with them.
+  std::unique_ptr<Material> (*make_varying)(std::span<const Real> values, std::span<const int> varying);
+
+  std::unique_ptr<Material> make(std::span<const Real> values) const { return make_varying(values, {}); }
 };
 
 /// Every law in this build, in the order of materials.def, compiled for this processor (material_list.hpp).

@@ -21,18 +21,51 @@ namespace {
 constexpr Real degree = std::numbers::pi / 180.0;
 constexpr Range friction_range = between(0.0, 60.0);
 
-constexpr ParameterInfo same_as(std::string_view name, std::string_view unit, Range range, std::string_view meaning,
-    std::string_view peak, Reduction reduction)
+constexpr ParameterInfo stress_info(std::string_view name, Real typical, std::string_view meaning)
 {
-  ParameterInfo info{name, unit, range, meaning};
+  return {.name = name,
+      .unit = "Pa",
+      .range = not_negative,
+      .typical = typical,
+      .meaning = meaning,
+      .reduction = Reduction::divide,
+      .may_vary = true};
+}
+
+constexpr ParameterInfo angle_info(std::string_view name, Real typical, std::string_view meaning)
+{
+  return {.name = name,
+      .unit = "deg",
+      .range = friction_range,
+      .typical = typical,
+      .meaning = meaning,
+      .reduction = Reduction::divide_tangent,
+      .may_vary = true};
+}
+
+constexpr ParameterInfo with_default(ParameterInfo info, Real value)
+{
+  info.fallback = value;
+  return info;
+}
+
+/// What softening leaves of a strength: all of it, unless it is given.
+constexpr ParameterInfo residual_of(std::string_view peak, ParameterInfo info)
+{
   info.fallback_of = peak;
-  info.reduction = reduction;
+  return info;
+}
+
+constexpr ParameterInfo with_usual(ParameterInfo info, Range usual)
+{
+  info.usual = usual;
   return info;
 }
 
 /// A quantity that softens by Eq. (5): residual + drop exp(-eta e).
+template <class P>
 struct Softening {
-  Real residual, drop;
+  P residual, drop;
   template <class R>
   R at(R decay) const
   {
@@ -40,6 +73,7 @@ struct Softening {
   }
 };
 
+template <class P>
 struct MohrCoulomb {
   static constexpr std::string_view equations =
       "sigma_1 - sigma_3 + (sigma_1 + sigma_3) sin(phi) <= 2 c cos(phi)     tension positive, sorted in three "
@@ -58,25 +92,29 @@ struct MohrCoulomb {
   static constexpr std::array parameters{
       shear_modulus_info,
       poisson_ratio_info,
-      ParameterInfo{"cohesion", "Pa", not_negative, "cohesion c, at its peak", {}, {10.0, 1e7, false, false}, {},
-          Reduction::divide},
-      ParameterInfo{"friction_angle", "deg", friction_range, "friction angle phi, at its peak", {}, {}, {},
-          Reduction::divide_tangent},
-      ParameterInfo{"dilatancy_angle", "deg", friction_range,
-          "dilatancy angle psi, at its peak; at most friction_angle", 0.0, {}, {}, Reduction::divide_tangent},
-      ParameterInfo{"tension_cutoff", "Pa", not_negative,
-          "largest principal stress; never above the apex c cot(phi), which is the limit without it",
-          std::numeric_limits<Real>::infinity(), {}, {}, Reduction::divide},
-      same_as("cohesion_residual", "Pa", not_negative, "cohesion that softening leaves", "cohesion", Reduction::divide),
-      same_as("friction_angle_residual", "deg", friction_range, "friction angle that softening leaves",
-          "friction_angle", Reduction::divide_tangent),
-      same_as("dilatancy_angle_residual", "deg", friction_range, "dilatancy angle that softening leaves",
-          "dilatancy_angle", Reduction::divide_tangent),
-      ParameterInfo{"eta", "-", not_negative, "shape factor of the softening; 95 % of it is done at a strain of 3/eta",
-          0.0, {}, {}, Reduction::none, StrainScale::multiply},
+      with_usual(stress_info("cohesion", 8e3, "cohesion c, at its peak"), between(10.0, 1e7)),
+      angle_info("friction_angle", 30.0, "friction angle phi, at its peak"),
+      with_default(angle_info("dilatancy_angle", 8.0, "dilatancy angle psi, at its peak; at most friction_angle"), 0.0),
+      with_default(stress_info("tension_cutoff", 5e3,
+                       "largest principal stress; never above the apex c cot(phi), which is the limit without it"),
+          std::numeric_limits<Real>::infinity()),
+      residual_of("cohesion", stress_info("cohesion_residual", 2e3, "cohesion that softening leaves")),
+      residual_of(
+          "friction_angle", angle_info("friction_angle_residual", 25.0, "friction angle that softening leaves")),
+      residual_of(
+          "dilatancy_angle", angle_info("dilatancy_angle_residual", 0.0, "dilatancy angle that softening leaves")),
+      ParameterInfo{.name = "eta",
+          .unit = "-",
+          .range = not_negative,
+          .typical = 50.0,
+          .meaning = "shape factor of the softening; 95 % of it is done at a strain of 3/eta",
+          .fallback = 0.0,
+          .strain_exponent = 1.0,
+          .may_vary = true},
   };
   static constexpr std::array state{
-      StateInfo{"eps_eq_p", "-", Averaging::cell, "accumulated equivalent plastic strain, Eq. (6)"},
+      StateInfo{
+          "eps_eq_p", "-", Averaging::cell, "accumulated equivalent plastic strain, Eq. (6)", Role::plastic_strain},
       StateInfo{"opening", "-", Averaging::cell, "volume strain by which the soil has come apart"},
   };
   static constexpr std::array derived{
@@ -85,7 +123,7 @@ struct MohrCoulomb {
       DerivedInfo{"dilatancy_angle", "deg", "current dilatancy angle"},
   };
 
-  explicit MohrCoulomb(std::span<const Real> v)
+  explicit MohrCoulomb(std::span<const P> v)
       : shear(v[0]),
         bulk(bulk_from_poisson(v[0], v[1])),
         tension_cutoff(v[5]),
@@ -93,7 +131,7 @@ struct MohrCoulomb {
         cohesion{v[6], v[2] - v[6]},
         phi{v[7] * degree, (v[3] - v[7]) * degree},
         psi{v[8] * degree, (v[4] - v[8]) * degree},
-        softens(eta > 0.0 && (cohesion.drop > 0.0 || phi.drop > 0.0 || psi.drop > 0.0))
+        softening(eta * max(cohesion.drop, max(phi.drop, psi.drop)))
   {
   }
 
@@ -111,9 +149,9 @@ struct MohrCoulomb {
     if (!any_of(yields)) return work;
 
     R d_e(0.0);
-    Sorted<R> returned = softens ? return_softening(trial, state[0], strength, d_e) : return_to(trial, strength, d_e);
+    Sorted<R> returned = softens() ? return_softening(trial, state[0], strength, d_e) : return_to(trial, strength, d_e);
     state[0] = select(yields, state[0] + d_e, state[0]);
-    state[1] = select(yields, come_apart(trial, softens ? strength_at(state[0]) : strength, returned), state[1]);
+    state[1] = select(yields, come_apart(trial, softens() ? strength_at(state[0]) : strength, returned), state[1]);
     assign_by_rank(returned, principal);
     const SymTensor<R, Dim> on_surface = from_principal_values(principal);
     for (int k = 0; k < n_sym<Dim>; ++k) sigma[k] = select(yields, on_surface[k], sigma[k]);
@@ -154,10 +192,19 @@ struct MohrCoulomb {
     return select(stays_open, held * volumetric, R(0.0));
   }
 
+  bool softens() const { return any_of(softening > P(0.0)); }
+
+  /// What is left of each drop [-].
+  template <class R>
+  R decay_at(R eps_eq_p) const
+  {
+    return softens() ? exponential(R(-eta) * eps_eq_p) : R(1.0);
+  }
+
   template <class R>
   MohrCoulombStrength<R> strength_at(R eps_eq_p) const
   {
-    const R decay = softens ? exponential(R(-eta) * eps_eq_p) : R(1.0);
+    const R decay = decay_at(eps_eq_p);
     const R sin_phi = sine(phi.at(decay)), cos_phi = sqrt(R(1.0) - sin_phi * sin_phi), c = cohesion.at(decay);
     const R apex = c * cos_phi / max(sin_phi, R(tiny));
     return {sin_phi, cos_phi, sine(psi.at(decay)), c, min(R(tension_cutoff), apex)};
@@ -181,7 +228,7 @@ struct MohrCoulomb {
   template <class R>
   Sorted<R> return_to(const Sorted<R>& trial, const MohrCoulombStrength<R>& strength, R& d_e) const
   {
-    const Sorted<R> returned = MohrCoulombReturn<R>(strength, bulk, shear)(trial);
+    const Sorted<R> returned = MohrCoulombReturn<R, P>(strength, bulk, shear)(trial);
     const R a = trial.major - returned.major, b = trial.middle - returned.middle, c = trial.minor - returned.minor;
     d_e = shear_norm(a, b, c) * R(0.5 / shear);
     return returned;
@@ -208,9 +255,10 @@ struct MohrCoulomb {
     R at_low = at_high;  // d_e less d; above 0 at `low`, below at `high`
     return_to(trial, strength_at(eps_eq_p + high), at_high);
     at_high = at_high - high;
-    d = R(0.0);
-    auto open = at_low > settled;
-    auto was_below = d > R(0.0), was_above = was_below;
+    const auto softens_here = R(softening) > R(0.0);
+    d = select(softens_here, R(0.0), at_low);
+    auto open = softens_here & (at_low > settled);
+    auto was_below = R(0.0) > R(0.0), was_above = was_below;
     for (int k = 0; k < most_trials && any_of(open); ++k) {
       const R next = low + (high - low) * (at_low / (at_low - min(at_high, R(-tiny))));
       R d_e;
@@ -241,12 +289,16 @@ struct MohrCoulomb {
     return max(R(0.0), by_shear * R(0.5 / shear) + p * (a + b + c) * R(1.0 / (3.0 * bulk)));
   }
 
-  Real bulk_modulus() const { return bulk; }
-  Real shear_modulus() const { return shear; }
-  Real derived_value(int k, const Real* state) const
+  P bulk_modulus() const { return bulk; }
+  P shear_modulus() const { return shear; }
+  Real derived_value(int k, const std::array<Real, 2>& state) const
   {
-    const Real decay = softens ? exponential(-eta * state[0]) : 1.0;
+    const Real decay = decay_at(state[0]);
     return k == 0 ? cohesion.at(decay) : (k == 1 ? phi : psi).at(decay) / degree;
+  }
+  Real softened_strain() const
+  {
+    return softening > 0.0 ? 3.0 / eta : std::numeric_limits<Real>::infinity();  // exp(-3) = 5 %
   }
 
   std::vector<ParameterProblem> check() const;
@@ -255,22 +307,23 @@ struct MohrCoulomb {
   static constexpr Real round_off =
       1e-15;  // of the plastic strain, as a part of the elastic strain of the trial stress and of 1/eta
   static constexpr int most_trials = 60;
-  Real shear;           // G [Pa]
-  Real bulk;            // K [Pa]
-  Real tension_cutoff;  // [Pa]
-  Real eta;             // [-]
-  Softening cohesion;   // [Pa]
-  Softening phi, psi;   // [rad]
-  bool softens;
+  P shear;                // G [Pa]
+  P bulk;                 // K [Pa]
+  P tension_cutoff;       // [Pa]
+  P eta;                  // [-]
+  Softening<P> cohesion;  // [Pa]
+  Softening<P> phi, psi;  // [rad]
+  P softening;            // above 0 where any of the three softens
 };
 
-std::vector<ParameterProblem> MohrCoulomb::check() const
+template <class P>
+std::vector<ParameterProblem> MohrCoulomb<P>::check() const
 {
   std::vector<ParameterProblem> problems;
   const auto refuse = [&](const char* parameter, std::string what, std::string detail) {
     problems.push_back({parameter, std::move(what), std::move(detail)});
   };
-  const auto peak = [](const Softening& s) { return s.residual + s.drop; };
+  const auto peak = [](const Softening<P>& s) { return s.residual + s.drop; };
   const auto degrees = [](Real angle) { return fmt::format("{:.6g} deg", angle / degree); };
   if (cohesion.drop < 0.0)
     refuse("cohesion_residual", "the residual cohesion exceeds the peak",

@@ -21,13 +21,14 @@ R mohr_coulomb_excess(R major, R minor, const MohrCoulombStrength<R>& at)
   return (major - minor) + at.sin_phi * (major + minor) - R(2.0) * at.cohesion * at.cos_phi;
 }
 
-/// The return. Flow on a shear plane is (1 + sin psi, 0, -(1 - sin psi)), on a tension plane (1, 0, 0). Each of the
-/// planes is straight and the elasticity constant, so that every region of the surface has a closed form, by which
-/// plastic multipliers that are not negative lead to a stress that no plane forbids.
-template <class R>
+/// The return; P: number type of the moduli, Real or R. Flow on a shear plane is (1 + sin psi, 0, -(1 - sin psi)), on a
+/// tension plane (1, 0, 0). Each of the planes is straight and the elasticity constant, so that every region of the
+/// surface has a closed form, by which plastic multipliers that are not negative lead to a stress that no plane
+/// forbids.
+template <class R, class P = Real>
 class MohrCoulombReturn {
  public:
-  MohrCoulombReturn(const MohrCoulombStrength<R>& strength, Real bulk, Real shear)
+  MohrCoulombReturn(const MohrCoulombStrength<R>& strength, P bulk, P shear)
       : at_(strength), lame_(bulk - 2.0 / 3.0 * shear), shear_(shear)
   {
     const R volumetric = R(2.0 * lame_) * at_.sin_psi;  // elastic stress of the flow on the plane of s1 and s3
@@ -107,7 +108,7 @@ class MohrCoulombReturn {
   }
 
   MohrCoulombStrength<R> at_;
-  Real lame_, shear_;                  // K - 2G/3, G [Pa]
+  P lame_, shear_;                     // K - 2G/3, G [Pa]
   R of_major_, of_middle_, of_minor_;  // [Pa]
 };
 

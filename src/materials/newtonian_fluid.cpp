@@ -11,6 +11,7 @@
 namespace terp {
 namespace {
 
+template <class P>
 struct NewtonianFluid {
   static constexpr std::string_view equations =
       "sigma   = p I + 2 mu dev(d_eps)/dt                     no shear stress at rest, nor where the fluid has torn\n"
@@ -22,19 +23,37 @@ struct NewtonianFluid {
       "(docs/methods.md).\n"
       "At rest the stress must be hydrostatic: initial.stress = \"k0\" with k0 = 1, its default, or \"equilibrium\".\n";
   static constexpr std::array parameters{
-      ParameterInfo{"bulk_modulus", "Pa", positive, "bulk modulus K = rho c^2, c the speed of sound", {},
-          {1e2, 1e10, false, false}, {}, Reduction::none, StrainScale::multiply},
-      ParameterInfo{"viscosity", "Pa s", not_negative, "dynamic viscosity mu; that of water is 0.001", 0.0,
-          {1e-6, 1e6, false, false}, {}, Reduction::none, StrainScale::multiply_root},
-      ParameterInfo{
-          "tension_cutoff", "Pa", not_negative, "largest tension before the fluid tears; inf: it never does", 0.0, {}},
+      ParameterInfo{.name = "bulk_modulus",
+          .unit = "Pa",
+          .range = positive,
+          .typical = 2e6,
+          .meaning = "bulk modulus K = rho c^2, c the speed of sound",
+          .usual = between(1e2, 1e10),
+          .strain_exponent = 1.0},
+      ParameterInfo{.name = "viscosity",
+          .unit = "Pa s",
+          .range = not_negative,
+          .typical = 300.0,
+          .meaning = "dynamic viscosity mu; that of water is 0.001",
+          .fallback = 0.0,
+          .usual = between(1e-6, 1e6),
+          .strain_exponent = 0.5},
+      ParameterInfo{.name = "tension_cutoff",
+          .unit = "Pa",
+          .range = not_negative,
+          .typical = 5e3,
+          .meaning = "largest tension before the fluid tears; inf: it never does",
+          .fallback = 0.0},
   };
   static constexpr std::array state{
       StateInfo{"opening", "-", Averaging::cell, "volume strain by which the fluid has torn open"},
   };
   static constexpr std::array<DerivedInfo, 0> derived{};
+  static constexpr bool depends_on_rate = true;
+  static constexpr std::string_view not_judged =
+      "a fluid has no strength: it flows under any shear stress, however small, and no factor makes it stand";
 
-  explicit NewtonianFluid(std::span<const Real> v) : bulk(v[0]), mu(v[1]), tension_cutoff(v[2]) {}
+  explicit NewtonianFluid(std::span<const P> v) : bulk(v[0]), mu(v[1]), tension_cutoff(v[2]) {}
 
   template <class R, int Dim>
   R update(SymTensor<R, Dim>& sigma, std::array<R, 1>& state, const SymTensor<R, Dim>& d_eps, Real dt) const
@@ -57,15 +76,13 @@ struct NewtonianFluid {
     return dissipated;
   }
 
-  Real bulk_modulus() const { return bulk; }
-  Real shear_modulus() const { return 0.0; }
-  Real viscosity() const { return mu; }
-  Real derived_value(int, const Real*) const { return 0.0; }
-  std::vector<ParameterProblem> check() const { return {}; }
+  P bulk_modulus() const { return bulk; }
+  P shear_modulus() const { return P(0.0); }
+  P viscosity() const { return mu; }
 
-  Real bulk;            // K [Pa]
-  Real mu;              // [Pa s]
-  Real tension_cutoff;  // [Pa]
+  P bulk;            // K [Pa]
+  P mu;              // [Pa s]
+  P tension_cutoff;  // [Pa]
 };
 
 }  // namespace

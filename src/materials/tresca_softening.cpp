@@ -30,6 +30,7 @@ constexpr int edge_steps = 6;
 constexpr Real settled_change = 1e-8;
 constexpr Real settled_strength = 1e-16;
 
+template <class P>
 struct TrescaSoftening {
   static constexpr std::string_view equations =
       "sigma_1 - sigma_3 <= 2 S_u, principal stresses sorted in three dimensions; the pressure never changes\n"
@@ -40,21 +41,40 @@ struct TrescaSoftening {
   static constexpr std::array parameters{
       shear_modulus_info,
       poisson_ratio_info,
-      ParameterInfo{"su_peak", "Pa", positive, "peak undrained shear strength S_u,p", {}, {100.0, 1e7, false, false},
-          {}, Reduction::divide},
-      ParameterInfo{"su_residual", "Pa", positive, "residual undrained shear strength S_u,r", {},
-          {10.0, 1e7, false, false}, {}, Reduction::divide},
-      ParameterInfo{"eta", "-", not_negative, "shape factor of Eq. (5); S_u is 95 % softened at a strain of 3/eta", 0.0,
-          {}, {}, Reduction::none, StrainScale::multiply},
+      ParameterInfo{.name = "su_peak",
+          .unit = "Pa",
+          .range = positive,
+          .typical = 8e3,
+          .meaning = "peak undrained shear strength S_u,p",
+          .usual = between(100.0, 1e7),
+          .reduction = Reduction::divide,
+          .may_vary = true},
+      ParameterInfo{.name = "su_residual",
+          .unit = "Pa",
+          .range = positive,
+          .typical = 2e3,
+          .meaning = "residual undrained shear strength S_u,r",
+          .usual = between(10.0, 1e7),
+          .reduction = Reduction::divide,
+          .may_vary = true},
+      ParameterInfo{.name = "eta",
+          .unit = "-",
+          .range = not_negative,
+          .typical = 50.0,
+          .meaning = "shape factor of Eq. (5); S_u is 95 % softened at a strain of 3/eta",
+          .fallback = 0.0,
+          .strain_exponent = 1.0,
+          .may_vary = true},
   };
   static constexpr std::array state{
-      StateInfo{"eps_eq_p", "-", Averaging::cell, "accumulated equivalent plastic strain, Eq. (6)"},
+      StateInfo{
+          "eps_eq_p", "-", Averaging::cell, "accumulated equivalent plastic strain, Eq. (6)", Role::plastic_strain},
   };
   static constexpr std::array derived{
-      DerivedInfo{"su", "Pa", "current undrained shear strength, Eq. (5)"},
+      DerivedInfo{"su", "Pa", "current undrained shear strength, Eq. (5)", Role::strength},
   };
 
-  explicit TrescaSoftening(std::span<const Real> v)
+  explicit TrescaSoftening(std::span<const P> v)
       : shear(v[0]), bulk(bulk_from_poisson(v[0], v[1])), su_peak(v[2]), su_residual(v[3]), eta(v[4])
   {
   }
@@ -179,9 +199,13 @@ struct TrescaSoftening {
     return sum * R(0.5 / shear);
   }
 
-  Real bulk_modulus() const { return bulk; }
-  Real shear_modulus() const { return shear; }
-  Real derived_value(int, const Real* state) const { return strength_at(state[0]).su; }
+  P bulk_modulus() const { return bulk; }
+  P shear_modulus() const { return shear; }
+  Real derived_value(int, const std::array<Real, 1>& state) const { return strength_at(state[0]).su; }
+  Real softened_strain() const
+  {
+    return eta > 0.0 && su_peak > su_residual ? 3.0 / eta : std::numeric_limits<Real>::infinity();  // exp(-3) = 5 %
+  }
 
   std::vector<ParameterProblem> check() const
   {
@@ -200,11 +224,11 @@ struct TrescaSoftening {
   }
 
   static constexpr Real tiny = 1e-30;  // keeps 0/0 from lanes that are not on an edge
-  Real shear;                          // G [Pa]
-  Real bulk;                           // K [Pa]
-  Real su_peak;                        // S_u,p [Pa]
-  Real su_residual;                    // S_u,r [Pa]
-  Real eta;                            // shape factor [-]
+  P shear;                             // G [Pa]
+  P bulk;                              // K [Pa]
+  P su_peak;                           // S_u,p [Pa]
+  P su_residual;                       // S_u,r [Pa]
+  P eta;                               // shape factor [-]
 };
 
 }  // namespace

@@ -10,11 +10,24 @@ namespace {
 constexpr std::size_t smallest_slab = 1u << 17,
                       largest_slab = 1u << 22;  // 1 and 32 MiB of Reals: asked for rarely, more as there are more
 
+RowTable unnamed_rows(int n)
+{
+  RowTable table;
+  for (int k = 0; k < n; ++k)
+    table.add({.name = "row_" + std::to_string(k), .unit = "-", .meaning = "", .owner = "unnamed"});
+  return table;
+}
+
 }  // namespace
 
 template <int Dim>
-PointBlocks<Dim>::PointBlocks(Index n_cells, int n_state)
-    : n_rows_(Rows::state + n_state), first_block_(n_cells, -1), slot_of_cell_(n_cells, -1)
+PointBlocks<Dim>::PointBlocks(Index n_cells, int n_more) : PointBlocks(n_cells, unnamed_rows(n_more))
+{
+}
+
+template <int Dim>
+PointBlocks<Dim>::PointBlocks(Index n_cells, RowTable table)
+    : table_(std::move(table)), n_rows_(table_.n_rows()), first_block_(n_cells, -1), slot_of_cell_(n_cells, -1)
 {
   occupied_.reserve(n_cells);
   new_cells_.reserve(n_cells);

@@ -6,13 +6,15 @@
 #include "base/types.hpp"
 #include "parallel/memory.hpp"
 #include "parallel/pack.hpp"
+#include "points/row_table.hpp"
 
 #include <span>
 #include <vector>
 
 namespace terp {
 
-/// The fields of a material point, as rows of a block. Row r of a block is data + r * capacity, one Real per point.
+/// The rows that every material point has, as offsets for the kernels; row_table.hpp lists these and all others. Row r
+/// of a block is data + r * capacity, one Real per point.
 template <int Dim>
 struct PointRows {
   static constexpr int x = 0;                        ///< position [m], Dim rows
@@ -23,7 +25,7 @@ struct PointRows {
   static constexpr int sigma = volume + 1;           ///< Cauchy stress [Pa], n_sym rows
   static constexpr int strain = sigma + n_sym<Dim>;  ///< accumulated total strain [-], n_sym rows
   static constexpr int id = strain + n_sym<Dim>;     ///< whole number, exact as a Real
-  static constexpr int state = id + 1;               ///< state variables of the material
+  static constexpr int state = id + 1;               ///< those that laws and others add: row_table.hpp
 };
 
 /// Points of one material in one cell. Lanes n ... capacity are padding: mass, volume and velocity zero, never moved.
@@ -52,9 +54,11 @@ class PointBlocks {
   using Rows = PointRows<Dim>;
 
   PointBlocks() = default;
-  /// n_state: rows of state per point, the most that any material needs.
-  PointBlocks(Index n_cells, int n_state);
+  PointBlocks(Index n_cells, RowTable table);
+  /// With n_more rows beyond the fixed ones, which have no names.
+  PointBlocks(Index n_cells, int n_more);
 
+  const RowTable& table() const { return table_; }
   int n_rows() const { return n_rows_; }
   std::int64_t n_points() const { return n_points_; }
 
@@ -93,6 +97,7 @@ class PointBlocks {
   void release(Index block);
   Real* allocate(Index capacity);
 
+  RowTable table_;
   int n_rows_ = 0;
   std::int64_t n_points_ = 0;
   std::vector<PointBlock<Dim>> blocks_;

@@ -18,6 +18,9 @@ struct CellGroup {
   std::span<Real> pressure;  ///< p_e [Pa], by block number; of schemes that need no more from gather to update_stress
   std::span<GaussValues<2, Pack>>
       gauss;  ///< shape [n_materials, n_groups]; of schemes that keep them from gather to update_stress
+  std::span<GaussRow> gauss_rows =
+      {};                  ///< shape [n_materials, n_groups, n_gauss_rows]; of schemes whose law runs there
+  Index n_gauss_rows = 0;  ///< the most that any law adds to the points
   Index number = 0, n_groups = 1;
   Index next_cell = -1;          ///< first cell of the next group, -1: none
   bool prefetch_points = false;  ///< the points are more than the caches hold
@@ -25,6 +28,10 @@ struct CellGroup {
   int n() const { return static_cast<int>(cells.size()); }
   CellView cell(int c) const { return {cells[c], mesh.geometry(cells[c]), points, corners[c]}; }
   GaussValues<2, Pack>& gauss_of(Index material) const { return gauss[material * n_groups + number]; }
+  GaussRow* rows_of(Index material) const
+  {
+    return gauss_rows.data() + std::ptrdiff_t{material * n_groups + number} * n_gauss_rows;
+  }
 };
 
 /// Fetches rows `first` to `end` - 1 of the points of the cell after cell c while those of c are worked on: the
@@ -84,18 +91,26 @@ inline bool has_one_layer(const CellGroup& group)
 }
 
 /// Sub-cell sums of the blocks of a layer, one lane per cell; zero where there is no block.
-inline void sum_layer(const CellGroup& group, const BlockLayer& layer, int n_state, GaussValues<2, Pack>& gauss)
+inline void sum_layer(const CellGroup& group, const BlockLayer& layer, GaussValues<2, Pack>& gauss)
 {
   std::array<GaussValues<2>, pack_width> sums;
   for (int c = 0; c < pack_width; ++c) {
     if (layer.block[c] >= 0)
-      sum_over_sub_cells(group.points.block(layer.block[c]), n_state, sums[c]);
+      sum_over_sub_cells(group.points.block(layer.block[c]), sums[c]);
     else
       sums[c] = {};
   }
   gauss.volume = to_lanes([&](int c) { return sums[c].volume.data(); });
   for (int k = 0; k < n_sym<2>; ++k) gauss.sigma[k] = to_lanes([&](int c) { return sums[c].sigma[k].data(); });
-  for (int k = 0; k < n_state; ++k) gauss.state[k] = to_lanes([&](int c) { return sums[c].state[k].data(); });
+}
+
+/// The same of one row.
+inline GaussRow sum_row(const CellGroup& group, const BlockLayer& layer, int row)
+{
+  std::array<std::array<Real, 4>, pack_width> sums{};
+  for (int c = 0; c < pack_width; ++c)
+    if (layer.block[c] >= 0) sums[c] = sum_row_over_sub_cells(group.points.block(layer.block[c]), row);
+  return to_lanes([&](int c) { return sums[c].data(); });
 }
 
 /// Adds the internal force of the Gauss values of a layer to the corners of its cells, Eq. (4).
@@ -115,23 +130,22 @@ inline void add_internal_force(const CellGroup& group, const GeometryLanes& geom
 }
 
 /// Gauss values, weights, smooth pressure and internal force of the cells of a group for the schemes that integrate at
-/// Gauss points. gauss_of(material): where those of a layer are; n_state(material): state variables to average too;
-/// finish(layer, gauss): what the scheme does before the force.
-template <class GaussOf, class NState, class Finish>
-void gather_at_gauss_points(
-    const SchemeContext& context, const CellGroup& group, GaussOf&& gauss_of, NState&& n_state, Finish&& finish)
+/// Gauss points. gauss_of(material): where those of a layer are; finish(layer, gauss): what the scheme does before the
+/// force.
+template <class GaussOf, class Finish>
+void gather_at_gauss_points(const SchemeContext& context, const CellGroup& group, GaussOf&& gauss_of, Finish&& finish)
 {
   auto cell_volume = zero_packs<4>();
   for_each_layer(group, [&](const BlockLayer& layer) {
     GaussValues<2, Pack>& gauss = gauss_of(layer.material);
-    sum_layer(group, layer, n_state(layer.material), gauss);
+    sum_layer(group, layer, gauss);
     for (int g = 0; g < 4; ++g) cell_volume[g] += gauss.volume[g];
   });
   const GeometryLanes geometry = geometry_of(group);
   for_each_layer(group, [&](const BlockLayer& layer) {
     GaussValues<2, Pack>& gauss = gauss_of(layer.material);
     set_weights(geometry, cell_volume, context.method, gauss);  // R3
-    divide_by_volume(n_state(layer.material), gauss);           // Eq. (1)
+    divide_by_volume(gauss);                                    // Eq. (1)
     smooth_pressure(gauss);                                     // Eqs. (2), (3)
     finish(layer, gauss);
     add_internal_force(group, geometry, layer, gauss, context.method.force_operator);  // Eq. (4)

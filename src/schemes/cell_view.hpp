@@ -4,22 +4,13 @@
 #include "base/tensor.hpp"
 #include "forces/internal_force.hpp"
 #include "forces/point_gradients.hpp"
+#include "materials/soil_material.hpp"
 #include "transfer/gauss_average.hpp"
 
 #include <algorithm>
-#include <string>
 #include <vector>
 
 namespace terp {
-
-/// A law with its parameters, under the user's name.
-struct SoilMaterial {
-  std::string name;
-  const MaterialType* type = nullptr;
-  std::unique_ptr<Material> law;
-  Real density = 0.0;  ///< rho at t = 0 [kg/m^3]
-  int n_state() const { return static_cast<int>(type->state.size()); }
-};
 
 /// Choices and laws: the same for every cell of a run.
 struct SchemeContext {
@@ -50,18 +41,20 @@ struct alignas(64) StripArrays {
   Real plastic_work[strip_length];
 };
 
-/// n rows of a block from point `first` on, as a law takes them.
-inline StressArrays<2> stress_arrays(const PointBlock<2>& block, Index first, Index n, Real dt, StripArrays& strip)
+/// Runs the law on n entries of a block from point `first` on, padding included.
+inline void update_strip(
+    const SchemeContext& context, const PointBlock<2>& block, Index first, Index n, StripArrays& strip)
 {
-  using Rows = PointRows<2>;
+  const SoilMaterial& material = context.materials[block.material];
   StressArrays<2> arrays{};
-  for (int k = 0; k < n_sym<2>; ++k) arrays.sigma[k] = block.row(Rows::sigma + k) + first;
-  for (int k = 0; k < max_state; ++k) arrays.state[k] = block.row(Rows::state + k) + first;
+  for (int k = 0; k < n_sym<2>; ++k) arrays.sigma[k] = block.row(PointRows<2>::sigma + k) + first;
   for (int k = 0; k < n_sym<2>; ++k) arrays.d_eps[k] = strip.d_eps[k];
+  arrays.law = material.view(block, first);
   arrays.plastic_work = strip.plastic_work;
   arrays.n = n;
-  arrays.dt = dt;
-  return arrays;
+  arrays.n_points = block.n - first;
+  arrays.dt = context.dt;
+  material.law->update(arrays);
 }
 
 /// First-order Jaumann rotation: sigma += w sigma - sigma w, w = d_spin of the step (reading R17).

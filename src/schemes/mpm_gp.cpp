@@ -14,7 +14,6 @@ struct MpmGp {
     gather_at_gauss_points(
         context, group,
         [&](Index material) -> GaussValues<2, Pack>& { return one_layer ? only : group.gauss_of(material); },
-        [](Index) { return 0; },
         [&](const BlockLayer& layer, const GaussValues<2, Pack>& gauss) {
           for (int c = 0; c < group.n(); ++c)
             if (layer.block[c] >= 0) group.pressure[layer.block[c]] = gauss.pressure[c];
@@ -43,7 +42,7 @@ struct MpmGp {
       StripArrays strip;
       for (Index p = 0; p < n; p += pack_width)
         prepare_points(context.method, block, first + p, strain, cell_pressure, strip, p);
-      context.materials[block.material].law->update(stress_arrays(block, first, n, context.dt, strip));
+      update_strip(context, block, first, n, strip);
       sums.plastic_work += sum_plastic_work(block, first, n, strip);
       for (Index p = 0; p < n; p += pack_width) add_strain(block, first + p, strip, p);
     }

@@ -5,17 +5,12 @@ namespace terp {
 namespace {
 
 struct MpmMixed {
-  /// Gauss stress, state and internal force, Eqs. (1) to (4). Each state variable says how it is averaged (reading R9).
+  /// Gauss stress, rows of the laws and internal force, Eqs. (1) to (4).
   static void gather(const SchemeContext& context, const CellGroup& group)
   {
     gather_at_gauss_points(
         context, group, [&](Index material) -> GaussValues<2, Pack>& { return group.gauss_of(material); },
-        [&](Index material) { return context.materials[material].n_state(); },
-        [&](const BlockLayer& layer, GaussValues<2, Pack>& gauss) {
-          const auto states = context.materials[layer.material].type->state;
-          for (std::size_t k = 0; k < states.size(); ++k)
-            if (averages_over_cell(context.method, states[k])) average_state_over_cell(static_cast<int>(k), gauss);
-        });
+        [&](const BlockLayer& layer, GaussValues<2, Pack>& gauss) { gather_rows(context, group, layer, gauss); });
   }
 
   /// Steps 2 to 4 of Sec. 2.1: new stress and state at the Gauss points, assigned to the points of each sub-cell.
@@ -27,20 +22,38 @@ struct MpmMixed {
     for_each_layer(group, [&](const BlockLayer& layer) {
       const SoilMaterial& material = context.materials[layer.material];
       GaussValues<2, Pack>& gauss = group.gauss_of(layer.material);
-      const Pack plastic_work = update_gauss_points(context, material, lanes, gauss);  // Step 3
-      const auto values = by_cell(gauss, material.n_state());
+      GaussRow* rows = group.rows_of(layer.material);
+      const Pack plastic_work = update_gauss_points(context, material, lanes, gauss, rows);  // Step 3
+      const auto sigma = by_cell(gauss);
+      for (int k = 0; k < material.n_state(); ++k) turn_by_cell(rows[k]);
       for (int c = 0; c < group.n(); ++c) {
         if (layer.block[c] < 0) continue;
         prefetch_next(group, c);
         sums.plastic_work += plastic_work[c];
         const PointBlock<2>& block = group.points.block(layer.block[c]);
         for (Index p = 0; p < block.n; p += pack_width)
-          assign_to_points(values[c], strain[c], material.n_state(), block, p);  // Step 4
+          assign_to_points(sigma[c], rows, c, strain[c], material, block, p);  // Step 4
       }
     });
   }
 
  private:
+  /// Each state variable says how it is averaged (reading R9). A parameter that varies comes as the mean of its
+  /// sub-cell.
+  static void gather_rows(
+      const SchemeContext& context, const CellGroup& group, const BlockLayer& layer, const GaussValues<2, Pack>& gauss)
+  {
+    const SoilMaterial& material = context.materials[layer.material];
+    const SubCellMeans<Pack> mean(gauss.volume);
+    GaussRow* rows = group.rows_of(layer.material);
+    for (int k = 0; k < material.n_rows(); ++k) {
+      rows[k] = sum_row(group, layer, material.rows[k]);
+      mean(rows[k]);
+      if (k < material.n_state() && averages_over_cell(context.method, material.type->state[k]))
+        average_over_cell(gauss.weight, rows[k]);
+    }
+  }
+
   static bool averages_over_cell(const MethodOptions& method, const StateInfo& state)
   {
     if (method.state_averaging == StateAveraging::as_declared) return state.averaging == Averaging::cell;
@@ -49,16 +62,18 @@ struct MpmMixed {
 
   /// Runs the law on the four Gauss points of eight cells. Returns the plastic work of each cell [J per m].
   static Pack update_gauss_points(const SchemeContext& context, const SoilMaterial& material,
-      const GaussStrain<2, Pack>& strain, GaussValues<2, Pack>& gauss)
+      const GaussStrain<2, Pack>& strain, GaussValues<2, Pack>& gauss, GaussRow* rows)
   {
     if (context.method.objective_rate == ObjectiveRate::jaumann) rotate_gauss_points(strain, gauss);
+    constexpr Index n = 4 * pack_width;  // numbers of a row
     std::array<Pack, 4> plastic_work;
     StressArrays<2> arrays{};
     for (int k = 0; k < n_sym<2>; ++k) arrays.sigma[k] = numbers_of(gauss.sigma[k]);
-    for (int k = 0; k < max_state; ++k) arrays.state[k] = numbers_of(gauss.state[k]);
     for (int k = 0; k < n_sym<2>; ++k) arrays.d_eps[k] = numbers_of(strain.d_eps[k]);
+    arrays.law.state = {.data = reinterpret_cast<Real*>(rows), .stride = n};
+    arrays.law.parameters = {.data = arrays.law.state(material.n_state()), .stride = n};
     arrays.plastic_work = numbers_of(plastic_work);
-    arrays.n = 4 * pack_width;
+    arrays.n = arrays.n_points = n;
     arrays.dt = context.dt;
     material.law->update(arrays);
 
@@ -76,24 +91,34 @@ struct MpmMixed {
     }
   }
 
-  /// Stress and state cell by cell.
-  static std::array<GaussValues<2>, pack_width> by_cell(const GaussValues<2, Pack>& lanes, int n_state)
+  using StressOfCell = std::array<std::array<Real, 4>, n_sym<2>>;
+
+  /// Stress cell by cell.
+  static std::array<StressOfCell, pack_width> by_cell(const GaussValues<2, Pack>& lanes)
   {
-    std::array<GaussValues<2>, pack_width> gauss;
-    for (int k = 0; k < n_sym<2>; ++k) from_lanes(lanes.sigma[k], [&](int c) { return gauss[c].sigma[k].data(); });
-    for (int k = 0; k < n_state; ++k) from_lanes(lanes.state[k], [&](int c) { return gauss[c].state[k].data(); });
-    return gauss;
+    std::array<StressOfCell, pack_width> sigma;
+    for (int k = 0; k < n_sym<2>; ++k) from_lanes(lanes.sigma[k], [&](int c) { return sigma[c][k].data(); });
+    return sigma;
   }
 
-  static void assign_to_points(
-      const GaussValues<2>& gauss, const GaussStrain<2>& strain, int n_state, const PointBlock<2>& block, Index p)
+  /// A row cell by cell, in its own place: the four numbers of cell c begin at number 4 c.
+  static void turn_by_cell(GaussRow& row)
   {
-    using Rows = PointRows<2>;
+    const GaussRow lanes = row;
+    from_lanes(lanes, [&](int c) { return numbers_of(row) + 4 * c; });
+  }
+
+  /// rows: of the law at the Gauss points, turned by cell; c: number of this cell among them.
+  static void assign_to_points(const StressOfCell& sigma, const GaussRow* rows, int c, const GaussStrain<2>& strain,
+      const SoilMaterial& material, const PointBlock<2>& block, Index p)
+  {
     const Mask right = right_half(block, p), upper = upper_half(block, p);
     for (int k = 0; k < n_sym<2>; ++k)
-      at_sub_cell<Pack>(gauss.sigma[k], right, upper).store(block.row(Rows::sigma + k) + p);
-    for (int k = 0; k < n_state; ++k)
-      at_sub_cell<Pack>(gauss.state[k], right, upper).store(block.row(Rows::state + k) + p);
+      at_sub_cell<Pack>(sigma[k], right, upper).store(block.row(PointRows<2>::sigma + k) + p);
+    for (int k = 0; k < material.n_state(); ++k) {
+      const Real* value = numbers_of(rows[k]) + 4 * c;
+      at_sub_cell<Pack>({value[0], value[1], value[2], value[3]}, right, upper).store(block.row(material.rows[k]) + p);
+    }
     scale_volume(block, p, accumulate_strain(block, p, strain_at_points(strain, right, upper)));
   }
 };

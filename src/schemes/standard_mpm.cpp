@@ -32,7 +32,7 @@ struct StandardMpm {
       const Index n = std::min(strip_length, block.n_padded() - first);
       StripArrays strip;
       for (Index p = 0; p < n; p += pack_width) prepare_points(context.method, cell, du, block, first + p, strip, p);
-      context.materials[block.material].law->update(stress_arrays(block, first, n, context.dt, strip));
+      update_strip(context, block, first, n, strip);
       sums.plastic_work += sum_plastic_work(block, first, n, strip);
       for (Index p = 0; p < n; p += pack_width) add_strain(block, first + p, strip, p);
     }

@@ -70,12 +70,30 @@ struct BodyCase {
   VelocityField velocity_at;  ///< instead of velocity
 };
 
+/// A parameter that varies from point to point, instead of the one number: its value at the place where a point is at
+/// t = 0, in the unit of the law's table.
+struct ParameterField {
+  std::size_t parameter;  ///< number in the law's table
+  std::function<Real(Vec<2>)> value_at;
+};
+
 struct MaterialCase {
   std::string name;              ///< the user's: "clay"
   std::string model;             ///< the law's: "tresca_softening"
   Real density = 0.0;            ///< [kg/m^3]
-  std::vector<Real> parameters;  ///< in the order of the law's table
+  std::vector<Real> parameters;  ///< in the order of the law's table; of one that varies a value that it may have
+  std::vector<ParameterField> fields = {};  ///< ascending; those that the law lets vary
 };
+
+/// Replaces every parameter of a material by change(its number, value), those that vary at each place.
+template <class Change>
+void change_parameters(MaterialCase& material, Change change)
+{
+  for (std::size_t k = 0; k < material.parameters.size(); ++k)
+    material.parameters[k] = change(k, material.parameters[k]);
+  for (ParameterField& field : material.fields)
+    field.value_at = [k = field.parameter, before = field.value_at, change](Vec<2> x) { return change(k, before(x)); };
+}
 
 struct SideCase {
   std::string

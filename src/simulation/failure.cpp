@@ -40,12 +40,10 @@ std::vector<float> growth_of_strain(const Model& model, const State& state)
   std::vector<float> growth;
   growth.reserve(static_cast<std::size_t>(state.points.n_points()));
   for_each_block(state.points, [&](const PointBlock<2>& block) {
-    const int strain = find_eps_eq_p(*model.materials[block.material].type);
+    const int strain = row_of(model.materials[block.material], Role::plastic_strain);
     for (Index lane = 0; lane < block.n; ++lane) {
       const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
-      growth.push_back(strain < 0 ? 0.0f
-                                  : static_cast<float>(
-                                        block.row(PointRows<2>::state + strain)[lane] - state.audit.last_eps_eq_p[id]));
+      growth.push_back(strain < 0 ? 0.0f : static_cast<float>(block.row(strain)[lane] - state.audit.last_eps_eq_p[id]));
     }
   });
   return growth;
@@ -212,7 +210,7 @@ void summarise_failure(const Model& model, const State& state, Summary& s)
   s.moved_volume = moved.volume + left;
   s.moved_fraction = volume > 0.0 ? s.moved_volume / volume : 0.0;
   std::vector<int> strain_rows;
-  for (const SoilMaterial& material : model.materials) strain_rows.push_back(find_eps_eq_p(*material.type));
+  for (const SoilMaterial& material : model.materials) strain_rows.push_back(row_of(material, Role::plastic_strain));
   s.intact_fraction = finite(intact_share(state.points, state.x_initial, s.moved_distance, strain_rows));
 }
 

@@ -46,66 +46,57 @@ FieldRecipe recipe(std::string name, std::string unit, int n_components, F read)
           }};
 }
 
-FieldRecipe rows_recipe(std::string name, std::string unit, int first_row, int n_rows, int n_components)
+/// A row of the table; NaN at points whose material does not have it. Vectors have three components, as viewers expect.
+FieldRecipe row_recipe(const RowInfo& row)
 {
-  return recipe(std::move(name), std::move(unit), n_components, [=](const PointBlock<2>& block, Index lane, Real* out) {
-    for (int k = 0; k < n_rows; ++k) out[k] = block.row(first_row + k)[lane];
+  const int n_components = row.n == 2 ? 3 : row.n;
+  return recipe(row.name, row.unit, n_components, [&row](const PointBlock<2>& block, Index lane, Real* out) {
+    const bool has = row.is_of(block.material);
+    for (int k = 0; k < row.n; ++k) out[k] = has ? block.row(row.first + k)[lane] : nan;
   });
 }
 
-/// Fields of every point, whatever its material. Vectors have three components, as viewers expect.
-std::vector<FieldRecipe> common_recipes(const Model& model, const State& state)
+/// Fields that follow from the rows of any point.
+void add_common_recipes(const Model& model, const State& state, std::vector<FieldRecipe>& recipes)
 {
-  std::vector<FieldRecipe> recipes;
-  recipes.push_back(rows_recipe("velocity", "m/s", Rows::v, 2, 3));
   recipes.push_back(recipe("displacement", "m", 3, [&state](const PointBlock<2>& block, Index lane, Real* out) {
     for (int d = 0; d < 2; ++d) out[d] = block.row(Rows::x + d)[lane] - state.x_initial[2 * id_of(block, lane) + d];
   }));
-  recipes.push_back(rows_recipe("stress", "Pa", Rows::sigma, n_sym<2>, n_sym<2>));
-  recipes.push_back(rows_recipe("volume", "m^2", Rows::volume, 1, 1));
   recipes.push_back(
       recipe("material", "-", 1, [](const PointBlock<2>& block, Index, Real* out) { *out = block.material; }));
   recipes.push_back(recipe("cell", "-", 1, [](const PointBlock<2>& block, Index, Real* out) { *out = block.cell; }));
-  recipes.push_back(rows_recipe("strain", "-", Rows::strain, n_sym<2>, n_sym<2>));
   const DeviatoricNorm norm = model.description.output.deviatoric_norm;
   recipes.push_back(recipe("eps_deviatoric", "-", 1,
       [norm](const PointBlock<2>& block, Index lane, Real* out) { *out = deviatoric_strain(block, lane, norm); }));
-  return recipes;
 }
 
-bool known(const std::vector<FieldRecipe>& recipes, std::string_view name)
+/// Derived fields of all materials; NaN at points whose law has no such field.
+void add_derived_recipes(const Model& model, std::vector<FieldRecipe>& recipes)
 {
-  return std::any_of(recipes.begin(), recipes.end(), [&](const FieldRecipe& r) { return r.name == name; });
-}
-
-/// State and derived fields of all materials; NaN at points whose material has no such field.
-void add_material_recipes(const Model& model, std::vector<FieldRecipe>& recipes)
-{
-  /// value(material, number of the field, block, lane); infos: the fields of a material.
-  const auto add = [&](const auto& info, auto infos, auto value) {
-    if (known(recipes, info.name)) return;
-    recipes.push_back({std::string(info.name), std::string(info.unit), 1,
-        [&model, name = info.name, infos, value](const PointBlock<2>& block, Places places, Real* values) {
-          const SoilMaterial& material = model.materials[block.material];
-          const int k = find_name(infos(*material.type), name);
-          for_each_place(block, places, 1, values,
-              [&](Index lane, Real* out) { *out = k < 0 ? nan : value(material, k, block, lane); });
-        }});
+  const auto known = [&](std::string_view name) {
+    return std::ranges::any_of(recipes, [&](const FieldRecipe& r) { return r.name == name; });
   };
-  for (const SoilMaterial& m : model.materials) {
-    for (const StateInfo& info : m.type->state)
-      add(
-          info, [](const MaterialType& type) { return type.state; },
-          [](const SoilMaterial&, int k, const PointBlock<2>& block, Index lane) {
-            return block.row(Rows::state + k)[lane];
-          });
-    for (const DerivedInfo& info : m.type->derived)
-      add(
-          info, [](const MaterialType& type) { return type.derived; },
-          [](const SoilMaterial& material, int k, const PointBlock<2>& block, Index lane) {
-            return material.law->derived(k, state_of(block, lane, material.n_state()).data());
-          });
-  }
+  for (const SoilMaterial& of : model.materials)
+    for (const DerivedInfo& info : of.type->derived) {
+      if (known(info.name)) continue;
+      recipes.push_back(recipe(std::string(info.name), std::string(info.unit), 1,
+          [&model, name = info.name](const PointBlock<2>& block, Index lane, Real* out) {
+            const SoilMaterial& material = model.materials[block.material];
+            const int k = find_name(material.type->derived, name);
+            *out = k < 0 ? nan : material.law->derived(k, material.view(block, lane));
+          }));
+    }
+}
+
+/// Every field that the points of a run have.
+std::vector<FieldRecipe> all_recipes(const Model& model, const State& state)
+{
+  std::vector<FieldRecipe> recipes;
+  for (const RowInfo& row : model.rows.entries())
+    if (row.shown) recipes.push_back(row_recipe(row));
+  add_common_recipes(model, state, recipes);
+  add_derived_recipes(model, recipes);
+  return recipes;
 }
 
 bool wanted(const Model& model, const std::string& name)
@@ -174,8 +165,7 @@ Real deviatoric_strain(const std::array<Real, 4>& strain, DeviatoricNorm norm)
 std::optional<PointField> make_field(
     const Model& model, const State& state, const std::string& name, std::vector<std::string>& names)
 {
-  std::vector<FieldRecipe> recipes = common_recipes(model, state);
-  add_material_recipes(model, recipes);
+  std::vector<FieldRecipe> recipes = all_recipes(model, state);
   names = {"position"};
   for (const FieldRecipe& r : recipes) names.push_back(r.name);
   std::erase_if(recipes, [&](const FieldRecipe& r) { return r.name != name; });
@@ -189,8 +179,7 @@ Frame make_frame(const Model& model, const State& state) { return make_frame(mod
 
 Frame make_frame(const Model& model, const State& state, std::int64_t first, std::int64_t n)
 {
-  std::vector<FieldRecipe> recipes = common_recipes(model, state);
-  add_material_recipes(model, recipes);
+  std::vector<FieldRecipe> recipes = all_recipes(model, state);
   std::erase_if(recipes, [&](const FieldRecipe& r) { return !wanted(model, r.name); });
   return gather_frame(state, recipes, first, n);
 }

@@ -25,14 +25,13 @@ struct NamedPoint {
 
 Real plastic_strain_of(const NamedPoint& p)
 {
-  const int eps = find_eps_eq_p(*p.material().type);
-  return eps < 0 ? nan : p.row(Rows::state + eps);
+  const int row = row_of(p.material(), Role::plastic_strain);
+  return row < 0 ? nan : p.row(row);
 }
 
 Real strength_of(const NamedPoint& p)
 {
-  const int su = find_su(*p.material().type);
-  return su < 0 ? nan : p.material().law->derived(su, state_of(p.block, p.lane, p.material().n_state()).data());
+  return has_strength(p.material()) ? strength_of(p.material(), p.block, p.lane) : nan;
 }
 
 struct HistoryQuantity {

@@ -57,7 +57,7 @@ Real mass_above(const std::vector<DrawnBody>& drawn, Vec<2> x)
 }
 
 /// Velocity, strain and history to zero; positions stay and become the initial ones.
-void reset_history(State& state, int n_state)
+void reset_history(const RowTable& table, State& state)
 {
   using Rows = PointRows<2>;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
@@ -67,7 +67,8 @@ void reset_history(State& state, int n_state)
       state.x_initial[2 * id + d] = block.row(Rows::x + d)[lane];
     }
     for (int k = 0; k < n_sym<2>; ++k) block.row(Rows::strain + k)[lane] = 0.0;
-    for (int k = 0; k < n_state; ++k) block.row(Rows::state + k)[lane] = 0.0;
+    for (const RowInfo& row : table.added())
+      if (row.averaging != Averaging::keep) block.row(row.first)[lane] = row.initial;
   });
   state.work = {};
   state.clamped = 0;
@@ -86,8 +87,8 @@ Flow find_flow(const Model& model, const State& state)
   constexpr Real yielded = 0.1;  // eps_eq_p; single points at a toe come to 0.09 in soil that stands
   Flow flow;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
-    const int strain = find_eps_eq_p(*model.materials[block.material].type);
-    if (strain < 0 || block.row(Rows::state + strain)[lane] < yielded) return;
+    const int strain = row_of(model.materials[block.material], Role::plastic_strain);
+    if (strain < 0 || block.row(strain)[lane] < yielded) return;
     const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
     const Real way = std::hypot(
         block.row(Rows::x)[lane] - state.x_initial[2 * id], block.row(Rows::x + 1)[lane] - state.x_initial[2 * id + 1]);
@@ -165,7 +166,7 @@ Search seek_equilibrium(const Model& model, State& state, Workspace& work, const
     return {.fault = describe_flow(flow, state.n_ids())};
   work.damping_local = model.damping.local;
   work.settling = false;
-  reset_history(state, model.n_state);
+  reset_history(model.rows, state);
   start_following(model, state.section.columns, state);
   return {.reached = true};
 }

@@ -17,11 +17,10 @@ using Rows = PointRows<2>;
 void remember(const SoilMaterial& material, const PointBlock<2>& block, Index lane, HistoryAudit& audit)
 {
   const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
-  const int strain = find_eps_eq_p(*material.type), su = find_su(*material.type);
+  const int strain = row_of(material, Role::plastic_strain);
   if (strain < 0) return;
-  audit.last_eps_eq_p[id] = block.row(Rows::state + strain)[lane];
-  if (su >= 0 && !audit.last_su.empty())
-    audit.last_su[id] = material.law->derived(su, state_of(block, lane, material.n_state()).data());
+  audit.last_eps_eq_p[id] = block.row(strain)[lane];
+  if (has_strength(material) && !audit.last_su.empty()) audit.last_su[id] = strength_of(material, block, lane);
 }
 
 /// Takes up what the walk has found of the history.
@@ -32,7 +31,7 @@ void audit_history(const Model& model, const Totals& totals, State& state)
   for (Index b = 0; b < state.points.n_blocks(); ++b) {
     if (!totals.strained[b]) continue;
     const PointBlock<2>& block = state.points.block(b);
-    const Real* eps = block.row(Rows::state + find_eps_eq_p(*model.materials[block.material].type));
+    const Real* eps = block.row(row_of(model.materials[block.material], Role::plastic_strain));
     for (Index lane = 0; lane < block.n; ++lane)
       state.audit.last_eps_eq_p[static_cast<std::size_t>(block.row(Rows::id)[lane])] = eps[lane];
   }
@@ -100,29 +99,18 @@ constexpr LedgerQuantity balance[] = {
 
 }  // namespace
 
-Real elastic_energy(const Material& law, std::array<Real, 4> sigma, Real volume)
+Real elastic_energy(Moduli moduli, std::array<Real, 4> sigma, Real volume)
 {
-  return volume * ElasticEnergy(law)(sigma[0], sigma[1], sigma[2], sigma[3]);
-}
-
-bool strain_tells_strength(const SoilMaterial& material) { return material.n_state() == 1; }
-
-int find_eps_eq_p(const MaterialType& type) { return find_name(type.state, "eps_eq_p"); }
-int find_su(const MaterialType& type) { return find_name(type.derived, "su"); }
-
-std::array<Real, max_state> state_of(const PointBlock<2>& block, Index lane, int n_state)
-{
-  std::array<Real, max_state> values{};
-  for (int k = 0; k < n_state; ++k) values[k] = block.row(Rows::state + k)[lane];
-  return values;
+  return volume * ElasticEnergy<Real>(moduli)(sigma[0], sigma[1], sigma[2], sigma[3]);
 }
 
 Real kinetic_and_elastic_energy(const Model& model, const State& state)
 {
   Books books;
   for_each_block(state.points, [&](const PointBlock<2>& block) {
-    const ElasticEnergy energy(*model.materials[block.material].law);
-    for (Index p = 0; p < block.n; p += pack_width) books.enter(energy, block, p);
+    const SoilMaterial& material = model.materials[block.material];
+    const ElasticEnergy<Real> energy(material.law->moduli());
+    for (Index p = 0; p < block.n; p += pack_width) books.enter(material, energy, block, p);
   });
   return 0.5 * sum(books.twice_kinetic) + sum(books.elastic) + kinetic_and_elastic_energy(state.left);
 }
@@ -133,7 +121,7 @@ void start_audit(const Model& model, State& state)
 {
   const auto n = static_cast<std::size_t>(state.n_ids());
   const bool needs_su = std::any_of(model.materials.begin(), model.materials.end(), [](const SoilMaterial& m) {
-    return find_eps_eq_p(*m.type) >= 0 && find_su(*m.type) >= 0 && !strain_tells_strength(m);
+    return row_of(m, Role::plastic_strain) >= 0 && has_strength(m) && !strain_gives_strength(m);
   });
   state.audit.last_eps_eq_p.assign(n, 0.0);
   state.audit.last_su.assign(needs_su ? n : 0, std::numeric_limits<Real>::infinity());
@@ -178,16 +166,13 @@ TableRow keep_ledger(const Model& model, State& state, Workspace& work)
 Real softened_fraction(const Model& model, const State& state)
 {
   Real soft = 0.0, all = 0.0;
-  constexpr std::array<Real, max_state> fresh{};
   for_each_block(state.points, [&](const PointBlock<2>& block) {
     const SoilMaterial& material = model.materials[block.material];
-    const int field = find_su(*material.type);
-    const auto su = [&](const Real* values) { return field < 0 ? 1.0 : material.law->derived(field, values); };
-    const Real half = 0.5 * su(fresh.data());
+    const bool softens = has_strength(material);
     for (Index lane = 0; lane < block.n; ++lane) {
       const Real volume = block.row(Rows::volume)[lane];
       all += volume;
-      if (su(state_of(block, lane, material.n_state()).data()) < half) soft += volume;
+      if (softens && strength_of(material, block, lane) < 0.5 * strength_at(material, block, lane, 0.0)) soft += volume;
     }
   });
   return all > 0.0 ? soft / all : 0.0;

@@ -13,7 +13,7 @@
 namespace terp {
 
 /// Elastic energy stored in a point [J per m]; sigma: xx yy zz xy [Pa], volume [m^2].
-Real elastic_energy(const Material& law, std::array<Real, 4> sigma, Real volume);
+Real elastic_energy(Moduli moduli, std::array<Real, 4> sigma, Real volume);
 
 /// Kinetic energy of the points plus elastic energy stored in them, and what those that left took along [J per m].
 Real kinetic_and_elastic_energy(const Model& model, const State& state);
@@ -51,15 +51,5 @@ int find_name(auto infos, std::string_view name)
     if (infos[k].name == name) return static_cast<int>(k);
   return -1;
 }
-
-/// Which state variable of a material is called eps_eq_p, and which derived field su; -1 if none.
-int find_eps_eq_p(const MaterialType& type);
-int find_su(const MaterialType& type);
-
-/// True if S_u is a function of eps_eq_p alone: it need not be remembered beside it.
-bool strain_tells_strength(const SoilMaterial& material);
-
-/// State variables of one point, shape [max_state].
-std::array<Real, max_state> state_of(const PointBlock<2>& block, Index lane, int n_state);
 
 }  // namespace terp

@@ -44,7 +44,7 @@ struct Model {
   Real largest_density = 0.0;             ///< [kg/m^3], for the small-mass limit
   std::vector<std::int64_t> history_ids;  ///< ids of the named points, in the order of the case
   std::vector<BodyShare> bodies;          ///< in the order of the case; filled with the first state
-  int n_state = 0;                        ///< rows of state per point: the most that any material has
+  RowTable rows;                          ///< what a point carries
   int threads = 1;
 };
 

@@ -5,6 +5,7 @@
 #include "mesh/mesh_error.hpp"
 #include "simulation/failure.hpp"
 #include "simulation/initial.hpp"
+#include "simulation/point_parameters.hpp"
 #include "simulation/reached_sides.hpp"
 #include "simulation/setup_history.hpp"
 #include "simulation/setup_mesh.hpp"
@@ -28,7 +29,7 @@ std::vector<SoilMaterial> make_materials(const Case& c)
     const MaterialType* type = find_material(m.model);
     if (type == nullptr)
       throw InputError(Problem{"material." + m.name + ".model", "no such material model", "", "material"});
-    materials.push_back({m.name, type, type->make(m.parameters), m.density});
+    materials.push_back({m.name, type, type->make_varying(m.parameters, varying_parameters(m, *type)), m.density, {}});
   }
   return materials;
 }
@@ -86,31 +87,31 @@ OpenSides make_open_sides(const Case& c, const Mesh<2>& mesh)
   return open;
 }
 
-/// Materials that points may have: those of the bodies, or all of them if a file of points names its own.
-std::vector<const SoilMaterial*> used_materials(const Model& model)
+/// Numbers of the materials that points may have: those of the bodies, or all of them if a file of points names its
+/// own.
+std::vector<Index> used_materials(const Model& model)
 {
-  std::vector<const SoilMaterial*> used;
-  for (const BodyCase& body : model.description.bodies) {
-    if (body.points_file.empty()) used.push_back(&model.materials[material_number(model, body.material)]);
-    if (!body.points_file.empty())
-      for (const SoilMaterial& m : model.materials) used.push_back(&m);
-  }
+  std::vector<Index> used;
+  for (Index m = 0; m < static_cast<Index>(model.materials.size()); ++m)
+    if (std::ranges::any_of(model.description.bodies, [&](const BodyCase& body) {
+          return !body.points_file.empty() || body.material == model.materials[m].name;
+        }))
+      used.push_back(m);
   return used;
 }
 
 /// dt is the stable step, shortened so that the end is a whole number of steps (decision 0024).
-void set_time_step(Model& model)
+void set_time_step(const std::vector<Index>& used, Model& model)
 {
   const TimeCase& time = model.description.time;
   const Real altitude = model.mesh->smallest_altitude;
   Real fastest = 0.0, stable = std::numeric_limits<Real>::infinity();
-  for (const SoilMaterial* m : used_materials(model)) {
-    const Real wave = wave_speed(m->law->p_wave_modulus(), m->density);
+  for (const Stiffness& s : list_stiffness(model, used)) {
+    const Real density = model.materials[s.material].density, wave = wave_speed(s.moduli.p_wave(), density);
     fastest = std::max(fastest, wave);
-    stable = std::min(stable, stable_time_step(time.courant, altitude, wave) *
-                                  viscous_reduction(m->law->viscosity() / m->density, altitude, wave));
-    model.largest_density = std::max(model.largest_density, m->density);
-    model.n_state = std::max(model.n_state, m->n_state());
+    stable = std::min(stable,
+        stable_time_step(time.courant, altitude, wave) * viscous_reduction(s.viscosity / density, altitude, wave));
+    model.largest_density = std::max(model.largest_density, density);
   }
   const Real n = steps_to(time.end, stable);
   if (!(n < most_steps))
@@ -153,10 +154,10 @@ void expect_points(const std::vector<NewPoint>& points, State& state)
   }
 }
 
-void add_point(const Model& model, const NewPoint& p, std::size_t id, State& state)
+/// values: what all points begin with, shape [n_rows].
+void add_point(const Model& model, const NewPoint& p, std::size_t id, std::vector<Real>& values, State& state)
 {
   using Rows = PointRows<2>;
-  std::array<Real, Rows::state + max_state> values{};
   for (int d = 0; d < 2; ++d) {
     values[Rows::x + d] = p.x[d];
     values[Rows::xi + d] = p.local[d];
@@ -166,16 +167,18 @@ void add_point(const Model& model, const NewPoint& p, std::size_t id, State& sta
   values[Rows::mass] = p.volume * model.materials[p.material].density;
   values[Rows::volume] = p.volume;
   values[Rows::id] = static_cast<Real>(id);
-  state.points.add(p.cell, p.material, std::span(values).first(state.points.n_rows()));
+  state.points.add(p.cell, p.material, values);
 }
 
 /// Drops each batch when it is in: points and blocks together would be the most that a run ever holds.
 void add_points(const Model& model, PointBatches points, State& state)
 {
+  std::vector<Real> values(static_cast<std::size_t>(model.rows.n_rows()));
+  for (const RowInfo& row : model.rows.entries()) std::fill_n(values.begin() + row.first, row.n, row.initial);
   std::size_t id = 0;
   for (auto& batch : points) {
     expect_points(batch, state);
-    for (const NewPoint& p : batch) add_point(model, p, id++, state);
+    for (const NewPoint& p : batch) add_point(model, p, id++, values, state);
     PointBatches::value_type().swap(batch);
   }
 }
@@ -213,7 +216,9 @@ Model build_model(const Case& description, SharedMesh mesh, int threads)
   model.step = kernels().step;
   if (model.scheme == nullptr) throw InputError(Problem{"scheme", "no such scheme", "", "scheme"});
   model.threads = threads;
-  set_time_step(model);
+  const std::vector<Index> used = used_materials(model);
+  for (const Index m : used) add_rows(m, model.materials[m], model.rows);
+  set_time_step(used, model);
   return model;
 }
 
@@ -233,13 +238,14 @@ State build_state(Model& model)
   model.bodies = shares_of_bodies(model, points);
   const std::size_t n = count_all(points);
   State state;
-  state.points = PointBlocks<2>(model.mesh->n_cells(), model.n_state);
+  state.points = PointBlocks<2>(model.mesh->n_cells(), model.rows);
   state.x_initial.resize(2 * n);
   state.put_back.assign(n, false);
   state.footings.resize(model.footings.size());
   add_points(model, std::move(points), state);
   state.points.update_occupied();
   state.points.reserve(static_cast<std::int64_t>(n / 4));
+  set_point_parameters(model, state.x_initial, state);
   set_initial_stress(model, state);
   follow_history_points(model, state);
   const Vec<2> x = extent_in_x(*model.mesh);

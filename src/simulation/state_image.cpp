@@ -16,6 +16,8 @@ using Rows = PointRows<2>;
 
 using Values = decltype(NamedArray::values);
 
+const std::string points_room = "points/";  // arrays with an entry for each point
+
 /// An array of an image, and how to read n of its rows from `first` on.
 struct ArraySource {
   std::string name;
@@ -72,14 +74,19 @@ void add_points(const State& state, std::vector<ArraySource>& arrays)
       {"points/cell", {points.n_points()}, whole_number([](const PointBlock<2>& block) { return block.cell; })});
   arrays.push_back({"points/material", {points.n_points()},
       whole_number([](const PointBlock<2>& block) { return block.material; })});
-  arrays.push_back({"points/rows", {points.n_points(), points.n_rows()}, [&points](std::int64_t first, std::int64_t n) {
-                      std::vector<Real> values;
-                      values.reserve(n * points.n_rows());
-                      for_points(points, first, n, [&](const PointBlock<2>& block, Index lane) {
-                        for (int r = 0; r < points.n_rows(); ++r) values.push_back(block.row(r)[lane]);
-                      });
-                      return values;
-                    }});
+  for (const RowInfo& row : points.table().entries()) {
+    if (!row.saved) continue;
+    const std::vector<std::int64_t> one{points.n_points()}, more{points.n_points(), row.n};
+    arrays.push_back(
+        {points_room + row.name, row.n == 1 ? one : more, [&points, &row](std::int64_t first, std::int64_t n) {
+           std::vector<Real> values;
+           values.reserve(static_cast<std::size_t>(n * row.n));
+           for_points(points, first, n, [&](const PointBlock<2>& block, Index lane) {
+             for (int k = 0; k < row.n; ++k) values.push_back(block.row(row.first + k)[lane]);
+           });
+           return values;
+         }});
+  }
 }
 
 [[noreturn]] void throw_missing(std::string_view name)
@@ -173,13 +180,43 @@ void get_failure(const StateImage& image, State& state)
   }
 }
 
+/// A row of the table and its values in an image, shape [n_points, n].
+struct SavedRow {
+  const RowInfo& row;
+  const Real* values;
+};
+
+/// The rows of the points in an image: those of the table, no fewer and no more.
+std::vector<SavedRow> get_rows(const RowTable& table, const StateImage& image, std::size_t n_points)
+{
+  std::vector<SavedRow> rows;
+  for (const RowInfo& row : table.entries()) {
+    if (!row.saved) continue;
+    const std::string name = points_room + row.name;
+    if (!holds(image, name))
+      throw FileError(
+          fmt::format("the checkpoint does not fit this case: its points have no `{}` ({}), which the "
+                      "points of this case carry",
+              row.name, row.meaning));
+    rows.push_back({row, get<Real>(image, name, n_points * static_cast<std::size_t>(row.n)).data()});
+  }
+  for (const NamedArray& array : image.arrays) {
+    if (!array.name.starts_with(points_room)) continue;
+    const std::string name = array.name.substr(points_room.size());
+    if (name != "cell" && name != "material" &&
+        std::ranges::none_of(rows, [&](const SavedRow& saved) { return saved.row.name == name; }))
+      throw FileError(fmt::format(
+          "the checkpoint does not fit this case: its points carry `{}`, which the points of this case do not", name));
+  }
+  return rows;
+}
+
 void get_points(const Model& model, const StateImage& image, State& state)
 {
-  state.points = PointBlocks<2>(model.mesh->n_cells(), model.n_state);
-  const auto n_rows = static_cast<std::size_t>(state.points.n_rows());
+  state.points = PointBlocks<2>(model.mesh->n_cells(), model.rows);
   const auto& cell = get<std::int64_t>(image, "points/cell");
   const auto& material = get<std::int64_t>(image, "points/material", cell.size());
-  const auto& rows = get<Real>(image, "points/rows", cell.size() * n_rows);
+  const std::vector<SavedRow> rows = get_rows(model.rows, image, cell.size());
   const auto fits = [](const std::vector<std::int64_t>& values, std::size_t limit) {
     return std::all_of(
         values.begin(), values.end(), [&](std::int64_t v) { return v >= 0 && v < static_cast<std::int64_t>(limit); });
@@ -191,8 +228,12 @@ void get_points(const Model& model, const StateImage& image, State& state)
     while (end < cell.size() && cell[end] == cell[k] && material[end] == material[k]) ++end;
     state.points.expect(static_cast<Index>(cell[k]), static_cast<Index>(material[k]), static_cast<Index>(end - k));
   }
-  for (std::size_t k = 0; k < cell.size(); ++k)
-    state.points.add(static_cast<Index>(cell[k]), static_cast<Index>(material[k]), {rows.data() + k * n_rows, n_rows});
+  std::vector<Real> values(static_cast<std::size_t>(model.rows.n_rows()));
+  for (std::size_t k = 0; k < cell.size(); ++k) {
+    for (const SavedRow& saved : rows)
+      std::copy_n(saved.values + k * static_cast<std::size_t>(saved.row.n), saved.row.n, &values[saved.row.first]);
+    state.points.add(static_cast<Index>(cell[k]), static_cast<Index>(material[k]), values);
+  }
   state.points.update_occupied();
   state.points.reserve(static_cast<std::int64_t>(cell.size() / 4));
 }

@@ -82,9 +82,10 @@ void finish_sums(State& state, Workspace& work)
 }
 
 /// Enters a point that crossed an open side in the list of those that left.
-void enter_left(const Model& model, Index material, std::span<const Real> values, State& state)
+void enter_left(const Model& model, Index number, std::span<Real> values, State& state)
 {
   using Rows = PointRows<2>;
+  const SoilMaterial& material = model.materials[number];
   const std::array<Real, 4> sigma{
       values[Rows::sigma], values[Rows::sigma + 1], values[Rows::sigma + 2], values[Rows::sigma + 3]};
   state.left.push_back({.time = static_cast<Real>(state.step + 1) * model.dt,
@@ -92,7 +93,7 @@ void enter_left(const Model& model, Index material, std::span<const Real> values
       .x = {values[Rows::x], values[Rows::x + 1]},
       .v = {values[Rows::v], values[Rows::v + 1]},
       .mass = values[Rows::mass],
-      .elastic = elastic_energy(*model.materials[material].law, sigma, values[Rows::volume]),
+      .elastic = elastic_energy(material.law->moduli(material.view(values.data(), 1)), sigma, values[Rows::volume]),
       .volume = values[Rows::volume]});
 }
 

@@ -63,11 +63,10 @@ void enter_speeds(const PointBlocks<2>& points, const std::vector<Real>& fastest
 /// What the walk needs of a material.
 struct MaterialRows {
   const SoilMaterial& material;
-  ElasticEnergy energy{*material.law};
-  int strain = find_eps_eq_p(*material.type);  ///< state variable that is eps_eq_p; -1: none
-  int su = find_su(*material.type);            ///< derived field that is S_u; -1: none
-  bool told =
-      strain_tells_strength(material);  ///< S_u is a function of eps_eq_p alone: it need not be remembered beside it
+  ElasticEnergy<Real> energy{material.law->moduli()};
+  int strain = row_of(material, Role::plastic_strain);  ///< -1: none
+  bool has_su = has_strength(material);
+  bool told = strain_gives_strength(material);
 };
 
 /// What the walk finds in the cells of one chunk.
@@ -82,15 +81,14 @@ struct ChunkTotals {
 /// strain fell: a law that hardens as it strains is no fault.
 void audit_points(const MaterialRows& rows, const PointBlock<2>& block, HistoryAudit& audit, ChunkTotals& chunk)
 {
-  const Material& law = *rows.material.law;
   for (Index lane = 0; lane < block.n; ++lane) {
     const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
-    const Real eps = block.row(Rows::state + rows.strain)[lane], before = audit.last_eps_eq_p[id];
+    const Real eps = block.row(rows.strain)[lane], before = audit.last_eps_eq_p[id];
     const bool fell = eps < before * (1.0 - audit_tolerance);
     if (fell) chunk.fell.push_back(id);
-    if (rows.su < 0 || (rows.told && !fell)) continue;
-    const Real su = law.derived(rows.su, state_of(block, lane, rows.material.n_state()).data());
-    const Real su_before = rows.told ? law.derived(rows.su, &before) : audit.last_su[id];
+    if (!rows.has_su || (rows.told && !fell)) continue;
+    const Real su = strength_of(rows.material, block, lane);
+    const Real su_before = rows.told ? strength_at(rows.material, block, lane, before) : audit.last_su[id];
     if (su > su_before * (1.0 + audit_tolerance)) chunk.rose.push_back(id);
     if (!audit.last_su.empty()) audit.last_su[id] = su;
   }
@@ -107,8 +105,7 @@ StrainChange enter_strain(const PointBlock<2>& block, Index p, int strain, std::
 {
   const Index n = block.n - p;
   const Mask in_use = lane_numbers() < Pack(static_cast<Real>(n));
-  const Pack before = Pack::gather(last.data(), 1, block.row(Rows::id) + p, n),
-             eps = Pack::load(block.row(Rows::state + strain) + p);
+  const Pack before = Pack::gather(last.data(), 1, block.row(Rows::id) + p, n), eps = Pack::load(block.row(strain) + p);
   const Pack x = Pack::load(block.row(Rows::x) + p), growth = Pack::load(block.row(Rows::volume) + p) * (eps - before);
   for (std::size_t k = 0; k < shear.size(); ++k) {
     const Mask inside = (x >= Pack(shear[k].left)) & (x < Pack(shear[k].right())) & in_use;
@@ -125,7 +122,7 @@ bool enter_block(const MaterialRows& rows, std::span<const Columns> shear, const
   Pack most(0.0);
   StrainChange any{lane_numbers() < Pack(0.0), lane_numbers() < Pack(0.0)};
   for (Index p = 0; p < block.n; p += pack_width) {
-    chunk.books.enter(rows.energy, block, p);
+    chunk.books.enter(rows.material, rows.energy, block, p);
     chunk.moved.enter(block, p);
     most = max(most, squared_speeds(block, p));
     if (rows.strain < 0) continue;

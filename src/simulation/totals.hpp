@@ -32,14 +32,13 @@ struct Totals {
 Totals add_up_compiled(
     const Model& model, State& state, Threads& threads, Real moved_distance, std::span<const Columns> shear);
 
-/// Energy stored per volume, of one point or of a pack of them.
+/// Energy stored per volume, of one point or of a pack of them. P: Real, or Pack where the points differ in stiffness.
+template <class P>
 struct ElasticEnergy {
-  Real half_over_bulk, quarter_over_shear;  // [1/Pa]; a fluid stores no shear
-  explicit ElasticEnergy(const Material& law)
-      : half_over_bulk(0.5 / law.bulk_modulus()),
-        quarter_over_shear(law.shear_modulus() > 0.0 ? 0.25 / law.shear_modulus() : 0.0)
-  {
-  }
+  P half_over_bulk, quarter_over_shear;  // [1/Pa]; a fluid stores no shear
+
+  ElasticEnergy(P over_bulk, P over_shear) : half_over_bulk(over_bulk), quarter_over_shear(over_shear) {}
+  explicit ElasticEnergy(Moduli m) : ElasticEnergy(0.5 / m.bulk, m.shear > 0.0 ? 0.25 / m.shear : 0.0) {}
 
   template <class R>
   R operator()(R xx, R yy, R zz, R xy) const
@@ -49,12 +48,34 @@ struct ElasticEnergy {
   }
 };
 
+/// Of the points p ... p + 7 of a block whose parameters vary; padding stores none.
+inline ElasticEnergy<Pack> elastic_energy_of_points(const SoilMaterial& material, const PointBlock<2>& block, Index p)
+{
+  alignas(64) Real over_bulk[pack_width] = {}, over_shear[pack_width] = {};
+  for (Index k = 0; k < std::min<Index>(pack_width, block.n - p); ++k) {
+    const ElasticEnergy<Real> of_point(material.law->moduli(material.view(block, p + k)));
+    over_bulk[k] = of_point.half_over_bulk;
+    over_shear[k] = of_point.quarter_over_shear;
+  }
+  return {Pack::load(over_bulk), Pack::load(over_shear)};
+}
+
 /// Sums by lane. Lanes that hold no point have no mass and no volume.
 struct Books {
   Pack mass{0.0}, momentum_x{0.0}, momentum_y{0.0}, twice_kinetic{0.0}, elastic{0.0};
 
-  /// Adds the points p ... p + 7 of a block.
-  void enter(const ElasticEnergy& energy, const PointBlock<2>& block, Index p)
+  /// Adds the points p ... p + 7 of a block. energy: of the material if its parameters do not vary.
+  void enter(const SoilMaterial& material, const ElasticEnergy<Real>& energy, const PointBlock<2>& block, Index p)
+  {
+    if (material.varies())
+      enter(elastic_energy_of_points(material, block, p), block, p);
+    else
+      enter(energy, block, p);
+  }
+
+ private:
+  template <class P>
+  void enter(const ElasticEnergy<P>& energy, const PointBlock<2>& block, Index p)
   {
     using Rows = PointRows<2>;
     const auto at = [&](int r) { return Pack::load(block.row(r) + p); };

@@ -2,6 +2,7 @@
 
 #include "simulation/state.hpp"
 
+#include <algorithm>
 #include <bit>
 
 namespace terp {
@@ -24,6 +25,7 @@ Workspace::Workspace(const Model& model, const State& state)
     : threads(model.threads), damping_local(model.damping.local)
 {
   node.make_anew(model.mesh->nodes.size());
+  for (const SoilMaterial& material : model.materials) n_gauss_rows = std::max(n_gauss_rows, material.n_rows());
   active_nodes.reserve(model.mesh->nodes.size());
   node_sums.reserve(Threads::n_chunks(model.mesh->n_nodes(), nodes_per_chunk));
   leaver.resize(state.points.n_rows());
@@ -42,7 +44,10 @@ void Workspace::fit(const Model& model, const State& state)
   corners.resize(cells.size());
   pressure.resize(state.points.n_blocks());
   const std::size_t n_gauss = model.materials.size() * Threads::n_chunks(static_cast<Index>(cells.size()), pack_width);
-  if (gauss.size() < n_gauss) gauss.make_anew(2 * n_gauss);
+  if (gauss.size() < n_gauss) {
+    gauss.make_anew(2 * n_gauss);
+    gauss_rows.make_anew(2 * n_gauss * static_cast<std::size_t>(n_gauss_rows));
+  }
   list_active_nodes(*model.mesh, cells, *this);
   cell_sums.resize(Threads::n_chunks(static_cast<Index>(cells.size()), cells_per_chunk));
   node_sums.resize(Threads::n_chunks(static_cast<Index>(active_nodes.size()), nodes_per_chunk));

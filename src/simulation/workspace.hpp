@@ -47,10 +47,12 @@ struct Workspace {
   Threads threads;
   std::vector<CornerSums<2>> corners;  ///< shape [n_occupied]
   ZeroedArray<GaussValues<2, Pack>>
-      gauss;                        ///< shape [n_materials * n_groups at least]; a scheme may use few of them or none
-  std::vector<Real> pressure;       ///< p_e [Pa], shape [n_blocks]; of schemes that keep no other Gauss values
-  ZeroedArray<NodeValues> node;     ///< shape [n_nodes]; only those of active nodes are written
-  std::vector<Index> active_nodes;  ///< nodes of occupied cells, ascending
+      gauss;                         ///< shape [n_materials * n_groups at least]; a scheme may use few of them or none
+  ZeroedArray<GaussRow> gauss_rows;  ///< shape [n_materials * n_groups at least, n_gauss_rows]; used like `gauss`
+  Index n_gauss_rows = 0;            ///< the most that any law adds to the points
+  std::vector<Real> pressure;        ///< p_e [Pa], shape [n_blocks]; of schemes that keep no other Gauss values
+  ZeroedArray<NodeValues> node;      ///< shape [n_nodes]; only those of active nodes are written
+  std::vector<Index> active_nodes;   ///< nodes of occupied cells, ascending
   std::vector<std::uint64_t> node_bits;
   std::vector<NodeSums> node_sums;               ///< by chunk
   std::vector<CellSums> cell_sums;               ///< by chunk

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "simulation/initial.hpp"
 #include "simulation/ledger.hpp"
+#include "simulation/point_parameters.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/state_image.hpp"
 #include "stability/stiffen.hpp"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace terp {
 namespace {
@@ -19,19 +21,40 @@ bool has_strength(const MaterialType& law)
   return std::ranges::any_of(law.parameters, [](const ParameterInfo& p) { return p.reduction != Reduction::none; });
 }
 
-/// linear_elastic with the moduli of a law.
-MaterialCase elastic_twin(const MaterialCase& material, const Material& law)
+/// Parameters of linear_elastic with given moduli.
+std::vector<Real> elastic_parameters(Moduli m)
 {
-  const Real bulk = law.bulk_modulus(), shear = law.shear_modulus();
-  return {material.name, "linear_elastic", material.density,
-      {shear, (3.0 * bulk - 2.0 * shear) / (2.0 * (3.0 * bulk + shear))}};
+  return {m.shear, (3.0 * m.bulk - 2.0 * m.shear) / (2.0 * (3.0 * m.bulk + m.shear))};
 }
 
-int most_state(const Case& c)
+/// linear_elastic with the moduli of a law, at each place if any of its parameters varies.
+MaterialCase elastic_twin(const MaterialCase& material, const MaterialType& law)
 {
-  std::size_t n = 0;
-  for (const MaterialCase& material : c.materials) n = std::max(n, find_material(material.model)->state.size());
-  return static_cast<int>(n);
+  MaterialCase twin{
+      material.name, "linear_elastic", material.density, elastic_parameters(law.make(material.parameters)->moduli())};
+  if (material.fields.empty()) return twin;
+  for (std::size_t k = 0; k < twin.parameters.size(); ++k)
+    twin.fields.push_back({k, [material, &law, k](Vec<2> x) {
+                             return elastic_parameters(law.make(parameters_at(material, law, x))->moduli())[k];
+                           }});
+  return twin;
+}
+
+/// The rows of both tables. Those of the second that the elastic soil does not look at keep their initial values.
+RowTable joined(RowTable table, const RowTable& other)
+{
+  for (const RowInfo& row : other.added()) table.add(row);
+  return table;
+}
+
+/// Leaves of the points in an image what a table has: parameters of the elastic soil that vary go.
+void drop_rows_but(const RowTable& table, StateImage& image)
+{
+  const auto is_row = [&](const std::string& name) {
+    return std::ranges::any_of(table.entries(), [&](const RowInfo& row) { return "points/" + row.name == name; });
+  };
+  std::erase_if(image.arrays,
+      [&](const NamedArray& array) { return array.name.starts_with("points/parameter_") && !is_row(array.name); });
 }
 
 /// The case without a limit to any strength: laws are elastic, contact planes that hold along themselves do not let go.
@@ -39,7 +62,7 @@ Case elastic_case(Case c)
 {
   for (MaterialCase& material : c.materials) {
     const MaterialType* law = find_material(material.model);
-    if (has_strength(*law)) material = elastic_twin(material, *law->make(material.parameters));
+    if (has_strength(*law)) material = elastic_twin(material, *law);
   }
   for (SideCase& side : c.sides)
     if (side.adhesion > 0.0 || side.friction > 0.0) side.adhesion = std::numeric_limits<Real>::infinity();
@@ -63,12 +86,15 @@ void set_scales(const Model& model, const State& state, ElasticStart& start)
 {
   const Real g = std::hypot(model.gravity[0], model.gravity[1]);
   start.height = extent_along(state, model.damping.down);
-  for (const SoilMaterial& m : model.materials) {
-    const Real bulk = m.law->bulk_modulus() / start.stiffening, shear = m.law->shear_modulus() / start.stiffening;
+  std::vector<Index> all(model.materials.size());
+  std::iota(all.begin(), all.end(), 0);
+  for (const Stiffness& s : list_stiffness(model, all)) {
+    const Real density = model.materials[s.material].density;
+    const Real bulk = s.moduli.bulk / start.stiffening, shear = s.moduli.shear / start.stiffening;
     if (!(shear > 0.0)) continue;
     const Real young = 9.0 * bulk * shear / (3.0 * bulk + shear);
-    start.traversal = std::max(start.traversal, start.height / std::sqrt(shear / m.density));
-    start.displacement = std::max(start.displacement, m.density * g * start.height * start.height / young);
+    start.traversal = std::max(start.traversal, start.height / std::sqrt(shear / density));
+    start.displacement = std::max(start.displacement, density * g * start.height * start.height / young);
   }
   const Real window = window_traversals * start.traversal;
   start.free_motion = g * window * window;
@@ -91,10 +117,12 @@ ElasticStart settle_elastically(
     throw InputError(Problem{"forces.gravity", "a factor of safety needs gravity",
         "Set gravity = [0.0, -9.81] in [forces].", "forces", true, {"forces"}});
   Model model = build_model(elastic_case(stiffen(quiet, stiffening)), mesh, threads);
-  model.n_state = most_state(quiet);
+  const RowTable of_trials = build_model(quiet, mesh, threads).rows;
+  model.rows = joined(model.rows, of_trials);
   State state = build_state(model);
   ElasticStart start;
   start.stiffening = stiffening;
+  start.places = state.x_initial;
   set_scales(model, state, start);
   start_audit(model, state);
   Workspace work(model, state);
@@ -104,6 +132,7 @@ ElasticStart settle_elastically(
   start.steps = state.equilibrium_steps;
   start_audit(model, state);
   start.rest = make_image(state);
+  drop_rows_but(of_trials, start.rest);
   return start;
 }
 

@@ -13,14 +13,15 @@ inline constexpr Real window_traversals = 2.0;
 
 /// The soil at rest, and the scales by which motion is judged.
 struct ElasticStart {
-  StateImage rest;          ///< at t = 0, no velocity, no strain, no history
-  std::int64_t steps = 0;   ///< that the search for it took
-  Real height = 0.0;        ///< H, extent of the soil along gravity [m]
-  Real traversal = 0.0;     ///< time in which a shear wave crosses H in the softest soil [s]
-  Real displacement = 0.0;  ///< rho g H^2 / E of the softest soil, which motion is measured in [m]
-  Real free_motion = 0.0;   ///< g T^2, T a window: what soil under its whole weight moves more in each window than in
-                            ///< the one before [m]
-  Real stiffening = 1.0;    ///< s of stiffen() at which it was settled; the scales above are those of the soil as it is
+  StateImage rest;           ///< at t = 0, no velocity, no strain, no history
+  std::vector<Real> places;  ///< where the points were seeded, by id, shape [n_points, 2] [m]
+  std::int64_t steps = 0;    ///< that the search for it took
+  Real height = 0.0;         ///< H, extent of the soil along gravity [m]
+  Real traversal = 0.0;      ///< time in which a shear wave crosses H in the softest soil [s]
+  Real displacement = 0.0;   ///< rho g H^2 / E of the softest soil, which motion is measured in [m]
+  Real free_motion = 0.0;    ///< g T^2, T a window: what soil under its whole weight moves more in each window than in
+                             ///< the one before [m]
+  Real stiffening = 1.0;  ///< s of stiffen() at which it was settled; the scales above are those of the soil as it is
 };
 
 /// The case as its trials solve it: nothing moves but by its weight. Footings are left out, driven sides stand still.

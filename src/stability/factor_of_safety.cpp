@@ -30,6 +30,7 @@ Real StabilityResult::factor() const
 StabilityResult find_factor_of_safety(
     const Case& c, const StabilityOptions& options, const std::atomic<bool>& stop, const TrialTold& told)
 {
+  check_may_be_judged(c);
   const Case quiet = quiet_case(c);
   StabilityResult result;
   result.options = options;

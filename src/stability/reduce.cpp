@@ -1,5 +1,6 @@
 #include "stability/reduce.hpp"
 
+#include "base/errors.hpp"
 #include "materials/material.hpp"
 
 #include <algorithm>
@@ -38,9 +39,11 @@ std::vector<Strength> strengths_of(const Case& c)
     if (law == nullptr || !is_used(c, material)) continue;
     for (std::size_t k = 0; k < law->parameters.size(); ++k) {
       const ParameterInfo& p = law->parameters[k];
-      if (p.reduction != Reduction::none && std::isfinite(material.parameters[k]))
-        strengths.push_back(
-            {fmt::format("material.{}.{}", material.name, p.name), std::string(p.unit), material.parameters[k]});
+      const bool varies =
+          std::ranges::any_of(material.fields, [k](const ParameterField& field) { return field.parameter == k; });
+      if (p.reduction != Reduction::none && (varies || std::isfinite(material.parameters[k])))
+        strengths.push_back({fmt::format("material.{}.{}", material.name, p.name), std::string(p.unit),
+            varies ? std::numeric_limits<Real>::quiet_NaN() : material.parameters[k]});
     }
   }
   for (const SideCase& side : c.sides) {
@@ -53,15 +56,28 @@ std::vector<Strength> strengths_of(const Case& c)
 Case reduce_strength(Case c, Real factor)
 {
   for (MaterialCase& material : c.materials) {
-    const MaterialType* law = find_material(material.model);
-    for (std::size_t k = 0; law != nullptr && k < law->parameters.size(); ++k)
-      material.parameters[k] = reduced(law->parameters[k].reduction, material.parameters[k], factor);
+    if (const MaterialType* law = find_material(material.model))
+      change_parameters(material,
+          [law, factor](std::size_t k, Real value) { return reduced(law->parameters[k].reduction, value, factor); });
   }
   for (SideCase& side : c.sides) {
     side.adhesion /= factor;
     side.friction /= factor;
   }
   return c;
+}
+
+void check_may_be_judged(const Case& c)
+{
+  for (const MaterialCase& material : c.materials) {
+    const MaterialType* law = find_material(material.model);
+    if (law == nullptr || law->not_judged.empty() || !is_used(c, material)) continue;
+    throw InputError(Problem{fmt::format("material.{}.model", material.name),
+        fmt::format("a factor of safety cannot be found for soil of the law {}", law->name),
+        fmt::format("Because {}.\nGive `{}` another law, or leave it out: all soil of a case is judged together.",
+            law->not_judged, material.name),
+        "material", true});
+  }
 }
 
 std::vector<std::string> check_reduced(const Case& c)

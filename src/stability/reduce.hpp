@@ -13,7 +13,7 @@ namespace terp {
 struct Strength {
   std::string key;  ///< "material.clay.su_peak", "boundary.bottom.adhesion"
   std::string unit;
-  Real value = 0.0;
+  Real value = 0.0;  ///< not a number if it varies from point to point
 };
 
 /// Every strength that the case has: of materials that bodies use, and of contact planes that have any.
@@ -21,6 +21,9 @@ std::vector<Strength> strengths_of(const Case& c);
 
 /// The case with stresses divided by `factor`, and angles whose tangents are.
 Case reduce_strength(Case c, Real factor);
+
+/// Throws InputError if a body is of a law that may not be judged, with the law's reason.
+void check_may_be_judged(const Case& c);
 
 /// What the laws find wrong with the parameters of a reduced case, in one line each.
 std::vector<std::string> check_reduced(const Case& c);

@@ -8,13 +8,15 @@ namespace terp {
 
 Case stiffen(Case c, Real s)
 {
-  for (MaterialCase& material : c.materials) {
-    const MaterialType* law = find_material(material.model);
-    for (std::size_t k = 0; law != nullptr && k < law->parameters.size(); ++k) {
-      if (law->parameters[k].strain_scale == StrainScale::multiply) material.parameters[k] *= s;
-      if (law->parameters[k].strain_scale == StrainScale::multiply_root) material.parameters[k] *= std::sqrt(s);
-    }
-  }
+  for (MaterialCase& material : c.materials)
+    if (const MaterialType* law = find_material(material.model))
+      change_parameters(material, [law, s](std::size_t k, Real value) {
+        const Real exponent = law->parameters[k].strain_exponent;
+        return exponent == 0.0 ? value
+                               : value * (exponent == 1.0      ? s
+                                             : exponent == 0.5 ? std::sqrt(s)
+                                                               : std::pow(s, exponent));
+      });
   c.forces.viscous_damping *= std::sqrt(s);
   c.time.end /= std::sqrt(s);
   return c;

@@ -6,7 +6,7 @@
 namespace terp {
 
 /// The case whose strains and displacements are s times smaller and whose times are sqrt(s) times shorter, with the
-/// same stresses, forces and accelerations. The laws' tables say what that takes (ParameterInfo::strain_scale).
+/// same stresses, forces and accelerations. The laws' tables say what that takes (ParameterInfo::strain_exponent).
 Case stiffen(Case c, Real s);
 
 }  // namespace terp

@@ -2,6 +2,8 @@
 
 #include "base/errors.hpp"
 #include "simulation/run.hpp"
+#include "simulation/guards.hpp"
+#include "simulation/point_parameters.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/state_image.hpp"
 #include "stability/judged_soil.hpp"
@@ -65,6 +67,7 @@ Trial run_trial(const Case& quiet, const SharedMesh& mesh, const ElasticStart& s
   const Model model =
       build_trial(reduce_strength(stiffen(quiet, start.stiffening), factor), mesh, start, rules, threads);
   State state = restore(model, start.rest);
+  set_point_parameters(model, start.places, state);  // reduced; the elastic soil did not look at them
   Workspace work(model, state);
   JudgedSoil soil(model, state);
   Trial trial;

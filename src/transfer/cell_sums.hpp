@@ -2,7 +2,7 @@
 // one per lane. Small arrays that stay in the first cache.
 #pragma once
 
-#include "materials/material.hpp"
+#include "materials/soil_material.hpp"
 #include "points/point_blocks.hpp"
 
 namespace terp {
@@ -15,16 +15,18 @@ struct CornerSums {
   std::array<std::array<R, n_corners<Dim>>, Dim> internal_force;  ///< f_int of Eq. (4) [N per m]
 };
 
-/// Values at the Gauss points of the points of one block.
+/// Values at the Gauss points of the points of one block. What laws add to the points is kept beside it: GaussRow.
 template <int Dim, class R = Real>
 struct GaussValues {
   using PerGauss = std::array<R, n_corners<Dim>>;
   std::array<PerGauss, n_sym<Dim>> sigma;  ///< mean stress of the sub-cell, then sigma_hat of Eq. (3) [Pa]
-  std::array<PerGauss, max_state> state;   ///< mean state of the sub-cell (MPM-Mixed)
   PerGauss volume;                         ///< sum of Omega_p in the sub-cell [m^2]
   PerGauss weight;                         ///< Omega_GP of Eqs. (2), (4) [m^2]
   R pressure;                              ///< p_e of Eq. (2) [Pa]
 };
+
+/// One row of the points at the Gauss points of eight cells: its sums over the sub-cells, then its means.
+using GaussRow = std::array<Pack, n_corners<2>>;
 
 /// Strain increments of one step at the Gauss points of a cell.
 template <int Dim, class R = Real>

@@ -40,11 +40,16 @@ void sum_rows(const PointBlock<2>& block, int first, PerGauss* volume, PerGauss*
 
 }  // namespace
 
-void sum_over_sub_cells(const PointBlock<2>& block, int n_state, GaussValues<2>& gauss)
+void sum_over_sub_cells(const PointBlock<2>& block, GaussValues<2>& gauss)
 {
-  using Rows = PointRows<2>;
-  sum_rows<n_sym<2>>(block, Rows::sigma, &gauss.volume, gauss.sigma.data());
-  for (int k = 0; k < n_state; ++k) sum_rows<1>(block, Rows::state + k, nullptr, &gauss.state[k]);
+  sum_rows<n_sym<2>>(block, PointRows<2>::sigma, &gauss.volume, gauss.sigma.data());
+}
+
+std::array<Real, 4> sum_row_over_sub_cells(const PointBlock<2>& block, int row)
+{
+  std::array<Real, 4> sums;
+  sum_rows<1>(block, row, nullptr, &sums);
+  return sums;
 }
 
 }  // namespace terp

@@ -9,9 +9,12 @@
 
 namespace terp {
 
-/// Sums over each sub-cell of one block: Omega_p -> gauss.volume, sigma_p Omega_p -> gauss.sigma, and, for the first
-/// n_state state variables, alpha_p Omega_p -> gauss.state. The numerators and denominator of Eq. (1).
-void sum_over_sub_cells(const PointBlock<2>& block, int n_state, GaussValues<2>& gauss);
+/// Sums over each sub-cell of one block: Omega_p -> gauss.volume, sigma_p Omega_p -> gauss.sigma. The denominator and
+/// the numerators of Eq. (1).
+void sum_over_sub_cells(const PointBlock<2>& block, GaussValues<2>& gauss);
+
+/// The same of one row alpha: sum of alpha_p Omega_p, shape [g].
+std::array<Real, 4> sum_row_over_sub_cells(const PointBlock<2>& block, int row);
 
 template <class R>
 R total(const std::array<R, 4>& a)
@@ -50,19 +53,32 @@ void set_weights(
   }
 }
 
-/// Turns the sums into means, Eq. (1). An empty sub-cell takes the block's mean (reading R8).
+/// Turns sums over the sub-cells into means, Eq. (1). An empty sub-cell takes the block's mean (reading R8).
 template <class R>
-void divide_by_volume(int n_state, GaussValues<2, R>& gauss)
+class SubCellMeans {
+ public:
+  explicit SubCellMeans(const std::array<R, 4>& volume) : volume_(volume), all_(total(volume))
+  {
+    for (int g = 0; g < 4; ++g) inverse_[g] = R(1.0) / volume[g];
+  }
+
+  void operator()(std::array<R, 4>& value) const
+  {
+    const R mean = total(value) / all_;
+    for (int g = 0; g < 4; ++g) value[g] = select(volume_[g] > R(0.0), value[g] * inverse_[g], mean);
+  }
+
+ private:
+  std::array<R, 4> volume_, inverse_;
+  R all_;
+};
+
+/// Turns the sums of the stress into means, Eq. (1).
+template <class R>
+void divide_by_volume(GaussValues<2, R>& gauss)
 {
-  const R all = total(gauss.volume);
-  std::array<R, 4> inverse;
-  for (int g = 0; g < 4; ++g) inverse[g] = R(1.0) / gauss.volume[g];
-  const auto divide = [&](std::array<R, 4>& value) {
-    const R mean = total(value) / all;
-    for (int g = 0; g < 4; ++g) value[g] = select(gauss.volume[g] > R(0.0), value[g] * inverse[g], mean);
-  };
-  for (auto& component : gauss.sigma) divide(component);
-  for (int k = 0; k < n_state; ++k) divide(gauss.state[k]);
+  const SubCellMeans<R> mean(gauss.volume);
+  for (auto& component : gauss.sigma) mean(component);
 }
 
 /// p_e by Eq. (2) and sigma_hat by Eq. (3).
@@ -76,11 +92,11 @@ void smooth_pressure(GaussValues<2, R>& gauss)
     for (int g = 0; g < 4; ++g) gauss.sigma[k][g] -= p[g] - gauss.pressure;  // Eq. (3)
 }
 
-/// Replaces state variable k at all Gauss points by its mean over the cell with the weights of Eq. (2).
+/// Replaces a value at all Gauss points by its mean over the cell with the weights of Eq. (2).
 template <class R>
-void average_state_over_cell(int k, GaussValues<2, R>& gauss)
+void average_over_cell(const std::array<R, 4>& weight, std::array<R, 4>& value)
 {
-  gauss.state[k].fill(weighted_mean(gauss.state[k], gauss.weight));
+  value.fill(weighted_mean(value, weight));
 }
 
 }  // namespace terp

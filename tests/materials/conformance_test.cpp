@@ -1,6 +1,6 @@
 // What every constitutive model must do. Runs over materials.def: a new law is tested the moment its line is added.
 
-#include "materials/material.hpp"
+#include "materials/soil_material.hpp"
 
 #include "materials/probe.hpp"
 #include "support/random.hpp"
@@ -8,7 +8,7 @@
 #include <bit>
 #include <gmock/gmock.h>
 #include <numbers>
-#include <optional>
+#include <set>
 
 namespace terp {
 namespace {
@@ -16,25 +16,40 @@ namespace {
 using test::Probe;
 using test::Stress;
 
-/// Parameters of the paper's soil where a law has them, of a soil or fluid like it; elsewhere the default, or the
-/// middle of the usual or allowed range.
+/// Everything that the law knows is on.
 std::vector<Real> typical_parameters(const MaterialType& type)
 {
-  const std::pair<std::string_view, Real> known[] = {{"shear_modulus", 2e6}, {"poisson_ratio", 0.48}, {"su_peak", 8e3},
-      {"su_residual", 2e3}, {"eta", 50.0}, {"cohesion", 8e3}, {"friction_angle", 30.0}, {"dilatancy_angle", 8.0},
-      {"tension_cutoff", 5e3}, {"cohesion_residual", 2e3}, {"friction_angle_residual", 25.0},
-      {"dilatancy_angle_residual", 0.0}, {"bulk_modulus", 2e6}, {"viscosity", 300.0}};
+  std::vector<Real> values;
+  for (const ParameterInfo& info : type.parameters) values.push_back(info.typical);
+  return values;
+}
+
+/// Only what must be given is given.
+std::vector<Real> default_parameters(const MaterialType& type)
+{
   std::vector<Real> values;
   for (const ParameterInfo& info : type.parameters) {
-    std::optional<Real> value = info.fallback;
+    Real value = info.fallback.value_or(info.typical);
     for (std::size_t k = 0; k < values.size(); ++k)
       if (type.parameters[k].name == info.fallback_of) value = values[k];
-    for (const auto& [name, typical] : known)
-      if (info.name == name) value = typical;
-    const Range range = std::isfinite(info.usual.low + info.usual.high) ? info.usual : info.range;
-    if (!value && std::isfinite(range.low + range.high)) value = 0.5 * (range.low + range.high);
-    values.push_back(value.value_or(1.0));
+    values.push_back(value);
   }
+  return values;
+}
+
+/// Numbers of the parameters that may vary from point to point.
+std::vector<int> all_that_may_vary(const MaterialType& type)
+{
+  std::vector<int> varying;
+  for (std::size_t k = 0; k < type.parameters.size(); ++k)
+    if (type.parameters[k].may_vary) varying.push_back(static_cast<int>(k));
+  return varying;
+}
+
+std::vector<Real> values_of(const std::vector<int>& numbers, const std::vector<Real>& parameters)
+{
+  std::vector<Real> values;
+  for (const int k : numbers) values.push_back(parameters[static_cast<std::size_t>(k)]);
   return values;
 }
 
@@ -45,9 +60,20 @@ Stress random_increment(Real size, test::Random& random)
   return d_eps;
 }
 
-class EveryMaterial : public testing::TestWithParam<const MaterialType*> {
+/// A law with everything on, or with its defaults.
+struct Setting {
+  const MaterialType* type;
+  bool everything_on;
+};
+
+class EveryMaterial : public testing::TestWithParam<Setting> {
  protected:
-  Probe probe() const { return Probe(*GetParam(), typical_parameters(*GetParam())); }
+  const MaterialType& type() const { return *GetParam().type; }
+  std::vector<Real> parameters() const
+  {
+    return GetParam().everything_on ? typical_parameters(type()) : default_parameters(type());
+  }
+  Probe probe() const { return Probe(type(), parameters()); }
 
   /// A point after n random increments.
   Probe walked(int n, std::uint64_t seed) const
@@ -60,32 +86,31 @@ class EveryMaterial : public testing::TestWithParam<const MaterialType*> {
 };
 
 /// Stress and state to the last bit; -0 counts as 0, which adding a zero increment makes of it.
-std::array<std::uint64_t, 4 + max_state> bits_of(const Probe& point)
+std::vector<std::uint64_t> bits_of(const Probe& point)
 {
-  std::array<std::uint64_t, 4 + max_state> bits;
-  for (int c = 0; c < 4; ++c) bits[c] = std::bit_cast<std::uint64_t>(point.sigma[c] + 0.0);
-  for (int s = 0; s < max_state; ++s) bits[4 + s] = std::bit_cast<std::uint64_t>(point.state[s] + 0.0);
+  std::vector<std::uint64_t> bits;
+  for (int c = 0; c < 4; ++c) bits.push_back(std::bit_cast<std::uint64_t>(point.sigma[c] + 0.0));
+  for (const Real value : point.state) bits.push_back(std::bit_cast<std::uint64_t>(value + 0.0));
   return bits;
 }
 
-TEST_P(EveryMaterial, HasTypicalParametersThatItsTableAndItsCheckAllow)
+TEST_P(EveryMaterial, HasParametersThatItsTableAndItsCheckAllow)
 {
-  const auto values = typical_parameters(*GetParam());
-  for (std::size_t k = 0; k < values.size(); ++k) EXPECT_TRUE(GetParam()->parameters[k].range.contains(values[k]));
-  EXPECT_TRUE(GetParam()->check(values).empty());
+  const auto values = parameters();
+  for (std::size_t k = 0; k < values.size(); ++k)
+    EXPECT_TRUE(type().parameters[k].range.contains(values[k])) << type().parameters[k].name;
+  EXPECT_TRUE(type().check(values).empty());
 }
 
 TEST_P(EveryMaterial, DescribesItselfInFull)
 {
-  const MaterialType& type = *GetParam();
-  EXPECT_EQ(find_material(type.name), &type);
-  EXPECT_FALSE(type.summary.empty());
-  EXPECT_LE(type.state.size(), static_cast<std::size_t>(max_state));
-  for (const auto& info : type.parameters)
+  EXPECT_EQ(find_material(type().name), &type());
+  EXPECT_FALSE(type().summary.empty());
+  for (const auto& info : type().parameters)
     EXPECT_TRUE(!info.name.empty() && !info.unit.empty() && !info.meaning.empty()) << info.name;
-  for (const auto& info : type.state)
+  for (const auto& info : type().state)
     EXPECT_TRUE(!info.name.empty() && !info.unit.empty() && !info.meaning.empty()) << info.name;
-  for (const auto& info : type.derived)
+  for (const auto& info : type().derived)
     EXPECT_TRUE(!info.name.empty() && !info.unit.empty() && !info.meaning.empty()) << info.name;
 }
 
@@ -93,11 +118,75 @@ TEST_P(EveryMaterial, KeepsItsStateWhenNothingDeforms)
 {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     Probe point = walked(seed == 0 ? 0 : 20, seed);
-    if (point.law().viscosity() > 0.0) point.strain(Stress{});  // ends the flow
+    if (type().depends_on_rate) point.strain(Stress{});  // ends the flow
     const auto before = bits_of(point);
     point.strain(Stress{});
     ASSERT_EQ(bits_of(point), before) << "seed " << seed;
     EXPECT_EQ(point.plastic_work, 0.0);
+  }
+}
+
+TEST_P(EveryMaterial, LooksAtTheLengthOfTheStepIfItSaysSoAndNotOtherwise)
+{
+  Probe once = probe(), slower = probe();
+  slower.dt = 2.0 * once.dt;
+  bool same = true;
+  test::Random random(55);
+  for (int step = 0; step < 50; ++step) {
+    const Stress d_eps = random_increment(0.002, random);
+    once.strain(d_eps);
+    slower.strain(d_eps);
+    same = same && bits_of(once) == bits_of(slower);
+  }
+  EXPECT_TRUE(same || type().depends_on_rate);
+  EXPECT_FALSE(same && type().depends_on_rate && GetParam().everything_on) << "its typical values leave the rate off";
+}
+
+TEST_P(EveryMaterial, GivesTheSameBitsWhenItsParametersComeFromThePoints)
+{
+  const std::vector<int> varying = all_that_may_vary(type());
+  Probe uniform = probe(), from_point(type(), parameters(), varying, values_of(varying, parameters()));
+  test::Random random(56);
+  for (int step = 0; step < 200; ++step) {
+    const Stress d_eps = random_increment(step % 2 ? 0.02 : 0.0005, random);
+    uniform.strain(d_eps);
+    from_point.strain(d_eps);
+    ASSERT_EQ(bits_of(from_point), bits_of(uniform)) << "step " << step;
+    ASSERT_EQ(from_point.plastic_work, uniform.plastic_work);
+  }
+  for (std::size_t k = 0; k < type().derived.size(); ++k)
+    EXPECT_EQ(from_point.derived(static_cast<int>(k)), uniform.derived(static_cast<int>(k)));
+}
+
+TEST_P(EveryMaterial, ActsOnEachPointWithItsOwnParameters)  // lanes side by side, of which some may not soften
+{
+  const std::vector<int> varying = all_that_may_vary(type());
+  const std::vector<Real> on = typical_parameters(type()), off = default_parameters(type());
+  std::vector<Probe> together, alone;
+  for (int k = 0; k < pack_width; ++k) {
+    std::vector<Real> own = k % 2 ? parameters() : k % 4 ? on : off;
+    for (const int p : varying) {
+      const Real other = own[static_cast<std::size_t>(p)] * (1.0 - 0.01 * k);
+      if (type().parameters[static_cast<std::size_t>(p)].range.contains(other))
+        own[static_cast<std::size_t>(p)] = other;
+    }
+    std::vector<Real> values = parameters();
+    for (const int p : varying) values[static_cast<std::size_t>(p)] = own[static_cast<std::size_t>(p)];
+    ASSERT_TRUE(type().check(values).empty());
+    together.emplace_back(type(), parameters(), varying, values_of(varying, values));
+    alone.emplace_back(type(), values);
+  }
+  test::Random random(57);
+  for (int step = 0; step < 200; ++step) {
+    std::vector<Stress> d_eps;
+    for (int k = 0; k < pack_width; ++k) d_eps.push_back(random_increment(k % 3 ? 0.001 : 0.02, random));
+    std::vector<Probe*> all;
+    for (auto& point : together) all.push_back(&point);
+    Probe::strain_together(all, d_eps, 0);
+    for (int k = 0; k < pack_width; ++k) {
+      alone[k].strain(d_eps[k]);
+      ASSERT_EQ(bits_of(alone[k]), bits_of(together[k])) << "point " << k << ", step " << step;
+    }
   }
 }
 
@@ -135,7 +224,7 @@ TEST_P(EveryMaterial, DoesNotDependOnTheFrame)  // turn the input by 30 degrees,
     for (int c = 0; c < 4; ++c) largest = std::max(largest, std::abs(straight.sigma[c]));
     for (int c = 0; c < 4; ++c)
       ASSERT_NEAR(back[c], straight.sigma[c], 1e-12 * largest) << "component " << c << ", step " << step;
-    for (int s = 0; s < max_state; ++s) ASSERT_NEAR(turned.state[s], straight.state[s], 1e-12);
+    for (std::size_t s = 0; s < straight.state.size(); ++s) ASSERT_NEAR(turned.state[s], straight.state[s], 1e-12);
   }
 }
 
@@ -148,15 +237,14 @@ TEST_P(EveryMaterial, StaysFiniteAndInsideItsYieldSurfaceOnRandomWalks)
     for (int step = 0; step < 1000; ++step) {
       point.strain(random_increment(size, random));
       for (int c = 0; c < 4; ++c) ASSERT_TRUE(std::isfinite(point.sigma[c]));
-      for (int s = 0; s < max_state; ++s) ASSERT_TRUE(std::isfinite(point.state[s]));
+      for (const Real value : point.state) ASSERT_TRUE(std::isfinite(value));
       ASSERT_GE(point.plastic_work, 0.0);
-      for (std::size_t k = 0; k < GetParam()->derived.size(); ++k) {
-        if (GetParam()->derived[k].name != "su") continue;
-        const Real su = point.law().derived(static_cast<int>(k), point.state.data());
-        const auto principal = test::sorted_principal(point.sigma);
-        const Real size_of_stress = std::max(std::abs(principal[0]), std::abs(principal[2]));
-        ASSERT_LE(principal[0] - principal[2], 2.0 * su * (1.0 + 1e-9) + 1e-14 * size_of_stress) << "step " << step;
-      }
+      const int strength = find_role(type().derived, Role::strength);
+      if (strength < 0 || type().depends_on_rate) continue;
+      const Real su = point.derived(strength);
+      const auto principal = test::sorted_principal(point.sigma);
+      const Real size_of_stress = std::max(std::abs(principal[0]), std::abs(principal[2]));
+      ASSERT_LE(principal[0] - principal[2], 2.0 * su * (1.0 + 1e-9) + 1e-14 * size_of_stress) << "step " << step;
     }
   }
 }
@@ -165,7 +253,7 @@ TEST_P(EveryMaterial, IsIsotropicElasticNearTheOriginAndViscousWhereItSaysSo)
 {
   Probe point = probe();
   const Real K = point.law().bulk_modulus(), G = point.law().shear_modulus();
-  const Real twice = 2.0 * (G + point.law().viscosity() / Probe::dt);
+  const Real twice = 2.0 * (G + point.law().viscosity() / point.dt);
   point.strain({{-3e-6, 1e-6, -2e-6, 5e-7}});
   const Real volumetric = -4e-6, mean = volumetric / 3.0;
   const Real expected[] = {K * volumetric + twice * (-3e-6 - mean), K * volumetric + twice * (1e-6 - mean),
@@ -174,14 +262,13 @@ TEST_P(EveryMaterial, IsIsotropicElasticNearTheOriginAndViscousWhereItSaysSo)
   EXPECT_DOUBLE_EQ(point.law().p_wave_modulus(), K + 4.0 * G / 3.0);
 }
 
-// The time step is the same here, so that a viscosity takes the whole factor.
-TEST_P(EveryMaterial, HasTheSameStressesAtSmallerStrainsWhenScaledAsItsTableSays)
+TEST_P(EveryMaterial, HasTheSameStressesAtSmallerStrainsInShorterTimesWhenScaledAsItsTableSays)
 {
-  constexpr Real s = 256.0;
-  std::vector<Real> stiffer = typical_parameters(*GetParam());
-  for (std::size_t k = 0; k < stiffer.size(); ++k)
-    if (GetParam()->parameters[k].strain_scale != StrainScale::none) stiffer[k] *= s;
-  Probe soft = probe(), stiff(*GetParam(), stiffer);
+  constexpr Real s = 256.0;  // its root is exact
+  std::vector<Real> stiffer = parameters();
+  for (std::size_t k = 0; k < stiffer.size(); ++k) stiffer[k] *= std::pow(s, type().parameters[k].strain_exponent);
+  Probe soft = probe(), stiff(type(), stiffer);
+  stiff.dt = soft.dt / std::sqrt(s);
   test::Random random(7);
   for (int step = 0; step < 200; ++step) {
     Stress d_eps = random_increment(0.002, random);
@@ -207,8 +294,30 @@ TEST_P(EveryMaterial, PassesOnWhatIsNotANumber)  // so that the run can stop on 
   EXPECT_EQ(bits_of(points[0]), bits_of(points[2]));
 }
 
-INSTANTIATE_TEST_SUITE_P(Materials, EveryMaterial, testing::ValuesIn(all_materials().begin(), all_materials().end()),
-    [](const auto& info) { return std::string(info.param->name); });
+std::vector<Setting> all_settings()
+{
+  std::vector<Setting> settings;
+  for (const MaterialType* type : all_materials())
+    for (const bool on : {true, false}) settings.push_back({type, on});
+  return settings;
+}
+
+INSTANTIATE_TEST_SUITE_P(Materials, EveryMaterial, testing::ValuesIn(all_settings()), [](const auto& info) {
+  return std::string(info.param.type->name) + (info.param.everything_on ? "_with_everything_on" : "_by_default");
+});
+
+TEST(AllMaterials, ShareRowsOnlyWhereTheyMeanTheSame)  // one table for all of them; its assertions look
+{
+  RowTable table;
+  for (const MaterialType* type : all_materials()) {
+    SoilMaterial material{
+        "soil", type, type->make_varying(typical_parameters(*type), all_that_may_vary(*type)), 1.0, {}};
+    add_rows(0, material, table);
+    EXPECT_EQ(material.n_rows(), static_cast<int>(type->state.size() + all_that_may_vary(*type).size()));
+  }
+  std::set<std::string> names;
+  for (const RowInfo& row : table.entries()) EXPECT_TRUE(names.insert(row.name).second) << row.name;
+}
 
 }  // namespace
 }  // namespace terp

@@ -16,6 +16,15 @@ TEST(Materials, AreFoundByNameAndOnlyByName)
   EXPECT_EQ(find_material(""), nullptr);
 }
 
+TEST(Materials, SayWhichOfTheirQuantitiesIsThePlasticStrainAndWhichTheStrength)
+{
+  const MaterialType &tresca = *find_material("tresca_softening"), &fluid = *find_material("newtonian_fluid");
+  EXPECT_EQ(find_role(tresca.state, Role::plastic_strain), 0);
+  EXPECT_EQ(find_role(tresca.state, Role::strength), -1);
+  EXPECT_EQ(find_role(tresca.derived, Role::strength), 0);
+  EXPECT_EQ(find_role(fluid.state, Role::plastic_strain), -1);  // its opening is none
+}
+
 TEST(Range, KnowsOpenFromClosedEnds)
 {
   EXPECT_FALSE(positive.contains(0.0));

@@ -28,8 +28,8 @@ TEST(NewtonianFluid, TakesItsShearStressFromTheRate)  // tau = mu gamma', gamma'
 {
   Probe point = fluid(2e6, 0.7);
   point.strain({{0.0, 0.0, 0.0, 0.002}});
-  EXPECT_NEAR(point.sigma[3], 0.7 * 2.0 * 0.002 / Probe::dt, 1e-12);
-  EXPECT_NEAR(point.plastic_work, 0.7 * std::pow(2.0 * 0.002, 2) / Probe::dt, 1e-12) << "dissipation mu gamma'^2 dt";
+  EXPECT_NEAR(point.sigma[3], 0.7 * 2.0 * 0.002 / point.dt, 1e-12);
+  EXPECT_NEAR(point.plastic_work, 0.7 * std::pow(2.0 * 0.002, 2) / point.dt, 1e-12) << "dissipation mu gamma'^2 dt";
   point.strain(Stress{});
   EXPECT_EQ(point.sigma[3], 0.0) << "no shear stress at rest";
 }

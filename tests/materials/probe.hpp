@@ -17,11 +17,19 @@ using Stress = SymTensor<Real, 2>;
 /// A law with its parameters in the order of its table. The arrays of one call hold eight points.
 class Probe {
  public:
-  Probe(const MaterialType& type, const std::vector<Real>& parameters) : type_(&type), law_(type.make(parameters)) {}
+  Probe(const MaterialType& type, const std::vector<Real>& parameters) : Probe(type, parameters, {}, {}) {}
+  /// varying: numbers of the parameters that the point brings along; own: their values.
+  Probe(const MaterialType& type, const std::vector<Real>& parameters, const std::vector<int>& varying,
+      std::vector<Real> own)
+      : own_parameters(std::move(own)), type_(&type), law_(type.make_varying(parameters, varying))
+  {
+    for (const StateInfo& info : type.state) state.push_back(info.initial);
+  }
 
-  static constexpr Real dt = 1e-3;  ///< length of each step [s]
-  Stress sigma{};                   ///< [Pa]
-  std::array<Real, max_state> state{};
+  Real dt = 1e-3;           ///< length of each step [s]
+  Stress sigma{};           ///< [Pa]
+  std::vector<Real> state;  ///< in the order of the law's table
+  std::vector<Real> own_parameters;
   Real plastic_work = 0.0;  ///< of the last increment [J/m^3]
 
   /// One increment of this point alone: it takes lane 0, the other seven hold something else.
@@ -35,37 +43,55 @@ class Probe {
   template <class Probes>
   static void strain_together(Probes& points, const std::vector<Stress>& d_eps, int stray)
   {
-    Lanes lanes;
+    Lanes lanes(points[0]->state.size(), points[0]->own_parameters.size(), d_eps.size());
     for (int k = 0; k < pack_width; ++k) {
       const bool used = k < static_cast<int>(d_eps.size());
       for (int c = 0; c < 4; ++c) {
         lanes.sigma[c][k] = used ? points[k]->sigma[c] : 1e4 * std::sin(stray + 3.0 * k + c);
         lanes.d_eps[c][k] = used ? d_eps[k][c] : 1e-2 * std::cos(stray + k + 5.0 * c);
       }
-      for (int s = 0; s < max_state; ++s) lanes.state[s][k] = used ? points[k]->state[s] : 0.01 * k;
+      for (std::size_t s = 0; s < lanes.n_state; ++s) lanes.rows[s][k] = used ? points[k]->state[s] : 0.01 * k;
+      for (std::size_t s = lanes.n_state; s < lanes.rows.size(); ++s)
+        lanes.rows[s][k] = used ? points[k]->own_parameters[s - lanes.n_state] : 0.0;  // as the padding of a block
     }
-    points[0]->law_->update(lanes.arrays());
+    points[0]->law_->update(lanes.arrays(points[0]->dt));
     for (int k = 0; k < static_cast<int>(d_eps.size()); ++k) {
       for (int c = 0; c < 4; ++c) points[k]->sigma[c] = lanes.sigma[c][k];
-      for (int s = 0; s < max_state; ++s) points[k]->state[s] = lanes.state[s][k];
+      for (std::size_t s = 0; s < lanes.n_state; ++s) points[k]->state[s] = lanes.rows[s][k];
       points[k]->plastic_work = lanes.plastic_work[k];
     }
   }
 
   const MaterialType& type() const { return *type_; }
   const Material& law() const { return *law_; }
+  /// Derived field k as the point is.
+  Real derived(int k) { return law_->derived(k, {{.data = state.data()}, {.data = own_parameters.data()}}); }
 
  private:
   struct Lanes {
-    alignas(64) Real sigma[4][pack_width], d_eps[4][pack_width], state[max_state][pack_width], plastic_work[pack_width];
-    StressArrays<2> arrays()
+    struct alignas(64) Row {
+      Real value[pack_width];
+      Real& operator[](int k) { return value[k]; }
+    };
+    alignas(64) Real sigma[4][pack_width], d_eps[4][pack_width], plastic_work[pack_width];
+    std::vector<Row> rows;  // state, then parameters of the points
+    std::size_t n_state, n_points;
+
+    Lanes(std::size_t state, std::size_t parameters, std::size_t points)
+        : rows(state + parameters), n_state(state), n_points(points)
+    {
+    }
+
+    StressArrays<2> arrays(Real dt)
     {
       StressArrays<2> a{};
       for (int c = 0; c < 4; ++c) a.sigma[c] = sigma[c];
       for (int c = 0; c < 4; ++c) a.d_eps[c] = d_eps[c];
-      for (int s = 0; s < max_state; ++s) a.state[s] = state[s];
+      a.law.state = {.data = reinterpret_cast<Real*>(rows.data()), .stride = pack_width};
+      a.law.parameters = {.data = a.law.state(n_state), .stride = pack_width};
       a.plastic_work = plastic_work;
       a.n = pack_width;
+      a.n_points = static_cast<Index>(n_points);
       a.dt = dt;
       return a;
     }

@@ -98,18 +98,27 @@ void expect_exact_return(const Soil& soil, const std::array<Real, 3>& t, Real e,
 TEST(TrescaSoftening, Eq5_DropsBy95PercentAtSixPercentStrain)  // decision 0001
 {
   const Soil soil;
-  const auto point = soil.probe();
-  const std::array<Real, max_state> state{0.06};
-  const Real su = point.law().derived(0, state.data());
+  auto point = soil.probe();
+  point.state = {0.06};
+  const Real su = point.derived(0);
   EXPECT_NEAR((soil.su_peak - su) / (soil.su_peak - soil.su_residual), 0.95, 0.001);
   EXPECT_NEAR(su, 2e3 + 6e3 * std::exp(-3.0), 1e-9);
+  EXPECT_EQ(point.law().softened_strain(), 0.06);
+}
+
+TEST(TrescaSoftening, IsNeverSoftenedWhereNothingSoftens)
+{
+  const MaterialType& type = *find_material("tresca_softening");
+  EXPECT_EQ(type.make(std::vector<Real>{2e6, 0.4, 8e3, 2e3, 0.0})->softened_strain(), INFINITY);
+  EXPECT_EQ(type.make(std::vector<Real>{2e6, 0.4, 8e3, 8e3, 50.0})->softened_strain(), INFINITY);
 }
 
 TEST(TrescaSoftening, Eq5_RunsFromPeakToResidual)
 {
-  const auto point = Soil{}.probe();
-  EXPECT_EQ(point.law().derived(0, std::array<Real, max_state>{0.0}.data()), 8e3);
-  EXPECT_NEAR(point.law().derived(0, std::array<Real, max_state>{1.0}.data()), 2e3, 1e-9);
+  auto point = Soil{}.probe();
+  EXPECT_EQ(point.derived(0), 8e3);
+  point.state = {1.0};
+  EXPECT_NEAR(point.derived(0), 2e3, 1e-9);
 }
 
 TEST(TrescaSoftening, Eq5_IsTheStrengthThatStressesMeet)

@@ -34,12 +34,12 @@ struct Row {
 };
 
 /// Gathers the first n cells.
-void gather(Row& row, const SchemeContext& context, int n_state, Index first = 0, Index n = 1)
+void gather(Row& row, const SchemeContext& context, Index first = 0, Index n = 1)
 {
   const CellGroup group = row.group(first, n);
   gather_at_gauss_points(
       context, group, [&](Index material) -> GaussValues<2, Pack>& { return group.gauss_of(material); },
-      [&](Index) { return n_state; }, [](const auto&, auto&) {});
+      [](const auto&, auto&) {});
 }
 
 std::vector<SoilMaterial> two_names_of_one_soil()
@@ -47,7 +47,7 @@ std::vector<SoilMaterial> two_names_of_one_soil()
   const MaterialType* type = find_material("tresca_softening");
   const std::vector<Real> values{2.0e6, 0.4, 8.0e3, 2.0e3, 50.0};
   std::vector<SoilMaterial> materials;
-  for (const char* name : {"upper", "lower"}) materials.push_back({name, type, type->make(values), 1990.0});
+  for (const char* name : {"upper", "lower"}) materials.push_back({name, type, type->make(values), 1990.0, {}});
   return materials;
 }
 
@@ -63,7 +63,7 @@ CornerSums<2> force_of_uniform_stress(Index other, const MethodOptions& method, 
           cell.points, k++ % 2 == 0 ? 0 : other);
   cell.points.update_occupied();
   const auto materials = two_names_of_one_soil();
-  gather(cell, {method, materials}, 1);
+  gather(cell, {method, materials});
   return cell.corners[0];
 }
 
@@ -102,7 +102,7 @@ TEST(CellGroup, ALaneKnowsNothingOfItsNeighbours)
   Row together = eight_distorted_cells(), alone = eight_distorted_cells();
   const auto materials = two_names_of_one_soil();
   MethodOptions method;
-  gather(together, {method, materials}, 1, 0, 8);
+  gather(together, {method, materials}, 0, 8);
   std::array<CornerVectors, pack_width> du{};
   test::Random random(6);
   for (auto& cell : du)
@@ -110,7 +110,7 @@ TEST(CellGroup, ALaneKnowsNothingOfItsNeighbours)
       for (Real& value : direction) value = random.between(-0.01, 0.01);
   const auto strain = strain_by_cell(strain_of_group(together.group(0, 8), du, true));
   for (Index c = 0; c < 8; ++c) {
-    gather(alone, {method, materials}, 1, c, 1);
+    gather(alone, {method, materials}, c, 1);
     std::array<CornerVectors, pack_width> own{};
     own[0] = du[c];
     const auto own_strain = strain_by_cell(strain_of_group(alone.group(c, 1), own, true));
@@ -124,20 +124,29 @@ TEST(CellGroup, ALaneKnowsNothingOfItsNeighbours)
 TEST(CellGroup, GivesWhatOneCellInScalarsGives)
 {
   Row row = eight_distorted_cells();
+  const auto layer_of = [&](Index cell) {
+    BlockLayer layer{0, {}};
+    layer.block.fill(-1);
+    layer.block[cell] = row.points.first_block(cell);
+    return layer;
+  };
   const auto materials = two_names_of_one_soil();
   MethodOptions method;
-  gather(row, {method, materials}, 1, 0, 8);
+  gather(row, {method, materials}, 0, 8);
   for (const Index c : {Index{0}, Index{5}, Index{6}}) {  // of one material
     GaussValues<2> gauss{};
     CornerSums<2> expected{};
-    sum_over_sub_cells(test::only_block(row.points, c), 1, gauss);
+    sum_over_sub_cells(test::only_block(row.points, c), gauss);
     set_weights(row.mesh.geometry(c), gauss.volume, method, gauss);
-    divide_by_volume(1, gauss);
+    divide_by_volume(gauss);
     smooth_pressure(gauss);
     add_internal_force(row.mesh.geometry(c), gauss, method.force_operator, expected);
     EXPECT_EQ(row.corners[c].internal_force, expected.internal_force) << "cell " << c;
     EXPECT_EQ(row.gauss[0].pressure[static_cast<int>(c)], gauss.pressure);
-    for (int g = 0; g < 4; ++g) EXPECT_EQ(row.gauss[0].state[0][g][static_cast<int>(c)], gauss.state[0][g]);
+    for (int g = 0; g < 4; ++g) EXPECT_EQ(row.gauss[0].sigma[3][g][static_cast<int>(c)], gauss.sigma[3][g]);
+    const auto sums = sum_row_over_sub_cells(test::only_block(row.points, c), PointRows<2>::state);
+    const GaussRow lanes = sum_row(row.group(0, 8), layer_of(c), PointRows<2>::state);
+    for (int g = 0; g < 4; ++g) EXPECT_EQ(lanes[g][static_cast<int>(c)], sums[g]);
   }
 }
 

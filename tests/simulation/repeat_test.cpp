@@ -33,7 +33,7 @@ TEST(Repeat, AChangeOfOneBitIsSeen)
   test::edit_points(b.state, [](const PointBlock<2>& block, Index lane) {
     if (block.row(PointRows<2>::id)[lane] == 700.0) block.row(PointRows<2>::v)[lane] = -0.0;
   });
-  EXPECT_EQ(test::first_difference(make_image(a.state), make_image(b.state)), "points/rows");
+  EXPECT_EQ(test::first_difference(make_image(a.state), make_image(b.state)), "points/velocity");
 }
 
 }  // namespace

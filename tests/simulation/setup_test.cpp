@@ -74,7 +74,7 @@ TEST(Setup, OnlyMaterialsOfBodiesDecideTheTimeStep)
   const Model model = build_model(c, 1);
   EXPECT_EQ(model.dt, dt);
   EXPECT_EQ(model.largest_density, 1990.0);
-  EXPECT_EQ(model.n_state, 1);
+  EXPECT_EQ(model.rows.added().size(), 1u);
 }
 
 TEST(Setup, AVelocityThatDependsOnThePlaceIsThatOfEachPoint)

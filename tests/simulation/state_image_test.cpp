@@ -202,7 +202,12 @@ TEST(StateImage, OfAnotherCaseIsRefused)
   elastic.bodies[0].material = "rock";
   EXPECT_THAT([&] { restore(Simulation(elastic).model, image); },
       testing::ThrowsMessage<FileError>(
-          "the checkpoint does not fit this case: array `points/rows` is missing or has another size"));
+          "the checkpoint does not fit this case: its points carry `eps_eq_p`, which the points of this case do not"));
+  const Simulation rock(elastic);
+  EXPECT_THAT([&] { restore(s.model, make_image(rock.state)); },
+      testing::ThrowsMessage<FileError>(
+          "the checkpoint does not fit this case: its points have no `eps_eq_p` (accumulated equivalent plastic "
+          "strain, Eq. (6)), which the points of this case carry"));
   std::get<std::vector<std::int64_t>>(image.arrays[0].values)[4] = 1000000;
   EXPECT_THAT([&] { restore(s.model, image); },
       testing::ThrowsMessage<FileError>("the checkpoint does not fit this case: a point lies in a cell or has a "

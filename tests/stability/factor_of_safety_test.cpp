@@ -46,6 +46,42 @@ TEST(FactorOfSafety, OfAVerticalCutTendsToTheLimitLoad)
   EXPECT_GT(told, 10);
 }
 
+TEST(FactorOfSafety, OfAStrengthGivenAtEachPointIsThatOfTheNumber)
+{
+  const auto verdict = [](const Case& c, Real factor) {
+    const StabilityResult r =
+        find_factor_of_safety(c, {.search = {factor, factor, 0.02}, .rules = {}, .threads = 1}, go);
+    return std::pair(r.search.trials.at(0).verdict, r.search.trials.at(0).windows.back().displacement);
+  };
+  const Case numbers = cut();
+  Case fields = numbers;
+  for (const std::size_t k : {std::size_t{0}, std::size_t{2}, std::size_t{3}})  // stiffness too
+    fields.materials[0].fields.push_back({k, [v = numbers.materials[0].parameters[k]](Vec<2>) { return v; }});
+  for (const Real factor : {0.9, 0.96}) {
+    const auto expected = verdict(numbers, factor), got = verdict(fields, factor);
+    EXPECT_EQ(got.first, expected.first);
+    EXPECT_NEAR(got.second, expected.second, 1e-6 * std::abs(expected.second));
+  }
+}
+
+TEST(FactorOfSafety, OfSoilThatMayNotBeJudgedIsRefusedWithTheReasonOfItsLaw)
+{
+  Case c = cut();
+  c.materials.push_back({"water", "newtonian_fluid", 1000.0, {2e6, 1.0, 0.0}});
+  c.bodies.push_back(test::body("water", {9.0, 0.0}, {12.0, 0.5}));
+  try {
+    find_factor_of_safety(c, {}, go);
+    FAIL();
+  } catch (const InputError& error) {
+    const Problem& problem = error.problems().at(0);
+    EXPECT_EQ(problem.key, "material.water.model");
+    EXPECT_EQ(problem.what, "a factor of safety cannot be found for soil of the law newtonian_fluid");
+    EXPECT_EQ(problem.detail,
+        "Because a fluid has no strength: it flows under any shear stress, however small, and no factor makes it "
+        "stand.\nGive `water` another law, or leave it out: all soil of a case is judged together.");
+  }
+}
+
 TEST(FactorOfSafety, NeedsAStrength)
 {
   Case c = cut();

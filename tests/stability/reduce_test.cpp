@@ -61,6 +61,16 @@ TEST(Reduce, DividesStressesAndLeavesTheRest)
   EXPECT_DOUBLE_EQ(reduced.sides.back().adhesion, c.sides.back().adhesion / 1.6);
 }
 
+TEST(Reduce, DividesAStrengthThatVariesAtEachPlace)
+{
+  Case c = test::column("mpm_gp");
+  c.materials[0].fields = {{2, [](Vec<2> x) { return 8e3 + 100.0 * x[1]; }}};
+  EXPECT_DOUBLE_EQ(reduce_strength(c, 1.6).materials[0].fields[0].value_at({0.0, 4.0}), 8400.0 / 1.6);
+  const auto strengths = strengths_of(c);
+  EXPECT_TRUE(std::isnan(strengths.at(0).value)) << "one number would say too much";
+  EXPECT_EQ(strengths.at(1).value, 2e3);
+}
+
 TEST(Reduce, DividesTheTangentsOfAngles)
 {
   Case c = test::column("mpm_gp");

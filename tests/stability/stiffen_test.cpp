@@ -25,5 +25,19 @@ TEST(Stiffen, MultipliesStiffnessAndSofteningPerStrainAndLeavesStrength)
   EXPECT_EQ(stiff.sides.back().adhesion, c.sides.back().adhesion);
 }
 
+TEST(Stiffen, ScalesAViscosityByTheRoot)
+{
+  Case c = test::column("mpm_gp");
+  c.materials[0] = {"clay", "newtonian_fluid", 1000.0, {2e6, 5.0, 0.0}};
+  EXPECT_EQ(stiffen(c, 100.0).materials[0].parameters, (std::vector<Real>{2e8, 50.0, 0.0}));
+}
+
+TEST(Stiffen, ScalesAParameterThatVariesAtEachPlace)
+{
+  Case c = test::column("mpm_gp");
+  c.materials[0].fields = {{0, [](Vec<2> x) { return 1e6 * (1.0 + x[0]); }}};
+  EXPECT_DOUBLE_EQ(stiffen(c, 100.0).materials[0].fields[0].value_at({2.0, 0.0}), 3e8);
+}
+
 }  // namespace
 }  // namespace terp

@@ -33,8 +33,8 @@ std::vector<Point> points_by_id(const State& state)
       p.sigma[k] = at(Rows::sigma + k);
       p.strain[k] = at(Rows::strain + k);
     }
-    for (int k = 0; k < state.points.n_rows() - Rows::state; ++k) p.values[k] = at(Rows::state + k);
-    points.push_back(p);
+    for (int k = 0; k < state.points.n_rows() - Rows::state; ++k) p.values.push_back(at(Rows::state + k));
+    points.push_back(std::move(p));
   });
   std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.id < b.id; });
   return points;

@@ -17,9 +17,9 @@ struct Point {
   Index cell, material;
   Vec<2> x, local, v;
   Real mass, volume;
-  std::array<Real, 4> sigma, strain;   ///< xx yy zz xy
-  std::array<Real, max_state> values;  ///< state variables
-  Real eps_eq_p() const { return values[0]; }
+  std::array<Real, 4> sigma, strain;  ///< xx yy zz xy
+  std::vector<Real> values;           ///< of the rows beyond the fixed ones
+  Real eps_eq_p() const { return values.empty() ? 0.0 : values[0]; }
 };
 
 /// All points, sorted by id.

@@ -96,7 +96,7 @@ SoilMaterial make_material(const Json& j)
   const MaterialType* type = find_material(j.at("law").get<std::string>());
   std::vector<Real> values;
   for (const ParameterInfo& p : type->parameters) values.push_back(j.at(std::string(p.name)).get<Real>());
-  return {"soil", type, type->make(values), j.at("density").get<Real>()};
+  return {"soil", type, type->make(values), j.at("density").get<Real>(), {}};
 }
 
 Model make_model(const Json& j)
@@ -116,7 +116,7 @@ Model make_model(const Json& j)
   model.step = kernels().step;
   model.dt = j.at("dt");
   model.largest_density = model.materials[0].density;
-  model.n_state = model.materials[0].n_state();
+  add_rows(0, model.materials[0], model.rows);
   return model;
 }
 
@@ -132,7 +132,7 @@ void put_row(const Json& value, int row, std::vector<Real>& values)
 State make_state(const Model& model, const Json& points)
 {
   State state;
-  state.points = PointBlocks<2>(model.mesh->n_cells(), model.n_state);
+  state.points = PointBlocks<2>(model.mesh->n_cells(), model.rows);
   const std::size_t n = points.at("x").size();
   for (std::size_t p = 0; p < n; ++p) {
     std::vector<Real> values(state.points.n_rows(), 0.0);
@@ -143,7 +143,7 @@ State make_state(const Model& model, const Json& points)
     put_row(points.at("volume")[p], Rows::volume, values);
     put_row(points.at("sigma")[p], Rows::sigma, values);
     put_row(points.at("strain")[p], Rows::strain, values);
-    if (model.n_state > 0) put_row(points.at("eps_eq_p")[p], Rows::state, values);
+    if (!model.rows.added().empty()) put_row(points.at("eps_eq_p")[p], Rows::state, values);
     values[Rows::id] = static_cast<Real>(p);
     const Vec<2> centre = model.mesh->centres[cell];
     const auto local =

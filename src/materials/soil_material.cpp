@@ -1,0 +1,41 @@
+#include "materials/soil_material.hpp"
+
+namespace terp {
+
+RowInfo row_of_parameter(const ParameterInfo& parameter)
+{
+  return {.name = "parameter_" + std::string(parameter.name),
+      .unit = std::string(parameter.unit),
+      .meaning = std::string(parameter.meaning),
+      .owner = "law",
+      .averaging = Averaging::keep,
+      .shown = true};
+}
+
+void add_rows(Index number, SoilMaterial& material, RowTable& table)
+{
+  const auto add = [&](RowInfo info) {
+    info.of = {number};
+    material.rows.push_back(table.add(std::move(info)));
+  };
+  for (const StateInfo& state : material.type->state)
+    add({.name = std::string(state.name),
+        .unit = std::string(state.unit),
+        .meaning = std::string(state.meaning),
+        .owner = "law",
+        .averaging = state.averaging,
+        .initial = state.initial,
+        .shown = true});
+  for (const int k : material.law->varying()) add(row_of_parameter(material.type->parameters[k]));
+}
+
+Real strength_at(const SoilMaterial& material, const PointBlock<2>& block, Index lane, Real plastic_strain)
+{
+  std::vector<Real> state;
+  for (const StateInfo& info : material.type->state)
+    state.push_back(info.role == Role::plastic_strain ? plastic_strain : info.initial);
+  return material.law->derived(find_role(material.type->derived, Role::strength),
+      {.state = {.data = state.data()}, .parameters = material.view(block, lane).parameters});
+}
+
+}  // namespace terp

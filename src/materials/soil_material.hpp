@@ -1,0 +1,64 @@
+// A law with its parameters under the user's name, where its points keep its numbers, and what they are asked for by
+// role: their plastic strain and their strength, whatever the law calls them. Not for: the law itself (material.hpp).
+#pragma once
+
+#include "materials/material.hpp"
+#include "points/point_blocks.hpp"
+
+namespace terp {
+
+struct SoilMaterial {
+  std::string name;  ///< the user's: "clay"
+  const MaterialType* type = nullptr;
+  std::unique_ptr<Material> law;
+  Real density = 0.0;     ///< rho at t = 0 [kg/m^3]
+  std::vector<int> rows;  ///< of the points: state variables, then parameters that vary, each in the order of the table
+
+  int n_state() const { return static_cast<int>(type->state.size()); }
+  int n_rows() const { return static_cast<int>(rows.size()); }
+  bool varies() const { return n_rows() > n_state(); }
+  /// Rows of numbers of which row r begins at data + r * stride, as the law takes them.
+  LawRows view(Real* data, std::ptrdiff_t stride) const
+  {
+    return {{data, stride, rows.data()}, {data, stride, rows.data() + n_state()}};
+  }
+  /// Of one point.
+  LawRows view(const PointBlock<2>& block, Index lane) const { return view(block.data + lane, block.capacity); }
+};
+
+/// The row of a parameter that varies.
+RowInfo row_of_parameter(const ParameterInfo& parameter);
+
+/// Adds the rows of a law to the table and enters them in the material, whose number is `number`.
+void add_rows(Index number, SoilMaterial& material, RowTable& table);
+
+/// Row of the points that holds the state variable with a role; -1: the law has none, or no body is of the material.
+inline int row_of(const SoilMaterial& material, Role role)
+{
+  const int k = find_role(material.type->state, role);
+  return k < 0 || material.rows.empty() ? -1 : material.rows[static_cast<std::size_t>(k)];
+}
+
+/// True if the law has a derived field that is the strength.
+inline bool has_strength(const SoilMaterial& material)
+{
+  return find_role(material.type->derived, Role::strength) >= 0;
+}
+
+/// True if the strength is a function of the plastic strain alone: it need not be remembered beside it.
+inline bool strain_gives_strength(const SoilMaterial& material)
+{
+  return material.n_state() == 1 && find_role(material.type->state, Role::plastic_strain) == 0;
+}
+
+/// Strength of a point of a law that has_strength() [Pa].
+inline Real strength_of(const SoilMaterial& material, const PointBlock<2>& block, Index lane)
+{
+  return material.law->derived(find_role(material.type->derived, Role::strength), material.view(block, lane));
+}
+
+/// The strength that the same point would have at another plastic strain, its other state variables as at the start
+/// [Pa].
+Real strength_at(const SoilMaterial& material, const PointBlock<2>& block, Index lane, Real plastic_strain);
+
+}  // namespace terp

@@ -1,0 +1,30 @@
+// Parameters of laws that vary from point to point: their values at a place, checked, and the rows that hold them.
+// Not for: which parameters may vary (the laws' tables), nor where the values come from (ParameterField).
+#pragma once
+
+#include "simulation/model.hpp"
+#include "simulation/state.hpp"
+
+namespace terp {
+
+/// Numbers of the parameters of a material that vary, ascending. Throws InputError if the law does not let one.
+std::vector<int> varying_parameters(const MaterialCase& material, const MaterialType& type);
+
+/// Parameters of a material at a place, in the order of the law's table. Throws InputError if one is outside its range
+/// there, or the law refuses them together.
+std::vector<Real> parameters_at(const MaterialCase& material, const MaterialType& type, Vec<2> x);
+
+/// Sets the rows of the parameters that vary. places: of the points at t = 0 by id, shape [n_points, 2] [m].
+void set_point_parameters(const Model& model, std::span<const Real> places, State& state);
+
+/// What limits the time step in a material, or in one of its points.
+struct Stiffness {
+  Index material;
+  Moduli moduli;
+  Real viscosity;  ///< [Pa s]
+};
+
+/// Of each material in use; of each point of those whose parameters vary.
+std::vector<Stiffness> list_stiffness(const Model& model, std::span<const Index> used);
+
+}  // namespace terp
