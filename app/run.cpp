@@ -35,8 +35,8 @@ void print_summary(const Summary& s, const std::string& folder)
   fmt::print("solved in {}: {} points, {} steps of {:.4g} s, {:.1f} M point-steps/s on {} thread{}\n",
       readable_duration(s.wall_s), s.n_points, s.n_steps, s.dt, s.point_steps_per_s / 1e6, s.threads,
       s.threads == 1 ? "" : "s");
-  fmt::print("  front            {}\n", std::isfinite(s.front_x) ? fmt::format("{:.2f} m", s.front_x) : "-");
-  fmt::print("  crest            {}\n", optional_number(s.crest_x, "m"));
+  fmt::print("  front            {}\n", std::isfinite(s.front_x) ? fmt::format("x = {:.2f} m", s.front_x) : "-");
+  fmt::print("  crest            {}\n", s.crest_x ? fmt::format("x = {:.3g} m", *s.crest_x) : "-");
   fmt::print("  second failure   {}\n", optional_number(s.second_failure_time, "s"));
   fmt::print("  largest eps_eq_p {:.3g}\n", s.max_eps_eq_p);
   fmt::print("  energy balance   {:.2g} % of the energy exchanged\n", 100.0 * s.energy_balance_error);
@@ -48,19 +48,19 @@ void print_summary(const Summary& s, const std::string& folder)
 }
 
 /// What the numbers say against themselves.
-void warn_of(const Summary& s)
+void warn_of(const Summary& s, const std::string& folder)
 {
   constexpr double much = 0.05;
   if (s.energy_balance_error > much)
     fmt::print(stderr,
-        "warning: the energy balance is off by {:.2g} % of the energy exchanged; see "
+        "warning: {}: the energy balance is off by {:.2g} % of the energy exchanged; see "
         "docs/troubleshooting.md#the-energy-balance-is-off\n",
-        100.0 * s.energy_balance_error);
+        folder, 100.0 * s.energy_balance_error);
   for (const ReachedSide& reached : s.reached_sides)
     fmt::print(stderr,
-        "warning: soil {} the side `{}` of the mesh by t = {:.3g} s, which {}; see "
+        "warning: {}: soil {} the side `{}` of the mesh by t = {:.3g} s, which {}; see "
         "docs/troubleshooting.md#soil-reaches-the-side-of-the-mesh\n",
-        reached.rose ? "rose at" : "came to", printable(reached.side), reached.time,
+        folder, reached.rose ? "rose at" : "came to", printable(reached.side), reached.time,
         reached.rose ? "holds it back" : "acts on it from then on");
 }
 
@@ -116,7 +116,7 @@ int solve(const Model& model, State& state, RunWriter& writer, const RunOptions&
       return failed;
     }
     if (!options.quiet) print_summary(summary, folder);
-    warn_of(summary);
+    warn_of(summary, folder);
     if (options.verbose) print_passes(work);
     return solved;
   } catch (const RunError& error) {
@@ -263,8 +263,9 @@ ResumePoint resume_point(const Model& model, const State& state, const std::stri
 
 int run_case(const RunOptions& options)
 {
-  const CaseFile file = read_case(options.path, options.changes);
+  CaseFile file = read_case(options.path, options.changes);
   const std::string folder = options.output.empty() ? default_run_folder(options.path) : options.output;
+  file.run = folder;
   fmt::print(stderr, "{}", render_warnings(file));
   try {
     Model model = build_model(file.values, threads_of(options));
