@@ -20,12 +20,14 @@ namespace {
 
 constexpr Real degree = std::numbers::pi / 180.0;
 constexpr Range friction_range = between(0.0, 60.0);
+constexpr Range usual_friction = between(2.0, 60.0), usual_dilatancy = between(1.0, 60.0);  // less: radians, tangents
 
 constexpr ParameterInfo same_as(std::string_view name, std::string_view unit, Range range, std::string_view meaning,
     std::string_view peak, Reduction reduction)
 {
   ParameterInfo info{name, unit, range, meaning};
   info.fallback_of = peak;
+  if (unit == "deg") info.usual = usual_dilatancy;
   info.reduction = reduction;
   return info;
 }
@@ -60,10 +62,11 @@ struct MohrCoulomb {
       poisson_ratio_info,
       ParameterInfo{"cohesion", "Pa", not_negative, "cohesion c, at its peak", {}, {10.0, 1e7, false, false}, {},
           Reduction::divide},
-      ParameterInfo{"friction_angle", "deg", friction_range, "friction angle phi, at its peak", {}, {}, {},
+      ParameterInfo{"friction_angle", "deg", friction_range, "friction angle phi, at its peak", {}, usual_friction, {},
           Reduction::divide_tangent},
       ParameterInfo{"dilatancy_angle", "deg", friction_range,
-          "dilatancy angle psi, at its peak; at most friction_angle", 0.0, {}, {}, Reduction::divide_tangent},
+          "dilatancy angle psi, at its peak; at most friction_angle", 0.0, usual_dilatancy, {},
+          Reduction::divide_tangent},
       ParameterInfo{"tension_cutoff", "Pa", not_negative,
           "largest principal stress; never above the apex c cot(phi), which is the limit without it",
           std::numeric_limits<Real>::infinity(), {}, {}, Reduction::divide},

@@ -43,7 +43,7 @@ struct TrescaSoftening {
       ParameterInfo{"su_peak", "Pa", positive, "peak undrained shear strength S_u,p", {}, {100.0, 1e7, false, false},
           {}, Reduction::divide},
       ParameterInfo{"su_residual", "Pa", positive, "residual undrained shear strength S_u,r", {},
-          {10.0, 1e7, false, false}, {}, Reduction::divide},
+          {10.0, 1e7, false, false}, "su_peak", Reduction::divide},
       ParameterInfo{"eta", "-", not_negative, "shape factor of Eq. (5); S_u is 95 % softened at a strain of 3/eta", 0.0,
           {}, {}, Reduction::none, StrainScale::multiply},
   };
