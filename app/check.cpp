@@ -4,14 +4,18 @@
 #include "input/case_file.hpp"
 #include "input/printable.hpp"
 #include "mesh/mesh_quality.hpp"
+#include "output/section_svg.hpp"
 #include "parallel/threads.hpp"
 #include "progress.hpp"
 #include "simulation/run.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/setup_warnings.hpp"
+#include "simulation/side_shape.hpp"
 
 #include <chrono>
+#include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
 
 namespace terp {
 namespace {
@@ -72,6 +76,32 @@ void print_bodies(const Model& model)
   }
 }
 
+void print_sides(const Model& model)
+{
+  for (const NamedSide& side : model.mesh->sides)
+    fmt::print("  side {:<10}{}, {:.4g} m\n", printable(side.name),
+        describe(condition_of(model.description, side.name)), shape_of_side(*model.mesh, side).length);
+}
+
+/// Refused before anything is computed.
+void check_picture(const std::string& path)
+{
+  if (path.empty() || path.ends_with(".svg")) return;
+  throw CaseError(
+      fmt::format("error: --picture {0}: the picture is an SVG file, which every browser opens\n"
+                  "  Write --picture {1}. For PNG: rsvg-convert {1} -o {0} (Debian package librsvg2-bin)\n",
+          path, std::filesystem::path(path).replace_extension(".svg").string()));
+}
+
+void write_picture(const std::string& path, const Model& model, const State& state)
+{
+  std::ofstream file(path, std::ios::binary);
+  file << draw_section(model, state);
+  file.close();
+  if (!file) throw FileError(fmt::format("{}: the picture cannot be written", path));
+  fmt::print("picture in {}\n", path);
+}
+
 void print_check(const CaseFile& file, const Model& model, State& state)
 {
   const Mesh<2>& mesh = *model.mesh;
@@ -82,6 +112,7 @@ void print_check(const CaseFile& file, const Model& model, State& state)
   fmt::print("  points         {}\n", state.points.n_points());
   fmt::print("  mass           {:.6g} kg per m\n", total_mass(state));
   print_bodies(model);
+  print_sides(model);
   fmt::print("  time step      {:.4g} s\n", model.dt);
   fmt::print("  steps          {} to t = {:g} s\n", model.n_steps, file.values.time.end);
   fmt::print("  memory         {:.0f} MB\n", static_cast<double>(bytes_of(model, state)) / 1e6);
@@ -96,12 +127,14 @@ void print_check(const CaseFile& file, const Model& model, State& state)
 
 int check_case(const RunOptions& options)
 {
+  check_picture(options.picture);
   const CaseFile file = read_case(options.path, options.changes);
   fmt::print(stderr, "{}", render_warnings(file));
   try {
     Model model = build_model(file.values, options.threads > 0 ? options.threads : available_processors());
     State state = build_state(model);
     fmt::print(stderr, "{}", render_warnings(find_warnings(model, state), file));
+    if (!options.picture.empty()) write_picture(options.picture, model, state);
     print_check(file, model, state);
     return solved;
   } catch (const InputError& error) {

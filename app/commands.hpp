@@ -20,6 +20,7 @@ struct RunOptions {
   long steps = 100, warm_steps = 50;  ///< of bench: in each of five trials, and before them
   bool json = false;                  ///< of bench
   bool report = false;                ///< write the page of the run at its end
+  std::string picture;                ///< of check: SVG file of the section; empty: none
 };
 
 struct VerifyOptions {

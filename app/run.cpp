@@ -48,19 +48,19 @@ void print_summary(const Summary& s, const std::string& folder)
 }
 
 /// What the numbers say against themselves.
-void warn_of(const Summary& s)
+void warn_of(const Summary& s, const std::string& folder)
 {
   constexpr double much = 0.05;
   if (s.energy_balance_error > much)
     fmt::print(stderr,
-        "warning: the energy balance is off by {:.2g} % of the energy exchanged; see "
+        "warning: {}: the energy balance is off by {:.2g} % of the energy exchanged; see "
         "docs/troubleshooting.md#the-energy-balance-is-off\n",
-        100.0 * s.energy_balance_error);
+        folder, 100.0 * s.energy_balance_error);
   for (const ReachedSide& reached : s.reached_sides)
     fmt::print(stderr,
-        "warning: soil {} the side `{}` of the mesh by t = {:.3g} s, which {}; see "
+        "warning: {}: soil {} the side `{}` of the mesh by t = {:.3g} s, which {}; see "
         "docs/troubleshooting.md#soil-reaches-the-side-of-the-mesh\n",
-        reached.rose ? "rose at" : "came to", printable(reached.side), reached.time,
+        folder, reached.rose ? "rose at" : "came to", printable(reached.side), reached.time,
         reached.rose ? "holds it back" : "acts on it from then on");
 }
 
@@ -118,7 +118,7 @@ int solve(Simulation& simulation, RunWriter& writer, const RunOptions& options, 
       return failed;
     }
     if (!options.quiet) print_summary(summary, folder);
-    warn_of(summary);
+    warn_of(summary, folder);
     if (options.verbose) print_passes(simulation.work);
     return solved;
   } catch (const RunError& error) {
@@ -260,8 +260,9 @@ ResumePoint resume_point(const Model& model, const State& state, const std::stri
 
 int run_case(const RunOptions& options)
 {
-  const CaseFile file = read_case(options.path, options.changes);
+  CaseFile file = read_case(options.path, options.changes);
   const std::string folder = options.output.empty() ? default_run_folder(options.path) : options.output;
+  file.run = folder;
   fmt::print(stderr, "{}", render_warnings(file));
   try {
     Simulation simulation(file.values, threads_of(options));

@@ -164,7 +164,11 @@ const NamedSide& find_side(const Mesh<2>& mesh, const std::string& name)
     if (side.name == name) return side;
     known += (known.empty() ? "" : ", ") + side.name;
   }
-  throw InputError(Problem{"boundary." + name, "the mesh has no side `" + name + "`", "Sides of this mesh: " + known,
+  throw InputError(Problem{"boundary." + name, "the mesh has no side `" + name + "`",
+      known.empty() ? "No side of this mesh has a name. A mesh file names them by physical groups: in gmsh\n"
+                      "`Physical Curve(\"" +
+                          name + "\") = {1, 2};`. In [mesh] of a polygon: edges = { " + name + " = [0] }."
+                    : "Sides of this mesh: " + known,
       "boundary", true, {"mesh.file", "mesh.edges"}});
 }
 

@@ -7,6 +7,7 @@
 #include "input/printable.hpp"
 #include "input/reader.hpp"
 #include "input/render.hpp"
+#include "input/syntax_advice.hpp"
 
 #include <fmt/format.h>
 
@@ -47,17 +48,16 @@ std::string read_text(const std::string& path)
 
 Document parse_document(const std::string& text, const std::string& path)
 {
+  if (is_utf16(text))
+    refuse_file(path, "this is text in UTF-16", "Save it as UTF-8: in the editor, \"Save as\", encoding UTF-8.");
   if (text.find('\0') != std::string::npos)
     refuse_file(path, "this is not a text file", "A case file is text in the TOML format: https://toml.io");
   try {
     return {path, text, parse_toml(text)};
   } catch (const SyntaxError& error) {
-    const std::string why = error.what();
-    const bool unquoted = why.find("could not determine value type") != std::string::npos;
-    const std::string hint =
-        unquoted ? "\nText stands in quotes, as in scheme = \"mpm_gp\"; numbers are written 8.0e3." : "";
-    throw CaseError(render_at(path, text, error.place,
-                        {"", "this is not valid TOML", why + hint + "\nThe format: https://toml.io", ""}) +
+    const SyntaxAdvice advice = advise_on_syntax(text, error);
+    const std::string what = advice.what.empty() ? "this is not valid TOML" : "this is not valid TOML: " + advice.what;
+    throw CaseError(render_at(path, text, advice.place, {"", what, advice.cure + "\nThe format: https://toml.io", ""}) +
                     "\n1 error; nothing was run.\n");
   }
 }
@@ -132,9 +132,9 @@ std::string render(const std::vector<Problem>& problems, const CaseFile& file)
 
 std::string render_warnings(const std::vector<Problem>& warnings, const CaseFile& file)
 {
-  return render_warnings(warnings, file.source);
+  return render_warnings(warnings, file.source, file.run);
 }
 
-std::string render_warnings(const CaseFile& file) { return render_warnings(file.warnings, file.source); }
+std::string render_warnings(const CaseFile& file) { return render_warnings(file.warnings, file.source, file.run); }
 
 }  // namespace terp

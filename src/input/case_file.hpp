@@ -18,6 +18,7 @@ struct CaseFile {
   std::string text;  ///< TOML of the case as it runs, with every --set and full names of files, for the record
   std::vector<Problem> warnings;  ///< doubtful, but it may run
   Document source;                ///< what the user wrote, and where
+  std::string run;                ///< folder of the run, which warnings name; empty: none
 };
 
 /// The case cannot be read. what() is the full message for the user; exit status 2.

@@ -2,6 +2,7 @@
 
 #include "input/check_mesh.hpp"
 #include "input/check_method.hpp"
+#include "input/check_physics.hpp"
 #include "input/closest.hpp"
 #include "input/key_text.hpp"
 #include "input/other_files.hpp"
@@ -265,6 +266,7 @@ void check_case(const Node& root, const Case& values, Findings& findings)
   check_initial(root, values, findings);
   check_hydrostatic(values, findings.problems);
   check_method(root, values, findings.warnings);
+  check_physics(values, findings.warnings);
   check_unused_materials(values, findings.warnings);
   check_fields(values, findings.warnings);
 }

@@ -1,10 +1,12 @@
 #include "input/check_method.hpp"
 
+#include "materials/material.hpp"
 #include "schemes/scheme.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace terp {
 namespace {
@@ -44,13 +46,46 @@ void check_relaxation(const Node& method, const MethodOptions& options, Problems
     warnings.push_back(no_effect("pressure_relaxation", "It counts with point_pressure = \"relax\" only."));
 }
 
+std::string schemes_with_b_bar()
+{
+  std::string names;
+  for (const Scheme& scheme : all_schemes())
+    if (looks_at(scheme, "b_bar")) names += (names.empty() ? "" : ", ") + std::string(scheme.name);
+  return names;
+}
+
+/// Nearly incompressible soil with the volume strain of each point: it locks, far too stiff.
+void check_locking(const Scheme& scheme, const Case& values, Problems& warnings)
+{
+  constexpr Real locks = 0.45;  // Poisson's ratio
+  const bool has_b_bar = looks_at(scheme, "b_bar");
+  if (has_b_bar && values.method.b_bar) return;
+  for (const MaterialCase& material : values.materials) {
+    const MaterialType* law = find_material(material.model);
+    const auto is_missing = [](Real value) { return std::isnan(value); };
+    if (law == nullptr || std::any_of(material.parameters.begin(), material.parameters.end(), is_missing)) continue;
+    const auto soil = law->make(material.parameters);
+    const Real K = soil->bulk_modulus(), G = soil->shear_modulus();
+    const Real poisson = (3.0 * K - 2.0 * G) / (2.0 * (3.0 * K + G));
+    if (!(poisson > locks) || G == 0.0) continue;
+    warnings.push_back({join_path("material", material.name),
+        fmt::format("`{}` locks: Poisson's ratio {:.3g} {}", material.name, poisson,
+            has_b_bar ? "without B-bar" : fmt::format("with the scheme {}", scheme.name)),
+        fmt::format("It answers far too stiffly, with pressures that jump from cell to cell. {}",
+            has_b_bar ? "Leave method.b_bar at true." : fmt::format("Schemes with B-bar: {}.", schemes_with_b_bar())),
+        has_b_bar ? "method.b_bar" : "scheme", true, {"scheme", "method.b_bar"}});
+  }
+}
+
 }  // namespace
 
 void check_method(const Node& root, const Case& values, Problems& warnings)
 {
   const Node* method = find_item(root, "method");
   const Scheme* scheme = find_scheme(values.scheme);
-  if (method == nullptr || method->kind != NodeKind::table || scheme == nullptr) return;
+  if (scheme == nullptr) return;
+  check_locking(*scheme, values, warnings);
+  if (method == nullptr || method->kind != NodeKind::table) return;
   check_unused(*method, *scheme, warnings);
   if (looks_at(*scheme, "b_bar") && looks_at(*scheme, "force_operator"))
     check_operators(*method, values.method, warnings);

@@ -63,32 +63,6 @@ Node to_node(const toml::node& source)
   return node;
 }
 
-/// Where a string that opens at `k` has ended: behind its closing quotes, or at the end of its line.
-std::size_t skip_string(std::string_view text, std::size_t k)
-{
-  const std::string three(3, text[k]);
-  const bool many_lines = text.substr(k, 3) == three, escapes = text[k] == '"';
-  const std::string mark = many_lines ? three : three.substr(0, 1);
-  for (k += mark.size(); k < text.size(); ++k) {
-    if (escapes && text[k] == '\\')
-      ++k;
-    else if (text.substr(k, mark.size()) == mark)
-      return k + mark.size();
-    else if (!many_lines && text[k] == '\n')
-      return k;
-  }
-  return text.size();
-}
-
-Place place_at(std::string_view text, std::size_t offset)
-{
-  const std::string_view before = text.substr(0, offset);
-  const std::string_view line = before.substr(before.rfind('\n') + 1);  // npos + 1 = 0
-  const auto starts_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
-  return {static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1,
-      static_cast<int>(std::count_if(line.begin(), line.end(), starts_character)) + 1, 1};
-}
-
 /// TOML has plain letters only outside strings and comments. toml++ 3.3 runs into undefined behaviour at others such as
 /// U+00E4 (lifted_text.hpp), and a no-break space copied from a web page deserves its own message.
 void refuse_foreign_letters(std::string_view text)
@@ -203,6 +177,31 @@ std::string read_quoted(std::string_view path, std::size_t& k)
 }
 
 }  // namespace
+
+std::size_t skip_string(std::string_view text, std::size_t k)
+{
+  const std::string three(3, text[k]);
+  const bool many_lines = text.substr(k, 3) == three, escapes = text[k] == '"';
+  const std::string mark = many_lines ? three : three.substr(0, 1);
+  for (k += mark.size(); k < text.size(); ++k) {
+    if (escapes && text[k] == '\\')
+      ++k;
+    else if (text.substr(k, mark.size()) == mark)
+      return k + mark.size();
+    else if (!many_lines && text[k] == '\n')
+      return k;
+  }
+  return text.size();
+}
+
+Place place_at(std::string_view text, std::size_t offset)
+{
+  const std::string_view before = text.substr(0, offset);
+  const std::string_view line = before.substr(before.rfind('\n') + 1);  // npos + 1 = 0
+  const auto starts_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
+  return {static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1,
+      static_cast<int>(std::count_if(line.begin(), line.end(), starts_character)) + 1, 1};
+}
 
 Node parse_toml(std::string_view text)
 {

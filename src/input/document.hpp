@@ -50,6 +50,12 @@ class SyntaxError : public std::runtime_error {
 /// call.
 inline constexpr std::size_t most_key_parts = 100;
 
+/// Where a string that opens at `k` has ended: behind its closing quotes, or at the end of its line.
+std::size_t skip_string(std::string_view text, std::size_t k);
+
+/// Line and column of a byte of the text.
+Place place_at(std::string_view text, std::size_t offset);
+
 /// The tree of a TOML text; throws SyntaxError.
 Node parse_toml(std::string_view text);
 

@@ -237,7 +237,6 @@ std::vector<KeyInfo> load_keys()
       {.path = "forces.gravity",
           .field = [](Case& c, std::size_t) { return &c.forces.gravity; },
           .unit = "m/s^2",
-          .usual = {0.1, 5000.0},
           .meaning = "acceleration of gravity, acting fully from t = 0"},
       {.path = "forces.damping.local",
           .field = [](Case& c, std::size_t) { return &c.forces.local_damping; },

@@ -1,5 +1,9 @@
 #include "input/overrides.hpp"
 
+#include "input/closest.hpp"
+#include "input/key_text.hpp"
+#include "input/keys.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -64,12 +68,127 @@ Node* enter(Node& parent, const std::string& part, const std::string& override_t
   return &item;
 }
 
-std::string describe_holder(const Node& holder, const std::string& path)
+std::string describe_holder(const Node& holder, const std::string& path, const std::string& part)
 {
+  if (holder.kind == NodeKind::list && !index_of(part))
+    return fmt::format("`{0}` is a list: write {0}[0].{1}, counted from 0, or {0}.*.{1} for all {2} entries.", path,
+        part, holder.items.size());
   if (holder.kind == NodeKind::list)
     return fmt::format("The list `{}` has {} entries; count from 0.", path, holder.items.size());
   if (holder.kind == NodeKind::table) return fmt::format("`{}` is a table, not a list.", path);
   return fmt::format("`{0}` is a single value and holds no keys. Set it as a whole: --set {0}=...", path);
+}
+
+using Parts = std::vector<std::string>;
+
+/// `*` stands for any letters, also none.
+bool fits(std::string_view pattern, std::string_view name)
+{
+  if (pattern.empty()) return name.empty();
+  if (pattern.front() != '*')
+    return !name.empty() && pattern.front() == name.front() && fits(pattern.substr(1), name.substr(1));
+  return fits(pattern.substr(1), name) || (!name.empty() && fits(pattern, name.substr(1)));
+}
+
+/// The entry `part` of a list or table, or nullptr.
+const Node* below_of(const Node& node, const std::string& part)
+{
+  if (node.kind != NodeKind::list) return find_item(node, part);
+  const auto index = index_of(part);
+  return index && *index < node.items.size() ? &node.items[*index] : nullptr;
+}
+
+/// Names of a table, or the numbers of a list.
+std::vector<std::string> names_below(const Node& node)
+{
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < node.items.size(); ++k)
+    names.push_back(node.kind == NodeKind::list ? fmt::format("[{}]", k) : node.items[k].name);
+  return names;
+}
+
+/// A pattern over materials means those whose law has the parameter.
+bool takes_key(const Node& material, const std::string& key)
+{
+  const Node* model = find_item(material, "model");
+  const MaterialType* law = model != nullptr ? find_material(model->text) : nullptr;
+  if (law == nullptr || find_key("material.NAME." + key) != nullptr) return true;
+  return std::any_of(
+      law->parameters.begin(), law->parameters.end(), [&](const auto& info) { return info.name == key; });
+}
+
+/// The keys that a key with patterns stands for, from part `first` on; none where nothing fits.
+void expand(const Node* node, const Parts& parts, std::size_t first, Parts& path, std::vector<Parts>& found)
+{
+  if (first == parts.size()) return found.push_back(path);
+  const std::string& part = parts[first];
+  const bool is_pattern = part.find('*') != std::string::npos;
+  const auto go_on = [&](const Node* below, const std::string& name) {
+    path.push_back(name);
+    expand(below, parts, first + 1, path, found);
+    path.pop_back();
+  };
+  if (!is_pattern) return go_on(node == nullptr ? nullptr : below_of(*node, part), part);
+  if (node == nullptr) return;
+  const std::string pattern = part.size() > 2 && part.front() == '[' ? part.substr(1, part.size() - 2) : part;
+  for (const std::string& name : names_below(*node)) {
+    const Node* below = below_of(*node, name);
+    const bool of_material = first == 1 && parts[0] == "material" && parts.size() == 3;
+    if (below != nullptr && fits(pattern, node->kind == NodeKind::list ? name.substr(1, name.size() - 2) : name) &&
+        (!of_material || takes_key(*below, parts[2])))
+      go_on(below, name);
+  }
+}
+
+std::optional<Problem> refuse_pattern(const Node& root, const Parts& parts, const std::string& where)
+{
+  const Node* holder = &root;
+  for (const std::string& part : parts) {
+    if (part.find('*') != std::string::npos) break;
+    const Node* next = below_of(*holder, part);
+    if (next == nullptr) break;
+    holder = next;
+  }
+  const auto names = names_below(*holder);
+  return Problem{where, "the pattern fits nothing",
+      fmt::format("There are: {}. In [material], those count whose model has the key.",
+          names.empty() ? "none" : plain_list(names)),
+      ""};
+}
+
+/// A parameter of a material that the case does not have: to make a new one by a parameter is hardly meant.
+std::optional<Problem> refuse_new_material(const Node& root, const Parts& parts, const std::string& where)
+{
+  const Node* materials = find_item(root, "material");
+  if (parts.size() < 3 || parts[0] != "material" || materials == nullptr || materials->items.empty() ||
+      materials->kind != NodeKind::table || find_item(*materials, parts[1]) != nullptr || parts[2] == "model")
+    return std::nullopt;
+  const auto names = names_below(*materials);
+  const std::string nearest = closest(parts[1], names);
+  return Problem{where, fmt::format("there is no material `{}`", parts[1]),
+      (nearest.empty() ? "" : fmt::format("Did you mean `material.{}.{}`?\n", nearest, parts[2])) +
+          fmt::format("Materials of this case: {}", plain_list(names)),
+      "material"};
+}
+
+std::optional<Problem> set_one(Node& root, const Parts& parts, const std::string& value, const std::string& where)
+{
+  if (auto problem = refuse_new_material(root, parts, where)) return problem;
+  Node* node = &root;
+  std::string path;
+  for (const std::string& part : parts) {
+    Node* next = enter(*node, part, where);
+    if (next == nullptr)
+      return Problem{where, fmt::format("there is no entry `{}`", part), describe_holder(*node, path, part), ""};
+    path = index_of(part) && node->kind == NodeKind::list ? fmt::format("{}[{}]", path, *index_of(part))
+                                                          : join_path(path, part);
+    node = next;
+  }
+  const std::string name = node->name;
+  *node = parse_value(value);
+  node->name = name;
+  mark(*node, where);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -78,28 +197,23 @@ std::optional<Problem> apply_override(Node& root, const std::string& change)
 {
   const std::string where = "--set " + change;
   const std::size_t equals = change.find('=');
-  const auto parts = split_path(trimmed(std::string_view(change).substr(0, equals)));
+  const Parts parts = split_path(trimmed(std::string_view(change).substr(0, equals)));
   if (equals == std::string::npos || parts.empty())
     return Problem{
         where, "a change has the form KEY=VALUE", "For example --set scheme=mpm_mixed or --set mesh.cell=0.2", ""};
-
   if (parts.size() > most_key_parts)
     return Problem{where.substr(0, 40) + "...", fmt::format("a key has at most {} parts", most_key_parts), "", ""};
+  const std::string value(trimmed(std::string_view(change).substr(equals + 1)));
+  if (value.empty())
+    return Problem{where, "a change has a value after the equals sign",
+        "An empty text is written with quotes: --set 'title=\"\"'", ""};
 
-  Node* node = &root;
-  std::string path;
-  for (const std::string& part : parts) {
-    Node* next = enter(*node, part, where);
-    if (next == nullptr)
-      return Problem{where, fmt::format("there is no entry `{}`", part), describe_holder(*node, path), ""};
-    path = index_of(part) && node->kind == NodeKind::list ? fmt::format("{}[{}]", path, *index_of(part))
-                                                          : join_path(path, part);
-    node = next;
-  }
-  const std::string name = node->name;
-  *node = parse_value(std::string(trimmed(std::string_view(change).substr(equals + 1))));
-  node->name = name;
-  mark(*node, where);
+  Parts path;
+  std::vector<Parts> keys;
+  expand(&root, parts, 0, path, keys);
+  if (keys.empty()) return refuse_pattern(root, parts, where);
+  for (const Parts& key : keys)
+    if (auto problem = set_one(root, key, value, where)) return problem;
   return std::nullopt;
 }
 

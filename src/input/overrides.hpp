@@ -10,9 +10,10 @@
 namespace terp {
 
 /// Sets one value in the tree and creates the tables above it. `change` is "KEY=VALUE": KEY dotted, with [n] or n for
-/// entries of lists (n may be one past the last); VALUE is TOML, or else taken as text; blanks around both do not
-/// count. The nodes of VALUE carry override_text. Returns what is wrong with the change itself, then the tree is as
-/// before or holds empty tables.
+/// entries of lists (n may be one past the last), and * for any letters of a name or for all entries of a list:
+/// "material.*.eta" sets eta of every material whose model has it. VALUE is TOML, or else taken as text; blanks around
+/// both do not count. The nodes of VALUE carry override_text. Returns what is wrong with the change itself, then the
+/// tree is as before or holds empty tables.
 std::optional<Problem> apply_override(Node& root, const std::string& change);
 
 }  // namespace terp

@@ -214,13 +214,22 @@ bool CaseReader::is_table(const Node& node, const std::string& path, const std::
   return false;
 }
 
+/// A key of that name in another section: "gravity" belongs to [forces].
+std::string hint_elsewhere(const std::string& name)
+{
+  for (const KeyInfo& key : all_keys())
+    if (last_part(key.path) == name && !parent_path(key.path).empty())
+      return fmt::format("Did you mean `{}`, in {}?\n", key.path, header_of(parent_path(key.path)));
+  return "";
+}
+
 void CaseReader::report_unknown(const Section& section, const Node& item, std::vector<std::string>& meant)
 {
   auto names = names_in(section);
   const std::string nearest = closest(item.name, names);
   meant.push_back(nearest);
   if (!section.law.empty()) std::erase(names, "model");
-  std::string detail = nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest);
+  std::string detail = nearest.empty() ? hint_elsewhere(item.name) : fmt::format("Did you mean `{}`?\n", nearest);
   detail += names.empty() ? "No side of this mesh has a name. Name them as in edges = { base = [0] } in [mesh]."
                           : fmt::format("Keys of {}: {}", title_of(section), plain_list(names));
   report({join_path(section.path, item.name), fmt::format("unknown key `{}`", item.name), detail,

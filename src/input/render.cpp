@@ -130,7 +130,7 @@ std::string note_on_default(const Problem& problem)
   return fmt::format("`{}` is not given; its default is {}.", problem.key, key->default_text);
 }
 
-std::string render_one(const char* word, const Problem& problem, const Document& document)
+std::string render_one(const std::string& word, const Problem& problem, const Document& document)
 {
   const Spot spot = find_spot(problem, document);
   std::string out = fmt::format("{}: {}: {}\n", word, location(document.path, spot), problem.what);
@@ -152,7 +152,7 @@ std::vector<Problem> in_file_order(std::vector<Problem> problems, const Document
   return problems;
 }
 
-std::string render_all(const char* word, const std::vector<Problem>& problems, const Document& document)
+std::string render_all(const std::string& word, const std::vector<Problem>& problems, const Document& document)
 {
   std::string out;
   const auto ordered = in_file_order(problems, document);
@@ -169,9 +169,9 @@ std::string render_errors(const std::vector<Problem>& problems, const Document& 
   return render_all("error", problems, document) + fmt::format("{} {}; nothing was run.\n", problems.size(), noun);
 }
 
-std::string render_warnings(const std::vector<Problem>& warnings, const Document& document)
+std::string render_warnings(const std::vector<Problem>& warnings, const Document& document, const std::string& run)
 {
-  return render_all("warning", warnings, document);
+  return render_all(run.empty() ? "warning" : "warning: " + run, warnings, document);
 }
 
 std::string render_at(const std::string& path, const std::string& text, Place place, const Problem& problem)

@@ -153,6 +153,15 @@ bool ValueReader::not_finite(const std::string& path, Real number)
           "Got {}; allowed: a finite number{}.", number_text(number, key_.unit), range.empty() ? unit : ", " + range));
 }
 
+/// What an unusual number may have been meant to be.
+std::string advice_on_unit(Real number, const std::string& unit)
+{
+  if (unit != "deg") return "Terp reads SI units: m, kg, s, Pa.";
+  constexpr Real degree = 3.14159265358979323846 / 180.0;
+  return fmt::format("Angles are in degrees: {0} rad are {1:.1f} deg, and {0} is the tangent of {2:.1f} deg.", number,
+      number / degree, std::atan(number) / degree);
+}
+
 bool ValueReader::read_number(const Node& node, const std::string& path, Real& value)
 {
   if (!is_number(node)) return wrong_type(node, path);
@@ -161,7 +170,7 @@ bool ValueReader::read_number(const Node& node, const std::string& path, Real& v
   if (!key_.range.contains(number)) return out_of_range(path, number_text(number, key_.unit));
   if (number != 0.0 && std::isfinite(number) && !key_.usual.contains(std::abs(number)))
     findings_.warnings.push_back({path, fmt::format("`{}` = {} is unusual", name(), number_text(number, key_.unit)),
-        fmt::format("Usual: {}. Terp reads SI units: m, kg, s, Pa.", usual_text(key_.usual, key_.unit)),
+        fmt::format("Usual: {}. {}", usual_text(key_.usual, key_.unit), advice_on_unit(number, key_.unit)),
         topic_of(key_.path)});
   value = number;
   return true;

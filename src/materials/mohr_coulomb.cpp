@@ -20,6 +20,7 @@ namespace {
 
 constexpr Real degree = std::numbers::pi / 180.0;
 constexpr Range friction_range = between(0.0, 60.0);
+constexpr Range usual_friction = between(2.0, 60.0), usual_dilatancy = between(1.0, 60.0);  // less: radians, tangents
 
 constexpr ParameterInfo stress_info(std::string_view name, Real typical, std::string_view meaning)
 {
@@ -93,16 +94,20 @@ struct MohrCoulomb {
       shear_modulus_info,
       poisson_ratio_info,
       with_usual(stress_info("cohesion", 8e3, "cohesion c, at its peak"), between(10.0, 1e7)),
-      angle_info("friction_angle", 30.0, "friction angle phi, at its peak"),
-      with_default(angle_info("dilatancy_angle", 8.0, "dilatancy angle psi, at its peak; at most friction_angle"), 0.0),
+      with_usual(angle_info("friction_angle", 30.0, "friction angle phi, at its peak"), usual_friction),
+      with_usual(
+          with_default(angle_info("dilatancy_angle", 8.0, "dilatancy angle psi, at its peak; at most friction_angle"), 0.0),
+          usual_dilatancy),
       with_default(stress_info("tension_cutoff", 5e3,
                        "largest principal stress; never above the apex c cot(phi), which is the limit without it"),
           std::numeric_limits<Real>::infinity()),
       residual_of("cohesion", stress_info("cohesion_residual", 2e3, "cohesion that softening leaves")),
-      residual_of(
-          "friction_angle", angle_info("friction_angle_residual", 25.0, "friction angle that softening leaves")),
-      residual_of(
-          "dilatancy_angle", angle_info("dilatancy_angle_residual", 0.0, "dilatancy angle that softening leaves")),
+      with_usual(residual_of("friction_angle",
+                     angle_info("friction_angle_residual", 25.0, "friction angle that softening leaves")),
+          usual_dilatancy),
+      with_usual(residual_of("dilatancy_angle",
+                     angle_info("dilatancy_angle_residual", 0.0, "dilatancy angle that softening leaves")),
+          usual_dilatancy),
       ParameterInfo{.name = "eta",
           .unit = "-",
           .range = not_negative,

@@ -55,6 +55,7 @@ struct TrescaSoftening {
           .typical = 2e3,
           .meaning = "residual undrained shear strength S_u,r",
           .usual = between(10.0, 1e7),
+          .fallback_of = "su_peak",
           .reduction = Reduction::divide,
           .may_vary = true},
       ParameterInfo{.name = "eta",

@@ -5,7 +5,9 @@
 #include "meshing/msh_content.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <fmt/format.h>
 #include <fstream>
 #include <map>
@@ -23,10 +25,14 @@ const std::string all_quads_advice =
 
 std::string contents_of(const std::string& path)
 {
+  errno = 0;
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
-  if (!file || !(text << file.rdbuf()))
-    throw MeshError(fmt::format("{}: there is no such file, it cannot be read, or it is empty", path));
+  if (!file) throw MeshError(fmt::format("{}: the file cannot be read: {}", path, std::strerror(errno)));
+  if (!(text << file.rdbuf()))
+    throw MeshError(fmt::format("{}: {}", path,
+        errno == EISDIR ? "this is a folder, not a mesh file"
+                        : "the file is empty. In gmsh: mesh the section (Mesh, 2D), then save it as MSH 4.1."));
   return std::move(text).str();
 }
 

@@ -90,8 +90,23 @@ std::string closest_column(std::string_view word)
 /// Place of each column in a line, shape [4].
 using Places = std::array<std::size_t, 4>;
 
+/// What stands between the names instead of commas, in words; empty if commas do, or if there is one name.
+std::string other_separator(std::string_view line)
+{
+  if (line.find(',') != std::string_view::npos) return "";
+  if (line.find(';') != std::string_view::npos) return "semicolons";
+  if (line.find('\t') != std::string_view::npos) return "tabs";
+  return line.find(' ') != std::string_view::npos ? "blanks" : "";
+}
+
 Places read_header(std::string_view line, Index number, Faults& faults)
 {
+  if (const std::string other = other_separator(line); !other.empty()) {
+    faults.add(number, fmt::format("the values are separated by {}; Terp reads commas, and a decimal point in numbers. "
+                                   "In a spreadsheet: save as CSV with commas, language English",
+                           other));
+    return {};
+  }
   const auto names = split(line);
   for (const std::string_view name : names) {
     if (std::ranges::find(columns, name) != columns.end()) continue;
@@ -125,7 +140,9 @@ CsvPoint read_row(std::string_view line, Index number, const Places& places, Fau
   CsvPoint point{{0.0, 0.0}, 0.0, "", number};
   const auto cells = split(line);
   if (cells.size() != columns.size()) {
-    faults.add(number, fmt::format("{} values, and 4 columns", cells.size()));
+    const bool by_comma = cells.size() == 2 * columns.size() - 1;  // each of three numbers in two parts
+    faults.add(number, fmt::format("{} values, and 4 columns{}", cells.size(),
+                           by_comma ? "; numbers have a decimal point, no comma" : ""));
     return point;
   }
   const std::array<Real*, 3> numbers{&point.x[0], &point.x[1], &point.volume};

@@ -1,6 +1,8 @@
 #include "simulation/setup_warnings.hpp"
 
 #include "simulation/footings.hpp"
+#include "simulation/scale_warnings.hpp"
+#include "simulation/section_warnings.hpp"
 #include "simulation/setup_history.hpp"
 
 #include <algorithm>
@@ -45,14 +47,14 @@ void find_sides_that_move_far(const Model& model, std::vector<Problem>& warnings
       const Vec<2> v = velocity_of(side, model.mesh->nodes[model.mesh->cells[edge.cell][edge.side]]);
       speed = std::max(speed, std::hypot(v[0], v[1]));
     }
-    const Real way = speed * model.description.time.end;
-    if (side.kind != SideKind::velocity || !(way > model.mesh->smallest_altitude)) continue;
+    const Real distance = speed * model.description.time.end;
+    if (side.kind != SideKind::velocity || !(distance > model.mesh->smallest_altitude)) continue;
     warnings.push_back({fmt::format("boundary.\"{}\".velocity", side.side),
         "the side stays in place: it pushes soil over one cell at most",
         fmt::format("Its velocity times time.end is {:.4g} m, the smallest cell is {:.4g} m high. The mesh does not "
                     "move with the side:\n"
                     "soil that has left the cells next to it is pushed no more.",
-            way, model.mesh->smallest_altitude),
+            distance, model.mesh->smallest_altitude),
         "boundary.SIDE.velocity"});
   }
 }
@@ -65,6 +67,8 @@ std::vector<Problem> find_warnings(const Model& model, const State& state)
   find_empty_bodies(model, warnings);
   find_thin_points(model, warnings);
   find_sides_that_move_far(model, warnings);
+  find_odd_places(model, warnings);
+  find_odd_scales(model, state, warnings);
   for (Problem& problem : find_idle_footings(model, state)) warnings.push_back(std::move(problem));
   return warnings;
 }

@@ -28,6 +28,30 @@ TEST(Check, TellsWhatWouldRun)
   EXPECT_TRUE(test::names_in(folder.path()).empty());
 }
 
+TEST(Check, ListsTheSidesWithTheirLengthsAndConditions)
+{
+  const Finished f = test::terp(test::column_command("check"));
+  for (const char* line : {"  side left      roller, no motion across, ",
+           "  side bottom    contact that never opens, adhesion ", "  side top       free, holds nothing, "})
+    EXPECT_THAT(f.out, HasSubstr(line));
+}
+
+TEST(Check, DrawsTheSection)
+{
+  const test::ScratchFolder folder;
+  const std::string svg = folder.path() + "/section.svg";
+  const Finished f = test::terp(test::column_command("check", {"--picture", svg}));
+  EXPECT_EQ(f.status, 0);
+  EXPECT_THAT(f.out, StartsWith("picture in " + svg + "\n"));
+  EXPECT_THAT(test::text_of(svg), AllOf(StartsWith("<svg "), HasSubstr("bottom: contact")));
+  const Finished png = test::terp(test::column_command("check", {"--picture", "section.png"}));
+  EXPECT_EQ(png.status, 2);
+  EXPECT_EQ(png.err,
+      "error: --picture section.png: the picture is an SVG file, which every browser opens\n  Write --picture "
+      "section.svg. "
+      "For PNG: rsvg-convert section.svg -o section.png (Debian package librsvg2-bin)\n");
+}
+
 TEST(Check, WarnsOfASideThatMovesFurtherThanItsCells)
 {
   const Finished f = test::terp(test::column_command("check", {"--set", "boundary.left={velocity=[4.0, 0.0]}"}));

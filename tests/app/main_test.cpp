@@ -12,16 +12,28 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-TEST(Help, NamesTheCommandsOptionsAndExitStatuses)
+std::size_t longest_line(const std::string& text)
+{
+  std::size_t longest = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    longest = std::max(longest, end - begin);
+    begin = end + 1;
+  }
+  return longest;
+}
+
+TEST(Help, NamesTheCommandsAndExitStatuses)
 {
   for (const auto& words : std::vector<std::vector<std::string>>{{"--help"}, {"-h"}, {"help"}}) {
     const Finished f = test::terp(words);
     EXPECT_EQ(f.status, 0);
     EXPECT_THAT(f.out, StartsWith("terp: explicit material point method for soil"));
     for (const char* part : {"run CASE.toml", "resume RUN", "report RUN", "compare RUN", "check CASE.toml",
-             "explain TOPIC", "  list ", "--set KEY=VALUE", "--threads N", "--force",
-             "Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else"})
+             "explain TOPIC", "  list ", "terp COMMAND --help", "--set scheme=mpm_mixed",
+             "Examples:", "Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else"})
       EXPECT_THAT(f.out, HasSubstr(part));
+    EXPECT_LE(longest_line(f.out), 80u);
     EXPECT_EQ(f.err, "");
   }
 }
@@ -33,7 +45,7 @@ TEST(Help, OfACommandIsItsOwnAndNamesItsOptions)
       {"resume", {"--threads", "--report", "--quiet"}},
       {"stability", {"--from", "--to", "--tolerance", "--damping", "--rest", "--failure", "--windows", "--output",
                         "--json", "--set"}},
-      {"check", {"--set"}}, {"bench", {"--steps", "--warm", "--json", "--set"}}, {"report", {"--output"}},
+      {"check", {"--set", "--picture"}}, {"bench", {"--steps", "--warm", "--json", "--set"}}, {"report", {"--output"}},
       {"compare", {"--json"}}, {"export", {"--format", "--field", "--frames", "--output"}},
       {"watch", {"--every", "--once"}},
       {"verify", {"--list", "--short", "--long", "--html", "--markdown", "--cases", "--threads"}},
@@ -41,8 +53,9 @@ TEST(Help, OfACommandIsItsOwnAndNamesItsOptions)
   for (const auto& [command, options] : commands) {
     const Finished f = test::terp({command, "--help"});
     EXPECT_EQ(f.status, 0);
-    EXPECT_THAT(f.out, AllOf(StartsWith("Usage: terp " + command), HasSubstr("Exit status: 0 solved, 2 bad input")));
+    EXPECT_THAT(f.out, AllOf(HasSubstr("\nUsage: terp " + command), HasSubstr("\nExit status: 0 solved, 2 bad input")));
     for (const auto& option : options) EXPECT_THAT(f.out, HasSubstr(option)) << command;
+    EXPECT_LE(longest_line(f.out), 80u) << command;
     EXPECT_EQ(test::terp({"help", command}).out, f.out);
   }
   EXPECT_EQ(test::terp({"solve", "--help"}).out, test::terp({"--help"}).out);
@@ -69,7 +82,7 @@ TEST(CommandLine, WhatItDoesNotKnowIsBadInputAndPointsToTheHelp)
     const Finished f = test::terp(words);
     EXPECT_EQ(f.status, 2) << words[0];
     EXPECT_EQ(f.out, "");
-    EXPECT_THAT(f.err, AllOf(StartsWith("error: "), HasSubstr("see terp --help\n")));
+    EXPECT_THAT(f.err, AllOf(StartsWith("error: "), HasSubstr("see terp "), testing::EndsWith(" --help\n")));
   }
 }
 
@@ -85,6 +98,16 @@ TEST(CommandLine, NamesAWordThatIsNoCommandAndTheNearestThatIs)
   EXPECT_THAT(test::terp({"bogus"}).err, StartsWith("error: there is no command `bogus`\n  Commands: run, "));
   EXPECT_THAT(test::terp({"cases/a.toml"}).err, HasSubstr("  To solve that case: terp run cases/a.toml\n"));
   EXPECT_THAT(test::terp({"\x1B[2J"}).err, StartsWith("error: there is no command `?[2J`\n"));
+}
+
+TEST(CommandLine, NamesWhatIsMissingAndTheNearestOption)
+{
+  EXPECT_EQ(test::terp({"run"}).err,
+      "error: `terp run` needs CASE.toml\nUsage: terp COMMAND [options]; see terp run --help\n");
+  EXPECT_THAT(test::terp({"run", "a.toml", "--ouput", "b"}).err,
+      StartsWith("error: `terp run` has no option `--ouput`\n  Did you mean `--output`?\n  Options: --"));
+  EXPECT_THAT(
+      test::terp({"list", "all"}).err, StartsWith("error: `terp list` does not take a further argument, got `all`\n"));
 }
 
 TEST(CommandLine, WhatIsNotANumberIsNotInRange)

@@ -435,6 +435,16 @@ TEST(Boundary, NamesASideThatTheMeshDoesNotHave)
     EXPECT_EQ(error.problems().at(0).topic, "boundary");
     EXPECT_TRUE(error.problems().at(0).at_key);
   }
+  Mesh<2> nameless = mesh_3x2();
+  nameless.sides.clear();
+  try {
+    find_side(nameless, "base");
+    FAIL() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problems().at(0).detail,
+        "No side of this mesh has a name. A mesh file names them by physical groups: in gmsh\n"
+        "`Physical Curve(\"base\") = {1, 2};`. In [mesh] of a polygon: edges = { base = [0] }.");
+  }
 }
 
 TEST(Boundary, RefusesAThirdSideAtANode)

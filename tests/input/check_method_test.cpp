@@ -12,7 +12,21 @@ using namespace test;
 
 std::string seen_with(const std::string& scheme, const std::string& options)
 {
-  return message_for("scheme = \"" + scheme + "\"\n[method]\n" + options + '\n' + small_case);
+  return message_for("scheme = \"" + scheme + "\"\n[method]\n" + options + '\n' + small_case,
+      {"material.clay.poisson_ratio=0.3"});  // locks with no scheme
+}
+
+TEST(CheckMethod, WarnsOfSoilThatLocksInASchemeWithoutBBar)
+{
+  EXPECT_THAT(message_for(small_case, {"scheme=standard_mpm"}),
+      HasSubstr("warning: --set scheme=standard_mpm: `clay` locks: Poisson's ratio 0.48 with the scheme standard_mpm\n"
+                "  It answers far too stiffly, with pressures that jump from cell to cell. Schemes with B-bar: "
+                "mpm_mixed, mpm_gp.\n  More: terp explain scheme\n"));
+  EXPECT_THAT(message_for(small_case, {"method.b_bar=false", "method.force_operator=b"}),
+      HasSubstr("`clay` locks: Poisson's ratio 0.48 without B-bar\n  It answers far too stiffly, with pressures that "
+                "jump from cell to cell. Leave method.b_bar at true.\n"));
+  EXPECT_EQ(message_for(small_case), "accepted\n");
+  EXPECT_EQ(message_for(small_case, {"scheme=standard_mpm", "material.clay.poisson_ratio=0.3"}), "accepted\n");
 }
 
 TEST(CheckMethod, WarnsOfAnOptionThatTheSchemeDoesNotLookAt)

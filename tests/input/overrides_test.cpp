@@ -76,6 +76,68 @@ TEST(Overrides, MakeTheFirstEntryOfAList)
   EXPECT_EQ(file.values.bodies.size(), 1u);
 }
 
+const std::string two_soils =
+    test::small_case +
+    "[material.sand]\nmodel = \"linear_elastic\"\ndensity = 1800.0\nshear_modulus = 5.0e6\n"
+    "poisson_ratio = 0.3\n[material.peat]\nmodel = \"tresca_softening\"\ndensity = 1100.0\n"
+    "shear_modulus = 1.0e6\npoisson_ratio = 0.45\nsu_peak = 4.0e3\nsu_residual = 2.0e3\neta = 10.0\n";
+
+std::vector<Real> last_parameters(const std::vector<std::string>& changes)
+{
+  std::vector<Real> found;
+  for (const MaterialCase& m : read_case_text(two_soils, "case.toml", changes).values.materials)
+    found.push_back(m.parameters.back());
+  return found;
+}
+
+TEST(Overrides, APatternSetsEveryMaterialThatHasTheKey)
+{
+  using testing::ElementsAre;
+  EXPECT_THAT(last_parameters({}), ElementsAre(50.0, 0.3, 10.0));
+  EXPECT_THAT(last_parameters({"material.*.eta=40"}), ElementsAre(40.0, 0.3, 40.0));  // sand has none
+  EXPECT_THAT(last_parameters({"material.p*t.eta=40"}), ElementsAre(50.0, 0.3, 40.0));
+  EXPECT_THAT(last_parameters({"material.*.poisson_ratio=0.2", "material.c*.eta=7"}), ElementsAre(7.0, 0.2, 10.0));
+}
+
+TEST(Overrides, APatternSetsEveryEntryOfAList)
+{
+  const std::string two_bodies = test::small_case + "[[body]]\nmaterial = \"clay\"\nbox = [[8.0, 0.0], [9.0, 1.0]]\n";
+  for (const char* change : {"body.*.points_per_cell=3", "body[*].points_per_cell=3"})
+    for (const BodyCase& body : read_case_text(two_bodies, "case.toml", {change}).values.bodies)
+      EXPECT_EQ(body.points_per_cell[0], 3) << change;
+}
+
+TEST(Overrides, APatternThatFitsNothingIsRefused)
+{
+  EXPECT_THAT(message_for(two_soils, {"material.x*.eta=40"}),
+      HasSubstr(
+          "error: --set material.x*.eta=40: the pattern fits nothing\n  There are: clay, sand, peat. In [material], "
+          "those count whose model has the key.\n"));
+  EXPECT_THAT(message_for(two_soils, {"material.*.etta=40"}), HasSubstr("the pattern fits nothing"));
+}
+
+TEST(Overrides, OfAMaterialThatTheCaseDoesNotHaveNameTheNearest)
+{
+  EXPECT_THAT(message_for(small_case, {"material.Clay.eta=40"}),
+      HasSubstr("error: --set material.Clay.eta=40: there is no material `Clay`\n  Did you mean `material.clay.eta`?\n"
+                "  Materials of this case: clay\n"));
+  EXPECT_THAT(
+      message_for(small_case, {"material.basalt.eta=40"}), HasSubstr("there is no material `basalt`\n  Materials"));
+}
+
+TEST(Overrides, OfAKeyInTheWrongPlaceNameTheRightOne)
+{
+  EXPECT_THAT(message_for(small_case, {"gravity=-5"}),
+      HasSubstr("error: --set gravity=-5: unknown key `gravity`\n  Did you mean `forces.gravity`, in [forces]?\n"));
+  EXPECT_THAT(message_for(small_case, {"body.box=3"}),
+      HasSubstr(
+          "there is no entry `box`\n  `body` is a list: write body[0].box, counted from 0, or body.*.box for all 1 "
+          "entries.\n"));
+  EXPECT_THAT(message_for(small_case, {"body[0].box="}),
+      HasSubstr(
+          "a change has a value after the equals sign\n  An empty text is written with quotes: --set 'title=\"\"'\n"));
+}
+
 TEST(Overrides, AreAppliedInOrder) { EXPECT_EQ(with({"time.end=1", "time.end=2"}).time.end, 2.0); }
 
 TEST(Overrides, DoNotSmuggleInASecondKey)

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fstream>
 
 namespace terp {
 namespace {
@@ -307,14 +308,19 @@ TEST(ReadGmsh, RefusesTheSameCellTwice)
       HasSubstr("(element 7 of the file) and cell 1 (element 10 of the file) have the same nodes"));
 }
 
-TEST(ReadGmsh, RefusesAPathThatIsNoFile)
+TEST(ReadGmsh, SaysWhyAPathIsNoMeshFile)
 {
   const test::ScratchFolder folder;
-  for (const std::string& path : {folder.path(), folder.path() + "/none.msh"}) try {
+  const std::string empty = folder.path() + "/empty.msh", none = folder.path() + "/none.msh";
+  std::ofstream(empty).close();
+  const std::pair<std::string, std::string> refused[] = {{folder.path(), "this is a folder, not a mesh file"},
+      {none, "the file cannot be read: No such file or directory"},
+      {empty, "the file is empty. In gmsh: mesh the section (Mesh, 2D), then save it as MSH 4.1."}};
+  for (const auto& [path, why] : refused) try {
       read_gmsh(path);
       FAIL() << path;
     } catch (const MeshError& error) {
-      EXPECT_EQ(error.what(), path + ": there is no such file, it cannot be read, or it is empty");
+      EXPECT_EQ(error.what(), path + ": " + why);
     }
 }
 

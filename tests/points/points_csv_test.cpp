@@ -71,6 +71,21 @@ TEST(PointsCsv, RefusesAnUnknownColumnAndSaysWhatWasMeant)
   EXPECT_THAT(message_for("x,y,x,volume,material\n"), HasSubstr("points.csv:1: column `x` is there 2 times"));
 }
 
+TEST(PointsCsv, SaysOnceHowValuesAreSeparated)
+{
+  EXPECT_EQ(message_for("x;y;volume;material\n1;2;3;clay\n"),
+      "the table of points has 1 fault:\n"
+      "  points.csv:1: the values are separated by semicolons; Terp reads commas, and a decimal point in numbers. In a "
+      "spreadsheet: save as CSV with commas, language English\n"
+      "  It has the columns x, y, volume, material: m, m, m^2 (volume per metre of thickness), and a material of the "
+      "case.");
+  EXPECT_THAT(message_for("x\ty\tvolume\tmaterial\n"),
+      HasSubstr("1 fault:\n  points.csv:1: the values are separated by tabs;"));
+  EXPECT_THAT(message_for("x y volume material\n"), HasSubstr("the values are separated by blanks;"));
+  EXPECT_THAT(message_for("x,y,volume,material\n1,5,2,0,0,25,clay\n"),
+      HasSubstr("points.csv:2: 7 values, and 4 columns; numbers have a decimal point, no comma\n"));
+}
+
 TEST(PointsCsv, SaysWhatIsWrongWithEachLine)
 {
   const std::string message = message_for(

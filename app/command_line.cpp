@@ -1,0 +1,349 @@
+#include "command_line.hpp"
+
+#include "input/closest.hpp"
+#include "stability/limits.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+namespace terp {
+namespace {
+
+constexpr const char* exit_statuses = "Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else";
+
+/// CLI11's page with our layout: commands in one line each, no remark on how many of them are required.
+class HelpPage : public CLI::Formatter {
+ public:
+  HelpPage()
+  {
+    column_width(25);
+    label("OPTIONS", "options");
+    label("SUBCOMMAND", "COMMAND");
+    label("Positionals", "Arguments");
+  }
+  std::string make_description(const CLI::App* app) const override
+  {
+    std::string text = app->get_description();
+    if (app->get_parent() != nullptr) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text + "\n\n";
+  }
+  std::string make_option_name(const CLI::Option* option, bool is_positional) const override
+  {
+    const std::string name = CLI::Formatter::make_option_name(option, is_positional);
+    const std::size_t comma = name.find(',');  // "-o,--output"
+    return comma == std::string::npos ? name : name.substr(0, comma) + ", " + name.substr(comma + 1);
+  }
+  std::string make_subcommand(const CLI::App* command) const override
+  {
+    const std::string text = command->get_description();
+    return fmt::format("  {:<23}{}\n", command->get_name() + arguments_of(*command), text.substr(0, text.find('\n')));
+  }
+
+ private:
+  static std::string arguments_of(const CLI::App& command)
+  {
+    std::string names;
+    for (const CLI::Option* option : command.get_options([](const CLI::Option* o) { return o->get_positional(); }))
+      names +=
+          (option->get_required() ? " " : " [") + option->get_name(true, false) + (option->get_required() ? "" : "]");
+    return names;
+  }
+};
+
+/// A number from `least` to `most`. CLI::Range alone lets "nan" through, as no comparison with it holds.
+CLI::Validator number_between(double least, double most)
+{
+  const CLI::Validator range = CLI::Range(least, most);
+  return CLI::Validator(
+      [range, least, most](std::string& text) {
+        double value = 0.0;
+        if (CLI::detail::lexical_cast(text, value) && std::isnan(value))
+          return fmt::format("Value {} not in range {:f} to {:f}", text, least, most);
+        return range(text);
+      },
+      range.get_description());
+}
+
+CLI::App* add_command(CLI::App& app, const char* name, const char* group, const char* what, const std::string& example)
+{
+  CLI::App* command = app.add_subcommand(name, what);
+  command->group(group);
+  command->formatter(std::make_shared<HelpPage>());
+  command->set_help_flag();
+  command->footer((example.empty() ? "" : "Examples:\n" + example + "\n") + exit_statuses);
+  return command;
+}
+
+void add_case(CLI::App* command, RunOptions& options, bool required = true)
+{
+  command->add_option("CASE.toml", options.path, "the case file (terp explain, docs/conventions.md)")
+      ->option_text(" ")
+      ->required(required);
+}
+
+void add_threads(CLI::App* command, int& threads)
+{
+  command
+      ->add_option("-j,--threads", threads,
+          "CPU threads (default: what this job may use);\nresults have the same bits on any number")
+      ->option_text("N")
+      ->check(CLI::Range(1, 1024));
+}
+
+void add_loudness(CLI::App* command, RunOptions& options)
+{
+  command->add_flag("-q,--quiet", options.quiet, "no progress, no summary; warnings stay");
+  command->add_flag("-v,--verbose", options.verbose, "time per pass as well");
+}
+
+void add_set(CLI::App* command, RunOptions& options)
+{
+  command
+      ->add_option("--set", options.changes,
+          "change one key of the case; may be given several\ntimes. * stands for any name: material.*.eta=40")
+      ->option_text("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_output(CLI::App* command, std::string& output, const char* what, const char* text = "DIR")
+{
+  command->add_option("-o,--output", output, what)->option_text(text);
+}
+
+void declare_solvers(CLI::App& app, CommandLine& line)
+{
+  CLI::App* run = add_command(app, "run", "Solve",
+      "solve a case; results go to runs/NAME/\nNAME is that of the file, NAME.toml or NAME/case.toml "
+      "(docs/formats.md).",
+      "  terp run cases/column_collapse/model_2.toml\n"
+      "  terp run cases/dike/dike.toml --set scheme=mpm_mixed -o runs/mixed --report\n");
+  add_case(run, line.options);
+  add_output(run, line.options.output, "folder of the results");
+  run->add_flag("--force", line.options.force, "replace the results of an earlier run");
+  run->add_flag("--report", line.options.report, "write the page of the run at its end: DIR/report.html");
+
+  CLI::App* resume = add_command(app, "resume", "Solve",
+      "go on from the newest checkpoint of a run folder\nor from the checkpoint file that is named. The case in the "
+      "folder and its files\nmust be what the run began with. These may change: title, time.end,\n"
+      "output.fields.every, output.checkpoint. With a later time.end a run that was\nsolved goes on in the same time "
+      "step.",
+      "  terp resume runs/dike --report\n");
+  resume->add_option("RUN", line.options.path, "run folder, or one of its checkpoints")->option_text(" ")->required();
+  resume->add_flag("--report", line.options.report, "write the page of the run at its end: RUN/report.html");
+
+  add_set(run, line.options);
+  for (CLI::App* command : {run, resume}) {
+    add_threads(command, line.options.threads);
+    add_loudness(command, line.options);
+  }
+}
+
+void declare_stability(CLI::App& app, CommandLine& line)
+{
+  CLI::App* stability = add_command(app, "stability", "Solve",
+      "factor of safety by strength reduction\nWrites stability.txt and stability.json (docs/stability.md).",
+      "  terp stability cases/dike/dike.toml --from 1 --to 3\n");
+  add_case(stability, line.options);
+  const auto factors = number_between(least_factor, greatest_factor), shares = number_between(0.0, 0.99);
+  BisectionOptions& search = line.stability.search;
+  TrialRules& rules = line.stability.rules;
+  stability->add_option("--from", search.from, "least factor to look at (0.01 to 100)")
+      ->option_text("F")
+      ->check(factors);
+  stability->add_option("--to", search.to, "greatest factor to look at")->option_text("F")->check(factors);
+  stability->add_option("--tolerance", search.tolerance, "width of the bracket at the end")
+      ->option_text("T")
+      ->check(number_between(least_tolerance, greatest_tolerance));
+  stability->add_option("--damping", rules.damping, "local damping while the soil seeks rest\n(0 to 0.99; default 0.5)")
+      ->option_text("A")
+      ->check(shares);
+  stability
+      ->add_option("--rest", rules.rest,
+          "stands when it hardly moves, as soil with this part of\nits weight out of balance would (default 2e-5)")
+      ->option_text("R")
+      ->check(number_between(1e-9, 0.1));
+  stability->add_option("--failure", rules.failure, "fails beyond this displacement, in rho g H^2/E\n(default 4)")
+      ->option_text("D")
+      ->check(number_between(1e-3, 1e3));
+  stability->add_option("--windows", rules.most_windows, "time that a trial has (default 200)")
+      ->option_text("N")
+      ->check(CLI::Range(3, 100000));
+  stability
+      ->add_option(
+          "--stiffening", rules.stiffening, "displacements are kept so many times smaller\n(1 to 1e6; default 1000)")
+      ->option_text("S")
+      ->check(number_between(1.0, 1e6));
+  add_output(stability, line.options.output, "folder of the two files");
+  stability->add_flag("--json", line.options.json, "print stability.json");
+  add_set(stability, line.options);
+  add_threads(stability, line.options.threads);
+  add_loudness(stability, line.options);
+}
+
+void declare_watch(CLI::App& app, WatchCommand& options)
+{
+  CLI::App* watch = add_command(app, "watch", "Solve", "how far a run is that another terp solves\nEnds with that run.",
+      "  terp watch runs/dike --every 10\n");
+  watch->add_option("RUN", options.run, "run folder")->option_text(" ")->required();
+  watch->add_option("--every", options.every, "seconds between two looks (default 2)")
+      ->option_text("S")
+      ->check(number_between(0.1, 3600.0));
+  watch->add_flag("--once", options.once, "look once");
+}
+
+void declare_viewers(CLI::App& app, CommandLine& line)
+{
+  CLI::App* report = add_command(app, "report", "Look",
+      "write report.html: one page that shows runs side by side\nIt opens without a network (docs/report_page.md).",
+      "  terp report runs/gp runs/mixed -o both.html\n");
+  report->add_option("RUN", line.report.runs, "run folders")->option_text(" ")->required();
+  add_output(report, line.report.output, "the file (default: report.html)", "FILE");
+
+  CLI::App* compare = add_command(app, "compare", "Look",
+      "table of what differs between runs\nThe first run against each of the others, in numbers and in words, with the "
+      "keys\nin which the cases differ.",
+      "  terp compare runs/gp runs/mixed\n");
+  compare->add_option("RUN", line.report.runs, "two or more run folders")->option_text(" ")->required();
+  compare->add_flag("--json", line.report.json, "the same for a program");
+
+  CLI::App* exported = add_command(app, "export", "Look",
+      "frames of a run for other tools\nWrites vtu (ParaView), csv or npz (numpy) into RUN/FORMAT, and a list of them\n"
+      "(docs/formats.md).",
+      "  terp export runs/dike --format vtu --frames 0,10:20,last\n");
+  exported->add_option("RUN", line.exported.run, "run folder")->option_text(" ")->required();
+  exported->add_option("--format", line.exported.format, "vtu, csv or npz")->option_text("F")->required();
+  exported->add_option("--field", line.exported.fields, "only this field; may be given several times")
+      ->option_text("NAME")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  exported
+      ->add_option(
+          "--frames", line.exported.frames, "numbers, ranges with both ends, `last`:\n0,5,10:20,last (default: all)")
+      ->option_text("LIST");
+  add_output(exported, line.exported.folder, "folder (default: RUN/FORMAT)");
+}
+
+void declare_verify(CLI::App& app, VerifyOptions& options)
+{
+  CLI::App* verify = add_command(app, "verify", "Understand",
+      "solve problems with a known answer\nPrints what came out (docs/verification_cases.md); without a name all of "
+      "them.",
+      "  terp verify infinite_slope\n  terp verify --short --html ledger.html\n");
+  verify->add_option("CASE", options.names, "names of cases")->option_text(" ");
+  verify->add_flag("--list", options.list, "names and titles");
+  CLI::Option* only_short = verify->add_flag("--short", options.only_short, "only those that take seconds");
+  verify->add_flag("--long", options.only_long, "only those that take minutes")->option_text(" ")->excludes(only_short);
+  verify->add_option("--html", options.html, "write the ledger as a page")->option_text("FILE");
+  verify->add_option("--markdown", options.markdown, "the same as text")->option_text("FILE");
+  verify->add_option("--overview", options.overview, "write one line per case, and what does not agree")
+      ->option_text("FILE");
+  verify->add_option("--cases", options.cases, "folder of the cases")->option_text("DIR");
+  add_threads(verify, options.threads);
+}
+
+void declare_guides(CLI::App& app, CommandLine& line)
+{
+  CLI::App* check = add_command(app, "check", "Understand",
+      "read and validate a case, print what would run\nMesh, bodies, side conditions, steps, time and memory. Solves "
+      "nothing.",
+      "  terp check cases/dike/dike.toml --picture section.svg\n");
+  add_case(check, line.options);
+  check->add_option("--picture", line.options.picture, "draw the section: mesh, bodies, sides, points (SVG)")
+      ->option_text("FILE");
+  CLI::App* explain =
+      add_command(app, "explain", "Understand", "a material, scheme or key: meaning, unit, range, equation",
+          "  terp explain mesh.cell\n  terp explain tresca_softening\n");
+  explain->add_option("TOPIC", line.topic, "key or section of the case file, or a name of terp list")
+      ->option_text(" ")
+      ->required();
+  add_command(app, "list", "Understand", "materials, schemes and outputs in this build", "  terp list\n");
+  CLI::App* bench = add_command(app, "bench", "Understand",
+      "how fast the step is here, pass by pass\nWithout a case: the paper's column.", "  terp bench --threads 2\n");
+  add_case(bench, line.options, false);
+  bench->add_option("--steps", line.options.steps, "steps in each of five trials")
+      ->option_text("N")
+      ->check(CLI::Range(1, 1000000));
+  bench->add_option("--warm", line.options.warm_steps, "steps before them")
+      ->option_text("N")
+      ->check(CLI::Range(0, 1000000));
+  bench->add_flag("--json", line.options.json, "numbers for a program");
+  for (CLI::App* command : {check, bench}) {
+    add_set(command, line.options);
+    add_threads(command, line.options.threads);
+  }
+  add_loudness(check, line.options);
+}
+
+/// The command that was given; the program itself if none was.
+const CLI::App& command_of(const CLI::App& app)
+{
+  const auto given = app.get_subcommands();
+  return given.empty() ? app : *given.front();
+}
+
+/// The options of a command as they are written: "--output", "-o".
+std::vector<std::string> options_of(const CLI::App& command)
+{
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options([](const CLI::Option* o) { return o->nonpositional(); }))
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+std::string describe_unknown(const CLI::App& command, const std::string& word)
+{
+  if (!word.starts_with('-'))
+    return fmt::format("`terp {}` does not take a further argument, got `{}`", command.get_name(), word);
+  const auto names = options_of(command);
+  const std::string nearest = closest(word, names);
+  return fmt::format("`terp {}` has no option `{}`\n{}  Options: {}", command.get_name(), word,
+      nearest.empty() ? "" : fmt::format("  Did you mean `{}`?\n", nearest), fmt::join(names, ", "));
+}
+
+}  // namespace
+
+void declare(CLI::App& app, CommandLine& line)
+{
+  app.description("terp: explicit material point method for soil (MPM-Mixed and MPM-GP)");
+  app.name("terp");
+  app.formatter(std::make_shared<HelpPage>());
+  app.set_help_flag();
+  app.set_help_all_flag();
+  app.require_subcommand(1);
+  app.footer(std::string("Options of a command: terp COMMAND --help. Version: terp --version\n\nExamples:\n"
+                         "  terp check cases/column_collapse/model_2.toml\n"
+                         "  terp run cases/column_collapse/model_2.toml --set scheme=mpm_mixed\n\n") +
+             exit_statuses);
+  declare_solvers(app, line);
+  declare_stability(app, line);
+  declare_watch(app, line.watch);
+  declare_viewers(app, line);
+  declare_guides(app, line);
+  declare_verify(app, line.verify);
+}
+
+std::string help_on(const CLI::App& app, const std::string& command)
+{
+  for (const CLI::App* known : app.get_subcommands([](const CLI::App*) { return true; }))
+    if (known->get_name() == command) return known->help("terp");
+  return app.help();
+}
+
+std::string describe(const CLI::App& app, const CLI::ParseError& error)
+{
+  const CLI::App& command = command_of(app);
+  std::string text = error.what();
+  if (const auto remaining = app.remaining(true); dynamic_cast<const CLI::ExtrasError*>(&error) && !remaining.empty())
+    text = describe_unknown(command, remaining.front());
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && &command != &app)
+    text = fmt::format("`terp {}` needs {}", command.get_name(), text.substr(0, text.find(" is required")));
+  return fmt::format("error: {}\nUsage: terp COMMAND [options]; see terp{} --help\n", text,
+      &command == &app ? "" : " " + command.get_name());
+}
+
+}  // namespace terp

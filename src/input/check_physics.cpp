@@ -1,0 +1,94 @@
+#include "input/check_physics.hpp"
+
+#include "input/document.hpp"
+#include "materials/material.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace terp {
+namespace {
+
+using Problems = std::vector<Problem>;
+
+constexpr Range usual_gravity = between(1.0, 30.0);  // [m/s^2]: from the moon's to three times that of the earth
+constexpr Real much_damping = 0.5;                   // of slow loading; soil that moves wants 0 to 0.1
+
+std::string vector_text(Vec<2> v) { return fmt::format("[{}, {}]", v[0], v[1]); }
+
+void check_gravity(const Case& values, Problems& warnings)
+{
+  const Vec<2> g = values.forces.gravity;
+  const Real size = std::hypot(g[0], g[1]);
+  const auto warn = [&](std::string what, std::string detail) {
+    warnings.push_back({"forces.gravity", std::move(what), std::move(detail), "forces.gravity"});
+  };
+  if (size == 0.0) return;  // simulation/scale_warnings looks for what else moves the soil
+  if (g[1] > 0.0) {
+    warn("gravity points upward",
+        fmt::format("Got {} m/s^2. The y axis points up: usual is [0.0, -9.81].", vector_text(g)));
+  } else if (std::abs(g[0]) > std::abs(g[1])) {
+    warn("gravity acts more to the side than down",
+        fmt::format("Got {} m/s^2, in the order x, y: usual is [0.0, -9.81]. A slope of 20 degrees may be turned\n"
+                    "instead of its mesh: [3.36, -9.22].",
+            vector_text(g)));
+  } else if (!usual_gravity.contains(size)) {
+    warn(fmt::format("gravity of {:.4g} m/s^2 is unusual", size),
+        "Usual: [0.0, -9.81] m/s^2. A centrifuge at 50 g has [0.0, -490.5].");
+  }
+}
+
+void check_damping(const Case& values, Problems& warnings)
+{
+  const Real alpha = values.forces.local_damping;
+  if (!(alpha > much_damping)) return;
+  warnings.push_back({"forces.damping.local", fmt::format("local damping of {} slows all motion", alpha),
+      fmt::format("Soil falls with {:.2g} of gravity, and a failure is as much too slow. Usual: 0 to 0.1 for soil that "
+                  "moves, up to {} for slow loading.\nFor stress at rest before the run: initial.stress = "
+                  "\"equilibrium\", which has a damping of its own.",
+          1.0 - alpha, much_damping),
+      "forces.damping.local", false, {"forces.damping"}});
+}
+
+/// The rate of softening with strain, as the law's table declares it.
+bool is_softening_rate(const ParameterInfo& info)
+{
+  return info.unit == "-" && info.strain_exponent == 1.0;
+}
+
+/// A residual strength (a strength whose default is another one, its peak) that is never reached, as the rate of
+/// softening is zero.
+void check_softening(const MaterialCase& material, const MaterialType& law, Problems& warnings)
+{
+  const auto value_of = [&](std::string_view name) {
+    for (std::size_t k = 0; k < law.parameters.size(); ++k)
+      if (law.parameters[k].name == name) return material.parameters[k];
+    return 0.0;
+  };
+  const auto rate = std::find_if(law.parameters.begin(), law.parameters.end(), is_softening_rate);
+  if (rate == law.parameters.end() || value_of(rate->name) != 0.0) return;
+  for (const ParameterInfo& info : law.parameters) {
+    const Real residual = value_of(info.name), peak = value_of(info.fallback_of);
+    if (info.fallback_of.empty() || info.reduction == Reduction::none || !(residual < peak)) continue;
+    const std::string path = join_path("material", material.name);
+    warnings.push_back({join_path(path, info.name), fmt::format("`{}` has no effect: {} is 0", info.name, rate->name),
+        fmt::format("The strength stays at {} = {} {}. Give {}, more than 0, or {} = {}.", info.fallback_of, peak,
+            info.unit, rate->name, info.name, peak),
+        std::string(law.name), true, {join_path(path, rate->name)}});
+    return;
+  }
+}
+
+}  // namespace
+
+void check_physics(const Case& values, Problems& warnings)
+{
+  check_gravity(values, warnings);
+  check_damping(values, warnings);
+  for (const MaterialCase& material : values.materials)
+    if (const MaterialType* law = find_material(material.model)) check_softening(material, *law, warnings);
+}
+
+}  // namespace terp

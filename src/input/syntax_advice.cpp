@@ -1,0 +1,167 @@
+// The parser says at which character it stopped; the table below looks at that line for what people write instead of
+// TOML. A bracket that is not closed is noticed lines later: it is found by counting brackets from the start.
+
+#include "input/syntax_advice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <regex>
+
+namespace terp {
+namespace {
+
+std::string_view line_at(std::string_view text, int line)
+{
+  std::size_t begin = 0;
+  for (int k = 1; k < line; ++k) begin = std::min(text.find('\n', begin), text.size() - 1) + 1;
+  return text.substr(begin, text.find_first_of("\r\n", begin) - begin);
+}
+
+struct Unit {
+  const char* name;
+  double factor;
+  const char* si;
+};
+constexpr Unit units[] = {{"Pa", 1.0, "Pa"}, {"kPa", 1e3, "Pa"}, {"MPa", 1e6, "Pa"}, {"GPa", 1e9, "Pa"},
+    {"kN/m2", 1e3, "Pa"}, {"mm", 1e-3, "m"}, {"cm", 1e-2, "m"}, {"m", 1.0, "m"}, {"km", 1e3, "m"}, {"s", 1.0, "s"},
+    {"ms", 1e-3, "s"}, {"min", 60.0, "s"}, {"h", 3600.0, "s"}, {"t/m3", 1e3, "kg/m^3"}, {"kg/m3", 1.0, "kg/m^3"},
+    {"m/s", 1.0, "m/s"}, {"mm/s", 1e-3, "m/s"}, {"deg", 1.0, "deg"}, {"%", 0.01, "-"}};
+
+std::string cure_of_unit(const std::string& number, std::string unit)
+{
+  std::erase(unit, '^');
+  for (const Unit& known : units)
+    if (unit == known.name)
+      return fmt::format("Write {} (in {}).", std::strtod(number.c_str(), nullptr) * known.factor, known.si);
+  return fmt::format("Write {} in the unit that `terp explain` names: Terp reads SI units, m, kg, s, Pa.", number);
+}
+
+/// What people write instead of TOML: a pattern of the line, what is wrong, and the cure from what the pattern found.
+struct Habit {
+  const char* pattern;
+  const char* what;
+  std::string (*cure)(const std::smatch& found);
+};
+
+#define TERP_NUMBER R"([-+]?\d[\d_]*(?:\.\d+)?(?:[eE][-+]?\d+)?)"
+const Habit habits[] = {
+    {R"([=\[,]\s*([-+]?\d+),(\d+)\s*(?:#.*)?$)", "a number has a decimal point, no comma",
+        [](const std::smatch& m) { return fmt::format("Write {}.{}.", m.str(1), m.str(2)); }},
+    {R"([=\[,]\s*([-+]?)(\.\d+))", "a number has a digit before its decimal point",
+        [](const std::smatch& m) { return fmt::format("Write {}0{}.", m.str(1), m.str(2)); }},
+    {R"(([-+]?\d+(?:\.\d*)?)[dD]([-+]?\d+))", "an exponent is written with e",
+        [](const std::smatch& m) { return fmt::format("Write {}e{}.", m.str(1), m.str(2)); }},
+    {R"(([-+]?\d+)\.(?:[eE]|\s|,|\]|$))", "a number has a digit after its decimal point",
+        [](const std::smatch& m) { return fmt::format("Write {}.0.", m.str(1)); }},
+    {R"([=\[,]\s*([-+]?)0+(\d))", "a number has no leading zeros",
+        [](const std::smatch&) { return std::string("Leave them out: 7, not 007."); }},
+    {R"([=\[,]\s*(\d{1,3})((?:\s\d{3})+)\b)", "a number has no blanks in it",
+        [](const std::smatch& m) {
+          std::string rest = m.str(2);
+          std::erase(rest, ' ');
+          return fmt::format("Write {}{}.", m.str(1), rest);
+        }},
+    {R"([=\[,]\s*()" TERP_NUMBER R"()\s*([A-Za-z%][\w/^%]*)(?![\w/^%]|\s*=))", "a number stands without its unit",
+        [](const std::smatch& m) { return cure_of_unit(m.str(1), m.str(2)); }},
+    {R"([=\[,]\s*(True|False|TRUE|FALSE|yes|no|on|off)\b)", "true and false are written in small letters",
+        [](const std::smatch& m) {
+          const bool is_true = m.str(1) == "yes" || m.str(1) == "on" || m.str(1)[0] == 'T';
+          return fmt::format("Write {}.", is_true ? "true" : "false");
+        }},
+    {R"(^\s*([\w.-]+)\s*(?::\s*|\s)\s*([^=\s].*)$)", "a key and its value stand on both sides of an equals sign",
+        [](const std::smatch& m) { return fmt::format("Write {} = {}", m.str(1), m.str(2)); }},
+    {R"([=\[,]\s*([A-Za-z][\w.-]*))", "text stands in quotes",
+        [](const std::smatch& m) { return fmt::format("Write \"{}\". Numbers are written 8.0e3.", m.str(1)); }},
+};
+#undef TERP_NUMBER
+
+/// The opening bracket that nothing has closed before `end`; none if there is none.
+std::optional<std::size_t> find_open_bracket(std::string_view text, std::size_t end)
+{
+  std::vector<std::size_t> open;
+  for (std::size_t k = 0; k < end; ++k) {
+    if (text[k] == '"' || text[k] == '\'')
+      k = skip_string(text, k) - 1;
+    else if (text[k] == '#')
+      k = std::min(text.find('\n', k), text.size()) - 1;
+    else if (text[k] == '[' || text[k] == '{')
+      open.push_back(k);
+    else if ((text[k] == ']' || text[k] == '}') && !open.empty())
+      open.pop_back();
+  }
+  if (open.empty()) return std::nullopt;
+  return open.back();
+}
+
+std::size_t offset_of(std::string_view text, const Place& place)
+{
+  std::size_t begin = 0;
+  for (int k = 1; k < place.line; ++k) begin = std::min(text.find('\n', begin), text.size() - 1) + 1;
+  return std::min(begin + static_cast<std::size_t>(std::max(place.column - 1, 0)), text.size());
+}
+
+/// A bracket is open where a line begins that can only stand outside of it, or where the text ends.
+std::optional<SyntaxAdvice> advise_on_bracket(std::string_view text, const SyntaxError& error)
+{
+  const auto open = find_open_bracket(text, offset_of(text, error.place));
+  if (!open) return std::nullopt;
+  const std::string_view why = error.what();
+  const Place place = place_at(text, *open);
+  const std::string line(line_at(text, error.place.line));
+  static const std::regex outside(R"(^\s*(\[+\s*[A-Za-z_"]|[\w."-]+\s*=))");
+  const bool elsewhere = place.line != error.place.line;
+  const bool at_end = why.find("end-of-file") != std::string_view::npos,
+             in_header = why.find("header") != std::string_view::npos;
+  if (!at_end && !(elsewhere && std::regex_search(line, outside)) && !(in_header && !elsewhere)) return std::nullopt;
+  return SyntaxAdvice{place, "a bracket is not closed",
+      fmt::format("The `{}` here wants its `{}`{}.", text[*open], text[*open] == '[' ? ']' : '}',
+          elsewhere ? fmt::format("; it is missed in line {}", error.place.line) : "")};
+}
+
+/// "cannot redefine existing table 'x'".
+std::optional<SyntaxAdvice> advise_on_second(const SyntaxError& error)
+{
+  const std::string why = error.what();
+  std::smatch found;
+  if (!std::regex_search(why, found, std::regex("cannot redefine existing ([a-z -]+) '([^']*)'"))) return std::nullopt;
+  const std::string name = found.str(2);
+  return SyntaxAdvice{error.place, fmt::format("`{}` is there twice", name),
+      found.str(1) == "table"
+          ? fmt::format(
+                "Join the two sections [{0}]. Sections of which there may be many have two brackets: [[body]].", name)
+          : "Remove one of the two."};
+}
+
+}  // namespace
+
+SyntaxAdvice advise_on_syntax(std::string_view text, const SyntaxError& error)
+{
+  if (const auto second = advise_on_second(error)) return *second;
+  const std::string why = error.what(), line(line_at(text, error.place.line));
+  if (why.find("parsing string") != std::string::npos)
+    return {error.place, "a text has no closing quote", "A text stands in one line, between two quotes: \"clay\"."};
+  if (const auto bracket = advise_on_bracket(text, error)) return *bracket;
+  const bool of_parser = why.find("rror while parsing") != std::string::npos;
+  for (const Habit& habit : habits) {
+    std::smatch found;
+    if (of_parser && std::regex_search(line, found, std::regex(habit.pattern)))
+      return {error.place, habit.what, habit.cure(found)};
+  }
+  return {error.place, "", why};
+}
+
+bool is_utf16(std::string_view text)
+{
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return true;
+  if (text.size() < 4) return false;
+  const auto zeros_at = [&](std::size_t first) {
+    for (std::size_t k = first; k < std::min<std::size_t>(text.size(), 64); k += 2)
+      if (text[k] != '\0') return false;
+    return true;
+  };
+  return zeros_at(0) != zeros_at(1);
+}
+
+}  // namespace terp

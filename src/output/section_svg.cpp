@@ -1,0 +1,378 @@
+// One drawing from back to front: cells, bodies, lines of the mesh, conditions, footings, points, axes, legend.
+// Coordinates of the drawing are pixels, y downward; Canvas turns metres into them.
+
+#include "output/section_svg.hpp"
+
+#include "boundary/conditions.hpp"
+#include "simulation/setup_points.hpp"
+#include "simulation/side_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <iterator>
+
+namespace terp {
+namespace {
+
+constexpr Real width = 1200.0, left = 92.0, right = 92.0, top = 96.0;  // of the page and its margins [px]
+constexpr Real highest = 640.0;                                        // of the section [px]
+constexpr Real smallest_cell = 4.0;                                    // that is drawn [px]
+constexpr Index most_cells = 40000, most_points = 20000;
+
+// Soil colours that stay apart in grey and for most colour-blind eyes (Okabe and Ito, made lighter).
+constexpr const char* soil_colours[] = {
+    "#d9b98a", "#9cc3dd", "#a8cfa0", "#e8a98f", "#c9b3d9", "#e6d784", "#9fb5b0", "#c7c7c7"};
+constexpr const char* held = "#b3261e";
+constexpr const char* moved = "#6a1b9a";
+constexpr const char* opened = "#1b7f3b";
+constexpr const char* ink = "#1f2933";
+
+std::string escaped(std::string_view text)
+{
+  std::string out;
+  for (const char c : text) {
+    if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '&')
+      out += "&amp;";
+    else if (static_cast<unsigned char>(c) >= 0x20 && c != 0x7f)
+      out += c;
+  }
+  return out;
+}
+
+/// A step of 1, 2 or 5 times a power of ten that gives about n steps.
+Real nice_step(Real range, Real n)
+{
+  const Real rough = range / n, power = std::pow(10.0, std::floor(std::log10(rough)));
+  for (const Real factor : {1.0, 2.0, 5.0})
+    if (factor * power >= rough) return factor * power;
+  return 10.0 * power;
+}
+
+class SectionDrawing {
+ public:
+  SectionDrawing(const Model& model, const State& state) : model_(model), state_(state)
+  {
+    for (const Vec<2>& x : model.mesh->nodes)
+      for (int d = 0; d < 2; ++d) low_[d] = std::min(low_[d], x[d]), high_[d] = std::max(high_[d], x[d]);
+    scale_ = std::min((width - left - right) / (high_[0] - low_[0]), highest / (high_[1] - low_[1]));
+    offset_ = 0.5 * (width - scale_ * (high_[0] - low_[0]));
+  }
+
+  std::string draw()
+  {
+    cells();
+    bodies();
+    mesh_lines();
+    sides();
+    footings();
+    named_points();
+    gravity();
+    axes();
+    title();
+    legend();
+    const Real height = legend_top_ + legend_height_ + 24.0;
+    return fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1:.0f}\" width=\"{0}\" "
+        "height=\"{1:.0f}\" font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\" font-size=\"13\" "
+        "fill=\"{2}\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n{3}</svg>\n",
+        width, height, ink, out_);
+  }
+
+ private:
+  Real px(Real x) const { return offset_ + scale_ * (x - low_[0]); }
+  Real py(Real y) const { return top + scale_ * (high_[1] - y); }
+  Real floor_px() const { return py(low_[1]); }
+
+  template <class... Args>
+  void put(fmt::format_string<Args...> text, Args&&... args)
+  {
+    fmt::format_to(std::back_inserter(out_), text, std::forward<Args>(args)...);
+    out_ += '\n';
+  }
+
+  void text(Real x, Real y, std::string_view words, const char* anchor = "start", const std::string& style = "")
+  {
+    put("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" {}>{}</text>", x, y, anchor, style, escaped(words));
+  }
+
+  std::string ring(const std::vector<Vec<2>>& corners) const
+  {
+    std::string path;
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      path += fmt::format("{}{:.2f} {:.2f}", k == 0 ? "M" : "L", px(corners[k][0]), py(corners[k][1]));
+    return path + "Z";
+  }
+
+  std::string cell_path(Index cell) const
+  {
+    const auto x = model_.mesh->corners(cell);
+    return ring({x.begin(), x.end()});
+  }
+
+  const char* colour_of(Index material) const { return soil_colours[material % std::ssize(soil_colours)]; }
+
+  void cells()
+  {
+    std::string path;
+    for_each_edge([&](const Side& edge, bool) { path += line(edge); }, true);
+    put("<path d=\"{}\" fill=\"none\" stroke=\"#8a94a0\" stroke-width=\"1\"/>", path);
+  }
+
+  std::string line(const Side& s) const
+  {
+    return fmt::format("M{:.2f} {:.2f}L{:.2f} {:.2f}", px(s.a[0]), py(s.a[1]), px(s.b[0]), py(s.b[1]));
+  }
+
+  /// Every edge once; outer: those of the boundary alone.
+  template <class F>
+  void for_each_edge(F&& f, bool outer) const
+  {
+    for (Index e = 0; e < model_.mesh->n_cells(); ++e)
+      for (int s = 0; s < 4; ++s) {
+        const Index other = model_.mesh->neighbours[e][s];
+        if (other == outside || (!outer && e < other)) f(edge_of(*model_.mesh, {e, s}), other == outside);
+      }
+  }
+
+  void bodies()
+  {
+    const auto outlines = outlines_of(model_);
+    std::size_t k = 0;
+    for (const BodyCase& body : model_.description.bodies) {
+      if (!body.points_file.empty()) continue;
+      const BodyOutline& outline = outlines[k++];
+      const char* colour = colour_of(material_number(model_, body.material));
+      std::string path;
+      if (outline.cells.empty()) {
+        path = ring(outline.polygon);
+        for (const Polygon& hole : outline.holes) path += ring(hole);
+        put("<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\" stroke=\"#5b4a33\" stroke-width=\"1.2\"/>", path, colour);
+      } else {
+        for (const Index cell : outline.cells) path += cell_path(cell);
+        put("<path d=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"0.5\"/>", path, colour, colour);
+      }
+    }
+    points_of_files();
+  }
+
+  /// Bodies from files of points have no outline: each point is a disc of its volume.
+  void points_of_files()
+  {
+    const auto& all = model_.description.bodies;
+    if (std::ranges::none_of(all, [](const BodyCase& body) { return !body.points_file.empty(); })) return;
+    const std::int64_t stride = 1 + state_.points.n_points() / most_points;
+    std::int64_t k = 0;
+    for_each_point(state_.points, [&](const PointBlock<2>& block, Index lane) {
+      if (k++ % stride != 0) return;
+      using Rows = PointRows<2>;
+      put("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" fill=\"{}\"/>", px(block.row(Rows::x)[lane]),
+          py(block.row(Rows::x + 1)[lane]), 0.5 * scale_ * std::sqrt(block.row(Rows::volume)[lane]),
+          colour_of(block.material));
+    });
+  }
+
+  void mesh_lines()
+  {
+    Real area = 0.0;
+    for (Index e = 0; e < model_.mesh->n_cells(); ++e) area += model_.mesh->geometry(e).volume;
+    const Real cell = scale_ * std::sqrt(area / model_.mesh->n_cells());
+    if (cell < smallest_cell || model_.mesh->n_cells() > most_cells) return;
+    std::string path;
+    for_each_edge([&](const Side& edge, bool) { path += line(edge); }, false);
+    put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-opacity=\"0.22\" stroke-width=\"0.6\"/>", path, ink);
+  }
+
+  /// A line along the side, ticks outside where it holds, and its words.
+  void sides()
+  {
+    for (const NamedSide& side : model_.mesh->sides) {
+      const SideCase condition = condition_of(model_.description, side.name);
+      const SideShape shape = shape_of_side(*model_.mesh, side);
+      if (side.edges.empty()) continue;
+      const bool free = condition.kind == SideKind::free;
+      const char* colour = free                                   ? "#8a94a0"
+                           : condition.kind == SideKind::open     ? opened
+                           : condition.kind == SideKind::velocity ? moved
+                                                                  : held;
+      std::string path, ticks;
+      for (const CellSide& at : side.edges) {
+        const Side edge = edge_of(*model_.mesh, at);
+        path += line(edge);
+        if (!free && condition.kind != SideKind::open) hatch(edge, condition.kind == SideKind::roller, ticks);
+      }
+      put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\"/>", path, colour,
+          free ? 1.2 : 3.0);
+      if (!ticks.empty()) put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.2\"/>", ticks, colour);
+      label(side, shape, colour, side.name + ": " + describe(condition));
+    }
+  }
+
+  /// Slanting ticks of a held side, circles of a roller; at even distances from the origin along the edge.
+  void hatch(const Side& edge, bool circles, std::string& ticks) const
+  {
+    constexpr Real spacing = 14.0, depth = 8.0;
+    const Real ax = px(edge.a[0]), ay = py(edge.a[1]), dx = px(edge.b[0]) - ax, dy = py(edge.b[1]) - ay;
+    const Real l = std::hypot(dx, dy);
+    if (l == 0.0) return;
+    const Real tx = dx / l, ty = dy / l, nx = -ty, ny = tx;  // outward: the cell lies to the left, y runs down
+    const Real start = ax * tx + ay * ty;
+    for (Real along = std::ceil(start / spacing) * spacing - start; along < l; along += spacing) {
+      const Real x = ax + along * tx, y = ay + along * ty;
+      if (circles)
+        ticks +=
+            fmt::format("M{:.1f} {:.1f}m-2.6 0a2.6 2.6 0 1 0 5.2 0a2.6 2.6 0 1 0 -5.2 0", x + 5.0 * nx, y + 5.0 * ny);
+      else
+        ticks +=
+            fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}", x, y, x + depth * (nx - 0.7 * tx), y + depth * (ny - 0.7 * ty));
+    }
+  }
+
+  /// Words beside the middle of a side, along it.
+  void label(const NamedSide& side, const SideShape& shape, const char* colour, const std::string& words)
+  {
+    Vec<2> mean{0.0, 0.0};
+    for (const CellSide& at : side.edges) {
+      const Side e = edge_of(*model_.mesh, at);
+      for (int d = 0; d < 2; ++d) mean[d] += 0.5 * (e.a[d] + e.b[d]) / static_cast<Real>(side.edges.size());
+    }
+    const auto distance = [&](const CellSide& at) {
+      const Side e = edge_of(*model_.mesh, at);
+      return std::hypot(0.5 * (e.a[0] + e.b[0]) - mean[0], 0.5 * (e.a[1] + e.b[1]) - mean[1]);
+    };
+    const auto nearest = std::ranges::min_element(side.edges, {}, distance);
+    const Side edge = edge_of(*model_.mesh, *nearest);
+    const Real n = std::max(std::hypot(shape.normal[0], shape.normal[1]), 1e-12);
+    const Real nx = shape.normal[0] / n, ny = -shape.normal[1] / n;  // of the drawing
+    const Real away = ny > 0.5 ? 26.0 : 19.0;
+    const Real x = px(0.5 * (edge.a[0] + edge.b[0])) + away * nx, y = py(0.5 * (edge.a[1] + edge.b[1])) + away * ny;
+    Real angle = std::atan2(nx, -ny) * 180.0 / 3.14159265358979;  // of the side; never upside down
+    if (angle >= 89.9) angle -= 180.0;
+    if (angle < -90.1) angle += 180.0;
+    put("<text x=\"{0:.1f}\" y=\"{1:.1f}\" text-anchor=\"middle\" dominant-baseline=\"middle\" fill=\"{2}\" "
+        "stroke=\"#ffffff\" stroke-width=\"4\" paint-order=\"stroke\" transform=\"rotate({3:.1f} {0:.1f} "
+        "{1:.1f})\">{4}</text>",
+        x, y, colour, angle, escaped(words));
+  }
+
+  void arrow(Real x, Real y, Vec<2> direction, Real size, const char* colour)
+  {
+    const Real n = std::hypot(direction[0], direction[1]), dx = direction[0] / n, dy = -direction[1] / n;
+    const Real ex = x + size * dx, ey = y + size * dy;
+    put("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}\" fill=\"none\" "
+        "stroke=\"{}\" "
+        "stroke-width=\"2.4\" stroke-linecap=\"round\" stroke-linejoin=\"round\"/>",
+        x, y, ex, ey, ex - 9 * dx + 5 * dy, ey - 9 * dy - 5 * dx, ex, ey, ex - 9 * dx - 5 * dy, ey - 9 * dy + 5 * dx,
+        colour);
+  }
+
+  void footings()
+  {
+    for (const FootingCase& f : model_.description.footings) {
+      put("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"#4a5560\" fill-opacity=\"0.85\" "
+          "stroke=\"{}\"/>",
+          px(f.low[0]), py(f.high[1]), scale_ * (f.high[0] - f.low[0]), scale_ * (f.high[1] - f.low[1]), ink);
+      const Real x = px(0.5 * (f.low[0] + f.high[0])), y = py(f.high[1]);
+      text(x, y - 8.0, f.name, "middle", "font-weight=\"bold\"");
+      if (std::hypot(f.velocity[0], f.velocity[1]) > 0.0)
+        arrow(x, 0.5 * (y + py(f.low[1])), f.velocity, 34.0, "#ffffff");
+    }
+  }
+
+  void named_points()
+  {
+    for (const auto& [name, place] : model_.description.output.history_points) {
+      put("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.6\" fill=\"#ffffff\" stroke=\"{}\" stroke-width=\"1.6\"/>",
+          px(place[0]), py(place[1]), ink);
+      text(px(place[0]) + 6.0, py(place[1]) - 5.0, name, "start",
+          "font-size=\"12\" stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"");
+    }
+  }
+
+  void gravity()
+  {
+    const Real g = std::hypot(model_.gravity[0], model_.gravity[1]);
+    if (g == 0.0) return text(width - 28.0, 40.0, "no gravity", "end");
+    arrow(width - 60.0, 24.0, model_.gravity, 36.0, ink);
+    text(width - 76.0, 46.0, fmt::format("g = {:.4g} m/s²", g), "end");
+  }
+
+  void axes()
+  {
+    const Real bottom = floor_px() + 44.0, side = px(low_[0]) - 44.0;
+    put("<path d=\"M{0:.1f} {2:.1f}H{1:.1f}M{3:.1f} {4:.1f}V{5:.1f}\" stroke=\"#5c6670\" fill=\"none\"/>", px(low_[0]),
+        px(high_[0]), bottom, side, py(low_[1]), py(high_[1]));
+    const auto each = [&](int d, auto&& f) {
+      constexpr Real between_ticks = 55.0;  // at least [px]
+      const Real range = high_[d] - low_[d], step = nice_step(range, std::max(1.0, scale_ * range / between_ticks));
+      for (Real k = std::ceil(low_[d] / step - 1e-9); k * step <= high_[d] + 1e-9 * step; ++k) f(k * step + 0.0);
+    };
+    each(0, [&](Real x) {
+      put("<path d=\"M{:.1f} {:.1f}v5\" stroke=\"#5c6670\"/>", px(x), bottom);
+      text(px(x), bottom + 18.0, fmt::format("{:.6g}", x), "middle", "font-size=\"12\" fill=\"#5c6670\"");
+    });
+    each(1, [&](Real y) {
+      put("<path d=\"M{:.1f} {:.1f}h-5\" stroke=\"#5c6670\"/>", side, py(y));
+      text(side - 8.0, py(y) + 4.0, fmt::format("{:.6g}", y), "end", "font-size=\"12\" fill=\"#5c6670\"");
+    });
+    text(px(high_[0]) + 26.0, bottom + 18.0, "m", "start", "font-size=\"12\" fill=\"#5c6670\"");
+    legend_top_ = bottom + 40.0;
+  }
+
+  void title()
+  {
+    const Case& c = model_.description;
+    text(28.0, 34.0, c.title.empty() ? c.name : c.title, "start", "font-size=\"18\" font-weight=\"bold\"");
+    text(28.0, 56.0,
+        fmt::format("{}, {} cells, {} material points, before the first step", c.scheme, model_.mesh->n_cells(),
+            state_.points.n_points()),
+        "start", "fill=\"#5c6670\"");
+  }
+
+  void legend()
+  {
+    Real x = 28.0, y = legend_top_ + 14.0;
+    const auto entry = [&](const std::string& swatch, const std::string& words) {
+      const Real wide = 52.0 + 7.9 * static_cast<Real>(words.size());
+      if (x > 28.0 && x + wide > width - 28.0) x = 28.0, y += 24.0;
+      put("<g transform=\"translate({:.1f} {:.1f})\">{}</g>", x, y, swatch);
+      text(x + 32.0, y + 4.5, words);
+      x += wide;
+    };
+    for (std::size_t m = 0; m < model_.materials.size(); ++m) {
+      const SoilMaterial& soil = model_.materials[m];
+      entry(fmt::format("<rect x=\"0\" y=\"-7\" width=\"24\" height=\"14\" fill=\"{}\" stroke=\"#5b4a33\"/>",
+                colour_of(static_cast<Index>(m))),
+          fmt::format("{}: {}, {:.4g} kg/m³", soil.name, soil.type->name, soil.density));
+    }
+    const auto line = [](const char* colour) {
+      return fmt::format("<path d=\"M0 0H24\" stroke=\"{}\" stroke-width=\"3\"/>", colour);
+    };
+    const auto any = [&](auto&& is) { return std::ranges::any_of(model_.description.sides, is); };
+    if (any([](const SideCase& s) {
+          return s.kind != SideKind::free && s.kind != SideKind::open && s.kind != SideKind::velocity;
+        }))
+      entry(line(held), "side that holds");
+    if (any([](const SideCase& s) { return s.kind == SideKind::velocity; })) entry(line(moved), "prescribed velocity");
+    if (any([](const SideCase& s) { return s.kind == SideKind::open; })) entry(line(opened), "open side");
+    entry("<path d=\"M0 0H24\" stroke=\"#8a94a0\" stroke-width=\"1.2\"/>", "free boundary of the mesh");
+    legend_height_ = y - legend_top_;
+  }
+
+  const Model& model_;
+  const State& state_;
+  Vec<2> low_{INFINITY, INFINITY}, high_{-INFINITY, -INFINITY};  ///< of the mesh [m]
+  Real scale_ = 1.0, offset_ = left;                             ///< [px/m], [px]
+  Real legend_top_ = 0.0, legend_height_ = 0.0;                  ///< [px]
+  std::string out_;
+};
+
+}  // namespace
+
+std::string draw_section(const Model& model, const State& state) { return SectionDrawing(model, state).draw(); }
+
+}  // namespace terp

@@ -1,0 +1,227 @@
+// Each quantity is made dimensionless with another one: G / S_u, S_u / (rho g H), G / (rho g H), v / sqrt(g H), where H
+// is the height of all soil along gravity. The limits lie a factor of 5 or more outside of what soil has, and well
+// within a factor of 1000, the usual mistake of a unit (kPa, MPa, mm). What a parameter is (stiffness, strength, angle)
+// follows from the law's own table, so that a new law is checked without an entry here.
+
+#include "simulation/scale_warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+using Problems = std::vector<Problem>;
+
+constexpr Range stiffness_over_strength = between(4.0, 1e4);  // soil: 20 to 2000
+constexpr Range stiffness_over_weight = between(2.0, 1e7);    // soil: 10 to 1e4, rock 1e5
+constexpr Real greatest_strength_over_weight = 50.0;          // soil: 0.02 to 5
+constexpr Real least_strength_over_weight = 1.0 / 300.0;      // a heap of slurry flows at 0.05
+constexpr Real greatest_speed = 20.0;                         // over sqrt(g H); a fall from H ends at 1.4
+constexpr Real least_motion = 1e-5;                           // of a footing in the whole run, over H
+
+/// The soil at t = 0.
+struct Soil {
+  Real g = 0.0;       ///< [m/s^2]
+  Real height = 0.0;  ///< between its lowest and its highest point along gravity [m]
+};
+
+Soil measure_soil(const Model& model, const State& state)
+{
+  const Real g = std::hypot(model.gravity[0], model.gravity[1]);
+  const Vec<2> down = g > 0.0 ? Vec<2>{model.gravity[0] / g, model.gravity[1] / g} : Vec<2>{0.0, -1.0};
+  Real low = INFINITY, high = -INFINITY;
+  for (std::size_t k = 0; k + 1 < state.x_initial.size(); k += 2) {
+    const Real depth = state.x_initial[k] * down[0] + state.x_initial[k + 1] * down[1];
+    low = std::min(low, depth);
+    high = std::max(high, depth);
+  }
+  return {g, std::max(high - low, 0.0)};
+}
+
+bool is_used(const Model& model, const std::string& material)
+{
+  return std::ranges::any_of(model.bodies, [&](const BodyShare& body) {
+    return body.n_points > 0 && (" + " + body.material + " + ").find(" + " + material + " + ") != std::string::npos;
+  });
+}
+
+/// The shear strength of a law: what `terp stability` divides, which has no default.
+bool is_strength(const ParameterInfo& info)
+{
+  return info.unit == "Pa" && info.reduction == Reduction::divide && !info.fallback && info.fallback_of.empty();
+}
+
+std::string number(Real value) { return fmt::format("{:.3g}", value); }
+
+/// Warnings about one material.
+class MaterialScales {
+ public:
+  MaterialScales(const SoilMaterial& material, const MaterialCase& values, const Soil& soil, Problems& warnings)
+      : material_(material), values_(values), soil_(soil), warnings_(warnings)
+  {
+  }
+
+  void check()
+  {
+    check_stiffness();
+    for (std::size_t k = 0; k < material_.type->parameters.size(); ++k)
+      if (is_strength(material_.type->parameters[k]) && values_.parameters[k] > 0.0)
+        check_strength(std::string(material_.type->parameters[k].name), values_.parameters[k]);
+  }
+
+ private:
+  Real weight() const { return material_.density * soil_.g * soil_.height; }
+  std::string weight_text() const
+  {
+    return fmt::format("rho g H = {} Pa (H = {} m of soil)", number(weight()), number(soil_.height));
+  }
+  bool has_friction() const
+  {
+    for (std::size_t k = 0; k < values_.parameters.size(); ++k)
+      if (material_.type->parameters[k].reduction == Reduction::divide_tangent && values_.parameters[k] > 0.0)
+        return true;
+    return false;
+  }
+
+  void warn(const std::string& parameter, std::string what, std::string detail)
+  {
+    warnings_.push_back({fmt::format("material.\"{}\".{}", values_.name, parameter), std::move(what),
+        detail + "\nStiffness and strength are in Pa: 2 MPa is 2.0e6, 8 kPa is 8.0e3.", std::string(values_.model),
+        false, {fmt::format("material.\"{}\"", values_.name), "body", "forces.gravity"}});
+  }
+
+  /// G of a solid, K of a fluid, against what it carries.
+  void check_stiffness()
+  {
+    const Real shear = material_.law->shear_modulus(), stiffness = shear > 0.0 ? shear : material_.law->bulk_modulus();
+    if (weight() == 0.0 || stiffness_over_weight.contains(stiffness / weight())) return;
+    const bool soft = stiffness < weight();
+    warn(stiffness_name(),
+        fmt::format("`{}` is {} its own weight", values_.name, soft ? "too soft for" : "very stiff beside"),
+        fmt::format("{} = {} Pa is {} times {}. Usual: 10 to 1e5 times.", shear > 0.0 ? "G" : "K", number(stiffness),
+            number(stiffness / weight()), weight_text()));
+  }
+
+  std::string stiffness_name() const
+  {
+    for (const ParameterInfo& info : material_.type->parameters)
+      if (info.unit == "Pa" && info.strain_exponent == 1.0) return std::string(info.name);
+    return "model";
+  }
+
+  void check_strength(const std::string& name, Real strength)
+  {
+    const Real shear = material_.law->shear_modulus();
+    const bool friction = has_friction();
+    const Range usual = friction ? Range{stiffness_over_strength.low} : stiffness_over_strength;
+    if (shear > 0.0 && !usual.contains(shear / strength))
+      return warn(name, fmt::format("`{}` and the stiffness of `{}` do not fit together", name, values_.name),
+          fmt::format("{} = {} Pa, G = {} Pa: G / {} = {}. Usual: 20 to 2000.", name, number(strength), number(shear),
+              name, number(shear / strength)));
+    if (weight() == 0.0) return;
+    const Real share = strength / weight();
+    if (share > greatest_strength_over_weight)
+      warn(name, fmt::format("`{}` is so strong that its weight does nothing", values_.name),
+          fmt::format("{} = {} Pa is {} times {}. Usual: 0.05 to 5 times.", name, number(strength), number(share),
+              weight_text()));
+    if (share < least_strength_over_weight && !friction)
+      warn(name, fmt::format("`{}` is so weak that it flows like a liquid", values_.name),
+          fmt::format("{} = {} Pa is {} times {}. Usual: 0.05 to 5 times.", name, number(strength), number(share),
+              weight_text()));
+  }
+
+  const SoilMaterial& material_;
+  const MaterialCase& values_;
+  const Soil& soil_;
+  Problems& warnings_;
+};
+
+void warn_of_speed(const std::string& key, const std::string& what, Real speed, const Soil& soil, Problems& warnings)
+{
+  const Real scale = std::sqrt(soil.g * soil.height);
+  if (!(scale > 0.0) || !(speed > greatest_speed * scale)) return;
+  warnings.push_back({key, fmt::format("{} is very fast", what),
+      fmt::format("{:.4g} m/s is {:.3g} times sqrt(g H) = {:.3g} m/s (H = {:.3g} m of soil); soil that fell from H has "
+                  "1.4 times.\nVelocities are in m/s: 5 mm/s is 0.005.",
+          speed, speed / scale, scale, soil.height),
+      key.starts_with("body")      ? "body.velocity"
+      : key.starts_with("footing") ? "footing.velocity"
+                                   : "boundary.SIDE.velocity"});
+}
+
+Real size(Vec<2> v) { return std::hypot(v[0], v[1]); }
+
+/// A footing that moves by nothing in the whole run.
+void warn_of_no_motion(
+    const std::string& key, const FootingCase& footing, const Model& model, const Soil& soil, Problems& warnings)
+{
+  const Real speed = size(footing.velocity), distance = speed * model.description.time.end;
+  if (speed == 0.0 || !(distance < least_motion * soil.height)) return;
+  warnings.push_back({key, fmt::format("the footing `{}` hardly moves", footing.name),
+      fmt::format(
+          "{:.3g} m/s for {:.4g} s is {:.3g} m, beside {:.3g} m of soil. Velocities are in m/s: 5 mm/s is 0.005.",
+          speed, model.description.time.end, distance, soil.height),
+      "footing.velocity", false, {"time.end"}});
+}
+
+/// A footing is pushed slowly against the shear waves, or its reaction holds inertia.
+void warn_of_inertia(const std::string& key, const FootingCase& footing, const Model& model, Problems& warnings)
+{
+  constexpr Real quick = 0.02;  // of the shear wave speed
+  for (const SoilMaterial& material : model.materials) {
+    const Real wave = std::sqrt(material.law->shear_modulus() / material.density), speed = size(footing.velocity);
+    if (!(speed > quick * wave) || wave == 0.0 || !is_used(model, material.name)) continue;
+    warnings.push_back({key, fmt::format("the footing `{}` is fast: its reaction holds inertia", footing.name),
+        fmt::format("{:.3g} m/s is {:.2g} of the shear wave speed of `{}`, {:.3g} m/s. Usual: below a hundredth.\n"
+                    "Velocities are in m/s: 5 mm/s is 0.005.",
+            speed, speed / wave, material.name, wave),
+        "footing.velocity"});
+    return;
+  }
+}
+
+void check_speeds(const Model& model, const Soil& soil, Problems& warnings)
+{
+  const Case& c = model.description;
+  for (std::size_t b = 0; b < c.bodies.size(); ++b)
+    warn_of_speed(
+        fmt::format("body[{}].velocity", b), fmt::format("body {}", b), size(c.bodies[b].velocity), soil, warnings);
+  for (const SideCase& side : c.sides) {
+    const std::string key = fmt::format("boundary.\"{}\".velocity", side.side);
+    warn_of_speed(key, fmt::format("the side `{}`", side.side), size(side.velocity), soil, warnings);
+  }
+  for (std::size_t k = 0; k < c.footings.size(); ++k) {
+    const std::string key = fmt::format("footing[{}].velocity", k);
+    warn_of_inertia(key, c.footings[k], model, warnings);
+    warn_of_no_motion(key, c.footings[k], model, soil, warnings);
+  }
+}
+
+/// No gravity, and nothing else that moves the soil.
+void find_no_motion(const Model& model, Problems& warnings)
+{
+  const Case& c = model.description;
+  const auto moves = [](const auto& it) { return it.velocity_at || it.velocity != Vec<2>{0.0, 0.0}; };
+  const auto footing_moves = [](const FootingCase& footing) { return footing.velocity != Vec<2>{0.0, 0.0}; };
+  if (c.forces.gravity != Vec<2>{0.0, 0.0} || std::ranges::any_of(c.bodies, moves) ||
+      std::ranges::any_of(c.sides, moves) || std::ranges::any_of(c.footings, footing_moves))
+    return;
+  warnings.push_back({"forces.gravity", "there is no gravity, and nothing else moves the soil",
+      "All soil stays at rest. Usual: gravity = [0.0, -9.81] in [forces].", "forces.gravity"});
+}
+
+}  // namespace
+
+void find_odd_scales(const Model& model, const State& state, Problems& warnings)
+{
+  const Soil soil = measure_soil(model, state);
+  for (std::size_t k = 0; k < model.materials.size(); ++k)
+    if (is_used(model, model.materials[k].name))
+      MaterialScales(model.materials[k], model.description.materials[k], soil, warnings).check();
+  check_speeds(model, soil, warnings);
+  find_no_motion(model, warnings);
+}
+
+}  // namespace terp

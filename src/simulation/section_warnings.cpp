@@ -1,0 +1,353 @@
+// Bodies are compared by their outlines: from places along each outline a ray goes straight outward and meets the next
+// body or a held side of the mesh. Nothing in between: they touch. Less than half a cell: a gap that was hardly drawn
+// on purpose. Bodies that touch neither a held side nor a body that does hang in the air. The area that is drawn is
+// that of all outlines together, cut into trapezoids as for the seeding (points/overlay.hpp).
+
+#include "simulation/section_warnings.hpp"
+
+#include "boundary/conditions.hpp"
+#include "mesh/locate.hpp"
+#include "mesh/mesh_error.hpp"
+#include "points/overlay.hpp"
+#include "simulation/setup_mesh.hpp"
+#include "simulation/setup_points.hpp"
+#include "simulation/side_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+
+namespace terp {
+namespace {
+
+using Problems = std::vector<Problem>;
+
+constexpr Real touching = 1e-6;     // of a cell: round-off of coordinates
+constexpr Real gap_in_cells = 0.5;  // less is no room that was left on purpose
+constexpr int most_samples = 2000;  // of the outline of one body
+constexpr Real lost_share = 2e-3;   // of the drawn area; curved outlines on straight cells lose less
+constexpr std::size_t most_corners = 2000;
+
+Vec<2> plus(Vec<2> a, Real t, Vec<2> d) { return {a[0] + t * d[0], a[1] + t * d[1]}; }
+Vec<2> minus(Vec<2> a, Vec<2> b) { return {a[0] - b[0], a[1] - b[1]}; }
+Real cross(Vec<2> a, Vec<2> b) { return a[0] * b[1] - a[1] * b[0]; }
+Real length(Vec<2> a) { return std::hypot(a[0], a[1]); }
+
+/// A body, or a held side of the mesh, that a ray may meet.
+struct Obstacle {
+  std::string name;  ///< "body 1", "the side `bottom`"
+  std::vector<Side> sides;
+  bool moves = false;  ///< a side with a velocity: soil may be meant to meet it later
+};
+
+/// Distance from x along d (of length 1) to a line, if it is met.
+std::optional<Real> meet(Vec<2> x, Vec<2> d, const Side& line)
+{
+  const Vec<2> along = minus(line.b, line.a), to = minus(line.a, x);
+  const Real det = cross(d, along);
+  if (det == 0.0) return std::nullopt;
+  const Real t = cross(to, along) / det, s = cross(to, d) / det;
+  if (t < 0.0 || s < 0.0 || s > 1.0) return std::nullopt;
+  return t;
+}
+
+bool is_inside(const std::vector<Side>& sides, Vec<2> x)
+{
+  bool inside = false;
+  for (const Side& s : sides)
+    if ((s.a[1] > x[1]) != (s.b[1] > x[1]) && x[0] < s.a[0] + (x[1] - s.a[1]) / (s.b[1] - s.a[1]) * (s.b[0] - s.a[0]))
+      inside = !inside;
+  return inside;
+}
+
+/// Compares the outlines of the bodies of one model.
+class SectionCheck {
+ public:
+  explicit SectionCheck(const Model& model) : model_(model), cell_(typical_cell_size(*model.mesh))
+  {
+    const auto outlines = outlines_of(model);
+    std::size_t k = 0;
+    for (std::size_t b = 0; b < model.description.bodies.size(); ++b) {
+      if (!model.description.bodies[b].points_file.empty()) continue;
+      number_.push_back(b);
+      obstacles_.push_back({fmt::format("body {}", b), outline_sides(*model.mesh, outlines[k++])});
+    }
+    n_bodies_ = obstacles_.size();
+    for (const SideCase& side : model.description.sides) {
+      if (side.kind == SideKind::free || side.kind == SideKind::open) continue;
+      Obstacle held{fmt::format("the side `{}`", side.side), {}, side.kind == SideKind::velocity};
+      for (const CellSide& edge : find_side(*model.mesh, side.side).edges)
+        held.sides.push_back(edge_of(*model.mesh, edge));
+      obstacles_.push_back(std::move(held));
+    }
+    touches_.assign(n_bodies_, std::vector<bool>(obstacles_.size(), false));
+  }
+
+  void check(Problems& warnings)
+  {
+    for (std::size_t b = 0; b < n_bodies_; ++b) look_around(b, warnings);
+    if (number_.size() == model_.description.bodies.size() && n_bodies_ < obstacles_.size()) find_hanging(warnings);
+  }
+
+ private:
+  /// What lies next to one edge of an outline.
+  struct Beside {
+    int n = 0;
+    Real least = INFINITY, most = 0.0;
+    Vec<2> at{};
+  };
+
+  void look_around(std::size_t body, Problems& warnings)
+  {
+    const std::vector<Side>& sides = obstacles_[body].sides;
+    const int per_side = std::clamp(most_samples / static_cast<int>(sides.size() + 1), 1, 16);
+    const auto stride = std::max<std::size_t>(1, sides.size() / most_samples);
+    for (std::size_t k = 0; k < sides.size(); k += stride) {
+      std::vector<Beside> beside(obstacles_.size());
+      const Real l = length(minus(sides[k].b, sides[k].a));
+      if (l == 0.0) continue;
+      for (int i = 0; i < per_side; ++i) sample(body, sides[k], (i + 0.5) / per_side, beside);
+      for (std::size_t other = 0; other < beside.size(); ++other)
+        if (is_gap(beside[other], l, per_side)) report_gap(body, other, beside[other], warnings);
+    }
+  }
+
+  /// A gap is as wide at one end as at the other; a wedge between two outlines that meet is not.
+  bool is_gap(const Beside& beside, Real side, int per_side) const
+  {
+    const Real along = side * beside.n / per_side;
+    return beside.n > 0 && beside.least > 0.3 * beside.most && (along > 2.0 * cell_ || 2 * beside.n >= per_side);
+  }
+
+  void sample(std::size_t body, const Side& side, Real share, std::vector<Beside>& beside)
+  {
+    const Vec<2> along = minus(side.b, side.a), x = plus(side.a, share, along);
+    const Real l = length(along), near = touching * cell_;
+    Vec<2> out{along[1] / l, -along[0] / l};
+    if (is_inside(obstacles_[body].sides, plus(x, near, out))) out = {-out[0], -out[1]};
+    std::size_t nearest = obstacles_.size();
+    Real distance = INFINITY;
+    for (std::size_t k = 0; k < obstacles_.size(); ++k) {
+      if (k == body) continue;
+      if (k < n_bodies_ && is_inside(obstacles_[k].sides, plus(x, near, out))) {
+        touches_[body][k] = true;
+        return;
+      }
+      for (const Side& line : obstacles_[k].sides)
+        if (const auto t = meet(plus(x, -near, out), out, line); t && *t < distance) distance = *t, nearest = k;
+    }
+    if (!(distance < gap_in_cells * cell_)) return;
+    touches_[body][nearest] = true;
+    if (distance <= 3.0 * near || obstacles_[nearest].moves) return;
+    Beside& gap = beside[nearest];
+    ++gap.n;
+    gap.least = std::min(gap.least, distance);
+    gap.most = std::max(gap.most, distance);
+    gap.at = x;
+  }
+
+  void report_gap(std::size_t body, std::size_t other, const Beside& gap, Problems& warnings)
+  {
+    const std::pair pair(std::min(body, other), std::max(body, other));
+    if (std::find(reported_.begin(), reported_.end(), pair) != reported_.end()) return;
+    reported_.push_back(pair);
+    warnings.push_back({fmt::format("body[{}]", number_[body]),
+        fmt::format("a gap between body {} and {}", number_[body], obstacles_[other].name),
+        fmt::format(
+            "It is {:.3g} m wide at {} m, less than a cell of {:.3g} m. Soil on both sides of it acts on the same "
+            "nodes,\nand falls by the gap. Draw the two along one line.",
+            gap.least, place_text(gap.at), cell_),
+        "body", false, keys_of_outline(number_[body])});
+  }
+
+  /// Bodies that no chain of bodies joins to a held side.
+  void find_hanging(Problems& warnings) const
+  {
+    if (model_.gravity == Vec<2>{0.0, 0.0}) return;
+    std::vector<bool> held(n_bodies_, false);
+    for (std::size_t round = 0; round < n_bodies_; ++round)
+      for (std::size_t b = 0; b < n_bodies_; ++b)
+        for (std::size_t k = 0; k < obstacles_.size(); ++k)
+          held[b] = held[b] || (touches_[b][k] && (k >= n_bodies_ || held[k])) ||
+                    (k < n_bodies_ && touches_[k][b] && held[k]);
+    for (std::size_t b = 0; b < n_bodies_; ++b) {
+      const BodyCase& body = model_.description.bodies[number_[b]];
+      if (held[b] || model_.bodies[number_[b]].n_points == 0 || body.velocity_at || body.velocity != Vec<2>{0.0, 0.0})
+        continue;
+      warnings.push_back({fmt::format("body[{}]", number_[b]), fmt::format("body {} hangs in the air", number_[b]),
+          fmt::format("It touches no other body and no side with a condition. {}", fall_of(b)), "body", false,
+          keys_of_outline(number_[b])});
+    }
+  }
+
+  /// How deep it falls, from its own outline along gravity.
+  std::string fall_of(std::size_t body) const
+  {
+    const Real g = length(model_.gravity);
+    const Vec<2> down{model_.gravity[0] / g, model_.gravity[1] / g};
+    Real fall = INFINITY;
+    for (const Side& side : obstacles_[body].sides)
+      for (std::size_t k = 0; k < obstacles_.size(); ++k)
+        for (const Side& line : obstacles_[k].sides)
+          if (const auto t = meet(plus(side.a, 0.5, minus(side.b, side.a)), down, line); t && k != body)
+            fall = std::min(fall, *t);
+    return std::isfinite(fall) ? fmt::format("It falls by {:.3g} m. Draw it down to what carries it.", fall)
+                               : "Nothing below it carries it. Give the side below it a condition in [boundary].";
+  }
+
+  const Model& model_;
+  Real cell_;
+  std::size_t n_bodies_ = 0;
+  std::vector<std::size_t> number_;  ///< of each outline among the bodies of the case
+  std::vector<Obstacle> obstacles_;  ///< bodies, then held sides
+  std::vector<std::vector<bool>> touches_;
+  std::vector<std::pair<std::size_t, std::size_t>> reported_;
+};
+
+/// The built-in names say where a side lies; edges of a polygon may be counted from 1 or run clockwise.
+void find_misplaced_sides(const Model& model, Problems& warnings)
+{
+  struct Named {
+    const char* name;
+    Vec<2> normal;
+    const char* place;
+  };
+  constexpr Named known[] = {{"left", {-1.0, 0.0}, "to the left"}, {"right", {1.0, 0.0}, "to the right"},
+      {"bottom", {0.0, -1.0}, "downward"}, {"top", {0.0, 1.0}, "upward"}};
+  const auto facing = [](Vec<2> n, const Named& side) { return n[0] * side.normal[0] + n[1] * side.normal[1]; };
+  constexpr Real faces = 0.25;  // cosine: a slope of 1:4 may be the left side
+  for (const NamedSide& side : model.mesh->sides)
+    for (const Named& named : known) {
+      const SideShape shape = shape_of_side(*model.mesh, side);
+      if (side.name != named.name || shape.length == 0.0 || facing(shape.normal, named) >= faces) continue;
+      const Named* looks = std::max_element(std::begin(known), std::end(known),
+          [&](const Named& a, const Named& b) { return facing(shape.normal, a) < facing(shape.normal, b); });
+      const MeshKind kind = model.description.mesh.kind;
+      const bool polygon = kind == MeshKind::polygon, file = kind == MeshKind::file;
+      const std::string key = polygon ? fmt::format("mesh.edges.\"{}\"", side.name) : file ? "mesh.file" : "mesh.sides";
+      warnings.push_back({key, fmt::format("the side `{}` does not face {}", side.name, named.place),
+          fmt::format("It faces {}, {:.4g} m long. {}", looks->place, shape.length,
+              polygon ? "Edge k runs from corner k of the polygon to corner k + 1, counted from 0.\n"
+                        "`terp check CASE --picture section.svg` draws it."
+              : file  ? "Look at the physical group of that name in the mesh file, or give the side another name."
+                      : "Look at the order of the four lines of the grid."),
+          polygon ? "mesh.edges" : "mesh", false, {"mesh.polygon", "mesh"}});
+    }
+}
+
+/// Area of all drawn polygons together, where they overlap once [m^2]; none if that is not so easily said.
+std::optional<Real> drawn_area(const Model& model)
+{
+  Overlay overlay;
+  Vec<2> low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+  std::size_t n_corners = 0;
+  const auto outlines = outlines_of(model);
+  if (outlines.size() != model.description.bodies.size()) return std::nullopt;
+  for (std::size_t b = 0; b < outlines.size(); ++b) {
+    if (!outlines[b].cells.empty()) return std::nullopt;
+    overlay.rings.push_back({outlines[b].polygon, static_cast<Index>(b), false});
+    for (const Polygon& hole : outlines[b].holes) overlay.rings.push_back({hole, static_cast<Index>(b), true});
+    for (const Vec<2>& x : outlines[b].polygon)
+      for (int d = 0; d < 2; ++d) low[d] = std::min(low[d], x[d]), high[d] = std::max(high[d], x[d]);
+  }
+  const Vec<2> middle{0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])};
+  const Vec<2> half{0.51 * (high[0] - low[0]), 0.51 * (high[1] - low[1])};
+  for (Ring& ring : overlay.rings) {
+    n_corners += ring.corners.size();
+    for (Vec<2>& x : ring.corners) x = minus(x, middle);
+  }
+  if (n_corners > most_corners) return std::nullopt;
+  Real area = 0.0;
+  for (const Part& part :
+      share_out(overlay, {Vec<2>{-half[0], -half[1]}, {half[0], -half[1]}, {half[0], half[1]}, {-half[0], half[1]}}))
+    area += part.area;
+  return area;
+}
+
+/// A place where a body reaches over the boundary of the mesh.
+std::string place_of_loss(const Model& model)
+{
+  const auto outlines = outlines_of(model);
+  for (Index e = 0; e < model.mesh->n_cells(); ++e)
+    for (int s = 0; s < 4; ++s) {
+      if (model.mesh->neighbours[e][s] != outside) continue;
+      const Side edge = edge_of(*model.mesh, {e, s});
+      const Vec<2> along = minus(edge.b, edge.a), middle = plus(edge.a, 0.5, along);
+      const Vec<2> beyond = plus(middle, 0.05, Vec<2>{along[1], -along[0]});
+      if (std::ranges::any_of(outlines, [&](const BodyOutline& body) { return covers(body, beyond); }))
+        return fmt::format(" It reaches over the boundary of the mesh at {} m.", place_text(middle));
+    }
+  return "";
+}
+
+void find_lost_soil(const Model& model, Problems& warnings)
+{
+  const auto drawn = drawn_area(model);
+  Real seeded = 0.0;
+  for (const BodyShare& body : model.bodies) seeded += body.area;
+  if (!drawn || !(*drawn - seeded > lost_share * *drawn)) return;
+  warnings.push_back({"body", "a part of the soil lies outside of the mesh",
+      fmt::format("The bodies are drawn with {:.6g} m^2, their points stand for {:.6g} m^2: {:.2g} % is missing.{}\n"
+                  "Look for a cell that is missing from the mesh, or make the outline of body and mesh the same.",
+          *drawn, seeded, 100.0 * (*drawn - seeded) / *drawn, place_of_loss(model)),
+      "mesh", false, {"mesh"}});
+}
+
+/// A hole in the mesh that no side names, no larger than a few cells: cells that were forgotten.
+void find_holes(const Model& model, Problems& warnings)
+{
+  constexpr Real few_cells = 4.5;
+  const Mesh<2>& mesh = *model.mesh;
+  std::vector<Index> next(mesh.nodes.size(), -1);
+  for (Index e = 0; e < mesh.n_cells(); ++e)
+    for (int s = 0; s < 4; ++s)
+      if (mesh.neighbours[e][s] == outside) next[mesh.cells[e][s]] = mesh.cells[e][(s + 1) % 4];
+  for (const NamedSide& side : mesh.sides)
+    for (const CellSide& edge : side.edges) next[mesh.cells[edge.cell][edge.side]] = -1;
+  const Real cell = typical_cell_size(mesh);
+  for (Index start = 0; start < mesh.n_nodes(); ++start) {
+    Polygon hole;
+    Index i = start;
+    while (next[i] >= 0) hole.push_back(mesh.nodes[i]), i = std::exchange(next[i], -1);
+    if (hole.empty() || i != start) continue;
+    const Real area = -signed_area(hole);
+    if (!(area > 0.0) || area > few_cells * cell * cell) continue;
+    warnings.push_back({"mesh", "the mesh has a hole",
+        fmt::format("At {} m {:.3g} m^2 are missing, about {:.0f} cell{}. Soil cannot enter it, and no side names it.\n"
+                    "Add the cell, or name the boundary of the hole.",
+            place_text(hole.front()), area, std::max(1.0, area / (cell * cell)), area > 1.5 * cell * cell ? "s" : ""),
+        "mesh", false, {"mesh.file"}});
+  }
+}
+
+/// Soil of the size of a cell: mesh and bodies in different units.
+void find_tiny_soil(const Model& model, Problems& warnings)
+{
+  Vec<2> low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+  for (const BodyOutline& outline : outlines_of(model))
+    for (const Vec<2>& x : outline.polygon)
+      for (int d = 0; d < 2; ++d) low[d] = std::min(low[d], x[d]), high[d] = std::max(high[d], x[d]);
+  const Vec<2> soil = minus(high, low);
+  const Real cell = typical_cell_size(*model.mesh);
+  if (!(std::max(soil[0], soil[1]) < 0.999 * cell) || model.mesh->n_cells() == 1) return;  // one cell: a test of a law
+  warnings.push_back({"body", "all bodies together are smaller than a cell",
+      fmt::format(
+          "They measure {:.3g} m by {:.3g} m, a cell {:.3g} m. Lengths of mesh and bodies are in metres: a mesh in "
+          "mm is 1000 times too large.",
+          soil[0], soil[1], cell),
+      "mesh", false, {"mesh"}});
+}
+
+}  // namespace
+
+void find_odd_places(const Model& model, Problems& warnings)
+{
+  find_misplaced_sides(model, warnings);
+  find_tiny_soil(model, warnings);
+  find_lost_soil(model, warnings);
+  find_holes(model, warnings);
+  SectionCheck(model).check(warnings);
+}
+
+}  // namespace terp

@@ -1,0 +1,101 @@
+// What people write instead of TOML: each has its cure; and what has none keeps the words of the parser.
+#include "input/syntax_advice.hpp"
+
+#include "input/samples.hpp"
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+SyntaxAdvice advice_for(const std::string& text)
+{
+  try {
+    parse_toml(text);
+  } catch (const SyntaxError& error) {
+    return advise_on_syntax(text, error);
+  }
+  ADD_FAILURE() << "this is TOML: " << text;
+  return {};
+}
+
+struct Written {
+  const char* text;
+  const char* what;
+  const char* cure;
+};
+
+TEST(SyntaxAdvice, SaysHowItIsWritten)
+{
+  const Written habits[] = {
+      {"end = 0,2", "a number has a decimal point, no comma", "Write 0.2."},
+      {"su_peak = 8 kPa", "a number stands without its unit", "Write 8000 (in Pa)."},
+      {"density = 1.99 t/m3", "a number stands without its unit", "Write 1990 (in kg/m^3)."},
+      {"end = 4 weeks", "a number stands without its unit",
+          "Write 4 in the unit that `terp explain` names: Terp reads SI units, m, kg, s, Pa."},
+      {"cell = .2", "a number has a digit before its decimal point", "Write 0.2."},
+      {"gravity = [0.0, -.5]", "a number has a digit before its decimal point", "Write -0.5."},
+      {"G = 2.0d6", "an exponent is written with e", "Write 2.0e6."},
+      {"end = 4.\n", "a number has a digit after its decimal point", "Write 4.0."},
+      {"end = 007", "a number has no leading zeros", "Leave them out: 7, not 007."},
+      {"G = 2 000 000", "a number has no blanks in it", "Write 2000000."},
+      {"mesh = True", "true and false are written in small letters", "Write true."},
+      {"end : 4.0", "a key and its value stand on both sides of an equals sign", "Write end = 4.0"},
+      {"end 4.0", "a key and its value stand on both sides of an equals sign", "Write end = 4.0"},
+      {"scheme = mpm_gp", "text stands in quotes", "Write \"mpm_gp\". Numbers are written 8.0e3."},
+      {"title = \"a\nb = 1", "a text has no closing quote", "A text stands in one line, between two quotes: \"clay\"."},
+      {"end = 1\nend = 2", "`end` is there twice", "Remove one of the two."},
+      {"[time]\n[time]", "`time` is there twice",
+          "Join the two sections [time]. Sections of which there may be many have two brackets: [[body]]."},
+  };
+  for (const auto& [text, what, cure] : habits) {
+    const SyntaxAdvice advice = advice_for(text);
+    EXPECT_EQ(advice.what, what) << text;
+    EXPECT_EQ(advice.cure, cure) << text;
+  }
+}
+
+TEST(SyntaxAdvice, FindsTheBracketThatIsNotClosed)
+{
+  const SyntaxAdvice list = advice_for("a = 1\nbox = [[0.0, 0.0], [8.0, 2.0]\n[time]\nend = 4.0\n");
+  EXPECT_EQ(list.what, "a bracket is not closed");
+  EXPECT_EQ(list.place.line, 2);
+  EXPECT_EQ(list.place.column, 7);
+  EXPECT_THAT(list.cure, StartsWith("The `[` here wants its `]`; it is missed in line "));
+  const SyntaxAdvice header = advice_for("[time\nend = 4.0\n");
+  EXPECT_EQ(header.what, "a bracket is not closed");
+  EXPECT_EQ(header.place.line, 1);
+  EXPECT_EQ(header.cure, "The `[` here wants its `]`.");
+}
+
+TEST(SyntaxAdvice, KeepsTheWordsOfTheParserForWhatItDoesNotKnow)
+{
+  const SyntaxAdvice advice = advice_for("a = {b = 1,}");
+  EXPECT_EQ(advice.what, "");
+  EXPECT_THAT(advice.cure, HasSubstr("dangling comma"));
+}
+
+TEST(SyntaxAdvice, IsWhatTheUserReads)
+{
+  EXPECT_EQ(test::message_for("title = \"a\"\n[time]\nend = 0,2\n"),
+      "error: case.toml:3:8: this is not valid TOML: a number has a decimal point, no comma\n\n    3 | end = 0,2\n"
+      "      |        ^\n  Write 0.2.\n  The format: https://toml.io\n\n1 error; nothing was run.\n");
+}
+
+TEST(SyntaxAdvice, KnowsUtf16)
+{
+  using namespace std::string_literals;
+  EXPECT_TRUE(is_utf16("\xFF\xFE[\0t\0"s));
+  EXPECT_TRUE(is_utf16("[\0t\0i\0"s));
+  EXPECT_FALSE(is_utf16("[time]\n"));
+  EXPECT_FALSE(is_utf16("[\0\0\0\0"s));
+  EXPECT_THAT(test::message_for("\xFF\xFE[\0t\0"s),
+      HasSubstr(
+          "case.toml: this is text in UTF-16\n  Save it as UTF-8: in the editor, \"Save as\", encoding UTF-8.\n"));
+}
+
+}  // namespace
+}  // namespace terp

@@ -1,0 +1,51 @@
+// The drawing of a section names what it shows; it is looked at by eye when it changes.
+#include "output/section_svg.hpp"
+
+#include "simulation/setup.hpp"
+#include "support/cases.hpp"
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string drawing_of(const Case& c)
+{
+  Model model = build_model(c, 1);
+  const State state = build_state(model);
+  return draw_section(model, state);
+}
+
+TEST(SectionSvg, NamesBodiesSidesPointsAndGravity)
+{
+  Case c = test::column("mpm_gp");
+  c.title = "clay < sand";
+  c.output.history_points = {{"A", {1.0, 1.0}}};
+  c.footings = {{.name = "plate", .low = {1.0, 2.0}, .high = {2.0, 2.5}, .velocity = {0.0, -0.01}}};
+  const std::string svg = drawing_of(c);
+  for (const char* part : {"<svg xmlns=", "clay &lt; sand", "clay: tresca_softening, 1990 kg/m³",
+           "bottom: contact that never opens, adhesion 8 kPa", "left: roller, no motion across",
+           "top: free, holds nothing", ">A</text>", ">plate</text>", "g = 9.81 m/s²", "192 cells, 1600 material points",
+           "</svg>\n"})
+    EXPECT_THAT(svg, HasSubstr(part));
+}
+
+TEST(SectionSvg, DrawsNoSideInRedThatIsFree)
+{
+  Case c = test::column("mpm_gp");
+  EXPECT_THAT(drawing_of(c), HasSubstr("side that holds"));
+  c.sides.clear();
+  EXPECT_THAT(drawing_of(c), Not(HasSubstr("side that holds")));
+}
+
+TEST(SectionSvg, IsNoLargerForMoreCellsThanAPageCanShow)
+{
+  EXPECT_LT(
+      drawing_of(test::column("mpm_gp", 0.03125)).size(), 100000u);  // cells of 2 pixels: their lines are left out
+}
+
+}  // namespace
+}  // namespace terp

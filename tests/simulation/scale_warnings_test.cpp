@@ -1,0 +1,117 @@
+// Quantities off by a unit are compared with each other; soil as it is usually is not warned of.
+#include "simulation/scale_warnings.hpp"
+
+#include "simulation/setup.hpp"
+#include "support/cases.hpp"
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using testing::ElementsAre;
+using testing::Field;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<Problem> warnings_of(const Case& c)
+{
+  Model model = build_model(c, 1);
+  const State state = build_state(model);
+  std::vector<Problem> warnings;
+  find_odd_scales(model, state, warnings);
+  return warnings;
+}
+
+/// The column, 2 m high, with other clay; rho g H = 3.7e4 Pa.
+std::vector<Problem> with_clay(const test::Clay& clay)
+{
+  Case c = test::column("mpm_gp");
+  c.materials = {test::clay(clay)};
+  return warnings_of(c);
+}
+
+TEST(ScaleWarnings, AreSilentOverUsualSoil)
+{
+  EXPECT_THAT(with_clay({}), IsEmpty());
+  for (const Real su : {1e3, 1e5})
+    for (const Real ratio : {20.0, 2000.0})
+      EXPECT_THAT(with_clay({.shear_modulus = ratio * su, .su_peak = su, .su_residual = su}), IsEmpty()) << su;
+}
+
+TEST(ScaleWarnings, AStrengthOffByAThousandDoesNotFitTheStiffness)
+{
+  const auto weak = with_clay({.su_peak = 8.0, .su_residual = 2.0});
+  ASSERT_EQ(weak.size(), 1u);
+  EXPECT_EQ(weak[0].key, "material.\"clay\".su_peak");
+  EXPECT_EQ(weak[0].what, "`su_peak` and the stiffness of `clay` do not fit together");
+  EXPECT_EQ(weak[0].detail,
+      "su_peak = 8 Pa, G = 2e+06 Pa: G / su_peak = 2.5e+05. Usual: 20 to 2000.\n"
+      "Stiffness and strength are in Pa: 2 MPa is 2.0e6, 8 kPa is 8.0e3.");
+  EXPECT_THAT(with_clay({.su_peak = 8e6, .su_residual = 8e6}),
+      ElementsAre(Field(&Problem::detail, HasSubstr("G / su_peak = 0.25."))));
+}
+
+TEST(ScaleWarnings, AStiffnessOffByAThousandIsTooSoftForTheWeight)
+{
+  const auto soft = with_clay({.shear_modulus = 2e3, .su_peak = 400.0, .su_residual = 400.0});
+  ASSERT_GE(soft.size(), 1u);
+  EXPECT_EQ(soft[0].key, "material.\"clay\".shear_modulus");
+  EXPECT_EQ(soft[0].what, "`clay` is too soft for its own weight");
+  EXPECT_THAT(soft[0].detail, HasSubstr("G = 2e+03 Pa is 0.0"));
+  EXPECT_THAT(soft[0].detail, HasSubstr("times rho g H = "));
+}
+
+TEST(ScaleWarnings, StiffnessAndStrengthOffTogetherStandOutBesideTheWeight)
+{
+  EXPECT_THAT(with_clay({.shear_modulus = 2e9, .su_peak = 8e6, .su_residual = 8e6}),
+      ElementsAre(Field(&Problem::what, "`clay` is so strong that its weight does nothing")));
+  EXPECT_THAT(with_clay({.shear_modulus = 2e5, .su_peak = 80.0, .su_residual = 80.0}),
+      ElementsAre(Field(&Problem::what, "`clay` is so weak that it flows like a liquid")));
+}
+
+TEST(ScaleWarnings, SandWithHardlyAnyCohesionIsUsual)
+{
+  Case c = test::column("mpm_gp");
+  c.materials = {{"clay", "mohr_coulomb", 1900.0, {2e7, 0.3, 10.0, 33.0, 0.0, 1e30, 10.0, 33.0, 0.0, 0.0}}};
+  EXPECT_THAT(warnings_of(c), IsEmpty());
+  c.materials[0].parameters[3] = c.materials[0].parameters[7] = 0.0;  // without friction it is a liquid
+  EXPECT_EQ(warnings_of(c).size(), 1u);
+}
+
+TEST(ScaleWarnings, AVelocityInMillimetresPerSecondIsTooFast)
+{
+  Case c = test::column("mpm_gp");
+  c.bodies[0].velocity = {5.0, 0.0};
+  EXPECT_THAT(warnings_of(c), IsEmpty());
+  c.bodies[0].velocity = {5000.0, 0.0};
+  const auto fast = warnings_of(c);
+  ASSERT_EQ(fast.size(), 1u);
+  EXPECT_EQ(fast[0].key, "body[0].velocity");
+  EXPECT_EQ(fast[0].what, "body 0 is very fast");
+  EXPECT_THAT(fast[0].detail, HasSubstr("Velocities are in m/s: 5 mm/s is 0.005."));
+}
+
+TEST(ScaleWarnings, AFootingMovesSlowlyAndFarEnough)
+{
+  Case c = test::column("mpm_gp");
+  c.footings = {{.name = "plate", .low = {1.0, 2.0}, .high = {2.0, 2.5}, .velocity = {0.0, -0.01}}};
+  EXPECT_THAT(warnings_of(c), IsEmpty());
+  c.footings[0].velocity = {0.0, -10.0};
+  EXPECT_THAT(
+      warnings_of(c), ElementsAre(Field(&Problem::what, "the footing `plate` is fast: its reaction holds inertia")));
+  c.footings[0].velocity = {0.0, -1e-6};
+  EXPECT_THAT(warnings_of(c), ElementsAre(Field(&Problem::what, "the footing `plate` hardly moves")));
+}
+
+TEST(ScaleWarnings, ACaseInWhichNothingMovesIsTold)
+{
+  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.0});
+  EXPECT_THAT(
+      warnings_of(c), ElementsAre(Field(&Problem::what, "there is no gravity, and nothing else moves the soil")));
+  c.bodies[0].velocity = {0.1, 0.0};
+  EXPECT_THAT(warnings_of(c), IsEmpty());
+}
+
+}  // namespace
+}  // namespace terp
