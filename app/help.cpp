@@ -21,8 +21,8 @@ Solve
 Look
   report RUN...           write report.html: one page that shows the runs, side by side
   compare RUN RUN...      table of what differs between runs (--json)
-  export RUN --format F   frames as vtu, csv or npz into RUN/F or -o DIR (--field NAME,
-                          may be given several times; --frames 0,5,10:20,last)
+  export RUN              frames as CSV into RUN/csv or -o DIR (--field NAME, may be given
+                          several times; --frames 0,5,10:20,last)
 
 Understand
   check CASE.toml         read and validate, print what would run, solve nothing
@@ -135,14 +135,14 @@ which keys the cases differ.
 
 Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else
 )"},
-    {"export", R"(Usage: terp export RUN --format vtu|csv|npz [options]
+    {"export", R"(Usage: terp export RUN [options]
 
-Frames of a run for other tools, and a list of them (docs/formats.md).
+Frames of a run as CSV, and a list of them. ParaView, VTK and h5py read the frames as they are:
+open RUN/results.vtkhdf.series, or see docs/python.md.
 
-      --format F          vtu (ParaView), csv, npz (numpy)
       --field NAME        only this field; may be given several times
       --frames LIST       numbers, ranges with both ends, `last`: 0,5,10:20,last (default: all)
-  -o, --output DIR        folder (default: RUN/FORMAT)
+  -o, --output DIR        folder (default: RUN/csv)
 
 Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else
 )"},

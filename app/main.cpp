@@ -129,7 +129,7 @@ void declare(CLI::App& app, CommandLine& line)
   compare->add_flag("--json", line.report.json);
   CLI::App* exported = app.add_subcommand("export");
   exported->add_option("run", line.exported.run)->required();
-  exported->add_option("--format", line.exported.format)->required();
+  exported->add_option("--format", line.exported.format);
   exported->add_option("--field", line.exported.fields)
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -10,7 +10,6 @@
 #include "output/summary_json.hpp"
 #include "parallel/threads.hpp"
 #include "progress.hpp"
-#include "simulation/frame.hpp"
 #include "simulation/run.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/setup_warnings.hpp"
@@ -95,6 +94,34 @@ std::string hint_to_go_on(const std::string& folder, const RunOptions& options)
   }
 }
 
+/// Renews the summary with each checkpoint, so that it says how long a run took that is killed later.
+class SummaryKeeper : public Observer {
+ public:
+  SummaryKeeper(const Model& model, const State& state, RunWriter& writer)
+      : model_(model), state_(state), writer_(writer)
+  {
+  }
+  void checkpoint(const std::shared_ptr<const StateImage>& image) override
+  {
+    if (image->last) writer_.summary(summarise(model_, state_), false);
+  }
+
+ private:
+  const Model& model_;
+  const State& state_;
+  RunWriter& writer_;
+};
+
+/// Time that earlier processes spent on a run [s]; 0 where the summary does not say.
+double wall_time_so_far(const std::string& folder)
+{
+  try {
+    return read_summary(path_in(folder, summary_file)).values.wall_s;
+  } catch (const FileError&) {
+    return 0.0;
+  }
+}
+
 /// Solves, and leaves a summary however the run ends.
 int solve(const Model& model, State& state, RunWriter& writer, const RunOptions& options, const std::string& folder)
 {
@@ -102,8 +129,9 @@ int solve(const Model& model, State& state, RunWriter& writer, const RunOptions&
   ProgressLine progress(options.quiet);
   Workspace work(model, state);
   try {
-    MeshWriter mesh(folder, writer.case_record(), model, state);
-    Observer* const observers[] = {&writer, &mesh, &progress};
+    MeshWriter mesh(folder, writer.frames_of_mesh(), model, state);
+    SummaryKeeper keeper(model, state, writer);
+    Observer* const observers[] = {&writer, &mesh, &keeper, &progress};
     writer.summary(summarise(model, state), false);  // also names the case for `resume`
     const Outcome outcome = run(model, state, work, observers, stop_requested);
     progress.finish();
@@ -172,17 +200,10 @@ Checkpoint find_checkpoint(const std::string& path)
   return {found.path, std::move(*found.image)};
 }
 
-/// What changed in the case since the run began, of what may; empty for a checkpoint that does not say. Throws
-/// FileError at anything else: no result may come from two cases.
+/// What changed in the case since the run began, of what may. Throws FileError at anything else: no result may come
+/// from two cases.
 std::vector<ChangedValue> check_unchanged(const std::string& folder, const StateImage& image, const CaseRecord& now)
 {
-  if (image.case_record.empty()) {
-    fmt::print(stderr,
-        "warning: the checkpoint of step {} is from an earlier Terp and does not say what case the run began with:\n"
-        "  whether {} was changed since is not known\n",
-        image.step, path_in(folder, case_file));
-    return {};
-  }
   std::vector<ChangedValue> allowed;
   std::string refused;
   for (ChangedValue& change : changes_since(image.case_record, now)) {
@@ -246,17 +267,13 @@ ResumePoint resume_point(const Model& model, const State& state, const std::stri
   const std::int64_t n_times = count_due(state.step, model.dt, output.history_every);
   return {.step = state.step,
       .time = state.time,
-      .n_points = state.n_ids(),
-      .n_nodes = model.mesh.n_nodes(),
-      .n_cells = model.mesh.n_cells(),
       .n_frames = std::ssize(state.softened_fraction),
       .n_mesh_frames = output.mesh ? std::ssize(state.softened_fraction) : 0,
       .n_history_rows = n_times * std::ssize(output.history_points),
       .n_ledger_rows = state.ledger_rows,
       .n_left_rows = std::ssize(state.left),
       .n_footing_rows = state.ledger_rows * std::ssize(model.footings),
-      .tables = tables,
-      .fields = make_frame(model, state, 0, 0).fields};
+      .tables = tables};
 }
 
 }  // namespace
@@ -271,7 +288,7 @@ int run_case(const RunOptions& options)
     State state = build_state(model);
     fmt::print(stderr, "{}", render_warnings(find_warnings(model, state), file));
     const auto writer = RunWriter::start({folder, {file.values.name, file.text}, file.values.output.checkpoint_keep,
-                                             record_text(make_case_record(file, model.mesh))},
+                                             record_text(make_case_record(file, model.mesh)), file.inputs},
         options.force);
     return solve_and_show(model, state, *writer, options, folder);
   } catch (const InputError& error) {
@@ -294,12 +311,14 @@ int resume_run(const RunOptions& options)
     seed_again(image, model);
     set_end(file.values, image, model);
     State state = restore_from(checkpoint, model, image);
-    const std::string kept = image.case_record.empty() ? record_text(record) : image.case_record;
-    RunWriterSettings settings{folder, {case_name_in(folder), file.text}, file.values.output.checkpoint_keep, kept};
+    state.wall_s = wall_time_so_far(folder);
+    RunWriterSettings settings{
+        folder, {case_name_in(folder), file.text}, file.values.output.checkpoint_keep, image.case_record};
     const auto writer =
         RunWriter::resume(std::move(settings), std::move(lock), resume_point(model, state, image.tables));
     if (!options.quiet)
       fmt::print("resuming {} at t = {:.4g} s, step {} of {}\n", folder, state.time, state.step, model.n_steps);
+    for (const auto& warning : writer->warnings()) fmt::print(stderr, "warning: {}\n", warning);
     for (const ChangedValue& change : changes)
       if (!options.quiet) fmt::print("  from here on with another {}\n", change.text());
     return solve_and_show(model, state, *writer, options, folder);

@@ -1,6 +1,7 @@
 #include "input/other_files.hpp"
 
 #include "input/closest.hpp"
+#include "simulation/case.hpp"
 
 #include <fmt/format.h>
 
@@ -67,13 +68,15 @@ void check_files(const Node& root, const std::string& folder, std::vector<Proble
   }
 }
 
-bool make_files_absolute(Node& root, const std::string& folder)
+bool name_copies(Node& root, const std::string& folder, std::vector<InputFile>& files)
 {
   bool changed = false;
+  int n_tables = 0;
   for (const auto& [path, node] : find_file_keys(root)) {
-    if (fs::path(node->text).is_absolute()) continue;
-    node->text = absolute_path(folder, node->text).string();
-    changed = true;
+    const std::string copy = path == "mesh.file" ? std::string(mesh_copy) : fmt::format("points_{}.csv", ++n_tables);
+    files.push_back({path_of(folder, node->text), copy});
+    changed |= node->text != copy;
+    node->text = copy;
   }
   return changed;
 }

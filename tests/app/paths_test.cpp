@@ -110,8 +110,8 @@ TEST(Paths, LinksInAnEarlierRunAreReplacedAndNotFollowed)
   const std::string folder = place.scratch.path() + "/a/b/run", mine = place.scratch.path() + "/mine";
   test::write_text(mine, "mine");
   fs::create_directory(folder);
-  for (const char* name : {"results.vtkhdf", "history.csv", "ledger.csv", "summary.json", "case.toml", "case.toml.tmp",
-           "results.vtkhdf.journal", "checkpoint_000000001.h5"})
+  for (const char* name : {"results.vtkhdf.series", "history.csv", "ledger.csv", "summary.json", "case.toml",
+           "case.toml.tmp", "mesh.msh", "checkpoint_000000001.h5"})
     fs::create_symlink(mine, folder + "/" + name);
   EXPECT_EQ(place.run({"--force"}).status, 0);
   EXPECT_EQ(test::text_of(mine), "mine");

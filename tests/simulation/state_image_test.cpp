@@ -62,7 +62,6 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
   state.clamped = 7;
   state.ledger_rows = 11;
   state.largest_v_999 = 9.0;
-  state.wall_s = 10.0;
   state.audit.fell[3] = true;
   state.audit.rose[5] = true;
   state.softened_fraction = {{0.5, 0.25}};
@@ -82,7 +81,6 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
   EXPECT_EQ(back.clamped, 7);
   EXPECT_EQ(back.ledger_rows, 11);
   EXPECT_EQ(back.largest_v_999, 9.0);
-  EXPECT_EQ(back.wall_s, 10.0);
   EXPECT_EQ(back.audit.fell, state.audit.fell);
   EXPECT_EQ(back.audit.rose, state.audit.rose);
   EXPECT_EQ(back.audit.last_su, state.audit.last_su);
