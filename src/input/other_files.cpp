@@ -50,6 +50,14 @@ fs::path absolute_path(const std::string& folder, const std::string& name)
   return error ? path : real;
 }
 
+/// The ending says how a mesh file is read; one that says nothing is taken for gmsh's.
+std::string copy_of_mesh(const std::string& path)
+{
+  const std::string name = "mesh" + fs::path(path).extension().string();
+  const bool known = std::find(std::begin(mesh_copies), std::end(mesh_copies), name) != std::end(mesh_copies);
+  return known ? name : std::string(mesh_copies[0]);
+}
+
 }  // namespace
 
 void check_files(const Node& root, const std::string& folder, std::vector<Problem>& problems)
@@ -73,7 +81,7 @@ bool name_copies(Node& root, const std::string& folder, std::vector<InputFile>& 
   bool changed = false;
   int n_tables = 0;
   for (const auto& [path, node] : find_file_keys(root)) {
-    const std::string copy = path == "mesh.file" ? std::string(mesh_copy) : fmt::format("points_{}.csv", ++n_tables);
+    const std::string copy = path == "mesh.file" ? copy_of_mesh(node->text) : fmt::format("points_{}.csv", ++n_tables);
     files.push_back({path_of(folder, node->text), copy});
     changed |= node->text != copy;
     node->text = copy;

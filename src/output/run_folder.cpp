@@ -69,10 +69,10 @@ void remove_files(const std::string& folder, Meant&& is_meant)
   if (error && error != std::errc::no_such_file_or_directory) throw_file_error("open", folder, error.value());
 }
 
-/// The copies of the files that a case names: mesh.msh, points_1.csv.
+/// The copies of the files that a case names.
 bool is_copy_of_input(std::string_view name)
 {
-  if (name == mesh_copy) return true;
+  if (std::find(std::begin(mesh_copies), std::end(mesh_copies), name) != std::end(mesh_copies)) return true;
   constexpr std::string_view begin = "points_", end = ".csv";
   return name.starts_with(begin) && name.ends_with(end) && name.size() > begin.size() + end.size() &&
          std::all_of(name.begin() + begin.size(), name.end() - end.size(), [](char c) { return c >= '0' && c <= '9'; });

@@ -11,7 +11,7 @@ struct InputFile {
   std::string path, copy;
 };
 
-inline constexpr std::string_view mesh_copy =
-    "mesh.msh";  ///< of `mesh.file`; those of `body.points`: points_1.csv, ...
+/// What the copy of `mesh.file` is called, by its ending; those of `body.points` are points_1.csv, points_2.csv, ...
+inline constexpr std::string_view mesh_copies[] = {"mesh.msh", "mesh.unv", "mesh.bdf", "mesh.nas", "mesh.vtk"};
 
 }  // namespace terp

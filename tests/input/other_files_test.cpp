@@ -81,6 +81,9 @@ TEST_F(OtherFiles, AreNamedAsTheirCopiesAreCalled)
   EXPECT_EQ(files[1].copy, "points_1.csv");
   EXPECT_FALSE(name_copies(root, "/elsewhere", again));
   EXPECT_EQ(again[0].path, "/elsewhere/mesh.msh");
+  root = parse_toml("[mesh]\nfile = \"dike.unv\"\n");  // its ending says how it is read
+  EXPECT_TRUE(name_copies(root, "/somewhere", files));
+  EXPECT_EQ(find_node(root, "mesh.file")->text, "mesh.unv");
 }
 
 }  // namespace
