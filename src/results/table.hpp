@@ -37,7 +37,7 @@ struct ColumnInfo {
   std::string_view name, label, unit;
 };
 
-/// Of a column of ledger.csv or history.csv, or a field of results.vtkhdf; one that is not known is called by its name.
+/// Of a column of ledger.csv or history.csv, or a field of the frames; one that is not known is called by its name.
 ColumnInfo describe_column(std::string_view name);
 
 }  // namespace terp

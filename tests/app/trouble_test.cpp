@@ -72,15 +72,20 @@ TEST(Trouble, AFileThatMayGrowNoMoreIsAnErrorAndTheRunCanGoOn)
 {
   const test::ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run", whole = scratch.path() + "/whole";
+  std::vector<std::string> half = often;
+  half.insert(half.end(), {"--set", "time.end=0.1"});
+  ASSERT_EQ(test::run_column(folder, half).status, 0);
+  std::string text = test::text_of(folder + "/case.toml");
+  test::write_text(folder + "/case.toml", text.replace(text.find("end = 0.1"), 9, "end = 0.2"));
   Finished f;
   {
-    const FileSizeLimit limit(1200 << 10);  // more than a checkpoint, less than the results
-    f = test::run_column(folder, often);
+    const FileSizeLimit limit(40 << 10);  // more than the tables, less than a frame
+    f = test::terp({"resume", folder, "-q", "-j", "1"});
   }
   EXPECT_EQ(f.status, 1);
-  EXPECT_THAT(f.err,
-      AllOf(StartsWith("error: cannot write " + folder + "/results.vtkhdf"), HasSubstr("File too large"),
-          HasSubstr("Earlier results are intact, up to the checkpoint at t = "), HasSubstr("terp resume " + folder)));
+  EXPECT_THAT(f.err, AllOf(StartsWith("error: cannot write " + folder + "/frames/points_"), HasSubstr("File too large"),
+                         HasSubstr("Earlier results are intact, up to the checkpoint at t = 0.1"),
+                         HasSubstr("terp resume " + folder)));
   const Finished resumed = test::terp({"resume", folder, "-q", "-j", "2"});
   EXPECT_EQ(resumed.status, 0) << resumed.err;
   ASSERT_EQ(test::run_column(whole, often).status, 0);
