@@ -212,11 +212,11 @@ void declare_viewers(CLI::App& app, CommandLine& line)
   compare->add_flag("--json", line.report.json, "the same for a program");
 
   CLI::App* exported = add_command(app, "export", "Look",
-      "frames of a run for other tools\nWrites vtu (ParaView), csv or npz (numpy) into RUN/FORMAT, and a list of them\n"
-      "(docs/formats.md).",
-      "  terp export runs/dike --format vtu --frames 0,10:20,last\n");
+      "frames of a run as CSV\nWrites a table per frame into RUN/csv, and a list of them (docs/formats.md).\nParaView, "
+      "VTK and h5py read the frames as they are (docs/python.md).",
+      "  terp export runs/dike --frames 0,10:20,last\n");
   exported->add_option("RUN", line.exported.run, "run folder")->option_text(" ")->required();
-  exported->add_option("--format", line.exported.format, "vtu, csv or npz")->option_text("F")->required();
+  exported->add_option("--format", line.exported.format, "csv")->option_text("F")->group("");
   exported->add_option("--field", line.exported.fields, "only this field; may be given several times")
       ->option_text("NAME")
       ->expected(1)
@@ -225,7 +225,7 @@ void declare_viewers(CLI::App& app, CommandLine& line)
       ->add_option(
           "--frames", line.exported.frames, "numbers, ranges with both ends, `last`:\n0,5,10:20,last (default: all)")
       ->option_text("LIST");
-  add_output(exported, line.exported.folder, "folder (default: RUN/FORMAT)");
+  add_output(exported, line.exported.folder, "folder (default: RUN/csv)");
 }
 
 void declare_verify(CLI::App& app, VerifyOptions& options)

@@ -38,7 +38,7 @@ struct ReportCommand {
 };
 
 struct ExportCommand {
-  std::string run, format, frames, folder;
+  std::string run, format = "csv", frames, folder;
   std::vector<std::string> fields;
 };
 

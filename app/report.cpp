@@ -57,6 +57,7 @@ int report_runs(const ReportCommand& command)
   const Payload payload = make_payload(command.runs, options);
   write_file_atomically(path, make_page(page_template(), payload));
   for (const auto& note : payload.notes) fmt::print("{}\n", note);
+  for (const auto& warning : payload.warnings) fmt::print(stderr, "warning: {}\n", warning);
   if (!has_page())
     fmt::print(stderr, "warning: this terp was built without its report page; {} holds the data alone\n", path);
   fmt::print("report in {} ({:.1f} MB)\n", path, static_cast<double>(std::filesystem::file_size(path)) / 1e6);
@@ -65,15 +66,15 @@ int report_runs(const ReportCommand& command)
 
 int export_run(const ExportCommand& command)
 {
-  const std::vector<std::string> formats{"vtu", "csv", "npz"};  // in the order of ExportFormat
-  const auto format = std::find(formats.begin(), formats.end(), command.format);
-  if (format == formats.end())
+  if (command.format != "csv")
     throw CaseError(
-        fmt::format("error: there is no format `{}`\n  Formats: {}\n", command.format, fmt::join(formats, ", ")));
-  const RunResults run = read_run(command.run);
+        fmt::format("error: there is no format `{}`\n  Formats: csv. The frames of a run are VTKHDF files, which "
+                    "ParaView, VTK and h5py read as they are: docs/python.md\n",
+            command.format));
+  Frames frames = read_run(command.run).frames();
   const std::string folder = command.folder.empty() ? path_in(command.run, command.format) : command.folder;
-  const auto paths = export_frames(
-      run.frames(), {static_cast<ExportFormat>(format - formats.begin()), command.fields, command.frames, folder});
+  const auto paths = export_frames(frames, {command.fields, command.frames, folder});
+  for (const auto& warning : frames.warnings()) fmt::print(stderr, "warning: {}\n", warning);
   fmt::print("{} frames in {}, listed in {}\n", paths.size() - 1, folder, paths.back());
   return solved;
 }

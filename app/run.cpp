@@ -10,7 +10,6 @@
 #include "output/summary_json.hpp"
 #include "parallel/threads.hpp"
 #include "progress.hpp"
-#include "simulation/frame.hpp"
 #include "simulation/run_table.hpp"
 #include "simulation/setup_warnings.hpp"
 #include "simulation/simulation.hpp"
@@ -95,6 +94,34 @@ std::string hint_to_go_on(const std::string& folder, const RunOptions& options)
   }
 }
 
+/// Renews the summary with each checkpoint, so that it says how long a run took that is killed later.
+class SummaryKeeper : public Observer {
+ public:
+  SummaryKeeper(const Model& model, const State& state, RunWriter& writer)
+      : model_(model), state_(state), writer_(writer)
+  {
+  }
+  void checkpoint(const std::shared_ptr<const StateImage>& image) override
+  {
+    if (image->last) writer_.summary(summarise(model_, state_), false);
+  }
+
+ private:
+  const Model& model_;
+  const State& state_;
+  RunWriter& writer_;
+};
+
+/// Time that earlier processes spent on a run [s]; 0 where the summary does not say.
+double wall_time_so_far(const std::string& folder)
+{
+  try {
+    return read_summary(path_in(folder, summary_file)).values.wall_s;
+  } catch (const FileError&) {
+    return 0.0;
+  }
+}
+
 /// Solves, and leaves a summary however the run ends.
 int solve(Simulation& simulation, RunWriter& writer, const RunOptions& options, const std::string& folder)
 {
@@ -103,8 +130,9 @@ int solve(Simulation& simulation, RunWriter& writer, const RunOptions& options, 
   const Model& model = simulation.model;
   const State& state = simulation.state;
   try {
-    MeshWriter mesh(folder, writer.case_record(), model, state);
-    simulation.observers = {&writer, &mesh, &progress};
+    MeshWriter mesh(folder, writer.frames_of_mesh(), model, state);
+    SummaryKeeper keeper(model, state, writer);
+    simulation.observers = {&writer, &mesh, &keeper, &progress};
     writer.summary(summarise(model, state), false);  // also names the case for `resume`
     const Outcome outcome = simulation.run(stop_requested);
     progress.finish();
@@ -173,17 +201,10 @@ Checkpoint find_checkpoint(const std::string& path)
   return {found.path, std::move(*found.image)};
 }
 
-/// What changed in the case since the run began, of what may; empty for a checkpoint that does not say. Throws
-/// FileError at anything else: no result may come from two cases.
+/// What changed in the case since the run began, of what may. Throws FileError at anything else: no result may come
+/// from two cases.
 std::vector<ChangedValue> check_unchanged(const std::string& folder, const StateImage& image, const CaseRecord& now)
 {
-  if (image.case_record.empty()) {
-    fmt::print(stderr,
-        "warning: the checkpoint of step {} is from an earlier Terp and does not say what case the run began with:\n"
-        "  whether {} was changed since is not known\n",
-        image.step, path_in(folder, case_file));
-    return {};
-  }
   std::vector<ChangedValue> allowed;
   std::string refused;
   for (ChangedValue& change : changes_since(image.case_record, now)) {
@@ -246,14 +267,10 @@ ResumePoint resume_point(const Model& model, const State& state, const std::stri
   const OutputCase& output = model.description.output;
   return {.step = state.step,
       .time = state.time,
-      .n_points = state.n_ids(),
-      .n_nodes = model.mesh->n_nodes(),
-      .n_cells = model.mesh->n_cells(),
       .n_frames = state.frames_reported,
       .n_mesh_frames = output.mesh ? state.frames_reported : 0,
       .n_rows = state.rows_reported,
-      .tables = tables,
-      .fields = make_frame(model, state, 0, 0).fields};
+      .tables = tables};
 }
 
 }  // namespace
@@ -267,9 +284,10 @@ int run_case(const RunOptions& options)
   try {
     Simulation simulation(file.values, threads_of(options));
     fmt::print(stderr, "{}", render_warnings(find_warnings(simulation.model, simulation.state), file));
-    const auto writer = RunWriter::start({folder, {file.values.name, file.text}, file.values.output.checkpoint_keep,
-                                             record_text(make_case_record(file, *simulation.model.mesh)), all_tables()},
-        options.force);
+    const auto writer =
+        RunWriter::start({folder, {file.values.name, file.text}, file.values.output.checkpoint_keep,
+                             record_text(make_case_record(file, *simulation.model.mesh)), file.inputs, all_tables()},
+            options.force);
     return solve_and_show(simulation, *writer, options, folder);
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));
@@ -293,14 +311,18 @@ int resume_run(const RunOptions& options)
     State restored = restore_from(checkpoint, model, image);
     Simulation simulation(std::move(model), std::move(restored));
     const State& state = simulation.state;
-    const std::string kept = image.case_record.empty() ? record_text(record) : image.case_record;
-    RunWriterSettings settings{
-        folder, {case_name_in(folder), file.text}, file.values.output.checkpoint_keep, kept, all_tables()};
+    simulation.state.wall_s = wall_time_so_far(folder);
+    RunWriterSettings settings{.folder = folder,
+        .case_text = {case_name_in(folder), file.text},
+        .checkpoint_keep = file.values.output.checkpoint_keep,
+        .case_record = image.case_record,
+        .tables = all_tables()};
     const auto writer =
         RunWriter::resume(std::move(settings), std::move(lock), resume_point(simulation.model, state, image.tables));
     if (!options.quiet)
       fmt::print(
           "resuming {} at t = {:.4g} s, step {} of {}\n", folder, state.time, state.step, simulation.model.n_steps);
+    for (const auto& warning : writer->warnings()) fmt::print(stderr, "warning: {}\n", warning);
     for (const ChangedValue& change : changes)
       if (!options.quiet) fmt::print("  from here on with another {}\n", change.text());
     return solve_and_show(simulation, *writer, options, folder);

@@ -82,6 +82,7 @@ int find_stability(const RunOptions& run, StabilityOptions options)
     else if (!run.quiet || !result.search.found())
       fmt::print("{}", stability_text(result, scheme));
     write_stability(folder, result, scheme, text);
+    copy_inputs(file.inputs, folder);
     if (!run.quiet && !run.json) fmt::print("results in {}\n", folder);
     return result.search.found() && !result.stopped ? solved : failed;
   } catch (const InputError& error) {

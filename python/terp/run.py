@@ -1,20 +1,23 @@
 """One run folder as numpy arrays and dictionaries.
 
-Not for drawing (plot.py) and not for judging a run: it returns what the solver wrote, in SI units.
+Not for drawing (plot.py) and not for judging a run: it hands out what the solver wrote, in SI units, and computes
+nothing anew.
 """
 
 import functools
 import json
 import tomllib
+import typing
+import warnings
 from pathlib import Path
 
 import numpy as np
 
 from terp.errors import RunError, unknown
 from terp.tables import COLUMN_UNITS, read_table
-from terp.vtkhdf import VtkhdfFile
+from terp.vtkhdf import VtkhdfFile, list_frames
 
-RESULTS, MESH = "results.vtkhdf", "mesh.vtkhdf"
+MESH = "mesh.vtkhdf"
 SAME_PLACE = 1e-9  # distances that differ by less are those of one lattice [m]
 
 
@@ -38,7 +41,8 @@ class Frame:
         return self["x"]
 
     def scalar(self, name):
-        """One number per point, shape [n_points]: a scalar field, a component ("stress.xx"), a vector's magnitude."""
+        """One number per point, shape [n_points]: a scalar field, the component "stress.xx" of a field, or the size of
+        a vector."""
         field, _, component = name.partition(".")
         values = self[field]
         if component:
@@ -57,27 +61,61 @@ class Frame:
 class Mesh:
     """The background mesh, and, of a run with `output.mesh = true`, what it carries."""
 
-    def __init__(self, file):
-        self._file = file
-        self.nodes = file.places(0)  # [m], shape [n_nodes, 2]
-        self.cells = file.cells()    # corners, counter-clockwise, shape [n_cells, 4]
-        self.times = file.times() if file.has_steps() else np.empty(0)  # of its frames [s]: those of the run, or none
+    def __init__(self, file, frames):
+        self.nodes = file.places()  # [m], shape [n_nodes, 2]
+        self.cells = file.cells()   # corners, counter-clockwise, shape [n_cells, 4]
+        self._path = file.path
+        self._frames = frames
+        self.times = np.array([frame.time for frame in frames])  # of its frames [s]: those of the run, or none
 
     @functools.cached_property
     def units(self):
         """{field: unit}, of nodes and cells."""
-        return {**self._file.attributes("PointData", "unit"), **self._file.attributes("CellData", "unit")}
+        if not self._frames:
+            return {}
+        return {**self._frames[0].file.attributes("PointData", "unit"), **self._frames[0].file.attributes("CellData",
+                                                                                                          "unit")}
 
     def field(self, name, k):
         """Field `name` of frame k: "mass" [n_nodes], "velocity" [n_nodes, 3], "pressure" [n_cells]."""
         if name not in self.units:
-            raise unknown(name, sorted(self.units), "field", self._file.path)
-        of_cells = name in self._file.attributes("CellData", "unit")
-        return self._file.values("CellData" if of_cells else "PointData", name, range(len(self.times))[k])
+            raise unknown(name, sorted(self.units), "field", self._path)
+        file = self._frames[k].file
+        return file.values("CellData" if name in file.attributes("CellData", "unit") else "PointData", name)
+
+
+class FrameFile(typing.NamedTuple):
+    """A frame that is there and whose head can be read."""
+
+    file: VtkhdfFile
+    time: float  # [s]
+
+
+def read_frames(folder, kind):
+    """The frames "points" or "mesh" of a run folder. Those that are missing or damaged are left out with a warning."""
+    frames, case, due = [], None, 0
+    for number, path in list_frames(folder, kind).items():
+        for missing in range(due, number):
+            warnings.warn(f"{folder / 'frames'} lacks frame {missing} of the {kind}", stacklevel=3)
+        due = number + 1
+        try:
+            own_number, time, _, own_case = VtkhdfFile(path).head()
+        except RunError as error:
+            warnings.warn(f"left out: {error}", stacklevel=3)
+            continue
+        if own_number != number:
+            warnings.warn(f"left out: {path} is frame {own_number} by what is written in it", stacklevel=3)
+            continue
+        if case not in (None, own_case):
+            raise RunError(f"{path} is of a run of another case than the frames before it")
+        case = own_case
+        frames.append(FrameFile(VtkhdfFile(path), time))
+    return frames
 
 
 class Run:
-    """The results in one run folder. Files are read when first used, and kept until `refresh`."""
+    """The results in one run folder. Each file is read when it is first asked for, and what was read is kept:
+    `refresh` lets go of it, for a run that is still going."""
 
     def __init__(self, folder):
         self.folder = Path(folder)
@@ -99,22 +137,22 @@ class Run:
         """Whether the run reached its end time. A run that is still going, was stopped, or stopped itself, did not."""
         return bool(self.summary.get("finished"))
 
-    # Frames: results.vtkhdf
+    # Frames
 
     @functools.cached_property
     def times(self):
-        """Times of the whole frames [s], shape [n_frames], ascending."""
-        return np.asarray(self._results.times(), dtype=float)
+        """Times of the frames [s], shape [n_frames], ascending. Of a run that is going on, those that are there."""
+        return np.array([frame.time for frame in self._frames])
 
     @functools.cached_property
     def units(self):
-        """{field: unit} of the fields that the file has, and of "x"."""
-        return {"x": "m", **self._results.attributes("PointData", "unit", "-")}
+        """{field: unit} of the fields that the frames have, and of "x"."""
+        return {"x": "m", **self._first_frame.attributes("PointData", "unit", "-")}
 
     @functools.cached_property
     def components(self):
         """{field: names of its components}, e.g. ("xx", "yy", "zz", "xy"); empty for a scalar."""
-        texts = self._results.attributes("PointData", "components")
+        texts = self._first_frame.attributes("PointData", "components")
         return {"x": ("x", "y"), **{name: tuple(text.split()) for name, text in texts.items()}}
 
     @property
@@ -135,7 +173,7 @@ class Run:
     def at(self, time):
         """Index of the frame nearest to `time` [s]; the earlier of two equally near ones."""
         if len(self.times) == 0:
-            raise RunError(f"{self.folder / RESULTS} holds no frame")
+            raise RunError(f"{self.folder} holds no frame")
         if not np.isfinite(time):
             raise ValueError(f"there is no frame at time {time}")
         return int(np.argmin(np.abs(self.times - time)))
@@ -147,7 +185,8 @@ class Run:
         """
         k = self._checked_index(k)
         self._check_field(name)
-        return self._results.places(k) if name == "x" else self._results.values("PointData", name, k)
+        file = self._frames[k].file
+        return file.places() if name == "x" else file.values("PointData", name)
 
     def series(self, name, row):
         """Field `name` of one material point in all frames, shape [n_frames] or [n_frames, n_components]."""
@@ -157,10 +196,11 @@ class Run:
             raise IndexError(f"{self.folder} has {n} points; there is no row {row}")
         if name == "x":
             return np.array([self.field("x", k)[row] for k in range(len(self))])
-        return self._results.series("PointData", name, row)[:len(self)]
+        return np.array([frame.file.values("PointData", name, row) for frame in self._frames])
 
     def nearest(self, x, y, time=0.0):
-        """Row of the point nearest to (x, y) [m] in the frame nearest to `time` [s]; ties: lower x, then lower y."""
+        """Row of the material point nearest to (x, y) [m] in the frame nearest to `time` [s]; ties: lower x, then
+        lower y."""
         if not np.isfinite([x, y]).all():
             raise ValueError(f"({x}, {y}) is no place")
         places = self.field("x", self.at(time))
@@ -172,7 +212,7 @@ class Run:
         """Column of component `name` in a field, e.g. 3 for "xy" of the stress."""
         self._check_field(field)
         if name not in self.components[field]:
-            raise unknown(name, self.components[field], "component", f"`{field}` in {self.folder / RESULTS}")
+            raise unknown(name, self.components[field], "component", f"`{field}` in {self.folder}")
         return self.components[field].index(name)
 
     # Tables: history.csv, ledger.csv
@@ -225,12 +265,13 @@ class Run:
     @functools.cached_property
     def mesh(self):
         """The background mesh."""
-        return Mesh(VtkhdfFile(self._file(MESH)))
+        return Mesh(VtkhdfFile(self._file(MESH)), read_frames(self.folder, "mesh"))
 
     def unit(self, name):
-        """Unit of a field, a component or a column of the tables, e.g. "Pa"; "-" where it has none."""
+        """Unit of a field or of a column of the tables, e.g. "Pa"; "-" where it has none. "stress.xx" has that of
+        "stress"."""
         name = name.partition(".")[0]
-        units = {**COLUMN_UNITS, **(self.units if (self.folder / RESULTS).is_file() else {})}
+        units = {**COLUMN_UNITS, **(self.units if (self.folder / "frames").is_dir() else {})}
         if name not in units:
             raise unknown(name, sorted(units), "field or column", self.folder)
         return units[name]
@@ -243,13 +284,25 @@ class Run:
             raise RunError(f"{self.folder} has no {name}; is it the folder of a run, and has that run begun?")
         return path
 
+    @functools.cached_property
+    def _frames(self):
+        if (self.folder / "results.vtkhdf").exists():
+            raise RunError(f"{self.folder / 'results.vtkhdf'} holds all frames of a run of an earlier terp (VTKHDF "
+                           "2.0); this one reads one file per frame (VTKHDF 1.0): read it with the terp that wrote it")
+        if not (self.folder / "frames").is_dir():
+            raise RunError(f"{self.folder} has no frames; is it the folder of a run, and has that run begun?")
+        return read_frames(self.folder, "points")
+
     @property
-    def _results(self):
-        return VtkhdfFile(self._file(RESULTS))
+    def _first_frame(self):
+        if not self._frames:
+            raise RunError(f"{self.folder} holds no frame that can be read; is it the folder of a run, and has "
+                           "that run begun?")
+        return self._frames[0].file
 
     def _check_field(self, name):
         if name not in self.units:
-            raise unknown(name, self.fields, "field", self.folder / RESULTS)
+            raise unknown(name, self.fields, "field", self.folder)
 
     def _checked_index(self, k):
         n = len(self.times)

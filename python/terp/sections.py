@@ -123,7 +123,7 @@ def main(arguments=None):
     parser.add_argument("-o", "--output", required=True, metavar="FILE",
                         help="where the figure goes, without extension")
     parser.add_argument("--field", default="eps_eq_p",
-                        help="a field in results.vtkhdf, or a component: stress.yy (default: eps_eq_p)")
+                        help="a field of the frames, or a component: stress.yy (default: eps_eq_p)")
     parser.add_argument("--times", nargs="+", type=float, help="times in s (default: first, middle and last frame)")
     parser.add_argument("--window", nargs=4, type=float, metavar=("X0", "Y0", "X1", "Y1"),
                         help="part to draw in m (default: all)")

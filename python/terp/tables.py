@@ -13,7 +13,7 @@ COLUMN_UNITS = {
     "front_left_x": "m", "crest_left_x": "m", "crest_left_y": "m", "moved_volume": "m^2", "v_max": "m/s",
     "v_999": "m/s",
 }
-"""Unit of each column; "per m" is per metre of thickness. The fields of results.vtkhdf carry their own units."""
+"""Unit of each column; "per m" is per metre of thickness. The fields of the frames carry their own units."""
 
 TEXT_COLUMNS = {"point"}
 INTEGER_COLUMNS = {"id", "step", "clamped", "left"}

@@ -62,22 +62,22 @@ Document parse_document(const std::string& text, const std::string& path)
   }
 }
 
-/// The text that stands for the whole case, read from any folder: the user's own, or written anew if anything was
-/// changed by --set or names a file beside it.
-std::string text_for_the_record(
-    const Document& document, const std::string& folder, const std::vector<std::string>& overrides)
+/// The text that stands for the whole case in a run folder: the user's own, or written anew if anything was changed by
+/// --set or if a file has another name there.
+std::string text_for_the_record(const Document& document, std::vector<InputFile>& inputs, const std::string& folder,
+    const std::vector<std::string>& overrides)
 {
   Node root = document.root;
-  const bool moved = make_files_absolute(root, folder);
-  if (!moved && overrides.empty()) return document.text;
-  std::string head =
-      fmt::format("# {}, {}\n", document.path, overrides.empty() ? "with the full names of its files" : "changed by");
+  const bool renamed = name_copies(root, folder, inputs);
+  if (!renamed && overrides.empty()) return document.text;
+  std::string head = fmt::format(
+      "# {}, {}\n", document.path, overrides.empty() ? "with copies of the files that it names" : "changed by");
   for (std::string change : overrides) {
     std::replace_if(
         change.begin(), change.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
     head += "#   --set " + change + '\n';
   }
-  if (moved && !overrides.empty()) head += "# and with the full names of its files\n";
+  if (renamed && !overrides.empty()) head += "# and with copies of the files that it names\n";
   return head + '\n' + write_toml(root);
 }
 
@@ -116,7 +116,7 @@ CaseFile read_case_text(const std::string& text, const std::string& path, const 
   file.warnings = findings.warnings;  // shown with errors too: a wrong unit is often what an error comes from
   if (!findings.problems.empty()) throw CaseError(render_warnings(file) + render(findings.problems, file));
   turn_counter_clockwise(file.values.mesh);  // not before: messages speak of the edges as the user counts them
-  file.text = text_for_the_record(file.source, file.values.folder, overrides);
+  file.text = text_for_the_record(file.source, file.inputs, file.values.folder, overrides);
   return file;
 }
 

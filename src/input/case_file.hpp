@@ -5,6 +5,7 @@
 #include "base/errors.hpp"
 #include "input/document.hpp"
 #include "simulation/case.hpp"
+#include "simulation/input_file.hpp"
 
 #include <stdexcept>
 #include <string>
@@ -15,7 +16,8 @@ namespace terp {
 struct CaseFile {
   Case values;
   std::string path;  ///< as the user wrote it
-  std::string text;  ///< TOML of the case as it runs, with every --set and full names of files, for the record
+  std::string text;  ///< TOML of the case as it runs, with every --set, and the files that it names beside it
+  std::vector<InputFile> inputs;  ///< those files, and what they are called there
   std::vector<Problem> warnings;  ///< doubtful, but it may run
   Document source;                ///< what the user wrote, and where
   std::string run;                ///< folder of the run, which warnings name; empty: none

@@ -53,10 +53,7 @@ void check_damping(const Case& values, Problems& warnings)
 }
 
 /// The rate of softening with strain, as the law's table declares it.
-bool is_softening_rate(const ParameterInfo& info)
-{
-  return info.unit == "-" && info.strain_exponent == 1.0;
-}
+bool is_softening_rate(const ParameterInfo& info) { return info.unit == "-" && info.strain_exponent == 1.0; }
 
 /// A residual strength (a strength whose default is another one, its peak) that is never reached, as the rate of
 /// softening is zero.

@@ -39,7 +39,7 @@ const std::vector<SectionInfo>& all_sections()
           "most 8"},
       {"method", "numerical choices; the defaults suit soil that fails (docs/methods.md)"},
       {"output", "what is written, and when"},
-      {"output.fields", "fields of all material points: results.vtkhdf"},
+      {"output.fields", "fields of all material points in the frames"},
       {"output.history", "named points over time: history.csv"},
       {"output.ledger", "balances over time: ledger.csv"},
       {"output.checkpoint", "files to resume from"},

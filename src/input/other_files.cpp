@@ -1,6 +1,7 @@
 #include "input/other_files.hpp"
 
 #include "input/closest.hpp"
+#include "simulation/case.hpp"
 
 #include <fmt/format.h>
 
@@ -49,6 +50,14 @@ fs::path absolute_path(const std::string& folder, const std::string& name)
   return error ? path : real;
 }
 
+/// The ending says how a mesh file is read; one that says nothing is taken for gmsh's.
+std::string copy_of_mesh(const std::string& path)
+{
+  const std::string name = "mesh" + fs::path(path).extension().string();
+  const bool known = std::find(std::begin(mesh_copies), std::end(mesh_copies), name) != std::end(mesh_copies);
+  return known ? name : std::string(mesh_copies[0]);
+}
+
 }  // namespace
 
 void check_files(const Node& root, const std::string& folder, std::vector<Problem>& problems)
@@ -67,13 +76,15 @@ void check_files(const Node& root, const std::string& folder, std::vector<Proble
   }
 }
 
-bool make_files_absolute(Node& root, const std::string& folder)
+bool name_copies(Node& root, const std::string& folder, std::vector<InputFile>& files)
 {
   bool changed = false;
+  int n_tables = 0;
   for (const auto& [path, node] : find_file_keys(root)) {
-    if (fs::path(node->text).is_absolute()) continue;
-    node->text = absolute_path(folder, node->text).string();
-    changed = true;
+    const std::string copy = path == "mesh.file" ? copy_of_mesh(node->text) : fmt::format("points_{}.csv", ++n_tables);
+    files.push_back({path_of(folder, node->text), copy});
+    changed |= node->text != copy;
+    node->text = copy;
   }
   return changed;
 }

@@ -4,6 +4,7 @@
 
 #include "base/errors.hpp"
 #include "input/document.hpp"
+#include "simulation/input_file.hpp"
 
 #include <string>
 #include <vector>
@@ -13,8 +14,8 @@ namespace terp {
 /// Adds a problem for each file that is not there or cannot be read. folder: that of the case file.
 void check_files(const Node& root, const std::string& folder, std::vector<Problem>& problems);
 
-/// Writes relative names as absolute ones, so that the case reads the same from any folder. True if there were any.
-bool make_files_absolute(Node& root, const std::string& folder);
+/// Names the files as their copies in a run folder are called, and lists them. True if a name changed.
+bool name_copies(Node& root, const std::string& folder, std::vector<InputFile>& files);
 
 /// A file in the same folder with that ending and a name much like it; empty if there is none.
 std::string similar_file(const std::string& path, const std::string& ending);

@@ -96,7 +96,8 @@ struct MohrCoulomb {
       with_usual(stress_info("cohesion", 8e3, "cohesion c, at its peak"), between(10.0, 1e7)),
       with_usual(angle_info("friction_angle", 30.0, "friction angle phi, at its peak"), usual_friction),
       with_usual(
-          with_default(angle_info("dilatancy_angle", 8.0, "dilatancy angle psi, at its peak; at most friction_angle"), 0.0),
+          with_default(
+              angle_info("dilatancy_angle", 8.0, "dilatancy angle psi, at its peak; at most friction_angle"), 0.0),
           usual_dilatancy),
       with_default(stress_info("tension_cutoff", 5e3,
                        "largest principal stress; never above the apex c cot(phi), which is the limit without it"),

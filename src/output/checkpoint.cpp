@@ -22,7 +22,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the checksum is over little-endian bytes");
 
-constexpr std::int64_t format_version = 5, first_with_tables = 5, first_with_case = 4, oldest_read = 3;
+constexpr std::int64_t format_version = 6;
 const std::string format_name = "terp checkpoint";
 const std::string arrays = "/arrays", case_place = "/case", tables_place = "/tables";
 
@@ -92,15 +92,16 @@ void write_head(Hdf5File& file, const StateImage& part, const std::string& case_
   file.create_group(arrays);
 }
 
-/// The version of the file's format. Throws unless the file is a checkpoint that this version of Terp reads.
-std::int64_t check_format(const Hdf5File& file, const std::string& path)
+/// Throws unless the file is a checkpoint that this version of Terp reads.
+void check_format(const Hdf5File& file, const std::string& path)
 {
   if (file.text("/", "format") != format_name) throw FileError(fmt::format("{} is not a checkpoint of Terp", path));
   const std::int64_t version = file.integer("/", "format_version");
-  if (version >= oldest_read && version <= format_version) return version;
-  throw FileError(fmt::format(
-      "cannot read {}: it has checkpoint format {}, written by terp {}; this is terp {}, which reads formats {} to {}",
-      path, version, file.text("/", "terp_version"), TERP_VERSION, oldest_read, format_version));
+  if (version != format_version)
+    throw FileError(
+        fmt::format("cannot read {}: it has checkpoint format {}, written by terp {}; this is terp {}, which reads "
+                    "format {}",
+            path, version, file.text("/", "terp_version"), TERP_VERSION, format_version));
 }
 
 /// The bytes of a file that nothing accounts for yet. A checkpoint is not compressed: what says that it holds more
@@ -177,17 +178,8 @@ std::uint64_t checksum_of(const StateImage& image)
 }
 
 CheckpointWriter::CheckpointWriter(std::string path, std::string case_record, std::string tables)
-    : path_(std::move(path)),
-      temporary_(temporary_name(path_)),
-      case_record_(std::move(case_record)),
-      tables_(std::move(tables))
+    : path_(std::move(path)), place_(path_), case_record_(std::move(case_record)), tables_(std::move(tables))
 {
-}
-
-CheckpointWriter::~CheckpointWriter()
-{
-  std::error_code ignored;
-  if (!temporary_.empty()) std::filesystem::remove(temporary_, ignored);
 }
 
 void CheckpointWriter::check_complete() const
@@ -213,7 +205,7 @@ void CheckpointWriter::enter(const NamedArray& array)
 
 void CheckpointWriter::write_part(const StateImage& part)
 {
-  Hdf5File file(temporary_, part.part == 0 ? Hdf5File::Mode::create : Hdf5File::Mode::change,
+  Hdf5File file(place_.name(), part.part == 0 ? Hdf5File::Mode::create : Hdf5File::Mode::change,
       largest_size(part) + std::ssize(case_record_));
   if (part.part == 0) write_head(file, part, case_record_, tables_);
   for (const auto& array : part.arrays) {
@@ -233,8 +225,7 @@ void CheckpointWriter::append(const StateImage& part)
 {
   write_part(part);
   if (!part.last) return;
-  move_into_place(temporary_, path_);
-  temporary_.clear();
+  place_.move_into_place();
 }
 
 void write_checkpoint(const std::string& path, const StateImage& image)
@@ -245,13 +236,13 @@ void write_checkpoint(const std::string& path, const StateImage& image)
 StateImage read_checkpoint(const std::string& path)
 {
   const Hdf5File file(path, Hdf5File::Mode::read);
-  const std::int64_t version = check_format(file, path);
+  check_format(file, path);
   StateImage image;
   image.time = file.real("/", "time");
   image.step = file.integer("/", "step");
   Room room(path);
-  if (version >= first_with_case) image.case_record = read_text(file, case_place, room);
-  if (version >= first_with_tables) image.tables = read_text(file, tables_place, room);
+  image.case_record = read_text(file, case_place, room);
+  image.tables = read_text(file, tables_place, room);
   for (const auto& name : split_names(file.text(arrays, "names"))) image.arrays.push_back(read_array(file, name, room));
   if (fmt::format("{:016x}", checksum_of(image)) != file.text("/", "checksum")) {
     throw FileError(fmt::format("cannot use {}: its checksum does not match; the file was altered or damaged", path));

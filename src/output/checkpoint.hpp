@@ -3,6 +3,7 @@
 #pragma once
 
 #include "output/checksum.hpp"
+#include "output/files.hpp"
 #include "simulation/observer.hpp"
 
 #include <optional>
@@ -17,10 +18,6 @@ class CheckpointWriter {
  public:
   /// case_record: what the run began with; tables: what its tables hold. Kept as they are; may be empty.
   explicit CheckpointWriter(std::string path, std::string case_record = {}, std::string tables = {});
-  /// Without the last part there will be no checkpoint.
-  ~CheckpointWriter();
-  CheckpointWriter(const CheckpointWriter&) = delete;
-  CheckpointWriter& operator=(const CheckpointWriter&) = delete;
 
   /// The parts of an image in their order; the last ends the checkpoint.
   void append(const StateImage& part);
@@ -30,7 +27,9 @@ class CheckpointWriter {
   void enter(const NamedArray& array);
   void check_complete() const;
 
-  std::string path_, temporary_, case_record_, tables_, names_;
+  std::string path_;
+  TemporaryFile place_;  // removed if the last part does not come
+  std::string case_record_, tables_, names_;
   std::string array_;                            // the newest
   std::int64_t n_written_ = 0, n_expected_ = 0;  // values of it
   Fnv1a checksum_;

@@ -1,5 +1,5 @@
 // Compressed bytes, their checksum, and bytes as text. Only compress.cpp includes zlib.
-// Not for: the compression inside results.vtkhdf, which is HDF5's own.
+// Not for: the compression inside HDF5 files, which is HDF5's own.
 #pragma once
 
 #include <cstdint>

@@ -59,6 +59,11 @@ void check_is_file(const std::string& path)
       std::filesystem::is_directory(status) ? "folder" : "pipe or device"));
 }
 
+void check_readable(const std::string& path)
+{
+  if (::access(path.c_str(), R_OK) != 0) throw_file_error("read", path, errno);
+}
+
 std::string read_file(const std::string& path)
 {
   check_is_file(path);
@@ -69,34 +74,28 @@ std::string read_file(const std::string& path)
   return text;
 }
 
-void write_whole(const std::string& path, const std::function<void(const std::string&)>& write)
+TemporaryFile::~TemporaryFile()
 {
-  const std::string temporary = temporary_name(path);
-  try {
-    write(temporary);
-    move_into_place(temporary, path);
-  } catch (...) {
-    ::unlink(temporary.c_str());
-    throw;
-  }
+  if (!name_.empty()) ::unlink(name_.c_str());
 }
 
-void move_into_place(const std::string& temporary, const std::string& path)
+void TemporaryFile::move_into_place()
 {
-  sync_to_disk(temporary);
-  if (::rename(temporary.c_str(), path.c_str()) != 0) throw_file_error("write", path, errno);
-  sync_to_disk(folder_of(path));
+  sync_to_disk(name_);
+  if (::rename(name_.c_str(), path_.c_str()) != 0) throw_file_error("write", path_, errno);
+  name_.clear();
+  sync_to_disk(folder_of(path_));
 }
 
 void write_file_atomically(const std::string& path, std::string_view text)
 {
-  write_whole(path, [&](const std::string& temporary) {
-    const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (descriptor < 0) throw_file_error("write", path, errno);
-    int error = write_all(descriptor, text);
-    if (::close(descriptor) != 0 && error == 0) error = errno;
-    if (error != 0) throw_file_error("write", path, error);
-  });
+  TemporaryFile file(path);
+  const int descriptor = ::open(file.name().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor < 0) throw_file_error("write", path, errno);
+  int error = write_all(descriptor, text);
+  if (::close(descriptor) != 0 && error == 0) error = errno;
+  if (error != 0) throw_file_error("write", path, error);
+  file.move_into_place();
 }
 
 void sync_to_disk(const std::string& path)

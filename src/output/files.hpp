@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace terp {
 
@@ -18,6 +18,9 @@ void make_folder(const std::string& folder);
 /// Throws FileError if a folder, pipe or device stands in the place of a file: a pipe would be waited for without end.
 void check_is_file(const std::string& path);
 
+/// Throws FileError with the system's reason if a file may not be read, as for want of permission.
+void check_readable(const std::string& path);
+
 /// The whole content of a file.
 std::string read_file(const std::string& path);
 
@@ -27,12 +30,27 @@ void write_file_atomically(const std::string& path, std::string_view text);
 /// The name under which a file is written before it is moved to `path`.
 std::string temporary_name(const std::string& path);
 
-/// Lets `write` make a file under a temporary name, then moves it into place: it is there whole, or not at all,
-/// even after a power cut. If `write` throws, the temporary file is removed.
-void write_whole(const std::string& path, const std::function<void(const std::string& temporary)>& write);
+/// A file that is written under a temporary name and then moved to its own: it is there whole, or not at all, even
+/// after a power cut. Without `move_into_place` the destructor removes what was written.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(std::string path) : path_(std::move(path)), name_(temporary_name(path_)) {}
+  ~TemporaryFile();
+  TemporaryFile(TemporaryFile&& other) noexcept : path_(std::move(other.path_)), name_(std::exchange(other.name_, {}))
+  {
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(TemporaryFile&&) = delete;
 
-/// Moves a file that was written under `temporary_name(path)` to its name, on the disk for good.
-void move_into_place(const std::string& temporary, const std::string& path);
+  const std::string& name() const { return name_; }
+
+  /// The file must be closed. Returns when it is on the disk under its own name.
+  void move_into_place();
+
+ private:
+  std::string path_, name_;
+};
 
 /// Waits until a file or folder is on the disk.
 void sync_to_disk(const std::string& path);

@@ -2,9 +2,7 @@
 #include "output/hdf5_file.hpp"
 
 #include "base/errors.hpp"
-#include "output/committed_file.hpp"
 #include "output/files.hpp"
-#include "output/hdf5_driver.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -81,8 +79,10 @@ hid_t memory_type()
 }
 
 template <class T>
-hid_t disk_type()
+hid_t disk_type(Hdf5File::Number number)
 {
+  if (number == Hdf5File::Number::float32) return H5T_IEEE_F32LE;
+  if (number == Hdf5File::Number::int32) return H5T_STD_I32LE;
   if constexpr (std::is_same_v<T, Real>) return H5T_IEEE_F64LE;
   if constexpr (std::is_same_v<T, std::int64_t>) return H5T_STD_I64LE;
   if constexpr (std::is_same_v<T, std::uint8_t>) return H5T_STD_U8LE;
@@ -116,15 +116,6 @@ Id open_dataset(hid_t file, const std::string& path, const std::string& name)
   if (H5Pget_layout(properties) == H5D_VIRTUAL || H5Pget_external_count(properties) > 0)
     refuse(path, name, "its values are in another file");
   return dataset;
-}
-
-/// Rows and columns of a table; 1 column where it has one dimension.
-std::pair<std::int64_t, hsize_t> size_of_table(
-    const std::vector<hsize_t>& extent, const std::string& path, const std::string& name)
-{
-  if (extent.empty() || extent.size() > 2 || (extent.size() == 2 && extent[1] == 0))
-    refuse(path, name, "it is no table");
-  return {static_cast<std::int64_t>(extent[0]), extent.size() == 2 ? extent[1] : 1};
 }
 
 /// Most values that one stored value can stand for: deflate shrinks 1032 times at best, what is not compressed does not
@@ -173,26 +164,48 @@ Id open_to_read(hid_t file, std::size_t n_bytes_in_memory, const std::string& pa
   return dataset;
 }
 
-/// Opens an attribute for writing. One that is there is written in place if its type and size are the same.
-Id make_attribute(hid_t object, const std::string& name, hid_t type, hid_t space)
+/// One that is there already is replaced.
+Id make_attribute(hid_t object, const std::string& path, const std::string& name, hid_t type, hid_t space)
 {
-  if (H5Aexists(object, name.c_str()) > 0) {
-    Id there{H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose};
-    const bool same_type = H5Tequal(Id{H5Aget_type(there), H5Tclose}, type) > 0;
-    if (same_type && H5Sextent_equal(Id{H5Aget_space(there), H5Sclose}, space) > 0) return there;
-    H5Adelete(object, name.c_str());
-  }
-  return {H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose};
+  if (H5Aexists(object, name.c_str()) > 0) H5Adelete(object, name.c_str());
+  return {
+      checked(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), "write", path, name), H5Aclose};
 }
 
-/// File access: no lock; metadata with checksums (format of HDF5 1.8), so that a damaged file is noticed on opening.
+/// File access: no lock; the format of HDF5 1.10, in which all metadata carry checksums, so that a damaged file is
+/// noticed.
 Id access_properties()
 {
   Id access{H5Pcreate(H5P_FILE_ACCESS), H5Pclose};
   H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
   H5Pset_file_locking(access, false, true);
-  H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_LATEST);
+  H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_LATEST);
   return access;
+}
+
+/// Properties of a new file, group or dataset: without the time at which it is made.
+Id without_time(hid_t what)
+{
+  Id properties{H5Pcreate(what), H5Pclose};
+  H5Pset_obj_track_times(properties, false);
+  return properties;
+}
+
+/// Chunks of about equal size that fill the dataset, each at most HDF5's default chunk cache.
+void set_chunks(hid_t properties, const std::vector<std::int64_t>& shape)
+{
+  constexpr hsize_t chunk_bytes = 1 << 20;
+  constexpr unsigned compression = 1;  // level 3: half a per cent smaller, a quarter slower (docs/formats.md)
+  const hsize_t n_rows = static_cast<hsize_t>(shape.at(0));
+  hsize_t row_bytes = sizeof(Real);
+  for (std::size_t k = 1; k < shape.size(); ++k) row_bytes *= static_cast<hsize_t>(shape[k]);
+  const hsize_t n_chunks = n_rows * row_bytes / chunk_bytes + 1;
+  std::vector<hsize_t> chunk = to_hsize(shape);
+  chunk[0] = std::max<hsize_t>(1, (n_rows + n_chunks - 1) / n_chunks);
+  H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
+  H5Pset_shuffle(properties);
+  H5Pset_deflate(properties, compression);
+  H5Pset_fletcher32(properties);
 }
 
 /// A file with nothing in it, on a disk that has room for n_reserved bytes.
@@ -203,7 +216,7 @@ void make_empty(const std::string& path, std::int64_t n_reserved)
     reserve_space(path, n_reserved);
   }
   const Id access = access_properties();
-  Id made{H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose};
+  Id made{H5Fcreate(path.c_str(), H5F_ACC_TRUNC, without_time(H5P_FILE_CREATE), access), H5Fclose};
   checked<hid_t>(made, "write", path);
   checked(made.close(), "write", path);
 }
@@ -215,17 +228,6 @@ hid_t open_existing(const std::string& path, bool change)
       H5Fopen(path.c_str(), change ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access), change ? "change" : "read", path);
 }
 
-/// A file that keeps its old content until it is closed.
-hid_t open_committed(const std::string& path, std::int64_t n_reserved)
-{
-  finish_commit(path);
-  const Id access = access_properties();
-  use_committed_driver(access);
-  Id file{checked(H5Fopen(path.c_str(), H5F_ACC_RDWR, access), "change", path), H5Fclose};
-  start_changes(file, n_reserved);
-  return file.release();
-}
-
 hid_t open_file(const std::string& path, Hdf5File::Mode mode, std::int64_t n_reserved)
 {
   static const herr_t without_exit_handler =
@@ -235,7 +237,6 @@ hid_t open_file(const std::string& path, Hdf5File::Mode mode, std::int64_t n_res
   static_cast<void>(without_links_to_other_files);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are thrown, not printed
   if (mode != Hdf5File::Mode::create) check_is_file(path);
-  if (mode == Hdf5File::Mode::commit) return open_committed(path, n_reserved);
   if (mode == Hdf5File::Mode::create) make_empty(path, n_reserved);
   if (n_reserved > 0) reserve_space(path, n_reserved);
   return open_existing(path, mode != Hdf5File::Mode::read);
@@ -244,7 +245,7 @@ hid_t open_file(const std::string& path, Hdf5File::Mode mode, std::int64_t n_res
 }  // namespace
 
 Hdf5File::Hdf5File(std::string path, Mode mode, std::int64_t n_reserved)
-    : path_(std::move(path)), mode_(mode), file_(open_file(path_, mode, n_reserved))
+    : path_(std::move(path)), file_(open_file(path_, mode, n_reserved))
 {
 }
 
@@ -253,20 +254,23 @@ Hdf5File::~Hdf5File()
   if (file_ >= 0) H5Fclose(file_);
 }
 
-void Hdf5File::flush() { checked(H5Fflush(file_, H5F_SCOPE_LOCAL), "write", path_); }
-
 void Hdf5File::close()
 {
-  flush();
-  if (mode_ == Mode::commit) commit_on_close(file_);
-  const hid_t file = file_;
-  file_ = -1;
+  checked(H5Fflush(file_, H5F_SCOPE_LOCAL), "write", path_);
+  const hid_t file = std::exchange(file_, -1);
   checked(H5Fclose(file), "write", path_);
+}
+
+void Hdf5File::make_group_of(const std::string& name)
+{
+  const std::string group = name.substr(0, name.rfind('/'));
+  if (!group.empty() && group != name && !exists(group)) create_group(group);
 }
 
 void Hdf5File::create_group(const std::string& name)
 {
-  const Id properties{H5Pcreate(H5P_GROUP_CREATE), H5Pclose};
+  make_group_of(name);
+  const Id properties = without_time(H5P_GROUP_CREATE);
   H5Pset_link_creation_order(properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
   const Id group{H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, properties, H5P_DEFAULT), H5Gclose};
   checked<hid_t>(group, "create", path_, name);
@@ -287,60 +291,15 @@ std::vector<std::string> Hdf5File::members(const std::string& group) const
 }
 
 template <class T>
-void Hdf5File::create_table(const std::string& name, const TableLayout& layout)
+void Hdf5File::write(const std::string& name, const std::vector<std::int64_t>& shape, std::span<const T> values,
+    std::int64_t first_row, Layout layout)
 {
-  const int rank = layout.n_columns == 0 ? 1 : 2;
-  const auto n_columns = static_cast<hsize_t>(layout.n_columns);
-  const hsize_t start[] = {0, n_columns};
-  const hsize_t limit[] = {H5S_UNLIMITED, n_columns};
-  const hsize_t chunk[] = {static_cast<hsize_t>(std::max<std::int64_t>(1, layout.chunk_rows)), n_columns};
-  const Id space{H5Screate_simple(rank, start, limit), H5Sclose};
-  const Id properties{H5Pcreate(H5P_DATASET_CREATE), H5Pclose};
-  H5Pset_chunk(properties, rank, chunk);
-  if (layout.compression > 0) {
-    H5Pset_shuffle(properties);
-    H5Pset_deflate(properties, static_cast<unsigned>(layout.compression));
-  }
-  Id table{H5Dcreate2(file_, name.c_str(), disk_type<T>(), space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose};
-  checked<hid_t>(table, "create", path_, name);
-  finish(table, path_, name);
-}
-
-template <class T>
-void Hdf5File::write_rows(const std::string& name, std::int64_t first_row, std::span<const T> values)
-{
-  Id table = open_dataset(file_, path_, name);
-  std::vector<hsize_t> count = extent_of(Id{H5Dget_space(table), H5Sclose});
-  count[0] = values.size() / size_of_table(count, path_, name).second;
-  std::vector<hsize_t> extent = count, start(count.size(), 0);
-  start[0] = static_cast<hsize_t>(first_row);
-  extent[0] = start[0] + count[0];
-  checked(H5Dset_extent(table, extent.data()), "extend", path_, name);
-  const Id space{H5Dget_space(table), H5Sclose};
-  H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
-  const Id memory = make_space(count);
-  checked(H5Dwrite(table, memory_type<T>(), memory, space, H5P_DEFAULT, values.data()), "write", path_, name);
-  finish(table, path_, name);
-}
-
-void Hdf5File::cut_rows(const std::string& name, std::int64_t n_rows)
-{
-  Id table = open_dataset(file_, path_, name);
-  std::vector<hsize_t> extent = extent_of(Id{H5Dget_space(table), H5Sclose});
-  extent[0] = static_cast<hsize_t>(std::min(size_of_table(extent, path_, name).first, n_rows));
-  checked(H5Dset_extent(table, extent.data()), "cut", path_, name);
-  finish(table, path_, name);
-}
-
-template <class T>
-void Hdf5File::write(
-    const std::string& name, const std::vector<std::int64_t>& shape, std::span<const T> values, std::int64_t first_row)
-{
-  const Id links{H5Pcreate(H5P_LINK_CREATE), H5Pclose};
-  H5Pset_create_intermediate_group(links, 1);
   const auto make = [&] {
-    return H5Dcreate2(
-        file_, name.c_str(), disk_type<T>(), make_space(to_hsize(shape)), links, H5P_DEFAULT, H5P_DEFAULT);
+    make_group_of(name);
+    const Id properties = without_time(H5P_DATASET_CREATE);
+    if (layout.packed) set_chunks(properties, shape);
+    return H5Dcreate2(file_, name.c_str(), disk_type<T>(layout.number), make_space(to_hsize(shape)), H5P_DEFAULT,
+        properties, H5P_DEFAULT);
   };
   Id dataset = first_row == 0 ? Id{checked(make(), "create", path_, name), H5Dclose} : open_dataset(file_, path_, name);
   const Id space{H5Dget_space(dataset), H5Sclose};
@@ -365,23 +324,23 @@ std::vector<T> Hdf5File::read(const std::string& name) const
   return values;
 }
 
-template <class T>
-std::vector<T> Hdf5File::read_rows(const std::string& name, std::int64_t first_row, std::int64_t n_rows) const
+void Hdf5File::check_values() const
 {
-  const Id table = open_to_read(file_, sizeof(T), path_, name);
-  const Id space{H5Dget_space(table), H5Sclose};
-  std::vector<hsize_t> count = extent_of(space), start(count.size(), 0);
-  const auto [n_there, n_columns] = size_of_table(count, path_, name);
-  if (first_row < 0 || n_rows < 0 || n_rows > n_there - first_row)
-    throw FileError(fmt::format(
-        "cannot read rows {} to {} of {} in {}: it has {}", first_row, first_row + n_rows - 1, name, path_, n_there));
-  start[0] = static_cast<hsize_t>(first_row);
-  count[0] = static_cast<hsize_t>(n_rows);
-  H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
-  const Id memory = make_space(count);
-  std::vector<T> values(static_cast<std::size_t>(n_rows) * n_columns);
-  checked(H5Dread(table, memory_type<T>(), memory, space, H5P_DEFAULT, values.data()), "read", path_, name);
-  return values;
+  std::vector<std::string> names;
+  const auto add = [](hid_t, const char* name, const H5O_info_t* info, void* list) -> herr_t {
+    if (info->type == H5O_TYPE_DATASET) static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    return 0;
+  };
+  checked(H5Ovisit2(file_, H5_INDEX_NAME, H5_ITER_INC, add, &names, H5O_INFO_BASIC), "list", path_);
+  std::vector<unsigned char> values;
+  for (const std::string& name : names) {
+    const Id dataset = open_to_read(file_, 1, path_, name);
+    const Id type{H5Dget_type(dataset), H5Tclose}, space{H5Dget_space(dataset), H5Sclose};
+    if (H5Tdetect_class(type, H5T_VLEN) > 0 || H5Tis_variable_str(type) > 0) refuse(path_, name, "it is no array");
+    values.resize(static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space), "read", path_, name)) *
+                  H5Tget_size(type));
+    checked(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read", path_, name);
+  }
 }
 
 std::vector<std::int64_t> Hdf5File::shape(const std::string& name) const
@@ -403,14 +362,14 @@ void Hdf5File::set_text(const std::string& object, const std::string& attribute,
   const Id type{H5Tcopy(H5T_C_S1), H5Tclose};  // ASCII, fixed length
   H5Tset_size(type, std::max<std::size_t>(1, value.size()));
   H5Tset_strpad(type, H5T_STR_NULLPAD);
-  const Id made = make_attribute(opened, attribute, type, Id{H5Screate(H5S_SCALAR), H5Sclose});
+  const Id made = make_attribute(opened, path_, attribute, type, Id{H5Screate(H5S_SCALAR), H5Sclose});
   checked(H5Awrite(made, type, value.c_str()), "write", path_, attribute);
 }
 
 void Hdf5File::set_real(const std::string& object, const std::string& attribute, Real value)
 {
   const Id opened{checked(H5Oopen(file_, object.c_str(), H5P_DEFAULT), "open", path_, object), H5Oclose};
-  const Id made = make_attribute(opened, attribute, H5T_IEEE_F64LE, Id{H5Screate(H5S_SCALAR), H5Sclose});
+  const Id made = make_attribute(opened, path_, attribute, H5T_IEEE_F64LE, Id{H5Screate(H5S_SCALAR), H5Sclose});
   checked(H5Awrite(made, H5T_NATIVE_DOUBLE, &value), "write", path_, attribute);
 }
 
@@ -419,7 +378,7 @@ void Hdf5File::set_integers(
 {
   const Id opened{checked(H5Oopen(file_, object.c_str(), H5P_DEFAULT), "open", path_, object), H5Oclose};
   const Id space = values.size() == 1 ? make_space({}) : make_space({values.size()});
-  const Id made = make_attribute(opened, attribute, H5T_STD_I64LE, space);
+  const Id made = make_attribute(opened, path_, attribute, H5T_STD_I64LE, space);
   checked(H5Awrite(made, H5T_NATIVE_INT64, values.data()), "write", path_, attribute);
 }
 
@@ -485,13 +444,10 @@ std::int64_t Hdf5File::integer(const std::string& object, const std::string& att
   return read_single<std::int64_t>(file_, path_, object, attribute);
 }
 
-#define TERP_HDF5_TYPE(T)                                                                      \
-  template void Hdf5File::create_table<T>(const std::string&, const TableLayout&);             \
-  template void Hdf5File::write_rows<T>(const std::string&, std::int64_t, std::span<const T>); \
-  template void Hdf5File::write<T>(                                                            \
-      const std::string&, const std::vector<std::int64_t>&, std::span<const T>, std::int64_t); \
-  template std::vector<T> Hdf5File::read<T>(const std::string&) const;                         \
-  template std::vector<T> Hdf5File::read_rows<T>(const std::string&, std::int64_t, std::int64_t) const;
+#define TERP_HDF5_TYPE(T)                                                                              \
+  template void Hdf5File::write<T>(                                                                    \
+      const std::string&, const std::vector<std::int64_t>&, std::span<const T>, std::int64_t, Layout); \
+  template std::vector<T> Hdf5File::read<T>(const std::string&) const;
 TERP_HDF5_TYPE(Real)
 TERP_HDF5_TYPE(std::int64_t)
 TERP_HDF5_TYPE(std::uint8_t)

@@ -18,12 +18,11 @@ namespace terp {
 /// that claims more values than the file can hold, or keeps them in another file, throw as well. Links to other files
 /// are not followed.
 ///
-/// The file is not locked, so that it can be looked at while a run writes it. One that is opened with Mode::commit is
-/// left with the old content or the new, whatever happens (committed_file.hpp).
+/// The file is not locked, so that it can be looked at while a run writes it. No time stamps are stored: equal content
+/// gives equal bytes.
 class Hdf5File {
  public:
-  /// commit: an existing file that keeps its old content until `close`.
-  enum class Mode { read, create, change, commit };
+  enum class Mode { read, create, change };
 
   /// n_reserved: bytes that are set aside on the disk before anything is written; what is left over goes back on
   /// closing. HDF5 1.10 may lose the whole file, or crash, when it meets a full disk half way.
@@ -32,39 +31,32 @@ class Hdf5File {
   Hdf5File(const Hdf5File&) = delete;
   Hdf5File& operator=(const Hdf5File&) = delete;
 
-  void flush();
-  /// The destructor closes too, but cannot say when that fails (full disk), and drops the changes of Mode::commit.
+  /// The destructor closes too, but cannot report that it fails (full disk).
   void close();
 
+  /// With the groups above it.
   void create_group(const std::string& name);
   bool exists(const std::string& name) const;
   /// Names in a group, in the order of their creation.
   std::vector<std::string> members(const std::string& group) const;
 
-  /// A table grows by rows. n_columns = 0: one-dimensional, shape [n_rows]; else shape [n_rows, n_columns].
-  struct TableLayout {
-    std::int64_t n_columns = 0;
-    std::int64_t chunk_rows = 64;
-    int compression = 0;  ///< deflate level after shuffling bytes; 0: none
+  /// How a dataset lies on the disk. packed: in chunks, compressed (shuffle, deflate) and with a checksum (Fletcher-32)
+  /// that every reader of HDF5 verifies; else as it lies in memory, without a checksum of its own.
+  enum class Number { as_in_memory, float32, int32 };
+  struct Layout {
+    bool packed = false;
+    Number number = Number::as_in_memory;
   };
-  template <class T>
-  void create_table(const std::string& name, const TableLayout& layout);
-  /// Writes rows first_row... and makes them the last of the table.
-  template <class T>
-  void write_rows(const std::string& name, std::int64_t first_row, std::span<const T> values);
-  /// Drops the rows after the first n_rows.
-  void cut_rows(const std::string& name, std::int64_t n_rows);
 
-  /// A dataset that does not grow; groups in its name are made as needed. values: product of shape entries, row-major;
-  /// or fewer rows, and the rest later, from `first_row` on.
+  /// values: product of the entries of shape, row-major; or fewer rows, and the rest later, from `first_row` on. The
+  /// groups in its name are made as needed.
   template <class T>
   void write(const std::string& name, const std::vector<std::int64_t>& shape, std::span<const T> values,
-      std::int64_t first_row = 0);
+      std::int64_t first_row = 0, Layout layout = {});
   template <class T>
   std::vector<T> read(const std::string& name) const;
-  /// Rows first_row ... first_row + n_rows - 1 of a table, row-major. Throws FileError if it has fewer.
-  template <class T>
-  std::vector<T> read_rows(const std::string& name, std::int64_t first_row, std::int64_t n_rows) const;
+  /// Reads every dataset once, so that all checksums are verified. Throws FileError at the first that does not agree.
+  void check_values() const;
   std::vector<std::int64_t> shape(const std::string& name) const;
   /// True for floating-point numbers, false for whole ones.
   bool holds_reals(const std::string& name) const;
@@ -80,8 +72,9 @@ class Hdf5File {
   std::vector<std::int64_t> integers(const std::string& object, const std::string& attribute) const;
 
  private:
+  void make_group_of(const std::string& name);
+
   std::string path_;
-  Mode mode_;
   std::int64_t file_ = -1;  ///< HDF5's identifier
 };
 

@@ -4,6 +4,7 @@
 #include "base/errors.hpp"
 #include "output/files.hpp"
 #include "simulation/run_table.hpp"
+#include "output/frame_files.hpp"
 
 #include <algorithm>
 #include <array>
@@ -44,19 +45,53 @@ bool is_empty_folder(const std::string& folder)
 
 constexpr std::string_view temporary = ".tmp";
 
-/// Removes the files of Terp that `is_meant` names, and no others.
+std::string_view without_temporary(std::string_view name)
+{
+  return name.ends_with(temporary) ? name.substr(0, name.size() - temporary.size()) : name;
+}
+
+bool is_frame(std::string_view file_name)
+{
+  const std::string_view name = without_temporary(file_name);
+  return number_of_frame(point_frames, name) >= 0 || number_of_frame(mesh_frames, name) >= 0;
+}
+
+/// Removes the files of a folder that `is_meant` names, and no others. Links are removed, not followed.
 template <class Meant>
 void remove_files(const std::string& folder, Meant&& is_meant)
 {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
     const bool is_file = entry.is_symlink() || entry.is_regular_file();
-    if (!is_file || !is_written_by_terp(name) || !is_meant(name)) continue;
+    if (!is_file || !is_meant(entry.path().filename().string())) continue;
     fs::remove(entry.path(), error);
     if (error) throw_file_error("remove", entry.path().string(), error.value());
   }
-  if (error) throw_file_error("open", folder, error.value());
+  if (error && error != std::errc::no_such_file_or_directory) throw_file_error("open", folder, error.value());
+}
+
+/// The copies of the files that a case names.
+bool is_copy_of_input(std::string_view name)
+{
+  if (std::find(std::begin(mesh_copies), std::end(mesh_copies), name) != std::end(mesh_copies)) return true;
+  constexpr std::string_view begin = "points_", end = ".csv";
+  return name.starts_with(begin) && name.ends_with(end) && name.size() > begin.size() + end.size() &&
+         std::all_of(name.begin() + begin.size(), name.end() - end.size(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// Names and contents of files.
+using Contents = std::vector<std::pair<std::string, std::string>>;
+
+Contents read_contents(const std::vector<InputFile>& files)
+{
+  Contents contents;
+  for (const InputFile& file : files) contents.emplace_back(file.copy, read_file(file.path));
+  return contents;
+}
+
+void write_contents(const Contents& contents, const std::string& folder)
+{
+  for (const auto& [name, content] : contents) write_file_atomically(path_in(folder, name), content);
 }
 
 }  // namespace
@@ -69,12 +104,11 @@ std::int64_t step_of_checkpoint(std::string_view file_name) { return step_in_nam
 
 bool is_written_by_terp(std::string_view file_name)
 {
-  for (const std::string_view ending : {temporary, std::string_view(".journal")})
-    if (file_name.ends_with(ending)) file_name.remove_suffix(ending.size());
-  constexpr std::array names = {case_file, results_file, mesh_file, summary_file, report_file};
+  file_name = without_temporary(file_name);
+  constexpr std::array names = {case_file, point_frames.index, mesh_frames.index, mesh_file, summary_file, report_file};
   const auto is_table = [&](const auto& table) { return table->file() == file_name; };
   return std::ranges::find(names, file_name) != names.end() || std::ranges::any_of(all_tables(), is_table) ||
-         step_of_checkpoint(file_name) >= 0 || step_in_name(file_name, "failed_") >= 0;
+         is_copy_of_input(file_name) || step_of_checkpoint(file_name) >= 0 || step_in_name(file_name, "failed_") >= 0;
 }
 
 std::string path_in(const std::string& folder, std::string_view file_name)
@@ -82,27 +116,42 @@ std::string path_in(const std::string& folder, std::string_view file_name)
   return (fs::path(folder) / file_name).string();
 }
 
-FolderLock prepare_run_folder(const std::string& folder, bool force)
+void copy_inputs(const std::vector<InputFile>& files, const std::string& folder)
 {
+  write_contents(read_contents(files), folder);
+}
+
+FolderLock prepare_run_folder(const std::string& folder, bool force, const std::vector<InputFile>& inputs)
+{
+  const Contents contents = read_contents(inputs);  // first: they may be those of the run that is replaced
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw_file_error("make the run folder", folder, error.value());
   FolderLock lock(folder);
-  if (is_empty_folder(folder)) return lock;
-  if (!force) {
-    throw FileError(
-        fmt::format("the run folder {0} is not empty\n"
-                    "  Use --force to replace the run in it, -o DIR to write to another folder, or `terp resume {0}` "
-                    "to continue it.",
-            folder));
+  if (!is_empty_folder(folder)) {
+    if (!force) {
+      throw FileError(
+          fmt::format("the run folder {0} is not empty\n"
+                      "  Use --force to replace the run in it, -o DIR to write to another folder, or `terp resume {0}` "
+                      "to continue it.",
+              folder));
+    }
+    remove_files(folder, is_written_by_terp);
+    const std::string frames = path_in(folder, frames_folder);
+    remove_files(frames, is_frame);
+    fs::remove(frames, error);  // if nothing else is in it
   }
-  remove_files(folder, [](const std::string&) { return true; });
+  write_contents(contents, folder);
   return lock;
 }
 
 void remove_unfinished(const std::string& folder)
 {
-  remove_files(folder, [](const std::string& name) { return name.ends_with(temporary); });
+  const auto of = [](auto&& is_written) {
+    return [=](const std::string& name) { return name.ends_with(temporary) && is_written(name); };
+  };
+  remove_files(folder, of(is_written_by_terp));
+  remove_files(path_in(folder, frames_folder), of(is_frame));
 }
 
 FolderLock::FolderLock(const std::string& folder)

@@ -2,9 +2,12 @@
 // Not for: what stands in the files.
 #pragma once
 
+#include "simulation/input_file.hpp"
+
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace terp {
 
@@ -15,7 +18,6 @@ struct CaseText {
 };
 
 inline constexpr std::string_view case_file = "case.toml";
-inline constexpr std::string_view results_file = "results.vtkhdf";
 inline constexpr std::string_view mesh_file = "mesh.vtkhdf";
 inline constexpr std::string_view history_file = "history.csv";
 inline constexpr std::string_view ledger_file = "ledger.csv";
@@ -27,11 +29,14 @@ std::string failed_file(std::int64_t step);      ///< "failed_000000123.h5"
 /// The step in a checkpoint's name; -1 for any other file.
 std::int64_t step_of_checkpoint(std::string_view file_name);
 
-/// True for the names of files that Terp writes into a run folder, temporary ones included.
+/// True for the names of files that Terp writes into a run folder itself, temporary ones included.
 bool is_written_by_terp(std::string_view file_name);
 
 /// Path of a file in a folder.
 std::string path_in(const std::string& folder, std::string_view file_name);
+
+/// Copies the files that a case names into a run folder, each as a whole.
+void copy_inputs(const std::vector<InputFile>& files, const std::string& folder);
 
 /// Removes what a run that was killed left under temporary names.
 void remove_unfinished(const std::string& folder);
@@ -53,8 +58,9 @@ class FolderLock {
 /// True while some Terp holds the lock of the folder: a run goes on.
 bool is_being_written(const std::string& folder);
 
-/// Makes the folder ready for a new run, and locks it. One that holds anything is refused with FileError, unless
-/// `force`: then the files of the earlier run are removed, and no others.
-FolderLock prepare_run_folder(const std::string& folder, bool force);
+/// Makes the folder ready for a new run, locks it, and copies the files that the case names into it. A folder that
+/// holds anything is refused with FileError, unless `force`: then the files of the earlier run are removed, and no
+/// others.
+FolderLock prepare_run_folder(const std::string& folder, bool force, const std::vector<InputFile>& inputs = {});
 
 }  // namespace terp

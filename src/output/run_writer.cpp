@@ -3,9 +3,7 @@
 
 #include "base/errors.hpp"
 #include "output/files.hpp"
-#include "output/mesh_file.hpp"
 #include "output/summary_json.hpp"
-#include "output/vtkhdf_steps.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -43,7 +41,6 @@ void check_length(
 }
 
 /// What is dropped: all that comes later. A run at its start shows that start again.
-std::int64_t last_step(const ResumePoint& from) { return from.step == 0 ? -1 : from.step; }
 Real last_time(const ResumePoint& from) { return from.step == 0 ? -std::numeric_limits<Real>::infinity() : from.time; }
 
 /// One line per table of a run, "ledger.csv = 85944171f73967e8": its checksum.
@@ -60,45 +57,41 @@ void check_table(const std::string& folder, const RunTable& table, const ResumeP
   const auto n_due = from.n_rows.find(table.name);
   check_length(path, "rows", part.n_rows, from.step == 0 || n_due == from.n_rows.end() ? 0 : n_due->second, from);
   const bool same = from.tables.find(table_line(table.file(), part.checksum)) != std::string::npos;
-  if (!from.tables.empty() && part.n_rows > 0 && !same)
+  if (part.n_rows > 0 && !same)
     refuse(path, from, "is not what this run wrote: rows of it were altered, or it is of another run");
 }
 
-/// The file without what comes after the checkpoint, on the disk when it is closed; nothing if there is none. Throws
-/// FileError if it is damaged: HDF5 keeps what belongs to one frame all over the file, so that of one that was cut or
-/// altered nothing can be relied on.
-template <class File, class CutAfter>
-std::unique_ptr<Hdf5File> cut(const File& file, const std::string& path, std::int64_t n_due,
-    const vtkhdf::GridSize& grid, const std::string& run, const ResumePoint& from, CutAfter&& cut_after)
+/// The frames of one kind up to the checkpoint. Throws FileError if one is of another run.
+FrameCheck frames_until(const std::string& folder, const FrameKind& kind, std::int64_t n_due, const std::string& run,
+    const ResumePoint& from)
 {
-  const auto unless_damaged = [&](auto&& read) {
-    try {
-      return read();
-    } catch (const FileError& error) {
-      refuse(path, from, fmt::format("was cut or altered, and its frames cannot be read\n  {}", error.what()));
-    }
-  };
+  FrameCheck check = check_frames(folder, kind, n_due, run);
+  if (!check.stranger.empty()) refuse(check.stranger, from, "is of a run of another case");
+  return check;
+}
+
+/// Why mesh.vtkhdf must be written again; empty if it is whole, or not there.
+std::string fault_of_mesh(const std::string& path, const std::string& run)
+{
+  if (!std::filesystem::exists(path)) return "";
   check_is_file(path);
-  const std::int64_t n = unless_damaged([&] { return file.count_until(from.step); });
-  check_length(path, "frames", n, from.step == 0 ? 0 : n_due, from);
-  std::unique_ptr<Hdf5File> opened = file.open_to_cut();
-  if (!opened) return opened;
-  const std::string other = unless_damaged([&] { return vtkhdf::why_of_another_run(*opened, run, grid); });
-  if (!other.empty()) refuse(path, from, "is not of this run: " + other);
-  unless_damaged([&] {
-    cut_after(*opened);
-    opened->flush();
-    return true;
-  });
-  return opened;
+  check_readable(path);
+  try {
+    const Hdf5File file(path, Hdf5File::Mode::read);
+    file.check_values();
+    return file.text("/", "case") == run ? "" : path + " is of another run; it is written again";
+  } catch (const FileError& error) {
+    return fmt::format("{} is damaged; it is written again: {}", path, error.what());
+  }
 }
 
 }  // namespace
 
-RunWriter::RunWriter(RunWriterSettings settings, FolderLock lock)
+RunWriter::RunWriter(RunWriterSettings settings, FolderLock lock, FrameSeries points, FrameSeries mesh)
     : settings_(std::move(settings)),
       lock_(std::move(lock)),
-      results_(path_in(settings_.folder, results_file), digits_of(settings_.case_record)),
+      points_(std::move(points)),
+      mesh_(std::move(mesh)),
       background_(most_waiting)
 {
   for (const auto& table : settings_.tables)
@@ -107,29 +100,41 @@ RunWriter::RunWriter(RunWriterSettings settings, FolderLock lock)
 
 std::unique_ptr<RunWriter> RunWriter::start(RunWriterSettings settings, bool force)
 {
-  FolderLock lock = prepare_run_folder(settings.folder, force);
+  FolderLock lock = prepare_run_folder(settings.folder, force, settings.inputs);
   write_file_atomically(path_in(settings.folder, case_file), settings.case_text.toml);
-  return std::unique_ptr<RunWriter>(new RunWriter(std::move(settings), std::move(lock)));
+  const std::string folder = settings.folder, run = digits_of(settings.case_record);
+  return std::unique_ptr<RunWriter>(
+      new RunWriter(std::move(settings), std::move(lock), {folder, point_frames, run}, {folder, mesh_frames, run}));
 }
 
 std::unique_ptr<RunWriter> RunWriter::resume(RunWriterSettings settings, FolderLock lock, const ResumePoint& from)
 {
-  const std::string folder = settings.folder, run = from.tables.empty() ? "" : digits_of(settings.case_record);
-  const std::string results_path = path_in(folder, results_file), mesh_path = path_in(folder, mesh_file);
-  const auto results = cut(ResultsFile(results_path), results_path, from.n_frames, {from.n_points, from.n_points}, run,
-      from, [&](Hdf5File& file) { ResultsFile::cut_after(file, last_step(from), from.fields); });
-  const auto mesh = cut(MeshFile(mesh_path), mesh_path, from.n_mesh_frames, {from.n_nodes, from.n_cells}, run, from,
-      [&](Hdf5File& file) { MeshFile::cut_after(file, last_step(from)); });
+  const std::string folder = settings.folder, run = digits_of(settings.case_record);
+  const std::int64_t n_points = from.step == 0 ? 0 : from.n_frames, n_mesh = from.step == 0 ? 0 : from.n_mesh_frames;
+  const FrameCheck points = frames_until(folder, point_frames, n_points, run, from),
+                   mesh = frames_until(folder, mesh_frames, n_mesh, run, from);
   for (const auto& table : settings.tables) check_table(folder, *table, from);
   check_is_file(path_in(folder, summary_file));
-  if (results) results->close();  // all agree: from here on the folder changes
-  if (mesh) mesh->close();
+  const std::string mesh_path = path_in(folder, mesh_file), mesh_fault = fault_of_mesh(mesh_path, run);
+  // All agree: from here on the folder changes.
   remove_unfinished(folder);
+  FrameSeries point_series{folder, point_frames, run, n_points, points.good},
+      mesh_series{folder, mesh_frames, run, n_mesh, mesh.good};
+  point_series.write_index();  // first: what it lists is there
+  mesh_series.write_index();
+  remove_frames_from(folder, point_frames, n_points);
+  remove_frames_from(folder, mesh_frames, n_mesh);
+  if (!mesh_fault.empty()) std::filesystem::remove(mesh_path);
   for (const auto& table : settings.tables)
     drop_rows_after(path_in(folder, table->file()), header_of(*table), last_time(from));
   remove_checkpoints_after(folder, from.step);
   remove_old_checkpoints(folder, settings.checkpoint_keep);
-  return std::unique_ptr<RunWriter>(new RunWriter(std::move(settings), std::move(lock)));
+  std::unique_ptr<RunWriter> writer(
+      new RunWriter(std::move(settings), std::move(lock), std::move(point_series), std::move(mesh_series)));
+  for (const auto* check : {&points, &mesh})
+    writer->warnings_.insert(writer->warnings_.end(), check->faults.begin(), check->faults.end());
+  if (!mesh_fault.empty()) writer->warnings_.push_back(mesh_fault);
+  return writer;
 }
 
 RunWriter::~RunWriter() = default;
@@ -138,7 +143,7 @@ void RunWriter::frame(const std::shared_ptr<const Frame>& frame)
 {
   if (!last_frame_.expired()) background_.finish();  // at most one waits
   last_frame_ = frame;
-  background_.add([this, frame] { results_.append(*frame); });
+  background_.add([this, frame] { points_.append(*frame); });
 }
 
 void RunWriter::rows(const std::vector<TableRow>& rows)
@@ -163,14 +168,11 @@ TableFile& RunWriter::open_table(const RunTable& table)
 void RunWriter::write_checkpoint_part(const StateImage& part)
 {
   if (part.part == 0) {
-    std::vector<std::string> files{std::string(results_file), std::string(mesh_file)};
     std::string written;
     for (const auto& [file, table] : tables_) {
-      files.push_back(file);
+      sync_to_disk(path_in(settings_.folder, file));  // on the disk before what relies on them
       written += table_line(file, table.checksum());
     }
-    for (const std::string& file : files)  // on the disk before what relies on them
-      if (const std::string path = path_in(settings_.folder, file); std::filesystem::exists(path)) sync_to_disk(path);
     checkpoint_.emplace(
         path_in(settings_.folder, checkpoint_file(part.step)), settings_.case_record, std::move(written));
   }

@@ -4,9 +4,9 @@
 
 #include "output/checkpoint.hpp"
 #include "output/files.hpp"
+#include "output/point_frames.hpp"
 #include "output/run_folder.hpp"
 #include "output/table_csv.hpp"
-#include "output/vtkhdf.hpp"
 #include "parallel/background.hpp"
 #include "simulation/observer.hpp"
 #include "simulation/summary.hpp"
@@ -23,6 +23,7 @@ struct RunWriterSettings {
   CaseText case_text;
   Index checkpoint_keep = 2;                                 ///< how many of the newest checkpoints are kept; 0: all
   std::string case_record = {};                              ///< what the run began with, for its checkpoints
+  std::vector<InputFile> inputs = {};                        ///< files that the case names
   std::vector<std::shared_ptr<const RunTable>> tables = {};  ///< that the run may write
 };
 
@@ -30,11 +31,9 @@ struct RunWriterSettings {
 struct ResumePoint {
   std::int64_t step = 0;
   Real time = 0.0;  ///< [s]
-  std::int64_t n_points = 0, n_nodes = 0, n_cells = 0;
   std::int64_t n_frames = 0, n_mesh_frames = 0;
   std::map<std::string, std::int64_t, std::less<>> n_rows = {};  ///< by table
-  std::string tables = {};                                       ///< as the checkpoint has it; empty: not known
-  std::vector<PointField> fields = {};                           ///< of a frame; values do not count
+  std::string tables = {};                                       ///< as the checkpoint has it
 };
 
 /// What is shown is written in the order in which it was shown, by a thread of its own, so that the run goes on
@@ -45,11 +44,12 @@ struct ResumePoint {
 /// and a resumed run does not write those of its first step again, unless that is step 0.
 class RunWriter : public Observer {
  public:
-  /// A new run: prepares the folder and writes case.toml.
+  /// A new run: prepares the folder, writes case.toml and copies the files that it names.
   static std::unique_ptr<RunWriter> start(RunWriterSettings settings, bool force);
 
-  /// A run that continues from a checkpoint: drops all that was written after it. If a file is damaged, holds less than
-  /// it must, or is of another run, throws FileError and changes nothing. lock: of the run's folder.
+  /// A run that continues from a checkpoint: drops all that was written after it. If a table is damaged or holds less
+  /// than it must, or a file is of another run, throws FileError and changes nothing. Frames that are missing or
+  /// damaged do not keep the run from going on: see `warnings`. lock: of the run's folder.
   static std::unique_ptr<RunWriter> resume(RunWriterSettings settings, FolderLock lock, const ResumePoint& from);
 
   ~RunWriter() override;
@@ -58,8 +58,11 @@ class RunWriter : public Observer {
   void rows(const std::vector<TableRow>& rows) override;
   void checkpoint(const std::shared_ptr<const StateImage>& image) override;
 
-  /// What the run began with.
-  const std::string& case_record() const { return settings_.case_record; }
+  /// What `resume` found of frames that are missing or damaged, a sentence each.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+  /// Where the frames of the background mesh go.
+  FrameSeries& frames_of_mesh() { return mesh_; }
 
   /// Returns when all is on the disk.
   void finish();
@@ -73,14 +76,16 @@ class RunWriter : public Observer {
   void summary(const Summary& summary, bool finished);
 
  private:
-  RunWriter(RunWriterSettings settings, FolderLock lock);
+  RunWriter(RunWriterSettings settings, FolderLock lock, FrameSeries points, FrameSeries mesh);
 
   TableFile& open_table(const RunTable& table);
   void write_checkpoint_part(const StateImage& part);
 
   RunWriterSettings settings_;
   FolderLock lock_;
-  ResultsFile results_;
+  PointFrameWriter points_;
+  FrameSeries mesh_;
+  std::vector<std::string> warnings_;
   std::map<std::string, TableFile, std::less<>> tables_;  // by file; some only from their first row on
   std::optional<CheckpointWriter> checkpoint_;            // between its first part and its last
   std::weak_ptr<const Frame> last_frame_;

@@ -45,6 +45,7 @@ class Chunks {
 /// A run with all that its part of the page needs.
 struct Source {
   RunResults run;
+  Frames frames;
   std::string name;
   std::optional<CaseFile> case_read;  ///< none if the case can no longer be read
   std::optional<Mesh<2>> mesh;
@@ -53,7 +54,10 @@ struct Source {
 
 Source open_source(const std::string& folder, const std::string& name)
 {
-  Source source{.run = read_run(folder), .name = name, .case_read = {}, .mesh = {}, .warnings = {}};
+  RunResults run = read_run(folder);
+  Frames frames = run.frames();
+  Source source{
+      .run = std::move(run), .frames = std::move(frames), .name = name, .case_read = {}, .mesh = {}, .warnings = {}};
   try {
     source.case_read = read_case(path_in(folder, case_file));
     source.mesh = build_mesh(source.case_read->values);
@@ -65,6 +69,25 @@ Source open_source(const std::string& folder, const std::string& name)
         fmt::format("The background mesh cannot be built again and is not shown: {}", error.what()));
   }
   return source;
+}
+
+/// What the page shows of the points. Frames that turn out to be damaged while they are read are left out.
+ShownRun read_points(Source& source, std::int64_t most_points)
+{
+  const auto read = [&] {
+    try {
+      return read_shown(source.frames, most_points);
+    } catch (const FileError&) {
+      const std::size_t n = source.frames.times().size();
+      source.frames.leave_out_damaged();
+      if (source.frames.times().size() == n) throw;
+      return read_shown(source.frames, most_points);
+    }
+  };
+  ShownRun shown = read();
+  const auto& left_out = source.frames.warnings();
+  source.warnings.insert(source.warnings.end(), left_out.begin(), left_out.end());
+  return shown;
 }
 
 /// Pa becomes kPa, J becomes kJ: what a person reads.
@@ -182,7 +205,7 @@ void put_backdrop(JsonText& json, Chunks& chunks, const Source& source)
 /// The free surface in each frame that is shown.
 void put_surfaces(JsonText& json, Chunks& chunks, const Source& source, const ShownRun& shown)
 {
-  const Frames frames = source.run.frames();
+  const Frames& frames = source.frames;
   const Real width = source.mesh ? typical_cell_size(*source.mesh) : 4.0 * shown.point_size;
   std::vector<float> lines;
   std::vector<std::size_t> offsets{0};
@@ -296,7 +319,7 @@ Payload make_payload(const std::vector<std::string>& folders, const ReportOption
   std::vector<ShownRun> shown;
   for (std::size_t k = 0; k < folders.size(); ++k) {
     sources.push_back(open_source(folders[k], names[k]));
-    shown.push_back(read_shown(sources.back().run, options.most_points));
+    shown.push_back(read_points(sources.back(), options.most_points));
   }
   fit(shown, static_cast<std::size_t>(static_cast<double>(options.most_bytes) * codes_share));
 
@@ -312,6 +335,8 @@ Payload make_payload(const std::vector<std::string>& folders, const ReportOption
   for (std::size_t k = 0; k < sources.size(); ++k) {
     put_run(json, chunks, sources[k], shown[k]);
     payload.notes.push_back(note_on(names[k], shown[k]));
+    const auto& left_out = sources[k].frames.warnings();
+    payload.warnings.insert(payload.warnings.end(), left_out.begin(), left_out.end());
   }
   json.end_array().key("comparison");
   put_comparison(json, sources);

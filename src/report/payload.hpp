@@ -17,8 +17,9 @@ struct ReportOptions {
 
 struct Payload {
   std::string json;
-  std::vector<std::string> chunks;  ///< base64 of gzip
-  std::vector<std::string> notes;   ///< one line per run on what was left out, for the user
+  std::vector<std::string> chunks;    ///< base64 of gzip
+  std::vector<std::string> notes;     ///< one line per run on what was left out, for the user
+  std::vector<std::string> warnings;  ///< of frames that are missing or damaged
 };
 
 /// Throws FileError if a run cannot be read.

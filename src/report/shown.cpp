@@ -316,9 +316,8 @@ std::size_t fewest_frames(const std::vector<ShownRun>& runs)
 
 }  // namespace
 
-ShownRun read_shown(const RunResults& run, std::int64_t n_most)
+ShownRun read_shown(const Frames& frames, std::int64_t n_most)
 {
-  const Frames frames = run.frames();
   ShownRun shown{.n_points = frames.n_points(),
       .ids = choose_points(frames.n_points(), n_most),
       .n_frames_in_run = frames.times().size(),

@@ -34,7 +34,7 @@ struct ShownRun {
 };
 
 /// Reads what is shown. n_most: points, by chance but always the same, if the run has more.
-ShownRun read_shown(const RunResults& run, std::int64_t n_most);
+ShownRun read_shown(const Frames& frames, std::int64_t n_most);
 
 /// Size of the codes of the runs after gzip, from a part of the points [bytes].
 std::size_t estimate_bytes(const std::vector<ShownRun>& runs);

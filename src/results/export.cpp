@@ -3,13 +3,10 @@
 #include "input/case_file.hpp"
 #include "output/files.hpp"
 #include "output/run_folder.hpp"
-#include "results/npz.hpp"
-#include "results/vtu.hpp"
 
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
-#include <numeric>
+#include <iterator>
 #include <set>
 
 #include <fmt/format.h>
@@ -29,55 +26,36 @@ std::size_t parse_frame(std::string_view word, const std::string& text, std::siz
           word, text, static_cast<long>(n_frames) - 1));
 }
 
-ExportFrame read_frame(const Frames& frames, const std::vector<std::string>& fields, std::size_t k)
+/// What follows a field's name for each of its components: nothing for one, else _x ... or _xx ...
+std::vector<std::string> component_suffixes(int n_components)
 {
-  ExportFrame frame{.time = frames.times()[k], .step = frames.steps()[k], .x = frames.places(k), .fields = {}};
-  for (const auto& name : fields) frame.fields.emplace_back(frames.field(name), frames.read(name, k));
-  return frame;
+  if (n_components == 1) return {""};
+  if (n_components == 3) return {"_x", "_y", "_z"};
+  if (n_components == 4) return {"_xx", "_yy", "_zz", "_xy"};
+  std::vector<std::string> suffixes;
+  for (int c = 0; c < n_components; ++c) suffixes.push_back(fmt::format("_{}", c));
+  return suffixes;
 }
 
-std::string csv_text(const ExportFrame& frame)
+/// Values as shown: those of single precision by the shortest number that reads back to them.
+std::string csv_text(const Frames& frames, const std::vector<std::string>& names, std::size_t k)
 {
+  const std::vector<Real> x = frames.places(k);
   std::string text = "id,x,y";
-  for (const auto& [field, values] : frame.fields)
-    for (const auto& suffix : component_suffixes(field.n_components)) text += "," + field.name + suffix;
-  for (std::size_t p = 0; p < static_cast<std::size_t>(frame.n_points()); ++p) {
-    fmt::format_to(std::back_inserter(text), "\n{},{},{}", p, frame.x[2 * p], frame.x[2 * p + 1]);
-    for (const auto& [field, values] : frame.fields) {
-      const auto n = static_cast<std::size_t>(field.n_components);
-      for (std::size_t c = 0; c < n; ++c) fmt::format_to(std::back_inserter(text), ",{}", values[n * p + c]);
+  std::vector<std::vector<Real>> fields;
+  for (const auto& name : names) {
+    for (const auto& suffix : component_suffixes(frames.field(name).n_components)) text += "," + name + suffix;
+    fields.push_back(frames.read(name, k));
+  }
+  for (std::size_t p = 0; p < x.size() / 2; ++p) {
+    fmt::format_to(std::back_inserter(text), "\n{},{},{}", p, x[2 * p], x[2 * p + 1]);
+    for (const auto& values : fields) {
+      const std::size_t n = values.size() / (x.size() / 2);
+      for (std::size_t c = 0; c < n; ++c)
+        fmt::format_to(std::back_inserter(text), ",{}", static_cast<float>(values[n * p + c]));
     }
   }
   return text + '\n';
-}
-
-std::string npz_bytes(const ExportFrame& frame)
-{
-  NpzFile file;
-  const std::int64_t n = frame.n_points();
-  std::vector<std::int64_t> id(static_cast<std::size_t>(n));
-  std::iota(id.begin(), id.end(), 0);
-  file.add("time", {}, std::span(&frame.time, 1));
-  file.add("step", {}, std::span(&frame.step, 1));
-  file.add("id", {n}, id);
-  file.add("x", {n, 2}, frame.x);
-  for (const auto& [field, values] : frame.fields)
-    file.add(field.name,
-        field.n_components == 1 ? std::vector<std::int64_t>{n} : std::vector<std::int64_t>{n, field.n_components},
-        values);
-  return file.bytes();
-}
-
-std::string frame_text(const ExportFrame& frame, ExportFormat format)
-{
-  if (format == ExportFormat::vtu) return vtu_text(frame);
-  return format == ExportFormat::csv ? csv_text(frame) : npz_bytes(frame);
-}
-
-std::string_view ending_of(ExportFormat format)
-{
-  if (format == ExportFormat::vtu) return "vtu";
-  return format == ExportFormat::csv ? "csv" : "npz";
 }
 
 }  // namespace
@@ -101,30 +79,25 @@ std::vector<std::size_t> parse_frames(const std::string& text, std::size_t n_fra
   return {chosen.begin(), chosen.end()};
 }
 
-std::vector<std::string> export_frames(const Frames& frames, const ExportOptions& options)
+std::vector<std::string> export_frames(Frames& frames, const ExportOptions& options)
 {
   std::vector<std::string> fields = options.fields;
   for (const auto& name : fields) frames.field(name);  // throws
   if (fields.empty())
     for (const auto& field : frames.fields()) fields.push_back(field.name);
-  const std::string spec = options.frames.empty() ? "0:last" : options.frames;
-  const auto chosen = parse_frames(spec, frames.times().size());
+  frames.leave_out_damaged();
+  const auto chosen = parse_frames(options.frames.empty() ? "0:last" : options.frames, frames.times().size());
   make_folder(options.folder);
-
   std::vector<std::string> paths;
-  std::vector<std::pair<Real, std::string>> files;
   std::string index = "file,time,step\n";
   for (const std::size_t k : chosen) {
-    const ExportFrame frame = read_frame(frames, fields, k);
-    const std::string name = fmt::format("frame_{:05}.{}", k, ending_of(options.format));
+    const std::string name = fmt::format("frame_{:05}.csv", k);
     paths.push_back(path_in(options.folder, name));
-    write_file_atomically(paths.back(), frame_text(frame, options.format));
-    files.emplace_back(frame.time, name);
-    index += fmt::format("{},{},{}\n", name, frame.time, frame.step);
+    write_file_atomically(paths.back(), csv_text(frames, fields, k));
+    index += fmt::format("{},{},{}\n", name, frames.times()[k], frames.steps()[k]);
   }
-  const bool vtu = options.format == ExportFormat::vtu;
-  paths.push_back(path_in(options.folder, vtu ? "frames.pvd" : "frames.csv"));
-  write_file_atomically(paths.back(), vtu ? pvd_text(files) : index);
+  paths.push_back(path_in(options.folder, "frames.csv"));
+  write_file_atomically(paths.back(), index);
   return paths;
 }
 

@@ -1,4 +1,4 @@
-// Frames of a run in formats that other tools read: vtu with pvd, csv, npz.
+// Frames of a run as CSV, for spreadsheets and scripts without HDF5.
 #pragma once
 
 #include "results/frames.hpp"
@@ -8,10 +8,7 @@
 
 namespace terp {
 
-enum class ExportFormat { vtu, csv, npz };
-
 struct ExportOptions {
-  ExportFormat format = ExportFormat::vtu;
   std::vector<std::string> fields;  ///< empty: all
   std::string frames;               ///< "0,5,10:20,last"; empty: all
   std::string folder;               ///< made if it is not there
@@ -21,8 +18,8 @@ struct ExportOptions {
 /// what is allowed.
 std::vector<std::size_t> parse_frames(const std::string& text, std::size_t n_frames);
 
-/// Writes frame_00000.<format> ..., and for vtu frames.pvd, for csv and npz frames.csv with file, time and step.
-/// Returns the paths.
-std::vector<std::string> export_frames(const Frames& frames, const ExportOptions& options);
+/// Writes frame_00000.csv ..., and frames.csv with file, time and step. Frames that turn out to be damaged are left
+/// out, and named by `frames.warnings`. Returns the paths.
+std::vector<std::string> export_frames(Frames& frames, const ExportOptions& options);
 
 }  // namespace terp

@@ -1,8 +1,11 @@
+// The frames of a run: see frames.hpp. The first frame that can be read states points, fields and run; the others must
+// agree with it.
 #include "results/frames.hpp"
 
 #include "base/errors.hpp"
 #include "input/case_file.hpp"
-#include "output/committed_file.hpp"
+#include "output/files.hpp"
+#include "output/run_folder.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,76 +16,117 @@
 namespace terp {
 namespace {
 
-const std::string root = "/VTKHDF";
-const std::string point_data = root + "/PointData";
-constexpr std::int64_t most_columns = 1000;
-constexpr std::int64_t known_version =
-    2;  // the first number of the format's version; the second adds what an old reader passes over
+using vtkhdf::root;
 
-/// Digits of the case that a file is of; empty if it does not say.
-std::string case_of(const Hdf5File& file) { return file.has_attribute("/", "case") ? file.text("/", "case") : ""; }
+const std::string point_data = root + "/PointData";
+constexpr std::int64_t known_version = 1;  // the first number of the version; the second adds what may be passed over
+
+/// The fields of a frame. Throws FileError if one is no table of numbers per point.
+std::vector<ResultField> read_fields(const Hdf5File& file, std::int64_t n_points)
+{
+  std::vector<ResultField> fields;
+  for (const auto& name : file.members(point_data)) {
+    const std::string table = point_data + "/" + name;
+    const auto shape = file.shape(table);
+    constexpr std::int64_t most_columns = 1000;
+    const std::int64_t n_columns = shape.size() == 1 ? 1 : shape.size() == 2 ? shape[1] : 0;
+    if (n_columns < 1 || n_columns > most_columns || shape[0] != n_points)
+      throw FileError(fmt::format("the shape of {} is {}, for {} points", name, fmt::join(shape, " x "), n_points));
+    fields.push_back({name, file.text(table, "unit"), static_cast<int>(n_columns)});
+  }
+  return fields;
+}
 
 }  // namespace
 
-Frames::Frames(const std::string& path) : path_(path)
+Frames::Frames(const std::string& folder) : folder_(folder)
 {
-  read_between_commits(path_, [this] { read_contents(Hdf5File(path_, Hdf5File::Mode::read)); });
-}
-
-void Frames::read_contents(const Hdf5File& file)
-{
-  const auto version = file.integers(root, "Version");
-  if (version.empty() || version[0] != known_version)
-    throw FileError(
-        fmt::format("cannot read {}: it is of VTKHDF version {}, terp {} reads version {}\n  A newer terp wrote it: "
-                    "read it with that one.",
-            path_, fmt::join(version, "."), TERP_VERSION, known_version));
-  case_ = case_of(file);
-  const std::string steps = root + "/Steps";
-  n_points_ = file.read_rows<std::int64_t>(root + "/NumberOfPoints", 0, 1)[0];
-  const std::int64_t n_frames = file.integer(steps, "NSteps");
-  times_ = file.read_rows<Real>(steps + "/Values", 0, n_frames);
-  steps_ = file.read_rows<std::int64_t>(steps + "/step", 0, n_frames);
-  if (times_.empty() || n_points_ == 0)
-    throw FileError(
-        fmt::format("{}: it holds no {}; there is nothing to show", path_, times_.empty() ? "frame yet" : "points"));
-  if (check_table(file, root + "/Points") != 3)
-    throw FileError(fmt::format("cannot read {}: its points have no three coordinates", path_));
-  fields_.clear();
-  for (const auto& name : file.members(point_data)) {
-    const std::string table = point_data + "/" + name;
-    if (name != "id") fields_.push_back({name, file.text(table, "unit"), check_table(file, table)});
+  std::int64_t next = 0;
+  for (const std::int64_t number : list_frames(folder, point_frames)) {
+    for (; next < number; ++next)
+      warnings_.push_back(fmt::format("{} is missing", path_in(folder, frame_file(point_frames, next))));
+    ++next;
+    add_frame(number);
   }
+  if (numbers_.empty())
+    throw FileError(fmt::format("{}: it holds no frame that can be read; there is nothing to show{}{}", folder,
+        warnings_.empty() ? "" : "\n  ", fmt::join(warnings_, "\n  ")));
+  if (n_points_ == 0) throw FileError(fmt::format("{}: it holds no points; there is nothing to show", folder));
 }
 
-int Frames::check_table(const Hdf5File& file, const std::string& name) const
+void Frames::leave_out(const std::string& path, const std::string& why)
 {
-  const auto shape = file.shape(name);
-  const std::int64_t n_columns = shape.size() == 1 ? 1 : shape.size() == 2 ? shape[1] : 0;
-  if (n_columns < 1 || n_columns > most_columns)
-    throw FileError(fmt::format(
-        "cannot read {} in {}: its shape is {}, no table of numbers per point", name, path_, fmt::join(shape, " x ")));
-  if (n_points_ < 0 || (n_points_ > 0 && shape[0] / n_points_ < std::ssize(times_)))
-    throw FileError(fmt::format("cannot read {} in {}: it has {} rows, {} frames of {} points take more", name, path_,
-        shape[0], times_.size(), n_points_));
-  return static_cast<int>(n_columns);
+  warnings_.push_back(fmt::format("{} is left out: {}", path, why));
 }
 
-std::vector<Real> Frames::read_frame(const std::string& table, std::size_t k) const
+void Frames::add_frame(std::int64_t number)
 {
-  std::vector<Real> rows;
-  read_between_commits(path_, [&] {
-    const Hdf5File file(path_, Hdf5File::Mode::read);
-    if (case_of(file) != case_)
-      throw FileError(fmt::format("cannot read {}: it has become the file of another case", path_));
-    rows = file.read_rows<Real>(table, static_cast<std::int64_t>(k) * n_points_, n_points_);
-  });
+  const std::string path = path_in(folder_, frame_file(point_frames, number));
+  check_readable(path);
+  FrameHead head;
+  try {
+    const Hdf5File file(path, Hdf5File::Mode::read);
+    head = read_head(file);
+    const auto sizes = file.read<std::int64_t>(root + "/NumberOfPoints");
+    if (head.number != number || sizes.size() != 1) throw FileError("its name or size is not what is written in it");
+    const auto version = file.integers(root, "Version");
+    if (version.empty() || version[0] != known_version)
+      throw FileError(fmt::format("it is of VTKHDF version {}, terp {} reads version {}", fmt::join(version, "."),
+          TERP_VERSION, known_version));
+    const auto fields = read_fields(file, sizes[0]);
+    if (numbers_.empty()) n_points_ = sizes[0], run_ = head.run, fields_ = fields;
+    const auto same = [](const ResultField& a, const ResultField& b) {
+      return a.name == b.name && a.n_components == b.n_components;
+    };
+    if (head.run == run_ &&
+        (sizes[0] != n_points_ || !std::equal(fields.begin(), fields.end(), fields_.begin(), fields_.end(), same)))
+      throw FileError("its points or fields are not those of the other frames");
+  } catch (const FileError& error) {
+    return leave_out(path, error.what());
+  }
+  if (head.run != run_)
+    throw FileError(fmt::format("cannot read {}: it is of a run of another case than the frames before it", path));
+  numbers_.push_back(number);
+  times_.push_back(head.time);
+  steps_.push_back(head.step);
+}
+
+void Frames::leave_out_damaged()
+{
+  for (std::size_t k = 0; k < numbers_.size();) {
+    const std::string path = path_in(folder_, frame_file(point_frames, numbers_[k]));
+    try {
+      Hdf5File(path, Hdf5File::Mode::read).check_values();
+      ++k;
+    } catch (const FileError& error) {
+      leave_out(path, error.what());
+      const auto at = static_cast<std::ptrdiff_t>(k);
+      numbers_.erase(numbers_.begin() + at);
+      times_.erase(times_.begin() + at);
+      steps_.erase(steps_.begin() + at);
+    }
+  }
+  if (numbers_.empty()) throw FileError(fmt::format("{}: all of its frames are damaged", folder_));
+}
+
+std::vector<Real> Frames::read_rows(const std::string& name, int n_components, std::size_t k) const
+{
+  if (k >= numbers_.size())
+    throw FileError(fmt::format("{}: there is no frame {}, it has {}", folder_, k, numbers_.size()));
+  const std::string path = path_in(folder_, frame_file(point_frames, numbers_[k]));
+  const Hdf5File file(path, Hdf5File::Mode::read);
+  if (file.text("/", "case") != run_)
+    throw FileError(fmt::format("cannot read {}: it has become the file of another case", path));
+  std::vector<Real> rows = file.read<Real>(name);
+  if (std::ssize(rows) != n_points_ * n_components)
+    throw FileError(fmt::format("cannot read {} in {}: it has {} values, {} points of {} are due", name, path,
+        rows.size(), n_points_, n_components));
   return rows;
 }
 
 std::vector<Real> Frames::places(std::size_t k) const
 {
-  const auto rows = read_frame(root + "/Points", k);
+  const auto rows = read_rows(root + "/Points", 3, k);
   std::vector<Real> x(2 * static_cast<std::size_t>(n_points_));
   for (std::size_t p = 0; p < static_cast<std::size_t>(n_points_); ++p) {
     x[2 * p] = rows[3 * p];
@@ -93,7 +137,8 @@ std::vector<Real> Frames::places(std::size_t k) const
 
 std::vector<Real> Frames::read(std::string_view name, std::size_t k) const
 {
-  return read_frame(point_data + "/" + field(name).name, k);
+  const ResultField& wanted = field(name);
+  return read_rows(point_data + "/" + wanted.name, wanted.n_components, k);
 }
 
 const ResultField* Frames::find(std::string_view name) const
@@ -107,7 +152,7 @@ const ResultField& Frames::field(std::string_view name) const
   if (const ResultField* found = find(name)) return *found;
   std::vector<std::string> names;
   for (const auto& f : fields_) names.push_back(f.name);
-  throw CaseError(fmt::format("error: {} has no field `{}`\n  It has: {}\n", path_, name, fmt::join(names, ", ")));
+  throw CaseError(fmt::format("error: {} has no field `{}`\n  It has: {}\n", folder_, name, fmt::join(names, ", ")));
 }
 
 std::vector<Real> magnitudes(const std::vector<Real>& values, int n_components)

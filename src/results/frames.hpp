@@ -1,8 +1,8 @@
-// The frames of results.vtkhdf, read one field of one frame at a time (docs/formats.md).
-// Not for: writing them (output/vtkhdf).
+// The frames of a run, read one field of one frame at a time (docs/formats.md).
+// Not for: writing them (output/point_frames).
 #pragma once
 
-#include "output/hdf5_file.hpp"
+#include "output/frame_files.hpp"
 
 #include <string>
 #include <string_view>
@@ -10,45 +10,51 @@
 
 namespace terp {
 
-/// A field of all material points, as the file has it.
+/// A field of all material points, as the files have it.
 struct ResultField {
   std::string name, unit;
   int n_components = 1;  ///< of a vector 3, with z = 0; of a tensor 4: xx yy zz xy
 };
 
-/// Each reading opens the file, and is repeated if a frame came into it. Frames that a run adds meanwhile are not seen.
+/// Each reading opens the file of its frame. Frames that a run adds meanwhile are not seen. Frames that are missing or
+/// damaged are left out: frame k is the k-th of the others.
 class Frames {
  public:
-  /// Throws FileError if the file is missing, not of the format, or does not hold what it says.
-  explicit Frames(const std::string& path);
+  /// Of a run folder. Throws FileError if it holds no frame that can be read, or frames of different runs.
+  explicit Frames(const std::string& folder);
 
   std::int64_t n_points() const { return n_points_; }
   const std::vector<Real>& times() const { return times_; }           ///< [s], shape [n_frames]
   const std::vector<std::int64_t>& steps() const { return steps_; }   ///< shape [n_frames]
-  const std::vector<ResultField>& fields() const { return fields_; }  ///< without id
+  const std::vector<ResultField>& fields() const { return fields_; }  ///< in the order of the file
   bool has(std::string_view name) const { return find(name) != nullptr; }
 
   /// Places in frame k [m], shape [n_points, 2]. Row p is the same material point in every frame.
   std::vector<Real> places(std::size_t k) const;
-  /// A field in frame k, shape [n_points, n_components]. Throws FileError that lists the fields if there is none of
-  /// that name.
+  /// A field in frame k, shape [n_points, n_components]. Throws CaseError that lists the fields if there is none of
+  /// that name, FileError if the frame is damaged.
   std::vector<Real> read(std::string_view name, std::size_t k) const;
   const ResultField& field(std::string_view name) const;
 
+  /// Reads every value once and leaves out the frames that turn out to be damaged.
+  void leave_out_damaged();
+  /// A sentence for each frame that was left out.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
  private:
   const ResultField* find(std::string_view name) const;
-  void read_contents(const Hdf5File& file);
-  /// Columns of a table that holds a row for each point in each frame; throws FileError if it does not.
-  int check_table(const Hdf5File& file, const std::string& name) const;
-  /// The rows of frame k of a table. Throws FileError if the file has become that of another case.
-  std::vector<Real> read_frame(const std::string& table, std::size_t k) const;
+  void add_frame(std::int64_t number);
+  void leave_out(const std::string& path, const std::string& why);
+  /// The rows of a dataset in frame k, which must be n_points.
+  std::vector<Real> read_rows(const std::string& name, int n_components, std::size_t k) const;
 
-  std::string path_;
-  std::string case_;  ///< digits of the case; empty if the file does not say
-  std::int64_t n_points_ = 0;
+  std::string folder_, run_;
+  std::int64_t n_points_ = -1;
+  std::vector<std::int64_t> numbers_;
   std::vector<Real> times_;
   std::vector<std::int64_t> steps_;
   std::vector<ResultField> fields_;
+  std::vector<std::string> warnings_;
 };
 
 /// Size of a vector in each row of a field, shape [n_rows] (of a scalar: its absolute value).

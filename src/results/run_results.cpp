@@ -1,6 +1,7 @@
 #include "results/run_results.hpp"
 
 #include "base/errors.hpp"
+#include "input/document.hpp"
 #include "output/files.hpp"
 #include "output/run_folder.hpp"
 
@@ -36,6 +37,17 @@ void require(const std::string& folder, std::string_view file, std::string_view 
   throw FileError(fmt::format("{}: this is no run folder that can be shown: it has no {}\n  {}", folder, file, why));
 }
 
+void require_frames(const std::string& folder)
+{
+  if (fs::exists(path_in(folder, "results.vtkhdf")))
+    throw FileError(fmt::format(
+        "{}: an earlier terp wrote this run, with all frames in one file, results.vtkhdf (VTKHDF 2.0); this is terp "
+        "{}, which reads one file per frame (VTKHDF 1.0)\n  Read it with that terp, or solve the case again.",
+        folder, TERP_VERSION));
+  if (list_frames(folder, point_frames).empty())
+    require(folder, frames_folder, "It is made with the first frame: the run has not begun to move, or failed before.");
+}
+
 /// Of a run that reached its end the ledger does too.
 void require_whole_ledger(const RunResults& run)
 {
@@ -49,6 +61,43 @@ void require_whole_ledger(const RunResults& run)
           path_in(run.folder, ledger_file), last, n_steps));
 }
 
+/// Interval of the rows of history.csv, as the case has it [s]; 0 if it cannot be read.
+Real history_interval(const std::string& case_toml)
+try {
+  const Node root = parse_toml(case_toml);
+  const Node* every = find_node(root, "output.history.every");
+  if (every == nullptr) return OutputCase{}.history_every;
+  return every->kind == NodeKind::integer ? static_cast<Real>(every->integer) : every->number;
+} catch (const SyntaxError&) {
+  return 0.0;
+}
+
+/// Each point has a row every interval, in order of time, and of a run that reached its end up to there.
+void require_whole_history(const RunResults& run)
+{
+  const std::string path = path_in(run.folder, history_file);
+  const auto refuse = [&](const std::string& point, const std::string& fault) {
+    throw FileError(
+        fmt::format("{}: point {}: {}\n  The table was damaged or edited: copy the folder again, or solve "
+                    "the case again.",
+            path, point, fault));
+  };
+  const Real dt = run.summary.values.dt, most = history_interval(run.case_toml) + 1.01 * dt;
+  const auto* ledger_time = run.ledger.find("time");
+  for (const PointTable& point : run.history) {
+    const auto* time = point.table.find("time");
+    if (time == nullptr || time->empty()) refuse(point.point, "it has no times");
+    for (std::size_t k = 1; k < time->size(); ++k) {
+      const Real before = (*time)[k - 1], now = (*time)[k];
+      if (!(now > before)) refuse(point.point, fmt::format("the row of t = {} s follows that of {} s", now, before));
+      if (dt > 0.0 && most > 1.01 * dt && now - before > most)
+        refuse(point.point, fmt::format("rows between t = {} s and {} s are missing", before, now));
+    }
+    if (run.summary.finished && ledger_time != nullptr && !ledger_time->empty() && time->back() < ledger_time->back())
+      refuse(point.point, fmt::format("it ends at t = {} s, the run at {} s", time->back(), ledger_time->back()));
+  }
+}
+
 }  // namespace
 
 RunResults read_run(const std::string& folder)
@@ -56,8 +105,7 @@ RunResults read_run(const std::string& folder)
   if (!fs::is_directory(folder.empty() ? "." : folder)) throw FileError(fmt::format("{}: no such run folder", folder));
   require(folder, case_file, "Give the folder that `terp run` wrote, e.g. runs/model_2.");
   require(folder, summary_file, "It is written when a run starts: solve the case first.");
-  require(
-      folder, results_file, "It is written with the first frame: the run has not begun to move yet, or failed before.");
+  require_frames(folder);
   RunResults run{.folder = folder,
       .name = distinct_names({folder})[0],
       .case_toml = read_file(path_in(folder, case_file)),
@@ -68,7 +116,10 @@ RunResults read_run(const std::string& folder)
     run.ledger = read_number_table(path_in(folder, ledger_file));
     require_whole_ledger(run);
   }
-  if (fs::exists(path_in(folder, history_file))) run.history = read_history(path_in(folder, history_file));
+  if (fs::exists(path_in(folder, history_file))) {
+    run.history = read_history(path_in(folder, history_file));
+    require_whole_history(run);
+  }
   return run;
 }
 

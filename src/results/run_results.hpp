@@ -19,7 +19,7 @@ struct RunResults {
   Table ledger;
   std::vector<PointTable> history;
 
-  Frames frames() const { return Frames(path_in(folder, results_file)); }
+  Frames frames() const { return Frames(folder); }
 };
 
 /// Throws FileError that says what is missing and what to do.

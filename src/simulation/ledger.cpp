@@ -149,7 +149,8 @@ const std::shared_ptr<const RunTable>& ledger_table()
 
 TableRow keep_ledger(const Model& model, State& state, Workspace& work)
 {
-  const Totals totals = kernels().add_up(model, state, work.threads, moved_distance(state.section), shear_columns(state));
+  const Totals totals =
+      kernels().add_up(model, state, work.threads, moved_distance(state.section), shear_columns(state));
   const LedgerContext context{.model = model,
       .state = state,
       .totals = totals,

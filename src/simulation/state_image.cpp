@@ -313,9 +313,8 @@ std::vector<ArraySource> arrays_of(const State& state)
   arrays.push_back(few("last_step_work", std::vector<Real>{w.last_step}));
   arrays.push_back(kept("side_reached", state.side_reached));
   arrays.push_back(kept("side_top", state.side_top));
-  arrays.push_back(few("wall_s", std::vector<Real>{state.wall_s}));  // the one number that differs between equal runs
-  arrays.push_back(few("counts",
-      std::vector<std::int64_t>{state.clamped, state.equilibrium_steps, state.frames_reported}));
+  arrays.push_back(
+      few("counts", std::vector<std::int64_t>{state.clamped, state.equilibrium_steps, state.frames_reported}));
   for (const auto& [table, n] : state.rows_reported)
     arrays.push_back(few("rows_reported/" + table, std::vector<std::int64_t>{n}));
   add_left(state, arrays);
@@ -392,7 +391,6 @@ State restore(const Model& model, const StateImage& image)
   get_since_format_4(model, image, state);
   state.start_energy = w[5];
   state.largest_v_999 = w[6];
-  state.wall_s = get<Real>(image, "wall_s", 1)[0];
   const auto& counts = get<std::int64_t>(image, "counts", 3);
   state.clamped = counts[0];
   state.equilibrium_steps = counts[1];

@@ -46,8 +46,7 @@ TEST(Help, OfACommandIsItsOwnAndNamesItsOptions)
       {"stability", {"--from", "--to", "--tolerance", "--damping", "--rest", "--failure", "--windows", "--output",
                         "--json", "--set"}},
       {"check", {"--set", "--picture"}}, {"bench", {"--steps", "--warm", "--json", "--set"}}, {"report", {"--output"}},
-      {"compare", {"--json"}}, {"export", {"--format", "--field", "--frames", "--output"}},
-      {"watch", {"--every", "--once"}},
+      {"compare", {"--json"}}, {"export", {"--field", "--frames", "--output"}}, {"watch", {"--every", "--once"}},
       {"verify", {"--list", "--short", "--long", "--html", "--markdown", "--cases", "--threads"}},
       {"explain", {"TOPIC"}}, {"list", {}}};
   for (const auto& [command, options] : commands) {

@@ -110,8 +110,8 @@ TEST(Paths, LinksInAnEarlierRunAreReplacedAndNotFollowed)
   const std::string folder = place.scratch.path() + "/a/b/run", mine = place.scratch.path() + "/mine";
   test::write_text(mine, "mine");
   fs::create_directory(folder);
-  for (const char* name : {"results.vtkhdf", "history.csv", "ledger.csv", "summary.json", "case.toml", "case.toml.tmp",
-           "results.vtkhdf.journal", "checkpoint_000000001.h5"})
+  for (const char* name : {"results.vtkhdf.series", "history.csv", "ledger.csv", "summary.json", "case.toml",
+           "case.toml.tmp", "mesh.msh", "checkpoint_000000001.h5"})
     fs::create_symlink(mine, folder + "/" + name);
   EXPECT_EQ(place.run({"--force"}).status, 0);
   EXPECT_EQ(test::text_of(mine), "mine");
@@ -128,6 +128,19 @@ TEST(Paths, FilesThatACaseNamesAreOnlyRead)
   const Finished f = place.run();
   EXPECT_EQ(f.status, 0) << f.err;
   EXPECT_EQ(test::text_of(place.scratch.path() + "/points.csv"), "x,y,volume,material\n0.25,0.25,0.25,clay\n");
+
+  // The run folder has copies: it can be moved, and the originals may go.
+  const std::string moved = place.scratch.path() + "/moved", again = place.scratch.path() + "/again";
+  fs::rename(place.scratch.path() + "/a/b/run", moved);
+  fs::remove(place.scratch.path() + "/points.csv");
+  EXPECT_THAT(test::text_of(moved + "/case.toml"), HasSubstr("points = \"points_1.csv\""));
+  EXPECT_EQ(test::terp({"resume", moved, "-q", "-j", "1"}).err, "");
+  EXPECT_EQ(test::terp({"report", moved, "-o", place.scratch.path() + "/page.html"}).status, 0);
+  const Finished second = test::terp({"run", moved + "/case.toml", "-o", again, "-q", "-j", "1"});
+  EXPECT_EQ(second.status, 0) << second.err;
+  EXPECT_EQ(test::text_of(again + "/ledger.csv"), test::text_of(moved + "/ledger.csv"));
+  test::write_text(moved + "/points_1.csv", "x,y,volume,material\n0.3,0.25,0.25,clay\n");
+  EXPECT_THAT(test::terp({"resume", moved}).err, HasSubstr("body[0].points (content)"));
 }
 
 TEST(Paths, ASideWhoseNameWouldBeACommandOfGmshIsRefused)

@@ -62,7 +62,7 @@ TEST(Report, IsOneFileWithBothRunsAndTheirComparison)
 TEST(Report, ReplacesAnEarlierPageButNoOtherFile)
 {
   const test::ScratchFolder scratch;
-  const std::string page = scratch.path() + "/page.html", other = scratch.path() + "/results.vtkhdf";
+  const std::string page = scratch.path() + "/page.html", other = scratch.path() + "/results.vtkhdf.series";
   std::ofstream(page) << "<!DOCTYPE html><p>old";
   std::ofstream(other) << "ten days of work";
   EXPECT_EQ(test::terp({"report", runs().gp, "-o", page}).status, 0);
@@ -129,25 +129,25 @@ TEST(Compare, RefusesARunThatIsGivenTwice)
 
 TEST(Export, OfAFrameOrFieldThatIsNotThereIsBadInput)
 {
-  const Finished frame = test::terp({"export", runs().gp, "--format", "csv", "--frames", "99"});
+  const Finished frame = test::terp({"export", runs().gp, "--frames", "99"});
   EXPECT_EQ(frame.status, 2);
   EXPECT_THAT(frame.err, StartsWith("error: there is no frame `99` in `99`: the run has frames 0 to 2\n"));
-  const Finished field = test::terp({"export", runs().gp, "--format", "csv", "--field", "sigma"});
+  const Finished field = test::terp({"export", runs().gp, "--field", "sigma"});
   EXPECT_EQ(field.status, 2);
   EXPECT_THAT(field.err, AllOf(StartsWith("error: "), HasSubstr(" has no field `sigma`\n  It has: ")));
 }
 
 TEST(Export, WritesTheFramesAndSaysWhere)
 {
-  const std::string folder = runs().scratch.path() + "/vtu";
-  const Finished f =
-      test::terp({"export", runs().gp, "--format", "vtu", "--field", "su", "--frames", "0,last", "-o", folder});
+  const std::string folder = runs().scratch.path() + "/csv";
+  const Finished f = test::terp({"export", runs().gp, "--field", "su", "--frames", "0,last", "-o", folder});
   EXPECT_EQ(f.status, 0);
-  EXPECT_EQ(f.out, "2 frames in " + folder + ", listed in " + folder + "/frames.pvd\n");
-  EXPECT_TRUE(std::filesystem::exists(folder + "/frame_00002.vtu"));
-  const Finished wrong = test::terp({"export", runs().gp, "--format", "xls"});
+  EXPECT_EQ(f.out, "2 frames in " + folder + ", listed in " + folder + "/frames.csv\n");
+  EXPECT_TRUE(std::filesystem::exists(folder + "/frame_00002.csv"));
+  const Finished wrong = test::terp({"export", runs().gp, "--format", "vtu"});
   EXPECT_EQ(wrong.status, 2);
-  EXPECT_EQ(wrong.err, "error: there is no format `xls`\n  Formats: vtu, csv, npz\n");
+  EXPECT_THAT(
+      wrong.err, StartsWith("error: there is no format `vtu`\n  Formats: csv. The frames of a run are VTKHDF files"));
 }
 
 TEST(Watch, SaysHowFarARunCameAndThatItIsFinished)

@@ -40,7 +40,8 @@ TEST(Run, LeavesAllItsFilesAndSaysWhereTheyAre)
           HasSubstr("points lost: 0; put back at walls: 0; left through open sides: 0\n"),
           HasSubstr("results in " + folder + "\n")));
   EXPECT_THAT(test::names_in(folder), testing::IsSupersetOf({"case.toml", "checkpoint_000000066.h5", "history.csv",
-                                          "ledger.csv", "mesh.vtkhdf", "results.vtkhdf", "summary.json"}));
+                                          "ledger.csv", "mesh.vtkhdf", "results.vtkhdf.series", "summary.json"}));
+  EXPECT_THAT(test::names_in(folder + "/frames"), testing::Contains("points_00000.vtkhdf"));
   const auto summary = nlohmann::json::parse(text_of(folder + "/summary.json"));
   EXPECT_EQ(summary.at("finished"), true);
   EXPECT_EQ(summary.at("steps"), 66);
@@ -155,7 +156,7 @@ TEST(Run, OnAFullDiskFailsWithThePathAndTheReason)
 
 TEST(Run, OnADiskThatFillsUpSaysHowToGoOnAndCanGoOn)
 {
-  const test::SmallDisk disk(26 << 20);  // resume sets 16 MB aside to cut results.vtkhdf
+  const test::SmallDisk disk(26 << 20);
   if (!disk.is_there()) GTEST_SKIP() << "needs the right to mount a tmpfs";
   const std::string folder = disk.path() + "/run", filler = disk.path() + "/mine";
   const std::vector<std::string> often{
@@ -164,7 +165,7 @@ TEST(Run, OnADiskThatFillsUpSaysHowToGoOnAndCanGoOn)
   const Finished f = run_column(folder, often);
   EXPECT_EQ(f.status, 1);
   EXPECT_THAT(f.err, testing::MatchesRegex("error: cannot write " + folder +
-                                           "/[a-z0-9_.]+: No space left on device\n"
+                                           "/[a-z0-9_./]+: No space left on device\n"
                                            "  Earlier results are intact, up to the checkpoint at t = 0[.][0-9]+ s. "
                                            "Make room on the disk, or mend what is told above, then go on with:\n"
                                            "  terp resume " +
@@ -259,13 +260,12 @@ TEST(Resume, FromACheckpointThatIsNamedEndsInTheSameResults)
   ASSERT_EQ(
       run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.mesh=true"}).status,
       0);
-  std::filesystem::copy(whole, again);
+  std::filesystem::copy(whole, again, std::filesystem::copy_options::recursive);
   const Finished f = test::terp({"resume", again + "/checkpoint_000000033.h5", "-j", "1"});
   EXPECT_EQ(f.status, 0) << f.err;
   EXPECT_THAT(f.out, HasSubstr("step 33 of 66\n"));
   test::expect_same_results(whole, again, last_checkpoint);
-  test::expect_same_fields(whole + "/mesh.vtkhdf", again + "/mesh.vtkhdf", {"/VTKHDF/PointData", "/VTKHDF/CellData"},
-      {"/VTKHDF/Steps/Values"});
+  EXPECT_EQ(text_of(whole + "/mesh.vtkhdf.series"), text_of(again + "/mesh.vtkhdf.series"));
 }
 
 TEST(Resume, SkipsADamagedCheckpointAndSaysSo)
@@ -320,9 +320,9 @@ TEST(Resume, WhereAFileOfTheRunIsMissingOrShortIsRefused)
                 .status,
       0);
   std::filesystem::remove(whole + last_checkpoint);
-  for (const std::string name : {"results.vtkhdf", "mesh.vtkhdf", "history.csv", "ledger.csv"}) {
+  for (const std::string name : {"history.csv", "ledger.csv"}) {
     const std::string folder = scratch.path() + "/no_" + name;
-    std::filesystem::copy(whole, folder);
+    std::filesystem::copy(whole, folder, std::filesystem::copy_options::recursive);
     std::filesystem::remove(folder + "/" + name);
     const auto before = test::names_in(folder);
     const Finished f = test::terp({"resume", folder});
@@ -345,11 +345,10 @@ TEST(Resume, WhereAFolderOrAPipeStandsForAFileOfTheRunIsRefused)
   ASSERT_EQ(
       run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.mesh=true"}).status,
       0);
-  for (const std::string name :
-      {"results.vtkhdf", "mesh.vtkhdf", "history.csv", "ledger.csv", "left_the_mesh.csv", "footings.csv"}) {
+  for (const std::string name : {"mesh.vtkhdf", "history.csv", "ledger.csv", "left_the_mesh.csv", "footings.csv"}) {
     for (const bool is_pipe : {false, true}) {
       const std::string folder = scratch.path() + (is_pipe ? "/pipe_" : "/folder_") + name, path = folder + "/" + name;
-      std::filesystem::copy(whole, folder);
+      std::filesystem::copy(whole, folder, std::filesystem::copy_options::recursive);
       std::filesystem::remove(path);
       if (is_pipe)
         ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
@@ -366,36 +365,43 @@ TEST(Resume, WhereAFolderOrAPipeStandsForAFileOfTheRunIsRefused)
   }
 }
 
-TEST(Resume, WhereTheResultsWereCutOrAlteredIsRefusedAndNothingChanges)
+TEST(Resume, WhereFramesWereCutNamesThemAndGoesOn)
 {
   const test::ScratchFolder scratch;
-  const std::string whole = scratch.path() + "/whole";
+  const std::string whole = scratch.path() + "/whole", folder = scratch.path() + "/cut",
+                    cut = folder + "/frames/points_00001.vtkhdf";
   ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set",
                                   "output.fields.every=0.05", "--set", "output.mesh=true"})
                 .status,
       0);
   std::filesystem::remove(whole + last_checkpoint);
-  for (const std::string name : {"results.vtkhdf", "mesh.vtkhdf"}) {
-    const std::string folder = scratch.path() + "/cut_" + name, path = folder + "/" + name;
-    std::filesystem::copy(whole, folder);
+  std::filesystem::copy(whole, folder, std::filesystem::copy_options::recursive);
+  for (const std::string& path : {cut, folder + "/mesh.vtkhdf"})
     std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
-    Finished f = test::terp({"resume", folder});
-    EXPECT_EQ(f.status, 1) << name;
-    EXPECT_THAT(f.err, AllOf(StartsWith("error: cannot resume from step 33, t = 0.1 s: " + path +
-                                        " was cut or altered, and its frames cannot be read\n"),
-                           HasSubstr("truncated file"),
-                           HasSubstr("\n  Put a copy of it back, or start the case anew: terp run " + folder +
-                                     "/case.toml -o NEW_FOLDER\n"),
-                           HasSubstr("Nothing was changed")));
-    EXPECT_EQ(text_of(folder + "/ledger.csv"), text_of(whole + "/ledger.csv"));
-    std::string bytes = text_of(whole + "/" + name);
-    bytes.replace(48, 40, 40, 'x');  // the superblock and what follows
-    test::write_text(path, bytes);
-    f = test::terp({"resume", folder});
-    EXPECT_THAT(f.err,
-        AllOf(HasSubstr("error: cannot resume from step 33, t = 0.1 s"), HasSubstr(path), HasSubstr("NEW_FOLDER")));
-    EXPECT_EQ(text_of(folder + "/ledger.csv"), text_of(whole + "/ledger.csv"));
-  }
+  const Finished f = test::terp({"resume", folder, "-q", "-j", "1"});
+  EXPECT_EQ(f.status, 0);
+  EXPECT_THAT(f.err, AllOf(HasSubstr("warning: " + cut + " is damaged; the run goes on without it: cannot read " + cut),
+                         HasSubstr("warning: " + folder + "/mesh.vtkhdf is damaged; it is written again")));
+  auto expected = test::frames_of(whole);
+  const auto seen = test::frames_of(folder);
+  expected["points_00001.vtkhdf"] = seen.at("points_00001.vtkhdf");
+  EXPECT_TRUE(seen == expected);
+  EXPECT_TRUE(text_of(folder + "/mesh.vtkhdf") == text_of(whole + "/mesh.vtkhdf"));
+  EXPECT_THAT(text_of(folder + "/results.vtkhdf.series"), testing::Not(HasSubstr("points_00001")));
+  EXPECT_THAT(test::terp({"export", folder, "-o", scratch.path() + "/csv"}).err,
+      HasSubstr("warning: " + cut + " is left out: cannot read " + cut));
+}
+
+TEST(Run, EqualRunsLeaveEqualFilesButForTheSummary)
+{
+  const test::ScratchFolder scratch;
+  const std::string one = scratch.path() + "/one", two = scratch.path() + "/two";
+  for (const auto& folder : {one, two}) ASSERT_EQ(run_column(folder, {"-q", "--set", "output.mesh=true"}).status, 0);
+  for (const std::string& name : test::names_in(one))
+    if (name != "summary.json" && name != "frames")
+      EXPECT_TRUE(text_of(one + "/" + name) == text_of(two + "/" + name)) << name;
+  EXPECT_TRUE(test::frames_of(one) == test::frames_of(two));
+  EXPECT_THAT(test::frames_of(one), testing::SizeIs(testing::Gt(3)));
 }
 
 TEST(Resume, WithAFileOfAnotherRunOfTheSameSizeIsRefused)
@@ -404,12 +410,12 @@ TEST(Resume, WithAFileOfAnotherRunOfTheSameSizeIsRefused)
   const std::string folder = scratch.path() + "/run", other = scratch.path() + "/other";
   ASSERT_EQ(run_column(folder, {"-q"}).status, 0);
   ASSERT_EQ(run_column(other, {"-q", "--set", "material.clay.eta=40"}).status, 0);
-  for (const std::string name : {"/results.vtkhdf", "/mesh.vtkhdf", "/history.csv", "/ledger.csv"}) {
+  for (const std::string name : {"/frames/points_00000.vtkhdf", "/history.csv", "/ledger.csv"}) {
     const std::string ours = text_of(folder + name);
     test::write_text(folder + name, text_of(other + name));
     const Finished f = test::terp({"resume", folder});
     EXPECT_EQ(f.status, 1) << name;
-    EXPECT_THAT(f.err, AllOf(StartsWith("error: cannot resume from step 66, t = 0.2 s: " + folder + name + " is not "),
+    EXPECT_THAT(f.err, AllOf(StartsWith("error: cannot resume from step 66, t = 0.2 s: " + folder + name + " is "),
                            HasSubstr("Nothing was changed")));
     test::write_text(folder + name, ours);
   }
@@ -466,22 +472,6 @@ TEST(Resume, WithALaterEndGoesOnInTheSameTimeStepWithoutGapOrDoubleRows)
   EXPECT_EQ(test::terp({"resume", folder}).err,
       "error: cannot resume from step 133, t = 0.403 s: time.end = 0.3 s lies before it\n"
       "  Set a later time.end in case.toml of the folder, or name an earlier checkpoint.\n");
-}
-
-TEST(Resume, FromACheckpointThatKnowsNoCaseSaysSoAndChecksThePointsOnly)
-{
-  const test::ScratchFolder scratch;
-  const std::string folder = scratch.path() + "/run";
-  ASSERT_EQ(run_column(folder, {"-q"}).status, 0);
-  StateImage image = read_checkpoint(folder + last_checkpoint);
-  image.case_record.clear();
-  write_checkpoint(folder + last_checkpoint, image);
-  EXPECT_THAT(test::terp({"resume", folder, "-q"}).err,
-      HasSubstr("warning: the checkpoint of step 66 is from an earlier Terp and does not say what case"));
-  edit_case(folder, "[5, 5]", "[4, 4]");
-  EXPECT_THAT(test::terp({"resume", folder}).err,
-      HasSubstr("error: cannot resume from step 66: the case seeds 1024 material points, the checkpoint holds 1600\n"
-                "  case.toml of the folder, or a file that it names, is not what the run began with.\n"));
 }
 
 TEST(Resume, SaysFirstThatAnotherTerpIsWriting)

@@ -72,15 +72,20 @@ TEST(Trouble, AFileThatMayGrowNoMoreIsAnErrorAndTheRunCanGoOn)
 {
   const test::ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run", whole = scratch.path() + "/whole";
+  std::vector<std::string> half = often;
+  half.insert(half.end(), {"--set", "time.end=0.1"});
+  ASSERT_EQ(test::run_column(folder, half).status, 0);
+  std::string text = test::text_of(folder + "/case.toml");
+  test::write_text(folder + "/case.toml", text.replace(text.find("end = 0.1"), 9, "end = 0.2"));
   Finished f;
   {
-    const FileSizeLimit limit(1200 << 10);  // more than a checkpoint, less than the results
-    f = test::run_column(folder, often);
+    const FileSizeLimit limit(40 << 10);  // more than the tables, less than a frame
+    f = test::terp({"resume", folder, "-q", "-j", "1"});
   }
   EXPECT_EQ(f.status, 1);
-  EXPECT_THAT(f.err,
-      AllOf(StartsWith("error: cannot write " + folder + "/results.vtkhdf"), HasSubstr("File too large"),
-          HasSubstr("Earlier results are intact, up to the checkpoint at t = "), HasSubstr("terp resume " + folder)));
+  EXPECT_THAT(f.err, AllOf(StartsWith("error: cannot write " + folder + "/frames/points_"), HasSubstr("File too large"),
+                         HasSubstr("Earlier results are intact, up to the checkpoint at t = 0.1"),
+                         HasSubstr("terp resume " + folder)));
   const Finished resumed = test::terp({"resume", folder, "-q", "-j", "2"});
   EXPECT_EQ(resumed.status, 0) << resumed.err;
   ASSERT_EQ(test::run_column(whole, often).status, 0);
@@ -98,16 +103,15 @@ TEST(Trouble, ResultsThatCannotBeWrittenAnyMoreEndTheRunAndItCanGoOn)
   words.insert(words.end(), more.begin(), more.end());
   test::Process running(words);
   wait_for_checkpoint(folder);
-  fs::rename(folder + "/results.vtkhdf", aside);
-  fs::create_directory(folder + "/results.vtkhdf");
+  fs::rename(folder + "/frames", aside);
+  test::write_text(folder + "/frames", "");
   const Finished f = running.wait();
   EXPECT_EQ(f.status, 1);
-  EXPECT_THAT(
-      f.err, AllOf(HasSubstr("error: cannot read " + folder + "/results.vtkhdf: a folder is in the place of the file"),
-                 HasSubstr("terp resume " + folder)));
+  EXPECT_THAT(f.err,
+      AllOf(HasSubstr("error: cannot make the folder " + folder + "/frames"), HasSubstr("terp resume " + folder)));
 
-  fs::remove(folder + "/results.vtkhdf");
-  fs::rename(aside, folder + "/results.vtkhdf");
+  fs::remove(folder + "/frames");
+  fs::rename(aside, folder + "/frames");
   const Finished resumed = test::terp({"resume", folder, "-q", "-j", "2"});
   EXPECT_EQ(resumed.status, 0) << resumed.err;
   words = test::longer_run(whole, "1");
@@ -202,20 +206,17 @@ TEST(Trouble, ClosedStandardStreamsLeaveTheTablesAsTheyAre)
   }
 }
 
-/// A commit that a process left unfinished: the journal is whole, the file is not.
-TEST(Trouble, ResultsWhoseLastCommitWasCutShortAreRepairedByResume)
+TEST(Trouble, WhatAKillLeavesUnderTemporaryNamesIsRemovedByResume)
 {
   const test::ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";
   ASSERT_EQ(test::run_column(folder, often).status, 0);
-  test::write_text(folder + "/results.vtkhdf.journal", "terpjnl1 cut short");
-  test::write_text(folder + "/checkpoint_000000033.h5.tmp", "cut short");
+  for (const char* name : {"/frames/points_00003.vtkhdf.tmp", "/checkpoint_000000033.h5.tmp"})
+    test::write_text(folder + name, "cut short");
   const Finished resumed = test::terp({"resume", folder, "-q", "-j", "1"});
   EXPECT_EQ(resumed.status, 0) << resumed.err;
-  for (const std::string& name : test::names_in(folder)) {
-    EXPECT_FALSE(name.ends_with(".tmp")) << name;
-    EXPECT_FALSE(name.ends_with(".journal")) << name;
-  }
+  for (const std::string& in : {folder, folder + "/frames"})
+    for (const std::string& name : test::names_in(in)) EXPECT_FALSE(name.ends_with(".tmp")) << name;
 }
 
 }  // namespace

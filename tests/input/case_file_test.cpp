@@ -87,31 +87,34 @@ TEST(CaseFile, KnowsTheFolderOfTheCase)
 
 const char* const case_with_files = "file = \"sub/../a.msh\"\n[[body]]\npoints = \"a.csv\"";
 
-TEST(CaseFile, RecordsFullNamesOfOtherFilesSoThatARunFolderCanBeResumed)
+TEST(CaseFile, NamesTheCopiesOfOtherFilesSoThatARunFolderCanBeMoved)
 {
   const ScratchFolder folder, run;
   std::filesystem::create_directory(folder.path() + "/sub");
   std::ofstream(folder.path() + "/a.msh"), std::ofstream(folder.path() + "/a.csv");
   const CaseFile file = read_case_text(small_case_on(case_with_files), folder.path() + "/case.toml");
   EXPECT_EQ(file.values.mesh.file, "sub/../a.msh");
-  EXPECT_THAT(file.text, HasSubstr("case.toml, with the full names of its files\n"));
+  EXPECT_THAT(file.text, HasSubstr("case.toml, with copies of the files that it names\n"));
   std::ofstream(run.path() + "/case.toml") << file.text;
+  for (const InputFile& input : file.inputs) std::filesystem::copy_file(input.path, run.path() + "/" + input.copy);
   const CaseFile again = read_case(run.path() + "/case.toml");
-  EXPECT_EQ(again.values.mesh.file, folder.path() + "/a.msh");
-  EXPECT_EQ(again.values.bodies[0].points_file, folder.path() + "/a.csv");
+  EXPECT_EQ(again.values.mesh.file, "mesh.msh");
+  EXPECT_EQ(again.values.bodies[0].points_file, "points_1.csv");
   EXPECT_EQ(again.values.bodies[1].polygon, file.values.bodies[1].polygon);
   EXPECT_EQ(again.text, file.text);
 }
 
-TEST(CaseFile, RecordsChangesAndFullNamesTogether)
+TEST(CaseFile, RecordsChangesAndCopiesTogether)
 {
   const ScratchFolder folder;
   std::ofstream(folder.path() + "/a.msh"), std::ofstream(folder.path() + "/b.msh"),
       std::ofstream(folder.path() + "/a.csv");
   const CaseFile file =
       read_case_text(small_case_on(case_with_files), folder.path() + "/case.toml", {"mesh.file=b.msh"});
-  EXPECT_THAT(file.text, HasSubstr("changed by\n#   --set mesh.file=b.msh\n# and with the full names of its files\n"));
-  EXPECT_THAT(file.text, HasSubstr("file = \"" + folder.path() + "/b.msh\"\n"));
+  EXPECT_THAT(
+      file.text, HasSubstr("changed by\n#   --set mesh.file=b.msh\n# and with copies of the files that it names\n"));
+  EXPECT_THAT(file.text, HasSubstr("file = \"mesh.msh\"\n"));
+  EXPECT_EQ(file.inputs.at(0).path, folder.path() + "/b.msh");
 }
 
 TEST(CaseFile, SaysThatThereIsNoSuchFile)

@@ -68,14 +68,22 @@ TEST_F(OtherFiles, ThatAreNoTextAreLeftToTheirKey)
   EXPECT_THAT(seen_with("file = 3"), HasSubstr("1 error; nothing was run.\n"));
 }
 
-TEST_F(OtherFiles, GetFullNamesOnce)
+TEST_F(OtherFiles, AreNamedAsTheirCopiesAreCalled)
 {
   Node root = parse_toml("[mesh]\nfile = \"a/../b.msh\"\n[[body]]\nbox = []\n[[body]]\npoints = \"c.csv\"\n");
-  EXPECT_TRUE(make_files_absolute(root, "/somewhere"));
-  EXPECT_EQ(find_node(root, "mesh.file")->text, "/somewhere/b.msh");
-  EXPECT_EQ(find_node(root, "body[1].points")->text, "/somewhere/c.csv");
-  EXPECT_FALSE(make_files_absolute(root, "/elsewhere"));
-  EXPECT_EQ(find_node(root, "mesh.file")->text, "/somewhere/b.msh");
+  std::vector<InputFile> files, again;
+  EXPECT_TRUE(name_copies(root, "/somewhere", files));
+  EXPECT_EQ(find_node(root, "mesh.file")->text, "mesh.msh");
+  EXPECT_EQ(find_node(root, "body[1].points")->text, "points_1.csv");
+  ASSERT_EQ(files.size(), 2);
+  EXPECT_EQ(files[0].path, "/somewhere/a/../b.msh");
+  EXPECT_EQ(files[1].path, "/somewhere/c.csv");
+  EXPECT_EQ(files[1].copy, "points_1.csv");
+  EXPECT_FALSE(name_copies(root, "/elsewhere", again));
+  EXPECT_EQ(again[0].path, "/elsewhere/mesh.msh");
+  root = parse_toml("[mesh]\nfile = \"dike.unv\"\n");  // its ending says how it is read
+  EXPECT_TRUE(name_copies(root, "/somewhere", files));
+  EXPECT_EQ(find_node(root, "mesh.file")->text, "mesh.unv");
 }
 
 }  // namespace

@@ -134,7 +134,7 @@ TEST(Checkpoint, OfAnotherFormatNamesBothVersions)
     file.close();
   }
   EXPECT_THAT(file_error_of([&] { read_checkpoint(path); }),
-      testing::AllOf(HasSubstr("checkpoint format 99"), HasSubstr("reads formats 3 to 5")));
+      testing::AllOf(HasSubstr("checkpoint format 99"), HasSubstr("reads format 6")));
 }
 
 TEST(Checkpoint, KeepsWhatTheRunBeganWithUnderItsChecksum)
@@ -154,18 +154,6 @@ TEST(Checkpoint, KeepsWhatTheRunBeganWithUnderItsChecksum)
   EXPECT_THAT(file_error_of([&] { read_checkpoint(path); }), HasSubstr("its checksum does not match"));
   write_file_atomically(path, std::string(bytes).replace(bytes.find("85944171f73967e8"), 1, "9"));
   EXPECT_THAT(file_error_of([&] { read_checkpoint(path); }), HasSubstr("its checksum does not match"));
-}
-
-TEST(Checkpoint, OfFormat3WhichKnewNoCaseIsRead)
-{
-  const test::ScratchFolder folder;
-  const std::string path = write_sample(folder.path(), 12);
-  {
-    Hdf5File file(path, Hdf5File::Mode::change);
-    file.set_integers("/", "format_version", {3});  // all that differs when the record is empty
-    file.close();
-  }
-  EXPECT_TRUE(same(read_checkpoint(path), sample_image(12)));
 }
 
 TEST(Checkpoint, AnArrayWhoseShapeDoesNotFitIsRefused)

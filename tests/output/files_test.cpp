@@ -80,14 +80,13 @@ TEST(Files, ReservingMoreThanThereIsLeavesTheFileAsItWas)
   EXPECT_EQ(read_file(path), "abc");
 }
 
-TEST(Files, AWriterThatFailsLeavesNothingBehind)
+TEST(Files, ATemporaryFileThatIsNotMovedLeavesNothingBehind)
 {
   const test::ScratchFolder folder;
-  const auto fail_half_way = [](const std::string& temporary) {
-    write_file_atomically(temporary, "half");
-    throw FileError("stop");
-  };
-  EXPECT_EQ(file_error_of([&] { write_whole(folder.path() + "/a", fail_half_way); }), "stop");
+  {
+    const TemporaryFile file(folder.path() + "/a");
+    write_file_atomically(file.name(), "half");
+  }
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 

@@ -43,18 +43,45 @@ TEST(RunFolder, ThatHoldsAnythingIsRefusedWithThreeWaysOut)
 TEST(RunFolder, ForceRemovesTheFilesOfARunAndNoOthers)
 {
   const test::ScratchFolder scratch;
-  for (const char* name : {"case.toml", "results.vtkhdf", "mesh.vtkhdf", "history.csv", "ledger.csv", "summary.json",
-           "summary.json.tmp", "checkpoint_000000100.h5", "checkpoint_1234567890.h5", "failed_000000200.h5"}) {
+  std::filesystem::create_directory(scratch.path() + "/frames");
+  for (const char* name :
+      {"case.toml", "results.vtkhdf.series", "mesh.vtkhdf", "history.csv", "ledger.csv", "summary.json",
+          "summary.json.tmp", "checkpoint_000000100.h5", "checkpoint_1234567890.h5", "failed_000000200.h5", "mesh.msh",
+          "points_12.csv", "frames/points_00000.vtkhdf", "frames/mesh_00001.vtkhdf.tmp"}) {
     write_file_atomically(path_in(scratch.path(), name), "old");
   }
   const std::vector<std::string> foreign = {
-      "notes.txt", "checkpoint_mine.h5", "checkpoint_.h5", "results.vtkhdf.bak", "my_history.csv"};
+      "notes.txt", "checkpoint_mine.h5", "checkpoint_.h5", "points_.csv", "points_a.csv", "my_history.csv"};
   for (const auto& name : foreign) write_file_atomically(path_in(scratch.path(), name), "mine");
   std::filesystem::create_directory(scratch.path() + "/case.toml.d");
   prepare_run_folder(scratch.path(), true);
   auto left = foreign;
   left.push_back("case.toml.d");
   EXPECT_THAT(files_in(scratch.path()), testing::UnorderedElementsAreArray(left));
+}
+
+TEST(RunFolder, ForceKeepsAFolderOfFramesThatHoldsAnythingElse)
+{
+  const test::ScratchFolder scratch;
+  std::filesystem::create_directory(scratch.path() + "/frames");
+  for (const char* name : {"frames/points_00000.vtkhdf", "frames/notes.txt"})
+    write_file_atomically(path_in(scratch.path(), name), "");
+  prepare_run_folder(scratch.path(), true);
+  EXPECT_THAT(files_in(scratch.path() + "/frames"), testing::ElementsAre("notes.txt"));
+}
+
+TEST(RunFolder, HoldsCopiesOfTheFilesThatTheCaseNamesEvenIfTheyAreThoseOfTheRunBefore)
+{
+  const test::ScratchFolder scratch;
+  write_file_atomically(scratch.path() + "/mesh.msh", "nodes");
+  prepare_run_folder(scratch.path(), true, {{scratch.path() + "/mesh.msh", "mesh.msh"}});
+  EXPECT_EQ(read_file(scratch.path() + "/mesh.msh"), "nodes");
+  const std::string missing = scratch.path() + "/none.csv";
+  EXPECT_THAT(file_error_of([&] {
+    prepare_run_folder(scratch.path(), true, {{missing, "points_1.csv"}});
+  }),
+      HasSubstr("cannot read " + missing));
+  EXPECT_EQ(read_file(scratch.path() + "/mesh.msh"), "nodes");
 }
 
 TEST(RunFolder, ForceFollowsNoLinkAndEntersNoFolder)

@@ -58,13 +58,11 @@ inline StateImage sample_image(std::int64_t step)
           {"empty", {0, 3}, std::vector<Real>{}}}};
 }
 
-/// A ResultsFile (fields: those of its frames) or MeshFile without the frames of later steps.
-template <class File, class... Fields>
-void cut_after(const File& file, std::int64_t step, const Fields&... fields)
+/// Values as a frame keeps them: of single precision.
+inline std::vector<Real> as_single(std::vector<Real> values)
 {
-  const auto opened = file.open_to_cut();
-  File::cut_after(*opened, step, fields...);
-  opened->close();
+  for (Real& value : values) value = static_cast<float>(value);
+  return values;
 }
 
 /// The text of the FileError that `call` throws; fails the test through an empty text if it throws none.

@@ -46,7 +46,7 @@ def write_run(folder, scheme="mpm_gp", model=2, times=TIMES, spacing=0.1):
     """A whole run folder; spacing 0.02 m is that of the paper. Returns the folder."""
     folder.mkdir(parents=True)
     start = lattice(spacing)
-    write_results(folder / "results.vtkhdf", start, scheme, model, times)
+    write_frames(folder, start, scheme, model, times)
     write_mesh(folder / "mesh.vtkhdf", 16, 3)
     write_history(folder / "history.csv", start, scheme, model, times[-1])
     write_ledger(folder / "ledger.csv", times[-1])
@@ -110,7 +110,7 @@ def strength(plastic, model):
     return residual + (SU_PEAK - residual) * np.exp(-ETA * plastic)
 
 
-UNITS = {"eps_deviatoric": "-", "eps_eq_p": "-", "su": "Pa", "id": "-", "displacement": "m", "stress": "Pa"}
+UNITS = {"eps_deviatoric": "-", "eps_eq_p": "-", "su": "Pa", "displacement": "m", "stress": "Pa"}
 COMPONENTS = {"displacement": "x y z", "stress": "xx yy zz xy"}
 
 
@@ -123,26 +123,34 @@ def fields_at(start, t, scheme, model):
             "stress": np.column_stack([-1e3 * start[:, 1], -2e3 * start[:, 1], zero, 10.0 * total])}
 
 
-def write_results(path, start, scheme, model, times):
-    """results.vtkhdf as docs/formats.md has it."""
-    n = len(start)
+def write_frames(folder, start, scheme, model, times):
+    """Frames as docs/formats.md has them."""
+    (folder / "frames").mkdir(exist_ok=True)
+    for k, t in enumerate(times):
+        write_frame(frame_file(folder, k), k, t, places(start, t, model), fields_at(start, t, scheme, model))
+
+
+def frame_file(folder, k):
+    return folder / "frames" / f"points_{k:05}.vtkhdf"
+
+
+def write_frame(path, number, time, x, fields, case="0123456789abcdef"):
+    n = len(x)
     with h5py.File(path, "w") as file:
+        file.attrs["frame"], file.attrs["time"], file.attrs["step"] = number, time, round(time / 6.06e-4)
+        file.attrs["case"] = np.bytes_(case)
         root = file.create_group("VTKHDF")
-        root.attrs["Version"], root.attrs["Type"] = (2, 0), np.bytes_("UnstructuredGrid")
+        root.attrs["Version"], root.attrs["Type"] = (1, 0), np.bytes_("UnstructuredGrid")
         for name in ("NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"):
             root[name] = [n]
         root["Connectivity"], root["Offsets"], root["Types"] = np.arange(n), np.arange(n + 1), np.ones(n, np.uint8)
-        root["PointData/id"] = np.arange(n)
-        root["Points"] = np.concatenate([np.column_stack([places(start, t, model), np.zeros(n)]) for t in times])
-        frames = [fields_at(start, t, scheme, model) for t in times]
-        for name in frames[0]:
-            root.create_dataset(f"PointData/{name}", data=np.concatenate([frame[name] for frame in frames]),
-                                compression="gzip")
-        for name, table in root["PointData"].items():
-            table.attrs["unit"] = np.bytes_(UNITS[name])
+        root["Points"] = np.column_stack([x, np.zeros(n)])
+        for name, values in fields.items():
+            array = root.create_dataset(f"PointData/{name}", data=values, dtype="f4", compression="gzip",
+                                        fletcher32=True)
+            array.attrs["unit"] = np.bytes_(UNITS[name])
             if name in COMPONENTS:
-                table.attrs["components"] = np.bytes_(COMPONENTS[name])
-        write_steps(root, times, n)
+                array.attrs["components"] = np.bytes_(COMPONENTS[name])
 
 
 def write_mesh(path, n_x, n_y):
@@ -155,17 +163,6 @@ def write_mesh(path, n_x, n_y):
         root["Points"] = np.column_stack([x.ravel(), y.ravel(), 0 * x.ravel()])
         root["Connectivity"] = np.column_stack([first, first + 1, first + n_x + 2, first + n_x + 1]).ravel()
         root["NumberOfPoints"], root["NumberOfCells"] = [x.size], [first.size]
-
-
-def write_steps(root, times, n):
-    steps = root.create_group("Steps")
-    steps.attrs["NSteps"] = len(times)
-    steps["Values"], steps["NumberOfParts"] = np.asarray(times, dtype=float), np.ones(len(times), int)
-    steps["PartOffsets"] = np.zeros(len(times), int)
-    steps["CellOffsets"] = steps["ConnectivityIdOffsets"] = np.zeros((len(times), 1), int)
-    steps["PointOffsets"] = n * np.arange(len(times))
-    for name in root["PointData"]:
-        steps[f"PointDataOffsets/{name}"] = 0 * np.arange(len(times)) if name == "id" else n * np.arange(len(times))
 
 
 def write_history(path, start, scheme, model, end):

@@ -3,8 +3,6 @@
 import importlib.util
 import pathlib
 import tempfile
-import threading
-import time
 import unittest
 import unittest.mock
 
@@ -14,7 +12,6 @@ import synthetic
 import h5py
 import numpy as np
 import terp
-from terp.vtkhdf import VtkhdfFile
 
 
 class RunFolder(unittest.TestCase):
@@ -28,8 +25,9 @@ class RunFolder(unittest.TestCase):
         start = synthetic.lattice(0.1)
         for k in (0, 3, len(synthetic.TIMES) - 1):
             total, plastic = synthetic.strains(start, synthetic.TIMES[k], "mpm_gp", 2)
-            np.testing.assert_array_equal(self.run_.field("eps_deviatoric", k), total)
-            np.testing.assert_array_equal(self.run_.frame(k)["eps_eq_p"], plastic)
+            np.testing.assert_array_equal(self.run_.field("eps_deviatoric", k), total.astype("f4"))
+            np.testing.assert_array_equal(self.run_.frame(k)["eps_eq_p"], plastic.astype("f4"))
+            self.assertEqual(self.run_.field("eps_deviatoric", k).dtype, np.float64)
 
     def test_places_are_two_columns_and_move(self):
         start = synthetic.lattice(0.1)
@@ -58,7 +56,7 @@ class RunFolder(unittest.TestCase):
 
     def test_a_series_is_one_row_of_all_frames(self):
         row = 700
-        for name in ("su", "stress", "id", "x"):
+        for name in ("su", "stress", "x"):
             series = self.run_.series(name, row)
             np.testing.assert_array_equal(series, [frame[name][row] for frame in self.run_])
             self.assertEqual(len(series), len(self.run_))
@@ -77,26 +75,11 @@ class RunFolder(unittest.TestCase):
         np.testing.assert_array_equal(frame.scalar("su"), frame["su"])
         np.testing.assert_array_equal(frame.scalar("stress.yy"), frame["stress"][:, 1])
         np.testing.assert_allclose(frame.scalar("displacement"), np.hypot(*frame["displacement"].T[:2]))
-        for name, words in (("stress", "ask for one of them: stress.xx, stress.yy"),
-                            ("stress.xz", "has no component `xz`"),
+        for name, words in (("stress", "ask for one of them: stress.xx, stress.yy"), ("stress.xz",
+                                                                                      "has no component `xz`"),
                             ("sress.xx", "Did you mean `stress`?"), ("su.xx", "has no component `xx`")):
             with self.assertRaisesRegex(terp.RunError, words):
                 frame.scalar(name)
-
-    def test_data_offsets_of_a_field_are_honoured(self):
-        with tempfile.TemporaryDirectory() as folder:
-            with h5py.File(pathlib.Path(folder) / "results.vtkhdf", "w") as file:
-                file["VTKHDF/Points"] = np.arange(18.0).reshape(6, 3)
-                file["VTKHDF/NumberOfPoints"] = [2, 4]
-                file["VTKHDF/Steps/Values"] = [0.0, 1.0]
-                file["VTKHDF/Steps/PointOffsets"] = [0, 2]
-                file["VTKHDF/Steps/PartOffsets"] = [0, 1]
-                file["VTKHDF/Steps"].attrs["NSteps"] = 2
-                file["VTKHDF/PointData/material"] = [7, 8, 5, 6, 7, 8, 9]
-                file["VTKHDF/Steps/PointDataOffsets/material"] = [0, 3]
-            run = terp.open(folder)
-            self.assertEqual(run.field("material", 1).tolist(), [6, 7, 8, 9])
-            self.assertEqual(run.field("x", 1)[0].tolist(), [6.0, 7.0])
 
     def test_history_is_a_structured_array(self):
         rows = self.run_.history_of("B")
@@ -143,8 +126,8 @@ class RunFolder(unittest.TestCase):
             frame = terp.to_pandas(self.run_.ledger)
             self.assertEqual(list(frame.columns), list(self.run_.ledger.dtype.names))
             np.testing.assert_array_equal(frame["time"].to_numpy(), self.run_.ledger["time"])
-        without_pandas = unittest.mock.patch.dict("sys.modules", pandas=None)
-        with without_pandas, self.assertRaisesRegex(terp.RunError, "install python3-pandas"):
+        with unittest.mock.patch.dict("sys.modules", pandas=None), self.assertRaisesRegex(terp.RunError,
+                                                                                          "install python3-pandas"):
             terp.to_pandas(self.run_.ledger)
 
 
@@ -158,18 +141,44 @@ class RunThatIsGoing(unittest.TestCase):
         synthetic.write_run(self.folder, times=synthetic.TIMES[:3], spacing=0.5)
         self.run_ = terp.open(self.folder)
 
-    def test_a_frame_counts_when_it_is_whole(self):
-        with h5py.File(self.folder / "results.vtkhdf", "r+") as file:
-            file["VTKHDF/Steps"].attrs["NSteps"] = 2  # the third is being written
+    def test_a_frame_that_is_being_written_is_not_seen(self):
+        synthetic.frame_file(self.folder, 2).rename(self.folder / "frames" / "points_00002.vtkhdf.tmp")
         self.assertEqual(self.run_.times.tolist(), [0.0, 0.5])
         self.assertEqual(self.run_.frame(-1).time, 0.5)
         self.assertEqual(len(self.run_.series("su", 0)), 2)
         self.assertFalse(self.run_.finished)
 
+    def test_frames_that_are_missing_or_damaged_are_named_and_left_out(self):
+        first, second = (synthetic.frame_file(self.folder, k) for k in (0, 1))
+        first.unlink()
+        second.write_bytes(second.read_bytes()[:500])
+        with self.assertWarns(UserWarning) as caught:
+            self.assertEqual(self.run_.times.tolist(), [1.0])
+        texts = [str(warning.message) for warning in caught.warnings]
+        self.assertIn("lacks frame 0 of the points", texts[0])
+        self.assertIn(f"left out: {second} cannot be read as VTKHDF", texts[1])
+
+    def test_a_flipped_bit_in_a_field_is_an_error_that_names_the_frame(self):
+        path = synthetic.frame_file(self.folder, 1)
+        with h5py.File(path) as file:
+            at = file["VTKHDF/PointData/su"].id.get_chunk_info(0).byte_offset
+        content = bytearray(path.read_bytes())
+        content[at + 5] ^= 4
+        path.write_bytes(content)
+        self.assertEqual(len(self.run_.field("su", 0)), 64)
+        with self.assertRaisesRegex(terp.RunError, "points_00001.vtkhdf cannot be read as VTKHDF"):
+            self.run_.field("su", 1)
+
+    def test_a_frame_of_another_run_is_refused(self):
+        x = synthetic.lattice(0.5)
+        synthetic.write_frame(synthetic.frame_file(self.folder, 3), 3, 1.5, x, {}, case="fedcba9876543210")
+        with self.assertRaisesRegex(terp.RunError, "points_00003.vtkhdf is of a run of another case"):
+            self.run_.times
+
     def test_refresh_sees_what_was_added(self):
         before = self.run_.times, len(self.run_.ledger)
         start = synthetic.lattice(0.5)
-        synthetic.write_results(self.folder / "results.vtkhdf", start, "mpm_gp", 2, synthetic.TIMES[:5])
+        synthetic.write_frames(self.folder, start, "mpm_gp", 2, synthetic.TIMES[:5])
         synthetic.write_ledger(self.folder / "ledger.csv", 2.0)
         self.assertEqual((len(self.run_.times), len(self.run_.ledger)), (len(before[0]), before[1]))
         self.assertEqual(len(self.run_.refresh().times), 5)
@@ -180,63 +189,6 @@ class RunThatIsGoing(unittest.TestCase):
         with (self.folder / "ledger.csv").open("a") as file:
             file.write("1.1,1815,1,2,3")
         self.assertEqual(len(self.run_.refresh().ledger), n)
-
-    def test_a_reading_into_which_a_frame_came_is_repeated(self):
-        results, longer = self.folder / "results.vtkhdf", self.folder / "longer.vtkhdf"
-        for first_time in (lambda root: root["Steps"].attrs["NSteps"], lambda root: root["nothing"],
-                           lambda root: root["Points"][:].reshape(2, 2)):
-            synthetic.write_results(results, synthetic.lattice(0.5), "mpm_gp", 2, synthetic.TIMES[:3])
-            synthetic.write_results(longer, synthetic.lattice(0.5), "mpm_gp", 2, synthetic.TIMES[:4])
-
-            def n_steps(root):
-                if not longer.exists():
-                    return root["Steps"].attrs["NSteps"]
-                longer.replace(results)
-                return first_time(root)
-            self.assertEqual(VtkhdfFile(results).read(n_steps), 4)
-
-    def write_journal(self, head_before, changed=b""):
-        """The journal of a frame that is added: the first page, the last bytes of it changed."""
-        page = (self.folder / "results.vtkhdf").read_bytes()[:4096]
-        page = page[:len(page) - len(changed)] + changed
-        (self.folder / "results.vtkhdf.journal").write_bytes(b"terpjnl2" + bytes(8) + head_before + bytes(8) + page
-                                                             + bytes(8))
-
-    def test_a_reading_waits_while_a_frame_is_added(self):
-        self.write_journal(bytes(64), b"new")
-        journal = self.folder / "results.vtkhdf.journal"
-        threading.Timer(0.1, journal.unlink).start()
-        self.assertEqual(len(self.run_.times), 3)
-        self.assertFalse(journal.exists())
-
-    def test_a_reading_waits_however_long_it_has_read_before(self):
-        results, longer, journal = (self.folder / name
-                                    for name in ("results.vtkhdf", "longer.vtkhdf", "results.vtkhdf.journal"))
-        synthetic.write_results(longer, synthetic.lattice(0.5), "mpm_gp", 2, synthetic.TIMES[:4])
-        readings = []
-
-        def read(_):
-            readings.append(journal.exists())
-            if len(readings) == 1:
-                time.sleep(1.1)
-                longer.replace(results)
-                self.write_journal(bytes(64), b"new")
-                threading.Timer(0.1, journal.unlink).start()
-        VtkhdfFile(results).read(read)
-        self.assertEqual(readings, [False, False])
-
-    def test_a_run_that_was_killed_while_it_added_a_frame_is_told(self):
-        self.write_journal(bytes(64), b"new")
-        with self.assertRaisesRegex(terp.RunError, "was killed while it added a frame; `terp resume` ends that"):
-            self.run_.times
-
-    def test_a_journal_that_changes_nothing_is_passed_over(self):
-        head = (self.folder / "results.vtkhdf").read_bytes()[:64]
-        # each: everything is written, or nothing yet
-        for write in (lambda: self.write_journal(bytes(64)), lambda: self.write_journal(head, b"new"),
-                      lambda: (self.folder / "results.vtkhdf.journal").write_bytes(b"terpjnl2 and no more")):
-            write()
-            self.assertEqual(len(terp.open(self.folder).times), 3)
 
 
 class MissingThings(unittest.TestCase):
@@ -253,29 +205,32 @@ class MissingThings(unittest.TestCase):
             run = terp.open(folder)
             for name, action in (("summary.json", lambda: run.summary), ("history.csv", lambda: run.history),
                                  ("case.toml", lambda: run.case), ("mesh.vtkhdf", lambda: run.mesh),
-                                 ("results.vtkhdf", lambda: run.times)):
+                                 ("frames", lambda: run.times)):
                 self.assertEqual(self.message(action),
                                  f"{folder} has no {name}; is it the folder of a run, and has that run begun?")
 
-    def test_a_newer_format_is_refused_with_its_version(self):
+    def test_a_run_of_an_earlier_terp_is_refused_with_the_version(self):
         with tempfile.TemporaryDirectory() as folder:
-            with h5py.File(pathlib.Path(folder) / "results.vtkhdf", "w") as file:
-                file.create_group("VTKHDF").attrs["Version"] = (3, 1)
-            self.assertIn("results.vtkhdf is of VTKHDF version 3.1; this terp reads version 2",
-                          self.message(lambda: terp.open(folder).times))
+            (pathlib.Path(folder) / "results.vtkhdf").touch()
+            self.assertRegex(self.message(lambda: terp.open(folder).times),
+                             r"an earlier terp \(VTKHDF 2.0\); this one reads one file per frame")
 
     def test_damaged_files_are_named(self):
         with tempfile.TemporaryDirectory() as folder:
-            for name in ("summary.json", "results.vtkhdf"):
+            for name in ("summary.json", "mesh.vtkhdf"):
                 (pathlib.Path(folder) / name).write_text("not this")
             (pathlib.Path(folder) / "history.csv").write_text("time,point\n0.0,A\n0.0\n")
             run = terp.open(folder)
             self.assertIn("summary.json cannot be read", self.message(lambda: run.summary))
-            self.assertIn("results.vtkhdf cannot be read as VTKHDF", self.message(lambda: run.times))
+            self.assertIn("mesh.vtkhdf cannot be read as VTKHDF", self.message(lambda: run.mesh))
             self.assertIn("history.csv cannot be read", self.message(lambda: run.history))
-            with h5py.File(pathlib.Path(folder) / "results.vtkhdf", "w") as file:
+            with h5py.File(pathlib.Path(folder) / "mesh.vtkhdf", "w") as file:
+                file.create_group("VTKHDF").attrs["Version"] = (3, 1)
+            self.assertIn("mesh.vtkhdf is of VTKHDF version 3.1; this terp reads version 1",
+                          self.message(lambda: run.mesh))
+            with h5py.File(pathlib.Path(folder) / "mesh.vtkhdf", "w") as file:
                 file.create_group("VTKHDF")
-            self.assertIn("results.vtkhdf lacks a part of the format", self.message(lambda: run.times))
+            self.assertIn("mesh.vtkhdf lacks a part of the format", self.message(lambda: run.mesh))
 
     def test_an_unknown_field_gets_the_closest_name(self):
         run = terp.open(support.synthetic_run())

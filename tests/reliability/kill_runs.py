@@ -1,11 +1,10 @@
-"""Kills `terp run` and `terp resume` with SIGKILL again and again, and compares the files with an undisturbed run.
+"""Kills `terp run` and `terp resume` with SIGKILL again and again, and compares what comes out with an undisturbed run.
 
 A kill comes after a random time, or, with --library, at a random one of the calls that write, cut, rename or remove a
-file of the run (a write is then half done). After each kill results.vtkhdf is opened as ParaView would, and must
-contain whole frames, equal to those of the reference. Then the run is resumed, and killed again in one of three cases,
-until it ends; the last time on another number of threads. At the end every file must be that of the reference: tables
-and case to the bit, results.vtkhdf and checkpoints array by array to the bit, summary.json but for the clock; and there
-must be no other file.
+file of the run (a write is then done by half). After each kill every frame that is there must be that of the reference,
+byte by byte, and the frames that the index lists must be there. Then the run is resumed, and killed again in one of
+three cases, until it ends; the last time on another number of threads. At the end every file must be that of the
+reference, byte by byte, but for the clock in summary.json; and there must be no other file.
 
 usage: kill_runs.py TERP [--kills N] [--seed S] [--library kill_at_call.so] [--keep]
 """
@@ -21,58 +20,21 @@ import tempfile
 import time
 from pathlib import Path
 
-import h5py
-
 CASE = Path(__file__).with_name("column.toml")
 AGAIN = 1 / 3                                        # share of resumed runs that are killed too
 CLOCK = {"wall_s", "point_steps_per_s", "threads", "passes"}   # of summary.json: they differ between equal runs
-FRAMES = "VTKHDF/Steps"
-
-
-def arrays_of(path, skip=()):
-    """Every dataset and attribute of an HDF5 file, as bytes."""
-    found = {}
-
-    def add(name, thing):
-        for key, value in thing.attrs.items():
-            found[f"{name}@{key}"] = bytes(memoryview(value)) if hasattr(value, "dtype") else repr(value)
-        if isinstance(thing, h5py.Dataset) and name not in skip:
-            found[name] = (str(thing.dtype), thing.shape, thing[()].tobytes())
-
-    with h5py.File(path, "r") as file:
-        add("/", file)
-        file.visititems(add)
-    return found
 
 
 def content_of(path):
     """What of a file must not differ."""
-    if path.suffix == ".vtkhdf":
-        return arrays_of(path)
-    if path.suffix == ".h5":
-        found = arrays_of(path, skip=("arrays/wall_s",))
-        found.pop("/@checksum", None)  # covers wall_s
-        return found
     if path.name == "summary.json":
         return {key: value for key, value in json.loads(path.read_text()).items() if key not in CLOCK}
     return path.read_bytes()
 
 
-def frames_of(path):
-    """The frames that a reader sees: a list of {name: bytes}."""
-    frames = []
-    with h5py.File(path, "r") as file:
-        steps, root = file[FRAMES], file["VTKHDF"]
-        n = int(root["NumberOfPoints"][0])
-        for k in range(int(steps.attrs["NSteps"])):
-            frame = {"time": steps["Values"][k].tobytes(), "step": int(steps["step"][k])}
-            first = int(steps["PointOffsets"][k, 0] if steps["PointOffsets"].ndim == 2 else steps["PointOffsets"][k])
-            frame["Points"] = root["Points"][first:first + n].tobytes()
-            for name, table in root["PointData"].items():
-                first = int(steps["PointDataOffsets"][name][k])
-                frame[name] = table[first:first + n].tobytes()
-            frames.append(frame)
-    return frames
+def files_in(folder):
+    """{name: path} of all files, those in frames/ included."""
+    return {str(path.relative_to(folder)): path for path in folder.rglob("*") if path.is_file()}
 
 
 class Fault(Exception):
@@ -83,7 +45,7 @@ class Harness:
     def __init__(self, options, scratch):
         self.terp, self.library, self.scratch = options.terp, options.library, scratch
         self.random = random.Random(options.seed)
-        self.kills = self.runs = self.commits = self.missed = self.anew = 0
+        self.kills = self.runs = self.half = self.missed = self.anew = 0
         self.killed_in = {}
 
     def start(self, words, folder, environment=None):
@@ -97,14 +59,14 @@ class Harness:
         folder = self.scratch / "reference"
         count = self.scratch / "count"
         begin = time.monotonic()
-        process = self.start(self.run_words(folder, 1), folder,
-                             self.preload({"KILL_COUNT": str(count), "KILL_IN": str(folder)}))
+        process = self.start(self.run_words(folder, 1), folder, self.preload({"KILL_COUNT": str(count),
+                                                                              "KILL_IN": str(folder)}))
         if process.wait() != 0:
             raise Fault("the reference run fails: " + Path(f"{folder}.err").read_text())
         self.duration = time.monotonic() - begin
         self.n_calls = int(count.read_text()) if self.library else 0
-        self.reference = {path.name: content_of(path) for path in folder.iterdir()}
-        self.frames = frames_of(folder / "results.vtkhdf")
+        self.reference = {name: content_of(path) for name, path in files_in(folder).items()}
+        self.n_frames = sum(name.endswith(".vtkhdf") for name in self.reference)
 
     def preload(self, variables):
         return {"LD_PRELOAD": self.library, **variables} if self.library else {}
@@ -133,15 +95,14 @@ class Harness:
 
     def look_at_results(self, folder):
         """What a reader sees after a kill."""
-        path, journal = folder / "results.vtkhdf", folder / "results.vtkhdf.journal"
-        if journal.exists():  # terp died while it changed the file; terp resume ends the change
-            self.commits += 1
-            return
-        if not path.exists():
-            return
-        frames = frames_of(path)
-        if frames != self.frames[:len(frames)]:
-            raise Fault(f"{path}: its {len(frames)} frames are not those of the reference")
+        for path in folder.glob("frames/*.vtkhdf"):
+            if path.read_bytes() != self.reference[f"frames/{path.name}"]:
+                raise Fault(f"{path} is not that of the reference")
+        for index in folder.glob("*.series"):
+            for entry in json.loads(index.read_text())["files"]:
+                if not (folder / entry["name"]).exists():
+                    raise Fault(f"{index} lists {entry['name']}, which is not there")
+        self.half += any(True for _ in folder.rglob("*.tmp"))
 
     def go_on(self, folder, threads):
         if any(folder.glob("checkpoint_*.h5")):
@@ -150,7 +111,7 @@ class Harness:
         return self.run_words(folder, threads)
 
     def compare(self, folder):
-        names = {path.name for path in folder.iterdir()}
+        names = set(files_in(folder))
         if names != set(self.reference):
             raise Fault(f"{folder}: its files differ: {sorted(names ^ set(self.reference))}")
         for name, expected in self.reference.items():
@@ -196,11 +157,12 @@ def main():
     except Fault as fault:
         print(f"fault after {harness.kills} kills, seed {options.seed}: {fault}\n  kept: {scratch}", file=sys.stderr)
         return 1
-    print(f"{harness.kills} kills ({', '.join(f'{n} {kind}' for kind, n in sorted(harness.killed_in.items()))}) of "
-          f"{harness.runs} runs; {harness.missed} ended before their kill, {harness.anew} began anew "
-          f"(no checkpoint yet), {harness.commits} were killed while results.vtkhdf changed.\n"
-          f"All ended in the files of the undisturbed run: {len(harness.reference)} files, "
-          f"{len(harness.frames)} frames, {harness.duration:.2f} s, {harness.n_calls} calls that change files.")
+    kinds = ", ".join(f"{n} {kind}" for kind, n in sorted(harness.killed_in.items()))
+    print(f"{harness.kills} kills ({kinds}) of {harness.runs} runs; "
+          f"{harness.missed} ended before their kill, {harness.anew} began anew (no checkpoint yet), {harness.half} "
+          f"left a half-written file under a temporary name.\n"
+          f"All ended in the files of the undisturbed run: {len(harness.reference)} files, {harness.n_frames} VTKHDF, "
+          f"{harness.duration:.2f} s, {harness.n_calls} calls that change files.")
     if not options.keep:
         shutil.rmtree(scratch)
     return 0

@@ -124,5 +124,25 @@ TEST_F(PayloadTest, SaysWhatIsShown)
       testing::ElementsAre(testing::StartsWith("mixed: 3 frames, 5 points, places to "), testing::StartsWith("gp: ")));
 }
 
+TEST(Payload, LeavesDamagedFramesOutAndNamesThem)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = test::write_run(scratch.path() + "/run"),
+                    path = path_in(folder, frame_file(point_frames, 1));
+  const auto head = [&] { return Frames(folder).times().size(); };
+  std::string bytes = read_file(path);
+  for (std::size_t at = bytes.size() / 3; head() == 3; at += 7) {  // until a bit that only a reading of values finds
+    std::string damaged = bytes;
+    damaged[at] = static_cast<char>(damaged[at] ^ 1);
+    write_file_atomically(path, damaged);
+    Frames frames(folder);
+    frames.leave_out_damaged();
+    if (frames.times().size() == 2) break;
+  }
+  const Payload payload = make_payload({folder}, {});
+  EXPECT_THAT(payload.warnings, testing::ElementsAre(testing::HasSubstr(path + " is left out")));
+  EXPECT_THAT(payload.notes[0], testing::HasSubstr("2 frames"));
+}
+
 }  // namespace
 }  // namespace terp

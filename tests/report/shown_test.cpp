@@ -22,8 +22,8 @@ struct Folder {
   explicit Folder(int n, int n_frames, Real noise = 0.0)
   {
     test::Random random(3);
-    std::filesystem::remove(path_in(path, results_file));
-    ResultsFile results(path_in(path, results_file));
+    std::filesystem::remove_all(path_in(path, frames_folder));
+    PointFrameWriter results({path, point_frames, "0123456789abcdef"});
     for (int k = 0; k < n_frames; ++k) {
       Frame frame{.time = 0.1 * k,
           .step = k,
@@ -41,7 +41,7 @@ struct Folder {
       results.append(frame);
     }
   }
-  ShownRun shown(std::int64_t n_most = 1000) const { return read_shown(read_run(path), n_most); }
+  ShownRun shown(std::int64_t n_most = 1000) const { return read_shown(Frames(path), n_most); }
 };
 
 Real value(const ShownField& field, std::size_t frame, std::size_t point)

@@ -16,7 +16,13 @@ using testing::HasSubstr;
 
 struct FramesTest : testing::Test {
   test::ScratchFolder scratch;
-  std::string path = path_in(test::write_run(scratch.path() + "/run"), results_file);
+  std::string folder = test::write_run(scratch.path() + "/run");
+
+  std::string path_of(int k) const { return path_in(folder, frame_file(point_frames, k)); }
+  PointFrameWriter writer_from(int k, const std::string& run = "0123456789abcdef") const
+  {
+    return PointFrameWriter({folder, point_frames, run, k});
+  }
 };
 
 TEST_F(FramesTest, TellsTimesStepsAndFields)
@@ -35,90 +41,106 @@ TEST_F(FramesTest, TellsTimesStepsAndFields)
   EXPECT_FALSE(frames.has("id"));
 }
 
-TEST_F(FramesTest, ReadsPlacesAndFieldsToTheBit)
+TEST_F(FramesTest, ReadsPlacesAndFields)
 {
-  const Frames frames(path);
+  const Frames frames(folder);
   for (int k = 0; k < 3; ++k) {
     const Frame written = test::sample_frame(k);
     EXPECT_EQ(frames.places(static_cast<std::size_t>(k)), written.x);
-    EXPECT_EQ(frames.read("su", static_cast<std::size_t>(k)), written.fields[0].values);
-    EXPECT_EQ(frames.read("stress", static_cast<std::size_t>(k)), written.fields[2].values);
+    EXPECT_EQ(frames.read("su", static_cast<std::size_t>(k)), test::as_single(written.fields[0].values));
+    EXPECT_EQ(frames.read("stress", static_cast<std::size_t>(k)), test::as_single(written.fields[2].values));
   }
   EXPECT_THAT(frames.read("velocity", 1), testing::Contains(0.0).Times(5));  // z
+  EXPECT_TRUE(frames.warnings().empty());
 }
 
-TEST_F(FramesTest, AreThoseOfTheFileWhenItWasOpenedWhateverTheRunAdds)
+TEST_F(FramesTest, AreThoseOfTheFolderWhenItWasOpenedWhateverTheRunAdds)
 {
-  const Frames frames(path);
-  ResultsFile(path).append(test::sample_frame(3));
+  const Frames frames(folder);
+  writer_from(3).append(test::sample_frame(3));
   EXPECT_EQ(frames.times().size(), 3);
   EXPECT_EQ(frames.places(2), test::sample_frame(2).x);
-  EXPECT_EQ(Frames(path).places(3), test::sample_frame(3).x);
+  EXPECT_EQ(Frames(folder).places(3), test::sample_frame(3).x);
 }
 
-TEST_F(FramesTest, OfAnotherCaseThatTookThePlaceAreNotMixedIn)
+TEST_F(FramesTest, OfAnotherCaseAreNotMixedIn)
 {
-  const Frames frames(path);
-  std::filesystem::remove(path);
-  ResultsFile(path, "0123456789abcdef").append(test::sample_frame(0));
-  EXPECT_EQ(
-      file_error_of([&] { frames.places(0); }), "cannot read " + path + ": it has become the file of another case");
+  const Frames frames(folder);
+  writer_from(0, "fedcba9876543210").append(test::sample_frame(0));
+  EXPECT_EQ(file_error_of([&] { frames.places(0); }),
+      "cannot read " + path_of(0) + ": it has become the file of another case");
+  EXPECT_EQ(file_error_of([&] { Frames{folder}; }),
+      "cannot read " + path_of(1) + ": it is of a run of another case than the frames before it");
 }
 
 TEST_F(FramesTest, NamesTheFieldsWhenAskedForAnother)
 {
-  const Frames frames(path);
+  const Frames frames(folder);
   EXPECT_EQ(test::case_error_of([&] { frames.read("sigma", 0); }),
-      "error: " + path + " has no field `sigma`\n  It has: su, velocity, stress\n");
+      "error: " + folder + " has no field `sigma`\n  It has: su, velocity, stress\n");
 }
 
-TEST_F(FramesTest, AFrameThatIsNotThereIsAnErrorThatNamesTheFile)
+TEST_F(FramesTest, AFrameThatIsNotThereIsAnErrorThatNamesTheFolder)
 {
-  const Frames frames(path);
-  EXPECT_THAT(file_error_of([&] { frames.places(3); }),
-      testing::AllOf(HasSubstr("cannot read rows 15 to 19"), HasSubstr(path), HasSubstr("it has 15")));
+  EXPECT_EQ(file_error_of([&] { Frames(folder).places(3); }), folder + ": there is no frame 3, it has 3");
 }
 
-TEST_F(FramesTest, OfANewerFormatAreRefusedWithItsVersion)
+TEST_F(FramesTest, ThatAreMissingOrCutAreNamedAndLeftOut)
 {
-  Hdf5File(path, Hdf5File::Mode::change).set_integers("/VTKHDF", "Version", {3, 0});
-  EXPECT_EQ(
-      file_error_of([&] { Frames{path}; }), "cannot read " + path +
-                                                ": it is of VTKHDF version 3.0, terp " TERP_VERSION
-                                                " reads version 2\n  A newer terp wrote it: read it with that one.");
+  std::filesystem::remove(path_of(0));
+  write_file_atomically(path_of(1), read_file(path_of(1)).substr(0, 2000));
+  const Frames frames(folder);
+  EXPECT_THAT(frames.steps(), ElementsAre(200));
+  EXPECT_EQ(frames.places(0), test::sample_frame(2).x);
+  EXPECT_THAT(frames.warnings(), ElementsAre(path_of(0) + " is missing",
+                                     testing::StartsWith(path_of(1) + " is left out: cannot read " + path_of(1))));
 }
 
-TEST_F(FramesTest, TablesThatDoNotHoldWhatTheFileSaysAreRefused)
+TEST_F(FramesTest, WithAFlippedBitInAFieldFailWhenItIsReadAndCanBeLeftOut)
 {
-  const auto written = [&](const char* table, std::int64_t n_columns) {
-    const std::string other = scratch.path() + "/other.vtkhdf";
-    std::filesystem::remove(other);
-    Hdf5File file(other, Hdf5File::Mode::create);
-    const std::vector<Real> fifteen(15, 1.0);
+  const Frame sample = test::sample_frame(1);
+  std::string bytes = read_file(path_of(1));
+  std::size_t at = 0;  // of a byte of a field: where only the field cannot be read
+  for (bool found = false; !found; ++at) {
+    ASSERT_LT(at, bytes.size());
+    std::string damaged = bytes;
+    damaged[at] = static_cast<char>(damaged[at] ^ 1);
+    write_file_atomically(path_of(1), damaged);
+    found = Frames(folder).times().size() == 3 &&
+            !file_error_of([&] { static_cast<void>(Frames(folder).read("su", 1)); }).empty();
+  }
+  Frames frames(folder);
+  EXPECT_THAT(file_error_of([&] { frames.read("su", 1); }), HasSubstr("/VTKHDF/PointData/su in " + path_of(1)));
+  EXPECT_EQ(frames.places(1), sample.x);
+  frames.leave_out_damaged();
+  EXPECT_THAT(frames.steps(), ElementsAre(0, 200));
+  EXPECT_THAT(frames.warnings(), ElementsAre(HasSubstr(path_of(1) + " is left out: ")));
+}
+
+TEST_F(FramesTest, OfAnotherFormatAreNamedWithItsVersion)
+{
+  for (int k = 0; k < 3; ++k) {
+    Hdf5File file(path_of(k), Hdf5File::Mode::create);
     file.create_group("/VTKHDF");
-    file.create_group("/VTKHDF/Steps");
-    file.create_group("/VTKHDF/PointData");
     file.set_integers("/VTKHDF", "Version", {2, 0});
-    file.set_integers("/VTKHDF/Steps", "NSteps", {1});
+    for (const char* name : {"frame", "step"}) file.set_integers("/", name, {k});
+    file.set_real("/", "time", 0.0);
+    file.set_text("/", "case", "0123456789abcdef");
     file.write<std::int64_t>("/VTKHDF/NumberOfPoints", {1}, std::vector<std::int64_t>{5});
-    file.write<Real>("/VTKHDF/Steps/Values", {1}, std::vector<Real>{0.0});
-    file.write<Real>("/VTKHDF/Steps/step", {1}, std::vector<Real>{0.0});
-    const auto add = [&](const std::string& name, std::int64_t usual) {
-      const std::int64_t n = name == table ? n_columns : usual;
-      file.write<Real>(name, {15 / n, n}, fifteen);
-      file.set_text(name, "unit", "m");
-    };
-    add("/VTKHDF/Points", 3);
-    add("/VTKHDF/PointData/velocity", 3);
-    return other;
-  };
-  EXPECT_EQ(Frames(written("", 0)).places(0).size(), 10);
-  EXPECT_THAT(
-      file_error_of([&] { Frames{written("/VTKHDF/Points", 1)}; }), HasSubstr("its points have no three coordinates"));
-  EXPECT_THAT(file_error_of([&] { Frames{written("/VTKHDF/Points", 5)}; }),
-      HasSubstr("it has 3 rows, 1 frames of 5 points take more"));
-  EXPECT_THAT(file_error_of([&] { Frames{written("/VTKHDF/PointData/velocity", 5)}; }),
-      HasSubstr("cannot read /VTKHDF/PointData/velocity"));
+  }
+  EXPECT_THAT(file_error_of([&] { Frames{folder}; }),
+      testing::AllOf(testing::StartsWith(folder + ": it holds no frame that can be read"),
+          HasSubstr(path_of(2) + " is left out: it is of VTKHDF version 2.0, terp " TERP_VERSION " reads version 1")));
+}
+
+TEST_F(FramesTest, ThatDoNotHoldWhatTheOthersHoldAreLeftOut)
+{
+  Frame other = test::sample_frame(1);
+  other.fields.pop_back();
+  writer_from(1).append(other);
+  const Frames frames(folder);
+  EXPECT_THAT(frames.steps(), ElementsAre(0, 200));
+  EXPECT_THAT(frames.warnings(), ElementsAre(HasSubstr("its points or fields are not those of the other frames")));
 }
 
 TEST(Magnitudes, AreLengthsOfVectorsAndSizesOfNumbers)

@@ -31,8 +31,41 @@ TEST(RunResults, SaysWhichFileIsMissingAndWhatToDo)
   EXPECT_THAT(file_error_of([&] { read_run(scratch.path()); }),
       testing::AllOf(HasSubstr("it has no case.toml"), HasSubstr("Give the folder that `terp run` wrote")));
   const std::string folder = test::write_run(scratch.path() + "/run");
-  std::filesystem::remove(folder + "/results.vtkhdf");
-  EXPECT_THAT(file_error_of([&] { read_run(folder); }), HasSubstr("it has no results.vtkhdf"));
+  std::filesystem::remove_all(folder + "/frames");
+  EXPECT_THAT(file_error_of([&] { read_run(folder); }), HasSubstr("it has no frames"));
+}
+
+TEST(RunResults, OfAnEarlierTerpAreRefusedWithTheVersionOfTheirFormat)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = test::write_run(scratch.path() + "/run");
+  write_file_atomically(folder + "/results.vtkhdf", "");
+  EXPECT_THAT(file_error_of([&] { read_run(folder); }),
+      testing::AllOf(
+          HasSubstr("an earlier terp wrote this run, with all frames in one file, results.vtkhdf (VTKHDF 2.0)"),
+          HasSubstr("one file per frame (VTKHDF 1.0)")));
+}
+
+TEST(RunResults, AHistoryThatWasDoubledCutOrHasAGapIsRefused)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = test::write_run(scratch.path() + "/run", [](Summary&s) { s.dt = 0.001; }),
+                    path = folder + "/history.csv", head = std::string(history_header) + '\n';
+  std::string rows;
+  for (int k = 0; k <= 25; ++k) rows += csv_lines(test::sample_history(0.01 * k));
+  const auto error_with = [&](const std::string& text) {
+    write_file_atomically(path, head + text);
+    return file_error_of([&] { read_run(folder); });
+  };
+  EXPECT_EQ(error_with(rows), "");
+  EXPECT_THAT(
+      error_with(rows + rows), testing::StartsWith(path + ": point A: the row of t = 0 s follows that of 0.25 s"));
+  EXPECT_THAT(error_with(rows.substr(0, rows.find("\n0.13,") + 1)),
+      testing::StartsWith(path + ": point A: it ends at t = 0.12 s, the run at 0.25 s"));
+  std::string gap = rows;
+  gap.erase(gap.find("\n0.05,"), gap.find("\n0.07,") - gap.find("\n0.05,"));
+  EXPECT_THAT(error_with(gap), HasSubstr("point A: rows between t = 0.04 s and 0.07 s are missing\n  The table was"));
+  EXPECT_THAT(error_with(rows.substr(0, rows.rfind("0.25,B"))), HasSubstr("point B: it ends at t = 0.24 s"));
 }
 
 TEST(RunResults, DoesWithoutTables)

@@ -3,11 +3,11 @@
 
 #include "input/case_file.hpp"
 #include "output/files.hpp"
+#include "output/point_frames.hpp"
 #include "output/run_folder.hpp"
 #include "output/samples.hpp"
 #include "output/summary_json.hpp"
 #include "output/table_csv.hpp"
-#include "output/vtkhdf.hpp"
 #include "support/paths.hpp"
 
 #include <filesystem>
@@ -20,7 +20,7 @@ std::string write_run(const std::string& folder, Change&& change)
 {
   std::filesystem::create_directories(folder);
   write_file_atomically(path_in(folder, case_file), read_file(source_path("cases/column_collapse/model_2.toml")));
-  ResultsFile results(path_in(folder, results_file));
+  PointFrameWriter results({folder, point_frames, "0123456789abcdef"});
   for (int k = 0; k < 3; ++k) results.append(sample_frame(k));
   TableFile(path_in(folder, history_file), header_of(*history_table()))
       .append(csv_lines(sample_history(0.0)) + csv_lines(sample_history(0.25)));

@@ -62,7 +62,6 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
   state.rows_reported["ledger"] = 11;
   state.frames_reported = 12;
   state.largest_v_999 = 9.0;
-  state.wall_s = 10.0;
   state.audit.fell[3] = true;
   state.audit.rose[5] = true;
   state.softened_fraction = {{0.5, 0.25}};
@@ -83,7 +82,6 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
   EXPECT_EQ(back.rows_reported, state.rows_reported);
   EXPECT_EQ(back.frames_reported, 12);
   EXPECT_EQ(back.largest_v_999, 9.0);
-  EXPECT_EQ(back.wall_s, 10.0);
   EXPECT_EQ(back.audit.fell, state.audit.fell);
   EXPECT_EQ(back.audit.rose, state.audit.rose);
   EXPECT_EQ(back.audit.last_su, state.audit.last_su);

@@ -38,7 +38,7 @@ void edit_points(State& state, F&& change)
   for_each_point(state.points, change);
 }
 
-/// Name of the first array that differs in any bit, "" if none does. The clock, wall_s, does not count.
+/// Name of the first array that differs in any bit, "" if none does.
 std::string first_difference(const StateImage& a, const StateImage& b);
 
 }  // namespace terp::test

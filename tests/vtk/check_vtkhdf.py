@@ -1,9 +1,8 @@
-"""results.vtkhdf and mesh.vtkhdf read by VTK itself, step by step, compared to the bit with what h5py reads.
+"""Frames and mesh of a run read by VTK itself, against the values that h5py finds in the files, to the bit.
 
     check_vtkhdf.py TERP --vtk system|FOLDER     FOLDER: made by fetch_vtk
 
-VTK 9.3 was the first to read steps; an older one reads the first.
-Exit status: 0 all equal, 1 a difference, 77 this VTK is missing.
+Exit status: 0 all equal, 1 a difference, 77 this VTK is not there.
 """
 
 import argparse
@@ -21,7 +20,8 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 CASE = HERE.parents[1] / "cases" / "column_collapse" / "model_2.toml"
 SETTINGS = ["mesh.cell=0.5", "time.end=0.3", "output.fields.every=0.1", "output.mesh=true"]
-FILES = [("results.vtkhdf", 4, "vtkVertex"), ("mesh.vtkhdf", 4, "vtkQuad")]  # name, steps, class of the cells
+CELLS = {"frames/points_*.vtkhdf": "vtkVertex", "frames/mesh_*.vtkhdf": "vtkQuad", "mesh.vtkhdf": "vtkQuad"}
+N_FILES = 9  # four frames of each kind, and the mesh
 NOT_THERE = 77
 
 
@@ -34,8 +34,8 @@ def command_of(vtk):
     environment = {key: value for key, value in os.environ.items() if not key.startswith("PYTHON")}
     if vtk == "system":
         command = ["/usr/bin/python3"]
-        test = [*command, "-c", "import vtkmodules.vtkIOHDF"]
-        found = subprocess.run(test, capture_output=True, env=environment).returncode == 0
+        found = subprocess.run([*command, "-c", "import vtkmodules.vtkIOHDF"], capture_output=True,
+                               env=environment).returncode == 0
         return (command, environment) if found else None
     root = Path(vtk).resolve() / "root" / "usr"
     libraries = root / "lib" / "x86_64-linux-gnu"
@@ -61,17 +61,12 @@ def read_with_vtk(vtk, path, folder):
         read = np.frombuffer((folder / array["file"]).read_bytes(), dtype=array["type"])
         return read.reshape(-1, array["components"]) if array["components"] > 1 else read
 
-    for step in index["steps"]:
-        for name in ("Points", "Connectivity", "Offsets"):
-            step[name] = values(step[name])
-        for data in ("PointData", "CellData"):
-            step[data] = {name: values(array) for name, array in step[data].items()}
+    for name in ("Points", "Connectivity", "Offsets"):
+        index[name] = values(index[name])
+    for data in ("PointData", "CellData"):
+        index[data] = {name: values(array) for name, array in index[data].items()}
     index["complaints"] = said.stderr
     return index
-
-
-def version_of(index):
-    return tuple(int(part) for part in index["version"].split(".")[:2])
 
 
 class Checker:
@@ -83,47 +78,29 @@ class Checker:
 
     def equal(self, what, got, wanted):
         self.n += 1
-        floating = isinstance(wanted, np.ndarray) and wanted.dtype.kind == "f"
-        same = np.array_equal(got, wanted, equal_nan=floating)
+        has_nan = isinstance(wanted, np.ndarray) and wanted.dtype.kind == "f"
+        same = np.array_equal(got, wanted, equal_nan=has_nan)
         if not same:
             self.faults.append(f"{what}: VTK has {np.asarray(got)!s:.80}, the file {np.asarray(wanted)!s:.80}")
 
 
-def rows(values, k, size):
-    """Step k of a table of all steps, or one for all; not by the file's own offsets, which may be wrong."""
-    first = k * size if len(values) > size else 0
-    return values[first:first + size]
-
-
-def compare(index, path, n_steps, cell):
-    """Every array of every step that this VTK knows; n_steps: 0 for a file without time; cell: class of all cells."""
+def compare(index, path, cell):
+    """Every array of the file; cell: class of all cells."""
     check = Checker()
     with h5py.File(path) as file:
         root = file["VTKHDF"]
-        check.equal("steps in the file", "Steps" in root and root["Steps"].attrs["NSteps"], n_steps or False)
-        if version_of(index) >= (9, 3):
-            check.equal("complaints", index["complaints"], "")
-            check.equal("times", index["times"], root["Steps/Values"][:] if n_steps else [])
-        else:
-            check.equal("steps of a VTK that knows no time", len(index["steps"]), 1)
-        for k, step in enumerate(index["steps"]):
-            compare_step(check, root, k, step, cell)
+        check.equal("complaints", index["complaints"], "")
+        check.equal("class", index["class"], "vtkUnstructuredGrid")
+        check.equal("points and cells", [index["points"], index["cells"]], [root["NumberOfPoints"][0],
+                                                                            root["NumberOfCells"][0]])
+        check.equal("type of cells", index["types"], [cell])
+        for name in ("Connectivity", "Offsets", "Points"):
+            check.equal(name, index[name], root[name][:])
+        for data in ("PointData", "CellData"):
+            check.equal(f"names of {data}", set(index[data]), set(root.get(data, ())))
+            for name, values in index[data].items():
+                check.equal(name, values, root[data][name][:])
     return check
-
-
-def compare_step(check, root, k, step, cell):
-    n, n_cells = int(root["NumberOfPoints"][0]), int(root["NumberOfCells"][0])
-    check.equal(f"step {k}: class", step["class"], "vtkUnstructuredGrid")
-    check.equal(f"step {k}: points and cells", [step["points"], step["cells"]], [n, n_cells])
-    check.equal(f"step {k}: type of cells", step["types"], [cell])
-    check.equal(f"step {k}: Connectivity", step["Connectivity"], root["Connectivity"][:])
-    check.equal(f"step {k}: Offsets", step["Offsets"], root["Offsets"][:])
-    check.equal(f"step {k}: Points", step["Points"], rows(root["Points"], k, n))
-    for data, size in (("PointData", n), ("CellData", n_cells)):
-        names = set(root[data]) if data in root else set()
-        check.equal(f"step {k}: names of {data}", set(step[data]), names)
-        for name in names & set(step[data]):
-            check.equal(f"step {k}: {name}", step[data][name], rows(root[data][name], k, size))
 
 
 def main():
@@ -133,29 +110,32 @@ def main():
     options = parser.parse_args()
     vtk = command_of(options.vtk)
     if vtk is None:
-        print(f"not checked: no VTK in {options.vtk}; `make vtk` brings some "
-              "(Debian 12's own: apt-get install python3-vtk9)")
+        print(f"not checked: no VTK in {options.vtk}; `make vtk` brings some (or: apt-get install python3-vtk9)")
         return NOT_THERE
     with tempfile.TemporaryDirectory() as scratch:
         run = Path(scratch) / "run"
         changes = [word for setting in SETTINGS for word in ("--set", setting)]
         subprocess.run([options.terp, "run", CASE, "-o", run, "-q", *changes], check=True)
-        return max([check_file(vtk, run / name, Path(scratch) / name, n_steps, cell) for name, n_steps, cell in FILES])
+        files = [(path, cell) for pattern, cell in CELLS.items() for path in sorted(run.glob(pattern))]
+        faults = [fault for k, (path, cell) in enumerate(files) for fault in check_file(vtk, path,
+                                                                                        Path(scratch) / str(k), cell)]
+    if len(files) != N_FILES:
+        faults.append(f"there are {len(files)} files, not {N_FILES}")
+    print(f"{len(files)} files, {len(faults)} faults")
+    for fault in faults:
+        print("  " + fault)
+    return 1 if faults else 0
 
 
-def check_file(vtk, path, scratch, n_steps, cell):
-    """Exit status of one file."""
+def check_file(vtk, path, scratch, cell):
+    """What differs in one file."""
     try:
         index = read_with_vtk(vtk, path, scratch)
     except CannotRead as error:
-        print(f"VTK cannot read {path.name}: {error}")
-        return 1
-    check = compare(index, path, n_steps, cell)
-    print(f"VTK {index['version']}, {path.name}: {len(index['steps'])} steps, {check.n} comparisons, "
-          f"{len(check.faults)} differ")
-    for fault in check.faults:
-        print("  " + fault)
-    return 1 if check.faults else 0
+        return [f"VTK cannot read {path.name}: {error}"]
+    check = compare(index, path, cell)
+    print(f"VTK {index['version']}, {path.name}: {check.n} comparisons, {len(check.faults)} differ")
+    return [f"{path.name}: {fault}" for fault in check.faults]
 
 
 if __name__ == "__main__":

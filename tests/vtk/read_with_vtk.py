@@ -1,9 +1,10 @@
-"""What VTK's own reader makes of a file, for check_vtkhdf.py. Runs in the Python of any VTK from 9.1 on, without numpy.
+"""What VTK's own reader makes of a file, for check_vtkhdf.py. Runs in the Python of any VTK from 9.1 on, which
+need not have numpy.
 
     python3 read_with_vtk.py FILE.vtkhdf FOLDER
 
-Writes FOLDER/index.json: version of VTK, times, and for each step its sizes and arrays. The values of array number k
-are in FOLDER/k.bin in the byte order of the machine. Complaints of VTK go to the standard error stream.
+Writes FOLDER/index.json: version of VTK, sizes and arrays. The values of array number k lie in FOLDER/k.bin, in the
+byte order of the machine. What VTK complains about goes to the standard error stream.
 """
 
 import json
@@ -11,29 +12,18 @@ import sys
 from pathlib import Path
 
 from vtkmodules.vtkCommonCore import vtkVersion
-from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 from vtkmodules.vtkIOHDF import vtkHDFReader
 
 INTEGERS = {"long", "long long", "vtkIdType"}
+TYPES = {"double": "float64", "float": "float32", "int": "int32", "unsigned char": "uint8"}
 
 
 def main(path, folder):
     reader = vtkHDFReader()
     reader.SetFileName(str(path))
-    reader.UpdateInformation()
-    information = reader.GetOutputInformation(0)
-    steps = Pipeline.TIME_STEPS()
-    times = [information.Get(steps, k) for k in range(information.Length(steps))] if information.Has(steps) else []
-    writer = Writer(folder)
-    read = [writer.step(update(reader, time)) for time in times or [None]]
-    index = {"version": vtkVersion.GetVTKVersion(), "times": times, "steps": read}
+    reader.Update()
+    index = {"version": vtkVersion.GetVTKVersion(), **Writer(folder).grid(reader.GetOutputDataObject(0))}
     (folder / "index.json").write_text(json.dumps(index))
-
-
-def update(reader, time):
-    """The data set at `time`; None: of a reader that knows no time."""
-    reader.Update() if time is None else reader.UpdateTimeStep(time)
-    return reader.GetOutputDataObject(0)
 
 
 class Writer:
@@ -49,11 +39,10 @@ class Writer:
         self.n += 1
         (self.folder / name).write_bytes(bytes(memoryview(values)))
         kind = values.GetDataTypeAsString()
-        return {"file": name, "type": "int64" if kind in INTEGERS
-                else {"double": "float64", "unsigned char": "uint8"}[kind],
+        return {"file": name, "type": "int64" if kind in INTEGERS else TYPES[kind],
                 "components": values.GetNumberOfComponents()}
 
-    def step(self, grid):
+    def grid(self, grid):
         def fields(data):
             return {data.GetArrayName(k): self.array(data.GetArray(k)) for k in range(data.GetNumberOfArrays())}
         cells = grid.GetCells()

@@ -202,7 +202,7 @@ function sampling(report: Report): HTMLElement | string {
   return element("p", { class: "muted small" },
     `One material point in ${every} is shown: ${numberText(run!.meta.n_shown, 9)} of ` +
       `${numberText(run!.meta.n_points, 9)}. ` +
-      "All are in the run's results.vtkhdf.");
+      "All are in the frames of the run.");
 }
 
 function makeActions(current: Current, viewer: Viewer, player: Player, notice: Notice, title: string,

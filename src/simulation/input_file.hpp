@@ -1,0 +1,17 @@
+// The files that a case names, and what their copies in a run folder are called.
+// Not for: what is in them (mesh, points).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace terp {
+
+struct InputFile {
+  std::string path, copy;
+};
+
+/// What the copy of `mesh.file` is called, by its ending; those of `body.points` are points_1.csv, points_2.csv, ...
+inline constexpr std::string_view mesh_copies[] = {"mesh.msh", "mesh.unv", "mesh.bdf", "mesh.nas", "mesh.vtk"};
+
+}  // namespace terp
