@@ -49,8 +49,8 @@ void check_relaxation(const Node& method, const MethodOptions& options, Problems
 std::string schemes_with_b_bar()
 {
   std::string names;
-  for (const Scheme& scheme : all_schemes())
-    if (looks_at(scheme, "b_bar")) names += (names.empty() ? "" : ", ") + std::string(scheme.name);
+  for (const Scheme* scheme : all_schemes())
+    if (looks_at(*scheme, "b_bar")) names += (names.empty() ? "" : ", ") + std::string(scheme->name);
   return names;
 }
 

@@ -61,9 +61,9 @@ void MeshWriter::frame(const std::shared_ptr<const Frame>&)
   if (!model_.description.output.mesh || state_.step == last_step_) return;
   last_step_ = state_.step;
   const MeshFrame values = make_mesh_frame(model_, state_);
-  Hdf5File& file = frames_.begin(values.time, values.step, largest_size(model_.mesh));
-  write_grid(file, model_.mesh);
-  const std::int64_t n_nodes = model_.mesh.n_nodes(), n_cells = model_.mesh.n_cells();
+  Hdf5File& file = frames_.begin(values.time, values.step, largest_size(*model_.mesh));
+  write_grid(file, *model_.mesh);
+  const std::int64_t n_nodes = model_.mesh->n_nodes(), n_cells = model_.mesh->n_cells();
   write_field(file, {root + "/PointData/mass", "kg per m", 1, n_nodes, 0}, values.mass, exact);
   write_field(file, {root + "/PointData/velocity", "m/s", 2, n_nodes, 0}, values.velocity, exact);
   write_field(file, {root + "/CellData/pressure", "Pa", 1, n_cells, 0}, values.pressure, exact);

@@ -4,6 +4,7 @@
 #include "input/document.hpp"
 #include "output/files.hpp"
 #include "output/run_folder.hpp"
+#include "simulation/case.hpp"
 
 #include <algorithm>
 #include <filesystem>
