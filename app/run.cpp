@@ -1,6 +1,7 @@
 // terp run and terp resume.
 
 #include "commands.hpp"
+#include "followers/followers.hpp"
 #include "input/case_file.hpp"
 #include "input/case_record.hpp"
 #include "input/printable.hpp"
@@ -10,7 +11,6 @@
 #include "output/summary_json.hpp"
 #include "parallel/threads.hpp"
 #include "progress.hpp"
-#include "simulation/run_table.hpp"
 #include "simulation/setup_warnings.hpp"
 #include "simulation/simulation.hpp"
 #include "simulation/state_image.hpp"
@@ -282,7 +282,7 @@ int run_case(const RunOptions& options)
   file.run = folder;
   fmt::print(stderr, "{}", render_warnings(file));
   try {
-    Simulation simulation(file.values, threads_of(options));
+    Simulation simulation(file.values, threads_of(options), all_followers());
     fmt::print(stderr, "{}", render_warnings(find_warnings(simulation.model, simulation.state), file));
     const auto writer =
         RunWriter::start({folder, {file.values.name, file.text}, file.values.output.checkpoint_keep,
@@ -304,6 +304,7 @@ int resume_run(const RunOptions& options)
   const auto [checkpoint, image] = find_checkpoint(options.path);
   try {
     Model model = build_model(with_first_end(file.values, image), threads_of(options));
+    model.followers = all_followers();
     const CaseRecord record = make_case_record(file, *model.mesh);
     const auto changes = check_unchanged(folder, image, record);
     seed_again(image, model);

@@ -1,6 +1,7 @@
 // The paper's column, some steps on its way, for the benchmarks.
 #pragma once
 
+#include "followers/followers.hpp"
 #include "input/case_file.hpp"
 #include "simulation/cell_passes.hpp"
 #include "simulation/ledger.hpp"
@@ -26,7 +27,8 @@ struct Ready {
   Ready(const std::string& scheme, double cell, int n_steps)
       : model(build_model(column(scheme, cell), 1)), state(build_state(model)), work(model, state)
   {
-    start_audit(model, state);
+    model.followers = all_followers();
+    start_followers(model, state);
     for (int k = 0; k < n_steps; ++k) model.step(model, state, work);
   }
 };

@@ -1,12 +1,13 @@
 #include "input/explain.hpp"
 
+#include "followers/followers.hpp"
 #include "input/case_file.hpp"
 #include "input/closest.hpp"
 #include "input/key_text.hpp"
 #include "input/keys.hpp"
 #include "input/mesh_kinds.hpp"
 #include "schemes/scheme.hpp"
-#include "simulation/run_table.hpp"
+#include "simulation/summary.hpp"
 
 #include <fmt/format.h>
 
@@ -123,19 +124,34 @@ std::string describe_section(const SectionInfo& section)
   return out;
 }
 
-std::string describe_quantity(const QuantityInfo& quantity, const RunTable& table)
+std::string describe_quantity(const QuantityInfo& quantity)
 {
-  return fmt::format("column of {}\n  {}\n", table.file(), quantity.name) +
-         wrapped(std::string(quantity.meaning), "    ") + row("unit", std::string(quantity.unit));
+  return fmt::format("  {}\n", quantity.name) + wrapped(std::string(quantity.meaning), "    ") +
+         row("unit", std::string(quantity.unit));
 }
 
-/// A table that a run writes.
-std::string describe_table(const RunTable& table)
+/// A file of a run and the quantities in it.
+struct QuantityFile {
+  std::string name;
+  std::string_view meaning;
+  std::vector<QuantityInfo> quantities;
+};
+
+std::vector<QuantityFile> files_of_quantities()
 {
-  std::string out = fmt::format("{}: table of a run\n  {}\n\nColumns\n", table.file(), table.meaning);
-  for (const QuantityInfo& column : table.columns)
-    out += fmt::format("  {}\n", column.name) + wrapped(std::string(column.meaning), "    ") +
-           row("unit", std::string(column.unit));
+  std::vector<QuantityFile> files;
+  for (const auto& table : all_tables()) files.push_back({table->file(), table->meaning, table->columns});
+  QuantityFile& summary = files.emplace_back(QuantityFile{"summary.json", "the numbers that remain of a run", {}});
+  for (const SummaryQuantity& quantity : summary_quantities()) summary.quantities.push_back(quantity.info);
+  for (const FollowerType* type : all_followers())
+    summary.quantities.insert(summary.quantities.end(), type->summary.begin(), type->summary.end());
+  return files;
+}
+
+std::string describe_file(const QuantityFile& file)
+{
+  std::string out = fmt::format("{}: file of a run\n  {}\n\nQuantities\n", file.name, file.meaning);
+  for (const QuantityInfo& quantity : file.quantities) out += describe_quantity(quantity);
   return out;
 }
 
@@ -165,9 +181,9 @@ std::vector<std::string> all_topics()
   const auto add = [&](const std::string& path) {
     topics.push_back(topic_of(path)), topics.push_back(last_part(path));
   };
-  for (const auto& table : all_tables()) {
-    topics.push_back(table->file());
-    for (const QuantityInfo& column : table->columns) topics.emplace_back(column.name);
+  for (const QuantityFile& file : files_of_quantities()) {
+    topics.push_back(file.name);
+    for (const QuantityInfo& quantity : file.quantities) topics.emplace_back(quantity.name);
   }
   for (const SectionInfo& section : all_sections()) add(section.path);
   for (const KeyInfo& key : all_keys()) add(key.path);
@@ -204,13 +220,14 @@ std::string explain(const std::string& topic)
 {
   if (const MaterialType* law = find_material(topic)) return describe_law(*law);
   if (const Scheme* scheme = find_scheme(topic)) return describe_scheme(*scheme);
-  for (const auto& table : all_tables())
-    if (table->file() == topic) return describe_table(*table);
+  const std::vector<QuantityFile> files = files_of_quantities();
+  for (const QuantityFile& file : files)
+    if (file.name == topic) return describe_file(file);
   auto blocks = find_blocks(topic, means);
   if (blocks.empty()) blocks = find_blocks(topic, is_last_part);
-  for (const auto& table : all_tables())
-    for (const QuantityInfo& column : table->columns)
-      if (column.name == topic) blocks.push_back(describe_quantity(column, *table));
+  for (const QuantityFile& file : files)
+    for (const QuantityInfo& quantity : file.quantities)
+      if (quantity.name == topic) blocks.push_back(fmt::format("in {}\n", file.name) + describe_quantity(quantity));
   if (blocks.empty()) refuse_topic(topic);
   std::string out;
   for (const std::string& block : blocks) out += (out.empty() ? "" : "\n") + block;

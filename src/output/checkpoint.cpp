@@ -97,11 +97,11 @@ void check_format(const Hdf5File& file, const std::string& path)
 {
   if (file.text("/", "format") != format_name) throw FileError(fmt::format("{} is not a checkpoint of Terp", path));
   const std::int64_t version = file.integer("/", "format_version");
-  if (version != format_version)
-    throw FileError(
-        fmt::format("cannot read {}: it has checkpoint format {}, written by terp {}; this is terp {}, which reads "
-                    "format {}",
-            path, version, file.text("/", "terp_version"), TERP_VERSION, format_version));
+  if (version == format_version) return;
+  throw FileError(fmt::format(
+      "cannot read {}: it has checkpoint format {}, written by terp {}; this is terp {}, which reads format {}\n"
+      "  Go on with the terp that wrote it, or solve the case anew.",
+      path, version, file.text("/", "terp_version"), TERP_VERSION, format_version));
 }
 
 /// The bytes of a file that nothing accounts for yet. A checkpoint is not compressed: what says that it holds more

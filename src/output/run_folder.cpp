@@ -2,8 +2,8 @@
 #include "output/run_folder.hpp"
 
 #include "base/errors.hpp"
+#include "followers/followers.hpp"
 #include "output/files.hpp"
-#include "simulation/run_table.hpp"
 #include "output/frame_files.hpp"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 #include "output/summary_json.hpp"
 
 #include "base/errors.hpp"
+#include "followers/followers.hpp"
 #include "output/files.hpp"
 
 #include <cmath>
@@ -22,6 +23,10 @@ constexpr std::int64_t summary_format = 1;
 Json number(Real value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json number(const std::optional<Real>& value) { return value ? number(*value) : Json(nullptr); }
+
+Json value_json(Real value) { return number(value); }
+Json value_json(const std::optional<Real>& value) { return number(value); }
+Json value_json(const auto& value) { return value; }
 
 Json softened_fraction(const Summary& summary)
 {
@@ -176,38 +181,19 @@ SavedSummary read_values(const std::string& path)
             path, format, TERP_VERSION, summary_format, saved.terp_version));
   get(json, "finished", saved.finished);
   Summary& s = saved.values;
-  get(json, "scheme", s.scheme);
-  get(json, "points", s.n_points);
-  get(json, "cells", s.n_cells);
-  get(json, "steps", s.n_steps);
-  get(json, "dt", s.dt);
-  get(json, "wall_s", s.wall_s);
-  get(json, "point_steps_per_s", s.point_steps_per_s);
-  get(json, "threads", s.threads);
-  get(json, "instructions", s.instructions);
-  get(json, "processor", s.processor);
+  for (const SummaryQuantity& quantity : summary_quantities())
+    std::visit([&](auto member) { get(json, quantity.info.name.data(), s.*member); }, quantity.member);
   read_passes(json, s);
   if (json.contains("facing") && !json["facing"].is_null()) s.facing = facing_of(json);
-  get(json, "free_toe", s.free_toe);
-  get(json, "front_x", s.front_x);
-  get(json, "crest_x", s.crest_x);
-  get(json, "crest_y", s.crest_y);
-  get(json, "run_out", s.run_out);
-  get(json, "moved_distance", s.moved_distance);
-  get(json, "moved_volume", s.moved_volume);
-  get(json, "moved_fraction", s.moved_fraction);
-  get(json, "intact_fraction", s.intact_fraction);
   read_slides(json, s);
-  get(json, "second_failure_time", s.second_failure_time);
-  get(json, "max_eps_eq_p", s.max_eps_eq_p);
-  get(json, "points_eps_eq_p_fell", s.points_eps_eq_p_fell);
-  get(json, "points_su_rose", s.points_su_rose);
-  get(json, "energy_balance_error", s.energy_balance_error);
-  get(json, "clamped_points", s.clamped_points);
-  get(json, "points_left", s.points_left);
   read_reached_sides(json, s);
   read_footings(json, s);
-  get(json, "v_999", s.v_999);
+  for (const FollowerType* type : all_followers())
+    for (const QuantityInfo& info : type->summary) {
+      Real value = std::nan("");
+      get(json, info.name.data(), value);
+      s.numbers.emplace(info.name, value);
+    }
   for (const auto& row : json.value("softened_fraction", nlohmann::json::array())) {
     Real time = 0.0, fraction = 0.0;
     get(row, "time", time);
@@ -233,46 +219,19 @@ SavedSummary read_summary(const std::string& path)
 
 std::string summary_text(const Summary& summary, bool finished, const CaseText& case_text)
 {
-  const Json json = {
-      {"terp_version", TERP_VERSION},
-      {"format", summary_format},
-      {"finished", finished},
-      {"scheme", summary.scheme},
-      {"points", summary.n_points},
-      {"cells", summary.n_cells},
-      {"steps", summary.n_steps},
-      {"dt", number(summary.dt)},
-      {"wall_s", number(summary.wall_s)},
-      {"point_steps_per_s", number(summary.point_steps_per_s)},
-      {"threads", summary.threads},
-      {"instructions", summary.instructions},
-      {"processor", summary.processor},
-      {"passes", passes_json(summary)},
-      {"facing", summary.facing ? Json(facing_name(*summary.facing)) : Json(nullptr)},
-      {"free_toe", summary.free_toe},
-      {"front_x", number(summary.front_x)},
-      {"crest_x", number(summary.crest_x)},
-      {"crest_y", number(summary.crest_y)},
-      {"run_out", number(summary.run_out)},
-      {"moved_distance", number(summary.moved_distance)},
-      {"moved_volume", number(summary.moved_volume)},
-      {"moved_fraction", number(summary.moved_fraction)},
-      {"intact_fraction", number(summary.intact_fraction)},
-      {"slides", slides_json(summary)},
-      {"second_failure_time", number(summary.second_failure_time)},
-      {"max_eps_eq_p", number(summary.max_eps_eq_p)},
-      {"softened_fraction", softened_fraction(summary)},
-      {"points_eps_eq_p_fell", summary.points_eps_eq_p_fell},
-      {"points_su_rose", summary.points_su_rose},
-      {"energy_balance_error", number(summary.energy_balance_error)},
-      {"clamped_points", summary.clamped_points},
-      {"points_left", summary.points_left},
-      {"reached_sides", reached_sides(summary)},
-      {"footings", footings(summary)},
-      {"v_999", number(summary.v_999)},
-      {"case_name", case_text.name},
-      {"case", case_text.toml},
-  };
+  Json json = {{"terp_version", TERP_VERSION}, {"format", summary_format}, {"finished", finished}};
+  for (const SummaryQuantity& quantity : summary_quantities())
+    std::visit(
+        [&](auto member) { json[std::string(quantity.info.name)] = value_json(summary.*member); }, quantity.member);
+  json["facing"] = summary.facing ? Json(facing_name(*summary.facing)) : Json(nullptr);
+  json["slides"] = slides_json(summary);
+  json["softened_fraction"] = softened_fraction(summary);
+  json["reached_sides"] = reached_sides(summary);
+  json["footings"] = footings(summary);
+  json["passes"] = passes_json(summary);
+  for (const auto& [name, value] : summary.numbers) json[name] = number(value);
+  json["case_name"] = case_text.name;
+  json["case"] = case_text.toml;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

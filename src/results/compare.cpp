@@ -65,33 +65,45 @@ struct RowMaker {
     for (const RunResults& run : runs) row.values.push_back(value(run));
     comparison.rows.push_back(std::move(row));
   }
-  /// A number of the summary; none while that is behind.
-  template <class T>
-  void add(std::string label, std::string unit, int digits, T Summary::*member, Real factor = 1.0) const
+  /// A number of the summary, with the label and the unit of its table; none while the summary is behind.
+  void add(std::string_view name, int digits) const
   {
-    add(std::move(label), std::move(unit), digits, [=](const RunResults& run) -> Value {
+    const SummaryQuantity& quantity = *find_summary_quantity(name);
+    add(std::string(quantity.info.label), std::string(quantity.info.unit), digits, number_of(quantity, 1.0));
+  }
+  /// The same, times a factor and in a unit of its own.
+  void add(std::string_view name, std::string unit, int digits, Real factor) const
+  {
+    const SummaryQuantity& quantity = *find_summary_quantity(name);
+    add(std::string(quantity.info.label), std::move(unit), digits, number_of(quantity, factor));
+  }
+
+ private:
+  static std::function<Value(const RunResults&)> number_of(const SummaryQuantity& quantity, Real factor)
+  {
+    return [&quantity, factor](const RunResults& run) -> Value {
       if (summary_is_behind(run)) return std::nullopt;
-      const Value value = Value(run.summary.values.*member);
-      return value ? finite(factor * *value) : std::nullopt;
-    });
+      const Value value = quantity.number(run.summary.values);
+      return value ? Value(factor * *value) : std::nullopt;
+    };
   }
 };
 
 void add_motion(const RowMaker& table)
 {
   table.add("time at the end", "s", 3, end_time);
-  table.add("front at the end", "m", 2, &Summary::front_x);
-  table.add("run-out of the front", "m", 2, &Summary::run_out);
-  table.add("crest at the end", "m", 2, &Summary::crest_x);
-  table.add("height of the crest at the end", "m", 2, &Summary::crest_y);
+  table.add("front_x", 2);
+  table.add("run_out", 2);
+  table.add("crest_x", 2);
+  table.add("crest_y", 2);
   table.add("first slide begins", "s", 2, [](const RunResults& run) { return slide_begins(run, 0); });
   table.add("first slide stops", "s", 2, [](const RunResults& run) { return slide_stops(run, 0); });
   table.add("second slide begins", "s", 2, [](const RunResults& run) { return slide_begins(run, 1); });
   table.add("second slide stops", "s", 2, [](const RunResults& run) { return slide_stops(run, 1); });
-  table.add("volume that moved", "m^2", 2, &Summary::moved_volume);
-  table.add("share that moved", "%", 1, &Summary::moved_fraction, 100.0);
-  table.add("intact share of the soil that moved", "%", 1, &Summary::intact_fraction, 100.0);
-  table.add("largest eps_eq_p at the end", "-", 2, &Summary::max_eps_eq_p);
+  table.add("moved_volume", 2);
+  table.add("moved_fraction", "%", 1, 100.0);
+  table.add("intact_fraction", "%", 1, 100.0);
+  table.add("max_eps_eq_p", 2);
 }
 
 void add_softening(const RowMaker& table)
@@ -120,11 +132,11 @@ void add_audit(const RowMaker& table)
   table.add("named points whose S_u ever rose", "-", 0, [](const RunResults& run) -> Value {
     return run.history.empty() ? std::nullopt : Value(static_cast<Real>(points_that_regained_strength(run).size()));
   });
-  table.add("points whose eps_eq_p ever fell", "-", 0, &Summary::points_eps_eq_p_fell);
-  table.add("points whose S_u ever rose", "-", 0, &Summary::points_su_rose);
-  table.add("points put back at a wall", "-", 0, &Summary::clamped_points);
-  table.add("energy balance error", "%", 2, &Summary::energy_balance_error, 100.0);
-  table.add("speed, largest 99.9 % quantile", "m/s", 2, &Summary::v_999);
+  table.add("points_eps_eq_p_fell", 0);
+  table.add("points_su_rose", 0);
+  table.add("clamped_points", 0);
+  table.add("energy_balance_error", "%", 2, 100.0);
+  table.add("v_999", 2);
 }
 
 /// Largest or last entry of a column of the ledger.
@@ -155,11 +167,11 @@ void add_energies(const RowMaker& table)
 
 void add_cost(const RowMaker& table)
 {
-  table.add("material points", "-", 0, &Summary::n_points);
-  table.add("steps", "-", 0, &Summary::n_steps);
-  table.add("threads", "-", 0, &Summary::threads);
-  table.add("million point-steps per second", "1/s", 2, &Summary::point_steps_per_s, 1e-6);
-  table.add("wall time", "s", 1, &Summary::wall_s);
+  table.add("points", 0);
+  table.add("steps", 0);
+  table.add("threads", 0);
+  table.add("point_steps_per_s", "10^6/s", 2, 1e-6);
+  table.add("wall_s", 1);
 }
 
 std::string cell_text(Value value, int digits)

@@ -2,7 +2,7 @@
 
 #include "base/errors.hpp"
 #include "output/files.hpp"
-#include "simulation/run_table.hpp"
+#include "followers/followers.hpp"
 
 #include <algorithm>
 #include <charconv>

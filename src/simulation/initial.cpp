@@ -1,6 +1,5 @@
 #include "simulation/initial.hpp"
 
-#include "simulation/failure.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/run.hpp"
 #include "simulation/setup_points.hpp"
@@ -167,7 +166,6 @@ Search seek_equilibrium(const Model& model, State& state, Workspace& work, const
   work.damping_local = model.damping.local;
   work.settling = false;
   reset_history(model.rows, state);
-  start_following(model, state.section.columns, state);
   return {.reached = true};
 }
 

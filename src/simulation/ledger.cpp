@@ -1,6 +1,5 @@
 #include "simulation/ledger.hpp"
 
-#include "simulation/failure.hpp"
 #include "simulation/kernels.hpp"
 #include "simulation/node_motion.hpp"
 
@@ -12,30 +11,6 @@ namespace terp {
 namespace {
 
 using Rows = PointRows<2>;
-
-/// What the audit remembers of a point as it is.
-void remember(const SoilMaterial& material, const PointBlock<2>& block, Index lane, HistoryAudit& audit)
-{
-  const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
-  const int strain = row_of(material, Role::plastic_strain);
-  if (strain < 0) return;
-  audit.last_eps_eq_p[id] = block.row(strain)[lane];
-  if (has_strength(material) && !audit.last_su.empty()) audit.last_su[id] = strength_of(material, block, lane);
-}
-
-/// Takes up what the walk has found of the history.
-void audit_history(const Model& model, const Totals& totals, State& state)
-{
-  for (const std::size_t id : totals.fell) state.audit.fell[id] = true;
-  for (const std::size_t id : totals.rose) state.audit.rose[id] = true;
-  for (Index b = 0; b < state.points.n_blocks(); ++b) {
-    if (!totals.strained[b]) continue;
-    const PointBlock<2>& block = state.points.block(b);
-    const Real* eps = block.row(row_of(model.materials[block.material], Role::plastic_strain));
-    for (Index lane = 0; lane < block.n; ++lane)
-      state.audit.last_eps_eq_p[static_cast<std::size_t>(block.row(Rows::id)[lane])] = eps[lane];
-  }
-}
 
 /// What the balance of energy does not explain [J per m].
 Real numerical_energy(const LedgerContext& c)
@@ -60,7 +35,7 @@ struct LedgerQuantity {
 
 using C = const LedgerContext&;
 
-/// Columns of ledger.csv; those of the failure follow them. A new one is one entry here.
+/// Columns of ledger.csv; those of the followers come after them. A new one is one entry here.
 constexpr LedgerQuantity balance[] = {
     {{"time", "s", "time", "of the step"}, [](C c) { return c.state.time; }},
     {{"step", "-", "step", "number of the step"}, [](C c) { return static_cast<Real>(c.state.step); }},
@@ -117,66 +92,62 @@ Real kinetic_and_elastic_energy(const Model& model, const State& state)
 
 Real energy_exchanged(const State& state) { return energy_exchanged(state.work) + state.start_energy; }
 
-void start_audit(const Model& model, State& state)
+bool must_remember_strength(const Model& model)
 {
-  const auto n = static_cast<std::size_t>(state.n_ids());
-  const bool needs_su = std::any_of(model.materials.begin(), model.materials.end(), [](const SoilMaterial& m) {
+  return std::ranges::any_of(model.materials, [](const SoilMaterial& m) {
     return row_of(m, Role::plastic_strain) >= 0 && has_strength(m) && !strain_gives_strength(m);
   });
-  state.audit.last_eps_eq_p.assign(n, 0.0);
-  state.audit.last_su.assign(needs_su ? n : 0, std::numeric_limits<Real>::infinity());
-  for (auto* flags : {&state.audit.fell, &state.audit.rose}) flags->assign(n, false);
-  remember_history(model, state);
 }
 
-void remember_history(const Model& model, State& state)
+StrainMemory remember_strain(const Model& model, const State& state)
 {
+  const auto n = static_cast<std::size_t>(state.n_ids());
+  StrainMemory memory{std::vector<Real>(n, 0.0),
+      std::vector<Real>(must_remember_strength(model) ? n : 0, std::numeric_limits<Real>::infinity())};
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
-    remember(model.materials[block.material], block, lane, state.audit);
+    const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
+    const SoilMaterial& material = model.materials[block.material];
+    const int strain = row_of(material, Role::plastic_strain);
+    if (strain < 0) return;
+    memory.last_eps_eq_p[id] = block.row(strain)[lane];
+    if (has_strength(material) && !memory.last_su.empty()) memory.last_su[id] = strength_of(material, block, lane);
   });
+  return memory;
 }
 
-const std::shared_ptr<const RunTable>& ledger_table()
+std::shared_ptr<const RunTable> ledger_table(const FollowerTypes& followers)
 {
-  static const auto table = [] {
-    RunTable t{.name = "ledger", .meaning = "balances over time", .columns = {}, .from_start = true};
-    for (const LedgerQuantity& quantity : balance) t.columns.push_back(quantity.info);
-    t.columns.insert(t.columns.end(), failure_columns.begin(), failure_columns.end());
-    return std::make_shared<const RunTable>(std::move(t));
-  }();
-  return table;
+  RunTable table{.name = "ledger", .meaning = "balances over time", .columns = {}, .from_start = true};
+  for (const LedgerQuantity& quantity : balance) table.columns.push_back(quantity.info);
+  for (const FollowerType* type : followers)
+    table.columns.insert(table.columns.end(), type->columns.begin(), type->columns.end());
+  return std::make_shared<const RunTable>(std::move(table));
 }
 
 TableRow keep_ledger(const Model& model, State& state, Workspace& work)
 {
-  const Totals totals =
-      kernels().add_up(model, state, work.threads, moved_distance(state.section), shear_columns(state));
+  TotalsRequest request;
+  for (const ActiveFollower& active : state.followers) active.follower->request(request);
+  const Totals totals = kernels().add_up(model, state, work.threads, request);
   const LedgerContext context{.model = model,
       .state = state,
+      .request = request,
       .totals = totals,
       .kinetic_nodal = state.step == 0 ? kinetic_energy(map_motion(model, state)) : work.kinetic_nodal,
       .left_energy = kinetic_and_elastic_energy(state.left)};
-  TableRow row(ledger_table());
-  for (std::size_t k = 0; k < std::size(balance); ++k) row.values[k] = balance[k].read(context);
   state.largest_v_999 = std::max(state.largest_v_999, totals.v_999);
-  follow_failure(context, state, std::span(row.values).subspan(std::size(balance)));
-  audit_history(model, totals, state);
+  FollowerTypes types;
+  for (const ActiveFollower& active : state.followers) types.push_back(active.type);
+  TableRow row(ledger_table(types));
+  std::span<Real> values = row.values;
+  for (std::size_t k = 0; k < std::size(balance); ++k) values[k] = balance[k].read(context);
+  values = values.subspan(std::size(balance));
+  for (const ActiveFollower& active : state.followers) {
+    const std::size_t n = active.type->columns.size();
+    active.follower->row(context, values.first(n));
+    values = values.subspan(n);
+  }
   return row;
-}
-
-Real softened_fraction(const Model& model, const State& state)
-{
-  Real soft = 0.0, all = 0.0;
-  for_each_block(state.points, [&](const PointBlock<2>& block) {
-    const SoilMaterial& material = model.materials[block.material];
-    const bool softens = has_strength(material);
-    for (Index lane = 0; lane < block.n; ++lane) {
-      const Real volume = block.row(Rows::volume)[lane];
-      all += volume;
-      if (softens && strength_of(material, block, lane) < 0.5 * strength_at(material, block, lane, 0.0)) soft += volume;
-    }
-  });
-  return all > 0.0 ? soft / all : 0.0;
 }
 
 }  // namespace terp

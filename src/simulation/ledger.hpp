@@ -1,10 +1,8 @@
-// The ledger of a run: energy, mass and momentum over time, and the audit of the strain history. Its columns stand in
-// one table in ledger.cpp.
+// The ledger of a run: energy, mass and momentum over time, and what the followers measure. The columns of the balance
+// stand in one table in ledger.cpp, those of a follower in its own file.
 #pragma once
 
-#include "simulation/model.hpp"
-#include "simulation/observer.hpp"
-#include "simulation/state.hpp"
+#include "simulation/ledger_context.hpp"
 #include "simulation/workspace.hpp"
 
 #include <algorithm>
@@ -27,22 +25,18 @@ inline Real energy_exchanged(const WorkTotals& w)
   return std::max(w.exchanged, std::abs(w.gravity) + std::abs(w.damping) + std::abs(w.boundary) + w.plastic);
 }
 
-/// ledger.csv: its columns.
-const std::shared_ptr<const RunTable>& ledger_table();
+/// ledger.csv: the balance, and the columns of these followers.
+std::shared_ptr<const RunTable> ledger_table(const FollowerTypes& followers);
 
-/// A row of the ledger as of now, computed on the threads of the run; follows the failure, enters the speed into
-/// state.largest_v_999, and audits the history: a point whose eps_eq_p fell, or whose S_u rose, since the row before is
-/// marked for good.
+/// A row of the ledger as of now, computed on the threads of the run. Enters the speed into state.largest_v_999, and
+/// calls the followers of the state.
 TableRow keep_ledger(const Model& model, State& state, Workspace& work);
 
-/// Sizes the audit for the points of a new state.
-void start_audit(const Model& model, State& state);
+/// True if S_u of some material must be remembered beside its strain.
+bool must_remember_strength(const Model& model);
 
-/// Takes the strain and strength of the points as they are for those of the last row: after somebody else set them.
-void remember_history(const Model& model, State& state);
-
-/// Share of the volume with S_u below half of its value at no plastic strain; 0 where no material has S_u [-].
-Real softened_fraction(const Model& model, const State& state);
+/// The strain and strength of the points as they are.
+StrainMemory remember_strain(const Model& model, const State& state);
 
 /// Number of the entry called `name`; -1: none.
 int find_name(auto infos, std::string_view name)

@@ -10,6 +10,7 @@ namespace terp {
 struct LedgerContext {
   const Model& model;
   const State& state;
+  const TotalsRequest& request;
   const Totals& totals;
   Real kinetic_nodal;  ///< of the nodes at the start of the last step [J per m]
   Real left_energy;    ///< of the points that left, when they did [J per m]

@@ -8,6 +8,7 @@
 #include "points/seed.hpp"
 #include "schemes/scheme.hpp"
 #include "simulation/case.hpp"
+#include "simulation/follower.hpp"
 
 namespace terp {
 
@@ -46,6 +47,7 @@ struct Model {
   std::vector<BodyShare> bodies;          ///< in the order of the case; filled with the first state
   RowTable rows;                          ///< what a point carries
   int threads = 1;
+  FollowerTypes followers = {};  ///< what is measured while the run goes on; may be none
 };
 
 }  // namespace terp

@@ -126,7 +126,7 @@ void set_point_field(const Model& model, const std::string& name, const std::vec
       });
   if (!has_started(state)) return;
   state.start_energy += kinetic_and_elastic_energy(model, state) - before;
-  remember_history(model, state);
+  for (const ActiveFollower& active : state.followers) active.follower->points_were_set(model, state);
 }
 
 }  // namespace terp

@@ -1,13 +1,10 @@
 #include "simulation/reporter.hpp"
 
 #include "base/errors.hpp"
-#include "simulation/footings.hpp"
 #include "simulation/frame.hpp"
 #include "simulation/guards.hpp"
 #include "simulation/history.hpp"
 #include "simulation/ledger.hpp"
-#include "simulation/left_points.hpp"
-#include "simulation/reached_sides.hpp"
 #include "simulation/state_image.hpp"
 
 #include <cmath>
@@ -19,13 +16,6 @@ bool due(std::int64_t step, Real dt, Real every)
   if (every <= 0.0) return false;
   const Real multiple = std::round(static_cast<Real>(step) * dt / every);
   return std::llround(multiple * every / dt) == step;
-}
-
-const std::vector<std::shared_ptr<const RunTable>>& all_tables()
-{
-  static const std::vector<std::shared_ptr<const RunTable>> tables{
-      history_table(), ledger_table(), left_table(), footings_table()};
-  return tables;
 }
 
 std::string Reporter::report_due(bool last)
@@ -49,19 +39,17 @@ void Reporter::report_rows(const std::vector<TableRow>& rows)
 
 std::string Reporter::report_ledger()
 {
-  report_rows(list_left_since(state_));
   const TableRow row = keep_ledger(model_, state_, work_);
-  follow_sides(model_, state_);
   report_rows({row});
   if (!std::isfinite(row["kinetic"] + row["elastic"])) return describe_not_finite(model_, state_, work_, row["v_999"]);
   if (std::string fault = find_fault_in_balance(model_, state_, row); !fault.empty()) return fault;
-  report_rows(keep_footings(model_, state_));
+  for (const ActiveFollower& active : state_.followers) report_rows(active.follower->rows(model_, state_));
   return {};
 }
 
 void Reporter::report_frame()
 {
-  state_.softened_fraction.emplace_back(state_.time, softened_fraction(model_, state_));
+  for (const ActiveFollower& active : state_.followers) active.follower->frame(model_, state_);
   ++state_.frames_reported;
   const std::int64_t n = state_.n_ids(), step = n > most_points_at_once ? points_per_part : n;
   for (std::int64_t first = 0; first < n; first += step)
@@ -71,7 +59,6 @@ void Reporter::report_frame()
 
 void Reporter::report_checkpoint()
 {
-  report_rows(list_left_since(state_));
   for_each_part(state_, most_values_of_part(state_), [&](StateImage part) {
     tell([image = std::make_shared<const StateImage>(std::move(part))](Observer& o) { o.checkpoint(image); });
   });

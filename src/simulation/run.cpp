@@ -3,11 +3,9 @@
 #include "base/errors.hpp"
 #include "parallel/instructions.hpp"
 #include "parallel/processor.hpp"
-#include "simulation/failure.hpp"
 #include "simulation/guards.hpp"
 #include "simulation/initial.hpp"
 #include "simulation/ledger.hpp"
-#include "simulation/reached_sides.hpp"
 #include "simulation/reporter.hpp"
 
 #include <algorithm>
@@ -61,11 +59,10 @@ struct Loop {
 /// What comes before the first step; reached: the first step may be made.
 Search start_run(const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop)
 {
-  start_audit(model, state);  // sizes what a checkpoint holds, before anything can stop the search
   if (model.description.initial.stress == InitialStress::equilibrium)
     if (Search search = seek_equilibrium(model, state, work, stop); !search.reached) return search;
+  start_followers(model, state);
   state.start_energy = kinetic_and_elastic_energy(model, state);
-  start_audit(model, state);
   return {.reached = true};
 }
 
@@ -130,12 +127,6 @@ Summary summarise(const Model& model, const State& state)
   s.threads = model.threads;
   s.instructions = instructions();
   s.processor = processor_name();
-  summarise_failure(model, state, s);
-  const auto& eps = state.audit.last_eps_eq_p;
-  s.max_eps_eq_p = eps.empty() ? 0.0 : *std::max_element(eps.begin(), eps.end());
-  s.softened_fraction = state.softened_fraction;
-  s.points_eps_eq_p_fell = std::count(state.audit.fell.begin(), state.audit.fell.end(), true);
-  s.points_su_rose = std::count(state.audit.rose.begin(), state.audit.rose.end(), true);
   const WorkTotals& w = state.work;
   const Real exchanged = energy_exchanged(state);
   // Velocities are those of half a step before the places, so half of the last step's work is not yet in the kinetic
@@ -145,14 +136,8 @@ Summary summarise(const Model& model, const State& state)
                          (w.gravity + w.damping + w.boundary);
   s.energy_balance_error = exchanged > 0.0 ? std::abs(numerical) / exchanged : 0.0;
   s.clamped_points = state.clamped;
-  s.reached_sides = list_reached_sides(model, state);
-  s.points_left = static_cast<std::int64_t>(state.left.size());
-  for (std::size_t k = 0; k < model.footings.size(); ++k) {
-    const FootingMeter& meter = state.footings[k];
-    s.footings.push_back({model.footings[k].name, model.footings[k].displacement(state.time), meter.reaction,
-        meter.largest, meter.work});
-  }
   s.v_999 = state.largest_v_999;
+  for (const ActiveFollower& active : state.followers) active.follower->summarise(model, state, s);
   return s;
 }
 

@@ -35,7 +35,4 @@ struct TableRow {
   Real operator[](std::string_view column) const { return values[table->place_of(column)]; }
 };
 
-/// Every table that a run may write.
-const std::vector<std::shared_ptr<const RunTable>>& all_tables();
-
 }  // namespace terp

@@ -3,10 +3,8 @@
 #include "base/errors.hpp"
 #include "forces/time_step.hpp"
 #include "mesh/mesh_error.hpp"
-#include "simulation/failure.hpp"
 #include "simulation/initial.hpp"
 #include "simulation/point_parameters.hpp"
-#include "simulation/reached_sides.hpp"
 #include "simulation/setup_history.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "simulation/setup_points.hpp"
@@ -241,16 +239,13 @@ State build_state(Model& model)
   state.points = PointBlocks<2>(model.mesh->n_cells(), model.rows);
   state.x_initial.resize(2 * n);
   state.put_back.assign(n, false);
-  state.footings.resize(model.footings.size());
   add_points(model, std::move(points), state);
   state.points.update_occupied();
   state.points.reserve(static_cast<std::int64_t>(n / 4));
   set_point_parameters(model, state.x_initial, state);
   set_initial_stress(model, state);
   follow_history_points(model, state);
-  const Vec<2> x = extent_in_x(*model.mesh);
-  start_following(model, columns_between(x[0], x[1], typical_cell_size(*model.mesh)), state);
-  start_following_sides(model, state);
+  start_followers(model, state);
   return state;
 }
 

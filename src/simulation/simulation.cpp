@@ -8,14 +8,25 @@
 #include <fmt/format.h>
 
 namespace terp {
+namespace {
 
-Simulation::Simulation(const Case& description, int threads)
-    : model(build_model(description, threads)), state(build_state(model)), work(model, state)
+Model with_followers(Model model, const FollowerTypes& followers)
+{
+  model.followers = followers;
+  return model;
+}
+
+}  // namespace
+
+Simulation::Simulation(const Case& description, int threads, const FollowerTypes& followers)
+    : model(with_followers(build_model(description, threads), followers)), state(build_state(model)), work(model, state)
 {
 }
 
-Simulation::Simulation(const Case& description, SharedMesh mesh, int threads)
-    : model(build_model(description, std::move(mesh), threads)), state(build_state(model)), work(model, state)
+Simulation::Simulation(const Case& description, SharedMesh mesh, int threads, const FollowerTypes& followers)
+    : model(with_followers(build_model(description, std::move(mesh), threads), followers)),
+      state(build_state(model)),
+      work(model, state)
 {
 }
 

@@ -13,10 +13,11 @@ inline const std::atomic<bool> never_stop{false};
 /// Model, state and scratch of a run, with its threads. Reads everything; whoever changes `state` himself answers for
 /// it. Each Simulation may be driven by a thread of its own; Case and mesh may be shared between them.
 struct Simulation {
-  /// Builds the mesh, seeds the points and sets the initial stress of "k0". Throws InputError.
-  explicit Simulation(const Case& description, int threads = 1);
+  /// Builds the mesh, seeds the points and sets the initial stress of "k0". followers: what is measured besides the
+  /// balance, as all_followers() of `followers`. Throws InputError.
+  explicit Simulation(const Case& description, int threads = 1, const FollowerTypes& followers = {});
   /// The same on a mesh that is already there, as in a study of many runs on one mesh.
-  Simulation(const Case& description, SharedMesh mesh, int threads = 1);
+  Simulation(const Case& description, SharedMesh mesh, int threads = 1, const FollowerTypes& followers = {});
   /// Goes on from a state, as from a checkpoint.
   Simulation(Model ready_model, State ready_state);
 

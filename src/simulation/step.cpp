@@ -68,7 +68,7 @@ void finish_sums(State& state, Workspace& work)
     for (std::size_t k = 0; k < work.footings.size(); ++k)
       for (int d = 0; d < 2; ++d) total.footing[k][d] += sums.footing[k][d];
   }
-  add_footing_impulses(work, total.footing, state);
+  work.footing_impulse = total.footing;
   state.work.gravity += total.gravity;
   state.work.damping += total.damping;
   state.work.boundary += total.boundary;
@@ -158,6 +158,7 @@ void step_compiled(const Model& model, State& state, Workspace& work)
     });
   });
   finish_sums(state, work);  // before points move and the chunks change
+  for (const ActiveFollower& active : state.followers) active.follower->step(model, work);
   timed(work, move, [&] { move_leavers(model, state, work); });
 
   ++state.step;

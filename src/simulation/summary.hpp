@@ -1,14 +1,18 @@
 // The numbers that remain of a run: what summary.json holds.
 #pragma once
 
+#include "base/quantity.hpp"
 #include "events/crest.hpp"
 #include "events/slip_surface.hpp"
 
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace terp {
@@ -75,7 +79,24 @@ struct Summary {
       reached_sides;             ///< in order of time; without open sides and those where soil lay at the start
   std::int64_t points_left = 0;  ///< through open sides
   std::vector<FootingSummary> footings;
+  std::map<std::string, Real, std::less<>> numbers;  ///< of followers, under the names that they declare; NaN: none
   Real v_999 = 0.0;  ///< largest 99.9 % quantile of the speed over all ledger rows [m/s]
 };
+
+/// A key of summary.json that is a single value: what it is, and the member of Summary that has it.
+struct SummaryQuantity {
+  QuantityInfo info;
+  std::variant<Real Summary::*, std::optional<Real> Summary::*, std::int64_t Summary::*, int Summary::*,
+      bool Summary::*, std::string Summary::*>
+      member;
+
+  /// As a number; none for a text, or where it is not defined.
+  std::optional<Real> number(const Summary& summary) const;
+};
+
+/// In the order of summary.json. A new one is a member and an entry in summary.cpp; numbers of followers are not here.
+std::span<const SummaryQuantity> summary_quantities();
+/// nullptr: there is none of that name.
+const SummaryQuantity* find_summary_quantity(std::string_view name);
 
 }  // namespace terp

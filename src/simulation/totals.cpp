@@ -79,18 +79,18 @@ struct ChunkTotals {
 
 /// Looks at the history of a block point by point. Where the strain tells the strength, a rise is one only if the
 /// strain fell: a law that hardens as it strains is no fault.
-void audit_points(const MaterialRows& rows, const PointBlock<2>& block, HistoryAudit& audit, ChunkTotals& chunk)
+void audit_points(const MaterialRows& rows, const PointBlock<2>& block, StrainMemory& memory, ChunkTotals& chunk)
 {
   for (Index lane = 0; lane < block.n; ++lane) {
     const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
-    const Real eps = block.row(rows.strain)[lane], before = audit.last_eps_eq_p[id];
+    const Real eps = block.row(rows.strain)[lane], before = memory.last_eps_eq_p[id];
     const bool fell = eps < before * (1.0 - audit_tolerance);
     if (fell) chunk.fell.push_back(id);
     if (!rows.has_su || (rows.told && !fell)) continue;
     const Real su = strength_of(rows.material, block, lane);
-    const Real su_before = rows.told ? strength_at(rows.material, block, lane, before) : audit.last_su[id];
+    const Real su_before = rows.told ? strength_at(rows.material, block, lane, before) : memory.last_su[id];
     if (su > su_before * (1.0 + audit_tolerance)) chunk.rose.push_back(id);
-    if (!audit.last_su.empty()) audit.last_su[id] = su;
+    if (!memory.last_su.empty()) memory.last_su[id] = su;
   }
 }
 
@@ -117,7 +117,7 @@ StrainChange enter_strain(const PointBlock<2>& block, Index p, int strain, std::
 
 /// Enters all points of a block; fastest: largest squared speed [m^2/s^2]. Returns true if eps_eq_p of any changed.
 bool enter_block(const MaterialRows& rows, std::span<const Columns> shear, const PointBlock<2>& block,
-    HistoryAudit& audit, ChunkTotals& chunk, Real& fastest)
+    StrainMemory* memory, ChunkTotals& chunk, Real& fastest)
 {
   Pack most(0.0);
   StrainChange any{lane_numbers() < Pack(0.0), lane_numbers() < Pack(0.0)};
@@ -126,11 +126,11 @@ bool enter_block(const MaterialRows& rows, std::span<const Columns> shear, const
     chunk.moved.enter(block, p);
     most = max(most, squared_speeds(block, p));
     if (rows.strain < 0) continue;
-    const StrainChange change = enter_strain(block, p, rows.strain, audit.last_eps_eq_p, shear, chunk);
+    const StrainChange change = enter_strain(block, p, rows.strain, memory->last_eps_eq_p, shear, chunk);
     any = {any.changed | change.changed, any.fell | change.fell};
   }
   fastest = largest(most);
-  if (rows.strain >= 0 && (any_of(any.fell) || !rows.told)) audit_points(rows, block, audit, chunk);
+  if (rows.strain >= 0 && (any_of(any.fell) || !rows.told)) audit_points(rows, block, *memory, chunk);
   return any_of(any.changed);
 }
 
@@ -152,14 +152,16 @@ void add_chunks(const std::vector<ChunkTotals>& chunks, Totals& totals)
 
 }  // namespace
 
-Totals add_up_compiled(
-    const Model& model, State& state, Threads& threads, Real moved_distance, std::span<const Columns> shear)
+Totals add_up_compiled(const Model& model, const State& state, Threads& threads, const TotalsRequest& request)
 {
   const auto n_blocks = static_cast<std::size_t>(state.points.n_blocks());
   const auto n_cells = static_cast<Index>(state.points.occupied().size());
   std::vector<MaterialRows> rows;
-  for (const SoilMaterial& material : model.materials) rows.push_back({material});
-  const ChunkTotals empty{.books = {}, .moved = {state.x_initial, moved_distance}, .fell = {}, .rose = {}};
+  for (const SoilMaterial& material : model.materials) {
+    rows.push_back({material});
+    if (request.memory == nullptr) rows.back().strain = -1;
+  }
+  const ChunkTotals empty{.books = {}, .moved = {state.x_initial, request.moved_distance}, .fell = {}, .rose = {}};
   std::vector<ChunkTotals> chunks(static_cast<std::size_t>(Threads::n_chunks(n_cells, cells_per_chunk)), empty);
   std::vector<Real> fastest(n_blocks, 0.0);
   Totals totals;
@@ -168,7 +170,7 @@ Totals add_up_compiled(
     ChunkTotals& chunk = chunks[number];
     for (Index slot = begin; slot < end; ++slot)
       for_each_block(state.points, state.points.occupied()[slot], [&](const PointBlock<2>& block, Index b) {
-        totals.strained[b] = enter_block(rows[block.material], shear, block, state.audit, chunk, fastest[b]);
+        totals.strained[b] = enter_block(rows[block.material], request.shear, block, request.memory, chunk, fastest[b]);
       });
   });
   add_chunks(chunks, totals);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "events/moved.hpp"
+#include "events/surface.hpp"
 #include "parallel/threads.hpp"
 #include "simulation/model.hpp"
 #include "simulation/state.hpp"
@@ -11,6 +12,19 @@
 namespace terp {
 
 inline constexpr int most_slopes = 2;  ///< a section falls to the left, to the right, or both
+
+/// The strain and the strength of each point at the last ledger row; by id.
+struct StrainMemory {
+  std::vector<Real> last_eps_eq_p;
+  std::vector<Real> last_su;  ///< empty where no material needs it: eps_eq_p alone tells S_u
+};
+
+/// What followers want of the walk over the points.
+struct TotalsRequest {
+  Real moved_distance = std::numeric_limits<Real>::infinity();  ///< from where on soil counts as moved [m]
+  std::vector<Columns> shear;                                   ///< in which the growth of strain counts, of each slope
+  StrainMemory* memory = nullptr;  ///< none: neither growth nor audit. Of it the walk renews last_su alone
+};
 
 /// Sums and extremes over the points.
 struct Totals {
@@ -26,11 +40,9 @@ struct Totals {
       strained;  ///< 1: eps_eq_p of some point of the block changed since the last row; by block number
 };
 
-/// Walks over all points. Sums go by chunks of cells in their order: the same bits on any number of threads. Of what
-/// the audit remembers only last_su is renewed. moved_distance: from where on soil counts as moved [m]; shear: columns
-/// of each slope in which growth counts. Of this copy of the kernels: call by way of kernels().add_up.
-Totals add_up_compiled(
-    const Model& model, State& state, Threads& threads, Real moved_distance, std::span<const Columns> shear);
+/// Walks over all points. Sums go by chunks of cells in their order: the same bits on any number of threads. Of this
+/// copy of the kernels: call by way of kernels().add_up.
+Totals add_up_compiled(const Model& model, const State& state, Threads& threads, const TotalsRequest& request);
 
 /// Energy stored per volume, of one point or of a pack of them. P: Real, or Pack where the points differ in stiffness.
 template <class P>

@@ -60,11 +60,12 @@ struct Workspace {
   std::vector<Real> leaver;                      ///< values of the point being moved
   std::array<double, n_passes> seconds{};        ///< spent in each pass
   std::vector<PlacedFooting> footings;           ///< in this step
-  bool settling = false;                         ///< in the search for equilibrium, which knows no footing
-  Real damping_local = 0.0;                      ///< alpha in force: the model's, or that of the search for equilibrium
-  bool finite = true;                            ///< no nodal value was NaN or infinite in the last step
-  Real unbalanced_ratio = 0.0;                   ///< sum |m a| over sum |m g| in the last step
-  Real kinetic_nodal = 0.0;                      ///< 1/2 sum m_i |v_i|^2 at the start of the last step [J per m]
+  std::array<Vec<2>, most_footings> footing_impulse{};  ///< of each on its nodes, in the last step [N s per m]
+  bool settling = false;                                ///< in the search for equilibrium, which knows no footing
+  Real damping_local = 0.0;     ///< alpha in force: the model's, or that of the search for equilibrium
+  bool finite = true;           ///< no nodal value was NaN or infinite in the last step
+  Real unbalanced_ratio = 0.0;  ///< sum |m a| over sum |m g| in the last step
+  Real kinetic_nodal = 0.0;     ///< 1/2 sum m_i |v_i|^2 at the start of the last step [J per m]
 };
 
 }  // namespace terp

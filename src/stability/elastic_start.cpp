@@ -124,13 +124,11 @@ ElasticStart settle_elastically(
   start.stiffening = stiffening;
   start.places = state.x_initial;
   set_scales(model, state, start);
-  start_audit(model, state);
   Workspace work(model, state);
   const Search search = seek_equilibrium(model, state, work, stop);
   if (!search.fault.empty()) throw RunError(search.fault);
   if (!search.reached) throw RunError("stopped in the search for the state at rest; nothing was found");
   start.steps = state.equilibrium_steps;
-  start_audit(model, state);
   start.rest = make_image(state);
   drop_rows_but(of_trials, start.rest);
   return start;

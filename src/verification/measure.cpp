@@ -9,17 +9,24 @@ namespace {
 
 constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 
-const std::vector<std::string> summary_names = {"front_x", "crest_x", "second_failure_time", "max_eps_eq_p",
-    "softened_fraction", "energy_balance_error", "clamped_points", "points_left", "v_999", "n_points", "n_steps",
-    "points_eps_eq_p_fell", "points_su_rose"};
+/// The numbers of a summary by name: those of summary.json, and the last softened share.
+struct NamedNumbers {
+  std::vector<std::string> names;
+  std::vector<Real> values;
 
-std::vector<Real> summary_row(const Summary& s)
-{
-  return {s.front_x, s.crest_x.value_or(nan), s.second_failure_time.value_or(nan), s.max_eps_eq_p,
-      s.softened_fraction.empty() ? nan : s.softened_fraction.back().second, s.energy_balance_error,
-      static_cast<Real>(s.clamped_points), static_cast<Real>(s.points_left), s.v_999, static_cast<Real>(s.n_points),
-      static_cast<Real>(s.n_steps), static_cast<Real>(s.points_eps_eq_p_fell), static_cast<Real>(s.points_su_rose)};
-}
+  explicit NamedNumbers(const Summary& s)
+  {
+    for (const SummaryQuantity& quantity : summary_quantities())
+      if (!quantity.info.is_text) add(quantity.info.name, quantity.number(s).value_or(nan));
+    for (const auto& [name, value] : s.numbers) add(name, value);
+    add("softened_fraction", s.softened_fraction.empty() ? nan : s.softened_fraction.back().second);
+  }
+  void add(std::string_view name, Real value)
+  {
+    names.emplace_back(name);
+    values.push_back(value);
+  }
+};
 
 /// A number of summary.json.
 class SummaryMeasure : public Measure {
@@ -27,8 +34,9 @@ class SummaryMeasure : public Measure {
   SummaryMeasure(const Quantity& quantity, const Scope& scope) : quantity_(quantity), scope_(scope) {}
   Measured finish(const Summary& summary) override
   {
-    return {scope_.compile(quantity_.value, summary_names)(summary_row(summary)),
-        scope_.evaluate_or(quantity_.reference, nan)};
+    const NamedNumbers numbers(summary);
+    return {
+        scope_.compile(quantity_.value, numbers.names)(numbers.values), scope_.evaluate_or(quantity_.reference, nan)};
   }
 
  private:

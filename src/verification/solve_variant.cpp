@@ -1,6 +1,7 @@
 #include "verification/solve_variant.hpp"
 
 #include "base/errors.hpp"
+#include "followers/followers.hpp"
 #include "simulation/simulation.hpp"
 #include "stability/factor_of_safety.hpp"
 #include "verification/measure.hpp"
@@ -85,7 +86,7 @@ std::vector<Finding> findings_of_factor(const Solve& solve, const CaseFile& solv
 
 std::vector<Finding> solve_and_measure(const Solve& solve, const CaseFile& solved, const std::atomic<bool>& stop)
 {
-  Simulation simulation(solved.values);
+  Simulation simulation(solved.values, 1, all_followers());
   Scope scope = make_scope(*solve.file, *solve.variant, solved, simulation.model.dt);
   std::vector<Finding> findings;
   std::vector<std::unique_ptr<Measure>> measured;

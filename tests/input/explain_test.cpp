@@ -121,5 +121,17 @@ TEST(List, NamesMaterialsSchemesAndFields)
     EXPECT_THAT(list(), HasSubstr(std::string("\n  ") + name + " "));
 }
 
+TEST(Explain, KnowsTheQuantitiesThatARunReports)
+{
+  EXPECT_EQ(
+      explain("front_left_x"), "in ledger.csv\n  front_left_x\n    front of the slope to the left\n    unit      m\n");
+  EXPECT_THAT(explain("footings.csv"),
+      testing::HasSubstr("footings.csv: file of a run\n  displacement and measured reaction of each footing\n\n"
+                         "Quantities\n  time\n    of the step\n    unit      s\n"));
+  EXPECT_THAT(explain("summary.json"), testing::HasSubstr("  run_out\n    of the front since t = 0;"));
+  EXPECT_THAT(explain("v_999"),
+      testing::AllOf(testing::HasSubstr("in ledger.csv\n"), testing::HasSubstr("in summary.json\n  v_999\n")));
+}
+
 }  // namespace
 }  // namespace terp

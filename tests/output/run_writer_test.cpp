@@ -6,8 +6,7 @@
 #include "output/samples.hpp"
 #include "output/small_disk.hpp"
 #include "output/table_csv.hpp"
-#include "simulation/left_points.hpp"
-#include "simulation/run_table.hpp"
+#include "followers/followers.hpp"
 #include "support/process.hpp"
 #include "support/paths.hpp"
 
@@ -24,6 +23,8 @@ using test::sample_frame;
 using test::sample_history;
 using test::sample_image;
 using test::sample_ledger;
+using test::sample_ledger_table;
+using test::table_named;
 using testing::HasSubstr;
 
 RunWriterSettings settings_for(const std::string& folder)
@@ -79,7 +80,7 @@ TEST(RunWriter, ANewRunHasItsCaseAndTheHeadersOfItsTables)
   RunWriter::start(settings_for(folder), false);
   EXPECT_EQ(read_file(folder + "/case.toml"), "title = \"column\"\n");
   EXPECT_EQ(read_file(folder + "/history.csv"), header_of(*history_table()) + "\n");
-  EXPECT_EQ(read_file(folder + "/ledger.csv"), header_of(*ledger_table()) + "\n");
+  EXPECT_EQ(read_file(folder + "/ledger.csv"), header_of(*sample_ledger_table()) + "\n");
 }
 
 TEST(RunWriter, ARowIsInTheFileOnceTheWriterHasFinished)
@@ -154,9 +155,10 @@ TEST(RunWriter, FilesOfAnotherRunAreRefusedAndNothingChanges)
   other.case_record = "material.clay.eta = 60\n";
   write_outputs(*RunWriter::start(settings_for(ours), false), 0, 3);
   write_outputs(*RunWriter::start(std::move(other), false), 0, 3);
-  write_file_atomically(theirs + "/ledger.csv", std::string(ledger_header) + '\n' + csv_line(sample_ledger(0.0)) +
-                                                    csv_line(sample_ledger(0.05)) + csv_line(sample_ledger(0.2)));
-  write_file_atomically(theirs + "/history.csv", std::string(history_header) + '\n' + csv_lines(sample_history(0.0)) +
+  write_file_atomically(theirs + "/ledger.csv", header_of(*sample_ledger_table()) + '\n' +
+                                                    csv_lines(sample_ledger(0.0)) + csv_lines(sample_ledger(0.05)) +
+                                                    csv_lines(sample_ledger(0.2)));
+  write_file_atomically(theirs + "/history.csv", header_of(*history_table()) + '\n' + csv_lines(sample_history(0.0)) +
                                                      csv_lines(sample_history(0.05)) + csv_lines(sample_history(0.2)));
   const ResumePoint from = point_200(ours);
   for (const std::string name : {"frames/points_00001.vtkhdf", "ledger.csv", "history.csv"}) {
@@ -172,7 +174,7 @@ TEST(RunWriter, FilesOfAnotherRunAreRefusedAndNothingChanges)
     EXPECT_EQ(all_files_in(ours), before) << name;
     std::filesystem::rename(aside, path);
   }
-  write_file_atomically(ours + "/left_the_mesh.csv", header_of(*left_table()) + "\n0.05,3,1,2,3,4,5\n");
+  write_file_atomically(ours + "/left_the_mesh.csv", header_of(*table_named("left_the_mesh")) + "\n0.05,3,1,2,3,4,5\n");
   EXPECT_THAT(file_error_of([&] { resume_in(ours, from); }), HasSubstr("left_the_mesh.csv is not what this run wrote"));
   std::filesystem::remove(ours + "/left_the_mesh.csv");
   EXPECT_TRUE(resume_in(ours, from)->warnings().empty());
@@ -242,8 +244,8 @@ TEST(RunWriter, ARunResumedAtItsStartShowsTheStartOnce)
   const test::ScratchFolder scratch;
   write_outputs(*RunWriter::start(settings_for(scratch.path()), false), 0, 0);
   write_outputs(*resume_in(scratch.path(), {}), 0, 0);
-  EXPECT_EQ(
-      read_file(scratch.path() + "/ledger.csv"), std::string(ledger_header) + "\n" + csv_line(sample_ledger(0.0)));
+  EXPECT_EQ(read_file(scratch.path() + "/ledger.csv"),
+      header_of(*sample_ledger_table()) + "\n" + csv_lines(sample_ledger(0.0)));
   EXPECT_THAT(list_frames(scratch.path(), point_frames), testing::ElementsAre(0));
 }
 

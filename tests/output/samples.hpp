@@ -2,10 +2,12 @@
 #pragma once
 
 #include "base/errors.hpp"
+#include "followers/followers.hpp"
 #include "simulation/history.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/observer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -28,6 +30,13 @@ inline Frame sample_frame(int k)
   return frame;
 }
 
+/// A table of a run with all followers.
+inline const std::shared_ptr<const RunTable>& table_named(std::string_view name)
+{
+  return *std::ranges::find_if(all_tables(), [&](const auto& table) { return table->name == name; });
+}
+inline const std::shared_ptr<const RunTable>& sample_ledger_table() { return table_named("ledger"); }
+
 inline std::vector<TableRow> sample_history(Real time)
 {
   std::vector<TableRow> rows{TableRow(history_table(), "A"), TableRow(history_table(), "B")};
@@ -39,7 +48,7 @@ inline std::vector<TableRow> sample_history(Real time)
 /// One row.
 inline std::vector<TableRow> sample_ledger(Real time)
 {
-  TableRow row(ledger_table());
+  TableRow row(sample_ledger_table());
   row["time"] = time, row["step"] = 100, row["kinetic"] = 1.25, row["kinetic_nodal"] = 0.75, row["elastic"] = 2.5;
   row["plastic"] = 3.75, row["gravity_work"] = 4.5, row["damping_work"] = -5.5, row["boundary_work"] = -6.5;
   row["left_energy"] = 0.125, row["numerical"] = 1e-12, row["mass"] = 31840.0, row["momentum_x"] = 7.5;

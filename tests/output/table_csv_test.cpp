@@ -2,8 +2,6 @@
 #include "output/table_csv.hpp"
 
 #include "output/samples.hpp"
-#include "simulation/footings.hpp"
-#include "simulation/left_points.hpp"
 #include "support/paths.hpp"
 
 #include <gmock/gmock.h>
@@ -14,6 +12,8 @@ namespace {
 using test::file_error_of;
 using test::sample_history;
 using test::sample_ledger;
+using test::sample_ledger_table;
+using test::table_named;
 
 TEST(TableCsv, AHistoryRowIsWrittenWithShortestNumbersAndNan)
 {
@@ -41,7 +41,7 @@ TEST(TableCsv, ALedgerRowFollowsItsHeader)
   EXPECT_EQ(csv_lines(sample_ledger(0.5)),
       "0.5,100,1.25,0.75,2.5,3.75,4.5,-5.5,-6.5,0.125,1e-12,31840,7.5,-8.5,3,0,6.25,5.75,13.1,nan,1.75,nan,3.5,1.5,"
       "4.25\n");
-  const std::string header = header_of(*ledger_table());
+  const std::string header = header_of(*sample_ledger_table());
   EXPECT_TRUE(header.starts_with("time,step,kinetic,kinetic_nodal,elastic,")) << header;
   EXPECT_EQ(std::count(header.begin(), header.end(), ','), 24);
 }
@@ -61,33 +61,33 @@ TEST(TableCsv, RowsAfterATimeAreDroppedAndThatTimeStays)
   const test::ScratchFolder folder;
   const std::string path = folder.path() + "/ledger.csv";
   const Real exact = 0.1 + 0.2;  // not 0.3: only the exact bits keep the row
-  TableFile table(path, header_of(*ledger_table()));
+  TableFile table(path, header_of(*sample_ledger_table()));
   for (const Real time : {0.1, exact, std::nextafter(exact, 1.0)}) table.append(csv_lines(sample_ledger(time)));
-  drop_rows_after(path, header_of(*ledger_table()), exact);
+  drop_rows_after(path, header_of(*sample_ledger_table()), exact);
   EXPECT_EQ(read_file(path),
-      header_of(*ledger_table()) + "\n" + csv_lines(sample_ledger(0.1)) + csv_lines(sample_ledger(exact)));
+      header_of(*sample_ledger_table()) + "\n" + csv_lines(sample_ledger(0.1)) + csv_lines(sample_ledger(exact)));
 }
 
 TEST(TableCsv, ALastRowThatWasCutShortIsDropped)
 {
   const test::ScratchFolder folder;
   const std::string path = folder.path() + "/ledger.csv";
-  TableFile(path, header_of(*ledger_table())).append(csv_lines(sample_ledger(0.1)) + "0.2,100,1.2");
-  drop_rows_after(path, header_of(*ledger_table()), 5.0);
-  EXPECT_EQ(read_file(path), header_of(*ledger_table()) + "\n" + csv_lines(sample_ledger(0.1)));
+  TableFile(path, header_of(*sample_ledger_table())).append(csv_lines(sample_ledger(0.1)) + "0.2,100,1.2");
+  drop_rows_after(path, header_of(*sample_ledger_table()), 5.0);
+  EXPECT_EQ(read_file(path), header_of(*sample_ledger_table()) + "\n" + csv_lines(sample_ledger(0.1)));
 }
 
 /// A table is begun when its first row comes, which may be after the checkpoint that a run goes on from.
 TEST(TableCsv, OneThatWasCutWithinItsHeaderIsBegunAgain)
 {
-  const std::string header = header_of(*left_table()) + '\n';
+  const std::string header = header_of(*table_named("left_the_mesh")) + '\n';
   for (const std::size_t length : {std::size_t{0}, std::size_t{12}, header.size() - 1}) {
     const test::ScratchFolder folder;
     const std::string path = folder.path() + "/left_the_mesh.csv";
     write_file_atomically(path, header.substr(0, length));
-    EXPECT_EQ(read_part_until(path, header_of(*left_table()), 5.0).n_rows, 0) << length;
-    drop_rows_after(path, header_of(*left_table()), 5.0);
-    TableFile(path, header_of(*left_table())).append("");
+    EXPECT_EQ(read_part_until(path, header_of(*table_named("left_the_mesh")), 5.0).n_rows, 0) << length;
+    drop_rows_after(path, header_of(*table_named("left_the_mesh")), 5.0);
+    TableFile(path, header_of(*table_named("left_the_mesh"))).append("");
     EXPECT_EQ(read_file(path), header) << length;
   }
 }
@@ -96,13 +96,13 @@ TEST(TableCsv, CountsTheWholeRowsUpToATime)
 {
   const test::ScratchFolder folder;
   const std::string path = folder.path() + "/ledger.csv";
-  EXPECT_EQ(read_part_until(path, header_of(*ledger_table()), 1.0).n_rows, 0);
-  EXPECT_EQ(read_part_until(path, header_of(*ledger_table()), 1.0).checksum, "");
-  TableFile table(path, header_of(*ledger_table()));
+  EXPECT_EQ(read_part_until(path, header_of(*sample_ledger_table()), 1.0).n_rows, 0);
+  EXPECT_EQ(read_part_until(path, header_of(*sample_ledger_table()), 1.0).checksum, "");
+  TableFile table(path, header_of(*sample_ledger_table()));
   for (const Real time : {0.1, 0.2, 0.3}) table.append(csv_lines(sample_ledger(time)));
   table.append("0.4,100,1.2");
-  EXPECT_EQ(read_part_until(path, header_of(*ledger_table()), 0.2).n_rows, 2);
-  EXPECT_EQ(read_part_until(path, header_of(*ledger_table()), 0.4).n_rows, 3);
+  EXPECT_EQ(read_part_until(path, header_of(*sample_ledger_table()), 0.2).n_rows, 2);
+  EXPECT_EQ(read_part_until(path, header_of(*sample_ledger_table()), 0.4).n_rows, 3);
 }
 
 TEST(TableCsv, TheChecksumOfAGrowingTableIsThatOfItsPartUpToThere)
@@ -111,17 +111,17 @@ TEST(TableCsv, TheChecksumOfAGrowingTableIsThatOfItsPartUpToThere)
   const std::string path = folder.path() + "/ledger.csv";
   std::string first, second;
   {
-    TableFile table(path, header_of(*ledger_table()));
+    TableFile table(path, header_of(*sample_ledger_table()));
     table.append(csv_lines(sample_ledger(0.1)));
     first = table.checksum();
   }
-  TableFile again(path, header_of(*ledger_table()));
+  TableFile again(path, header_of(*sample_ledger_table()));
   EXPECT_EQ(again.checksum(), first);
   again.append(csv_lines(sample_ledger(0.2)));
   second = again.checksum();
   again.append(csv_lines(sample_ledger(0.3)));
-  EXPECT_EQ(read_part_until(path, header_of(*ledger_table()), 0.1).checksum, first);
-  EXPECT_EQ(read_part_until(path, header_of(*ledger_table()), 0.2).checksum, second);
+  EXPECT_EQ(read_part_until(path, header_of(*sample_ledger_table()), 0.1).checksum, first);
+  EXPECT_EQ(read_part_until(path, header_of(*sample_ledger_table()), 0.2).checksum, second);
   EXPECT_NE(first, second);
 }
 
@@ -142,7 +142,7 @@ TEST(TableCsv, WithoutATableThereIsNothingToDrop)
 
 TEST(TableCsv, OneLinePerFooting)
 {
-  TableRow row(footings_table(), "plate, left");
+  TableRow row(table_named("footings"), "plate, left");
   row.values = {0.25, 0.0, -0.125, 1.5, 20000.5, 64.0};
   EXPECT_EQ(csv_lines({row, row}),
       "0.25,\"plate, left\",0,-0.125,1.5,20000.5,64\n0.25,\"plate, left\",0,-0.125,1.5,20000.5,64\n");

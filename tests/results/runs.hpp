@@ -24,7 +24,7 @@ std::string write_run(const std::string& folder, Change&& change)
   for (int k = 0; k < 3; ++k) results.append(sample_frame(k));
   TableFile(path_in(folder, history_file), header_of(*history_table()))
       .append(csv_lines(sample_history(0.0)) + csv_lines(sample_history(0.25)));
-  TableFile(path_in(folder, ledger_file), header_of(*ledger_table()))
+  TableFile(path_in(folder, ledger_file), header_of(*sample_ledger_table()))
       .append(csv_lines(sample_ledger(0.0)) + csv_lines(sample_ledger(0.25)));
   Summary summary;
   summary.scheme = "mpm_gp", summary.n_points = 5, summary.n_steps = 100, summary.front_x = 13.0, summary.run_out = 5.0,

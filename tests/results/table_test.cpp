@@ -2,7 +2,7 @@
 #include "results/table.hpp"
 
 #include "results/runs.hpp"
-#include "simulation/run_table.hpp"
+#include "followers/followers.hpp"
 
 #include <cmath>
 

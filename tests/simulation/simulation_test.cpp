@@ -189,7 +189,7 @@ TEST(Simulation, OfTwoMaterialsSetsAVariableWhereItIs)
 
 TEST(Simulation, WhatIsSetDuringTheRunIsNoFaultOfItsBalanceOrItsHistory)
 {
-  Simulation s(sliding_column());
+  Simulation s = test::followed(sliding_column());
   s.step(20);
   PointField velocity = s.field("velocity"), strain = s.field("eps_eq_p");
   for (Real& v : velocity.values) v *= 3.0;

@@ -1,6 +1,7 @@
 // What one walk over the points finds, by each copy of the kernels and on any number of threads.
 #include "simulation/totals.hpp"
 
+#include "simulation/kernels.hpp"
 #include "simulation/ledger.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
@@ -19,10 +20,12 @@ using Rows = PointRows<2>;
 struct Flowing : Simulation {
   explicit Flowing(const char* scheme = "mpm_gp", int threads = 1) : Simulation(test::column(scheme, 0.25), threads)
   {
-    step(400);
-    start_audit(model, state);
-    step(5);
+    test::make_steps(*this, 400);
+    memory = remember_strain(model, state);
+    test::make_steps(*this, 5);
   }
+  StrainMemory memory;
+  TotalsRequest ask(const std::vector<Columns>& shear) { return {0.1, shear, &memory}; }
 };
 
 const std::vector<Columns> halves{{.left = 0.0, .width = 0.5, .n = 15}, {.left = 7.5, .width = 0.5, .n = 17}};
@@ -30,15 +33,14 @@ const std::vector<Columns> halves{{.left = 0.0, .width = 0.5, .n = 15}, {.left =
 TEST(Totals, AreSumsOverThePoints)
 {
   Flowing s;
-  const Totals totals = kernels().add_up(s.model, s.state, s.work.threads, 0.1, halves);
+  const Totals totals = kernels().add_up(s.model, s.state, s.work.threads, s.ask(halves));
   Real mass = 0.0, kinetic = 0.0;
   std::array<Real, 2> growth{}, momentum{};
   for (const test::Point& p : test::points_by_id(s.state)) {
     mass += p.mass;
     kinetic += 0.5 * p.mass * (p.v[0] * p.v[0] + p.v[1] * p.v[1]);
     for (int d = 0; d < 2; ++d) momentum[d] += p.mass * p.v[d];
-    growth[p.x[0] < 7.5 ? 0 : 1] +=
-        p.volume * (p.eps_eq_p() - s.state.audit.last_eps_eq_p[static_cast<std::size_t>(p.id)]);
+    growth[p.x[0] < 7.5 ? 0 : 1] += p.volume * (p.eps_eq_p() - s.memory.last_eps_eq_p[static_cast<std::size_t>(p.id)]);
   }
   EXPECT_NEAR(totals.mass, mass, 1e-12 * mass);
   EXPECT_NEAR(totals.kinetic, kinetic, 1e-12 * kinetic);
@@ -57,8 +59,8 @@ TEST(Totals, AreSumsOverThePoints)
 TEST(Totals, HaveTheSameBitsOnAnyNumberOfThreads)
 {
   Flowing one("mpm_mixed", 1), three("mpm_mixed", 3);
-  const Totals a = kernels().add_up(one.model, one.state, one.work.threads, 0.1, halves),
-               b = kernels().add_up(three.model, three.state, three.work.threads, 0.1, halves);
+  const Totals a = kernels().add_up(one.model, one.state, one.work.threads, one.ask(halves)),
+               b = kernels().add_up(three.model, three.state, three.work.threads, three.ask(halves));
   EXPECT_EQ(a.kinetic, b.kinetic);
   EXPECT_EQ(a.elastic, b.elastic);
   EXPECT_EQ(a.momentum, b.momentum);
@@ -73,11 +75,11 @@ TEST(Totals, HaveTheSameBitsOnAnyNumberOfThreads)
 TEST(Totals, OfEachCopyOfTheKernelsAgree)
 {
   Flowing s;
-  const Totals first = kernels().add_up(s.model, s.state, s.work.threads, 0.1, halves);
+  const Totals first = kernels().add_up(s.model, s.state, s.work.threads, s.ask(halves));
   for (std::size_t k = 0; k < instruction_sets().size(); ++k) {
     const InstructionSet& set = instruction_sets()[k];
     if (!set.offered) continue;
-    const Totals other = kernels_of_set(k).add_up(s.model, s.state, s.work.threads, 0.1, halves);
+    const Totals other = kernels_of_set(k).add_up(s.model, s.state, s.work.threads, s.ask(halves));
     EXPECT_NEAR(other.kinetic, first.kinetic, 1e-13 * first.kinetic) << set.name;
     EXPECT_NEAR(other.elastic, first.elastic, 1e-13 * first.elastic) << set.name;
     EXPECT_EQ(other.moved.reach_right, first.moved.reach_right) << set.name;
@@ -96,14 +98,14 @@ TEST(Totals, NameThePointsWhoseHistoryWentBack)
   };
   strain_to(7, 0.02);
   strain_to(9, 0.02);
-  start_audit(s.model, s.state);
+  StrainMemory memory = remember_strain(s.model, s.state);
   strain_to(7, 0.01);
   strain_to(9, 0.03);
-  const Totals totals = kernels().add_up(s.model, s.state, s.work.threads, 0.1, {});
+  const Totals totals = kernels().add_up(s.model, s.state, s.work.threads, {0.1, {}, &memory});
   EXPECT_THAT(totals.fell, ElementsAre(7));
   EXPECT_THAT(totals.rose, ElementsAre(7));  // its strength rose with it
   EXPECT_EQ(std::count(totals.strained.begin(), totals.strained.end(), 1), 1);
-  EXPECT_EQ(s.state.audit.last_eps_eq_p[7], 0.02);  // the walk remembers nothing
+  EXPECT_EQ(memory.last_eps_eq_p[7], 0.02);  // the walk remembers nothing
 }
 
 }  // namespace

@@ -1,5 +1,9 @@
 #include "support/simulations.hpp"
 
+#include "followers/followers.hpp"
+#include "simulation/state_arrays.hpp"
+#include "simulation/state_image.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -7,6 +11,8 @@
 namespace terp::test {
 
 using Rows = PointRows<2>;
+
+Simulation followed(const Case& description, int threads) { return Simulation(description, threads, all_followers()); }
 
 void make_steps(Simulation& s, std::int64_t n)
 {
@@ -38,6 +44,25 @@ std::vector<Point> points_by_id(const State& state)
   });
   std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.id < b.id; });
   return points;
+}
+
+std::vector<TableRow> rows_of(Simulation& s, std::string_view follower)
+{
+  for (const ActiveFollower& active : s.state.followers)
+    if (active.type->name == follower) return active.follower->rows(s.model, s.state);
+  return {};
+}
+
+std::vector<Real> array_of(const State& state, const std::string& name)
+{
+  const StateImage image = make_image(state);
+  return ArrayReader(image).reals(name);
+}
+
+std::int64_t flags_set(const State& state, const std::string& name)
+{
+  const StateImage image = make_image(state);
+  return std::ranges::count(ArrayReader(image).wholes(name), 1);
 }
 
 Vec<2> momentum(const State& state)

@@ -7,6 +7,9 @@
 
 namespace terp::test {
 
+/// A run that all followers look at.
+Simulation followed(const Case& description, int threads = 1);
+
 /// Makes steps and nothing else: no start, no guards, no rows. For states that no case describes, or that a test
 /// spoils.
 void make_steps(Simulation& s, std::int64_t n = 1);
@@ -21,6 +24,13 @@ struct Point {
   std::vector<Real> values;           ///< of the rows beyond the fixed ones
   Real eps_eq_p() const { return values.empty() ? 0.0 : values[0]; }
 };
+
+/// What a follower has to report in its own table.
+std::vector<TableRow> rows_of(Simulation& s, std::string_view follower);
+
+/// An array of real numbers as a checkpoint would hold it; of flags, how many are set.
+std::vector<Real> array_of(const State& state, const std::string& name);
+std::int64_t flags_set(const State& state, const std::string& name);
 
 /// All points, sorted by id.
 std::vector<Point> points_by_id(const State& state);

@@ -2,6 +2,7 @@
 
 #include "verification/solve_variant.hpp"
 
+#include "followers/followers.hpp"
 #include "simulation/ledger.hpp"
 #include "verification/ledger_samples.hpp"
 
@@ -71,7 +72,7 @@ TEST(SolveVariant, LedgerSummaryAndFormulasOfEarlierQuantities)
 {
   const Solved solved = solve(
       quantity("name = \"p\"\nas = \"p\"\nkind = \"ledger\"\nvalue = \"momentum_x\"\ntime = \"end\"") +
-      quantity("name = \"n\"\nas = \"n\"\nkind = \"summary\"\nvalue = \"n_points\"") +
+      quantity("name = \"n\"\nas = \"n\"\nkind = \"summary\"\nvalue = \"points\"") +
       quantity(
           "name = \"per point\"\nkind = \"formula\"\nvalue = \"p/n\"\nreference = \"2000/16*V\"\nrelative = 1e-12"));
   ASSERT_EQ(solved.fault, "");
@@ -82,7 +83,7 @@ TEST(SolveVariant, LedgerSummaryAndFormulasOfEarlierQuantities)
 
 TEST(SolveVariant, EveryColumnOfTheLedgerMayBeMeasured)
 {
-  for (const QuantityInfo& column : ledger_table()->columns)
+  for (const QuantityInfo& column : ledger_table(all_followers())->columns)
     if (column.name != "time") {
       const Finding f = find(
           fmt::format("name = \"n\"\nkind = \"ledger\"\nvalue = \"{}\"\ntime = \"end\"\nat_most = 1", column.name));

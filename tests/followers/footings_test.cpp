@@ -16,6 +16,22 @@
 namespace terp {
 namespace {
 
+/// What the first footing has met.
+struct Meter {
+  Vec<2> impulse;
+  Real since;
+  Vec<2> reaction;
+  Real largest, work;
+};
+
+Meter meter_of(const State& state)
+{
+  const auto v = test::array_of(state, "followers/footings/meters");
+  return {{v.at(0), v[1]}, v[2], {v[3], v[4]}, v[5], v[6]};
+}
+
+TableRow keep_row(Simulation& s) { return test::rows_of(s, "footings").at(0); }
+
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -39,9 +55,9 @@ INSTANTIATE_TEST_SUITE_P(Footings, FootingInEveryScheme, testing::Values("standa
 
 TEST_P(FootingInEveryScheme, TheReactionIsTheMomentumThatTheSoilTakes)
 {
-  Simulation s(pushed(GetParam()));
-  s.step(200);
-  const Vec<2> p = test::momentum(s.state), impulse = s.state.footings[0].impulse;
+  Simulation s = test::followed(pushed(GetParam()));
+  test::make_steps(s, 200);
+  const Vec<2> p = test::momentum(s.state), impulse = meter_of(s.state).impulse;
   EXPECT_LT(p[1], -10.0);  // of 3980 kg
   EXPECT_NEAR(impulse[1], -p[1], 1e-9 * std::abs(p[1]));
   EXPECT_NEAR(impulse[0], -p[0], 1e-9 * std::abs(p[1]));
@@ -49,10 +65,10 @@ TEST_P(FootingInEveryScheme, TheReactionIsTheMomentumThatTheSoilTakes)
 
 TEST_P(FootingInEveryScheme, ItsWorkIsAllThatBoundariesDoHere)
 {
-  Simulation s(pushed(GetParam()));
-  s.step(200);
-  EXPECT_GT(s.state.footings[0].work, 1.0);
-  EXPECT_NEAR(s.state.footings[0].work, s.state.work.boundary, 1e-9 * s.state.work.boundary);
+  Simulation s = test::followed(pushed(GetParam()));
+  test::make_steps(s, 200);
+  EXPECT_GT(meter_of(s.state).work, 1.0);
+  EXPECT_NEAR(meter_of(s.state).work, s.state.work.boundary, 1e-9 * s.state.work.boundary);
 }
 
 TEST(Footings, ASmoothOneLetsTheSoilSpreadUnderIt)
@@ -60,9 +76,9 @@ TEST(Footings, ASmoothOneLetsTheSoilSpreadUnderIt)
   const auto reaction_across = [](FootingContact contact) {
     Case c = pushed("mpm_mixed", contact);
     c.footings[0].low[0] = 2.0;  // on one half: the soil under it moves to the left
-    Simulation s(c);
-    s.step(100);
-    return s.state.footings[0].impulse;
+    Simulation s = test::followed(c);
+    test::make_steps(s, 100);
+    return meter_of(s.state).impulse;
   };
   EXPECT_EQ(reaction_across(FootingContact::smooth)[0], 0.0);
   EXPECT_GT(std::abs(reaction_across(FootingContact::rough)[0]), 1e-3 * reaction_across(FootingContact::rough)[1]);
@@ -74,46 +90,45 @@ TEST(Footings, DampingDoesNotPushWhatAFootingHolds)
   c.footings[0].low = {0.5, 0.0}, c.footings[0].high = {3.5, 2.0};  // all soil
   c.forces.local_damping = 0.7;
   c.forces.gravity = {0.0, -9.81};
-  Simulation s(c);
+  Simulation s = test::followed(c);
   test::make_steps(s, 100);
   EXPECT_EQ(s.state.work.damping, 0.0);
   const Vec<2> p = test::momentum(s.state);
   EXPECT_NEAR(p[1], 1990.0 * 2.0 * s.work.footings[0].velocity[1], 1e-6);
-  EXPECT_NEAR(s.state.footings[0].impulse[1], -p[1] - 1990.0 * 2.0 * 9.81 * s.state.time,
+  EXPECT_NEAR(meter_of(s.state).impulse[1], -p[1] - 1990.0 * 2.0 * 9.81 * s.state.time,
       1e-6);  // it carries the weight: pulled down
 }
 
 TEST(Footings, ARowHoldsTheMeanSinceTheRowBefore)
 {
-  Simulation s(pushed("mpm_gp"));
-  EXPECT_EQ(keep_footings(s.model, s.state)[0]["reaction_y"], 0.0);
+  Simulation s = test::followed(pushed("mpm_gp"));
+  EXPECT_EQ(keep_row(s)["reaction_y"], 0.0);
   test::make_steps(s, 50);
   const Real p = test::momentum(s.state)[1], t = s.state.time;
-  TableRow row = keep_footings(s.model, s.state).at(0);
+  TableRow row = keep_row(s);
   EXPECT_EQ(row.text, "plate");
   EXPECT_NEAR(row["reaction_y"], -p / t, 1e-9 * std::abs(p / t));
   EXPECT_EQ(row["displacement_y"], s.model.footings[0].displacement(t)[1]);
-  EXPECT_EQ(row["work"], s.state.footings[0].work);
+  EXPECT_EQ(row["work"], meter_of(s.state).work);
   test::make_steps(s, 30);
-  row = keep_footings(s.model, s.state).at(0);
+  row = keep_row(s);
   EXPECT_NEAR(row["reaction_y"], -(test::momentum(s.state)[1] - p) / (s.state.time - t), 1e-7 * std::abs(p / t));
-  EXPECT_DOUBLE_EQ(s.state.footings[0].largest, std::max(-p / t, row["reaction_y"]));
+  EXPECT_DOUBLE_EQ(meter_of(s.state).largest, std::max(-p / t, row["reaction_y"]));
   const Summary summary = summarise(s.model, s.state);
   ASSERT_EQ(summary.footings.size(), 1u);
   EXPECT_EQ(summary.footings[0].reaction[1], row["reaction_y"]);
-  EXPECT_EQ(summary.footings[0].largest, s.state.footings[0].largest);
+  EXPECT_EQ(summary.footings[0].largest, meter_of(s.state).largest);
 }
 
 TEST(Footings, SurviveInACheckpoint)
 {
-  Simulation s(pushed("mpm_gp"));
-  start_audit(s.model, s.state);  // sizes what a checkpoint holds
+  Simulation s = test::followed(pushed("mpm_gp"));
   test::make_steps(s, 20);
-  keep_footings(s.model, s.state);
+  keep_row(s);
   test::make_steps(s, 5);
   const State back = restore(s.model, make_image(s.state));
   EXPECT_EQ(test::first_difference(make_image(s.state), make_image(back)), "");
-  const FootingMeter &a = s.state.footings[0], &b = back.footings.at(0);
+  const Meter a = meter_of(s.state), b = meter_of(back);
   EXPECT_THAT((std::array{b.impulse[1], b.since, b.reaction[1], b.largest, b.work}),
       ElementsAre(a.impulse[1], a.since, a.reaction[1], a.largest, a.work));
   EXPECT_NE(a.impulse[1], 0.0);
@@ -124,18 +139,18 @@ TEST(Footings, GiveTheSameBitsOnAnyNumberOfThreads)
   const auto meter = [](int threads) {
     Case c = pushed("mpm_gp");
     c.mesh.cell = {0.1, 0.1};
-    Simulation s(c, threads);
-    s.step(60);
-    return s.state.footings[0].impulse;
+    Simulation s = test::followed(c, threads);
+    test::make_steps(s, 60);
+    return meter_of(s.state).impulse;
   };
   EXPECT_EQ(meter(1), meter(3));
 }
 
 TEST(Footings, AreAwayWhileTheSoilSettles)
 {
-  Simulation s(pushed("mpm_gp"));
+  Simulation s = test::followed(pushed("mpm_gp"));
   s.work.settling = true;
-  s.step(5);
+  test::make_steps(s, 5);
   EXPECT_TRUE(s.work.footings.empty());
   EXPECT_EQ(test::momentum(s.state)[1], 0.0);
 }

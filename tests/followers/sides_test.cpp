@@ -1,7 +1,8 @@
 // When soil comes to the sides of the mesh.
-#include "simulation/reached_sides.hpp"
+#include "simulation/follower.hpp"
 
 #include "simulation/ledger.hpp"
+#include "simulation/run.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/state_image.hpp"
 #include "support/cases.hpp"
@@ -26,17 +27,17 @@ Case flying_box()
 std::vector<ReachedSide> run_until(Real time, Simulation& s)
 {
   while (s.state.time < time) {
-    s.step();
-    follow_sides(s.model, s.state);
+    test::make_steps(s);
+    keep_ledger(s.model, s.state, s.work);
   }
-  return list_reached_sides(s.model, s.state);
+  return summarise(s.model, s.state).reached_sides;
 }
 
 TEST(ReachedSides, TheFirstPointInACellAtTheSideIsNoted)
 {
-  Simulation s(flying_box());
-  EXPECT_TRUE(list_reached_sides(s.model, s.state).empty());  // the bottom has soil from the start
-  EXPECT_TRUE(run_until(0.070, s).empty());                   // 0.75 m + 0.025 m to go
+  Simulation s = test::followed(flying_box());
+  EXPECT_TRUE(summarise(s.model, s.state).reached_sides.empty());  // the bottom has soil from the start
+  EXPECT_TRUE(run_until(0.070, s).empty());                        // 0.75 m + 0.025 m to go
   const auto reached = run_until(0.085, s);
   ASSERT_EQ(reached.size(), 1u);
   EXPECT_EQ(reached[0].side, "right");
@@ -52,7 +53,7 @@ std::vector<ReachedSide> after_a_slide_over_ground(SideKind kind, Real until)
   c.bodies.push_back(test::body(c.bodies[0].material.c_str(), {2.0, 0.5}, {3.0, 1.5}));
   c.bodies[1].velocity = {10.0, 0.0};
   c.sides.push_back(test::side("right", kind));
-  Simulation s(c);
+  Simulation s = test::followed(c);
   return run_until(until, s);
 }
 
@@ -73,7 +74,7 @@ TEST(ReachedSides, SoilThatHeavesByACellIsNotToldNorIsWhatSpreadsAlongTheBottom)
   c.bodies.push_back(
       test::body(c.bodies[0].material.c_str(), {2.75, 0.5}, {3.75, 0.75}));  // one cell high, beside the last one
   c.bodies[1].velocity = {10.0, 0.0};
-  Simulation s(c);
+  Simulation s = test::followed(c);
   EXPECT_TRUE(run_until(0.005, s).empty());
   Index last = 0;
   for (const test::Point& p : test::points_by_id(s.state))
@@ -85,21 +86,17 @@ TEST(ReachedSides, AnOpenSideIsNone)
 {
   Case c = flying_box();
   c.sides.push_back(test::side("right", SideKind::open));
-  Simulation s(c);
+  Simulation s = test::followed(c);
   EXPECT_TRUE(run_until(0.085, s).empty());
 }
 
 TEST(ReachedSides, AreKeptInCheckpoints)
 {
-  Simulation s(flying_box());
-  start_audit(s.model, s.state);
+  Simulation s = test::followed(flying_box());
   run_until(0.085, s);
   const State back = restore(s.model, make_image(s.state));
-  ASSERT_EQ(list_reached_sides(s.model, back).size(), 1u);
-  EXPECT_EQ(list_reached_sides(s.model, back)[0].time, list_reached_sides(s.model, s.state)[0].time);
-  StateImage older = make_image(s.state);
-  std::erase_if(older.arrays, [](const NamedArray& array) { return array.name == "side_reached"; });
-  EXPECT_TRUE(list_reached_sides(s.model, restore(s.model, older)).empty());
+  ASSERT_EQ(summarise(s.model, back).reached_sides.size(), 1u);
+  EXPECT_EQ(summarise(s.model, back).reached_sides[0].time, summarise(s.model, s.state).reached_sides[0].time);
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 // What is followed of the failure while the column of the paper collapses, on coarse cells.
-#include "simulation/failure.hpp"
+#include "followers/followers.hpp"
 
 #include "simulation/ledger.hpp"
+#include "simulation/run.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
 
@@ -19,21 +20,19 @@ struct Collapse : Simulation {
   explicit Collapse(Real end, const Case& description = test::column("mpm_gp", 0.25));
 };
 
-Collapse::Collapse(Real end, const Case& description) : Simulation(description)
+Collapse::Collapse(Real end, const Case& description) : Simulation(description, 1, all_followers())
 {
   Simulation& s = *this;
-  start_audit(s.model, s.state);
   for (Real next = 0.0; s.state.time < end; next += 0.02) {
-    while (s.state.time < next) s.step();
+    while (s.state.time < next) test::make_steps(s);
     rows.push_back(keep_ledger(s.model, s.state, s.work));
   }
 }
 
-TEST(Failure, OfTheColumnIsASlideWithASlipSurfaceFromTheCrestToTheToe)
+TEST(Slopes, OfTheColumnIsASlideWithASlipSurfaceFromTheCrestToTheToe)
 {
   const Collapse s(1.2);
-  Summary summary;
-  summarise_failure(s.model, s.state, summary);
+  const Summary summary = summarise(s.model, s.state);
   ASSERT_EQ(summary.slides.size(), 1);
   const auto& [slide, slip] = summary.slides[0];
   EXPECT_GT(slide.begins, 0.1);
@@ -61,12 +60,10 @@ Case column_at(Facing facing)
   return c;
 }
 
-TEST(Failure, OfTheMirroredColumnIsTheMirrorImage)
+TEST(Slopes, OfTheMirroredColumnIsTheMirrorImage)
 {
   const Collapse right(0.6, column_at(Facing::right)), left(0.6, column_at(Facing::left));
-  Summary a, b;
-  summarise_failure(right.model, right.state, a);
-  summarise_failure(left.model, left.state, b);
+  const Summary a = summarise(right.model, right.state), b = summarise(left.model, left.state);
   EXPECT_EQ(b.facing, Facing::left);
   EXPECT_TRUE(b.free_toe);
   EXPECT_GT(a.front_x, 8.2);
@@ -98,13 +95,12 @@ Case slope_on_ground()
   return c;
 }
 
-TEST(Failure, OfASlopeOnGroundHasTheFrontOfTheSoilThatMoved)
+TEST(Slopes, OfASlopeOnGroundHasTheFrontOfTheSoilThatMoved)
 {
   const Collapse s(1.0, slope_on_ground());
   EXPECT_TRUE(std::isnan(s.rows.front()["front_x"]));  // nothing moved yet; not the side of the mesh
   EXPECT_NEAR(s.rows.front()["crest_x"], 7.0, 0.3);    // not the side of the mesh either
-  Summary summary;
-  summarise_failure(s.model, s.state, summary);
+  const Summary summary = summarise(s.model, s.state);
   EXPECT_FALSE(summary.free_toe);
   EXPECT_GT(summary.front_x, 8.0);
   EXPECT_LT(summary.front_x, 15.0);
@@ -127,11 +123,10 @@ Case embankment()
   return c;
 }
 
-TEST(Failure, OfASymmetricEmbankmentIsASlideToEachSide)
+TEST(Slopes, OfASymmetricEmbankmentIsASlideToEachSide)
 {
   const Collapse s(0.8, embankment());
-  Summary summary;
-  summarise_failure(s.model, s.state, summary);
+  const Summary summary = summarise(s.model, s.state);
   ASSERT_EQ(summary.slides.size(), 2);
   const Slide &a = summary.slides[0].slide, &b = summary.slides[1].slide;
   EXPECT_EQ(a.facing, Facing::right);
@@ -145,7 +140,7 @@ TEST(Failure, OfASymmetricEmbankmentIsASlideToEachSide)
   EXPECT_GT(last["front_x"], 17.0);
 }
 
-TEST(Failure, SoilThatLeavesThroughAnOpenSideHasMoved)
+TEST(Slopes, SoilThatLeavesThroughAnOpenSideHasMoved)
 {
   Case c = test::free_box("mpm_gp", {2.0, 0.0}, {3.0, 1.0});  // of 1 m^2, 1 m from the side
   c.bodies[0].velocity = {10.0, 0.0};
@@ -156,13 +151,12 @@ TEST(Failure, SoilThatLeavesThroughAnOpenSideHasMoved)
   const auto n_left = static_cast<Real>(s.state.left.size()), n = static_cast<Real>(s.state.n_ids());
   EXPECT_NEAR(n_left / n, 0.5, 0.1);
   EXPECT_NEAR(s.rows.back()["moved_volume"], 1.0, 1e-9);
-  Summary summary;
-  summarise_failure(s.model, s.state, summary);
+  const Summary summary = summarise(s.model, s.state);
   EXPECT_NEAR(summary.moved_volume, 1.0, 1e-9);
   EXPECT_NEAR(summary.moved_fraction, 1.0, 1e-12);
 }
 
-TEST(Failure, MovedSoilAndRunOutGrowFromNothing)
+TEST(Slopes, MovedSoilAndRunOutGrowFromNothing)
 {
   const Collapse s(0.8);
   const auto& rows = s.rows;
@@ -170,8 +164,7 @@ TEST(Failure, MovedSoilAndRunOutGrowFromNothing)
   EXPECT_EQ(rows.front()["crest_x"], 8.0);
   EXPECT_NEAR(rows.front()["crest_y"], 1.975, 1e-12);
   for (std::size_t k = 1; k < rows.size(); ++k) EXPECT_GE(rows[k]["moved_volume"], rows[k - 1]["moved_volume"] - 0.05);
-  Summary summary;
-  summarise_failure(s.model, s.state, summary);
+  const Summary summary = summarise(s.model, s.state);
   EXPECT_NEAR(summary.moved_distance, 1.95 / 20.0, 1e-12);
   EXPECT_DOUBLE_EQ(summary.moved_volume, rows.back()["moved_volume"]);
   EXPECT_NEAR(summary.moved_fraction, summary.moved_volume / 16.0, 1e-3);
@@ -179,30 +172,31 @@ TEST(Failure, MovedSoilAndRunOutGrowFromNothing)
   EXPECT_NEAR(summary.run_out, rows.back()["front_x"] - rows.front()["front_x"], 1e-12);
 }
 
-TEST(Failure, TheSlipSurfaceIsOfTheTimeAtWhichTheStrainGrewFastest)
+TEST(Slopes, TheSlipSurfaceIsOfTheTimeAtWhichTheStrainGrewFastest)
 {
   Collapse s(0.5);
-  const SlipSurface before = s.state.slopes.at(0).slip.at(0);
-  EXPECT_GT(before.rate, 0.0);
-  const Totals nothing_grew;
-  std::vector<Real> values(failure_columns.size());
-  follow_failure({s.model, s.state, nothing_grew, 0.0, 0.0}, s.state, values);
-  EXPECT_EQ(s.state.slopes.at(0).slip.at(0).time, before.time);
-  EXPECT_EQ(s.state.slopes.at(0).slip.at(0).line, before.line);
+  const auto slip = [&] { return test::array_of(s.state, "followers/slopes/slope_0/slip_surfaces"); };
+  const auto line = [&] { return test::array_of(s.state, "followers/slopes/slope_0/slip_places"); };
+  const auto before = slip(), places = line();
+  ASSERT_EQ(before.size(), 3u);
+  EXPECT_GT(before[1], 0.0);  // the rate
+  EXPECT_FALSE(places.empty());
+  s.state.time += 0.02;
+  keep_ledger(s.model, s.state, s.work);  // nothing grew
+  EXPECT_EQ(slip(), before);
+  EXPECT_EQ(line(), places);
 }
 
-TEST(Failure, SoilThatRestsHasNone)
+TEST(Slopes, SoilThatRestsHasNone)
 {
   Case c = test::column("mpm_gp", 0.5);
   c.forces.gravity = {0.0, 0.0};
-  Simulation s(c);
-  start_audit(s.model, s.state);
+  Simulation s = test::followed(c);
   for (int k = 0; k < 3; ++k) {
     keep_ledger(s.model, s.state, s.work);
     test::make_steps(s, 5);
   }
-  Summary summary;
-  summarise_failure(s.model, s.state, summary);
+  const Summary summary = summarise(s.model, s.state);
   EXPECT_TRUE(summary.slides.empty());
   EXPECT_EQ(summary.moved_volume, 0.0);
   EXPECT_NEAR(summary.run_out, 0.0, 1e-12);

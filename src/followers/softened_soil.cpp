@@ -1,0 +1,55 @@
+// How much of the soil has lost more than half of its strength, at each frame.
+
+#include "followers/followers.hpp"
+#include "simulation/ledger.hpp"
+#include "simulation/state_arrays.hpp"
+#include "simulation/summary.hpp"
+
+namespace terp {
+namespace {
+
+/// Share of the volume whose S_u is below half of its first value [-].
+Real softened_fraction(const Model& model, const State& state)
+{
+  Real soft = 0.0, all = 0.0;
+  for_each_block(state.points, [&](const PointBlock<2>& block) {
+    const SoilMaterial& material = model.materials[block.material];
+    const bool softens = has_strength(material);
+    for (Index lane = 0; lane < block.n; ++lane) {
+      const Real volume = block.row(PointRows<2>::volume)[lane];
+      all += volume;
+      if (softens && strength_of(material, block, lane) < 0.5 * strength_at(material, block, lane, 0.0)) soft += volume;
+    }
+  });
+  return all > 0.0 ? soft / all : 0.0;
+}
+
+class SoftenedSoil : public Follower {
+  std::vector<Real> time_, fraction_;  ///< [s], [-]; by frame
+
+  void frame(const Model& model, const State& state) override
+  {
+    time_.push_back(state.time);
+    fraction_.push_back(softened_fraction(model, state));
+  }
+  void summarise(const Model&, const State&, Summary& summary) const override
+  {
+    for (std::size_t k = 0; k < time_.size(); ++k) summary.softened_fraction.emplace_back(time_[k], fraction_[k]);
+  }
+  void save(ArrayWriter& arrays) const override
+  {
+    arrays.refer("time", time_);
+    arrays.refer("fraction", fraction_);
+  }
+  void load(const Model&, const State&, const ArrayReader& arrays) override
+  {
+    time_ = arrays.reals("time");
+    fraction_ = arrays.reals("fraction", time_.size());
+  }
+};
+
+}  // namespace
+
+const FollowerType softened_soil_follower{.name = "softened_soil", .make = make_follower<SoftenedSoil>};
+
+}  // namespace terp

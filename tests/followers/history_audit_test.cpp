@@ -1,0 +1,85 @@
+// Where the strain history of a point does not obey its law.
+#include "simulation/follower.hpp"
+
+#include "simulation/ledger.hpp"
+#include "simulation/run.hpp"
+#include "support/cases.hpp"
+#include "support/simulations.hpp"
+
+#include <gtest/gtest.h>
+
+namespace terp {
+namespace {
+
+using Rows = PointRows<2>;
+
+const std::string audit = "followers/history_audit/";
+std::int64_t n_fell(const Simulation& s) { return test::flags_set(s.state, audit + "fell"); }
+std::int64_t n_rose(const Simulation& s) { return test::flags_set(s.state, audit + "rose"); }
+
+/// Four points of 0.25 m^2.
+Simulation four_points() { return test::followed(test::clamped_cell("mpm_gp")); }
+
+/// One row of one point.
+void set(Simulation& s, int id, int row, Real value)
+{
+  test::edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
+    if (static_cast<int>(block.row(Rows::id)[lane]) == id) block.row(row)[lane] = value;
+  });
+}
+
+TEST(HistoryAudit, RisingPlasticStrainIsNoViolation)
+{
+  Simulation s = four_points();
+  for (const Real eps : {0.01, 0.02, 0.02}) {
+    set(s, 1, Rows::state, eps);
+    keep_ledger(s.model, s.state, s.work);
+  }
+  EXPECT_EQ(n_fell(s), 0);
+  EXPECT_EQ(n_rose(s), 0);
+  EXPECT_EQ(test::array_of(s.state, audit + "last_eps_eq_p")[1], 0.02);
+}
+
+TEST(HistoryAudit, APointWhosePlasticStrainFellIsMarkedForGood)
+{
+  Simulation s = four_points();
+  for (const Real eps : {0.01, 0.009, 0.03}) {
+    set(s, 1, Rows::state, eps);
+    keep_ledger(s.model, s.state, s.work);
+  }
+  const Summary summary = summarise(s.model, s.state);
+  EXPECT_EQ(summary.points_eps_eq_p_fell, 1);
+  EXPECT_EQ(summary.points_su_rose, 1);  // its strength rose with it
+  EXPECT_EQ(summary.max_eps_eq_p, 0.03);
+}
+
+TEST(HistoryAudit, RoundOffIsNoViolation)
+{
+  Simulation s = four_points();
+  for (const Real eps : {0.01, 0.01 * (1.0 - 1e-13)}) {
+    set(s, 1, Rows::state, eps);
+    keep_ledger(s.model, s.state, s.work);
+  }
+  EXPECT_EQ(n_fell(s), 0);
+}
+
+TEST(HistoryAudit, AColumnViolatesItsHistoryInMixedAndNotInGp)
+{
+  for (const char* scheme : {"mpm_gp", "mpm_mixed"}) {
+    Simulation s = test::followed(test::column(scheme));
+    while (s.state.time < 1.0) {
+      test::make_steps(s, 3);
+      keep_ledger(s.model, s.state, s.work);
+    }
+    const bool mixed = scheme == std::string("mpm_mixed");
+    EXPECT_EQ(n_fell(s) > 10, mixed) << scheme;
+    EXPECT_EQ(n_rose(s) > 10, mixed) << scheme;
+    if (!mixed) {
+      EXPECT_EQ(n_fell(s), 0);
+      EXPECT_EQ(n_rose(s), 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace terp

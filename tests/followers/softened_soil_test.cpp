@@ -1,0 +1,52 @@
+// The share of the soil that lost more than half of its strength.
+#include "simulation/follower.hpp"
+
+#include "simulation/ledger.hpp"
+#include "simulation/run.hpp"
+#include "support/cases.hpp"
+#include "support/simulations.hpp"
+
+#include <gtest/gtest.h>
+
+namespace terp {
+namespace {
+
+using Rows = PointRows<2>;
+
+/// Four points of 0.25 m^2.
+Simulation four_points() { return test::followed(test::clamped_cell("mpm_gp")); }
+
+/// One row of one point.
+void set(Simulation& s, int id, int row, Real value)
+{
+  test::edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
+    if (static_cast<int>(block.row(Rows::id)[lane]) == id) block.row(row)[lane] = value;
+  });
+}
+
+/// At a frame as of now.
+Real softened(Simulation& s)
+{
+  for (const ActiveFollower& active : s.state.followers) active.follower->frame(s.model, s.state);
+  return summarise(s.model, s.state).softened_fraction.back().second;
+}
+
+TEST(SoftenedSoil, TheSoftenedShareIsByVolumeAndHalfTheStrength)
+{
+  Simulation s = four_points();
+  set(s, 0, Rows::state, 0.06);   // S_u = 2.3 kPa of 8 kPa
+  set(s, 1, Rows::state, 0.021);  // 4.1 kPa
+  set(s, 0, Rows::volume, 0.15);
+  EXPECT_NEAR(softened(s), 0.15 / 0.9, 1e-15);
+}
+
+TEST(SoftenedSoil, AMaterialWithoutStrengthNeverSoftens)
+{
+  Simulation s = test::followed(test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0}, test::elastic(1e6, 0.3, 2000.0)));
+  EXPECT_EQ(softened(s), 0.0);
+  keep_ledger(s.model, s.state, s.work);
+  EXPECT_EQ(test::flags_set(s.state, "followers/history_audit/rose"), 0);
+}
+
+}  // namespace
+}  // namespace terp
