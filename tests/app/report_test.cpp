@@ -154,7 +154,7 @@ TEST(Watch, SaysHowFarARunCameAndThatItIsFinished)
 {
   const Finished f = test::terp({"watch", runs().gp});
   EXPECT_EQ(f.status, 0);
-  EXPECT_THAT(f.out, AllOf(StartsWith("t = 0.200 of 0.2 s (100 %)  kinetic energy "), HasSubstr(" kJ/m  front 8."),
+  EXPECT_THAT(f.out, AllOf(StartsWith("t = 0.200 of 0.2 s (100 %)  kinetic energy "), HasSubstr(" kJ/m  front x = 8."),
                          HasSubstr("no terp is writing to " + runs().gp + ": the run is finished\n")));
 }
 

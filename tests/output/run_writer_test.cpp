@@ -29,7 +29,7 @@ using testing::HasSubstr;
 
 RunWriterSettings settings_for(const std::string& folder)
 {
-  return {folder, {"model_2", "title = \"column\"\n"}, 2, "material.clay.eta = 50\n", all_tables()};
+  return {folder, {"model_2", "title = \"column\"\n"}, 2, "material.clay.eta = 50\n", {}, all_tables()};
 }
 
 /// A run in a folder that goes on from a step of its files.
@@ -68,8 +68,7 @@ ResumePoint point_200(const std::string& folder)
   return {.step = 200,
       .time = 0.2,
       .n_frames = 3,
-      .n_history_rows = 6,
-      .n_ledger_rows = 3,
+      .n_rows = {{"history", 6}, {"ledger", 3}},
       .tables = read_checkpoint(path_in(folder, checkpoint_file(200))).tables};
 }
 

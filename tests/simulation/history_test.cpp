@@ -13,7 +13,6 @@ namespace terp {
 namespace {
 
 using test::Point;
-using test::Simulation;
 
 TEST(History, HoldsOneRowForEachNamedPointInTheOrderOfTheCase)
 {
