@@ -131,9 +131,10 @@ std::string try_recipe(const PolygonMesh& mesh, const PlanarMap& map, const Reci
   std::filesystem::remove(result);
   const ProcessResult run =
       run_gmsh({"-2", script, "-o", result, "-nt", "1", "-v", "2"}, folder, seconds, std::ref(waiting));
-  why = run.timed_out     ? fmt::format("gmsh did not finish in {:.3g} s", seconds)
-        : run.signal != 0 ? fmt::format("gmsh crashed (signal {})", run.signal)
-                          : run.output;
+  why = run.timed_out        ? fmt::format("gmsh did not finish in {:.3g} s", seconds)
+        : run.signal != 0    ? fmt::format("gmsh crashed (signal {})", run.signal)
+        : run.output.empty() ? fmt::format("gmsh ended with status {}", run.status)
+                             : run.output;
   std::string bytes = bytes_of(result);
   if (!run.succeeded() || bytes.empty()) return "";
   const MshContent file = read_msh(result, bytes);
