@@ -12,11 +12,12 @@
 namespace terp {
 namespace {
 
+/// A line; at most its first 500 characters: std::regex calls itself for each, and no line that people write is longer.
 std::string_view line_at(std::string_view text, int line)
 {
   std::size_t begin = 0;
   for (int k = 1; k < line; ++k) begin = std::min(text.find('\n', begin), text.size() - 1) + 1;
-  return text.substr(begin, text.find_first_of("\r\n", begin) - begin);
+  return text.substr(begin, std::min<std::size_t>(text.find_first_of("\r\n", begin) - begin, 500));
 }
 
 struct Unit {

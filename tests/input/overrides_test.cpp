@@ -114,6 +114,8 @@ TEST(Overrides, APatternThatFitsNothingIsRefused)
           "error: --set material.x*.eta=40: the pattern fits nothing\n  There are: clay, sand, peat. In [material], "
           "those count whose model has the key.\n"));
   EXPECT_THAT(message_for(two_soils, {"material.*.etta=40"}), HasSubstr("the pattern fits nothing"));
+  EXPECT_THAT(message_for(two_soils, {"material." + std::string(200, '*') + "x.eta=40"}),  // in no time
+      HasSubstr("the pattern fits nothing"));
 }
 
 TEST(Overrides, OfAMaterialThatTheCaseDoesNotHaveNameTheNearest)
