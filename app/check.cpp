@@ -88,9 +88,10 @@ void check_picture(const std::string& path)
 {
   if (path.empty() || path.ends_with(".svg")) return;
   throw CaseError(
-      fmt::format("error: --picture {0}: the picture is an SVG file, which every browser opens\n"
-                  "  Write --picture {1}. For PNG: rsvg-convert {1} -o {0} (Debian package librsvg2-bin)\n",
-          path, std::filesystem::path(path).replace_extension(".svg").string()));
+      printable(fmt::format("error: --picture {0}: the picture is an SVG file, which every browser opens\n"
+                            "  Write --picture {1}. For PNG: rsvg-convert {1} -o {0} (Debian package "
+                            "librsvg2-bin)\n",
+          path, std::filesystem::path(path).replace_extension(".svg").string())));
 }
 
 void write_picture(const std::string& path, const Model& model, const State& state)

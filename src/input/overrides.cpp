@@ -81,13 +81,22 @@ std::string describe_holder(const Node& holder, const std::string& path, const s
 
 using Parts = std::vector<std::string>;
 
-/// `*` stands for any letters, also none.
+/// `*` stands for any letters, also none. Goes back to the last star only, so that many stars cost no time.
 bool fits(std::string_view pattern, std::string_view name)
 {
-  if (pattern.empty()) return name.empty();
-  if (pattern.front() != '*')
-    return !name.empty() && pattern.front() == name.front() && fits(pattern.substr(1), name.substr(1));
-  return fits(pattern.substr(1), name) || (!name.empty() && fits(pattern, name.substr(1)));
+  std::size_t p = 0, n = 0, star = std::string_view::npos, from = 0;
+  while (n < name.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++, from = n;
+    } else if (p < pattern.size() && pattern[p] == name[n]) {
+      ++p, ++n;
+    } else if (star != std::string_view::npos) {
+      p = star + 1, n = ++from;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', p) == std::string_view::npos;
 }
 
 /// The entry `part` of a list or table, or nullptr.

@@ -12,11 +12,12 @@
 namespace terp {
 namespace {
 
+/// A line; at most its first 500 characters: std::regex calls itself for each, and no line that people write is longer.
 std::string_view line_at(std::string_view text, int line)
 {
   std::size_t begin = 0;
   for (int k = 1; k < line; ++k) begin = std::min(text.find('\n', begin), text.size() - 1) + 1;
-  return text.substr(begin, text.find_first_of("\r\n", begin) - begin);
+  return text.substr(begin, std::min<std::size_t>(text.find_first_of("\r\n", begin) - begin, 500));
 }
 
 struct Unit {
@@ -156,12 +157,12 @@ bool is_utf16(std::string_view text)
 {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return true;
   if (text.size() < 4) return false;
-  const auto zeros_at = [&](std::size_t first) {
-    for (std::size_t k = first; k < std::min<std::size_t>(text.size(), 64); k += 2)
-      if (text[k] != '\0') return false;
+  const auto zeros_only_at = [&](std::size_t parity) {
+    for (std::size_t k = 0; k < std::min<std::size_t>(text.size(), 64); ++k)
+      if ((text[k] == '\0') != (k % 2 == parity)) return false;
     return true;
   };
-  return zeros_at(0) != zeros_at(1);
+  return zeros_only_at(0) || zeros_only_at(1);
 }
 
 }  // namespace terp

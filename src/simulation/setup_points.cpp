@@ -39,7 +39,10 @@ const std::vector<Index>& cells_of_region(const Mesh<2>& mesh, const std::string
     known += (known.empty() ? "" : ", ") + region.name;
   }
   throw InputError(Problem{body_key(body, "region"), "the mesh has no region `" + name + "`",
-      "Regions of this mesh: " + known, "body", false, {"mesh.file"}});
+      known.empty()
+          ? "No surface of this mesh has a name. In gmsh: `Physical Surface(\"" + name + "\") = {1};`, then save."
+          : "Regions of this mesh: " + known,
+      "body", false, {"mesh.file"}});
 }
 
 BodyOutline outline_of(const Model& model, std::size_t b)

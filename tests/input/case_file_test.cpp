@@ -136,12 +136,11 @@ TEST(CaseFile, SaysThatAFolderIsNoCase)
 TEST(CaseFile, ShowsWhereTheTextIsNotToml)
 {
   EXPECT_EQ(message_for("title = \"a\"\nscheme = mpm_gp\n"),
-      "error: case.toml:2:10: this is not valid TOML\n"
+      "error: case.toml:2:10: this is not valid TOML: text stands in quotes\n"
       "\n"
       "    2 | scheme = mpm_gp\n"
       "      |          ^\n"
-      "  Error while parsing value: could not determine value type\n"
-      "  Text stands in quotes, as in scheme = \"mpm_gp\"; numbers are written 8.0e3.\n"
+      "  Write \"mpm_gp\". Numbers are written 8.0e3.\n"
       "  The format: https://toml.io\n"
       "\n"
       "1 error; nothing was run.\n");

@@ -27,7 +27,7 @@ TEST(Explain, KnowsEveryLawSchemeAndSection)
   for (const MaterialType* law : all_materials())
     EXPECT_THAT(explain(std::string(law->name)), HasSubstr(std::string(law->summary)));
   for (const Scheme* scheme : all_schemes())
-    EXPECT_THAT(explain(std::string(scheme.name)), HasSubstr(std::string(scheme.summary)));
+    EXPECT_THAT(explain(std::string(scheme->name)), HasSubstr(std::string(scheme->summary)));
   for (const SectionInfo& section : all_sections())
     EXPECT_THAT(explain(topic_of(section.path)), HasSubstr(section.meaning));
 }

@@ -42,7 +42,7 @@ TEST(Overrides, TakeBlanksAroundKeyAndValue)
   EXPECT_EQ(with({"scheme = mpm_mixed "}).scheme, "mpm_mixed");
   EXPECT_EQ(with({"title\t= two  words"}).title, "two  words");
   EXPECT_THAT(message_for(small_case, {"  = 3"}), HasSubstr("a change has the form KEY=VALUE"));
-  EXPECT_THAT(message_for(small_case, {"time.end = "}), HasSubstr("`end` must be a number\n  Got the text \"\";"));
+  EXPECT_THAT(message_for(small_case, {"time.end = "}), HasSubstr("a change has a value after the equals sign\n"));
 }
 
 TEST(Overrides, CreateTablesThatAreMissing)
@@ -114,6 +114,8 @@ TEST(Overrides, APatternThatFitsNothingIsRefused)
           "error: --set material.x*.eta=40: the pattern fits nothing\n  There are: clay, sand, peat. In [material], "
           "those count whose model has the key.\n"));
   EXPECT_THAT(message_for(two_soils, {"material.*.etta=40"}), HasSubstr("the pattern fits nothing"));
+  EXPECT_THAT(message_for(two_soils, {"material." + std::string(200, '*') + "x.eta=40"}),  // in no time
+      HasSubstr("the pattern fits nothing"));
 }
 
 TEST(Overrides, OfAMaterialThatTheCaseDoesNotHaveNameTheNearest)

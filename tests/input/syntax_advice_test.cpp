@@ -76,6 +76,7 @@ TEST(SyntaxAdvice, KeepsTheWordsOfTheParserForWhatItDoesNotKnow)
   const SyntaxAdvice advice = advice_for("a = {b = 1,}");
   EXPECT_EQ(advice.what, "");
   EXPECT_THAT(advice.cure, HasSubstr("dangling comma"));
+  EXPECT_FALSE(advice_for("a = " + std::string(200000, '1') + "x").cure.empty());  // a line as no one writes it
 }
 
 TEST(SyntaxAdvice, IsWhatTheUserReads)

@@ -109,7 +109,7 @@ const Change unusual_values[] = {
     {"shear_modulus = 2.0e6\npoisson_ratio = 0.48\nsu_peak = 8.0e3\nsu_residual = 2.0e3",
         "shear_modulus = 2000\npoisson_ratio = 0.48\nsu_peak = 8\nsu_residual = 2",
         "`shear_modulus` = 2000 Pa is unusual"},
-    {"[time]", "[forces]\ngravity = [0, -9810]\n[time]", "`gravity` = -9810 m/s^2 is unusual"},
+    {"[time]", "[forces]\ngravity = [0, -9810]\n[time]", "gravity of 9810 m/s^2 is unusual"},
     {"[time]", "[boundary]\nbottom = { contact = \"bilateral\", adhesion = 8 }\n[time]",
         "`adhesion` = 8 Pa is unusual"},
     {"[time]", "[boundary]\nbottom = { contact = \"bilateral\", friction = 30 }\n[time]", "`friction` = 30 is unusual"},

@@ -89,5 +89,21 @@ TEST(SetupPoints, AMaterialIsFoundByItsName)
   EXPECT_THROW(material_number(model, "peat"), InputError);
 }
 
+TEST(SetupPoints, ARegionOfAMeshWithoutNamesSaysHowToNameIt)
+{
+  Case c = test::column("mpm_gp");
+  c.bodies[0].polygon.clear();
+  c.bodies[0].region = "sand";
+  Model model = build_model(c, 1);
+  try {
+    build_state(model);
+    FAIL() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problems().at(0).what, "the mesh has no region `sand`");
+    EXPECT_EQ(error.problems().at(0).detail,
+        "No surface of this mesh has a name. In gmsh: `Physical Surface(\"sand\") = {1};`, then save.");
+  }
+}
+
 }  // namespace
 }  // namespace terp
