@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "simulation/frame.hpp"
 #include "simulation/ledger.hpp"
+#include "simulation/point_parameters.hpp"
 #include "simulation/run.hpp"
 
 #include <algorithm>
@@ -15,22 +16,12 @@ namespace {
 
 using Rows = PointRows<2>;
 
-/// A field of every point that can be set. Of a vector the third component is 0.
-struct CommonField {
-  std::string_view name;
-  int first_row, n_rows, n_components;
-};
-
-constexpr CommonField common_fields[] = {{"velocity", Rows::v, 2, 3}, {"stress", Rows::sigma, n_sym<2>, n_sym<2>},
-    {"strain", Rows::strain, n_sym<2>, n_sym<2>}, {"volume", Rows::volume, 1, 1}};
-
+/// The rows that can be set: those that results show.
 std::vector<std::string> names_to_set(const Model& model)
 {
   std::vector<std::string> names;
-  for (const CommonField& field : common_fields) names.emplace_back(field.name);
-  for (const SoilMaterial& m : model.materials)
-    for (const StateInfo& info : m.type->state)
-      if (std::find(names.begin(), names.end(), info.name) == names.end()) names.emplace_back(info.name);
+  for (const RowInfo& row : model.rows.entries())
+    if (row.shown) names.push_back(row.name);
   return names;
 }
 
@@ -45,18 +36,14 @@ struct FieldPlace {
   int n_rows = 1, n_components = 1;
 };
 
+/// By material. Of a vector the third component is 0.
 std::vector<FieldPlace> places_of(const Model& model, const std::string& name)
 {
-  const auto common = std::find_if(
-      std::begin(common_fields), std::end(common_fields), [&](const CommonField& f) { return f.name == name; });
   std::vector<FieldPlace> places;
-  for (const SoilMaterial& m : model.materials) {
-    const int k = find_name(m.type->state, name);
-    places.push_back(common != std::end(common_fields)
-                         ? FieldPlace{common->first_row, common->n_rows, common->n_components}
-                         : FieldPlace{.first_row = k < 0 ? -1 : Rows::state + k});
-  }
-  if (std::none_of(places.begin(), places.end(), [](const FieldPlace& p) { return p.first_row >= 0; }))
+  for (const RowInfo& row : model.rows.entries())
+    for (Index m = 0; row.shown && row.name == name && m < std::ssize(model.materials); ++m)
+      places.push_back({row.is_of(m) ? row.first : -1, row.n, row.n == 2 ? 3 : row.n});
+  if (places.empty())
     refuse(name, "there is no field of this name that can be set",
         fmt::format("These can be set: {}.", fmt::join(names_to_set(model), ", ")));
   return places;
@@ -74,8 +61,8 @@ void for_each_value(State& state, const std::vector<FieldPlace>& places, const s
 }
 
 /// Refuses values that a point cannot take.
-void check_value(const Model& model, const std::string& name, const PointBlock<2>& block, Index lane,
-    const FieldPlace& place, const Real* value)
+void check_value(const Model& model, const State& state, const std::string& name, const PointBlock<2>& block,
+    Index lane, const FieldPlace& place, const Real* value)
 {
   const auto id = static_cast<std::int64_t>(block.row(Rows::id)[lane]);
   const SoilMaterial& material = model.materials[block.material];
@@ -97,6 +84,9 @@ void check_value(const Model& model, const std::string& name, const PointBlock<2
   if (place.first_row == Rows::volume && !(*value > 0.0))
     refuse(
         name, fmt::format("the volume of material point {} is not positive", id), fmt::format("Got {} m^2.", *value));
+  const std::span<const int> of_law = std::span(material.rows).subspan(static_cast<std::size_t>(material.n_state()));
+  if (std::ranges::find(of_law, place.first_row) != of_law.end())
+    check_point_parameter(model, state, block, lane, place.first_row, *value);
 }
 
 }  // namespace
@@ -117,7 +107,7 @@ void set_point_field(const Model& model, const std::string& name, const std::vec
         fmt::format("Its shape is [{}, {}], sorted by id.", state.n_ids(), places.front().n_components));
   for_each_value(
       state, places, values, [&](const PointBlock<2>& block, Index lane, const FieldPlace& place, const Real* value) {
-        check_value(model, name, block, lane, place, value);
+        check_value(model, state, name, block, lane, place, value);
       });
   const Real before = kinetic_and_elastic_energy(model, state);
   for_each_value(

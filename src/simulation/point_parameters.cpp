@@ -4,6 +4,7 @@
 #include "simulation/point_parameters.hpp"
 
 #include "base/errors.hpp"
+#include "forces/time_step.hpp"
 #include "mesh/mesh_error.hpp"
 #include "simulation/setup_points.hpp"
 
@@ -24,6 +25,21 @@ std::vector<Real> varying_values(const SoilMaterial& material, const std::vector
   std::vector<Real> values;
   for (const int k : material.law->varying()) values.push_back(parameters[static_cast<std::size_t>(k)]);
   return values;
+}
+
+/// Throws InputError if a parameter that varies is outside its range, or the law refuses them together. x: the place of
+/// the point at t = 0, for the message.
+void check_parameters(const MaterialCase& material, const MaterialType& type, const std::vector<Real>& values, Vec<2> x)
+{
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const ParameterInfo& parameter = type.parameters[k];
+    if (parameter.may_vary && !parameter.range.contains(values[k]))
+      throw InputError(Problem{key_of(material, parameter.name), "the value is outside of its range at some point",
+          fmt::format("It is {} {} at {} m.", values[k], parameter.unit, place_text(x)), "material"});
+  }
+  for (const ParameterProblem& problem : type.check(values))
+    throw InputError(Problem{key_of(material, problem.parameter), problem.what,
+        fmt::format("At the point at {} m: {}", place_text(x), problem.detail), "material"});
 }
 
 }  // namespace
@@ -47,18 +63,43 @@ std::vector<int> varying_parameters(const MaterialCase& material, const Material
 std::vector<Real> parameters_at(const MaterialCase& material, const MaterialType& type, Vec<2> x)
 {
   std::vector<Real> values = material.parameters;
-  for (const ParameterField& field : material.fields) {
-    const ParameterInfo& parameter = type.parameters[field.parameter];
-    const Real value = values[field.parameter] = field.value_at(x);
-    if (!parameter.range.contains(value))
-      throw InputError(Problem{key_of(material, parameter.name), "the value is outside of its range at some point",
-          fmt::format("It is {} {} at {} m.", value, parameter.unit, place_text(x)), "material"});
-  }
-  if (material.fields.empty()) return values;
-  for (const ParameterProblem& problem : type.check(values))
-    throw InputError(Problem{key_of(material, problem.parameter), problem.what,
-        fmt::format("At the point at {} m: {}", place_text(x), problem.detail), "material"});
+  for (const ParameterField& field : material.fields) values[field.parameter] = field.value_at(x);
+  if (!material.fields.empty()) check_parameters(material, type, values, x);
   return values;
+}
+
+Real stable_step(const Model& model, const Stiffness& s)
+{
+  const Real altitude = model.mesh->smallest_altitude, density = model.materials[s.material].density;
+  const Real wave = wave_speed(s.moduli.p_wave(), density);
+  return stable_time_step(model.description.time.courant, altitude, wave) *
+         viscous_reduction(s.viscosity / density, altitude, wave);
+}
+
+void check_point_parameter(
+    const Model& model, const State& state, const PointBlock<2>& block, Index lane, int row, Real value)
+{
+  const SoilMaterial& material = model.materials[block.material];
+  const std::span<const int> varying = material.law->varying();
+  const LawRows rows = material.view(block, lane);
+  std::vector<Real> values = model.description.materials[block.material].parameters, own;
+  for (std::size_t k = 0; k < varying.size(); ++k) {
+    const bool is_new = material.rows[static_cast<std::size_t>(material.n_state()) + k] == row;
+    own.push_back(is_new ? value : *rows.parameters(k));
+    values[static_cast<std::size_t>(varying[k])] = own.back();
+  }
+  const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
+  const Vec<2> x{state.x_initial[2 * id], state.x_initial[2 * id + 1]};
+  check_parameters(model.description.materials[block.material], *material.type, values, x);
+  const LawRows at{.state = rows.state, .parameters = {.data = own.data()}};
+  const Real stable = stable_step(model, {block.material, material.law->moduli(at), material.law->viscosity(at)});
+  if (stable < model.dt * (1.0 - 1e-12))  // round-off
+    throw InputError(Problem{"material." + material.name, "a point is too stiff for the time step of the run",
+        fmt::format(
+            "The point at {} m needs dt = {:.4g} s at most; the run has {:.4g} s. Give the stiffest soil in the "
+            "case.",
+            place_text(x), stable, model.dt),
+        "material"});
 }
 
 void set_point_parameters(const Model& model, std::span<const Real> places, State& state)

@@ -24,6 +24,14 @@ struct Stiffness {
   Real viscosity;  ///< [Pa s]
 };
 
+/// The longest time step that is stable with it [s].
+Real stable_step(const Model& model, const Stiffness& stiffness);
+
+/// Throws InputError if a point cannot take a value in the row of a parameter of its law: outside its range, refused by
+/// the law, or too stiff for the time step of the run.
+void check_point_parameter(
+    const Model& model, const State& state, const PointBlock<2>& block, Index lane, int row, Real value);
+
 /// Of each material in use; of each point of those whose parameters vary.
 std::vector<Stiffness> list_stiffness(const Model& model, std::span<const Index> used);
 

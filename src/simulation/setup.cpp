@@ -102,20 +102,18 @@ std::vector<Index> used_materials(const Model& model)
 void set_time_step(const std::vector<Index>& used, Model& model)
 {
   const TimeCase& time = model.description.time;
-  const Real altitude = model.mesh->smallest_altitude;
   Real fastest = 0.0, stable = std::numeric_limits<Real>::infinity();
   for (const Stiffness& s : list_stiffness(model, used)) {
-    const Real density = model.materials[s.material].density, wave = wave_speed(s.moduli.p_wave(), density);
-    fastest = std::max(fastest, wave);
-    stable = std::min(stable,
-        stable_time_step(time.courant, altitude, wave) * viscous_reduction(s.viscosity / density, altitude, wave));
+    const Real density = model.materials[s.material].density;
+    fastest = std::max(fastest, wave_speed(s.moduli.p_wave(), density));
+    stable = std::min(stable, stable_step(model, s));
     model.largest_density = std::max(model.largest_density, density);
   }
   const Real n = steps_to(time.end, stable);
   if (!(n < most_steps))
     throw InputError(Problem{"time.end", "the time step has collapsed",
         fmt::format("{:.3g} s need {:.3g} steps of {:.3g} s (smallest cell altitude {:.3g} m, wave speed {:.4g} m/s).",
-            time.end, n, stable, altitude, fastest),
+            time.end, n, stable, model.mesh->smallest_altitude, fastest),
         "time", false, {"mesh", "material", "time"}});
   model.n_steps = static_cast<std::int64_t>(n);
   model.dt = time.end / n;

@@ -114,6 +114,19 @@ TEST_P(EveryMaterial, DescribesItselfInFull)
     EXPECT_TRUE(!info.name.empty() && !info.unit.empty() && !info.meaning.empty()) << info.name;
 }
 
+TEST_P(EveryMaterial, HasOneQuantityOfEachRoleAtMostInItsUnit)
+{
+  int strains = 0, strengths = 0;
+  const auto look = [&](const auto& info) {
+    if (info.role == Role::plastic_strain) ++strains, EXPECT_EQ(info.unit, "-") << info.name;
+    if (info.role == Role::strength) ++strengths, EXPECT_EQ(info.unit, "Pa") << info.name;
+  };
+  for (const auto& info : type().state) look(info);
+  for (const auto& info : type().derived) look(info);
+  EXPECT_LE(strains, 1);
+  EXPECT_LE(strengths, 1);
+}
+
 TEST_P(EveryMaterial, KeepsItsStateWhenNothingDeforms)
 {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {

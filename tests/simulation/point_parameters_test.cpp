@@ -6,6 +6,7 @@
 #include "simulation/frame.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/setup.hpp"
+#include "simulation/simulation.hpp"
 #include "simulation/state_image.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
@@ -16,7 +17,6 @@
 
 namespace terp {
 namespace {
-
 
 const std::vector<const char*> schemes = {"standard_mpm", "mpm_mixed", "mpm_gp"};
 constexpr std::size_t shear_modulus = 0, su_peak = 2, eta = 4;  // numbers in the table of tresca_softening
@@ -152,12 +152,12 @@ TEST(PointParameters, AreAFieldOfTheFrameAndInTheCheckpoint)
   EXPECT_EQ(given.values[3], 8e3 + 100.0 * frame.x[6]);
   EXPECT_DOUBLE_EQ(field_of(frame, "su").values[3], given.values[3]) << "nothing has softened yet";
 
-  test::make_steps(s, 50);
-  Simulation rest(build_model(c, 1), restore(s.model, make_image(s.state)));
-  test::make_steps(s, 50);
-  test::make_steps(rest, 50);
-  EXPECT_EQ(test::first_difference(make_image(s.state), make_image(rest.state)), "");
-  EXPECT_THAT([&] { restore(Simulation(test::column("mpm_mixed")).model, make_image(s.state)); },
+  s.step(50);
+  Simulation rest(build_model(c, 1), restore(s.model, s.save()));
+  s.step(50);
+  rest.step(50);
+  EXPECT_EQ(test::first_difference(s.save(), rest.save()), "");
+  EXPECT_THAT([&] { restore(Simulation(test::column("mpm_mixed")).model, s.save()); },
       testing::ThrowsMessage<FileError>("the checkpoint does not fit this case: its points carry `parameter_su_peak`, "
                                         "which the points of this case do not"));
 }
@@ -167,6 +167,47 @@ TEST(PointParameters, CostNoRowWhereTheyAreUniform)
   EXPECT_EQ(Simulation(test::column("mpm_gp")).state.points.n_rows(), PointRows<2>::state + 1);
   EXPECT_EQ(Simulation(with_field("mpm_gp", eta, [](Vec<2>) { return 50.0; })).state.points.n_rows(),
       PointRows<2>::state + 2);
+}
+
+TEST(PointParameters, CanBeSetInARunAndAreChecked)
+{
+  Simulation s(with_field("mpm_gp", su_peak, [](Vec<2>) { return 8e3; }));
+  PointField peak = s.field("parameter_su_peak");
+  peak.values[7] = 6e3;
+  s.set_field("parameter_su_peak", peak.values);
+  EXPECT_EQ(s.field("su").values[7], 6e3);
+  EXPECT_EQ(s.field("su").values[8], 8e3);
+  peak.values[7] = -1.0;
+  EXPECT_THROW(s.set_field("parameter_su_peak", peak.values), InputError);
+  EXPECT_EQ(s.field("parameter_su_peak").values[7], 6e3) << "refused, so nothing was set";
+
+  Simulation soft(with_field("mpm_gp", shear_modulus, [](Vec<2>) { return 2e6; }));
+  PointField stiffness = soft.field("parameter_shear_modulus");
+  stiffness.values[3] = 3e6;
+  try {
+    soft.set_field("parameter_shear_modulus", stiffness.values);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problems().at(0).what, "a point is too stiff for the time step of the run");
+    EXPECT_THAT(error.problems().at(0).detail, testing::HasSubstr("Give the stiffest soil in the case."));
+  }
+}
+
+TEST(PointParameters, OfOneMaterialAreNoneOfAnother)  // two laws with different state share one table
+{
+  Case c = with_field("mpm_gp", su_peak, [](Vec<2>) { return 8e3; });
+  c.materials.push_back({"water", "newtonian_fluid", 1000.0, {2e6, 1.0, 0.0}});
+  c.bodies.push_back(test::body("water", {9.0, 0.0}, {12.0, 0.5}));
+  Simulation s(c);
+  PointField opening = s.field("opening"), peak = s.field("parameter_su_peak");
+  const auto last = static_cast<std::size_t>(s.state.n_ids() - 1);  // of the water
+  EXPECT_TRUE(std::isnan(opening.values[0]) && std::isnan(peak.values[last]));
+  EXPECT_EQ(opening.values[last], 0.0);
+  opening.values[last] = 0.25;
+  s.set_field("opening", opening.values);
+  EXPECT_EQ(s.field("opening").values[last], 0.25);
+  EXPECT_EQ(s.field("eps_eq_p").values[0], 0.0);
+  EXPECT_TRUE(std::isnan(s.field("eps_eq_p").values[last]));
 }
 
 TEST(PointParameters, OutsideOfTheirRangeAtSomePointAreRefused)
