@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(Footings, FootingInEveryScheme, testing::Values("standa
 TEST_P(FootingInEveryScheme, TheReactionIsTheMomentumThatTheSoilTakes)
 {
   Simulation s(pushed(GetParam()));
-  s.step(200);
+  test::make_steps(s, 200);
   const Vec<2> p = test::momentum(s.state), impulse = s.state.footings[0].impulse;
   EXPECT_LT(p[1], -10.0);  // of 3980 kg
   EXPECT_NEAR(impulse[1], -p[1], 1e-9 * std::abs(p[1]));
@@ -50,7 +50,7 @@ TEST_P(FootingInEveryScheme, TheReactionIsTheMomentumThatTheSoilTakes)
 TEST_P(FootingInEveryScheme, ItsWorkIsAllThatBoundariesDoHere)
 {
   Simulation s(pushed(GetParam()));
-  s.step(200);
+  test::make_steps(s, 200);
   EXPECT_GT(s.state.footings[0].work, 1.0);
   EXPECT_NEAR(s.state.footings[0].work, s.state.work.boundary, 1e-9 * s.state.work.boundary);
 }
@@ -61,7 +61,7 @@ TEST(Footings, ASmoothOneLetsTheSoilSpreadUnderIt)
     Case c = pushed("mpm_mixed", contact);
     c.footings[0].low[0] = 2.0;  // on one half: the soil under it moves to the left
     Simulation s(c);
-    s.step(100);
+    test::make_steps(s, 100);
     return s.state.footings[0].impulse;
   };
   EXPECT_EQ(reaction_across(FootingContact::smooth)[0], 0.0);
@@ -125,7 +125,7 @@ TEST(Footings, GiveTheSameBitsOnAnyNumberOfThreads)
     Case c = pushed("mpm_gp");
     c.mesh.cell = {0.1, 0.1};
     Simulation s(c, threads);
-    s.step(60);
+    test::make_steps(s, 60);
     return s.state.footings[0].impulse;
   };
   EXPECT_EQ(meter(1), meter(3));
@@ -135,7 +135,7 @@ TEST(Footings, AreAwayWhileTheSoilSettles)
 {
   Simulation s(pushed("mpm_gp"));
   s.work.settling = true;
-  s.step(5);
+  test::make_steps(s, 5);
   EXPECT_TRUE(s.work.footings.empty());
   EXPECT_EQ(test::momentum(s.state)[1], 0.0);
 }

@@ -26,7 +26,7 @@ Case flying_box()
 std::vector<ReachedSide> run_until(Real time, Simulation& s)
 {
   while (s.state.time < time) {
-    s.step();
+    test::make_steps(s);
     follow_sides(s.model, s.state);
   }
   return list_reached_sides(s.model, s.state);

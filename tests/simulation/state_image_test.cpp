@@ -30,7 +30,7 @@ TEST(StateImage, ARestoredRunGoesOnInTheSameBits)
   for (const char* scheme : {"standard_mpm", "mpm_mixed", "mpm_gp"}) {
     Simulation whole(moving_column(scheme));
     start_audit(whole.model, whole.state);
-    whole.step(150);
+    test::make_steps(whole, 150);
     keep_ledger(whole.model, whole.state, whole.work);
     Simulation rest(build_model(moving_column(scheme), 1), restore(whole.model, make_image(whole.state)));
     EXPECT_EQ(first_difference(make_image(whole.state), make_image(rest.state)), "") << scheme;
@@ -47,7 +47,7 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
   Simulation s(moving_column("mpm_gp"));
   start_audit(s.model, s.state);
   keep_ledger(s.model, s.state, s.work);
-  s.step(3);
+  test::make_steps(s, 3);
   keep_ledger(s.model, s.state, s.work);
   State& state = s.state;
   state.work = {.gravity = 1.0,
@@ -106,7 +106,7 @@ TEST(StateImage, InPartsHasTheSameArrays)
 {
   Simulation s(moving_column("mpm_gp"));
   start_audit(s.model, s.state);
-  s.step(150);
+  test::make_steps(s, 150);
   keep_ledger(s.model, s.state, s.work);
   StateImage joined;
   int n_parts = 0;
