@@ -128,7 +128,7 @@ Summary summarise(const Model& model, const State& state)
   s.point_steps_per_s =
       state.wall_s > 0.0 ? static_cast<double>(s.n_points) * static_cast<double>(s.n_steps) / state.wall_s : 0.0;
   s.threads = model.threads;
-  s.instructions = instructions();
+  s.instructions = state.instructions.empty() ? std::string(instructions()) : state.instructions;
   s.processor = processor_name();
   summarise_failure(model, state, s);
   const auto& eps = state.audit.last_eps_eq_p;

@@ -12,16 +12,19 @@ namespace terp {
 Simulation::Simulation(const Case& description, int threads)
     : model(build_model(description, threads)), state(build_state(model)), work(model, state)
 {
+  model.threads = work.threads.count();
 }
 
 Simulation::Simulation(const Case& description, SharedMesh mesh, int threads)
     : model(build_model(description, std::move(mesh), threads)), state(build_state(model)), work(model, state)
 {
+  model.threads = work.threads.count();
 }
 
 Simulation::Simulation(Model ready_model, State ready_state)
     : model(std::move(ready_model)), state(std::move(ready_state)), work(model, state)
 {
+  model.threads = work.threads.count();
 }
 
 Outcome Simulation::start(const std::atomic<bool>& stop)

@@ -13,7 +13,8 @@ inline const std::atomic<bool> never_stop{false};
 /// Model, state and scratch of a run, with its threads. Reads everything; whoever changes `state` himself answers for
 /// it. Each Simulation may be driven by a thread of its own; Case and mesh may be shared between them.
 struct Simulation {
-  /// Builds the mesh, seeds the points and sets the initial stress of "k0". Throws InputError.
+  /// Builds the mesh, seeds the points and sets the initial stress of "k0". Throws InputError. Where the system grants
+  /// fewer threads, model.threads says how many there are.
   explicit Simulation(const Case& description, int threads = 1);
   /// The same on a mesh that is already there, as in a study of many runs on one mesh.
   Simulation(const Case& description, SharedMesh mesh, int threads = 1);
