@@ -4,12 +4,9 @@
 #include "input/case_file.hpp"
 #include "input/printable.hpp"
 #include "parallel/instructions.hpp"
-#include "parallel/threads.hpp"
 #include "simulation/kernels.hpp"
 #include "simulation/passes.hpp"
-#include "simulation/run.hpp"
-#include "simulation/setup.hpp"
-#include "simulation/workspace.hpp"
+#include "simulation/simulation.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -52,25 +49,25 @@ struct Measurement {
   double fastest = 0.0, slowest = 0.0;    // trials
 };
 
-void step(const Model& model, State& state, Workspace& work, std::int64_t n)
+/// Steps alone: no start, no outputs.
+void step(Simulation& s, std::int64_t n)
 {
-  if (const StepsMade made = make_steps(model, state, work, {.most_steps = n}); made.end == LoopEnd::fault)
+  if (const StepsMade made = make_steps(s.model, s.state, s.work, {.most_steps = n}); made.end == LoopEnd::fault)
     throw RunError(made.fault);
 }
 
 /// Median of `trials` groups of steps, after some to warm up.
-Measurement measure(const Model& model, State& state, std::int64_t n_steps, std::int64_t warm)
+Measurement measure(Simulation& s, std::int64_t n_steps, std::int64_t warm)
 {
   constexpr int trials = 5;
-  Workspace work(model, state);
-  step(model, state, work, warm);
+  step(s, warm);
   std::vector<Measurement> all;
   for (int trial = 0; trial < trials; ++trial) {
-    work.seconds = {};
+    s.work.seconds = {};
     const auto start = std::chrono::steady_clock::now();
-    step(model, state, work, n_steps);
+    step(s, n_steps);
     all.push_back(
-        {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), work.seconds, 0.0, 0.0});
+        {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), s.work.seconds, 0.0, 0.0});
   }
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
   Measurement median = all[trials / 2];
@@ -162,11 +159,11 @@ int bench_case(const RunOptions& options)
   const CaseFile file = options.path.empty() ? read_case_text(standard_case, "bench", options.changes)
                                              : read_case(options.path, options.changes);
   try {
-    Model model = build_model(file.values, options.threads > 0 ? options.threads : available_processors());
-    State state = build_state(model);
+    Simulation s(file.values, threads_of(options));
+    warn_of_missing_threads(options, s.model);
     const Machine machine;
-    const Measurement m = measure(model, state, options.steps, options.warm_steps);
-    (options.json ? print_json : print_text)(model, state, m, machine, options.steps);
+    const Measurement m = measure(s, options.steps, options.warm_steps);
+    (options.json ? print_json : print_text)(s.model, s.state, m, machine, options.steps);
     return solved;
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));

@@ -5,12 +5,11 @@
 #include "input/printable.hpp"
 #include "mesh/mesh_quality.hpp"
 #include "output/section_svg.hpp"
-#include "parallel/threads.hpp"
 #include "progress.hpp"
-#include "simulation/run.hpp"
-#include "simulation/setup.hpp"
+#include "simulation/output_costs.hpp"
 #include "simulation/setup_warnings.hpp"
 #include "simulation/side_shape.hpp"
+#include "simulation/simulation.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -22,23 +21,21 @@ namespace {
 
 constexpr double trial_seconds = 1.0;  // of steps actually made
 constexpr std::int64_t fewest_trial_steps = 20;
-constexpr double failing =
-    1.2;  // a run over its trial: soil that fails returns to the yield surface, and there is output to write
+constexpr double failing = 1.2;  // steps of a run over those of its trial: soil that fails returns to the yield surface
 
 /// Seconds per step, from a trial on the case itself.
-double time_a_step(const Model& model, State& state)
+double time_a_step(Simulation& s)
 {
   using Clock = std::chrono::steady_clock;
-  Workspace work(model, state);
   const auto make = [&](const StepPolicy& policy) {
-    if (const StepsMade made = make_steps(model, state, work, policy); made.end == LoopEnd::fault)
+    if (const StepsMade made = make_steps(s.model, s.state, s.work, policy); made.end == LoopEnd::fault)
       throw RunError(made.fault);
   };
   make({.most_steps = 5});  // warm caches, wake threads
   const auto start = Clock::now();
   double seconds = 0.0;
   std::int64_t n = 0;
-  make({.most_steps = model.n_steps, .after_step = [&] {
+  make({.most_steps = s.model.n_steps, .after_step = [&] {
           seconds = std::chrono::duration<double>(Clock::now() - start).count();
           return ++n < fewest_trial_steps || seconds < trial_seconds;
         }});
@@ -103,12 +100,26 @@ void write_picture(const std::string& path, const Model& model, const State& sta
   fmt::print("picture in {}\n", path);
 }
 
-void print_check(const CaseFile& file, const Model& model, State& state)
+/// "1 frame", "3 frames".
+std::string count(std::int64_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
+
+std::string megabytes(double bytes) { return fmt::format("{:.{}f} MB", bytes / 1e6, bytes < 9.95e6 ? 1 : 0); }
+
+void print_output(const OutputCost& cost)
 {
-  const Mesh<2>& mesh = *model.mesh;
+  fmt::print("  output         {} of {}, {} of {}, {}\n", count(cost.n_frames, "frame"), megabytes(cost.frame_bytes),
+      count(cost.n_checkpoints, "checkpoint"), megabytes(cost.checkpoint_bytes),
+      count(cost.n_ledger_rows + cost.n_history_rows, "row"));
+  fmt::print("  disk           {} at the end, with {}\n", megabytes(cost.bytes), count(cost.n_kept, "checkpoint"));
+}
+
+void print_check(const CaseFile& file, Simulation& simulation)
+{
+  const Model& model = simulation.model;
+  const State& state = simulation.state;
   fmt::print("{}\n", printable(file.values.title.empty() ? file.values.name : file.values.title));
   fmt::print("  scheme         {}\n", file.values.scheme);
-  fmt::print("{}", describe(measure_quality(mesh)));
+  fmt::print("{}", describe(measure_quality(*model.mesh)));
   fmt::print("  cells of soil  {}\n", state.points.occupied().size());
   fmt::print("  points         {}\n", state.points.n_points());
   fmt::print("  mass           {:.6g} kg per m\n", total_mass(state));
@@ -117,10 +128,13 @@ void print_check(const CaseFile& file, const Model& model, State& state)
   fmt::print("  time step      {:.4g} s\n", model.dt);
   fmt::print("  steps          {} to t = {:g} s\n", model.n_steps, file.values.time.end);
   fmt::print("  memory         {:.0f} MB\n", static_cast<double>(bytes_of(model, state)) / 1e6);
-  const double step_s = time_a_step(model, state);
-  fmt::print("  expected time  {} on {} thread{} ({:.1f} M point-steps/s in a trial)\n",
-      readable_duration(failing * step_s * static_cast<double>(model.n_steps)), model.threads,
-      model.threads == 1 ? "" : "s", static_cast<double>(state.points.n_points()) / step_s / 1e6);
+  const OutputCost cost = estimate_output(model, state);
+  print_output(cost);
+  const double step_s = time_a_step(simulation);
+  fmt::print("  expected time  {} on {}, {} of it for output ({:.1f} M point-steps/s in a trial)\n",
+      readable_duration(failing * step_s * static_cast<double>(model.n_steps) + cost.seconds),
+      count(model.threads, "thread"), readable_duration(cost.seconds),
+      static_cast<double>(state.points.n_points()) / step_s / 1e6);
   fmt::print("nothing was run\n");
 }
 
@@ -132,12 +146,15 @@ int check_case(const RunOptions& options)
   const CaseFile file = read_case(options.path, options.changes);
   fmt::print(stderr, "{}", render_warnings(file));
   try {
-    Model model = build_model(file.values, options.threads > 0 ? options.threads : available_processors());
-    State state = build_state(model);
-    fmt::print(stderr, "{}", render_warnings(find_warnings(model, state), file));
-    if (!options.picture.empty()) write_picture(options.picture, model, state);
-    print_check(file, model, state);
+    Simulation simulation(file.values, threads_of(options));
+    warn_of_missing_threads(options, simulation.model);
+    fmt::print(stderr, "{}", render_warnings(find_warnings(simulation.model, simulation.state), file));
+    if (!options.picture.empty()) write_picture(options.picture, simulation.model, simulation.state);
+    print_check(file, simulation);
     return solved;
+  } catch (const RunError& error) {
+    fmt::print(stderr, "error: the run would stop itself: {}\n", error.what());
+    return stopped_itself;
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), file));
   }

@@ -48,6 +48,12 @@ struct WatchCommand {
   bool once = false;
 };
 
+/// Threads that a command asks the system for: those of --threads, or all that this job may use.
+int threads_of(const RunOptions& options);
+
+/// Warns where the system granted fewer.
+void warn_of_missing_threads(const RunOptions& options, const Model& model);
+
 int run_case(const RunOptions& options);
 int find_stability(const RunOptions& run, StabilityOptions options);
 int resume_run(const RunOptions& options);

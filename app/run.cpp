@@ -9,7 +9,7 @@
 #include "output/mesh_file.hpp"
 #include "output/run_writer.hpp"
 #include "output/summary_json.hpp"
-#include "parallel/threads.hpp"
+#include "parallel/instructions.hpp"
 #include "progress.hpp"
 #include "simulation/setup_warnings.hpp"
 #include "simulation/simulation.hpp"
@@ -122,6 +122,27 @@ double wall_time_so_far(const std::string& folder)
   }
 }
 
+/// The instruction sets that a run was solved with, those of summary.json first. Says so where the present one is
+/// another than the last.
+std::string instructions_of(const std::string& folder)
+{
+  const std::string now(instructions());
+  std::string before;
+  try {
+    before = read_summary(path_in(folder, summary_file)).values.instructions;
+  } catch (const FileError&) {  // the run was killed before it wrote one
+  }
+  const std::string last = before.substr(before.rfind(' ') + 1);  // of "avx512, avx2"
+  if (before.empty() || last == now) return before.empty() ? now : before;
+  const auto of_same_bits = [](const std::string& set) { return set == "avx512" || set == "avx2"; };
+  fmt::print(stderr, "warning: the run was solved with the instruction set {} so far, and goes on with {}{}\n", last,
+      now,
+      of_same_bits(last) && of_same_bits(now)
+          ? ", which gives the same bits"
+          : "; its results may differ in the last digits from those of one set (TERP_INSTRUCTIONS chooses)");
+  return before + ", " + now;
+}
+
 /// Solves, and leaves a summary however the run ends.
 int solve(Simulation& simulation, RunWriter& writer, const RunOptions& options, const std::string& folder)
 {
@@ -167,8 +188,6 @@ int solve_and_show(Simulation& simulation, RunWriter& writer, const RunOptions& 
   if (options.report && status == solved) report_runs({.runs = {folder}, .output = path_in(folder, report_file)});
   return status;
 }
-
-int threads_of(const RunOptions& options) { return options.threads > 0 ? options.threads : available_processors(); }
 
 /// A run folder, from a folder or from the path of one of its checkpoints.
 std::string run_folder_of(const std::string& path)
@@ -283,6 +302,7 @@ int run_case(const RunOptions& options)
   fmt::print(stderr, "{}", render_warnings(file));
   try {
     Simulation simulation(file.values, threads_of(options), all_followers());
+    warn_of_missing_threads(options, simulation.model);
     fmt::print(stderr, "{}", render_warnings(find_warnings(simulation.model, simulation.state), file));
     const auto writer =
         RunWriter::start({folder, {file.values.name, file.text}, file.values.output.checkpoint_keep,
@@ -311,8 +331,10 @@ int resume_run(const RunOptions& options)
     set_end(file.values, image, model);
     State restored = restore_from(checkpoint, model, image);
     Simulation simulation(std::move(model), std::move(restored));
+    warn_of_missing_threads(options, simulation.model);
     const State& state = simulation.state;
     simulation.state.wall_s = wall_time_so_far(folder);
+    simulation.state.instructions = instructions_of(folder);
     RunWriterSettings settings{.folder = folder,
         .case_text = {case_name_in(folder), file.text},
         .checkpoint_keep = file.values.output.checkpoint_keep,

@@ -33,13 +33,17 @@ if(TERP_SANITIZE OR TERP_TSAN)
                               PROPERTIES COMPILE_OPTIONS "${options}")
 endif()
 
-# Links a generated object with whatever links a library. As a source of the library every object file of it would wait
-# for it.
+# Links a generated object with whatever links a library, where it was built or where it is installed. As a source of
+# the library every object file of it would wait for it.
 function(link_object target object)
   get_filename_component(name ${object} NAME_WE)
   add_custom_target(${name} DEPENDS ${object})
-  target_link_libraries(${target} INTERFACE ${object})
-  set_property(TARGET ${target} APPEND PROPERTY INTERFACE_LINK_DEPENDS ${object})
+  include(GNUInstallDirs)
+  set(folder ${CMAKE_INSTALL_LIBDIR}/terp)
+  target_link_libraries(${target} INTERFACE $<BUILD_INTERFACE:${object}>
+                                            $<INSTALL_INTERFACE:$<INSTALL_PREFIX>/${folder}/${name}.o>)
+  set_property(TARGET ${target} APPEND PROPERTY INTERFACE_LINK_DEPENDS $<BUILD_INTERFACE:${object}>)
+  install(FILES ${object} DESTINATION ${folder})
 endfunction()
 
 # Adds the kernels to a target. sets: the best first; "native" or "plain" alone mean one copy, linked like anything

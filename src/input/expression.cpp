@@ -1,3 +1,6 @@
+// How it thinks: muParser writes to its parser when it evaluates, so that no two threads may share one. An Expression
+// holds the text alone and never changes; each thread keeps parsers of its own, by the number of the expression.
+
 #include "input/expression.hpp"
 
 #include "base/errors.hpp"
@@ -8,6 +11,8 @@
 #include <muParser.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cctype>
 #include <cmath>
 #include <numbers>
@@ -66,60 +71,99 @@ std::string why(const mu::Parser::exception_type& error, const std::vector<std::
       nearest.empty() ? "" : fmt::format(" Did you mean `{}`?", nearest), fmt::join(known, ", "));
 }
 
-}  // namespace
-
-struct Expression::Parser {
+/// A parser with values of its own, to which the variables of its formula are bound.
+struct BoundParser {
+  std::uint64_t number = 0;  // of the expression that it evaluates; 0: none
   mu::Parser parser;
-  std::size_t n_variables;
   std::vector<mu::value_type> values;  // variables, then constants; bound by address
   std::vector<std::size_t> used;       // those that the text speaks of
 };
 
-Expression::Expression(
-    const std::string& text, const std::vector<std::string>& variables, const std::map<std::string, Real>& constants)
-    : parser_(std::make_unique<Parser>())
+void define_functions(mu::Parser& p)
 {
-  refuse_what_would_pass(text);
-  std::vector<std::string> names(variables);
-  std::vector<mu::value_type>& values = parser_->values;
-  parser_->n_variables = variables.size();
-  values.resize(variables.size());
-  for (const auto& [name, value] : constants) names.push_back(name), values.push_back(value);
-  try {
-    mu::Parser& p = parser_->parser;
-    p.DefineConst("pi", std::numbers::pi);
-    p.DefineFun("erf", static_cast<mu::value_type (*)(mu::value_type)>([](mu::value_type x) { return std::erf(x); }));
-    p.DefineFun("erfc", static_cast<mu::value_type (*)(mu::value_type)>([](mu::value_type x) { return std::erfc(x); }));
-    p.DefineFun("mod", static_cast<mu::value_type (*)(mu::value_type, mu::value_type)>(
-                           [](mu::value_type a, mu::value_type b) { return a - b * std::floor(a / b); }));
-    p.DefineFun("step", step);
-    p.DefineFun("min", extreme<false>);
-    p.DefineFun("max", extreme<true>);
-    for (std::size_t k = 0; k < names.size(); ++k) p.DefineVar(names[k], &values[k]);
-    p.SetExpr(text);
-    p.Eval();
-    for (const auto& [name, address] : p.GetUsedVar()) {
-      if (std::count(names.begin(), names.end(), name) > 1)
-        throw ExpressionError(
-            fmt::format("`{}` is a constant and the name of what stands here. Give the constant another name.", name));
-      parser_->used.push_back(static_cast<std::size_t>(address - values.data()));
-    }
-  } catch (const mu::Parser::exception_type& error) {
-    throw ExpressionError(why(error, names));
-  }
+  p.DefineConst("pi", std::numbers::pi);
+  p.DefineFun("erf", static_cast<mu::value_type (*)(mu::value_type)>([](mu::value_type x) { return std::erf(x); }));
+  p.DefineFun("erfc", static_cast<mu::value_type (*)(mu::value_type)>([](mu::value_type x) { return std::erfc(x); }));
+  p.DefineFun("mod", static_cast<mu::value_type (*)(mu::value_type, mu::value_type)>(
+                         [](mu::value_type a, mu::value_type b) { return a - b * std::floor(a / b); }));
+  p.DefineFun("step", step);
+  p.DefineFun("min", extreme<false>);
+  p.DefineFun("max", extreme<true>);
 }
 
-Expression::~Expression() = default;
-Expression::Expression(Expression&&) noexcept = default;
-Expression& Expression::operator=(Expression&&) noexcept = default;
+}  // namespace
+
+/// What every thread needs to make its parser; nobody changes it.
+struct Expression::Source {
+  std::uint64_t number;
+  std::string text;
+  std::vector<std::string> names;  // variables, then constants
+  std::vector<mu::value_type> values;
+  std::size_t n_variables;
+};
+
+namespace {
+
+/// Reads the formula of a source. Throws ExpressionError.
+std::unique_ptr<BoundParser> parse(const auto& source)
+{
+  auto bound = std::make_unique<BoundParser>();
+  bound->number = source.number;
+  bound->values = source.values;
+  mu::Parser& p = bound->parser;
+  try {
+    define_functions(p);
+    for (std::size_t k = 0; k < source.names.size(); ++k) p.DefineVar(source.names[k], &bound->values[k]);
+    p.SetExpr(source.text);
+    p.Eval();
+    for (const auto& [name, address] : p.GetUsedVar()) {
+      if (std::count(source.names.begin(), source.names.end(), name) > 1)
+        throw ExpressionError(
+            fmt::format("`{}` is a constant and the name of what stands here. Give the constant another name.", name));
+      bound->used.push_back(static_cast<std::size_t>(address - bound->values.data()));
+    }
+  } catch (const mu::Parser::exception_type& error) {
+    throw ExpressionError(why(error, source.names));
+  }
+  return bound;
+}
+
+/// This thread's parser of a source: made at the first use, and anew when another formula took its place.
+BoundParser& parser_of(const auto& source)
+{
+  constexpr std::size_t most_kept = 64;  // formulas of a case: two of each body and side with a velocity
+  thread_local std::array<std::unique_ptr<BoundParser>, most_kept> kept;
+  std::unique_ptr<BoundParser>& place = kept[source.number % most_kept];
+  if (!place || place->number != source.number) place = parse(source);
+  return *place;
+}
+
+std::uint64_t next_number()
+{
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
+}  // namespace
+
+Expression::Expression(
+    const std::string& text, const std::vector<std::string>& variables, const std::map<std::string, Real>& constants)
+{
+  refuse_what_would_pass(text);
+  Source source{next_number(), text, variables, std::vector<mu::value_type>(variables.size()), variables.size()};
+  for (const auto& [name, value] : constants) source.names.push_back(name), source.values.push_back(value);
+  source_ = std::make_shared<const Source>(std::move(source));
+  parser_of(*source_);  // says what is wrong
+}
 
 Real Expression::operator()(std::span<const Real> values) const
 {
-  TERP_ASSERT(values.size() == parser_->n_variables);
-  std::copy(values.begin(), values.end(), parser_->values.begin());
-  for (const std::size_t k : parser_->used)  // a comparison would take what is no number for a wrong one
-    if (std::isnan(parser_->values[k])) return parser_->values[k];
-  return parser_->parser.Eval();
+  TERP_ASSERT(values.size() == source_->n_variables);
+  BoundParser& bound = parser_of(*source_);
+  std::copy(values.begin(), values.end(), bound.values.begin());
+  for (const std::size_t k : bound.used)  // a comparison would take what is no number for a wrong one
+    if (std::isnan(bound.values[k])) return bound.values[k];
+  return bound.parser.Eval();
 }
 
 Real evaluate(const std::string& text, const std::map<std::string, Real>& constants)

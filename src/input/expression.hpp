@@ -20,21 +20,19 @@ class ExpressionError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Copies are cheap, and one expression may be evaluated by several threads at once.
 class Expression {
  public:
   /// A text that speaks of a constant which bears the name of a variable is refused. Throws ExpressionError.
   Expression(
       const std::string& text, const std::vector<std::string>& variables, const std::map<std::string, Real>& constants);
-  ~Expression();
-  Expression(Expression&&) noexcept;
-  Expression& operator=(Expression&&) noexcept;
 
   /// Its value; the numbers are those of the variables, in their order. NaN where one that the text speaks of is NaN.
   Real operator()(std::span<const Real> values) const;
 
  private:
-  struct Parser;
-  std::unique_ptr<Parser> parser_;
+  struct Source;
+  std::shared_ptr<const Source> source_;
 };
 
 /// A formula without variables.

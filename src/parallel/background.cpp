@@ -1,10 +1,22 @@
 #include "parallel/background.hpp"
 
+#include <stdexcept>
+#include <string>
+#include <system_error>
 #include <utility>
 
 namespace terp {
 
-Background::Background(std::size_t most_waiting) : most_waiting_(most_waiting), thread_([this] { work(); }) {}
+Background::Background(std::size_t most_waiting) : most_waiting_(most_waiting)
+{
+  try {
+    thread_ = std::thread([this] { work(); });
+  } catch (const std::system_error& error) {
+    throw std::runtime_error(std::string("cannot start the thread that writes results: ") + error.code().message() +
+                             "\n  The system grants this user no more threads and processes (ulimit -u), or has no "
+                             "memory for one.\n  End other programs of this user, or raise the limit.");
+  }
+}
 
 Background::~Background()
 {

@@ -14,7 +14,8 @@ namespace terp {
 /// An error of a task is thrown by the next call of add or finish; what was given after that task is dropped.
 class Background {
  public:
-  /// most_waiting: tasks that may wait before `add` waits for the thread.
+  /// most_waiting: tasks that may wait before `add` waits for the thread. Throws std::runtime_error if the system
+  /// grants no thread.
   explicit Background(std::size_t most_waiting);
   ~Background();
   Background(const Background&) = delete;

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sched.h>
 #include <string>
+#include <system_error>
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -54,7 +55,10 @@ int available_processors()
 Threads::Threads(int n) : shares_(std::make_unique<Share[]>(n))
 {
   workers_.reserve(n - 1);
-  for (int thread = 1; thread < n; ++thread) workers_.emplace_back([this, thread] { wait_for_jobs(thread); });
+  try {
+    for (int thread = 1; thread < n; ++thread) workers_.emplace_back([this, thread] { wait_for_jobs(thread); });
+  } catch (const std::system_error&) {  // the system grants no more (ulimit -u): those that run share the work
+  }
 }
 
 Threads::~Threads()

@@ -20,7 +20,7 @@ int available_processors();
 
 class Threads {
  public:
-  /// n threads in all, the calling one included.
+  /// n threads in all, the calling one included; fewer where the system grants fewer: see count().
   explicit Threads(int n);
   ~Threads();
   Threads(const Threads&) = delete;

@@ -51,6 +51,7 @@ void Reporter::report_frame()
 {
   for (const ActiveFollower& active : state_.followers) active.follower->frame(model_, state_);
   ++state_.frames_reported;
+  if (observers_.empty()) return;
   const std::int64_t n = state_.n_ids(), step = n > most_points_at_once ? points_per_part : n;
   for (std::int64_t first = 0; first < n; first += step)
     tell([part = std::make_shared<const Frame>(make_frame(model_, state_, first, std::min(step, n - first)))](
@@ -59,6 +60,7 @@ void Reporter::report_frame()
 
 void Reporter::report_checkpoint()
 {
+  if (observers_.empty()) return;
   for_each_part(state_, most_values_of_part(state_), [&](StateImage part) {
     tell([image = std::make_shared<const StateImage>(std::move(part))](Observer& o) { o.checkpoint(image); });
   });

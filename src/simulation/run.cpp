@@ -125,7 +125,7 @@ Summary summarise(const Model& model, const State& state)
   s.point_steps_per_s =
       state.wall_s > 0.0 ? static_cast<double>(s.n_points) * static_cast<double>(s.n_steps) / state.wall_s : 0.0;
   s.threads = model.threads;
-  s.instructions = instructions();
+  s.instructions = state.instructions.empty() ? std::string(instructions()) : state.instructions;
   s.processor = processor_name();
   const WorkTotals& w = state.work;
   const Real exchanged = energy_exchanged(state);

@@ -21,6 +21,7 @@ Model with_followers(Model model, const FollowerTypes& followers)
 Simulation::Simulation(const Case& description, int threads, const FollowerTypes& followers)
     : model(with_followers(build_model(description, threads), followers)), state(build_state(model)), work(model, state)
 {
+  model.threads = work.threads.count();
 }
 
 Simulation::Simulation(const Case& description, SharedMesh mesh, int threads, const FollowerTypes& followers)
@@ -28,11 +29,13 @@ Simulation::Simulation(const Case& description, SharedMesh mesh, int threads, co
       state(build_state(model)),
       work(model, state)
 {
+  model.threads = work.threads.count();
 }
 
 Simulation::Simulation(Model ready_model, State ready_state)
     : model(std::move(ready_model)), state(std::move(ready_state)), work(model, state)
 {
+  model.threads = work.threads.count();
 }
 
 Outcome Simulation::start(const std::atomic<bool>& stop)

@@ -37,7 +37,8 @@ struct State {
   Real largest_v_999 = 0.0;               ///< [m/s]
   /// Points at t = 0; ids run from 0 to this.
   std::int64_t n_ids() const { return static_cast<std::int64_t>(x_initial.size() / 2); }
-  double wall_s = 0.0;  ///< spent solving, over all processes
+  double wall_s = 0.0;            ///< spent solving, over all processes
+  std::string instructions = {};  ///< sets that the run was solved with, in their order; empty: that of this process
 };
 
 }  // namespace terp

@@ -1,6 +1,7 @@
 // terp check: what would run, without running it.
 #include "app/coarse_column.hpp"
 
+#include <filesystem>
 #include <gmock/gmock.h>
 
 namespace terp {
@@ -23,8 +24,8 @@ TEST(Check, TellsWhatWouldRun)
     EXPECT_THAT(f.out, HasSubstr(line));
   EXPECT_THAT(f.out, HasSubstr("  smallest cell  0.5 m high, "));
   EXPECT_THAT(f.out, testing::ContainsRegex("  memory         [0-9]+ MB\n"));
-  EXPECT_THAT(f.out,
-      testing::ContainsRegex("  expected time  [0-9.]+ s on 1 thread [(][0-9.]+ M point-steps/s in a trial[)]\n"));
+  EXPECT_THAT(f.out, testing::ContainsRegex("  expected time  [0-9.]+ s on 1 thread, [0-9.]+ s of it for output "
+                                            "[(][0-9.]+ M point-steps/s in a trial[)]\n"));
   EXPECT_TRUE(test::names_in(folder.path()).empty());
 }
 
@@ -50,6 +51,37 @@ TEST(Check, DrawsTheSection)
       "error: --picture section.png: the picture is an SVG file, which every browser opens\n  Write --picture "
       "section.svg. "
       "For PNG: rsvg-convert section.svg -o section.png (Debian package librsvg2-bin)\n");
+}
+
+/// The number before `unit` in the line of `terp check` that begins with `word`.
+double number_in(const std::string& out, const std::string& word, const std::string& unit)
+{
+  const std::size_t line = out.find("  " + word + " "), end = out.find(" " + unit, line);
+  const std::size_t begin = out.rfind(' ', end - 1) + 1;
+  return std::stod(out.substr(begin, end - begin));
+}
+
+TEST(Check, SaysHowMuchDiskTheRunNeedsToAFactorOfTwo)
+{
+  for (const std::string& field : {"output.fields.every=0.01", "output.fields.every=0.2"}) {
+    const test::ScratchFolder scratch;
+    const std::string folder = scratch.path() + "/run";
+    const std::vector<std::string> more{
+        "--set", field, "--set", "output.checkpoint.every=0.05", "--set", "mesh.cell=0.2", "-q"};
+    const Finished check = test::terp(test::column_command("check", more));
+    ASSERT_EQ(check.status, 0) << check.err;
+    EXPECT_THAT(
+        check.out, testing::ContainsRegex("  output         [0-9]+ frames of [0-9.]+ MB, 4 checkpoints of [0-9.]+ "
+                                          "MB, [0-9]+ rows\n  disk           [0-9.]+ MB at the end, with 2 "
+                                          "checkpoints\n"));
+    ASSERT_EQ(test::run_column(folder, more).status, 0);
+    double bytes = 0.0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+      if (entry.is_regular_file()) bytes += static_cast<double>(entry.file_size());
+    const double ratio = number_in(check.out, "disk", "MB") * 1e6 / bytes;
+    EXPECT_GT(ratio, 0.5) << check.out;
+    EXPECT_LT(ratio, 2.0) << check.out;
+  }
 }
 
 TEST(Check, WarnsOfASideThatMovesFurtherThanItsCells)

@@ -54,6 +54,23 @@ TEST(EverySet, IsTheOneThatTheVariableNames)
   }
 }
 
+TEST(EverySet, ARunThatGoesOnWithAnotherSetSaysSoAndNamesBoth)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run", path = folder + "/summary.json";
+  ASSERT_EQ(test::run_column(folder, {"-q"}).status, 0);
+  auto summary = nlohmann::json::parse(test::text_of(path));
+  const std::string now = summary["instructions"];
+  EXPECT_EQ(test::terp({"resume", folder, "-q", "-j", "1"}).err, "");  // the same set
+  summary["instructions"] = "abacus";
+  test::write_text(path, summary.dump());
+  const Finished f = test::terp({"resume", folder, "-q", "-j", "1"});
+  EXPECT_EQ(f.status, 0) << f.err;
+  EXPECT_THAT(f.err, HasSubstr("warning: the run was solved with the instruction set abacus so far, and goes on with " +
+                               now + "; its results may differ in the last digits"));
+  EXPECT_EQ(nlohmann::json::parse(test::text_of(path))["instructions"], "abacus, " + now);
+}
+
 /// What the points of the short column carry. Without local damping: it pushes against the sign of a velocity, which
 /// round-off decides in soil that a wave has not yet reached.
 std::vector<NamedArray> rows_of_short_column(const std::string& instructions)

@@ -253,6 +253,27 @@ TEST(Resume, AfterSigtermEndsInTheResultsOfARunThatWasNotStopped) { stop_and_res
 
 TEST(Resume, AfterSighupEndsInTheResultsOfARunThatWasNotStopped) { stop_and_resume(SIGHUP); }
 
+/// A run without checkpoints of its own gets this signal several times, as from GNU timeout, and keeps its work.
+void stop_with_repeated(int signal)
+{
+  const test::ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run";
+  test::Process running(test::longer_run(folder, "1"));
+  test::wait_for_rows(folder);
+  for (int k = 0; k < 8; ++k) running.send(signal), ::usleep(4000);
+  const Finished f = running.wait();
+  EXPECT_EQ(f.status, 1) << signal;
+  EXPECT_THAT(f.out, HasSubstr("a checkpoint is written")) << signal;
+  EXPECT_THAT(test::names_in(folder), testing::Contains(StartsWith("checkpoint_"))) << signal;
+}
+
+TEST(Run, KeepsItsWorkWhenASignalComesMoreThanOnce) { stop_with_repeated(SIGTERM); }
+
+TEST(Run, KeepsItsWorkOnTheSignalsOfBatchSystems)
+{
+  for (const int signal : {SIGUSR1, SIGUSR2, SIGXCPU, SIGQUIT}) stop_with_repeated(signal);
+}
+
 TEST(Resume, FromACheckpointThatIsNamedEndsInTheSameResults)
 {
   const test::ScratchFolder scratch;

@@ -1,9 +1,14 @@
 #include "input/expression.hpp"
 
+#include "input/case_file.hpp"
+#include "simulation/simulation.hpp"
+#include "support/simulations.hpp"
+
 #include <cmath>
 #include <gmock/gmock.h>
 #include <limits>
 #include <numbers>
+#include <thread>
 
 namespace terp {
 namespace {
@@ -43,6 +48,74 @@ TEST(Expression, KeepsItsVariablesWhenItIsMoved)
   Expression f("x^2", {"x"}, {});
   const Expression g = std::move(f);
   EXPECT_DOUBLE_EQ(g(std::vector<Real>{3.0}), 9.0);
+}
+
+/// How many values two threads get wrong that evaluate one formula at once.
+int wrong_values_of_two_threads(const Expression& f, int n)
+{
+  std::atomic<int> wrong{0};
+  const auto evaluate_all = [&](Real y) {
+    for (int k = 0; k < n; ++k)
+      if (f(std::vector<Real>{static_cast<Real>(k), y}) != static_cast<Real>(k) + 1e6 * y) ++wrong;
+  };
+  std::thread first(evaluate_all, 1.0), second(evaluate_all, 2.0);
+  first.join(), second.join();
+  return wrong;
+}
+
+TEST(Expression, GivesEachOfTwoThreadsTheValuesOfItsOwnVariables)
+{
+  EXPECT_EQ(wrong_values_of_two_threads(Expression("x+1e6*y", {"x", "y"}, {}), 300000), 0);
+}
+
+TEST(Expression, ItsCopiesAndManyOthersBesideItGiveTheirOwnValues)
+{
+  std::vector<Expression> formulas;
+  for (int k = 0; k < 200; ++k)
+    formulas.emplace_back("x+a", std::vector<std::string>{"x"}, std::map<std::string, Real>{{"a", k}});
+  const std::vector<Expression> copies = formulas;
+  for (int round = 0; round < 2; ++round)
+    for (int k = 0; k < 200; ++k) {
+      EXPECT_EQ(formulas[k](std::vector<Real>{0.5}), k + 0.5);
+      EXPECT_EQ(copies[k](std::vector<Real>{0.25}), k + 0.25);
+    }
+}
+
+TEST(Expression, OneCaseWithFormulasRunInTwoThreadsAtOnceGivesTheStatesOfOneAfterTheOther)
+{
+  const Case c = read_case_text(R"(
+[time]
+end = 0.1
+[mesh]
+size = [16.0, 3.0]
+cell = 0.25
+[[body]]
+material = "clay"
+box = [[0.0, 0.0], [8.0, 2.0]]
+velocity = ["0.1*sin(pi*x/8)", "-0.05*y*x"]
+[material.clay]
+model = "linear_elastic"
+density = 1990.0
+shear_modulus = 2.0e6
+poisson_ratio = 0.3
+[boundary]
+bottom = { velocity = ["0.01*x", "0.0"] }
+)",
+      "formulas.toml")
+                     .values;
+  const auto solve = [&c](StateImage& end) {
+    Simulation s(c);
+    s.step(5);
+    end = s.save();
+  };
+  StateImage alone;
+  solve(alone);
+  for (int trial = 0; trial < 10; ++trial) {
+    StateImage ends[2];
+    std::thread first(solve, std::ref(ends[0])), second(solve, std::ref(ends[1]));
+    first.join(), second.join();
+    for (const StateImage& end : ends) ASSERT_EQ(test::first_difference(alone, end), "") << trial;
+  }
 }
 
 TEST(Expression, OfWhatIsNoNumberIsNone)

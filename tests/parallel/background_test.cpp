@@ -2,15 +2,36 @@
 
 #include "parallel/background.hpp"
 
+#include "support/without_threads.hpp"
+
 #include <atomic>
 #include <gmock/gmock.h>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace terp {
 namespace {
 
 using testing::ElementsAre;
+
+TEST(Background, SaysWhatToDoWhereTheSystemGrantsNoThread)
+{
+  const int status = test::status_without_threads([] {
+    try {
+      Background background(1);
+    } catch (const std::runtime_error& error) {
+      const std::string text = error.what();
+      const bool clear = text.starts_with("cannot start the thread that writes results: ") &&
+                         text.find("(ulimit -u)") != std::string::npos &&
+                         text.find("raise the limit") != std::string::npos;
+      return clear ? 3 : 2;
+    }
+    return 1;
+  });
+  if (status < 0) GTEST_SKIP() << "the limit of threads cannot be set here";
+  EXPECT_EQ(status, 3);
+}
 
 TEST(Background, DoesTheTasksInTheirOrder)
 {

@@ -3,6 +3,7 @@
 #include "parallel/threads.hpp"
 
 #include "support/random.hpp"
+#include "support/without_threads.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -11,6 +12,18 @@
 
 namespace terp {
 namespace {
+
+TEST(Threads, WhereTheSystemGrantsNoneTheCallerDoesTheWork)
+{
+  const int status = test::status_without_threads([] {
+    Threads threads(4);
+    int n = 0;
+    threads.for_each_chunk(7, [&](Index, int) { ++n; });
+    return 10 * threads.count() + n;
+  });
+  if (status < 0) GTEST_SKIP() << "the limit of threads cannot be set here";
+  EXPECT_EQ(status, 17);
+}
 
 class EveryThreadCount : public testing::TestWithParam<int> {};
 

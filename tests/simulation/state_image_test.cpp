@@ -29,7 +29,7 @@ TEST(StateImage, ARestoredRunGoesOnInTheSameBits)
 {
   for (const char* scheme : {"standard_mpm", "mpm_mixed", "mpm_gp"}) {
     Simulation whole = test::followed(moving_column(scheme));
-    whole.step(150);
+    test::make_steps(whole, 150);
     keep_ledger(whole.model, whole.state, whole.work);
     Simulation rest(build_model(moving_column(scheme), 1), restore(whole.model, make_image(whole.state)));
     EXPECT_EQ(first_difference(make_image(whole.state), make_image(rest.state)), "") << scheme;

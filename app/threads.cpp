@@ -1,0 +1,19 @@
+#include "parallel/threads.hpp"
+
+#include "commands.hpp"
+
+#include <fmt/format.h>
+
+namespace terp {
+
+int threads_of(const RunOptions& options) { return options.threads > 0 ? options.threads : available_processors(); }
+
+void warn_of_missing_threads(const RunOptions& options, const Model& model)
+{
+  if (model.threads < threads_of(options))
+    fmt::print(stderr,
+        "warning: the system granted {} of {} threads (ulimit -u); the results are the same, the run takes longer\n",
+        model.threads, threads_of(options));
+}
+
+}  // namespace terp
