@@ -200,6 +200,7 @@ SavedSummary read_values(const std::string& path)
   read_slides(json, s);
   get(json, "second_failure_time", s.second_failure_time);
   get(json, "max_eps_eq_p", s.max_eps_eq_p);
+  get(json, "softened_strain", s.softened_strain);
   get(json, "points_eps_eq_p_fell", s.points_eps_eq_p_fell);
   get(json, "points_su_rose", s.points_su_rose);
   get(json, "energy_balance_error", s.energy_balance_error);
@@ -261,6 +262,7 @@ std::string summary_text(const Summary& summary, bool finished, const CaseText& 
       {"slides", slides_json(summary)},
       {"second_failure_time", number(summary.second_failure_time)},
       {"max_eps_eq_p", number(summary.max_eps_eq_p)},
+      {"softened_strain", number(summary.softened_strain)},
       {"softened_fraction", softened_fraction(summary)},
       {"points_eps_eq_p_fell", summary.points_eps_eq_p_fell},
       {"points_su_rose", summary.points_su_rose},

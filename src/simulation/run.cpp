@@ -69,6 +69,15 @@ Search start_run(const Model& model, State& state, Workspace& work, const std::a
   return {.reached = true};
 }
 
+/// Of the materials that bodies are of; those whose parameters vary: at their reference values.
+std::optional<Real> smallest_softened_strain(const Model& model)
+{
+  Real smallest = std::numeric_limits<Real>::infinity();
+  for (const SoilMaterial& material : model.materials)
+    if (row_of(material, Role::plastic_strain) >= 0) smallest = std::min(smallest, material.law->softened_strain());
+  return std::isfinite(smallest) ? std::optional(smallest) : std::nullopt;
+}
+
 }  // namespace
 
 StepsMade make_steps(const Model& model, State& state, Workspace& work, const StepPolicy& policy)
@@ -133,6 +142,7 @@ Summary summarise(const Model& model, const State& state)
   summarise_failure(model, state, s);
   const auto& eps = state.audit.last_eps_eq_p;
   s.max_eps_eq_p = eps.empty() ? 0.0 : *std::max_element(eps.begin(), eps.end());
+  s.softened_strain = smallest_softened_strain(model);
   s.softened_fraction = state.softened_fraction;
   s.points_eps_eq_p_fell = std::count(state.audit.fell.begin(), state.audit.fell.end(), true);
   s.points_su_rose = std::count(state.audit.rose.begin(), state.audit.rose.end(), true);
