@@ -31,6 +31,7 @@ void add_rows(Index number, SoilMaterial& material, RowTable& table)
 
 Real strength_at(const SoilMaterial& material, const PointBlock<2>& block, Index lane, Real plastic_strain)
 {
+  if (const int k = find_role(material.type->state, Role::strength); k >= 0) return material.type->state[k].initial;
   std::vector<Real> state;
   for (const StateInfo& info : material.type->state)
     state.push_back(info.role == Role::plastic_strain ? plastic_strain : info.initial);

@@ -39,10 +39,10 @@ inline int row_of(const SoilMaterial& material, Role role)
   return k < 0 || material.rows.empty() ? -1 : material.rows[static_cast<std::size_t>(k)];
 }
 
-/// True if the law has a derived field that is the strength.
+/// True if the law has a strength, as a derived field or as a state variable.
 inline bool has_strength(const SoilMaterial& material)
 {
-  return find_role(material.type->derived, Role::strength) >= 0;
+  return find_role(material.type->derived, Role::strength) >= 0 || find_role(material.type->state, Role::strength) >= 0;
 }
 
 /// True if the strength is a function of the plastic strain alone: it need not be remembered beside it.
@@ -54,6 +54,8 @@ inline bool strain_gives_strength(const SoilMaterial& material)
 /// Strength of a point of a law that has_strength() [Pa].
 inline Real strength_of(const SoilMaterial& material, const PointBlock<2>& block, Index lane)
 {
+  const int row = row_of(material, Role::strength);
+  if (row >= 0) return block.row(row)[lane];
   return material.law->derived(find_role(material.type->derived, Role::strength), material.view(block, lane));
 }
 

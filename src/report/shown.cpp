@@ -12,7 +12,7 @@ namespace {
 
 constexpr Real places_per_spacing = 50.0;  // steps of a place between two neighbouring points, at first
 constexpr Real outliers = 0.001;           // share of the values that this range leaves out at each end
-constexpr Real strained = 0.06;  // strain that counts as having sheared: 95 % of the softening of the paper's soil
+constexpr Real strained = 0.06;  // strain of soil by which a range of colours ends: a matter of the picture alone
 
 using Values = std::vector<std::vector<float>>;  // by frame and point
 

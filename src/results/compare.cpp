@@ -17,8 +17,6 @@ namespace {
 using Value = std::optional<Real>;
 
 constexpr Real round_off = 1e-9;  // of a strength, relative [-]
-constexpr Real softened_strain =
-    0.06;  // eps_eq_p at which 95 % of the strength drop is reached with the paper's eta = 50 [-]
 
 Value finite(Real value) { return std::isfinite(value) ? Value(value) : std::nullopt; }
 
@@ -179,6 +177,16 @@ std::string cell_text(Value value, int digits)
   return value ? fmt::format("{:.{}f}", *value, digits) : std::string("-");
 }
 
+/// What a row of softening times says: the strain, if it is that of all runs in which anything softens.
+std::string softening_label(const std::vector<RunResults>& runs)
+{
+  std::vector<Real> strains;
+  for (const RunResults& run : runs)
+    if (run.summary.values.softened_strain) strains.push_back(*run.summary.values.softened_strain);
+  const bool same = !strains.empty() && std::ranges::count(strains, strains[0]) == std::ssize(strains);
+  return same ? fmt::format(": eps_eq_p > {:g} from", strains[0]) : ": 95 % softened from";
+}
+
 }  // namespace
 
 std::string scheme_title(std::string_view scheme)
@@ -201,11 +209,13 @@ std::vector<std::string> points_that_regained_strength(const RunResults& run)
 
 std::optional<Real> softening_time(const RunResults& run, std::string_view point)
 {
+  const std::optional<Real> softened = run.summary.values.softened_strain;
   for (const PointTable& history : run.history) {
+    if (!softened) break;
     const auto *time = history.table.find("time"), *strain = history.table.find("eps_eq_p");
     if (history.point != point || time == nullptr || strain == nullptr) continue;
     for (std::size_t k = 0; k < time->size(); ++k)
-      if ((*strain)[k] > softened_strain) return (*time)[k];
+      if ((*strain)[k] > *softened) return (*time)[k];
   }
   return std::nullopt;
 }
@@ -217,9 +227,9 @@ Comparison compare_runs(const std::vector<RunResults>& runs, const std::vector<s
   const RowMaker table{runs, comparison};
   add_motion(table);
   add_softening(table);
+  const std::string softens = softening_label(runs);
   for (const std::string& point : named_points(runs))
-    table.add(
-        point + ": eps_eq_p > 0.06 from", "s", 2, [&](const RunResults& run) { return softening_time(run, point); });
+    table.add(point + softens, "s", 2, [&](const RunResults& run) { return softening_time(run, point); });
   add_audit(table);
   add_energies(table);
   add_cost(table);

@@ -35,7 +35,8 @@ std::string comparison_table(const Comparison& comparison);
 /// One JSON object, without a line break.
 std::string comparison_json(const Comparison& comparison);
 
-/// The first time at which eps_eq_p of a named point exceeds 0.06 [s]; none if never, or if it is not recorded.
+/// The first time at which eps_eq_p of a named point exceeds that of softened soil [s]; none if never, or if it is not
+/// recorded.
 std::optional<Real> softening_time(const RunResults& run, std::string_view point);
 
 /// The named points whose S_u is larger in some row of their history than in the row before.

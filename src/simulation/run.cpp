@@ -66,6 +66,15 @@ Search start_run(const Model& model, State& state, Workspace& work, const std::a
   return {.reached = true};
 }
 
+/// Of the materials that bodies are of; those whose parameters vary: at their reference values.
+std::optional<Real> smallest_softened_strain(const Model& model)
+{
+  Real smallest = std::numeric_limits<Real>::infinity();
+  for (const SoilMaterial& material : model.materials)
+    if (row_of(material, Role::plastic_strain) >= 0) smallest = std::min(smallest, material.law->softened_strain());
+  return std::isfinite(smallest) ? std::optional(smallest) : std::nullopt;
+}
+
 }  // namespace
 
 StepsMade make_steps(const Model& model, State& state, Workspace& work, const StepPolicy& policy)
@@ -127,6 +136,7 @@ Summary summarise(const Model& model, const State& state)
   s.threads = model.threads;
   s.instructions = state.instructions.empty() ? std::string(instructions()) : state.instructions;
   s.processor = processor_name();
+  s.softened_strain = smallest_softened_strain(model);
   const WorkTotals& w = state.work;
   const Real exchanged = energy_exchanged(state);
   // Velocities are those of half a step before the places, so half of the last step's work is not yet in the kinetic

@@ -69,6 +69,8 @@ struct Summary {
   std::vector<SlideSummary> slides;         ///< in order of time, definition in docs/formats.md
   std::optional<Real> second_failure_time;  ///< [s], definition in docs/formats.md
   Real max_eps_eq_p = 0.0;                  ///< at the end [-]
+  std::optional<Real> softened_strain;      ///< plastic strain from which soil counts as softened: the smallest of the
+                                            ///< laws in use, Material::softened_strain() [-]; none: nothing softens
   std::vector<std::pair<Real, Real>>
       softened_fraction;                  ///< (time [s], share of the volume with S_u below half its peak [-])
   std::int64_t points_eps_eq_p_fell = 0;  ///< points whose eps_eq_p ever fell between two ledger rows

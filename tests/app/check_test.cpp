@@ -63,7 +63,7 @@ double number_in(const std::string& out, const std::string& word, const std::str
 
 TEST(Check, SaysHowMuchDiskTheRunNeedsToAFactorOfTwo)
 {
-  for (const std::string& field : {"output.fields.every=0.01", "output.fields.every=0.2"}) {
+  for (const std::string field : {"output.fields.every=0.01", "output.fields.every=0.2"}) {
     const test::ScratchFolder scratch;
     const std::string folder = scratch.path() + "/run";
     const std::vector<std::string> more{

@@ -83,7 +83,7 @@ TEST(Expression, ItsCopiesAndManyOthersBesideItGiveTheirOwnValues)
 
 TEST(Expression, OneCaseWithFormulasRunInTwoThreadsAtOnceGivesTheStatesOfOneAfterTheOther)
 {
-  const Case c = read_case_text(R"(
+  const Case c = read_case_text(R"toml(
 [time]
 end = 0.1
 [mesh]
@@ -100,7 +100,7 @@ shear_modulus = 2.0e6
 poisson_ratio = 0.3
 [boundary]
 bottom = { velocity = ["0.01*x", "0.0"] }
-)",
+)toml",
       "formulas.toml")
                      .values;
   const auto solve = [&c](StateImage& end) {

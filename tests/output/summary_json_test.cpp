@@ -29,7 +29,8 @@ Summary sample_summary()
   summary.slides.push_back(
       {{.begins = 0.2, .stops = {}, .crest_from = 8.0, .crest_to = 6.0, .kinetic_peak = 11.5, .facing = Facing::left},
           {.time = 0.7, .rate = 4.5, .line = {{6.0, 1.9}, {7.5, 0.1}}}});
-  summary.max_eps_eq_p = 2.5, summary.softened_fraction = {{0.5, 0.125}, {1.0, 0.25}}, summary.points_su_rose = 4;
+  summary.max_eps_eq_p = 2.5, summary.softened_strain = 0.0625, summary.softened_fraction = {{0.5, 0.125}, {1.0, 0.25}},
+  summary.points_su_rose = 4;
   summary.points_eps_eq_p_fell = 3, summary.energy_balance_error = 1e-3, summary.clamped_points = 6,
   summary.points_left = 2, summary.reached_sides = {{"right", 1.5, true}},
   summary.footings = {{"plate", {0.5, -0.25}, {3.0, 4.5}, 7.0, 12.5}};
@@ -58,7 +59,7 @@ TEST(SummaryJson, HoldsEveryNumberUnderItsName)
     "slides": [{"facing": "left", "begins": 0.2, "stops": null,
     "crest_from": 8.0, "crest_to": 6.0, "kinetic_peak": 11.5,
     "slip_surface": {"time": 0.7, "rate": 4.5, "points": [[6.0, 1.9], [7.5, 0.1]]}}],
-    "second_failure_time": null, "max_eps_eq_p": 2.5,
+    "second_failure_time": null, "max_eps_eq_p": 2.5, "softened_strain": 0.0625,
     "softened_fraction": [{"time": 0.5, "fraction": 0.125}, {"time": 1.0, "fraction": 0.25}],
     "points_eps_eq_p_fell": 3, "points_su_rose": 4, "energy_balance_error": 1e-3, "clamped_points": 6,
     "points_left": 2, "reached_sides": [{"side": "right", "time": 1.5, "rose": true}],

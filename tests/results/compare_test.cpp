@@ -56,7 +56,7 @@ TEST_F(CompareTest, HasARowForFrontCrestEventsPointsAuditAndCost)
   EXPECT_THAT(row("softened volume at 0.25 s").values,
       ElementsAre(Optional(testing::DoubleNear(41.7, 1e-9)), Optional(testing::DoubleNear(31.1, 1e-9))));
   EXPECT_THAT(row("softened volume at 0.125 s").values, ElementsAre(std::nullopt, std::nullopt));
-  EXPECT_THAT(row("A: eps_eq_p > 0.06 from").values, ElementsAre(std::nullopt, std::nullopt));
+  EXPECT_THAT(row("A: 95 % softened from").values, ElementsAre(std::nullopt, std::nullopt));
   EXPECT_THAT(row("points whose eps_eq_p ever fell").values, ElementsAre(Optional(2.0), Optional(0.0)));
   EXPECT_EQ(row("material points").digits, 0);
 }
@@ -115,14 +115,32 @@ TEST_F(CompareTest, IsTheSameAsJson)
   EXPECT_EQ(json["text"].size(), 5);
 }
 
-TEST(SofteningTime, IsTheFirstAtWhichThePlasticStrainOfAPointPasses6Percent)
+TEST(SofteningTime, IsTheFirstAtWhichThePlasticStrainOfAPointPassesThatOfItsLaw)
 {
   RunResults run;
+  run.summary.values.softened_strain = 0.06;
   run.history = {{"A", {{"time", "eps_eq_p"}, {{0.0, 0.1, 0.2, 0.3}, {0.0, 0.06, 0.061, 0.02}}}},
       {"B", {{"time", "eps_eq_p"}, {{0.0, 0.1}, {0.0, std::nan("")}}}}};
   EXPECT_THAT(softening_time(run, "A"), Optional(0.2));
   EXPECT_EQ(softening_time(run, "B"), std::nullopt);
   EXPECT_EQ(softening_time(run, "C"), std::nullopt);
+  run.summary.values.softened_strain = std::nullopt;  // nothing softens
+  EXPECT_EQ(softening_time(run, "A"), std::nullopt);
+}
+
+TEST(CompareRuns, NamesTheStrainOfSoftenedSoilIfAllRunsHaveIt)
+{
+  RunResults run;
+  run.history = {{"A", {{"time", "eps_eq_p"}, {{0.0}, {0.0}}}}};
+  std::vector<RunResults> runs{run, run, run};
+  runs[0].summary.values.softened_strain = runs[1].summary.values.softened_strain = 0.06;
+  const auto has = [&](const std::string& label) {
+    const Comparison c = compare_runs(runs, {"a", "b", "c"});
+    return std::ranges::count(c.rows, label, &ComparisonRow::label) == 1;
+  };
+  EXPECT_TRUE(has("A: eps_eq_p > 0.06 from"));
+  runs[1].summary.values.softened_strain = 0.1;
+  EXPECT_TRUE(has("A: 95 % softened from"));
 }
 
 TEST(SchemeTitle, IsThePapersName)

@@ -27,7 +27,7 @@ struct FramesTest : testing::Test {
 
 TEST_F(FramesTest, TellsTimesStepsAndFields)
 {
-  const Frames frames(path);
+  const Frames frames(folder);
   EXPECT_EQ(frames.n_points(), 5);
   EXPECT_THAT(frames.times(), ElementsAre(0.0, 0.1, 0.2));
   EXPECT_THAT(frames.steps(), ElementsAre(0, 100, 200));
