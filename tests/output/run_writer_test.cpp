@@ -138,7 +138,7 @@ TEST(RunWriter, DoesNotResumeWhereAFileIsMissingOrTooShort)
   EXPECT_EQ(file_error_of([&] { resume_in(folder, more); }),
       head + "/history.csv: it holds 6 rows up to there, 7 are due" + advice);
   more = from;
-  more.n_left_rows = 1;
+  more.n_rows["left_the_mesh"] = 1;
   EXPECT_EQ(file_error_of([&] { resume_in(folder, more); }), head + "/left_the_mesh.csv: it is missing" + advice);
   std::filesystem::remove(folder + "/history.csv");
   EXPECT_EQ(file_error_of([&] { resume_in(folder, from); }), head + "/history.csv: it is missing" + advice);

@@ -14,7 +14,7 @@ using testing::IsEmpty;
 
 std::vector<Problem> warnings_on(const Case& c, Mesh<2> mesh)
 {
-  Model model = build_model(c, std::move(mesh), 1);
+  Model model = build_model(c, std::make_shared<const Mesh<2>>(std::move(mesh)), 1);
   build_state(model);
   std::vector<Problem> warnings;
   find_odd_places(model, warnings);

@@ -1,6 +1,7 @@
 // What one walk over the points finds, by each copy of the kernels and on any number of threads.
 #include "simulation/totals.hpp"
 
+#include "parallel/instructions.hpp"
 #include "simulation/kernels.hpp"
 #include "simulation/ledger.hpp"
 #include "support/cases.hpp"

@@ -65,7 +65,7 @@ int allocations_during(Simulation& s, std::int64_t n_steps)
 {
   n_allocations = 0;
   counting = true;
-  s.step(n_steps);
+  test::make_steps(s, n_steps);
   counting = false;
   return n_allocations;
 }
@@ -93,7 +93,7 @@ TEST(Workspace, AMovingColumnAsksForNoMemoryAfterTheFirstStep)
   for (const char* scheme : {"standard_mpm", "mpm_mixed", "mpm_gp"})
     for (const int threads : {1, 2}) {
       Simulation s(moving_column(scheme), threads);
-      s.step();
+      test::make_steps(s);
       const auto cells = s.state.points.occupied().size();
       const std::int64_t bytes = s.state.points.reserved_bytes();
       EXPECT_EQ(allocations_during(s, 400), 0) << scheme << " on " << threads;
