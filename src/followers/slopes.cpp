@@ -66,9 +66,7 @@ std::vector<float> growth_of_strain(const Model& model, const State& state, cons
     const int strain = row_of(model.materials[block.material], Role::plastic_strain);
     for (Index lane = 0; lane < block.n; ++lane) {
       const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
-      growth.push_back(
-          strain < 0 ? 0.0f
-                     : static_cast<float>(block.row(PointRows<2>::state + strain)[lane] - memory.last_eps_eq_p[id]));
+      growth.push_back(strain < 0 ? 0.0f : static_cast<float>(block.row(strain)[lane] - memory.last_eps_eq_p[id]));
     }
   });
   return growth;
