@@ -255,9 +255,8 @@ void declare_guides(CLI::App& app, CommandLine& line)
   add_case(check, line.options);
   check->add_option("--picture", line.options.picture, "draw the section: mesh, bodies, sides, points (SVG)")
       ->option_text("FILE");
-  CLI::App* explain =
-      add_command(app, "explain", "Understand", "a material, scheme or key: meaning, unit, range, equation",
-          "  terp explain mesh.cell\n  terp explain tresca_softening\n");
+  CLI::App* explain = add_command(app, "explain", "Understand", "a key, material or scheme: meaning, unit, range",
+      "  terp explain mesh.cell\n  terp explain tresca_softening\n");
   explain->add_option("TOPIC", line.topic, "key or section of the case file, or a name of terp list")
       ->option_text(" ")
       ->required();
