@@ -9,19 +9,19 @@
 
 namespace terp {
 
-/// One thing that is wrong in a case file. The reader turns `key` into file:line:column and shows the line.
+/// One fault in a case file. The reader turns `key` into file:line:column and shows the line.
 struct Problem {
   std::string
       key;  ///< dotted path of the key or table it is about, e.g. "material.clay.eta", "body[0].box"; may be empty
   std::string what;     ///< one short clause, lower case, no full stop: "softening is too steep"
-  std::string detail;   ///< got and allowed, with units, and what to do; may hold several lines; may be empty
+  std::string detail;   ///< got and allowed, with units, and what to do; may have several lines; may be empty
   std::string topic;    ///< what `terp explain` says more about; may be empty
   bool at_key = false;  ///< true: point at the key itself; false: point at its value
   std::vector<std::string> others =
-      {};  ///< keys and tables that `key` does not go with; of all these, one that --set changed is pointed at
+      {};  ///< keys and tables that contradict `key`; if --set changed one of them, the message points at that
 };
 
-/// The user's input is wrong: exit status 2. Holds every problem found.
+/// The user's input is wrong: exit status 2. Contains every problem found.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::vector<Problem> problems)
@@ -39,7 +39,7 @@ class InputError : public std::runtime_error {
   std::vector<Problem> problems_;
 };
 
-/// The run stopped itself (non-finite values, clamped points, no equilibrium): exit status 3.
+/// The run stopped itself (non-finite values, points put back at walls, no equilibrium): exit status 3.
 class RunError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -55,7 +55,7 @@ class FileError : public std::runtime_error {
 
 }  // namespace terp
 
-/// Checks what must hold if our own code is right. Active in the audit and sanitize builds and in Debug.
+/// Checks what must be true if our own code is right. Active in the audit and sanitize builds and in Debug.
 #ifdef TERP_AUDIT
 #define TERP_ASSERT(condition) ((condition) ? void(0) : ::terp::fail_assert(#condition, __FILE__, __LINE__))
 #else

@@ -1,3 +1,10 @@
+// Each node on a side has one or two holds: what a side does to the node. They are built once, in order (contacts
+// first) and with parts of a straight base joined. In a step the question is which of them act: rollers and bilateral
+// contacts always, a separating contact where it is pressed on. At a corner this is a problem with two unknowns, and
+// exactly one set of acting sides satisfies Signorini's condition (decision 0038). `constrain` then removes the
+// velocity across the acting sides and shortens the rest by adhesion and friction. `clamp` does the same to the
+// remapped velocity with the strength that is left (decision 0037). Damping uses the same sets, to exclude what sides
+// carry.
 #include "boundary/conditions.hpp"
 
 #include "base/errors.hpp"
@@ -42,9 +49,9 @@ Real prescribed_across(const NodeHold& hold)
   return hold.hold == Hold::normal ? dot(hold.velocity, hold.normal) : 0.0;
 }
 
-constexpr Real straight = 0.996;  // cosine between normals of sides that are taken for one line: 5 degrees
+constexpr Real straight = 0.996;  // cosine between normals of sides that count as one line: 5 degrees
 
-/// Parts of a straight base that hold alike.
+/// Parts of a straight base with equal conditions.
 bool are_parts_of_one(const NodeHold& a, const NodeHold& b)
 {
   return a.hold == b.hold && a.hold != Hold::all && a.velocity == b.velocity && dot(a.normal, b.normal) >= straight;
@@ -60,14 +67,14 @@ NodeHold joined(const NodeHold& a, const NodeHold& b)
       part * a.friction + (1.0 - part) * b.friction, a.velocity};
 }
 
-/// Contacts first, so that a roller at a corner has the last word on its direction.
+/// Contacts first, so that a roller at a corner decides about its direction.
 void order_and_join(NodeCondition& c)
 {
   if (c.n == 2 && !is_contact(c.holds[0].hold) && is_contact(c.holds[1].hold)) std::swap(c.holds[0], c.holds[1]);
   const bool across = c.n == 2 && std::abs(dot(c.holds[0].normal, c.holds[1].normal)) < straight;
   c.corner = across && c.holds[0].hold != Hold::all && c.holds[1].hold != Hold::all;
   if (c.n == 2 && !across && is_contact(c.holds[0].hold) &&
-      is_contact(c.holds[1].hold)) {  // parts of a base that hold differently share the push
+      is_contact(c.holds[1].hold)) {  // parts of a base with different conditions share the push
     const Real length = c.holds[0].half_length + c.holds[1].half_length;
     for (NodeHold& hold : c.holds) hold.friction *= hold.half_length / length;
   }
@@ -85,8 +92,8 @@ using Acting = std::array<bool, 2>;
 Acting always(const NodeCondition& c) { return {c.n > 0 && stops(c.holds[0].hold), c.n > 1 && stops(c.holds[1].hold)}; }
 
 /// Which holds act on a velocity or a force w: those that must, and separating ones that it pushes on. At a corner the
-/// push on one side is what the other leaves, so that both act together or one alone: the only choice in which none
-/// pulls and nothing goes through (Signorini's condition).
+/// push on one side is what the other leaves. So both act together or one alone: the only choice in which none pulls
+/// and no motion passes through (Signorini's condition).
 Acting acting_on(const NodeCondition& c, Vec<2> w, Acting must, std::array<Real, 2> prescribed)
 {
   std::array<Real, 2> push{};
@@ -110,7 +117,7 @@ Acting acting_on_velocity(const NodeCondition& c, Vec<2> v, Acting must)
 /// Force that a contact plane can carry along itself under a push across it [N per m].
 Real strength_of(const NodeHold& hold, Real push) { return hold.adhesion_force + hold.friction * std::max(push, 0.0); }
 
-/// Takes a length off a vector, at most all of it.
+/// Shortens a vector by a length, at most to zero.
 void shorten(Real by, Vec<2>& value)
 {
   const Real length = std::hypot(value[0], value[1]);
@@ -127,7 +134,7 @@ void apply_contact(const NodeHold& hold, Real mass, Real dt, Vec<2> trial, Vec<2
   shorten(strength_of(hold, mass * dot(trial, hold.normal) / dt) * dt / mass, v);
 }
 
-/// What the contact planes that act could have done along themselves in step 2 beyond their reaction there [N per m].
+/// Strength along the acting contact planes that their reaction in step 2 left unused [N per m].
 Real unused_strength(const NodeCondition& c, Acting acts, Vec<2> reaction)
 {
   Real strength = 0.0, along = 0.0;

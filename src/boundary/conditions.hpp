@@ -1,4 +1,4 @@
-// What the sides of the mesh do to its nodes: rollers, fixed nodes, prescribed velocity, contact planes.
+// Boundary conditions of the nodes on the sides of the mesh: rollers, fixed nodes, prescribed velocity, contact planes.
 #pragma once
 
 #include "mesh/mesh.hpp"
@@ -24,7 +24,7 @@ struct SideCondition {
   Real adhesion = 0.0;                             ///< a [Pa]
   Real friction = 0.0;                             ///< tangent of the friction angle [-]
   Vec<2> velocity{0.0, 0.0};                       ///< of Hold::all, and across the side of Hold::normal [m/s]
-  std::function<Vec<2>(Vec<2>)> velocity_at = {};  ///< instead of velocity, at the place of a node [m/s]
+  std::function<Vec<2>(Vec<2>)> velocity_at = {};  ///< instead of velocity, at the position of a node [m/s]
 };
 
 /// A side's condition at one node.
@@ -37,17 +37,17 @@ struct NodeHold {
   Vec<2> velocity;      ///< of Hold::all, and across the side of Hold::normal [m/s]
 };
 
-/// A node may lie on two sides (a corner) and so have two holds; contacts act first. Parts of a straight base that hold
-/// alike are one hold at the node between them, with the adhesion of both and their friction weighted by length; a
-/// bilateral and a separating part stay two, weighted too.
+/// A node may lie on two sides (a corner) and so have two holds; contacts act first. Parts of a straight base with
+/// equal conditions are one hold at the node between them, with the adhesion of both and their friction weighted by
+/// length. A bilateral and a separating part stay two, also weighted.
 struct NodeCondition {
   int n = 0;
   std::array<NodeHold, 2> holds;
-  bool corner = false;  ///< two holds with different normals, neither of them fixed: both together leave one velocity
-  Vec<2> corner_velocity{0.0, 0.0};  ///< that one [m/s]
+  bool corner = false;  ///< two holds with different normals, neither of them fixed: together they leave one velocity
+  Vec<2> corner_velocity{0.0, 0.0};  ///< this velocity [m/s]
 };
 
-/// The side of a mesh with this name. Throws InputError with the names that there are.
+/// The side of a mesh with this name. Throws InputError with the existing names.
 const NamedSide& find_side(const Mesh<2>& mesh, const std::string& name);
 
 class Boundary {
@@ -55,18 +55,18 @@ class Boundary {
   Boundary() = default;
   Boundary(const Mesh<2>& mesh, const std::vector<SideCondition>& sides);
 
-  /// What is left of a node's velocity, shape [2], when the sides have taken what they hold: nothing across a side that
-  /// holds, or that a `push` presses on.
+  /// The part of a node's velocity, shape [2], that its sides leave free: nothing across a side that acts, or on which
+  /// a `push` presses.
   Vec<2> free_velocity(Index node, Vec<2> v, Vec<2> push) const;
-  /// What is left of a node's force [N per m] when the sides have taken what they carry: the same, and along a contact
-  /// plane only what exceeds its adhesion, and its friction under that force (reading R13).
+  /// The part of a node's force [N per m] that its sides do not carry: the same, and along a contact plane only what
+  /// exceeds its adhesion, and its friction under that force (reading R13).
   Vec<2> free_force(Index node, Vec<2> force) const;
   /// Corrects the trial velocity v* of a node (step 2 of docs/methods.md). mass [kg per m], dt [s].
   void constrain(Index node, Real mass, Real dt, Vec<2>& v) const;
-  /// Clamps the second nodal velocity at constrained components (step 4). mass [kg per m], dt [s]; v_1, reaction: the
-  /// velocity of step 2 [m/s], and what the sides did to the node there [N per m]. A separating contact that pushed
-  /// then stays closed for the step, and a contact acts along itself with the strength that it did not use then, so
-  /// that what holds a node does no work (decision 0037).
+  /// Applies the conditions to the remapped velocity (step 4). mass [kg per m], dt [s]; v_1, reaction: the velocity of
+  /// step 2 [m/s], and the force of the sides on the node there [N per m]. A separating contact that pushed then stays
+  /// closed for the step. A contact acts along itself with the strength that it did not use then, so that a side that
+  /// fixes a node does no work (decision 0037).
   void clamp(Index node, Real mass, Real dt, Vec<2> v_1, Vec<2> reaction, Vec<2>& v) const;
   /// The node's condition, or nullptr.
   const NodeCondition* at(Index node) const

@@ -7,7 +7,7 @@ namespace terp {
 
 Vec<2> Footing::displacement(Real time) const
 {
-  Real duration = time - 0.5 * ramp;  // at full velocity that leads as far
+  Real duration = time - 0.5 * ramp;  // at full velocity this gives the same displacement
   if (time < ramp) duration = 0.5 * (time - ramp / std::numbers::pi * std::sin(std::numbers::pi * time / ramp));
   return {velocity[0] * duration + 0.0, velocity[1] * duration + 0.0};  // never -0
 }

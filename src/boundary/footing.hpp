@@ -1,5 +1,5 @@
-// A rigid footing: a box that moves with a prescribed velocity and takes the nodes inside it along.
-// Not for: what it meets (simulation/footings), nor sides of the mesh (conditions.hpp).
+// A rigid footing: a box that moves with a prescribed velocity and prescribes that of the nodes inside it. Not for: its
+// reaction (simulation/footings), nor sides of the mesh (conditions.hpp).
 #pragma once
 
 #include "base/types.hpp"
@@ -15,11 +15,11 @@ struct Footing {
   Real ramp = 0.0;                       ///< time over which the velocity grows from zero [s]
   bool rough = true;                     ///< rough: both components of the nodes; smooth: the one along the velocity
 
-  /// How far the footing has come at a time [m]: v(t) = V (1 - cos(pi t/T))/2 during the ramp T, then V.
+  /// Displacement of the footing at a time [m]: v(t) = V (1 - cos(pi t/T))/2 during the ramp T, then V.
   Vec<2> displacement(Real time) const;
 };
 
-/// A footing as the nodes meet it in one step.
+/// A footing during one step.
 struct PlacedFooting {
   Vec<2> low{0.0, 0.0}, high{0.0, 0.0};  ///< at the start of the step, widened by round-off [m]
   Vec<2> velocity{0.0, 0.0};             ///< mean over the step [m/s]
@@ -34,7 +34,7 @@ struct PlacedFooting {
     const bool rough = along == Vec<2>{0.0, 0.0};
     v = rough ? velocity : Vec<2>{v[0] + missing * along[0], v[1] + missing * along[1]};
   }
-  /// What is left of a force or velocity of a node inside when the footing has taken what it carries.
+  /// The part of a force or velocity of a node inside that the footing does not prescribe.
   Vec<2> free_part(Vec<2> value) const
   {
     if (along == Vec<2>{0.0, 0.0}) return {0.0, 0.0};

@@ -15,8 +15,8 @@ void add_internal_force(
     const Geometry& cell, const GaussValues<2, R>& gauss, ForceOperator op, CornerSums<2, R>& corners)
 {
   const bool b_bar = op == ForceOperator::b_bar;
-  std::array<R, 4> xx, yy, xy;  // stress that works on the gradients at g, times the weight
-  R centre(0.0);                // sum of p_g w_g: works on the gradients at the centre
+  std::array<R, 4> xx, yy, xy;  // stress conjugate to the gradients at g, times the weight
+  R centre(0.0);                // sum of p_g w_g: conjugate to the gradients at the centre
   for (int g = 0; g < 4; ++g) {
     const R w = gauss.weight[g];
     const R p = b_bar ? (gauss.sigma[0][g] + gauss.sigma[1][g] + gauss.sigma[2][g]) * R(1.0 / 3.0) : R(0.0);

@@ -1,4 +1,4 @@
-// Gradients of the shape functions at the material points themselves: what standard_mpm integrates with.
+// Gradients of the shape functions at the material points themselves, for the integration of standard_mpm.
 #pragma once
 
 #include "mesh/cell_geometry.hpp"

@@ -1,3 +1,6 @@
+// Equal buckets over all boxes, stored as one list of box numbers per bucket (first_of_bucket, as in a compressed
+// sparse row). The bucket of a position comes from a multiplication, so a look-up costs the boxes of one bucket. Boxes
+// much larger than the others would fill many buckets; then the buckets are made larger until memory is bounded.
 #include "mesh/box_grid.hpp"
 
 #include <algorithm>
@@ -13,7 +16,7 @@ struct BucketRange {
   std::int64_t count() const { return std::int64_t{last[0] - first[0] + 1} * (last[1] - first[1] + 1); }
 };
 
-/// Monotonic in x, also in floating point: a place in a box lands in a bucket of the box.
+/// Monotonic in x, also in floating point: a position in a box falls into a bucket of the box.
 Index bucket_along(const BoxGrid& grid, int d, Real x)
 {
   const Real at = (x - grid.low[d]) * grid.buckets_per_metre[d];

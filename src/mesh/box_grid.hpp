@@ -1,5 +1,5 @@
-// Finds the boxes around a place without asking all of them: equal buckets, each with the boxes that touch it.
-// Not for: deciding which cell holds a place (locate.hpp).
+// Finds the boxes around a position without testing all of them: equal buckets, each with the boxes that touch it. Not
+// for: deciding which cell contains a position (locate.hpp).
 #pragma once
 
 #include "base/types.hpp"
@@ -13,10 +13,10 @@ struct BoundingBox {
   Vec<2> low, high;  ///< [m]
 };
 
-/// Smallest box around places; at least one place.
+/// Smallest box around positions; at least one position.
 BoundingBox box_around(std::span<const Vec<2>> places);
 
-/// Of a place from the straight line between a and b [m].
+/// Distance of x from the straight line between a and b [m].
 Real distance_to_line(Vec<2> a, Vec<2> b, Vec<2> x);
 
 /// The box with a margin of `share` of its diagonal on every side.
@@ -34,8 +34,8 @@ struct BoxGrid {
 /// About one bucket for four boxes. Memory stays below 16 entries per box, whatever the sizes of the boxes.
 BoxGrid make_box_grid(std::span<const BoundingBox> boxes);
 
-/// Numbers, ascending, of boxes that may hold the place; none that does is left out. Empty for a place that is not
-/// finite.
+/// Numbers, ascending, of boxes that may contain the position; none that does is left out. Empty for a position that is
+/// not finite.
 std::span<const Index> boxes_near(const BoxGrid& grid, Vec<2> place);
 
 }  // namespace terp

@@ -1,4 +1,4 @@
-// The isoparametric map of one cell and what the kernels need of it, free of the cell's place: equal cells share it.
+// The isoparametric map of one cell, relative to its centre: equal cells share one.
 #pragma once
 
 #include "mesh/shape_functions.hpp"
@@ -23,7 +23,7 @@ struct CellGeometry<2> {
   Real altitude = 0.0;                            ///< L_e: smallest height over a side [m], reading R19
 };
 
-/// Offset of the place (xi, eta) from the cell's centre [m].
+/// Offset of the position (xi, eta) from the cell's centre [m].
 template <class R>
 std::array<R, 2> offset_from_centre(const CellGeometry<2>& cell, R xi, R eta)
 {
@@ -45,7 +45,7 @@ std::array<std::array<R, 2>, 2> jacobian(const CellGeometry<2>& cell, R xi, R et
   return j;
 }
 
-/// Improves local coordinates of a place, given as offset from the cell's centre [m], by one Newton step.
+/// Improves local coordinates of a position, given as offset from the cell's centre [m], by one Newton step.
 template <class R>
 void improve_local_coordinates(const CellGeometry<2>& cell, R x, R y, R& xi, R& eta)
 {
@@ -57,12 +57,12 @@ void improve_local_coordinates(const CellGeometry<2>& cell, R x, R y, R& xi, R& 
   eta += (j[0][0] * ry - j[1][0] * rx) * inverse_det;
 }
 
-/// Local coordinates of a place given as offset p from the cell's centre [m]; a pure function of the offset. The map
+/// Local coordinates of a position given as offset p from the cell's centre [m]; a pure function of the offset. The map
 /// p = a xi + b eta + t xi eta gives cross(p - a xi, b + t xi) = 0, quadratic in xi, and the same for eta with a and b
-/// changed; of the roots the one with detJ > 0. Both discriminants are detJ^2 at the answer. Unlike Newton's method it
-/// finds places beside a corner that is almost straight. There its round-off is 3e-13 of the side; one Newton step
-/// leaves 2e-16. Not a number where there is no root. Far outside a twisted cell the answer need not map back to the
-/// place (locate.cpp).
+/// exchanged. The root with detJ > 0 is taken; both discriminants are detJ^2 there. Unlike Newton's method it also
+/// converges beside a corner that is almost straight. There its round-off is 3e-13 of the side, and one Newton step
+/// leaves 2e-16. Not a number where there is no root. Far outside a twisted cell the result may not map back to the
+/// position (locate.cpp).
 template <class R>
 std::array<R, 2> local_coordinates(const CellGeometry<2>& cell, R x, R y)
 {

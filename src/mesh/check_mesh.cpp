@@ -1,3 +1,8 @@
+// From the simple to the expensive: numbers first, then each cell by itself, then cells that exist twice, then edges.
+// Edges are sorted by their nodes, so that an edge of more than two cells, and the boundary, can be read off. Hanging
+// nodes and double nodes lie on the boundary of connected cells. Overlap is tested last, between cell centres and cells
+// of other parts, and only if nothing else is wrong. A faulty cell takes no part in the later checks, so one fault is
+// reported once.
 #include "mesh/check_mesh.hpp"
 
 #include <algorithm>
@@ -30,7 +35,7 @@ Vec<2> between(Vec<2> from, Vec<2> to) { return {to[0] - from[0], to[1] - from[1
 Real cross(Vec<2> a, Vec<2> b) { return a[0] * b[1] - a[1] * b[0]; }
 Real length(Vec<2> a) { return std::hypot(a[0], a[1]); }
 
-/// Faults after which nothing else can be looked at.
+/// Faults that make all other checks impossible.
 void check_numbers(const Mesh<2>& mesh)
 {
   MeshFaults faults("the mesh");
@@ -120,7 +125,7 @@ void check_duplicates(const Mesh<2>& mesh, std::vector<char>& usable, MeshFaults
 
 struct Edge {
   Index low, high;  // nodes, low < high
-  Index from;       // the node that comes first on the way round the cell
+  Index from;       // the first node when going round the cell
   Index cell;
 };
 
@@ -204,7 +209,7 @@ void report_node_on_edge(
         node_name(mesh, std::min(node, other)) + ", " + node_name(mesh, std::max(node, other)), coherence_advice);
 }
 
-/// Hanging nodes and nodes at one place: both lie on the boundary of what is connected.
+/// Hanging nodes and nodes at one position: both lie on the boundary of connected cells.
 void check_boundary_nodes(const Mesh<2>& mesh, const std::vector<Edge>& boundary, MeshFaults& faults)
 {
   std::vector<BoundingBox> boxes;

@@ -1,3 +1,7 @@
+// A point moves little in a step, so a walk from its old cell over the sides that it crossed usually ends after one or
+// two cells. The walk may fail at re-entrant corners and across gaps; then all cells near the position are tested.
+// Cells are half-open, so exactly one owns a position. Where round-off makes both neighbours deny it, the first that
+// accepts it within the tolerance takes it.
 #include "mesh/locate.hpp"
 
 #include <algorithm>
@@ -5,11 +9,11 @@
 namespace terp {
 namespace {
 
-/// The inverse map has arrived when its answer maps back to the place within this part of the cell's altitude: far
+/// A result of the inverse map counts if it maps back to the position within this fraction of the cell's altitude: far
 /// above the round-off of coordinates, far below any cell.
 constexpr Real arrival_tolerance = 1e-9;
 
-/// Coordinates that say which straight side a place lies beyond, for where the inverse map has no answer: 1 + distance
+/// Coordinates that say beyond which straight side a position lies, where the inverse map has no result: 1 + distance
 /// over the cell's altitude across that side, inside [-1, 1] otherwise.
 Vec<2> beyond_sides(const Mesh<2>& mesh, Index cell, Vec<2> x, Vec<2> guess)
 {
@@ -29,7 +33,7 @@ Vec<2> beyond_sides(const Mesh<2>& mesh, Index cell, Vec<2> x, Vec<2> guess)
   return local;
 }
 
-/// Far from a twisted cell the inverse map may answer anything, even in [-1, 1]: only what maps back to x counts.
+/// Far from a twisted cell the inverse map may give any result, even in [-1, 1]: it counts only if it maps back to x.
 Vec<2> local_in(const Mesh<2>& mesh, Index cell, Vec<2> x)
 {
   const CellGeometry<2>& geometry = mesh.geometry(cell);
@@ -50,7 +54,7 @@ bool accepts(Vec<2> l)
   return std::abs(l[0]) <= limit && std::abs(l[1]) <= limit;
 }
 
-/// Sides that the place lies beyond, the worst first; at most two.
+/// Sides beyond which the position lies, the farthest first; at most two.
 int crossed_sides(Vec<2> l, std::array<int, 2>& sides)
 {
   int n = 0;
@@ -71,7 +75,7 @@ Location walk(const Mesh<2>& mesh, Vec<2> x, Index cell)
     const int n = crossed_sides(at.local, sides);
     Index next = outside;
     for (int k = 0; k < n && next == outside; ++k) next = mesh.neighbours[at.cell][sides[k]];
-    const bool back = next == previous && previous != outside;  // a place on a side that both cells disown by round-off
+    const bool back = next == previous && previous != outside;  // on a side that both cells deny by round-off
     if (next == outside || back) return {at.cell, at.local, accepts(at.local)};
     previous = at.cell;
     at = {next, local_in(mesh, next, x), false};
@@ -79,7 +83,7 @@ Location walk(const Mesh<2>& mesh, Vec<2> x, Index cell)
   return at;
 }
 
-/// Of the cells near a place its owner, else the first that accepts it, else cell -1.
+/// Of the cells near a position its owner, else the first that accepts it, else cell -1.
 Location search(const Mesh<2>& mesh, Vec<2> x)
 {
   Location found{outside, {0.0, 0.0}, false};

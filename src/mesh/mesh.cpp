@@ -1,3 +1,6 @@
+// connect() derives all tables from nodes and cells, each by one pass over the cells: neighbours from sorted edges,
+// shared geometries from rounded corners, cells of each node in order of cell number. The order matters: nodes gather
+// in it.
 #include "mesh/mesh.hpp"
 
 #include "base/errors.hpp"
@@ -75,7 +78,7 @@ void list_cells_of_nodes(Mesh<2>& mesh)
           static_cast<std::uint32_t>(e) & 0x3fffffffu, static_cast<std::uint32_t>(c) & 3u};
 }
 
-/// Boxes are widened so that a place accepted by round-off (location_tolerance, 1e-10) lies in the box of its cell.
+/// Boxes are widened so that a position accepted by round-off (location_tolerance, 1e-10) lies in the box of its cell.
 void make_cell_grid(Mesh<2>& mesh)
 {
   std::vector<BoundingBox> boxes;

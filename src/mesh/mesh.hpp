@@ -41,7 +41,7 @@ template <int Dim>
 struct Mesh {
   std::vector<Vec<Dim>> nodes;                           ///< [m], shape [n_nodes]
   std::vector<std::array<Index, n_corners<Dim>>> cells;  ///< corners, counter-clockwise, shape [n_cells]
-  std::vector<std::array<Index, 2 * Dim>> neighbours;    ///< cell over each side, or `outside`, shape [n_cells]
+  std::vector<std::array<Index, 2 * Dim>> neighbours;    ///< cell across each side, or `outside`, shape [n_cells]
   std::vector<NamedSide> sides;
   std::vector<NamedRegion> regions;           ///< empty for the built-in meshes
   std::vector<Vec<Dim>> centres;              ///< mean of the corners [m], shape [n_cells]
@@ -51,7 +51,7 @@ struct Mesh {
   std::vector<CellCorner> cells_of_node;      ///< in order of cell number
   Real smallest_altitude = 0.0;               ///< [m]
   Index cell_of_smallest_altitude = 0;
-  BoxGrid cell_grid;                       ///< of the cells' boxes, for places without a first guess
+  BoxGrid cell_grid;                       ///< of the cells' boxes, for positions without a first guess
   std::vector<std::int64_t> node_numbers;  ///< of the mesh file, shape [n_nodes]; empty for the built-in meshes
   std::vector<std::int64_t> cell_numbers;  ///< of the mesh file, shape [n_cells]; empty for the built-in meshes
 

@@ -1,4 +1,4 @@
-// What is wrong with a mesh, in words that name the place: the error, and how cells and nodes are called in it.
+// Messages about a mesh that name the location: the error, and the names of cells and nodes in it.
 #pragma once
 
 #include "mesh/mesh.hpp"
@@ -30,14 +30,14 @@ std::string node_name(const Mesh<2>& mesh, Index node);
 /// All four corners of a cell: "nodes 57 at (3.1, 0.4), ... m".
 std::string corner_names(const Mesh<2>& mesh, Index cell);
 
-/// Collects faults: shows the first ten, counts the rest, says each advice once.
+/// Collects faults: shows the first ten, counts the rest, gives each advice once.
 class MeshFaults {
  public:
   /// title: what has the faults, e.g. "the mesh".
   explicit MeshFaults(std::string title) : title_(std::move(title)) {}
   /// what: one line on what is wrong and where, without full stop. places: nodes and coordinates; may be empty.
-  /// advice: a sentence on what to do; may be empty. The thousandth fault stops at once: nobody reads on, and a
-  /// hopeless file costs no time.
+  /// advice: a sentence on what to do; may be empty.
+  /// The thousandth fault stops at once, to save time.
   void add(const std::string& what, const std::string& places, const std::string& advice);
   /// Counts faults that are not shown.
   void count_more(std::int64_t n) { n_ += n; }

@@ -1,5 +1,5 @@
-// How good a mesh is, and what its smallest cell costs: the lines that `terp check` prints.
-// Not for: refusing a mesh (check_mesh.hpp).
+// The quality of a mesh, and the cost of its smallest cell: the lines that `terp check` prints. Not for: refusing a
+// mesh (check_mesh.hpp).
 #pragma once
 
 #include "mesh/mesh.hpp"
@@ -25,7 +25,7 @@ struct MeshQuality {
       smallest_jacobian;       ///< smallest scaled Jacobian: sine of the sharpest corner's angle; 1 for a rectangle [-]
   CellValue largest_aspect;    ///< longest side over altitude; 1 for a square [-]
   Real median_altitude = 0.0;  ///< [m]
-  Real cost = 1.0;  ///< median altitude over the smallest: how many times more steps the smallest cell asks for [-]
+  Real cost = 1.0;             ///< median altitude over the smallest: factor on the number of steps [-]
 };
 
 /// Cost from which one cell is worth a warning.

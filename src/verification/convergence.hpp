@@ -1,4 +1,4 @@
-// What runs with refined cells or steps say together: order of convergence, and the limit that they tend to.
+// Results of several runs with refined cells or steps: order of convergence, and the limit to which they tend.
 #pragma once
 
 #include "base/types.hpp"
@@ -10,15 +10,15 @@ namespace terp {
 /// Slope of the straight line through (log x, log y) with the least squares [-]; NaN with fewer than two different x.
 Real log_slope(const std::vector<Real>& x, const std::vector<Real>& y);
 
-/// Order at which y tends to a limit that is not known: slope of log |differences of successive y| over log x, refined
-/// by one factor [-].
+/// Order at which y tends to an unknown limit: slope of log |differences of successive y| over log x, refined by one
+/// factor [-].
 Real observed_order(const std::vector<Real>& x, const std::vector<Real>& y);
 
-/// Safety factor on a distance from a limit that is extrapolated from three runs (P. J. Roache, J. Fluids Eng. 116
-/// (1994) 405-413).
+/// Safety factor on the distance from a limit extrapolated from three runs (P. J. Roache, J. Fluids Eng. 116 (1994)
+/// 405-413).
 inline constexpr Real safety_of_limit = 1.25;
 
-/// Limit of y as x tends to 0, and how well it is known.
+/// Limit of y as x tends to 0, and its uncertainty.
 struct Limit {
   Real value, uncertainty;
 };

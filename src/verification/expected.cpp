@@ -1,3 +1,6 @@
+// Two stages. First each table is read entry by entry, and every unknown key or wrong type is refused with its place.
+// Then quantities and runs are checked against each other: unique names, existing runs, a bound for each row, enough
+// runs for an order or a limit, and no key that a kind ignores, because the author may rely on it.
 #include "verification/expected.hpp"
 
 #include "input/case_file.hpp"
@@ -28,7 +31,7 @@ const Names kind_words = {
 const Names reduce_words = {
     "rms_error", "max_error", "mean", "sum", "max", "min", "at", "last", "period", "frequency", "arrival"};
 
-/// Reads the entries of one table; every wrong one is refused with its place.
+/// Reads the entries of one table. Every wrong one is refused with its place.
 class TableReader {
  public:
   TableReader(const Expected& file, const Node& table, const Names& allowed) : file_(file), table_(table)
@@ -46,7 +49,7 @@ class TableReader {
     if (item->kind != NodeKind::text) wrong(*item, "text in quotes");
     return item->text;
   }
-  /// A text that stands in tables and progress lines.
+  /// A text for tables and progress lines.
   std::string label(const char* name, bool required = false) const
   {
     const std::string got = text(name, required);
@@ -84,7 +87,7 @@ class TableReader {
     if (item.kind == NodeKind::number) return {fmt::format("{}", item.number), item.value};
     wrong(item, "a number, or a formula in quotes");
   }
-  /// The number of the word in the list; `fallback` if the key is not there.
+  /// The index of the word in the list; `fallback` if the key is missing.
   int word(const char* name, const Names& words, int fallback) const
   {
     const Node* item = find(name, false);
@@ -118,7 +121,7 @@ class TableReader {
   const Node& table_;
 };
 
-/// A word that formulas can speak of; some mean something already.
+/// A name that formulas may use; some names are taken.
 void check_word(const Expected& file, Place place, const std::string& name)
 {
   const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; };
@@ -153,7 +156,7 @@ std::vector<Constant> read_constants(const Expected& file, const Node* table)
   return constants;
 }
 
-/// [from, to, tolerance] of a search for a factor of safety, within what `terp stability` takes.
+/// [from, to, tolerance] of a search for a factor of safety, within the limits of `terp stability`.
 std::vector<Real> read_stability(const TableReader& reader, const Node& bounds)
 {
   const auto is_number = [](const Node& n) { return n.kind == NodeKind::number || n.kind == NodeKind::integer; };
@@ -237,7 +240,7 @@ bool is_series(const Quantity& q)
   return q.kind == QuantityKind::point || q.kind == QuantityKind::ledger || q.kind == QuantityKind::footing;
 }
 
-/// A key that only some quantities look at.
+/// A key that only some quantities use.
 struct KeyUse {
   const char* key;
   bool (*has)(const Quantity&);
@@ -268,7 +271,7 @@ const KeyUse key_uses[] = {
     {"red_runs", [](const Quantity& q) { return !q.red.empty(); }, "for a quantity that is `red`"},
 };
 
-/// What nobody looks at may be what the author relies on.
+/// A key that is ignored may be one on which the author relies.
 void check_uses(const Expected& file, const Node& table, const Quantity& q)
 {
   for (const KeyUse& use : key_uses)
@@ -320,7 +323,7 @@ bool share_a_run(const Names& a, const Names& b)  // none named: all
   return a.empty() || std::any_of(a.begin(), a.end(), [&](const std::string& run) { return names_run(b, run); });
 }
 
-/// One word of `as` means one number in a run.
+/// A name given by `as` means one number in a run.
 void check_as(const Expected& file)
 {
   const auto is_constant = [](const std::vector<Constant>& constants, const std::string& name) {
@@ -338,8 +341,8 @@ void check_as(const Expected& file)
   }
 }
 
-/// Quantities of one name are told apart by their runs; `of` means all rows of a name, so that there it must be one
-/// quantity's.
+/// Quantities of one name must differ in their runs. `of` means all rows of a name, so there the name must belong to
+/// one quantity.
 void check_quantity_names(const Expected& file)
 {
   for (auto q = file.quantities.begin(); q != file.quantities.end(); ++q) {
@@ -356,7 +359,7 @@ void check_quantity_names(const Expected& file)
   }
 }
 
-/// Runs have names of their own; those that `runs` and `of` speak of must be there.
+/// Runs have unique names; those in `runs` and `of` must exist.
 void check_names(const Expected& file)
 {
   Names runs, quantities;
@@ -390,7 +393,7 @@ void check_names(const Expected& file)
   }
 }
 
-/// What too few runs cannot tell would have no row, and nobody would miss it.
+/// With too few runs a quantity would have no row, and nobody would notice.
 void check_run_counts(const Expected& file)
 {
   for (const Quantity& q : file.quantities) {

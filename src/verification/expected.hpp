@@ -1,5 +1,5 @@
-// What a verification case expects: expected.toml as it stands in the file, checked. Format:
-// docs/verification_cases.md. Not for: evaluating its formulas (scope.hpp).
+// What a verification case expects: the contents of expected.toml, checked. Format: docs/verification_cases.md. Not
+// for: evaluating its formulas (scope.hpp).
 #pragma once
 
 #include "input/document.hpp"
@@ -12,7 +12,7 @@
 
 namespace terp {
 
-/// A formula as the file has it; empty text: not given.
+/// A formula as written in the file; empty text: not given.
 struct Formula {
   std::string text = {};
   Place place = {};
@@ -27,22 +27,21 @@ enum class Reduce { rms_error, max_error, mean, sum, max, min, at, last, period,
 struct Quantity {
   std::string name = {}, unit = {}, source = {};
   std::string shown = {};  ///< the reference as the table shows it; empty: its number or formula
-  std::string red = {};    ///< why it is known not to agree, and what would mend it; empty: it must agree
+  std::string red = {};    ///< why it is known not to agree, and what would correct it; empty: it must agree
   QuantityKind kind = QuantityKind::field;
   Reduce reduce = Reduce::rms_error;
   Formula value = {}, reference = {};
-  Formula where = {}, scale = {};         ///< field: points that count; what errors are measured in
+  Formula where = {}, scale = {};         ///< field: points that count; unit of errors
   Formula time = {}, from = {}, to = {};  ///< field, at: when; series: the window that counts [s]
-  Formula threshold = {};                 ///< arrival: |value| that has to be reached
-  std::array<Formula, 2> at = {};         ///< point: initial place [m]
+  Formula threshold = {};                 ///< arrival: |value| to be reached
+  std::array<Formula, 2> at = {};         ///< point: initial position [m]
   Formula tolerance = {}, relative = {}, at_least = {}, at_most = {};
-  std::string as =
-      {};  ///< name of its value in later quantities of kind formula; without a bound it is no row of its own
+  std::string as = {};  ///< name of its value in later quantities of kind formula; without a bound it has no row
   std::string of = {},
               over = {};  ///< order, extrapolated, mesh_error: name of another quantity; the constant that is refined
   bool differences = false;  ///< order: of the differences of successive values, where the limit is not the reference
-  std::vector<std::string> runs = {};      ///< names of the runs it is measured in; empty: all
-  std::vector<std::string> red_runs = {};  ///< those that `red` speaks of; empty: all
+  std::vector<std::string> runs = {};      ///< names of the runs in which it is measured; empty: all
+  std::vector<std::string> red_runs = {};  ///< those to which `red` applies; empty: all
   Place place = {};
 };
 
@@ -60,7 +59,7 @@ struct Variant {
   std::vector<Constant> constants = {};   ///< in addition to those of the file
   std::vector<Real> stability = {};       ///< a factor of safety instead of a run: from, to, tolerance; empty: a run
   bool is_long = false;
-  double seconds = 1.0;  ///< about, on one core; for the time to go
+  double seconds = 1.0;  ///< approximate, on one core; for the remaining time
   Place place = {};
 };
 
@@ -78,19 +77,19 @@ Expected read_expected(const std::string& path);
 /// Throws CaseError: the file, line and column of the place, what is wrong there.
 [[noreturn]] void refuse(const Expected& expected, Place place, const std::string& what, const std::string& detail);
 
-/// A quantity that only others make use of.
+/// A quantity that only others use.
 inline bool is_auxiliary(const Quantity& q)
 {
   return !(q.tolerance.given() || q.relative.given() || q.at_least.given() || q.at_most.given());
 }
 
-/// True if a list of runs speaks of this one; an empty list speaks of all.
+/// True if a list of runs contains this one; an empty list contains all.
 inline bool names_run(const std::vector<std::string>& runs, const std::string& run)
 {
   return runs.empty() || std::find(runs.begin(), runs.end(), run) != runs.end();
 }
 
-/// It needs the limit that the runs of a scheme tend to.
+/// It needs the limit to which the runs of a scheme tend.
 inline bool needs_limit(const Quantity& q)
 {
   return q.kind == QuantityKind::extrapolated || q.kind == QuantityKind::mesh_error;
@@ -99,8 +98,7 @@ inline bool needs_limit(const Quantity& q)
 /// It compares the runs of a scheme; a single run does not measure it.
 inline bool compares_runs(const Quantity& q) { return q.kind == QuantityKind::order || needs_limit(q); }
 
-/// The fewest runs of a scheme that it can be told from: an order of errors takes two, one of differences or a limit
-/// three.
+/// The fewest runs of a scheme that determine it: two for an order of errors, three for one of differences or a limit.
 inline std::ptrdiff_t least_runs(const Quantity& q) { return q.differences || needs_limit(q) ? 3 : 2; }
 
 /// Errors of a norm are themselves the number that is judged.

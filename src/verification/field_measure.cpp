@@ -1,4 +1,4 @@
-// A field at one time: the points that count, made one number.
+// A field at one time: the points that count, reduced to one number.
 
 #include "verification/frame_table.hpp"
 #include "verification/measure.hpp"
@@ -54,7 +54,7 @@ class FieldMeasure : public Measure {
       read_row(*nearest_, k, row);
       const Real counts = where(row);
       if (counts == 0.0) continue;
-      values_.push_back(std::isnan(counts) ? nan : value(row));  // a point of which nobody knows whether it counts
+      values_.push_back(std::isnan(counts) ? nan : value(row));  // unknown whether this point counts
       references_.push_back(reference(row));
     }
   }

@@ -60,7 +60,7 @@ std::vector<std::string> choose_cases(const std::string& folder, const std::vect
     throw FileError(fmt::format("there is no verification case `{}`.{}\n  Cases: {}", word,
         nearest.empty() ? "" : fmt::format(" Did you mean `{}`?", nearest), fmt::join(names, ", ")));
   }
-  std::vector<std::string> once;  // however often a case was named
+  std::vector<std::string> once;  // each case once, however often it was named
   for (std::string& name : chosen)
     if (std::find(once.begin(), once.end(), name) == once.end()) once.push_back(std::move(name));
   return once;

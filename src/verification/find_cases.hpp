@@ -1,4 +1,4 @@
-// Which verification cases there are: folders with an expected.toml.
+// Finds verification cases: folders with an expected.toml.
 #pragma once
 
 #include <string>
@@ -13,8 +13,7 @@ std::string find_cases_folder();
 /// Names of the cases in a folder, sorted.
 std::vector<std::string> names_of_cases(const std::string& folder);
 
-/// Those that were asked for, or all; a name that ends in * stands for all that begin so. Throws FileError for a name
-/// that is not there.
+/// The requested cases, or all; a name that ends in * means all that begin so. Throws FileError for an unknown name.
 std::vector<std::string> choose_cases(const std::string& folder, const std::vector<std::string>& wanted);
 
 }  // namespace terp

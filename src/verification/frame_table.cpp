@@ -5,7 +5,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// What the components of a field are called; empty: not in the table.
+/// Names of the components of a field; empty: not in the table.
 Names component_names(const PointField& field)
 {
   if (field.name == "velocity") return {"vx", "vy"};

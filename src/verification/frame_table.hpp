@@ -1,4 +1,4 @@
-// A frame as a table of named numbers, one row per material point: what the formulas of a field may name.
+// A frame as a table of named numbers, one row per material point, for the formulas of a field.
 #pragma once
 
 #include "simulation/observer.hpp"

@@ -1,3 +1,7 @@
+// Each run gives findings, one per quantity: a number with its reference and bounds. A finding becomes a row.
+// Quantities that compare runs (order, limit, distance from the limit) are computed here, from all findings of one
+// scheme. A fault costs its own row and no other: whatever cannot be measured or evaluated becomes a failed row with
+// the reason.
 #include "verification/judge.hpp"
 
 #include "input/case_file.hpp"
@@ -25,7 +29,7 @@ std::string run_text(const std::string& run, const std::string& scheme)
   return run.empty() ? scheme : run + ", " + scheme;
 }
 
-/// The distance that is judged: of a norm, the norm itself; with `relative`, over the reference.
+/// The error to be judged: for a norm the norm itself; with `relative` over the reference.
 Real error_of(const Finding& f)
 {
   if (is_error(f.quantity->reduce)) return f.value;
@@ -33,7 +37,7 @@ Real error_of(const Finding& f)
   return std::isnan(f.relative) ? distance : distance / std::abs(f.reference);
 }
 
-/// Nothing that is no finite number agrees with anything.
+/// A value that is not finite never agrees.
 bool agrees(const Finding& f)
 {
   if (!std::isfinite(f.value)) return false;
@@ -42,7 +46,7 @@ bool agrees(const Finding& f)
   return error_of(f) <= (std::isnan(f.relative) ? f.tolerance : f.relative);
 }
 
-/// Share of the bound that is used [-], 1 at the bound; -1 for a bound that is not positive, or a value that is not.
+/// Used share of the bound [-], 1 at the bound; -1 for a bound or value that is not positive.
 Real share_of_bound(const Finding& f)
 {
   const bool low = !std::isnan(f.at_least), high = !std::isnan(f.at_most);
@@ -90,7 +94,7 @@ Row to_row(const std::string& case_name, const Finding& f)
                   : relative               ? fmt::format("{:.3g} %", 100.0 * f.relative)
                                            : fmt::format("{:.3g}", f.tolerance);
   const bool good = agrees(f), known = declared_red(q, f.run, f.scheme);
-  const bool excused = known && std::isfinite(f.value);  // a reason speaks of a number
+  const bool excused = known && std::isfinite(f.value);  // the reason applies to a number, not to its absence
   row.verdict = good ? Verdict::pass : excused ? Verdict::red : Verdict::fail;
   if (!good && excused) row.remark = q.red;
   if (!std::isfinite(f.value)) row.remark = why_none(f);
@@ -132,7 +136,7 @@ Refinement collect(
   return runs;
 }
 
-/// The order or the limit of the runs; a limit leaves its uncertainty as the constant `gci`.
+/// The order or the limit of the runs. A limit defines its uncertainty as the constant `gci`.
 Real number_of(const Quantity& q, Refinement& runs)
 {
   if (q.kind == QuantityKind::order)
@@ -142,7 +146,7 @@ Real number_of(const Quantity& q, Refinement& runs)
   return limit.value;
 }
 
-/// A number with the bounds that a quantity gives in a scope.
+/// A number with the bounds of a quantity, evaluated in a scope.
 Finding find_by_bounds(
     const Quantity& q, const std::string& run, const std::string& scheme, Real value, const Scope& scope)
 {
@@ -160,7 +164,7 @@ Finding find_by_bounds(
   return finding;
 }
 
-/// Each run of a scheme, its distance from the limit of the runs, with their safety, as the constant `gci`.
+/// Each run of a scheme; its distance from the limit of the runs, times the safety factor, is the constant `gci`.
 void add_runs_by_limit(const Quantity& q, const std::string& scheme, const std::vector<Finding>& findings,
     Refinement& runs, std::vector<Finding>& result)
 {
@@ -173,7 +177,7 @@ void add_runs_by_limit(const Quantity& q, const std::string& scheme, const std::
   }
 }
 
-/// What runs of refined cells say of a quantity, one finding per scheme; none where too few were made.
+/// A quantity from runs of refined cells, one finding per scheme; none where too few were made.
 std::vector<Finding> compare_runs(const Expected& file, const Quantity& q, const std::vector<Finding>& findings)
 {
   std::vector<Finding> result;
@@ -190,7 +194,7 @@ std::vector<Finding> compare_runs(const Expected& file, const Quantity& q, const
   return result;
 }
 
-/// A formula that cannot be evaluated costs this row, not those of the runs.
+/// A formula that cannot be evaluated fails this row, not those of the runs.
 void add_comparison(const std::string& case_name, const Expected& file, const Quantity& q,
     const std::vector<Finding>& findings, std::vector<Row>& rows)
 {

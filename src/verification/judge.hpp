@@ -16,12 +16,12 @@ struct Row {
   std::string case_name = {}, run = {}, quantity = {}, reference = {}, source = {}, terp = {}, error = {},
               tolerance = {};
   Verdict verdict = Verdict::pass;
-  bool declared_red = false;  ///< the case says that it does not agree, whether it does or not
+  bool declared_red = false;  ///< the case declares that it does not agree
   std::string remark = {};    ///< why it is red, or what went wrong
   Real used = -1.0;           ///< share of the bound that is used [-], 1 at the bound; negative: the bound has no size
 };
 
-/// What gave no numbers: a run, or all of a case.
+/// The row of a run, or of a whole case, that gave no numbers.
 Row fault_row(
     const std::string& case_name, const std::string& run, const std::string& quantity, const std::string& fault);
 

@@ -44,7 +44,7 @@ class SummaryMeasure : public Measure {
   const Scope& scope_;
 };
 
-/// From what was measured before it in the same run.
+/// From numbers measured before it in the same run.
 class FormulaMeasure : public Measure {
  public:
   FormulaMeasure(const Quantity& quantity, const Scope& scope) : quantity_(quantity), scope_(scope) {}
@@ -74,7 +74,7 @@ std::unique_ptr<Measure> make_plain_measure(const Quantity& quantity, const Scop
   return nullptr;
 }
 
-/// Keeps what another measure refuses while the run goes on, and says it at the end.
+/// Keeps an error of another measure during the run, and throws it at the end.
 class GuardedMeasure : public Measure {
  public:
   GuardedMeasure(const Quantity& quantity, const Scope& scope)

@@ -1,5 +1,5 @@
-// One quantity of one run: it watches the run, and is a number at its end.
-// A further kind of quantity: a word of QuantityKind, a class here, one line in make_measure.
+// One quantity of one run: it observes the run, and gives a number at its end. A further kind of quantity: a word of
+// QuantityKind, a class here, one line in make_measure.
 #pragma once
 
 #include "simulation/observer.hpp"
@@ -21,7 +21,7 @@ class Measure : public Observer {
   virtual Measured finish(const Summary& summary) = 0;
 };
 
-/// What it refuses, now or while it watches, it throws at its end. Not for what compares runs (judge.hpp). Quantity and
+/// Errors, now or during the run, are thrown at its end. Not for quantities that compare runs (judge.hpp). Quantity and
 /// scope must outlive the measure.
 std::unique_ptr<Measure> make_measure(const Quantity& quantity, const Scope& scope);
 

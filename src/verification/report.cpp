@@ -111,7 +111,7 @@ std::string markdown_head(const std::vector<CaseRows>& cases, const std::string&
       counts_text(count(cases)), head);
 }
 
-/// The row that agrees with the least to spare.
+/// The agreeing row that is nearest to its bound.
 std::string nearest_to_bound(const CaseRows& c)
 {
   const Row* nearest = nullptr;
@@ -122,7 +122,7 @@ std::string nearest_to_bound(const CaseRows& c)
       "{:.0f} % of {}: {}, {}", 100.0 * nearest->used, nearest->tolerance, nearest->quantity, nearest->run);
 }
 
-/// What does not agree, each reason once with the number of its rows.
+/// The reasons of rows that do not agree, each once with the number of its rows.
 std::string reasons(const CaseRows& c)
 {
   std::string out;

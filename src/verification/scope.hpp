@@ -14,9 +14,9 @@ struct Scope {
 
   /// Throws CaseError with the place of the formula.
   Real evaluate(const Formula& formula) const;
-  /// The same; `otherwise` if it is not given.
+  /// The same; `otherwise` if the formula is not given.
   Real evaluate_or(const Formula& formula, Real otherwise) const;
-  /// What errors are measured in: 1 if it is not given. Throws CaseError unless it is finite and greater than 0.
+  /// Unit of errors: 1 if it is not given. Throws CaseError unless it is finite and greater than 0.
   Real scale(const Formula& formula) const;
   Expression compile(const Formula& formula, const std::vector<std::string>& variables) const;
 };

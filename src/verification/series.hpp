@@ -28,8 +28,8 @@ Real period_of(const Series& series);
 /// When |value| first reaches the threshold, interpolated [s]; NaN if never.
 Real arrival_of(const Series& series, Real threshold);
 
-/// Means, sums and extremes; root mean square and largest error against the reference, over `scale`. NaN for what needs
-/// more than the numbers.
+/// Means, sums and extremes; root mean square and largest error against the reference, over `scale`. NaN for reductions
+/// that need the times.
 Real reduce_values(const std::vector<Real>& values, const std::vector<Real>& reference, Reduce reduce, Real scale);
 
 }  // namespace terp

@@ -44,8 +44,7 @@ class SeriesMeasure : public Measure {
  private:
   Real time() const { return scope_.evaluate_or(quantity_.time, scope_.constants.at("end")); }
 
-  /// What the number of these rows is held against: of a mean, sum, max or min the same of the reference at their
-  /// times.
+  /// The reference for the number of these rows: for a mean, sum, max or min the same of the reference at their times.
   Real reference_of(const Series& s) const
   {
     const bool of_a_time = quantity_.reduce != Reduce::period && quantity_.reduce != Reduce::frequency &&
@@ -63,8 +62,8 @@ class SeriesMeasure : public Measure {
     return reduce_values(values, {}, quantity_.reduce, 1.0);
   }
 
-  /// The rows from `from` to `to`; throws CaseError where there is nothing to reduce, which would be told as a number
-  /// that never came.
+  /// The rows from `from` to `to`. Throws CaseError where there is nothing to reduce, which would look like a missing
+  /// arrival.
   Series rows_of_interest() const
   {
     if (series_.time.empty())
@@ -102,7 +101,7 @@ class SeriesMeasure : public Measure {
   Vec<2> start_{nan, nan};
 };
 
-/// The material point that was nearest to a place at t = 0, in every frame.
+/// The material point nearest to a position at t = 0, in every frame.
 class PointMeasure : public SeriesMeasure {
  public:
   using SeriesMeasure::SeriesMeasure;

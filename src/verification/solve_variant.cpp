@@ -1,3 +1,7 @@
+// Builds model and state of one variant, attaches one measure per quantity as an observer, runs, and asks the measures
+// for their numbers in the order of the file, so that later formulas may use earlier values. No file is written. A
+// search for a factor of safety takes the place of the run where the variant asks for one. Errors never leave this
+// file: they become the fault of a finding, or of the whole run.
 #include "verification/solve_variant.hpp"
 
 #include "base/errors.hpp"
@@ -26,7 +30,7 @@ CaseFile read_solved_case(const Solve& solve)
   return read_case((folder / solve.variant->case_file).string(), changes);
 }
 
-/// What cannot be evaluated costs this finding and no other.
+/// A formula that cannot be evaluated fails this finding and no other.
 template <class F>
 void guarded(Finding& finding, F&& f)
 {
@@ -38,7 +42,7 @@ void guarded(Finding& finding, F&& f)
   }
 }
 
-/// All but the numbers that the run gives.
+/// Everything but the numbers of the run.
 Finding start_finding(const Quantity& q, const Solve& solve, const std::string& scheme, const Scope& scope)
 {
   Finding f{.quantity = &q,
@@ -55,7 +59,7 @@ Finding start_finding(const Quantity& q, const Solve& solve, const std::string& 
   return f;
 }
 
-/// Without what only others make use of.
+/// Without quantities that only others use.
 std::vector<Finding> rows_of(std::vector<Finding> findings)
 {
   std::erase_if(findings, [](const Finding& f) { return is_auxiliary(*f.quantity) && f.fault.empty(); });

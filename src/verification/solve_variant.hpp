@@ -17,7 +17,7 @@ struct Solve {
   std::string scheme;
 };
 
-/// What came of a quantity in one run, and the numbers that it is judged with; NaN where there is none.
+/// A quantity measured in one run, and the numbers that judge it; NaN where there is none.
 struct Finding {
   const Quantity* quantity;
   std::string run;  ///< "h = 0.25 m"
@@ -25,12 +25,12 @@ struct Finding {
   Real value, reference;
   Real tolerance, relative, at_least, at_most;
   std::map<std::string, Real> constants;  ///< of the run
-  std::string fault = {};                 ///< why it could not be measured; then the numbers say nothing
+  std::string fault = {};                 ///< why it could not be measured; then the numbers have no meaning
 };
 
 struct Solved {
   std::vector<Finding> findings;
-  std::string fault;  ///< why there are none: the run stopped, or its case cannot be used
+  std::string fault;  ///< why there are no findings: the run stopped, or its case cannot be used
   double seconds = 0.0;
 };
 
@@ -40,7 +40,7 @@ std::vector<Solve> list_solves(const Expected& file, bool with_short, bool with_
 /// Never throws. Stops early when `stop` is set; then the fault says so.
 Solved solve_variant(const Solve& solve, const std::atomic<bool>& stop);
 
-/// Fills in tolerance and bounds. Throws CaseError for one that is no finite number, or a tolerance below 0.
+/// Fills in tolerance and bounds. Throws CaseError for one that is not finite, or a tolerance below 0.
 void read_bounds(const Scope& scope, Finding& finding);
 
 /// Quantities of the case that this run measures.

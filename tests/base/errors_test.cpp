@@ -1,4 +1,4 @@
-// What errors say, and that a broken assumption is not survived.
+// The texts of errors, and that a broken assumption ends the program.
 
 #include "base/errors.hpp"
 

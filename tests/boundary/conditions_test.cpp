@@ -1,4 +1,4 @@
-// What sides do to nodal velocities: rollers, fixed and driven sides, contact planes, corners, inclined sides.
+// Boundary conditions on nodal velocities: rollers, fixed and driven sides, contact planes, corners, inclined sides.
 
 #include "boundary/conditions.hpp"
 
@@ -336,7 +336,7 @@ TEST(Corner, OfARollerAndASeparatingBankIsClosedWhereTheRollerTurnsTheMotionInto
   const Boundary boundary(
       flat_valley(), {{.side = "left"}, {.side = "right", .hold = Hold::separating, .friction = 0.3}});
   EXPECT_THAT(constrained(boundary, 1, {0.0, -2.0}), ElementsAre(0.0, 0.0));
-  EXPECT_THAT(constrained(boundary, 1, {0.8, 0.75}), ElementsAre(0.0, 0.0));  // off both, but the roller holds it back
+  EXPECT_THAT(constrained(boundary, 1, {0.8, 0.75}), ElementsAre(0.0, 0.0));  // off both, but the roller turns it back
   EXPECT_THAT(constrained(boundary, 1, {-4.0, 2.0}),
       ElementsAre(DoubleNear(-4.0, 1e-14), DoubleNear(2.0, 1e-14)));  // up along the roller
 }
@@ -346,7 +346,7 @@ TEST(Corner, ThatWasClosedStaysClosedInTheRemap)
   const Boundary boundary(
       flat_valley(), {{.side = "left", .hold = Hold::separating}, {.side = "right", .hold = Hold::separating}});
   EXPECT_THAT(clamped(boundary, 1, {0.1, 3.0}, {0.0, 20.0}), ElementsAre(0.0, 0.0));
-  EXPECT_THAT(clamped(boundary, 1, {0.1, 3.0}), ElementsAre(0.1, 3.0));  // it held nothing
+  EXPECT_THAT(clamped(boundary, 1, {0.1, 3.0}), ElementsAre(0.1, 3.0));  // it did not act
   const Vec<2> on_the_right =
       clamped(boundary, 1, {0.0, 3.0}, {-5.0, 10.0}, {2.0, 1.0});  // which held it in step 2: it runs along that
   EXPECT_THAT(on_the_right, ElementsAre(DoubleNear(1.2, 1e-14), DoubleNear(0.6, 1e-14)));

@@ -1,4 +1,4 @@
-// The way of a rigid footing, and what it does to the nodes inside.
+// The displacement of a rigid footing, and its effect on the nodes inside.
 #include "boundary/footing.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The grid of boxes forgets no box and stays small.
+// The grid of boxes finds every box and stays small.
 
 #include "mesh/box_grid.hpp"
 
@@ -93,7 +93,7 @@ TEST(Line, IsAsFarAsItsNextPlaceOrItsNextEnd)
   EXPECT_DOUBLE_EQ(distance_to_line({1.0, 1.0}, {5.0, 4.0}, {6.0, 1.0}),
       3.0);  // beside it: the height of a triangle of sides 5, 3.16 on 5 m
   EXPECT_DOUBLE_EQ(distance_to_line({1.0, 1.0}, {5.0, 4.0}, {8.0, 8.0}), 5.0);  // beyond its end
-  EXPECT_DOUBLE_EQ(distance_to_line({2.0, 1.0}, {2.0, 1.0}, {5.0, 5.0}), 5.0);  // no line, but a place
+  EXPECT_DOUBLE_EQ(distance_to_line({2.0, 1.0}, {2.0, 1.0}, {5.0, 5.0}), 5.0);  // a line of length zero
 }
 
 }  // namespace

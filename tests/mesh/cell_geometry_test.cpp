@@ -1,4 +1,4 @@
-// The isoparametric map of one cell: a trapezium by hand, general quadrilaterals by what must hold, and the inverse
+// The isoparametric map of one cell: a trapezium by hand, general quadrilaterals by exact properties, and the inverse
 // map.
 
 #include "mesh/cell_geometry.hpp"
@@ -141,8 +141,8 @@ std::array<Vec<2>, 4> hard_square(Real share, int k, test::Random& random)
   return corners;
 }
 
-/// Largest distance [of the side] between a place and what its local coordinates map back to, places up to `reach` in
-/// xi and eta.
+/// Largest distance [of the side] between a position and what its local coordinates map back to, up to `reach` in xi
+/// and eta.
 template <class Inverse>
 Real worst_return(Real share, Real reach, Inverse&& inverse)
 {
@@ -152,7 +152,7 @@ Real worst_return(Real share, Real reach, Inverse&& inverse)
     const auto cell = make_cell_geometry(hard_square(share, k, random));
     for (int place = 0; place < 24; ++place) {
       Real xi = random.between(-reach, reach), eta = random.between(-reach, reach);
-      if (place % 2) xi = std::copysign(reach, xi);  // corners and sides are the hard places
+      if (place % 2) xi = std::copysign(reach, xi);  // corners and sides are the difficult positions
       if (place % 4 >= 2) eta = std::copysign(reach, eta);
       const auto x = offset_from_centre(cell, xi, eta);
       const auto local = inverse(cell, x[0], x[1]);

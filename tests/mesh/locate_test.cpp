@@ -1,4 +1,4 @@
-// Which cell holds a place: on distorted meshes, on sides and corners, outside, from any first guess.
+// Which cell contains a position: on distorted meshes, on sides and corners, outside, from any first guess.
 
 #include "mesh/locate.hpp"
 
@@ -11,7 +11,7 @@
 namespace terp {
 namespace {
 
-/// Left of all four straight sides by more than `margin` [m]: says the same as locate() by other means.
+/// Left of all four straight sides by more than `margin` [m]: an independent form of locate().
 bool holds(const Mesh<2>& mesh, Index cell, Vec<2> x, Real margin)
 {
   const auto corners = mesh.corners(cell);
@@ -80,7 +80,7 @@ TEST(Locate,
   }
 }
 
-// Side length 1/4: coordinates and their halves are exact, so that a place on a side is on it to the last bit.
+// Side length 1/4: coordinates and their halves are exact, so a position on a side is on it to the last bit.
 Mesh<2> exact_mesh() { return make_rectangle({0.0, 0.0}, {1.0, 0.75}, {4, 3}); }
 
 TEST(Locate, GivesAPlaceOnASideToTheCellRightOfItOrAboveIt)

@@ -1,4 +1,4 @@
-// How cells, nodes and faults are put into words.
+// The names of cells and nodes, and the texts of faults.
 
 #include "mesh/mesh_error.hpp"
 

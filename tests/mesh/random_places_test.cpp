@@ -1,4 +1,4 @@
-// A hundred thousand random places in twenty random meshes: found, owned by one cell, given back, and followed when
+// A hundred thousand random positions in twenty random meshes: found, owned by one cell, mapped back, and followed when
 // they move.
 
 #include "mesh/locate.hpp"
@@ -21,7 +21,7 @@ Mesh<2> random_mesh(int k) { return test::distorted_rectangle(nx, ny, h, 0.35 * 
 
 Vec<2> random_place(test::Random& random) { return {random.between(0.0, nx * h), random.between(0.0, ny * h)}; }
 
-/// How far left of all four sides a place lies, the least of them [m].
+/// Smallest distance of a position to the left of the four sides [m].
 Real depth_in_cell(const Mesh<2>& mesh, Index cell, Vec<2> x)
 {
   const auto corners = mesh.corners(cell);
@@ -34,7 +34,7 @@ Real depth_in_cell(const Mesh<2>& mesh, Index cell, Vec<2> x)
   return least;
 }
 
-/// Cells that hold the place by their straight sides, without regard to the inverse map.
+/// Cells that contain the position by their straight sides, without the inverse map.
 int count_owners(const Mesh<2>& mesh, Vec<2> x)
 {
   int n = 0;

@@ -1,4 +1,4 @@
-// Orders and limits of sequences that are known.
+// Orders and limits of known sequences.
 #include "verification/convergence.hpp"
 
 #include <cmath>
@@ -19,7 +19,7 @@ TEST(Convergence, ExtrapolatesASequenceOfOneOrderToItsLimit)
   for (const Real order : {0.6, 1.0, 1.7}) {
     const auto y = [&](Real h) { return 3.0 - 0.4 * std::pow(h, order); };
     const Limit limit =
-        extrapolate({0.5, 0.125, 0.25, 1.0}, {y(0.5), y(0.125), y(0.25), 100.0});  // the coarsest is not asked
+        extrapolate({0.5, 0.125, 0.25, 1.0}, {y(0.5), y(0.125), y(0.25), 100.0});  // the coarsest is not used
     EXPECT_NEAR(limit.value, 3.0, 1e-12);
     EXPECT_NEAR(limit.uncertainty, 1.25 * 0.4 * std::pow(0.125, order), 1e-12);
   }

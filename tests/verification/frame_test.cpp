@@ -1,4 +1,4 @@
-// Mesh, soil and gravity turned together by 30 degrees: the same failure, seen from another side.
+// Mesh, soil and gravity turned together by 30 degrees: the same failure in another frame.
 
 #include "support/cases.hpp"
 #include "support/verification.hpp"

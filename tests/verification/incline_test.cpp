@@ -1,7 +1,7 @@
-// A stiff block on an inclined mesh: a = g (sin t - mu cos t) - a L / m along the slope, and it sticks when it should.
-// The block is flat, so that it does not rock; its base nodes are close, as adhesion counts half an edge too much at
-// each end; and friction acts on a separating contact, as a bilateral one meets pushes with friction and forgets pulls
-// (decision 0015).
+// A stiff block on an inclined mesh: a = g (sin t - mu cos t) - a L / m along the slope, and rest where friction
+// suffices. The block is flat, so that it does not rock. Its base nodes are close, because adhesion counts half an edge
+// too much at each end. The contact is separating, because on a bilateral one only pushes cause friction (decision
+// 0015).
 
 #include "support/cases.hpp"
 #include "support/verification.hpp"

@@ -1,6 +1,6 @@
-// Noise of the pressure in clay that fails, nearly incompressible, on a distorted mesh: how far points lie from the
-// plane that fits the pressure of their neighbourhood. Integration at the points locks and checkerboards; the mixed
-// schemes do not.
+// Noise of the pressure in clay that fails, nearly incompressible, on a distorted mesh: the distance of points from the
+// plane that fits the pressure of their neighbourhood. Integration at the points locks and gives a checkerboard; the
+// mixed schemes do not.
 
 #include "support/cases.hpp"
 #include "support/meshes.hpp"

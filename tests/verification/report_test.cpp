@@ -60,7 +60,7 @@ TEST(Report, TheOverviewHasOneLinePerCaseAndEachReasonOnce)
 {
   auto pages = sample();
   pages[0].rows[0].used = 0.5;
-  pages[0].rows[1].used = 1.5;  // it does not agree: not the nearest
+  pages[0].rows[1].used = 1.5;  // does not agree, so not the nearest
   pages[0].rows.push_back(pages[0].rows[1]);
   pages[0].rows.push_back(pages[0].rows[0]);
   pages[0].rows.back().used = 0.7, pages[0].rows.back().quantity = "strain";

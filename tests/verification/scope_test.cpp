@@ -1,4 +1,4 @@
-// Constants of a verification case: formulas over each other, numbers of the case as it runs.
+// Constants of a verification case: formulas that use each other, numbers of the case as it runs.
 #include "verification/scope.hpp"
 
 #include "verification/ledger_samples.hpp"

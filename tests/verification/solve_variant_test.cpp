@@ -1,4 +1,4 @@
-// Whole runs of a block that flies freely: what each kind of quantity measures is known.
+// Whole runs of a block that flies freely, where the value of each kind of quantity is known.
 
 #include "verification/solve_variant.hpp"
 
@@ -76,7 +76,7 @@ TEST(SolveVariant, LedgerSummaryAndFormulasOfEarlierQuantities)
       quantity(
           "name = \"per point\"\nkind = \"formula\"\nvalue = \"p/n\"\nreference = \"2000/16*V\"\nrelative = 1e-12"));
   ASSERT_EQ(solved.fault, "");
-  ASSERT_EQ(solved.findings.size(), 1u);  // the first two are no rows of their own
+  ASSERT_EQ(solved.findings.size(), 1u);  // the first two have no row
   EXPECT_NEAR(solved.findings[0].value, 250.0, 1e-9);
   EXPECT_EQ(solved.findings[0].reference, 250.0);
 }

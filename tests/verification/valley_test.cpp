@@ -1,4 +1,4 @@
-// Soil in a valley between two banks: what meets at an oblique corner holds it and gives no energy (decision 0038).
+// Soil in a valley between two banks: the sides of an oblique corner carry it and give no energy (decision 0038).
 
 #include "support/cases.hpp"
 #include "support/verification.hpp"
