@@ -42,7 +42,8 @@ const SummaryQuantity quantities[] = {
          "largest at the last row of the ledger; of points that left, at the last row before"},
         &Summary::max_eps_eq_p},
     {{"softened_strain", "-", "strain of softened soil",
-         "plastic strain from which soil counts as softened, where 95 % of the softening is done (3/eta): the smallest of "
+         "plastic strain from which soil counts as softened, where 95 % of the softening is done (3/eta): the smallest "
+         "of "
          "the laws in use; `null`: nothing softens"},
         &Summary::softened_strain},
     {{"points_eps_eq_p_fell", "-", "points whose eps_eq_p ever fell",

@@ -2,6 +2,7 @@
 #include "results/run_results.hpp"
 
 #include "results/runs.hpp"
+#include "simulation/history.hpp"
 
 #include <gmock/gmock.h>
 
