@@ -199,7 +199,7 @@ void declare_watch(CLI::App& app, WatchCommand& options)
 void declare_viewers(CLI::App& app, CommandLine& line)
 {
   CLI::App* report = add_command(app, "report", "Look",
-      "write report.html: one page that shows runs side by side\nIt opens without a network (docs/report_page.md).",
+      "write report.html, one page with runs side by side\nIt opens without a network (docs/report_page.md).",
       "  terp report runs/gp runs/mixed -o both.html\n");
   report->add_option("RUN", line.report.runs, "run folders")->option_text(" ")->required();
   add_output(report, line.report.output, "the file (default: report.html)", "FILE");
