@@ -28,7 +28,7 @@ using testing::HasSubstr;
 
 RunWriterSettings settings_for(const std::string& folder)
 {
-  return {folder, {"model_2", "title = \"column\"\n"}, 2, "material.clay.eta = 50\n", all_tables()};
+  return {folder, {"model_2", "title = \"column\"\n"}, 2, "material.clay.eta = 50\n", {}, all_tables()};
 }
 
 /// A run in a folder that goes on from a step of its files.
@@ -67,8 +67,7 @@ ResumePoint point_200(const std::string& folder)
   return {.step = 200,
       .time = 0.2,
       .n_frames = 3,
-      .n_history_rows = 6,
-      .n_ledger_rows = 3,
+      .n_rows = {{"history", 6}, {"ledger", 3}},
       .tables = read_checkpoint(path_in(folder, checkpoint_file(200))).tables};
 }
 
@@ -138,7 +137,7 @@ TEST(RunWriter, DoesNotResumeWhereAFileIsMissingOrTooShort)
   EXPECT_EQ(file_error_of([&] { resume_in(folder, more); }),
       head + "/history.csv: it holds 6 rows up to there, 7 are due" + advice);
   more = from;
-  more.n_left_rows = 1;
+  more.n_rows["left_the_mesh"] = 1;
   EXPECT_EQ(file_error_of([&] { resume_in(folder, more); }), head + "/left_the_mesh.csv: it is missing" + advice);
   std::filesystem::remove(folder + "/history.csv");
   EXPECT_EQ(file_error_of([&] { resume_in(folder, from); }), head + "/history.csv: it is missing" + advice);
@@ -154,9 +153,9 @@ TEST(RunWriter, FilesOfAnotherRunAreRefusedAndNothingChanges)
   other.case_record = "material.clay.eta = 60\n";
   write_outputs(*RunWriter::start(settings_for(ours), false), 0, 3);
   write_outputs(*RunWriter::start(std::move(other), false), 0, 3);
-  write_file_atomically(theirs + "/ledger.csv", std::string(ledger_header) + '\n' + csv_line(sample_ledger(0.0)) +
-                                                    csv_line(sample_ledger(0.05)) + csv_line(sample_ledger(0.2)));
-  write_file_atomically(theirs + "/history.csv", std::string(history_header) + '\n' + csv_lines(sample_history(0.0)) +
+  write_file_atomically(theirs + "/ledger.csv", header_of(*ledger_table()) + '\n' + csv_lines(sample_ledger(0.0)) +
+                                                    csv_lines(sample_ledger(0.05)) + csv_lines(sample_ledger(0.2)));
+  write_file_atomically(theirs + "/history.csv", header_of(*history_table()) + '\n' + csv_lines(sample_history(0.0)) +
                                                      csv_lines(sample_history(0.05)) + csv_lines(sample_history(0.2)));
   const ResumePoint from = point_200(ours);
   for (const std::string name : {"frames/points_00001.vtkhdf", "ledger.csv", "history.csv"}) {
@@ -243,7 +242,7 @@ TEST(RunWriter, ARunResumedAtItsStartShowsTheStartOnce)
   write_outputs(*RunWriter::start(settings_for(scratch.path()), false), 0, 0);
   write_outputs(*resume_in(scratch.path(), {}), 0, 0);
   EXPECT_EQ(
-      read_file(scratch.path() + "/ledger.csv"), std::string(ledger_header) + "\n" + csv_line(sample_ledger(0.0)));
+      read_file(scratch.path() + "/ledger.csv"), header_of(*ledger_table()) + "\n" + csv_lines(sample_ledger(0.0)));
   EXPECT_THAT(list_frames(scratch.path(), point_frames), testing::ElementsAre(0));
 }
 

@@ -50,7 +50,7 @@ TEST(RunResults, AHistoryThatWasDoubledCutOrHasAGapIsRefused)
 {
   const test::ScratchFolder scratch;
   const std::string folder = test::write_run(scratch.path() + "/run", [](Summary&s) { s.dt = 0.001; }),
-                    path = folder + "/history.csv", head = std::string(history_header) + '\n';
+                    path = folder + "/history.csv", head = header_of(*history_table()) + '\n';
   std::string rows;
   for (int k = 0; k <= 25; ++k) rows += csv_lines(test::sample_history(0.01 * k));
   const auto error_with = [&](const std::string& text) {
