@@ -8,7 +8,7 @@
 namespace terp {
 namespace {
 
-const Payload payload{.json = R"({"format":1})", .chunks = {"QUJD", "Zg=="}, .notes = {}};
+const Payload payload{.json = R"({"format":1})", .chunks = {"QUJD", "Zg=="}, .notes = {}, .warnings = {}};
 
 TEST(Page, HasTheDataWhereTheMarkerStood)
 {
