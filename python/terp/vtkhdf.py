@@ -36,8 +36,11 @@ class VtkhdfFile:
 
     def attributes(self, data, key, default=""):
         """{name: text} of attribute `key` of the arrays in `data`, "PointData" or "CellData"."""
-        return self.read(lambda root: {name: _text(array.attrs.get(key, default))
-                                       for name, array in root.get(data, {}).items()})
+        def of(root):
+            # By the list of links: `in` and `get` take a group that is damaged for one that is not there.
+            return {name: _text(array.attrs.get(key, default)) for name, array in root[data].items()
+                    } if data in list(root) else {}
+        return self.read(of)
 
     def places(self):
         """Places of the points [m], shape [n_points, 2]."""
@@ -60,7 +63,7 @@ class VtkhdfFile:
                 return of(self._checked_root(file))
         except KeyError as error:
             raise RunError(f"{self.path} lacks a part of the format: {error.args[0]}") from error
-        except (OSError, RuntimeError, TypeError, ValueError, IndexError) as error:  # what h5py makes of damaged bytes
+        except (AttributeError, OSError, RuntimeError, TypeError, ValueError, IndexError) as error:  # of damaged bytes
             raise RunError(f"{self.path} cannot be read as VTKHDF: {error}") from error
 
     def _checked_root(self, file):

@@ -3,7 +3,6 @@
 #include "base/errors.hpp"
 #include "input/case_file.hpp"
 #include "output/compress.hpp"
-#include "output/json_text.hpp"
 #include "report/backdrop.hpp"
 #include "report/failure_json.hpp"
 #include "report/shown.hpp"
@@ -11,13 +10,18 @@
 #include "simulation/setup_mesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace terp {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 constexpr double codes_share =
     0.75 * 0.88;  // base64 makes 4 bytes of 3; tables and texts take a little, and the size is an estimate
@@ -113,97 +117,64 @@ std::int64_t add_table(Chunks& chunks, const Table& table)
   return chunks.add(values);
 }
 
-void put_columns(JsonText& json, const Table& table)
+Json table_json(Chunks& chunks, const Table& table)
 {
-  json.key("columns").begin_array();
+  Json columns = Json::array();
   for (const auto& name : table.names) {
     const QuantityInfo info = describe_column(name);
-    json.begin_object()
-        .entry("name", name)
-        .entry("label", info.label)
-        .entry("unit", readable(info.unit).name)
-        .end_object();
+    columns.push_back({{"name", name}, {"label", info.label}, {"unit", readable(info.unit).name}});
   }
-  json.end_array();
+  return {{"columns", std::move(columns)}, {"chunk", add_table(chunks, table)}, {"rows", table.n_rows()}};
 }
 
-void put_table(JsonText& json, Chunks& chunks, const Table& table)
+Json array_json(std::int64_t chunk, const std::vector<Codes>& frames, const Scale& scale)
 {
-  put_columns(json, table);
-  json.entry("chunk", add_table(chunks, table)).entry("rows", table.n_rows());
+  return {{"chunk", chunk}, {"lo", scale.lo}, {"hi", scale.hi()}, {"log", false}, {"frames", frames.size()},
+      {"points", frames[0].size()}, {"bits", 16}, {"static", frames.size() == 1}};
 }
 
-void put_array(JsonText& json, std::int64_t chunk, const std::vector<Codes>& frames, const Scale& scale)
+Json places_json(Chunks& chunks, const ShownRun& shown)
 {
-  json.begin_object().entry("chunk", chunk).entry("lo", scale.lo).entry("hi", scale.hi()).entry("log", false);
-  json.entry("frames", frames.size())
-      .entry("points", frames[0].size())
-      .entry("bits", 16)
-      .entry("static", frames.size() == 1)
-      .end_object();
+  Json x = array_json(chunks.add(encode_frames(shown.x_codes)), shown.x_codes, shown.x);
+  Json y = array_json(chunks.add(encode_frames(shown.y_codes)), shown.y_codes, shown.y);
+  return {{"x", std::move(x)}, {"y", std::move(y)}};
 }
 
-void put_places(JsonText& json, Chunks& chunks, const ShownRun& shown)
-{
-  json.key("positions").begin_object().key("x");
-  put_array(json, chunks.add(encode_frames(shown.x_codes)), shown.x_codes, shown.x);
-  json.key("y");
-  put_array(json, chunks.add(encode_frames(shown.y_codes)), shown.y_codes, shown.y);
-  json.end_object();
-}
-
-void put_fields(JsonText& json, Chunks& chunks, const ShownRun& shown)
+Json fields_json(Chunks& chunks, const ShownRun& shown)
 {
   std::vector<std::int64_t> chunk_of;
-  json.key("fields").begin_array();
+  Json fields = Json::array();
   for (const ShownField& field : shown.fields) {
     const bool own = field.shares < 0;
     const auto& frames = own ? field.frames : shown.fields[static_cast<std::size_t>(field.shares)].frames;
     chunk_of.push_back(own ? chunks.add(encode_frames(frames)) : chunk_of[static_cast<std::size_t>(field.shares)]);
-    json.begin_object()
-        .entry("name", field.name)
-        .entry("symbol", field.symbol)
-        .entry("label", field.label)
-        .entry("unit", field.unit);
-    json.entry("kind", field.kind).entry("log", field.name.starts_with("eps_"));
-    json.key("range").begin_array().value(field.low).value(field.high).end_array();
-    json.entry("precision", field.scale.step).key("data");
-    put_array(json, chunk_of.back(), frames, field.scale);
-    json.end_object();
+    fields.push_back({{"name", field.name}, {"symbol", field.symbol}, {"label", field.label}, {"unit", field.unit},
+        {"kind", field.kind}, {"log", field.name.starts_with("eps_")}, {"range", {field.low, field.high}},
+        {"precision", field.scale.step}, {"data", array_json(chunk_of.back(), frames, field.scale)}});
   }
-  json.end_array();
+  return fields;
 }
 
-void put_materials(JsonText& json, const Source& source)
+Json materials_json(const Source& source)
 {
-  json.key("materials").begin_array();
-  if (source.case_read) {
-    const auto& materials = source.case_read->values.materials;
-    for (std::size_t k = 0; k < materials.size(); ++k)
-      json.begin_object().entry("id", k).entry("name", materials[k].name).end_object();
-  }
-  json.end_array();
+  Json materials = Json::array();
+  if (source.case_read)
+    for (const auto& material : source.case_read->values.materials)
+      materials.push_back({{"id", materials.size()}, {"name", material.name}});
+  return materials;
 }
 
-void put_backdrop(JsonText& json, Chunks& chunks, const Source& source)
+/// Edges of the mesh, 4 numbers each; points of the first outline, 2 numbers each.
+std::pair<std::vector<float>, std::vector<float>> backdrop(const Source& source)
 {
-  std::vector<float> edges, outline;
-  if (source.mesh) {
-    edges = mesh_edges(*source.mesh);
-    if (edges.size() > 4 * most_edges) edges.clear();
-    outline = first_outline(source.case_read->values, *source.mesh);
-  }
-  json.key("mesh").begin_object().key("edges").begin_object();
-  json.entry("chunk", chunks.add(edges)).entry("count", edges.size() / 4).end_object().end_object();
-  json.key("outline")
-      .begin_object()
-      .entry("chunk", chunks.add(outline))
-      .entry("count", outline.size() / 2)
-      .end_object();
+  if (!source.mesh) return {};
+  std::vector<float> edges = mesh_edges(*source.mesh);
+  if (edges.size() > 4 * most_edges) edges.clear();
+  return {std::move(edges), first_outline(source.case_read->values, *source.mesh)};
 }
 
 /// The free surface in each frame that is shown.
-void put_surfaces(JsonText& json, Chunks& chunks, const Source& source, const ShownRun& shown)
+Json surfaces_json(Chunks& chunks, const Source& source, const ShownRun& shown)
 {
   const Frames& frames = source.frames;
   const Real width = source.mesh ? typical_cell_size(*source.mesh) : 4.0 * shown.point_size;
@@ -216,89 +187,91 @@ void put_surfaces(JsonText& json, Chunks& chunks, const Source& source, const Sh
     lines.insert(lines.end(), line.begin(), line.end());
     offsets.push_back(lines.size() / 2);
   }
-  json.key("surfaces").begin_object().entry("chunk", chunks.add(lines)).key("offsets").begin_array();
-  for (const std::size_t offset : offsets) json.value(offset);
-  json.end_array().end_object();
+  return {{"chunk", chunks.add(lines)}, {"offsets", offsets}};
 }
 
-void put_histories(JsonText& json, Chunks& chunks, const RunResults& run)
+Json histories_json(Chunks& chunks, const RunResults& run)
 {
-  json.key("histories").begin_array();
+  Json histories = Json::array();
   for (const PointTable& point : run.history) {
     const auto first = [&](std::string_view column) {
       const auto* values = point.table.find(column);
       return values != nullptr && !values->empty() ? values->front() : std::nan("");
     };
-    json.begin_object().entry("name", point.point).entry("x", first("x")).entry("y", first("y"));
-    put_table(json, chunks, point.table);
-    json.end_object();
+    Json history{{"name", point.point}, {"x", first("x")}, {"y", first("y")}};
+    history.update(table_json(chunks, point.table));
+    histories.push_back(std::move(history));
   }
-  json.end_array();
+  return histories;
 }
 
-void put_bounds(JsonText& json, const Source& source, const ShownRun& shown)
+/// Low x, low y, high x, high y of all that is drawn.
+std::array<Real, 4> bounds_of(const Source& source, const ShownRun& shown)
 {
   auto b = shown.bounds;
   if (source.mesh)
     for (const Vec<2> x : source.mesh->nodes)
       b = {std::min(b[0], x[0]), std::min(b[1], x[1]), std::max(b[2], x[0]), std::max(b[3], x[1])};
-  json.key("bounds").begin_array();
-  for (const Real v : b) json.value(v);
-  json.end_array();
+  return b;
 }
 
-void put_head(JsonText& json, const Source& source, const ShownRun& shown)
+Json head_json(const Source& source, const ShownRun& shown)
 {
   const Summary& s = source.run.summary.values;
-  const std::string title = source.case_read ? source.case_read->values.title : "";
-  json.entry("name", source.name)
-      .entry("title", title)
-      .entry("scheme", s.scheme)
-      .entry("case_toml", source.run.case_toml);
-  json.entry("machine", fmt::format("{} ({})", s.processor.empty() ? "unknown processor" : s.processor, s.instructions))
-      .entry("threads", s.threads)
-      .entry("wall_seconds", s.wall_s)
-      .entry("finished", source.run.summary.finished);
-  json.entry("n_points", shown.n_points)
-      .entry("n_shown", shown.ids.size())
-      .entry("n_frames_in_run", shown.n_frames_in_run);
-  json.key("times").begin_array();
-  for (const Real t : shown.times) json.value(t);
-  json.end_array();
-  json.entry("position_precision", std::max(shown.x.step, shown.y.step)).entry("point_size", shown.point_size);
+  return {{"name", source.name}, {"title", source.case_read ? source.case_read->values.title : ""},
+      {"scheme", s.scheme}, {"case_toml", source.run.case_toml},
+      {"machine", fmt::format("{} ({})", s.processor.empty() ? "unknown processor" : s.processor, s.instructions)},
+      {"threads", s.threads}, {"wall_seconds", s.wall_s}, {"finished", source.run.summary.finished},
+      {"n_points", shown.n_points}, {"n_shown", shown.ids.size()}, {"n_frames_in_run", shown.n_frames_in_run},
+      {"times", shown.times}, {"position_precision", std::max(shown.x.step, shown.y.step)},
+      {"point_size", shown.point_size}};
 }
 
-void put_run(JsonText& json, Chunks& chunks, const Source& source, const ShownRun& shown)
+Json run_json(Chunks& chunks, const Source& source, const ShownRun& shown)
 {
-  json.begin_object();
-  put_head(json, source, shown);
-  put_bounds(json, source, shown);
-  put_materials(json, source);
-  json.key("ids").begin_object().entry("chunk", chunks.add(shown.ids)).end_object();
-  put_places(json, chunks, shown);
-  put_fields(json, chunks, shown);
-  put_backdrop(json, chunks, source);
-  put_surfaces(json, chunks, source, shown);
-  json.key("velocity_vectors").null();
-  put_histories(json, chunks, source.run);
-  json.key("series").begin_object();
-  put_table(json, chunks, source.run.ledger);
-  json.end_object();
-  put_failure(json, source.run, source.warnings);
-  json.key("summary").raw(source.run.summary.text);
-  json.end_object();
+  const auto [edges, outline] = backdrop(source);
+  Json json = head_json(source, shown);
+  json["bounds"] = bounds_of(source, shown);
+  json["materials"] = materials_json(source);
+  json["ids"] = {{"chunk", chunks.add(shown.ids)}};
+  json["positions"] = places_json(chunks, shown);
+  json["fields"] = fields_json(chunks, shown);
+  json["mesh"]["edges"] = {{"chunk", chunks.add(edges)}, {"count", edges.size() / 4}};
+  json["outline"] = {{"chunk", chunks.add(outline)}, {"count", outline.size() / 2}};
+  json["surfaces"] = surfaces_json(chunks, source, shown);
+  json["velocity_vectors"] = nullptr;
+  json["histories"] = histories_json(chunks, source.run);
+  json["series"] = table_json(chunks, source.run.ledger);
+  json.update(failure_json(source.run, source.warnings));
+  json["summary"] = Json::parse(source.run.summary.text);
+  return json;
 }
 
-void put_comparison(JsonText& json, const std::vector<Source>& sources)
+Json comparison_of(const std::vector<Source>& sources)
 {
-  if (sources.size() < 2) return void(json.null());
+  if (sources.size() < 2) return nullptr;
   std::vector<RunResults> runs;
   std::vector<std::string> names;
   for (const Source& source : sources) {
     runs.push_back(source.run);
     names.push_back(source.name);
   }
-  json.raw(comparison_json(compare_runs(runs, names)));
+  return Json::parse(comparison_json(compare_runs(runs, names)));
+}
+
+/// The document as text that may stand inside a <script> of a page, whatever its texts hold: only in a text can a "<"
+/// stand.
+std::string text_for_a_page(const Json& document)
+{
+  const std::string json = document.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string text;
+  for (const char c : json) {
+    if (c == '<')
+      text += "\\u003c";
+    else
+      text += c;
+  }
+  return text;
 }
 
 std::string note_on(const std::string& name, const ShownRun& shown)
@@ -325,23 +298,15 @@ Payload make_payload(const std::vector<std::string>& folders, const ReportOption
 
   Payload payload;
   Chunks chunks;
-  JsonText json;
-  json.begin_object()
-      .entry("format", 1)
-      .entry("terp", TERP_VERSION)
-      .entry("written", options.written)
-      .key("runs")
-      .begin_array();
+  Json document{{"format", 1}, {"terp", TERP_VERSION}, {"written", options.written}, {"runs", Json::array()}};
   for (std::size_t k = 0; k < sources.size(); ++k) {
-    put_run(json, chunks, sources[k], shown[k]);
+    document["runs"].push_back(run_json(chunks, sources[k], shown[k]));
     payload.notes.push_back(note_on(names[k], shown[k]));
     const auto& left_out = sources[k].frames.warnings();
     payload.warnings.insert(payload.warnings.end(), left_out.begin(), left_out.end());
   }
-  json.end_array().key("comparison");
-  put_comparison(json, sources);
-  json.end_object();
-  payload.json = json.text();
+  document["comparison"] = comparison_of(sources);
+  payload.json = text_for_a_page(document);
   payload.chunks = chunks.take();
   return payload;
 }

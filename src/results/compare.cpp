@@ -1,6 +1,5 @@
 #include "results/compare.hpp"
 
-#include "output/json_text.hpp"
 #include "results/compare_words.hpp"
 #include "schemes/scheme.hpp"
 
@@ -10,6 +9,7 @@
 #include <limits>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace terp {
 namespace {
@@ -264,26 +264,16 @@ std::string comparison_table(const Comparison& comparison)
 
 std::string comparison_json(const Comparison& comparison)
 {
-  JsonText json;
-  json.begin_object().key("columns").begin_array();
-  for (const auto& name : comparison.names) json.value(name);
-  json.end_array().key("schemes").begin_array();
-  for (const auto& scheme : comparison.schemes) json.value(scheme);
-  json.end_array().key("rows").begin_array();
+  using Json = nlohmann::ordered_json;
+  Json rows = Json::array();
   for (const ComparisonRow& row : comparison.rows) {
-    json.begin_object()
-        .entry("label", row.label)
-        .entry("unit", row.unit)
-        .entry("digits", row.digits)
-        .key("values")
-        .begin_array();
-    for (const Value& value : row.values) json.value(value);
-    json.end_array().end_object();
+    Json values = Json::array();
+    for (const Value& value : row.values) values.push_back(value ? Json(*value) : Json());
+    rows.push_back({{"label", row.label}, {"unit", row.unit}, {"digits", row.digits}, {"values", std::move(values)}});
   }
-  json.end_array().key("text").begin_array();
-  for (const auto& sentence : comparison.text) json.value(sentence);
-  json.end_array().end_object();
-  return json.text();
+  const Json json{{"columns", comparison.names}, {"schemes", comparison.schemes}, {"rows", std::move(rows)},
+      {"text", comparison.text}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace terp

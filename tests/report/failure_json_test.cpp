@@ -7,14 +7,7 @@
 namespace terp {
 namespace {
 
-nlohmann::json written(const RunResults& run)
-{
-  JsonText json;
-  json.begin_object();
-  put_failure(json, run, {"a warning"});
-  json.end_object();
-  return nlohmann::json::parse(json.text());
-}
+nlohmann::json written(const RunResults& run) { return nlohmann::json::parse(failure_json(run, {"a warning"}).dump()); }
 
 TEST(FailureJson, HasTheEventsUnderTheirNames)
 {

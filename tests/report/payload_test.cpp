@@ -124,6 +124,16 @@ TEST_F(PayloadTest, SaysWhatIsShown)
       testing::ElementsAre(testing::StartsWith("mixed: 3 frames, 5 points, places to "), testing::StartsWith("gp: ")));
 }
 
+TEST(Payload, MayStandInsideAScriptOfThePageWhateverItsTextsHold)
+{
+  const test::ScratchFolder scratch;
+  const std::string words = "</script><b>\"\n";
+  const Payload payload =
+      make_payload({test::write_run(scratch.path() + "/run", [&](Summary& s) { s.scheme = words; })}, {});
+  EXPECT_EQ(payload.json.find('<'), std::string::npos);
+  EXPECT_EQ(json::parse(payload.json)["runs"][0]["scheme"], words);
+}
+
 TEST(Payload, LeavesDamagedFramesOutAndNamesThem)
 {
   const test::ScratchFolder scratch;
