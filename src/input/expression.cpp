@@ -94,7 +94,7 @@ void define_functions(mu::Parser& p)
 }  // namespace
 
 /// What every thread needs to make its parser; nobody changes it.
-struct Expression::Source {
+struct Expression::ParsedText {
   std::uint64_t number;
   std::string text;
   std::vector<std::string> names;  // variables, then constants
@@ -150,9 +150,9 @@ Expression::Expression(
     const std::string& text, const std::vector<std::string>& variables, const std::map<std::string, Real>& constants)
 {
   refuse_what_would_pass(text);
-  Source source{next_number(), text, variables, std::vector<mu::value_type>(variables.size()), variables.size()};
+  ParsedText source{next_number(), text, variables, std::vector<mu::value_type>(variables.size()), variables.size()};
   for (const auto& [name, value] : constants) source.names.push_back(name), source.values.push_back(value);
-  source_ = std::make_shared<const Source>(std::move(source));
+  source_ = std::make_shared<const ParsedText>(std::move(source));
   parser_of(*source_);  // says what is wrong
 }
 

@@ -31,8 +31,8 @@ class Expression {
   Real operator()(std::span<const Real> values) const;
 
  private:
-  struct Source;
-  std::shared_ptr<const Source> source_;
+  struct ParsedText;
+  std::shared_ptr<const ParsedText> source_;
 };
 
 /// A formula without variables.

@@ -215,8 +215,8 @@ void make_empty(const std::string& path, std::int64_t n_reserved)
     const AppendFile made{path};
     reserve_space(path, n_reserved);
   }
-  const Id access = access_properties();
-  Id made{H5Fcreate(path.c_str(), H5F_ACC_TRUNC, without_time(H5P_FILE_CREATE), access), H5Fclose};
+  const Id access = access_properties(), creation{without_time(H5P_FILE_CREATE)};
+  Id made{H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose};
   checked<hid_t>(made, "write", path);
   checked(made.close(), "write", path);
 }
@@ -240,6 +240,17 @@ hid_t open_file(const std::string& path, Hdf5File::Mode mode, std::int64_t n_res
   if (mode == Hdf5File::Mode::create) make_empty(path, n_reserved);
   if (n_reserved > 0) reserve_space(path, n_reserved);
   return open_existing(path, mode != Hdf5File::Mode::read);
+}
+
+/// Sizes what a dataset is read into. A sparse file may hold more values than there is memory for.
+template <class T>
+void make_room(hssize_t n, const std::string& path, const std::string& name, std::vector<T>& values)
+{
+  try {
+    values.resize(static_cast<std::size_t>(n));
+  } catch (const std::bad_alloc&) {
+    refuse(path, name, fmt::format("it holds {} values, more than there is memory for", n));
+  }
 }
 
 }  // namespace
@@ -319,7 +330,8 @@ std::vector<T> Hdf5File::read(const std::string& name) const
 {
   const Id dataset = open_to_read(file_, sizeof(T), path_, name);
   const Id space{H5Dget_space(dataset), H5Sclose};
-  std::vector<T> values(static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space), "read", path_, name)));
+  std::vector<T> values;
+  make_room(checked(H5Sget_simple_extent_npoints(space), "read", path_, name), path_, name, values);
   checked(H5Dread(dataset, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read", path_, name);
   return values;
 }
@@ -337,8 +349,8 @@ void Hdf5File::check_values() const
     const Id dataset = open_to_read(file_, 1, path_, name);
     const Id type{H5Dget_type(dataset), H5Tclose}, space{H5Dget_space(dataset), H5Sclose};
     if (H5Tdetect_class(type, H5T_VLEN) > 0 || H5Tis_variable_str(type) > 0) refuse(path_, name, "it is no array");
-    values.resize(static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space), "read", path_, name)) *
-                  H5Tget_size(type));
+    const auto size = static_cast<hssize_t>(H5Tget_size(type));
+    make_room(size * checked(H5Sget_simple_extent_npoints(space), "read", path_, name), path_, name, values);
     checked(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read", path_, name);
   }
 }

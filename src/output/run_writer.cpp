@@ -30,6 +30,13 @@ void check_length(
       from.step, from.time, path, fault, path_in(folder_of(path), case_file)));
 }
 
+/// The run folder of one of its files; frames lie in a folder of their own.
+std::string folder_of_run(const std::string& path)
+{
+  const std::string folder = folder_of(path);
+  return std::filesystem::path(folder).filename() == frames_folder ? folder_of(folder) : folder;
+}
+
 /// Throws FileError for a file that is there and cannot be gone on with.
 [[noreturn]] void refuse(const std::string& path, const ResumePoint& from, const std::string& fault)
 {
@@ -37,7 +44,7 @@ void check_length(
       fmt::format("cannot resume from step {}, t = {:.4g} s: {} {}\n"
                   "  Put a copy of it back, or start the case anew: terp run {} -o NEW_FOLDER\n"
                   "  Nothing was changed; the other files of the folder are as they were.",
-          from.step, from.time, path, fault, path_in(folder_of(path), case_file)));
+          from.step, from.time, path, fault, path_in(folder_of_run(path), case_file)));
 }
 
 /// What is dropped: all that comes later. A run at its start shows that start again.

@@ -14,8 +14,8 @@ inline const std::atomic<bool> never_stop{false};
 /// it. Each Simulation may be driven by a thread of its own; Case and mesh may be shared between them.
 struct Simulation {
   /// Builds the mesh, seeds the points and sets the initial stress of "k0". followers: what is measured besides the
-  /// balance, as all_followers() of `followers`. Throws InputError. Where the system grants fewer threads,
-  /// model.threads says how many there are.
+  /// balance, as all_followers() of `followers`; without them the summary has neither front nor crest. Throws
+  /// InputError. Where the system grants fewer threads, model.threads says how many there are.
   explicit Simulation(const Case& description, int threads = 1, const FollowerTypes& followers = {});
   /// The same on a mesh that is already there, as in a study of many runs on one mesh.
   Simulation(const Case& description, SharedMesh mesh, int threads = 1, const FollowerTypes& followers = {});

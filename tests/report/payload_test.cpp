@@ -145,9 +145,11 @@ TEST(Payload, LeavesDamagedFramesOutAndNamesThem)
     std::string damaged = bytes;
     damaged[at] = static_cast<char>(damaged[at] ^ 1);
     write_file_atomically(path, damaged);
-    Frames frames(folder);
-    frames.leave_out_damaged();
-    if (frames.times().size() == 2) break;
+    try {
+      if (head() == 3) Frames(folder).places(1);  // what the page reads of every frame
+    } catch (const FileError&) {
+      break;
+    }
   }
   const Payload payload = make_payload({folder}, {});
   EXPECT_THAT(payload.warnings, testing::ElementsAre(testing::HasSubstr(path + " is left out")));

@@ -45,9 +45,32 @@ const PointField& field_of(const Frame& frame, const std::string& name)
   return *std::ranges::find(frame.fields, name, &PointField::name);
 }
 
+// MPM-Mixed takes the mean of the points at a Gauss point. The mean of equal numbers is that number to round-off only,
+// which soil that yields amplifies: 1e-16 becomes 1e-6 m in 400 steps with local damping.
+TEST(PointParameters, ARowOfOneValueGivesInMixedTheResultsOfTheUniformParameter)
+{
+  Case c = test::column("mpm_mixed");
+  c.forces.local_damping = 0.0;
+  Simulation uniform(c);
+  for (const std::size_t k : {shear_modulus, su_peak, eta})
+    c.materials[0].fields.push_back({k, [value = c.materials[0].parameters[k]](Vec<2>) { return value; }});
+  Simulation rows(c);
+  EXPECT_EQ(rows.model.dt, uniform.model.dt);
+  test::make_steps(uniform, 200);
+  test::make_steps(rows, 200);
+  const auto a = test::points_by_id(uniform.state), b = test::points_by_id(rows.state);
+  Real largest = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    for (int d = 0; d < 2; ++d) ASSERT_NEAR(a[k].x[d], b[k].x[d], 1e-10);
+    ASSERT_NEAR(a[k].eps_eq_p(), b[k].eps_eq_p(), 1e-9);
+    largest = std::max(largest, a[k].eps_eq_p());
+  }
+  EXPECT_GT(largest, 1e-3) << "nothing yielded: the test says nothing";
+}
+
 TEST(PointParameters, ARowOfOneValueGivesTheBitsOfTheUniformParameter)
 {
-  for (const char* scheme : schemes) {
+  for (const char* scheme : {"standard_mpm", "mpm_gp"}) {
     Simulation uniform(test::column(scheme));
     Case c = test::column(scheme);
     for (const std::size_t k : {shear_modulus, su_peak, eta})

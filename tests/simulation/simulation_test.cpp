@@ -156,7 +156,8 @@ TEST(Simulation, RefusesFieldsThatCannotBeSet)
   Simulation s(sliding_column());
   std::vector<Real> strain = s.field("eps_eq_p").values, velocity = s.field("velocity").values;
   EXPECT_THAT(refusal([&] { s.set_field("su", strain); }),
-      AllOf(HasSubstr("su: there is no field of this name that can be set"), HasSubstr("velocity, stress, strain")));
+      AllOf(HasSubstr("su: there is no field of this name that can be set"),
+          HasSubstr("velocity, volume, stress, strain")));
   EXPECT_THAT(refusal([&] { s.set_field("velocity", strain); }),
       AllOf(HasSubstr("1600 values were given, 4800 are needed"), HasSubstr("Its shape is [1600, 3], sorted by id.")));
   strain[7] = std::nan("");

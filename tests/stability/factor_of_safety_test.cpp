@@ -51,7 +51,8 @@ TEST(FactorOfSafety, OfParametersGivenAtEachPointIsThatOfTheNumbers)
   const auto find = [](const Case& c) {
     return find_factor_of_safety(c, {.search = {0.9, 0.96, 0.07}, .rules = {}, .threads = 1}, go);
   };
-  const Case numbers = cut();
+  Case numbers = cut();
+  numbers.scheme = "mpm_gp";  // MPM-Mixed takes means of the points, which are right to round-off only
   Case fields = numbers;
   for (const std::size_t k : {std::size_t{0}, std::size_t{2}, std::size_t{3}})  // stiffness too
     fields.materials[0].fields.push_back({k, [v = numbers.materials[0].parameters[k]](Vec<2>) { return v; }});

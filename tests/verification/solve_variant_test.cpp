@@ -83,7 +83,8 @@ TEST(SolveVariant, LedgerSummaryAndFormulasOfEarlierQuantities)
 
 TEST(SolveVariant, EveryColumnOfTheLedgerMayBeMeasured)
 {
-  for (const QuantityInfo& column : ledger_table(all_followers())->columns)
+  const auto table = ledger_table(all_followers());
+  for (const QuantityInfo& column : table->columns)
     if (column.name != "time") {
       const Finding f = find(
           fmt::format("name = \"n\"\nkind = \"ledger\"\nvalue = \"{}\"\ntime = \"end\"\nat_most = 1", column.name));
