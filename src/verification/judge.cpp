@@ -72,7 +72,7 @@ std::string why_none(const Finding& f)
   if (q.kind == QuantityKind::extrapolated) return "no limit: the differences of successive runs do not fall";
   if (q.reduce == Reduce::arrival) return "the threshold was not reached";
   if (q.reduce == Reduce::period || q.reduce == Reduce::frequency) return "there are no two upward crossings of zero";
-  return "the formula gives no finite number, or speaks of one that is none";
+  return "the formula, or a quantity in it, is not a finite number";
 }
 
 Row to_row(const std::string& case_name, const Finding& f)

@@ -89,7 +89,7 @@ TEST(Judge, WhatIsNoNumberNeverPasses)
   Finding f = finding(s.add("time"), NAN, 2.0, 1e9);
   EXPECT_EQ(judge_one(s, f).verdict, Verdict::fail);
   EXPECT_EQ(judge_one(s, f).terp, "never");
-  EXPECT_EQ(judge_one(s, f).remark, "the formula gives no finite number, or speaks of one that is none");
+  EXPECT_EQ(judge_one(s, f).remark, "the formula, or a quantity in it, is not a finite number");
   f.tolerance = NAN, f.at_most = 1.0;
   EXPECT_EQ(judge_one(s, f).verdict, Verdict::fail);
 }
