@@ -40,8 +40,9 @@ function(link_object target object)
   add_custom_target(${name} DEPENDS ${object})
   include(GNUInstallDirs)
   set(folder ${CMAKE_INSTALL_LIBDIR}/terp)
-  target_link_libraries(${target} INTERFACE $<BUILD_INTERFACE:${object}>
-                                            $<INSTALL_INTERFACE:$<INSTALL_PREFIX>/${folder}/${name}.o>)
+  # As an option it stands before the library, so that what it needs is taken from there.
+  target_link_options(${target} INTERFACE $<BUILD_INTERFACE:${object}>
+                                          $<INSTALL_INTERFACE:$<INSTALL_PREFIX>/${folder}/${name}.o>)
   set_property(TARGET ${target} APPEND PROPERTY INTERFACE_LINK_DEPENDS $<BUILD_INTERFACE:${object}>)
   install(FILES ${object} DESTINATION ${folder})
 endfunction()
