@@ -160,7 +160,7 @@ int bench_case(const RunOptions& options)
                                              : read_case(options.path, options.changes);
   try {
     Simulation s(file.values, threads_of(options));
-    warn_of_missing_threads(options, s.model);
+    warn_of_missing_threads(options, s.model.threads);
     const Machine machine;
     const Measurement m = measure(s, options.steps, options.warm_steps);
     (options.json ? print_json : print_text)(s.model, s.state, m, machine, options.steps);

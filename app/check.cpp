@@ -147,7 +147,7 @@ int check_case(const RunOptions& options)
   fmt::print(stderr, "{}", render_warnings(file));
   try {
     Simulation simulation(file.values, threads_of(options));
-    warn_of_missing_threads(options, simulation.model);
+    warn_of_missing_threads(options, simulation.model.threads);
     fmt::print(stderr, "{}", render_warnings(find_warnings(simulation.model, simulation.state), file));
     if (!options.picture.empty()) write_picture(options.picture, simulation.model, simulation.state);
     print_check(file, simulation);

@@ -52,7 +52,7 @@ struct WatchCommand {
 int threads_of(const RunOptions& options);
 
 /// Warns where the system granted fewer.
-void warn_of_missing_threads(const RunOptions& options, const Model& model);
+void warn_of_missing_threads(const RunOptions& options, int granted);
 
 int run_case(const RunOptions& options);
 int find_stability(const RunOptions& run, StabilityOptions options);

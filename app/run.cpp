@@ -302,7 +302,7 @@ int run_case(const RunOptions& options)
   fmt::print(stderr, "{}", render_warnings(file));
   try {
     Simulation simulation(file.values, threads_of(options), all_followers());
-    warn_of_missing_threads(options, simulation.model);
+    warn_of_missing_threads(options, simulation.model.threads);
     fmt::print(stderr, "{}", render_warnings(find_warnings(simulation.model, simulation.state), file));
     const auto writer =
         RunWriter::start({folder, {file.values.name, file.text}, file.values.output.checkpoint_keep,
@@ -331,7 +331,7 @@ int resume_run(const RunOptions& options)
     set_end(file.values, image, model);
     State restored = restore_from(checkpoint, model, image);
     Simulation simulation(std::move(model), std::move(restored));
-    warn_of_missing_threads(options, simulation.model);
+    warn_of_missing_threads(options, simulation.model.threads);
     const State& state = simulation.state;
     simulation.state.wall_s = wall_time_so_far(folder);
     simulation.state.instructions = instructions_of(folder);

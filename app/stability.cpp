@@ -5,7 +5,6 @@
 #include "input/printable.hpp"
 #include "output/files.hpp"
 #include "output/stability_json.hpp"
-#include "parallel/threads.hpp"
 #include "progress.hpp"
 #include "stop.hpp"
 
@@ -68,14 +67,18 @@ int find_stability(const RunOptions& run, StabilityOptions options)
   const std::string folder = run.output.empty() ? default_run_folder(run.path) : run.output;
   fmt::print(stderr, "{}", render_warnings(file));
   warn_of_motion(file.values);
-  options.threads = run.threads > 0 ? run.threads : available_processors();
+  options.threads = threads_of(run);
   listen_for_stop();
   try {
     const std::string& scheme = file.values.scheme;
     make_folder(folder);  // before the trials, which take long
     TrialLine line(run.quiet || run.json);
-    const StabilityResult result =
-        find_factor_of_safety(file.values, options, stop_requested, [&](const auto&... now) { line.show(now...); });
+    int granted = options.threads;
+    const auto show = [&](const Trial& trial, const StabilityResult& so_far, int trials_left) {
+      if (trial.threads < granted) warn_of_missing_threads(run, granted = trial.threads);
+      line.show(trial, so_far, trials_left);
+    };
+    const StabilityResult result = find_factor_of_safety(file.values, options, stop_requested, show);
     const CaseText text{file.values.name, file.text};
     if (run.json)
       fmt::print("{}", stability_json(result, scheme, text));

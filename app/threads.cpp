@@ -8,12 +8,12 @@ namespace terp {
 
 int threads_of(const RunOptions& options) { return options.threads > 0 ? options.threads : available_processors(); }
 
-void warn_of_missing_threads(const RunOptions& options, const Model& model)
+void warn_of_missing_threads(const RunOptions& options, int granted)
 {
-  if (model.threads < threads_of(options))
+  if (granted < threads_of(options))
     fmt::print(stderr,
         "warning: the system granted {} of {} threads (ulimit -u); the results are the same, the run takes longer\n",
-        model.threads, threads_of(options));
+        granted, threads_of(options));
 }
 
 }  // namespace terp

@@ -105,8 +105,8 @@ void set_scales(const Model& model, const State& state, ElasticStart& start)
 Case quiet_case(Case c)
 {
   c.footings.clear();
-  for (SideCase& side : c.sides) side.velocity = {0.0, 0.0};
-  for (BodyCase& body : c.bodies) body.velocity = {0.0, 0.0};
+  for (SideCase& side : c.sides) side.velocity = {0.0, 0.0}, side.velocity_at = {};
+  for (BodyCase& body : c.bodies) body.velocity = {0.0, 0.0}, body.velocity_at = {};
   return c;
 }
 

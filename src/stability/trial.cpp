@@ -72,6 +72,7 @@ Trial run_trial(const Case& quiet, const SharedMesh& mesh, const ElasticStart& s
   JudgedSoil soil(model, state);
   Trial trial;
   trial.factor = factor;
+  trial.threads = work.threads.count();
   const std::int64_t per_window = std::max<std::int64_t>(1, model.n_steps / rules.most_windows);
   const auto judge_window = [&] {
     trial.windows.push_back({state.time * std::sqrt(start.stiffening),

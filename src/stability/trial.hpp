@@ -38,6 +38,7 @@ struct Trial {
   TrialVerdict verdict = TrialVerdict::undecided;
   std::string reason;  ///< in words
   std::int64_t steps = 0;
+  int threads = 1;  ///< that the system granted
   double wall_s = 0.0;
   std::vector<TrialWindow> windows;
 };

@@ -1,10 +1,12 @@
 // Disks and folders that fail under a run: what it says, and that nothing earlier is harmed (docs/reliability.md).
 #include "app/same_results.hpp"
 #include "output/small_disk.hpp"
+#include "support/without_threads.hpp"
 
 #include <csignal>
 #include <filesystem>
 
+#include <fcntl.h>
 #include <pty.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
@@ -55,6 +57,38 @@ void wait_for_checkpoint(const std::string& folder)
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   FAIL() << "the run writes no checkpoint";
+}
+
+/// What terp says on standard error where it can start no thread beside its own.
+std::string said_without_threads(std::vector<std::string> words)
+{
+  const test::ScratchFolder scratch;
+  fs::permissions(scratch.path(), fs::perms::all);  // the child is another user
+  words.insert(words.begin(), test::program());
+  words.insert(words.end(), {"-o", "run"});
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  test::status_without_threads([&] {
+    const int file = ::open((scratch.path() + "/err").c_str(), O_WRONLY | O_CREAT, 0600);
+    if (::dup2(file, STDERR_FILENO) < 0 || ::chdir(scratch.path().c_str()) != 0) return 126;
+    return ::execv(argv[0], argv.data());
+  });
+  return test::text_of(scratch.path() + "/err");
+}
+
+TEST(Trouble, MissingThreadsAreAWarningOfEveryCommandThatSolves)
+{
+  const std::string warning =
+      "warning: the system granted 1 of 2 threads (ulimit -u); the results are the same, the run takes longer\n";
+  for (const std::string command : {"run", "stability"}) {
+    std::vector<std::string> words = test::column_command(command, {"-q"});
+    std::ranges::replace(words, std::string("1"), std::string("2"));  // -j 2
+    if (command == "stability") words.insert(words.end(), {"--windows", "3", "--to", "1.5"});
+    const std::string said = said_without_threads(words);
+    EXPECT_THAT(said, HasSubstr(warning)) << command;
+    EXPECT_EQ(said.find(warning), said.rfind(warning)) << command << " says it once";
+  }
 }
 
 TEST(Trouble, AReadOnlyDiskIsRefusedBeforeAnythingRuns)

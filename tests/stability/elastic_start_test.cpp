@@ -77,6 +77,9 @@ TEST(QuietCase, NothingMovesButByItsWeight)
   EXPECT_TRUE(quiet.footings.empty());
   EXPECT_EQ(quiet.bodies[0].velocity, (Vec<2>{0.0, 0.0}));
   EXPECT_EQ(quiet.sides.back().velocity, (Vec<2>{0.0, 0.0}));
+  c.bodies[0].velocity_at = c.sides.back().velocity_at = [](Vec<2> x) { return x; };
+  const Case still = quiet_case(c);
+  EXPECT_FALSE(still.bodies[0].velocity_at || still.sides.back().velocity_at) << "formulas";
 }
 
 }  // namespace
