@@ -107,7 +107,7 @@ std::vector<KeyInfo> mesh_keys()
       {.path = "mesh.polygon",
           .field =
               [](Case& c, std::size_t) {
-                return Polygon{&c.mesh.polygon, true};
+                return PolygonField{&c.mesh.polygon, true};
               },
           .unit = "m",
           .required_for = "a mesh from a polygon",
@@ -187,7 +187,7 @@ std::vector<KeyInfo> soil_keys()
           .unit = "m",
           .meaning = "lower left and upper right corner of the body; one of box, polygon, region, points"},
       {.path = "body[].polygon",
-          .field = [](Case& c, std::size_t i) { return Polygon{&c.bodies[i].polygon}; },
+          .field = [](Case& c, std::size_t i) { return PolygonField{&c.bodies[i].polygon}; },
           .unit = "m",
           .meaning = "corners of the body in order, without repeating the first; one of box, polygon, region, points"},
       {.path = "body[].holes",

@@ -79,7 +79,7 @@ std::string type_text(const KeyInfo& key)
       [](const CountOrPair&) { return "an integer or two integers [nx, ny]"; },
       [](const Box&) { return "two corners [[x0, y0], [x1, y1]]"; },
       [](const BoxCorners&) { return "two corners [[x0, y0], [x1, y1]]"; },
-      [](const Polygon&) { return "at least three corners [[x, y], [x, y], [x, y]]"; },
+      [](const PolygonField&) { return "at least three corners [[x, y], [x, y], [x, y]]"; },
       [](const PolygonList&) { return "a list of polygons [[[x, y], [x, y], [x, y]], ...], each of three or more"; },
       [](const Polyline&) { return "at least two places [[x, y], [x, y]]"; },
       [](const EdgesList&) { return "a table { NAME = [k, ...] } of edge numbers"; },
@@ -123,7 +123,7 @@ std::string value_text(const KeyInfo& key, const Field& field)
       [&](const BoxCorners& kept) {
         return places({*kept.low, *kept.high});
       },
-      [&](const Polygon& kept) { return places(*kept.corners); },
+      [&](const PolygonField& kept) { return places(*kept.corners); },
       [&](const PolygonList& kept) { return joined(*kept.polygons, places); },
       [&](const Polyline& kept) { return places(*kept.places); },
       [](const EdgesList& kept) {

@@ -31,7 +31,7 @@ struct Box {
 struct BoxCorners {
   Vec<2>*low, *high;
 };
-struct Polygon {
+struct PolygonField {
   std::vector<Vec<2>>* corners;
   bool keeps_order = false;  ///< otherwise turned counter-clockwise
 };
@@ -57,7 +57,7 @@ struct NamedPlaces {
 
 /// Where a key is kept. Its type is the key's type.
 using Field = std::variant<Real*, Index*, bool*, std::string*, Vec<2>*, WordField, NumberOrPair, CountOrPair, Box,
-    BoxCorners, Polygon, PolygonList, Polyline, EdgesList, VelocityPair, NameList, NamedPlaces>;
+    BoxCorners, PolygonField, PolygonList, Polyline, EdgesList, VelocityPair, NameList, NamedPlaces>;
 
 struct KeyInfo {
   std::string path;  ///< "time.end", "body[].box", "material.NAME.density", "boundary.SIDE.contact"

@@ -94,7 +94,7 @@ class ValueReader {
   bool operator()(const CountOrPair& field);
   bool operator()(const Box& field);
   bool operator()(const BoxCorners& field) { return read_box(*field.low, *field.high); }
-  bool operator()(const Polygon& field)
+  bool operator()(const PolygonField& field)
   {
     return read_polygon(entry_.node, entry_.path, field.keeps_order, *field.corners);
   }

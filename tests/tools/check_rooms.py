@@ -25,6 +25,13 @@ def complaints(**texts):
 
 assert complaints() == []
 assert complaints(parallel__a='#include "base/types.hpp"\n') == []
+twice = "there is a `Ring` at {}.hpp:1: one name, one type"
+assert complaints(input__a="struct Ring {\n};\n", points__b="using Ring = int;\n") == [
+    "src/points/b.hpp:1: " + twice.format("a")]
+assert complaints(input__a="using Ring = int;\n", points__b="using Ring = int;\n") == [
+    "src/points/b.hpp:1: " + twice.format("a")]
+assert complaints(input__a="using Ring = int;\n", points__b="namespace {\nusing Ring = int;\n}  // namespace\n") == []
+assert complaints(input__a="using Ring = int;\n", points__b="struct B {\n  using Ring = int;\n};\n") == []
 assert complaints(base__a='#include "mesh/b.hpp"\n', mesh__b="") == [
     "src/base/a.hpp:1: base may not include mesh: mesh stands to its right"]
 
