@@ -14,6 +14,9 @@ struct SymTensor {
   const R& operator[](int k) const { return c[k]; }
 };
 
+/// Number of the component in row d and column e.
+constexpr int component_of(int d, int e) { return d == e ? d : d + e == 1 ? 3 : d + e == 3 ? 4 : 5; }
+
 template <class R, int Dim>
 R trace(const SymTensor<R, Dim>& a)
 {

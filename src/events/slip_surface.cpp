@@ -1,6 +1,6 @@
 #include "events/slip_surface.hpp"
 
-#include "mesh/shape_functions.hpp"
+#include "mesh/quad4.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ constexpr Real fast = 0.999;           // part of the points that grow more slow
 /// N_i at a point.
 std::array<Real, 4> shares_of(const PointBlock<2>& block, Index lane)
 {
-  return shape_functions(block.row(Rows::xi)[lane], block.row(Rows::xi + 1)[lane]);
+  return Quad4::shape_functions(Vec<2>{block.row(Rows::xi)[lane], block.row(Rows::xi + 1)[lane]});
 }
 
 /// The column of a place; -1 outside all.

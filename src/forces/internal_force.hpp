@@ -1,8 +1,9 @@
 // Internal force of a cell, Eq. (4), and its counterpart, the strain increment at the Gauss points.
-// One text for a cell and for eight in packs: R is Real or Pack, Geometry CellGeometry<2> or GeometryLanes.
+// One text for a cell and for eight in packs: R is Real or Pack, Geometry CellGeometry or GeometryLanes.
 // With B-bar (reading R5) the volumetric part takes the gradients of the cell's centre, in both: work-conjugate (R4).
 #pragma once
 
+#include "base/tensor.hpp"
 #include "mesh/cell_geometry.hpp"
 #include "transfer/map_to_corners.hpp"
 #include "transfer/method_options.hpp"
@@ -10,60 +11,62 @@
 namespace terp {
 
 /// f_int,i += sum_g B-bar_i^T sigma_hat_g Omega_g, Eq. (4); with ForceOperator::b plain B.
-template <class Geometry, class R>
+template <class Geometry, class Element, class R>
 void add_internal_force(
-    const Geometry& cell, const GaussValues<2, R>& gauss, ForceOperator op, CornerSums<2, R>& corners)
+    const Geometry& cell, const GaussValues<Element, R>& gauss, ForceOperator op, CornerSums<Element, R>& corners)
 {
+  constexpr int dim = Element::dim;
   const bool b_bar = op == ForceOperator::b_bar;
-  std::array<R, 4> xx, yy, xy;  // stress conjugate to the gradients at g, times the weight
-  R centre(0.0);                // sum of p_g w_g: conjugate to the gradients at the centre
-  for (int g = 0; g < 4; ++g) {
+  auto force = gauss.sigma;  // conjugate to the gradients at g: stress times weight
+  R centre(0.0);             // conjugate to the gradients at the centre: sum of p_g w_g
+  for (int g = 0; g < Element::n_gauss; ++g) {
     const R w = gauss.weight[g];
     const R p = b_bar ? (gauss.sigma[0][g] + gauss.sigma[1][g] + gauss.sigma[2][g]) * R(1.0 / 3.0) : R(0.0);
-    xx[g] = w * (gauss.sigma[0][g] - p);
-    yy[g] = w * (gauss.sigma[1][g] - p);
-    xy[g] = w * gauss.sigma[3][g];
+    for (int k = 0; k < n_sym<dim>; ++k) force[k][g] = w * (k < 3 ? gauss.sigma[k][g] - p : gauss.sigma[k][g]);
     centre += w * p;
   }
-  for (int i = 0; i < 4; ++i) {
-    const auto &gx = cell.gradient[i][0], &gy = cell.gradient[i][1];
-    R fx = centre * cell.centre_gradient[i][0], fy = centre * cell.centre_gradient[i][1];
-    for (int g = 0; g < 4; ++g) {
-      fx += xx[g] * gx[g] + xy[g] * gy[g];
-      fy += yy[g] * gy[g] + xy[g] * gx[g];
+  for (int i = 0; i < Element::n_corners; ++i)
+    for (int d = 0; d < dim; ++d) {
+      R f = centre * cell.centre_gradient[i][d];
+      for (int g = 0; g < Element::n_gauss; ++g) {
+        R at_g = force[component_of(d, 0)][g] * cell.gradient[i][0][g];
+        for (int e = 1; e < dim; ++e) at_g += force[component_of(d, e)][g] * cell.gradient[i][e][g];
+        f += at_g;
+      }
+      corners.internal_force[d][i] += f;
     }
-    corners.internal_force[0][i] += fx;
-    corners.internal_force[1][i] += fy;
-  }
 }
 
 /// Strain increment and spin at the Gauss points from displacements du_i = v_i dt [m], shape [d][corner]. Step 2 of
 /// Sec. 2.1: d_eps + (theta_0 - tr d_eps)/3 I with theta_0 = tr d_eps(0), so d_eps_zz is not zero (R5). theta_0 is the
 /// volume change.
-template <class Geometry, class R>
-GaussStrain<2, R> strain_at_gauss_points(const Geometry& cell, const CornerVectorsOf<R>& du, bool b_bar)
+template <class Geometry, class R, class Element = typename Geometry::Element>
+GaussStrain<Element, R> strain_at_gauss_points(const Geometry& cell, const CornerVectors<Element, R>& du, bool b_bar)
 {
-  GaussStrain<2, R> strain;
-  std::array<R, 4> xx, yy, xy, yx;
-  for (auto* component : {&xx, &yy, &xy, &yx}) component->fill(R(0.0));
+  constexpr int dim = Element::dim;
+  static_assert(dim == 2, "one component of spin");
+  PerDirection<Element, PerDirection<Element, PerGauss<Element, R>>> l;  // du_a/dx_b at g
+  for (auto& row : l)
+    for (auto& component : row) component.fill(R(0.0));
   R theta_0(0.0);
-  for (int i = 0; i < 4; ++i) {
-    const auto &gx = cell.gradient[i][0], &gy = cell.gradient[i][1];
-    theta_0 += du[0][i] * cell.centre_gradient[i][0] + du[1][i] * cell.centre_gradient[i][1];
-    for (int g = 0; g < 4; ++g) {
-      xx[g] += du[0][i] * gx[g];
-      xy[g] += du[0][i] * gy[g];
-      yx[g] += du[1][i] * gx[g];
-      yy[g] += du[1][i] * gy[g];
-    }
+  for (int i = 0; i < Element::n_corners; ++i) {
+    R trace = du[0][i] * cell.centre_gradient[i][0];
+    for (int d = 1; d < dim; ++d) trace += du[d][i] * cell.centre_gradient[i][d];
+    theta_0 += trace;
+    for (int a = 0; a < dim; ++a)
+      for (int b = 0; b < dim; ++b)
+        for (int g = 0; g < Element::n_gauss; ++g) l[a][b][g] += du[a][i] * cell.gradient[i][b][g];
   }
-  for (int g = 0; g < 4; ++g) {
-    const R correction = b_bar ? (theta_0 - (xx[g] + yy[g])) * R(1.0 / 3.0) : R(0.0);
-    strain.d_eps[0][g] = xx[g] + correction;
-    strain.d_eps[1][g] = yy[g] + correction;
-    strain.d_eps[2][g] = correction;
-    strain.d_eps[3][g] = R(0.5) * (xy[g] + yx[g]);
-    strain.d_spin[g] = R(0.5) * (yx[g] - xy[g]);
+  GaussStrain<Element, R> strain;
+  for (int g = 0; g < Element::n_gauss; ++g) {
+    R trace = l[0][0][g];
+    for (int d = 1; d < dim; ++d) trace += l[d][d][g];
+    const R correction = b_bar ? (theta_0 - trace) * R(1.0 / 3.0) : R(0.0);
+    for (int k = 0; k < 3; ++k) strain.d_eps[k][g] = correction;
+    for (int d = 0; d < dim; ++d) strain.d_eps[d][g] = l[d][d][g] + correction;
+    for (int a = 0; a < dim; ++a)
+      for (int b = a + 1; b < dim; ++b) strain.d_eps[component_of(a, b)][g] = R(0.5) * (l[a][b][g] + l[b][a][g]);
+    strain.d_spin[g] = R(0.5) * (l[1][0][g] - l[0][1][g]);
   }
   return strain;
 }

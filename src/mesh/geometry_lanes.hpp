@@ -8,44 +8,53 @@
 
 namespace terp {
 
-/// What the work at Gauss points needs; names and shapes as in CellGeometry<2>.
+/// What the work at Gauss points needs; names and shapes as in CellGeometry.
+template <class E>
 struct GeometryLanes {
-  std::array<std::array<std::array<Pack, 4>, 2>, 4> gradient;
-  std::array<std::array<Pack, 2>, 4> centre_gradient;
-  std::array<Pack, 4> gauss_volume;
+  using Element = E;
+  PerCorner<E, PerDirection<E, PerGauss<E, Pack>>> gradient;
+  PerCorner<E, PerDirection<E, Pack>> centre_gradient;
+  PerGauss<E, Pack> gauss_volume;
   Pack volume;
 };
 
 /// All lanes of one geometry.
-inline GeometryLanes repeat_in_lanes(const CellGeometry<2>& cell)
+template <class Element>
+GeometryLanes<Element> repeat_in_lanes(const CellGeometry<Element>& cell)
 {
-  GeometryLanes lanes;
-  for (int i = 0; i < 4; ++i)
-    for (int d = 0; d < 2; ++d) {
-      for (int g = 0; g < 4; ++g) lanes.gradient[i][d][g] = Pack(cell.gradient[i][d][g]);
+  GeometryLanes<Element> lanes;
+  for (int i = 0; i < Element::n_corners; ++i)
+    for (int d = 0; d < Element::dim; ++d) {
+      for (int g = 0; g < Element::n_gauss; ++g) lanes.gradient[i][d][g] = Pack(cell.gradient[i][d][g]);
       lanes.centre_gradient[i][d] = Pack(cell.centre_gradient[i][d]);
     }
-  for (int g = 0; g < 4; ++g) lanes.gauss_volume[g] = Pack(cell.gauss_volume[g]);
+  for (int g = 0; g < Element::n_gauss; ++g) lanes.gauss_volume[g] = Pack(cell.gauss_volume[g]);
   lanes.volume = Pack(cell.volume);
   return lanes;
 }
 
-inline GeometryLanes geometry_lanes(const std::array<const CellGeometry<2>*, pack_width>& cells)
+/// The numbers of cells one lane per cell: value(c) of cell c.
+template <class Value>
+Pack pack_of(Value&& value)
+{
+  alignas(64) Real numbers[pack_width];
+  for (int c = 0; c < pack_width; ++c) numbers[c] = value(c);
+  return Pack::load(numbers);
+}
+
+template <class Element>
+GeometryLanes<Element> geometry_lanes(const std::array<const CellGeometry<Element>*, pack_width>& cells)
 {
   if (std::all_of(cells.begin(), cells.end(), [&](const auto* cell) { return cell == cells[0]; }))
     return repeat_in_lanes(*cells[0]);
-  GeometryLanes lanes;
-  for (int i = 0; i < 4; ++i)
-    for (int d = 0; d < 2; ++d) lanes.gradient[i][d] = to_lanes([&](int c) { return cells[c]->gradient[i][d].data(); });
-  for (int i = 0; i < 4; i += 2) {
-    const auto pairs = to_lanes([&](int c) { return cells[c]->centre_gradient[i].data(); });
-    lanes.centre_gradient[i] = {pairs[0], pairs[1]};
-    lanes.centre_gradient[i + 1] = {pairs[2], pairs[3]};
-  }
+  GeometryLanes<Element> lanes;
+  for (int i = 0; i < Element::n_corners; ++i)
+    for (int d = 0; d < Element::dim; ++d) {
+      lanes.gradient[i][d] = to_lanes([&](int c) { return cells[c]->gradient[i][d].data(); });
+      lanes.centre_gradient[i][d] = pack_of([&](int c) { return cells[c]->centre_gradient[i][d]; });
+    }
   lanes.gauss_volume = to_lanes([&](int c) { return cells[c]->gauss_volume.data(); });
-  alignas(64) Real volume[pack_width];
-  for (int c = 0; c < pack_width; ++c) volume[c] = cells[c]->volume;
-  lanes.volume = Pack::load(volume);
+  lanes.volume = pack_of([&](int c) { return cells[c]->volume; });
   return lanes;
 }
 

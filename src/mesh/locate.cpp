@@ -21,14 +21,14 @@ Vec<2> beyond_sides(const Mesh<2>& mesh, Index cell, Vec<2> x, Vec<2> guess)
   Vec<2> local{};
   for (int d = 0; d < 2; ++d) local[d] = std::isfinite(guess[d]) ? std::clamp(guess[d], -1.0, 1.0) : 0.0;
   std::array<Real, 2> farthest{0.0, 0.0};
-  for (int side = 0; side < 4; ++side) {
-    const Vec<2>&a = corners[side], &b = corners[(side + 1) % 4];
+  for (const Quad4::Side& side : Quad4::sides) {
+    const Vec<2>&a = corners[side.corners[0]], &b = corners[side.corners[1]];
     const Vec<2> along{b[0] - a[0], b[1] - a[1]};
     const Real distance = ((x[0] - a[0]) * along[1] - (x[1] - a[1]) * along[0]) / std::hypot(along[0], along[1]);
-    const int d = side % 2 == 0 ? 1 : 0;
+    const int d = side.direction;
     if (distance <= farthest[d]) continue;
     farthest[d] = distance;
-    local[d] = (side == 1 || side == 2 ? 1.0 : -1.0) * (1.0 + distance / mesh.geometry(cell).altitude);
+    local[d] = side.place * (1.0 + distance / mesh.geometry(cell).altitude);
   }
   return local;
 }
@@ -36,30 +36,32 @@ Vec<2> beyond_sides(const Mesh<2>& mesh, Index cell, Vec<2> x, Vec<2> guess)
 /// Far from a twisted cell the inverse map may give any result, even in [-1, 1]: it counts only if it maps back to x.
 Vec<2> local_in(const Mesh<2>& mesh, Index cell, Vec<2> x)
 {
-  const CellGeometry<2>& geometry = mesh.geometry(cell);
+  const CellGeometry<Quad4>& geometry = mesh.geometry(cell);
   const Vec<2> offset{x[0] - mesh.centres[cell][0], x[1] - mesh.centres[cell][1]};
-  const auto [xi, eta] = local_coordinates(geometry, offset[0], offset[1]);
-  const Vec<2> local{xi, eta};
-  if (geometry.affine || !std::isfinite(x[0] + x[1])) return local;
+  const Vec<2> local = Quad4::local_coordinates(geometry.map, offset);
+  if (geometry.map.affine || !std::isfinite(x[0] + x[1])) return local;
   const Vec<2> back = place_in_cell(mesh, cell, local);
   const bool arrived = std::hypot(back[0] - x[0], back[1] - x[1]) <= arrival_tolerance * geometry.altitude;
   return arrived ? local : beyond_sides(mesh, cell, x, local);
 }
 
-bool owns(Vec<2> l) { return l[0] >= -1.0 && l[0] < 1.0 && l[1] >= -1.0 && l[1] < 1.0; }
+bool owns(Vec<2> l)
+{
+  return std::all_of(l.begin(), l.end(), [](Real at) { return at >= -1.0 && at < 1.0; });
+}
 
 bool accepts(Vec<2> l)
 {
   constexpr Real limit = 1.0 + location_tolerance;
-  return std::abs(l[0]) <= limit && std::abs(l[1]) <= limit;
+  return std::all_of(l.begin(), l.end(), [](Real at) { return std::abs(at) <= limit; });
 }
 
 /// Sides beyond which the position lies, the farthest first; at most two.
 int crossed_sides(Vec<2> l, std::array<int, 2>& sides)
 {
   int n = 0;
-  if (l[0] < -1.0 || l[0] >= 1.0) sides[n++] = l[0] < 0.0 ? 3 : 1;
-  if (l[1] < -1.0 || l[1] >= 1.0) sides[n++] = l[1] < 0.0 ? 0 : 2;
+  for (int d = 0; d < Quad4::dim; ++d)
+    if (l[d] < -1.0 || l[d] >= 1.0) sides[n++] = Quad4::side_at(d, !(l[d] < 0.0));
   if (n == 2 && std::abs(l[1]) > std::abs(l[0])) std::swap(sides[0], sides[1]);
   return n;
 }
@@ -115,7 +117,7 @@ Location locate(const Mesh<2>& mesh, Vec<2> x)
 
 Vec<2> place_in_cell(const Mesh<2>& mesh, Index cell, Vec<2> local)
 {
-  const auto offset = offset_from_centre(mesh.geometry(cell), local[0], local[1]);
+  const auto offset = Quad4::offset_from_centre(mesh.geometry(cell).map, local);
   return {mesh.centres[cell][0] + offset[0], mesh.centres[cell][1] + offset[1]};
 }
 

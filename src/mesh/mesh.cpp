@@ -21,10 +21,11 @@ void find_neighbours(Mesh<2>& mesh)
     CellSide at;
   };
   std::vector<Edge> edges;
-  edges.reserve(4 * mesh.cells.size());
+  edges.reserve(Quad4::n_sides * mesh.cells.size());
   for (Index e = 0; e < mesh.n_cells(); ++e)
-    for (int s = 0; s < 4; ++s) {
-      const auto [low, high] = std::minmax({mesh.cells[e][s], mesh.cells[e][(s + 1) % 4]});
+    for (int s = 0; s < Quad4::n_sides; ++s) {
+      const auto [a, b] = Quad4::sides[s].corners;
+      const auto [low, high] = std::minmax({mesh.cells[e][a], mesh.cells[e][b]});
       edges.push_back({low, high, {e, s}});
     }
   std::stable_sort(edges.begin(), edges.end(),
@@ -59,7 +60,7 @@ void share_geometries(Mesh<2>& mesh)
       for (int d = 0; d < 2; ++d) key[2 * i + d] = std::llround((x[i][d] - mesh.centres[e][d]) / unit);
     // A grid's round-off may fall on either side of a rounding edge: that only costs a second, equal entry.
     const auto [entry, is_new] = known.try_emplace(key, static_cast<Index>(mesh.geometries.size()));
-    if (is_new) mesh.geometries.push_back(make_cell_geometry(x));
+    if (is_new) mesh.geometries.push_back(make_cell_geometry<Quad4>(x));
     mesh.geometry_of_cell[e] = entry->second;
   }
 }

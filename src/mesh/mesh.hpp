@@ -16,7 +16,7 @@ inline constexpr Index outside = -1;
 /// One side of one cell.
 struct CellSide {
   Index cell;
-  int side;  ///< 0 ... 3, see shape_functions.hpp
+  int side;  ///< 0 ... 3, see quad4.hpp
 };
 
 /// A part of the boundary that the case file can name.
@@ -39,17 +39,20 @@ struct CellCorner {
 
 template <int Dim>
 struct Mesh {
-  std::vector<Vec<Dim>> nodes;                           ///< [m], shape [n_nodes]
-  std::vector<std::array<Index, n_corners<Dim>>> cells;  ///< corners, counter-clockwise, shape [n_cells]
-  std::vector<std::array<Index, 2 * Dim>> neighbours;    ///< cell across each side, or `outside`, shape [n_cells]
+  using Element = typename ElementOf<Dim>::Type;
+
+  std::vector<Vec<Dim>> nodes;                               ///< [m], shape [n_nodes]
+  std::vector<std::array<Index, Element::n_corners>> cells;  ///< corners, counter-clockwise, shape [n_cells]
+  std::vector<std::array<Index, Element::n_sides>>
+      neighbours;  ///< cell across each side, or `outside`, shape [n_cells]
   std::vector<NamedSide> sides;
-  std::vector<NamedRegion> regions;           ///< empty for the built-in meshes
-  std::vector<Vec<Dim>> centres;              ///< mean of the corners [m], shape [n_cells]
-  std::vector<CellGeometry<Dim>> geometries;  ///< distinct shapes; equal cells share one
-  std::vector<Index> geometry_of_cell;        ///< shape [n_cells]
-  std::vector<Index> first_cell_of_node;      ///< into cells_of_node, shape [n_nodes + 1]
-  std::vector<CellCorner> cells_of_node;      ///< in order of cell number
-  Real smallest_altitude = 0.0;               ///< [m]
+  std::vector<NamedRegion> regions;               ///< empty for the built-in meshes
+  std::vector<Vec<Dim>> centres;                  ///< mean of the corners [m], shape [n_cells]
+  std::vector<CellGeometry<Element>> geometries;  ///< distinct shapes; equal cells share one
+  std::vector<Index> geometry_of_cell;            ///< shape [n_cells]
+  std::vector<Index> first_cell_of_node;          ///< into cells_of_node, shape [n_nodes + 1]
+  std::vector<CellCorner> cells_of_node;          ///< in order of cell number
+  Real smallest_altitude = 0.0;                   ///< [m]
   Index cell_of_smallest_altitude = 0;
   BoxGrid cell_grid;                       ///< of the cells' boxes, for positions without a first guess
   std::vector<std::int64_t> node_numbers;  ///< of the mesh file, shape [n_nodes]; empty for the built-in meshes
@@ -57,11 +60,11 @@ struct Mesh {
 
   Index n_nodes() const { return static_cast<Index>(nodes.size()); }
   Index n_cells() const { return static_cast<Index>(cells.size()); }
-  const CellGeometry<Dim>& geometry(Index cell) const { return geometries[geometry_of_cell[cell]]; }
-  std::array<Vec<Dim>, n_corners<Dim>> corners(Index cell) const
+  const CellGeometry<Element>& geometry(Index cell) const { return geometries[geometry_of_cell[cell]]; }
+  std::array<Vec<Dim>, Element::n_corners> corners(Index cell) const
   {
-    std::array<Vec<Dim>, n_corners<Dim>> x;
-    for (int i = 0; i < n_corners<Dim>; ++i) x[i] = nodes[cells[cell][i]];
+    std::array<Vec<Dim>, Element::n_corners> x;
+    for (int i = 0; i < Element::n_corners; ++i) x[i] = nodes[cells[cell][i]];
     return x;
   }
 };

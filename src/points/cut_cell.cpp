@@ -16,9 +16,8 @@ std::array<Vec<2>, 4> corners_of_part(const Lattice& lattice, std::array<Index, 
   std::array<Vec<2>, 4> corners;
   for (int k = 0; k < 4; ++k) {
     const Index column = part[0] + (k == 1 || k == 2), row = part[1] + (k == 2 || k == 3);
-    const auto offset =
-        offset_from_centre(lattice.cell, 2.0 * column / lattice.n[0] - 1.0, 2.0 * row / lattice.n[1] - 1.0);
-    corners[k] = {offset[0], offset[1]};
+    const Vec<2> local{2.0 * column / lattice.n[0] - 1.0, 2.0 * row / lattice.n[1] - 1.0};
+    corners[k] = Quad4::offset_from_centre(lattice.cell.map, local);
   }
   return corners;
 }
@@ -35,10 +34,9 @@ bool is_cut(const Overlay& overlay, const std::array<Vec<2>, 4>& corners)
 void add_pieces(
     const Lattice& lattice, const Overlay& overlay, Index body, std::array<Index, 2> part, std::vector<Piece>& pieces)
 {
-  const Vec<2> local = middle_of_part(lattice, part);
-  const auto middle = offset_from_centre(lattice.cell, local[0], local[1]);
+  const Vec<2> middle = Quad4::offset_from_centre(lattice.cell.map, middle_of_part(lattice, part));
   const Real whole_volume = volume_of_part(lattice, part);
-  const Piece whole{part, {middle[0], middle[1]}, whole_volume, whole_volume, true};
+  const Piece whole{part, middle, whole_volume, whole_volume, true};
   const auto corners = corners_of_part(lattice, part);
   if (!is_cut(overlay, corners)) {
     if (top_body(overlay, whole.x) == body) pieces.push_back(whole);
@@ -108,9 +106,8 @@ Vec<2> middle_of_part(const Lattice& lattice, std::array<Index, 2> part)
 
 Real volume_of_part(const Lattice& lattice, std::array<Index, 2> part)
 {
-  const Vec<2> local = middle_of_part(lattice, part);
-  const auto j = jacobian(lattice.cell, local[0], local[1]);
-  return 4.0 / (static_cast<Real>(lattice.n[0]) * lattice.n[1]) * (j[0][0] * j[1][1] - j[0][1] * j[1][0]);
+  const auto j = Quad4::jacobian(lattice.cell.map, middle_of_part(lattice, part));
+  return 4.0 / (static_cast<Real>(lattice.n[0]) * lattice.n[1]) * Quad4::determinant(j);
 }
 
 std::vector<Piece> cut_cell(const Lattice& lattice, const Overlay& overlay, Index body)

@@ -24,7 +24,7 @@ struct Piece {
 
 /// A cell in equal parts of its local coordinates. The sides of a part are straight.
 struct Lattice {
-  const CellGeometry<2>& cell;
+  const CellGeometry<Quad4>& cell;
   std::array<Index, 2> n;  ///< parts along xi and eta
 };
 

@@ -2,6 +2,8 @@
 
 #include "mesh/locate.hpp"
 
+#include <cmath>
+
 namespace terp {
 namespace {
 
@@ -9,8 +11,9 @@ namespace {
 bool beyond_open_side(std::uint8_t open, Vec<2> local)
 {
   const auto is_open = [open](int side) { return (open >> side & 1) != 0; };
-  return (local[1] < -1.0 && is_open(0)) || (local[0] > 1.0 && is_open(1)) || (local[1] > 1.0 && is_open(2)) ||
-         (local[0] < -1.0 && is_open(3));
+  for (int d = 0; d < Quad4::dim; ++d)
+    if (std::abs(local[d]) > 1.0 && is_open(Quad4::side_at(d, local[d] > 0.0))) return true;
+  return false;
 }
 
 }  // namespace

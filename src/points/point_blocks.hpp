@@ -42,6 +42,21 @@ struct PointBlock {
   Index n_padded() const { return round_up_to_pack(n); }
 };
 
+/// n rows from `first` on, of the points p ... p + 7.
+template <int n, int Dim>
+std::array<Pack, n> load_rows(const PointBlock<Dim>& block, int first, Index p)
+{
+  std::array<Pack, n> values;
+  for (int k = 0; k < n; ++k) values[k] = Pack::load(block.row(first + k) + p);
+  return values;
+}
+
+template <std::size_t n, int Dim>
+void store_rows(const std::array<Pack, n>& values, const PointBlock<Dim>& block, int first, Index p)
+{
+  for (std::size_t k = 0; k < n; ++k) values[k].store(block.row(first + static_cast<int>(k)) + p);
+}
+
 /// Where a point is stored.
 struct PointPlace {
   Index block, lane;

@@ -98,24 +98,17 @@ void seed_whole_cell(const Drawing& drawing, Index cell, Index body, std::vector
     }
 }
 
-/// Local coordinates of a place given relative to the cell's centre [m].
-Vec<2> local_of(const CellGeometry<2>& geometry, Vec<2> x)
-{
-  const auto local = local_coordinates(geometry, x[0], x[1]);
-  return {local[0], local[1]};
-}
-
 /// small: numbers of the seeds that are too small and found no neighbour in their cell.
 void seed_cut_cell(const Drawing& drawing, const Overlay& overlay, Index cell, std::vector<Seed>& seeds,
     std::vector<std::size_t>& small)
 {
-  const CellGeometry<2>& geometry = drawing.mesh.geometry(cell);
+  const CellGeometry<Quad4>& geometry = drawing.mesh.geometry(cell);
   const Vec<2> centre = drawing.mesh.centres[cell];
   const auto add_body = [&](Index body) {
     const Lattice lattice{geometry, drawing.bodies[body].points_per_cell};
     for (const Piece& piece : cut_cell(lattice, overlay, body)) {
       const Vec<2> middle = middle_of_part(lattice, piece.part);
-      const Vec<2> local = piece.is_whole ? middle : clamp_to_cell(local_of(geometry, piece.x));
+      const Vec<2> local = piece.is_whole ? middle : clamp_to_cell(Quad4::local_coordinates(geometry.map, piece.x));
       if (piece.stays_alone) small.push_back(seeds.size());
       seeds.push_back({{centre[0] + piece.x[0], centre[1] + piece.x[1]}, local, cell, body, piece.volume});
     }
@@ -138,7 +131,7 @@ bool may_take(const Drawing& drawing, const Overlay& overlay, const Seed& taker,
   const Vec<2> x = common_centroid(taker, small), centre = drawing.mesh.centres[taker.cell];
   const auto relative = [&](const Seed& seed) { return Vec<2>{seed.x[0] - centre[0], seed.x[1] - centre[1]}; };
   const Vec<2> offset{x[0] - centre[0], x[1] - centre[1]};
-  const Vec<2> local = local_of(drawing.mesh.geometry(taker.cell), offset);
+  const Vec<2> local = Quad4::local_coordinates(drawing.mesh.geometry(taker.cell).map, offset);
   return std::abs(local[0]) < 1.0 && std::abs(local[1]) < 1.0 &&
          stays_in_body(overlay, taker.body, relative(taker), relative(small));
 }
@@ -171,7 +164,8 @@ void merge_across_sides(const Drawing& drawing, const std::vector<std::size_t>& 
     if (taker == nullptr) continue;
     const Vec<2> centre = drawing.mesh.centres[taker->cell];
     taker->x = common_centroid(*taker, seeds[k]);
-    taker->local = local_of(drawing.mesh.geometry(taker->cell), {taker->x[0] - centre[0], taker->x[1] - centre[1]});
+    const Vec<2> offset{taker->x[0] - centre[0], taker->x[1] - centre[1]};
+    taker->local = Quad4::local_coordinates(drawing.mesh.geometry(taker->cell).map, offset);
     taker->volume += seeds[k].volume;
     seeds[k].volume = 0.0;
   }

@@ -10,15 +10,16 @@
 namespace terp {
 
 /// Up to eight neighbouring occupied cells.
+template <class Element>
 struct CellGroup {
   std::span<const Index> cells;  ///< shape [n], n at most pack_width
-  const Mesh<2>& mesh;
-  PointBlocks<2>& points;
-  std::span<CornerSums<2>> corners;  ///< shape [n]
+  const Mesh<Element::dim>& mesh;
+  PointBlocks<Element::dim>& points;
+  std::span<CornerSums<Element>> corners;  ///< shape [n]
   std::span<Real> pressure;  ///< p_e [Pa], by block number; of schemes that need no more from gather to update_stress
-  std::span<GaussValues<2, Pack>>
+  std::span<GaussValues<Element, Pack>>
       gauss;  ///< shape [n_materials, n_groups]; of schemes that keep them from gather to update_stress
-  std::span<GaussRow> gauss_rows =
+  std::span<GaussRow<Element>> gauss_rows =
       {};                  ///< shape [n_materials, n_groups, n_gauss_rows]; of schemes whose law runs there
   Index n_gauss_rows = 0;  ///< the most that any law adds to the points
   Index number = 0, n_groups = 1;
@@ -26,32 +27,42 @@ struct CellGroup {
   bool prefetch_points = false;  ///< the points are more than the caches hold
 
   int n() const { return static_cast<int>(cells.size()); }
-  CellView cell(int c) const { return {cells[c], mesh.geometry(cells[c]), points, corners[c]}; }
-  GaussValues<2, Pack>& gauss_of(Index material) const { return gauss[material * n_groups + number]; }
-  GaussRow* rows_of(Index material) const
+  CellView<Element> cell(int c) const { return {cells[c], mesh.geometry(cells[c]), points, corners[c]}; }
+  GaussValues<Element, Pack>& gauss_of(Index material) const { return gauss[material * n_groups + number]; }
+  GaussRow<Element>* rows_of(Index material) const
   {
     return gauss_rows.data() + std::ptrdiff_t{material * n_groups + number} * n_gauss_rows;
   }
 };
 
+/// A vector at each corner of each cell of a group, shape [cell][d][corner].
+template <class Element>
+using GroupVectors = std::array<CornerVectors<Element>, pack_width>;
+
 /// Fetches rows `first` to `end` - 1 of the points of the cell after cell c while those of c are worked on: the
 /// processor does not see by itself that one block follows another.
-inline void prefetch_next(const CellGroup& group, int c, int first, int end)
+template <class Element>
+void prefetch_next(const CellGroup<Element>& group, int c, int first, int end)
 {
   const Index next = c + 1 < group.n() ? group.cells[c + 1] : group.next_cell;
   if (!group.prefetch_points || next < 0) return;
-  for_each_block(group.points, next, [&](const PointBlock<2>& block, Index) {
+  for_each_block(group.points, next, [&](const auto& block, Index) {
     prefetch(block.row(first), static_cast<std::ptrdiff_t>(end - first) * block.capacity);
   });
 }
 
 /// The same for the stress pass, which needs almost all rows.
-inline void prefetch_next(const CellGroup& group, int c) { prefetch_next(group, c, 0, group.points.n_rows()); }
+template <class Element>
+void prefetch_next(const CellGroup<Element>& group, int c)
+{
+  prefetch_next(group, c, 0, group.points.n_rows());
+}
 
 /// Geometry of the cells of a group; lanes beyond the last repeat the first.
-inline GeometryLanes geometry_of(const CellGroup& group)
+template <class Element>
+GeometryLanes<Element> geometry_of(const CellGroup<Element>& group)
 {
-  std::array<const CellGeometry<2>*, pack_width> cells;
+  std::array<const CellGeometry<Element>*, pack_width> cells;
   for (int c = 0; c < pack_width; ++c) cells[c] = &group.mesh.geometry(group.cells[c < group.n() ? c : 0]);
   return geometry_lanes(cells);
 }
@@ -63,8 +74,8 @@ struct BlockLayer {
 };
 
 /// Calls f(layer) for each material in a group, smallest number first.
-template <class F>
-void for_each_layer(const CellGroup& group, F&& f)
+template <class Element, class F>
+void for_each_layer(const CellGroup<Element>& group, F&& f)
 {
   std::array<Index, pack_width> next;
   for (int c = 0; c < pack_width; ++c) next[c] = c < group.n() ? group.points.first_block(group.cells[c]) : -1;
@@ -83,7 +94,8 @@ void for_each_layer(const CellGroup& group, F&& f)
   }
 }
 
-inline bool has_one_layer(const CellGroup& group)
+template <class Element>
+bool has_one_layer(const CellGroup<Element>& group)
 {
   int n = 0;
   for_each_layer(group, [&](const BlockLayer&) { ++n; });
@@ -91,9 +103,10 @@ inline bool has_one_layer(const CellGroup& group)
 }
 
 /// Sub-cell sums of the blocks of a layer, one lane per cell; zero where there is no block.
-inline void sum_layer(const CellGroup& group, const BlockLayer& layer, GaussValues<2, Pack>& gauss)
+template <class Element>
+void sum_layer(const CellGroup<Element>& group, const BlockLayer& layer, GaussValues<Element, Pack>& gauss)
 {
-  std::array<GaussValues<2>, pack_width> sums;
+  std::array<GaussValues<Element>, pack_width> sums;
   for (int c = 0; c < pack_width; ++c) {
     if (layer.block[c] >= 0)
       sum_over_sub_cells(group.points.block(layer.block[c]), sums[c]);
@@ -101,49 +114,54 @@ inline void sum_layer(const CellGroup& group, const BlockLayer& layer, GaussValu
       sums[c] = {};
   }
   gauss.volume = to_lanes([&](int c) { return sums[c].volume.data(); });
-  for (int k = 0; k < n_sym<2>; ++k) gauss.sigma[k] = to_lanes([&](int c) { return sums[c].sigma[k].data(); });
+  for (int k = 0; k < n_sym<Element::dim>; ++k)
+    gauss.sigma[k] = to_lanes([&](int c) { return sums[c].sigma[k].data(); });
 }
 
 /// The same of one row.
-inline GaussRow sum_row(const CellGroup& group, const BlockLayer& layer, int row)
+template <class Element>
+GaussRow<Element> sum_row(const CellGroup<Element>& group, const BlockLayer& layer, int row)
 {
-  std::array<std::array<Real, 4>, pack_width> sums{};
+  std::array<PerGauss<Element>, pack_width> sums{};
   for (int c = 0; c < pack_width; ++c)
-    if (layer.block[c] >= 0) sums[c] = sum_row_over_sub_cells(group.points.block(layer.block[c]), row);
+    if (layer.block[c] >= 0) sums[c] = sum_row_over_sub_cells<Element>(group.points.block(layer.block[c]), row);
   return to_lanes([&](int c) { return sums[c].data(); });
 }
 
 /// Adds the internal force of the Gauss values of a layer to the corners of its cells, Eq. (4).
-inline void add_internal_force(const CellGroup& group, const GeometryLanes& geometry, const BlockLayer& layer,
-    const GaussValues<2, Pack>& gauss, ForceOperator op)
+template <class Element>
+void add_internal_force(const CellGroup<Element>& group, const GeometryLanes<Element>& geometry,
+    const BlockLayer& layer, const GaussValues<Element, Pack>& gauss, ForceOperator op)
 {
-  CornerSums<2, Pack> sums;
+  constexpr int dim = Element::dim;
+  CornerSums<Element, Pack> sums;
   for (auto& direction : sums.internal_force) direction.fill(Pack(0.0));
   add_internal_force(geometry, gauss, op, sums);
-  std::array<CornerVectors, pack_width> force;
-  for (int d = 0; d < 2; ++d) from_lanes(sums.internal_force[d], [&](int c) { return force[c][d].data(); });
+  std::array<CornerVectors<Element>, pack_width> force;
+  for (int d = 0; d < dim; ++d) from_lanes(sums.internal_force[d], [&](int c) { return force[c][d].data(); });
   for (int c = 0; c < group.n(); ++c) {
     if (layer.block[c] < 0) continue;
-    for (int d = 0; d < 2; ++d)
-      for (int i = 0; i < 4; ++i) group.corners[c].internal_force[d][i] += force[c][d][i];
+    for (int d = 0; d < dim; ++d)
+      for (int i = 0; i < Element::n_corners; ++i) group.corners[c].internal_force[d][i] += force[c][d][i];
   }
 }
 
 /// Gauss values, weights, smooth pressure and internal force of the cells of a group for the schemes that integrate at
 /// Gauss points. gauss_of(material): where those of a layer are; finish(layer, gauss): what the scheme does before the
 /// force.
-template <class GaussOf, class Finish>
-void gather_at_gauss_points(const SchemeContext& context, const CellGroup& group, GaussOf&& gauss_of, Finish&& finish)
+template <class Element, class GaussOf, class Finish>
+void gather_at_gauss_points(
+    const SchemeContext& context, const CellGroup<Element>& group, GaussOf&& gauss_of, Finish&& finish)
 {
-  auto cell_volume = zero_packs<4>();
+  PerGauss<Element, Pack> cell_volume = zero_packs<Element::n_gauss>();
   for_each_layer(group, [&](const BlockLayer& layer) {
-    GaussValues<2, Pack>& gauss = gauss_of(layer.material);
+    GaussValues<Element, Pack>& gauss = gauss_of(layer.material);
     sum_layer(group, layer, gauss);
-    for (int g = 0; g < 4; ++g) cell_volume[g] += gauss.volume[g];
+    for (int g = 0; g < Element::n_gauss; ++g) cell_volume[g] += gauss.volume[g];
   });
-  const GeometryLanes geometry = geometry_of(group);
+  const GeometryLanes<Element> geometry = geometry_of(group);
   for_each_layer(group, [&](const BlockLayer& layer) {
-    GaussValues<2, Pack>& gauss = gauss_of(layer.material);
+    GaussValues<Element, Pack>& gauss = gauss_of(layer.material);
     set_weights(geometry, cell_volume, context.method, gauss);  // R3
     divide_by_volume(gauss);                                    // Eq. (1)
     smooth_pressure(gauss);                                     // Eqs. (2), (3)
@@ -154,19 +172,21 @@ void gather_at_gauss_points(const SchemeContext& context, const CellGroup& group
 
 /// Strain increments at the Gauss points of a group from displacements of the corners of each cell [m], shape
 /// [pack_width].
-inline GaussStrain<2, Pack> strain_of_group(
-    const CellGroup& group, std::span<const CornerVectors, pack_width> du, bool b_bar)
+template <class Element>
+GaussStrain<Element, Pack> strain_of_group(const CellGroup<Element>& group, const GroupVectors<Element>& du, bool b_bar)
 {
-  CornerVectorsOf<Pack> lanes;
-  for (int d = 0; d < 2; ++d) lanes[d] = to_lanes([&](int c) { return du[c][d].data(); });
+  CornerVectors<Element, Pack> lanes;
+  for (int d = 0; d < Element::dim; ++d) lanes[d] = to_lanes([&](int c) { return du[c][d].data(); });
   return strain_at_gauss_points(geometry_of(group), lanes, b_bar);
 }
 
 /// Strain increments cell by cell.
-inline std::array<GaussStrain<2>, pack_width> strain_by_cell(const GaussStrain<2, Pack>& lanes)
+template <class Element>
+std::array<GaussStrain<Element>, pack_width> strain_by_cell(const GaussStrain<Element, Pack>& lanes)
 {
-  std::array<GaussStrain<2>, pack_width> strain;
-  for (int k = 0; k < n_sym<2>; ++k) from_lanes(lanes.d_eps[k], [&](int c) { return strain[c].d_eps[k].data(); });
+  std::array<GaussStrain<Element>, pack_width> strain;
+  for (int k = 0; k < n_sym<Element::dim>; ++k)
+    from_lanes(lanes.d_eps[k], [&](int c) { return strain[c].d_eps[k].data(); });
   from_lanes(lanes.d_spin, [&](int c) { return strain[c].d_spin.data(); });
   return strain;
 }

@@ -20,11 +20,12 @@ struct SchemeContext {
 };
 
 /// One occupied cell.
+template <class Element>
 struct CellView {
   Index cell;
-  const CellGeometry<2>& geometry;
-  PointBlocks<2>& points;
-  CornerSums<2>& corners;
+  const CellGeometry<Element>& geometry;
+  PointBlocks<Element::dim>& points;
+  CornerSums<Element>& corners;
 };
 
 /// What the stress pass adds up for the ledger.
@@ -36,19 +37,27 @@ struct StressSums {
 inline constexpr Index strip_length = 8 * pack_width;
 
 /// Strain increments and plastic work of a strip of points.
+template <int Dim>
 struct alignas(64) StripArrays {
-  Real d_eps[n_sym<2>][strip_length];
+  Real d_eps[n_sym<Dim>][strip_length];
   Real plastic_work[strip_length];
 };
 
+template <int Dim>
+void store_strain(const SymTensor<Pack, Dim>& d_eps, StripArrays<Dim>& strip, Index at)
+{
+  for (int k = 0; k < n_sym<Dim>; ++k) d_eps[k].store(strip.d_eps[k] + at);
+}
+
 /// Runs the law on n entries of a block from point `first` on, padding included.
-inline void update_strip(
-    const SchemeContext& context, const PointBlock<2>& block, Index first, Index n, StripArrays& strip)
+template <int Dim>
+void update_strip(
+    const SchemeContext& context, const PointBlock<Dim>& block, Index first, Index n, StripArrays<Dim>& strip)
 {
   const SoilMaterial& material = context.materials[block.material];
-  StressArrays<2> arrays{};
-  for (int k = 0; k < n_sym<2>; ++k) arrays.sigma[k] = block.row(PointRows<2>::sigma + k) + first;
-  for (int k = 0; k < n_sym<2>; ++k) arrays.d_eps[k] = strip.d_eps[k];
+  StressArrays<Dim> arrays{};
+  for (int k = 0; k < n_sym<Dim>; ++k) arrays.sigma[k] = block.row(PointRows<Dim>::sigma + k) + first;
+  for (int k = 0; k < n_sym<Dim>; ++k) arrays.d_eps[k] = strip.d_eps[k];
   arrays.law = material.view(block, first);
   arrays.plastic_work = strip.plastic_work;
   arrays.n = n;
@@ -69,47 +78,66 @@ void rotate_stress(SymTensor<R, 2>& sigma, R d_spin)
 }
 
 /// Sum of Omega_p times plastic work per volume over a strip [J per m].
-inline Real sum_plastic_work(const PointBlock<2>& block, Index first, Index n, const StripArrays& strip)
+template <int Dim>
+Real sum_plastic_work(const PointBlock<Dim>& block, Index first, Index n, const StripArrays<Dim>& strip)
 {
   Pack work(0.0);
   for (Index p = 0; p < n; p += pack_width)
-    work = fma(Pack::load(block.row(PointRows<2>::volume) + first + p), Pack::load(strip.plastic_work + p), work);
+    work = fma(Pack::load(block.row(PointRows<Dim>::volume) + first + p), Pack::load(strip.plastic_work + p), work);
   return sum(work);
 }
 
 /// Adds a strain increment to the accumulated strain of eight points and returns its trace.
-inline Pack accumulate_strain(const PointBlock<2>& block, Index p, const SymTensor<Pack, 2>& d_eps)
+template <int Dim>
+Pack accumulate_strain(const PointBlock<Dim>& block, Index p, const SymTensor<Pack, Dim>& d_eps)
 {
-  for (int k = 0; k < n_sym<2>; ++k) {
-    Real* strain = block.row(PointRows<2>::strain + k) + p;
+  for (int k = 0; k < n_sym<Dim>; ++k) {
+    Real* strain = block.row(PointRows<Dim>::strain + k) + p;
     (Pack::load(strain) + d_eps[k]).store(strain);
   }
   return trace(d_eps);
 }
 
 /// Omega_p *= 1 + tr d_eps.
-inline void scale_volume(const PointBlock<2>& block, Index p, Pack volumetric_strain)
+template <int Dim>
+void scale_volume(const PointBlock<Dim>& block, Index p, Pack volumetric_strain)
 {
-  Real* volume = block.row(PointRows<2>::volume) + p;
+  Real* volume = block.row(PointRows<Dim>::volume) + p;
   const Pack old = Pack::load(volume);
   fma(old, volumetric_strain, old).store(volume);
 }
 
-/// The strain increment of each point's own Gauss point (reading R11).
-inline SymTensor<Pack, 2> strain_at_points(const GaussStrain<2>& strain, Mask right, Mask upper)
+/// The strain increments of a strip, added to eight points of the block and their volume.
+template <int Dim>
+void add_strain(const PointBlock<Dim>& block, Index p, const StripArrays<Dim>& strip, Index at)
 {
-  SymTensor<Pack, 2> d_eps;
-  for (int k = 0; k < n_sym<2>; ++k) d_eps[k] = at_sub_cell<Pack>(strain.d_eps[k], right, upper);
+  SymTensor<Pack, Dim> d_eps;
+  for (int k = 0; k < n_sym<Dim>; ++k) d_eps[k] = Pack::load(strip.d_eps[k] + at);
+  scale_volume(block, p, accumulate_strain(block, p, d_eps));
+}
+
+template <int Dim>
+SymTensor<Pack, Dim> stress_of(const PointBlock<Dim>& block, Index p)
+{
+  return {load_rows<n_sym<Dim>>(block, PointRows<Dim>::sigma, p)};
+}
+
+/// The strain increment of each point's own Gauss point (reading R11). upper: halves of the cell that eight points are
+/// in.
+template <class Element>
+SymTensor<Pack, Element::dim> strain_at_points(
+    const GaussStrain<Element>& strain, const PerDirection<Element, Mask>& upper)
+{
+  SymTensor<Pack, Element::dim> d_eps;
+  for (int k = 0; k < n_sym<Element::dim>; ++k) d_eps[k] = Element::at_sub_cell(strain.d_eps[k], upper);
   return d_eps;
 }
 
-inline Mask right_half(const PointBlock<2>& block, Index p)
+/// The halves of their cell that the points p ... p + 7 are in.
+template <class Element>
+PerDirection<Element, Mask> upper_halves(const PointBlock<Element::dim>& block, Index p)
 {
-  return Pack::load(block.row(PointRows<2>::xi) + p) >= Pack(-tie);
-}
-inline Mask upper_half(const PointBlock<2>& block, Index p)
-{
-  return Pack::load(block.row(PointRows<2>::xi + 1) + p) >= Pack(-tie);
+  return Element::upper_halves(load_rows<Element::dim>(block, PointRows<Element::dim>::xi, p));
 }
 
 }  // namespace terp

@@ -4,42 +4,45 @@
 namespace terp {
 namespace {
 
+template <class Element>
 struct MpmGp {
+  static constexpr int dim = Element::dim;
+
   /// Gauss stress and internal force, Eqs. (1) to (4). The state stays at the points; of the Gauss values the pressure
   /// is kept.
-  static void gather(const SchemeContext& context, const CellGroup& group)
+  static void gather(const SchemeContext& context, const CellGroup<Element>& group)
   {
-    GaussValues<2, Pack> only;
+    GaussValues<Element, Pack> only;
     const bool one_layer = has_one_layer(group);
     gather_at_gauss_points(
         context, group,
-        [&](Index material) -> GaussValues<2, Pack>& { return one_layer ? only : group.gauss_of(material); },
-        [&](const BlockLayer& layer, const GaussValues<2, Pack>& gauss) {
+        [&](Index material) -> GaussValues<Element, Pack>& { return one_layer ? only : group.gauss_of(material); },
+        [&](const BlockLayer& layer, const GaussValues<Element, Pack>& gauss) {
           for (int c = 0; c < group.n(); ++c)
             if (layer.block[c] >= 0) group.pressure[layer.block[c]] = gauss.pressure[c];
         });
   }
 
   /// New stress and state in each material point from the strain of its own Gauss point (instead of Steps 3 and 4).
-  static void update_stress(const SchemeContext& context, const CellGroup& group,
-      std::span<const CornerVectors, pack_width> du, StressSums& sums)
+  static void update_stress(
+      const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>& du, StressSums& sums)
   {
     const auto strain = strain_by_cell(strain_of_group(group, du, context.method.b_bar));  // Step 2
     for (int c = 0; c < group.n(); ++c) {
       prefetch_next(group, c);
-      for_each_block(group.points, group.cells[c], [&](const PointBlock<2>& block, Index b) {
+      for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
         update_points(context, block, strain[c], group.pressure[b], sums);
       });
     }
   }
 
  private:
-  static void update_points(const SchemeContext& context, const PointBlock<2>& block, const GaussStrain<2>& strain,
-      Real cell_pressure, StressSums& sums)
+  static void update_points(const SchemeContext& context, const PointBlock<dim>& block,
+      const GaussStrain<Element>& strain, Real cell_pressure, StressSums& sums)
   {
     for (Index first = 0; first < block.n_padded(); first += strip_length) {
       const Index n = std::min(strip_length, block.n_padded() - first);
-      StripArrays strip;
+      StripArrays<dim> strip;
       for (Index p = 0; p < n; p += pack_width)
         prepare_points(context.method, block, first + p, strain, cell_pressure, strip, p);
       update_strip(context, block, first, n, strip);
@@ -49,30 +52,21 @@ struct MpmGp {
   }
 
   /// Start stress (reading R10, objective rate) and strain increment of eight points.
-  static void prepare_points(const MethodOptions& method, const PointBlock<2>& block, Index p,
-      const GaussStrain<2>& strain, Real cell_pressure, StripArrays& strip, Index at)
+  static void prepare_points(const MethodOptions& method, const PointBlock<dim>& block, Index p,
+      const GaussStrain<Element>& strain, Real cell_pressure, StripArrays<dim>& strip, Index at)
   {
-    const Mask right = right_half(block, p), upper = upper_half(block, p);
-    const SymTensor<Pack, 2> d_eps = strain_at_points(strain, right, upper);
-    for (int k = 0; k < n_sym<2>; ++k) d_eps[k].store(strip.d_eps[k] + at);
+    const auto upper = upper_halves<Element>(block, p);
+    store_strain(strain_at_points(strain, upper), strip, at);
     if (method.point_pressure == PointPressure::own && method.objective_rate == ObjectiveRate::none) return;
 
-    SymTensor<Pack, 2> sigma;
-    for (int k = 0; k < n_sym<2>; ++k) sigma[k] = Pack::load(block.row(PointRows<2>::sigma + k) + p);
+    SymTensor<Pack, dim> sigma = stress_of(block, p);
     const Real share = method.point_pressure == PointPressure::cell    ? 1.0
                        : method.point_pressure == PointPressure::relax ? method.pressure_relaxation
                                                                        : 0.0;
     add_isotropic(sigma, Pack(share) * (Pack(cell_pressure) - trace(sigma) * Pack(1.0 / 3.0)));
     if (method.objective_rate == ObjectiveRate::jaumann)
-      rotate_stress(sigma, at_sub_cell<Pack>(strain.d_spin, right, upper));
-    for (int k = 0; k < n_sym<2>; ++k) sigma[k].store(block.row(PointRows<2>::sigma + k) + p);
-  }
-
-  static void add_strain(const PointBlock<2>& block, Index p, const StripArrays& strip, Index at)
-  {
-    SymTensor<Pack, 2> d_eps;
-    for (int k = 0; k < n_sym<2>; ++k) d_eps[k] = Pack::load(strip.d_eps[k] + at);
-    scale_volume(block, p, accumulate_strain(block, p, d_eps));
+      rotate_stress(sigma, Element::at_sub_cell(strain.d_spin, upper));
+    store_rows(sigma.c, block, PointRows<dim>::sigma, p);
   }
 };
 

@@ -4,25 +4,28 @@
 namespace terp {
 namespace {
 
+template <class Element>
 struct MpmMixed {
+  static constexpr int dim = Element::dim;
+
   /// Gauss stress, rows of the laws and internal force, Eqs. (1) to (4).
-  static void gather(const SchemeContext& context, const CellGroup& group)
+  static void gather(const SchemeContext& context, const CellGroup<Element>& group)
   {
     gather_at_gauss_points(
-        context, group, [&](Index material) -> GaussValues<2, Pack>& { return group.gauss_of(material); },
-        [&](const BlockLayer& layer, GaussValues<2, Pack>& gauss) { gather_rows(context, group, layer, gauss); });
+        context, group, [&](Index material) -> GaussValues<Element, Pack>& { return group.gauss_of(material); },
+        [&](const BlockLayer& layer, GaussValues<Element, Pack>& gauss) { gather_rows(context, group, layer, gauss); });
   }
 
   /// Steps 2 to 4 of Sec. 2.1: new stress and state at the Gauss points, assigned to the points of each sub-cell.
-  static void update_stress(const SchemeContext& context, const CellGroup& group,
-      std::span<const CornerVectors, pack_width> du, StressSums& sums)
+  static void update_stress(
+      const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>& du, StressSums& sums)
   {
-    const GaussStrain<2, Pack> lanes = strain_of_group(group, du, context.method.b_bar);  // Step 2
+    const GaussStrain<Element, Pack> lanes = strain_of_group(group, du, context.method.b_bar);  // Step 2
     const auto strain = strain_by_cell(lanes);
     for_each_layer(group, [&](const BlockLayer& layer) {
       const SoilMaterial& material = context.materials[layer.material];
-      GaussValues<2, Pack>& gauss = group.gauss_of(layer.material);
-      GaussRow* rows = group.rows_of(layer.material);
+      GaussValues<Element, Pack>& gauss = group.gauss_of(layer.material);
+      GaussRow<Element>* rows = group.rows_of(layer.material);
       const Pack plastic_work = update_gauss_points(context, material, lanes, gauss, rows);  // Step 3
       const auto sigma = by_cell(gauss);
       for (int k = 0; k < material.n_state(); ++k) turn_by_cell(rows[k]);
@@ -30,7 +33,7 @@ struct MpmMixed {
         if (layer.block[c] < 0) continue;
         prefetch_next(group, c);
         sums.plastic_work += plastic_work[c];
-        const PointBlock<2>& block = group.points.block(layer.block[c]);
+        const PointBlock<dim>& block = group.points.block(layer.block[c]);
         for (Index p = 0; p < block.n; p += pack_width)
           assign_to_points(sigma[c], rows, c, strain[c], material, block, p);  // Step 4
       }
@@ -40,12 +43,12 @@ struct MpmMixed {
  private:
   /// Each state variable says how it is averaged (reading R9). A parameter that varies comes as the mean of its
   /// sub-cell.
-  static void gather_rows(
-      const SchemeContext& context, const CellGroup& group, const BlockLayer& layer, const GaussValues<2, Pack>& gauss)
+  static void gather_rows(const SchemeContext& context, const CellGroup<Element>& group, const BlockLayer& layer,
+      const GaussValues<Element, Pack>& gauss)
   {
     const SoilMaterial& material = context.materials[layer.material];
-    const SubCellMeans<Pack> mean(gauss.volume);
-    GaussRow* rows = group.rows_of(layer.material);
+    const SubCellMeans mean(gauss);
+    GaussRow<Element>* rows = group.rows_of(layer.material);
     for (int k = 0; k < material.n_rows(); ++k) {
       rows[k] = sum_row(group, layer, material.rows[k]);
       mean(rows[k]);
@@ -60,16 +63,16 @@ struct MpmMixed {
     return method.state_averaging == StateAveraging::cell;
   }
 
-  /// Runs the law on the four Gauss points of eight cells. Returns the plastic work of each cell [J per m].
+  /// Runs the law on the Gauss points of eight cells. Returns the plastic work of each cell [J per m].
   static Pack update_gauss_points(const SchemeContext& context, const SoilMaterial& material,
-      const GaussStrain<2, Pack>& strain, GaussValues<2, Pack>& gauss, GaussRow* rows)
+      const GaussStrain<Element, Pack>& strain, GaussValues<Element, Pack>& gauss, GaussRow<Element>* rows)
   {
     if (context.method.objective_rate == ObjectiveRate::jaumann) rotate_gauss_points(strain, gauss);
-    constexpr Index n = 4 * pack_width;  // numbers of a row
-    std::array<Pack, 4> plastic_work;
-    StressArrays<2> arrays{};
-    for (int k = 0; k < n_sym<2>; ++k) arrays.sigma[k] = numbers_of(gauss.sigma[k]);
-    for (int k = 0; k < n_sym<2>; ++k) arrays.d_eps[k] = numbers_of(strain.d_eps[k]);
+    constexpr Index n = Element::n_gauss * pack_width;  // numbers of a row
+    PerGauss<Element, Pack> plastic_work;
+    StressArrays<dim> arrays{};
+    for (int k = 0; k < n_sym<dim>; ++k) arrays.sigma[k] = numbers_of(gauss.sigma[k]);
+    for (int k = 0; k < n_sym<dim>; ++k) arrays.d_eps[k] = numbers_of(strain.d_eps[k]);
     arrays.law.state = {.data = reinterpret_cast<Real*>(rows), .stride = n};
     arrays.law.parameters = {.data = arrays.law.state(material.n_state()), .stride = n};
     arrays.plastic_work = numbers_of(plastic_work);
@@ -78,48 +81,50 @@ struct MpmMixed {
     material.law->update(arrays);
 
     Pack work(0.0);
-    for (int g = 0; g < 4; ++g) work += plastic_work[g] * gauss.weight[g];
+    for (int g = 0; g < Element::n_gauss; ++g) work += plastic_work[g] * gauss.weight[g];
     return work;
   }
 
-  static void rotate_gauss_points(const GaussStrain<2, Pack>& strain, GaussValues<2, Pack>& gauss)
+  static void rotate_gauss_points(const GaussStrain<Element, Pack>& strain, GaussValues<Element, Pack>& gauss)
   {
-    for (int g = 0; g < 4; ++g) {
-      SymTensor<Pack, 2> at{{gauss.sigma[0][g], gauss.sigma[1][g], gauss.sigma[2][g], gauss.sigma[3][g]}};
+    for (int g = 0; g < Element::n_gauss; ++g) {
+      SymTensor<Pack, dim> at;
+      for (int k = 0; k < n_sym<dim>; ++k) at[k] = gauss.sigma[k][g];
       rotate_stress(at, strain.d_spin[g]);
-      for (int k = 0; k < n_sym<2>; ++k) gauss.sigma[k][g] = at[k];
+      for (int k = 0; k < n_sym<dim>; ++k) gauss.sigma[k][g] = at[k];
     }
   }
 
-  using StressOfCell = std::array<std::array<Real, 4>, n_sym<2>>;
+  using StressOfCell = std::array<PerGauss<Element>, n_sym<dim>>;
 
   /// Stress cell by cell.
-  static std::array<StressOfCell, pack_width> by_cell(const GaussValues<2, Pack>& lanes)
+  static std::array<StressOfCell, pack_width> by_cell(const GaussValues<Element, Pack>& lanes)
   {
     std::array<StressOfCell, pack_width> sigma;
-    for (int k = 0; k < n_sym<2>; ++k) from_lanes(lanes.sigma[k], [&](int c) { return sigma[c][k].data(); });
+    for (int k = 0; k < n_sym<dim>; ++k) from_lanes(lanes.sigma[k], [&](int c) { return sigma[c][k].data(); });
     return sigma;
   }
 
-  /// A row cell by cell, in its own place: the four numbers of cell c begin at number 4 c.
-  static void turn_by_cell(GaussRow& row)
+  /// A row cell by cell, in its own place: the numbers of cell c begin at number n_gauss c.
+  static void turn_by_cell(GaussRow<Element>& row)
   {
-    const GaussRow lanes = row;
-    from_lanes(lanes, [&](int c) { return numbers_of(row) + 4 * c; });
+    const GaussRow<Element> lanes = row;
+    from_lanes(lanes, [&](int c) { return numbers_of(row) + Element::n_gauss * c; });
   }
 
   /// rows: of the law at the Gauss points, turned by cell; c: number of this cell among them.
-  static void assign_to_points(const StressOfCell& sigma, const GaussRow* rows, int c, const GaussStrain<2>& strain,
-      const SoilMaterial& material, const PointBlock<2>& block, Index p)
+  static void assign_to_points(const StressOfCell& sigma, const GaussRow<Element>* rows, int c,
+      const GaussStrain<Element>& strain, const SoilMaterial& material, const PointBlock<dim>& block, Index p)
   {
-    const Mask right = right_half(block, p), upper = upper_half(block, p);
-    for (int k = 0; k < n_sym<2>; ++k)
-      at_sub_cell<Pack>(sigma[k], right, upper).store(block.row(PointRows<2>::sigma + k) + p);
+    const auto upper = upper_halves<Element>(block, p);
+    for (int k = 0; k < n_sym<dim>; ++k)
+      Element::at_sub_cell(sigma[k], upper).store(block.row(PointRows<dim>::sigma + k) + p);
     for (int k = 0; k < material.n_state(); ++k) {
-      const Real* value = numbers_of(rows[k]) + 4 * c;
-      at_sub_cell<Pack>({value[0], value[1], value[2], value[3]}, right, upper).store(block.row(material.rows[k]) + p);
+      PerGauss<Element> value;
+      std::copy_n(numbers_of(rows[k]) + Element::n_gauss * c, Element::n_gauss, value.begin());
+      Element::at_sub_cell(value, upper).store(block.row(material.rows[k]) + p);
     }
-    scale_volume(block, p, accumulate_strain(block, p, strain_at_points(strain, right, upper)));
+    scale_volume(block, p, accumulate_strain(block, p, strain_at_points(strain, upper)));
   }
 };
 

@@ -26,11 +26,11 @@ struct Scheme {
   PassCost gather_cost, stress_cost;
 
   /// Turns the points of a group into their Gauss values and adds the internal force to group.corners.
-  void (*gather)(const SchemeContext& context, const CellGroup& group) = nullptr;
+  void (*gather)(const SchemeContext& context, const CellGroup<Quad4>& group) = nullptr;
   /// Turns displacements of the corners of each cell, du [m], into new stress, state, strain and volume of the points,
   /// and adds their plastic work to `sums`.
-  void (*update_stress)(const SchemeContext& context, const CellGroup& group,
-      std::span<const CornerVectors, pack_width> du, StressSums& sums) = nullptr;
+  void (*update_stress)(const SchemeContext& context, const CellGroup<Quad4>& group, const GroupVectors<Quad4>& du,
+      StressSums& sums) = nullptr;
 };
 
 /// Schemes in the order of schemes.def.
@@ -49,8 +49,8 @@ bool looks_at(const Scheme& scheme, std::string_view option);
 }  // namespace terp
 
 /// Last lines of a scheme's file, in namespace terp: the properties of the scheme NAME, whose functions are static
-/// members of Struct; schemes.def lists it.
+/// members of Struct<Element>; schemes.def lists it.
 #define TERP_SCHEME_DEFINITION(NAME, Struct, ...) \
   extern const Scheme scheme_##NAME;              \
   constinit const Scheme scheme_##NAME{           \
-      .name = #NAME, __VA_ARGS__, .gather = &Struct::gather, .update_stress = &Struct::update_stress};
+      .name = #NAME, __VA_ARGS__, .gather = &Struct<Quad4>::gather, .update_stress = &Struct<Quad4>::update_stress};

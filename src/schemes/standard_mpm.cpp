@@ -4,33 +4,36 @@
 namespace terp {
 namespace {
 
+template <class Element>
 struct StandardMpm {
-  static void gather(const SchemeContext&, const CellGroup& group)
+  static constexpr int dim = Element::dim;
+
+  static void gather(const SchemeContext&, const CellGroup<Element>& group)
   {
     for (int c = 0; c < group.n(); ++c)
-      for_each_block(group.points, group.cells[c], [&](const PointBlock<2>& block, Index) {
+      for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index) {
         add_internal_force_of_points(group.mesh.geometry(group.cells[c]), block, group.corners[c]);
       });
   }
 
-  static void update_stress(const SchemeContext& context, const CellGroup& group,
-      std::span<const CornerVectors, pack_width> du, StressSums& sums)
+  static void update_stress(
+      const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>& du, StressSums& sums)
   {
     for (int c = 0; c < group.n(); ++c) {
       prefetch_next(group, c);
-      for_each_block(group.points, group.cells[c], [&](const PointBlock<2>& block, Index) {
+      for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index) {
         update_points(context, group.mesh.geometry(group.cells[c]), du[c], block, sums);
       });
     }
   }
 
  private:
-  static void update_points(const SchemeContext& context, const CellGeometry<2>& cell, const CornerVectors& du,
-      const PointBlock<2>& block, StressSums& sums)
+  static void update_points(const SchemeContext& context, const CellGeometry<Element>& cell,
+      const CornerVectors<Element>& du, const PointBlock<dim>& block, StressSums& sums)
   {
     for (Index first = 0; first < block.n_padded(); first += strip_length) {
       const Index n = std::min(strip_length, block.n_padded() - first);
-      StripArrays strip;
+      StripArrays<dim> strip;
       for (Index p = 0; p < n; p += pack_width) prepare_points(context.method, cell, du, block, first + p, strip, p);
       update_strip(context, block, first, n, strip);
       sums.plastic_work += sum_plastic_work(block, first, n, strip);
@@ -38,30 +41,18 @@ struct StandardMpm {
     }
   }
 
-  static void prepare_points(const MethodOptions& method, const CellGeometry<2>& cell, const CornerVectors& du,
-      const PointBlock<2>& block, Index p, StripArrays& strip, Index at)
+  static void prepare_points(const MethodOptions& method, const CellGeometry<Element>& cell,
+      const CornerVectors<Element>& du, const PointBlock<dim>& block, Index p, StripArrays<dim>& strip, Index at)
   {
-    using Rows = PointRows<2>;
-    const auto gradient =
-        gradients_at(cell, Pack::load(block.row(Rows::xi) + p), Pack::load(block.row(Rows::xi + 1) + p));
+    using Rows = PointRows<dim>;
+    const auto gradient = gradients_at(cell, load_rows<dim>(block, Rows::xi, p));
     const auto l = displacement_gradient(gradient, du);
-    l[0][0].store(strip.d_eps[0] + at);
-    l[1][1].store(strip.d_eps[1] + at);
-    Pack(0.0).store(strip.d_eps[2] + at);
-    ((l[0][1] + l[1][0]) * Pack(0.5)).store(strip.d_eps[3] + at);
+    store_strain(symmetric_part(l), strip, at);
     if (method.objective_rate == ObjectiveRate::none) return;
 
-    SymTensor<Pack, 2> sigma;
-    for (int k = 0; k < n_sym<2>; ++k) sigma[k] = Pack::load(block.row(Rows::sigma + k) + p);
+    SymTensor<Pack, dim> sigma = stress_of(block, p);
     rotate_stress(sigma, (l[1][0] - l[0][1]) * Pack(0.5));
-    for (int k = 0; k < n_sym<2>; ++k) sigma[k].store(block.row(Rows::sigma + k) + p);
-  }
-
-  static void add_strain(const PointBlock<2>& block, Index p, const StripArrays& strip, Index at)
-  {
-    SymTensor<Pack, 2> d_eps;
-    for (int k = 0; k < n_sym<2>; ++k) d_eps[k] = Pack::load(strip.d_eps[k] + at);
-    scale_volume(block, p, accumulate_strain(block, p, d_eps));
+    store_rows(sigma.c, block, Rows::sigma, p);
   }
 };
 

@@ -12,10 +12,10 @@ namespace terp {
 inline constexpr std::int64_t prefetch_from = 16 << 20;
 
 /// The occupied cells `first` to `end` - 1, first a multiple of pack_width, as a group.
-inline CellGroup view_group(const Model& model, State& state, Workspace& work, Index first, Index end)
+inline CellGroup<Quad4> view_group(const Model& model, State& state, Workspace& work, Index first, Index end)
 {
   const std::span<const Index> occupied = state.points.occupied();
-  const std::span<CornerSums<2>> corners = work.corners;
+  const std::span<CornerSums<Quad4>> corners = work.corners;
   const Index n = end - first, n_groups = Threads::n_chunks(static_cast<Index>(occupied.size()), pack_width);
   const bool in_cache = state.points.n_points() * state.points.n_rows() * std::int64_t{sizeof(Real)} < prefetch_from;
   const Index next_cell = static_cast<std::size_t>(end) < occupied.size() ? occupied[end] : -1;
@@ -24,82 +24,86 @@ inline CellGroup view_group(const Model& model, State& state, Workspace& work, I
 }
 
 /// Values of the cell's corners; part: &NodeValues::v or &NodeValues::dv; times `factor`.
-inline CornerVectors corner_values(
+inline CornerVectors<Quad4> corner_values(
     const Mesh<2>& mesh, std::span<const NodeValues> node, Index cell, Vec<2> NodeValues::*part, Real factor)
 {
-  CornerVectors values;
-  for (int i = 0; i < 4; ++i) {
+  CornerVectors<Quad4> values;
+  for (int i = 0; i < Quad4::n_corners; ++i) {
     const Vec<2>& at = node[mesh.cells[cell][i]].*part;
-    for (int d = 0; d < 2; ++d) values[d][i] = at[d] * factor;
+    for (int d = 0; d < Quad4::dim; ++d) values[d][i] = at[d] * factor;
   }
   return values;
 }
 
 /// v_i dt of the corners of each cell of a group [m]; zero beyond the last.
-inline std::array<CornerVectors, pack_width> displacements(
-    const Model& model, std::span<const NodeValues> node, const CellGroup& group)
+inline GroupVectors<Quad4> displacements(
+    const Model& model, std::span<const NodeValues> node, const CellGroup<Quad4>& group)
 {
-  std::array<CornerVectors, pack_width> du{};
+  GroupVectors<Quad4> du{};
   for (int c = 0; c < group.n(); ++c)
     du[c] = corner_values(*model.mesh, node, group.cells[c], &NodeValues::v, model.dt);
   return du;
 }
 
 /// m_i and (m v)_i of the points of cell c; clears the internal force.
-inline void map_mass_and_momentum(const CellGroup& group, int c)
+inline void map_mass_and_momentum(const CellGroup<Quad4>& group, int c)
 {
   prefetch_next(group, c, PointRows<2>::xi, PointRows<2>::strain);
-  const CellView view = group.cell(c);
+  const CellView<Quad4> view = group.cell(c);
   view.corners = {};
   for_each_block(
       view.points, view.cell, [&](const PointBlock<2>& block, Index) { map_mass_and_momentum(block, view.corners); });
 }
 
 /// v_p of a cell from the accelerated nodes, and the momentum of the points with it.
-inline void accelerate_and_map(const Model& model, std::span<const NodeValues> node, const CellView& view)
+inline void accelerate_and_map(const Model& model, std::span<const NodeValues> node, const CellView<Quad4>& view)
 {
-  const CornerVectors dv = corner_values(*model.mesh, node, view.cell, &NodeValues::dv, 1.0);
-  const CornerVectors v_star = corner_values(*model.mesh, node, view.cell, &NodeValues::v, 1.0);
+  const CornerVectors<Quad4> dv = corner_values(*model.mesh, node, view.cell, &NodeValues::dv, 1.0);
+  const CornerVectors<Quad4> v_star = corner_values(*model.mesh, node, view.cell, &NodeValues::v, 1.0);
   view.corners.momentum = {};
   for_each_block(view.points, view.cell, [&](PointBlock<2> block, Index) {
-    accelerate_points(dv, v_star, model.method.flip, block);
+    accelerate_points<Quad4>(dv, v_star, model.method.flip, block);
     map_momentum(block, view.corners);
   });
 }
 
 /// x_p += sum N_i du_i; new local coordinates; lanes that left the half-open cell go to `leavers`, with those whose
-/// place the cell's map does not reach. A place that is not a number stays: the guards speak of it.
-inline void advance_points(const CellView& view, Vec<2> centre, const CornerVectors& du, const PointBlock<2>& block,
-    Index b, std::vector<PointPlace>& leavers)
+/// place the cell's map does not reach. A place that is not a number stays: the guards report it.
+template <class Element>
+void advance_points(const CellGeometry<Element>& cell, const Vec<Element::dim>& centre,
+    const CornerVectors<Element>& du, const PointBlock<Element::dim>& block, Index b, std::vector<PointPlace>& leavers)
 {
-  using Rows = PointRows<2>;
+  constexpr int dim = Element::dim;
+  using Rows = PointRows<dim>;
   for (Index p = 0; p < block.n; p += pack_width) {
     const Mask in_use = lane_numbers() < Pack(static_cast<Real>(block.n - p));
-    const std::array<Pack, 2> xi{Pack::load(block.row(Rows::xi) + p), Pack::load(block.row(Rows::xi + 1) + p)};
-    const auto step = interpolate(du, shape_functions(xi[0], xi[1]));
-    std::array<Pack, 2> x;
-    for (int d = 0; d < 2; ++d) {
+    const auto xi = load_rows<dim>(block, Rows::xi, p);
+    const auto step = interpolate(du, Element::shape_functions(xi));
+    PerDirection<Element, Pack> offset;
+    Mask known = in_use;
+    for (int d = 0; d < dim; ++d) {
       const Pack old = Pack::load(block.row(Rows::x + d) + p);
-      x[d] = select(in_use, old + step[d], old);
-      x[d].store(block.row(Rows::x + d) + p);
+      const Pack x = select(in_use, old + step[d], old);
+      x.store(block.row(Rows::x + d) + p);
+      offset[d] = x - Pack(centre[d]);
+      known = known & (x - x >= Pack(0.0));
     }
-    const auto local = local_coordinates(view.geometry, x[0] - Pack(centre[0]), x[1] - Pack(centre[1]));
+    const auto local = Element::local_coordinates(cell.map, offset);
     Mask inside = in_use;
-    for (int d = 0; d < 2; ++d) {
+    for (int d = 0; d < dim; ++d) {
       select(in_use, local[d], xi[d]).store(block.row(Rows::xi + d) + p);
       inside = inside & (local[d] >= Pack(-1.0)) & (local[d] < Pack(1.0));
     }
-    const Mask known = (x[0] - x[0]) + (x[1] - x[1]) >= Pack(0.0);
-    for (unsigned bits = to_bits((!inside) & in_use & known); bits != 0; bits &= bits - 1)
+    for (unsigned bits = to_bits((!inside) & known); bits != 0; bits &= bits - 1)
       leavers.push_back({b, p + static_cast<Index>(std::countr_zero(bits))});
   }
 }
 
 inline void advance_points(
-    const CellView& view, Vec<2> centre, const CornerVectors& du, std::vector<PointPlace>& leavers)
+    const CellView<Quad4>& view, Vec<2> centre, const CornerVectors<Quad4>& du, std::vector<PointPlace>& leavers)
 {
   for_each_block(view.points, view.cell,
-      [&](const PointBlock<2>& block, Index b) { advance_points(view, centre, du, block, b, leavers); });
+      [&](const PointBlock<2>& block, Index b) { advance_points(view.geometry, centre, du, block, b, leavers); });
 }
 
 }  // namespace terp

@@ -6,7 +6,7 @@ namespace terp {
 namespace {
 
 /// Adds what a cell's points give to its corners: m_i, and (m v)_i in place of the velocity.
-void add_corners(const std::array<Index, 4>& nodes, const CornerSums<2>& corners, NodeMotion& motion)
+void add_corners(const std::array<Index, 4>& nodes, const CornerSums<Quad4>& corners, NodeMotion& motion)
 {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto node = static_cast<std::size_t>(nodes[i]);
@@ -22,7 +22,7 @@ NodeMotion map_motion(const Model& model, const State& state)
   const auto n_nodes = static_cast<std::size_t>(model.mesh->n_nodes());
   NodeMotion motion{.mass = std::vector<Real>(n_nodes), .velocity = std::vector<Real>(2 * n_nodes)};
   for (const Index cell : state.points.occupied()) {
-    CornerSums<2> corners{};
+    CornerSums<Quad4> corners{};
     for_each_block(
         state.points, cell, [&](const PointBlock<2>& block, Index) { map_mass_and_momentum(block, corners); });
     add_corners(model.mesh->cells[static_cast<std::size_t>(cell)], corners, motion);

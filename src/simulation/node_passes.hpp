@@ -20,7 +20,7 @@ inline NodeGather sum_cells(const Model& model, const State& state, const Worksp
     const auto [cell, corner] = model.mesh->cells_of_node[k];
     const Index slot = state.points.slot_of_cell()[cell];
     if (slot < 0) continue;
-    const CornerSums<2>& from = work.corners[slot];
+    const CornerSums<Quad4>& from = work.corners[slot];
     sum.mass += from.mass[corner];
     for (int d = 0; d < 2; ++d) {
       sum.momentum[d] += from.momentum[d][corner];

@@ -129,7 +129,7 @@ void step_compiled(const Model& model, State& state, Workspace& work)
   place_footings(model, state, work);
 
   timed(work, points_to_cells, [&] {
-    for_each_group(model, state, work, [&](const CellGroup& group, CellSums&, auto&) {
+    for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums&, auto&) {
       for (int c = 0; c < group.n(); ++c) map_mass_and_momentum(group, c);
       scheme.gather(context, group);  // Eqs. (1) to (4)
     });
@@ -139,7 +139,7 @@ void step_compiled(const Model& model, State& state, Workspace& work)
         [&](Index i, NodeSums& sums) { accelerate_node(model, sum_cells(model, state, work, i), i, work, sums); });
   });
   timed(work, cells_to_points, [&] {
-    for_each_group(model, state, work, [&](const CellGroup& group, CellSums&, auto&) {
+    for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums&, auto&) {
       for (int c = 0; c < group.n(); ++c) accelerate_and_map(model, work.node, group.cell(c));
     });
   });
@@ -148,7 +148,7 @@ void step_compiled(const Model& model, State& state, Workspace& work)
         work, [&](Index i, NodeSums& sums) { remap_velocity(model, sum_cells(model, state, work, i), i, work, sums); });
   });
   timed(work, stress, [&] {
-    for_each_group(model, state, work, [&](const CellGroup& group, CellSums& sums, auto& leavers) {
+    for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums& sums, auto& leavers) {
       const auto du = displacements(model, work.node, group);
       StressSums stress_sums;
       scheme.update_stress(context, group, du, stress_sums);  // Steps 2 to 4, or Sec. 2.2

@@ -1,5 +1,5 @@
 // Material points to Gauss points: means over sub-cells, integration weights and the cell's pressure, Eqs. (1) to (3).
-// After the sums over points one text serves a cell and eight in packs: R is Real or Pack, Geometry CellGeometry<2> or
+// After the sums over points one text serves a cell and eight in packs: R is Real or Pack, Geometry CellGeometry or
 // GeometryLanes.
 #pragma once
 
@@ -11,22 +11,27 @@ namespace terp {
 
 /// Sums over each sub-cell of one block: Omega_p -> gauss.volume, sigma_p Omega_p -> gauss.sigma. The denominator and
 /// the numerators of Eq. (1).
-void sum_over_sub_cells(const PointBlock<2>& block, GaussValues<2>& gauss);
+template <class Element>
+void sum_over_sub_cells(const PointBlock<Element::dim>& block, GaussValues<Element>& gauss);
 
 /// The same of one row alpha: sum of alpha_p Omega_p, shape [g].
-std::array<Real, 4> sum_row_over_sub_cells(const PointBlock<2>& block, int row);
+template <class Element>
+PerGauss<Element> sum_row_over_sub_cells(const PointBlock<Element::dim>& block, int row);
 
-template <class R>
-R total(const std::array<R, 4>& a)
+/// The sum over Gauss points, in pairs: (a0 + a1) + (a2 + a3).
+template <class R, std::size_t n>
+R total(std::array<R, n> a)
 {
-  return (a[0] + a[1]) + (a[2] + a[3]);
+  for (std::size_t pairs = n / 2; pairs > 0; pairs /= 2)
+    for (std::size_t k = 0; k < pairs; ++k) a[k] = a[2 * k] + a[2 * k + 1];
+  return a[0];
 }
 
-template <class R>
-R weighted_mean(const std::array<R, 4>& value, const std::array<R, 4>& weight)
+template <class R, std::size_t n>
+R weighted_mean(std::array<R, n> value, const std::array<R, n>& weight)
 {
-  return ((value[0] * weight[0] + value[1] * weight[1]) + (value[2] * weight[2] + value[3] * weight[3])) /
-         total(weight);
+  for (std::size_t g = 0; g < n; ++g) value[g] = value[g] * weight[g];
+  return total(value) / total(weight);
 }
 
 /// 1 where the points fill the cell up to `filled_fraction` at least (reading R3), else 0.
@@ -39,62 +44,63 @@ R filled_share(const Geometry& cell, R volume, const MethodOptions& method)
 
 /// Integration weights of one block (reading R3): w_g detJ in a filled cell, shared between blocks by volume; the
 /// points' own volume otherwise. cell_volume: sum over all blocks of the cell, shape [g].
-template <class Geometry, class R>
-void set_weights(
-    const Geometry& cell, const std::array<R, 4>& cell_volume, const MethodOptions& method, GaussValues<2, R>& gauss)
+template <class Geometry, class Element, class R>
+void set_weights(const Geometry& cell, const PerGauss<Element, R>& cell_volume, const MethodOptions& method,
+    GaussValues<Element, R>& gauss)
 {
   const R all = total(cell_volume), own = total(gauss.volume);
   R filled = filled_share(cell, all, method);
   if (method.weights == Weights::summed) filled = R(0.0);
   if (method.weights == Weights::gauss) filled = R(1.0);
-  for (int g = 0; g < 4; ++g) {
+  for (int g = 0; g < Element::n_gauss; ++g) {
     const R share = select(cell_volume[g] > R(0.0), gauss.volume[g] / cell_volume[g], own / all);
     gauss.weight[g] = filled * share * R(cell.gauss_volume[g]) + (R(1.0) - filled) * gauss.volume[g];
   }
 }
 
 /// Turns sums over the sub-cells into means, Eq. (1). An empty sub-cell takes the block's mean (reading R8).
-template <class R>
+template <class Element, class R>
 class SubCellMeans {
  public:
-  explicit SubCellMeans(const std::array<R, 4>& volume) : volume_(volume), all_(total(volume))
+  explicit SubCellMeans(const GaussValues<Element, R>& gauss) : volume_(gauss.volume), all_(total(gauss.volume))
   {
-    for (int g = 0; g < 4; ++g) inverse_[g] = R(1.0) / volume[g];
+    for (int g = 0; g < Element::n_gauss; ++g) inverse_[g] = R(1.0) / volume_[g];
   }
 
-  void operator()(std::array<R, 4>& value) const
+  void operator()(PerGauss<Element, R>& value) const
   {
     const R mean = total(value) / all_;
-    for (int g = 0; g < 4; ++g) value[g] = select(volume_[g] > R(0.0), value[g] * inverse_[g], mean);
+    for (int g = 0; g < Element::n_gauss; ++g) value[g] = select(volume_[g] > R(0.0), value[g] * inverse_[g], mean);
   }
 
  private:
-  std::array<R, 4> volume_, inverse_;
+  PerGauss<Element, R> volume_, inverse_;
   R all_;
 };
 
 /// Turns the sums of the stress into means, Eq. (1).
-template <class R>
-void divide_by_volume(GaussValues<2, R>& gauss)
+template <class Element, class R>
+void divide_by_volume(GaussValues<Element, R>& gauss)
 {
-  const SubCellMeans<R> mean(gauss.volume);
+  const SubCellMeans mean(gauss);
   for (auto& component : gauss.sigma) mean(component);
 }
 
 /// p_e by Eq. (2) and sigma_hat by Eq. (3).
-template <class R>
-void smooth_pressure(GaussValues<2, R>& gauss)
+template <class Element, class R>
+void smooth_pressure(GaussValues<Element, R>& gauss)
 {
-  std::array<R, 4> p;
-  for (int g = 0; g < 4; ++g) p[g] = (gauss.sigma[0][g] + gauss.sigma[1][g] + gauss.sigma[2][g]) * R(1.0 / 3.0);
+  PerGauss<Element, R> p;
+  for (int g = 0; g < Element::n_gauss; ++g)
+    p[g] = (gauss.sigma[0][g] + gauss.sigma[1][g] + gauss.sigma[2][g]) * R(1.0 / 3.0);
   gauss.pressure = weighted_mean(p, gauss.weight);  // Eq. (2)
   for (int k = 0; k < 3; ++k)
-    for (int g = 0; g < 4; ++g) gauss.sigma[k][g] -= p[g] - gauss.pressure;  // Eq. (3)
+    for (int g = 0; g < Element::n_gauss; ++g) gauss.sigma[k][g] -= p[g] - gauss.pressure;  // Eq. (3)
 }
 
 /// Replaces a value at all Gauss points by its mean over the cell with the weights of Eq. (2).
-template <class R>
-void average_over_cell(const std::array<R, 4>& weight, std::array<R, 4>& value)
+template <class R, std::size_t n>
+void average_over_cell(const std::array<R, n>& weight, std::array<R, n>& value)
 {
   value.fill(weighted_mean(value, weight));
 }

@@ -1,7 +1,6 @@
 // Points to the corners of their cell and back: mass, momentum, velocity increments. Pure sums over one block.
 #pragma once
 
-#include "mesh/shape_functions.hpp"
 #include "parallel/lanes.hpp"
 #include "transfer/cell_sums.hpp"
 
@@ -13,71 +12,72 @@ namespace terp {
 inline constexpr Real least_share = 1e-30;
 
 /// N_i, at least `least_share`; not a number stays so.
-inline std::array<Pack, 4> mapping_shares(Pack xi, Pack eta)
+template <class Element>
+PerCorner<Element, Pack> mapping_shares(const PerDirection<Element, Pack>& local)
 {
-  std::array<Pack, 4> N = shape_functions(xi, eta);
+  auto N = Element::shape_functions(local);
   for (Pack& share : N) share = max(Pack(least_share), share);
   return N;
 }
 
 /// corners[i] += sum of the lanes of sums[i].
-inline void add_lanes(const std::array<Pack, 4>& sums, std::array<Real, 4>& corners)
+template <std::size_t n>
+void add_lanes(const std::array<Pack, n>& sums, std::array<Real, n>& corners)
 {
-  const std::array<Real, 4> each = sum_each(sums);
-  for (int i = 0; i < 4; ++i) corners[i] += each[i];
+  const std::array<Real, n> each = sum_each(sums);
+  for (std::size_t i = 0; i < n; ++i) corners[i] += each[i];
 }
 
 /// m_i += sum N_i m_p; (m v)_i += sum N_i m_p v_p.
-inline void map_mass_and_momentum(const PointBlock<2>& block, CornerSums<2>& corners)
+template <class Element>
+void map_mass_and_momentum(const PointBlock<Element::dim>& block, CornerSums<Element>& corners)
 {
-  using Rows = PointRows<2>;
-  auto mass = zero_packs<4>(), momentum_x = mass, momentum_y = mass;
+  constexpr int dim = Element::dim;
+  using Rows = PointRows<dim>;
+  auto mass = zero_packs<Element::n_corners>();
+  CornerVectors<Element, Pack> momentum;
+  momentum.fill(mass);
   for (Index p = 0; p < block.n; p += pack_width) {
-    const auto N = mapping_shares(Pack::load(block.row(Rows::xi) + p), Pack::load(block.row(Rows::xi + 1) + p));
+    const auto N = mapping_shares<Element>(load_rows<dim>(block, Rows::xi, p));
     const Pack m = Pack::load(block.row(Rows::mass) + p);
-    const Pack vx = Pack::load(block.row(Rows::v) + p), vy = Pack::load(block.row(Rows::v + 1) + p);
-    for (int i = 0; i < 4; ++i) {
+    const auto v = load_rows<dim>(block, Rows::v, p);
+    for (int i = 0; i < Element::n_corners; ++i) {
       const Pack weight = N[i] * m;
       mass[i] += weight;
-      momentum_x[i] = fma(weight, vx, momentum_x[i]);
-      momentum_y[i] = fma(weight, vy, momentum_y[i]);
+      for (int d = 0; d < dim; ++d) momentum[d][i] = fma(weight, v[d], momentum[d][i]);
     }
   }
   add_lanes(mass, corners.mass);
-  add_lanes(momentum_x, corners.momentum[0]);
-  add_lanes(momentum_y, corners.momentum[1]);
+  for (int d = 0; d < dim; ++d) add_lanes(momentum[d], corners.momentum[d]);
 }
 
 /// (m v)_i += sum N_i m_p v_p, with the updated velocities (MUSL).
-inline void map_momentum(const PointBlock<2>& block, CornerSums<2>& corners)
+template <class Element>
+void map_momentum(const PointBlock<Element::dim>& block, CornerSums<Element>& corners)
 {
-  using Rows = PointRows<2>;
-  auto momentum_x = zero_packs<4>(), momentum_y = momentum_x;
+  constexpr int dim = Element::dim;
+  using Rows = PointRows<dim>;
+  CornerVectors<Element, Pack> momentum;
+  momentum.fill(zero_packs<Element::n_corners>());
   for (Index p = 0; p < block.n; p += pack_width) {
-    const auto N = mapping_shares(Pack::load(block.row(Rows::xi) + p), Pack::load(block.row(Rows::xi + 1) + p));
+    const auto N = mapping_shares<Element>(load_rows<dim>(block, Rows::xi, p));
     const Pack m = Pack::load(block.row(Rows::mass) + p);
-    const Pack px = m * Pack::load(block.row(Rows::v) + p), py = m * Pack::load(block.row(Rows::v + 1) + p);
-    for (int i = 0; i < 4; ++i) {
-      momentum_x[i] = fma(N[i], px, momentum_x[i]);
-      momentum_y[i] = fma(N[i], py, momentum_y[i]);
-    }
+    auto momentum_p = load_rows<dim>(block, Rows::v, p);
+    for (Pack& component : momentum_p) component = m * component;
+    for (int i = 0; i < Element::n_corners; ++i)
+      for (int d = 0; d < dim; ++d) momentum[d][i] = fma(N[i], momentum_p[d], momentum[d][i]);
   }
-  add_lanes(momentum_x, corners.momentum[0]);
-  add_lanes(momentum_y, corners.momentum[1]);
+  for (int d = 0; d < dim; ++d) add_lanes(momentum[d], corners.momentum[d]);
 }
 
-/// Nodal values of one cell's corners, or in packs those of eight cells, shape [d][corner].
-template <class R>
-using CornerVectorsOf = std::array<std::array<R, 4>, 2>;
-using CornerVectors = CornerVectorsOf<Real>;
-
 /// sum_i N_i a_i at eight points.
-inline std::array<Pack, 2> interpolate(const CornerVectors& a, const std::array<Pack, 4>& N)
+template <std::size_t dim, std::size_t n>
+std::array<Pack, dim> interpolate(const std::array<std::array<Real, n>, dim>& a, const std::array<Pack, n>& N)
 {
-  std::array<Pack, 2> value;
-  for (int d = 0; d < 2; ++d) {
+  std::array<Pack, dim> value;
+  for (std::size_t d = 0; d < dim; ++d) {
     value[d] = N[0] * Pack(a[d][0]);
-    for (int i = 1; i < 4; ++i) value[d] = fma(N[i], Pack(a[d][i]), value[d]);
+    for (std::size_t i = 1; i < n; ++i) value[d] = fma(N[i], Pack(a[d][i]), value[d]);
   }
   return value;
 }
@@ -85,19 +85,22 @@ inline std::array<Pack, 2> interpolate(const CornerVectors& a, const std::array<
 /// v_p += dt sum N_i a_i (FLIP); with flip < 1 blended with sum N_i v*_i (PIC).
 ///
 /// dv        dt a_i [m/s], v_star  v* of the nodes [m/s]
-inline void accelerate_points(const CornerVectors& dv, const CornerVectors& v_star, Real flip, PointBlock<2>& block)
+template <class Element>
+void accelerate_points(
+    const CornerVectors<Element>& dv, const CornerVectors<Element>& v_star, Real flip, PointBlock<Element::dim>& block)
 {
-  using Rows = PointRows<2>;
+  constexpr int dim = Element::dim;
+  using Rows = PointRows<dim>;
   for (Index p = 0; p < block.n; p += pack_width) {
-    const auto N = shape_functions(Pack::load(block.row(Rows::xi) + p), Pack::load(block.row(Rows::xi + 1) + p));
+    const auto N = Element::shape_functions(load_rows<dim>(block, Rows::xi, p));
     const auto increment = interpolate(dv, N);
-    std::array<Pack, 2> v;
-    for (int d = 0; d < 2; ++d) v[d] = Pack::load(block.row(Rows::v + d) + p) + increment[d];
+    auto v = load_rows<dim>(block, Rows::v, p);
+    for (int d = 0; d < dim; ++d) v[d] += increment[d];
     if (flip < 1.0) {
       const auto pic = interpolate(v_star, N);
-      for (int d = 0; d < 2; ++d) v[d] = fma(Pack(flip), v[d], Pack(1.0 - flip) * pic[d]);
+      for (int d = 0; d < dim; ++d) v[d] = fma(Pack(flip), v[d], Pack(1.0 - flip) * pic[d]);
     }
-    for (int d = 0; d < 2; ++d) v[d].store(block.row(Rows::v + d) + p);
+    store_rows(v, block, Rows::v, p);
   }
 }
 

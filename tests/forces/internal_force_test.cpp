@@ -10,9 +10,9 @@
 namespace terp {
 namespace {
 
-GaussValues<2> random_gauss(test::Random& random)
+GaussValues<Quad4> random_gauss(test::Random& random)
 {
-  GaussValues<2> gauss{};
+  GaussValues<Quad4> gauss{};
   for (int g = 0; g < 4; ++g) {
     for (int c = 0; c < 4; ++c) gauss.sigma[c][g] = random.between(-5e4, 5e4);
     gauss.weight[g] = random.between(0.05, 0.4);
@@ -20,9 +20,9 @@ GaussValues<2> random_gauss(test::Random& random)
   return gauss;
 }
 
-CornerVectors random_displacements(test::Random& random)
+CornerVectors<Quad4> random_displacements(test::Random& random)
 {
-  CornerVectors du;
+  CornerVectors<Quad4> du;
   for (auto& direction : du)
     for (Real& value : direction) value = random.between(-1e-3, 1e-3);
   return du;
@@ -35,15 +35,15 @@ std::array<Real, 4> b_bar_column(const std::array<Vec<2>, 4>& corners, int g, in
     Real j[2][2] = {};  // dx_a/dxi_b by the sum over corners
     for (int k = 0; k < 4; ++k)
       for (int a = 0; a < 2; ++a) {
-        j[a][0] += 0.25 * corner_place[k][0] * (1.0 + corner_place[k][1] * at[1]) * corners[k][a];
-        j[a][1] += 0.25 * corner_place[k][1] * (1.0 + corner_place[k][0] * at[0]) * corners[k][a];
+        j[a][0] += 0.25 * Quad4::corner_place[k][0] * (1.0 + Quad4::corner_place[k][1] * at[1]) * corners[k][a];
+        j[a][1] += 0.25 * Quad4::corner_place[k][1] * (1.0 + Quad4::corner_place[k][0] * at[0]) * corners[k][a];
       }
     const Real det = j[0][0] * j[1][1] - j[0][1] * j[1][0];
-    const Real n_xi = 0.25 * corner_place[i][0] * (1.0 + corner_place[i][1] * at[1]);
-    const Real n_eta = 0.25 * corner_place[i][1] * (1.0 + corner_place[i][0] * at[0]);
+    const Real n_xi = 0.25 * Quad4::corner_place[i][0] * (1.0 + Quad4::corner_place[i][1] * at[1]);
+    const Real n_eta = 0.25 * Quad4::corner_place[i][1] * (1.0 + Quad4::corner_place[i][0] * at[0]);
     return Vec<2>{(n_xi * j[1][1] - n_eta * j[1][0]) / det, (n_eta * j[0][0] - n_xi * j[0][1]) / det};
   };
-  const Vec<2> at_g = gradient_at(gauss_place(g)), at_centre = gradient_at({0.0, 0.0});
+  const Vec<2> at_g = gradient_at(Quad4::gauss_place(g)), at_centre = gradient_at({0.0, 0.0});
   std::array<Real, 4> column{d == 0 ? at_g[0] : 0.0, d == 1 ? at_g[1] : 0.0, 0.0, at_g[1 - d]};
   for (int c = 0; c < 3; ++c) column[c] += (at_centre[d] - at_g[d]) / 3.0;
   return column;
@@ -55,9 +55,9 @@ TEST(InternalForce, Eq4_IsTheSumOfBBarTransposedTimesStressTimesWeight)  // deci
   for (int repeat = 0; repeat < 100; ++repeat) {
     const auto corners = test::distorted_square(0.25, random);
     const auto gauss = random_gauss(random);
-    CornerSums<2> sums{};
+    CornerSums<Quad4> sums{};
     sums.internal_force[1][2] = 17.0;  // it adds to what is there
-    add_internal_force(make_cell_geometry(corners), gauss, ForceOperator::b_bar, sums);
+    add_internal_force(make_cell_geometry<Quad4>(corners), gauss, ForceOperator::b_bar, sums);
     for (int i = 0; i < 4; ++i)
       for (int d = 0; d < 2; ++d) {
         Real expected = i == 2 && d == 1 ? 17.0 : 0.0;
@@ -75,10 +75,10 @@ TEST(InternalForce, DoesTheWorkOfTheStressOnTheStrain)  // for both operators wi
   test::Random random(82);
   for (const bool b_bar : {true, false})
     for (int repeat = 0; repeat < 100; ++repeat) {
-      const auto cell = make_cell_geometry(test::distorted_square(0.25, random));
+      const auto cell = make_cell_geometry<Quad4>(test::distorted_square(0.25, random));
       const auto gauss = random_gauss(random);
       const auto du = random_displacements(random);
-      CornerSums<2> sums{};
+      CornerSums<Quad4> sums{};
       add_internal_force(cell, gauss, b_bar ? ForceOperator::b_bar : ForceOperator::b, sums);
       const auto strain = strain_at_gauss_points(cell, du, b_bar);
       Real of_nodes = 0.0, of_stress = 0.0;
@@ -94,12 +94,12 @@ TEST(InternalForce, DoesTheWorkOfTheStressOnTheStrain)  // for both operators wi
 TEST(InternalForce,
     PullsTheCornersOfATensionedCellInwards)  // f_int = integral of B^T sigma: outwards on the side, by hand
 {
-  const auto cell = make_cell_geometry({{{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {0.0, 1.0}}});
-  GaussValues<2> gauss{};
+  const auto cell = make_cell_geometry<Quad4>({{{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {0.0, 1.0}}});
+  GaussValues<Quad4> gauss{};
   gauss.sigma[0].fill(30.0);
   gauss.sigma[3].fill(4.0);
   gauss.weight.fill(0.5);
-  CornerSums<2> sums{};
+  CornerSums<Quad4> sums{};
   add_internal_force(cell, gauss, ForceOperator::b_bar, sums);
   EXPECT_THAT(sums.internal_force[0],
       testing::Pointwise(testing::DoubleNear(1e-13), {-15.0 - 4.0, 15.0 - 4.0, 15.0 + 4.0, -15.0 + 4.0}));
@@ -113,12 +113,12 @@ Real largest_inner_force(ForceOperator op, Real p, Real share)
   test::Random random(84);
   std::vector<Vec<2>> force(mesh.nodes.size(), {0.0, 0.0});
   for (Index e = 0; e < mesh.n_cells(); ++e) {
-    GaussValues<2> gauss{};
+    GaussValues<Quad4> gauss{};
     for (int c = 0; c < 3; ++c) gauss.sigma[c].fill(p);
     Real total = 0.0;
     for (Real& w : gauss.weight) total += w = random.between(0.1, 0.9);
     for (Real& w : gauss.weight) w *= mesh.geometry(e).volume / total;  // summed weights of a full cell
-    CornerSums<2> sums{};
+    CornerSums<Quad4> sums{};
     add_internal_force(mesh.geometry(e), gauss, op, sums);
     for (int i = 0; i < 4; ++i)
       for (int d = 0; d < 2; ++d) force[mesh.cells[e][i]][d] += sums.internal_force[d][i];
@@ -148,11 +148,11 @@ TEST(InternalForce,
 TEST(InternalForce, IsTheSameForBothOperatorsWithGaussWeightsAndUniformPressure)
 {
   test::Random random(85);
-  const auto cell = make_cell_geometry(test::distorted_square(0.25, random));
-  GaussValues<2> gauss{};
+  const auto cell = make_cell_geometry<Quad4>(test::distorted_square(0.25, random));
+  GaussValues<Quad4> gauss{};
   for (int c = 0; c < 3; ++c) gauss.sigma[c].fill(-2e4);
   gauss.weight = cell.gauss_volume;
-  CornerSums<2> with_b{}, with_b_bar{};
+  CornerSums<Quad4> with_b{}, with_b_bar{};
   add_internal_force(cell, gauss, ForceOperator::b, with_b);
   add_internal_force(cell, gauss, ForceOperator::b_bar, with_b_bar);
   for (int i = 0; i < 4; ++i)
@@ -163,13 +163,13 @@ TEST(StrainAtGaussPoints, OfAUniformGradientIsThatGradient)
 {
   test::Random random(86);
   const auto corners = test::distorted_square(0.25, random);
-  CornerVectors du;
+  CornerVectors<Quad4> du;
   for (int i = 0; i < 4; ++i) {
     du[0][i] = 1e-3 * corners[i][0] + 4e-3 * corners[i][1] + 0.7;
     du[1][i] = -2e-3 * corners[i][0] + 5e-3 * corners[i][1] - 0.3;
   }
   for (const bool b_bar : {true, false}) {
-    const auto strain = strain_at_gauss_points(make_cell_geometry(corners), du, b_bar);
+    const auto strain = strain_at_gauss_points(make_cell_geometry<Quad4>(corners), du, b_bar);
     for (int g = 0; g < 4; ++g) {
       EXPECT_NEAR(strain.d_eps[0][g], 1e-3, 1e-14);
       EXPECT_NEAR(strain.d_eps[1][g], 5e-3, 1e-14);
@@ -184,7 +184,7 @@ TEST(StrainAtGaussPoints, BBarKeepsTheDeviatorAndTakesTheTraceOfTheCentre)  // r
 {
   test::Random random(87);
   for (int repeat = 0; repeat < 50; ++repeat) {
-    const auto cell = make_cell_geometry(test::distorted_square(0.25, random));
+    const auto cell = make_cell_geometry<Quad4>(test::distorted_square(0.25, random));
     const auto du = random_displacements(random);
     const auto bar = strain_at_gauss_points(cell, du, true), plain = strain_at_gauss_points(cell, du, false);
     Real theta_0 = 0.0;

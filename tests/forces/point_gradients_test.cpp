@@ -22,21 +22,21 @@ Mesh<2> one_cell(const std::array<Vec<2>, 4>& corners)
 TEST(GradientsAt, AgreeWithTheCellsOwnAtGaussPointsAndCentre)
 {
   test::Random random(91);
-  const auto cell = make_cell_geometry(test::distorted_square(0.3, random));
+  const auto cell = make_cell_geometry<Quad4>(test::distorted_square(0.3, random));
   for (int g = 0; g < 4; ++g) {
-    const auto gradient = gradients_at(cell, Pack(gauss_place(g)[0]), Pack(gauss_place(g)[1]));
+    const auto gradient = gradients_at(cell, {Pack(Quad4::gauss_place(g)[0]), Pack(Quad4::gauss_place(g)[1])});
     for (int i = 0; i < 4; ++i)
       for (int d = 0; d < 2; ++d) EXPECT_NEAR(gradient[i][d][3], cell.gradient[i][d][g], 1e-13);
   }
-  const auto centre = gradients_at(cell, Pack(0.0), Pack(0.0));
+  const auto centre = gradients_at(cell, {Pack(0.0), Pack(0.0)});
   for (int i = 0; i < 4; ++i)
     for (int d = 0; d < 2; ++d) EXPECT_NEAR(centre[i][d][0], cell.centre_gradient[i][d], 1e-13);
 }
 
 TEST(GradientsAt, InARectangleAreThoseOfTheHandCalculation)
 {
-  const auto cell = make_cell_geometry({{{0.0, 0.0}, {2.0, 0.0}, {2.0, 0.5}, {0.0, 0.5}}});
-  const auto gradient = gradients_at(cell, Pack(0.6), Pack(-0.2));
+  const auto cell = make_cell_geometry<Quad4>({{{0.0, 0.0}, {2.0, 0.0}, {2.0, 0.5}, {0.0, 0.5}}});
+  const auto gradient = gradients_at(cell, {Pack(0.6), Pack(-0.2)});
   EXPECT_DOUBLE_EQ(gradient[2][0][0], 0.25 * 0.8 / 1.0);   // dN/dxi over half the width
   EXPECT_DOUBLE_EQ(gradient[2][1][0], 0.25 * 1.6 / 0.25);  // dN/deta over half the height
 }
@@ -45,13 +45,13 @@ TEST(DisplacementGradient, IsExactForALinearField)
 {
   test::Random random(92);
   const auto corners = test::distorted_square(0.3, random);
-  const auto cell = make_cell_geometry(corners);
-  CornerVectors du;
+  const auto cell = make_cell_geometry<Quad4>(corners);
+  CornerVectors<Quad4> du;
   for (int i = 0; i < 4; ++i) {
     du[0][i] = 1e-3 * corners[i][0] + 4e-3 * corners[i][1];
     du[1][i] = -2e-3 * corners[i][0] + 5e-3 * corners[i][1];
   }
-  const auto l = displacement_gradient(gradients_at(cell, Pack(0.3), Pack(-0.8)), du);
+  const auto l = displacement_gradient(gradients_at(cell, {Pack(0.3), Pack(-0.8)}), du);
   EXPECT_NEAR(l[0][0][4], 1e-3, 1e-15);
   EXPECT_NEAR(l[0][1][4], 4e-3, 1e-15);
   EXPECT_NEAR(l[1][0][4], -2e-3, 1e-15);
@@ -63,7 +63,7 @@ TEST(InternalForceOfPoints, IsTheSumOfBTransposedTimesStressTimesVolume)
   test::Random random(93);
   const auto mesh = one_cell(test::distorted_square(0.3, random));
   PointBlocks<2> points(1, 0);
-  CornerSums<2> expected{}, sums{};
+  CornerSums<Quad4> expected{}, sums{};
   sums.internal_force[0][1] = expected.internal_force[0][1] = 5.0;  // it adds to what is there
   for (int k = 0; k < 11; ++k) {
     test::PointValues point{
@@ -89,7 +89,7 @@ TEST(InternalForceOfPoints, IsInEquilibriumWithItself)
   PointBlocks<2> points(1, 0);
   for (int k = 0; k < 5; ++k)
     test::add_point(mesh, 0, {.local = {0.1 * k, -0.2 * k}, .sigma = {1e3, -2e3, 5e2, 7e2}}, points);
-  CornerSums<2> sums{};
+  CornerSums<Quad4> sums{};
   add_internal_force_of_points(mesh.geometry(0), test::only_block(points, 0), sums);
   for (const auto& f : sums.internal_force) EXPECT_NEAR(f[0] + f[1] + f[2] + f[3], 0.0, 1e-9);
 }

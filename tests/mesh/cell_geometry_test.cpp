@@ -17,27 +17,27 @@ using testing::ElementsAre;
 // Width 2 at the bottom, 1.5 at the top, height 1: detJ = (1.75 - 0.25 eta) / 4.
 constexpr std::array<Vec<2>, 4> trapezium{{{0.0, 0.0}, {2.0, 0.0}, {1.5, 1.0}, {0.0, 1.0}}};
 
-Real det_jacobian(const CellGeometry<2>& cell, Real xi, Real eta)
+Real det_jacobian(const CellGeometry<Quad4>& cell, Real xi, Real eta)
 {
-  const auto j = jacobian(cell, xi, eta);
+  const auto j = Quad4::jacobian(cell.map, Vec<2>{xi, eta});
   return j[0][0] * j[1][1] - j[0][1] * j[1][0];
 }
 
 TEST(CellGeometry, TrapeziumHasTheVolumesOfTheHandCalculation)
 {
-  const auto cell = make_cell_geometry(trapezium);
+  const auto cell = make_cell_geometry<Quad4>(trapezium);
   const Real low = (1.75 + 0.25 / std::sqrt(3.0)) / 4.0, high = (1.75 - 0.25 / std::sqrt(3.0)) / 4.0;
   EXPECT_THAT(cell.gauss_volume, ElementsAre(DoubleEq(low), DoubleEq(low), DoubleEq(high), DoubleEq(high)));
   EXPECT_DOUBLE_EQ(cell.volume, 1.75);
-  EXPECT_FALSE(cell.affine);
+  EXPECT_FALSE(cell.map.affine);
 }
 
 TEST(CellGeometry, TrapeziumHasTheCentreGradientsOfTheHandCalculation)
 {
   // J at the centre: dx/dxi = 0.875, dx/deta = -0.125, dy/deta = 0.5.
-  const auto cell = make_cell_geometry(trapezium);
+  const auto cell = make_cell_geometry<Quad4>(trapezium);
   for (int i = 0; i < 4; ++i) {
-    const Real dxi = 0.25 * corner_place[i][0], deta = 0.25 * corner_place[i][1];
+    const Real dxi = 0.25 * Quad4::corner_place[i][0], deta = 0.25 * Quad4::corner_place[i][1];
     EXPECT_DOUBLE_EQ(cell.centre_gradient[i][0], dxi / 0.875);
     EXPECT_DOUBLE_EQ(cell.centre_gradient[i][1], (deta + 0.125 * dxi / 0.875) / 0.5);
   }
@@ -45,24 +45,24 @@ TEST(CellGeometry, TrapeziumHasTheCentreGradientsOfTheHandCalculation)
 
 TEST(CellGeometry, AltitudeIsTheSmallestHeightOverASide)
 {
-  EXPECT_DOUBLE_EQ(make_cell_geometry(trapezium).altitude, 1.0);
-  EXPECT_DOUBLE_EQ(make_cell_geometry({{{0.0, 0.0}, {1.0, 0.0}, {1.8, 0.6}, {0.8, 0.6}}}).altitude, 0.6);
+  EXPECT_DOUBLE_EQ(make_cell_geometry<Quad4>(trapezium).altitude, 1.0);
+  EXPECT_DOUBLE_EQ(make_cell_geometry<Quad4>({{{0.0, 0.0}, {1.0, 0.0}, {1.8, 0.6}, {0.8, 0.6}}}).altitude, 0.6);
   // Corner (2, 0) over the side from (2, 0.4) to (0, 1), of length sqrt(4.36).
   EXPECT_DOUBLE_EQ(
-      make_cell_geometry({{{0.0, 0.0}, {2.0, 0.0}, {2.0, 0.4}, {0.0, 1.0}}}).altitude, 0.8 / std::sqrt(4.36));
+      make_cell_geometry<Quad4>({{{0.0, 0.0}, {2.0, 0.0}, {2.0, 0.4}, {0.0, 1.0}}}).altitude, 0.8 / std::sqrt(4.36));
   // A parallelogram of area 1 over sides of length 1 and 1.25.
-  EXPECT_DOUBLE_EQ(make_cell_geometry({{{0.0, 0.0}, {1.0, -0.75}, {1.0, 0.25}, {0.0, 1.0}}}).altitude, 0.8);
+  EXPECT_DOUBLE_EQ(make_cell_geometry<Quad4>({{{0.0, 0.0}, {1.0, -0.75}, {1.0, 0.25}, {0.0, 1.0}}}).altitude, 0.8);
 }
 
 TEST(CellGeometry, TurnedOverCellHasANegativeAltitude)
 {
-  EXPECT_LT(make_cell_geometry({{{0.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}, {1.0, 0.0}}}).altitude, 0.0);
+  EXPECT_LT(make_cell_geometry<Quad4>({{{0.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}, {1.0, 0.0}}}).altitude, 0.0);
 }
 
 TEST(CellGeometry, ParallelogramIsAffineWithEqualVolumes)
 {
-  const auto cell = make_cell_geometry({{{0.0, 0.0}, {1.0, 0.2}, {1.3, 1.1}, {0.3, 0.9}}});
-  EXPECT_TRUE(cell.affine);
+  const auto cell = make_cell_geometry<Quad4>({{{0.0, 0.0}, {1.0, 0.2}, {1.3, 1.1}, {0.3, 0.9}}});
+  EXPECT_TRUE(cell.map.affine);
   EXPECT_THAT(cell.gauss_volume, testing::Each(DoubleEq(0.25 * (0.9 - 0.3 * 0.2))));
 }
 
@@ -71,7 +71,7 @@ TEST(CellGeometry, GradientsReproduceLinearFieldsInAnyQuadrilateral)
   test::Random random(3);
   for (int repeat = 0; repeat < 200; ++repeat) {
     const auto corners = test::distorted_square(0.3, random);
-    const auto cell = make_cell_geometry(corners);
+    const auto cell = make_cell_geometry<Quad4>(corners);
     for (int g = 0; g < 4; ++g)
       for (int d = 0; d < 2; ++d) {
         Real of_one = 0.0, of_x = 0.0, of_y = 0.0;
@@ -91,7 +91,7 @@ TEST(CellGeometry, CentreGradientIsTheMeanGradientOfAPlaneQuadrilateral)  // rea
 {
   test::Random random(4);
   for (int repeat = 0; repeat < 200; ++repeat) {
-    const auto cell = make_cell_geometry(test::distorted_square(0.3, random));
+    const auto cell = make_cell_geometry<Quad4>(test::distorted_square(0.3, random));
     for (int i = 0; i < 4; ++i)
       for (int d = 0; d < 2; ++d) {
         Real integral = 0.0;
@@ -106,9 +106,9 @@ TEST(CellGeometry, OffsetRunsThroughTheCorners)
 {
   test::Random random(5);
   const auto corners = test::distorted_square(0.3, random);
-  const auto cell = make_cell_geometry(corners);
+  const auto cell = make_cell_geometry<Quad4>(corners);
   for (int i = 0; i < 4; ++i) {
-    const auto offset = offset_from_centre(cell, corner_place[i][0], corner_place[i][1]);
+    const auto offset = Quad4::offset_from_centre(cell.map, Quad4::corner_place[i]);
     for (int d = 0; d < 2; ++d) {
       const Real centre = 0.25 * (corners[0][d] + corners[1][d] + corners[2][d] + corners[3][d]);
       EXPECT_NEAR(centre + offset[d], corners[i][d], 1e-15);
@@ -119,11 +119,12 @@ TEST(CellGeometry, OffsetRunsThroughTheCorners)
 TEST(CellGeometry, JacobianIsTheSlopeOfTheOffset)
 {
   test::Random random(6);
-  const auto cell = make_cell_geometry(test::distorted_square(0.3, random));
+  const auto cell = make_cell_geometry<Quad4>(test::distorted_square(0.3, random));
   const Real xi = 0.4, eta = -0.7, step = 0.5;  // the map is linear in each coordinate: any step is exact
-  const auto j = jacobian(cell, xi, eta);
-  const auto here = offset_from_centre(cell, xi, eta);
-  const auto right = offset_from_centre(cell, xi + step, eta), up = offset_from_centre(cell, xi, eta + step);
+  const auto j = Quad4::jacobian(cell.map, Vec<2>{xi, eta});
+  const auto here = Quad4::offset_from_centre(cell.map, Vec<2>{xi, eta});
+  const auto right = Quad4::offset_from_centre(cell.map, Vec<2>{xi + step, eta}),
+             up = Quad4::offset_from_centre(cell.map, Vec<2>{xi, eta + step});
   for (int d = 0; d < 2; ++d) {
     EXPECT_NEAR(j[d][0], (right[d] - here[d]) / step, 1e-15);
     EXPECT_NEAR(j[d][1], (up[d] - here[d]) / step, 1e-15);
@@ -149,14 +150,14 @@ Real worst_return(Real share, Real reach, Inverse&& inverse)
   test::Random random(7);
   Real worst = 0.0;
   for (int k = 0; k < 4000; ++k) {
-    const auto cell = make_cell_geometry(hard_square(share, k, random));
+    const auto cell = make_cell_geometry<Quad4>(hard_square(share, k, random));
     for (int place = 0; place < 24; ++place) {
       Real xi = random.between(-reach, reach), eta = random.between(-reach, reach);
       if (place % 2) xi = std::copysign(reach, xi);  // corners and sides are the difficult positions
       if (place % 4 >= 2) eta = std::copysign(reach, eta);
-      const auto x = offset_from_centre(cell, xi, eta);
+      const auto x = Quad4::offset_from_centre(cell.map, Vec<2>{xi, eta});
       const auto local = inverse(cell, x[0], x[1]);
-      const auto back = offset_from_centre(cell, local[0], local[1]);
+      const auto back = Quad4::offset_from_centre(cell.map, local);
       worst = std::fmax(worst, std::hypot(back[0] - x[0], back[1] - x[1]));
     }
   }
@@ -165,7 +166,9 @@ Real worst_return(Real share, Real reach, Inverse&& inverse)
 
 Real worst_return(Real share, Real reach)
 {
-  return worst_return(share, reach, [](const auto& cell, Real x, Real y) { return local_coordinates(cell, x, y); });
+  return worst_return(share, reach, [](const auto& cell, Real x, Real y) {
+    return Quad4::local_coordinates(cell.map, Vec<2>{x, y});
+  });
 }
 
 TEST(InverseMap, ReachesRoundOff)
@@ -179,19 +182,20 @@ TEST(InverseMap, ReachesRoundOffWhereACornerIsAlmostStraight) { EXPECT_LT(worst_
 
 TEST(InverseMap, IsNotANumberOrReturnsBeyondTheFoldOfTheMap)
 {
-  const auto cell = make_cell_geometry({{{0.0, 0.0}, {1.0, 0.0}, {0.51, 0.51}, {0.0, 1.0}}});  // almost a triangle
-  const auto answer = local_coordinates(cell, 2.0, 2.0);
-  const auto back = offset_from_centre(cell, answer[0], answer[1]);
+  const auto cell =
+      make_cell_geometry<Quad4>({{{0.0, 0.0}, {1.0, 0.0}, {0.51, 0.51}, {0.0, 1.0}}});  // almost a triangle
+  const auto answer = Quad4::local_coordinates(cell.map, Vec<2>{2.0, 2.0});
+  const auto back = Quad4::offset_from_centre(cell.map, answer);
   EXPECT_FALSE(std::hypot(back[0] - 2.0, back[1] - 2.0) < 1e-9);
 }
 
 TEST(InverseMap, IsExactInAParallelogramHoweverFar)
 {
-  const auto cell = make_cell_geometry({{{0.0, 0.0}, {1.0, 0.2}, {1.3, 1.1}, {0.3, 0.9}}});
+  const auto cell = make_cell_geometry<Quad4>({{{0.0, 0.0}, {1.0, 0.2}, {1.3, 1.1}, {0.3, 0.9}}});
   for (const Vec<2> local : {Vec<2>{0.3, -0.8}, Vec<2>{-40.0, 17.0}, Vec<2>{1.0, 1.0}}) {
-    const auto x = offset_from_centre(cell, local[0], local[1]);
+    const auto x = Quad4::offset_from_centre(cell.map, local);
     EXPECT_THAT(
-        local_coordinates(cell, x[0], x[1]), ElementsAre(DoubleNear(local[0], 1e-14), DoubleNear(local[1], 1e-14)));
+        Quad4::local_coordinates(cell.map, x), ElementsAre(DoubleNear(local[0], 1e-14), DoubleNear(local[1], 1e-14)));
   }
 }
 
@@ -199,10 +203,10 @@ TEST(InverseMap, IsTheSameInAPackAndAlone)
 {
   test::Random random(8);
   for (int repeat = 0; repeat < 200; ++repeat) {
-    const auto cell = make_cell_geometry(test::distorted_square(0.3, random));
+    const auto cell = make_cell_geometry<Quad4>(test::distorted_square(0.3, random));
     const Real x = random.between(-0.4, 0.4), y = random.between(-0.4, 0.4);
-    const auto alone = local_coordinates(cell, x, y);
-    const auto packed = local_coordinates(cell, Pack(x), Pack(y));
+    const auto alone = Quad4::local_coordinates(cell.map, Vec<2>{x, y});
+    const auto packed = Quad4::local_coordinates(cell.map, std::array{Pack(x), Pack(y)});
     for (int d = 0; d < 2; ++d) EXPECT_EQ(packed[d][3], alone[d]);
   }
 }

@@ -9,7 +9,7 @@
 namespace terp {
 namespace {
 
-void expect_lane(const GeometryLanes& lanes, int c, const CellGeometry<2>& cell)
+void expect_lane(const GeometryLanes<Quad4>& lanes, int c, const CellGeometry<Quad4>& cell)
 {
   EXPECT_EQ(lanes.volume[c], cell.volume);
   for (int i = 0; i < 4; ++i) {
@@ -26,9 +26,9 @@ TEST(GeometryLanes, HoldEachCellInItsLane)
   const Mesh<2> distorted = test::distorted_rectangle(4, 2, 1.0, 0.3, 3),
                 equal = make_rectangle({0.0, 0.0}, {4.0, 1.0}, {4, 2});
   for (const Mesh<2>* mesh : {&distorted, &equal}) {
-    std::array<const CellGeometry<2>*, pack_width> cells;
+    std::array<const CellGeometry<Quad4>*, pack_width> cells;
     for (Index c = 0; c < pack_width; ++c) cells[c] = &mesh->geometry(c);
-    const GeometryLanes lanes = geometry_lanes(cells);
+    const GeometryLanes<Quad4> lanes = geometry_lanes(cells);
     for (int c = 0; c < pack_width; ++c) expect_lane(lanes, c, *cells[c]);
   }
 }

@@ -95,7 +95,7 @@ TEST(Connect, GivesDifferentCellsTheirOwnGeometry)
   const auto mesh = test::distorted_rectangle(7, 5, 0.2, 0.3, 2);
   Real volume = 0.0, smallest = 1.0;
   for (Index e = 0; e < mesh.n_cells(); ++e) {
-    const auto own = make_cell_geometry(mesh.corners(e));
+    const auto own = make_cell_geometry<Quad4>(mesh.corners(e));
     EXPECT_EQ(mesh.geometry(e).gauss_volume, own.gauss_volume);
     volume += mesh.geometry(e).volume;
     smallest = std::min(smallest, own.altitude);

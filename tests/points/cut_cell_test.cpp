@@ -15,7 +15,7 @@ using testing::SizeIs;
 Polygon box(Vec<2> low, Vec<2> high) { return {low, {high[0], low[1]}, high, {low[0], high[1]}}; }
 
 /// The square from -1 to 1, so that places are local coordinates.
-const CellGeometry<2> square = make_cell_geometry({{{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}});
+const CellGeometry<Quad4> square = make_cell_geometry<Quad4>({{{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}});
 
 void expect_piece(const Piece& piece, Vec<2> x, Real volume, bool is_whole)
 {
@@ -28,14 +28,15 @@ TEST(Lattice, PartsHaveTheVolumeOfTheirStraightSidedQuadrilateral)
 {
   test::Random random(3);
   for (int trial = 0; trial < 100; ++trial) {
-    const auto cell = make_cell_geometry(test::distorted_square(0.3, random));
+    const auto cell = make_cell_geometry<Quad4>(test::distorted_square(0.3, random));
     const Lattice lattice{cell, {4, 3}};
     Real sum = 0.0;
     for (Index row = 0; row < 3; ++row)
       for (Index column = 0; column < 4; ++column) {
         Polygon part;
         for (const auto& [i, j] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
-          const auto x = offset_from_centre(cell, -1.0 + 0.5 * (column + i), -1.0 + 2.0 / 3.0 * (row + j));
+          const auto x =
+              Quad4::offset_from_centre(cell.map, Vec<2>{-1.0 + 0.5 * (column + i), -1.0 + 2.0 / 3.0 * (row + j)});
           part.push_back({x[0], x[1]});
         }
         ASSERT_NEAR(volume_of_part(lattice, {column, row}), signed_area(part), 1e-15);

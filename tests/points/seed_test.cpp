@@ -68,7 +68,7 @@ TEST(SeedPoints, LieWhereTheirLocalCoordinatesSay)
   const auto seeds = seed_points(mesh, bodies);
   ASSERT_FALSE(seeds.empty());
   for (const auto& seed : seeds) {
-    const auto offset = offset_from_centre(mesh.geometry(seed.cell), seed.local[0], seed.local[1]);
+    const auto offset = Quad4::offset_from_centre(mesh.geometry(seed.cell).map, seed.local);
     for (int d = 0; d < 2; ++d) EXPECT_NEAR(seed.x[d], mesh.centres[seed.cell][d] + offset[d], 1e-15);
     EXPECT_TRUE(seed.x[0] < 0.77 && seed.x[1] < 0.61);
     EXPECT_TRUE(std::abs(seed.local[0]) < 1.0 && std::abs(seed.local[1]) < 1.0);

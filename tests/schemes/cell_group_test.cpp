@@ -18,14 +18,14 @@ using test::add_point;
 struct Row {
   Mesh<2> mesh;
   PointBlocks<2> points;
-  std::vector<CornerSums<2>> corners;
+  std::vector<CornerSums<Quad4>> corners;
   std::vector<Real> pressure;
-  std::vector<GaussValues<2, Pack>> gauss;
+  std::vector<GaussValues<Quad4, Pack>> gauss;
 
   explicit Row(Index n) : Row(make_rectangle({0.0, 0.0}, {static_cast<Real>(n), 1.0}, {n, 1})) {}
   explicit Row(Mesh<2> of) : mesh(std::move(of)), points(mesh.n_cells(), 1), corners(mesh.n_cells()), gauss(2) {}
 
-  CellGroup group(Index first, Index n)
+  CellGroup<Quad4> group(Index first, Index n)
   {
     pressure.resize(points.n_blocks());
     return {std::span(points.occupied()).subspan(first, n), mesh, points, std::span(corners).subspan(first, n),
@@ -36,9 +36,9 @@ struct Row {
 /// Gathers the first n cells.
 void gather(Row& row, const SchemeContext& context, Index first = 0, Index n = 1)
 {
-  const CellGroup group = row.group(first, n);
+  const CellGroup<Quad4> group = row.group(first, n);
   gather_at_gauss_points(
-      context, group, [&](Index material) -> GaussValues<2, Pack>& { return group.gauss_of(material); },
+      context, group, [&](Index material) -> GaussValues<Quad4, Pack>& { return group.gauss_of(material); },
       [](const auto&, auto&) {});
 }
 
@@ -52,7 +52,7 @@ std::vector<SoilMaterial> two_names_of_one_soil()
 }
 
 /// Internal force on the corners of a cell with eight points under one stress, every second one of material `other`.
-CornerSums<2> force_of_uniform_stress(Index other, const MethodOptions& method, Real volume)
+CornerSums<Quad4> force_of_uniform_stress(Index other, const MethodOptions& method, Real volume)
 {
   Row cell(1);
   int k = 0;
@@ -103,7 +103,7 @@ TEST(CellGroup, ALaneKnowsNothingOfItsNeighbours)
   const auto materials = two_names_of_one_soil();
   MethodOptions method;
   gather(together, {method, materials}, 0, 8);
-  std::array<CornerVectors, pack_width> du{};
+  GroupVectors<Quad4> du{};
   test::Random random(6);
   for (auto& cell : du)
     for (auto& direction : cell)
@@ -111,7 +111,7 @@ TEST(CellGroup, ALaneKnowsNothingOfItsNeighbours)
   const auto strain = strain_by_cell(strain_of_group(together.group(0, 8), du, true));
   for (Index c = 0; c < 8; ++c) {
     gather(alone, {method, materials}, c, 1);
-    std::array<CornerVectors, pack_width> own{};
+    GroupVectors<Quad4> own{};
     own[0] = du[c];
     const auto own_strain = strain_by_cell(strain_of_group(alone.group(c, 1), own, true));
     EXPECT_EQ(together.corners[c].internal_force, alone.corners[c].internal_force) << "cell " << c;
@@ -134,8 +134,8 @@ TEST(CellGroup, GivesWhatOneCellInScalarsGives)
   MethodOptions method;
   gather(row, {method, materials}, 0, 8);
   for (const Index c : {Index{0}, Index{5}, Index{6}}) {  // of one material
-    GaussValues<2> gauss{};
-    CornerSums<2> expected{};
+    GaussValues<Quad4> gauss{};
+    CornerSums<Quad4> expected{};
     sum_over_sub_cells(test::only_block(row.points, c), gauss);
     set_weights(row.mesh.geometry(c), gauss.volume, method, gauss);
     divide_by_volume(gauss);
@@ -144,8 +144,8 @@ TEST(CellGroup, GivesWhatOneCellInScalarsGives)
     EXPECT_EQ(row.corners[c].internal_force, expected.internal_force) << "cell " << c;
     EXPECT_EQ(row.gauss[0].pressure[static_cast<int>(c)], gauss.pressure);
     for (int g = 0; g < 4; ++g) EXPECT_EQ(row.gauss[0].sigma[3][g][static_cast<int>(c)], gauss.sigma[3][g]);
-    const auto sums = sum_row_over_sub_cells(test::only_block(row.points, c), PointRows<2>::state);
-    const GaussRow lanes = sum_row(row.group(0, 8), layer_of(c), PointRows<2>::state);
+    const auto sums = sum_row_over_sub_cells<Quad4>(test::only_block(row.points, c), PointRows<2>::state);
+    const GaussRow<Quad4> lanes = sum_row(row.group(0, 8), layer_of(c), PointRows<2>::state);
     for (int g = 0; g < 4; ++g) EXPECT_EQ(lanes[g][static_cast<int>(c)], sums[g]);
   }
 }
@@ -176,7 +176,7 @@ TEST(CellGroup, LayersAreTheMaterialsInOrderWithTheCellsThatHoldThem)
 TEST(CellGroup, FetchingAheadChangesNothingAndEndsWithTheLastCell)
 {
   Row row = eight_distorted_cells();
-  CellGroup group = row.group(0, 7);
+  CellGroup<Quad4> group = row.group(0, 7);
   group.prefetch_points = true;
   group.next_cell = 7;
   const PointBlock<2>& last = test::only_block(row.points, 7);

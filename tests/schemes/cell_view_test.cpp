@@ -37,15 +37,16 @@ TEST(CellView, TiesGoToTheRightAndUpperSubCell)
 {
   OneCell cell;
   for (const Real xi : {-2e-9, -0.5e-9, 0.0, 0.5e-9}) add_point(cell.mesh, 0, {.local = {xi, -xi}}, cell.points);
-  EXPECT_EQ(to_bits(right_half(cell.block(), 0)) & 0xf, 0b1110u);
-  EXPECT_EQ(to_bits(upper_half(cell.block(), 0)) & 0xf, 0b1111u);
+  const auto upper = upper_halves<Quad4>(cell.block(), 0);
+  EXPECT_EQ(to_bits(upper[0]) & 0xf, 0b1110u);
+  EXPECT_EQ(to_bits(upper[1]) & 0xf, 0b1111u);
 }
 
 TEST(CellView, PaddingAddsNothingToThePlasticWork)
 {
   OneCell cell;
   for (int k = 0; k < 3; ++k) add_point(cell.mesh, 0, {.volume = 0.1 * (k + 1)}, cell.points);
-  StripArrays strip;
+  StripArrays<2> strip;
   for (Real& work : strip.plastic_work) work = 7.0;
   EXPECT_DOUBLE_EQ(sum_plastic_work(cell.block(), 0, cell.block().n_padded(), strip), 7.0 * 0.6);
 }

@@ -15,15 +15,13 @@ using Rows = PointRows<2>;
 struct TwoCells {
   Mesh<2> mesh = make_rectangle({0.0, 0.0}, {4.0, 1.0}, {2, 1});
   PointBlocks<2> points{2, 0};
-  CornerSums<2> corners{};
 
   std::vector<Index> lanes_that_leave(Vec<2> du)
   {
-    CornerVectors all;
+    CornerVectors<Quad4> all;
     for (int d = 0; d < 2; ++d) all[d].fill(du[d]);
     std::vector<PointPlace> leavers;
-    const CellView view{0, mesh.geometry(0), points, corners};
-    advance_points(view, mesh.centres[0], all, test::only_block(points, 0), 0, leavers);
+    advance_points(mesh.geometry(0), mesh.centres[0], all, test::only_block(points, 0), 0, leavers);
     std::vector<Index> lanes;
     for (const auto& l : leavers) lanes.push_back(l.lane);
     return lanes;
@@ -35,7 +33,7 @@ TEST(CellPasses, CornerValuesAreThoseOfTheCellsNodesTimesTheFactor)
   TwoCells cells;
   std::vector<NodeValues> node(6);
   for (int i = 0; i < 6; ++i) node[i].v = {1.0 + i, 10.0 + i};
-  const CornerVectors values = corner_values(cells.mesh, node, 1, &NodeValues::v, 0.5);
+  const CornerVectors<Quad4> values = corner_values(cells.mesh, node, 1, &NodeValues::v, 0.5);
   EXPECT_THAT(values[0], testing::ElementsAre(1.0, 1.5, 3.0, 2.5));  // nodes 1, 2, 5, 4
   EXPECT_THAT(values[1], testing::ElementsAre(5.5, 6.0, 7.5, 7.0));
 }
@@ -44,12 +42,11 @@ TEST(CellPasses, PointsMoveWithTheShapeFunctions)
 {
   TwoCells cells;
   add_point(cells.mesh, 0, {.local = {0.5, -0.5}}, cells.points);
-  CornerVectors du{};
+  CornerVectors<Quad4> du{};
   du[0] = {0.0, 0.16, 0.0, 0.0};  // corner 1: N = 0.75 * 0.75
   du[1] = {0.0, 0.0, 0.0, 0.16};  // corner 3: N = 0.25 * 0.25
   std::vector<PointPlace> leavers;
-  advance_points({0, cells.mesh.geometry(0), cells.points, cells.corners}, cells.mesh.centres[0], du,
-      test::only_block(cells.points, 0), 0, leavers);
+  advance_points(cells.mesh.geometry(0), cells.mesh.centres[0], du, test::only_block(cells.points, 0), 0, leavers);
   const PointBlock<2>& block = test::only_block(cells.points, 0);
   EXPECT_NEAR(block.row(Rows::x)[0], 1.5 + 0.09, 1e-15);
   EXPECT_NEAR(block.row(Rows::x + 1)[0], 0.25 + 0.01, 1e-15);
@@ -82,13 +79,12 @@ bool leaves_triangle(Vec<2> local, Vec<2> du, Vec<2>& after, Vec<2>& x)
 {
   const Mesh<2> mesh = nearly_a_triangle();
   PointBlocks<2> points{1, 0};
-  CornerSums<2> corners{};
   add_point(mesh, 0, {.local = local}, points);
-  CornerVectors all;
+  CornerVectors<Quad4> all;
   for (int d = 0; d < 2; ++d) all[d].fill(du[d]);
   std::vector<PointPlace> leavers;
   const PointBlock<2>& block = test::only_block(points, 0);
-  advance_points({0, mesh.geometry(0), points, corners}, mesh.centres[0], all, block, 0, leavers);
+  advance_points(mesh.geometry(0), mesh.centres[0], all, block, 0, leavers);
   after = {block.row(Rows::xi)[0], block.row(Rows::xi + 1)[0]};
   x = {block.row(Rows::x)[0], block.row(Rows::x + 1)[0]};
   return !leavers.empty();

@@ -146,8 +146,8 @@ State make_state(const Model& model, const Json& points)
     if (!model.rows.added().empty()) put_row(points.at("eps_eq_p")[p], Rows::state, values);
     values[Rows::id] = static_cast<Real>(p);
     const Vec<2> centre = model.mesh->centres[cell];
-    const auto local =
-        local_coordinates(model.mesh->geometry(cell), values[Rows::x] - centre[0], values[Rows::x + 1] - centre[1]);
+    const auto local = Quad4::local_coordinates(
+        model.mesh->geometry(cell).map, Vec<2>{values[Rows::x] - centre[0], values[Rows::x + 1] - centre[1]});
     for (int d = 0; d < 2; ++d) values[Rows::xi + d] = local[d];
     state.points.add(cell, 0, values);
   }

@@ -19,7 +19,7 @@ using testing::ElementsAre;
 struct Cell {
   Mesh<2> mesh = make_rectangle({0.0, 0.0}, {2.0, 2.0}, {1, 1});
   PointBlocks<2> points{1, 2};
-  GaussValues<2> gauss{};
+  GaussValues<Quad4> gauss{};
   std::array<std::array<Real, 4>, 2> state{};
 
   explicit Cell(const std::vector<PointValues>& values)
@@ -30,9 +30,9 @@ struct Cell {
   {
     sum_over_sub_cells(test::only_block(points, 0), gauss);
     set_weights(mesh.geometry(0), gauss.volume, method, gauss);
-    const SubCellMeans<Real> mean(gauss.volume);
+    const SubCellMeans mean(gauss);
     for (int k = 0; k < 2; ++k) {
-      state[k] = sum_row_over_sub_cells(test::only_block(points, 0), PointRows<2>::state + k);
+      state[k] = sum_row_over_sub_cells<Quad4>(test::only_block(points, 0), PointRows<2>::state + k);
       mean(state[k]);
     }
     divide_by_volume(gauss);
@@ -158,7 +158,7 @@ TEST(Weights, ObeyTheOptions)
 TEST(Weights, OfSeveralMaterialsInAFilledCellShareTheGaussWeight)
 {
   const auto mesh = make_rectangle({0.0, 0.0}, {2.0, 2.0}, {1, 1});
-  GaussValues<2> clay{}, sand{};
+  GaussValues<Quad4> clay{}, sand{};
   clay.volume = {0.3, 1.0, 0.0, 0.5};
   sand.volume = {0.9, 0.0, 0.0, 1.5};
   const std::array<Real, 4> both{1.2, 1.0, 0.0, 2.0};
@@ -168,9 +168,9 @@ TEST(Weights, OfSeveralMaterialsInAFilledCellShareTheGaussWeight)
   for (int g = 0; g < 4; ++g) EXPECT_DOUBLE_EQ(clay.weight[g] + sand.weight[g], 1.0);
 }
 
-GaussValues<2> uneven_gauss()
+GaussValues<Quad4> uneven_gauss()
 {
-  GaussValues<2> gauss{};
+  GaussValues<Quad4> gauss{};
   gauss.sigma = {
       {{10.0, -7.0, 8.0, 100.0}, {20.0, 3.0, -6.0, 200.0}, {30.0, -2.0, 1.0, 300.0}, {1.0, 4.0, -5.0, 50.0}}};
   gauss.weight = {0.5, 1.0, 2.0, 0.1};

@@ -38,7 +38,7 @@ TEST(MapMassAndMomentum, SpreadsOnePointByItsShapeFunctions)
 {
   Cell cell;
   cell.add({.local = {0.6, -0.2}, .mass = 100.0, .v = {3.0, -0.5}});
-  CornerSums<2> sums{};
+  CornerSums<Quad4> sums{};
   map_mass_and_momentum(cell.block(), sums);
   EXPECT_THAT(sums.mass, ElementsAre(DoubleEq(12.0), DoubleEq(48.0), DoubleEq(32.0), DoubleEq(8.0)));
   EXPECT_THAT(sums.momentum[0], ElementsAre(DoubleEq(36.0), DoubleEq(144.0), DoubleEq(96.0), DoubleEq(24.0)));
@@ -49,7 +49,7 @@ TEST(MapMassAndMomentum, APointOnASideGivesTheCornersAcrossItsVelocity)
 {
   Cell cell;
   cell.add({.local = {-1.0, 0.5}, .mass = 100.0, .v = {3.0, -0.5}});
-  CornerSums<2> sums{};
+  CornerSums<Quad4> sums{};
   map_mass_and_momentum(cell.block(), sums);
   EXPECT_THAT(sums.mass, ElementsAre(25.0, 100.0 * least_share, 100.0 * least_share, 75.0));
   for (int i = 0; i < 4; ++i) {
@@ -71,7 +71,7 @@ TEST(MapMassAndMomentum, KeepsTheTotalsOfAnyNumberOfPoints)
       px += cell.block().row(Rows::mass)[p] * cell.block().row(Rows::v)[p];
       py += cell.block().row(Rows::mass)[p] * cell.block().row(Rows::v + 1)[p];
     }
-    CornerSums<2> sums{};
+    CornerSums<Quad4> sums{};
     map_mass_and_momentum(cell.block(), sums);
     EXPECT_NEAR(total(sums.mass), mass, 1e-13);
     EXPECT_NEAR(total(sums.momentum[0]), px, 1e-13);
@@ -83,7 +83,7 @@ TEST(MapMassAndMomentum, AddsToWhatIsThere)
 {
   Cell cell;
   cell.add({.local = {0.0, 0.0}, .mass = 4.0, .v = {1.0, 2.0}});
-  CornerSums<2> sums{};
+  CornerSums<Quad4> sums{};
   sums.mass[2] = 10.0;
   sums.momentum[1][2] = 20.0;
   map_mass_and_momentum(cell.block(), sums);
@@ -94,7 +94,7 @@ TEST(MapMassAndMomentum, AddsToWhatIsThere)
 TEST(MapMomentum, IsTheMomentumOfTheFirstPassToRoundOff)
 {
   Cell cell = random_cell(13, 112);
-  CornerSums<2> first{}, second{};
+  CornerSums<Quad4> first{}, second{};
   map_mass_and_momentum(cell.block(), first);
   map_momentum(cell.block(), second);
   for (int d = 0; d < 2; ++d)
@@ -106,9 +106,9 @@ TEST(AcceleratePoints, AddsTheInterpolatedIncrement)  // pure FLIP
 {
   Cell cell;
   cell.add({.local = {0.6, -0.2}, .v = {3.0, -0.5}});
-  const CornerVectors dv{{{1.0, 2.0, 3.0, 4.0}, {-10.0, 0.0, 0.0, 20.0}}},
+  const CornerVectors<Quad4> dv{{{1.0, 2.0, 3.0, 4.0}, {-10.0, 0.0, 0.0, 20.0}}},
       v_star{{{9.0, 9.0, 9.0, 9.0}, {9.0, 9.0, 9.0, 9.0}}};
-  accelerate_points(dv, v_star, 1.0, cell.block());
+  accelerate_points<Quad4>(dv, v_star, 1.0, cell.block());
   EXPECT_DOUBLE_EQ(cell.block().row(Rows::v)[0], 3.0 + 0.12 * 1.0 + 0.48 * 2.0 + 0.32 * 3.0 + 0.08 * 4.0);
   EXPECT_NEAR(cell.block().row(Rows::v + 1)[0], -0.5 - 0.12 * 10.0 + 0.08 * 20.0, 1e-14);
 }
@@ -117,9 +117,9 @@ TEST(AcceleratePoints, TakesTheGridsVelocityWithPurePic)
 {
   Cell cell;
   cell.add({.local = {0.6, -0.2}, .v = {3.0, -0.5}});
-  const CornerVectors dv{{{1.0, 2.0, 3.0, 4.0}, {-10.0, 0.0, 0.0, 20.0}}},
+  const CornerVectors<Quad4> dv{{{1.0, 2.0, 3.0, 4.0}, {-10.0, 0.0, 0.0, 20.0}}},
       v_star{{{5.0, 6.0, 7.0, 8.0}, {1.0, 1.0, 1.0, 1.0}}};
-  accelerate_points(dv, v_star, 0.0, cell.block());
+  accelerate_points<Quad4>(dv, v_star, 0.0, cell.block());
   EXPECT_DOUBLE_EQ(cell.block().row(Rows::v)[0], 0.12 * 5.0 + 0.48 * 6.0 + 0.32 * 7.0 + 0.08 * 8.0);
   EXPECT_DOUBLE_EQ(cell.block().row(Rows::v + 1)[0], 1.0);
 }
@@ -128,17 +128,17 @@ TEST(AcceleratePoints, BlendsFlipAndPic)
 {
   Cell cell;
   cell.add({.local = {0.0, 0.0}, .v = {3.0, 0.0}});
-  const CornerVectors dv{{{1.0, 1.0, 1.0, 1.0}, {}}}, v_star{{{8.0, 8.0, 8.0, 8.0}, {}}};
-  accelerate_points(dv, v_star, 0.75, cell.block());
+  const CornerVectors<Quad4> dv{{{1.0, 1.0, 1.0, 1.0}, {}}}, v_star{{{8.0, 8.0, 8.0, 8.0}, {}}};
+  accelerate_points<Quad4>(dv, v_star, 0.75, cell.block());
   EXPECT_DOUBLE_EQ(cell.block().row(Rows::v)[0], 0.75 * 4.0 + 0.25 * 8.0);
 }
 
 TEST(AcceleratePoints, LeavesPaddingWithoutMomentum)
 {
   Cell cell = random_cell(3, 113);
-  const CornerVectors dv{{{1.0, 2.0, 3.0, 4.0}, {-10.0, 0.0, 0.0, 20.0}}};
-  accelerate_points(dv, dv, 1.0, cell.block());
-  CornerSums<2> sums{};
+  const CornerVectors<Quad4> dv{{{1.0, 2.0, 3.0, 4.0}, {-10.0, 0.0, 0.0, 20.0}}};
+  accelerate_points<Quad4>(dv, dv, 1.0, cell.block());
+  CornerSums<Quad4> sums{};
   map_momentum(cell.block(), sums);
   Real px = 0.0;
   for (Index p = 0; p < 3; ++p) px += cell.block().row(Rows::mass)[p] * cell.block().row(Rows::v)[p];
@@ -147,8 +147,8 @@ TEST(AcceleratePoints, LeavesPaddingWithoutMomentum)
 
 TEST(Interpolate, ReproducesALinearField)
 {
-  const CornerVectors a{{{-1.0, 1.0, 1.0, -1.0}, {-2.0, -2.0, 2.0, 2.0}}};  // xi and 2 eta
-  const auto value = interpolate(a, shape_functions(Pack(0.3), Pack(-0.7)));
+  const CornerVectors<Quad4> a{{{-1.0, 1.0, 1.0, -1.0}, {-2.0, -2.0, 2.0, 2.0}}};  // xi and 2 eta
+  const auto value = interpolate(a, Quad4::shape_functions(std::array{Pack(0.3), Pack(-0.7)}));
   EXPECT_DOUBLE_EQ(value[0][6], 0.3);
   EXPECT_DOUBLE_EQ(value[1][6], -1.4);
 }

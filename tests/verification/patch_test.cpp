@@ -24,9 +24,9 @@ Simulation full_block(const std::string& scheme, std::uint64_t seed, ObjectiveRa
 }
 
 /// Displacement increments of a cell's corners in the affine field du = a x.
-CornerVectors affine(const Mesh<2>& mesh, Index cell, const std::array<Vec<2>, 2>& a)
+CornerVectors<Quad4> affine(const Mesh<2>& mesh, Index cell, const std::array<Vec<2>, 2>& a)
 {
-  CornerVectors du;
+  CornerVectors<Quad4> du;
   for (int i = 0; i < 4; ++i)
     for (int d = 0; d < 2; ++d)
       du[d][i] = a[d][0] * mesh.nodes[mesh.cells[cell][i]][0] + a[d][1] * mesh.nodes[mesh.cells[cell][i]][1];
@@ -39,8 +39,8 @@ void strain_all_cells(Simulation& s, const std::array<Vec<2>, 2>& a)
   const SchemeContext context{s.model.method, s.model.materials};
   const auto n = static_cast<Index>(s.state.points.occupied().size());
   for (Index first = 0; first < n; first += pack_width) {
-    const CellGroup group = view_group(s.model, s.state, s.work, first, std::min(first + pack_width, n));
-    std::array<CornerVectors, pack_width> du{};
+    const CellGroup<Quad4> group = view_group(s.model, s.state, s.work, first, std::min(first + pack_width, n));
+    GroupVectors<Quad4> du{};
     for (int c = 0; c < group.n(); ++c) {
       group.corners[c] = {};
       du[c] = affine(*s.model.mesh, group.cells[c], a);
