@@ -39,9 +39,9 @@ Moved move_to_new_cell(
     block.row(Rows::xi + d)[at.lane] = to.local[d];
   }
   if (to.cell != block.cell) {
-    const Index material = block.material;
+    const BlockKey key{to.cell, block.material, block.body};
     points.take(at.block, at.lane, values);
-    points.add(to.cell, material, values);
+    points.add(key, values);
   }
   return to.inside ? Moved::inside : Moved::put_back;
 }

@@ -55,8 +55,17 @@ Real* PointBlocks<Dim>::allocate(Index capacity)
   return data;
 }
 
+/// Number of the block of a key, or -1.
 template <int Dim>
-Index PointBlocks<Dim>::make_block(Index cell, Index material, Index capacity)
+Index PointBlocks<Dim>::find_block(const BlockKey& key) const
+{
+  Index b = first_block_[key.cell];
+  while (b >= 0 && blocks_[b] != key) b = blocks_[b].next;
+  return b;
+}
+
+template <int Dim>
+Index PointBlocks<Dim>::make_block(const BlockKey& key, Index capacity)
 {
   Index b;
   if (unused_.empty()) {
@@ -68,13 +77,14 @@ Index PointBlocks<Dim>::make_block(Index cell, Index material, Index capacity)
   }
   Real* data = allocate(capacity);
   std::fill_n(data, static_cast<std::size_t>(capacity) * n_rows_, 0.0);
-  blocks_[b] = {.data = data, .capacity = capacity, .n = 0, .cell = cell, .material = material, .next = -1};
-  if (first_block_[cell] < 0) {
-    new_cells_.push_back(cell);
+  blocks_[b] = {key, data, capacity, 0, -1};
+  n_bodies_ = std::max(n_bodies_, key.body + 1);
+  if (first_block_[key.cell] < 0) {
+    new_cells_.push_back(key.cell);
     occupation_changed_ = true;
   }
-  Index* link = &first_block_[cell];
-  while (*link >= 0 && blocks_[*link].material < material) link = &blocks_[*link].next;
+  Index* link = &first_block_[key.cell];
+  while (*link >= 0 && blocks_[*link] < key) link = &blocks_[*link].next;
   blocks_[b].next = *link;
   *link = b;
   return b;
@@ -107,20 +117,17 @@ void PointBlocks<Dim>::release(Index b)
 }
 
 template <int Dim>
-void PointBlocks<Dim>::expect(Index cell, Index material, Index n)
+void PointBlocks<Dim>::expect(const BlockKey& key, Index n)
 {
-  for (Index b = first_block_[cell]; b >= 0; b = blocks_[b].next)
-    if (blocks_[b].material == material) return;
-  make_block(cell, material, round_up_to_pack(n));
+  if (find_block(key) < 0) make_block(key, round_up_to_pack(n));
 }
 
 template <int Dim>
-void PointBlocks<Dim>::add(Index cell, Index material, std::span<const Real> values)
+void PointBlocks<Dim>::add(const BlockKey& key, std::span<const Real> values)
 {
-  TERP_ASSERT(cell >= 0 && static_cast<int>(values.size()) == n_rows_);
-  Index b = first_block_[cell];
-  while (b >= 0 && blocks_[b].material != material) b = blocks_[b].next;
-  if (b < 0) b = make_block(cell, material, pack_width);
+  TERP_ASSERT(key.cell >= 0 && key.body >= 0 && static_cast<int>(values.size()) == n_rows_);
+  Index b = find_block(key);
+  if (b < 0) b = make_block(key, pack_width);
   PointBlock<Dim>& block = blocks_[b];
   if (block.n == block.capacity) grow(block);
   const Index lane = block.n++;

@@ -1,5 +1,5 @@
-// Material points, stored in blocks: a block holds the points of one material in one cell, structure of arrays inside,
-// padded to whole packs. Several materials in a cell are several blocks (decision 0022).
+// Material points, stored in blocks: a block holds the points of one material and body in one cell, structure of arrays
+// inside, padded to whole packs. Several materials or bodies in a cell are several blocks (decisions 0022, 0041).
 // Not for: deciding where a point belongs (move.hpp) or what it is worth (transfer, schemes).
 #pragma once
 
@@ -8,6 +8,7 @@
 #include "parallel/pack.hpp"
 #include "points/row_table.hpp"
 
+#include <compare>
 #include <span>
 #include <vector>
 
@@ -28,15 +29,23 @@ struct PointRows {
   static constexpr int state = id + 1;               ///< those that laws and others add: row_table.hpp
 };
 
-/// Points of one material in one cell. Lanes n ... capacity are padding: mass, volume and velocity zero, never moved.
+/// What the points of one block have in common. Blocks of a cell are in this order.
+struct BlockKey {
+  Index cell = -1;
+  Index material = -1;  ///< index into Model::materials
+  Index body = 0;       ///< the body that the points belong to; all are of body 0 until bodies touch (decision 0041)
+
+  auto operator<=>(const BlockKey&) const = default;
+};
+
+/// Points of one material and body in one cell. Lanes n ... capacity are padding: mass, volume and velocity zero, never
+/// moved.
 template <int Dim>
-struct PointBlock {
+struct PointBlock : BlockKey {
   Real* data = nullptr;  ///< 64-byte aligned, shape [n_rows, capacity]
   Index capacity = 0;    ///< multiple of pack_width
   Index n = 0;           ///< points in use, lanes 0 ... n-1
-  Index cell = -1;
-  Index material = -1;  ///< index into Model::materials
-  Index next = -1;      ///< next block of the same cell, larger material number; -1: last
+  Index next = -1;       ///< next block of the same cell, with a larger key; -1: last
 
   Real* row(int r) const { return data + static_cast<std::ptrdiff_t>(r) * capacity; }
   Index n_padded() const { return round_up_to_pack(n); }
@@ -77,10 +86,10 @@ class PointBlocks {
   int n_rows() const { return n_rows_; }
   std::int64_t n_points() const { return n_points_; }
 
-  /// Makes room for n points in the block of (cell, material) before they are added: no growth, no waste.
-  void expect(Index cell, Index material, Index n);
-  /// Adds a point with its n_rows() values to the block of (cell, material), making one if needed.
-  void add(Index cell, Index material, std::span<const Real> values);
+  /// Makes room for n points in the block of a key before they are added: no growth, no waste.
+  void expect(const BlockKey& key, Index n);
+  /// Adds a point with its n_rows() values to the block of a key, making one if needed.
+  void add(const BlockKey& key, std::span<const Real> values);
   /// Copies the values of a point out and removes it; the block's last point takes its lane.
   void take(Index block, Index lane, std::span<Real> values);
   /// Sets aside blocks for about n more points so that the run does not ask for memory.
@@ -98,6 +107,8 @@ class PointBlocks {
   const std::vector<Index>& occupied() const { return occupied_; }
   /// Place of a cell in `occupied`, or -1, shape [n_cells].
   const std::vector<Index>& slot_of_cell() const { return slot_of_cell_; }
+  /// Upper bound of body numbers.
+  Index n_bodies() const { return n_bodies_; }
   /// Upper bound of block numbers.
   Index n_blocks() const { return static_cast<Index>(blocks_.size()); }
   /// Memory of the blocks that hold points [bytes].
@@ -106,7 +117,8 @@ class PointBlocks {
   std::int64_t reserved_bytes() const;
 
  private:
-  Index make_block(Index cell, Index material, Index capacity);
+  Index find_block(const BlockKey& key) const;
+  Index make_block(const BlockKey& key, Index capacity);
   void grow(PointBlock<Dim>& block);
   void merge_new_cells();
   void release(Index block);
@@ -115,6 +127,7 @@ class PointBlocks {
   RowTable table_;
   int n_rows_ = 0;
   std::int64_t n_points_ = 0;
+  Index n_bodies_ = 1;
   std::vector<PointBlock<Dim>> blocks_;
   std::vector<Index> unused_;             // numbers of blocks that may be used again
   std::vector<std::vector<Real*>> free_;  // by capacity / pack_width
@@ -124,7 +137,7 @@ class PointBlocks {
   bool occupation_changed_ = false;
 };
 
-/// Calls f(block) for every block of a cell, in order of material.
+/// Calls f(block) for every block of a cell, in order of their keys.
 template <int Dim, class F>
 void for_each_block(const PointBlocks<Dim>& points, Index cell, F&& f)
 {

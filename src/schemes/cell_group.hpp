@@ -9,6 +9,12 @@
 
 namespace terp {
 
+/// The blocks of one material and body in the cells of a group.
+struct BlockLayer {
+  Index material, body;
+  std::array<Index, pack_width> block;  ///< by lane; -1: the cell has none
+};
+
 /// Up to eight neighbouring occupied cells.
 template <class Element>
 struct CellGroup {
@@ -18,9 +24,9 @@ struct CellGroup {
   std::span<CornerSums<Element>> corners;  ///< shape [n]
   std::span<Real> pressure;  ///< p_e [Pa], by block number; of schemes that need no more from gather to update_stress
   std::span<GaussValues<Element, Pack>>
-      gauss;  ///< shape [n_materials, n_groups]; of schemes that keep them from gather to update_stress
+      gauss;  ///< shape [n_materials, n_bodies, n_groups]; of schemes that keep them from gather to update_stress
   std::span<GaussRow<Element>> gauss_rows =
-      {};                  ///< shape [n_materials, n_groups, n_gauss_rows]; of schemes whose law runs there
+      {};                  ///< shape [n_materials, n_bodies, n_groups, n_gauss_rows]; of schemes whose law runs there
   Index n_gauss_rows = 0;  ///< the most that any law adds to the points
   Index number = 0, n_groups = 1;
   Index next_cell = -1;          ///< first cell of the next group, -1: none
@@ -28,10 +34,16 @@ struct CellGroup {
 
   int n() const { return static_cast<int>(cells.size()); }
   CellView<Element> cell(int c) const { return {cells[c], mesh.geometry(cells[c]), points, corners[c]}; }
-  GaussValues<Element, Pack>& gauss_of(Index material) const { return gauss[material * n_groups + number]; }
-  GaussRow<Element>* rows_of(Index material) const
+  GaussValues<Element, Pack>& gauss_of(const BlockLayer& layer) const { return gauss[place_of(layer)]; }
+  GaussRow<Element>* rows_of(const BlockLayer& layer) const
   {
-    return gauss_rows.data() + std::ptrdiff_t{material * n_groups + number} * n_gauss_rows;
+    return gauss_rows.data() + place_of(layer) * n_gauss_rows;
+  }
+
+ private:
+  std::ptrdiff_t place_of(const BlockLayer& layer) const
+  {
+    return (std::ptrdiff_t{layer.material} * points.n_bodies() + layer.body) * n_groups + number;
   }
 };
 
@@ -67,26 +79,22 @@ GeometryLanes<Element> geometry_of(const CellGroup<Element>& group)
   return geometry_lanes(cells);
 }
 
-/// The blocks of one material in the cells of a group.
-struct BlockLayer {
-  Index material;
-  std::array<Index, pack_width> block;  ///< by lane; -1: the cell has none
-};
-
-/// Calls f(layer) for each material in a group, smallest number first.
+/// Calls f(layer) for each material and body in a group, in the order of block keys.
 template <class Element, class F>
 void for_each_layer(const CellGroup<Element>& group, F&& f)
 {
   std::array<Index, pack_width> next;
   for (int c = 0; c < pack_width; ++c) next[c] = c < group.n() ? group.points.first_block(group.cells[c]) : -1;
   for (;;) {
-    BlockLayer layer{-1, {}};
+    const PointBlock<Element::dim>* first = nullptr;
+    const auto key_of = [](const auto& block) { return std::pair(block.material, block.body); };
     for (const Index b : next)
-      if (b >= 0 && (layer.material < 0 || group.points.block(b).material < layer.material))
-        layer.material = group.points.block(b).material;
-    if (layer.material < 0) return;
+      if (b >= 0 && (first == nullptr || key_of(group.points.block(b)) < key_of(*first)))
+        first = &group.points.block(b);
+    if (first == nullptr) return;
+    BlockLayer layer{first->material, first->body, {}};
     for (int c = 0; c < pack_width; ++c) {
-      const bool here = next[c] >= 0 && group.points.block(next[c]).material == layer.material;
+      const bool here = next[c] >= 0 && key_of(group.points.block(next[c])) == key_of(*first);
       layer.block[c] = here ? next[c] : -1;
       if (here) next[c] = group.points.block(next[c]).next;
     }
@@ -147,7 +155,7 @@ void add_internal_force(const CellGroup<Element>& group, const GeometryLanes<Ele
 }
 
 /// Gauss values, weights, smooth pressure and internal force of the cells of a group for the schemes that integrate at
-/// Gauss points. gauss_of(material): where those of a layer are; finish(layer, gauss): what the scheme does before the
+/// Gauss points. gauss_of(layer): where those of a layer are; finish(layer, gauss): what the scheme does before the
 /// force.
 template <class Element, class GaussOf, class Finish>
 void gather_at_gauss_points(
@@ -155,13 +163,13 @@ void gather_at_gauss_points(
 {
   PerGauss<Element, Pack> cell_volume = zero_packs<Element::n_gauss>();
   for_each_layer(group, [&](const BlockLayer& layer) {
-    GaussValues<Element, Pack>& gauss = gauss_of(layer.material);
+    GaussValues<Element, Pack>& gauss = gauss_of(layer);
     sum_layer(group, layer, gauss);
     for (int g = 0; g < Element::n_gauss; ++g) cell_volume[g] += gauss.volume[g];
   });
   const GeometryLanes<Element> geometry = geometry_of(group);
   for_each_layer(group, [&](const BlockLayer& layer) {
-    GaussValues<Element, Pack>& gauss = gauss_of(layer.material);
+    GaussValues<Element, Pack>& gauss = gauss_of(layer);
     set_weights(geometry, cell_volume, context.method, gauss);  // R3
     divide_by_volume(gauss);                                    // Eq. (1)
     smooth_pressure(gauss);                                     // Eqs. (2), (3)

@@ -16,7 +16,9 @@ struct MpmGp {
     const bool one_layer = has_one_layer(group);
     gather_at_gauss_points(
         context, group,
-        [&](Index material) -> GaussValues<Element, Pack>& { return one_layer ? only : group.gauss_of(material); },
+        [&](const BlockLayer& layer) -> GaussValues<Element, Pack>& {
+          return one_layer ? only : group.gauss_of(layer);
+        },
         [&](const BlockLayer& layer, const GaussValues<Element, Pack>& gauss) {
           for (int c = 0; c < group.n(); ++c)
             if (layer.block[c] >= 0) group.pressure[layer.block[c]] = gauss.pressure[c];

@@ -12,7 +12,7 @@ struct MpmMixed {
   static void gather(const SchemeContext& context, const CellGroup<Element>& group)
   {
     gather_at_gauss_points(
-        context, group, [&](Index material) -> GaussValues<Element, Pack>& { return group.gauss_of(material); },
+        context, group, [&](const BlockLayer& layer) -> GaussValues<Element, Pack>& { return group.gauss_of(layer); },
         [&](const BlockLayer& layer, GaussValues<Element, Pack>& gauss) { gather_rows(context, group, layer, gauss); });
   }
 
@@ -24,8 +24,8 @@ struct MpmMixed {
     const auto strain = strain_by_cell(lanes);
     for_each_layer(group, [&](const BlockLayer& layer) {
       const SoilMaterial& material = context.materials[layer.material];
-      GaussValues<Element, Pack>& gauss = group.gauss_of(layer.material);
-      GaussRow<Element>* rows = group.rows_of(layer.material);
+      GaussValues<Element, Pack>& gauss = group.gauss_of(layer);
+      GaussRow<Element>* rows = group.rows_of(layer);
       const Pack plastic_work = update_gauss_points(context, material, lanes, gauss, rows);  // Step 3
       const auto sigma = by_cell(gauss);
       for (int k = 0; k < material.n_state(); ++k) turn_by_cell(rows[k]);
@@ -48,7 +48,7 @@ struct MpmMixed {
   {
     const SoilMaterial& material = context.materials[layer.material];
     const SubCellMeans mean(gauss);
-    GaussRow<Element>* rows = group.rows_of(layer.material);
+    GaussRow<Element>* rows = group.rows_of(layer);
     for (int k = 0; k < material.n_rows(); ++k) {
       rows[k] = sum_row(group, layer, material.rows[k]);
       mean(rows[k]);

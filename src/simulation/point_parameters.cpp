@@ -128,12 +128,12 @@ std::vector<Stiffness> list_stiffness(const Model& model, std::span<const Index>
   if (!any_varies) return list;
   for (const auto& batch : make_points(model))
     for (const NewPoint& point : batch) {
-      const SoilMaterial& material = model.materials[point.material];
+      const SoilMaterial& material = model.materials[point.key.material];
       if (!material.varies()) continue;
-      std::vector<Real> values =
-          varying_values(material, parameters_at(model.description.materials[point.material], *material.type, point.x));
+      std::vector<Real> values = varying_values(
+          material, parameters_at(model.description.materials[point.key.material], *material.type, point.x));
       const LawRows at{.state = {}, .parameters = {.data = values.data()}};
-      list.push_back({point.material, material.law->moduli(at), material.law->viscosity(at)});
+      list.push_back({point.key.material, material.law->moduli(at), material.law->viscosity(at)});
     }
   return list;
 }

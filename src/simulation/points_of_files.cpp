@@ -60,8 +60,8 @@ CellContents contents_of_cells(const Mesh<2>& mesh, const PointBatches& points)
   CellContents contents{std::vector<Real>(mesh.cells.size(), 0.0), std::vector<Real>(mesh.cells.size(), 0.0)};
   for (const auto& batch : points)
     for (const NewPoint& p : batch) {
-      contents.volume[p.cell] += p.volume;
-      contents.largest[p.cell] = std::max(contents.largest[p.cell], p.volume);
+      contents.volume[p.key.cell] += p.volume;
+      contents.largest[p.key.cell] = std::max(contents.largest[p.key.cell], p.volume);
     }
   return contents;
 }
@@ -101,14 +101,14 @@ SamePlace find_same_place(const PointBatches& points)
   for (const auto& batch : points)
     for (const NewPoint& p : batch) sorted.push_back(&p);
   std::sort(sorted.begin(), sorted.end(), [](const NewPoint* a, const NewPoint* b) {
-    return std::tie(a->cell, a->x[0], a->x[1]) < std::tie(b->cell, b->x[0], b->x[1]);
+    return std::tie(a->key.cell, a->x[0], a->x[1]) < std::tie(b->key.cell, b->x[0], b->x[1]);
   });
   SamePlace found;
   for (std::size_t k = 0; k < sorted.size(); ++k) {
     const NewPoint& a = *sorted[k];
     const Real near = one_place * size_of(a.volume);
-    for (std::size_t j = k + 1; j < sorted.size() && sorted[j]->cell == a.cell && sorted[j]->x[0] - a.x[0] <= near;
-         ++j) {
+    for (std::size_t j = k + 1;
+         j < sorted.size() && sorted[j]->key.cell == a.key.cell && sorted[j]->x[0] - a.x[0] <= near; ++j) {
       const NewPoint& b = *sorted[j];
       if (std::hypot(b.x[0] - a.x[0], b.x[1] - a.x[1]) > std::min(near, one_place * size_of(b.volume))) continue;
       if (++found.n_more == 0) found.point = &a;
@@ -140,7 +140,7 @@ void check_places(const Model& model, const PointBatches& points)
 /// True if all of a point lies in a body, as a square of its volume along the side next to it.
 bool lies_wholly_in(const BodyOutline& body, std::span<const Side> sides, const NewPoint& p)
 {
-  if (!(body.cells.empty() ? covers(body, p.x) : std::binary_search(body.cells.begin(), body.cells.end(), p.cell)))
+  if (!(body.cells.empty() ? covers(body, p.x) : std::binary_search(body.cells.begin(), body.cells.end(), p.key.cell)))
     return false;
   const Real depth = (0.5 - round_off) * size_of(p.volume);
   return std::all_of(

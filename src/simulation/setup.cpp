@@ -141,12 +141,12 @@ void check_bodies_in_mesh(const Case& c)
 /// Makes blocks of the right size before they are filled: no growth, no waste.
 void expect_points(const std::vector<NewPoint>& points, State& state)
 {
-  std::vector<std::pair<Index, Index>> places;
-  for (const NewPoint& p : points) places.emplace_back(p.cell, p.material);
-  std::sort(places.begin(), places.end());
-  for (std::size_t k = 0, end = 0; k < places.size(); k = end) {
-    while (end < places.size() && places[end] == places[k]) ++end;
-    state.points.expect(places[k].first, places[k].second, static_cast<Index>(end - k));
+  std::vector<BlockKey> keys;
+  for (const NewPoint& p : points) keys.push_back(p.key);
+  std::sort(keys.begin(), keys.end());
+  for (std::size_t k = 0, end = 0; k < keys.size(); k = end) {
+    while (end < keys.size() && keys[end] == keys[k]) ++end;
+    state.points.expect(keys[k], static_cast<Index>(end - k));
   }
 }
 
@@ -160,10 +160,10 @@ void add_point(const Model& model, const NewPoint& p, std::size_t id, std::vecto
     values[Rows::v + d] = p.v[d];
     state.x_initial[2 * id + d] = p.x[d];
   }
-  values[Rows::mass] = p.volume * model.materials[p.material].density;
+  values[Rows::mass] = p.volume * model.materials[p.key.material].density;
   values[Rows::volume] = p.volume;
   values[Rows::id] = static_cast<Real>(id);
-  state.points.add(p.cell, p.material, values);
+  state.points.add(p.key, values);
 }
 
 /// Drops each batch when it is in: points and blocks together would be the most that a run ever holds.

@@ -106,7 +106,7 @@ void add_points_of_file(const Model& model, std::size_t b, PointBatches& points)
     if (!at.inside)
       throw InputError(Problem{body_key(b, "points"), "a point lies outside the mesh",
           fmt::format("{}:{}: {} m lies in no cell.", path, p.line, place_text(p.x)), "body", false, mesh_extent});
-    add_point({p.x, at.local, finite_velocity(body, b, p.x), p.volume, at.cell, material_of_point(model, path, p),
+    add_point({p.x, at.local, finite_velocity(body, b, p.x), p.volume, {at.cell, material_of_point(model, path, p)},
                   static_cast<Index>(b)},
         points);
     guess = at.cell;
@@ -128,7 +128,7 @@ Real fullest_cell(const Mesh<2>& mesh, const PointBatches& points, std::size_t b
   std::vector<Real> volume(mesh.cells.size(), 0.0);
   for (const auto& batch : points)
     for (const NewPoint& p : batch)
-      if (static_cast<std::size_t>(p.body) == body) volume[p.cell] += p.volume;
+      if (static_cast<std::size_t>(p.body) == body) volume[p.key.cell] += p.volume;
   Real fullest = 0.0;
   for (Index cell = 0; cell < mesh.n_cells(); ++cell)
     fullest = std::max(fullest, volume[cell] / mesh.geometry(cell).volume);
@@ -159,8 +159,8 @@ std::vector<BodyShare> shares_of_bodies(const Model& model, const PointBatches& 
     BodyShare& share = shares[p.body];
     ++share.n_points;
     share.area += p.volume;
-    share.mass += p.volume * model.materials[p.material].density;
-    has[p.body][p.material] = true;
+    share.mass += p.volume * model.materials[p.key.material].density;
+    has[p.body][p.key.material] = true;
   };
   for (const auto& batch : points) std::for_each(batch.begin(), batch.end(), enter);
   for (std::size_t b = 0; b < shares.size(); ++b) {
@@ -191,8 +191,8 @@ PointBatches make_points(const Model& model)
   PointBatches points;
   for (const Seed& seed : seed_points(*model.mesh, outlines)) {
     const BodyCase& body = model.description.bodies[drawn[seed.body]];
-    add_point({seed.x, seed.local, finite_velocity(body, drawn[seed.body], seed.x), seed.volume, seed.cell,
-                  material_number(model, body.material), static_cast<Index>(drawn[seed.body])},
+    add_point({seed.x, seed.local, finite_velocity(body, drawn[seed.body], seed.x), seed.volume,
+                  {seed.cell, material_number(model, body.material)}, static_cast<Index>(drawn[seed.body])},
         points);
   }
   for (std::size_t b = 0; b < model.description.bodies.size(); ++b)

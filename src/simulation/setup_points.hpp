@@ -12,8 +12,8 @@ struct NewPoint {
   Vec<2> local;  ///< xi, eta in its cell
   Vec<2> v;      ///< [m/s]
   Real volume;   ///< [m^2]
-  Index cell, material;
-  Index body;  ///< of the case
+  BlockKey key;  ///< of the block that it goes to
+  Index body;    ///< number of its [[body]] in the case
 };
 
 /// Points in batches that can be dropped one by one.

@@ -27,6 +27,14 @@ void for_points(const PointBlocks<2>& points, std::int64_t first, std::int64_t n
   });
 }
 
+bool has_several_bodies(const PointBlocks<2>& points)
+{
+  bool several = false;
+  for_each_block(points, [&](const PointBlock<2>& block) { several = several || block.body != 0; });
+  return several;
+}
+
+/// Bodies are saved only where not all points are of body 0.
 void add_points(const State& state, ArrayWriter& arrays)
 {
   const PointBlocks<2>& points = state.points;
@@ -38,9 +46,12 @@ void add_points(const State& state, ArrayWriter& arrays)
       return values;
     };
   };
-  arrays.add({"points/cell", {points.n_points()}, whole_number([](const PointBlock<2>& block) { return block.cell; })});
-  arrays.add({"points/material", {points.n_points()},
-      whole_number([](const PointBlock<2>& block) { return block.material; })});
+  const auto add = [&](const char* name, Index BlockKey::*part) {
+    arrays.add({name, {points.n_points()}, whole_number([part](const PointBlock<2>& block) { return block.*part; })});
+  };
+  add("points/cell", &BlockKey::cell);
+  add("points/material", &BlockKey::material);
+  if (has_several_bodies(points)) add("points/body", &BlockKey::body);
   for (const RowInfo& row : points.table().entries()) {
     if (!row.saved) continue;
     const std::vector<std::int64_t> one{points.n_points()}, more{points.n_points(), row.n};
@@ -78,7 +89,7 @@ std::vector<SavedRow> get_rows(const RowTable& table, const StateImage& image, s
   for (const NamedArray& array : image.arrays) {
     if (!array.name.starts_with(points_room)) continue;
     const std::string name = array.name.substr(points_room.size());
-    if (name != "cell" && name != "material" &&
+    if (name != "cell" && name != "material" && name != "body" &&
         std::ranges::none_of(rows, [&](const SavedRow& saved) { return saved.row.name == name; }))
       throw FileError(fmt::format(
           "the checkpoint does not fit this case: its points carry `{}`, which the points of this case do not", name));
@@ -92,23 +103,30 @@ void get_points(const Model& model, const StateImage& image, State& state)
   const ArrayReader arrays(image);
   const auto& cell = arrays.wholes("points/cell");
   const auto& material = arrays.wholes("points/material", cell.size());
+  const bool has_bodies = std::ranges::find(image.arrays, "points/body", &NamedArray::name) != image.arrays.end();
+  const auto body = has_bodies ? arrays.wholes("points/body", cell.size()) : std::vector<std::int64_t>(cell.size());
   const std::vector<SavedRow> rows = get_rows(model.rows, image, cell.size());
   const auto fits = [](const std::vector<std::int64_t>& values, std::size_t limit) {
     return std::all_of(
         values.begin(), values.end(), [&](std::int64_t v) { return v >= 0 && v < static_cast<std::int64_t>(limit); });
   };
-  if (!fits(cell, model.mesh->cells.size()) || !fits(material, model.materials.size()))
+  if (!fits(cell, model.mesh->cells.size()) || !fits(material, model.materials.size()) ||
+      !fits(body, model.description.bodies.size()))
     throw FileError(
-        "the checkpoint does not fit this case: a point lies in a cell or has a material that the case does not have");
+        "the checkpoint does not fit this case: a point lies in a cell, or is of a material or a body, "
+        "that the case does not have");
+  const auto key_of = [&](std::size_t k) {
+    return BlockKey{static_cast<Index>(cell[k]), static_cast<Index>(material[k]), static_cast<Index>(body[k])};
+  };
   for (std::size_t k = 0, end = 0; k < cell.size(); k = end) {
-    while (end < cell.size() && cell[end] == cell[k] && material[end] == material[k]) ++end;
-    state.points.expect(static_cast<Index>(cell[k]), static_cast<Index>(material[k]), static_cast<Index>(end - k));
+    while (end < cell.size() && key_of(end) == key_of(k)) ++end;
+    state.points.expect(key_of(k), static_cast<Index>(end - k));
   }
   std::vector<Real> values(static_cast<std::size_t>(model.rows.n_rows()));
   for (std::size_t k = 0; k < cell.size(); ++k) {
     for (const SavedRow& saved : rows)
       std::copy_n(saved.values + k * static_cast<std::size_t>(saved.row.n), saved.row.n, &values[saved.row.first]);
-    state.points.add(static_cast<Index>(cell[k]), static_cast<Index>(material[k]), values);
+    state.points.add(key_of(k), values);
   }
   state.points.update_occupied();
   state.points.reserve(static_cast<std::int64_t>(cell.size() / 4));

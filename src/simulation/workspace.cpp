@@ -43,7 +43,8 @@ void Workspace::fit(const Model& model, const State& state)
   const auto& cells = state.points.occupied();
   corners.resize(cells.size());
   pressure.resize(state.points.n_blocks());
-  const std::size_t n_gauss = model.materials.size() * Threads::n_chunks(static_cast<Index>(cells.size()), pack_width);
+  const std::size_t n_gauss = model.materials.size() * state.points.n_bodies() *
+                              Threads::n_chunks(static_cast<Index>(cells.size()), pack_width);
   if (gauss.size() < n_gauss) {
     gauss.make_anew(2 * n_gauss);
     gauss_rows.make_anew(2 * n_gauss * static_cast<std::size_t>(n_gauss_rows));

@@ -47,11 +47,11 @@ struct Workspace {
   Threads threads;
   std::vector<CornerSums<Quad4>> corners;  ///< shape [n_occupied]
   ZeroedArray<GaussValues<Quad4, Pack>>
-      gauss;  ///< shape [n_materials * n_groups at least]; a scheme may use few of them or none
+      gauss;  ///< shape [n_materials * n_bodies * n_groups at least]; a scheme may use few of them or none
   ZeroedArray<GaussRow<Quad4>>
-      gauss_rows;                   ///< shape [n_materials * n_groups at least, n_gauss_rows]; used like `gauss`
-  Index n_gauss_rows = 0;           ///< the most that any law adds to the points
-  std::vector<Real> pressure;       ///< p_e [Pa], shape [n_blocks]; of schemes that keep no other Gauss values
+      gauss_rows;              ///< shape [n_materials * n_bodies * n_groups at least, n_gauss_rows]; used like `gauss`
+  Index n_gauss_rows = 0;      ///< the most that any law adds to the points
+  std::vector<Real> pressure;  ///< p_e [Pa], shape [n_blocks]; of schemes that keep no other Gauss values
   ZeroedArray<NodeValues> node;     ///< shape [n_nodes]; only those of active nodes are written
   std::vector<Index> active_nodes;  ///< nodes of occupied cells, ascending
   std::vector<std::uint64_t> node_bits;

@@ -70,7 +70,7 @@ TEST(InternalForceOfPoints, IsTheSumOfBTransposedTimesStressTimesVolume)
         .local = {random.between(-1.0, 1.0), random.between(-1.0, 1.0)}, .volume = random.between(0.01, 0.1)};
     for (Real& s : point.sigma) s = random.between(-1e4, 1e4);
     test::add_point(mesh, 0, point, points);
-    const auto gradient = gradients_at(mesh.geometry(0), Pack(point.local[0]), Pack(point.local[1]));
+    const auto gradient = gradients_at(mesh.geometry(0), {Pack(point.local[0]), Pack(point.local[1])});
     for (int i = 0; i < 4; ++i) {
       const Real gx = gradient[i][0][0], gy = gradient[i][1][0];
       expected.internal_force[0][i] += point.volume * (point.sigma[0] * gx + point.sigma[3] * gy);

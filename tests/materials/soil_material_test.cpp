@@ -24,7 +24,7 @@ PointBlocks<2> one_point(const RowTable& table, const std::vector<Real>& more)
   PointBlocks<2> points(1, table);
   std::vector<Real> values(static_cast<std::size_t>(points.n_rows()), 0.0);
   std::ranges::copy(more, values.begin() + PointRows<2>::state);
-  points.add(0, 0, values);
+  points.add({0, 0}, values);
   return points;
 }
 

@@ -75,7 +75,7 @@ TEST(RandomPlaces, AreNeverLostWhenTheyMove)
     PointBlocks<2> points(mesh.n_cells(), 0);
     std::vector<Real> values(points.n_rows());
     const OpenSides closed(mesh.cells.size(), 0);
-    points.add(0, 0, values);
+    points.add({0, 0}, values);
     for (int p = 0; p < places_per_mesh; ++p) {  // steps of up to four cells in any direction, and jumps
       points.update_occupied();
       const Index b = points.first_block(points.occupied().front());

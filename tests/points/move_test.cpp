@@ -58,6 +58,19 @@ TEST(MoveToNewCell, TakesAPointOverASideWithAllItCarries)
   EXPECT_EQ(moved.row(Rows::id), 9.0);
 }
 
+TEST(MoveToNewCell, KeepsMaterialAndBody)
+{
+  const Mesh<2> mesh = regular();
+  PointBlocks<2> points(mesh.n_cells(), 1);
+  test::add_point(mesh, 5, {}, points, 2, 3);
+  test::only_block(points, 5).row(Rows::x)[0] = 0.55;
+  std::vector<Real> values(points.n_rows());
+  move_to_new_cell(mesh, closed(mesh), points, {points.first_block(5), 0}, values);
+  points.update_occupied();
+  ASSERT_THAT(points.occupied(), testing::ElementsAre(6));
+  EXPECT_TRUE(test::only_block(points, 6) == (BlockKey{6, 2, 3}));
+}
+
 TEST(MoveToNewCell, TakesAPointOverACornerAndFar)
 {
   EXPECT_EQ(OnePoint(regular(), {0.51, 0.51}).cell(), 10);

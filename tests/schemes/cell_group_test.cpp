@@ -38,7 +38,7 @@ void gather(Row& row, const SchemeContext& context, Index first = 0, Index n = 1
 {
   const CellGroup<Quad4> group = row.group(first, n);
   gather_at_gauss_points(
-      context, group, [&](Index material) -> GaussValues<Quad4, Pack>& { return group.gauss_of(material); },
+      context, group, [&](const BlockLayer& layer) -> GaussValues<Quad4, Pack>& { return group.gauss_of(layer); },
       [](const auto&, auto&) {});
 }
 
@@ -125,7 +125,7 @@ TEST(CellGroup, GivesWhatOneCellInScalarsGives)
 {
   Row row = eight_distorted_cells();
   const auto layer_of = [&](Index cell) {
-    BlockLayer layer{0, {}};
+    BlockLayer layer{0, 0, {}};
     layer.block.fill(-1);
     layer.block[cell] = row.points.first_block(cell);
     return layer;
@@ -148,6 +148,24 @@ TEST(CellGroup, GivesWhatOneCellInScalarsGives)
     const GaussRow<Quad4> lanes = sum_row(row.group(0, 8), layer_of(c), PointRows<2>::state);
     for (int g = 0; g < 4; ++g) EXPECT_EQ(lanes[g][static_cast<int>(c)], sums[g]);
   }
+}
+
+TEST(CellGroup, TwoBodiesOfOneMaterialHaveGaussValuesOfTheirOwn)
+{
+  Row cell(1);
+  for (const Index body : {0, 1})
+    add_point(cell.mesh, 0, {.volume = 0.5, .sigma = {body == 0 ? -3e3 : -7e3, 0.0, 0.0, 0.0}}, cell.points, 0, body);
+  cell.points.update_occupied();
+  const auto materials = two_names_of_one_soil();
+  MethodOptions method;
+  gather(cell, {method, materials});
+  const CellGroup<Quad4> group = cell.group(0, 1);
+  std::vector<std::pair<Index, Index>> layers;
+  for_each_layer(group, [&](const BlockLayer& layer) {
+    layers.emplace_back(layer.material, layer.body);
+    EXPECT_DOUBLE_EQ(group.gauss_of(layer).pressure[0], (layer.body == 0 ? -3e3 : -7e3) / 3.0);
+  });
+  EXPECT_THAT(layers, testing::ElementsAre(std::pair(0, 0), std::pair(0, 1)));
 }
 
 TEST(CellGroup, LayersAreTheMaterialsInOrderWithTheCellsThatHoldThem)

@@ -34,11 +34,12 @@ TEST(SetupPoints, EachLiesInItsCellAtItsLocalPlace)
   const auto points = all(make_points(model));
   ASSERT_EQ(points.size(), 8u * 25u);
   for (const NewPoint& p : points) {
-    const Vec<2> centre = model.mesh->centres[p.cell];
+    const Vec<2> centre = model.mesh->centres[p.key.cell];
     for (int i = 0; i < 2; ++i) EXPECT_NEAR(centre[i] + 0.125 * p.local[i], p.x[i], 1e-12);
     EXPECT_NEAR(p.volume, 0.0625 / 25.0, 1e-15);
-    EXPECT_EQ(p.material, p.x[0] < 1.5 ? 0 : 1);
-    EXPECT_EQ(p.body, p.material);
+    EXPECT_EQ(p.key.material, p.x[0] < 1.5 ? 0 : 1);
+    EXPECT_EQ(p.body, p.key.material);
+    EXPECT_EQ(p.key.body, 0);
   }
 }
 

@@ -186,8 +186,52 @@ TEST(StateImage, OfAnotherCaseIsRefused)
           "strain, Eq. (6)), which the points of this case carry"));
   std::get<std::vector<std::int64_t>>(image.arrays[0].values)[4] = 1000000;
   EXPECT_THAT([&] { restore(s.model, image); },
-      testing::ThrowsMessage<FileError>("the checkpoint does not fit this case: a point lies in a cell or has a "
-                                        "material that the case does not have"));
+      testing::ThrowsMessage<FileError>("the checkpoint does not fit this case: a point lies in a cell, or is of a "
+                                        "material or a body, that the case does not have"));
+}
+
+/// A column whose points of odd numbers are of body 1.
+StateImage image_of_two_bodies(const Simulation& s)
+{
+  StateImage image = make_image(s.state);
+  std::vector<std::int64_t> body;
+  for_each_point(s.state.points, [&](const PointBlock<2>& block, Index lane) {
+    body.push_back(std::llround(block.row(PointRows<2>::id)[lane]) % 2);
+  });
+  const auto n = static_cast<std::int64_t>(body.size());
+  image.arrays.push_back({"points/body", {n}, std::move(body)});
+  return image;
+}
+
+TEST(StateImage, BodiesArePreservedWhilePointsMoveAndARunGoesOn)
+{
+  for (const char* scheme : {"standard_mpm", "mpm_mixed", "mpm_gp"}) {
+    Case c = moving_column(scheme);
+    c.bodies.push_back(c.bodies[0]);  // a case of two bodies, the second on the first
+    const Simulation start(c);
+    Simulation whole(build_model(c, 1), restore(start.model, image_of_two_bodies(start)));
+    test::make_steps(whole, 100);
+    Simulation rest(build_model(c, 1), restore(whole.model, make_image(whole.state)));
+    for (Simulation* s : {&whole, &rest}) test::make_steps(*s, 100);
+    EXPECT_EQ(first_difference(make_image(whole.state), make_image(rest.state)), "") << scheme;
+    Index n_moved = 0;
+    for_each_point(rest.state.points, [&](const PointBlock<2>& block, Index lane) {
+      const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
+      ASSERT_EQ(block.body, static_cast<Index>(id % 2));
+      if (std::abs(block.row(PointRows<2>::x)[lane] - rest.state.x_initial[2 * id]) > 0.3) ++n_moved;
+    });
+    EXPECT_GT(n_moved, 0) << scheme;
+  }
+}
+
+TEST(StateImage, SaysNothingOfBodiesWhereThereIsOne)
+{
+  const Simulation s(moving_column("mpm_gp"));
+  StateImage image = make_image(s.state);
+  const auto is_body = [](const NamedArray& a) { return a.name == "points/body"; };
+  EXPECT_TRUE(std::none_of(image.arrays.begin(), image.arrays.end(), is_body));
+  EXPECT_THAT([&] { restore(s.model, image_of_two_bodies(s)); },
+      testing::ThrowsMessage<FileError>(testing::HasSubstr("or a body, that")));
 }
 
 TEST(StateImage, TellsHowManyPointsTheRunBeganWith)

@@ -17,8 +17,8 @@ struct PointValues {
   Real id = 0.0;
 };
 
-inline void add_point(
-    const Mesh<2>& mesh, Index cell, const PointValues& point, PointBlocks<2>& points, Index material = 0)
+inline void add_point(const Mesh<2>& mesh, Index cell, const PointValues& point, PointBlocks<2>& points,
+    Index material = 0, Index body = 0)
 {
   using Rows = PointRows<2>;
   std::vector<Real> values(points.n_rows(), 0.0);
@@ -33,7 +33,7 @@ inline void add_point(
   for (int k = 0; k < 4; ++k) values[Rows::sigma + k] = point.sigma[k];
   for (std::size_t k = 0; k < point.state.size(); ++k) values[Rows::state + k] = point.state[k];
   values[Rows::id] = point.id;
-  points.add(cell, material, values);
+  points.add({cell, material, body}, values);
 }
 
 /// The block of the only material in a cell.

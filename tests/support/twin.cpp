@@ -149,7 +149,7 @@ State make_state(const Model& model, const Json& points)
     const auto local = Quad4::local_coordinates(
         model.mesh->geometry(cell).map, Vec<2>{values[Rows::x] - centre[0], values[Rows::x + 1] - centre[1]});
     for (int d = 0; d < 2; ++d) values[Rows::xi + d] = local[d];
-    state.points.add(cell, 0, values);
+    state.points.add({cell, 0}, values);
   }
   state.points.update_occupied();
   state.x_initial.resize(2 * n);
