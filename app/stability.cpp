@@ -53,8 +53,8 @@ void warn_of_motion(const Case& c)
 {
   if (!c.footings.empty())
     fmt::print(stderr, "warning: terp stability leaves footings out: the soil carries its own weight alone\n");
-  for (const SideCase& side : c.sides)
-    if (side.kind == SideKind::velocity)
+  for (const SideCondition& side : c.sides)
+    if (is_driven(side))
       fmt::print(stderr, "warning: the side `{}` stands still in terp stability\n", printable(side.side));
 }
 

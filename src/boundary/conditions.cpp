@@ -1,4 +1,4 @@
-// Each node on a side has one or two holds: what a side does to the node. They are built once, in order (contacts
+// Each node on a side has one or two conditions: what a side does to the node. They are built once, in order (contacts
 // first) and with parts of a straight base joined. In a step the question is which of them act: rollers and bilateral
 // contacts always, a separating contact where it is pressed on. At a corner this is a problem with two unknowns, and
 // exactly one set of acting sides satisfies Signorini's condition (decision 0038). `constrain` then removes the
@@ -8,6 +8,7 @@
 #include "boundary/conditions.hpp"
 
 #include "base/errors.hpp"
+#include "boundary/side_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,67 +40,59 @@ std::map<Index, EdgeSums> sum_edges(const Mesh<2>& mesh, const NamedSide& side)
   return nodes;
 }
 
-bool is_contact(Hold hold) { return hold == Hold::contact || hold == Hold::separating; }
+bool is_contact(const NodeSide& side) { return side.action.along == Along::resisted; }
 
-bool stops(Hold hold) { return hold == Hold::normal || hold == Hold::contact; }
+bool is_fixed(const NodeSide& side) { return side.action.along == Along::prescribed; }
+
+bool is_smooth(const NodeSide& side) { return side.action.along == Along::free; }
+
+/// Acts across itself whatever the node does, and leaves it to others along itself.
+bool stops(const NodeSide& side) { return side.action.across == Across::prescribed && !is_fixed(side); }
 
 /// Velocity across a side that it prescribes [m/s].
-Real prescribed_across(const NodeHold& hold)
-{
-  return hold.hold == Hold::normal ? dot(hold.velocity, hold.normal) : 0.0;
-}
+Real prescribed_across(const NodeSide& side) { return is_smooth(side) ? dot(side.velocity, side.normal) : 0.0; }
 
 constexpr Real straight = 0.996;  // cosine between normals of sides that count as one line: 5 degrees
 
 /// Parts of a straight base with equal conditions.
-bool are_parts_of_one(const NodeHold& a, const NodeHold& b)
+bool are_parts_of_one(const NodeSide& a, const NodeSide& b)
 {
-  return a.hold == b.hold && a.hold != Hold::all && a.velocity == b.velocity && dot(a.normal, b.normal) >= straight;
-}
-
-/// The base of two parts at the node between them: the push is shared by their half lengths.
-NodeHold joined(const NodeHold& a, const NodeHold& b)
-{
-  const Real length = a.half_length + b.half_length, part = a.half_length / length;
-  const Vec<2> sum{part * a.normal[0] + (1.0 - part) * b.normal[0], part * a.normal[1] + (1.0 - part) * b.normal[1]};
-  const Real norm = std::hypot(sum[0], sum[1]);
-  return {a.hold, {sum[0] / norm, sum[1] / norm}, length, a.adhesion_force + b.adhesion_force,
-      part * a.friction + (1.0 - part) * b.friction, a.velocity};
+  return a.action == b.action && !is_fixed(a) && a.velocity == b.velocity && dot(a.normal, b.normal) >= straight;
 }
 
 /// Contacts first, so that a roller at a corner decides about its direction.
 void order_and_join(NodeCondition& c)
 {
-  if (c.n == 2 && !is_contact(c.holds[0].hold) && is_contact(c.holds[1].hold)) std::swap(c.holds[0], c.holds[1]);
-  const bool across = c.n == 2 && std::abs(dot(c.holds[0].normal, c.holds[1].normal)) < straight;
-  c.corner = across && c.holds[0].hold != Hold::all && c.holds[1].hold != Hold::all;
-  if (c.n == 2 && !across && is_contact(c.holds[0].hold) &&
-      is_contact(c.holds[1].hold)) {  // parts of a base with different conditions share the push
-    const Real length = c.holds[0].half_length + c.holds[1].half_length;
-    for (NodeHold& hold : c.holds) hold.friction *= hold.half_length / length;
+  if (c.n == 2 && !is_contact(c.sides[0]) && is_contact(c.sides[1])) std::swap(c.sides[0], c.sides[1]);
+  const bool across = c.n == 2 && std::abs(dot(c.sides[0].normal, c.sides[1].normal)) < straight;
+  c.corner = across && !is_fixed(c.sides[0]) && !is_fixed(c.sides[1]);
+  if (c.n == 2 && !across && is_contact(c.sides[0]) &&
+      is_contact(c.sides[1])) {  // parts of a base with different conditions share the push
+    const Real length = c.sides[0].half_length + c.sides[1].half_length;
+    for (NodeSide& side : c.sides) side.friction *= side.half_length / length;
   }
   if (!c.corner) return;
-  const Vec<2> n = c.holds[0].normal, m = c.holds[1].normal;
-  const Real determinant = n[0] * m[1] - n[1] * m[0], a = prescribed_across(c.holds[0]),
-             b = prescribed_across(c.holds[1]);
+  const Vec<2> n = c.sides[0].normal, m = c.sides[1].normal;
+  const Real determinant = n[0] * m[1] - n[1] * m[0], a = prescribed_across(c.sides[0]),
+             b = prescribed_across(c.sides[1]);
   c.corner_velocity = {(a * m[1] - b * n[1]) / determinant, (b * n[0] - a * m[0]) / determinant};
 }
 
-/// Which holds of a node act.
+/// Which sides of a node act.
 using Acting = std::array<bool, 2>;
 
 /// Those that act whatever the node does.
-Acting always(const NodeCondition& c) { return {c.n > 0 && stops(c.holds[0].hold), c.n > 1 && stops(c.holds[1].hold)}; }
+Acting always(const NodeCondition& c) { return {c.n > 0 && stops(c.sides[0]), c.n > 1 && stops(c.sides[1])}; }
 
-/// Which holds act on a velocity or a force w: those that must, and separating ones that it pushes on. At a corner the
+/// Which sides act on a velocity or a force w: those that must, and separating ones that it pushes on. At a corner the
 /// push on one side is what the other leaves. So both act together or one alone: the only choice in which none pulls
 /// and no motion passes through (Signorini's condition).
 Acting acting_on(const NodeCondition& c, Vec<2> w, Acting must, std::array<Real, 2> prescribed)
 {
   std::array<Real, 2> push{};
-  for (int k = 0; k < c.n; ++k) push[k] = dot(w, c.holds[k].normal) - prescribed[k];
+  for (int k = 0; k < c.n; ++k) push[k] = dot(w, c.sides[k].normal) - prescribed[k];
   if (!c.corner) return {c.n > 0 && (must[0] || !(push[0] < 0.0)), c.n > 1 && (must[1] || !(push[1] < 0.0))};
-  const Real cosine = dot(c.holds[0].normal, c.holds[1].normal);
+  const Real cosine = dot(c.sides[0].normal, c.sides[1].normal);
   const Acting beside_other = {
       must[0] || push[0] - cosine * push[1] > 0.0, must[1] || push[1] - cosine * push[0] > 0.0};
   if (beside_other[0] && beside_other[1]) return {true, true};
@@ -111,11 +104,8 @@ Acting acting_on(const NodeCondition& c, Vec<2> w, Acting must, std::array<Real,
 
 Acting acting_on_velocity(const NodeCondition& c, Vec<2> v, Acting must)
 {
-  return acting_on(c, v, must, {prescribed_across(c.holds[0]), c.n > 1 ? prescribed_across(c.holds[1]) : 0.0});
+  return acting_on(c, v, must, {prescribed_across(c.sides[0]), c.n > 1 ? prescribed_across(c.sides[1]) : 0.0});
 }
-
-/// Force that a contact plane can carry along itself under a push across it [N per m].
-Real strength_of(const NodeHold& hold, Real push) { return hold.adhesion_force + hold.friction * std::max(push, 0.0); }
 
 /// Shortens a vector by a length, at most to zero.
 void shorten(Real by, Vec<2>& value)
@@ -127,11 +117,11 @@ void shorten(Real by, Vec<2>& value)
 
 /// Impulses of a contact plane on a node: normal, then tangential up to adhesion, and friction under the push of the
 /// trial velocity.
-void apply_contact(const NodeHold& hold, Real mass, Real dt, Vec<2> trial, Vec<2>& v)
+void apply_contact(const NodeSide& side, Real mass, Real dt, Vec<2> trial, Vec<2>& v)
 {
-  const Real v_n = dot(v, hold.normal);
-  for (int d = 0; d < 2; ++d) v[d] -= v_n * hold.normal[d];
-  shorten(strength_of(hold, mass * dot(trial, hold.normal) / dt) * dt / mass, v);
+  const Real v_n = dot(v, side.normal);
+  for (int d = 0; d < 2; ++d) v[d] -= v_n * side.normal[d];
+  shorten(side.action.strength(side, mass * dot(trial, side.normal) / dt) * dt / mass, v);
 }
 
 /// Strength along the acting contact planes that their reaction in step 2 left unused [N per m].
@@ -139,27 +129,27 @@ Real unused_strength(const NodeCondition& c, Acting acts, Vec<2> reaction)
 {
   Real strength = 0.0, along = 0.0;
   for (int k = 0; k < c.n; ++k) {
-    const NodeHold& hold = c.holds[k];
-    const Real push = -dot(reaction, hold.normal);
-    if (!acts[k] || !is_contact(hold.hold) || (hold.hold == Hold::separating && !(push > 0.0))) continue;
-    strength += strength_of(hold, push);
-    along = std::hypot(reaction[0] + push * hold.normal[0], reaction[1] + push * hold.normal[1]);
+    const NodeSide& side = c.sides[k];
+    const Real push = -dot(reaction, side.normal);
+    if (!acts[k] || !is_contact(side) || (side.action.across == Across::opens && !(push > 0.0))) continue;
+    strength += side.action.strength(side, push);
+    along = std::hypot(reaction[0] + push * side.normal[0], reaction[1] + push * side.normal[1]);
   }
   return std::max(strength - along, 0.0);
 }
 
-void stop_across(const NodeHold& hold, Vec<2>& v)
+void stop_across(const NodeSide& side, Vec<2>& v)
 {
-  const Real v_n = dot(v, hold.normal) - prescribed_across(hold);
-  for (int d = 0; d < 2; ++d) v[d] -= v_n * hold.normal[d];
+  const Real v_n = dot(v, side.normal) - prescribed_across(side);
+  for (int d = 0; d < 2; ++d) v[d] -= v_n * side.normal[d];
 }
 
-/// True if hold k of a node acted in step 2. At a corner where one alone did it is the one that v_1 runs along.
+/// True if side k of a node acted in step 2. At a corner where one alone did it is the one that v_1 runs along.
 bool acted(const NodeCondition& c, int k, Vec<2> v_1, Vec<2> reaction)
 {
-  if (stops(c.holds[k].hold)) return true;
-  if (!(dot(reaction, c.holds[k].normal) < 0.0)) return false;
-  return !c.corner || std::abs(dot(v_1, c.holds[k].normal)) < std::abs(dot(v_1, c.holds[1 - k].normal));
+  if (stops(c.sides[k])) return true;
+  if (!(dot(reaction, c.sides[k].normal) < 0.0)) return false;
+  return !c.corner || std::abs(dot(v_1, c.sides[k].normal)) < std::abs(dot(v_1, c.sides[1 - k].normal));
 }
 
 }  // namespace
@@ -183,8 +173,10 @@ Boundary::Boundary(const Mesh<2>& mesh, const std::vector<SideCondition>& sides)
     : condition_of_node_(mesh.nodes.size(), -1)
 {
   std::vector<int> n_sides;
-  for (const auto& side : sides)
-    for (const auto& [node, sums] : sum_edges(mesh, find_side(mesh, side.side))) {
+  for (const SideCondition& given : sides) {
+    const NamedSide& place = find_side(mesh, given.side);
+    if (info_of(given.kind).action == SideAction{}) continue;
+    for (const auto& [node, sums] : sum_edges(mesh, place)) {
       if (condition_of_node_[node] < 0) {
         condition_of_node_[node] = static_cast<Index>(conditions_.size());
         conditions_.emplace_back();
@@ -192,17 +184,15 @@ Boundary::Boundary(const Mesh<2>& mesh, const std::vector<SideCondition>& sides)
       }
       NodeCondition& c = conditions_[condition_of_node_[node]];
       if (++n_sides[condition_of_node_[node]] > 2)
-        throw InputError(Problem{"boundary." + side.side, "a node lies on more than two sides with conditions", "",
+        throw InputError(Problem{"boundary." + given.side, "a node lies on more than two sides with conditions", "",
             "boundary", true, {"boundary"}});
-      const Real length = std::hypot(sums.normal[0], sums.normal[1]);
-      const NodeHold hold{side.hold, {sums.normal[0] / length, sums.normal[1] / length}, sums.half_length,
-          side.adhesion * sums.half_length, side.friction,
-          side.velocity_at ? side.velocity_at(mesh.nodes[node]) : side.velocity};
-      if (c.n == 1 && are_parts_of_one(c.holds[0], hold))
-        c.holds[0] = joined(c.holds[0], hold);
+      const NodeSide side = node_side(given, sums.normal, sums.half_length, mesh.nodes[node]);
+      if (c.n == 1 && are_parts_of_one(c.sides[0], side))
+        c.sides[0] = joined(c.sides[0], side);
       else
-        c.holds[c.n++] = hold;
+        c.sides[c.n++] = side;
     }
+  }
   for (auto& c : conditions_) order_and_join(c);
 }
 
@@ -212,28 +202,29 @@ Vec<2> Boundary::free_part(Index node, Vec<2> value, Vec<2> push, TakeAlong take
   const NodeCondition* c = at(node);
   if (c == nullptr) return value;
   for (int k = 0; k < c->n; ++k)
-    if (c->holds[k].hold == Hold::all) return {0.0, 0.0};
+    if (is_fixed(c->sides[k])) return {0.0, 0.0};
   const Acting acts = acting_on(*c, push, always(*c), {});
   if (c->corner && acts[0] && acts[1]) return {0.0, 0.0};
   for (int k = 0; k < c->n; ++k) {
     if (!acts[k]) continue;
-    const NodeHold& hold = c->holds[k];
-    const Real across = dot(value, hold.normal);
-    for (int d = 0; d < 2; ++d) value[d] -= across * hold.normal[d];
-    if (is_contact(hold.hold)) take_along(hold, value);
+    const NodeSide& side = c->sides[k];
+    const Real across = dot(value, side.normal);
+    for (int d = 0; d < 2; ++d) value[d] -= across * side.normal[d];
+    if (is_contact(side)) take_along(side, value);
   }
   return value;
 }
 
 Vec<2> Boundary::free_velocity(Index node, Vec<2> v, Vec<2> push) const
 {
-  return free_part(node, v, push, [](const NodeHold&, Vec<2>&) {});
+  return free_part(node, v, push, [](const NodeSide&, Vec<2>&) {});
 }
 
 Vec<2> Boundary::free_force(Index node, Vec<2> force) const
 {
-  return free_part(node, force, force,
-      [&](const NodeHold& hold, Vec<2>& along) { shorten(strength_of(hold, dot(force, hold.normal)), along); });
+  return free_part(node, force, force, [&](const NodeSide& side, Vec<2>& along) {
+    shorten(side.action.strength(side, dot(force, side.normal)), along);
+  });
 }
 
 void Boundary::constrain(Index node, Real mass, Real dt, Vec<2>& v) const
@@ -243,13 +234,13 @@ void Boundary::constrain(Index node, Real mass, Real dt, Vec<2>& v) const
   const Acting acts = acting_on_velocity(*c, v, always(*c));
   const Vec<2> trial = v;
   for (int k = 0; k < c->n; ++k) {
-    const NodeHold& hold = c->holds[k];
-    if (acts[k] && is_contact(hold.hold)) apply_contact(hold, mass, dt, trial, v);
-    if (hold.hold == Hold::normal) stop_across(hold, v);
+    const NodeSide& side = c->sides[k];
+    if (acts[k] && is_contact(side)) apply_contact(side, mass, dt, trial, v);
+    if (acts[k] && is_smooth(side)) stop_across(side, v);
   }
   if (c->corner && acts[0] && acts[1]) v = c->corner_velocity;
   for (int k = 0; k < c->n; ++k)
-    if (c->holds[k].hold == Hold::all) v = c->holds[k].velocity;
+    if (is_fixed(c->sides[k])) v = c->sides[k].velocity;
 }
 
 void Boundary::clamp(Index node, Real mass, Real dt, Vec<2> v_1, Vec<2> reaction, Vec<2>& v) const
@@ -261,11 +252,11 @@ void Boundary::clamp(Index node, Real mass, Real dt, Vec<2> v_1, Vec<2> reaction
   const bool both_before = c->corner && v_1 == c->corner_velocity && dot(reaction, reaction) > 0.0;
   const Acting acts = both_before ? Acting{true, true} : acting_on_velocity(*c, v, before);
   for (int k = 0; k < c->n; ++k)
-    if (acts[k] && c->holds[k].hold != Hold::all) stop_across(c->holds[k], v);
+    if (acts[k] && !is_fixed(c->sides[k])) stop_across(c->sides[k], v);
   shorten(unused_strength(*c, acts, reaction) * dt / mass, v);
   if (c->corner && acts[0] && acts[1]) v = c->corner_velocity;
   for (int k = 0; k < c->n; ++k)
-    if (c->holds[k].hold == Hold::all) v = c->holds[k].velocity;
+    if (is_fixed(c->sides[k])) v = c->sides[k].velocity;
 }
 
 }  // namespace terp

@@ -1,49 +1,21 @@
 // Boundary conditions of the nodes on the sides of the mesh: rollers, fixed nodes, prescribed velocity, contact planes.
 #pragma once
 
+#include "boundary/side_kind.hpp"
 #include "mesh/mesh.hpp"
 
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace terp {
 
-/// How a side acts on the velocity of its nodes.
-enum class Hold {
-  normal,      ///< roller: no velocity across the side, or the prescribed one; free along it
-  all,         ///< fixed, or with a prescribed velocity
-  contact,     ///< bilateral contact plane: no velocity across it, adhesion and friction along it (reading R15)
-  separating,  ///< contact plane that the soil may leave
-};
-
-/// One side's condition with its contact strength.
-struct SideCondition {
-  std::string side;
-  Hold hold = Hold::normal;
-  Real adhesion = 0.0;                             ///< a [Pa]
-  Real friction = 0.0;                             ///< tangent of the friction angle [-]
-  Vec<2> velocity{0.0, 0.0};                       ///< of Hold::all, and across the side of Hold::normal [m/s]
-  std::function<Vec<2>(Vec<2>)> velocity_at = {};  ///< instead of velocity, at the position of a node [m/s]
-};
-
-/// A side's condition at one node.
-struct NodeHold {
-  Hold hold;
-  Vec<2> normal;        ///< outward, mean of the node's edges on this side weighted by length [-]
-  Real half_length;     ///< L_i, half the lengths of the node's edges on this side [m]
-  Real adhesion_force;  ///< a L_i [N per m]
-  Real friction;        ///< [-]
-  Vec<2> velocity;      ///< of Hold::all, and across the side of Hold::normal [m/s]
-};
-
-/// A node may lie on two sides (a corner) and so have two holds; contacts act first. Parts of a straight base with
-/// equal conditions are one hold at the node between them, with the adhesion of both and their friction weighted by
+/// A node may lie on two sides (a corner) and so have two conditions; contacts act first. Parts of a straight base with
+/// equal conditions are one side at the node between them, with the adhesion of both and their friction weighted by
 /// length. A bilateral and a separating part stay two, also weighted.
 struct NodeCondition {
   int n = 0;
-  std::array<NodeHold, 2> holds;
-  bool corner = false;  ///< two holds with different normals, neither of them fixed: together they leave one velocity
+  std::array<NodeSide, 2> sides;
+  bool corner = false;  ///< two sides with different normals, neither of them fixed: together they leave one velocity
   Vec<2> corner_velocity{0.0, 0.0};  ///< this velocity [m/s]
 };
 
@@ -53,6 +25,7 @@ const NamedSide& find_side(const Mesh<2>& mesh, const std::string& name);
 class Boundary {
  public:
   Boundary() = default;
+  /// Throws InputError for a side that the mesh does not have, whatever its kind: it may be misspelt.
   Boundary(const Mesh<2>& mesh, const std::vector<SideCondition>& sides);
 
   /// The part of a node's velocity, shape [2], that its sides leave free: nothing across a side that acts, or on which

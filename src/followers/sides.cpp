@@ -1,10 +1,11 @@
 // Which sides of the mesh the soil comes to: from then on they act on it, whether they are meant as walls or not.
-// A point in a cell at the side gives mass to its nodes. Where soil lay from the start, at a steep side that is free, a
-// roller or fixed, what counts is that soil comes to the second cell above it: less is heave, and one cell more may be
-// a matter of round-off.
+// A point in a cell at the side gives mass to its nodes. Where soil lay from the start, at a steep side that is the end
+// of the mesh and no wall (SideReport), what counts is that soil comes to the second cell above it: less is heave, and
+// one cell more may be a matter of round-off.
 
 #include "followers/followers.hpp"
 #include "simulation/ledger_context.hpp"
+#include "simulation/side_shape.hpp"
 #include "simulation/state_arrays.hpp"
 #include "simulation/summary.hpp"
 
@@ -25,19 +26,9 @@ bool has_soil(const State& state, const NamedSide& side)
       side.edges.begin(), side.edges.end(), [&](const CellSide& edge) { return holds_soil(state, edge); });
 }
 
-/// What the case says of a side; free if it says nothing.
-SideKind kind_of(const Model& model, const std::string& name)
+SideReport report_of(const Model& model, const NamedSide& side)
 {
-  const auto& sides = model.description.sides;
-  const auto found = std::find_if(sides.begin(), sides.end(), [&](const SideCase& s) { return s.side == name; });
-  return found == sides.end() ? SideKind::free : found->kind;
-}
-
-/// One that ends the mesh rather than being a wall of the problem.
-bool is_end_of_mesh(const Model& model, const std::string& name)
-{
-  const SideKind kind = kind_of(model, name);
-  return kind == SideKind::free || kind == SideKind::roller || kind == SideKind::fixed;
+  return info_of(condition_of(model.description, side.name).kind).report;
 }
 
 /// The lower and the upper end of a cell's side [m]; of one that is steeper than 1:1.
@@ -66,7 +57,7 @@ Real top_of_soil(const Model& model, const State& state, const NamedSide& side)
 /// True where soil lies at the side with a cell between it and where it was.
 bool has_risen(const Model& model, const State& state, const NamedSide& side, Real top)
 {
-  if (std::isnan(top) || !is_end_of_mesh(model, side.name)) return false;
+  if (std::isnan(top) || report_of(model, side) != SideReport::arrival_and_rise) return false;
   return std::any_of(side.edges.begin(), side.edges.end(), [&](const CellSide& edge) {
     const Steep part = heights_of(*model.mesh, edge);
     return part.is && part.low > top + 0.5 * (part.high - part.low) && holds_soil(state, edge);
@@ -99,13 +90,12 @@ class Sides : public Follower {
     }
   }
 
-  /// In order of time, then of the mesh. An open side is none: soil is meant to leave there.
+  /// In order of time, then of the mesh.
   void summarise(const Model& model, const State&, Summary& summary) const override
   {
     for (std::size_t k = 0; k < reached_.size(); ++k)
-      if (const std::string& name = model.mesh->sides[k].name;
-          reached_[k] > 0.0 && kind_of(model, name) != SideKind::open)
-        summary.reached_sides.push_back({name, reached_[k], !std::isnan(top_[k])});
+      if (const NamedSide& side = model.mesh->sides[k]; reached_[k] > 0.0 && report_of(model, side) != SideReport::none)
+        summary.reached_sides.push_back({side.name, reached_[k], !std::isnan(top_[k])});
     std::ranges::stable_sort(summary.reached_sides, {}, &ReachedSide::time);
   }
 

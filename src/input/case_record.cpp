@@ -138,7 +138,7 @@ void Recorder::add_orders()
 {
   std::vector<std::string> materials, sides;
   for (const MaterialCase& m : values_.materials) materials.push_back(m.name);
-  for (const SideCase& s : values_.sides) sides.push_back(s.side);
+  for (const SideCondition& s : values_.sides) sides.push_back(s.side);
   add("material (in order)", plain_list(materials));
   add("body (number)", fmt::format("{}", values_.bodies.size()));
   add("boundary (in order)", plain_list(sides));

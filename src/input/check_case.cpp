@@ -6,6 +6,7 @@
 #include "input/closest.hpp"
 #include "input/key_text.hpp"
 #include "input/other_files.hpp"
+#include "input/side_kinds.hpp"
 
 #include <fmt/format.h>
 
@@ -126,43 +127,12 @@ void check_unused_materials(const Case& values, Problems& warnings)
   }
 }
 
-void check_side(const Node& side, const std::string& path, Problems& problems)
-{
-  if (side.kind != NodeKind::table) return;
-  const auto has = [&](const char* name) { return find_item(side, name) != nullptr; };
-  if (has("velocity") && (has("contact") || has("adhesion") || has("friction")))
-    problems.push_back({path + ".velocity", "a side has either a contact or a velocity, not both",
-        "A prescribed velocity leaves nothing to slide. Remove one of the two.", "boundary", true});
-  if (has("slip") && !has("velocity"))
-    problems.push_back({path + ".slip", "`slip` needs a velocity",
-        fmt::format("A smooth side that does not move is {} = \"roller\".", side.name), "boundary", true});
-  for (const char* name : {"adhesion", "friction"})
-    if (has(name) && !has("contact") && !has("velocity"))
-      problems.push_back({path + '.' + name, fmt::format("`{}` needs a contact", name),
-          fmt::format("Free, open, roller and fixed sides do not slide with resistance. Write {} = {{ contact = "
-                      "\"bilateral\", {} = ... }}, or \"separating\".",
-              side.name, name),
-          "boundary", true});
-  if (side.items.empty())
-    problems.push_back({path, fmt::format("`{}` is empty", side.name),
-        "Give contact or velocity, or one of \"free\", \"open\", \"roller\", \"fixed\".", "boundary", true});
-}
-
-/// Friction that feels only half of what the plane carries (decision 0015).
-void check_friction(const SideCase& side, Problems& warnings)
-{
-  if (side.kind != SideKind::contact_bilateral || !(side.friction > 0.0)) return;
-  warnings.push_back({join_path("boundary", side.side) + ".friction",
-      "a bilateral contact meets only pushes with friction and forgets pulls",
-      "Friction wants contact = \"separating\" (docs/decisions/0015-contact-at-the-base.md).", "boundary", true});
-}
-
 void check_sides(const Node& root, const Case& values, Findings& findings)
 {
   const Node* boundary = find_item(root, "boundary");
   if (boundary == nullptr || boundary->kind != NodeKind::table) return;
   for (const Node& side : boundary->items) check_side(side, join_path("boundary", side.name), findings.problems);
-  for (const SideCase& side : values.sides) check_friction(side, findings.warnings);
+  for (const SideCondition& side : values.sides) check_doubts(side, findings.warnings);
 }
 
 void check_footings(const Node& root, const Case& values, Problems& problems)

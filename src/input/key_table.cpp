@@ -2,6 +2,8 @@
 
 #include "input/key_table.hpp"
 
+#include "boundary/side_table.hpp"
+#include "input/side_kinds.hpp"
 #include "schemes/scheme.hpp"
 
 #include <fmt/format.h>
@@ -21,8 +23,6 @@ Words scheme_words()
 }
 // In the order of the enums in case.hpp and method_options.hpp.
 Words stress_words() { return {"none", "k0", "equilibrium"}; }
-Words side_words() { return {"free", "open", "roller", "fixed"}; }
-Words contact_words() { return {"bilateral", "separating"}; }
 Words footing_words() { return {"rough", "smooth"}; }
 Words weights_words() { return {"hybrid", "summed", "gauss"}; }
 Words force_operator_words() { return {"b_bar", "b"}; }
@@ -31,13 +31,14 @@ Words state_averaging_words() { return {"as_declared", "cell", "sub_cell"}; }
 Words objective_rate_words() { return {"none", "jaumann"}; }
 Words deviatoric_norm_words() { return {"half", "von_mises"}; }
 
-/// first: the value of the enum that the first word stands for.
 template <class Enum>
-WordField word_field(Enum& value, Enum first = Enum{})
+WordField word_field(Enum& value)
 {
-  return {[&value, first] { return static_cast<int>(value) - static_cast<int>(first); },
-      [&value, first](int word) { value = static_cast<Enum>(static_cast<int>(first) + word); }};
+  return {[&value] { return static_cast<int>(value); }, [&value](int word) { value = static_cast<Enum>(word); }};
 }
+
+Words side_words() { return side_kind_words(""); }
+Words contact_words() { return side_kind_words("contact"); }
 
 std::vector<KeyInfo> frame_keys()
 {
@@ -277,30 +278,18 @@ std::vector<KeyInfo> load_keys()
 
 std::vector<KeyInfo> side_keys()
 {
-  return {
+  std::vector<KeyInfo> keys = {
       {.path = "boundary.SIDE",
-          .field = [](Case& c, std::size_t i) { return word_field(c.sides[i].kind); },
+          .field = [](Case& c, std::size_t i) { return side_kind_field(c.sides[i].kind, ""); },
           .words = side_words,
-          .meaning = "what holds the side of the mesh: left, right, bottom or top, or a name of mesh.edges or of a "
-                     "physical group of mesh.file. open: soil that reaches the side leaves the model and is entered in "
-                     "left_the_mesh.csv; roller: no motion across; fixed: no motion; or a table with contact or "
-                     "velocity, as below"},
+          .meaning = "boundary condition of a side of the mesh: left, right, bottom or top, or a name of mesh.edges or "
+                     "of a physical group of mesh.file. " +
+                     side_kind_meanings("") + "; or a table with " + side_key_names() + ", as below"},
       {.path = "boundary.SIDE.contact",
-          .field = [](Case& c, std::size_t i) { return word_field(c.sides[i].kind, SideKind::contact_bilateral); },
+          .field = [](Case& c, std::size_t i) { return side_kind_field(c.sides[i].kind, "contact"); },
           .words = contact_words,
-          .meaning = "contact plane (reading R15): bilateral never opens, separating opens under tension",
+          .meaning = "contact plane (reading R15). " + side_kind_meanings("contact"),
           .equation = "|tangential impulse of a node| <= (a L_i + mu N_i) dt"},
-      {.path = "boundary.SIDE.adhesion",
-          .field = [](Case& c, std::size_t i) { return &c.sides[i].adhesion; },
-          .unit = "Pa",
-          .range = not_negative,
-          .usual = {10.0, 1e7},
-          .meaning = "adhesion a of the contact plane"},
-      {.path = "boundary.SIDE.friction",
-          .field = [](Case& c, std::size_t i) { return &c.sides[i].friction; },
-          .range = not_negative,
-          .usual = {0.0, 2.0},
-          .meaning = "tangent mu of the friction angle of the contact plane, not the angle itself"},
       {.path = "boundary.SIDE.velocity",
           .field =
               [](Case& c, std::size_t i) {
@@ -316,6 +305,16 @@ std::vector<KeyInfo> side_keys()
           .meaning = "with velocity: true: a smooth wall; only the component across the side is prescribed, soil "
                      "slides along it freely"},
   };
+  std::vector<KeyInfo> numbers;
+  for (const SideNumber& number : side_numbers())
+    numbers.push_back({.path = "boundary.SIDE." + std::string(number.name),
+        .field = [at = number.at](Case& c, std::size_t i) { return &(c.sides[i].*at); },
+        .unit = std::string(number.unit),
+        .range = number.range,
+        .usual = number.usual,
+        .meaning = std::string(number.meaning)});
+  keys.insert(keys.begin() + 2, numbers.begin(), numbers.end());  // beside the contact
+  return keys;
 }
 
 std::vector<KeyInfo> footing_keys()

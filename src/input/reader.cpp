@@ -3,6 +3,7 @@
 #include "input/closest.hpp"
 #include "input/key_text.hpp"
 #include "input/mesh_kinds.hpp"
+#include "input/side_kinds.hpp"
 
 #include <fmt/format.h>
 
@@ -193,12 +194,14 @@ void CaseReader::read_side(const Node& node, const std::string& path)
   if (node.kind == NodeKind::text) {
     store_value({node, path, kind}, kind.field(values_, number), findings_);
   } else if (node.kind == NodeKind::table) {
-    if (find_item(node, "velocity") != nullptr) values_.sides[number].kind = SideKind::velocity;
+    for (const SideKindInfo& info : side_kinds())  // those with a word follow from the value of their key
+      if (!info.key.empty() && info.word.empty() && find_item(node, info.key) != nullptr)
+        values_.sides[number].kind = info.kind;
     read_section({node, path, "boundary.SIDE", number});
   } else {
     report({path, fmt::format("`{}` must be text or a table", node.name),
         fmt::format(
-            "Got {}; allowed: {} or a table with contact or velocity.", describe_value(node), allowed_text(kind)),
+            "Got {}; allowed: {} or a table with {}.", describe_value(node), allowed_text(kind), side_key_names()),
         "boundary"});
   }
 }

@@ -23,9 +23,6 @@ constexpr Index most_cells = 40000, most_points = 20000;
 // Soil colours that stay apart in grey and for most colour-blind eyes (Okabe and Ito, made lighter).
 constexpr const char* soil_colours[] = {
     "#d9b98a", "#9cc3dd", "#a8cfa0", "#e8a98f", "#c9b3d9", "#e6d784", "#9fb5b0", "#c7c7c7"};
-constexpr const char* held = "#b3261e";
-constexpr const char* moved = "#6a1b9a";
-constexpr const char* opened = "#1b7f3b";
 constexpr const char* ink = "#1f2933";
 
 std::string escaped(std::string_view text)
@@ -187,32 +184,30 @@ class SectionDrawing {
     put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-opacity=\"0.22\" stroke-width=\"0.6\"/>", path, ink);
   }
 
-  /// A line along the side, ticks outside where it holds, and its words.
+  /// A line along the side, marks outside of it as its kind has them, and its words.
   void sides()
   {
     for (const NamedSide& side : model_.mesh->sides) {
-      const SideCase condition = condition_of(model_.description, side.name);
+      const SideCondition condition = condition_of(model_.description, side.name);
+      const SideKindInfo& kind = info_of(condition.kind);
       const SideShape shape = shape_of_side(*model_.mesh, side);
       if (side.edges.empty()) continue;
-      const bool free = condition.kind == SideKind::free;
-      const char* colour = free                                   ? "#8a94a0"
-                           : condition.kind == SideKind::open     ? opened
-                           : condition.kind == SideKind::velocity ? moved
-                                                                  : held;
-      std::string path, ticks;
+      std::string path, marks;
       for (const CellSide& at : side.edges) {
         const Side edge = edge_of(*model_.mesh, at);
         path += line(edge);
-        if (!free && condition.kind != SideKind::open) hatch(edge, condition.kind == SideKind::roller, ticks);
+        if (kind.marks != SideMarks::none) hatch(edge, kind.marks == SideMarks::circles, marks);
       }
-      put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\"/>", path, colour,
-          free ? 1.2 : 3.0);
-      if (!ticks.empty()) put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.2\"/>", ticks, colour);
-      label(side, shape, colour, side.name + ": " + describe(condition));
+      put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\"/>", path,
+          kind.colour, width_of(kind));
+      if (!marks.empty()) put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.2\"/>", marks, kind.colour);
+      label(side, shape, kind.colour, side.name + ": " + describe(condition));
     }
   }
 
-  /// Slanting ticks of a held side, circles of a roller; at even distances from the origin along the edge.
+  static Real width_of(const SideKindInfo& kind) { return kind.kind == SideKind::free ? 1.2 : 3.0; }
+
+  /// Slanting ticks or circles outside of an edge; at even distances from the origin along the edge.
   void hatch(const Side& edge, bool circles, std::string& ticks) const
   {
     constexpr Real spacing = 14.0, depth = 8.0;
@@ -233,7 +228,7 @@ class SectionDrawing {
   }
 
   /// Words beside the middle of a side, along it.
-  void label(const NamedSide& side, const SideShape& shape, const char* colour, const std::string& words)
+  void label(const NamedSide& side, const SideShape& shape, std::string_view colour, const std::string& words)
   {
     Vec<2> mean{0.0, 0.0};
     for (const CellSide& at : side.edges) {
@@ -349,17 +344,15 @@ class SectionDrawing {
                 colour_of(static_cast<Index>(m))),
           fmt::format("{}: {}, {:.4g} kg/m³", soil.name, soil.type->name, soil.density));
     }
-    const auto line = [](const char* colour) {
-      return fmt::format("<path d=\"M0 0H24\" stroke=\"{}\" stroke-width=\"3\"/>", colour);
-    };
-    const auto any = [&](auto&& is) { return std::ranges::any_of(model_.description.sides, is); };
-    if (any([](const SideCase& s) {
-          return s.kind != SideKind::free && s.kind != SideKind::open && s.kind != SideKind::velocity;
-        }))
-      entry(line(held), "side that holds");
-    if (any([](const SideCase& s) { return s.kind == SideKind::velocity; })) entry(line(moved), "prescribed velocity");
-    if (any([](const SideCase& s) { return s.kind == SideKind::open; })) entry(line(opened), "open side");
-    entry("<path d=\"M0 0H24\" stroke=\"#8a94a0\" stroke-width=\"1.2\"/>", "free boundary of the mesh");
+    std::vector<std::string_view> shown;
+    for (const SideKindInfo& kind : side_kinds()) {
+      const auto has_it = [&](const SideCondition& side) { return side.kind == kind.kind; };
+      const bool used = kind.kind == SideKind::free || std::ranges::any_of(model_.description.sides, has_it);
+      if (!used || std::ranges::find(shown, kind.legend) != shown.end()) continue;
+      entry(fmt::format("<path d=\"M0 0H24\" stroke=\"{}\" stroke-width=\"{}\"/>", kind.colour, width_of(kind)),
+          std::string(kind.legend));
+      shown.push_back(kind.legend);
+    }
     legend_height_ = y - legend_top_;
   }
 

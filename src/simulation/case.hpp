@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/types.hpp"
+#include "boundary/side_kind.hpp"
 #include "transfer/method_options.hpp"
 
 #include <functional>
@@ -15,7 +16,6 @@ namespace terp {
 
 enum class InitialStress { none, k0, equilibrium };  ///< reading R14
 enum class MeshKind { rectangle, graded, mapped, file, polygon };
-enum class SideKind { free, open, roller, fixed, velocity, contact_bilateral, contact_separating };  ///< reading R15
 enum class FootingContact { rough, smooth };
 enum class DeviatoricNorm { half, von_mises };  ///< reading R18
 
@@ -55,9 +55,6 @@ struct MeshCase {
   Index variant = 0;  ///< polygon: 1, 2, ... are other meshes of the same size, to see what depends on the mesh
 };
 
-/// Velocity at a place [m/s]; empty: the same everywhere.
-using VelocityField = std::function<Vec<2>(Vec<2>)>;
-
 /// Exactly one of polygon, region and points_file says where a body is.
 struct BodyCase {
   std::string material;
@@ -94,17 +91,6 @@ void change_parameters(MaterialCase& material, Change change)
   for (ParameterField& field : material.fields)
     field.value_at = [k = field.parameter, before = field.value_at, change](Vec<2> x) { return change(k, before(x)); };
 }
-
-struct SideCase {
-  std::string
-      side;  ///< of the mesh: "left", "right", "bottom", "top", a name of mesh.edges, or a physical group of the file
-  SideKind kind = SideKind::free;
-  Real adhesion = 0.0;        ///< a [Pa]
-  Real friction = 0.0;        ///< tangent of the contact friction angle [-]
-  Vec<2> velocity{0.0, 0.0};  ///< of SideKind::velocity [m/s]
-  VelocityField velocity_at;  ///< instead of velocity
-  bool slip = false;          ///< of SideKind::velocity: only the component across the side is prescribed
-};
 
 inline constexpr std::size_t most_footings = 8;  ///< of one case
 
@@ -167,7 +153,7 @@ struct Case {
   std::vector<MaterialCase> materials;
   ForcesCase forces;
   InitialCase initial;
-  std::vector<SideCase> sides;
+  std::vector<SideCondition> sides;
   std::vector<FootingCase> footings;
   MethodOptions method;
   OutputCase output;

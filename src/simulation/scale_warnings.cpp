@@ -188,7 +188,7 @@ void check_speeds(const Model& model, const Soil& soil, Problems& warnings)
   for (std::size_t b = 0; b < c.bodies.size(); ++b)
     warn_of_speed(
         fmt::format("body[{}].velocity", b), fmt::format("body {}", b), size(c.bodies[b].velocity), soil, warnings);
-  for (const SideCase& side : c.sides) {
+  for (const SideCondition& side : c.sides) {
     const std::string key = fmt::format("boundary.\"{}\".velocity", side.side);
     warn_of_speed(key, fmt::format("the side `{}`", side.side), size(side.velocity), soil, warnings);
   }
@@ -206,7 +206,7 @@ void find_no_motion(const Model& model, Problems& warnings)
   const auto moves = [](const auto& it) { return it.velocity_at || it.velocity != Vec<2>{0.0, 0.0}; };
   const auto footing_moves = [](const FootingCase& footing) { return footing.velocity != Vec<2>{0.0, 0.0}; };
   if (c.forces.gravity != Vec<2>{0.0, 0.0} || std::ranges::any_of(c.bodies, moves) ||
-      std::ranges::any_of(c.sides, moves) || std::ranges::any_of(c.footings, footing_moves))
+      std::ranges::any_of(c.sides, is_driven) || std::ranges::any_of(c.footings, footing_moves))
     return;
   warnings.push_back({"forces.gravity", "there is no gravity, and nothing else moves the soil",
       "All soil stays at rest. Usual: gravity = [0.0, -9.81] in [forces].", "forces.gravity"});

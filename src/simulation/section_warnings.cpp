@@ -74,9 +74,9 @@ class SectionCheck {
       obstacles_.push_back({fmt::format("body {}", b), outline_sides(*model.mesh, outlines[k++])});
     }
     n_bodies_ = obstacles_.size();
-    for (const SideCase& side : model.description.sides) {
-      if (side.kind == SideKind::free || side.kind == SideKind::open) continue;
-      Obstacle held{fmt::format("the side `{}`", side.side), {}, side.kind == SideKind::velocity};
+    for (const SideCondition& side : model.description.sides) {
+      if (info_of(side.kind).action == SideAction{}) continue;
+      Obstacle held{fmt::format("the side `{}`", side.side), {}, is_driven(side)};
       for (const CellSide& edge : find_side(*model.mesh, side.side).edges)
         held.sides.push_back(edge_of(*model.mesh, edge));
       obstacles_.push_back(std::move(held));

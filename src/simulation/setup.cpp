@@ -33,37 +33,18 @@ std::vector<SoilMaterial> make_materials(const Case& c)
 }
 
 /// A formula may give no number at some place.
-void check_velocity(const SideCase& side, Vec<2> x)
+void check_velocities(const Case& c, const Mesh<2>& mesh)
 {
-  const Vec<2> v = velocity_of(side, x);
-  if (side.velocity_at && !std::isfinite(v[0] + v[1]))
-    throw InputError(Problem{fmt::format("boundary.\"{}\".velocity", side.side),
-        "the velocity is not a finite number everywhere on the side",
-        fmt::format("It is [{}, {}] m/s at {} m.", v[0], v[1], place_text(x)), "boundary.SIDE.velocity"});
-}
-
-/// Conditions of the sides that hold something. Every name must be one of the mesh, of free sides too: it may be
-/// misspelt.
-std::vector<SideCondition> make_sides(const Case& c, const Mesh<2>& mesh)
-{
-  std::vector<SideCondition> sides;
-  for (const SideCase& s : c.sides) {
-    for (const CellSide& edge : find_side(mesh, s.side).edges)
-      check_velocity(s, mesh.nodes[mesh.cells[edge.cell][edge.side]]);
-    const auto add = [&](Hold hold) {
-      sides.push_back({s.side, hold, s.adhesion, s.friction, s.velocity, s.velocity_at});
-    };
-    switch (s.kind) {
-      case SideKind::free: break;
-      case SideKind::open: break;
-      case SideKind::roller: add(Hold::normal); break;
-      case SideKind::fixed: add(Hold::all); break;
-      case SideKind::velocity: add(s.slip ? Hold::normal : Hold::all); break;
-      case SideKind::contact_bilateral: add(Hold::contact); break;
-      case SideKind::contact_separating: add(Hold::separating); break;
+  for (const SideCondition& side : c.sides) {
+    if (!side.velocity_at) continue;
+    for (const CellSide& edge : find_side(mesh, side.side).edges) {
+      const Vec<2> x = mesh.nodes[mesh.cells[edge.cell][edge.side]], v = side.velocity_at(x);
+      if (!std::isfinite(v[0] + v[1]))
+        throw InputError(Problem{fmt::format("boundary.\"{}\".velocity", side.side),
+            "the velocity is not a finite number everywhere on the side",
+            fmt::format("It is [{}, {}] m/s at {} m.", v[0], v[1], place_text(x)), "boundary.SIDE.velocity"});
     }
   }
-  return sides;
 }
 
 std::vector<Footing> make_footings(const Case& c)
@@ -74,12 +55,12 @@ std::vector<Footing> make_footings(const Case& c)
   return footings;
 }
 
-/// Sides that the case calls "open".
+/// Sides that soil leaves by.
 OpenSides make_open_sides(const Case& c, const Mesh<2>& mesh)
 {
   OpenSides open(mesh.cells.size(), 0);
-  for (const SideCase& s : c.sides)
-    if (s.kind == SideKind::open)
+  for (const SideCondition& s : c.sides)
+    if (info_of(s.kind).soil_leaves)
       for (const CellSide& edge : find_side(mesh, s.side).edges)
         open[edge.cell] |= static_cast<std::uint8_t>(1u << edge.side);
   return open;
@@ -201,7 +182,8 @@ Model build_model(const Case& description, SharedMesh mesh, int threads)
   model.mesh = std::move(mesh);
   model.materials = make_materials(description);
   model.method = description.method;
-  model.boundary = Boundary(*model.mesh, make_sides(description, *model.mesh));
+  check_velocities(description, *model.mesh);
+  model.boundary = Boundary(*model.mesh, description.sides);
   model.footings = make_footings(description);
   model.open_sides = make_open_sides(description, *model.mesh);
   model.gravity = description.forces.gravity;

@@ -41,14 +41,14 @@ void find_thin_points(const Model& model, std::vector<Problem>& warnings)
 
 void find_sides_that_move_far(const Model& model, std::vector<Problem>& warnings)
 {
-  for (const SideCase& side : model.description.sides) {
+  for (const SideCondition& side : model.description.sides) {
     Real speed = 0.0;
     for (const CellSide& edge : find_side(*model.mesh, side.side).edges) {
       const Vec<2> v = velocity_of(side, model.mesh->nodes[model.mesh->cells[edge.cell][edge.side]]);
       speed = std::max(speed, std::hypot(v[0], v[1]));
     }
     const Real distance = speed * model.description.time.end;
-    if (side.kind != SideKind::velocity || !(distance > model.mesh->smallest_altitude)) continue;
+    if (!(distance > model.mesh->smallest_altitude)) continue;
     warnings.push_back({fmt::format("boundary.\"{}\".velocity", side.side),
         "the side stays in place: it pushes soil over one cell at most",
         fmt::format("Its velocity times time.end is {:.4g} m, the smallest cell is {:.4g} m high. The mesh does not "

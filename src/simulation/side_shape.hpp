@@ -1,4 +1,4 @@
-// The sides of a mesh, measured and in words: for `terp check`, its picture, and warnings.
+// The sides of a mesh, measured, and their conditions: for `terp check`, its picture, and warnings.
 #pragma once
 
 #include "points/body_outline.hpp"
@@ -19,9 +19,6 @@ SideShape shape_of_side(const Mesh<2>& mesh, const NamedSide& side);
 Side edge_of(const Mesh<2>& mesh, CellSide at);
 
 /// The condition of a side of the mesh; of kind free if the case gives none.
-SideCase condition_of(const Case& description, const std::string& side);
-
-/// What a condition does: "contact that never opens, adhesion 8 kPa".
-std::string describe(const SideCase& side);
+SideCondition condition_of(const Case& description, const std::string& side);
 
 }  // namespace terp

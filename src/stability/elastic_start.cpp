@@ -64,7 +64,7 @@ Case elastic_case(Case c)
     const MaterialType* law = find_material(material.model);
     if (has_strength(*law)) material = elastic_twin(material, *law);
   }
-  for (SideCase& side : c.sides)
+  for (SideCondition& side : c.sides)
     if (side.adhesion > 0.0 || side.friction > 0.0) side.adhesion = std::numeric_limits<Real>::infinity();
   return c;
 }
@@ -105,7 +105,7 @@ void set_scales(const Model& model, const State& state, ElasticStart& start)
 Case quiet_case(Case c)
 {
   c.footings.clear();
-  for (SideCase& side : c.sides) side.velocity = {0.0, 0.0}, side.velocity_at = {};
+  for (SideCondition& side : c.sides) side.velocity = {0.0, 0.0}, side.velocity_at = {};
   for (BodyCase& body : c.bodies) body.velocity = {0.0, 0.0}, body.velocity_at = {};
   return c;
 }

@@ -46,7 +46,7 @@ std::vector<Strength> strengths_of(const Case& c)
             varies ? std::numeric_limits<Real>::quiet_NaN() : material.parameters[k]});
     }
   }
-  for (const SideCase& side : c.sides) {
+  for (const SideCondition& side : c.sides) {
     if (side.adhesion > 0.0) strengths.push_back({fmt::format("boundary.{}.adhesion", side.side), "Pa", side.adhesion});
     if (side.friction > 0.0) strengths.push_back({fmt::format("boundary.{}.friction", side.side), "-", side.friction});
   }
@@ -60,7 +60,7 @@ Case reduce_strength(Case c, Real factor)
       change_parameters(material,
           [law, factor](std::size_t k, Real value) { return reduced(law->parameters[k].reduction, value, factor); });
   }
-  for (SideCase& side : c.sides) {
+  for (SideCondition& side : c.sides) {
     side.adhesion /= factor;
     side.friction /= factor;
   }

@@ -33,7 +33,7 @@ TEST(Check, ListsTheSidesWithTheirLengthsAndConditions)
 {
   const Finished f = test::terp(test::column_command("check"));
   for (const char* line : {"  side left      roller, no motion across, ",
-           "  side bottom    contact that never opens, adhesion ", "  side top       free, holds nothing, "})
+           "  side bottom    contact that never opens, adhesion ", "  side top       free, "})
     EXPECT_THAT(f.out, HasSubstr(line));
 }
 

@@ -31,6 +31,20 @@ Vec<2> clamped(const Boundary& boundary, Index node, Vec<2> v, Vec<2> reaction =
   return v;
 }
 
+SideCondition on(const std::string& side, SideKind kind, Real adhesion = 0.0, Real friction = 0.0)
+{
+  SideCondition condition;
+  condition.side = side, condition.kind = kind, condition.adhesion = adhesion, condition.friction = friction;
+  return condition;
+}
+
+SideCondition moving(const std::string& side, Vec<2> velocity, bool slip = false)
+{
+  SideCondition condition = on(side, SideKind::velocity);
+  condition.velocity = velocity, condition.slip = slip;
+  return condition;
+}
+
 /// Two cells on a base that rises: (0,0) - (1,0) - (3,1) with the ground below.
 Mesh<2> inclined_mesh()
 {
@@ -44,7 +58,7 @@ Mesh<2> inclined_mesh()
 
 TEST(Roller, StopsMotionAcrossTheSideBothWays)
 {
-  const Boundary boundary(mesh_3x2(), {{.side = "left"}});
+  const Boundary boundary(mesh_3x2(), {on("left", SideKind::roller)});
   EXPECT_THAT(constrained(boundary, 4, {-3.0, 4.0}), ElementsAre(0.0, 4.0));
   EXPECT_THAT(constrained(boundary, 4, {3.0, -4.0}), ElementsAre(0.0, -4.0));
   EXPECT_THAT(clamped(boundary, 4, {3.0, -4.0}), ElementsAre(0.0, -4.0));
@@ -52,7 +66,7 @@ TEST(Roller, StopsMotionAcrossTheSideBothWays)
 
 TEST(Boundary, ASmoothMovingSidePrescribesOnlyTheVelocityAcrossIt)
 {
-  const Boundary boundary(mesh_3x2(), {{.side = "right", .velocity = {-0.2, 0.1}}, {.side = "bottom"}});
+  const Boundary boundary(mesh_3x2(), {moving("right", {-0.2, 0.1}, true), on("bottom", SideKind::roller)});
   EXPECT_THAT(constrained(boundary, 7, {0.3, 0.7}), ElementsAre(DoubleEq(-0.2), 0.7));
   EXPECT_THAT(clamped(boundary, 7, {0.3, 0.7}), ElementsAre(DoubleEq(-0.2), 0.7));
   EXPECT_THAT(constrained(boundary, 3, {0.3, 0.7}), ElementsAre(DoubleEq(-0.2), 0.0)) << "where it meets a roller";
@@ -60,7 +74,7 @@ TEST(Boundary, ASmoothMovingSidePrescribesOnlyTheVelocityAcrossIt)
 
 TEST(Boundary, LeavesOtherNodesAlone)
 {
-  const Boundary boundary(mesh_3x2(), {{.side = "left"}, {.side = "bottom", .hold = Hold::all}});
+  const Boundary boundary(mesh_3x2(), {on("left", SideKind::roller), on("bottom", SideKind::fixed)});
   for (const Index node : {5, 6, 7, 9, 10, 11}) {
     EXPECT_EQ(boundary.at(node), nullptr);
     EXPECT_THAT(constrained(boundary, node, {-3.0, 4.0}), ElementsAre(-3.0, 4.0));
@@ -70,15 +84,14 @@ TEST(Boundary, LeavesOtherNodesAlone)
 
 TEST(FixedSide, StopsAllMotion)
 {
-  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::all}});
+  const Boundary boundary(mesh_3x2(), {on("bottom", SideKind::fixed)});
   EXPECT_THAT(constrained(boundary, 2, {-3.0, 4.0}), ElementsAre(0.0, 0.0));
   EXPECT_THAT(clamped(boundary, 2, {-3.0, 4.0}), ElementsAre(0.0, 0.0));
 }
 
 TEST(DrivenSide, TakesThePrescribedVelocityEverywhereAlsoInItsCorners)
 {
-  const Boundary boundary(
-      mesh_3x2(), {{.side = "right", .hold = Hold::all, .velocity = {-0.2, 0.1}}, {.side = "bottom"}});
+  const Boundary boundary(mesh_3x2(), {moving("right", {-0.2, 0.1}), on("bottom", SideKind::roller)});
   for (const Index node : {3, 7, 11}) {
     EXPECT_THAT(constrained(boundary, node, {5.0, 5.0}), ElementsAre(-0.2, 0.1));
     EXPECT_THAT(clamped(boundary, node, {5.0, 5.0}), ElementsAre(-0.2, 0.1));
@@ -88,9 +101,9 @@ TEST(DrivenSide, TakesThePrescribedVelocityEverywhereAlsoInItsCorners)
 TEST(DrivenSide, TakesAVelocityThatDependsOnThePlace)
 {
   const Mesh<2> mesh = mesh_3x2();
-  const Boundary boundary(mesh, {{.side = "right", .hold = Hold::all, .velocity_at = [](Vec<2> x) {
-                                    return Vec<2>{3.0 * x[1], x[0] - x[1]};
-                                  }}});
+  SideCondition right = moving("right", {});
+  right.velocity_at = [](Vec<2> x) { return Vec<2>{3.0 * x[1], x[0] - x[1]}; };
+  const Boundary boundary(mesh, {right});
   for (const Index node : {3, 7, 11}) {
     const Vec<2> x = mesh.nodes[node];
     EXPECT_THAT(constrained(boundary, node, {5.0, 5.0}), ElementsAre(3.0 * x[1], x[0] - x[1]));
@@ -99,7 +112,7 @@ TEST(DrivenSide, TakesAVelocityThatDependsOnThePlace)
 
 TEST(ContactPlane, ASeparatingOneThatPushedStaysClosedForTheStep)
 {
-  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::separating}});
+  const Boundary boundary(mesh_3x2(), {on("bottom", SideKind::contact_separating)});
   EXPECT_THAT(clamped(boundary, 2, {3.0, 4.0}, {0.0, 20.0}), ElementsAre(3.0, 0.0));
   EXPECT_THAT(clamped(boundary, 2, {3.0, 4.0}, {5.0, 0.0}), ElementsAre(3.0, 4.0));
   EXPECT_THAT(clamped(boundary, 2, {3.0, -4.0}), ElementsAre(3.0, 0.0));
@@ -107,8 +120,7 @@ TEST(ContactPlane, ASeparatingOneThatPushedStaysClosedForTheStep)
 
 TEST(ContactPlane, ActsOnTheRemappedVelocityWithTheStrengthLeftUnused)
 {
-  const Boundary boundary(mesh_3x2(),
-      {{.side = "bottom", .hold = Hold::contact, .adhesion = 30.0, .friction = 0.5}});  // node 1: 1 m of base
+  const Boundary boundary(mesh_3x2(), {on("bottom", SideKind::contact_bilateral, 30.0, 0.5)});  // node 1: 1 m of base
   const auto near = [](Real v) { return ElementsAre(DoubleNear(v, 1e-12), 0.0); };
   EXPECT_THAT(clamped(boundary, 1, {3.0, 4.0}, {-42.0, 24.0}), near(3.0));  // all of 30 N + 0.5 * 24 N: it slipped
   EXPECT_THAT(clamped(boundary, 1, {3.0, 4.0}, {-37.0, 24.0}), near(3.0 - 5.0 * dt / mass));
@@ -120,13 +132,13 @@ TEST(ContactPlane, ActsOnTheRemappedVelocityWithTheStrengthLeftUnused)
 
 TEST(ContactPlane, ASeparatingOneThatDidNotPushHoldsNothing)
 {
-  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::separating, .adhesion = 30.0}});
+  const Boundary boundary(mesh_3x2(), {on("bottom", SideKind::contact_separating, 30.0)});
   EXPECT_THAT(clamped(boundary, 1, {3.0, 4.0}, {0.0, 0.0}), ElementsAre(3.0, 4.0));
 }
 
 TEST(FreePart, LeavesOutWhatTheSidesCarry)
 {
-  const Boundary boundary(inclined_mesh(), {{.side = "base", .hold = Hold::contact}});
+  const Boundary boundary(inclined_mesh(), {on("base", SideKind::contact_bilateral)});
   const Vec<2> weight{0.0, -10.0}, left = boundary.free_force(2, weight);  // node 2: only the edge of slope 1 : 2
   EXPECT_THAT(left, ElementsAre(DoubleNear(-4.0, 1e-14), DoubleNear(-2.0, 1e-14)));
   EXPECT_THAT(boundary.free_force(4, weight), ElementsAre(0.0, -10.0));
@@ -134,22 +146,22 @@ TEST(FreePart, LeavesOutWhatTheSidesCarry)
 
 TEST(FreePart, IsNothingWhereANodeIsHeldInAllDirections)
 {
-  const Boundary fixed(mesh_3x2(), {{.side = "bottom", .hold = Hold::all}}),
-      corner(mesh_3x2(), {{.side = "bottom"}, {.side = "left"}});
+  const Boundary fixed(mesh_3x2(), {on("bottom", SideKind::fixed)}),
+      corner(mesh_3x2(), {on("bottom", SideKind::roller), on("left", SideKind::roller)});
   EXPECT_THAT(fixed.free_force(2, {3.0, 4.0}), ElementsAre(0.0, 0.0));
   EXPECT_THAT(corner.free_velocity(0, {3.0, 4.0}, {3.0, 4.0}), ElementsAre(0.0, 0.0));
 }
 
 TEST(FreePart, IsAllWhereTheSoilPullsOffASeparatingContact)
 {
-  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::separating}});
+  const Boundary boundary(mesh_3x2(), {on("bottom", SideKind::contact_separating)});
   EXPECT_THAT(boundary.free_velocity(2, {3.0, 4.0}, {0.0, 1.0}), ElementsAre(3.0, 4.0));
   EXPECT_THAT(boundary.free_velocity(2, {3.0, 4.0}, {0.0, -1.0}), ElementsAre(3.0, 0.0));
 }
 
 TEST(FreePart, OfAForceIsWhatExceedsAdhesionAndFriction)
 {
-  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::contact, .adhesion = 30.0, .friction = 0.5}});
+  const Boundary boundary(mesh_3x2(), {on("bottom", SideKind::contact_bilateral, 30.0, 0.5)});
   EXPECT_THAT(boundary.free_force(1, {50.0, -24.0}), ElementsAre(DoubleEq(50.0 - 30.0 - 12.0), 0.0));  // 1 m of base
   EXPECT_THAT(boundary.free_force(1, {-50.0, 24.0}), ElementsAre(DoubleEq(-20.0), 0.0))
       << "a pull is not met with friction";
@@ -159,7 +171,7 @@ TEST(FreePart, OfAForceIsWhatExceedsAdhesionAndFriction)
 
 TEST(FreePart, OfAForceIsAllWhereTheSoilLeavesASeparatingContact)
 {
-  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::separating, .adhesion = 30.0}});
+  const Boundary boundary(mesh_3x2(), {on("bottom", SideKind::contact_separating, 30.0)});
   EXPECT_THAT(boundary.free_force(2, {40.0, 24.0}), ElementsAre(40.0, 24.0));
   EXPECT_THAT(boundary.free_force(2, {40.0, -24.0}), ElementsAre(DoubleEq(10.0), 0.0));
 }
@@ -167,7 +179,7 @@ TEST(FreePart, OfAForceIsAllWhereTheSoilLeavesASeparatingContact)
 TEST(ContactPlane, TheTangentialImpulseIsAtMostAdhesionTimesLength)
 {
   const Real a = 6e3;
-  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::contact, .adhesion = a}});
+  const Boundary boundary(mesh_3x2(), {on("bottom", SideKind::contact_bilateral, a)});
   EXPECT_THAT(constrained(boundary, 1, {2.0, -1.0}), ElementsAre(DoubleEq(2.0 - a * 1.0 * dt / mass), 0.0));
   EXPECT_THAT(constrained(boundary, 1, {-2.0, -1.0}), ElementsAre(DoubleEq(-2.0 + a * 1.0 * dt / mass), 0.0));
   EXPECT_THAT(constrained(boundary, 0, {2.0, -1.0}), ElementsAre(DoubleEq(2.0 - a * 0.5 * dt / mass), 0.0))
@@ -176,14 +188,14 @@ TEST(ContactPlane, TheTangentialImpulseIsAtMostAdhesionTimesLength)
 
 TEST(ContactPlane, SticksWhereTheAdhesionIsEnough)
 {
-  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::contact, .adhesion = 6e3}});
+  const Boundary boundary(mesh_3x2(), {on("bottom", SideKind::contact_bilateral, 6e3)});
   EXPECT_THAT(constrained(boundary, 1, {0.39, -1.0}), ElementsAre(0.0, 0.0));
   EXPECT_GT(constrained(boundary, 1, {0.41, -1.0})[0], 0.0);
 }
 
 TEST(ContactPlane, TakesFrictionTimesTheNormalImpulse)
 {
-  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::contact, .friction = 0.4}});
+  const Boundary boundary(mesh_3x2(), {on("bottom", SideKind::contact_bilateral, 0.0, 0.4)});
   EXPECT_THAT(constrained(boundary, 1, {2.0, -1.5}), ElementsAre(DoubleEq(2.0 - 0.4 * 1.5), 0.0));
   EXPECT_THAT(constrained(boundary, 1, {0.5, -1.5}), ElementsAre(0.0, 0.0));
   EXPECT_THAT(constrained(boundary, 1, {2.0, 1.5}), ElementsAre(2.0, 0.0)) << "no friction under tension, but held";
@@ -191,42 +203,42 @@ TEST(ContactPlane, TakesFrictionTimesTheNormalImpulse)
 
 TEST(ContactPlane, AddsAdhesionToFriction)
 {
-  const Boundary boundary(mesh_3x2(), {{.side = "top", .hold = Hold::contact, .adhesion = 3e3, .friction = 0.4}});
+  const Boundary boundary(mesh_3x2(), {on("top", SideKind::contact_bilateral, 3e3, 0.4)});
   EXPECT_THAT(constrained(boundary, 9, {-2.0, 1.5}), ElementsAre(DoubleEq(-2.0 + 0.4 * 1.5 + 3e3 * dt / mass), 0.0));
 }
 
 TEST(ContactPlane, WithoutStrengthIsARoller)
 {
-  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::contact}});
+  const Boundary boundary(mesh_3x2(), {on("bottom", SideKind::contact_bilateral)});
   EXPECT_THAT(constrained(boundary, 1, {2.0, -1.5}), ElementsAre(2.0, 0.0));
 }
 
 TEST(ContactPlane, ABilateralContactHoldsUnderTensionAndASeparatingOneLetsGo)
 {
-  const Boundary bilateral(mesh_3x2(), {{.side = "bottom", .hold = Hold::contact}});
-  const Boundary separating(mesh_3x2(), {{.side = "bottom", .hold = Hold::separating}});
+  const Boundary bilateral(mesh_3x2(), {on("bottom", SideKind::contact_bilateral)});
+  const Boundary separating(mesh_3x2(), {on("bottom", SideKind::contact_separating)});
   EXPECT_THAT(constrained(bilateral, 1, {2.0, 0.7}), ElementsAre(2.0, 0.0));
   EXPECT_THAT(constrained(separating, 1, {2.0, 0.7}), ElementsAre(2.0, 0.7));
 }
 
 TEST(SeparatingPlane, LetsGoOfWhatMovesAwayWhateverItsStrength)
 {
-  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::separating, .adhesion = 6e3, .friction = 0.4}});
+  const Boundary boundary(mesh_3x2(), {on("bottom", SideKind::contact_separating, 6e3, 0.4)});
   EXPECT_THAT(constrained(boundary, 1, {2.0, 0.7}), ElementsAre(2.0, 0.7));
   EXPECT_THAT(clamped(boundary, 1, {2.0, 0.7}), ElementsAre(2.0, 0.7));
 }
 
 TEST(SeparatingPlane, ActsLikeAContactWhereItIsPressed)
 {
-  const Boundary boundary(mesh_3x2(), {{.side = "bottom", .hold = Hold::separating, .adhesion = 6e3, .friction = 0.4}});
+  const Boundary boundary(mesh_3x2(), {on("bottom", SideKind::contact_separating, 6e3, 0.4)});
   EXPECT_THAT(constrained(boundary, 1, {2.0, -1.5}), ElementsAre(DoubleEq(2.0 - 0.4 - 0.6), 0.0));
   EXPECT_THAT(clamped(boundary, 1, {2.0, -1.5}), ElementsAre(2.0, 0.0));
 }
 
 TEST(Corner, OfTwoSidesThatHoldPinsBothDirections)
 {
-  for (const Hold base : {Hold::normal, Hold::contact}) {
-    const Boundary boundary(mesh_3x2(), {{.side = "left"}, {.side = "bottom", .hold = base}});
+  for (const SideKind base : {SideKind::roller, SideKind::contact_bilateral}) {
+    const Boundary boundary(mesh_3x2(), {on("left", SideKind::roller), on("bottom", base)});
     EXPECT_THAT(constrained(boundary, 0, {2.0, -1.5}), ElementsAre(0.0, 0.0));
     EXPECT_THAT(clamped(boundary, 0, {-2.0, 1.5}), ElementsAre(0.0, 0.0));
   }
@@ -234,15 +246,15 @@ TEST(Corner, OfTwoSidesThatHoldPinsBothDirections)
 
 TEST(Corner, OfARollerAndASeparatingPlaneStaysFreeToLift)
 {
-  const Boundary boundary(mesh_3x2(), {{.side = "left"}, {.side = "bottom", .hold = Hold::separating}});
+  const Boundary boundary(mesh_3x2(), {on("left", SideKind::roller), on("bottom", SideKind::contact_separating)});
   EXPECT_THAT(constrained(boundary, 0, {2.0, 1.5}), ElementsAre(0.0, 1.5));
   EXPECT_THAT(constrained(boundary, 0, {2.0, -1.5}), ElementsAre(0.0, 0.0));
 }
 
 TEST(Corner, DoesNotDependOnTheOrderOfTheSides)
 {
-  const SideCondition left{.side = "left"},
-      bottom{.side = "bottom", .hold = Hold::separating, .adhesion = 2e3, .friction = 0.3};
+  const SideCondition left = on("left", SideKind::roller),
+                      bottom = on("bottom", SideKind::contact_separating, 2e3, 0.3);
   const auto mesh = mesh_3x2();
   for (const Vec<2> v : {Vec<2>{2.0, -1.5}, Vec<2>{-2.0, 1.5}, Vec<2>{0.1, -0.1}})
     EXPECT_EQ(constrained(Boundary(mesh, {left, bottom}), 0, v), constrained(Boundary(mesh, {bottom, left}), 0, v));
@@ -251,7 +263,7 @@ TEST(Corner, DoesNotDependOnTheOrderOfTheSides)
 TEST(Corner, LeavesTheLastWordToARollerThatMeetsASeparatingPlane)
 {
   const auto mesh = inclined_mesh();
-  const SideCondition base{.side = "base", .hold = Hold::separating}, front{.side = "front"};
+  const SideCondition base = on("base", SideKind::contact_separating), front = on("front", SideKind::roller);
   for (const Boundary& boundary : {Boundary(mesh, {base, front}), Boundary(mesh, {front, base})}) {
     const Vec<2> v = constrained(boundary, 2, {5.0, -1.0});
     const Vec<2> normal{1.5 / std::hypot(1.5, 0.2), 0.2 / std::hypot(1.5, 0.2)};
@@ -262,27 +274,27 @@ TEST(Corner, LeavesTheLastWordToARollerThatMeetsASeparatingPlane)
 TEST(InclinedSide, HasOutwardNormalsWeightedByLength)
 {
   const auto mesh = inclined_mesh();
-  const Boundary boundary(mesh, {{.side = "base"}});
+  const Boundary boundary(mesh, {on("base", SideKind::roller)});
   const Real s = std::sqrt(5.0);
-  EXPECT_THAT(boundary.at(0)->holds[0].normal, ElementsAre(0.0, -1.0));
-  EXPECT_THAT(boundary.at(2)->holds[0].normal, ElementsAre(DoubleEq(1.0 / s), DoubleEq(-2.0 / s)));
+  EXPECT_THAT(boundary.at(0)->sides[0].normal, ElementsAre(0.0, -1.0));
+  EXPECT_THAT(boundary.at(2)->sides[0].normal, ElementsAre(DoubleEq(1.0 / s), DoubleEq(-2.0 / s)));
   // node 1: edge vectors (1, 0) and (2, 1) give the sum (1, -3) of normals times length
   EXPECT_THAT(
-      boundary.at(1)->holds[0].normal, ElementsAre(DoubleEq(1.0 / std::sqrt(10.0)), DoubleEq(-3.0 / std::sqrt(10.0))));
+      boundary.at(1)->sides[0].normal, ElementsAre(DoubleEq(1.0 / std::sqrt(10.0)), DoubleEq(-3.0 / std::sqrt(10.0))));
 }
 
 TEST(InclinedSide, HasHalfTheLengthOfEachEdge)
 {
   const Real a = 7e3;
-  const Boundary boundary(inclined_mesh(), {{.side = "base", .hold = Hold::contact, .adhesion = a}});
-  EXPECT_DOUBLE_EQ(boundary.at(0)->holds[0].adhesion_force, a * 0.5);
-  EXPECT_DOUBLE_EQ(boundary.at(1)->holds[0].adhesion_force, a * 0.5 * (1.0 + std::sqrt(5.0)));
-  EXPECT_DOUBLE_EQ(boundary.at(2)->holds[0].adhesion_force, a * 0.5 * std::sqrt(5.0));
+  const Boundary boundary(inclined_mesh(), {on("base", SideKind::contact_bilateral, a)});
+  EXPECT_DOUBLE_EQ(boundary.at(0)->sides[0].adhesion_force, a * 0.5);
+  EXPECT_DOUBLE_EQ(boundary.at(1)->sides[0].adhesion_force, a * 0.5 * (1.0 + std::sqrt(5.0)));
+  EXPECT_DOUBLE_EQ(boundary.at(2)->sides[0].adhesion_force, a * 0.5 * std::sqrt(5.0));
 }
 
 TEST(InclinedSide, LetsSoilSlideAlongItOnly)
 {
-  const Boundary boundary(inclined_mesh(), {{.side = "base"}});
+  const Boundary boundary(inclined_mesh(), {on("base", SideKind::roller)});
   // along (2, 1)/sqrt(5) at node 2
   EXPECT_THAT(constrained(boundary, 2, {4.0, 2.0}), ElementsAre(DoubleNear(4.0, 1e-15), DoubleNear(2.0, 1e-15)));
   EXPECT_THAT(constrained(boundary, 2, {1.0, -2.0}), ElementsAre(DoubleNear(0.0, 1e-15), DoubleNear(0.0, 1e-15)));
@@ -291,14 +303,14 @@ TEST(InclinedSide, LetsSoilSlideAlongItOnly)
 
 TEST(InclinedSide, TakesFrictionAlongTheSlope)
 {
-  const Boundary boundary(inclined_mesh(), {{.side = "base", .hold = Hold::contact, .friction = 0.5}});
+  const Boundary boundary(inclined_mesh(), {on("base", SideKind::contact_bilateral, 0.0, 0.5)});
   // (5, 0) = (4, 2) along + (1, -2) across: speed sqrt(20); friction takes half of sqrt(5), a quarter of that
   EXPECT_THAT(constrained(boundary, 2, {5.0, 0.0}), ElementsAre(DoubleNear(3.0, 1e-14), DoubleNear(1.5, 1e-14)));
 }
 
 TEST(InclinedSide, PinsTheCornerWithASideThatIsNotAtRightAngles)
 {
-  const Boundary boundary(inclined_mesh(), {{.side = "base"}, {.side = "front"}});
+  const Boundary boundary(inclined_mesh(), {on("base", SideKind::roller), on("front", SideKind::roller)});
   EXPECT_TRUE(boundary.at(2)->corner);
   EXPECT_THAT(constrained(boundary, 2, {5.0, 1.0}), ElementsAre(0.0, 0.0));
 }
@@ -317,7 +329,7 @@ TEST(Corner, OfTwoSeparatingBanksHoldsWhatPushesOnBothAndLetsGoWhatLeavesOne)
 {
   for (const auto& [first, second] : {std::pair{"left", "right"}, std::pair{"right", "left"}}) {
     const Boundary boundary(
-        flat_valley(), {{.side = first, .hold = Hold::separating}, {.side = second, .hold = Hold::separating}});
+        flat_valley(), {on(first, SideKind::contact_separating), on(second, SideKind::contact_separating)});
     EXPECT_THAT(constrained(boundary, 1, {0.0, -2.0}), ElementsAre(0.0, 0.0));
     EXPECT_THAT(constrained(boundary, 1, {0.5, -2.0}), ElementsAre(0.0, 0.0));
     EXPECT_THAT(constrained(boundary, 1, {1.0, 3.0}), ElementsAre(1.0, 3.0));  // off both
@@ -334,7 +346,7 @@ TEST(Corner, OfTwoSeparatingBanksHoldsWhatPushesOnBothAndLetsGoWhatLeavesOne)
 TEST(Corner, OfARollerAndASeparatingBankIsClosedWhereTheRollerTurnsTheMotionIntoTheBank)
 {
   const Boundary boundary(
-      flat_valley(), {{.side = "left"}, {.side = "right", .hold = Hold::separating, .friction = 0.3}});
+      flat_valley(), {on("left", SideKind::roller), on("right", SideKind::contact_separating, 0.0, 0.3)});
   EXPECT_THAT(constrained(boundary, 1, {0.0, -2.0}), ElementsAre(0.0, 0.0));
   EXPECT_THAT(constrained(boundary, 1, {0.8, 0.75}), ElementsAre(0.0, 0.0));  // off both, but the roller turns it back
   EXPECT_THAT(constrained(boundary, 1, {-4.0, 2.0}),
@@ -344,7 +356,7 @@ TEST(Corner, OfARollerAndASeparatingBankIsClosedWhereTheRollerTurnsTheMotionInto
 TEST(Corner, ThatWasClosedStaysClosedInTheRemap)
 {
   const Boundary boundary(
-      flat_valley(), {{.side = "left", .hold = Hold::separating}, {.side = "right", .hold = Hold::separating}});
+      flat_valley(), {on("left", SideKind::contact_separating), on("right", SideKind::contact_separating)});
   EXPECT_THAT(clamped(boundary, 1, {0.1, 3.0}, {0.0, 20.0}), ElementsAre(0.0, 0.0));
   EXPECT_THAT(clamped(boundary, 1, {0.1, 3.0}), ElementsAre(0.1, 3.0));  // it did not act
   const Vec<2> on_the_right =
@@ -363,15 +375,15 @@ Mesh<2> mesh_on_two_bases()
 
 TEST(TwoParts, OfAStraightRollerSlideAsOne)
 {
-  const Boundary boundary(mesh_on_two_bases(), {{.side = "base left"}, {.side = "base right"}});
+  const Boundary boundary(mesh_on_two_bases(), {on("base left", SideKind::roller), on("base right", SideKind::roller)});
   EXPECT_FALSE(boundary.at(1)->corner);
   EXPECT_THAT(constrained(boundary, 1, {2.0, -1.5}), ElementsAre(2.0, 0.0));
 }
 
 TEST(TwoParts, OfAStraightBaseThatAreAlikeAreThatBase)
 {
-  for (const Hold hold : {Hold::contact, Hold::separating}) {
-    const SideCondition whole{.side = "bottom", .hold = hold, .adhesion = 6e3, .friction = 0.3};
+  for (const SideKind hold : {SideKind::contact_bilateral, SideKind::contact_separating}) {
+    const SideCondition whole = on("bottom", hold, 6e3, 0.3);
     SideCondition left = whole, right = whole;
     left.side = "base left", right.side = "base right";
     const Boundary one(mesh_3x2(), {whole}), two(mesh_on_two_bases(), {left, right});
@@ -387,8 +399,8 @@ TEST(TwoParts, OfAStraightBaseThatAreAlikeAreThatBase)
 /// The push of the node is that of both half edges, each with its own friction; the order of the lines does not count.
 TEST(TwoParts, OfAStraightBaseShareAdhesionAndFrictionByLength)
 {
-  const SideCondition rough{.side = "base left", .hold = Hold::contact, .adhesion = 6e3, .friction = 0.4};
-  const SideCondition smooth{.side = "base right", .hold = Hold::contact, .adhesion = 3e3};
+  const SideCondition rough = on("base left", SideKind::contact_bilateral, 6e3, 0.4);
+  const SideCondition smooth = on("base right", SideKind::contact_bilateral, 3e3);
   for (const auto& sides : {std::vector{rough, smooth}, std::vector{smooth, rough}}) {
     const Boundary boundary(mesh_on_two_bases(), sides);
     const Real expected = 2.0 - 0.5 * 0.4 * 1.5 - (3e3 + 1.5e3) * dt / mass;
@@ -401,8 +413,8 @@ TEST(TwoParts, OfAStraightBaseShareAdhesionAndFrictionByLength)
 /// Pressed on, both act; pulled off, the bilateral one alone. The order of the lines does not count.
 TEST(TwoParts, OfWhichOneLetsGoShareThePushAsWell)
 {
-  const SideCondition leaves{.side = "base left", .hold = Hold::separating, .adhesion = 1e3, .friction = 0.4};
-  const SideCondition holds{.side = "base right", .hold = Hold::contact, .adhesion = 6e3, .friction = 0.2};
+  const SideCondition leaves = on("base left", SideKind::contact_separating, 1e3, 0.4);
+  const SideCondition holds = on("base right", SideKind::contact_bilateral, 6e3, 0.2);
   for (const auto& sides : {std::vector{leaves, holds}, std::vector{holds, leaves}}) {
     const Boundary boundary(mesh_on_two_bases(), sides);
     EXPECT_EQ(boundary.at(1)->n, 2);
@@ -418,7 +430,8 @@ TEST(TwoParts, OfWhichOneLetsGoShareThePushAsWell)
 
 TEST(TwoParts, OfAContactAndARollerHaveTheStrengthOfTheContact)
 {
-  const SideCondition smooth{.side = "base left"}, rough{.side = "base right", .hold = Hold::contact, .adhesion = 6e3};
+  const SideCondition smooth = on("base left", SideKind::roller),
+                      rough = on("base right", SideKind::contact_bilateral, 6e3);
   for (const auto& sides : {std::vector{smooth, rough}, std::vector{rough, smooth}})
     EXPECT_THAT(constrained(Boundary(mesh_on_two_bases(), sides), 1, {2.0, -1.5}),
         ElementsAre(DoubleEq(2.0 - 3e3 * dt / mass), 0.0));
@@ -427,7 +440,7 @@ TEST(TwoParts, OfAContactAndARollerHaveTheStrengthOfTheContact)
 TEST(Boundary, NamesASideThatTheMeshDoesNotHave)
 {
   try {
-    const Boundary boundary(mesh_3x2(), {{.side = "botom"}});
+    const Boundary boundary(mesh_3x2(), {on("botom", SideKind::roller)});
     FAIL() << "not refused";
   } catch (const InputError& error) {
     EXPECT_EQ(error.problems().at(0).what, "the mesh has no side `botom`");
@@ -452,7 +465,8 @@ TEST(Boundary, RefusesAThirdSideAtANode)
   auto mesh = mesh_3x2();
   mesh.sides.push_back({"base left", {{0, 0}}});
   try {
-    const Boundary boundary(mesh, {{.side = "left"}, {.side = "bottom"}, {.side = "base left"}});
+    const Boundary boundary(
+        mesh, {on("left", SideKind::roller), on("bottom", SideKind::roller), on("base left", SideKind::roller)});
     FAIL() << "not refused";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(), "boundary.base left: a node lies on more than two sides with conditions");

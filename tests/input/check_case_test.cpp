@@ -60,14 +60,17 @@ const Change contradictions[] = {
         "the fluid `clay` carries no shear stress at rest\n\n   17 | k0 = 0.5\n      |      ^^^\n  k0 = 0.5; a fluid "
         "needs k0 = 1. Start with stress = "
         "\"equilibrium\" where soil beside it needs another.\n"},
-    {"[time]", "[boundary]\nbottom = { slip = true }\n[time]", "`slip` needs a velocity"},
+    {"[time]", "[boundary]\nbottom = { slip = true }\n[time]",
+        "`slip` needs `velocity` beside it\n\n    2 | bottom = { slip = true }\n      |            ^^^^\n  As in "
+        "bottom = { velocity "
+        "= ..., slip = ... }. Conditions that stand alone: \"free\", \"open\", \"roller\", \"fixed\".\n"},
     {"[time]", "[boundary]\nbottom = { adhesion = 8e3 }\n[time]",
-        "error: case.toml:2:12: `adhesion` needs a contact\n\n    2 | bottom = { adhesion = 8e3 }\n      |            "
-        "^^^^^^^^\n  Free, open, roller and fixed sides do not slide with resistance. Write bottom = { contact = "
-        "\"bilateral\", "
-        "adhesion = ... }, or \"separating\".\n"},
+        "error: case.toml:2:12: `adhesion` needs `contact` beside it\n\n    2 | bottom = { adhesion = 8e3 }\n      |   "
+        "   "
+        "      ^^^^^^^^\n  As in bottom = { contact = \"bilateral\", adhesion = ... }. Conditions that stand alone: "
+        "\"free\", \"open\", \"roller\", \"fixed\".\n"},
     {"[time]", "[boundary]\nbottom = { contact = \"bilateral\", velocity = [1, 0] }\n[time]",
-        "a side has either a contact or a velocity, not both"},
+        "a side has either `contact` or `velocity`, not both"},
     {"[time]", "[boundary]\nbottom = {}\n[time]", "`bottom` is empty"},
     {"[time]", "[initial]\nstress = \"equilibrium\"\n[time]",
         "error: case.toml:2:10: an initial stress needs gravity\n"},

@@ -18,7 +18,8 @@ constexpr Real quarter = 1990.0 / 4.0;  // mass of a node [kg per m]
 constexpr Real dt = 1e-3;
 
 /// One point of 1 m^2 in a cell of 1 m x 1 m.
-Simulation one_point(Vec<2> v, Vec<2> gravity, const Damping& damping = {}, const std::vector<SideCase>& sides = {})
+Simulation one_point(
+    Vec<2> v, Vec<2> gravity, const Damping& damping = {}, const std::vector<SideCondition>& sides = {})
 {
   Case c = test::clamped_cell("mpm_gp");
   c.bodies[0].points_per_cell = {1, 1};
@@ -73,7 +74,7 @@ TEST(NodePasses, ARollerGivesTheForceThatStopsTheNode)
 
 TEST(NodePasses, AContactActsAlongItselfBeforeTheRemapOnly)
 {
-  SideCase base = test::side("bottom", SideKind::contact_bilateral);
+  SideCondition base = test::side("bottom", SideKind::contact_bilateral);
   base.adhesion = 1000.0;
   Simulation s = one_point({2.0, 0.0}, {0.0, 0.0}, {}, {base});
   test::make_steps(s);
@@ -86,7 +87,7 @@ TEST(NodePasses, AContactActsAlongItselfBeforeTheRemapOnly)
 
 TEST(NodePasses, TheWorksOfAStepAreForcesTimesTheMotionOfTheirNodes)
 {
-  SideCase base = test::side("bottom", SideKind::contact_bilateral);
+  SideCondition base = test::side("bottom", SideKind::contact_bilateral);
   base.adhesion = 1000.0;
   Simulation s = one_point({2.0, 0.0}, {3.0, 0.0}, {.local = 0.1}, {base});
   test::make_steps(s);

@@ -115,7 +115,7 @@ TEST(Simulation, StopsItselfWhereARunDoes)
 {
   Case c = sliding_column();
   c.bodies[0].velocity = {60.0, 0.0};
-  for (SideCase& side : c.sides)
+  for (SideCondition& side : c.sides)
     if (side.side == "right") side.kind = SideKind::free;
   Simulation s(c);
   EXPECT_THROW(s.run(), RunError);

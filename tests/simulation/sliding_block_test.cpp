@@ -17,7 +17,7 @@ constexpr Real length = 4.0, height = 0.5, density = 2000.0;  // [m], [m], [kg/m
 constexpr Real mass = density * length * height;              // [kg per m]
 
 /// The block on a base with this contact, at rest, its weight carried from the start.
-Case block(const char* scheme, const SideCase& base, Vec<2> gravity)
+Case block(const char* scheme, const SideCondition& base, Vec<2> gravity)
 {
   Case c;
   c.scheme = scheme;
@@ -34,9 +34,9 @@ Case block(const char* scheme, const SideCase& base, Vec<2> gravity)
   return c;
 }
 
-SideCase base(SideKind kind, Real adhesion, Real friction)
+SideCondition base(SideKind kind, Real adhesion, Real friction)
 {
-  SideCase s = test::side("bottom", kind);
+  SideCondition s = test::side("bottom", kind);
   s.adhesion = adhesion;
   s.friction = friction;
   return s;

@@ -16,7 +16,7 @@ const std::atomic<bool> go{false};
 Case cut(Real cell = 0.5)
 {
   Case c = test::column_without_softening("mpm_mixed", cell);
-  for (SideCase& side : c.sides)
+  for (SideCondition& side : c.sides)
     if (side.side == "bottom") side.kind = SideKind::fixed;
   return c;
 }

@@ -20,9 +20,9 @@ BodyCase body(const std::string& material, Vec<2> low, Vec<2> high)
   return b;
 }
 
-SideCase side(const std::string& name, SideKind kind)
+SideCondition side(const std::string& name, SideKind kind)
 {
-  SideCase s;
+  SideCondition s;
   s.side = name;
   s.kind = kind;
   return s;

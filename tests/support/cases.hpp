@@ -21,7 +21,7 @@ MaterialCase elastic(Real shear_modulus, Real poisson_ratio, Real density);
 
 /// A body that is a box, 5 x 5 points per cell: lower left and upper right corner [m].
 BodyCase body(const std::string& material, Vec<2> low, Vec<2> high);
-SideCase side(const std::string& name, SideKind kind);
+SideCondition side(const std::string& name, SideKind kind);
 
 /// Model 2 of the paper on coarse cells [m]: softening clay on a base with adhesion.
 Case column(const std::string& scheme, Real cell = 0.5);

@@ -1,6 +1,7 @@
 #include "support/twin.hpp"
 
 #include "simulation/kernels.hpp"
+#include "support/cases.hpp"
 #include "support/paths.hpp"
 
 #include <algorithm>
@@ -60,34 +61,36 @@ Real common_value(const Json& list) { return list.empty() ? 0.0 : list.at(0).get
 
 Boundary make_boundary(const Mesh<2>& mesh, const Json& contact)
 {
-  return Boundary(mesh,
-      {{"wall", Hold::normal, 0.0, 0.0, {}}, {"base", Hold::normal, 0.0, 0.0, {}},
-          {"slab", Hold::contact, common_value(contact.at("adhesion")), common_value(contact.at("friction")), {}}});
+  SideCondition slab = test::side("slab", SideKind::contact_bilateral);
+  slab.adhesion = common_value(contact.at("adhesion")), slab.friction = common_value(contact.at("friction"));
+  return Boundary(mesh, {test::side("wall", SideKind::roller), test::side("base", SideKind::roller), slab});
 }
 
-const NodeHold* find_hold(const Boundary& boundary, Index node, Hold kind, int direction)
+const NodeSide* find_side_at(const Boundary& boundary, Index node, SideKind kind, int direction)
 {
   const NodeCondition* c = boundary.at(node);
   for (int k = 0; c != nullptr && k < c->n; ++k)
-    if (c->holds[k].hold == kind && std::abs(c->holds[k].normal[direction]) > 0.5) return &c->holds[k];
+    if (c->sides[k].action == info_of(kind).action && std::abs(c->sides[k].normal[direction]) > 0.5)
+      return &c->sides[k];
   return nullptr;
 }
 
 /// The JSON's flags and contact lists against what the sides gave.
 void check_boundary(const Boundary& boundary, const Json& mesh)
 {
-  const auto require = [](bool holds, const std::string& what) {
-    if (!holds) throw std::runtime_error("the scenario's boundary is not that of the sides: " + what);
+  const auto require = [](bool is_so, const std::string& what) {
+    if (!is_so) throw std::runtime_error("the scenario's boundary is not that of the sides: " + what);
   };
   const Json &fixed = mesh.at("fixed"), &contact = mesh.at("contact");
   for (std::size_t i = 0; i < fixed.size(); ++i)
     for (int d = 0; d < 2; ++d)
-      require((find_hold(boundary, static_cast<Index>(i), Hold::normal, d) != nullptr) == (fixed[i][d] == 1), "fixed");
+      require((find_side_at(boundary, static_cast<Index>(i), SideKind::roller, d) != nullptr) == (fixed[i][d] == 1),
+          "fixed");
   for (std::size_t k = 0; k < contact.at("nodes").size(); ++k) {
-    const NodeHold* hold = find_hold(boundary, contact.at("nodes")[k], Hold::contact, 1);
+    const NodeSide* side = find_side_at(boundary, contact.at("nodes")[k], SideKind::contact_bilateral, 1);
     const Real force = contact.at("adhesion")[k].get<Real>() * contact.at("length")[k].get<Real>();
-    require(hold != nullptr && std::abs(hold->adhesion_force - force) < 1e-12 * force, "adhesion");
-    require(hold->friction == contact.at("friction")[k].get<Real>(), "friction");
+    require(side != nullptr && std::abs(side->adhesion_force - force) < 1e-12 * force, "adhesion");
+    require(side->friction == contact.at("friction")[k].get<Real>(), "friction");
   }
 }
 
