@@ -7,6 +7,7 @@
 #include "input/key_text.hpp"
 #include "input/other_files.hpp"
 #include "input/side_kinds.hpp"
+#include "simulation/frame_fields.hpp"
 
 #include <fmt/format.h>
 
@@ -203,20 +204,30 @@ void check_hydrostatic(const Case& values, Problems& problems)
   }
 }
 
-/// Fields of laws that no material of this case follows.
+bool is_among(const std::vector<FrameField>& fields, const std::string& name)
+{
+  return std::ranges::find(fields, name, &FrameField::name) != fields.end();
+}
+
+/// True if points of the material have the field; a parameter is one where it varies from point to point.
+bool has_field(const MaterialCase& material, const MaterialType& law, const std::string& name)
+{
+  const auto is_it = [&](const ParameterInfo& info) { return row_of_parameter(info).name == name; };
+  const auto parameter = std::ranges::find_if(law.parameters, is_it);
+  if (parameter == law.parameters.end()) return is_among(frame_fields_of(law), name);
+  const auto number = static_cast<std::size_t>(parameter - law.parameters.begin());
+  return std::ranges::find(material.fields, number, &ParameterField::parameter) != material.fields.end();
+}
+
+/// Fields of laws that no material of this case has.
 void check_fields(const Case& values, Problems& warnings)
 {
-  const auto names_it = [](const MaterialType& law, const std::string& field) {
-    const auto same = [&](const auto& info) { return info.name == field; };
-    return std::any_of(law.state.begin(), law.state.end(), same) ||
-           std::any_of(law.derived.begin(), law.derived.end(), same);
-  };
   for (std::size_t k = 0; k < values.output.field_names.size(); ++k) {
     const std::string& field = values.output.field_names[k];
     bool of_a_law = false, given = false;
-    for (const MaterialType* law : all_materials()) of_a_law = of_a_law || names_it(*law, field);
+    for (const MaterialType* law : all_materials()) of_a_law = of_a_law || is_among(frame_fields_of(*law), field);
     for (const MaterialCase& material : values.materials)
-      if (const MaterialType* law = find_material(material.model)) given = given || names_it(*law, field);
+      if (const MaterialType* law = find_material(material.model)) given = given || has_field(material, *law, field);
     if (of_a_law && !given)
       warnings.push_back({fmt::format("output.fields.names[{}]", k),
           fmt::format("no material of this case has `{}`", field), "", "output.fields.names"});

@@ -7,6 +7,7 @@
 #include "input/keys.hpp"
 #include "input/mesh_kinds.hpp"
 #include "schemes/scheme.hpp"
+#include "simulation/frame_fields.hpp"
 #include "simulation/summary.hpp"
 
 #include <fmt/format.h>
@@ -185,6 +186,7 @@ std::vector<std::string> all_topics()
     topics.push_back(file.name);
     for (const QuantityInfo& quantity : file.quantities) topics.emplace_back(quantity.name);
   }
+  for (const FrameField& field : all_frame_fields()) topics.push_back(field.name);
   for (const SectionInfo& section : all_sections()) add(section.path);
   for (const KeyInfo& key : all_keys()) add(key.path);
   for (const MaterialType* law : all_materials())
@@ -210,7 +212,9 @@ template <class Infos>
 std::string list_of(const char* title, const Infos& infos)
 {
   std::string out = fmt::format("{}\n", title);
-  for (const auto& [name, text] : infos) out += fmt::format("  {:<20}{}\n", name, text);
+  std::size_t width = 18;
+  for (const auto& [name, text] : infos) width = std::max(width, name.size());
+  for (const auto& [name, text] : infos) out += fmt::format("  {:<{}}{}\n", name, width + 2, text);
   return out;
 }
 
@@ -228,6 +232,9 @@ std::string explain(const std::string& topic)
   for (const QuantityFile& file : files)
     for (const QuantityInfo& quantity : file.quantities)
       if (quantity.name == topic) blocks.push_back(fmt::format("in {}\n", file.name) + describe_quantity(quantity));
+  for (const FrameField& field : all_frame_fields())
+    if (field.name == topic)
+      blocks.push_back("in the frames\n" + describe_quantity({field.name, field.unit, field.label, field.meaning}));
   if (blocks.empty()) refuse_topic(topic);
   std::string out;
   for (const std::string& block : blocks) out += (out.empty() ? "" : "\n") + block;
@@ -240,7 +247,7 @@ std::string list()
   Rows materials, schemes, fields = {{"position, id", "[m, -] always written"}};
   for (const MaterialType* law : all_materials()) materials.emplace_back(law->name, law->summary);
   for (const Scheme* scheme : all_schemes()) schemes.emplace_back(scheme->name, scheme->summary);
-  for (const FieldInfo& field : all_output_fields())
+  for (const FrameField& field : all_frame_fields())
     fields.emplace_back(field.name, fmt::format("[{}] {}", field.unit, field.meaning));
   return list_of("Materials", materials) + '\n' + list_of("Schemes", schemes) + '\n' +
          list_of("Output fields", fields) + "\nMore: terp explain NAME, for a material, scheme, section or key\n";

@@ -4,6 +4,7 @@
 
 #include "input/key_table.hpp"
 #include "input/key_text.hpp"
+#include "simulation/frame_fields.hpp"
 
 #include <fmt/format.h>
 
@@ -67,34 +68,10 @@ std::vector<KeyInfo> keys_of_law(const MaterialType& law)
   return keys;
 }
 
-std::vector<FieldInfo> all_output_fields()
-{
-  std::vector<FieldInfo> fields = {
-      {"velocity", "m/s", "velocity"},
-      {"displacement", "m", "displacement since t = 0"},
-      {"stress", "Pa", "Cauchy stress xx yy zz xy, tension positive"},
-      {"volume", "m^2", "current volume per metre of thickness"},
-      {"material", "-", "number of the material, from 0 in the order of the case file"},
-      {"cell", "-", "number of the cell that holds the point"},
-      {"strain", "-", "total strain xx yy zz xy, tensorial shear"},
-      {"eps_deviatoric", "-", "total deviatoric strain in output.deviatoric_norm"},
-  };
-  const auto add = [&fields](auto&& info) {
-    for (const FieldInfo& field : fields)
-      if (field.name == info.name) return;
-    fields.push_back({std::string(info.name), std::string(info.unit), std::string(info.meaning)});
-  };
-  for (const MaterialType* law : all_materials()) {
-    for (const StateInfo& state : law->state) add(state);
-    for (const DerivedInfo& derived : law->derived) add(derived);
-  }
-  return fields;
-}
-
 std::vector<std::string> output_field_names()
 {
   std::vector<std::string> names;
-  for (const FieldInfo& field : all_output_fields()) names.push_back(field.name);
+  for (const FrameField& field : all_frame_fields()) names.push_back(field.name);
   return names;
 }
 

@@ -80,16 +80,10 @@ struct SectionInfo {
   bool required = false;
 };
 
-/// A field of the results.
-struct FieldInfo {
-  std::string name, unit, meaning;
-};
-
 const std::vector<KeyInfo>& all_keys();  ///< without those of the laws
 const std::vector<SectionInfo>& all_sections();
 std::vector<KeyInfo> keys_of_law(const MaterialType& law);  ///< as "material.NAME.eta"
-std::vector<FieldInfo> all_output_fields();                 ///< that output.fields.names may hold
-std::vector<std::string> output_field_names();
+std::vector<std::string> output_field_names();              ///< that output.fields.names may hold
 std::vector<std::string> material_model_names();
 const std::vector<std::string>& side_names();  ///< of the built-in rectangle
 

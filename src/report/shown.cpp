@@ -1,6 +1,7 @@
 #include "report/shown.hpp"
 
 #include "output/compress.hpp"
+#include "simulation/frame_fields.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,7 @@ constexpr Real strained = 0.06;  // strain of soil by which a range of colours e
 
 using Values = std::vector<std::vector<float>>;  // by frame and point
 
-/// How a shown field comes from those in the file.
+/// How a shown field comes from those in the file. label: "" is that of the source.
 struct Recipe {
   std::string name, source, symbol, label, unit, kind;
   Real factor = 1.0;  ///< shown over stored
@@ -24,17 +25,24 @@ struct Recipe {
   Real steps = 4096.0;  ///< in the range that most values lie in, at first; noisy fields, which cost most, have fewer
 };
 
+std::string label_of_field(const std::string& name)
+{
+  const auto fields = all_frame_fields();
+  const auto known = std::ranges::find(fields, name, &FrameField::name);
+  return known == fields.end() ? name : known->label;  // of a run of another version of Terp
+}
+
 std::vector<Recipe> all_recipes(const Frames& frames)
 {
   using Take = Recipe::Take;
   std::vector<Recipe> recipes = {
       {"eps_eq_p", "eps_eq_p", "ε_eq,p", "equivalent plastic strain", "-", "sequential"},
-      {"eps_deviatoric", "eps_deviatoric", "ε_dev", "total deviatoric strain", "-", "sequential"},
+      {"eps_deviatoric", "eps_deviatoric", "ε_dev", "", "-", "sequential"},
       {"su", "su", "S_u", "undrained shear strength", "kPa", "sequential", 1e-3},
       {"pressure", "stress", "p", "mean stress, tension positive", "kPa", "diverging", 1e-3, Take::mean_stress, 1024.0},
       {"velocity", "velocity", "|v|", "speed", "m/s", "sequential", 1.0, Take::size, 1024.0},
-      {"displacement", "displacement", "|u|", "displacement", "m", "sequential", 1.0, Take::size},
-      {"material", "material", "", "material", "-", "category"},
+      {"displacement", "displacement", "|u|", "", "m", "sequential", 1.0, Take::size},
+      {"material", "material", "", "", "-", "category"},
   };
   const auto known = [&](const std::string& name) {
     return name == "volume" || name == "cell" ||
@@ -42,10 +50,12 @@ std::vector<Recipe> all_recipes(const Frames& frames)
   };
   for (const ResultField& field : frames.fields())  // state and derived fields of other laws
     if (field.n_components == 1 && !known(field.name))
-      recipes.insert(recipes.end() - 1, {field.name, field.name, field.name, field.name, field.unit, "sequential"});
+      recipes.insert(recipes.end() - 1, {field.name, field.name, field.name, "", field.unit, "sequential"});
   std::erase_if(recipes, [&](const Recipe& r) {
     return !frames.has(r.source) || (r.take == Take::mean_stress && frames.field(r.source).n_components < 3);
   });
+  for (Recipe& recipe : recipes)
+    if (recipe.label.empty()) recipe.label = label_of_field(recipe.source);
   return recipes;
 }
 

@@ -1,4 +1,4 @@
-// The fields that results show, gathered from the blocks and sorted by id.
+// The fields of the points (frame_fields.hpp), gathered from the blocks and sorted by id.
 #pragma once
 
 #include "simulation/model.hpp"
@@ -18,10 +18,5 @@ Frame make_frame(const Model& model, const State& state, std::int64_t first, std
 /// are.
 std::optional<PointField> make_field(
     const Model& model, const State& state, const std::string& name, std::vector<std::string>& names);
-
-/// Deviatoric measure of a strain tensor (xx yy zz xy): sqrt(1/2 e:e), or von Mises sqrt(2/3 e:e) (reading R18) [-].
-Real deviatoric_strain(const std::array<Real, 4>& strain, DeviatoricNorm norm);
-/// That of a point.
-Real deviatoric_strain(const PointBlock<2>& block, Index lane, DeviatoricNorm norm);
 
 }  // namespace terp

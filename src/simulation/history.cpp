@@ -1,6 +1,6 @@
 #include "simulation/history.hpp"
 
-#include "simulation/frame.hpp"
+#include "simulation/frame_fields.hpp"
 #include "simulation/ledger.hpp"
 
 #include <algorithm>

@@ -116,8 +116,8 @@ TEST(Explain, OffersTheNearestTopic)
 
 TEST(List, NamesMaterialsSchemesAndFields)
 {
-  for (const char* name :
-      {"linear_elastic", "tresca_softening", "standard_mpm", "mpm_mixed", "mpm_gp", "eps_eq_p", "su"})
+  for (const char* name : {"linear_elastic", "tresca_softening", "standard_mpm", "mpm_mixed", "mpm_gp", "eps_eq_p",
+           "su", "displacement", "parameter_su_peak"})
     EXPECT_THAT(list(), HasSubstr(std::string("\n  ") + name + " "));
 }
 
@@ -131,6 +131,8 @@ TEST(Explain, KnowsTheQuantitiesThatARunReports)
   EXPECT_THAT(explain("summary.json"), testing::HasSubstr("  run_out\n    of the front since t = 0;"));
   EXPECT_THAT(explain("v_999"),
       testing::AllOf(testing::HasSubstr("in ledger.csv\n"), testing::HasSubstr("in summary.json\n  v_999\n")));
+  EXPECT_EQ(explain("displacement"), "in the frames\n  displacement\n    displacement since t = 0\n    unit      m\n");
+  EXPECT_THAT(explain("parameter_su_peak"), testing::HasSubstr("in the frames\n  parameter_su_peak\n"));
 }
 
 }  // namespace

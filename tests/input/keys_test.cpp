@@ -75,12 +75,16 @@ TEST(Keys, OfALawFollowItsTable)
   EXPECT_TRUE(keys[2].required);
 }
 
-TEST(Keys, OutputFieldsHoldTheStateOfEveryLaw)
+TEST(Keys, OutputFieldsHoldTheStateOfEveryLawAndItsParametersThatMayVary)
 {
   const auto names = output_field_names();
   for (const MaterialType* law : all_materials()) {
     for (const StateInfo& state : law->state) EXPECT_THAT(names, Contains(std::string(state.name)));
     for (const DerivedInfo& derived : law->derived) EXPECT_THAT(names, Contains(std::string(derived.name)));
+    for (const ParameterInfo& parameter : law->parameters)
+      if (parameter.may_vary) {
+        EXPECT_THAT(names, Contains("parameter_" + std::string(parameter.name)));
+      }
   }
   EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
 }

@@ -1,12 +1,18 @@
 // The fields that results show: sorted by id, with the names, units and sizes that the formats promise.
 #include "simulation/frame.hpp"
 
+#include "simulation/frame_fields.hpp"
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
+#include "support/paths.hpp"
+#include "support/process.hpp"
 #include "support/simulations.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 namespace terp {
@@ -108,6 +114,40 @@ TEST(Frame, AFieldThatAMaterialDoesNotHaveIsNotANumber)
     EXPECT_EQ(std::isnan(field(frame, "eps_eq_p").values[p.id]), p.material == 1);
     EXPECT_EQ(std::isnan(field(frame, "su").values[p.id]), p.material == 1);
   }
+}
+
+TEST(FrameFields, OfARunAreAmongThoseThatACaseMayName)
+{
+  Case c = test::column("mpm_gp");
+  c.materials[0].fields = {{.parameter = 2, .value_at = [](Vec<2> x) { return 8e3 + x[0]; }}};
+  const Simulation s(c);
+  const std::vector<FrameField> known = all_frame_fields();
+  for (const FrameField& there : frame_fields(s.model, s.state)) {
+    const auto same = std::ranges::find(known, there.name, &FrameField::name);
+    ASSERT_NE(same, known.end()) << there.name;
+    EXPECT_EQ(std::tie(same->unit, same->label, same->meaning, same->n_components, same->by_default),
+        std::tie(there.unit, there.label, there.meaning, there.n_components, there.by_default));
+    EXPECT_FALSE(there.label.empty() || there.meaning.empty()) << there.name;
+    EXPECT_TRUE(there.read && !same->read);
+  }
+  const auto peak = std::ranges::find(known, "parameter_su_peak", &FrameField::name);
+  EXPECT_EQ(peak->label, "peak undrained shear strength S_u");
+}
+
+TEST(Formats, HaveTheFieldsOfTheFrames)
+{
+  std::string block = "| field | unit | components | meaning |\n|---|---|---|---|\n";
+  for (const FrameField& field : all_frame_fields()) {
+    const auto is_it = [&](const FrameField& of_law) { return of_law.name == field.name; };
+    if (std::ranges::any_of(all_materials(),
+            [&](const MaterialType* law) { return std::ranges::any_of(frame_fields_of(*law), is_it); }))
+      break;  // those of the laws follow in one row
+    const char* components = field.n_components == 3 ? "x y z (z = 0) " : field.n_components == 4 ? "xx yy zz xy " : "";
+    block += fmt::format("| `{}` | {} | {}| {} |\n", field.name, field.unit, components, field.meaning);
+  }
+  EXPECT_THAT(test::text_of(test::source_path("docs/formats.md")), testing::HasSubstr(block))
+      << "the table of the frames must read\n"
+      << block;
 }
 
 TEST(DeviatoricStrain, IsTheNormOfTheDeviatorByHand)
