@@ -14,10 +14,6 @@ using Index = std::int32_t;
 template <int Dim>
 inline constexpr int n_sym = Dim == 2 ? 4 : 6;
 
-/// Nodes, and also Gauss points, of one cell: 4 of a quadrilateral, 8 of a hexahedron.
-template <int Dim>
-inline constexpr int n_corners = 1 << Dim;
-
 template <int Dim>
 using Vec = std::array<Real, Dim>;
 

@@ -45,28 +45,26 @@ GaussStrain<Element, R> strain_at_gauss_points(const Geometry& cell, const Corne
 {
   constexpr int dim = Element::dim;
   static_assert(dim == 2, "one component of spin");
-  PerDirection<Element, PerDirection<Element, PerGauss<Element, R>>> l;  // du_a/dx_b at g
-  for (auto& row : l)
-    for (auto& component : row) component.fill(R(0.0));
   R theta_0(0.0);
   for (int i = 0; i < Element::n_corners; ++i) {
     R trace = du[0][i] * cell.centre_gradient[i][0];
     for (int d = 1; d < dim; ++d) trace += du[d][i] * cell.centre_gradient[i][d];
     theta_0 += trace;
-    for (int a = 0; a < dim; ++a)
-      for (int b = 0; b < dim; ++b)
-        for (int g = 0; g < Element::n_gauss; ++g) l[a][b][g] += du[a][i] * cell.gradient[i][b][g];
   }
   GaussStrain<Element, R> strain;
   for (int g = 0; g < Element::n_gauss; ++g) {
-    R trace = l[0][0][g];
-    for (int d = 1; d < dim; ++d) trace += l[d][d][g];
+    auto l = repeat<dim>(repeat<dim>(R(0.0)));  // du_a/dx_b, shape [a][b]
+    for (int i = 0; i < Element::n_corners; ++i)
+      for (int a = 0; a < dim; ++a)
+        for (int b = 0; b < dim; ++b) l[a][b] += du[a][i] * cell.gradient[i][b][g];
+    R trace = l[0][0];
+    for (int d = 1; d < dim; ++d) trace += l[d][d];
     const R correction = b_bar ? (theta_0 - trace) * R(1.0 / 3.0) : R(0.0);
     for (int k = 0; k < 3; ++k) strain.d_eps[k][g] = correction;
-    for (int d = 0; d < dim; ++d) strain.d_eps[d][g] = l[d][d][g] + correction;
+    for (int d = 0; d < dim; ++d) strain.d_eps[d][g] = l[d][d] + correction;
     for (int a = 0; a < dim; ++a)
-      for (int b = a + 1; b < dim; ++b) strain.d_eps[component_of(a, b)][g] = R(0.5) * (l[a][b][g] + l[b][a][g]);
-    strain.d_spin[g] = R(0.5) * (l[1][0][g] - l[0][1][g]);
+      for (int b = a + 1; b < dim; ++b) strain.d_eps[component_of(a, b)][g] = R(0.5) * (l[a][b] + l[b][a]);
+    strain.d_spin[g] = R(0.5) * (l[1][0] - l[0][1]);
   }
   return strain;
 }

@@ -9,7 +9,7 @@ namespace terp {
 
 /// dN_i/dx_d at eight places, shape [corner][d] [1/m].
 template <class Element>
-PerCorner<Element, PerDirection<Element, Pack>> gradients_at(
+inline PerCorner<Element, PerDirection<Element, Pack>> gradients_at(
     const CellGeometry<Element>& cell, const PerDirection<Element, Pack>& local)
 {
   const auto j = Element::jacobian(cell.map, local);
@@ -25,7 +25,7 @@ PerCorner<Element, PerDirection<Element, Pack>> gradients_at(
 
 /// f_int,i += sum_p B_i(x_p)^T sigma_p Omega_p.
 template <class Element>
-void add_internal_force_of_points(
+inline void add_internal_force_of_points(
     const CellGeometry<Element>& cell, const PointBlock<Element::dim>& block, CornerSums<Element>& corners)
 {
   constexpr int dim = Element::dim;
@@ -49,7 +49,7 @@ void add_internal_force_of_points(
 
 /// Displacement gradient du_a/dx_b at eight points from du_i [m], shape [d][corner].
 template <std::size_t dim, std::size_t n>
-std::array<std::array<Pack, dim>, dim> displacement_gradient(
+inline std::array<std::array<Pack, dim>, dim> displacement_gradient(
     const std::array<std::array<Pack, dim>, n>& gradient, const std::array<std::array<Real, n>, dim>& du)
 {
   std::array<std::array<Pack, dim>, dim> l;
@@ -63,7 +63,7 @@ std::array<std::array<Pack, dim>, dim> displacement_gradient(
 
 /// (l + l^T) / 2; out of the plane zero.
 template <std::size_t dim>
-SymTensor<Pack, dim> symmetric_part(const std::array<std::array<Pack, dim>, dim>& l)
+inline SymTensor<Pack, dim> symmetric_part(const std::array<std::array<Pack, dim>, dim>& l)
 {
   SymTensor<Pack, dim> d_eps;
   d_eps.c.fill(Pack(0.0));

@@ -20,7 +20,7 @@ struct GeometryLanes {
 
 /// All lanes of one geometry.
 template <class Element>
-GeometryLanes<Element> repeat_in_lanes(const CellGeometry<Element>& cell)
+inline GeometryLanes<Element> repeat_in_lanes(const CellGeometry<Element>& cell)
 {
   GeometryLanes<Element> lanes;
   for (int i = 0; i < Element::n_corners; ++i)
@@ -35,7 +35,7 @@ GeometryLanes<Element> repeat_in_lanes(const CellGeometry<Element>& cell)
 
 /// The numbers of cells one lane per cell: value(c) of cell c.
 template <class Value>
-Pack pack_of(Value&& value)
+inline Pack pack_of(Value&& value)
 {
   alignas(64) Real numbers[pack_width];
   for (int c = 0; c < pack_width; ++c) numbers[c] = value(c);
@@ -43,7 +43,7 @@ Pack pack_of(Value&& value)
 }
 
 template <class Element>
-GeometryLanes<Element> geometry_lanes(const std::array<const CellGeometry<Element>*, pack_width>& cells)
+inline GeometryLanes<Element> geometry_lanes(const std::array<const CellGeometry<Element>*, pack_width>& cells)
 {
   if (std::all_of(cells.begin(), cells.end(), [&](const auto* cell) { return cell == cells[0]; }))
     return repeat_in_lanes(*cells[0]);

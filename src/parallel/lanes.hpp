@@ -8,13 +8,24 @@
 
 namespace terp {
 
-/// n packs of zeros.
+/// n equal values. Written out, not a loop: GCC would fill memory instead of registers.
+template <std::size_t n, class T>
+std::array<T, n> repeat(const T& value)
+{
+  return [&]<std::size_t... k>(std::index_sequence<k...>) { return std::array<T, n>{((void)k, value)...}; }
+  (std::make_index_sequence<n>{});
+}
+
+/// n packs of zeros, shape [n] or [m][n].
 template <std::size_t n>
 std::array<Pack, n> zero_packs()
 {
-  std::array<Pack, n> packs;
-  for (Pack& pack : packs) pack = Pack(0.0);
-  return packs;
+  return repeat<n>(Pack(0.0));
+}
+template <std::size_t m, std::size_t n>
+std::array<std::array<Pack, n>, m> zero_packs()
+{
+  return repeat<m>(zero_packs<n>());
 }
 
 /// The numbers of packs, one after the other.

@@ -53,7 +53,7 @@ struct PointBlock : BlockKey {
 
 /// n rows from `first` on, of the points p ... p + 7.
 template <int n, int Dim>
-std::array<Pack, n> load_rows(const PointBlock<Dim>& block, int first, Index p)
+inline std::array<Pack, n> load_rows(const PointBlock<Dim>& block, int first, Index p)
 {
   std::array<Pack, n> values;
   for (int k = 0; k < n; ++k) values[k] = Pack::load(block.row(first + k) + p);
@@ -61,7 +61,7 @@ std::array<Pack, n> load_rows(const PointBlock<Dim>& block, int first, Index p)
 }
 
 template <std::size_t n, int Dim>
-void store_rows(const std::array<Pack, n>& values, const PointBlock<Dim>& block, int first, Index p)
+inline void store_rows(const std::array<Pack, n>& values, const PointBlock<Dim>& block, int first, Index p)
 {
   for (std::size_t k = 0; k < n; ++k) values[k].store(block.row(first + static_cast<int>(k)) + p);
 }

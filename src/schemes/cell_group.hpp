@@ -54,7 +54,7 @@ using GroupVectors = std::array<CornerVectors<Element>, pack_width>;
 /// Fetches rows `first` to `end` - 1 of the points of the cell after cell c while those of c are worked on: the
 /// processor does not see by itself that one block follows another.
 template <class Element>
-void prefetch_next(const CellGroup<Element>& group, int c, int first, int end)
+inline void prefetch_next(const CellGroup<Element>& group, int c, int first, int end)
 {
   const Index next = c + 1 < group.n() ? group.cells[c + 1] : group.next_cell;
   if (!group.prefetch_points || next < 0) return;
@@ -65,14 +65,14 @@ void prefetch_next(const CellGroup<Element>& group, int c, int first, int end)
 
 /// The same for the stress pass, which needs almost all rows.
 template <class Element>
-void prefetch_next(const CellGroup<Element>& group, int c)
+inline void prefetch_next(const CellGroup<Element>& group, int c)
 {
   prefetch_next(group, c, 0, group.points.n_rows());
 }
 
 /// Geometry of the cells of a group; lanes beyond the last repeat the first.
 template <class Element>
-GeometryLanes<Element> geometry_of(const CellGroup<Element>& group)
+inline GeometryLanes<Element> geometry_of(const CellGroup<Element>& group)
 {
   std::array<const CellGeometry<Element>*, pack_width> cells;
   for (int c = 0; c < pack_width; ++c) cells[c] = &group.mesh.geometry(group.cells[c < group.n() ? c : 0]);
@@ -103,7 +103,7 @@ void for_each_layer(const CellGroup<Element>& group, F&& f)
 }
 
 template <class Element>
-bool has_one_layer(const CellGroup<Element>& group)
+inline bool has_one_layer(const CellGroup<Element>& group)
 {
   int n = 0;
   for_each_layer(group, [&](const BlockLayer&) { ++n; });
@@ -112,7 +112,7 @@ bool has_one_layer(const CellGroup<Element>& group)
 
 /// Sub-cell sums of the blocks of a layer, one lane per cell; zero where there is no block.
 template <class Element>
-void sum_layer(const CellGroup<Element>& group, const BlockLayer& layer, GaussValues<Element, Pack>& gauss)
+inline void sum_layer(const CellGroup<Element>& group, const BlockLayer& layer, GaussValues<Element, Pack>& gauss)
 {
   std::array<GaussValues<Element>, pack_width> sums;
   for (int c = 0; c < pack_width; ++c) {
@@ -128,7 +128,7 @@ void sum_layer(const CellGroup<Element>& group, const BlockLayer& layer, GaussVa
 
 /// The same of one row.
 template <class Element>
-GaussRow<Element> sum_row(const CellGroup<Element>& group, const BlockLayer& layer, int row)
+inline GaussRow<Element> sum_row(const CellGroup<Element>& group, const BlockLayer& layer, int row)
 {
   std::array<PerGauss<Element>, pack_width> sums{};
   for (int c = 0; c < pack_width; ++c)
@@ -138,7 +138,7 @@ GaussRow<Element> sum_row(const CellGroup<Element>& group, const BlockLayer& lay
 
 /// Adds the internal force of the Gauss values of a layer to the corners of its cells, Eq. (4).
 template <class Element>
-void add_internal_force(const CellGroup<Element>& group, const GeometryLanes<Element>& geometry,
+inline void add_internal_force(const CellGroup<Element>& group, const GeometryLanes<Element>& geometry,
     const BlockLayer& layer, const GaussValues<Element, Pack>& gauss, ForceOperator op)
 {
   constexpr int dim = Element::dim;
@@ -181,7 +181,8 @@ void gather_at_gauss_points(
 /// Strain increments at the Gauss points of a group from displacements of the corners of each cell [m], shape
 /// [pack_width].
 template <class Element>
-GaussStrain<Element, Pack> strain_of_group(const CellGroup<Element>& group, const GroupVectors<Element>& du, bool b_bar)
+inline GaussStrain<Element, Pack> strain_of_group(
+    const CellGroup<Element>& group, const GroupVectors<Element>& du, bool b_bar)
 {
   CornerVectors<Element, Pack> lanes;
   for (int d = 0; d < Element::dim; ++d) lanes[d] = to_lanes([&](int c) { return du[c][d].data(); });
@@ -190,7 +191,7 @@ GaussStrain<Element, Pack> strain_of_group(const CellGroup<Element>& group, cons
 
 /// Strain increments cell by cell.
 template <class Element>
-std::array<GaussStrain<Element>, pack_width> strain_by_cell(const GaussStrain<Element, Pack>& lanes)
+inline std::array<GaussStrain<Element>, pack_width> strain_by_cell(const GaussStrain<Element, Pack>& lanes)
 {
   std::array<GaussStrain<Element>, pack_width> strain;
   for (int k = 0; k < n_sym<Element::dim>; ++k)

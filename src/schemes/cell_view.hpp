@@ -44,14 +44,14 @@ struct alignas(64) StripArrays {
 };
 
 template <int Dim>
-void store_strain(const SymTensor<Pack, Dim>& d_eps, StripArrays<Dim>& strip, Index at)
+inline void store_strain(const SymTensor<Pack, Dim>& d_eps, StripArrays<Dim>& strip, Index at)
 {
   for (int k = 0; k < n_sym<Dim>; ++k) d_eps[k].store(strip.d_eps[k] + at);
 }
 
 /// Runs the law on n entries of a block from point `first` on, padding included.
 template <int Dim>
-void update_strip(
+inline void update_strip(
     const SchemeContext& context, const PointBlock<Dim>& block, Index first, Index n, StripArrays<Dim>& strip)
 {
   const SoilMaterial& material = context.materials[block.material];
@@ -79,7 +79,7 @@ void rotate_stress(SymTensor<R, 2>& sigma, R d_spin)
 
 /// Sum of Omega_p times plastic work per volume over a strip [J per m].
 template <int Dim>
-Real sum_plastic_work(const PointBlock<Dim>& block, Index first, Index n, const StripArrays<Dim>& strip)
+inline Real sum_plastic_work(const PointBlock<Dim>& block, Index first, Index n, const StripArrays<Dim>& strip)
 {
   Pack work(0.0);
   for (Index p = 0; p < n; p += pack_width)
@@ -89,7 +89,7 @@ Real sum_plastic_work(const PointBlock<Dim>& block, Index first, Index n, const 
 
 /// Adds a strain increment to the accumulated strain of eight points and returns its trace.
 template <int Dim>
-Pack accumulate_strain(const PointBlock<Dim>& block, Index p, const SymTensor<Pack, Dim>& d_eps)
+inline Pack accumulate_strain(const PointBlock<Dim>& block, Index p, const SymTensor<Pack, Dim>& d_eps)
 {
   for (int k = 0; k < n_sym<Dim>; ++k) {
     Real* strain = block.row(PointRows<Dim>::strain + k) + p;
@@ -100,7 +100,7 @@ Pack accumulate_strain(const PointBlock<Dim>& block, Index p, const SymTensor<Pa
 
 /// Omega_p *= 1 + tr d_eps.
 template <int Dim>
-void scale_volume(const PointBlock<Dim>& block, Index p, Pack volumetric_strain)
+inline void scale_volume(const PointBlock<Dim>& block, Index p, Pack volumetric_strain)
 {
   Real* volume = block.row(PointRows<Dim>::volume) + p;
   const Pack old = Pack::load(volume);
@@ -109,7 +109,7 @@ void scale_volume(const PointBlock<Dim>& block, Index p, Pack volumetric_strain)
 
 /// The strain increments of a strip, added to eight points of the block and their volume.
 template <int Dim>
-void add_strain(const PointBlock<Dim>& block, Index p, const StripArrays<Dim>& strip, Index at)
+inline void add_strain(const PointBlock<Dim>& block, Index p, const StripArrays<Dim>& strip, Index at)
 {
   SymTensor<Pack, Dim> d_eps;
   for (int k = 0; k < n_sym<Dim>; ++k) d_eps[k] = Pack::load(strip.d_eps[k] + at);
@@ -117,7 +117,7 @@ void add_strain(const PointBlock<Dim>& block, Index p, const StripArrays<Dim>& s
 }
 
 template <int Dim>
-SymTensor<Pack, Dim> stress_of(const PointBlock<Dim>& block, Index p)
+inline SymTensor<Pack, Dim> stress_of(const PointBlock<Dim>& block, Index p)
 {
   return {load_rows<n_sym<Dim>>(block, PointRows<Dim>::sigma, p)};
 }
@@ -125,7 +125,7 @@ SymTensor<Pack, Dim> stress_of(const PointBlock<Dim>& block, Index p)
 /// The strain increment of each point's own Gauss point (reading R11). upper: halves of the cell that eight points are
 /// in.
 template <class Element>
-SymTensor<Pack, Element::dim> strain_at_points(
+inline SymTensor<Pack, Element::dim> strain_at_points(
     const GaussStrain<Element>& strain, const PerDirection<Element, Mask>& upper)
 {
   SymTensor<Pack, Element::dim> d_eps;
@@ -135,7 +135,7 @@ SymTensor<Pack, Element::dim> strain_at_points(
 
 /// The halves of their cell that the points p ... p + 7 are in.
 template <class Element>
-PerDirection<Element, Mask> upper_halves(const PointBlock<Element::dim>& block, Index p)
+inline PerDirection<Element, Mask> upper_halves(const PointBlock<Element::dim>& block, Index p)
 {
   return Element::upper_halves(load_rows<Element::dim>(block, PointRows<Element::dim>::xi, p));
 }

@@ -70,7 +70,7 @@ inline void accelerate_and_map(const Model& model, std::span<const NodeValues> n
 /// x_p += sum N_i du_i; new local coordinates; lanes that left the half-open cell go to `leavers`, with those whose
 /// place the cell's map does not reach. A place that is not a number stays: the guards report it.
 template <class Element>
-void advance_points(const CellGeometry<Element>& cell, const Vec<Element::dim>& centre,
+inline void advance_points(const CellGeometry<Element>& cell, const Vec<Element::dim>& centre,
     const CornerVectors<Element>& du, const PointBlock<Element::dim>& block, Index b, std::vector<PointPlace>& leavers)
 {
   constexpr int dim = Element::dim;

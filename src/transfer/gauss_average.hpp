@@ -18,20 +18,26 @@ void sum_over_sub_cells(const PointBlock<Element::dim>& block, GaussValues<Eleme
 template <class Element>
 PerGauss<Element> sum_row_over_sub_cells(const PointBlock<Element::dim>& block, int row);
 
-/// The sum over Gauss points, in pairs: (a0 + a1) + (a2 + a3).
-template <class R, std::size_t n>
-R total(std::array<R, n> a)
+/// The sum of n terms from `first` on, in pairs: (t0 + t1) + (t2 + t3). term: of a number.
+template <std::size_t n, class Term>
+auto sum_in_pairs(const Term& term, std::size_t first = 0)
 {
-  for (std::size_t pairs = n / 2; pairs > 0; pairs /= 2)
-    for (std::size_t k = 0; k < pairs; ++k) a[k] = a[2 * k] + a[2 * k + 1];
-  return a[0];
+  if constexpr (n == 1)
+    return term(first);
+  else
+    return sum_in_pairs<n / 2>(term, first) + sum_in_pairs<n / 2>(term, first + n / 2);
 }
 
 template <class R, std::size_t n>
-R weighted_mean(std::array<R, n> value, const std::array<R, n>& weight)
+R total(const std::array<R, n>& a)
 {
-  for (std::size_t g = 0; g < n; ++g) value[g] = value[g] * weight[g];
-  return total(value) / total(weight);
+  return sum_in_pairs<n>([&](std::size_t g) { return a[g]; });
+}
+
+template <class R, std::size_t n>
+R weighted_mean(const std::array<R, n>& value, const std::array<R, n>& weight)
+{
+  return sum_in_pairs<n>([&](std::size_t g) { return value[g] * weight[g]; }) / total(weight);
 }
 
 /// 1 where the points fill the cell up to `filled_fraction` at least (reading R3), else 0.

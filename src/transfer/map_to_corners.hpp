@@ -13,7 +13,7 @@ inline constexpr Real least_share = 1e-30;
 
 /// N_i, at least `least_share`; not a number stays so.
 template <class Element>
-PerCorner<Element, Pack> mapping_shares(const PerDirection<Element, Pack>& local)
+inline PerCorner<Element, Pack> mapping_shares(const PerDirection<Element, Pack>& local)
 {
   auto N = Element::shape_functions(local);
   for (Pack& share : N) share = max(Pack(least_share), share);
@@ -22,7 +22,7 @@ PerCorner<Element, Pack> mapping_shares(const PerDirection<Element, Pack>& local
 
 /// corners[i] += sum of the lanes of sums[i].
 template <std::size_t n>
-void add_lanes(const std::array<Pack, n>& sums, std::array<Real, n>& corners)
+inline void add_lanes(const std::array<Pack, n>& sums, std::array<Real, n>& corners)
 {
   const std::array<Real, n> each = sum_each(sums);
   for (std::size_t i = 0; i < n; ++i) corners[i] += each[i];
@@ -30,13 +30,12 @@ void add_lanes(const std::array<Pack, n>& sums, std::array<Real, n>& corners)
 
 /// m_i += sum N_i m_p; (m v)_i += sum N_i m_p v_p.
 template <class Element>
-void map_mass_and_momentum(const PointBlock<Element::dim>& block, CornerSums<Element>& corners)
+inline void map_mass_and_momentum(const PointBlock<Element::dim>& block, CornerSums<Element>& corners)
 {
   constexpr int dim = Element::dim;
   using Rows = PointRows<dim>;
   auto mass = zero_packs<Element::n_corners>();
-  CornerVectors<Element, Pack> momentum;
-  momentum.fill(mass);
+  auto momentum = zero_packs<dim, Element::n_corners>();
   for (Index p = 0; p < block.n; p += pack_width) {
     const auto N = mapping_shares<Element>(load_rows<dim>(block, Rows::xi, p));
     const Pack m = Pack::load(block.row(Rows::mass) + p);
@@ -53,12 +52,11 @@ void map_mass_and_momentum(const PointBlock<Element::dim>& block, CornerSums<Ele
 
 /// (m v)_i += sum N_i m_p v_p, with the updated velocities (MUSL).
 template <class Element>
-void map_momentum(const PointBlock<Element::dim>& block, CornerSums<Element>& corners)
+inline void map_momentum(const PointBlock<Element::dim>& block, CornerSums<Element>& corners)
 {
   constexpr int dim = Element::dim;
   using Rows = PointRows<dim>;
-  CornerVectors<Element, Pack> momentum;
-  momentum.fill(zero_packs<Element::n_corners>());
+  auto momentum = zero_packs<dim, Element::n_corners>();
   for (Index p = 0; p < block.n; p += pack_width) {
     const auto N = mapping_shares<Element>(load_rows<dim>(block, Rows::xi, p));
     const Pack m = Pack::load(block.row(Rows::mass) + p);
@@ -72,7 +70,7 @@ void map_momentum(const PointBlock<Element::dim>& block, CornerSums<Element>& co
 
 /// sum_i N_i a_i at eight points.
 template <std::size_t dim, std::size_t n>
-std::array<Pack, dim> interpolate(const std::array<std::array<Real, n>, dim>& a, const std::array<Pack, n>& N)
+inline std::array<Pack, dim> interpolate(const std::array<std::array<Real, n>, dim>& a, const std::array<Pack, n>& N)
 {
   std::array<Pack, dim> value;
   for (std::size_t d = 0; d < dim; ++d) {
@@ -86,7 +84,7 @@ std::array<Pack, dim> interpolate(const std::array<std::array<Real, n>, dim>& a,
 ///
 /// dv        dt a_i [m/s], v_star  v* of the nodes [m/s]
 template <class Element>
-void accelerate_points(
+inline void accelerate_points(
     const CornerVectors<Element>& dv, const CornerVectors<Element>& v_star, Real flip, PointBlock<Element::dim>& block)
 {
   constexpr int dim = Element::dim;
