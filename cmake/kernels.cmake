@@ -47,6 +47,13 @@ function(link_object target object)
   install(FILES ${object} DESTINATION ${folder})
 endfunction()
 
+# So that a shared library, as a module of Python, can hold Terp. Calls within it stay direct: nobody replaces a
+# function of Terp from outside.
+function(position_independent target)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE -fno-semantic-interposition)
+endfunction()
+
 # Adds the kernels to a target. sets: the best first; "native" or "plain" alone mean one copy, linked like anything
 # else.
 function(add_kernels target sets)
@@ -68,6 +75,7 @@ endfunction()
 # their COMDAT groups, and objcopy makes their names local.
 function(add_kernel_copy target set)
   add_library(terp_kernels_${set} OBJECT ${TERP_KERNEL_SOURCES} ${TERP_SHARED_KERNEL_SOURCES})
+  position_independent(terp_kernels_${set})
   target_include_directories(terp_kernels_${set} PRIVATE src)
   target_link_libraries(terp_kernels_${set} PRIVATE fmt::fmt)
   target_compile_options(terp_kernels_${set} PRIVATE ${TERP_FLAGS_${set}} -fno-gnu-unique)
