@@ -1,21 +1,13 @@
 // terp check: what would run, without running it.
 #include "app/coarse_column.hpp"
+#include "support/test.hpp"
 
-#include <filesystem>
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using test::Finished;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::StartsWith;
 
 TEST(Check, TellsWhatWouldRun)
 {
-  const test::ScratchFolder folder;
-  const Finished f = test::terp(test::column_command("check"), folder.path());
+  const ScratchFolder folder;
+  const Finished f = test::terp(column_command("check"), folder.path());
   EXPECT_EQ(f.status, 0);
   for (const char* line : {"  scheme         mpm_gp\n", "  mesh           192 cells, 231 nodes\n",
            "  cells of soil  64\n", "  points         1600\n",
@@ -23,15 +15,15 @@ TEST(Check, TellsWhatWouldRun)
            "  time step      0.00303 s\n", "  steps          66 to t = 0.2 s\n", "nothing was run\n"})
     EXPECT_THAT(f.out, HasSubstr(line));
   EXPECT_THAT(f.out, HasSubstr("  smallest cell  0.5 m high, "));
-  EXPECT_THAT(f.out, testing::ContainsRegex("  memory         [0-9]+ MB\n"));
-  EXPECT_THAT(f.out, testing::ContainsRegex("  expected time  [0-9.]+ s on 1 thread, [0-9.]+ s of it for output "
-                                            "[(][0-9.]+ M point-steps/s in a trial[)]\n"));
-  EXPECT_TRUE(test::names_in(folder.path()).empty());
+  EXPECT_THAT(f.out, ContainsRegex("  memory         [0-9]+ MB\n"));
+  EXPECT_THAT(f.out, ContainsRegex("  expected time  [0-9.]+ s on 1 thread, [0-9.]+ s of it for output "
+                                   "[(][0-9.]+ M point-steps/s in a trial[)]\n"));
+  EXPECT_TRUE(names_in(folder.path()).empty());
 }
 
 TEST(Check, ListsTheSidesWithTheirLengthsAndConditions)
 {
-  const Finished f = test::terp(test::column_command("check"));
+  const Finished f = test::terp(column_command("check"));
   for (const char* line : {"  side left      roller, no motion across, ",
            "  side bottom    contact that never opens, adhesion ", "  side top       free, "})
     EXPECT_THAT(f.out, HasSubstr(line));
@@ -39,13 +31,13 @@ TEST(Check, ListsTheSidesWithTheirLengthsAndConditions)
 
 TEST(Check, DrawsTheSection)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string svg = folder.path() + "/section.svg";
-  const Finished f = test::terp(test::column_command("check", {"--picture", svg}));
+  const Finished f = test::terp(column_command("check", {"--picture", svg}));
   EXPECT_EQ(f.status, 0);
   EXPECT_THAT(f.out, StartsWith("picture in " + svg + "\n"));
-  EXPECT_THAT(test::text_of(svg), AllOf(StartsWith("<svg "), HasSubstr("bottom: contact")));
-  const Finished png = test::terp(test::column_command("check", {"--picture", "section.png"}));
+  EXPECT_THAT(text_of(svg), AllOf(StartsWith("<svg "), HasSubstr("bottom: contact")));
+  const Finished png = test::terp(column_command("check", {"--picture", "section.png"}));
   EXPECT_EQ(png.status, 2);
   EXPECT_EQ(png.err,
       "error: --picture section.png: the picture is an SVG file, which every browser opens\n  Write --picture "
@@ -64,17 +56,16 @@ double number_in(const std::string& out, const std::string& word, const std::str
 TEST(Check, SaysHowMuchDiskTheRunNeedsToAFactorOfTwo)
 {
   for (const std::string field : {"output.fields.every=0.01", "output.fields.every=0.2"}) {
-    const test::ScratchFolder scratch;
+    const ScratchFolder scratch;
     const std::string folder = scratch.path() + "/run";
     const std::vector<std::string> more{
         "--set", field, "--set", "output.checkpoint.every=0.05", "--set", "mesh.cell=0.2", "-q"};
-    const Finished check = test::terp(test::column_command("check", more));
+    const Finished check = test::terp(column_command("check", more));
     ASSERT_EQ(check.status, 0) << check.err;
-    EXPECT_THAT(
-        check.out, testing::ContainsRegex("  output         [0-9]+ frames of [0-9.]+ MB, 4 checkpoints of [0-9.]+ "
-                                          "MB, [0-9]+ rows\n  disk           [0-9.]+ MB at the end, with 2 "
-                                          "checkpoints\n"));
-    ASSERT_EQ(test::run_column(folder, more).status, 0);
+    EXPECT_THAT(check.out, ContainsRegex("  output         [0-9]+ frames of [0-9.]+ MB, 4 checkpoints of [0-9.]+ "
+                                         "MB, [0-9]+ rows\n  disk           [0-9.]+ MB at the end, with 2 "
+                                         "checkpoints\n"));
+    ASSERT_EQ(run_column(folder, more).status, 0);
     double bytes = 0.0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
       if (entry.is_regular_file()) bytes += static_cast<double>(entry.file_size());
@@ -86,7 +77,7 @@ TEST(Check, SaysHowMuchDiskTheRunNeedsToAFactorOfTwo)
 
 TEST(Check, WarnsOfASideThatMovesFurtherThanItsCells)
 {
-  const Finished f = test::terp(test::column_command("check", {"--set", "boundary.left={velocity=[4.0, 0.0]}"}));
+  const Finished f = test::terp(column_command("check", {"--set", "boundary.left={velocity=[4.0, 0.0]}"}));
   EXPECT_EQ(f.status, 0);
   EXPECT_THAT(f.err, AllOf(StartsWith("warning: --set boundary.left={velocity=[4.0, 0.0]}: the side stays in place"),
                          HasSubstr("time.end is 0.8 m")));
@@ -94,14 +85,14 @@ TEST(Check, WarnsOfASideThatMovesFurtherThanItsCells)
 
 TEST(Check, ShowsNoControlCharactersOfTheTitle)
 {
-  const Finished f = test::terp(test::column_command("check", {"--set", R"(title="red \u001b[31m soil")"}));
+  const Finished f = test::terp(column_command("check", {"--set", R"(title="red \u001b[31m soil")"}));
   EXPECT_EQ(f.status, 0);
   EXPECT_THAT(f.out, StartsWith("red ?[31m soil\n"));
 }
 
 TEST(Check, SaysWhereABodyLiesOutsideTheMesh)
 {
-  const Finished f = test::terp(test::column_command("check", {"--set", "mesh.size=[6.0, 3.0]"}));
+  const Finished f = test::terp(column_command("check", {"--set", "mesh.size=[6.0, 3.0]"}));
   EXPECT_EQ(f.status, 2);
   EXPECT_THAT(f.err, AllOf(StartsWith("error: --set mesh.size=[6.0, 3.0]: the body lies outside the mesh\n"),
                          HasSubstr("Enlarge mesh.size")));
@@ -111,7 +102,7 @@ TEST(Check, SaysWhereABodyLiesOutsideTheMesh)
 TEST(Check, AVariantOfAMeshFromAPolygonHasOtherCells)
 {
   const auto told = [](const std::string& variant) {
-    return test::terp({"check", test::source_path("cases/dike/dike.toml"), "--set", "mesh.cell=2.0", "--set",
+    return test::terp({"check", source_path("cases/dike/dike.toml"), "--set", "mesh.cell=2.0", "--set",
         "mesh.variant=" + variant, "-j", "1"});
   };
   const auto mesh_line = [](const std::string& out) {
@@ -125,7 +116,7 @@ TEST(Check, AVariantOfAMeshFromAPolygonHasOtherCells)
 
 TEST(Check, WarnsOfAHistoryPointFarFromTheSoil)
 {
-  const Finished f = test::terp(test::column_command("check", {"--set", "output.history.points.far=[12.0, 1.0]"}));
+  const Finished f = test::terp(column_command("check", {"--set", "output.history.points.far=[12.0, 1.0]"}));
   EXPECT_EQ(f.status, 0);
   EXPECT_THAT(f.err,
       StartsWith("warning: --set output.history.points.far=[12.0, 1.0]: no soil is near the history point `far`\n"));
@@ -133,13 +124,13 @@ TEST(Check, WarnsOfAHistoryPointFarFromTheSoil)
 
 TEST(Check, PointsAtTheChangeThatSetUpCannotUse)
 {
-  const std::string dike = test::source_path("cases/dike/dike.toml");
+  const std::string dike = source_path("cases/dike/dike.toml");
   const auto error_after = [](const std::string& file, const std::string& change) {
     return test::terp({"check", file, "--set", change}).err;
   };
-  EXPECT_THAT(error_after(test::column_file, "body[0].box=[[0.0, 0.0], [20.0, 2.0]]"),
+  EXPECT_THAT(error_after(column_file, "body[0].box=[[0.0, 0.0], [20.0, 2.0]]"),
       StartsWith("error: --set body[0].box=[[0.0, 0.0], [20.0, 2.0]]: the body lies outside the mesh\n"));
-  EXPECT_THAT(error_after(test::column_file, "mesh.cell=1e-6"),
+  EXPECT_THAT(error_after(column_file, "mesh.cell=1e-6"),
       HasSubstr("error: --set mesh.cell=1e-6: the mesh has too many cells\n"));
   EXPECT_THAT(error_after(dike, "mesh.polygon=[[0, 0], [3, 0], [3, 2], [2, 3], [0, 2]]"),
       StartsWith(
@@ -147,4 +138,3 @@ TEST(Check, PointsAtTheChangeThatSetUpCannotUse)
 }
 
 }  // namespace
-}  // namespace terp

@@ -4,17 +4,10 @@
 #include "parallel/instructions.hpp"
 #include "support/environment.hpp"
 #include "support/simulations.hpp"
-
-#include <gmock/gmock.h>
+#include "support/test.hpp"
 #include <nlohmann/json.hpp>
 
-namespace terp {
 namespace {
-
-using test::Finished;
-using test::Variable;
-using testing::HasSubstr;
-using testing::StartsWith;
 
 bool offered(std::string_view name)
 {
@@ -27,11 +20,11 @@ bool offered(std::string_view name)
 StateImage end_of_column(const std::string& instructions, const std::string& scheme)
 {
   const Variable variable("TERP_INSTRUCTIONS", instructions);
-  const test::ScratchFolder folder;
-  const Finished f = test::terp({"run", test::column_file, "--set", "mesh.cell=[0.2,0.2]", "--set", "time.end=2",
-      "--set", "scheme=" + scheme, "-q", "-o", folder.path() + "/run"});
+  const ScratchFolder folder;
+  const Finished f = test::terp({"run", column_file, "--set", "mesh.cell=[0.2,0.2]", "--set", "time.end=2", "--set",
+      "scheme=" + scheme, "-q", "-o", folder.path() + "/run"});
   EXPECT_EQ(f.status, 0) << f.err;
-  const auto summary = nlohmann::json::parse(test::text_of(folder.path() + "/run/summary.json"));
+  const auto summary = nlohmann::json::parse(text_of(folder.path() + "/run/summary.json"));
   EXPECT_EQ(summary["instructions"], instructions);
   return newest_good_checkpoint(folder.path() + "/run").image.value();
 }
@@ -40,7 +33,7 @@ TEST(EverySet, WithFusedProductsEndsInTheSameBits)
 {
   if (!offered("avx2") || !offered("avx512")) GTEST_SKIP() << "this machine or build has not both AVX2 and AVX-512";
   for (const char* scheme : {"mpm_gp", "mpm_mixed", "standard_mpm"})
-    EXPECT_EQ(test::first_difference(end_of_column("avx2", scheme), end_of_column("avx512", scheme)), "") << scheme;
+    EXPECT_EQ(first_difference(end_of_column("avx2", scheme), end_of_column("avx512", scheme)), "") << scheme;
 }
 
 TEST(EverySet, IsTheOneThatTheVariableNames)
@@ -56,19 +49,19 @@ TEST(EverySet, IsTheOneThatTheVariableNames)
 
 TEST(EverySet, ARunThatGoesOnWithAnotherSetSaysSoAndNamesBoth)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run", path = folder + "/summary.json";
-  ASSERT_EQ(test::run_column(folder, {"-q"}).status, 0);
-  auto summary = nlohmann::json::parse(test::text_of(path));
+  ASSERT_EQ(run_column(folder, {"-q"}).status, 0);
+  auto summary = nlohmann::json::parse(text_of(path));
   const std::string now = summary["instructions"];
   EXPECT_EQ(test::terp({"resume", folder, "-q", "-j", "1"}).err, "");  // the same set
   summary["instructions"] = "abacus";
-  test::write_text(path, summary.dump());
+  write_text(path, summary.dump());
   const Finished f = test::terp({"resume", folder, "-q", "-j", "1"});
   EXPECT_EQ(f.status, 0) << f.err;
   EXPECT_THAT(f.err, HasSubstr("warning: the run was solved with the instruction set abacus so far, and goes on with " +
                                now + "; its results may differ in the last digits"));
-  EXPECT_EQ(nlohmann::json::parse(test::text_of(path))["instructions"], "abacus, " + now);
+  EXPECT_EQ(nlohmann::json::parse(text_of(path))["instructions"], "abacus, " + now);
 }
 
 /// What the points of the short column carry. Without local damping: it pushes against the sign of a velocity, which
@@ -76,8 +69,8 @@ TEST(EverySet, ARunThatGoesOnWithAnotherSetSaysSoAndNamesBoth)
 std::vector<NamedArray> rows_of_short_column(const std::string& instructions)
 {
   const Variable variable("TERP_INSTRUCTIONS", instructions);
-  const test::ScratchFolder folder;
-  EXPECT_EQ(test::run_column(folder.path() + "/run", {"--set", "forces.damping.local=0"}).status, 0);
+  const ScratchFolder folder;
+  EXPECT_EQ(run_column(folder.path() + "/run", {"--set", "forces.damping.local=0"}).status, 0);
   const CheckpointSearch end = newest_good_checkpoint(folder.path() + "/run");
   std::vector<NamedArray> rows = end.image.value().arrays;
   std::erase_if(rows, [](const NamedArray& array) {
@@ -110,8 +103,7 @@ TEST(EverySet, WithoutFusedProductsDiffersByRoundOff)
 TEST(Instructions, AWordThatIsNoneIsBadInputWhateverTheCommand)
 {
   const Variable variable("TERP_INSTRUCTIONS", "mmx");
-  for (const auto& words :
-      std::vector<std::vector<std::string>>{{"--version"}, {"list"}, test::column_command("check")}) {
+  for (const auto& words : std::vector<std::vector<std::string>>{{"--version"}, {"list"}, column_command("check")}) {
     const Finished f = test::terp(words);
     EXPECT_EQ(f.status, 2);
     EXPECT_EQ(f.out, "");
@@ -121,4 +113,3 @@ TEST(Instructions, AWordThatIsNoneIsBadInputWhateverTheCommand)
 }
 
 }  // namespace
-}  // namespace terp

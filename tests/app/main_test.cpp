@@ -1,16 +1,9 @@
 // The command line: help, version, words that are not commands, and the commands that only tell.
 #include "parallel/instructions.hpp"
 #include "support/process.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using test::Finished;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::StartsWith;
 
 std::size_t longest_line(const std::string& text)
 {
@@ -81,7 +74,7 @@ TEST(CommandLine, WhatItDoesNotKnowIsBadInputAndPointsToTheHelp)
     const Finished f = test::terp(words);
     EXPECT_EQ(f.status, 2) << words[0];
     EXPECT_EQ(f.out, "");
-    EXPECT_THAT(f.err, AllOf(StartsWith("error: "), HasSubstr("see terp "), testing::EndsWith(" --help\n")));
+    EXPECT_THAT(f.err, AllOf(StartsWith("error: "), HasSubstr("see terp "), EndsWith(" --help\n")));
   }
 }
 
@@ -145,4 +138,3 @@ TEST(List, NamesEverySchemeMaterialAndOutput)
 }
 
 }  // namespace
-}  // namespace terp

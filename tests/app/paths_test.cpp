@@ -1,17 +1,10 @@
 // What a case file names cannot make Terp write outside its run folder, nor run anything.
 #include "app/coarse_column.hpp"
+#include "support/test.hpp"
 
-#include <filesystem>
-#include <map>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 namespace fs = std::filesystem;
-using test::Finished;
-using testing::HasSubstr;
 
 /// Every file below a folder that is not below its folder "run", with its content.
 std::map<std::string, std::string> files_outside_the_run(const std::string& folder)
@@ -19,7 +12,7 @@ std::map<std::string, std::string> files_outside_the_run(const std::string& fold
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const std::string name = fs::relative(entry.path(), folder).string();
-    if (!name.starts_with("run")) files[name] = entry.is_regular_file() ? test::text_of(entry.path().string()) : "";
+    if (!name.starts_with("run")) files[name] = entry.is_regular_file() ? text_of(entry.path().string()) : "";
   }
   return files;
 }
@@ -30,7 +23,7 @@ struct Place {
   {
     fs::create_directories(scratch.path() + "/a/b/run");
     fs::remove(scratch.path() + "/a/b/run");
-    test::write_text(scratch.path() + "/a/b/case.toml", text);
+    write_text(scratch.path() + "/a/b/case.toml", text);
     before = files_outside_the_run(scratch.path());
   }
   Finished run(const std::vector<std::string>& more = {}) const
@@ -47,7 +40,7 @@ struct Place {
       if (!name.starts_with("a/b/run") && (!before.contains(name) || before.at(name) != text)) names.push_back(name);
     return names;
   }
-  test::ScratchFolder scratch;
+  ScratchFolder scratch;
   std::map<std::string, std::string> before;
 };
 
@@ -70,28 +63,28 @@ TEST(Paths, NamesInACaseFileAreNoPaths)
     const Place place(case_with_name(name));
     const Finished f = place.run();
     EXPECT_EQ(f.status, 0) << name << ": " << f.err;
-    EXPECT_THAT(place.written(), testing::IsEmpty()) << name;
+    EXPECT_THAT(place.written(), IsEmpty()) << name;
     EXPECT_FALSE(fs::exists("/tmp/terp_escaped")) << name;
   }
 }
 
 TEST(Paths, ACaseFileWhoseNameIsAPathGoesNowhereButWhereItIsTold)
 {
-  const test::ScratchFolder scratch;
-  test::write_text(scratch.path() + "/ledger.csv", "mine");
+  const ScratchFolder scratch;
+  write_text(scratch.path() + "/ledger.csv", "mine");
   for (const std::string name : {"..toml", "...toml"}) {
-    test::write_text(scratch.path() + '/' + name, case_with_name("clay"));
+    write_text(scratch.path() + '/' + name, case_with_name("clay"));
     for (const std::string command : {"run", "stability"}) {
       std::vector<std::string> words{command, name};
       if (command == "run") words.push_back("--force");
       const Finished f = test::terp(words, scratch.path());
       EXPECT_EQ(f.status, 2) << f.err;
-      EXPECT_THAT(f.err, testing::AllOf(testing::StartsWith("error: " + name + ": its run would be named `"),
-                             testing::HasSubstr("terp run " + name + " -o DIR\n")));
+      EXPECT_THAT(f.err, AllOf(StartsWith("error: " + name + ": its run would be named `"),
+                             HasSubstr("terp run " + name + " -o DIR\n")));
     }
     EXPECT_EQ(test::terp({"run", name, "-q", "-o", "told" + name}, scratch.path()).status, 0);
   }
-  EXPECT_EQ(test::text_of(scratch.path() + "/ledger.csv"), "mine");
+  EXPECT_EQ(text_of(scratch.path() + "/ledger.csv"), "mine");
   EXPECT_FALSE(fs::exists(scratch.path() + "/runs"));
 }
 
@@ -101,20 +94,20 @@ TEST(Paths, ACaseFileThatIsALinkLeavesNothingBesideItsTarget)
   fs::rename(place.scratch.path() + "/a/b/case.toml", place.scratch.path() + "/real.toml");
   fs::create_symlink("../../real.toml", place.scratch.path() + "/a/b/case.toml");
   EXPECT_EQ(place.run().status, 0);
-  EXPECT_THAT(place.written(), testing::ElementsAre("real.toml"));  // it was moved there
+  EXPECT_THAT(place.written(), ElementsAre("real.toml"));  // it was moved there
 }
 
 TEST(Paths, LinksInAnEarlierRunAreReplacedAndNotFollowed)
 {
   const Place place(case_with_name("clay"));
   const std::string folder = place.scratch.path() + "/a/b/run", mine = place.scratch.path() + "/mine";
-  test::write_text(mine, "mine");
+  write_text(mine, "mine");
   fs::create_directory(folder);
   for (const char* name : {"results.vtkhdf.series", "history.csv", "ledger.csv", "summary.json", "case.toml",
            "case.toml.tmp", "mesh.msh", "checkpoint_000000001.h5"})
     fs::create_symlink(mine, folder + "/" + name);
   EXPECT_EQ(place.run({"--force"}).status, 0);
-  EXPECT_EQ(test::text_of(mine), "mine");
+  EXPECT_EQ(text_of(mine), "mine");
 }
 
 TEST(Paths, FilesThatACaseNamesAreOnlyRead)
@@ -124,22 +117,22 @@ TEST(Paths, FilesThatACaseNamesAreOnlyRead)
       "points = '../../points.csv'");
   text.replace(text.find("material = 'clay'\n"), 18, "");
   const Place place(text);
-  test::write_text(place.scratch.path() + "/points.csv", "x,y,volume,material\n0.25,0.25,0.25,clay\n");
+  write_text(place.scratch.path() + "/points.csv", "x,y,volume,material\n0.25,0.25,0.25,clay\n");
   const Finished f = place.run();
   EXPECT_EQ(f.status, 0) << f.err;
-  EXPECT_EQ(test::text_of(place.scratch.path() + "/points.csv"), "x,y,volume,material\n0.25,0.25,0.25,clay\n");
+  EXPECT_EQ(text_of(place.scratch.path() + "/points.csv"), "x,y,volume,material\n0.25,0.25,0.25,clay\n");
 
   // The run folder has copies: it can be moved, and the originals may go.
   const std::string moved = place.scratch.path() + "/moved", again = place.scratch.path() + "/again";
   fs::rename(place.scratch.path() + "/a/b/run", moved);
   fs::remove(place.scratch.path() + "/points.csv");
-  EXPECT_THAT(test::text_of(moved + "/case.toml"), HasSubstr("points = \"points_1.csv\""));
+  EXPECT_THAT(text_of(moved + "/case.toml"), HasSubstr("points = \"points_1.csv\""));
   EXPECT_EQ(test::terp({"resume", moved, "-q", "-j", "1"}).err, "");
   EXPECT_EQ(test::terp({"report", moved, "-o", place.scratch.path() + "/page.html"}).status, 0);
   const Finished second = test::terp({"run", moved + "/case.toml", "-o", again, "-q", "-j", "1"});
   EXPECT_EQ(second.status, 0) << second.err;
-  EXPECT_EQ(test::text_of(again + "/ledger.csv"), test::text_of(moved + "/ledger.csv"));
-  test::write_text(moved + "/points_1.csv", "x,y,volume,material\n0.3,0.25,0.25,clay\n");
+  EXPECT_EQ(text_of(again + "/ledger.csv"), text_of(moved + "/ledger.csv"));
+  write_text(moved + "/points_1.csv", "x,y,volume,material\n0.3,0.25,0.25,clay\n");
   EXPECT_THAT(test::terp({"resume", moved}).err, HasSubstr("body[0].points (content)"));
 }
 
@@ -154,7 +147,7 @@ TEST(Paths, ASideWhoseNameWouldBeACommandOfGmshIsRefused)
   const Finished f = place.run();
   EXPECT_EQ(f.status, 2);
   EXPECT_THAT(f.err, HasSubstr("a side cannot be named `a\") = {1}; SystemCall"));
-  EXPECT_THAT(place.written(), testing::IsEmpty());
+  EXPECT_THAT(place.written(), IsEmpty());
   EXPECT_FALSE(fs::exists(place.scratch.path() + "/a/b/run"));
 }
 
@@ -168,8 +161,7 @@ TEST(Paths, GmshIsCalledWithoutAShell)
   const Place place(text + "[boundary]\n'" + name + "' = \"roller\"\n");
   const Finished f = place.run();
   EXPECT_EQ(f.status, 0) << f.err;
-  EXPECT_THAT(place.written(), testing::IsEmpty());
+  EXPECT_THAT(place.written(), IsEmpty());
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,32 +1,21 @@
 // terp report, compare, export and watch, as a user meets them.
 #include "app/coarse_column.hpp"
 #include "output/files.hpp"
-
-#include <filesystem>
-
+#include "support/test.hpp"
 #include <poll.h>
-
-#include <fstream>
-#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-namespace terp {
 namespace {
-
-using test::Finished;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::StartsWith;
 
 /// Two short runs of the column, made once.
 struct Runs {
-  test::ScratchFolder scratch;
+  ScratchFolder scratch;
   std::string gp = scratch.path() + "/gp", mixed = scratch.path() + "/mixed";
 
   Runs()
   {
-    test::run_column(gp, {"-q", "--set", "output.fields.every=0.1"});
-    test::run_column(mixed, {"-q", "--set", "output.fields.every=0.1", "--set", "scheme=mpm_mixed"});
+    run_column(gp, {"-q", "--set", "output.fields.every=0.1"});
+    run_column(mixed, {"-q", "--set", "output.fields.every=0.1", "--set", "scheme=mpm_mixed"});
   }
 };
 
@@ -61,7 +50,7 @@ TEST(Report, IsOneFileWithBothRunsAndTheirComparison)
 
 TEST(Report, ReplacesAnEarlierPageButNoOtherFile)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string page = scratch.path() + "/page.html", other = scratch.path() + "/results.vtkhdf.series";
   std::ofstream(page) << "<!DOCTYPE html><p>old";
   std::ofstream(other) << "ten days of work";
@@ -75,7 +64,7 @@ TEST(Report, ReplacesAnEarlierPageButNoOtherFile)
 
 TEST(Report, OfAFolderThatIsNoRunSaysSo)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const Finished f = test::terp({"report", scratch.path()});
   EXPECT_EQ(f.status, 1);
   EXPECT_THAT(f.err, AllOf(StartsWith("error: "), HasSubstr("it has no case.toml")));
@@ -83,22 +72,22 @@ TEST(Report, OfAFolderThatIsNoRunSaysSo)
 
 TEST(Report, IsWrittenAtTheEndOfARunThatAsksForIt)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";
-  const Finished f = test::run_column(folder, {"--report"});
+  const Finished f = run_column(folder, {"--report"});
   EXPECT_EQ(f.status, 0);
   EXPECT_THAT(f.out, HasSubstr("report in " + folder + "/report.html"));
   EXPECT_EQ(document_in(read_file(folder + "/report.html"))["runs"][0]["finished"], true);
-  EXPECT_EQ(test::run_column(folder, {"--force", "-q"}).status, 0);
+  EXPECT_EQ(run_column(folder, {"--force", "-q"}).status, 0);
   EXPECT_FALSE(std::filesystem::exists(folder + "/report.html"));  // of the earlier run
 }
 
 TEST(Report, IsWrittenAtTheEndOfARunThatGoesOn)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run", page = folder + "/report.html",
                     checkpoint = folder + "/checkpoint_000000033.h5";
-  ASSERT_EQ(test::run_column(folder, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}"}).status, 0);
+  ASSERT_EQ(run_column(folder, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}"}).status, 0);
   ASSERT_EQ(test::terp({"resume", checkpoint, "-q"}).status, 0);
   EXPECT_FALSE(std::filesystem::exists(page));
   const Finished f = test::terp({"resume", checkpoint, "--report"});
@@ -160,9 +149,9 @@ TEST(Watch, SaysHowFarARunCameAndThatItIsFinished)
 
 TEST(Watch, WhileARunGoesOnSaysWhenItWillEnd)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";
-  const test::Process solver(test::column_command("run",
+  const Process solver(column_command("run",
       {"-q", "-o", folder, "--set", "time.end=1000", "--set", "mesh.cell=0.25", "--set", "output.fields.every=0"}));
   Finished f;
   for (int k = 0; k < 300 && f.out.find("ETA") == std::string::npos; ++k) {
@@ -170,13 +159,13 @@ TEST(Watch, WhileARunGoesOnSaysWhenItWillEnd)
     if (std::filesystem::exists(folder + "/case.toml")) f = test::terp({"watch", folder, "--once"});
   }
   EXPECT_EQ(f.status, 0) << f.err;
-  EXPECT_THAT(f.out, AllOf(StartsWith("t = "), HasSubstr(" of 1000 s (0 %)"), HasSubstr("  ETA "),
-                         testing::Not(HasSubstr("no terp"))));
+  EXPECT_THAT(
+      f.out, AllOf(StartsWith("t = "), HasSubstr(" of 1000 s (0 %)"), HasSubstr("  ETA "), Not(HasSubstr("no terp"))));
 }
 
 TEST(Watch, OfAFolderThatIsNoRunSaysSo)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const Finished f = test::terp({"watch", scratch.path()});
   EXPECT_EQ(f.status, 1);
   EXPECT_EQ(f.err, "error: " + scratch.path() + ": this is no run folder, it holds no case.toml\n");
@@ -187,4 +176,3 @@ TEST(Watch, OfAFolderThatIsNoRunSaysSo)
 }
 
 }  // namespace
-}  // namespace terp

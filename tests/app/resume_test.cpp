@@ -3,35 +3,24 @@
 #include "app/same_results.hpp"
 #include "output/checkpoint.hpp"
 #include "output/small_disk.hpp"
-
-#include <algorithm>
+#include "support/test.hpp"
 #include <chrono>
 #include <csignal>
-#include <filesystem>
 #include <thread>
-#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
 
-namespace terp {
 namespace {
 
-using test::Finished;
-using test::run_column;
-using test::text_of;
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::StartsWith;
 const std::string last_checkpoint = "/checkpoint_000000066.h5";
 
 /// A signal stops a run, and resuming it ends in the results of a run that was not stopped.
 void stop_and_resume(int signal)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string whole = scratch.path() + "/whole", stopped = scratch.path() + "/stopped";
-  test::Process running(test::longer_run(stopped, "1"));
-  test::wait_for_rows(stopped);
+  Process running(longer_run(stopped, "1"));
+  wait_for_rows(stopped);
   running.send(signal);
   const Finished f = running.wait();
   EXPECT_EQ(f.status, 1);
@@ -43,8 +32,8 @@ void stop_and_resume(int signal)
   EXPECT_EQ(resumed.status, 0) << resumed.err;
   EXPECT_THAT(resumed.out, AllOf(StartsWith("resuming " + stopped + " at t = "), HasSubstr("solved in ")));
   EXPECT_EQ(nlohmann::json::parse(text_of(stopped + "/summary.json")).at("finished"), true);
-  ASSERT_EQ(test::terp(test::longer_run(whole, "1")).status, 0);
-  test::expect_same_results(whole, stopped, "/checkpoint_000001320.h5");
+  ASSERT_EQ(test::terp(longer_run(whole, "1")).status, 0);
+  expect_same_results(whole, stopped, "/checkpoint_000001320.h5");
 }
 
 TEST(Resume, AfterCtrlCEndsInTheResultsOfARunThatWasNotStopped) { stop_and_resume(SIGINT); }
@@ -55,7 +44,7 @@ TEST(Resume, AfterSighupEndsInTheResultsOfARunThatWasNotStopped) { stop_and_resu
 
 TEST(Resume, FromACheckpointThatIsNamedEndsInTheSameResults)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string whole = scratch.path() + "/whole", again = scratch.path() + "/again";
   ASSERT_EQ(
       run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.mesh=true"}).status,
@@ -64,13 +53,13 @@ TEST(Resume, FromACheckpointThatIsNamedEndsInTheSameResults)
   const Finished f = test::terp({"resume", again + "/checkpoint_000000033.h5", "-j", "1"});
   EXPECT_EQ(f.status, 0) << f.err;
   EXPECT_THAT(f.out, HasSubstr("step 33 of 66\n"));
-  test::expect_same_results(whole, again, last_checkpoint);
+  expect_same_results(whole, again, last_checkpoint);
   EXPECT_EQ(text_of(whole + "/mesh.vtkhdf.series"), text_of(again + "/mesh.vtkhdf.series"));
 }
 
 TEST(Resume, SkipsADamagedCheckpointAndSaysSo)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";
   ASSERT_EQ(run_column(folder, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}"}).status, 0);
   std::filesystem::resize_file(folder + last_checkpoint, 1000);
@@ -82,7 +71,7 @@ TEST(Resume, SkipsADamagedCheckpointAndSaysSo)
 
 TEST(Resume, WithoutARunOrACheckpointFails)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const Finished nowhere = test::terp({"resume", scratch.path() + "/none"});
   EXPECT_EQ(nowhere.status, 1);
   EXPECT_EQ(nowhere.err, "error: " + scratch.path() + "/none: no such run folder\n");
@@ -96,8 +85,8 @@ TEST(Resume, WithoutARunOrACheckpointFails)
 
 TEST(Resume, OfACaseFileSaysWhatItTakesAndWhatRunIsFor)
 {
-  const test::ScratchFolder scratch;
-  test::write_text(scratch.path() + "/base.toml", "");
+  const ScratchFolder scratch;
+  write_text(scratch.path() + "/base.toml", "");
   const Finished f = test::terp({"resume", "base.toml"}, scratch.path());
   EXPECT_EQ(f.status, 2);
   EXPECT_EQ(f.err,
@@ -113,7 +102,7 @@ TEST(Resume, OfACaseFileSaysWhatItTakesAndWhatRunIsFor)
 
 TEST(Resume, WhereAFileOfTheRunIsMissingOrShortIsRefused)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string whole = scratch.path() + "/whole";
   ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set",
                                   "output.fields.every=0.05", "--set", "output.mesh=true"})
@@ -124,23 +113,23 @@ TEST(Resume, WhereAFileOfTheRunIsMissingOrShortIsRefused)
     const std::string folder = scratch.path() + "/no_" + name;
     std::filesystem::copy(whole, folder, std::filesystem::copy_options::recursive);
     std::filesystem::remove(folder + "/" + name);
-    const auto before = test::names_in(folder);
+    const auto before = names_in(folder);
     const Finished f = test::terp({"resume", folder});
     EXPECT_EQ(f.status, 1) << name;
     EXPECT_THAT(f.err, StartsWith("error: cannot resume from step 33, t = 0.1 s, without all of " + folder + "/" +
                                   name + ": it is missing\n"));
-    EXPECT_EQ(test::names_in(folder), before);
+    EXPECT_EQ(names_in(folder), before);
   }
   const std::string ledger = text_of(whole + "/ledger.csv");
-  test::write_text(whole + "/ledger.csv", ledger.substr(0, ledger.find("\n0.06") + 1));
+  write_text(whole + "/ledger.csv", ledger.substr(0, ledger.find("\n0.06") + 1));
   EXPECT_THAT(test::terp({"resume", whole}).err, HasSubstr("/ledger.csv: it holds 6 rows up to there, 11 are due\n"));
-  test::write_text(whole + "/ledger.csv", ledger);
+  write_text(whole + "/ledger.csv", ledger);
   EXPECT_EQ(test::terp({"resume", whole, "-q", "-j", "1"}).status, 0);
 }
 
 TEST(Resume, WhereAFolderOrAPipeStandsForAFileOfTheRunIsRefused)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string whole = scratch.path() + "/whole";
   ASSERT_EQ(
       run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set", "output.mesh=true"}).status,
@@ -167,7 +156,7 @@ TEST(Resume, WhereAFolderOrAPipeStandsForAFileOfTheRunIsRefused)
 
 TEST(Resume, WhereFramesWereCutNamesThemAndGoesOn)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string whole = scratch.path() + "/whole", folder = scratch.path() + "/cut",
                     cut = folder + "/frames/points_00001.vtkhdf";
   ASSERT_EQ(run_column(whole, {"-q", "--set", "output.checkpoint={every=0.1, keep=0}", "--set",
@@ -182,30 +171,30 @@ TEST(Resume, WhereFramesWereCutNamesThemAndGoesOn)
   EXPECT_EQ(f.status, 0);
   EXPECT_THAT(f.err, AllOf(HasSubstr("warning: " + cut + " is damaged; the run goes on without it: cannot read " + cut),
                          HasSubstr("warning: " + folder + "/mesh.vtkhdf is damaged; it is written again")));
-  auto expected = test::frames_of(whole);
-  const auto seen = test::frames_of(folder);
+  auto expected = frames_of(whole);
+  const auto seen = frames_of(folder);
   expected["points_00001.vtkhdf"] = seen.at("points_00001.vtkhdf");
   EXPECT_TRUE(seen == expected);
   EXPECT_TRUE(text_of(folder + "/mesh.vtkhdf") == text_of(whole + "/mesh.vtkhdf"));
-  EXPECT_THAT(text_of(folder + "/results.vtkhdf.series"), testing::Not(HasSubstr("points_00001")));
+  EXPECT_THAT(text_of(folder + "/results.vtkhdf.series"), Not(HasSubstr("points_00001")));
   EXPECT_THAT(test::terp({"export", folder, "-o", scratch.path() + "/csv"}).err,
       HasSubstr("warning: " + cut + " is left out: cannot read " + cut));
 }
 
 TEST(Resume, WithAFileOfAnotherRunOfTheSameSizeIsRefused)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run", other = scratch.path() + "/other";
   ASSERT_EQ(run_column(folder, {"-q"}).status, 0);
   ASSERT_EQ(run_column(other, {"-q", "--set", "material.clay.eta=40"}).status, 0);
   for (const std::string name : {"/frames/points_00000.vtkhdf", "/history.csv", "/ledger.csv"}) {
     const std::string ours = text_of(folder + name);
-    test::write_text(folder + name, text_of(other + name));
+    write_text(folder + name, text_of(other + name));
     const Finished f = test::terp({"resume", folder});
     EXPECT_EQ(f.status, 1) << name;
     EXPECT_THAT(f.err, AllOf(StartsWith("error: cannot resume from step 66, t = 0.2 s: " + folder + name + " is "),
                            HasSubstr("Nothing was changed")));
-    test::write_text(folder + name, ours);
+    write_text(folder + name, ours);
   }
   EXPECT_EQ(test::terp({"resume", folder, "-q"}).status, 0);
 }
@@ -214,17 +203,17 @@ TEST(Resume, WithAFileOfAnotherRunOfTheSameSizeIsRefused)
 void edit_case(const std::string& folder, const std::string& from, const std::string& to)
 {
   std::string text = text_of(folder + "/case.toml");
-  test::write_text(folder + "/case.toml", text.replace(text.find(from), from.size(), to));
+  write_text(folder + "/case.toml", text.replace(text.find(from), from.size(), to));
 }
 
 TEST(Resume, OfACaseThatWasChangedIsRefusedWithWhatChanged)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";
   ASSERT_EQ(run_column(folder, {"-q"}).status, 0);
   edit_case(folder, "[5, 5]", "[4, 4]");
   edit_case(folder, "eta = 50.0", "eta = 40.0  # softer");
-  const auto before = test::names_in(folder);
+  const auto before = names_in(folder);
   const Finished f = test::terp({"resume", folder});
   EXPECT_EQ(f.status, 1);
   EXPECT_EQ(f.err, "error: cannot resume from step 66: " + folder +
@@ -235,7 +224,7 @@ TEST(Resume, OfACaseThatWasChangedIsRefusedWithWhatChanged)
                        folder +
                        "/case.toml -o NEW_FOLDER\n"
                        "  These may change: title, time.end, output.fields.every, output.checkpoint\n");
-  EXPECT_EQ(test::names_in(folder), before);
+  EXPECT_EQ(names_in(folder), before);
   edit_case(folder, "[4, 4]", "5");
   edit_case(folder, "eta = 40.0", "eta = 5.0e1");
   EXPECT_EQ(test::terp({"resume", folder, "-q"}).status, 0);
@@ -243,7 +232,7 @@ TEST(Resume, OfACaseThatWasChangedIsRefusedWithWhatChanged)
 
 TEST(Resume, WithALaterEndGoesOnInTheSameTimeStepWithoutGapOrDoubleRows)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run", whole = scratch.path() + "/whole";
   ASSERT_EQ(run_column(folder, {"-q", "--set", "output.fields.every=0.05"}).status, 0);
   ASSERT_EQ(run_column(whole, {"-q", "--set", "output.fields.every=0.05", "--set", "time.end=0.4"}).status, 0);
@@ -252,8 +241,7 @@ TEST(Resume, WithALaterEndGoesOnInTheSameTimeStepWithoutGapOrDoubleRows)
   EXPECT_EQ(f.status, 0) << f.err;
   EXPECT_THAT(
       f.out, AllOf(HasSubstr("step 66 of 132\n"), HasSubstr("  from here on with another time.end (0.2, now 0.4)\n")));
-  test::expect_same_results(
-      whole, folder, "/checkpoint_000000132.h5");  // 0.4 s are just twice as many of the same steps
+  expect_same_results(whole, folder, "/checkpoint_000000132.h5");  // 0.4 s are just twice as many of the same steps
   edit_case(folder, "end = 0.4", "end = 0.401");
   EXPECT_THAT(test::terp({"resume", folder, "-j", "1"}).out, HasSubstr("step 132 of 133\n"));
   edit_case(folder, "end = 0.401", "end = 0.3");
@@ -264,10 +252,10 @@ TEST(Resume, WithALaterEndGoesOnInTheSameTimeStepWithoutGapOrDoubleRows)
 
 TEST(Resume, SaysFirstThatAnotherTerpIsWriting)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";
-  test::Process running(test::longer_run(folder, "1"));
-  test::wait_for_rows(folder);
+  Process running(longer_run(folder, "1"));
+  wait_for_rows(folder);
   const std::string refused = "error: another terp is writing to the run folder " + folder + "\n";
   EXPECT_EQ(test::terp({"resume", folder}).err, refused);  // though there is no checkpoint yet
   std::filesystem::remove(folder + "/case.toml");
@@ -275,4 +263,3 @@ TEST(Resume, SaysFirstThatAnotherTerpIsWriting)
 }
 
 }  // namespace
-}  // namespace terp

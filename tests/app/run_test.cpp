@@ -3,34 +3,23 @@
 #include "app/same_results.hpp"
 #include "output/checkpoint.hpp"
 #include "output/small_disk.hpp"
-
-#include <algorithm>
+#include "support/test.hpp"
 #include <chrono>
 #include <csignal>
-#include <filesystem>
 #include <thread>
-#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
 
 /// For the leak sanitizer: HDF5 1.10 itself loses memory.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
 
-namespace terp {
 namespace {
 
-using test::Finished;
-using test::run_column;
-using test::text_of;
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::StartsWith;
 const std::string last_checkpoint = "/checkpoint_000000066.h5";
 
 TEST(Run, LeavesAllItsFilesAndSaysWhereTheyAre)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";
   const Finished f = run_column(folder);
   EXPECT_EQ(f.status, 0);
@@ -39,9 +28,9 @@ TEST(Run, LeavesAllItsFilesAndSaysWhereTheyAre)
       AllOf(HasSubstr("solved in "), HasSubstr(": 1600 points, 66 steps of 0.00303 s, "), HasSubstr(" on 1 thread\n"),
           HasSubstr("points lost: 0; put back at walls: 0; left through open sides: 0\n"),
           HasSubstr("results in " + folder + "\n")));
-  EXPECT_THAT(test::names_in(folder), testing::IsSupersetOf({"case.toml", "checkpoint_000000066.h5", "history.csv",
-                                          "ledger.csv", "mesh.vtkhdf", "results.vtkhdf.series", "summary.json"}));
-  EXPECT_THAT(test::names_in(folder + "/frames"), testing::Contains("points_00000.vtkhdf"));
+  EXPECT_THAT(names_in(folder), testing::IsSupersetOf({"case.toml", "checkpoint_000000066.h5", "history.csv",
+                                    "ledger.csv", "mesh.vtkhdf", "results.vtkhdf.series", "summary.json"}));
+  EXPECT_THAT(names_in(folder + "/frames"), Contains("points_00000.vtkhdf"));
   const auto summary = nlohmann::json::parse(text_of(folder + "/summary.json"));
   EXPECT_EQ(summary.at("finished"), true);
   EXPECT_EQ(summary.at("steps"), 66);
@@ -52,14 +41,14 @@ TEST(Run, LeavesAllItsFilesAndSaysWhereTheyAre)
 
 TEST(Run, GoesToRunsAndTheNameOfTheCaseByDefault)
 {
-  const test::ScratchFolder scratch;
-  EXPECT_EQ(test::terp(test::column_command("run", {"-q"}), scratch.path()).status, 0);
+  const ScratchFolder scratch;
+  EXPECT_EQ(test::terp(column_command("run", {"-q"}), scratch.path()).status, 0);
   EXPECT_TRUE(std::filesystem::exists(scratch.path() + "/runs/model_2/summary.json"));
 }
 
 TEST(Run, NotOnATerminalTellsPlainLinesWithoutControlCharacters)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const Finished f = run_column(scratch.path() + "/run");
   EXPECT_TRUE(std::all_of(f.out.begin(), f.out.end(), [](unsigned char c) { return c == '\n' || c >= ' '; }));
   EXPECT_THAT(f.out, HasSubstr("100.0 %  t = 0.200 of 0.2 s  step 66 of 66  "));
@@ -68,9 +57,9 @@ TEST(Run, NotOnATerminalTellsPlainLinesWithoutControlCharacters)
 
 TEST(Run, OnATerminalTellsItsProgressInOneLineThatIsWrittenAnew)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   if (std::system("command -v script > /dev/null") != 0) GTEST_SKIP() << "needs script(1)";
-  const std::string command = "script -qec '" + test::program() + " run " + test::column_file +
+  const std::string command = "script -qec '" + program() + " run " + column_file +
                               " --set mesh.cell=0.5 --set time.end=0.2 -j 1 -o " + scratch.path() +
                               "/run' /dev/null < /dev/null > " + scratch.path() + "/seen";
   ASSERT_EQ(std::system(command.c_str()), 0);
@@ -80,7 +69,7 @@ TEST(Run, OnATerminalTellsItsProgressInOneLineThatIsWrittenAnew)
 
 TEST(Run, QuietSaysNothing)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const Finished f = run_column(scratch.path() + "/run", {"-q"});
   EXPECT_EQ(f.status, 0);
   EXPECT_EQ(f.out + f.err, "");
@@ -88,7 +77,7 @@ TEST(Run, QuietSaysNothing)
 
 TEST(Run, VerboseTellsTheTimeOfEachPass)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const Finished f = run_column(scratch.path() + "/run", {"-v"});
   for (const char* pass : {"points to cells", "nodes", "cells to points", "velocities", "stress", "move"})
     EXPECT_THAT(f.out, HasSubstr(pass));
@@ -96,7 +85,7 @@ TEST(Run, VerboseTellsTheTimeOfEachPass)
 
 TEST(Run, DoesNotTouchAnEarlierRunWithoutForce)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";
   ASSERT_EQ(run_column(folder).status, 0);
   const std::string summary = text_of(folder + "/summary.json"), checkpoint = text_of(folder + last_checkpoint);
@@ -111,10 +100,10 @@ TEST(Run, DoesNotTouchAnEarlierRunWithoutForce)
 
 TEST(Run, OfABadCaseNamesFileAndLineAndLeavesNothing)
 {
-  const test::ScratchFolder scratch;
-  std::string text = text_of(test::column_file);
+  const ScratchFolder scratch;
+  std::string text = text_of(column_file);
   text.replace(text.find("su_residual   = 2.0e3"), 11, "su_resdiual");
-  test::write_text(scratch.path() + "/bad.toml", text);
+  write_text(scratch.path() + "/bad.toml", text);
   const auto line =
       1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find("su_resdiual")), '\n');
   const Finished f = test::terp({"run", "bad.toml", "-o", "run"}, scratch.path());
@@ -122,7 +111,7 @@ TEST(Run, OfABadCaseNamesFileAndLineAndLeavesNothing)
   EXPECT_EQ(f.out, "");
   EXPECT_THAT(f.err, AllOf(StartsWith("error: bad.toml:" + std::to_string(line) + ":1: unknown key `su_resdiual`"),
                          HasSubstr("Did you mean `su_residual`?"), HasSubstr("nothing was run")));
-  EXPECT_THAT(test::names_in(scratch.path()), ElementsAre("bad.toml"));
+  EXPECT_THAT(names_in(scratch.path()), ElementsAre("bad.toml"));
 }
 
 TEST(Run, OfAFileThatIsNotThereIsBadInput)
@@ -134,8 +123,8 @@ TEST(Run, OfAFileThatIsNotThereIsBadInput)
 
 TEST(Run, IntoAPlaceThatIsNoFolderFails)
 {
-  const test::ScratchFolder scratch;
-  test::write_text(scratch.path() + "/file", "mine");
+  const ScratchFolder scratch;
+  write_text(scratch.path() + "/file", "mine");
   const Finished f = run_column(scratch.path() + "/file/run");
   EXPECT_EQ(f.status, 1);
   EXPECT_THAT(f.err, AllOf(StartsWith("error: "), HasSubstr(scratch.path() + "/file")));
@@ -144,7 +133,7 @@ TEST(Run, IntoAPlaceThatIsNoFolderFails)
 
 TEST(Run, OnAFullDiskFailsWithThePathAndTheReason)
 {
-  const test::SmallDisk disk(600 * 1024);  // less than the first frame and a checkpoint
+  const SmallDisk disk(600 * 1024);  // less than the first frame and a checkpoint
   if (!disk.is_there()) GTEST_SKIP() << "needs the right to mount a tmpfs";
   const std::string folder = disk.path() + "/run";
   const Finished f = run_column(folder, {"--set", "output.fields.every=0.01"});
@@ -156,44 +145,44 @@ TEST(Run, OnAFullDiskFailsWithThePathAndTheReason)
 
 TEST(Run, OnADiskThatFillsUpSaysHowToGoOnAndCanGoOn)
 {
-  const test::SmallDisk disk(26 << 20);
+  const SmallDisk disk(26 << 20);
   if (!disk.is_there()) GTEST_SKIP() << "needs the right to mount a tmpfs";
   const std::string folder = disk.path() + "/run", filler = disk.path() + "/mine";
   const std::vector<std::string> often{
       "-q", "--set", "output.fields.every=0.01", "--set", "output.checkpoint.every=0.03"};
-  test::write_text(filler, std::string((24 << 20) + (1 << 19), 'x'));
+  write_text(filler, std::string((24 << 20) + (1 << 19), 'x'));
   const Finished f = run_column(folder, often);
   EXPECT_EQ(f.status, 1);
-  EXPECT_THAT(f.err, testing::MatchesRegex("error: cannot write " + folder +
-                                           "/[a-z0-9_./]+: No space left on device\n"
-                                           "  Earlier results are intact, up to the checkpoint at t = 0[.][0-9]+ s. "
-                                           "Make room on the disk, or mend what is told above, then go on with:\n"
-                                           "  terp resume " +
-                                           folder + "\n"));
+  EXPECT_THAT(f.err, MatchesRegex("error: cannot write " + folder +
+                                  "/[a-z0-9_./]+: No space left on device\n"
+                                  "  Earlier results are intact, up to the checkpoint at t = 0[.][0-9]+ s. "
+                                  "Make room on the disk, or mend what is told above, then go on with:\n"
+                                  "  terp resume " +
+                                  folder + "\n"));
   std::filesystem::remove(filler);
   const Finished resumed = test::terp({"resume", folder, "-q", "-j", "1"});
   EXPECT_EQ(resumed.status, 0) << resumed.err;
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   ASSERT_EQ(run_column(scratch.path() + "/run", often).status, 0);
   EXPECT_EQ(text_of(folder + "/ledger.csv"), text_of(scratch.path() + "/run/ledger.csv"));
 }
 
 TEST(Run, ThatStopsItselfHasAStatusOfItsOwnAndKeepsItsState)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";
   const Finished f = run_column(
       folder, {"--set", "body[0].velocity=[60.0, 0.0]", "--set", "boundary.right=\"free\"", "--set", "time.end=0.3"});
   EXPECT_EQ(f.status, 3);
   EXPECT_THAT(f.err,
       AllOf(HasSubstr("points had to be put back at the walls"), HasSubstr("  saved    " + folder + "/failed_")));
-  EXPECT_THAT(test::names_in(folder), testing::Contains(StartsWith("failed_")));
+  EXPECT_THAT(names_in(folder), Contains(StartsWith("failed_")));
   EXPECT_EQ(nlohmann::json::parse(text_of(folder + "/summary.json")).at("finished"), false);
 }
 
 TEST(Run, SaysWhenSoilCameToASideOfTheMesh)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";  // the column from 0 to 8 m, a wall 1 m before it
   const Finished f =
       run_column(folder, {"-q", "--set", "body[0].velocity=[8.0, 0.0]", "--set", "mesh.size=[9.5, 3.0]"});
@@ -202,41 +191,41 @@ TEST(Run, SaysWhenSoilCameToASideOfTheMesh)
   ASSERT_EQ(reached.size(), 1u) << reached;
   EXPECT_EQ(reached[0].at("side"), "right");
   EXPECT_NEAR(reached[0].at("time").get<double>(), 1.05 / 8.0, 0.02);
-  EXPECT_THAT(f.err, testing::ContainsRegex("warning: [^ ]*: soil came to the side `right` of the mesh by t = 0.1"));
+  EXPECT_THAT(f.err, ContainsRegex("warning: [^ ]*: soil came to the side `right` of the mesh by t = 0.1"));
 }
 
 TEST(Run, OnTwoThreadsGivesTheResultsOfOne)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string one = scratch.path() + "/one", two = scratch.path() + "/two";
   ASSERT_EQ(run_column(one, {"-q"}).status, 0);
-  std::vector<std::string> words = test::column_command("run", {"-o", two, "-q"});
+  std::vector<std::string> words = column_command("run", {"-o", two, "-q"});
   *(std::find(words.begin(), words.end(), "-j") + 1) = "2";
   ASSERT_EQ(test::terp(words).status, 0);
-  test::expect_same_results(one, two, last_checkpoint);
+  expect_same_results(one, two, last_checkpoint);
 }
 
 TEST(Run, OfTheCaseInARunFolderRepeatsIt)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string first = scratch.path() + "/first", again = scratch.path() + "/again";
   ASSERT_EQ(run_column(first, {"-q"}).status, 0);
   ASSERT_EQ(test::terp({"run", first + "/case.toml", "-o", again, "-q", "-j", "1"}).status, 0);
-  test::expect_same_results(first, again, last_checkpoint);
+  expect_same_results(first, again, last_checkpoint);
 }
 
 /// A run without checkpoints of its own gets this signal several times, as from GNU timeout, and keeps its work.
 void stop_with_repeated(int signal)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";
-  test::Process running(test::longer_run(folder, "1"));
-  test::wait_for_rows(folder);
+  Process running(longer_run(folder, "1"));
+  wait_for_rows(folder);
   for (int k = 0; k < 8; ++k) running.send(signal), ::usleep(4000);
   const Finished f = running.wait();
   EXPECT_EQ(f.status, 1) << signal;
   EXPECT_THAT(f.out, HasSubstr("a checkpoint is written")) << signal;
-  EXPECT_THAT(test::names_in(folder), testing::Contains(StartsWith("checkpoint_"))) << signal;
+  EXPECT_THAT(names_in(folder), Contains(StartsWith("checkpoint_"))) << signal;
 }
 
 TEST(Run, KeepsItsWorkWhenASignalComesMoreThanOnce) { stop_with_repeated(SIGTERM); }
@@ -248,16 +237,15 @@ TEST(Run, KeepsItsWorkOnTheSignalsOfBatchSystems)
 
 TEST(Run, EqualRunsLeaveEqualFilesButForTheSummary)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string one = scratch.path() + "/one", two = scratch.path() + "/two";
   for (const auto& folder : {one, two}) ASSERT_EQ(run_column(folder, {"-q", "--set", "output.mesh=true"}).status, 0);
-  for (const std::string& name : test::names_in(one)) {
+  for (const std::string& name : names_in(one)) {
     if (name == "summary.json" || name == "frames") continue;
     EXPECT_TRUE(text_of(one + "/" + name) == text_of(two + "/" + name)) << name;
   }
-  EXPECT_TRUE(test::frames_of(one) == test::frames_of(two));
-  EXPECT_THAT(test::frames_of(one), testing::SizeIs(testing::Gt(3)));
+  EXPECT_TRUE(frames_of(one) == frames_of(two));
+  EXPECT_THAT(frames_of(one), SizeIs(testing::Gt(3)));
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,14 +1,10 @@
 // Which signals ask a run to stop, and which end it at once.
 #include "stop.hpp"
-
+#include "support/test.hpp"
 #include <csignal>
-#include <vector>
-
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace terp {
 namespace {
 
 struct Sent {
@@ -64,4 +60,3 @@ TEST(Stop, ALaterKeyPressEndsTheProgramAtOnce)
 }
 
 }  // namespace
-}  // namespace terp

@@ -2,10 +2,8 @@
 #include "app/same_results.hpp"
 #include "output/small_disk.hpp"
 #include "support/without_threads.hpp"
-
+#include "support/test.hpp"
 #include <csignal>
-#include <filesystem>
-
 #include <fcntl.h>
 #include <pty.h>
 #include <sys/mount.h>
@@ -13,16 +11,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 namespace fs = std::filesystem;
-using test::Finished;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::StartsWith;
 
 /// As long as it lives, no program that is started may make a file longer than n_bytes (ulimit -f).
 class FileSizeLimit {
@@ -52,7 +43,7 @@ void wait_for_checkpoint(const std::string& folder)
     return name.starts_with("checkpoint_") && name.ends_with(".h5");
   };
   for (int k = 0; k < 6000; ++k) {
-    const auto names = fs::exists(folder) ? test::names_in(folder) : std::vector<std::string>{};
+    const auto names = fs::exists(folder) ? names_in(folder) : std::vector<std::string>{};
     if (std::any_of(names.begin(), names.end(), is_checkpoint)) return;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
@@ -62,19 +53,19 @@ void wait_for_checkpoint(const std::string& folder)
 /// What terp says on standard error where it can start no thread beside its own.
 std::string said_without_threads(std::vector<std::string> words)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   fs::permissions(scratch.path(), fs::perms::all);  // the child is another user
-  words.insert(words.begin(), test::program());
+  words.insert(words.begin(), program());
   words.insert(words.end(), {"-o", "run"});
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
-  test::status_without_threads([&] {
+  status_without_threads([&] {
     const int file = ::open((scratch.path() + "/err").c_str(), O_WRONLY | O_CREAT, 0600);
     if (::dup2(file, STDERR_FILENO) < 0 || ::chdir(scratch.path().c_str()) != 0) return 126;
     return ::execv(argv[0], argv.data());
   });
-  return test::text_of(scratch.path() + "/err");
+  return text_of(scratch.path() + "/err");
 }
 
 TEST(Trouble, MissingThreadsAreAWarningOfEveryCommandThatSolves)
@@ -82,7 +73,7 @@ TEST(Trouble, MissingThreadsAreAWarningOfEveryCommandThatSolves)
   const std::string warning =
       "warning: the system granted 1 of 2 threads (ulimit -u); the results are the same, the run takes longer\n";
   for (const std::string command : {"run", "stability"}) {
-    std::vector<std::string> words = test::column_command(command, {"-q"});
+    std::vector<std::string> words = column_command(command, {"-q"});
     std::ranges::replace(words, std::string("1"), std::string("2"));  // -j 2
     if (command == "stability") words.insert(words.end(), {"--windows", "3", "--to", "1.5"});
     const std::string said = said_without_threads(words);
@@ -93,10 +84,10 @@ TEST(Trouble, MissingThreadsAreAWarningOfEveryCommandThatSolves)
 
 TEST(Trouble, AReadOnlyDiskIsRefusedBeforeAnythingRuns)
 {
-  const test::SmallDisk disk(1 << 20);
+  const SmallDisk disk(1 << 20);
   if (!disk.is_there()) GTEST_SKIP() << "needs the right to mount a tmpfs";
   ASSERT_EQ(::mount("none", disk.path().c_str(), nullptr, MS_REMOUNT | MS_RDONLY, nullptr), 0);
-  const Finished f = test::run_column(disk.path() + "/run");
+  const Finished f = run_column(disk.path() + "/run");
   EXPECT_EQ(f.status, 1);
   EXPECT_EQ(f.out, "");
   EXPECT_EQ(f.err, "error: cannot make the run folder " + disk.path() + "/run: Read-only file system\n");
@@ -104,13 +95,13 @@ TEST(Trouble, AReadOnlyDiskIsRefusedBeforeAnythingRuns)
 
 TEST(Trouble, AFileThatMayGrowNoMoreIsAnErrorAndTheRunCanGoOn)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run", whole = scratch.path() + "/whole";
   std::vector<std::string> half = often;
   half.insert(half.end(), {"--set", "time.end=0.1"});
-  ASSERT_EQ(test::run_column(folder, half).status, 0);
-  std::string text = test::text_of(folder + "/case.toml");
-  test::write_text(folder + "/case.toml", text.replace(text.find("end = 0.1"), 9, "end = 0.2"));
+  ASSERT_EQ(run_column(folder, half).status, 0);
+  std::string text = text_of(folder + "/case.toml");
+  write_text(folder + "/case.toml", text.replace(text.find("end = 0.1"), 9, "end = 0.2"));
   Finished f;
   {
     const FileSizeLimit limit(40 << 10);  // more than the tables, less than a frame
@@ -122,23 +113,23 @@ TEST(Trouble, AFileThatMayGrowNoMoreIsAnErrorAndTheRunCanGoOn)
                          HasSubstr("terp resume " + folder)));
   const Finished resumed = test::terp({"resume", folder, "-q", "-j", "2"});
   EXPECT_EQ(resumed.status, 0) << resumed.err;
-  ASSERT_EQ(test::run_column(whole, often).status, 0);
-  test::expect_same_results(whole, folder, "/checkpoint_000000066.h5");
+  ASSERT_EQ(run_column(whole, often).status, 0);
+  expect_same_results(whole, folder, "/checkpoint_000000066.h5");
 }
 
 TEST(Trouble, ResultsThatCannotBeWrittenAnyMoreEndTheRunAndItCanGoOn)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run", whole = scratch.path() + "/whole",
                     aside = scratch.path() + "/aside";
   const std::vector<std::string> more{
       "--set", "time.end=0.6", "--set", "output.fields.every=0.02", "--set", "output.checkpoint.every=0.02"};
-  std::vector<std::string> words = test::longer_run(folder, "1");
+  std::vector<std::string> words = longer_run(folder, "1");
   words.insert(words.end(), more.begin(), more.end());
-  test::Process running(words);
+  Process running(words);
   wait_for_checkpoint(folder);
   fs::rename(folder + "/frames", aside);
-  test::write_text(folder + "/frames", "");
+  write_text(folder + "/frames", "");
   const Finished f = running.wait();
   EXPECT_EQ(f.status, 1);
   EXPECT_THAT(f.err,
@@ -148,17 +139,17 @@ TEST(Trouble, ResultsThatCannotBeWrittenAnyMoreEndTheRunAndItCanGoOn)
   fs::rename(aside, folder + "/frames");
   const Finished resumed = test::terp({"resume", folder, "-q", "-j", "2"});
   EXPECT_EQ(resumed.status, 0) << resumed.err;
-  words = test::longer_run(whole, "1");
+  words = longer_run(whole, "1");
   words.insert(words.end(), more.begin(), more.end());
   ASSERT_EQ(test::terp(words).status, 0);
-  test::expect_same_results(whole, folder, "/checkpoint_000000396.h5");
+  expect_same_results(whole, folder, "/checkpoint_000000396.h5");
 }
 
 TEST(Trouble, AClosedTerminalStopsTheRunWithACheckpoint)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";
-  const std::vector<std::string> words = test::longer_run(folder, "1");
+  const std::vector<std::string> words = longer_run(folder, "1");
   std::string program = test::program();
   std::vector<char*> arguments{program.data()};
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
@@ -169,64 +160,64 @@ TEST(Trouble, AClosedTerminalStopsTheRunWithACheckpoint)
     ::execv(arguments[0], arguments.data());
     ::_exit(127);
   }
-  test::wait_for_rows(folder);
+  wait_for_rows(folder);
   ::close(terminal);
   int status = -1;
   ASSERT_EQ(::waitpid(pid, &status, 0), pid);
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1) << status;
-  const auto summary = test::text_of(folder + "/summary.json");
+  const auto summary = text_of(folder + "/summary.json");
   EXPECT_THAT(summary, HasSubstr("\"finished\": false"));
   EXPECT_TRUE(newest_good_checkpoint(folder).image);
 }
 
 TEST(Trouble, ARunThatWasStartedWithNohupOutlivesItsTerminal)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const auto before = std::signal(SIGHUP, SIG_IGN);  // what nohup does
-  std::vector<std::string> words = test::longer_run(scratch.path() + "/run", "1");
+  std::vector<std::string> words = longer_run(scratch.path() + "/run", "1");
   words.insert(words.end(), {"--set", "time.end=0.6"});
-  test::Process running(words);
+  Process running(words);
   std::signal(SIGHUP, before);
-  test::wait_for_rows(scratch.path() + "/run");
+  wait_for_rows(scratch.path() + "/run");
   running.send(SIGHUP);
   EXPECT_EQ(running.wait().status, 0);
 }
 
 TEST(Trouble, APipeThatNobodyReadsDoesNotEndTheRun)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";
-  std::string command = test::program();
-  for (const std::string& word : test::column_command("run", {"-o", folder})) command += ' ' + word;
+  std::string command = program();
+  for (const std::string& word : column_command("run", {"-o", folder})) command += ' ' + word;
   EXPECT_EQ(std::system(("bash -c '" + command + " | true; exit ${PIPESTATUS[0]}'").c_str()), 0);
-  EXPECT_THAT(test::text_of(folder + "/summary.json"), HasSubstr("\"finished\": true"));
+  EXPECT_THAT(text_of(folder + "/summary.json"), HasSubstr("\"finished\": true"));
 }
 
 TEST(Trouble, AnAnswerThatCannotBePrintedIsAnErrorButARunIsSolved)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const auto status_of = [&](const std::string& words) {
     return WEXITSTATUS(
-        std::system((test::program() + " " + words + " > /dev/full 2> " + scratch.path() + "/errors").c_str()));
+        std::system((program() + " " + words + " > /dev/full 2> " + scratch.path() + "/errors").c_str()));
   };
   for (const std::string words : {"list", "--help", "explain mpm_gp"}) {
     EXPECT_EQ(status_of(words), 1) << words;
-    EXPECT_EQ(test::text_of(scratch.path() + "/errors"),
-        "error: what was to be printed is not complete: No space left on device\n")
+    EXPECT_EQ(
+        text_of(scratch.path() + "/errors"), "error: what was to be printed is not complete: No space left on device\n")
         << words;
   }
   std::string run;
-  for (const std::string& word : test::column_command("run", {"-o", scratch.path() + "/run"})) run += word + ' ';
+  for (const std::string& word : column_command("run", {"-o", scratch.path() + "/run"})) run += word + ' ';
   EXPECT_EQ(status_of(run), 0);
-  EXPECT_THAT(test::text_of(scratch.path() + "/run/summary.json"), HasSubstr("\"finished\": true"));
+  EXPECT_THAT(text_of(scratch.path() + "/run/summary.json"), HasSubstr("\"finished\": true"));
 }
 
 TEST(Trouble, ClosedStandardStreamsLeaveTheTablesAsTheyAre)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const auto run = [&](const std::string& name, const std::string& redirections) {
-    std::string command = test::program();
-    for (const std::string& word : test::column_command("run", {"-v", "-o", scratch.path() + "/" + name}))
+    std::string command = program();
+    for (const std::string& word : column_command("run", {"-v", "-o", scratch.path() + "/" + name}))
       command += ' ' + word;
     return std::system((command + redirections).c_str());
   };
@@ -235,23 +226,22 @@ TEST(Trouble, ClosedStandardStreamsLeaveTheTablesAsTheyAre)
     const std::string name = "closed" + std::to_string(closed.size());
     EXPECT_EQ(run(name, closed), 0) << closed;
     for (const char* table : {"/ledger.csv", "/history.csv", "/case.toml"})
-      EXPECT_EQ(test::text_of(scratch.path() + "/" + name + table), test::text_of(scratch.path() + "/open" + table))
+      EXPECT_EQ(text_of(scratch.path() + "/" + name + table), text_of(scratch.path() + "/open" + table))
           << table << closed;
   }
 }
 
 TEST(Trouble, WhatAKillLeavesUnderTemporaryNamesIsRemovedByResume)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/run";
-  ASSERT_EQ(test::run_column(folder, often).status, 0);
+  ASSERT_EQ(run_column(folder, often).status, 0);
   for (const char* name : {"/frames/points_00003.vtkhdf.tmp", "/checkpoint_000000033.h5.tmp"})
-    test::write_text(folder + name, "cut short");
+    write_text(folder + name, "cut short");
   const Finished resumed = test::terp({"resume", folder, "-q", "-j", "1"});
   EXPECT_EQ(resumed.status, 0) << resumed.err;
   for (const std::string& in : {folder, folder + "/frames"})
-    for (const std::string& name : test::names_in(in)) EXPECT_FALSE(name.ends_with(".tmp")) << name;
+    for (const std::string& name : names_in(in)) EXPECT_FALSE(name.ends_with(".tmp")) << name;
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,17 +1,9 @@
 // terp verify: what it prints, writes and returns.
 #include "support/process.hpp"
 #include "verification/ledger_samples.hpp"
+#include "support/test.hpp"
 
-#include <filesystem>
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using test::Finished;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
 
 /// Cases in a folder of their own; the block of flying_case moves by 2 m/s for 0.5 s.
 struct Ledger {
@@ -19,7 +11,7 @@ struct Ledger {
   {
     const std::string at = folder.path() + "/" + name;
     std::filesystem::create_directory(at);
-    std::ofstream(at + "/case.toml") << test::flying_case;
+    std::ofstream(at + "/case.toml") << flying_case;
     std::ofstream(at + "/expected.toml") << "title = \"Flight\"\n" << lines;
   }
   Finished verify(std::vector<std::string> words = {}) const
@@ -27,7 +19,7 @@ struct Ledger {
     words.insert(words.begin(), {"verify", "--cases", folder.path(), "-j", "1"});
     return test::terp(words);
   }
-  test::ScratchFolder folder;
+  ScratchFolder folder;
 };
 
 std::string path_is(const std::string& reference, const std::string& more = "")
@@ -71,7 +63,7 @@ TEST(Verify, WritesThePages)
       ledger.verify({"--markdown", page + ".md", "--overview", page + "_short.md", "--html", page + ".html"}).status,
       0);
   EXPECT_TRUE(std::filesystem::file_size(page + ".md") > 100);
-  EXPECT_THAT(test::text_of(page + "_short.md"), HasSubstr("| Flight | 1 | 0 | "));
+  EXPECT_THAT(text_of(page + "_short.md"), HasSubstr("| Flight | 1 | 0 | "));
   EXPECT_TRUE(std::filesystem::file_size(page + ".html") > 500);
 }
 
@@ -131,7 +123,7 @@ TEST(Verify, AnExpectedTomlThatCannotBeReadIsOneRowAndTheOthersAreSolved)
   EXPECT_THAT(f.out, AllOf(HasSubstr("broken: \n"), HasSubstr("broken/expected.toml:6:13: "),
                          HasSubstr("there is no [[quantity]], so nothing would be judged"),
                          HasSubstr("3 rows: 1 pass, 2 red (2 not known: FAIL)")));
-  EXPECT_THAT(test::text_of(page), HasSubstr("expected.toml"));
+  EXPECT_THAT(text_of(page), HasSubstr("expected.toml"));
   EXPECT_THAT(ledger.verify({"--list"}).out, AllOf(HasSubstr("cannot be read\n"), HasSubstr("flight ")));
 }
 
@@ -152,4 +144,3 @@ TEST(Verify, ListsWithoutSolvingAndChoosesByNameAndLength)
 }
 
 }  // namespace
-}  // namespace terp

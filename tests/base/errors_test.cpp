@@ -1,10 +1,7 @@
 // The texts of errors, and that a broken assumption ends the program.
-
 #include "base/errors.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 TEST(InputError, NamesItsFirstProblemAndKeepsThemAll)
@@ -27,4 +24,3 @@ TEST(FailAssert, EndsTheProgramAndAsksForAReport)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,17 +1,9 @@
 // Symmetric tensors against numbers by hand.
-
 #include "base/tensor.hpp"
-
 #include "parallel/pack.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::DoubleNear;
-using testing::ElementsAre;
-using testing::Pointwise;
 
 TEST(SymTensor, TraceAddsTheThreeDirectComponents)
 {
@@ -54,4 +46,3 @@ TEST(SymTensor, ElasticStressIsTheSameInAPackAndAlone)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,18 +1,11 @@
 // Boundary conditions on nodal velocities: rollers, fixed and driven sides, contact planes, corners, inclined sides.
-
 #include "boundary/conditions.hpp"
-
 #include "base/errors.hpp"
 #include "support/meshes.hpp"
+#include "support/problems.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::DoubleEq;
-using testing::DoubleNear;
-using testing::ElementsAre;
 
 constexpr Real mass = 30.0, dt = 0.002;
 
@@ -439,39 +432,27 @@ TEST(TwoParts, OfAContactAndARollerHaveTheStrengthOfTheContact)
 
 TEST(Boundary, NamesASideThatTheMeshDoesNotHave)
 {
-  try {
-    const Boundary boundary(mesh_3x2(), {on("botom", SideKind::roller)});
-    FAIL() << "not refused";
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.problems().at(0).what, "the mesh has no side `botom`");
-    EXPECT_EQ(error.problems().at(0).detail, "Sides of this mesh: left, right, bottom, top");
-    EXPECT_EQ(error.problems().at(0).topic, "boundary");
-    EXPECT_TRUE(error.problems().at(0).at_key);
-  }
+  const auto problems = problems_of([] { Boundary(mesh_3x2(), {on("botom", SideKind::roller)}); });
+  ASSERT_THAT(
+      problems, ElementsAre(told(_, "the mesh has no side `botom`", "Sides of this mesh: left, right, bottom, top")));
+  EXPECT_EQ(problems[0].topic, "boundary");
+  EXPECT_TRUE(problems[0].at_key);
   Mesh<2> nameless = mesh_3x2();
   nameless.sides.clear();
-  try {
-    find_side(nameless, "base");
-    FAIL() << "not refused";
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.problems().at(0).detail,
-        "No side of this mesh has a name. A mesh file names them by physical groups: in gmsh\n"
-        "`Physical Curve(\"base\") = {1, 2};`. In [mesh] of a polygon: edges = { base = [0] }.");
-  }
+  EXPECT_THAT(problems_of([&] { find_side(nameless, "base"); }),
+      ElementsAre(told(_, _,
+          "No side of this mesh has a name. A mesh file names them by physical groups: in gmsh\n"
+          "`Physical Curve(\"base\") = {1, 2};`. In [mesh] of a polygon: edges = { base = [0] }.")));
 }
 
 TEST(Boundary, RefusesAThirdSideAtANode)
 {
   auto mesh = mesh_3x2();
   mesh.sides.push_back({"base left", {{0, 0}}});
-  try {
-    const Boundary boundary(
-        mesh, {on("left", SideKind::roller), on("bottom", SideKind::roller), on("base left", SideKind::roller)});
-    FAIL() << "not refused";
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "boundary.base left: a node lies on more than two sides with conditions");
-  }
+  const std::vector sides{
+      on("left", SideKind::roller), on("bottom", SideKind::roller), on("base left", SideKind::roller)};
+  EXPECT_EQ(refusal<InputError>([&] { Boundary(mesh, sides); }),
+      "boundary.base left: a node lies on more than two sides with conditions");
 }
 
 }  // namespace
-}  // namespace terp

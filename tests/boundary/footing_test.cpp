@@ -1,16 +1,8 @@
 // The displacement of a rigid footing, and its effect on the nodes inside.
 #include "boundary/footing.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-#include <numbers>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::DoubleNear;
-using testing::ElementsAre;
 
 Footing footing()
 {
@@ -88,4 +80,3 @@ TEST(PlacedFooting, SmoothTakesTheComponentAlongItsMotion)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,11 +1,7 @@
 // The table of kinds: each entry is whole and in its place, and its words say what it does.
 #include "boundary/side_kind.hpp"
+#include "support/test.hpp"
 
-#include <gtest/gtest.h>
-
-#include <set>
-
-namespace terp {
 namespace {
 
 TEST(SideKinds, StandInTheOrderOfTheirWordsAndAreWhole)
@@ -76,4 +72,3 @@ TEST(SideKinds, ADrivenSideHasAVelocityOrAFormulaOfOne)
 }
 
 }  // namespace
-}  // namespace terp

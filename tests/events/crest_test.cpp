@@ -1,14 +1,9 @@
 // The crest and the second failure, on histories made by hand.
 #include "events/crest.hpp"
-
 #include "mesh/mesh.hpp"
 #include "support/blocks.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 /// A flat surface of columns of 0.1 m over 8 m, 2 m high: a slide is a retreat of 0.5 m.
@@ -258,7 +253,7 @@ PointBlocks<2> ground(const std::vector<Real>& heights)
   for (std::size_t k = 0; k < heights.size(); ++k)
     for (const Real y : {0.1, heights[k]}) {
       const Location at = locate(mesh, {0.25 + 0.5 * static_cast<Real>(k), y}, 0);
-      test::add_point(mesh, at.cell, {.local = at.local}, points);
+      add_point(mesh, at.cell, {.local = at.local}, points);
     }
   points.update_occupied();
   return points;
@@ -277,8 +272,6 @@ std::vector<Real> crests(const std::vector<Real>& first, const std::vector<Real>
         section, slope, find_standing(section, slope, slopes.size() == 1, surface_heights(mesh, ground(now), eight))));
   return x;
 }
-
-using testing::ElementsAre;
 
 TEST(Crest, StartsAtTheRightEdgeOfTheBody)
 {
@@ -357,4 +350,3 @@ TEST(Slides, OfAMirroredCrestAreMirrored)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,11 +1,7 @@
 // The slopes of sections drawn by hand.
 #include "events/section.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gtest/gtest.h>
-
-namespace terp {
 namespace {
 
 constexpr Real none = -INFINITY;
@@ -91,4 +87,3 @@ TEST(Columns, CoverTheRegionAndNoMore)
 }
 
 }  // namespace
-}  // namespace terp

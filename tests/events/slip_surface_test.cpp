@@ -1,15 +1,10 @@
 // The slip surface as a line, on soil that shears in a band drawn by hand.
 #include "events/slip_surface.hpp"
-
 #include "mesh/mesh.hpp"
 #include "support/blocks.hpp"
-
-#include <cmath>
+#include "support/test.hpp"
 #include <functional>
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 /// A block 8 m wide and 2 m high of cells of 0.25 m with one point each, whose strain grew by f(x).
@@ -21,7 +16,7 @@ struct Soil {
   explicit Soil(const std::function<Real(Vec<2>)>& f)
   {
     for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
-      test::add_point(mesh, cell, {.volume = 0.0625, .id = static_cast<Real>(cell)}, points);
+      add_point(mesh, cell, {.volume = 0.0625, .id = static_cast<Real>(cell)}, points);
       growth.push_back(static_cast<float>(f(mesh.centres[cell])));
     }
     points.update_occupied();
@@ -91,4 +86,3 @@ TEST(SlipSurface, OfABandThatAlternatesFromCellToCellIsStraightOverTheNodes)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,17 +1,10 @@
 #include "events/surface.hpp"
-
 #include "mesh/mesh.hpp"
 #include "support/blocks.hpp"
 #include "support/random.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::ElementsAre;
 
 const Mesh<2> mesh = make_rectangle({0.0, 0.0}, {4.0, 2.0}, {4, 2});
 
@@ -21,7 +14,7 @@ PointBlocks<2> points_at(const std::vector<Vec<2>>& places)
   PointBlocks<2> points(mesh.n_cells(), 0);
   for (const Vec<2>& x : places) {
     const Location at = locate(mesh, x, 0);
-    test::add_point(mesh, at.cell, {.local = at.local}, points);
+    add_point(mesh, at.cell, {.local = at.local}, points);
   }
   points.update_occupied();
   return points;
@@ -56,7 +49,7 @@ TEST(Surface, FrontAndLowestAreTheExtremesOfAllPoints)
 
 TEST(Surface, IsThatOfAllPointsInWhateverOrderTheirCellsCome)
 {
-  test::Random random(5);
+  Random random(5);
   for (int trial = 0; trial < 50; ++trial) {
     std::vector<Vec<2>> places;
     for (int k = 0; k < 60; ++k) places.push_back({random.between(0.0, 4.0), random.between(0.0, 2.0)});
@@ -77,4 +70,3 @@ TEST(Surface, IsThatOfAllPointsInWhateverOrderTheirCellsCome)
 }
 
 }  // namespace
-}  // namespace terp

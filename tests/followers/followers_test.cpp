@@ -1,6 +1,5 @@
 // The list of followers, and the tables of docs/formats.md against what runs report.
 #include "followers/followers.hpp"
-
 #include "output/files.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/run.hpp"
@@ -9,13 +8,9 @@
 #include "support/cases.hpp"
 #include "support/paths.hpp"
 #include "support/simulations.hpp"
-
-#include <set>
-
+#include "support/test.hpp"
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 
-namespace terp {
 namespace {
 
 TEST(Followers, HaveNamesOfTheirOwnAndDescribeWhatTheyReport)
@@ -37,7 +32,7 @@ TEST(Followers, HaveNamesOfTheirOwnAndDescribeWhatTheyReport)
 
 TEST(Followers, PutTheSummaryNumbersThatTheyDeclare)
 {
-  Simulation s = test::followed(test::column("mpm_gp"));
+  Simulation s = followed(column("mpm_gp"));
   const Summary summary = summarise(s.model, s.state);
   std::size_t n_declared = 0;
   for (const FollowerType* type : all_followers())
@@ -64,7 +59,7 @@ const FollowerType counter{.name = "counter",
 
 TEST(Followers, OneAloneIsEnoughForARun)
 {
-  Simulation s = test::followed(test::column("mpm_gp"));
+  Simulation s = followed(column("mpm_gp"));
   s.model.followers = {&counter};
   start_followers(s.model, s.state);
   keep_ledger(s.model, s.state, s.work);
@@ -81,8 +76,8 @@ void expect_table(std::string_view file, std::string_view head, const std::vecto
 {
   std::string block = fmt::format("| {} | unit | meaning |\n|---|---|---|\n", head);
   for (const QuantityInfo& q : quantities) block += fmt::format("| `{}` | {} | {} |\n", q.name, q.unit, q.meaning);
-  const std::string text = read_file(test::source_path("docs/formats.md"));
-  EXPECT_THAT(text, testing::HasSubstr(block)) << "the table of " << file << " must read\n" << block;
+  const std::string text = read_file(source_path("docs/formats.md"));
+  EXPECT_THAT(text, HasSubstr(block)) << "the table of " << file << " must read\n" << block;
 }
 
 TEST(Formats, HaveTheColumnsOfEveryTable)
@@ -100,4 +95,3 @@ TEST(Formats, HaveTheNumbersOfTheSummary)
 }
 
 }  // namespace
-}  // namespace terp

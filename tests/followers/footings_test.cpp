@@ -1,6 +1,5 @@
 // What a footing meets: momentum and energy that it gives, the rows it leaves, and who warns of it.
 #include "simulation/footings.hpp"
-
 #include "simulation/ledger.hpp"
 #include "simulation/run.hpp"
 #include "simulation/setup.hpp"
@@ -8,12 +7,8 @@
 #include "simulation/state_image.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 /// What the first footing has met.
@@ -26,19 +21,16 @@ struct Meter {
 
 Meter meter_of(const State& state)
 {
-  const auto v = test::array_of(state, "followers/footings/meters");
+  const auto v = array_of(state, "followers/footings/meters");
   return {{v.at(0), v[1]}, v[2], {v[3], v[4]}, v[5], v[6]};
 }
 
-TableRow keep_row(Simulation& s) { return test::rows_of(s, "footings").at(0); }
-
-using testing::ElementsAre;
-using testing::HasSubstr;
+TableRow keep_row(Simulation& s) { return rows_of(s, "footings").at(0); }
 
 /// A free block of clay, 2 m x 1 m, that a footing of 1 m width pushes down; cells of 0.25 m.
 Case pushed(const char* scheme, FootingContact contact = FootingContact::rough)
 {
-  Case c = test::free_box(scheme, {1.0, 0.5}, {3.0, 1.5});
+  Case c = free_box(scheme, {1.0, 0.5}, {3.0, 1.5});
   c.time.end = 0.5;
   FootingCase f;
   f.name = "plate";
@@ -50,14 +42,14 @@ Case pushed(const char* scheme, FootingContact contact = FootingContact::rough)
   return c;
 }
 
-class FootingInEveryScheme : public testing::TestWithParam<const char*> {};
+class FootingInEveryScheme : public TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Footings, FootingInEveryScheme, testing::Values("standard_mpm", "mpm_mixed", "mpm_gp"));
 
 TEST_P(FootingInEveryScheme, TheReactionIsTheMomentumThatTheSoilTakes)
 {
-  Simulation s = test::followed(pushed(GetParam()));
-  test::make_steps(s, 200);
-  const Vec<2> p = test::momentum(s.state), impulse = meter_of(s.state).impulse;
+  Simulation s = followed(pushed(GetParam()));
+  make_steps(s, 200);
+  const Vec<2> p = momentum(s.state), impulse = meter_of(s.state).impulse;
   EXPECT_LT(p[1], -10.0);  // of 3980 kg
   EXPECT_NEAR(impulse[1], -p[1], 1e-9 * std::abs(p[1]));
   EXPECT_NEAR(impulse[0], -p[0], 1e-9 * std::abs(p[1]));
@@ -65,8 +57,8 @@ TEST_P(FootingInEveryScheme, TheReactionIsTheMomentumThatTheSoilTakes)
 
 TEST_P(FootingInEveryScheme, ItsWorkIsAllThatBoundariesDoHere)
 {
-  Simulation s = test::followed(pushed(GetParam()));
-  test::make_steps(s, 200);
+  Simulation s = followed(pushed(GetParam()));
+  make_steps(s, 200);
   EXPECT_GT(meter_of(s.state).work, 1.0);
   EXPECT_NEAR(meter_of(s.state).work, s.state.work.boundary, 1e-9 * s.state.work.boundary);
 }
@@ -76,8 +68,8 @@ TEST(Footings, ASmoothOneLetsTheSoilSpreadUnderIt)
   const auto reaction_across = [](FootingContact contact) {
     Case c = pushed("mpm_mixed", contact);
     c.footings[0].low[0] = 2.0;  // on one half: the soil under it moves to the left
-    Simulation s = test::followed(c);
-    test::make_steps(s, 100);
+    Simulation s = followed(c);
+    make_steps(s, 100);
     return meter_of(s.state).impulse;
   };
   EXPECT_EQ(reaction_across(FootingContact::smooth)[0], 0.0);
@@ -90,10 +82,10 @@ TEST(Footings, DampingDoesNotPushWhatAFootingHolds)
   c.footings[0].low = {0.5, 0.0}, c.footings[0].high = {3.5, 2.0};  // all soil
   c.forces.local_damping = 0.7;
   c.forces.gravity = {0.0, -9.81};
-  Simulation s = test::followed(c);
-  test::make_steps(s, 100);
+  Simulation s = followed(c);
+  make_steps(s, 100);
   EXPECT_EQ(s.state.work.damping, 0.0);
-  const Vec<2> p = test::momentum(s.state);
+  const Vec<2> p = momentum(s.state);
   EXPECT_NEAR(p[1], 1990.0 * 2.0 * s.work.footings[0].velocity[1], 1e-6);
   EXPECT_NEAR(meter_of(s.state).impulse[1], -p[1] - 1990.0 * 2.0 * 9.81 * s.state.time,
       1e-6);  // it carries the weight: pulled down
@@ -101,18 +93,18 @@ TEST(Footings, DampingDoesNotPushWhatAFootingHolds)
 
 TEST(Footings, ARowHoldsTheMeanSinceTheRowBefore)
 {
-  Simulation s = test::followed(pushed("mpm_gp"));
+  Simulation s = followed(pushed("mpm_gp"));
   EXPECT_EQ(keep_row(s)["reaction_y"], 0.0);
-  test::make_steps(s, 50);
-  const Real p = test::momentum(s.state)[1], t = s.state.time;
+  make_steps(s, 50);
+  const Real p = momentum(s.state)[1], t = s.state.time;
   TableRow row = keep_row(s);
   EXPECT_EQ(row.text, "plate");
   EXPECT_NEAR(row["reaction_y"], -p / t, 1e-9 * std::abs(p / t));
   EXPECT_EQ(row["displacement_y"], s.model.footings[0].displacement(t)[1]);
   EXPECT_EQ(row["work"], meter_of(s.state).work);
-  test::make_steps(s, 30);
+  make_steps(s, 30);
   row = keep_row(s);
-  EXPECT_NEAR(row["reaction_y"], -(test::momentum(s.state)[1] - p) / (s.state.time - t), 1e-7 * std::abs(p / t));
+  EXPECT_NEAR(row["reaction_y"], -(momentum(s.state)[1] - p) / (s.state.time - t), 1e-7 * std::abs(p / t));
   EXPECT_DOUBLE_EQ(meter_of(s.state).largest, std::max(-p / t, row["reaction_y"]));
   const Summary summary = summarise(s.model, s.state);
   ASSERT_EQ(summary.footings.size(), 1u);
@@ -122,12 +114,12 @@ TEST(Footings, ARowHoldsTheMeanSinceTheRowBefore)
 
 TEST(Footings, SurviveInACheckpoint)
 {
-  Simulation s = test::followed(pushed("mpm_gp"));
-  test::make_steps(s, 20);
+  Simulation s = followed(pushed("mpm_gp"));
+  make_steps(s, 20);
   keep_row(s);
-  test::make_steps(s, 5);
+  make_steps(s, 5);
   const State back = restore(s.model, make_image(s.state));
-  EXPECT_EQ(test::first_difference(make_image(s.state), make_image(back)), "");
+  EXPECT_EQ(first_difference(make_image(s.state), make_image(back)), "");
   const Meter a = meter_of(s.state), b = meter_of(back);
   EXPECT_THAT((std::array{b.impulse[1], b.since, b.reaction[1], b.largest, b.work}),
       ElementsAre(a.impulse[1], a.since, a.reaction[1], a.largest, a.work));
@@ -139,8 +131,8 @@ TEST(Footings, GiveTheSameBitsOnAnyNumberOfThreads)
   const auto meter = [](int threads) {
     Case c = pushed("mpm_gp");
     c.mesh.cell = {0.1, 0.1};
-    Simulation s = test::followed(c, threads);
-    test::make_steps(s, 60);
+    Simulation s = followed(c, threads);
+    make_steps(s, 60);
     return meter_of(s.state).impulse;
   };
   EXPECT_EQ(meter(1), meter(3));
@@ -148,11 +140,11 @@ TEST(Footings, GiveTheSameBitsOnAnyNumberOfThreads)
 
 TEST(Footings, AreAwayWhileTheSoilSettles)
 {
-  Simulation s = test::followed(pushed("mpm_gp"));
+  Simulation s = followed(pushed("mpm_gp"));
   s.work.settling = true;
-  test::make_steps(s, 5);
+  make_steps(s, 5);
   EXPECT_TRUE(s.work.footings.empty());
-  EXPECT_EQ(test::momentum(s.state)[1], 0.0);
+  EXPECT_EQ(momentum(s.state)[1], 0.0);
 }
 
 std::string warnings_of(const Case& c)
@@ -183,4 +175,3 @@ TEST(Footings, OneThatMovesOutOfWhatItHoldsIsToldOf)
 }
 
 }  // namespace
-}  // namespace terp

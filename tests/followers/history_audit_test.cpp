@@ -1,29 +1,26 @@
 // Where the strain history of a point does not obey its law.
 #include "simulation/follower.hpp"
-
 #include "simulation/ledger.hpp"
 #include "simulation/run.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/test.hpp"
 
-#include <gtest/gtest.h>
-
-namespace terp {
 namespace {
 
 using Rows = PointRows<2>;
 
 const std::string audit = "followers/history_audit/";
-std::int64_t n_fell(const Simulation& s) { return test::flags_set(s.state, audit + "fell"); }
-std::int64_t n_rose(const Simulation& s) { return test::flags_set(s.state, audit + "rose"); }
+std::int64_t n_fell(const Simulation& s) { return flags_set(s.state, audit + "fell"); }
+std::int64_t n_rose(const Simulation& s) { return flags_set(s.state, audit + "rose"); }
 
 /// Four points of 0.25 m^2.
-Simulation four_points() { return test::followed(test::clamped_cell("mpm_gp")); }
+Simulation four_points() { return followed(clamped_cell("mpm_gp")); }
 
 /// One row of one point.
 void set(Simulation& s, int id, int row, Real value)
 {
-  test::edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
+  edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
     if (static_cast<int>(block.row(Rows::id)[lane]) == id) block.row(row)[lane] = value;
   });
 }
@@ -37,7 +34,7 @@ TEST(HistoryAudit, RisingPlasticStrainIsNoViolation)
   }
   EXPECT_EQ(n_fell(s), 0);
   EXPECT_EQ(n_rose(s), 0);
-  EXPECT_EQ(test::array_of(s.state, audit + "last_eps_eq_p")[1], 0.02);
+  EXPECT_EQ(array_of(s.state, audit + "last_eps_eq_p")[1], 0.02);
 }
 
 TEST(HistoryAudit, APointWhosePlasticStrainFellIsMarkedForGood)
@@ -66,9 +63,9 @@ TEST(HistoryAudit, RoundOffIsNoViolation)
 TEST(HistoryAudit, AColumnViolatesItsHistoryInMixedAndNotInGp)
 {
   for (const char* scheme : {"mpm_gp", "mpm_mixed"}) {
-    Simulation s = test::followed(test::column(scheme));
+    Simulation s = followed(column(scheme));
     while (s.state.time < 1.0) {
-      test::make_steps(s, 3);
+      make_steps(s, 3);
       keep_ledger(s.model, s.state, s.work);
     }
     const bool mixed = scheme == std::string("mpm_mixed");
@@ -82,4 +79,3 @@ TEST(HistoryAudit, AColumnViolatesItsHistoryInMixedAndNotInGp)
 }
 
 }  // namespace
-}  // namespace terp

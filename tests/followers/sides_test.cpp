@@ -1,25 +1,20 @@
 // When soil comes to the sides of the mesh.
 #include "simulation/follower.hpp"
-
 #include "simulation/ledger.hpp"
 #include "simulation/run.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/state_image.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 /// A box that flies to the right at 10 m/s, 1 m from the side; a cell is 0.25 m, its points are 0.025 m inside its
 /// face.
 Case flying_box()
 {
-  Case c = test::free_box("mpm_gp", {2.0, 0.0}, {3.0, 1.0});
+  Case c = free_box("mpm_gp", {2.0, 0.0}, {3.0, 1.0});
   c.bodies[0].velocity = {10.0, 0.0};
   return c;
 }
@@ -27,7 +22,7 @@ Case flying_box()
 std::vector<ReachedSide> run_until(Real time, Simulation& s)
 {
   while (s.state.time < time) {
-    test::make_steps(s);
+    make_steps(s);
     keep_ledger(s.model, s.state, s.work);
   }
   return summarise(s.model, s.state).reached_sides;
@@ -35,7 +30,7 @@ std::vector<ReachedSide> run_until(Real time, Simulation& s)
 
 TEST(ReachedSides, TheFirstPointInACellAtTheSideIsNoted)
 {
-  Simulation s = test::followed(flying_box());
+  Simulation s = followed(flying_box());
   EXPECT_TRUE(summarise(s.model, s.state).reached_sides.empty());  // the bottom has soil from the start
   EXPECT_TRUE(run_until(0.070, s).empty());                        // 0.75 m + 0.025 m to go
   const auto reached = run_until(0.085, s);
@@ -49,11 +44,11 @@ TEST(ReachedSides, TheFirstPointInACellAtTheSideIsNoted)
 /// Ground of 0.5 m, two cells, to the right side, and a box of four cells that slides over it against that side.
 std::vector<ReachedSide> after_a_slide_over_ground(SideKind kind, Real until)
 {
-  Case c = test::free_box("mpm_gp", {0.0, 0.0}, {4.0, 0.5});
-  c.bodies.push_back(test::body(c.bodies[0].material.c_str(), {2.0, 0.5}, {3.0, 1.5}));
+  Case c = free_box("mpm_gp", {0.0, 0.0}, {4.0, 0.5});
+  c.bodies.push_back(body(c.bodies[0].material.c_str(), {2.0, 0.5}, {3.0, 1.5}));
   c.bodies[1].velocity = {10.0, 0.0};
-  c.sides.push_back(test::side("right", kind));
-  Simulation s = test::followed(c);
+  c.sides.push_back(side("right", kind));
+  Simulation s = followed(c);
   return run_until(until, s);
 }
 
@@ -70,14 +65,14 @@ TEST(ReachedSides, SoilThatRisesWhereSoilLayFromTheStartIsNoted)
 
 TEST(ReachedSides, SoilThatHeavesByACellIsNotToldNorIsWhatSpreadsAlongTheBottom)
 {
-  Case c = test::free_box("mpm_gp", {0.0, 0.0}, {4.0, 0.5});
+  Case c = free_box("mpm_gp", {0.0, 0.0}, {4.0, 0.5});
   c.bodies.push_back(
-      test::body(c.bodies[0].material.c_str(), {2.75, 0.5}, {3.75, 0.75}));  // one cell high, beside the last one
+      body(c.bodies[0].material.c_str(), {2.75, 0.5}, {3.75, 0.75}));  // one cell high, beside the last one
   c.bodies[1].velocity = {10.0, 0.0};
-  Simulation s = test::followed(c);
+  Simulation s = followed(c);
   EXPECT_TRUE(run_until(0.005, s).empty());
   Index last = 0;
-  for (const test::Point& p : test::points_by_id(s.state))
+  for (const Point& p : points_by_id(s.state))
     if (p.x[0] > 3.75 && p.x[1] > 0.5) ++last;
   EXPECT_GT(last, 0);  // and soil is there
 }
@@ -85,14 +80,14 @@ TEST(ReachedSides, SoilThatHeavesByACellIsNotToldNorIsWhatSpreadsAlongTheBottom)
 TEST(ReachedSides, AnOpenSideIsNone)
 {
   Case c = flying_box();
-  c.sides.push_back(test::side("right", SideKind::open));
-  Simulation s = test::followed(c);
+  c.sides.push_back(side("right", SideKind::open));
+  Simulation s = followed(c);
   EXPECT_TRUE(run_until(0.085, s).empty());
 }
 
 TEST(ReachedSides, AreKeptInCheckpoints)
 {
-  Simulation s = test::followed(flying_box());
+  Simulation s = followed(flying_box());
   run_until(0.085, s);
   const State back = restore(s.model, make_image(s.state));
   ASSERT_EQ(summarise(s.model, back).reached_sides.size(), 1u);
@@ -100,4 +95,3 @@ TEST(ReachedSides, AreKeptInCheckpoints)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,30 +1,25 @@
 // What is followed of the failure while the column of the paper collapses, on coarse cells.
 #include "followers/followers.hpp"
-
 #include "simulation/ledger.hpp"
 #include "simulation/run.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 /// The column for a time, with a row of the ledger every 0.02 s.
 struct Collapse : Simulation {
   std::vector<TableRow> rows;
 
-  explicit Collapse(Real end, const Case& description = test::column("mpm_gp", 0.25));
+  explicit Collapse(Real end, const Case& description = column("mpm_gp", 0.25));
 };
 
 Collapse::Collapse(Real end, const Case& description) : Simulation(description, 1, all_followers())
 {
   Simulation& s = *this;
   for (Real next = 0.0; s.state.time < end; next += 0.02) {
-    while (s.state.time < next) test::make_steps(s);
+    while (s.state.time < next) make_steps(s);
     rows.push_back(keep_ledger(s.model, s.state, s.work));
   }
 }
@@ -53,8 +48,8 @@ TEST(Slopes, OfTheColumnIsASlideWithASlipSurfaceFromTheCrestToTheToe)
 /// of one that is round-off: with 0.1 of it the fronts differ by 1 cm at 0.6 s.
 Case column_at(Facing facing)
 {
-  Case c = test::column("mpm_gp", 0.25);
-  if (facing == Facing::left) c.bodies = {test::body("clay", {8.0, 0.0}, {16.0, 2.0})};
+  Case c = column("mpm_gp", 0.25);
+  if (facing == Facing::left) c.bodies = {body("clay", {8.0, 0.0}, {16.0, 2.0})};
   c.bodies[0].points_per_cell = {4, 4};
   c.forces.local_damping = 0.0;
   return c;
@@ -87,8 +82,8 @@ TEST(Slopes, OfTheMirroredColumnIsTheMirrorImage)
 /// A slope of 2 m on ground of 1 m that fills the mesh to both sides.
 Case slope_on_ground()
 {
-  Case c = test::column("mpm_gp", 0.25);
-  BodyCase slope = test::body("clay", {0.0, 0.0}, {16.0, 1.0});
+  Case c = column("mpm_gp", 0.25);
+  BodyCase slope = body("clay", {0.0, 0.0}, {16.0, 1.0});
   slope.polygon = {{0.0, 0.0}, {16.0, 0.0}, {16.0, 1.0}, {9.0, 1.0}, {7.0, 3.0}, {0.0, 3.0}};
   c.mesh.size = {16.0, 4.0};
   c.bodies = {slope};
@@ -112,14 +107,14 @@ TEST(Slopes, OfASlopeOnGroundHasTheFrontOfTheSoilThatMoved)
 /// An embankment of 3 m on ground of 1 m, the same to both sides.
 Case embankment()
 {
-  Case c = test::column("mpm_gp", 0.5);
+  Case c = column("mpm_gp", 0.5);
   BodyCase body = test::body("clay", {0.0, 0.0}, {24.0, 1.0});
   body.polygon = {{0.0, 0.0}, {24.0, 0.0}, {24.0, 1.0}, {17.0, 1.0}, {15.0, 4.0}, {9.0, 4.0}, {7.0, 1.0}, {0.0, 1.0}};
   body.points_per_cell = {4, 4};
   c.mesh.size = {24.0, 5.0};
   c.bodies = {body};
-  c.materials = {test::clay({.su_peak = 12.0e3})};
-  c.sides[2] = test::side("bottom", SideKind::fixed);
+  c.materials = {clay({.su_peak = 12.0e3})};
+  c.sides[2] = side("bottom", SideKind::fixed);
   return c;
 }
 
@@ -142,9 +137,9 @@ TEST(Slopes, OfASymmetricEmbankmentIsASlideToEachSide)
 
 TEST(Slopes, SoilThatLeavesThroughAnOpenSideHasMoved)
 {
-  Case c = test::free_box("mpm_gp", {2.0, 0.0}, {3.0, 1.0});  // of 1 m^2, 1 m from the side
+  Case c = free_box("mpm_gp", {2.0, 0.0}, {3.0, 1.0});  // of 1 m^2, 1 m from the side
   c.bodies[0].velocity = {10.0, 0.0};
-  c.sides.push_back(test::side("right", SideKind::open));
+  c.sides.push_back(side("right", SideKind::open));
   const Collapse s(0.15, c);
   for (std::size_t k = 1; k < s.rows.size(); ++k)
     EXPECT_GE(s.rows[k]["moved_volume"], s.rows[k - 1]["moved_volume"] - 1e-9);
@@ -175,8 +170,8 @@ TEST(Slopes, MovedSoilAndRunOutGrowFromNothing)
 TEST(Slopes, TheSlipSurfaceIsOfTheTimeAtWhichTheStrainGrewFastest)
 {
   Collapse s(0.5);
-  const auto slip = [&] { return test::array_of(s.state, "followers/slopes/slope_0/slip_surfaces"); };
-  const auto line = [&] { return test::array_of(s.state, "followers/slopes/slope_0/slip_places"); };
+  const auto slip = [&] { return array_of(s.state, "followers/slopes/slope_0/slip_surfaces"); };
+  const auto line = [&] { return array_of(s.state, "followers/slopes/slope_0/slip_places"); };
   const auto before = slip(), places = line();
   ASSERT_EQ(before.size(), 3u);
   EXPECT_GT(before[1], 0.0);  // the rate
@@ -189,12 +184,12 @@ TEST(Slopes, TheSlipSurfaceIsOfTheTimeAtWhichTheStrainGrewFastest)
 
 TEST(Slopes, SoilThatRestsHasNone)
 {
-  Case c = test::column("mpm_gp", 0.5);
+  Case c = column("mpm_gp", 0.5);
   c.forces.gravity = {0.0, 0.0};
-  Simulation s = test::followed(c);
+  Simulation s = followed(c);
   for (int k = 0; k < 3; ++k) {
     keep_ledger(s.model, s.state, s.work);
-    test::make_steps(s, 5);
+    make_steps(s, 5);
   }
   const Summary summary = summarise(s.model, s.state);
   EXPECT_TRUE(summary.slides.empty());
@@ -204,4 +199,3 @@ TEST(Slopes, SoilThatRestsHasNone)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,25 +1,22 @@
 // The share of the soil that lost more than half of its strength.
 #include "simulation/follower.hpp"
-
 #include "simulation/ledger.hpp"
 #include "simulation/run.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/test.hpp"
 
-#include <gtest/gtest.h>
-
-namespace terp {
 namespace {
 
 using Rows = PointRows<2>;
 
 /// Four points of 0.25 m^2.
-Simulation four_points() { return test::followed(test::clamped_cell("mpm_gp")); }
+Simulation four_points() { return followed(clamped_cell("mpm_gp")); }
 
 /// One row of one point.
 void set(Simulation& s, int id, int row, Real value)
 {
-  test::edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
+  edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
     if (static_cast<int>(block.row(Rows::id)[lane]) == id) block.row(row)[lane] = value;
   });
 }
@@ -42,11 +39,10 @@ TEST(SoftenedSoil, TheSoftenedShareIsByVolumeAndHalfTheStrength)
 
 TEST(SoftenedSoil, AMaterialWithoutStrengthNeverSoftens)
 {
-  Simulation s = test::followed(test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0}, test::elastic(1e6, 0.3, 2000.0)));
+  Simulation s = followed(free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0}, elastic(1e6, 0.3, 2000.0)));
   EXPECT_EQ(softened(s), 0.0);
   keep_ledger(s.model, s.state, s.work);
-  EXPECT_EQ(test::flags_set(s.state, "followers/history_audit/rose"), 0);
+  EXPECT_EQ(flags_set(s.state, "followers/history_audit/rose"), 0);
 }
 
 }  // namespace
-}  // namespace terp

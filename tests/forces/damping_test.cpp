@@ -1,10 +1,7 @@
 // Damping: against the motion, as large as its share of the out-of-balance force, none at rest.
-
 #include "forces/damping.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 TEST(Damping, LocalDampingTakesItsShareAgainstTheMotion)
@@ -57,4 +54,3 @@ TEST(Damping, TurnsWithGravity)  // everything turned by the angle of the 3-4-5 
 TEST(Damping, IsOffByDefault) { EXPECT_EQ(damping_force({}, 50.0, 3.0, 2.0), 0.0); }
 
 }  // namespace
-}  // namespace terp

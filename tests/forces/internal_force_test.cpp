@@ -1,16 +1,11 @@
 // Internal force, Eq. (4), against explicit B-bar matrices, and the strain increment that is work-conjugate to it.
-
 #include "forces/internal_force.hpp"
-
 #include "support/meshes.hpp"
+#include "support/test.hpp"
 
-#include <algorithm>
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
-GaussValues<Quad4> random_gauss(test::Random& random)
+GaussValues<Quad4> random_gauss(Random& random)
 {
   GaussValues<Quad4> gauss{};
   for (int g = 0; g < 4; ++g) {
@@ -20,7 +15,7 @@ GaussValues<Quad4> random_gauss(test::Random& random)
   return gauss;
 }
 
-CornerVectors<Quad4> random_displacements(test::Random& random)
+CornerVectors<Quad4> random_displacements(Random& random)
 {
   CornerVectors<Quad4> du;
   for (auto& direction : du)
@@ -51,9 +46,9 @@ std::array<Real, 4> b_bar_column(const std::array<Vec<2>, 4>& corners, int g, in
 
 TEST(InternalForce, Eq4_IsTheSumOfBBarTransposedTimesStressTimesWeight)  // decision on reading R4
 {
-  test::Random random(81);
+  Random random(81);
   for (int repeat = 0; repeat < 100; ++repeat) {
-    const auto corners = test::distorted_square(0.25, random);
+    const auto corners = distorted_square(0.25, random);
     const auto gauss = random_gauss(random);
     CornerSums<Quad4> sums{};
     sums.internal_force[1][2] = 17.0;  // it adds to what is there
@@ -72,10 +67,10 @@ TEST(InternalForce, Eq4_IsTheSumOfBBarTransposedTimesStressTimesWeight)  // deci
 
 TEST(InternalForce, DoesTheWorkOfTheStressOnTheStrain)  // for both operators with their own strain
 {
-  test::Random random(82);
+  Random random(82);
   for (const bool b_bar : {true, false})
     for (int repeat = 0; repeat < 100; ++repeat) {
-      const auto cell = make_cell_geometry<Quad4>(test::distorted_square(0.25, random));
+      const auto cell = make_cell_geometry<Quad4>(distorted_square(0.25, random));
       const auto gauss = random_gauss(random);
       const auto du = random_displacements(random);
       CornerSums<Quad4> sums{};
@@ -101,16 +96,15 @@ TEST(InternalForce,
   gauss.weight.fill(0.5);
   CornerSums<Quad4> sums{};
   add_internal_force(cell, gauss, ForceOperator::b_bar, sums);
-  EXPECT_THAT(sums.internal_force[0],
-      testing::Pointwise(testing::DoubleNear(1e-13), {-15.0 - 4.0, 15.0 - 4.0, 15.0 + 4.0, -15.0 + 4.0}));
-  EXPECT_THAT(sums.internal_force[1], testing::Pointwise(testing::DoubleNear(1e-13), {-2.0, 2.0, 2.0, -2.0}));
+  EXPECT_THAT(sums.internal_force[0], Pointwise(DoubleNear(1e-13), {-15.0 - 4.0, 15.0 - 4.0, 15.0 + 4.0, -15.0 + 4.0}));
+  EXPECT_THAT(sums.internal_force[1], Pointwise(DoubleNear(1e-13), {-2.0, 2.0, 2.0, -2.0}));
 }
 
 /// Largest force on an inner node of a mesh full of soil under one pressure p [Pa], whose points crowd some sub-cells.
 Real largest_inner_force(ForceOperator op, Real p, Real share)
 {
-  const auto mesh = test::distorted_rectangle(5, 4, 1.0, share, 83);
-  test::Random random(84);
+  const auto mesh = distorted_rectangle(5, 4, 1.0, share, 83);
+  Random random(84);
   std::vector<Vec<2>> force(mesh.nodes.size(), {0.0, 0.0});
   for (Index e = 0; e < mesh.n_cells(); ++e) {
     GaussValues<Quad4> gauss{};
@@ -147,8 +141,8 @@ TEST(InternalForce,
 
 TEST(InternalForce, IsTheSameForBothOperatorsWithGaussWeightsAndUniformPressure)
 {
-  test::Random random(85);
-  const auto cell = make_cell_geometry<Quad4>(test::distorted_square(0.25, random));
+  Random random(85);
+  const auto cell = make_cell_geometry<Quad4>(distorted_square(0.25, random));
   GaussValues<Quad4> gauss{};
   for (int c = 0; c < 3; ++c) gauss.sigma[c].fill(-2e4);
   gauss.weight = cell.gauss_volume;
@@ -161,8 +155,8 @@ TEST(InternalForce, IsTheSameForBothOperatorsWithGaussWeightsAndUniformPressure)
 
 TEST(StrainAtGaussPoints, OfAUniformGradientIsThatGradient)
 {
-  test::Random random(86);
-  const auto corners = test::distorted_square(0.25, random);
+  Random random(86);
+  const auto corners = distorted_square(0.25, random);
   CornerVectors<Quad4> du;
   for (int i = 0; i < 4; ++i) {
     du[0][i] = 1e-3 * corners[i][0] + 4e-3 * corners[i][1] + 0.7;
@@ -182,9 +176,9 @@ TEST(StrainAtGaussPoints, OfAUniformGradientIsThatGradient)
 
 TEST(StrainAtGaussPoints, BBarKeepsTheDeviatorAndTakesTheTraceOfTheCentre)  // reading R5
 {
-  test::Random random(87);
+  Random random(87);
   for (int repeat = 0; repeat < 50; ++repeat) {
-    const auto cell = make_cell_geometry<Quad4>(test::distorted_square(0.25, random));
+    const auto cell = make_cell_geometry<Quad4>(distorted_square(0.25, random));
     const auto du = random_displacements(random);
     const auto bar = strain_at_gauss_points(cell, du, true), plain = strain_at_gauss_points(cell, du, false);
     Real theta_0 = 0.0;
@@ -202,4 +196,3 @@ TEST(StrainAtGaussPoints, BBarKeepsTheDeviatorAndTakesTheTraceOfTheCentre)  // r
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,13 +1,9 @@
 // Gradients at the points themselves, and the force and strain of standard MPM that rest on them.
-
 #include "forces/point_gradients.hpp"
-
 #include "support/blocks.hpp"
 #include "support/meshes.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 Mesh<2> one_cell(const std::array<Vec<2>, 4>& corners)
@@ -21,8 +17,8 @@ Mesh<2> one_cell(const std::array<Vec<2>, 4>& corners)
 
 TEST(GradientsAt, AgreeWithTheCellsOwnAtGaussPointsAndCentre)
 {
-  test::Random random(91);
-  const auto cell = make_cell_geometry<Quad4>(test::distorted_square(0.3, random));
+  Random random(91);
+  const auto cell = make_cell_geometry<Quad4>(distorted_square(0.3, random));
   for (int g = 0; g < 4; ++g) {
     const auto gradient = gradients_at(cell, {Pack(Quad4::gauss_place(g)[0]), Pack(Quad4::gauss_place(g)[1])});
     for (int i = 0; i < 4; ++i)
@@ -43,8 +39,8 @@ TEST(GradientsAt, InARectangleAreThoseOfTheHandCalculation)
 
 TEST(DisplacementGradient, IsExactForALinearField)
 {
-  test::Random random(92);
-  const auto corners = test::distorted_square(0.3, random);
+  Random random(92);
+  const auto corners = distorted_square(0.3, random);
   const auto cell = make_cell_geometry<Quad4>(corners);
   CornerVectors<Quad4> du;
   for (int i = 0; i < 4; ++i) {
@@ -60,16 +56,16 @@ TEST(DisplacementGradient, IsExactForALinearField)
 
 TEST(InternalForceOfPoints, IsTheSumOfBTransposedTimesStressTimesVolume)
 {
-  test::Random random(93);
-  const auto mesh = one_cell(test::distorted_square(0.3, random));
+  Random random(93);
+  const auto mesh = one_cell(distorted_square(0.3, random));
   PointBlocks<2> points(1, 0);
   CornerSums<Quad4> expected{}, sums{};
   sums.internal_force[0][1] = expected.internal_force[0][1] = 5.0;  // it adds to what is there
   for (int k = 0; k < 11; ++k) {
-    test::PointValues point{
+    PointValues point{
         .local = {random.between(-1.0, 1.0), random.between(-1.0, 1.0)}, .volume = random.between(0.01, 0.1)};
     for (Real& s : point.sigma) s = random.between(-1e4, 1e4);
-    test::add_point(mesh, 0, point, points);
+    add_point(mesh, 0, point, points);
     const auto gradient = gradients_at(mesh.geometry(0), {Pack(point.local[0]), Pack(point.local[1])});
     for (int i = 0; i < 4; ++i) {
       const Real gx = gradient[i][0][0], gy = gradient[i][1][0];
@@ -77,22 +73,21 @@ TEST(InternalForceOfPoints, IsTheSumOfBTransposedTimesStressTimesVolume)
       expected.internal_force[1][i] += point.volume * (point.sigma[1] * gy + point.sigma[3] * gx);
     }
   }
-  add_internal_force_of_points(mesh.geometry(0), test::only_block(points, 0), sums);
+  add_internal_force_of_points(mesh.geometry(0), only_block(points, 0), sums);
   for (int d = 0; d < 2; ++d)
     for (int i = 0; i < 4; ++i) EXPECT_NEAR(sums.internal_force[d][i], expected.internal_force[d][i], 1e-10);
 }
 
 TEST(InternalForceOfPoints, IsInEquilibriumWithItself)
 {
-  test::Random random(94);
-  const auto mesh = one_cell(test::distorted_square(0.3, random));
+  Random random(94);
+  const auto mesh = one_cell(distorted_square(0.3, random));
   PointBlocks<2> points(1, 0);
   for (int k = 0; k < 5; ++k)
-    test::add_point(mesh, 0, {.local = {0.1 * k, -0.2 * k}, .sigma = {1e3, -2e3, 5e2, 7e2}}, points);
+    add_point(mesh, 0, {.local = {0.1 * k, -0.2 * k}, .sigma = {1e3, -2e3, 5e2, 7e2}}, points);
   CornerSums<Quad4> sums{};
-  add_internal_force_of_points(mesh.geometry(0), test::only_block(points, 0), sums);
+  add_internal_force_of_points(mesh.geometry(0), only_block(points, 0), sums);
   for (const auto& f : sums.internal_force) EXPECT_NEAR(f[0] + f[1] + f[2] + f[3], 0.0, 1e-9);
 }
 
 }  // namespace
-}  // namespace terp

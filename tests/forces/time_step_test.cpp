@@ -1,10 +1,7 @@
 // The stable time step against the numbers of the paper's column (reading R19).
-
 #include "forces/time_step.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 constexpr Real bulk = 148e6 / 3.0, shear = 2e6;  // [Pa]
@@ -54,4 +51,3 @@ TEST(ViscousReduction, IsWhereTheDampedOscillatorOfTheShortestWaveTurnsUnstable)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,7 +1,7 @@
 // Runs a harness over the files of its corpus, whole, cut off, with bytes changed and with pieces of other files:
 // fuzzing for a compiler without libFuzzer.
 //
-// usage: replay_NAME FOLDER [N]      N inputs are made from each file (20)
+// usage: replay_NAME N FOLDER...      N inputs are made from each file
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -15,8 +15,6 @@
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size);
 
 namespace {
-
-constexpr int usual_number = 20;
 
 void try_input(const std::string& bytes)
 {
@@ -39,10 +37,11 @@ std::string changed(std::string bytes, const std::string& other, std::mt19937& r
   return bytes;
 }
 
-std::vector<std::string> read_folder(const char* folder)
+std::vector<std::string> read_folders(char** begin, char** end)
 {
   std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) paths.push_back(entry.path());
+  for (char** folder = begin; folder != end; ++folder)
+    for (const auto& entry : std::filesystem::directory_iterator(*folder)) paths.push_back(entry.path());
   std::sort(paths.begin(), paths.end());
   std::vector<std::string> inputs;
   for (const auto& path : paths) {
@@ -56,9 +55,9 @@ std::vector<std::string> read_folder(const char* folder)
 
 int main(int argc, char** argv)
 {
-  if (argc < 2) return 2;
-  const int n_changed = argc > 2 ? std::atoi(argv[2]) : usual_number;
-  const std::vector<std::string> inputs = read_folder(argv[1]);
+  if (argc < 3) return 2;
+  const int n_changed = std::atoi(argv[1]);
+  const std::vector<std::string> inputs = read_folders(argv + 2, argv + argc);
   std::mt19937 random(1);  // the same inputs every time
   for (const std::string& input : inputs) {
     try_input(input);

@@ -1,28 +1,14 @@
 #include "input/case_file.hpp"
-
 #include "input/printable.hpp"
 #include "input/samples.hpp"
 #include "support/paths.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-#include <filesystem>
-#include <fstream>
-
-namespace terp {
 namespace {
-
-using testing::HasSubstr;
-using namespace test;
 
 std::string error_of(const std::string& path)
 {
-  try {
-    read_case(path);
-  } catch (const CaseError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return refusal<CaseError>([&] { read_case(path); });
 }
 
 TEST(CaseFile, ModelTwoIsThePaperColumnWithSoftening)
@@ -33,7 +19,7 @@ TEST(CaseFile, ModelTwoIsThePaperColumnWithSoftening)
   EXPECT_EQ(c.name, "model_2");
   EXPECT_EQ(c.mesh.size, (Vec<2>{16.0, 3.0}));
   EXPECT_EQ(c.mesh.cell, (Vec<2>{0.1, 0.1}));
-  EXPECT_THAT(c.materials.at(0).parameters, testing::ElementsAre(2.0e6, 0.48, 8.0e3, 2.0e3, 50.0));
+  EXPECT_THAT(c.materials.at(0).parameters, ElementsAre(2.0e6, 0.48, 8.0e3, 2.0e3, 50.0));
   ASSERT_EQ(c.sides.size(), 3u);
   EXPECT_EQ(c.sides[2].kind, SideKind::contact_bilateral);
   EXPECT_EQ(c.sides[2].adhesion, 8.0e3);
@@ -177,4 +163,3 @@ TEST(CaseFile, AnEmptyFileLacksTheRequiredSections)
 }
 
 }  // namespace
-}  // namespace terp

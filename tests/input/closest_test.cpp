@@ -1,8 +1,6 @@
 #include "input/closest.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 TEST(Closest, CountsASwapOfNeighboursAsOneEdit)
@@ -33,4 +31,3 @@ TEST(Closest, SaysNothingWhenNothingIsNear)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,18 +1,11 @@
 #include "input/explain.hpp"
-
 #include "input/case_file.hpp"
 #include "input/key_text.hpp"
 #include "meshing/structured.hpp"
 #include "schemes/scheme.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-#include <cmath>
-
-namespace terp {
 namespace {
-
-using testing::HasSubstr;
 
 TEST(Explain, KnowsEveryKeyDottedAndByItsLastPart)
 {
@@ -105,13 +98,9 @@ TEST(Explain, TellsThatAParameterDefaultsToAnother)
 
 TEST(Explain, OffersTheNearestTopic)
 {
-  try {
-    explain("tresca_softning");
-    FAIL();
-  } catch (const CaseError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("error: there is nothing to explain about `tresca_softning`\n\n  Did you mean "
-                                        "`tresca_softening`?\n  Material models: linear_elastic"));
-  }
+  EXPECT_THAT(refusal<CaseError>([] { explain("tresca_softning"); }),
+      HasSubstr("error: there is nothing to explain about `tresca_softning`\n\n  Did you mean "
+                "`tresca_softening`?\n  Material models: linear_elastic"));
 }
 
 TEST(List, NamesMaterialsSchemesAndFields)
@@ -126,14 +115,12 @@ TEST(Explain, KnowsTheQuantitiesThatARunReports)
   EXPECT_EQ(
       explain("front_left_x"), "in ledger.csv\n  front_left_x\n    front of the slope to the left\n    unit      m\n");
   EXPECT_THAT(explain("footings.csv"),
-      testing::HasSubstr("footings.csv: file of a run\n  displacement and measured reaction of each footing\n\n"
-                         "Quantities\n  time\n    of the step\n    unit      s\n"));
-  EXPECT_THAT(explain("summary.json"), testing::HasSubstr("  run_out\n    of the front since t = 0;"));
-  EXPECT_THAT(explain("v_999"),
-      testing::AllOf(testing::HasSubstr("in ledger.csv\n"), testing::HasSubstr("in summary.json\n  v_999\n")));
+      HasSubstr("footings.csv: file of a run\n  displacement and measured reaction of each footing\n\n"
+                "Quantities\n  time\n    of the step\n    unit      s\n"));
+  EXPECT_THAT(explain("summary.json"), HasSubstr("  run_out\n    of the front since t = 0;"));
+  EXPECT_THAT(explain("v_999"), AllOf(HasSubstr("in ledger.csv\n"), HasSubstr("in summary.json\n  v_999\n")));
   EXPECT_EQ(explain("displacement"), "in the frames\n  displacement\n    displacement since t = 0\n    unit      m\n");
-  EXPECT_THAT(explain("parameter_su_peak"), testing::HasSubstr("in the frames\n  parameter_su_peak\n"));
+  EXPECT_THAT(explain("parameter_su_peak"), HasSubstr("in the frames\n  parameter_su_peak\n"));
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,8 +1,6 @@
 #include "input/key_text.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 TEST(KeyText, SaysRangesWithUnits)
@@ -59,4 +57,3 @@ TEST(KeyText, TakesPathsApart)
 }
 
 }  // namespace
-}  // namespace terp

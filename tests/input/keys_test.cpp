@@ -1,15 +1,8 @@
 #include "input/keys.hpp"
-
 #include "input/key_text.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-#include <set>
-
-namespace terp {
 namespace {
-
-using testing::Contains;
 
 TEST(Keys, AreDeclaredOnceEach)
 {
@@ -90,4 +83,3 @@ TEST(Keys, OutputFieldsHoldTheStateOfEveryLawAndItsParametersThatMayVary)
 }
 
 }  // namespace
-}  // namespace terp

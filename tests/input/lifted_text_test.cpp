@@ -1,11 +1,8 @@
 // Letters that toml++ must not see, and what comes back.
 #include "input/lifted_text.hpp"
-
 #include "input/document.hpp"
+#include "support/test.hpp"
 
-#include <gtest/gtest.h>
-
-namespace terp {
 namespace {
 
 TEST(LiftedText, MovesLettersToPlane15AndBack)
@@ -51,4 +48,3 @@ TEST(LiftedText, ALetterInABrokenDateIsRefused)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,13 +1,8 @@
 #include "input/mesh_kinds.hpp"
-
 #include "input/keys.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::ElementsAre;
 
 MeshKind kind_of(const std::string& keys) { return mesh_kind_of(parse_toml(keys)).kind; }
 
@@ -60,4 +55,3 @@ TEST(MeshKinds, KnowTheNamesOfTheirSides)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,8 +1,6 @@
 #include "input/printable.hpp"
+#include "support/test.hpp"
 
-#include <gtest/gtest.h>
-
-namespace terp {
 namespace {
 
 TEST(Printable, KeepsLettersOfAnyAlphabetTabsAndLineFeeds)
@@ -31,4 +29,3 @@ TEST(Printable, ShowsAQuestionMarkForEachByteThatIsNotUtf8)
 }
 
 }  // namespace
-}  // namespace terp

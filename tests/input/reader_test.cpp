@@ -1,18 +1,10 @@
-// Every key arrives at its place, and keys that are unknown, missing or of the wrong shape are named.
-
+// Every key arrives at its place; keys that are unknown, missing or misplaced: wrong_cases/small_case.wrong.
 #include "input/reader.hpp"
-
 #include "input/key_text.hpp"
 #include "input/samples.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::ElementsAre;
-using testing::HasSubstr;
-using namespace test;
 
 /// Every key, each with a value that is not its default.
 const std::string every_key = R"(title = "all"
@@ -255,67 +247,4 @@ TEST(Reader, GivesAParameterTheValueOfAnotherWhereTheLawSaysSo)
       ElementsAre(1e7, 0.3, 3e3, 33.0, 5.0, inf, 1e3, 33.0, 5.0, 20.0));
 }
 
-class WrongKey : public testing::TestWithParam<Change> {};
-
-TEST_P(WrongKey, IsNamedWithWhatMayStandThere)
-{
-  const auto& [line, instead, message] = GetParam();
-  EXPECT_THAT(message_for(replaced(small_case, line, instead)), HasSubstr(message));
-}
-
-const Change wrong_keys[] = {
-    {"su_residual = 2.0e3", "su_resdiual = 2.0e3",
-        "error: case.toml:15:1: unknown key `su_resdiual`\n\n   15 | su_resdiual = 2.0e3\n      | ^^^^^^^^^^^\n  Did "
-        "you "
-        "mean `su_residual`?\n  Keys of material model `tresca_softening`: density, shear_modulus, poisson_ratio, "
-        "su_peak, su_residual, eta\n  More: terp explain tresca_softening\n\n1 error; nothing was run.\n"},
-    {"end = 4.0", "end = 4.0\ncurant = 0.5",
-        "unknown key `curant`\n\n    3 | curant = 0.5\n      | ^^^^^^\n  Did you mean `courant`?\n  Keys of [time]: "
-        "end, "
-        "courant\n  More: terp explain time\n"},
-    {"[time]", "[tiem]",
-        "unknown key `tiem`\n\n    1 | [tiem]\n      |  ^^^^\n  Did you mean `time`?\n  Keys of a case file: title, "
-        "scheme, time, mesh, body, material, forces, initial, boundary, footing, method, output\n"},
-    {"[time]", "[boundary]\nbotom = \"roller\"\n[time]",
-        "Did you mean `bottom`?\n  Keys of [boundary]: left, right, bottom, top\n"},
-    {"[time]", "[boundary]\nbottom = { contact = \"bilateral\", adhesoin = 3 }\n[time]",
-        "Did you mean `adhesion`?\n  Keys of a side: contact, adhesion, friction, velocity, slip\n  More: terp explain "
-        "boundary\n"},
-    {"[time]", "\"time.end\" = 3\n[time]", "unknown key `time.end`"},
-    {"[time]", "\"material.NAME.density\" = 3\n[time]", "unknown key `material.NAME.density`"},
-    {"end = 4.0", "courant = 0.5",
-        "error: case.toml:1:2: the key `end` is missing from [time]\n\n    1 | [time]\n      |  ^^^^\n  Meaning: time "
-        "at "
-        "which the run ends; it starts at 0\n  Allowed: a number, more than 0 s\n  More: terp explain time.end\n"},
-    {"material = \"clay\"\n", "",
-        "the key `material` is missing from [[body]]\n\n    6 | [[body]]\n      | ^^^^^^^^\n"},
-    {"eta = 50.0", "", "accepted"},
-    {"su_peak = 8.0e3\n", "", "the key `su_peak` is missing from material model `tresca_softening`"},
-    {"model = \"tresca_softening\"\n", "", "the key `model` is missing from [material.clay]"},
-    {"[mesh]\nsize = [16.0, 3.0]\ncell = 0.5\n", "",
-        "error: case.toml: the section [mesh] is missing\n  Meaning: the background mesh; its kind follows from the "
-        "keys "
-        "that "
-        "are given\n  Keys: origin, size, cell, cells, grading, file, polygon, edges, follow_bodies, variant, sides, "
-        "refine\n  "
-        "More: "
-        "terp explain mesh\n"},
-    {"[[body]]", "[body]",
-        "`body` must be a list of tables\n\n    6 | [body]\n      |  ^^^^\n  Write [[body]], with two brackets, above "
-        "each one.\n"},
-    {"[time]\nend = 4.0", "time = 4.0",
-        "`time` must be a table\n\n    1 | time = 4.0\n      | ^^^^\n  Got the number 4; write [time] on a line of its "
-        "own, its keys below.\n"},
-    {"[mesh]", "[[mesh]]", "Got a list; write [mesh] with one bracket.\n"},
-    {"[time]", "[boundary]\nleft = 3\n[time]",
-        "`left` must be text or a table\n\n    2 | left = 3\n      |        ^\n  Got the integer 3; allowed: \"free\", "
-        "\"open\", \"roller\", \"fixed\" or a table with contact or velocity.\n"},
-    {"[time]", "[boundary]\nleft = \"rollr\"\n[time]",
-        "`left` cannot be \"rollr\"\n\n    2 | left = \"rollr\"\n      |        ^^^^^^^\n  Did you mean `roller`?\n  "
-        "Allowed: \"free\", \"open\", \"roller\", \"fixed\"\n"},
-};
-
-INSTANTIATE_TEST_SUITE_P(Catalogue, WrongKey, testing::ValuesIn(wrong_keys));
-
 }  // namespace
-}  // namespace terp

@@ -1,15 +1,8 @@
 #include "input/render.hpp"
-
 #include "input/samples.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::HasSubstr;
-using testing::StartsWith;
-using namespace test;
 
 std::string shown(const Problem& problem, const std::vector<std::string>& overrides = {})
 {
@@ -75,7 +68,7 @@ TEST(Render, CountsTheRestBeyondTen)
   for (int k = 0; k < 12; ++k) text += "wrong_" + std::to_string(k) + " = 1\n";
   const std::string seen = message_for(text + small_case);
   EXPECT_THAT(seen, HasSubstr("unknown key `wrong_9`"));
-  EXPECT_THAT(seen, testing::Not(HasSubstr("unknown key `wrong_10`")));
+  EXPECT_THAT(seen, Not(HasSubstr("unknown key `wrong_10`")));
   EXPECT_THAT(seen, HasSubstr("and 2 more\n\n12 errors; nothing was run.\n"));
 }
 
@@ -114,4 +107,3 @@ TEST(Render, ShowsWarningsBesideErrors)
 }
 
 }  // namespace
-}  // namespace terp

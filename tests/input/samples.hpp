@@ -3,10 +3,7 @@
 
 #include "input/case_file.hpp"
 
-#include <cctype>
-#include <ostream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace terp::test {
@@ -42,19 +39,28 @@ inline std::string small_case_on(const std::string& keys)
   return replaced(small_case, "size = [16.0, 3.0]\ncell = 0.5\n", keys + '\n');
 }
 
-/// One change of small_case and a part of what the user then reads.
-struct Change {
-  const char* line;
-  const char* instead;
-  const char* message;
-};
+/// Keys of [mesh] of other kinds.
+inline const std::string graded = "origin = [-1.0, 2.0]\nsize = [16.0, 3.0]\ncells = [32, 6]\ngrading = [2.0, 0.5]";
+inline const std::string mapped = R"(cells = 8
+sides.bottom = [[0, 0], [4, 1], [8, 0]]
+sides.right = [[8, 0], [8, 3]]
+sides.top = [[0, 3], [8, 3]]
+sides.left = [[0, 0], [0, 3]])";
+inline const std::string polygon = R"(polygon = [[0, 0], [8, 0], [8, 1], [4, 3], [0, 3]]
+cell = 0.5
+edges = { base = [0], slope = [2, 3] }
+refine = [
+{ line = [[8, 1], [4, 3]], cell = 0.125, distance = 0.5 },
+{ box = [[1, 0], [2, 1]], cell = 0.25 }]
+follow_bodies = false
+variant = 2)";
 
-/// The letters of the message, as the name of the test.
-inline void PrintTo(const Change& change, std::ostream* out)
-{
-  const std::string_view message = change.message;
-  for (const char c : message.substr(0, 60)) *out << (std::isalnum(static_cast<unsigned char>(c)) ? c : '_');
-}
+/// small_case with three materials.
+inline const std::string two_soils =
+    small_case +
+    "[material.sand]\nmodel = \"linear_elastic\"\ndensity = 1800.0\nshear_modulus = 5.0e6\n"
+    "poisson_ratio = 0.3\n[material.peat]\nmodel = \"tresca_softening\"\ndensity = 1100.0\n"
+    "shear_modulus = 1.0e6\npoisson_ratio = 0.45\nsu_peak = 4.0e3\nsu_residual = 2.0e3\neta = 10.0\n";
 
 /// What the user sees for this text; "accepted" if it is read, followed by its warnings.
 inline std::string message_for(const std::string& text, const std::vector<std::string>& overrides = {})

@@ -1,15 +1,9 @@
 // What people write instead of TOML: each has its cure; and what has none keeps the words of the parser.
 #include "input/syntax_advice.hpp"
-
 #include "input/samples.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::HasSubstr;
-using testing::StartsWith;
 
 SyntaxAdvice advice_for(const std::string& text)
 {
@@ -81,7 +75,7 @@ TEST(SyntaxAdvice, KeepsTheWordsOfTheParserForWhatItDoesNotKnow)
 
 TEST(SyntaxAdvice, IsWhatTheUserReads)
 {
-  EXPECT_EQ(test::message_for("title = \"a\"\n[time]\nend = 0,2\n"),
+  EXPECT_EQ(message_for("title = \"a\"\n[time]\nend = 0,2\n"),
       "error: case.toml:3:8: this is not valid TOML: a number has a decimal point, no comma\n\n    3 | end = 0,2\n"
       "      |        ^\n  Write 0.2.\n  The format: https://toml.io\n\n1 error; nothing was run.\n");
 }
@@ -93,10 +87,9 @@ TEST(SyntaxAdvice, KnowsUtf16)
   EXPECT_TRUE(is_utf16("[\0t\0i\0"s));
   EXPECT_FALSE(is_utf16("[time]\n"));
   EXPECT_FALSE(is_utf16("[\0\0\0\0"s));
-  EXPECT_THAT(test::message_for("\xFF\xFE[\0t\0"s),
+  EXPECT_THAT(message_for("\xFF\xFE[\0t\0"s),
       HasSubstr(
           "case.toml: this is text in UTF-16\n  Save it as UTF-8: in the editor, \"Save as\", encoding UTF-8.\n"));
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,97 +1,111 @@
 // A catalogue of wrong case files: one line each in wrong_cases/*.wrong, with what the message must say.
 #include "input/case_file.hpp"
+#include "input/samples.hpp"
 #include "simulation/setup.hpp"
+#include "support/catalogue.hpp"
 #include "support/paths.hpp"
 #include "support/process.hpp"
+#include "support/test.hpp"
 
-#include <filesystem>
-#include <sstream>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
-const std::string folder = test::source_path("tests/input/wrong_cases/");
+const std::string folder = source_path("tests/input/wrong_cases/");
 
-struct WrongCase {
-  std::string where;  ///< "column.wrong:3"
-  std::string before, after, expected;
-};
+std::string replaced_law(const std::string& law) { return small_case.substr(0, small_case.find("model =")) + law; }
 
-std::string unescaped(std::string text)
+/// A good case of the catalogue: a file of its folder, or a change of small_case.
+std::string good_case(const std::string& name)
 {
-  for (const auto& [mark, character] : {std::pair{"\\n", '\n'}, std::pair{"\\0", '\0'}})
-    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at))
-      text.replace(at, 2, 1, character);
-  return text;
+  const std::map<std::string, std::string> made{{"small", small_case}, {"graded", small_case_on(graded)},
+      {"four_sides", small_case_on(mapped)}, {"outline", small_case_on(polygon)},
+      {"file", small_case_on("file = \"a.msh\"")},
+      {"drained", replaced(small_case, "poisson_ratio = 0.48", "poisson_ratio = 0.3")}, {"two_soils", two_soils},
+      {"sand", replaced_law("model = \"mohr_coulomb\"\ndensity = 1990.0\nshear_modulus = 2.0e6\npoisson_ratio = 0.3\n"
+                            "cohesion = 1.0e3\nfriction_angle = 30.0\n")}};
+  const auto found = made.find(name);
+  return found != made.end() ? found->second : text_of(folder + name + ".toml");
 }
 
-std::vector<WrongCase> read_table(const std::string& name)
+/// What `terp run` says of a case in the file `path`, whose folder is left out of the message.
+std::string message_of(const std::string& text, const std::string& path, const WrongRow& row, bool set_up)
 {
-  std::istringstream lines(test::text_of(folder + name));
-  std::vector<WrongCase> cases;
-  int number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    if (line.starts_with('#')) continue;
-    const std::size_t first = line.find(" | "), second = line.find(" | ", first + 2);
-    const std::string where = name + ':' + std::to_string(number);
-    EXPECT_NE(second, std::string::npos) << where;
-    const std::size_t after = std::min(first + 3, second);
-    cases.push_back(
-        {where, line.substr(0, first), unescaped(line.substr(after, second - after)), line.substr(second + 3)});
-  }
-  return cases;
-}
-
-/// The case with its fault.
-std::string spoil(const std::string& good, const WrongCase& wrong)
-{
-  if (wrong.before.empty()) return good + wrong.after;
-  const std::size_t at = good.find(wrong.before);
-  EXPECT_NE(at, std::string::npos) << wrong.where << ": the case does not hold `" << wrong.before << '`';
-  EXPECT_EQ(good.find(wrong.before, at + 1), std::string::npos) << wrong.where << ": the case holds it twice";
-  return std::string(good).replace(at, wrong.before.size(), wrong.after);
-}
-
-/// What `terp run` says of it; empty if it would run.
-std::string message_of(const std::string& text, const std::string& path)
-{
+  std::string message;
   try {
-    const CaseFile file = read_case_text(text, path);
-    try {
+    const CaseFile file = read_case_text(text, path, row.changes);
+    message = "accepted\n" + render_warnings(file);
+    if (set_up) {
       Model model = build_model(file.values, 1);
       build_state(model);
-    } catch (const InputError& error) {
-      return render(error.problems(), file);
     }
   } catch (const CaseError& error) {
-    return error.what();
+    message = error.what();
+  } catch (const InputError& error) {
+    message = render(error.problems(), read_case_text(text, path));
   }
-  return "";
+  const std::string before = path.substr(0, path.rfind('/') + 1);
+  for (std::size_t at = 0; (at = message.find(before, at)) != std::string::npos;) message.erase(at, before.size());
+  return message;
 }
 
-int try_table(const std::string& kind)
-{
-  const std::string path = folder + kind + ".toml", good = test::text_of(path);
-  EXPECT_EQ(message_of(good, path), "") << path;
-  const auto cases = read_table(kind + ".wrong");
-  for (const WrongCase& wrong : cases) {
-    const std::string message = message_of(spoil(good, wrong), path);
-    EXPECT_THAT(message, testing::HasSubstr(wrong.expected)) << wrong.where;
-    EXPECT_THAT(message, testing::HasSubstr("error: " + path)) << wrong.where << ": the place is missing";
-    EXPECT_THAT(message, testing::HasSubstr("nothing was run.")) << wrong.where;
+class WrongCases : public testing::Test {
+ protected:
+  WrongCases()
+  {
+    std::ofstream(scratch_.path() + "/a.msh"), std::ofstream(scratch_.path() + "/a.csv");
+    std::filesystem::create_directory(scratch_.path() + "/folder");
   }
-  return static_cast<int>(cases.size());
+  const ScratchFolder scratch_;
+};
+
+TEST_F(WrongCases, ThatAreFilesHaveTheMessageOfTheCatalogue)
+{
+  for (const std::string kind : {"column", "polygon", "mapped"})
+    for (const WrongRow& row : read_catalogue(folder + kind + ".wrong")) {
+      const std::string path = folder + kind + ".toml", good = good_case(kind);
+      EXPECT_EQ(message_of(good, path, {}, true).substr(0, 8), "accepted") << path;
+      const std::string message = message_of(spoil(good, row), path, row, true);
+      EXPECT_THAT(message, HasSubstr(row.expected)) << row.where;
+      EXPECT_THAT(message, HasSubstr("error: " + kind + ".toml")) << row.where << ": the place is missing";
+      EXPECT_THAT(message, HasSubstr("nothing was run.")) << row.where;
+    }
 }
 
-TEST(WrongCases, EachHasTheMessageOfTheCatalogue)
+TEST_F(WrongCases, ThatAreChangesOfASmallCaseHaveTheMessageOfTheCatalogue)
 {
-  int n = 0;
-  for (const char* kind : {"column", "polygon", "mapped"}) n += try_table(kind);
-  EXPECT_GE(n, 60);
+  const auto rows = read_catalogue(folder + "small_case.wrong");
+  EXPECT_GE(rows.size(), 200u);
+  for (const WrongRow& row : rows) {
+    const std::string good = good_case(row.name), path = scratch_.path() + "/case.toml";
+    EXPECT_THAT(message_of(good, path, {}, false), StartsWith("accepted\n")) << row.name;
+    const std::string message = message_of(spoil(good, row), path, row, false);
+    EXPECT_THAT(message, HasSubstr(row.expected)) << row.where;
+    if (row.verdict.starts_with("refused")) {
+      EXPECT_THAT(message, HasSubstr("error: ")) << row.where;
+      EXPECT_EQ(message.ends_with("\n1 error; nothing was run.\n"), row.verdict == "refused") << row.where << message;
+      EXPECT_THAT(message, EndsWith("; nothing was run.\n")) << row.where;
+    }
+    if (row.verdict == "doubted") {
+      EXPECT_THAT(message, StartsWith("accepted\nwarning: ")) << row.where;
+    }
+    if (row.verdict == "accepted") {
+      EXPECT_EQ(message, "accepted\n") << row.where;
+    }
+  }
+}
+
+TEST_F(WrongCases, HaveAtMostEightFootings)
+{
+  std::string nine = small_case;
+  for (const char name : std::string("abcdefghi"))
+    nine +=
+        std::string("[[footing]]\nbox = [[1.0, 2.0], [2.0, 2.5]]\nvelocity = [0.0, -0.1]\nname = \"") + name + "\"\n";
+  EXPECT_THAT(message_for(nine), HasSubstr("a case has at most 8 footings"));
+}
+
+TEST_F(WrongCases, PointAtTheChangeThatMadeAnOptionUseless)
+{
+  EXPECT_THAT(message_for(small_case + "[method]\nb_bar = true\n", {"scheme=standard_mpm"}),
+      HasSubstr("warning: --set scheme=standard_mpm: `b_bar` has no effect\n"));
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,20 +1,11 @@
 // What every constitutive model must do. Runs over materials.def: a new law is tested the moment its line is added.
-
 #include "materials/soil_material.hpp"
-
 #include "materials/probe.hpp"
 #include "support/random.hpp"
-
+#include "support/test.hpp"
 #include <bit>
-#include <gmock/gmock.h>
-#include <numbers>
-#include <set>
 
-namespace terp {
 namespace {
-
-using test::Probe;
-using test::Stress;
 
 /// Everything that the law knows is on.
 std::vector<Real> typical_parameters(const MaterialType& type)
@@ -53,7 +44,7 @@ std::vector<Real> values_of(const std::vector<int>& numbers, const std::vector<R
   return values;
 }
 
-Stress random_increment(Real size, test::Random& random)
+Stress random_increment(Real size, Random& random)
 {
   Stress d_eps;
   for (int c = 0; c < 4; ++c) d_eps[c] = random.between(-size, size);
@@ -66,7 +57,7 @@ struct Setting {
   bool everything_on;
 };
 
-class EveryMaterial : public testing::TestWithParam<Setting> {
+class EveryMaterial : public TestWithParam<Setting> {
  protected:
   const MaterialType& type() const { return *GetParam().type; }
   std::vector<Real> parameters() const
@@ -79,7 +70,7 @@ class EveryMaterial : public testing::TestWithParam<Setting> {
   Probe walked(int n, std::uint64_t seed) const
   {
     Probe point = probe();
-    test::Random random(seed);
+    Random random(seed);
     for (int k = 0; k < n; ++k) point.strain(random_increment(0.02, random));
     return point;
   }
@@ -146,7 +137,7 @@ TEST_P(EveryMaterial, LooksAtTheLengthOfTheStepIfItSaysSoAndNotOtherwise)
   Probe once = probe(), slower = probe();
   slower.dt = 2.0 * once.dt;
   bool same = true;
-  test::Random random(55);
+  Random random(55);
   for (int step = 0; step < 50; ++step) {
     const Stress d_eps = random_increment(0.002, random);
     once.strain(d_eps);
@@ -161,7 +152,7 @@ TEST_P(EveryMaterial, GivesTheSameBitsWhenItsParametersComeFromThePoints)
 {
   const std::vector<int> varying = all_that_may_vary(type());
   Probe uniform = probe(), from_point(type(), parameters(), varying, values_of(varying, parameters()));
-  test::Random random(56);
+  Random random(56);
   for (int step = 0; step < 200; ++step) {
     const Stress d_eps = random_increment(step % 2 ? 0.02 : 0.0005, random);
     uniform.strain(d_eps);
@@ -191,7 +182,7 @@ TEST_P(EveryMaterial, ActsOnEachPointWithItsOwnParameters)  // lanes side by sid
     together.emplace_back(type(), parameters(), varying, values_of(varying, values));
     alone.emplace_back(type(), values);
   }
-  test::Random random(57);
+  Random random(57);
   for (int step = 0; step < 200; ++step) {
     std::vector<Stress> d_eps;
     for (int k = 0; k < pack_width; ++k) d_eps.push_back(random_increment(k % 3 ? 0.001 : 0.02, random));
@@ -207,7 +198,7 @@ TEST_P(EveryMaterial, ActsOnEachPointWithItsOwnParameters)  // lanes side by sid
 
 TEST_P(EveryMaterial, GivesTheSameAnswerInPacksAndOneByOne)
 {
-  test::Random random(51);
+  Random random(51);
   std::vector<Probe> together, alone;
   for (int k = 0; k < pack_width; ++k) together.push_back(probe()), alone.push_back(probe());
   for (int step = 0; step < 300; ++step) {
@@ -228,14 +219,14 @@ TEST_P(EveryMaterial, GivesTheSameAnswerInPacksAndOneByOne)
 TEST_P(EveryMaterial, DoesNotDependOnTheFrame)  // turn the input by 30 degrees, turn the answer back
 {
   constexpr Real angle = std::numbers::pi / 6.0;
-  test::Random random(52);
+  Random random(52);
   Probe straight = probe(), turned = probe();
   Real largest = 0.0;
   for (int step = 0; step < 200; ++step) {
     const Stress d_eps = random_increment(0.002, random);
     straight.strain(d_eps);
-    turned.strain(test::rotated(d_eps, angle));
-    const Stress back = test::rotated(turned.sigma, -angle);
+    turned.strain(rotated(d_eps, angle));
+    const Stress back = rotated(turned.sigma, -angle);
     for (int c = 0; c < 4; ++c) largest = std::max(largest, std::abs(straight.sigma[c]));
     for (int c = 0; c < 4; ++c)
       ASSERT_NEAR(back[c], straight.sigma[c], 1e-12 * largest) << "component " << c << ", step " << step;
@@ -247,7 +238,7 @@ TEST_P(EveryMaterial, StaysFiniteAndInsideItsYieldSurfaceOnRandomWalks)
 {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Probe point = probe();
-    test::Random random(53 + seed);
+    Random random(53 + seed);
     const Real size = seed % 2 ? 0.02 : 0.0005;
     for (int step = 0; step < 1000; ++step) {
       point.strain(random_increment(size, random));
@@ -257,7 +248,7 @@ TEST_P(EveryMaterial, StaysFiniteAndInsideItsYieldSurfaceOnRandomWalks)
       const int strength = find_role(type().derived, Role::strength);
       if (strength < 0 || type().depends_on_rate) continue;
       const Real su = point.derived(strength);
-      const auto principal = test::sorted_principal(point.sigma);
+      const auto principal = sorted_principal(point.sigma);
       const Real size_of_stress = std::max(std::abs(principal[0]), std::abs(principal[2]));
       ASSERT_LE(principal[0] - principal[2], 2.0 * su * (1.0 + 1e-9) + 1e-14 * size_of_stress) << "step " << step;
     }
@@ -284,7 +275,7 @@ TEST_P(EveryMaterial, HasTheSameStressesAtSmallerStrainsInShorterTimesWhenScaled
   for (std::size_t k = 0; k < stiffer.size(); ++k) stiffer[k] *= std::pow(s, type().parameters[k].strain_exponent);
   Probe soft = probe(), stiff(type(), stiffer);
   stiff.dt = soft.dt / std::sqrt(s);
-  test::Random random(7);
+  Random random(7);
   for (int step = 0; step < 200; ++step) {
     Stress d_eps = random_increment(0.002, random);
     soft.strain(d_eps);
@@ -317,7 +308,7 @@ std::vector<Setting> all_settings()
   return settings;
 }
 
-INSTANTIATE_TEST_SUITE_P(Materials, EveryMaterial, testing::ValuesIn(all_settings()), [](const auto& info) {
+INSTANTIATE_TEST_SUITE_P(Materials, EveryMaterial, ValuesIn(all_settings()), [](const auto& info) {
   return std::string(info.param.type->name) + (info.param.everything_on ? "_with_everything_on" : "_by_default");
 });
 
@@ -335,4 +326,3 @@ TEST(AllMaterials, ShareRowsOnlyWhereTheyMeanTheSame)  // one table for all of t
 }
 
 }  // namespace
-}  // namespace terp

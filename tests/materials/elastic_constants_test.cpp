@@ -1,9 +1,7 @@
 // The bulk modulus that follows from G and nu.
 #include "materials/elastic_constants.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 TEST(ElasticConstants, BulkModulusIsThatOfTheHandbook)
@@ -31,4 +29,3 @@ TEST(ElasticConstants, TakeNoIncompressibleSoilAndNoNegativeRatio)
 }
 
 }  // namespace
-}  // namespace terp

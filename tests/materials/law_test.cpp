@@ -1,12 +1,8 @@
 // What a law's file may leave out, and what it says about rates: a strength that grows with the rate is no viscosity.
-
 #include "materials/law.hpp"
-
 #include "materials/elastic_constants.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 /// Shear stress up to a limit that grows with the rate of shear: one component, for tests of the frame around a law.
@@ -103,4 +99,3 @@ TEST(Law, TakesAParameterFromEachPointAndTheReferenceValueInPadding)
 }
 
 }  // namespace
-}  // namespace terp

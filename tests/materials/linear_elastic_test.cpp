@@ -1,14 +1,11 @@
 // Linear elasticity: stress by hand, no history, no plastic work.
-
 #include "materials/elastic_constants.hpp"
 #include "materials/probe.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
-test::Probe soil() { return {*find_material("linear_elastic"), {2e6, 0.48}}; }
+Probe soil() { return {*find_material("linear_elastic"), {2e6, 0.48}}; }
 
 TEST(LinearElastic, BulkModulusOfThePaperIs49Point33Megapascal)  // reading R16
 {
@@ -60,4 +57,3 @@ TEST(LinearElastic, HasNoStateAndNothingToCheck)
 }
 
 }  // namespace
-}  // namespace terp

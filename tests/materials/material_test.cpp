@@ -1,10 +1,7 @@
 // The list of laws and the ranges of their parameters.
-
 #include "materials/material.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 TEST(Materials, AreFoundByNameAndOnlyByName)
@@ -42,4 +39,3 @@ TEST(Range, HoldsNothingThatIsNotANumber)
 }
 
 }  // namespace
-}  // namespace terp

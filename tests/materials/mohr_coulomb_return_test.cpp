@@ -1,15 +1,9 @@
 // The return to a Mohr-Coulomb surface against all ways to choose active planes, solved one by one.
-
 #include "materials/mohr_coulomb_return.hpp"
-
 #include "support/random.hpp"
-
-#include <cmath>
-#include <gmock/gmock.h>
-#include <numbers>
+#include "support/test.hpp"
 #include <optional>
 
-namespace terp {
 namespace {
 
 using Vector = std::array<Real, 3>;
@@ -157,7 +151,7 @@ void expect_the_only_answer(const Soil& soil, Vector trial, std::array<int, 4>& 
 
 TEST(MohrCoulombReturn, IsTheOneChoiceOfActivePlanesThatIsAdmissible)
 {
-  test::Random random(81);
+  Random random(81);
   std::array<int, 4> count{};
   for (int k = 0; k < 20000; ++k) {
     Soil soil;
@@ -207,4 +201,3 @@ TEST(MohrCoulombReturn, EndsAtTheApexOfSoilWithoutCohesionThatIsPulledApart)
 }
 
 }  // namespace
-}  // namespace terp

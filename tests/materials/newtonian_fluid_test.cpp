@@ -1,14 +1,8 @@
 // Weakly compressible fluid: pressure from volume, shear stress from rate, and how it tears and closes.
-
 #include "materials/probe.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using test::Probe;
-using test::Stress;
 
 Probe fluid(Real bulk, Real viscosity, Real tension_cutoff = 0.0)
 {
@@ -86,4 +80,3 @@ TEST(NewtonianFluid, TellsTheTimeStepOfItsViscosity)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,12 +1,8 @@
 // Principal values and directions of plane tensors, their order with zz, and the way back.
-
 #include "materials/principal.hpp"
-
 #include "support/random.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 using Tensor = SymTensor<Real, 2>;
@@ -33,7 +29,7 @@ TEST(PrincipalValues, OfEqualValuesPointAlongX)
 
 TEST(PrincipalValues, LeadBackToTheTensor)
 {
-  test::Random random(61);
+  Random random(61);
   for (int k = 0; k < 1000; ++k) {
     const Tensor t{
         {random.between(-9.0, 9.0), random.between(-9.0, 9.0), random.between(-9.0, 9.0), random.between(-9.0, 9.0)}};
@@ -91,4 +87,3 @@ TEST(AssignByRank, UndoesTheSorting)
 }
 
 }  // namespace
-}  // namespace terp

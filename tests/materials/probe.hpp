@@ -4,6 +4,7 @@
 #include "base/tensor.hpp"
 #include "materials/material.hpp"
 #include "parallel/pack.hpp"
+#include "support/test.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -115,6 +116,15 @@ inline Stress rotated(const Stress& s, Real angle)
   const Real c = std::cos(angle), d = std::sin(angle);
   return {{c * c * s[0] + d * d * s[1] + 2.0 * c * d * s[3], d * d * s[0] + c * c * s[1] - 2.0 * c * d * s[3], s[2],
       c * d * (s[1] - s[0]) + (c * c - d * d) * s[3]}};
+}
+
+/// A problem with the parameters of a law.
+inline testing::Matcher<const ParameterProblem&> problem(
+    const std::string& parameter, const std::string& what, const std::string& detail)
+{
+  return AllOf(testing::Field("parameter", &ParameterProblem::parameter, parameter),
+      testing::Field("what", &ParameterProblem::what, what),
+      testing::Field("detail", &ParameterProblem::detail, detail));
 }
 
 }  // namespace terp::test

@@ -1,14 +1,8 @@
 // Where the points keep the numbers of a law, and what they are asked for by role.
-
 #include "materials/soil_material.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::ElementsAre;
 
 const std::vector<Real> clay_values{2e6, 0.4, 8e3, 2e3, 50.0};
 
@@ -86,4 +80,3 @@ TEST(SoilMaterial, OfALawWithoutARoleSaysSo)
 }
 
 }  // namespace
-}  // namespace terp

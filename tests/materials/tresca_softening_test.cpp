@@ -1,17 +1,9 @@
 // Tresca with softening: returns to the face and to both edges against an independent bisection, and Eqs. (5) and (6).
-
 #include "materials/probe.hpp"
 #include "support/random.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-#include <numbers>
-
-namespace terp {
 namespace {
-
-using test::Probe;
-using test::sorted_principal;
-using test::Stress;
 
 struct Soil {
   Real G = 2e6, nu = 0.48, su_peak = 8e3, su_residual = 2e3, eta = 50.0;  // the paper's, model 2
@@ -29,7 +21,7 @@ Stress stress_of(std::array<Real, 3> s, Zz zz, Real angle = 0.4)
   const Stress straight = zz == Zz::major    ? Stress{{s[1], s[2], s[0], 0.0}}
                           : zz == Zz::middle ? Stress{{s[0], s[2], s[1], 0.0}}
                                              : Stress{{s[0], s[1], s[2], 0.0}};
-  return test::rotated(straight, -angle);
+  return rotated(straight, -angle);
 }
 
 /// A point that was put to a trial stress outside the yield surface and returned.
@@ -161,57 +153,32 @@ TEST(TrescaSoftening, Eq6_AddsIncrementsToAPathLength)  // there and back counts
   EXPECT_NEAR(point.state[0] - there, 0.01 - 2.0 * 8e3 / 4e6, 1e-15);
 }
 
-TEST(TrescaSoftening, WithoutSofteningReturnsToTheFaceOfTheClosedForm)
+TEST(TrescaSoftening, WithoutSofteningReturnsToTheFaceAndTheEdgesOfTheClosedForm)
 {
-  const Soil soil{.eta = 0.0};
-  for (const Zz zz : {Zz::major, Zz::middle, Zz::minor}) {
-    const auto s = sorted_principal(returned_from(soil, stress_of({20e3, 3e3, -10e3}, zz), 0.0).sigma);
-    EXPECT_NEAR(s[0], 5e3 + 8e3, 1e-8);
-    EXPECT_NEAR(s[1], 3e3, 1e-8);
-    EXPECT_NEAR(s[2], 5e3 - 8e3, 1e-8);
-  }
+  const Real su = 8e3;
+  const std::pair<std::array<Real, 3>, std::array<Real, 3>> returns[] = {
+      {{20e3, 3e3, -10e3}, {5e3 + su, 3e3, 5e3 - su}},
+      {{20e3, 19e3, -12e3}, {9e3 + 2.0 / 3.0 * su, 9e3 + 2.0 / 3.0 * su, 9e3 - 4.0 / 3.0 * su}},      // p = 9 kPa
+      {{20e3, -11e3, -12e3}, {-1e3 + 4.0 / 3.0 * su, -1e3 - 2.0 / 3.0 * su, -1e3 - 2.0 / 3.0 * su}},  // p = -1 kPa
+  };
+  for (const Zz zz : {Zz::major, Zz::middle, Zz::minor})
+    for (const auto& [trial, expected] : returns)
+      EXPECT_THAT(sorted_principal(returned_from({.eta = 0.0}, stress_of(trial, zz), 0.0).sigma),
+          Pointwise(DoubleNear(1e-8), expected));
 }
 
-TEST(TrescaSoftening, WithoutSofteningReturnsToTheEdgesOfTheClosedForm)
+TEST(TrescaSoftening, ReturnsToTheFaceAndTheEdgesOfTheBisection)
 {
-  const Soil soil{.eta = 0.0};
-  for (const Zz zz : {Zz::major, Zz::middle, Zz::minor}) {
-    const auto upper =
-        sorted_principal(returned_from(soil, stress_of({20e3, 19e3, -12e3}, zz), 0.0).sigma);  // p = 9 kPa
-    EXPECT_NEAR(upper[0], 9e3 + 2.0 / 3.0 * 8e3, 1e-8);
-    EXPECT_NEAR(upper[1], 9e3 + 2.0 / 3.0 * 8e3, 1e-8);
-    EXPECT_NEAR(upper[2], 9e3 - 4.0 / 3.0 * 8e3, 1e-8);
-    const auto lower =
-        sorted_principal(returned_from(soil, stress_of({20e3, -11e3, -12e3}, zz), 0.0).sigma);  // p = -1 kPa
-    EXPECT_NEAR(lower[0], -1e3 + 4.0 / 3.0 * 8e3, 1e-8);
-    EXPECT_NEAR(lower[1], -1e3 - 2.0 / 3.0 * 8e3, 1e-8);
-    EXPECT_NEAR(lower[2], -1e3 - 2.0 / 3.0 * 8e3, 1e-8);
-  }
-}
-
-TEST(TrescaSoftening, ReturnsToTheFaceOfTheBisection)
-{
+  const Soil steep{.su_residual = 500.0, .eta = 350.0};
   for (const Real e : {0.0, 0.004, 0.06}) {
     expect_exact_return({}, {25e3, 4.8e3, -15e3}, e, 0);
-    expect_exact_return({.su_residual = 500.0, .eta = 350.0}, {-40e3, -55e3, -70e3}, e, 0);
-  }
-}
-
-TEST(TrescaSoftening, ReturnsToTheEdgeWhereTheTwoLargerAreEqual)
-{
-  for (const Real e : {0.0, 0.004, 0.06}) {
+    expect_exact_return(steep, {-40e3, -55e3, -70e3}, e, 0);
     expect_exact_return({}, {25e3, 24e3, -15e3}, e, 1);
     expect_exact_return({}, {25e3, 25e3, -15e3}, e, 1);
-    expect_exact_return({.su_residual = 500.0, .eta = 350.0}, {-40e3, -41e3, -80e3}, e, 1);
-  }
-}
-
-TEST(TrescaSoftening, ReturnsToTheEdgeWhereTheTwoSmallerAreEqual)
-{
-  for (const Real e : {0.0, 0.004, 0.06}) {
+    expect_exact_return(steep, {-40e3, -41e3, -80e3}, e, 1);
     expect_exact_return({}, {25e3, -14e3, -15e3}, e, 2);
     expect_exact_return({}, {25e3, -15e3, -15e3}, e, 2);
-    expect_exact_return({.su_residual = 500.0, .eta = 350.0}, {-40e3, -78e3, -80e3}, e, 2);
+    expect_exact_return(steep, {-40e3, -78e3, -80e3}, e, 2);
   }
 }
 
@@ -288,8 +255,8 @@ TEST(TrescaSoftening, IsContinuousWhereZzChangesItsRank)
 {
   const Soil soil;
   for (const Real zz : {12e3, -18e3}) {  // the in-plane pair is 12 and -18 kPa
-    const auto below = returned_from(soil, test::rotated({{12e3, -18e3, zz - 1e-5, 0.0}}, 0.3), 0.0);
-    const auto above = returned_from(soil, test::rotated({{12e3, -18e3, zz + 1e-5, 0.0}}, 0.3), 0.0);
+    const auto below = returned_from(soil, rotated({{12e3, -18e3, zz - 1e-5, 0.0}}, 0.3), 0.0);
+    const auto above = returned_from(soil, rotated({{12e3, -18e3, zz + 1e-5, 0.0}}, 0.3), 0.0);
     for (int c = 0; c < 4; ++c) EXPECT_NEAR(above.sigma[c], below.sigma[c], 1e-4);
   }
 }
@@ -308,7 +275,7 @@ TEST(TrescaSoftening, TheEdgeReturnLiesBetweenTheTwoFacesThatMeetThere)  // both
 
 TEST(TrescaSoftening, NeverChangesThePressure)
 {
-  test::Random random(71);
+  Random random(71);
   for (int k = 0; k < 2000; ++k) {
     Stress trial;
     for (int c = 0; c < 4; ++c) trial[c] = random.between(-50e3, 50e3);
@@ -321,14 +288,14 @@ TEST(TrescaSoftening, KeepsTheDirectionsOfTheTrialStress)
 {
   for (const Real angle : {0.0, 0.3, 1.2, -0.8}) {
     const auto point = returned_from({}, stress_of({25e3, 2e3, -15e3}, Zz::middle, angle), 0.0);
-    EXPECT_NEAR(test::rotated(point.sigma, angle)[3], 0.0, 1e-10);
-    EXPECT_GT(test::rotated(point.sigma, angle)[0], test::rotated(point.sigma, angle)[1]);
+    EXPECT_NEAR(rotated(point.sigma, angle)[3], 0.0, 1e-10);
+    EXPECT_GT(rotated(point.sigma, angle)[0], rotated(point.sigma, angle)[1]);
   }
 }
 
 TEST(TrescaSoftening, PlasticWorkIsStressTimesPlasticStrainAndPositive)
 {
-  test::Random random(72);
+  Random random(72);
   int n_plastic = 0;
   for (int k = 0; k < 2000; ++k) {
     Stress trial, d_eps_p;
@@ -364,7 +331,7 @@ TEST(TrescaSoftening, CarriesAnyPressureAndAnyTension)
 TEST(TrescaSoftening, NeverGetsItsStrengthBack)
 {
   auto point = Soil{}.probe();
-  test::Random random(73);
+  Random random(73);
   Real before = 0.0;
   for (int k = 0; k < 3000; ++k) {
     point.strain({{random.between(-0.003, 0.003), random.between(-0.003, 0.003), random.between(-0.003, 0.003),
@@ -389,30 +356,21 @@ std::vector<ParameterProblem> problems_of(const Soil& s)
   return find_material("tresca_softening")->check(std::vector<Real>{s.G, s.nu, s.su_peak, s.su_residual, s.eta});
 }
 
-TEST(TrescaSofteningCheck, RefusesSofteningThatIsTooSteep)
+TEST(TrescaSofteningCheck, RefusesSofteningThatIsTooSteepAndAResidualStrengthAboveThePeak)
 {
-  const auto problems = problems_of({.eta = 800.0});
-  ASSERT_EQ(problems.size(), 1u);
-  EXPECT_EQ(problems[0].parameter, "eta");
-  EXPECT_EQ(problems[0].what, "softening is too steep");
-  EXPECT_EQ(problems[0].detail,
-      "eta (su_peak - su_residual) = 4.8e+06 Pa, at most 1.5 G = 3e+06 Pa\n"
-      "(beyond sqrt(3) G the return mapping has no unique answer). Use eta <= 500, or a stiffer soil.");
+  EXPECT_THAT(problems_of({.eta = 800.0}),
+      ElementsAre(problem("eta", "softening is too steep",
+          "eta (su_peak - su_residual) = 4.8e+06 Pa, at most 1.5 G = 3e+06 Pa\n"
+          "(beyond sqrt(3) G the return mapping has no unique answer). Use eta <= 500, or a stiffer soil.")));
+  EXPECT_THAT(problems_of({.su_residual = 9e3}),
+      ElementsAre(problem("su_residual", "the residual strength exceeds the peak strength",
+          "su_residual = 9000 Pa, at most su_peak = 8000 Pa.")));
 }
 
 TEST(TrescaSofteningCheck, AdmitsTheLimitItself)
 {
   EXPECT_TRUE(problems_of({.eta = 500.0}).empty());
   EXPECT_EQ(problems_of({.eta = 500.001}).size(), 1u);
-}
-
-TEST(TrescaSofteningCheck, RefusesAResidualStrengthAboveThePeak)
-{
-  const auto problems = problems_of({.su_residual = 9e3});
-  ASSERT_EQ(problems.size(), 1u);
-  EXPECT_EQ(problems[0].parameter, "su_residual");
-  EXPECT_EQ(problems[0].what, "the residual strength exceeds the peak strength");
-  EXPECT_EQ(problems[0].detail, "su_residual = 9000 Pa, at most su_peak = 8000 Pa.");
 }
 
 TEST(TrescaSofteningCheck, AdmitsSoilThatDoesNotSoften)
@@ -422,4 +380,3 @@ TEST(TrescaSofteningCheck, AdmitsSoilThatDoesNotSoften)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,18 +1,9 @@
 // The grid of boxes finds every box and stays small.
-
 #include "mesh/box_grid.hpp"
-
 #include "support/random.hpp"
+#include "support/test.hpp"
 
-#include <algorithm>
-#include <gmock/gmock.h>
-#include <limits>
-
-namespace terp {
 namespace {
-
-using testing::DoubleEq;
-using testing::ElementsAre;
 
 bool holds(const BoundingBox& box, Vec<2> x)
 {
@@ -21,7 +12,7 @@ bool holds(const BoundingBox& box, Vec<2> x)
 
 std::vector<BoundingBox> random_boxes(Index n, Real largest, std::uint64_t seed)
 {
-  test::Random random(seed);
+  Random random(seed);
   std::vector<BoundingBox> boxes;
   for (Index k = 0; k < n; ++k) {
     const Vec<2> low{random.between(-3.0, 5.0), random.between(0.0, 1.0)};
@@ -35,7 +26,7 @@ TEST(BoxGrid, NamesEveryBoxThatHoldsAPlaceInAscendingOrder)
   for (const Real largest : {0.0, 0.1, 3.0}) {
     const auto boxes = random_boxes(500, largest, 1);
     const BoxGrid grid = make_box_grid(boxes);
-    test::Random random(2);
+    Random random(2);
     for (int trial = 0; trial < 2000; ++trial) {
       const Vec<2> x = trial < 500 ? boxes[trial].high : Vec<2>{random.between(-4.0, 9.0), random.between(-1.0, 5.0)};
       const auto near = boxes_near(grid, x);
@@ -97,4 +88,3 @@ TEST(Line, IsAsFarAsItsNextPlaceOrItsNextEnd)
 }
 
 }  // namespace
-}  // namespace terp

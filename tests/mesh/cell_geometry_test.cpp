@@ -1,18 +1,10 @@
 // The isoparametric map of one cell: a trapezium by hand, general quadrilaterals by exact properties, and the inverse
 // map.
-
 #include "mesh/cell_geometry.hpp"
-
 #include "support/meshes.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::DoubleEq;
-using testing::DoubleNear;
-using testing::ElementsAre;
 
 // Width 2 at the bottom, 1.5 at the top, height 1: detJ = (1.75 - 0.25 eta) / 4.
 constexpr std::array<Vec<2>, 4> trapezium{{{0.0, 0.0}, {2.0, 0.0}, {1.5, 1.0}, {0.0, 1.0}}};
@@ -63,14 +55,14 @@ TEST(CellGeometry, ParallelogramIsAffineWithEqualVolumes)
 {
   const auto cell = make_cell_geometry<Quad4>({{{0.0, 0.0}, {1.0, 0.2}, {1.3, 1.1}, {0.3, 0.9}}});
   EXPECT_TRUE(cell.map.affine);
-  EXPECT_THAT(cell.gauss_volume, testing::Each(DoubleEq(0.25 * (0.9 - 0.3 * 0.2))));
+  EXPECT_THAT(cell.gauss_volume, Each(DoubleEq(0.25 * (0.9 - 0.3 * 0.2))));
 }
 
 TEST(CellGeometry, GradientsReproduceLinearFieldsInAnyQuadrilateral)
 {
-  test::Random random(3);
+  Random random(3);
   for (int repeat = 0; repeat < 200; ++repeat) {
-    const auto corners = test::distorted_square(0.3, random);
+    const auto corners = distorted_square(0.3, random);
     const auto cell = make_cell_geometry<Quad4>(corners);
     for (int g = 0; g < 4; ++g)
       for (int d = 0; d < 2; ++d) {
@@ -89,9 +81,9 @@ TEST(CellGeometry, GradientsReproduceLinearFieldsInAnyQuadrilateral)
 
 TEST(CellGeometry, CentreGradientIsTheMeanGradientOfAPlaneQuadrilateral)  // reading R5
 {
-  test::Random random(4);
+  Random random(4);
   for (int repeat = 0; repeat < 200; ++repeat) {
-    const auto cell = make_cell_geometry<Quad4>(test::distorted_square(0.3, random));
+    const auto cell = make_cell_geometry<Quad4>(distorted_square(0.3, random));
     for (int i = 0; i < 4; ++i)
       for (int d = 0; d < 2; ++d) {
         Real integral = 0.0;
@@ -104,8 +96,8 @@ TEST(CellGeometry, CentreGradientIsTheMeanGradientOfAPlaneQuadrilateral)  // rea
 
 TEST(CellGeometry, OffsetRunsThroughTheCorners)
 {
-  test::Random random(5);
-  const auto corners = test::distorted_square(0.3, random);
+  Random random(5);
+  const auto corners = distorted_square(0.3, random);
   const auto cell = make_cell_geometry<Quad4>(corners);
   for (int i = 0; i < 4; ++i) {
     const auto offset = Quad4::offset_from_centre(cell.map, Quad4::corner_place[i]);
@@ -118,8 +110,8 @@ TEST(CellGeometry, OffsetRunsThroughTheCorners)
 
 TEST(CellGeometry, JacobianIsTheSlopeOfTheOffset)
 {
-  test::Random random(6);
-  const auto cell = make_cell_geometry<Quad4>(test::distorted_square(0.3, random));
+  Random random(6);
+  const auto cell = make_cell_geometry<Quad4>(distorted_square(0.3, random));
   const Real xi = 0.4, eta = -0.7, step = 0.5;  // the map is linear in each coordinate: any step is exact
   const auto j = Quad4::jacobian(cell.map, Vec<2>{xi, eta});
   const auto here = Quad4::offset_from_centre(cell.map, Vec<2>{xi, eta});
@@ -132,7 +124,7 @@ TEST(CellGeometry, JacobianIsTheSlopeOfTheOffset)
 }
 
 /// Corners moved by the full `share`, every second square towards the eight compass points, where the worst shapes lie.
-std::array<Vec<2>, 4> hard_square(Real share, int k, test::Random& random)
+std::array<Vec<2>, 4> hard_square(Real share, int k, Random& random)
 {
   std::array<Vec<2>, 4> corners{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}};
   for (auto& x : corners) {
@@ -147,7 +139,7 @@ std::array<Vec<2>, 4> hard_square(Real share, int k, test::Random& random)
 template <class Inverse>
 Real worst_return(Real share, Real reach, Inverse&& inverse)
 {
-  test::Random random(7);
+  Random random(7);
   Real worst = 0.0;
   for (int k = 0; k < 4000; ++k) {
     const auto cell = make_cell_geometry<Quad4>(hard_square(share, k, random));
@@ -201,9 +193,9 @@ TEST(InverseMap, IsExactInAParallelogramHoweverFar)
 
 TEST(InverseMap, IsTheSameInAPackAndAlone)
 {
-  test::Random random(8);
+  Random random(8);
   for (int repeat = 0; repeat < 200; ++repeat) {
-    const auto cell = make_cell_geometry<Quad4>(test::distorted_square(0.3, random));
+    const auto cell = make_cell_geometry<Quad4>(distorted_square(0.3, random));
     const Real x = random.between(-0.4, 0.4), y = random.between(-0.4, 0.4);
     const auto alone = Quad4::local_coordinates(cell.map, Vec<2>{x, y});
     const auto packed = Quad4::local_coordinates(cell.map, std::array{Pack(x), Pack(y)});
@@ -212,4 +204,3 @@ TEST(InverseMap, IsTheSameInAPackAndAlone)
 }
 
 }  // namespace
-}  // namespace terp

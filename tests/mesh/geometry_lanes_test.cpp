@@ -1,12 +1,9 @@
 // The geometry of eight cells in lanes is that of each cell.
 #include "mesh/geometry_lanes.hpp"
-
 #include "mesh/mesh.hpp"
 #include "support/meshes.hpp"
+#include "support/test.hpp"
 
-#include <gtest/gtest.h>
-
-namespace terp {
 namespace {
 
 void expect_lane(const GeometryLanes<Quad4>& lanes, int c, const CellGeometry<Quad4>& cell)
@@ -23,7 +20,7 @@ void expect_lane(const GeometryLanes<Quad4>& lanes, int c, const CellGeometry<Qu
 
 TEST(GeometryLanes, HoldEachCellInItsLane)
 {
-  const Mesh<2> distorted = test::distorted_rectangle(4, 2, 1.0, 0.3, 3),
+  const Mesh<2> distorted = distorted_rectangle(4, 2, 1.0, 0.3, 3),
                 equal = make_rectangle({0.0, 0.0}, {4.0, 1.0}, {4, 2});
   for (const Mesh<2>* mesh : {&distorted, &equal}) {
     std::array<const CellGeometry<Quad4>*, pack_width> cells;
@@ -34,4 +31,3 @@ TEST(GeometryLanes, HoldEachCellInItsLane)
 }
 
 }  // namespace
-}  // namespace terp

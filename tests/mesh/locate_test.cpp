@@ -1,14 +1,8 @@
 // Which cell contains a position: on distorted meshes, on sides and corners, outside, from any first guess.
-
 #include "mesh/locate.hpp"
-
 #include "support/meshes.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-#include <limits>
-#include <set>
-
-namespace terp {
 namespace {
 
 /// Left of all four straight sides by more than `margin` [m]: an independent form of locate().
@@ -37,8 +31,8 @@ std::set<Index> owners_from_every_guess(const Mesh<2>& mesh, Vec<2> x)
 TEST(Locate, FindsTheOneCellThatHoldsAPlaceFromAnyFirstGuess)
 {
   for (const Real share : {0.0, 0.1, 0.2, 0.3, 0.35}) {
-    const auto mesh = test::distorted_rectangle(9, 6, 0.1, share, 11);
-    test::Random random(12);
+    const auto mesh = distorted_rectangle(9, 6, 0.1, share, 11);
+    Random random(12);
     for (int k = 0; k < 300; ++k) {
       const Vec<2> x{random.between(0.0, 0.9), random.between(0.0, 0.6)};
       std::set<Index> expected;
@@ -53,8 +47,8 @@ TEST(Locate, FindsTheOneCellThatHoldsAPlaceFromAnyFirstGuess)
 
 TEST(Locate, GivesLocalCoordinatesThatMapBackToThePlace)
 {
-  const auto mesh = test::distorted_rectangle(9, 6, 0.1, 0.3, 13);
-  test::Random random(14);
+  const auto mesh = distorted_rectangle(9, 6, 0.1, 0.3, 13);
+  Random random(14);
   for (int k = 0; k < 3000; ++k) {
     const Vec<2> x{random.between(0.0, 0.9), random.between(0.0, 0.6)};
     const Location at = locate(mesh, x, random.below(mesh.n_cells()));
@@ -69,8 +63,8 @@ TEST(Locate,
     IsNotFooledByAnInverseMapWithoutAnswerInAFarCell)  // plain Newton sent 1.6 % of these places to a wrong cell
 {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    const auto mesh = test::distorted_rectangle(12, 8, 0.1, 0.3, seed);
-    test::Random random(seed);
+    const auto mesh = distorted_rectangle(12, 8, 0.1, 0.3, seed);
+    Random random(seed);
     for (int k = 0; k < 2000; ++k) {
       const Vec<2> x{random.between(0.0, 1.2), random.between(0.0, 0.8)};
       const Location at = locate(mesh, x, random.below(mesh.n_cells()));
@@ -86,35 +80,35 @@ Mesh<2> exact_mesh() { return make_rectangle({0.0, 0.0}, {1.0, 0.75}, {4, 3}); }
 TEST(Locate, GivesAPlaceOnASideToTheCellRightOfItOrAboveIt)
 {
   const auto mesh = exact_mesh();
-  EXPECT_THAT(owners_from_every_guess(mesh, {0.25, 0.1}), testing::ElementsAre(1));
-  EXPECT_THAT(owners_from_every_guess(mesh, {0.4, 0.25}), testing::ElementsAre(5));
+  EXPECT_THAT(owners_from_every_guess(mesh, {0.25, 0.1}), ElementsAre(1));
+  EXPECT_THAT(owners_from_every_guess(mesh, {0.4, 0.25}), ElementsAre(5));
   EXPECT_EQ(locate(mesh, {0.25, 0.1}, 0).local[0], -1.0);
 }
 
 TEST(Locate, GivesAPlaceOnACornerToOneOfFourCells)
 {
   const auto mesh = exact_mesh();
-  EXPECT_THAT(owners_from_every_guess(mesh, {0.5, 0.25}), testing::ElementsAre(6));
+  EXPECT_THAT(owners_from_every_guess(mesh, {0.5, 0.25}), ElementsAre(6));
   const Location at = locate(mesh, {0.5, 0.25}, 1);
-  EXPECT_THAT(at.local, testing::ElementsAre(-1.0, -1.0));
+  EXPECT_THAT(at.local, ElementsAre(-1.0, -1.0));
 }
 
 TEST(Locate, ClosesTheOuterBoundary)
 {
   const auto mesh = exact_mesh();
-  EXPECT_THAT(owners_from_every_guess(mesh, {1.0, 0.1}), testing::ElementsAre(3));
-  EXPECT_THAT(owners_from_every_guess(mesh, {0.6, 0.75}), testing::ElementsAre(10));
-  EXPECT_THAT(owners_from_every_guess(mesh, {1.0, 0.75}), testing::ElementsAre(11));
-  EXPECT_THAT(owners_from_every_guess(mesh, {0.0, 0.0}), testing::ElementsAre(0));
-  EXPECT_THAT(owners_from_every_guess(mesh, {1.0, 0.25}), testing::ElementsAre(7));
+  EXPECT_THAT(owners_from_every_guess(mesh, {1.0, 0.1}), ElementsAre(3));
+  EXPECT_THAT(owners_from_every_guess(mesh, {0.6, 0.75}), ElementsAre(10));
+  EXPECT_THAT(owners_from_every_guess(mesh, {1.0, 0.75}), ElementsAre(11));
+  EXPECT_THAT(owners_from_every_guess(mesh, {0.0, 0.0}), ElementsAre(0));
+  EXPECT_THAT(owners_from_every_guess(mesh, {1.0, 0.25}), ElementsAre(7));
 }
 
 TEST(
     Locate, AcceptsAPlaceOnAnySideOfADistortedMesh)  // round-off may leave it to either of the two cells, never to none
 {
   for (const Real share : {0.1, 0.3, 0.35}) {
-    const auto mesh = test::distorted_rectangle(6, 5, 0.1, share, 15);
-    test::Random random(16);
+    const auto mesh = distorted_rectangle(6, 5, 0.1, share, 15);
+    Random random(16);
     for (Index e = 0; e < mesh.n_cells(); ++e)
       for (int s = 0; s < 4; ++s) {
         const Vec<2>&a = mesh.nodes[mesh.cells[e][s]], &b = mesh.nodes[mesh.cells[e][(s + 1) % 4]];
@@ -132,16 +126,16 @@ TEST(
 TEST(Locate, ReportsPlacesOutsideTheMesh)
 {
   const auto regular = exact_mesh();
-  const auto distorted = test::distorted_rectangle(4, 3, 0.25, 0.3, 17);
+  const auto distorted = distorted_rectangle(4, 3, 0.25, 0.3, 17);
   for (const Vec<2> x :
       {Vec<2>{-1e-6, 0.3}, Vec<2>{1.000001, 0.3}, Vec<2>{0.3, -0.5}, Vec<2>{0.3, 7.0}, Vec<2>{-3.0, -2.0}})
     for (const Mesh<2>* mesh : {&regular, &distorted})
-      EXPECT_THAT(owners_from_every_guess(*mesh, x), testing::ElementsAre(outside)) << x[0] << ", " << x[1];
+      EXPECT_THAT(owners_from_every_guess(*mesh, x), ElementsAre(outside)) << x[0] << ", " << x[1];
 }
 
 TEST(Locate, EndsAtTheWallThatThePlaceLiesBeyond)
 {
-  const auto mesh = test::distorted_rectangle(4, 3, 0.25, 0.3, 18);
+  const auto mesh = distorted_rectangle(4, 3, 0.25, 0.3, 18);
   for (const Index guess : {0, 5, 11}) {
     const Location at = locate(mesh, {1.01, 0.3}, guess);
     EXPECT_FALSE(at.inside);
@@ -153,7 +147,7 @@ TEST(Locate, EndsAtTheWallThatThePlaceLiesBeyond)
 TEST(Locate, SaysNoToWhatIsNotANumber)
 {
   constexpr Real nan = std::numeric_limits<Real>::quiet_NaN(), infinity = std::numeric_limits<Real>::infinity();
-  const auto distorted = test::distorted_rectangle(4, 3, 0.25, 0.3, 19);
+  const auto distorted = distorted_rectangle(4, 3, 0.25, 0.3, 19);
   for (const Vec<2> x : {Vec<2>{nan, 0.1}, Vec<2>{0.1, nan}, Vec<2>{infinity, 0.1}, Vec<2>{0.1, -infinity}}) {
     EXPECT_FALSE(locate(exact_mesh(), x, 2).inside);
     EXPECT_FALSE(locate(distorted, x, 2).inside);
@@ -166,15 +160,15 @@ TEST(Locate, FindsAPlaceAcrossANotchThatTheWalkCannotCross)  // cells 0 and 1 to
   mesh.nodes = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}, {2.0, 0.0}, {3.0, 0.0}, {3.0, 1.0}, {2.0, 1.0}};
   mesh.cells = {{0, 1, 2, 3}, {4, 5, 6, 7}};
   connect(mesh);
-  EXPECT_THAT(owners_from_every_guess(mesh, {2.5, 0.5}), testing::ElementsAre(1));
-  EXPECT_THAT(owners_from_every_guess(mesh, {1.5, 0.5}), testing::ElementsAre(outside));
+  EXPECT_THAT(owners_from_every_guess(mesh, {2.5, 0.5}), ElementsAre(1));
+  EXPECT_THAT(owners_from_every_guess(mesh, {1.5, 0.5}), ElementsAre(outside));
 }
 
 TEST(Locate, WithoutAFirstGuessFindsTheSameCell)
 {
   for (const Real share : {0.0, 0.3, 0.35}) {
-    const auto mesh = test::distorted_rectangle(9, 6, 0.1, share, 20);
-    test::Random random(21);
+    const auto mesh = distorted_rectangle(9, 6, 0.1, share, 20);
+    Random random(21);
     for (int k = 0; k < 2000; ++k) {
       const Vec<2> x{random.between(0.0, 0.9), random.between(0.0, 0.6)};
       const Location at = locate(mesh, x);
@@ -197,9 +191,8 @@ TEST(Locate, WithoutAFirstGuessObeysTheHalfOpenRule)
 
 TEST(ClampToCell, MovesOnlyWhatLiesOutside)
 {
-  EXPECT_THAT(clamp_to_cell({1.5, -0.3}), testing::ElementsAre(1.0, -0.3));
-  EXPECT_THAT(clamp_to_cell({-0.2, -7.0}), testing::ElementsAre(-0.2, -1.0));
+  EXPECT_THAT(clamp_to_cell({1.5, -0.3}), ElementsAre(1.0, -0.3));
+  EXPECT_THAT(clamp_to_cell({-0.2, -7.0}), ElementsAre(-0.2, -1.0));
 }
 
 }  // namespace
-}  // namespace terp

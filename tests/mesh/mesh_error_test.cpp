@@ -1,11 +1,7 @@
 // The names of cells and nodes, and the texts of faults.
-
 #include "mesh/mesh_error.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 Mesh<2> one_cell() { return make_rectangle({0.5, 0.0}, {1.0, 2.0}, {1, 1}); }
@@ -51,28 +47,17 @@ TEST(MeshFaults, SayEachAdviceOnceAndCountWhatIsNotShown)
   MeshFaults faults("the file");
   for (int k = 0; k < 12; ++k) faults.add("fault " + std::to_string(k), k == 0 ? "here" : "", "Mend it.");
   faults.count_more(3);
-  try {
-    faults.stop_if_any();
-    FAIL();
-  } catch (const MeshError& error) {
-    EXPECT_STREQ(error.what(),
-        "the file has 15 faults:\n  fault 0\n    here\n  fault 1\n  fault 2\n  fault 3\n  fault 4\n  fault 5\n  fault "
-        "6\n  fault 7\n"
-        "  fault 8\n  fault 9\n  and 5 more\n  Mend it.");
-  }
+  EXPECT_EQ(refusal<MeshError>([&] { faults.stop_if_any(); }),
+      "the file has 15 faults:\n  fault 0\n    here\n  fault 1\n  fault 2\n  fault 3\n  fault 4\n  fault 5\n  fault 6\n"
+      "  fault 7\n  fault 8\n  fault 9\n  and 5 more\n  Mend it.");
 }
 
 TEST(MeshFaults, StopAtTheThousandth)
 {
   MeshFaults faults("the mesh");
   for (int k = 0; k < 999; ++k) faults.add("fault", "", "");
-  try {
-    faults.add("fault", "", "");
-    FAIL();
-  } catch (const MeshError& error) {
-    EXPECT_THAT(error.what(), testing::StartsWith("the mesh has 1000 faults or more:\n  fault\n"));
-  }
+  EXPECT_THAT(refusal<MeshError>([&] { faults.add("fault", "", ""); }),
+      StartsWith("the mesh has 1000 faults or more:\n  fault\n"));
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,15 +1,8 @@
 // The numbers of a mesh's quality by hand, and the lines that `terp check` prints.
-
 #include "mesh/mesh_quality.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-#include <numbers>
-
-namespace terp {
 namespace {
-
-using testing::HasSubstr;
 
 /// Columns of unit height with the given widths.
 Mesh<2> columns(const std::vector<Real>& widths)
@@ -84,7 +77,7 @@ TEST(DescribeQuality, WarnsOfOneCellThatCostsMoreThanAFactorThree)
       "  mesh cost      40x the time steps of the median cell\n"
       "  warning: dt is set by cell 2 at x=1.51 y=0.5: 40x smaller than the median\n");
   EXPECT_THAT(describe(measure_quality(columns({1.0, 1.0, 0.32}))), HasSubstr("warning: dt is set by cell 2"));
-  EXPECT_THAT(describe(measure_quality(columns({1.0, 1.0, 0.35}))), testing::Not(HasSubstr("warning")));
+  EXPECT_THAT(describe(measure_quality(columns({1.0, 1.0, 0.35}))), Not(HasSubstr("warning")));
 }
 
 TEST(DescribeQuality, NamesTheFilesElement)
@@ -104,4 +97,3 @@ TEST(DescribeQuality, WarnsOfParts)
 }
 
 }  // namespace
-}  // namespace terp

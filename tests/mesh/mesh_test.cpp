@@ -1,16 +1,10 @@
 // The background mesh: a small rectangle by hand, and what connect() must find on any quadrilaterals.
-
 #include "mesh/mesh.hpp"
-
 #include "support/meshes.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
-using testing::DoubleEq;
-using testing::ElementsAre;
 using testing::Pair;
 
 // Cells 3 4 5 above 0 1 2; nodes 0 ... 3 at the bottom, 4 ... 7, 8 ... 11 at the top.
@@ -76,23 +70,23 @@ TEST(Rectangle, KeepsOneGeometryForAllItsEqualCells)
 
 TEST(Connect, FindsNeighboursThatShareTwoNodes)
 {
-  const auto mesh = test::distorted_rectangle(7, 5, 0.2, 0.3, 1);
+  const auto mesh = distorted_rectangle(7, 5, 0.2, 0.3, 1);
   Index n_inner = 0;
   for (Index e = 0; e < mesh.n_cells(); ++e)
     for (int s = 0; s < 4; ++s) {
       const Index other = mesh.neighbours[e][s];
       if (other == outside) continue;
       ++n_inner;
-      EXPECT_THAT(mesh.neighbours[other], testing::Contains(e));
+      EXPECT_THAT(mesh.neighbours[other], Contains(e));
       for (const Index node : {mesh.cells[e][s], mesh.cells[e][(s + 1) % 4]})
-        EXPECT_THAT(mesh.cells[other], testing::Contains(node));
+        EXPECT_THAT(mesh.cells[other], Contains(node));
     }
   EXPECT_EQ(n_inner, 2 * (6 * 5 + 7 * 4));
 }
 
 TEST(Connect, GivesDifferentCellsTheirOwnGeometry)
 {
-  const auto mesh = test::distorted_rectangle(7, 5, 0.2, 0.3, 2);
+  const auto mesh = distorted_rectangle(7, 5, 0.2, 0.3, 2);
   Real volume = 0.0, smallest = 1.0;
   for (Index e = 0; e < mesh.n_cells(); ++e) {
     const auto own = make_cell_geometry<Quad4>(mesh.corners(e));
@@ -126,4 +120,3 @@ TEST(Connect, JoinsCellsWhoseCornersStartAnywhere)
 }
 
 }  // namespace
-}  // namespace terp

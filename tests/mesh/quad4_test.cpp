@@ -1,14 +1,8 @@
 // Bilinear shape functions: values and derivatives by hand, and what they must reproduce.
-
 #include "mesh/quad4.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::DoubleEq;
-using testing::ElementsAre;
 
 TEST(ShapeFunctions, HaveTheValuesOfTheirFormula)
 {
@@ -115,4 +109,3 @@ TEST(GaussPoints, IntegrateCubicsExactly)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,15 +1,11 @@
 // A hundred thousand random positions in twenty random meshes: found, owned by one cell, mapped back, and followed when
 // they move.
-
 #include "mesh/locate.hpp"
-
 #include "points/move.hpp"
 #include "support/blocks.hpp"
 #include "support/meshes.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 constexpr Index nx = 14, ny = 9;
@@ -17,9 +13,9 @@ constexpr Real h = 0.1;
 constexpr int n_meshes = 20, places_per_mesh = 5000;
 
 /// From no distortion to the most, 35 % of h, at which corners may be almost straight.
-Mesh<2> random_mesh(int k) { return test::distorted_rectangle(nx, ny, h, 0.35 * std::min(1.0, k / 10.0), 100 + k); }
+Mesh<2> random_mesh(int k) { return distorted_rectangle(nx, ny, h, 0.35 * std::min(1.0, k / 10.0), 100 + k); }
 
-Vec<2> random_place(test::Random& random) { return {random.between(0.0, nx * h), random.between(0.0, ny * h)}; }
+Vec<2> random_place(Random& random) { return {random.between(0.0, nx * h), random.between(0.0, ny * h)}; }
 
 /// Smallest distance of a position to the left of the four sides [m].
 Real depth_in_cell(const Mesh<2>& mesh, Index cell, Vec<2> x)
@@ -54,7 +50,7 @@ TEST(RandomPlaces, AreFoundInOneCellAndGivenBack)
 {
   for (int k = 0; k < n_meshes; ++k) {
     const Mesh<2> mesh = random_mesh(k);
-    test::Random random(k);
+    Random random(k);
     for (int p = 0; p < places_per_mesh; ++p) {
       const Vec<2> x = random_place(random);
       const Location at = locate(mesh, x), walked = locate(mesh, x, random.below(mesh.n_cells()));
@@ -71,7 +67,7 @@ TEST(RandomPlaces, AreNeverLostWhenTheyMove)
   using Rows = PointRows<2>;
   for (int k = 0; k < n_meshes; ++k) {
     const Mesh<2> mesh = random_mesh(k);
-    test::Random random(1000 + k);
+    Random random(1000 + k);
     PointBlocks<2> points(mesh.n_cells(), 0);
     std::vector<Real> values(points.n_rows());
     const OpenSides closed(mesh.cells.size(), 0);
@@ -99,7 +95,7 @@ TEST(RandomPlaces, OnSidesAndCornersHaveAnOwner)
 {
   for (int k = 0; k < n_meshes; ++k) {
     const Mesh<2> mesh = random_mesh(k);
-    test::Random random(2000 + k);
+    Random random(2000 + k);
     for (Index e = 0; e < mesh.n_cells(); ++e)
       for (int s = 0; s < 4; ++s) {
         const Vec<2>&a = mesh.nodes[mesh.cells[e][s]], &b = mesh.nodes[mesh.cells[e][(s + 1) % 4]];
@@ -115,7 +111,7 @@ TEST(RandomPlaces, OnSidesAndCornersHaveAnOwner)
 TEST(RandomPlaces, OutsideTheMeshAreSaidToBeOutside)
 {
   const Mesh<2> mesh = random_mesh(19);
-  test::Random random(7);
+  Random random(7);
   for (int p = 0; p < 2000; ++p) {
     Vec<2> x = random_place(random);
     const int d = random.below(2);
@@ -125,4 +121,3 @@ TEST(RandomPlaces, OutsideTheMeshAreSaidToBeOutside)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,35 +1,16 @@
 // Files in other formats, converted by gmsh: the same mesh, and what is said where that is not possible.
-
 #include "meshing/convert.hpp"
-
-#include "meshing/gmsh_file.hpp"
+#include "meshing/msh_text.hpp"
 #include "meshing/process.hpp"
 #include "support/environment.hpp"
-#include "support/paths.hpp"
+#include "support/process.hpp"
+#include "support/test.hpp"
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
-using testing::HasSubstr;
-
-std::string two_layers(const std::string& format)
+std::string reading_refusal(const std::string& path)
 {
-  return test::source_path("tests/meshing/data/two_layers_" + format + ".msh");
-}
-
-std::string refusal_of(const std::string& path)
-{
-  try {
-    read_gmsh(path);
-  } catch (const MeshError& error) {
-    return error.what();
-  }
-  return {};
+  return refusal<MeshError>([&] { read_gmsh(path); });
 }
 
 class Convert : public testing::Test {
@@ -38,7 +19,15 @@ class Convert : public testing::Test {
   {
     if (!run_process({"gmsh", "--version"}, 60.0).found) GTEST_SKIP() << "gmsh is not installed";
   }
-  test::ScratchFolder scratch_;
+  /// The two layers as gmsh writes them in another format.
+  std::string converted(const std::string& name, std::vector<std::string> options) const
+  {
+    std::vector<std::string> words{"gmsh", two_layers("41"), "-save", "-v", "2", "-o", scratch_.path() + '/' + name};
+    words.insert(words.end(), options.begin(), options.end());
+    EXPECT_TRUE(run_process(words, 60.0).succeeded()) << name;
+    return words[6];
+  }
+  ScratchFolder scratch_;
 };
 
 /// Coordinates of the corners of all cells, each cell from its lowest corner on, sorted: free of all numbers.
@@ -61,9 +50,10 @@ std::vector<std::vector<Vec<2>>> shapes(const Mesh<2>& mesh)
 TEST_F(Convert, OlderFilesOfGmshGiveTheSameCellsSidesAndRegions)
 {
   const Mesh<2> expected = read_gmsh(two_layers("41"));
-  for (const char* format : {"22", "22_binary"}) {
-    const Mesh<2> mesh = read_gmsh(two_layers(format));
-    EXPECT_EQ(shapes(mesh), shapes(expected)) << format;
+  for (const std::string& file :
+      {converted("22.msh", {"-format", "msh22"}), converted("22_binary.msh", {"-format", "msh22", "-bin"})}) {
+    const Mesh<2> mesh = read_gmsh(file);
+    EXPECT_EQ(shapes(mesh), shapes(expected)) << file;
     ASSERT_EQ(mesh.sides.size(), expected.sides.size());
     for (std::size_t s = 0; s < mesh.sides.size(); ++s) {
       EXPECT_EQ(mesh.sides[s].name, expected.sides[s].name);
@@ -79,10 +69,7 @@ TEST_F(Convert, OlderFilesOfGmshGiveTheSameCellsSidesAndRegions)
 
 TEST_F(Convert, FilesOfOthersKeepTheirNames)
 {
-  const std::string file = scratch_.path() + "/layers.unv";
-  ASSERT_TRUE(
-      run_process({"gmsh", two_layers("41"), "-save", "-format", "unv", "-o", file, "-v", "2"}, 60.0).succeeded());
-  const Mesh<2> mesh = read_gmsh(file), expected = read_gmsh(two_layers("41"));
+  const Mesh<2> mesh = read_gmsh(converted("layers.unv", {"-format", "unv"})), expected = read_gmsh(two_layers("41"));
   EXPECT_EQ(shapes(mesh), shapes(expected));
   ASSERT_EQ(mesh.regions.size(), 3u);
   EXPECT_EQ(mesh.regions[0].name, "sand_layer");  // .unv has no blanks in names
@@ -93,17 +80,16 @@ TEST_F(Convert, ADamagedFileIsRefusedWithItsOwnName)
 {
   const std::string file = scratch_.path() + "/cut off.msh";
   std::ofstream(file) << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0";
-  EXPECT_THAT(refusal_of(file), testing::StartsWith(file + ": this is not MSH 4.1, and gmsh cannot convert it: Error"));
-  EXPECT_THAT(refusal_of(file), testing::Not(HasSubstr("terp-mesh")));
+  EXPECT_THAT(reading_refusal(file), StartsWith(file + ": this is not MSH 4.1, and gmsh cannot convert it: Error"));
+  EXPECT_THAT(reading_refusal(file), Not(HasSubstr("terp-mesh")));
   const std::string other = scratch_.path() + "/words.unv";
   std::ofstream(other) << "nothing of the kind\n";
-  EXPECT_THAT(refusal_of(other), testing::StartsWith(other + ": this is not MSH 4.1, and gmsh finds no mesh in it\n"));
+  EXPECT_THAT(reading_refusal(other), StartsWith(other + ": this is not MSH 4.1, and gmsh finds no mesh in it\n"));
 }
 
 TEST_F(Convert, LooksAtNoOptionsBesideTheFileAndRunsNoCommands)
 {
-  const std::string file = scratch_.path() + "/m.msh";
-  std::filesystem::copy_file(two_layers("22"), file);
+  const std::string file = converted("m.msh", {"-format", "msh22"});
   std::ofstream(file + ".opt") << "SystemCall \"touch " << scratch_.path() << "/called\";\n";
   EXPECT_EQ(read_gmsh(file).n_cells(), 32);
   EXPECT_FALSE(std::filesystem::exists(scratch_.path() + "/called"));
@@ -111,12 +97,14 @@ TEST_F(Convert, LooksAtNoOptionsBesideTheFileAndRunsNoCommands)
 
 TEST(ConvertWithoutGmsh, ReadsMsh41AndSaysHowToSaveTheOthers)
 {
-  const test::ScratchFolder empty;
-  const test::Variable path("PATH", empty.path());
+  const ScratchFolder empty;
+  const Variable path("PATH", empty.path());
   EXPECT_EQ(read_gmsh(two_layers("41")).n_cells(), 32);
   EXPECT_EQ(read_gmsh(two_layers("41_binary")).n_cells(), 32);
-  EXPECT_EQ(refusal_of(two_layers("22")),
-      two_layers("22") +
+  const std::string older = empty.path() + "/older.msh";
+  write_text(older, "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n");
+  EXPECT_EQ(reading_refusal(older),
+      older +
           ": this is not MSH 4.1, and gmsh, which would convert it, is not installed: apt-get install gmsh\n"
           "  Save the mesh as MSH 4.1; in gmsh: `gmsh FILE -save -format msh41 -o NEW.msh`");
 }
@@ -132,4 +120,3 @@ TEST(NeedsConversion, LooksAtTheFirstWordsAndTheEnding)
 }
 
 }  // namespace
-}  // namespace terp

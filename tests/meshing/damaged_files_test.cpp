@@ -1,27 +1,14 @@
 // Damaged gmsh files, thousands of them: each gives a mesh that passes the checks, or a MeshError. Never a crash, never
 // a hang.
-
 #include "mesh/check_mesh.hpp"
-#include "meshing/gmsh_file.hpp"
-#include "support/paths.hpp"
+#include "meshing/msh_text.hpp"
+#include "support/process.hpp"
 #include "support/random.hpp"
+#include "support/test.hpp"
 
-#include <fstream>
-#include <gmock/gmock.h>
-#include <sstream>
-
-namespace terp {
 namespace {
 
 const std::string formats[] = {"41", "41_binary"};
-
-std::string bytes_of_file(const std::string& format)
-{
-  std::ifstream file(test::source_path("tests/meshing/data/two_layers_" + format + ".msh"), std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return std::move(text).str();
-}
 
 /// True if the text was read. Anything but MeshError fails the test.
 bool is_read(const std::string& text)
@@ -39,7 +26,7 @@ bool is_read(const std::string& text)
 TEST(DamagedFiles, CutOffAnywhereAreRefused)
 {
   for (const auto& format : formats) {
-    const std::string whole = bytes_of_file(format);
+    const std::string whole = text_of(two_layers(format));
     ASSERT_TRUE(is_read(whole));
     const std::size_t end = whole.rfind("$EndElements") + std::string("$EndElements").size();
     for (std::size_t n = 0; n < end; n += 3)
@@ -50,8 +37,8 @@ TEST(DamagedFiles, CutOffAnywhereAreRefused)
 TEST(DamagedFiles, WithAWrongByteAreReadOrRefused)
 {
   for (const auto& format : formats) {
-    const std::string whole = bytes_of_file(format);
-    test::Random random(5);
+    const std::string whole = text_of(two_layers(format));
+    Random random(5);
     for (std::size_t at = 0; at < whole.size(); at += 3) {
       std::string text = whole;
       text[at] = static_cast<char>(random.below(256));
@@ -65,8 +52,8 @@ TEST(DamagedFiles, WithAWrongByteAreReadOrRefused)
 TEST(DamagedFiles, WithAPieceMissingOrDoubledAreReadOrRefused)
 {
   for (const auto& format : formats) {
-    const std::string whole = bytes_of_file(format);
-    test::Random random(6);
+    const std::string whole = text_of(two_layers(format));
+    Random random(6);
     const auto size = static_cast<Index>(whole.size());
     for (int trial = 0; trial < 1000; ++trial) {
       const Index from = random.below(size), n = 1 + random.below(60), to = random.below(size);
@@ -77,4 +64,3 @@ TEST(DamagedFiles, WithAPieceMissingOrDoubledAreReadOrRefused)
 }
 
 }  // namespace
-}  // namespace terp

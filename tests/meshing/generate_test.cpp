@@ -1,37 +1,19 @@
 // Meshes that gmsh makes from polygons: quadrilaterals only, sides named, sizes as asked, the same bytes each time.
 // What needs gmsh is skipped where it is not installed.
-
 #include "meshing/generate.hpp"
-
 #include "mesh/check_mesh.hpp"
 #include "meshing/gmsh_file.hpp"
 #include "mesh/mesh_quality.hpp"
 #include "meshing/process.hpp"
 #include "support/environment.hpp"
-#include "support/paths.hpp"
-
+#include "support/meshes.hpp"
+#include "support/process.hpp"
+#include "support/test.hpp"
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <algorithm>
-#include <cmath>
 #include <csignal>
-#include <filesystem>
-#include <fstream>
-#include <gmock/gmock.h>
-#include <iterator>
-#include <map>
 
-namespace terp {
 namespace {
-
-using testing::HasSubstr;
-
-std::string content(const std::string& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 PolygonMesh rectangle()
 {
@@ -73,25 +55,6 @@ Real median_size(const Mesh<2>& mesh)
   return size[size.size() / 2];
 }
 
-Real total_area(const Mesh<2>& mesh)
-{
-  Real sum = 0.0;
-  for (Index e = 0; e < mesh.n_cells(); ++e) sum += mesh.geometry(e).volume;
-  return sum;
-}
-
-std::map<std::string, Real> lengths_of_sides(const Mesh<2>& mesh)
-{
-  std::map<std::string, Real> lengths;
-  for (const NamedSide& side : mesh.sides)
-    for (const CellSide& edge : side.edges) {
-      const Vec<2> a = mesh.nodes[mesh.cells[edge.cell][edge.side]],
-                   b = mesh.nodes[mesh.cells[edge.cell][(edge.side + 1) % 4]];
-      lengths[side.name] += std::hypot(b[0] - a[0], b[1] - a[1]);
-    }
-  return lengths;
-}
-
 /// Positions along the segment a-b of the nodes that lie on it, ascending, from 0 to 1.
 std::vector<Real> nodes_on(const Mesh<2>& mesh, Vec<2> a, Vec<2> b)
 {
@@ -116,8 +79,8 @@ class GenerateMesh : public testing::Test {
   }
   Mesh<2> mesh_of(const PolygonMesh& polygon) { return generate_mesh(polygon).mesh; }
 
-  test::ScratchFolder scratch_;
-  test::Variable cache_{"XDG_CACHE_HOME", scratch_.path()};
+  ScratchFolder scratch_;
+  Variable cache_{"XDG_CACHE_HOME", scratch_.path()};
 };
 
 TEST_F(
@@ -231,17 +194,17 @@ TEST_F(GenerateMesh, RepeatsItselfToTheBit)
   for (int variant = 0; variant < 2; ++variant) {
     auto polygon = slope();
     polygon.variant = variant;
-    const std::string path = file_of(polygon), first = content(path);
+    const std::string path = file_of(polygon), first = text_of(path);
     std::filesystem::remove_all(scratch_.path() + "/terp");
     EXPECT_EQ(file_of(polygon), path);
-    EXPECT_EQ(content(path), first);
+    EXPECT_EQ(text_of(path), first);
   }
 }
 
 TEST_F(GenerateMesh, IsMadeAlsoWhereItCannotBeKept)
 {
   std::ofstream(scratch_.path() + "/file") << "not a folder";
-  const test::Variable cache("XDG_CACHE_HOME", scratch_.path() + "/file");
+  const Variable cache("XDG_CACHE_HOME", scratch_.path() + "/file");
   const GeneratedMesh made = generate_mesh(rectangle());
   EXPECT_EQ(made.mesh.n_cells(), 800);
   EXPECT_EQ(made.path, "");
@@ -261,7 +224,7 @@ Index put_another(const PolygonMesh& polygon, const std::string& path)
 TEST_F(GenerateMesh, TakesItsMeshFromTheCache)
 {
   const std::string path = file_of(rectangle());
-  EXPECT_THAT(path, testing::StartsWith(scratch_.path() + "/terp/meshes/"));
+  EXPECT_THAT(path, StartsWith(scratch_.path() + "/terp/meshes/"));
   const Index n = put_another(rectangle(), path);
   EXPECT_EQ(mesh_of(rectangle()).n_cells(), n);
 }
@@ -270,17 +233,17 @@ TEST_F(GenerateMesh, TakesItsMeshFromTheCacheWhereGmshIsNotInstalled)
 {
   const std::string path = file_of(rectangle());
   const Index n = put_another(rectangle(), path);
-  const test::Variable nowhere("PATH", scratch_.path());
+  const Variable nowhere("PATH", scratch_.path());
   EXPECT_EQ(mesh_of(rectangle()).n_cells(), n);
 }
 
 TEST_F(GenerateMesh, MakesAnewWhatCannotBeReadInTheCache)
 {
-  const std::string path = file_of(rectangle()), whole = content(path);
+  const std::string path = file_of(rectangle()), whole = text_of(path);
   for (const std::size_t kept : {std::size_t{0}, std::size_t{500}, whole.size() - 3}) {
     std::filesystem::resize_file(path, kept);
     EXPECT_EQ(mesh_of(rectangle()).n_cells(), 800) << kept << " bytes";
-    EXPECT_EQ(content(path), whole);
+    EXPECT_EQ(text_of(path), whole);
   }
 }
 
@@ -292,29 +255,31 @@ TEST_F(GenerateMesh, GivesDifferentMeshesOfTheSameSize)
     polygon.variant = variant;
     const auto mesh = mesh_of(polygon);
     EXPECT_NEAR(median_size(mesh), 0.1, 0.015);
-    EXPECT_THAT(centres, testing::Not(testing::Contains(mesh.centres[mesh.n_cells() / 2])));
+    EXPECT_THAT(centres, Not(Contains(mesh.centres[mesh.n_cells() / 2])));
     centres.push_back(mesh.centres[mesh.n_cells() / 2]);
   }
 }
 
 TEST_F(GenerateMesh, IgnoresTheUsersGmshOptions)
 {
-  const std::string first = content(file_of(rectangle()));
+  const std::string first = text_of(file_of(rectangle()));
   std::filesystem::remove_all(scratch_.path() + "/terp");
   for (const char* name : {"/.gmshrc", "/.gmsh-options"})
     std::ofstream(scratch_.path() + name) << "Mesh.MeshSizeFactor = 0.5;\nMesh.SaveAll = 1;\n";
-  const test::Variable home("HOME", scratch_.path());
-  EXPECT_EQ(content(file_of(rectangle())), first);
+  const Variable home("HOME", scratch_.path());
+  EXPECT_EQ(text_of(file_of(rectangle())), first);
 }
 
 std::string error_of(const PolygonMesh& polygon, const GmshTimes& times = {})
 {
-  try {
-    generate_mesh(polygon, times);
-  } catch (const MeshError& error) {
-    return error.what();
-  }
-  return "no error";
+  return refusal<MeshError>([&] { generate_mesh(polygon, times); });
+}
+
+/// A stand-in for gmsh that knows its version and then does as the script says.
+void write_gmsh(const std::string& folder, const std::string& script)
+{
+  write_text(folder + "/gmsh", "#!/bin/sh\n[ \"$1\" = --version ] && echo 9.9 && exit 0\n" + script);
+  std::filesystem::permissions(folder + "/gmsh", std::filesystem::perms::owner_all);
 }
 
 /// False for what is gone and for a zombie that nobody has waited for.
@@ -327,8 +292,8 @@ bool runs(pid_t pid)
 
 TEST(GenerateMeshWithoutGmsh, SaysHowToGetItAndWhatElseToDo)
 {
-  const test::ScratchFolder empty;
-  const test::Variable path("PATH", empty.path()), cache("XDG_CACHE_HOME", empty.path());
+  const ScratchFolder empty;
+  const Variable path("PATH", empty.path()), cache("XDG_CACHE_HOME", empty.path());
   const std::string text = error_of(rectangle());
   EXPECT_THAT(text, HasSubstr("gmsh is not installed"));
   EXPECT_THAT(text, HasSubstr("apt-get install gmsh"));
@@ -338,14 +303,12 @@ TEST(GenerateMeshWithoutGmsh, SaysHowToGetItAndWhatElseToDo)
 TEST(GenerateMeshWithoutGmsh,
     LeavesNothingBehindWhenItIsEnded)  // a stand-in that takes a minute; we are asked to end while it runs
 {
-  const test::ScratchFolder folder;
-  const std::string program = folder.path() + "/gmsh", started = folder.path() + "/started";
-  std::ofstream(program) << "#!/bin/sh\n[ \"$1\" = --version ] && echo 9.9 && exit 0\necho $$ > '" << started
-                         << "'\nexec /bin/sleep 60\n";
-  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  const ScratchFolder folder;
+  const std::string started = folder.path() + "/started";
+  write_gmsh(folder.path(), "echo $$ > '" + started + "'\nexec /bin/sleep 60\n");
   const std::string temporary = folder.path() + "/tmp";
   std::filesystem::create_directory(temporary);
-  const test::Variable path("PATH", folder.path()), cache("XDG_CACHE_HOME", folder.path()), place("TMPDIR", temporary);
+  const Variable path("PATH", folder.path()), cache("XDG_CACHE_HOME", folder.path()), place("TMPDIR", temporary);
   for (const int signal : {SIGTERM, SIGKILL}) {
     std::filesystem::remove(started);
     const pid_t child = fork();
@@ -368,28 +331,24 @@ TEST(GenerateMeshWithoutGmsh,
 
 TEST(GenerateMeshWithoutGmsh, SaysWhichRecipeGmshIsAtAndStopsAfterATimeForAll)  // a stand-in that takes a minute
 {
-  const test::ScratchFolder folder;
-  std::ofstream(folder.path() + "/gmsh")
-      << "#!/bin/sh\n[ \"$1\" = --version ] && echo 9.9 && exit 0\nexec /bin/sleep 60\n";
-  std::filesystem::permissions(folder.path() + "/gmsh", std::filesystem::perms::owner_all);
-  const test::Variable path("PATH", folder.path()), cache("XDG_CACHE_HOME", folder.path());
+  const ScratchFolder folder;
+  write_gmsh(folder.path(), "exec /bin/sleep 60\n");
+  const Variable path("PATH", folder.path()), cache("XDG_CACHE_HOME", folder.path());
   testing::internal::CaptureStderr();
   EXPECT_THAT(error_of(rectangle(), {.recipe = 1.5, .all = 3.0, .first_word = 0.5}),
-      testing::ContainsRegex("from the polygon: gmsh did not finish in [01]\\.[0-9]+ s"));
+      ContainsRegex("from the polygon: gmsh did not finish in [01]\\.[0-9]+ s"));
   EXPECT_THAT(testing::internal::GetCapturedStderr(),
-      testing::AllOf(testing::StartsWith("gmsh, recipe 1 of 3: 1 s of at most 2 s\n"),
+      AllOf(StartsWith("gmsh, recipe 1 of 3: 1 s of at most 2 s\n"),
           HasSubstr("gmsh, recipe 1 of 3 gave no mesh (gmsh did not finish in 1.5 s); trying the next\n"),
-          testing::ContainsRegex("recipe 2 of 3 gave no mesh .gmsh did not finish in [01]\\.[0-9]+ s"),
-          testing::Not(HasSubstr("recipe 3"))));
+          ContainsRegex("recipe 2 of 3 gave no mesh .gmsh did not finish in [01]\\.[0-9]+ s"),
+          Not(HasSubstr("recipe 3"))));
 }
 
 TEST(GenerateMeshWithoutGmsh, SaysWhatGmshSaidWhenItFails)  // a stand-in that knows its version and nothing else
 {
-  const test::ScratchFolder folder;
-  std::ofstream(folder.path() + "/gmsh")
-      << "#!/bin/sh\n[ \"$1\" = --version ] && echo 9.9 && exit 0\necho 'Error: no memory' >&2\nexit 1\n";
-  std::filesystem::permissions(folder.path() + "/gmsh", std::filesystem::perms::owner_all);
-  const test::Variable path("PATH", folder.path()), cache("XDG_CACHE_HOME", folder.path());
+  const ScratchFolder folder;
+  write_gmsh(folder.path(), "echo 'Error: no memory' >&2\nexit 1\n");
+  const Variable path("PATH", folder.path()), cache("XDG_CACHE_HOME", folder.path());
   EXPECT_THAT(
       error_of(rectangle()), HasSubstr("gmsh made no mesh of quadrilaterals from the polygon: Error: no memory"));
   auto fine = rectangle();
@@ -397,7 +356,7 @@ TEST(GenerateMeshWithoutGmsh, SaysWhatGmshSaidWhenItFails)  // a stand-in that k
   testing::internal::CaptureStderr();
   error_of(fine);
   EXPECT_THAT(testing::internal::GetCapturedStderr(),
-      testing::AllOf(HasSubstr("gmsh is at work on about 0.32 million cells"),
+      AllOf(HasSubstr("gmsh is at work on about 0.32 million cells"),
           HasSubstr("gmsh, recipe 1 of 3 gave no mesh (Error: no memory); trying the next\n")));
 }
 
@@ -415,4 +374,3 @@ TEST(GenerateMeshWithoutGmsh, RefusesWhatCannotBeMeshed)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,16 +1,9 @@
 // The script for gmsh, line by line, and the size that it asks for.
-
 #include "meshing/geo_text.hpp"
-
 #include "mesh/mesh_error.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::HasSubstr;
-using testing::Not;
 
 constexpr Recipe recipe{9, 0, 0, 1.25};
 
@@ -93,4 +86,3 @@ TEST(TargetSize, GrowsFromTheRefinementToTheCellSize)
 }
 
 }  // namespace
-}  // namespace terp

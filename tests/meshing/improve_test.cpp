@@ -1,14 +1,8 @@
 // Moving nodes so that the worst cells grow.
-
 #include "meshing/improve.hpp"
-
 #include "support/meshes.hpp"
+#include "support/test.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 Real worst(const Mesh<2>& mesh, const std::vector<Vec<2>>& nodes)
@@ -43,7 +37,7 @@ TEST(SmallestAltitude, IsTheLeastHeightOverASide)
 
 TEST(EnlargeAltitudes, RepairsADistortedRectangle)
 {
-  const auto mesh = test::distorted_rectangle(12, 8, 0.1, 0.45, 5);
+  const auto mesh = distorted_rectangle(12, 8, 0.1, 0.45, 5);
   auto nodes = mesh.nodes;
   enlarge_altitudes(mesh.cells, freedom_of_rectangle(12, 8), std::vector<Real>(mesh.cells.size(), 0.1), nodes);
   EXPECT_LT(worst(mesh, mesh.nodes), 0.05);
@@ -52,7 +46,7 @@ TEST(EnlargeAltitudes, RepairsADistortedRectangle)
 
 TEST(EnlargeAltitudes, UntanglesInvertedCells)
 {
-  const auto mesh = test::distorted_rectangle(6, 6, 0.1, 0.0, 6);
+  const auto mesh = distorted_rectangle(6, 6, 0.1, 0.0, 6);
   auto nodes = mesh.nodes;
   nodes[3 * 7 + 3] = {0.45, 0.48};  // beyond the far corner of its cell
   ASSERT_LT(worst(mesh, nodes), 0.0);
@@ -70,7 +64,7 @@ TEST(EnlargeAltitudes, LeavesSquaresAlone)
 
 TEST(EnlargeAltitudes, MovesNodesOnlyAsFarAsTheyAreFree)
 {
-  const auto mesh = test::distorted_rectangle(5, 4, 0.1, 0.4, 7);
+  const auto mesh = distorted_rectangle(5, 4, 0.1, 0.4, 7);
   auto freedom = freedom_of_rectangle(5, 4);
   freedom[1 * 6 + 2] = {0, {}};
   freedom[2 * 6 + 3] = {1, {0.6, 0.8}};
@@ -85,4 +79,3 @@ TEST(EnlargeAltitudes, MovesNodesOnlyAsFarAsTheyAreFree)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,23 +1,10 @@
 // Where generated meshes are kept.
-
 #include "meshing/mesh_cache.hpp"
-
 #include "support/environment.hpp"
-#include "support/paths.hpp"
+#include "support/process.hpp"
+#include "support/test.hpp"
 
-#include <filesystem>
-#include <fstream>
-#include <gmock/gmock.h>
-#include <iterator>
-
-namespace terp {
 namespace {
-
-std::string content(const std::string& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 TEST(ContentKey, IsFnv1a)  // published values of the 64-bit variant
 {
@@ -27,43 +14,42 @@ TEST(ContentKey, IsFnv1a)  // published values of the 64-bit variant
 
 TEST(MeshCache, LiesWhereTheVariablesSay)
 {
-  const test::Variable cache("XDG_CACHE_HOME", "/somewhere/cache"), home("HOME", "/home/someone");
+  const Variable cache("XDG_CACHE_HOME", "/somewhere/cache"), home("HOME", "/home/someone");
   EXPECT_EQ(cached_mesh_path("abc"), "/somewhere/cache/terp/meshes/abc.msh");
-  const test::Variable relative("XDG_CACHE_HOME", "not/absolute");
+  const Variable relative("XDG_CACHE_HOME", "not/absolute");
   EXPECT_EQ(cached_mesh_path("abc"), "/home/someone/.cache/terp/meshes/abc.msh");
-  const test::Variable nowhere("HOME", "");
+  const Variable nowhere("HOME", "");
   EXPECT_EQ(cached_mesh_path("abc"), "");
 }
 
 TEST(MeshCache, KeepsBytesWhole)
 {
-  const test::ScratchFolder scratch;
-  const test::Variable cache("XDG_CACHE_HOME", scratch.path());
+  const ScratchFolder scratch;
+  const Variable cache("XDG_CACHE_HOME", scratch.path());
   const std::string bytes("a\0b\n", 4);
   EXPECT_TRUE(keep_mesh("abc", bytes));
-  EXPECT_EQ(content(cached_mesh_path("abc")), bytes);
+  EXPECT_EQ(text_of(cached_mesh_path("abc")), bytes);
   const auto folder = std::filesystem::directory_iterator(scratch.path() + "/terp/meshes");
   EXPECT_EQ(std::distance(begin(folder), end(folder)), 1);
 }
 
 TEST(MeshCache, FindsWhatStartsAlikeTheNewestFirst)
 {
-  const test::ScratchFolder scratch;
-  const test::Variable cache("XDG_CACHE_HOME", scratch.path());
+  const ScratchFolder scratch;
+  const Variable cache("XDG_CACHE_HOME", scratch.path());
   EXPECT_TRUE(cached_meshes("ab-").empty());
   for (const char* key : {"ab-1", "ab-2", "b-1"}) ASSERT_TRUE(keep_mesh(key, "x"));
   const std::string old = cached_mesh_path("ab-1"), young = cached_mesh_path("ab-2");
   std::filesystem::last_write_time(old, std::filesystem::last_write_time(young) - std::chrono::seconds(5));
-  EXPECT_THAT(cached_meshes("ab-"), testing::ElementsAre(young, old));
+  EXPECT_THAT(cached_meshes("ab-"), ElementsAre(young, old));
 }
 
 TEST(MeshCache, SaysThatItCannotBeWritten)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   std::ofstream(scratch.path() + "/file") << "not a folder";
-  const test::Variable cache("XDG_CACHE_HOME", scratch.path() + "/file");
+  const Variable cache("XDG_CACHE_HOME", scratch.path() + "/file");
   EXPECT_FALSE(keep_mesh("abc", "bytes"));
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,18 +1,10 @@
 // Reading the sections of gmsh's files: what is understood, and where a malformed file goes wrong, by line or byte.
-
 #include "meshing/msh_content.hpp"
-
 #include "meshing/msh_text.hpp"
-#include "support/paths.hpp"
+#include "support/process.hpp"
+#include "support/test.hpp"
 
-#include <fstream>
-#include <iterator>
-
-namespace terp {
 namespace {
-
-using testing::ElementsAre;
-using testing::HasSubstr;
 
 const std::string head_41 = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
 const std::string square_41 =
@@ -21,12 +13,7 @@ const std::string square_41 =
 
 std::string refusal_of(const std::string& text)
 {
-  try {
-    read_msh("m.msh", text);
-  } catch (const MeshError& error) {
-    return error.what();
-  }
-  return {};
+  return refusal<MeshError>([&] { read_msh("m.msh", text); });
 }
 
 /// text with the first `from` replaced.
@@ -83,57 +70,11 @@ TEST(ReadMsh, RefusesWhatIsNoMeshFile)
   EXPECT_THAT(refusal_of(""), HasSubstr("m.msh:1: this is not a gmsh mesh"));
 }
 
-TEST(ReadMsh, RefusesOtherVersions)
-{
-  EXPECT_EQ(refusal_of("$MeshFormat\n4 0 8\n$EndMeshFormat\n"),
-      "m.msh:2: MSH version 4 is not read. Save the mesh as 4.1: `gmsh FILE -save -format msh41 -o NEW.msh`");
-  EXPECT_EQ(refusal_of("$MeshFormat\n2.2 1 8\n"),
-      "m.msh:2: MSH version 2.2 is not read. Save the mesh as 4.1: `gmsh FILE -save -format msh41 -o NEW.msh`");
-  EXPECT_EQ(refusal_of("$NOD\n0\n$ENDNOD\n"),
-      "m.msh:1: MSH version 1 is not read. Save the mesh as 4.1: `gmsh FILE -save -format msh41 -o NEW.msh`");
-}
-
-TEST(ReadMsh, RefusesWrongWordsInTheFormat)
-{
-  EXPECT_EQ(refusal_of("$MeshFormat\n4.1 2 8\n$EndMeshFormat\n"), "m.msh:2: 0 (text) or 1 (binary) is expected, got 2");
-  EXPECT_EQ(refusal_of("$MeshFormat\n4.1 0 4\n$EndMeshFormat\n"), "m.msh:2: numbers of 8 bytes are expected");
-  EXPECT_EQ(refusal_of("$MeshFormat\n4.1 0 8\n$EndNodes\n"), "m.msh:3: `$EndMeshFormat` is expected, got `$EndNodes`");
-}
-
 TEST(ReadMsh, RefusesBytesInTheOtherOrder)
 {
-  const std::string text = "$MeshFormat\n4.1 1 8\n" + test::bytes_of<std::int32_t>(0x01000000) + "\n$EndMeshFormat\n";
+  const std::string text = "$MeshFormat\n4.1 1 8\n" + bytes_of<std::int32_t>(0x01000000) + "\n$EndMeshFormat\n";
   EXPECT_EQ(refusal_of(text),
       "m.msh: byte 20: the file was written by a machine with another order of bytes. Save it as text (ASCII)");
-}
-
-TEST(ReadMsh, RefusesWhatIsNotANumberAndNamesTheLine)
-{
-  EXPECT_EQ(refusal_of(head_41 + changed(square_41, "1 1 0\n", "1 one 0\n")),
-      "m.msh:13: a coordinate is expected, got `one`");
-  EXPECT_EQ(refusal_of(head_41 + changed(square_41, "1 1 0\n", "1 nan 0\n")),
-      "m.msh:13: a coordinate is not a finite number");
-  EXPECT_EQ(refusal_of(head_41 + changed(square_41, "1 1 0\n", "1 1\n")),
-      "m.msh:13: the line ends where a coordinate is expected");
-  EXPECT_EQ(refusal_of(head_41 + changed(square_41, "1 1 0\n", "1 1 0 7\n")),
-      "m.msh:13: the end of the line is expected, got `7`");
-  EXPECT_EQ(refusal_of(head_41 + changed(square_41, "\n1\n2\n", "\n1\n-2\n")),
-      "m.msh:8: a node number of at least 1 is expected, got -2");
-  EXPECT_EQ(refusal_of(head_41 + changed(square_41, "2 1 0 4", "9 1 0 4")),
-      "m.msh:6: a dimension of 0 to 3 is expected, got 9");
-}
-
-TEST(ReadMsh, RefusesCountsThatTheFileCannotHold)  // before any memory is asked for
-{
-  EXPECT_EQ(refusal_of(head_41 + changed(square_41, "2 1 0 4", "2 1 0 4000000000000")),
-      "m.msh:6: the number of nodes in a block is 4000000000000, more than the rest of the file can hold");
-  EXPECT_THAT(refusal_of(head_41 + changed(square_41, "2 1 0 4", "2 1 0 -4")), HasSubstr("is -4, more than"));
-  EXPECT_EQ(refusal_of(head_41 + changed(square_41, "2 1 3 1\n", "2 1 3 900\n")),
-      "m.msh:18: the number of elements in a block is 900, more than the rest of the file can hold");
-  EXPECT_EQ(refusal_of(head_41 + "$Entities\n1 999999 1 0\n$EndEntities\n"),
-      "m.msh:5: a number of entities is 999999, more than the rest of the file can hold");
-  EXPECT_THAT(refusal_of(head_41 + "$PhysicalNames\n123456789012\n"),
-      HasSubstr("m.msh:5: the number of names is 123456789012, more than"));
 }
 
 TEST(ReadMsh, RefusesCutOffFiles)
@@ -148,47 +89,72 @@ TEST(ReadMsh, RefusesCutOffFiles)
       "m.msh:4: section $Comments has no `$EndComments`: the file is cut off");
 }
 
-TEST(ReadMsh, RefusesElementsItHasNeverHeardOf)
-{
-  EXPECT_EQ(refusal_of(head_41 + changed(square_41, "2 1 3 1", "2 1 300 1")),
-      "m.msh:18: elements of type 300 are not read: Terp takes quadrilaterals (type 3)");
-}
+/// A change of the square and what is said of it.
+struct WrongText {
+  const char *from, *to, *message;
+};
 
-TEST(ReadMsh, RefusesPartitions)
-{
-  EXPECT_EQ(refusal_of(head_41 + "$PartitionedEntities\n1\n$EndPartitionedEntities\n"),
-      "m.msh:4: the mesh is cut into partitions. Save it in one piece, before it is partitioned");
-}
+const WrongText wrong_texts[] = {
+    {"1 1 0\n", "1 one 0\n", "m.msh:13: a coordinate is expected, got `one`"},
+    {"1 1 0\n", "1 nan 0\n", "m.msh:13: a coordinate is not a finite number"},
+    {"1 1 0\n", "1 1\n", "m.msh:13: the line ends where a coordinate is expected"},
+    {"1 1 0\n", "1 1 0 7\n", "m.msh:13: the end of the line is expected, got `7`"},
+    {"\n1\n2\n", "\n1\n-2\n", "m.msh:8: a node number of at least 1 is expected, got -2"},
+    {"2 1 0 4", "9 1 0 4", "m.msh:6: a dimension of 0 to 3 is expected, got 9"},
+    // Counts that the file cannot hold, before any memory is asked for.
+    {"2 1 0 4", "2 1 0 4000000000000",
+        "m.msh:6: the number of nodes in a block is 4000000000000, more than the rest of the file can hold"},
+    {"2 1 0 4", "2 1 0 -4", "m.msh:6: the number of nodes in a block is -4, more than the rest of the file can hold"},
+    {"2 1 3 1\n", "2 1 3 900\n",
+        "m.msh:18: the number of elements in a block is 900, more than the rest of the file can hold"},
+    {"$Nodes", "$Entities\n1 999999 1 0\n$EndEntities\n$Nodes",
+        "m.msh:5: a number of entities is 999999, more than the rest of the file can hold"},
+    {"$Nodes", "$PhysicalNames\n123456789012\n$Nodes",
+        "m.msh:5: the number of names is 123456789012, more than the rest of the file can hold"},
+    // What is not read.
+    {"2 1 3 1", "2 1 300 1", "m.msh:18: elements of type 300 are not read: Terp takes quadrilaterals (type 3)"},
+    {"$Nodes", "$PartitionedEntities\n1\n$EndPartitionedEntities\n$Nodes",
+        "m.msh:4: the mesh is cut into partitions. Save it in one piece, before it is partitioned"},
+    {"$Nodes", "$PhysicalNames\n1\n1 5 base\n$EndPhysicalNames\n$Nodes",
+        "m.msh:6: the name of a physical group in double quotes is expected, got `base`"},
+    {"4.1 0 8", "4 0 8",
+        "m.msh:2: MSH version 4 is not read. Save the mesh as 4.1: `gmsh FILE -save -format msh41 -o NEW.msh`"},
+    {"4.1 0 8", "2.2 1 8",
+        "m.msh:2: MSH version 2.2 is not read. Save the mesh as 4.1: `gmsh FILE -save -format msh41 -o NEW.msh`"},
+    {"$MeshFormat", "$NOD\n0\n$ENDNOD\n$MeshFormat",
+        "m.msh:1: MSH version 1 is not read. Save the mesh as 4.1: `gmsh FILE -save -format msh41 -o NEW.msh`"},
+    {"4.1 0 8", "4.1 2 8", "m.msh:2: 0 (text) or 1 (binary) is expected, got 2"},
+    {"4.1 0 8", "4.1 0 4", "m.msh:2: numbers of 8 bytes are expected"},
+    {"$EndMeshFormat", "$EndNodes", "m.msh:3: `$EndMeshFormat` is expected, got `$EndNodes`"},
+};
 
-TEST(ReadMsh, RefusesNamesWithoutQuotes)
+TEST(ReadMsh, RefusesWhatIsMalformedAndNamesTheLine)
 {
-  EXPECT_EQ(refusal_of(head_41 + "$PhysicalNames\n1\n1 5 base\n$EndPhysicalNames\n"),
-      "m.msh:6: the name of a physical group in double quotes is expected, got `base`");
+  for (const auto& [from, to, message] : wrong_texts)
+    EXPECT_EQ(refusal_of(changed(head_41 + square_41, from, to)), message);
 }
 
 template <class... T>
 std::string all_bytes_of(T... numbers)
 {
-  return (test::bytes_of(numbers) + ...);
+  return (bytes_of(numbers) + ...);
 }
 
 TEST(ReadMsh, NamesTheByteInABinaryFile)
 {
-  const std::string head = "$MeshFormat\n4.1 1 8\n" + test::bytes_of<std::int32_t>(1) + "\n$EndMeshFormat\n$Nodes\n" +
+  const std::string head = "$MeshFormat\n4.1 1 8\n" + bytes_of<std::int32_t>(1) + "\n$EndMeshFormat\n$Nodes\n" +
                            all_bytes_of(1l, 2l, 1l, 2l, 0, 5, 0, 2l),
-                    first = test::bytes_of(1l), places = all_bytes_of(0.5, 0.5, 0.0, 1.5, 0.5, 0.0);
-  EXPECT_EQ(refusal_of(head + first + test::bytes_of(-3l) + places),
+                    first = bytes_of(1l), places = all_bytes_of(0.5, 0.5, 0.0, 1.5, 0.5, 0.0);
+  EXPECT_EQ(refusal_of(head + first + bytes_of(-3l) + places),
       fmt::format("m.msh: byte {}: a node number of at least 1 is expected, got -3", head.size() + 8));
-  EXPECT_EQ(refusal_of(head + first + test::bytes_of(2l) + places.substr(0, 20)),
+  EXPECT_EQ(refusal_of(head + first + bytes_of(2l) + places.substr(0, 20)),
       fmt::format("m.msh: byte {}: the file ends where a coordinate is expected: it is cut off", head.size() + 32));
 }
 
 TEST(ReadMsh, KnowsWhereTheCoordinatesOfANodeStandAmongTheBytes)
 {
-  const std::string path = test::source_path("tests/meshing/data/two_layers_41_binary.msh");
-  std::ifstream file(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  const MshContent content = read_msh(path, bytes);
+  const std::string bytes = text_of(two_layers("41_binary"));
+  const MshContent content = read_msh("m.msh", bytes);
   ASSERT_EQ(content.node_bytes.size(), 45u);
   for (std::size_t i = 0; i < content.places.size(); ++i)
     EXPECT_EQ(
@@ -206,4 +172,3 @@ TEST(MshTypeName, KnowsTheCommonTypes)
 }
 
 }  // namespace
-}  // namespace terp

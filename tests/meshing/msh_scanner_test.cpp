@@ -1,27 +1,14 @@
 // Numbers of a mesh file as text and as bytes, and the place where reading stands.
-
 #include "meshing/msh_scanner.hpp"
-
 #include "meshing/msh_text.hpp"
+#include "support/test.hpp"
 
-namespace terp {
 namespace {
-
-template <class F>
-std::string refusal(F&& f)
-{
-  try {
-    f();
-  } catch (const MeshError& error) {
-    return error.what();
-  }
-  return {};
-}
 
 TEST(MshScanner, ReadsTextAndBytesAlike)
 {
   MshScanner text("m", " 12 -7 2.5e-1\n");
-  MshScanner bytes("m", test::bytes_of<std::int32_t>(12) + test::bytes_of<std::int64_t>(-7) + test::bytes_of(0.25));
+  MshScanner bytes("m", bytes_of<std::int32_t>(12) + bytes_of<std::int64_t>(-7) + bytes_of(0.25));
   bytes.set_binary(true);
   for (MshScanner* scan : {&text, &bytes}) {
     EXPECT_EQ(scan->integer(Width::four, "a"), 12);
@@ -36,8 +23,8 @@ TEST(MshScanner, ReadsNumbersAtTheEdgeOfTheirRange)
   MshScanner scan("m", "1e-400 9223372036854775807 2147483648 1e400");
   EXPECT_EQ(scan.real("x"), 0.0);
   EXPECT_EQ(scan.integer(Width::eight, "n"), 9223372036854775807);
-  EXPECT_EQ(refusal([&] { scan.integer(Width::four, "a tag"); }), "m:1: a tag is out of range: 2147483648");
-  EXPECT_EQ(refusal([&] { scan.real("x"); }), "m:1: x is expected, got `1e400`");
+  EXPECT_EQ(refusal<MeshError>([&] { scan.integer(Width::four, "a tag"); }), "m:1: a tag is out of range: 2147483648");
+  EXPECT_EQ(refusal<MeshError>([&] { scan.real("x"); }), "m:1: x is expected, got `1e400`");
 }
 
 TEST(MshScanner, CountsLinesFromOne)
@@ -47,15 +34,16 @@ TEST(MshScanner, CountsLinesFromOne)
   scan.end_record();
   scan.integer(Width::four, "n");
   scan.end_record();
-  EXPECT_EQ(refusal([&] { scan.integer(Width::four, "n"); }), "dike.msh:3: the line ends where n is expected");
+  EXPECT_EQ(
+      refusal<MeshError>([&] { scan.integer(Width::four, "n"); }), "dike.msh:3: the line ends where n is expected");
   scan.end_record();
-  EXPECT_EQ(refusal([&] { scan.integer(Width::four, "n"); }), "dike.msh:4: n is expected, got `x`");
+  EXPECT_EQ(refusal<MeshError>([&] { scan.integer(Width::four, "n"); }), "dike.msh:4: n is expected, got `x`");
 }
 
 TEST(MshScanner, ShowsOnlyWhatCanBePrinted)
 {
   MshScanner scan("m", "\x01\x02" + std::string(60, 'a'));
-  EXPECT_EQ(refusal([&] { scan.real("x"); }), "m:1: x is expected, got `??" + std::string(38, 'a') + "...`");
+  EXPECT_EQ(refusal<MeshError>([&] { scan.real("x"); }), "m:1: x is expected, got `??" + std::string(38, 'a') + "...`");
 }
 
 TEST(MshScanner, WalksFromSectionToSection)
@@ -74,16 +62,16 @@ TEST(MshScanner, ReadsNamesInQuotes)
   MshScanner scan("m", " \"sand \"and\" clay\" \r\n\"open\n");
   EXPECT_EQ(scan.quoted("a name"), "sand \"and\" clay");
   scan.end_record();
-  EXPECT_EQ(refusal([&] { scan.quoted("a name"); }), "m:2: a name in double quotes is expected, got `\"open`");
+  EXPECT_EQ(
+      refusal<MeshError>([&] { scan.quoted("a name"); }), "m:2: a name in double quotes is expected, got `\"open`");
 }
 
 TEST(MshScanner, RefusesACountBeyondTheRestOfTheFile)
 {
   const std::string text = "3\n1 2\n3 4\n5 6\n";
   EXPECT_EQ(MshScanner("m", text).count(Width::eight, 2, "n"), 3);
-  EXPECT_EQ(refusal([&] { MshScanner("m", "4" + text.substr(1)).count(Width::eight, 2, "n"); }),
+  EXPECT_EQ(refusal<MeshError>([&] { MshScanner("m", "4" + text.substr(1)).count(Width::eight, 2, "n"); }),
       "m:1: n is 4, more than the rest of the file can hold");
 }
 
 }  // namespace
-}  // namespace terp

@@ -2,15 +2,10 @@
 #pragma once
 
 #include "meshing/gmsh_file.hpp"
-
-#include <array>
+#include "support/paths.hpp"
+#include "support/test.hpp"
 #include <cstring>
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <map>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace terp::test {
 
@@ -69,12 +64,13 @@ struct MshText {
 /// What read_gmsh_text() has against a file called m.msh; empty if nothing.
 inline std::string refusal_of(const std::string& text)
 {
-  try {
-    read_gmsh_text("m.msh", text);
-  } catch (const MeshError& error) {
-    return error.what();
-  }
-  return {};
+  return refusal<MeshError>([&] { read_gmsh_text("m.msh", text); });
+}
+
+/// The same two layers as MSH 4.1, "41" as text or "41_binary".
+inline std::string two_layers(const std::string& format)
+{
+  return source_path("tests/meshing/data/two_layers_" + format + ".msh");
 }
 
 /// The bytes of a number, as they stand in a binary file of this machine.

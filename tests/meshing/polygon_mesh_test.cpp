@@ -1,10 +1,7 @@
 // How many cells a polygon will have, before gmsh is asked.
-
 #include "meshing/polygon_mesh.hpp"
+#include "support/test.hpp"
 
-#include <gtest/gtest.h>
-
-namespace terp {
 namespace {
 
 PolygonMesh rectangle()
@@ -35,4 +32,3 @@ TEST(EstimateCells, TakesNothingFromARefinementThatIsNone)
 }
 
 }  // namespace
-}  // namespace terp

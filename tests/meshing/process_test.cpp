@@ -1,12 +1,9 @@
 // Other programs: their output, their status, their end.
-
 #include "meshing/process.hpp"
-
+#include "support/test.hpp"
 #include <chrono>
 #include <csignal>
-#include <gmock/gmock.h>
 
-namespace terp {
 namespace {
 
 TEST(RunProcess, GivesOutputOfBothStreamsAndTheStatus)
@@ -49,7 +46,7 @@ TEST(RunProcess, KeepsTheEndOfALongOutput)
   const auto result = run_process({"sh", "-c", "i=0; while [ $i -lt 20000 ]; do echo line $i; i=$((i+1)); done"}, 60.0);
   EXPECT_TRUE(result.succeeded());
   EXPECT_LE(result.output.size(), 16384u);
-  EXPECT_THAT(result.output, testing::EndsWith("line 19999\n"));
+  EXPECT_THAT(result.output, EndsWith("line 19999\n"));
 }
 
 TEST(RunProcess, LetsAnInterruptEndTheProgramThoughWeIgnoreIt)
@@ -61,4 +58,3 @@ TEST(RunProcess, LetsAnInterruptEndTheProgramThoughWeIgnoreIt)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,16 +1,9 @@
 // Graded and mapped rectangles: sizes, exact shear, places on curved sides, names.
-
 #include "meshing/structured.hpp"
-
 #include "mesh/check_mesh.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::HasSubstr;
 
 using Sides = std::array<std::vector<Vec<2>>, 4>;
 
@@ -20,23 +13,11 @@ Sides sheared()
   return {{{{1.0, 1.0}, {5.0, 2.0}}, {{5.0, 2.0}, {5.5, 4.0}}, {{1.5, 3.0}, {5.5, 4.0}}, {{1.0, 1.0}, {1.5, 3.0}}}};
 }
 
-template <class Function>
-std::string error_of(const Function& call)
-{
-  try {
-    call();
-  } catch (const MeshError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 TEST(GradedShares, GrowGeometricallyToTheWholeLength)
 {
-  EXPECT_THAT(graded_shares(3, 4.0),
-      testing::ElementsAre(0.0, testing::DoubleEq(1.0 / 7.0), testing::DoubleEq(3.0 / 7.0), 1.0));
-  EXPECT_THAT(graded_shares(4, 1.0), testing::ElementsAre(0.0, 0.25, 0.5, 0.75, 1.0));
-  EXPECT_THAT(graded_shares(1, 5.0), testing::ElementsAre(0.0, 1.0));
+  EXPECT_THAT(graded_shares(3, 4.0), ElementsAre(0.0, DoubleEq(1.0 / 7.0), DoubleEq(3.0 / 7.0), 1.0));
+  EXPECT_THAT(graded_shares(4, 1.0), ElementsAre(0.0, 0.25, 0.5, 0.75, 1.0));
+  EXPECT_THAT(graded_shares(1, 5.0), ElementsAre(0.0, 1.0));
 }
 
 TEST(GradedRectangle, HasTheLastCellOverTheFirstInBothDirections)
@@ -70,12 +51,12 @@ TEST(GradedRectangle, NamesItsSidesAsTheRectangleDoes)
 
 TEST(GradedRectangle, RefusesWhatIsNotPositive)
 {
-  EXPECT_THAT(error_of([] { make_graded_rectangle({0, 0}, {1, 1}, {2, 0}, {1, 1}); }), HasSubstr("0 cells in y"));
-  EXPECT_THAT(error_of([] {
-    make_graded_rectangle({0, 0}, {1, 1}, {2, 2}, {-1, 1});
-  }),
-      HasSubstr("grading in x is -1"));
-  EXPECT_THAT(error_of([] { make_graded_rectangle({0, 0}, {1, 0}, {2, 2}, {1, 1}); }), HasSubstr("size in y is 0 m"));
+  const auto refusal_of = [](Vec<2> size, std::array<Index, 2> cells, Vec<2> grading) {
+    return refusal<MeshError>([&] { make_graded_rectangle({0, 0}, size, cells, grading); });
+  };
+  EXPECT_THAT(refusal_of({1, 1}, {2, 0}, {1, 1}), HasSubstr("0 cells in y"));
+  EXPECT_THAT(refusal_of({1, 1}, {2, 2}, {-1, 1}), HasSubstr("grading in x is -1"));
+  EXPECT_THAT(refusal_of({1, 0}, {2, 2}, {1, 1}), HasSubstr("size in y is 0 m"));
 }
 
 TEST(MappedRectangle, IsExactForAShearedGrid)
@@ -88,7 +69,7 @@ TEST(MappedRectangle, IsExactForAShearedGrid)
       EXPECT_NEAR(x[1], 1.0 + 0.125 * i + 0.5 * j, 2e-15);
     }
   EXPECT_EQ(mesh.geometries.size(), 1u);
-  EXPECT_TRUE(mesh.geometries[0].affine);
+  EXPECT_TRUE(mesh.geometries[0].map.affine);
 }
 
 TEST(MappedRectangle, GradesAlongTheSides)
@@ -139,31 +120,20 @@ TEST(MappedRectangle, NamesTheSidesThatItWasGiven)
 
 TEST(MappedRectangle, RefusesSidesThatDoNotMeet)
 {
-  Sides apart = sheared();
-  apart[2][1] = {5.5, 4.1};
-  EXPECT_THAT(error_of([&] {
-    make_mapped_rectangle(apart, {8, 4}, {1, 1});
+  const auto refusal_after = [](auto&& change) {
+    Sides sides = sheared();
+    change(sides);
+    return refusal<MeshError>([&] { make_mapped_rectangle(sides, {8, 4}, {1, 1}); });
+  };
+  EXPECT_THAT(refusal_after([](Sides& sides) {
+    sides[2][1] = {5.5, 4.1};
   }),
       HasSubstr("sides `top` and `right` do not meet: (5.5, 4.1) m and (5.5, 4) m"));
-  Sides reversed = sheared();
-  std::swap(reversed[3][0], reversed[3][1]);
-  EXPECT_THAT(error_of([&] {
-    make_mapped_rectangle(reversed, {8, 4}, {1, 1});
-  }),
+  EXPECT_THAT(refusal_after([](Sides& sides) { std::swap(sides[3][0], sides[3][1]); }),
       HasSubstr("bottom and top run to +x, left and right to +y"));
-  Sides short_one = sheared();
-  short_one[1].pop_back();
-  EXPECT_THAT(error_of([&] {
-    make_mapped_rectangle(short_one, {8, 4}, {1, 1});
-  }),
-      HasSubstr("side `right` has 1 places"));
-  Sides twice = sheared();
-  twice[0].push_back(twice[0].back());
-  EXPECT_THAT(error_of([&] {
-    make_mapped_rectangle(twice, {8, 4}, {1, 1});
-  }),
+  EXPECT_THAT(refusal_after([](Sides& sides) { sides[1].pop_back(); }), HasSubstr("side `right` has 1 places"));
+  EXPECT_THAT(refusal_after([](Sides& sides) { sides[0].push_back(sides[0].back()); }),
       HasSubstr("side `bottom` has the place (5, 2) m twice"));
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,28 +1,18 @@
 // Checkpoints come back to the bit or not at all.
 #include "output/checkpoint.hpp"
-
 #include "output/files.hpp"
 #include "output/hdf5_file.hpp"
 #include "output/run_folder.hpp"
 #include "output/samples.hpp"
 #include "output/small_disk.hpp"
 #include "support/process.hpp"
-
-#include <filesystem>
-#include <fstream>
-
+#include "support/test.hpp"
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 
 /// For the leak sanitizer: HDF5 1.10 itself loses memory when it refuses a damaged file.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
 
-namespace terp {
 namespace {
-
-using test::file_error_of;
-using test::sample_image;
-using testing::HasSubstr;
 
 bool same(const StateImage& a, const StateImage& b)
 {
@@ -54,7 +44,7 @@ void cut_in_half(const std::string& path) { std::filesystem::resize_file(path, s
 
 TEST(Checkpoint, ComesBackToTheBit)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const StateImage image = read_checkpoint(write_sample(folder.path(), 1234));
   EXPECT_TRUE(same(image, sample_image(1234)));
   EXPECT_TRUE(std::signbit(std::get<std::vector<Real>>(image.arrays[0].values)[2]));  // -0.0
@@ -62,7 +52,7 @@ TEST(Checkpoint, ComesBackToTheBit)
 
 TEST(Checkpoint, LeavesNoTemporaryFile)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   EXPECT_FALSE(std::filesystem::exists(temporary_name(write_sample(folder.path(), 1))));
 }
 
@@ -86,16 +76,16 @@ TEST(Checkpoint, TheChecksumSeesNamesShapesAndValues)
 
 TEST(Checkpoint, ThatIsTruncatedIsRefusedByName)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = write_sample(folder.path(), 1);
   cut_in_half(path);
-  EXPECT_THAT(file_error_of([&] { read_checkpoint(path); }),
-      testing::AllOf(HasSubstr("cannot read " + path), HasSubstr("truncated")));
+  EXPECT_THAT(
+      file_error_of([&] { read_checkpoint(path); }), AllOf(HasSubstr("cannot read " + path), HasSubstr("truncated")));
 }
 
 TEST(Checkpoint, WhoseNumbersWereAlteredIsRefusedByName)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = write_sample(folder.path(), 1);
   {
     Hdf5File file(path, Hdf5File::Mode::change);
@@ -108,7 +98,7 @@ TEST(Checkpoint, WhoseNumbersWereAlteredIsRefusedByName)
 
 TEST(Checkpoint, WithAnyByteFlippedIsRefusedOrComesBackToTheBit)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = write_sample(folder.path(), 1);
   const std::size_t n_bytes = std::filesystem::file_size(path);
   int n_refused = 0;
@@ -127,21 +117,21 @@ TEST(Checkpoint, WithAnyByteFlippedIsRefusedOrComesBackToTheBit)
 
 TEST(Checkpoint, OfAnotherFormatNamesBothVersions)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = write_sample(folder.path(), 1);
   for (const int version : {5, 99}) {
     Hdf5File file(path, Hdf5File::Mode::change);
     file.set_integers("/", "format_version", {version});
     file.close();
     EXPECT_THAT(file_error_of([&] { read_checkpoint(path); }),
-        testing::AllOf(HasSubstr(fmt::format("checkpoint format {}", version)),
+        AllOf(HasSubstr(fmt::format("checkpoint format {}", version)),
             HasSubstr("reads format 6\n  Go on with the terp that wrote it")));
   }
 }
 
 TEST(Checkpoint, KeepsWhatTheRunBeganWithUnderItsChecksum)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder.path() + "/a.h5";
   StateImage image = sample_image(3);
   image.case_record = "time.end = 0.2\nmaterial.clay.eta = 4.5\n";
@@ -149,7 +139,7 @@ TEST(Checkpoint, KeepsWhatTheRunBeganWithUnderItsChecksum)
   write_checkpoint(path, image);
   EXPECT_EQ(read_checkpoint(path).case_record, image.case_record);
   EXPECT_EQ(read_checkpoint(path).tables, image.tables);
-  const std::string bytes = test::text_of(path);
+  const std::string bytes = text_of(path);
   const std::size_t at = bytes.find("eta = 4.5");
   ASSERT_NE(at, std::string::npos);
   write_file_atomically(path, std::string(bytes).replace(at, 9, "eta = 4.6"));
@@ -160,7 +150,7 @@ TEST(Checkpoint, KeepsWhatTheRunBeganWithUnderItsChecksum)
 
 TEST(Checkpoint, AnArrayWhoseShapeDoesNotFitIsRefused)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder.path() + "/a.h5";
   const StateImage image{0.0, 0, {{"x", {3}, std::vector<Real>{1.0}}}};
   EXPECT_THAT(
@@ -170,7 +160,7 @@ TEST(Checkpoint, AnArrayWhoseShapeDoesNotFitIsRefused)
 
 TEST(Checkpoint, TheNewestGoodOneIsFoundAndTheBadOnesAreReported)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   write_sample(folder.path(), 100);
   const std::string good = write_sample(folder.path(), 200), bad = write_sample(folder.path(), 300);
   const std::string no_hdf5 = path_in(folder.path(), checkpoint_file(1000000000));  // ten digits: later, not earlier
@@ -188,7 +178,7 @@ TEST(Checkpoint, TheNewestGoodOneIsFoundAndTheBadOnesAreReported)
 
 TEST(Checkpoint, ALinkToItselfDoesNotHideTheOlderOnes)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   write_sample(folder.path(), 7);
   std::filesystem::create_symlink(checkpoint_file(9), path_in(folder.path(), checkpoint_file(9)));
   EXPECT_EQ(newest_good_checkpoint(folder.path()).image->step, 7);
@@ -196,7 +186,7 @@ TEST(Checkpoint, ALinkToItselfDoesNotHideTheOlderOnes)
 
 TEST(Checkpoint, WhoseArraysAreMoreThanItsFileCanHoldIsRefused)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   StateImage image{0.0, 1, {{"x", {1000}, std::vector<Real>(1000, 1.5)}}};
   const std::string path = path_in(folder.path(), checkpoint_file(1));
   write_checkpoint(path, image);
@@ -209,7 +199,7 @@ TEST(Checkpoint, WhoseArraysAreMoreThanItsFileCanHoldIsRefused)
 
 TEST(Checkpoint, AFolderWithoutAGoodOneGivesNone)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   EXPECT_FALSE(newest_good_checkpoint(folder.path()).image);
   EXPECT_THAT(
       file_error_of([] { newest_good_checkpoint("/no/such"); }), HasSubstr("cannot open the run folder /no/such: "));
@@ -217,7 +207,7 @@ TEST(Checkpoint, AFolderWithoutAGoodOneGivesNone)
 
 TEST(Checkpoint, OnlyTheNewestAreKept)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   for (const std::int64_t step : {100, 300, 200}) write_sample(folder.path(), step);
   remove_old_checkpoints(folder.path(), 0);
   EXPECT_TRUE(std::filesystem::exists(path_in(folder.path(), checkpoint_file(100))));
@@ -231,12 +221,12 @@ TEST(Checkpoint, OnlyTheNewestAreKept)
 
 TEST(Checkpoint, AFullDiskLeavesTheEarlierOneAndNoHalfOne)
 {
-  const test::SmallDisk disk(256 << 10);
+  const SmallDisk disk(256 << 10);
   if (!disk.is_there()) GTEST_SKIP() << "cannot mount a small disk";
   const std::string earlier = write_sample(disk.path(), 1), later = path_in(disk.path(), checkpoint_file(2));
   const StateImage big{0.0, 2, {{"x", {100000}, std::vector<Real>(100000, 1.5)}}};
   EXPECT_THAT(file_error_of([&] { write_checkpoint(later, big); }),
-      testing::AllOf(HasSubstr(temporary_name(later)), HasSubstr(": No space left on device")));
+      AllOf(HasSubstr(temporary_name(later)), HasSubstr(": No space left on device")));
   EXPECT_TRUE(same(read_checkpoint(earlier), sample_image(1)));
   EXPECT_FALSE(std::filesystem::exists(later));
   EXPECT_FALSE(std::filesystem::exists(temporary_name(later)));
@@ -244,7 +234,7 @@ TEST(Checkpoint, AFullDiskLeavesTheEarlierOneAndNoHalfOne)
 
 TEST(Checkpoint, InPartsIsThatOfTheWhole)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const StateImage whole = sample_image(7);
   const std::string path = path_in(folder.path(), checkpoint_file(7));
   {
@@ -260,7 +250,7 @@ TEST(Checkpoint, InPartsIsThatOfTheWhole)
 
 TEST(Checkpoint, WhosePartsDoNotAllComeIsNotThere)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = path_in(folder.path(), checkpoint_file(7));
   {
     StateImage part = sample_image(7);
@@ -271,4 +261,3 @@ TEST(Checkpoint, WhosePartsDoNotAllComeIsNotThere)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,11 +1,8 @@
 // Against the published values of RFC 9923.
 #include "output/checksum.hpp"
-
+#include "support/test.hpp"
 #include <string_view>
 
-#include <gtest/gtest.h>
-
-namespace terp {
 namespace {
 
 std::uint64_t hash_of(std::string_view text)
@@ -24,4 +21,3 @@ TEST(Checksum, IsTheFnv1aOfTheStandard)
 }
 
 }  // namespace
-}  // namespace terp

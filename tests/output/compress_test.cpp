@@ -1,11 +1,8 @@
 // gzip and its checksum.
 #include "output/compress.hpp"
-
 #include "base/errors.hpp"
+#include "support/test.hpp"
 
-#include <gtest/gtest.h>
-
-namespace terp {
 namespace {
 
 TEST(Compress, ComesBackToTheByte)
@@ -43,4 +40,3 @@ TEST(Compress, Base64IsThatOfRfc4648)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,22 +1,14 @@
 // Writing files whole or not at all.
 #include "output/files.hpp"
-
 #include "output/samples.hpp"
 #include "output/small_disk.hpp"
+#include "support/test.hpp"
 
-#include <filesystem>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using test::file_error_of;
-using testing::HasSubstr;
 
 TEST(Files, AnAtomicWriteReplacesTheContentAndLeavesNoTemporaryFile)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder.path() + "/a.txt";
   write_file_atomically(path, "old and long");
   write_file_atomically(path, "new");
@@ -31,7 +23,7 @@ TEST(Files, AMissingFileIsNamedWithTheReason)
 
 TEST(Files, AFolderThatIsAFileIsNamedWithTheReason)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder.path() + "/file/a.txt";
   write_file_atomically(folder.path() + "/file", "");
   EXPECT_EQ(file_error_of([&] { write_file_atomically(path, "x"); }), "cannot write " + path + ": Not a directory");
@@ -45,7 +37,7 @@ TEST(Files, AppendingToAFullDeviceSaysSo)
 
 TEST(Files, AFullDiskLeavesTheOldContentWhole)
 {
-  const test::SmallDisk disk(64 << 10);
+  const SmallDisk disk(64 << 10);
   if (!disk.is_there()) GTEST_SKIP() << "cannot mount a small disk";
   AppendFile file(disk.path() + "/rows.csv");
   file.append("first\n");
@@ -62,7 +54,7 @@ TEST(Files, AFullDiskLeavesTheOldContentWhole)
 
 TEST(Files, ReservedSpaceMakesTheFileLongerAndKeepsItsContent)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder.path() + "/a";
   write_file_atomically(path, "abc");
   reserve_space(path, 10000);
@@ -72,7 +64,7 @@ TEST(Files, ReservedSpaceMakesTheFileLongerAndKeepsItsContent)
 
 TEST(Files, ReservingMoreThanThereIsLeavesTheFileAsItWas)
 {
-  const test::SmallDisk disk(64 << 10);
+  const SmallDisk disk(64 << 10);
   if (!disk.is_there()) GTEST_SKIP() << "cannot mount a small disk";
   const std::string path = disk.path() + "/a";
   write_file_atomically(path, "abc");
@@ -82,7 +74,7 @@ TEST(Files, ReservingMoreThanThereIsLeavesTheFileAsItWas)
 
 TEST(Files, ATemporaryFileThatIsNotMovedLeavesNothingBehind)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   {
     const TemporaryFile file(folder.path() + "/a");
     write_file_atomically(file.name(), "half");
@@ -91,4 +83,3 @@ TEST(Files, ATemporaryFileThatIsNotMovedLeavesNothingBehind)
 }
 
 }  // namespace
-}  // namespace terp

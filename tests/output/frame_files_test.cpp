@@ -1,27 +1,19 @@
 // The files of frames and their index: names, what each states about itself, damage, removal.
 #include "output/frame_files.hpp"
-
 #include "output/point_frames.hpp"
 #include "output/run_folder.hpp"
 #include "output/samples.hpp"
 #include "support/paths.hpp"
+#include "support/test.hpp"
 
-#include <filesystem>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::ElementsAre;
-using testing::HasSubstr;
 
 const std::string run = "0123456789abcdef";
 
 void write_frames(const std::string& folder, int n)
 {
   PointFrameWriter writer({folder, point_frames, run});
-  for (int k = 0; k < n; ++k) writer.append(test::sample_frame(k));
+  for (int k = 0; k < n; ++k) writer.append(sample_frame(k));
 }
 
 std::string path_of_frame(const std::string& folder, int k) { return path_in(folder, frame_file(point_frames, k)); }
@@ -37,11 +29,11 @@ TEST(FrameFiles, HaveNumberedNames)
 
 TEST(FrameFiles, StateNumberTimeStepAndRun)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   write_frames(folder.path(), 3);
   const FrameHead head = read_head(Hdf5File(path_of_frame(folder.path(), 2), Hdf5File::Mode::read));
   EXPECT_EQ(head.number, 2);
-  EXPECT_EQ(head.time, test::sample_frame(2).time);
+  EXPECT_EQ(head.time, sample_frame(2).time);
   EXPECT_EQ(head.step, 200);
   EXPECT_EQ(head.run, run);
   EXPECT_THAT(list_frames(folder.path(), point_frames), ElementsAre(0, 1, 2));
@@ -50,7 +42,7 @@ TEST(FrameFiles, StateNumberTimeStepAndRun)
 
 TEST(FrameFiles, AreListedWithTheirTimesForParaView)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   write_frames(folder.path(), 2);
   EXPECT_EQ(read_file(path_in(folder.path(), "results.vtkhdf.series")),
       "{\n \"file-series-version\": \"1.0\",\n \"files\": [\n"
@@ -60,7 +52,7 @@ TEST(FrameFiles, AreListedWithTheirTimesForParaView)
 
 TEST(FrameFiles, OfEqualRunsAreEqualToTheByte)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   write_frames(folder.path() + "/a", 2);
   write_frames(folder.path() + "/b", 2);
   EXPECT_EQ(read_file(path_of_frame(folder.path() + "/a", 1)), read_file(path_of_frame(folder.path() + "/b", 1)));
@@ -68,7 +60,7 @@ TEST(FrameFiles, OfEqualRunsAreEqualToTheByte)
 
 TEST(FrameFiles, ThatAreMissingOrNotThoseOfTheirNameAreNamed)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   write_frames(folder.path(), 4);
   std::filesystem::remove(path_of_frame(folder.path(), 1));
   std::filesystem::copy_file(path_of_frame(folder.path(), 0), path_of_frame(folder.path(), 2),
@@ -85,7 +77,7 @@ TEST(FrameFiles, ThatAreMissingOrNotThoseOfTheirNameAreNamed)
 
 TEST(FrameFiles, OneFlippedBitAnywhereIsFoundOrChangesNothingThatIsRead)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   write_frames(folder.path(), 1);
   const std::string path = path_of_frame(folder.path(), 0), sound = read_file(path);
   const auto content = [&] {
@@ -111,7 +103,7 @@ TEST(FrameFiles, OneFlippedBitAnywhereIsFoundOrChangesNothingThatIsRead)
 
 TEST(FrameFiles, FromANumberOnAreRemoved)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   write_frames(folder.path(), 4);
   remove_frames_from(folder.path(), mesh_frames, 0);
   remove_frames_from(folder.path(), point_frames, 2);
@@ -120,10 +112,9 @@ TEST(FrameFiles, FromANumberOnAreRemoved)
 
 TEST(FrameFiles, ThatAreNotEndedLeaveNothing)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   FrameSeries(folder.path(), point_frames, run).begin(0.0, 0, 1000);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path() + "/frames"));
 }
 
 }  // namespace
-}  // namespace terp

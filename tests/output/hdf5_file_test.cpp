@@ -1,28 +1,19 @@
 // What Terp needs from HDF5: arrays with checksums, attributes, clear errors.
 #include "output/hdf5_file.hpp"
-
 #include "output/files.hpp"
 #include "output/samples.hpp"
 #include "output/small_disk.hpp"
-
+#include "support/test.hpp"
 #include <chrono>
-#include <cmath>
 #include <thread>
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using test::file_error_of;
-using testing::ElementsAre;
-using testing::HasSubstr;
 
 constexpr Hdf5File::Layout packed{.packed = true};
 
 TEST(Hdf5File, PackedArraysAreReadBackAlsoWhereTheyComeInPieces)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   Hdf5File file(folder.path() + "/a.h5", Hdf5File::Mode::create);
   std::vector<Real> rows(600'000);
   for (std::size_t k = 0; k < rows.size(); ++k) rows[k] = std::sin(static_cast<Real>(k));
@@ -31,13 +22,13 @@ TEST(Hdf5File, PackedArraysAreReadBackAlsoWhereTheyComeInPieces)
   file.write<Real>("/group/t", {200'000, 3}, all.subspan(300'003), 100'001, packed);
   EXPECT_EQ(file.read<Real>("/group/t"), rows);
   file.write<Real>("/single", {600'000}, all, 0, {true, Hdf5File::Number::float32});
-  EXPECT_EQ(file.read<Real>("/single"), test::as_single(rows));
+  EXPECT_EQ(file.read<Real>("/single"), as_single(rows));
   EXPECT_NO_THROW(file.check_values());
 }
 
 TEST(Hdf5File, EqualContentGivesEqualBytesWheneverItIsWritten)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   for (const char* name : {"/a.h5", "/b.h5"}) {
     Hdf5File file(folder.path() + name, Hdf5File::Mode::create);
     file.set_real("/", "time", 0.5);
@@ -51,7 +42,7 @@ TEST(Hdf5File, EqualContentGivesEqualBytesWheneverItIsWritten)
 
 TEST(Hdf5File, MembersComeInTheOrderOfTheirCreation)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   Hdf5File file(folder.path() + "/a.h5", Hdf5File::Mode::create);
   file.create_group("/g");
   for (const char* name : {"/g/z", "/g/a", "/g/m"}) file.write<std::int64_t>(name, {1}, std::vector<std::int64_t>{1});
@@ -60,7 +51,7 @@ TEST(Hdf5File, MembersComeInTheOrderOfTheirCreation)
 
 TEST(Hdf5File, AttributesAreReadBack)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   Hdf5File file(folder.path() + "/a.h5", Hdf5File::Mode::create);
   file.set_text("/", "unit", "Pa");
   file.set_real("/", "time", 1.0 / 3.0);
@@ -72,7 +63,7 @@ TEST(Hdf5File, AttributesAreReadBack)
 
 TEST(Hdf5File, AnAttributeOfAnotherKindOrNumberIsRefused)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   Hdf5File file(folder.path() + "/a.h5", Hdf5File::Mode::create);
   file.set_text("/", "text", "kPa");
   file.set_integers("/", "many", std::vector<std::int64_t>(4000, 7));
@@ -87,7 +78,7 @@ TEST(Hdf5File, AnAttributeOfAnotherKindOrNumberIsRefused)
 
 TEST(Hdf5File, AShapeThatIsMoreThanTheFileCanHoldIsRefused)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder.path() + "/a.h5";
   constexpr std::int64_t far = std::int64_t{1} << 40;
   {
@@ -100,19 +91,17 @@ TEST(Hdf5File, AShapeThatIsMoreThanTheFileCanHoldIsRefused)
   const Hdf5File file(path, Hdf5File::Mode::read);
   for (const char* name : {"/plain", "/pressed"})
     EXPECT_THAT(file_error_of([&] { file.read<Real>(name); }),
-        testing::AllOf(HasSubstr(name),
-            testing::AnyOf(HasSubstr("more than a file of"), HasSubstr("more than there is memory for"))));
+        AllOf(HasSubstr(name), AnyOf(HasSubstr("more than a file of"), HasSubstr("more than there is memory for"))));
   EXPECT_THAT(file_error_of([&] { file.check_values(); }), HasSubstr("more than "));
   EXPECT_EQ(file.read<Real>("/zeros").size(), 1u << 20);
 }
 
 TEST(Hdf5File, AFileThatIsNoHdf5IsNamed)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder.path() + "/a.h5";
   write_file_atomically(path, "just text");
-  EXPECT_THAT(
-      file_error_of([&] { Hdf5File(path, Hdf5File::Mode::read); }), testing::StartsWith("cannot read " + path + ": "));
+  EXPECT_THAT(file_error_of([&] { Hdf5File(path, Hdf5File::Mode::read); }), StartsWith("cannot read " + path + ": "));
 }
 
 TEST(Hdf5File, TheSystemsReasonIsGiven)
@@ -123,7 +112,7 @@ TEST(Hdf5File, TheSystemsReasonIsGiven)
 
 TEST(Hdf5File, AMissingDatasetIsNamedWithItsFile)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   Hdf5File file(folder.path() + "/a.h5", Hdf5File::Mode::create);
   EXPECT_THAT(
       file_error_of([&] { file.read<Real>("/velocity"); }), HasSubstr("cannot open /velocity in " + folder.path()));
@@ -131,15 +120,14 @@ TEST(Hdf5File, AMissingDatasetIsNamedWithItsFile)
 
 TEST(Hdf5File, AFullDiskIsNoticedEvenWhereNoSpaceWasReserved)
 {
-  const test::SmallDisk disk(64 << 10);
+  const SmallDisk disk(64 << 10);
   if (!disk.is_there()) GTEST_SKIP() << "cannot mount a small disk";
   Hdf5File file(disk.path() + "/a.h5", Hdf5File::Mode::create);
   disk.fill();
   std::vector<Real> rows(4096);  // HDF5 keeps one chunk back until the array is closed
   for (std::size_t k = 0; k < rows.size(); ++k) rows[k] = std::sin(static_cast<Real>(k));
   EXPECT_THAT(file_error_of([&] { file.write<Real>("/t", {4096}, rows, 0, packed); }),
-      testing::AllOf(HasSubstr("/t in " + disk.path()), HasSubstr("No space left on device")));
+      AllOf(HasSubstr("/t in " + disk.path()), HasSubstr("No space left on device")));
 }
 
 }  // namespace
-}  // namespace terp

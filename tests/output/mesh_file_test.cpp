@@ -1,19 +1,14 @@
 // mesh.vtkhdf: nodes and cells. What the mesh carries: tests/simulation/mesh_frame_test.cpp, and a run in tests/app.
 #include "output/mesh_file.hpp"
-
 #include "output/samples.hpp"
 #include "support/paths.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::ElementsAre;
 
 TEST(MeshFile, HoldsNodesAndCellsOfTheMesh)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder.path() + "/mesh.vtkhdf";
   write_mesh(path, make_rectangle({0.0, 0.0}, {4.0, 1.0}, {2, 1}), "0123456789abcdef");
   const Hdf5File file(path, Hdf5File::Mode::read);
@@ -27,4 +22,3 @@ TEST(MeshFile, HoldsNodesAndCellsOfTheMesh)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,20 +1,11 @@
 // A frame of the points: what is written is read back.
 #include "output/point_frames.hpp"
-
 #include "output/run_folder.hpp"
 #include "output/samples.hpp"
 #include "support/paths.hpp"
+#include "support/test.hpp"
 
-#include <filesystem>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using test::as_single;
-using test::sample_frame;
-using testing::ElementsAre;
 
 /// Path of frame `last` of a run with frames 0...last.
 std::string write_frames(const std::string& folder, int last)
@@ -40,7 +31,7 @@ Frame part_of(const Frame& whole, std::size_t first, std::size_t n)
 
 TEST(PointFrames, HaveTheHeaderOfTheFormatAndOneVertexPerPoint)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const Hdf5File file(write_frames(folder.path(), 1), Hdf5File::Mode::read);
   EXPECT_THAT(file.integers("/VTKHDF", "Version"), ElementsAre(1, 0));
   EXPECT_EQ(file.text("/VTKHDF", "Type"), "UnstructuredGrid");
@@ -53,7 +44,7 @@ TEST(PointFrames, HaveTheHeaderOfTheFormatAndOneVertexPerPoint)
 
 TEST(PointFrames, KeepPlacesToTheBitAndFieldsInSinglePrecision)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const Hdf5File file(write_frames(folder.path(), 2), Hdf5File::Mode::read);
   const Frame frame = sample_frame(2);
   EXPECT_EQ(file.read<Real>("/VTKHDF/PointData/su"), as_single(frame.fields[0].values));
@@ -66,7 +57,7 @@ TEST(PointFrames, KeepPlacesToTheBitAndFieldsInSinglePrecision)
 
 TEST(PointFrames, StateUnitsAndComponents)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const Hdf5File file(write_frames(folder.path(), 0), Hdf5File::Mode::read);
   EXPECT_EQ(file.text("/VTKHDF/PointData/stress", "unit"), "Pa");
   EXPECT_EQ(file.text("/VTKHDF/PointData/stress", "components"), "xx yy zz xy");
@@ -76,7 +67,7 @@ TEST(PointFrames, StateUnitsAndComponents)
 
 TEST(PointFrames, WholeNumbersAreKeptAsSuch)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   Frame frame = sample_frame(0);
   frame.fields[0] = {"cell", "-", 1, {-1.0, 0.0, 16777217.0, 19999999.0, 3.0}};  // 2^24 + 1 is no float
   PointFrameWriter({folder.path(), point_frames, ""}).append(frame);
@@ -87,7 +78,7 @@ TEST(PointFrames, WholeNumbersAreKeptAsSuch)
 
 TEST(PointFrames, AFrameInPartsIsThatInOnePieceAndThereWhenItsLastPartIs)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string whole = write_frames(folder.path() + "/whole", 0);
   PointFrameWriter writer({folder.path(), point_frames, "0123456789abcdef"});
   const std::string path = path_in(folder.path(), frame_file(point_frames, 0));
@@ -100,4 +91,3 @@ TEST(PointFrames, AFrameInPartsIsThatInOnePieceAndThereWhenItsLastPartIs)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,20 +1,11 @@
 // The folder of a run, and what becomes of what is already in it.
 #include "output/run_folder.hpp"
-
 #include "output/files.hpp"
 #include "output/samples.hpp"
 #include "support/paths.hpp"
+#include "support/test.hpp"
 
-#include <filesystem>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using test::file_error_of;
-using testing::AllOf;
-using testing::HasSubstr;
 
 std::vector<std::string> files_in(const std::string& folder)
 {
@@ -26,14 +17,14 @@ std::vector<std::string> files_in(const std::string& folder)
 
 TEST(RunFolder, IsMadeWithTheFoldersAboveIt)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   prepare_run_folder(scratch.path() + "/runs/model_2", false);
   EXPECT_TRUE(std::filesystem::is_directory(scratch.path() + "/runs/model_2"));
 }
 
 TEST(RunFolder, ThatHoldsAnythingIsRefusedWithThreeWaysOut)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   write_file_atomically(scratch.path() + "/notes.txt", "mine");
   EXPECT_THAT(file_error_of([&] { prepare_run_folder(scratch.path(), false); }),
       AllOf(HasSubstr("the run folder " + scratch.path() + " is not empty"), HasSubstr("--force"), HasSubstr("-o DIR"),
@@ -42,7 +33,7 @@ TEST(RunFolder, ThatHoldsAnythingIsRefusedWithThreeWaysOut)
 
 TEST(RunFolder, ForceRemovesTheFilesOfARunAndNoOthers)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   std::filesystem::create_directory(scratch.path() + "/frames");
   for (const char* name :
       {"case.toml", "results.vtkhdf.series", "mesh.vtkhdf", "history.csv", "ledger.csv", "summary.json",
@@ -62,17 +53,17 @@ TEST(RunFolder, ForceRemovesTheFilesOfARunAndNoOthers)
 
 TEST(RunFolder, ForceKeepsAFolderOfFramesThatHoldsAnythingElse)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   std::filesystem::create_directory(scratch.path() + "/frames");
   for (const char* name : {"frames/points_00000.vtkhdf", "frames/notes.txt"})
     write_file_atomically(path_in(scratch.path(), name), "");
   prepare_run_folder(scratch.path(), true);
-  EXPECT_THAT(files_in(scratch.path() + "/frames"), testing::ElementsAre("notes.txt"));
+  EXPECT_THAT(files_in(scratch.path() + "/frames"), ElementsAre("notes.txt"));
 }
 
 TEST(RunFolder, HoldsCopiesOfTheFilesThatTheCaseNamesEvenIfTheyAreThoseOfTheRunBefore)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   write_file_atomically(scratch.path() + "/mesh.msh", "nodes");
   prepare_run_folder(scratch.path(), true, {{scratch.path() + "/mesh.msh", "mesh.msh"}});
   EXPECT_EQ(read_file(scratch.path() + "/mesh.msh"), "nodes");
@@ -86,7 +77,7 @@ TEST(RunFolder, HoldsCopiesOfTheFilesThatTheCaseNamesEvenIfTheyAreThoseOfTheRunB
 
 TEST(RunFolder, ForceFollowsNoLinkAndEntersNoFolder)
 {
-  const test::ScratchFolder scratch, elsewhere;
+  const ScratchFolder scratch, elsewhere;
   write_file_atomically(elsewhere.path() + "/precious.csv", "mine");
   std::filesystem::create_symlink(elsewhere.path() + "/precious.csv", scratch.path() + "/history.csv");
   std::filesystem::create_directory(scratch.path() + "/summary.json");
@@ -98,7 +89,7 @@ TEST(RunFolder, ForceFollowsNoLinkAndEntersNoFolder)
 
 TEST(RunFolder, BelowAFileIsRefusedWithTheReason)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   write_file_atomically(scratch.path() + "/file", "");
   const std::string folder = scratch.path() + "/file/sub";
   EXPECT_EQ(file_error_of([&] { prepare_run_folder(folder, true); }),
@@ -107,7 +98,7 @@ TEST(RunFolder, BelowAFileIsRefusedWithTheReason)
 
 TEST(RunFolder, InUseByAnotherTerpIsNotTouched)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   write_file_atomically(scratch.path() + "/ledger.csv", "rows");
   const FolderLock other(scratch.path());
   EXPECT_EQ(file_error_of([&] { prepare_run_folder(scratch.path(), true); }),
@@ -125,4 +116,3 @@ TEST(RunFolder, KnowsTheStepInACheckpointsName)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,6 +1,5 @@
 // The files of a whole run, and of one that was resumed.
 #include "output/run_writer.hpp"
-
 #include "output/checkpoint.hpp"
 #include "output/mesh_file.hpp"
 #include "output/samples.hpp"
@@ -9,23 +8,9 @@
 #include "followers/followers.hpp"
 #include "support/process.hpp"
 #include "support/paths.hpp"
+#include "support/test.hpp"
 
-#include <filesystem>
-#include <map>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using test::file_error_of;
-using test::sample_frame;
-using test::sample_history;
-using test::sample_image;
-using test::sample_ledger;
-using test::sample_ledger_table;
-using test::table_named;
-using testing::HasSubstr;
 
 RunWriterSettings settings_for(const std::string& folder)
 {
@@ -74,7 +59,7 @@ ResumePoint point_200(const std::string& folder)
 
 TEST(RunWriter, ANewRunHasItsCaseAndTheHeadersOfItsTables)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/runs/model_2";
   RunWriter::start(settings_for(folder), false);
   EXPECT_EQ(read_file(folder + "/case.toml"), "title = \"column\"\n");
@@ -84,16 +69,16 @@ TEST(RunWriter, ANewRunHasItsCaseAndTheHeadersOfItsTables)
 
 TEST(RunWriter, ARowIsInTheFileOnceTheWriterHasFinished)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const auto writer = RunWriter::start(settings_for(scratch.path()), false);
   writer->rows(sample_ledger(0.5));
   writer->finish();
-  EXPECT_THAT(read_file(scratch.path() + "/ledger.csv"), testing::EndsWith(csv_lines(sample_ledger(0.5))));
+  EXPECT_THAT(read_file(scratch.path() + "/ledger.csv"), EndsWith(csv_lines(sample_ledger(0.5))));
 }
 
 TEST(RunWriter, KeepsAsManyCheckpointsAsAsked)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   write_outputs(*RunWriter::start(settings_for(scratch.path()), false), 0, 3);
   EXPECT_FALSE(std::filesystem::exists(path_in(scratch.path(), checkpoint_file(100))));
   EXPECT_TRUE(std::filesystem::exists(path_in(scratch.path(), checkpoint_file(200))));
@@ -102,7 +87,7 @@ TEST(RunWriter, KeepsAsManyCheckpointsAsAsked)
 
 TEST(RunWriter, AResumedRunEndsInTheSameTablesAsOneInOneGo)
 {
-  const test::ScratchFolder one_go, resumed;
+  const ScratchFolder one_go, resumed;
   write_outputs(*RunWriter::start(settings_for(one_go.path()), false), 0, 5);
   write_outputs(*RunWriter::start(settings_for(resumed.path()), false), 0, 4);
   std::filesystem::remove(path_in(resumed.path(), checkpoint_file(400)));
@@ -115,7 +100,7 @@ TEST(RunWriter, AResumedRunEndsInTheSameTablesAsOneInOneGo)
 
 TEST(RunWriter, ResumingDropsTheCheckpointsOfTheAbandonedSteps)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   write_outputs(*RunWriter::start(settings_for(scratch.path()), false), 0, 3);
   resume_in(scratch.path(), point_200(scratch.path()));
   EXPECT_EQ(newest_good_checkpoint(scratch.path()).image->step, 200);
@@ -123,7 +108,7 @@ TEST(RunWriter, ResumingDropsTheCheckpointsOfTheAbandonedSteps)
 
 TEST(RunWriter, DoesNotResumeWhereAFileIsMissingOrTooShort)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string folder = scratch.path();
   write_outputs(*RunWriter::start(settings_for(folder), false), 0, 3);
   const ResumePoint from = point_200(folder);
@@ -148,7 +133,7 @@ TEST(RunWriter, DoesNotResumeWhereAFileIsMissingOrTooShort)
 
 TEST(RunWriter, FilesOfAnotherRunAreRefusedAndNothingChanges)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string ours = scratch.path() + "/ours", theirs = scratch.path() + "/theirs";
   RunWriterSettings other = settings_for(theirs);
   other.case_record = "material.clay.eta = 60\n";
@@ -166,8 +151,7 @@ TEST(RunWriter, FilesOfAnotherRunAreRefusedAndNothingChanges)
     std::filesystem::copy_file(path_in(theirs, name), path, std::filesystem::copy_options::overwrite_existing);
     const auto before = all_files_in(ours);
     EXPECT_THAT(file_error_of([&] { resume_in(ours, from); }),
-        testing::AllOf(testing::StartsWith("cannot resume from step 200, t = 0.2 s: " + path + " is "),
-            HasSubstr("of another "),
+        AllOf(StartsWith("cannot resume from step 200, t = 0.2 s: " + path + " is "), HasSubstr("of another "),
             HasSubstr("\n  Put a copy of it back, or start the case anew: terp run " + ours +
                       "/case.toml -o NEW_FOLDER\n  Nothing was changed")));
     EXPECT_EQ(all_files_in(ours), before) << name;
@@ -181,7 +165,7 @@ TEST(RunWriter, FilesOfAnotherRunAreRefusedAndNothingChanges)
 
 TEST(RunWriter, GoesOnWithoutFramesThatAreMissingOrDamagedAndNamesThem)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string folder = scratch.path(), mesh = folder + "/mesh.vtkhdf";
   write_outputs(*RunWriter::start(settings_for(folder), false), 0, 3);
   write_mesh(mesh, make_rectangle({0.0, 0.0}, {4.0, 1.0}, {2, 1}), digits_of(settings_for(folder).case_record));
@@ -193,7 +177,7 @@ TEST(RunWriter, GoesOnWithoutFramesThatAreMissingOrDamagedAndNamesThem)
   }
   const auto writer = resume_in(folder, point_200(folder));
   EXPECT_THAT(writer->warnings(),
-      testing::ElementsAre(HasSubstr("points_00000.vtkhdf is missing"), HasSubstr("points_00001.vtkhdf is damaged"),
+      ElementsAre(HasSubstr("points_00000.vtkhdf is missing"), HasSubstr("points_00001.vtkhdf is damaged"),
           HasSubstr("mesh.vtkhdf is damaged; it is written again")));
   EXPECT_FALSE(std::filesystem::exists(mesh));
   EXPECT_FALSE(std::filesystem::exists(folder + "/frames/points_00003.vtkhdf"));
@@ -203,17 +187,17 @@ TEST(RunWriter, GoesOnWithoutFramesThatAreMissingOrDamagedAndNamesThem)
 
 TEST(RunWriter, ForceReplacesTheEarlierRun)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   write_outputs(*RunWriter::start(settings_for(scratch.path()), false), 0, 2);
   EXPECT_THAT(file_error_of([&] { RunWriter::start(settings_for(scratch.path()), false); }), HasSubstr("--force"));
   write_outputs(*RunWriter::start(settings_for(scratch.path()), true), 0, 0);
-  EXPECT_THAT(list_frames(scratch.path(), point_frames), testing::ElementsAre(0));
+  EXPECT_THAT(list_frames(scratch.path(), point_frames), ElementsAre(0));
   EXPECT_EQ(newest_good_checkpoint(scratch.path()).image->step, 0);
 }
 
 TEST(RunWriter, TwoAtOnceInOneFolderAreRefused)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const auto writer = RunWriter::start(settings_for(scratch.path()), false);
   EXPECT_THAT(file_error_of([&] { RunWriter::start(settings_for(scratch.path()), true); }), HasSubstr("another terp"));
   EXPECT_THAT(file_error_of([&] { resume_in(scratch.path(), {}); }), HasSubstr("another terp"));
@@ -221,7 +205,7 @@ TEST(RunWriter, TwoAtOnceInOneFolderAreRefused)
 
 TEST(RunWriter, AFailedStateIsKeptBesideTheCheckpoints)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const auto writer = RunWriter::start(settings_for(scratch.path()), false);
   const std::string path = writer->write_failed(sample_image(104));
   EXPECT_EQ(path, scratch.path() + "/failed_000000104.h5");
@@ -231,41 +215,41 @@ TEST(RunWriter, AFailedStateIsKeptBesideTheCheckpoints)
 
 TEST(RunWriter, AFailedStateThatCannotBeKeptSaysWhy)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const auto writer = RunWriter::start(settings_for(scratch.path() + "/run"), false);
   EXPECT_EQ(writer->save_failed(sample_image(104)), scratch.path() + "/run/failed_000000104.h5");
   std::filesystem::remove_all(scratch.path() + "/run");
-  EXPECT_THAT(writer->save_failed(sample_image(105)), testing::StartsWith("nothing: cannot write " + scratch.path()));
+  EXPECT_THAT(writer->save_failed(sample_image(105)), StartsWith("nothing: cannot write " + scratch.path()));
 }
 
 TEST(RunWriter, ARunResumedAtItsStartShowsTheStartOnce)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   write_outputs(*RunWriter::start(settings_for(scratch.path()), false), 0, 0);
   write_outputs(*resume_in(scratch.path(), {}), 0, 0);
   EXPECT_EQ(read_file(scratch.path() + "/ledger.csv"),
       header_of(*sample_ledger_table()) + "\n" + csv_lines(sample_ledger(0.0)));
-  EXPECT_THAT(list_frames(scratch.path(), point_frames), testing::ElementsAre(0));
+  EXPECT_THAT(list_frames(scratch.path(), point_frames), ElementsAre(0));
 }
 
 TEST(RunWriter, TheSummaryNamesTheCase)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   RunWriter::start(settings_for(scratch.path()), false)->summary(Summary{}, true);
   EXPECT_THAT(read_file(scratch.path() + "/summary.json"), HasSubstr("\"case_name\": \"model_2\""));
 }
 
 TEST(RunWriter, AFolderBelowAFileIsRefusedBeforeAnythingRuns)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   write_file_atomically(scratch.path() + "/file", "");
   EXPECT_THAT(file_error_of([&] { RunWriter::start(settings_for(scratch.path() + "/file/sub"), false); }),
-      testing::AllOf(HasSubstr(scratch.path() + "/file/sub"), HasSubstr("Not a directory")));
+      AllOf(HasSubstr(scratch.path() + "/file/sub"), HasSubstr("Not a directory")));
 }
 
 TEST(RunWriter, OnAFullDiskEveryWriteFailsAndNothingEarlierIsHarmed)
 {
-  const test::SmallDisk disk(2 << 20);
+  const SmallDisk disk(2 << 20);
   if (!disk.is_there()) GTEST_SKIP() << "cannot mount a small disk";
   const std::string folder = disk.path() + "/run";
   const auto writer = RunWriter::start(settings_for(folder), false);
@@ -280,11 +264,10 @@ TEST(RunWriter, OnAFullDiskEveryWriteFailsAndNothingEarlierIsHarmed)
                   [&] { writer->checkpoint(std::make_shared<const StateImage>(sample_image(200))), writer->finish(); }),
       HasSubstr(full));
   EXPECT_THAT(file_error_of([&] { writer->summary(Summary{}, false); }), HasSubstr(full));
-  EXPECT_THAT(read_file(folder + "/history.csv"), testing::EndsWith(csv_lines(sample_history(0.1))));
+  EXPECT_THAT(read_file(folder + "/history.csv"), EndsWith(csv_lines(sample_history(0.1))));
   EXPECT_EQ(newest_good_checkpoint(folder).image->step, 100);
   EXPECT_TRUE(newest_good_checkpoint(folder).skipped.empty());
-  EXPECT_THAT(list_frames(folder, point_frames), testing::ElementsAre(0, 1));
+  EXPECT_THAT(list_frames(folder, point_frames), ElementsAre(0, 1));
 }
 
 }  // namespace
-}  // namespace terp

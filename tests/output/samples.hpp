@@ -6,6 +6,7 @@
 #include "simulation/history.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/observer.hpp"
+#include "support/test.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,16 +75,10 @@ inline std::vector<Real> as_single(std::vector<Real> values)
   return values;
 }
 
-/// The text of the FileError that `call` throws; fails the test through an empty text if it throws none.
 template <class Call>
 std::string file_error_of(Call&& call)
 {
-  try {
-    call();
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return "";
+  return refusal<FileError>(call);
 }
 
 }  // namespace terp::test

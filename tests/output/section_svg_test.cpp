@@ -1,16 +1,10 @@
 // The drawing of a section names what it shows; it is looked at by eye when it changes.
 #include "output/section_svg.hpp"
-
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::HasSubstr;
-using testing::Not;
 
 std::string drawing_of(const Case& c)
 {
@@ -21,7 +15,7 @@ std::string drawing_of(const Case& c)
 
 TEST(SectionSvg, NamesBodiesSidesPointsAndGravity)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   c.title = "clay < sand";
   c.output.history_points = {{"A", {1.0, 1.0}}};
   c.footings = {{.name = "plate", .low = {1.0, 2.0}, .high = {2.0, 2.5}, .velocity = {0.0, -0.01}}};
@@ -34,7 +28,7 @@ TEST(SectionSvg, NamesBodiesSidesPointsAndGravity)
 
 TEST(SectionSvg, DrawsNoSideInRedThatIsFree)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   EXPECT_THAT(drawing_of(c), HasSubstr("constrained side"));
   c.sides.clear();
   EXPECT_THAT(drawing_of(c), Not(HasSubstr("constrained side")));
@@ -42,9 +36,7 @@ TEST(SectionSvg, DrawsNoSideInRedThatIsFree)
 
 TEST(SectionSvg, IsNoLargerForMoreCellsThanAPageCanShow)
 {
-  EXPECT_LT(
-      drawing_of(test::column("mpm_gp", 0.03125)).size(), 100000u);  // cells of 2 pixels: their lines are left out
+  EXPECT_LT(drawing_of(column("mpm_gp", 0.03125)).size(), 100000u);  // cells of 2 pixels: their lines are left out
 }
 
 }  // namespace
-}  // namespace terp

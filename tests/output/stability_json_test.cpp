@@ -1,18 +1,10 @@
 // What a search for a factor of safety leaves: the JSON and the text.
 #include "output/stability_json.hpp"
-
 #include "output/files.hpp"
-
-#include <filesystem>
-#include <gmock/gmock.h>
+#include "support/test.hpp"
 #include <nlohmann/json.hpp>
 
-namespace terp {
 namespace {
-
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
 
 StabilityResult result()
 {
@@ -85,4 +77,3 @@ TEST(StabilityJson, IsWrittenIntoAFolderThatIsMade)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,17 +1,12 @@
 // summary.json.
 #include "output/summary_json.hpp"
-
 #include "base/errors.hpp"
 #include "output/files.hpp"
 #include "output/samples.hpp"
 #include "support/paths.hpp"
-
-#include <cmath>
-
-#include <gmock/gmock.h>
+#include "support/test.hpp"
 #include <nlohmann/json.hpp>
 
-namespace terp {
 namespace {
 
 using nlohmann::json;
@@ -70,10 +65,10 @@ TEST(SummaryJson, HoldsEveryNumberUnderItsName)
 
 TEST(SummaryJson, OfANewerFormatIsRefusedWithItsVersion)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder.path() + "/summary.json";
   write_file_atomically(path, R"({"terp_version": "9.1", "format": 2, "scheme": "mpm_gp"})");
-  EXPECT_EQ(test::file_error_of([&] { read_summary(path); }),
+  EXPECT_EQ(file_error_of([&] { read_summary(path); }),
       "cannot read " + path +
           ": it is of format 2, terp " TERP_VERSION
           " reads formats up to 1\n  terp 9.1 wrote it: read it with that one.");
@@ -108,7 +103,7 @@ TEST(SummaryJson, ACaseThatIsNotUtf8DoesNotStopTheWriting)
 
 TEST(SummaryJson, ReadBackItSaysTheSame)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder.path() + "/summary.json";
   write_summary(path, sample_summary(), true, {"model_2", "title = \"column\"\n"});
   const SavedSummary back = read_summary(path);
@@ -118,7 +113,7 @@ TEST(SummaryJson, ReadBackItSaysTheSame)
 
 TEST(SummaryJson, WhatAnOlderFileLacksKeepsItsDefault)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder.path() + "/summary.json";
   write_file_atomically(path, R"({"scheme": "mpm_gp", "points": "many", "second_failure_time": null})");
   const SavedSummary back = read_summary(path);
@@ -130,26 +125,26 @@ TEST(SummaryJson, WhatAnOlderFileLacksKeepsItsDefault)
 
 TEST(SummaryJson, WithValuesOfAnotherKindIsRefusedByNameOrReadWithoutThem)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder.path() + "/summary.json";
   for (const std::string value : {"5", "\"x\"", "true", "[5]", "[null]", "[[1,2]]", "[{\"rose\":\"x\"}]"})
     for (const std::string key : {"slides", "reached_sides", "footings", "passes", "softened_fraction"}) {
       write_file_atomically(path, "{\"" + key + "\": " + value + "}");
-      const std::string error = test::file_error_of([&] { read_summary(path); });
+      const std::string error = file_error_of([&] { read_summary(path); });
       EXPECT_TRUE(error.empty() || error.starts_with("cannot read " + path + ": it is not what terp wrote there"))
           << key << ' ' << value << ": " << error;
     }
   for (const char* key : {"slides", "other"}) {
     write_file_atomically(
         path, "{\"" + std::string(key) + "\": " + std::string(400'000, '[') + std::string(400'000, ']') + "}");
-    const std::string error = test::file_error_of([&] { read_summary(path); });
+    const std::string error = file_error_of([&] { read_summary(path); });
     EXPECT_TRUE(error.empty() || error.starts_with("cannot read " + path)) << error;
   }
 }
 
 TEST(SummaryJson, ThatIsNoJsonIsAnErrorThatNamesTheFile)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder.path() + "/summary.json";
   write_file_atomically(path, "{\"scheme\": ");
   try {
@@ -162,10 +157,9 @@ TEST(SummaryJson, ThatIsNoJsonIsAnErrorThatNamesTheFile)
 
 TEST(SummaryJson, IsWrittenToItsPath)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   write_summary(folder.path() + "/summary.json", sample_summary(), true, {"model_2", ""});
   EXPECT_EQ(json::parse(read_file(folder.path() + "/summary.json"))["steps"], 6598);
 }
 
 }  // namespace
-}  // namespace terp

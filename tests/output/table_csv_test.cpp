@@ -1,19 +1,10 @@
 // history.csv and ledger.csv.
 #include "output/table_csv.hpp"
-
 #include "output/samples.hpp"
 #include "support/paths.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using test::file_error_of;
-using test::sample_history;
-using test::sample_ledger;
-using test::sample_ledger_table;
-using test::table_named;
 
 TEST(TableCsv, AHistoryRowIsWrittenWithShortestNumbersAndNan)
 {
@@ -26,14 +17,14 @@ TEST(TableCsv, ANegativeNanIsNanToo)
 {
   auto rows = sample_history(0.1);
   rows[0]["su"] = -std::nan("");
-  EXPECT_THAT(csv_lines(rows), testing::HasSubstr(",nan,-125.5\n"));
+  EXPECT_THAT(csv_lines(rows), HasSubstr(",nan,-125.5\n"));
 }
 
 TEST(TableCsv, ANameWithACommaOrAQuotationMarkIsQuoted)
 {
   auto rows = sample_history(0.0);
   rows[0].text = "toe, \"left\"";
-  EXPECT_THAT(csv_lines(rows), testing::StartsWith("0,\"toe, \"\"left\"\"\",7,"));
+  EXPECT_THAT(csv_lines(rows), StartsWith("0,\"toe, \"\"left\"\"\",7,"));
 }
 
 TEST(TableCsv, ALedgerRowFollowsItsHeader)
@@ -48,7 +39,7 @@ TEST(TableCsv, ALedgerRowFollowsItsHeader)
 
 TEST(TableCsv, OpeningWritesTheHeaderOnce)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder.path() + "/history.csv";
   TableFile(path, header_of(*history_table())).append(csv_lines(sample_history(0.1)));
   TableFile(path, header_of(*history_table())).append(csv_lines(sample_history(0.2)));
@@ -58,7 +49,7 @@ TEST(TableCsv, OpeningWritesTheHeaderOnce)
 
 TEST(TableCsv, RowsAfterATimeAreDroppedAndThatTimeStays)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder.path() + "/ledger.csv";
   const Real exact = 0.1 + 0.2;  // not 0.3: only the exact bits keep the row
   TableFile table(path, header_of(*sample_ledger_table()));
@@ -70,7 +61,7 @@ TEST(TableCsv, RowsAfterATimeAreDroppedAndThatTimeStays)
 
 TEST(TableCsv, ALastRowThatWasCutShortIsDropped)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder.path() + "/ledger.csv";
   TableFile(path, header_of(*sample_ledger_table())).append(csv_lines(sample_ledger(0.1)) + "0.2,100,1.2");
   drop_rows_after(path, header_of(*sample_ledger_table()), 5.0);
@@ -82,7 +73,7 @@ TEST(TableCsv, OneThatWasCutWithinItsHeaderIsBegunAgain)
 {
   const std::string header = header_of(*table_named("left_the_mesh")) + '\n';
   for (const std::size_t length : {std::size_t{0}, std::size_t{12}, header.size() - 1}) {
-    const test::ScratchFolder folder;
+    const ScratchFolder folder;
     const std::string path = folder.path() + "/left_the_mesh.csv";
     write_file_atomically(path, header.substr(0, length));
     EXPECT_EQ(read_part_until(path, header_of(*table_named("left_the_mesh")), 5.0).n_rows, 0) << length;
@@ -94,7 +85,7 @@ TEST(TableCsv, OneThatWasCutWithinItsHeaderIsBegunAgain)
 
 TEST(TableCsv, CountsTheWholeRowsUpToATime)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder.path() + "/ledger.csv";
   EXPECT_EQ(read_part_until(path, header_of(*sample_ledger_table()), 1.0).n_rows, 0);
   EXPECT_EQ(read_part_until(path, header_of(*sample_ledger_table()), 1.0).checksum, "");
@@ -107,7 +98,7 @@ TEST(TableCsv, CountsTheWholeRowsUpToATime)
 
 TEST(TableCsv, TheChecksumOfAGrowingTableIsThatOfItsPartUpToThere)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder.path() + "/ledger.csv";
   std::string first, second;
   {
@@ -127,7 +118,7 @@ TEST(TableCsv, TheChecksumOfAGrowingTableIsThatOfItsPartUpToThere)
 
 TEST(TableCsv, ATableOfOtherColumnsIsRefused)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder.path() + "/history.csv";
   write_file_atomically(path, "time,x\n0.1,2\n");
   EXPECT_EQ(file_error_of([&] { drop_rows_after(path, header_of(*history_table()), 1.0); }),
@@ -136,7 +127,7 @@ TEST(TableCsv, ATableOfOtherColumnsIsRefused)
 
 TEST(TableCsv, WithoutATableThereIsNothingToDrop)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   EXPECT_NO_THROW(drop_rows_after(folder.path() + "/history.csv", header_of(*history_table()), 1.0));
 }
 
@@ -149,4 +140,3 @@ TEST(TableCsv, OneLinePerFooting)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,23 +1,14 @@
 // Background work: in order, errors to the next caller, nothing lost at the end.
-
 #include "parallel/background.hpp"
-
 #include "support/without_threads.hpp"
-
+#include "support/test.hpp"
 #include <atomic>
-#include <gmock/gmock.h>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
-namespace terp {
 namespace {
-
-using testing::ElementsAre;
 
 TEST(Background, SaysWhatToDoWhereTheSystemGrantsNoThread)
 {
-  const int status = test::status_without_threads([] {
+  const int status = status_without_threads([] {
     try {
       Background background(1);
     } catch (const std::runtime_error& error) {
@@ -79,4 +70,3 @@ TEST(Background, MakesTheGiverWaitWhenTooMuchIsWaiting)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,12 +1,8 @@
 // Logarithm, power and hyperbolic tangent against long double over all numbers, in packs and alone.
-
 #include "parallel/functions.hpp"
-
 #include "support/random.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 constexpr Real infinity = std::numeric_limits<Real>::infinity();
@@ -25,19 +21,19 @@ long double ulp_between(Real got, long double exact)
 }
 
 /// A positive number of any size, denormal ones too: all exponents alike often.
-Real any_size(test::Random& random)
+Real any_size(Random& random)
 {
   return std::ldexp(random.between(1.0, 2.0), static_cast<int>(random.between(-1074.0, 1024.0)));
 }
 
 /// One plus or minus down to the last bit.
-Real near_one(test::Random& random)
+Real near_one(Random& random)
 {
   return 1.0 + std::ldexp(random.between(-1.0, 1.0), -static_cast<int>(random.between(1.0, 53.0)));
 }
 
 /// A base and an exponent whose power reaches from denormal to infinite.
-std::pair<Real, Real> base_and_exponent(test::Random& random, int k)
+std::pair<Real, Real> base_and_exponent(Random& random, int k)
 {
   const Real base = k % 3 == 0 ? any_size(random) : k % 3 == 1 ? near_one(random) : random.between(0.5, 2.0);
   return {base, random.between(-750.0, 750.0) / (std::abs(logarithm(base)) + 1e-300)};
@@ -45,7 +41,7 @@ std::pair<Real, Real> base_and_exponent(test::Random& random, int k)
 
 TEST(Logarithm, IsWithinItsErrorOfAllNumbers)
 {
-  test::Random random(1);
+  Random random(1);
   long double worst = 0.0L;
   for (int k = 0; k < 300000; ++k) {
     const Real x = k % 3 == 0 ? any_size(random) : k % 3 == 1 ? near_one(random) : random.between(0.0, 3.0);
@@ -67,7 +63,7 @@ TEST(Logarithm, OfTheEndsAndBeyond)
 
 TEST(Power, IsWithinItsErrorFromDenormalToInfinite)
 {
-  test::Random random(2);
+  Random random(2);
   long double worst = 0.0L;
   for (int k = 0; k < 300000; ++k) {
     const auto [x, y] = base_and_exponent(random, k);
@@ -97,7 +93,7 @@ TEST(Power, OfANegativeBaseAndOfWhatIsNoNumberIsNoNumber)
 
 TEST(HyperbolicTangent, IsWithinItsErrorOfAllNumbers)
 {
-  test::Random random(3);
+  Random random(3);
   long double worst = 0.0L;
   for (int k = 0; k < 300000; ++k) {
     const Real x = k % 3 == 0 ? any_size(random) : k % 3 == 1 ? random.between(-25.0, 25.0) : random.between(-1.0, 1.0);
@@ -129,7 +125,7 @@ void expect_same_in_a_pack(const std::array<Real, 8>& x, F&& f)
 
 TEST(Functions, AreTheSameInAPackAndAlone)
 {
-  test::Random random(4);
+  Random random(4);
   for (int k = 0; k < 3000; ++k) {
     std::array<Real, 8> x;
     for (Real& value : x) value = any_size(random);
@@ -145,7 +141,7 @@ TEST(Functions, AreTheSameInAPackAndAlone)
 TEST(Functions, GiveTheSameBitsOnEverySetWithFusedProducts)
 {
 #if defined(__FMA__)
-  test::Random random(5);
+  Random random(5);
   std::uint64_t bits = 0;
   for (int k = 0; k < 100000; ++k) {
     const auto [x, y] = base_and_exponent(random, k);
@@ -159,4 +155,3 @@ TEST(Functions, GiveTheSameBitsOnEverySetWithFusedProducts)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,27 +1,16 @@
 // Which set of instructions is taken, and what is said when it cannot be.
 #include "parallel/instructions.hpp"
-
+#include "support/test.hpp"
 #include <cstdlib>
-#include <string>
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::StartsWith;
 
 /// A processor without AVX-512.
 const InstructionSet sets[] = {{"avx512", false}, {"avx2", true}, {"sse2", true}};
 
 std::string refusal(std::span<const InstructionSet> of, std::string_view word)
 {
-  try {
-    choose_instructions(of, word);
-    return "";
-  } catch (const InstructionsError& error) {
-    return error.what();
-  }
+  return test::refusal<InstructionsError>([&] { choose_instructions(of, word); });
 }
 
 TEST(Instructions, TheBestThatTheProcessorOffersIsTaken)
@@ -62,4 +51,3 @@ TEST(Instructions, OfThisProcessAreWhatTheVariableSaysOrTheBest)
 }
 
 }  // namespace
-}  // namespace terp

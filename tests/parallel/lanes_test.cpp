@@ -1,19 +1,15 @@
 // Packs turned: numbers side by side to lanes and back, and four sums at once.
-
 #include "parallel/lanes.hpp"
-
 #include "support/random.hpp"
+#include "support/test.hpp"
 
-#include <gtest/gtest.h>
-
-namespace terp {
 namespace {
 
 using Table = std::array<std::array<Real, 4>, pack_width>;
 
 Table random_table(std::uint64_t seed)
 {
-  test::Random random(seed);
+  Random random(seed);
   Table table;
   for (auto& row : table)
     for (Real& value : row) value = random.between(-1.0, 1.0);
@@ -47,7 +43,7 @@ TEST(Lanes, AreReadFromAndWrittenToAnyAddress)
 
 TEST(Lanes, FourSumsHaveTheBitsOfEachAlone)
 {
-  test::Random random(3);
+  Random random(3);
   for (int trial = 0; trial < 1000; ++trial) {
     std::array<Pack, 4> packs;
     for (Pack& pack : packs) {
@@ -68,4 +64,3 @@ TEST(Lanes, NumbersOfPacksStandOneAfterTheOther)
 }
 
 }  // namespace
-}  // namespace terp

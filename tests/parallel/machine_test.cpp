@@ -1,9 +1,7 @@
 // What the machine can do at most: numbers that could be of a machine. How large they are is its own affair.
 #include "simulation/kernels.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 constexpr double slowest = 1e-3, fastest = 1e5;  // a pocket calculator, a supercomputer's node
@@ -24,4 +22,3 @@ TEST(Machine, MultiplyAddIsAFiniteRate)
 }
 
 }  // namespace
-}  // namespace terp

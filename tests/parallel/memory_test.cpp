@@ -1,11 +1,7 @@
 // Arrays of zeros: zero at first and again when made anew, and without memory where nobody wrote.
-
 #include "parallel/memory.hpp"
+#include "support/test.hpp"
 
-#include <fstream>
-#include <gtest/gtest.h>
-
-namespace terp {
 namespace {
 
 struct Pair {
@@ -49,4 +45,3 @@ TEST(ZeroedArray, TakesMemoryOnlyWhereItIsWritten)
 }
 
 }  // namespace
-}  // namespace terp

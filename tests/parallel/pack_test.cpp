@@ -1,13 +1,8 @@
 // Packs: eight numbers at once give what one number at a time gives, and the exponential is exact to 1e-15.
-
 #include "parallel/pack.hpp"
-
 #include "support/random.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-#include <limits>
-
-namespace terp {
 namespace {
 
 constexpr Real infinity = std::numeric_limits<Real>::infinity();
@@ -31,10 +26,7 @@ const std::array<Real, 8> other{-4.0, 2.0, 0.5, 8.0, -3.0, 1.0, 10.0, 1e3};
 
 TEST(Pack, LoadsAndStoresLanesInOrder) { EXPECT_EQ(lanes_of(pack_of(some)), some); }
 
-TEST(Pack, LaneNumbersCountFromZero)
-{
-  EXPECT_THAT(lanes_of(lane_numbers()), testing::ElementsAre(0, 1, 2, 3, 4, 5, 6, 7));
-}
+TEST(Pack, LaneNumbersCountFromZero) { EXPECT_THAT(lanes_of(lane_numbers()), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7)); }
 
 TEST(Pack, ArithmeticActsLaneByLane)
 {
@@ -79,7 +71,7 @@ TEST(Pack, RootAndFusedProductAreTheSameAsAlone)
 {
   const Pack a = pack_of(some), b = pack_of(other), c = pack_of({1e-17, -2.0, 0.25, 1e17, 3.0, -0.5, 1.0, 9.0});
   for (int k = 0; k < 8; ++k) {
-    EXPECT_EQ(fma(a, b, c)[k], fma(some[k], other[k], c[k]));
+    EXPECT_EQ(terp::fma(a, b, c)[k], terp::fma(some[k], other[k], c[k]));
     EXPECT_EQ(sqrt(abs(a))[k], std::sqrt(std::fabs(some[k])));
   }
 }
@@ -101,7 +93,7 @@ TEST(Pack, RoundsCountsUpToWholePacks)
 
 TEST(Exponential, IsWithin1eMinus15OverItsWholeRange)
 {
-  test::Random random(1);
+  Random random(1);
   long double worst = 0.0L;
   for (int k = 0; k < 400000; ++k) {
     const Real x = k % 2 ? random.between(-700.0, 700.0) : random.between(-30.0, 1.0);
@@ -120,7 +112,7 @@ TEST(Exponential, AgreesWithTheStandardLibraryAtTheEnds)
 
 TEST(Exponential, IsTheSameInAPackAndAlone)
 {
-  test::Random random(2);
+  Random random(2);
   for (int k = 0; k < 10000; ++k) {
     std::array<Real, 8> x;
     for (Real& value : x) value = random.between(-750.0, 750.0);
@@ -147,7 +139,7 @@ TEST(Exponential, KeepsNotANumber)
 
 TEST(Sine, IsExactToRoundOffUpToARightAngle)
 {
-  test::Random random(3);
+  Random random(3);
   long double worst = 0.0;
   for (int k = 0; k < 100000; ++k) {
     const Real x = random.between(-1.5707963267948966, 1.5707963267948966);
@@ -179,4 +171,3 @@ TEST(Pack, GathersWhatItsIndicesNameAndNothingElse)
 }
 
 }  // namespace
-}  // namespace terp

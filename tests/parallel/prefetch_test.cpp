@@ -1,11 +1,7 @@
 // Fetching ahead changes no number.
-
 #include "parallel/prefetch.hpp"
+#include "support/test.hpp"
 
-#include <gtest/gtest.h>
-#include <vector>
-
-namespace terp {
 namespace {
 
 TEST(Prefetch, LeavesNumbersAlone)
@@ -17,4 +13,3 @@ TEST(Prefetch, LeavesNumbersAlone)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,8 +1,6 @@
 #include "parallel/processor.hpp"
+#include "support/test.hpp"
 
-#include <gtest/gtest.h>
-
-namespace terp {
 namespace {
 
 TEST(Processor, HasANameOnOneLine)
@@ -13,4 +11,3 @@ TEST(Processor, HasANameOnOneLine)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,21 +1,16 @@
 // The parallel loop: every chunk once, whatever the number of threads; many tiny jobs; the same bits for any count.
-
 #include "parallel/threads.hpp"
-
 #include "support/random.hpp"
 #include "support/without_threads.hpp"
-
+#include "support/test.hpp"
 #include <atomic>
 #include <chrono>
-#include <cmath>
-#include <gmock/gmock.h>
 
-namespace terp {
 namespace {
 
 TEST(Threads, WhereTheSystemGrantsNoneTheCallerDoesTheWork)
 {
-  const int status = test::status_without_threads([] {
+  const int status = status_without_threads([] {
     Threads threads(4);
     int n = 0;
     threads.for_each_chunk(7, [&](Index, int) { ++n; });
@@ -25,7 +20,7 @@ TEST(Threads, WhereTheSystemGrantsNoneTheCallerDoesTheWork)
   EXPECT_EQ(status, 17);
 }
 
-class EveryThreadCount : public testing::TestWithParam<int> {};
+class EveryThreadCount : public TestWithParam<int> {};
 
 TEST_P(EveryThreadCount, DoesEveryChunkExactlyOnce)
 {
@@ -62,7 +57,7 @@ TEST_P(EveryThreadCount, CoversARangeWithoutGapOrOverlap)
       begin_of_chunk[chunk] = begin;
       for (Index k = begin; k < end; ++k) ++visits[k];
     });
-    EXPECT_THAT(visits, testing::Each(1));
+    EXPECT_THAT(visits, Each(1));
     for (std::size_t chunk = 0; chunk < begin_of_chunk.size(); ++chunk)
       EXPECT_EQ(begin_of_chunk[chunk], static_cast<Index>(10 * chunk));
   }
@@ -150,4 +145,3 @@ TEST(AvailableProcessors, IsAtLeastOneAndAtMostTheMachineHas)
 }
 
 }  // namespace
-}  // namespace terp

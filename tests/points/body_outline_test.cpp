@@ -1,17 +1,8 @@
 // Bodies: what a polygon with holes covers, and what makes an outline no body.
-
 #include "points/body_outline.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::AllOf;
-using testing::DoubleEq;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
 
 Polygon box(Vec<2> low, Vec<2> high) { return {low, {high[0], low[1]}, high, {low[0], high[1]}}; }
 
@@ -60,8 +51,7 @@ TEST(BodyOutline, OfCellsIsTheSidesThatNoOtherCellOfTheBodyShares)
   EXPECT_EQ(sides.size(), 12u + 4u);
   EXPECT_THAT(crossings_of_vertical(sides, 0.5), ElementsAre(0.0, 3.0));
   EXPECT_THAT(crossings_of_vertical(sides, 1.5), ElementsAre(0.0, 1.0, 2.0, 3.0));
-  EXPECT_THAT(crossings_of_vertical(sides, 1.0),
-      testing::SizeIs(testing::AnyOf(2, 4)));  // along a side: of one column or the other
+  EXPECT_THAT(crossings_of_vertical(sides, 1.0), SizeIs(AnyOf(2, 4)));  // along a side: of one column or the other
 }
 
 TEST(CheckOutline, FindsNothingWrongWithASoundBody)
@@ -140,4 +130,3 @@ TEST(CheckOutline, RefusesCellsAndAPolygonInOneBody)
 }
 
 }  // namespace
-}  // namespace terp

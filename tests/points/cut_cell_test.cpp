@@ -1,16 +1,9 @@
 // Points of one body in a cut cell: whole parts stay on the lattice, pieces lie at their centroids, slivers are merged.
-
 #include "points/cut_cell.hpp"
-
 #include "support/meshes.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::IsEmpty;
-using testing::SizeIs;
 
 Polygon box(Vec<2> low, Vec<2> high) { return {low, {high[0], low[1]}, high, {low[0], high[1]}}; }
 
@@ -26,9 +19,9 @@ void expect_piece(const Piece& piece, Vec<2> x, Real volume, bool is_whole)
 
 TEST(Lattice, PartsHaveTheVolumeOfTheirStraightSidedQuadrilateral)
 {
-  test::Random random(3);
+  Random random(3);
   for (int trial = 0; trial < 100; ++trial) {
-    const auto cell = make_cell_geometry<Quad4>(test::distorted_square(0.3, random));
+    const auto cell = make_cell_geometry<Quad4>(distorted_square(0.3, random));
     const Lattice lattice{cell, {4, 3}};
     Real sum = 0.0;
     for (Index row = 0; row < 3; ++row)
@@ -109,4 +102,3 @@ TEST(CutCell, GivesABodyThatIsCoveredNothing)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,14 +1,9 @@
 // Points that left their cell are found again with all they carry; those that left the mesh are put back and counted.
-
 #include "points/move.hpp"
-
 #include "support/blocks.hpp"
 #include "support/meshes.hpp"
+#include "support/test.hpp"
 
-#include <algorithm>
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 using Rows = PointRows<2>;
@@ -26,11 +21,11 @@ struct OnePoint {
   OnePoint(Mesh<2> m, Vec<2> x, const OpenSides& open)
       : mesh(std::move(m)), points(mesh.n_cells(), 1), values(points.n_rows())
   {
-    test::add_point(mesh, 5,
+    add_point(mesh, 5,
         {.volume = 0.01, .mass = 20.0, .v = {1.0, -2.0}, .sigma = {4.0, 5.0, 6.0, 7.0}, .state = {0.03}, .id = 9},
         points);
     points.update_occupied();
-    auto& block = test::only_block(points, 5);
+    auto& block = only_block(points, 5);
     block.row(Rows::x)[0] = x[0];
     block.row(Rows::x + 1)[0] = x[1];
     outcome = move_to_new_cell(mesh, open, points, {points.first_block(5), 0}, values);
@@ -46,7 +41,7 @@ TEST(MoveToNewCell, TakesAPointOverASideWithAllItCarries)
 {
   const OnePoint moved(regular(), {0.55, 0.3});
   EXPECT_EQ(moved.outcome, Moved::inside);
-  EXPECT_THAT(moved.points.occupied(), testing::ElementsAre(6));
+  EXPECT_THAT(moved.points.occupied(), ElementsAre(6));
   EXPECT_NEAR(moved.row(Rows::xi), -0.6, 1e-15);
   EXPECT_NEAR(moved.row(Rows::xi + 1), -0.6, 1e-15);
   EXPECT_EQ(moved.row(Rows::x), 0.55);
@@ -156,8 +151,8 @@ TEST(MoveToNewCell, KnowsEachSideOfACell)
 
 TEST(MoveToNewCell, FollowsAPointThroughDistortedCells)
 {
-  const auto mesh = test::distorted_rectangle(4, 3, 0.25, 0.3, 41);
-  test::Random random(42);
+  const auto mesh = distorted_rectangle(4, 3, 0.25, 0.3, 41);
+  Random random(42);
   for (int k = 0; k < 500; ++k) {
     const Vec<2> x{random.between(-0.1, 1.1), random.between(-0.1, 0.85)};
     const bool outside = x[0] < 0.0 || x[0] > 1.0 || x[1] < 0.0 || x[1] > 0.75;
@@ -175,11 +170,11 @@ TEST(MoveToNewCell, FollowsAPointThroughDistortedCells)
 
 TEST(MoveToNewCell, KeepsTheMassOfAThousandWanderers)
 {
-  const auto mesh = test::distorted_rectangle(8, 6, 0.25, 0.3, 43);
+  const auto mesh = distorted_rectangle(8, 6, 0.25, 0.3, 43);
   PointBlocks<2> points(mesh.n_cells(), 1);
-  test::Random random(44);
+  Random random(44);
   for (int id = 0; id < 1000; ++id)
-    test::add_point(mesh, random.below(mesh.n_cells()),
+    add_point(mesh, random.below(mesh.n_cells()),
         {.local = {random.between(-1.0, 1.0), random.between(-1.0, 1.0)}, .mass = 1.0 + id, .id = 1.0 * id}, points,
         id % 2);
   points.update_occupied();
@@ -211,4 +206,3 @@ TEST(MoveToNewCell, KeepsTheMassOfAThousandWanderers)
 }
 
 }  // namespace
-}  // namespace terp

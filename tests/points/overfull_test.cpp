@@ -1,15 +1,8 @@
 // How much soil has room in some cells.
 #include "points/overfull.hpp"
+#include "support/test.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::ElementsAre;
 
 const Mesh<2> mesh = make_rectangle({0.0, 0.0}, {4.0, 4.0}, {8, 8});  // cells of 0.5 m
 
@@ -82,4 +75,3 @@ TEST(Overfull, OnePointMayHaveTheVolumeOfFourCells)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,16 +1,9 @@
 // A quadrilateral shared out between bodies: areas, centroids, and what hangs together.
-
 #include "points/overlay.hpp"
-
 #include "support/meshes.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::IsEmpty;
-using testing::SizeIs;
 
 using Corners = std::array<Vec<2>, 4>;
 
@@ -101,7 +94,7 @@ TEST(ShareOut, IsNotConfusedByLinesThatCoincideButForRoundOff)
 
 /// A ring of n random corners in the square from -1.5 to 1.5, or on a lattice of 0.25 in it, where lines meet and
 /// coincide.
-Polygon random_ring(int n, bool on_lattice, test::Random& random)
+Polygon random_ring(int n, bool on_lattice, Random& random)
 {
   Polygon ring;
   for (int k = 0; k < n; ++k) {
@@ -114,7 +107,7 @@ Polygon random_ring(int n, bool on_lattice, test::Random& random)
 
 TEST(ShareOut, FillsAnyQuadrilateralWhateverIsDrawnOverIt)
 {
-  test::Random random(5);
+  Random random(5);
   for (int trial = 0; trial < 3000; ++trial) {
     const bool on_lattice = trial % 2 == 0;
     Overlay overlay{0, {}};
@@ -122,7 +115,7 @@ TEST(ShareOut, FillsAnyQuadrilateralWhateverIsDrawnOverIt)
       overlay.rings.push_back({random_ring(3 + random.below(5), on_lattice, random), body, false});
       overlay.rings.push_back({random_ring(3, on_lattice, random), body, true});
     }
-    const Corners corners = trial % 3 == 0 ? square : test::distorted_square(0.25, random);
+    const Corners corners = trial % 3 == 0 ? square : distorted_square(0.25, random);
     const auto parts = share_out(overlay, corners);
     Real sum = 0.0;
     for (const Part& part : parts) {
@@ -135,7 +128,7 @@ TEST(ShareOut, FillsAnyQuadrilateralWhateverIsDrawnOverIt)
 
 TEST(ShareOut, GivesTheSameShareInEveryQuadrilateralAsInTheirUnion)
 {
-  test::Random random(6);
+  Random random(6);
   for (int trial = 0; trial < 1000; ++trial) {
     Overlay overlay{
         -1, {{random_ring(6, trial % 2 == 0, random), 0, false}, {random_ring(5, trial % 2 == 0, random), 1, false}}};
@@ -154,7 +147,7 @@ TEST(ShareOut, GivesTheSameShareInEveryQuadrilateralAsInTheirUnion)
 
 TEST(ShareOut, PutsCentroidsIntoTheirBody)
 {
-  test::Random random(7);
+  Random random(7);
   for (int trial = 0; trial < 1000; ++trial) {
     const Ring star{random_ring(7, false, random), 1, false}, kite{random_ring(4, false, random), 2, false};
     const Overlay overlay{0, {star, kite, {random_ring(3, false, random), 2, true}}};
@@ -167,4 +160,3 @@ TEST(ShareOut, PutsCentroidsIntoTheirBody)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,18 +1,11 @@
 // The store of material points: nothing is lost, nothing is mixed up, padding carries no mass.
-
 #include "points/point_blocks.hpp"
-
 #include "support/random.hpp"
+#include "support/test.hpp"
 
-#include <algorithm>
-#include <gmock/gmock.h>
-#include <map>
-
-namespace terp {
 namespace {
 
 using Rows = PointRows<2>;
-using testing::ElementsAre;
 
 constexpr int n_state = 2;
 
@@ -231,7 +224,7 @@ TEST(PointBlocks, LoseNothingInTwentyThousandRandomMoves)
   constexpr Index n_cells = 23, n_materials = 3;
   PointBlocks<2> points(n_cells, n_state);
   points.reserve(100);
-  test::Random random(21);
+  Random random(21);
   std::map<int, std::pair<Index, Index>> expected;
   for (int id = 0; id < 300; ++id) {
     expected[id] = {random.below(n_cells), random.below(n_materials)};
@@ -259,4 +252,3 @@ TEST(PointBlocks, LoseNothingInTwentyThousandRandomMoves)
 }
 
 }  // namespace
-}  // namespace terp

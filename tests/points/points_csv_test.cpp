@@ -1,26 +1,13 @@
 // Tables of points: read in any order of columns; faults with their line, up to ten at once.
-
 #include "points/points_csv.hpp"
-
 #include "support/paths.hpp"
+#include "support/test.hpp"
 
-#include <fstream>
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::HasSubstr;
-using testing::Not;
 
 std::string message_for(const std::string& text)
 {
-  try {
-    read_points_csv_text("points.csv", text);
-  } catch (const PointsFileError& error) {
-    return error.what();
-  }
-  return "";
+  return refusal<PointsFileError>([&] { read_points_csv_text("points.csv", text); });
 }
 
 TEST(PointsCsv, ReadsPointsInTheOrderOfTheFile)
@@ -122,21 +109,12 @@ TEST(PointsCsv, RefusesATableWithoutPoints)
 
 TEST(PointsCsv, ReadsAFileAndSaysWhichOneItCannotRead)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder.path() + "/points.csv";
   std::ofstream(path) << "x,y,volume,material\n1,2,0.5,clay\n";
   EXPECT_EQ(read_points_csv(path).size(), 1u);
-  EXPECT_THROW(
-      {
-        try {
-          read_points_csv(folder.path() + "/other.csv");
-        } catch (const PointsFileError& error) {
-          EXPECT_EQ(error.what(), "cannot read the table of points " + folder.path() + "/other.csv");
-          throw;
-        }
-      },
-      PointsFileError);
+  EXPECT_EQ(refusal<PointsFileError>([&] { read_points_csv(folder.path() + "/other.csv"); }),
+      "cannot read the table of points " + folder.path() + "/other.csv");
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,14 +1,8 @@
 // Polygons: inside or outside, heights over a vertical, area, the part in a box.
-
 #include "points/polygon.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::DoubleEq;
-using testing::ElementsAre;
 
 // An L: 3 wide and 1 high, with a leg 1 wide up to 2.
 const Polygon ell{{0.0, 0.0}, {3.0, 0.0}, {3.0, 1.0}, {1.0, 1.0}, {1.0, 2.0}, {0.0, 2.0}};
@@ -92,4 +86,3 @@ TEST(Polygon, ClippedIntoTwoItStillHasTheEvenOddRule)
 }
 
 }  // namespace
-}  // namespace terp

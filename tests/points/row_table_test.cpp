@@ -1,15 +1,9 @@
 // The list of what a point carries: fixed rows first, the same row shared, and where each lies in a block.
-
 #include "points/row_table.hpp"
-
 #include "points/point_blocks.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::ElementsAre;
 
 RowInfo opening(Index material)
 {
@@ -72,4 +66,3 @@ TEST(RowView, TakesRowsInAnyOrder)
 }
 
 }  // namespace
-}  // namespace terp

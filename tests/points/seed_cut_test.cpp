@@ -1,17 +1,10 @@
 // Bodies cut anyhow by the mesh: mass, centroid, places and surface of their points, on regular and on strongly
 // distorted meshes.
-
 #include "points/seed.hpp"
-
 #include "mesh/locate.hpp"
 #include "support/meshes.hpp"
+#include "support/test.hpp"
 
-#include <algorithm>
-#include <gmock/gmock.h>
-#include <map>
-#include <numbers>
-
-namespace terp {
 namespace {
 
 constexpr Real h = 0.1;            // cell size [m]
@@ -30,7 +23,7 @@ Polygon circle(Vec<2> centre, Real radius, int n)
 }
 
 /// 4 m x 3 m; share: how far nodes are moved, over h.
-Mesh<2> make_mesh(Real share) { return test::distorted_rectangle(40, 30, h, share, 77); }
+Mesh<2> make_mesh(Real share) { return distorted_rectangle(40, 30, h, share, 77); }
 
 const Polygon embankment{{0.0, 0.0}, {4.0, 0.0}, {4.0, 0.553}, {3.6, 0.553}, {0.6, 2.053}, {0.0, 2.053}};  // slope 1:2
 const Polygon disc = circle({2.0, 1.5}, 1.13, 64);
@@ -274,4 +267,3 @@ TEST(SeedCutBodies, AreTheSameWhicheverWayTheirCornersRun)
 }
 
 }  // namespace
-}  // namespace terp

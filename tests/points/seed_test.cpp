@@ -1,18 +1,10 @@
 // First material points: their lattice, their volume, and which body a place belongs to. Bodies that outlines cut
 // anyhow: seed_cut_test.cpp.
-
 #include "points/seed.hpp"
-
 #include "support/meshes.hpp"
+#include "support/test.hpp"
 
-#include <algorithm>
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::DoubleNear;
-using testing::ElementsAre;
 
 Polygon box(Vec<2> low, Vec<2> high) { return {low, {high[0], low[1]}, high, {low[0], high[1]}}; }
 
@@ -53,7 +45,7 @@ TEST(SeedPoints, LieAtTheMiddlesOfALatticeRowByRow)
 
 TEST(SeedPoints, ShareOutTheWholeVolumeOfDistortedCells)
 {
-  const auto mesh = test::distorted_rectangle(6, 5, 0.2, 0.3, 31);
+  const auto mesh = distorted_rectangle(6, 5, 0.2, 0.3, 31);
   const std::vector<BodyOutline> bodies{{box({-1.0, -1.0}, {9.0, 9.0}), {4, 3}}};
   const auto seeds = seed_points(mesh, bodies);
   std::vector<Real> of_cell(mesh.n_cells(), 0.0);
@@ -63,7 +55,7 @@ TEST(SeedPoints, ShareOutTheWholeVolumeOfDistortedCells)
 
 TEST(SeedPoints, LieWhereTheirLocalCoordinatesSay)
 {
-  const auto mesh = test::distorted_rectangle(6, 5, 0.2, 0.3, 32);
+  const auto mesh = distorted_rectangle(6, 5, 0.2, 0.3, 32);
   const std::vector<BodyOutline> bodies{{box({0.0, 0.0}, {0.77, 0.61}), {3, 3}}};
   const auto seeds = seed_points(mesh, bodies);
   ASSERT_FALSE(seeds.empty());
@@ -105,7 +97,7 @@ TEST(SeedPoints, AreInOrderOfCells)
 
 TEST(SeedPoints, FillWholeCellsOfARegionAndLetLaterPolygonsLieOnTop)
 {
-  const auto mesh = test::distorted_rectangle(6, 5, 0.2, 0.3, 33);
+  const auto mesh = distorted_rectangle(6, 5, 0.2, 0.3, 33);
   const std::vector<BodyOutline> bodies{{{}, {3, 3}, {}, {2, 3, 8, 9}}, {box({0.5, 0.1}, {0.7, 0.3}), {4, 4}}};
   const auto seeds = seed_points(mesh, bodies);
   Real region = 0.0;
@@ -131,4 +123,3 @@ TEST(SeedPoints, FarFromTheOriginFollowTheMeshAllTheSame)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,14 +1,8 @@
 // Mesh, outline and surface as lines.
 #include "report/backdrop.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::ElementsAre;
 
 TEST(Backdrop, EachLineOfTheMeshIsThereOnce)
 {
@@ -51,4 +45,3 @@ TEST(Backdrop, TheSurfaceIsTheHighestPointPerColumnWithoutSoilThatLeft)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,16 +1,9 @@
 // Values to codes to bytes, and back.
 #include "report/codec.hpp"
-
 #include "support/random.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::ElementsAre;
 
 TEST(Codec, ACodeIsWithinHalfAStepOfItsValue)
 {
@@ -53,7 +46,7 @@ TEST(Codec, FramesAreLowBytesThenHighBytesOfTheChanges)
 
 TEST(Codec, FramesComeBack)
 {
-  test::Random random(7);
+  Random random(7);
   std::vector<Codes> frames(5, Codes(101));
   for (Codes& codes : frames)
     for (auto& q : codes) q = static_cast<std::uint16_t>(random.below(65536));
@@ -62,4 +55,3 @@ TEST(Codec, FramesComeBack)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,10 +1,8 @@
 // Events and checks as JSON.
 #include "report/failure_json.hpp"
-
-#include <gtest/gtest.h>
+#include "support/test.hpp"
 #include <nlohmann/json.hpp>
 
-namespace terp {
 namespace {
 
 nlohmann::json written(const RunResults& run) { return nlohmann::json::parse(failure_json(run, {"a warning"}).dump()); }
@@ -52,4 +50,3 @@ TEST(FailureJson, HasNoEventsAndNoAuditOfASummaryThatIsStillEmpty)
 }
 
 }  // namespace
-}  // namespace terp

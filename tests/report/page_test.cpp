@@ -1,11 +1,7 @@
 // The page around the data.
 #include "report/page.hpp"
+#include "support/test.hpp"
 
-#include <stdexcept>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 const Payload payload{.json = R"({"format":1})", .chunks = {"QUJD", "Zg=="}, .notes = {}, .warnings = {}};
@@ -31,4 +27,3 @@ TEST(Page, ThatIsBuiltInTakesTheData)
 }
 
 }  // namespace
-}  // namespace terp

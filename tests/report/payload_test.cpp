@@ -1,14 +1,11 @@
 // The document of a report and its chunks, from folders written by hand.
 #include "report/payload.hpp"
-
 #include "output/compress.hpp"
 #include "report/codec.hpp"
 #include "results/runs.hpp"
-
-#include <gmock/gmock.h>
+#include "support/test.hpp"
 #include <nlohmann/json.hpp>
 
-namespace terp {
 namespace {
 
 using nlohmann::json;
@@ -29,11 +26,10 @@ std::string from_base64(const std::string& text)
 }
 
 struct PayloadTest : testing::Test {
-  test::ScratchFolder scratch;
-  Payload payload =
-      make_payload({test::write_run(scratch.path() + "/mixed", [](Summary& s) { s.scheme = "mpm_mixed"; }),
-                       test::write_run(scratch.path() + "/gp")},
-          {.written = "2026-11-21T10:00:00Z"});
+  ScratchFolder scratch;
+  Payload payload = make_payload({write_run(scratch.path() + "/mixed", [](Summary& s) { s.scheme = "mpm_mixed"; }),
+                                     write_run(scratch.path() + "/gp")},
+      {.written = "2026-11-21T10:00:00Z"});
   json document = json::parse(payload.json);
 
   std::string chunk(const json& part) const
@@ -75,7 +71,7 @@ TEST_F(PayloadTest, PlacesDecodeToThoseOfTheRun)
   const Real lo = x["lo"], hi = x["hi"];
   for (std::size_t k = 0; k < 3; ++k)
     for (std::size_t p = 0; p < 5; ++p)
-      EXPECT_NEAR(lo + (hi - lo) * frames[k][p] / 65535.0, test::sample_frame(static_cast<int>(k)).x[2 * p],
+      EXPECT_NEAR(lo + (hi - lo) * frames[k][p] / 65535.0, sample_frame(static_cast<int>(k)).x[2 * p],
           0.501 * run["position_precision"].get<Real>());
 }
 
@@ -114,31 +110,28 @@ TEST_F(PayloadTest, ACaseThatCannotBeReadCostsTheMeshAndSaysSo)
   write_file_atomically(scratch.path() + "/gp/case.toml", "title = ");
   const json alone = json::parse(make_payload({scratch.path() + "/gp"}, {}).json);
   EXPECT_EQ(alone["runs"][0]["mesh"]["edges"]["count"], 0);
-  EXPECT_THAT(alone["runs"][0]["warnings"].dump(), testing::HasSubstr("can no longer be read"));
+  EXPECT_THAT(alone["runs"][0]["warnings"].dump(), HasSubstr("can no longer be read"));
   EXPECT_TRUE(alone["comparison"].is_null());
 }
 
 TEST_F(PayloadTest, SaysWhatIsShown)
 {
-  EXPECT_THAT(payload.notes,
-      testing::ElementsAre(testing::StartsWith("mixed: 3 frames, 5 points, places to "), testing::StartsWith("gp: ")));
+  EXPECT_THAT(payload.notes, ElementsAre(StartsWith("mixed: 3 frames, 5 points, places to "), StartsWith("gp: ")));
 }
 
 TEST(Payload, MayStandInsideAScriptOfThePageWhateverItsTextsHold)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string words = "</script><b>\"\n";
-  const Payload payload =
-      make_payload({test::write_run(scratch.path() + "/run", [&](Summary& s) { s.scheme = words; })}, {});
+  const Payload payload = make_payload({write_run(scratch.path() + "/run", [&](Summary& s) { s.scheme = words; })}, {});
   EXPECT_EQ(payload.json.find('<'), std::string::npos);
   EXPECT_EQ(json::parse(payload.json)["runs"][0]["scheme"], words);
 }
 
 TEST(Payload, LeavesDamagedFramesOutAndNamesThem)
 {
-  const test::ScratchFolder scratch;
-  const std::string folder = test::write_run(scratch.path() + "/run"),
-                    path = path_in(folder, frame_file(point_frames, 1));
+  const ScratchFolder scratch;
+  const std::string folder = write_run(scratch.path() + "/run"), path = path_in(folder, frame_file(point_frames, 1));
   const auto head = [&] { return Frames(folder).times().size(); };
   std::string bytes = read_file(path);
   for (std::size_t at = bytes.size() / 3; head() == 3; at += 7) {  // until a bit that only a reading of values finds
@@ -152,9 +145,8 @@ TEST(Payload, LeavesDamagedFramesOutAndNamesThem)
     }
   }
   const Payload payload = make_payload({folder}, {});
-  EXPECT_THAT(payload.warnings, testing::ElementsAre(testing::HasSubstr(path + " is left out")));
-  EXPECT_THAT(payload.notes[0], testing::HasSubstr("2 frames"));
+  EXPECT_THAT(payload.warnings, ElementsAre(HasSubstr(path + " is left out")));
+  EXPECT_THAT(payload.notes[0], HasSubstr("2 frames"));
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,27 +1,20 @@
 // What a report shows of the points, from files written by hand.
 #include "report/shown.hpp"
-
 #include "results/runs.hpp"
 #include "support/random.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::ElementsAre;
 
 /// A run of n points in F frames: point p moves right by k at frame k and has S_u = 8000 - 100 k p; the last leaves in
 /// the last frame. noise: what chance adds to coordinates [m], and a thousand times to S_u [Pa].
 struct Folder {
-  test::ScratchFolder scratch;
-  std::string path = test::write_run(scratch.path() + "/run");
+  ScratchFolder scratch;
+  std::string path = write_run(scratch.path() + "/run");
 
   explicit Folder(int n, int n_frames, Real noise = 0.0)
   {
-    test::Random random(3);
+    Random random(3);
     std::filesystem::remove_all(path_in(path, frames_folder));
     PointFrameWriter results({path, point_frames, "0123456789abcdef"});
     for (int k = 0; k < n_frames; ++k) {
@@ -149,4 +142,3 @@ TEST(Fit, LeavesOutPointsLast)
 }
 
 }  // namespace
-}  // namespace terp

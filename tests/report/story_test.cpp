@@ -1,17 +1,8 @@
 // The words about a run.
 #include "report/story.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::Contains;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
 
 /// A run of 4 s that ends with a fifth of its largest kinetic energy.
 RunResults sample_run()
@@ -76,7 +67,7 @@ TEST(Story, JudgesRestByTheMotionOfTheNodes)
 {
   RunResults run = sample_run();
   run.ledger = {{"time", "kinetic", "kinetic_nodal"}, {{0.0, 1.0, 4.0}, {0.0, 1000.0, 120.0}, {0.0, 1000.0, 1e-6}}};
-  for (const auto& text : tell_story(run)) EXPECT_THAT(text, testing::Not(HasSubstr("still moves")));
+  for (const auto& text : tell_story(run)) EXPECT_THAT(text, Not(HasSubstr("still moves")));
 }
 
 TEST(Story, SaysThatTheToeIsNotFreeAndHowFarSoilCame)
@@ -84,13 +75,13 @@ TEST(Story, SaysThatTheToeIsNotFreeAndHowFarSoilCame)
   RunResults run = sample_run();
   Summary& s = run.summary.values;
   s.free_toe = false;
-  EXPECT_THAT(tell_story(run)[1], testing::EndsWith("The soil fills the section to its side, so its toe is not free: "
-                                                    "what moved reaches x = 13.06 m, 5.07 m beyond the toe of "
-                                                    "the slope."));
+  EXPECT_THAT(tell_story(run)[1], EndsWith("The soil fills the section to its side, so its toe is not free: "
+                                           "what moved reaches x = 13.06 m, 5.07 m beyond the toe of "
+                                           "the slope."));
   s.front_x = std::nan("");
-  EXPECT_THAT(tell_story(run)[1], testing::EndsWith("its toe is not free: no soil has come out of the slope."));
+  EXPECT_THAT(tell_story(run)[1], EndsWith("its toe is not free: no soil has come out of the slope."));
   s.facing.reset();
-  EXPECT_THAT(tell_story(run)[1], testing::EndsWith("The section has no slope: there is no front and no crest."));
+  EXPECT_THAT(tell_story(run)[1], EndsWith("The section has no slope: there is no front and no crest."));
 }
 
 TEST(Story, NamesTheSlopeThatSlidesToTheLeft)
@@ -99,8 +90,8 @@ TEST(Story, NamesTheSlopeThatSlidesToTheLeft)
   Slide left = slide(0.18, 2.16);
   left.facing = Facing::left;
   run.summary.values.slides = {{left, {}}};
-  EXPECT_THAT(tell_story(run)[0],
-      testing::StartsWith("The first slide begins at 0.18 s on the slope to the left: the crest retreats"));
+  EXPECT_THAT(
+      tell_story(run)[0], StartsWith("The first slide begins at 0.18 s on the slope to the left: the crest retreats"));
 }
 
 TEST(Story, SaysHowMuchOfWhatMovedIsIntact)
@@ -155,4 +146,3 @@ TEST(Checks, FailWhereTheNumbersSaySo)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,13 +1,8 @@
 // In what two cases differ.
 #include "results/case_differences.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::ElementsAre;
-using testing::IsEmpty;
 
 TEST(CaseDifferences, AreNamedByKeyWithBothValues)
 {
@@ -29,4 +24,3 @@ TEST(CaseDifferences, DoNotCountWhatIsThereToBeComparedOrDoesNotChangeTheSoil)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,33 +1,25 @@
 // Runs side by side.
 #include "results/compare.hpp"
-
 #include "results/runs.hpp"
-
-#include <gmock/gmock.h>
+#include "support/test.hpp"
 #include <nlohmann/json.hpp>
 
-namespace terp {
 namespace {
-
-using testing::Each;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::Optional;
 
 /// Mixed with two slides and points that regained strength, GP with one slide.
 struct CompareTest : testing::Test {
-  test::ScratchFolder scratch;
+  ScratchFolder scratch;
   Comparison comparison;
 
   CompareTest()
   {
-    const std::string mixed = test::write_run(scratch.path() + "/mixed", [](Summary& s) {
+    const std::string mixed = write_run(scratch.path() + "/mixed", [](Summary& s) {
       s.scheme = "mpm_mixed", s.front_x = 13.39, s.moved_fraction = 0.403, s.intact_fraction = 0.003,
       s.points_eps_eq_p_fell = 2, s.softened_fraction = {{0.25, 0.417}};
       s.slides = {{{.begins = 0.18, .stops = 2.0, .crest_from = 8.0, .crest_to = 6.0}, {}},
           {{.begins = 2.36, .stops = {}, .crest_from = 6.0, .crest_to = 4.1}, {}}};
     });
-    const std::string gp = test::write_run(scratch.path() + "/gp", [](Summary& s) {
+    const std::string gp = write_run(scratch.path() + "/gp", [](Summary& s) {
       s.front_x = 13.06, s.crest_x = 4.0, s.intact_fraction = 0.248, s.softened_fraction = {{0.25, 0.311}};
       s.slides = {{{.begins = 0.25, .stops = {}, .crest_from = 8.0, .crest_to = 6.0}, {}}};
     });
@@ -50,11 +42,11 @@ TEST_F(CompareTest, HasARowForFrontCrestEventsPointsAuditAndCost)
   EXPECT_THAT(row("first slide stops").values, ElementsAre(Optional(2.0), std::nullopt));
   EXPECT_THAT(row("second slide begins").values, ElementsAre(Optional(2.36), std::nullopt));
   EXPECT_THAT(row("second slide stops").values, ElementsAre(std::nullopt, std::nullopt));
-  EXPECT_THAT(row("largest kinetic energy").values, Each(Optional(testing::DoubleNear(1.25e-3, 1e-12))));
-  EXPECT_THAT(row("plastic dissipation").values, Each(Optional(testing::DoubleNear(3.75e-3, 1e-12))));
-  EXPECT_THAT(row("share that moved").values, ElementsAre(Optional(testing::DoubleNear(40.3, 1e-9)), Optional(0.0)));
+  EXPECT_THAT(row("largest kinetic energy").values, Each(Optional(DoubleNear(1.25e-3, 1e-12))));
+  EXPECT_THAT(row("plastic dissipation").values, Each(Optional(DoubleNear(3.75e-3, 1e-12))));
+  EXPECT_THAT(row("share that moved").values, ElementsAre(Optional(DoubleNear(40.3, 1e-9)), Optional(0.0)));
   EXPECT_THAT(row("softened volume at 0.25 s").values,
-      ElementsAre(Optional(testing::DoubleNear(41.7, 1e-9)), Optional(testing::DoubleNear(31.1, 1e-9))));
+      ElementsAre(Optional(DoubleNear(41.7, 1e-9)), Optional(DoubleNear(31.1, 1e-9))));
   EXPECT_THAT(row("softened volume at 0.125 s").values, ElementsAre(std::nullopt, std::nullopt));
   EXPECT_THAT(row("A: 95 % softened from").values, ElementsAre(std::nullopt, std::nullopt));
   EXPECT_THAT(row("points whose eps_eq_p ever fell").values, ElementsAre(Optional(2.0), Optional(0.0)));
@@ -82,9 +74,9 @@ TEST_F(CompareTest, SaysTheDifferencesInWords)
 
 TEST(CompareRuns, HasNoNumbersOfASummaryThatIsBehind)
 {
-  test::ScratchFolder scratch;
+  ScratchFolder scratch;
   std::vector<RunResults> runs{
-      read_run(test::write_run(scratch.path() + "/done")), read_run(test::write_run(scratch.path() + "/killed"))};
+      read_run(write_run(scratch.path() + "/done")), read_run(write_run(scratch.path() + "/killed"))};
   runs[1].summary.finished = false;
   runs[1].summary.values.n_steps = 0;
   for (const ComparisonRow& row : compare_runs(runs, {"done", "killed"}).rows)
@@ -99,8 +91,8 @@ TEST_F(CompareTest, PrintsColumnsWithADashForWhatIsNotDefined)
 {
   const std::string table = comparison_table(comparison);
   EXPECT_THAT(table, HasSubstr("mixed       gp\n"));
-  EXPECT_THAT(table, testing::ContainsRegex("crest at the end \\[m\\] +- +4.00\n"));
-  EXPECT_THAT(table, testing::ContainsRegex("points whose eps_eq_p ever fell +2 +0\n"));
+  EXPECT_THAT(table, ContainsRegex("crest at the end \\[m\\] +- +4.00\n"));
+  EXPECT_THAT(table, ContainsRegex("points whose eps_eq_p ever fell +2 +0\n"));
 }
 
 TEST_F(CompareTest, IsTheSameAsJson)
@@ -151,4 +143,3 @@ TEST(SchemeTitle, IsThePapersName)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,48 +1,40 @@
 // What differs between runs, in words; those of the paper's two runs are in compare_test.cpp.
 #include "results/compare_words.hpp"
-
 #include "results/runs.hpp"
-
+#include "support/test.hpp"
 #include <functional>
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::ElementsAre;
 
 TEST(CompareWords, SaysThatRunsEndAtDifferentTimes)
 {
-  test::ScratchFolder scratch;
+  ScratchFolder scratch;
   const auto set = [](Summary& s) { s.softened_fraction = {{0.2, 0.1}, {0.25, 0.3}}; };
-  std::vector<RunResults> runs{read_run(test::write_run(scratch.path() + "/short", set)),
-      read_run(test::write_run(scratch.path() + "/long", set))};
+  std::vector<RunResults> runs{
+      read_run(write_run(scratch.path() + "/short", set)), read_run(write_run(scratch.path() + "/long", set))};
   runs[0].ledger = {{"time"}, {{0.0, 0.2}}};
   const auto text = compare_runs(runs, {"short", "long"}).text;
   EXPECT_EQ(text.front(),
       "The runs end at different times, short at 0.20 s and long at 0.25 s: what they say of the end is not of one "
       "time.");
-  EXPECT_THAT(
-      text, testing::Contains(
-                "At 0.2 s 10.0 % of the soil has lost more than half of its strength with short, 10.0 % with long."));
+  EXPECT_THAT(text,
+      Contains("At 0.2 s 10.0 % of the soil has lost more than half of its strength with short, 10.0 % with long."));
 }
 
 TEST(CompareWords, SaysNothingOfTheEndOfARunThatGoesOn)
 {
-  test::ScratchFolder scratch;
+  ScratchFolder scratch;
   std::vector<RunResults> runs{
-      read_run(test::write_run(scratch.path() + "/done")), read_run(test::write_run(scratch.path() + "/going"))};
+      read_run(write_run(scratch.path() + "/done")), read_run(write_run(scratch.path() + "/going"))};
   runs[1].ledger = {{"time", "step"}, {{0.0, 0.2}, {0.0, static_cast<Real>(runs[1].summary.values.n_steps) + 1.0}}};
-  EXPECT_THAT(compare_runs(runs, {"done", "going"}).text, ElementsAre(testing::StartsWith("going has not ended;")));
+  EXPECT_THAT(compare_runs(runs, {"done", "going"}).text, ElementsAre(StartsWith("going has not ended;")));
 }
 
 /// The words about two runs that differ in this.
 std::vector<std::string> words_on(const std::function<void(RunResults&, RunResults&)>& change)
 {
-  test::ScratchFolder scratch;
-  std::vector<RunResults> runs{
-      read_run(test::write_run(scratch.path() + "/a")), read_run(test::write_run(scratch.path() + "/b"))};
+  ScratchFolder scratch;
+  std::vector<RunResults> runs{read_run(write_run(scratch.path() + "/a")), read_run(write_run(scratch.path() + "/b"))};
   change(runs[0], runs[1]);
   return compare_runs(runs, {"a", "b"}).text;
 }
@@ -61,25 +53,23 @@ TEST(CompareWords, SaysOfIntactBlocksNoMoreThanTheNumbersSay)
       "Of the soil that moved, 25.0 % is intact at the end with a (eps_eq_p below 0.01), 0.0 % with b: blocks that "
       "slide in one piece survive "
       "with a and are erased with b.");
-  EXPECT_THAT(sentence(0.15, 0.25), testing::EndsWith(": more of the blocks that slide in one piece survive with b."));
-  EXPECT_THAT(sentence(0.24, 0.25),
-      testing::EndsWith("24.0 % is intact at the end with a (eps_eq_p below 0.01), 25.0 % with b."));
+  EXPECT_THAT(sentence(0.15, 0.25), EndsWith(": more of the blocks that slide in one piece survive with b."));
+  EXPECT_THAT(
+      sentence(0.24, 0.25), EndsWith("24.0 % is intact at the end with a (eps_eq_p below 0.01), 25.0 % with b."));
   EXPECT_THAT(sentence(0.0004, 0.02),
-      testing::EndsWith(
-          "less than 0.1 % is intact at the end with a (eps_eq_p below 0.01), 2.0 % with b."));  // hardly any with
-                                                                                                 // either
+      EndsWith("less than 0.1 % is intact at the end with a (eps_eq_p below 0.01), 2.0 % with b."));  // hardly any with
+                                                                                                      // either
   EXPECT_EQ(sentence(0.25, {}), "");
 }
 
 TEST(CompareWords, OfMoreThanTwoCallsThemByName)
 {
-  test::ScratchFolder scratch;
+  ScratchFolder scratch;
   std::vector<RunResults> runs;
-  for (const char* name : {"/a", "/b", "/c"}) runs.push_back(read_run(test::write_run(scratch.path() + name)));
+  for (const char* name : {"/a", "/b", "/c"}) runs.push_back(read_run(write_run(scratch.path() + name)));
   runs[0].summary.values.scheme = "mpm_mixed";
   EXPECT_THAT(compare_runs(runs, {"a", "b", "c"}).text,
-      testing::Contains(
-          "With a no point loses any of its plastic strain; with c no point loses any of its plastic strain."));
+      Contains("With a no point loses any of its plastic strain; with c no point loses any of its plastic strain."));
 }
 
 TEST(CompareWords, SaysInWhatTheCasesDiffer)
@@ -101,7 +91,7 @@ TEST(CompareWords, NamesThePointsThatRegainedStrength)
         {"A", {{"su"}, {{8.0, 5.0, 6.0}}}}, {"B", {{"su"}, {{8.0, 5.0, 5.0}}}}, {"C", {{"su"}, {{8.0, 8.1, 5.0}}}}};
     b.history = {{"A", {{"su"}, {{8.0, 5.0, 4.0}}}}};
   });
-  EXPECT_THAT(text, testing::Contains("Of the named points, A and C regained strength with a, none with b."));
+  EXPECT_THAT(text, Contains("Of the named points, A and C regained strength with a, none with b."));
 }
 
 TEST(CompareWords, MeasuresTheFrontInTheDirectionOfTheSlide)
@@ -110,8 +100,7 @@ TEST(CompareWords, MeasuresTheFrontInTheDirectionOfTheSlide)
     for (RunResults* run : {&a, &b}) run->summary.values.facing = Facing::left;
     a.summary.values.front_x = 3.0, b.summary.values.front_x = 3.5;
   }),
-      testing::Contains("With a the front ends 0.50 m farther than with b (3.00 m against 3.50 m)."));
+      Contains("With a the front ends 0.50 m farther than with b (3.00 m against 3.50 m)."));
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,17 +1,9 @@
 // Frames as CSV.
 #include "results/export.hpp"
-
 #include "results/runs.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using test::file_error_of;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::StartsWith;
 
 TEST(ParseFrames, TakesNumbersRangesAndLast)
 {
@@ -23,21 +15,21 @@ TEST(ParseFrames, TakesNumbersRangesAndLast)
 TEST(ParseFrames, SaysWhichFramesThereAre)
 {
   for (const char* text : {"3", "x", "", "0,", "1:", "-1"})
-    EXPECT_THAT(test::case_error_of([&] { parse_frames(text, 3); }),
-        testing::AllOf(StartsWith("error: there is no frame `"), HasSubstr("the run has frames 0 to 2")))
+    EXPECT_THAT(case_error_of([&] { parse_frames(text, 3); }),
+        AllOf(StartsWith("error: there is no frame `"), HasSubstr("the run has frames 0 to 2")))
         << text;
 }
 
 TEST(ParseFrames, RefusesARangeThatRunsBackwards)
 {
-  EXPECT_THAT(test::case_error_of([] { parse_frames("0,2:1", 3); }),
-      StartsWith("error: the frames `2:1` in `0,2:1` run backwards"));
+  EXPECT_THAT(
+      case_error_of([] { parse_frames("0,2:1", 3); }), StartsWith("error: the frames `2:1` in `0,2:1` run backwards"));
   EXPECT_THAT(parse_frames("1:1", 3), ElementsAre(1));
 }
 
 struct ExportTest : testing::Test {
-  test::ScratchFolder scratch;
-  Frames frames{test::write_run(scratch.path() + "/run")};
+  ScratchFolder scratch;
+  Frames frames{write_run(scratch.path() + "/run")};
   std::string folder = scratch.path() + "/out/csv";
 };
 
@@ -61,13 +53,13 @@ TEST_F(ExportTest, LeavesDamagedFramesOut)
 {
   const std::string path = scratch.path() + "/run/frames/points_00001.vtkhdf", bytes = read_file(path);
   write_file_atomically(path, bytes.substr(0, bytes.size() / 2));
-  EXPECT_THAT(export_frames(frames, {{"su"}, "", folder}), testing::SizeIs(3));
+  EXPECT_THAT(export_frames(frames, {{"su"}, "", folder}), SizeIs(3));
   EXPECT_THAT(frames.warnings(), ElementsAre(HasSubstr(path)));
 }
 
 TEST_F(ExportTest, AFieldThatIsNotThereWritesNothing)
 {
-  EXPECT_THAT(test::case_error_of([&] {
+  EXPECT_THAT(case_error_of([&] {
     export_frames(frames, {{"sigma"}, "", folder});
   }),
       HasSubstr("has no field `sigma`"));
@@ -75,4 +67,3 @@ TEST_F(ExportTest, AFieldThatIsNotThereWritesNothing)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,22 +1,13 @@
 // Frames read as they were written.
 #include "results/frames.hpp"
-
 #include "results/runs.hpp"
+#include "support/test.hpp"
 
-#include <filesystem>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
-using test::file_error_of;
-using testing::ElementsAre;
-using testing::HasSubstr;
-
 struct FramesTest : testing::Test {
-  test::ScratchFolder scratch;
-  std::string folder = test::write_run(scratch.path() + "/run");
+  ScratchFolder scratch;
+  std::string folder = write_run(scratch.path() + "/run");
 
   std::string path_of(int k) const { return path_in(folder, frame_file(point_frames, k)); }
   PointFrameWriter writer_from(int k, const std::string& run = "0123456789abcdef") const
@@ -45,28 +36,28 @@ TEST_F(FramesTest, ReadsPlacesAndFields)
 {
   const Frames frames(folder);
   for (int k = 0; k < 3; ++k) {
-    const Frame written = test::sample_frame(k);
+    const Frame written = sample_frame(k);
     EXPECT_EQ(frames.places(static_cast<std::size_t>(k)), written.x);
-    EXPECT_EQ(frames.read("su", static_cast<std::size_t>(k)), test::as_single(written.fields[0].values));
-    EXPECT_EQ(frames.read("stress", static_cast<std::size_t>(k)), test::as_single(written.fields[2].values));
+    EXPECT_EQ(frames.read("su", static_cast<std::size_t>(k)), as_single(written.fields[0].values));
+    EXPECT_EQ(frames.read("stress", static_cast<std::size_t>(k)), as_single(written.fields[2].values));
   }
-  EXPECT_THAT(frames.read("velocity", 1), testing::Contains(0.0).Times(5));  // z
+  EXPECT_THAT(frames.read("velocity", 1), Contains(0.0).Times(5));  // z
   EXPECT_TRUE(frames.warnings().empty());
 }
 
 TEST_F(FramesTest, AreThoseOfTheFolderWhenItWasOpenedWhateverTheRunAdds)
 {
   const Frames frames(folder);
-  writer_from(3).append(test::sample_frame(3));
+  writer_from(3).append(sample_frame(3));
   EXPECT_EQ(frames.times().size(), 3);
-  EXPECT_EQ(frames.places(2), test::sample_frame(2).x);
-  EXPECT_EQ(Frames(folder).places(3), test::sample_frame(3).x);
+  EXPECT_EQ(frames.places(2), sample_frame(2).x);
+  EXPECT_EQ(Frames(folder).places(3), sample_frame(3).x);
 }
 
 TEST_F(FramesTest, OfAnotherCaseAreNotMixedIn)
 {
   const Frames frames(folder);
-  writer_from(0, "fedcba9876543210").append(test::sample_frame(0));
+  writer_from(0, "fedcba9876543210").append(sample_frame(0));
   EXPECT_EQ(file_error_of([&] { frames.places(0); }),
       "cannot read " + path_of(0) + ": it has become the file of another case");
   EXPECT_EQ(file_error_of([&] { Frames{folder}; }),
@@ -76,7 +67,7 @@ TEST_F(FramesTest, OfAnotherCaseAreNotMixedIn)
 TEST_F(FramesTest, NamesTheFieldsWhenAskedForAnother)
 {
   const Frames frames(folder);
-  EXPECT_EQ(test::case_error_of([&] { frames.read("sigma", 0); }),
+  EXPECT_EQ(case_error_of([&] { frames.read("sigma", 0); }),
       "error: " + folder + " has no field `sigma`\n  It has: su, velocity, stress\n");
 }
 
@@ -91,14 +82,14 @@ TEST_F(FramesTest, ThatAreMissingOrCutAreNamedAndLeftOut)
   write_file_atomically(path_of(1), read_file(path_of(1)).substr(0, 2000));
   const Frames frames(folder);
   EXPECT_THAT(frames.steps(), ElementsAre(200));
-  EXPECT_EQ(frames.places(0), test::sample_frame(2).x);
-  EXPECT_THAT(frames.warnings(), ElementsAre(path_of(0) + " is missing",
-                                     testing::StartsWith(path_of(1) + " is left out: cannot read " + path_of(1))));
+  EXPECT_EQ(frames.places(0), sample_frame(2).x);
+  EXPECT_THAT(frames.warnings(),
+      ElementsAre(path_of(0) + " is missing", StartsWith(path_of(1) + " is left out: cannot read " + path_of(1))));
 }
 
 TEST_F(FramesTest, WithAFlippedBitInAFieldFailWhenItIsReadAndCanBeLeftOut)
 {
-  const Frame sample = test::sample_frame(1);
+  const Frame sample = sample_frame(1);
   std::string bytes = read_file(path_of(1));
   std::size_t at = 0;  // of a byte of a field: where only the field cannot be read
   for (bool found = false; !found; ++at) {
@@ -129,13 +120,13 @@ TEST_F(FramesTest, OfAnotherFormatAreNamedWithItsVersion)
     file.write<std::int64_t>("/VTKHDF/NumberOfPoints", {1}, std::vector<std::int64_t>{5});
   }
   EXPECT_THAT(file_error_of([&] { Frames{folder}; }),
-      testing::AllOf(testing::StartsWith(folder + ": it holds no frame that can be read"),
+      AllOf(StartsWith(folder + ": it holds no frame that can be read"),
           HasSubstr(path_of(2) + " is left out: it is of VTKHDF version 2.0, terp " TERP_VERSION " reads version 1")));
 }
 
 TEST_F(FramesTest, ThatDoNotHoldWhatTheOthersHoldAreLeftOut)
 {
-  Frame other = test::sample_frame(1);
+  Frame other = sample_frame(1);
   other.fields.pop_back();
   writer_from(1).append(other);
   const Frames frames(folder);
@@ -150,4 +141,3 @@ TEST(Magnitudes, AreLengthsOfVectorsAndSizesOfNumbers)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,22 +1,15 @@
 // A run folder as a whole.
 #include "results/run_results.hpp"
-
 #include "results/runs.hpp"
 #include "simulation/history.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using test::file_error_of;
-using testing::ElementsAre;
-using testing::HasSubstr;
 
 TEST(RunResults, HoldsWhatTheWritersWrote)
 {
-  const test::ScratchFolder scratch;
-  const RunResults run = read_run(test::write_run(scratch.path() + "/model_2_gp"));
+  const ScratchFolder scratch;
+  const RunResults run = read_run(write_run(scratch.path() + "/model_2_gp"));
   EXPECT_EQ(run.name, "model_2_gp");
   EXPECT_THAT(run.case_toml, HasSubstr("su_peak"));
   EXPECT_EQ(run.summary.values.front_x, 13.0);
@@ -27,42 +20,40 @@ TEST(RunResults, HoldsWhatTheWritersWrote)
 
 TEST(RunResults, SaysWhichFileIsMissingAndWhatToDo)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   EXPECT_EQ(file_error_of([&] { read_run(scratch.path() + "/none"); }), scratch.path() + "/none: no such run folder");
   EXPECT_THAT(file_error_of([&] { read_run(scratch.path()); }),
-      testing::AllOf(HasSubstr("it has no case.toml"), HasSubstr("Give the folder that `terp run` wrote")));
-  const std::string folder = test::write_run(scratch.path() + "/run");
+      AllOf(HasSubstr("it has no case.toml"), HasSubstr("Give the folder that `terp run` wrote")));
+  const std::string folder = write_run(scratch.path() + "/run");
   std::filesystem::remove_all(folder + "/frames");
   EXPECT_THAT(file_error_of([&] { read_run(folder); }), HasSubstr("it has no frames"));
 }
 
 TEST(RunResults, OfAnEarlierTerpAreRefusedWithTheVersionOfTheirFormat)
 {
-  const test::ScratchFolder scratch;
-  const std::string folder = test::write_run(scratch.path() + "/run");
+  const ScratchFolder scratch;
+  const std::string folder = write_run(scratch.path() + "/run");
   write_file_atomically(folder + "/results.vtkhdf", "");
   EXPECT_THAT(file_error_of([&] { read_run(folder); }),
-      testing::AllOf(
-          HasSubstr("an earlier terp wrote this run, with all frames in one file, results.vtkhdf (VTKHDF 2.0)"),
+      AllOf(HasSubstr("an earlier terp wrote this run, with all frames in one file, results.vtkhdf (VTKHDF 2.0)"),
           HasSubstr("one file per frame (VTKHDF 1.0)")));
 }
 
 TEST(RunResults, AHistoryThatWasDoubledCutOrHasAGapIsRefused)
 {
-  const test::ScratchFolder scratch;
-  const std::string folder = test::write_run(scratch.path() + "/run", [](Summary&s) { s.dt = 0.001; }),
+  const ScratchFolder scratch;
+  const std::string folder = write_run(scratch.path() + "/run", [](Summary&s) { s.dt = 0.001; }),
                     path = folder + "/history.csv", head = header_of(*history_table()) + '\n';
   std::string rows;
-  for (int k = 0; k <= 25; ++k) rows += csv_lines(test::sample_history(0.01 * k));
+  for (int k = 0; k <= 25; ++k) rows += csv_lines(sample_history(0.01 * k));
   const auto error_with = [&](const std::string& text) {
     write_file_atomically(path, head + text);
     return file_error_of([&] { read_run(folder); });
   };
   EXPECT_EQ(error_with(rows), "");
-  EXPECT_THAT(
-      error_with(rows + rows), testing::StartsWith(path + ": point A: the row of t = 0 s follows that of 0.25 s"));
+  EXPECT_THAT(error_with(rows + rows), StartsWith(path + ": point A: the row of t = 0 s follows that of 0.25 s"));
   EXPECT_THAT(error_with(rows.substr(0, rows.find("\n0.13,") + 1)),
-      testing::StartsWith(path + ": point A: it ends at t = 0.12 s, the run at 0.25 s"));
+      StartsWith(path + ": point A: it ends at t = 0.12 s, the run at 0.25 s"));
   std::string gap = rows;
   gap.erase(gap.find("\n0.05,"), gap.find("\n0.07,") - gap.find("\n0.05,"));
   EXPECT_THAT(error_with(gap), HasSubstr("point A: rows between t = 0.04 s and 0.07 s are missing\n  The table was"));
@@ -71,8 +62,8 @@ TEST(RunResults, AHistoryThatWasDoubledCutOrHasAGapIsRefused)
 
 TEST(RunResults, DoesWithoutTables)
 {
-  const test::ScratchFolder scratch;
-  const std::string folder = test::write_run(scratch.path() + "/run");
+  const ScratchFolder scratch;
+  const std::string folder = write_run(scratch.path() + "/run");
   std::filesystem::remove(folder + "/history.csv");
   std::filesystem::remove(folder + "/ledger.csv");
   EXPECT_EQ(read_run(folder).ledger.n_rows(), 0);
@@ -80,8 +71,8 @@ TEST(RunResults, DoesWithoutTables)
 
 TEST(RunResults, ALedgerThatEndsBeforeTheRunIsRefused)
 {
-  const test::ScratchFolder scratch;
-  const std::string folder = test::write_run(scratch.path() + "/run", [](Summary& s) { s.n_steps += 1; });
+  const ScratchFolder scratch;
+  const std::string folder = write_run(scratch.path() + "/run", [](Summary& s) { s.n_steps += 1; });
   EXPECT_THROW(read_run(folder), FileError);
 }
 
@@ -93,4 +84,3 @@ TEST(DistinctNames, AreAsMuchOfThePathsAsTellsThemApart)
 }
 
 }  // namespace
-}  // namespace terp

@@ -40,15 +40,10 @@ inline std::string write_run(const std::string& folder)
 }
 
 /// What a wrong option says.
-template <class F>
-std::string case_error_of(F&& f)
+template <class Call>
+std::string case_error_of(Call&& call)
 {
-  try {
-    f();
-  } catch (const CaseError& error) {
-    return error.what();
-  }
-  return "";
+  return refusal<CaseError>(call);
 }
 
 }  // namespace terp::test

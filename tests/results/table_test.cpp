@@ -1,23 +1,15 @@
 // Tables read as they were written.
 #include "results/table.hpp"
-
 #include "results/runs.hpp"
 #include "followers/followers.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using test::file_error_of;
-using testing::ElementsAre;
 
 TEST(Table, OfTheLedgerHasItsColumnsByName)
 {
-  const test::ScratchFolder scratch;
-  const Table table = read_number_table(path_in(test::write_run(scratch.path() + "/run"), ledger_file));
+  const ScratchFolder scratch;
+  const Table table = read_number_table(path_in(write_run(scratch.path() + "/run"), ledger_file));
   EXPECT_EQ(table.n_rows(), 2);
   EXPECT_THAT(*table.find("time"), ElementsAre(0.0, 0.25));
   EXPECT_THAT(*table.find("moved_volume"), ElementsAre(4.25, 4.25));
@@ -27,8 +19,8 @@ TEST(Table, OfTheLedgerHasItsColumnsByName)
 
 TEST(Table, OfTheHistoryIsOnePerPoint)
 {
-  const test::ScratchFolder scratch;
-  const auto points = read_history(path_in(test::write_run(scratch.path() + "/run"), history_file));
+  const ScratchFolder scratch;
+  const auto points = read_history(path_in(write_run(scratch.path() + "/run"), history_file));
   ASSERT_EQ(points.size(), 2);
   EXPECT_EQ(points[0].point, "A");
   EXPECT_THAT(*points[0].table.find("su"), ElementsAre(8000.0, 8000.0));
@@ -39,7 +31,7 @@ TEST(Table, OfTheHistoryIsOnePerPoint)
 
 TEST(Table, ReadsQuotedNamesAndLeavesOutALineThatIsBeingWritten)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string path = scratch.path() + "/history.csv";
   write_file_atomically(path, "time,point,x\n0,\"toe, \"\"left\"\"\",1.5\n0.1,\"toe, \"\"left\"\"\",2.5\n0.2,\"to");
   const auto points = read_history(path);
@@ -50,7 +42,7 @@ TEST(Table, ReadsQuotedNamesAndLeavesOutALineThatIsBeingWritten)
 
 TEST(Table, WithALineOfAnotherLengthIsRefusedWithItsNumber)
 {
-  const test::ScratchFolder scratch;
+  const ScratchFolder scratch;
   const std::string path = scratch.path() + "/ledger.csv";
   write_file_atomically(path, "time,step\n0,0\n1\n");
   EXPECT_EQ(
@@ -71,4 +63,3 @@ TEST(DescribeColumn, NamesEveryColumnOfTheTables)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,19 +1,13 @@
 // What the schemes make of stresses and states, by averages and by the pressure of the cell, is back inside the yield
 // surface after each step.
-
 #include "materials/probe.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-#include <numbers>
-
-namespace terp {
 namespace {
 
-using test::Point;
-
-class EveryScheme : public testing::TestWithParam<const char*> {};
+class EveryScheme : public TestWithParam<const char*> {};
 
 constexpr Real degree = std::numbers::pi / 180.0;
 
@@ -25,20 +19,20 @@ const MaterialCase sand{"clay", "mohr_coulomb", 1990.0,
 Real excess_of(const Point& point)
 {
   const Real decay = std::exp(-50.0 * point.values[0]), c = 0.5e3 + 4.5e3 * decay, phi = (22.0 + 8.0 * decay) * degree;
-  const auto s = test::sorted_principal(test::Stress{point.sigma});
+  const auto s = sorted_principal(Stress{point.sigma});
   const Real by_shear = s[0] - s[2] + (s[0] + s[2]) * std::sin(phi) - 2.0 * c * std::cos(phi);
   return std::max(by_shear, s[0] - c / std::tan(phi)) / (c + std::abs(s[2]));
 }
 
 TEST_P(EveryScheme, EndsEveryStepInsideTheYieldSurfaceOfSofteningFrictionalSoil)
 {
-  Case c = test::column(GetParam());
+  Case c = column(GetParam());
   c.materials = {sand};
   Simulation s(c);
   Real worst = -1.0, largest_strain = 0.0;
   for (int part = 0; part < 20; ++part) {
     s.step(20);
-    for (const Point& point : test::points_by_id(s.state)) {
+    for (const Point& point : points_by_id(s.state)) {
       worst = std::max(worst, excess_of(point));
       largest_strain = std::max(largest_strain, point.eps_eq_p());
       ASSERT_GE(point.values[0], 0.0);
@@ -54,12 +48,12 @@ TEST_P(EveryScheme, EndsEveryStepInsideTheYieldSurfaceOfSofteningFrictionalSoil)
 TEST_P(
     EveryScheme, GivesSoilWithoutFrictionThePathOfTresca)  // two laws, two returns, one column that fails and softens
 {
-  Case tresca = test::column(GetParam()), mohr = tresca;
+  Case tresca = column(GetParam()), mohr = tresca;
   mohr.materials = {{"clay", "mohr_coulomb", 1990.0,
       {2e6, 0.48, 8e3, 0.0, 0.0, std::numeric_limits<Real>::infinity(), 2e3, 0.0, 0.0, 50.0}}};
   Simulation a(tresca), b(mohr);
   a.step(200), b.step(200);
-  const auto p = test::points_by_id(a.state), q = test::points_by_id(b.state);
+  const auto p = points_by_id(a.state), q = points_by_id(b.state);
   ASSERT_EQ(p.size(), q.size());
   Real largest_strain = 0.0;
   for (std::size_t k = 0; k < p.size(); ++k) {
@@ -74,4 +68,3 @@ INSTANTIATE_TEST_SUITE_P(Schemes, EveryScheme, testing::Values("mpm_mixed", "mpm
     [](const auto& info) { return std::string(info.param); });
 
 }  // namespace
-}  // namespace terp

@@ -1,18 +1,11 @@
 // Cells side by side in packs: two materials in a cell, and that a lane knows nothing of its neighbours.
 #include "schemes/cell_group.hpp"
-
 #include "support/blocks.hpp"
 #include "support/meshes.hpp"
 #include "support/random.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using test::add_point;
 
 /// n cells of 1 m x 1 m side by side, or distorted ones, with room for one state variable.
 struct Row {
@@ -82,8 +75,8 @@ TEST(CellGroup, TwoMaterialsUnderOneStressShareTheWeightOfTheirCell)
 /// Eight distorted cells with points at random, of one material or two; the last has few.
 Row eight_distorted_cells()
 {
-  Row row(test::distorted_rectangle(4, 2, 1.0, 0.3, 7));
-  test::Random random(5);
+  Row row(distorted_rectangle(4, 2, 1.0, 0.3, 7));
+  Random random(5);
   for (Index cell = 0; cell < 8; ++cell)
     for (int k = 0; k < (cell == 7 ? 2 : 11 + cell); ++k)
       add_point(row.mesh, cell,
@@ -104,7 +97,7 @@ TEST(CellGroup, ALaneKnowsNothingOfItsNeighbours)
   MethodOptions method;
   gather(together, {method, materials}, 0, 8);
   GroupVectors<Quad4> du{};
-  test::Random random(6);
+  Random random(6);
   for (auto& cell : du)
     for (auto& direction : cell)
       for (Real& value : direction) value = random.between(-0.01, 0.01);
@@ -136,7 +129,7 @@ TEST(CellGroup, GivesWhatOneCellInScalarsGives)
   for (const Index c : {Index{0}, Index{5}, Index{6}}) {  // of one material
     GaussValues<Quad4> gauss{};
     CornerSums<Quad4> expected{};
-    sum_over_sub_cells(test::only_block(row.points, c), gauss);
+    sum_over_sub_cells(only_block(row.points, c), gauss);
     set_weights(row.mesh.geometry(c), gauss.volume, method, gauss);
     divide_by_volume(gauss);
     smooth_pressure(gauss);
@@ -144,7 +137,7 @@ TEST(CellGroup, GivesWhatOneCellInScalarsGives)
     EXPECT_EQ(row.corners[c].internal_force, expected.internal_force) << "cell " << c;
     EXPECT_EQ(row.gauss[0].pressure[static_cast<int>(c)], gauss.pressure);
     for (int g = 0; g < 4; ++g) EXPECT_EQ(row.gauss[0].sigma[3][g][static_cast<int>(c)], gauss.sigma[3][g]);
-    const auto sums = sum_row_over_sub_cells<Quad4>(test::only_block(row.points, c), PointRows<2>::state);
+    const auto sums = sum_row_over_sub_cells<Quad4>(only_block(row.points, c), PointRows<2>::state);
     const GaussRow<Quad4> lanes = sum_row(row.group(0, 8), layer_of(c), PointRows<2>::state);
     for (int g = 0; g < 4; ++g) EXPECT_EQ(lanes[g][static_cast<int>(c)], sums[g]);
   }
@@ -165,7 +158,7 @@ TEST(CellGroup, TwoBodiesOfOneMaterialHaveGaussValuesOfTheirOwn)
     layers.emplace_back(layer.material, layer.body);
     EXPECT_DOUBLE_EQ(group.gauss_of(layer).pressure[0], (layer.body == 0 ? -3e3 : -7e3) / 3.0);
   });
-  EXPECT_THAT(layers, testing::ElementsAre(std::pair(0, 0), std::pair(0, 1)));
+  EXPECT_THAT(layers, ElementsAre(std::pair(0, 0), std::pair(0, 1)));
 }
 
 TEST(CellGroup, LayersAreTheMaterialsInOrderWithTheCellsThatHoldThem)
@@ -185,8 +178,8 @@ TEST(CellGroup, LayersAreTheMaterialsInOrderWithTheCellsThatHoldThem)
     }
   });
   ASSERT_EQ(layers.size(), 2u);
-  EXPECT_THAT(layers[0], testing::Pair(0, testing::ElementsAre(1, 2)));
-  EXPECT_THAT(layers[1], testing::Pair(1, testing::ElementsAre(0, 1)));
+  EXPECT_THAT(layers[0], testing::Pair(0, ElementsAre(1, 2)));
+  EXPECT_THAT(layers[1], testing::Pair(1, ElementsAre(0, 1)));
   EXPECT_FALSE(has_one_layer(row.group(0, 3)));
   EXPECT_TRUE(has_one_layer(row.group(2, 1)));
 }
@@ -197,7 +190,7 @@ TEST(CellGroup, FetchingAheadChangesNothingAndEndsWithTheLastCell)
   CellGroup<Quad4> group = row.group(0, 7);
   group.prefetch_points = true;
   group.next_cell = 7;
-  const PointBlock<2>& last = test::only_block(row.points, 7);
+  const PointBlock<2>& last = only_block(row.points, 7);
   const std::vector<Real> before(last.data, last.data + last.capacity * row.points.n_rows());
   for (int c = 0; c < group.n(); ++c) prefetch_next(group, c);
   EXPECT_TRUE(std::equal(before.begin(), before.end(), last.data));
@@ -206,4 +199,3 @@ TEST(CellGroup, FetchingAheadChangesNothingAndEndsWithTheLastCell)
 }
 
 }  // namespace
-}  // namespace terp

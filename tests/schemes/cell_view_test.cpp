@@ -1,17 +1,11 @@
 // The helpers that schemes share: rotation, sums over padded blocks, ties.
 #include "schemes/cell_view.hpp"
-
 #include "mesh/mesh.hpp"
 #include "support/blocks.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gtest/gtest.h>
-
-namespace terp {
 namespace {
 
-using test::add_point;
 using Rows = PointRows<2>;
 
 TEST(RotateStress, IsARotationToFirstOrder)
@@ -30,7 +24,7 @@ TEST(RotateStress, IsARotationToFirstOrder)
 struct OneCell {
   Mesh<2> mesh = make_rectangle({0.0, 0.0}, {1.0, 1.0}, {1, 1});
   PointBlocks<2> points{1, 1};
-  PointBlock<2>& block() { return test::only_block(points, 0); }
+  PointBlock<2>& block() { return only_block(points, 0); }
 };
 
 TEST(CellView, TiesGoToTheRightAndUpperSubCell)
@@ -63,4 +57,3 @@ TEST(CellView, StrainIsAddedUpAndChangesTheVolumeByItsTrace)
 }
 
 }  // namespace
-}  // namespace terp

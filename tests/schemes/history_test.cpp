@@ -2,31 +2,25 @@
 #include "events/surface.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using test::Point;
-using testing::DoubleEq;
-using testing::Pointwise;
 
 /// Plastic strain of two points of equal volume in one sub-cell, the only ones of their cell, after a step in which
 /// nothing deforms.
 std::vector<Real> eps_eq_p_after_one_step(const char* scheme, const std::vector<Real>& before)
 {
-  Case c = test::clamped_cell(scheme);
-  c.bodies[0] = test::body("clay", {0.5, 0.5}, {1.0, 0.75});
+  Case c = clamped_cell(scheme);
+  c.bodies[0] = body("clay", {0.5, 0.5}, {1.0, 0.75});
   c.bodies[0].points_per_cell = {4, 4};
   Simulation s(c);
   EXPECT_EQ(s.state.points.n_points(), 2);
-  test::edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
+  edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
     block.row(PointRows<2>::state)[lane] = before[static_cast<std::size_t>(block.row(PointRows<2>::id)[lane])];
   });
   s.step();
   std::vector<Real> after;
-  for (const Point& p : test::points_by_id(s.state)) after.push_back(p.eps_eq_p());
+  for (const Point& p : points_by_id(s.state)) after.push_back(p.eps_eq_p());
   return after;
 }
 
@@ -48,12 +42,12 @@ TEST(History, StandardMpmLeavesTheNeighbourAlone)
 /// How often a point's plastic strain fell from one step to the next while the softening column slides for 1 s.
 std::int64_t count_falls(const char* scheme)
 {
-  Simulation s(test::column(scheme));
+  Simulation s(column(scheme));
   std::int64_t falls = 0;
-  std::vector<Point> before = test::points_by_id(s.state);
+  std::vector<Point> before = points_by_id(s.state);
   while (s.state.time < 1.0) {
     s.step();
-    const std::vector<Point> after = test::points_by_id(s.state);
+    const std::vector<Point> after = points_by_id(s.state);
     for (std::size_t p = 0; p < after.size(); ++p) falls += after[p].eps_eq_p() < before[p].eps_eq_p();
     before = after;
   }
@@ -67,8 +61,7 @@ TEST(History, MixedLowersThePlasticStrainOfPointsThatMoveAmongFresherOnes) { EXP
 
 TEST(History, WithoutSofteningTheSchemesSlideAlike)
 {
-  Simulation gp(test::column_without_softening("mpm_gp", 0.25)),
-      mixed(test::column_without_softening("mpm_mixed", 0.25));
+  Simulation gp(column_without_softening("mpm_gp", 0.25)), mixed(column_without_softening("mpm_mixed", 0.25));
   for (const Real time : {1.0, 2.0}) {
     while (gp.state.time < time) gp.step();
     while (mixed.state.time < time) mixed.step();
@@ -82,14 +75,13 @@ TEST(History, WithoutSofteningTheSchemesSlideAlike)
 TEST(History, WithSofteningTheLargestPlasticStrainIsLowerInMixed)
 {
   const auto largest = [](const char* scheme) {
-    Simulation s(test::column(scheme, 0.25));
+    Simulation s(column(scheme, 0.25));
     while (s.state.time < 1.0) s.step();
     Real eps = 0.0;
-    for (const Point& p : test::points_by_id(s.state)) eps = std::max(eps, p.eps_eq_p());
+    for (const Point& p : points_by_id(s.state)) eps = std::max(eps, p.eps_eq_p());
     return eps;
   };
   EXPECT_GE(largest("mpm_gp"), 1.15 * largest("mpm_mixed"));
 }
 
 }  // namespace
-}  // namespace terp

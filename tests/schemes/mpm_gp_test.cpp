@@ -2,15 +2,10 @@
 #include "support/cases.hpp"
 #include "support/random.hpp"
 #include "support/simulations.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gtest/gtest.h>
-
-namespace terp {
 namespace {
 
-using test::Point;
 using Rows = PointRows<2>;
 
 constexpr std::array<Real, 4> pressure{
@@ -19,19 +14,19 @@ constexpr std::array<Real, 4> pressure{
 /// A full cell of four points with unlike stresses after a step in which nothing deforms.
 std::vector<Point> points_after_one_step(PointPressure choice, Real relaxation, std::vector<Point>& before)
 {
-  Case c = test::clamped_cell("mpm_gp");
+  Case c = clamped_cell("mpm_gp");
   c.method.point_pressure = choice;
   c.method.pressure_relaxation = relaxation;
   Simulation s(c);
-  test::edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
+  edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
     const auto id = static_cast<int>(block.row(Rows::id)[lane]);
     const std::array<Real, 4> deviator{100.0 * id, 50.0 - 20.0 * id, -50.0 - 80.0 * id, 70.0 + id};
     for (int k = 0; k < 4; ++k) block.row(Rows::sigma + k)[lane] = deviator[k] + (k < 3 ? pressure[id] : 0.0);
     block.row(Rows::state)[lane] = 0.001 * id;
   });
-  before = test::points_by_id(s.state);
+  before = points_by_id(s.state);
   s.step();
-  return test::points_by_id(s.state);
+  return points_by_id(s.state);
 }
 
 Real pressure_of(const Point& p) { return (p.sigma[0] + p.sigma[1] + p.sigma[2]) / 3.0; }
@@ -66,23 +61,23 @@ TEST(MpmGp, WithRelaxationAPointTakesAShareOfTheDifference)
 /// Gives every point a plastic strain of its own, by id.
 void scatter_state(Simulation& s)
 {
-  test::Random random(7);
+  Random random(7);
   std::vector<Real> eps(static_cast<std::size_t>(s.state.points.n_points()));
   for (Real& e : eps) e = random.between(0.0, 0.1);
-  test::edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
+  edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
     block.row(Rows::state)[lane] = eps[static_cast<std::size_t>(block.row(Rows::id)[lane])];
   });
 }
 
 TEST(MpmGp, InRigidTranslationEveryStateIsCarriedExactly)
 {
-  Case c = test::free_box("mpm_gp", {0.5, 0.25}, {1.5, 1.0});
+  Case c = free_box("mpm_gp", {0.5, 0.25}, {1.5, 1.0});
   c.bodies[0].velocity = {3.1459, 1.2877};  // no point ever lies on a side to round-off: see MethodOptions::small_mass
   Simulation s(c);
   scatter_state(s);
-  const auto before = test::points_by_id(s.state);
+  const auto before = points_by_id(s.state);
   while (s.state.time < 0.5) s.step();  // six cells to the right, two up
-  const auto after = test::points_by_id(s.state);
+  const auto after = points_by_id(s.state);
   for (std::size_t p = 0; p < before.size(); ++p) {
     EXPECT_EQ(after[p].eps_eq_p(), before[p].eps_eq_p());
     EXPECT_NE(after[p].cell, before[p].cell);
@@ -92,4 +87,3 @@ TEST(MpmGp, InRigidTranslationEveryStateIsCarriedExactly)
 }
 
 }  // namespace
-}  // namespace terp

@@ -2,15 +2,10 @@
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gtest/gtest.h>
-
-namespace terp {
 namespace {
 
-using test::Point;
 using Rows = PointRows<2>;
 
 /// Two points on top of each other in each sub-cell of a full clamped cell, the second with three times the volume of
@@ -20,11 +15,11 @@ constexpr std::array<Real, 4> factor{-3.0, -1.0, -2.0, 0.5};
 
 std::vector<Point> points_after_one_step(StateAveraging averaging)
 {
-  Case c = test::clamped_cell("mpm_mixed");
+  Case c = clamped_cell("mpm_mixed");
   c.method.state_averaging = averaging;
   c.bodies[0].points_per_cell = {4, 2};
   Simulation s(c);
-  test::edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
+  edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
     const bool second = static_cast<int>(block.row(Rows::id)[lane]) % 2 == 1;
     const int g = (block.row(Rows::xi)[lane] > 0.0) + 2 * (block.row(Rows::xi + 1)[lane] > 0.0);
     const Real value = (second ? 500.0 : 100.0) * (g + 1);
@@ -33,7 +28,7 @@ std::vector<Point> points_after_one_step(StateAveraging averaging)
     block.row(Rows::state)[lane] = 1e-5 * value;
   });
   s.step();
-  return test::points_by_id(s.state);
+  return points_by_id(s.state);
 }
 
 int sub_cell_of(const Point& p) { return (p.local[0] > 0.0) + 2 * (p.local[1] > 0.0); }
@@ -69,7 +64,7 @@ TEST(MpmMixed, ThePlasticStrainMayBeAveragedOverTheSubCellInstead)
 Real variance(const State& state)
 {
   Real sum = 0.0, first = 0.0, second = 0.0;
-  for (const Point& p : test::points_by_id(state)) {
+  for (const Point& p : points_by_id(state)) {
     sum += p.eps_eq_p();
     first += p.eps_eq_p() * p.x[0];
     second += p.eps_eq_p() * p.x[0] * p.x[0];
@@ -81,14 +76,14 @@ Real variance(const State& state)
 /// volumes, with which the mean over a cell keeps the sum of the state.
 Simulation make_moving_bar(Index n)
 {
-  Case c = test::free_box("mpm_mixed", {0.0, 0.25}, {10.0, 0.75});
+  Case c = free_box("mpm_mixed", {0.0, 0.25}, {10.0, 0.75});
   c.mesh.size = {20.0, 1.0};
   c.method.weights = Weights::summed;
   c.bodies[0].points_per_cell = {n, n};
   c.bodies[0].velocity = {4.7123, 0.0};
   Model model = build_model(c, 1);
   State state = build_state(model);
-  test::edit_points(state, [](const PointBlock<2>& block, Index lane) {
+  edit_points(state, [](const PointBlock<2>& block, Index lane) {
     const Real distance = (block.row(Rows::x)[lane] - 5.0) / 0.6;
     block.row(Rows::state)[lane] = 0.05 * std::exp(-0.5 * distance * distance);
   });
@@ -114,7 +109,7 @@ TEST(MpmMixed, DiffusionMovesTheSumOfTheStateWithTheSoil)
   Simulation s = make_moving_bar(5);
   const auto sum_and_centre = [&] {
     Real sum = 0.0, first = 0.0;
-    for (const Point& p : test::points_by_id(s.state)) {
+    for (const Point& p : points_by_id(s.state)) {
       sum += p.volume * p.eps_eq_p();
       first += p.volume * p.eps_eq_p() * p.x[0];
     }
@@ -128,4 +123,3 @@ TEST(MpmMixed, DiffusionMovesTheSumOfTheStateWithTheSoil)
 }
 
 }  // namespace
-}  // namespace terp

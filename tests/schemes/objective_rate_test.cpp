@@ -3,15 +3,10 @@
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gtest/gtest.h>
-
-namespace terp {
 namespace {
 
-using test::Point;
 using Rows = PointRows<2>;
 
 constexpr Real spin = 10.0;  // counter-clockwise [rad/s]
@@ -21,12 +16,12 @@ constexpr Real sigma_xx = -0.5, sigma_yy = 1.5, sigma_xy = 0.75;  // [Pa]
 /// A box under one stress that turns about its middle, after one step.
 std::vector<Point> turn(const char* scheme, ObjectiveRate rate)
 {
-  Case c = test::free_box(scheme, {1.0, 0.5}, {2.0, 1.5}, test::elastic(2e6, 0.3, 2000.0));
+  Case c = free_box(scheme, {1.0, 0.5}, {2.0, 1.5}, elastic(2e6, 0.3, 2000.0));
   c.method.objective_rate = rate;
   Model model = build_model(c, 1);
   model.dt = dt;
   State state = build_state(model);
-  test::edit_points(state, [](const PointBlock<2>& block, Index lane) {
+  edit_points(state, [](const PointBlock<2>& block, Index lane) {
     block.row(Rows::v)[lane] = -spin * (block.row(Rows::x + 1)[lane] - 1.0);
     block.row(Rows::v + 1)[lane] = spin * (block.row(Rows::x)[lane] - 1.5);
     block.row(Rows::sigma)[lane] = sigma_xx;
@@ -35,7 +30,7 @@ std::vector<Point> turn(const char* scheme, ObjectiveRate rate)
   });
   Simulation s(std::move(model), std::move(state));
   s.step();
-  return test::points_by_id(s.state);
+  return points_by_id(s.state);
 }
 
 /// Points whose cell has no free surface: there the velocity at the nodes is the rigid one.
@@ -64,4 +59,3 @@ TEST(ObjectiveRate, NoneLeavesTheStressWhereItWas)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,15 +1,9 @@
 #include "schemes/scheme.hpp"
-
 #include "simulation/state_image.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/test.hpp"
 
-#include <string>
-#include <vector>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 TEST(Schemes, ListsEverySchemeOnceWithALineOfText)
@@ -20,7 +14,7 @@ TEST(Schemes, ListsEverySchemeOnceWithALineOfText)
     EXPECT_FALSE(scheme->summary.empty()) << scheme->name;
     EXPECT_FALSE(scheme->title.empty()) << scheme->name;
   }
-  EXPECT_THAT(names, testing::ElementsAre("standard_mpm", "mpm_mixed", "mpm_gp"));
+  EXPECT_THAT(names, ElementsAre("standard_mpm", "mpm_mixed", "mpm_gp"));
 }
 
 TEST(Schemes, AreFoundByNameAndOnlyByName)
@@ -32,7 +26,7 @@ TEST(Schemes, AreFoundByNameAndOnlyByName)
 /// State of the column after some steps, with one option of the method changed.
 StateImage after_steps(std::string_view scheme, void (*change)(MethodOptions&))
 {
-  Case c = test::column(std::string(scheme));
+  Case c = column(std::string(scheme));
   c.bodies[0].velocity = {2.0, 0.5};
   change(c.method);
   Simulation s(c);
@@ -56,7 +50,7 @@ TEST(Schemes, SaysTruthfullyWhichOptionsChangeNothing)
   for (const Scheme* scheme : all_schemes()) {
     const StateImage plain = after_steps(scheme->name, [](MethodOptions&) {});
     for (const auto& [option, change] : changes) {
-      const bool changes_nothing = test::first_difference(plain, after_steps(scheme->name, change)).empty();
+      const bool changes_nothing = first_difference(plain, after_steps(scheme->name, change)).empty();
       EXPECT_EQ(changes_nothing, !looks_at(*scheme, option)) << scheme->name << ' ' << option;
     }
     EXPECT_EQ(looks_at(*scheme, "pressure_relaxation"), looks_at(*scheme, "point_pressure"));
@@ -64,4 +58,3 @@ TEST(Schemes, SaysTruthfullyWhichOptionsChangeNothing)
 }
 
 }  // namespace
-}  // namespace terp

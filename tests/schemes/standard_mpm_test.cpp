@@ -2,21 +2,15 @@
 #include "events/surface.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gtest/gtest.h>
-
-namespace terp {
 namespace {
-
-using test::Point;
 
 /// How far the front of a nearly incompressible column without softening has moved after 1 s [m].
 Real path_of_front(const char* scheme)
 {
-  Case c = test::column_without_softening(scheme);
-  c.materials = {test::clay({.poisson_ratio = 0.499, .su_residual = 8.0e3})};
+  Case c = column_without_softening(scheme);
+  c.materials = {clay({.poisson_ratio = 0.499, .su_residual = 8.0e3})};
   Simulation s(c);
   while (s.state.time < 1.0) s.step();
   return extent_in_x(*s.model.mesh, s.state.points)[1] - 8.0;
@@ -33,10 +27,10 @@ TEST(StandardMpm, LocksInNearlyIncompressibleSoilWhereTheOthersSlide)
 /// column [Pa].
 Real pressure_noise(const char* scheme)
 {
-  Simulation s(test::column(scheme));
+  Simulation s(column(scheme));
   while (s.state.time < 0.5) s.step();
   std::vector<Real> sum(s.model.mesh->cells.size()), count(s.model.mesh->cells.size());
-  const auto points = test::points_by_id(s.state);
+  const auto points = points_by_id(s.state);
   const auto pressure = [](const Point& p) { return (p.sigma[0] + p.sigma[1] + p.sigma[2]) / 3.0; };
   for (const Point& p : points) {
     sum[p.cell] += pressure(p);
@@ -56,7 +50,7 @@ TEST(StandardMpm, ItsPressuresOscillateWithinCellsWhereThoseOfTheOthersDoNot)
 TEST(StandardMpm, ASofteningColumnStandsOnALockedMesh)
 {
   const auto path = [](const char* scheme) {
-    Simulation s(test::column(scheme));
+    Simulation s(column(scheme));
     while (s.state.time < 1.0) s.step();
     return extent_in_x(*s.model.mesh, s.state.points)[1] - 8.0;
   };
@@ -65,4 +59,3 @@ TEST(StandardMpm, ASofteningColumnStandsOnALockedMesh)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,9 +1,7 @@
 // The little that a case computes: where its files lie, how fast a body is at a place.
 #include "simulation/case.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 TEST(Case, FilesAreNamedRelativeToTheCaseFile)
@@ -23,4 +21,3 @@ TEST(Case, AFormulaOfTheVelocityGoesBeforeItsNumbers)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,14 +1,10 @@
 // The motion of points within a step, and who is reported to have left a cell.
 #include "simulation/cell_passes.hpp"
-
 #include "support/blocks.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
-using test::add_point;
 using Rows = PointRows<2>;
 
 /// A mesh of 2 x 1 cells of 2 m x 1 m; points are put into cell 0.
@@ -21,7 +17,7 @@ struct TwoCells {
     CornerVectors<Quad4> all;
     for (int d = 0; d < 2; ++d) all[d].fill(du[d]);
     std::vector<PointPlace> leavers;
-    advance_points(mesh.geometry(0), mesh.centres[0], all, test::only_block(points, 0), 0, leavers);
+    advance_points(mesh.geometry(0), mesh.centres[0], all, only_block(points, 0), 0, leavers);
     std::vector<Index> lanes;
     for (const auto& l : leavers) lanes.push_back(l.lane);
     return lanes;
@@ -34,8 +30,8 @@ TEST(CellPasses, CornerValuesAreThoseOfTheCellsNodesTimesTheFactor)
   std::vector<NodeValues> node(6);
   for (int i = 0; i < 6; ++i) node[i].v = {1.0 + i, 10.0 + i};
   const CornerVectors<Quad4> values = corner_values(cells.mesh, node, 1, &NodeValues::v, 0.5);
-  EXPECT_THAT(values[0], testing::ElementsAre(1.0, 1.5, 3.0, 2.5));  // nodes 1, 2, 5, 4
-  EXPECT_THAT(values[1], testing::ElementsAre(5.5, 6.0, 7.5, 7.0));
+  EXPECT_THAT(values[0], ElementsAre(1.0, 1.5, 3.0, 2.5));  // nodes 1, 2, 5, 4
+  EXPECT_THAT(values[1], ElementsAre(5.5, 6.0, 7.5, 7.0));
 }
 
 TEST(CellPasses, PointsMoveWithTheShapeFunctions)
@@ -46,8 +42,8 @@ TEST(CellPasses, PointsMoveWithTheShapeFunctions)
   du[0] = {0.0, 0.16, 0.0, 0.0};  // corner 1: N = 0.75 * 0.75
   du[1] = {0.0, 0.0, 0.0, 0.16};  // corner 3: N = 0.25 * 0.25
   std::vector<PointPlace> leavers;
-  advance_points(cells.mesh.geometry(0), cells.mesh.centres[0], du, test::only_block(cells.points, 0), 0, leavers);
-  const PointBlock<2>& block = test::only_block(cells.points, 0);
+  advance_points(cells.mesh.geometry(0), cells.mesh.centres[0], du, only_block(cells.points, 0), 0, leavers);
+  const PointBlock<2>& block = only_block(cells.points, 0);
   EXPECT_NEAR(block.row(Rows::x)[0], 1.5 + 0.09, 1e-15);
   EXPECT_NEAR(block.row(Rows::x + 1)[0], 0.25 + 0.01, 1e-15);
   EXPECT_NEAR(block.row(Rows::xi)[0], 0.59, 1e-15);
@@ -59,9 +55,9 @@ TEST(CellPasses, ACellIsHalfOpen)
 {
   TwoCells cells;
   for (const Real xi : {-1.0, -0.75, 0.75, 0.875}) add_point(cells.mesh, 0, {.local = {xi, 0.0}}, cells.points);
-  EXPECT_THAT(cells.lanes_that_leave({0.0, 0.0}), testing::IsEmpty());         // xi = -1 belongs to the cell
-  EXPECT_THAT(cells.lanes_that_leave({0.125, 0.0}), testing::ElementsAre(3));  // xi = 1 does not
-  EXPECT_THAT(cells.lanes_that_leave({-0.25, 0.0}), testing::ElementsAre(0));
+  EXPECT_THAT(cells.lanes_that_leave({0.0, 0.0}), IsEmpty());         // xi = -1 belongs to the cell
+  EXPECT_THAT(cells.lanes_that_leave({0.125, 0.0}), ElementsAre(3));  // xi = 1 does not
+  EXPECT_THAT(cells.lanes_that_leave({-0.25, 0.0}), ElementsAre(0));
 }
 
 /// One cell, almost a triangle: its corner 2 is nearly straight.
@@ -83,7 +79,7 @@ bool leaves_triangle(Vec<2> local, Vec<2> du, Vec<2>& after, Vec<2>& x)
   CornerVectors<Quad4> all;
   for (int d = 0; d < 2; ++d) all[d].fill(du[d]);
   std::vector<PointPlace> leavers;
-  const PointBlock<2>& block = test::only_block(points, 0);
+  const PointBlock<2>& block = only_block(points, 0);
   advance_points(mesh.geometry(0), mesh.centres[0], all, block, 0, leavers);
   after = {block.row(Rows::xi)[0], block.row(Rows::xi + 1)[0]};
   x = {block.row(Rows::x)[0], block.row(Rows::x + 1)[0]};
@@ -114,8 +110,7 @@ TEST(CellPasses, PaddingNeverLeaves)
 {
   TwoCells cells;
   for (int k = 0; k < 9; ++k) add_point(cells.mesh, 0, {.local = {0.0, 0.0}}, cells.points);
-  EXPECT_THAT(cells.lanes_that_leave({5.0, 0.0}), testing::ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8));
+  EXPECT_THAT(cells.lanes_that_leave({5.0, 0.0}), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8));
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,25 +1,16 @@
 // The fields that results show: sorted by id, with the names, units and sizes that the formats promise.
 #include "simulation/frame.hpp"
-
 #include "simulation/frame_fields.hpp"
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
 #include "support/paths.hpp"
 #include "support/process.hpp"
 #include "support/simulations.hpp"
-
-#include <algorithm>
-#include <cmath>
+#include "support/test.hpp"
 #include <tuple>
-
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 
-namespace terp {
 namespace {
-
-using test::Point;
-using testing::ElementsAre;
 
 const PointField& field(const Frame& frame, const std::string& name)
 {
@@ -38,7 +29,7 @@ std::vector<std::string> names(const Frame& frame)
 
 TEST(Frame, HoldsTheFieldsOfEveryPointAndOfItsMaterial)
 {
-  const Simulation s(test::column("mpm_gp"));
+  const Simulation s(column("mpm_gp"));
   EXPECT_THAT(names(make_frame(s.model, s.state)),
       ElementsAre("velocity [m/s] x3", "volume [m^2] x1", "stress [Pa] x4", "eps_eq_p [-] x1", "displacement [m] x3",
           "material [-] x1", "cell [-] x1", "eps_deviatoric [-] x1", "su [Pa] x1"));
@@ -46,7 +37,7 @@ TEST(Frame, HoldsTheFieldsOfEveryPointAndOfItsMaterial)
 
 TEST(Frame, HoldsTheFieldsThatTheCaseChooses)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   c.output.field_names = {"su", "velocity"};
   const Simulation s(c);
   EXPECT_THAT(names(make_frame(s.model, s.state)), ElementsAre("velocity [m/s] x3", "su [Pa] x1"));
@@ -54,7 +45,7 @@ TEST(Frame, HoldsTheFieldsThatTheCaseChooses)
 
 TEST(Frame, EntryKIsThePointWithIdK)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   c.output.field_names = {
       "velocity", "displacement", "stress", "volume", "strain", "eps_deviatoric", "eps_eq_p", "su", "material", "cell"};
   c.bodies[0].velocity = {3.0, 0.0};
@@ -63,7 +54,7 @@ TEST(Frame, EntryKIsThePointWithIdK)
   const Frame frame = make_frame(s.model, s.state);
   EXPECT_EQ(frame.time, s.state.time);
   EXPECT_EQ(frame.step, 100);
-  const auto points = test::points_by_id(s.state);
+  const auto points = points_by_id(s.state);
   ASSERT_EQ(frame.x.size(), 2 * points.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Point& p = points[k];
@@ -84,7 +75,7 @@ TEST(Frame, EntryKIsThePointWithIdK)
 
 TEST(Frame, OfSomePointsIsAPartOfTheWhole)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   c.bodies[0].velocity = {3.0, 0.0};
   Simulation s(c);
   s.step(100);
@@ -104,12 +95,12 @@ TEST(Frame, OfSomePointsIsAPartOfTheWhole)
 
 TEST(Frame, AFieldThatAMaterialDoesNotHaveIsNotANumber)
 {
-  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});
-  c.materials.push_back(test::elastic(2e6, 0.3, 2500.0));
-  c.bodies.push_back(test::body("rock", {1.25, 0.5}, {1.5, 1.0}));
+  Case c = free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});
+  c.materials.push_back(elastic(2e6, 0.3, 2500.0));
+  c.bodies.push_back(body("rock", {1.25, 0.5}, {1.5, 1.0}));
   const Simulation s(c);
   const Frame frame = make_frame(s.model, s.state);
-  for (const Point& p : test::points_by_id(s.state)) {
+  for (const Point& p : points_by_id(s.state)) {
     EXPECT_EQ(field(frame, "material").values[p.id], p.material);
     EXPECT_EQ(std::isnan(field(frame, "eps_eq_p").values[p.id]), p.material == 1);
     EXPECT_EQ(std::isnan(field(frame, "su").values[p.id]), p.material == 1);
@@ -118,7 +109,7 @@ TEST(Frame, AFieldThatAMaterialDoesNotHaveIsNotANumber)
 
 TEST(FrameFields, OfARunAreAmongThoseThatACaseMayName)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   c.materials[0].fields = {{.parameter = 2, .value_at = [](Vec<2> x) { return 8e3 + x[0]; }}};
   const Simulation s(c);
   const std::vector<FrameField> known = all_frame_fields();
@@ -145,9 +136,8 @@ TEST(Formats, HaveTheFieldsOfTheFrames)
     const char* components = field.n_components == 3 ? "x y z (z = 0) " : field.n_components == 4 ? "xx yy zz xy " : "";
     block += fmt::format("| `{}` | {} | {}| {} |\n", field.name, field.unit, components, field.meaning);
   }
-  EXPECT_THAT(test::text_of(test::source_path("docs/formats.md")), testing::HasSubstr(block))
-      << "the table of the frames must read\n"
-      << block;
+  EXPECT_THAT(text_of(source_path("docs/formats.md")), HasSubstr(block)) << "the table of the frames must read\n"
+                                                                         << block;
 }
 
 TEST(DeviatoricStrain, IsTheNormOfTheDeviatorByHand)
@@ -163,13 +153,12 @@ TEST(DeviatoricStrain, IsTheNormOfTheDeviatorByHand)
 
 TEST(Frame, TheCaseChoosesTheNorm)
 {
-  Case c = test::clamped_cell("mpm_gp");
+  Case c = clamped_cell("mpm_gp");
   c.output.deviatoric_norm = DeviatoricNorm::von_mises;
   Simulation s(c);
-  test::edit_points(
+  edit_points(
       s.state, [](const PointBlock<2>& block, Index lane) { block.row(PointRows<2>::strain + 3)[lane] = 0.01; });
   EXPECT_NEAR(field(make_frame(s.model, s.state), "eps_deviatoric").values[2], 0.02 / std::sqrt(3.0), 1e-16);
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,37 +1,30 @@
 // What makes a run stop itself, and what it then says.
 #include "followers/followers.hpp"
 #include "simulation/guards.hpp"
-
 #include "base/errors.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/run.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
-
-#include <algorithm>
-#include <cmath>
+#include "support/test.hpp"
 #include <fmt/format.h>
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
-using testing::HasSubstr;
 using Rows = PointRows<2>;
 
 TEST(Guards, AHealthyStateHasNoFault)
 {
-  Simulation s(test::column("mpm_gp"));
-  test::make_steps(s, 5);
+  Simulation s(column("mpm_gp"));
+  make_steps(s, 5);
   EXPECT_EQ(find_fault(s.model, s.state, s.work, 0.0), "");
 }
 
 TEST(Guards, AValueThatIsNotANumberIsNamedWithPointCellMaterialAndLikelyCause)
 {
-  Simulation s(test::column("mpm_gp"));
-  test::make_steps(s, 5);
-  test::edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
+  Simulation s(column("mpm_gp"));
+  make_steps(s, 5);
+  edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
     if (block.row(Rows::id)[lane] == 30.0) block.row(Rows::v)[lane] = NAN;
   });
   s.work.finite = false;
@@ -48,9 +41,9 @@ TEST(Guards, AValueThatIsNotANumberIsNamedWithPointCellMaterialAndLikelyCause)
 TEST(Guards, EachKindOfValueHasItsName)
 {
   const auto fault_in = [](int row) {
-    Simulation s(test::column("mpm_gp"));
-    test::make_steps(s);
-    test::edit_points(s.state, [row](const PointBlock<2>& block, Index lane) {
+    Simulation s(column("mpm_gp"));
+    make_steps(s);
+    edit_points(s.state, [row](const PointBlock<2>& block, Index lane) {
       if (block.row(Rows::id)[lane] == 7.0) block.row(row)[lane] = INFINITY;
     });
     s.work.finite = false;
@@ -63,8 +56,8 @@ TEST(Guards, EachKindOfValueHasItsName)
 
 TEST(Guards, WithoutABadPointTheNodesAreNamed)
 {
-  Simulation s(test::column("mpm_gp"));
-  test::make_steps(s);
+  Simulation s(column("mpm_gp"));
+  make_steps(s);
   s.work.finite = false;
   EXPECT_THAT(find_fault(s.model, s.state, s.work, 0.0),
       AllOf(HasSubstr("a nodal acceleration is not a number"), HasSubstr("where    a node of the background mesh")));
@@ -72,8 +65,8 @@ TEST(Guards, WithoutABadPointTheNodesAreNamed)
 
 TEST(Guards, TooManyPointsPutBackAtWallsAreAFault)
 {
-  Simulation s(test::column("mpm_gp"));  // 1600 points: at most 1.6 + 1
-  test::make_steps(s);
+  Simulation s(column("mpm_gp"));  // 1600 points: at most 1.6 + 1
+  make_steps(s);
   s.state.clamped = 2;
   EXPECT_EQ(find_fault(s.model, s.state, s.work, 0.0), "");
   s.state.clamped = 3;
@@ -85,8 +78,8 @@ TEST(Guards, TooManyPointsPutBackAtWallsAreAFault)
 
 TEST(Guards, EnergyThatNoWorkExplainsIsAFaultOnceItIsAsMuchAsAllThatWasExchanged)
 {
-  Simulation s(test::column("mpm_gp"));
-  test::make_steps(s, 100);
+  Simulation s(column("mpm_gp"));
+  make_steps(s, 100);
   TableRow row = keep_ledger(s.model, s.state, s.work);
   EXPECT_EQ(find_fault_in_balance(s.model, s.state, row), "");
   row["numerical"] = 0.99 * energy_exchanged(s.state);
@@ -106,16 +99,15 @@ TEST(Guards, EnergyThatNoWorkExplainsIsAFaultOnceItIsAsMuchAsAllThatWasExchanged
 // and fro.
 TEST(Guards, WorkThatSwingsToAndFroWasExchanged)
 {
-  Case c = test::free_box("mpm_gp", {0.0, 0.0}, {4.0, 1.0}, test::elastic(1e7, 0.3, 2000.0));
+  Case c = free_box("mpm_gp", {0.0, 0.0}, {4.0, 1.0}, elastic(1e7, 0.3, 2000.0));
   c.mesh.size = {4.0, 2.0};
   c.mesh.cell = {0.25, 0.25};
   c.forces.gravity = {0.0, -9.81};
-  c.sides = {test::side("left", SideKind::roller), test::side("right", SideKind::roller),
-      test::side("bottom", SideKind::fixed)};
+  c.sides = {side("left", SideKind::roller), side("right", SideKind::roller), side("bottom", SideKind::fixed)};
   Simulation s(c);
   Real largest = 0.0, least_share = 1.0;
   while (s.state.time < 0.1) {
-    test::make_steps(s);
+    make_steps(s);
     largest = std::max(largest, std::abs(s.state.work.gravity));
     EXPECT_EQ(find_fault_in_balance(s.model, s.state, keep_ledger(s.model, s.state, s.work)), "") << s.state.step;
     EXPECT_GE(energy_exchanged(s.state), largest);
@@ -128,8 +120,8 @@ TEST(Guards, WorkThatSwingsToAndFroWasExchanged)
 // without work, later 1/n of it.
 TEST(Guards, TheOffsetOfHalfAStepIsNoGainOfEnergy)
 {
-  Simulation s(test::column("mpm_gp"));
-  test::make_steps(s, 1);
+  Simulation s(column("mpm_gp"));
+  make_steps(s, 1);
   TableRow row = keep_ledger(s.model, s.state, s.work);
   row["elastic"] = 5.0 * energy_exchanged(s.state);
   row["numerical"] = 1.1 * row["elastic"];
@@ -141,11 +133,11 @@ TEST(Guards, TheOffsetOfHalfAStepIsNoGainOfEnergy)
 
 TEST(Guards, SoilSoLooseThatItsWavesOvertakeTheTimeStepIsAFault)
 {
-  Simulation s(test::column("mpm_gp"));
+  Simulation s(column("mpm_gp"));
   TableRow row(ledger_table(all_followers()));
   row["numerical"] = 1.0;
   const auto swell = [&](Real last_id, Real factor) {
-    test::edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
+    edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
       if (block.row(Rows::id)[lane] <= last_id) block.row(Rows::volume)[lane] *= factor;
     });
   };
@@ -189,32 +181,27 @@ std::string message_of_run(Simulation& s, Saboteur& saboteur)
 {
   saboteur.state = &s.state;
   s.observers = {&saboteur};
-  try {
-    s.run();
-  } catch (const RunError& error) {
-    return error.what();
-  }
-  return "";
+  return refusal<RunError>([&] { s.run(); });
 }
 
 TEST(Guards, ARunThatMeetsNotANumberStopsAfterThatStepAndKeepsItsState)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   c.output.ledger_every = 1e-9;  // every step
   Simulation s(c);
   Saboteur saboteur;
   saboteur.at_step = 4;
   const std::string message = message_of_run(s, saboteur);
   EXPECT_THAT(message, HasSubstr("step 5, t = 0.0152 s: the "));
-  EXPECT_THAT(message, testing::ContainsRegex("of material point [0-9]+ is not a number"));
+  EXPECT_THAT(message, ContainsRegex("of material point [0-9]+ is not a number"));
   EXPECT_THAT(message, HasSubstr("material `clay` (tresca_softening)"));
-  EXPECT_THAT(message, testing::EndsWith("\n  saved    runs/column/failed.h5"));
+  EXPECT_THAT(message, EndsWith("\n  saved    runs/column/failed.h5"));
   EXPECT_EQ(saboteur.saved_steps, std::vector<std::int64_t>{5});
 }
 
 TEST(Guards, ARunThatGainsEnergyStopsAtItsNextRow)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   c.output.ledger_every = 1e-9;  // every step
   Simulation s(c);
   Saboteur saboteur;
@@ -227,7 +214,7 @@ TEST(Guards, ARunThatGainsEnergyStopsAtItsNextRow)
 
 TEST(Guards, ARunWhoseSoilFliesOutOfTheMeshStops)
 {
-  Case c = test::free_box("mpm_gp", {3.0, 0.5}, {3.75, 1.25});
+  Case c = free_box("mpm_gp", {3.0, 0.5}, {3.75, 1.25});
   c.bodies[0].velocity = {10.0, 0.0};
   Simulation s(c);
   Saboteur saboteur;
@@ -237,4 +224,3 @@ TEST(Guards, ARunWhoseSoilFliesOutOfTheMeshStops)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,22 +1,15 @@
 // The named points over time.
 #include "simulation/history.hpp"
-
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gtest/gtest.h>
-
-namespace terp {
 namespace {
-
-using test::Point;
 
 TEST(History, HoldsOneRowForEachNamedPointInTheOrderOfTheCase)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   c.output.history_points = {{"B", {7.6, 1.93}}, {"A", {7.6, 0.07}}};
   Model model = build_model(c, 1);
   State state = build_state(model);
@@ -27,7 +20,7 @@ TEST(History, HoldsOneRowForEachNamedPointInTheOrderOfTheCase)
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0].text, "B");
   EXPECT_EQ(rows[1].text, "A");
-  const Point p = test::points_by_id(s.state)[static_cast<std::size_t>(rows[1]["id"])];
+  const Point p = points_by_id(s.state)[static_cast<std::size_t>(rows[1]["id"])];
   EXPECT_EQ(rows[1]["time"], s.state.time);
   EXPECT_EQ(rows[1]["x"], p.x[0]);
   EXPECT_EQ(rows[1]["y"], p.x[1]);
@@ -40,7 +33,7 @@ TEST(History, HoldsOneRowForEachNamedPointInTheOrderOfTheCase)
 
 TEST(History, OfAPointThatLeftKeepsItsNameAndThePlaceWhereItLeft)
 {
-  Simulation s(test::column("mpm_gp"));
+  Simulation s(column("mpm_gp"));
   s.model.description.output.history_points = {{"A", {7.6, 0.07}}};
   s.model.history_ids = {5000};  // not among the points
   s.state.left.push_back({.time = 0.2, .id = 5000, .x = {9.5, 0.25}, .v = {1.0, 0.0}, .mass = 2.0});
@@ -58,7 +51,7 @@ TEST(History, OfAPointThatLeftKeepsItsNameAndThePlaceWhereItLeft)
 
 TEST(History, FollowsItsPointsFromCellToCell)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   c.output.history_points = {{"B", {7.6, 1.93}}, {"A", {7.6, 0.07}}};
   c.bodies[0].velocity = {4.0, 0.0};
   Simulation s(c);
@@ -66,7 +59,7 @@ TEST(History, FollowsItsPointsFromCellToCell)
   for (int k = 0; k < 40; ++k) {
     std::vector<PointPlace> none;
     const auto followed = make_history(s.model, s.state, places), fresh = make_history(s.model, s.state, none);
-    const auto points = test::points_by_id(s.state);
+    const auto points = points_by_id(s.state);
     for (std::size_t r = 0; r < 2; ++r) {
       EXPECT_EQ(followed[r]["x"], points[static_cast<std::size_t>(followed[r]["id"])].x[0]);
       EXPECT_EQ(followed[r]["pressure"], fresh[r]["pressure"]);
@@ -76,4 +69,3 @@ TEST(History, FollowsItsPointsFromCellToCell)
 }
 
 }  // namespace
-}  // namespace terp

@@ -2,17 +2,11 @@
 // points.
 #include "support/cases.hpp"
 #include "support/twin.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gtest/gtest.h>
-
-namespace terp {
 namespace {
 
-using test::Point;
-
-class EveryScheme : public testing::TestWithParam<const char*> {};
+class EveryScheme : public TestWithParam<const char*> {};
 
 INSTANTIATE_TEST_SUITE_P(Schemes, EveryScheme, testing::Values("standard_mpm", "mpm_mixed", "mpm_gp"),
     [](const auto& info) { return std::string(info.param); });
@@ -20,47 +14,47 @@ INSTANTIATE_TEST_SUITE_P(Schemes, EveryScheme, testing::Values("standard_mpm", "
 /// The twin's scattered points on its distorted mesh, without boundaries and damping.
 Simulation free_simulation(const std::string& scheme)
 {
-  test::Scenario s = test::load_free_scenario(scheme + "_distorted");
+  Scenario s = load_free_scenario(scheme + "_distorted");
   return Simulation(std::move(s.model), std::move(s.state));
 }
 
 TEST_P(EveryScheme, KeepsMomentumWithoutGravityAndBase)
 {
-  Case c = test::free_box(GetParam(), {1.0, 0.5}, {2.5, 1.5});
-  c.bodies.push_back(test::body("clay", {2.5, 0.75}, {3.25, 1.25}));
+  Case c = free_box(GetParam(), {1.0, 0.5}, {2.5, 1.5});
+  c.bodies.push_back(body("clay", {2.5, 0.75}, {3.25, 1.25}));
   c.bodies[0].velocity = {2.11, 0.37};
   c.bodies[1].velocity = {-3.3, -0.21};  // they collide and yield
   Simulation s(c);
-  const Vec<2> before = test::momentum(s.state);
-  const Real scale = test::momentum_scale(s.state), energy = test::kinetic_energy(test::points_by_id(s.state));
-  test::make_steps(s, 200);
-  const Vec<2> after = test::momentum(s.state);
+  const Vec<2> before = momentum(s.state);
+  const Real scale = momentum_scale(s.state), energy = kinetic_energy(points_by_id(s.state));
+  make_steps(s, 200);
+  const Vec<2> after = momentum(s.state);
   for (int d = 0; d < 2; ++d) EXPECT_NEAR(after[d], before[d], 1e-12 * scale);
-  EXPECT_LT(test::kinetic_energy(test::points_by_id(s.state)), 0.9 * energy);  // forces did act
+  EXPECT_LT(kinetic_energy(points_by_id(s.state)), 0.9 * energy);  // forces did act
 }
 
 TEST_P(EveryScheme, GainsTheImpulseOfGravityInAStep)
 {
   Simulation s = free_simulation(GetParam());
-  const Vec<2> before = test::momentum(s.state);
+  const Vec<2> before = momentum(s.state);
   Real mass = 0.0;
-  for (const Point& p : test::points_by_id(s.state)) mass += p.mass;
-  test::make_steps(s);
-  const Vec<2> after = test::momentum(s.state);
+  for (const Point& p : points_by_id(s.state)) mass += p.mass;
+  make_steps(s);
+  const Vec<2> after = momentum(s.state);
   for (int d = 0; d < 2; ++d) {
     const Real impulse = mass * s.model.gravity[d] * s.model.dt;
-    EXPECT_NEAR(after[d] - before[d], impulse, 1e-12 * test::momentum_scale(s.state));
+    EXPECT_NEAR(after[d] - before[d], impulse, 1e-12 * momentum_scale(s.state));
   }
 }
 
 TEST_P(EveryScheme, KeepsTheMassOfEveryPointToTheBit)
 {
-  Case c = test::column(GetParam());
+  Case c = column(GetParam());
   c.bodies[0].velocity = {1.0, 0.0};
   Simulation s(c);
-  const auto before = test::points_by_id(s.state);
-  test::make_steps(s, 300);
-  const auto after = test::points_by_id(s.state);
+  const auto before = points_by_id(s.state);
+  make_steps(s, 300);
+  const auto after = points_by_id(s.state);
   ASSERT_EQ(after.size(), before.size());
   int moved = 0;
   for (std::size_t p = 0; p < after.size(); ++p) {
@@ -73,14 +67,14 @@ TEST_P(EveryScheme, KeepsTheMassOfEveryPointToTheBit)
 
 TEST_P(EveryScheme, FallsFreelyWithOneMinusAlphaTimesGravity)
 {
-  Case c = test::free_box(GetParam(), {1.0, 1.0}, {2.0, 1.75});
+  Case c = free_box(GetParam(), {1.0, 1.0}, {2.0, 1.75});
   c.forces.gravity = {0.0, -9.81};
   c.forces.local_damping = 0.1;
   Simulation s(c);
-  test::make_steps(s, 51);
+  make_steps(s, 51);
   // No damping at v = 0, so the first step sees the whole of g (method of local damping).
   const Real expected = -9.81 * s.model.dt * (1.0 + 50.0 * 0.9);
-  for (const Point& p : test::points_by_id(s.state)) {
+  for (const Point& p : points_by_id(s.state)) {
     EXPECT_NEAR(p.v[0], 0.0, 1e-13);
     EXPECT_NEAR(p.v[1], expected, 1e-12 * std::abs(expected));
   }
@@ -89,9 +83,9 @@ TEST_P(EveryScheme, FallsFreelyWithOneMinusAlphaTimesGravity)
 /// Work of the internal forces in one step, less minus the sum over the points of Omega_p sigma_p : d_eps; relative.
 Real power_gap(Simulation s)
 {
-  const auto before = test::points_by_id(s.state);
-  test::make_steps(s);
-  const auto after = test::points_by_id(s.state);
+  const auto before = points_by_id(s.state);
+  make_steps(s);
+  const auto after = points_by_id(s.state);
   Real sum = 0.0, scale = 0.0;
   for (std::size_t p = 0; p < before.size(); ++p) {
     Real power = 0.0;
@@ -105,7 +99,7 @@ Real power_gap(Simulation s)
 
 Simulation with_method(const std::string& scheme, Weights weights, ForceOperator op)
 {
-  test::Scenario s = test::load_free_scenario(scheme + "_distorted");
+  Scenario s = load_free_scenario(scheme + "_distorted");
   s.model.method.weights = weights;
   s.model.method.force_operator = op;
   return Simulation(std::move(s.model), std::move(s.state));
@@ -126,14 +120,14 @@ Real total_work(const WorkTotals& w) { return w.gravity + w.damping + w.boundary
 /// Change of the points' kinetic energy plus 1/2 sum m |dv|^2 in one step, less all works; relative to the terms.
 Real kinetic_gap(Simulation& s)
 {
-  const auto before = test::points_by_id(s.state);
+  const auto before = points_by_id(s.state);
   const WorkTotals earlier = s.state.work;
-  test::make_steps(s);
-  const auto after = test::points_by_id(s.state);
+  make_steps(s);
+  const auto after = points_by_id(s.state);
   Real jumps = 0.0;
   for (std::size_t p = 0; p < before.size(); ++p)
     for (int d = 0; d < 2; ++d) jumps += 0.5 * before[p].mass * std::pow(after[p].v[d] - before[p].v[d], 2);
-  const Real gained = test::kinetic_energy(after) - test::kinetic_energy(before) + jumps;
+  const Real gained = kinetic_energy(after) - kinetic_energy(before) + jumps;
   const WorkTotals& w = s.state.work;
   const Real scale = std::abs(w.internal - earlier.internal) + std::abs(w.gravity - earlier.gravity) + std::abs(gained);
   return std::abs(gained - (total_work(w) - total_work(earlier))) / scale;
@@ -141,7 +135,7 @@ Real kinetic_gap(Simulation& s)
 
 TEST_P(EveryScheme, TheWorksOfAStepAddUpToTheKineticEnergyOfTheFreePoints)
 {
-  test::Scenario free = test::load_free_scenario(std::string(GetParam()) + "_distorted");
+  Scenario free = load_free_scenario(std::string(GetParam()) + "_distorted");
   free.model.damping = {.local = 0.1, .viscous = 3.0};
   Simulation s(std::move(free.model), std::move(free.state));
   for (int step = 0; step < 3; ++step) EXPECT_LT(kinetic_gap(s), 1e-12);
@@ -150,19 +144,18 @@ TEST_P(EveryScheme, TheWorksOfAStepAddUpToTheKineticEnergyOfTheFreePoints)
 
 TEST_P(EveryScheme, GravityWorkIsTheChangeOfPotential)
 {
-  Simulation s(test::column(GetParam()));
+  Simulation s(column(GetParam()));
   const auto potential = [&] {
     Real sum = 0.0;
-    for (const Point& p : test::points_by_id(s.state))
+    for (const Point& p : points_by_id(s.state))
       sum -= p.mass * (s.model.gravity[0] * p.x[0] + s.model.gravity[1] * p.x[1]);
     return sum;
   };
   const Real start = potential();
-  test::make_steps(s, 300);
+  make_steps(s, 300);
   EXPECT_EQ(s.state.clamped, 0);
   EXPECT_NEAR(start - potential(), s.state.work.gravity, 1e-12 * start);
   EXPECT_GT(s.state.work.gravity, 1e-4 * start);
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,13 +1,10 @@
 // The tables of each copy of the kernels: its own name, every law and every scheme.
 #include "simulation/kernels.hpp"
-
 #include "materials/material_list.hpp"
 #include "parallel/instructions.hpp"
 #include "schemes/scheme.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 TEST(Kernels, EveryCopyHasItsOwnNameAndEveryLawAndScheme)
@@ -42,4 +39,3 @@ TEST(Kernels, LawsSchemesAndStepsOfThisProcessAreOfOneCopy)
 }
 
 }  // namespace
-}  // namespace terp

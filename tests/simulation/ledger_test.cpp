@@ -1,16 +1,10 @@
 // The books of a run, by hand, on a full cell of four points.
 #include "simulation/ledger.hpp"
-
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/test.hpp"
 
-#include <algorithm>
-#include <string>
-
-#include <gtest/gtest.h>
-
-namespace terp {
 namespace {
 
 using Rows = PointRows<2>;
@@ -20,13 +14,13 @@ constexpr Real shear = 2.0e6, bulk = 2.0 * 2.0e6 * 1.48 / (3.0 * 0.04);  // of t
 /// Sets one row of one point.
 void set(Simulation& s, int id, int row, Real value)
 {
-  test::edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
+  edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
     if (static_cast<int>(block.row(Rows::id)[lane]) == id) block.row(row)[lane] = value;
   });
 }
 
 /// Four points of 0.25 m^2.
-Simulation books() { return test::followed(test::clamped_cell("mpm_gp")); }
+Simulation books() { return followed(clamped_cell("mpm_gp")); }
 
 TEST(Ledger, EnergiesMassAndMomentumAreSumsOverThePoints)
 {
@@ -70,12 +64,12 @@ TEST(Ledger, TheDifferenceOfTheBooksIsWhatWorksDoNotExplain)
 /// A block without weight that flies out through the right side.
 Simulation leaving_block()
 {
-  Case c = test::free_box("mpm_gp", {3.0, 0.5}, {3.75, 1.0}, test::elastic(2e6, 0.3, 2000.0));
-  c.sides = {test::side("right", SideKind::open)};
+  Case c = free_box("mpm_gp", {3.0, 0.5}, {3.75, 1.0}, elastic(2e6, 0.3, 2000.0));
+  c.sides = {side("right", SideKind::open)};
   c.bodies[0].velocity = {20.0, 0.0};
   Model model = build_model(c, 1);
   State state = build_state(model);
-  test::edit_points(state, [](const PointBlock<2>& block, Index lane) { block.row(Rows::sigma + 3)[lane] = 3000.0; });
+  edit_points(state, [](const PointBlock<2>& block, Index lane) { block.row(Rows::sigma + 3)[lane] = 3000.0; });
   state.start_energy = kinetic_and_elastic_energy(model, state);
   return Simulation(std::move(model), std::move(state));
 }
@@ -84,8 +78,8 @@ TEST(Ledger, EntersTheKineticAndElasticEnergyOfWhatLeft)
 {
   Simulation s = leaving_block();
   EXPECT_EQ(keep_ledger(s.model, s.state, s.work)["left_energy"], 0.0);
-  const auto before = test::points_by_id(s.state);
-  while (s.state.left.empty()) test::make_steps(s);
+  const auto before = points_by_id(s.state);
+  while (s.state.left.empty()) make_steps(s);
   Real energy = 0.0;
   for (const LeftPoint& p : s.state.left) energy += 0.5 * p.mass * (p.v[0] * p.v[0] + p.v[1] * p.v[1]) + p.elastic;
   const LeftPoint& first = s.state.left.front();
@@ -100,7 +94,7 @@ TEST(Ledger, EntersTheKineticAndElasticEnergyOfWhatLeft)
 TEST(Ledger, TheBooksBalanceWhenAllHasLeft)
 {
   Simulation s = leaving_block();
-  while (s.state.points.n_points() > 0) test::make_steps(s);
+  while (s.state.points.n_points() > 0) make_steps(s);
   const TableRow row = keep_ledger(s.model, s.state, s.work);
   EXPECT_EQ(row["kinetic"] + row["elastic"], 0.0);
   EXPECT_NEAR(row["left_energy"], s.state.start_energy, 1e-3 * s.state.start_energy);
@@ -109,12 +103,12 @@ TEST(Ledger, TheBooksBalanceWhenAllHasLeft)
 
 TEST(Ledger, TheBooksBalanceWhileSoilLeavesThroughAnOpenSide)
 {
-  Case c = test::column("mpm_gp", 0.25);
+  Case c = column("mpm_gp", 0.25);
   c.mesh.size = {9.0, 3.0};
   c.sides[1].kind = SideKind::open;
-  Simulation s = test::followed(c);
+  Simulation s = followed(c);
   s.state.start_energy = kinetic_and_elastic_energy(s.model, s.state);
-  while (s.state.time < 2.0) test::make_steps(s);
+  while (s.state.time < 2.0) make_steps(s);
   const TableRow row = keep_ledger(s.model, s.state, s.work);
   EXPECT_GT(row["left"], 100);
   EXPECT_GT(row["left_energy"], 0.05 * row["gravity_work"]);
@@ -123,8 +117,8 @@ TEST(Ledger, TheBooksBalanceWhileSoilLeavesThroughAnOpenSide)
 
 TEST(Ledger, TheSpeedThat999InAThousandPointsDoNotExceedLeavesOutTheFastest)
 {
-  Simulation s = test::followed(test::column("mpm_gp"));  // 1600 points
-  test::edit_points(
+  Simulation s = followed(column("mpm_gp"));  // 1600 points
+  edit_points(
       s.state, [](const PointBlock<2>& block, Index lane) { block.row(Rows::v)[lane] = -block.row(Rows::id)[lane]; });
   const TableRow row = keep_ledger(s.model, s.state, s.work);
   EXPECT_EQ(row["v_max"], 1599.0);
@@ -134,26 +128,26 @@ TEST(Ledger, TheSpeedThat999InAThousandPointsDoNotExceedLeavesOutTheFastest)
 
 TEST(Ledger, EachRowEntersTheCrest)
 {
-  Simulation s = test::followed(test::column("mpm_gp"));
+  Simulation s = followed(column("mpm_gp"));
   s.state.time = 0.25;
   const TableRow row = keep_ledger(s.model, s.state, s.work);
   EXPECT_EQ(row["crest_x"], 8.0);
   EXPECT_NEAR(row["front_x"], 7.95, 1e-12);
   EXPECT_TRUE(std::isnan(row["front_left_x"]) && std::isnan(row["crest_left_x"]));  // a wall
   const std::string slope = "followers/slopes/slope_0/";
-  EXPECT_EQ(test::array_of(s.state, slope + "time"), std::vector<Real>{0.25});
-  EXPECT_EQ(test::array_of(s.state, slope + "crest"), std::vector<Real>{8.0});
-  EXPECT_EQ(test::array_of(s.state, slope + "kinetic"), std::vector<Real>{row["kinetic_nodal"]});
+  EXPECT_EQ(array_of(s.state, slope + "time"), std::vector<Real>{0.25});
+  EXPECT_EQ(array_of(s.state, slope + "crest"), std::vector<Real>{8.0});
+  EXPECT_EQ(array_of(s.state, slope + "kinetic"), std::vector<Real>{row["kinetic_nodal"]});
 }
 
 TEST(Ledger, TheLargestSpeedsAreThoseOfPointsHoweverTheyAreStored)
 {
-  Case c = test::column("mpm_gp", 0.25);
+  Case c = column("mpm_gp", 0.25);
   c.bodies[0].velocity = {3.0, 0.0};
-  Simulation s = test::followed(c);
-  test::make_steps(s, 150);  // blocks with lanes of points that went
+  Simulation s = followed(c);
+  make_steps(s, 150);  // blocks with lanes of points that went
   std::vector<Real> speeds;
-  for (const auto& p : test::points_by_id(s.state)) speeds.push_back(std::sqrt(p.v[0] * p.v[0] + p.v[1] * p.v[1]));
+  for (const auto& p : points_by_id(s.state)) speeds.push_back(std::sqrt(p.v[0] * p.v[0] + p.v[1] * p.v[1]));
   std::sort(speeds.begin(), speeds.end());
   const TableRow row = keep_ledger(s.model, s.state, s.work);
   EXPECT_EQ(row["v_max"], speeds.back());
@@ -161,4 +155,3 @@ TEST(Ledger, TheLargestSpeedsAreThoseOfPointsHoweverTheyAreStored)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,14 +1,9 @@
 // What the mesh carries: mass, momentum and pressure of the points, none lost.
 #include "simulation/mesh_frame.hpp"
-
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 struct Totals {
@@ -30,7 +25,7 @@ Totals of_points(const State& state)
 
 TEST(MeshFrame, NodesHoldTheMassAndMomentumOfThePoints)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   c.bodies[0].velocity = {3.0, 0.5};
   Simulation s(c);
   s.step(50);
@@ -49,7 +44,7 @@ TEST(MeshFrame, NodesHoldTheMassAndMomentumOfThePoints)
 
 TEST(MeshFrame, CellsHoldTheMeanPressureOfTheirSoilAndNoneWithoutSoil)
 {
-  Simulation s(test::column("mpm_gp"));
+  Simulation s(column("mpm_gp"));
   s.step(50);
   const MeshFrame frame = make_mesh_frame(s.model, s.state);
   std::vector<Real> volume(frame.pressure.size());
@@ -68,7 +63,7 @@ TEST(MeshFrame, CellsHoldTheMeanPressureOfTheirSoilAndNoneWithoutSoil)
 
 TEST(MeshFrame, ABodyInUniformMotionGivesItsVelocityToEveryNodeItTouches)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   c.bodies[0].velocity = {3.0, 0.5};
   const Simulation s(c);
   const MeshFrame frame = make_mesh_frame(s.model, s.state);
@@ -79,4 +74,3 @@ TEST(MeshFrame, ABodyInUniformMotionGivesItsVelocityToEveryNodeItTouches)
 }
 
 }  // namespace
-}  // namespace terp

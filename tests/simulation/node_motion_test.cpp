@@ -1,13 +1,10 @@
 // The motion that the mesh sees.
 #include "simulation/node_motion.hpp"
-
 #include "simulation/ledger.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 using Rows = PointRows<2>;
@@ -24,7 +21,7 @@ void set_velocities(State& state, F&& f)
 
 TEST(NodalKineticEnergy, OfAMovingBodyIsThatOfItsPoints)
 {
-  Simulation s(test::column("mpm_gp"));
+  Simulation s(column("mpm_gp"));
   set_velocities(s.state, [](Vec<2>) { return Vec<2>{3.0, -4.0}; });
   const Real mass = 16.0 * s.model.largest_density;
   EXPECT_NEAR(kinetic_energy(map_motion(s.model, s.state)), 0.5 * mass * 25.0, 1e-9 * mass);
@@ -32,7 +29,7 @@ TEST(NodalKineticEnergy, OfAMovingBodyIsThatOfItsPoints)
 
 TEST(NodalKineticEnergy, DoesNotSeeWhatPointsOfACellMoveAgainstEachOther)
 {
-  Simulation s(test::column("mpm_gp"));
+  Simulation s(column("mpm_gp"));
   constexpr std::array<Real, 5> noise{
       -1.0, 2.0, 0.0, -2.0, 1.0};  // of five points in a row: no sum and no first moment
   set_velocities(s.state, [&](Vec<2> x) {
@@ -45,16 +42,16 @@ TEST(NodalKineticEnergy, DoesNotSeeWhatPointsOfACellMoveAgainstEachOther)
 
 TEST(NodalKineticEnergy, OfALedgerRowIsThatAtTheStartOfTheLastStep)
 {
-  Simulation s(test::column("mpm_gp"));
+  Simulation s(column("mpm_gp"));
   s.step(200);
   const Real before = kinetic_energy(map_motion(s.model, s.state));
-  test::make_steps(s);
+  make_steps(s);
   EXPECT_NEAR(keep_ledger(s.model, s.state, s.work)["kinetic_nodal"], before, 1e-12 * before);
 }
 
 TEST(NodalKineticEnergy, IsAtMostThatOfThePoints)
 {
-  Simulation s(test::column("mpm_gp"));
+  Simulation s(column("mpm_gp"));
   s.step(200);
   const TableRow row = keep_ledger(s.model, s.state, s.work);
   EXPECT_GT(row["kinetic_nodal"], 0.5 * row["kinetic"]);
@@ -62,4 +59,3 @@ TEST(NodalKineticEnergy, IsAtMostThatOfThePoints)
 }
 
 }  // namespace
-}  // namespace terp

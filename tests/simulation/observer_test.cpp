@@ -1,9 +1,7 @@
 // Frames that come whole and in parts.
 #include "simulation/observer.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 Frame frame_of(std::int64_t n_points, std::int64_t first, std::int64_t n_all)
@@ -34,4 +32,3 @@ TEST(Frame, InPartsEndsWithThePartThatHoldsTheLastPoint)
 TEST(Frame, WithoutPointsIsWholeToo) { EXPECT_TRUE(frame_of(0, 0, 0).ends()); }
 
 }  // namespace
-}  // namespace terp

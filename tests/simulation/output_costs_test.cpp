@@ -1,18 +1,15 @@
 // What a run will write, counted; its size against a written run: tests/app/check_test.cpp.
 #include "simulation/output_costs.hpp"
-
 #include "simulation/simulation.hpp"
 #include "support/cases.hpp"
+#include "support/test.hpp"
 
-#include <gtest/gtest.h>
-
-namespace terp {
 namespace {
 
 /// 1600 points of tresca_softening, 0.1 s.
 OutputCost cost_of(const OutputCase& output)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   c.time.end = 0.1;
   c.output = output;
   const Simulation s(c);
@@ -58,4 +55,3 @@ TEST(OutputCost, GrowsWithFramesAndFields)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,12 +1,7 @@
 // The passes: their names, which of them count per point, and that schemes differ where their kernels do.
 #include "simulation/passes.hpp"
+#include "support/test.hpp"
 
-#include <set>
-#include <string>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 std::array<PassCost, n_passes> costs_of(std::string_view scheme) { return pass_costs(*find_scheme(scheme)); }
@@ -51,4 +46,3 @@ TEST(PassCosts, CountEachRowOnceForReadingAndOnceForWriting)
 }
 
 }  // namespace
-}  // namespace terp

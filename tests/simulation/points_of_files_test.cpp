@@ -1,46 +1,44 @@
 // Points of files that lie over each other or over drawn bodies are refused with their lines.
 #include "simulation/points_of_files.hpp"
-
-#include "base/errors.hpp"
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
 #include "support/paths.hpp"
-
-#include <fstream>
+#include "support/problems.hpp"
+#include "support/test.hpp"
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 
-namespace terp {
 namespace {
 
-/// What is wrong with a file of points beside a drawn body of 1 m x 1 m; its cells have 0.0625 m^2.
-Problem problem_of(const std::string& lines)
+/// What is wrong with files of points beside a drawn body of 1 m x 1 m; its cells have 0.0625 m^2.
+Problem problem_of_files(const std::vector<std::string>& files, const Polygon& hole = {})
 {
-  const test::ScratchFolder folder;
-  std::ofstream(folder.path() + "/more.csv") << "x,y,volume,material\n" << lines;
-  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.5});
+  const ScratchFolder folder;
+  Case c = free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.5});
   c.folder = folder.path();
-  c.bodies.emplace_back().points_file = "more.csv";
-  try {
-    make_points(build_model(c, 1));
-  } catch (const InputError& error) {
-    Problem problem = error.problems().at(0);
-    for (std::size_t at; (at = problem.detail.find(folder.path())) != std::string::npos;)
-      problem.detail.erase(at, folder.path().size() + 1);
-    return problem;
+  if (!hole.empty()) c.bodies[0].holes = {hole};
+  for (const std::string& lines : files) {
+    c.bodies.emplace_back().points_file = fmt::format("more{}.csv", c.bodies.size());
+    std::ofstream(folder.path() + '/' + c.bodies.back().points_file) << "x,y,volume,material\n" << lines;
   }
-  return {};
+  std::vector<Problem> problems = problems_of([&] { make_points(build_model(c, 1)); });
+  if (problems.empty()) return {};
+  std::string& detail = problems[0].detail;
+  for (std::size_t at; (at = detail.find(folder.path())) != std::string::npos;)
+    detail.erase(at, folder.path().size() + 1);
+  return problems[0];
 }
+
+Problem problem_of(const std::string& lines) { return problem_of_files({lines}); }
 
 TEST(PointsOfFiles, ThatHaveNoRoomAreToldWithTheLineOfTheLargest)
 {
   const Problem p = problem_of("3.3,1.2,0.01,clay\n3.1,1.1,0.3,clay\n");
-  EXPECT_EQ(p.key, "body[1].points");
-  EXPECT_EQ(p.what, "the points hold more volume than there is room");
-  EXPECT_EQ(p.detail,
-      "more.csv:3: the point of 0.3 m^2 at (3.1, 1.1) m lies in cell 76, where cells have 0.0625 m^2. Allowed: 0.25 "
-      "m^2.\n"
-      "Volumes are in m^2 (per metre of thickness); no point may be there twice, nor in a body that is drawn.");
+  EXPECT_THAT(
+      p, told("body[1].points", "the points hold more volume than there is room",
+             "more1.csv:3: the point of 0.3 m^2 at (3.1, 1.1) m lies in cell 76, where cells have 0.0625 m^2. Allowed: "
+             "0.25 "
+             "m^2.\n"
+             "Volumes are in m^2 (per metre of thickness); no point may be there twice, nor in a body that is drawn."));
 }
 
 /// n x n points of equal volume that fill a square.
@@ -57,21 +55,19 @@ std::string square(Vec<2> low, Real side, int n)
 TEST(PointsOfFiles, ThatCrowdTogetherAreTold)
 {
   const Problem p = problem_of(square({2.5, 1.0}, 0.75, 12) + square({2.51, 1.01}, 0.75, 12));
-  EXPECT_EQ(p.what, "the points hold more volume than there is room");
-  EXPECT_THAT(
-      p.detail, testing::AllOf(testing::HasSubstr(": the point of 0.003906 m^2 at ("),
-                    testing::HasSubstr(
-                        " or beside it. All points there hold 1.125 m^2,\nthese 9 cells have 0.5625 m^2. Allowed")));
+  EXPECT_THAT(p,
+      told(_, "the points hold more volume than there is room",
+          AllOf(HasSubstr(": the point of 0.003906 m^2 at ("),
+              HasSubstr(" or beside it. All points there hold 1.125 m^2,\nthese 9 cells have 0.5625 m^2. Allowed"))));
 }
 
 TEST(PointsOfFiles, OnePointWithinABodyThatIsDrawnIsEnough)
 {
   const Problem p = problem_of("3.1,1.1,0.01,clay\n1.1,0.6,0.01,clay\n");
-  EXPECT_EQ(p.key, "body[1].points");
-  EXPECT_EQ(p.what, "a point lies in a body that is drawn");
-  EXPECT_EQ(p.detail,
-      "more.csv:3: the point of 0.01 m^2 at (1.1, 0.6) m lies within body[0].\n"
-      "No soil may be there twice: leave the point out, or draw that body without its place (`holes`).");
+  EXPECT_THAT(
+      p, told("body[1].points", "a point lies in a body that is drawn",
+             "more1.csv:3: the point of 0.01 m^2 at (1.1, 0.6) m lies within body[0].\n"
+             "No soil may be there twice: leave the point out, or draw that body without its place (`holes`)."));
   EXPECT_EQ(problem_of(square({1.25, 0.75}, 0.5, 4)).what,
       "a point lies in a body that is drawn");  // a body of two cells, too
 }
@@ -85,46 +81,26 @@ TEST(PointsOfFiles, MayTouchADrawnBodyAndReachALittleOverItsSide)
 
 TEST(PointsOfFiles, MayLieInAHoleOfADrawnBody)
 {
-  const test::ScratchFolder folder;
-  std::ofstream(folder.path() + "/more.csv") << "x,y,volume,material\n" << square({1.25, 0.75}, 0.5, 4);
-  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.5});
-  c.folder = folder.path();
-  c.bodies[0].holes = {{{1.25, 0.75}, {1.75, 0.75}, {1.75, 1.25}, {1.25, 1.25}}};
-  c.bodies.emplace_back().points_file = "more.csv";
-  EXPECT_NO_THROW(make_points(build_model(c, 1)));
+  const Polygon hole = {{1.25, 0.75}, {1.75, 0.75}, {1.75, 1.25}, {1.25, 1.25}};
+  EXPECT_EQ(problem_of_files({square({1.25, 0.75}, 0.5, 4)}, hole).what, "");
 }
 
 TEST(PointsOfFiles, TwoAtOnePlaceAreToldWithBothLines)
 {
   const Problem p = problem_of("3.1,1.1,0.01,clay\n3.3,1.2,0.01,clay\n3.1000000001,1.1,0.02,clay\n");
-  EXPECT_EQ(p.key, "body[1].points");
-  EXPECT_EQ(p.what, "two points lie at one place");
-  EXPECT_EQ(p.detail,
-      "more.csv:2 and more.csv:4: (3.1, 1.1) m.\nEach point is soil of its own, and no soil may be there twice: leave "
-      "one of them out.");
+  EXPECT_THAT(p, told("body[1].points", "two points lie at one place",
+                     "more1.csv:2 and more1.csv:4: (3.1, 1.1) m.\nEach point is soil of its own, and no soil may be "
+                     "there twice: leave "
+                     "one of them out."));
   EXPECT_THAT(problem_of(square({3.0, 1.0}, 0.25, 3) + square({3.0, 1.0}, 0.25, 3)).detail,
-      testing::AllOf(
-          testing::StartsWith("more.csv:2 and more.csv:11: ("), testing::HasSubstr(") m, and 8 more such places.\n")));
+      AllOf(StartsWith("more1.csv:2 and more1.csv:11: ("), HasSubstr(") m, and 8 more such places.\n")));
   EXPECT_EQ(problem_of("3.1,1.1,0.01,clay\n3.101,1.1,0.01,clay\n").what, "");  // a hundredth of their size apart
 }
 
 TEST(PointsOfFiles, TwoOfTwoFilesAtOnePlaceAreToldWithBothFiles)
 {
-  const test::ScratchFolder folder;
-  for (const std::string name : {"/one.csv", "/two.csv"})
-    std::ofstream(folder.path() + name) << "x,y,volume,material\n" << square({3.0, 1.0}, 0.25, 2);
-  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.5});
-  c.folder = folder.path();
-  c.bodies.emplace_back().points_file = "one.csv";
-  c.bodies.emplace_back().points_file = "two.csv";
-  try {
-    make_points(build_model(c, 1));
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.problems().at(0).detail,
-        testing::AllOf(testing::HasSubstr("/one.csv:2 and "), testing::HasSubstr("/two.csv:2: ")));
-  }
+  const std::string lines = square({3.0, 1.0}, 0.25, 2);
+  EXPECT_THAT(problem_of_files({lines, lines}).detail, AllOf(HasSubstr("more1.csv:2 and more2.csv:2: ")));
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,12 +1,8 @@
 // What is due at which step.
 #include "simulation/reporter.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::ElementsAre;
 
 TEST(Due, IsTheStepNearestToEachMultiple)
 {
@@ -27,4 +23,3 @@ TEST(Due, NothingIsDueWithoutAnInterval)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,21 +1,14 @@
 // The loop: when outputs are due, how a run ends, and how it goes on.
 #include "simulation/run.hpp"
-
 #include "simulation/ledger.hpp"
 #include "simulation/reporter.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/state_image.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::ElementsAre;
 
 /// Keeps the steps at which it was called, and may ask for a stop.
 struct Recorder : Observer {
@@ -48,7 +41,7 @@ struct Recorder : Observer {
 /// 33 steps of 1/330 s.
 Case short_column()
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   c.time.end = 0.1;
   c.bodies[0].velocity = {2.0, 0.0};
   c.output.fields_every = 0.04;
@@ -67,7 +60,7 @@ Outcome solve(Simulation& s, Recorder& recorder)
 
 TEST(Run, TellsItsObserversAtTheStartAtEachDueStepAndAtTheEnd)
 {
-  Simulation s = test::followed(short_column());
+  Simulation s = followed(short_column());
   ASSERT_EQ(s.model.n_steps, 33);
   Recorder recorder;
   EXPECT_EQ(solve(s, recorder), Outcome::finished);
@@ -101,9 +94,9 @@ struct PartsRecorder : Observer {
 
 TEST(Run, OfManyPointsTellsItsFramesAndCheckpointsInParts)
 {
-  Case c = test::column("mpm_gp", 0.03125);
+  Case c = column("mpm_gp", 0.03125);
   c.time.end = 1e-4;
-  Simulation s = test::followed(c);
+  Simulation s = followed(c);
   const std::int64_t n = s.state.n_ids();
   ASSERT_GT(n, most_points_at_once);
   PartsRecorder recorder;
@@ -119,7 +112,7 @@ TEST(Run, WithoutIntervalsTellsTheFirstAndTheLast)
 {
   Case c = short_column();
   c.output.fields_every = c.output.checkpoint_every = 0.0;
-  Simulation s = test::followed(c);
+  Simulation s = followed(c);
   Recorder recorder;
   solve(s, recorder);
   EXPECT_THAT(recorder.frames, ElementsAre(0, 33));
@@ -128,7 +121,7 @@ TEST(Run, WithoutIntervalsTellsTheFirstAndTheLast)
 
 TEST(Run, ThatIsStoppedFinishesItsStepAndWritesACheckpoint)
 {
-  Simulation s = test::followed(short_column());
+  Simulation s = followed(short_column());
   Recorder recorder;
   recorder.stop_after = 13;
   EXPECT_EQ(solve(s, recorder), Outcome::interrupted);
@@ -146,7 +139,7 @@ TEST(Run, ThatWasStoppedGoesOnToTheSameBitsAndTellsNothingTwice)
   Simulation second(build_model(short_column(), 2), restore(first.model, before.last_checkpoint));
   second.model.history_ids = whole.model.history_ids;
   EXPECT_EQ(solve(second, after), Outcome::finished);
-  EXPECT_EQ(test::first_difference(all.last_checkpoint, after.last_checkpoint), "");
+  EXPECT_EQ(first_difference(all.last_checkpoint, after.last_checkpoint), "");
   const auto join = [](auto a, const auto& b) {
     a.insert(a.end(), b.begin(), b.end());
     return a;
@@ -158,7 +151,7 @@ TEST(Run, ThatWasStoppedGoesOnToTheSameBitsAndTellsNothingTwice)
 
 TEST(Run, AtItsEndHasNothingLeftToDo)
 {
-  Simulation s = test::followed(short_column());
+  Simulation s = followed(short_column());
   Recorder first, again;
   solve(s, first);
   EXPECT_EQ(solve(s, again), Outcome::finished);
@@ -168,7 +161,7 @@ TEST(Run, AtItsEndHasNothingLeftToDo)
 
 TEST(Summarise, TellsTheNumbersOfTheRun)
 {
-  Simulation s = test::followed(short_column());
+  Simulation s = followed(short_column());
   Recorder recorder;
   solve(s, recorder);
   s.state.clamped = 4;
@@ -190,7 +183,7 @@ TEST(Summarise, TellsTheNumbersOfTheRun)
 
 TEST(Summarise, TheBalanceErrorIsAShareOfTheEnergyExchanged)
 {
-  Simulation s = test::followed(short_column());
+  Simulation s = followed(short_column());
   Recorder recorder;
   solve(s, recorder);
   const TableRow& row = recorder.last_row;
@@ -203,10 +196,10 @@ TEST(Summarise, TheBalanceErrorIsAShareOfTheEnergyExchanged)
 
 TEST(Summarise, ABodyThatFallsForAFewStepsIsInBalance)
 {
-  Case c = test::free_box("mpm_gp", {1.0, 1.0}, {2.0, 1.5});
+  Case c = free_box("mpm_gp", {1.0, 1.0}, {2.0, 1.5});
   c.forces.gravity = {0.0, -10.0};
   for (const int n : {1, 2, 8}) {
-    Simulation s = test::followed(c);
+    Simulation s = followed(c);
     s.step(n);
     const TableRow row = keep_ledger(s.model, s.state, s.work);
     EXPECT_NEAR(row["numerical"] / row["gravity_work"], -1.0 / (n + 1),
@@ -218,7 +211,7 @@ TEST(Summarise, ABodyThatFallsForAFewStepsIsInBalance)
 TEST(Summarise, WhatAColumnOfAFewStepsIsOffByFallsWithTheirSquare)
 {
   const auto error_after = [](const char* scheme, int n) {
-    Simulation s = test::followed(test::column(scheme, 0.25));
+    Simulation s = followed(column(scheme, 0.25));
     s.step(n);
     return summarise(s.model, s.state).energy_balance_error;
   };
@@ -231,22 +224,20 @@ TEST(Summarise, WhatAColumnOfAFewStepsIsOffByFallsWithTheirSquare)
 
 TEST(Summarise, ABodyWithoutALevelSurfaceHasNoCrest)
 {
-  Simulation s = test::followed(short_column());
-  test::edit_points(
-      s.state, [](const PointBlock<2>& block, Index lane) { block.row(PointRows<2>::x + 1)[lane] -= 0.06; });
+  Simulation s = followed(short_column());
+  edit_points(s.state, [](const PointBlock<2>& block, Index lane) { block.row(PointRows<2>::x + 1)[lane] -= 0.06; });
   EXPECT_FALSE(summarise(s.model, s.state).crest_x.has_value());
 }
 
 TEST(Run, TheBooksBalanceToAFewPercentOfTheGravityWork)
 {
   for (const char* scheme : {"mpm_mixed", "mpm_gp"}) {
-    Case c = test::column(scheme, 0.25);
+    Case c = column(scheme, 0.25);
     c.time.end = 1.0;
-    Simulation s = test::followed(c);
+    Simulation s = followed(c);
     s.run();
     EXPECT_LT(summarise(s.model, s.state).energy_balance_error, 0.05) << scheme;
   }
 }
 
 }  // namespace
-}  // namespace terp

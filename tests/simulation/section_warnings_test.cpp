@@ -1,16 +1,11 @@
 // What a drawing hardly means is reported; what fits together is not.
 #include "simulation/section_warnings.hpp"
-
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
+#include "support/problems.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::HasSubstr;
-using testing::IsEmpty;
 
 std::vector<Problem> warnings_on(const Case& c, Mesh<2> mesh)
 {
@@ -32,14 +27,14 @@ std::vector<Problem> warnings_of(const Case& c)
 
 Case two_layers(Real upper_bottom)
 {
-  Case c = test::column("mpm_gp");
-  c.bodies = {test::body("clay", {0.0, 0.0}, {8.0, 1.0}), test::body("clay", {0.0, upper_bottom}, {8.0, 2.0})};
+  Case c = column("mpm_gp");
+  c.bodies = {body("clay", {0.0, 0.0}, {8.0, 1.0}), body("clay", {0.0, upper_bottom}, {8.0, 2.0})};
   return c;
 }
 
 TEST(SectionWarnings, AreSilentOverBodiesThatTouchOrOverlap)
 {
-  EXPECT_THAT(warnings_of(test::column("mpm_gp")), IsEmpty());
+  EXPECT_THAT(warnings_of(column("mpm_gp")), IsEmpty());
   EXPECT_THAT(warnings_of(two_layers(1.0)), IsEmpty());
   EXPECT_THAT(warnings_of(two_layers(0.8)), IsEmpty());
 }
@@ -47,25 +42,22 @@ TEST(SectionWarnings, AreSilentOverBodiesThatTouchOrOverlap)
 TEST(SectionWarnings, AGapOfACentimetreBetweenLayersIsTold)
 {
   const auto warnings = warnings_of(two_layers(1.01));
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0].key, "body[0]");
-  EXPECT_EQ(warnings[0].what, "a gap between body 0 and body 1");
-  EXPECT_THAT(warnings[0].detail, HasSubstr("It is 0.01 m wide at ("));
+  EXPECT_THAT(
+      warnings, ElementsAre(told("body[0]", "a gap between body 0 and body 1", HasSubstr("It is 0.01 m wide at ("))));
   EXPECT_THAT(warnings[0].detail, HasSubstr("less than a cell of 0.5 m."));
 }
 
 TEST(SectionWarnings, AGapAboveTheBottomIsTold)
 {
-  Case c = test::column("mpm_gp");
-  c.bodies = {test::body("clay", {0.0, 0.02}, {8.0, 2.0})};
+  Case c = column("mpm_gp");
+  c.bodies = {body("clay", {0.0, 0.02}, {8.0, 2.0})};
   const auto warnings = warnings_of(c);
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0].what, "a gap between body 0 and the side `bottom`");
+  EXPECT_THAT(warnings, ElementsAre(told(_, "a gap between body 0 and the side `bottom`")));
 }
 
 TEST(SectionWarnings, OutlinesThatMeetUnderAnAngleHaveNoGap)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   c.bodies[0].polygon = {{0.0, 0.0}, {8.0, 0.0}, {4.0, 2.0}, {0.0, 2.0}};
   BodyCase wedge = c.bodies[0];
   wedge.polygon = {{8.0, 0.0}, {10.0, 0.0}, {10.0, 1.5}};
@@ -75,29 +67,26 @@ TEST(SectionWarnings, OutlinesThatMeetUnderAnAngleHaveNoGap)
 
 TEST(SectionWarnings, ABodyThatHangsInTheAirIsTold)
 {
-  Case c = test::column("mpm_gp");
-  c.bodies.push_back(test::body("clay", {2.0, 2.4}, {3.0, 2.9}));
+  Case c = column("mpm_gp");
+  c.bodies.push_back(body("clay", {2.0, 2.4}, {3.0, 2.9}));
   const auto warnings = warnings_of(c);
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0].key, "body[1]");
-  EXPECT_EQ(warnings[0].what, "body 1 hangs in the air");
-  EXPECT_EQ(warnings[0].detail,
-      "It touches no other body and no side with a condition. It falls by 0.4 m. Draw it down "
-      "to what carries it.");
+  EXPECT_THAT(warnings, ElementsAre(told("body[1]", "body 1 hangs in the air",
+                            "It touches no other body and no side with a condition. It falls by 0.4 m. Draw it down "
+                            "to what carries it.")));
   c.bodies[1].velocity = {0.0, -1.0};  // thrown on purpose
   EXPECT_THAT(warnings_of(c), IsEmpty());
 }
 
 TEST(SectionWarnings, ASideThatDoesNotLieWhereItsNameSaysIsTold)
 {
-  const Case c = test::column("mpm_gp");
+  const Case c = column("mpm_gp");
   Mesh<2> mesh = make_rectangle({0.0, 0.0}, {16.0, 3.0}, {32, 6});
   EXPECT_THAT(warnings_on(c, mesh), IsEmpty());
   std::swap(mesh.sides[0].name, mesh.sides[1].name);
   const auto warnings = warnings_on(c, mesh);
   ASSERT_EQ(warnings.size(), 2u);
-  EXPECT_EQ(warnings[0].what, "the side `right` does not face to the right");
-  EXPECT_THAT(warnings[0].detail, HasSubstr("It faces to the left, 3 m long."));
+  EXPECT_THAT(warnings[0],
+      told(_, "the side `right` does not face to the right", HasSubstr("It faces to the left, 3 m long.")));
 }
 
 /// The rectangle without one cell.
@@ -113,22 +102,20 @@ Mesh<2> without_cell(Index cell)
 
 TEST(SectionWarnings, ACellThatIsMissingInsideABodyIsTold)
 {
-  const Case c = test::column("mpm_gp");
+  const Case c = column("mpm_gp");
   const auto warnings = warnings_on(c, without_cell(32 + 4));  // of 64 under the body
   ASSERT_EQ(warnings.size(), 2u);
-  EXPECT_EQ(warnings[0].what, "a part of the soil lies outside of the mesh");
-  EXPECT_THAT(warnings[0].detail, HasSubstr("drawn with 16 m^2, their points stand for 15.75 m^2: 1.6 % is missing. It "
-                                            "reaches over the boundary of the mesh at (2"));
-  EXPECT_EQ(warnings[1].what, "the mesh has a hole");
-  EXPECT_THAT(warnings[1].detail, HasSubstr("0.25 m^2 are missing, about 1 cell."));
+  EXPECT_THAT(warnings[0], told(_, "a part of the soil lies outside of the mesh",
+                               HasSubstr("drawn with 16 m^2, their points stand for 15.75 m^2: 1.6 % is missing. It "
+                                         "reaches over the boundary of the mesh at (2")));
+  EXPECT_THAT(warnings[1], told(_, "the mesh has a hole", HasSubstr("0.25 m^2 are missing, about 1 cell.")));
 }
 
 TEST(SectionWarnings, AMeshInMillimetresIsTold)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   EXPECT_THAT(warnings_on(c, make_rectangle({0.0, 0.0}, {16000.0, 3000.0}, {32, 6})),
-      testing::Contains(testing::Field(&Problem::what, "all bodies together are smaller than a cell")));
+      Contains(testing::Field(&Problem::what, "all bodies together are smaller than a cell")));
 }
 
 }  // namespace
-}  // namespace terp

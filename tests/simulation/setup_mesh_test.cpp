@@ -1,15 +1,10 @@
 // The mesh of a case, whichever way it says so. What a whole case refuses: setup_test.
 #include "simulation/setup_mesh.hpp"
-
-#include "base/errors.hpp"
 #include "support/cases.hpp"
+#include "support/problems.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::HasSubstr;
 
 Case case_of(MeshKind kind)
 {
@@ -55,13 +50,7 @@ TEST(SetupMesh, AFileThatIsNotThereIsAFaultOfItsKey)
 {
   Case c = case_of(MeshKind::file);
   c.mesh.file = "/no/such.msh";
-  try {
-    build_mesh(c);
-    FAIL() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.problems().front().key, "mesh.file");
-    EXPECT_THAT(error.problems().front().detail, HasSubstr("/no/such.msh"));
-  }
+  EXPECT_THAT(problems_of([&] { build_mesh(c); }), ElementsAre(told("mesh.file", _, HasSubstr("/no/such.msh"))));
 }
 
 TEST(SetupMesh, TheTypicalSizeIsTheSideOfASquareOfTheMeanArea)
@@ -70,4 +59,3 @@ TEST(SetupMesh, TheTypicalSizeIsTheSideOfASquareOfTheMeanArea)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,23 +1,19 @@
 // The first points: order, shares of the bodies, points of a file. What a whole case refuses: setup_test.
 #include "simulation/setup_points.hpp"
-
-#include "base/errors.hpp"
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
 #include "support/paths.hpp"
+#include "support/problems.hpp"
+#include "support/test.hpp"
 
-#include <fstream>
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 /// Clay on the left, rock on the right, 0.5 m x 0.5 m each, 5 x 5 points per cell of 0.25 m.
 Case clay_and_rock()
 {
-  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});
-  c.materials.push_back(test::elastic(2e6, 0.3, 2500.0));
-  c.bodies.push_back(test::body("rock", {1.5, 0.5}, {2.0, 1.0}));
+  Case c = free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});
+  c.materials.push_back(elastic(2e6, 0.3, 2500.0));
+  c.bodies.push_back(body("rock", {1.5, 0.5}, {2.0, 1.0}));
   return c;
 }
 
@@ -56,7 +52,7 @@ TEST(SetupPoints, ShareAreaAndMassAmongTheBodies)
 
 TEST(SetupPoints, ThoseOfAFileComeAfterThoseThatAreDrawn)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   std::ofstream(folder.path() + "/more.csv") << "x,y,volume,material\n3.0,1.2,0.01,rock\n0.3,0.4,0.02,clay\n";
   Case c = clay_and_rock();
   c.folder = folder.path();
@@ -92,19 +88,13 @@ TEST(SetupPoints, AMaterialIsFoundByItsName)
 
 TEST(SetupPoints, ARegionOfAMeshWithoutNamesSaysHowToNameIt)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   c.bodies[0].polygon.clear();
   c.bodies[0].region = "sand";
   Model model = build_model(c, 1);
-  try {
-    build_state(model);
-    FAIL() << "not refused";
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.problems().at(0).what, "the mesh has no region `sand`");
-    EXPECT_EQ(error.problems().at(0).detail,
-        "No surface of this mesh has a name. In gmsh: `Physical Surface(\"sand\") = {1};`, then save.");
-  }
+  EXPECT_THAT(problems_of([&] { build_state(model); }),
+      ElementsAre(told(_, "the mesh has no region `sand`",
+          "No surface of this mesh has a name. In gmsh: `Physical Surface(\"sand\") = {1};`, then save.")));
 }
 
 }  // namespace
-}  // namespace terp

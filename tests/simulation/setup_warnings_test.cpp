@@ -1,15 +1,11 @@
 // What is told before a run, and what is not.
 #include "simulation/setup_warnings.hpp"
-
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
 #include "support/paths.hpp"
+#include "support/problems.hpp"
+#include "support/test.hpp"
 
-#include <fstream>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 std::vector<Problem> warnings_of(Case c)
@@ -22,53 +18,48 @@ std::vector<Problem> warnings_of(Case c)
 
 TEST(SetupWarnings, ABodyUnderLaterOnesIsTold)
 {
-  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.0});
-  c.materials.push_back(test::elastic(2e6, 0.3, 2500.0));
-  c.bodies.push_back(test::body("rock", {1.5, 0.5}, {2.0, 1.0}));
+  Case c = free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.0});
+  c.materials.push_back(elastic(2e6, 0.3, 2500.0));
+  c.bodies.push_back(body("rock", {1.5, 0.5}, {2.0, 1.0}));
   EXPECT_TRUE(warnings_of(c).empty());
   c.bodies[1].polygon = {{0.75, 0.5}, {2.5, 0.5}, {2.5, 1.0}, {0.75, 1.0}};
   const auto warnings = warnings_of(c);
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0].key, "body[0]");
-  EXPECT_EQ(warnings[0].what, "body 0 of `clay` has no material points");
+  EXPECT_THAT(warnings, ElementsAre(told("body[0]", "body 0 of `clay` has no material points")));
 }
 
 TEST(SetupWarnings, PointsOfAFileWithHardlyAnyVolumeAreTold)
 {
-  const test::ScratchFolder folder;
-  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.0});  // cells of 0.25 m
+  const ScratchFolder folder;
+  Case c = free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.0});  // cells of 0.25 m
   c.folder = folder.path();
   c.bodies.emplace_back().points_file = "points.csv";
   std::ofstream(folder.path() + "/points.csv") << "x,y,volume,material\n3.1,1.1,0.008,clay\n3.2,1.1,0.008,clay\n";
   EXPECT_TRUE(warnings_of(c).empty());
   std::ofstream(folder.path() + "/points.csv") << "x,y,volume,material\n3.1,1.1,0.008,clay\n3.2,1.1,0.007,clay\n";
   const auto warnings = warnings_of(c);
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0].key, "body[1].points");
-  EXPECT_THAT(warnings[0].detail, testing::StartsWith("Their volumes fill 24 % of the fullest cell;"));
+  EXPECT_THAT(
+      warnings, ElementsAre(told("body[1].points", _, StartsWith("Their volumes fill 24 % of the fullest cell;"))));
 }
 
 TEST(SetupWarnings, ASideThatMovesMoreThanACellIsTold)
 {
-  Case c = test::column("mpm_gp");  // cells of 0.5 m
+  Case c = column("mpm_gp");  // cells of 0.5 m
   c.time.end = 2.0;
-  c.sides = {test::side("left", SideKind::velocity)};
+  c.sides = {side("left", SideKind::velocity)};
   c.sides[0].velocity = {0.24, 0.0};
   EXPECT_TRUE(warnings_of(c).empty());
   c.sides[0].velocity = {0.3, 0.0};
   const auto warnings = warnings_of(c);
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0].key, "boundary.\"left\".velocity");
-  EXPECT_EQ(warnings[0].what, "the side stays in place: it pushes soil over one cell at most");
-  EXPECT_THAT(warnings[0].detail,
-      testing::StartsWith("Its velocity times time.end is 0.6 m, the smallest cell is 0.5 m high."));
+  EXPECT_THAT(warnings,
+      ElementsAre(told("boundary.\"left\".velocity", "the side stays in place: it pushes soil over one cell at most",
+          StartsWith("Its velocity times time.end is 0.6 m, the smallest cell is 0.5 m high."))));
 }
 
 TEST(SetupWarnings, SharesOfBodiesAddUp)
 {
-  Case c = test::free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.0});
-  c.materials.push_back(test::elastic(2e6, 0.3, 2500.0));
-  c.bodies.push_back(test::body("rock", {1.5, 0.5}, {2.0, 1.0}));
+  Case c = free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.0});
+  c.materials.push_back(elastic(2e6, 0.3, 2500.0));
+  c.bodies.push_back(body("rock", {1.5, 0.5}, {2.0, 1.0}));
   Model model = build_model(c, 1);
   build_state(model);
   ASSERT_EQ(model.bodies.size(), 2u);
@@ -79,4 +70,3 @@ TEST(SetupWarnings, SharesOfBodiesAddUp)
 }
 
 }  // namespace
-}  // namespace terp

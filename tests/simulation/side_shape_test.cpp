@@ -1,10 +1,7 @@
 #include "simulation/side_shape.hpp"
-
 #include "support/cases.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 TEST(SideShape, HasTheLengthAndTheOutwardNormalOfASide)
@@ -21,10 +18,9 @@ TEST(SideShape, HasTheLengthAndTheOutwardNormalOfASide)
 
 TEST(SideShape, ASideThatTheCaseDoesNotNameIsFree)
 {
-  const Case c = test::column("mpm_gp");
+  const Case c = column("mpm_gp");
   EXPECT_EQ(condition_of(c, "left").kind, SideKind::roller);
   EXPECT_EQ(condition_of(c, "top").kind, SideKind::free);
 }
 
 }  // namespace
-}  // namespace terp

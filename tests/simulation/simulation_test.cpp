@@ -1,41 +1,21 @@
 // A run in memory: stepped in pieces, saved and restored, its fields read and set; many runs on one mesh.
 #include "simulation/simulation.hpp"
-
 #include "base/errors.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::AllOf;
-using testing::HasSubstr;
 
 /// 132 steps of 1/330 s.
 Case sliding_column()
 {
-  Case c = test::column("mpm_gp", 0.5);
+  Case c = column("mpm_gp", 0.5);
   c.time.end = 0.2;
   c.bodies[0].velocity = {2.0, 0.0};
   c.output.fields_every = 0.05;
   return c;
-}
-
-/// What a call that must be refused says.
-template <class F>
-std::string refusal(F&& f)
-{
-  try {
-    f();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
 }
 
 TEST(Simulation, InPiecesEndsInTheBitsOfOneRun)
@@ -50,7 +30,7 @@ TEST(Simulation, InPiecesEndsInTheBitsOfOneRun)
   pieces.advance_to(0.1);
   pieces.advance_to(0.2);
   EXPECT_EQ(pieces.state.step, pieces.model.n_steps);
-  EXPECT_EQ(test::first_difference(whole.save(), pieces.save()), "");
+  EXPECT_EQ(first_difference(whole.save(), pieces.save()), "");
 }
 
 TEST(Simulation, AdvancesToTheFirstStepAtOrAfterATime)
@@ -66,11 +46,11 @@ TEST(Simulation, RefusesToGoBack)
 {
   Simulation s(sliding_column());
   s.step(5);
-  EXPECT_THAT(refusal([&] { s.advance_to(0.0); }),
+  EXPECT_THAT(refusal<InputError>([&] { s.advance_to(0.0); }),
       AllOf(HasSubstr("the run cannot advance to t = 0 s"), HasSubstr("It is at t = ")));
-  EXPECT_THAT(refusal([&] { s.advance_to(std::nan("")); }), HasSubstr("cannot advance to t = nan s"));
-  EXPECT_THAT(refusal([&] { s.advance_to(1e12); }), HasSubstr("cannot advance to t = 1000000000000 s"));
-  EXPECT_THAT(refusal([&] { s.step(-1); }), HasSubstr("-1 steps cannot be made"));
+  EXPECT_THAT(refusal<InputError>([&] { s.advance_to(std::nan("")); }), HasSubstr("cannot advance to t = nan s"));
+  EXPECT_THAT(refusal<InputError>([&] { s.advance_to(1e12); }), HasSubstr("cannot advance to t = 1000000000000 s"));
+  EXPECT_THAT(refusal<InputError>([&] { s.step(-1); }), HasSubstr("-1 steps cannot be made"));
   EXPECT_EQ(s.state.step, 5);
 }
 
@@ -93,17 +73,17 @@ TEST(Simulation, GoesOnFromASavedStateWithTheSameBits)
   s.step(30);
   const StateImage first = s.save();
   s.restore(saved);
-  EXPECT_EQ(test::first_difference(s.save(), saved), "");
+  EXPECT_EQ(first_difference(s.save(), saved), "");
   s.step(30);
-  EXPECT_EQ(test::first_difference(s.save(), first), "");
+  EXPECT_EQ(first_difference(s.save(), first), "");
 }
 
 TEST(Simulation, SeeksTheEquilibriumThatTheCaseAsksForBeforeItsFirstStep)
 {
-  Case c = test::free_box("mpm_gp", {0.0, 0.0}, {4.0, 1.5}, test::elastic(2e6, 0.3, 2000.0));
+  Case c = free_box("mpm_gp", {0.0, 0.0}, {4.0, 1.5}, elastic(2e6, 0.3, 2000.0));
   c.forces.gravity = {0.0, -9.81};
   c.initial.stress = InitialStress::equilibrium;
-  for (const char* name : {"left", "right", "bottom"}) c.sides.push_back(test::side(name, SideKind::roller));
+  for (const char* name : {"left", "right", "bottom"}) c.sides.push_back(side(name, SideKind::roller));
   Simulation s(c);
   s.step();
   EXPECT_GT(s.state.equilibrium_steps, 10);
@@ -125,7 +105,7 @@ TEST(Simulation, ReadsFieldsByTheirNamesInResults)
 {
   Simulation s(sliding_column());
   const PointField velocity = s.field("velocity"), position = s.field("position"), strain = s.field("eps_eq_p");
-  const auto points = test::points_by_id(s.state);
+  const auto points = points_by_id(s.state);
   ASSERT_EQ(velocity.values.size(), 3 * points.size());
   ASSERT_EQ(position.values.size(), 2 * points.size());
   ASSERT_EQ(strain.values.size(), points.size());
@@ -135,7 +115,7 @@ TEST(Simulation, ReadsFieldsByTheirNamesInResults)
       EXPECT_EQ(position.values[2 * k + d], points[k].x[d]);
     }
   EXPECT_EQ(velocity.unit, "m/s");
-  EXPECT_THAT(refusal([&] { s.field("speed"); }),
+  EXPECT_THAT(refusal<InputError>([&] { s.field("speed"); }),
       AllOf(HasSubstr("speed: there is no field of this name"), HasSubstr("Fields of this run: position, velocity,")));
 }
 
@@ -155,28 +135,29 @@ TEST(Simulation, RefusesFieldsThatCannotBeSet)
 {
   Simulation s(sliding_column());
   std::vector<Real> strain = s.field("eps_eq_p").values, velocity = s.field("velocity").values;
-  EXPECT_THAT(refusal([&] { s.set_field("su", strain); }),
+  EXPECT_THAT(refusal<InputError>([&] { s.set_field("su", strain); }),
       AllOf(HasSubstr("su: there is no field of this name that can be set"),
           HasSubstr("velocity, volume, stress, strain")));
-  EXPECT_THAT(refusal([&] { s.set_field("velocity", strain); }),
+  EXPECT_THAT(refusal<InputError>([&] { s.set_field("velocity", strain); }),
       AllOf(HasSubstr("1600 values were given, 4800 are needed"), HasSubstr("Its shape is [1600, 3], sorted by id.")));
   strain[7] = std::nan("");
-  EXPECT_THAT(refusal([&] { s.set_field("eps_eq_p", strain); }),
+  EXPECT_THAT(refusal<InputError>([&] { s.set_field("eps_eq_p", strain); }),
       HasSubstr("the value of material point 7 is not a finite number"));
   velocity[3 * 5 + 2] = 1.0;
-  EXPECT_THAT(refusal([&] { s.set_field("velocity", velocity); }), HasSubstr("point 5 points out of the plane"));
+  EXPECT_THAT(
+      refusal<InputError>([&] { s.set_field("velocity", velocity); }), HasSubstr("point 5 points out of the plane"));
   std::vector<Real> volume = s.field("volume").values;
   volume[9] = 0.0;
-  EXPECT_THAT(
-      refusal([&] { s.set_field("volume", volume); }), HasSubstr("the volume of material point 9 is not positive"));
+  EXPECT_THAT(refusal<InputError>([&] { s.set_field("volume", volume); }),
+      HasSubstr("the volume of material point 9 is not positive"));
   EXPECT_EQ(s.field("eps_eq_p").values[7], 0.0);  // nothing was changed
 }
 
 TEST(Simulation, OfTwoMaterialsSetsAVariableWhereItIs)
 {
   Case c = sliding_column();
-  c.materials.push_back(test::elastic(2e6, 0.3, 2000.0));
-  c.bodies.push_back(test::body(c.materials.back().name, {0.0, 0.0}, {2.0, 2.0}));
+  c.materials.push_back(elastic(2e6, 0.3, 2000.0));
+  c.bodies.push_back(body(c.materials.back().name, {0.0, 0.0}, {2.0, 2.0}));
   Simulation s(c);
   std::vector<Real> strain = s.field("eps_eq_p").values;
   std::size_t soil = strain.size(), rock = strain.size();
@@ -185,12 +166,13 @@ TEST(Simulation, OfTwoMaterialsSetsAVariableWhereItIs)
   s.set_field("eps_eq_p", strain);
   EXPECT_EQ(s.field("eps_eq_p").values[soil], 0.5);
   strain[rock] = 0.5;
-  EXPECT_THAT(refusal([&] { s.set_field("eps_eq_p", strain); }), HasSubstr("has no `eps_eq_p`: give NaN there"));
+  EXPECT_THAT(
+      refusal<InputError>([&] { s.set_field("eps_eq_p", strain); }), HasSubstr("has no `eps_eq_p`: give NaN there"));
 }
 
 TEST(Simulation, WhatIsSetDuringTheRunIsNoFaultOfItsBalanceOrItsHistory)
 {
-  Simulation s = test::followed(sliding_column());
+  Simulation s = followed(sliding_column());
   s.step(20);
   PointField velocity = s.field("velocity"), strain = s.field("eps_eq_p");
   for (Real& v : velocity.values) v *= 3.0;
@@ -212,9 +194,8 @@ TEST(Simulation, ManyRunsHoldOneMesh)
   Simulation a(c, mesh), b(c, mesh), own(c);
   EXPECT_EQ(a.model.mesh.get(), b.model.mesh.get());
   for (Simulation* s : {&a, &b, &own}) s->step(5);
-  EXPECT_EQ(test::first_difference(a.save(), b.save()), "");
-  EXPECT_EQ(test::first_difference(a.save(), own.save()), "");
+  EXPECT_EQ(first_difference(a.save(), b.save()), "");
+  EXPECT_EQ(first_difference(a.save(), own.save()), "");
 }
 
 }  // namespace
-}  // namespace terp

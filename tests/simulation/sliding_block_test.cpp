@@ -1,16 +1,10 @@
 // A stiff elastic block on a contact base, against the motion of a rigid one.
 #include "simulation/initial.hpp"
-
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
-
+#include "support/test.hpp"
 #include <atomic>
-#include <cmath>
-#include <numbers>
 
-#include <gtest/gtest.h>
-
-namespace terp {
 namespace {
 
 constexpr Real length = 4.0, height = 0.5, density = 2000.0;  // [m], [m], [kg/m^3]
@@ -24,8 +18,8 @@ Case block(const char* scheme, const SideCondition& base, Vec<2> gravity)
   c.time.end = 0.2;
   c.mesh.size = {8.0, 1.0};
   c.mesh.cell = {0.05, 0.25};  // short: a base node at each end holds half an edge more than the block covers
-  c.materials = {test::elastic(2e7, 0.3, density)};
-  c.bodies = {test::body("rock", {1.0, 0.0}, {1.0 + length, height})};
+  c.materials = {elastic(2e7, 0.3, density)};
+  c.bodies = {body("rock", {1.0, 0.0}, {1.0 + length, height})};
   c.bodies[0].points_per_cell = {3, 3};
   c.forces.gravity = gravity;
   c.initial.stress = InitialStress::k0;
@@ -36,7 +30,7 @@ Case block(const char* scheme, const SideCondition& base, Vec<2> gravity)
 
 SideCondition base(SideKind kind, Real adhesion, Real friction)
 {
-  SideCondition s = test::side("bottom", kind);
+  SideCondition s = side("bottom", kind);
   s.adhesion = adhesion;
   s.friction = friction;
   return s;
@@ -47,7 +41,7 @@ Real mean_acceleration(const Case& c)
 {
   Simulation s(c);
   s.step(s.model.n_steps);
-  return test::momentum(s.state)[0] / (mass * s.state.time);
+  return momentum(s.state)[0] / (mass * s.state.time);
 }
 
 Vec<2> tilted(Real degrees)
@@ -56,7 +50,7 @@ Vec<2> tilted(Real degrees)
   return {9.81 * std::sin(t), -9.81 * std::cos(t)};
 }
 
-class SlidingBlock : public testing::TestWithParam<const char*> {};
+class SlidingBlock : public TestWithParam<const char*> {};
 
 INSTANTIATE_TEST_SUITE_P(Schemes, SlidingBlock, testing::Values("standard_mpm", "mpm_mixed", "mpm_gp"),
     [](const auto& info) { return std::string(info.param); });
@@ -71,9 +65,9 @@ TEST_P(SlidingBlock, WithAdhesionAcceleratesByGravityLessAdhesionOverMass)
 TEST_P(SlidingBlock, SticksWhenAdhesionExceedsThePush)
 {
   Simulation s(block(GetParam(), base(SideKind::contact_bilateral, 8000.0, 0.0), {5.0, -9.81}));  // 32 kN against 20 kN
-  const auto before = test::points_by_id(s.state);
+  const auto before = points_by_id(s.state);
   s.step(s.model.n_steps);
-  const auto after = test::points_by_id(s.state);
+  const auto after = points_by_id(s.state);
   for (std::size_t p = 0; p < before.size(); ++p)
     EXPECT_LT(std::abs(after[p].x[0] - before[p].x[0]), 0.002);  // free: 0.1 m
 }
@@ -81,13 +75,13 @@ TEST_P(SlidingBlock, SticksWhenAdhesionExceedsThePush)
 /// A column of one cell's width between rollers, its weight carried from the start.
 Case standing_soil(const char* scheme)
 {
-  Case c = test::free_box(scheme, {0.0, 0.0}, {0.1, 2.0}, test::elastic(1e6, 0.3, density));
+  Case c = free_box(scheme, {0.0, 0.0}, {0.1, 2.0}, elastic(1e6, 0.3, density));
   c.mesh.size = {0.1, 3.0};
   c.mesh.cell = {0.1, 0.1};
   c.forces.gravity = {0.0, -9.81};
   c.initial.stress = InitialStress::k0;
-  c.sides = {test::side("left", SideKind::roller), test::side("right", SideKind::roller),
-      base(SideKind::contact_separating, 0.0, 0.0)};
+  c.sides = {
+      side("left", SideKind::roller), side("right", SideKind::roller), base(SideKind::contact_separating, 0.0, 0.0)};
   return c;
 }
 
@@ -99,8 +93,8 @@ TEST_P(SeparatingContact, SoilAtRestGainsNoEnergy)
 {
   Simulation s(standing_soil(GetParam()));
   s.step(static_cast<std::int64_t>(6.0 / s.model.dt));
-  EXPECT_LT(s.state.work.boundary, 1e-9);                              // a floor that stays does no work
-  EXPECT_LT(test::kinetic_energy(test::points_by_id(s.state)), 0.01);  // of 24 J elastic
+  EXPECT_LT(s.state.work.boundary, 1e-9);                  // a floor that stays does no work
+  EXPECT_LT(kinetic_energy(points_by_id(s.state)), 0.01);  // of 24 J elastic
 }
 
 TEST_P(SlidingBlock, SoilAtRestOnAnAdhesiveSlopeGainsNoEnergy)
@@ -112,7 +106,7 @@ TEST_P(SlidingBlock, SoilAtRestOnAnAdhesiveSlopeGainsNoEnergy)
   ASSERT_TRUE(seek_equilibrium(s.model, s.state, s.work, stop).reached);
   s.step(static_cast<std::int64_t>(4.0 / s.model.dt));
   EXPECT_LT(std::abs(s.state.work.boundary), 1e-6);
-  EXPECT_LT(test::kinetic_energy(test::points_by_id(s.state)), 0.01);
+  EXPECT_LT(kinetic_energy(points_by_id(s.state)), 0.01);
 }
 
 /// A block that slides under pure FLIP rings, and a bilateral base meets only the pushes with friction: 10 % PIC keeps
@@ -137,4 +131,3 @@ TEST_P(SlidingBlock, SticksWhenFrictionExceedsTheSlope)  // tan 15 degrees = 0.2
 }
 
 }  // namespace
-}  // namespace terp

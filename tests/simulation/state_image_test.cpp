@@ -1,26 +1,18 @@
 // The state as named arrays: all of it, to the bit, or refused.
 #include "simulation/state_image.hpp"
-
 #include "base/errors.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/test.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using test::first_difference;
 
 /// A column on the move, with books.
 Case moving_column(const char* scheme)
 {
-  Case c = test::column(scheme);
+  Case c = column(scheme);
   c.bodies[0].velocity = {2.0, 0.0};
   return c;
 }
@@ -28,13 +20,13 @@ Case moving_column(const char* scheme)
 TEST(StateImage, ARestoredRunGoesOnInTheSameBits)
 {
   for (const char* scheme : {"standard_mpm", "mpm_mixed", "mpm_gp"}) {
-    Simulation whole = test::followed(moving_column(scheme));
-    test::make_steps(whole, 150);
+    Simulation whole = followed(moving_column(scheme));
+    make_steps(whole, 150);
     keep_ledger(whole.model, whole.state, whole.work);
     Simulation rest(build_model(moving_column(scheme), 1), restore(whole.model, make_image(whole.state)));
     EXPECT_EQ(first_difference(make_image(whole.state), make_image(rest.state)), "") << scheme;
     for (Simulation* s : {&whole, &rest}) {
-      test::make_steps(*s, 150);
+      make_steps(*s, 150);
       keep_ledger(s->model, s->state, s->work);
     }
     EXPECT_EQ(first_difference(make_image(whole.state), make_image(rest.state)), "") << scheme;
@@ -43,9 +35,9 @@ TEST(StateImage, ARestoredRunGoesOnInTheSameBits)
 
 TEST(StateImage, HoldsEverythingThatAStateRemembers)
 {
-  Simulation s = test::followed(moving_column("mpm_gp"));
+  Simulation s = followed(moving_column("mpm_gp"));
   keep_ledger(s.model, s.state, s.work);
-  test::make_steps(s, 3);
+  make_steps(s, 3);
   keep_ledger(s.model, s.state, s.work);
   State& state = s.state;
   state.work = {.gravity = 1.0,
@@ -80,8 +72,8 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
 
 TEST(StateImage, InPartsHasTheSameArrays)
 {
-  Simulation s = test::followed(moving_column("mpm_gp"));
-  test::make_steps(s, 150);
+  Simulation s = followed(moving_column("mpm_gp"));
+  make_steps(s, 150);
   keep_ledger(s.model, s.state, s.work);
   StateImage joined;
   int n_parts = 0;
@@ -115,7 +107,7 @@ TEST(StateImage, InPartsHasTheSameArrays)
 /// Takes other values for every array of the followers that is not bound to others, and for those of a slide.
 TEST(StateImage, WhatFollowersRememberComesFromTheImage)
 {
-  Simulation s = test::followed(moving_column("mpm_gp"));
+  Simulation s = followed(moving_column("mpm_gp"));
   keep_ledger(s.model, s.state, s.work);
   for (const ActiveFollower& active : s.state.followers) active.follower->frame(s.model, s.state);
   StateImage image = make_image(s.state);
@@ -137,7 +129,7 @@ TEST(StateImage, WhatFollowersRememberComesFromTheImage)
 
 TEST(StateImage, WithoutOneOfItsArraysIsRefused)
 {
-  Simulation s = test::followed(moving_column("mpm_gp"));
+  Simulation s = followed(moving_column("mpm_gp"));
   const StateImage image = make_image(s.state);
   for (std::size_t k = 0; k < image.arrays.size(); ++k) {
     StateImage cut = image;
@@ -148,7 +140,7 @@ TEST(StateImage, WithoutOneOfItsArraysIsRefused)
 
 TEST(StateImage, WithATimeOrASurfaceThatNoRunHasIsRefused)
 {
-  Simulation s = test::followed(moving_column("mpm_gp"));
+  Simulation s = followed(moving_column("mpm_gp"));
   const StateImage sound = make_image(s.state);
   EXPECT_NO_THROW(restore(s.model, sound));
   for (const Real time : {std::nan(""), -0.1, HUGE_VAL}) {
@@ -171,23 +163,23 @@ TEST(StateImage, WithATimeOrASurfaceThatNoRunHasIsRefused)
 
 TEST(StateImage, OfAnotherCaseIsRefused)
 {
-  const Simulation s = test::followed(moving_column("mpm_gp"));
+  const Simulation s = followed(moving_column("mpm_gp"));
   StateImage image = make_image(s.state);
   Case elastic = moving_column("mpm_gp");
   elastic.materials = {test::elastic(2e6, 0.3, 2000.0)};
   elastic.bodies[0].material = "rock";
   EXPECT_THAT([&] { restore(Simulation(elastic).model, image); },
-      testing::ThrowsMessage<FileError>(
+      ThrowsMessage<FileError>(
           "the checkpoint does not fit this case: its points carry `eps_eq_p`, which the points of this case do not"));
   const Simulation rock(elastic);
   EXPECT_THAT([&] { restore(s.model, make_image(rock.state)); },
-      testing::ThrowsMessage<FileError>(
+      ThrowsMessage<FileError>(
           "the checkpoint does not fit this case: its points have no `eps_eq_p` (accumulated equivalent plastic "
           "strain, Eq. (6)), which the points of this case carry"));
   std::get<std::vector<std::int64_t>>(image.arrays[0].values)[4] = 1000000;
   EXPECT_THAT([&] { restore(s.model, image); },
-      testing::ThrowsMessage<FileError>("the checkpoint does not fit this case: a point lies in a cell, or is of a "
-                                        "material or a body, that the case does not have"));
+      ThrowsMessage<FileError>("the checkpoint does not fit this case: a point lies in a cell, or is of a "
+                               "material or a body, that the case does not have"));
 }
 
 /// A column whose points of odd numbers are of body 1.
@@ -210,9 +202,9 @@ TEST(StateImage, BodiesArePreservedWhilePointsMoveAndARunGoesOn)
     c.bodies.push_back(c.bodies[0]);  // a case of two bodies, the second on the first
     const Simulation start(c);
     Simulation whole(build_model(c, 1), restore(start.model, image_of_two_bodies(start)));
-    test::make_steps(whole, 100);
+    make_steps(whole, 100);
     Simulation rest(build_model(c, 1), restore(whole.model, make_image(whole.state)));
-    for (Simulation* s : {&whole, &rest}) test::make_steps(*s, 100);
+    for (Simulation* s : {&whole, &rest}) make_steps(*s, 100);
     EXPECT_EQ(first_difference(make_image(whole.state), make_image(rest.state)), "") << scheme;
     Index n_moved = 0;
     for_each_point(rest.state.points, [&](const PointBlock<2>& block, Index lane) {
@@ -230,16 +222,15 @@ TEST(StateImage, SaysNothingOfBodiesWhereThereIsOne)
   StateImage image = make_image(s.state);
   const auto is_body = [](const NamedArray& a) { return a.name == "points/body"; };
   EXPECT_TRUE(std::none_of(image.arrays.begin(), image.arrays.end(), is_body));
-  EXPECT_THAT([&] { restore(s.model, image_of_two_bodies(s)); },
-      testing::ThrowsMessage<FileError>(testing::HasSubstr("or a body, that")));
+  EXPECT_THAT(
+      [&] { restore(s.model, image_of_two_bodies(s)); }, ThrowsMessage<FileError>(HasSubstr("or a body, that")));
 }
 
 TEST(StateImage, TellsHowManyPointsTheRunBeganWith)
 {
-  const Simulation s = test::followed(test::column("mpm_gp"));
+  const Simulation s = followed(column("mpm_gp"));
   EXPECT_EQ(count_points(make_image(s.state)), 1600);
   EXPECT_THROW(count_points(StateImage{}), FileError);
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,32 +1,28 @@
 // Ids of a state: they count the points at t = 0, also when points have left.
 #include "simulation/state.hpp"
-
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 TEST(State, CountsThePointsOfTheStart)
 {
   EXPECT_EQ(State{}.n_ids(), 0);
-  const Simulation simulation(test::free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0}));
+  const Simulation simulation(free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0}));
   EXPECT_EQ(simulation.state.n_ids(), 100);
 }
 
 TEST(State, PointsThatLeaveKeepTheirIds)
 {
-  Case c = test::free_box("mpm_gp", {3.25, 0.5}, {3.75, 1.0});
+  Case c = free_box("mpm_gp", {3.25, 0.5}, {3.75, 1.0});
   c.bodies[0].velocity = {8.0, 0.0};  // to the side at x = 4 m
-  c.sides = {test::side("right", SideKind::open)};
+  c.sides = {side("right", SideKind::open)};
   Simulation simulation(c);
   for (int k = 0; k < 500 && simulation.state.left.empty(); ++k) simulation.step();
   ASSERT_FALSE(simulation.state.left.empty());
   EXPECT_EQ(simulation.state.n_ids(), 100);
-  EXPECT_EQ(test::points_by_id(simulation.state).size() + simulation.state.left.size(), 100u);
+  EXPECT_EQ(points_by_id(simulation.state).size() + simulation.state.left.size(), 100u);
 }
 
 }  // namespace
-}  // namespace terp

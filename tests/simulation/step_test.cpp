@@ -1,13 +1,8 @@
 // Whole steps against the NumPy twin, which was written from the paper and the readings and not from the C++.
 #include "simulation/kernels.hpp"
-
 #include "support/twin.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 /// Largest difference over the field's largest value; over 1 where the field is zero.
@@ -23,35 +18,33 @@ Real relative_error(const std::vector<Real>& got, const std::vector<Real>& expec
   return difference / (largest > 0.0 ? largest : 1.0);
 }
 
-class TwinStep : public testing::TestWithParam<std::string> {};
+class TwinStep : public TestWithParam<std::string> {};
 
 TEST_P(TwinStep, IsThatOfTheNumPyTwinToRoundOff)
 {
-  test::Scenario scenario = test::load_scenario(GetParam());
+  Scenario scenario = load_scenario(GetParam());
   Simulation s(std::move(scenario.model), std::move(scenario.state));
-  test::make_steps(s, scenario.n_steps);
+  make_steps(s, scenario.n_steps);
   for (const auto& [field, expected] : scenario.expected)
-    EXPECT_LE(relative_error(test::field_values(s.state, field), expected), 1e-12) << field;
+    EXPECT_LE(relative_error(field_values(s.state, field), expected), 1e-12) << field;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Scenarios, TwinStep, testing::ValuesIn(test::scenario_names()), [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Scenarios, TwinStep, ValuesIn(scenario_names()), [](const auto& info) { return info.param; });
 
 TEST(Step, TheTwinHasScenariosForEveryScheme)
 {
-  EXPECT_EQ(test::scenario_names().size(), 11u);
+  EXPECT_EQ(scenario_names().size(), 11u);
   for (const char* scheme : {"standard_mpm", "mpm_mixed", "mpm_gp"})
-    EXPECT_THAT(test::scenario_names(), testing::Contains(testing::StartsWith(scheme)));
+    EXPECT_THAT(scenario_names(), Contains(StartsWith(scheme)));
 }
 
 TEST(Step, CountsItselfAndKeepsTimeAsAMultipleOfDt)
 {
-  test::Scenario scenario = test::load_scenario("mpm_gp_regular");
+  Scenario scenario = load_scenario("mpm_gp_regular");
   Simulation s(std::move(scenario.model), std::move(scenario.state));
-  test::make_steps(s, 3);
+  make_steps(s, 3);
   EXPECT_EQ(s.state.step, 3);
   EXPECT_EQ(s.state.time, 3.0 * s.model.dt);
 }
 
 }  // namespace
-}  // namespace terp

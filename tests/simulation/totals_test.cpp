@@ -1,29 +1,23 @@
 // What one walk over the points finds, by each copy of the kernels and on any number of threads.
 #include "simulation/totals.hpp"
-
 #include "parallel/instructions.hpp"
 #include "simulation/kernels.hpp"
 #include "simulation/ledger.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/test.hpp"
 
-#include <algorithm>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
-using testing::ElementsAre;
 using Rows = PointRows<2>;
 
 /// A column that flows, five steps after the audit has looked.
 struct Flowing : Simulation {
-  explicit Flowing(const char* scheme = "mpm_gp", int threads = 1) : Simulation(test::column(scheme, 0.25), threads)
+  explicit Flowing(const char* scheme = "mpm_gp", int threads = 1) : Simulation(column(scheme, 0.25), threads)
   {
-    test::make_steps(*this, 400);
+    make_steps(*this, 400);
     memory = remember_strain(model, state);
-    test::make_steps(*this, 5);
+    make_steps(*this, 5);
   }
   StrainMemory memory;
   TotalsRequest ask(const std::vector<Columns>& shear) { return {0.1, shear, &memory}; }
@@ -37,7 +31,7 @@ TEST(Totals, AreSumsOverThePoints)
   const Totals totals = kernels().add_up(s.model, s.state, s.work.threads, s.ask(halves));
   Real mass = 0.0, kinetic = 0.0;
   std::array<Real, 2> growth{}, momentum{};
-  for (const test::Point& p : test::points_by_id(s.state)) {
+  for (const Point& p : points_by_id(s.state)) {
     mass += p.mass;
     kinetic += 0.5 * p.mass * (p.v[0] * p.v[0] + p.v[1] * p.v[1]);
     for (int d = 0; d < 2; ++d) momentum[d] += p.mass * p.v[d];
@@ -45,8 +39,8 @@ TEST(Totals, AreSumsOverThePoints)
   }
   EXPECT_NEAR(totals.mass, mass, 1e-12 * mass);
   EXPECT_NEAR(totals.kinetic, kinetic, 1e-12 * kinetic);
-  EXPECT_NEAR(totals.momentum[0], momentum[0], 1e-12 * test::momentum_scale(s.state));
-  EXPECT_NEAR(totals.momentum[1], momentum[1], 1e-12 * test::momentum_scale(s.state));
+  EXPECT_NEAR(totals.momentum[0], momentum[0], 1e-12 * momentum_scale(s.state));
+  EXPECT_NEAR(totals.momentum[1], momentum[1], 1e-12 * momentum_scale(s.state));
   for (int k = 0; k < 2; ++k) {
     EXPECT_GT(growth[k], 0.0);
     EXPECT_NEAR(totals.growth[k], growth[k], 1e-12 * growth[k]);
@@ -91,9 +85,9 @@ TEST(Totals, OfEachCopyOfTheKernelsAgree)
 
 TEST(Totals, NameThePointsWhoseHistoryWentBack)
 {
-  Simulation s(test::column("mpm_gp", 0.5));
+  Simulation s(column("mpm_gp", 0.5));
   const auto strain_to = [&](std::int64_t id, Real eps) {
-    test::edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
+    edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
       if (static_cast<std::int64_t>(block.row(Rows::id)[lane]) == id) block.row(Rows::state)[lane] = eps;
     });
   };
@@ -110,4 +104,3 @@ TEST(Totals, NameThePointsWhoseHistoryWentBack)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,14 +1,11 @@
 // Scratch of the step: fitted to the occupied cells, and no memory asked for once a run is under way.
 #include "simulation/workspace.hpp"
-
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
-
+#include "support/test.hpp"
 #include <atomic>
 #include <cstdlib>
 #include <new>
-
-#include <gmock/gmock.h>
 
 namespace {
 
@@ -58,7 +55,6 @@ void operator delete[](void* p, std::align_val_t) noexcept { release(p); }
 void operator delete(void* p, std::size_t, std::align_val_t) noexcept { release(p); }
 void operator delete[](void* p, std::size_t, std::align_val_t) noexcept { release(p); }
 
-namespace terp {
 namespace {
 
 int allocations_during(Simulation& s, std::int64_t n_steps)
@@ -73,7 +69,7 @@ int allocations_during(Simulation& s, std::int64_t n_steps)
 /// The coarse column, already on the move.
 Case moving_column(const char* scheme)
 {
-  Case c = test::column(scheme, 0.25);
+  Case c = column(scheme, 0.25);
   c.bodies[0].velocity = {3.0, 0.0};
   return c;
 }
@@ -104,26 +100,22 @@ TEST(Workspace, AMovingColumnAsksForNoMemoryAfterTheFirstStep)
 
 TEST(Workspace, FitsItsArraysToTheOccupiedCellsAndListsTheirNodesInOrder)
 {
-  Case c = test::free_box("mpm_gp", {0.25, 0.25}, {0.75, 0.5});  // cells 17 and 18 of a mesh of 16 x 8
+  Case c = free_box("mpm_gp", {0.25, 0.25}, {0.75, 0.5});  // cells 17 and 18 of a mesh of 16 x 8
   Simulation s(c);
   EXPECT_EQ(s.work.corners.size(), 2u);
   EXPECT_GE(s.work.gauss.size(), 2u);
   EXPECT_EQ(s.work.pressure.size(), 2u);
-  EXPECT_THAT(s.work.active_nodes, testing::ElementsAre(18, 19, 20, 35, 36, 37));
+  EXPECT_THAT(s.work.active_nodes, ElementsAre(18, 19, 20, 35, 36, 37));
   EXPECT_EQ(s.work.node.size(), s.model.mesh->nodes.size());
 }
 
-TEST(Workspace, StartsWithTheDampingOfTheModel)
-{
-  EXPECT_EQ(Simulation(test::column("mpm_gp")).work.damping_local, 0.1);
-}
+TEST(Workspace, StartsWithTheDampingOfTheModel) { EXPECT_EQ(Simulation(column("mpm_gp")).work.damping_local, 0.1); }
 
 TEST(Workspace, KeepsTheTimeOfEachPass)
 {
-  Simulation s(test::column("mpm_gp"));
+  Simulation s(column("mpm_gp"));
   test::make_steps(s, 20);
   for (int pass = 0; pass < n_passes; ++pass) EXPECT_GT(s.work.seconds[pass], 0.0) << pass_names[pass];
 }
 
 }  // namespace
-}  // namespace terp

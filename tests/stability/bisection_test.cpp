@@ -1,14 +1,8 @@
 // The search alone: trials that know their answer.
 #include "stability/bisection.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::ElementsAre;
 
 /// Searches among trials that stand below `limit`, creep up to `creep`, and fail above.
 Bisection search(Real limit, const BisectionOptions& options, Real creep = 0.0)
@@ -91,4 +85,3 @@ TEST(Bisection, GuessesHowManyTrialsAreLeft)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,26 +1,21 @@
 // Where the trials of a search begin: at rest, elastic, with scales that a hand calculation gives.
 #include "stability/elastic_start.hpp"
-
 #include "base/errors.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "support/cases.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 /// Clay 4 m wide and 2 m high between smooth walls.
 Case filled_box()
 {
-  Case c = test::free_box("mpm_gp", {0.0, 0.0}, {4.0, 2.0});
+  Case c = free_box("mpm_gp", {0.0, 0.0}, {4.0, 2.0});
   c.bodies[0].points_per_cell = {2, 2};
   c.mesh.size = {4.0, 2.5};
   c.forces.gravity = {0.0, -10.0};
-  c.sides = {test::side("left", SideKind::roller), test::side("right", SideKind::roller),
-      test::side("bottom", SideKind::roller)};
+  c.sides = {side("left", SideKind::roller), side("right", SideKind::roller), side("bottom", SideKind::roller)};
   return c;
 }
 
@@ -52,7 +47,7 @@ TEST(ElasticStart, ContactPlanesThatHoldDoNotSlip)
 {
   Case weak = filled_box();  // its base would slide out to the right
   weak.mesh.size = {6.0, 2.5};
-  weak.sides.back() = test::side("bottom", SideKind::contact_separating);
+  weak.sides.back() = side("bottom", SideKind::contact_separating);
   weak.sides.back().friction = 1e-3;
   Case strong = weak;
   strong.sides.back().adhesion = 1e9;
@@ -71,7 +66,7 @@ TEST(QuietCase, NothingMovesButByItsWeight)
   Case c = filled_box();
   c.footings.resize(1);
   c.bodies[0].velocity = {1.0, 0.0};
-  c.sides.push_back(test::side("top", SideKind::velocity));
+  c.sides.push_back(side("top", SideKind::velocity));
   c.sides.back().velocity = {0.0, -1.0};
   const Case quiet = quiet_case(c);
   EXPECT_TRUE(quiet.footings.empty());
@@ -83,4 +78,3 @@ TEST(QuietCase, NothingMovesButByItsWeight)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,13 +1,9 @@
 // The whole way: a column whose factor of safety is known within its cell size.
 #include "stability/factor_of_safety.hpp"
-
-#include "base/errors.hpp"
 #include "support/cases.hpp"
+#include "support/problems.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 const std::atomic<bool> go{false};
@@ -15,7 +11,7 @@ const std::atomic<bool> go{false};
 /// A vertical cut of 2 m on a rough base, gamma H / S_u = 4.88.
 Case cut(Real cell = 0.5)
 {
-  Case c = test::column_without_softening("mpm_mixed", cell);
+  Case c = column_without_softening("mpm_mixed", cell);
   for (SideCondition& side : c.sides)
     if (side.side == "bottom") side.kind = SideKind::fixed;
   return c;
@@ -70,38 +66,26 @@ TEST(FactorOfSafety, OfSoilThatMayNotBeJudgedIsRefusedWithTheReasonOfItsLaw)
 {
   Case c = cut();
   c.materials.push_back({"water", "newtonian_fluid", 1000.0, {2e6, 1.0, 0.0}});
-  c.bodies.push_back(test::body("water", {9.0, 0.0}, {12.0, 0.5}));
-  try {
-    find_factor_of_safety(c, {}, go);
-    FAIL();
-  } catch (const InputError& error) {
-    const Problem& problem = error.problems().at(0);
-    EXPECT_EQ(problem.key, "material.water.model");
-    EXPECT_EQ(problem.what, "a factor of safety cannot be found for soil of the law newtonian_fluid");
-    EXPECT_EQ(problem.detail,
-        "Because a fluid has no strength: it flows under any shear stress, however small, and no factor makes it "
-        "stand.\nGive `water` another law, or leave it out: all soil of a case is judged together.");
-  }
+  c.bodies.push_back(body("water", {9.0, 0.0}, {12.0, 0.5}));
+  EXPECT_THAT(problems_of([&] { find_factor_of_safety(c, {}, go); }),
+      ElementsAre(told("material.water.model", "a factor of safety cannot be found for soil of the law newtonian_fluid",
+          "Because a fluid has no strength: it flows under any shear stress, however small, and no factor makes it "
+          "stand.\nGive `water` another law, or leave it out: all soil of a case is judged together.")));
 }
 
 TEST(FactorOfSafety, NeedsAStrength)
 {
   Case c = cut();
-  c.materials = {test::elastic(1e6, 0.3, 2000.0)};
+  c.materials = {elastic(1e6, 0.3, 2000.0)};
   c.bodies[0].material = c.materials[0].name;
-  try {
-    find_factor_of_safety(c, {}, go);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.problems().at(0).what, "no material of this case has a strength to reduce");
-  }
+  EXPECT_THAT(problems_of([&] { find_factor_of_safety(c, {}, go); }),
+      ElementsAre(told(_, "no material of this case has a strength to reduce")));
 }
 
 TEST(FactorOfSafety, DoesNotTryStrengthsThatALawCannotTake)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   EXPECT_THROW(find_factor_of_safety(c, {.search = {0.05, 0.1, 0.01}, .rules = {}, .threads = 1}, go), RunError);
 }
 
 }  // namespace
-}  // namespace terp

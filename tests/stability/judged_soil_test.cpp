@@ -1,12 +1,9 @@
 // What a trial looks at: soil in filled cells that hold on to no part-filled one.
 #include "stability/judged_soil.hpp"
-
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 using Rows = PointRows<2>;
@@ -23,7 +20,7 @@ struct Box {
   }
   static Case make(Real top)
   {
-    Case c = test::free_box("mpm_gp", {1.0, 0.5}, {2.0, top});
+    Case c = free_box("mpm_gp", {1.0, 0.5}, {2.0, top});
     c.forces.gravity = {0.0, -10.0};
     return c;
   }
@@ -70,4 +67,3 @@ TEST(JudgedSoil, IsOutOfBalanceByItsWholeWeightInFreeFall)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,19 +1,10 @@
 // Which parameters are strengths, and what a factor does to them.
 #include "stability/reduce.hpp"
-
 #include "materials/material.hpp"
 #include "support/cases.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-#include <numbers>
-
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::ElementsAre;
-using testing::IsEmpty;
 
 constexpr Real degree = std::numbers::pi / 180.0;
 
@@ -35,25 +26,25 @@ Real parameter(const MaterialCase& material, std::string_view name)
 
 TEST(Reduce, ClayHasPeakAndResidualStrengthAndItsBaseAdhesion)
 {
-  const Case c = test::column("mpm_gp");
+  const Case c = column("mpm_gp");
   EXPECT_THAT(keys(c), ElementsAre("material.clay.su_peak", "material.clay.su_residual", "boundary.bottom.adhesion"));
 }
 
 TEST(Reduce, AMaterialThatNoBodyHasIsNoStrengthOfTheCase)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   c.sides.clear();
   c.materials.push_back(c.materials[0]);
   c.materials[1].name = "other";
   EXPECT_EQ(keys(c).size(), 2u);
-  c.materials = {test::elastic(1e6, 0.3, 2000.0)};
+  c.materials = {elastic(1e6, 0.3, 2000.0)};
   c.bodies[0].material = c.materials[0].name;
   EXPECT_THAT(keys(c), IsEmpty());
 }
 
 TEST(Reduce, DividesStressesAndLeavesTheRest)
 {
-  const Case c = test::column("mpm_gp"), reduced = reduce_strength(c, 1.6);
+  const Case c = column("mpm_gp"), reduced = reduce_strength(c, 1.6);
   EXPECT_DOUBLE_EQ(parameter(reduced.materials[0], "su_peak"), 8000.0 / 1.6);
   EXPECT_DOUBLE_EQ(parameter(reduced.materials[0], "su_residual"), 2000.0 / 1.6);
   EXPECT_EQ(parameter(reduced.materials[0], "shear_modulus"), 2.0e6);
@@ -63,7 +54,7 @@ TEST(Reduce, DividesStressesAndLeavesTheRest)
 
 TEST(Reduce, DividesAStrengthThatVariesAtEachPlace)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   c.materials[0].fields = {{2, [](Vec<2> x) { return 8e3 + 100.0 * x[1]; }}};
   EXPECT_DOUBLE_EQ(reduce_strength(c, 1.6).materials[0].fields[0].value_at({0.0, 4.0}), 8400.0 / 1.6);
   const auto strengths = strengths_of(c);
@@ -73,7 +64,7 @@ TEST(Reduce, DividesAStrengthThatVariesAtEachPlace)
 
 TEST(Reduce, DividesTheTangentsOfAngles)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   MaterialCase& sand = c.materials[0];
   sand.model = "mohr_coulomb";
   sand.parameters.clear();
@@ -92,14 +83,13 @@ TEST(Reduce, DividesTheTangentsOfAngles)
 
 TEST(Reduce, SaysWhatALawCannotTake)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   EXPECT_THAT(check_reduced(c), IsEmpty());
   const auto faults = check_reduced(reduce_strength(c, 0.05));
   ASSERT_EQ(faults.size(), 1u);
   EXPECT_THAT(faults[0],
-      testing::StartsWith(
+      StartsWith(
           "material.clay: softening is too steep: eta (su_peak - su_residual) = 6e+06 Pa, at most 1.5 G = 3e+06 Pa"));
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,17 +1,11 @@
 // When a trial counts as standing or failing, from its windows and on a small column.
 #include "stability/trial.hpp"
-
 #include "base/errors.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "support/cases.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::HasSubstr;
-using testing::StartsWith;
 
 const TrialRules rules{.damping = 0.5, .rest = 1e-4, .failure = 1.0, .most_windows = 40, .stiffening = 1000.0};
 const std::atomic<bool> go{false};
@@ -65,7 +59,7 @@ struct Column {
   }
   static Case make()
   {
-    Case c = test::column_without_softening("mpm_mixed");
+    Case c = column_without_softening("mpm_mixed");
     c.footings.emplace_back();
     c.bodies[0].velocity = {1.0, 0.0};
     return c;
@@ -159,4 +153,3 @@ TEST(Trial, StopsWhenAsked)
 }
 
 }  // namespace
-}  // namespace terp

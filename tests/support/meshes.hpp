@@ -5,6 +5,7 @@
 #include "support/random.hpp"
 
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace terp::test {
@@ -44,6 +45,26 @@ inline std::array<Vec<2>, 4> distorted_square(Real share, Random& random)
     x = {x[0] + shift[0], x[1] + shift[1]};
   }
   return corners;
+}
+
+inline Real total_area(const Mesh<2>& mesh)
+{
+  Real sum = 0.0;
+  for (Index e = 0; e < mesh.n_cells(); ++e) sum += mesh.geometry(e).volume;
+  return sum;
+}
+
+/// Length of each named side of a mesh [m].
+inline std::map<std::string, Real> lengths_of_sides(const Mesh<2>& mesh)
+{
+  std::map<std::string, Real> lengths;
+  for (const NamedSide& side : mesh.sides)
+    for (const CellSide& edge : side.edges) {
+      const Vec<2> a = mesh.nodes[mesh.cells[edge.cell][edge.side]],
+                   b = mesh.nodes[mesh.cells[edge.cell][(edge.side + 1) % 4]];
+      lengths[side.name] += std::hypot(b[0] - a[0], b[1] - a[1]);
+    }
+  return lengths;
 }
 
 }  // namespace terp::test

@@ -1,19 +1,10 @@
 // Points to Gauss points: means, weights, pressure. Eqs. (1) to (3) and readings R3, R6, R7, R8, R9.
-
 #include "transfer/gauss_average.hpp"
-
 #include "support/blocks.hpp"
 #include "support/random.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using test::PointValues;
-using testing::DoubleEq;
-using testing::Each;
-using testing::ElementsAre;
 
 /// A cell of 2 m x 2 m, so that V_e = 4 and each Gauss weight is 1, with the points that a test puts in.
 struct Cell {
@@ -24,15 +15,15 @@ struct Cell {
 
   explicit Cell(const std::vector<PointValues>& values)
   {
-    for (const auto& point : values) test::add_point(mesh, 0, point, points);
+    for (const auto& point : values) add_point(mesh, 0, point, points);
   }
   void average(const MethodOptions& method = {})
   {
-    sum_over_sub_cells(test::only_block(points, 0), gauss);
+    sum_over_sub_cells(only_block(points, 0), gauss);
     set_weights(mesh.geometry(0), gauss.volume, method, gauss);
     const SubCellMeans mean(gauss);
     for (int k = 0; k < 2; ++k) {
-      state[k] = sum_row_over_sub_cells<Quad4>(test::only_block(points, 0), PointRows<2>::state + k);
+      state[k] = sum_row_over_sub_cells<Quad4>(only_block(points, 0), PointRows<2>::state + k);
       mean(state[k]);
     }
     divide_by_volume(gauss);
@@ -71,7 +62,7 @@ TEST(GaussAverage, Eq1_IsTheVolumeWeightedMeanOfEachSubCell)
 
 TEST(GaussAverage, Eq1_HoldsForAnyNumberOfPoints)
 {
-  test::Random random(101);
+  Random random(101);
   for (const int n : {1, 7, 8, 9, 25, 40}) {
     std::vector<PointValues> values;
     Real volume[4] = {}, stress[4] = {};
@@ -227,4 +218,3 @@ TEST(AverageOverCell, GivesAllGaussPointsTheMeanWithTheWeightsOfEq2)  // reading
 }
 
 }  // namespace
-}  // namespace terp

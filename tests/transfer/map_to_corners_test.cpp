@@ -1,30 +1,24 @@
 // Mass and momentum of the points at the corners of their cell, and the way back of velocity increments.
-
 #include "transfer/map_to_corners.hpp"
-
 #include "support/blocks.hpp"
 #include "support/random.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 using Rows = PointRows<2>;
-using testing::DoubleEq;
-using testing::ElementsAre;
 
 struct Cell {
   Mesh<2> mesh = make_rectangle({0.0, 0.0}, {2.0, 1.0}, {1, 1});
   PointBlocks<2> points{1, 0};
-  PointBlock<2>& block() { return test::only_block(points, 0); }
-  void add(const test::PointValues& point) { test::add_point(mesh, 0, point, points); }
+  PointBlock<2>& block() { return only_block(points, 0); }
+  void add(const PointValues& point) { add_point(mesh, 0, point, points); }
 };
 
 Cell random_cell(int n, std::uint64_t seed)
 {
   Cell cell;
-  test::Random random(seed);
+  Random random(seed);
   for (int k = 0; k < n; ++k)
     cell.add({.local = {random.between(-1.0, 1.0), random.between(-1.0, 1.0)},
         .mass = random.between(1.0, 3.0),
@@ -99,7 +93,7 @@ TEST(MapMomentum, IsTheMomentumOfTheFirstPassToRoundOff)
   map_momentum(cell.block(), second);
   for (int d = 0; d < 2; ++d)
     for (int i = 0; i < 4; ++i) EXPECT_NEAR(second.momentum[d][i], first.momentum[d][i], 1e-14);
-  EXPECT_THAT(second.mass, testing::Each(0.0));
+  EXPECT_THAT(second.mass, Each(0.0));
 }
 
 TEST(AcceleratePoints, AddsTheInterpolatedIncrement)  // pure FLIP
@@ -154,4 +148,3 @@ TEST(Interpolate, ReproducesALinearField)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,10 +1,7 @@
 // Orders and limits of known sequences.
 #include "verification/convergence.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 TEST(Convergence, OrdersFromErrorsAndFromDifferences)
@@ -40,4 +37,3 @@ TEST(Convergence, IsNoNumberWhereNothingConverges)
 }
 
 }  // namespace
-}  // namespace terp

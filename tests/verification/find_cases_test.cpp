@@ -1,17 +1,9 @@
 #include "verification/find_cases.hpp"
-
 #include "base/errors.hpp"
 #include "support/paths.hpp"
+#include "support/test.hpp"
 
-#include <filesystem>
-#include <fstream>
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::ElementsAre;
-using testing::HasSubstr;
 
 struct Cases {
   Cases()
@@ -21,12 +13,12 @@ struct Cases {
     for (const char* name : {"bar", "column_1", "column_2"})
       std::ofstream(folder.path() + "/" + name + "/expected.toml") << "title = \"x\"\n";
   }
-  test::ScratchFolder folder;
+  ScratchFolder folder;
 };
 
 TEST(FindCases, ThoseOfTheSourceAreFoundFromTheProgram)
 {
-  EXPECT_THAT(names_of_cases(find_cases_folder()), testing::Contains("gravity_column"));
+  EXPECT_THAT(names_of_cases(find_cases_folder()), Contains("gravity_column"));
 }
 
 TEST(FindCases, AllWithoutANameAndThoseThatBeginAlike)
@@ -40,25 +32,15 @@ TEST(FindCases, AllWithoutANameAndThoseThatBeginAlike)
 TEST(FindCases, AWrongNameIsRefusedWithTheNearest)
 {
   const Cases cases;
-  try {
-    choose_cases(cases.folder.path(), {"colum_1"});
-    FAIL();
-  } catch (const FileError& error) {
-    EXPECT_STREQ(error.what(),
-        "there is no verification case `colum_1`. Did you mean `column_1`?\n  Cases: bar, column_1, column_2");
-  }
+  EXPECT_EQ(refusal<FileError>([&] { choose_cases(cases.folder.path(), {"colum_1"}); }),
+      "there is no verification case `colum_1`. Did you mean `column_1`?\n  Cases: bar, column_1, column_2");
 }
 
 TEST(FindCases, AFolderWithoutCasesIsRefused)
 {
-  const test::ScratchFolder empty;
-  try {
-    names_of_cases(empty.path());
-    FAIL();
-  } catch (const FileError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("there are no verification cases: folders with an expected.toml"));
-  }
+  const ScratchFolder empty;
+  EXPECT_THAT(refusal<FileError>([&] { names_of_cases(empty.path()); }),
+      HasSubstr("there are no verification cases: folders with an expected.toml"));
 }
 
 }  // namespace
-}  // namespace terp

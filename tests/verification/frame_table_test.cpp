@@ -1,11 +1,7 @@
 #include "verification/frame_table.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::ElementsAre;
 
 TEST(FrameTable, NamesComponentsAndTheFirstPlace)
 {
@@ -25,4 +21,3 @@ TEST(FrameTable, NamesComponentsAndTheFirstPlace)
 }
 
 }  // namespace
-}  // namespace terp

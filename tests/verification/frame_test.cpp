@@ -1,28 +1,24 @@
 // Mesh, soil and gravity turned together by 30 degrees: the same failure in another frame.
-
 #include "support/cases.hpp"
 #include "support/verification.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-#include <numbers>
-
-namespace terp {
 namespace {
 
 constexpr Real angle = std::numbers::pi / 6.0;
 
 Simulation column_in_frame(const std::string& scheme, Real cell, Real turn)
 {
-  Case c = test::column(scheme, cell);
+  Case c = column(scheme, cell);
   const Mesh<2> mesh = make_rectangle(c.mesh.origin, c.mesh.size,
       {static_cast<Index>(std::lround(c.mesh.size[0] / cell)), static_cast<Index>(std::lround(c.mesh.size[1] / cell))});
-  for (Vec<2>& x : c.bodies[0].polygon) x = test::turned(x, turn);
-  c.forces.gravity = test::turned(c.forces.gravity, turn);
+  for (Vec<2>& x : c.bodies[0].polygon) x = turned(x, turn);
+  c.forces.gravity = turned(c.forces.gravity, turn);
   c.forces.local_damping = 0.0;  // sign(v) of a velocity that is round-off: differences of 1e-8 m by 0.1 s
-  return test::simulate_on(turn == 0.0 ? mesh : test::turned(mesh, turn), c);
+  return simulate_on(turn == 0.0 ? mesh : turned(mesh, turn), c);
 }
 
-class Frame30 : public testing::TestWithParam<std::string> {};
+class Frame30 : public TestWithParam<std::string> {};
 
 TEST_P(Frame30, ColumnFailsTheSameWayInATurnedFrame)
 {
@@ -30,7 +26,7 @@ TEST_P(Frame30, ColumnFailsTheSameWayInATurnedFrame)
   const auto n = static_cast<std::int64_t>(0.65 / straight.model.dt);
   straight.step(n);
   turned.step(n);
-  const auto a = test::points_by_id(straight.state), b = test::points_by_id(turned.state);
+  const auto a = points_by_id(straight.state), b = points_by_id(turned.state);
   ASSERT_EQ(a.size(), b.size());
   Real place = 0.0, strain = 0.0, largest = 0.0;
   for (std::size_t k = 0; k < a.size(); ++k) {
@@ -50,4 +46,3 @@ INSTANTIATE_TEST_SUITE_P(
     Schemes, Frame30, testing::Values("mpm_mixed", "mpm_gp"), [](const auto& p) { return p.param; });
 
 }  // namespace
-}  // namespace terp

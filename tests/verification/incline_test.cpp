@@ -2,14 +2,10 @@
 // suffices. The block is flat, so that it does not rock. Its base nodes are close, because adhesion counts half an edge
 // too much at each end. The contact is separating, because on a bilateral one only pushes cause friction (decision
 // 0015).
-
 #include "support/cases.hpp"
 #include "support/verification.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-#include <numbers>
-
-namespace terp {
 namespace {
 
 constexpr Real g = 9.81;           // [m/s^2]
@@ -25,24 +21,24 @@ Real radians(Real degrees) { return degrees * std::numbers::pi / 180.0; }
 /// The block at rest near the upper end of a slope that falls to the right.
 Simulation block_on(const Slope& slope, const std::string& scheme, SideKind kind)
 {
-  Case c = test::free_box(scheme, {0.5, 0.0}, {0.5 + block[0], block[1]}, test::elastic(2.0e7, 0.3, density));
+  Case c = free_box(scheme, {0.5, 0.0}, {0.5 + block[0], block[1]}, elastic(2.0e7, 0.3, density));
   c.bodies[0].points_per_cell = {3, 3};
-  c.sides = {test::side("bottom", kind)};
+  c.sides = {side("bottom", kind)};
   c.sides[0].friction = slope.friction;
   c.sides[0].adhesion = slope.adhesion;
   const Real angle = -radians(slope.degrees);
   for (BodyCase& b : c.bodies)
-    for (Vec<2>& x : b.polygon) x = test::turned(x, angle);
+    for (Vec<2>& x : b.polygon) x = turned(x, angle);
   c.forces.gravity = {0.0, -g};
-  return test::simulate_on(test::turned(make_rectangle({0.0, 0.0}, {8.0, 1.0}, {160, 4}), angle), c);
+  return simulate_on(turned(make_rectangle({0.0, 0.0}, {8.0, 1.0}, {160, 4}), angle), c);
 }
 
 /// The stress across the slope that carries the block's weight, from the start.
 void carry_weight(State& state, const Slope& slope)
 {
   const Real angle = -radians(slope.degrees);
-  test::edit_points(state, [&](const PointBlock<2>& b, Index lane) {
-    const Vec<2> x = test::turned({b.row(PointRows<2>::x)[lane], b.row(PointRows<2>::x + 1)[lane]}, -angle);
+  edit_points(state, [&](const PointBlock<2>& b, Index lane) {
+    const Vec<2> x = turned({b.row(PointRows<2>::x)[lane], b.row(PointRows<2>::x + 1)[lane]}, -angle);
     const Real n = -density * g * std::cos(angle) * (block[1] - x[1]);
     b.row(PointRows<2>::sigma)[lane] = n * std::sin(angle) * std::sin(angle);
     b.row(PointRows<2>::sigma + 1)[lane] = n * std::cos(angle) * std::cos(angle);
@@ -64,10 +60,10 @@ Real acceleration(const Slope& slope, const std::string& scheme, SideKind kind)
   Simulation s = block_on(slope, scheme, kind);
   carry_weight(s.state, slope);
   s.step(static_cast<std::int64_t>(0.2 / s.model.dt));
-  return along(test::mean_velocity(s.state), slope.degrees) / s.state.time;
+  return along(mean_velocity(s.state), slope.degrees) / s.state.time;
 }
 
-class Incline : public testing::TestWithParam<std::string> {};
+class Incline : public TestWithParam<std::string> {};
 
 TEST_P(Incline, BlockAcceleratesByGravityLessFrictionAndAdhesion)
 {
@@ -102,4 +98,3 @@ INSTANTIATE_TEST_SUITE_P(
     Schemes, Incline, testing::Values("mpm_mixed", "mpm_gp"), [](const auto& p) { return p.param; });
 
 }  // namespace
-}  // namespace terp

@@ -1,12 +1,7 @@
 #include "verification/judge.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::ElementsAre;
 
 struct Sample {
   Expected file;
@@ -229,4 +224,3 @@ TEST(Judge, ARunMayErrByWhatRefinementShowsOfItsMesh)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,24 +1,21 @@
 // Noise of the pressure in clay that fails, nearly incompressible, on a distorted mesh: the distance of points from the
 // plane that fits the pressure of their neighbourhood. Integration at the points locks and gives a checkerboard; the
 // mixed schemes do not.
-
 #include "support/cases.hpp"
 #include "support/meshes.hpp"
 #include "support/verification.hpp"
-
-#include <gmock/gmock.h>
+#include "support/test.hpp"
 #include <iostream>
 
-namespace terp {
 namespace {
 
 constexpr Real h = 0.2;  // [m]
 
 /// Value at a point of the least-squares plane through the pressures around it [Pa].
-Real plane_at(const std::vector<test::Point>& points, const test::Point& centre, Real radius)
+Real plane_at(const std::vector<Point>& points, const Point& centre, Real radius)
 {
   Real n = 0.0, s[5] = {}, b[3] = {};  // sums of x, y, xx, xy, yy; of p, xp, yp
-  for (const test::Point& q : points) {
+  for (const Point& q : points) {
     const Real x = (q.x[0] - centre.x[0]) / radius, y = (q.x[1] - centre.x[1]) / radius;
     if (x * x + y * y > 1.0) continue;
     const Real p = (q.sigma[0] + q.sigma[1] + q.sigma[2]) / 3.0;
@@ -34,11 +31,11 @@ Real plane_at(const std::vector<test::Point>& points, const test::Point& centre,
 }
 
 /// Root mean square of pressure less the fitted plane [Pa], away from the surface.
-Real pressure_noise(const std::vector<test::Point>& points)
+Real pressure_noise(const std::vector<Point>& points)
 {
   Real square = 0.0, count = 0.0;
   for (std::size_t k = 0; k < points.size(); k += 7) {
-    const test::Point& p = points[k];
+    const Point& p = points[k];
     if (p.x[0] < 0.5 || p.x[1] < 0.4 || p.x[1] > 1.2) continue;
     square += std::pow((p.sigma[0] + p.sigma[1] + p.sigma[2]) / 3.0 - plane_at(points, p, 0.75 * h), 2);
     count += 1.0;
@@ -51,12 +48,12 @@ Real pressure_noise(const std::vector<test::Point>& points)
 Real mean_pressure_noise(const std::string& scheme)
 {
   constexpr int moments = 16;
-  const Case c = test::column(scheme, h);
-  Simulation s = test::simulate_on(test::distorted_rectangle(80, 15, h, 0.2, 4), c);
+  const Case c = column(scheme, h);
+  Simulation s = simulate_on(distorted_rectangle(80, 15, h, 0.2, 4), c);
   Real sum = 0.0;
   for (int k = 0; k < moments; ++k) {
     s.step(static_cast<std::int64_t>((k == 0 ? 0.3 : 0.04) / s.model.dt));
-    sum += pressure_noise(test::points_by_id(s.state));
+    sum += pressure_noise(points_by_id(s.state));
   }
   return sum / moments;
 }
@@ -72,4 +69,3 @@ TEST(Noise, PressureIsTwentyTimesSmootherThanWithIntegrationAtThePoints)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,15 +1,12 @@
 // Patch tests on strongly distorted quadrilaterals: constant strain is exact, constant stress gives no interior force,
 // rigid motion gives no stress.
-
 #include "materials/elastic_constants.hpp"
 #include "simulation/cell_passes.hpp"
 #include "support/cases.hpp"
 #include "support/meshes.hpp"
 #include "support/verification.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
 
 constexpr Index n_cells = 6;
@@ -18,9 +15,9 @@ constexpr Real h = 0.5;  // [m]
 /// A mesh with inner nodes moved by up to 35 % of h, every cell full of elastic points.
 Simulation full_block(const std::string& scheme, std::uint64_t seed, ObjectiveRate rate = ObjectiveRate::none)
 {
-  Case c = test::free_box(scheme, {0.0, 0.0}, {n_cells * h, n_cells * h}, test::elastic(3.0e6, 0.3, 1700.0));
+  Case c = free_box(scheme, {0.0, 0.0}, {n_cells * h, n_cells * h}, elastic(3.0e6, 0.3, 1700.0));
   c.method.objective_rate = rate;
-  return test::simulate_on(test::distorted_rectangle(n_cells, n_cells, h, 0.35, seed), c);
+  return simulate_on(distorted_rectangle(n_cells, n_cells, h, 0.35, seed), c);
 }
 
 /// Displacement increments of a cell's corners in the affine field du = a x.
@@ -51,8 +48,8 @@ void strain_all_cells(Simulation& s, const std::array<Vec<2>, 2>& a)
   }
 }
 
-class Patch : public testing::TestWithParam<const Scheme*> {};
-INSTANTIATE_TEST_SUITE_P(EveryScheme, Patch, testing::ValuesIn(all_schemes().begin(), all_schemes().end()),
+class Patch : public TestWithParam<const Scheme*> {};
+INSTANTIATE_TEST_SUITE_P(EveryScheme, Patch, ValuesIn(all_schemes().begin(), all_schemes().end()),
     [](const auto& scheme) { return std::string(scheme.param->name); });
 
 TEST_P(Patch, ConstantStrainAndStressAreExact)
@@ -62,7 +59,7 @@ TEST_P(Patch, ConstantStrainAndStressAreExact)
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     Simulation s = full_block(std::string(GetParam()->name), seed);
     strain_all_cells(s, a);
-    for (const test::Point& p : test::points_by_id(s.state)) {
+    for (const Point& p : points_by_id(s.state)) {
       EXPECT_NEAR(p.strain[0], 2.0e-3, 1e-15);
       EXPECT_NEAR(p.strain[1], -4.0e-3, 1e-15);
       EXPECT_NEAR(p.strain[2], 0.0, 1e-15);
@@ -78,13 +75,13 @@ TEST_P(Patch, RotationGivesNoStrainAndOnlyTurnsTheStress)
 {
   const Real angle = 1.0e-4;
   Simulation s = full_block(std::string(GetParam()->name), 7, ObjectiveRate::jaumann);
-  test::edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
+  edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
     block.row(PointRows<2>::sigma)[lane] = -8000.0;
     block.row(PointRows<2>::sigma + 1)[lane] = -20000.0;
     block.row(PointRows<2>::sigma + 2)[lane] = -5000.0;
   });
   strain_all_cells(s, {{{0.0, -angle}, {angle, 0.0}}});
-  for (const test::Point& p : test::points_by_id(s.state)) {
+  for (const Point& p : points_by_id(s.state)) {
     for (const Real e : p.strain) EXPECT_NEAR(e, 0.0, 1e-16);
     EXPECT_NEAR(p.sigma[0], -8000.0, 1e-9);
     EXPECT_NEAR(p.sigma[1], -20000.0, 1e-9);
@@ -97,7 +94,7 @@ TEST_P(Patch, RotationGivesNoStrainAndOnlyTurnsTheStress)
 Real interior_force_share(const std::string& scheme, std::uint64_t seed)
 {
   Simulation s = full_block(scheme, seed);
-  test::edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
+  edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
     const Real stress[] = {-9.0e3, -21.0e3, -14.0e3, 5.0e3};
     for (int k = 0; k < 4; ++k) block.row(PointRows<2>::sigma + k)[lane] = stress[k];
     block.row(PointRows<2>::volume)[lane] *= lane % 5 < 2 ? 1.3 : 0.8;
@@ -133,4 +130,3 @@ TEST(PatchForces, IntegrationAtThePointsLeavesInteriorForces)  // the control: w
 }
 
 }  // namespace
-}  // namespace terp

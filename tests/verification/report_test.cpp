@@ -1,12 +1,7 @@
 #include "verification/report.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::EndsWith;
-using testing::HasSubstr;
 
 std::vector<CaseRows> sample()
 {
@@ -75,8 +70,7 @@ TEST(Report, HtmlIsOnePageAndEscapesText)
   const std::string page = html_page(sample());
   EXPECT_THAT(page, HasSubstr("<td>stress &lt;zz&gt;</td>"));
   EXPECT_THAT(page, HasSubstr("<td class=\"fail\">FAIL</td>"));
-  EXPECT_THAT(page, testing::Not(HasSubstr("http")));
+  EXPECT_THAT(page, Not(HasSubstr("http")));
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,14 +1,9 @@
 // Constants of a verification case: formulas that use each other, numbers of the case as it runs.
 #include "verification/scope.hpp"
-
 #include "verification/ledger_samples.hpp"
+#include "support/test.hpp"
 
-#include <gmock/gmock.h>
-
-namespace terp {
 namespace {
-
-using testing::HasSubstr;
 
 std::string expected_with(const std::string& constants)
 {
@@ -20,7 +15,7 @@ std::string expected_with(const std::string& constants)
 /// Constants of the flying box, with changes of its case; dt = 0.01 s.
 std::map<std::string, Real> constants_of(const std::string& text, const std::vector<std::string>& changes = {})
 {
-  const test::LedgerSample sample(expected_with(text));
+  const LedgerSample sample(expected_with(text));
   const Expected expected = read_expected(sample.path());
   return make_scope(expected, expected.variants.at(0), read_case(sample.folder.path() + "/case.toml", changes), 0.01)
       .constants;
@@ -28,12 +23,7 @@ std::map<std::string, Real> constants_of(const std::string& text, const std::vec
 
 std::string refusal_of(const std::string& text)
 {
-  try {
-    constants_of(text);
-  } catch (const CaseError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return refusal<CaseError>([&] { constants_of(text); });
 }
 
 TEST(Scope, KnowsTheEndAndTheTimeStep)
@@ -65,4 +55,3 @@ TEST(Scope, RefusesAKeyThatGivesNoNumber)
 }
 
 }  // namespace
-}  // namespace terp

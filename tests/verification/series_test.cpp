@@ -1,10 +1,6 @@
 #include "verification/series.hpp"
+#include "support/test.hpp"
 
-#include <cmath>
-#include <gmock/gmock.h>
-#include <numbers>
-
-namespace terp {
 namespace {
 
 /// A sine of this period [s], from 0 to 4 s.
@@ -45,8 +41,8 @@ TEST(Series, ACutKeepsItsEnds)
 {
   const Series part =
       cut({.time = {0.0, 1.0, 2.0, 3.0}, .value = {5.0, 6.0, 7.0, 8.0}, .reference = {1.0, 2.0, 3.0, 4.0}}, 1.0, 2.0);
-  EXPECT_THAT(part.value, testing::ElementsAre(6.0, 7.0));
-  EXPECT_THAT(part.reference, testing::ElementsAre(2.0, 3.0));
+  EXPECT_THAT(part.value, ElementsAre(6.0, 7.0));
+  EXPECT_THAT(part.reference, ElementsAre(2.0, 3.0));
 }
 
 TEST(Series, ErrorsAreMeasuredInTheScale)
@@ -66,4 +62,3 @@ TEST(Series, ANumberThatIsNoneSpoilsTheError)
 }
 
 }  // namespace
-}  // namespace terp

@@ -1,20 +1,12 @@
 // Whole runs of a block that flies freely, where the value of each kind of quantity is known.
-
 #include "verification/solve_variant.hpp"
-
 #include "followers/followers.hpp"
 #include "simulation/ledger.hpp"
 #include "verification/ledger_samples.hpp"
-
-#include <cmath>
-#include <gmock/gmock.h>
+#include "support/test.hpp"
 #include <fmt/format.h>
 
-namespace terp {
 namespace {
-
-using testing::AllOf;
-using testing::HasSubstr;
 
 const std::string head = R"(title = "Flight"
 [constants]
@@ -25,7 +17,7 @@ std::string quantity(const std::string& lines) { return "[[quantity]]\nsource = 
 
 Solved solve(const std::string& quantities, const std::string& runs = "")
 {
-  const test::LedgerSample sample(head + runs + quantities);
+  const LedgerSample sample(head + runs + quantities);
   const Expected file = read_expected(sample.path());
   const auto solves = list_solves(file, true, true);
   return solve_variant(solves.front(), std::atomic<bool>{false});
@@ -203,7 +195,7 @@ TEST(SolveVariant, AKeyThatTheCaseDoesNotSetIsNoConstant)
 {
   const Solved solved = solve("h = 1\n");
   EXPECT_EQ(solved.fault, "");
-  const test::LedgerSample sample("title = \"x\"\n[constants]\na = { key = \"time.courant\" }\n");
+  const LedgerSample sample("title = \"x\"\n[constants]\na = { key = \"time.courant\" }\n");
   const Expected file = read_expected(sample.path());
   EXPECT_THAT(solve_variant(list_solves(file, true, true).front(), std::atomic<bool>{false}).fault,
       HasSubstr("the case says nothing of `time.courant`"));
@@ -211,7 +203,7 @@ TEST(SolveVariant, AKeyThatTheCaseDoesNotSetIsNoConstant)
 
 TEST(SolveVariant, RunsAreEachVariantWithEachSchemeShortOrLong)
 {
-  const test::LedgerSample sample(
+  const LedgerSample sample(
       "title = \"x\"\n[[run]]\nname = \"a\"\nschemes = [\"mpm_gp\", \"mpm_mixed\"]\n[[run]]\nname = \"b\"\nlong = "
       "true\n");
   const Expected file = read_expected(sample.path());
@@ -228,4 +220,3 @@ TEST(SolveVariant, ARunThatStopsItselfIsAFault)
 }
 
 }  // namespace
-}  // namespace terp

@@ -3,21 +3,15 @@
 // error is of first order: on a linear stress h / sqrt(12) over the height.
 //   column:         sigma_yy = -rho g (H - y), sigma_xx = nu / (1 - nu) sigma_yy
 //   infinite slope: as the column with g cos t, and sigma_xy = rho g sin t (H - y), in axes along and across the slope
-
 #include "support/cases.hpp"
 #include "support/meshes.hpp"
 #include "support/paths.hpp"
 #include "support/verification.hpp"
-
 #include "simulation/initial.hpp"
-
+#include "support/test.hpp"
 #include <atomic>
-#include <fstream>
-#include <gmock/gmock.h>
 #include <iostream>
-#include <numbers>
 
-namespace terp {
 namespace {
 
 constexpr Real density = 1800.0, g = 9.81, nu = 0.3, shear = 5.0e6;
@@ -47,31 +41,31 @@ void write_lattice(const std::string& path, const Layer& layer, Real spacing)
 
 Case settling(const Layer& layer, const std::string& scheme, const std::string& points_file)
 {
-  Case c = test::free_box(scheme, {0.0, 0.0}, {layer.width, layer.height}, test::elastic(shear, nu, density));
+  Case c = free_box(scheme, {0.0, 0.0}, {layer.width, layer.height}, elastic(shear, nu, density));
   c.bodies[0].polygon.clear();
   c.bodies[0].points_file = points_file;
   const Real tilt = layer.degrees * std::numbers::pi / 180.0;
   c.forces.gravity = {g * std::sin(tilt), -g * std::cos(tilt)};
   c.initial.stress = InitialStress::equilibrium;
   c.initial.limit = 5e-4;
-  for (const char* side : {"left", "right"}) c.sides.push_back(test::side(side, SideKind::roller));
-  c.sides.push_back(test::side("bottom", layer.fixed_base ? SideKind::fixed : SideKind::roller));
+  for (const char* name : {"left", "right"}) c.sides.push_back(side(name, SideKind::roller));
+  c.sides.push_back(side("bottom", layer.fixed_base ? SideKind::fixed : SideKind::roller));
   return c;
 }
 
 /// Root mean square error of normal, horizontal and shear stress over rho g H, at most one height from its middle.
 std::array<Real, 3> stress_error(const Layer& layer, const std::string& scheme, Real h)
 {
-  const test::ScratchFolder folder;
+  const ScratchFolder folder;
   const std::string points_file = folder.path() + "/points.csv";
   write_lattice(points_file, layer, h / 8.3);
   const Case c = settling(layer, scheme, points_file);
   const auto n = [h](Real length) { return static_cast<Index>(std::lround(length / h)); };
-  Simulation s = test::simulate_on(test::distorted_rectangle(n(layer.width), n(layer.height) + 2, h, 0.25, 5), c);
+  Simulation s = simulate_on(distorted_rectangle(n(layer.width), n(layer.height) + 2, h, 0.25, 5), c);
   EXPECT_EQ(seek_equilibrium(s.model, s.state, s.work, std::atomic<bool>{false}).fault, "");
   std::array<Real, 3> square{};
   Real count = 0.0;
-  for (const test::Point& p : test::points_by_id(s.state)) {
+  for (const Point& p : points_by_id(s.state)) {
     const Real x = s.state.x_initial[2 * static_cast<std::size_t>(p.id)],
                y = s.state.x_initial[2 * static_cast<std::size_t>(p.id) + 1];
     if (std::abs(x - 0.5 * layer.width) > layer.height) continue;
@@ -85,7 +79,7 @@ std::array<Real, 3> stress_error(const Layer& layer, const std::string& scheme, 
   return square;
 }
 
-class StaticStress : public testing::TestWithParam<std::tuple<Layer, std::string>> {};
+class StaticStress : public TestWithParam<std::tuple<Layer, std::string>> {};
 
 TEST_P(StaticStress, ErrorIsOfFirstOrderOnDistortedMeshes)
 {
@@ -115,4 +109,3 @@ INSTANTIATE_TEST_SUITE_P(InfiniteSlope, StaticStress,
     testing::Combine(testing::Values(slope), testing::Values("mpm_mixed", "mpm_gp")), scheme_name);
 
 }  // namespace
-}  // namespace terp

@@ -1,16 +1,12 @@
 // An elastic bar that vibrates along its axis between fixed ends: v = V sin(pi x / L) cos(omega t), omega = pi c_p / L.
 // Error of the velocity after one period against h, on distorted meshes; on rectangular ones:
 // cases/verification/vibrating_bar.
-
 #include "support/cases.hpp"
 #include "support/meshes.hpp"
 #include "support/verification.hpp"
-
-#include <gmock/gmock.h>
+#include "support/test.hpp"
 #include <iostream>
-#include <numbers>
 
-namespace terp {
 namespace {
 
 constexpr Real length = 4.0, amplitude = 1.0e-4;  // [m], [m/s]: displacements stay far below a cell
@@ -18,26 +14,25 @@ constexpr Real length = 4.0, amplitude = 1.0e-4;  // [m], [m/s]: displacements s
 /// Largest error of the axial velocity after one period, over the amplitude.
 Real error_after_a_period(const std::string& scheme, Real h, Real distortion)
 {
-  Case c = test::free_box(scheme, {0.0, 0.0}, {length, 4.0 * h}, test::elastic(4.0e6, 0.25, 2000.0));
+  Case c = free_box(scheme, {0.0, 0.0}, {length, 4.0 * h}, elastic(4.0e6, 0.25, 2000.0));
   c.time.courant = 0.2;
-  for (const char* side : {"left", "right", "bottom", "top"}) c.sides.push_back(test::side(side, SideKind::roller));
-  Simulation s =
-      test::simulate_on(test::distorted_rectangle(static_cast<Index>(std::lround(length / h)), 4, h, distortion, 3), c);
+  for (const char* name : {"left", "right", "bottom", "top"}) c.sides.push_back(side(name, SideKind::roller));
+  Simulation s = simulate_on(distorted_rectangle(static_cast<Index>(std::lround(length / h)), 4, h, distortion, 3), c);
   const Material& law = *s.model.materials[0].law;
   const Real speed = std::sqrt(law.p_wave_modulus() / 2000.0), period = 2.0 * length / speed,
              wave = std::numbers::pi / length;
-  test::edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
+  edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
     block.row(PointRows<2>::v)[lane] = amplitude * std::sin(wave * block.row(PointRows<2>::x)[lane]);
   });
   s.step(std::llround(period / s.model.dt));
   Real square = 0.0;
-  const auto points = test::points_by_id(s.state);
-  for (const test::Point& p : points)
+  const auto points = points_by_id(s.state);
+  for (const Point& p : points)
     square += std::pow(p.v[0] / amplitude - std::sin(wave * p.x[0]) * std::cos(wave * speed * s.state.time), 2);
   return std::sqrt(square / static_cast<Real>(points.size()));
 }
 
-class VibratingBar : public testing::TestWithParam<std::string> {};
+class VibratingBar : public TestWithParam<std::string> {};
 
 TEST_P(VibratingBar, ErrorFallsWithTheCellSize)
 {
@@ -56,4 +51,3 @@ INSTANTIATE_TEST_SUITE_P(Schemes, VibratingBar, testing::Values("standard_mpm", 
     [](const auto& p) { return p.param; });
 
 }  // namespace
-}  // namespace terp

@@ -1,6 +1,5 @@
-// Two soil layers with an inclined right end. The four .msh files beside this one were made from it by gmsh 4.8.4:
+// Two soil layers with an inclined right end. The two .msh files beside this one were made from it by gmsh 4.8.4:
 //   gmsh -2 -format msh41 two_layers.geo -o two_layers_41.msh         and with -bin: two_layers_41_binary.msh
-//   gmsh -2 -format msh2  two_layers.geo -o two_layers_22.msh         and with -bin: two_layers_22_binary.msh
 h = 0.8;
 Point(1) = {0, 0, 0, h};   Point(2) = {1.5, 0, 0, h};   Point(3) = {1.5, 0.5, 0, h};
 Point(4) = {0, 0.5, 0, h}; Point(5) = {1.2, 1.0, 0, h}; Point(6) = {0, 1.0, 0, h};
