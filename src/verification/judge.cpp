@@ -118,14 +118,14 @@ bool concerns(const Quantity& order, const Finding& f)
 
 /// The runs of one scheme with their sizes and numbers, and the constants of the last.
 struct Refinement {
-  std::vector<Real> sizes, numbers;
+  std::vector<Real> sizes = {}, numbers = {};
   Scope scope;
 };
 
 Refinement collect(
     const Expected& file, const Quantity& q, const std::string& scheme, const std::vector<Finding>& findings)
 {
-  Refinement runs{.sizes = {}, .numbers = {}, .scope = {.file = file, .constants = {}}};
+  Refinement runs{.scope = {.file = file}};
   const bool of_values = q.differences || needs_limit(q);
   for (const Finding& f : findings) {
     if (f.scheme != scheme || !concerns(q, f)) continue;
@@ -154,12 +154,7 @@ Finding find_by_bounds(
       .run = run,
       .scheme = scheme,
       .value = value,
-      .reference = scope.evaluate_or(q.reference, nan),
-      .tolerance = nan,
-      .relative = nan,
-      .at_least = nan,
-      .at_most = nan,
-      .constants = {}};
+      .reference = scope.evaluate_or(q.reference, nan)};
   read_bounds(scope, finding);
   return finding;
 }
@@ -214,7 +209,6 @@ Row fault_row(
       .run = run,
       .quantity = quantity,
       .reference = "-",
-      .source = "",
       .terp = "no result",
       .error = "-",
       .tolerance = "-",

@@ -1,5 +1,5 @@
 // One quantity of one run: it observes the run, and gives a number at its end. A further kind of quantity: a word of
-// QuantityKind, a class here, one line in make_measure.
+// QuantityKind, a class in measure.cpp, one line in make_plain_measure.
 #pragma once
 
 #include "simulation/observer.hpp"
@@ -17,18 +17,17 @@ struct Measured {
 
 class Measure : public Observer {
  public:
+  Measure(const Quantity& quantity, const Scope& scope) : quantity_(quantity), scope_(scope) {}
   /// At the end of the run. Throws CaseError for a formula that cannot be evaluated.
   virtual Measured finish(const Summary& summary) = 0;
+
+ protected:
+  const Quantity& quantity_;
+  const Scope& scope_;
 };
 
 /// Errors, now or during the run, are thrown at its end. Not for quantities that compare runs (judge.hpp). Quantity and
 /// scope must outlive the measure.
 std::unique_ptr<Measure> make_measure(const Quantity& quantity, const Scope& scope);
-
-std::unique_ptr<Measure> make_field_measure(const Quantity& quantity, const Scope& scope);
-std::unique_ptr<Measure> make_point_measure(const Quantity& quantity, const Scope& scope);
-std::unique_ptr<Measure> make_ledger_measure(const Quantity& quantity, const Scope& scope);
-std::unique_ptr<Measure> make_footing_measure(const Quantity& quantity, const Scope& scope);
-std::unique_ptr<Measure> make_summary_measure(const Quantity& quantity, const Scope& scope);
 
 }  // namespace terp

@@ -10,7 +10,7 @@ namespace terp {
 
 struct Scope {
   const Expected& file;
-  std::map<std::string, Real> constants;
+  std::map<std::string, Real> constants = {};
 
   /// Throws CaseError with the place of the formula.
   Real evaluate(const Formula& formula) const;

@@ -45,16 +45,7 @@ void guarded(Finding& finding, F&& f)
 /// Everything but the numbers of the run.
 Finding start_finding(const Quantity& q, const Solve& solve, const std::string& scheme, const Scope& scope)
 {
-  Finding f{.quantity = &q,
-      .run = solve.variant->name,
-      .scheme = scheme,
-      .value = nan,
-      .reference = nan,
-      .tolerance = nan,
-      .relative = nan,
-      .at_least = nan,
-      .at_most = nan,
-      .constants = scope.constants};
+  Finding f{.quantity = &q, .run = solve.variant->name, .scheme = scheme, .constants = scope.constants};
   guarded(f, [&] { read_bounds(scope, f); });
   return f;
 }

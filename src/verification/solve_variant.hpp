@@ -5,6 +5,7 @@
 #include "verification/scope.hpp"
 
 #include <atomic>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -19,13 +20,12 @@ struct Solve {
 
 /// A quantity measured in one run, and the numbers that judge it; NaN where there is none.
 struct Finding {
-  const Quantity* quantity;
-  std::string run;  ///< "h = 0.25 m"
-  std::string scheme;
-  Real value, reference;
-  Real tolerance, relative, at_least, at_most;
-  std::map<std::string, Real> constants;  ///< of the run
-  std::string fault = {};                 ///< why it could not be measured; then the numbers have no meaning
+  const Quantity* quantity = nullptr;
+  std::string run, scheme;  ///< "h = 0.25 m"
+  Real value = NAN, reference = NAN;
+  Real tolerance = NAN, relative = NAN, at_least = NAN, at_most = NAN;
+  std::map<std::string, Real> constants = {};  ///< of the run
+  std::string fault = {};                      ///< why it could not be measured; then the numbers have no meaning
 };
 
 struct Solved {
