@@ -185,17 +185,6 @@ void declare_stability(CLI::App& app, CommandLine& line)
   add_loudness(stability, line.options);
 }
 
-void declare_watch(CLI::App& app, WatchCommand& options)
-{
-  CLI::App* watch = add_command(app, "watch", "Solve", "how far a run is that another terp solves\nEnds with that run.",
-      "  terp watch runs/dike --every 10\n");
-  watch->add_option("RUN", options.run, "run folder")->option_text(" ")->required();
-  watch->add_option("--every", options.every, "seconds between two looks (default 2)")
-      ->option_text("S")
-      ->check(number_between(0.1, 3600.0));
-  watch->add_flag("--once", options.once, "look once");
-}
-
 void declare_viewers(CLI::App& app, CommandLine& line)
 {
   CLI::App* report = add_command(app, "report", "Look",
@@ -233,13 +222,12 @@ void declare_verify(CLI::App& app, VerifyOptions& options)
   CLI::App* verify = add_command(app, "verify", "Understand",
       "solve problems with a known answer\nPrints what came out (docs/verification_cases.md); without a name all of "
       "them.",
-      "  terp verify infinite_slope\n  terp verify --short --html ledger.html\n");
+      "  terp verify infinite_slope\n  terp verify --short --markdown ledger.md\n");
   verify->add_option("CASE", options.names, "names of cases")->option_text(" ");
   verify->add_flag("--list", options.list, "names and titles");
   CLI::Option* only_short = verify->add_flag("--short", options.only_short, "only those that take seconds");
   verify->add_flag("--long", options.only_long, "only those that take minutes")->option_text(" ")->excludes(only_short);
-  verify->add_option("--html", options.html, "write the ledger as a page")->option_text("FILE");
-  verify->add_option("--markdown", options.markdown, "the same as text")->option_text("FILE");
+  verify->add_option("--markdown", options.markdown, "write the ledger as a page")->option_text("FILE");
   verify->add_option("--overview", options.overview, "write one line per case, and what does not agree")
       ->option_text("FILE");
   verify->add_option("--cases", options.cases, "folder of the cases")->option_text("DIR");
@@ -320,7 +308,6 @@ void declare(CLI::App& app, CommandLine& line)
              exit_statuses);
   declare_solvers(app, line);
   declare_stability(app, line);
-  declare_watch(app, line.watch);
   declare_viewers(app, line);
   declare_guides(app, line);
   declare_verify(app, line.verify);

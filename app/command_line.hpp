@@ -17,7 +17,6 @@ struct CommandLine {
   std::string topic;
   ReportCommand report;
   ExportCommand exported;
-  WatchCommand watch;
 };
 
 /// Declares all commands; what is parsed goes to `line`, which must outlive the app.

@@ -25,8 +25,8 @@ struct RunOptions {
 
 struct VerifyOptions {
   std::vector<std::string> names;        ///< of cases; empty: all
-  std::string cases;                     ///< folder of the cases; empty: that beside the program
-  std::string html, markdown, overview;  ///< pages to write; empty: none
+  std::string cases;               ///< folder of the cases; empty: that beside the program
+  std::string markdown, overview;  ///< pages to write; empty: none
   int threads = 0;                       ///< 0: what this job may use
   bool list = false, only_short = false, only_long = false;
 };
@@ -40,12 +40,6 @@ struct ReportCommand {
 struct ExportCommand {
   std::string run, format = "csv", frames, folder;
   std::vector<std::string> fields;
-};
-
-struct WatchCommand {
-  std::string run;
-  double every = 2.0;  ///< [s]
-  bool once = false;
 };
 
 /// Threads that a command asks the system for: those of --threads, or all that this job may use.
@@ -63,6 +57,5 @@ int verify_cases(const VerifyOptions& options);
 int report_runs(const ReportCommand& command);
 int compare_folders(const ReportCommand& command);
 int export_run(const ExportCommand& command);
-int watch_run(const WatchCommand& command);
 
 }  // namespace terp

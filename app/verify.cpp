@@ -172,7 +172,7 @@ int verify_cases(const VerifyOptions& options)
   if (solves.empty())
     throw FileError(
         fmt::format("there is nothing to solve: these cases have no {} run", options.only_long ? "long" : "short"));
-  for (const std::string& path : {options.markdown, options.overview, options.html}) check_page(path);
+  for (const std::string& path : {options.markdown, options.overview}) check_page(path);
   const std::vector<Solved> solved = solve_all(solves, options.threads > 0 ? options.threads : available_processors());
   if (stop_requested) throw RunError("stopped before all cases were solved; nothing is said of the others");
 
@@ -185,7 +185,6 @@ int verify_cases(const VerifyOptions& options)
   }
   if (!options.markdown.empty()) write_page(options.markdown, markdown_page(pages, head_of_page(folder)));
   if (!options.overview.empty()) write_page(options.overview, markdown_overview(pages, head_of_page(folder)));
-  if (!options.html.empty()) write_page(options.html, html_page(pages));
   const Counts counts = count(pages);
   fmt::print("{}\n", counts_text(counts));
   return counts.fail == 0 ? Status::solved : failed;

@@ -64,9 +64,4 @@ std::string base64(std::string_view bytes)
   return text;
 }
 
-std::uint32_t crc32_of(std::string_view bytes)
-{
-  return static_cast<std::uint32_t>(crc32_z(0, input_of(bytes), bytes.size()));
-}
-
 }  // namespace terp

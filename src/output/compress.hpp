@@ -15,9 +15,6 @@ std::string gzip(std::string_view bytes, int level = 6);
 /// The bytes of a gzip stream. Throws FileError if it is damaged.
 std::string gunzip(std::string_view stream);
 
-/// CRC-32 as in zip and gzip.
-std::uint32_t crc32_of(std::string_view bytes);
-
 /// RFC 4648, with padding, without line breaks.
 std::string base64(std::string_view bytes);
 

@@ -422,11 +422,6 @@ T read_single(hid_t file, const std::string& path, const std::string& object, co
 
 }  // namespace
 
-bool Hdf5File::has_attribute(const std::string& object, const std::string& attribute) const
-{
-  return H5Aexists_by_name(file_, object.c_str(), attribute.c_str(), H5P_DEFAULT) > 0;
-}
-
 std::string Hdf5File::text(const std::string& object, const std::string& attribute) const
 {
   const Id opened = open_attribute(file_, path_, object, attribute);

@@ -65,7 +65,6 @@ class Hdf5File {
   void set_real(const std::string& object, const std::string& attribute, Real value);
   /// One value: a scalar; more: an array.
   void set_integers(const std::string& object, const std::string& attribute, const std::vector<std::int64_t>& values);
-  bool has_attribute(const std::string& object, const std::string& attribute) const;
   std::string text(const std::string& object, const std::string& attribute) const;
   Real real(const std::string& object, const std::string& attribute) const;
   std::int64_t integer(const std::string& object, const std::string& attribute) const;

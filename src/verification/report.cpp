@@ -64,47 +64,6 @@ std::string for_markdown(const std::string& text)
   return replaced(replaced(replaced(replaced(text, "<", "\\<"), "|", "\\|"), "*", "\\*"), "\n", " ");
 }
 
-std::string for_html(const std::string& text)
-{
-  return replaced(replaced(replaced(text, "&", "&amp;"), "<", "&lt;"), ">", "&gt;");
-}
-
-constexpr const char* html_head = R"(<!DOCTYPE html>
-<html lang="en"><head><meta charset="utf-8"><title>Terp: verification</title><style>
-body { font: 15px/1.45 system-ui, sans-serif; margin: 2rem auto; max-width: 80rem; padding: 0 1rem; color: #1c1c1c;
-       background: #fff }
-table { border-collapse: collapse; width: 100%; margin: .5rem 0 1rem }
-th, td { text-align: left; padding: .25rem .6rem; border-bottom: 1px solid #ddd; vertical-align: top }
-th { font-weight: 600 } td { font-variant-numeric: tabular-nums }
-.pass { color: #14692b } .red, .fail { color: #b00020; font-weight: 600 }
-.source { color: #555 }
-</style></head><body><h1>Verification</h1>
-)";
-
-std::string html_section(const CaseRows& c)
-{
-  std::string out = fmt::format("<h2>{}</h2>\n<p>{}</p>\n<table><tr>", for_html(c.name), for_html(c.title));
-  for (const char* head : heads) out += fmt::format("<th>{}</th>", head);
-  out += "</tr>\n";
-  for (const Row& r : c.rows) {
-    out += "<tr>";
-    const auto cells = cells_of(r);
-    for (int k = 0; k < n_columns; ++k) {
-      const bool verdict = k == n_columns - 2, source = k == n_columns - 1;
-      const std::string style = verdict  ? (r.verdict == Verdict::pass     ? "pass"
-                                               : r.verdict == Verdict::red ? "red"
-                                                                           : "fail")
-                                : source ? "source"
-                                         : "";
-      out += fmt::format("<td{}>{}</td>", style.empty() ? "" : fmt::format(" class=\"{}\"", style), for_html(cells[k]));
-    }
-    out += "</tr>\n";
-  }
-  out += "</table>\n";
-  for (const std::string& remark : remarks_of(c)) out += fmt::format("<p class=\"red\">{}</p>\n", for_html(remark));
-  return out;
-}
-
 std::string markdown_head(const std::vector<CaseRows>& cases, const std::string& head)
 {
   return fmt::format("# Verification\n\nWritten by `terp verify`; not to be changed by hand.\n\n{}.\n\n{}\n",
@@ -214,13 +173,6 @@ std::string markdown_overview(const std::vector<CaseRows>& cases, const std::str
     red += reasons(c);
   }
   return red.empty() ? out : out + "\n## Red\n\n" + red;
-}
-
-std::string html_page(const std::vector<CaseRows>& cases)
-{
-  std::string out = html_head + fmt::format("<p>{}.</p>\n", counts_text(count(cases)));
-  for (const CaseRows& c : cases) out += html_section(c);
-  return out + "</body></html>\n";
 }
 
 }  // namespace terp

@@ -1,4 +1,4 @@
-// The ledger as text for a terminal, as a Markdown page, long or short, and as an HTML page.
+// The ledger as text for a terminal, and as a Markdown page, long or short.
 #pragma once
 
 #include "verification/judge.hpp"
@@ -29,8 +29,5 @@ std::string markdown_page(const std::vector<CaseRows>& cases, const std::string&
 /// One line per case with the row that comes nearest to its bound, and what does not agree with its reason. head: as
 /// above.
 std::string markdown_overview(const std::vector<CaseRows>& cases, const std::string& head);
-
-/// One file that needs no other.
-std::string html_page(const std::vector<CaseRows>& cases);
 
 }  // namespace terp

@@ -59,20 +59,17 @@ TEST(Verify, WritesThePages)
   Ledger ledger;
   ledger.add("flight", path_is("1.0"));
   const std::string page = ledger.folder.path() + "/page";
-  EXPECT_EQ(
-      ledger.verify({"--markdown", page + ".md", "--overview", page + "_short.md", "--html", page + ".html"}).status,
-      0);
+  EXPECT_EQ(ledger.verify({"--markdown", page + ".md", "--overview", page + "_short.md"}).status, 0);
   EXPECT_TRUE(std::filesystem::file_size(page + ".md") > 100);
   EXPECT_THAT(text_of(page + "_short.md"), HasSubstr("| Flight | 1 | 0 | "));
-  EXPECT_TRUE(std::filesystem::file_size(page + ".html") > 500);
 }
 
 TEST(Verify, PagesThatCannotBeWrittenAreRefusedBeforeAnythingIsSolved)
 {
   Ledger ledger;
   ledger.add("flight", path_is("1.0"));
-  for (const std::string& page : {ledger.folder.path() + "/no/page.html", ledger.folder.path()}) {
-    const Finished f = ledger.verify({"--html", page});
+  for (const std::string& page : {ledger.folder.path() + "/no/page.md", ledger.folder.path()}) {
+    const Finished f = ledger.verify({"--markdown", page});
     EXPECT_EQ(f.status, 1);
     EXPECT_THAT(f.err, AllOf(HasSubstr(page + ": the page cannot be written"), Not(HasSubstr("[1/1]"))));
   }

@@ -65,12 +65,4 @@ TEST(Report, TheOverviewHasOneLinePerCaseAndEachReasonOnce)
                "\n## Red\n\n- **bar**, 2 rows: stress \\<zz>: too coarse\n"));
 }
 
-TEST(Report, HtmlIsOnePageAndEscapesText)
-{
-  const std::string page = html_page(sample());
-  EXPECT_THAT(page, HasSubstr("<td>stress &lt;zz&gt;</td>"));
-  EXPECT_THAT(page, HasSubstr("<td class=\"fail\">FAIL</td>"));
-  EXPECT_THAT(page, Not(HasSubstr("http")));
-}
-
 }  // namespace
