@@ -1,4 +1,3 @@
-// stability.json and stability.txt: see stability_json.hpp.
 #include "output/stability_json.hpp"
 
 #include "base/errors.hpp"
@@ -7,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -16,8 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(Real value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-Json number(const std::optional<Real>& value) { return value ? number(*value) : Json(nullptr); }
+Json or_null(const std::optional<Real>& value) { return value ? Json(*value) : Json(nullptr); }
 
 const char* word(TrialVerdict verdict)
 {
@@ -33,13 +30,12 @@ Json trial_json(const Trial& trial)
 {
   Json time = Json::array(), displacement = Json::array(), out_of_balance = Json::array();
   for (const TrialWindow& w : trial.windows) {
-    time.push_back(number(w.time));
-    displacement.push_back(number(w.displacement));
-    out_of_balance.push_back(number(w.out_of_balance));
+    time.push_back(w.time);
+    displacement.push_back(w.displacement);
+    out_of_balance.push_back(w.out_of_balance);
   }
-  return {{"factor", number(trial.factor)}, {"verdict", word(trial.verdict)}, {"reason", trial.reason},
-      {"steps", trial.steps}, {"wall_s", number(trial.wall_s)}, {"time", time}, {"displacement", displacement},
-      {"out_of_balance", out_of_balance}};
+  return {{"factor", trial.factor}, {"verdict", word(trial.verdict)}, {"reason", trial.reason}, {"steps", trial.steps},
+      {"wall_s", trial.wall_s}, {"time", time}, {"displacement", displacement}, {"out_of_balance", out_of_balance}};
 }
 
 std::string bracket_text(const StabilityResult& r)
@@ -66,8 +62,7 @@ std::string notes_text(const StabilityResult& r, const std::string& scheme)
           trial.factor, r.options.rules.most_windows);
   if (r.stopped) text += "  The search was stopped before the bracket was as narrow as asked for.\n";
   if (!r.search.found()) return text;
-  if (std::none_of(r.search.trials.begin(), r.search.trials.end(),
-          [](const Trial& t) { return t.verdict == TrialVerdict::failed; }))
+  if (std::ranges::none_of(r.search.trials, [](const Trial& t) { return t.verdict == TrialVerdict::failed; }))
     text +=
         "  No trial failed, so nothing bounds the factor from above but creep: it may be far larger. Try larger "
         "--windows.\n";
@@ -88,22 +83,21 @@ std::string notes_text(const StabilityResult& r, const std::string& scheme)
 std::string stability_json(const StabilityResult& r, const std::string& scheme, const CaseText& case_text)
 {
   Json strengths = Json::array(), trials = Json::array();
-  for (const Strength& s : r.strengths)
-    strengths.push_back({{"key", s.key}, {"unit", s.unit}, {"value", number(s.value)}});
+  for (const Strength& s : r.strengths) strengths.push_back({{"key", s.key}, {"unit", s.unit}, {"value", s.value}});
   for (const Trial& trial : r.search.trials) trials.push_back(trial_json(trial));
   const Json json = {
       {"terp_version", TERP_VERSION},
       {"scheme", scheme},
       {"points", r.n_points},
-      {"factor_of_safety", number(r.factor())},
-      {"stable_at", number(r.search.stable)},
-      {"not_stable_at", number(r.search.failed)},
+      {"factor_of_safety", r.factor()},
+      {"stable_at", or_null(r.search.stable)},
+      {"not_stable_at", or_null(r.search.failed)},
       {"stopped", r.stopped},
-      {"tolerance", number(r.options.search.tolerance)},
-      {"criterion", {{"local_damping", number(r.options.rules.damping)}, {"rest", number(r.options.rules.rest)},
-                        {"failure", number(r.options.rules.failure)}, {"most_windows", r.options.rules.most_windows},
-                        {"stiffening", number(r.options.rules.stiffening)}, {"height", number(r.height)},
-                        {"displacement_scale", number(r.displacement)}}},
+      {"tolerance", r.options.search.tolerance},
+      {"criterion", {{"local_damping", r.options.rules.damping}, {"rest", r.options.rules.rest},
+                        {"failure", r.options.rules.failure}, {"most_windows", r.options.rules.most_windows},
+                        {"stiffening", r.options.rules.stiffening}, {"height", r.height},
+                        {"displacement_scale", r.displacement}}},
       {"strengths", strengths},
       {"rest_steps", r.rest_steps},
       {"trials", trials},

@@ -1,4 +1,3 @@
-// summary.json: see summary_json.hpp.
 #include "output/summary_json.hpp"
 
 #include "base/errors.hpp"
@@ -7,7 +6,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -19,142 +17,111 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::int64_t summary_format = 1;
 
-/// JSON has no NaN and no infinity: both become null.
-Json number(Real value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json number(const std::optional<Real>& value) { return value ? number(*value) : Json(nullptr); }
-
-Json value_json(Real value) { return number(value); }
-Json value_json(const std::optional<Real>& value) { return number(value); }
-Json value_json(const auto& value) { return value; }
-
-Json softened_fraction(const Summary& summary)
+/// Calls f(name, value) for each entry of a part of summary.json, in the order of the file: written and read alike.
+template <class F>
+void each(PassTime& pass, F&& f)
 {
-  Json list = Json::array();
-  for (const auto& [time, fraction] : summary.softened_fraction) {
-    list.push_back({{"time", number(time)}, {"fraction", number(fraction)}});
-  }
-  return list;
+  f("name", pass.name), f("seconds", pass.seconds);
+}
+template <class F>
+void each(std::pair<Real, Real>& softened, F&& f)
+{
+  f("time", softened.first), f("fraction", softened.second);
+}
+template <class F>
+void each(ReachedSide& reached, F&& f)
+{
+  f("side", reached.side), f("time", reached.time), f("rose", reached.rose);
+}
+template <class F>
+void each(FootingSummary& footing, F&& f)
+{
+  f("name", footing.name), f("displacement", footing.displacement), f("reaction", footing.reaction);
+  f("largest_reaction", footing.largest), f("work", footing.work);
+}
+template <class F>
+void each(SlipSurface& slip, F&& f)
+{
+  f("time", slip.time), f("rate", slip.rate), f("points", slip.line);
+}
+template <class F>
+void each(SlideSummary& slide, F&& f)
+{
+  f("facing", slide.slide.facing), f("begins", slide.slide.begins), f("stops", slide.slide.stops);
+  f("crest_from", slide.slide.crest_from), f("crest_to", slide.slide.crest_to);
+  f("kinetic_peak", slide.slide.kinetic_peak), f("slip_surface", slide.slip);
 }
 
-Json reached_sides(const Summary& summary)
-{
-  Json list = Json::array();
-  for (const ReachedSide& reached : summary.reached_sides)
-    list.push_back({{"side", reached.side}, {"time", number(reached.time)}, {"rose", reached.rose}});
-  return list;
-}
-
-Json footings(const Summary& summary)
-{
-  Json list = Json::array();
-  const auto pair = [](Vec<2> v) { return Json{number(v[0]), number(v[1])}; };
-  for (const FootingSummary& f : summary.footings)
-    list.push_back({{"name", f.name}, {"displacement", pair(f.displacement)}, {"reaction", pair(f.reaction)},
-        {"largest_reaction", number(f.largest)}, {"work", number(f.work)}});
-  return list;
-}
-
-/// The entry of that name, if it is there and of that type.
 template <class T>
-void get(const nlohmann::json& json, const char* name, T& value)
+concept IsPart = requires(T& part)
+{
+  each(part, [](const char*, auto&) {});
+};
+
+template <class T>
+Json to_value(const T& value);
+
+template <class T>
+Json to_value(const std::optional<T>& value)
+{
+  return value ? to_value(*value) : Json(nullptr);
+}
+
+/// A number that is not finite becomes null when it is written.
+template <class T>
+Json to_value(const T& value)
+{
+  if constexpr (IsPart<T>) {
+    Json json;
+    T part = value;
+    each(part, [&](const char* name, const auto& entry) { json[name] = to_value(entry); });
+    return json;
+  } else if constexpr (std::is_same_v<T, Facing>) {
+    return value == Facing::left ? "left" : "right";
+  } else {
+    return value;
+  }
+}
+
+template <class T>
+Json to_list(const std::vector<T>& parts)
+{
+  Json list = Json::array();
+  for (const T& part : parts) list.push_back(to_value(part));
+  return list;
+}
+
+/// The entry of that name, if it is there and of that type. False: it is not.
+template <class T>
+bool get(const nlohmann::json& json, const char* name, T& value)
 {
   const auto found = json.find(name);
-  if (found == json.end() || found->is_null()) return;
-  try {
-    value = found->get<T>();
-  } catch (const nlohmann::json::exception&) {
+  if (found == json.end() || found->is_null()) return false;
+  if constexpr (IsPart<T>) {
+    each(value, [&](const char* part, auto& there) { get(*found, part, there); });
+  } else if constexpr (std::is_same_v<T, Facing>) {
+    value = *found == "left" ? Facing::left : Facing::right;
+  } else {
+    try {
+      value = found->get<T>();
+    } catch (const nlohmann::json::exception&) {
+      return false;
+    }
   }
+  return true;
 }
 
-void get(const nlohmann::json& json, const char* name, std::optional<Real>& value)
+template <class T>
+void get(const nlohmann::json& json, const char* name, std::optional<T>& value)
 {
-  Real there = std::nan("");
-  get(json, name, there);
-  value = std::isnan(there) ? std::nullopt : std::optional(there);
+  if (T there{}; get(json, name, there)) value = there;
 }
 
-/// "right" or "left".
-std::string_view facing_name(Facing facing) { return facing == Facing::left ? "left" : "right"; }
-
-Facing facing_of(const nlohmann::json& json)
+template <class T>
+void get_list(const nlohmann::json& json, const char* name, std::vector<T>& parts)
 {
-  std::string name;
-  get(json, "facing", name);
-  return name == "left" ? Facing::left : Facing::right;
-}
-
-Json slides_json(const Summary& summary)
-{
-  Json list = Json::array();
-  for (const auto& [slide, slip] : summary.slides) {
-    Json points = Json::array();
-    for (const Vec<2>& x : slip.line) points.push_back({number(x[0]), number(x[1])});
-    list.push_back({{"facing", facing_name(slide.facing)}, {"begins", number(slide.begins)},
-        {"stops", number(slide.stops)}, {"crest_from", number(slide.crest_from)}, {"crest_to", number(slide.crest_to)},
-        {"kinetic_peak", number(slide.kinetic_peak)},
-        {"slip_surface", {{"time", number(slip.time)}, {"rate", number(slip.rate)}, {"points", points}}}});
-  }
-  return list;
-}
-
-Json passes_json(const Summary& summary)
-{
-  Json list = Json::array();
-  for (const auto& pass : summary.passes) list.push_back({{"name", pass.name}, {"seconds", pass.seconds}});
-  return list;
-}
-
-void read_slides(const nlohmann::json& json, Summary& summary)
-{
-  for (const auto& entry : json.value("slides", nlohmann::json::array())) {
-    SlideSummary slide;
-    slide.slide.facing = facing_of(entry);
-    get(entry, "begins", slide.slide.begins);
-    get(entry, "stops", slide.slide.stops);
-    get(entry, "crest_from", slide.slide.crest_from);
-    get(entry, "crest_to", slide.slide.crest_to);
-    get(entry, "kinetic_peak", slide.slide.kinetic_peak);
-    const auto slip = entry.value("slip_surface", nlohmann::json::object());
-    get(slip, "time", slide.slip.time);
-    get(slip, "rate", slide.slip.rate);
-    get(slip, "points", slide.slip.line);
-    summary.slides.push_back(std::move(slide));
-  }
-}
-
-void read_reached_sides(const nlohmann::json& json, Summary& summary)
-{
-  for (const auto& entry : json.value("reached_sides", nlohmann::json::array())) {
-    ReachedSide reached;
-    get(entry, "side", reached.side);
-    get(entry, "time", reached.time);
-    reached.rose = entry.value("rose", false);
-    summary.reached_sides.push_back(std::move(reached));
-  }
-}
-
-void read_footings(const nlohmann::json& json, Summary& summary)
-{
-  for (const auto& entry : json.value("footings", nlohmann::json::array())) {
-    FootingSummary footing;
-    get(entry, "name", footing.name);
-    get(entry, "displacement", footing.displacement);
-    get(entry, "reaction", footing.reaction);
-    get(entry, "largest_reaction", footing.largest);
-    get(entry, "work", footing.work);
-    summary.footings.push_back(std::move(footing));
-  }
-}
-
-void read_passes(const nlohmann::json& json, Summary& summary)
-{
-  for (const auto& entry : json.value("passes", nlohmann::json::array())) {
-    PassTime pass;
-    get(entry, "name", pass.name);
-    get(entry, "seconds", pass.seconds);
-    summary.passes.push_back(std::move(pass));
-  }
+  for (const auto& entry : json.value(name, nlohmann::json::array()))
+    each(parts.emplace_back(), [&](const char* part, auto& value) { get(entry, part, value); });
 }
 
 /// JSON, without what is nested deeper than Terp writes it: copying that would take one call per level. Discarded where
@@ -183,23 +150,18 @@ SavedSummary read_values(const std::string& path)
   Summary& s = saved.values;
   for (const SummaryQuantity& quantity : summary_quantities())
     std::visit([&](auto member) { get(json, quantity.info.name.data(), s.*member); }, quantity.member);
-  read_passes(json, s);
-  if (json.contains("facing") && !json["facing"].is_null()) s.facing = facing_of(json);
-  read_slides(json, s);
-  read_reached_sides(json, s);
-  read_footings(json, s);
+  get(json, "facing", s.facing);
+  get_list(json, "slides", s.slides);
+  get_list(json, "softened_fraction", s.softened_fraction);
+  get_list(json, "reached_sides", s.reached_sides);
+  get_list(json, "footings", s.footings);
+  get_list(json, "passes", s.passes);
   for (const FollowerType* type : all_followers())
     for (const QuantityInfo& info : type->summary) {
       Real value = std::nan("");
       get(json, info.name.data(), value);
       s.numbers.emplace(info.name, value);
     }
-  for (const auto& row : json.value("softened_fraction", nlohmann::json::array())) {
-    Real time = 0.0, fraction = 0.0;
-    get(row, "time", time);
-    get(row, "fraction", fraction);
-    s.softened_fraction.emplace_back(time, fraction);
-  }
   return saved;
 }
 
@@ -217,19 +179,21 @@ SavedSummary read_summary(const std::string& path)
   }
 }
 
+nlohmann::ordered_json slides_json(const Summary& summary) { return to_list(summary.slides); }
+
 std::string summary_text(const Summary& summary, bool finished, const CaseText& case_text)
 {
   Json json = {{"terp_version", TERP_VERSION}, {"format", summary_format}, {"finished", finished}};
   for (const SummaryQuantity& quantity : summary_quantities())
     std::visit(
-        [&](auto member) { json[std::string(quantity.info.name)] = value_json(summary.*member); }, quantity.member);
-  json["facing"] = summary.facing ? Json(facing_name(*summary.facing)) : Json(nullptr);
+        [&](auto member) { json[std::string(quantity.info.name)] = to_value(summary.*member); }, quantity.member);
+  json["facing"] = to_value(summary.facing);
   json["slides"] = slides_json(summary);
-  json["softened_fraction"] = softened_fraction(summary);
-  json["reached_sides"] = reached_sides(summary);
-  json["footings"] = footings(summary);
-  json["passes"] = passes_json(summary);
-  for (const auto& [name, value] : summary.numbers) json[name] = number(value);
+  json["softened_fraction"] = to_list(summary.softened_fraction);
+  json["reached_sides"] = to_list(summary.reached_sides);
+  json["footings"] = to_list(summary.footings);
+  json["passes"] = to_list(summary.passes);
+  for (const auto& [name, value] : summary.numbers) json[name] = value;
   json["case_name"] = case_text.name;
   json["case"] = case_text.toml;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -4,9 +4,13 @@
 #include "output/run_folder.hpp"
 #include "simulation/summary.hpp"
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace terp {
+
+/// Its list of slides, each with its slip surface.
+nlohmann::ordered_json slides_json(const Summary& summary);
 
 /// The text of summary.json. finished: the run reached its end time.
 std::string summary_text(const Summary& summary, bool finished, const CaseText& case_text);

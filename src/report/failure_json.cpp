@@ -9,36 +9,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json or_null(const std::optional<Real>& value) { return value ? Json(*value) : Json(); }
-
-Json facing_json(Facing facing) { return facing == Facing::left ? "left" : "right"; }
-
-Json slip_json(const SlipSurface& slip)
-{
-  Json points = Json::array();
-  for (const Vec<2>& x : slip.line) points.push_back({x[0], x[1]});
-  return {{"time", slip.time}, {"points", std::move(points)}};
-}
-
-Json slide_json(const SlideSummary& slide)
-{
-  return {{"facing", facing_json(slide.slide.facing)}, {"begins", slide.slide.begins},
-      {"stops", or_null(slide.slide.stops)}, {"crest_from", slide.slide.crest_from}, {"crest_to", slide.slide.crest_to},
-      {"kinetic_peak", slide.slide.kinetic_peak}, {"slip_surface", slip_json(slide.slip)}};
-}
-
 Json events_json(const Summary& s)
 {
-  Json slides = Json::array();
-  for (const auto& slide : s.slides) slides.push_back(slide_json(slide));
+  const auto or_null = [](const std::optional<Real>& value) { return value ? Json(*value) : Json(); };
+  Json slides = slides_json(s);
   const auto slide_or_null = [&](std::size_t k) { return k < slides.size() ? slides[k] : Json(); };
-  Json first = slide_or_null(0), second = slide_or_null(1),
-       slip = s.slides.empty() ? Json() : slip_json(s.slides[0].slip);
+  Json first = slide_or_null(0), second = slide_or_null(1), slip = slides.empty() ? Json() : first["slip_surface"];
   return {{"slides", std::move(slides)}, {"first_slide", std::move(first)}, {"second_slide", std::move(second)},
       {"moved_volume", s.moved_volume}, {"moved_fraction", s.moved_fraction}, {"moved_distance", s.moved_distance},
       {"intact_fraction", or_null(s.intact_fraction)}, {"free_toe", s.free_toe},
-      {"facing", s.facing ? facing_json(*s.facing) : Json()}, {"run_out", s.run_out}, {"front_x", s.front_x},
-      {"remaining_crest", {{"x", or_null(s.crest_x)}, {"y", or_null(s.crest_y)}}}, {"slip_surface", std::move(slip)}};
+      {"facing", s.facing ? Json(*s.facing == Facing::left ? "left" : "right") : Json()}, {"run_out", s.run_out},
+      {"front_x", s.front_x}, {"remaining_crest", {{"x", or_null(s.crest_x)}, {"y", or_null(s.crest_y)}}},
+      {"slip_surface", std::move(slip)}};
 }
 
 }  // namespace
