@@ -1,7 +1,6 @@
 #include "input/case_file.hpp"
 
 #include "input/check_case.hpp"
-#include "input/check_mesh.hpp"
 #include "input/other_files.hpp"
 #include "input/overrides.hpp"
 #include "input/printable.hpp"
@@ -73,8 +72,8 @@ std::string text_for_the_record(const Document& document, std::vector<InputFile>
   std::string head = fmt::format(
       "# {}, {}\n", document.path, overrides.empty() ? "with copies of the files that it names" : "changed by");
   for (std::string change : overrides) {
-    std::replace_if(
-        change.begin(), change.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    std::ranges::replace_if(
+        change, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
     head += "#   --set " + change + '\n';
   }
   if (renamed && !overrides.empty()) head += "# and with copies of the files that it names\n";

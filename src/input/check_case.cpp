@@ -1,8 +1,5 @@
 #include "input/check_case.hpp"
 
-#include "input/check_mesh.hpp"
-#include "input/check_method.hpp"
-#include "input/check_physics.hpp"
 #include "input/closest.hpp"
 #include "input/key_text.hpp"
 #include "input/other_files.hpp"
@@ -37,7 +34,6 @@ void check_shape(const Node& body, const std::string& path, Problems& problems)
             "Remove one of the two.", "body", true});
 }
 
-/// Keys that count with some shapes only.
 void check_body_keys(const Node& body, const std::string& path, MeshKind mesh, Findings& findings)
 {
   const auto has = [&](const char* name) { return find_item(body, name) != nullptr; };
@@ -61,7 +57,7 @@ void check_holes(const BodyCase& body, const std::string& path, Problems& warnin
 {
   const auto extreme = [](const std::vector<Vec<2>>& corners, int axis) {
     const auto less = [axis](const Vec<2>& a, const Vec<2>& b) { return a[axis] < b[axis]; };
-    const auto [low, high] = std::minmax_element(corners.begin(), corners.end(), less);
+    const auto [low, high] = std::ranges::minmax_element(corners, less);
     return std::pair((*low)[axis], (*high)[axis]);
   };
   for (std::size_t k = 0; k < body.holes.size(); ++k)
@@ -91,7 +87,7 @@ void check_bodies(const Node& root, const Case& values, Findings& findings)
     }
     check_holes(values.bodies[k], path, findings.warnings);
     const bool named = !name.empty() && values.bodies[k].points_file.empty();
-    if (!named || names.empty() || std::find(names.begin(), names.end(), name) != names.end()) continue;
+    if (!named || names.empty() || std::ranges::find(names, name) != names.end()) continue;
     const std::string nearest = closest(name, names);
     const std::string hint = nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest);
     problems.push_back({path + ".material", fmt::format("there is no material `{}`", name),
@@ -108,7 +104,7 @@ void check_parameters(const Case& values, Problems& problems)
     const MaterialType* law = find_material(material.model);
     if (law == nullptr) continue;
     const auto is_missing = [](Real value) { return std::isnan(value); };
-    if (std::any_of(material.parameters.begin(), material.parameters.end(), is_missing)) continue;
+    if (std::ranges::any_of(material.parameters, is_missing)) continue;
     const std::string path = join_path("material", material.name);
     for (const ParameterProblem& problem : law->check(material.parameters))
       problems.push_back(
@@ -122,7 +118,7 @@ void check_unused_materials(const Case& values, Problems& warnings)
     const auto uses = [&](const BodyCase& body) {
       return body.material.empty() || !body.points_file.empty() || body.material == material.name;
     };
-    if (std::none_of(values.bodies.begin(), values.bodies.end(), uses))
+    if (std::ranges::none_of(values.bodies, uses))
       warnings.push_back({join_path("material", material.name),
           fmt::format("no body uses the material `{}`", material.name), "", "body.material", true});
   }
@@ -161,7 +157,7 @@ void check_initial(const Node& root, const Case& values, Findings& findings)
   const InitialStress stress = values.initial.stress;
   const bool weightless = values.forces.gravity == Vec<2>{0.0, 0.0};
   const auto about_forces = [](const Problem& problem) { return problem.key.starts_with("forces"); };
-  const bool forces_read = std::none_of(findings.problems.begin(), findings.problems.end(), about_forces);
+  const bool forces_read = std::ranges::none_of(findings.problems, about_forces);
   if (stress != InitialStress::none && weightless && forces_read)
     findings.problems.push_back({"initial.stress", "an initial stress needs gravity",
         "Set gravity = [0.0, -9.81] in [forces], or stress = \"none\".", "initial"});
@@ -194,7 +190,7 @@ void check_hydrostatic(const Case& values, Problems& problems)
   for (const MaterialCase& material : values.materials) {
     const MaterialType* law = find_material(material.model);
     const auto is_missing = [](Real value) { return std::isnan(value); };
-    if (law == nullptr || std::any_of(material.parameters.begin(), material.parameters.end(), is_missing)) continue;
+    if (law == nullptr || std::ranges::any_of(material.parameters, is_missing)) continue;
     if (law->make(material.parameters)->shear_modulus() == 0.0)
       problems.push_back({"initial.k0", fmt::format("the fluid `{}` carries no shear stress at rest", material.name),
           fmt::format(

@@ -1,5 +1,6 @@
 // What single keys cannot show: keys that contradict each other, names that lead nowhere, a law's own limits.
-// Not for: geometry against the mesh (simulation/setup).
+// Not for: geometry against the mesh (simulation/setup), nor quantities that are compared with the size of the soil
+// (simulation/scale_warnings).
 #pragma once
 
 #include "input/document.hpp"
@@ -10,5 +11,18 @@ namespace terp {
 
 /// Adds what is wrong or doubtful. `values` were read from `root`; what could not be read is left out of the checks.
 void check_case(const Node& root, const Case& values, Findings& findings);
+
+/// [mesh]: keys of different kinds of mesh, sides that do not meet, edges that are not there.
+void check_mesh(const Node& root, const MeshCase& mesh, Findings& findings);
+
+/// Turns the polygon of a mesh counter-clockwise; its edges keep their places and take their new numbers.
+void turn_counter_clockwise(MeshCase& mesh);
+
+/// Options of [method] that the file sets and that do nothing, or work against each other.
+void check_method(const Node& root, const Case& values, std::vector<Problem>& warnings);
+
+/// What can be computed but is hardly meant, and shows before a mesh is made: gravity, damping, softening. The values
+/// may be incomplete.
+void check_physics(const Case& values, std::vector<Problem>& warnings);
 
 }  // namespace terp

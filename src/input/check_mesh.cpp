@@ -1,4 +1,4 @@
-#include "input/check_mesh.hpp"
+#include "input/check_case.hpp"
 
 #include "input/mesh_kinds.hpp"
 
@@ -22,7 +22,7 @@ void check_kind(const Node& mesh, Problems& problems)
   std::vector<std::string> foreign;
   for (const Node& item : mesh.items) {
     const auto takes = [&](const MeshKindInfo& other) { return is_allowed(other, item.name); };
-    const bool is_known = std::any_of(all_mesh_kinds().begin(), all_mesh_kinds().end(), takes);
+    const bool is_known = std::ranges::any_of(all_mesh_kinds(), takes);
     if (is_known && !is_allowed(kind, item.name)) foreign.push_back(item.name);
   }
   if (foreign.empty()) return;
@@ -66,13 +66,12 @@ struct GridCorner {
   bool at_end, at_last;  ///< of the first, of the second: its last place, otherwise its first
 };
 
-/// True if they do.
 bool check_sides_meet(const MeshCase& mesh, Problems& problems)
 {
   const char* const names[] = {"bottom", "right", "top", "left"};
   const auto end_of = [&](int side, bool last) { return last ? mesh.sides[side].back() : mesh.sides[side].front(); };
   const auto is_there = [](const std::vector<Vec<2>>& side) { return side.size() >= 2; };
-  if (!std::all_of(mesh.sides.begin(), mesh.sides.end(), is_there)) return false;
+  if (!std::ranges::all_of(mesh.sides, is_there)) return false;
   const Real scale = distance(end_of(0, false), end_of(2, true)) + distance(end_of(0, true), end_of(2, false));
   for (const auto& [side, other, at_end, at_last] :
       {GridCorner{0, 3, false, false}, {0, 1, true, false}, {2, 1, true, true}, {2, 3, false, true}}) {
@@ -193,7 +192,7 @@ void check_mesh(const Node& root, const MeshCase& mesh, Findings& findings)
 void turn_counter_clockwise(MeshCase& mesh)
 {
   if (twice_area(mesh.polygon) >= 0.0) return;
-  std::reverse(mesh.polygon.begin(), mesh.polygon.end());
+  std::ranges::reverse(mesh.polygon);
   const auto n = static_cast<Index>(mesh.polygon.size());
   for (EdgesCase& side : mesh.edges)  // corner k is now n - 1 - k, so the edge from k to k + 1 starts at n - 2 - k
     for (Index& edge : side.edges) edge = (2 * n - 2 - edge) % n;

@@ -1,4 +1,4 @@
-#include "input/check_method.hpp"
+#include "input/check_case.hpp"
 
 #include "materials/material.hpp"
 #include "schemes/scheme.hpp"
@@ -63,7 +63,7 @@ void check_locking(const Scheme& scheme, const Case& values, Problems& warnings)
   for (const MaterialCase& material : values.materials) {
     const MaterialType* law = find_material(material.model);
     const auto is_missing = [](Real value) { return std::isnan(value); };
-    if (law == nullptr || std::any_of(material.parameters.begin(), material.parameters.end(), is_missing)) continue;
+    if (law == nullptr || std::ranges::any_of(material.parameters, is_missing)) continue;
     const auto soil = law->make(material.parameters);
     const Real K = soil->bulk_modulus(), G = soil->shear_modulus();
     const Real poisson = (3.0 * K - 2.0 * G) / (2.0 * (3.0 * K + G));

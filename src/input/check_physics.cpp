@@ -1,4 +1,4 @@
-#include "input/check_physics.hpp"
+#include "input/check_case.hpp"
 
 #include "input/document.hpp"
 #include "materials/material.hpp"
@@ -64,7 +64,7 @@ void check_softening(const MaterialCase& material, const MaterialType& law, Prob
       if (law.parameters[k].name == name) return material.parameters[k];
     return 0.0;
   };
-  const auto rate = std::find_if(law.parameters.begin(), law.parameters.end(), is_softening_rate);
+  const auto rate = std::ranges::find_if(law.parameters, is_softening_rate);
   if (rate == law.parameters.end() || value_of(rate->name) != 0.0) return;
   for (const ParameterInfo& info : law.parameters) {
     const Real residual = value_of(info.name), peak = value_of(info.fallback_of);

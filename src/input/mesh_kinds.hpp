@@ -1,5 +1,5 @@
 // Which keys of [mesh] belong together: the kind of mesh follows from the keys that are given.
-// Not for: their values (check_mesh.hpp).
+// Not for: their values (check_case.hpp).
 #pragma once
 
 #include "input/document.hpp"

@@ -1,4 +1,4 @@
-#include "results/case_differences.hpp"
+#include "results/compare.hpp"
 
 #include "input/document.hpp"
 
@@ -23,7 +23,7 @@ std::string value_text(const Node& node)
 
 bool is_left_out(const std::string& path)
 {
-  return std::any_of(std::begin(left_out), std::end(left_out), [&](std::string_view name) { return path == name; });
+  return std::ranges::any_of(left_out, [&](std::string_view name) { return path == name; });
 }
 
 /// Value by value, with the path of each.
@@ -53,8 +53,7 @@ std::string difference(const std::string& path, const std::string* first, const 
 
 const std::string* find(const std::vector<Entry>& entries, const std::string& path)
 {
-  const auto found =
-      std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.first == path; });
+  const auto found = std::ranges::find_if(entries, [&](const Entry& entry) { return entry.first == path; });
   return found == entries.end() ? nullptr : &found->second;
 }
 

@@ -1,6 +1,5 @@
 #include "results/compare.hpp"
 
-#include "results/compare_words.hpp"
 #include "schemes/scheme.hpp"
 
 #include <algorithm>
@@ -52,7 +51,6 @@ Value slide_stops(const RunResults& run, std::size_t k)
   return k < slides.size() ? slides[k].slide.stops : std::nullopt;
 }
 
-/// Makes the rows of a table.
 struct RowMaker {
   const std::vector<RunResults>& runs;
   Comparison& comparison;
@@ -115,13 +113,12 @@ void add_softening(const RowMaker& table)
   }
 }
 
-/// Names of the points of any run, in their order.
 std::vector<std::string> named_points(const std::vector<RunResults>& runs)
 {
   std::vector<std::string> names;
   for (const RunResults& run : runs)
     for (const PointTable& point : run.history)
-      if (std::find(names.begin(), names.end(), point.point) == names.end()) names.push_back(point.point);
+      if (std::ranges::find(names, point.point) == names.end()) names.push_back(point.point);
   return names;
 }
 

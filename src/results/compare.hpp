@@ -45,4 +45,12 @@ std::vector<std::string> points_that_regained_strength(const RunResults& run);
 /// "MPM-GP" for "mpm_gp"; the name itself of a scheme that is not in this build.
 std::string scheme_title(std::string_view scheme);
 
+/// The differences in words: the first run against each of the others. comparison: its rows.
+std::vector<std::string> describe_differences(const std::vector<RunResults>& runs, const Comparison& comparison);
+
+/// In what the cases of two runs differ: "mesh.cell (0.1 against 0.2)" for each key with another value, in the order of
+/// the first case. The scheme, which is there to be compared, the title, the end and what is written do not count. Of a
+/// text that is not TOML nothing.
+std::vector<std::string> case_differences(const std::string& first_toml, const std::string& other_toml);
+
 }  // namespace terp

@@ -1,7 +1,6 @@
-#include "results/compare_words.hpp"
+#include "results/compare.hpp"
 
 #include "events/moved.hpp"
-#include "results/case_differences.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,15 +32,15 @@ Pair titles(const Comparison& c, std::size_t other)
 
 const ComparisonRow& row_of(const Comparison& c, std::string_view label)
 {
-  return *std::find_if(c.rows.begin(), c.rows.end(), [&](const ComparisonRow& row) { return row.label == label; });
+  return *std::ranges::find_if(c.rows, [&](const ComparisonRow& row) { return row.label == label; });
 }
 
 /// True if all runs end at one time, as far as that is known.
 bool end_together(const Comparison& c)
 {
   const auto& ends = row_of(c, "time at the end").values;
-  return std::all_of(
-      ends.begin(), ends.end(), [&](Value end) { return !end || !ends[0] || std::abs(*end - *ends[0]) <= same_time; });
+  return std::ranges::all_of(
+      ends, [&](Value end) { return !end || !ends[0] || std::abs(*end - *ends[0]) <= same_time; });
 }
 
 /// What must be known before the numbers of two runs are set against each other; empty if all is well.
@@ -55,7 +54,6 @@ std::string end_sentence(const Comparison& c, std::size_t other)
       c.names[0], *ends[0], c.names[other], *ends[other]);
 }
 
-/// One sentence on how far the runs went.
 std::string front_sentence(const std::vector<RunResults>& runs, const Comparison& c, std::size_t other, const Pair& who)
 {
   const auto& front = row_of(c, "front at the end").values;
@@ -123,7 +121,6 @@ std::string intact_sentence(const Comparison& c, std::size_t other, const Pair& 
   return text + ".";
 }
 
-/// "A", "A and B", "A, B and C".
 std::string list_of(const std::vector<std::string>& names)
 {
   std::string text;

@@ -3,7 +3,7 @@
 // within a factor of 1000, the usual mistake of a unit (kPa, MPa, mm). What a parameter is (stiffness, strength, angle)
 // follows from the law's own table, so that a new law is checked without an entry here.
 
-#include "simulation/scale_warnings.hpp"
+#include "simulation/setup_warnings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,6 @@ constexpr Real least_strength_over_weight = 1.0 / 300.0;      // a heap of slurr
 constexpr Real greatest_speed = 20.0;                         // over sqrt(g H); a fall from H ends at 1.4
 constexpr Real least_motion = 1e-5;                           // of a footing in the whole run, over H
 
-/// The soil at t = 0.
 struct Soil {
   Real g = 0.0;       ///< [m/s^2]
   Real height = 0.0;  ///< between its lowest and its highest point along gravity [m]
@@ -55,7 +54,6 @@ bool is_strength(const ParameterInfo& info)
 
 std::string number(Real value) { return fmt::format("{:.3g}", value); }
 
-/// Warnings about one material.
 class MaterialScales {
  public:
   MaterialScales(const SoilMaterial& material, const MaterialCase& values, const Soil& soil, Problems& warnings)

@@ -3,7 +3,7 @@
 // on purpose. Bodies that touch neither a held side nor a body that does hang in the air. The area that is drawn is
 // that of all outlines together, cut into trapezoids as for the seeding (points/overlay.hpp).
 
-#include "simulation/section_warnings.hpp"
+#include "simulation/setup_warnings.hpp"
 
 #include "boundary/conditions.hpp"
 #include "mesh/locate.hpp"
@@ -61,7 +61,6 @@ bool is_inside(const std::vector<Side>& sides, Vec<2> x)
   return inside;
 }
 
-/// Compares the outlines of the bodies of one model.
 class SectionCheck {
  public:
   explicit SectionCheck(const Model& model) : model_(model), cell_(typical_cell_size(*model.mesh))
@@ -91,7 +90,6 @@ class SectionCheck {
   }
 
  private:
-  /// What lies next to one edge of an outline.
   struct Beside {
     int n = 0;
     Real least = INFINITY, most = 0.0;
@@ -150,7 +148,7 @@ class SectionCheck {
   void report_gap(std::size_t body, std::size_t other, const Beside& gap, Problems& warnings)
   {
     const std::pair pair(std::min(body, other), std::max(body, other));
-    if (std::find(reported_.begin(), reported_.end(), pair) != reported_.end()) return;
+    if (std::ranges::find(reported_, pair) != reported_.end()) return;
     reported_.push_back(pair);
     warnings.push_back({fmt::format("body[{}]", number_[body]),
         fmt::format("a gap between body {} and {}", number_[body], obstacles_[other].name),
@@ -221,8 +219,8 @@ void find_misplaced_sides(const Model& model, Problems& warnings)
     for (const Named& named : known) {
       const SideShape shape = shape_of_side(*model.mesh, side);
       if (side.name != named.name || shape.length == 0.0 || facing(shape.normal, named) >= faces) continue;
-      const Named* looks = std::max_element(std::begin(known), std::end(known),
-          [&](const Named& a, const Named& b) { return facing(shape.normal, a) < facing(shape.normal, b); });
+      const Named* looks = std::ranges::max_element(
+          known, [&](const Named& a, const Named& b) { return facing(shape.normal, a) < facing(shape.normal, b); });
       const MeshKind kind = model.description.mesh.kind;
       const bool polygon = kind == MeshKind::polygon, file = kind == MeshKind::file;
       const std::string key = polygon ? fmt::format("mesh.edges.\"{}\"", side.name) : file ? "mesh.file" : "mesh.sides";

@@ -1,8 +1,6 @@
 #include "simulation/setup_warnings.hpp"
 
 #include "simulation/footings.hpp"
-#include "simulation/scale_warnings.hpp"
-#include "simulation/section_warnings.hpp"
 #include "simulation/setup_history.hpp"
 
 #include <algorithm>

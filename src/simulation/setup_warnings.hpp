@@ -10,8 +10,15 @@
 namespace terp {
 
 /// All warnings: named places far from the soil, bodies without points, points with little volume, sides that move
-/// further than their cells reach, odd places (section_warnings.hpp), odd magnitudes (scale_warnings.hpp), idle
+/// further than their cells reach, odd places, odd magnitudes, idle
 /// footings. The state is that of t = 0.
 std::vector<Problem> find_warnings(const Model& model, const State& state);
+
+/// Quantities that do not fit each other: strength, stiffness, weight, velocities, by the size of the soil.
+void find_odd_scales(const Model& model, const State& state, std::vector<Problem>& warnings);
+
+/// Odd places in the section: sides that do not lie where their names say, gaps, bodies in the air, soil beside the mesh,
+/// holes in it.
+void find_odd_places(const Model& model, std::vector<Problem>& warnings);
 
 }  // namespace terp

@@ -1,5 +1,5 @@
 // Every kind of mesh arrives in the case; keys that are wrong together: wrong_cases/small_case.wrong.
-#include "input/check_mesh.hpp"
+#include "input/check_case.hpp"
 #include "input/samples.hpp"
 #include "support/paths.hpp"
 #include "support/test.hpp"

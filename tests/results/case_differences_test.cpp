@@ -1,5 +1,5 @@
 // In what two cases differ.
-#include "results/case_differences.hpp"
+#include "results/compare.hpp"
 #include "support/test.hpp"
 
 namespace {

@@ -1,5 +1,5 @@
 // Quantities off by a unit are compared with each other; soil as it is usually is not warned of.
-#include "simulation/scale_warnings.hpp"
+#include "simulation/setup_warnings.hpp"
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
 #include "support/problems.hpp"
