@@ -56,7 +56,6 @@ void step(Simulation& s, std::int64_t n)
     throw RunError(made.fault);
 }
 
-/// Median of `trials` groups of steps, after some to warm up.
 Measurement measure(Simulation& s, std::int64_t n_steps, std::int64_t warm)
 {
   constexpr int trials = 5;
@@ -69,7 +68,7 @@ Measurement measure(Simulation& s, std::int64_t n_steps, std::int64_t warm)
     all.push_back(
         {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), s.work.seconds, 0.0, 0.0});
   }
-  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
+  std::ranges::sort(all, [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
   Measurement median = all[trials / 2];
   median.fastest = all.front().seconds;
   median.slowest = all.back().seconds;

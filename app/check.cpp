@@ -23,7 +23,6 @@ constexpr double trial_seconds = 1.0;  // of steps actually made
 constexpr std::int64_t fewest_trial_steps = 20;
 constexpr double failing = 1.2;  // steps of a run over those of its trial: soil that fails returns to the yield surface
 
-/// Seconds per step, from a trial on the case itself.
 double time_a_step(Simulation& s)
 {
   using Clock = std::chrono::steady_clock;
@@ -80,7 +79,6 @@ void print_sides(const Model& model)
         describe(condition_of(model.description, side.name)), shape_of_side(*model.mesh, side).length);
 }
 
-/// Refused before anything is computed.
 void check_picture(const std::string& path)
 {
   if (path.empty() || path.ends_with(".svg")) return;
@@ -100,7 +98,6 @@ void write_picture(const std::string& path, const Model& model, const State& sta
   fmt::print("picture in {}\n", path);
 }
 
-/// "1 frame", "3 frames".
 std::string count(std::int64_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
 std::string megabytes(double bytes) { return fmt::format("{:.{}f} MB", bytes / 1e6, bytes < 9.95e6 ? 1 : 0); }

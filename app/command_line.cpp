@@ -266,14 +266,12 @@ void declare_guides(CLI::App& app, CommandLine& line)
   add_loudness(check, line.options);
 }
 
-/// The command that was given; the program itself if none was.
 const CLI::App& command_of(const CLI::App& app)
 {
   const auto given = app.get_subcommands();
   return given.empty() ? app : *given.front();
 }
 
-/// The options of a command as they are written: "--output", "-o".
 std::vector<std::string> options_of(const CLI::App& command)
 {
   std::vector<std::string> names;

@@ -24,10 +24,10 @@ struct RunOptions {
 };
 
 struct VerifyOptions {
-  std::vector<std::string> names;        ///< of cases; empty: all
+  std::vector<std::string> names;  ///< of cases; empty: all
   std::string cases;               ///< folder of the cases; empty: that beside the program
   std::string markdown, overview;  ///< pages to write; empty: none
-  int threads = 0;                       ///< 0: what this job may use
+  int threads = 0;                 ///< 0: what this job may use
   bool list = false, only_short = false, only_long = false;
 };
 

@@ -32,13 +32,12 @@ bool keep_standard_streams()
   return true;
 }
 
-/// The first word must be a command; throws CaseError with the nearest one if it is not.
 void check_command(const CLI::App& app, const std::string& word)
 {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
     names.push_back(command->get_name());
-  if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
+  if (word.starts_with('-') || std::ranges::find(names, word) != names.end()) return;
   std::string hint;
   if (const std::string nearest = terp::closest(word, names); !nearest.empty())
     hint = fmt::format("  Did you mean `{}`?\n", nearest);

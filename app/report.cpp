@@ -8,7 +8,6 @@
 #include "results/compare.hpp"
 #include "results/export.hpp"
 
-#include <algorithm>
 #include <cctype>
 #include <chrono>
 #include <filesystem>

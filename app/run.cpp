@@ -181,7 +181,6 @@ int solve(Simulation& simulation, RunWriter& writer, const RunOptions& options, 
   }
 }
 
-/// The same, and the page of the run if it is wanted.
 int solve_and_show(Simulation& simulation, RunWriter& writer, const RunOptions& options, const std::string& folder)
 {
   const int status = solve(simulation, writer, options, folder);
@@ -240,7 +239,6 @@ std::vector<ChangedValue> check_unchanged(const std::string& folder, const State
       image.step, path_in(folder, case_file), refused));
 }
 
-/// The state of a checkpoint that was read from `path`.
 State restore_from(const std::string& path, const Model& model, const StateImage& image)
 {
   try {

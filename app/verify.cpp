@@ -78,13 +78,12 @@ class VerifyProgress {
   std::atomic<double> done_seconds_{0.0};
 };
 
-/// Solves everything, each run on one thread, the longest first.
 std::vector<Solved> solve_all(const std::vector<Solve>& solves, int threads)
 {
   std::vector<std::size_t> order(solves.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-      [&](std::size_t a, std::size_t b) { return solves[a].variant->seconds > solves[b].variant->seconds; });
+  std::ranges::stable_sort(
+      order, [&](std::size_t a, std::size_t b) { return solves[a].variant->seconds > solves[b].variant->seconds; });
   double seconds = 0.0;
   for (const Solve& s : solves) seconds += s.variant->seconds;
   VerifyProgress progress(solves.size(), seconds);

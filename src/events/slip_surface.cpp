@@ -3,7 +3,6 @@
 #include "mesh/quad4.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace terp {

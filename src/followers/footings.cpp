@@ -30,7 +30,6 @@ const std::shared_ptr<const RunTable>& footings_table()
   return table;
 }
 
-/// What a footing has met so far.
 struct FootingMeter {
   Vec<2> impulse{0.0, 0.0};   ///< of the soil on it since `since` [N s per m]
   Real since = 0.0;           ///< time of the last row of footings.csv [s]

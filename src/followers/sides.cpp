@@ -22,8 +22,7 @@ bool holds_soil(const State& state, const CellSide& edge) { return state.points.
 
 bool has_soil(const State& state, const NamedSide& side)
 {
-  return std::any_of(
-      side.edges.begin(), side.edges.end(), [&](const CellSide& edge) { return holds_soil(state, edge); });
+  return std::ranges::any_of(side.edges, [&](const CellSide& edge) { return holds_soil(state, edge); });
 }
 
 SideReport report_of(const Model& model, const NamedSide& side)

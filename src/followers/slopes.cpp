@@ -28,7 +28,6 @@ struct SlopeFailure {
   std::vector<SlipSurface> slip;  ///< of each slide so far, when its strain grew fastest; one before there is any slide
 };
 
-/// What is followed of the slopes.
 struct Followed {
   Section section;                   ///< at t = 0
   std::vector<SlopeFailure> slopes;  ///< of the section, in its order
@@ -72,7 +71,6 @@ std::vector<float> growth_of_strain(const Model& model, const State& state, cons
   return growth;
 }
 
-/// Of slope k.
 void follow_slip(const LedgerContext& context, std::size_t k, Followed& all)
 {
   SlopeFailure& slope = all.slopes[k];

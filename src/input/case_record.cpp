@@ -25,7 +25,7 @@ constexpr std::string_view mark = " = ";
 std::string on_one_line(const std::string& text)
 {
   std::string line = printable(text);
-  std::replace(line.begin(), line.end(), '\n', ' ');
+  std::ranges::replace(line, '\n', ' ');
   return line;
 }
 
@@ -193,7 +193,7 @@ CaseRecord parse_record(const std::string& text)
 
 const RecordedValue* find_value(const CaseRecord& record, std::string_view key)
 {
-  const auto found = std::find_if(record.begin(), record.end(), [&](const RecordedValue& v) { return v.key == key; });
+  const auto found = std::ranges::find_if(record, [&](const RecordedValue& v) { return v.key == key; });
   return found == record.end() ? nullptr : &*found;
 }
 
@@ -245,9 +245,6 @@ std::vector<ChangedValue> changes_since(const std::string& text, const CaseRecor
   return changes;
 }
 
-bool may_change_on_resume(std::string_view key)
-{
-  return std::find(free_keys.begin(), free_keys.end(), key) != free_keys.end();
-}
+bool may_change_on_resume(std::string_view key) { return std::ranges::find(free_keys, key) != free_keys.end(); }
 
 }  // namespace terp

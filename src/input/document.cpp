@@ -12,7 +12,6 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace terp {
 namespace {
@@ -37,7 +36,7 @@ void add_entries(const toml::table& source, Node& table)
   const auto before = [](const Node& a, const Node& b) {
     return std::pair(a.key.line, a.key.column) < std::pair(b.key.line, b.key.column);
   };
-  std::stable_sort(table.items.begin(), table.items.end(), before);
+  std::ranges::stable_sort(table.items, before);
 }
 
 Node to_node(const toml::node& source)
@@ -112,7 +111,7 @@ std::string quote(std::string_view text)
 std::string write_key(std::string_view name)
 {
   const auto is_bare = [](unsigned char c) { return c < 0x80 && (std::isalnum(c) || c == '_' || c == '-'); };
-  return !name.empty() && std::all_of(name.begin(), name.end(), is_bare) ? std::string(name) : quote(name);
+  return !name.empty() && std::ranges::all_of(name, is_bare) ? std::string(name) : quote(name);
 }
 
 std::string write_number(Real value)
@@ -143,8 +142,7 @@ std::string write_value(const Node& node)
 bool is_list_of_tables(const Node& node)
 {
   const auto is_table = [](const Node& item) { return item.kind == NodeKind::table; };
-  return node.kind == NodeKind::list && !node.items.empty() &&
-         std::all_of(node.items.begin(), node.items.end(), is_table);
+  return node.kind == NodeKind::list && !node.items.empty() && std::ranges::all_of(node.items, is_table);
 }
 
 /// Values first, then the tables below: TOML gives a value to the last header above it.
@@ -160,7 +158,7 @@ void write_table(const Node& table, const std::string& path, std::string& out)
     if (is_list) {
       for (const Node& entry : item.items) out += "\n[[" + name + "]]\n", write_table(entry, name, out);
     } else {
-      const bool implied = !item.items.empty() && std::all_of(item.items.begin(), item.items.end(), below);
+      const bool implied = !item.items.empty() && std::ranges::all_of(item.items, below);
       if (!implied) out += "\n[" + name + "]\n";
       write_table(item, name, out);
     }
@@ -199,8 +197,8 @@ Place place_at(std::string_view text, std::size_t offset)
   const std::string_view before = text.substr(0, offset);
   const std::string_view line = before.substr(before.rfind('\n') + 1);  // npos + 1 = 0
   const auto starts_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
-  return {static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1,
-      static_cast<int>(std::count_if(line.begin(), line.end(), starts_character)) + 1, 1};
+  return {static_cast<int>(std::ranges::count(before, '\n')) + 1,
+      static_cast<int>(std::ranges::count_if(line, starts_character)) + 1, 1};
 }
 
 Node parse_toml(std::string_view text)

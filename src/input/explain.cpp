@@ -67,7 +67,6 @@ std::string describe_key(const KeyInfo& key, const std::string& name)
          row("allowed", allowed_text(key)) + row("default", fallback);
 }
 
-/// Each line of the text behind the margin.
 std::string indented_lines(std::string_view text, std::string_view margin)
 {
   std::string out;
@@ -131,7 +130,6 @@ std::string describe_quantity(const QuantityInfo& quantity)
          row("unit", std::string(quantity.unit));
 }
 
-/// A file of a run and the quantities in it.
 struct QuantityFile {
   std::string name;
   std::string_view meaning;
@@ -158,7 +156,6 @@ std::string describe_file(const QuantityFile& file)
 
 using Match = bool (*)(const std::string& topic, const std::string& path);
 
-/// Everything that a topic may mean, one block each.
 std::vector<std::string> find_blocks(const std::string& topic, Match match)
 {
   std::vector<std::string> blocks;

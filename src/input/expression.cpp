@@ -64,7 +64,7 @@ std::string why(const mu::Parser::exception_type& error, const std::vector<std::
   const bool unknown = error.GetCode() == mu::ecUNASSIGNABLE_TOKEN || error.GetCode() == mu::ecINVALID_NAME;
   if (!unknown) return error.GetMsg();
   std::vector<std::string> known(names);
-  std::sort(known.begin(), known.end());
+  std::ranges::sort(known);
   const std::string word = error.GetToken().substr(0, error.GetToken().find_first_of(" +-*/^()<>=&|,"));
   const std::string nearest = closest(word, known);
   return fmt::format("`{}` is not known here.{} Names: {}", error.GetToken(),
@@ -93,7 +93,6 @@ void define_functions(mu::Parser& p)
 
 }  // namespace
 
-/// What every thread needs to make its parser; nobody changes it.
 struct Expression::ParsedText {
   std::uint64_t number;
   std::string text;
@@ -104,7 +103,6 @@ struct Expression::ParsedText {
 
 namespace {
 
-/// Reads the formula of a source. Throws ExpressionError.
 std::unique_ptr<BoundParser> parse(const auto& source)
 {
   auto bound = std::make_unique<BoundParser>();
@@ -117,7 +115,7 @@ std::unique_ptr<BoundParser> parse(const auto& source)
     p.SetExpr(source.text);
     p.Eval();
     for (const auto& [name, address] : p.GetUsedVar()) {
-      if (std::count(source.names.begin(), source.names.end(), name) > 1)
+      if (std::ranges::count(source.names, name) > 1)
         throw ExpressionError(
             fmt::format("`{}` is a constant and the name of what stands here. Give the constant another name.", name));
       bound->used.push_back(static_cast<std::size_t>(address - bound->values.data()));

@@ -6,8 +6,6 @@
 #include "input/side_kinds.hpp"
 #include "schemes/scheme.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 namespace terp {

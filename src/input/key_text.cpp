@@ -30,7 +30,6 @@ Case& prototype()
   return one;
 }
 
-/// The entries in words, one after the other.
 template <class List, class ToText>
 std::string joined(const List& list, ToText&& to_text)
 {

@@ -12,7 +12,7 @@ namespace {
 
 bool holds(const std::vector<std::string>& keys, const std::string& key)
 {
-  return std::find(keys.begin(), keys.end(), key) != keys.end();
+  return std::ranges::find(keys, key) != keys.end();
 }
 
 std::string line_of_kind(const MeshKindInfo& info)

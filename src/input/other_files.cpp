@@ -32,7 +32,6 @@ std::vector<std::pair<std::string, Node*>> find_file_keys(Node& root)
   return found;
 }
 
-/// What is wrong with a file, or an empty text.
 std::string fault_of_file(const fs::path& path)
 {
   std::error_code ignored;
@@ -54,7 +53,7 @@ fs::path absolute_path(const std::string& folder, const std::string& name)
 std::string copy_of_mesh(const std::string& path)
 {
   const std::string name = "mesh" + fs::path(path).extension().string();
-  const bool known = std::find(std::begin(mesh_copies), std::end(mesh_copies), name) != std::end(mesh_copies);
+  const bool known = std::ranges::find(mesh_copies, name) != std::end(mesh_copies);
   return known ? name : std::string(mesh_copies[0]);
 }
 
@@ -97,7 +96,7 @@ std::string similar_file(const std::string& path, const std::string& ending)
   const fs::path folder = missing.has_parent_path() ? missing.parent_path() : fs::path(".");
   for (const auto& entry : fs::directory_iterator(folder, ignored))
     if (entry.path().extension() == ending) names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   const std::string nearest = closest(missing.filename().string(), names);
   return nearest.empty() ? nearest : (missing.parent_path() / nearest).string();
 }

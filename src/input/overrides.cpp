@@ -43,8 +43,7 @@ void mark(Node& node, const std::string& override_text)
 std::optional<std::size_t> index_of(std::string part)
 {
   if (part.size() > 2 && part.front() == '[' && part.back() == ']') part = part.substr(1, part.size() - 2);
-  const bool digits =
-      !part.empty() && std::all_of(part.begin(), part.end(), [](unsigned char c) { return std::isdigit(c); });
+  const bool digits = !part.empty() && std::ranges::all_of(part, [](unsigned char c) { return std::isdigit(c); });
   if (!digits || part.size() > 6) return std::nullopt;
   return std::stoul(part);
 }
@@ -99,7 +98,6 @@ bool fits(std::string_view pattern, std::string_view name)
   return pattern.find_first_not_of('*', p) == std::string_view::npos;
 }
 
-/// The entry `part` of a list or table, or nullptr.
 const Node* below_of(const Node& node, const std::string& part)
 {
   if (node.kind != NodeKind::list) return find_item(node, part);
@@ -107,7 +105,6 @@ const Node* below_of(const Node& node, const std::string& part)
   return index && *index < node.items.size() ? &node.items[*index] : nullptr;
 }
 
-/// Names of a table, or the numbers of a list.
 std::vector<std::string> names_below(const Node& node)
 {
   std::vector<std::string> names;
@@ -122,8 +119,7 @@ bool takes_key(const Node& material, const std::string& key)
   const Node* model = find_item(material, "model");
   const MaterialType* law = model != nullptr ? find_material(model->text) : nullptr;
   if (law == nullptr || find_key("material.NAME." + key) != nullptr) return true;
-  return std::any_of(
-      law->parameters.begin(), law->parameters.end(), [&](const auto& info) { return info.name == key; });
+  return std::ranges::any_of(law->parameters, [&](const auto& info) { return info.name == key; });
 }
 
 /// The keys that a key with patterns stands for, from part `first` on; none where nothing fits.

@@ -14,7 +14,6 @@
 namespace terp {
 namespace {
 
-/// One table of the file and what may stand in it.
 struct Section {
   const Node& table;
   std::string path;     ///< in this file: "body[0]", "material.clay"; "" for the file itself
@@ -72,7 +71,6 @@ std::string title_of(const Section& section)
   return header_of(section.pattern.ends_with("[]") ? section.pattern : section.path);
 }
 
-/// One more of what a list of tables holds.
 void add_entry(const std::string& pattern, Case& values)
 {
   if (pattern == "body[]")
@@ -242,7 +240,7 @@ void CaseReader::report_unknown(const Section& section, const Node& item, std::v
 void CaseReader::report_missing(const Section& section, const std::vector<std::string>& meant)
 {
   const auto is_missing = [&](const std::string& name) {
-    return find_item(section.table, name) == nullptr && std::find(meant.begin(), meant.end(), name) == meant.end();
+    return find_item(section.table, name) == nullptr && std::ranges::find(meant, name) == meant.end();
   };
   const auto check_key = [&](const KeyInfo& key) {
     const std::string name = last_part(key.path);

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 
 namespace terp {
 namespace {
@@ -147,8 +146,7 @@ std::vector<Problem> in_file_order(std::vector<Problem> problems, const Document
     const Place place = find_spot(problem, document).place;
     return std::pair(place.line == 0 ? std::numeric_limits<int>::max() : place.line, place.column);
   };
-  std::stable_sort(
-      problems.begin(), problems.end(), [&](const Problem& a, const Problem& b) { return rank(a) < rank(b); });
+  std::ranges::stable_sort(problems, [&](const Problem& a, const Problem& b) { return rank(a) < rank(b); });
   return problems;
 }
 

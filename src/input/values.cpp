@@ -56,7 +56,6 @@ std::string describe_crossing(const std::vector<Vec<2>>& corners)
   return "";
 }
 
-/// Reads values of one entry. `node` and `path` may be a part of it: one number of a pair.
 class ValueReader {
  public:
   ValueReader(const Entry& entry, Findings& findings) : entry_(entry), key_(entry.key), findings_(findings) {}
@@ -80,7 +79,7 @@ class ValueReader {
   {
     if (!read_word(entry_.node, entry_.path)) return false;
     const auto words = key_.words();
-    field.set(static_cast<int>(std::find(words.begin(), words.end(), entry_.node.text) - words.begin()));
+    field.set(static_cast<int>(std::ranges::find(words, entry_.node.text) - words.begin()));
     return true;
   }
   bool operator()(const NumberOrPair& field)
@@ -208,7 +207,7 @@ bool ValueReader::read_word(const Node& node, const std::string& path)
   if (node.kind != NodeKind::text) return wrong_type(node, path);
   if (key_.words == nullptr) return true;
   const auto words = key_.words();
-  if (std::find(words.begin(), words.end(), node.text) != words.end()) return true;
+  if (std::ranges::find(words, node.text) != words.end()) return true;
   const std::string nearest = closest(node.text, words);
   const std::string hint = nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest);
   return fail(path, fmt::format("`{}` cannot be \"{}\"", name(), node.text), hint + "Allowed: " + quoted_list(words));
@@ -260,7 +259,7 @@ bool ValueReader::read_polygon(
   const int turn = turn_of(corners);
   if (turn == 0)
     return fail(path, fmt::format("`{}` has no area", last_part(path)), "Give the corners in order along the outline.");
-  if (turn < 0 && !keeps_order) std::reverse(corners.begin(), corners.end());
+  if (turn < 0 && !keeps_order) std::ranges::reverse(corners);
   polygon = corners;
   return true;
 }
@@ -281,7 +280,7 @@ bool ValueReader::operator()(const Polyline& field)
   std::vector<Vec<2>> places;
   if (!read_places(entry_.node, entry_.path, places)) return false;
   if (places.size() < 2) return wrong_type(entry_.node, entry_.path);
-  const auto twice = std::adjacent_find(places.begin(), places.end());
+  const auto twice = std::ranges::adjacent_find(places);
   if (twice != places.end())
     return fail(entry_.path, fmt::format("`{}` names the same place twice in a row", name()),
         fmt::format("({}, {}) m. Remove one of the two.", (*twice)[0], (*twice)[1]));

@@ -188,7 +188,6 @@ void check_sizes(const PolygonMesh& mesh)
             "side `{}` has edge {}; the polygon has edges 0 to {}", named.side, edge, mesh.polygon.size() - 1));
 }
 
-/// Nothing if the file is not there, is cut off or damaged.
 std::optional<GeneratedMesh> read_kept(const std::string& path)
 {
   std::error_code ignored;

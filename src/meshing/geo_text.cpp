@@ -62,7 +62,7 @@ std::string sides(const PolygonMesh& mesh, const PlanarMap& map)
   for (const NamedEdges& named : mesh.edges) {
     std::vector<std::size_t> lines;
     for (std::size_t k = 0; k < map.lines.size(); ++k)
-      if (std::count(named.edges.begin(), named.edges.end(), map.lines[k].edge) > 0) lines.push_back(k + 1);
+      if (std::ranges::count(named.edges, map.lines[k].edge) > 0) lines.push_back(k + 1);
     if (!lines.empty()) text += fmt::format("Physical Curve(\"{}\") = {{{}}};\n", named.side, listed(lines));
   }
   return text;

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 #include <fmt/format.h>
 #include <fstream>
@@ -36,7 +35,6 @@ std::string contents_of(const std::string& path)
   return std::move(text).str();
 }
 
-/// Where a node of the file stands in MshContent, by gmsh's number.
 using NodeTable = std::unordered_map<std::int64_t, std::size_t>;
 
 NodeTable number_nodes(const MshContent& content)
@@ -171,7 +169,7 @@ void sort_along_curve(const MshContent& content, std::vector<FileCell>& cells)
   std::vector<std::pair<std::uint64_t, std::size_t>> order;  // ties in file order
   for (std::size_t k = 0; k < cells.size(); ++k)
     order.emplace_back(hilbert_distance(on_grid(centres[k][0] - box.low[0]), on_grid(centres[k][1] - box.low[1])), k);
-  std::sort(order.begin(), order.end());
+  std::ranges::sort(order);
   std::vector<FileCell> sorted;
   sorted.reserve(cells.size());
   for (const auto& [distance, k] : order) sorted.push_back(std::move(cells[k]));
@@ -180,10 +178,10 @@ void sort_along_curve(const MshContent& content, std::vector<FileCell>& cells)
 
 void check_plane(const MshContent& content, const std::vector<Index>& used)
 {
-  const auto lowest = std::min_element(
-      used.begin(), used.end(), [&](Index a, Index b) { return content.places[a][2] < content.places[b][2]; });
-  const auto highest = std::max_element(
-      used.begin(), used.end(), [&](Index a, Index b) { return content.places[a][2] < content.places[b][2]; });
+  const auto lowest =
+      std::ranges::min_element(used, [&](Index a, Index b) { return content.places[a][2] < content.places[b][2]; });
+  const auto highest =
+      std::ranges::max_element(used, [&](Index a, Index b) { return content.places[a][2] < content.places[b][2]; });
   std::vector<Vec<2>> places;
   for (const Index i : used) places.push_back({content.places[i][0], content.places[i][1]});
   const BoundingBox box = box_around(places);
@@ -233,7 +231,7 @@ std::vector<Named> named_in_order(
   std::vector<Named> all;
   for (const auto& [number, items] : of_group) {
     const std::string name = name_of_group(content, dimension, number);
-    auto at = std::find_if(all.begin(), all.end(), [&](const Named& n) { return n.name == name; });
+    auto at = std::ranges::find_if(all, [&](const Named& n) { return n.name == name; });
     if (at == all.end()) at = all.insert(all.end(), Named{name, {}});
     if constexpr (std::is_same_v<Named, NamedSide>)
       at->edges.insert(at->edges.end(), items.begin(), items.end());
@@ -250,7 +248,7 @@ void add_regions(const MshContent& content, const std::vector<FileCell>& cells, 
     for (const int group : content.group_sets[cells[e].groups]) cells_of_group[group].push_back(static_cast<Index>(e));
   mesh.regions = named_in_order<NamedRegion>(content, 2, cells_of_group);
   for (NamedRegion& region : mesh.regions) {
-    std::sort(region.cells.begin(), region.cells.end());
+    std::ranges::sort(region.cells);
     region.cells.erase(std::unique(region.cells.begin(), region.cells.end()), region.cells.end());
   }
 }
@@ -265,7 +263,6 @@ EdgeTable cells_of_edges(const Mesh<2>& mesh)
   return table;
 }
 
-/// What lines are matched with.
 struct LineTables {
   const MshContent& content;
   const NodeTable& table;           // of the file's nodes
@@ -320,7 +317,6 @@ Mesh<2> make_mesh(const MshContent& content)
   return mesh;
 }
 
-/// path: for messages.
 Mesh<2> make_mesh(const std::string& path, const MshContent& content)
 {
   try {

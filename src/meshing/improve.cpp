@@ -69,11 +69,11 @@ class Improver {
   {
     std::vector<Real> part(cells_.size());
     for (std::size_t e = 0; e < cells_.size(); ++e) part[e] = smallest_altitude(cells_[e], nodes_) / target_[e];
-    const Real limit = worst_share * *std::min_element(part.begin(), part.end());
+    const Real limit = worst_share * *std::ranges::min_element(part);
     std::vector<Index> list;
     for (std::size_t e = 0; e < cells_.size(); ++e)
       if (part[e] <= limit) list.insert(list.end(), cells_[e].begin(), cells_[e].end());
-    std::sort(list.begin(), list.end());
+    std::ranges::sort(list);
     list.erase(std::unique(list.begin(), list.end()), list.end());
     return list;
   }

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -30,7 +29,6 @@ Vec<2> between(Vec<2> a, Vec<2> b, Real t) { return {a[0] + t * (b[0] - a[0]), a
 Real distance(Vec<2> a, Vec<2> b) { return std::hypot(b[0] - a[0], b[1] - a[1]); }
 Real cross(Vec<2> a, Vec<2> b, Vec<2> c) { return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]); }
 
-/// Part of the way from a to b at which x projects.
 Real projection(Vec<2> a, Vec<2> b, Vec<2> x)
 {
   const Real length = distance(a, b);
@@ -146,7 +144,7 @@ class Cutter {
       if (i != line.a && i != line.b && t > 0.0 && t < 1.0 && distance(between(a, b, t), places_[i]) <= reach)
         found.emplace_back(t, i);
     }
-    std::sort(found.begin(), found.end());
+    std::ranges::sort(found);
     std::vector<Index> order;
     for (const auto& [t, i] : found) order.push_back(i);
     return order;
@@ -200,7 +198,7 @@ class LoopFinder {
   {
     for (Index half = 0; half < 2 * static_cast<Index>(lines.size()); ++half) leaving_[from(half)].push_back(half);
     for (auto& halves : leaving_)
-      std::sort(halves.begin(), halves.end(), [&](Index k, Index other) { return angle(k) < angle(other); });
+      std::ranges::sort(halves, [&](Index k, Index other) { return angle(k) < angle(other); });
     number_parts();
   }
 
@@ -235,7 +233,7 @@ class LoopFinder {
   Index next(Index half) const
   {
     const auto& halves = leaving_[to(half)];
-    const auto back = std::find(halves.begin(), halves.end(), half ^ 1) - halves.begin();
+    const auto back = std::ranges::find(halves, half ^ 1) - halves.begin();
     return halves[(back + static_cast<Index>(halves.size()) - 1) % halves.size()];
   }
 

@@ -59,8 +59,7 @@ std::vector<std::string> our_environment_and(const std::vector<std::string>& mor
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const std::string own = *entry;
     const std::string name = own.substr(0, own.find('=') + 1);
-    if (std::none_of(more.begin(), more.end(), [&](const std::string& word) { return word.starts_with(name); }))
-      all.push_back(own);
+    if (std::ranges::none_of(more, [&](const std::string& word) { return word.starts_with(name); })) all.push_back(own);
   }
   return all;
 }
@@ -72,8 +71,7 @@ bool signal_waits()
 {
   sigset_t waiting;
   sigpending(&waiting);
-  return std::any_of(std::begin(ending_signals), std::end(ending_signals),
-      [&](int signal) { return sigismember(&waiting, signal) == 1; });
+  return std::ranges::any_of(ending_signals, [&](int signal) { return sigismember(&waiting, signal) == 1; });
 }
 
 /// What the child does between fork and its own program: nothing here may ask for memory. Tells errno if it cannot

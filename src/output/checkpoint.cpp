@@ -92,7 +92,6 @@ void write_head(Hdf5File& file, const StateImage& part, const std::string& case_
   file.create_group(arrays);
 }
 
-/// Throws unless the file is a checkpoint that this version of Terp reads.
 void check_format(const Hdf5File& file, const std::string& path)
 {
   if (file.text("/", "format") != format_name) throw FileError(fmt::format("{} is not a checkpoint of Terp", path));
@@ -112,7 +111,6 @@ class Room {
   {
   }
 
-  /// Throws FileError if there is no room for values of this shape.
   void take(const std::string& place, const std::vector<std::int64_t>& shape, std::size_t n_bytes_each)
   {
     left_ -= std::accumulate(shape.begin(), shape.end(), static_cast<Real>(n_bytes_each),
@@ -145,7 +143,6 @@ NamedArray read_array(const Hdf5File& file, const std::string& name, Room& room)
   return array;
 }
 
-/// Steps of the checkpoints in a folder, newest first.
 std::vector<std::int64_t> steps_of_checkpoints(const std::string& folder)
 {
   std::error_code error;
@@ -156,7 +153,7 @@ std::vector<std::int64_t> steps_of_checkpoints(const std::string& folder)
     if (step >= 0 && entry.is_regular_file(unreadable)) steps.push_back(step);
   }
   if (error) throw_file_error("open the run folder", folder, error.value());
-  std::sort(steps.begin(), steps.end(), std::greater<>());
+  std::ranges::sort(steps, std::greater<>());
   return steps;
 }
 

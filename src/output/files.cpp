@@ -1,4 +1,3 @@
-// Plain files: see files.hpp.
 #include "output/files.hpp"
 
 #include "base/errors.hpp"

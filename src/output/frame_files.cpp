@@ -9,7 +9,6 @@
 #include "output/run_folder.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <filesystem>
 
@@ -35,7 +34,6 @@ std::string component_names(int n_columns)
   }
 }
 
-/// Rows of two components become rows of three with z = 0.
 std::vector<Real> with_z(std::span<const Real> values)
 {
   std::vector<Real> rows(values.size() / 2 * 3, 0.0);
@@ -76,7 +74,7 @@ std::vector<std::int64_t> list_frames(const std::string& folder, const FrameKind
     const std::int64_t number = number_of_frame(kind, entry.path().filename().string());
     if (number >= 0) numbers.push_back(number);
   }
-  std::sort(numbers.begin(), numbers.end());
+  std::ranges::sort(numbers);
   return numbers;
 }
 

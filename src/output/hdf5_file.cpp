@@ -1,4 +1,3 @@
-// The part of HDF5 that Terp needs: see hdf5_file.hpp.
 #include "output/hdf5_file.hpp"
 
 #include "base/errors.hpp"
@@ -16,7 +15,6 @@ namespace {
 
 static_assert(std::is_same_v<hid_t, std::int64_t>, "Hdf5File keeps the identifier as std::int64_t");
 
-/// An HDF5 identifier that closes itself.
 class Id {
  public:
   Id(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
@@ -54,7 +52,6 @@ std::string reason()
   return text.substr(begin + mark.size(), text.find('\'', begin + mark.size()) - begin - mark.size());
 }
 
-/// Passes a result of HDF5 on; a negative one becomes a FileError.
 template <class Result>
 Result checked(Result result, std::string_view doing, const std::string& path, const std::string& object = "")
 {
@@ -129,7 +126,7 @@ hsize_t greatest_compression(hid_t properties)
 /// True if a box of this shape has no more than `most` items.
 bool has_at_most(hsize_t most, const std::vector<hsize_t>& shape)
 {
-  if (std::find(shape.begin(), shape.end(), 0u) != shape.end()) return true;
+  if (std::ranges::find(shape, 0u) != shape.end()) return true;
   for (const hsize_t n : shape) most /= n;  // divided instead of multiplied, which may overflow
   return most > 0;
 }
@@ -156,7 +153,6 @@ void check_size(
           fmt::join(chunk, " x "), n_bytes));
 }
 
-/// A dataset that can be read into memory.
 Id open_to_read(hid_t file, std::size_t n_bytes_in_memory, const std::string& path, const std::string& name)
 {
   Id dataset = open_dataset(file, path, name);
@@ -183,7 +179,6 @@ Id access_properties()
   return access;
 }
 
-/// Properties of a new file, group or dataset: without the time at which it is made.
 Id without_time(hid_t what)
 {
   Id properties{H5Pcreate(what), H5Pclose};
@@ -208,7 +203,6 @@ void set_chunks(hid_t properties, const std::vector<std::int64_t>& shape)
   H5Pset_fletcher32(properties);
 }
 
-/// A file with nothing in it, on a disk that has room for n_reserved bytes.
 void make_empty(const std::string& path, std::int64_t n_reserved)
 {
   if (n_reserved > 0) {
@@ -408,7 +402,6 @@ std::size_t count_values(hid_t attribute)
       std::max<hssize_t>(0, H5Sget_simple_extent_npoints(Id{H5Aget_space(attribute), H5Sclose})));
 }
 
-/// The one value of an attribute.
 template <class T>
 T read_single(hid_t file, const std::string& path, const std::string& object, const std::string& attribute)
 {

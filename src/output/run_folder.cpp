@@ -1,4 +1,3 @@
-// A run's folder: see run_folder.hpp.
 #include "output/run_folder.hpp"
 
 #include "base/errors.hpp"
@@ -29,7 +28,7 @@ std::int64_t step_in_name(std::string_view name, std::string_view prefix)
   constexpr std::string_view ending = ".h5";
   if (!name.starts_with(prefix) || !name.ends_with(ending)) return -1;
   const std::string_view digits = name.substr(prefix.size(), name.size() - prefix.size() - ending.size());
-  const bool all_digits = std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const bool all_digits = std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
   std::int64_t step = -1;
   const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), step);
   return all_digits && end.ec == std::errc() ? step : -1;
@@ -70,16 +69,14 @@ void remove_files(const std::string& folder, Meant&& is_meant)
   if (error && error != std::errc::no_such_file_or_directory) throw_file_error("open", folder, error.value());
 }
 
-/// The copies of the files that a case names.
 bool is_copy_of_input(std::string_view name)
 {
-  if (std::find(std::begin(mesh_copies), std::end(mesh_copies), name) != std::end(mesh_copies)) return true;
+  if (std::ranges::find(mesh_copies, name) != std::end(mesh_copies)) return true;
   constexpr std::string_view begin = "points_", end = ".csv";
   return name.starts_with(begin) && name.ends_with(end) && name.size() > begin.size() + end.size() &&
          std::all_of(name.begin() + begin.size(), name.end() - end.size(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Names and contents of files.
 using Contents = std::vector<std::pair<std::string, std::string>>;
 
 Contents read_contents(const std::vector<InputFile>& files)

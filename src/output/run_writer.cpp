@@ -1,11 +1,9 @@
-// Writes all that a run shows into its folder: see run_writer.hpp.
 #include "output/run_writer.hpp"
 
 #include "base/errors.hpp"
 #include "output/files.hpp"
 #include "output/summary_json.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <limits>
 
@@ -16,7 +14,6 @@ namespace {
 
 constexpr std::size_t most_waiting = 64;  // rows, mostly
 
-/// Throws FileError if a file holds fewer rows or frames than it must.
 void check_length(
     const std::string& path, const char* unit, std::int64_t n, std::int64_t n_due, const ResumePoint& from)
 {
@@ -37,7 +34,6 @@ std::string folder_of_run(const std::string& path)
   return std::filesystem::path(folder).filename() == frames_folder ? folder_of(folder) : folder;
 }
 
-/// Throws FileError for a file that is there and cannot be gone on with.
 [[noreturn]] void refuse(const std::string& path, const ResumePoint& from, const std::string& fault)
 {
   throw FileError(
@@ -56,7 +52,6 @@ std::string table_line(std::string_view name, const std::string& checksum)
   return fmt::format("{} = {}\n", name, checksum);
 }
 
-/// Throws FileError unless the rows up to the checkpoint are those that the run wrote.
 void check_table(const std::string& folder, const RunTable& table, const ResumePoint& from)
 {
   const std::string path = path_in(folder, table.file());

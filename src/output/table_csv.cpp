@@ -1,4 +1,3 @@
-// The tables of a run: see table_csv.hpp.
 #include "output/table_csv.hpp"
 
 #include "base/errors.hpp"
@@ -34,7 +33,6 @@ std::string quoted(const std::string& name)
   return text + '"';
 }
 
-/// The time of a row, not a number if there is none.
 Real time_of(std::string_view row)
 {
   Real time = std::nan("");
@@ -42,7 +40,6 @@ Real time_of(std::string_view row)
   return time;
 }
 
-/// The first part of a table.
 struct Part {
   std::size_t length;  ///< in bytes, from the start of the table
   std::int64_t n_rows = 0;

@@ -13,7 +13,6 @@ namespace {
 /// Area over the square of the longest extent, below which a polygon is a line: above the round-off of its area.
 constexpr Real no_area = 1e-12;
 
-/// Side k of a polygon, from corner k to the next one.
 Side side_of(const Polygon& polygon, std::size_t k) { return {polygon[k], polygon[(k + 1) % polygon.size()]}; }
 
 std::string side_text(const Side& side)
@@ -48,7 +47,6 @@ Polygon without_repeated_corners(const Polygon& polygon)
   return kept;
 }
 
-/// The first crossing of two sides of a polygon.
 std::optional<std::string> self_crossing(const Polygon& polygon)
 {
   for (std::size_t k = 0; k < polygon.size(); ++k)
@@ -59,7 +57,6 @@ std::optional<std::string> self_crossing(const Polygon& polygon)
   return std::nullopt;
 }
 
-/// The first crossing of a side of one polygon with a side of another.
 std::optional<Vec<2>> first_crossing(const Polygon& one, const Polygon& two)
 {
   for (std::size_t k = 0; k < one.size(); ++k)
@@ -130,8 +127,7 @@ void check_holes_apart(const BodyOutline& body, std::size_t one, std::size_t two
 {
   const Polygon &a = body.holes[one], &b = body.holes[two];
   const auto within = [](const Polygon& inner, const Polygon& outer) {
-    return std::all_of(
-        inner.begin(), inner.end(), [&](Vec<2> x) { return contains(outer, x) || on_outline(outer, x); });
+    return std::ranges::all_of(inner, [&](Vec<2> x) { return contains(outer, x) || on_outline(outer, x); });
   };
   if (const auto x = first_crossing(a, b))
     found.push_back(fmt::format("{} and {} cross at {} m", hole_name(one), hole_name(two), place_text(*x)));
@@ -145,7 +141,7 @@ void check_holes_apart(const BodyOutline& body, std::size_t one, std::size_t two
 bool covers(const BodyOutline& body, Vec<2> x)
 {
   const auto in_hole = [&](const Polygon& hole) { return contains(hole, x); };
-  return contains(body.polygon, x) && std::none_of(body.holes.begin(), body.holes.end(), in_hole);
+  return contains(body.polygon, x) && std::ranges::none_of(body.holes, in_hole);
 }
 
 std::vector<Side> outline_sides(const Mesh<2>& mesh, const BodyOutline& body)
@@ -172,7 +168,7 @@ std::vector<Real> crossings_of_vertical(std::span<const Side> sides, Real x)
   std::vector<Real> heights;
   for (const auto& [a, b] : sides)
     if ((a[0] > x) != (b[0] > x)) heights.push_back(a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]));
-  std::sort(heights.begin(), heights.end());
+  std::ranges::sort(heights);
   return heights;
 }
 

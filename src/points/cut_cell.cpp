@@ -1,6 +1,5 @@
 #include "points/cut_cell.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -75,7 +74,6 @@ std::size_t find_taker(const Overlay& overlay, Index body, const std::vector<Pie
   return best;
 }
 
-/// Merges what is too small, the smallest first.
 void merge_small_pieces(const Overlay& overlay, Index body, std::vector<Piece>& pieces)
 {
   while (true) {

@@ -16,7 +16,7 @@ Real length_of_outline(const Mesh<2>& mesh, const std::vector<Index>& cells)
   for (const Index cell : cells) {
     const auto x = mesh.corners(cell);
     for (std::size_t side = 0; side < x.size(); ++side) {
-      if (std::binary_search(cells.begin(), cells.end(), mesh.neighbours[cell][side])) continue;
+      if (std::ranges::binary_search(cells, mesh.neighbours[cell][side])) continue;
       const Vec<2>&a = x[side], &b = x[(side + 1) % x.size()];
       length += std::hypot(b[0] - a[0], b[1] - a[1]);
     }
@@ -54,7 +54,7 @@ std::vector<Index> cells_around(const Mesh<2>& mesh, Index cell)
   for (const Index node : mesh.cells[cell])
     for (Index k = mesh.first_cell_of_node[node]; k < mesh.first_cell_of_node[node + 1]; ++k)
       around.push_back(static_cast<Index>(mesh.cells_of_node[k].cell));
-  std::sort(around.begin(), around.end());
+  std::ranges::sort(around);
   around.erase(std::unique(around.begin(), around.end()), around.end());
   return around;
 }

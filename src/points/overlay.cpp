@@ -87,7 +87,7 @@ std::vector<Real> find_heights(std::vector<Line>& lines, const BoundingBox& box)
     for (std::size_t other = 0; other < k; ++other)
       if (const auto t = share_to_crossing(near[k]->a, near[k]->b, near[other]->a, near[other]->b))
         all.push_back(near[k]->a[1] + *t * (near[k]->b[1] - near[k]->a[1]));
-  std::sort(all.begin(), all.end());
+  std::ranges::sort(all);
   const Real apart = resolution * (box.high[1] - box.low[1]);
   std::vector<Real> heights{box.low[1]};
   for (const Real y : all)
@@ -112,13 +112,12 @@ std::vector<Cut> cut_strip(const std::vector<Line>& lines, Real y0, Real y1)
     cut.low = std::clamp(cut.low, sides[0].low, std::max(sides[0].low, sides[1].low));
     cut.high = std::clamp(cut.high, sides[0].high, std::max(sides[0].high, sides[1].high));
   }
-  std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.middle < b.middle; });
+  std::ranges::stable_sort(cuts, [](const Cut& a, const Cut& b) { return a.middle < b.middle; });
   cuts.insert(cuts.begin(), sides[0]);
   cuts.push_back(sides[1]);
   return cuts;
 }
 
-/// The topmost body where the rings marked in `inside` are around.
 Index top_of(const Overlay& overlay, const std::vector<char>& inside)
 {
   Index top = overlay.ground, body = -1;
@@ -163,7 +162,7 @@ std::vector<std::size_t> connect_trapezoids(const std::vector<Trapezoid>& trapez
       const Real shared = std::min(a.right1, b.right0) - std::max(a.left1, b.left0);
       if (a.body != b.body || a.y1 != b.y0 || shared <= resolution * width || group[lower] == group[upper]) continue;
       const auto [keep, drop] = std::minmax(group[lower], group[upper]);
-      std::replace(group.begin(), group.end(), std::size_t{drop}, std::size_t{keep});
+      std::ranges::replace(group, std::size_t{drop}, std::size_t{keep});
     }
   return group;
 }
@@ -179,7 +178,7 @@ void add_parts(const std::vector<Trapezoid>& group, std::vector<Part>& parts)
   }
   if (area <= 0.0) return;
   const Vec<2> centroid{moments[0] / area, moments[1] / area};
-  const bool holds = std::any_of(group.begin(), group.end(), [&](const Trapezoid& t) { return t.holds(centroid); });
+  const bool holds = std::ranges::any_of(group, [&](const Trapezoid& t) { return t.holds(centroid); });
   if (holds || group.size() == 1) {
     parts.push_back({group.front().body, area, centroid});
   } else {
@@ -203,7 +202,7 @@ bool stays_in_body(const Overlay& overlay, Index body, Vec<2> a, Vec<2> b)
     for (std::size_t k = 0; k < ring.corners.size(); ++k)
       if (const auto t = share_to_crossing(a, b, ring.corners[k], ring.corners[(k + 1) % ring.corners.size()]))
         shares.push_back(*t);
-  std::sort(shares.begin(), shares.end());
+  std::ranges::sort(shares);
   for (std::size_t k = 1; k < shares.size(); ++k) {
     const Real t = 0.5 * (shares[k - 1] + shares[k]);
     const bool is_way = shares[k] - shares[k - 1] > resolution;

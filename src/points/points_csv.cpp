@@ -16,7 +16,6 @@ namespace {
 constexpr std::int64_t most_shown = 10;
 const std::array<std::string, 4> columns{"x", "y", "volume", "material"};
 
-/// Faults with the line they are on.
 class Faults {
  public:
   explicit Faults(const std::string& path) : path_(path) {}

@@ -63,7 +63,7 @@ Ring make_ring(const Polygon& polygon, const BoundingBox& around, Vec<2> centre,
 void draw_polygon(const BodyOutline& outline, Index body, const BoundingBox& box, Vec<2> centre, Overlay& overlay)
 {
   const auto touches_cell = [&](const Polygon& polygon) { return touches(polygon, box); };
-  if (!touches(outline.polygon, box) && std::none_of(outline.holes.begin(), outline.holes.end(), touches_cell)) {
+  if (!touches(outline.polygon, box) && std::ranges::none_of(outline.holes, touches_cell)) {
     if (covers(outline, centre)) overlay = {body, {}};
     return;
   }

@@ -27,7 +27,6 @@ constexpr double codes_share =
     0.75 * 0.88;  // base64 makes 4 bytes of 3; tables and texts take a little, and the size is an estimate
 constexpr std::size_t most_edges = 100'000;  // of a mesh that is drawn
 
-/// Collects chunks; each gets a number.
 class Chunks {
  public:
   std::int64_t add(std::string_view bytes)
@@ -46,7 +45,6 @@ class Chunks {
   std::vector<std::string> chunks_;
 };
 
-/// A run with all that its part of the page needs.
 struct Source {
   RunResults run;
   Frames frames;
@@ -106,7 +104,6 @@ Unit readable(std::string_view unit)
   return {std::string(unit), 1.0};
 }
 
-/// Columns as float32, one after the other.
 std::int64_t add_table(Chunks& chunks, const Table& table)
 {
   std::vector<float> values;
@@ -173,7 +170,6 @@ std::pair<std::vector<float>, std::vector<float>> backdrop(const Source& source)
   return {std::move(edges), first_outline(source.case_read->values, *source.mesh)};
 }
 
-/// The free surface in each frame that is shown.
 Json surfaces_json(Chunks& chunks, const Source& source, const ShownRun& shown)
 {
   const Frames& frames = source.frames;

@@ -46,7 +46,7 @@ std::vector<Recipe> all_recipes(const Frames& frames)
   };
   const auto known = [&](const std::string& name) {
     return name == "volume" || name == "cell" ||
-           std::any_of(recipes.begin(), recipes.end(), [&](const Recipe& r) { return r.source == name; });
+           std::ranges::any_of(recipes, [&](const Recipe& r) { return r.source == name; });
   };
   for (const ResultField& field : frames.fields())  // state and derived fields of other laws
     if (field.n_components == 1 && !known(field.name))
@@ -83,7 +83,7 @@ std::vector<float> sorted_sample(const Values& values)
   for (const auto& frame : values)
     for (const float v : frame)
       if (k++ % stride == 0 && std::isfinite(v)) sample.push_back(v);
-  std::sort(sample.begin(), sample.end());
+  std::ranges::sort(sample);
   return sample;
 }
 
@@ -109,7 +109,7 @@ Real end_of_strain_scale(const Values& values)
   std::vector<float> sheared;
   for (const float v : values.back())
     if (v > strained) sheared.push_back(v);
-  std::sort(sheared.begin(), sheared.end());
+  std::ranges::sort(sheared);
   return round_up(sheared.empty() ? strained : quantile(sheared, 0.75));
 }
 
@@ -172,7 +172,7 @@ ShownField strength_ratio(const ShownField& su, int index, const Values& values)
       .frames = {},
       .shares = index};
   const auto& first = values[0];
-  if (std::all_of(first.begin(), first.end(), [&](float v) { return v == first[0]; }) && first[0] > 0.0f) {
+  if (std::ranges::all_of(first, [&](float v) { return v == first[0]; }) && first[0] > 0.0f) {
     ratio.scale = {su.scale.lo / first[0], su.scale.step / first[0]};
     return ratio;
   }
@@ -256,7 +256,6 @@ void read_fields(const Frames& frames, ShownRun& shown)
   }
 }
 
-/// Every array of codes in the runs.
 void for_each_array(
     std::vector<ShownRun>& runs, const std::function<void(ShownRun&, std::vector<Codes>&, Scale*, bool is_place)>& f)
 {

@@ -58,7 +58,7 @@ std::string end_of_slide(const RunResults& run, std::size_t k)
 std::string side_of(const std::vector<SlideSummary>& slides, Facing facing)
 {
   const bool all_right =
-      std::all_of(slides.begin(), slides.end(), [](const SlideSummary& s) { return s.slide.facing == Facing::right; });
+      std::ranges::all_of(slides, [](const SlideSummary& s) { return s.slide.facing == Facing::right; });
   return all_right ? "" : facing == Facing::left ? " on the slope to the left" : " on the slope to the right";
 }
 

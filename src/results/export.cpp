@@ -26,7 +26,6 @@ std::size_t parse_frame(std::string_view word, const std::string& text, std::siz
           word, text, static_cast<long>(n_frames) - 1));
 }
 
-/// What follows a field's name for each of its components: nothing for one, else _x ... or _xx ...
 std::vector<std::string> component_suffixes(int n_components)
 {
   if (n_components == 1) return {""};

@@ -143,7 +143,7 @@ std::vector<Real> Frames::read(std::string_view name, std::size_t k) const
 
 const ResultField* Frames::find(std::string_view name) const
 {
-  const auto found = std::find_if(fields_.begin(), fields_.end(), [&](const ResultField& f) { return f.name == name; });
+  const auto found = std::ranges::find_if(fields_, [&](const ResultField& f) { return f.name == name; });
   return found == fields_.end() ? nullptr : &*found;
 }
 

@@ -16,7 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The last n parts of a path, joined by "/".
 std::string tail_of(const fs::path& path, int n)
 {
   fs::path tail;
@@ -140,8 +139,8 @@ std::vector<std::string> distinct_names(const std::vector<std::string>& folders)
     names.clear();
     for (const auto& path : paths) names.push_back(tail_of(path, n));
     std::vector<std::string> sorted = names;
-    std::sort(sorted.begin(), sorted.end());
-    if (std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end()) break;
+    std::ranges::sort(sorted);
+    if (std::ranges::adjacent_find(sorted) == sorted.end()) break;
   }
   return names;
 }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <limits>
 #include <map>
 
@@ -71,7 +70,7 @@ Table empty_table(const std::vector<std::string>& names)
 
 const std::vector<Real>* Table::find(std::string_view name) const
 {
-  const auto found = std::find(names.begin(), names.end(), name);
+  const auto found = std::ranges::find(names, name);
   return found == names.end() ? nullptr : &columns[static_cast<std::size_t>(found - names.begin())];
 }
 
@@ -86,7 +85,7 @@ Table read_number_table(const std::string& path)
 std::vector<PointTable> read_history(const std::string& path)
 {
   const auto rows = read_cells(path);
-  const auto point = static_cast<std::size_t>(std::find(rows[0].begin(), rows[0].end(), "point") - rows[0].begin());
+  const auto point = static_cast<std::size_t>(std::ranges::find(rows[0], "point") - rows[0].begin());
   if (point == rows[0].size()) throw FileError(fmt::format("cannot read {}: it has no column `point`", path));
   std::vector<PointTable> tables;
   std::map<std::string, std::size_t> places;

@@ -1,7 +1,6 @@
 #include "simulation/guards.hpp"
 
 #include "mesh/mesh_error.hpp"
-#include "points/move.hpp"
 #include "simulation/ledger.hpp"
 
 #include <cmath>

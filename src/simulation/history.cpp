@@ -12,7 +12,6 @@ namespace {
 using Rows = PointRows<2>;
 constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 
-/// A named point at an output time.
 struct NamedPoint {
   const Model& model;
   const State& state;
@@ -71,8 +70,7 @@ void find_points(const State& state, const std::vector<std::int64_t>& ids, std::
   places.resize(ids.size(), {-1, -1});
   std::vector<std::size_t> lost;
   for (std::size_t k = 0; k < ids.size(); ++k) {
-    const bool has_left =
-        std::any_of(state.left.begin(), state.left.end(), [&](const LeftPoint& p) { return p.id == ids[k]; });
+    const bool has_left = std::ranges::any_of(state.left, [&](const LeftPoint& p) { return p.id == ids[k]; });
     if (!has_left && !holds(state.points, places[k], ids[k])) lost.push_back(k);
   }
   if (lost.empty()) return;

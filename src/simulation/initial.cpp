@@ -42,7 +42,7 @@ Real mass_above(const std::vector<DrawnBody>& drawn, Vec<2> x)
   for (std::size_t b = 0; b < drawn.size(); ++b)
     for (const Real y : crossings_of_vertical(drawn[b].sides, x[0]))
       if (y > x[1]) above.push_back({y, b});
-  std::sort(above.begin(), above.end(), [](const Crossing& a, const Crossing& b) { return a.y > b.y; });
+  std::ranges::sort(above, [](const Crossing& a, const Crossing& b) { return a.y > b.y; });
   std::vector<char> is_there(drawn.size(), 0);  // going down
   Real mass = 0.0;
   for (std::size_t k = 0; k < above.size(); ++k) {

@@ -4,7 +4,6 @@
 #include "simulation/node_motion.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace terp {

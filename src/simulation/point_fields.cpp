@@ -49,7 +49,6 @@ std::vector<FieldPlace> places_of(const Model& model, const std::string& name)
   return places;
 }
 
-/// Calls f(block, lane, place, values of the point).
 template <class F>
 void for_each_value(State& state, const std::vector<FieldPlace>& places, const std::vector<Real>& values, F&& f)
 {
@@ -60,7 +59,6 @@ void for_each_value(State& state, const std::vector<FieldPlace>& places, const s
   });
 }
 
-/// Refuses values that a point cannot take.
 void check_value(const Model& model, const State& state, const std::string& name, const PointBlock<2>& block,
     Index lane, const FieldPlace& place, const Real* value)
 {

@@ -19,7 +19,6 @@ std::string key_of(const MaterialCase& material, std::string_view parameter)
   return fmt::format("material.{}.{}", material.name, parameter);
 }
 
-/// The values of those that vary, as a law takes them from a point.
 std::vector<Real> varying_values(const SoilMaterial& material, const std::vector<Real>& parameters)
 {
   std::vector<Real> values;

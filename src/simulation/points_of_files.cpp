@@ -48,7 +48,7 @@ std::optional<PointOfFile> largest_of_files(const Model& model, const std::vecto
 {
   std::optional<PointOfFile> found;
   for_each_point_of_files(model, [&](const PointOfFile& p) {
-    if (std::binary_search(cells.begin(), cells.end(), locate(*model.mesh, p.point.x, 0).cell) &&
+    if (std::ranges::binary_search(cells, locate(*model.mesh, p.point.x, 0).cell) &&
         (!found || p.point.volume > found->point.volume))
       found = p;
   });
@@ -143,8 +143,7 @@ bool lies_wholly_in(const BodyOutline& body, std::span<const Side> sides, const 
   if (!(body.cells.empty() ? covers(body, p.x) : std::binary_search(body.cells.begin(), body.cells.end(), p.key.cell)))
     return false;
   const Real depth = (0.5 - round_off) * size_of(p.volume);
-  return std::all_of(
-      sides.begin(), sides.end(), [&](const Side& side) { return distance_to_line(side.a, side.b, p.x) >= depth; });
+  return std::ranges::all_of(sides, [&](const Side& side) { return distance_to_line(side.a, side.b, p.x) >= depth; });
 }
 
 /// A point that reaches over the side of a body may be a coarse neighbour; one within it is soil that is there twice.
@@ -174,7 +173,7 @@ void check_drawn_bodies(const Model& model, const std::vector<BodyOutline>& outl
 
 bool has_file_of_points(const Case& c)
 {
-  return std::any_of(c.bodies.begin(), c.bodies.end(), [](const BodyCase& body) { return !body.points_file.empty(); });
+  return std::ranges::any_of(c.bodies, [](const BodyCase& body) { return !body.points_file.empty(); });
 }
 
 }  // namespace

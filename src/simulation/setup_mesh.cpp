@@ -124,8 +124,8 @@ Real typical_cell_size(const Mesh<2>& mesh)
 
 Vec<2> extent_in_x(const Mesh<2>& mesh)
 {
-  const auto [low, high] = std::minmax_element(
-      mesh.nodes.begin(), mesh.nodes.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; });
+  const auto [low, high] =
+      std::ranges::minmax_element(mesh.nodes, [](const auto& a, const auto& b) { return a[0] < b[0]; });
   return {(*low)[0], (*high)[0]};
 }
 

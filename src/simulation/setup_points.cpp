@@ -13,7 +13,6 @@
 namespace terp {
 namespace {
 
-/// Keys that say where the mesh is.
 const std::vector<std::string> mesh_extent = {"mesh.origin", "mesh.size", "mesh.sides", "mesh.file", "mesh.polygon"};
 
 const char* const grid_cuts_corners =
@@ -122,7 +121,6 @@ void try_points_of_file(const Model& model, std::size_t b, PointBatches& points)
   }
 }
 
-/// Of the points of one body.
 Real fullest_cell(const Mesh<2>& mesh, const PointBatches& points, std::size_t body)
 {
   std::vector<Real> volume(mesh.cells.size(), 0.0);
@@ -162,7 +160,7 @@ std::vector<BodyShare> shares_of_bodies(const Model& model, const PointBatches& 
     share.mass += p.volume * model.materials[p.key.material].density;
     has[p.body][p.key.material] = true;
   };
-  for (const auto& batch : points) std::for_each(batch.begin(), batch.end(), enter);
+  for (const auto& batch : points) std::ranges::for_each(batch, enter);
   for (std::size_t b = 0; b < shares.size(); ++b) {
     for (std::size_t m = 0; m < model.materials.size(); ++m)
       if (has[b][m]) shares[b].material += (shares[b].material.empty() ? "" : " + ") + model.materials[m].name;

@@ -17,8 +17,8 @@ std::vector<Problem> find_warnings(const Model& model, const State& state);
 /// Quantities that do not fit each other: strength, stiffness, weight, velocities, by the size of the soil.
 void find_odd_scales(const Model& model, const State& state, std::vector<Problem>& warnings);
 
-/// Odd places in the section: sides that do not lie where their names say, gaps, bodies in the air, soil beside the mesh,
-/// holes in it.
+/// Odd places in the section: sides that do not lie where their names say, gaps, bodies in the air, soil beside the
+/// mesh, holes in it.
 void find_odd_places(const Model& model, std::vector<Problem>& warnings);
 
 }  // namespace terp

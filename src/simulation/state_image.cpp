@@ -107,8 +107,7 @@ void get_points(const Model& model, const StateImage& image, State& state)
   const auto body = has_bodies ? arrays.wholes("points/body", cell.size()) : std::vector<std::int64_t>(cell.size());
   const std::vector<SavedRow> rows = get_rows(model.rows, image, cell.size());
   const auto fits = [](const std::vector<std::int64_t>& values, std::size_t limit) {
-    return std::all_of(
-        values.begin(), values.end(), [&](std::int64_t v) { return v >= 0 && v < static_cast<std::int64_t>(limit); });
+    return std::ranges::all_of(values, [&](std::int64_t v) { return v >= 0 && v < static_cast<std::int64_t>(limit); });
   };
   if (!fits(cell, model.mesh->cells.size()) || !fits(material, model.materials.size()) ||
       !fits(body, model.description.bodies.size()))
@@ -160,7 +159,6 @@ void get_left(const ArrayReader& arrays, State& state)
   }
 }
 
-/// How many rows were reported, by table.
 void get_reported(const StateImage& image, const ArrayReader& arrays, State& state)
 {
   constexpr std::string_view head = "rows_reported/";

@@ -13,7 +13,6 @@ using Rows = PointRows<2>;
 
 constexpr Real audit_tolerance = 1e-12;  // relative: below is round-off of averaging equal values
 
-/// The largest lane.
 Real largest(Pack a)
 {
   Real most = a[0];
@@ -56,11 +55,10 @@ void enter_speeds(const PointBlocks<2>& points, const std::vector<Real>& fastest
         if (squares[k] > least) fast.push_back(squares[k]);
     }
   }
-  totals.v_max = std::sqrt(*std::max_element(fastest.begin(), fastest.end()));
+  totals.v_max = std::sqrt(*std::ranges::max_element(fastest));
   totals.v_999 = std::sqrt(std::max(least, nth_largest(std::move(fast), n)));
 }
 
-/// What the walk needs of a material.
 struct MaterialRows {
   const SoilMaterial& material;
   ElasticEnergy<Real> energy{material.law->moduli()};
@@ -69,7 +67,6 @@ struct MaterialRows {
   bool told = strain_gives_strength(material);
 };
 
-/// What the walk finds in the cells of one chunk.
 struct ChunkTotals {
   Books books;
   MovedSearch moved;
@@ -134,7 +131,6 @@ bool enter_block(const MaterialRows& rows, std::span<const Columns> shear, const
   return any_of(any.changed);
 }
 
-/// Adds the chunks in their order.
 void add_chunks(const std::vector<ChunkTotals>& chunks, Totals& totals)
 {
   for (const ChunkTotals& chunk : chunks) {

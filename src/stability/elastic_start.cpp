@@ -21,7 +21,6 @@ bool has_strength(const MaterialType& law)
   return std::ranges::any_of(law.parameters, [](const ParameterInfo& p) { return p.reduction != Reduction::none; });
 }
 
-/// Parameters of linear_elastic with given moduli.
 std::vector<Real> elastic_parameters(Moduli m)
 {
   return {m.shear, (3.0 * m.bulk - 2.0 * m.shear) / (2.0 * (3.0 * m.bulk + m.shear))};

@@ -40,7 +40,7 @@ JudgedSoil::JudgedSoil(const Model& model, const State& state)
     for (const Index node : model.mesh->cells[cell]) node_[node] = false;
   for (const Index cell : state.points.occupied()) {
     const auto& corners = model.mesh->cells[cell];
-    if (std::all_of(corners.begin(), corners.end(), [&](Index node) { return node_[node]; })) continue;
+    if (std::ranges::all_of(corners, [&](Index node) { return node_[node]; })) continue;
     for_each_block(state.points, cell, [&](const PointBlock<2>& block, Index) {
       for (Index lane = 0; lane < block.n; ++lane) point_[id_of(block, lane)] = false;
     });

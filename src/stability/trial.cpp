@@ -2,7 +2,6 @@
 
 #include "base/errors.hpp"
 #include "simulation/run.hpp"
-#include "simulation/guards.hpp"
 #include "simulation/point_parameters.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/state_image.hpp"

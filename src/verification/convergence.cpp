@@ -14,7 +14,7 @@ std::vector<std::pair<Real, Real>> from_fine_to_coarse(const std::vector<Real>& 
 {
   std::vector<std::pair<Real, Real>> runs;
   for (std::size_t k = 0; k < x.size(); ++k) runs.emplace_back(x[k], y[k]);
-  std::sort(runs.begin(), runs.end());
+  std::ranges::sort(runs);
   return runs;
 }
 

@@ -31,7 +31,6 @@ const Names kind_words = {
 const Names reduce_words = {
     "rms_error", "max_error", "mean", "sum", "max", "min", "at", "last", "period", "frequency", "arrival"};
 
-/// Reads the entries of one table. Every wrong one is refused with its place.
 class TableReader {
  public:
   TableReader(const Expected& file, const Node& table, const Names& allowed) : file_(file), table_(table)
@@ -39,7 +38,7 @@ class TableReader {
     if (table.kind != NodeKind::table)
       refuse(file, table.value, "a table must stand here", "Got " + describe_value(table) + ".");
     for (const Node& item : table.items)
-      if (std::find(allowed.begin(), allowed.end(), item.name) == allowed.end()) unknown(item.key, item.name, allowed);
+      if (std::ranges::find(allowed, item.name) == allowed.end()) unknown(item.key, item.name, allowed);
   }
 
   std::string text(const char* name, bool required = false) const
@@ -53,7 +52,7 @@ class TableReader {
   std::string label(const char* name, bool required = false) const
   {
     const std::string got = text(name, required);
-    if (std::any_of(got.begin(), got.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }))
+    if (std::ranges::any_of(got, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }))
       wrong(*find(name, false), "one line of text without control characters");
     return got;
   }
@@ -87,13 +86,12 @@ class TableReader {
     if (item.kind == NodeKind::number) return {fmt::format("{}", item.number), item.value};
     wrong(item, "a number, or a formula in quotes");
   }
-  /// The index of the word in the list; `fallback` if the key is missing.
   int word(const char* name, const Names& words, int fallback) const
   {
     const Node* item = find(name, false);
     if (item == nullptr) return fallback;
     const std::string got = text(name);
-    const auto found = std::find(words.begin(), words.end(), got);
+    const auto found = std::ranges::find(words, got);
     if (found == words.end()) unknown(item->value, got, words);
     return static_cast<int>(found - words.begin());
   }
@@ -126,7 +124,7 @@ void check_word(const Expected& file, Place place, const std::string& name)
 {
   const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; };
   const auto is_part = [&](char c) { return is_letter(c) || std::isdigit(static_cast<unsigned char>(c)) != 0; };
-  if (name.empty() || !is_letter(name.front()) || !std::all_of(name.begin(), name.end(), is_part))
+  if (name.empty() || !is_letter(name.front()) || !std::ranges::all_of(name, is_part))
     refuse(file, place, fmt::format("`{}` is no name for a formula", name),
         "Letters, digits and _ make one, a letter first.");
   for (const char* taken : {"pi", "end", "dt", "gci", "factor", "stable_at", "not_stable_at"})
@@ -160,8 +158,7 @@ std::vector<Constant> read_constants(const Expected& file, const Node* table)
 std::vector<Real> read_stability(const TableReader& reader, const Node& bounds)
 {
   const auto is_number = [](const Node& n) { return n.kind == NodeKind::number || n.kind == NodeKind::integer; };
-  if (bounds.kind != NodeKind::list || bounds.items.size() != 3 ||
-      !std::all_of(bounds.items.begin(), bounds.items.end(), is_number))
+  if (bounds.kind != NodeKind::list || bounds.items.size() != 3 || !std::ranges::all_of(bounds.items, is_number))
     reader.wrong(bounds, "[from, to, tolerance] of the factor");
   std::vector<Real> values;
   for (const Node& n : bounds.items)
@@ -240,7 +237,6 @@ bool is_series(const Quantity& q)
   return q.kind == QuantityKind::point || q.kind == QuantityKind::ledger || q.kind == QuantityKind::footing;
 }
 
-/// A key that only some quantities use.
 struct KeyUse {
   const char* key;
   bool (*has)(const Quantity&);
@@ -320,14 +316,14 @@ Quantity read_quantity(const Expected& file, const Node& table)
 
 bool share_a_run(const Names& a, const Names& b)  // none named: all
 {
-  return a.empty() || std::any_of(a.begin(), a.end(), [&](const std::string& run) { return names_run(b, run); });
+  return a.empty() || std::ranges::any_of(a, [&](const std::string& run) { return names_run(b, run); });
 }
 
 /// A name given by `as` means one number in a run.
 void check_as(const Expected& file)
 {
   const auto is_constant = [](const std::vector<Constant>& constants, const std::string& name) {
-    return std::any_of(constants.begin(), constants.end(), [&](const Constant& c) { return c.name == name; });
+    return std::ranges::any_of(constants, [&](const Constant& c) { return c.name == name; });
   };
   for (auto q = file.quantities.begin(); q != file.quantities.end(); ++q) {
     if (q->as.empty()) continue;
@@ -335,8 +331,8 @@ void check_as(const Expected& file)
     if (std::any_of(file.quantities.begin(), q, same))
       refuse(file, q->place, fmt::format("there are two quantities with as = \"{}\" in one run", q->as),
           "Formulas that speak of it would mean the last.");
-    if (is_constant(file.constants, q->as) || std::any_of(file.variants.begin(), file.variants.end(),
-                                                  [&](const Variant& v) { return is_constant(v.constants, q->as); }))
+    if (is_constant(file.constants, q->as) ||
+        std::ranges::any_of(file.variants, [&](const Variant& v) { return is_constant(v.constants, q->as); }))
       refuse(file, q->place, fmt::format("as = \"{}\" is a constant already", q->as), "Take another name.");
   }
 }
@@ -352,7 +348,7 @@ void check_quantity_names(const Expected& file)
       if (share_a_run(earlier->runs, q->runs))
         refuse(file, q->place, fmt::format("there are two quantities `{}` of one run", q->name),
             "Each needs a name of its own, or `runs` that the other has not.");
-      if (std::any_of(file.quantities.begin(), file.quantities.end(), is_compared))
+      if (std::ranges::any_of(file.quantities, is_compared))
         refuse(file, q->place, fmt::format("there are two quantities `{}`, and an `of` names it", q->name),
             "Give each a name of its own: `of` would mix their numbers.");
     }
@@ -364,7 +360,7 @@ void check_names(const Expected& file)
 {
   Names runs, quantities;
   for (const Variant& v : file.variants) {
-    if (std::find(runs.begin(), runs.end(), v.name) != runs.end())
+    if (std::ranges::find(runs, v.name) != runs.end())
       refuse(file, v.place,
           v.name.empty() ? "more than one run has no `name`" : fmt::format("there are two runs `{}`", v.name),
           "Where there is more than one, each needs a name of its own: the rows are told apart by it.");
@@ -374,10 +370,10 @@ void check_names(const Expected& file)
   for (const Variant& v : file.variants)
     for (const std::string& scheme : v.schemes)
       for (const std::string& name : {scheme, v.name + ", " + scheme})
-        if (std::find(red_runs.begin(), red_runs.end(), name) == red_runs.end()) red_runs.push_back(name);
+        if (std::ranges::find(red_runs, name) == red_runs.end()) red_runs.push_back(name);
   for (const Quantity& q : file.quantities) quantities.push_back(q.name);
   const auto check = [&](const Quantity& q, const std::string& name, const Names& known, const char* what) {
-    if (std::find(known.begin(), known.end(), name) == known.end())
+    if (std::ranges::find(known, name) == known.end())
       refuse(file, q.place, fmt::format("there is no {} `{}`", what, name),
           fmt::format("There are: {}", fmt::join(known, ", ")));
   };
@@ -387,7 +383,7 @@ void check_names(const Expected& file)
     if (!compares_runs(q)) continue;
     check(q, q.of, quantities, "quantity");
     const auto compared = [&](const Quantity& other) { return other.name == q.of && compares_runs(other); };
-    if (std::any_of(file.quantities.begin(), file.quantities.end(), compared))
+    if (std::ranges::any_of(file.quantities, compared))
       refuse(file, q.place, fmt::format("`of` names `{}`, which compares runs itself", q.of),
           "Name a quantity that each run measures.");
   }

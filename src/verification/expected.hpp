@@ -86,7 +86,7 @@ inline bool is_auxiliary(const Quantity& q)
 /// True if a list of runs contains this one; an empty list contains all.
 inline bool names_run(const std::vector<std::string>& runs, const std::string& run)
 {
-  return runs.empty() || std::find(runs.begin(), runs.end(), run) != runs.end();
+  return runs.empty() || std::ranges::find(runs, run) != runs.end();
 }
 
 /// It needs the limit to which the runs of a scheme tend.

@@ -41,7 +41,7 @@ std::vector<std::string> names_of_cases(const std::string& folder)
     if (fs::exists(entry.path() / "expected.toml", error)) names.push_back(entry.path().filename().string());
   if (names.empty())
     throw FileError(fmt::format("{}: there are no verification cases: folders with an expected.toml", folder));
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   return names;
 }
 
@@ -62,7 +62,7 @@ std::vector<std::string> choose_cases(const std::string& folder, const std::vect
   }
   std::vector<std::string> once;  // each case once, however often it was named
   for (std::string& name : chosen)
-    if (std::find(once.begin(), once.end(), name) == once.end()) once.push_back(std::move(name));
+    if (std::ranges::find(once, name) == once.end()) once.push_back(std::move(name));
   return once;
 }
 

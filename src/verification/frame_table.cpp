@@ -5,7 +5,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// Names of the components of a field; empty: not in the table.
 Names component_names(const PointField& field)
 {
   if (field.name == "velocity") return {"vx", "vy"};

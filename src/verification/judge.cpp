@@ -55,16 +55,14 @@ Real share_of_bound(const Finding& f)
   return std::isfinite(part) && part >= 0.0 && whole > 0.0 ? part / whole : -1.0;
 }
 
-/// True if a quantity is declared red for this run and scheme.
 bool declared_red(const Quantity& q, const std::string& run, const std::string& scheme)
 {
   if (q.red.empty()) return false;
-  return q.red_runs.empty() || std::any_of(q.red_runs.begin(), q.red_runs.end(), [&](const std::string& name) {
+  return q.red_runs.empty() || std::ranges::any_of(q.red_runs, [&](const std::string& name) {
     return name == run || name == scheme || name == run + ", " + scheme;
   });
 }
 
-/// Why there is no number to judge.
 std::string why_none(const Finding& f)
 {
   const Quantity& q = *f.quantity;
@@ -107,7 +105,7 @@ std::vector<std::string> schemes_in(const std::vector<Finding>& findings)
 {
   std::vector<std::string> schemes;
   for (const Finding& f : findings)
-    if (std::find(schemes.begin(), schemes.end(), f.scheme) == schemes.end()) schemes.push_back(f.scheme);
+    if (std::ranges::find(schemes, f.scheme) == schemes.end()) schemes.push_back(f.scheme);
   return schemes;
 }
 
@@ -146,15 +144,11 @@ Real number_of(const Quantity& q, Refinement& runs)
   return limit.value;
 }
 
-/// A number with the bounds of a quantity, evaluated in a scope.
 Finding find_by_bounds(
     const Quantity& q, const std::string& run, const std::string& scheme, Real value, const Scope& scope)
 {
-  Finding finding{.quantity = &q,
-      .run = run,
-      .scheme = scheme,
-      .value = value,
-      .reference = scope.evaluate_or(q.reference, nan)};
+  Finding finding{
+      .quantity = &q, .run = run, .scheme = scheme, .value = value, .reference = scope.evaluate_or(q.reference, nan)};
   read_bounds(scope, finding);
   return finding;
 }

@@ -51,7 +51,6 @@ class FieldMeasure : public Measure {
  public:
   using Measure::Measure;
 
-  /// Keeps the frame nearest to the time.
   void frame(const std::shared_ptr<const Frame>& frame) override
   {
     if (nearest_ == nullptr || std::abs(frame->time - time_) < std::abs(nearest_->time - time_)) nearest_ = frame;
@@ -108,7 +107,6 @@ class SeriesMeasure : public Measure {
   }
 
  protected:
-  /// Where the point of the curve was at t = 0.
   void start_at(Vec<2> x) { start_ = x; }
   void add(Real time, const std::vector<std::string>& names, const std::vector<Real>& row)
   {

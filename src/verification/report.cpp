@@ -21,11 +21,10 @@ std::array<std::string, n_columns> cells_of(const Row& r)
   return {r.quantity, r.run, r.reference, r.terp, r.error, r.tolerance, word(r.verdict), r.source};
 }
 
-/// In characters, not bytes.
 std::size_t width_of(const std::string& text)
 {
   return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 std::string padded(const std::string& text, std::size_t width)
@@ -40,14 +39,12 @@ std::string remark_of(const Row& r)
   return fmt::format("{}: {}", r.quantity == "the run" ? r.run : r.quantity, r.remark);
 }
 
-/// Remarks of the rows that do not agree, each text once.
 std::vector<std::string> remarks_of(const CaseRows& c)
 {
   std::vector<std::string> remarks;
   for (const Row& r : c.rows) {
     const std::string remark = remark_of(r);
-    if (!remark.empty() && std::find(remarks.begin(), remarks.end(), remark) == remarks.end())
-      remarks.push_back(remark);
+    if (!remark.empty() && std::ranges::find(remarks, remark) == remarks.end()) remarks.push_back(remark);
   }
   return remarks;
 }
@@ -70,7 +67,6 @@ std::string markdown_head(const std::vector<CaseRows>& cases, const std::string&
       counts_text(count(cases)), head);
 }
 
-/// The agreeing row that is nearest to its bound.
 std::string nearest_to_bound(const CaseRows& c)
 {
   const Row* nearest = nullptr;
@@ -86,7 +82,7 @@ std::string reasons(const CaseRows& c)
 {
   std::string out;
   for (const std::string& remark : remarks_of(c)) {
-    const auto n = std::count_if(c.rows.begin(), c.rows.end(), [&](const Row& r) { return remark_of(r) == remark; });
+    const auto n = std::ranges::count_if(c.rows, [&](const Row& r) { return remark_of(r) == remark; });
     out += fmt::format("- **{}**, {} row{}: {}\n", c.name, n, n == 1 ? "" : "s", for_markdown(remark));
   }
   return out;

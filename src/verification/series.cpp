@@ -10,7 +10,6 @@ namespace {
 
 constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 
-/// Where the line between samples k and k + 1 of the curve has the value.
 Real time_of_value(const Series& s, std::size_t k, Real value, Real a, Real b)
 {
   return s.time[k] + (s.time[k + 1] - s.time[k]) * (value - a) / (b - a);
@@ -73,7 +72,7 @@ Real reduce_values(const std::vector<Real>& values, const std::vector<Real>& ref
 {
   if (values.empty()) return nan;
   const auto n = static_cast<Real>(values.size());
-  const bool all_are = std::none_of(values.begin(), values.end(), [](Real v) { return std::isnan(v); });
+  const bool all_are = std::ranges::none_of(values, [](Real v) { return std::isnan(v); });
   Real square = 0.0, largest = 0.0;
   for (std::size_t k = 0; k < reference.size(); ++k) {
     const Real error = std::abs(values[k] - reference[k]) / scale;
@@ -85,8 +84,8 @@ Real reduce_values(const std::vector<Real>& values, const std::vector<Real>& ref
     case Reduce::max_error: return largest;
     case Reduce::mean: return std::accumulate(values.begin(), values.end(), 0.0) / n;
     case Reduce::sum: return std::accumulate(values.begin(), values.end(), 0.0);
-    case Reduce::max: return !all_are ? nan : *std::max_element(values.begin(), values.end());
-    case Reduce::min: return !all_are ? nan : *std::min_element(values.begin(), values.end());
+    case Reduce::max: return !all_are ? nan : *std::ranges::max_element(values);
+    case Reduce::min: return !all_are ? nan : *std::ranges::min_element(values);
     case Reduce::last: return values.back();
     default: return nan;
   }

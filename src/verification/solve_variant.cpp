@@ -10,7 +10,6 @@
 #include "stability/factor_of_safety.hpp"
 #include "verification/measure.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -42,7 +41,6 @@ void guarded(Finding& finding, F&& f)
   }
 }
 
-/// Everything but the numbers of the run.
 Finding start_finding(const Quantity& q, const Solve& solve, const std::string& scheme, const Scope& scope)
 {
   Finding f{.quantity = &q, .run = solve.variant->name, .scheme = scheme, .constants = scope.constants};
@@ -50,7 +48,6 @@ Finding start_finding(const Quantity& q, const Solve& solve, const std::string& 
   return f;
 }
 
-/// Without quantities that only others use.
 std::vector<Finding> rows_of(std::vector<Finding> findings)
 {
   std::erase_if(findings, [](const Finding& f) { return is_auxiliary(*f.quantity) && f.fault.empty(); });
