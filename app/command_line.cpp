@@ -1,7 +1,6 @@
 #include "command_line.hpp"
 
-#include "input/closest.hpp"
-#include "stability/limits.hpp"
+#include "base/closest.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

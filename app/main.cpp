@@ -2,7 +2,7 @@
 
 #include "command_line.hpp"
 #include "input/case_file.hpp"
-#include "input/closest.hpp"
+#include "base/closest.hpp"
 #include "input/explain.hpp"
 #include "input/printable.hpp"
 #include "parallel/instructions.hpp"

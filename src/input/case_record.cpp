@@ -1,9 +1,9 @@
 #include "input/case_record.hpp"
 
+#include "base/checksum.hpp"
 #include "input/key_text.hpp"
 #include "input/keys.hpp"
 #include "input/printable.hpp"
-#include "meshing/mesh_cache.hpp"
 #include "points/points_csv.hpp"
 
 #include <fmt/format.h>
@@ -150,7 +150,7 @@ std::string content_of_file(const std::string& path)
   std::ostringstream bytes;
   bytes << file.rdbuf();
   if (!file) throw FileError(fmt::format("cannot read {}, which the case names", path));
-  return content_key(bytes.view());
+  return digits_of(bytes.view());
 }
 
 /// Of the points that the solver takes from a table: comments, blanks and the order of its columns leave no trace.
@@ -162,7 +162,7 @@ try {
       bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
     bytes += point.material + '\n';
   }
-  return content_key(bytes);
+  return digits_of(bytes);
 } catch (const PointsFileError& error) {
   throw FileError(error.what());
 }
@@ -178,7 +178,7 @@ void Recorder::add_files()
 
 std::string cells_key(const Mesh<2>& mesh)
 {
-  return content_key({reinterpret_cast<const char*>(mesh.cells.data()), mesh.cells.size() * sizeof mesh.cells[0]});
+  return digits_of({reinterpret_cast<const char*>(mesh.cells.data()), mesh.cells.size() * sizeof mesh.cells[0]});
 }
 
 CaseRecord parse_record(const std::string& text)

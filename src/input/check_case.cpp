@@ -1,6 +1,6 @@
 #include "input/check_case.hpp"
 
-#include "input/closest.hpp"
+#include "base/closest.hpp"
 #include "input/key_text.hpp"
 #include "input/other_files.hpp"
 #include "input/side_kinds.hpp"
@@ -101,10 +101,8 @@ void check_bodies(const Node& root, const Case& values, Findings& findings)
 void check_parameters(const Case& values, Problems& problems)
 {
   for (const MaterialCase& material : values.materials) {
-    const MaterialType* law = find_material(material.model);
+    const MaterialType* law = complete_law(material);
     if (law == nullptr) continue;
-    const auto is_missing = [](Real value) { return std::isnan(value); };
-    if (std::ranges::any_of(material.parameters, is_missing)) continue;
     const std::string path = join_path("material", material.name);
     for (const ParameterProblem& problem : law->check(material.parameters))
       problems.push_back(
@@ -188,10 +186,8 @@ void check_hydrostatic(const Case& values, Problems& problems)
 {
   if (values.initial.stress != InitialStress::k0 || values.initial.k0 == 1.0) return;
   for (const MaterialCase& material : values.materials) {
-    const MaterialType* law = find_material(material.model);
-    const auto is_missing = [](Real value) { return std::isnan(value); };
-    if (law == nullptr || std::ranges::any_of(material.parameters, is_missing)) continue;
-    if (law->make(material.parameters)->shear_modulus() == 0.0)
+    const MaterialType* law = complete_law(material);
+    if (law != nullptr && law->make(material.parameters)->shear_modulus() == 0.0)
       problems.push_back({"initial.k0", fmt::format("the fluid `{}` carries no shear stress at rest", material.name),
           fmt::format(
               "k0 = {}; a fluid needs k0 = 1. Start with stress = \"equilibrium\" where soil beside it needs another.",
@@ -231,6 +227,12 @@ void check_fields(const Case& values, Problems& warnings)
 }
 
 }  // namespace
+
+const MaterialType* complete_law(const MaterialCase& material)
+{
+  const bool is_complete = std::ranges::none_of(material.parameters, [](Real value) { return std::isnan(value); });
+  return is_complete ? find_material(material.model) : nullptr;
+}
 
 void check_case(const Node& root, const Case& values, Findings& findings)
 {

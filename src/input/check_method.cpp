@@ -61,9 +61,8 @@ void check_locking(const Scheme& scheme, const Case& values, Problems& warnings)
   const bool has_b_bar = looks_at(scheme, "b_bar");
   if (has_b_bar && values.method.b_bar) return;
   for (const MaterialCase& material : values.materials) {
-    const MaterialType* law = find_material(material.model);
-    const auto is_missing = [](Real value) { return std::isnan(value); };
-    if (law == nullptr || std::ranges::any_of(material.parameters, is_missing)) continue;
+    const MaterialType* law = complete_law(material);
+    if (law == nullptr) continue;
     const auto soil = law->make(material.parameters);
     const Real K = soil->bulk_modulus(), G = soil->shear_modulus();
     const Real poisson = (3.0 * K - 2.0 * G) / (2.0 * (3.0 * K + G));

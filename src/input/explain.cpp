@@ -2,7 +2,7 @@
 
 #include "followers/followers.hpp"
 #include "input/case_file.hpp"
-#include "input/closest.hpp"
+#include "base/closest.hpp"
 #include "input/key_text.hpp"
 #include "input/keys.hpp"
 #include "input/mesh_kinds.hpp"

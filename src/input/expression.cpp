@@ -4,7 +4,7 @@
 #include "input/expression.hpp"
 
 #include "base/errors.hpp"
-#include "input/closest.hpp"
+#include "base/closest.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

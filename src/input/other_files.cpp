@@ -1,6 +1,6 @@
 #include "input/other_files.hpp"
 
-#include "input/closest.hpp"
+#include "base/closest.hpp"
 #include "simulation/case.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "input/overrides.hpp"
 
-#include "input/closest.hpp"
+#include "base/closest.hpp"
 #include "input/key_text.hpp"
 #include "input/keys.hpp"
 

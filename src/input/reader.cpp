@@ -1,6 +1,6 @@
 #include "input/reader.hpp"
 
-#include "input/closest.hpp"
+#include "base/closest.hpp"
 #include "input/key_text.hpp"
 #include "input/mesh_kinds.hpp"
 #include "input/side_kinds.hpp"

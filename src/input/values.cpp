@@ -1,6 +1,6 @@
 #include "input/values.hpp"
 
-#include "input/closest.hpp"
+#include "base/closest.hpp"
 #include "input/expression.hpp"
 #include "input/key_text.hpp"
 

@@ -2,24 +2,17 @@
 
 #include "mesh/mesh_error.hpp"
 #include "meshing/gmsh_program.hpp"
+#include "meshing/mesh_cache.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 namespace terp {
 namespace {
 
 constexpr double longest_conversion = 300.0;  // [s] that gmsh may take
-
-std::string bytes_of(const std::string& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 [[noreturn]] void refuse_to_convert(const std::string& path, const std::string& why)
 {

@@ -6,6 +6,7 @@
 #include "meshing/improve.hpp"
 #include "meshing/mesh_cache.hpp"
 #include "meshing/msh_content.hpp"
+#include "base/checksum.hpp"
 #include "mesh/mesh_error.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +17,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <optional>
 #include <unordered_map>
 
@@ -46,12 +46,6 @@ std::vector<Recipe> recipes(int variant)
 }
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
-
-std::string bytes_of(const std::string& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 /// How the nodes may move: along the lines of the map, and freely inside its faces.
 std::vector<Freedom> freedom_of(const MshContent& file, const PlanarMap& map)
@@ -216,8 +210,8 @@ GeneratedMesh generate_mesh(const PolygonMesh& mesh, const GmshTimes& times)
   const WorkFolder folder;
   std::string content = std::string(improvement) + "\n";
   for (const Recipe& recipe : recipes(mesh.variant)) content += geo_text(mesh, map, recipe);
-  const std::string start = content_key(content) + "-", version = gmsh_version(folder.path()),
-                    key = start + content_key(version);
+  const std::string start = digits_of(content) + "-", version = gmsh_version(folder.path()),
+                    key = start + digits_of(version);
   auto kept = version.empty() ? read_any_kept(start) : read_kept(cached_mesh_path(key));
   if (kept) return std::move(*kept);
   if (version.empty()) refuse_without_gmsh();

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 namespace terp {
 namespace {
@@ -31,13 +32,6 @@ bool write_whole(const fs::path& path, const std::string& bytes)
 
 }  // namespace
 
-std::string content_key(std::string_view text)
-{
-  std::uint64_t hash = 14695981039346656037u;  // FNV-1a: offset basis and prime for 64 bits
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
-  return fmt::format("{:016x}", hash);
-}
-
 std::string cached_mesh_path(const std::string& key)
 {
   const char *cache = std::getenv("XDG_CACHE_HOME"), *home = std::getenv("HOME");
@@ -60,6 +54,12 @@ std::vector<std::string> cached_meshes(const std::string& start_of_key)
   std::vector<std::string> paths;
   for (const auto& [time, path] : found) paths.push_back(path);
   return paths;
+}
+
+std::string bytes_of(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
 bool keep_mesh(const std::string& key, const std::string& bytes)

@@ -7,15 +7,15 @@
 
 namespace terp {
 
-/// 16 hexadecimal digits that depend on every character (FNV-1a, 64 bits).
-std::string content_key(std::string_view text);
-
 /// Path of the kept file, whether it is there or not: ${XDG_CACHE_HOME:-~/.cache}/terp/meshes/<key>.msh; empty if
 /// neither variable is set.
 std::string cached_mesh_path(const std::string& key);
 
 /// Paths of all kept files whose keys start like this, the newest first.
 std::vector<std::string> cached_meshes(const std::string& start_of_key);
+
+/// The whole content of a file; empty if it cannot be read.
+std::string bytes_of(const std::string& path);
 
 /// Keeps `bytes` under the key. False if the cache cannot be written.
 bool keep_mesh(const std::string& key, const std::string& bytes);

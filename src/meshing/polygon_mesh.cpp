@@ -1,22 +1,12 @@
 #include "meshing/polygon_mesh.hpp"
 
+#include "mesh/box_grid.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace terp {
 namespace {
-
-struct Extent {
-  Vec<2> low, high;
-};
-
-Extent extent_of(const std::vector<Vec<2>>& polygon)
-{
-  Extent box{polygon.front(), polygon.front()};
-  for (const Vec<2>& x : polygon)
-    for (int d = 0; d < 2; ++d) box.low[d] = std::min(box.low[d], x[d]), box.high[d] = std::max(box.high[d], x[d]);
-  return box;
-}
 
 /// Cells in a strip of the width `distance` over which the size grows evenly from `small` to `large`: the integral of 1
 /// / size^2.
@@ -38,7 +28,7 @@ Real estimate_cells(const PolygonMesh& mesh)
 Real estimate_more_cells(const PolygonMesh& mesh, const Refinement& refine)
 {
   if (mesh.polygon.empty() || !(refine.cell < mesh.cell)) return 0.0;
-  const Extent box = extent_of(mesh.polygon);
+  const BoundingBox box = box_around(mesh.polygon);
   const Real reach = std::min(refine.distance, std::hypot(box.high[0] - box.low[0], box.high[1] - box.low[1]));
   Real n = 0.0;
   for (std::size_t k = 1; k < refine.line.size(); ++k) {

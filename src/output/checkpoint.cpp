@@ -2,7 +2,7 @@
 #include "output/checkpoint.hpp"
 
 #include "base/errors.hpp"
-#include "output/checksum.hpp"
+#include "base/checksum.hpp"
 #include "output/files.hpp"
 #include "output/hdf5_file.hpp"
 #include "output/run_folder.hpp"

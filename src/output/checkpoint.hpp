@@ -2,7 +2,7 @@
 // Not for: looking at results (vtkhdf).
 #pragma once
 
-#include "output/checksum.hpp"
+#include "base/checksum.hpp"
 #include "output/files.hpp"
 #include "simulation/observer.hpp"
 

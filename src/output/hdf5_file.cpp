@@ -161,11 +161,15 @@ Id open_to_read(hid_t file, std::size_t n_bytes_in_memory, const std::string& pa
 }
 
 /// One that is there already is replaced.
-Id make_attribute(hid_t object, const std::string& path, const std::string& name, hid_t type, hid_t space)
+void write_attribute(hid_t file, const std::string& path, const std::string& object, const std::string& name,
+    hid_t disk_type, hid_t type, hid_t space, const void* values)
 {
-  if (H5Aexists(object, name.c_str()) > 0) H5Adelete(object, name.c_str());
-  return {
-      checked(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), "write", path, name), H5Aclose};
+  const Id opened{checked(H5Oopen(file, object.c_str(), H5P_DEFAULT), "open", path, object), H5Oclose};
+  if (H5Aexists(opened, name.c_str()) > 0) H5Adelete(opened, name.c_str());
+  const Id made{
+      checked(H5Acreate2(opened, name.c_str(), disk_type, space, H5P_DEFAULT, H5P_DEFAULT), "write", path, name),
+      H5Aclose};
+  checked(H5Awrite(made, type, values), "write", path, name);
 }
 
 /// File access: no lock; the format of HDF5 1.10, in which all metadata carry checksums, so that a damaged file is
@@ -364,28 +368,23 @@ bool Hdf5File::holds_reals(const std::string& name) const
 
 void Hdf5File::set_text(const std::string& object, const std::string& attribute, const std::string& value)
 {
-  const Id opened{checked(H5Oopen(file_, object.c_str(), H5P_DEFAULT), "open", path_, object), H5Oclose};
   const Id type{H5Tcopy(H5T_C_S1), H5Tclose};  // ASCII, fixed length
   H5Tset_size(type, std::max<std::size_t>(1, value.size()));
   H5Tset_strpad(type, H5T_STR_NULLPAD);
-  const Id made = make_attribute(opened, path_, attribute, type, Id{H5Screate(H5S_SCALAR), H5Sclose});
-  checked(H5Awrite(made, type, value.c_str()), "write", path_, attribute);
+  write_attribute(file_, path_, object, attribute, type, type, Id{H5Screate(H5S_SCALAR), H5Sclose}, value.c_str());
 }
 
 void Hdf5File::set_real(const std::string& object, const std::string& attribute, Real value)
 {
-  const Id opened{checked(H5Oopen(file_, object.c_str(), H5P_DEFAULT), "open", path_, object), H5Oclose};
-  const Id made = make_attribute(opened, path_, attribute, H5T_IEEE_F64LE, Id{H5Screate(H5S_SCALAR), H5Sclose});
-  checked(H5Awrite(made, H5T_NATIVE_DOUBLE, &value), "write", path_, attribute);
+  const Id space{H5Screate(H5S_SCALAR), H5Sclose};
+  write_attribute(file_, path_, object, attribute, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, space, &value);
 }
 
 void Hdf5File::set_integers(
     const std::string& object, const std::string& attribute, const std::vector<std::int64_t>& values)
 {
-  const Id opened{checked(H5Oopen(file_, object.c_str(), H5P_DEFAULT), "open", path_, object), H5Oclose};
   const Id space = values.size() == 1 ? make_space({}) : make_space({values.size()});
-  const Id made = make_attribute(opened, path_, attribute, H5T_STD_I64LE, space);
-  checked(H5Awrite(made, H5T_NATIVE_INT64, values.data()), "write", path_, attribute);
+  write_attribute(file_, path_, object, attribute, H5T_STD_I64LE, H5T_NATIVE_INT64, space, values.data());
 }
 
 namespace {

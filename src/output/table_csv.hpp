@@ -1,7 +1,7 @@
 // The tables of a run: CSV with a header line and the time in the first column (docs/formats.md).
 #pragma once
 
-#include "output/checksum.hpp"
+#include "base/checksum.hpp"
 #include "output/files.hpp"
 #include "simulation/run_table.hpp"
 

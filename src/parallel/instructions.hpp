@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 namespace terp {
@@ -35,5 +36,8 @@ std::size_t chosen_set();
 
 /// Name of the set of this process.
 std::string_view instructions();
+
+/// "Intel(R) Xeon(R) ..., 4 processors" as the system has it, for the record of a run; empty if it does not say.
+std::string processor_name();
 
 }  // namespace terp

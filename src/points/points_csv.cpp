@@ -1,5 +1,7 @@
 #include "points/points_csv.hpp"
 
+#include "base/closest.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -61,31 +63,6 @@ std::vector<std::string_view> split(std::string_view line)
   }
 }
 
-/// Letters to insert, delete or change to turn one word into the other.
-std::size_t changes_between(std::string_view a, std::string_view b)
-{
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t change = diagonal + (std::tolower(a[i - 1]) == std::tolower(b[j - 1]) ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, change});
-    }
-  }
-  return row[b.size()];
-}
-
-/// The column that the user probably meant; empty if half of the letters or more differ.
-std::string closest_column(std::string_view word)
-{
-  const auto changes = [&](const std::string& name) { return changes_between(word, name); };
-  const std::string& best = *std::ranges::min_element(columns, {}, changes);
-  return 2 * changes(best) < std::max(word.size(), best.size()) ? best : "";
-}
-
 /// Place of each column in a line, shape [4].
 using Places = std::array<std::size_t, 4>;
 
@@ -109,7 +86,7 @@ Places read_header(std::string_view line, Index number, Faults& faults)
   const auto names = split(line);
   for (const std::string_view name : names) {
     if (std::ranges::find(columns, name) != columns.end()) continue;
-    const std::string meant = closest_column(name);
+    const std::string meant = closest(name, {columns.begin(), columns.end()});
     faults.add(
         number, fmt::format("unknown column `{}`{}", name, meant.empty() ? "" : "; did you mean `" + meant + "`?"));
   }

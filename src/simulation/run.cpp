@@ -2,7 +2,6 @@
 
 #include "base/errors.hpp"
 #include "parallel/instructions.hpp"
-#include "parallel/processor.hpp"
 #include "simulation/guards.hpp"
 #include "simulation/initial.hpp"
 #include "simulation/ledger.hpp"

@@ -322,11 +322,12 @@ void find_holes(const Model& model, Problems& warnings)
 /// Soil of the size of a cell: mesh and bodies in different units.
 void find_tiny_soil(const Model& model, Problems& warnings)
 {
-  Vec<2> low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+  Polygon corners;
   for (const BodyOutline& outline : outlines_of(model))
-    for (const Vec<2>& x : outline.polygon)
-      for (int d = 0; d < 2; ++d) low[d] = std::min(low[d], x[d]), high[d] = std::max(high[d], x[d]);
-  const Vec<2> soil = minus(high, low);
+    corners.insert(corners.end(), outline.polygon.begin(), outline.polygon.end());
+  if (corners.empty()) return;
+  const BoundingBox box = box_around(corners);
+  const Vec<2> soil = minus(box.high, box.low);
   const Real cell = typical_cell_size(*model.mesh);
   if (!(std::max(soil[0], soil[1]) < 0.999 * cell) || model.mesh->n_cells() == 1) return;  // one cell: a test of a law
   warnings.push_back({"body", "all bodies together are smaller than a cell",

@@ -1,6 +1,7 @@
 #include "simulation/setup_mesh.hpp"
 
 #include "base/errors.hpp"
+#include "mesh/box_grid.hpp"
 #include "mesh/check_mesh.hpp"
 #include "meshing/generate.hpp"
 #include "meshing/gmsh_file.hpp"
@@ -124,9 +125,8 @@ Real typical_cell_size(const Mesh<2>& mesh)
 
 Vec<2> extent_in_x(const Mesh<2>& mesh)
 {
-  const auto [low, high] =
-      std::ranges::minmax_element(mesh.nodes, [](const auto& a, const auto& b) { return a[0] < b[0]; });
-  return {(*low)[0], (*high)[0]};
+  const BoundingBox box = box_around(mesh.nodes);
+  return {box.low[0], box.high[0]};
 }
 
 }  // namespace terp

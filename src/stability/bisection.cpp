@@ -1,7 +1,5 @@
 #include "stability/bisection.hpp"
 
-#include "stability/limits.hpp"
-
 #include <algorithm>
 #include <cmath>
 

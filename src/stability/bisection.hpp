@@ -7,6 +7,9 @@
 
 namespace terp {
 
+/// Least and greatest factor that is tried; width of the bracket at which a search may end.
+inline constexpr Real least_factor = 0.01, greatest_factor = 100.0, least_tolerance = 1e-4, greatest_tolerance = 1.0;
+
 struct BisectionOptions {
   std::optional<Real> from, to;  ///< where to look first: a factor believed to stand, one believed to fail
   Real tolerance = 0.02;         ///< width of the bracket at which the search ends

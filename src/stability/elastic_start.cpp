@@ -6,7 +6,7 @@
 #include "simulation/point_parameters.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/state_image.hpp"
-#include "stability/stiffen.hpp"
+#include "stability/reduce.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -28,4 +28,9 @@ void check_may_be_judged(const Case& c);
 /// What the laws find wrong with the parameters of a reduced case, in one line each.
 std::vector<std::string> check_reduced(const Case& c);
 
+/// The case whose strains and displacements are s times smaller and whose times are sqrt(s) times shorter, with the
+/// same stresses, forces and accelerations: dynamic similarity in the limit of small displacements (decision 0035). The
+/// laws' tables say what that takes (ParameterInfo::strain_exponent).
+Case stiffen(Case c, Real s);
+
 }  // namespace terp

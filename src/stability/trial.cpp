@@ -7,7 +7,6 @@
 #include "simulation/state_image.hpp"
 #include "stability/judged_soil.hpp"
 #include "stability/reduce.hpp"
-#include "stability/stiffen.hpp"
 
 #include <algorithm>
 #include <chrono>

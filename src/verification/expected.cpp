@@ -4,10 +4,10 @@
 #include "verification/expected.hpp"
 
 #include "input/case_file.hpp"
-#include "input/closest.hpp"
+#include "base/closest.hpp"
 #include "input/render.hpp"
 #include "input/values.hpp"
-#include "stability/limits.hpp"
+#include "stability/bisection.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,7 +1,7 @@
 #include "verification/find_cases.hpp"
 
 #include "base/errors.hpp"
-#include "input/closest.hpp"
+#include "base/closest.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -6,12 +6,6 @@
 
 namespace {
 
-TEST(ContentKey, IsFnv1a)  // published values of the 64-bit variant
-{
-  EXPECT_EQ(content_key(""), "cbf29ce484222325");
-  EXPECT_EQ(content_key("foobar"), "85944171f73967e8");
-}
-
 TEST(MeshCache, LiesWhereTheVariablesSay)
 {
   const Variable cache("XDG_CACHE_HOME", "/somewhere/cache"), home("HOME", "/home/someone");

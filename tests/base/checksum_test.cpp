@@ -1,5 +1,5 @@
 // Against the published values of RFC 9923.
-#include "output/checksum.hpp"
+#include "base/checksum.hpp"
 #include "support/test.hpp"
 #include <string_view>
 

@@ -1,4 +1,4 @@
-#include "input/closest.hpp"
+#include "base/closest.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,4 @@
-// The checksum of checkpoints, journals and tables.
+// The checksum of checkpoints, tables, cases and kept meshes.
 #pragma once
 
 #include <cstddef>
