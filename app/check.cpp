@@ -4,6 +4,7 @@
 #include "input/case_file.hpp"
 #include "input/printable.hpp"
 #include "mesh/mesh_quality.hpp"
+#include "output/files.hpp"
 #include "output/section_svg.hpp"
 #include "progress.hpp"
 #include "simulation/output_costs.hpp"
@@ -14,7 +15,6 @@
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 
 namespace terp {
 namespace {
@@ -91,10 +91,7 @@ void check_picture(const std::string& path)
 
 void write_picture(const std::string& path, const Model& model, const State& state)
 {
-  std::ofstream file(path, std::ios::binary);
-  file << draw_section(model, state);
-  file.close();
-  if (!file) throw FileError(fmt::format("{}: the picture cannot be written", path));
+  write_file_atomically(path, draw_section(model, state));
   fmt::print("picture in {}\n", path);
 }
 

@@ -112,27 +112,21 @@ class SummaryKeeper : public Observer {
   RunWriter& writer_;
 };
 
-/// Time that earlier processes spent on a run [s]; 0 where the summary does not say.
-double wall_time_so_far(const std::string& folder)
+/// What the summary of a run says; as of a run that has not begun where it cannot be read.
+Summary summary_so_far(const std::string& folder)
 {
   try {
-    return read_summary(path_in(folder, summary_file)).values.wall_s;
-  } catch (const FileError&) {
-    return 0.0;
+    return read_summary(path_in(folder, summary_file)).values;
+  } catch (const FileError&) {  // the run was killed before it wrote one
+    return {};
   }
 }
 
-/// The instruction sets that a run was solved with, those of summary.json first. Says so where the present one is
-/// another than the last.
-std::string instructions_of(const std::string& folder)
+/// The instruction sets that a run was solved with, those of `before` first. Says so where the present one is another
+/// than the last.
+std::string instructions_after(const std::string& before)
 {
-  const std::string now(instructions());
-  std::string before;
-  try {
-    before = read_summary(path_in(folder, summary_file)).values.instructions;
-  } catch (const FileError&) {  // the run was killed before it wrote one
-  }
-  const std::string last = before.substr(before.rfind(' ') + 1);  // of "avx512, avx2"
+  const std::string now(instructions()), last = before.substr(before.rfind(' ') + 1);  // of "avx512, avx2"
   if (before.empty() || last == now) return before.empty() ? now : before;
   const auto of_same_bits = [](const std::string& set) { return set == "avx512" || set == "avx2"; };
   fmt::print(stderr, "warning: the run was solved with the instruction set {} so far, and goes on with {}{}\n", last,
@@ -331,8 +325,9 @@ int resume_run(const RunOptions& options)
     Simulation simulation(std::move(model), std::move(restored));
     warn_of_missing_threads(options, simulation.model.threads);
     const State& state = simulation.state;
-    simulation.state.wall_s = wall_time_so_far(folder);
-    simulation.state.instructions = instructions_of(folder);
+    const Summary before = summary_so_far(folder);
+    simulation.state.wall_s = before.wall_s;
+    simulation.state.instructions = instructions_after(before.instructions);
     RunWriterSettings settings{.folder = folder,
         .case_text = {case_name_in(folder), file.text},
         .checkpoint_keep = file.values.output.checkpoint_keep,

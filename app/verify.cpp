@@ -4,6 +4,7 @@
 
 #include "base/errors.hpp"
 #include "input/case_file.hpp"
+#include "output/files.hpp"
 #include "parallel/threads.hpp"
 #include "progress.hpp"
 #include "stop.hpp"
@@ -18,7 +19,6 @@
 #include <fstream>
 #include <memory>
 #include <numeric>
-#include <sstream>
 #include <unistd.h>
 
 namespace terp {
@@ -115,10 +115,8 @@ std::vector<Row> judge_case(
 
 std::string head_of_page(const std::string& folder)
 {
-  std::ifstream file(std::filesystem::path(folder) / "README.md");
-  std::ostringstream text;
-  text << file.rdbuf();
-  const std::string all = text.str();
+  const std::filesystem::path path = std::filesystem::path(folder) / "README.md";
+  const std::string all = std::filesystem::exists(path) ? read_file(path.string()) : "";
   return all.starts_with("# ") ? all.substr(std::min(all.find('\n') + 2, all.size()))
                                : all;  // the page has its own title
 }
