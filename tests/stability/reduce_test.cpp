@@ -94,7 +94,7 @@ TEST(Reduce, SaysWhatALawCannotTake)
 
 TEST(Stiffen, MultipliesStiffnessAndSofteningPerStrainAndLeavesStrength)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   c.forces.viscous_damping = 0.3;
   const Case stiff = stiffen(c, 100.0);
   const auto parameters = find_material(c.materials[0].model)->parameters;
@@ -110,14 +110,14 @@ TEST(Stiffen, MultipliesStiffnessAndSofteningPerStrainAndLeavesStrength)
 
 TEST(Stiffen, ScalesAViscosityByTheRoot)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   c.materials[0] = {"clay", "newtonian_fluid", 1000.0, {2e6, 5.0, 0.0}};
   EXPECT_EQ(stiffen(c, 100.0).materials[0].parameters, (std::vector<Real>{2e8, 50.0, 0.0}));
 }
 
 TEST(Stiffen, ScalesAParameterThatVariesAtEachPlace)
 {
-  Case c = test::column("mpm_gp");
+  Case c = column("mpm_gp");
   c.materials[0].fields = {{0, [](Vec<2> x) { return 1e6 * (1.0 + x[0]); }}};
   EXPECT_DOUBLE_EQ(stiffen(c, 100.0).materials[0].fields[0].value_at({2.0, 0.0}), 3e8);
 }
