@@ -15,7 +15,8 @@ set(TERP_KERNEL_TABLES src/materials/laws.cpp src/schemes/scheme_list.cpp src/si
 set(TERP_KERNEL_CHOICES src/parallel/instructions.cpp src/materials/material.cpp src/schemes/scheme.cpp
                         src/simulation/kernels.cpp)
 # Compiled for each set, and once more for what calls them before the first step (seeding) and for their tests.
-set(TERP_SHARED_KERNEL_SOURCES src/mesh/locate.cpp src/points/move.cpp src/transfer/gauss_average.cpp)
+set(TERP_SHARED_KERNEL_SOURCES src/mesh/locate.cpp src/points/move.cpp src/transfer/gauss_average.cpp
+                                src/transfer/overlap.cpp)
 
 set(TERP_FLAGS_avx512 -march=x86-64-v4 -mprefer-vector-width=512)
 set(TERP_FLAGS_avx2 -march=x86-64-v3)

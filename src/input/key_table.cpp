@@ -24,6 +24,7 @@ Words stress_words() { return {"none", "k0", "equilibrium"}; }
 Words footing_words() { return {"rough", "smooth"}; }
 Words weights_words() { return {"hybrid", "summed", "gauss"}; }
 Words force_operator_words() { return {"b_bar", "b"}; }
+Words shares_words() { return {"point", "overlap"}; }
 Words point_pressure_words() { return {"cell", "own", "relax"}; }
 Words state_averaging_words() { return {"as_declared", "cell", "sub_cell"}; }
 Words objective_rate_words() { return {"none", "jaumann"}; }
@@ -242,6 +243,13 @@ std::vector<KeyInfo> load_keys()
           .range = {0.0, 1.0, false, true},
           .meaning = "local (Cundall) damping alpha at the nodes (reading R13); free fall sees g (1 - alpha)",
           .equation = "R_i <- R_i - alpha |R_i| sign(v_i)"},
+      {.path = "forces.damping.averaging_time",
+          .field = [](Case& c, std::size_t) { return &c.forces.averaging_time; },
+          .unit = "s",
+          .range = not_negative,
+          .meaning = "local damping acts on a running mean of the out-of-balance force over this time, so that noise "
+                     "from points that cross cells does not brake; 0: on the force of the step",
+          .equation = "M_i <- M_i + (R_i - M_i) min(dt / time, 1),  R_i <- R_i - alpha |M_i| sign(v_i)"},
       {.path = "forces.damping.viscous",
           .field = [](Case& c, std::size_t) { return &c.forces.viscous_damping; },
           .unit = "1/s",
@@ -356,6 +364,12 @@ std::vector<KeyInfo> footing_keys()
 std::vector<KeyInfo> method_keys()
 {
   return {
+      {.path = "method.shares",
+          .field = [](Case& c, std::size_t) { return word_field(c.method.shares); },
+          .words = shares_words,
+          .meaning =
+              "where a material point counts: in the sub-cell that holds its centre (point), or in every sub-cell "
+              "by the part of its extent that lies in it (overlap)"},
       {.path = "method.weights",
           .field = [](Case& c, std::size_t) { return word_field(c.method.weights); },
           .words = weights_words,

@@ -15,6 +15,8 @@ struct BlockLayer {
   std::array<Index, pack_width> block;  ///< by lane; -1: the cell has none
 };
 
+struct PatchValues;
+
 /// Up to eight neighbouring occupied cells.
 template <class Element>
 struct CellGroup {
@@ -29,8 +31,9 @@ struct CellGroup {
       {};                  ///< shape [n_materials, n_bodies, n_groups, n_gauss_rows]; of schemes whose law runs there
   Index n_gauss_rows = 0;  ///< the most that any law adds to the points
   Index number = 0, n_groups = 1;
-  Index next_cell = -1;          ///< first cell of the next group, -1: none
-  bool prefetch_points = false;  ///< the points are more than the caches hold
+  Index next_cell = -1;            ///< first cell of the next group, -1: none
+  bool prefetch_points = false;    ///< the points are more than the caches hold
+  PatchValues* patches = nullptr;  ///< of shares that overlap (patch_group.hpp)
 
   int n() const { return static_cast<int>(cells.size()); }
   CellView<Element> cell(int c) const { return {cells[c], mesh.geometry(cells[c]), points, corners[c]}; }
@@ -155,25 +158,25 @@ inline void add_internal_force(const CellGroup<Element>& group, const GeometryLa
 }
 
 /// Gauss values, weights, smooth pressure and internal force of the cells of a group for the schemes that integrate at
-/// Gauss points. gauss_of(layer): where those of a layer are; finish(layer, gauss): what the scheme does before the
-/// force.
-template <class Element, class GaussOf, class Finish>
+/// Gauss points. gauss_of(layer): where those of a layer are; sum(layer, gauss): their sums; finish(layer, gauss,
+/// pressure): what the scheme does before the force, with the pressure of the Gauss points before Eq. (3).
+template <class Element, class GaussOf, class Sum, class Finish>
 void gather_at_gauss_points(
-    const SchemeContext& context, const CellGroup<Element>& group, GaussOf&& gauss_of, Finish&& finish)
+    const SchemeContext& context, const CellGroup<Element>& group, GaussOf&& gauss_of, Sum&& sum, Finish&& finish)
 {
   PerGauss<Element, Pack> cell_volume = zero_packs<Element::n_gauss>();
   for_each_layer(group, [&](const BlockLayer& layer) {
     GaussValues<Element, Pack>& gauss = gauss_of(layer);
-    sum_layer(group, layer, gauss);
+    sum(layer, gauss);
     for (int g = 0; g < Element::n_gauss; ++g) cell_volume[g] += gauss.volume[g];
   });
   const GeometryLanes<Element> geometry = geometry_of(group);
   for_each_layer(group, [&](const BlockLayer& layer) {
     GaussValues<Element, Pack>& gauss = gauss_of(layer);
-    set_weights(geometry, cell_volume, context.method, gauss);  // R3
-    divide_by_volume(gauss);                                    // Eq. (1)
-    smooth_pressure(gauss);                                     // Eqs. (2), (3)
-    finish(layer, gauss);
+    set_weights(geometry, cell_volume, context.method, gauss);        // R3
+    divide_by_volume(gauss);                                          // Eq. (1)
+    const PerGauss<Element, Pack> pressure = smooth_pressure(gauss);  // Eqs. (2), (3)
+    finish(layer, gauss, pressure);
     add_internal_force(group, geometry, layer, gauss, context.method.force_operator);  // Eq. (4)
   });
 }

@@ -16,7 +16,8 @@ namespace terp {
 struct SchemeContext {
   const MethodOptions& method;
   const std::vector<SoilMaterial>& materials;
-  Real dt = 0.0;  ///< length of the step [s]
+  Real dt = 0.0;            ///< length of the step [s]
+  int inverse_extent = -1;  ///< row of the points, with shares that overlap
 };
 
 /// One occupied cell.

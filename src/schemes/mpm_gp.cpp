@@ -1,4 +1,5 @@
 // MPM-GP, paper Sec. 2.2: the material points own the history; Gauss points only carry force and strain.
+#include "schemes/patch_group.hpp"
 #include "schemes/scheme.hpp"
 
 namespace terp {
@@ -19,7 +20,8 @@ struct MpmGp {
         [&](const BlockLayer& layer) -> GaussValues<Element, Pack>& {
           return one_layer ? only : group.gauss_of(layer);
         },
-        [&](const BlockLayer& layer, const GaussValues<Element, Pack>& gauss) {
+        [&](const BlockLayer& layer, GaussValues<Element, Pack>& gauss) { sum_layer(group, layer, gauss); },
+        [&](const BlockLayer& layer, const GaussValues<Element, Pack>& gauss, const auto&) {
           for (int c = 0; c < group.n(); ++c)
             if (layer.block[c] >= 0) group.pressure[layer.block[c]] = gauss.pressure[c];
         });
@@ -38,7 +40,105 @@ struct MpmGp {
     }
   }
 
+  /// With shares that overlap: the same in four passes.
+  static void sum_patches(const SchemeContext& context, const CellGroup<Element>& group)
+  {
+    sum_over_patches(context, group, [](const auto&) { return std::span<const int>(); });
+  }
+
+  static void integrate_patches(const SchemeContext& context, const CellGroup<Element>& group)
+  {
+    GaussValues<Element, Pack> only;
+    const bool one_layer = has_one_layer(group);
+    gather_at_gauss_points(
+        context, group,
+        [&](const BlockLayer& layer) -> GaussValues<Element, Pack>& {
+          return one_layer ? only : group.gauss_of(layer);
+        },
+        [&](const BlockLayer& layer, GaussValues<Element, Pack>& gauss) {
+          collect_layer<Element>(group, layer, gauss, nullptr, 0);
+        },
+        [&](const BlockLayer& layer, const GaussValues<Element, Pack>& gauss, const auto&) {
+          PerGauss<Element, Pack> pressure;
+          pressure.fill(gauss.pressure);
+          leave_row(group, layer, patch_pressure, pressure);
+        });
+  }
+
+  static void leave_strain(
+      const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>& du, StressSums&)
+  {
+    const auto strain = strain_of_group(group, du, context.method.b_bar);  // Step 2
+    const bool rotates = context.method.objective_rate == ObjectiveRate::jaumann;
+    for_each_layer(group, [&](const BlockLayer& layer) {
+      leave_four_rows(
+          group, layer, patch_strain, [&](int k) -> const auto& { return strain.d_eps[k]; });
+      if (rotates) leave_row(group, layer, patch_spin, strain.d_spin);
+    });
+  }
+
+  static void update_from_patches(
+      const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>&, StressSums& sums)
+  {
+    for (int c = 0; c < group.n(); ++c) {
+      prefetch_next(group, c);
+      const Real size = std::sqrt(group.mesh.geometry(group.cells[c]).volume);
+      for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
+        const PatchView patch = view_patch(group, b, patch_rows);
+        for (Index first = 0; first < block.n_padded(); first += strip_length)
+          update_strip_from_patch(context, block, first, size, patch, sums);
+      });
+    }
+  }
+
  private:
+  /// Rows that Gauss points leave for the points around them.
+  static constexpr int patch_strain = 0, patch_pressure = 4, patch_spin = 5, patch_rows = 6;
+  static_assert(patch_pressure == n_sym<dim>);
+
+  static void update_strip_from_patch(const SchemeContext& context, const PointBlock<dim>& block, Index first,
+      Real size, const PatchView& patch, StressSums& sums)
+  {
+    const Index n = std::min(strip_length, block.n_padded() - first);
+    StripArrays<dim> strip;
+    alignas(64) Real pressure[strip_length], spin[strip_length];
+    const bool rotates = context.method.objective_rate == ObjectiveRate::jaumann;
+    Pack above(0.0), volume(0.0);  // pressure of the points above that around them
+    for (Index p = 0; p < n; p += pack_width) {
+      PointShares shares;
+      set_shares(block, first + p, context.inverse_extent, size, shares);
+      const auto values = patch.at_points<patch_pressure + 1>(shares, patch_strain);
+      SymTensor<Pack, dim> d_eps;
+      for (int k = 0; k < n_sym<dim>; ++k) d_eps[k] = values[k];
+      store_strain(d_eps, strip, p);
+      values[patch_pressure].store(pressure + p);
+      if (rotates) patch.at_points<1>(shares, patch_spin)[0].store(spin + p);
+      const Pack omega = Pack::load(block.row(PointRows<dim>::volume) + first + p);
+      above = fma(omega, mean_stress(stress_of(block, first + p)) - values[patch_pressure], above);
+      volume += omega;
+    }
+    const Pack shift(sum(above) / sum(volume)), share(share_of_cell_pressure(context.method));
+    for (Index p = 0; p < n; p += pack_width) {
+      SymTensor<Pack, dim> sigma = stress_of(block, first + p);
+      add_isotropic(sigma, share * (Pack::load(pressure + p) + shift - mean_stress(sigma)));
+      if (rotates) rotate_stress(sigma, Pack::load(spin + p));
+      store_rows(sigma.c, block, PointRows<dim>::sigma, first + p);
+    }
+    update_strip(context, block, first, n, strip);
+    sums.plastic_work += sum_plastic_work(block, first, n, strip);
+    for (Index p = 0; p < n; p += pack_width) add_strain(block, first + p, strip, p);
+  }
+
+  static Pack mean_stress(const SymTensor<Pack, dim>& sigma) { return trace(sigma) * Pack(1.0 / 3.0); }
+
+  /// What a point takes of the difference between the pressure of its cell and its own (reading R10).
+  static Real share_of_cell_pressure(const MethodOptions& method)
+  {
+    return method.point_pressure == PointPressure::cell    ? 1.0
+           : method.point_pressure == PointPressure::relax ? method.pressure_relaxation
+                                                           : 0.0;
+  }
+
   static void update_points(const SchemeContext& context, const PointBlock<dim>& block,
       const GaussStrain<Element>& strain, Real cell_pressure, StressSums& sums)
   {
@@ -62,10 +162,7 @@ struct MpmGp {
     if (method.point_pressure == PointPressure::own && method.objective_rate == ObjectiveRate::none) return;
 
     SymTensor<Pack, dim> sigma = stress_of(block, p);
-    const Real share = method.point_pressure == PointPressure::cell    ? 1.0
-                       : method.point_pressure == PointPressure::relax ? method.pressure_relaxation
-                                                                       : 0.0;
-    add_isotropic(sigma, Pack(share) * (Pack(cell_pressure) - trace(sigma) * Pack(1.0 / 3.0)));
+    add_isotropic(sigma, Pack(share_of_cell_pressure(method)) * (Pack(cell_pressure) - trace(sigma) * Pack(1.0 / 3.0)));
     if (method.objective_rate == ObjectiveRate::jaumann)
       rotate_stress(sigma, Element::at_sub_cell(strain.d_spin, upper));
     store_rows(sigma.c, block, PointRows<dim>::sigma, p);
@@ -80,6 +177,7 @@ constexpr PassCost stress_cost{.flops = 6 + 20 + 30 + 9, .rows = 2 * (4 + 4 + 1 
 
 TERP_SCHEME_DEFINITION(mpm_gp, MpmGp, .title = "MPM-GP",
     .summary = "material points own the history, Gauss points carry force and strain",
-    .unused_options = "state_averaging", .gather_cost = gather_cost, .stress_cost = stress_cost)
+    .unused_options = "state_averaging", .gather_cost = gather_cost, .stress_cost = stress_cost,
+    TERP_OVERLAP_FUNCTIONS(MpmGp))
 
 }  // namespace terp

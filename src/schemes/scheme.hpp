@@ -16,6 +16,22 @@ struct PassCost {
   double bytes() const { return rows * sizeof(Real); }
 };
 
+/// A scheme over groups of cells, in the order in which the step calls it: all groups pass one function before the next
+/// begins. Those that are nullptr are not needed.
+struct SchemeFunctions {
+  /// Turns the points of a group into their Gauss values and adds the internal force to group.corners. With shares that
+  /// overlap it ends with sums over the patches of the cells, and `integrate` does the rest.
+  void (*gather)(const SchemeContext& context, const CellGroup<Quad4>& group) = nullptr;
+  void (*integrate)(const SchemeContext& context, const CellGroup<Quad4>& group) = nullptr;
+  /// What the points of other cells need from this group before `update_stress`.
+  void (*strain)(const SchemeContext& context, const CellGroup<Quad4>& group, const GroupVectors<Quad4>& du,
+      StressSums& sums) = nullptr;
+  /// Turns displacements of the corners of each cell, du [m], into new stress, state, strain and volume of the points,
+  /// and adds their plastic work to `sums`.
+  void (*update_stress)(const SchemeContext& context, const CellGroup<Quad4>& group, const GroupVectors<Quad4>& du,
+      StressSums& sums) = nullptr;
+};
+
 struct Scheme {
   std::string_view name;            ///< as in the case file: "mpm_gp"
   std::string_view title;           ///< as in a text: "MPM-GP"
@@ -25,12 +41,13 @@ struct Scheme {
   bool keeps_gauss_values = false;  ///< from gather to update_stress, of every material in every cell
   PassCost gather_cost, stress_cost;
 
-  /// Turns the points of a group into their Gauss values and adds the internal force to group.corners.
-  void (*gather)(const SchemeContext& context, const CellGroup<Quad4>& group) = nullptr;
-  /// Turns displacements of the corners of each cell, du [m], into new stress, state, strain and volume of the points,
-  /// and adds their plastic work to `sums`.
-  void (*update_stress)(const SchemeContext& context, const CellGroup<Quad4>& group, const GroupVectors<Quad4>& du,
-      StressSums& sums) = nullptr;
+  SchemeFunctions overlap = {};  ///< with shares that overlap; empty: the scheme does not look at them
+  SchemeFunctions point;
+
+  const SchemeFunctions& functions(Shares shares) const
+  {
+    return shares == Shares::overlap && overlap.gather != nullptr ? overlap : point;
+  }
 };
 
 /// Schemes in the order of schemes.def.
@@ -50,7 +67,15 @@ bool looks_at(const Scheme& scheme, std::string_view option);
 
 /// Last lines of a scheme's file, in namespace terp: the properties of the scheme NAME, whose functions are static
 /// members of Struct<Element>; schemes.def lists it.
-#define TERP_SCHEME_DEFINITION(NAME, Struct, ...) \
-  extern const Scheme scheme_##NAME;              \
-  constinit const Scheme scheme_##NAME{           \
-      .name = #NAME, __VA_ARGS__, .gather = &Struct<Quad4>::gather, .update_stress = &Struct<Quad4>::update_stress};
+#define TERP_SCHEME_DEFINITION(NAME, Struct, ...)     \
+  extern const Scheme scheme_##NAME;                  \
+  constinit const Scheme scheme_##NAME{.name = #NAME, \
+      __VA_ARGS__,                                    \
+      .point = {.gather = &Struct<Quad4>::gather, .update_stress = &Struct<Quad4>::update_stress}};
+
+/// The same for shares that overlap, among the properties of a scheme.
+#define TERP_OVERLAP_FUNCTIONS(Struct)                \
+  .overlap = {.gather = &Struct<Quad4>::sum_patches,  \
+      .integrate = &Struct<Quad4>::integrate_patches, \
+      .strain = &Struct<Quad4>::leave_strain,         \
+      .update_stress = &Struct<Quad4>::update_from_patches}

@@ -106,6 +106,7 @@ struct FootingCase {
 struct ForcesCase {
   Vec<2> gravity{0.0, 0.0};    ///< [m/s^2]
   Real local_damping = 0.0;    ///< alpha of local (Cundall) damping, reading R13 [-]
+  Real averaging_time = 0.0;   ///< of the out-of-balance force that local damping looks at; 0: its value now [s]
   Real viscous_damping = 0.0;  ///< mass-proportional damping coefficient [1/s]
 };
 

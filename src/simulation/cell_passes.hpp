@@ -20,7 +20,7 @@ inline CellGroup<Quad4> view_group(const Model& model, State& state, Workspace& 
   const bool in_cache = state.points.n_points() * state.points.n_rows() * std::int64_t{sizeof(Real)} < prefetch_from;
   const Index next_cell = static_cast<std::size_t>(end) < occupied.size() ? occupied[end] : -1;
   return {occupied.subspan(first, n), *model.mesh, state.points, corners.subspan(first, n), work.pressure, work.gauss,
-      work.gauss_rows, work.n_gauss_rows, first / pack_width, n_groups, next_cell, !in_cache};
+      work.gauss_rows, work.n_gauss_rows, first / pack_width, n_groups, next_cell, !in_cache, &work.patches};
 }
 
 /// Values of the cell's corners; part: &NodeValues::v or &NodeValues::dv; times `factor`.

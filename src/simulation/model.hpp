@@ -46,6 +46,7 @@ struct Model {
   std::vector<std::int64_t> history_ids;  ///< ids of the named points, in the order of the case
   std::vector<BodyShare> bodies;          ///< in the order of the case; filled with the first state
   RowTable rows;                          ///< what a point carries
+  int inverse_extent = -1;                ///< row of the points, with shares that overlap
   int threads = 1;
   FollowerTypes followers = {};  ///< what is measured while the run goes on; may be none
 };

@@ -55,7 +55,8 @@ inline void push_by_footing(const PlacedFooting& footing, Real mass, Vec<2>& v, 
 }
 
 /// Step 2: out-of-balance force, damping, acceleration, boundary.
-inline void accelerate_node(const Model& model, const NodeGather& sum, Index i, Workspace& work, NodeSums& sums)
+inline void accelerate_node(
+    const Model& model, State& state, const NodeGather& sum, Index i, Workspace& work, NodeSums& sums)
 {
   NodeValues& node = work.node[i];
   node = {};
@@ -76,8 +77,12 @@ inline void accelerate_node(const Model& model, const NodeGather& sum, Index i, 
   const int k = footing_at(work, model.mesh->nodes[i]);
   const PlacedFooting* const footing = k < 0 ? nullptr : &work.footings[k];
   const auto beside = [&](Vec<2> value) { return footing == nullptr ? value : footing->free_part(value); };
-  const Vec<2> force = beside(model.boundary.free_force(i, out_of_balance)),
-               v = beside(model.boundary.free_velocity(i, v_0, out_of_balance));
+  Vec<2> force = beside(model.boundary.free_force(i, out_of_balance)),
+         v = beside(model.boundary.free_velocity(i, v_0, out_of_balance));
+  if (damping.averaging_time > 0.0 && !work.settling) {
+    follow_force(damping, force, model.dt, state.mean_force[i]);
+    force = state.mean_force[i];
+  }
   node.damping = damping_force(damping, force, sum.mass, v);
   for (int d = 0; d < 2; ++d) v_free[d] = v_0[d] + (out_of_balance[d] + node.damping[d]) / sum.mass * model.dt;
   node.v = v_free;

@@ -143,6 +143,7 @@ void add_point(const Model& model, const NewPoint& p, std::size_t id, std::vecto
   }
   values[Rows::mass] = p.volume * model.materials[p.key.material].density;
   values[Rows::volume] = p.volume;
+  if (model.inverse_extent >= 0) values[model.inverse_extent] = 1.0 / std::sqrt(p.volume);
   values[Rows::id] = static_cast<Real>(id);
   state.points.add(p.key, values);
 }
@@ -187,7 +188,9 @@ Model build_model(const Case& description, SharedMesh mesh, int threads)
   model.footings = make_footings(description);
   model.open_sides = make_open_sides(description, *model.mesh);
   model.gravity = description.forces.gravity;
-  model.damping = {.local = description.forces.local_damping, .viscous = description.forces.viscous_damping};
+  model.damping = {.local = description.forces.local_damping,
+      .averaging_time = description.forces.averaging_time,
+      .viscous = description.forces.viscous_damping};
   if (const Real g = std::hypot(model.gravity[0], model.gravity[1]); g > 0.0)
     model.damping.down = {model.gravity[0] / g, model.gravity[1] / g};
   model.scheme = find_scheme(description.scheme);
@@ -196,6 +199,11 @@ Model build_model(const Case& description, SharedMesh mesh, int threads)
   model.threads = threads;
   const std::vector<Index> used = used_materials(model);
   for (const Index m : used) add_rows(m, model.materials[m], model.rows);
+  if (model.scheme->functions(model.method.shares).integrate != nullptr)
+    model.inverse_extent = model.rows.add({.name = "inverse_extent",
+        .unit = "1/m",
+        .meaning = "1 / side of the square by which the point counts in sub-cells",
+        .owner = "method"});
   set_time_step(used, model);
   return model;
 }
@@ -222,6 +230,7 @@ State build_state(Model& model)
   add_points(model, std::move(points), state);
   state.points.update_occupied();
   state.points.reserve(static_cast<std::int64_t>(n / 4));
+  if (model.damping.averaging_time > 0.0) state.mean_force.resize(model.mesh->nodes.size());
   set_point_parameters(model, state.x_initial, state);
   set_initial_stress(model, state);
   follow_history_points(model, state);

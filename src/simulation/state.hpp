@@ -26,6 +26,8 @@ struct State {
   PointBlocks<2> points;
   std::vector<Real> x_initial;  ///< by id, shape [n_points, 2] [m]
   WorkTotals work;
+  /// Running mean of the out-of-balance force, of damping with an averaging time [N per m]; shape [n_nodes], or empty.
+  std::vector<Vec<2>> mean_force;
   std::int64_t equilibrium_steps = 0;  ///< made in the search for equilibrium, while the clock stands at 0
   Real start_energy = 0.0;             ///< kinetic + elastic at t = 0 [J per m]
   std::int64_t clamped = 0;            ///< points that ever had to be put back at a wall

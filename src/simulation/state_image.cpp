@@ -195,6 +195,11 @@ std::vector<ArraySource> arrays_of(const State& state)
   ArrayWriter arrays(list);
   add_points(state, arrays);
   arrays.refer("x_initial", state.x_initial);
+  if (!state.mean_force.empty()) {
+    std::vector<Real> values;
+    for (const Vec<2>& force : state.mean_force) values.insert(values.end(), force.begin(), force.end());
+    arrays.copy("mean_force", std::move(values));
+  }
   const WorkTotals& w = state.work;
   arrays.copy("work", std::vector<Real>{w.gravity, w.damping, w.boundary, w.plastic, w.internal, w.exchanged,
                           w.last_step, state.start_energy, state.largest_v_999});
@@ -262,6 +267,11 @@ State restore(const Model& model, const StateImage& image)
   const ArrayReader arrays(image);
   get_points(model, image, state);
   state.x_initial = arrays.reals("x_initial");
+  if (model.damping.averaging_time > 0.0) {
+    state.mean_force.resize(model.mesh->nodes.size());
+    const auto& values = arrays.reals("mean_force", 2 * state.mean_force.size());
+    for (std::size_t i = 0; i < state.mean_force.size(); ++i) state.mean_force[i] = {values[2 * i], values[2 * i + 1]};
+  }
   get_left(arrays, state);
   check_ids(state);
   const auto& w = arrays.reals("work", 9);

@@ -116,15 +116,24 @@ void move_leavers(const Model& model, State& state, Workspace& work)
       if (moved == Moved::put_back) enter_put_back(work.leaver, state);
       if (moved == Moved::left) enter_left(model, material, work.leaver, state);
     }
-  if (state.points.update_occupied()) work.fit(model, state);
+  if (!state.points.update_occupied()) return;
+  work.fit(model, state);
+  if (state.mean_force.empty()) return;
+  std::size_t k = 0;  // a node that soil comes back to begins anew
+  for (Index i = 0; i < model.mesh->n_nodes(); ++i) {
+    if (k < work.active_nodes.size() && work.active_nodes[k] == i)
+      ++k;
+    else
+      state.mean_force[i] = {0.0, 0.0};
+  }
 }
 
 }  // namespace
 
 void step_compiled(const Model& model, State& state, Workspace& work)
 {
-  const Scheme& scheme = *model.scheme;
-  const SchemeContext context{model.method, model.materials, model.dt};
+  const SchemeFunctions& scheme = model.scheme->functions(model.method.shares);
+  const SchemeContext context{model.method, model.materials, model.dt, model.inverse_extent};
   start_sums(work);
   place_footings(model, state, work);
 
@@ -133,10 +142,14 @@ void step_compiled(const Model& model, State& state, Workspace& work)
       for (int c = 0; c < group.n(); ++c) map_mass_and_momentum(group, c);
       scheme.gather(context, group);  // Eqs. (1) to (4)
     });
+    if (scheme.integrate != nullptr)
+      for_each_group(
+          model, state, work, [&](const auto& group, CellSums&, auto&) { scheme.integrate(context, group); });
   });
   timed(work, nodes, [&] {
-    for_each_node(work,
-        [&](Index i, NodeSums& sums) { accelerate_node(model, sum_cells(model, state, work, i), i, work, sums); });
+    for_each_node(work, [&](Index i, NodeSums& sums) {
+      accelerate_node(model, state, sum_cells(model, state, work, i), i, work, sums);
+    });
   });
   timed(work, cells_to_points, [&] {
     for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums&, auto&) {
@@ -148,6 +161,12 @@ void step_compiled(const Model& model, State& state, Workspace& work)
         work, [&](Index i, NodeSums& sums) { remap_velocity(model, sum_cells(model, state, work, i), i, work, sums); });
   });
   timed(work, stress, [&] {
+    if (scheme.strain != nullptr)
+      for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums& sums, auto&) {
+        StressSums stress_sums;
+        scheme.strain(context, group, displacements(model, work.node, group), stress_sums);
+        sums.plastic += stress_sums.plastic_work;
+      });
     for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums& sums, auto& leavers) {
       const auto du = displacements(model, work.node, group);
       StressSums stress_sums;

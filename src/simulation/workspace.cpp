@@ -1,6 +1,8 @@
 #include "simulation/workspace.hpp"
 
+#include "base/errors.hpp"
 #include "simulation/state.hpp"
+#include "transfer/overlap.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -19,6 +21,27 @@ void list_active_nodes(const Mesh<2>& mesh, const std::vector<Index>& cells, Wor
       work.active_nodes.push_back(static_cast<Index>(64 * word) + std::countr_zero(bits));
 }
 
+/// Room for twice the blocks of the start.
+void start_patches(const Model& model, const State& state, Index n_gauss_rows, PatchValues& patches)
+{
+  const std::size_t most = 2 * static_cast<std::size_t>(state.points.n_blocks());
+  patches.cells = find_patch_partners(*model.mesh);
+  patches.sum_width = round_up_to_pack(patch_others + n_gauss_rows);
+  patches.gauss_width = round_up_to_pack(2 * n_sym<2> + n_gauss_rows);
+  TERP_ASSERT(patches.gauss_width <= PatchView::most_rows);
+  patches.partners.reserve(most);
+  patches.sums.reserve(most * Patch<Quad4>::n_slots * patches.sum_width / pack_width);
+  patches.gauss.reserve(most * Quad4::n_gauss * patches.gauss_width / pack_width);
+}
+
+void fit_patches(const State& state, PatchValues& patches)
+{
+  const auto n = static_cast<std::size_t>(state.points.n_blocks());
+  patches.partners.resize(n);
+  patches.sums.resize(n * Patch<Quad4>::n_slots * patches.sum_width / pack_width);
+  patches.gauss.resize(n * Quad4::n_gauss * patches.gauss_width / pack_width);
+}
+
 }  // namespace
 
 Workspace::Workspace(const Model& model, const State& state)
@@ -34,6 +57,7 @@ Workspace::Workspace(const Model& model, const State& state)
   const std::size_t most_cells = 2 * state.points.occupied().size();
   corners.reserve(most_cells);
   pressure.reserve(2 * state.points.n_blocks());
+  if (model.inverse_extent >= 0) start_patches(model, state, n_gauss_rows, patches);
   cell_sums.reserve(Threads::n_chunks(static_cast<Index>(most_cells), cells_per_chunk));
   fit(model, state);
 }
@@ -49,6 +73,7 @@ void Workspace::fit(const Model& model, const State& state)
     gauss.make_anew(2 * n_gauss);
     gauss_rows.make_anew(2 * n_gauss * static_cast<std::size_t>(n_gauss_rows));
   }
+  if (model.inverse_extent >= 0) fit_patches(state, patches);
   list_active_nodes(*model.mesh, cells, *this);
   cell_sums.resize(Threads::n_chunks(static_cast<Index>(cells.size()), cells_per_chunk));
   node_sums.resize(Threads::n_chunks(static_cast<Index>(active_nodes.size()), nodes_per_chunk));

@@ -3,6 +3,7 @@
 
 #include "parallel/threads.hpp"
 #include "parallel/memory.hpp"
+#include "schemes/patch_values.hpp"
 #include "simulation/model.hpp"
 #include "simulation/passes.hpp"
 
@@ -52,6 +53,7 @@ struct Workspace {
       gauss_rows;              ///< shape [n_materials * n_bodies * n_groups at least, n_gauss_rows]; used like `gauss`
   Index n_gauss_rows = 0;      ///< the most that any law adds to the points
   std::vector<Real> pressure;  ///< p_e [Pa], shape [n_blocks]; of schemes that keep no other Gauss values
+  PatchValues patches;         ///< of shares that overlap
   ZeroedArray<NodeValues> node;     ///< shape [n_nodes]; only those of active nodes are written
   std::vector<Index> active_nodes;  ///< nodes of occupied cells, ascending
   std::vector<std::uint64_t> node_bits;

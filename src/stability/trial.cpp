@@ -36,6 +36,7 @@ std::string reason_of(const Trial& trial, Real displacement)
 Model build_trial(Case c, const SharedMesh& mesh, const ElasticStart& start, const TrialRules& rules, int threads)
 {
   c.forces.local_damping = rules.damping;
+  c.forces.averaging_time = 0.0;
   c.time.end = window_traversals * start.traversal / std::sqrt(start.stiffening) * rules.most_windows;
   return build_model(c, mesh, threads);
 }

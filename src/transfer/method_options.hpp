@@ -5,6 +5,7 @@
 
 namespace terp {
 
+enum class Shares { point, overlap };                       ///< where a point counts: decision 0042
 enum class Weights { hybrid, summed, gauss };               ///< Omega_GP of Eqs. (2), (4): reading R3
 enum class ForceOperator { b_bar, b };                      ///< operator of Eq. (4): reading R4
 enum class PointPressure { cell, own, relax };              ///< pressure of a point in MPM-GP: reading R10
@@ -12,6 +13,7 @@ enum class StateAveraging { as_declared, cell, sub_cell };  ///< state in MPM-Mi
 enum class ObjectiveRate { none, jaumann };                 ///< reading R17
 
 struct MethodOptions {
+  Shares shares = Shares::point;
   Weights weights = Weights::hybrid;
   Real filled_fraction = 0.9;  ///< a cell is filled when its points fill at least this part of it, R3 [-]
   bool b_bar = true;           ///< volumetric strain of the cell centre at all Gauss points, R5

@@ -25,6 +25,25 @@ TEST(Damping, NothingDampsANodeAtRest)
   EXPECT_EQ(damping_force({.local = 0.7, .viscous = 0.5}, 50.0, 3.0, -0.0), 0.0);
 }
 
+/// Over many averaging times the mean follows a steady force and passes over one that changes sign in every step.
+TEST(Damping, FollowsTheForceOverTheAveragingTime)
+{
+  const Damping damping{.local = 0.1, .averaging_time = 0.02};
+  Vec<2> mean{0.0, 0.0};
+  for (int k = 0; k < 20; ++k) follow_force(damping, {50.0, k % 2 == 0 ? 8.0 : -8.0}, 0.001, mean);
+  EXPECT_NEAR(mean[0], 50.0 * (1.0 - std::pow(0.95, 20)), 1e-12);
+  for (int k = 0; k < 2000; ++k) follow_force(damping, {50.0, k % 2 == 0 ? 8.0 : -8.0}, 0.001, mean);
+  EXPECT_NEAR(mean[0], 50.0, 1e-12);
+  EXPECT_LT(std::abs(mean[1]), 0.3);  // 8 * 0.05 / 1.95
+}
+
+TEST(Damping, AStepLongerThanTheAveragingTimeTakesItsOwnForce)
+{
+  Vec<2> mean{7.0, -3.0};
+  follow_force({.local = 0.1, .averaging_time = 0.02}, {50.0, 8.0}, 0.03, mean);
+  EXPECT_EQ(mean, (Vec<2>{50.0, 8.0}));
+}
+
 TEST(Damping, ViscousIsProportionalToMassAndVelocity)
 {
   EXPECT_DOUBLE_EQ(damping_force({.viscous = 0.5}, 50.0, 3.0, 2.0), -3.0);

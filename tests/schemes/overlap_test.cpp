@@ -1,0 +1,119 @@
+// Whole steps with shares that overlap, of both schemes: rest stays rest, uniform strain stays uniform, the same bits
+// on any number of threads and after a restart, momentum and energy.
+#include "simulation/run.hpp"
+#include "support/cases.hpp"
+#include "support/simulations.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace terp {
+namespace {
+
+struct Overlap : testing::TestWithParam<std::string> {
+  static Case with_overlap(Case c)
+  {
+    c.method.shares = Shares::overlap;
+    return c;
+  }
+  Case column() const { return with_overlap(test::column(GetParam(), 0.25)); }
+};
+INSTANTIATE_TEST_SUITE_P(
+    BothSchemes, Overlap, testing::Values("mpm_mixed", "mpm_gp"), [](const auto& scheme) { return scheme.param; });
+
+/// An elastic column between rollers, in equilibrium on cells that it does not fill: points reach into the next cell.
+/// Values that are handed back as they are would diffuse from cell to cell: 0.4 kPa of the pressure in each second.
+TEST_P(Overlap, ReachingIntoTheNextCellMovesNoPressureAtRest)
+{
+  Case c = with_overlap(test::column_without_softening(GetParam(), 0.25));
+  c.materials[0] = test::elastic(1.0e6, 0.4, 1990.0);
+  c.materials[0].name = "clay";
+  c.mesh.size = {1.0, 2.5};
+  c.bodies[0] = test::body("clay", {0.0, 0.0}, {1.0, 2.0});
+  c.forces.local_damping = 0.5;
+  c.time.end = 6.0;
+  Simulation s(c);
+  s.advance_to(3.0);
+  const auto before = test::points_by_id(s.state);
+  s.advance_to(6.0);
+  const auto after = test::points_by_id(s.state);
+  bool reaches = false;
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const auto pressure = [](const test::Point& p) { return (p.sigma[0] + p.sigma[1] + p.sigma[2]) / 3.0; };
+    EXPECT_NEAR(pressure(after[k]), pressure(before[k]), 1e-3);  // of up to 30 kPa
+    reaches |= std::abs(after[k].local[1]) > 0.81;
+  }
+  EXPECT_TRUE(reaches);
+}
+
+/// Nodes that move with a linear velocity strain every point alike, at a border between cells too.
+TEST_P(Overlap, CarriesASpeedWithoutForces)
+{
+  Case c = with_overlap(test::free_box(GetParam(), {0.55, 0.55}, {1.55, 1.3}));
+  c.bodies[0].velocity = {1.0, 0.3};
+  c.time.end = 0.5;
+  Simulation s(c);
+  const Vec<2> before = test::momentum(s.state);
+  s.run();
+  const Vec<2> after = test::momentum(s.state);
+  for (int d = 0; d < 2; ++d) EXPECT_NEAR(after[d], before[d], 1e-12 * std::abs(before[0]));
+  for (const auto& p : test::points_by_id(s.state)) {
+    EXPECT_NEAR(p.v[0], 1.0, 1e-11);
+    for (const Real stress : p.sigma) EXPECT_NEAR(stress, 0.0, 1e-6);
+  }
+}
+
+TEST_P(Overlap, EndsInTheSameBitsOnAnyNumberOfThreads)
+{
+  Case c = column();
+  c.time.end = 0.4;
+  Simulation one(c, 1);
+  one.run();
+  for (const int threads : {2, 4}) {
+    Simulation more(c, threads);
+    more.run();
+    EXPECT_EQ(test::first_difference(one.save(), more.save()), "") << threads;
+  }
+}
+
+TEST_P(Overlap, GoesOnFromACheckpointInTheSameBits)
+{
+  Case c = column();
+  c.time.end = 0.4;
+  c.forces.averaging_time = 0.02;
+  Simulation whole(c), first(c), second(c);
+  whole.run();
+  first.advance_to(0.2);
+  second.restore(first.save());
+  second.run();
+  EXPECT_EQ(test::first_difference(whole.save(), second.save()), "");
+}
+
+TEST_P(Overlap, KeepsTheBalanceOfEnergyOfACollapse)
+{
+  Case c = column();
+  c.time.end = 1.0;
+  Simulation s(c);
+  s.run();
+  EXPECT_LT(summarise(s.model, s.state).energy_balance_error, 0.02);
+}
+
+/// What drives the strength never falls in MPM-GP.
+TEST(OverlapOfMpmGp, LowersNoPlasticStrain)
+{
+  Case c = test::column("mpm_gp", 0.25);
+  c.method.shares = Shares::overlap;
+  c.time.end = 1.0;
+  Simulation s(c);
+  auto before = test::points_by_id(s.state);
+  for (Real t = 0.05; t < 1.0; t += 0.05) {
+    s.advance_to(t);
+    const auto now = test::points_by_id(s.state);
+    for (std::size_t k = 0; k < now.size(); ++k) EXPECT_GE(now[k].eps_eq_p(), before[k].eps_eq_p());
+    before = now;
+  }
+}
+
+}  // namespace
+}  // namespace terp

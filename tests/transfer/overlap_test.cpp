@@ -1,0 +1,168 @@
+// Shares that overlap: parts of a square in the slots of a patch, sums of points with them, and values at the points.
+#include "transfer/overlap.hpp"
+
+#include "support/blocks.hpp"
+#include "support/random.hpp"
+
+#include <gmock/gmock.h>
+
+namespace terp {
+namespace {
+
+using P = Patch<Quad4>;
+using Rows = PointRows<2>;
+using test::PointValues;
+
+constexpr int extent_row = Rows::state;  // the only row beyond the fixed ones
+
+/// A mesh of 3 x 3 cells of 2 m x 2 m: one local unit is 1 m. Points of extent 0.4 m in the middle cell.
+struct Cells {
+  Mesh<2> mesh = make_rectangle({0.0, 0.0}, {6.0, 6.0}, {3, 3});
+  PointBlocks<2> points{9, 1};
+
+  void add(Index cell, PointValues point, Real extent = 0.4, Index material = 0)
+  {
+    point.state = {1.0 / extent};
+    test::add_point(mesh, cell, point, points, material);
+  }
+  const PointBlock<2>& middle() { return test::only_block(points, 4); }
+  std::array<Real, P::n_slots> shares(Vec<2> local, Real extent = 0.4)
+  {
+    points = PointBlocks<2>(9, 1);
+    add(4, {.local = local}, extent);
+    PointShares packs;
+    set_shares(middle(), 0, extent_row, 2.0, packs);
+    std::array<Real, P::n_slots> values;
+    for (int slot = 0; slot < P::n_slots; ++slot) values[slot] = packs.in_slot(slot)[0];
+    return values;
+  }
+};
+
+/// Everything zero but the slots named.
+testing::Matcher<std::array<Real, P::n_slots>> only(std::initializer_list<std::pair<int, Real>> slots)
+{
+  std::vector<Real> expected(P::n_slots, 0.0);
+  for (const auto& [slot, share] : slots) expected[slot] = share;
+  return testing::Pointwise(testing::DoubleNear(1e-15), expected);
+}
+
+TEST(Overlap, ASquareWithinASubCellCountsThereAlone)
+{
+  Cells cells;
+  EXPECT_THAT(cells.shares({-0.5, 0.5}), only({{P::own_slot[2], 1.0}}));
+  EXPECT_THAT(cells.shares({0.79, -0.21}), only({{P::own_slot[1], 1.0}}));
+}
+
+TEST(Overlap, ASquareOnLinesCountsByItsParts)
+{
+  Cells cells;
+  EXPECT_THAT(cells.shares({0.0, 0.5}), only({{P::own_slot[2], 0.5}, {P::own_slot[3], 0.5}}));
+  EXPECT_THAT(cells.shares({0.9, 0.5}), only({{P::own_slot[3], 0.75}, {11, 0.25}}));  // 0.1 of 0.4 beyond the side
+  EXPECT_THAT(cells.shares({-1.0, 1.0}), only({{P::own_slot[2], 0.25}, {8, 0.25}, {13, 0.25}, {12, 0.25}}));
+}
+
+TEST(Overlap, ASquareIsAtMostAsLargeAsTheCell)
+{
+  Cells cells;
+  EXPECT_EQ(cells.shares({0.25, 0.0}, 100.0), cells.shares({0.25, 0.0}, 2.0));
+}
+
+/// Points in all nine cells; with a second material in one of them.
+Cells random_points(std::uint64_t seed)
+{
+  Cells cells;
+  test::Random random(seed);
+  for (Index cell = 0; cell < 9; ++cell)
+    for (int k = 0; k < (cell == 4 ? 70 : 6); ++k)  // more than one strip in the middle
+      cells.add(cell,
+          {.local = {random.between(-1.0, 1.0), random.between(-1.0, 1.0)},
+              .volume = random.between(0.01, 0.1),
+              .sigma = {random.between(-9.0, 9.0), random.between(-9.0, 9.0), random.between(-9.0, 9.0),
+                  random.between(-9.0, 9.0)}},
+          random.between(0.3, 1.5), cell == 5 ? 1 : 0);
+  cells.points.update_occupied();
+  return cells;
+}
+
+struct Sums {
+  static constexpr int width = 8;
+  BlockPartners partners;
+  std::array<Real, P::n_slots * width> values;
+
+  explicit Sums(Cells& cells)
+  {
+    partners = find_block_partners(cells.points, find_patch_partners(cells.mesh)[4], cells.middle());
+    const std::array<int, 1> others{extent_row};
+    sum_over_patch(cells.middle(), extent_row, 2.0, others, width, values.data());
+  }
+  Real total(int row) const
+  {
+    Real sum = 0.0;
+    for (int slot = 0; slot < P::n_slots; ++slot) sum += values[slot * width + row];
+    return sum;
+  }
+};
+
+TEST(Overlap, SumsLoseNothingAndFoldingMovesThemToSubCellsWithSoil)
+{
+  Cells cells = random_points(11);
+  Sums sums(cells);
+  std::array<Real, 6> expected{};
+  const PointBlock<2>& block = cells.middle();
+  for (Index p = 0; p < block.n; ++p) {
+    const Real volume = block.row(Rows::volume)[p];
+    for (int k = 0; k < 4; ++k) expected[k] += volume * block.row(Rows::sigma + k)[p];
+    expected[patch_volume] += volume;
+    expected[patch_others] += volume * block.row(extent_row)[p];
+  }
+  for (int r = 0; r < 6; ++r) EXPECT_NEAR(sums.total(r), expected[r], 1e-12);
+  EXPECT_NE(sums.values[7 * Sums::width + patch_volume], 0.0);  // right: cell 5, of another material
+  fold_sums(sums.partners, Sums::width, sums.values.data());
+  for (int r = 0; r < 6; ++r) EXPECT_NEAR(sums.total(r), expected[r], 1e-12);
+  for (const int slot : {7, 11}) EXPECT_EQ(sums.values[slot * Sums::width + patch_volume], 0.0);
+  EXPECT_NE(sums.values[15 * Sums::width + patch_volume], 0.0);  // the corner is reached by way of the upper cell
+}
+
+/// The sum over points of Omega_p times the value that they take is the sum over sub-cells of what they gave times the
+/// value there: with folded shares too.
+TEST(Overlap, BothWaysAreTransposesOfEachOther)
+{
+  for (const bool alone : {false, true}) {
+    Cells cells = random_points(12);
+    if (alone) {  // all shares go back
+      for (Index cell = 0; cell < 9; ++cell)
+        while (cell != 4 && cells.points.first_block(cell) >= 0 && test::only_block(cells.points, cell).n > 0) {
+          std::vector<Real> values(cells.points.n_rows());
+          cells.points.take(cells.points.first_block(cell), 0, values);
+        }
+      cells.points.update_occupied();
+    }
+    Sums sums(cells);
+    fold_sums(sums.partners, Sums::width, sums.values.data());
+    test::Random random(13);
+    std::vector<std::array<Real, 4 * 8>> gauss(cells.points.n_blocks());  // one row of eight used
+    for (auto& block : gauss)
+      for (Real& value : block) value = random.between(-1.0, 1.0);
+    const PatchView view(
+        sums.partners, cells.points.first_block(4), [&](Index b) { return gauss[b].data(); }, 8, 1);
+
+    Real of_points = 0.0, of_slots = 0.0;
+    const PointBlock<2>& block = cells.middle();
+    for (Index p = 0; p < block.n; p += pack_width) {
+      PointShares shares;
+      set_shares(block, p, extent_row, 2.0, shares);
+      of_points += sum(view.at_points<1>(shares, 0)[0] * Pack::load(block.row(Rows::volume) + p));
+    }
+    const auto value_in = [&](Index b, int g) { return gauss[b][g * 8]; };
+    for (int g = 0; g < 4; ++g)
+      of_slots += sums.values[P::own_slot[g] * Sums::width + patch_volume] * value_in(cells.points.first_block(4), g);
+    for (int k = 0; k < P::n_outer; ++k)
+      if (const Index partner = sums.partners[k]; partner >= 0)
+        of_slots += sums.values[P::outer_slot[k] * Sums::width + patch_volume] *
+                    value_in(partner / P::n_outer, P::own_beside[partner % P::n_outer]);
+    EXPECT_NEAR(of_points, of_slots, 1e-12) << alone;
+  }
+}
+
+}  // namespace
+}  // namespace terp
