@@ -32,7 +32,8 @@ void gather(Row& row, const SchemeContext& context, Index first = 0, Index n = 1
   const CellGroup<Quad4> group = row.group(first, n);
   gather_at_gauss_points(
       context, group, [&](const BlockLayer& layer) -> GaussValues<Quad4, Pack>& { return group.gauss_of(layer); },
-      [](const auto&, auto&) {});
+      [&](const BlockLayer& layer, GaussValues<Quad4, Pack>& gauss) { sum_layer(group, layer, gauss); },
+      [](const auto&, auto&, const auto&) {});
 }
 
 std::vector<SoilMaterial> two_names_of_one_soil()

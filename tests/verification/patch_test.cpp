@@ -42,9 +42,9 @@ void strain_all_cells(Simulation& s, const std::array<Vec<2>, 2>& a)
       group.corners[c] = {};
       du[c] = affine(*s.model.mesh, group.cells[c], a);
     }
-    s.model.scheme->gather(context, group);
+    s.model.scheme->point.gather(context, group);
     StressSums sums;
-    s.model.scheme->update_stress(context, group, du, sums);
+    s.model.scheme->point.update_stress(context, group, du, sums);
   }
 }
 
