@@ -184,6 +184,17 @@ void declare_stability(CLI::App& app, CommandLine& line)
   add_loudness(stability, line.options);
 }
 
+void declare_watch(CLI::App& app, WatchCommand& options)
+{
+  CLI::App* watch = add_command(app, "watch", "Solve", "how far a run is that another terp solves\nEnds with that run.",
+      "  terp watch runs/dike --every 10\n");
+  watch->add_option("RUN", options.run, "run folder")->option_text(" ")->required();
+  watch->add_option("--every", options.every, "seconds between two looks (default 2)")
+      ->option_text("S")
+      ->check(number_between(0.1, 3600.0));
+  watch->add_flag("--once", options.once, "look once");
+}
+
 void declare_viewers(CLI::App& app, CommandLine& line)
 {
   CLI::App* report = add_command(app, "report", "Look",
@@ -305,6 +316,7 @@ void declare(CLI::App& app, CommandLine& line)
              exit_statuses);
   declare_solvers(app, line);
   declare_stability(app, line);
+  declare_watch(app, line.watch);
   declare_viewers(app, line);
   declare_guides(app, line);
   declare_verify(app, line.verify);

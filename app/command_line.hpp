@@ -17,6 +17,7 @@ struct CommandLine {
   std::string topic;
   ReportCommand report;
   ExportCommand exported;
+  WatchCommand watch;
 };
 
 /// Declares all commands; what is parsed goes to `line`, which must outlive the app.

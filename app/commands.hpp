@@ -42,6 +42,12 @@ struct ExportCommand {
   std::vector<std::string> fields;
 };
 
+struct WatchCommand {
+  std::string run;
+  double every = 2.0;  ///< [s]
+  bool once = false;
+};
+
 /// Threads that a command asks the system for: those of --threads, or all that this job may use.
 int threads_of(const RunOptions& options);
 
@@ -57,5 +63,6 @@ int verify_cases(const VerifyOptions& options);
 int report_runs(const ReportCommand& command);
 int compare_folders(const ReportCommand& command);
 int export_run(const ExportCommand& command);
+int watch_run(const WatchCommand& command);
 
 }  // namespace terp

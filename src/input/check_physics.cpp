@@ -43,6 +43,10 @@ void check_gravity(const Case& values, Problems& warnings)
 void check_damping(const Case& values, Problems& warnings)
 {
   const Real alpha = values.forces.local_damping;
+  if (alpha == 0.0 && values.forces.averaging_time > 0.0)
+    warnings.push_back({"forces.damping.averaging_time", "`averaging_time` has no effect",
+        "It belongs to local damping, which is 0: give forces.damping.local too.", "forces.damping.averaging_time",
+        false, {"forces.damping"}});
   if (!(alpha > much_damping)) return;
   warnings.push_back({"forces.damping.local", fmt::format("local damping of {} slows all motion", alpha),
       fmt::format("Soil falls with {:.2g} of gravity, and a failure is as much too slow. Usual: 0 to 0.1 for soil that "

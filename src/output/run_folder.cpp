@@ -160,6 +160,15 @@ FolderLock::FolderLock(const std::string& folder)
   throw FileError(fmt::format("another terp is writing to the run folder {}", folder));
 }
 
+bool is_being_written(const std::string& folder)
+{
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) throw_file_error("open the run folder", folder, errno);
+  const bool held = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(descriptor);
+  return held;
+}
+
 FolderLock::~FolderLock()
 {
   if (descriptor_ >= 0) ::close(descriptor_);

@@ -55,6 +55,9 @@ class FolderLock {
   int descriptor_ = -1;
 };
 
+/// True while some Terp holds the lock of the folder: a run goes on.
+bool is_being_written(const std::string& folder);
+
 /// Makes the folder ready for a new run, locks it, and copies the files that the case names into it. A folder that
 /// holds anything is refused with FileError, unless `force`: then the files of the earlier run are removed, and no
 /// others.

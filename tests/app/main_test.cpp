@@ -39,7 +39,7 @@ TEST(Help, OfACommandIsItsOwnAndNamesItsOptions)
       {"stability", {"--from", "--to", "--tolerance", "--damping", "--rest", "--failure", "--windows", "--output",
                         "--json", "--set"}},
       {"check", {"--set", "--picture"}}, {"bench", {"--steps", "--warm", "--json", "--set"}}, {"report", {"--output"}},
-      {"compare", {"--json"}}, {"export", {"--field", "--frames", "--output"}},
+      {"compare", {"--json"}}, {"export", {"--field", "--frames", "--output"}}, {"watch", {"--every", "--once"}},
       {"verify", {"--list", "--short", "--long", "--markdown", "--overview", "--cases", "--threads"}},
       {"explain", {"TOPIC"}}, {"list", {}}};
   for (const auto& [command, options] : commands) {
@@ -84,8 +84,8 @@ TEST(CommandLine, NamesAWordThatIsNoCommandAndTheNearestThatIs)
   EXPECT_EQ(f.status, 2);
   EXPECT_EQ(f.out, "");
   EXPECT_EQ(f.err,
-      "error: there is no command `rnu`\n  Did you mean `run`?\n  Commands: run, resume, stability, report, compare, "
-      "export, check, explain, list, bench, verify\n"
+      "error: there is no command `rnu`\n  Did you mean `run`?\n  Commands: run, resume, stability, watch, "
+      "report, compare, export, check, explain, list, bench, verify\n"
       "Usage: terp COMMAND [options]; see terp --help\n");
   EXPECT_THAT(test::terp({"bogus"}).err, StartsWith("error: there is no command `bogus`\n  Commands: run, "));
   EXPECT_THAT(test::terp({"cases/a.toml"}).err, HasSubstr("  To solve that case: terp run cases/a.toml\n"));

@@ -1,7 +1,8 @@
-// terp report, compare and export, as a user meets them.
+// terp report, compare, export and watch, as a user meets them.
 #include "app/coarse_column.hpp"
 #include "output/files.hpp"
 #include "support/test.hpp"
+#include <poll.h>
 #include <nlohmann/json.hpp>
 
 namespace {
@@ -136,6 +137,42 @@ TEST(Export, WritesTheFramesAndSaysWhere)
   EXPECT_EQ(wrong.status, 2);
   EXPECT_THAT(
       wrong.err, StartsWith("error: there is no format `vtu`\n  Formats: csv. The frames of a run are VTKHDF files"));
+}
+
+TEST(Watch, SaysHowFarARunCameAndThatItIsFinished)
+{
+  const Finished f = test::terp({"watch", runs().gp});
+  EXPECT_EQ(f.status, 0);
+  EXPECT_THAT(f.out, AllOf(StartsWith("t = 0.200 of 0.2 s (100 %)  kinetic energy "), HasSubstr(" kJ/m  front x = 8."),
+                         HasSubstr("no terp is writing to " + runs().gp + ": the run is finished\n")));
+}
+
+TEST(Watch, WhileARunGoesOnSaysWhenItWillEnd)
+{
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/run";
+  const Process solver(column_command("run",
+      {"-q", "-o", folder, "--set", "time.end=1000", "--set", "mesh.cell=0.25", "--set", "output.fields.every=0"}));
+  Finished f;
+  for (int k = 0; k < 300 && f.out.find("ETA") == std::string::npos; ++k) {
+    poll(nullptr, 0, 100);
+    if (std::filesystem::exists(folder + "/case.toml")) f = test::terp({"watch", folder, "--once"});
+  }
+  EXPECT_EQ(f.status, 0) << f.err;
+  EXPECT_THAT(
+      f.out, AllOf(StartsWith("t = "), HasSubstr(" of 1000 s (0 %)"), HasSubstr("  ETA "), Not(HasSubstr("no terp"))));
+}
+
+TEST(Watch, OfAFolderThatIsNoRunSaysSo)
+{
+  const ScratchFolder scratch;
+  const Finished f = test::terp({"watch", scratch.path()});
+  EXPECT_EQ(f.status, 1);
+  EXPECT_EQ(f.err, "error: " + scratch.path() + ": this is no run folder, it holds no case.toml\n");
+  const Finished missing = test::terp({"watch", "no/such"});
+  EXPECT_EQ(missing.status, 1);
+  EXPECT_THAT(
+      missing.err, StartsWith("error: no/such: no such run folder\n  Give the folder that `terp run` writes to"));
 }
 
 }  // namespace
