@@ -40,7 +40,7 @@ shear_modulus = 1.0e9
 poisson_ratio = 0.25
 [forces]
 gravity = [1.0, -9.81]
-damping = { local = 0.125, viscous = 0.25 }
+damping = { local = 0.125, averaging_time = 0.05, viscous = 0.25 }
 [initial]
 stress = "equilibrium"
 k0 = 0.75
@@ -53,6 +53,7 @@ right = { velocity = [0.125, 0.5], slip = true }
 bottom = { contact = "separating", adhesion = 8.0e3, friction = 0.5 }
 top = "fixed"
 [method]
+shares = "overlap"
 weights = "summed"
 filled_fraction = 0.8
 b_bar = false
@@ -149,6 +150,7 @@ TEST(Reader, FillsForcesAndInitialState)
   const Case c = read_every_key();
   EXPECT_EQ(c.forces.gravity, (Vec<2>{1.0, -9.81}));
   EXPECT_EQ(c.forces.local_damping, 0.125);
+  EXPECT_EQ(c.forces.averaging_time, 0.05);
   EXPECT_EQ(c.forces.viscous_damping, 0.25);
   EXPECT_EQ(c.initial.stress, InitialStress::equilibrium);
   EXPECT_EQ(c.initial.k0, 0.75);
