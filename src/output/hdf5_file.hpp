@@ -52,7 +52,13 @@ class Hdf5File {
   /// groups in its name are made as needed.
   template <class T>
   void write(const std::string& name, const std::vector<std::int64_t>& shape, std::span<const T> values,
-      std::int64_t first_row = 0, Layout layout = {});
+      std::int64_t first_row, Layout layout);
+  template <class T>
+  void write(const std::string& name, const std::vector<std::int64_t>& shape, std::span<const T> values,
+      std::int64_t first_row = 0)
+  {
+    write(name, shape, values, first_row, Layout{});
+  }
   template <class T>
   std::vector<T> read(const std::string& name) const;
   /// Reads every dataset once, so that all checksums are verified. Throws FileError at the first that does not agree.

@@ -196,6 +196,7 @@ TEST(Reader, FillsHoles)
 TEST(Reader, FillsTheMethod)
 {
   const MethodOptions m = read_every_key().method;
+  EXPECT_EQ(m.shares, Shares::overlap);
   EXPECT_EQ(m.weights, Weights::summed);
   EXPECT_EQ(m.filled_fraction, 0.8);
   EXPECT_FALSE(m.b_bar);
