@@ -67,7 +67,7 @@ TEST(Overlap, ASquareIsAtMostAsLargeAsTheCell)
   EXPECT_EQ(cells.shares({0.25, 0.0}, 100.0), cells.shares({0.25, 0.0}, 2.0));
 }
 
-/// Points in all nine cells; with a second material in one of them.
+/// Points in all nine cells; of a second material at the right and beyond the lower left corner.
 Cells random_points(std::uint64_t seed)
 {
   Cells cells;
@@ -79,7 +79,7 @@ Cells random_points(std::uint64_t seed)
               .volume = random.between(0.01, 0.1),
               .sigma = {random.between(-9.0, 9.0), random.between(-9.0, 9.0), random.between(-9.0, 9.0),
                   random.between(-9.0, 9.0)}},
-          random.between(0.3, 1.5), cell == 5 ? 1 : 0);
+          random.between(0.3, 1.5), cell == 5 || cell == 0 ? 1 : 0);
   cells.points.update_occupied();
   return cells;
 }
