@@ -47,6 +47,13 @@ void check_damping(const Case& values, Problems& warnings)
     warnings.push_back({"forces.damping.averaging_time", "`averaging_time` has no effect",
         "It belongs to local damping, which is 0: give forces.damping.local too.", "forces.damping.averaging_time",
         false, {"forces.damping"}});
+  if (alpha > 0.0 && values.forces.averaging_time > values.time.end)
+    warnings.push_back({"forces.damping.averaging_time", "the averaging time is longer than the run",
+        fmt::format(
+            "Got {:.4g} s, the run ends at {:.4g} s: damping hardly begins. Usual: the time in which a compression "
+            "wave\ncrosses the soil once or twice, 0.02 s for 2 m of clay.",
+            values.forces.averaging_time, values.time.end),
+        "forces.damping.averaging_time", false, {"forces.damping"}});
   if (!(alpha > much_damping)) return;
   warnings.push_back({"forces.damping.local", fmt::format("local damping of {} slows all motion", alpha),
       fmt::format("Soil falls with {:.2g} of gravity, and a failure is as much too slow. Usual: 0 to 0.1 for soil that "

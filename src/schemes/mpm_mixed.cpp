@@ -1,5 +1,4 @@
 // MPM-Mixed, paper Sec. 2.1: the Gauss points own the history; material points are overwritten every step.
-#include "schemes/patch_group.hpp"
 #include "schemes/scheme.hpp"
 
 namespace terp {
@@ -48,106 +47,7 @@ struct MpmMixed {
     });
   }
 
-  /// With shares that overlap. The points take what changed at the Gauss points, averaging included, and not the values
-  /// themselves: with shares in two cells they would spread without end, even at rest (decision 0042).
-  static void sum_patches(const SchemeContext& context, const CellGroup<Element>& group)
-  {
-    sum_over_patches(context, group,
-        [&](const auto& block) { return std::span<const int>(context.materials[block.material].rows); });
-  }
-
-  static void integrate_patches(const SchemeContext& context, const CellGroup<Element>& group)
-  {
-    gather_at_gauss_points(
-        context, group, [&](const BlockLayer& layer) -> GaussValues<Element, Pack>& { return group.gauss_of(layer); },
-        [&](const BlockLayer& layer, GaussValues<Element, Pack>& gauss) {
-          collect_layer(group, layer, gauss, group.rows_of(layer), context.materials[layer.material].n_rows());
-        },
-        [&](const BlockLayer& layer, GaussValues<Element, Pack>& gauss, const PerGauss<Element, Pack>& pressure) {
-          const SoilMaterial& material = context.materials[layer.material];
-          GaussRow<Element>* rows = group.rows_of(layer);
-          auto sigma = gauss.sigma;  // before Eq. (3)
-          for (int k = 0; k < 3; ++k)
-            for (int g = 0; g < Element::n_gauss; ++g) sigma[k][g] += pressure[g] - gauss.pressure;
-          leave_four_rows(
-              group, layer, patch_stress, [&](int k) -> const auto& { return sigma[k]; });
-          divide_rows(gauss, material, rows);
-          for (int k = 0; k < material.n_state(); ++k) leave_row(group, layer, patch_state + k, rows[k]);
-          average_rows(context.method, gauss, material, rows);
-        });
-  }
-
-  static void leave_strain(
-      const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>& du, StressSums& sums)
-  {
-    const GaussStrain<Element, Pack> strain = strain_of_group(group, du, context.method.b_bar);  // Step 2
-    for_each_layer(group, [&](const BlockLayer& layer) {
-      const SoilMaterial& material = context.materials[layer.material];
-      GaussValues<Element, Pack>& gauss = group.gauss_of(layer);
-      GaussRow<Element>* rows = group.rows_of(layer);
-      const Pack plastic_work = update_gauss_points(context, material, strain, gauss, rows);  // Step 3
-      for (int c = 0; c < group.n(); ++c)
-        if (layer.block[c] >= 0) sums.plastic_work += plastic_work[c];
-      leave_four_rows(
-          group, layer, patch_strain, [&](int k) -> const auto& { return strain.d_eps[k]; });
-      for (int k = 0; k < n_sym<dim>; ++k) leave_change(group, layer, patch_stress + k, gauss.sigma[k]);
-      for (int k = 0; k < material.n_state(); ++k) leave_change(group, layer, patch_state + k, rows[k]);
-    });
-  }
-
-  static void update_from_patches(
-      const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>&, StressSums&)
-  {
-    for (int c = 0; c < group.n(); ++c) {
-      prefetch_next(group, c);
-      const Real size = std::sqrt(group.mesh.geometry(group.cells[c]).volume);
-      for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
-        const SoilMaterial& material = context.materials[block.material];
-        const PatchView patch = view_patch(group, b, patch_state + material.n_state());
-        for (Index p = 0; p < block.n; p += pack_width) {
-          PointShares shares;
-          set_shares(block, p, context.inverse_extent, size, shares);
-          add_changes(patch, shares, material, block, p);  // Step 4
-        }
-      });
-    }
-  }
-
  private:
-  /// Rows that Gauss points leave for the points around them.
-  static constexpr int patch_strain = 0, patch_stress = n_sym<dim>, patch_state = 2 * n_sym<dim>;
-
-  /// Turns a row that was left before the law into what has changed since.
-  static void leave_change(
-      const CellGroup<Element>& group, const BlockLayer& layer, int row, const PerGauss<Element, Pack>& lanes)
-  {
-    std::array<PerGauss<Element>, pack_width> values;
-    from_lanes(lanes, [&](int c) { return values[c].data(); });
-    for (int c = 0; c < group.n(); ++c) {
-      if (layer.block[c] < 0) continue;
-      Real* left = group.patches->gauss_of(layer.block[c]) + row;
-      for (int g = 0; g < Element::n_gauss; ++g) {
-        Real& value = left[g * group.patches->gauss_width];
-        value = values[c][g] - value;
-      }
-    }
-  }
-
-  static void add_changes(const PatchView& patch, const PointShares& shares, const SoilMaterial& material,
-      const PointBlock<dim>& block, Index p)
-  {
-    const auto values = patch.at_points<2 * n_sym<dim>>(shares, 0);
-    SymTensor<Pack, dim> d_eps;
-    for (int k = 0; k < n_sym<dim>; ++k) d_eps[k] = values[patch_strain + k];
-    const auto add = [&](int row, Pack change) {
-      Real* at = block.row(row) + p;
-      (Pack::load(at) + change).store(at);
-    };
-    for (int k = 0; k < n_sym<dim>; ++k) add(PointRows<dim>::sigma + k, values[patch_stress + k]);
-    for (int k = 0; k < material.n_state(); ++k) add(material.rows[k], patch.at_points<1>(shares, patch_state + k)[0]);
-    scale_volume(block, p, accumulate_strain(block, p, d_eps));
-  }
-
   /// Means over the sub-cells. A parameter that varies comes as such a mean.
   static void divide_rows(
       const GaussValues<Element, Pack>& gauss, const SoilMaterial& material, GaussRow<Element>* rows)
@@ -243,7 +143,7 @@ constexpr PassCost stress_cost{.flops = 9, .rows = (4 + 1) + (4 + 4 + 1 + 1)};
 
 TERP_SCHEME_DEFINITION(mpm_mixed, MpmMixed, .title = "MPM-Mixed",
     .summary = "Gauss points own the history (Martinelli & Galavi 2022)",
-    .unused_options = "point_pressure pressure_relaxation", .keeps_gauss_values = true, .gather_cost = gather_cost,
-    .stress_cost = stress_cost, TERP_OVERLAP_FUNCTIONS(MpmMixed))
+    .unused_options = "shares point_pressure pressure_relaxation", .keeps_gauss_values = true,
+    .gather_cost = gather_cost, .stress_cost = stress_cost)
 
 }  // namespace terp
