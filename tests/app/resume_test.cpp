@@ -57,6 +57,22 @@ TEST(Resume, FromACheckpointThatIsNamedEndsInTheSameResults)
   EXPECT_EQ(text_of(whole + "/mesh.vtkhdf.series"), text_of(again + "/mesh.vtkhdf.series"));
 }
 
+TEST(Resume, WherePointsLeftSinceTheLastRowOfTheLedgerEndsInTheSameResults)
+{
+  const ScratchFolder scratch;
+  const std::string whole = scratch.path() + "/whole", again = scratch.path() + "/again";
+  ASSERT_EQ(run_column(whole,
+                {"-q", "--set", "mesh.size=[8.5, 3]", "--set", "boundary.right=open", "--set", "body.0.velocity=[8, 0]",
+                    "--set", "output.ledger.every=0.15", "--set", "output.checkpoint={every=0.1, keep=0}"})
+                .status,
+      0);
+  std::filesystem::copy(whole, again, std::filesystem::copy_options::recursive);
+  const Finished f = test::terp({"resume", again + "/checkpoint_000000033.h5", "-j", "1"});
+  EXPECT_EQ(f.status, 0) << f.err;
+  expect_same_results(whole, again, last_checkpoint);
+  EXPECT_EQ(text_of(whole + "/left_the_mesh.csv"), text_of(again + "/left_the_mesh.csv"));
+}
+
 TEST(Resume, SkipsADamagedCheckpointAndSaysSo)
 {
   const ScratchFolder scratch;
