@@ -58,10 +58,12 @@ std::int64_t rows_due(const RunTable& table, const ResumePoint& from)
   return from.step == 0 || n_due == from.n_rows.end() ? 0 : n_due->second;
 }
 
-/// Rows up to a checkpoint are those up to its time; where rows are late, those that were reported.
+/// Rows up to a checkpoint are those up to its time; where rows are late, those that were reported. Without one that
+/// was reported, rows before its time are taken for those of another run.
 std::int64_t most_rows(const RunTable& table, const ResumePoint& from)
 {
-  return table.late ? rows_due(table, from) : all_rows;
+  const std::int64_t n_due = rows_due(table, from);
+  return table.late && n_due > 0 ? n_due : all_rows;
 }
 
 void check_table(const std::string& folder, const RunTable& table, const ResumePoint& from)
