@@ -144,14 +144,6 @@ void CaseReader::read_materials(const Node& table)
   }
 }
 
-/// Parameters that were not given and default to another one, which the table lists before.
-void copy_fallbacks(const MaterialType& law, std::vector<Real>& values)
-{
-  for (std::size_t k = 0; k < values.size(); ++k)
-    for (std::size_t from = 0; from < k && std::isnan(values[k]); ++from)
-      if (law.parameters[from].name == law.parameters[k].fallback_of) values[k] = values[from];
-}
-
 void CaseReader::read_material(const Node& table, const std::string& path)
 {
   const Node* model = find_item(table, "model");
@@ -164,10 +156,9 @@ void CaseReader::read_material(const Node& table, const std::string& path)
     std::erase_if(common.items, [](const Node& item) { return item.name != "model" && item.name != "density"; });
     return read_section({common, path, "material.NAME", number});
   }
-  for (const ParameterInfo& parameter : law->parameters)
-    material.parameters.push_back(parameter.fallback.value_or(std::numeric_limits<Real>::quiet_NaN()));
+  material.parameters.assign(law->parameters.size(), std::numeric_limits<Real>::quiet_NaN());
   read_section({table, path, "material.NAME", number, keys_of_law(*law), std::string(law->name)});
-  copy_fallbacks(*law, material.parameters);
+  material.parameters = law->complete(material.parameters);
 }
 
 void CaseReader::read_sides(const Node& table)

@@ -22,9 +22,9 @@ namespace terp {
 /// returns the plastic or viscous work per volume [J/m^3]. P is R or Real: R(parameter) is right for both.
 ///
 /// It may have: derived_value(k, state); check(); softened_strain(), the plastic strain at which 95 % of the softening
-/// is done; viscosity(), of a stress that grows with the rate without bound: it shortens the time step;
-/// `depends_on_rate = true` where the update looks at dt, be it viscosity or a strength that the rate raises;
-/// `not_judged`, a reason why `terp stability` would give a number that is none.
+/// is done, of the slowest if it has several; viscosity(), of a stress that grows with the rate without bound: it
+/// shortens the time step; `depends_on_rate = true` where the update looks at dt, be it viscosity or a strength that
+/// the rate raises; `not_judged`, a reason why `terp stability` would give a number that is none.
 template <template <class> class Law>
 class MaterialOf final : public Material {
   using Uniform = Law<Real>;
@@ -159,7 +159,7 @@ template <class Law>
 constexpr bool may_be_judged_or_says_why()
 {
   const bool has_strength =
-      std::ranges::any_of(Law::parameters, [](const ParameterInfo& p) { return p.reduction != Reduction::none; });
+      std::ranges::any_of(Law::parameters, [](const ParameterInfo& p) { return is_strength(p.reduction); });
   const bool elastic = Law::state.empty() && !law_depends_on_rate<Law>();
   return has_strength || elastic || !reason_not_to_judge<Law>().empty();
 }

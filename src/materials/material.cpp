@@ -2,6 +2,8 @@
 
 #include "parallel/instructions.hpp"
 
+#include <cmath>
+
 #define TERP_KERNEL_SET(set) extern "C" const terp::MaterialList* terp_materials_##set();
 TERP_KERNEL_SETS
 #undef TERP_KERNEL_SET
@@ -25,6 +27,18 @@ const MaterialType* find_material(std::string_view name)
   for (const MaterialType* type : all_materials())
     if (type->name == name) return type;
   return nullptr;
+}
+
+std::vector<Real> MaterialType::complete(std::span<const Real> given) const
+{
+  std::vector<Real> values(given.begin(), given.end());
+  values.resize(parameters.size(), std::numeric_limits<Real>::quiet_NaN());
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (std::isnan(values[k]) && parameters[k].fallback) values[k] = *parameters[k].fallback;
+    for (std::size_t from = 0; from < k && std::isnan(values[k]); ++from)
+      if (parameters[from].name == parameters[k].fallback_of) values[k] = values[from];
+  }
+  return values;
 }
 
 }  // namespace terp

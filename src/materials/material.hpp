@@ -31,8 +31,10 @@ inline constexpr Range not_negative{0.0, std::numeric_limits<Real>::infinity(), 
 constexpr Range between_open(Real low, Real high) { return {low, high, true, true}; }
 constexpr Range between(Real low, Real high) { return {low, high, false, false}; }
 
-/// What `terp stability` does to a parameter at a factor F: nothing, p / F, or atan(tan(p) / F) of an angle in degrees.
-enum class Reduction { none, divide, divide_tangent };
+/// What `terp stability` does to a parameter at a factor F: nothing, p / F, atan(tan(p) / F) of an angle in degrees, or
+/// 0 at any F, of strength that only fast shearing gives: a slope that stands is at rest.
+enum class Reduction { none, divide, divide_tangent, zero };
+constexpr bool is_strength(Reduction r) { return r == Reduction::divide || r == Reduction::divide_tangent; }
 
 /// One number that the case file gives to a law.
 struct ParameterInfo {
@@ -41,9 +43,10 @@ struct ParameterInfo {
   Range range;
   Real typical = std::numeric_limits<Real>::quiet_NaN();  ///< of a soil that has all that the law knows; must be given
   std::string_view meaning;
-  std::optional<Real> fallback = {};      ///< default; none: the key must be given
-  std::string_view fallback_of = {};      ///< name of an earlier parameter whose value is the default
-  Range usual = any_number;               ///< outside: warn of a wrong order of magnitude
+  std::optional<Real> fallback = {};  ///< default; none: the key must be given
+  std::string_view fallback_of = {};  ///< name of an earlier parameter whose value is the default
+  std::string_view acts_with = {};    ///< name of a parameter that must differ from its default, or this does nothing
+  Range usual = any_number;           ///< outside: warn of a wrong order of magnitude
   Reduction reduction = Reduction::none;  ///< of a strength
   /// The same stresses at strains s times smaller, in times sqrt(s) times shorter, take p s^strain_exponent: 1 of a
   /// stiffness and of softening per strain, 1/2 of a viscosity, -1/2 of a strain rate. `terp stability` keeps
@@ -149,6 +152,8 @@ struct MaterialType {
   std::unique_ptr<Material> (*make_varying)(std::span<const Real> values, std::span<const int> varying);
 
   std::unique_ptr<Material> make(std::span<const Real> values) const { return make_varying(values, {}); }
+  /// Values of all parameters: those left out, being no number or beyond the end, at their defaults if they have any.
+  std::vector<Real> complete(std::span<const Real> given) const;
 };
 
 /// Every law in this build, in the order of materials.def, compiled for this processor (material_list.hpp).

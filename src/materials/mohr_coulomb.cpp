@@ -54,6 +54,7 @@ constexpr ParameterInfo with_default(ParameterInfo info, Real value)
 constexpr ParameterInfo residual_of(std::string_view peak, ParameterInfo info)
 {
   info.fallback_of = peak;
+  info.acts_with = "eta";
   return info;
 }
 

@@ -3,12 +3,16 @@
 //   S_u = S_u,r + (S_u,p - S_u,r) exp(-eta e)     Eq. (5), sign by decision 0001
 //   e   = sum sqrt(1/2 de_p : de_p)               Eq. (6), norm by decision 0002
 //
+// Beside the paper: a second fall from S_u,r to the remoulded strength, and a strength that the rate of shearing raises
+// (rate_factor.hpp, decision 0044). Both are off by default.
+//
 // Exact implicit return in sorted 3-D principal space: to the main plane, or to one of the two edges where the middle
 // stress equals the major (triaxial extension) or the minor one (triaxial compression). The pressure never changes.
 
 #include "materials/elastic_constants.hpp"
 #include "materials/law.hpp"
 #include "materials/principal.hpp"
+#include "materials/rate_factor.hpp"
 
 #include <fmt/format.h>
 
@@ -30,14 +34,20 @@ constexpr int edge_steps = 6;
 constexpr Real settled_change = 1e-8;
 constexpr Real settled_strength = 1e-16;
 
+/// The return is shown to be unique for rates up to 10^9 rate_ref: 1000 1/s for a laboratory's 1e-6 1/s.
+constexpr Real most_decades = 9.0;
+
 template <class P>
 struct TrescaSoftening {
   static constexpr std::string_view equations =
       "sigma_1 - sigma_3 <= 2 S_u, principal stresses sorted in three dimensions; the pressure never changes\n"
       "S_u      = su_residual + (su_peak - su_residual) exp(-eta eps_eq_p)   Eq. (5)\n"
       "eps_eq_p = sum sqrt(1/2 de_p : de_p)                                  Eq. (6)\n"
-      "Exact implicit return to the plane or an edge of the yield surface. Needs eta (su_peak - su_residual) <= 1.5 "
-      "G.\n";
+      "Exact implicit return to the plane or an edge of the yield surface. Off by default:\n"
+      "a second fall of S_u, by (su_residual - su_remoulded) (1 - exp(-eta_remoulding eps_eq_p))\n"
+      "a rate: S_u times 1 + rate_mu log10(max(rate, rate_ref)/rate_ref), rate = increment of eps_eq_p / dt\n"
+      "Needs (1 + 9 rate_mu) (eta (su_peak - su_residual) + eta_remoulding (su_residual - su_remoulded)) <= 1.5 G.\n"
+      "docs/softening_laws.md converts published laws.\n";
   static constexpr std::array parameters{
       shear_modulus_info,
       poisson_ratio_info,
@@ -55,6 +65,7 @@ struct TrescaSoftening {
           .typical = 2e3,
           .meaning = "residual undrained shear strength S_u,r",
           .fallback_of = "su_peak",
+          .acts_with = "eta",
           .usual = between(10.0, 1e7),
           .reduction = Reduction::divide,
           .may_vary = true},
@@ -66,22 +77,67 @@ struct TrescaSoftening {
           .fallback = 0.0,
           .strain_exponent = 1.0,
           .may_vary = true},
+      ParameterInfo{.name = "su_remoulded",
+          .unit = "Pa",
+          .range = positive,
+          .typical = 400.0,
+          .meaning = "remoulded undrained shear strength, to which the residual one falls; su_peak / sensitivity",
+          .fallback_of = "su_residual",
+          .acts_with = "eta_remoulding",
+          .usual = between(10.0, 1e7),
+          .reduction = Reduction::divide,
+          .may_vary = true},
+      ParameterInfo{.name = "eta_remoulding",
+          .unit = "-",
+          .range = not_negative,
+          .typical = 2.0,
+          .meaning = "shape factor of the fall to su_remoulded; 95 % of it is done at a strain of 3/eta_remoulding",
+          .fallback = 0.0,
+          .acts_with = "su_remoulded",
+          .strain_exponent = 1.0,
+          .may_vary = true},
+      ParameterInfo{.name = "rate_mu",
+          .unit = "-",
+          .range = between(0.0, 1.0),
+          .typical = 0.1,
+          .meaning = "gain of strength per tenfold rate of shearing; clay: 0.05 to 0.2",
+          .fallback = 0.0,
+          .usual = between(0.01, 0.5),
+          .reduction = Reduction::zero},
+      ParameterInfo{.name = "rate_ref",
+          .unit = "1/s",
+          .range = positive,
+          .typical = 1e-6,
+          .meaning = "rate of eps_eq_p, half the engineering shear strain rate, up to which the strength is S_0",
+          .fallback = std::numeric_limits<Real>::infinity(),
+          .acts_with = "rate_mu",
+          .usual = between(1e-9, 1.0),
+          .strain_exponent = -0.5},
   };
   static constexpr std::array state{
       StateInfo{
           "eps_eq_p", "-", Averaging::cell, "accumulated equivalent plastic strain, Eq. (6)", Role::plastic_strain},
   };
   static constexpr std::array derived{
-      DerivedInfo{"su", "Pa", "current undrained shear strength, Eq. (5)", Role::strength},
+      DerivedInfo{"su", "Pa", "current undrained shear strength, Eq. (5), at slow rates", Role::strength},
   };
+  static constexpr bool depends_on_rate = true;
 
   explicit TrescaSoftening(std::span<const P> v)
-      : shear(v[0]), bulk(bulk_from_poisson(v[0], v[1])), su_peak(v[2]), su_residual(v[3]), eta(v[4])
+      : shear(v[0]),
+        bulk(bulk_from_poisson(v[0], v[1])),
+        su_peak(v[2]),
+        su_residual(v[3]),
+        eta(v[4]),
+        su_remoulded(v[5]),
+        eta_remoulding(v[6]),
+        rate{v[7], v[8]},
+        steepest(select(su_residual > su_remoulded, max(eta, eta_remoulding), eta))
   {
   }
 
   template <class R, int Dim>
-  R update(SymTensor<R, Dim>& sigma, std::array<R, 1>& state, const SymTensor<R, Dim>& d_eps, Real) const
+  R update(SymTensor<R, Dim>& sigma, std::array<R, 1>& state, const SymTensor<R, Dim>& d_eps, Real dt) const
   {
     add_elastic_stress(sigma, d_eps, bulk, shear);
     auto principal = principal_values(sigma);
@@ -91,7 +147,7 @@ struct TrescaSoftening {
     if (!any_of(yields)) return R(0.0);
 
     R d_e(0.0);  // the step's part of Eq. (6)
-    const Sorted<R> returned = return_to_yield_surface(trial, state[0], strength, d_e);
+    const Sorted<R> returned = return_to_yield_surface(trial, state[0], strength, dt, d_e);
     assign_by_rank(returned, principal);
     const SymTensor<R, Dim> on_surface = from_principal_values(principal);
     for (int k = 0; k < n_sym<Dim>; ++k) sigma[k] = select(yields, on_surface[k], sigma[k]);
@@ -99,25 +155,30 @@ struct TrescaSoftening {
     return select(yields, plastic_work(trial, returned), R(0.0));
   }
 
-  /// S_u of Eq. (5) and the part of it that softening may still take [Pa].
+  /// Strength at slow rates and how steeply it falls with eps_eq_p [Pa].
   template <class R>
   struct Strength {
     R su;
-    R left;  ///< S_u - S_u,r
+    R fall;  ///< -dS_u/de
   };
 
   template <class R>
   Strength<R> strength_at(R eps_eq_p) const
   {
     const R left = R(su_peak - su_residual) * exponential(R(-eta) * eps_eq_p);
-    return {R(su_residual) + left, left};
+    const R fall = R(eta) * left;
+    if (!any_of(su_residual > su_remoulded)) return {R(su_residual) + left, fall};
+    const R second = R(su_residual - su_remoulded) * exponential(R(-eta_remoulding) * eps_eq_p);
+    return {R(su_remoulded) + second + left, fall + R(eta_remoulding) * second};
   }
 
-  /// strength: in at eps_eq_p. d_e: in 0, out the multiplier.
+  /// strength: in at eps_eq_p. dt: length of the step [s]. d_e: in 0, out the step's part of Eq. (6).
   template <class R>
-  Sorted<R> return_to_yield_surface(const Sorted<R>& trial, R eps_eq_p, const Strength<R>& strength, R& d_e) const
+  Sorted<R> return_to_yield_surface(
+      const Sorted<R>& trial, R eps_eq_p, const Strength<R>& strength, Real dt, R& d_e) const
   {
     solve_plane(trial, eps_eq_p, strength, d_e);
+    if (rate.acts()) rate.solve([&](R d, R factor) { return excess_of_plane(trial, eps_eq_p, d, factor); }, dt, d_e);
     const R shift = R(2.0 * shear) * d_e;
     Sorted<R> result{trial.major - shift, trial.middle, trial.minor + shift};
     const auto past_major = result.major < trial.middle;
@@ -130,7 +191,7 @@ struct TrescaSoftening {
     const Sorted<R> edge{
         select(past_major, upper, -lower), select(past_major, upper, -upper), select(past_major, lower, -upper)};
     R edge_d_e = d_e;
-    const Sorted<R> at_edge = return_to_edge(trial, edge, eps_eq_p, edge_d_e);
+    const Sorted<R> at_edge = return_to_edge(trial, edge, eps_eq_p, dt, edge_d_e);
     d_e = select(on_edge, edge_d_e, d_e);
     return {select(on_edge, at_edge.major, result.major), select(on_edge, at_edge.middle, result.middle),
         select(on_edge, at_edge.minor, result.minor)};
@@ -141,10 +202,9 @@ struct TrescaSoftening {
   template <class R>
   auto unsettled(R step, const Strength<R>& strength) const
   {
-    const R change = abs(step) * R(eta);
-    const auto long_way_back = R(-eta) * step > R(1.0);
-    return (change > R(settled_change)) &
-           (long_way_back | (change * strength.left > R(settled_strength) * strength.su));
+    const auto long_way_back = R(-steepest) * step > R(1.0);
+    return (abs(step) * R(steepest) > R(settled_change)) &
+           (long_way_back | (abs(step) * strength.fall > R(settled_strength) * strength.su));
   }
 
   /// Solves s1 - s3 - 4 G d = 2 S_u(eps_eq_p + d) for d >= 0. From d = 0 the first step overshoots, the rest fall.
@@ -156,7 +216,7 @@ struct TrescaSoftening {
     auto open = d <= R(0.0);
     for (int step = 0; step < plane_steps; ++step) {
       const R excess = radius - R(2.0 * shear) * d - strength.su;
-      const R next = max(R(0.0), d + excess / (R(2.0 * shear) - R(eta) * strength.left));
+      const R next = max(R(0.0), d + excess / (R(2.0 * shear) - strength.fall));
       const auto moves = open & unsettled(next - d, strength);
       d = select(open, next, d);
       if (!any_of(moves)) return;
@@ -165,28 +225,61 @@ struct TrescaSoftening {
     }
   }
 
-  /// Solves 2 G d = |t - S_u(eps_eq_p + d) e|, |a| = sqrt(1/2 a:a), with t the trial deviator and e the edge.
   template <class R>
-  Sorted<R> return_to_edge(const Sorted<R>& trial, const Sorted<R>& edge, R eps_eq_p, R& d) const
+  Excess<R> excess_of_plane(const Sorted<R>& trial, R eps_eq_p, R d, R factor) const
+  {
+    const Strength<R> at = strength_at(eps_eq_p + d);
+    return {(trial.major - trial.minor) * R(0.5) - factor * at.su - R(2.0 * shear) * d,
+        factor * at.fall - R(2.0 * shear), -at.su};
+  }
+
+  /// |t - S e|, |a| = sqrt(1/2 a:a), with t the trial deviator and e the edge, and how it falls with S.
+  template <class R>
+  struct EdgeDistance {
+    R distance, slope;
+  };
+
+  template <class R>
+  EdgeDistance<R> distance_to_edge(const Sorted<R>& trial, const Sorted<R>& edge, R p, R su) const
+  {
+    const R a = trial.major - p - su * edge.major, b = trial.middle - p - su * edge.middle;
+    const R c = trial.minor - p - su * edge.minor;
+    const R distance = max(sqrt((a * a + b * b + c * c) * R(0.5)), R(tiny * shear));
+    return {distance, (a * edge.major + b * edge.middle + c * edge.minor) * R(0.5) / distance};
+  }
+
+  /// Negative where the strength exceeds the trial stress.
+  template <class R>
+  Excess<R> excess_of_edge(const Sorted<R>& trial, const Sorted<R>& edge, R p, R eps_eq_p, R d, R factor) const
+  {
+    const Strength<R> at = strength_at(eps_eq_p + d);
+    const EdgeDistance<R> to = distance_to_edge(trial, edge, p, factor * at.su);
+    const R slope = abs(to.slope), distance = select(to.slope > R(0.0), to.distance, -to.distance);
+    return {distance - R(2.0 * shear) * d, slope * factor * at.fall - R(2.0 * shear), -slope * at.su};
+  }
+
+  /// Solves 2 G d = |t - S_u(eps_eq_p + d) e|. d: in that of the plane, out the answer.
+  template <class R>
+  Sorted<R> return_to_edge(const Sorted<R>& trial, const Sorted<R>& edge, R eps_eq_p, Real dt, R& d) const
   {
     const R p = (trial.major + trial.middle + trial.minor) * R(1.0 / 3.0);
     auto open = d >= R(0.0);
     R su(0.0);
     for (int step = 0; step < edge_steps; ++step) {
       const Strength<R> strength = strength_at(eps_eq_p + d);
-      const R a = trial.major - p - strength.su * edge.major, b = trial.middle - p - strength.su * edge.middle;
-      const R c = trial.minor - p - strength.su * edge.minor;
-      const R distance = max(sqrt((a * a + b * b + c * c) * R(0.5)), R(tiny * shear));
-      const R slope = (a * edge.major + b * edge.middle + c * edge.minor) * R(0.5) / distance;  // -d(distance)/d(S_u)
-      const R next =
-          max(R(0.0), d - (R(2.0 * shear) * d - distance) / (R(2.0 * shear) - slope * (R(eta) * strength.left)));
-      const R at_next =
-          strength.su - (next - d) * (R(eta) * strength.left);  // to second order in a step that has settled
+      const EdgeDistance<R> to = distance_to_edge(trial, edge, p, strength.su);
+      const R next = max(R(0.0), d - (R(2.0 * shear) * d - to.distance) / (R(2.0 * shear) - to.slope * strength.fall));
+      const R at_next = strength.su - (next - d) * strength.fall;  // to second order in a step that has settled
       const auto moves = open & unsettled(next - d, strength);
       su = select(open, at_next, su);
       d = select(open, next, d);
       if (!any_of(moves)) break;
       open = moves;
+    }
+    if (rate.acts()) {
+      const auto excess = [&](R at, R factor) { return excess_of_edge(trial, edge, p, eps_eq_p, at, factor); };
+      const R factor = rate.solve(excess, dt, d);
+      su = factor * strength_at(eps_eq_p + d).su;
     }
     return {p + su * edge.major, p + su * edge.middle, p + su * edge.minor};
   }
@@ -203,26 +296,17 @@ struct TrescaSoftening {
   P bulk_modulus() const { return bulk; }
   P shear_modulus() const { return shear; }
   Real derived_value(int, const std::array<Real, 1>& state) const { return strength_at(state[0]).su; }
+  /// Of the slower fall.
   Real softened_strain() const
   {
-    return eta > 0.0 && su_peak > su_residual ? 3.0 / eta : std::numeric_limits<Real>::infinity();  // exp(-3) = 5 %
+    constexpr Real none = std::numeric_limits<Real>::infinity();
+    const Real first = eta > 0.0 && su_peak > su_residual ? eta : none;
+    const Real second = eta_remoulding > 0.0 && su_residual > su_remoulded ? eta_remoulding : none;
+    const Real slower = std::min(first, second);
+    return slower < none ? 3.0 / slower : none;  // exp(-3) = 5 %
   }
 
-  std::vector<ParameterProblem> check() const
-  {
-    std::vector<ParameterProblem> problems;
-    if (su_residual > su_peak)
-      problems.push_back({"su_residual", "the residual strength exceeds the peak strength",
-          fmt::format("su_residual = {} Pa, at most su_peak = {} Pa.", su_residual, su_peak)});
-    const Real steepness = eta * (su_peak - su_residual), limit = 1.5 * shear;
-    if (steepness > limit)
-      problems.push_back({"eta", "softening is too steep",
-          fmt::format(
-              "eta (su_peak - su_residual) = {:.3g} Pa, at most 1.5 G = {:.3g} Pa\n"
-              "(beyond sqrt(3) G the return mapping has no unique answer). Use eta <= {:.3g}, or a stiffer soil.",
-              steepness, limit, limit / (su_peak - su_residual))});
-    return problems;
-  }
+  std::vector<ParameterProblem> check() const;
 
   static constexpr Real tiny = 1e-30;  // keeps 0/0 from lanes that are not on an edge
   P shear;                             // G [Pa]
@@ -230,7 +314,46 @@ struct TrescaSoftening {
   P su_peak;                           // S_u,p [Pa]
   P su_residual;                       // S_u,r [Pa]
   P eta;                               // shape factor [-]
+  P su_remoulded;                      // [Pa]
+  P eta_remoulding;                    // [-]
+  RateFactor<P> rate;
+  P steepest;  // the larger of the shape factors that act [-]
 };
+
+template <class P>
+std::vector<ParameterProblem> TrescaSoftening<P>::check() const
+{
+  std::vector<ParameterProblem> problems;
+  if (su_residual > su_peak)
+    problems.push_back({"su_residual", "the residual strength exceeds the peak strength",
+        fmt::format("su_residual = {} Pa, at most su_peak = {} Pa.", su_residual, su_peak)});
+  if (su_remoulded > su_residual)
+    problems.push_back({"su_remoulded", "the remoulded strength exceeds the residual strength",
+        fmt::format("su_remoulded = {} Pa, at most su_residual = {} Pa.", su_remoulded, su_residual)});
+  if (rate.acts() && std::isinf(rate.rate_ref))
+    problems.push_back({"rate_mu", "`rate_mu` needs `rate_ref`",
+        fmt::format("rate_mu = {} is the gain of strength per tenfold rate; it needs the rate above which it counts.\n"
+                    "Give rate_ref, half the engineering shear strain rate of the test that gave su_peak.\n"
+                    "A triaxial test at 1 %/h: 2.4e-6 1/s (docs/softening_laws.md).",
+            rate.per_tenfold)});
+  const Real first = eta * (su_peak - su_residual), second = eta_remoulding * (su_residual - su_remoulded);
+  const Real factor = 1.0 + most_decades * rate.per_tenfold, steepness = factor * (first + second), limit = 1.5 * shear;
+  if (steepness > limit) {
+    const bool by_first = first >= second;
+    const std::string words = fmt::format("{}eta (su_peak - su_residual){}{}", rate.acts() ? "(1 + 9 rate_mu) (" : "",
+        second > 0.0 ? " + eta_remoulding (su_residual - su_remoulded)" : "", rate.acts() ? ")" : "");
+    const Real rest = limit / factor - (by_first ? second : first);
+    const std::string advice =
+        rest > 0.0 ? fmt::format("Use {} <= {:.3g}, or a stiffer soil.", by_first ? "eta" : "eta_remoulding",
+                         rest / (by_first ? su_peak - su_residual : su_residual - su_remoulded))
+                   : std::string("Use smaller shape factors, or a stiffer soil.");
+    problems.push_back({by_first ? "eta" : "eta_remoulding", "softening is too steep",
+        fmt::format("{} = {:.3g} Pa, at most 1.5 G = {:.3g} Pa\n"
+                    "(beyond sqrt(3) G the return mapping has no unique answer). {}",
+            words, steepness, limit, advice)});
+  }
+  return problems;
+}
 
 }  // namespace
 

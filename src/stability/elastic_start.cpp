@@ -18,7 +18,7 @@ namespace {
 
 bool has_strength(const MaterialType& law)
 {
-  return std::ranges::any_of(law.parameters, [](const ParameterInfo& p) { return p.reduction != Reduction::none; });
+  return std::ranges::any_of(law.parameters, [](const ParameterInfo& p) { return is_strength(p.reduction); });
 }
 
 std::vector<Real> elastic_parameters(Moduli m)

@@ -19,8 +19,18 @@ Real reduced(Reduction reduction, Real value, Real factor)
     case Reduction::none: return value;
     case Reduction::divide: return value / factor;
     case Reduction::divide_tangent: return std::atan(std::tan(value * degree) / factor) / degree;
+    case Reduction::zero: return 0.0;
   }
   return value;
+}
+
+/// A parameter that was left out and has the value of another strength: a residual strength of soil that does not
+/// soften.
+bool is_another(const MaterialType& law, const MaterialCase& material, std::size_t k)
+{
+  const auto other = std::ranges::find(law.parameters, law.parameters[k].fallback_of, &ParameterInfo::name);
+  return other != law.parameters.end() &&
+         material.parameters[k] == material.parameters[static_cast<std::size_t>(other - law.parameters.begin())];
 }
 
 bool is_used(const Case& c, const MaterialCase& material)
@@ -41,7 +51,8 @@ std::vector<Strength> strengths_of(const Case& c)
       const ParameterInfo& p = law->parameters[k];
       const bool varies =
           std::ranges::any_of(material.fields, [k](const ParameterField& field) { return field.parameter == k; });
-      if (p.reduction != Reduction::none && (varies || std::isfinite(material.parameters[k])))
+      if (is_strength(p.reduction) &&
+          (varies || (std::isfinite(material.parameters[k]) && !is_another(*law, material, k))))
         strengths.push_back({fmt::format("material.{}.{}", material.name, p.name), std::string(p.unit),
             varies ? std::numeric_limits<Real>::quiet_NaN() : material.parameters[k]});
     }

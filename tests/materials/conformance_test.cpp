@@ -19,13 +19,9 @@ std::vector<Real> typical_parameters(const MaterialType& type)
 std::vector<Real> default_parameters(const MaterialType& type)
 {
   std::vector<Real> values;
-  for (const ParameterInfo& info : type.parameters) {
-    Real value = info.fallback.value_or(info.typical);
-    for (std::size_t k = 0; k < values.size(); ++k)
-      if (type.parameters[k].name == info.fallback_of) value = values[k];
-    values.push_back(value);
-  }
-  return values;
+  for (const ParameterInfo& info : type.parameters)
+    values.push_back(info.fallback || !info.fallback_of.empty() ? std::nan("") : info.typical);
+  return type.complete(values);
 }
 
 /// Numbers of the parameters that may vary from point to point.
@@ -105,6 +101,20 @@ TEST_P(EveryMaterial, DescribesItselfInFull)
     EXPECT_TRUE(!info.name.empty() && !info.unit.empty() && !info.meaning.empty()) << info.name;
 }
 
+TEST_P(EveryMaterial, NamesNoParametersButItsOwn)
+{
+  const auto has = [&](std::string_view name) {
+    return std::ranges::count(type().parameters, name, &ParameterInfo::name) == 1;
+  };
+  for (const auto& info : type().parameters) {
+    EXPECT_TRUE(has(info.name) && (info.fallback_of.empty() || has(info.fallback_of))) << info.name;
+    EXPECT_TRUE(info.acts_with.empty() || has(info.acts_with)) << info.name;
+    if (!info.acts_with.empty()) {
+      EXPECT_TRUE(info.fallback || !info.fallback_of.empty()) << info.name << ": it always acts";
+    }
+  }
+}
+
 TEST_P(EveryMaterial, HasOneQuantityOfEachRoleAtMostInItsUnit)
 {
   int strains = 0, strengths = 0;
@@ -124,7 +134,11 @@ TEST_P(EveryMaterial, KeepsItsStateWhenNothingDeforms)
 {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     Probe point = walked(seed == 0 ? 0 : 20, seed);
-    if (type().depends_on_rate) point.strain(Stress{});  // ends the flow
+    if (type().depends_on_rate) {  // ends the flow: stress that the rate has raised takes its time to relax
+      point.dt = 1e9;
+      point.strain(Stress{});
+      point.dt = 1e-3;
+    }
     const auto before = bits_of(point);
     point.strain(Stress{});
     ASSERT_EQ(bits_of(point), before) << "seed " << seed;
@@ -246,7 +260,7 @@ TEST_P(EveryMaterial, StaysFiniteAndInsideItsYieldSurfaceOnRandomWalks)
       for (const Real value : point.state) ASSERT_TRUE(std::isfinite(value));
       ASSERT_GE(point.plastic_work, 0.0);
       const int strength = find_role(type().derived, Role::strength);
-      if (strength < 0 || type().depends_on_rate) continue;
+      if (strength < 0 || (type().depends_on_rate && GetParam().everything_on)) continue;
       const Real su = point.derived(strength);
       const auto principal = sorted_principal(point.sigma);
       const Real size_of_stress = std::max(std::abs(principal[0]), std::abs(principal[2]));

@@ -19,10 +19,11 @@ using Stress = SymTensor<Real, 2>;
 class Probe {
  public:
   Probe(const MaterialType& type, const std::vector<Real>& parameters) : Probe(type, parameters, {}, {}) {}
-  /// varying: numbers of the parameters that the point brings along; own: their values.
+  /// Parameters that are left out have their defaults. varying: numbers of the parameters that the point brings along;
+  /// own: their values.
   Probe(const MaterialType& type, const std::vector<Real>& parameters, const std::vector<int>& varying,
       std::vector<Real> own)
-      : own_parameters(std::move(own)), type_(&type), law_(type.make_varying(parameters, varying))
+      : own_parameters(std::move(own)), type_(&type), law_(type.make_varying(type.complete(parameters), varying))
   {
     for (const StateInfo& info : type.state) state.push_back(info.initial);
   }

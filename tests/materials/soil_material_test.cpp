@@ -9,7 +9,7 @@ const std::vector<Real> clay_values{2e6, 0.4, 8e3, 2e3, 50.0};
 SoilMaterial clay(const std::vector<int>& varying = {})
 {
   const MaterialType* type = find_material("tresca_softening");
-  return {"clay", type, type->make_varying(clay_values, varying), 1990.0, {}};
+  return {"clay", type, type->make_varying(type->complete(clay_values), varying), 1990.0, {}};
 }
 
 /// One point with the given numbers beyond the fixed rows.

@@ -39,7 +39,7 @@ void gather(Row& row, const SchemeContext& context, Index first = 0, Index n = 1
 std::vector<SoilMaterial> two_names_of_one_soil()
 {
   const MaterialType* type = find_material("tresca_softening");
-  const std::vector<Real> values{2.0e6, 0.4, 8.0e3, 2.0e3, 50.0};
+  const std::vector<Real> values = type->complete(std::vector<Real>{2.0e6, 0.4, 8.0e3, 2.0e3, 50.0});
   std::vector<SoilMaterial> materials;
   for (const char* name : {"upper", "lower"}) materials.push_back({name, type, type->make(values), 1990.0, {}});
   return materials;

@@ -38,7 +38,7 @@ TEST(FactorOfSafety, OfAVerticalCutTendsToTheLimitLoad)
   const Real fall = coarse.factor() - fine.factor();
   EXPECT_LT(fine.factor() - fall / (std::sqrt(2.0) - 1.0), exact);
   EXPECT_GT(fine.factor() - fall / 3.0, exact);
-  EXPECT_EQ(coarse.strengths.size(), 2u);
+  EXPECT_EQ(coarse.strengths.size(), 1u) << "the residual strength is the peak strength";
   EXPECT_GT(told, 10);
 }
 

@@ -24,7 +24,7 @@ Real parameter(const MaterialCase& material, std::string_view name)
   return std::nan("");
 }
 
-TEST(Reduce, ClayHasPeakAndResidualStrengthAndItsBaseAdhesion)
+TEST(Reduce, ClayHasPeakAndResidualStrengthAndItsBaseAdhesion)  // what it does not have is not named
 {
   const Case c = column("mpm_gp");
   EXPECT_THAT(keys(c), ElementsAre("material.clay.su_peak", "material.clay.su_residual", "boundary.bottom.adhesion"));
@@ -79,6 +79,19 @@ TEST(Reduce, DividesTheTangentsOfAngles)
   EXPECT_NEAR(std::tan(parameter(reduced, "dilatancy_angle") * degree), std::tan(5.0 * degree) / 1.25, 1e-14);
   EXPECT_DOUBLE_EQ(parameter(reduced, "cohesion"), 2400.0);
   EXPECT_TRUE(std::isinf(parameter(reduced, "tension_cutoff")));  // none stays none
+}
+
+TEST(Reduce, LeavesNothingOfWhatOnlyFastShearingGives)
+{
+  Case c = column("mpm_gp");
+  c.materials[0].parameters =
+      find_material("tresca_softening")->complete(std::vector<Real>{2e6, 0.4, 8e3, 2e3, 50.0, 400.0, 2.0, 0.1, 1e-6});
+  EXPECT_THAT(keys(c), Contains("material.clay.su_remoulded"));
+  EXPECT_THAT(keys(c), Not(Contains("material.clay.rate_mu")));
+  const MaterialCase reduced = reduce_strength(c, 1.25).materials[0];
+  EXPECT_DOUBLE_EQ(parameter(reduced, "su_remoulded"), 320.0);
+  EXPECT_EQ(parameter(reduced, "rate_mu"), 0.0);
+  EXPECT_EQ(parameter(reduced, "rate_ref"), 1e-6);
 }
 
 TEST(Reduce, SaysWhatALawCannotTake)

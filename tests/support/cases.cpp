@@ -1,10 +1,13 @@
 #include "support/cases.hpp"
 
+#include "materials/material.hpp"
+
 namespace terp::test {
 
 MaterialCase clay(const Clay& p)
 {
-  return {"clay", "tresca_softening", 1990.0, {p.shear_modulus, p.poisson_ratio, p.su_peak, p.su_residual, p.eta}};
+  const std::vector<Real> given{p.shear_modulus, p.poisson_ratio, p.su_peak, p.su_residual, p.eta};
+  return {"clay", "tresca_softening", 1990.0, find_material("tresca_softening")->complete(given)};
 }
 
 MaterialCase elastic(Real shear_modulus, Real poisson_ratio, Real density)
