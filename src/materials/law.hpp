@@ -5,6 +5,7 @@
 // made once. Law<Pack> has those of eight points, and is made for each pack from their rows. One text serves both.
 #pragma once
 
+#include "base/errors.hpp"
 #include "base/tensor.hpp"
 #include "materials/material.hpp"
 #include "parallel/pack.hpp"
@@ -34,6 +35,7 @@ class MaterialOf final : public Material {
   MaterialOf(std::span<const Real> values, std::span<const int> varying)
       : law_(values), varying_(varying.begin(), varying.end())
   {
+    TERP_ASSERT(values.size() == n_parameters);
     std::ranges::copy(values, values_.begin());
   }
 

@@ -98,8 +98,9 @@ SoilMaterial make_material(const Json& j)
 {
   const MaterialType* type = find_material(j.at("law").get<std::string>());
   std::vector<Real> values;
-  for (const ParameterInfo& p : type->parameters) values.push_back(j.at(std::string(p.name)).get<Real>());
-  return {"soil", type, type->make(values), j.at("density").get<Real>(), {}};
+  for (const ParameterInfo& p : type->parameters)
+    values.push_back(j.value(std::string(p.name), std::numeric_limits<Real>::quiet_NaN()));  // what it does not have
+  return {"soil", type, type->make(type->complete(values)), j.at("density").get<Real>(), {}};
 }
 
 Model make_model(const Json& j)
