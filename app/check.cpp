@@ -1,6 +1,7 @@
 // terp check: what would run, and how long it would take, without running it.
 
 #include "commands.hpp"
+#include "cost.hpp"
 #include "input/case_file.hpp"
 #include "input/printable.hpp"
 #include "mesh/mesh_quality.hpp"
@@ -12,34 +13,11 @@
 #include "simulation/side_shape.hpp"
 #include "simulation/simulation.hpp"
 
-#include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
 
 namespace terp {
 namespace {
-
-constexpr double trial_seconds = 1.0;  // of steps actually made
-constexpr std::int64_t fewest_trial_steps = 20;
-constexpr double failing = 1.2;  // steps of a run over those of its trial: soil that fails returns to the yield surface
-
-double time_a_step(Simulation& s)
-{
-  using Clock = std::chrono::steady_clock;
-  const auto make = [&](const StepPolicy& policy) {
-    if (const StepsMade made = make_steps(s.model, s.state, s.work, policy); made.end == LoopEnd::fault)
-      throw RunError(made.fault);
-  };
-  make({.most_steps = 5});  // warm caches, wake threads
-  const auto start = Clock::now();
-  double seconds = 0.0;
-  std::int64_t n = 0;
-  make({.most_steps = s.model.n_steps, .after_step = [&] {
-          seconds = std::chrono::duration<double>(Clock::now() - start).count();
-          return ++n < fewest_trial_steps || seconds < trial_seconds;
-        }});
-  return seconds / static_cast<double>(n);
-}
 
 Real total_mass(const State& state)
 {
@@ -126,9 +104,8 @@ void print_check(const CaseFile& file, Simulation& simulation)
   print_output(cost);
   const double step_s = time_a_step(simulation);
   fmt::print("  expected time  {} on {}, {} of it for output ({:.1f} M point-steps/s in a trial)\n",
-      readable_duration(failing * step_s * static_cast<double>(model.n_steps) + cost.seconds),
-      count(model.threads, "thread"), readable_duration(cost.seconds),
-      static_cast<double>(state.points.n_points()) / step_s / 1e6);
+      readable_duration(seconds_of_steps(model, step_s) + cost.seconds), count(model.threads, "thread"),
+      readable_duration(cost.seconds), static_cast<double>(state.points.n_points()) / step_s / 1e6);
   fmt::print("nothing was run\n");
 }
 

@@ -184,6 +184,40 @@ void declare_stability(CLI::App& app, CommandLine& line)
   add_loudness(stability, line.options);
 }
 
+void declare_converge(CLI::App& app, ConvergeOptions& options)
+{
+  CLI::App* converge = add_command(app, "converge", "Solve",
+      "on several cell sizes: does the mesh matter?\nSolves the case on each size and says of each quantity how it "
+      "follows the\nsize, with its observed order and an estimate of the error\n(docs/convergence.md). Writes "
+      "convergence.html and convergence.json. Runs that\nare there already are kept, and one that was interrupted goes "
+      "on.",
+      "  terp converge cases/column_collapse/model_1.toml --cells 0.4,0.2,0.1\n"
+      "  terp converge cases/dike/dike.toml --cells 2,1,0.5 --estimate\n");
+  add_case(converge, options.run);
+  converge->add_option("--cells", options.cells, "sizes of the cells [m]; three or more, each about half\nof the next")
+      ->option_text("A,B,C")
+      ->required()
+      ->delimiter(',')
+      ->check(number_between(1e-6, 1e6));
+  converge
+      ->add_option("--variant", options.variants,
+          "solve all sizes once more with this change; `;`\nbetween several; may be given several times")
+      ->option_text("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  converge->add_option("--tolerance", options.tolerance, "share from which on a change counts (default 0.02)")
+      ->option_text("T")
+      ->check(number_between(1e-6, 1.0));
+  converge->add_flag("--estimate", options.estimate, "say what it would cost, and end");
+  add_output(converge, options.run.output, "folder of the runs (default: runs/NAME_convergence)");
+  converge->add_flag("--force", options.run.force, "solve all sizes anew");
+  converge->add_flag("--report", options.run.report, "write the report page of all runs as well");
+  converge->add_flag("--json", options.run.json, "print convergence.json");
+  add_set(converge, options.run);
+  add_threads(converge, options.run.threads);
+  converge->add_flag("-q,--quiet", options.run.quiet, "no progress, no table; warnings stay");
+}
+
 void declare_watch(CLI::App& app, WatchCommand& options)
 {
   CLI::App* watch = add_command(app, "watch", "Solve", "how far a run is that another terp solves\nEnds with that run.",
@@ -316,6 +350,7 @@ void declare(CLI::App& app, CommandLine& line)
              exit_statuses);
   declare_solvers(app, line);
   declare_stability(app, line);
+  declare_converge(app, line.converge);
   declare_watch(app, line.watch);
   declare_viewers(app, line);
   declare_guides(app, line);

@@ -14,6 +14,7 @@ struct CommandLine {
   RunOptions options;
   StabilityOptions stability;
   VerifyOptions verify;
+  ConvergeOptions converge;
   std::string topic;
   ReportCommand report;
   ExportCommand exported;

@@ -11,6 +11,13 @@ namespace terp {
 /// Exit statuses, as the help promises.
 enum Status { solved = 0, failed = 1, bad_input = 2, stopped_itself = 3 };
 
+/// A run that is one of several, as of `terp converge`: it shows its progress with the others, and no summary.
+struct PartOfSet {
+  std::string label;             ///< "[2/3] cells of 0.5 m  "
+  double later_s = 0.0;          ///< expected time of the runs after it [s]
+  std::string* fault = nullptr;  ///< is given why the run stopped itself
+};
+
 struct RunOptions {
   std::string path;                  ///< case file, or run folder or checkpoint for resume
   std::string output;                ///< run folder; empty: runs/<case>
@@ -21,6 +28,15 @@ struct RunOptions {
   bool json = false;                  ///< of bench
   bool report = false;                ///< write the page of the run at its end
   std::string picture;                ///< of check: SVG file of the section; empty: none
+  const PartOfSet* part = nullptr;    ///< of run and resume
+};
+
+struct ConvergeOptions {
+  RunOptions run;                     ///< the case; folder of the study; changes of all runs
+  std::vector<double> cells;          ///< sizes [m]
+  std::vector<std::string> variants;  ///< KEY=VALUE; several in one, with `;` between
+  double tolerance = 0.02;
+  bool estimate = false;  ///< say what it would cost, and end
 };
 
 struct VerifyOptions {
@@ -57,6 +73,7 @@ void warn_of_missing_threads(const RunOptions& options, int granted);
 int run_case(const RunOptions& options);
 int find_stability(const RunOptions& run, StabilityOptions options);
 int resume_run(const RunOptions& options);
+int converge_case(const ConvergeOptions& options);
 int check_case(const RunOptions& options);
 int bench_case(const RunOptions& options);
 int verify_cases(const VerifyOptions& options);

@@ -22,20 +22,30 @@ void show(std::FILE* to, const std::string& text)
   std::fflush(to);
 }
 
-ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDOUT_FILENO) == 1) {}
+ProgressLine::ProgressLine(bool quiet, std::string label, double later_s)
+    : quiet_(quiet),
+      terminal_(isatty(STDOUT_FILENO) == 1),
+      label_(std::move(label)),
+      later_s_(later_s),
+      next_tenth_(label_.empty() ? 1 : 5)
+{
+}
 
 void ProgressLine::progress(const Progress& p)
 {
   if (quiet_ || p.n_steps == 0) return;
   const double part = static_cast<double>(p.step) / static_cast<double>(p.n_steps);
-  const std::string line = fmt::format("{:5.1f} %  t = {:.3f} of {:g} s  step {} of {}  {:.1f} M point-steps/s  ETA {}",
-      100.0 * part, p.time, p.end_time, p.step, p.n_steps, p.point_steps_per_s / 1e6, readable_duration(p.eta_s));
+  std::string line =
+      label_ + fmt::format("{:5.1f} %  t = {:.3f} of {:g} s  step {} of {}  {:.1f} M point-steps/s  ETA {}",
+                   100.0 * part, p.time, p.end_time, p.step, p.n_steps, p.point_steps_per_s / 1e6,
+                   readable_duration(p.eta_s));
+  if (later_s_ > 0.0) line += fmt::format(", all {}", readable_duration(p.eta_s + later_s_));
   if (terminal_) {
     show(stdout, "\r\033[K" + line);
     open_ = true;
   } else if (10.0 * part >= next_tenth_) {
     show(stdout, line + '\n');
-    next_tenth_ = static_cast<int>(10.0 * part) + 1;
+    next_tenth_ = static_cast<int>(10.0 * part) + (label_.empty() ? 1 : 5);
   }
 }
 

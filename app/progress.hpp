@@ -17,16 +17,19 @@ void show(std::FILE* to, const std::string& text);
 
 class ProgressLine : public Observer {
  public:
-  /// quiet: says nothing at all.
-  explicit ProgressLine(bool quiet);
+  /// quiet: says nothing at all. label: what stands before each line; later_s: what comes after this run, with which
+  /// the line says when all is done [s].
+  explicit ProgressLine(bool quiet, std::string label = {}, double later_s = 0.0);
   void progress(const Progress& now) override;
   /// Ends the line, so that the next text starts on its own.
   void finish();
 
  private:
   bool quiet_, terminal_;
+  std::string label_;
+  double later_s_;
   bool open_ = false;
-  int next_tenth_ = 1;  // of the run, when lines are plain
+  int next_tenth_;  // of the run, when lines are plain; half of a run of several
 };
 
 }  // namespace terp

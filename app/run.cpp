@@ -137,11 +137,15 @@ std::string instructions_after(const std::string& before)
   return before + ", " + now;
 }
 
+/// False of a run of a set, which says for itself what was done.
+bool is_alone(const RunOptions& options) { return options.part == nullptr; }
+
 /// Solves, and leaves a summary however the run ends.
 int solve(Simulation& simulation, RunWriter& writer, const RunOptions& options, const std::string& folder)
 {
   listen_for_stop();
-  ProgressLine progress(options.quiet);
+  const PartOfSet part = options.part != nullptr ? *options.part : PartOfSet{};
+  ProgressLine progress(options.quiet, part.label, part.later_s);
   const Model& model = simulation.model;
   const State& state = simulation.state;
   try {
@@ -156,17 +160,19 @@ int solve(Simulation& simulation, RunWriter& writer, const RunOptions& options, 
       summary.passes.push_back({pass_names[pass], simulation.work.seconds[pass]});
     writer.summary(summary, outcome == Outcome::finished);
     if (outcome == Outcome::interrupted) {
-      fmt::print("stopped at t = {:.4g} s, step {}; a checkpoint is written. Go on with:\n  {}\n", state.time,
-          state.step, resume_command(folder, options));
+      if (is_alone(options))
+        fmt::print("stopped at t = {:.4g} s, step {}; a checkpoint is written. Go on with:\n  {}\n", state.time,
+            state.step, resume_command(folder, options));
       return failed;
     }
-    if (!options.quiet) print_summary(summary, folder);
+    if (!options.quiet && is_alone(options)) print_summary(summary, folder);
     warn_of(summary, folder);
     if (options.verbose) print_passes(simulation.work);
     return solved;
   } catch (const RunError& error) {
     progress.finish();
-    fmt::print(stderr, "error: {}\n", error.what());
+    if (part.fault != nullptr) *part.fault = error.what();
+    if (is_alone(options)) fmt::print(stderr, "error: {}\n", error.what());
     writer.summary(summarise(model, state), false);
     return stopped_itself;
   } catch (const FileError& error) {
@@ -291,11 +297,12 @@ int run_case(const RunOptions& options)
   CaseFile file = read_case(options.path, options.changes);
   const std::string folder = options.output.empty() ? default_run_folder(options.path) : options.output;
   file.run = folder;
-  fmt::print(stderr, "{}", render_warnings(file));
+  if (is_alone(options)) fmt::print(stderr, "{}", render_warnings(file));
   try {
     Simulation simulation(file.values, threads_of(options), all_followers());
     warn_of_missing_threads(options, simulation.model.threads);
-    fmt::print(stderr, "{}", render_warnings(find_warnings(simulation.model, simulation.state), file));
+    if (is_alone(options))
+      fmt::print(stderr, "{}", render_warnings(find_warnings(simulation.model, simulation.state), file));
     const auto writer =
         RunWriter::start({folder, {file.values.name, file.text}, file.values.output.checkpoint_keep,
                              record_text(make_case_record(file, *simulation.model.mesh)), file.inputs, all_tables()},
@@ -335,7 +342,7 @@ int resume_run(const RunOptions& options)
         .tables = all_tables()};
     const auto writer =
         RunWriter::resume(std::move(settings), std::move(lock), resume_point(simulation.model, state, image.tables));
-    if (!options.quiet)
+    if (!options.quiet && is_alone(options))
       fmt::print(
           "resuming {} at t = {:.4g} s, step {} of {}\n", folder, state.time, state.step, simulation.model.n_steps);
     for (const auto& warning : writer->warnings()) fmt::print(stderr, "warning: {}\n", warning);

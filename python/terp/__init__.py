@@ -14,13 +14,28 @@ Described in docs/python.md. The paper's figures: `python3 -m terp.figures`; a f
 `python3 -m terp.sections`; runs compared in numbers: the program itself, `terp compare`.
 """
 
+import json
+import pathlib
+
 from terp.errors import RunError
 from terp.run import Frame, Mesh, Run
 from terp.tables import to_pandas
 
-__all__ = ["Frame", "Mesh", "Run", "RunError", "open", "to_pandas"]
+__all__ = ["Frame", "Mesh", "Run", "RunError", "convergence", "open", "to_pandas"]
 
 
 def open(folder):  # noqa: A001 (terp.open is meant to read like the built-in)
     """The run whose results lie in `folder`, as a terp.Run. Files are read when they are asked for."""
     return Run(folder)
+
+
+def convergence(folder):
+    """What `terp converge` found in `folder`: its convergence.json (docs/formats.md) as a dictionary. Raises RunError
+    if there is none."""
+    path = pathlib.Path(folder) / "convergence.json"
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError as error:
+        raise RunError(f"{path} is not there: give the folder that `terp converge` wrote") from error
+    except ValueError as error:
+        raise RunError(f"{path} cannot be read: {error}") from error

@@ -4,6 +4,7 @@
 #include "output/section_svg.hpp"
 
 #include "boundary/conditions.hpp"
+#include "output/svg.hpp"
 #include "simulation/setup_points.hpp"
 #include "simulation/side_shape.hpp"
 
@@ -24,31 +25,6 @@ constexpr Index most_cells = 40000, most_points = 20000;
 constexpr const char* soil_colours[] = {
     "#d9b98a", "#9cc3dd", "#a8cfa0", "#e8a98f", "#c9b3d9", "#e6d784", "#9fb5b0", "#c7c7c7"};
 constexpr const char* ink = "#1f2933";
-
-std::string escaped(std::string_view text)
-{
-  std::string out;
-  for (const char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '&')
-      out += "&amp;";
-    else if (static_cast<unsigned char>(c) >= 0x20 && c != 0x7f)
-      out += c;
-  }
-  return out;
-}
-
-/// A step of 1, 2 or 5 times a power of ten that gives about n steps.
-Real nice_step(Real range, Real n)
-{
-  const Real rough = range / n, power = std::pow(10.0, std::floor(std::log10(rough)));
-  for (const Real factor : {1.0, 2.0, 5.0})
-    if (factor * power >= rough) return factor * power;
-  return 10.0 * power;
-}
 
 class SectionDrawing {
  public:
@@ -94,7 +70,8 @@ class SectionDrawing {
 
   void text(Real x, Real y, std::string_view words, const char* anchor = "start", const std::string& style = "")
   {
-    put("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" {}>{}</text>", x, y, anchor, style, escaped(words));
+    put("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" {}>{}</text>", x, y, anchor, style,
+        escaped_for_markup(words));
   }
 
   std::string ring(const std::vector<Vec<2>>& corners) const
@@ -251,7 +228,7 @@ class SectionDrawing {
     put("<text x=\"{0:.1f}\" y=\"{1:.1f}\" text-anchor=\"middle\" dominant-baseline=\"middle\" fill=\"{2}\" "
         "stroke=\"#ffffff\" stroke-width=\"4\" paint-order=\"stroke\" transform=\"rotate({3:.1f} {0:.1f} "
         "{1:.1f})\">{4}</text>",
-        x, y, colour, angle, escaped(words));
+        x, y, colour, angle, escaped_for_markup(words));
   }
 
   void arrow(Real x, Real y, Vec<2> direction, Real size, const char* colour)

@@ -2,7 +2,7 @@
 // shows it.
 #pragma once
 
-#include "results/run_results.hpp"
+#include "results/measures.hpp"
 
 #include <optional>
 #include <string>
@@ -16,9 +16,6 @@ struct ComparisonRow {
   std::vector<std::optional<Real>> values;  ///< one per run; none: not defined, or not recorded
   int digits = 2;                           ///< after the point, when printed
 };
-
-/// A frame or an end this near to a time counts as of that time [s].
-inline constexpr Real same_time = 0.02;
 
 struct Comparison {
   std::vector<std::string> names, schemes;  ///< of the runs
@@ -34,13 +31,6 @@ std::string comparison_table(const Comparison& comparison);
 
 /// One JSON object, without a line break.
 std::string comparison_json(const Comparison& comparison);
-
-/// The first time at which eps_eq_p of a named point exceeds that of softened soil [s]; none if never, or if it is not
-/// recorded.
-std::optional<Real> softening_time(const RunResults& run, std::string_view point);
-
-/// The named points whose S_u is larger in some row of their history than in the row before.
-std::vector<std::string> points_that_regained_strength(const RunResults& run);
 
 /// "MPM-GP" for "mpm_gp"; the name itself of a scheme that is not in this build.
 std::string scheme_title(std::string_view scheme);

@@ -4,8 +4,8 @@
 // the reason.
 #include "verification/judge.hpp"
 
+#include "base/convergence.hpp"
 #include "input/case_file.hpp"
-#include "verification/convergence.hpp"
 #include "verification/scope.hpp"
 
 #include <algorithm>

@@ -38,6 +38,7 @@ TEST(Help, OfACommandIsItsOwnAndNamesItsOptions)
       {"resume", {"--threads", "--report", "--quiet"}},
       {"stability", {"--from", "--to", "--tolerance", "--damping", "--rest", "--failure", "--windows", "--output",
                         "--json", "--set"}},
+      {"converge", {"--cells", "--variant", "--tolerance", "--estimate", "--output", "--force", "--report", "--json"}},
       {"check", {"--set", "--picture"}}, {"bench", {"--steps", "--warm", "--json", "--set"}}, {"report", {"--output"}},
       {"compare", {"--json"}}, {"export", {"--field", "--frames", "--output"}}, {"watch", {"--every", "--once"}},
       {"verify", {"--list", "--short", "--long", "--markdown", "--overview", "--cases", "--threads"}},
@@ -84,7 +85,7 @@ TEST(CommandLine, NamesAWordThatIsNoCommandAndTheNearestThatIs)
   EXPECT_EQ(f.status, 2);
   EXPECT_EQ(f.out, "");
   EXPECT_EQ(f.err,
-      "error: there is no command `rnu`\n  Did you mean `run`?\n  Commands: run, resume, stability, watch, "
+      "error: there is no command `rnu`\n  Did you mean `run`?\n  Commands: run, resume, stability, converge, watch, "
       "report, compare, export, check, explain, list, bench, verify\n"
       "Usage: terp COMMAND [options]; see terp --help\n");
   EXPECT_THAT(test::terp({"bogus"}).err, StartsWith("error: there is no command `bogus`\n  Commands: run, "));

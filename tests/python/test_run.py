@@ -14,6 +14,19 @@ import numpy as np
 import terp
 
 
+class Convergence(unittest.TestCase):
+    def test_is_the_dictionary_of_its_file_or_says_what_is_missing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with self.assertRaisesRegex(terp.RunError, "give the folder that `terp converge` wrote"):
+                terp.convergence(folder)
+            path = pathlib.Path(folder) / "convergence.json"
+            path.write_text('{"sequences": [{"name": "as given"}]}', encoding="utf-8")
+            self.assertEqual(terp.convergence(folder)["sequences"][0]["name"], "as given")
+            path.write_text("{", encoding="utf-8")
+            with self.assertRaisesRegex(terp.RunError, "cannot be read"):
+                terp.convergence(folder)
+
+
 class RunFolder(unittest.TestCase):
     def setUp(self):
         self.run_ = terp.open(support.synthetic_run("mpm_gp", 2))

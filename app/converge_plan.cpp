@@ -1,0 +1,265 @@
+#include "converge_plan.hpp"
+
+#include "cost.hpp"
+#include "input/case_record.hpp"
+#include "input/cell_size.hpp"
+#include "input/printable.hpp"
+#include "output/run_folder.hpp"
+#include "output/summary_json.hpp"
+#include "progress.hpp"
+#include "simulation/output_costs.hpp"
+#include "simulation/setup_mesh.hpp"
+#include "simulation/setup_warnings.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fmt/format.h>
+#include <set>
+
+namespace terp {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double trial_seconds = 0.5;
+
+std::vector<double> sizes_of(const ConvergeOptions& options)
+{
+  std::vector<double> cells = options.cells;
+  std::ranges::sort(cells, std::greater<>());
+  if (const auto twice = std::ranges::adjacent_find(cells); twice != cells.end())
+    throw CaseError(fmt::format("error: --cells: the size {:g} m is given twice\n  Give each size once.\n", *twice));
+  if (cells.size() < 2)
+    throw CaseError(
+        "error: --cells: one size says nothing of the mesh\n"
+        "  Give two or more, and three for an order and an error, each half of the one before: --cells 1,0.5,0.25\n");
+  return cells;
+}
+
+/// "a=1; b=2" -> "a=1", "b=2".
+std::vector<std::string> changes_of_variant(const std::string& text)
+{
+  std::vector<std::string> changes;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(';', begin), text.size());
+    const std::size_t first = std::min(text.find_first_not_of(' ', begin), end);
+    if (first < end) changes.push_back(text.substr(first, text.find_last_not_of(' ', end - 1) + 1 - first));
+    begin = end + 1;
+  }
+  if (changes.empty())
+    throw CaseError("error: --variant: there is no change in it\n  As in --variant scheme=mpm_mixed\n");
+  return changes;
+}
+
+std::vector<StudySequence> sequences_of(const ConvergeOptions& options)
+{
+  std::vector<StudySequence> sequences{{"as given", {}, {}}};
+  for (const std::string& variant : options.variants) {
+    const auto is_known = [&](const StudySequence& s) { return s.name == variant; };
+    if (std::ranges::any_of(sequences, is_known))
+      throw CaseError(printable(fmt::format("error: --variant {} is given twice\n", variant)));
+    sequences.push_back({variant, changes_of_variant(variant), {}});
+  }
+  return sequences;
+}
+
+/// A name for a folder: "cell_0.5", "cell_0.5_scheme_mpm_mixed".
+std::string folder_name(double cell, const StudySequence& sequence, bool is_first)
+{
+  std::string name = fmt::format("cell_{}", cell);
+  if (is_first) return name;
+  name += '_';
+  for (const unsigned char c : sequence.name)
+    if (std::isalnum(c) != 0 || c == '.' || c == '-')
+      name += static_cast<char>(c);
+    else if (!name.ends_with('_'))
+      name += '_';
+  while (name.ends_with('_')) name.pop_back();
+  return name;
+}
+
+bool has_checkpoint(const std::string& folder, std::int64_t& step)
+{
+  step = -1;
+  for (const auto& entry : fs::directory_iterator(folder))
+    step = std::max(step, step_of_checkpoint(entry.path().filename().string()));
+  return step >= 0;
+}
+
+/// Keys that leave no trace in what a study looks at.
+bool leaves_no_trace(const std::string& key)
+{
+  return key == "title" || key == "output.checkpoint.every" || key == "output.checkpoint.keep";
+}
+
+/// Whether the run in a folder is one of this case, compared by content. Throws FileError if it is one of another.
+void check_same_case(const std::string& folder, const CaseFile& file, const Mesh<2>& mesh)
+{
+  std::string changes;
+  try {
+    const CaseFile there = read_case(path_in(folder, case_file));
+    for (const ChangedValue& change :
+        changes_since(record_text(make_case_record(there, mesh)), make_case_record(file, mesh)))
+      if (!leaves_no_trace(change.key)) changes += "\n  " + change.text();
+  } catch (const CaseError&) {
+    changes = "\n  its case cannot be read";
+  }
+  if (changes.empty()) return;
+  throw FileError(
+      fmt::format("{}: this folder holds a run of another case{}\n  Use --force to solve all sizes anew, or -o DIR for "
+                  "another folder.",
+          folder, changes));
+}
+
+/// What of a run is there, and the step from which it goes on.
+RunStart find_start(const std::string& folder, const CaseFile& file, const Mesh<2>& mesh, std::int64_t& step)
+{
+  step = 0;
+  std::error_code none;
+  if (!fs::exists(folder, none) || fs::is_empty(folder, none)) return RunStart::anew;
+  if (!fs::exists(path_in(folder, case_file), none))
+    throw FileError(fmt::format("{}: this folder is not empty, and holds no run\n  Choose another: -o DIR", folder));
+  check_same_case(folder, file, mesh);
+  if (fs::exists(path_in(folder, summary_file), none)) {
+    const SavedSummary summary = read_summary(path_in(folder, summary_file));
+    if (summary.finished && summary.terp_version != TERP_VERSION)
+      fmt::print(stderr, "warning: {} was solved by terp {}, this is {}; --force solves it anew\n", folder,
+          summary.terp_version, TERP_VERSION);
+    if (summary.finished) return RunStart::kept;
+  }
+  if (has_checkpoint(folder, step)) return RunStart::goes_on;
+  return step = 0, RunStart::again;
+}
+
+/// Each warning once, though several sizes have it.
+class Warnings {
+ public:
+  void show(const std::string& text)
+  {
+    if (!text.empty() && seen_.insert(text).second) fmt::print(stderr, "{}", text);
+  }
+
+ private:
+  std::set<std::string> seen_;
+};
+
+/// What is still to be solved of a run costs this much [s]; 0 where its first steps already fail.
+double expected_seconds(Simulation& simulation, std::int64_t step)
+{
+  const Model& model = simulation.model;
+  const double part = 1.0 - static_cast<double>(step) / static_cast<double>(std::max<std::int64_t>(model.n_steps, 1));
+  const double output_s = estimate_output(model, simulation.state).seconds;
+  try {
+    return part * (seconds_of_steps(model, time_a_step(simulation, trial_seconds)) + output_s);
+  } catch (const RunError&) {
+    return 0.0;  // the run itself says so
+  }
+}
+
+struct Planner {
+  const ConvergeOptions& options;
+  Plan& plan;
+  Warnings warnings = {};
+
+  void add(std::size_t sequence, double cell, const CaseFile& base)
+  {
+    StudySequence& s = plan.sequences[sequence];
+    const std::string name = folder_name(cell, s, sequence == 0);
+    PlannedRun run{.sequence = sequence,
+        .number = s.runs.size(),
+        .label = fmt::format("cells of {:g} m{}", cell, sequence == 0 ? "" : ", " + s.name),
+        .folder = path_in(plan.folder, name),
+        .changes = changes_with(s)};
+    for (std::string& change : changes_to_cell_size(base, cell)) run.changes.push_back(std::move(change));
+    const CaseFile file = read_case(options.run.path, run.changes);
+    warnings.show(render_warnings(file));
+    try {
+      const SharedMesh mesh = std::make_shared<const Mesh<2>>(build_mesh(file.values));
+      std::int64_t step = 0;
+      run.start = options.run.force ? RunStart::again : find_start(run.folder, file, *mesh, step);
+      s.runs.push_back({.cell = cell, .size = typical_cell_size(*mesh), .folder = name});
+      if (run.start != RunStart::kept) estimate(run, file, mesh, step);
+    } catch (const InputError& error) {
+      throw CaseError(printable(fmt::format("On {}:\n", run.label)) + render(error.problems(), file));
+    }
+    plan.runs.push_back(std::move(run));
+  }
+
+  std::vector<std::string> changes_with(const StudySequence& sequence) const
+  {
+    std::vector<std::string> changes = options.run.changes;
+    changes.insert(changes.end(), sequence.changes.begin(), sequence.changes.end());
+    return changes;
+  }
+
+ private:
+  void estimate(PlannedRun& run, const CaseFile& file, const SharedMesh& mesh, std::int64_t step)
+  {
+    Simulation simulation(file.values, mesh, threads_of(options.run));
+    const Model& model = simulation.model;
+    warnings.show(render_warnings(find_warnings(model, simulation.state), file));
+    run.what = fmt::format(
+        "{} cells, {} points, {} steps", mesh->n_cells(), simulation.state.points.n_points(), model.n_steps);
+    if (step > 0) run.what += fmt::format(" of which {} are done", step);
+    run.seconds = expected_seconds(simulation, step);
+  }
+};
+
+void warn_of_given_points(const CaseFile& file)
+{
+  for (const BodyCase& body : file.values.bodies)
+    if (!body.points_file.empty())
+      fmt::print(stderr,
+          "warning: the points of {} are the same at all sizes: smaller cells hold fewer of them, until cells are "
+          "empty\n",
+          printable(body.points_file));
+}
+
+}  // namespace
+
+Plan plan_study(const ConvergeOptions& options)
+{
+  const std::vector<double> cells = sizes_of(options);
+  const CaseFile file = read_case(options.run.path, options.run.changes);
+  Plan plan{.case_name = file.values.name,
+      .title = file.values.title,
+      .folder = options.run.output.empty() ? default_run_folder(options.run.path) + "_convergence" : options.run.output,
+      .sequences = sequences_of(options),
+      .runs = {}};
+  if (fs::exists(path_in(plan.folder, case_file)))
+    throw FileError(
+        fmt::format("{}: this is the folder of one run; the sizes get folders of their own\n  Choose another: -o DIR",
+            plan.folder));
+  warn_of_given_points(file);
+  Planner planner{options, plan};
+  for (std::size_t k = 0; k < plan.sequences.size(); ++k) {
+    const CaseFile base = k == 0 ? file : read_case(options.run.path, planner.changes_with(plan.sequences[k]));
+    for (const double cell : cells) planner.add(k, cell, base);
+  }
+  std::set<std::string> folders;
+  for (const PlannedRun& run : plan.runs)
+    if (!folders.insert(run.folder).second)
+      throw CaseError(printable(fmt::format(
+          "error: two variants would have one folder, {}\n  Write one of them differently.\n", run.folder)));
+  return plan;
+}
+
+std::string plan_text(const Plan& plan, int threads)
+{
+  std::string text;
+  double seconds = 0.0;
+  std::size_t width = 0;
+  for (const PlannedRun& run : plan.runs) width = std::max(width, run.label.size());
+  for (const PlannedRun& run : plan.runs) {
+    seconds += run.seconds;
+    text += fmt::format("  {:<{}}  {}\n", run.label, width,
+        run.start == RunStart::kept ? "solved before, is kept"
+                                    : fmt::format("{}, about {}", run.what, readable_duration(run.seconds)));
+  }
+  return printable(fmt::format("{}\n{}  {:<{}}  about {} on {} thread{}\n",
+      plan.title.empty() ? plan.case_name : plan.title, text, fmt::format("all {} runs", plan.runs.size()), width,
+      readable_duration(seconds), threads, threads == 1 ? "" : "s"));
+}
+
+}  // namespace terp

@@ -1,0 +1,38 @@
+#include "cost.hpp"
+
+#include "base/errors.hpp"
+
+#include <chrono>
+
+namespace terp {
+namespace {
+
+constexpr std::int64_t fewest_trial_steps = 20;
+constexpr double failing = 1.2;  // steps of a run over those of its trial: soil that fails returns to the yield surface
+
+}  // namespace
+
+double time_a_step(Simulation& s, double trial_seconds)
+{
+  using Clock = std::chrono::steady_clock;
+  const auto make = [&](const StepPolicy& policy) {
+    if (const StepsMade made = make_steps(s.model, s.state, s.work, policy); made.end == LoopEnd::fault)
+      throw RunError(made.fault);
+  };
+  make({.most_steps = 5});  // warm caches, wake threads
+  const auto start = Clock::now();
+  double seconds = 0.0;
+  std::int64_t n = 0;
+  make({.most_steps = s.model.n_steps, .after_step = [&] {
+          seconds = std::chrono::duration<double>(Clock::now() - start).count();
+          return ++n < fewest_trial_steps || seconds < trial_seconds;
+        }});
+  return seconds / static_cast<double>(n);
+}
+
+double seconds_of_steps(const Model& model, double step_s)
+{
+  return failing * step_s * static_cast<double>(model.n_steps);
+}
+
+}  // namespace terp

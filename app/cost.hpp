@@ -1,0 +1,15 @@
+// What a run would cost, from a trial of its first steps.
+#pragma once
+
+#include "simulation/simulation.hpp"
+
+namespace terp {
+
+/// Time of a step [s], mean over about `seconds` of steps actually made. Throws RunError if the run stops itself in
+/// them.
+double time_a_step(Simulation& simulation, double seconds = 1.0);
+
+/// Time of the steps of the whole run [s]. step_s: of a step in a trial.
+double seconds_of_steps(const Model& model, double step_s);
+
+}  // namespace terp

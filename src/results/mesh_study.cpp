@@ -1,0 +1,103 @@
+#include "results/mesh_study.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace terp {
+namespace {
+
+using Value = std::optional<Real>;
+
+constexpr Real round_off = 1e-9;  // of a value, relative [-]
+
+bool is_solved(const StudyRun& run) { return run.fault.empty(); }
+
+bool is_same(Real a, Real b) { return std::abs(a - b) <= round_off * std::max(std::abs(a), std::abs(b)); }
+
+/// A value with the cells on which it was found.
+struct Sized {
+  Real size, value;
+  const StudyRun* run;
+};
+
+/// What a change counts as a share of; none: of nothing.
+Value scale_of(const RunMeasure& measure, const Sized& finest)
+{
+  if (measure.kind == MeasureKind::place) {
+    const Value distance = measure.distance ? measure.distance(finest.run->results) : std::nullopt;
+    return std::max(std::abs(distance.value_or(0.0)), finest.size);
+  }
+  const bool has_size = measure.kind == MeasureKind::amount || measure.kind == MeasureKind::time;
+  return !has_size || finest.value == 0.0 ? std::nullopt : Value(std::abs(finest.value));
+}
+
+MeshAnswer answer_on(const StudyQuantity& q, const std::vector<Sized>& sizes, Real tolerance)
+{
+  const auto same = [&](const Sized& s) { return is_same(s.value, sizes[0].value); };
+  if (std::ranges::all_of(sizes, same)) return MeshAnswer::same;
+  if (q.measure.kind == MeasureKind::count || q.measure.kind == MeasureKind::word) return MeshAnswer::depends;
+  const auto small = [&](Real difference) { return q.scale && std::abs(difference) <= tolerance * *q.scale; };
+  if (std::abs(*q.change) <= q.resolution) return MeshAnswer::settled;
+  const bool is_known = q.estimate.trend != Trend::unknown;
+  if (small(*q.change) && (!is_known || small(q.estimate.uncertainty))) return MeshAnswer::settled;
+  return q.has_order ? MeshAnswer::tends : MeshAnswer::depends;
+}
+
+}  // namespace
+
+StudyQuantity judge_sizes(const RunMeasure& measure, const std::vector<StudyRun>& runs, Real tolerance)
+{
+  constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
+  StudyQuantity q{
+      .measure = measure, .values = {}, .change = {}, .scale = {}, .estimate = {Trend::unknown, none, none, none}};
+  std::vector<Sized> sizes;
+  bool missing = false;
+  for (const StudyRun& run : runs) {
+    Value value = is_solved(run) ? measure.value(run.results) : std::nullopt;
+    if (value && !std::isfinite(*value)) value = std::nullopt;
+    q.values.push_back(value);
+    if (value) sizes.push_back({run.size, *value, &run});
+    missing |= is_solved(run) && !value;
+  }
+  if (sizes.empty()) return q;
+  if (missing) return q.answer = MeshAnswer::not_at_all_sizes, q;
+  if (sizes.size() < 2) return q;
+  const Sized &finest = sizes.back(), &before = sizes[sizes.size() - 2];
+  q.change = is_same(finest.value, before.value) ? 0.0 : finest.value - before.value;
+  q.scale = scale_of(measure, finest);
+  if (measure.resolution) q.resolution = measure.resolution(before.run->results, before.size);
+  if (measure.kind != MeasureKind::count && measure.kind != MeasureKind::word) {
+    std::vector<Real> x, y;
+    for (const Sized& s : sizes) x.push_back(s.size), y.push_back(s.value);
+    q.estimate = estimate_limit(x, y);
+    const bool in_steps = measure.in_steps && std::abs(*q.change) <= q.resolution;
+    q.has_order = q.estimate.order_is_usable() && !in_steps && *q.change != 0.0;
+  }
+  q.answer = answer_on(q, sizes, tolerance);
+  return q;
+}
+
+MeshStudy study_mesh(const std::vector<StudySequence>& sequences, Real tolerance)
+{
+  std::vector<RunResults> all;
+  for (const StudySequence& sequence : sequences)
+    for (const StudyRun& run : sequence.runs)
+      if (is_solved(run)) all.push_back(run.results);
+  MeshStudy study{.case_name = {}, .title = {}, .tolerance = tolerance, .sequences = {}};
+  for (const StudySequence& sequence : sequences) study.sequences.push_back({sequence, {}});
+  if (all.empty()) return study;
+  for (const RunMeasure& measure : measures_of(all)) {
+    if (measure.name.empty()) continue;
+    std::vector<StudyQuantity> rows;
+    for (const StudySequence& sequence : sequences) rows.push_back(judge_sizes(measure, sequence.runs, tolerance));
+    const auto has_values = [](const StudyQuantity& q) {
+      return std::ranges::any_of(q.values, [](const Value& value) { return value.has_value(); });
+    };
+    if (std::ranges::none_of(rows, has_values)) continue;
+    for (std::size_t k = 0; k < rows.size(); ++k) study.sequences[k].quantities.push_back(std::move(rows[k]));
+  }
+  return study;
+}
+
+}  // namespace terp

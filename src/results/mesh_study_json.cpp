@@ -1,0 +1,118 @@
+// convergence.json: what a study of cell sizes found, for a program (docs/formats.md).
+
+#include "results/mesh_study.hpp"
+
+#include <cmath>
+#include <iterator>
+
+#include <nlohmann/json.hpp>
+
+namespace terp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int study_format = 1;
+
+/// A number that is not finite becomes null when it is written.
+Json or_null(std::optional<Real> value) { return value ? Json(*value) : Json(nullptr); }
+Json or_null(bool is_there, Real value) { return is_there ? Json(value) : Json(nullptr); }
+
+const char* word(Trend trend)
+{
+  constexpr const char* words[] = {"unknown", "unchanged", "monotone", "diverging", "oscillating"};
+  return words[static_cast<int>(trend)];
+}
+const char* word(MeshAnswer answer)
+{
+  constexpr const char* words[] = {"none", "same", "settled", "tends", "depends", "not_at_all_sizes"};
+  return words[static_cast<int>(answer)];
+}
+
+Json value_of(const RunMeasure& measure, std::optional<Real> value)
+{
+  return value && measure.kind == MeasureKind::word ? Json(text_of(measure, value)) : or_null(value);
+}
+
+struct Entry {
+  QuantityInfo info;
+  Json (*read)(const StudyQuantity&);
+};
+
+using Q = const StudyQuantity&;
+
+/// Of each quantity. A new key is one entry here.
+const Entry entries[] = {
+    {{"name", "", "", "what it is: `front_x`, `slide_1_begins`, ..."}, [](Q q) { return Json(q.measure.name); }},
+    {{"label", "", "", "in words"}, [](Q q) { return Json(q.measure.label); }},
+    {{"unit", "", "", "of values, `change`, `resolution`, `limit` and `error`"},
+        [](Q q) { return Json(q.measure.unit); }},
+    {{"values", "unit", "", "list, one for each of `runs`; `null`: not solved, or the run has none. Of some a word"},
+        [](Q q) {
+          Json values = Json::array();
+          for (const auto& value : q.values) values.push_back(value_of(q.measure, value));
+          return values;
+        }},
+    {{"answer", "", "",
+         "`same`: equal at all sizes; `settled`: within the tolerance or the resolution; `tends`: changes by more, "
+         "towards a limit; `depends`: changes by more; `not_at_all_sizes`: some sizes have it and others not; `none`: "
+         "too few sizes"},
+        [](Q q) { return Json(word(q.answer)); }},
+    {{"sentence", "", "", "the same in words"}, [](Q q) { return Json(sentence_on(q)); }},
+    {{"change", "unit", "", "finest value less the one before"}, [](Q q) { return or_null(q.change); }},
+    {{"relative_change", "-", "",
+         "its size as a share of the finest value; of a place, of its distance since t = 0, at least one cell"},
+        [](Q q) { return or_null(q.relative_change()); }},
+    {{"resolution", "unit", "", "a smaller difference cannot be told from none"},
+        [](Q q) { return Json(q.resolution); }},
+    {{"trend", "", "", "of the three finest: `monotone`, `oscillating`, `diverging`, `unchanged`, `unknown`"},
+        [](Q q) { return Json(word(q.estimate.trend)); }},
+    {{"order", "-", "", "observed order p, where the trend is `monotone`; usable or not"},
+        [](Q q) { return or_null(std::isfinite(q.estimate.order), q.estimate.order); }},
+    {{"order_is_usable", "", "", "p lies between 1/2 and 2, and the steps can be told from none"},
+        [](Q q) { return Json(q.has_order); }},
+    {{"limit", "unit", "", "extrapolated to cells of no size; `null` without a usable order"},
+        [](Q q) { return or_null(q.has_order, q.estimate.limit); }},
+    {{"error", "unit", "",
+         "of the finest value: grid convergence index, as a difference; `null` without a usable order"},
+        [](Q q) { return or_null(q.has_order, q.estimate.uncertainty); }},
+};
+
+Json quantity_json(Q q)
+{
+  Json json;
+  for (const Entry& entry : entries) json[std::string(entry.info.name)] = entry.read(q);
+  return json;
+}
+
+Json sequence_json(const StudiedSequence& s, Real tolerance)
+{
+  Json runs = Json::array(), quantities = Json::array();
+  for (const StudyRun& run : s.sequence.runs)
+    runs.push_back({{"cell", run.cell}, {"size", run.size}, {"folder", run.folder}, {"solved", run.fault.empty()},
+        {"fault", run.fault}});
+  for (const StudyQuantity& q : s.quantities) quantities.push_back(quantity_json(q));
+  return {{"name", s.sequence.name}, {"changes", s.sequence.changes}, {"answer", answer_of(s, tolerance)},
+      {"remarks", remarks_on(s.sequence)}, {"runs", std::move(runs)}, {"quantities", std::move(quantities)}};
+}
+
+}  // namespace
+
+std::vector<QuantityInfo> study_keys()
+{
+  std::vector<QuantityInfo> keys;
+  for (const Entry& entry : entries) keys.push_back(entry.info);
+  return keys;
+}
+
+std::string study_json(const MeshStudy& study, const std::string& written)
+{
+  Json sequences = Json::array();
+  for (const StudiedSequence& s : study.sequences) sequences.push_back(sequence_json(s, study.tolerance));
+  const Json json{{"terp_version", TERP_VERSION}, {"format", study_format}, {"written", written},
+      {"case_name", study.case_name}, {"title", study.title}, {"tolerance", study.tolerance},
+      {"sequences", std::move(sequences)}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace terp

@@ -1,0 +1,182 @@
+// terp converge, as a user meets it.
+#include "app/coarse_column.hpp"
+#include "support/test.hpp"
+#include <csignal>
+#include <unistd.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The column for 0.2 s on cells of 1, 0.5 and 0.25 m.
+std::vector<std::string> converge_command(
+    const std::string& folder, const std::vector<std::string>& more = {}, const std::string& cells = "0.5,1,0.25")
+{
+  std::vector<std::string> words{
+      "converge", column_file, "--cells", cells, "--set", "time.end=0.2", "-j", "1", "-o", folder};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+bool is_checkpoint(const std::string& name) { return name.starts_with("checkpoint_") && name.ends_with(".h5"); }
+
+nlohmann::json study_in(const std::string& folder)
+{
+  return nlohmann::json::parse(text_of(folder + "/convergence.json"));
+}
+
+TEST(Converge, SolvesAllSizesFromCoarseToFineAndAnswers)
+{
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/study";
+  const Finished f = test::terp(converge_command(folder));
+  EXPECT_EQ(f.status, 0) << f.err;
+  EXPECT_EQ(f.err, "");
+  EXPECT_THAT(f.out,
+      AllOf(HasSubstr("  cells of 0.25 m  768 cells, 6400 points, 132 steps, about "), HasSubstr("  all 3 runs "),
+          HasSubstr("[1/3] cells of 1 m  solved in "), HasSubstr("as given, cells of 1, 0.5, 0.25 m\n"),
+          ContainsRegex("front at the end \\[m\\] +7.9. +8.0. +8.0. "), HasSubstr("  front at the end: "),
+          HasSubstr("page in " + folder + "/convergence.html")));
+  EXPECT_THAT(names_in(folder), ElementsAre("cell_0.25", "cell_0.5", "cell_1", "convergence.html", "convergence.json"));
+  const auto sequence = study_in(folder)["sequences"][0];
+  EXPECT_EQ(sequence["runs"][2]["cell"], 0.25);
+  EXPECT_EQ(sequence["runs"][2]["size"], 0.25);
+  EXPECT_THAT(text_of(folder + "/cell_0.25/case.toml"), HasSubstr("cell = 0.25"));
+  const Finished single = run_column(scratch.path() + "/run");  // 0.5 m: a run of the study is a run like others
+  EXPECT_EQ(single.status, 0);
+  EXPECT_EQ(text_of(folder + "/cell_0.5/ledger.csv"), text_of(scratch.path() + "/run/ledger.csv"));
+}
+
+TEST(Converge, KeepsWhatIsSolvedAndRefusesRunsOfAnotherCase)
+{
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/study";
+  ASSERT_EQ(test::terp(converge_command(folder, {"-q"})).status, 0);
+  const auto written = fs::last_write_time(folder + "/cell_0.5/summary.json");
+  fs::remove_all(folder + "/cell_0.25");
+  const Finished again = test::terp(converge_command(folder, {"--set", "title=Another"}));
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_THAT(again.out,
+      AllOf(HasSubstr("[2/3] cells of 0.5 m  kept, solved before\n"), HasSubstr("[3/3] cells of 0.25 m  solved in ")));
+  EXPECT_EQ(fs::last_write_time(folder + "/cell_0.5/summary.json"), written);
+  const Finished other = test::terp(converge_command(folder, {"--set", "material.clay.eta=20"}));
+  EXPECT_EQ(other.status, 1);
+  EXPECT_EQ(other.err, "error: " + folder +
+                           "/cell_1: this folder holds a run of another case\n  material.clay.eta (50, now 20)\n"
+                           "  Use --force to solve all sizes anew, or -o DIR for another folder.\n");
+  EXPECT_EQ(test::terp(converge_command(folder, {"--set", "material.clay.eta=20", "-q", "--force"})).status, 0);
+  EXPECT_THAT(text_of(folder + "/cell_1/case.toml"), HasSubstr("eta = 20"));
+}
+
+TEST(Converge, GoesOnWithARunThatWasInterrupted)
+{
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/study";
+  const std::vector<std::string> often{"--set", "output.checkpoint.every=0.05", "--set", "time.end=1"};
+  {
+    Process process(converge_command(folder, often));
+    const auto has_checkpoint = [&] {
+      const std::string finest = folder + "/cell_0.25";
+      return fs::exists(finest) && !std::ranges::none_of(names_in(finest), is_checkpoint);
+    };
+    for (int k = 0; k < 4000 && !has_checkpoint(); ++k) ::usleep(2000);
+    process.send(SIGINT);
+    const Finished stopped = process.wait();
+    EXPECT_EQ(stopped.status, 1);
+    EXPECT_EQ(stopped.err, "stopped; what is solved is kept in " + folder + ". Go on with the same command\n");
+  }
+  EXPECT_FALSE(fs::exists(folder + "/convergence.json"));
+  const Finished resumed = test::terp(converge_command(folder, often));
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_THAT(resumed.out, AllOf(HasSubstr("[1/3] cells of 1 m  kept, solved before\n"), HasSubstr(" of which "),
+                               HasSubstr("[3/3] cells of 0.25 m  solved in ")));
+  ASSERT_EQ(test::terp(converge_command(scratch.path() + "/whole", often)).status, 0);
+  EXPECT_EQ(text_of(folder + "/cell_0.25/ledger.csv"), text_of(scratch.path() + "/whole/cell_0.25/ledger.csv"));
+}
+
+TEST(Converge, GoesOnWithOtherSizesWhereOneStopsItself)
+{
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/study";
+  // Soil flies out of the mesh: on cells of 1 m at 0.214 s, on smaller ones later than the end.
+  const Finished f = test::terp(converge_command(folder,
+      {"--set", "body[0].velocity=[40.0, 0.0]", "--set", "boundary.right=\"free\"", "--set", "time.end=0.217"}));
+  EXPECT_EQ(f.status, 3);
+  EXPECT_THAT(f.err, HasSubstr("warning: [1/3] cells of 1 m  no result; the others go on\n  step "));
+  EXPECT_THAT(
+      f.out, AllOf(HasSubstr("[3/3] cells of 0.25 m  solved in "), HasSubstr("  No result on cells of 1 m: step "),
+                 HasSubstr("Two sizes give no order"), ContainsRegex("front at the end \\[m\\] +- +1")));
+  const auto runs = study_in(folder)["sequences"][0]["runs"];
+  EXPECT_EQ(runs[0]["solved"], false);
+  EXPECT_THAT(runs[0]["fault"], HasSubstr("points had to be put back at the walls"));
+  EXPECT_EQ(runs[1]["solved"], true);
+}
+
+TEST(Converge, SolvesVariantsAtAllSizes)
+{
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/study";
+  const Finished f = test::terp(converge_command(
+      folder, {"--variant", "scheme=mpm_mixed; body.*.points_per_cell=[3, 3]", "--json", "--report"}, "1,0.5"));
+  ASSERT_EQ(f.status, 0) << f.err;
+  const auto json = nlohmann::json::parse(f.out.substr(0, f.out.rfind("}\n") + 2));
+  ASSERT_EQ(json["sequences"].size(), 2);
+  EXPECT_EQ(
+      json["sequences"][1]["changes"], (std::vector<std::string>{"scheme=mpm_mixed", "body.*.points_per_cell=[3, 3]"}));
+  EXPECT_TRUE(fs::exists(folder + "/cell_0.5_scheme_mpm_mixed_body._.points_per_cell_3_3/summary.json"));
+  EXPECT_TRUE(fs::exists(folder + "/report.html"));
+}
+
+TEST(Converge, RefusesWhatIsNoStudyBeforeAnythingIsRun)
+{
+  const ScratchFolder scratch;
+  const auto refused = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"converge", column_file, "-o", scratch.path() + "/study"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Finished f = test::terp(words);
+    EXPECT_EQ(f.status, 2) << f.err;
+    EXPECT_FALSE(fs::exists(scratch.path() + "/study"));
+    return f.err;
+  };
+  EXPECT_EQ(refused({"--cells", "0.5"}),
+      "error: --cells: one size says nothing of the mesh\n"
+      "  Give two or more, and three for an order and an error, each half of the one before: --cells 1,0.5,0.25\n");
+  EXPECT_EQ(refused({"--cells", "1,0.5,1"}), "error: --cells: the size 1 m is given twice\n  Give each size once.\n");
+  EXPECT_THAT(refused({}), HasSubstr("`terp converge` needs --cells"));
+  EXPECT_THAT(refused({"--cells", "1,-1"}), HasSubstr("Value -1 not in range"));
+  EXPECT_THAT(refused({"--cells", "1,0.5", "--variant", "shceme=mpm_mixed"}), HasSubstr("Did you mean `scheme`?"));
+  EXPECT_EQ(refused({"--cells", "1,0.5", "--variant", " ;"}),
+      "error: --variant: there is no change in it\n  As in --variant scheme=mpm_mixed\n");
+  EXPECT_EQ(refused({"--cells", "1,0.5", "--variant", "scheme=mpm_gp", "--variant", "scheme=mpm_gp"}),
+      "error: --variant scheme=mpm_gp is given twice\n");
+  EXPECT_THAT(refused({"--cells", "1,0.4"}), HasSubstr("cells of 0.4 m: the mesh is not a whole number of such cells"));
+}
+
+TEST(Converge, EstimatesWithoutRunning)
+{
+  const ScratchFolder scratch;
+  const Finished f = test::terp(converge_command(scratch.path() + "/study", {"--estimate"}));
+  EXPECT_EQ(f.status, 0);
+  EXPECT_THAT(f.out, AllOf(HasSubstr("  all 3 runs       about "), EndsWith(" on 1 thread\nnothing was run\n")));
+  EXPECT_FALSE(fs::exists(scratch.path() + "/study"));
+}
+
+TEST(Converge, RefusesAFolderThatHoldsSomethingElse)
+{
+  const ScratchFolder scratch;
+  ASSERT_EQ(run_column(scratch.path() + "/run", {"-q"}).status, 0);
+  const Finished run = test::terp(converge_command(scratch.path() + "/run"));
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.err, "error: " + scratch.path() +
+                         "/run: this is the folder of one run; the sizes get folders of their own\n"
+                         "  Choose another: -o DIR\n");
+  fs::create_directories(scratch.path() + "/cell_1");
+  write_text(scratch.path() + "/cell_1/notes.txt", "mine");
+  EXPECT_EQ(
+      test::terp(converge_command(scratch.path())).err, "error: " + scratch.path() +
+                                                            "/cell_1: this folder is not empty, and holds no run\n"
+                                                            "  Choose another: -o DIR\n");
+}
+
+}  // namespace

@@ -1,0 +1,71 @@
+// What is measured of a run, beyond what terp compare shows of it (compare_test.cpp).
+#include "results/measures.hpp"
+#include "results/runs.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+const RunMeasure& measure(const std::vector<RunMeasure>& all, const std::string& name)
+{
+  for (const RunMeasure& m : all)
+    if (m.name == name) return m;
+  throw std::out_of_range(name);
+}
+
+TEST(Measures, HaveNamesOfTheirOwnAndWordsWhereTheyAreWords)
+{
+  const ScratchFolder scratch;
+  const std::vector<RunResults> runs{read_run(write_run(scratch.path() + "/run"))};
+  std::set<std::string> names;
+  for (const RunMeasure& m : measures_of(runs)) {
+    EXPECT_FALSE(m.label.empty() || m.unit.empty()) << m.name;
+    EXPECT_TRUE(m.name.empty() || names.insert(m.name).second) << m.name;
+    EXPECT_EQ(m.kind == MeasureKind::word, !m.words.empty()) << m.name;
+    EXPECT_EQ(m.kind == MeasureKind::place, static_cast<bool>(m.distance)) << m.name;
+  }
+}
+
+TEST(Measures, OfEverySlideThatSomeRunHas)
+{
+  const ScratchFolder scratch;
+  const std::vector<RunResults> runs{
+      read_run(write_run(scratch.path() + "/one")), read_run(write_run(scratch.path() + "/three", [](Summary& s) {
+        s.slides.resize(3);
+        s.slides[2].slide.begins = 3.5, s.slides[2].slide.stops = 4.0;
+      }))};
+  const auto all = measures_of(runs);
+  EXPECT_EQ(measure(all, "slide_3_begins").label, "third slide begins");
+  EXPECT_THAT(measure(all, "slide_3_stops").value(runs[1]), Optional(4.0));
+  EXPECT_EQ(measure(all, "slide_3_begins").value(runs[0]), std::nullopt);
+  EXPECT_THAT(measure(all, "slides").value(runs[1]), Optional(3.0));
+}
+
+TEST(Measures, SetDampingAgainstTheWorkOfGravityAndForcesOfFootings)
+{
+  RunResults run;
+  run.ledger = {{"time", "gravity_work", "damping_work"}, {{0.0, 1.0}, {0.0, 200e3}, {0.0, -30e3}}};
+  run.summary.finished = true, run.summary.values.n_steps = 1;
+  run.summary.values.footings = {{.name = "pad", .displacement = {}, .reaction = {}, .largest = 51e3}};
+  const auto all = measures_of({run});
+  EXPECT_THAT(measure(all, "damping_share").value(run), Optional(DoubleNear(15.0, 1e-12)));
+  EXPECT_THAT(measure(all, "gravity_work").value(run), Optional(200.0));
+  EXPECT_NEAR(measure(all, "gravity_work").resolution(run, 0.1), 0.2, 1e-12);
+  EXPECT_THAT(measure(all, "footing_pad").value(run), Optional(51.0));
+  EXPECT_NEAR(measure(all, "slide_1_begins").resolution(run, 0.1), 1.0, 1e-12);
+  run.ledger.columns[1] = {0.0, 0.0};  // no gravity
+  EXPECT_EQ(measure(all, "damping_share").value(run), std::nullopt);
+}
+
+TEST(Measures, MeasureTheCrestFromItsFirstPlaceOnTheSlopeThatSlides)
+{
+  RunResults run;
+  run.ledger = {{"crest_x", "crest_left_x"}, {{8.0, 7.0}, {2.0, 3.5}}};
+  run.summary.values.crest_x = 3.5;
+  run.summary.values.facing = Facing::left;
+  EXPECT_THAT(measure(measures_of({run}), "crest_x").distance(run), Optional(1.5));
+  run.summary.values.facing = Facing::right;
+  EXPECT_THAT(measure(measures_of({run}), "crest_x").distance(run), Optional(4.5));
+  EXPECT_THAT(measure(measures_of({run}), "facing").value(run), Optional(1.0));
+}
+
+}  // namespace

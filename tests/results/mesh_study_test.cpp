@@ -1,0 +1,194 @@
+// What sizes of cells say of a measure: manufactured sequences.
+#include "results/mesh_study.hpp"
+#include "support/test.hpp"
+#include <fmt/format.h>
+
+namespace {
+
+constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
+
+/// Reads front_x of the summary, whatever it stands for.
+RunMeasure measure_of(MeasureKind kind)
+{
+  return {.name = "m", .label = "front", .unit = "m", .kind = kind, .value = [](const RunResults& run) {
+            return std::optional(run.summary.values.front_x);
+          }};
+}
+
+/// Runs on these cells with these values; NaN: the run does not have it.
+std::vector<StudyRun> runs_with(const std::vector<Real>& cells, const std::vector<Real>& values)
+{
+  std::vector<StudyRun> runs;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    runs.push_back({.cell = cells[k], .size = cells[k], .folder = "cell"});
+    runs.back().results.summary.values.front_x = values[k];
+  }
+  return runs;
+}
+
+StudyQuantity judged(
+    const std::vector<Real>& cells, const std::vector<Real>& values, MeasureKind kind = MeasureKind::amount)
+{
+  return judge_sizes(measure_of(kind), runs_with(cells, values), 0.02);
+}
+
+TEST(MeshStudy, ASequenceThatNearsItsLimitIsSettledWithOrderLimitAndError)
+{
+  const std::vector<Real> cells{0.9, 0.3, 0.2};  // ratios 3 and 1.5
+  std::vector<Real> values;
+  for (const Real h : cells) values.push_back(12.0 - 0.5 * std::pow(h, 1.4));
+  const StudyQuantity q = judged(cells, values);
+  EXPECT_EQ(q.answer, MeshAnswer::settled);
+  EXPECT_NEAR(q.estimate.order, 1.4, 1e-9);
+  EXPECT_NEAR(q.estimate.limit, 12.0, 1e-9);
+  EXPECT_THAT(q.relative_error(), Optional(DoubleNear(1.25 * 0.5 * std::pow(0.2, 1.4) / values[2], 1e-9)));
+  EXPECT_EQ(sentence_on(q),
+      "front: 11.95 m, changes by 0.3 % between the last two sizes; order 1.4, tends to 12.00 m, error 0.5 %");
+}
+
+TEST(MeshStudy, ASmallLastChangeIsNotEnoughWhereTheErrorIsLarge)
+{
+  std::vector<Real> values;
+  for (const Real h : {0.4, 0.2, 0.1}) values.push_back(10.0 + std::pow(h, 0.6));
+  const StudyQuantity q = judged({0.4, 0.2, 0.1}, values);
+  EXPECT_LT(*q.relative_change(), 0.02);  // and 3 % to go
+  EXPECT_EQ(q.answer, MeshAnswer::tends);
+  EXPECT_EQ(sentence_on(q),
+      "front: still changes, by 1.3 % between the last two sizes: 10.58, 10.38, 10.25 m; order 0.6, tends to 10.00 m, "
+      "error 3.1 %");
+  EXPECT_EQ(judged({0.4, 0.2, 0.1}, {10.0, 10.05, 10.15}).answer, MeshAnswer::depends);  // 1 %, and growing
+}
+
+TEST(MeshStudy, AnOscillatingSequenceHasNoOrder)
+{
+  const StudyQuantity q = judged({0.4, 0.2, 0.1}, {4.1, 3.5, 5.8});
+  EXPECT_EQ(q.answer, MeshAnswer::depends);
+  EXPECT_FALSE(q.has_order);
+  EXPECT_EQ(sentence_on(q), "front: depends on the mesh: 4.10, 3.50, 5.80 m; no order: it goes up and down");
+  EXPECT_EQ(judged({0.4, 0.2, 0.1}, {4.1, 5.8, 5.79}).answer, MeshAnswer::depends);  // 0.2 %, perhaps by chance
+  const StudyQuantity near = judged({0.4, 0.2, 0.1}, {5.82, 5.8, 5.81});
+  EXPECT_EQ(near.answer, MeshAnswer::settled);
+  EXPECT_THAT(
+      sentence_on(near), EndsWith("changes by 0.2 % between the last two sizes; no order: it goes up and down"));
+}
+
+TEST(MeshStudy, OrdersThatNobodyShouldUseAreSaidSo)
+{
+  EXPECT_EQ(sentence_on(judged({0.4, 0.2, 0.1}, {4.0, 5.0, 7.0})),
+      "front: depends on the mesh: 4.00, 5.00, 7.00 m; no order: the differences do not fall");
+  const StudyQuantity steep = judged({0.4, 0.2, 0.1}, {4.0, 8.0, 8.25});
+  EXPECT_EQ(steep.answer, MeshAnswer::depends);
+  EXPECT_THAT(sentence_on(steep), EndsWith("; the observed order, 4, is not usable"));
+  EXPECT_EQ(steep.relative_error(), std::nullopt);
+}
+
+TEST(MeshStudy, TwoSizesHaveAChangeAndNoOrder)
+{
+  const StudyQuantity q = judged({0.4, 0.2}, {4.0, 4.04});
+  EXPECT_EQ(q.answer, MeshAnswer::settled);
+  EXPECT_EQ(sentence_on(q), "front: 4.04 m, changes by 1.0 % between the last two sizes");
+  EXPECT_THAT(remarks_on({"", {}, runs_with({0.4, 0.2}, {4.0, 4.04})}),
+      ElementsAre("Two sizes give no order and no estimate of the error: that takes three."));
+}
+
+TEST(MeshStudy, AnEventThatSomeSizesDoNotHaveDependsOnTheMesh)
+{
+  const StudyQuantity q = judged({0.4, 0.2, 0.1}, {none, 2.31, 2.3}, MeasureKind::time);
+  EXPECT_EQ(q.answer, MeshAnswer::not_at_all_sizes);
+  EXPECT_EQ(q.change, std::nullopt);
+  EXPECT_EQ(sentence_on(q), "front: depends on the mesh, not at all sizes: none, 2.31, 2.30 m");
+}
+
+TEST(MeshStudy, ARunThatFailedIsLeftOutAndTheOthersAreJudged)
+{
+  auto runs = runs_with({0.8, 0.4, 0.2, 0.1}, {11.0, 10.4, none, 10.1});
+  runs[2].fault = "step 3: too fast";
+  const StudyQuantity q = judge_sizes(measure_of(MeasureKind::amount), runs, 0.02);
+  EXPECT_THAT(q.change, Optional(DoubleNear(-0.3, 1e-12)));
+  EXPECT_NEAR(q.estimate.order, std::log2(1.0 + std::sqrt(3.0)), 1e-9);  // ratios 2 and 4: x^2/(x + 1) = 2, x = 2^p
+  EXPECT_THAT(remarks_on({"", {}, runs}), ElementsAre("No result on cells of 0.2 m: step 3: too fast"));
+  runs[3].fault = runs[1].fault = runs[2].fault;
+  EXPECT_EQ(judge_sizes(measure_of(MeasureKind::amount), runs, 0.02).answer, MeshAnswer::none);
+  EXPECT_EQ(
+      answer_of({{"", {}, runs}, {}}, 0.02), "Fewer than two sizes were solved: nothing can be said of the mesh.");
+}
+
+TEST(MeshStudy, ZerosHaveNoShareAndEqualValuesNoChange)
+{
+  EXPECT_EQ(sentence_on(judged({0.4, 0.2, 0.1}, {0.0, 0.0, 0.0})), "front: 0.00 m at all sizes");
+  EXPECT_EQ(judged({0.4, 0.2, 0.1}, {7.0, 7.0 + 1e-12, 7.0}).answer, MeshAnswer::same);
+  const StudyQuantity q = judged({0.4, 0.2, 0.1}, {0.4, 0.2, 0.0});
+  EXPECT_EQ(q.relative_change(), std::nullopt);
+  EXPECT_EQ(q.answer, MeshAnswer::depends);
+  const StudyQuantity still = judged({0.4, 0.2, 0.1}, {3.0, 7.0, 7.0 * (1.0 + 1e-15)});
+  EXPECT_EQ(*still.change, 0.0);
+  EXPECT_FALSE(still.has_order);
+}
+
+TEST(MeshStudy, APlaceIsSeenAgainstItsDistanceWhereverTheOriginLies)
+{
+  RunMeasure place = measure_of(MeasureKind::place);
+  place.distance = [](const RunResults&) { return std::optional(4.0); };
+  for (const Real origin : {0.0, 1000.0})
+    EXPECT_NEAR(
+        *judge_sizes(place, runs_with({0.4, 0.2}, {origin + 4.0, origin + 4.1}), 0.02).relative_change(), 0.025, 1e-9);
+  place.distance = [](const RunResults&) { return std::optional(1e-6); };  // it stood still: a share of one cell
+  EXPECT_NEAR(*judge_sizes(place, runs_with({0.4, 0.2}, {4.0, 4.001}), 0.02).relative_change(), 0.005, 1e-9);
+}
+
+TEST(MeshStudy, ADifferenceBelowTheResolutionCannotBeToldFromNone)
+{
+  RunMeasure crest = measure_of(MeasureKind::place);
+  crest.resolution = [](const RunResults&, Real cell) { return cell; };
+  crest.in_steps = true;
+  const StudyQuantity q = judge_sizes(crest, runs_with({0.8, 0.4, 0.2}, {5.6, 5.2, 5.0}), 0.02);
+  EXPECT_EQ(q.answer, MeshAnswer::settled);
+  EXPECT_TRUE(q.is_below_resolution());
+  EXPECT_FALSE(q.has_order);  // though 0.4 and 0.2 look like order 1
+  EXPECT_THAT(
+      sentence_on(q), HasSubstr("within its resolution of 0.40 m; no order: it moves in steps of its resolution"));
+}
+
+TEST(MeshStudy, CountsAndWordsAreEqualOrNot)
+{
+  EXPECT_EQ(judged({0.4, 0.2, 0.1}, {1.0, 2.0, 2.0}, MeasureKind::count).answer, MeshAnswer::depends);
+  EXPECT_EQ(judged({0.4, 0.2, 0.1}, {100.0, 101.0, 101.0}, MeasureKind::count).answer, MeshAnswer::depends);
+  RunMeasure verdict = measure_of(MeasureKind::word);
+  verdict.words = {"stands", "floods"}, verdict.unit = "-";
+  const StudyQuantity q = judge_sizes(verdict, runs_with({1.0, 0.5}, {0.0, 1.0}), 0.02);
+  EXPECT_EQ(sentence_on(q), "front: depends on the mesh: stands, floods");
+  EXPECT_EQ(sentence_on(judge_sizes(verdict, runs_with({1.0, 0.5}, {1.0, 1.0}), 0.02)), "front: floods at all sizes");
+}
+
+TEST(MeshStudy, AmountsHaveThreeDigitsThatCount)
+{
+  const RunMeasure share = {.label = "share", .unit = "%", .digits = 1, .value = {}};
+  EXPECT_EQ(text_of(share, 96.57), "96.6");
+  EXPECT_EQ(text_of(share, 0.0123), "0.0123");
+  EXPECT_EQ(text_of(share, 0.0), "0.0");
+  EXPECT_EQ(text_of(share, std::nullopt), "-");
+}
+
+TEST(MeshStudy, RemarksOnSizesThatAreTooNear)
+{
+  EXPECT_THAT(remarks_on({"", {}, runs_with({0.4, 0.22, 0.2}, {1.0, 2.0, 3.0})}),
+      ElementsAre(
+          "The cells of 0.22 m and 0.2 m are too near in size, ratio 1.1: below 1.3 an order is mostly noise."));
+  EXPECT_THAT(remarks_on({"", {}, runs_with({0.8, 0.4, 0.2, 0.1}, {1.0, 2.0, 3.0, 4.0})}),
+      ElementsAre("Order, limit and error are of the three smallest sizes."));
+}
+
+TEST(MeshStudy, AnswersForAllQuantitiesInOneSentence)
+{
+  StudiedSequence s{{"as given", {}, runs_with({0.4, 0.2, 0.1}, {4.1, 3.5, 5.8})}, {}};
+  s.quantities = {judged({0.4, 0.2, 0.1}, {4.1, 3.5, 5.8}), judged({0.4, 0.2, 0.1}, {1.0, 1.0, 1.0})};
+  EXPECT_EQ(answer_of(s, 0.02), "Depends on the mesh: front. All else changes by less than 2.0 % or its resolution.");
+  s.quantities.erase(s.quantities.begin());
+  EXPECT_EQ(answer_of(s, 0.02),
+      "Nothing that is measured changes by more than 2.0 % or its resolution between the last two sizes.");
+  const MeshStudy study{.case_name = "c", .title = "t", .tolerance = 0.02, .sequences = {s}};
+  EXPECT_THAT(study_text(study), AllOf(HasSubstr("as given, cells of 0.4, 0.2, 0.1 m\n"),
+                                     ContainsRegex("front \\[m\\] +1.00 +1.00 +1.00 +0 % +- +- +-\n")));
+}
+
+}  // namespace
