@@ -17,7 +17,7 @@ const std::shared_ptr<const RunTable>& left_table()
           {"id", "-", "number of the point", "of the material point"}, {"x", "m", "x", "where it left"},
           {"y", "m", "y", "where it left"}, {"v_x", "m/s", "velocity, x", "with which it left"},
           {"v_y", "m/s", "velocity, y", "with which it left"}, {"mass", "kg/m", "mass", "of the material point"}},
-      .late = true});
+      .between_ledger_rows = true});
   return table;
 }
 

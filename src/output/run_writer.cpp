@@ -52,25 +52,12 @@ std::string table_line(std::string_view name, const std::string& checksum)
   return fmt::format("{} = {}\n", name, checksum);
 }
 
-std::int64_t rows_due(const RunTable& table, const ResumePoint& from)
-{
-  const auto n_due = from.n_rows.find(table.name);
-  return from.step == 0 || n_due == from.n_rows.end() ? 0 : n_due->second;
-}
-
-/// Rows up to a checkpoint are those up to its time; where rows are late, those that were reported. Without one that
-/// was reported, rows before its time are taken for those of another run.
-std::int64_t most_rows(const RunTable& table, const ResumePoint& from)
-{
-  const std::int64_t n_due = rows_due(table, from);
-  return table.late && n_due > 0 ? n_due : all_rows;
-}
-
 void check_table(const std::string& folder, const RunTable& table, const ResumePoint& from)
 {
   const std::string path = path_in(folder, table.file());
-  const TablePart part = read_part_until(path, header_of(table), last_time(from), most_rows(table, from));
-  check_length(path, "rows", part.n_rows, rows_due(table, from), from);
+  const TablePart part = read_part_until(path, header_of(table), last_time(from));
+  const auto n_due = from.n_rows.find(table.name);
+  check_length(path, "rows", part.n_rows, from.step == 0 || n_due == from.n_rows.end() ? 0 : n_due->second, from);
   const bool same = from.tables.find(table_line(table.file(), part.checksum)) != std::string::npos;
   if (part.n_rows > 0 && !same)
     refuse(path, from, "is not what this run wrote: rows of it were altered, or it is of another run");
@@ -141,7 +128,7 @@ std::unique_ptr<RunWriter> RunWriter::resume(RunWriterSettings settings, FolderL
   remove_frames_from(folder, mesh_frames, n_mesh);
   if (!mesh_fault.empty()) std::filesystem::remove(mesh_path);
   for (const auto& table : settings.tables)
-    drop_rows_after(path_in(folder, table->file()), header_of(*table), last_time(from), most_rows(*table, from));
+    drop_rows_after(path_in(folder, table->file()), header_of(*table), last_time(from));
   remove_checkpoints_after(folder, from.step);
   remove_old_checkpoints(folder, settings.checkpoint_keep);
   std::unique_ptr<RunWriter> writer(

@@ -45,11 +45,11 @@ struct Part {
   std::int64_t n_rows = 0;
 };
 
-/// Up to the end of the last whole row with a time of at most `time`, or of the row number `most_rows`.
-Part part_until(std::string_view table, Real time, std::int64_t most_rows)
+/// Up to the end of the last whole row with a time of at most `time`.
+Part part_until(std::string_view table, Real time)
 {
   Part part{table.find('\n') + 1};
-  while (part.length < table.size() && part.n_rows < most_rows) {
+  while (part.length < table.size()) {
     const std::size_t line_end = table.find('\n', part.length);
     if (line_end == std::string_view::npos || !(time_of(table.substr(part.length, line_end - part.length)) <= time))
       break;
@@ -95,19 +95,19 @@ std::string csv_lines(const std::vector<TableRow>& rows)
   return lines;
 }
 
-TablePart read_part_until(const std::string& path, std::string_view header, Real time, std::int64_t most_rows)
+TablePart read_part_until(const std::string& path, std::string_view header, Real time)
 {
   if (!std::filesystem::exists(path)) return {};
   const std::string table = read_table(path, header);
-  const Part part = part_until(table, time, most_rows);
+  const Part part = part_until(table, time);
   return {part.n_rows, digits_of(std::string_view(table).substr(0, part.length))};
 }
 
-void drop_rows_after(const std::string& path, std::string_view header, Real time, std::int64_t most_rows)
+void drop_rows_after(const std::string& path, std::string_view header, Real time)
 {
   if (!std::filesystem::exists(path)) return;
   const std::string table = read_table(path, header);
-  const std::size_t length = part_until(table, time, most_rows).length;
+  const std::size_t length = part_until(table, time).length;
   if (length < std::filesystem::file_size(path)) write_file_atomically(path, std::string_view(table).substr(0, length));
 }
 

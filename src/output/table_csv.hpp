@@ -5,7 +5,6 @@
 #include "output/files.hpp"
 #include "simulation/run_table.hpp"
 
-#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,23 +17,19 @@ std::string header_of(const RunTable& table);
 /// Lines with their line ends. Numbers are the shortest that read back to the same bits; not a number is "nan".
 std::string csv_lines(const std::vector<TableRow>& rows);
 
-/// No limit to the rows of a table.
-inline constexpr std::int64_t all_rows = std::numeric_limits<std::int64_t>::max();
-
 /// A table up to some row.
 struct TablePart {
   std::int64_t n_rows = 0;  ///< without the header
   std::string checksum;     ///< over every byte, header included; empty without a file
 };
 
-/// Up to the last whole row with a time of at most `time` [s], and at most so many rows. Throws FileError if the
-/// columns are not those of `header`.
-TablePart read_part_until(
-    const std::string& path, std::string_view header, Real time, std::int64_t most_rows = all_rows);
+/// Up to the last whole row with a time of at most `time` [s]. Throws FileError if the columns are not those of
+/// `header`.
+TablePart read_part_until(const std::string& path, std::string_view header, Real time);
 
-/// Drops the rows later than `time` [s] or beyond `most_rows`, and a last line that was cut short. Without a file,
-/// nothing is done. Throws FileError if the columns are not those of `header`.
-void drop_rows_after(const std::string& path, std::string_view header, Real time, std::int64_t most_rows = all_rows);
+/// Drops the rows later than `time` [s], and a last line that was cut short. Without a file, nothing is done.
+/// Throws FileError if the columns are not those of `header`.
+void drop_rows_after(const std::string& path, std::string_view header, Real time);
 
 /// A table that grows.
 class TableFile {

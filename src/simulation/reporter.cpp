@@ -47,6 +47,13 @@ std::string Reporter::report_ledger()
   return {};
 }
 
+void Reporter::report_rows_between()
+{
+  for (const ActiveFollower& active : state_.followers)
+    if (active.type->table != nullptr && active.type->table->between_ledger_rows)
+      report_rows(active.follower->rows(model_, state_));
+}
+
 void Reporter::report_frame()
 {
   for (const ActiveFollower& active : state_.followers) active.follower->frame(model_, state_);
@@ -61,6 +68,7 @@ void Reporter::report_frame()
 void Reporter::report_checkpoint()
 {
   if (observers_.empty()) return;
+  report_rows_between();
   for_each_part(state_, most_values_of_part(state_), [&](StateImage part) {
     tell([image = std::make_shared<const StateImage>(std::move(part))](Observer& o) { o.checkpoint(image); });
   });
@@ -71,8 +79,9 @@ void Reporter::report(const Progress& progress) const
   tell([&](Observer& o) { o.progress(progress); });
 }
 
-void Reporter::stop_run(std::string message) const
+void Reporter::stop_run(std::string message)
 {
+  report_rows_between();
   for (Observer* observer : observers_) {
     const std::string saved = observer->save_failed(make_image(state_));
     if (!saved.empty()) message += "\n  saved    " + saved;

@@ -25,7 +25,7 @@ class Reporter {
   void report_checkpoint();
   void report(const Progress& progress) const;
   /// Keeps the evidence of a run that must stop, and stops it: throws RunError.
-  [[noreturn]] void stop_run(std::string message) const;
+  [[noreturn]] void stop_run(std::string message);
 
  private:
   template <class F>
@@ -35,6 +35,8 @@ class Reporter {
   }
   void report_rows(const std::vector<TableRow>& rows);
   std::string report_ledger();
+  /// Before a checkpoint: rows with times since the last row of the ledger, so that its time divides each table.
+  void report_rows_between();
   void report_frame();
 
   const Model& model_;

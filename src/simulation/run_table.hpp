@@ -16,7 +16,7 @@ struct RunTable {
   std::string_view meaning;           ///< one line
   std::vector<QuantityInfo> columns;  ///< the first is the time [s]; at most one is a text
   bool from_start = false;            ///< its file is there before its first row
-  bool late = false;                  ///< a row may be reported after its time: with the next row of the ledger
+  bool between_ledger_rows = false;   ///< its rows have times of their own: also reported before a checkpoint
 
   std::string file() const { return std::string(name) + ".csv"; }
   /// Place of a column among the values of a row. The column must be there, and be no text.

@@ -105,6 +105,18 @@ void enter_put_back(std::span<const Real> values, State& state)
   before = true;
 }
 
+/// The mean force of damping is zero again at nodes without soil, where soil that comes back begins anew.
+void forget_mean_force(std::span<const Index> active_nodes, std::span<Vec<2>> mean_force)
+{
+  std::size_t k = 0;
+  for (Index i = 0; i < std::ssize(mean_force); ++i) {
+    if (k < active_nodes.size() && active_nodes[k] == i)
+      ++k;
+    else
+      mean_force[i] = {0.0, 0.0};
+  }
+}
+
 void move_leavers(const Model& model, State& state, Workspace& work)
 {
   for (const CellSums& sums : work.cell_sums)
@@ -118,14 +130,7 @@ void move_leavers(const Model& model, State& state, Workspace& work)
     }
   if (!state.points.update_occupied()) return;
   work.fit(model, state);
-  if (state.mean_force.empty()) return;
-  std::size_t k = 0;  // a node that soil comes back to begins anew
-  for (Index i = 0; i < model.mesh->n_nodes(); ++i) {
-    if (k < work.active_nodes.size() && work.active_nodes[k] == i)
-      ++k;
-    else
-      state.mean_force[i] = {0.0, 0.0};
-  }
+  if (!state.mean_force.empty()) forget_mean_force(work.active_nodes, state.mean_force);
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ TEST(Resume, WherePointsLeftSinceTheLastRowOfTheLedgerEndsInTheSameResults)
   const std::string whole = scratch.path() + "/whole", again = scratch.path() + "/again";
   ASSERT_EQ(run_column(whole,
                 {"-q", "--set", "mesh.size=[8.5, 3]", "--set", "boundary.right=open", "--set", "body.0.velocity=[8, 0]",
-                    "--set", "output.ledger.every=0.04", "--set", "output.checkpoint={every=0.1, keep=0}"})
+                    "--set", "output.ledger.every=0.15", "--set", "output.checkpoint={every=0.1, keep=0}"})
                 .status,
       0);
   std::filesystem::copy(whole, again, std::filesystem::copy_options::recursive);

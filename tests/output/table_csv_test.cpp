@@ -47,20 +47,6 @@ TEST(TableCsv, OpeningWritesTheHeaderOnce)
       header_of(*history_table()) + "\n" + csv_lines(sample_history(0.1)) + csv_lines(sample_history(0.2)));
 }
 
-/// A point that leaves between the last row of the ledger and a checkpoint is reported after the checkpoint.
-TEST(TableCsv, RowsThatWereReportedLaterThanTheirTimeAreNotThoseOfACheckpoint)
-{
-  const ScratchFolder folder;
-  const std::string path = folder.path() + "/ledger.csv", header = header_of(*sample_ledger_table());
-  TableFile table(path, header);
-  table.append(csv_lines(sample_ledger(0.1)));
-  const std::string at_checkpoint = table.checksum();
-  table.append(csv_lines(sample_ledger(0.2)));
-  EXPECT_EQ(read_part_until(path, header, 0.3, 1).checksum, at_checkpoint);
-  drop_rows_after(path, header, 0.3, 1);
-  EXPECT_EQ(read_file(path), header + "\n" + csv_lines(sample_ledger(0.1)));
-}
-
 TEST(TableCsv, RowsAfterATimeAreDroppedAndThatTimeStays)
 {
   const ScratchFolder folder;
