@@ -369,7 +369,7 @@ std::vector<KeyInfo> method_keys()
           .words = shares_words,
           .meaning =
               "where a material point counts: in the sub-cell that holds its centre (point), or in every sub-cell "
-              "by the part of its extent that lies in it (overlap; mpm_gp)"},
+              "by the part of its extent that lies in it (overlap)"},
       {.path = "method.weights",
           .field = [](Case& c, std::size_t) { return word_field(c.method.weights); },
           .words = weights_words,

@@ -158,8 +158,8 @@ inline void add_internal_force(const CellGroup<Element>& group, const GeometryLa
 }
 
 /// Gauss values, weights, smooth pressure and internal force of the cells of a group for the schemes that integrate at
-/// Gauss points. gauss_of(layer): where those of a layer are; sum(layer, gauss): their sums; finish(layer, gauss,
-/// pressure): what the scheme does before the force, with the pressure of the Gauss points before Eq. (3).
+/// Gauss points. gauss_of(layer): where those of a layer are; sum(layer, gauss): their sums; finish(layer, gauss):
+/// what the scheme does before the force.
 template <class Element, class GaussOf, class Sum, class Finish>
 void gather_at_gauss_points(
     const SchemeContext& context, const CellGroup<Element>& group, GaussOf&& gauss_of, Sum&& sum, Finish&& finish)
@@ -173,10 +173,10 @@ void gather_at_gauss_points(
   const GeometryLanes<Element> geometry = geometry_of(group);
   for_each_layer(group, [&](const BlockLayer& layer) {
     GaussValues<Element, Pack>& gauss = gauss_of(layer);
-    set_weights(geometry, cell_volume, context.method, gauss);        // R3
-    divide_by_volume(gauss);                                          // Eq. (1)
-    const PerGauss<Element, Pack> pressure = smooth_pressure(gauss);  // Eqs. (2), (3)
-    finish(layer, gauss, pressure);
+    set_weights(geometry, cell_volume, context.method, gauss);  // R3
+    divide_by_volume(gauss);                                    // Eq. (1)
+    smooth_pressure(gauss);                                     // Eqs. (2), (3)
+    finish(layer, gauss);
     add_internal_force(group, geometry, layer, gauss, context.method.force_operator);  // Eq. (4)
   });
 }

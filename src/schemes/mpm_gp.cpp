@@ -13,15 +13,9 @@ struct MpmGp {
   /// is kept.
   static void gather(const SchemeContext& context, const CellGroup<Element>& group)
   {
-    GaussValues<Element, Pack> only;
-    const bool one_layer = has_one_layer(group);
-    gather_at_gauss_points(
-        context, group,
-        [&](const BlockLayer& layer) -> GaussValues<Element, Pack>& {
-          return one_layer ? only : group.gauss_of(layer);
-        },
-        [&](const BlockLayer& layer, GaussValues<Element, Pack>& gauss) { sum_layer(group, layer, gauss); },
-        [&](const BlockLayer& layer, const GaussValues<Element, Pack>& gauss, const auto&) {
+    integrate(
+        context, group, [&](const BlockLayer& layer, auto& gauss) { sum_layer(group, layer, gauss); },
+        [&](const BlockLayer& layer, const auto& gauss) {
           for (int c = 0; c < group.n(); ++c)
             if (layer.block[c] >= 0) group.pressure[layer.block[c]] = gauss.pressure[c];
         });
@@ -48,17 +42,10 @@ struct MpmGp {
 
   static void integrate_patches(const SchemeContext& context, const CellGroup<Element>& group)
   {
-    GaussValues<Element, Pack> only;
-    const bool one_layer = has_one_layer(group);
-    gather_at_gauss_points(
+    integrate(
         context, group,
-        [&](const BlockLayer& layer) -> GaussValues<Element, Pack>& {
-          return one_layer ? only : group.gauss_of(layer);
-        },
-        [&](const BlockLayer& layer, GaussValues<Element, Pack>& gauss) {
-          collect_layer<Element>(group, layer, gauss, nullptr, 0);
-        },
-        [&](const BlockLayer& layer, const GaussValues<Element, Pack>& gauss, const auto&) {
+        [&](const BlockLayer& layer, auto& gauss) { collect_layer<Element>(group, layer, gauss, nullptr, 0); },
+        [&](const BlockLayer& layer, const auto& gauss) {
           PerGauss<Element, Pack> pressure;
           pressure.fill(gauss.pressure);
           leave_row(group, layer, patch_pressure, pressure);
@@ -82,6 +69,7 @@ struct MpmGp {
   {
     for (int c = 0; c < group.n(); ++c) {
       prefetch_next(group, c);
+      prefetch_extents(context, group, c);
       const Real size = std::sqrt(group.mesh.geometry(group.cells[c]).volume);
       for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
         const PatchView patch = view_patch(group, b, patch_rows);
@@ -95,6 +83,20 @@ struct MpmGp {
   /// Rows that Gauss points leave for the points around them.
   static constexpr int patch_strain = 0, patch_pressure = 4, patch_spin = 5, patch_rows = 6;
   static_assert(patch_pressure == n_sym<dim>);
+
+  /// sum, finish: as in gather_at_gauss_points. The Gauss values of a group of one layer need no place in memory.
+  template <class Sum, class Finish>
+  static void integrate(const SchemeContext& context, const CellGroup<Element>& group, Sum&& sum, Finish&& finish)
+  {
+    GaussValues<Element, Pack> only;
+    const bool one_layer = has_one_layer(group);
+    gather_at_gauss_points(
+        context, group,
+        [&](const BlockLayer& layer) -> GaussValues<Element, Pack>& {
+          return one_layer ? only : group.gauss_of(layer);
+        },
+        sum, finish);
+  }
 
   static void update_strip_from_patch(const SchemeContext& context, const PointBlock<dim>& block, Index first,
       Real size, const PatchView& patch, StressSums& sums)

@@ -1,4 +1,5 @@
 // MPM-Mixed, paper Sec. 2.1: the Gauss points own the history; material points are overwritten every step.
+#include "schemes/patch_group.hpp"
 #include "schemes/scheme.hpp"
 
 namespace terp {
@@ -7,6 +8,7 @@ namespace {
 template <class Element>
 struct MpmMixed {
   static constexpr int dim = Element::dim;
+  using Upper = decltype(Element::upper_halves(typename Element::template Local<Pack>{}));
 
   /// Gauss stress, rows of the laws and internal force, Eqs. (1) to (4).
   static void gather(const SchemeContext& context, const CellGroup<Element>& group)
@@ -14,7 +16,7 @@ struct MpmMixed {
     gather_at_gauss_points(
         context, group, [&](const BlockLayer& layer) -> GaussValues<Element, Pack>& { return group.gauss_of(layer); },
         [&](const BlockLayer& layer, GaussValues<Element, Pack>& gauss) { sum_layer(group, layer, gauss); },
-        [&](const BlockLayer& layer, GaussValues<Element, Pack>& gauss, const auto&) {
+        [&](const BlockLayer& layer, GaussValues<Element, Pack>& gauss) {
           GaussRow<Element>* rows = group.rows_of(layer);
           const SoilMaterial& material = context.materials[layer.material];
           for (int k = 0; k < material.n_rows(); ++k) rows[k] = sum_row(group, layer, material.rows[k]);
@@ -47,7 +49,164 @@ struct MpmMixed {
     });
   }
 
+  /// With shares that overlap, in four passes. The points take the new Gauss stress with their shares, shifted so that
+  /// each sub-cell keeps the mean deviator of its points, and each block their mean pressure; of the state they take
+  /// what the law added. Values that were handed back as they are would spread without end, even at rest (decision
+  /// 0042).
+  static void sum_patches(const SchemeContext& context, const CellGroup<Element>& group)
+  {
+    sum_over_patches(context, group,
+        [&](const auto& block) { return std::span<const int>(context.materials[block.material].rows); });
+  }
+
+  static void integrate_patches(const SchemeContext& context, const CellGroup<Element>& group)
+  {
+    gather_at_gauss_points(
+        context, group, [&](const BlockLayer& layer) -> GaussValues<Element, Pack>& { return group.gauss_of(layer); },
+        [&](const BlockLayer& layer, GaussValues<Element, Pack>& gauss) {
+          collect_layer(group, layer, gauss, group.rows_of(layer), context.materials[layer.material].n_rows());
+        },
+        [&](const BlockLayer& layer, GaussValues<Element, Pack>& gauss) {
+          const SoilMaterial& material = context.materials[layer.material];
+          GaussRow<Element>* rows = group.rows_of(layer);
+          leave_four_rows(
+              group, layer, patch_change, [&](int k) -> const auto& { return gauss.sigma[k]; });
+          divide_rows(gauss, material, rows);
+          average_rows(context.method, gauss, material, rows);
+          for (int k = 0; k < material.n_state(); ++k) leave_row(group, layer, patch_state + k, rows[k]);
+        });
+  }
+
+  static void leave_strain(
+      const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>& du, StressSums& sums)
+  {
+    const GaussStrain<Element, Pack> strain = strain_of_group(group, du, context.method.b_bar);  // Step 2
+    for_each_layer(group, [&](const BlockLayer& layer) {
+      const SoilMaterial& material = context.materials[layer.material];
+      GaussValues<Element, Pack>& gauss = group.gauss_of(layer);
+      GaussRow<Element>* rows = group.rows_of(layer);
+      const Pack plastic_work = update_gauss_points(context, material, strain, gauss, rows);  // Step 3
+      for (int c = 0; c < group.n(); ++c)
+        if (layer.block[c] >= 0) sums.plastic_work += plastic_work[c];
+      leave_four_rows(
+          group, layer, patch_strain, [&](int k) -> const auto& { return strain.d_eps[k]; });
+      for (int k = 0; k < n_sym<dim>; ++k) leave_change(group, layer, patch_change + k, gauss.sigma[k]);
+      leave_four_rows(
+          group, layer, patch_stress, [&](int k) -> const auto& { return gauss.sigma[k]; });
+      for (int k = 0; k < material.n_state(); ++k) leave_change(group, layer, patch_state + k, rows[k]);
+    });
+  }
+
+  static void update_from_patches(
+      const SchemeContext& context, const CellGroup<Element>& group, const GroupVectors<Element>&, StressSums&)
+  {
+    for (int c = 0; c < group.n(); ++c) {
+      prefetch_next(group, c);
+      const Real size = std::sqrt(group.mesh.geometry(group.cells[c]).volume);
+      for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
+        const SoilMaterial& material = context.materials[block.material];
+        const PatchView patch = view_patch(group, b, patch_state + material.n_state());
+        KeptStress kept;
+        for (Index p = 0; p < block.n; p += pack_width) {
+          PointShares shares;
+          set_shares(block, p, context.inverse_extent, size, shares);
+          take_values(patch, shares, material, block, p, kept);  // Step 4
+        }
+        kept.shift(block);
+      });
+    }
+  }
+
  private:
+  /// Rows that Gauss points leave for the points around them.
+  static constexpr int patch_strain = 0, patch_change = n_sym<dim>, patch_stress = 2 * n_sym<dim>,
+                       patch_state = 3 * n_sym<dim>;
+
+  /// What the stress of a block's points is above that which the Gauss points had: the pressure as a mean over the
+  /// block, the deviator over the points of each sub-cell.
+  class KeptStress {
+   public:
+    KeptStress()
+        : deviator_(repeat<n_sym<dim>>(zero_packs<Element::n_gauss>())), volume_(zero_packs<Element::n_gauss>())
+    {
+    }
+
+    /// above: of eight points; omega: their volumes.
+    void add(SymTensor<Pack, dim> above, Pack omega, const Upper& upper)
+    {
+      const Pack pressure = trace(above) * Pack(1.0 / 3.0);
+      pressure_ = fma(omega, pressure, pressure_);
+      add_isotropic(above, -pressure);
+      for (int k = 0; k < n_sym<dim>; ++k) add_in_sub_cell(omega * above[k], upper, deviator_[k]);
+      add_in_sub_cell(omega, upper, volume_);
+    }
+
+    /// Adds the means to the points.
+    void shift(const PointBlock<dim>& block) const
+    {
+      PerGauss<Element> volume;
+      for (int g = 0; g < Element::n_gauss; ++g) volume[g] = sum(volume_[g]);
+      const Real pressure = sum(pressure_) / total(volume);
+      std::array<PerGauss<Element>, n_sym<dim>> mean;
+      for (int k = 0; k < n_sym<dim>; ++k)
+        for (int g = 0; g < Element::n_gauss; ++g)
+          mean[k][g] = (volume[g] > 0.0 ? sum(deviator_[k][g]) / volume[g] : 0.0) + (k < 3 ? pressure : 0.0);
+      for (Index p = 0; p < block.n; p += pack_width) {
+        const auto upper = upper_halves<Element>(block, p);
+        for (int k = 0; k < n_sym<dim>; ++k) {
+          Real* at = block.row(PointRows<dim>::sigma + k) + p;
+          (Pack::load(at) + Element::at_sub_cell(mean[k], upper)).store(at);
+        }
+      }
+    }
+
+   private:
+    static void add_in_sub_cell(Pack value, const Upper& upper, PerGauss<Element, Pack>& sums)
+    {
+      const auto parts = Element::in_sub_cell(value, upper);
+      for (int g = 0; g < Element::n_gauss; ++g) sums[g] += parts[g];
+    }
+
+    std::array<PerGauss<Element, Pack>, n_sym<dim>> deviator_;
+    PerGauss<Element, Pack> volume_;
+    Pack pressure_ = Pack(0.0);
+  };
+
+  /// Turns a row that was left before the law into what has changed since.
+  static void leave_change(
+      const CellGroup<Element>& group, const BlockLayer& layer, int row, const PerGauss<Element, Pack>& lanes)
+  {
+    std::array<PerGauss<Element>, pack_width> values;
+    from_lanes(lanes, [&](int c) { return values[c].data(); });
+    for (int c = 0; c < group.n(); ++c) {
+      if (layer.block[c] < 0) continue;
+      Real* left = group.patches->gauss_of(layer.block[c]) + row;
+      for (int g = 0; g < Element::n_gauss; ++g) {
+        Real& value = left[g * group.patches->gauss_width];
+        value = values[c][g] - value;
+      }
+    }
+  }
+
+  static void take_values(const PatchView& patch, const PointShares& shares, const SoilMaterial& material,
+      const PointBlock<dim>& block, Index p, KeptStress& kept)
+  {
+    const auto values = patch.at_points<3 * n_sym<dim>>(shares, 0);
+    const Pack omega = Pack::load(block.row(PointRows<dim>::volume) + p);
+    SymTensor<Pack, dim> d_eps, above = stress_of(block, p);
+    for (int k = 0; k < n_sym<dim>; ++k) {
+      d_eps[k] = values[patch_strain + k];
+      above[k] += values[patch_change + k] - values[patch_stress + k];
+      values[patch_stress + k].store(block.row(PointRows<dim>::sigma + k) + p);
+    }
+    kept.add(above, omega, upper_halves<Element>(block, p));
+    for (int k = 0; k < material.n_state(); ++k) {
+      Real* at = block.row(material.rows[k]) + p;
+      (Pack::load(at) + patch.at_points<1>(shares, patch_state + k)[0]).store(at);
+    }
+    scale_volume(block, p, accumulate_strain(block, p, d_eps));
+  }
+
   /// Means over the sub-cells. A parameter that varies comes as such a mean.
   static void divide_rows(
       const GaussValues<Element, Pack>& gauss, const SoilMaterial& material, GaussRow<Element>* rows)
@@ -143,7 +302,7 @@ constexpr PassCost stress_cost{.flops = 9, .rows = (4 + 1) + (4 + 4 + 1 + 1)};
 
 TERP_SCHEME_DEFINITION(mpm_mixed, MpmMixed, .title = "MPM-Mixed",
     .summary = "Gauss points own the history (Martinelli & Galavi 2022)",
-    .unused_options = "shares point_pressure pressure_relaxation", .keeps_gauss_values = true,
-    .gather_cost = gather_cost, .stress_cost = stress_cost)
+    .unused_options = "point_pressure pressure_relaxation", .keeps_gauss_values = true, .gather_cost = gather_cost,
+    .stress_cost = stress_cost, TERP_OVERLAP_FUNCTIONS(MpmMixed))
 
 }  // namespace terp

@@ -9,6 +9,16 @@
 
 namespace terp {
 
+/// Fetches the extents of the points of the cell after cell c: their row lies apart from those that are read in order.
+template <class Element>
+void prefetch_extents(const SchemeContext& context, const CellGroup<Element>& group, int c)
+{
+  const Index next = c + 1 < group.n() ? group.cells[c + 1] : group.next_cell;
+  if (next < 0) return;
+  for_each_block(
+      group.points, next, [&](const auto& block, Index) { prefetch(block.row(context.inverse_extent), block.n); });
+}
+
 /// First pass: sums of each block over its patch. others(block): rows beyond the stress.
 template <class Element, class Others>
 void sum_over_patches(const SchemeContext& context, const CellGroup<Element>& group, Others&& others)
@@ -16,6 +26,7 @@ void sum_over_patches(const SchemeContext& context, const CellGroup<Element>& gr
   PatchValues& patches = *group.patches;
   for (int c = 0; c < group.n(); ++c) {
     const Index cell = group.cells[c];
+    prefetch_extents(context, group, c);
     const Real size = std::sqrt(group.mesh.geometry(cell).volume);
     for_each_block(group.points, cell, [&](const auto& block, Index b) {
       patches.partners[b] = find_block_partners(group.points, patches.cells[cell], block);

@@ -92,9 +92,9 @@ void divide_by_volume(GaussValues<Element, R>& gauss)
   for (auto& component : gauss.sigma) mean(component);
 }
 
-/// p_e by Eq. (2) and sigma_hat by Eq. (3). Returns the pressure that the Gauss points had before [Pa].
+/// p_e by Eq. (2) and sigma_hat by Eq. (3).
 template <class Element, class R>
-PerGauss<Element, R> smooth_pressure(GaussValues<Element, R>& gauss)
+void smooth_pressure(GaussValues<Element, R>& gauss)
 {
   PerGauss<Element, R> p;
   for (int g = 0; g < Element::n_gauss; ++g)
@@ -102,7 +102,6 @@ PerGauss<Element, R> smooth_pressure(GaussValues<Element, R>& gauss)
   gauss.pressure = weighted_mean(p, gauss.weight);  // Eq. (2)
   for (int k = 0; k < 3; ++k)
     for (int g = 0; g < Element::n_gauss; ++g) gauss.sigma[k][g] -= p[g] - gauss.pressure;  // Eq. (3)
-  return p;
 }
 
 /// Replaces a value at all Gauss points by its mean over the cell with the weights of Eq. (2).

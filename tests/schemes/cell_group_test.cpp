@@ -33,7 +33,7 @@ void gather(Row& row, const SchemeContext& context, Index first = 0, Index n = 1
   gather_at_gauss_points(
       context, group, [&](const BlockLayer& layer) -> GaussValues<Quad4, Pack>& { return group.gauss_of(layer); },
       [&](const BlockLayer& layer, GaussValues<Quad4, Pack>& gauss) { sum_layer(group, layer, gauss); },
-      [](const auto&, auto&, const auto&) {});
+      [](const auto&, auto&) {});
 }
 
 std::vector<SoilMaterial> two_names_of_one_soil()

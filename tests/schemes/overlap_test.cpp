@@ -4,6 +4,7 @@
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -20,7 +21,7 @@ struct Overlap : testing::TestWithParam<std::string> {
   Case column() const { return with_overlap(test::column(GetParam(), 0.25)); }
 };
 INSTANTIATE_TEST_SUITE_P(
-    EveryScheme, Overlap, testing::Values("mpm_gp"), [](const auto& scheme) { return scheme.param; });
+    EveryScheme, Overlap, testing::Values("mpm_gp", "mpm_mixed"), [](const auto& scheme) { return scheme.param; });
 
 /// An elastic column between rollers, in equilibrium on cells that it does not fill: points reach into the next cell.
 /// Values that were handed back as they are would diffuse from cell to cell: here up to 3.7 kPa in 3 s.
@@ -99,11 +100,10 @@ TEST_P(Overlap, KeepsTheBalanceOfEnergyOfACollapse)
   EXPECT_LT(summarise(s.model, s.state).energy_balance_error, 0.02);
 }
 
-/// What drives the strength never falls in MPM-GP.
-TEST(OverlapOfMpmGp, LowersNoPlasticStrain)
+/// What drives the strength never falls, in MPM-Mixed too: the points take what the law adds, and no mean of the cell.
+TEST_P(Overlap, LowersNoPlasticStrain)
 {
-  Case c = test::column("mpm_gp", 0.25);
-  c.method.shares = Shares::overlap;
+  Case c = column();
   c.time.end = 1.0;
   Simulation s(c);
   auto before = test::points_by_id(s.state);
@@ -113,6 +113,24 @@ TEST(OverlapOfMpmGp, LowersNoPlasticStrain)
     for (std::size_t k = 0; k < now.size(); ++k) EXPECT_GE(now[k].eps_eq_p(), before[k].eps_eq_p());
     before = now;
   }
+}
+
+/// Points that added up the changes at Gauss points, without the mean of their sub-cell, would go to three times the
+/// strength. With it a Gauss point on the yield surface is a mean of points around the surface.
+TEST_P(Overlap, KeepsThePointsNearTheYieldSurface)
+{
+  Case c = with_overlap(test::column_without_softening(GetParam(), 0.25));
+  c.time.end = 1.5;
+  Simulation s(c);
+  s.run();
+  std::vector<Real> shear;
+  for (const auto& p : test::points_by_id(s.state))
+    shear.push_back(std::hypot(0.5 * (p.sigma[0] - p.sigma[1]), p.sigma[3]));
+  std::ranges::sort(shear);
+  const Real su = 8.0e3;
+  EXPECT_NEAR(shear[shear.size() / 2], su, 0.01 * su);
+  EXPECT_LT(shear[shear.size() * 99 / 100], 1.2 * su);
+  EXPECT_LT(shear.back(), 1.7 * su);
 }
 
 }  // namespace
