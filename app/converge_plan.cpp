@@ -161,6 +161,7 @@ struct Planner {
   const ConvergeOptions& options;
   Plan& plan;
   Warnings warnings = {};
+  std::vector<std::string> first_records = {};  ///< of the case as given, by size
 
   void add(std::size_t sequence, double cell, const CaseFile& base)
   {
@@ -176,6 +177,7 @@ struct Planner {
     warnings.show(render_warnings(file));
     try {
       const SharedMesh mesh = std::make_shared<const Mesh<2>>(build_mesh(file.values));
+      check_that_it_differs(s, record_text(make_case_record(file, *mesh)), sequence == 0);
       std::int64_t step = 0;
       run.start = options.run.force ? RunStart::again : find_start(run.folder, file, *mesh, step);
       s.runs.push_back({.cell = cell, .size = typical_cell_size(*mesh), .folder = name});
@@ -194,6 +196,17 @@ struct Planner {
   }
 
  private:
+  /// A variant that changes nothing would be solved for nothing, and look as if its change did not matter.
+  void check_that_it_differs(const StudySequence& s, std::string record, bool is_first)
+  {
+    if (is_first)
+      first_records.push_back(std::move(record));
+    else if (record == first_records[s.runs.size()])
+      throw CaseError(printable(fmt::format(
+          "error: --variant {}: the case is the same without it\n  The sizes of the cells are those of --cells.\n",
+          s.name)));
+  }
+
   void estimate(PlannedRun& run, const CaseFile& file, const SharedMesh& mesh, std::int64_t step)
   {
     Simulation simulation(file.values, mesh, threads_of(options.run));

@@ -68,31 +68,16 @@ std::string cell(const char* tag, const std::string& text, const char* attribute
 
 std::string percent(std::optional<Real> share) { return share ? percent_text(*share) : "-"; }
 
-const char* word(const StudyQuantity& q)
-{
-  if (q.is_below_resolution()) return "within its resolution";
-  constexpr const char* words[] = {
-      "-", "the same", "settled", "tends to a limit", "depends on the mesh", "depends on the mesh: not at all sizes"};
-  return words[static_cast<int>(q.answer)];
-}
-
-const char* class_of(const StudyQuantity& q)
-{
-  if (q.is_below_resolution()) return "none";
-  constexpr const char* names[] = {"none", "same", "settled", "tends", "depends", "not_at_all_sizes"};
-  return names[static_cast<int>(q.answer)];
-}
-
 std::string row_of(const StudyQuantity& q)
 {
   const RunMeasure& m = q.measure;
-  std::string row = fmt::format("<tr class=\"{}\">", class_of(q)) + cell("th", m.label) +
+  std::string row = fmt::format("<tr class=\"{}\">", info_of(q.answer).key) + cell("th", m.label) +
                     cell("td", m.unit == "-" ? "" : m.unit, " class=\"unit\"");
   for (const auto& value : q.values) row += cell("td", text_of(m, value));
   row += cell("td", percent(q.relative_change()));
   row += cell("td", q.has_order ? fmt::format("{:.2f}", q.estimate.order) : "-");
   row += cell("td", q.has_order ? text_of(m, q.estimate.limit) : "-") + cell("td", percent(q.relative_error()));
-  return row + cell("td", word(q)) + "</tr>\n";
+  return row + cell("td", info_of(q.answer).words) + "</tr>\n";
 }
 
 std::string table_of(const StudiedSequence& s)
@@ -101,7 +86,8 @@ std::string table_of(const StudiedSequence& s)
   for (const StudyRun& run : s.sequence.runs) head += cell("th", fmt::format("{:g} m", run.cell));
   for (const char* title : {"change", "order", "limit", "error", ""}) head += cell("th", title);
   std::string rows;
-  for (const StudyQuantity& q : s.quantities) rows += row_of(q);
+  for (const StudyQuantity& q : s.quantities)
+    if (q.has_values()) rows += row_of(q);
   return fmt::format(
       "<div class=\"scroll\"><table><thead>{}</tr></thead>\n<tbody>{}</tbody></table></div>\n", head, rows);
 }
@@ -201,7 +187,7 @@ std::string section_of(const StudiedSequence& s, Real tolerance)
   if (!s.quantities.empty()) html += table_of(s);
   std::vector<std::string> sentences;
   for (const StudyQuantity& q : s.quantities)
-    if (q.answer != MeshAnswer::none) sentences.push_back(sentence_on(q));
+    if (q.has_values()) sentences.push_back(sentence_on(q));
   html += "<h3>In words</h3>\n" + list_of(sentences, " class=\"words\"");
   return html + "<h3>Over time</h3>\n" + time_charts(s.sequence) + "</section>\n";
 }

@@ -38,9 +38,9 @@ MeshAnswer answer_on(const StudyQuantity& q, const std::vector<Sized>& sizes, Re
   if (std::ranges::all_of(sizes, same)) return MeshAnswer::same;
   if (q.measure.kind == MeasureKind::count || q.measure.kind == MeasureKind::word) return MeshAnswer::depends;
   const auto small = [&](Real difference) { return q.scale && std::abs(difference) <= tolerance * *q.scale; };
-  if (std::abs(*q.change) <= q.resolution) return MeshAnswer::settled;
   const bool is_known = q.estimate.trend != Trend::unknown;
   if (small(*q.change) && (!is_known || small(q.estimate.uncertainty))) return MeshAnswer::settled;
+  if (std::abs(*q.change) <= q.resolution) return MeshAnswer::unresolved;
   return q.has_order ? MeshAnswer::tends : MeshAnswer::depends;
 }
 
@@ -91,10 +91,7 @@ MeshStudy study_mesh(const std::vector<StudySequence>& sequences, Real tolerance
     if (measure.name.empty()) continue;
     std::vector<StudyQuantity> rows;
     for (const StudySequence& sequence : sequences) rows.push_back(judge_sizes(measure, sequence.runs, tolerance));
-    const auto has_values = [](const StudyQuantity& q) {
-      return std::ranges::any_of(q.values, [](const Value& value) { return value.has_value(); });
-    };
-    if (std::ranges::none_of(rows, has_values)) continue;
+    if (std::ranges::none_of(rows, &StudyQuantity::has_values)) continue;
     for (std::size_t k = 0; k < rows.size(); ++k) study.sequences[k].quantities.push_back(std::move(rows[k]));
   }
   return study;

@@ -6,6 +6,7 @@
 #include "base/convergence.hpp"
 #include "results/measures.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -31,13 +32,21 @@ struct StudySequence {
 
 /// What the sizes of a sequence say of one measure.
 enum class MeshAnswer {
-  none,     ///< fewer than two runs have it, or none of the sizes was solved
-  same,     ///< equal at all sizes
-  settled,  ///< the last change and the uncertainty are within the tolerance, or the change is too small to tell
-  tends,    ///< they are not; it tends to a limit with a usable order
-  depends,  ///< they are not, and there is no such order
+  none,              ///< fewer than two runs have it, or none of the sizes was solved
+  same,              ///< equal at all sizes
+  settled,           ///< the last change and the uncertainty are within the tolerance
+  unresolved,        ///< they are not, but the change cannot be told from none
+  tends,             ///< they are not; it tends to a limit with a usable order
+  depends,           ///< they are not, and there is no such order
   not_at_all_sizes,  ///< an event, or a measure, that some sizes have and others do not
 };
+
+/// How an answer is called.
+struct AnswerInfo {
+  const char* key;    ///< in convergence.json
+  const char* words;  ///< in a table
+};
+const AnswerInfo& info_of(MeshAnswer answer);
 
 /// One measure over the sizes of a sequence.
 struct StudyQuantity {
@@ -50,10 +59,9 @@ struct StudyQuantity {
   RefinementEstimate estimate;  ///< of the three finest that were solved
   bool has_order = false;       ///< of the estimate: usable, and not of steps that cannot be told from none
 
-  /// It counts as settled because its last change is too small to tell.
-  bool is_below_resolution() const
+  bool has_values() const
   {
-    return answer == MeshAnswer::settled && change && std::abs(*change) <= resolution;
+    return std::ranges::any_of(values, [](const auto& value) { return value.has_value(); });
   }
   /// A difference as a share of the scale [-].
   std::optional<Real> relative(std::optional<Real> difference) const

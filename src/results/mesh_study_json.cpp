@@ -23,12 +23,6 @@ const char* word(Trend trend)
   constexpr const char* words[] = {"unknown", "unchanged", "monotone", "diverging", "oscillating"};
   return words[static_cast<int>(trend)];
 }
-const char* word(MeshAnswer answer)
-{
-  constexpr const char* words[] = {"none", "same", "settled", "tends", "depends", "not_at_all_sizes"};
-  return words[static_cast<int>(answer)];
-}
-
 Json value_of(const RunMeasure& measure, std::optional<Real> value)
 {
   return value && measure.kind == MeasureKind::word ? Json(text_of(measure, value)) : or_null(value);
@@ -54,10 +48,11 @@ const Entry entries[] = {
           return values;
         }},
     {{"answer", "", "",
-         "`same`: equal at all sizes; `settled`: within the tolerance or the resolution; `tends`: changes by more, "
+         "`same`: equal at all sizes; `settled`: within the tolerance; `unresolved`: within the resolution; `tends`: "
+         "changes by more, "
          "towards a limit; `depends`: changes by more; `not_at_all_sizes`: some sizes have it and others not; `none`: "
          "too few sizes"},
-        [](Q q) { return Json(word(q.answer)); }},
+        [](Q q) { return Json(info_of(q.answer).key); }},
     {{"sentence", "", "", "the same in words"}, [](Q q) { return Json(sentence_on(q)); }},
     {{"change", "unit", "", "finest value less the one before"}, [](Q q) { return or_null(q.change); }},
     {{"relative_change", "-", "",

@@ -13,7 +13,8 @@ namespace {
 
 using Value = std::optional<Real>;
 
-constexpr Real least_ratio = 1.3;  // of two sizes: below it the order is mostly noise (Celik et al. 2008, step 2)
+constexpr Real far_from_asked = 0.05;  // of a size, relative: a mesh from gmsh
+constexpr Real least_ratio = 1.3;      // of two sizes: below it the order is mostly noise (Celik et al. 2008, step 2)
 
 std::string unit_behind(const RunMeasure& measure)
 {
@@ -110,7 +111,19 @@ std::string columns(const Rows& rows)
   return text;
 }
 
+constexpr AnswerInfo answers[] = {
+    {"none", "-"},
+    {"same", "the same"},
+    {"settled", "settled"},
+    {"unresolved", "within its resolution"},
+    {"tends", "tends to a limit"},
+    {"depends", "depends on the mesh"},
+    {"not_at_all_sizes", "depends on the mesh: not at all sizes"},
+};
+
 }  // namespace
+
+const AnswerInfo& info_of(MeshAnswer answer) { return answers[static_cast<int>(answer)]; }
 
 std::string percent_text(Real share)
 {
@@ -131,13 +144,14 @@ std::string sentence_on(const StudyQuantity& q)
   const std::string& label = q.measure.label;
   switch (q.answer) {
     case MeshAnswer::same: return fmt::format("{}: {} at all sizes", label, with_unit(q.measure, *last_value(q)));
-    case MeshAnswer::settled: {
-      const bool is_small = q.is_below_resolution();
+    case MeshAnswer::settled:
+    case MeshAnswer::unresolved:
       return fmt::format("{}: {}, changes by {} between the last two sizes{}{}", label,
           with_unit(q.measure, *last_value(q)), change_text(q),
-          is_small ? fmt::format(", within its resolution of {}", difference_text(q.measure, q.resolution)) : "",
+          q.answer == MeshAnswer::settled
+              ? ""
+              : fmt::format(", within its resolution of {}", difference_text(q.measure, q.resolution)),
           order_text(q));
-    }
     case MeshAnswer::tends:
       return fmt::format("{}: still changes, by {} between the last two sizes: {}{}", label, change_text(q),
           all_values(q), order_text(q));
@@ -175,6 +189,11 @@ std::vector<std::string> remarks_on(const StudySequence& sequence)
     else
       remarks.push_back(fmt::format("No result on cells of {:g} m: {}", run.cell, run.fault));
   }
+  for (const StudyRun* run : solved)
+    if (std::abs(run->size / run->cell - 1.0) > far_from_asked)
+      remarks.push_back(fmt::format(
+          "The cells of {:g} m came out as {:.3g} m (root of their mean area), which is what the formulas take.",
+          run->cell, run->size));
   if (solved.size() == 2) remarks.push_back("Two sizes give no order and no estimate of the error: that takes three.");
   for (std::size_t k = 1; k < solved.size(); ++k)
     if (const Real ratio = solved[k - 1]->size / solved[k]->size; ratio < least_ratio)
@@ -194,6 +213,7 @@ std::string study_text(const MeshStudy& study)
     for (const StudyRun& run : s.sequence.runs) rows[0].push_back(fmt::format("{:g} m", run.cell));
     for (const char* head : {"change", "order", "limit", "error"}) rows[0].push_back(head);
     for (const StudyQuantity& q : s.quantities) {
+      if (!q.has_values()) continue;
       const RunMeasure& m = q.measure;
       rows.push_back({m.label + (m.unit == "-" ? "" : fmt::format(" [{}]", m.unit))});
       for (const Value& value : q.values) rows.back().push_back(text_of(m, value));
@@ -205,7 +225,7 @@ std::string study_text(const MeshStudy& study)
     }
     text += fmt::format("\n{}, cells of {}\n", s.sequence.name, size_list(s.sequence)) + columns(rows) + '\n';
     for (const StudyQuantity& q : s.quantities)
-      if (q.answer != MeshAnswer::none) text += "  " + sentence_on(q) + '\n';
+      if (q.has_values()) text += "  " + sentence_on(q) + '\n';
     for (const std::string& remark : remarks_on(s.sequence)) text += "  " + remark + '\n';
     text += answer_of(s, study.tolerance) + '\n';
   }

@@ -150,6 +150,9 @@ TEST(Converge, RefusesWhatIsNoStudyBeforeAnythingIsRun)
       "error: --variant: there is no change in it\n  As in --variant scheme=mpm_mixed\n");
   EXPECT_EQ(refused({"--cells", "1,0.5", "--variant", "scheme=mpm_gp", "--variant", "scheme=mpm_gp"}),
       "error: --variant scheme=mpm_gp is given twice\n");
+  EXPECT_EQ(refused({"--cells", "1,0.5", "--variant", "mesh.cell=0.25"}),
+      "error: --variant mesh.cell=0.25: the case is the same without it\n"
+      "  The sizes of the cells are those of --cells.\n");
   EXPECT_THAT(refused({"--cells", "1,0.4"}), HasSubstr("cells of 0.4 m: the mesh is not a whole number of such cells"));
 }
 

@@ -59,7 +59,7 @@ TEST(MeshStudyJson, HasRunsQuantitiesAndNullForWhatIsNotDefined)
   EXPECT_TRUE(crest["values"][2].is_null());
   EXPECT_TRUE(crest["order"].is_null());
   EXPECT_EQ(quantity(json, "facing")["values"], (std::vector<std::string>{"right", "right", "right"}));
-  EXPECT_EQ(quantity(json, "slide_1_begins")["answer"], "settled");  // rows of the ledger are 0.25 s apart
+  EXPECT_EQ(quantity(json, "slide_1_begins")["answer"], "unresolved");  // rows of the ledger are 0.25 s apart
   EXPECT_EQ(quantity(json, "slide_1_begins")["order_is_usable"], false);
   EXPECT_THROW(quantity(json, "slide_2_begins"), std::out_of_range);  // no run has it
 }

@@ -142,8 +142,7 @@ TEST(MeshStudy, ADifferenceBelowTheResolutionCannotBeToldFromNone)
   crest.resolution = [](const RunResults&, Real cell) { return cell; };
   crest.in_steps = true;
   const StudyQuantity q = judge_sizes(crest, runs_with({0.8, 0.4, 0.2}, {5.6, 5.2, 5.0}), 0.02);
-  EXPECT_EQ(q.answer, MeshAnswer::settled);
-  EXPECT_TRUE(q.is_below_resolution());
+  EXPECT_EQ(q.answer, MeshAnswer::unresolved);
   EXPECT_FALSE(q.has_order);  // though 0.4 and 0.2 look like order 1
   EXPECT_THAT(
       sentence_on(q), HasSubstr("within its resolution of 0.40 m; no order: it moves in steps of its resolution"));
@@ -176,6 +175,14 @@ TEST(MeshStudy, RemarksOnSizesThatAreTooNear)
           "The cells of 0.22 m and 0.2 m are too near in size, ratio 1.1: below 1.3 an order is mostly noise."));
   EXPECT_THAT(remarks_on({"", {}, runs_with({0.8, 0.4, 0.2, 0.1}, {1.0, 2.0, 3.0, 4.0})}),
       ElementsAre("Order, limit and error are of the three smallest sizes."));
+}
+
+TEST(MeshStudy, RemarksOnCellsThatCameOutInAnotherSize)
+{
+  auto runs = runs_with({1.0, 0.5, 0.25}, {1.0, 2.0, 3.0});
+  runs[0].size = 0.866, runs[1].size = 0.49;
+  EXPECT_THAT(remarks_on({"", {}, runs}), ElementsAre("The cells of 1 m came out as 0.866 m (root of their mean area), "
+                                                      "which is what the formulas take."));
 }
 
 TEST(MeshStudy, AnswersForAllQuantitiesInOneSentence)
