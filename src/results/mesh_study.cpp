@@ -21,6 +21,9 @@ struct Sized {
   const StudyRun* run;
 };
 
+/// After the point, with which a tenth of this is seen.
+int digits_that_show(Real resolution) { return static_cast<int>(std::ceil(1.0 - std::log10(resolution) - round_off)); }
+
 /// What a change counts as a share of; none: of nothing.
 Value scale_of(const RunMeasure& measure, const Sized& finest)
 {
@@ -66,7 +69,10 @@ StudyQuantity judge_sizes(const RunMeasure& measure, const std::vector<StudyRun>
   const Sized &finest = sizes.back(), &before = sizes[sizes.size() - 2];
   q.change = is_same(finest.value, before.value) ? 0.0 : finest.value - before.value;
   q.scale = scale_of(measure, finest);
-  if (measure.resolution) q.resolution = measure.resolution(before.run->results, before.size);
+  if (measure.resolution) {
+    q.resolution = measure.resolution(before.run->results, before.size);
+    if (q.resolution > 0.0) q.measure.digits = std::max(measure.digits, digits_that_show(q.resolution));
+  }
   if (measure.kind != MeasureKind::count && measure.kind != MeasureKind::word) {
     std::vector<Real> x, y;
     for (const Sized& s : sizes) x.push_back(s.size), y.push_back(s.value);

@@ -148,6 +148,16 @@ TEST(MeshStudy, ADifferenceBelowTheResolutionCannotBeToldFromNone)
       sentence_on(q), HasSubstr("within its resolution of 0.40 m; no order: it moves in steps of its resolution"));
 }
 
+TEST(MeshStudy, APlaceHasAsManyDigitsAsShowATenthOfItsResolution)
+{
+  RunMeasure front = measure_of(MeasureKind::place);
+  for (const auto& [cell, text] : {std::pair{0.4, "5.00"}, {0.04, "5.000"}, {0.01, "5.000"}, {0.004, "5.0000"}}) {
+    front.resolution = [cell = cell](const RunResults&, Real) { return cell; };
+    const StudyQuantity q = judge_sizes(front, runs_with({2.0 * cell, cell}, {5.5, 5.0}), 0.02);
+    EXPECT_EQ(text_of(q.measure, 5.0), text);
+  }
+}
+
 TEST(MeshStudy, CountsAndWordsAreEqualOrNot)
 {
   EXPECT_EQ(judged({0.4, 0.2, 0.1}, {1.0, 2.0, 2.0}, MeasureKind::count).answer, MeshAnswer::depends);
