@@ -46,16 +46,16 @@ Value largest_in(Run run, std::string_view name)
   return values != nullptr ? finite(*std::ranges::max_element(*values)) : std::nullopt;
 }
 
-/// Mean time between two rows of the ledger [s].
+/// Mean time between two rows of the ledger, which stand at the steps nearest to their times [s].
 Real row_interval(Run run, Real)
 {
   const auto* time = column(run, "time");
-  return time == nullptr || time->size() < 2 ? 0.0
-                                             : (time->back() - time->front()) / static_cast<Real>(time->size() - 1);
+  if (time == nullptr || time->size() < 2) return 0.0;
+  return (time->back() - time->front()) / static_cast<Real>(time->size() - 1) + run.summary.values.dt;
 }
 Real one_cell(Run, Real cell) { return cell; }
-/// Where soil ends is seen by its outermost point, which stands within half a cell of it.
-Real half_a_cell(Run, Real cell) { return 0.5 * cell; }
+/// Where soil ends is seen by its outermost point: with 2 by 2 points in a cell it stands a quarter of a cell before.
+Real quarter_of_a_cell(Run, Real cell) { return 0.25 * cell; }
 Real little_share(Run, Real) { return small_share; }
 Real little_work(Run run, Real)
 {
@@ -94,7 +94,7 @@ void add_places(Measures& all)
 {
   RunMeasure front = followed(of_summary("front_x", 2), "front_x", MeasureKind::place);
   front.distance = [](Run run) { return finite(run.summary.values.run_out); };
-  front.resolution = half_a_cell;
+  front.resolution = quarter_of_a_cell;
   all.push_back(std::move(front));
   all.push_back(of_summary("run_out", 2));
   RunMeasure crest = followed(of_summary("crest_x", 2), "crest_x", MeasureKind::place);
@@ -104,7 +104,7 @@ void add_places(Measures& all)
   all.push_back(std::move(crest));
   RunMeasure height = followed(of_summary("crest_y", 2), "crest_y", MeasureKind::place);
   height.distance = [](Run run) { return distance_of(run, run.summary.values.crest_y, "crest_y", "crest_left_y"); };
-  height.resolution = half_a_cell;
+  height.resolution = quarter_of_a_cell;
   all.push_back(std::move(height));
 }
 

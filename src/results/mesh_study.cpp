@@ -71,7 +71,8 @@ StudyQuantity judge_sizes(const RunMeasure& measure, const std::vector<StudyRun>
   q.scale = scale_of(measure, finest);
   if (measure.resolution) {
     q.resolution = measure.resolution(before.run->results, before.size);
-    if (q.resolution > 0.0) q.measure.digits = std::max(measure.digits, digits_that_show(q.resolution));
+    const bool has_origin = measure.kind == MeasureKind::place || measure.kind == MeasureKind::time;
+    if (has_origin && q.resolution > 0.0) q.measure.digits = std::max(measure.digits, digits_that_show(q.resolution));
   }
   if (measure.kind != MeasureKind::count && measure.kind != MeasureKind::word) {
     std::vector<Real> x, y;

@@ -194,6 +194,12 @@ std::vector<std::string> remarks_on(const StudySequence& sequence)
       remarks.push_back(fmt::format(
           "The cells of {:g} m came out as {:.3g} m (root of their mean area), which is what the formulas take.",
           run->cell, run->size));
+  for (const StudyRun* run : solved)
+    for (const ReachedSide& reached : run->results.summary.values.reached_sides)
+      remarks.push_back(
+          fmt::format("On cells of {:g} m soil {} the side `{}` of the mesh by t = {:.3g} s: what it does there is of "
+                      "the side, which may hide that sizes differ.",
+              run->cell, reached.rose ? "rose at" : "came to", reached.side, reached.time));
   if (solved.size() == 2) remarks.push_back("Two sizes give no order and no estimate of the error: that takes three.");
   for (std::size_t k = 1; k < solved.size(); ++k)
     if (const Real ratio = solved[k - 1]->size / solved[k]->size; ratio < least_ratio)

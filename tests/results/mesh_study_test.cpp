@@ -195,6 +195,15 @@ TEST(MeshStudy, RemarksOnCellsThatCameOutInAnotherSize)
                                                       "which is what the formulas take."));
 }
 
+TEST(MeshStudy, RemarksOnSoilThatAWallHolds)
+{
+  auto runs = runs_with({1.0, 0.5, 0.25}, {15.9, 15.99, 15.99});
+  runs[1].results.summary.values.reached_sides = {{"right", 3.214, false}};
+  EXPECT_THAT(remarks_on({"", {}, runs}),
+      ElementsAre("On cells of 0.5 m soil came to the side `right` of the mesh by t = 3.21 s: what it does there is of "
+                  "the side, which may hide that sizes differ."));
+}
+
 TEST(MeshStudy, AnswersForAllQuantitiesInOneSentence)
 {
   StudiedSequence s{{"as given", {}, runs_with({0.4, 0.2, 0.1}, {4.1, 3.5, 5.8})}, {}};
