@@ -33,7 +33,7 @@ table { background: #fff; border: 1px solid #d5dbe1; border-radius: 8px; border-
 th, td { padding: 4px 14px; border-top: 1px solid #eaeef2; text-align: right; white-space: nowrap; }
 thead th { border-top: 0; font-weight: 650; } tbody th { color: #566270; font-weight: 500; text-align: left; }
 .unit { text-align: left; color: #566270; padding-left: 0; }
-.depends td:last-child, .not_at_all_sizes td:last-child { color: #b3261e; font-weight: 650; }
+.depends td:last-child, .some_sizes td:last-child { color: #b3261e; font-weight: 650; }
 .same td:last-child, .settled td:last-child { color: #00694b; }
 td:last-child, thead th:last-child { text-align: left; }
 .charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(400px, 100%), 1fr)); gap: 12px; }
@@ -139,15 +139,15 @@ std::string size_charts(const MeshStudy& study)
   return figures(charts);
 }
 
-/// A column of the ledger over time, thinned out to what a chart can show.
-std::vector<Vec<2>> over_time(const RunResults& run, std::string_view column)
+/// A column of the ledger over time, thinned out to what a chart can show, times a factor.
+std::vector<Vec<2>> over_time(const RunResults& run, std::string_view column, Real factor)
 {
   constexpr std::size_t most = 400;
   std::vector<Vec<2>> points;
   const auto *time = run.ledger.find("time"), *values = run.ledger.find(column);
   if (time == nullptr || values == nullptr) return points;
   const std::size_t stride = 1 + time->size() / most;
-  for (std::size_t k = 0; k < time->size(); k += stride) points.push_back({(*time)[k], (*values)[k]});
+  for (std::size_t k = 0; k < time->size(); k += stride) points.push_back({(*time)[k], factor * (*values)[k]});
   return points;
 }
 
@@ -161,16 +161,17 @@ std::string time_charts(const StudySequence& sequence)
   std::vector<LineChart> charts;
   for (const char* column : {front, crest, height, "moved_volume", "kinetic", "plastic", "damping_work"}) {
     const QuantityInfo info = describe_column(column);
+    const bool is_energy = info.unit == "J/m";
     LineChart chart{.title = std::string(info.label),
         .x_label = "time [s]",
-        .y_label = std::string(info.unit),
+        .y_label = is_energy ? "kJ/m" : std::string(info.unit),
         .lines = {},
         .bars = {}};
     const auto n = static_cast<int>(sequence.runs.size());
     for (int k = 0; k < n; ++k) {
       const StudyRun& run = sequence.runs[static_cast<std::size_t>(k)];
       if (run.fault.empty())
-        chart.lines.push_back({fmt::format("{:g} m", run.cell), over_time(run.results, column),
+        chart.lines.push_back({fmt::format("{:g} m", run.cell), over_time(run.results, column, is_energy ? 1e-3 : 1.0),
             static_cast<std::size_t>(n - 1 - k), n - 1 - k});
     }
     charts.push_back(std::move(chart));

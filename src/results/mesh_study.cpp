@@ -64,7 +64,7 @@ StudyQuantity judge_sizes(const RunMeasure& measure, const std::vector<StudyRun>
     missing |= is_solved(run) && !value;
   }
   if (sizes.empty()) return q;
-  if (missing) return q.answer = MeshAnswer::not_at_all_sizes, q;
+  if (missing) return q.answer = MeshAnswer::some_sizes, q;
   if (sizes.size() < 2) return q;
   const Sized &finest = sizes.back(), &before = sizes[sizes.size() - 2];
   q.change = is_same(finest.value, before.value) ? 0.0 : finest.value - before.value;

@@ -32,13 +32,13 @@ struct StudySequence {
 
 /// What the sizes of a sequence say of one measure.
 enum class MeshAnswer {
-  none,              ///< fewer than two runs have it, or none of the sizes was solved
-  same,              ///< equal at all sizes
-  settled,           ///< the last change and the uncertainty are within the tolerance
-  unresolved,        ///< they are not, but the change cannot be told from none
-  tends,             ///< they are not; it tends to a limit with a usable order
-  depends,           ///< they are not, and there is no such order
-  not_at_all_sizes,  ///< an event, or a measure, that some sizes have and others do not
+  none,        ///< fewer than two runs have it, or none of the sizes was solved
+  same,        ///< equal at all sizes
+  settled,     ///< the last change and the uncertainty are within the tolerance
+  unresolved,  ///< they are not, but the change cannot be told from none
+  tends,       ///< they are not; it tends to a limit with a usable order
+  depends,     ///< they are not, and there is no such order
+  some_sizes,  ///< an event, or a measure, that some sizes have and others do not
 };
 
 /// How an answer is called.

@@ -118,7 +118,7 @@ constexpr AnswerInfo answers[] = {
     {"unresolved", "within its resolution"},
     {"tends", "tends to a limit"},
     {"depends", "depends on the mesh"},
-    {"not_at_all_sizes", "depends on the mesh: not at all sizes"},
+    {"some_sizes", "depends on the mesh: only some sizes have it"},
 };
 
 }  // namespace
@@ -156,8 +156,8 @@ std::string sentence_on(const StudyQuantity& q)
       return fmt::format("{}: still changes, by {} between the last two sizes: {}{}", label, change_text(q),
           all_values(q), order_text(q));
     case MeshAnswer::depends: return fmt::format("{}: depends on the mesh: {}{}", label, all_values(q), order_text(q));
-    case MeshAnswer::not_at_all_sizes:
-      return fmt::format("{}: depends on the mesh, not at all sizes: {}", label, all_values(q));
+    case MeshAnswer::some_sizes:
+      return fmt::format("{}: depends on the mesh, only some sizes have it: {}", label, all_values(q));
     case MeshAnswer::none: break;
   }
   return fmt::format("{}: {}", label, all_values(q));
@@ -167,7 +167,7 @@ std::string answer_of(const StudiedSequence& sequence, Real tolerance)
 {
   const auto n_solved = std::ranges::count(sequence.sequence.runs, std::string(), &StudyRun::fault);
   if (n_solved < 2) return "Fewer than two sizes were solved: nothing can be said of the mesh.";
-  const auto depends = [](MeshAnswer a) { return a == MeshAnswer::depends || a == MeshAnswer::not_at_all_sizes; };
+  const auto depends = [](MeshAnswer a) { return a == MeshAnswer::depends || a == MeshAnswer::some_sizes; };
   const std::string worst = list_of_labels(sequence, depends),
                     others = list_of_labels(sequence, [](MeshAnswer a) { return a == MeshAnswer::tends; });
   std::string text;
