@@ -55,6 +55,13 @@ void warn_of(const Summary& s, const std::string& folder)
         "warning: {}: the energy balance is off by {:.2g} % of the energy exchanged; see "
         "docs/troubleshooting.md#the-energy-balance-is-off\n",
         folder, 100.0 * s.energy_balance_error);
+  constexpr double many = 5.0;  // a smooth collapse has three
+  const auto damping = s.numbers.find("damping_over_promised");
+  if (damping != s.numbers.end() && damping->second > many)
+    fmt::print(stderr,
+        "warning: {}: local damping took {:.2g} times the energy that its factor promises, so noise brakes the soil; "
+        "see docs/troubleshooting.md#damping-took-more-than-it-promises\n",
+        folder, damping->second);
   for (const ReachedSide& reached : s.reached_sides)
     fmt::print(stderr,
         "warning: {}: soil {} the side `{}` of the mesh by t = {:.3g} s, which {}; see "

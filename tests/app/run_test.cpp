@@ -194,6 +194,19 @@ TEST(Run, SaysWhenSoilCameToASideOfTheMesh)
   EXPECT_THAT(f.err, ContainsRegex("warning: [^ ]*: soil came to the side `right` of the mesh by t = 0.1"));
 }
 
+TEST(Run, WarnsWhereLocalDampingTookFarMoreThanItsFactorPromises)
+{
+  const ScratchFolder scratch;
+  const auto err = [&](const char* name, const std::vector<std::string>& more) {
+    return run_column(scratch.path() + "/" + name, more).err;
+  };
+  EXPECT_THAT(err("noise", {"-q", "--set", "time.end=3"}),
+      ContainsRegex("warning: [^ ]*: local damping took [0-9.]* times the energy that"));
+  EXPECT_THAT(err("smooth", {"-q", "--set", "time.end=3", "--set", "method.shares=overlap", "--set",
+                                "forces.damping.averaging_time=0.05"}),
+      Not(HasSubstr("local damping")));
+}
+
 TEST(Run, OnTwoThreadsGivesTheResultsOfOne)
 {
   const ScratchFolder scratch;

@@ -42,6 +42,7 @@ class Options:
     order: str = "central"    # or "terp"
     rate: str = "none"        # or "jaumann": the stress turns with the soil, decision 0017
     damping: float = 0.0      # local, reading R13
+    averaging_time: float = 0.0  # of the force that is damped [s], decision 0043
 
 
 class Body:
@@ -56,6 +57,7 @@ class Body:
         self.mass_g = material["density"] * volume      # of the Gauss points
         self.mass = self.to_nodes(SHAPE.T @ self.mass_g)  # lumped: sums of the rows of the consistent mass
         self.s, self.p = np.zeros((3, *volume.shape)), np.zeros(volume.shape[1])  # deviator, mean stress [Pa]
+        self.mean_force = np.zeros_like(x)
         self.eps_eq_p, self.plastic, self.damped = np.zeros_like(volume), 0.0, 0.0  # Eq. (6); works [J]
 
     def to_nodes(self, at_corners):
@@ -74,10 +76,13 @@ class Body:
         return np.array([self.to_nodes(D_XI.T @ (a * y_eta - b * x_eta) + D_ETA.T @ (b * x_xi - a * y_xi))
                          for a, b in ((xx, xy), (xy, yy))])
 
-    def acceleration(self, damping):
-        """a_i, and the force of local damping, R13. Both are zero where a roller carries the force."""
+    def acceleration(self, options, dt=0.0):
+        """a_i, and the force of local damping, R13, of the mean force, which follows over dt [s]. Both are zero where a
+        roller carries the force."""
         r = np.where(self.fixed, 0.0, self.mass * self.gravity - self.internal_force())
-        damped = -damping * np.abs(r) * np.sign(self.v)
+        if options.averaging_time > 0:
+            self.mean_force += (r - self.mean_force) * min(dt / options.averaging_time, 1.0)
+        damped = -options.damping * np.abs(self.mean_force if options.averaging_time > 0 else r) * np.sign(self.v)
         return (r + damped) / self.mass, damped
 
     def deform(self, x, du, rate):
@@ -98,7 +103,7 @@ class Body:
 
     def step(self, dt, kick, options):
         """Velocity from the acceleration over `kick` [s], then stress and position over dt [s]."""
-        a, damped = self.acceleration(options.damping)
+        a, damped = self.acceleration(options, dt)
         self.v += kick * a
         du = dt * self.v
         self.deform(self.x + du / 2 if options.order == "central" else self.x, du, options.rate)
@@ -165,7 +170,7 @@ def observe(body, t, dt, options):
     kinetic: of the lumped mass. kinetic_in_cells: of the velocity between the nodes. balance: what the energies have
     more than the works.
     """
-    v = body.v + dt / 2 * body.acceleration(options.damping)[0] if options.order == "central" else body.v
+    v = body.v + dt / 2 * body.acceleration(options)[0] if options.order == "central" else body.v
     kinetic = np.sum(body.mass * v**2) / 2
     in_cells = sum(np.sum(body.mass_g * (SHAPE @ each[body.cells]) ** 2) for each in v) / 2
     xx, yy, xy = body.s
@@ -226,12 +231,13 @@ def main():
     parser.add_argument("--order", choices=["central", "terp"], default=Options.order, help="order of the step")
     parser.add_argument("--rate", choices=["none", "jaumann"], default=Options.rate, help="objective rate")
     parser.add_argument("--damping", type=float, default=Options.damping, help="local damping, not that of the case")
+    parser.add_argument("--averaging-time", type=float, default=Options.averaging_time, help="of the damped force [s]")
     given = parser.parse_args()
     table = csv.DictWriter(sys.stdout, ["cell", "courant", *ROW], lineterminator="\n")
     table.writeheader()
     for cell in given.cells:
         for courant in given.courant:
-            options = Options(courant, given.order, given.rate, given.damping)
+            options = Options(courant, given.order, given.rate, given.damping, given.averaging_time)
             for row in run(body_of_case(given.case, cell), given.times, options):
                 values = {"cell": cell, "courant": courant} | row
                 table.writerow({key: f"{value:.6g}" for key, value in values.items()})
