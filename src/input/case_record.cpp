@@ -90,10 +90,12 @@ void Recorder::add_list(const KeyInfo& key, std::string_view list, std::size_t n
   for (std::size_t k = 0; k < n; ++k) add_key(key, fmt::format("{}[{}].{}", list, k, last_part(key.path)), k);
 }
 
+/// The rest of the path may lead through a section of the material.
 void Recorder::add_of_materials(const KeyInfo& key)
 {
+  const std::string rest = key.path.substr(std::string_view("material.NAME.").size());
   for (std::size_t k = 0; k < values_.materials.size(); ++k)
-    add_key(key, join_path(join_path("material", values_.materials[k].name), last_part(key.path)), k);
+    add_key(key, join_path("material", values_.materials[k].name) + '.' + rest, k);
 }
 
 void Recorder::add_of_sides(const KeyInfo& key)

@@ -231,7 +231,7 @@ void check_fields(const Case& values, Problems& warnings)
 const MaterialType* complete_law(const MaterialCase& material)
 {
   const bool is_complete = std::ranges::none_of(material.parameters, [](Real value) { return std::isnan(value); });
-  return is_complete ? find_material(material.model) : nullptr;
+  return is_complete ? material.type() : nullptr;
 }
 
 void check_case(const Node& root, const Case& values, Findings& findings)
@@ -246,6 +246,7 @@ void check_case(const Node& root, const Case& values, Findings& findings)
   check_hydrostatic(values, findings.problems);
   check_method(root, values, findings.warnings);
   check_physics(values, findings.warnings);
+  check_softening(root, values, findings);
   check_unused_materials(values, findings.warnings);
   check_fields(values, findings.warnings);
 }

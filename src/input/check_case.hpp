@@ -24,8 +24,11 @@ void turn_counter_clockwise(MeshCase& mesh);
 /// Options of [method] that the file sets and that do nothing, or work against each other.
 void check_method(const Node& root, const Case& values, std::vector<Problem>& warnings);
 
-/// What can be computed but is hardly meant, and shows before a mesh is made: gravity, damping, softening. The values
-/// may be incomplete.
+/// Softening that cannot be, or does nothing. The values may be incomplete.
+void check_softening(const Node& root, const Case& values, Findings& findings);
+
+/// What can be computed but is hardly meant, and shows before a mesh is made: gravity, damping. The values may be
+/// incomplete.
 void check_physics(const Case& values, std::vector<Problem>& warnings);
 
 }  // namespace terp

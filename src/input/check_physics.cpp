@@ -1,7 +1,6 @@
 #include "input/check_case.hpp"
 
 #include "input/document.hpp"
-#include "materials/material.hpp"
 
 #include <fmt/format.h>
 
@@ -63,44 +62,12 @@ void check_damping(const Case& values, Problems& warnings)
       "forces.damping.local", false, {"forces.damping"}});
 }
 
-/// A parameter that does nothing, because one that it acts with has its default: a residual strength without a shape
-/// factor, a reference rate without a gain.
-void check_lone_parameters(const MaterialCase& material, const MaterialType& law, Problems& warnings)
-{
-  const auto number_of = [&](std::string_view name) {
-    const auto at = std::ranges::find(law.parameters, name, &ParameterInfo::name);
-    return static_cast<std::size_t>(at - law.parameters.begin());
-  };
-  const auto value_of = [&](std::string_view name) { return material.parameters[number_of(name)]; };
-  const auto is_default = [&](const ParameterInfo& info) {
-    return value_of(info.name) == (info.fallback ? *info.fallback : value_of(info.fallback_of));
-  };
-  for (const ParameterInfo& info : law.parameters) {
-    if (info.acts_with.empty() || is_default(info)) continue;
-    const ParameterInfo& other = law.parameters[number_of(info.acts_with)];
-    if (!is_default(other)) continue;
-    const std::string path = join_path("material", material.name);
-    const std::string is = other.fallback ? fmt::format("{:g}", *other.fallback) : std::string(other.fallback_of);
-    const std::string detail =
-        info.fallback
-            ? fmt::format("Give {}, or leave {} out.", other.name, info.name)
-            : fmt::format("The strength stays at {} = {} {}. Give {}, more than 0, or {} = {}.", info.fallback_of,
-                  value_of(info.fallback_of), info.unit, other.name, info.name, value_of(info.fallback_of));
-    warnings.push_back(
-        {join_path(path, info.name), fmt::format("`{}` has no effect: {} is {}", info.name, other.name, is), detail,
-            std::string(law.name), true, {join_path(path, other.name)}});
-    return;
-  }
-}
-
 }  // namespace
 
 void check_physics(const Case& values, Problems& warnings)
 {
   check_gravity(values, warnings);
   check_damping(values, warnings);
-  for (const MaterialCase& material : values.materials)
-    if (const MaterialType* law = find_material(material.model)) check_lone_parameters(material, *law, warnings);
 }
 
 }  // namespace terp

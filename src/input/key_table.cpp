@@ -60,7 +60,6 @@ std::vector<KeyInfo> frame_keys()
           .range = {0.0, 1.0, true, false},
           .meaning = "share of the stable time step that is used (reading R19)",
           .equation = "dt = courant min_e(L_e) / c_p,  c_p = sqrt((K + 4G/3) / rho)"},
-
   };
 }
 
@@ -228,6 +227,24 @@ std::vector<KeyInfo> soil_keys()
           .usual = {500.0, 5000.0},
           .required = true,
           .meaning = "mass per volume of the soil with its water (reading R16)"},
+      {.path = "material.NAME.softening.length",
+          .field = [](Case& c, std::size_t i) { return &c.materials[i].softening.length; },
+          .unit = "m",
+          .range = not_negative,
+          .usual = {1e-3, 10.0},
+          .meaning = "distance l over which softening spreads: at least the size of a cell, better twice that or more, "
+                     "and at most a twentieth of the height of the section; 0: each point softens by itself",
+          .equation = "weights exp(-r^2 / l^2)"},
+      {.path = "material.NAME.softening.m",
+          .field = [](Case& c, std::size_t i) { return &c.materials[i].softening.over_nonlocal; },
+          .range = between(1.0, 2.0),
+          .meaning = "weight of the nonlocal strain; above 1 the width of a band converges too, not only its energy",
+          .equation = "k = max(k, m mean(eps_eq_p) + (1 - m) eps_eq_p)"},
+      {.path = "material.NAME.softening.halo",
+          .field = [](Case& c, std::size_t i) { return &c.materials[i].softening.halo; },
+          .meaning = "whether soil beside a band, within about 2 l, softens too; false, with m = 1: only by what it "
+                     "sheared itself, which keeps blocks whole but depends on the mesh",
+          .equation = "false: k = max(k, min(mean(eps_eq_p), eps_eq_p))"},
   };
 }
 

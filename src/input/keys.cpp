@@ -31,6 +31,10 @@ const std::vector<SectionInfo>& all_sections()
       {"mesh.refine[]", "a place with smaller cells in a mesh from a polygon; as many as needed"},
       {"body[]", "one piece of soil, filled with material points; as many as needed", true},
       {"material.NAME", "a material with the name that bodies use", true},
+      {"material.NAME.softening",
+          "softening over a distance instead of in each point, so that a slip surface takes the same energy on any "
+          "mesh; "
+          "of laws that soften (docs/softening_length.md)"},
       {"forces", "gravity and damping"},
       {"forces.damping", "damping of the nodal motion"},
       {"initial", "the stress before t = 0"},

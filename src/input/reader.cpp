@@ -29,7 +29,7 @@ class CaseReader {
   void read_section(const Section& section);
 
  private:
-  void read_below(const Node& node, const std::string& path, const SectionInfo& info);
+  void read_below(const Node& node, const std::string& path, const SectionInfo& info, std::size_t number);
   void read_list(const Node& list, const std::string& path, const SectionInfo& info);
   void read_materials(const Node& table);
   void read_material(const Node& table, const std::string& path);
@@ -105,7 +105,7 @@ void CaseReader::read_section(const Section& section)
     } else if (item.name == "material" && section.path.empty()) {
       read_materials(item);
     } else if (const SectionInfo* below = find_section(pattern)) {
-      read_below(item, path, *below);
+      read_below(item, path, *below, section.number);
     } else {
       report_unknown(section, item, meant);
     }
@@ -113,13 +113,13 @@ void CaseReader::read_section(const Section& section)
   report_missing(section, meant);
 }
 
-void CaseReader::read_below(const Node& node, const std::string& path, const SectionInfo& info)
+void CaseReader::read_below(const Node& node, const std::string& path, const SectionInfo& info, std::size_t number)
 {
   if (!is_table(node, path, header_of(info.path))) return;
   if (info.path == "boundary")
     read_sides(node);
   else
-    read_section({node, path, info.path, 0});
+    read_section({node, path, info.path, number});
 }
 
 void CaseReader::read_list(const Node& list, const std::string& path, const SectionInfo& info)

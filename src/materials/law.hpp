@@ -8,6 +8,7 @@
 #include "base/errors.hpp"
 #include "base/tensor.hpp"
 #include "materials/material.hpp"
+#include "materials/nonlocal.hpp"
 #include "parallel/pack.hpp"
 
 #include <algorithm>
@@ -23,9 +24,14 @@ namespace terp {
 /// returns the plastic or viscous work per volume [J/m^3]. P is R or Real: R(parameter) is right for both.
 ///
 /// It may have: derived_value(k, state); check(); softened_strain(), the plastic strain at which 95 % of the softening
-/// is done, of the slowest if it has several; viscosity(), of a stress that grows with the rate without bound: it
-/// shortens the time step; `depends_on_rate = true` where the update looks at dt, be it viscosity or a strength that
-/// the rate raises; `not_judged`, a reason why `terp stability` would give a number that is none.
+/// is done, of the slowest if it has several, infinite where nothing softens; viscosity(), of a stress that grows with
+/// the rate without bound: it shortens the time step; `depends_on_rate = true` where the update looks at dt, be it
+/// viscosity or a strength that the rate raises; `not_judged`, a reason why `terp stability` would give a number that
+/// is none.
+///
+/// A law that softens also has template <class R> Law<R> softened_at(R k) const, the same law with the strengths that
+/// it has at the plastic strain k, which they then keep. With that it has a nonlocal form (nonlocal.hpp).
+/// check_within_point(): problems of softening in a point by itself, which a nonlocal form does not have.
 template <template <class> class Law>
 class MaterialOf final : public Material {
   using Uniform = Law<Real>;
@@ -48,6 +54,18 @@ class MaterialOf final : public Material {
     else
       for (Index p = 0; p < arrays.n; p += pack_width)
         update_pack(Law<Pack>(parameters_of(arrays, p)), arrays, state, p);
+  }
+
+  void soften(
+      [[maybe_unused]] const SofteningOptions& options, [[maybe_unused]] const SofteningArrays& arrays) const override
+  {
+    if constexpr (requires { Uniform::softening_row; })
+      for (Index p = 0; p < arrays.n; p += pack_width) {
+        if (varying_.empty())
+          soften_pack(law_, options, arrays, p);
+        else
+          soften_pack(Law<Pack>(parameters_of(arrays, p)), options, arrays, p);
+      }
   }
 
   Moduli moduli() const override { return {law_.bulk_modulus(), law_.shear_modulus()}; }
@@ -74,6 +92,15 @@ class MaterialOf final : public Material {
 
  private:
   template <class AnyLaw>
+  static void soften_pack(const AnyLaw& law, const SofteningOptions& options, const SofteningArrays& arrays, Index p)
+  {
+    std::array<Pack, n_state> state;
+    for (std::size_t k = 0; k < n_state; ++k) state[k] = Pack::load(arrays.law.state(k) + p);
+    law.soften(state, Pack::load(arrays.spread + p), options);
+    for (std::size_t k : {Uniform::nonlocal_row, Uniform::softening_row}) state[k].store(arrays.law.state(k) + p);
+  }
+
+  template <class AnyLaw>
   static void update_pack(
       const AnyLaw& law, const StressArrays<2>& arrays, const std::array<Real*, n_state>& rows, Index p)
   {
@@ -89,7 +116,8 @@ class MaterialOf final : public Material {
   }
 
   /// Parameters of eight points; padding takes the reference values, so that it stays finite.
-  std::array<Pack, n_parameters> parameters_of(const StressArrays<2>& arrays, Index p) const
+  template <class Arrays>
+  std::array<Pack, n_parameters> parameters_of(const Arrays& arrays, Index p) const
   {
     const Mask in_use = lane_numbers() < Pack(static_cast<Real>(arrays.n_points - p));
     std::array<Pack, n_parameters> parameters;
@@ -125,8 +153,11 @@ template <template <class> class Law>
 std::vector<ParameterProblem> check_law(std::span<const Real> values)
 {
   const Law<Real> law(values);
-  if constexpr (requires { law.check(); }) return law.check();
-  return {};
+  std::vector<ParameterProblem> problems;
+  if constexpr (requires { law.check(); }) problems = law.check();
+  if constexpr (requires { law.check_within_point(); })
+    for (ParameterProblem& problem : law.check_within_point()) problems.push_back(std::move(problem));
+  return problems;
 }
 
 template <template <class> class Law>
@@ -193,17 +224,28 @@ constexpr MaterialType describe_law(std::string_view name, std::string_view summ
 }
 
 template <template <class> class Law>
-constexpr MaterialType define_law(std::string_view name, std::string_view summary)
+constexpr MaterialType define_law(
+    std::string_view name, std::string_view summary, const MaterialType* nonlocal = nullptr)
 {
   MaterialType type = describe_law<Law<Real>>(name, summary);
   type.check = &check_law<Law>;
   type.make_varying = &make_law<Law>;
+  type.nonlocal = nonlocal;
   return type;
+}
+
+/// Of a law that does not soften: a type without a name.
+template <template <class> class Law>
+constexpr MaterialType define_nonlocal_form(std::string_view name, std::string_view summary)
+{
+  if constexpr (Softens<Law>) return define_law<NonlocalForm<Law>::template Type>(name, summary);
+  return {};
 }
 
 }  // namespace terp
 
 /// Defines `material_NAME`, which materials.def lists.
-#define TERP_MATERIAL_DEFINITION(name, Law, summary) \
-  extern const MaterialType material_##name;         \
-  constexpr MaterialType material_##name = define_law<Law>(#name, summary);
+#define TERP_MATERIAL_DEFINITION(name, Law, summary)                                  \
+  extern const MaterialType material_##name;                                          \
+  constexpr MaterialType nonlocal_##name = define_nonlocal_form<Law>(#name, summary); \
+  constexpr MaterialType material_##name = define_law<Law>(#name, summary, Softens<Law> ? &nonlocal_##name : nullptr);

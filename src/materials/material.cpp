@@ -41,4 +41,10 @@ std::vector<Real> MaterialType::complete(std::span<const Real> given) const
   return values;
 }
 
+const MaterialType* find_material(std::string_view name, const SofteningOptions& softening)
+{
+  const MaterialType* type = find_material(name);
+  return type != nullptr && softening.is_nonlocal() && type->nonlocal != nullptr ? type->nonlocal : type;
+}
+
 }  // namespace terp

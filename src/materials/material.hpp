@@ -57,7 +57,8 @@ struct ParameterInfo {
 
 /// What a quantity is to the rest of the program, whatever the law calls it: the measure of how far the soil has
 /// sheared plastically, and the strength that it has left.
-enum class Role { none, plastic_strain, strength };
+/// softening: the strain that drives the strength, where that is not the plastic strain itself (nonlocal.hpp).
+enum class Role { none, plastic_strain, strength, softening };
 
 /// One history variable of a law, kept at the material points and in checkpoints.
 struct StateInfo {
@@ -66,7 +67,8 @@ struct StateInfo {
   Averaging averaging;
   std::string_view meaning;
   Role role = Role::none;
-  Real initial = 0.0;  ///< at t = 0
+  Real initial = 0.0;    ///< at t = 0
+  bool scratch = false;  ///< every step writes it before it is read: neither shown nor saved
 };
 
 /// A field that results show and that follows from the state, e.g. the current strength.
@@ -78,7 +80,7 @@ struct DerivedInfo {
 };
 
 /// Number of the entry of a table with a role; -1: none.
-int find_role(auto infos, Role role)
+constexpr int find_role(auto infos, Role role)
 {
   for (std::size_t k = 0; k < infos.size(); ++k)
     if (infos[k].role == role) return static_cast<int>(k);
@@ -103,6 +105,23 @@ struct StressArrays {
   Real dt;         ///< length of the step [s]
 };
 
+/// How softening in a material spreads over a distance: the keys of [material.NAME.softening].
+struct SofteningOptions {
+  Real length = 0.0;         ///< l [m]; 0: each point softens by its own plastic strain alone
+  Real over_nonlocal = 1.5;  ///< m, weight of the nonlocal strain [-]
+  bool halo = true;          ///< soil beside a band may soften; false: only by what it sheared itself
+
+  bool is_nonlocal() const { return length > 0.0; }
+};
+
+/// The arrays of one call of Material::soften, each of n entries, n a multiple of pack_width.
+struct SofteningArrays {
+  LawRows law;         ///< state: in, out; parameters: in
+  const Real* spread;  ///< the increments of the step as they come from all around, in parts of softened_strain() [-]
+  Index n;
+  Index n_points;  ///< as in StressArrays
+};
+
 /// Elastic moduli [Pa].
 struct Moduli {
   Real bulk, shear;
@@ -114,6 +133,8 @@ class Material {
  public:
   virtual ~Material() = default;
   virtual void update(const StressArrays<2>& arrays) const = 0;
+  /// Renews what drives the strength of the next step. Of laws that are MaterialType::nonlocal; others do nothing.
+  virtual void soften(const SofteningOptions& options, const SofteningArrays& arrays) const = 0;
   virtual Moduli moduli(const LawRows& at) const = 0;
   virtual Real viscosity(const LawRows& at) const = 0;  ///< mu [Pa s], for the time step; 0 where the stress knows none
   /// Value of derived field k (order of MaterialType::derived).
@@ -151,6 +172,9 @@ struct MaterialType {
   /// varying: ascending numbers of the parameters that the points bring with them.
   std::unique_ptr<Material> (*make_varying)(std::span<const Real> values, std::span<const int> varying);
 
+  /// The same law with a strength that follows a nonlocal strain (nonlocal.hpp); nullptr: the law does not soften.
+  const MaterialType* nonlocal;
+
   std::unique_ptr<Material> make(std::span<const Real> values) const { return make_varying(values, {}); }
   /// Values of all parameters: those left out, being no number or beyond the end, at their defaults if they have any.
   std::vector<Real> complete(std::span<const Real> given) const;
@@ -160,5 +184,7 @@ struct MaterialType {
 std::span<const MaterialType* const> all_materials();
 /// nullptr if there is no such law.
 const MaterialType* find_material(std::string_view name);
+/// With these options of softening: the law itself or, with a length, its nonlocal form if it has one.
+const MaterialType* find_material(std::string_view name, const SofteningOptions& softening);
 
 }  // namespace terp

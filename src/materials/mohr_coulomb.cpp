@@ -142,6 +142,19 @@ struct MohrCoulomb {
   {
   }
 
+  /// With strengths that stay as they are.
+  MohrCoulomb(P shear_, P bulk_, P cutoff, std::array<P, 3> strengths)
+      : shear(shear_),
+        bulk(bulk_),
+        tension_cutoff(cutoff),
+        eta(0.0),
+        cohesion{strengths[0], P(0.0)},
+        phi{strengths[1], P(0.0)},
+        psi{strengths[2], P(0.0)},
+        softening(0.0)
+  {
+  }
+
   template <class R, int Dim>
   R update(SymTensor<R, Dim>& sigma, std::array<R, 2>& state, const SymTensor<R, Dim>& d_eps, Real) const
   {
@@ -303,12 +316,19 @@ struct MohrCoulomb {
     const Real decay = decay_at(state[0]);
     return k == 0 ? cohesion.at(decay) : (k == 1 ? phi : psi).at(decay) / degree;
   }
-  Real softened_strain() const
+  P softened_strain() const
   {
-    return softening > 0.0 ? 3.0 / eta : std::numeric_limits<Real>::infinity();  // exp(-3) = 5 %
+    return select(softening > P(0.0), P(3.0) / eta, P(std::numeric_limits<Real>::infinity()));  // exp(-3) = 5 %
+  }
+  template <class R>
+  MohrCoulomb<R> softened_at(R k) const
+  {
+    const R decay = decay_at(k);
+    return {R(shear), R(bulk), R(tension_cutoff), {cohesion.at(decay), phi.at(decay), psi.at(decay)}};
   }
 
   std::vector<ParameterProblem> check() const;
+  std::vector<ParameterProblem> check_within_point() const;
 
   static constexpr Real tiny = 1e-30;  // keeps 0/0 from soil without friction and from brackets that have closed
   static constexpr Real round_off =
@@ -354,12 +374,19 @@ std::vector<ParameterProblem> MohrCoulomb<P>::check() const
   if (!(peak(cohesion) > 0.0) && !(peak(phi) > 0.0))
     refuse("cohesion", "the soil has no strength",
         "cohesion and friction_angle are both 0. Give one of them, or choose model = \"newtonian_fluid\".");
+  return problems;
+}
+
+template <class P>
+std::vector<ParameterProblem> MohrCoulomb<P>::check_within_point() const
+{
+  std::vector<ParameterProblem> problems;
   const Real steepness = eta * cohesion.drop * std::cos(phi.residual), limit = 1.5 * shear;
   if (steepness > limit)
-    refuse("eta", "softening is too steep",
+    problems.push_back({"eta", "softening is too steep",
         fmt::format("eta (cohesion - cohesion_residual) cos(phi) = {:.3g} Pa, at most 1.5 G = {:.3g} Pa\n"
                     "(beyond sqrt(3) G the return mapping has no unique answer). Use eta <= {:.3g}, or a stiffer soil.",
-            steepness, limit, limit / (cohesion.drop * std::cos(phi.residual))));
+            steepness, limit, limit / (cohesion.drop * std::cos(phi.residual)))});
   return problems;
 }
 

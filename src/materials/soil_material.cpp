@@ -1,5 +1,7 @@
 #include "materials/soil_material.hpp"
 
+#include <algorithm>
+
 namespace terp {
 
 RowInfo row_of_parameter(const ParameterInfo& parameter)
@@ -25,16 +27,20 @@ void add_rows(Index number, SoilMaterial& material, RowTable& table)
         .owner = "law",
         .averaging = state.averaging,
         .initial = state.initial,
-        .shown = true});
+        .shown = !state.scratch,
+        .saved = !state.scratch});
+  if (const auto scratch = std::ranges::find(material.type->state, true, &StateInfo::scratch);
+      scratch != material.type->state.end())
+    material.increment_row = material.rows[static_cast<std::size_t>(scratch - material.type->state.begin())];
   for (const int k : material.law->varying()) add(row_of_parameter(material.type->parameters[k]));
 }
 
-Real strength_at(const SoilMaterial& material, const PointBlock<2>& block, Index lane, Real plastic_strain)
+Real strength_at(const SoilMaterial& material, const PointBlock<2>& block, Index lane, Real strain)
 {
   if (const int k = find_role(material.type->state, Role::strength); k >= 0) return material.type->state[k].initial;
   std::vector<Real> state;
   for (const StateInfo& info : material.type->state)
-    state.push_back(info.role == Role::plastic_strain ? plastic_strain : info.initial);
+    state.push_back(info.role == driver_of_strength(material) ? strain : info.initial);
   return material.law->derived(find_role(material.type->derived, Role::strength),
       {.state = {.data = state.data()}, .parameters = material.view(block, lane).parameters});
 }

@@ -13,6 +13,8 @@ struct SoilMaterial {
   std::unique_ptr<Material> law;
   Real density = 0.0;     ///< rho at t = 0 [kg/m^3]
   std::vector<int> rows;  ///< of the points: state variables, then parameters that vary, each in the order of the table
+  SofteningOptions softening = {};
+  int increment_row = -1;  ///< of the points: what they softened in this step; -1: by themselves, or not at all
 
   int n_state() const { return static_cast<int>(type->state.size()); }
   int n_rows() const { return static_cast<int>(rows.size()); }
@@ -39,6 +41,12 @@ inline int row_of(const SoilMaterial& material, Role role)
   return k < 0 || material.rows.empty() ? -1 : material.rows[static_cast<std::size_t>(k)];
 }
 
+/// Role of the state variable that the strength follows.
+inline Role driver_of_strength(const SoilMaterial& material)
+{
+  return find_role(material.type->state, Role::softening) >= 0 ? Role::softening : Role::plastic_strain;
+}
+
 /// True if the law has a strength, as a derived field or as a state variable.
 inline bool has_strength(const SoilMaterial& material)
 {
@@ -59,8 +67,8 @@ inline Real strength_of(const SoilMaterial& material, const PointBlock<2>& block
   return material.law->derived(find_role(material.type->derived, Role::strength), material.view(block, lane));
 }
 
-/// The strength that the same point would have at another plastic strain, its other state variables as at the start
-/// [Pa].
-Real strength_at(const SoilMaterial& material, const PointBlock<2>& block, Index lane, Real plastic_strain);
+/// The strength that the same point would have at another value of what it follows, its other state variables as at the
+/// start [Pa].
+Real strength_at(const SoilMaterial& material, const PointBlock<2>& block, Index lane, Real strain);
 
 }  // namespace terp

@@ -135,6 +135,19 @@ struct TrescaSoftening {
         steepest(select(su_residual > su_remoulded, max(eta, eta_remoulding), eta))
   {
   }
+  /// With a strength that stays as it is.
+  TrescaSoftening(P shear_, P bulk_, P su, const RateFactor<P>& rate_)
+      : shear(shear_),
+        bulk(bulk_),
+        su_peak(su),
+        su_residual(su),
+        eta(0.0),
+        su_remoulded(su),
+        eta_remoulding(0.0),
+        rate(rate_),
+        steepest(0.0)
+  {
+  }
 
   template <class R, int Dim>
   R update(SymTensor<R, Dim>& sigma, std::array<R, 1>& state, const SymTensor<R, Dim>& d_eps, Real dt) const
@@ -297,16 +310,21 @@ struct TrescaSoftening {
   P shear_modulus() const { return shear; }
   Real derived_value(int, const std::array<Real, 1>& state) const { return strength_at(state[0]).su; }
   /// Of the slower fall.
-  Real softened_strain() const
+  P softened_strain() const
   {
-    constexpr Real none = std::numeric_limits<Real>::infinity();
-    const Real first = eta > 0.0 && su_peak > su_residual ? eta : none;
-    const Real second = eta_remoulding > 0.0 && su_residual > su_remoulded ? eta_remoulding : none;
-    const Real slower = std::min(first, second);
-    return slower < none ? 3.0 / slower : none;  // exp(-3) = 5 %
+    const P none(std::numeric_limits<Real>::infinity());
+    const P first = select((eta > P(0.0)) & (su_peak > su_residual), P(3.0) / eta, none);  // exp(-3) = 5 %
+    const P second = select((eta_remoulding > P(0.0)) & (su_residual > su_remoulded), P(3.0) / eta_remoulding, none);
+    return select(second < none, select(first < none, max(first, second), second), first);
+  }
+  template <class R>
+  TrescaSoftening<R> softened_at(R k) const
+  {
+    return {R(shear), R(bulk), strength_at(k).su, {R(rate.per_tenfold), R(rate.rate_ref)}};
   }
 
   std::vector<ParameterProblem> check() const;
+  std::vector<ParameterProblem> check_within_point() const;
 
   static constexpr Real tiny = 1e-30;  // keeps 0/0 from lanes that are not on an edge
   P shear;                             // G [Pa]
@@ -336,6 +354,13 @@ std::vector<ParameterProblem> TrescaSoftening<P>::check() const
                     "Give rate_ref, half the engineering shear strain rate of the test that gave su_peak.\n"
                     "A triaxial test at 1 %/h: 2.4e-6 1/s (docs/softening_laws.md).",
             rate.per_tenfold)});
+  return problems;
+}
+
+template <class P>
+std::vector<ParameterProblem> TrescaSoftening<P>::check_within_point() const
+{
+  std::vector<ParameterProblem> problems;
   const Real first = eta * (su_peak - su_residual), second = eta_remoulding * (su_residual - su_remoulded);
   const Real factor = 1.0 + most_decades * rate.per_tenfold, steepness = factor * (first + second), limit = 1.5 * shear;
   if (steepness > limit) {

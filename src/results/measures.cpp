@@ -319,7 +319,8 @@ std::optional<Real> softening_time(const RunResults& run, std::string_view point
   const std::optional<Real> softened = run.summary.values.softened_strain;
   for (const PointTable& history : run.history) {
     if (!softened) break;
-    const auto *time = history.table.find("time"), *strain = history.table.find("eps_eq_p");
+    const auto *time = history.table.find("time"), *strain = history.table.find("eps_softening");
+    if (strain == nullptr) strain = history.table.find("eps_eq_p");  // of a run before there was such a column
     if (history.point != point || time == nullptr || strain == nullptr) continue;
     for (std::size_t k = 0; k < time->size(); ++k)
       if ((*strain)[k] > *softened) return (*time)[k];

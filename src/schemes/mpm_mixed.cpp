@@ -93,7 +93,12 @@ struct MpmMixed {
       for (int k = 0; k < n_sym<dim>; ++k) leave_change(group, layer, patch_change + k, gauss.sigma[k]);
       leave_four_rows(
           group, layer, patch_stress, [&](int k) -> const auto& { return gauss.sigma[k]; });
-      for (int k = 0; k < material.n_state(); ++k) leave_change(group, layer, patch_state + k, rows[k]);
+      for (int k = 0; k < material.n_state(); ++k) {
+        if (material.type->state[k].scratch)
+          leave_row(group, layer, patch_state + k, rows[k]);
+        else
+          leave_change(group, layer, patch_state + k, rows[k]);
+      }
     });
   }
 
@@ -202,7 +207,8 @@ struct MpmMixed {
     kept.add(above, omega, upper_halves<Element>(block, p));
     for (int k = 0; k < material.n_state(); ++k) {
       Real* at = block.row(material.rows[k]) + p;
-      (Pack::load(at) + patch.at_points<1>(shares, patch_state + k)[0]).store(at);
+      const Pack before = material.type->state[k].scratch ? Pack(0.0) : Pack::load(at);
+      (before + patch.at_points<1>(shares, patch_state + k)[0]).store(at);
     }
     scale_volume(block, p, accumulate_strain(block, p, d_eps));
   }

@@ -4,6 +4,7 @@
 
 #include "base/types.hpp"
 #include "boundary/side_kind.hpp"
+#include "materials/material.hpp"
 #include "transfer/method_options.hpp"
 
 #include <functional>
@@ -80,6 +81,10 @@ struct MaterialCase {
   Real density = 0.0;            ///< [kg/m^3]
   std::vector<Real> parameters;  ///< in the order of the law's table; of one that varies a value that it may have
   std::vector<ParameterField> fields = {};  ///< ascending; those that the law lets vary
+  SofteningOptions softening = {};
+
+  /// Its law in the form that the options of softening ask for; nullptr if there is none of that name.
+  const MaterialType* type() const { return find_material(model, softening); }
 };
 
 /// Replaces every parameter of a material by change(its number, value), those that vary at each place.

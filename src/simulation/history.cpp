@@ -28,6 +28,12 @@ Real plastic_strain_of(const NamedPoint& p)
   return row < 0 ? nan : p.row(row);
 }
 
+Real strain_of_strength(const NamedPoint& p)
+{
+  const int row = row_of(p.material(), driver_of_strength(p.material()));
+  return row < 0 ? nan : p.row(row);
+}
+
 Real strength_of(const NamedPoint& p)
 {
   return has_strength(p.material()) ? strength_of(p.material(), p.block, p.lane) : nan;
@@ -55,6 +61,9 @@ constexpr HistoryQuantity quantities[] = {
     {{"su", "Pa", "undrained shear strength", "undrained shear strength now, Eq. (5)"}, strength_of},
     {{"pressure", "Pa", "mean stress, tension positive", "mean stress tr(sigma)/3, tension positive"},
         [](P p) { return (p.row(Rows::sigma) + p.row(Rows::sigma + 1) + p.row(Rows::sigma + 2)) / 3.0; }},
+    {{"eps_softening", "-", "strain that the strength follows",
+         "strain that the strength follows: eps_eq_p, or with a softening length its nonlocal form"},
+        strain_of_strength},
 };
 
 bool holds(const PointBlocks<2>& points, PointPlace place, std::int64_t id)

@@ -9,6 +9,7 @@
 #include "schemes/scheme.hpp"
 #include "simulation/case.hpp"
 #include "simulation/follower.hpp"
+#include "transfer/node_diffusion.hpp"
 
 namespace terp {
 
@@ -46,9 +47,12 @@ struct Model {
   std::vector<std::int64_t> history_ids;  ///< ids of the named points, in the order of the case
   std::vector<BodyShare> bodies;          ///< in the order of the case; filled with the first state
   RowTable rows;                          ///< what a point carries
+  NodeDiffusion diffusion;                ///< of nonlocal softening; empty without
   int inverse_extent = -1;                ///< row of the points, with shares that overlap
   int threads = 1;
   FollowerTypes followers = {};  ///< what is measured while the run goes on; may be none
+
+  bool spreads_softening() const { return diffusion.n_substeps > 0; }
 };
 
 }  // namespace terp

@@ -8,6 +8,7 @@
 #include "simulation/setup_history.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "simulation/setup_points.hpp"
+#include "simulation/softening_scales.hpp"
 #include "simulation/kernels.hpp"
 
 #include <algorithm>
@@ -24,10 +25,11 @@ std::vector<SoilMaterial> make_materials(const Case& c)
 {
   std::vector<SoilMaterial> materials;
   for (const MaterialCase& m : c.materials) {
-    const MaterialType* type = find_material(m.model);
+    const MaterialType* type = m.type();
     if (type == nullptr)
       throw InputError(Problem{"material." + m.name + ".model", "no such material model", "", "material"});
-    materials.push_back({m.name, type, type->make_varying(m.parameters, varying_parameters(m, *type)), m.density, {}});
+    materials.push_back(
+        {m.name, type, type->make_varying(m.parameters, varying_parameters(m, *type)), m.density, {}, m.softening});
   }
   return materials;
 }
@@ -204,6 +206,10 @@ Model build_model(const Case& description, SharedMesh mesh, int threads)
         .unit = "1/m",
         .meaning = "1 / side of the square by which the point counts in sub-cells",
         .owner = "method"});
+  Real length = 0.0;  // the largest of those in use
+  for (const Index m : used)
+    if (model.materials[m].increment_row >= 0) length = std::max(length, model.materials[m].softening.length);
+  if (length > 0.0) model.diffusion = make_node_diffusion(*model.mesh, length);
   set_time_step(used, model);
   return model;
 }
@@ -229,6 +235,7 @@ State build_state(Model& model)
   state.put_back.assign(n, false);
   add_points(model, std::move(points), state);
   state.points.update_occupied();
+  check_softening_lengths(model, state);
   state.points.reserve(static_cast<std::int64_t>(n / 4));
   if (model.damping.averaging_time > 0.0) state.mean_force.resize(model.mesh->nodes.size());
   set_point_parameters(model, state.x_initial, state);

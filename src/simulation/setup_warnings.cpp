@@ -2,6 +2,7 @@
 
 #include "simulation/footings.hpp"
 #include "simulation/setup_history.hpp"
+#include "simulation/softening_scales.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -67,6 +68,7 @@ std::vector<Problem> find_warnings(const Model& model, const State& state)
   find_sides_that_move_far(model, warnings);
   find_odd_places(model, warnings);
   find_odd_scales(model, state, warnings);
+  find_odd_softening_lengths(model, state, warnings);
   for (Problem& problem : find_idle_footings(model, state)) warnings.push_back(std::move(problem));
   return warnings;
 }

@@ -7,6 +7,7 @@
 #include "simulation/footings.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/node_passes.hpp"
+#include "simulation/softening_passes.hpp"
 
 namespace terp {
 namespace {
@@ -133,6 +134,41 @@ void move_leavers(const Model& model, State& state, Workspace& work)
   if (!state.mean_force.empty()) forget_mean_force(work.active_nodes, state.mean_force);
 }
 
+/// The strength of the next step follows what softened in this one, spread over the length of each material. Only
+/// where that can reach.
+void spread_softening(const Model& model, State& state, Workspace& work)
+{
+  NodeSpread& spread = work.softening;
+  const auto for_each_near_cell = [&](auto&& f) {
+    const std::vector<Index>& cells = state.points.occupied();
+    work.threads.for_each_range(
+        static_cast<Index>(cells.size()), cells_per_chunk, [&](Index begin, Index end, Index, int) {
+          for (Index slot = begin; slot < end; ++slot)
+            if (work.run_is_near[cells[slot] / reach_run] != 0) f(slot, cells[slot]);
+        });
+  };
+  const auto is_near = [&](Index i) { return work.run_is_near[model.diffusion.run_of_node[i]] != 0; };
+  for_each_near_cell(
+      [&](Index slot, Index cell) { collect_softening(model, state.points, cell, work.softening_corners[slot]); });
+  std::ranges::fill(spread.filling, 0.0);  // of nodes that soil has left
+  for_each_node(work, [&](Index i, NodeSums&) {
+    if (is_near(i))
+      gather_softening(model, state, work, i, spread);
+    else
+      clear_softening(i, spread);
+  });
+  for_each_node(work, [&](Index i, NodeSums&) {
+    if (is_near(i)) set_rates(model.diffusion, i, spread);
+  });
+  for (int n = 0; n < model.diffusion.n_substeps; ++n) {
+    for_each_node(work, [&](Index i, NodeSums&) {
+      if (is_near(i)) spread_node(model.diffusion, i, spread);
+    });
+    std::swap(spread.value, spread.next);
+  }
+  for_each_near_cell([&](Index, Index cell) { soften_points(model, state.points, cell, spread.value); });
+}
+
 }  // namespace
 
 void step_compiled(const Model& model, State& state, Workspace& work)
@@ -177,13 +213,16 @@ void step_compiled(const Model& model, State& state, Workspace& work)
       StressSums stress_sums;
       scheme.update_stress(context, group, du, stress_sums);  // Steps 2 to 4, or Sec. 2.2
       sums.plastic += stress_sums.plastic_work;
+      if (model.spreads_softening()) work.group_softens[group.number] = softens(model, group);
       for (int c = 0; c < group.n(); ++c)
         advance_points(group.cell(c), model.mesh->centres[group.cells[c]], du[c], leavers);
     });
   });
   finish_sums(state, work);  // before points move and the chunks change
   for (const ActiveFollower& active : state.followers) active.follower->step(model, work);
+  const bool softens_now = model.spreads_softening() && find_softening_runs(state, work, model.diffusion);
   timed(work, move, [&] { move_leavers(model, state, work); });
+  if (softens_now) timed(work, softening, [&] { spread_softening(model, state, work); });
 
   ++state.step;
   state.time = static_cast<Real>(state.step) * model.dt;

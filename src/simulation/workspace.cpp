@@ -45,7 +45,7 @@ void fit_patches(const State& state, PatchValues& patches)
 }  // namespace
 
 Workspace::Workspace(const Model& model, const State& state)
-    : threads(model.threads), damping_local(model.damping.local)
+    : threads(model.threads), softening(model.diffusion), damping_local(model.damping.local)
 {
   node.make_anew(model.mesh->nodes.size());
   for (const SoilMaterial& material : model.materials) n_gauss_rows = std::max(n_gauss_rows, material.n_rows());
@@ -56,6 +56,12 @@ Workspace::Workspace(const Model& model, const State& state)
   for (auto& list : leavers) list.reserve(state.points.n_points());
   const std::size_t most_cells = 2 * state.points.occupied().size();
   corners.reserve(most_cells);
+  if (model.spreads_softening()) {
+    softening_corners.reserve(most_cells);
+    group_softens.reserve(Threads::n_chunks(static_cast<Index>(most_cells), pack_width));
+    run_softens.resize(model.diffusion.first_reached.size() - 1);
+    run_is_near.resize(run_softens.size());
+  }
   pressure.reserve(2 * state.points.n_blocks());
   if (model.inverse_extent >= 0) start_patches(model, state, n_gauss_rows, patches);
   cell_sums.reserve(Threads::n_chunks(static_cast<Index>(most_cells), cells_per_chunk));
@@ -66,6 +72,10 @@ void Workspace::fit(const Model& model, const State& state)
 {
   const auto& cells = state.points.occupied();
   corners.resize(cells.size());
+  if (model.spreads_softening()) {
+    softening_corners.resize(cells.size());
+    group_softens.resize(Threads::n_chunks(static_cast<Index>(cells.size()), pack_width));
+  }
   pressure.resize(state.points.n_blocks());
   const std::size_t n_gauss = model.materials.size() * state.points.n_bodies() *
                               Threads::n_chunks(static_cast<Index>(cells.size()), pack_width);

@@ -6,6 +6,7 @@
 #include "schemes/patch_values.hpp"
 #include "simulation/model.hpp"
 #include "simulation/passes.hpp"
+#include "transfer/node_diffusion.hpp"
 
 #include <chrono>
 
@@ -36,6 +37,13 @@ struct CellSums {
   std::size_t first_leaver = 0, end_of_leavers = 0;
 };
 
+/// Of nonlocal softening, at the corners of one cell: sums over the points that can soften.
+struct CornerSoftening {
+  PerCorner<Quad4> volume;          ///< [m^2]
+  PerCorner<Quad4> increment;       ///< volume times increment [m^2]
+  PerCorner<Quad4> length_squared;  ///< volume times l^2 [m^4]
+};
+
 inline constexpr Index cells_per_chunk =
     2 * pack_width;  // 400 points at 5 x 5: about 10 us, long against claiming a chunk
 inline constexpr Index nodes_per_chunk = 128;
@@ -54,8 +62,12 @@ struct Workspace {
   Index n_gauss_rows = 0;      ///< the most that any law adds to the points
   std::vector<Real> pressure;  ///< p_e [Pa], shape [n_blocks]; of schemes that keep no other Gauss values
   PatchValues patches;         ///< of shares that overlap
-  ZeroedArray<NodeValues> node;     ///< shape [n_nodes]; only those of active nodes are written
-  std::vector<Index> active_nodes;  ///< nodes of occupied cells, ascending
+  std::vector<CornerSoftening> softening_corners;      ///< shape [n_occupied]; of nonlocal softening
+  NodeSpread softening;                                ///< of nonlocal softening
+  std::vector<std::uint8_t> group_softens;             ///< whether a point of a group softened in this step
+  std::vector<std::uint8_t> run_softens, run_is_near;  ///< the same of the runs of NodeDiffusion; those it can reach
+  ZeroedArray<NodeValues> node;                        ///< shape [n_nodes]; only those of active nodes are written
+  std::vector<Index> active_nodes;                     ///< nodes of occupied cells, ascending
   std::vector<std::uint64_t> node_bits;
   std::vector<NodeSums> node_sums;               ///< by chunk
   std::vector<CellSums> cell_sums;               ///< by chunk

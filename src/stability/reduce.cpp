@@ -95,7 +95,7 @@ std::vector<std::string> check_reduced(const Case& c)
 {
   std::vector<std::string> problems;
   for (const MaterialCase& material : c.materials)
-    if (const MaterialType* law = find_material(material.model))
+    if (const MaterialType* law = material.type())
       for (const ParameterProblem& p : law->check(material.parameters))
         problems.push_back(fmt::format("material.{}: {}: {}", material.name, p.what, p.detail));
   return problems;

@@ -33,6 +33,7 @@ poisson_ratio = 0.48
 su_peak = 8.0e3
 su_residual = 2.0e3
 eta = 50.0
+softening = { length = 0.75, m = 1.25, halo = true }
 [material.rock]
 model = "linear_elastic"
 density = 2600
@@ -139,6 +140,10 @@ TEST(Reader, FillsBodiesAndMaterials)
   EXPECT_THAT(c.bodies[1].polygon, ElementsAre(Vec<2>{9, 1}, Vec<2>{10, 1}, Vec<2>{9, 2}));
   ASSERT_EQ(c.materials.size(), 2u);
   EXPECT_EQ(c.materials[0].name, "clay");
+  EXPECT_EQ(c.materials[0].softening.length, 0.75);
+  EXPECT_EQ(c.materials[0].softening.over_nonlocal, 1.25);
+  EXPECT_TRUE(c.materials[0].softening.halo);
+  EXPECT_FALSE(c.materials[1].softening.is_nonlocal());
   EXPECT_EQ(c.materials[0].model, "tresca_softening");
   EXPECT_THAT(c.materials[0].parameters, ElementsAre(2.0e6, 0.48, 8.0e3, 2.0e3, 50.0, 2.0e3, 0.0, 0.0, INFINITY));
   EXPECT_EQ(c.materials[1].density, 2600.0);

@@ -1,0 +1,120 @@
+// The nonlocal form of a law that softens: its strength follows a mean of the plastic strain over a distance l, not the
+// strain of the point alone, so that a slip surface takes the same energy on any mesh (decision 0045).
+//
+//   z    = d_eps_p / eps_95 where k < 7/3 eps_95, else 0      increment of the step; eps_95 = softened_strain()
+//   zbar = z spread over the distance l                       simulation/softening_passes.hpp
+//   q   += eps_95 (m zbar + (1 - m) z)                        over-nonlocal strain, 1 <= m <= 2
+//   k    = max(k, q); without halo max(k, min(q, eps_p))      drives the strength of the next step
+//
+// Not for: how far and over which points z is spread.
+#pragma once
+
+#include "base/tensor.hpp"
+#include "materials/material.hpp"
+#include "parallel/pack.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace terp {
+
+/// True for a law that can keep the strengths that it has at some plastic strain.
+template <template <class> class Law>
+concept Softens = requires(const Law<Real>& law)
+{
+  law.softened_at(Real{});
+};
+
+/// What softening leaves at 7/3 of the strain of 95 %, exp(-7) = 0.1 %, counts as nothing: there the soil ceases to
+/// spread its strain. Without this the softened zone grows with slip without end (decision 0045).
+inline constexpr Real softened_out = 7.0 / 3.0;
+
+template <class T, std::size_t n, std::size_t m>
+constexpr std::array<T, n + m> joined(const std::array<T, n>& a, const std::array<T, m>& b)
+{
+  std::array<T, n + m> all{};
+  std::ranges::copy(b, std::ranges::copy(a, all.begin()).out);
+  return all;
+}
+
+// A law is a type of its own file, and so is what is made of it; GCC warns of that in a header.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsubobject-linkage"
+
+/// The law with three state variables more. P: number type of the parameters.
+template <template <class> class Law, class P>
+struct NonlocalLaw {
+  using Base = Law<P>;
+  static constexpr std::string_view equations = Base::equations;
+  static constexpr auto parameters = Base::parameters;
+  static constexpr auto derived = Base::derived;
+  static constexpr auto state = joined(Base::state,
+      std::array{StateInfo{"eps_nonlocal", "-", Averaging::cell,
+                     "over-nonlocal plastic strain, m mean + (1 - m) eps_eq_p of soil that still softens"},
+          StateInfo{"eps_softening", "-", Averaging::cell,
+              "strain that the strength follows, largest over-nonlocal plastic strain so far", Role::softening},
+          StateInfo{.name = "softening_increment",
+              .unit = "-",
+              .averaging = Averaging::cell,
+              .meaning = "part of its softening that the soil did in this step; below 0 where it cannot soften",
+              .scratch = true}});
+  static constexpr std::size_t n_own = Base::state.size(), nonlocal_row = n_own, softening_row = n_own + 1,
+                               increment_row = n_own + 2;
+  static constexpr std::size_t strain_row = find_role(Base::state, Role::plastic_strain);
+  static constexpr bool depends_on_rate = requires { Base::depends_on_rate; };
+  static_assert(strain_row < n_own, "a law that softens has a state variable of Role::plastic_strain");
+
+  explicit NonlocalLaw(std::span<const P> values) : law(values) {}
+
+  template <class R, int Dim>
+  R update(SymTensor<R, Dim>& sigma, std::array<R, n_own + 3>& at, const SymTensor<R, Dim>& d_eps, Real dt) const
+  {
+    std::array<R, n_own> own;
+    std::copy_n(at.begin(), n_own, own.begin());
+    const R work = law.softened_at(at[softening_row]).update(sigma, own, d_eps, dt);
+    const R whole(law.softened_strain());
+    const R part = (own[strain_row] - at[strain_row]) / whole;
+    const auto may_soften = whole < R(std::numeric_limits<Real>::infinity());
+    const auto softens_on = at[softening_row] < R(softened_out) * whole;
+    at[increment_row] = select(may_soften, select(softens_on, part, R(0.0)), R(-1.0));
+    std::copy_n(own.begin(), n_own, at.begin());
+    return work;
+  }
+
+  /// spread: zbar of the step.
+  template <class R>
+  void soften(std::array<R, n_own + 3>& at, R spread, const SofteningOptions& options) const
+  {
+    const R whole(law.softened_strain());
+    const auto may_soften = whole < R(std::numeric_limits<Real>::infinity());
+    const R m(options.over_nonlocal);
+    const R part = m * spread + (R(1.0) - m) * at[increment_row];
+    at[nonlocal_row] = select(may_soften, at[nonlocal_row] + whole * part, at[nonlocal_row]);
+    const R now = options.halo ? at[nonlocal_row] : min(at[nonlocal_row], at[strain_row]);
+    at[softening_row] = max(at[softening_row], now);
+  }
+
+  P bulk_modulus() const { return law.bulk_modulus(); }
+  P shear_modulus() const { return law.shear_modulus(); }
+  P softened_strain() const { return law.softened_strain(); }
+  Real derived_value(int number, const std::array<Real, n_own + 3>& at) const
+  {
+    std::array<Real, n_own> own;
+    std::copy_n(at.begin(), n_own, own.begin());
+    return law.softened_at(at[softening_row]).derived_value(number, own);
+  }
+  std::vector<ParameterProblem> check() const { return law.check(); }
+
+  Base law;
+};
+
+#pragma GCC diagnostic pop
+
+/// As the template that a law is.
+template <template <class> class Law>
+struct NonlocalForm {
+  template <class P>
+  using Type = NonlocalLaw<Law, P>;
+};
+
+}  // namespace terp

@@ -1,0 +1,118 @@
+// What the step does for nonlocal softening (materials/nonlocal.hpp): the increments of the points go to the nodes, are
+// spread there, and come back to the points. Only soil that can soften takes part.
+#pragma once
+
+#include "simulation/state.hpp"
+#include "simulation/workspace.hpp"
+#include "transfer/map_to_corners.hpp"
+
+#include <algorithm>
+
+namespace terp {
+
+/// Whether any point of a group softened in this step.
+inline bool softens(const Model& model, const CellGroup<Quad4>& group)
+{
+  Pack most(0.0);
+  for (const Index cell : group.cells)
+    for_each_block(group.points, cell, [&](const PointBlock<2>& block, Index) {
+      const int row = model.materials[block.material].increment_row;
+      for (Index p = 0; row >= 0 && p < block.n; p += pack_width) most = max(most, Pack::load(block.row(row) + p));
+    });
+  return any_of(most > Pack(0.0));
+}
+
+/// Finds where softening goes on in this step and how far it can spread. Before points move and the groups change.
+/// Returns true if there is any.
+inline bool find_softening_runs(const State& state, Workspace& work, const NodeDiffusion& diffusion)
+{
+  std::ranges::fill(work.run_softens, 0);
+  std::ranges::fill(work.run_is_near, 0);
+  const std::vector<Index>& cells = state.points.occupied();
+  for (std::size_t slot = 0; slot < cells.size(); ++slot)
+    if (work.group_softens[slot / pack_width] != 0) work.run_softens[cells[slot] / reach_run] = 1;
+  for (std::size_t run = 0; run < work.run_softens.size(); ++run)
+    if (work.run_softens[run] != 0)
+      for (Index k = diffusion.first_reached[run]; k < diffusion.first_reached[run + 1]; ++k)
+        work.run_is_near[diffusion.reached[k]] = 1;
+  return std::ranges::find(work.run_softens, 1) != work.run_softens.end();
+}
+
+/// V, V z and V l^2 of the corners of a cell, from its points.
+inline void collect_softening(const Model& model, const PointBlocks<2>& points, Index cell, CornerSoftening& corners)
+{
+  using Rows = PointRows<2>;
+  corners = {};
+  for_each_block(points, cell, [&](const PointBlock<2>& block, Index) {
+    const SoilMaterial& material = model.materials[block.material];
+    const int row = material.increment_row;
+    if (row < 0) return;
+    auto volume = zero_packs<Quad4::n_corners>(), increment = zero_packs<Quad4::n_corners>();
+    for (Index p = 0; p < block.n; p += pack_width) {
+      const auto N = mapping_shares<Quad4>(load_rows<2>(block, Rows::xi, p));
+      const Pack z = Pack::load(block.row(row) + p);
+      const Pack omega = select(z >= Pack(0.0), Pack::load(block.row(Rows::volume) + p), Pack(0.0));
+      const Pack part = max(z, Pack(0.0));
+      for (int i = 0; i < Quad4::n_corners; ++i) {
+        const Pack weight = N[i] * omega;
+        volume[i] += weight;
+        increment[i] = fma(weight, part, increment[i]);
+      }
+    }
+    PerCorner<Quad4> of_block{};
+    add_lanes(volume, of_block);
+    add_lanes(increment, corners.increment);
+    const Real length = material.softening.length;
+    for (int i = 0; i < Quad4::n_corners; ++i) {
+      corners.volume[i] += of_block[i];
+      corners.length_squared[i] += of_block[i] * length * length;
+    }
+  });
+}
+
+/// Sums of the near cells around a node: what it starts from.
+inline void gather_softening(const Model& model, const State& state, const Workspace& work, Index i, NodeSpread& spread)
+{
+  const Mesh<2>& mesh = *model.mesh;
+  Real volume = 0.0, increment = 0.0, length_squared = 0.0;
+  for (Index k = mesh.first_cell_of_node[i]; k < mesh.first_cell_of_node[i + 1]; ++k) {
+    const auto [cell, corner] = mesh.cells_of_node[k];
+    const Index slot = state.points.slot_of_cell()[cell];
+    if (slot < 0 || work.run_is_near[cell / reach_run] == 0) continue;
+    const CornerSoftening& from = work.softening_corners[slot];
+    volume += from.volume[corner];
+    increment += from.increment[corner];
+    length_squared += from.length_squared[corner];
+  }
+  const Real inverse = volume > 0.0 ? 1.0 / volume : 0.0;
+  spread.inverse_volume[i] = inverse;
+  spread.value[i] = increment * inverse;
+  spread.filling[i] = volume / model.diffusion.full_volume[i];
+  spread.variance[i] = variance_to_spread(length_squared * inverse, model.diffusion.mapping_variance[i]);
+}
+
+/// Of a node that softening cannot reach in this step.
+inline void clear_softening(Index i, NodeSpread& spread) { spread.value[i] = spread.next[i] = 0.0; }
+
+/// What the corners of a cell hold goes to its points, whose strength follows it in the next step.
+inline void soften_points(const Model& model, PointBlocks<2>& points, Index cell, std::span<const Real> value)
+{
+  using Rows = PointRows<2>;
+  std::array<PerCorner<Quad4>, 1> at;
+  for (int i = 0; i < Quad4::n_corners; ++i) at[0][i] = value[model.mesh->cells[cell][i]];
+  if (std::ranges::all_of(at[0], [](Real a) { return a == 0.0; })) return;
+  for_each_block(points, cell, [&](const PointBlock<2>& block, Index) {
+    const SoilMaterial& material = model.materials[block.material];
+    if (material.increment_row < 0) return;
+    alignas(64) Real spread[strip_length];
+    for (Index first = 0; first < block.n_padded(); first += strip_length) {
+      const Index n = std::min(strip_length, block.n_padded() - first);
+      for (Index p = 0; p < n; p += pack_width)
+        interpolate(at, Quad4::shape_functions(load_rows<2>(block, Rows::xi, first + p)))[0].store(spread + p);
+      material.law->soften(material.softening,
+          {.law = material.view(block, first), .spread = spread, .n = n, .n_points = block.n - first});
+    }
+  });
+}
+
+}  // namespace terp

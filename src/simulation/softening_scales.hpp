@@ -1,0 +1,27 @@
+// A softening length against the cells and the section.
+#pragma once
+
+#include "base/errors.hpp"
+#include "simulation/model.hpp"
+#include "simulation/state.hpp"
+
+namespace terp {
+
+/// A softening length beside the sizes that it must fit.
+struct SofteningScale {
+  Index material;  ///< number
+  Real length;     ///< l [m]
+  Real cell;       ///< h: square root of the area of the largest cell that holds soil of the material [m]
+  Real height;     ///< H: of all soil along gravity [m]
+};
+
+/// Of each material that has a length and points.
+std::vector<SofteningScale> softening_scales(const Model& model, const State& state);
+
+/// Throws InputError where a length is below the size of a cell.
+void check_softening_lengths(const Model& model, const State& state);
+
+/// Lengths that are poorly resolved, or long against the section.
+void find_odd_softening_lengths(const Model& model, const State& state, std::vector<Problem>& warnings);
+
+}  // namespace terp

@@ -1,0 +1,210 @@
+// Softening over a distance in the step: what points give, nodes spread and points take.
+#include "simulation/softening_passes.hpp"
+
+#include "simulation/ledger.hpp"
+#include "simulation/setup.hpp"
+#include "simulation/state_image.hpp"
+#include "support/cases.hpp"
+#include "support/simulations.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+using Rows = PointRows<2>;
+
+Case softening_column(const char* scheme, Real length = 0.5, Real cell = 0.25)
+{
+  Case c = column(scheme, cell);
+  c.materials[0].softening = {.length = length};
+  c.bodies[0].velocity = {2.0, 0.0};  // points change cell from the first steps on, and soften
+  return c;
+}
+
+StateImage state_after_300_steps(const Case& c, int threads)
+{
+  Simulation s(c, threads);
+  s.step(300);
+  return make_image(s.state);
+}
+
+/// Of a row times the volume now, less what it was before, by id; empty: 0.
+Real sum_of(const Simulation& s, const char* name, const std::vector<Real>& before = {})
+{
+  Real sum = 0.0;
+  const int row = std::ranges::find(s.model.rows.entries(), name, &RowInfo::name)->first;
+  for_each_point(s.state.points, [&](const PointBlock<2>& block, Index lane) {
+    const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
+    sum += block.row(Rows::volume)[lane] * (block.row(row)[lane] - (before.empty() ? 0.0 : before[id]));
+  });
+  return sum;
+}
+
+std::vector<Real> by_id(const Simulation& s, const char* name)
+{
+  std::vector<Real> values(static_cast<std::size_t>(s.state.n_ids()));
+  const int row = std::ranges::find(s.model.rows.entries(), name, &RowInfo::name)->first;
+  for_each_point(s.state.points, [&](const PointBlock<2>& block, Index lane) {
+    values[static_cast<std::size_t>(block.row(Rows::id)[lane])] = block.row(row)[lane];
+  });
+  return values;
+}
+
+TEST(SofteningPasses, OneTwoAndFourThreadsGiveTheSameBits)
+{
+  for (const char* scheme : {"standard_mpm", "mpm_mixed", "mpm_gp"}) {
+    const StateImage one = state_after_300_steps(softening_column(scheme), 1);
+    for (const int threads : {2, 4})
+      EXPECT_EQ(first_difference(one, state_after_300_steps(softening_column(scheme), threads)), "") << scheme;
+  }
+  for (const char* scheme : {"mpm_mixed", "mpm_gp"}) {
+    Case overlap = softening_column(scheme);
+    overlap.method.shares = Shares::overlap;
+    EXPECT_EQ(first_difference(state_after_300_steps(overlap, 1), state_after_300_steps(overlap, 3)), "") << scheme;
+  }
+}
+
+TEST(SofteningPasses, AStateThatIsSavedGoesOnInTheSameBits)
+{
+  for (const char* scheme : {"mpm_mixed", "mpm_gp"}) {
+    const Case c = softening_column(scheme);
+    Simulation through(c), first(c), second(c);
+    through.step(300);
+    first.step(170);
+    second.restore(first.save());
+    second.step(130);
+    EXPECT_EQ(first_difference(make_image(through.state), make_image(second.state)), "") << scheme;
+  }
+}
+
+void expect_nothing_is_lost(const char* scheme, Shares shares)
+{
+  Case c = softening_column(scheme);
+  c.method.shares = shares;
+  c.materials[0].softening.over_nonlocal = 1.0;  // then the nonlocal strain is the mean alone
+  Simulation s(c);
+  for (int n = 0; n < 40; ++n) {
+    const std::vector<Real> before = by_id(s, "eps_nonlocal");
+    s.step();
+    const Real given = sum_of(s, "softening_increment") * 3.0 / 50.0;
+    EXPECT_NEAR(sum_of(s, "eps_nonlocal", before), given, 1e-9 * (1e-9 + given)) << n;
+  }
+  EXPECT_GT(sum_of(s, "eps_nonlocal"), 0.0);
+}
+
+TEST(SofteningPasses, SpreadWhatSoftenedAndLoseNothing)
+{
+  expect_nothing_is_lost("mpm_gp", Shares::point);
+  expect_nothing_is_lost("mpm_gp", Shares::overlap);
+}
+
+/// The increment is that of the step, whatever the points had before.
+TEST(SofteningPasses, MixedWithSharesThatOverlapGivesTheIncrementOfTheStep)
+{
+  Case c = softening_column("mpm_mixed");
+  c.method.shares = Shares::overlap;
+  c.forces.gravity = {0.0, 0.0};
+  c.bodies[0].velocity = {0.0, 0.0};  // at rest: no step softens anything
+  Simulation s(c);
+  edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
+    block.row(s.model.materials[0].increment_row)[lane] = 0.01 * (lane % 3);
+  });
+  s.step();
+  for (const Real z : by_id(s, "softening_increment")) EXPECT_EQ(z, 0.0);
+}
+
+TEST(SofteningPasses, TheDriverNeverFallsAndTheStrengthNeverRises)
+{
+  Case c = softening_column("mpm_gp");
+  Simulation s = followed(c);
+  keep_ledger(s.model, s.state, s.work);
+  for (int n = 0; n < 30; ++n) {
+    make_steps(s, 10);
+    keep_ledger(s.model, s.state, s.work);
+  }
+  EXPECT_EQ(flags_set(s.state, "followers/history_audit/fell"), 0);
+  EXPECT_EQ(flags_set(s.state, "followers/history_audit/rose"), 0);
+  EXPECT_GT(sum_of(s, "eps_softening"), 0.0);
+}
+
+TEST(SofteningPasses, CostNothingWithoutALength)
+{
+  const Simulation off(column("mpm_gp", 0.25));
+  EXPECT_FALSE(off.model.spreads_softening());
+  EXPECT_EQ(off.model.rows.n_rows(), Rows::state + 1);
+  EXPECT_TRUE(off.work.softening_corners.empty());
+  EXPECT_EQ(Simulation(softening_column("mpm_gp")).model.rows.n_rows(), Rows::state + 4);
+}
+
+/// Two boxes of soil on a mesh of 0.25 m; in the left one all points have softened by 1 in this step.
+Simulation two_boxes(Real from, const MaterialCase& right)
+{
+  MaterialCase left = clay();
+  left.softening = {.length = 1.0, .over_nonlocal = 1.0};
+  Case c = free_box("mpm_gp", {0.0, 0.0}, {1.0, 2.0}, left);
+  MaterialCase other = right;
+  other.name = "other";
+  c.materials.push_back(other);
+  c.bodies.push_back(body("other", {from, 0.0}, {from + 1.0, 2.0}));
+  return Simulation(c);
+}
+
+/// The largest driver in the right box after the left one has softened.
+Real softening_of_the_right(Simulation& s)
+{
+  const Index row = s.model.materials[0].increment_row;
+  edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
+    block.row(row)[lane] = block.material == 0 ? 1.0 : s.model.materials[1].increment_row < 0 ? 0.0 : -0.0;
+  });
+  std::ranges::fill(s.work.run_is_near, 1);
+  NodeSpread& spread = s.work.softening;
+  for (std::size_t k = 0; k < s.state.points.occupied().size(); ++k)
+    collect_softening(s.model, s.state.points, s.state.points.occupied()[k], s.work.softening_corners[k]);
+  for (const Index i : s.work.active_nodes) gather_softening(s.model, s.state, s.work, i, spread);
+  for (const Index i : s.work.active_nodes) set_rates(s.model.diffusion, i, spread);
+  for (int n = 0; n < s.model.diffusion.n_substeps; ++n) {
+    for (const Index i : s.work.active_nodes) spread_node(s.model.diffusion, i, spread);
+    std::swap(spread.value, spread.next);
+  }
+  for (const Index cell : s.state.points.occupied()) soften_points(s.model, s.state.points, cell, spread.value);
+  Real most = 0.0;
+  const int driver = row - 1;
+  for_each_point(s.state.points, [&](const PointBlock<2>& block, Index lane) {
+    if (block.material == 1) most = std::max(most, block.row(driver)[lane]);
+  });
+  return most;
+}
+
+TEST(SofteningPasses, SoilThatTouchesSoftensAndSoilBeyondAGapDoesNot)
+{
+  MaterialCase same = clay();
+  same.softening = {.length = 1.0, .over_nonlocal = 1.0};
+  Simulation touching = two_boxes(1.0, same);
+  EXPECT_GT(softening_of_the_right(touching), 0.3 * 3.0 / 50.0);
+  Simulation apart = two_boxes(1.5, same);  // two cells of 0.25 m
+  EXPECT_EQ(softening_of_the_right(apart), 0.0);
+}
+
+TEST(SofteningPasses, SoilThatDoesNotTakePartDilutesNothing)
+{
+  MaterialCase without = clay();
+  Simulation s = two_boxes(1.0, without);
+  EXPECT_EQ(softening_of_the_right(s), 0.0);
+  // All that softens did so by the same amount: its mean is that amount, up to the border.
+  const int driver = s.model.materials[0].increment_row - 1;
+  for_each_point(s.state.points, [&](const PointBlock<2>& block, Index lane) {
+    if (block.material != 0) return;
+    EXPECT_NEAR(block.row(driver)[lane], 3.0 / 50.0, 1e-12);
+  });
+}
+
+TEST(SofteningPasses, SpreadThePartOfSofteningBetweenSoilsOfOtherRates)
+{
+  MaterialCase brittle = clay({.eta = 100.0});
+  brittle.softening = {.length = 1.0, .over_nonlocal = 1.0};
+  MaterialCase same = clay();
+  same.softening = brittle.softening;
+  Simulation one = two_boxes(1.0, same), other = two_boxes(1.0, brittle);
+  EXPECT_NEAR(softening_of_the_right(other), 0.5 * softening_of_the_right(one), 1e-12);
+}
+
+}  // namespace

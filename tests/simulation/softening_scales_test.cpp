@@ -1,0 +1,54 @@
+// A softening length against the cells and the section.
+#include "simulation/softening_scales.hpp"
+
+#include "simulation/setup.hpp"
+#include "support/cases.hpp"
+#include "support/problems.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+/// The column, 2 m high, on cells of 0.05 m.
+std::vector<Problem> with_length(Real length, Real cell = 0.05)
+{
+  Case c = column("mpm_gp", cell);
+  c.materials[0].softening.length = length;
+  Model model = build_model(c, 1);
+  const State state = build_state(model);
+  std::vector<Problem> warnings;
+  find_odd_softening_lengths(model, state, warnings);
+  return warnings;
+}
+
+TEST(SofteningScales, AreSilentBetweenTwoCellsAndATwentiethOfTheHeight) { EXPECT_THAT(with_length(0.1), IsEmpty()); }
+
+TEST(SofteningScales, ALengthOfLessThanTwoCellsIsDoubted)
+{
+  EXPECT_THAT(with_length(0.08),
+      ElementsAre(told("material.\"clay\".softening.length", "the softening length holds less than two cells",
+          "Got 0.08 m; cells with this soil measure up to 0.05 m. A slip surface takes up to 6 % less or more energy "
+          "than on fine cells.\nUsual: at least 0.1 m, or cells of at most 0.04 m.")));
+}
+
+TEST(SofteningScales, ALengthThatIsLongBesideTheSectionIsDoubted)
+{
+  EXPECT_THAT(with_length(0.2),
+      ElementsAre(told("material.\"clay\".softening.length", "the softening length is long beside the section",
+          "Got 0.2 m; the soil is H = 1.99 m high. Soil within about 2 l of a slip surface softens though it never "
+          "sheared.\nUsual: at most H/20 = 0.0995 m, better H/50 = 0.0398 m.")));
+}
+
+TEST(SofteningScales, ALengthShorterThanACellIsRefused)
+{
+  try {
+    with_length(0.04);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.problems(),
+        ElementsAre(told("material.\"clay\".softening.length", "the softening length is shorter than a cell",
+            "Got 0.04 m; cells with this soil measure up to 0.05 m (square root of the area): nothing would spread.\n"
+            "Allowed: at least 0.05 m, better 0.1 m or more. Give that, or smaller cells.")));
+  }
+}
+
+}  // namespace
