@@ -132,12 +132,15 @@ RunStart find_start(const std::string& folder, const CaseFile& file, const Mesh<
   return step = 0, RunStart::again;
 }
 
-/// Each warning once, though several sizes have it.
+/// Each warning once, with the numbers of the first size that has it.
 class Warnings {
  public:
-  void show(const std::string& text)
+  void show(const std::vector<Problem>& warnings, const CaseFile& file)
   {
-    if (!text.empty() && seen_.insert(text).second) fmt::print(stderr, "{}", text);
+    std::vector<Problem> fresh;
+    for (const Problem& warning : warnings)
+      if (seen_.insert(warning.key + '\n' + warning.what).second) fresh.push_back(warning);
+    fmt::print(stderr, "{}", render_warnings(fresh, file));
   }
 
  private:
@@ -174,7 +177,7 @@ struct Planner {
         .changes = changes_with(s)};
     for (std::string& change : changes_to_cell_size(base, cell)) run.changes.push_back(std::move(change));
     const CaseFile file = read_case(options.run.path, run.changes);
-    warnings.show(render_warnings(file));
+    warnings.show(file.warnings, file);
     try {
       const SharedMesh mesh = std::make_shared<const Mesh<2>>(build_mesh(file.values));
       check_that_it_differs(s, record_text(make_case_record(file, *mesh)), sequence == 0);
@@ -211,7 +214,7 @@ struct Planner {
   {
     Simulation simulation(file.values, mesh, threads_of(options.run));
     const Model& model = simulation.model;
-    warnings.show(render_warnings(find_warnings(model, simulation.state), file));
+    warnings.show(find_warnings(model, simulation.state), file);
     run.what = fmt::format(
         "{} cells, {} points, {} steps", mesh->n_cells(), simulation.state.points.n_points(), model.n_steps);
     if (step > 0) run.what += fmt::format(" of which {} are done", step);

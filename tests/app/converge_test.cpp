@@ -157,6 +157,15 @@ TEST(Converge, RefusesWhatIsNoStudyBeforeAnythingIsRun)
   EXPECT_THAT(refused({"--cells", "1,0.4"}), HasSubstr("cells of 0.4 m: the mesh is not a whole number of such cells"));
 }
 
+TEST(Converge, ShowsAWarningOfAllSizesOnce)
+{
+  const ScratchFolder scratch;
+  const Finished f = test::terp(
+      converge_command(scratch.path() + "/study", {"--estimate", "--set", "output.history.points.far=[12, 2]"}));
+  EXPECT_THAT(f.err, StartsWith("warning: --set output.history.points.far=[12, 2]: no soil is near the history point"));
+  EXPECT_EQ(f.err.find("warning: ", 1), std::string::npos) << f.err;
+}
+
 TEST(Converge, EstimatesWithoutRunning)
 {
   const ScratchFolder scratch;
