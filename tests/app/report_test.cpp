@@ -1,6 +1,7 @@
 // terp report, compare, export and watch, as a user meets them.
 #include "app/coarse_column.hpp"
 #include "output/files.hpp"
+#include "simulation/passes.hpp"
 #include "support/test.hpp"
 #include <poll.h>
 #include <nlohmann/json.hpp>
@@ -43,7 +44,7 @@ TEST(Report, IsOneFileWithBothRunsAndTheirComparison)
   EXPECT_EQ(document["runs"].size(), 2);
   EXPECT_EQ(document["runs"][0]["scheme"], "mpm_mixed");
   EXPECT_EQ(document["runs"][0]["fields"][0]["name"], "eps_eq_p");
-  EXPECT_EQ(document["runs"][0]["passes"].size(), 6);
+  EXPECT_EQ(document["runs"][0]["passes"].size(), n_passes);
   const Finished compared = test::terp({"compare", runs().mixed, runs().gp, "--json"});
   EXPECT_EQ(document["comparison"], nlohmann::json::parse(compared.out));
 }
