@@ -12,6 +12,7 @@
 #include "simulation/setup_warnings.hpp"
 #include "simulation/side_shape.hpp"
 #include "simulation/simulation.hpp"
+#include "simulation/softening_scales.hpp"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -97,6 +98,8 @@ void print_check(const CaseFile& file, Simulation& simulation)
   fmt::print("  mass           {:.6g} kg per m\n", total_mass(state));
   print_bodies(model);
   print_sides(model);
+  if (softens_without_length(model))
+    fmt::print("  softening      no length: the result will depend on the cells (docs/softening_length.md)\n");
   fmt::print("  time step      {:.4g} s\n", model.dt);
   fmt::print("  steps          {} to t = {:g} s\n", model.n_steps, file.values.time.end);
   fmt::print("  memory         {:.0f} MB\n", static_cast<double>(bytes_of(model, state)) / 1e6);

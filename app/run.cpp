@@ -13,6 +13,7 @@
 #include "progress.hpp"
 #include "simulation/setup_warnings.hpp"
 #include "simulation/simulation.hpp"
+#include "simulation/softening_scales.hpp"
 #include "simulation/state_image.hpp"
 #include "stop.hpp"
 
@@ -29,7 +30,7 @@ std::string optional_number(const std::optional<Real>& value, const char* unit)
   return value ? fmt::format("{:.3g} {}", *value, unit) : std::string("-");
 }
 
-void print_summary(const Summary& s, const std::string& folder)
+void print_summary(const Summary& s, const Model& model, const std::string& folder)
 {
   fmt::print("solved in {}: {} points, {} steps of {:.4g} s, {:.1f} M point-steps/s on {} thread{}\n",
       readable_duration(s.wall_s), s.n_points, s.n_steps, s.dt, s.point_steps_per_s / 1e6, s.threads,
@@ -38,6 +39,8 @@ void print_summary(const Summary& s, const std::string& folder)
   fmt::print("  crest            {}\n", s.crest_x ? fmt::format("x = {:.2f} m", *s.crest_x) : "-");
   fmt::print("  second failure   {}\n", optional_number(s.second_failure_time, "s"));
   fmt::print("  largest eps_eq_p {:.3g}\n", s.max_eps_eq_p);
+  if (softens_without_length(model) && s.max_eps_eq_p > s.softened_strain.value_or(s.max_eps_eq_p))
+    fmt::print("  softening        no length: the result depends on the cells (docs/convergence.md)\n");
   fmt::print("  energy balance   {:.2g} % of the energy exchanged\n", 100.0 * s.energy_balance_error);
   for (const FootingSummary& f : s.footings)
     fmt::print("  {:<16} reaction {:.4g} kN/m, {:.4g} kN/m up, at the end; largest against its motion {:.4g} kN/m\n",
@@ -172,7 +175,7 @@ int solve(Simulation& simulation, RunWriter& writer, const RunOptions& options, 
             state.step, resume_command(folder, options));
       return failed;
     }
-    if (!options.quiet && is_alone(options)) print_summary(summary, folder);
+    if (!options.quiet && is_alone(options)) print_summary(summary, model, folder);
     warn_of(summary, folder);
     if (options.verbose) print_passes(simulation.work);
     return solved;

@@ -45,6 +45,14 @@ std::vector<SofteningScale> softening_scales(const Model& model, const State& st
   return scales;
 }
 
+bool softens_without_length(const Model& model)
+{
+  return std::ranges::any_of(model.materials, [](const SoilMaterial& m) {
+    return row_of(m, Role::plastic_strain) >= 0 && std::isfinite(m.law->softened_strain()) &&
+           !m.softening.is_nonlocal();
+  });
+}
+
 void check_softening_lengths(const Model& model, const State& state)
 {
   for (const SofteningScale& scale : softening_scales(model, state)) {
