@@ -73,8 +73,15 @@ struct MpmGp {
       const Real size = std::sqrt(group.mesh.geometry(group.cells[c]).volume);
       for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
         const PatchView patch = view_patch(group, b, patch_rows);
+        PressureAbove above;
+        if (block.n_padded() > strip_length)  // several strips: their mean comes first
+          for (Index p = 0; p < block.n_padded(); p += pack_width) {
+            PointShares shares;
+            set_shares(block, p, context.inverse_extent, size, shares);
+            above.add(block, p, patch.at_points<1>(shares, patch_pressure)[0]);
+          }
         for (Index first = 0; first < block.n_padded(); first += strip_length)
-          update_strip_from_patch(context, block, first, size, patch, sums);
+          update_strip_from_patch(context, block, first, size, patch, above, sums);
       });
     }
   }
@@ -83,6 +90,19 @@ struct MpmGp {
   /// Rows that Gauss points leave for the points around them.
   static constexpr int patch_strain = 0, patch_pressure = 4, patch_spin = 5, patch_rows = 6;
   static_assert(patch_pressure == n_sym<dim>);
+
+  /// Pressure of the points of a block above that around them.
+  struct PressureAbove {
+    Pack above = Pack(0.0), volume = Pack(0.0);  ///< sums over points, times Omega_p
+
+    void add(const PointBlock<dim>& block, Index p, Pack around)
+    {
+      const Pack omega = Pack::load(block.row(PointRows<dim>::volume) + p);
+      above = fma(omega, mean_stress(stress_of(block, p)) - around, above);
+      volume += omega;
+    }
+    Pack mean() const { return Pack(sum(above) / sum(volume)); }
+  };
 
   /// sum, finish: as in gather_at_gauss_points. The Gauss values of a group of one layer need no place in memory.
   template <class Sum, class Finish>
@@ -98,14 +118,14 @@ struct MpmGp {
         sum, finish);
   }
 
+  /// above: of the whole block where it has more than one strip, else nothing yet.
   static void update_strip_from_patch(const SchemeContext& context, const PointBlock<dim>& block, Index first,
-      Real size, const PatchView& patch, StressSums& sums)
+      Real size, const PatchView& patch, PressureAbove above, StressSums& sums)
   {
     const Index n = std::min(strip_length, block.n_padded() - first);
     StripArrays<dim> strip;
     alignas(64) Real pressure[strip_length], spin[strip_length];
     const bool rotates = context.method.objective_rate == ObjectiveRate::jaumann;
-    Pack above(0.0), volume(0.0);  // pressure of the points above that around them
     for (Index p = 0; p < n; p += pack_width) {
       PointShares shares;
       set_shares(block, first + p, context.inverse_extent, size, shares);
@@ -115,11 +135,9 @@ struct MpmGp {
       store_strain(d_eps, strip, p);
       values[patch_pressure].store(pressure + p);
       if (rotates) patch.at_points<1>(shares, patch_spin)[0].store(spin + p);
-      const Pack omega = Pack::load(block.row(PointRows<dim>::volume) + first + p);
-      above = fma(omega, mean_stress(stress_of(block, first + p)) - values[patch_pressure], above);
-      volume += omega;
+      if (block.n_padded() <= strip_length) above.add(block, first + p, values[patch_pressure]);
     }
-    const Pack shift(sum(above) / sum(volume)), share(share_of_cell_pressure(context.method));
+    const Pack shift = above.mean(), share(share_of_cell_pressure(context.method));
     for (Index p = 0; p < n; p += pack_width) {
       SymTensor<Pack, dim> sigma = stress_of(block, first + p);
       add_isotropic(sigma, share * (Pack::load(pressure + p) + shift - mean_stress(sigma)));

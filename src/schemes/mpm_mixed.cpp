@@ -50,9 +50,9 @@ struct MpmMixed {
   }
 
   /// With shares that overlap, in four passes. The points take the new Gauss stress with their shares, shifted so that
-  /// each sub-cell keeps the mean deviator of its points, and each block their mean pressure; of the state they take
-  /// what the law added. Values that were handed back as they are would spread without end, even at rest (decision
-  /// 0042).
+  /// each sub-cell keeps the mean deviator of its points, and each block their mean pressure. What is kept turns with
+  /// the soil. Of the state they take what the law added. Values that were handed back as they are would spread without
+  /// end, even at rest (decision 0042).
   static void sum_patches(const SchemeContext& context, const CellGroup<Element>& group)
   {
     sum_over_patches(context, group,
@@ -99,6 +99,7 @@ struct MpmMixed {
         else
           leave_change(group, layer, patch_state + k, rows[k]);
       }
+      if (rotates(context)) leave_row(group, layer, patch_spin, strain.d_spin);
     });
   }
 
@@ -115,7 +116,7 @@ struct MpmMixed {
         for (Index p = 0; p < block.n; p += pack_width) {
           PointShares shares;
           set_shares(block, p, context.inverse_extent, size, shares);
-          take_values(patch, shares, material, block, p, kept);  // Step 4
+          take_values(context, patch, shares, block, p, kept);  // Step 4
         }
         kept.shift(block);
       });
@@ -125,7 +126,9 @@ struct MpmMixed {
  private:
   /// Rows that Gauss points leave for the points around them.
   static constexpr int patch_strain = 0, patch_change = n_sym<dim>, patch_stress = 2 * n_sym<dim>,
-                       patch_state = 3 * n_sym<dim>;
+                       patch_spin = 3 * n_sym<dim>, patch_state = patch_spin + 1;
+
+  static bool rotates(const SchemeContext& context) { return context.method.objective_rate == ObjectiveRate::jaumann; }
 
   /// What the stress of a block's points is above that which the Gauss points had: the pressure as a mean over the
   /// block, the deviator over the points of each sub-cell.
@@ -193,9 +196,10 @@ struct MpmMixed {
     }
   }
 
-  static void take_values(const PatchView& patch, const PointShares& shares, const SoilMaterial& material,
+  static void take_values(const SchemeContext& context, const PatchView& patch, const PointShares& shares,
       const PointBlock<dim>& block, Index p, KeptStress& kept)
   {
+    const SoilMaterial& material = context.materials[block.material];
     const auto values = patch.at_points<3 * n_sym<dim>>(shares, 0);
     const Pack omega = Pack::load(block.row(PointRows<dim>::volume) + p);
     SymTensor<Pack, dim> d_eps, above = stress_of(block, p);
@@ -204,6 +208,7 @@ struct MpmMixed {
       above[k] += values[patch_change + k] - values[patch_stress + k];
       values[patch_stress + k].store(block.row(PointRows<dim>::sigma + k) + p);
     }
+    if (rotates(context)) rotate_stress(above, patch.at_points<1>(shares, patch_spin)[0]);
     kept.add(above, omega, upper_halves<Element>(block, p));
     for (int k = 0; k < material.n_state(); ++k) {
       Real* at = block.row(material.rows[k]) + p;
@@ -239,7 +244,7 @@ struct MpmMixed {
   static Pack update_gauss_points(const SchemeContext& context, const SoilMaterial& material,
       const GaussStrain<Element, Pack>& strain, GaussValues<Element, Pack>& gauss, GaussRow<Element>* rows)
   {
-    if (context.method.objective_rate == ObjectiveRate::jaumann) rotate_gauss_points(strain, gauss);
+    if (rotates(context)) rotate_gauss_points(strain, gauss);
     constexpr Index n = Element::n_gauss * pack_width;  // numbers of a row
     PerGauss<Element, Pack> plastic_work;
     StressArrays<dim> arrays{};

@@ -27,7 +27,7 @@ void start_patches(const Model& model, const State& state, Index n_gauss_rows, P
   const std::size_t most = 2 * static_cast<std::size_t>(state.points.n_blocks());
   patches.cells = find_patch_partners(*model.mesh);
   patches.sum_width = round_up_to_pack(patch_others + n_gauss_rows);
-  patches.gauss_width = round_up_to_pack(3 * n_sym<2> + n_gauss_rows);
+  patches.gauss_width = round_up_to_pack(3 * n_sym<2> + 1 + n_gauss_rows);
   TERP_ASSERT(patches.gauss_width <= PatchView::most_rows);
   patches.partners.reserve(most);
   patches.sums.reserve(most * Patch<Quad4>::n_slots * patches.sum_width / pack_width);

@@ -1,6 +1,7 @@
 """NumPy twin of Terp's time step: the oracle of the C++ tests, written from the paper and the readings R1-R20 alone.
 
 Pure explicit MUSL with FLIP, plane strain, 4-node quadrilaterals; schemes standard_mpm, mpm_mixed and mpm_gp.
+Where a point counts is an array of shares [point, cell, sub-cell]: one 1 (Eq. 1), or overlap_shares.py.
 Run it to check the twin against identities that hold exactly and to write one_step.json beside this file.
 Not for: speed, or points that leave their cell (the step asserts that none does).
 
@@ -11,6 +12,8 @@ import sys
 from pathlib import Path
 
 import numpy as np
+
+from overlap_shares import overlap_shares
 
 CORNERS = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])  # of the cell and, scaled, of the Gauss rule
 GAUSS = CORNERS / np.sqrt(3.0)  # weights w_g are all 1
@@ -134,22 +137,34 @@ def tresca_return(mat, s_t, eps):
 
 # --- the step ---
 
-def gauss_values(case, corners, pts, members, subs):
-    """Weights, sigma_hat, p_e and the cell's eps_eq_p, all of the start: Eqs. (1)-(3), readings R3, R6, R8, R9."""
-    omega, volumes = pts["volume"][members], gauss_volumes(corners)
+def point_shares(case, pts, xi, subs):
+    """Part of each point that counts in each sub-cell, shape [n, n_cells, 4]; over these, its sum is 1."""
+    if case["options"]["shares"] == "overlap":
+        return overlap_shares(case["mesh"]["cells"], pts["cell"], xi, pts["extent"], met)
+    shares = np.zeros((len(xi), len(case["mesh"]["cells"]), 4))
+    shares[np.arange(len(xi)), pts["cell"], subs] = 1
+    return shares
+
+
+def gauss_values(case, corners, pts, omega):
+    """Weights, sigma_hat, p_e and the cell's eps_eq_p, all of the start: Eqs. (1)-(3), readings R3, R6, R8, R9.
+
+    omega: volume of each point in each sub-cell of this cell, shape [n, 4].
+    """
+    volumes = gauss_volumes(corners)
     filled = omega.sum() >= case["options"]["filled_fraction"] * volumes.sum()
     met["filled cell" if filled else "part-filled cell"] += 1
-    mean = lambda field, chosen: np.tensordot(omega[chosen], field[members][chosen], 1) / omega[chosen].sum()
+    mean = lambda field, part: np.tensordot(part, field, 1) / part.sum()
     weight, sigma, eps = np.zeros(4), np.zeros((4, 3, 3)), np.zeros(4)
     for g in range(4):
-        chosen = subs == g
-        if not chosen.any():
+        part = omega[:, g]
+        if not part.any():
             met["empty sub-cell, filled" if filled else "empty sub-cell, part-filled"] += 1
             if not filled:
                 continue
-            chosen = np.full(len(members), True)
-        weight[g] = volumes[g] if filled else omega[chosen].sum()
-        sigma[g], eps[g] = mean(pts["sigma"], chosen), mean(pts["eps_eq_p"], chosen)  # Eq. (1)
+            part = omega.sum(1)
+        weight[g] = volumes[g] if filled else part.sum()
+        sigma[g], eps[g] = mean(pts["sigma"], part), mean(pts["eps_eq_p"], part)      # Eq. (1)
     p_g = np.trace(sigma, axis1=1, axis2=2) / 3
     p_e = weight @ p_g / weight.sum()                                                 # Eq. (2)
     return weight, sigma - (p_g - p_e)[:, None, None] * EYE, p_e, weight @ eps / weight.sum()  # Eq. (3)
@@ -229,15 +244,78 @@ def nodal_velocity(case, m, momentum, unused):
     return clamped(case, v)
 
 
-def start_stress(case, pts, p, gauss, sub):
-    """Stress and eps_eq_p that the law starts from."""
-    if case["scheme"] == "standard_mpm":
-        return pts["sigma"][p], pts["eps_eq_p"][p]
-    _, sigma_hat, p_e, eps_e = gauss
-    if case["scheme"] == "mpm_mixed":
-        return sigma_hat[sub], eps_e
-    own = pts["sigma"][p]
-    return own + (p_e - np.trace(own) / 3) * EYE, pts["eps_eq_p"][p]  # reading R10
+def rotated(case, sigma, w):
+    """Reading R17."""
+    return sigma + w @ sigma - sigma @ w if case["options"]["objective_rate"] == "jaumann" else sigma
+
+
+def block_mean(pts, field, chosen):
+    return np.tensordot(pts["volume"][chosen], field[chosen], 1) / pts["volume"][chosen].sum()
+
+
+def update_points(case, pts, d_eps, spin, sigma):
+    """The law at each point, from a stress `sigma`. Changes pts."""
+    for p in range(len(sigma)):
+        pts["sigma"][p], pts["eps_eq_p"][p] = update_law(
+            case["material"], rotated(case, sigma[p], spin[p]), pts["eps_eq_p"][p], d_eps[p])
+
+
+def pressure_of_cells(case, pts, gauss, shares):
+    """Stress of the points with the pressure p_e around them, reading R10. Overlap: each block keeps its mean."""
+    around = shares.sum(2) @ gauss["p_e"]
+    change = around - np.trace(pts["sigma"], axis1=1, axis2=2) / 3
+    if case["options"]["shares"] == "overlap":
+        for members in blocks(pts):
+            change[members] -= block_mean(pts, change, members)
+    return pts["sigma"] + change[:, None, None] * EYE
+
+
+def update_mixed(case, pts, gauss, shares, subs, strain, spin):
+    """The law at the Gauss points, whose results go to the points. Changes pts."""
+    sigma, eps = gauss["sigma"].copy(), np.repeat(gauss["eps"][:, None], 4, 1)
+    for e, g in zip(*np.nonzero(shares.any(0))):
+        sigma[e, g], eps[e, g] = update_law(
+            case["material"], rotated(case, sigma[e, g], spin[e, g]), eps[e, g], strain[e, g])
+    to_points = lambda field: np.tensordot(shares, field, 2)
+    if case["options"]["shares"] == "point":
+        pts["sigma"], pts["eps_eq_p"] = to_points(sigma), to_points(eps)
+        return
+    turned = zip(pts["sigma"] - to_points(gauss["sigma"]), to_points(spin))
+    apart = np.array([rotated(case, *each) for each in turned])  # from its Gauss points, at the start
+    pts["sigma"] = to_points(sigma)
+    pts["eps_eq_p"] += to_points(eps - gauss["eps"][:, None])
+    for members in blocks(pts):
+        pts["sigma"][members] += np.trace(block_mean(pts, apart, members)) / 3 * EYE
+        for g in np.unique(subs[members]):
+            here = members[subs[members] == g]
+            mean = block_mean(pts, apart, here)
+            pts["sigma"][here] += mean - np.trace(mean) / 3 * EYE
+
+
+def blocks(pts):
+    return [np.flatnonzero(pts["cell"] == e) for e in np.unique(pts["cell"])]
+
+
+def gauss_strain_and_spin(mesh, cells, v, dt):
+    """Increments at all Gauss points of the cells that hold points, shapes [n_cells, 4, 3, 3]."""
+    strain, spin = np.zeros((2, len(mesh["cells"]), 4, 3, 3))
+    for e in cells:
+        nodes = mesh["cells"][e]
+        for g in range(4):
+            strain[e, g], spin[e, g] = strain_and_spin(mesh["nodes"][nodes], GAUSS[g], v[nodes] * dt, True)
+    return strain, spin
+
+
+def gauss_and_force(case, pts, shares):
+    """Values of the Gauss points of all cells, and the internal force of the nodes."""
+    mesh, n = case["mesh"], len(case["mesh"]["cells"])
+    gauss = {"sigma": np.zeros((n, 4, 3, 3)), "p_e": np.zeros(n), "eps": np.zeros(n)}
+    f_int = np.zeros((len(mesh["nodes"]), 2))
+    for e in np.unique(pts["cell"]):
+        corners, omega = mesh["nodes"][mesh["cells"][e]], shares[:, e] * pts["volume"][:, None]
+        weight, gauss["sigma"][e], gauss["p_e"][e], gauss["eps"][e] = gauss_values(case, corners, pts, omega)
+        f_int[mesh["cells"][e]] += gauss_force(case, corners, weight, gauss["sigma"][e])
+    return gauss, f_int
 
 
 def step(case, pts):
@@ -249,36 +327,37 @@ def step(case, pts):
     xi = np.array([local_coordinates(corners[p], pts["x"][p]) for p in points])
     n = np.array([shape_functions(xi[p]) for p in points])
     subs = np.array([sub_cell(xi[p]) for p in points])
-    shares = np.maximum(n, LEAST_SHARE)
-    to_nodes = lambda f: sum_to_nodes(n_nodes, nodes, shares[:, :, None] * f[:, None, :])
+    to_corners = np.maximum(n, LEAST_SHARE)
+    to_nodes = lambda f: sum_to_nodes(n_nodes, nodes, to_corners[:, :, None] * f[:, None, :])
 
     m = to_nodes(pts["mass"][:, None])[:, 0]                                       # 1. points to cells and nodes
     smallest = min(gauss_volumes(x_e).sum() for x_e in mesh["nodes"][mesh["cells"]])  # V_e
     moving = m >= SMALL_MASS * case["material"]["density"] * smallest
-    gauss, f_int = {}, np.zeros((n_nodes, 2))
     if standard:
+        shares = None
         f_int = sum_to_nodes(n_nodes, nodes, np.array(
             [pts["volume"][p] * gradients(corners[p], xi[p]) @ pts["sigma"][p, :2, :2] for p in points]))
     else:
-        for e in np.unique(pts["cell"]):
-            members, x_e = np.flatnonzero(pts["cell"] == e), mesh["nodes"][mesh["cells"][e]]
-            gauss[e] = gauss_values(case, x_e, pts, members, subs[members])
-            f_int[mesh["cells"][e]] += gauss_force(case, x_e, *gauss[e][:2])
+        shares = point_shares(case, pts, xi, subs)
+        gauss, f_int = gauss_and_force(case, pts, shares)
 
     a, unused = accelerate_nodes(case, m, to_nodes(pts["mass"][:, None] * pts["v"]), f_int, moving)  # 2. nodes
     pts["v"] += dt * np.einsum("pi,pia->pa", n, a[nodes])                          # 3. cells to points
     v = nodal_velocity(case, m, to_nodes(pts["mass"][:, None] * pts["v"]), unused)  # 4. nodes
-    d_eps = np.zeros_like(pts["strain"])
-    for p in points:                                                               # 5. strain, stress, volume, places
-        d_eps[p], w = strain_and_spin(corners[p], xi[p] if standard else GAUSS[subs[p]], v[nodes[p]] * dt, not standard)
-        sigma, eps_eq_p = start_stress(case, pts, p, gauss.get(pts["cell"][p]), subs[p])
-        if case["options"]["objective_rate"] == "jaumann":
-            sigma = sigma + w @ sigma - sigma @ w
-        pts["sigma"][p], pts["eps_eq_p"][p] = update_law(case["material"], sigma, eps_eq_p, d_eps[p])
+    if standard:                                                                   # 5. strain, stress, volume, places
+        d_eps, spin = map(np.array, zip(*[strain_and_spin(corners[p], xi[p], v[nodes[p]] * dt, False) for p in points]))
+        update_points(case, pts, d_eps, spin, pts["sigma"].copy())
+    else:
+        strain_g, spin_g = gauss_strain_and_spin(mesh, np.unique(pts["cell"]), v, dt)
+        d_eps, spin = np.tensordot(shares, strain_g, 2), np.tensordot(shares, spin_g, 2)
+        if case["scheme"] == "mpm_mixed":
+            update_mixed(case, pts, gauss, shares, subs, strain_g, spin_g)
+        else:
+            update_points(case, pts, d_eps, spin, pressure_of_cells(case, pts, gauss, shares))
     pts["strain"] += d_eps
     pts["volume"] *= 1 + np.trace(d_eps, axis1=1, axis2=2)
     pts["x"] += dt * np.einsum("pi,pia->pa", n, v[nodes])
-    return pts, {"f_int": f_int, "v": v, "d_eps": d_eps, "m": m, "sub_cell": subs}
+    return pts, {"f_int": f_int, "v": v, "d_eps": d_eps, "m": m, "sub_cell": subs, "shares": shares}
 
 
 def sum_to_nodes(n_nodes, nodes, contributions):

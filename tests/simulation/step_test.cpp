@@ -33,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(Scenarios, TwinStep, ValuesIn(scenario_names()), [](con
 
 TEST(Step, TheTwinHasScenariosForEveryScheme)
 {
-  EXPECT_EQ(scenario_names().size(), 11u);
+  EXPECT_EQ(scenario_names().size(), 20u);
   for (const char* scheme : {"standard_mpm", "mpm_mixed", "mpm_gp"})
     EXPECT_THAT(scenario_names(), Contains(StartsWith(scheme)));
 }

@@ -112,6 +112,7 @@ Model make_model(const Json& j)
   model.method.filled_fraction = o.at("filled_fraction");
   model.method.force_operator = o.at("force_operator") == "b" ? ForceOperator::b : ForceOperator::b_bar;
   model.method.objective_rate = o.at("objective_rate") == "jaumann" ? ObjectiveRate::jaumann : ObjectiveRate::none;
+  model.method.shares = o.at("shares") == "overlap" ? Shares::overlap : Shares::point;
   model.gravity = o.at("gravity").get<Vec<2>>();
   model.damping.local = o.at("local_damping");
   const Real g = std::hypot(model.gravity[0], model.gravity[1]);
@@ -121,6 +122,8 @@ Model make_model(const Json& j)
   model.dt = j.at("dt");
   model.largest_density = model.materials[0].density;
   add_rows(0, model.materials[0], model.rows);
+  if (model.method.shares == Shares::overlap)
+    model.inverse_extent = model.rows.add({.name = "inverse_extent", .unit = "1/m", .meaning = "", .owner = "method"});
   return model;
 }
 
@@ -148,6 +151,7 @@ State make_state(const Model& model, const Json& points)
     put_row(points.at("sigma")[p], Rows::sigma, values);
     put_row(points.at("strain")[p], Rows::strain, values);
     if (!model.rows.added().empty()) put_row(points.at("eps_eq_p")[p], Rows::state, values);
+    if (model.inverse_extent >= 0) values[model.inverse_extent] = 1.0 / std::sqrt(values[Rows::volume]);
     values[Rows::id] = static_cast<Real>(p);
     const Vec<2> centre = model.mesh->centres[cell];
     const auto local = Quad4::local_coordinates(
