@@ -44,7 +44,9 @@ footer { padding: 8px 24px 28px; max-width: 1500px; margin: 0 auto; }
   @page { size: A4 portrait; margin: 14mm; }
   :root { font-size: 9.5pt; }
   body { background: #fff; -webkit-print-color-adjust: exact; print-color-adjust: exact; }
-  main, .top, footer { padding-left: 0; padding-right: 0; } th, td { padding: 2px 6px; }
+  main, .top, footer { padding-left: 0; padding-right: 0; }
+  .scroll { overflow: visible; } table { width: 100%; font-size: 8pt; } th, td { padding: 2px 5px; }
+  tbody th, td:last-child { white-space: normal; }
   .charts { grid-template-columns: 1fr 1fr; } table, figure { border-color: #d5dbe1; }
   h2, h3 { break-after: avoid; } tr { break-inside: avoid; }
 }
