@@ -166,6 +166,46 @@ TEST(Converge, ShowsAWarningOfAllSizesOnce)
   EXPECT_EQ(f.err.find("warning: ", 1), std::string::npos) << f.err;
 }
 
+TEST(Converge, WarnsOfPointsThatStayTheSameAtAllSizes)
+{
+  const ScratchFolder scratch;
+  std::string points = "x,y,volume,material\n";
+  for (const char* x : {"0.125", "0.375", "0.625", "0.875"})
+    for (const char* y : {"0.125", "0.375", "0.625", "0.875"}) points += std::string(x) + "," + y + ",0.0625,clay\n";
+  write_text(scratch.path() + "/points.csv", points);
+  write_text(scratch.path() + "/case.toml",
+      "time.end = 0.01\nmesh = {size = [2.0, 1.0], cell = 0.5}\nbody = [{points = \"points.csv\"}]\n"
+      "[material.clay]\nmodel = \"linear_elastic\"\ndensity = 2000.0\nshear_modulus = 1e6\npoisson_ratio = 0.3\n"
+      "[boundary]\nbottom = \"fixed\"\nleft = \"roller\"\n[forces]\ngravity = [0.0, -9.81]\n");
+  const Finished f = test::terp({"converge", scratch.path() + "/case.toml", "--cells", "0.5,0.25", "--estimate"});
+  EXPECT_EQ(f.status, 0) << f.err;
+  EXPECT_THAT(
+      f.err, HasSubstr("warning: the points of points.csv are the same at all sizes: smaller cells hold fewer of "
+                       "them, until cells are empty\n"));
+}
+
+TEST(Converge, RefusesVariantsWithOneFolderAndCasesThatCannotBeRead)
+{
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/study";
+  const Finished two = test::terp(
+      converge_command(folder, {"--variant", "scheme=mpm_mixed", "--variant", "scheme = mpm_mixed"}, "1,0.5"));
+  EXPECT_EQ(two.status, 2);
+  EXPECT_EQ(two.err, "error: two variants would have one folder, " + folder +
+                         "/cell_1_scheme_mpm_mixed\n  Write one of them differently.\n");
+  ASSERT_EQ(test::terp(converge_command(folder, {"-q"}, "1,0.5")).status, 0);
+  std::string summary = text_of(folder + "/cell_1/summary.json");
+  const std::string key = "\"terp_version\": \"";
+  summary.insert(summary.find(key) + key.size(), "9.");
+  write_text(folder + "/cell_1/summary.json", summary);
+  const Finished older = test::terp(converge_command(folder, {"-q"}, "1,0.5"));
+  EXPECT_THAT(older.err, AllOf(StartsWith("warning: " + folder + "/cell_1 was solved by terp 9."),
+                             EndsWith("; --force solves it anew\n")));
+  write_text(folder + "/cell_0.5/case.toml", "no case");
+  EXPECT_THAT(test::terp(converge_command(folder, {}, "1,0.5")).err,
+      HasSubstr("/cell_0.5: this folder holds a run of another case\n  its case cannot be read\n"));
+}
+
 TEST(Converge, EstimatesWithoutRunning)
 {
   const ScratchFolder scratch;
