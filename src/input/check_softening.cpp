@@ -67,19 +67,25 @@ void check_length(const Node& table, const MaterialCase& material, const Materia
       if (find_item(table, name) != nullptr)
         findings.warnings.push_back({key(name), fmt::format("`{}` has no effect", name),
             "It belongs to a softening length: give length, in m, too.", "material.softening", true});
-    return;
+    if (!options.is_scaled()) return;
   }
-  if (!options.halo && options.over_nonlocal > 1.0)
+  if (options.is_nonlocal() && !options.halo && options.over_nonlocal > 1.0)
     findings.problems.push_back(
         {find_item(table, "m") != nullptr ? key("m") : key("halo"), "`halo = false` needs m = 1",
             fmt::format("Got m = {}: a band would lock above the residual strength. Give m = 1, or leave halo out.",
                 options.over_nonlocal),
             "material.softening", false, {key("halo")}});
+  if (options.is_nonlocal() && options.is_scaled() && options.over_nonlocal != 1.0 && options.over_nonlocal != 1.5)
+    findings.problems.push_back({key("m"), "the width of the band is not known for this m",
+        fmt::format("Got m = {}. With a reference width: m = 1.5, its default, or m = 1.", options.over_nonlocal),
+        "material.softening", false, {key("reference_width")}});
   const MaterialType* complete = complete_law(material);
-  if (complete != nullptr && !std::isfinite(complete->make(material.parameters)->softened_strain()))
-    findings.warnings.push_back({key("length"), "`length` has no effect: the soil does not soften",
+  if (complete != nullptr && !std::isfinite(complete->make(material.parameters)->softened_strain())) {
+    const char* name = options.is_nonlocal() ? "length" : "reference_width";
+    findings.warnings.push_back({key(name), fmt::format("`{}` has no effect: the soil does not soften", name),
         "Its rate of softening is 0, or its residual strength is the peak.", std::string(law.name), false,
         {join_path("material", material.name)}});
+  }
 }
 
 }  // namespace

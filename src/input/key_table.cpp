@@ -1,4 +1,5 @@
-// The keys of the case file. A new key is one entry here and one member in simulation/case.hpp.
+// The keys of the case file, but for those of materials (material_keys.cpp). A new key is one entry here and one member
+// in simulation/case.hpp.
 
 #include "input/key_table.hpp"
 
@@ -174,7 +175,7 @@ std::vector<KeyInfo> mesh_keys()
   };
 }
 
-std::vector<KeyInfo> soil_keys()
+std::vector<KeyInfo> body_keys()
 {
   return {
       {.path = "body[].material",
@@ -214,37 +215,6 @@ std::vector<KeyInfo> soil_keys()
           .usual = {1e-6, 1e3},
           .meaning =
               "velocity of the body at t = 0; a text is a formula of the place x, y [m]: [\"0.1*sin(pi*x/4)\", 0.0]"},
-
-      {.path = "material.NAME.model",
-          .field = [](Case& c, std::size_t i) { return &c.materials[i].model; },
-          .words = material_model_names,
-          .required = true,
-          .meaning = "constitutive law; see `terp list`"},
-      {.path = "material.NAME.density",
-          .field = [](Case& c, std::size_t i) { return &c.materials[i].density; },
-          .unit = "kg/m^3",
-          .range = positive,
-          .usual = {500.0, 5000.0},
-          .required = true,
-          .meaning = "mass per volume of the soil with its water (reading R16)"},
-      {.path = "material.NAME.softening.length",
-          .field = [](Case& c, std::size_t i) { return &c.materials[i].softening.length; },
-          .unit = "m",
-          .range = not_negative,
-          .usual = {1e-3, 10.0},
-          .meaning = "distance l over which softening spreads: at least the size of a cell, better twice that or more, "
-                     "and at most a twentieth of the height of the section; 0: each point softens by itself",
-          .equation = "weights exp(-r^2 / l^2)"},
-      {.path = "material.NAME.softening.m",
-          .field = [](Case& c, std::size_t i) { return &c.materials[i].softening.over_nonlocal; },
-          .range = between(1.0, 2.0),
-          .meaning = "weight of the nonlocal strain; above 1 the width of a band converges too, not only its energy",
-          .equation = "k = max(k, m mean(eps_eq_p) + (1 - m) eps_eq_p)"},
-      {.path = "material.NAME.softening.halo",
-          .field = [](Case& c, std::size_t i) { return &c.materials[i].softening.halo; },
-          .meaning = "whether soil beside a band, within about 2 l, softens too; false, with m = 1: only by what it "
-                     "sheared itself, which keeps blocks whole but depends on the mesh",
-          .equation = "false: k = max(k, min(mean(eps_eq_p), eps_eq_p))"},
   };
 }
 
@@ -492,7 +462,8 @@ std::vector<KeyInfo> output_keys()
 std::vector<KeyInfo> key_table()
 {
   std::vector<KeyInfo> list;
-  for (auto part : {frame_keys, mesh_keys, soil_keys, load_keys, side_keys, footing_keys, method_keys, output_keys})
+  for (auto part :
+      {frame_keys, mesh_keys, body_keys, material_keys, load_keys, side_keys, footing_keys, method_keys, output_keys})
     for (KeyInfo& key : part()) list.push_back(std::move(key));
   return list;
 }

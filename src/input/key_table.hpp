@@ -7,5 +7,7 @@ namespace terp {
 
 /// All keys but those of laws, in the order of the case file, without the text of their defaults.
 std::vector<KeyInfo> key_table();
+/// Those of them that belong to a material.
+std::vector<KeyInfo> material_keys();
 
 }  // namespace terp

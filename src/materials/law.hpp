@@ -9,6 +9,7 @@
 #include "base/tensor.hpp"
 #include "materials/material.hpp"
 #include "materials/nonlocal.hpp"
+#include "materials/scaled_softening.hpp"
 #include "parallel/pack.hpp"
 
 #include <algorithm>
@@ -109,7 +110,11 @@ class MaterialOf final : public Material {
     for (int k = 0; k < n_sym<2>; ++k) sigma[k] = Pack::load(arrays.sigma[k] + p);
     for (int k = 0; k < n_sym<2>; ++k) d_eps[k] = Pack::load(arrays.d_eps[k] + p);
     for (std::size_t k = 0; k < n_state; ++k) state[k] = Pack::load(rows[k] + p);
-    const Pack work = law.update(sigma, state, d_eps, arrays.dt);
+    Pack work;
+    if constexpr (requires { law.update(sigma, state, d_eps, arrays.dt, work); })
+      work = law.update(sigma, state, d_eps, arrays.dt, Pack::load(arrays.softening_scale + p));
+    else
+      work = law.update(sigma, state, d_eps, arrays.dt);
     for (int k = 0; k < n_sym<2>; ++k) sigma[k].store(arrays.sigma[k] + p);
     for (std::size_t k = 0; k < n_state; ++k) state[k].store(rows[k] + p);
     work.store(arrays.plastic_work + p);
@@ -224,28 +229,31 @@ constexpr MaterialType describe_law(std::string_view name, std::string_view summ
 }
 
 template <template <class> class Law>
-constexpr MaterialType define_law(
-    std::string_view name, std::string_view summary, const MaterialType* nonlocal = nullptr)
+constexpr MaterialType define_law(std::string_view name, std::string_view summary,
+    const MaterialType* nonlocal = nullptr, const MaterialType* scaled = nullptr)
 {
   MaterialType type = describe_law<Law<Real>>(name, summary);
   type.check = &check_law<Law>;
   type.make_varying = &make_law<Law>;
   type.nonlocal = nonlocal;
+  type.scaled = scaled;
   return type;
 }
 
 /// Of a law that does not soften: a type without a name.
-template <template <class> class Law>
-constexpr MaterialType define_nonlocal_form(std::string_view name, std::string_view summary)
+template <template <class> class Law, template <template <class> class> class Form>
+constexpr MaterialType define_form(std::string_view name, std::string_view summary)
 {
-  if constexpr (Softens<Law>) return define_law<NonlocalForm<Law>::template Type>(name, summary);
+  if constexpr (Softens<Law>) return define_law<Form<Law>::template Type>(name, summary);
   return {};
 }
 
 }  // namespace terp
 
 /// Defines `material_NAME`, which materials.def lists.
-#define TERP_MATERIAL_DEFINITION(name, Law, summary)                                  \
-  extern const MaterialType material_##name;                                          \
-  constexpr MaterialType nonlocal_##name = define_nonlocal_form<Law>(#name, summary); \
-  constexpr MaterialType material_##name = define_law<Law>(#name, summary, Softens<Law> ? &nonlocal_##name : nullptr);
+#define TERP_MATERIAL_DEFINITION(name, Law, summary)                                       \
+  extern const MaterialType material_##name;                                               \
+  constexpr MaterialType nonlocal_##name = define_form<Law, NonlocalForm>(#name, summary); \
+  constexpr MaterialType scaled_##name = define_form<Law, ScaledForm>(#name, summary);     \
+  constexpr MaterialType material_##name = define_law<Law>(                                \
+      #name, summary, Softens<Law> ? &nonlocal_##name : nullptr, Softens<Law> ? &scaled_##name : nullptr);

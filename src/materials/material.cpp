@@ -44,7 +44,8 @@ std::vector<Real> MaterialType::complete(std::span<const Real> given) const
 const MaterialType* find_material(std::string_view name, const SofteningOptions& softening)
 {
   const MaterialType* type = find_material(name);
-  return type != nullptr && softening.is_nonlocal() && type->nonlocal != nullptr ? type->nonlocal : type;
+  if (type == nullptr || type->nonlocal == nullptr) return type;
+  return softening.is_nonlocal() ? type->nonlocal : softening.is_scaled() ? type->scaled : type;
 }
 
 }  // namespace terp

@@ -55,6 +55,9 @@ struct ParameterInfo {
   bool may_vary = false;  ///< from point to point
 };
 
+/// Softening per strain: what a law's strength falls by is a function of this times the plastic strain.
+constexpr bool is_shape_factor(const ParameterInfo& info) { return info.unit == "-" && info.strain_exponent == 1.0; }
+
 /// What a quantity is to the rest of the program, whatever the law calls it: the measure of how far the soil has
 /// sheared plastically, and the strength that it has left.
 /// softening: the strain that drives the strength, where that is not the plastic strain itself (nonlocal.hpp).
@@ -99,6 +102,7 @@ struct StressArrays {
   std::array<Real*, n_sym<Dim>> sigma;        ///< in: stress at the start of the step [Pa]; out: at its end
   LawRows law;                                ///< state: in, out; parameters: in
   std::array<const Real*, n_sym<Dim>> d_eps;  ///< strain increment of the step, tensorial shear [-]
+  const Real* softening_scale = nullptr;      ///< h/t_ref of each entry [-]; of laws that are MaterialType::scaled
   Real* plastic_work;                         ///< out: plastic or viscous work of the step per volume [J/m^3]
   Index n;
   Index n_points;  ///< of the n entries; those beyond are padding, which has no parameters of its own
@@ -111,7 +115,16 @@ struct SofteningOptions {
   Real over_nonlocal = 1.5;  ///< m, weight of the nonlocal strain [-]
   bool halo = true;          ///< soil beside a band may soften; false: only by what it sheared itself
 
+  Real reference_width = 0.0;  ///< t_ref: width of the band for which the shape factors hold [m]; 0: of any
+
   bool is_nonlocal() const { return length > 0.0; }
+  bool is_scaled() const { return reference_width > 0.0; }
+  /// What the nonlocal strain counts: the width of its band over t_ref [-]. The band is 1.77 l wide with m = 1, the
+  /// integral of exp(-r^2/l^2), and 3.07 l with m = 1.5 (decision 0046).
+  Real band_scale() const
+  {
+    return is_scaled() ? (over_nonlocal == 1.0 ? 1.77 : 3.07) * length / reference_width : 1.0;
+  }
 };
 
 /// The arrays of one call of Material::soften, each of n entries, n a multiple of pack_width.
@@ -174,6 +187,8 @@ struct MaterialType {
 
   /// The same law with a strength that follows a nonlocal strain (nonlocal.hpp); nullptr: the law does not soften.
   const MaterialType* nonlocal;
+  /// The same law with a strength that follows a plastic strain scaled by the cell (scaled_softening.hpp), or nullptr.
+  const MaterialType* scaled;
 
   std::unique_ptr<Material> make(std::span<const Real> values) const { return make_varying(values, {}); }
   /// Values of all parameters: those left out, being no number or beyond the end, at their defaults if they have any.
@@ -184,7 +199,7 @@ struct MaterialType {
 std::span<const MaterialType* const> all_materials();
 /// nullptr if there is no such law.
 const MaterialType* find_material(std::string_view name);
-/// With these options of softening: the law itself or, with a length, its nonlocal form if it has one.
+/// With these options of softening: the law itself or, if it softens, the form of it that they ask for.
 const MaterialType* find_material(std::string_view name, const SofteningOptions& softening);
 
 }  // namespace terp

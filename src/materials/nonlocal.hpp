@@ -89,8 +89,9 @@ struct NonlocalLaw {
     const auto may_soften = whole < R(std::numeric_limits<Real>::infinity());
     const R m(options.over_nonlocal);
     const R part = m * spread + (R(1.0) - m) * at[increment_row];
-    at[nonlocal_row] = select(may_soften, at[nonlocal_row] + whole * part, at[nonlocal_row]);
-    const R now = options.halo ? at[nonlocal_row] : min(at[nonlocal_row], at[strain_row]);
+    at[nonlocal_row] =
+        select(may_soften, at[nonlocal_row] + R(options.band_scale()) * (whole * part), at[nonlocal_row]);
+    const R now = options.halo ? at[nonlocal_row] : min(at[nonlocal_row], R(options.band_scale()) * at[strain_row]);
     at[softening_row] = max(at[softening_row], now);
   }
 

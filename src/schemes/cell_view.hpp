@@ -64,6 +64,11 @@ inline void update_strip(
   arrays.n = n;
   arrays.n_points = block.n - first;
   arrays.dt = context.dt;
+  alignas(64) Real scale[strip_length];
+  if (!material.softening_scale.empty()) {
+    std::fill_n(scale, n, material.softening_scale[block.cell]);
+    arrays.softening_scale = scale;
+  }
   material.law->update(arrays);
 }
 

@@ -35,7 +35,7 @@ struct MpmMixed {
       const SoilMaterial& material = context.materials[layer.material];
       GaussValues<Element, Pack>& gauss = group.gauss_of(layer);
       GaussRow<Element>* rows = group.rows_of(layer);
-      const Pack plastic_work = update_gauss_points(context, material, lanes, gauss, rows);  // Step 3
+      const Pack plastic_work = update_gauss_points(context, group, material, lanes, gauss, rows);  // Step 3
       const auto sigma = by_cell(gauss);
       for (int k = 0; k < material.n_state(); ++k) turn_by_cell(rows[k]);
       for (int c = 0; c < group.n(); ++c) {
@@ -85,7 +85,7 @@ struct MpmMixed {
       const SoilMaterial& material = context.materials[layer.material];
       GaussValues<Element, Pack>& gauss = group.gauss_of(layer);
       GaussRow<Element>* rows = group.rows_of(layer);
-      const Pack plastic_work = update_gauss_points(context, material, strain, gauss, rows);  // Step 3
+      const Pack plastic_work = update_gauss_points(context, group, material, strain, gauss, rows);  // Step 3
       for (int c = 0; c < group.n(); ++c)
         if (layer.block[c] >= 0) sums.plastic_work += plastic_work[c];
       leave_four_rows(
@@ -241,8 +241,9 @@ struct MpmMixed {
   }
 
   /// Runs the law on the Gauss points of eight cells. Returns the plastic work of each cell [J per m].
-  static Pack update_gauss_points(const SchemeContext& context, const SoilMaterial& material,
-      const GaussStrain<Element, Pack>& strain, GaussValues<Element, Pack>& gauss, GaussRow<Element>* rows)
+  static Pack update_gauss_points(const SchemeContext& context, const CellGroup<Element>& group,
+      const SoilMaterial& material, const GaussStrain<Element, Pack>& strain, GaussValues<Element, Pack>& gauss,
+      GaussRow<Element>* rows)
   {
     if (rotates(context)) rotate_gauss_points(strain, gauss);
     constexpr Index n = Element::n_gauss * pack_width;  // numbers of a row
@@ -255,6 +256,14 @@ struct MpmMixed {
     arrays.plastic_work = numbers_of(plastic_work);
     arrays.n = arrays.n_points = n;
     arrays.dt = context.dt;
+    PerGauss<Element, Pack> scale;
+    if (!material.softening_scale.empty()) {
+      alignas(64) Real of_cells[pack_width];
+      std::fill_n(of_cells, pack_width, 1.0);
+      for (int c = 0; c < group.n(); ++c) of_cells[c] = material.softening_scale[group.cells[c]];
+      scale.fill(Pack::load(of_cells));
+      arrays.softening_scale = numbers_of(scale);
+    }
     material.law->update(arrays);
 
     Pack work(0.0);

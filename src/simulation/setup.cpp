@@ -9,6 +9,7 @@
 #include "simulation/setup_mesh.hpp"
 #include "simulation/setup_points.hpp"
 #include "simulation/softening_scales.hpp"
+#include "simulation/reference_width.hpp"
 #include "simulation/kernels.hpp"
 
 #include <algorithm>
@@ -209,6 +210,7 @@ Model build_model(const Case& description, SharedMesh mesh, int threads)
   Real length = 0.0;  // the largest of those in use
   for (const Index m : used)
     if (model.materials[m].increment_row >= 0) length = std::max(length, model.materials[m].softening.length);
+  for (const Index m : used) model.materials[m].softening_scale = scale_by_cell(*model.mesh, model.materials[m]);
   if (length > 0.0) model.diffusion = make_node_diffusion(*model.mesh, length);
   set_time_step(used, model);
   return model;
@@ -236,6 +238,7 @@ State build_state(Model& model)
   add_points(model, std::move(points), state);
   state.points.update_occupied();
   check_softening_lengths(model, state);
+  check_reference_widths(model, state);
   state.points.reserve(static_cast<std::int64_t>(n / 4));
   if (model.damping.averaging_time > 0.0) state.mean_force.resize(model.mesh->nodes.size());
   set_point_parameters(model, state.x_initial, state);

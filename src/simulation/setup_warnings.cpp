@@ -1,6 +1,7 @@
 #include "simulation/setup_warnings.hpp"
 
 #include "simulation/footings.hpp"
+#include "simulation/reference_width.hpp"
 #include "simulation/setup_history.hpp"
 #include "simulation/softening_scales.hpp"
 
@@ -69,6 +70,7 @@ std::vector<Problem> find_warnings(const Model& model, const State& state)
   find_odd_places(model, warnings);
   find_odd_scales(model, state, warnings);
   find_odd_softening_lengths(model, state, warnings);
+  find_wide_cells(model, state, warnings);
   for (Problem& problem : find_idle_footings(model, state)) warnings.push_back(std::move(problem));
   return warnings;
 }

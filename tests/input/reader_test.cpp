@@ -33,7 +33,7 @@ poisson_ratio = 0.48
 su_peak = 8.0e3
 su_residual = 2.0e3
 eta = 50.0
-softening = { length = 0.75, m = 1.25, halo = true }
+softening = { length = 0.75, reference_width = 0.3, m = 1.0, halo = true }
 [material.rock]
 model = "linear_elastic"
 density = 2600
@@ -141,7 +141,8 @@ TEST(Reader, FillsBodiesAndMaterials)
   ASSERT_EQ(c.materials.size(), 2u);
   EXPECT_EQ(c.materials[0].name, "clay");
   EXPECT_EQ(c.materials[0].softening.length, 0.75);
-  EXPECT_EQ(c.materials[0].softening.over_nonlocal, 1.25);
+  EXPECT_EQ(c.materials[0].softening.over_nonlocal, 1.0);
+  EXPECT_EQ(c.materials[0].softening.reference_width, 0.3);
   EXPECT_TRUE(c.materials[0].softening.halo);
   EXPECT_FALSE(c.materials[1].softening.is_nonlocal());
   EXPECT_EQ(c.materials[0].model, "tresca_softening");

@@ -29,6 +29,7 @@ class Probe {
   }
 
   Real dt = 1e-3;           ///< length of each step [s]
+  Real scale = 1.0;         ///< of softening, h/t_ref; of laws that take one
   Stress sigma{};           ///< [Pa]
   std::vector<Real> state;  ///< in the order of the law's table
   std::vector<Real> own_parameters;
@@ -50,6 +51,7 @@ class Probe {
       const bool used = k < static_cast<int>(d_eps.size());
       for (int c = 0; c < 4; ++c) {
         lanes.sigma[c][k] = used ? points[k]->sigma[c] : 1e4 * std::sin(stray + 3.0 * k + c);
+        lanes.scale[k] = used ? points[k]->scale : 1.0;
         lanes.d_eps[c][k] = used ? d_eps[k][c] : 1e-2 * std::cos(stray + k + 5.0 * c);
       }
       for (std::size_t s = 0; s < lanes.n_state; ++s) lanes.rows[s][k] = used ? points[k]->state[s] : 0.01 * k;
@@ -75,7 +77,7 @@ class Probe {
       Real value[pack_width];
       Real& operator[](int k) { return value[k]; }
     };
-    alignas(64) Real sigma[4][pack_width], d_eps[4][pack_width], plastic_work[pack_width];
+    alignas(64) Real sigma[4][pack_width], d_eps[4][pack_width], scale[pack_width], plastic_work[pack_width];
     std::vector<Row> rows;  // state, then parameters of the points
     std::size_t n_state, n_points;
 
@@ -91,6 +93,7 @@ class Probe {
       for (int c = 0; c < 4; ++c) a.d_eps[c] = d_eps[c];
       a.law.state = {.data = reinterpret_cast<Real*>(rows.data()), .stride = pack_width};
       a.law.parameters = {.data = a.law.state(n_state), .stride = pack_width};
+      a.softening_scale = scale;
       a.plastic_work = plastic_work;
       a.n = pack_width;
       a.n_points = static_cast<Index>(n_points);

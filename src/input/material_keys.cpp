@@ -1,0 +1,54 @@
+// The keys of [material.NAME] and of the tables in it, but for the parameters of the laws.
+
+#include "input/key_table.hpp"
+
+namespace terp {
+
+std::vector<KeyInfo> material_keys()
+{
+  return {
+      {.path = "material.NAME.model",
+          .field = [](Case& c, std::size_t i) { return &c.materials[i].model; },
+          .words = material_model_names,
+          .required = true,
+          .meaning = "constitutive law; see `terp list`"},
+      {.path = "material.NAME.density",
+          .field = [](Case& c, std::size_t i) { return &c.materials[i].density; },
+          .unit = "kg/m^3",
+          .range = positive,
+          .usual = {500.0, 5000.0},
+          .required = true,
+          .meaning = "mass per volume of the soil with its water (reading R16)"},
+      {.path = "material.NAME.softening.length",
+          .field = [](Case& c, std::size_t i) { return &c.materials[i].softening.length; },
+          .unit = "m",
+          .range = not_negative,
+          .usual = {1e-3, 10.0},
+          .meaning = "distance l over which softening spreads: at least the size of a cell, better twice that or more, "
+                     "and at most a twentieth of the height of the section; 0: each point softens by itself",
+          .equation = "weights exp(-r^2 / l^2)"},
+      {.path = "material.NAME.softening.reference_width",
+          .field = [](Case& c, std::size_t i) { return &c.materials[i].softening.reference_width; },
+          .unit = "m",
+          .range = not_negative,
+          .usual = {1e-3, 10.0},
+          .meaning =
+              "width t_ref of the band for which the shape factors hold: a slip surface takes the energy of a band "
+              "of this width, if it is one cell wide, or with a length as wide as that makes it; 0: of any width",
+          .equation =
+              "k += (h/t_ref) d(eps_eq_p), h = sqrt(area of the cell); with a length 3.07 l (m = 1.5) or 1.77 l "
+              "(m = 1) for h"},
+      {.path = "material.NAME.softening.m",
+          .field = [](Case& c, std::size_t i) { return &c.materials[i].softening.over_nonlocal; },
+          .range = between(1.0, 2.0),
+          .meaning = "weight of the nonlocal strain; above 1 the width of a band converges too, not only its energy",
+          .equation = "k = max(k, m mean(eps_eq_p) + (1 - m) eps_eq_p)"},
+      {.path = "material.NAME.softening.halo",
+          .field = [](Case& c, std::size_t i) { return &c.materials[i].softening.halo; },
+          .meaning = "whether soil beside a band, within about 2 l, softens too; false, with m = 1: only by what it "
+                     "sheared itself, which keeps blocks whole but depends on the mesh",
+          .equation = "false: k = max(k, min(mean(eps_eq_p), eps_eq_p))"},
+  };
+}
+
+}  // namespace terp
