@@ -94,7 +94,8 @@ Real energy_exchanged(const State& state) { return energy_exchanged(state.work) 
 bool must_remember_strength(const Model& model)
 {
   return std::ranges::any_of(model.materials, [](const SoilMaterial& m) {
-    return row_of(m, Role::plastic_strain) >= 0 && has_strength(m) && !strain_gives_strength(m);
+    const bool follows_strain = !has_strength(m) || strain_gives_strength(m);
+    return row_of(m, Role::plastic_strain) >= 0 && (!follows_strain || row_of(m, Role::softening) >= 0);
   });
 }
 
@@ -109,7 +110,10 @@ StrainMemory remember_strain(const Model& model, const State& state)
     const int strain = row_of(material, Role::plastic_strain);
     if (strain < 0) return;
     memory.last_eps_eq_p[id] = block.row(strain)[lane];
-    if (has_strength(material) && !memory.last_su.empty()) memory.last_su[id] = strength_of(material, block, lane);
+    if (const int driver = row_of(material, Role::softening); driver >= 0)
+      memory.last_su[id] = block.row(driver)[lane];
+    else if (has_strength(material) && !memory.last_su.empty())
+      memory.last_su[id] = strength_of(material, block, lane);
   });
   return memory;
 }

@@ -48,20 +48,21 @@ inline void collect_softening(const Model& model, const PointBlocks<2>& points, 
     const int row = material.increment_row;
     if (row < 0) return;
     auto volume = zero_packs<Quad4::n_corners>(), increment = zero_packs<Quad4::n_corners>();
+    Pack most(0.0);
+    for (Index p = 0; p < block.n; p += pack_width) most = max(most, Pack::load(block.row(row) + p));
+    const bool softens = any_of(most > Pack(0.0));
     for (Index p = 0; p < block.n; p += pack_width) {
       const auto N = mapping_shares<Quad4>(load_rows<2>(block, Rows::xi, p));
       const Pack z = Pack::load(block.row(row) + p);
       const Pack omega = select(z >= Pack(0.0), Pack::load(block.row(Rows::volume) + p), Pack(0.0));
-      const Pack part = max(z, Pack(0.0));
-      for (int i = 0; i < Quad4::n_corners; ++i) {
-        const Pack weight = N[i] * omega;
-        volume[i] += weight;
-        increment[i] = fma(weight, part, increment[i]);
-      }
+      for (int i = 0; i < Quad4::n_corners; ++i) volume[i] = fma(N[i], omega, volume[i]);
+      if (!softens) continue;
+      const Pack given = omega * max(z, Pack(0.0));
+      for (int i = 0; i < Quad4::n_corners; ++i) increment[i] = fma(N[i], given, increment[i]);
     }
     PerCorner<Quad4> of_block{};
     add_lanes(volume, of_block);
-    add_lanes(increment, corners.increment);
+    if (softens) add_lanes(increment, corners.increment);
     const Real length = material.softening.length;
     for (int i = 0; i < Quad4::n_corners; ++i) {
       corners.volume[i] += of_block[i];

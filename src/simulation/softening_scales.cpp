@@ -75,9 +75,8 @@ void find_odd_softening_lengths(const Model& model, const State& state, std::vec
   for (const SofteningScale& scale : softening_scales(model, state)) {
     if (scale.length < resolved * scale.cell * (1.0 - round_off))
       warn(scale, "the softening length holds less than two cells",
-          fmt::format(
-              "Got {:.4g} m; cells with this soil measure up to {:.4g} m. A slip surface takes up to 6 % less or "
-              "more energy than on fine cells.\nUsual: at least {:.4g} m, or cells of at most {:.4g} m.",
+          fmt::format("Got {:.4g} m; cells with this soil measure up to {:.4g} m. A slip surface takes up to 14 % "
+                      "more energy than on fine cells.\nUsual: at least {:.4g} m, or cells of at most {:.4g} m.",
               scale.length, scale.cell, resolved * scale.cell, scale.length / resolved));
     if (scale.height > 0.0 && scale.length > scale.height / part_of_height * (1.0 + half_spacing))
       warn(scale, "the softening length is long beside the section",

@@ -63,6 +63,7 @@ struct MaterialRows {
   const SoilMaterial& material;
   ElasticEnergy<Real> energy{material.law->moduli()};
   int strain = row_of(material, Role::plastic_strain);  ///< -1: none
+  int driver = row_of(material, Role::softening);       ///< -1: the strength follows the strain itself
   bool has_su = has_strength(material);
   bool told = strain_gives_strength(material);
 };
@@ -83,6 +84,12 @@ void audit_points(const MaterialRows& rows, const PointBlock<2>& block, StrainMe
     const Real eps = block.row(rows.strain)[lane], before = memory.last_eps_eq_p[id];
     const bool fell = eps < before * (1.0 - audit_tolerance);
     if (fell) chunk.fell.push_back(id);
+    if (rows.driver >= 0) {
+      const Real now = block.row(rows.driver)[lane];
+      if (now < memory.last_su[id] * (1.0 - audit_tolerance)) chunk.rose.push_back(id);
+      memory.last_su[id] = now;
+      continue;
+    }
     if (!rows.has_su || (rows.told && !fell)) continue;
     const Real su = strength_of(rows.material, block, lane);
     const Real su_before = rows.told ? strength_at(rows.material, block, lane, before) : memory.last_su[id];

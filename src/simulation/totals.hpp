@@ -16,7 +16,8 @@ inline constexpr int most_slopes = 2;  ///< a section falls to the left, to the 
 /// The strain and the strength of each point at the last ledger row; by id.
 struct StrainMemory {
   std::vector<Real> last_eps_eq_p;
-  std::vector<Real> last_su;  ///< empty where no material needs it: eps_eq_p alone tells S_u
+  std::vector<Real> last_su;  ///< S_u [Pa], or of soil with a softening length the strain that it follows [-]; empty
+                              ///< where no material needs it: eps_eq_p alone tells S_u
 };
 
 /// What followers want of the walk over the points.

@@ -42,8 +42,8 @@ TEST(SofteningScales, ALengthOfLessThanTwoCellsIsDoubted)
 {
   EXPECT_THAT(with_length(0.08),
       ElementsAre(told("material.\"clay\".softening.length", "the softening length holds less than two cells",
-          "Got 0.08 m; cells with this soil measure up to 0.05 m. A slip surface takes up to 6 % less or more energy "
-          "than on fine cells.\nUsual: at least 0.1 m, or cells of at most 0.04 m.")));
+          "Got 0.08 m; cells with this soil measure up to 0.05 m. A slip surface takes up to 14 % more energy than on "
+          "fine cells.\nUsual: at least 0.1 m, or cells of at most 0.04 m.")));
 }
 
 TEST(SofteningScales, ALengthThatIsLongBesideTheSectionIsDoubted)

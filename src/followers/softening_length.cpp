@@ -1,0 +1,74 @@
+// Whether a softening length suits its run: how it compares with the cells and the section, and how much of the
+// softened soil is halo, softened by its neighbours though it hardly sheared itself (docs/softening_length.md).
+
+#include "followers/followers.hpp"
+#include "simulation/softening_scales.hpp"
+#include "simulation/state_arrays.hpp"
+#include "simulation/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace terp {
+namespace {
+
+constexpr Real half_softened = 0.231;  // of the strain of 95 %: ln(2)/3
+constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
+
+/// Of the soil that has lost half of its drop by a softening length: the share of the volume whose own plastic strain
+/// is below half of that which its strength follows. NaN if there is no such soil.
+Real halo_share(const Model& model, const State& state)
+{
+  using Rows = PointRows<2>;
+  Real halo = 0.0, softened = 0.0;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const SoilMaterial& material = model.materials[block.material];
+    const int driver = row_of(material, Role::softening);
+    if (driver < 0) return;
+    const Real follows = block.row(driver)[lane], volume = block.row(Rows::volume)[lane];
+    if (!(follows > half_softened * material.law->softened_strain())) return;
+    softened += volume;
+    if (block.row(row_of(material, Role::plastic_strain))[lane] < 0.5 * follows) halo += volume;
+  });
+  return softened > 0.0 ? halo / softened : nan;
+}
+
+class SofteningLength : public Follower {
+  Real over_cell_ = nan, over_height_ = nan;  ///< at t = 0
+
+  void start(const Model& model, const State& state) override
+  {
+    over_cell_ = over_height_ = nan;
+    for (const SofteningScale& scale : softening_scales(model, state)) {
+      over_cell_ = std::fmin(over_cell_, scale.length / scale.cell);
+      if (scale.height > 0.0) over_height_ = std::fmax(over_height_, scale.length / scale.height);
+    }
+  }
+  void summarise(const Model& model, const State& state, Summary& summary) const override
+  {
+    summary.numbers["softening_length_over_cell"] = over_cell_;
+    summary.numbers["softening_length_over_height"] = over_height_;
+    summary.numbers["halo_fraction"] = halo_share(model, state);
+  }
+  void save(ArrayWriter& arrays) const override { arrays.copy("scales", std::vector<Real>{over_cell_, over_height_}); }
+  void load(const Model&, const State&, const ArrayReader& arrays) override
+  {
+    const auto& scales = arrays.reals("scales", 2);
+    over_cell_ = scales[0], over_height_ = scales[1];
+  }
+};
+
+}  // namespace
+
+const FollowerType softening_length_follower{.name = "softening_length",
+    .summary = {{"softening_length_over_cell", "-", "softening length over cell",
+                    "smallest softening length over the size of a cell, at t = 0; `null`: no softening length"},
+        {"softening_length_over_height", "-", "softening length over height",
+            "largest softening length over the height of the soil, at t = 0; `null`: no softening length"},
+        {"halo_fraction", "-", "halo",
+            "share of the soil that lost half of its drop by a softening length whose own plastic strain is below half "
+            "of that which its strength follows, at the end; `null`: there is no such soil"}},
+    .make = make_follower<SofteningLength>};
+
+}  // namespace terp
