@@ -98,8 +98,9 @@ void print_check(const CaseFile& file, Simulation& simulation)
   fmt::print("  mass           {:.6g} kg per m\n", total_mass(state));
   print_bodies(model);
   print_sides(model);
-  if (softens_without_length(model))
-    fmt::print("  softening      no length: the result will depend on the cells (docs/softening_length.md)\n");
+  if (softens_point_by_point(model))
+    fmt::print(
+        "  softening      no length, no reference width: the result will depend on the cells (docs/convergence.md)\n");
   fmt::print("  time step      {:.4g} s\n", model.dt);
   fmt::print("  steps          {} to t = {:g} s\n", model.n_steps, file.values.time.end);
   fmt::print("  memory         {:.0f} MB\n", static_cast<double>(bytes_of(model, state)) / 1e6);

@@ -39,8 +39,9 @@ void print_summary(const Summary& s, const Model& model, const std::string& fold
   fmt::print("  crest            {}\n", s.crest_x ? fmt::format("x = {:.2f} m", *s.crest_x) : "-");
   fmt::print("  second failure   {}\n", optional_number(s.second_failure_time, "s"));
   fmt::print("  largest eps_eq_p {:.3g}\n", s.max_eps_eq_p);
-  if (softens_without_length(model) && s.max_eps_eq_p > s.softened_strain.value_or(s.max_eps_eq_p))
-    fmt::print("  softening        no length: the result depends on the cells (docs/convergence.md)\n");
+  if (softens_point_by_point(model) && s.max_eps_eq_p > s.softened_strain.value_or(s.max_eps_eq_p))
+    fmt::print(
+        "  softening        no length, no reference width: the result depends on the cells (docs/convergence.md)\n");
   fmt::print("  energy balance   {:.2g} % of the energy exchanged\n", 100.0 * s.energy_balance_error);
   for (const FootingSummary& f : s.footings)
     fmt::print("  {:<16} reaction {:.4g} kN/m, {:.4g} kN/m up, at the end; largest against its motion {:.4g} kN/m\n",

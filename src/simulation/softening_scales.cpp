@@ -45,11 +45,11 @@ std::vector<SofteningScale> softening_scales(const Model& model, const State& st
   return scales;
 }
 
-bool softens_without_length(const Model& model)
+bool softens_point_by_point(const Model& model)
 {
   return std::ranges::any_of(model.materials, [](const SoilMaterial& m) {
     return row_of(m, Role::plastic_strain) >= 0 && std::isfinite(m.law->softened_strain()) &&
-           !m.softening.is_nonlocal();
+           !m.softening.is_nonlocal() && !m.softening.is_scaled();
   });
 }
 

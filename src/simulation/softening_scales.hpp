@@ -20,7 +20,7 @@ std::vector<SofteningScale> softening_scales(const Model& model, const State& st
 
 /// Soil of some material softens point by point, so that its slip surfaces are as thin as the cells: results depend on
 /// the mesh.
-bool softens_without_length(const Model& model);
+bool softens_point_by_point(const Model& model);
 
 /// Throws InputError where a length is below the size of a cell.
 void check_softening_lengths(const Model& model, const State& state);

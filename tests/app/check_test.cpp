@@ -9,11 +9,12 @@ TEST(Check, TellsWhatWouldRun)
   const ScratchFolder folder;
   const Finished f = test::terp(column_command("check"), folder.path());
   EXPECT_EQ(f.status, 0);
-  for (const char* line : {"  scheme         mpm_gp\n", "  mesh           192 cells, 231 nodes\n",
-           "  cells of soil  64\n", "  points         1600\n",
-           "  body 0         clay, 16 m^2, 31840 kg per m, 1600 points\n", "  mass           31840 kg per m\n",
-           "  softening      no length: the result will depend on the cells (docs/softening_length.md)\n",
-           "  time step      0.00303 s\n", "  steps          66 to t = 0.2 s\n", "nothing was run\n"})
+  for (const char* line :
+      {"  scheme         mpm_gp\n", "  mesh           192 cells, 231 nodes\n", "  cells of soil  64\n",
+          "  points         1600\n", "  body 0         clay, 16 m^2, 31840 kg per m, 1600 points\n",
+          "  mass           31840 kg per m\n",
+          "  softening      no length, no reference width: the result will depend on the cells (docs/convergence.md)\n",
+          "  time step      0.00303 s\n", "  steps          66 to t = 0.2 s\n", "nothing was run\n"})
     EXPECT_THAT(f.out, HasSubstr(line));
   EXPECT_THAT(f.out, HasSubstr("  smallest cell  0.5 m high, "));
   EXPECT_THAT(f.out, ContainsRegex("  memory         [0-9]+ MB\n"));

@@ -42,9 +42,11 @@ TEST(Run, LeavesAllItsFilesAndSaysWhereTheyAre)
 TEST(Run, SaysInItsSummaryWhereSoilSoftenedWithoutALength)
 {
   const ScratchFolder scratch;
-  const char* line = "\n  softening        no length: the result depends on the cells (docs/convergence.md)\n";
+  const char* line =
+      "\n  softening        no length, no reference width: the result depends on the cells (docs/convergence.md)\n";
   EXPECT_THAT(run_column(scratch.path() + "/point").out, HasSubstr(line));
-  for (const char* change : {"material.clay.softening.length=0.6", "material.clay.su_residual=8e3", "time.end=0.02"}) {
+  for (const char* change : {"material.clay.softening.length=0.6", "material.clay.softening.reference_width=0.5",
+           "material.clay.su_residual=8e3", "time.end=0.02"}) {
     const Finished f = run_column(scratch.path() + "/" + change, {"--set", change});
     EXPECT_EQ(f.status, 0) << f.err;
     EXPECT_THAT(f.out, Not(HasSubstr("softening  "))) << change;
