@@ -243,7 +243,7 @@ void Boundary::constrain(Index node, Real mass, Real dt, Vec<2>& v) const
     if (is_fixed(c->sides[k])) v = c->sides[k].velocity;
 }
 
-void Boundary::clamp(Index node, Real mass, Real dt, Vec<2> v_1, Vec<2> reaction, Vec<2>& v) const
+void Boundary::clamp(Index node, Real mass, Real dt, Vec<2> v_1, Vec<2> reaction, Vec<2>& v, bool across_alone) const
 {
   const NodeCondition* c = at(node);
   if (c == nullptr) return;
@@ -253,7 +253,7 @@ void Boundary::clamp(Index node, Real mass, Real dt, Vec<2> v_1, Vec<2> reaction
   const Acting acts = both_before ? Acting{true, true} : acting_on_velocity(*c, v, before);
   for (int k = 0; k < c->n; ++k)
     if (acts[k] && !is_fixed(c->sides[k])) stop_across(c->sides[k], v);
-  shorten(unused_strength(*c, acts, reaction) * dt / mass, v);
+  if (!across_alone) shorten(unused_strength(*c, acts, reaction) * dt / mass, v);
   if (c->corner && acts[0] && acts[1]) v = c->corner_velocity;
   for (int k = 0; k < c->n; ++k)
     if (is_fixed(c->sides[k])) v = c->sides[k].velocity;

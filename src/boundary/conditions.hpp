@@ -39,8 +39,8 @@ class Boundary {
   /// Applies the conditions to the remapped velocity (step 4). mass [kg per m], dt [s]; v_1, reaction: the velocity of
   /// step 2 [m/s], and the force of the sides on the node there [N per m]. A separating contact that pushed then stays
   /// closed for the step. A contact acts along itself with the strength that it did not use then, so that a side that
-  /// fixes a node does no work (decision 0037).
-  void clamp(Index node, Real mass, Real dt, Vec<2> v_1, Vec<2> reaction, Vec<2>& v) const;
+  /// fixes a node does no work (decision 0037); not so with `across_alone`.
+  void clamp(Index node, Real mass, Real dt, Vec<2> v_1, Vec<2> reaction, Vec<2>& v, bool across_alone = false) const;
   /// The node's condition, or nullptr.
   const NodeCondition* at(Index node) const
   {

@@ -29,6 +29,7 @@ Words shares_words() { return {"point", "overlap"}; }
 Words point_pressure_words() { return {"cell", "own", "relax"}; }
 Words state_averaging_words() { return {"as_declared", "cell", "sub_cell"}; }
 Words objective_rate_words() { return {"none", "jaumann"}; }
+Words remap_contact_words() { return {"unused_strength", "across"}; }
 Words deviatoric_norm_words() { return {"half", "von_mises"}; }
 
 template <class Enum>
@@ -396,6 +397,12 @@ std::vector<KeyInfo> method_keys()
           .words = objective_rate_words,
           .meaning = "whether the stress turns with the soil (reading R17)",
           .equation = "jaumann: sigma += (d_omega sigma - sigma d_omega)"},
+      {.path = "method.remap_contact",
+          .field = [](Case& c, std::size_t) { return word_field(c.method.remap_contact); },
+          .words = remap_contact_words,
+          .meaning = "what a contact plane does to the remapped velocity: it stops what crosses it and acts along "
+                     "itself with the strength that it left unused in pass 2, or it acts across alone, which may do "
+                     "work on soil at rest"},
       {.path = "method.flip",
           .field = [](Case& c, std::size_t) { return &c.method.flip; },
           .range = between(0.0, 1.0),

@@ -119,7 +119,8 @@ inline void remap_velocity(const Model& model, const NodeGather& sum, Index i, W
   if (!(node.mass > 0.0)) return;
   const Vec<2> v_1 = node.v;
   for (int d = 0; d < 2; ++d) node.v[d] = sum.momentum[d] / node.mass;
-  model.boundary.clamp(i, node.mass, model.dt, v_1, node.boundary, node.v);
+  const bool across_alone = model.method.remap_contact == RemapContact::across;
+  model.boundary.clamp(i, node.mass, model.dt, v_1, node.boundary, node.v, across_alone);
   if (const int k = footing_at(work, model.mesh->nodes[i]); k >= 0) work.footings[k].hold(node.v);
   add_works(model, node, sums);
 }

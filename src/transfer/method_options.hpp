@@ -11,6 +11,7 @@ enum class ForceOperator { b_bar, b };                      ///< operator of Eq.
 enum class PointPressure { cell, own, relax };              ///< pressure of a point in MPM-GP: reading R10
 enum class StateAveraging { as_declared, cell, sub_cell };  ///< state in MPM-Mixed: reading R9
 enum class ObjectiveRate { none, jaumann };                 ///< reading R17
+enum class RemapContact { unused_strength, across };        ///< contact in pass 4: decision 0037
 
 struct MethodOptions {
   Shares shares = Shares::point;
@@ -22,6 +23,7 @@ struct MethodOptions {
   Real pressure_relaxation = 0.1;  ///< share of p_e a point takes per step with PointPressure::relax [-]
   StateAveraging state_averaging = StateAveraging::as_declared;
   ObjectiveRate objective_rate = ObjectiveRate::none;
+  RemapContact remap_contact = RemapContact::unused_strength;
   Real flip = 1.0;         ///< 1: pure FLIP, 0: pure PIC [-]
   Real small_mass = 1e-9;  ///< nodes lighter than this times rho V_e keep v = a = 0 [-]
 };

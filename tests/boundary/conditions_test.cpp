@@ -121,6 +121,9 @@ TEST(ContactPlane, ActsOnTheRemappedVelocityWithTheStrengthLeftUnused)
   EXPECT_THAT(
       clamped(boundary, 1, {3.0, 4.0}, {-29.0, -24.0}), near(3.0 - 1.0 * dt / mass));  // pulled at: adhesion alone
   EXPECT_THAT(clamped(boundary, 1, {1e-4, 4.0}, {-12.0, 24.0}), near(0.0));            // it stuck, and stays
+  Vec<2> v{1e-4, 4.0};
+  boundary.clamp(1, mass, dt, {0.0, 0.0}, {-12.0, 24.0}, v, true);
+  EXPECT_THAT(v, ElementsAre(1e-4, 0.0));  // across alone
 }
 
 TEST(ContactPlane, ASeparatingOneThatDidNotPushHoldsNothing)
