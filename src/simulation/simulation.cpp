@@ -4,6 +4,7 @@
 #include "simulation/point_fields.hpp"
 #include "simulation/state_image.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -76,7 +77,17 @@ StateImage Simulation::save() const { return make_image(state); }
 
 void Simulation::restore(const StateImage& image)
 {
-  state = terp::restore(model, image);
+  State saved = terp::restore(model, image);
+  if (saved.n_ids() != state.n_ids())
+    throw FileError(fmt::format(
+        "the saved state is of another case: it has {} material points, this one {}", saved.n_ids(), state.n_ids()));
+  const Real time = static_cast<Real>(saved.step) * model.dt;
+  if (std::abs(saved.time - time) > 1e-9 * model.dt * static_cast<Real>(std::max<std::int64_t>(saved.step, 1)))
+    throw FileError(
+        fmt::format("the saved state is of another case: its {} steps end at t = {:.6g} s, those of this one of "
+                    "{:.4g} s at {:.6g} s",
+            saved.step, saved.time, model.dt, time));
+  state = std::move(saved);
   work.settling = false;
   work.damping_local = model.damping.local;
   work.fit(model, state);

@@ -51,7 +51,7 @@ struct Simulation {
   /// The state as a checkpoint holds it.
   StateImage save() const;
   /// Back to a saved state of this case. The run goes on from it with the same bits. Throws FileError if it does not
-  /// fit.
+  /// fit: other materials, cells, number of points or time step. Parameters of the laws may differ.
   void restore(const StateImage& image);
 
   Model model;

@@ -78,6 +78,21 @@ TEST(Simulation, GoesOnFromASavedStateWithTheSameBits)
   EXPECT_EQ(first_difference(s.save(), first), "");
 }
 
+TEST(Simulation, RefusesASavedStateOfAnotherCase)
+{
+  Simulation saved(sliding_column());
+  saved.advance_to(0.1);
+  Case fewer = sliding_column(), slower = sliding_column();
+  fewer.bodies[0].points_per_cell = {2, 2};
+  slower.time.courant *= 0.5;
+  Simulation other(fewer), steps(slower);
+  EXPECT_THAT(
+      [&] { other.restore(saved.save()); }, ThrowsMessage<FileError>(HasSubstr("of another case: it has 1600")));
+  EXPECT_THAT(
+      [&] { steps.restore(saved.save()); }, ThrowsMessage<FileError>(HasSubstr("of another case: its 33 steps")));
+  EXPECT_EQ(other.state.time, 0.0);
+}
+
 TEST(Simulation, SeeksTheEquilibriumThatTheCaseAsksForBeforeItsFirstStep)
 {
   Case c = free_box("mpm_gp", {0.0, 0.0}, {4.0, 1.5}, elastic(2e6, 0.3, 2000.0));
