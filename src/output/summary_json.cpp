@@ -158,6 +158,7 @@ SavedSummary read_values(const std::string& path)
   get_list(json, "passes", s.passes);
   for (const FollowerType* type : all_followers())
     for (const QuantityInfo& info : type->summary) {
+      if (!json.contains(info.name)) continue;  // a summary of an older version
       Real value = std::nan("");
       get(json, info.name.data(), value);
       s.numbers.emplace(info.name, value);

@@ -41,8 +41,8 @@ inline const std::shared_ptr<const RunTable>& sample_ledger_table() { return tab
 inline std::vector<TableRow> sample_history(Real time)
 {
   std::vector<TableRow> rows{TableRow(history_table(), "A"), TableRow(history_table(), "B")};
-  rows[0].values = {time, 7.0, 1.5, 0.25, 0.01, 0.002, 8000.0, -125.5};
-  rows[1].values = {time, 9.0, 2.5, 0.75, 0.03, 0.0, std::nan(""), 1.0 / 3.0};
+  rows[0].values = {time, 7.0, 1.5, 0.25, 0.01, 0.002, 8000.0, -125.5, std::nan("")};
+  rows[1].values = {time, 9.0, 2.5, 0.75, 0.03, 0.0, std::nan(""), 1.0 / 3.0, std::nan("")};
   return rows;
 }
 
