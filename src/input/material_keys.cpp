@@ -22,7 +22,7 @@ std::vector<KeyInfo> material_keys()
       {.path = "material.NAME.softening.length",
           .field = [](Case& c, std::size_t i) { return &c.materials[i].softening.length; },
           .unit = "m",
-          .range = not_negative,
+          .range = {0.0, 1e6},
           .usual = {1e-3, 10.0},
           .meaning = "distance l over which softening spreads: at least the size of a cell, better twice that or more, "
                      "and at most a twentieth of the height of the section; 0: each point softens by itself",
