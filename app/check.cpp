@@ -98,6 +98,7 @@ void print_check(const CaseFile& file, Simulation& simulation)
   fmt::print("  mass           {:.6g} kg per m\n", total_mass(state));
   print_bodies(model);
   print_sides(model);
+  for (const std::string& note : file.notes) fmt::print("  unit           {}\n", printable(note));
   if (softens_point_by_point(model))
     fmt::print(
         "  softening      no length, no reference width: the result will depend on the cells (docs/convergence.md)\n");

@@ -112,6 +112,7 @@ CaseFile read_case_text(const std::string& text, const std::string& path, const 
   file.values.folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path().string() : ".";
   read_values(file.source.root, file.values, findings);
   check_case(file.source.root, file.values, findings);
+  file.notes = findings.notes;
   file.warnings = findings.warnings;  // shown with errors too: a wrong unit is often what an error comes from
   if (!findings.problems.empty()) throw CaseError(render_warnings(file) + render(findings.problems, file));
   turn_counter_clockwise(file.values.mesh);  // not before: messages speak of the edges as the user counts them

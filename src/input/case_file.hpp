@@ -17,10 +17,11 @@ struct CaseFile {
   Case values;
   std::string path;  ///< as the user wrote it
   std::string text;  ///< TOML of the case as it runs, with every --set, and the files that it names beside it
-  std::vector<InputFile> inputs;  ///< those files, and what they are called there
-  std::vector<Problem> warnings;  ///< doubtful, but it may run
-  Document source;                ///< what the user wrote, and where
-  std::string run;                ///< folder of the run, which warnings name; empty: none
+  std::vector<InputFile> inputs;   ///< those files, and what they are called there
+  std::vector<Problem> warnings;   ///< doubtful, but it may run
+  std::vector<std::string> notes;  ///< numbers with a unit: "material.clay.su_peak: "8 kPa", 8000 Pa"
+  Document source;                 ///< what the user wrote, and where
+  std::string run;                 ///< folder of the run, which warnings name; empty: none
 };
 
 /// The case cannot be read. what() is the full message for the user; exit status 2.

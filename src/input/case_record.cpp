@@ -4,6 +4,7 @@
 #include "input/key_text.hpp"
 #include "input/keys.hpp"
 #include "input/printable.hpp"
+#include "input/units.hpp"
 #include "points/points_csv.hpp"
 
 #include <fmt/format.h>
@@ -62,17 +63,16 @@ class Recorder {
 };
 
 /// Formulas as they stand in the file; empty if both are numbers.
-std::string formulas_text(const Node& root, const std::string& path)
+std::string formulas_text(const Node& root, const std::string& path, const std::string& unit)
 {
   const Node* list = find_node(root, path);
   if (list == nullptr || list->kind != NodeKind::list) return "";
   std::string text;
   bool is_formula = false;
   for (const Node& item : list->items) {
-    is_formula |= item.kind == NodeKind::text;
-    text += (text.empty() ? "" : ", ") + (item.kind == NodeKind::text         ? quoted_list({item.text})
-                                             : item.kind == NodeKind::integer ? fmt::format("{}", item.integer)
-                                                                              : fmt::format("{}", item.number));
+    const auto number = number_of(item, unit);
+    is_formula |= !number;
+    text += (text.empty() ? "" : ", ") + (number ? fmt::format("{}", *number) : quoted_list({item.text}));
   }
   return is_formula ? '[' + text + ']' : "";
 }
@@ -80,7 +80,7 @@ std::string formulas_text(const Node& root, const std::string& path)
 void Recorder::add_key(const KeyInfo& key, const std::string& path, std::size_t number)
 {
   const Field field = key.field(values_, number);
-  std::string value = std::holds_alternative<VelocityPair>(field) ? formulas_text(root_, path) : "";
+  std::string value = std::holds_alternative<VelocityPair>(field) ? formulas_text(root_, path, key.unit) : "";
   if (value.empty()) value = value_text(key, field);
   add(path, value, key.default_text == value || key.default_text == value + ' ' + key.unit);
 }

@@ -245,7 +245,7 @@ void check_case(const Node& root, const Case& values, Findings& findings)
   check_initial(root, values, findings);
   check_hydrostatic(values, findings.problems);
   check_method(root, values, findings.warnings);
-  check_physics(values, findings.warnings);
+  check_physics(root, values, findings.warnings);
   check_softening(root, values, findings);
   check_unused_materials(values, findings.warnings);
   check_fields(values, findings.warnings);

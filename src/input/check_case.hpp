@@ -29,6 +29,6 @@ void check_softening(const Node& root, const Case& values, Findings& findings);
 
 /// What can be computed but is hardly meant, and shows before a mesh is made: gravity, damping. The values may be
 /// incomplete.
-void check_physics(const Case& values, std::vector<Problem>& warnings);
+void check_physics(const Node& root, const Case& values, std::vector<Problem>& warnings);
 
 }  // namespace terp

@@ -1,6 +1,7 @@
 #include "input/check_case.hpp"
 
 #include "input/mesh_kinds.hpp"
+#include "input/units.hpp"
 
 #include <fmt/format.h>
 
@@ -150,9 +151,7 @@ void check_refinement(const Node& table, const RefineCase& refine, const std::st
     problems.push_back({path, "the refinement has no place",
         "Give line = [[x, y], [x, y], ...] or box = [[x0, y0], [x1, y1]] in m.", "mesh.refine", true});
   const Node* distance = find_item(table, "distance");
-  const bool is_zero = distance != nullptr &&
-                       (distance->kind == NodeKind::integer || distance->kind == NodeKind::number) &&
-                       refine.distance == 0.0;
+  const bool is_zero = distance != nullptr && number_of(*distance, "m") && refine.distance == 0.0;
   if (line && !box && (distance == nullptr || is_zero))
     problems.push_back({distance == nullptr ? path : path + ".distance", "a line needs a `distance`",
         "Give the distance in m, more than 0, over which the cells grow back to mesh.cell.", "mesh.refine.distance",

@@ -1,6 +1,6 @@
 #include "input/check_case.hpp"
 
-#include "input/document.hpp"
+#include "input/units.hpp"
 
 #include <fmt/format.h>
 
@@ -62,11 +62,31 @@ void check_damping(const Case& values, Problems& warnings)
       "forces.damping.local", false, {"forces.damping"}});
 }
 
+/// Densities given as unit weights, where gravity is not that which they are divided by.
+void check_weights(const Node& node, const std::string& path, Real gravity, Problems& warnings)
+{
+  constexpr Real same = 0.005;  // relative: 9.8 and 9.81 m/s^2
+  if (gravity == 0.0 || std::abs(gravity - standard_gravity) <= same * standard_gravity) return;
+  for (const Node& item : node.items) check_weights(item, join_path(path, item.name), gravity, warnings);
+  const auto quantity = node.kind == NodeKind::text ? parse_quantity(node.text) : std::nullopt;
+  if (!quantity || quantity->unit == nullptr || !quantity->unit->is_weight) return;
+  const Real density = quantity->value();
+  warnings.push_back({path,
+      fmt::format("a unit weight is divided by {} m/s^2, but gravity is {:.4g} m/s^2", standard_gravity, gravity),
+      fmt::format("\"{}\" makes {:.6g} kg/m^3, which weighs {:.4g} kN/m^3 in this case.\n"
+                  "Give the density in kg/m^3 if it shall weigh otherwise.",
+          node.text, density, 1e-3 * density * gravity),
+      "material.density", false, {"forces.gravity"}});
+}
+
 }  // namespace
 
-void check_physics(const Case& values, Problems& warnings)
+void check_physics(const Node& root, const Case& values, Problems& warnings)
 {
   check_gravity(values, warnings);
+  const Vec<2> g = values.forces.gravity;
+  if (const Node* materials = find_item(root, "material"))
+    check_weights(*materials, "material", std::hypot(g[0], g[1]), warnings);
   check_damping(values, warnings);
 }
 

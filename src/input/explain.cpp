@@ -6,6 +6,7 @@
 #include "input/key_text.hpp"
 #include "input/keys.hpp"
 #include "input/mesh_kinds.hpp"
+#include "input/units.hpp"
 #include "schemes/scheme.hpp"
 #include "simulation/frame_fields.hpp"
 #include "simulation/summary.hpp"
@@ -59,12 +60,19 @@ std::string wrapped(const std::string& text, const std::string& margin)
   return out + margin + line + '\n';
 }
 
+/// The units that a key takes, where it is a number or holds some.
+std::string units_text(const KeyInfo& key)
+{
+  const std::vector<std::string> units = units_of_key(key.unit);
+  return units.empty() || key.unit == "-" ? "" : fmt::format("\"1 {}\", in {}", units[0], plain_list(units));
+}
+
 std::string describe_key(const KeyInfo& key, const std::string& name)
 {
   std::string fallback = key.required ? "none: the key is required" : key.default_text;
   if (!key.required_for.empty()) fallback = "none: required for " + key.required_for;
   return "  " + name + '\n' + wrapped(key.meaning, "    ") + row("equation", key.equation) + row("unit", key.unit) +
-         row("allowed", allowed_text(key)) + row("default", fallback);
+         row("allowed", allowed_text(key)) + row("as text", units_text(key)) + row("default", fallback);
 }
 
 std::string indented_lines(std::string_view text, std::string_view margin)

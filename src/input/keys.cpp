@@ -2,12 +2,14 @@
 
 #include "input/keys.hpp"
 
+#include "input/document.hpp"
 #include "input/key_table.hpp"
 #include "input/key_text.hpp"
 #include "simulation/frame_fields.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace terp {
@@ -90,6 +92,28 @@ const std::vector<std::string>& side_names()
 {
   static const std::vector<std::string> names = {"left", "right", "bottom", "top"};
   return names;
+}
+
+std::string unit_at(std::string_view path)
+{
+  const auto names_of = [](std::string_view text) {
+    auto parts = split_path(text);
+    std::erase_if(parts, [](const std::string& part) { return part.starts_with('['); });
+    return parts;
+  };
+  const auto asked = names_of(path);
+  std::string unit;
+  std::size_t longest = 0;
+  const auto look_at = [&](const KeyInfo& key) {
+    const auto known = names_of(key.path);
+    const auto same = [](const std::string& a, const std::string& b) { return a == "NAME" || a == "SIDE" || a == b; };
+    if (known.size() <= longest || known.size() > asked.size()) return;
+    if (std::equal(known.begin(), known.end(), asked.begin(), same)) unit = key.unit, longest = known.size();
+  };
+  for (const KeyInfo& key : all_keys()) look_at(key);
+  for (const MaterialType* law : all_materials())
+    for (const KeyInfo& key : keys_of_law(*law)) look_at(key);
+  return unit;
 }
 
 const KeyInfo* find_key(std::string_view path)

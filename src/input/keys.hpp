@@ -90,6 +90,10 @@ const std::vector<std::string>& side_names();  ///< of the built-in rectangle
 const KeyInfo* find_key(std::string_view path);
 const SectionInfo* find_section(std::string_view path);
 
+/// Unit of the value at a path of a file, of one of its numbers too: "material.clay.eta", "body[0].box[1][0]"; empty
+/// where the path is of no key.
+std::string unit_at(std::string_view path);
+
 /// Names that a section may hold: its keys, then the sections directly inside. "" is the file itself.
 std::vector<std::string> names_in_section(std::string_view section);
 

@@ -18,7 +18,8 @@ std::vector<KeyInfo> material_keys()
           .range = positive,
           .usual = {500.0, 5000.0},
           .required = true,
-          .meaning = "mass per volume of the soil with its water (reading R16)"},
+          .meaning = "mass per volume of the soil with its water (reading R16); a unit weight, as \"19.5 kN/m3\", is "
+                     "divided by 9.81 m/s^2, whatever the gravity of the case"},
       {.path = "material.NAME.softening.length",
           .field = [](Case& c, std::size_t i) { return &c.materials[i].softening.length; },
           .unit = "m",

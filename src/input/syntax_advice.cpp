@@ -3,6 +3,8 @@
 
 #include "input/syntax_advice.hpp"
 
+#include "input/units.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,22 +22,13 @@ std::string_view line_at(std::string_view text, int line)
   return text.substr(begin, std::min<std::size_t>(text.find_first_of("\r\n", begin) - begin, 500));
 }
 
-struct Unit {
-  const char* name;
-  double factor;
-  const char* si;
-};
-constexpr Unit units[] = {{"Pa", 1.0, "Pa"}, {"kPa", 1e3, "Pa"}, {"MPa", 1e6, "Pa"}, {"GPa", 1e9, "Pa"},
-    {"kN/m2", 1e3, "Pa"}, {"mm", 1e-3, "m"}, {"cm", 1e-2, "m"}, {"m", 1.0, "m"}, {"km", 1e3, "m"}, {"s", 1.0, "s"},
-    {"ms", 1e-3, "s"}, {"min", 60.0, "s"}, {"h", 3600.0, "s"}, {"t/m3", 1e3, "kg/m^3"}, {"kg/m3", 1.0, "kg/m^3"},
-    {"m/s", 1.0, "m/s"}, {"mm/s", 1e-3, "m/s"}, {"deg", 1.0, "deg"}, {"%", 0.01, "-"}};
-
-std::string cure_of_unit(const std::string& number, std::string unit)
+std::string cure_of_unit(std::string number, const std::string& unit)
 {
-  std::erase(unit, '^');
-  for (const Unit& known : units)
-    if (unit == known.name)
-      return fmt::format("Write {} (in {}).", std::strtod(number.c_str(), nullptr) * known.factor, known.si);
+  std::erase(number, '_');  // of 2_000, which are digits of TOML
+  const auto quantity = parse_quantity(number + ' ' + unit);
+  if (quantity && quantity->unit != nullptr)
+    return fmt::format("Write \"{} {}\", in quotes, or {} (in {}).", number, unit, quantity->value(),
+        quantity->unit->of_key == "-" ? "parts of one" : quantity->unit->of_key);
   return fmt::format("Write {} in the unit that `terp explain` names: Terp reads SI units, m, kg, s, Pa.", number);
 }
 
@@ -64,7 +57,7 @@ const Habit habits[] = {
           std::erase(rest, ' ');
           return fmt::format("Write {}{}.", m.str(1), rest);
         }},
-    {R"([=\[,]\s*()" TERP_NUMBER R"()\s*([A-Za-z%][\w/^%]*)(?![\w/^%]|\s*=))", "a number stands without its unit",
+    {R"([=\[,]\s*()" TERP_NUMBER R"()\s*([A-Za-z%][\w/^%]*)(?![\w/^%]|\s*=))", "a number with a unit stands in quotes",
         [](const std::smatch& m) { return cure_of_unit(m.str(1), m.str(2)); }},
     {R"([=\[,]\s*(True|False|TRUE|FALSE|yes|no|on|off)\b)", "true and false are written in small letters",
         [](const std::smatch& m) {

@@ -3,6 +3,7 @@
 #include "base/closest.hpp"
 #include "input/expression.hpp"
 #include "input/key_text.hpp"
+#include "input/units.hpp"
 
 #include <fmt/format.h>
 
@@ -12,13 +13,6 @@
 
 namespace terp {
 namespace {
-
-bool is_number(const Node& node) { return node.kind == NodeKind::number || node.kind == NodeKind::integer; }
-
-Real to_number(const Node& node)
-{
-  return node.kind == NodeKind::integer ? static_cast<Real>(node.integer) : node.number;
-}
 
 /// Twice the area of the triangle a b c, positive if it runs counter-clockwise.
 Real cross(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c)
@@ -114,8 +108,10 @@ class ValueReader {
   bool read_word(const Node& node, const std::string& path);
 
   bool wrong_type(const Node& node, const std::string& path);
+  bool wrong_unit(const Node& node, const std::string& path, const NumberWithUnit& quantity);
   bool out_of_range(const std::string& path, const std::string& got);
   bool not_finite(const std::string& path, Real number);
+  std::string example_of_unit(const std::string& number) const;
   bool fail(const std::string& path, std::string what, std::string detail);
   std::string name() const { return last_part(entry_.path); }
 
@@ -152,10 +148,39 @@ bool ValueReader::not_finite(const std::string& path, Real number)
           "Got {}; allowed: a finite number{}.", number_text(number, key_.unit), range.empty() ? unit : ", " + range));
 }
 
+bool ValueReader::wrong_unit(const Node& node, const std::string& path, const NumberWithUnit& quantity)
+{
+  const std::vector<std::string> fitting = units_of_key(key_.unit);
+  const bool has_unit = key_.unit != "-";
+  const std::string allowed = fmt::format("Got \"{}\"; allowed: a plain number{}{}.\n", node.text,
+      has_unit ? " in " + key_.unit : "", fitting.empty() ? "" : ", or a text with one of: " + plain_list(fitting));
+  if (quantity.unit == nullptr) {
+    const std::string nearest = closest(quantity.name, fitting.empty() ? all_unit_names() : fitting);
+    return fail(path, fmt::format("`{}` has a unit that Terp does not know, `{}`", name(), quantity.name),
+        allowed + (nearest.empty() ? example_of_unit(quantity.number) : fmt::format("Did you mean `{}`?", nearest)));
+  }
+  return fail(path, fmt::format("`{}` cannot be in {}", name(), quantity.name),
+      allowed +
+          fmt::format("{} is of a key in {}. ", quantity.name,
+              quantity.unit->of_key == "-" ? "no unit" : quantity.unit->of_key) +
+          example_of_unit(quantity.number));
+}
+
+/// How a number of this key may be written.
+std::string ValueReader::example_of_unit(const std::string& number) const
+{
+  const std::vector<std::string> fitting = units_of_key(key_.unit);
+  if (fitting.empty() || key_.unit == "-") return "Write a number without a unit.";
+  return fmt::format("Write, for example, \"{} {}\".", number, fitting.front());
+}
+
 /// What an unusual number may have been meant to be.
 std::string advice_on_unit(Real number, const std::string& unit)
 {
-  if (unit != "deg") return "Terp reads SI units: m, kg, s, Pa.";
+  const std::vector<std::string> units = units_of_key(unit);
+  if (unit != "deg" && (unit == "-" || units.empty())) return "Terp reads SI units: m, kg, s, Pa.";
+  if (unit != "deg")
+    return fmt::format("Terp reads SI units: m, kg, s, Pa. Others are named: \"{} {}\".", number, units.front());
   constexpr Real degree = 3.14159265358979323846 / 180.0;
   return fmt::format("Angles are in degrees: {0} rad are {1:.1f} deg, and {0} is the tangent of {2:.1f} deg.", number,
       number / degree, std::atan(number) / degree);
@@ -163,13 +188,19 @@ std::string advice_on_unit(Real number, const std::string& unit)
 
 bool ValueReader::read_number(const Node& node, const std::string& path, Real& value)
 {
-  if (!is_number(node)) return wrong_type(node, path);
-  const Real number = to_number(node);
+  const auto quantity = node.kind == NodeKind::text ? parse_quantity(node.text) : std::nullopt;
+  const auto in_si = number_of(node, key_.unit);
+  if (!in_si) return quantity ? wrong_unit(node, path, *quantity) : wrong_type(node, path);
+  const Real number = *in_si;
+  const std::string si = number_text(number, key_.unit);
+  const std::string got = quantity ? fmt::format("\"{}\", {}", node.text, si) : si;
   if (!std::isfinite(number) && !key_.may_be_infinite) return not_finite(path, number);
-  if (!key_.range.contains(number)) return out_of_range(path, number_text(number, key_.unit));
+  if (!key_.range.contains(number)) return out_of_range(path, got);
+  if (quantity) findings_.notes.push_back(fmt::format("{}: {}", path, got));
   if (number != 0.0 && std::isfinite(number) && !key_.usual.contains(std::abs(number)))
-    findings_.warnings.push_back({path, fmt::format("`{}` = {} is unusual", name(), number_text(number, key_.unit)),
-        fmt::format("Usual: {}. {}", usual_text(key_.usual, key_.unit), advice_on_unit(number, key_.unit)),
+    findings_.warnings.push_back({path, fmt::format("`{}` = {} is unusual", name(), got),
+        fmt::format("Usual: {}.", usual_text(key_.usual, key_.unit)) +
+            (quantity ? "" : ' ' + advice_on_unit(number, key_.unit)),
         topic_of(key_.path)});
   value = number;
   return true;
@@ -317,14 +348,19 @@ bool ValueReader::operator()(const VelocityPair& field)
   const Node& list = entry_.node;
   const bool is_pair = list.kind == NodeKind::list && list.items.size() == 2;
   if (!is_pair) return wrong_type(list, entry_.path);
-  if (list.items[0].kind != NodeKind::text && list.items[1].kind != NodeKind::text)
-    return read_pair(list, entry_.path, *field.value);
+  const auto is_formula = [](const Node& item) {  // what is no number with a unit
+    if (item.kind != NodeKind::text) return false;
+    const auto quantity = parse_quantity(item.text);
+    return !quantity || quantity->unit == nullptr;
+  };
+  if (std::ranges::none_of(list.items, is_formula)) return read_pair(list, entry_.path, *field.value);
   std::array<std::shared_ptr<Expression>, 2> formulas;
   for (std::size_t d = 0; d < 2; ++d) {
     const Node& item = list.items[d];
     const std::string path = fmt::format("{}[{}]", entry_.path, d);
-    if (item.kind != NodeKind::text && !is_number(item)) return wrong_type(item, path);
-    const std::string text = item.kind == NodeKind::text ? item.text : fmt::format("{}", to_number(item));
+    Real number = 0.0;
+    if (!is_formula(item) && !read_number(item, path, number)) return false;
+    const std::string text = is_formula(item) ? item.text : fmt::format("{}", number);
     try {
       formulas[d] =
           std::make_shared<Expression>(text, std::vector<std::string>{"x", "y"}, std::map<std::string, Real>{});

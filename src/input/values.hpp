@@ -13,6 +13,7 @@ namespace terp {
 /// What was found while reading: problems stop the run, warnings do not.
 struct Findings {
   std::vector<Problem> problems, warnings;
+  std::vector<std::string> notes;  ///< numbers with a unit, and what each was taken for
 };
 
 /// One key of the file and its declaration.

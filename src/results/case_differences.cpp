@@ -1,6 +1,7 @@
 #include "results/compare.hpp"
 
-#include "input/document.hpp"
+#include "input/keys.hpp"
+#include "input/units.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -14,11 +15,12 @@ using Entry = std::pair<std::string, std::string>;  ///< path and value, as text
 
 constexpr std::string_view left_out[] = {"title", "scheme", "output", "time.end"};
 
-std::string value_text(const Node& node)
+/// 8, 8.0 and, of a length, "800 cm" are the same.
+std::string value_text(const Node& node, const std::string& path)
 {
   if (node.kind == NodeKind::boolean) return node.boolean ? "true" : "false";
-  if (node.kind == NodeKind::integer) return fmt::format("{}", static_cast<Real>(node.integer));  // 8 is 8.0
-  return node.kind == NodeKind::number ? fmt::format("{}", node.number) : node.text;
+  const auto number = number_of(node, node.kind == NodeKind::text ? unit_at(path) : "-");
+  return number ? fmt::format("{}", *number) : node.text;
 }
 
 bool is_left_out(const std::string& path)
@@ -35,7 +37,7 @@ void flatten(const Node& node, const std::string& path, std::vector<Entry>& entr
   else if (node.kind == NodeKind::list)
     for (std::size_t k = 0; k < node.items.size(); ++k) flatten(node.items[k], fmt::format("{}[{}]", path, k), entries);
   else
-    entries.emplace_back(path, value_text(node));
+    entries.emplace_back(path, value_text(node, path));
 }
 
 std::vector<Entry> entries_of(const std::string& toml)

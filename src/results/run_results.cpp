@@ -1,7 +1,7 @@
 #include "results/run_results.hpp"
 
 #include "base/errors.hpp"
-#include "input/document.hpp"
+#include "input/units.hpp"
 #include "output/files.hpp"
 #include "output/run_folder.hpp"
 #include "simulation/case.hpp"
@@ -67,7 +67,7 @@ try {
   const Node root = parse_toml(case_toml);
   const Node* every = find_node(root, "output.history.every");
   if (every == nullptr) return OutputCase{}.history_every;
-  return every->kind == NodeKind::integer ? static_cast<Real>(every->integer) : every->number;
+  return number_of(*every, "s").value_or(0.0);
 } catch (const SyntaxError&) {
   return 0.0;
 }

@@ -1,5 +1,8 @@
 #include "verification/scope.hpp"
 
+#include "input/keys.hpp"
+#include "input/units.hpp"
+
 #include <cmath>
 #include <fmt/format.h>
 
@@ -12,9 +15,9 @@ Real number_of_case(const Expected& file, const Constant& c, const CaseFile& sol
   if (node == nullptr)
     refuse(file, c.formula.place, fmt::format("the case says nothing of `{}`", c.key),
         "A constant takes a number that case.toml or `set` gives.");
-  if (node->kind == NodeKind::integer) return static_cast<Real>(node->integer);
-  if (node->kind != NodeKind::number) refuse(file, c.formula.place, fmt::format("`{}` is not a number", c.key), "");
-  return node->number;
+  const auto number = number_of(*node, unit_at(c.key));
+  if (!number) refuse(file, c.formula.place, fmt::format("`{}` is not a number", c.key), "");
+  return *number;
 }
 
 void add_constants(Scope& scope, const std::vector<Constant>& constants, const CaseFile& solved)

@@ -93,7 +93,8 @@ TEST(Explain, TellsThatAParameterDefaultsToAnother)
 {
   EXPECT_THAT(explain("mohr_coulomb"),
       HasSubstr("cohesion_residual\n    cohesion that softening leaves\n    unit      Pa\n    allowed   a number, at "
-                "least 0 Pa\n    default   the value of `cohesion`\n"));
+                "least 0 Pa\n    as text   \"1 kPa\", in kPa, Pa, MPa, GPa, N/m2, kN/m2, MN/m2, N/mm2, bar\n"
+                "    default   the value of `cohesion`\n"));
 }
 
 TEST(Explain, OffersTheNearestTopic)

@@ -26,9 +26,11 @@ TEST(SyntaxAdvice, SaysHowItIsWritten)
 {
   const Written habits[] = {
       {"end = 0,2", "a number has a decimal point, no comma", "Write 0.2."},
-      {"su_peak = 8 kPa", "a number stands without its unit", "Write 8000 (in Pa)."},
-      {"density = 1.99 t/m3", "a number stands without its unit", "Write 1990 (in kg/m^3)."},
-      {"end = 4 weeks", "a number stands without its unit",
+      {"su_peak = 8 kPa", "a number with a unit stands in quotes", "Write \"8 kPa\", in quotes, or 8000 (in Pa)."},
+      {"density = 1.99 t/m^3", "a number with a unit stands in quotes",
+          "Write \"1.99 t/m^3\", in quotes, or 1990 (in kg/m^3)."},
+      {"local = 5 %", "a number with a unit stands in quotes", "Write \"5 %\", in quotes, or 0.05 (in parts of one)."},
+      {"end = 4 weeks", "a number with a unit stands in quotes",
           "Write 4 in the unit that `terp explain` names: Terp reads SI units, m, kg, s, Pa."},
       {"cell = .2", "a number has a digit before its decimal point", "Write 0.2."},
       {"gravity = [0.0, -.5]", "a number has a digit before its decimal point", "Write -0.5."},
