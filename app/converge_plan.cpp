@@ -175,7 +175,10 @@ struct Planner {
         .label = fmt::format("cells of {:g} m{}", cell, sequence == 0 ? "" : ", " + s.name),
         .folder = path_in(plan.folder, name),
         .changes = changes_with(s)};
-    for (std::string& change : changes_to_cell_size(base, cell)) run.changes.push_back(std::move(change));
+    for (std::string& change : changes_to_cell_size(base, cell)) {
+      check_not_given(change);
+      run.changes.push_back(std::move(change));
+    }
     const CaseFile file = read_case(options.run.path, run.changes);
     warnings.show(file.warnings, file);
     try {
@@ -208,6 +211,16 @@ struct Planner {
       throw CaseError(printable(fmt::format(
           "error: --variant {}: the case is the same without it\n  The sizes of the cells are those of --cells.\n",
           s.name)));
+  }
+
+  /// change: KEY=VALUE of a size. It would overrule one of --set without a word.
+  void check_not_given(const std::string& change) const
+  {
+    const std::string key = change.substr(0, change.find('=') + 1);
+    for (const std::string& given : options.run.changes)
+      if (given.starts_with(key))
+        throw CaseError(printable(
+            fmt::format("error: --set {}: the sizes of the cells are those of --cells\n  Leave it out.\n", given)));
   }
 
   void estimate(PlannedRun& run, const CaseFile& file, const SharedMesh& mesh, std::int64_t step)

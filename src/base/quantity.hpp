@@ -12,6 +12,7 @@ struct QuantityInfo {
   std::string_view label;    ///< of an axis
   std::string_view meaning;  ///< of a manual
   bool is_text = false;      ///< a name
+  bool is_input = false;     ///< follows from the case and its mesh alone: no result
 };
 
 }  // namespace terp

@@ -62,10 +62,17 @@ class SofteningLength : public Follower {
 }  // namespace
 
 const FollowerType softening_length_follower{.name = "softening_length",
-    .summary = {{"softening_length_over_cell", "-", "softening length over cell",
-                    "smallest softening length over the size of a cell, at t = 0; `null`: no softening length"},
-        {"softening_length_over_height", "-", "softening length over height",
-            "largest softening length over the height of the soil, at t = 0; `null`: no softening length"},
+    .summary = {{.name = "softening_length_over_cell",
+                    .unit = "-",
+                    .label = "softening length over cell",
+                    .meaning =
+                        "smallest softening length over the size of a cell, at t = 0; `null`: no softening length",
+                    .is_input = true},
+        {.name = "softening_length_over_height",
+            .unit = "-",
+            .label = "softening length over height",
+            .meaning = "largest softening length over the height of the soil, at t = 0; `null`: no softening length",
+            .is_input = true},
         {"halo_fraction", "-", "halo",
             "share of the soil that lost half of its drop by a softening length whose own plastic strain is below half "
             "of that which its strength follows, at the end; `null`: there is no such soil"}},

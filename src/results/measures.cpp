@@ -267,7 +267,7 @@ void add_followers(Measures& all, const std::vector<RunResults>& runs)
         }});
   for (const FollowerType* type : all_followers())
     for (const QuantityInfo& info : type->summary)
-      all.push_back({.name = std::string(info.name),
+      all.push_back({.name = info.is_input ? "" : std::string(info.name),
           .label = std::string(info.label),
           .unit = std::string(info.unit),
           .value = [name = info.name](Run run) -> Value {

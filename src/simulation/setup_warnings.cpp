@@ -59,6 +59,18 @@ void find_sides_that_move_far(const Model& model, std::vector<Problem>& warnings
   }
 }
 
+/// A mean over less than a step is the force of that step.
+void find_short_averaging(const Model& model, std::vector<Problem>& warnings)
+{
+  const Real time = model.damping.averaging_time;
+  if (!(time > 0.0 && time <= model.dt)) return;
+  warnings.push_back({"forces.damping.averaging_time", "the averaging time is not longer than a time step",
+      fmt::format("Got {:.4g} s; the step is {:.4g} s: local damping acts on the force of the step alone. Usual: the "
+                  "time in which a\ncompression wave crosses the soil once or twice, 0.02 s for 2 m of clay.",
+          time, model.dt),
+      "forces.damping.averaging_time", false, {"forces.damping"}});
+}
+
 }  // namespace
 
 std::vector<Problem> find_warnings(const Model& model, const State& state)
@@ -71,6 +83,7 @@ std::vector<Problem> find_warnings(const Model& model, const State& state)
   find_odd_scales(model, state, warnings);
   find_odd_softening_lengths(model, state, warnings);
   find_wide_cells(model, state, warnings);
+  find_short_averaging(model, warnings);
   for (Problem& problem : find_idle_footings(model, state)) warnings.push_back(std::move(problem));
   return warnings;
 }

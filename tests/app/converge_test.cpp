@@ -154,6 +154,8 @@ TEST(Converge, RefusesWhatIsNoStudyBeforeAnythingIsRun)
   EXPECT_EQ(refused({"--cells", "1,0.5", "--variant", "mesh.cell=0.25"}),
       "error: --variant mesh.cell=0.25: the case is the same without it\n"
       "  The sizes of the cells are those of --cells.\n");
+  EXPECT_EQ(refused({"--cells", "1,0.5", "--set", "mesh.cell=0.25"}),
+      "error: --set mesh.cell=0.25: the sizes of the cells are those of --cells\n  Leave it out.\n");
   EXPECT_THAT(refused({"--cells", "1,0.4"}), HasSubstr("cells of 0.4 m: the mesh is not a whole number of such cells"));
 }
 

@@ -219,6 +219,11 @@ TEST(Run, WarnsWhereLocalDampingTookFarMoreThanItsFactorPromises)
   EXPECT_THAT(err("smooth", {"-q", "--set", "time.end=3", "--set", "method.shares=overlap", "--set",
                                 "forces.damping.averaging_time=0.05"}),
       Not(HasSubstr("local damping")));
+  // Slow loading has hardly any kinetic energy; the waves that damping takes are 0.4 % of the work.
+  const Finished slow = test::terp({"run", source_path("cases/verification/strip_footing/case.toml"), "-q", "-o",
+      scratch.path() + "/slow", "--set", "time.end=0.3"});
+  EXPECT_THAT(slow.err, Not(HasSubstr("local damping")));
+  EXPECT_GT(nlohmann::json::parse(text_of(scratch.path() + "/slow/summary.json")).at("damping_over_promised"), 7.0);
 }
 
 TEST(Run, OnTwoThreadsGivesTheResultsOfOne)

@@ -25,6 +25,16 @@ TEST(Measures, HaveNamesOfTheirOwnAndWordsWhereTheyAreWords)
   }
 }
 
+TEST(Measures, TakeNoInputForAResult)
+{
+  std::string named;
+  for (const RunMeasure& measure : measures_of({})) {
+    EXPECT_TRUE(measure.name.empty() || !measure.label.starts_with("softening length over")) << measure.label;
+    named += measure.name + ' ';
+  }
+  EXPECT_THAT(named, HasSubstr(" halo_fraction "));
+}
+
 TEST(Measures, OfEverySlideThatSomeRunHas)
 {
   const ScratchFolder scratch;

@@ -55,6 +55,21 @@ TEST(SetupWarnings, ASideThatMovesMoreThanACellIsTold)
           StartsWith("Its velocity times time.end is 0.6 m, the smallest cell is 0.5 m high."))));
 }
 
+TEST(SetupWarnings, AMeanOfTheForceOverLessThanAStepIsTold)
+{
+  Case c = free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.0});
+  c.forces.gravity = {0.0, -9.81};
+  c.forces.local_damping = 0.1;
+  c.forces.averaging_time = 1e-9;
+  Model model = build_model(c, 1);
+  EXPECT_THAT(find_warnings(model, build_state(model)),
+      Contains(told("forces.damping.averaging_time", "the averaging time is not longer than a time step",
+          StartsWith("Got 1e-09 s; the step is "))));
+  c.forces.averaging_time = 10.0 * model.dt;
+  model = build_model(c, 1);
+  EXPECT_THAT(find_warnings(model, build_state(model)), IsEmpty());
+}
+
 TEST(SetupWarnings, SharesOfBodiesAddUp)
 {
   Case c = free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.0});
