@@ -95,7 +95,7 @@ void Recorder::add_of_materials(const KeyInfo& key)
 {
   const std::string rest = key.path.substr(std::string_view("material.NAME.").size());
   for (std::size_t k = 0; k < values_.materials.size(); ++k)
-    add_key(key, join_path("material", values_.materials[k].name) + '.' + rest, k);
+    add_key(key, material_path(values_.materials[k]) + '.' + rest, k);
 }
 
 void Recorder::add_of_sides(const KeyInfo& key)
@@ -115,6 +115,8 @@ void Recorder::add_keys()
       add_list(key, "body", values_.bodies.size());
     else if (key.path.starts_with("mesh.refine[]"))
       add_list(key, "mesh.refine", values_.mesh.refine.size());
+    else if (key.path.starts_with("water.situation[]"))
+      add_list(key, "water.situation", values_.water.situations.size());
     else if (key.path.starts_with("footing[]"))
       add_list(key, "footing", values_.footings.size());
     else if (key.path.starts_with("material.NAME"))
@@ -126,7 +128,7 @@ void Recorder::add_keys()
   }
   for (std::size_t k = 0; k < values_.materials.size(); ++k)
     for (const KeyInfo& key : keys_of_law(*find_material(values_.materials[k].model)))
-      add_key(key, join_path(join_path("material", values_.materials[k].name), last_part(key.path)), k);
+      add_key(key, join_path(material_path(values_.materials[k]), last_part(key.path)), k);
 }
 
 void Recorder::add_outlines()

@@ -77,7 +77,8 @@ void check_bodies(const Node& root, const Case& values, Findings& findings)
 {
   Problems& problems = findings.problems;
   std::vector<std::string> names;
-  for (const MaterialCase& material : values.materials) names.push_back(material.name);
+  for (const MaterialCase& material : values.materials)
+    if (material.zone != Zone::above) names.push_back(material.called());
   const Node* list = find_item(root, "body");
   for (std::size_t k = 0; k < values.bodies.size(); ++k) {
     const std::string path = fmt::format("body[{}]", k), &name = values.bodies[k].material;
@@ -103,7 +104,7 @@ void check_parameters(const Case& values, Problems& problems)
   for (const MaterialCase& material : values.materials) {
     const MaterialType* law = complete_law(material);
     if (law == nullptr) continue;
-    const std::string path = join_path("material", material.name);
+    const std::string path = material_path(material);
     for (const ParameterProblem& problem : law->check(material.parameters))
       problems.push_back(
           {join_path(path, problem.parameter), problem.what, problem.detail, std::string(law->name), false, {path}});
@@ -114,11 +115,11 @@ void check_unused_materials(const Case& values, Problems& warnings)
 {
   for (const MaterialCase& material : values.materials) {
     const auto uses = [&](const BodyCase& body) {
-      return body.material.empty() || !body.points_file.empty() || body.material == material.name;
+      return body.material.empty() || !body.points_file.empty() || body.material == material.called();
     };
     if (std::ranges::none_of(values.bodies, uses))
-      warnings.push_back({join_path("material", material.name),
-          fmt::format("no body uses the material `{}`", material.name), "", "body.material", true});
+      warnings.push_back({material_path(material), fmt::format("no body uses the material `{}`", material.name), "",
+          "body.material", true});
   }
 }
 
@@ -172,6 +173,10 @@ void check_initial(const Node& root, const Case& values, Findings& findings)
           fmt::format("It counts with stress = \"{}\" only.", word), path, true});
   };
   warn_unless("k0", InitialStress::k0, "k0");
+  for (const MaterialCase& material : values.materials)
+    if (stress != InitialStress::k0 && !std::isnan(material.k0))
+      findings.warnings.push_back({join_path(material_path(material), "k0"), "`k0` has no effect",
+          "It counts with initial.stress = \"k0\" only.", "material.k0", true});
   for (const char* key : {"damping", "limit", "max_steps"}) warn_unless(key, InitialStress::equilibrium, "equilibrium");
   for (std::size_t k = 0; k < values.bodies.size() && stress == InitialStress::equilibrium; ++k)
     if (values.bodies[k].velocity != Vec<2>{0.0, 0.0} || values.bodies[k].velocity_at)
@@ -192,7 +197,7 @@ void check_hydrostatic(const Case& values, Problems& problems)
           fmt::format(
               "k0 = {}; a fluid needs k0 = 1. Start with stress = \"equilibrium\" where soil beside it needs another.",
               values.initial.k0),
-          "initial", false, {join_path("material", material.name)}});
+          "initial", false, {material_path(material)}});
   }
 }
 
@@ -247,6 +252,7 @@ void check_case(const Node& root, const Case& values, Findings& findings)
   check_method(root, values, findings.warnings);
   check_physics(root, values, findings.warnings);
   check_softening(root, values, findings);
+  check_water(root, values, findings);
   check_unused_materials(values, findings.warnings);
   check_fields(values, findings.warnings);
 }

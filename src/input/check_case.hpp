@@ -27,6 +27,10 @@ void check_method(const Node& root, const Case& values, std::vector<Problem>& wa
 /// Softening that cannot be, or does nothing. The values may be incomplete.
 void check_softening(const Node& root, const Case& values, Findings& findings);
 
+/// [water], and drainage of the materials: lines that contradict each other, soil that cannot be drained. The values
+/// may be incomplete.
+void check_water(const Node& root, const Case& values, Findings& findings);
+
 /// What can be computed but is hardly meant, and shows before a mesh is made: gravity, damping. The values may be
 /// incomplete.
 void check_physics(const Node& root, const Case& values, std::vector<Problem>& warnings);

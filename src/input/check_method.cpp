@@ -67,7 +67,7 @@ void check_locking(const Scheme& scheme, const Case& values, Problems& warnings)
     const Real K = soil->bulk_modulus(), G = soil->shear_modulus();
     const Real poisson = (3.0 * K - 2.0 * G) / (2.0 * (3.0 * K + G));
     if (!(poisson > locks) || G == 0.0) continue;
-    warnings.push_back({join_path("material", material.name),
+    warnings.push_back({material_path(material),
         fmt::format("`{}` locks: Poisson's ratio {:.3g} {}", material.name, poisson,
             has_b_bar ? "without B-bar" : fmt::format("with the scheme {}", scheme.name)),
         fmt::format("It answers far too stiffly, with pressures that jump from cell to cell. {}",

@@ -29,7 +29,7 @@ void check_lone_parameters(const MaterialCase& material, const MaterialType& law
     if (info.acts_with.empty() || is_default(info)) continue;
     const ParameterInfo& other = law.parameters[number_of(info.acts_with)];
     if (!is_default(other)) continue;
-    const std::string path = join_path("material", material.name);
+    const std::string path = material_path(material);
     const std::string is = other.fallback ? fmt::format("{:g}", *other.fallback) : std::string(other.fallback_of);
     const std::string detail =
         info.fallback
@@ -54,7 +54,7 @@ std::string laws_that_soften()
 /// What [material.NAME.softening] asks of a law, and of itself.
 void check_length(const Node& table, const MaterialCase& material, const MaterialType& law, Findings& findings)
 {
-  const std::string path = join_path(join_path("material", material.name), "softening");
+  const std::string path = join_path(material_path(material), "softening");
   const SofteningOptions& options = material.softening;
   const auto key = [&](const char* name) { return path + '.' + name; };
   if (law.nonlocal == nullptr) {
@@ -84,7 +84,7 @@ void check_length(const Node& table, const MaterialCase& material, const Materia
     const char* name = options.is_nonlocal() ? "length" : "reference_width";
     findings.warnings.push_back({key(name), fmt::format("`{}` has no effect: the soil does not soften", name),
         "Its rate of softening is 0, or its residual strength is the peak.", std::string(law.name), false,
-        {join_path("material", material.name)}});
+        {material_path(material)}});
   }
 }
 
@@ -96,7 +96,7 @@ void check_softening(const Node& root, const Case& values, Findings& findings)
     const MaterialType* law = find_material(material.model);
     if (law == nullptr) continue;
     check_lone_parameters(material, *law, findings.warnings);
-    const Node* table = find_node(root, join_path(join_path("material", material.name), "softening"));
+    const Node* table = find_node(root, join_path(material_path(material), "softening"));
     if (table != nullptr && table->kind == NodeKind::table) check_length(*table, material, *law, findings);
   }
 }

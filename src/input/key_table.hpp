@@ -9,5 +9,10 @@ namespace terp {
 std::vector<KeyInfo> key_table();
 /// Those of them that belong to a material.
 std::vector<KeyInfo> material_keys();
+/// Those of water (water_keys.cpp).
+std::vector<KeyInfo> water_keys();
+
+/// Gives the other situations of the water what they leave out: that of the start.
+void complete_situations(WaterCase& water);
 
 }  // namespace terp

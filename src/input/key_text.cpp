@@ -25,6 +25,7 @@ Case& prototype()
     c.sides.resize(1);
     c.mesh.refine.resize(1);
     c.footings.resize(1);
+    c.water.situations.resize(1);
     return c;
   }();
   return one;
@@ -85,8 +86,10 @@ std::string type_text(const KeyInfo& key)
       [](const VelocityPair&) { return "two numbers or formulas [x, y]"; },
       [](const NameList&) { return "a list of names"; },
       [](const NamedPlaces&) { return "a table { NAME = [x, y] }"; },
+      [](const OwnForm& form) { return form.type.c_str(); },
   };
-  return std::visit(type, key.field(prototype(), 0));
+  const Field field = key.field(prototype(), 0);
+  return std::visit(type, field);
 }
 
 std::string allowed_text(const KeyInfo& key)
@@ -110,7 +113,7 @@ std::string value_text(const KeyInfo& key, const Field& field)
     return index >= 0 && index < static_cast<int>(words.size()) ? quoted_list({words[index]}) : std::string();
   };
   const Overload text{
-      [](const Real* value) { return fmt::format("{}", *value); },
+      [](const Real* value) { return std::isnan(*value) ? std::string() : fmt::format("{}", *value); },
       [](const Index* value) { return fmt::format("{}", *value); },
       [](const bool* value) { return fmt::format("{}", *value); },
       [](const std::string* value) { return value->empty() ? *value : quoted_list({*value}); },
@@ -134,6 +137,7 @@ std::string value_text(const KeyInfo& key, const Field& field)
       [&](const NamedPlaces& kept) {
         return joined(*kept.places, [&](const auto& named) { return named.first + " = " + pair(named.second); });
       },
+      [](const OwnForm& form) { return form.text(); },
   };
   return std::visit(text, field);
 }

@@ -18,7 +18,8 @@ const std::vector<KeyInfo>& all_keys()
 {
   static const std::vector<KeyInfo> keys = [] {
     std::vector<KeyInfo> list = key_table();
-    for (KeyInfo& key : list) key.default_text = default_text(key);
+    for (KeyInfo& key : list)
+      if (key.default_text.empty()) key.default_text = default_text(key);
     return list;
   }();
   return keys;
@@ -33,6 +34,10 @@ const std::vector<SectionInfo>& all_sections()
       {"mesh.refine[]", "a place with smaller cells in a mesh from a polygon; as many as needed"},
       {"body[]", "one piece of soil, filled with material points; as many as needed", true},
       {"material.NAME", "a material with the name that bodies use", true},
+      {"material.NAME.below",
+          "what the soil is below the phreatic line at t = 0: model, its parameters and any other key of the material, "
+          "in place of those beside it; needs [material.NAME.above] too"},
+      {"material.NAME.above", "the same above the phreatic line"},
       {"material.NAME.softening",
           "softening over a distance instead of in each point, so that a slip surface takes the same energy on any "
           "mesh; "
@@ -40,6 +45,9 @@ const std::vector<SectionInfo>& all_sections()
       {"forces", "gravity and damping"},
       {"forces.damping", "damping of the nodal motion"},
       {"initial", "the stress before t = 0"},
+      {"water", "pore pressure in the soil, and the load of free water on it (docs/water.md)"},
+      {"water.situation[]",
+          "water at another time, or under a name; keys that are left out are those of [water]; as many as needed"},
       {"boundary", "the sides of the mesh; a side that is not named is free"},
       {"footing[]",
           "a rigid block that is pushed into the soil, its reaction measured (footings.csv); as many as needed, at "
@@ -99,6 +107,8 @@ std::string unit_at(std::string_view path)
   const auto names_of = [](std::string_view text) {
     auto parts = split_path(text);
     std::erase_if(parts, [](const std::string& part) { return part.starts_with('['); });
+    if (parts.size() > 3 && parts[0] == "material" && (parts[2] == "below" || parts[2] == "above"))
+      parts.erase(parts.begin() + 2);  // the keys of a part are those of a material
     return parts;
   };
   const auto asked = names_of(path);
@@ -114,6 +124,12 @@ std::string unit_at(std::string_view path)
   for (const MaterialType* law : all_materials())
     for (const KeyInfo& key : keys_of_law(*law)) look_at(key);
   return unit;
+}
+
+std::string material_path(const MaterialCase& material)
+{
+  const std::string path = join_path("material", material.called());
+  return material.zone == Zone::all ? path : path + (material.zone == Zone::below ? ".below" : ".above");
 }
 
 const KeyInfo* find_key(std::string_view path)

@@ -55,9 +55,18 @@ struct NamedPlaces {
   std::vector<std::pair<std::string, Vec<2>>>* places;
 };
 
+struct Entry;
+struct Findings;
+/// A value with a form of its own.
+struct OwnForm {
+  std::string type;                                   ///< what it is, in words
+  std::function<bool(const Entry&, Findings&)> read;  ///< false, with a problem added, if it is not allowed
+  std::function<std::string()> text;                  ///< how it reads back; empty: not given
+};
+
 /// Where a key is kept. Its type is the key's type.
 using Field = std::variant<Real*, Index*, bool*, std::string*, Vec<2>*, WordField, NumberOrPair, CountOrPair, Box,
-    BoxCorners, PolygonField, PolygonList, Polyline, EdgesList, VelocityPair, NameList, NamedPlaces>;
+    BoxCorners, PolygonField, PolygonList, Polyline, EdgesList, VelocityPair, NameList, NamedPlaces, OwnForm>;
 
 struct KeyInfo {
   std::string path;  ///< "time.end", "body[].box", "material.NAME.density", "boundary.SIDE.contact"
@@ -86,6 +95,9 @@ std::vector<KeyInfo> keys_of_law(const MaterialType& law);  ///< as "material.NA
 std::vector<std::string> output_field_names();              ///< that output.fields.names may hold
 std::vector<std::string> material_model_names();
 const std::vector<std::string>& side_names();  ///< of the built-in rectangle
+
+/// "material.clay"; of the two parts of a soil "material.clay.below".
+std::string material_path(const MaterialCase& material);
 
 const KeyInfo* find_key(std::string_view path);
 const SectionInfo* find_section(std::string_view path);

@@ -3,6 +3,17 @@
 #include "input/key_table.hpp"
 
 namespace terp {
+namespace {
+
+// In the order of the enum.
+std::vector<std::string> drainage_words() { return {"by_law", "drained", "undrained"}; }
+
+WordField drainage_field(Drainage& value)
+{
+  return {[&value] { return static_cast<int>(value); }, [&value](int word) { value = static_cast<Drainage>(word); }};
+}
+
+}  // namespace
 
 std::vector<KeyInfo> material_keys()
 {
@@ -19,7 +30,19 @@ std::vector<KeyInfo> material_keys()
           .usual = {500.0, 5000.0},
           .required = true,
           .meaning = "mass per volume of the soil with its water (reading R16); a unit weight, as \"19.5 kN/m3\", is "
-                     "divided by 9.81 m/s^2, whatever the gravity of the case"},
+                     "divided by 9.81 m/s^2, whatever the gravity of the case. A table { below = N, above = N }: below "
+                     "the phreatic line at t = 0, and above it"},
+      {.path = "material.NAME.drainage",
+          .field = [](Case& c, std::size_t i) { return drainage_field(c.materials[i].drainage); },
+          .words = drainage_words,
+          .meaning =
+              "what the soil stores where there is water: drained soil effective stress, undrained soil total stress. "
+              "by_law: undrained for tresca_softening and newtonian_fluid, drained for all others"},
+      {.path = "material.NAME.k0",
+          .field = [](Case& c, std::size_t i) { return &c.materials[i].k0; },
+          .range = between(0.0, 10.0),
+          .meaning = "horizontal over vertical effective stress of this material, for initial.stress = \"k0\"",
+          .default_text = "the value of initial.k0"},
       {.path = "material.NAME.softening.length",
           .field = [](Case& c, std::size_t i) { return &c.materials[i].softening.length; },
           .unit = "m",

@@ -2,6 +2,7 @@
 
 #include "base/closest.hpp"
 #include "input/key_text.hpp"
+#include "input/key_table.hpp"
 #include "input/mesh_kinds.hpp"
 #include "input/side_kinds.hpp"
 
@@ -21,6 +22,15 @@ struct Section {
   std::size_t number;   ///< of the body, refinement, material or side in the case
   std::vector<KeyInfo> law_keys = {};
   std::string law = "";
+  const Node* part = nullptr;  ///< a table inside it whose keys stand with the others here: `below` of a material
+  std::string part_path = "";
+
+  /// Path of an item in this file.
+  std::string path_of(const Node& item) const
+  {
+    const bool in_part = part != nullptr && find_item(*part, item.name) != nullptr;
+    return join_path(in_part ? part_path : path, item.name);
+  }
 };
 
 class CaseReader {
@@ -33,6 +43,9 @@ class CaseReader {
   void read_list(const Node& list, const std::string& path, const SectionInfo& info);
   void read_materials(const Node& table);
   void read_material(const Node& table, const std::string& path);
+  void read_parts(const Node& table, const std::string& path);
+  void read_part(const Node& table, Zone zone, const std::string& path);
+  void read_law(const Node& table, Section section, MaterialCase& material);
   void read_sides(const Node& table);
   void read_side(const Node& node, const std::string& path);
   void report_unknown(const Section& section, const Node& item, std::vector<std::string>& meant);
@@ -71,12 +84,22 @@ std::string title_of(const Section& section)
   return header_of(section.pattern.ends_with("[]") ? section.pattern : section.path);
 }
 
+/// True if the soil is another one below the phreatic line than above.
+bool has_parts(const Node& material)
+{
+  const Node* density = find_item(material, "density");
+  return find_item(material, "below") != nullptr || find_item(material, "above") != nullptr ||
+         (density != nullptr && density->kind == NodeKind::table);
+}
+
 void add_entry(const std::string& pattern, Case& values)
 {
   if (pattern == "body[]")
     values.bodies.emplace_back();
   else if (pattern == "footing[]")
     values.footings.emplace_back();
+  else if (pattern == "water.situation[]")
+    values.water.situations.emplace_back();
   else
     values.mesh.refine.emplace_back();
 }
@@ -93,7 +116,7 @@ void CaseReader::read_section(const Section& section)
 {
   std::vector<std::string> meant;
   for (const Node& item : section.table.items) {
-    const std::string path = join_path(section.path, item.name);
+    const std::string path = section.path_of(item);
     const std::string pattern = section.pattern.empty() ? item.name : section.pattern + '.' + item.name;
     const bool is_name = item.name.find_first_of(".[") == std::string::npos;  // no quoted "time.end" at the root
     if (!is_name) {
@@ -140,25 +163,89 @@ void CaseReader::read_materials(const Node& table)
   if (!is_table(table, "material", "[material.NAME]")) return;
   for (const Node& item : table.items) {
     const std::string path = join_path("material", item.name);
-    if (is_table(item, path, fmt::format("[{}]", path))) read_material(item, path);
+    if (!is_table(item, path, fmt::format("[{}]", path))) continue;
+    if (has_parts(item))
+      read_parts(item, path);
+    else
+      read_material(item, path);
   }
 }
 
 void CaseReader::read_material(const Node& table, const std::string& path)
 {
-  const Node* model = find_item(table, "model");
-  const MaterialType* law = model != nullptr ? find_material(model->text) : nullptr;
   MaterialCase& material = values_.materials.emplace_back();
   material.name = table.name;
-  const std::size_t number = values_.materials.size() - 1;
+  read_law(table, {table, path, "material.NAME", values_.materials.size() - 1}, material);
+}
+
+/// table: of the section, which may be a copy that is gone later.
+void CaseReader::read_law(const Node& table, Section section, MaterialCase& material)
+{
+  const Node* model = find_item(table, "model");
+  const MaterialType* law = model != nullptr ? find_material(model->text) : nullptr;
   if (law == nullptr) {  // then the law's keys cannot be told from unknown ones: only the common ones are read
     Node common = table;
     std::erase_if(common.items, [](const Node& item) { return item.name != "model" && item.name != "density"; });
-    return read_section({common, path, "material.NAME", number});
+    return read_section(
+        {common, section.path, section.pattern, section.number, {}, "", section.part, section.part_path});
   }
   material.parameters.assign(law->parameters.size(), std::numeric_limits<Real>::quiet_NaN());
-  read_section({table, path, "material.NAME", number, keys_of_law(*law), std::string(law->name)});
+  section.law_keys = keys_of_law(*law);
+  section.law = std::string(law->name);
+  read_section(section);
   material.parameters = law->complete(material.parameters);
+}
+
+/// Soil that is one material below the phreatic line and another above: two materials of the case.
+void CaseReader::read_parts(const Node& table, const std::string& path)
+{
+  bool good = true;
+  for (const std::string& of : {std::string(), std::string("density")}) {
+    const Node* holder = of.empty() ? &table : find_item(table, of);
+    if (holder == nullptr || holder->kind != NodeKind::table) continue;
+    const Node *below = find_item(*holder, "below"), *above = find_item(*holder, "above");
+    if ((below == nullptr) == (above == nullptr) && (of.empty() || below != nullptr)) continue;
+    report({of.empty() ? path : join_path(path, of), "`below` and `above` belong together",
+        "Give both: what the soil is below the phreatic line, and above it.", "material", true});
+    good = false;
+  }
+  for (const char* name : {"below", "above"})
+    if (const Node* part = find_item(table, name); part != nullptr && !is_table(*part, join_path(path, name), name))
+      good = false;
+  if (!good) return;
+  const std::size_t before = findings_.problems.size();
+  read_part(table, Zone::below, path);
+  const std::size_t first = findings_.problems.size();
+  read_part(table, Zone::above, path);
+  std::vector<Problem>& problems = findings_.problems;  // of keys that both parts share: once
+  for (std::size_t k = problems.size(); k-- > first;)
+    for (std::size_t other = before; other < first; ++other)
+      if (problems[k].key == problems[other].key && problems[k].what == problems[other].what) {
+        problems.erase(problems.begin() + static_cast<std::ptrdiff_t>(k));
+        break;
+      }
+}
+
+void CaseReader::read_part(const Node& table, Zone zone, const std::string& path)
+{
+  const std::string name = zone == Zone::below ? "below" : "above";
+  const Node* part = find_item(table, name);
+  Node joined = table;
+  std::erase_if(joined.items, [&](const Node& item) {
+    return item.name == "below" || item.name == "above" || (part != nullptr && find_item(*part, item.name) != nullptr);
+  });
+  for (Node& item : joined.items)
+    if (item.name == "density" && item.kind == NodeKind::table) {
+      item = Node(*find_item(item, name));
+      item.name = "density";
+    }
+  if (part != nullptr) joined.items.insert(joined.items.end(), part->items.begin(), part->items.end());
+  MaterialCase& material = values_.materials.emplace_back();
+  material.name = table.name + ' ' + name;
+  material.soil = table.name;
+  material.zone = zone;
+  read_law(joined, {joined, path, "material.NAME", values_.materials.size() - 1, {}, "", part, join_path(path, name)},
+      material);
 }
 
 void CaseReader::read_sides(const Node& table)
@@ -224,7 +311,7 @@ void CaseReader::report_unknown(const Section& section, const Node& item, std::v
   std::string detail = nearest.empty() ? hint_elsewhere(item.name) : fmt::format("Did you mean `{}`?\n", nearest);
   detail += names.empty() ? "No side of this mesh has a name. Name them as in edges = { base = [0] } in [mesh]."
                           : fmt::format("Keys of {}: {}", title_of(section), plain_list(names));
-  report({join_path(section.path, item.name), fmt::format("unknown key `{}`", item.name), detail,
+  report({section.path_of(item), fmt::format("unknown key `{}`", item.name), detail,
       section.law.empty() ? topic_of(section.pattern) : section.law, true});
 }
 
@@ -258,6 +345,7 @@ void read_values(const Node& root, Case& values, Findings& findings)
   const Node* mesh = find_item(root, "mesh");
   if (mesh != nullptr) values.mesh.kind = mesh_kind_of(*mesh).kind;
   CaseReader(root, values, findings).read_section({root, "", "", 0});
+  complete_situations(values.water);
 }
 
 }  // namespace terp

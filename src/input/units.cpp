@@ -63,6 +63,8 @@ constexpr Unit table[] = {
     {"Pa s", "Pa s"},
     {"mPa s", "Pa s", -3},
     {"%", "-", -2},
+    {"kN/m3", "N/m^3", 3},  // of water; the same of soil is above
+    {"N/m3", "N/m^3"},
 };
 
 /// What else people write for the letters of the table.
@@ -78,11 +80,14 @@ std::string as_in_table(std::string_view name)
   return text;
 }
 
-const Unit* find_unit(std::string_view name)
+/// of_key: of several kinds of key that take a unit of that name the one that is asked for, or else the first.
+const Unit* find_unit(std::string_view name, std::string_view of_key = "")
 {
   const std::string known = as_in_table(name);
-  const auto found = std::ranges::find(table, std::string_view(known), &Unit::name);
-  return found == std::end(table) ? nullptr : found;
+  const Unit* first = nullptr;
+  for (const Unit& unit : table)
+    if (unit.name == known && (unit.of_key == of_key || first == nullptr)) first = &unit;
+  return first;
 }
 
 std::string_view trimmed(std::string_view text)
@@ -140,7 +145,8 @@ std::optional<Real> number_of(const Node& node, std::string_view unit_of_key)
   if (node.kind == NodeKind::integer) return static_cast<Real>(node.integer);
   if (node.kind == NodeKind::number) return node.number;
   if (node.kind != NodeKind::text) return std::nullopt;
-  const auto quantity = parse_quantity(node.text);
+  auto quantity = parse_quantity(node.text);
+  if (quantity) quantity->unit = find_unit(quantity->name, unit_of_key);
   if (!quantity || quantity->unit == nullptr || quantity->unit->of_key != unit_of_key) return std::nullopt;
   return quantity->value();
 }

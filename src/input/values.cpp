@@ -97,12 +97,13 @@ class ValueReader {
   bool operator()(const VelocityPair& field);
   bool operator()(const NameList& field);
   bool operator()(const NamedPlaces& field);
+  bool operator()(const OwnForm& field) { return field.read(entry_, findings_); }
+  bool read_places(const Node& list, const std::string& path, std::vector<Vec<2>>& places);
 
  private:
   bool read_number(const Node& node, const std::string& path, Real& value);
   bool read_count(const Node& node, const std::string& path, Index& value);
   bool read_pair(const Node& node, const std::string& path, Vec<2>& value);
-  bool read_places(const Node& list, const std::string& path, std::vector<Vec<2>>& places);
   bool read_box(Vec<2>& low, Vec<2>& high);
   bool read_polygon(const Node& list, const std::string& path, bool keeps_order, std::vector<Vec<2>>& polygon);
   bool read_word(const Node& node, const std::string& path);
@@ -402,6 +403,12 @@ bool ValueReader::operator()(const NamedPlaces& field)
 bool store_value(const Entry& entry, const Field& field, Findings& findings)
 {
   return std::visit(ValueReader(entry, findings), field);
+}
+
+bool read_places(
+    const Entry& entry, const Node& list, const std::string& path, Findings& findings, std::vector<Vec<2>>& places)
+{
+  return ValueReader(entry, findings).read_places(list, path, places);
 }
 
 std::string describe_value(const Node& node)

@@ -26,6 +26,10 @@ struct Entry {
 /// Stores the value in the field. False, with a problem added, if it is not allowed.
 bool store_value(const Entry& entry, const Field& field, Findings& findings);
 
+/// Reads a list of places [[x, y], ...] somewhere in the value of an entry. False, with a problem added, if it is none.
+bool read_places(
+    const Entry& entry, const Node& list, const std::string& path, Findings& findings, std::vector<Vec<2>>& places);
+
 /// "the text "four"", "the number 4", "a list of 3".
 std::string describe_value(const Node& node);
 

@@ -26,9 +26,9 @@ namespace terp {
 ///
 /// It may have: derived_value(k, state); check(); softened_strain(), the plastic strain at which 95 % of the softening
 /// is done, of the slowest if it has several, infinite where nothing softens; viscosity(), of a stress that grows with
-/// the rate without bound: it shortens the time step; `depends_on_rate = true` where the update looks at dt, be it
-/// viscosity or a strength that the rate raises; `not_judged`, a reason why `terp stability` would give a number that
-/// is none.
+/// the rate without bound: it shortens the time step; `total_stress = true` of an undrained strength or a fluid;
+/// `depends_on_rate = true` where the update looks at dt, be it viscosity or a strength that the rate raises;
+/// `not_judged`, a reason why `terp stability` would give a number that is none.
 ///
 /// A law that softens also has template <class R> Law<R> softened_at(R k) const, the same law with the strengths that
 /// it has at the plastic strain k, which they then keep. With that it has a nonlocal form (nonlocal.hpp).
@@ -179,6 +179,13 @@ constexpr bool law_depends_on_rate()
 }
 
 template <class Law>
+constexpr bool law_has_total_stress()
+{
+  if constexpr (requires { Law::total_stress; }) return Law::total_stress;
+  return false;
+}
+
+template <class Law>
 constexpr std::string_view reason_not_to_judge()
 {
   if constexpr (requires { Law::not_judged; }) return Law::not_judged;
@@ -223,6 +230,7 @@ constexpr MaterialType describe_law(std::string_view name, std::string_view summ
   type.parameters = Law::parameters;
   type.state = Law::state;
   type.derived = Law::derived;
+  type.total_stress = law_has_total_stress<Law>();
   type.depends_on_rate = law_depends_on_rate<Law>();
   type.not_judged = reason_not_to_judge<Law>();
   return type;

@@ -96,6 +96,10 @@ struct LawRows {
   RowView state, parameters;
 };
 
+/// What soil stores where there is water: drained soil effective stress, undrained soil total stress. by_law: total
+/// stress where the law knows no other (MaterialType::total_stress), else effective.
+enum class Drainage { by_law, drained, undrained };
+
 /// The arrays of one call of Material::update, each of n entries, n a multiple of pack_width.
 template <int Dim>
 struct StressArrays {
@@ -178,6 +182,7 @@ struct MaterialType {
   std::span<const ParameterInfo> parameters;
   std::span<const StateInfo> state;
   std::span<const DerivedInfo> derived;
+  bool total_stress;            ///< its strength is one of total stress, or it is a fluid: never drained
   bool depends_on_rate;         ///< the stress at the end of a step depends on its length
   std::string_view not_judged;  ///< why `terp stability` may not judge soil of this law; empty: it may
   /// values: one per entry of `parameters`, in that order, each in its range.

@@ -49,6 +49,7 @@ struct NewtonianFluid {
       StateInfo{"opening", "-", Averaging::cell, "volume strain by which the fluid has torn open"},
   };
   static constexpr std::array<DerivedInfo, 0> derived{};
+  static constexpr bool total_stress = true;
   static constexpr bool depends_on_rate = true;
   static constexpr std::string_view not_judged =
       "a fluid has no strength: it flows under any shear stress, however small, and no factor makes it stand";

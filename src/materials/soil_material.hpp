@@ -14,6 +14,7 @@ struct SoilMaterial {
   Real density = 0.0;     ///< rho at t = 0 [kg/m^3]
   std::vector<int> rows;  ///< of the points: state variables, then parameters that vary, each in the order of the table
   SofteningOptions softening = {};
+  bool drained = false;                    ///< stores effective stress where there is water
   std::vector<Real> softening_scale = {};  ///< h/t_ref by cell, shape [n_cells]; empty: 1
   int increment_row = -1;  ///< of the points: what they softened in this step; -1: by themselves, or not at all
 

@@ -121,6 +121,7 @@ struct TrescaSoftening {
   static constexpr std::array derived{
       DerivedInfo{"su", "Pa", "current undrained shear strength, Eq. (5), at slow rates", Role::strength},
   };
+  static constexpr bool total_stress = true;
   static constexpr bool depends_on_rate = true;
 
   explicit TrescaSoftening(std::span<const P> v)

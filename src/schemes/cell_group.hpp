@@ -31,9 +31,10 @@ struct CellGroup {
       {};                  ///< shape [n_materials, n_bodies, n_groups, n_gauss_rows]; of schemes whose law runs there
   Index n_gauss_rows = 0;  ///< the most that any law adds to the points
   Index number = 0, n_groups = 1;
-  Index next_cell = -1;            ///< first cell of the next group, -1: none
-  bool prefetch_points = false;    ///< the points are more than the caches hold
-  PatchValues* patches = nullptr;  ///< of shares that overlap (patch_group.hpp)
+  Index next_cell = -1;                                ///< first cell of the next group, -1: none
+  bool prefetch_points = false;                        ///< the points are more than the caches hold
+  PatchValues* patches = nullptr;                      ///< of shares that overlap (patch_group.hpp)
+  std::span<CornerVectors<Element>> water_force = {};  ///< on the corners [N per m], shape [n]; empty: no water
 
   int n() const { return static_cast<int>(cells.size()); }
   CellView<Element> cell(int c) const { return {cells[c], mesh.geometry(cells[c]), points, corners[c]}; }
@@ -157,6 +158,36 @@ inline void add_internal_force(const CellGroup<Element>& group, const GeometryLa
   }
 }
 
+/// Adds the force of the water on the soil of a layer, with the weights of its internal force.
+template <class Element>
+inline void add_water_force(const SchemeContext& context, const CellGroup<Element>& group,
+    const GeometryLanes<Element>& geometry, const BlockLayer& layer, const PerGauss<Element, Pack>& weight)
+{
+  constexpr int dim = Element::dim;
+  std::array<CornerPore<Element>, pack_width> at{};
+  bool any = false;
+  for (int c = 0; c < group.n(); ++c) {
+    if (layer.block[c] < 0) continue;
+    at[c] = pore_at_corners<Element>(
+        *context.pore, group.mesh.cells[group.cells[c]], context.materials[layer.material].drained);
+    for (int i = 0; i < Element::n_corners; ++i) any |= at[c].pressure[i] != 0.0 || at[c].inside[i] != 0.0;
+  }
+  if (!any) return;
+  CornerPore<Element, Pack> pore;
+  pore.pressure = to_lanes([&](int c) { return at[c].pressure.data(); });
+  pore.inside = to_lanes([&](int c) { return at[c].inside.data(); });
+  CornerVectors<Element, Pack> sums;
+  for (auto& direction : sums) direction.fill(Pack(0.0));
+  add_pore_force(geometry, weight, pore, sums);
+  std::array<CornerVectors<Element>, pack_width> force;
+  for (int d = 0; d < dim; ++d) from_lanes(sums[d], [&](int c) { return force[c][d].data(); });
+  for (int c = 0; c < group.n(); ++c) {
+    if (layer.block[c] < 0) continue;
+    for (int d = 0; d < dim; ++d)
+      for (int i = 0; i < Element::n_corners; ++i) group.water_force[c][d][i] += force[c][d][i];
+  }
+}
+
 /// Gauss values, weights, smooth pressure and internal force of the cells of a group for the schemes that integrate at
 /// Gauss points. gauss_of(layer): where those of a layer are; sum(layer, gauss): their sums; finish(layer, gauss):
 /// what the scheme does before the force.
@@ -178,6 +209,7 @@ void gather_at_gauss_points(
     smooth_pressure(gauss);                                     // Eqs. (2), (3)
     finish(layer, gauss);
     add_internal_force(group, geometry, layer, gauss, context.method.force_operator);  // Eq. (4)
+    if (context.pore != nullptr) add_water_force(context, group, geometry, layer, gauss.weight);
   });
 }
 

@@ -3,7 +3,7 @@
 
 #include "base/tensor.hpp"
 #include "forces/internal_force.hpp"
-#include "forces/point_gradients.hpp"
+#include "forces/pore_pressure.hpp"
 #include "materials/soil_material.hpp"
 #include "transfer/gauss_average.hpp"
 
@@ -16,8 +16,9 @@ namespace terp {
 struct SchemeContext {
   const MethodOptions& method;
   const std::vector<SoilMaterial>& materials;
-  Real dt = 0.0;            ///< length of the step [s]
-  int inverse_extent = -1;  ///< row of the points, with shares that overlap
+  Real dt = 0.0;                       ///< length of the step [s]
+  int inverse_extent = -1;             ///< row of the points, with shares that overlap
+  const PorePressure* pore = nullptr;  ///< on the nodes; nullptr: no water
 };
 
 /// One occupied cell.
@@ -28,6 +29,19 @@ struct CellView {
   PointBlocks<Element::dim>& points;
   CornerSums<Element>& corners;
 };
+
+/// The water at the corners of a cell, for soil of one material.
+template <class Element>
+CornerPore<Element> pore_at_corners(
+    const PorePressure& pore, const std::array<Index, Element::n_corners>& corners, bool drained)
+{
+  CornerPore<Element> at;
+  for (int i = 0; i < Element::n_corners; ++i) {
+    at.pressure[i] = pore.pressure[corners[i]];
+    at.inside[i] = !drained ? at.pressure[i] : pore.suction.empty() ? 0.0 : pore.suction[corners[i]];
+  }
+  return at;
+}
 
 /// What the stress pass adds up for the ledger.
 struct StressSums {

@@ -8,11 +8,17 @@ template <class Element>
 struct StandardMpm {
   static constexpr int dim = Element::dim;
 
-  static void gather(const SchemeContext&, const CellGroup<Element>& group)
+  static void gather(const SchemeContext& context, const CellGroup<Element>& group)
   {
     for (int c = 0; c < group.n(); ++c)
       for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index) {
-        add_internal_force_of_points(group.mesh.geometry(group.cells[c]), block, group.corners[c]);
+        const CellGeometry<Element>& geometry = group.mesh.geometry(group.cells[c]);
+        add_internal_force_of_points(geometry, block, group.corners[c]);
+        if (context.pore != nullptr)
+          add_pore_force_of_points(geometry, block,
+              pore_at_corners<Element>(
+                  *context.pore, group.mesh.cells[group.cells[c]], context.materials[block.material].drained),
+              group.water_force[c]);
       });
   }
 

@@ -6,6 +6,7 @@
 #include "boundary/side_kind.hpp"
 #include "materials/material.hpp"
 #include "transfer/method_options.hpp"
+#include "water/water_case.hpp"
 
 #include <functional>
 #include <optional>
@@ -75,14 +76,30 @@ struct ParameterField {
   std::function<Real(Vec<2>)> value_at;
 };
 
+/// Which part of a soil a material is, by the phreatic line at t = 0.
+enum class Zone { all, below, above };
+
 struct MaterialCase {
-  std::string name;              ///< the user's: "clay"
+  std::string name;              ///< the user's: "clay"; of the two parts of a soil "clay below", "clay above"
   std::string model;             ///< the law's: "tresca_softening"
   Real density = 0.0;            ///< [kg/m^3]
   std::vector<Real> parameters;  ///< in the order of the law's table; of one that varies a value that it may have
   std::vector<ParameterField> fields = {};  ///< ascending; those that the law lets vary
   SofteningOptions softening = {};
+  Drainage drainage = Drainage::by_law;
+  Real k0 = std::numeric_limits<Real>::quiet_NaN();  ///< instead of initial.k0 [-]; NaN: that
+  std::string soil = {};                             ///< of one of two parts: the name that bodies use; else empty
+  Zone zone = Zone::all;
 
+  /// The name that bodies use.
+  const std::string& called() const { return soil.empty() ? name : soil; }
+  /// True if it stores effective stress where there is water.
+  bool is_drained() const
+  {
+    if (drainage != Drainage::by_law) return drainage == Drainage::drained;
+    const MaterialType* law = find_material(model);
+    return law != nullptr && !law->total_stress;
+  }
   /// Its law in the form that the options of softening ask for; nullptr if there is none of that name.
   const MaterialType* type() const { return find_material(model, softening); }
 };
@@ -159,6 +176,7 @@ struct Case {
   std::vector<MaterialCase> materials;
   ForcesCase forces;
   InitialCase initial;
+  WaterCase water;
   std::vector<SideCondition> sides;
   std::vector<FootingCase> footings;
   MethodOptions method;

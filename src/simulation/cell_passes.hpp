@@ -19,8 +19,10 @@ inline CellGroup<Quad4> view_group(const Model& model, State& state, Workspace& 
   const Index n = end - first, n_groups = Threads::n_chunks(static_cast<Index>(occupied.size()), pack_width);
   const bool in_cache = state.points.n_points() * state.points.n_rows() * std::int64_t{sizeof(Real)} < prefetch_from;
   const Index next_cell = static_cast<std::size_t>(end) < occupied.size() ? occupied[end] : -1;
+  const std::span<CornerVectors<Quad4>> water = work.water_corners;
   return {occupied.subspan(first, n), *model.mesh, state.points, corners.subspan(first, n), work.pressure, work.gauss,
-      work.gauss_rows, work.n_gauss_rows, first / pack_width, n_groups, next_cell, !in_cache, &work.patches};
+      work.gauss_rows, work.n_gauss_rows, first / pack_width, n_groups, next_cell, !in_cache, &work.patches,
+      water.empty() ? water : water.subspan(first, n)};
 }
 
 /// Values of the cell's corners; part: &NodeValues::v or &NodeValues::dv; times `factor`.
@@ -45,12 +47,13 @@ inline GroupVectors<Quad4> displacements(
   return du;
 }
 
-/// m_i and (m v)_i of the points of cell c; clears the internal force.
+/// m_i and (m v)_i of the points of cell c; clears the forces.
 inline void map_mass_and_momentum(const CellGroup<Quad4>& group, int c)
 {
   prefetch_next(group, c, PointRows<2>::xi, PointRows<2>::strain);
   const CellView<Quad4> view = group.cell(c);
   view.corners = {};
+  if (!group.water_force.empty()) group.water_force[c] = {};
   for_each_block(
       view.points, view.cell, [&](const PointBlock<2>& block, Index) { map_mass_and_momentum(block, view.corners); });
 }

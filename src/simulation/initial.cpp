@@ -1,8 +1,8 @@
 #include "simulation/initial.hpp"
 
 #include "simulation/ledger.hpp"
+#include "simulation/overburden.hpp"
 #include "simulation/run.hpp"
-#include "simulation/setup_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,50 +10,6 @@
 
 namespace terp {
 namespace {
-
-/// The outline of a body as loose sides, and its density.
-struct DrawnBody {
-  std::vector<Side> sides;
-  Real density;  ///< [kg/m^3]
-};
-
-std::vector<DrawnBody> draw_bodies(const Model& model)
-{
-  std::vector<DrawnBody> drawn;
-  const std::vector<BodyOutline> outlines = outlines_of(model);
-  std::size_t k = 0;
-  for (const BodyCase& body : model.description.bodies)
-    if (body.points_file.empty())
-      drawn.push_back(
-          {outline_sides(*model.mesh, outlines[k++]), model.materials[material_number(model, body.material)].density});
-  return drawn;
-}
-
-/// Where the vertical line through a place enters or leaves a body above it.
-struct Crossing {
-  Real y;  ///< [m]
-  std::size_t body;
-};
-
-/// Mass per area of the soil above a place [kg/m^2]. Where bodies overlap, the last one is there.
-Real mass_above(const std::vector<DrawnBody>& drawn, Vec<2> x)
-{
-  std::vector<Crossing> above;
-  for (std::size_t b = 0; b < drawn.size(); ++b)
-    for (const Real y : crossings_of_vertical(drawn[b].sides, x[0]))
-      if (y > x[1]) above.push_back({y, b});
-  std::ranges::sort(above, [](const Crossing& a, const Crossing& b) { return a.y > b.y; });
-  std::vector<char> is_there(drawn.size(), 0);  // going down
-  Real mass = 0.0;
-  for (std::size_t k = 0; k < above.size(); ++k) {
-    is_there[above[k].body] ^= 1;
-    const auto top = std::find(is_there.rbegin(), is_there.rend(), 1);
-    if (top == is_there.rend()) continue;
-    const Real below = k + 1 < above.size() ? above[k + 1].y : x[1];
-    mass += (above[k].y - below) * drawn[static_cast<std::size_t>(is_there.rend() - top) - 1].density;
-  }
-  return mass;
-}
 
 /// Velocity, strain and history to zero; positions stay and become the initial ones.
 void reset_history(const RowTable& table, State& state)
@@ -130,15 +86,21 @@ std::string describe_no_equilibrium(const InitialCase& initial, Real ratio)
 void set_initial_stress(const Model& model, State& state)
 {
   using Rows = PointRows<2>;
-  if (model.description.initial.stress != InitialStress::k0) return;
-  const Real k0 = model.description.initial.k0;
-  const std::vector<DrawnBody> drawn = draw_bodies(model);
+  const Case& c = model.description;
+  if (c.initial.stress != InitialStress::k0) return;
+  const Overburden overburden(model);
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
-    const Real vertical =
-        model.gravity[1] * mass_above(drawn, {block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]});
-    block.row(Rows::sigma)[lane] = k0 * vertical;
-    block.row(Rows::sigma + 1)[lane] = vertical;
-    block.row(Rows::sigma + 2)[lane] = k0 * vertical;
+    const Vec<2> x{block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]};
+    const MaterialCase& material = c.materials[block.material];
+    const Real k0 = std::isnan(material.k0) ? c.initial.k0 : material.k0;
+    Real vertical = model.gravity[1] * overburden.mass_above(x), stored = 0.0;
+    if (model.water) {
+      vertical = -overburden.effective(x, c.water.start);
+      stored = material.is_drained() ? 0.0 : overburden.pore_pressure(x, c.water.start);
+    }
+    block.row(Rows::sigma)[lane] = k0 * vertical - stored;
+    block.row(Rows::sigma + 1)[lane] = vertical - stored;
+    block.row(Rows::sigma + 2)[lane] = k0 * vertical - stored;
   });
 }
 

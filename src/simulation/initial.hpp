@@ -10,7 +10,8 @@
 
 namespace terp {
 
-/// InitialStress::k0: sigma_yy = weight of the soil above, sigma_xx = sigma_zz = k0 sigma_yy. None: zero.
+/// InitialStress::k0: effective sigma_yy = weight of soil and free water above less p_w, effective sigma_xx = sigma_zz
+/// = k0 sigma_yy; undrained soil stores them less p_w. None: zero.
 void set_initial_stress(const Model& model, State& state);
 
 /// How the search for equilibrium ended; neither: it was stopped and goes on later.

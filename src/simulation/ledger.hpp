@@ -22,7 +22,8 @@ Real energy_exchanged(const State& state);
 /// The part of the works in it [J per m].
 inline Real energy_exchanged(const WorkTotals& w)
 {
-  return std::max(w.exchanged, std::abs(w.gravity) + std::abs(w.damping) + std::abs(w.boundary) + w.plastic);
+  return std::max(
+      w.exchanged, std::abs(w.gravity) + std::abs(w.damping) + std::abs(w.boundary) + std::abs(w.water) + w.plastic);
 }
 
 /// ledger.csv: the balance, and the columns of these followers.

@@ -25,6 +25,7 @@ struct BodyShare {
 struct Model;
 struct State;
 struct Workspace;
+class NodalWater;
 
 /// One step (step.hpp).
 using StepFunction = void (*)(const Model&, State&, Workspace&);
@@ -43,12 +44,13 @@ struct Model {
   StepFunction step = nullptr;  ///< of the same copy of the kernels as the laws and the scheme
   Real dt = 0.0;                ///< [s]; end time over a whole number of steps
   std::int64_t n_steps = 0;
-  Real largest_density = 0.0;             ///< [kg/m^3], for the small-mass limit
-  std::vector<std::int64_t> history_ids;  ///< ids of the named points, in the order of the case
-  std::vector<BodyShare> bodies;          ///< in the order of the case; filled with the first state
-  RowTable rows;                          ///< what a point carries
-  NodeDiffusion diffusion;                ///< of nonlocal softening; empty without
-  int inverse_extent = -1;                ///< row of the points, with shares that overlap
+  Real largest_density = 0.0;                    ///< [kg/m^3], for the small-mass limit
+  std::vector<std::int64_t> history_ids;         ///< ids of the named points, in the order of the case
+  std::vector<BodyShare> bodies;                 ///< in the order of the case; filled with the first state
+  RowTable rows;                                 ///< what a point carries
+  NodeDiffusion diffusion;                       ///< of nonlocal softening; empty without
+  int inverse_extent = -1;                       ///< row of the points, with shares that overlap
+  std::shared_ptr<const NodalWater> water = {};  ///< pore pressure on the nodes; nullptr: no water
   int threads = 1;
   FollowerTypes followers = {};  ///< what is measured while the run goes on; may be none
 

@@ -30,6 +30,19 @@ inline NodeGather sum_cells(const Model& model, const State& state, const Worksp
   return sum;
 }
 
+/// Force of the water on a node: that of the occupied cells around it, in order of cell number [N per m].
+inline Vec<2> sum_water_force(const Model& model, const State& state, const Workspace& work, Index node)
+{
+  Vec<2> force{0.0, 0.0};
+  for (Index k = model.mesh->first_cell_of_node[node]; k < model.mesh->first_cell_of_node[node + 1]; ++k) {
+    const auto [cell, corner] = model.mesh->cells_of_node[k];
+    const Index slot = state.points.slot_of_cell()[cell];
+    if (slot < 0) continue;
+    for (int d = 0; d < 2; ++d) force[d] += work.water_corners[slot][d][corner];
+  }
+  return force;
+}
+
 /// Smallest mass of a node that may move: small_mass rho V_e of the first cell around it [kg per m].
 inline Real mass_limit(const Model& model, Index node)
 {
@@ -63,6 +76,7 @@ inline void accelerate_node(
   node.mass = sum.mass;
   if (!(sum.mass >= mass_limit(model, i))) {
     sums.finite &= sum.mass == sum.mass;
+    if (model.water) work.water_force[i] = {0.0, 0.0};
     return;
   }
   Damping damping = model.damping;
@@ -72,6 +86,10 @@ inline void accelerate_node(
     v_0[d] = sum.momentum[d] / sum.mass;
     out_of_balance[d] = sum.mass * model.gravity[d] - sum.internal_force[d];
     node.internal[d] = -sum.internal_force[d];
+  }
+  if (model.water) {
+    work.water_force[i] = sum_water_force(model, state, work, i);
+    for (int d = 0; d < 2; ++d) out_of_balance[d] += work.water_force[i][d];
   }
   sums.kinetic += 0.5 * sum.mass * (v_0[0] * v_0[0] + v_0[1] * v_0[1]);
   const int k = footing_at(work, model.mesh->nodes[i]);
@@ -123,6 +141,8 @@ inline void remap_velocity(const Model& model, const NodeGather& sum, Index i, W
   model.boundary.clamp(i, node.mass, model.dt, v_1, node.boundary, node.v, across_alone);
   if (const int k = footing_at(work, model.mesh->nodes[i]); k >= 0) work.footings[k].hold(node.v);
   add_works(model, node, sums);
+  if (model.water)
+    for (int d = 0; d < 2; ++d) sums.water += work.water_force[i][d] * node.v[d] * model.dt;
 }
 
 }  // namespace terp

@@ -142,7 +142,7 @@ Summary summarise(const Model& model, const State& state)
   // energy (docs/methods.md, section 5).
   const Real half_step = 0.5 * w.last_step;
   const Real numerical = kinetic_and_elastic_energy(model, state) + half_step + w.plastic - state.start_energy -
-                         (w.gravity + w.damping + w.boundary);
+                         (w.gravity + w.damping + w.boundary + w.water);
   s.energy_balance_error = exchanged > 0.0 ? std::abs(numerical) / exchanged : 0.0;
   s.clamped_points = state.clamped;
   s.v_999 = state.largest_v_999;

@@ -4,6 +4,7 @@
 #include "forces/time_step.hpp"
 #include "mesh/mesh_error.hpp"
 #include "simulation/initial.hpp"
+#include "simulation/nodal_water.hpp"
 #include "simulation/point_parameters.hpp"
 #include "simulation/setup_history.hpp"
 #include "simulation/setup_mesh.hpp"
@@ -29,8 +30,8 @@ std::vector<SoilMaterial> make_materials(const Case& c)
     const MaterialType* type = m.type();
     if (type == nullptr)
       throw InputError(Problem{"material." + m.name + ".model", "no such material model", "", "material"});
-    materials.push_back(
-        {m.name, type, type->make_varying(m.parameters, varying_parameters(m, *type)), m.density, {}, m.softening});
+    materials.push_back({m.name, type, type->make_varying(m.parameters, varying_parameters(m, *type)), m.density, {},
+        m.softening, m.is_drained()});
   }
   return materials;
 }
@@ -76,7 +77,7 @@ std::vector<Index> used_materials(const Model& model)
   std::vector<Index> used;
   for (Index m = 0; m < static_cast<Index>(model.materials.size()); ++m)
     if (std::ranges::any_of(model.description.bodies, [&](const BodyCase& body) {
-          return !body.points_file.empty() || body.material == model.materials[m].name;
+          return !body.points_file.empty() || body.material == model.description.materials[m].called();
         }))
       used.push_back(m);
   return used;
@@ -213,6 +214,7 @@ Model build_model(const Case& description, SharedMesh mesh, int threads)
   for (const Index m : used) model.materials[m].softening_scale = scale_by_cell(*model.mesh, model.materials[m]);
   if (length > 0.0) model.diffusion = make_node_diffusion(*model.mesh, length);
   set_time_step(used, model);
+  if (description.water.is_given()) model.water = std::make_shared<const NodalWater>(model);
   return model;
 }
 

@@ -5,6 +5,7 @@
 #include "mesh/mesh_error.hpp"
 #include "points/points_csv.hpp"
 #include "simulation/points_of_files.hpp"
+#include "water/water_pressure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,16 @@ const char* const grid_cuts_corners =
     "\nThe grid follows mesh.sides only at its nodes: it cuts off a corner between two of them. Use more cells, so "
     "that a node\n"
     "comes to lie at the corner, or draw the body along the grid.";
+
+/// Number of the material of a soil at a place at t = 0.
+Index material_at(const Model& model, const std::string& name, Vec<2> x)
+{
+  const auto& phreatic_line = model.description.water.start.phreatic_line;
+  const Zone zone = phreatic_line.empty()                      ? Zone::all
+                    : x[1] < elevation_at(phreatic_line, x[0]) ? Zone::below
+                                                               : Zone::above;
+  return material_number(model, name, zone);
+}
 
 constexpr std::size_t batch_size = 1 << 17;  // points of 10 MB
 
@@ -86,9 +97,9 @@ Vec<2> finite_velocity(const BodyCase& body, std::size_t b, Vec<2> x)
 Index material_of_point(const Model& model, const std::string& path, const CsvPoint& p)
 {
   std::string known;
-  for (std::size_t k = 0; k < model.materials.size(); ++k) {
-    if (model.materials[k].name == p.material) return static_cast<Index>(k);
-    known += (known.empty() ? "" : ", ") + model.materials[k].name;
+  for (const MaterialCase& material : model.description.materials) {
+    if (material.called() == p.material) return material_at(model, p.material, p.x);
+    if (material.zone != Zone::above) known += (known.empty() ? "" : ", ") + material.called();
   }
   throw PointsFileError(
       fmt::format("{}:{}: no material `{}`. Materials of this case: {}", path, p.line, p.material, known));
@@ -142,10 +153,13 @@ std::vector<std::string> keys_of_outline(std::size_t body)
   return keys;
 }
 
-Index material_number(const Model& model, const std::string& name)
+Index material_number(const Model& model, const std::string& name, Zone zone)
 {
-  for (std::size_t k = 0; k < model.materials.size(); ++k)
-    if (model.materials[k].name == name) return static_cast<Index>(k);
+  for (std::size_t k = 0; k < model.materials.size(); ++k) {
+    const MaterialCase& m = model.description.materials[k];
+    if (m.called() == name && (m.zone == zone || m.zone == Zone::all || zone == Zone::all))
+      return static_cast<Index>(k);
+  }
   throw InputError(Problem{"material", "no material `" + name + "`", "", "body"});
 }
 
@@ -190,7 +204,7 @@ PointBatches make_points(const Model& model)
   for (const Seed& seed : seed_points(*model.mesh, outlines)) {
     const BodyCase& body = model.description.bodies[drawn[seed.body]];
     add_point({seed.x, seed.local, finite_velocity(body, drawn[seed.body], seed.x), seed.volume,
-                  {seed.cell, material_number(model, body.material)}, static_cast<Index>(drawn[seed.body])},
+                  {seed.cell, material_at(model, body.material, seed.x)}, static_cast<Index>(drawn[seed.body])},
         points);
   }
   for (std::size_t b = 0; b < model.description.bodies.size(); ++b)

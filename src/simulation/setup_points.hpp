@@ -31,7 +31,8 @@ std::vector<BodyOutline> outlines_of(const Model& model);
 /// Keys that say where a body and where the mesh is: for problems of the one in the other.
 std::vector<std::string> keys_of_outline(std::size_t body);
 
-/// Number of a material by its name in the case. Throws InputError.
-Index material_number(const Model& model, const std::string& name);
+/// Number of a material by the name that bodies use; of a soil in two parts that of a zone, of Zone::all the first.
+/// Throws InputError.
+Index material_number(const Model& model, const std::string& name, Zone zone = Zone::all);
 
 }  // namespace terp

@@ -15,9 +15,10 @@ struct WorkTotals {
   Real gravity = 0.0, damping = 0.0, boundary = 0.0;
   Real plastic = 0.0;    ///< dissipated
   Real internal = 0.0;   ///< of the internal forces on the nodes
-  Real exchanged = 0.0;  ///< largest sum of the sizes of gravity, damping, boundary and plastic so far: what swings to
-                         ///< and fro was exchanged, too
-  Real last_step = 0.0;  ///< gravity, damping, boundary and internal, in the last step alone
+  Real water = 0.0;      ///< of pore pressure and free water
+  Real exchanged = 0.0;  ///< largest sum of the sizes of gravity, damping, boundary, water and plastic so far: what
+                         ///< swings to and fro was exchanged, too
+  Real last_step = 0.0;  ///< gravity, damping, boundary, water and internal, in the last step alone
 };
 
 struct State {

@@ -6,6 +6,7 @@
 #include "simulation/cell_passes.hpp"
 #include "simulation/footings.hpp"
 #include "simulation/ledger.hpp"
+#include "simulation/nodal_water.hpp"
 #include "simulation/node_passes.hpp"
 #include "simulation/softening_passes.hpp"
 
@@ -62,6 +63,7 @@ void finish_sums(State& state, Workspace& work)
     total.damping += sums.damping;
     total.boundary += sums.boundary;
     total.internal += sums.internal;
+    total.water += sums.water;
     total.unbalanced += sums.unbalanced;
     total.weight += sums.weight;
     total.kinetic += sums.kinetic;
@@ -74,7 +76,8 @@ void finish_sums(State& state, Workspace& work)
   state.work.damping += total.damping;
   state.work.boundary += total.boundary;
   state.work.internal += total.internal;
-  state.work.last_step = total.gravity + total.damping + total.boundary + total.internal;
+  state.work.water += total.water;
+  state.work.last_step = total.gravity + total.damping + total.boundary + total.internal + total.water;
   for (const CellSums& sums : work.cell_sums) state.work.plastic += sums.plastic;
   state.work.exchanged = energy_exchanged(state.work);
   work.finite = total.finite;
@@ -174,7 +177,9 @@ void spread_softening(const Model& model, State& state, Workspace& work)
 void step_compiled(const Model& model, State& state, Workspace& work)
 {
   const SchemeFunctions& scheme = model.scheme->functions(model.method.shares);
-  const SchemeContext context{model.method, model.materials, model.dt, model.inverse_extent};
+  const SchemeContext context{
+      model.method, model.materials, model.dt, model.inverse_extent, model.water ? &work.pore : nullptr};
+  if (model.water) model.water->renew(state.time, work.pore);
   start_sums(work);
   place_footings(model, state, work);
 

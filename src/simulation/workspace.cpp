@@ -62,6 +62,10 @@ Workspace::Workspace(const Model& model, const State& state)
     run_softens.resize(model.diffusion.first_reached.size() - 1);
     run_is_near.resize(run_softens.size());
   }
+  if (model.water) {
+    water_corners.reserve(most_cells);
+    water_force.resize(model.mesh->nodes.size());
+  }
   pressure.reserve(2 * state.points.n_blocks());
   if (model.inverse_extent >= 0) start_patches(model, state, n_gauss_rows, patches);
   cell_sums.reserve(Threads::n_chunks(static_cast<Index>(most_cells), cells_per_chunk));
@@ -76,6 +80,7 @@ void Workspace::fit(const Model& model, const State& state)
     softening_corners.resize(cells.size());
     group_softens.resize(Threads::n_chunks(static_cast<Index>(cells.size()), pack_width));
   }
+  if (model.water) water_corners.resize(cells.size());
   pressure.resize(state.points.n_blocks());
   const std::size_t n_gauss = model.materials.size() * state.points.n_bodies() *
                               Threads::n_chunks(static_cast<Index>(cells.size()), pack_width);

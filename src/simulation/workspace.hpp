@@ -1,6 +1,7 @@
 // Scratch that every step writes anew, and the clock of the passes.
 #pragma once
 
+#include "forces/pore_pressure.hpp"
 #include "parallel/threads.hpp"
 #include "parallel/memory.hpp"
 #include "schemes/patch_values.hpp"
@@ -23,8 +24,8 @@ struct NodeValues {
 
 /// Sums over the nodes of one chunk.
 struct NodeSums {
-  Real gravity = 0.0, damping = 0.0, boundary = 0.0, internal = 0.0;  ///< work of the step [J per m]
-  Real unbalanced = 0.0, weight = 0.0;                                ///< sum of |m a|, of |m g| [N per m]
+  Real gravity = 0.0, damping = 0.0, boundary = 0.0, internal = 0.0, water = 0.0;  ///< work of the step [J per m]
+  Real unbalanced = 0.0, weight = 0.0;                                             ///< sum of |m a|, of |m g| [N per m]
   Real kinetic = 0.0;                           ///< of the nodes at the start of the step [J per m]
   std::array<Vec<2>, most_footings> footing{};  ///< impulse of each footing on its nodes [N s per m]
   bool finite = true;
@@ -62,6 +63,9 @@ struct Workspace {
   Index n_gauss_rows = 0;      ///< the most that any law adds to the points
   std::vector<Real> pressure;  ///< p_e [Pa], shape [n_blocks]; of schemes that keep no other Gauss values
   PatchValues patches;         ///< of shares that overlap
+  PorePressure pore;           ///< on the nodes; empty without water
+  std::vector<CornerVectors<Quad4>> water_corners;     ///< force of the water [N per m], shape [n_occupied]; with water
+  std::vector<Vec<2>> water_force;                     ///< the same of the nodes, shape [n_nodes]; with water
   std::vector<CornerSoftening> softening_corners;      ///< shape [n_occupied]; of nonlocal softening
   NodeSpread softening;                                ///< of nonlocal softening
   std::vector<std::uint8_t> group_softens;             ///< whether a point of a group softened in this step

@@ -36,7 +36,7 @@ bool is_another(const MaterialType& law, const MaterialCase& material, std::size
 bool is_used(const Case& c, const MaterialCase& material)
 {
   return std::ranges::any_of(
-      c.bodies, [&](const BodyCase& body) { return !body.points_file.empty() || body.material == material.name; });
+      c.bodies, [&](const BodyCase& body) { return !body.points_file.empty() || body.material == material.called(); });
 }
 
 }  // namespace

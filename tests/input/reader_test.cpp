@@ -34,13 +34,31 @@ su_peak = 8.0e3
 su_residual = 2.0e3
 eta = 50.0
 softening = { length = 0.75, reference_width = 0.3, m = 1.0, halo = true }
+drainage = "undrained"
+k0 = 0.625
 [material.rock]
 model = "linear_elastic"
 density = 2600
 shear_modulus = 1.0e9
 poisson_ratio = 0.25
+[water]
+phreatic_line = [[0.0, 2.5], [8.0, 2.0], [8.0, 1.5]]
+head_lines = { aquifer = [[0, 3.0]], lower = [[0, 2.0], [8, 1.0]] }
+reference_lines = [
+  { line = [[0, 1.25]], head = "aquifer" }, { line = [[0, 1.0]], head_top = "phreatic", head_bottom = "lower" }]
+unit_weight = 9905.0
+suction = 5000.0
+[[water.situation]]
+name = "high"
+time = 2.0
+phreatic_line = [[0.0, 2.75]]
+head_lines = { aquifer = [[0, 3.5]] }
+reference_lines = [{ line = [[0, 1.125]], head = "aquifer" }]
+[[water.situation]]
+name = "formula"
+pressure = "9810*(2-y)+t"
 [forces]
-gravity = [1.0, -9.81]
+gravity = [0.0, -9.81]
 damping = { local = 0.125, averaging_time = 0.05, viscous = 0.25 }
 [initial]
 stress = "equilibrium"
@@ -107,7 +125,9 @@ TEST(Reader, TheSamplesHoldEveryDeclaredKey)
     const auto swap = [&](const std::string& from, const std::string& to) {
       if (const auto at = path.find(from); at != std::string::npos) path.replace(at, from.size(), to);
     };
-    swap("body[].polygon", "body[1].polygon"), swap("[]", "[0]"), swap("NAME", "clay");
+    swap("body[].polygon", "body[1].polygon"), swap("situation[].pressure", "situation[1].pressure");
+    swap("water.pressure", "water.situation[1].pressure");
+    swap("[]", "[0]"), swap("NAME", "clay");
     swap("SIDE.velocity", "right.velocity"), swap("SIDE.slip", "right.slip"), swap("SIDE", "bottom");
     return path;
   };
@@ -155,7 +175,7 @@ TEST(Reader, FillsBodiesAndMaterials)
 TEST(Reader, FillsForcesAndInitialState)
 {
   const Case c = read_every_key();
-  EXPECT_EQ(c.forces.gravity, (Vec<2>{1.0, -9.81}));
+  EXPECT_EQ(c.forces.gravity, (Vec<2>{0.0, -9.81}));
   EXPECT_EQ(c.forces.local_damping, 0.125);
   EXPECT_EQ(c.forces.averaging_time, 0.05);
   EXPECT_EQ(c.forces.viscous_damping, 0.25);
@@ -164,6 +184,62 @@ TEST(Reader, FillsForcesAndInitialState)
   EXPECT_EQ(c.initial.damping, 0.7);
   EXPECT_EQ(c.initial.limit, 1e-4);
   EXPECT_EQ(c.initial.max_steps, 123);
+}
+
+TEST(Reader, FillsTheWater)
+{
+  const Case c = read_every_key();
+  const WaterSituation& start = c.water.start;
+  EXPECT_THAT(start.phreatic_line, ElementsAre(Vec<2>{0.0, 2.5}, Vec<2>{8.0, 2.0}, Vec<2>{8.0, 1.5}));
+  ASSERT_EQ(start.head_lines.size(), 2u);
+  EXPECT_EQ(start.head_lines[1].name, "lower");
+  EXPECT_THAT(start.head_lines[1].places, ElementsAre(Vec<2>{0.0, 2.0}, Vec<2>{8.0, 1.0}));
+  ASSERT_EQ(start.reference_lines.size(), 2u);
+  EXPECT_EQ(start.reference_lines[0].head, "aquifer");
+  EXPECT_EQ(start.reference_lines[0].head_bottom, "aquifer");
+  EXPECT_EQ(start.reference_lines[1].head, "phreatic");
+  EXPECT_EQ(start.reference_lines[1].head_bottom, "lower");
+  EXPECT_EQ(c.water.unit_weight, 9905.0);
+  EXPECT_EQ(c.water.suction, 5000.0);
+  EXPECT_EQ(c.materials[0].drainage, Drainage::undrained);
+  EXPECT_EQ(c.materials[0].k0, 0.625);
+  EXPECT_TRUE(c.materials[1].is_drained());
+}
+
+TEST(Reader, AWaterSituationTakesWhatItLeavesOutFromTheStart)
+{
+  const WaterCase water = read_every_key().water;
+  ASSERT_EQ(water.situations.size(), 2u);
+  const WaterSituation &high = water.situations[0], &formula = water.situations[1];
+  EXPECT_EQ(high.time, 2.0);
+  EXPECT_THAT(high.phreatic_line, ElementsAre(Vec<2>{0.0, 2.75}));
+  ASSERT_EQ(high.head_lines.size(), 2u);
+  EXPECT_EQ(high.head_lines[1].name, "lower");
+  ASSERT_EQ(high.reference_lines.size(), 1u);
+  EXPECT_TRUE(formula.phreatic_line.empty());
+  EXPECT_TRUE(formula.formula_changes);
+  EXPECT_DOUBLE_EQ(formula.formula({0.0, 1.5}, 3.0), 4908.0);
+}
+
+TEST(Reader, ASoilInTwoPartsIsTwoMaterials)
+{
+  const Case c = read_case_text(wet_soil, "folder/all.toml").values;
+  ASSERT_EQ(c.materials.size(), 2u);
+  const MaterialCase &below = c.materials[0], &above = c.materials[1];
+  EXPECT_EQ(below.name, "clay below");
+  EXPECT_EQ(above.name, "clay above");
+  EXPECT_EQ(below.called(), "clay");
+  EXPECT_EQ(above.called(), "clay");
+  EXPECT_EQ(below.zone, Zone::below);
+  EXPECT_EQ(above.zone, Zone::above);
+  EXPECT_EQ(below.model, "tresca_softening");
+  EXPECT_EQ(below.density, 1800.0);
+  EXPECT_EQ(below.parameters[2], 8.0e3);
+  EXPECT_EQ(above.model, "linear_elastic");
+  EXPECT_EQ(above.density, 1600.0);
+  EXPECT_THAT(above.parameters, ElementsAre(1.0e6, 0.3));
+  EXPECT_FALSE(below.is_drained());
+  EXPECT_TRUE(above.is_drained());
 }
 
 TEST(Reader, FillsSides)

@@ -62,6 +62,24 @@ inline const std::string two_soils =
     "poisson_ratio = 0.3\n[material.peat]\nmodel = \"tresca_softening\"\ndensity = 1100.0\n"
     "shear_modulus = 1.0e6\npoisson_ratio = 0.45\nsu_peak = 4.0e3\nsu_residual = 2.0e3\neta = 10.0\n";
 
+/// A soil with one law below the phreatic line and another above.
+inline const std::string wet_soil = R"([time]
+end = 4.0
+[mesh]
+size = [16.0, 3.0]
+cell = 0.5
+[[body]]
+material = "clay"
+box = [[0.0, 0.0], [8.0, 2.0]]
+
+[material.clay]
+density = { below = 1800.0, above = 1600.0 }
+below = { model = "tresca_softening", shear_modulus = 2.0e6, poisson_ratio = 0.48, su_peak = 8.0e3, eta = 50.0 }
+above = { model = "linear_elastic", shear_modulus = 1e6, poisson_ratio = 0.3 }
+[water]
+phreatic_line = [[0, 1]]
+)";
+
 /// What the user sees for this text; "accepted" if it is read, followed by its warnings.
 inline std::string message_for(const std::string& text, const std::vector<std::string>& overrides = {})
 {

@@ -37,6 +37,7 @@ TEST(Units, OfOtherSystemsAreConverted)
   EXPECT_DOUBLE_EQ(value_of("3.6 %/h", "1/s"), 1e-5);
   EXPECT_DOUBLE_EQ(value_of("3.141592653589793 rad", "deg"), 180.0);
   EXPECT_DOUBLE_EQ(value_of("9.81 kN/m3", "kg/m^3"), 1000.0);
+  EXPECT_DOUBLE_EQ(value_of("9.81 kN/m3", "N/m^3"), 9810.0);
   EXPECT_DOUBLE_EQ(value_of("5 %", "-"), 0.05);
 }
 

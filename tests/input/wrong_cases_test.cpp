@@ -20,6 +20,7 @@ std::string good_case(const std::string& name)
       {"four_sides", small_case_on(mapped)}, {"outline", small_case_on(polygon)},
       {"file", small_case_on("file = \"a.msh\"")},
       {"drained", replaced(small_case, "poisson_ratio = 0.48", "poisson_ratio = 0.3")}, {"two_soils", two_soils},
+      {"wet", wet_soil},
       {"sand", replaced_law("model = \"mohr_coulomb\"\ndensity = 1990.0\nshear_modulus = 2.0e6\npoisson_ratio = 0.3\n"
                             "cohesion = 1.0e3\nfriction_angle = 30.0\n")}};
   const auto found = made.find(name);

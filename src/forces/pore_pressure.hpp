@@ -1,0 +1,84 @@
+// Force of the water in and around the soil on the corners of a cell. docs/methods.md, "Water".
+//
+// With p the pressure in the water, interpolated from the nodes, and s its tension above the phreatic line:
+//   drained soil, which stores effective stress:   f_i = -sum_g w_g (N_i grad p + B_i s)
+//   undrained soil, which stores total stress:     f_i = -sum_g w_g (N_i grad p + B_i p)
+// The weights are those of the internal force, Eq. (4), and B is plain: by parts the second is the traction -p n on the
+// surface of the soil, and nothing inside it.
+#pragma once
+
+#include "forces/point_gradients.hpp"
+#include "mesh/geometry_lanes.hpp"
+
+#include <span>
+
+namespace terp {
+
+/// Water on the nodes of the mesh at the time of a step.
+struct PorePressure {
+  Real time = std::numeric_limits<Real>::quiet_NaN();  ///< [s]; NaN: not yet set
+  std::vector<Real> pressure;                          ///< p, at least 0 [Pa], shape [n_nodes]
+  std::vector<Real> suction;                           ///< s, at least 0 [Pa], shape [n_nodes]; empty: none anywhere
+};
+
+/// Values of the nodes at the corners of one cell, or of eight in packs.
+template <class Element, class R = Real>
+struct CornerPore {
+  PerCorner<Element, R> pressure;  ///< whose gradient pulls: p [Pa]
+  PerCorner<Element, R> inside;    ///< that the stored stress holds or lacks: p of undrained soil, s of drained [Pa]
+};
+
+/// N_i of all corners at each Gauss point, shape [g][corner].
+template <class Element>
+std::array<PerCorner<Element>, Element::n_gauss> shapes_at_gauss_points()
+{
+  std::array<PerCorner<Element>, Element::n_gauss> shapes{};
+  for (int g = 0; g < Element::n_gauss; ++g) shapes[g] = Element::shape_functions(Element::gauss_place(g));
+  return shapes;
+}
+
+/// f_i -= sum_g w_g (N_i grad p + B_i q), q = `inside`.
+template <class Geometry, class Element, class R>
+void add_pore_force(const Geometry& cell, const PerGauss<Element, R>& weight, const CornerPore<Element, R>& pore,
+    CornerVectors<Element, R>& force)
+{
+  const auto shapes = shapes_at_gauss_points<Element>();
+  for (int g = 0; g < Element::n_gauss; ++g) {
+    R inside(0.0);
+    for (int i = 0; i < Element::n_corners; ++i) inside += R(shapes[g][i]) * pore.inside[i];
+    inside *= weight[g];
+    for (int d = 0; d < Element::dim; ++d) {
+      R gradient(0.0);
+      for (int i = 0; i < Element::n_corners; ++i) gradient += pore.pressure[i] * R(cell.gradient[i][d][g]);
+      gradient *= weight[g];
+      for (int i = 0; i < Element::n_corners; ++i)
+        force[d][i] -= R(shapes[g][i]) * gradient + R(cell.gradient[i][d][g]) * inside;
+    }
+  }
+}
+
+/// The same with the volumes and the places of the points of a block instead of Gauss weights.
+template <class Element>
+void add_pore_force_of_points(const CellGeometry<Element>& cell, const PointBlock<Element::dim>& block,
+    const CornerPore<Element>& pore, CornerVectors<Element>& force)
+{
+  constexpr int dim = Element::dim;
+  using Rows = PointRows<dim>;
+  auto sums = zero_packs<dim, Element::n_corners>();
+  for (Index p = 0; p < block.n; p += pack_width) {
+    const auto local = load_rows<dim>(block, Rows::xi, p);
+    const auto N = Element::shape_functions(local);
+    const auto gradient = gradients_at(cell, local);
+    const Pack volume = Pack::load(block.row(Rows::volume) + p);
+    Pack inside(0.0);
+    for (int i = 0; i < Element::n_corners; ++i) inside += N[i] * Pack(pore.inside[i]);
+    for (int d = 0; d < dim; ++d) {
+      Pack slope(0.0);
+      for (int i = 0; i < Element::n_corners; ++i) slope += gradient[i][d] * Pack(pore.pressure[i]);
+      for (int i = 0; i < Element::n_corners; ++i) sums[d][i] -= volume * (N[i] * slope + gradient[i][d] * inside);
+    }
+  }
+  for (int d = 0; d < dim; ++d) add_lanes(sums[d], force[d]);
+}
+
+}  // namespace terp

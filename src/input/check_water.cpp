@@ -1,0 +1,172 @@
+// What is wrong or doubtful about [water] and about the soil that stands in it, before there is a mesh.
+
+#include "base/closest.hpp"
+#include "input/check_case.hpp"
+#include "input/key_text.hpp"
+#include "water/water_pressure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace terp {
+namespace {
+
+/// Two reference lines lie one above the other at some x and the other way round at another. Both are straight between
+/// the places of either, so that it is enough to look there.
+bool cross(const ReferenceLine& a, const ReferenceLine& b, Real& where)
+{
+  Real highest = 0.0, lowest = 0.0;
+  for (const ReferenceLine* line : {&a, &b})
+    for (const Vec<2>& x : line->places) {
+      const Real above = elevation_at(a.places, x[0]) - elevation_at(b.places, x[0]);
+      if ((above > 0.0 && lowest < 0.0) || (above < 0.0 && highest > 0.0)) where = x[0];
+      highest = std::max(highest, above);
+      lowest = std::min(lowest, above);
+    }
+  return highest > 0.0 && lowest < 0.0;
+}
+
+void check_heads(const WaterSituation& situation, const std::string& path, Findings& findings)
+{
+  std::vector<std::string> names{std::string(phreatic_head)};
+  for (const HeadLine& line : situation.head_lines) names.push_back(line.name);
+  const auto& lines = situation.reference_lines;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const std::string here = fmt::format("{}.reference_lines[{}]", path, k);
+    for (const std::string& head : {lines[k].head, lines[k].head_bottom}) {
+      if (head.empty() || std::ranges::find(names, head) != names.end()) continue;
+      const std::string nearest = closest(head, names);
+      findings.problems.push_back({here, fmt::format("there is no head line `{}`", head),
+          (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) +
+              fmt::format("Head lines of this water: {}", plain_list(names)),
+          "water.reference_lines", false, {path + ".reference_lines"}});
+      break;
+    }
+    for (std::size_t other = 0; other < k; ++other)
+      if (Real x = 0.0; !lines[k].places.empty() && !lines[other].places.empty() && cross(lines[k], lines[other], x))
+        findings.problems.push_back({here, fmt::format("the reference lines {} and {} cross", other, k),
+            fmt::format("One is above the other on one side of x = {} m, below it on the other. Give each layer its "
+                        "own line from one end to the other.",
+                x),
+            "water.reference_lines", false, {path + ".reference_lines"}});
+  }
+  for (const HeadLine& line : situation.head_lines)
+    if (std::ranges::none_of(
+            lines, [&](const ReferenceLine& r) { return r.head == line.name || r.head_bottom == line.name; }))
+      findings.warnings.push_back({join_path(path + ".head_lines", line.name),
+          fmt::format("no reference line uses the head line `{}`", line.name),
+          fmt::format("Give reference_lines = [{{ line = [[x, y], ...], head = \"{}\" }}].", line.name),
+          "water.reference_lines", true, {path + ".head_lines", "water"}});
+}
+
+void check_situation(const WaterSituation& situation, const Node* table, const std::string& path, Findings& findings)
+{
+  const auto has = [&](const char* key) { return table != nullptr && find_item(*table, key) != nullptr; };
+  if (has("pressure"))
+    for (const char* key : {"phreatic_line", "head_lines", "reference_lines"})
+      if (has(key))
+        findings.problems.push_back({path + '.' + key, fmt::format("`{}` does not go with `pressure`", key),
+            "The formula gives the pressure everywhere. Remove one of the two.", "water.pressure", true});
+  check_heads(situation, path, findings);
+}
+
+void check_times(const WaterCase& water, Findings& findings)
+{
+  const auto& list = water.situations;
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const std::string path = fmt::format("water.situation[{}]", k);
+    if (std::isnan(list[k].time) && list[k].name.empty())
+      findings.problems.push_back({path, "a water situation needs a `time` or a `name`",
+          "Give time = T, in s, at which this water is reached; or a name by which something else asks for it.",
+          "water.situation", true});
+    for (std::size_t other = 0; other < k; ++other) {
+      if (list[k].time == list[other].time)
+        findings.problems.push_back({path + ".time", "two water situations have the same `time`",
+            fmt::format(
+                "Both hold at {} s. The pressure runs linearly from one to the next: give each its own.", list[k].time),
+            "water.situation"});
+      if (!list[k].name.empty() && list[k].name == list[other].name)
+        findings.problems.push_back(
+            {path + ".name", fmt::format("two water situations have the name `{}`", list[k].name), "Give each its own.",
+                "water.situation"});
+    }
+  }
+}
+
+bool is_hydrostatic(const WaterCase& water)
+{
+  return !water.start.formula ||
+         std::ranges::any_of(water.situations, [](const WaterSituation& s) { return !s.formula; });
+}
+
+void check_drainage(const Case& values, Findings& findings)
+{
+  for (const MaterialCase& material : values.materials) {
+    const MaterialType* law = find_material(material.model);
+    if (law == nullptr) continue;
+    const std::string path = join_path(material_path(material), "drainage");
+    if (law->total_stress && material.drainage == Drainage::drained)
+      findings.problems.push_back({path, fmt::format("soil of the law {} cannot be drained", law->name),
+          "Its strength is one of total stress. Leave drainage out, or give the soil a law of effective stress: "
+          "mohr_coulomb.",
+          "material.drainage", false, {material_path(material)}});
+    const auto angle = std::ranges::find(law->parameters, "friction_angle", &ParameterInfo::name);
+    if (!values.water.is_given() || angle == law->parameters.end() || material.drainage != Drainage::by_law) continue;
+    if (material.parameters[static_cast<std::size_t>(angle - law->parameters.begin())] == 0.0)
+      findings.warnings.push_back({join_path(material_path(material), "friction_angle"),
+          fmt::format("`{}` is drained, and has no friction", material.name),
+          "A cohesion without friction is most often an undrained strength. Give drainage = \"undrained\" if it is; "
+          "with\ndrainage = \"drained\" this warning goes.",
+          "material.drainage", false, {material_path(material)}});
+  }
+}
+
+void check_parts(const Case& values, Findings& findings)
+{
+  for (const MaterialCase& material : values.materials) {
+    if (material.zone == Zone::below && values.water.start.phreatic_line.empty())
+      findings.problems.push_back(
+          {join_path("material", material.soil), "soil below and above the phreatic line needs that line",
+              "Give [water] with phreatic_line = [[x, y], ...], or one density and one model.", "water", true});
+    if (material.zone != Zone::all)
+      for (const MaterialCase& other : values.materials)
+        if (other.zone == Zone::all && other.name == material.name)
+          findings.problems.push_back({join_path("material", other.name),
+              fmt::format("the material `{}` has the name of a part of `{}`", other.name, material.soil),
+              "The parts are called NAME below and NAME above. Give this one another name.", "material", true});
+  }
+}
+
+}  // namespace
+
+void check_water(const Node& root, const Case& values, Findings& findings)
+{
+  check_drainage(values, findings);
+  check_parts(values, findings);
+  const Node* table = find_item(root, "water");
+  if (table == nullptr || table->kind != NodeKind::table) return;
+  const WaterCase& water = values.water;
+  const bool read =
+      std::ranges::none_of(findings.problems, [](const Problem& problem) { return problem.key.starts_with("water"); });
+  if (!water.is_given() && read)
+    findings.problems.push_back({"water", "[water] has no `phreatic_line`",
+        "Give phreatic_line = [[x, y], ...] in m, or pressure = \"a formula of x, y and t\" in Pa.", "water", true});
+  if (!water.is_given()) return;
+  check_situation(water.start, table, "water", findings);
+  const Node* list = find_item(*table, "situation");
+  for (std::size_t k = 0; k < water.situations.size(); ++k)
+    check_situation(water.situations[k], list != nullptr ? &list->items[k] : nullptr,
+        fmt::format("water.situation[{}]", k), findings);
+  check_times(water, findings);
+  const Vec<2> g = values.forces.gravity;
+  if (g[0] != 0.0 && is_hydrostatic(water))
+    findings.problems.push_back({"water.phreatic_line", "the lines of water need gravity along y",
+        fmt::format("Gravity is [{}, {}] m/s^2, and the pressure grows downwards in y. Turn the section instead of "
+                    "gravity,\nor give pressure = \"a formula of x, y and t\".",
+            g[0], g[1]),
+        "water", false, {"water", "forces.gravity"}});
+}
+
+}  // namespace terp

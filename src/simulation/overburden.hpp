@@ -1,0 +1,51 @@
+// What lies above a place at t = 0: weight of soil and free water, pore pressure, and the effective vertical stress
+// that is left. Pressures are positive here. docs/methods.md, "Start".
+// Not for: stress that points already have.
+#pragma once
+
+#include "points/body_outline.hpp"
+#include "simulation/model.hpp"
+
+#include <optional>
+
+namespace terp {
+
+class Overburden {
+ public:
+  /// Of the bodies of a model whose mesh, materials and gravity are set. It refers to the model.
+  explicit Overburden(const Model& model);
+
+  /// False where a body came as a file of points, which has no outline: then its weight is not in the numbers below.
+  bool is_known() const { return is_known_; }
+
+  /// Mass per area of the soil above a place [kg/m^2]. Where bodies overlap, the last one is there.
+  Real mass_above(Vec<2> x) const;
+
+  /// Elevation of the highest soil on the vertical line through x [m]; none: no soil there.
+  std::optional<Real> ground(Real x) const;
+
+  /// Weight per area of all that is above a place: soil, and the free water on it [Pa].
+  Real total(Vec<2> x, const WaterSituation& situation, Real time = 0.0) const;
+
+  /// In the water at a place: p_w, at least zero and at most total() below the ground [Pa].
+  Real pore_pressure(Vec<2> x, const WaterSituation& situation, Real time = 0.0) const;
+
+  /// Effective vertical stress at a place: total() - pore_pressure(), at least zero [Pa]. Without water: the weight.
+  Real effective(Vec<2> x, const WaterSituation& situation, Real time = 0.0) const;
+
+ private:
+  /// The outline of a body as loose sides, and its density below and above the phreatic line of the start.
+  struct DrawnBody {
+    std::vector<Side> sides;
+    Real below, above;  // [kg/m^3]
+  };
+
+  Real mass_between(const DrawnBody& body, Real x, Real low, Real high) const;
+  Real free_water(Vec<2> x, const WaterSituation& situation, Real time) const;
+
+  const Model& model_;
+  std::vector<DrawnBody> drawn_;
+  bool is_known_ = true;
+};
+
+}  // namespace terp

@@ -1,0 +1,57 @@
+#include "water/water_pressure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace terp {
+
+Real elevation_at(std::span<const Vec<2>> line, Real x)
+{
+  const auto after = std::ranges::find_if(line, [x](const Vec<2>& place) { return place[0] > x; });
+  if (after == line.begin()) return (*after)[1];
+  const Vec<2>& a = *(after - 1);
+  if (after == line.end()) return a[1];
+  return std::lerp(a[1], (*after)[1], (x - a[0]) / ((*after)[0] - a[0]));
+}
+
+WaterColumn::WaterColumn(const WaterSituation& situation, Real x) : phreatic_(elevation_at(situation.phreatic_line, x))
+{
+  const auto head_of = [&](const std::string& name) {
+    const auto found = std::ranges::find(situation.head_lines, name, &HeadLine::name);
+    return found == situation.head_lines.end() ? phreatic_ : elevation_at(found->places, x);
+  };
+  for (const ReferenceLine& line : situation.reference_lines)
+    levels_.push_back({elevation_at(line.places, x), head_of(line.head), head_of(line.head_bottom)});
+  std::ranges::stable_sort(levels_, std::ranges::greater{}, &Level::y);
+}
+
+Real WaterColumn::head(Real y) const
+{
+  if (levels_.empty() || y >= phreatic_ || y >= levels_.front().y) return phreatic_;
+  const auto below = std::ranges::find_if(levels_, [y](const Level& level) { return level.y <= y; });
+  const Level& above = *(below - 1);
+  if (below == levels_.end()) return above.head_bottom;
+  return std::lerp(above.head_bottom, below->head, (above.y - y) / (above.y - below->y));
+}
+
+Real unlimited_pressure(const WaterCase& water, const WaterSituation& situation, Vec<2> x, Real time)
+{
+  if (situation.formula) return situation.formula(x, time);
+  return water.unit_weight * (WaterColumn(situation, x[0]).head(x[1]) - x[1]);
+}
+
+Real water_pressure(const WaterCase& water, const WaterSituation& situation, Vec<2> x, Real time)
+{
+  return std::max(unlimited_pressure(water, situation, x, time), 0.0);
+}
+
+std::vector<WaterKnot> knots_of(const WaterCase& water)
+{
+  std::vector<WaterKnot> knots{{0.0, 0}};
+  for (std::size_t k = 0; k < water.situations.size(); ++k)
+    if (const Real time = water.situations[k].time; !std::isnan(time)) knots.push_back({time, k + 1});
+  std::ranges::stable_sort(knots, {}, &WaterKnot::time);
+  return knots;
+}
+
+}  // namespace terp

@@ -1,0 +1,84 @@
+// The force of water on soil that fills a distorted mesh, against integrals by hand.
+#include "forces/pore_pressure.hpp"
+#include "simulation/cell_passes.hpp"
+#include "simulation/nodal_water.hpp"
+#include "simulation/node_passes.hpp"
+#include "simulation/step.hpp"
+#include "support/cases.hpp"
+#include "support/meshes.hpp"
+#include "support/simulations.hpp"
+#include "support/verification.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+constexpr Index n_cells = 6;
+constexpr Real h = 0.5, a = 3.0e3, b = 500.0, c = -900.0;  // p = a + b x + c y [Pa]
+
+/// Every cell full of points of one material, in water with a linear pressure.
+Case block_in_water(const std::string& scheme, Drainage drainage)
+{
+  Case description = free_box(scheme, {0.0, 0.0}, {n_cells * h, n_cells * h}, elastic(3.0e6, 0.3, 1700.0));
+  description.materials[0].drainage = drainage;
+  description.water.start.formula = [](Vec<2> x, Real) { return a + b * x[0] + c * x[1]; };
+  return description;
+}
+
+Mesh<2> distorted(std::uint64_t seed) { return distorted_rectangle(n_cells, n_cells, h, 0.35, seed); }
+
+bool is_inner(Vec<2> x) { return std::min(x[0], x[1]) > 1e-9 && std::max(x[0], x[1]) < n_cells * h - 1e-9; }
+
+class PoreForce : public TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(SchemesWithGaussPoints, PoreForce, testing::Values("mpm_mixed", "mpm_gp"));
+
+TEST_P(PoreForce, OnUndrainedSoilIsThePressureOnItsSurfaceAndNothingInside)
+{
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    Simulation s = simulate_on(distorted(seed), block_in_water(GetParam(), Drainage::undrained));
+    make_steps(s, 1);
+    Vec<2> left{0.0, 0.0};
+    for (Index i = 0; i < s.model.mesh->n_nodes(); ++i) {
+      const Vec<2> x = s.model.mesh->nodes[i], force = s.work.water_force[i];
+      if (is_inner(x)) {
+        EXPECT_NEAR(force[0], 0.0, 1e-10 * a * h);
+        EXPECT_NEAR(force[1], 0.0, 1e-10 * a * h);
+      }
+      if (x[0] < 1e-9) left = {left[0] + force[0], left[1] + force[1]};
+    }
+    // Over the nodes of the left side: p on that side to the right; half of the last edge of bottom and top pushes up
+    // and down: int p N ds over an edge of length h with N from 1 to 0.
+    const Real side = n_cells * h, end = h / 2.0;
+    EXPECT_NEAR(left[0], (a + c * side / 2.0) * side, 1e-10 * a * side);
+    EXPECT_NEAR(left[1], end * (a + b * h / 3.0) - end * (a + b * h / 3.0 + c * side), 1e-10 * a * side);
+  }
+}
+
+TEST_P(PoreForce, OnDrainedSoilIsThePullOfTheGradient)
+{
+  Simulation s = simulate_on(distorted(4), block_in_water(GetParam(), Drainage::drained));
+  make_steps(s, 1);
+  const Mesh<2>& mesh = *s.model.mesh;
+  std::vector<Real> share(mesh.nodes.size(), 0.0);  // int N_i dV
+  for (Index e = 0; e < mesh.n_cells(); ++e)
+    for (int g = 0; g < 4; ++g) {
+      const auto N = Quad4::shape_functions(Quad4::gauss_place(g));
+      for (int i = 0; i < 4; ++i) share[mesh.cells[e][i]] += N[i] * mesh.geometry(e).gauss_volume[g];
+    }
+  for (std::size_t i = 0; i < share.size(); ++i) {
+    EXPECT_NEAR(s.work.water_force[i][0], -b * share[i], 1e-10 * a * h);
+    EXPECT_NEAR(s.work.water_force[i][1], -c * share[i], 1e-10 * a * h);
+  }
+}
+
+TEST(PoreForceOfPoints, HaveTheSameSumOnDrainedSoil)
+{
+  Simulation s = simulate_on(distorted(5), block_in_water("standard_mpm", Drainage::drained));
+  make_steps(s, 1);
+  Vec<2> sum{0.0, 0.0};
+  for (const Vec<2>& force : s.work.water_force) sum = {sum[0] + force[0], sum[1] + force[1]};
+  const Real area = n_cells * h * n_cells * h;
+  EXPECT_NEAR(sum[0], -b * area, 2e-3 * std::abs(b) * area);  // volumes of points in distorted cells
+  EXPECT_NEAR(sum[1], -c * area, 2e-3 * std::abs(c) * area);
+}
+
+}  // namespace
