@@ -15,8 +15,7 @@ using Rows = PointRows<2>;
 Real numerical_energy(const LedgerContext& c)
 {
   const WorkTotals& w = c.state.work;
-  return c.totals.kinetic + c.totals.elastic + c.left_energy + w.plastic - c.state.start_energy -
-         (w.gravity + w.damping + w.boundary + w.water);
+  return c.totals.kinetic + c.totals.elastic + c.left_energy + w.plastic - c.state.start_energy - w.given();
 }
 
 /// Of the points that left, when they did.
@@ -50,6 +49,10 @@ constexpr LedgerQuantity balance[] = {
     {{"damping_work", "J/m", "work of damping", "work of damping so far"}, [](C c) { return c.state.work.damping; }},
     {{"boundary_work", "J/m", "work of boundaries", "work of boundaries so far: friction, adhesion, prescribed motion"},
         [](C c) { return c.state.work.boundary; }},
+    {{"clamp_work", "J/m", "work of clamps",
+         "what points keep of the velocity that sides and footings take from the nodes as they move: its product with "
+         "the forces so far"},
+        [](C c) { return c.state.work.clamps; }},
     {{"water_work", "J/m", "work of the water", "work of pore pressure and free water so far"},
         [](C c) { return c.state.work.water; }},
     {{"left_energy", "J/m", "energy of soil that left",
@@ -57,7 +60,7 @@ constexpr LedgerQuantity balance[] = {
         [](C c) { return c.left_energy; }},
     {{"numerical", "J/m", "not explained by the balance",
          "what the balance does not explain: (kinetic + elastic) - (the same at t = 0) + left_energy + plastic - the "
-         "four works"},
+         "works above"},
         numerical_energy},
     {{"mass", "kg/m", "mass", "of all material points"}, [](C c) { return c.totals.mass; }},
     {{"momentum_x", "kg/s", "momentum, x", "of all material points, per metre"},

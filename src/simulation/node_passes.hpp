@@ -115,11 +115,13 @@ inline void accelerate_node(
   }
 }
 
-/// Works of the step with the remapped velocity, which moves and strains the points. With it they add up to the change
-/// of the points' kinetic energy plus 1/2 sum m_p |dv_p|^2 exactly (docs/methods.md, energy).
-inline void add_works(const Model& model, const NodeValues& node, NodeSums& sums)
+/// Works of the step with the remapped velocity, which moves and strains the points, and of the forces on what clamps
+/// take from it, which the points keep. They add up to the change of the points' kinetic energy plus 1/2 sum m_p
+/// |dv_p|^2 exactly (docs/methods.md, energy). remapped: before the clamps [m/s].
+inline void add_works(const Model& model, const NodeValues& node, Vec<2> remapped, NodeSums& sums)
 {
   for (int d = 0; d < 2; ++d) {
+    sums.clamps += node.mass * node.dv[d] * (remapped[d] - node.v[d]);
     const Real path = node.v[d] * model.dt;
     sums.gravity += node.mass * model.gravity[d] * path;
     sums.damping += node.damping[d] * path;
@@ -137,10 +139,11 @@ inline void remap_velocity(const Model& model, const NodeGather& sum, Index i, W
   if (!(node.mass > 0.0)) return;
   const Vec<2> v_1 = node.v;
   for (int d = 0; d < 2; ++d) node.v[d] = sum.momentum[d] / node.mass;
+  const Vec<2> remapped = node.v;
   const bool across_alone = model.method.remap_contact == RemapContact::across;
   model.boundary.clamp(i, node.mass, model.dt, v_1, node.boundary, node.v, across_alone);
   if (const int k = footing_at(work, model.mesh->nodes[i]); k >= 0) work.footings[k].hold(node.v);
-  add_works(model, node, sums);
+  add_works(model, node, remapped, sums);
   if (model.water)
     for (int d = 0; d < 2; ++d) sums.water += work.water_force[i][d] * node.v[d] * model.dt;
 }

@@ -141,8 +141,8 @@ Summary summarise(const Model& model, const State& state)
   // Velocities are those of half a step before the places, so half of the last step's work is not yet in the kinetic
   // energy (docs/methods.md, section 5).
   const Real half_step = 0.5 * w.last_step;
-  const Real numerical = kinetic_and_elastic_energy(model, state) + half_step + w.plastic - state.start_energy -
-                         (w.gravity + w.damping + w.boundary + w.water);
+  const Real numerical =
+      kinetic_and_elastic_energy(model, state) + half_step + w.plastic - state.start_energy - w.given();
   s.energy_balance_error = exchanged > 0.0 ? std::abs(numerical) / exchanged : 0.0;
   s.clamped_points = state.clamped;
   s.v_999 = state.largest_v_999;

@@ -13,12 +13,16 @@ namespace terp {
 /// Work done so far [J per m]; positive when it adds energy to the soil.
 struct WorkTotals {
   Real gravity = 0.0, damping = 0.0, boundary = 0.0;
+  Real clamps = 0.0;     ///< what points keep of the velocity that the boundary takes from nodes in pass 4
   Real plastic = 0.0;    ///< dissipated
   Real internal = 0.0;   ///< of the internal forces on the nodes
   Real water = 0.0;      ///< of pore pressure and free water
   Real exchanged = 0.0;  ///< largest sum of the sizes of gravity, damping, boundary, water and plastic so far: what
                          ///< swings to and fro was exchanged, too
-  Real last_step = 0.0;  ///< gravity, damping, boundary, water and internal, in the last step alone
+  Real last_step = 0.0;  ///< given() and internal, in the last step alone
+
+  /// What the soil was given from outside.
+  Real given() const { return gravity + damping + boundary + clamps + water; }
 };
 
 struct State {

@@ -203,7 +203,7 @@ std::vector<ArraySource> arrays_of(const State& state)
   }
   const WorkTotals& w = state.work;
   arrays.copy("work", std::vector<Real>{w.gravity, w.damping, w.boundary, w.plastic, w.internal, w.exchanged,
-                          w.last_step, state.start_energy, state.largest_v_999});
+                          w.last_step, state.start_energy, state.largest_v_999, w.clamps});
   if (w.water != 0.0) arrays.copy(work_of_water, std::vector<Real>{w.water});
   arrays.copy("counts", std::vector<std::int64_t>{state.clamped, state.equilibrium_steps, state.frames_reported});
   for (const auto& [table, n] : state.rows_reported)
@@ -276,10 +276,11 @@ State restore(const Model& model, const StateImage& image)
   }
   get_left(arrays, state);
   check_ids(state);
-  const auto& w = arrays.reals("work", 9);
+  const auto& w = arrays.reals("work", 10);
   state.work = {.gravity = w[0],
       .damping = w[1],
       .boundary = w[2],
+      .clamps = w[9],
       .plastic = w[3],
       .internal = w[4],
       .exchanged = w[5],

@@ -62,6 +62,7 @@ void finish_sums(State& state, Workspace& work)
     total.gravity += sums.gravity;
     total.damping += sums.damping;
     total.boundary += sums.boundary;
+    total.clamps += sums.clamps;
     total.internal += sums.internal;
     total.water += sums.water;
     total.unbalanced += sums.unbalanced;
@@ -75,9 +76,10 @@ void finish_sums(State& state, Workspace& work)
   state.work.gravity += total.gravity;
   state.work.damping += total.damping;
   state.work.boundary += total.boundary;
+  state.work.clamps += total.clamps;
   state.work.internal += total.internal;
   state.work.water += total.water;
-  state.work.last_step = total.gravity + total.damping + total.boundary + total.internal + total.water;
+  state.work.last_step = total.gravity + total.damping + total.boundary + total.clamps + total.water + total.internal;
   for (const CellSums& sums : work.cell_sums) state.work.plastic += sums.plastic;
   state.work.exchanged = energy_exchanged(state.work);
   work.finite = total.finite;

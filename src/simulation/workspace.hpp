@@ -24,8 +24,9 @@ struct NodeValues {
 
 /// Sums over the nodes of one chunk.
 struct NodeSums {
-  Real gravity = 0.0, damping = 0.0, boundary = 0.0, internal = 0.0, water = 0.0;  ///< work of the step [J per m]
-  Real unbalanced = 0.0, weight = 0.0;                                             ///< sum of |m a|, of |m g| [N per m]
+  /// Works of the step [J per m].
+  Real gravity = 0.0, damping = 0.0, boundary = 0.0, clamps = 0.0, water = 0.0, internal = 0.0;
+  Real unbalanced = 0.0, weight = 0.0;          ///< sum of |m a|, of |m g| [N per m]
   Real kinetic = 0.0;                           ///< of the nodes at the start of the step [J per m]
   std::array<Vec<2>, most_footings> footing{};  ///< impulse of each footing on its nodes [N s per m]
   bool finite = true;

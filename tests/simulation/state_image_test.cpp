@@ -43,6 +43,7 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
   state.work = {.gravity = 1.0,
       .damping = 2.0,
       .boundary = 3.0,
+      .clamps = 3.5,
       .plastic = 4.0,
       .internal = 5.0,
       .exchanged = 5.25,
@@ -58,6 +59,7 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
   EXPECT_EQ(back.work.gravity, 1.0);
   EXPECT_EQ(back.work.damping, 2.0);
   EXPECT_EQ(back.work.boundary, 3.0);
+  EXPECT_EQ(back.work.clamps, 3.5);
   EXPECT_EQ(back.work.plastic, 4.0);
   EXPECT_EQ(back.work.internal, 5.0);
   EXPECT_EQ(back.work.exchanged, 5.25);
