@@ -34,6 +34,7 @@ ProgressLine::ProgressLine(bool quiet, std::string label, double later_s)
 void ProgressLine::progress(const Progress& p)
 {
   if (quiet_ || p.n_steps == 0) return;
+  if (p.out_of_balance >= 0.0) return show_search(p);
   const double part = static_cast<double>(p.step) / static_cast<double>(p.n_steps);
   std::string line =
       label_ + fmt::format("{:5.1f} %  t = {:.3f} of {:g} s  step {} of {}  {:.1f} M point-steps/s  ETA {}",
@@ -46,6 +47,21 @@ void ProgressLine::progress(const Progress& p)
   } else if (10.0 * part >= next_tenth_) {
     show(stdout, line + '\n');
     next_tenth_ = static_cast<int>(10.0 * part) + (label_.empty() ? 1 : 5);
+  }
+}
+
+void ProgressLine::show_search(const Progress& p)
+{
+  const std::string line = label_ + fmt::format(
+                                        "search for equilibrium: out of balance {:.1e} of the weight, limit "
+                                        "{:.1e}  step {} of at most {}, {}",
+                                        p.out_of_balance, p.limit, p.step, p.n_steps, readable_duration(p.eta_s));
+  if (terminal_) {
+    show(stdout, "\r\033[K" + line);
+    open_ = true;
+  } else if (p.wall_s >= next_search_s_) {
+    show(stdout, line + '\n');
+    next_search_s_ = 2.0 * p.wall_s;
   }
 }
 

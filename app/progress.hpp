@@ -25,11 +25,14 @@ class ProgressLine : public Observer {
   void finish();
 
  private:
+  void show_search(const Progress& p);
+
   bool quiet_, terminal_;
   std::string label_;
   double later_s_;
   bool open_ = false;
-  int next_tenth_;  // of the run, when lines are plain; half of a run of several
+  double next_search_s_ = 5.0;  // wall time of the next line about the search for equilibrium, when lines are plain
+  int next_tenth_;              // of the run, when lines are plain; half of a run of several
 };
 
 }  // namespace terp

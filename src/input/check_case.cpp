@@ -172,9 +172,11 @@ void check_initial(const Node& root, const Case& values, Findings& findings)
       findings.warnings.push_back({path, fmt::format("`{}` has no effect", key),
           fmt::format("It counts with stress = \"{}\" only.", word), path, true});
   };
-  warn_unless("k0", InitialStress::k0, "k0");
+  const bool takes_k0 =
+      stress == InitialStress::k0 || (stress == InitialStress::equilibrium && values.water.is_given());
+  if (!takes_k0) warn_unless("k0", InitialStress::k0, "k0");
   for (const MaterialCase& material : values.materials)
-    if (stress != InitialStress::k0 && !std::isnan(material.k0))
+    if (!takes_k0 && !std::isnan(material.k0))
       findings.warnings.push_back({join_path(material_path(material), "k0"), "`k0` has no effect",
           "It counts with initial.stress = \"k0\" only.", "material.k0", true});
   for (const char* key : {"damping", "limit", "max_steps"}) warn_unless(key, InitialStress::equilibrium, "equilibrium");

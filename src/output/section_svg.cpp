@@ -5,8 +5,10 @@
 
 #include "boundary/conditions.hpp"
 #include "output/svg.hpp"
+#include "simulation/overburden.hpp"
 #include "simulation/setup_points.hpp"
 #include "simulation/side_shape.hpp"
+#include "water/water_pressure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +42,7 @@ class SectionDrawing {
   {
     cells();
     bodies();
+    water();
     mesh_lines();
     sides();
     footings();
@@ -120,18 +123,63 @@ class SectionDrawing {
     for (const BodyCase& body : model_.description.bodies) {
       if (!body.points_file.empty()) continue;
       const BodyOutline& outline = outlines[k++];
-      const char* colour = colour_of(material_number(model_, body.material));
+      const char* colour = colour_of(material_number(model_, body.material, Zone::above));
+      const char* colour_below = colour_of(material_number(model_, body.material, Zone::below));
       std::string path;
       if (outline.cells.empty()) {
         path = ring(outline.polygon);
         for (const Polygon& hole : outline.holes) path += ring(hole);
         put("<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\" stroke=\"#5b4a33\" stroke-width=\"1.2\"/>", path, colour);
+        if (colour_below != colour)  // cut along the phreatic line
+          put("<clipPath id=\"below{0}\"><path d=\"{1}\"/></clipPath><path d=\"{2}\" fill=\"{3}\" "
+              "fill-rule=\"evenodd\" "
+              "clip-path=\"url(#below{0})\"/>",
+              k, below_water(), path, colour_below);
       } else {
         for (const Index cell : outline.cells) path += cell_path(cell);
         put("<path d=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"0.5\"/>", path, colour, colour);
       }
     }
     points_of_files();
+  }
+
+  /// All of the section below the phreatic line of the start.
+  std::string below_water() const
+  {
+    std::vector<Vec<2>> corners{{high_[0], low_[1]}, {low_[0], low_[1]}};
+    const std::vector<Vec<2>>& line = model_.description.water.start.phreatic_line;
+    corners.push_back({low_[0], elevation_at(line, low_[0])});
+    for (const Vec<2>& x : line)
+      if (x[0] > low_[0] && x[0] < high_[0]) corners.push_back(x);
+    corners.push_back({high_[0], elevation_at(line, high_[0])});
+    return ring(corners);
+  }
+
+  /// The phreatic line of the start, and free water down to the ground.
+  void water()
+  {
+    const WaterCase& water = model_.description.water;
+    if (water.start.phreatic_line.empty()) return;
+    constexpr int n = 400;  // samples over the width of the mesh
+    const Overburden overburden(model_);
+    std::string free, line;
+    for (int k = 0; k <= n; ++k) {
+      const Real x = low_[0] + (high_[0] - low_[0]) * k / n, y = elevation_at(water.start.phreatic_line, x);
+      line += fmt::format("{}{:.2f} {:.2f}", k == 0 ? "M" : "L", px(x), py(y));
+      if (const Real ground = std::max(overburden.ground(x).value_or(low_[1]), low_[1]); y > ground)
+        free += fmt::format("M{0:.2f} {1:.2f}V{2:.2f}", px(x), py(y), py(ground));
+    }
+    put("<path d=\"{}\" stroke=\"#5b9bd5\" stroke-opacity=\"0.35\" stroke-width=\"{:.2f}\"/>", free,
+        scale_ * (high_[0] - low_[0]) / n + 0.2);
+    put("<path d=\"{}\" fill=\"none\" stroke=\"#1f5fa8\" stroke-width=\"2\" stroke-dasharray=\"8 4\"/>", line);
+    for (const ReferenceLine& reference : water.start.reference_lines) {
+      std::string path;
+      for (int k = 0; k <= n; ++k) {
+        const Real x = low_[0] + (high_[0] - low_[0]) * k / n;
+        path += fmt::format("{}{:.2f} {:.2f}", k == 0 ? "M" : "L", px(x), py(elevation_at(reference.places, x)));
+      }
+      put("<path d=\"{}\" fill=\"none\" stroke=\"#1f5fa8\" stroke-width=\"1.2\" stroke-dasharray=\"2 4\"/>", path);
+    }
   }
 
   /// Bodies from files of points have no outline: each point is a disc of its volume.
@@ -321,6 +369,11 @@ class SectionDrawing {
                 colour_of(static_cast<Index>(m))),
           fmt::format("{}: {}, {:.4g} kg/m³", soil.name, soil.type->name, soil.density));
     }
+    if (!model_.description.water.start.phreatic_line.empty())
+      entry("<path d=\"M0 0H24\" stroke=\"#1f5fa8\" stroke-width=\"2\" stroke-dasharray=\"8 4\"/>",
+          "phreatic line at the start");
+    if (!model_.description.water.start.reference_lines.empty())
+      entry("<path d=\"M0 0H24\" stroke=\"#1f5fa8\" stroke-width=\"1.2\" stroke-dasharray=\"2 4\"/>", "reference line");
     std::vector<std::string_view> shown;
     for (const SideKindInfo& kind : side_kinds()) {
       const auto has_it = [&](const SideCondition& side) { return side.kind == kind.kind; };

@@ -2,6 +2,7 @@
 
 #include "base/quantity.hpp"
 #include "simulation/ledger.hpp"
+#include "simulation/nodal_water.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,6 +42,9 @@ const CommonField common_fields[] = {
     {{"eps_deviatoric", "-", "total deviatoric strain", "total deviatoric strain in output.deviatoric_norm"}, 1,
         [](P p, Real* out) { *out = deviatoric_strain(p.block, p.lane, p.model.description.output.deviatoric_norm); }},
 };
+
+constexpr QuantityInfo pore_pressure{"pore_pressure", "Pa", "pore pressure",
+    "pressure of the water at the point, in the soil or around it; suction is negative"};
 
 /// "current cohesion" of "current cohesion, Eq. (5)".
 std::string label_of(std::string_view meaning) { return std::string(meaning.substr(0, meaning.find(','))); }
@@ -89,6 +93,17 @@ void add(FrameField field, F read, std::vector<FrameField>& fields)
   fields.push_back(std::move(field));
 }
 
+/// As the forces of the present step have it.
+void add_pore_pressure(const Model& model, const State& state, std::vector<FrameField>& fields)
+{
+  const auto pore = std::make_shared<PorePressure>();
+  model.water->renew(state.time, *pore);
+  const auto read = [&model, pore](const PointBlock<2>& block, Index lane, Real* out) {
+    *out = pore_pressure_at(model, *pore, block, lane);
+  };
+  add(field_of(CommonField{pore_pressure, 1, nullptr}), read, fields);
+}
+
 /// NaN at points whose material does not have the row.
 void add_row(const RowInfo& row, std::vector<FrameField>& fields)
 {
@@ -123,6 +138,7 @@ std::vector<FrameField> frame_fields(const Model& model, const State& state)
     };
     add(field_of(common), read, fields);
   }
+  if (model.water) add_pore_pressure(model, state, fields);
   for (const SoilMaterial& of : model.materials)
     for (const DerivedInfo& info : of.type->derived)
       if (!has(fields, info.name)) add_derived(model, info, fields);
@@ -147,6 +163,7 @@ std::vector<FrameField> all_frame_fields()
   for (const RowInfo& row : any_point.entries())
     if (row.shown) fields.push_back(field_of(row));
   for (const CommonField& common : common_fields) fields.push_back(field_of(common));
+  fields.push_back(field_of(CommonField{pore_pressure, 1, nullptr}));
   for (const MaterialType* law : all_materials())
     for (FrameField& field : frame_fields_of(*law))
       if (!has(fields, field.name)) fields.push_back(std::move(field));

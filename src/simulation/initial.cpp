@@ -1,6 +1,6 @@
 #include "simulation/initial.hpp"
 
-#include "simulation/ledger.hpp"
+#include "simulation/no_equilibrium.hpp"
 #include "simulation/overburden.hpp"
 #include "simulation/run.hpp"
 
@@ -30,56 +30,10 @@ void reset_history(const RowTable& table, State& state)
   std::fill(state.put_back.begin(), state.put_back.end(), false);
 }
 
-/// Soil that yielded in the search and moved beyond its cell: another body came to rest than the one that was drawn.
-struct Flow {
-  Index n = 0;     ///< points
-  Real way = 0.0;  ///< the longest [m]
-};
-
-Flow find_flow(const Model& model, const State& state)
-{
-  using Rows = PointRows<2>;
-  constexpr Real yielded = 0.1;  // eps_eq_p; single points at a toe come to 0.09 in soil that stands
-  Flow flow;
-  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
-    const int strain = row_of(model.materials[block.material], Role::plastic_strain);
-    if (strain < 0 || block.row(strain)[lane] < yielded) return;
-    const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
-    const Real way = std::hypot(
-        block.row(Rows::x)[lane] - state.x_initial[2 * id], block.row(Rows::x + 1)[lane] - state.x_initial[2 * id + 1]);
-    const Vec<2> a = model.mesh->nodes[model.mesh->cells[block.cell][0]],
-                 c = model.mesh->nodes[model.mesh->cells[block.cell][2]];
-    if (way <= std::hypot(c[0] - a[0], c[1] - a[1])) return;
-    ++flow.n;
-    flow.way = std::max(flow.way, way);
-  });
-  return flow;
-}
-
-std::string describe_flow(const Flow& flow, Index n_points)
-{
-  return fmt::format(
-      "no equilibrium: the body came to rest only after {:.2g} % of its soil had yielded and moved by up to {:.3g} "
-      "m\n\n"
-      "  likely   the body cannot stand under its own weight\n"
-      "  try      initial.stress = \"none\" or \"k0\", or a stronger soil (docs/troubleshooting.md#no-equilibrium)",
-      100.0 * static_cast<Real>(flow.n) / static_cast<Real>(n_points), flow.way);
-}
-
 constexpr Real most_that_flows = 0.01;  // of the points: some trickle down the face of soil that stands
 
 constexpr const char* soil_left =
     "in the search for equilibrium soil left through an open side; give that side a `roller`, or start with \"k0\"";
-
-std::string describe_no_equilibrium(const InitialCase& initial, Real ratio)
-{
-  return fmt::format(
-      "no equilibrium: after {} steps the out-of-balance force is {:.2e} of the weight, limit {:.2e}\n\n"
-      "  likely   the body cannot stand under its own weight, or needs more steps\n"
-      "  try      initial.stress = \"none\" or \"k0\", a stronger soil, or a larger initial.max_steps "
-      "(docs/troubleshooting.md#no-equilibrium)",
-      initial.max_steps, ratio, initial.limit);
-}
 
 }  // namespace
 
@@ -87,8 +41,10 @@ void set_initial_stress(const Model& model, State& state)
 {
   using Rows = PointRows<2>;
   const Case& c = model.description;
-  if (c.initial.stress != InitialStress::k0) return;
+  const bool first_guess = c.initial.stress == InitialStress::equilibrium && model.water;
+  if (c.initial.stress != InitialStress::k0 && !first_guess) return;
   const Overburden overburden(model);
+  if (first_guess && !overburden.is_known()) return;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const Vec<2> x{block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]};
     const MaterialCase& material = c.materials[block.material];
@@ -104,7 +60,8 @@ void set_initial_stress(const Model& model, State& state)
   });
 }
 
-Search seek_equilibrium(const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop)
+Search seek_equilibrium(
+    const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop, const std::function<void()>& told)
 {
   const InitialCase& initial = model.description.initial;
   constexpr std::int64_t fewest_steps = 10;  // before the ratio says anything
@@ -112,6 +69,7 @@ Search seek_equilibrium(const Model& model, State& state, Workspace& work, const
   work.settling = true;
   const auto goes_on = [&] {
     ++state.equilibrium_steps;
+    if (told) told();
     return state.left.empty() && (state.equilibrium_steps < fewest_steps || work.unbalanced_ratio > initial.limit);
   };
   const StepsMade made = make_steps(model, state, work,
@@ -121,10 +79,10 @@ Search seek_equilibrium(const Model& model, State& state, Workspace& work, const
           .after_step = goes_on});
   if (made.end == LoopEnd::fault) return {.fault = "in the search for equilibrium: " + made.fault};
   if (made.end == LoopEnd::stopped) return {};
-  if (made.end == LoopEnd::all_steps) return {.fault = describe_no_equilibrium(initial, work.unbalanced_ratio)};
+  if (made.end == LoopEnd::all_steps) return {.fault = describe_no_equilibrium(model, state, work)};
   if (!state.left.empty()) return {.fault = soil_left};
   if (const Flow flow = find_flow(model, state); flow.n > most_that_flows * static_cast<Real>(state.n_ids()))
-    return {.fault = describe_flow(flow, state.n_ids())};
+    return {.fault = describe_flow(model, state, flow)};
   work.damping_local = model.damping.local;
   work.settling = false;
   reset_history(model.rows, state);

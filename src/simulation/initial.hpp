@@ -6,12 +6,14 @@
 #include "simulation/workspace.hpp"
 
 #include <atomic>
+#include <functional>
 #include <string>
 
 namespace terp {
 
 /// InitialStress::k0: effective sigma_yy = weight of soil and free water above less p_w, effective sigma_xx = sigma_zz
 /// = k0 sigma_yy; undrained soil stores them less p_w. None: zero.
+/// With water the search for equilibrium begins with the same stress, where all bodies have outlines.
 void set_initial_stress(const Model& model, State& state);
 
 /// How the search for equilibrium ended; neither: it was stopped and goes on later.
@@ -25,6 +27,8 @@ struct Search {
 /// search stopped. A body of which more than 1 % yielded and moved beyond a cell before it came to rest is none in
 /// equilibrium: it could not stand as drawn. A `stop` that comes with the very step that meets the limit is too late:
 /// the search has ended.
-Search seek_equilibrium(const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop);
+/// told: called after every step.
+Search seek_equilibrium(const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop,
+    const std::function<void()>& told = {});
 
 }  // namespace terp

@@ -101,6 +101,12 @@ CappedWater NodalWater::find_capped(std::span<const Index> nodes) const
   return capped;
 }
 
+bool NodalWater::is_dry(std::span<const Index> nodes) const
+{
+  return std::ranges::all_of(fields_,
+      [&](const Field& field) { return std::ranges::none_of(nodes, [&](Index i) { return field.at_node[i] > 0.0; }); });
+}
+
 Real pore_pressure_at(const Model& model, const PorePressure& pore, const PointBlock<2>& block, Index lane)
 {
   using Rows = PointRows<2>;

@@ -30,6 +30,9 @@ class NodalWater {
   /// Over all situations, at the given nodes.
   CappedWater find_capped(std::span<const Index> nodes) const;
 
+  /// True if there is no water at any of the nodes, in no situation.
+  bool is_dry(std::span<const Index> nodes) const;
+
  private:
   /// Unlimited pressures of a situation [Pa], shape [n_nodes].
   struct Field {

@@ -66,9 +66,11 @@ struct StateImage {
 struct Progress {
   Real time, end_time;  ///< [s]
   std::int64_t step, n_steps, n_points;
-  double wall_s;             ///< spent solving in this process
-  double point_steps_per_s;  ///< over this process
-  double eta_s;              ///< to the end
+  double wall_s;               ///< spent solving in this process
+  double point_steps_per_s;    ///< over this process
+  double eta_s;                ///< to the end
+  Real out_of_balance = -1.0;  ///< in the search for equilibrium: force over weight [-]; step and n_steps are its own
+  Real limit = 0.0;            ///< at which it ends [-]
 };
 
 /// Points beyond which frames and images are shown in parts, so that a run of millions of points need not hold a second

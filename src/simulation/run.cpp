@@ -42,6 +42,26 @@ struct Loop {
     reporter.report_checkpoint();
   }
 
+  void report_search(Real out_of_balance)
+  {
+    const double wall = seconds_since(start);
+    if (wall - last_progress < progress_every) return;
+    last_progress = wall;
+    const InitialCase& initial = model.description.initial;
+    const auto done = static_cast<double>(state.equilibrium_steps);
+    const double most = wall / done * (static_cast<double>(initial.max_steps) - done);
+    reporter.report({.time = 0.0,
+        .end_time = model.description.time.end,
+        .step = state.equilibrium_steps,
+        .n_steps = initial.max_steps,
+        .n_points = state.points.n_points(),
+        .wall_s = wall,
+        .point_steps_per_s = done * static_cast<double>(state.points.n_points()) / wall,
+        .eta_s = most,
+        .out_of_balance = out_of_balance,
+        .limit = initial.limit});
+  }
+
   void report_progress(bool last)
   {
     const double wall = seconds_since(start);
@@ -56,10 +76,12 @@ struct Loop {
 };
 
 /// What comes before the first step; reached: the first step may be made.
-Search start_run(const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop)
+Search start_run(const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop, Loop& loop)
 {
   if (model.description.initial.stress == InitialStress::equilibrium)
-    if (Search search = seek_equilibrium(model, state, work, stop); !search.reached) return search;
+    if (Search search = seek_equilibrium(model, state, work, stop, [&] { loop.report_search(work.unbalanced_ratio); });
+        !search.reached)
+      return search;
   start_followers(model, state);
   state.start_energy = kinetic_and_elastic_energy(model, state);
   return {.reached = true};
@@ -97,8 +119,11 @@ Outcome run(const Model& model, State& state, Workspace& work, std::span<Observe
 {
   Loop loop{.model = model, .state = state, .reporter = Reporter(model, state, work, observers)};
   if (!has_started(state)) {
-    const Search search = start_run(model, state, work, stop);
-    if (!search.fault.empty()) loop.reporter.stop_run(search.fault);
+    const Search search = start_run(model, state, work, stop, loop);
+    if (!search.fault.empty()) {
+      loop.report_due(false);  // the state as the search left it, to look at
+      loop.reporter.stop_run(search.fault);
+    }
     if (!search.reached) {
       loop.report_checkpoint();
       return Outcome::interrupted;

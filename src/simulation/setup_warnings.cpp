@@ -1,6 +1,8 @@
 #include "simulation/setup_warnings.hpp"
 
+#include "mesh/mesh_error.hpp"
 #include "simulation/footings.hpp"
+#include "simulation/nodal_water.hpp"
 #include "simulation/reference_width.hpp"
 #include "simulation/setup_history.hpp"
 #include "simulation/softening_scales.hpp"
@@ -71,6 +73,29 @@ void find_short_averaging(const Model& model, std::vector<Problem>& warnings)
       "forces.damping.averaging_time", false, {"forces.damping"}});
 }
 
+void find_odd_water(const Model& model, const State& state, std::vector<Problem>& warnings)
+{
+  if (!model.water) return;
+  std::vector<Index> nodes;
+  for (const Index cell : state.points.occupied())
+    nodes.insert(nodes.end(), model.mesh->cells[cell].begin(), model.mesh->cells[cell].end());
+  std::ranges::sort(nodes);
+  nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
+  if (model.water->is_dry(nodes))
+    warnings.push_back({"water", "the water touches no soil",
+        "Its pressure is zero in all soil, in every situation. Elevations are in m, in the frame of the mesh.",
+        "water"});
+  const CappedWater capped = model.water->find_capped(nodes);
+  if (capped.n == 0) return;
+  const WaterSituation& of = situation_of(model.description.water, capped.situation);
+  warnings.push_back({"water", fmt::format("the pore pressure was cut at {} of {} nodes", capped.n, nodes.size()),
+      fmt::format("It was up to {:.3g} kPa more than the weight of the soil and the water above, most at {} m{}.\n"
+                  "There the effective stress is zero: the soil is on the point of uplift.",
+          1e-3 * capped.most, place_text(capped.where),
+          of.name.empty() ? "" : fmt::format(", in the situation `{}`", of.name)),
+      "water", true});
+}
+
 }  // namespace
 
 std::vector<Problem> find_warnings(const Model& model, const State& state)
@@ -80,6 +105,7 @@ std::vector<Problem> find_warnings(const Model& model, const State& state)
   find_thin_points(model, warnings);
   find_sides_that_move_far(model, warnings);
   find_odd_places(model, warnings);
+  find_odd_water(model, state, warnings);
   find_odd_scales(model, state, warnings);
   find_odd_softening_lengths(model, state, warnings);
   find_wide_cells(model, state, warnings);

@@ -31,6 +31,10 @@ MaterialCase elastic_twin(const MaterialCase& material, const MaterialType& law)
 {
   MaterialCase twin{
       material.name, "linear_elastic", material.density, elastic_parameters(law.make(material.parameters)->moduli())};
+  twin.drainage = material.is_drained() ? Drainage::drained : Drainage::undrained;
+  twin.k0 = material.k0;
+  twin.soil = material.soil;
+  twin.zone = material.zone;
   if (material.fields.empty()) return twin;
   for (std::size_t k = 0; k < twin.parameters.size(); ++k)
     twin.fields.push_back({k, [material, &law, k](Vec<2> x) {
@@ -106,6 +110,11 @@ Case quiet_case(Case c)
   c.footings.clear();
   for (SideCondition& side : c.sides) side.velocity = {0.0, 0.0}, side.velocity_at = {};
   for (BodyCase& body : c.bodies) body.velocity = {0.0, 0.0}, body.velocity_at = {};
+  c.water.situations.clear();  // the water of the start stays
+  if (c.water.start.formula_changes) {
+    c.water.start.formula = [at = c.water.start.formula](Vec<2> x, Real) { return at(x, 0.0); };
+    c.water.start.formula_changes = false;
+  }
   return c;
 }
 

@@ -49,6 +49,25 @@ TEST(InitialStress, K0CarriesTheWeightOfTheSoilAbove)
   }
 }
 
+TEST(InitialStress, K0IsOfTheEffectiveStressAndOfEachMaterial)
+{
+  for (const Drainage drainage : {Drainage::drained, Drainage::undrained}) {
+    Case c = confined_box(InitialStress::k0);
+    c.initial.k0 = 0.7;
+    c.materials[0].k0 = 0.4;
+    c.materials[0].drainage = drainage;
+    c.water.unit_weight = 10e3;
+    c.water.start.phreatic_line = {{0.0, 1.75}};
+    for (const Point& p : points_by_id(Simulation(c).state)) {
+      const Real pore = 10e3 * (1.75 - p.x[1]), effective = -2000.0 * g * (1.5 - p.x[1]) - 10e3 * 0.25 + pore;
+      const Real stored = drainage == Drainage::undrained ? pore : 0.0;
+      EXPECT_NEAR(p.sigma[1], effective - stored, 1e-8);
+      EXPECT_NEAR(p.sigma[0], 0.4 * effective - stored, 1e-8);
+      EXPECT_NEAR(p.sigma[2], 0.4 * effective - stored, 1e-8);
+    }
+  }
+}
+
 TEST(InitialStress, K0CountsEachLayerWithItsOwnDensityAndAnOverlapOnce)
 {
   Case c = confined_box(InitialStress::k0);
@@ -168,6 +187,8 @@ TEST(Equilibrium, AColumnThatCannotStandIsRefused)
   Simulation s(c);
   const char* expected =
       "no equilibrium: after 500 steps the out-of-balance force is [0-9.e-]+ of the weight, limit 1[.]00e-03\n\n"
+      "  where    the largest force is at [(][0-9., ]+[)] m, in `clay`; half of all lies within [0-9.]+ m of it\n"
+      "           soil moved furthest from [(][0-9., ]+[)] m, in `clay`: by [0-9.]+ m\n"
       "  likely   the body cannot stand under its own weight, or needs more steps\n"
       "  try      initial[.]stress = \"none\" or \"k0\", a stronger soil, or a larger initial[.]max_steps "
       "[(]docs/troubleshooting[.]md#no-equilibrium[)]";
@@ -181,6 +202,7 @@ TEST(Equilibrium, AColumnThatFlowsUntilItRestsIsRefused)
   Simulation s(c);
   EXPECT_THAT(seek(s), MatchesRegex("no equilibrium: the body came to rest only after [0-9]+ % of its soil "
                                     "had yielded and moved by up to [1-9][.][0-9]+ m\n\n"
+                                    "  where    soil moved furthest from [(][0-9., ]+[)] m, in `clay`: by [0-9.]+ m\n"
                                     "  likely   the body cannot stand under its own weight\n.*"));
 }
 

@@ -41,6 +41,27 @@ TEST(SetupWarnings, PointsOfAFileWithHardlyAnyVolumeAreTold)
       warnings, ElementsAre(told("body[1].points", _, StartsWith("Their volumes fill 24 % of the fullest cell;"))));
 }
 
+TEST(SetupWarnings, WaterThatTouchesNoSoilIsTold)
+{
+  Case c = free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.0});
+  c.water.start.phreatic_line = {{0.0, 0.75}};
+  EXPECT_TRUE(warnings_of(c).empty());
+  c.water.start.phreatic_line = {{0.0, 0.5}};
+  EXPECT_THAT(warnings_of(c), ElementsAre(told("water", "the water touches no soil")));
+}
+
+TEST(SetupWarnings, WhereThePorePressureIsCutIsTold)
+{
+  Case c = free_box("mpm_gp", {1.0, 0.5}, {2.0, 1.0});  // clay, 1990 kg/m^3: 9.76 kPa at its base
+  c.water.start.phreatic_line = {{0.0, 1.0}};
+  c.water.start.head_lines = {{"aquifer", {{0.0, 3.0}}}};
+  c.water.start.reference_lines = {{{{0.0, 0.6}}, "aquifer", "aquifer"}};
+  EXPECT_THAT(warnings_of(c),
+      ElementsAre(told("water", "the pore pressure was cut at 5 of 15 nodes",
+          StartsWith(
+              "It was up to 14.8 kPa more than the weight of the soil and the water above, most at (1, 0.5) m"))));
+}
+
 TEST(SetupWarnings, ASideThatMovesMoreThanACellIsTold)
 {
   Case c = column("mpm_gp");  // cells of 0.5 m

@@ -1,0 +1,115 @@
+#include "simulation/no_equilibrium.hpp"
+
+#include "mesh/mesh_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+using Rows = PointRows<2>;
+
+Real distance_moved(const State& state, const PointBlock<2>& block, Index lane)
+{
+  const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
+  return std::hypot(
+      block.row(Rows::x)[lane] - state.x_initial[2 * id], block.row(Rows::x + 1)[lane] - state.x_initial[2 * id + 1]);
+}
+
+/// Name of the material that most soil around a node is of.
+std::string soil_at(const Model& model, const State& state, Index node)
+{
+  std::vector<Real> volume(model.materials.size(), 0.0);
+  for (Index k = model.mesh->first_cell_of_node[node]; k < model.mesh->first_cell_of_node[node + 1]; ++k)
+    for_each_block(state.points, model.mesh->cells_of_node[k].cell, [&](const PointBlock<2>& block, Index) {
+      for (Index lane = 0; lane < block.n; ++lane) volume[block.material] += block.row(Rows::volume)[lane];
+    });
+  return model.materials[static_cast<std::size_t>(std::ranges::max_element(volume) - volume.begin())].name;
+}
+
+/// The node with the largest force out of balance, and how far around it half of all of them lies.
+std::string describe_unbalanced(const Model& model, const State& state, const Workspace& work)
+{
+  const auto force_of = [&](Index i) {
+    return work.node[i].mass * std::hypot(work.node[i].dv[0], work.node[i].dv[1]) / model.dt;
+  };
+  const Index largest = *std::ranges::max_element(work.active_nodes, {}, force_of);
+  const Vec<2> at = model.mesh->nodes[largest];
+  std::vector<std::pair<Real, Real>> around;  // distance [m], force [N per m]
+  Real all = 0.0;
+  for (const Index i : work.active_nodes) {
+    const Vec<2> x = model.mesh->nodes[i];
+    around.emplace_back(std::hypot(x[0] - at[0], x[1] - at[1]), force_of(i));
+    all += around.back().second;
+  }
+  std::ranges::sort(around);
+  Real sum = 0.0;
+  const auto half = std::ranges::find_if(around, [&](const auto& node) { return 2.0 * (sum += node.second) >= all; });
+  return fmt::format("the largest force is at {} m, in `{}`; half of all lies within {:.3g} m of it", place_text(at),
+      soil_at(model, state, largest), half == around.end() ? 0.0 : half->first);
+}
+
+/// The point that moved furthest.
+std::string describe_moved(const Model& model, const State& state)
+{
+  Real furthest = -1.0;
+  std::string text;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const Real moved = distance_moved(state, block, lane);
+    if (!(moved > furthest)) return;
+    furthest = moved;
+    const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
+    text = fmt::format("soil moved furthest from {} m, in `{}`: by {:.3g} m",
+        place_text({state.x_initial[2 * id], state.x_initial[2 * id + 1]}), model.materials[block.material].name,
+        moved);
+  });
+  return text;
+}
+
+}  // namespace
+
+Flow find_flow(const Model& model, const State& state)
+{
+  constexpr Real yielded = 0.1;  // eps_eq_p; single points at a toe come to 0.09 in soil that stands
+  Flow flow;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const int strain = row_of(model.materials[block.material], Role::plastic_strain);
+    if (strain < 0 || block.row(strain)[lane] < yielded) return;
+    const Real way = distance_moved(state, block, lane);
+    const Vec<2> a = model.mesh->nodes[model.mesh->cells[block.cell][0]],
+                 c = model.mesh->nodes[model.mesh->cells[block.cell][2]];
+    if (way <= std::hypot(c[0] - a[0], c[1] - a[1])) return;
+    ++flow.n;
+    flow.way = std::max(flow.way, way);
+  });
+  return flow;
+}
+
+std::string describe_flow(const Model& model, const State& state, const Flow& flow)
+{
+  return fmt::format(
+      "no equilibrium: the body came to rest only after {:.2g} % of its soil had yielded and moved by up to {:.3g} "
+      "m\n\n"
+      "  where    {}\n"
+      "  likely   the body cannot stand under its own weight\n"
+      "  try      initial.stress = \"none\" or \"k0\", or a stronger soil (docs/troubleshooting.md#no-equilibrium)",
+      100.0 * static_cast<Real>(flow.n) / static_cast<Real>(state.n_ids()), flow.way, describe_moved(model, state));
+}
+
+std::string describe_no_equilibrium(const Model& model, const State& state, const Workspace& work)
+{
+  const InitialCase& initial = model.description.initial;
+  return fmt::format(
+      "no equilibrium: after {} steps the out-of-balance force is {:.2e} of the weight, limit {:.2e}\n\n"
+      "  where    {}\n"
+      "           {}\n"
+      "  likely   the body cannot stand under its own weight, or needs more steps\n"
+      "  try      initial.stress = \"none\" or \"k0\", a stronger soil, or a larger initial.max_steps "
+      "(docs/troubleshooting.md#no-equilibrium)",
+      initial.max_steps, work.unbalanced_ratio, initial.limit, describe_unbalanced(model, state, work),
+      describe_moved(model, state));
+}
+
+}  // namespace terp

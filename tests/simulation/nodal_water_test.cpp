@@ -1,0 +1,104 @@
+// The pore pressure on the nodes: between situations, at its limits, at points.
+#include "simulation/nodal_water.hpp"
+#include "simulation/setup.hpp"
+#include "support/cases.hpp"
+#include "support/simulations.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+constexpr Real gamma_w = 10.0e3;
+
+/// 1 m of soil in a mesh of 2 m, cells of 0.25 m, water to 1.5 m.
+Case wet_box()
+{
+  Case c = free_box("mpm_gp", {0.0, 0.0}, {4.0, 1.0}, elastic(2e6, 0.3, 2000.0));
+  c.forces.gravity = {0.0, -9.81};
+  c.water.unit_weight = gamma_w;
+  c.water.start.phreatic_line = {{0.0, 1.5}};
+  return c;
+}
+
+/// Pressure at the node at a place [Pa].
+Real at(const Model& model, const std::vector<Real>& values, Vec<2> x)
+{
+  for (Index i = 0; i < model.mesh->n_nodes(); ++i)
+    if (std::hypot(model.mesh->nodes[i][0] - x[0], model.mesh->nodes[i][1] - x[1]) < 1e-9) return values[i];
+  return std::nan("");
+}
+
+TEST(NodalWater, ASituationIsReachedLinearlyAndStays)
+{
+  Case c = wet_box();
+  WaterSituation& high = c.water.situations.emplace_back();
+  high.time = 4.0;
+  high.phreatic_line = {{0.0, 3.5}};
+  const Model model = build_model(c, 1);
+  PorePressure pore;
+  for (const auto& [time, level] :
+      {std::pair(0.0, 1.5), std::pair(1.0, 2.0), std::pair(4.0, 3.5), std::pair(9.0, 3.5)}) {
+    model.water->renew(time, pore);
+    EXPECT_DOUBLE_EQ(at(model, pore.pressure, {1.0, 0.5}), gamma_w * (level - 0.5)) << time;
+    EXPECT_DOUBLE_EQ(at(model, pore.pressure, {1.0, 1.75}), gamma_w * std::max(level - 1.75, 0.0)) << time;
+  }
+  EXPECT_TRUE(pore.suction.empty());
+}
+
+TEST(NodalWater, IsCutToTheWeightOfSoilAndFreeWaterAbove)
+{
+  Case c = wet_box();
+  c.water.start.head_lines = {{"aquifer", {{0.0, 9.0}}}};
+  c.water.start.reference_lines = {{{{0.0, 0.6}}, "aquifer", "aquifer"}};
+  const Model model = build_model(c, 1);
+  PorePressure pore;
+  model.water->renew(0.0, pore);
+  EXPECT_DOUBLE_EQ(at(model, pore.pressure, {1.0, 0.5}), 2000.0 * 9.81 * 0.5 + gamma_w * 0.5);
+  EXPECT_DOUBLE_EQ(at(model, pore.pressure, {1.0, 0.75}), gamma_w * 0.75);
+  std::vector<Index> all(static_cast<std::size_t>(model.mesh->n_nodes()));
+  std::iota(all.begin(), all.end(), 0);
+  const CappedWater capped = model.water->find_capped(all);
+  EXPECT_EQ(capped.n, 3 * 17);  // rows at 0, 0.25 and 0.5 m
+  EXPECT_NEAR(capped.where[1], 0.5, 1e-9);
+  EXPECT_DOUBLE_EQ(capped.most, gamma_w * 8.5 - 2000.0 * 9.81 * 0.5 - gamma_w * 0.5);
+}
+
+TEST(NodalWater, SuctionHasItsOwnLimit)
+{
+  Case c = wet_box();
+  c.water.start.phreatic_line = {{0.0, 0.5}};
+  c.water.suction = 2.0e3;
+  const Model model = build_model(c, 1);
+  PorePressure pore;
+  model.water->renew(0.0, pore);
+  EXPECT_EQ(at(model, pore.pressure, {1.0, 0.75}), 0.0);
+  EXPECT_DOUBLE_EQ(at(model, pore.suction, {1.0, 0.5}), 0.0);
+  EXPECT_DOUBLE_EQ(at(model, pore.suction, {1.0, 0.75}), 2.0e3);
+}
+
+TEST(NodalWater, AFormulaOfTimeIsRenewedInEveryStep)
+{
+  Case c = wet_box();
+  c.water.start = {};
+  c.water.start.formula = [](Vec<2> x, Real t) { return 500.0 * (2.0 - x[1]) * t; };
+  c.water.start.formula_changes = true;
+  c.forces.gravity = {0.0, 0.0};  // no weight, and so no limit
+  const Model model = build_model(c, 1);
+  PorePressure pore;
+  for (const Real time : {0.0, 0.25, 2.0}) {
+    model.water->renew(time, pore);
+    EXPECT_DOUBLE_EQ(at(model, pore.pressure, {1.0, 0.5}), 750.0 * time);
+  }
+}
+
+TEST(NodalWater, APointHasThePressureOfItsPlace)
+{
+  Simulation s(wet_box());
+  PorePressure pore;
+  s.model.water->renew(0.0, pore);
+  for_each_point(s.state.points, [&](const PointBlock<2>& block, Index lane) {
+    const Real y = block.row(PointRows<2>::x + 1)[lane];
+    EXPECT_NEAR(pore_pressure_at(s.model, pore, block, lane), gamma_w * (1.5 - y), 1e-8);
+  });
+}
+
+}  // namespace
