@@ -1,6 +1,7 @@
 #include "report/backdrop.hpp"
 
 #include "points/body_outline.hpp"
+#include "water/water_pressure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -67,6 +68,27 @@ std::vector<float> first_outline(const Case& description, const Mesh<2>& mesh)
     if (!body.region.empty()) add_region(line, mesh, body.region);
   }
   return line;
+}
+
+std::vector<float> phreatic_line(const WaterCase& water, const Mesh<2>& mesh, Real time)
+{
+  if (water.start.phreatic_line.empty()) return {};
+  const std::vector<WaterKnot> knots = knots_of(water);
+  const auto after = std::ranges::find_if(knots, [time](const WaterKnot& knot) { return knot.time > time; });
+  const WaterKnot &a = *(after - 1), &b = after == knots.end() ? a : *after;
+  const auto &from = situation_of(water, a.situation).phreatic_line,
+             &to = situation_of(water, b.situation).phreatic_line;
+  if (from.empty() || to.empty()) return {};  // a formula
+  const Real share = b.time > a.time ? (time - a.time) / (b.time - a.time) : 0.0;
+  const auto [first, last] = std::ranges::minmax(mesh.nodes, {}, [](const Vec<2>& x) { return x[0]; });
+  std::vector<Real> places{first[0], last[0]};
+  for (const auto* line : {&from, &to})
+    for (const Vec<2>& x : *line)
+      if (x[0] > first[0] && x[0] < last[0]) places.push_back(x[0]);
+  std::ranges::sort(places);
+  std::vector<float> out;
+  for (const Real x : places) add_place(out, {x, std::lerp(elevation_at(from, x), elevation_at(to, x), share)});
+  return out;
 }
 
 std::vector<float> surface_line(const std::vector<Real>& places, const std::vector<Real>& material, Real column_width)

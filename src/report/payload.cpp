@@ -186,6 +186,20 @@ Json surfaces_json(Chunks& chunks, const Source& source, const ShownRun& shown)
   return {{"chunk", chunks.add(lines)}, {"offsets", offsets}};
 }
 
+/// The phreatic line of each frame; null without one.
+Json water_json(Chunks& chunks, const Source& source, const ShownRun& shown)
+{
+  if (!source.mesh || source.case_read->values.water.start.phreatic_line.empty()) return nullptr;
+  std::vector<float> lines;
+  std::vector<std::size_t> offsets{0};
+  for (const Real time : shown.times) {
+    const auto line = phreatic_line(source.case_read->values.water, *source.mesh, time);
+    lines.insert(lines.end(), line.begin(), line.end());
+    offsets.push_back(lines.size() / 2);
+  }
+  return {{"chunk", chunks.add(lines)}, {"offsets", offsets}};
+}
+
 Json histories_json(Chunks& chunks, const RunResults& run)
 {
   Json histories = Json::array();
@@ -235,6 +249,7 @@ Json run_json(Chunks& chunks, const Source& source, const ShownRun& shown)
   json["mesh"]["edges"] = {{"chunk", chunks.add(edges)}, {"count", edges.size() / 4}};
   json["outline"] = {{"chunk", chunks.add(outline)}, {"count", outline.size() / 2}};
   json["surfaces"] = surfaces_json(chunks, source, shown);
+  json["water"] = water_json(chunks, source, shown);
   json["velocity_vectors"] = nullptr;
   json["histories"] = histories_json(chunks, source.run);
   json["series"] = table_json(chunks, source.run.ledger);

@@ -40,6 +40,7 @@ std::vector<Recipe> all_recipes(const Frames& frames)
       {"eps_deviatoric", "eps_deviatoric", "ε_dev", "", "-", "sequential"},
       {"su", "su", "S_u", "undrained shear strength", "kPa", "sequential", 1e-3},
       {"pressure", "stress", "p", "mean stress, tension positive", "kPa", "diverging", 1e-3, Take::mean_stress, 1024.0},
+      {"pore_pressure", "pore_pressure", "p_w", "", "kPa", "sequential", 1e-3},
       {"velocity", "velocity", "|v|", "speed", "m/s", "sequential", 1.0, Take::size, 1024.0},
       {"displacement", "displacement", "|u|", "", "m", "sequential", 1.0, Take::size},
       {"material", "material", "", "", "-", "category"},

@@ -112,6 +112,7 @@ export interface RunMeta {
   mesh: { edges: { chunk: number; count: number } } | null;
   outline: { chunk: number; count: number } | null;
   surfaces: { chunk: number; offsets: number[] } | null;
+  water: { chunk: number; offsets: number[] } | null;
   histories: HistoryMeta[];
   series: TableMeta | null;
   passes: { name: string; seconds: number }[];

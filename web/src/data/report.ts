@@ -7,8 +7,8 @@ import { Run } from "./run";
 export const FORMAT = 1;
 
 /** What a run may leave out. */
-const ABSENT = { mesh: null, outline: null, surfaces: null, histories: [], series: null, passes: [], events: null,
-  story: [], audit: null, warnings: [], checks: [], summary: {} };
+const ABSENT = { mesh: null, outline: null, surfaces: null, water: null, histories: [], series: null, passes: [],
+  events: null, story: [], audit: null, warnings: [], checks: [], summary: {} };
 
 export class Report {
   readonly runs: Run[];

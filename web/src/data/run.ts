@@ -16,6 +16,7 @@ export class Run {
   outline: Polyline = new Float32Array(0);
   edges: Float32Array = new Float32Array(0);
   private surfaces: Float32Array = new Float32Array(0);
+  private water: Float32Array = new Float32Array(0);
   series: Table | null = null;
   histories: { name: string; x: number; y: number; table: Table }[] = [];
   /** Called when a field has been decoded. */
@@ -39,6 +40,7 @@ export class Run {
     if (meta.outline) this.outline = await chunks.floats(meta.outline.chunk);
     if (meta.mesh) this.edges = await chunks.floats(meta.mesh.edges.chunk);
     if (meta.surfaces) this.surfaces = await chunks.floats(meta.surfaces.chunk);
+    if (meta.water) this.water = await chunks.floats(meta.water.chunk);
     if (meta.series) this.series = Table.of(meta.series, await chunks.floats(meta.series.chunk));
     for (const history of meta.histories) {
       const table = Table.of(history, await chunks.floats(history.chunk));
@@ -109,6 +111,12 @@ export class Run {
   surface(frame: number): Polyline {
     const offsets = this.meta.surfaces?.offsets;
     return offsets ? this.surfaces.subarray(2 * offsets[frame]!, 2 * offsets[frame + 1]!) : new Float32Array(0);
+  }
+
+  /** Phreatic line of a frame as x, y, x, y, ... */
+  waterTable(frame: number): Polyline {
+    const offsets = this.meta.water?.offsets;
+    return offsets ? this.water.subarray(2 * offsets[frame]!, 2 * offsets[frame + 1]!) : new Float32Array(0);
   }
 
   /** Smallest box around all points of all frames and the initial outline: xmin, ymin, xmax, ymax [m]. */

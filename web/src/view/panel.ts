@@ -59,6 +59,7 @@ export function drawPanel(context: CanvasRenderingContext2D, renderer: PointRend
     context.imageSmoothingEnabled = true;
   }
   if (state.outline) drawOutline(drawing);
+  if (state.outline) drawWater(drawing);
   if (state.surfaces && !options.bare) drawOtherSurfaces(drawing);
   if (state.slip) drawSlip(drawing);
   if (!options.bare) {
@@ -97,6 +98,16 @@ function drawOutline(drawing: Drawing): void {
   context.globalAlpha = 0.75;
   context.stroke();
   context.globalAlpha = 1;
+  context.setLineDash([]);
+}
+
+function drawWater(drawing: Drawing): void {
+  const { context, theme, run, current, options } = drawing;
+  path(drawing, run.waterTable(current.frame(run, options.time)));
+  context.setLineDash(options.bare ? [5, 3] : [10, 5]);
+  context.lineWidth = options.bare ? 1 : 2;
+  context.strokeStyle = theme.water;
+  context.stroke();
   context.setLineDash([]);
 }
 
@@ -285,6 +296,7 @@ function drawKey(drawing: Drawing, from: number, to: number, decimals: number): 
       text: `slip surface of ${timeText(slip.time, decimals)}${slip.phase === "acting" ? "" : `, ${slip.phase}`}`,
       colour: theme.slip, dash: slip.phase === "acting" ? [] : [2, 4] },
     state.outline && { text: "initial outline", colour: theme.ghost, dash: [4, 3] },
+    state.outline && run.meta.water && { text: "phreatic line", colour: theme.water, dash: [8, 4] },
     options.note !== options.label && { text: options.note, colour: "", dash: [] },
   ];
   context.font = `12px ${FONT}`;

@@ -6,6 +6,7 @@ export interface CanvasTheme {
   text: string;
   muted: string;
   ghost: string;
+  water: string;
   slip: string;
   slipEdge: string;
   halo: string;
@@ -18,6 +19,7 @@ export const LIGHT: CanvasTheme = {
   text: "#18212b",
   muted: "#5a6673",
   ghost: "#3c4854",
+  water: "#1668c4",
   slip: "#e8175d",
   slipEdge: "rgba(255,255,255,0.9)",
   halo: "rgba(255,255,255,0.85)",
@@ -30,6 +32,7 @@ export const DARK: CanvasTheme = {
   text: "#e8edf2",
   muted: "#9aa7b4",
   ghost: "#c6d0da",
+  water: "#5aa9ff",
   slip: "#ff5c93",
   slipEdge: "rgba(0,0,0,0.8)",
   halo: "rgba(12,16,20,0.8)",

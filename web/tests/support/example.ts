@@ -69,7 +69,7 @@ function exampleRun(writer: ChunkWriter, side: number, k: number, scheme: string
       field("material", "material", "-", "category", times.map(() => start.map(([, py]) => (py > 3 ? 1 : 0)))),
     ],
     mesh: meshOf(writer), outline: outlineOf(writer),
-    surfaces: surfacesOf(writer, places),
+    surfaces: surfacesOf(writer, places), water: null,
     histories: ["A", "B", "C"].map((letter, h) => {
       const p = Math.floor(side * (side - 1) - side / (h + 2));
       const columns = [times, places.map((row) => row[p]![0]), places.map((row) => row[p]![1]), strain.map((row) => row[p]!)];
