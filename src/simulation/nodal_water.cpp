@@ -17,7 +17,9 @@ NodalWater::NodalWater(const Model& model)
     : water_(model.description.water), mesh_(model.mesh), knots_(knots_of(model.description.water))
 {
   const Overburden overburden(model);
-  for (const Vec<2>& x : mesh_->nodes) {
+  for (Vec<2> x : mesh_->nodes) {
+    // A vertical line along the right end of a body crosses no side: just left of it, it does.
+    if (!overburden.ground(x[0])) x[0] -= round_off * mesh_->smallest_altitude;
     const Real ground = overburden.ground(x[0]).value_or(-infinity);
     const bool below =
         overburden.is_known() && model.gravity[1] < 0.0 && x[1] <= ground + round_off * mesh_->smallest_altitude;
