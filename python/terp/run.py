@@ -249,6 +249,13 @@ class Run:
         except ValueError as error:
             raise RunError(f"{self.folder / 'summary.json'} cannot be read: {error}") from error
 
+    @property
+    def flood(self):
+        """The verdict on the water, as in summary.json: a dictionary with "verdict" ("stands", "damaged" or "floods"),
+        "residual_height", "freeboard", "width_at_level" [m], "first_time_below" [s] and others; None without a water
+        level."""
+        return self.summary.get("flood")
+
     @functools.cached_property
     def case_text(self):
         """The case as it was run: the text of case.toml."""

@@ -12,6 +12,7 @@ COLUMN_UNITS = {
     "numerical": "J per m", "mass": "kg per m", "momentum_x": "kg m/s per m", "momentum_y": "kg m/s per m",
     "clamped": "-", "left": "-", "front_x": "m", "crest_x": "m", "crest_y": "m", "front_left_x": "m",
     "crest_left_x": "m", "crest_left_y": "m", "moved_volume": "m^2", "v_max": "m/s", "v_999": "m/s",
+    "residual_height": "m", "width_at_level": "m", "intact_width": "m",
 }
 """Unit of each column; "per m" is per metre of thickness. The fields of the frames carry their own units."""
 

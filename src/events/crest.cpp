@@ -112,13 +112,18 @@ Standing as_columns(const Slope& slope, Index n, Index begin, Index end)
 
 }  // namespace
 
-Standing find_standing(const Section& section, const Slope& slope, bool alone, const std::vector<Real>& heights)
+Real standing_tolerance(Real relief) { return std::max(crest_tolerance, settlement * relief); }
+
+Standing find_standing(const Section& section, const Slope& slope, bool alone, const std::vector<Real>& heights,
+    std::span<const std::uint8_t> kept)
 {
-  const Real tolerance = std::max(crest_tolerance, settlement * relief(section));
+  const Real tolerance = standing_tolerance(slope.relief);
   const Index n = section.columns.n;
   const auto first_height = [&](Index k) { return section.heights[from_behind(slope, n, k)]; };
   const auto stands = [&](Index k) {
-    return std::isfinite(first_height(k)) && std::abs(heights[from_behind(slope, n, k)] - first_height(k)) <= tolerance;
+    const Index column = from_behind(slope, n, k);
+    if (!kept.empty() && kept[column] != 0) return true;
+    return std::isfinite(first_height(k)) && std::abs(heights[column] - first_height(k)) <= tolerance;
   };
   const Index end = slope.facing == Facing::right ? slope.last : n - slope.first;
   Index begin = 0;
@@ -178,7 +183,7 @@ std::vector<Slide> find_slides(const CrestHistory& history)
         .crest_to = x.back(),
         .facing = crest.slope.facing});
     from = find_settled(crest, k);
-    if (from == x.size()) break;
+    if (from == x.size() || (crest.ends && outwards(crest.slope.facing) * (x[from] - *crest.ends) <= round_off)) break;
     k = find_slide(crest, from, slide_length(crest));
   }
   for (std::size_t s = 1; s < slides.size(); ++s) slides[s].crest_from = slides[s - 1].crest_to = x[begins[s] - 1];

@@ -4,6 +4,7 @@
 #include "events/section.hpp"
 
 #include <optional>
+#include <span>
 
 namespace terp {
 
@@ -15,6 +16,8 @@ struct CrestHistory {
   std::vector<Real> x;        ///< crest [m]; the far side of the mesh if nothing stands
   std::vector<Real> kinetic;  ///< kinetic energy of all soil, of the nodes [J per m]; may be empty: then nobody knows
                               ///< when a slide stops
+  std::optional<Real> ends = {};  ///< with another slope behind: the far edge of the crest. Once nothing of it is left,
+                                  ///< nothing more slides from it [m]
 };
 
 /// A slide: the crest retreats by much within a short time. Definition: docs/formats.md.
@@ -31,10 +34,15 @@ struct Standing {
   Index first = 0, last = 0;
 };
 
-/// Columns whose surface is within 0.05 m, or a fortieth of the relief if that is more, of their first height, without
-/// a gap. If a section has this slope alone: from the side behind it on. Otherwise of all from there to the crest those
-/// that hold the highest ground that stands. heights: the surface now [m].
-Standing find_standing(const Section& section, const Slope& slope, bool alone, const std::vector<Real>& heights);
+/// Columns whose surface is within 0.05 m, or a fortieth of slope.relief if that is more, of their first height,
+/// without a gap. If a section has this slope alone: from the side behind it on. Otherwise of all from there to the
+/// crest those that hold the highest ground that stands. heights: the surface now [m]. kept: by column, 1: stands
+/// whatever its height, as one that slid down another slope; may be empty.
+Standing find_standing(const Section& section, const Slope& slope, bool alone, const std::vector<Real>& heights,
+    std::span<const std::uint8_t> kept = {});
+
+/// How far the surface of ground that stands may leave its first height [m].
+Real standing_tolerance(Real relief);
 
 /// The edge of the standing ground towards a slope, at most the first crest [m]; NaN if nothing stands.
 Real find_crest(const Section& section, const Slope& slope, const Standing& standing);

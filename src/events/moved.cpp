@@ -11,11 +11,11 @@ MovedSoil join(const MovedSoil& a, const MovedSoil& b)
       .reach_right = std::fmax(a.reach_right, b.reach_right)};
 }
 
-MovedSoil find_moved(const PointBlocks<2>& points, std::span<const Real> x_initial, Real distance)
+MovedSoil find_moved(const PointBlocks<2>& points, std::span<const Real> x_initial, Real distance, Ground ground)
 {
   MovedSearch search(x_initial, distance);
   for_each_block(points, [&](const PointBlock<2>& block) {
-    for (Index p = 0; p < block.n; p += pack_width) search.enter(block, p);
+    for (Index p = 0; p < block.n && is_ground(ground, block); p += pack_width) search.enter(block, p);
   });
   return search.found();
 }

@@ -2,7 +2,7 @@
 // docs/formats.md.
 #pragma once
 
-#include "points/point_blocks.hpp"
+#include "events/ground.hpp"
 
 #include <limits>
 #include <span>
@@ -63,15 +63,15 @@ class MovedSearch {
 /// What two parts of the soil moved.
 MovedSoil join(const MovedSoil& a, const MovedSoil& b);
 
-/// The soil that lies farther than `distance` [m] from its first place.
-MovedSoil find_moved(const PointBlocks<2>& points, std::span<const Real> x_initial, Real distance);
+/// The ground that lies farther than `distance` [m] from its first place.
+MovedSoil find_moved(const PointBlocks<2>& points, std::span<const Real> x_initial, Real distance, Ground ground = {});
 
 /// Plastic strain below which soil counts as intact [-]: a hundredth. Strength that softens with eta = 50 has then lost
 /// two fifths of what it can lose; a shear band strains a hundred times as much.
 inline constexpr Real intact_strain = 0.01;
 
 /// Share of the volume that moved whose eps_eq_p is below `intact_strain` [-]; NaN if no such soil moved. strain_rows:
-/// by material the row of the plastic strain, -1: none, and soil of that material is left out.
+/// by material the row of the plastic strain, -1: none, and what is of that material is left out.
 Real intact_share(
     const PointBlocks<2>& points, std::span<const Real> x_initial, Real distance, std::span<const int> strain_rows);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace terp {
 namespace {
@@ -62,6 +63,85 @@ Index count_from_side(const Section& section, Facing facing, F&& fits)
   return k;
 }
 
+/// A line of the upper hull of the surface, from column to column outwards.
+struct HullLine {
+  Index from, to;  ///< columns
+  Real fall;       ///< height that is lost over its length [-]
+};
+
+/// The lines above the surface from a column outwards to another one, each steeper than the one before.
+std::vector<HullLine> upper_hull(const Section& section, Facing facing, Index from, Index to)
+{
+  const Index step = facing == Facing::right ? 1 : -1;
+  const auto fall = [&](Index a, Index b) {
+    return (section.heights[a] - section.heights[b]) / (section.columns.width * std::abs(b - a));
+  };
+  std::vector<HullLine> lines;
+  for (Index k = from + step; k != to + step; k += step) {
+    if (!std::isfinite(section.heights[k])) continue;
+    Index start = lines.empty() ? from : lines.back().to;
+    while (!lines.empty() && fall(start, k) <= lines.back().fall) start = lines.back().from, lines.pop_back();
+    lines.push_back({start, k, fall(start, k)});
+  }
+  return lines;
+}
+
+/// How far the surface lies below a line of its hull [m].
+Real depth_below(const Section& section, const HullLine& line)
+{
+  Real depth = 0.0;
+  const Index step = line.to > line.from ? 1 : -1;
+  for (Index k = line.from; k != line.to; k += step)
+    depth = std::max(depth,
+        section.heights[line.from] - line.fall * section.columns.width * std::abs(k - line.from) - section.heights[k]);
+  return depth;
+}
+
+/// The outer edge of the plateau that falls gently from the crest, as a column; the outer column of the crest if there
+/// is none. A plateau lies near its hull, which falls by less than a quarter of what the ground beyond it does, and it
+/// is longer than that is high.
+Index edge_of_plateau(const Section& section, const Slope& slope)
+{
+  constexpr Real gentle = 0.25;
+  constexpr Index shortest = 4;  // columns; less may be the steps of points
+  const Facing facing = slope.facing;
+  const Real width = section.columns.width, low = foot(section, facing);
+  const auto columns_to_toe = static_cast<Index>(std::llround((slope.toe - section.columns.left) / width));
+  const Index toe = facing == Facing::right ? columns_to_toe - 1 : columns_to_toe;
+  const Index crest = facing == Facing::right ? slope.last - 1 : slope.first;
+  if (outwards(facing) * (toe - crest) < shortest) return crest;
+  Index edge = crest;
+  for (const HullLine& line : upper_hull(section, facing, crest, toe)) {
+    const Real height = section.heights[line.to] - low, beyond = width * (std::abs(toe - line.to) + 1);
+    if (depth_below(section, line) > std::max(width, level * height)) break;
+    const Index n = std::abs(line.to - crest);
+    const bool is_gentle = line.fall <= gentle * height / beyond;  // and so are the lines before
+    if (is_gentle && n >= shortest && width * n >= height) edge = line.to;
+  }
+  return edge;
+}
+
+/// The slope below such a plateau.
+void look_beyond_plateau(const Section& section, Slope& slope)
+{
+  const Index edge = edge_of_plateau(section, slope);
+  const bool right = slope.facing == Facing::right;
+  if (edge == (right ? slope.last - 1 : slope.first)) return;
+  (right ? slope.last : slope.first) = right ? edge + 1 : edge;
+  slope.crest = outer_edge(section, slope.facing, edge);
+  slope.height = slope.relief = section.heights[edge] - foot(section, slope.facing);
+}
+
+/// Where the surface has come down to a twentieth of the slope's height over its foot; with a free toe the end of the
+/// soil [m].
+Real find_toe(const Section& section, const Slope& slope)
+{
+  const Real low = foot(section, slope.facing) + level * slope.height;
+  const auto in_slope = [&](Real h) { return slope.free_toe ? std::isfinite(h) : h > low; };
+  const Index k = count_from_side(section, slope.facing, in_slope);
+  return k < section.columns.n ? outer_edge(section, slope.facing, from_side(section, slope.facing, k)) : 0.0;
+}
+
 /// The slope between the crest and a side; none if the crest reaches the side.
 std::optional<Slope> find_slope(const Section& section, Facing facing)
 {
@@ -77,10 +157,10 @@ std::optional<Slope> find_slope(const Section& section, Facing facing)
   slope.free_toe = has_free_toe(section, facing);
   slope.height = highest(section) - foot(section, facing);
   slope.crest = outer_edge(section, facing, facing == Facing::right ? slope.last - 1 : slope.first);
-  const Real low = highest(section) - (1.0 - level) * slope.height;
-  const auto in_slope = [&](Real h) { return slope.free_toe ? std::isfinite(h) : h > low; };
-  if (const Index k = count_from_side(section, facing, in_slope); k < n)
-    slope.toe = outer_edge(section, facing, from_side(section, facing, k));
+  slope.toe = find_toe(section, slope);
+  slope.relief = relief(section);
+  look_beyond_plateau(section, slope);
+  slope.toe = find_toe(section, slope);
   return slope;
 }
 
@@ -91,9 +171,9 @@ Columns columns_between(Real left, Real right, Real width)
   return {left, width, static_cast<Index>(std::ceil((right - left) / width - 1e-9))};
 }
 
-Section look_at_section(const Mesh<2>& mesh, const PointBlocks<2>& points, Columns columns)
+Section look_at_section(const Mesh<2>& mesh, const PointBlocks<2>& points, Columns columns, Ground ground)
 {
-  return {columns, surface_heights(mesh, points, columns), lowest(points)};
+  return {columns, surface_heights(mesh, points, columns, ground), lowest(points, ground)};
 }
 
 Real relief(const Section& section)

@@ -14,9 +14,12 @@ inline Real outwards(Facing facing) { return facing == Facing::right ? 1.0 : -1.
 /// A slope of the first surface, from the crest down to its foot.
 struct Slope {
   Facing facing = Facing::right;
-  Index first = 0, last = 0;  ///< columns of the crest: first ... last - 1
-  Real height = 0.0;          ///< of the crest over the foot [m]
-  Real crest = 0.0;           ///< edge of the crest [m]
+  Index first = 0,
+        last = 0;     ///< columns of the crest, and of the plateau that falls gently from it: first ... last - 1
+  Real height = 0.0;  ///< of the crest over the foot, where a plateau falls from it of the plateau's edge [m]
+  Real relief = 0.0;  ///< by which it is judged whether the ground stands: of the section, with such a plateau
+                      ///< the height [m]
+  Real crest = 0.0;   ///< edge of the crest [m]
   Real toe = 0.0;  ///< where the slope has come down to the level of its foot; with a free toe the end of its soil, by
                    ///< columns [m]
   bool free_toe = true;  ///< no soil at the side of the mesh; otherwise it fills the mesh to there
@@ -29,8 +32,8 @@ struct Section {
   Real base = 0.0;            ///< height of the lowest point [m]
 };
 
-/// The surface of the points as they are.
-Section look_at_section(const Mesh<2>& mesh, const PointBlocks<2>& points, Columns columns);
+/// The surface of the ground as it is.
+Section look_at_section(const Mesh<2>& mesh, const PointBlocks<2>& points, Columns columns, Ground ground = {});
 
 /// Columns that cover `left` to `right` [m].
 Columns columns_between(Real left, Real right, Real width);

@@ -48,10 +48,12 @@ bool lies_below(const CellBox& box, const Columns& columns, const std::vector<Re
 
 }  // namespace
 
-std::vector<Real> surface_heights(const Mesh<2>& mesh, const PointBlocks<2>& points, const Columns& columns)
+std::vector<Real> surface_heights(
+    const Mesh<2>& mesh, const PointBlocks<2>& points, const Columns& columns, Ground ground)
 {
   std::vector<Real> heights(columns.n, -std::numeric_limits<Real>::infinity());
   const auto enter = [&](const PointBlock<2>& block, Index) {
+    if (!is_ground(ground, block)) return;
     for (Index lane = 0; lane < block.n; ++lane) {
       const Real place = column_at(columns, block.row(Rows::x)[lane]);
       if (!(place >= 0.0 && place < columns.n)) continue;
@@ -66,11 +68,11 @@ std::vector<Real> surface_heights(const Mesh<2>& mesh, const PointBlocks<2>& poi
   return heights;
 }
 
-std::array<Real, 2> extent_in_x(const Mesh<2>& mesh, const PointBlocks<2>& points)
+std::array<Real, 2> extent_in_x(const Mesh<2>& mesh, const PointBlocks<2>& points, Ground ground)
 {
-  if (points.n_points() == 0) return {std::nan(""), std::nan("")};
   std::array<Real, 2> extent{std::numeric_limits<Real>::infinity(), -std::numeric_limits<Real>::infinity()};
   const auto enter = [&](const PointBlock<2>& block, Index) {
+    if (!is_ground(ground, block)) return;
     for (Index lane = 0; lane < block.n; ++lane) {
       const Real x = block.row(Rows::x)[lane];
       extent = {std::min(extent[0], x), std::max(extent[1], x)};
@@ -80,14 +82,15 @@ std::array<Real, 2> extent_in_x(const Mesh<2>& mesh, const PointBlocks<2>& point
     const CellBox box = box_of(mesh, cell);
     if (box.low[0] < extent[0] || box.high[0] > extent[1]) for_each_block(points, cell, enter);
   }
-  return extent;
+  return extent[0] <= extent[1] ? extent : std::array{std::nan(""), std::nan("")};
 }
 
-Real lowest(const PointBlocks<2>& points)
+Real lowest(const PointBlocks<2>& points, Ground ground)
 {
   Real y = std::numeric_limits<Real>::infinity();
-  for_each_point(
-      points, [&](const PointBlock<2>& block, Index lane) { y = std::min(y, block.row(PointRows<2>::x + 1)[lane]); });
+  for_each_point(points, [&](const PointBlock<2>& block, Index lane) {
+    if (is_ground(ground, block)) y = std::min(y, block.row(PointRows<2>::x + 1)[lane]);
+  });
   return y;
 }
 

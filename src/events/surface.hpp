@@ -1,9 +1,8 @@
-// The ground surface as the material points draw it: the highest point in each column of one cell's width.
+// The surface of the ground as the material points draw it: the highest point in each column of one cell's width.
 #pragma once
 
+#include "events/ground.hpp"
 #include "mesh/mesh.hpp"
-#include "points/point_blocks.hpp"
-
 #include <vector>
 
 namespace terp {
@@ -18,12 +17,13 @@ struct Columns {
 
 /// Height of the highest point in each column [m], shape [n]; minus infinity where a column holds no point. Looks only
 /// into cells that reach above what was found so far, the last cells first.
-std::vector<Real> surface_heights(const Mesh<2>& mesh, const PointBlocks<2>& points, const Columns& columns);
+std::vector<Real> surface_heights(
+    const Mesh<2>& mesh, const PointBlocks<2>& points, const Columns& columns, Ground ground = {});
 
-/// Smallest and largest x of all material points [m]; NaN if there are none.
-std::array<Real, 2> extent_in_x(const Mesh<2>& mesh, const PointBlocks<2>& points);
+/// Smallest and largest x of the ground [m]; NaN if there is none.
+std::array<Real, 2> extent_in_x(const Mesh<2>& mesh, const PointBlocks<2>& points, Ground ground = {});
 
-/// Smallest y of all material points [m].
-Real lowest(const PointBlocks<2>& points);
+/// Smallest y of the ground [m].
+Real lowest(const PointBlocks<2>& points, Ground ground = {});
 
 }  // namespace terp

@@ -1,9 +1,9 @@
 // How much soil has moved away from its first place, and how much of that is intact. Definitions: docs/formats.md.
 
 #include "events/moved.hpp"
-#include "followers/first_section.hpp"
 #include "followers/followers.hpp"
 #include "mesh/mesh.hpp"
+#include "simulation/ground_section.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/state_arrays.hpp"
 #include "simulation/summary.hpp"
@@ -20,40 +20,45 @@ Real volume_that_left(const State& state)
   return volume;
 }
 
-Real total_volume(const PointBlocks<2>& points)
+Real total_volume(const PointBlocks<2>& points, Ground ground)
 {
   Real volume = 0.0;
-  for_each_point(
-      points, [&](const PointBlock<2>& block, Index lane) { volume += block.row(PointRows<2>::volume)[lane]; });
+  for_each_point(points, [&](const PointBlock<2>& block, Index lane) {
+    if (is_ground(ground, block)) volume += block.row(PointRows<2>::volume)[lane];
+  });
   return volume;
 }
 
 class MovedSoilFollower : public Follower {
-  Real distance_ = 0.0;  ///< from where on soil counts as moved [m]
+  Real distance_ = 0.0;               ///< from where on soil counts as moved [m]
+  std::vector<std::uint8_t> ground_;  ///< which materials are ground; empty: all
 
   void start(const Model& model, const State& state) override
   {
-    distance_ = moved_distance(first_section(*model.mesh, state.points));
+    ground_ = ground_of(model);
+    distance_ = moved_distance(first_section(model, state.points, ground_));
   }
-  void request(TotalsRequest& request) override { request.moved_distance = distance_; }
+  void request(TotalsRequest& request) override { request.moved_distance = distance_, request.ground = ground_; }
   void row(const LedgerContext& context, std::span<Real> values) override
   {
     values[0] = context.totals.moved.volume + volume_that_left(context.state);
   }
   void summarise(const Model& model, const State& state, Summary& s) const override
   {
-    const Real left = volume_that_left(state), volume = total_volume(state.points) + left;
+    const Real left = volume_that_left(state), volume = total_volume(state.points, ground_) + left;
     s.moved_distance = distance_;
-    s.moved_volume = find_moved(state.points, state.x_initial, distance_).volume + left;
+    s.moved_volume = find_moved(state.points, state.x_initial, distance_, ground_).volume + left;
     s.moved_fraction = volume > 0.0 ? s.moved_volume / volume : 0.0;
     std::vector<int> strain_rows;
-    for (const SoilMaterial& material : model.materials) strain_rows.push_back(row_of(material, Role::plastic_strain));
+    for (const SoilMaterial& material : model.materials)
+      strain_rows.push_back(material.is_ground ? row_of(material, Role::plastic_strain) : -1);
     const Real intact = intact_share(state.points, state.x_initial, distance_, strain_rows);
     if (!std::isnan(intact)) s.intact_fraction = intact;
   }
   void save(ArrayWriter& arrays) const override { arrays.copy("distance", std::vector<Real>{distance_}); }
-  void load(const Model&, const State&, const ArrayReader& arrays) override
+  void load(const Model& model, const State&, const ArrayReader& arrays) override
   {
+    ground_ = ground_of(model);
     distance_ = arrays.reals("distance", 1)[0];
   }
 };

@@ -6,8 +6,8 @@
 #include "events/crest.hpp"
 #include "events/moved.hpp"
 #include "events/slip_surface.hpp"
-#include "followers/first_section.hpp"
 #include "followers/followers.hpp"
+#include "simulation/ground_section.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/state_arrays.hpp"
 #include "simulation/summary.hpp"
@@ -24,13 +24,16 @@ namespace {
 constexpr Real same_distance = 0.1;
 
 struct SlopeFailure {
-  CrestHistory crest;
+  CrestHistory crest;             ///< without what the other slope took of it
   std::vector<SlipSurface> slip;  ///< of each slide so far, when its strain grew fastest; one before there is any slide
 };
 
 struct Followed {
   Section section;                   ///< at t = 0
   std::vector<SlopeFailure> slopes;  ///< of the section, in its order
+  std::array<Real, 2> extent;        ///< smallest and largest x of the ground at t = 0 [m]
+  std::vector<std::uint8_t> ground;  ///< which materials are ground; empty: all
+  bool alone() const { return slopes.size() == 1; }
 };
 
 /// Number of slides of a slope so far. A new one shows only when the crest has retreated.
@@ -96,7 +99,7 @@ Fronts find_fronts(const Model& model, const State& state, const Followed& all, 
   Fronts x{std::nan(""), std::nan("")};
   for (const SlopeFailure& slope : all.slopes) {
     const std::size_t side = slope.crest.slope.facing == Facing::left ? 0 : 1;
-    x[side] = slope.crest.slope.free_toe ? extent_in_x(*model.mesh, state.points)[side]
+    x[side] = slope.crest.slope.free_toe ? extent_in_x(*model.mesh, state.points, all.ground)[side]
               : side == 0                ? moved.reach_left
                                          : moved.reach_right;
   }
@@ -105,31 +108,21 @@ Fronts find_fronts(const Model& model, const State& state, const Followed& all, 
 
 Real front_of(const Fronts& x, Facing facing) { return x[facing == Facing::left ? 0 : 1]; }
 
-/// Where the soil in front of a slope ended at t = 0, or the toe of the slope if it is not free [m].
-Real first_front(const State& state, const Slope& slope)
+/// How far the front of a slope has come from where the ground in front of it ended at t = 0, or from the toe of the
+/// slope if that is not free [m]; NaN without a front.
+Real run_out_of(const Followed& all, const Fronts& fronts, const Slope& slope)
 {
-  if (!slope.free_toe || state.x_initial.empty()) return slope.toe;
-  const Real out = outwards(slope.facing);
-  Real x = state.x_initial[0];
-  for (std::size_t k = 0; k < state.x_initial.size(); k += 2)
-    if (out * state.x_initial[k] > out * x) x = state.x_initial[k];
-  return x;
-}
-
-/// How far the front of a slope has come [m]; NaN without a front.
-Real run_out_of(const State& state, const Fronts& fronts, const Slope& slope)
-{
-  const Real distance = outwards(slope.facing) * (front_of(fronts, slope.facing) - first_front(state, slope));
+  const Real first = slope.free_toe ? front_of(all.extent, slope.facing) : slope.toe;
+  const Real distance = outwards(slope.facing) * (front_of(fronts, slope.facing) - first);
   return slope.free_toe || std::isnan(distance) ? distance : std::max(distance, 0.0);
 }
 
 /// The slides of a slope. Of two slopes one may merely lose the soil that slides the other way: its front did not come
 /// out.
-std::vector<SlideSummary> slides_of(
-    const State& state, const Followed& all, const Fronts& fronts, const SlopeFailure& slope)
+std::vector<SlideSummary> slides_of(const Followed& all, const Fronts& fronts, const SlopeFailure& slope)
 {
   std::vector<SlideSummary> list;
-  const Real run_out = run_out_of(state, fronts, slope.crest.slope);
+  const Real run_out = run_out_of(all, fronts, slope.crest.slope);
   if (all.slopes.size() > 1 && !(slope.crest.slope.free_toe ? run_out > 0.0 : run_out >= 0.0)) return list;
   for (const Slide& slide : find_slides(slope.crest))
     list.push_back({slide, list.size() < slope.slip.size() ? slope.slip[list.size()] : SlipSurface{}});
@@ -137,16 +130,64 @@ std::vector<SlideSummary> slides_of(
 }
 
 /// The slope whose front came farthest; the first of those that came equally far; none without slopes.
-const SlopeFailure* main_slope(const State& state, const Followed& all, const Fronts& fronts)
+const SlopeFailure* main_slope(const Followed& all, const Fronts& fronts)
 {
   const SlopeFailure* best = nullptr;
   const auto come = [&](const SlopeFailure& slope) {
-    const Real distance = run_out_of(state, fronts, slope.crest.slope);
+    const Real distance = run_out_of(all, fronts, slope.crest.slope);
     return std::isnan(distance) ? -1.0 : distance;
   };
   for (const SlopeFailure& slope : all.slopes)
     if (best == nullptr || come(slope) > come(*best) + same_distance * all.section.columns.width) best = &slope;
   return best;
+}
+
+/// Which way the ground of each column of the first section went, by its volume: above 0 to the right [m^3].
+std::vector<Real> ways_of_columns(const Followed& all, const State& state)
+{
+  using Rows = PointRows<2>;
+  const Columns& columns = all.section.columns;
+  std::vector<Real> ways(static_cast<std::size_t>(columns.n), 0.0);
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    if (!is_ground(all.ground, block)) return;
+    const Real first = state.x_initial[2 * static_cast<std::size_t>(block.row(Rows::id)[lane])];
+    const Real column = (first - columns.left) / columns.width;
+    if (!(column >= 0.0 && column < columns.n)) return;
+    ways[static_cast<std::size_t>(column)] += block.row(Rows::volume)[lane] * (block.row(Rows::x)[lane] - first);
+  });
+  return ways;
+}
+
+/// By column: 1 for those of the crest of a slope whose ground went down the other slope. They are no loss of this one.
+std::vector<std::uint8_t> taken_by_the_other(
+    const Followed& all, const Slope& slope, const std::vector<Real>& heights, const State& state)
+{
+  std::vector<std::uint8_t> taken(heights.size(), 0);
+  const Real tolerance = standing_tolerance(slope.relief);
+  const auto fell = [&](Index k) { return !(std::abs(heights[k] - all.section.heights[k]) <= tolerance); };
+  bool some = false;
+  for (Index k = slope.first; k < slope.last; ++k) some |= fell(k);
+  if (!some) return taken;
+  const std::vector<Real> ways = ways_of_columns(all, state);
+  for (Index k = slope.first; k < slope.last; ++k) taken[k] = fell(k) && outwards(slope.facing) * ways[k] < 0.0;
+  return taken;
+}
+
+/// The crest [m]; the side behind it if nothing stands. taken: as of find_standing.
+Real crest_of(
+    const Followed& all, const Slope& slope, const std::vector<Real>& heights, std::span<const std::uint8_t> taken = {})
+{
+  const Real x = find_crest(all.section, slope, find_standing(all.section, slope, all.alone(), heights, taken));
+  return std::isnan(x) ? back_of(all.section, slope) : x;
+}
+
+/// The crest, or farther out where what is gone slid down the other slope [m].
+Real own_crest(const Followed& all, const Slope& slope, const std::vector<Real>& heights, const State& state)
+{
+  const Real x = crest_of(all, slope, heights);
+  if (all.alone()) return x;
+  const Real kept = crest_of(all, slope, heights, taken_by_the_other(all, slope, heights, state));
+  return outwards(slope.facing) * kept > outwards(slope.facing) * x ? kept : x;
 }
 
 std::optional<Real> finite(Real value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
@@ -164,20 +205,30 @@ class Slopes : public Follower {
 
   void start(const Model& model, const State& state) override
   {
-    all_ = {.section = first_section(*model.mesh, state.points), .slopes = {}};
+    const auto ground = ground_of(model);
+    all_ = {.section = first_section(model, state.points, ground),
+        .slopes = {},
+        .extent = extent_in_x(*model.mesh, state.points, ground),
+        .ground = ground};
     find_slopes_of_section();
   }
 
   void find_slopes_of_section()
   {
-    for (const Slope& slope : find_slopes(all_.section))
-      all_.slopes.push_back(
-          {{.slope = slope, .width = all_.section.columns.width, .time = {}, .x = {}, .kinetic = {}}, {}});
+    const Columns& columns = all_.section.columns;
+    const auto slopes = find_slopes(all_.section);
+    for (const Slope& slope : slopes) {
+      CrestHistory crest{.slope = slope, .width = columns.width, .time = {}, .x = {}, .kinetic = {}};
+      if (slopes.size() > 1)
+        crest.ends = columns.left + columns.width * (slope.facing == Facing::right ? slope.first : slope.last);
+      all_.slopes.push_back({std::move(crest), {}});
+    }
   }
 
   void request(TotalsRequest& request) override
   {
     request.moved_distance = moved_distance(all_.section);
+    request.ground = all_.ground;
     for (const SlopeFailure& slope : all_.slopes) request.shear.push_back(columns_of(all_, slope.crest.slope));
   }
 
@@ -185,17 +236,16 @@ class Slopes : public Follower {
   {
     const State& state = context.state;
     const Fronts fronts = find_fronts(context.model, state, all_, context.totals.moved);
-    const auto heights = surface_heights(*context.model.mesh, state.points, all_.section.columns);
+    const auto heights = surface_heights(*context.model.mesh, state.points, all_.section.columns, all_.ground);
     for (std::size_t k = 0; k < all_.slopes.size(); ++k) {
       CrestHistory& crest = all_.slopes[k].crest;
-      const Standing standing = find_standing(all_.section, crest.slope, all_.slopes.size() == 1, heights);
-      const Real x = find_crest(all_.section, crest.slope, standing);
+      const Standing standing = find_standing(all_.section, crest.slope, all_.alone(), heights);
       crest.time.push_back(state.time);
-      crest.x.push_back(std::isnan(x) ? back_of(all_.section, crest.slope) : x);
+      crest.x.push_back(own_crest(all_, crest.slope, heights, state));
       crest.kinetic.push_back(context.kinetic_nodal);
       Real* const of_slope = &values[crest.slope.facing == Facing::left ? 3 : 0];
       of_slope[0] = front_of(fronts, crest.slope.facing);
-      of_slope[1] = crest.x.back();
+      of_slope[1] = crest_of(all_, crest.slope, heights);
       of_slope[2] = crest_height(all_.section, crest.slope, standing, heights);
       follow_slip(context, k, all_);
     }
@@ -203,11 +253,11 @@ class Slopes : public Follower {
 
   void summarise(const Model& model, const State& state, Summary& s) const override
   {
-    const MovedSoil moved = find_moved(state.points, state.x_initial, moved_distance(all_.section));
+    const MovedSoil moved = find_moved(state.points, state.x_initial, moved_distance(all_.section), all_.ground);
     const Fronts fronts = find_fronts(model, state, all_, moved);
-    if (const SlopeFailure* main = main_slope(state, all_, fronts)) summarise_slope(model, state, fronts, *main, s);
+    if (const SlopeFailure* main = main_slope(all_, fronts)) summarise_slope(model, state, fronts, *main, s);
     for (const SlopeFailure& slope : all_.slopes)
-      for (SlideSummary& slide : slides_of(state, all_, fronts, slope)) s.slides.push_back(std::move(slide));
+      for (SlideSummary& slide : slides_of(all_, fronts, slope)) s.slides.push_back(std::move(slide));
     std::ranges::stable_sort(s.slides, {}, [](const SlideSummary& slide) { return slide.slide.begins; });
   }
 
@@ -218,22 +268,23 @@ class Slopes : public Follower {
     s.facing = slope.facing;
     s.free_toe = slope.free_toe;
     s.front_x = front_of(fronts, slope.facing);
-    s.run_out = run_out_of(state, fronts, slope);
-    const auto heights = surface_heights(*model.mesh, state.points, all_.section.columns);
-    const Standing standing = find_standing(all_.section, slope, all_.slopes.size() == 1, heights);
+    s.run_out = run_out_of(all_, fronts, slope);
+    const auto heights = surface_heights(*model.mesh, state.points, all_.section.columns, all_.ground);
+    const Standing standing = find_standing(all_.section, slope, all_.alone(), heights);
     s.crest_x = finite(find_crest(all_.section, slope, standing));
     s.crest_y = finite(crest_height(all_.section, slope, standing, heights));
-    const auto slides = slides_of(state, all_, fronts, main);
+    const auto slides = slides_of(all_, fronts, main);
     s.second_failure_time = slides.size() > 1 ? std::optional(slides[1].slide.begins) : std::nullopt;
   }
 
-  /// The first surface, and of each slope its crest over time; time, rate and number of places of each slip surface,
-  /// and the places of all.
+  /// The first surface and extent, and of each slope its crest over time; time, rate and number of places of each slip
+  /// surface, and the places of all.
   void save(ArrayWriter& arrays) const override
   {
     const Columns& columns = all_.section.columns;
     arrays.refer("heights", all_.section.heights);
     arrays.copy("columns", std::vector<Real>{columns.left, columns.width, all_.section.base});
+    arrays.copy("extent", std::vector<Real>{all_.extent[0], all_.extent[1]});
     for (std::size_t k = 0; k < all_.slopes.size(); ++k) {
       const SlopeFailure& slope = all_.slopes[k];
       ArrayWriter of_slope = arrays.below(fmt::format("slope_{}", k));
@@ -251,12 +302,14 @@ class Slopes : public Follower {
   }
 
   /// The slopes follow from the first surface.
-  void load(const Model&, const State&, const ArrayReader& arrays) override
+  void load(const Model& model, const State&, const ArrayReader& arrays) override
   {
-    const auto &heights = arrays.reals("heights"), &columns = arrays.reals("columns", 3);
+    const auto &heights = arrays.reals("heights"), &columns = arrays.reals("columns", 3),
+               &extent = arrays.reals("extent", 2);
     const bool fits = !heights.empty() && std::isfinite(columns[0]) && std::isfinite(columns[1]) && columns[1] > 0.0;
     if (!fits) throw FileError("the checkpoint does not fit this case: its first surface has no columns");
-    all_ = {{{columns[0], columns[1], static_cast<Index>(heights.size())}, heights, columns[2]}, {}};
+    all_ = {{{columns[0], columns[1], static_cast<Index>(heights.size())}, heights, columns[2]}, {},
+        {extent[0], extent[1]}, ground_of(model)};
     find_slopes_of_section();
     for (std::size_t k = 0; k < all_.slopes.size(); ++k) {
       const ArrayReader of_slope = arrays.below(fmt::format("slope_{}", k));

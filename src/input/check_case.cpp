@@ -251,6 +251,7 @@ void check_case(const Node& root, const Case& values, Findings& findings)
   check_footings(root, values, findings.problems);
   check_initial(root, values, findings);
   check_hydrostatic(values, findings.problems);
+  check_flood(root, values, findings.problems);
   check_method(root, values, findings.warnings);
   check_physics(root, values, findings.warnings);
   check_softening(root, values, findings);

@@ -33,6 +33,7 @@ void check_water(const Node& root, const Case& values, Findings& findings);
 
 /// What can be computed but is hardly meant, and shows before a mesh is made: gravity, damping. The values may be
 /// incomplete.
+void check_flood(const Node& root, const Case& values, std::vector<Problem>& problems);
 void check_physics(const Node& root, const Case& values, std::vector<Problem>& warnings);
 
 }  // namespace terp

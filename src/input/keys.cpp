@@ -48,6 +48,9 @@ const std::vector<SectionInfo>& all_sections()
       {"water", "pore pressure in the soil, and the load of free water on it (docs/water.md)"},
       {"water.situation[]",
           "water at another time, or under a name; keys that are left out are those of [water]; as many as needed"},
+      {"flood",
+          "the water that the ground shall hold back: whether it stands, is damaged or floods (docs/flood.md). Water "
+          "that would flow over is not simulated"},
       {"boundary", "the sides of the mesh; a side that is not named is free"},
       {"footing[]",
           "a rigid block that is pushed into the soil, its reaction measured (footings.csv); as many as needed, at "

@@ -43,6 +43,10 @@ std::vector<KeyInfo> material_keys()
           .range = between(0.0, 10.0),
           .meaning = "horizontal over vertical effective stress of this material, for initial.stress = \"k0\"",
           .default_text = "the value of initial.k0"},
+      {.path = "material.NAME.ground",
+          .field = [](Case& c, std::size_t i) { return &c.materials[i].ground; },
+          .meaning = "whether slopes and dikes are made of it; false of a load that lies on the soil. A fluid is never "
+                     "ground. Front, crest, slides, moved soil and [flood] look at ground alone"},
       {.path = "material.NAME.softening.length",
           .field = [](Case& c, std::size_t i) { return &c.materials[i].softening.length; },
           .unit = "m",

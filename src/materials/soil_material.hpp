@@ -16,6 +16,7 @@ struct SoilMaterial {
   SofteningOptions softening = {};
   bool drained = false;                    ///< stores effective stress where there is water
   std::vector<Real> softening_scale = {};  ///< h/t_ref by cell, shape [n_cells]; empty: 1
+  bool is_ground = true;                   ///< what a slope or dike is made of: neither water nor a load
   int increment_row = -1;  ///< of the points: what they softened in this step; -1: by themselves, or not at all
 
   int n_state() const { return static_cast<int>(type->state.size()); }

@@ -52,6 +52,16 @@ void each(SlideSummary& slide, F&& f)
   f("kinetic_peak", slide.slide.kinetic_peak), f("slip_surface", slide.slip);
 }
 
+template <class F>
+void each(FloodSummary& flood, F&& f)
+{
+  f("verdict", flood.verdict), f("water_level", flood.water_level), f("river", flood.river);
+  f("residual_height", flood.residual_height), f("freeboard", flood.freeboard);
+  f("width_at_level", flood.width_at_level), f("intact_width", flood.intact_width);
+  f("first_time_damaged", flood.first_time_damaged), f("first_time_below", flood.first_time_below);
+  f("criterion", flood.criterion);
+}
+
 template <class T>
 concept IsPart = requires(T& part)
 {
@@ -78,6 +88,8 @@ Json to_value(const T& value)
     return json;
   } else if constexpr (std::is_same_v<T, Facing>) {
     return value == Facing::left ? "left" : "right";
+  } else if constexpr (std::is_same_v<T, FloodVerdict>) {
+    return std::string(info_of(value).name);
   } else {
     return value;
   }
@@ -91,6 +103,9 @@ Json to_list(const std::vector<T>& parts)
   return list;
 }
 
+template <class T>
+void get(const nlohmann::json& json, const char* name, std::optional<T>& value);
+
 /// The entry of that name, if it is there and of that type. False: it is not.
 template <class T>
 bool get(const nlohmann::json& json, const char* name, T& value)
@@ -101,6 +116,9 @@ bool get(const nlohmann::json& json, const char* name, T& value)
     each(value, [&](const char* part, auto& there) { get(*found, part, there); });
   } else if constexpr (std::is_same_v<T, Facing>) {
     value = *found == "left" ? Facing::left : Facing::right;
+  } else if constexpr (std::is_same_v<T, FloodVerdict>) {
+    for (std::size_t k = 0; k < flood_verdicts.size(); ++k)
+      if (*found == flood_verdicts[k].name) value = static_cast<FloodVerdict>(k);
   } else {
     try {
       value = found->get<T>();
@@ -155,6 +173,7 @@ SavedSummary read_values(const std::string& path)
   get_list(json, "softened_fraction", s.softened_fraction);
   get_list(json, "reached_sides", s.reached_sides);
   get_list(json, "footings", s.footings);
+  get(json, "flood", s.flood);
   get_list(json, "passes", s.passes);
   for (const FollowerType* type : all_followers())
     for (const QuantityInfo& info : type->summary) {
@@ -182,6 +201,8 @@ SavedSummary read_summary(const std::string& path)
 
 nlohmann::ordered_json slides_json(const Summary& summary) { return to_list(summary.slides); }
 
+nlohmann::ordered_json flood_json(const Summary& summary) { return to_value(summary.flood); }
+
 std::string summary_text(const Summary& summary, bool finished, const CaseText& case_text)
 {
   Json json = {{"terp_version", TERP_VERSION}, {"format", summary_format}, {"finished", finished}};
@@ -193,6 +214,7 @@ std::string summary_text(const Summary& summary, bool finished, const CaseText& 
   json["softened_fraction"] = to_list(summary.softened_fraction);
   json["reached_sides"] = to_list(summary.reached_sides);
   json["footings"] = to_list(summary.footings);
+  json["flood"] = to_value(summary.flood);
   json["passes"] = to_list(summary.passes);
   for (const auto& [name, value] : summary.numbers) json[name] = value;
   json["case_name"] = case_text.name;

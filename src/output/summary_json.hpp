@@ -12,6 +12,9 @@ namespace terp {
 /// Its list of slides, each with its slip surface.
 nlohmann::ordered_json slides_json(const Summary& summary);
 
+/// Its verdict on the water, or null.
+nlohmann::ordered_json flood_json(const Summary& summary);
+
 /// The text of summary.json. finished: the run reached its end time.
 std::string summary_text(const Summary& summary, bool finished, const CaseText& case_text);
 

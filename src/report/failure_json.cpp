@@ -20,7 +20,7 @@ Json events_json(const Summary& s)
       {"intact_fraction", or_null(s.intact_fraction)}, {"free_toe", s.free_toe},
       {"facing", s.facing ? Json(*s.facing == Facing::left ? "left" : "right") : Json()}, {"run_out", s.run_out},
       {"front_x", s.front_x}, {"remaining_crest", {{"x", or_null(s.crest_x)}, {"y", or_null(s.crest_y)}}},
-      {"slip_surface", std::move(slip)}};
+      {"residual_height", or_null(s.residual_height)}, {"flood", flood_json(s)}, {"slip_surface", std::move(slip)}};
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -54,12 +55,23 @@ std::string end_of_slide(const RunResults& run, std::size_t k)
       100.0 * kinetic.last / slide.kinetic_peak);
 }
 
-/// " on the slope to the left"; nothing where all slides are to the right.
-std::string side_of(const std::vector<SlideSummary>& slides, Facing facing)
+/// " on the slope to the left", or with a river which side that is; nothing where all slides are to the right.
+std::string side_of(const Summary& s, Facing facing)
 {
+  const std::vector<SlideSummary>& slides = s.slides;
+  if (s.flood && s.flood->river) return facing == *s.flood->river ? " on the river's side" : " on the land's side";
   const bool all_right =
       std::ranges::all_of(slides, [](const SlideSummary& s) { return s.slide.facing == Facing::right; });
   return all_right ? "" : facing == Facing::left ? " on the slope to the left" : " on the slope to the right";
+}
+
+/// Whether the ground holds the water, and what that says nothing of.
+void tell_flood(const Summary& s, std::vector<std::string>& story)
+{
+  if (!s.flood) return;
+  std::string text = flood_sentence(*s.flood);
+  text[0] = static_cast<char>(std::toupper(text[0]));
+  story.push_back(fmt::format("Verdict: {} The criterion: {}. {}", text, s.flood->criterion, flood_caution));
 }
 
 void tell_slides(const RunResults& run, std::vector<std::string>& story)
@@ -67,9 +79,10 @@ void tell_slides(const RunResults& run, std::vector<std::string>& story)
   const auto& slides = run.summary.values.slides;
   for (std::size_t k = 0; k < slides.size(); ++k) {
     const Slide& slide = slides[k].slide;
-    story.push_back(fmt::format(
-        "The {} slide begins at {:.2f} s{}: the crest retreats from x = {:.2f} m to {:.2f} m. {}", ordinal(k),
-        slide.begins, side_of(slides, slide.facing), slide.crest_from, slide.crest_to, end_of_slide(run, k)));
+    story.push_back(
+        fmt::format("The {} slide begins at {:.2f} s{}: the crest retreats from x = {:.2f} m to {:.2f} m. {}",
+            ordinal(k), slide.begins, side_of(run.summary.values, slide.facing), slide.crest_from, slide.crest_to,
+            end_of_slide(run, k)));
   }
   if (!slides.empty()) return;
   story.push_back(run.summary.values.moved_fraction < hardly_moved
@@ -104,7 +117,9 @@ void tell_motion(const RunResults& run, std::vector<std::string>& story)
         100.0 * *s.intact_fraction, intact_strain));
   if (s.crest_x && s.crest_y)
     story.push_back(
-        fmt::format("The crest that remains stands at x = {:.2f} m, y = {:.2f} m.", *s.crest_x, *s.crest_y));
+        fmt::format("The first surface still stands up to x = {:.2f} m, y = {:.2f} m.", *s.crest_x, *s.crest_y));
+  if (s.residual_height)
+    story.push_back(fmt::format("The highest ground that remains stands at {:.2f} m.", *s.residual_height));
   if (!s.crest_x && !s.slides.empty()) story.push_back("Nothing of the first surface stands.");
   const bool told = !s.slides.empty() && !s.slides.back().slide.stops;
   if (!told && kinetic.last > still_moving * kinetic.largest)
@@ -139,6 +154,7 @@ std::vector<std::string> tell_story(const RunResults& run)
     return {fmt::format("The run has come to {:.2f} s. What happened is told when it ends or is stopped.",
         extent_of(run, "time").last)};
   std::vector<std::string> story;
+  tell_flood(run.summary.values, story);
   tell_slides(run, story);
   tell_motion(run, story);
   tell_softening(run, story);

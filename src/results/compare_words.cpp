@@ -86,6 +86,20 @@ std::string slides_sentence(const Comparison& c, std::size_t other, const Pair& 
   return text;
 }
 
+/// What the two say of the water, where both are asked.
+std::string flood_sentence(const std::vector<RunResults>& runs, std::size_t other, const Pair& who)
+{
+  const auto &a = runs[0].summary.values.flood, &b = runs[other].summary.values.flood;
+  if (!a || !b) return "";
+  if (a->verdict != b->verdict)
+    return fmt::format(
+        "They differ in the verdict: with {} {}, with {} {}.", who.a, flood_sentence(*a), who.b, flood_sentence(*b));
+  return fmt::format(
+      "The verdict is the same, {}: the highest ground that remains stands at {:.2f} m with {}, at {:.2f} m "
+      "with {}.",
+      info_of(a->verdict).words, a->residual_height, who.a, b->residual_height, who.b);
+}
+
 std::string softening_sentence(const Comparison& c, std::size_t other, const Pair& who)
 {
   const ComparisonRow* last = nullptr;
@@ -182,9 +196,9 @@ std::vector<std::string> describe_differences(const std::vector<RunResults>& run
     };
     add(case_sentence(runs, c, other));
     if (summary_is_behind(runs[0]) || summary_is_behind(runs[other])) continue;
-    for (const auto& sentence : {end_sentence(c, other), slides_sentence(c, other, who),
-             front_sentence(runs, c, other, who), intact_sentence(c, other, who), softening_sentence(c, other, who),
-             audit_sentence(c, other, who), named_points_sentence(runs, other, who)})
+    for (const auto& sentence : {end_sentence(c, other), flood_sentence(runs, other, who),
+             slides_sentence(c, other, who), front_sentence(runs, c, other, who), intact_sentence(c, other, who),
+             softening_sentence(c, other, who), audit_sentence(c, other, who), named_points_sentence(runs, other, who)})
       add(sentence);
   }
   return text;

@@ -90,6 +90,13 @@ Value distance_of(Run run, Value at_end, const char* to_the_right, const char* t
   return start ? Value(std::abs(*at_end - *start)) : std::nullopt;
 }
 
+/// How far the highest ground has come down since t = 0 [m].
+Value fall_of_ground(Run run)
+{
+  const Value first = first_in(run, "residual_height"), last = run.summary.values.residual_height;
+  return first && last ? Value(std::abs(*last - *first)) : std::nullopt;
+}
+
 void add_places(Measures& all)
 {
   RunMeasure front = followed(of_summary("front_x", 2), "front_x", MeasureKind::place);
@@ -106,6 +113,10 @@ void add_places(Measures& all)
   height.distance = [](Run run) { return distance_of(run, run.summary.values.crest_y, "crest_y", "crest_left_y"); };
   height.resolution = quarter_of_a_cell;
   all.push_back(std::move(height));
+  RunMeasure ground = followed(of_summary("residual_height", 2), "residual_height", MeasureKind::place);
+  ground.distance = fall_of_ground;
+  ground.resolution = quarter_of_a_cell;
+  all.push_back(std::move(ground));
 }
 
 /// The slides that the summary tells of: none while it is behind.
@@ -172,6 +183,50 @@ Value softened_at(Run run, Real time)
   for (const auto& [t, fraction] : run.summary.values.softened_fraction)
     if (std::abs(t - time) <= same_time) return 100.0 * fraction;
   return std::nullopt;
+}
+
+/// Whether the ground holds the water.
+void add_flood(Measures& all)
+{
+  const auto add = [&](RunMeasure measure, auto of) {
+    measure.value = [of](Run run) -> Value {
+      const auto& flood = run.summary.values.flood;
+      return flood && !summary_is_behind(run) ? of(*flood) : std::nullopt;
+    };
+    all.push_back(std::move(measure));
+  };
+  std::vector<std::string> words;
+  for (const FloodVerdictInfo& info : flood_verdicts) words.emplace_back(info.words);
+  add({.name = std::string(flood_measure),
+          .label = "does it flood",
+          .unit = "-",
+          .kind = MeasureKind::word,
+          .words = words},
+      [](const FloodSummary& f) { return Value(static_cast<Real>(f.verdict)); });
+  RunMeasure freeboard{.name = "freeboard",
+      .label = "freeboard that remains",
+      .unit = "m",
+      .kind = MeasureKind::place,
+      .distance = fall_of_ground,
+      .resolution = quarter_of_a_cell};
+  add(std::move(freeboard), [](const FloodSummary& f) { return finite(f.freeboard); });
+  const auto width = [&](const char* name, const char* label, auto of) {
+    add({.name = name, .label = label, .unit = "m", .resolution = one_cell}, of);
+  };
+  width("width_at_level", "width at the water level", [](const FloodSummary& f) { return finite(f.width_at_level); });
+  width(
+      "intact_width", "intact width at the water level", [](const FloodSummary& f) { return finite(f.intact_width); });
+  const auto time = [&](const char* name, const char* label, auto of) {
+    add({.name = name,
+            .label = label,
+            .unit = "s",
+            .kind = MeasureKind::time,
+            .resolution = row_interval,
+            .in_steps = true},
+        of);
+  };
+  time("first_time_damaged", "damaged from", [](const FloodSummary& f) { return f.first_time_damaged; });
+  time("first_time_below", "floods from", [](const FloodSummary& f) { return f.first_time_below; });
 }
 
 void add_softened_soil(Measures& all, const std::vector<RunResults>& runs)
@@ -290,6 +345,7 @@ std::vector<RunMeasure> measures_of(const std::vector<RunResults>& runs)
   Measures all;
   all.push_back(
       {.label = "time at the end", .unit = "s", .digits = 3, .value = [](Run run) { return last_in(run, "time"); }});
+  add_flood(all);
   add_places(all);
   add_slides(all, runs);
   add_volumes(all);

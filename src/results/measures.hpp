@@ -35,6 +35,9 @@ struct RunMeasure {
   std::vector<std::string> words = {};  ///< of kind word
 };
 
+/// Name of the verdict on the water among the measures.
+inline constexpr std::string_view flood_measure = "flood_verdict";
+
 /// A frame or an end this near to a time counts as of that time [s].
 inline constexpr Real same_time = 0.02;
 

@@ -163,6 +163,18 @@ std::string sentence_on(const StudyQuantity& q)
   return fmt::format("{}: {}", label, all_values(q));
 }
 
+/// Whether all sizes say the same of the water; empty where nothing is said of it.
+std::string answer_on_flood(const StudiedSequence& sequence)
+{
+  const auto found =
+      std::ranges::find_if(sequence.quantities, [](const StudyQuantity& q) { return q.measure.name == flood_measure; });
+  if (found == sequence.quantities.end() || !found->has_values()) return "";
+  if (found->answer == MeshAnswer::same)
+    return fmt::format("All sizes agree: {}. ", text_of(found->measure, last_value(*found)));
+  return fmt::format(
+      "WHETHER IT FLOODS CHANGES WITH THE MESH: {} on cells of {}. ", all_values(*found), size_list(sequence.sequence));
+}
+
 std::string answer_of(const StudiedSequence& sequence, Real tolerance)
 {
   const auto n_solved = std::ranges::count(sequence.sequence.runs, std::string(), &StudyRun::fault);
@@ -170,13 +182,15 @@ std::string answer_of(const StudiedSequence& sequence, Real tolerance)
   const auto depends = [](MeshAnswer a) { return a == MeshAnswer::depends || a == MeshAnswer::some_sizes; };
   const std::string worst = list_of_labels(sequence, depends),
                     others = list_of_labels(sequence, [](MeshAnswer a) { return a == MeshAnswer::tends; });
+  const std::string flood = answer_on_flood(sequence);
   std::string text;
   if (!worst.empty()) text += fmt::format("Depends on the mesh: {}.", worst);
   if (!others.empty()) text += fmt::format("{}Still changes, towards a limit: {}.", text.empty() ? "" : " ", others);
   if (!text.empty())
-    return text + fmt::format(" All else changes by less than {} or its resolution.", percent_text(tolerance));
-  return fmt::format("Nothing that is measured changes by more than {} or its resolution between the last two sizes.",
-      percent_text(tolerance));
+    return flood + text + fmt::format(" All else changes by less than {} or its resolution.", percent_text(tolerance));
+  return flood +
+         fmt::format("Nothing that is measured changes by more than {} or its resolution between the last two sizes.",
+             percent_text(tolerance));
 }
 
 std::vector<std::string> remarks_on(const StudySequence& sequence)

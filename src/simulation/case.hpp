@@ -5,6 +5,7 @@
 #include "base/types.hpp"
 #include "boundary/side_kind.hpp"
 #include "materials/material.hpp"
+#include "simulation/flood_case.hpp"
 #include "transfer/method_options.hpp"
 #include "water/water_case.hpp"
 
@@ -90,6 +91,7 @@ struct MaterialCase {
   Real k0 = std::numeric_limits<Real>::quiet_NaN();  ///< instead of initial.k0 [-]; NaN: that
   std::string soil = {};                             ///< of one of two parts: the name that bodies use; else empty
   Zone zone = Zone::all;
+  bool ground = true;  ///< false: water, or a load on the soil; not what a slope or a dike is made of
 
   /// The name that bodies use.
   const std::string& called() const { return soil.empty() ? name : soil; }
@@ -181,6 +183,7 @@ struct Case {
   std::vector<FootingCase> footings;
   MethodOptions method;
   OutputCase output;
+  FloodCase flood;
 };
 
 }  // namespace terp

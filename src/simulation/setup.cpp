@@ -32,6 +32,8 @@ std::vector<SoilMaterial> make_materials(const Case& c)
       throw InputError(Problem{"material." + m.name + ".model", "no such material model", "", "material"});
     materials.push_back({m.name, type, type->make_varying(m.parameters, varying_parameters(m, *type)), m.density, {},
         m.softening, m.is_drained()});
+    SoilMaterial& material = materials.back();
+    material.is_ground = m.ground && material.law->shear_modulus() > 0.0;  // a fluid is none
   }
   return materials;
 }

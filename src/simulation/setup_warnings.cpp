@@ -1,6 +1,7 @@
 #include "simulation/setup_warnings.hpp"
 
 #include "mesh/mesh_error.hpp"
+#include "simulation/flood_warnings.hpp"
 #include "simulation/footings.hpp"
 #include "simulation/nodal_water.hpp"
 #include "simulation/reference_width.hpp"
@@ -102,6 +103,7 @@ std::vector<Problem> find_warnings(const Model& model, const State& state)
 {
   std::vector<Problem> warnings = find_far_history_points(model, state);
   find_empty_bodies(model, warnings);
+  std::ranges::move(find_flood_warnings(model, state), std::back_inserter(warnings));
   find_thin_points(model, warnings);
   find_sides_that_move_far(model, warnings);
   find_odd_places(model, warnings);

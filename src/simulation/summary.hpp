@@ -4,6 +4,7 @@
 #include "base/quantity.hpp"
 #include "events/crest.hpp"
 #include "events/slip_surface.hpp"
+#include "simulation/flood_summary.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -58,8 +59,9 @@ struct Summary {
   std::optional<Facing> facing;  ///< of the slope that front, crest and run-out are of; none: the section has no slope
   bool free_toe = true;          ///< of that slope
   Real front_x = std::numeric_limits<Real>::quiet_NaN();  ///< at the end [m]; NaN: none
-  std::optional<Real> crest_x;  ///< at the end [m]; none if nothing of the first surface stands
-  std::optional<Real> crest_y;  ///< height of the surface there [m]
+  std::optional<Real> crest_x;          ///< at the end [m]; none if nothing of the first surface stands
+  std::optional<Real> crest_y;          ///< height of the surface there [m]
+  std::optional<Real> residual_height;  ///< of the highest ground between river and land, at the end [m]; none without
   Real run_out = std::numeric_limits<Real>::quiet_NaN();  ///< of the front since t = 0 [m]; without a free toe: beyond
                                                           ///< the toe of the slope
   Real moved_distance = 0.0;                              ///< displacement from which on soil counts as moved [m]
@@ -81,6 +83,7 @@ struct Summary {
       reached_sides;             ///< in order of time; without open sides and those where soil lay at the start
   std::int64_t points_left = 0;  ///< through open sides
   std::vector<FootingSummary> footings;
+  std::optional<FloodSummary> flood;                 ///< none without a water level
   std::map<std::string, Real, std::less<>> numbers;  ///< of followers, under the names that they declare; NaN: none
   Real v_999 = 0.0;  ///< largest 99.9 % quantile of the speed over all ledger rows [m/s]
 };

@@ -66,6 +66,7 @@ struct MaterialRows {
   int driver = row_of(material, Role::softening);       ///< -1: the strength follows the strain itself
   bool has_su = has_strength(material);
   bool told = strain_gives_strength(material);
+  bool is_ground = true;
 };
 
 struct ChunkTotals {
@@ -127,7 +128,7 @@ bool enter_block(const MaterialRows& rows, std::span<const Columns> shear, const
   StrainChange any{lane_numbers() < Pack(0.0), lane_numbers() < Pack(0.0)};
   for (Index p = 0; p < block.n; p += pack_width) {
     chunk.books.enter(rows.material, rows.energy, block, p);
-    chunk.moved.enter(block, p);
+    if (rows.is_ground) chunk.moved.enter(block, p);
     most = max(most, squared_speeds(block, p));
     if (rows.strain < 0) continue;
     const StrainChange change = enter_strain(block, p, rows.strain, memory->last_eps_eq_p, shear, chunk);
@@ -163,6 +164,7 @@ Totals add_up_compiled(const Model& model, const State& state, Threads& threads,
   for (const SoilMaterial& material : model.materials) {
     rows.push_back({material});
     if (request.memory == nullptr) rows.back().strain = -1;
+    if (!request.ground.empty()) rows.back().is_ground = request.ground[rows.size() - 1] != 0;
   }
   const ChunkTotals empty{.books = {}, .moved = {state.x_initial, request.moved_distance}, .fell = {}, .rose = {}};
   std::vector<ChunkTotals> chunks(static_cast<std::size_t>(Threads::n_chunks(n_cells, cells_per_chunk)), empty);

@@ -23,6 +23,7 @@ struct StrainMemory {
 /// What followers want of the walk over the points.
 struct TotalsRequest {
   Real moved_distance = std::numeric_limits<Real>::infinity();  ///< from where on soil counts as moved [m]
+  Ground ground = {};                                           ///< what may count as moved; empty: all
   std::vector<Columns> shear;                                   ///< in which the growth of strain counts, of each slope
   StrainMemory* memory = nullptr;  ///< none: neither growth nor audit. Of it the walk renews last_su alone
 };

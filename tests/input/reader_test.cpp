@@ -28,6 +28,7 @@ points_per_cell = 2
 [material.clay]
 model = "tresca_softening"
 density = 1990.0
+ground = false
 shear_modulus = 2.0e6
 poisson_ratio = 0.48
 su_peak = 8.0e3
@@ -60,6 +61,12 @@ pressure = "9810*(2-y)+t"
 [forces]
 gravity = [0.0, -9.81]
 damping = { local = 0.125, averaging_time = 0.05, viscous = 0.25 }
+[flood]
+water_level = 1.75
+smallest_freeboard = 0.15
+smallest_width = 2.25
+intact_below = 0.02
+river = "right"
 [initial]
 stress = "equilibrium"
 k0 = 0.75
@@ -135,6 +142,18 @@ TEST(Reader, TheSamplesHoldEveryDeclaredKey)
     const Node* node = find_node(root, concrete(key.path));
     EXPECT_NE(node != nullptr ? node : find_node(others, concrete(key.path)), nullptr) << key.path;
   }
+}
+
+TEST(Reader, FillsTheFloodAndWhatIsGround)
+{
+  const Case c = read_every_key();
+  EXPECT_EQ(c.flood.water_level, 1.75);
+  EXPECT_EQ(c.flood.smallest_freeboard, 0.15);
+  EXPECT_EQ(c.flood.smallest_width, 2.25);
+  EXPECT_EQ(c.flood.intact_below, 0.02);
+  EXPECT_EQ(c.flood.river, RiverSide::right);
+  EXPECT_FALSE(c.materials[0].ground);
+  EXPECT_TRUE(c.materials[1].ground);
 }
 
 TEST(Reader, FillsFrameTimeAndMesh)

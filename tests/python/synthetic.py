@@ -203,6 +203,7 @@ def summary(scheme, model, times, n_points):
         "second_failure_time": 2.4, "max_eps_eq_p": 2.1 if mixed else 2.9,
         "softened_fraction": [{"time": float(t), "fraction": 0.05 * float(t)} for t in times],
         "points_eps_eq_p_fell": 812 if mixed else 0, "points_su_rose": 640 if mixed else 0,
+        "residual_height": 1.9, "flood": None,
         "energy_balance_error": 2.3e-4, "clamped_points": 0, "v_999": 4.9, "terp_version": "0.1.0",
         "case_name": f"model_{model}", "case": case_text(scheme, model),
     }

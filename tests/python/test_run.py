@@ -109,6 +109,13 @@ class RunFolder(unittest.TestCase):
         self.assertEqual(self.run_.summary["scheme"], "mpm_gp")
         self.assertEqual(self.run_.case["material"]["clay"]["su_residual"], 2000.0)
 
+    def test_the_verdict_on_the_water_is_that_of_the_summary(self):
+        self.assertIsNone(self.run_.flood)
+        summary = {"flood": {"verdict": "damaged", "freeboard": 0.4}}
+        run = terp.open(self.run_.folder)
+        run.__dict__["summary"] = summary
+        self.assertEqual(run.flood["verdict"], "damaged")
+
     def test_the_case_text_is_that_of_case_toml(self):
         self.assertEqual(self.run_.case_text, synthetic.case_text("mpm_gp", 2))
         self.assertTrue(self.run_.finished)

@@ -32,7 +32,7 @@ TEST(Story, TellsEachSlideMotionAndCrest)
                                    "It still moves at 4.00 s, with 20 % of its largest kinetic energy.",
                                    "By 4.00 s, 6.47 m² of soil (40.4 % of the section) have moved by more than 0.1 m. "
                                    "The front has run out by 5.07 m, to x = 13.06 m.",
-                                   "The crest that remains stands at x = 4.10 m, y = 1.96 m."));
+                                   "The first surface still stands up to x = 4.10 m, y = 1.96 m."));
 }
 
 TEST(Story, SaysWhenASlideIsOvertakenByTheNext)
@@ -143,6 +143,27 @@ TEST(Checks, FailWhereTheNumbersSaySo)
   run.summary.values.points_su_rose = 1;
   EXPECT_FALSE(list_checks(run).back().passed);
   EXPECT_EQ(list_checks(run).back().value, "1");
+}
+
+TEST(Story, BeginsWithTheVerdictOnTheWater)
+{
+  RunResults run = sample_run();
+  run.summary.values.slides = {{slide(0.18, 2.16), {}}};
+  run.summary.values.residual_height = 3.4;
+  run.summary.values.flood = {.verdict = FloodVerdict::floods,
+      .water_level = 4.0,
+      .river = Facing::left,
+      .residual_height = 3.4,
+      .freeboard = -0.6,
+      .first_time_below = 0.5,
+      .criterion = "it floods where it is low"};
+  const auto story = tell_story(run);
+  EXPECT_EQ(story[0],
+      "Verdict: Floods, from 0.50 s on: at the end the highest ground stands at 3.40 m, 0.60 m below the water at 4.00 "
+      "m. "
+      "The criterion: it floods where it is low. Water that would flow over is not simulated.");
+  EXPECT_THAT(story[1], StartsWith("The first slide begins at 0.18 s on the land's side: "));
+  EXPECT_EQ(story.back(), "The highest ground that remains stands at 3.40 m.");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // What is measured of a run, beyond what terp compare shows of it (compare_test.cpp).
 #include "results/measures.hpp"
+#include "results/mesh_study.hpp"
 #include "results/runs.hpp"
 #include "support/test.hpp"
 
@@ -76,6 +77,47 @@ TEST(Measures, MeasureTheCrestFromItsFirstPlaceOnTheSlopeThatSlides)
   run.summary.values.facing = Facing::right;
   EXPECT_THAT(measure(measures_of({run}), "crest_x").distance(run), Optional(4.5));
   EXPECT_THAT(measure(measures_of({run}), "facing").value(run), Optional(1.0));
+}
+
+/// A run whose ground was asked to hold the water.
+RunResults flooding(const std::string& folder, FloodVerdict verdict, Real height)
+{
+  RunResults run = read_run(write_run(folder));
+  FloodSummary& flood = run.summary.values.flood.emplace();
+  flood.verdict = verdict, flood.water_level = 4.0, flood.residual_height = height, flood.freeboard = height - 4.0;
+  run.summary.values.residual_height = height;
+  return run;
+}
+
+TEST(Measures, TheVerdictOnTheWaterIsAWord)
+{
+  const ScratchFolder scratch;
+  const std::vector<RunResults> runs{flooding(scratch.path() + "/run", FloodVerdict::damaged, 4.5)};
+  const auto all = measures_of(runs);
+  const RunMeasure& verdict = measure(all, "flood_verdict");
+  EXPECT_EQ(verdict.words[static_cast<std::size_t>(*verdict.value(runs[0]))], "damaged, holds the water");
+  EXPECT_EQ(measure(all, "freeboard").value(runs[0]), 0.5);
+  EXPECT_EQ(measure(all, "residual_height").value(runs[0]), 4.5);
+  EXPECT_FALSE(measure(all, "first_time_below").value(runs[0]));
+}
+
+TEST(Measures, OfSizesWhoseVerdictDiffersSayItLoudly)
+{
+  const ScratchFolder scratch;
+  const auto study = [&](FloodVerdict fine) {
+    StudySequence sequence;
+    sequence.name = "mpm_gp";
+    for (const auto& [cell, verdict] : {std::pair{0.5, FloodVerdict::damaged}, std::pair{0.25, fine}}) {
+      StudyRun& run = sequence.runs.emplace_back();
+      run.cell = run.size = cell;
+      run.results = flooding(scratch.path() + fmt::format("/{}", cell), verdict, 4.5);
+    }
+    return study_text(study_mesh({sequence}, 0.05));
+  };
+  EXPECT_THAT(study(FloodVerdict::floods),
+      HasSubstr(
+          "\nWHETHER IT FLOODS CHANGES WITH THE MESH: damaged, holds the water, floods on cells of 0.5, 0.25 m. "));
+  EXPECT_THAT(study(FloodVerdict::damaged), HasSubstr("\nAll sizes agree: damaged, holds the water. "));
 }
 
 }  // namespace

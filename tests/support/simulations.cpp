@@ -1,5 +1,7 @@
 #include "support/simulations.hpp"
 
+#include "mesh/locate.hpp"
+
 #include "followers/followers.hpp"
 #include "simulation/state_arrays.hpp"
 #include "simulation/state_image.hpp"
@@ -112,6 +114,25 @@ std::string first_difference(const StateImage& a, const StateImage& b)
   for (std::size_t k = 0; k < a.arrays.size(); ++k)
     if (!same_array(a.arrays[k], b.arrays[k])) return a.arrays[k].name;
   return "";
+}
+
+void draw_points(Simulation& s, const std::function<Vec<2>(Vec<2>)>& place)
+{
+  using Rows = PointRows<2>;
+  const Mesh<2>& mesh = *s.model.mesh;
+  const PointBlocks<2>& before = s.state.points;
+  PointBlocks<2> drawn(mesh.n_cells(), before.table());
+  std::vector<Real> values(static_cast<std::size_t>(before.n_rows()));
+  for_each_point(before, [&](const PointBlock<2>& block, Index lane) {
+    for (int r = 0; r < before.n_rows(); ++r) values[static_cast<std::size_t>(r)] = block.row(r)[lane];
+    const auto id = static_cast<std::size_t>(values[Rows::id]);
+    const Vec<2> x = place({s.state.x_initial[2 * id], s.state.x_initial[2 * id + 1]});
+    const Location at = locate(mesh, x, 0);
+    for (int d = 0; d < 2; ++d) values[Rows::x + d] = x[d], values[Rows::xi + d] = at.local[d];
+    drawn.add({at.cell, block.material, block.body}, values);
+  });
+  drawn.update_occupied();
+  s.state.points = std::move(drawn);
 }
 
 }  // namespace terp::test

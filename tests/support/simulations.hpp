@@ -3,6 +3,7 @@
 
 #include "simulation/simulation.hpp"
 
+#include <functional>
 #include <string>
 
 namespace terp::test {
@@ -47,6 +48,9 @@ void edit_points(State& state, F&& change)
 {
   for_each_point(state.points, change);
 }
+
+/// Draws the soil anew: each point at place(where it was at t = 0) [m]. Nothing else of it changes.
+void draw_points(Simulation& s, const std::function<Vec<2>(Vec<2>)>& place);
 
 /// Name of the first array that differs in any bit, "" if none does.
 std::string first_difference(const StateImage& a, const StateImage& b);

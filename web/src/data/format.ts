@@ -65,6 +65,16 @@ export interface SlipSurface {
   points: [number, number][];
 }
 
+export interface Flood {
+  verdict: "stands" | "damaged" | "floods";
+  residual_height: number | null; // m, of the highest ground at the end
+  freeboard: number | null; // m, of it over the water
+  width_at_level: number | null; // m
+  intact_width: number | null; // m, of that
+  first_time_damaged: number | null; // s
+  first_time_below: number | null; // s
+}
+
 export interface Events {
   slides?: Slide[]; // first_slide and second_slide are the first two
   first_slide?: Slide | null;
@@ -79,6 +89,8 @@ export interface Events {
   run_out?: number | null;
   front_x?: number | null;
   remaining_crest?: Place | null;
+  residual_height?: number | null;
+  flood?: Flood | null;
   slip_surface?: SlipSurface | null;
   [name: string]: unknown;
 }

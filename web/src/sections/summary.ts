@@ -19,7 +19,20 @@ interface Fact {
 const STOPS = "when a tenth of its largest kinetic energy (of the nodes) is left; " +
   "overtaken: the next slide begins before that; not yet: it moves at the end";
 
+const VERDICTS = { stands: "stands", damaged: "damaged, holds", floods: "floods" };
+
 const FACTS: Fact[] = [
+  { label: "Does it flood?", help: "whether the ground holds the water; water that would flow over is not simulated",
+    value: ({ meta: { events } }) => events?.flood ? VERDICTS[events.flood.verdict] : "–",
+    time: ({ meta: { events } }) => events?.flood?.first_time_below ?? events?.flood?.first_time_damaged },
+  { label: "Highest ground that remains", help: "between river and land, wherever it stands",
+    value: (run) => metres(run.meta.events?.residual_height) },
+  { label: "Over the water", help: "freeboard that remains; negative: the ground is lower",
+    value: (run) => metres(run.meta.events?.flood?.freeboard) },
+  { label: "Width at the water level", help: "of the ground that remains",
+    value: (run) => metres(run.meta.events?.flood?.width_at_level) },
+  { label: "Intact of that", help: "with a plastic strain below the limit of the case",
+    value: (run) => metres(run.meta.events?.flood?.intact_width) },
   { label: "First slide begins", help: "when the first block of soil starts to move", ...slideTime(0, "begins") },
   { label: "First slide stops", help: STOPS, ...slideTime(0, "stops") },
   { label: "Second slide begins", help: "when a further block follows", ...slideTime(1, "begins") },
@@ -28,7 +41,7 @@ const FACTS: Fact[] = [
     help: "how far the front came from where it stood; without a free toe, beyond the toe of the slope" },
   { label: "Front at the end, x", help: "outermost soil; without a free toe, outermost soil that moved",
     value: (run) => metres(run.meta.events?.front_x) },
-  { label: "Crest that remains, x", help: "edge of the ground that still stands",
+  { label: "First surface stands to x", help: "edge of the ground whose surface has not left its first height",
     value: (run) => metres(run.meta.events?.remaining_crest?.x) },
   { label: "Volume that moved", help: "per metre of thickness",
     value: (run) => fixed(run.meta.events?.moved_volume, 2, "\u00a0m²") },

@@ -83,7 +83,9 @@ function exampleRun(writer: ChunkWriter, side: number, k: number, scheme: string
     events: {
       first_slide: { begins: 0.2, stops: 1.8 }, second_slide: k ? { begins: 1.8 } : null, moved_volume: 7.9, moved_fraction: 0.49,
       run_out: reach, front_x: front[FRAMES - 1]!, remaining_crest: { x: crest[FRAMES - 1]!, y: BASE + HEIGHT },
-      moved_distance: 0.1,
+      moved_distance: 0.1, residual_height: BASE + (k ? 0.6 : 1.4),
+      flood: { verdict: k ? "floods" : "damaged", residual_height: BASE + (k ? 0.6 : 1.4), freeboard: k ? -0.4 : 0.4,
+        width_at_level: k ? 0 : 1.2, intact_width: k ? 0 : 0.7, first_time_damaged: 0.2, first_time_below: k ? 1.1 : null },
       slip_surface: { time: 1, points: Array.from({ length: 12 }, (_, i) => [0.9 + 0.28 * i, slipLine(0.9 + 0.28 * i)] as [number, number]) },
     },
     story: ["The column begins to slide at 0.2 s.", `Its front comes to rest ${reach.toFixed(1)} m from where it stood.`],

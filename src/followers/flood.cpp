@@ -1,0 +1,134 @@
+// Whether the ground still holds the water between river and land, at each ledger row and at the end. Definitions:
+// docs/flood.md. Not for: how the ground is measured (events/barrier), nor for water that flows over it.
+
+#include "events/crest.hpp"
+#include "followers/followers.hpp"
+#include "simulation/ground_section.hpp"
+#include "simulation/ledger_context.hpp"
+#include "simulation/state_arrays.hpp"
+#include "simulation/summary.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+constexpr Real never = std::numeric_limits<Real>::quiet_NaN();
+constexpr Real round_off = 1e-9;  // of heights and widths [m]
+
+std::optional<Real> known(Real value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
+
+/// The end of the section at which the river is: as the case says, or where the ground lies below the water if that at
+/// the other end does not.
+std::optional<Facing> river_side(const FloodCase& flood, const StandingGround& ground)
+{
+  if (flood.river != RiverSide::deduced) return flood.river == RiverSide::left ? Facing::left : Facing::right;
+  const auto stands = [](Real height) { return std::isfinite(height); };
+  const auto left = std::ranges::find_if(ground.heights, stands);
+  const auto right = std::find_if(ground.heights.rbegin(), ground.heights.rend(), stands);
+  if (left == ground.heights.end() || (*left >= ground.level) == (*right >= ground.level)) return std::nullopt;
+  return *left < ground.level ? Facing::left : Facing::right;
+}
+
+std::string criterion_text(const FloodCase& flood)
+{
+  std::string text = fmt::format("it floods where no ground between river and land stands at {:g} m or higher",
+      flood_level(flood) + flood.smallest_freeboard);
+  if (flood.smallest_freeboard > 0.0)
+    text += fmt::format(", {:g} m over the water at {:g} m", flood.smallest_freeboard, flood_level(flood));
+  if (flood.smallest_width > 0.0)
+    text += fmt::format(
+        ", or where the ground is less than {:g} m wide at {:g} m", flood.smallest_width, flood_level(flood));
+  return text;
+}
+
+class Flood : public Follower {
+  ColumnRange range_;          ///< of the ground that counts
+  Real first_height_ = never;  ///< of the barrier at t = 0 [m]
+  Real settles_ = 0.0;         ///< fall of the barrier from which on the ground is damaged [m]
+  std::optional<Facing> river_;
+  Real time_damaged_ = never, time_below_ = never;  ///< the first ones; but for slides [s]
+
+  void start(const Model& model, const State& state) override
+  {
+    const StandingGround ground = standing_ground(model, state.points);
+    range_ = columns_of_barrier(ground);
+    first_height_ = find_barrier(ground, range_).height;
+    settles_ = standing_tolerance(relief(first_section(model, state.points, ground_of(model))));
+    river_ = river_side(model.description.flood, ground);
+    time_damaged_ = time_below_ = never;
+  }
+
+  Barrier look(const Model& model, const State& state) const
+  {
+    return find_barrier(standing_ground(model, state.points), range_);
+  }
+
+  void row(const LedgerContext& context, std::span<Real> values) override
+  {
+    const FloodCase& flood = context.model.description.flood;
+    if (std::isnan(flood_level(flood))) return;
+    const Barrier barrier = look(context.model, context.state);
+    values[0] = barrier.height, values[1] = barrier.width, values[2] = barrier.intact_width;
+    const auto keep_first = [&](bool so, Real& time) {
+      if (so && std::isnan(time)) time = context.state.time;
+    };
+    keep_first(barrier.height < flood_level(flood) + flood.smallest_freeboard - round_off ||
+                   barrier.width < flood.smallest_width - round_off,
+        time_below_);
+    keep_first(barrier.height < first_height_ - settles_ || barrier.intact_width < flood.smallest_width - round_off,
+        time_damaged_);
+  }
+
+  void summarise(const Model& model, const State& state, Summary& s) const override
+  {
+    const FloodCase& flood = model.description.flood;
+    const Barrier barrier = look(model, state);
+    s.residual_height = known(barrier.height);
+    if (std::isnan(flood_level(flood))) return;
+    FloodSummary& f = s.flood.emplace();
+    f.water_level = flood_level(flood);
+    f.river = river_;
+    f.residual_height = barrier.height;
+    f.freeboard = barrier.height - f.water_level;
+    f.width_at_level = barrier.width;
+    f.intact_width = barrier.intact_width;
+    f.first_time_below = known(time_below_);
+    f.first_time_damaged = known(time_damaged_);
+    for (const SlideSummary& slide : s.slides)  // those of the slopes, which are asked before
+      f.first_time_damaged = std::fmin(f.first_time_damaged.value_or(never), slide.slide.begins);
+    f.verdict = f.first_time_below     ? FloodVerdict::floods
+                : f.first_time_damaged ? FloodVerdict::damaged
+                                       : FloodVerdict::stands;
+    f.criterion = criterion_text(flood);
+  }
+
+  void save(ArrayWriter& arrays) const override
+  {
+    const Real river = !river_ ? never : outwards(*river_);
+    arrays.copy("ground", std::vector<Real>{static_cast<Real>(range_.first), static_cast<Real>(range_.last),
+                              first_height_, settles_, river});
+    arrays.copy("times", std::vector<Real>{time_damaged_, time_below_});
+  }
+  void load(const Model&, const State&, const ArrayReader& arrays) override
+  {
+    const auto &ground = arrays.reals("ground", 5), &times = arrays.reals("times", 2);
+    range_ = {static_cast<Index>(ground[0]), static_cast<Index>(ground[1])};
+    first_height_ = ground[2], settles_ = ground[3];
+    river_ = std::isnan(ground[4]) ? std::nullopt : std::optional(ground[4] > 0.0 ? Facing::right : Facing::left);
+    time_damaged_ = times[0], time_below_ = times[1];
+  }
+};
+
+}  // namespace
+
+const FollowerType flood_follower{.name = "flood",
+    .columns = {{"residual_height", "m", "highest ground",
+                    "height of the highest ground between river and land; of cases with `[flood]` (docs/flood.md)"},
+        {"width_at_level", "m", "width at the water level", "width of the ground at `flood.water_level`"},
+        {"intact_width", "m", "intact width at the water level", "of that, with eps_eq_p below `flood.intact_below`"}},
+    .make = make_follower<Flood>};
+
+}  // namespace terp

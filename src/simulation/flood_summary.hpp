@@ -1,0 +1,50 @@
+// Whether the ground still holds the water: the verdict of a run, with its numbers. Definitions: docs/flood.md.
+#pragma once
+
+#include "events/section.hpp"
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace terp {
+
+enum class FloodVerdict { stands, damaged, floods };
+
+struct FloodVerdictInfo {
+  std::string_view name;   ///< in summary.json
+  std::string_view words;  ///< for people
+};
+/// In the order of the enum.
+inline constexpr std::array<FloodVerdictInfo, 3> flood_verdicts{
+    {{"stands", "stands"}, {"damaged", "damaged, holds the water"}, {"floods", "floods"}}};
+
+inline const FloodVerdictInfo& info_of(FloodVerdict verdict)
+{
+  return flood_verdicts[static_cast<std::size_t>(verdict)];
+}
+
+struct FloodSummary {
+  static constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
+
+  FloodVerdict verdict = FloodVerdict::stands;
+  Real water_level = none;                 ///< [m]
+  std::optional<Facing> river = {};        ///< the end of the section that the river is at
+  Real residual_height = none;             ///< of the highest ground at the end [m]
+  Real freeboard = none;                   ///< of it over the water level [m]
+  Real width_at_level = none;              ///< of the ground at the water level, at the end [m]
+  Real intact_width = none;                ///< of that, with eps_eq_p below the limit [m]
+  std::optional<Real> first_time_damaged;  ///< [s]
+  std::optional<Real> first_time_below;    ///< of the flood [s]
+  std::string criterion = {};              ///< by which it floods, in words
+};
+
+/// The verdict, with its numbers and the times at which it was first true.
+std::string flood_sentence(const FloodSummary& flood);
+
+/// What the verdict does not know.
+inline constexpr std::string_view flood_caution = "Water that would flow over is not simulated.";
+
+}  // namespace terp

@@ -1,0 +1,22 @@
+// The ground of a model in columns: what slopes, moved soil and the water it holds are measured against.
+#pragma once
+
+#include "events/barrier.hpp"
+#include "events/section.hpp"
+#include "simulation/model.hpp"
+
+namespace terp {
+
+/// Which materials are ground; empty: all. Where none is, as in a column of fluid alone, what there is takes its place.
+std::vector<std::uint8_t> ground_of(const Model& model);
+
+/// Columns of the width of a typical cell over the whole mesh.
+Columns columns_of_section(const Mesh<2>& mesh);
+
+/// The surface of the ground as it is.
+Section first_section(const Model& model, const PointBlocks<2>& points, Ground ground);
+
+/// The ground that stands, looked at where the water stands; without a water level: at no level.
+StandingGround standing_ground(const Model& model, const PointBlocks<2>& points);
+
+}  // namespace terp

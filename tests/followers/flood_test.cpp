@@ -1,0 +1,232 @@
+// The verdict on the water, of soil that is drawn anew at each row of the ledger.
+#include "followers/followers.hpp"
+#include "simulation/flood_warnings.hpp"
+#include "simulation/ledger.hpp"
+#include "simulation/run.hpp"
+#include "support/cases.hpp"
+#include "support/simulations.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+/// A dike of 4 m on ground of 1 m: crest of 4 m from x = 18 to 22 m, slopes of 1:2, in a mesh of 40 m x 8 m. Water to
+/// 4 m.
+Case dike()
+{
+  Case c = column("mpm_gp", 0.5);
+  BodyCase soil = body("clay", {0.0, 0.0}, {40.0, 1.0});
+  soil.polygon = {{0.0, 0.0}, {40.0, 0.0}, {40.0, 1.0}, {30.0, 1.0}, {22.0, 5.0}, {18.0, 5.0}, {10.0, 1.0}, {0.0, 1.0}};
+  soil.points_per_cell = {4, 4};
+  c.mesh.size = {40.0, 8.0};
+  c.bodies = {soil};
+  c.flood.water_level = 4.0;
+  return c;
+}
+
+/// What rows of the ledger say of drawings, one second apart.
+struct Drawn : Simulation {
+  std::vector<TableRow> rows;
+
+  explicit Drawn(const Case& description = dike()) : Simulation(description, 1, all_followers()) { look(); }
+  void look() { rows.push_back(keep_ledger(model, state, work)); }
+  /// The soil becomes another within 0.2 s and rests for a second, a row every 0.1 s.
+  Drawn& become(const std::function<Vec<2>(Vec<2>)>& place)
+  {
+    draw_points(*this, place);
+    for (int k = 0; k < 12; ++k) state.time += 0.1, look();
+    return *this;
+  }
+  FloodSummary flood() const { return *summarise(model, state).flood; }
+};
+
+/// What slid: all to the right of a line that falls from (x, 5 m) at 45 degrees, by so much to the right and down.
+Vec<2> slide_right(Vec<2> p, Real x, Real along, Real down)
+{
+  return p[1] > 1.0 && p[0] > x + (5.0 - p[1]) ? Vec<2>{p[0] + along, std::max(1.05, p[1] - down)} : p;
+}
+
+TEST(Flood, ADikeThatStandsHoldsTheWater)
+{
+  const Drawn s;
+  const FloodSummary flood = s.flood();
+  EXPECT_EQ(flood.verdict, FloodVerdict::stands);
+  EXPECT_NEAR(flood.residual_height, 5.0, 1e-9);
+  EXPECT_NEAR(flood.freeboard, 1.0, 1e-9);
+  EXPECT_NEAR(flood.width_at_level, 8.0, 0.1);  // 4 m and 2 m of each slope
+  EXPECT_NEAR(flood.intact_width, flood.width_at_level, 1e-12);
+  EXPECT_FALSE(flood.first_time_below || flood.first_time_damaged || flood.river);
+  EXPECT_NEAR(s.rows[0]["residual_height"], 5.0, 1e-9);
+  EXPECT_NEAR(s.rows[0]["width_at_level"], flood.width_at_level, 1e-12);
+  EXPECT_EQ(flood.criterion, "it floods where no ground between river and land stands at 4 m or higher");
+}
+
+TEST(Flood, ADikeThatLostPartOfItsCrestIsDamaged)
+{
+  Drawn s;
+  s.become([](Vec<2> p) { return slide_right(p, 20.0, 6.0, 2.0); });
+  const FloodSummary flood = s.flood();
+  EXPECT_EQ(flood.verdict, FloodVerdict::damaged);
+  EXPECT_NEAR(flood.residual_height, 5.0, 1e-9);
+  EXPECT_LT(flood.width_at_level, 6.0);
+  EXPECT_NEAR(*flood.first_time_damaged, 0.1, 1e-9);
+  EXPECT_FALSE(flood.first_time_below);
+}
+
+TEST(Flood, ADikeThatCameDownBelowTheWaterFloodsFromThatTimeOn)
+{
+  Drawn s;
+  s.become([](Vec<2> p) { return p; }).become([](Vec<2> p) { return Vec<2>{p[0], 0.7 * p[1]}; });
+  s.become([](Vec<2> p) { return p; });  // what comes later does not undo it
+  const FloodSummary flood = s.flood();
+  EXPECT_EQ(flood.verdict, FloodVerdict::floods);
+  EXPECT_NEAR(*flood.first_time_below, 1.3, 1e-9);
+  EXPECT_NEAR(flood.residual_height, 5.0, 1e-9);
+  EXPECT_EQ(flood_sentence(flood).substr(0, 23), "floods, from 1.30 s on:");
+}
+
+TEST(Flood, AllThatStandsBetweenRiverAndLandCounts)
+{
+  Drawn s;  // both slopes slide and leave a wall of 1.5 m with nearly the first height
+  s.become([](Vec<2> p) {
+    if (p[1] < 1.0 || std::abs(p[0] - 20.0) < 0.75) return p;
+    return p[0] > 20.0 ? Vec<2>{p[0] + 5.0, 1.0 + 0.2 * (p[1] - 1.0)} : Vec<2>{p[0] - 5.0, 1.0 + 0.2 * (p[1] - 1.0)};
+  });
+  const Summary summary = summarise(s.model, s.state);
+  EXPECT_NEAR(summary.flood->residual_height, 5.0, 1e-9);
+  EXPECT_NEAR(*summary.residual_height, 5.0, 1e-9);
+  EXPECT_EQ(summary.flood->verdict, FloodVerdict::damaged);
+  EXPECT_EQ(summary.slides.size(), 2u);  // one down each slope
+}
+
+TEST(Flood, FreeboardAndWidthAreAskedFor)
+{
+  Case c = dike();
+  c.flood.smallest_freeboard = 1.1;
+  EXPECT_EQ(Drawn(c).flood().verdict, FloodVerdict::floods);
+  c.flood.smallest_freeboard = 0.9;
+  c.flood.smallest_width = 7.0;
+  EXPECT_EQ(Drawn(c).flood().verdict, FloodVerdict::stands);
+  EXPECT_EQ(Drawn(c).flood().criterion,
+      "it floods where no ground between river and land stands at 4.9 m or higher, 0.9 m over the water at 4 m, or "
+      "where "
+      "the ground is less than 7 m wide at 4 m");
+  c.flood.smallest_width = 9.0;
+  EXPECT_EQ(Drawn(c).flood().verdict, FloodVerdict::floods);
+  EXPECT_NEAR(*Drawn(c).flood().first_time_below, 0.0, 1e-12);
+}
+
+TEST(Flood, SoilThatShearedIsNoIntactWidth)
+{
+  Case c = dike();
+  c.flood.smallest_width = 7.0;
+  Drawn s(c);
+  const int strain = row_of(s.model.materials[0], Role::plastic_strain);
+  edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
+    if (std::abs(block.row(PointRows<2>::x)[lane] - 20.0) < 1.0) block.row(strain)[lane] = 0.5;
+  });
+  s.state.time += 1.0;
+  s.look();
+  EXPECT_NEAR(s.flood().width_at_level - s.flood().intact_width, 2.0, 1e-9);
+  EXPECT_EQ(s.flood().verdict, FloodVerdict::damaged);  // 6 m intact of 7 m
+  EXPECT_EQ(s.flood().first_time_damaged, 1.0);
+}
+
+/// With a body of water in front of the dike up to 4.5 m, and a load of 1 m on its crest.
+Case dike_with_river_and_load()
+{
+  Case c = dike();
+  BodyCase river = body("water", {0.0, 1.0}, {10.0, 4.5}), load = body("load", {19.0, 5.0}, {21.0, 6.0});
+  river.polygon = {{0.0, 1.0}, {10.0, 1.0}, {17.0, 4.5}, {0.0, 4.5}};
+  for (BodyCase* b : {&river, &load}) b->points_per_cell = {4, 4};
+  c.bodies.push_back(river), c.bodies.push_back(load);
+  const MaterialType* fluid = find_material("newtonian_fluid");
+  std::vector<Real> parameters;
+  for (const ParameterInfo& info : fluid->parameters) parameters.push_back(info.typical);
+  c.materials.push_back({"water", "newtonian_fluid", 1000.0, fluid->complete(parameters)});
+  c.materials.push_back(elastic(2.0e6, 0.3, 2000.0));
+  c.materials.back().name = "load";
+  c.materials.back().ground = false;
+  return c;
+}
+
+TEST(Flood, WaterAndLoadsAreNoGround)
+{
+  const Drawn s(dike_with_river_and_load()), alone;
+  const FloodSummary a = s.flood(), b = alone.flood();
+  EXPECT_EQ(a.residual_height, b.residual_height);
+  EXPECT_EQ(a.width_at_level, b.width_at_level);
+  for (const char* name : {"front_x", "front_left_x", "crest_x", "crest_y", "crest_left_x", "crest_left_y"}) {
+    const Real with = s.rows[0][name], without = alone.rows[0][name];
+    EXPECT_TRUE(with == without || (std::isnan(with) && std::isnan(without))) << name << ' ' << with;
+  }
+  Case c = dike_with_river_and_load();
+  c.materials.back().ground = true;
+  EXPECT_NEAR(Drawn(c).flood().residual_height, 6.0, 1e-9);
+}
+
+TEST(Flood, OnlyGroundMoves)
+{
+  Drawn s(dike_with_river_and_load());
+  s.become([](Vec<2> p) { return p[1] > 5.0 || (p[0] < 8.0 && p[1] > 1.0) ? Vec<2>{p[0] + 1.0, p[1]} : p; });
+  EXPECT_EQ(s.rows.back()["moved_volume"], 0.0);
+  EXPECT_EQ(summarise(s.model, s.state).moved_volume, 0.0);
+  EXPECT_EQ(s.flood().verdict, FloodVerdict::stands);
+}
+
+TEST(Flood, TheRiverIsWhereTheGroundIsLow)
+{
+  Case c = dike();
+  BodyCase land = body("clay", {22.0, 1.0}, {40.0, 5.0});
+  c.bodies.push_back(land);
+  EXPECT_EQ(Drawn(c).flood().river, Facing::left);
+  c.flood.river = RiverSide::right;
+  EXPECT_EQ(Drawn(c).flood().river, Facing::right);
+  const Drawn s(c);
+  ASSERT_EQ(find_flood_warnings(s.model, s.state).size(), 1u);
+  EXPECT_EQ(find_flood_warnings(s.model, s.state)[0].what, "the river's end of the section lies above the water");
+}
+
+TEST(Flood, ACaseThatFloodsFromTheStartIsDoubted)
+{
+  const auto warnings = [](Real level, Real width) {
+    Case c = dike();
+    c.flood.water_level = level, c.flood.smallest_width = width;
+    const Drawn s(c);
+    std::vector<std::string> texts;
+    for (const Problem& p : find_flood_warnings(s.model, s.state))
+      texts.push_back(p.key + ": " + p.what + ". " + p.detail);
+    return texts;
+  };
+  EXPECT_THAT(warnings(4.0, 7.0), IsEmpty());
+  EXPECT_THAT(warnings(5.5, 0.0), ElementsAre("flood.water_level: it floods from the start. The highest ground between "
+                                              "river and land stands at 5 m, less than 5.5 m."));
+  EXPECT_THAT(
+      warnings(4.0, 9.0), ElementsAre(StartsWith("flood.smallest_width: it floods from the start. The ground is ")));
+  EXPECT_THAT(
+      warnings(0.5, 0.0), ElementsAre(StartsWith("flood.water_level: no ground lies below the water. The lowest "
+                                                 "ground stands at 1 m")));
+}
+
+TEST(Flood, WithoutAWaterLevelNothingIsJudged)
+{
+  Case c = dike();
+  c.flood.water_level = std::nan("");
+  const Drawn s(c);
+  EXPECT_FALSE(summarise(s.model, s.state).flood);
+  EXPECT_TRUE(std::isnan(s.rows[0]["residual_height"]));
+  EXPECT_NEAR(*summarise(s.model, s.state).residual_height, 5.0, 1e-9);
+}
+
+TEST(Flood, ARunThatResumesRemembers)
+{
+  Drawn s;
+  s.become([](Vec<2> p) { return Vec<2>{p[0], 0.7 * p[1]}; });
+  const auto times = array_of(s.state, "followers/flood/times");
+  s.state.time = 0.0;  // of its step
+  Drawn other;
+  other.restore(s.save());
+  EXPECT_EQ(array_of(other.state, "followers/flood/times"), times);
+  EXPECT_EQ(flood_sentence(other.flood()), flood_sentence(s.flood()));
+}
+
+}  // namespace
