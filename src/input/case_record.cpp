@@ -119,6 +119,8 @@ void Recorder::add_keys()
       add_list(key, "water.situation", values_.water.situations.size());
     else if (key.path.starts_with("footing[]"))
       add_list(key, "footing", values_.footings.size());
+    else if (key.path.starts_with("load[]"))
+      add_list(key, "load", values_.loads.size());
     else if (key.path.starts_with("material.NAME"))
       add_of_materials(key);
     else if (key.path.starts_with("boundary.SIDE"))

@@ -21,6 +21,9 @@ const MaterialType* complete_law(const MaterialCase& material);
 /// Turns the polygon of a mesh counter-clockwise; its edges keep their places and take their new numbers.
 void turn_counter_clockwise(MeshCase& mesh);
 
+/// Loads that have no width, share a name, or end before they begin.
+void check_loads(const Node& root, const Case& values, Findings& findings);
+
 /// Options of [method] that the file sets and that do nothing, or work against each other.
 void check_method(const Node& root, const Case& values, std::vector<Problem>& warnings);
 

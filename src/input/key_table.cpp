@@ -219,7 +219,7 @@ std::vector<KeyInfo> body_keys()
   };
 }
 
-std::vector<KeyInfo> load_keys()
+std::vector<KeyInfo> force_keys()
 {
   return {
       {.path = "forces.gravity",
@@ -469,8 +469,8 @@ std::vector<KeyInfo> output_keys()
 std::vector<KeyInfo> key_table()
 {
   std::vector<KeyInfo> list;
-  for (auto part : {frame_keys, mesh_keys, body_keys, material_keys, load_keys, water_keys, flood_keys, side_keys,
-           footing_keys, method_keys, output_keys})
+  for (auto part : {frame_keys, mesh_keys, body_keys, material_keys, force_keys, water_keys, flood_keys, side_keys,
+           footing_keys, surface_load_keys, method_keys, output_keys})
     for (KeyInfo& key : part()) list.push_back(std::move(key));
   return list;
 }

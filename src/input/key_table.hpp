@@ -15,5 +15,7 @@ std::vector<KeyInfo> flood_keys();  ///< of [flood]
 
 /// Gives the other situations of the water what they leave out: that of the start.
 void complete_situations(WaterCase& water);
+/// Those of [[load]].
+std::vector<KeyInfo> surface_load_keys();
 
 }  // namespace terp

@@ -26,6 +26,7 @@ Case& prototype()
     c.mesh.refine.resize(1);
     c.footings.resize(1);
     c.water.situations.resize(1);
+    c.loads.resize(1);
     return c;
   }();
   return one;

@@ -55,6 +55,8 @@ const std::vector<SectionInfo>& all_sections()
       {"footing[]",
           "a rigid block that is pushed into the soil, its reaction measured (footings.csv); as many as needed, at "
           "most 8"},
+      {"load[]",
+          "a pressure on a stretch of the surface, always there or for a time (docs/loads.md); as many as needed"},
       {"method", "numerical choices; the defaults suit soil that fails (docs/methods.md)"},
       {"output", "what is written, and when"},
       {"output.fields", "fields of all material points in the frames"},

@@ -80,7 +80,7 @@ struct KeyInfo {
   bool may_be_infinite = false;
   std::string meaning;
   std::string equation = "";
-  std::string default_text = "";  ///< filled in from the structs of case.hpp
+  std::string default_text = "";  ///< where it is empty, filled in from the structs of case.hpp
 };
 
 struct SectionInfo {

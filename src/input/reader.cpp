@@ -100,6 +100,8 @@ void add_entry(const std::string& pattern, Case& values)
     values.footings.emplace_back();
   else if (pattern == "water.situation[]")
     values.water.situations.emplace_back();
+  else if (pattern == "load[]")
+    values.loads.emplace_back();
   else
     values.mesh.refine.emplace_back();
 }

@@ -6,6 +6,7 @@
 #include "boundary/side_kind.hpp"
 #include "materials/material.hpp"
 #include "simulation/flood_case.hpp"
+#include "simulation/load_case.hpp"
 #include "transfer/method_options.hpp"
 #include "water/water_case.hpp"
 
@@ -181,6 +182,7 @@ struct Case {
   WaterCase water;
   std::vector<SideCondition> sides;
   std::vector<FootingCase> footings;
+  std::vector<LoadCase> loads;
   MethodOptions method;
   OutputCase output;
   FloodCase flood;

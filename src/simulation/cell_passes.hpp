@@ -4,6 +4,7 @@
 #include "schemes/cell_group.hpp"
 #include "simulation/state.hpp"
 #include "simulation/workspace.hpp"
+#include "transfer/map_load.hpp"
 
 namespace terp {
 
@@ -19,7 +20,7 @@ inline CellGroup<Quad4> view_group(const Model& model, State& state, Workspace& 
   const Index n = end - first, n_groups = Threads::n_chunks(static_cast<Index>(occupied.size()), pack_width);
   const bool in_cache = state.points.n_points() * state.points.n_rows() * std::int64_t{sizeof(Real)} < prefetch_from;
   const Index next_cell = static_cast<std::size_t>(end) < occupied.size() ? occupied[end] : -1;
-  const std::span<CornerVectors<Quad4>> water = work.water_corners;
+  const std::span<CornerVectors<Quad4>> water = work.outer[outer_water].corners;
   return {occupied.subspan(first, n), *model.mesh, state.points, corners.subspan(first, n), work.pressure, work.gauss,
       work.gauss_rows, work.n_gauss_rows, first / pack_width, n_groups, next_cell, !in_cache, &work.patches,
       water.empty() ? water : water.subspan(first, n)};
@@ -56,6 +57,20 @@ inline void map_mass_and_momentum(const CellGroup<Quad4>& group, int c)
   if (!group.water_force.empty()) group.water_force[c] = {};
   for_each_block(
       view.points, view.cell, [&](const PointBlock<2>& block, Index) { map_mass_and_momentum(block, view.corners); });
+}
+
+/// Forces of the loads at the corners of cell c.
+inline void map_loads(const Model& model, const CellGroup<Quad4>& group, int c, Workspace& work)
+{
+  const Index cell = group.cells[c];
+  CornerVectors<Quad4>& force = work.outer[outer_load].corners[group.number * pack_width + c];
+  force = {};
+  for_each_block(group.points, cell, [&](const PointBlock<2>& block, Index) {
+    for (std::size_t k = 0; k < model.loads.size(); ++k)
+      if (work.load_pressure[k] != 0.0)
+        map_load(block, model.loads[k].row, work.load_pressure[k], model.mesh->geometry(cell),
+            model.mesh->centres[cell], force);
+  });
 }
 
 /// v_p of a cell from the accelerated nodes, and the momentum of the points with it.

@@ -1,5 +1,6 @@
 #include "simulation/initial.hpp"
 
+#include "simulation/loads.hpp"
 #include "simulation/no_equilibrium.hpp"
 #include "simulation/overburden.hpp"
 #include "simulation/run.hpp"
@@ -49,9 +50,10 @@ void set_initial_stress(const Model& model, State& state)
     const Vec<2> x{block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]};
     const MaterialCase& material = c.materials[block.material];
     const Real k0 = std::isnan(material.k0) ? c.initial.k0 : material.k0;
-    Real vertical = model.gravity[1] * overburden.mass_above(x), stored = 0.0;
+    const Real load = permanent_pressure_at(model, x[0]);
+    Real vertical = model.gravity[1] * overburden.mass_above(x) - load, stored = 0.0;
     if (model.water) {
-      vertical = -overburden.effective(x, c.water.start);
+      vertical = -overburden.effective(x, c.water.start) - load;
       stored = material.is_drained() ? 0.0 : overburden.pore_pressure(x, c.water.start);
     }
     block.row(Rows::sigma)[lane] = k0 * vertical - stored;

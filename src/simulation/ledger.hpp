@@ -22,8 +22,9 @@ Real energy_exchanged(const State& state);
 /// The part of the works in it [J per m].
 inline Real energy_exchanged(const WorkTotals& w)
 {
-  return std::max(
-      w.exchanged, std::abs(w.gravity) + std::abs(w.damping) + std::abs(w.boundary) + std::abs(w.water) + w.plastic);
+  Real of_forces = std::abs(w.gravity) + std::abs(w.damping) + std::abs(w.boundary);
+  for (const Real work : w.outer) of_forces += std::abs(work);
+  return std::max(w.exchanged, of_forces + w.plastic);
 }
 
 /// ledger.csv: the balance, and the columns of these followers.

@@ -3,6 +3,7 @@
 
 #include "boundary/conditions.hpp"
 #include "boundary/footing.hpp"
+#include "boundary/load.hpp"
 #include "forces/damping.hpp"
 #include "points/move.hpp"
 #include "points/seed.hpp"
@@ -38,6 +39,7 @@ struct Model {
   Boundary boundary;
   OpenSides open_sides;  ///< sides that soil may leave by, shape [n_cells]
   std::vector<Footing> footings;
+  std::vector<Load> loads;
   Vec<2> gravity{0.0, 0.0};  ///< [m/s^2]
   Damping damping;
   const Scheme* scheme = nullptr;

@@ -30,17 +30,17 @@ inline NodeGather sum_cells(const Model& model, const State& state, const Worksp
   return sum;
 }
 
-/// Force of the water on a node: that of the occupied cells around it, in order of cell number [N per m].
-inline Vec<2> sum_water_force(const Model& model, const State& state, const Workspace& work, Index node)
+/// The same of forces from outside, of one kind.
+inline Vec<2> sum_outer(const Model& model, const State& state, const OuterForces& outer, Index node)
 {
-  Vec<2> force{0.0, 0.0};
+  Vec<2> sum{0.0, 0.0};
   for (Index k = model.mesh->first_cell_of_node[node]; k < model.mesh->first_cell_of_node[node + 1]; ++k) {
     const auto [cell, corner] = model.mesh->cells_of_node[k];
     const Index slot = state.points.slot_of_cell()[cell];
     if (slot < 0) continue;
-    for (int d = 0; d < 2; ++d) force[d] += work.water_corners[slot][d][corner];
+    for (int d = 0; d < 2; ++d) sum[d] += outer.corners[slot][d][corner];
   }
-  return force;
+  return sum;
 }
 
 /// Smallest mass of a node that may move: small_mass rho V_e of the first cell around it [kg per m].
@@ -75,21 +75,22 @@ inline void accelerate_node(
   node = {};
   node.mass = sum.mass;
   if (!(sum.mass >= mass_limit(model, i))) {
+    for (OuterForces& kind : work.outer)
+      if (kind.acts) kind.node[i] = {0.0, 0.0};
     sums.finite &= sum.mass == sum.mass;
-    if (model.water) work.water_force[i] = {0.0, 0.0};
     return;
   }
   Damping damping = model.damping;
   damping.local = work.damping_local;
   Vec<2> v_0, v_free, out_of_balance;
+  for (OuterForces& kind : work.outer)
+    if (kind.acts) kind.node[i] = sum_outer(model, state, kind, i);
   for (int d = 0; d < 2; ++d) {
     v_0[d] = sum.momentum[d] / sum.mass;
     out_of_balance[d] = sum.mass * model.gravity[d] - sum.internal_force[d];
+    for (const OuterForces& kind : work.outer)
+      if (kind.acts) out_of_balance[d] += kind.node[i][d];
     node.internal[d] = -sum.internal_force[d];
-  }
-  if (model.water) {
-    work.water_force[i] = sum_water_force(model, state, work, i);
-    for (int d = 0; d < 2; ++d) out_of_balance[d] += work.water_force[i][d];
   }
   sums.kinetic += 0.5 * sum.mass * (v_0[0] * v_0[0] + v_0[1] * v_0[1]);
   const int k = footing_at(work, model.mesh->nodes[i]);
@@ -118,8 +119,9 @@ inline void accelerate_node(
 /// Works of the step with the remapped velocity, which moves and strains the points, and of the forces on what clamps
 /// take from it, which the points keep. They add up to the change of the points' kinetic energy plus 1/2 sum m_p
 /// |dv_p|^2 exactly (docs/methods.md, energy). remapped: before the clamps [m/s].
-inline void add_works(const Model& model, const NodeValues& node, Vec<2> remapped, NodeSums& sums)
+inline void add_works(const Model& model, const Workspace& work, Index i, Vec<2> remapped, NodeSums& sums)
 {
+  const NodeValues& node = work.node[i];
   for (int d = 0; d < 2; ++d) {
     sums.clamps += node.mass * node.dv[d] * (remapped[d] - node.v[d]);
     const Real path = node.v[d] * model.dt;
@@ -127,6 +129,8 @@ inline void add_works(const Model& model, const NodeValues& node, Vec<2> remappe
     sums.damping += node.damping[d] * path;
     sums.internal += node.internal[d] * path;
     sums.boundary += node.boundary[d] * path;
+    for (int kind = 0; kind < n_outer_kinds; ++kind)
+      if (work.outer[kind].acts) sums.outer[kind] += work.outer[kind].node[i][d] * path;
   }
 }
 
@@ -143,9 +147,7 @@ inline void remap_velocity(const Model& model, const NodeGather& sum, Index i, W
   const bool across_alone = model.method.remap_contact == RemapContact::across;
   model.boundary.clamp(i, node.mass, model.dt, v_1, node.boundary, node.v, across_alone);
   if (const int k = footing_at(work, model.mesh->nodes[i]); k >= 0) work.footings[k].hold(node.v);
-  add_works(model, node, remapped, sums);
-  if (model.water)
-    for (int d = 0; d < 2; ++d) sums.water += work.water_force[i][d] * node.v[d] * model.dt;
+  add_works(model, work, i, remapped, sums);
 }
 
 }  // namespace terp

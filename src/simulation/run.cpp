@@ -5,6 +5,7 @@
 #include "simulation/guards.hpp"
 #include "simulation/initial.hpp"
 #include "simulation/ledger.hpp"
+#include "simulation/loads.hpp"
 #include "simulation/reporter.hpp"
 
 #include <algorithm>
@@ -103,6 +104,8 @@ StepsMade make_steps(const Model& model, State& state, Workspace& work, const St
   for (std::int64_t n = 0; n < policy.most_steps; ++n) {
     const bool may_stop = policy.stop != nullptr && n >= policy.least_steps;
     if (may_stop && policy.stop->load(std::memory_order_relaxed)) return {.end = LoopEnd::stopped};
+    if (std::string fault = policy.clock_stands ? "" : place_due_loads(model, state); !fault.empty())
+      return {.end = LoopEnd::fault, .fault = std::move(fault)};
     model.step(model, state, work);
     if (policy.clock_stands) state.step = 0, state.time = 0.0;
     if (std::string fault = find_fault(model, state, work, state.largest_v_999); !fault.empty())

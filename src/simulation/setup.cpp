@@ -4,6 +4,7 @@
 #include "forces/time_step.hpp"
 #include "mesh/mesh_error.hpp"
 #include "simulation/initial.hpp"
+#include "simulation/loads.hpp"
 #include "simulation/nodal_water.hpp"
 #include "simulation/point_parameters.hpp"
 #include "simulation/setup_history.hpp"
@@ -210,6 +211,7 @@ Model build_model(const Case& description, SharedMesh mesh, int threads)
         .unit = "1/m",
         .meaning = "1 / side of the square by which the point counts in sub-cells",
         .owner = "method"});
+  model.loads = make_loads(description, model.rows);
   Real length = 0.0;  // the largest of those in use
   for (const Index m : used)
     if (model.materials[m].increment_row >= 0) length = std::max(length, model.materials[m].softening.length);
@@ -246,6 +248,7 @@ State build_state(Model& model)
   state.points.reserve(static_cast<std::int64_t>(n / 4));
   if (model.damping.averaging_time > 0.0) state.mean_force.resize(model.mesh->nodes.size());
   set_point_parameters(model, state.x_initial, state);
+  place_first_loads(model, state);
   set_initial_stress(model, state);
   follow_history_points(model, state);
   start_followers(model, state);

@@ -4,6 +4,7 @@
 #include "points/point_blocks.hpp"
 #include "simulation/follower.hpp"
 #include "simulation/observer.hpp"
+#include "simulation/outer_forces.hpp"
 
 #include <map>
 #include <vector>
@@ -14,15 +15,20 @@ namespace terp {
 struct WorkTotals {
   Real gravity = 0.0, damping = 0.0, boundary = 0.0;
   Real clamps = 0.0;     ///< what points keep of the velocity that the boundary takes from nodes in pass 4
+  OuterWork outer{};     ///< of forces from outside: loads, water
   Real plastic = 0.0;    ///< dissipated
   Real internal = 0.0;   ///< of the internal forces on the nodes
-  Real water = 0.0;      ///< of pore pressure and free water
-  Real exchanged = 0.0;  ///< largest sum of the sizes of gravity, damping, boundary, water and plastic so far: what
+  Real exchanged = 0.0;  ///< largest sum of the sizes of gravity, damping, boundary, outer and plastic so far: what
                          ///< swings to and fro was exchanged, too
   Real last_step = 0.0;  ///< given() and internal, in the last step alone
 
   /// What the soil was given from outside.
-  Real given() const { return gravity + damping + boundary + clamps + water; }
+  Real given() const
+  {
+    Real sum = gravity + damping + boundary + clamps;
+    for (const Real work : outer) sum += work;
+    return sum;
+  }
 };
 
 struct State {

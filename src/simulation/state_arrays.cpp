@@ -2,6 +2,8 @@
 
 #include "base/errors.hpp"
 
+#include <algorithm>
+
 namespace terp {
 namespace {
 
@@ -18,6 +20,11 @@ const std::vector<T>& find_array(const StateImage& image, const std::string& nam
 }
 
 }  // namespace
+
+bool ArrayReader::has(std::string_view name) const
+{
+  return std::ranges::find(image_.arrays, prefix_ + std::string(name), &NamedArray::name) != image_.arrays.end();
+}
 
 const std::vector<Real>& ArrayReader::reals(std::string_view name, std::size_t size) const
 {

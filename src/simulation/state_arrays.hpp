@@ -64,6 +64,7 @@ class ArrayReader {
   explicit ArrayReader(const StateImage& image, std::string prefix = {}) : image_(image), prefix_(std::move(prefix)) {}
   ArrayReader below(std::string_view name) const { return ArrayReader(image_, prefix_ + std::string(name) + '/'); }
 
+  bool has(std::string_view name) const;
   const std::vector<Real>& reals(std::string_view name, std::size_t size = any_size) const;
   const std::vector<std::int64_t>& wholes(std::string_view name, std::size_t size = any_size) const;
   std::vector<bool> flags(std::string_view name, std::size_t size) const;

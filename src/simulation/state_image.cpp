@@ -14,8 +14,7 @@ namespace {
 
 using Rows = PointRows<2>;
 
-const std::string points_room = "points/";          // arrays with an entry for each point
-const std::string work_of_water = "work_of_water";  // there if it is not zero
+const std::string points_room = "points/";  // arrays with an entry for each point
 
 /// Calls f(block, lane) for n points from the first-th on, in the fixed order.
 template <class F>
@@ -204,7 +203,8 @@ std::vector<ArraySource> arrays_of(const State& state)
   const WorkTotals& w = state.work;
   arrays.copy("work", std::vector<Real>{w.gravity, w.damping, w.boundary, w.plastic, w.internal, w.exchanged,
                           w.last_step, state.start_energy, state.largest_v_999, w.clamps});
-  if (w.water != 0.0) arrays.copy(work_of_water, std::vector<Real>{w.water});
+  if (state.work.outer != OuterWork{})
+    arrays.copy("work_from_outside", std::vector<Real>(state.work.outer.begin(), state.work.outer.end()));
   arrays.copy("counts", std::vector<std::int64_t>{state.clamped, state.equilibrium_steps, state.frames_reported});
   for (const auto& [table, n] : state.rows_reported)
     arrays.copy("rows_reported/" + table, std::vector<std::int64_t>{n});
@@ -285,8 +285,8 @@ State restore(const Model& model, const StateImage& image)
       .internal = w[4],
       .exchanged = w[5],
       .last_step = w[6]};
-  if (std::ranges::find(image.arrays, work_of_water, &NamedArray::name) != image.arrays.end())
-    state.work.water = arrays.reals(work_of_water, 1)[0];
+  if (arrays.has("work_from_outside"))
+    std::ranges::copy(arrays.reals("work_from_outside", n_outer_kinds), state.work.outer.begin());
   state.start_energy = w[7];
   state.largest_v_999 = w[8];
   const auto& counts = arrays.wholes("counts", 3);

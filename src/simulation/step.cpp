@@ -6,6 +6,7 @@
 #include "simulation/cell_passes.hpp"
 #include "simulation/footings.hpp"
 #include "simulation/ledger.hpp"
+#include "simulation/loads.hpp"
 #include "simulation/nodal_water.hpp"
 #include "simulation/node_passes.hpp"
 #include "simulation/softening_passes.hpp"
@@ -63,8 +64,8 @@ void finish_sums(State& state, Workspace& work)
     total.damping += sums.damping;
     total.boundary += sums.boundary;
     total.clamps += sums.clamps;
+    for (int kind = 0; kind < n_outer_kinds; ++kind) total.outer[kind] += sums.outer[kind];
     total.internal += sums.internal;
-    total.water += sums.water;
     total.unbalanced += sums.unbalanced;
     total.weight += sums.weight;
     total.kinetic += sums.kinetic;
@@ -78,8 +79,12 @@ void finish_sums(State& state, Workspace& work)
   state.work.boundary += total.boundary;
   state.work.clamps += total.clamps;
   state.work.internal += total.internal;
-  state.work.water += total.water;
-  state.work.last_step = total.gravity + total.damping + total.boundary + total.clamps + total.water + total.internal;
+  Real outer = 0.0;
+  for (int kind = 0; kind < n_outer_kinds; ++kind) {
+    state.work.outer[kind] += total.outer[kind];
+    outer += total.outer[kind];
+  }
+  state.work.last_step = total.gravity + total.damping + total.boundary + total.clamps + outer + total.internal;
   for (const CellSums& sums : work.cell_sums) state.work.plastic += sums.plastic;
   state.work.exchanged = energy_exchanged(state.work);
   work.finite = total.finite;
@@ -184,11 +189,13 @@ void step_compiled(const Model& model, State& state, Workspace& work)
   if (model.water) model.water->renew(state.time, work.pore);
   start_sums(work);
   place_footings(model, state, work);
+  if (!model.loads.empty()) set_load_pressures(model, state, work);
 
   timed(work, points_to_cells, [&] {
     for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums&, auto&) {
       for (int c = 0; c < group.n(); ++c) map_mass_and_momentum(group, c);
       scheme.gather(context, group);  // Eqs. (1) to (4)
+      for (int c = 0; work.outer[outer_load].acts && c < group.n(); ++c) map_loads(model, group, c, work);
     });
     if (scheme.integrate != nullptr)
       for_each_group(

@@ -58,8 +58,8 @@ const SummaryQuantity quantities[] = {
         &Summary::points_su_rose},
     {{"energy_balance_error", "-", "energy balance error",
          "at the end, without sign: `numerical` and half of the work of the last step (docs/methods.md, section 5) "
-         "over the energy exchanged, that is, the sum of the sizes of the works of gravity, damping, boundaries "
-         "and water, `plastic`, and kinetic + "
+         "over the energy exchanged, that is, the sum of the sizes of the works of gravity, damping, boundaries, "
+         "water and loads, `plastic`, and kinetic + "
          "elastic at t = 0"},
         &Summary::energy_balance_error},
     {{"clamped_points", "-", "points put back at a wall", "`clamped` of the ledger at the end"},

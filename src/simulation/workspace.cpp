@@ -63,11 +63,15 @@ Workspace::Workspace(const Model& model, const State& state)
     run_is_near.resize(run_softens.size());
   }
   if (model.water) {
-    water_corners.reserve(most_cells);
-    water_force.resize(model.mesh->nodes.size());
+    outer[outer_water].acts = true;
+    outer[outer_water].node.resize(model.mesh->nodes.size());
   }
   pressure.reserve(2 * state.points.n_blocks());
   if (model.inverse_extent >= 0) start_patches(model, state, n_gauss_rows, patches);
+  load_pressure.resize(model.loads.size());
+  if (!model.loads.empty()) outer[outer_load].node.resize(model.mesh->nodes.size());
+  for (OuterForces& kind : outer)
+    if (!kind.node.empty()) kind.corners.reserve(most_cells);
   cell_sums.reserve(Threads::n_chunks(static_cast<Index>(most_cells), cells_per_chunk));
   fit(model, state);
 }
@@ -80,7 +84,6 @@ void Workspace::fit(const Model& model, const State& state)
     softening_corners.resize(cells.size());
     group_softens.resize(Threads::n_chunks(static_cast<Index>(cells.size()), pack_width));
   }
-  if (model.water) water_corners.resize(cells.size());
   pressure.resize(state.points.n_blocks());
   const std::size_t n_gauss = model.materials.size() * state.points.n_bodies() *
                               Threads::n_chunks(static_cast<Index>(cells.size()), pack_width);
@@ -89,6 +92,8 @@ void Workspace::fit(const Model& model, const State& state)
     gauss_rows.make_anew(2 * n_gauss * static_cast<std::size_t>(n_gauss_rows));
   }
   if (model.inverse_extent >= 0) fit_patches(state, patches);
+  for (OuterForces& kind : outer)
+    if (!kind.node.empty()) kind.corners.resize(cells.size());
   list_active_nodes(*model.mesh, cells, *this);
   cell_sums.resize(Threads::n_chunks(static_cast<Index>(cells.size()), cells_per_chunk));
   node_sums.resize(Threads::n_chunks(static_cast<Index>(active_nodes.size()), nodes_per_chunk));

@@ -6,6 +6,7 @@
 #include "parallel/memory.hpp"
 #include "schemes/patch_values.hpp"
 #include "simulation/model.hpp"
+#include "simulation/outer_forces.hpp"
 #include "simulation/passes.hpp"
 #include "transfer/node_diffusion.hpp"
 
@@ -24,8 +25,8 @@ struct NodeValues {
 
 /// Sums over the nodes of one chunk.
 struct NodeSums {
-  /// Works of the step [J per m].
-  Real gravity = 0.0, damping = 0.0, boundary = 0.0, clamps = 0.0, water = 0.0, internal = 0.0;
+  Real gravity = 0.0, damping = 0.0, boundary = 0.0, clamps = 0.0, internal = 0.0;  ///< work of the step [J per m]
+  OuterWork outer{};                            ///< the same of forces from outside [J per m]
   Real unbalanced = 0.0, weight = 0.0;          ///< sum of |m a|, of |m g| [N per m]
   Real kinetic = 0.0;                           ///< of the nodes at the start of the step [J per m]
   std::array<Vec<2>, most_footings> footing{};  ///< impulse of each footing on its nodes [N s per m]
@@ -65,8 +66,6 @@ struct Workspace {
   std::vector<Real> pressure;  ///< p_e [Pa], shape [n_blocks]; of schemes that keep no other Gauss values
   PatchValues patches;         ///< of shares that overlap
   PorePressure pore;           ///< on the nodes; empty without water
-  std::vector<CornerVectors<Quad4>> water_corners;     ///< force of the water [N per m], shape [n_occupied]; with water
-  std::vector<Vec<2>> water_force;                     ///< the same of the nodes, shape [n_nodes]; with water
   std::vector<CornerSoftening> softening_corners;      ///< shape [n_occupied]; of nonlocal softening
   NodeSpread softening;                                ///< of nonlocal softening
   std::vector<std::uint8_t> group_softens;             ///< whether a point of a group softened in this step
@@ -81,7 +80,9 @@ struct Workspace {
   std::array<double, n_passes> seconds{};        ///< spent in each pass
   std::vector<PlacedFooting> footings;           ///< in this step
   std::array<Vec<2>, most_footings> footing_impulse{};  ///< of each on its nodes, in the last step [N s per m]
-  bool settling = false;                                ///< in the search for equilibrium, which knows no footing
+  std::array<OuterForces, n_outer_kinds> outer;         ///< forces from outside
+  std::vector<Real> load_pressure;                      ///< of each load in this step [Pa]
+  bool settling = false;        ///< in the search for equilibrium, which knows neither footings nor loads for a time
   Real damping_local = 0.0;     ///< alpha in force: the model's, or that of the search for equilibrium
   bool finite = true;           ///< no nodal value was NaN or infinite in the last step
   Real unbalanced_ratio = 0.0;  ///< sum |m a| over sum |m g| in the last step

@@ -108,6 +108,7 @@ void set_scales(const Model& model, const State& state, ElasticStart& start)
 Case quiet_case(Case c)
 {
   c.footings.clear();
+  for (LoadCase& load : c.loads) load = {load.name, load.from, load.to, load.pressure};
   for (SideCondition& side : c.sides) side.velocity = {0.0, 0.0}, side.velocity_at = {};
   for (BodyCase& body : c.bodies) body.velocity = {0.0, 0.0}, body.velocity_at = {};
   c.water.situations.clear();  // the water of the start stays

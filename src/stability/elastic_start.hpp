@@ -24,7 +24,8 @@ struct ElasticStart {
   Real stiffening = 1.0;  ///< s of stiffen() at which it was settled; the scales above are those of the soil as it is
 };
 
-/// The case as its trials solve it: nothing moves but by its weight. Footings are left out, driven sides stand still.
+/// The case as its trials solve it: nothing moves but by its weight and its loads, which are there from the start, in
+/// full. Footings are left out, driven sides stand still.
 Case quiet_case(Case c);
 
 /// Settles the case with every law that has a strength replaced by linear_elastic of the same stiffness, and contact

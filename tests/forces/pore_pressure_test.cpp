@@ -38,7 +38,7 @@ TEST_P(PoreForce, OnUndrainedSoilIsThePressureOnItsSurfaceAndNothingInside)
     make_steps(s, 1);
     Vec<2> left{0.0, 0.0};
     for (Index i = 0; i < s.model.mesh->n_nodes(); ++i) {
-      const Vec<2> x = s.model.mesh->nodes[i], force = s.work.water_force[i];
+      const Vec<2> x = s.model.mesh->nodes[i], force = s.work.outer[outer_water].node[i];
       if (is_inner(x)) {
         EXPECT_NEAR(force[0], 0.0, 1e-10 * a * h);
         EXPECT_NEAR(force[1], 0.0, 1e-10 * a * h);
@@ -65,8 +65,8 @@ TEST_P(PoreForce, OnDrainedSoilIsThePullOfTheGradient)
       for (int i = 0; i < 4; ++i) share[mesh.cells[e][i]] += N[i] * mesh.geometry(e).gauss_volume[g];
     }
   for (std::size_t i = 0; i < share.size(); ++i) {
-    EXPECT_NEAR(s.work.water_force[i][0], -b * share[i], 1e-10 * a * h);
-    EXPECT_NEAR(s.work.water_force[i][1], -c * share[i], 1e-10 * a * h);
+    EXPECT_NEAR(s.work.outer[outer_water].node[i][0], -b * share[i], 1e-10 * a * h);
+    EXPECT_NEAR(s.work.outer[outer_water].node[i][1], -c * share[i], 1e-10 * a * h);
   }
 }
 
@@ -75,7 +75,7 @@ TEST(PoreForceOfPoints, HaveTheSameSumOnDrainedSoil)
   Simulation s = simulate_on(distorted(5), block_in_water("standard_mpm", Drainage::drained));
   make_steps(s, 1);
   Vec<2> sum{0.0, 0.0};
-  for (const Vec<2>& force : s.work.water_force) sum = {sum[0] + force[0], sum[1] + force[1]};
+  for (const Vec<2>& force : s.work.outer[outer_water].node) sum = {sum[0] + force[0], sum[1] + force[1]};
   const Real area = n_cells * h * n_cells * h;
   EXPECT_NEAR(sum[0], -b * area, 2e-3 * std::abs(b) * area);  // volumes of points in distorted cells
   EXPECT_NEAR(sum[1], -c * area, 2e-3 * std::abs(c) * area);

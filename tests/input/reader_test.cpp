@@ -78,6 +78,14 @@ left = "roller"
 right = { velocity = [0.125, 0.5], slip = true }
 bottom = { contact = "separating", adhesion = 8.0e3, friction = 0.5 }
 top = "fixed"
+[[load]]
+name = "traffic"
+from = 1.0
+to = 3.5
+pressure = 13e3
+start = 0.25
+end = 1.5
+ramp = 0.125
 [method]
 shares = "overlap"
 weights = "summed"
@@ -167,6 +175,19 @@ TEST(Reader, FillsFrameTimeAndMesh)
   EXPECT_EQ(c.mesh.origin, (Vec<2>{-1.0, 1.0}));
   EXPECT_EQ(c.mesh.size, (Vec<2>{16.0, 3.0}));
   EXPECT_EQ(c.mesh.cell, (Vec<2>{0.5, 0.25}));
+}
+
+TEST(Reader, FillsLoads)
+{
+  const Case c = read_every_key();
+  ASSERT_EQ(c.loads.size(), 1u);
+  EXPECT_EQ(c.loads[0].name, "traffic");
+  EXPECT_EQ(c.loads[0].from, 1.0);
+  EXPECT_EQ(c.loads[0].to, 3.5);
+  EXPECT_EQ(c.loads[0].pressure, 13e3);
+  EXPECT_EQ(c.loads[0].start, 0.25);
+  EXPECT_EQ(c.loads[0].end, 1.5);
+  EXPECT_EQ(c.loads[0].ramp, 0.125);
 }
 
 TEST(Reader, FillsBodiesAndMaterials)

@@ -1,0 +1,26 @@
+#include "boundary/load.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace terp {
+
+bool Load::is_permanent() const { return std::isinf(start); }
+
+Real Load::pressure_at(Real time) const
+{
+  const auto share_since = [&](Real begin) {
+    if (time < begin) return 0.0;
+    return ramp > 0.0 ? std::min(1.0, (time - begin) / ramp) : 1.0;
+  };
+  const Real grown = is_permanent() ? 1.0 : share_since(start), fallen = std::isinf(end) ? 0.0 : share_since(end);
+  return pressure * std::max(0.0, grown - fallen);
+}
+
+std::int64_t Load::first_step(Real dt) const
+{
+  constexpr Real round_off = 1e-9;  // of a step
+  return is_permanent() ? -1 : static_cast<std::int64_t>(std::floor(start / dt + round_off));
+}
+
+}  // namespace terp

@@ -1,0 +1,28 @@
+// A load on the surface of the soil: a pressure on the stretch that it began on, which the material points of that
+// stretch carry from then on. Not for: which points (simulation/loads), nor the force on nodes (transfer/map_load.hpp).
+#pragma once
+
+#include "base/types.hpp"
+
+#include <string>
+
+namespace terp {
+
+struct Load {
+  std::string name;
+  Real from = 0.0, to = 0.0;  ///< x of the ends of the stretch [m]
+  Real pressure = 0.0;        ///< in full [Pa]
+  Real start = 0.0;           ///< [s]; -infinity: it was always there
+  Real end = 0.0;             ///< from which on it falls [s]; infinity: it stays
+  Real ramp = 0.0;            ///< time over which it grows and falls [s]
+  int row = -1;               ///< of the points: the part of the stretch that each carries [m]
+
+  /// Always there: it acts in the search for equilibrium, too.
+  bool is_permanent() const;
+  /// Pressure at a time [Pa]: linear in it during the ramps.
+  Real pressure_at(Real time) const;
+  /// The step at whose beginning it takes its place; -1: before the first one.
+  std::int64_t first_step(Real dt) const;
+};
+
+}  // namespace terp

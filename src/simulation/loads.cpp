@@ -1,0 +1,142 @@
+#include "simulation/loads.hpp"
+
+#include "events/top_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+constexpr Real reach = 2.5;  // of its size: as far as a top point is ground. In cut cells points are smaller than apart
+
+/// The part of a stretch that no top point reaches [m]; from > to: none.
+struct Gap {
+  Real from, to;
+};
+
+Gap find_gap(const std::vector<TopPoint>& tops, Real from, Real to)
+{
+  Real reached = from;
+  for (const TopPoint& top : tops) {
+    if (top.x[0] - reach * top.size > reached) return {reached, std::min(to, top.x[0] - reach * top.size)};
+    reached = std::max(reached, top.x[0] + reach * top.size);
+    if (reached >= to) return {to, from};
+  }
+  return {reached, to};
+}
+
+std::string describe_gap(const Load& load, const Gap& gap, const State& state)
+{
+  Real low = std::numeric_limits<Real>::infinity(), high = -low;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    low = std::min(low, block.row(PointRows<2>::x)[lane]);
+    high = std::max(high, block.row(PointRows<2>::x)[lane]);
+  });
+  return fmt::format(
+      "It stands on x = {:g} to {:g} m; from {:.4g} to {:.4g} m there is no soil. The soil reaches from x = {:.4g} to "
+      "{:.4g} m.\nMove `from` and `to` onto the soil, or make two loads of it.",
+      load.from, load.to, gap.from, gap.to, low, high);
+}
+
+/// width[k] of top point k: integral of its hat function over the stretch; beyond the last points the hats are 1.
+std::vector<Real> share_stretch(const std::vector<TopPoint>& tops, Real from, Real to)
+{
+  std::vector<Real> width(tops.size(), 0.0);
+  const auto overlap = [&](Real a, Real b) { return std::pair(std::max(a, from), std::min(b, to)); };
+  for (std::size_t k = 0; k + 1 < tops.size(); ++k) {
+    const Real a = tops[k].x[0], b = tops[k + 1].x[0];
+    const auto [l, r] = overlap(a, b);
+    if (!(r > l && b > a)) continue;
+    const Real right = (r - l) * ((0.5 * (l + r) - a) / (b - a));
+    width[k + 1] += right;
+    width[k] += (r - l) - right;
+  }
+  width.front() += std::max(0.0, std::min(to, tops.front().x[0]) - from);
+  width.back() += std::max(0.0, to - std::max(from, tops.back().x[0]));
+  return width;
+}
+
+/// The top points that can carry a part of the stretch: those on it and one on each side.
+std::vector<TopPoint> top_points_at(const Load& load, const State& state)
+{
+  Real largest = 0.0;
+  for_each_block(state.points, [&](const PointBlock<2>& block) {
+    for (Index lane = 0; lane < block.n; ++lane) largest = std::max(largest, block.row(PointRows<2>::volume)[lane]);
+  });
+  const Real margin = 4.0 * std::sqrt(largest);  // what hides the neighbours of the ends lies within it
+  return find_top_points(state.points, load.from - margin, load.to + margin);
+}
+
+}  // namespace
+
+std::vector<Load> make_loads(const Case& description, RowTable& rows)
+{
+  std::vector<Load> loads;
+  for (const LoadCase& c : description.loads) {
+    const int row = rows.add({.name = fmt::format("load_{}", loads.size()),
+        .unit = "m",
+        .meaning = fmt::format("part of the stretch of the load `{}` that the point carries", c.name),
+        .owner = "load"});
+    loads.push_back({c.name, c.from, c.to, c.pressure, c.start, c.end, c.ramp, row});
+  }
+  return loads;
+}
+
+std::string place_load(const Load& load, State& state)
+{
+  const std::vector<TopPoint> tops = top_points_at(load, state);
+  if (const Gap gap = find_gap(tops, load.from, load.to); gap.from < gap.to) return describe_gap(load, gap, state);
+  const std::vector<Real> width = share_stretch(tops, load.from, load.to);
+  for_each_block(state.points, [&](const PointBlock<2>& block) { std::fill_n(block.row(load.row), block.n, 0.0); });
+  for (std::size_t k = 0; k < tops.size(); ++k)
+    state.points.block(tops[k].place.block).row(load.row)[tops[k].place.lane] = width[k];
+  return {};
+}
+
+void place_first_loads(const Model& model, State& state)
+{
+  for (std::size_t k = 0; k < model.loads.size(); ++k) {
+    const Load& load = model.loads[k];
+    if (std::string why = place_load(load, state); !why.empty())
+      throw InputError(
+          Problem{fmt::format("load[{}].from", k), fmt::format("there is no ground under the load `{}`", load.name),
+              why, "load", false, {fmt::format("load[{}].to", k), "body"}});
+    if (!load.is_permanent())
+      for_each_block(state.points, [&](const PointBlock<2>& block) { std::fill_n(block.row(load.row), block.n, 0.0); });
+  }
+}
+
+std::string place_due_loads(const Model& model, State& state)
+{
+  for (const Load& load : model.loads) {
+    if (load.first_step(model.dt) != state.step) continue;
+    if (const std::string why = place_load(load, state); !why.empty())
+      return fmt::format("step {}, t = {:.4f} s: there is no ground under the load `{}`, which begins now\n  {}",
+          state.step, state.time, load.name, why);
+  }
+  return {};
+}
+
+Real permanent_pressure_at(const Model& model, Real x)
+{
+  Real pressure = 0.0;
+  for (const Load& load : model.loads)
+    if (load.is_permanent() && x >= load.from && x <= load.to) pressure += load.pressure;
+  return pressure;
+}
+
+void set_load_pressures(const Model& model, const State& state, Workspace& work)
+{
+  bool acts = false;
+  for (std::size_t k = 0; k < model.loads.size(); ++k) {
+    const Load& load = model.loads[k];
+    const bool waits = work.settling && !load.is_permanent();
+    work.load_pressure[k] = waits ? 0.0 : load.pressure_at(state.time + 0.5 * model.dt);
+    acts |= work.load_pressure[k] != 0.0;
+  }
+  work.outer[outer_load].acts = acts;
+}
+
+}  // namespace terp

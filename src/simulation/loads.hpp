@@ -1,0 +1,35 @@
+// Loads of a case: which material points carry them, and their forces in a step.
+// Not for: what they did (followers/loads).
+#pragma once
+
+#include "base/errors.hpp"
+#include "simulation/model.hpp"
+#include "simulation/state.hpp"
+#include "simulation/workspace.hpp"
+
+#include <string>
+#include <vector>
+
+namespace terp {
+
+/// Gives each load of the case its row of the points.
+std::vector<Load> make_loads(const Case& description, RowTable& rows);
+
+/// Lets the points at the surface carry a load that begins now: each the part of the stretch that lies nearer to it
+/// than to its neighbours, by linear shares, so that sum and first moment of the load are those of the stretch. Returns
+/// why that cannot be, or nothing: there is no ground under a part of the stretch.
+std::string place_load(const Load& load, State& state);
+
+/// Places the loads that were always there, and looks whether there is ground for the others now. Throws InputError.
+void place_first_loads(const Model& model, State& state);
+
+/// Before a step: places the loads that begin with it. Returns why the run must stop itself, or nothing.
+std::string place_due_loads(const Model& model, State& state);
+
+/// What the loads that were always there add to the overburden at x [Pa].
+Real permanent_pressure_at(const Model& model, Real x);
+
+/// Says which loads act in the coming step, and with which pressure: that in the middle of the step.
+void set_load_pressures(const Model& model, const State& state, Workspace& work);
+
+}  // namespace terp
