@@ -14,6 +14,7 @@
 #include "simulation/simulation.hpp"
 #include "simulation/softening_scales.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -86,6 +87,39 @@ void print_output(const OutputCost& cost)
   fmt::print("  disk           {} at the end, with {}\n", megabytes(cost.bytes), count(cost.n_kept, "checkpoint"));
 }
 
+/// Some end is only the latest one.
+bool ends_at_rest(const Case& c)
+{
+  const auto rests = [](const StageCase& stage) { return stage.until == Until::at_rest; };
+  return c.time.until == Until::at_rest || std::ranges::any_of(c.stages, rests);
+}
+
+/// all_s: expected time of all steps [s].
+void print_stages(const Model& model, double all_s)
+{
+  Real start = 0.0;
+  for (const StageCase& stage : model.description.stages) {
+    const bool rests = stage.until == Until::at_rest;
+    std::string changes;
+    for (const auto& [key, value] : stage.changes) changes += (changes.empty() ? ": " : ", ") + key + " = " + value;
+    fmt::print("  stage {:<9}{:g} to {}{:g} s, {}{}{}\n", stage.name, start, rests ? "at most " : "",
+        start + stage.longest(), rests ? "at most " : "",
+        readable_duration(all_s * stage.longest() / model.description.time.end), printable(changes));
+    start += stage.longest();
+  }
+}
+
+void print_loads(const Model& model, const State& state)
+{
+  for (const Load& load : model.loads) {
+    Index n = 0;
+    for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) { n += block.row(load.row)[lane] > 0.0; });
+    fmt::print("  load {:<10}{:.4g} kPa on x = {:g} to {:g} m, {:.4g} kN per m{}\n", printable(load.name),
+        load.pressure / 1e3, load.from, load.to, load.pressure * (load.to - load.from) / 1e3,
+        n > 0 ? fmt::format(", on {} points", n) : fmt::format(", from t = {:g} s on", load.start));
+  }
+}
+
 void print_check(const CaseFile& file, Simulation& simulation)
 {
   const Model& model = simulation.model;
@@ -103,11 +137,14 @@ void print_check(const CaseFile& file, Simulation& simulation)
     fmt::print(
         "  softening      no length, no reference width: the result will depend on the cells (docs/convergence.md)\n");
   fmt::print("  time step      {:.4g} s\n", model.dt);
-  fmt::print("  steps          {} to t = {:g} s\n", model.n_steps, file.values.time.end);
+  fmt::print("  steps          {}{} to t = {:g} s\n", ends_at_rest(file.values) ? "at most " : "", model.n_steps,
+      file.values.time.end);
+  print_loads(model, state);
   fmt::print("  memory         {:.0f} MB\n", static_cast<double>(bytes_of(model, state)) / 1e6);
   const OutputCost cost = estimate_output(model, state);
   print_output(cost);
   const double step_s = time_a_step(simulation);
+  print_stages(model, seconds_of_steps(model, step_s));
   fmt::print("  expected time  {} on {}, {} of it for output ({:.1f} M point-steps/s in a trial)\n",
       readable_duration(seconds_of_steps(model, step_s) + cost.seconds), count(model.threads, "thread"),
       readable_duration(cost.seconds), static_cast<double>(state.points.n_points()) / step_s / 1e6);

@@ -123,6 +123,9 @@ void declare_solvers(CLI::App& app, CommandLine& line)
       "  terp run cases/dike/dike.toml --set scheme=mpm_mixed -o runs/mixed --report\n");
   add_case(run, line.options);
   add_output(run, line.options.output, "folder of the results");
+  run->add_option("--from", line.options.from,
+         "begin with the end of a stage of another run of the\nsame mesh and bodies, RUN:STAGE, or with a checkpoint")
+      ->option_text("RUN:STAGE");
   run->add_flag("--force", line.options.force, "replace the results of an earlier run");
   run->add_flag("--report", line.options.report, "write the page of the run at its end: DIR/report.html");
 

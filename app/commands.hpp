@@ -21,6 +21,7 @@ struct PartOfSet {
 struct RunOptions {
   std::string path;                  ///< case file, or run folder or checkpoint for resume
   std::string output;                ///< run folder; empty: runs/<case>
+  std::string from;                  ///< of run: "RUN:STAGE", a run folder or a checkpoint to begin with; empty: none
   std::vector<std::string> changes;  ///< KEY=VALUE of --set
   int threads = 0;                   ///< 0: what this job may use
   bool force = false, quiet = false, verbose = false;

@@ -37,8 +37,9 @@ void ProgressLine::progress(const Progress& p)
   if (p.out_of_balance >= 0.0) return show_search(p);
   const double part = static_cast<double>(p.step) / static_cast<double>(p.n_steps);
   std::string line =
-      label_ + fmt::format("{:5.1f} %  t = {:.3f} of {:g} s  step {} of {}  {:.1f} M point-steps/s  ETA {}",
-                   100.0 * part, p.time, p.end_time, p.step, p.n_steps, p.point_steps_per_s / 1e6,
+      label_ + fmt::format("{:5.1f} %  {}t = {:.3f} of {}{:g} s  step {} of {}  {:.1f} M point-steps/s  ETA {}{}",
+                   100.0 * part, p.stage.empty() ? "" : p.stage + ": ", p.time, p.at_most ? "at most " : "", p.end_time,
+                   p.step, p.n_steps, p.point_steps_per_s / 1e6, p.at_most ? "at most " : "",
                    readable_duration(p.eta_s));
   if (later_s_ > 0.0) line += fmt::format(", all {}", readable_duration(p.eta_s + later_s_));
   if (terminal_) {

@@ -14,6 +14,8 @@
 #include "simulation/setup_warnings.hpp"
 #include "simulation/simulation.hpp"
 #include "simulation/softening_scales.hpp"
+#include "simulation/stages.hpp"
+#include "simulation/state_arrays.hpp"
 #include "simulation/state_image.hpp"
 #include "stop.hpp"
 
@@ -47,13 +49,37 @@ void print_summary(const Summary& s, const Model& model, const std::string& fold
   for (const FootingSummary& f : s.footings)
     fmt::print("  {:<16} reaction {:.4g} kN/m, {:.4g} kN/m up, at the end; largest against its motion {:.4g} kN/m\n",
         printable(f.name), f.reaction[0] / 1e3, f.reaction[1] / 1e3, f.largest / 1e3);
+  for (const StageSummary& stage : s.stages) {
+    const StageRecord& r = stage.record;
+    fmt::print("  {:<16} {:.4g} to {:.4g} s, {} steps{}\n", stage.name.empty() ? "end" : "stage " + stage.name, r.start,
+        r.end, r.steps,
+        r.at_rest                  ? ", at rest"
+        : std::isfinite(r.fastest) ? fmt::format(", not at rest: fastest node {:.2g} m/s", r.fastest)
+                                   : "");
+  }
   fmt::print("  points lost: 0; put back at walls: {}; left through open sides: {}\n", s.clamped_points, s.points_left);
   fmt::print("results in {}\n", folder);
 }
 
-/// What the numbers say against themselves.
-void warn_of(const Summary& s, const std::string& folder)
+/// Stages, or the run, that were to end at rest and did not.
+void warn_of_no_rest(const Summary& s, const Model& model, const std::string& folder)
 {
+  for (const StageSummary& stage : s.stages) {
+    const StageRecord& r = stage.record;
+    if (r.at_rest || !std::isfinite(r.fastest)) continue;
+    fmt::print(stderr,
+        "warning: {}: {} ended after {:.4g} s, at t = {:.4g} s, before the soil was at rest: its fastest node moved "
+        "with "
+        "{:.2g} m/s, limit {:.2g} m/s; see docs/stages.md#at-rest\n",
+        folder, stage.name.empty() ? "the run" : fmt::format("the stage `{}`", stage.name), r.end - r.start, r.end,
+        r.fastest, model.description.time.rest_speed);
+  }
+}
+
+/// What the numbers say against themselves.
+void warn_of(const Summary& s, const Model& model, const std::string& folder)
+{
+  warn_of_no_rest(s, model, folder);
   constexpr double much = 0.05;
   if (s.energy_balance_error > much)
     fmt::print(stderr,
@@ -179,7 +205,7 @@ int solve(Simulation& simulation, RunWriter& writer, const RunOptions& options, 
       return failed;
     }
     if (!options.quiet && is_alone(options)) print_summary(summary, model, folder);
-    warn_of(summary, folder);
+    warn_of(summary, model, folder);
     if (options.verbose) print_passes(simulation.work);
     return solved;
   } catch (const RunError& error) {
@@ -248,7 +274,7 @@ std::vector<ChangedValue> check_unchanged(const std::string& folder, const State
   throw FileError(fmt::format(
       "cannot resume from step {0}: {1} was changed since the run began{2}\n"
       "  Put back what it began with, or solve the changed case from its start: terp run {1} -o NEW_FOLDER\n"
-      "  These may change: title, time.end, output.fields.every, output.checkpoint",
+      "  These may change: title, time.end, time.at_most, output.fields.every, output.checkpoint",
       image.step, path_in(folder, case_file), refused));
 }
 
@@ -303,6 +329,68 @@ ResumePoint resume_point(const Model& model, const State& state, const std::stri
       .tables = tables};
 }
 
+std::string unquoted(const std::string& text)
+{
+  return text.size() > 1 && text.front() == '"' && text.back() == '"' ? text.substr(1, text.size() - 2) : text;
+}
+
+/// Where a run begins that goes on from another one.
+struct Beginning {
+  StateImage image;
+  std::string stage;  ///< that ended there; empty: none
+};
+
+/// RUN:STAGE, a run folder, or the path of a checkpoint.
+Beginning find_beginning(const std::string& from)
+{
+  const std::size_t colon = from.rfind(':');
+  std::string path = from;
+  if (!std::filesystem::exists(path) && colon != std::string::npos)
+    path = find_stage_file(from.substr(0, colon), from.substr(colon + 1));
+  if (!std::filesystem::exists(path))
+    throw FileError(
+        fmt::format("{}: there is no such run or checkpoint\n  Give RUN:STAGE, the end of a stage of a run, "
+                    "a run folder, or a checkpoint in it.",
+            from));
+  Beginning found{find_checkpoint(path).image, ""};
+  const ArrayReader arrays(found.image);
+  if (!arrays.has("stages_done")) return found;
+  const auto number = arrays.wholes("stage", 3)[0];
+  if (std::ssize(arrays.reals("stages_done")) / 5 > number)
+    found.stage = unquoted(value_in_record(found.image.case_record, fmt::format("stage[{}].name", number)));
+  return found;
+}
+
+/// The mesh and the points must be those of the run that it begins with.
+void check_same_soil(const std::string& from, const StateImage& image, const CaseRecord& now)
+{
+  std::string refused;
+  for (const ChangedValue& change : changes_since(image.case_record, now)) {
+    const bool is_material = change.key.starts_with("body[") && change.key.ends_with(".material");
+    for (const char* of_soil : {"mesh", "body", "material (in order)", "method.shares", "scheme"})
+      if (change.key.starts_with(of_soil) && !is_material) refused += "\n  " + change.text();
+  }
+  if (refused.empty()) return;
+  throw FileError(
+      fmt::format("cannot begin with {}: it is of another mesh, other bodies or another scheme{}\n"
+                  "  Loads, strengths, water and stages may differ.",
+          from, refused));
+}
+
+/// The simulation at the state with which it begins.
+Simulation begin(const CaseFile& file, const RunOptions& options)
+{
+  if (options.from.empty()) return Simulation(file.values, threads_of(options), all_followers());
+  const Beginning beginning = find_beginning(options.from);
+  Model model = build_model(file.values, threads_of(options));
+  model.followers = all_followers();
+  check_same_soil(options.from, beginning.image, make_case_record(file, *model.mesh));
+  seed_again(beginning.image, model);
+  State state = restore_from(options.from, model, beginning.image);
+  begin_from(model, beginning.stage, state);
+  return Simulation(std::move(model), std::move(state));
+}
+
 }  // namespace
 
 int run_case(const RunOptions& options)
@@ -312,7 +400,7 @@ int run_case(const RunOptions& options)
   file.run = folder;
   if (is_alone(options)) fmt::print(stderr, "{}", render_warnings(file));
   try {
-    Simulation simulation(file.values, threads_of(options), all_followers());
+    Simulation simulation = begin(file, options);
     warn_of_missing_threads(options, simulation.model.threads);
     if (is_alone(options))
       fmt::print(stderr, "{}", render_warnings(find_warnings(simulation.model, simulation.state), file));

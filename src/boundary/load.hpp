@@ -15,14 +15,15 @@ struct Load {
   Real start = 0.0;           ///< [s]; -infinity: it was always there
   Real end = 0.0;             ///< from which on it falls [s]; infinity: it stays
   Real ramp = 0.0;            ///< time over which it grows and falls [s]
+  Real before = 0.0;          ///< pressure before the ramp of the stage [Pa]
   int row = -1;               ///< of the points: the part of the stretch that each carries [m]
 
   /// Always there: it acts in the search for equilibrium, too.
   bool is_permanent() const;
-  /// Pressure at a time [Pa]: linear in it during the ramps.
-  Real pressure_at(Real time) const;
-  /// The step at whose beginning it takes its place; -1: before the first one.
-  std::int64_t first_step(Real dt) const;
+  /// Pressure at a time [Pa]: linear in it during the ramps. share: of the way from `before` to `pressure`.
+  Real pressure_at(Real time, Real share = 1.0) const;
+  /// The step at whose beginning it takes its place, counted from a time [s]; -1: before all times.
+  std::int64_t first_step(Real dt, Real from = 0.0) const;
 };
 
 }  // namespace terp

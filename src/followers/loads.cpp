@@ -48,7 +48,7 @@ class Loads : public Follower {
     std::vector<TableRow> rows;
     for (const Load& load : model.loads) {
       const Carried sum = add_up(load, state.points);
-      const Real pressure = load.pressure_at(state.time);
+      const Real pressure = load.pressure_at(state.time, model.ramp.share_at(state.time));
       if (!(sum.width > 0.0)) continue;
       rows.emplace_back(loads_table(), load.name).values = {
           state.time, pressure, sum.width, pressure * sum.width, sum.x / sum.width, sum.y / sum.width};

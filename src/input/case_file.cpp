@@ -4,6 +4,7 @@
 #include "input/other_files.hpp"
 #include "input/overrides.hpp"
 #include "input/printable.hpp"
+#include "input/read_stages.hpp"
 #include "input/reader.hpp"
 #include "input/render.hpp"
 #include "input/syntax_advice.hpp"
@@ -111,8 +112,10 @@ CaseFile read_case_text(const std::string& text, const std::string& path, const 
   file.values.name = name_of_case(path);
   file.values.folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path().string() : ".";
   read_values(file.source.root, file.values, findings);
+  set_end_of_run(file.values);
   check_case(file.source.root, file.values, findings);
   file.notes = findings.notes;
+  if (findings.problems.empty()) read_stages(file.source, file.values, findings.warnings);
   file.warnings = findings.warnings;  // shown with errors too: a wrong unit is often what an error comes from
   if (!findings.problems.empty()) throw CaseError(render_warnings(file) + render(findings.problems, file));
   turn_counter_clockwise(file.values.mesh);  // not before: messages speak of the edges as the user counts them

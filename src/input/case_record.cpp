@@ -17,8 +17,8 @@
 namespace terp {
 namespace {
 
-constexpr std::array<std::string_view, 5> free_keys = {
-    "title", "time.end", "output.fields.every", "output.checkpoint.every", "output.checkpoint.keep"};
+constexpr std::array<std::string_view, 6> free_keys = {
+    "title", "time.end", "time.at_most", "output.fields.every", "output.checkpoint.every", "output.checkpoint.keep"};
 constexpr std::string_view mark = " = ";
 
 /// Text without line feeds, and, as names of materials and sides may hold anything, without what stands between key and
@@ -119,6 +119,8 @@ void Recorder::add_keys()
       add_list(key, "water.situation", values_.water.situations.size());
     else if (key.path.starts_with("footing[]"))
       add_list(key, "footing", values_.footings.size());
+    else if (key.path.starts_with("stage[]"))
+      add_list(key, "stage", values_.stages.size());
     else if (key.path.starts_with("load[]"))
       add_list(key, "load", values_.loads.size());
     else if (key.path.starts_with("material.NAME"))

@@ -249,6 +249,7 @@ void check_case(const Node& root, const Case& values, Findings& findings)
   check_parameters(values, findings.problems);
   check_sides(root, values, findings);
   check_footings(root, values, findings.problems);
+  check_stages(root, values, findings);
   check_loads(root, values, findings);
   check_initial(root, values, findings);
   check_hydrostatic(values, findings.problems);

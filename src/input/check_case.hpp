@@ -21,6 +21,12 @@ const MaterialType* complete_law(const MaterialCase& material);
 /// Turns the polygon of a mesh counter-clockwise; its edges keep their places and take their new numbers.
 void turn_counter_clockwise(MeshCase& mesh);
 
+/// The end of a run that ends at rest or has stages, from what they say.
+void set_end_of_run(Case& values);
+
+/// [time] and [[stage]]: ends that contradict each other, names that two stages share.
+void check_stages(const Node& root, const Case& values, Findings& findings);
+
 /// Loads that have no width, share a name, or end before they begin.
 void check_loads(const Node& root, const Case& values, Findings& findings);
 

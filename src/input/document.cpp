@@ -224,6 +224,32 @@ std::string write_toml(const Node& root)
   return out;
 }
 
+std::string toml_value(const Node& node)
+{
+  Node root, item = node;
+  item.name = "value";
+  root.items.push_back(std::move(item));
+  const std::string text = write_toml(root);
+  const std::size_t begin = text.find("= "), end = text.find_last_not_of('\n');
+  return begin == std::string::npos ? text : text.substr(begin + 2, end - begin - 1);
+}
+
+std::vector<std::pair<std::string, const Node*>> leaves_of(const Node& table)
+{
+  std::vector<std::pair<std::string, const Node*>> leaves;
+  const auto enter = [&](const auto& self, const Node& node, const std::string& path) -> void {
+    for (const Node& item : node.items) {
+      const std::string key = path.empty() ? item.name : join_path(path, item.name);
+      if (item.kind == NodeKind::table)
+        self(self, item, key);
+      else
+        leaves.emplace_back(key, &item);
+    }
+  };
+  enter(enter, table, "");
+  return leaves;
+}
+
 const Node* find_item(const Node& table, std::string_view name)
 {
   for (const Node& item : table.items)

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace terp {
@@ -61,6 +62,12 @@ Node parse_toml(std::string_view text);
 
 /// TOML text of a tree: comments are lost, values are kept to the bit.
 std::string write_toml(const Node& root);
+
+/// TOML text of one value.
+std::string toml_value(const Node& node);
+
+/// The values below a table and their keys, "material.clay.eta"; keys that are quoted as a whole stay as they are.
+std::vector<std::pair<std::string, const Node*>> leaves_of(const Node& table);
 
 /// The entry of a table with that key, or nullptr.
 const Node* find_item(const Node& table, std::string_view name);

@@ -72,7 +72,8 @@ std::string describe_key(const KeyInfo& key, const std::string& name)
   std::string fallback = key.required ? "none: the key is required" : key.default_text;
   if (!key.required_for.empty()) fallback = "none: required for " + key.required_for;
   return "  " + name + '\n' + wrapped(key.meaning, "    ") + row("equation", key.equation) + row("unit", key.unit) +
-         row("allowed", allowed_text(key)) + row("as text", units_text(key)) + row("default", fallback);
+         row("allowed", allowed_text(key)) + row("as text", units_text(key)) + row("default", fallback) +
+         row("in stages", key.in_stage ? "may change" : "");
 }
 
 std::string indented_lines(std::string_view text, std::string_view margin)

@@ -49,19 +49,6 @@ std::vector<KeyInfo> frame_keys()
           .field = [](Case& c, std::size_t) { return &c.scheme; },
           .words = scheme_words,
           .meaning = "how the soil is integrated; see `terp list`"},
-
-      {.path = "time.end",
-          .field = [](Case& c, std::size_t) { return &c.time.end; },
-          .unit = "s",
-          .range = positive,
-          .usual = {1e-3, 1e4},
-          .required = true,
-          .meaning = "time at which the run ends; it starts at 0"},
-      {.path = "time.courant",
-          .field = [](Case& c, std::size_t) { return &c.time.courant; },
-          .range = {0.0, 1.0, true, false},
-          .meaning = "share of the stable time step that is used (reading R19)",
-          .equation = "dt = courant min_e(L_e) / c_p,  c_p = sqrt((K + 4G/3) / rho)"},
   };
 }
 
@@ -182,6 +169,7 @@ std::vector<KeyInfo> body_keys()
       {.path = "body[].material",
           .field = [](Case& c, std::size_t i) { return &c.bodies[i].material; },
           .required_for = "a body with box, polygon or region",
+          .in_stage = true,
           .meaning = "NAME of the [material.NAME] that the body is made of; the file of points names its own"},
       {.path = "body[].box",
           .field = [](Case& c, std::size_t i) { return Box{&c.bodies[i].polygon}; },
@@ -225,10 +213,12 @@ std::vector<KeyInfo> force_keys()
       {.path = "forces.gravity",
           .field = [](Case& c, std::size_t) { return &c.forces.gravity; },
           .unit = "m/s^2",
+          .in_stage = true,
           .meaning = "acceleration of gravity, acting fully from t = 0"},
       {.path = "forces.damping.local",
           .field = [](Case& c, std::size_t) { return &c.forces.local_damping; },
           .range = {0.0, 1.0, false, true},
+          .in_stage = true,
           .meaning = "local (Cundall) damping alpha at the nodes (reading R13); free fall sees g (1 - alpha)",
           .equation = "R_i <- R_i - alpha |R_i| sign(v_i)"},
       {.path = "forces.damping.averaging_time",
@@ -242,6 +232,7 @@ std::vector<KeyInfo> force_keys()
           .field = [](Case& c, std::size_t) { return &c.forces.viscous_damping; },
           .unit = "1/s",
           .range = not_negative,
+          .in_stage = true,
           .meaning = "damping c in proportion to the nodal mass (reading R13)",
           .equation = "R_i <- R_i - c m_i v_i"},
 
@@ -276,12 +267,14 @@ std::vector<KeyInfo> side_keys()
       {.path = "boundary.SIDE",
           .field = [](Case& c, std::size_t i) { return side_kind_field(c.sides[i].kind, ""); },
           .words = side_words,
+          .in_stage = true,
           .meaning = "boundary condition of a side of the mesh: left, right, bottom or top, or a name of mesh.edges or "
                      "of a physical group of mesh.file. " +
                      side_kind_meanings("") + "; or a table with " + side_key_names() + ", as below"},
       {.path = "boundary.SIDE.contact",
           .field = [](Case& c, std::size_t i) { return side_kind_field(c.sides[i].kind, "contact"); },
           .words = contact_words,
+          .in_stage = true,
           .meaning = "contact plane (reading R15). " + side_kind_meanings("contact"),
           .equation = "|tangential impulse of a node| <= (a L_i + mu N_i) dt"},
       {.path = "boundary.SIDE.velocity",
@@ -291,11 +284,13 @@ std::vector<KeyInfo> side_keys()
               },
           .unit = "m/s",
           .usual = {1e-6, 1e3},
+          .in_stage = true,
           .meaning = "prescribed velocity of the side, two numbers or formulas of the place x, y [m]; the mesh, and so "
                      "the side, stays in place: it pushes soil only within the "
                      "cells next to it"},
       {.path = "boundary.SIDE.slip",
           .field = [](Case& c, std::size_t i) { return &c.sides[i].slip; },
+          .in_stage = true,
           .meaning = "with velocity: true: a smooth wall; only the component across the side is prescribed, soil "
                      "slides along it freely"},
   };
@@ -306,6 +301,7 @@ std::vector<KeyInfo> side_keys()
         .unit = std::string(number.unit),
         .range = number.range,
         .usual = number.usual,
+        .in_stage = true,
         .meaning = std::string(number.meaning)});
   keys.insert(keys.begin() + 2, numbers.begin(), numbers.end());  // beside the contact
   return keys;
@@ -469,8 +465,8 @@ std::vector<KeyInfo> output_keys()
 std::vector<KeyInfo> key_table()
 {
   std::vector<KeyInfo> list;
-  for (auto part : {frame_keys, mesh_keys, body_keys, material_keys, force_keys, water_keys, flood_keys, side_keys,
-           footing_keys, surface_load_keys, method_keys, output_keys})
+  for (auto part : {frame_keys, time_keys, stage_keys, mesh_keys, body_keys, material_keys, force_keys, water_keys,
+           flood_keys, side_keys, footing_keys, surface_load_keys, method_keys, output_keys})
     for (KeyInfo& key : part()) list.push_back(std::move(key));
   return list;
 }

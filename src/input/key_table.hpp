@@ -15,6 +15,10 @@ std::vector<KeyInfo> flood_keys();  ///< of [flood]
 
 /// Gives the other situations of the water what they leave out: that of the start.
 void complete_situations(WaterCase& water);
+/// Those of [time].
+std::vector<KeyInfo> time_keys();
+/// Those of [[stage]].
+std::vector<KeyInfo> stage_keys();
 /// Those of [[load]].
 std::vector<KeyInfo> surface_load_keys();
 

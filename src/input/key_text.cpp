@@ -27,6 +27,7 @@ Case& prototype()
     c.footings.resize(1);
     c.water.situations.resize(1);
     c.loads.resize(1);
+    c.stages.resize(1);
     return c;
   }();
   return one;

@@ -29,6 +29,10 @@ const std::vector<SectionInfo>& all_sections()
 {
   static const std::vector<SectionInfo> sections = {
       {"time", "how long to solve, in which steps", true},
+      {"stage[]",
+          "a part of the run with values of its own for some keys: loads, gravity, strengths (docs/stages.md); as many "
+          "as "
+          "needed, one after the other"},
       {"mesh", "the background mesh; its kind follows from the keys that are given", true},
       {"mesh.sides", "four lines between which a grid is spanned; they meet at the corners"},
       {"mesh.refine[]", "a place with smaller cells in a mesh from a polygon; as many as needed"},
@@ -79,6 +83,7 @@ std::vector<KeyInfo> keys_of_law(const MaterialType& law)
         .usual = parameter.usual,
         .required = !parameter.fallback && parameter.fallback_of.empty(),
         .may_be_infinite = parameter.fallback && std::isinf(*parameter.fallback),
+        .in_stage = true,
         .meaning = std::string(parameter.meaning)});
     if (parameter.fallback) keys.back().default_text = number_text(*parameter.fallback, keys.back().unit);
     if (!parameter.fallback_of.empty())

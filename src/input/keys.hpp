@@ -78,6 +78,7 @@ struct KeyInfo {
   bool required = false;
   std::string required_for = "";  ///< where it is not always required: what needs it, in words
   bool may_be_infinite = false;
+  bool in_stage = false;  ///< may change in a stage
   std::string meaning;
   std::string equation = "";
   std::string default_text = "";  ///< where it is empty, filled in from the structs of case.hpp

@@ -28,6 +28,7 @@ std::vector<KeyInfo> surface_load_keys()
           .range = not_negative,
           .usual = {1.0, 1e7},
           .required = true,
+          .in_stage = true,
           .meaning = "vertical force per horizontal width, down positive; loads on the same ground add",
           .equation = "f_i = -sum_p N_i(top of p) pressure width_p,  sum_p width_p = to - from"},
       {.path = "load[].start",

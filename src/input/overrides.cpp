@@ -48,12 +48,23 @@ std::optional<std::size_t> index_of(std::string part)
   return std::stoul(part);
 }
 
+/// The entry of a list that a part means: by its number, or by its `name`.
+std::optional<std::size_t> entry_of(const Node& list, const std::string& part)
+{
+  if (const auto index = index_of(part)) return index;
+  for (std::size_t k = 0; k < list.items.size(); ++k) {
+    const Node* name = list.items[k].kind == NodeKind::table ? find_item(list.items[k], "name") : nullptr;
+    if (name != nullptr && name->kind == NodeKind::text && name->text == part) return k;
+  }
+  return std::nullopt;
+}
+
 /// The entry `part` of a list or table, made if it is missing; nullptr if there is no such place.
 Node* enter(Node& parent, const std::string& part, const std::string& override_text)
 {
-  const auto index = index_of(part);
-  if (parent.kind == NodeKind::table && parent.items.empty() && index) parent.kind = NodeKind::list;
+  if (parent.kind == NodeKind::table && parent.items.empty() && index_of(part)) parent.kind = NodeKind::list;
   if (parent.kind == NodeKind::list) {
+    const auto index = entry_of(parent, part);
     if (!index || *index > parent.items.size()) return nullptr;
     if (*index < parent.items.size()) return &parent.items[*index];
   } else if (parent.kind != NodeKind::table || part.starts_with('[')) {
@@ -101,7 +112,7 @@ bool fits(std::string_view pattern, std::string_view name)
 const Node* below_of(const Node& node, const std::string& part)
 {
   if (node.kind != NodeKind::list) return find_item(node, part);
-  const auto index = index_of(part);
+  const auto index = entry_of(node, part);
   return index && *index < node.items.size() ? &node.items[*index] : nullptr;
 }
 
@@ -133,7 +144,11 @@ void expand(const Node* node, const Parts& parts, std::size_t first, Parts& path
     expand(below, parts, first + 1, path, found);
     path.pop_back();
   };
-  if (!is_pattern) return go_on(node == nullptr ? nullptr : below_of(*node, part), part);
+  if (!is_pattern) {
+    const bool named = node != nullptr && node->kind == NodeKind::list && !index_of(part) && entry_of(*node, part);
+    return go_on(
+        node == nullptr ? nullptr : below_of(*node, part), named ? fmt::format("[{}]", *entry_of(*node, part)) : part);
+  }
   if (node == nullptr) return;
   const std::string pattern = part.size() > 2 && part.front() == '[' ? part.substr(1, part.size() - 2) : part;
   for (const std::string& name : names_below(*node)) {
@@ -176,13 +191,15 @@ std::optional<Problem> refuse_new_material(const Node& root, const Parts& parts,
       "material"};
 }
 
-std::optional<Problem> set_one(Node& root, const Parts& parts, const std::string& value, const std::string& where)
+/// override_text: what the nodes on the way carry that are made.
+std::optional<Problem> set_one(
+    Node& root, const Parts& parts, const Node& value, const std::string& where, const std::string& override_text)
 {
   if (auto problem = refuse_new_material(root, parts, where)) return problem;
   Node* node = &root;
   std::string path;
   for (const std::string& part : parts) {
-    Node* next = enter(*node, part, where);
+    Node* next = enter(*node, part, override_text);
     if (next == nullptr)
       return Problem{where, fmt::format("there is no entry `{}`", part), describe_holder(*node, path, part), ""};
     path = index_of(part) && node->kind == NodeKind::list ? fmt::format("{}[{}]", path, *index_of(part))
@@ -190,9 +207,8 @@ std::optional<Problem> set_one(Node& root, const Parts& parts, const std::string
     node = next;
   }
   const std::string name = node->name;
-  *node = parse_value(value);
+  *node = value;
   node->name = name;
-  mark(*node, where);
   return std::nullopt;
 }
 
@@ -217,8 +233,27 @@ std::optional<Problem> apply_override(Node& root, const std::string& change)
   std::vector<Parts> keys;
   expand(&root, parts, 0, path, keys);
   if (keys.empty()) return refuse_pattern(root, parts, where);
+  Node node = parse_value(value);
+  mark(node, where);
   for (const Parts& key : keys)
-    if (auto problem = set_one(root, key, value, where)) return problem;
+    if (auto problem = set_one(root, key, node, where, where)) return problem;
+  return std::nullopt;
+}
+
+std::optional<Problem> set_in_tree(Node& root, const std::string& key, const Node& value, const std::string& where,
+    const std::function<std::optional<Problem>(const std::vector<std::string>&)>& refuse)
+{
+  const Parts parts = split_path(key);
+  if (parts.empty() || parts.size() > most_key_parts)
+    return Problem{where, fmt::format("`{}` is no key", key.substr(0, 40)), "", "stage.set"};
+  Parts path;
+  std::vector<Parts> keys;
+  expand(&root, parts, 0, path, keys);
+  if (keys.empty()) return refuse_pattern(root, parts, where);
+  for (const Parts& each : keys) {
+    if (auto problem = refuse(each)) return problem;
+    if (auto problem = set_one(root, each, value, where, "")) return problem;
+  }
   return std::nullopt;
 }
 

@@ -100,6 +100,8 @@ void add_entry(const std::string& pattern, Case& values)
     values.footings.emplace_back();
   else if (pattern == "water.situation[]")
     values.water.situations.emplace_back();
+  else if (pattern == "stage[]")
+    values.stages.emplace_back();
   else if (pattern == "load[]")
     values.loads.emplace_back();
   else
@@ -110,6 +112,7 @@ void add_entry(const std::string& pattern, Case& values)
 bool is_required(const Section& section, const KeyInfo& key)
 {
   if (section.pattern == "mesh") return is_needed(mesh_kind_of(section.table), last_part(key.path));
+  if (key.path == "time.end") return find_item(section.table, "until") == nullptr;
   if (key.path == "body[].material") return find_item(section.table, "points") == nullptr;
   return key.required;
 }
@@ -322,9 +325,11 @@ void CaseReader::report_missing(const Section& section, const std::vector<std::s
   const auto is_missing = [&](const std::string& name) {
     return find_item(section.table, name) == nullptr && std::ranges::find(meant, name) == meant.end();
   };
+  const bool has_stages = find_item(root_, "stage") != nullptr;  // they say when the run ends
   const auto check_key = [&](const KeyInfo& key) {
     const std::string name = last_part(key.path);
     if (parent_path(key.path) != section.pattern || !is_required(section, key) || !is_missing(name)) return;
+    if (key.path == "time.end" && has_stages) return;
     const std::string others = key.path == "mesh.size" ? "\nKeys that belong together:\n" + mesh_kinds_text("  ") : "";
     report({section.path, fmt::format("the key `{}` is missing from {}", name, title_of(section)),
         fmt::format("Meaning: {}\nAllowed: {}{}", key.meaning, allowed_text(key), others),
@@ -333,7 +338,8 @@ void CaseReader::report_missing(const Section& section, const std::vector<std::s
   for (const KeyInfo& key : all_keys()) check_key(key);
   for (const KeyInfo& key : section.law_keys) check_key(key);
   for (const SectionInfo& below : all_sections())
-    if (below.required && section.path.empty() && is_missing(last_part(below.path)))
+    if (below.required && section.path.empty() && is_missing(last_part(below.path)) &&
+        !(below.path == "time" && has_stages))
       report({"", fmt::format("the section {} is missing", header_of(below.path)),
           fmt::format("Meaning: {}\nKeys: {}{}", below.meaning, plain_list(names_in_section(below.path)),
               below.path == "material.NAME" ? ", and those of the model" : ""),

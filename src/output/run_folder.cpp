@@ -14,6 +14,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -32,6 +33,19 @@ std::int64_t step_in_name(std::string_view name, std::string_view prefix)
   std::int64_t step = -1;
   const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), step);
   return all_digits && end.ec == std::errc() ? step : -1;
+}
+
+/// NAME of "stage_NN_NAME.h5"; empty if the name is not of this form.
+std::string stage_in_name(std::string_view name)
+{
+  constexpr std::string_view prefix = "stage_", ending = ".h5";
+  if (!name.starts_with(prefix) || !name.ends_with(ending) || name.size() <= prefix.size() + ending.size() + 3)
+    return "";
+  const std::string_view middle = name.substr(prefix.size(), name.size() - prefix.size() - ending.size());
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const std::size_t end = middle.find('_');
+  if (end == std::string_view::npos || end < 2 || !std::ranges::all_of(middle.substr(0, end), is_digit)) return "";
+  return std::string(middle.substr(end + 1));
 }
 
 bool is_empty_folder(const std::string& folder)
@@ -97,6 +111,21 @@ std::string checkpoint_file(std::int64_t step) { return fmt::format("checkpoint_
 
 std::string failed_file(std::int64_t step) { return fmt::format("failed_{:09}.h5", step); }
 
+std::string find_stage_file(const std::string& folder, const std::string& stage)
+{
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const std::string file = entry.path().filename().string(), name = stage_in_name(file);
+    if (name == stage && !name.empty()) return entry.path().string();
+    if (!name.empty()) names.push_back(name);
+  }
+  if (error) throw_file_error("open", folder, error.value());
+  std::ranges::sort(names);
+  throw FileError(fmt::format("{}: no stage `{}` of this run has ended\n  {}", folder, stage,
+      names.empty() ? "It holds the end of no stage." : fmt::format("Stages that have: {}", fmt::join(names, ", "))));
+}
+
 std::int64_t step_of_checkpoint(std::string_view file_name) { return step_in_name(file_name, "checkpoint_"); }
 
 bool is_written_by_terp(std::string_view file_name)
@@ -105,7 +134,8 @@ bool is_written_by_terp(std::string_view file_name)
   constexpr std::array names = {case_file, point_frames.index, mesh_frames.index, mesh_file, summary_file, report_file};
   const auto is_table = [&](const auto& table) { return table->file() == file_name; };
   return std::ranges::find(names, file_name) != names.end() || std::ranges::any_of(all_tables(), is_table) ||
-         is_copy_of_input(file_name) || step_of_checkpoint(file_name) >= 0 || step_in_name(file_name, "failed_") >= 0;
+         is_copy_of_input(file_name) || step_of_checkpoint(file_name) >= 0 || !stage_in_name(file_name).empty() ||
+         step_in_name(file_name, "failed_") >= 0;
 }
 
 std::string path_in(const std::string& folder, std::string_view file_name)

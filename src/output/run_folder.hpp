@@ -26,6 +26,10 @@ inline constexpr std::string_view report_file = "report.html";
 std::string checkpoint_file(std::int64_t step);  ///< "checkpoint_000000123.h5"
 std::string failed_file(std::int64_t step);      ///< "failed_000000123.h5"
 
+/// The file of the end of a stage of that name, "stage_02_flood.h5", in a run folder. Throws FileError with the stages
+/// that there are.
+std::string find_stage_file(const std::string& folder, const std::string& stage);
+
 /// The step in a checkpoint's name; -1 for any other file.
 std::int64_t step_of_checkpoint(std::string_view file_name);
 

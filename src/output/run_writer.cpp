@@ -87,6 +87,17 @@ std::string fault_of_mesh(const std::string& path, const std::string& run)
   }
 }
 
+/// The end of a stage is a checkpoint, too. It is written as the former first, so that a run that was killed between
+/// the two makes the end of the stage again.
+void keep_as_checkpoint(const std::string& stage, const std::string& folder, std::int64_t step)
+{
+  const std::string path = path_in(folder, checkpoint_file(step));
+  std::error_code error;
+  std::filesystem::remove(path, error);
+  std::filesystem::create_hard_link(stage, path, error);
+  if (error) write_file_atomically(path, read_file(stage));  // a file system without them
+}
+
 }  // namespace
 
 RunWriter::RunWriter(RunWriterSettings settings, FolderLock lock, FrameSeries points, FrameSeries mesh)
@@ -175,12 +186,13 @@ void RunWriter::write_checkpoint_part(const StateImage& part)
       sync_to_disk(path_in(settings_.folder, file));  // on the disk before what relies on them
       written += table_line(file, table.checksum());
     }
-    checkpoint_.emplace(
-        path_in(settings_.folder, checkpoint_file(part.step)), settings_.case_record, std::move(written));
+    const std::string file = part.stage.empty() ? checkpoint_file(part.step) : part.stage;
+    checkpoint_.emplace(path_in(settings_.folder, file), settings_.case_record, std::move(written));
   }
   checkpoint_->append(part);
   if (!part.last) return;
   checkpoint_.reset();
+  if (!part.stage.empty()) keep_as_checkpoint(path_in(settings_.folder, part.stage), settings_.folder, part.step);
   remove_old_checkpoints(settings_.folder, settings_.checkpoint_keep);
 }
 

@@ -40,6 +40,12 @@ void each(FootingSummary& footing, F&& f)
   f("largest_reaction", footing.largest), f("work", footing.work);
 }
 template <class F>
+void each(StageSummary& stage, F&& f)
+{
+  f("name", stage.name), f("start", stage.record.start), f("end", stage.record.end), f("steps", stage.record.steps);
+  f("at_rest", stage.record.at_rest), f("fastest_node", stage.record.fastest);
+}
+template <class F>
 void each(SlipSurface& slip, F&& f)
 {
   f("time", slip.time), f("rate", slip.rate), f("points", slip.line);
@@ -173,6 +179,7 @@ SavedSummary read_values(const std::string& path)
   get_list(json, "softened_fraction", s.softened_fraction);
   get_list(json, "reached_sides", s.reached_sides);
   get_list(json, "footings", s.footings);
+  get_list(json, "stages", s.stages);
   get(json, "flood", s.flood);
   get_list(json, "passes", s.passes);
   for (const FollowerType* type : all_followers())
@@ -214,6 +221,7 @@ std::string summary_text(const Summary& summary, bool finished, const CaseText& 
   json["softened_fraction"] = to_list(summary.softened_fraction);
   json["reached_sides"] = to_list(summary.reached_sides);
   json["footings"] = to_list(summary.footings);
+  json["stages"] = to_list(summary.stages);
   json["flood"] = to_value(summary.flood);
   json["passes"] = to_list(summary.passes);
   for (const auto& [name, value] : summary.numbers) json[name] = value;

@@ -7,6 +7,7 @@
 #include "materials/material.hpp"
 #include "simulation/flood_case.hpp"
 #include "simulation/load_case.hpp"
+#include "simulation/time_case.hpp"
 #include "transfer/method_options.hpp"
 #include "water/water_case.hpp"
 
@@ -22,11 +23,6 @@ enum class InitialStress { none, k0, equilibrium };  ///< reading R14
 enum class MeshKind { rectangle, graded, mapped, file, polygon };
 enum class FootingContact { rough, smooth };
 enum class DeviatoricNorm { half, von_mises };  ///< reading R18
-
-struct TimeCase {
-  Real end = 0.0;       ///< [s]
-  Real courant = 0.98;  ///< dt = courant * min(L_e) / c_p, reading R19
-};
 
 /// Smaller cells near a line or in a box.
 struct RefineCase {
@@ -174,6 +170,7 @@ struct Case {
   std::string folder;  ///< that holds the case file: other files are named relative to it
   std::string scheme = "mpm_gp";
   TimeCase time;
+  std::vector<StageCase> stages;
   MeshCase mesh;
   std::vector<BodyCase> bodies;
   std::vector<MaterialCase> materials;

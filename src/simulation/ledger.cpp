@@ -37,6 +37,8 @@ using C = const LedgerContext&;
 constexpr LedgerQuantity balance[] = {
     {{"time", "s", "time", "of the step"}, [](C c) { return c.state.time; }},
     {{"step", "-", "step", "number of the step"}, [](C c) { return static_cast<Real>(c.state.step); }},
+    {{"stage", "-", "stage", "number of the stage, from 1; 0: the run has none"},
+        [](C c) { return c.model.stage.name.empty() ? 0.0 : static_cast<Real>(c.state.stage + 1); }},
     {{"kinetic", "J/m", "kinetic energy of the points", "kinetic energy of the material points"},
         [](C c) { return c.totals.kinetic; }},
     {{"kinetic_nodal", "J/m", "kinetic energy of the nodes",

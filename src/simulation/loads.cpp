@@ -79,7 +79,7 @@ std::vector<Load> make_loads(const Case& description, RowTable& rows)
         .unit = "m",
         .meaning = fmt::format("part of the stretch of the load `{}` that the point carries", c.name),
         .owner = "load"});
-    loads.push_back({c.name, c.from, c.to, c.pressure, c.start, c.end, c.ramp, row});
+    loads.push_back({c.name, c.from, c.to, c.pressure, c.start, c.end, c.ramp, c.pressure, row});
   }
   return loads;
 }
@@ -111,7 +111,7 @@ void place_first_loads(const Model& model, State& state)
 std::string place_due_loads(const Model& model, State& state)
 {
   for (const Load& load : model.loads) {
-    if (load.first_step(model.dt) != state.step) continue;
+    if (load.is_permanent() || model.first_step + load.first_step(model.dt, model.first_time) != state.step) continue;
     if (const std::string why = place_load(load, state); !why.empty())
       return fmt::format("step {}, t = {:.4f} s: there is no ground under the load `{}`, which begins now\n  {}",
           state.step, state.time, load.name, why);
@@ -129,11 +129,12 @@ Real permanent_pressure_at(const Model& model, Real x)
 
 void set_load_pressures(const Model& model, const State& state, Workspace& work)
 {
+  const Real time = state.time + 0.5 * model.dt;
   bool acts = false;
   for (std::size_t k = 0; k < model.loads.size(); ++k) {
     const Load& load = model.loads[k];
     const bool waits = work.settling && !load.is_permanent();
-    work.load_pressure[k] = waits ? 0.0 : load.pressure_at(state.time + 0.5 * model.dt);
+    work.load_pressure[k] = waits ? 0.0 : load.pressure_at(time, model.ramp.share_at(time));
     acts |= work.load_pressure[k] != 0.0;
   }
   work.outer[outer_load].acts = acts;

@@ -10,6 +10,7 @@
 #include "schemes/scheme.hpp"
 #include "simulation/case.hpp"
 #include "simulation/follower.hpp"
+#include "simulation/stage.hpp"
 #include "transfer/node_diffusion.hpp"
 
 namespace terp {
@@ -32,20 +33,26 @@ class NodalWater;
 using StepFunction = void (*)(const Model&, State&, Workspace&);
 
 struct Model {
-  Case description;  ///< as the user gave it
-  SharedMesh mesh;   ///< one for all runs of a study
+  Case description;                             ///< as the user gave it; of a stage with its changes
+  std::shared_ptr<const Case> whole = nullptr;  ///< without the changes of any stage; none: the run has no stages
+  SharedMesh mesh;                              ///< one for all runs of a study
   std::vector<SoilMaterial> materials;
   MethodOptions method;
   Boundary boundary;
   OpenSides open_sides;  ///< sides that soil may leave by, shape [n_cells]
   std::vector<Footing> footings;
   std::vector<Load> loads;
-  Vec<2> gravity{0.0, 0.0};  ///< [m/s^2]
+  Vec<2> gravity{0.0, 0.0};         ///< [m/s^2]
+  Vec<2> gravity_before{0.0, 0.0};  ///< from which the ramp of the stage starts [m/s^2]
   Damping damping;
   const Scheme* scheme = nullptr;
-  StepFunction step = nullptr;  ///< of the same copy of the kernels as the laws and the scheme
-  Real dt = 0.0;                ///< [s]; end time over a whole number of steps
-  std::int64_t n_steps = 0;
+  StepFunction step = nullptr;                   ///< of the same copy of the kernels as the laws and the scheme
+  Real dt = 0.0;                                 ///< [s]; end time over a whole number of steps
+  std::int64_t n_steps = 0;                      ///< at most, of all stages
+  std::int64_t first_step = 0;                   ///< step of first_time: not 0 where the run began in another time step
+  Real first_time = 0.0;                         ///< [s]
+  Stage stage;                                   ///< that the model is of
+  Ramp ramp;                                     ///< from the values of the stage before
   Real largest_density = 0.0;                    ///< [kg/m^3], for the small-mass limit
   std::vector<std::int64_t> history_ids;         ///< ids of the named points, in the order of the case
   std::vector<BodyShare> bodies;                 ///< in the order of the case; filled with the first state
@@ -56,6 +63,7 @@ struct Model {
   int threads = 1;
   FollowerTypes followers = {};  ///< what is measured while the run goes on; may be none
 
+  Real time_of(std::int64_t step_number) const { return first_time + static_cast<Real>(step_number - first_step) * dt; }
   bool spreads_softening() const { return diffusion.n_substeps > 0; }
 };
 

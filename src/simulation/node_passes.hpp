@@ -43,13 +43,21 @@ inline Vec<2> sum_outer(const Model& model, const State& state, const OuterForce
   return sum;
 }
 
-/// Smallest mass of a node that may move: small_mass rho V_e of the first cell around it [kg per m].
-inline Real mass_limit(const Model& model, Index node)
+/// A part of the mass of a full cell, rho V_e of the first cell around a node [kg per m].
+inline Real part_of_full_mass(const Model& model, Index node, Real part)
 {
   const auto& first = model.mesh->first_cell_of_node;
-  return model.method.small_mass * model.largest_density *
-         model.mesh->geometry(model.mesh->cells_of_node[first[node]].cell).volume;
+  return part * model.largest_density * model.mesh->geometry(model.mesh->cells_of_node[first[node]].cell).volume;
 }
+
+/// Smallest mass of a node that may move: small_mass rho V_e [kg per m].
+inline Real mass_limit(const Model& model, Index node)
+{
+  return part_of_full_mass(model, node, model.method.small_mass);
+}
+
+/// Least part of the mass of a full cell at a node that counts for rest: below it a single grain moves the node.
+inline constexpr Real part_that_rests = 0.05;
 
 /// Number of the footing that holds a place, the last if several do; -1: none.
 inline int footing_at(const Workspace& work, Vec<2> x)
@@ -87,7 +95,7 @@ inline void accelerate_node(
     if (kind.acts) kind.node[i] = sum_outer(model, state, kind, i);
   for (int d = 0; d < 2; ++d) {
     v_0[d] = sum.momentum[d] / sum.mass;
-    out_of_balance[d] = sum.mass * model.gravity[d] - sum.internal_force[d];
+    out_of_balance[d] = sum.mass * work.gravity[d] - sum.internal_force[d];
     for (const OuterForces& kind : work.outer)
       if (kind.acts) out_of_balance[d] += kind.node[i][d];
     node.internal[d] = -sum.internal_force[d];
@@ -111,7 +119,7 @@ inline void accelerate_node(
     node.dv[d] = node.v[d] - v_0[d];
     node.boundary[d] = sum.mass * (node.v[d] - v_free[d]) / model.dt;
     sums.unbalanced += std::abs(sum.mass * node.dv[d] / model.dt);
-    sums.weight += std::abs(sum.mass * model.gravity[d]);
+    sums.weight += std::abs(sum.mass * work.gravity[d]);
     sums.finite &= std::isfinite(node.dv[d]);
   }
 }
@@ -125,7 +133,7 @@ inline void add_works(const Model& model, const Workspace& work, Index i, Vec<2>
   for (int d = 0; d < 2; ++d) {
     sums.clamps += node.mass * node.dv[d] * (remapped[d] - node.v[d]);
     const Real path = node.v[d] * model.dt;
-    sums.gravity += node.mass * model.gravity[d] * path;
+    sums.gravity += node.mass * work.gravity[d] * path;
     sums.damping += node.damping[d] * path;
     sums.internal += node.internal[d] * path;
     sums.boundary += node.boundary[d] * path;
@@ -148,6 +156,8 @@ inline void remap_velocity(const Model& model, const NodeGather& sum, Index i, W
   model.boundary.clamp(i, node.mass, model.dt, v_1, node.boundary, node.v, across_alone);
   if (const int k = footing_at(work, model.mesh->nodes[i]); k >= 0) work.footings[k].hold(node.v);
   add_works(model, work, i, remapped, sums);
+  if (work.watches_rest && node.mass >= part_of_full_mass(model, i, part_that_rests))
+    sums.fastest = std::max(sums.fastest, node.v[0] * node.v[0] + node.v[1] * node.v[1]);
 }
 
 }  // namespace terp

@@ -55,8 +55,9 @@ struct StateImage {
   Real time = 0.0;
   std::int64_t step = 0;
   std::vector<NamedArray> arrays;
-  int part = 0;      ///< parts come in order
-  bool last = true;  ///< no further part follows
+  int part = 0;            ///< parts come in order
+  bool last = true;        ///< no further part follows
+  std::string stage = {};  ///< file of a stage that ended with it, "stage_01_daily.h5"; empty: none did
   std::string case_record =
       {};                   ///< what the run began with, in the words of its writer; of a whole image that was read
   std::string tables = {};  ///< what its tables held by then, the same
@@ -71,6 +72,8 @@ struct Progress {
   double eta_s;                ///< to the end
   Real out_of_balance = -1.0;  ///< in the search for equilibrium: force over weight [-]; step and n_steps are its own
   Real limit = 0.0;            ///< at which it ends [-]
+  bool at_most = false;        ///< the run may end at rest before
+  std::string stage = {};      ///< name of the stage; empty: the run has none
 };
 
 /// Points beyond which frames and images are shown in parts, so that a run of millions of points need not hold a second

@@ -5,28 +5,32 @@
 #include "simulation/guards.hpp"
 #include "simulation/history.hpp"
 #include "simulation/ledger.hpp"
+#include "simulation/stages.hpp"
 #include "simulation/state_image.hpp"
 
 #include <cmath>
 
 namespace terp {
 
-bool due(std::int64_t step, Real dt, Real every)
+bool due(std::int64_t step, Real dt, Real every, Real from)
 {
   if (every <= 0.0) return false;
-  const Real multiple = std::round(static_cast<Real>(step) * dt / every);
-  return std::llround(multiple * every / dt) == step;
+  const Real multiple = std::round((from + static_cast<Real>(step) * dt) / every);
+  return std::llround((multiple * every - from) / dt) == step;
 }
 
 std::string Reporter::report_due(bool last)
 {
   const OutputCase& output = model_.description.output;
-  const auto now = [&](Real every) { return last || state_.step == 0 || due(state_.step, model_.dt, every); };
+  const auto is_due = [&](Real every) {
+    return due(state_.step - model_.first_step, model_.dt, every, model_.first_time);
+  };
+  const auto now = [&](Real every) { return last || state_.step == 0 || is_due(every); };
   if (now(output.ledger_every))
     if (std::string fault = report_ledger(); !fault.empty()) return fault;
   if (now(output.history_every)) report_rows(make_history(model_, state_, history_places_));
   if (now(output.fields_every)) report_frame();
-  if (last || (state_.step > 0 && due(state_.step, model_.dt, output.checkpoint_every))) report_checkpoint();
+  if (last || (state_.step > 0 && is_due(output.checkpoint_every))) report_checkpoint();
   return {};
 }
 
@@ -69,7 +73,9 @@ void Reporter::report_checkpoint()
 {
   if (observers_.empty()) return;
   report_rows_between();
+  const bool ended = !model_.stage.name.empty() && std::ssize(state_.stages_done) > state_.stage;
   for_each_part(state_, most_values_of_part(state_), [&](StateImage part) {
+    if (ended) part.stage = stage_file(model_.stage.number, model_.stage.name);
     tell([image = std::make_shared<const StateImage>(std::move(part))](Observer& o) { o.checkpoint(image); });
   });
 }

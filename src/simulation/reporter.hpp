@@ -11,7 +11,8 @@
 namespace terp {
 
 /// True at the steps nearest to whole multiples of `every` [s]; never if every is 0.
-bool due(std::int64_t step, Real dt, Real every);
+/// step: counted from the time `from` [s].
+bool due(std::int64_t step, Real dt, Real every, Real from = 0.0);
 
 class Reporter {
  public:
@@ -20,7 +21,8 @@ class Reporter {
   {
   }
 
-  /// Reports what is due at this step; last: all of it. Returns why the run must stop itself, or nothing.
+  /// Reports what is due at this step; last: all of it, as at the end of a stage. Returns why the run must stop itself,
+  /// or nothing.
   std::string report_due(bool last);
   void report_checkpoint();
   void report(const Progress& progress) const;

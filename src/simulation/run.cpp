@@ -7,6 +7,7 @@
 #include "simulation/ledger.hpp"
 #include "simulation/loads.hpp"
 #include "simulation/reporter.hpp"
+#include "simulation/stages.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -18,6 +19,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+bool ends_at_rest(const StageCase& stage) { return stage.until == Until::at_rest; }
 
 constexpr double progress_every = 0.25;  // of wall time [s]
 
@@ -70,9 +73,20 @@ struct Loop {
     last_progress = wall;
     const auto done = static_cast<double>(state.step - first_step);
     const double rate = wall > 0.0 ? done * static_cast<double>(state.points.n_points()) / wall : 0.0;
-    const double eta = done > 0.0 ? wall / done * static_cast<double>(model.n_steps - state.step) : 0.0;
-    reporter.report(
-        {state.time, model.description.time.end, state.step, model.n_steps, state.points.n_points(), wall, rate, eta});
+    const std::int64_t end = last_step_of_run(model, state);
+    const double eta = done > 0.0 ? wall / done * static_cast<double>(end - state.step) : 0.0;
+    const Real end_time = end == model.n_steps ? model.description.time.end : model.time_of(end);
+    const bool at_most = std::ranges::any_of(model.description.stages, ends_at_rest) || model.stage.rest.steps > 0;
+    reporter.report({.time = state.time,
+        .end_time = end_time,
+        .step = state.step,
+        .n_steps = end,
+        .n_points = state.points.n_points(),
+        .wall_s = wall,
+        .point_steps_per_s = rate,
+        .eta_s = eta,
+        .at_most = at_most,
+        .stage = model.stage.name});
   }
 };
 
@@ -133,10 +147,14 @@ Outcome run(const Model& model, State& state, Workspace& work, std::span<Observe
     }
     loop.report_due(false);
   }
+  if (state.rows_reported.empty()) loop.report_due(true);  // it begins with the state of another run
+  work.watches_rest = model.stage.rest.steps > 0;
   const auto report_what_is_due = [&] {
-    loop.report_due(state.step == model.n_steps);
-    loop.report_progress(state.step == model.n_steps);
-    return true;
+    watch_rest(model, work, state);
+    const bool ends = ends_now(model, work, state);
+    loop.report_due(ends);
+    loop.report_progress(ends && model.stage.is_last());
+    return !ends;
   };
   const StepsMade made = make_steps(model, state, work,
       {.most_steps = until - state.step,
@@ -173,6 +191,11 @@ Summary summarise(const Model& model, const State& state)
       kinetic_and_elastic_energy(model, state) + half_step + w.plastic - state.start_energy - w.given();
   s.energy_balance_error = exchanged > 0.0 ? std::abs(numerical) / exchanged : 0.0;
   s.clamped_points = state.clamped;
+  for (std::size_t k = 0; k < state.stages_done.size(); ++k) {
+    const bool has_name = k < model.description.stages.size();
+    if (has_name || model.stage.rest.steps > 0)
+      s.stages.push_back({has_name ? model.description.stages[k].name : "", state.stages_done[k]});
+  }
   s.v_999 = state.largest_v_999;
   for (const ActiveFollower& active : state.followers) active.follower->summarise(model, state, s);
   return s;

@@ -11,6 +11,7 @@
 #include "simulation/setup_mesh.hpp"
 #include "simulation/setup_points.hpp"
 #include "simulation/softening_scales.hpp"
+#include "simulation/stages.hpp"
 #include "simulation/reference_width.hpp"
 #include "simulation/kernels.hpp"
 
@@ -73,35 +74,63 @@ OpenSides make_open_sides(const Case& c, const Mesh<2>& mesh)
   return open;
 }
 
-/// Numbers of the materials that points may have: those of the bodies, or all of them if a file of points names its
-/// own.
-std::vector<Index> used_materials(const Model& model)
+/// Numbers of the materials that points may have, in any stage: those of the bodies, or all of them if a file of points
+/// names its own.
+std::vector<Index> used_materials(const Case& whole)
 {
   std::vector<Index> used;
-  for (Index m = 0; m < static_cast<Index>(model.materials.size()); ++m)
-    if (std::ranges::any_of(model.description.bodies, [&](const BodyCase& body) {
-          return !body.points_file.empty() || body.material == model.description.materials[m].called();
-        }))
-      used.push_back(m);
+  for (Index m = 0; m < static_cast<Index>(whole.materials.size()); ++m) {
+    bool is_used = false;
+    for (std::size_t k = 0; k < std::max<std::size_t>(1, whole.stages.size()); ++k)
+      for (const BodyCase& body : case_of_stage(whole, k).bodies)
+        is_used = is_used || !body.points_file.empty() || body.material == whole.materials[m].called();
+    if (is_used) used.push_back(m);
+  }
   return used;
 }
 
-/// dt is the stable step, shortened so that the end is a whole number of steps (decision 0024).
-void set_time_step(const std::vector<Index>& used, Model& model)
-{
-  const TimeCase& time = model.description.time;
-  Real fastest = 0.0, stable = std::numeric_limits<Real>::infinity();
-  for (const Stiffness& s : list_stiffness(model, used)) {
-    const Real density = model.materials[s.material].density;
-    fastest = std::max(fastest, wave_speed(s.moduli.p_wave(), density));
-    stable = std::min(stable, stable_step(model, s));
-    model.largest_density = std::max(model.largest_density, density);
+/// What limits the time step in any stage.
+struct StepLimit {
+  Real stable = std::numeric_limits<Real>::infinity(), fastest = 0.0, largest_density = 0.0;
+
+  void enter(const Model& model, const std::vector<Index>& used)
+  {
+    for (const Stiffness& s : list_stiffness(model, used)) {
+      const Real density = model.materials[s.material].density;
+      fastest = std::max(fastest, wave_speed(s.moduli.p_wave(), density));
+      stable = std::min(stable, stable_step(model, s));
+      largest_density = std::max(largest_density, density);
+    }
   }
-  const Real n = steps_to(time.end, stable);
+};
+
+StepLimit find_step_limit(const Case& whole, const Model& model, const std::vector<Index>& used)
+{
+  StepLimit limit;
+  limit.enter(model, used);
+  for (std::size_t k = 0; k < whole.stages.size(); ++k) {
+    if (k == model.stage.number) continue;
+    Model other;
+    other.mesh = model.mesh;
+    other.method = model.method;
+    other.description = case_of_stage(whole, k);
+    other.materials = make_materials(other.description);
+    limit.enter(other, used);
+  }
+  return limit;
+}
+
+/// dt is the stable step, shortened so that the end is a whole number of steps (decision 0024).
+void set_time_step(const Case& whole, const std::vector<Index>& used, Model& model)
+{
+  const TimeCase& time = whole.time;
+  const StepLimit limit = find_step_limit(whole, model, used);
+  model.largest_density = limit.largest_density;
+  const Real stable = limit.stable, n = steps_to(time.end, stable);
   if (!(n < most_steps))
     throw InputError(Problem{"time.end", "the time step has collapsed",
         fmt::format("{:.3g} s need {:.3g} steps of {:.3g} s (smallest cell altitude {:.3g} m, wave speed {:.4g} m/s).",
-            time.end, n, stable, model.mesh->smallest_altitude, fastest),
+            time.end, n, stable, model.mesh->smallest_altitude, limit.fastest),
         "time", false, {"mesh", "material", "time"}});
   model.n_steps = static_cast<std::int64_t>(n);
   model.dt = time.end / n;
@@ -185,8 +214,19 @@ Model build_model(const Case& description, int threads)
 
 Model build_model(const Case& description, SharedMesh mesh, int threads)
 {
+  return build_stage(description, std::move(mesh), threads, 0);
+}
+
+Model build_stage(const Case& whole, SharedMesh mesh, int threads, std::size_t number)
+{
   Model model;
+  const Case& description = case_of_stage(whole, number);
+  model.stage.number = number;
   model.description = description;
+  if (!whole.stages.empty()) {
+    model.whole = std::make_shared<const Case>(whole);
+    model.description.stages = whole.stages;
+  }
   model.mesh = std::move(mesh);
   model.materials = make_materials(description);
   model.method = description.method;
@@ -204,7 +244,7 @@ Model build_model(const Case& description, SharedMesh mesh, int threads)
   model.step = kernels().step;
   if (model.scheme == nullptr) throw InputError(Problem{"scheme", "no such scheme", "", "scheme"});
   model.threads = threads;
-  const std::vector<Index> used = used_materials(model);
+  const std::vector<Index> used = used_materials(whole);
   for (const Index m : used) add_rows(m, model.materials[m], model.rows);
   if (model.scheme->functions(model.method.shares).integrate != nullptr)
     model.inverse_extent = model.rows.add({.name = "inverse_extent",
@@ -217,8 +257,9 @@ Model build_model(const Case& description, SharedMesh mesh, int threads)
     if (model.materials[m].increment_row >= 0) length = std::max(length, model.materials[m].softening.length);
   for (const Index m : used) model.materials[m].softening_scale = scale_by_cell(*model.mesh, model.materials[m]);
   if (length > 0.0) model.diffusion = make_node_diffusion(*model.mesh, length);
-  set_time_step(used, model);
+  set_time_step(whole, used, model);
   if (description.water.is_given()) model.water = std::make_shared<const NodalWater>(model);
+  set_stage(whole, number, model);
   return model;
 }
 
@@ -228,6 +269,7 @@ void move_end(Model& model, Real end)
   if (!(n < most_steps))
     throw InputError(Problem{"time.end", "the end is too far",
         fmt::format("{:.3g} s need {:.3g} steps of {:.3g} s.", end, n, model.dt), "time"});
+  model.stage.steps += static_cast<std::int64_t>(n) - model.n_steps;
   model.n_steps = static_cast<std::int64_t>(n);
   model.description.time.end = n * model.dt;
 }

@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "simulation/point_fields.hpp"
+#include "simulation/stages.hpp"
 #include "simulation/state_image.hpp"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ Simulation::Simulation(const Case& description, SharedMesh mesh, int threads, co
 }
 
 Simulation::Simulation(Model ready_model, State ready_state)
-    : model(std::move(ready_model)), state(std::move(ready_state)), work(model, state)
+    : model(model_for(std::move(ready_model), ready_state)), state(std::move(ready_state)), work(model, state)
 {
   model.threads = work.threads.count();
 }
@@ -47,23 +48,40 @@ Outcome Simulation::start(const std::atomic<bool>& stop)
 Outcome Simulation::step(std::int64_t n, const std::atomic<bool>& stop)
 {
   if (n < 0) throw InputError(Problem{"step", fmt::format("{} steps cannot be made", n), "Got a negative number.", ""});
-  return terp::run(model, state, work, observers, stop, state.step + n);
+  return advance(state.step + n, true, stop);
 }
 
 Outcome Simulation::advance_to(Real t, const std::atomic<bool>& stop)
 {
-  const Real step = std::ceil(t / model.dt * (1.0 - 1e-12));
+  const Real step = static_cast<Real>(model.first_step) + std::ceil((t - model.first_time) / model.dt * (1.0 - 1e-12));
   if (!(step >= static_cast<Real>(state.step) && step < static_cast<Real>(most_steps)))
     throw InputError(Problem{"advance_to", fmt::format("the run cannot advance to t = {} s", t),
         fmt::format("It is at t = {:.4g} s and makes steps of {:.4g} s. `restore` goes back to a saved state.",
             state.time, model.dt),
         ""});
-  return terp::run(model, state, work, observers, stop, static_cast<std::int64_t>(step));
+  return advance(static_cast<std::int64_t>(step), true, stop);
 }
 
 Outcome Simulation::run(const std::atomic<bool>& stop)
 {
-  return terp::run(model, state, work, observers, stop, model.n_steps);
+  return advance(std::numeric_limits<std::int64_t>::max(), false, stop);
+}
+
+Outcome Simulation::advance(std::int64_t until, bool beyond, const std::atomic<bool>& stop)
+{
+  for (;;) {
+    const bool last = model.stage.is_last();
+    if (has_ended(model, state)) {
+      if (last ? !beyond : state.step >= until) return Outcome::finished;
+      if (!last) {
+        enter_next_stage(model, state, work);
+        continue;
+      }
+    }
+    const std::int64_t end = last && beyond ? until : std::min(until, last_step_of_stage(model, state));
+    const Outcome outcome = terp::run(model, state, work, observers, stop, end);
+    if (outcome == Outcome::interrupted || state.step >= until) return outcome;
+  }
 }
 
 PointField Simulation::field(const std::string& name) const { return get_point_field(model, state, name); }
@@ -81,13 +99,14 @@ void Simulation::restore(const StateImage& image)
   if (saved.n_ids() != state.n_ids())
     throw FileError(fmt::format(
         "the saved state is of another case: it has {} material points, this one {}", saved.n_ids(), state.n_ids()));
-  const Real time = static_cast<Real>(saved.step) * model.dt;
+  const Real time = model.time_of(saved.step);
   if (std::abs(saved.time - time) > 1e-9 * model.dt * static_cast<Real>(std::max<std::int64_t>(saved.step, 1)))
     throw FileError(
         fmt::format("the saved state is of another case: its {} steps end at t = {:.6g} s, those of this one of "
                     "{:.4g} s at {:.6g} s",
             saved.step, saved.time, model.dt, time));
   state = std::move(saved);
+  model = model_for(std::move(model), state);
   work.settling = false;
   work.damping_local = model.damping.local;
   work.fit(model, state);

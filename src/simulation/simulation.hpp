@@ -35,7 +35,7 @@ struct Simulation {
   /// does, and where t lies before the present.
   Outcome advance_to(Real t, const std::atomic<bool>& stop = never_stop);
 
-  /// Makes the steps that are left to the end of the case.
+  /// Makes the steps that are left to the end of the case, stage by stage. Throws RunError as step() does.
   Outcome run(const std::atomic<bool>& stop = never_stop);
 
   /// A field of all points by its name in results ("velocity", "stress", "eps_eq_p", ...), or "position": shape
@@ -58,6 +58,10 @@ struct Simulation {
   State state;
   Workspace work;
   std::vector<Observer*> observers = {};  ///< are shown what the run puts out; not owned
+
+ private:
+  /// Makes steps up to `until`, from stage to stage. beyond: also after the end of the last one.
+  Outcome advance(std::int64_t until, bool beyond, const std::atomic<bool>& stop);
 };
 
 }  // namespace terp

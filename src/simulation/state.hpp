@@ -5,6 +5,7 @@
 #include "simulation/follower.hpp"
 #include "simulation/observer.hpp"
 #include "simulation/outer_forces.hpp"
+#include "simulation/stage.hpp"
 
 #include <map>
 #include <vector>
@@ -39,11 +40,17 @@ struct State {
   WorkTotals work;
   /// Running mean of the out-of-balance force, of damping with an averaging time [N per m]; shape [n_nodes], or empty.
   std::vector<Vec<2>> mean_force;
-  std::int64_t equilibrium_steps = 0;  ///< made in the search for equilibrium, while the clock stands at 0
-  Real start_energy = 0.0;             ///< kinetic + elastic at t = 0 [J per m]
-  std::int64_t clamped = 0;            ///< points that ever had to be put back at a wall
-  std::vector<bool> put_back;          ///< which, by id
-  std::vector<LeftPoint> left;         ///< points that crossed an open side, in the order in which they did
+  std::int64_t equilibrium_steps = 0;    ///< made in the search for equilibrium, while the clock stands at 0
+  Real start_energy = 0.0;               ///< kinetic + elastic at t = 0 [J per m]
+  std::int64_t first_step = 0;           ///< Model::first_step and first_time
+  Real first_time = 0.0;                 ///< [s]
+  std::int64_t stage = 0;                ///< number of the stage that the run is in
+  std::int64_t stage_start = 0;          ///< step with which it began
+  std::int64_t quiet_steps = 0;          ///< steps in a row in which no node was fast (Stage::rest)
+  std::vector<StageRecord> stages_done;  ///< in their order
+  std::int64_t clamped = 0;              ///< points that ever had to be put back at a wall
+  std::vector<bool> put_back;            ///< which, by id
+  std::vector<LeftPoint> left;           ///< points that crossed an open side, in the order in which they did
   std::map<std::string, std::int64_t, std::less<>> rows_reported;  ///< so far, by table
   std::int64_t frames_reported = 0;
   std::vector<ActiveFollower> followers;  ///< of the model, in its order; each saves itself

@@ -143,6 +143,26 @@ void add_left(const State& state, ArrayWriter& arrays)
   arrays.copy("left/values", std::move(values));
 }
 
+std::vector<Real> values_of(const std::vector<StageRecord>& records)
+{
+  std::vector<Real> values;
+  for (const StageRecord& r : records)
+    values.insert(values.end(), {r.start, r.end, static_cast<Real>(r.steps), r.at_rest ? 1.0 : 0.0, r.fastest});
+  return values;
+}
+
+std::vector<StageRecord> records_of(const std::vector<Real>& values)
+{
+  std::vector<StageRecord> records;
+  for (std::size_t k = 0; k + 4 < values.size(); k += 5)
+    records.push_back({.start = values[k],
+        .end = values[k + 1],
+        .steps = std::llround(values[k + 2]),
+        .at_rest = values[k + 3] != 0.0,
+        .fastest = values[k + 4]});
+  return records;
+}
+
 void get_left(const ArrayReader& arrays, State& state)
 {
   const auto& ids = arrays.wholes("left/id");
@@ -203,6 +223,15 @@ std::vector<ArraySource> arrays_of(const State& state)
   const WorkTotals& w = state.work;
   arrays.copy("work", std::vector<Real>{w.gravity, w.damping, w.boundary, w.plastic, w.internal, w.exchanged,
                           w.last_step, state.start_energy, state.largest_v_999, w.clamps});
+  if (state.first_step != 0) {
+    arrays.copy("first_step", std::vector<std::int64_t>{state.first_step});
+    arrays.copy("first_time", std::vector<Real>{state.first_time});
+  }
+  const bool has_stage = state.stage != 0 || state.quiet_steps != 0 || !state.stages_done.empty();
+  if (has_stage) {
+    arrays.copy("stage", std::vector<std::int64_t>{state.stage, state.stage_start, state.quiet_steps});
+    arrays.copy("stages_done", values_of(state.stages_done));
+  }
   if (state.work.outer != OuterWork{})
     arrays.copy("work_from_outside", std::vector<Real>(state.work.outer.begin(), state.work.outer.end()));
   arrays.copy("counts", std::vector<std::int64_t>{state.clamped, state.equilibrium_steps, state.frames_reported});
@@ -285,6 +314,18 @@ State restore(const Model& model, const StateImage& image)
       .internal = w[4],
       .exchanged = w[5],
       .last_step = w[6]};
+  if (arrays.has("first_step")) {
+    state.first_step = arrays.wholes("first_step", 1)[0];
+    state.first_time = arrays.reals("first_time", 1)[0];
+  }
+  if (arrays.has("stage")) {
+    const auto& stage = arrays.wholes("stage", 3);
+    state.stage = stage[0], state.stage_start = stage[1], state.quiet_steps = stage[2];
+    state.stages_done = records_of(arrays.reals("stages_done"));
+    const auto n = std::max<std::int64_t>(1, std::ssize(model.description.stages));
+    if (state.stage < 0 || state.stage >= n || state.stage_start < 0 || state.stage_start > state.step)
+      throw FileError("the checkpoint does not fit this case: it is of a stage that the case does not have");
+  }
   if (arrays.has("work_from_outside"))
     std::ranges::copy(arrays.reals("work_from_outside", n_outer_kinds), state.work.outer.begin());
   state.start_energy = w[7];

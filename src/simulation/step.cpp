@@ -48,6 +48,26 @@ void for_each_node(Workspace& work, F&& f)
       });
 }
 
+/// That of the middle of the step, while a ramp is under way.
+void set_gravity(const Model& model, const State& state, Workspace& work)
+{
+  const Real share = model.ramp.share_at(state.time + 0.5 * model.dt);
+  for (int d = 0; d < 2; ++d)
+    work.gravity[d] =
+        share < 1.0 ? model.gravity_before[d] + share * (model.gravity[d] - model.gravity_before[d]) : model.gravity[d];
+}
+
+/// Water of the time of the step, or of the stage; renewed only where it changes.
+void set_water(const Model& model, const State& state, Workspace& work)
+{
+  const StageWater& water = model.stage.water;
+  if (!water.given) return model.water->renew(state.time, work.pore);
+  const Real share = model.ramp.share_at(state.time + 0.5 * model.dt);
+  if (share == work.water_share) return;
+  model.water->set(water.from, water.to, share, work.pore);
+  work.water_share = share;
+}
+
 void start_sums(Workspace& work)
 {
   for (NodeSums& sums : work.node_sums) sums = {};
@@ -69,6 +89,7 @@ void finish_sums(State& state, Workspace& work)
     total.unbalanced += sums.unbalanced;
     total.weight += sums.weight;
     total.kinetic += sums.kinetic;
+    total.fastest = std::max(total.fastest, sums.fastest);
     total.finite &= sums.finite;
     for (std::size_t k = 0; k < work.footings.size(); ++k)
       for (int d = 0; d < 2; ++d) total.footing[k][d] += sums.footing[k][d];
@@ -89,6 +110,7 @@ void finish_sums(State& state, Workspace& work)
   state.work.exchanged = energy_exchanged(state.work);
   work.finite = total.finite;
   work.kinetic_nodal = total.kinetic;
+  work.fastest_node = std::sqrt(total.fastest);
   work.unbalanced_ratio = total.weight > 0.0 ? total.unbalanced / total.weight : 0.0;
 }
 
@@ -99,7 +121,7 @@ void enter_left(const Model& model, Index number, std::span<Real> values, State&
   const SoilMaterial& material = model.materials[number];
   const std::array<Real, 4> sigma{
       values[Rows::sigma], values[Rows::sigma + 1], values[Rows::sigma + 2], values[Rows::sigma + 3]};
-  state.left.push_back({.time = static_cast<Real>(state.step + 1) * model.dt,
+  state.left.push_back({.time = model.time_of(state.step + 1),
       .id = static_cast<std::int64_t>(values[Rows::id]),
       .x = {values[Rows::x], values[Rows::x + 1]},
       .v = {values[Rows::v], values[Rows::v + 1]},
@@ -186,8 +208,9 @@ void step_compiled(const Model& model, State& state, Workspace& work)
   const SchemeFunctions& scheme = model.scheme->functions(model.method.shares);
   const SchemeContext context{
       model.method, model.materials, model.dt, model.inverse_extent, model.water ? &work.pore : nullptr};
-  if (model.water) model.water->renew(state.time, work.pore);
+  if (model.water) set_water(model, state, work);
   start_sums(work);
+  set_gravity(model, state, work);
   place_footings(model, state, work);
   if (!model.loads.empty()) set_load_pressures(model, state, work);
 
@@ -239,7 +262,7 @@ void step_compiled(const Model& model, State& state, Workspace& work)
   if (softens_now) timed(work, softening, [&] { spread_softening(model, state, work); });
 
   ++state.step;
-  state.time = static_cast<Real>(state.step) * model.dt;
+  state.time = model.time_of(state.step);
 }
 
 }  // namespace terp

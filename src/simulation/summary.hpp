@@ -5,6 +5,7 @@
 #include "events/crest.hpp"
 #include "events/slip_surface.hpp"
 #include "simulation/flood_summary.hpp"
+#include "simulation/stage.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -25,6 +26,12 @@ struct FootingSummary {
   Vec<2> reaction{0.0, 0.0};      ///< force of the soil on it, mean over the last interval of the ledger [N per m]
   Real largest = 0.0;             ///< largest reaction against its motion, of such means [N per m]
   Real work = 0.0;                ///< done on the soil [J per m]
+};
+
+/// A stage that has ended; of a run that ends at rest and has no stages: the run, without a name.
+struct StageSummary {
+  std::string name;
+  StageRecord record;
 };
 
 /// A slide, and where the soil sheared when it sheared fastest.
@@ -84,6 +91,7 @@ struct Summary {
   std::int64_t points_left = 0;  ///< through open sides
   std::vector<FootingSummary> footings;
   std::optional<FloodSummary> flood;                 ///< none without a water level
+  std::vector<StageSummary> stages;
   std::map<std::string, Real, std::less<>> numbers;  ///< of followers, under the names that they declare; NaN: none
   Real v_999 = 0.0;  ///< largest 99.9 % quantile of the speed over all ledger rows [m/s]
 };

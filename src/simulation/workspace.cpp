@@ -45,7 +45,7 @@ void fit_patches(const State& state, PatchValues& patches)
 }  // namespace
 
 Workspace::Workspace(const Model& model, const State& state)
-    : threads(model.threads), softening(model.diffusion), damping_local(model.damping.local)
+    : threads(model.threads), softening(model.diffusion), gravity(model.gravity), damping_local(model.damping.local)
 {
   node.make_anew(model.mesh->nodes.size());
   for (const SoilMaterial& material : model.materials) n_gauss_rows = std::max(n_gauss_rows, material.n_rows());

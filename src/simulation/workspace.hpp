@@ -28,6 +28,7 @@ struct NodeSums {
   Real gravity = 0.0, damping = 0.0, boundary = 0.0, clamps = 0.0, internal = 0.0;  ///< work of the step [J per m]
   OuterWork outer{};                            ///< the same of forces from outside [J per m]
   Real unbalanced = 0.0, weight = 0.0;          ///< sum of |m a|, of |m g| [N per m]
+  Real fastest = 0.0;                           ///< largest squared speed of a node that counts for rest [m^2/s^2]
   Real kinetic = 0.0;                           ///< of the nodes at the start of the step [J per m]
   std::array<Vec<2>, most_footings> footing{};  ///< impulse of each footing on its nodes [N s per m]
   bool finite = true;
@@ -65,10 +66,11 @@ struct Workspace {
   Index n_gauss_rows = 0;      ///< the most that any law adds to the points
   std::vector<Real> pressure;  ///< p_e [Pa], shape [n_blocks]; of schemes that keep no other Gauss values
   PatchValues patches;         ///< of shares that overlap
-  PorePressure pore;           ///< on the nodes; empty without water
-  std::vector<CornerSoftening> softening_corners;      ///< shape [n_occupied]; of nonlocal softening
-  NodeSpread softening;                                ///< of nonlocal softening
-  std::vector<std::uint8_t> group_softens;             ///< whether a point of a group softened in this step
+  Real water_share = std::numeric_limits<Real>::quiet_NaN();  ///< of the way of the stage's water that `pore` is of
+  PorePressure pore;                                          ///< on the nodes; empty without water
+  std::vector<CornerSoftening> softening_corners;             ///< shape [n_occupied]; of nonlocal softening
+  NodeSpread softening;                                       ///< of nonlocal softening
+  std::vector<std::uint8_t> group_softens;                    ///< whether a point of a group softened in this step
   std::vector<std::uint8_t> run_softens, run_is_near;  ///< the same of the runs of NodeDiffusion; those it can reach
   ZeroedArray<NodeValues> node;                        ///< shape [n_nodes]; only those of active nodes are written
   std::vector<Index> active_nodes;                     ///< nodes of occupied cells, ascending
@@ -83,6 +85,9 @@ struct Workspace {
   std::array<OuterForces, n_outer_kinds> outer;         ///< forces from outside
   std::vector<Real> load_pressure;                      ///< of each load in this step [Pa]
   bool settling = false;        ///< in the search for equilibrium, which knows neither footings nor loads for a time
+  Vec<2> gravity{0.0, 0.0};     ///< in this step [m/s^2]
+  bool watches_rest = false;    ///< `fastest_node` is wanted
+  Real fastest_node = 0.0;      ///< largest speed of a node that counts for rest, in the last step [m/s]
   Real damping_local = 0.0;     ///< alpha in force: the model's, or that of the search for equilibrium
   bool finite = true;           ///< no nodal value was NaN or infinite in the last step
   Real unbalanced_ratio = 0.0;  ///< sum |m a| over sum |m g| in the last step

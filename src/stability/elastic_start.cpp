@@ -107,6 +107,8 @@ void set_scales(const Model& model, const State& state, ElasticStart& start)
 
 Case quiet_case(Case c)
 {
+  if (!c.stages.empty()) c = Case(*c.stages.back().changed);
+  c.time.until = Until::end;
   c.footings.clear();
   for (LoadCase& load : c.loads) load = {load.name, load.from, load.to, load.pressure};
   for (SideCondition& side : c.sides) side.velocity = {0.0, 0.0}, side.velocity_at = {};

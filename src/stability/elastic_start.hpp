@@ -25,7 +25,7 @@ struct ElasticStart {
 };
 
 /// The case as its trials solve it: nothing moves but by its weight and its loads, which are there from the start, in
-/// full. Footings are left out, driven sides stand still.
+/// full; of a case with stages that of the last stage. Footings are left out, driven sides stand still.
 Case quiet_case(Case c);
 
 /// Settles the case with every law that has a strength replaced by linear_elastic of the same stiffness, and contact

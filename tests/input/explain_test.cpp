@@ -67,7 +67,7 @@ TEST(Explain, TakesKeysAsTheyStandInACase)
   EXPECT_THAT(explain("su_peak"), HasSubstr("key of material model `tresca_softening`"));
 }
 
-TEST(Explain, SaysThatAKeyIsRequired) { EXPECT_THAT(explain("time.end"), HasSubstr("none: the key is required")); }
+TEST(Explain, SaysThatAKeyIsRequired) { EXPECT_THAT(explain("footing.box"), HasSubstr("none: the key is required")); }
 
 TEST(Explain, SaysWhatAKeyIsRequiredFor)
 {

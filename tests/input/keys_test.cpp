@@ -16,7 +16,7 @@ TEST(Keys, EachKeyHasItsOwnPlaceInTheCase)
 {
   Case values;
   values.bodies.resize(1), values.materials.resize(1), values.sides.resize(1), values.mesh.refine.resize(1),
-      values.footings.resize(1), values.loads.resize(1), values.water.situations.resize(1);
+      values.footings.resize(1), values.loads.resize(1), values.stages.resize(1), values.water.situations.resize(1);
   std::set<const Real*> places;
   for (const KeyInfo& key : all_keys()) {
     const Field field = key.field(values, 0);
@@ -38,7 +38,7 @@ TEST(Keys, DefaultsAreInTheirRange)
 {
   Case values;
   values.bodies.resize(1), values.materials.resize(1), values.sides.resize(1), values.mesh.refine.resize(1),
-      values.footings.resize(1), values.loads.resize(1), values.water.situations.resize(1);
+      values.footings.resize(1), values.loads.resize(1), values.stages.resize(1), values.water.situations.resize(1);
   for (const KeyInfo& key : all_keys()) {
     const Field field = key.field(values, 0);
     const auto* number = std::get_if<Real*>(&field);

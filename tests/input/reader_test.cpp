@@ -111,7 +111,21 @@ mesh = true
 Case read_every_key() { return read_case_text(every_key, "folder/all.toml").values; }
 
 /// The keys of the other kinds of mesh, and of bodies in them: what every_key cannot hold beside its own.
-const std::string other_keys = R"([mesh]
+const std::string other_keys = R"([time]
+until = "at_rest"
+at_most = 9.0
+rest_speed = 2e-3
+rest_time = 0.25
+[[stage]]
+name = "flood"
+duration = 1.0
+until = "at_rest"
+at_most = 9.0
+ramp = 0.5
+water = "start"
+reset_displacement = true
+set = { "scheme" = "mpm_gp" }
+[mesh]
 cells = [4, 2]
 grading = [2.0, 0.5]
 file = "dike.msh"

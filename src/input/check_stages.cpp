@@ -1,0 +1,136 @@
+// [time] and [[stage]]: ends that contradict each other, names that are none.
+// Not for: the values that a stage sets (read_stages).
+
+#include "input/check_case.hpp"
+
+#include "input/key_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <string>
+
+namespace terp {
+namespace {
+
+/// One end of a run or stage: `end_key` = its time, or until = "at_rest" and `at_most`.
+struct EndKeys {
+  std::string path;     ///< "time", "stage[0]"
+  const char* end_key;  ///< "end", "duration"
+  Until until;
+};
+
+void check_end(const Node& root, const EndKeys& end, Findings& findings)
+{
+  const auto has = [&](const char* key) { return find_node(root, end.path + '.' + key) != nullptr; };
+  const bool rests = end.until == Until::at_rest;
+  const std::string topic = end.path.starts_with("stage") ? "stage" : "time";
+  if (rests && has(end.end_key))
+    findings.problems.push_back({fmt::format("{}.{}", end.path, end.end_key),
+        fmt::format("`{}` does not go with until = \"at_rest\"", end.end_key), "Give the longest time as `at_most`.",
+        topic, true, {end.path + ".until"}});
+  const Node* until = find_node(root, end.path + ".until");
+  const bool ends = until == nullptr || until->text == "end";  // no other word, which is reported elsewhere
+  if (ends && has("at_most"))
+    findings.problems.push_back({end.path + ".at_most", "`at_most` needs until = \"at_rest\"",
+        fmt::format("Without it the time is `{}`.", end.end_key), topic, true, {end.path + ".until"}});
+  const bool told_by_reader = topic == "time" && !rests && !has("until");
+  if (const char* missing = rests ? "at_most" : end.end_key;
+      !has(missing) && (rests || !has("at_most")) && !told_by_reader)
+    findings.problems.push_back(
+        {end.path, fmt::format("the key `{}` is missing from {}", missing, topic == "stage" ? "[[stage]]" : "[time]"),
+            rests ? "It is the time at which the run ends or goes on if the soil does not come to rest."
+                  : "Give it in s, or until = \"at_rest\" with `at_most`.",
+            topic, true});
+}
+
+bool is_name(const std::string& text)
+{
+  return !text.empty() &&
+         std::ranges::all_of(text, [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; });
+}
+
+void check_water_of_stage(const Case& values, std::size_t k, Findings& findings)
+{
+  const std::string &name = values.stages[k].water, path = fmt::format("stage[{}].water", k);
+  if (name.empty()) return;
+  std::vector<std::string> known;
+  bool timed = false;
+  if (values.water.is_given()) known.emplace_back("start");
+  for (const WaterSituation& situation : values.water.situations) {
+    known.push_back(situation.name);
+    timed = timed || std::isfinite(situation.time);
+  }
+  if (std::ranges::find(known, name) == known.end())
+    findings.problems.push_back({path, fmt::format("there is no water situation `{}`", name),
+        known.empty() ? "The case has no [water]." : "Situations of this case: " + plain_list(known), "stage.water"});
+  else if (timed)
+    findings.problems.push_back({path, "water that changes with the time cannot change with the stages, too",
+        "Remove `time` from every [[water.situation]], or `water` from every stage.", "stage.water", false, {"water"}});
+}
+
+void check_stage(const Node& root, const Case& values, std::size_t k, Findings& findings)
+{
+  const StageCase& stage = values.stages[k];
+  const std::string path = fmt::format("stage[{}]", k);
+  check_end(root, {path, "duration", stage.until}, findings);
+  const auto same_name = [&](const StageCase& other) { return other.name == stage.name; };
+  if (find_node(root, path + ".name") != nullptr && !is_name(stage.name))
+    findings.problems.push_back({path + ".name", "a stage has a name of letters, digits, - and _",
+        fmt::format("Got \"{}\". A file is called by it.", stage.name), "stage.name"});
+  else if (std::any_of(values.stages.begin(), values.stages.begin() + static_cast<std::ptrdiff_t>(k), same_name))
+    findings.problems.push_back({path + ".name", fmt::format("two stages have the name `{}`", stage.name),
+        "Give each its own, as in name = \"flood\".", "stage.name", false, {path}});
+  check_water_of_stage(values, k, findings);
+  if (stage.longest() > 0.0 && stage.ramp > stage.longest())
+    findings.problems.push_back({path + ".ramp", "the ramp is longer than the stage",
+        fmt::format("Got {:g} s; allowed: at most {:g} s.", stage.ramp, stage.longest()), "stage.ramp", false, {path}});
+}
+
+/// What keeps soil from coming to rest.
+void check_rest(const Node& root, const Case& values, Findings& findings)
+{
+  const auto rests = [](const StageCase& stage) { return stage.until == Until::at_rest; };
+  const bool any = values.time.until == Until::at_rest || std::ranges::any_of(values.stages, rests);
+  for (const char* key : {"time.rest_speed", "time.rest_time"})
+    if (!any && find_node(root, key) != nullptr)
+      findings.warnings.push_back({key, fmt::format("`{}` has no effect", key + 5),
+          "Nothing ends at rest: it counts with until = \"at_rest\".", key, true});
+  if (any && values.forces.local_damping == 0.0 && values.forces.viscous_damping == 0.0)
+    findings.warnings.push_back(
+        {values.time.until == Until::at_rest ? "time.until" : "stage", "without damping soil hardly comes to rest",
+            "Elastic soil then vibrates on. Give forces.damping.local, say 0.05, in the case or in the stage.",
+            "forces.damping.local", false, {"forces.damping"}});
+}
+
+}  // namespace
+
+void set_end_of_run(Case& values)
+{
+  if (!values.stages.empty()) {
+    Real sum = 0.0;
+    for (const StageCase& stage : values.stages) sum += stage.longest();
+    values.time.end = std::stod(fmt::format("{:.12g}", sum));  // 0.1 s and 0.2 s are 0.3 s, to the bit
+  } else if (values.time.until == Until::at_rest) {
+    values.time.end = values.time.at_most;
+  }
+}
+
+void check_stages(const Node& root, const Case& values, Findings& findings)
+{
+  if (values.stages.empty()) {
+    if (find_node(root, "time") != nullptr) check_end(root, {"time", "end", values.time.until}, findings);
+  } else {
+    for (const char* key : {"time.end", "time.until", "time.at_most"})
+      if (find_node(root, key) != nullptr)
+        findings.problems.push_back({key, fmt::format("`{}` does not go with [[stage]]", key + 5),
+            "The stages say when they end, and the run ends with the last of them. Remove it here.", "stage", true,
+            {"stage"}});
+    for (std::size_t k = 0; k < values.stages.size(); ++k) check_stage(root, values, k, findings);
+  }
+  check_rest(root, values, findings);
+}
+
+}  // namespace terp

@@ -1,0 +1,142 @@
+// How it works: the tree of the file takes the values that a stage sets, as it takes those of --set, and is read again.
+// The nodes keep their places, so that a message about a value points at the stage that sets it.
+
+#include "input/read_stages.hpp"
+
+#include "input/case_file.hpp"
+#include "input/check_case.hpp"
+#include "input/key_text.hpp"
+#include "input/overrides.hpp"
+#include "input/reader.hpp"
+#include "input/render.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace terp {
+namespace {
+
+/// The warning that no body is of a material, which holds of the stages together.
+bool is_of_use(const Problem& warning) { return warning.topic == "body.material"; }
+
+/// Drops it for materials that a body is of in some stage.
+void drop_used_materials(const std::vector<StageCase>& stages, std::vector<Problem>& warnings)
+{
+  std::erase_if(warnings, [&](const Problem& warning) {
+    const auto uses = [&](const BodyCase& body) { return join_path("material", body.material) == warning.key; };
+    const auto has_use = [&](const StageCase& stage) { return std::ranges::any_of(stage.changed->bodies, uses); };
+    return is_of_use(warning) && std::ranges::any_of(stages, has_use);
+  });
+}
+
+/// "load[0].pressure" -> "load[].pressure", "material.clay.density" -> "material.NAME.density".
+std::string pattern_of(const std::vector<std::string>& parts)
+{
+  std::string pattern;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const bool is_entry =
+        parts[k].starts_with('[') || (k > 0 && parts[k].find_first_not_of("0123456789") == std::string::npos);
+    const bool is_name = k == 1 && (parts[0] == "material" || parts[0] == "boundary");
+    if (is_entry)
+      pattern += "[]";
+    else
+      pattern += (k == 0 ? "" : ".") + (is_name ? (parts[0] == "material" ? "NAME" : "SIDE") : parts[k]);
+  }
+  return pattern;
+}
+
+/// The keys that may change in a stage, in one line.
+std::string changeable_keys()
+{
+  std::vector<std::string> names;
+  for (const KeyInfo& key : all_keys())
+    if (key.in_stage) names.push_back(key.path);
+  names.emplace_back("the parameters of [material.NAME]");
+  return plain_list(names);
+}
+
+/// True for keys that are not known either: reading says so better.
+bool may_change(const std::vector<std::string>& parts)
+{
+  if (parts[0] == "material" && parts.size() > 2) {  // of a soil in two parts the last part is the parameter, too
+    const bool in_part = parts.size() == 4 && (parts[2] == "below" || parts[2] == "above");
+    std::string rest = in_part ? parts[3] : parts[2];
+    if (!in_part && parts.size() > 3) rest += '.' + parts[3];
+    const KeyInfo* key = find_key("material.NAME." + rest);
+    return key == nullptr ? find_section("material.NAME." + rest) == nullptr : key->in_stage;
+  }
+  const std::string pattern = pattern_of(parts);
+  if (const KeyInfo* key = find_key(pattern)) return key->in_stage;
+  const auto is_section = [&](const SectionInfo& section) {
+    return section.path == pattern || section.path == pattern + "[]" || section.path.starts_with(pattern + '.');
+  };
+  return std::ranges::none_of(all_sections(), is_section);
+}
+
+/// The parameters that vary from point to point must be the same ones in all stages.
+void check_fields_of_laws(const Case& before, const Case& now, std::vector<Problem>& problems)
+{
+  for (std::size_t m = 0; m < std::min(before.materials.size(), now.materials.size()); ++m) {
+    const auto same = [](const ParameterField& a, const ParameterField& b) { return a.parameter == b.parameter; };
+    if (!std::ranges::equal(before.materials[m].fields, now.materials[m].fields, same))
+      problems.push_back({join_path("material", now.materials[m].name),
+          "a parameter cannot begin or cease to vary from point to point in a stage",
+          "Its points have values of their own from t = 0 on, or never.", "stage.set", true});
+  }
+}
+
+/// Sets the values of a stage in the tree.
+void set_values(const std::string& path, const Node& set, Node& root, std::vector<Problem>& problems)
+{
+  const Node values = set;  // the list of stages is a part of the tree that changes
+  for (const auto& [key, value] : leaves_of(values)) {
+    const auto refuse = [&](const std::vector<std::string>& parts) -> std::optional<Problem> {
+      if (parts.size() > 1 && (parts[0] == "load" || parts[0] == "body") && !parts[1].starts_with('['))
+        return Problem{path + ".set", fmt::format("this case has no `{}.{}`", parts[0], parts[1]),
+            "Give the number of the entry, counted from 0, or its `name`.", "stage.set"};
+      if (may_change(parts)) return std::nullopt;
+      return Problem{path + ".set", fmt::format("a stage cannot change `{}`", key),
+          "These may change: " + changeable_keys() +
+              ".\nMesh, points and method are those of the whole run: solve another case for another of them.",
+          "stage.set"};
+    };
+    if (auto problem = set_in_tree(root, key, *value, path + ".set", refuse)) problems.push_back(*problem);
+  }
+}
+
+}  // namespace
+
+void read_stages(const Document& document, Case& values, std::vector<Problem>& warnings)
+{
+  Document changed = document;
+  const auto known = [&](const Problem& problem) {
+    return std::ranges::any_of(
+        warnings, [&](const Problem& w) { return w.what == problem.what && w.key == problem.key; });
+  };
+  for (std::size_t k = 0; k < values.stages.size(); ++k) {
+    StageCase& stage = values.stages[k];
+    const std::string path = fmt::format("stage[{}]", k);
+    Findings findings;
+    if (const Node* set = find_node(document.root, path + ".set"))
+      set_values(path, *set, changed.root, findings.problems);
+    Case now;
+    now.name = values.name, now.folder = values.folder;
+    if (findings.problems.empty()) {
+      read_values(changed.root, now, findings);
+      set_end_of_run(now);
+      check_case(changed.root, now, findings);
+      check_fields_of_laws(values, now, findings.problems);
+    }
+    if (!findings.problems.empty()) throw CaseError(render_errors(findings.problems, changed));
+    for (const Problem& w : findings.warnings)
+      if (!known(w) && !is_of_use(w) && !(stage.until == Until::at_rest && w.key.starts_with("forces.damping")))
+        warnings.push_back(w);
+    turn_counter_clockwise(now.mesh);
+    now.stages.clear();
+    stage.changed = std::make_shared<const Case>(std::move(now));
+  }
+  drop_used_materials(values.stages, warnings);
+}
+
+}  // namespace terp

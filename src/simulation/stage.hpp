@@ -1,0 +1,55 @@
+// The part of a run that a model is of: a stage, or the whole of a run that has none.
+// Not for: how one follows another (stages.hpp).
+#pragma once
+
+#include "base/types.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace terp {
+
+/// From one value to another over time.
+struct Ramp {
+  Real start = 0.0, duration = 0.0;  ///< [s]
+
+  /// Share of the new value at a time: 0 before the ramp, 1 after it.
+  Real share_at(Real time) const
+  {
+    return duration > 0.0 ? std::clamp((time - start) / duration, Real(0.0), Real(1.0)) : 1.0;
+  }
+};
+
+/// When soil is at rest: all nodes that hold soil have been slow for a time, and nothing is about to change.
+struct RestRule {
+  Real speed = 0.0;        ///< [m/s]
+  std::int64_t steps = 0;  ///< in which all nodes are slower than that; 0: rest ends nothing
+  Real last_change = 0.0;  ///< time of the last change of loads that the case orders [s]
+};
+
+/// The water of a stage: on the way from one situation to another, by their numbers.
+struct StageWater {
+  bool given = false;  ///< no stage has said so far: the water follows its own times
+  std::size_t from = 0, to = 0;
+};
+
+struct Stage {
+  std::string name;                   ///< empty: the run has no stages
+  std::size_t number = 0, n_all = 1;  ///< of all stages
+  std::int64_t steps = 0;             ///< at most
+  std::int64_t steps_after = 0;       ///< of the stages after it, at most
+  RestRule rest;
+  StageWater water;
+
+  bool is_last() const { return number + 1 == n_all; }
+};
+
+/// A stage that has ended.
+struct StageRecord {
+  Real start = 0.0, end = 0.0;  ///< [s]
+  std::int64_t steps = 0;
+  bool at_rest = false;  ///< ended so
+  Real fastest = 0.0;    ///< speed of the fastest node in its last step [m/s]; NaN: not looked at
+};
+
+}  // namespace terp

@@ -1,0 +1,168 @@
+// Stages and ends at rest, as a user meets them: files, messages, runs from the end of a stage.
+#include "app/same_results.hpp"
+#include "output/small_disk.hpp"
+#include "support/test.hpp"
+#include <nlohmann/json.hpp>
+
+namespace {
+
+const std::string soil = R"([mesh]
+size = [4.0, 2.0]
+cell = 0.5
+[[body]]
+material = "soil"
+box = [[0.0, 0.0], [4.0, 1.5]]
+points_per_cell = 2
+[material.soil]
+model = "linear_elastic"
+density = 2000.0
+shear_modulus = 2.0e6
+poisson_ratio = 0.3
+[forces]
+gravity = [0.0, -9.81]
+damping = { local = 0.5 }
+[boundary]
+left = "roller"
+right = "roller"
+bottom = "roller"
+[[load]]
+name = "q"
+from = 1.0
+to = 3.0
+pressure = 0.0
+[output]
+ledger = { every = 0.02 }
+checkpoint = { every = 0.1, keep = 0 }
+)";
+
+const std::string stages = R"([[stage]]
+name = "settle"
+until = "at_rest"
+at_most = 10.0
+[[stage]]
+name = "load"
+duration = 0.5
+ramp = 0.2
+set = { "load.q.pressure" = 5e3 }
+)";
+
+/// A case file in a new folder, and where its run goes.
+struct Files {
+  explicit Files(const std::string& text) { std::ofstream(scratch.path() + "/a.toml") << text; }
+  std::string run(const std::string& name) const { return scratch.path() + '/' + name; }
+  Finished solve(const std::string& name, std::vector<std::string> more = {}) const
+  {
+    std::vector<std::string> words{"run", scratch.path() + "/a.toml", "-j", "1", "-o", run(name)};
+    words.insert(words.end(), more.begin(), more.end());
+    return test::terp(words);
+  }
+  ScratchFolder scratch;
+};
+
+nlohmann::json summary_of(const std::string& folder)
+{
+  return nlohmann::json::parse(text_of(folder + "/summary.json"));
+}
+
+TEST(StagesOfARun, LeaveTheirNamesAndTheirEnds)
+{
+  const Files files(stages + soil);
+  const Finished f = files.solve("run");
+  ASSERT_EQ(f.status, 0) << f.err;
+  EXPECT_THAT(f.out, HasSubstr("  stage settle     0 to "));
+  EXPECT_THAT(f.out, HasSubstr("steps, at rest\n"));
+  EXPECT_THAT(f.out, HasSubstr("settle: t = "));
+  EXPECT_TRUE(std::filesystem::exists(files.run("run") + "/stage_01_settle.h5"));
+  EXPECT_TRUE(std::filesystem::exists(files.run("run") + "/stage_02_load.h5"));
+  const auto list = summary_of(files.run("run")).at("stages");
+  ASSERT_EQ(list.size(), 2u);
+  EXPECT_EQ(list[0].at("name"), "settle");
+  EXPECT_EQ(list[0].at("at_rest"), true);
+  EXPECT_LT(list[0].at("fastest_node"), 1e-3);
+  EXPECT_EQ(list[1].at("name"), "load");
+  EXPECT_TRUE(list[1].at("fastest_node").is_null());
+}
+
+TEST(StagesOfARun, AreListedByCheck)
+{
+  const Files files(stages + soil);
+  const Finished f = test::terp({"check", files.run("a.toml"), "-j", "1"});
+  ASSERT_EQ(f.status, 0) << f.err;
+  EXPECT_THAT(f.out, HasSubstr("  stage settle   0 to at most 10 s, at most "));
+  EXPECT_THAT(f.out, HasSubstr("  stage load     10 to 10.5 s, "));
+  EXPECT_THAT(f.out, HasSubstr(": load.q.pressure = 5000.0\n"));
+  EXPECT_THAT(f.out, HasSubstr("  load q         0 kPa on x = 1 to 3 m, 0 kN per m, on "));
+}
+
+TEST(StagesOfARun, GoOnWithinAnyStageWithTheSameBits)
+{
+  const Files files(stages + soil);
+  ASSERT_EQ(files.solve("whole", {"-q"}).status, 0);
+  const auto names = names_in(files.run("whole"));
+  std::vector<std::string> checkpoints;
+  for (const std::string& name : names)
+    if (name.starts_with("checkpoint_")) checkpoints.push_back(name);
+  ASSERT_GT(checkpoints.size(), 4u);
+  std::ranges::sort(checkpoints);
+  for (const std::size_t k : {std::size_t{1}, checkpoints.size() - 6, checkpoints.size() - 2}) {
+    std::filesystem::copy(files.run("whole"), files.run("again"), std::filesystem::copy_options::recursive);
+    const Finished f = test::terp({"resume", files.run("again") + '/' + checkpoints[k], "-j", "1"});
+    EXPECT_EQ(f.status, 0) << f.err;
+    expect_same_results(files.run("whole"), files.run("again"), '/' + checkpoints.back());
+    std::filesystem::remove_all(files.run("again"));
+  }
+}
+
+TEST(StagesOfARun, AreBeginningsOfOtherRuns)
+{
+  const Files files(stages + soil);
+  ASSERT_EQ(files.solve("whole", {"-q"}).status, 0);
+  const Finished f = files.solve("part", {"--from", files.run("whole") + ":settle"});
+  ASSERT_EQ(f.status, 0) << f.err;
+  const StateImage a = read_checkpoint(files.run("whole") + "/stage_02_load.h5"),
+                   b = read_checkpoint(files.run("part") + "/stage_02_load.h5");
+  for (const NamedArray& array : a.arrays)
+    if (array.name.starts_with("points/") || array.name == "work") {
+      const auto there = std::ranges::find(b.arrays, array.name, &NamedArray::name);
+      ASSERT_NE(there, b.arrays.end());
+      EXPECT_TRUE(there->values == array.values) << array.name;
+    }
+  const Finished other = files.solve(
+      "other", {"--from", files.run("whole") + ":settle", "--set", "material.soil.shear_modulus=8e6", "-q"});
+  EXPECT_EQ(other.status, 0) << other.err;
+  const Finished resumed = test::terp({"resume", files.run("other"), "-j", "1"});
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+}
+
+TEST(StagesOfARun, ThatAreNoBeginningAreRefused)
+{
+  const Files files(stages + soil);
+  ASSERT_EQ(files.solve("whole", {"-q"}).status, 0);
+  const Finished none = files.solve("a", {"--from", files.run("whole") + ":flood"});
+  EXPECT_EQ(none.status, 1);
+  EXPECT_THAT(none.err, HasSubstr("no stage `flood` of this run has ended\n  Stages that have: load, settle"));
+  const Finished nowhere = files.solve("b", {"--from", files.run("nowhere")});
+  EXPECT_EQ(nowhere.status, 1);
+  EXPECT_THAT(nowhere.err, HasSubstr("there is no such run or checkpoint\n  Give RUN:STAGE"));
+  const Finished mesh = files.solve("c", {"--from", files.run("whole") + ":settle", "--set", "mesh.cell=0.25"});
+  EXPECT_EQ(mesh.status, 1);
+  EXPECT_THAT(mesh.err, HasSubstr("it is of another mesh, other bodies or another scheme\n  mesh.cell ([0.5, 0.5], now "
+                                  "[0.25, 0.25])"));
+}
+
+TEST(ARunUntilRest, EndsThereOrSaysThatItDidNot)
+{
+  const Files files("[time]\nuntil = \"at_rest\"\nat_most = 10.0\n" + soil);
+  const Finished f = files.solve("run");
+  ASSERT_EQ(f.status, 0) << f.err;
+  EXPECT_THAT(f.out, HasSubstr("of at most 10 s"));
+  EXPECT_THAT(f.out, HasSubstr(", at rest\n"));
+  EXPECT_EQ(summary_of(files.run("run")).at("finished"), true);
+  const Finished late = files.solve("late", {"--set", "time.at_most=0.1", "--set", "time.rest_time=0.05"});
+  EXPECT_EQ(late.status, 0);
+  EXPECT_THAT(late.err, HasSubstr("late: the run ended after 0.1 s, at t = 0.1 s, before the soil was at rest: its "
+                                  "fastest node moved with "));
+  EXPECT_EQ(summary_of(files.run("late")).at("stages").at(0).at("at_rest"), false);
+}
+
+}  // namespace

@@ -1,0 +1,78 @@
+// The cases of the stages of a run.
+#include "input/read_stages.hpp"
+#include "input/samples.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+const std::string stages = R"([[load]]
+name = "traffic"
+from = 1.0
+to = 3.0
+pressure = 0.0
+[[stage]]
+name = "rest"
+until = "at_rest"
+at_most = 9.0
+set = { "forces.damping.local" = 0.4 }
+[[stage]]
+name = "traffic"
+duration = 2.5
+ramp = 0.5
+set = { "load.traffic.pressure" = "13 kPa", "material.cl*.su_peak" = 6e3 }
+[[stage]]
+name = "weak"
+duration = 1.0
+reset_displacement = true
+[stage.set]
+forces.gravity = [0.0, -12.0]
+boundary.left = "roller"
+)";
+
+Case read() { return read_case_text(replaced(small_case, "end = 4.0", "courant = 0.9") + stages, "a.toml").values; }
+
+TEST(ReadStages, FillsTheStages)
+{
+  const Case c = read();
+  ASSERT_EQ(c.stages.size(), 3u);
+  EXPECT_EQ(c.stages[0].name, "rest");
+  EXPECT_EQ(c.stages[0].until, Until::at_rest);
+  EXPECT_EQ(c.stages[0].at_most, 9.0);
+  EXPECT_EQ(c.stages[1].duration, 2.5);
+  EXPECT_EQ(c.stages[1].ramp, 0.5);
+  EXPECT_TRUE(c.stages[2].reset_displacement);
+  EXPECT_FALSE(c.stages[1].reset_displacement);
+  EXPECT_EQ(c.time.end, 12.5);
+  EXPECT_EQ(c.stages[1].changes[0], (std::pair<std::string, std::string>("load.traffic.pressure", "\"13 kPa\"")));
+}
+
+TEST(ReadStages, WhatAStageSetsStaysForThoseAfterIt)
+{
+  const Case c = read();
+  EXPECT_EQ(c.forces.local_damping, 0.0);
+  EXPECT_EQ(c.stages[0].changed->forces.local_damping, 0.4);
+  EXPECT_EQ(c.stages[2].changed->forces.local_damping, 0.4);
+  EXPECT_EQ(c.stages[0].changed->loads[0].pressure, 0.0);
+  EXPECT_EQ(c.stages[1].changed->loads[0].pressure, 13e3);
+  EXPECT_EQ(c.stages[2].changed->loads[0].pressure, 13e3);
+  EXPECT_EQ(c.stages[0].changed->materials[0].parameters[2], 8e3);
+  EXPECT_EQ(c.stages[1].changed->materials[0].parameters[2], 6e3);
+  EXPECT_EQ(c.stages[2].changed->forces.gravity, (Vec<2>{0.0, -12.0}));
+  ASSERT_EQ(c.stages[2].changed->sides.size(), 1u);
+  EXPECT_TRUE(c.stages[1].changed->sides.empty());
+  for (const StageCase& stage : c.stages) {
+    EXPECT_TRUE(stage.changed->stages.empty());
+    EXPECT_EQ(stage.changed->time.end, 12.5);
+    EXPECT_EQ(stage.changed->name, "a");
+  }
+}
+
+TEST(ReadStages, TheirTimesAddUpAsOneWouldWriteTheSum)
+{
+  const std::string three = "[[stage]]\nname = \"a\"\nduration = 0.1\n[[stage]]\nname = \"b\"\nduration = 0.2\n";
+  EXPECT_EQ(read_case_text(replaced(small_case, "[time]\nend = 4.0\n", three), "a.toml").values.time.end, 0.3);
+}
+
+TEST(ReadStages, ACaseWithoutThemHasNone) { EXPECT_TRUE(read_case_text(small_case, "a.toml").values.stages.empty()); }
+
+}  // namespace

@@ -1,0 +1,289 @@
+// Stages of a run, and runs that end at rest.
+#include "simulation/stages.hpp"
+#include "base/errors.hpp"
+#include "simulation/ledger.hpp"
+#include "simulation/setup.hpp"
+#include "simulation/state_image.hpp"
+#include "support/cases.hpp"
+#include "support/simulations.hpp"
+#include "support/test.hpp"
+
+#include <functional>
+
+namespace {
+
+using Change = std::function<void(Case&)>;
+
+/// The case with stages, each with what it changes.
+Case staged(const Case& base, const std::vector<std::pair<StageCase, Change>>& stages)
+{
+  Case whole = base, now = base;
+  whole.time.end = 0.0;
+  for (const auto& [stage, change] : stages) {
+    whole.time.end += stage.longest();
+    whole.stages.push_back(stage);
+  }
+  for (std::size_t k = 0; k < stages.size(); ++k) {
+    now.time.end = whole.time.end;
+    if (stages[k].second) stages[k].second(now);
+    whole.stages[k].changed = std::make_shared<const Case>(now);
+  }
+  return whole;
+}
+
+StageCase stage(const std::string& name, Real duration)
+{
+  StageCase made;
+  made.name = name, made.duration = duration;
+  return made;
+}
+
+StageCase resting(const std::string& name, Real at_most)
+{
+  StageCase made;
+  made.name = name, made.until = Until::at_rest, made.at_most = at_most;
+  return made;
+}
+
+/// Elastic soil between smooth walls, 4 m x 1 m, that gravity compresses; cells of 0.25 m.
+Case settling()
+{
+  Case c = free_box("mpm_gp", {0.0, 0.0}, {4.0, 1.0}, elastic(2e6, 0.3, 2000.0));
+  c.forces.gravity = {0.0, -10.0};
+  c.forces.local_damping = 0.5;
+  c.sides = {side("left", SideKind::roller), side("right", SideKind::roller), side("bottom", SideKind::roller)};
+  c.time.end = 5.0;
+  return c;
+}
+
+/// Mean of sigma_yy over the lowest points [Pa].
+Real stress_at_base(const State& state)
+{
+  Real sum = 0.0, n = 0.0;
+  for (const Point& p : points_by_id(state))
+    if (p.x[1] < 0.25) sum += p.sigma[1], n += 1.0;
+  return sum / n;
+}
+
+/// Names of the arrays that differ in any bit, or are in one image alone.
+std::vector<std::string> different_arrays(const StateImage& a, const StateImage& b)
+{
+  std::set<std::string> names;
+  const auto look = [&](const StateImage& one, const StateImage& other) {
+    for (const NamedArray& array : one.arrays) {
+      const auto same = [&](const NamedArray& there) {
+        return there.name == array.name && there.values == array.values;
+      };
+      if (std::ranges::none_of(other.arrays, same)) names.insert(array.name);
+    }
+  };
+  look(a, b), look(b, a);
+  return {names.begin(), names.end()};
+}
+
+TEST(Stages, InWhichNothingChangesGiveTheBitsOfOneRun)
+{
+  for (const char* scheme : {"mpm_mixed", "mpm_gp"}) {
+    Case one = column(scheme);
+    const Case chain = staged(one, {{stage("a", 0.07), {}}, {stage("b", 0.13), {}}, {stage("c", 0.1), {}}});
+    one.time.end = chain.time.end;
+    Simulation a(one), b(chain);
+    a.run(), b.run();
+    EXPECT_EQ(a.state.step, b.state.step);
+    EXPECT_EQ(a.state.time, b.state.time);
+    EXPECT_EQ(a.model.dt, b.model.dt);
+    EXPECT_EQ(b.state.stages_done.size(), 3u);
+    EXPECT_EQ(different_arrays(a.save(), b.save()),
+        (std::vector<std::string>{"counts", "rows_reported/ledger", "stage", "stages_done"}));
+    EXPECT_EQ(a.state.clamped, b.state.clamped);
+  }
+}
+
+TEST(Stages, EndAtWholeStepsNearestToTheirTimes)
+{
+  const Case chain = staged(settling(), {{stage("a", 1.0), {}}, {stage("b", 2.5), {}}, {stage("c", 0.5), {}}});
+  Simulation s(chain);
+  s.run();
+  ASSERT_EQ(s.state.stages_done.size(), 3u);
+  EXPECT_NEAR(s.state.stages_done[0].end, 1.0, 0.5 * s.model.dt);
+  EXPECT_NEAR(s.state.stages_done[1].end, 3.5, 0.5 * s.model.dt);
+  EXPECT_EQ(s.state.time, s.state.stages_done[2].end);
+  EXPECT_NEAR(s.state.time, 4.0, 1e-12);
+  EXPECT_EQ(s.state.step, s.model.n_steps);
+}
+
+TEST(Stages, ARunThatEndsAtRestEndsThere)
+{
+  Case c = settling();
+  c.time.until = Until::at_rest;
+  c.time.rest_time = 0.2;
+  Simulation s(c);
+  EXPECT_EQ(s.run(), Outcome::finished);
+  EXPECT_LT(s.state.time, 3.0);
+  EXPECT_GT(s.state.time, 0.3);
+  EXPECT_NEAR(stress_at_base(s.state), -2000.0 * 10.0 * 0.875, 200.0);
+  ASSERT_EQ(s.state.stages_done.size(), 1u);
+  EXPECT_TRUE(s.state.stages_done[0].at_rest);
+  EXPECT_LT(s.state.stages_done[0].fastest, 1e-3);
+  const std::int64_t step = s.state.step;
+  s.run();  // it has ended
+  EXPECT_EQ(s.state.step, step);
+  s.step(5);  // beyond its end, if so wanted
+  EXPECT_EQ(s.state.step, step + 5);
+}
+
+TEST(Stages, ARunThatDoesNotComeToRestEndsWithItsTimeAndSaysSo)
+{
+  Case c = settling();
+  c.time.until = Until::at_rest;
+  c.time.end = c.time.at_most = 0.1;
+  Simulation s(c);
+  s.run();
+  EXPECT_NEAR(s.state.time, 0.1, 1e-12);
+  ASSERT_EQ(s.state.stages_done.size(), 1u);
+  EXPECT_FALSE(s.state.stages_done[0].at_rest);
+  EXPECT_GT(s.state.stages_done[0].fastest, 1e-3);
+  EXPECT_EQ(summarise(s.model, s.state).stages.size(), 1u);
+}
+
+TEST(Stages, RestWaitsForRampsAndLoadsThatAreToCome)
+{
+  Case c = settling();
+  c.time.rest_time = 0.1;
+  c.loads = {{.name = "late", .from = 0.0, .to = 4.0, .pressure = 5e3, .start = 2.0, .ramp = 0.5}};
+  c.time.until = Until::at_rest;
+  c.time.end = c.time.at_most = 10.0;
+  Simulation s(c);
+  s.run();
+  EXPECT_GT(s.state.time, 2.5);
+  EXPECT_LT(s.state.time, 6.0);
+  EXPECT_NEAR(stress_at_base(s.state), -(2000.0 * 10.0 * 0.875 + 5e3), 250.0);
+}
+
+TEST(Stages, ChangeLoadsAndGravity)
+{
+  Case c = settling();
+  c.time.rest_time = 0.2;
+  c.loads = {{.name = "q", .from = 0.0, .to = 4.0, .pressure = 0.0}};
+  StageCase heavy = resting("heavy", 5.0);
+  heavy.ramp = 0.3;
+  const Case chain =
+      staged(c, {{resting("settle", 5.0), {}}, {resting("load", 5.0), [](Case& now) { now.loads[0].pressure = 8e3; }},
+                    {heavy, [](Case& now) {
+                       now.forces.gravity = {0.0, -20.0};
+                     }}});
+  Simulation s = followed(chain);
+  s.run();
+  ASSERT_EQ(s.state.stages_done.size(), 3u);
+  for (const StageRecord& record : s.state.stages_done) EXPECT_TRUE(record.at_rest);
+  EXPECT_LT(s.state.time, 10.0);
+  EXPECT_NEAR(stress_at_base(s.state), -(2000.0 * 20.0 * 0.875 + 8e3), 500.0);
+  const Real exchanged = energy_exchanged(s.state);
+  const Real numerical = kinetic_and_elastic_energy(s.model, s.state) - s.state.start_energy - s.state.work.given();
+  EXPECT_LT(std::abs(numerical), 0.02 * exchanged);
+  EXPECT_EQ(keep_ledger(s.model, s.state, s.work)["stage"], 3.0);
+}
+
+TEST(Stages, GiveBodiesAnotherMaterialWithItsMass)
+{
+  Case c = settling();
+  c.materials.push_back(elastic(8e6, 0.3, 1500.0));
+  c.materials[0].name = "soft", c.materials[1].name = "stiff";
+  c.bodies = {body("soft", {0.0, 0.0}, {4.0, 0.5}), body("soft", {0.0, 0.5}, {4.0, 1.0})};
+  const Case chain =
+      staged(c, {{stage("a", 0.2), {}}, {stage("b", 0.2), [](Case& now) { now.bodies[1].material = "stiff"; }}});
+  Simulation s(chain);
+  const auto first = points_by_id(s.state);
+  s.run();
+  const auto last = points_by_id(s.state);
+  ASSERT_EQ(last.size(), first.size());
+  Index stiff = 0;
+  for (std::size_t k = 0; k < last.size(); ++k) {
+    const bool upper = first[k].x[1] > 0.5;
+    EXPECT_EQ(last[k].material, upper ? 1 : 0);
+    EXPECT_NEAR(last[k].mass, first[k].mass * (upper ? 0.75 : 1.0), 1e-12);
+    stiff += upper;
+  }
+  EXPECT_GT(stiff, 100);
+  Real fastest_wave = std::sqrt(elastic(8e6, 0.3, 1500.0).parameters[0] / 1500.0);
+  EXPECT_LT(s.model.dt * fastest_wave, 0.25);  // the step of all stages is that of the stiffest
+}
+
+TEST(Stages, MayCountDisplacementAnew)
+{
+  StageCase second = stage("b", 0.2);
+  second.reset_displacement = true;
+  Simulation s(staged(settling(), {{stage("a", 0.5), {}}, {second, {}}}));
+  while (s.state.stages_done.empty()) s.step(1);
+  const auto before = points_by_id(s.state);
+  s.step(1);
+  const auto after = points_by_id(s.state);
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    EXPECT_EQ(s.state.x_initial[2 * k + 1], before[k].x[1]);
+    EXPECT_LT(std::abs(after[k].strain[1]), 1e-3 * std::abs(before[k].strain[1]) + 1e-6);
+  }
+}
+
+TEST(Stages, GoOnFromACheckpointWithTheSameBits)
+{
+  Case c = settling();
+  c.loads = {{.name = "q", .from = 1.0, .to = 2.0, .pressure = 0.0}};
+  StageCase second = stage("b", 0.3);
+  second.ramp = 0.2;
+  const Case chain = staged(
+      c, {{stage("a", 0.2), {}}, {second, [](Case& now) { now.loads[0].pressure = 8e3; }}, {resting("c", 1.0), {}}});
+  for (const Real t : {0.1, 0.2, 0.31, 0.8}) {
+    Simulation whole(chain), first(chain), second_half(chain);
+    whole.run();
+    first.advance_to(t);
+    second_half.restore(first.save());
+    second_half.run();
+    EXPECT_EQ(first_difference(whole.save(), second_half.save()), "") << t;
+  }
+}
+
+TEST(Stages, BeginWithTheEndOfAnotherRun)
+{
+  Case c = settling();
+  c.loads = {{.name = "q", .from = 1.0, .to = 2.0, .pressure = 0.0}};
+  const Case chain = staged(c, {{stage("a", 0.2), {}}, {stage("b", 0.2), [](Case& n) { n.loads[0].pressure = 8e3; }}});
+  Simulation whole(chain), first(chain);
+  whole.run();
+  first.advance_to(0.2);
+  Model model = build_model(chain, 1);
+  State state = restore(model, first.save());
+  begin_from(model, "a", state);
+  Simulation rest(std::move(model), std::move(state));
+  rest.run();
+  EXPECT_EQ(first_difference(whole.save(), rest.save()).substr(0, 6), "counts");  // frames and rows that were reported
+  EXPECT_EQ(points_by_id(whole.state).back().v, points_by_id(rest.state).back().v);
+  EXPECT_EQ(whole.state.work.outer[outer_load], rest.state.work.outer[outer_load]);
+}
+
+TEST(Stages, OfAStateWithAnotherTimeStepKeepTheTime)
+{
+  Case slow = settling(), fast = settling();
+  fast.materials[0].parameters[0] *= 4.0;  // half of the time step
+  Simulation first(staged(slow, {{stage("a", 0.2), {}}, {stage("b", 0.2), {}}}));
+  first.advance_to(0.2);
+  const Case chain = staged(fast, {{stage("a", 0.2), {}}, {stage("b", 0.2), {}}});
+  Model model = build_model(chain, 1);
+  State state = restore(model, first.save());
+  begin_from(model, "a", state);
+  Simulation s(std::move(model), std::move(state));
+  s.step(1);
+  EXPECT_NEAR(s.state.time, first.state.time + s.model.dt, 1e-12);
+  s.run();
+  EXPECT_NEAR(s.state.time, 0.4, 2.0 * s.model.dt);
+  Simulation again(build_model(chain, 1), restore(s.model, s.save()));
+  EXPECT_EQ(again.model.first_time, first.state.time);
+}
+
+TEST(Stages, ShorterThanAStepAreRefused)
+{
+  const Case chain = staged(settling(), {{stage("a", 1.0), {}}, {stage("b", 1e-5), {}}});
+  EXPECT_THAT(refusal<InputError>([&] { build_model(chain, 1); }),
+      HasSubstr("stage[1].duration: the stage is shorter than a time step"));
+}
+
+}  // namespace
