@@ -3,12 +3,13 @@
 // With p the pressure in the water, interpolated from the nodes, and s its tension above the phreatic line:
 //   drained soil, which stores effective stress:   f_i = -sum_g w_g (N_i grad p + B_i s)
 //   undrained soil, which stores total stress:     f_i = -sum_g w_g (N_i grad p + B_i p)
-// The weights are those of the internal force, Eq. (4), and B is plain: by parts the second is the traction -p n on the
-// surface of the soil, and nothing inside it.
+// Weights and operator are those of the internal force, Eq. (4) (decision 0047). By parts the second is the traction -p
+// n on the surface of the soil.
 #pragma once
 
 #include "forces/point_gradients.hpp"
 #include "mesh/geometry_lanes.hpp"
+#include "transfer/method_options.hpp"
 
 #include <span>
 
@@ -37,24 +38,31 @@ std::array<PerCorner<Element>, Element::n_gauss> shapes_at_gauss_points()
   return shapes;
 }
 
-/// f_i -= sum_g w_g (N_i grad p + B_i q), q = `inside`.
+/// f_i -= sum_g w_g (N_i grad p + q B_i), q: p of undrained soil or s of drained at each Gauss point. With B-bar as in
+/// the internal force: q its mean, B that of the centre.
 template <class Geometry, class Element, class R>
-void add_pore_force(const Geometry& cell, const PerGauss<Element, R>& weight, const CornerPore<Element, R>& pore,
-    CornerVectors<Element, R>& force)
+void add_pore_force(const Geometry& cell, const PerGauss<Element, R>& weight, const PerCorner<Element, R>& pressure,
+    const PerGauss<Element, R>& inside, ForceOperator op, CornerVectors<Element, R>& force)
 {
   const auto shapes = shapes_at_gauss_points<Element>();
+  const bool b_bar = op == ForceOperator::b_bar;
+  R centre(0.0);  // sum of q_g w_g
   for (int g = 0; g < Element::n_gauss; ++g) {
-    R inside(0.0);
-    for (int i = 0; i < Element::n_corners; ++i) inside += R(shapes[g][i]) * pore.inside[i];
-    inside *= weight[g];
+    const R q = weight[g] * inside[g];
+    centre += q;
     for (int d = 0; d < Element::dim; ++d) {
       R gradient(0.0);
-      for (int i = 0; i < Element::n_corners; ++i) gradient += pore.pressure[i] * R(cell.gradient[i][d][g]);
+      for (int i = 0; i < Element::n_corners; ++i) gradient += pressure[i] * R(cell.gradient[i][d][g]);
       gradient *= weight[g];
-      for (int i = 0; i < Element::n_corners; ++i)
-        force[d][i] -= R(shapes[g][i]) * gradient + R(cell.gradient[i][d][g]) * inside;
+      for (int i = 0; i < Element::n_corners; ++i) {
+        force[d][i] -= R(shapes[g][i]) * gradient;
+        if (!b_bar) force[d][i] -= R(cell.gradient[i][d][g]) * q;
+      }
     }
   }
+  if (b_bar)
+    for (int d = 0; d < Element::dim; ++d)
+      for (int i = 0; i < Element::n_corners; ++i) force[d][i] -= R(cell.centre_gradient[i][d]) * centre;
 }
 
 /// The same with the volumes and the places of the points of a block instead of Gauss weights.
