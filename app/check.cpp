@@ -13,8 +13,10 @@
 #include "simulation/side_shape.hpp"
 #include "simulation/simulation.hpp"
 #include "simulation/softening_scales.hpp"
+#include "simulation/strength_profile.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -120,7 +122,41 @@ void print_loads(const Model& model, const State& state)
   }
 }
 
-void print_check(const CaseFile& file, Simulation& simulation)
+constexpr std::size_t rows_of_profile = 16;
+
+void print_profile(const Model& model, const State& state, Real x)
+{
+  const std::vector<ProfileRow> rows = thinned(strength_profile(model, state, x), rows_of_profile);
+  if (rows.empty()) {
+    fmt::print("  profile        no soil at x = {:g} m\n", x);
+    return;
+  }
+  fmt::print("  profile at x = {:g} m, water at the start\n", x);
+  fmt::print("    {:>8}{:>9}  {:<14}{:>13}{:>10}{:>10}  {}\n", "depth m", "y m", "material", "sigma'_v kPa", "p_w kPa",
+      "G MPa", "strength");
+  const auto number = [](Real value, Real scale) {
+    return std::isnan(value) ? std::string("-") : fmt::format("{:.2f}", value / scale);
+  };
+  for (const ProfileRow& row : rows) {
+    std::string strengths;
+    for (const ProfileStrength& s : row.strengths)
+      strengths += fmt::format("{}{} {:.2f} {}", strengths.empty() ? "" : ", ", s.name,
+          s.unit == "Pa" ? s.value / 1e3 : s.value, s.unit == "Pa" ? "kPa" : s.unit);
+    fmt::print("    {:>8}{:>9.2f}  {:<14}{:>13}{:>10}{:>10}  {}\n", number(row.depth, 1.0), row.x[1],
+        printable(row.material), number(row.stress, 1e3), number(row.pore, 1e3), number(row.shear, 1e6), strengths);
+  }
+}
+
+/// At the places that were asked for; else, where a parameter varies, at a few.
+void print_profiles(const RunOptions& options, const Model& model, const State& state)
+{
+  for (const Real x : !options.profiles.empty() ? options.profiles
+                      : model.ground            ? usual_profiles(model, state)
+                                                : std::vector<Real>{})
+    print_profile(model, state, x);
+}
+
+void print_check(const CaseFile& file, Simulation& simulation, const RunOptions& options)
 {
   const Model& model = simulation.model;
   const State& state = simulation.state;
@@ -133,6 +169,7 @@ void print_check(const CaseFile& file, Simulation& simulation)
   print_bodies(model);
   print_sides(model);
   for (const std::string& note : file.notes) fmt::print("  unit           {}\n", printable(note));
+  print_profiles(options, model, state);
   if (softens_point_by_point(model))
     fmt::print(
         "  softening      no length, no reference width: the result will depend on the cells (docs/convergence.md)\n");
@@ -163,7 +200,7 @@ int check_case(const RunOptions& options)
     warn_of_missing_threads(options, simulation.model.threads);
     fmt::print(stderr, "{}", render_warnings(find_warnings(simulation.model, simulation.state), file));
     if (!options.picture.empty()) write_picture(options.picture, simulation.model, simulation.state);
-    print_check(file, simulation);
+    print_check(file, simulation, options);
     return solved;
   } catch (const RunError& error) {
     fmt::print(stderr, "error: the run would stop itself: {}\n", error.what());

@@ -290,6 +290,11 @@ void declare_guides(CLI::App& app, CommandLine& line)
   add_case(check, line.options);
   check->add_option("--picture", line.options.picture, "draw the section: mesh, bodies, sides, points (SVG)")
       ->option_text("FILE");
+  check
+      ->add_option("--profile", line.options.profiles,
+          "strength, stiffness and vertical stress with depth, at each x in m; default: a few where a strength varies")
+      ->delimiter(',')
+      ->option_text("X,X");
   CLI::App* explain = add_command(app, "explain", "Understand", "a key, material or scheme: meaning, unit, range",
       "  terp explain mesh.cell\n  terp explain tresca_softening\n");
   explain->add_option("TOPIC", line.topic, "key or section of the case file, or a name of terp list")

@@ -29,6 +29,7 @@ struct RunOptions {
   bool json = false;                  ///< of bench
   bool report = false;                ///< write the page of the run at its end
   std::string picture;                ///< of check: SVG file of the section; empty: none
+  std::vector<double> profiles;       ///< of check: x of vertical lines [m]
   const PartOfSet* part = nullptr;    ///< of run and resume
 };
 

@@ -98,12 +98,12 @@ void check_bodies(const Node& root, const Case& values, Findings& findings)
     problems.push_back({"body", "the case has no body", "Write at least one [[body]].", "body", true});
 }
 
-/// The law's own limits, where every parameter is there and in range.
+/// The law's own limits, where every parameter is there and in range; of parameters that vary: where there are points.
 void check_parameters(const Case& values, Problems& problems)
 {
   for (const MaterialCase& material : values.materials) {
     const MaterialType* law = complete_law(material);
-    if (law == nullptr) continue;
+    if (law == nullptr || !material.fields.empty()) continue;
     const std::string path = material_path(material);
     for (const ParameterProblem& problem : law->check(material.parameters))
       problems.push_back(
@@ -219,7 +219,7 @@ bool has_field(const MaterialCase& material, const MaterialType& law, const std:
 }
 
 /// Fields of laws that no material of this case has.
-void check_fields(const Case& values, Problems& warnings)
+void check_output_fields(const Case& values, Problems& warnings)
 {
   for (std::size_t k = 0; k < values.output.field_names.size(); ++k) {
     const std::string& field = values.output.field_names[k];
@@ -258,8 +258,9 @@ void check_case(const Node& root, const Case& values, Findings& findings)
   check_physics(root, values, findings.warnings);
   check_softening(root, values, findings);
   check_water(root, values, findings);
+  check_fields(values, findings.problems);
   check_unused_materials(values, findings.warnings);
-  check_fields(values, findings.warnings);
+  check_output_fields(values, findings.warnings);
 }
 
 }  // namespace terp

@@ -33,6 +33,9 @@ void check_loads(const Node& root, const Case& values, Findings& findings);
 /// Options of [method] that the file sets and that do nothing, or work against each other.
 void check_method(const Node& root, const Case& values, std::vector<Problem>& warnings);
 
+/// What parameters that vary need: water, gravity, outlines. The values may be incomplete.
+void check_fields(const Case& values, std::vector<Problem>& problems);
+
 /// Softening that cannot be, or does nothing. The values may be incomplete.
 void check_softening(const Node& root, const Case& values, Findings& findings);
 

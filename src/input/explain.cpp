@@ -3,6 +3,7 @@
 #include "followers/followers.hpp"
 #include "input/case_file.hpp"
 #include "base/closest.hpp"
+#include "input/field_kinds.hpp"
 #include "input/key_text.hpp"
 #include "input/keys.hpp"
 #include "input/mesh_kinds.hpp"
@@ -72,8 +73,8 @@ std::string describe_key(const KeyInfo& key, const std::string& name)
   std::string fallback = key.required ? "none: the key is required" : key.default_text;
   if (!key.required_for.empty()) fallback = "none: required for " + key.required_for;
   return "  " + name + '\n' + wrapped(key.meaning, "    ") + row("equation", key.equation) + row("unit", key.unit) +
-         row("allowed", allowed_text(key)) + row("as text", units_text(key)) + row("default", fallback) +
-         row("in stages", key.in_stage ? "may change" : "");
+         row("allowed", allowed_text(key)) + row("instead", key.instead) + row("as text", units_text(key)) +
+         row("default", fallback) + row("in stages", key.in_stage ? "may change" : "");
 }
 
 std::string indented_lines(std::string_view text, std::string_view margin)
@@ -184,6 +185,7 @@ std::vector<std::string> find_blocks(const std::string& topic, Match match)
 std::vector<std::string> all_topics()
 {
   std::vector<std::string> topics = material_model_names();
+  topics.emplace_back("field");
   for (const Scheme* scheme : all_schemes()) topics.emplace_back(scheme->name);
   const auto add = [&](const std::string& path) {
     topics.push_back(topic_of(path)), topics.push_back(last_part(path));
@@ -230,6 +232,7 @@ std::string explain(const std::string& topic)
 {
   if (const MaterialType* law = find_material(topic)) return describe_law(*law);
   if (const Scheme* scheme = find_scheme(topic)) return describe_scheme(*scheme);
+  if (topic == "field") return describe_field_kinds();
   const std::vector<QuantityFile> files = files_of_quantities();
   for (const QuantityFile& file : files)
     if (file.name == topic) return describe_file(file);

@@ -22,6 +22,7 @@ Case& prototype()
     Case c;
     c.bodies.resize(1);
     c.materials.push_back({"", "", 0.0, std::vector<Real>(64, 0.0)});
+    c.materials[0].ratios.resize(64);
     c.sides.resize(1);
     c.mesh.refine.resize(1);
     c.footings.resize(1);
@@ -72,6 +73,7 @@ std::string type_text(const KeyInfo& key)
 {
   const Overload type{
       [](Real*) { return "a number"; },
+      [](const VaryingNumber&) { return "a number or a field"; },
       [](Index*) { return "an integer"; },
       [](bool*) { return "true or false"; },
       [](std::string*) { return "text"; },
@@ -116,6 +118,10 @@ std::string value_text(const KeyInfo& key, const Field& field)
   };
   const Overload text{
       [](const Real* value) { return std::isnan(*value) ? std::string() : fmt::format("{}", *value); },
+      [](const VaryingNumber& kept) {
+        if (kept.field != nullptr) return kept.field->text;
+        return std::isnan(*kept.value) ? std::string() : fmt::format("{}", *kept.value);
+      },
       [](const Index* value) { return fmt::format("{}", *value); },
       [](const bool* value) { return fmt::format("{}", *value); },
       [](const std::string* value) { return value->empty() ? *value : quoted_list({*value}); },

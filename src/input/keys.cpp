@@ -71,24 +71,76 @@ const std::vector<SectionInfo>& all_sections()
   return sections;
 }
 
+namespace {
+
+/// Takes the place of a field of the same parameter.
+void set_field(MaterialCase& material, ParameterField field)
+{
+  const auto at = std::ranges::lower_bound(material.fields, field.parameter, {}, &ParameterField::parameter);
+  if (at != material.fields.end() && at->parameter == field.parameter)
+    *at = std::move(field);
+  else
+    material.fields.insert(at, std::move(field));
+}
+
+Field parameter_field(Case& c, std::size_t material, std::size_t k, Real typical)
+{
+  MaterialCase& m = c.materials[material];
+  const auto found = std::ranges::find(m.fields, k, &ParameterField::parameter);
+  return VaryingNumber{&m.parameters[k],
+      [&m, k, typical](ParameterField field) {
+        field.parameter = k;
+        m.parameters[k] = typical;
+        set_field(m, std::move(field));
+      },
+      found == m.fields.end() ? nullptr : &*found, &c.folder};
+}
+
+Field ratio_field(Case& c, std::size_t material, std::size_t k)
+{
+  RatioCase& ratio = c.materials[material].ratios[k];
+  return VaryingNumber{&ratio.value, [&ratio](ParameterField field) { ratio.field = std::move(field); },
+      ratio.field ? &*ratio.field : nullptr, &c.folder};
+}
+
+KeyInfo key_of(const ParameterInfo& parameter, std::size_t k)
+{
+  KeyInfo key{.path = "material.NAME." + std::string(parameter.name),
+      .field = [k](Case& c, std::size_t i) { return &c.materials[i].parameters[k]; },
+      .unit = std::string(parameter.unit),
+      .range = parameter.range,
+      .usual = parameter.usual,
+      .required = !parameter.fallback && parameter.fallback_of.empty(),
+      .instead = std::string(parameter.ratio.name),
+      .may_be_infinite = parameter.fallback && std::isinf(*parameter.fallback),
+      .in_stage = true,
+      .meaning = std::string(parameter.meaning)};
+  if (parameter.may_vary)
+    key.field = [k, typical = parameter.typical](
+                    Case& c, std::size_t i) { return parameter_field(c, i, k, typical); };
+  if (parameter.fallback) key.default_text = number_text(*parameter.fallback, key.unit);
+  if (!parameter.fallback_of.empty()) key.default_text = fmt::format("the value of `{}`", parameter.fallback_of);
+  return key;
+}
+
+KeyInfo key_of(const RatioInfo& ratio, std::size_t k)
+{
+  return {.path = "material.NAME." + std::string(ratio.name),
+      .field = [k](Case& c, std::size_t i) { return ratio_field(c, i, k); },
+      .range = ratio.range,
+      .usual = ratio.usual,
+      .meaning = std::string(ratio.meaning),
+      .default_text = "not given"};
+}
+
+}  // namespace
+
 std::vector<KeyInfo> keys_of_law(const MaterialType& law)
 {
   std::vector<KeyInfo> keys;
-  for (std::size_t k = 0; k < law.parameters.size(); ++k) {
-    const ParameterInfo& parameter = law.parameters[k];
-    keys.push_back({.path = "material.NAME." + std::string(parameter.name),
-        .field = [k](Case& c, std::size_t i) { return &c.materials[i].parameters[k]; },
-        .unit = std::string(parameter.unit),
-        .range = parameter.range,
-        .usual = parameter.usual,
-        .required = !parameter.fallback && parameter.fallback_of.empty(),
-        .may_be_infinite = parameter.fallback && std::isinf(*parameter.fallback),
-        .in_stage = true,
-        .meaning = std::string(parameter.meaning)});
-    if (parameter.fallback) keys.back().default_text = number_text(*parameter.fallback, keys.back().unit);
-    if (!parameter.fallback_of.empty())
-      keys.back().default_text = fmt::format("the value of `{}`", parameter.fallback_of);
-  }
+  for (std::size_t k = 0; k < law.parameters.size(); ++k) keys.push_back(key_of(law.parameters[k], k));
+  for (std::size_t k = 0; k < law.parameters.size(); ++k)
+    if (const RatioInfo& ratio = law.parameters[k].ratio; !ratio.name.empty()) keys.push_back(key_of(ratio, k));
   return keys;
 }
 

@@ -19,6 +19,13 @@ struct WordField {
   std::function<int()> get;
   std::function<void(int)> set;
 };
+/// A number, or a field instead.
+struct VaryingNumber {
+  Real* value;
+  std::function<void(ParameterField)> set;  ///< takes the field, whose number of the parameter is not set
+  const ParameterField* field;              ///< that is set; or nullptr
+  const std::string* folder;                ///< of the case file
+};
 struct NumberOrPair {
   Vec<2>* value;
 };  ///< 0.1 means [0.1, 0.1]
@@ -65,7 +72,7 @@ struct OwnForm {
 };
 
 /// Where a key is kept. Its type is the key's type.
-using Field = std::variant<Real*, Index*, bool*, std::string*, Vec<2>*, WordField, NumberOrPair, CountOrPair, Box,
+using Field = std::variant<Real*, VaryingNumber, Index*, bool*, std::string*, Vec<2>*, WordField, NumberOrPair, CountOrPair, Box,
     BoxCorners, PolygonField, PolygonList, Polyline, EdgesList, VelocityPair, NameList, NamedPlaces, OwnForm>;
 
 struct KeyInfo {
@@ -76,6 +83,7 @@ struct KeyInfo {
   Range usual = any_number;                       ///< of |number|; outside, but not 0: warn
   std::vector<std::string> (*words)() = nullptr;  ///< allowed texts; none: any
   bool required = false;
+  std::string instead = "";       ///< key of the same section that may stand for it
   std::string required_for = "";  ///< where it is not always required: what needs it, in words
   bool may_be_infinite = false;
   bool in_stage = false;  ///< may change in a stage

@@ -17,6 +17,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Keys `csv` at any depth of a table.
+void add_tables_of_values(const std::string& path, Node& table, std::vector<std::pair<std::string, Node*>>& found)
+{
+  for (Node& item : table.items) {
+    const std::string at = join_path(path, item.name);
+    if (item.name == "csv" && item.kind == NodeKind::text) found.emplace_back(at, &item);
+    if (item.kind == NodeKind::table) add_tables_of_values(at, item, found);
+  }
+}
+
 /// The keys that name files, where they are given as text: their paths and nodes.
 std::vector<std::pair<std::string, Node*>> find_file_keys(Node& root)
 {
@@ -29,8 +39,11 @@ std::vector<std::pair<std::string, Node*>> find_file_keys(Node& root)
   if (Node* bodies = find_item(root, "body"))
     for (std::size_t k = 0; bodies->kind == NodeKind::list && k < bodies->items.size(); ++k)
       add(fmt::format("body[{}]", k), bodies->items[k], "points");
+  if (Node* materials = find_item(root, "material")) add_tables_of_values("material", *materials, found);
   return found;
 }
+
+bool is_table_of_values(const std::string& path) { return path.ends_with(".csv"); }
 
 std::string fault_of_file(const fs::path& path)
 {
@@ -71,16 +84,21 @@ void check_files(const Node& root, const std::string& folder, std::vector<Proble
         similar.empty() ? "" : fmt::format("Did you mean `{}`?\n", fs::path(similar).filename().string());
     detail +=
         fmt::format("Looked for {}; names are relative to the case file.", absolute_path(folder, node->text).string());
-    problems.push_back({path, fault, detail, path == "mesh.file" ? path : "body.points"});
+    problems.push_back({path, fault, detail,
+        path == "mesh.file"          ? path
+        : is_table_of_values(path) ? "field"
+                                     : "body.points"});
   }
 }
 
 bool name_copies(Node& root, const std::string& folder, std::vector<InputFile>& files)
 {
   bool changed = false;
-  int n_tables = 0;
+  int n_points = 0, n_values = 0;
   for (const auto& [path, node] : find_file_keys(root)) {
-    const std::string copy = path == "mesh.file" ? copy_of_mesh(node->text) : fmt::format("points_{}.csv", ++n_tables);
+    const std::string copy = path == "mesh.file"          ? copy_of_mesh(node->text)
+                             : is_table_of_values(path) ? fmt::format("values_{}.csv", ++n_values)
+                                                          : fmt::format("points_{}.csv", ++n_points);
     files.push_back({path_of(folder, node->text), copy});
     changed |= node->text != copy;
     node->text = copy;

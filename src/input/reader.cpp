@@ -2,6 +2,7 @@
 
 #include "base/closest.hpp"
 #include "input/key_text.hpp"
+#include "input/parameters.hpp"
 #include "input/key_table.hpp"
 #include "input/mesh_kinds.hpp"
 #include "input/side_kinds.hpp"
@@ -197,8 +198,9 @@ void CaseReader::read_law(const Node& table, Section section, MaterialCase& mate
   material.parameters.assign(law->parameters.size(), std::numeric_limits<Real>::quiet_NaN());
   section.law_keys = keys_of_law(*law);
   section.law = std::string(law->name);
+  material.ratios.resize(law->parameters.size());
   read_section(section);
-  material.parameters = law->complete(material.parameters);
+  for (Problem& problem : complete_parameters(*law, material)) report(std::move(problem));
 }
 
 /// Soil that is one material below the phreatic line and another above: two materials of the case.
@@ -330,6 +332,7 @@ void CaseReader::report_missing(const Section& section, const std::vector<std::s
     const std::string name = last_part(key.path);
     if (parent_path(key.path) != section.pattern || !is_required(section, key) || !is_missing(name)) return;
     if (key.path == "time.end" && has_stages) return;
+    if (!key.instead.empty() && find_item(section.table, key.instead) != nullptr) return;
     const std::string others = key.path == "mesh.size" ? "\nKeys that belong together:\n" + mesh_kinds_text("  ") : "";
     report({section.path, fmt::format("the key `{}` is missing from {}", name, title_of(section)),
         fmt::format("Meaning: {}\nAllowed: {}{}", key.meaning, allowed_text(key), others),

@@ -2,6 +2,7 @@
 
 #include "base/closest.hpp"
 #include "input/expression.hpp"
+#include "input/field_kinds.hpp"
 #include "input/key_text.hpp"
 #include "input/units.hpp"
 
@@ -55,6 +56,7 @@ class ValueReader {
   ValueReader(const Entry& entry, Findings& findings) : entry_(entry), key_(entry.key), findings_(findings) {}
 
   bool operator()(Real* value) { return read_number(entry_.node, entry_.path, *value); }
+  bool operator()(const VaryingNumber& number);
   bool operator()(Index* value) { return read_count(entry_.node, entry_.path, *value); }
   bool operator()(Vec<2>* value) { return read_pair(entry_.node, entry_.path, *value); }
   bool operator()(bool* value)
@@ -243,6 +245,18 @@ bool ValueReader::read_word(const Node& node, const std::string& path)
   const std::string nearest = closest(node.text, words);
   const std::string hint = nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest);
   return fail(path, fmt::format("`{}` cannot be \"{}\"", name(), node.text), hint + "Allowed: " + quoted_list(words));
+}
+
+bool ValueReader::operator()(const VaryingNumber& number)
+{
+  const Node& node = entry_.node;
+  if (node.kind != NodeKind::table && !is_formula(node)) return read_number(node, entry_.path, *number.value);
+  ParameterField field{.parameter = 0, .value_at = {}, .text = field_text(node, *number.folder), .needs = {}};
+  auto value = read_field({entry_, *number.folder, findings_, field.needs});
+  if (!value) return false;
+  field.value_at = std::move(*value);
+  number.set(std::move(field));
+  return true;
 }
 
 bool ValueReader::operator()(const CountOrPair& field)

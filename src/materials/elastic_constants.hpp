@@ -20,6 +20,13 @@ inline constexpr ParameterInfo poisson_ratio_info{.name = "poisson_ratio",
     .meaning = "Poisson's ratio, drained or undrained to suit the analysis",
     .may_vary = true};
 
+/// The same parameter, which may also be given by a ratio.
+constexpr ParameterInfo with_ratio(ParameterInfo info, const RatioInfo& ratio)
+{
+  info.ratio = ratio;
+  return info;
+}
+
 /// K = 2 G (1 + nu) / (3 (1 - 2 nu)) [Pa].
 template <class P>
 constexpr P bulk_from_poisson(P shear, P poisson)

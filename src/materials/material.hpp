@@ -36,6 +36,16 @@ constexpr Range between(Real low, Real high) { return {low, high, false, false};
 enum class Reduction { none, divide, divide_tangent, zero };
 constexpr bool is_strength(Reduction r) { return r == Reduction::divide || r == Reduction::divide_tangent; }
 
+/// Another way to give a parameter: by its ratio to another one of the law, as su_residual = su_peak / sensitivity.
+struct RatioInfo {
+  std::string_view name = {};  ///< of its key; empty: there is none
+  std::string_view of = {};    ///< name of the other parameter
+  bool divides = false;        ///< the parameter is the other one over the ratio; else times the ratio
+  Range range = any_number;
+  Range usual = any_number;
+  std::string_view meaning = {};
+};
+
 /// One number that the case file gives to a law.
 struct ParameterInfo {
   std::string_view name;
@@ -53,6 +63,7 @@ struct ParameterInfo {
   /// displacements small by it (decision 0035).
   Real strain_exponent = 0.0;
   bool may_vary = false;  ///< from point to point
+  RatioInfo ratio = {};   ///< may be given instead
 };
 
 /// Softening per strain: what a law's strength falls by is a function of this times the plastic strain.

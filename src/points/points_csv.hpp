@@ -2,19 +2,12 @@
 // Not for: which cell holds a point, or whether its material exists (simulation).
 #pragma once
 
-#include "base/types.hpp"
+#include "points/csv_rows.hpp"
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace terp {
-
-/// A table of points cannot be used. The text has every fault found with FILE:LINE, up to ten, and what to do.
-class PointsFileError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// One row of the table.
 struct CsvPoint {

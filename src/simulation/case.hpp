@@ -8,6 +8,7 @@
 #include "simulation/flood_case.hpp"
 #include "simulation/load_case.hpp"
 #include "simulation/time_case.hpp"
+#include "simulation/parameter_field.hpp"
 #include "transfer/method_options.hpp"
 #include "water/water_case.hpp"
 
@@ -67,13 +68,6 @@ struct BodyCase {
   VelocityField velocity_at;  ///< instead of velocity
 };
 
-/// A parameter that varies from point to point, instead of the one number: its value at the place where a point is at
-/// t = 0, in the unit of the law's table.
-struct ParameterField {
-  std::size_t parameter;  ///< number in the law's table
-  std::function<Real(Vec<2>)> value_at;
-};
-
 /// Which part of a soil a material is, by the phreatic line at t = 0.
 enum class Zone { all, below, above };
 
@@ -81,7 +75,8 @@ struct MaterialCase {
   std::string name;              ///< the user's: "clay"; of the two parts of a soil "clay below", "clay above"
   std::string model;             ///< the law's: "tresca_softening"
   Real density = 0.0;            ///< [kg/m^3]
-  std::vector<Real> parameters;  ///< in the order of the law's table; of one that varies a value that it may have
+  std::vector<Real> parameters;  ///< in the order of the law's table; of one that varies a value that it may have, and
+                                 ///< in a model the mean over its points
   std::vector<ParameterField> fields = {};  ///< ascending; those that the law lets vary
   SofteningOptions softening = {};
   Drainage drainage = Drainage::by_law;
@@ -89,6 +84,7 @@ struct MaterialCase {
   std::string soil = {};                             ///< of one of two parts: the name that bodies use; else empty
   Zone zone = Zone::all;
   bool ground = true;  ///< false: water, or a load on the soil; not what a slope or a dike is made of
+  std::vector<RatioCase> ratios = {};  ///< by the number of the parameter that follows from one; for the record
 
   /// The name that bodies use.
   const std::string& called() const { return soil.empty() ? name : soil; }
@@ -110,7 +106,9 @@ void change_parameters(MaterialCase& material, Change change)
   for (std::size_t k = 0; k < material.parameters.size(); ++k)
     material.parameters[k] = change(k, material.parameters[k]);
   for (ParameterField& field : material.fields)
-    field.value_at = [k = field.parameter, before = field.value_at, change](Vec<2> x) { return change(k, before(x)); };
+    field.value_at = [k = field.parameter, before = field.value_at, change](const PlaceInSoil& x) {
+      return change(k, before(x));
+    };
 }
 
 inline constexpr std::size_t most_footings = 8;  ///< of one case

@@ -16,7 +16,7 @@ struct Crossing {
 
 }  // namespace
 
-Overburden::Overburden(const Model& model) : model_(model)
+Overburden::Overburden(const Model& model) : water_(model.description.water), gravity_(-model.gravity[1])
 {
   const std::vector<BodyOutline> outlines = outlines_of(model);
   std::size_t k = 0;
@@ -36,7 +36,7 @@ Overburden::Overburden(const Model& model) : model_(model)
 Real Overburden::mass_between(const DrawnBody& body, Real x, Real low, Real high) const
 {
   if (body.below == body.above) return (high - low) * body.above;
-  const Real level = std::clamp(elevation_at(model_.description.water.start.phreatic_line, x), low, high);
+  const Real level = std::clamp(elevation_at(water_.start.phreatic_line, x), low, high);
   return (high - level) * body.above + (level - low) * body.below;
 }
 
@@ -72,18 +72,18 @@ Real Overburden::free_water(Vec<2> x, const WaterSituation& situation, Real time
 {
   if (!situation.is_given()) return 0.0;
   const Real surface = std::max(ground(x[0]).value_or(x[1]), x[1]);
-  return water_pressure(model_.description.water, situation, {x[0], surface}, time);
+  return water_pressure(water_, situation, {x[0], surface}, time);
 }
 
 Real Overburden::total(Vec<2> x, const WaterSituation& situation, Real time) const
 {
-  return -model_.gravity[1] * mass_above(x) + free_water(x, situation, time);
+  return gravity_ * mass_above(x) + free_water(x, situation, time);
 }
 
 Real Overburden::pore_pressure(Vec<2> x, const WaterSituation& situation, Real time) const
 {
   if (!situation.is_given()) return 0.0;
-  const Real pressure = water_pressure(model_.description.water, situation, x, time);
+  const Real pressure = water_pressure(water_, situation, x, time);
   return is_known_ ? std::min(pressure, total(x, situation, time)) : pressure;
 }
 

@@ -12,7 +12,7 @@ namespace terp {
 
 class Overburden {
  public:
-  /// Of the bodies of a model whose mesh, materials and gravity are set. It refers to the model.
+  /// Of the bodies of a model whose mesh, materials and gravity are set.
   explicit Overburden(const Model& model);
 
   /// False where a body came as a file of points, which has no outline: then its weight is not in the numbers below.
@@ -20,6 +20,8 @@ class Overburden {
 
   /// Mass per area of the soil above a place [kg/m^2]. Where bodies overlap, the last one is there.
   Real mass_above(Vec<2> x) const;
+
+  const WaterCase& water() const { return water_; }
 
   /// Elevation of the highest soil on the vertical line through x [m]; none: no soil there.
   std::optional<Real> ground(Real x) const;
@@ -43,7 +45,8 @@ class Overburden {
   Real mass_between(const DrawnBody& body, Real x, Real low, Real high) const;
   Real free_water(Vec<2> x, const WaterSituation& situation, Real time) const;
 
-  const Model& model_;
+  WaterCase water_;
+  Real gravity_;  // downwards [m/s^2]
   std::vector<DrawnBody> drawn_;
   bool is_known_ = true;
 };

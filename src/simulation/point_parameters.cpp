@@ -14,11 +14,6 @@
 namespace terp {
 namespace {
 
-std::string key_of(const MaterialCase& material, std::string_view parameter)
-{
-  return fmt::format("material.{}.{}", material.name, parameter);
-}
-
 std::vector<Real> varying_values(const SoilMaterial& material, const std::vector<Real>& parameters)
 {
   std::vector<Real> values;
@@ -33,15 +28,25 @@ void check_parameters(const MaterialCase& material, const MaterialType& type, co
   for (std::size_t k = 0; k < values.size(); ++k) {
     const ParameterInfo& parameter = type.parameters[k];
     if (parameter.may_vary && !parameter.range.contains(values[k]))
-      throw InputError(Problem{key_of(material, parameter.name), "the value is outside of its range at some point",
+      throw InputError(Problem{parameter_key(material, parameter.name), "the value is outside of its range at some point",
           fmt::format("It is {} {} at {} m.", values[k], parameter.unit, place_text(x)), "material"});
   }
   for (const ParameterProblem& problem : type.check(values))
-    throw InputError(Problem{key_of(material, problem.parameter), problem.what,
+    throw InputError(Problem{parameter_key(material, problem.parameter), problem.what,
         fmt::format("At the point at {} m: {}", place_text(x), problem.detail), "material"});
 }
 
 }  // namespace
+
+std::string parameter_key(const MaterialCase& material, std::string_view parameter)
+{
+  const bool is_plain = material.called().find_first_of(".[") == std::string::npos;
+  const std::string_view part = material.zone == Zone::below   ? ".below"
+                                : material.zone == Zone::above ? ".above"
+                                                               : "";
+  return fmt::format(fmt::runtime(is_plain ? "material.{}{}.{}" : "material.\"{}\"{}.{}"), material.called(), part,
+      parameter);
+}
 
 std::vector<int> varying_parameters(const MaterialCase& material, const MaterialType& type)
 {
@@ -49,7 +54,7 @@ std::vector<int> varying_parameters(const MaterialCase& material, const Material
   for (const ParameterField& field : material.fields) {
     const ParameterInfo& parameter = type.parameters[field.parameter];
     if (!parameter.may_vary)
-      throw InputError(Problem{key_of(material, parameter.name), "this parameter is the same for all points",
+      throw InputError(Problem{parameter_key(material, parameter.name), "this parameter is the same for all points",
           fmt::format(
               "The law {} does not let {} vary from point to point. Give one number.", type.name, parameter.name),
           "material"});
@@ -59,11 +64,11 @@ std::vector<int> varying_parameters(const MaterialCase& material, const Material
   return varying;
 }
 
-std::vector<Real> parameters_at(const MaterialCase& material, const MaterialType& type, Vec<2> x)
+std::vector<Real> parameters_at(const MaterialCase& material, const MaterialType& type, const PlaceInSoil& at)
 {
   std::vector<Real> values = material.parameters;
-  for (const ParameterField& field : material.fields) values[field.parameter] = field.value_at(x);
-  if (!material.fields.empty()) check_parameters(material, type, values, x);
+  for (const ParameterField& field : material.fields) values[field.parameter] = field.value_at(at);
+  if (!material.fields.empty()) check_parameters(material, type, values, at);
   return values;
 }
 
@@ -108,7 +113,7 @@ void set_point_parameters(const Model& model, std::span<const Real> places, Stat
     if (!material.varies()) return;
     const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
     const std::vector<Real> values = parameters_at(
-        model.description.materials[block.material], *material.type, {places[2 * id], places[2 * id + 1]});
+        model.description.materials[block.material], *material.type, {{places[2 * id], places[2 * id + 1]}, model.ground.get()});
     const LawRows rows = material.view(block, lane);
     std::size_t k = 0;
     for (const Real value : varying_values(material, values)) *rows.parameters(k++) = value;
@@ -130,7 +135,7 @@ std::vector<Stiffness> list_stiffness(const Model& model, std::span<const Index>
       const SoilMaterial& material = model.materials[point.key.material];
       if (!material.varies()) continue;
       std::vector<Real> values = varying_values(
-          material, parameters_at(model.description.materials[point.key.material], *material.type, point.x));
+          material, parameters_at(model.description.materials[point.key.material], *material.type, {point.x, model.ground.get()}));
       const LawRows at{.state = {}, .parameters = {.data = values.data()}};
       list.push_back({point.key.material, material.law->moduli(at), material.law->viscosity(at)});
     }

@@ -12,7 +12,10 @@ std::vector<int> varying_parameters(const MaterialCase& material, const Material
 
 /// Parameters of a material at a place, in the order of the law's table. Throws InputError if one is outside its range
 /// there, or the law refuses them together.
-std::vector<Real> parameters_at(const MaterialCase& material, const MaterialType& type, Vec<2> x);
+std::vector<Real> parameters_at(const MaterialCase& material, const MaterialType& type, const PlaceInSoil& at);
+
+/// "material.\"peat\".below.su_peak"
+std::string parameter_key(const MaterialCase& material, std::string_view parameter);
 
 /// Sets the rows of the parameters that vary. places: of the points at t = 0 by id, shape [n_points, 2] [m].
 void set_point_parameters(const Model& model, std::span<const Real> places, State& state);

@@ -10,6 +10,7 @@
 #include "simulation/setup_history.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "simulation/setup_points.hpp"
+#include "simulation/settle_fields.hpp"
 #include "simulation/softening_scales.hpp"
 #include "simulation/stages.hpp"
 #include "simulation/reference_width.hpp"
@@ -244,6 +245,7 @@ Model build_stage(const Case& whole, SharedMesh mesh, int threads, std::size_t n
   model.step = kernels().step;
   if (model.scheme == nullptr) throw InputError(Problem{"scheme", "no such scheme", "", "scheme"});
   model.threads = threads;
+  settle_fields(model);
   const std::vector<Index> used = used_materials(whole);
   for (const Index m : used) add_rows(m, model.materials[m], model.rows);
   if (model.scheme->functions(model.method.shares).integrate != nullptr)

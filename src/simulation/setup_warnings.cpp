@@ -5,6 +5,7 @@
 #include "simulation/footings.hpp"
 #include "simulation/nodal_water.hpp"
 #include "simulation/reference_width.hpp"
+#include "simulation/settle_fields.hpp"
 #include "simulation/setup_history.hpp"
 #include "simulation/softening_scales.hpp"
 
@@ -112,6 +113,7 @@ std::vector<Problem> find_warnings(const Model& model, const State& state)
   find_odd_softening_lengths(model, state, warnings);
   find_wide_cells(model, state, warnings);
   find_short_averaging(model, warnings);
+  find_uncovered_soil(model, state, warnings);
   for (Problem& problem : find_idle_footings(model, state)) warnings.push_back(std::move(problem));
   return warnings;
 }

@@ -26,7 +26,8 @@ std::vector<Real> elastic_parameters(Moduli m)
   return {m.shear, (3.0 * m.bulk - 2.0 * m.shear) / (2.0 * (3.0 * m.bulk + m.shear))};
 }
 
-/// linear_elastic with the moduli of a law, at each place if any of its parameters varies.
+/// linear_elastic with the moduli of a law, at each place if any of its parameters varies. It lies where the soil lies,
+/// and stores the stress that the soil stores.
 MaterialCase elastic_twin(const MaterialCase& material, const MaterialType& law)
 {
   MaterialCase twin{
@@ -37,8 +38,8 @@ MaterialCase elastic_twin(const MaterialCase& material, const MaterialType& law)
   twin.zone = material.zone;
   if (material.fields.empty()) return twin;
   for (std::size_t k = 0; k < twin.parameters.size(); ++k)
-    twin.fields.push_back({k, [material, &law, k](Vec<2> x) {
-                             return elastic_parameters(law.make(parameters_at(material, law, x))->moduli())[k];
+    twin.fields.push_back({k, [material, &law, k](const PlaceInSoil& at) {
+                             return elastic_parameters(law.make(parameters_at(material, law, at))->moduli())[k];
                            }});
   return twin;
 }

@@ -1,18 +1,13 @@
 #include "water/water_pressure.hpp"
 
+#include "base/interpolate.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace terp {
 
-Real elevation_at(std::span<const Vec<2>> line, Real x)
-{
-  const auto after = std::ranges::find_if(line, [x](const Vec<2>& place) { return place[0] > x; });
-  if (after == line.begin()) return (*after)[1];
-  const Vec<2>& a = *(after - 1);
-  if (after == line.end()) return a[1];
-  return std::lerp(a[1], (*after)[1], (x - a[0]) / ((*after)[0] - a[0]));
-}
+Real elevation_at(std::span<const Vec<2>> line, Real x) { return interpolate(line, x); }
 
 WaterColumn::WaterColumn(const WaterSituation& situation, Real x) : phreatic_(elevation_at(situation.phreatic_line, x))
 {

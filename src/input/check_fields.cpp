@@ -1,0 +1,71 @@
+// What fields of parameters need of the rest of the case: water, gravity, outlines.
+
+#include "base/closest.hpp"
+#include "input/check_case.hpp"
+#include "input/key_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace terp {
+namespace {
+
+using Problems = std::vector<Problem>;
+
+void check_situations(const ParameterField& field, const std::string& path, const WaterCase& water, Problems& problems)
+{
+  std::vector<std::string> names;
+  for (const WaterSituation& situation : water.situations)
+    if (!situation.name.empty()) names.push_back(situation.name);
+  for (const std::string& name : field.needs.situations) {
+    if (std::ranges::find(names, name) != names.end()) continue;
+    const std::string nearest = closest(name, names);
+    problems.push_back({path, fmt::format("there is no water situation `{}`", name),
+        (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) +
+            (names.empty() ? "Give a [[water.situation]] that name, or leave it out: then the water at the start counts."
+                           : fmt::format("Situations of this case: {}. Left out: the water at the start.",
+                                 plain_list(names))),
+        "field", false, {"water"}});
+  }
+}
+
+void check_field(const ParameterField& field, const std::string& path, const MaterialCase& material, const Case& values,
+    Problems& problems)
+{
+  const FieldNeeds& needs = field.needs;
+  if (needs.stress && !values.water.is_given())
+    problems.push_back({path, "a strength that follows from the effective stress needs water",
+        "Give [water] with phreatic_line = [[x, y], ...] in m; a line below all soil if it is dry.", "field", false,
+        {"water"}});
+  if (needs.stress && !(values.forces.gravity[1] < 0.0))
+    problems.push_back({path, "a strength that follows from the effective stress needs gravity",
+        "Without it nothing weighs on the soil. Give gravity = [0.0, -9.81] in [forces].", "field", false, {"forces"}});
+  if (needs.stress || needs.outlines)
+    for (std::size_t b = 0; b < values.bodies.size(); ++b)
+      if (!values.bodies[b].points_file.empty()) {
+        problems.push_back({path,
+            fmt::format("`{}` needs the outline of every body", needs.stress ? "stress" : "depth"),
+            fmt::format("Body {} comes as points, so the ground above `{}` is not known. Give a formula, `elevation` or "
+                        "`csv`,\nor the body as box, polygon or region.",
+                b, material.name),
+            "field", false, {fmt::format("body[{}].points", b)}});
+        break;
+      }
+  check_situations(field, path, values.water, problems);
+}
+
+}  // namespace
+
+void check_fields(const Case& values, Problems& problems)
+{
+  for (const MaterialCase& material : values.materials) {
+    const MaterialType* law = find_material(material.model);
+    if (law == nullptr) continue;
+    for (const ParameterField& field : material.fields)
+      check_field(field, join_path(material_path(material), law->parameters[field.parameter].name), material, values,
+          problems);
+  }
+}
+
+}  // namespace terp

@@ -1,0 +1,314 @@
+#include "input/field_kinds.hpp"
+
+#include "base/checksum.hpp"
+#include "base/closest.hpp"
+#include "input/expression.hpp"
+#include "input/key_text.hpp"
+#include "input/units.hpp"
+#include "simulation/soil_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace terp {
+namespace {
+
+std::nullopt_t refuse(const FieldContext& context, const std::string& path, std::string what, std::string detail)
+{
+  context.findings.problems.push_back({path, std::move(what), std::move(detail), "field"});
+  return std::nullopt;
+}
+
+bool read_number(const FieldContext& context, const Node& node, const std::string& path, const KeyInfo& key, Real& value)
+{
+  return store_value({node, path, key}, &value, context.findings);
+}
+
+/// The same key with another unit, range and usual range.
+KeyInfo key_like(const KeyInfo& key, std::string_view unit, Range range, Range usual = any_number)
+{
+  KeyInfo other = key;
+  other.unit = unit;
+  other.range = range;
+  other.usual = usual;
+  other.field = [](Case& c, std::size_t) { return &c.time.end; };  // a number, for messages
+  return other;
+}
+
+/// [[argument, value], ...]; the arguments ascend, or descend if `either`.
+std::optional<std::vector<Vec<2>>> read_line(
+    const Node& list, const FieldContext& context, const KeyInfo& argument, bool either = false)
+{
+  const std::string path = join_path(context.entry.path, list.name);
+  if (list.kind != NodeKind::list || list.items.empty())
+    return refuse(context, path, fmt::format("`{}` must be a list of pairs", list.name),
+        fmt::format("Got {}; allowed: one pair or more, [[{}, value], ...].", describe_value(list), argument.unit));
+  const KeyInfo& given = context.entry.key;
+  const KeyInfo number = key_like(given, given.unit, given.range, given.usual);
+  std::vector<Vec<2>> line;
+  for (std::size_t k = 0; k < list.items.size(); ++k) {
+    const Node& pair = list.items[k];
+    const std::string at = fmt::format("{}[{}]", path, k);
+    if (pair.kind != NodeKind::list || pair.items.size() != 2)
+      return refuse(context, at, fmt::format("`{}` must be a list of pairs", list.name),
+          fmt::format("Got {}; a pair has two numbers.", describe_value(pair)));
+    Vec<2>& place = line.emplace_back();
+    if (!read_number(context, pair.items[0], at + "[0]", argument, place[0]) ||
+        !read_number(context, pair.items[1], at + "[1]", number, place[1]))
+      return std::nullopt;
+  }
+  if (either && line.front()[0] > line.back()[0]) std::ranges::reverse(line);
+  for (std::size_t k = 1; k < line.size(); ++k)
+    if (line[k][0] < line[k - 1][0])
+      return refuse(context, path, fmt::format("`{}` goes back", list.name),
+          fmt::format("{} {} stands beside {} {}. Give the pairs in order; a step, two pairs with one {}, is allowed.",
+              line[k - 1][0], argument.unit, line[k][0], argument.unit, argument.unit));
+  return line;
+}
+
+std::optional<FieldValue> read_depth(const Node& value, const FieldContext& context)
+{
+  context.needs.outlines = true;
+  auto line = read_line(value, context, key_like(context.entry.key, "m", not_negative));
+  return line ? std::optional(by_depth(std::move(*line))) : std::nullopt;
+}
+
+std::optional<FieldValue> read_elevation(const Node& value, const FieldContext& context)
+{
+  auto line = read_line(value, context, key_like(context.entry.key, "m", any_number), true);
+  return line ? std::optional(by_elevation(std::move(*line))) : std::nullopt;
+}
+
+std::optional<FieldValue> read_csv(const Node& value, const FieldContext& context)
+{
+  const std::string path = join_path(context.entry.path, value.name);
+  if (value.kind != NodeKind::text)
+    return refuse(context, path, "`csv` must be text",
+        fmt::format("Got {}; allowed: the name of a file, relative to the case file.", describe_value(value)));
+  const std::string file = path_of(context.folder, value.text);
+  if (!std::filesystem::is_regular_file(file)) return std::nullopt;  // check_files says so
+  try {
+    ValueMap map = read_values_csv(file);
+    context.needs.covers.push_back({value.text, map.low(), map.high()});
+    return by_map(std::move(map));
+  } catch (const PointsFileError& error) {
+    return refuse(context, path, "the table cannot be used", error.what());
+  }
+}
+
+/// A name of a situation among the keys of a table; the start if it is left out. None if it is no text.
+std::optional<std::string> read_water(const Node& table, std::string_view name, const FieldContext& context)
+{
+  const Node* node = find_item(table, name);
+  if (node == nullptr) return "";
+  if (node->kind != NodeKind::text)
+    return refuse(context, join_path(context.entry.path, name), fmt::format("`{}` must be text", name),
+        fmt::format("Got {}; allowed: the name of a [[water.situation]].", describe_value(*node)));
+  context.needs.situations.push_back(node->text);
+  return node->text;
+}
+
+std::optional<FieldValue> read_table(const Node& value, const FieldContext& context)
+{
+  context.needs.stress = true;
+  auto line = read_line(value, context, key_like(context.entry.key, "Pa", not_negative));
+  const auto water = read_water(context.entry.node, "water", context);
+  return line && water ? std::optional(by_stress(std::move(*line), *water)) : std::nullopt;
+}
+
+struct ShansepKey {
+  std::string_view name, unit;
+  Range range, usual;
+  FieldValue Shansep::* value;
+  std::string_view meaning;
+};
+
+constexpr Range infinite_from_one{1.0};
+
+// Usual values: docs/strength.md.
+const ShansepKey shansep_keys[] = {
+    {"S", "-", {0.0, 2.0, true, false}, between(0.1, 0.6), &Shansep::S, "normally consolidated strength ratio"},
+    {"m", "-", {0.0, 1.0, true, false}, between(0.5, 1.0), &Shansep::m, "strength increase exponent"},
+    {"pop", "Pa", not_negative, between(500.0, 1e6), &Shansep::pop, "sigma'_p - sigma'_v,daily"},
+    {"ocr", "-", infinite_from_one, between(1.0, 50.0), &Shansep::ocr, "sigma'_p / sigma'_v,daily"},
+    {"yield_stress", "Pa", positive, between(1e3, 1e7), &Shansep::yield_stress, "sigma'_p"},
+    {"minimum", "Pa", positive, between(50.0, 1e5), &Shansep::minimum, "least S_u"},
+};
+constexpr std::string_view water_options[] = {"water", "daily_water"};
+
+bool read_shansep_key(const Node& item, const ShansepKey& info, const FieldContext& context, Shansep& soil)
+{
+  const KeyInfo key = key_like(context.entry.key, info.unit, info.range, info.usual);
+  const FieldContext inner{{item, join_path(context.entry.path, item.name), key}, context.folder, context.findings,
+      context.needs};
+  auto value = read_field(inner);
+  if (!value) return false;
+  soil.*info.value = item.kind == NodeKind::table || is_formula(item) ? within(info.range, std::move(*value)) : *value;
+  return true;
+}
+
+std::optional<FieldValue> read_shansep(const Node& table, const FieldContext& outer)
+{
+  outer.needs.stress = true;
+  const FieldContext context{{table, join_path(outer.entry.path, table.name), outer.entry.key}, outer.folder,
+      outer.findings, outer.needs};
+  if (outer.entry.key.unit != "Pa")
+    return refuse(outer, context.entry.path, "SHANSEP gives a strength",
+        fmt::format("It is in Pa; `{}` is in {}.", last_part(outer.entry.path), outer.entry.key.unit));
+  if (table.kind != NodeKind::table)
+    return refuse(outer, context.entry.path, "`shansep` must be a table",
+        fmt::format("Got {}; write {{ S = 0.23, m = 0.9, pop = \"15 kPa\" }}.", describe_value(table)));
+  std::vector<std::string> names;
+  for (const ShansepKey& key : shansep_keys) names.emplace_back(key.name);
+  names.insert(names.end(), std::begin(water_options), std::end(water_options));
+  Shansep soil;
+  bool good = true;
+  for (const Node& item : table.items) {
+    const auto key = std::ranges::find(shansep_keys, item.name, &ShansepKey::name);
+    if (key != std::end(shansep_keys)) {
+      good = read_shansep_key(item, *key, context, soil) && good;
+    } else if (std::ranges::find(names, item.name) == names.end()) {
+      const std::string nearest = closest(item.name, names);
+      refuse(context, join_path(context.entry.path, item.name), fmt::format("unknown key `{}`", item.name),
+          (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) + "Keys of shansep: " +
+              plain_list(names));
+      context.findings.problems.back().at_key = true;
+      good = false;
+    }
+  }
+  const auto water = read_water(table, "water", context), daily = read_water(table, "daily_water", context);
+  if (!good || !water || !daily) return std::nullopt;
+  if (!soil.S || !soil.m)
+    return refuse(context, context.entry.path, fmt::format("`shansep` has no `{}`", soil.S ? "m" : "S"),
+        "S_u = S sigma'_v (sigma'_p / sigma'_v)^m. Dutch defaults: clay S = 0.22, m = 0.9; peat S = 0.27, m = 0.9.");
+  if (static_cast<bool>(soil.pop) + static_cast<bool>(soil.ocr) + static_cast<bool>(soil.yield_stress) != 1)
+    return refuse(context, context.entry.path, "`shansep` needs one of `pop`, `ocr` and `yield_stress`",
+        "They say what sigma'_p is: sigma'_v,daily + pop, ocr sigma'_v,daily, or the stress itself. Give exactly one.");
+  soil.water = *water;
+  soil.daily = *daily;
+  return by_shansep(std::move(soil));
+}
+
+std::optional<FieldValue> read_formula(const FieldContext& context)
+{
+  const std::string& text = context.entry.node.text;
+  try {
+    const Expression formula(text, {"x", "y"}, {});
+    return [formula](const PlaceInSoil& at) { return formula(at.x); };
+  } catch (const ExpressionError& error) {
+    return refuse(context, context.entry.path,
+        fmt::format("`{}` is not a formula of x and y", last_part(context.entry.path)),
+        fmt::format("{}\nGot \"{}\"; its numbers are in SI: {}.", error.what(), text,
+            context.entry.key.unit == "-" ? "x and y in m" : "x and y in m, the value in " + context.entry.key.unit));
+  }
+}
+
+std::optional<FieldValue> read_kind(const FieldContext& context)
+{
+  const Node& table = context.entry.node;
+  std::vector<std::string> names;
+  const FieldKind* found = nullptr;
+  for (const FieldKind& kind : field_kinds()) {
+    names.emplace_back(kind.name);
+    if (find_item(table, kind.name) == nullptr) continue;
+    if (found != nullptr)
+      return refuse(context, context.entry.path,
+          fmt::format("`{}` is given in two ways, `{}` and `{}`", last_part(context.entry.path), found->name, kind.name),
+          "Remove one of the two.");
+    found = &kind;
+  }
+  for (const Node& item : table.items) {
+    if (found != nullptr && (item.name == found->name || std::ranges::find(found->options, item.name) !=
+                                                             found->options.end()))
+      continue;
+    const std::string nearest = closest(item.name, names);
+    return refuse(context, join_path(context.entry.path, item.name),
+        fmt::format("`{}` is no kind of field{}", item.name,
+            found == nullptr ? "" : fmt::format(", nor an option of `{}`", found->name)),
+        (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) + "Kinds: " + plain_list(names));
+  }
+  if (found == nullptr)
+    return refuse(context, context.entry.path, fmt::format("`{}` is an empty table", last_part(context.entry.path)),
+        "Kinds of field: " + plain_list(names));
+  return found->read(*find_item(table, found->name), context);
+}
+
+/// Names of files become what is in them: a run holds copies with other names.
+void replace_files(Node& node, const std::string& folder)
+{
+  if (node.name == "csv" && node.kind == NodeKind::text)
+    try {
+      node.text = digits_of(text_of_csv(path_of(folder, node.text), "the table of values"));
+    } catch (const PointsFileError&) {  // reported where it is read
+    }
+  for (Node& item : node.items) replace_files(item, folder);
+}
+
+}  // namespace
+
+const std::vector<FieldKind>& field_kinds()
+{
+  static const std::vector<FieldKind> kinds = {
+      {"depth", "{ depth = [[0, 8e3], [5, 15e3]] }",
+          "linear in the depth below the ground at that x [m], constant beyond both ends", {}, read_depth},
+      {"elevation", "{ elevation = [[-8, 20e3], [0, 8e3]] }",
+          "linear in the elevation y [m], constant beyond both ends", {}, read_elevation},
+      {"csv", "{ csv = \"FILE.csv\" }",
+          "from a file with the columns x, y, value: bilinear where the places form a grid, else the mean of the eight "
+          "nearest by inverse square distance",
+          {}, read_csv},
+      {"table", "{ table = [[0, 2e3], [50e3, 14e3]], water = \"NAME\" }",
+          "linear in the effective vertical stress [Pa] at t = 0, constant beyond both ends; water: the situation that "
+          "gives it, if not the start",
+          {"water"}, read_table},
+      {"shansep", "{ shansep = { S = 0.23, m = 0.9, pop = 15e3 } }",
+          "S_u = S sigma'_v (sigma'_p / sigma'_v)^m, sigma'_p = sigma'_v,daily + pop, or by ocr or yield_stress; also "
+          "minimum, water and daily_water: situations of sigma'_v and sigma'_v,daily, if not the start",
+          {}, read_shansep},
+  };
+  return kinds;
+}
+
+bool is_formula(const Node& node)
+{
+  if (node.kind != NodeKind::text) return false;
+  const auto quantity = parse_quantity(node.text);
+  return !quantity || std::string_view("+-*/^()<>=!&|?").find(quantity->name.front()) != std::string_view::npos;
+}
+
+std::optional<FieldValue> read_field(const FieldContext& context)
+{
+  const Node& node = context.entry.node;
+  if (is_formula(node)) return read_formula(context);
+  if (node.kind == NodeKind::table) return read_kind(context);
+  Real value = 0.0;
+  if (!store_value(context.entry, &value, context.findings)) return std::nullopt;
+  return [value](const PlaceInSoil&) { return value; };
+}
+
+std::string field_text(const Node& node, const std::string& folder)
+{
+  Node root;
+  root.items = {node};
+  replace_files(root, folder);
+  root.items[0].name = "field";
+  return write_toml(root);
+}
+
+std::string describe_field_kinds()
+{
+  std::string out =
+      "field: how a parameter of a law may vary over the soil, instead of a number\n  Values are set once, at t = 0, "
+      "and go with the soil. docs/strength.md\n\nKinds\n  \"10e3 + 1.5e3*(0 - y)\"\n    a formula of the place x, y "
+      "[m]\n";
+  for (const FieldKind& kind : field_kinds()) out += fmt::format("  {}\n    {}\n", kind.form, kind.meaning);
+  out += "\nKeys of shansep, each a number or a field\n";
+  for (const ShansepKey& key : shansep_keys)
+    out += fmt::format("  {:<14}[{}] {}; {}, usual {}\n", key.name, key.unit, key.meaning,
+        range_text(key.range, key.unit), usual_text(key.usual, key.unit));
+  return out;
+}
+
+}  // namespace terp

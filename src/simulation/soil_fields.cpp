@@ -1,0 +1,74 @@
+#include "simulation/soil_fields.hpp"
+
+#include "base/errors.hpp"
+#include "base/interpolate.hpp"
+#include "simulation/overburden.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace terp {
+namespace {
+
+constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
+
+/// Effective vertical stress at a place in the water of that name [Pa].
+Real effective_stress(const PlaceInSoil& at, const std::string& water)
+{
+  TERP_ASSERT(at.ground != nullptr);
+  const WaterCase& all = at.ground->water();
+  const auto named = std::ranges::find(all.situations, water, &WaterSituation::name);
+  const WaterSituation& situation = water.empty() || named == all.situations.end() ? all.start : *named;
+  return at.ground->effective(at.x, situation, std::isnan(situation.time) ? 0.0 : situation.time);
+}
+
+}  // namespace
+
+FieldValue by_depth(std::vector<Vec<2>> line)
+{
+  return [line = std::move(line)](const PlaceInSoil& at) {
+    TERP_ASSERT(at.ground != nullptr);
+    const std::optional<Real> ground = at.ground->ground(at.x[0]);
+    return ground ? interpolate(line, *ground - at.x[1]) : none;
+  };
+}
+
+FieldValue by_elevation(std::vector<Vec<2>> line)
+{
+  return [line = std::move(line)](const PlaceInSoil& at) { return interpolate(line, at.x[1]); };
+}
+
+FieldValue by_stress(std::vector<Vec<2>> line, std::string water)
+{
+  return [line = std::move(line), water = std::move(water)](
+             const PlaceInSoil& at) { return interpolate(line, effective_stress(at, water)); };
+}
+
+FieldValue by_map(ValueMap map)
+{
+  return [map = std::move(map)](const PlaceInSoil& at) { return map.at(at.x); };
+}
+
+FieldValue by_shansep(Shansep soil)
+{
+  return [soil = std::move(soil)](const PlaceInSoil& at) {
+    const Real now = effective_stress(at, soil.water);
+    const Real daily = soil.daily == soil.water || soil.yield_stress ? now : effective_stress(at, soil.daily);
+    const Real yield = soil.yield_stress ? soil.yield_stress(at)
+                       : soil.ocr        ? soil.ocr(at) * daily
+                                         : daily + soil.pop(at);
+    const Real m = soil.m(at), strength = soil.S(at) * std::pow(now, 1.0 - m) * std::pow(yield, m);
+    const Real least = soil.minimum ? soil.minimum(at) : 0.0;
+    return strength < least || std::isnan(least) ? least : strength;
+  };
+}
+
+FieldValue within(Range range, FieldValue value)
+{
+  return [range, value = std::move(value)](const PlaceInSoil& at) {
+    const Real found = value(at);
+    return range.contains(found) ? found : none;
+  };
+}
+
+}  // namespace terp
