@@ -168,7 +168,7 @@ void print_check(const CaseFile& file, Simulation& simulation, const RunOptions&
   fmt::print("  mass           {:.6g} kg per m\n", total_mass(state));
   print_bodies(model);
   print_sides(model);
-  for (const std::string& note : file.notes) fmt::print("  unit           {}\n", printable(note));
+  for (const std::string& note : file.notes) fmt::print("  read as        {}\n", printable(note));
   print_profiles(options, model, state);
   if (softens_point_by_point(model))
     fmt::print(

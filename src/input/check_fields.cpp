@@ -23,9 +23,9 @@ void check_situations(const ParameterField& field, const std::string& path, cons
     const std::string nearest = closest(name, names);
     problems.push_back({path, fmt::format("there is no water situation `{}`", name),
         (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) +
-            (names.empty() ? "Give a [[water.situation]] that name, or leave it out: then the water at the start counts."
-                           : fmt::format("Situations of this case: {}. Left out: the water at the start.",
-                                 plain_list(names))),
+            (names.empty()
+                    ? "Give a [[water.situation]] that name, or leave it out: then the water at the start counts."
+                    : fmt::format("Situations of this case: {}. Left out: the water at the start.", plain_list(names))),
         "field", false, {"water"}});
   }
 }
@@ -44,12 +44,13 @@ void check_field(const ParameterField& field, const std::string& path, const Mat
   if (needs.stress || needs.outlines)
     for (std::size_t b = 0; b < values.bodies.size(); ++b)
       if (!values.bodies[b].points_file.empty()) {
-        problems.push_back({path,
-            fmt::format("`{}` needs the outline of every body", needs.stress ? "stress" : "depth"),
-            fmt::format("Body {} comes as points, so the ground above `{}` is not known. Give a formula, `elevation` or "
-                        "`csv`,\nor the body as box, polygon or region.",
-                b, material.name),
-            "field", false, {fmt::format("body[{}].points", b)}});
+        problems.push_back(
+            {path, fmt::format("`{}` needs the outline of every body", needs.stress ? "stress" : "depth"),
+                fmt::format(
+                    "Body {} comes as points, so the ground above `{}` is not known. Give a formula, `elevation` or "
+                    "`csv`,\nor the body as box, polygon or region.",
+                    b, material.name),
+                "field", false, {fmt::format("body[{}].points", b)}});
         break;
       }
   check_situations(field, path, values.water, problems);
@@ -63,8 +64,8 @@ void check_fields(const Case& values, Problems& problems)
     const MaterialType* law = find_material(material.model);
     if (law == nullptr) continue;
     for (const ParameterField& field : material.fields)
-      check_field(field, join_path(material_path(material), law->parameters[field.parameter].name), material, values,
-          problems);
+      check_field(
+          field, join_path(material_path(material), law->parameters[field.parameter].name), material, values, problems);
   }
 }
 

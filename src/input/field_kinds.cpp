@@ -21,7 +21,8 @@ std::nullopt_t refuse(const FieldContext& context, const std::string& path, std:
   return std::nullopt;
 }
 
-bool read_number(const FieldContext& context, const Node& node, const std::string& path, const KeyInfo& key, Real& value)
+bool read_number(
+    const FieldContext& context, const Node& node, const std::string& path, const KeyInfo& key, Real& value)
 {
   return store_value({node, path, key}, &value, context.findings);
 }
@@ -110,18 +111,29 @@ std::optional<std::string> read_water(const Node& table, std::string_view name, 
   return node->text;
 }
 
+std::string water_text(const std::string& name)
+{
+  return name.empty() ? "the water at the start" : fmt::format("the water `{}`", name);
+}
+
+void note(const FieldContext& context, const std::string& text)
+{
+  context.findings.notes.push_back(fmt::format("{}: {}", context.entry.path, text));
+}
+
 std::optional<FieldValue> read_table(const Node& value, const FieldContext& context)
 {
   context.needs.stress = true;
   auto line = read_line(value, context, key_like(context.entry.key, "Pa", not_negative));
   const auto water = read_water(context.entry.node, "water", context);
+  if (water) note(context, fmt::format("sigma'_v in {}", water_text(*water)));
   return line && water ? std::optional(by_stress(std::move(*line), *water)) : std::nullopt;
 }
 
 struct ShansepKey {
   std::string_view name, unit;
   Range range, usual;
-  FieldValue Shansep::* value;
+  FieldValue Shansep::*value;
   std::string_view meaning;
 };
 
@@ -141,8 +153,8 @@ constexpr std::string_view water_options[] = {"water", "daily_water"};
 bool read_shansep_key(const Node& item, const ShansepKey& info, const FieldContext& context, Shansep& soil)
 {
   const KeyInfo key = key_like(context.entry.key, info.unit, info.range, info.usual);
-  const FieldContext inner{{item, join_path(context.entry.path, item.name), key}, context.folder, context.findings,
-      context.needs};
+  const FieldContext inner{
+      {item, join_path(context.entry.path, item.name), key}, context.folder, context.findings, context.needs};
   auto value = read_field(inner);
   if (!value) return false;
   soil.*info.value = item.kind == NodeKind::table || is_formula(item) ? within(info.range, std::move(*value)) : *value;
@@ -152,8 +164,8 @@ bool read_shansep_key(const Node& item, const ShansepKey& info, const FieldConte
 std::optional<FieldValue> read_shansep(const Node& table, const FieldContext& outer)
 {
   outer.needs.stress = true;
-  const FieldContext context{{table, join_path(outer.entry.path, table.name), outer.entry.key}, outer.folder,
-      outer.findings, outer.needs};
+  const FieldContext context{
+      {table, join_path(outer.entry.path, table.name), outer.entry.key}, outer.folder, outer.findings, outer.needs};
   if (outer.entry.key.unit != "Pa")
     return refuse(outer, context.entry.path, "SHANSEP gives a strength",
         fmt::format("It is in Pa; `{}` is in {}.", last_part(outer.entry.path), outer.entry.key.unit));
@@ -172,8 +184,8 @@ std::optional<FieldValue> read_shansep(const Node& table, const FieldContext& ou
     } else if (std::ranges::find(names, item.name) == names.end()) {
       const std::string nearest = closest(item.name, names);
       refuse(context, join_path(context.entry.path, item.name), fmt::format("unknown key `{}`", item.name),
-          (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) + "Keys of shansep: " +
-              plain_list(names));
+          (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) +
+              "Keys of shansep: " + plain_list(names));
       context.findings.problems.back().at_key = true;
       good = false;
     }
@@ -186,6 +198,8 @@ std::optional<FieldValue> read_shansep(const Node& table, const FieldContext& ou
   if (static_cast<bool>(soil.pop) + static_cast<bool>(soil.ocr) + static_cast<bool>(soil.yield_stress) != 1)
     return refuse(context, context.entry.path, "`shansep` needs one of `pop`, `ocr` and `yield_stress`",
         "They say what sigma'_p is: sigma'_v,daily + pop, ocr sigma'_v,daily, or the stress itself. Give exactly one.");
+  note(outer, fmt::format("SHANSEP, sigma'_v in {}{}", water_text(*water),
+                  soil.yield_stress ? "" : ", sigma'_p from that in " + water_text(*daily)));
   soil.water = *water;
   soil.daily = *daily;
   return by_shansep(std::move(soil));
@@ -215,13 +229,14 @@ std::optional<FieldValue> read_kind(const FieldContext& context)
     if (find_item(table, kind.name) == nullptr) continue;
     if (found != nullptr)
       return refuse(context, context.entry.path,
-          fmt::format("`{}` is given in two ways, `{}` and `{}`", last_part(context.entry.path), found->name, kind.name),
+          fmt::format(
+              "`{}` is given in two ways, `{}` and `{}`", last_part(context.entry.path), found->name, kind.name),
           "Remove one of the two.");
     found = &kind;
   }
   for (const Node& item : table.items) {
-    if (found != nullptr && (item.name == found->name || std::ranges::find(found->options, item.name) !=
-                                                             found->options.end()))
+    if (found != nullptr &&
+        (item.name == found->name || std::ranges::find(found->options, item.name) != found->options.end()))
       continue;
     const std::string nearest = closest(item.name, names);
     return refuse(context, join_path(context.entry.path, item.name),
@@ -238,8 +253,7 @@ std::optional<FieldValue> read_kind(const FieldContext& context)
 /// Names of files become what is in them: a run holds copies with other names.
 void replace_files(Node& node, const std::string& folder)
 {
-  if (node.name == "csv" && node.kind == NodeKind::text)
-    try {
+  if (node.name == "csv" && node.kind == NodeKind::text) try {
       node.text = digits_of(text_of_csv(path_of(folder, node.text), "the table of values"));
     } catch (const PointsFileError&) {  // reported where it is read
     }

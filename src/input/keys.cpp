@@ -116,8 +116,7 @@ KeyInfo key_of(const ParameterInfo& parameter, std::size_t k)
       .in_stage = true,
       .meaning = std::string(parameter.meaning)};
   if (parameter.may_vary)
-    key.field = [k, typical = parameter.typical](
-                    Case& c, std::size_t i) { return parameter_field(c, i, k, typical); };
+    key.field = [k, typical = parameter.typical](Case& c, std::size_t i) { return parameter_field(c, i, k, typical); };
   if (parameter.fallback) key.default_text = number_text(*parameter.fallback, key.unit);
   if (!parameter.fallback_of.empty()) key.default_text = fmt::format("the value of `{}`", parameter.fallback_of);
   return key;

@@ -72,8 +72,9 @@ struct OwnForm {
 };
 
 /// Where a key is kept. Its type is the key's type.
-using Field = std::variant<Real*, VaryingNumber, Index*, bool*, std::string*, Vec<2>*, WordField, NumberOrPair, CountOrPair, Box,
-    BoxCorners, PolygonField, PolygonList, Polyline, EdgesList, VelocityPair, NameList, NamedPlaces, OwnForm>;
+using Field =
+    std::variant<Real*, VaryingNumber, Index*, bool*, std::string*, Vec<2>*, WordField, NumberOrPair, CountOrPair, Box,
+        BoxCorners, PolygonField, PolygonList, Polyline, EdgesList, VelocityPair, NameList, NamedPlaces, OwnForm>;
 
 struct KeyInfo {
   std::string path;  ///< "time.end", "body[].box", "material.NAME.density", "boundary.SIDE.contact"

@@ -85,9 +85,9 @@ void check_files(const Node& root, const std::string& folder, std::vector<Proble
     detail +=
         fmt::format("Looked for {}; names are relative to the case file.", absolute_path(folder, node->text).string());
     problems.push_back({path, fault, detail,
-        path == "mesh.file"          ? path
+        path == "mesh.file"        ? path
         : is_table_of_values(path) ? "field"
-                                     : "body.points"});
+                                   : "body.points"});
   }
 }
 
@@ -96,9 +96,9 @@ bool name_copies(Node& root, const std::string& folder, std::vector<InputFile>& 
   bool changed = false;
   int n_points = 0, n_values = 0;
   for (const auto& [path, node] : find_file_keys(root)) {
-    const std::string copy = path == "mesh.file"          ? copy_of_mesh(node->text)
+    const std::string copy = path == "mesh.file"        ? copy_of_mesh(node->text)
                              : is_table_of_values(path) ? fmt::format("values_{}.csv", ++n_values)
-                                                          : fmt::format("points_{}.csv", ++n_points);
+                                                        : fmt::format("points_{}.csv", ++n_points);
     files.push_back({path_of(folder, node->text), copy});
     changed |= node->text != copy;
     node->text = copy;

@@ -130,7 +130,8 @@ bool takes_key(const Node& material, const std::string& key)
   const Node* model = find_item(material, "model");
   const MaterialType* law = model != nullptr ? find_material(model->text) : nullptr;
   if (law == nullptr || find_key("material.NAME." + key) != nullptr) return true;
-  return std::ranges::any_of(law->parameters, [&](const auto& info) { return info.name == key; });
+  return std::ranges::any_of(
+      law->parameters, [&](const auto& info) { return info.name == key || info.ratio.name == key; });
 }
 
 /// The keys that a key with patterns stands for, from part `first` on; none where nothing fits.

@@ -27,7 +27,8 @@ const ParameterField* field_of(const MaterialCase& material, std::size_t k)
 void add_field(MaterialCase& material, std::size_t k, FieldValue value, std::string text, FieldNeeds needs)
 {
   const auto at = std::ranges::lower_bound(material.fields, k, {}, &ParameterField::parameter);
-  material.fields.insert(at, {.parameter = k, .value_at = std::move(value), .text = std::move(text), .needs = std::move(needs)});
+  material.fields.insert(
+      at, {.parameter = k, .value_at = std::move(value), .text = std::move(text), .needs = std::move(needs)});
 }
 
 FieldValue value_of(const ParameterField* field, Real number)
@@ -48,9 +49,10 @@ void follow_ratio(const MaterialType& law, std::size_t k, MaterialCase& material
     return;
   }
   material.parameters[k] = law.parameters[k].typical;
-  add_field(material, k,
-      [found, a = value_of(other, material.parameters[of]), b = value_of(factor, ratio.value),
-          range = info.range](const PlaceInSoil& at) {
+  add_field(
+      material, k,
+      [found, a = value_of(other, material.parameters[of]), b = value_of(factor, ratio.value), range = info.range](
+          const PlaceInSoil& at) {
         const Real by = b(at);
         return range.contains(by) ? found(a(at), by) : std::numeric_limits<Real>::quiet_NaN();
       },

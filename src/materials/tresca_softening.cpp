@@ -49,12 +49,12 @@ struct TrescaSoftening {
       "Needs (1 + 9 rate_mu) (eta (su_peak - su_residual) + eta_remoulding (su_residual - su_remoulded)) <= 1.5 G.\n"
       "docs/softening_laws.md converts published laws.\n";
   static constexpr std::array parameters{
-      with_ratio(shear_modulus_info,
-          {.name = "stiffness_ratio",
-              .of = "su_peak",
-              .range = positive,
-              .usual = between(20.0, 2000.0),
-              .meaning = "G / S_u,p, instead of shear_modulus: G = stiffness_ratio su_peak"}),
+      with_ratio(
+          shear_modulus_info, {.name = "stiffness_ratio",
+                                  .of = "su_peak",
+                                  .range = positive,
+                                  .usual = between(20.0, 2000.0),
+                                  .meaning = "G / S_u,p, instead of shear_modulus: G = stiffness_ratio su_peak"}),
       poisson_ratio_info,
       ParameterInfo{.name = "su_peak",
           .unit = "Pa",

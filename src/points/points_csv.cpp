@@ -30,9 +30,8 @@ std::vector<CsvPoint> read_points_csv_text(const std::string& path, const std::s
   CsvFaults faults(path, what,
       "It has the columns x, y, volume, material: m, m, m^2 (volume per metre of thickness), and a material of the "
       "case.");
-  read_csv_rows(text, columns, faults, [&](std::span<const std::string_view> cells, Index line) {
-    points.push_back(read_row(cells, line, faults));
-  });
+  read_csv_rows(text, columns, faults,
+      [&](std::span<const std::string_view> cells, Index line) { points.push_back(read_row(cells, line, faults)); });
   return points;
 }
 

@@ -17,7 +17,7 @@ struct PlacedValue {
 
 class ValueMap {
  public:
-  static constexpr std::size_t n_nearest = 8;      ///< scattered places that a value is made of
+  static constexpr std::size_t n_nearest = 8;           ///< scattered places that a value is made of
   static constexpr std::size_t most_scattered = 20000;  ///< each value looks at all of them
 
   /// values: at least one, at places that differ. A grid: each x of the table with each y, two or more of both.

@@ -106,9 +106,8 @@ void change_parameters(MaterialCase& material, Change change)
   for (std::size_t k = 0; k < material.parameters.size(); ++k)
     material.parameters[k] = change(k, material.parameters[k]);
   for (ParameterField& field : material.fields)
-    field.value_at = [k = field.parameter, before = field.value_at, change](const PlaceInSoil& x) {
-      return change(k, before(x));
-    };
+    field.value_at = [k = field.parameter, before = field.value_at, change](
+                         const PlaceInSoil& x) { return change(k, before(x)); };
 }
 
 inline constexpr std::size_t most_footings = 8;  ///< of one case

@@ -60,7 +60,7 @@ struct Model {
   NodeDiffusion diffusion;                       ///< of nonlocal softening; empty without
   int inverse_extent = -1;                       ///< row of the points, with shares that overlap
   std::shared_ptr<const Overburden> ground = {};  ///< where a parameter varies; nullptr: none does
-  std::shared_ptr<const NodalWater> water = {};  ///< pore pressure on the nodes; nullptr: no water
+  std::shared_ptr<const NodalWater> water = {};   ///< pore pressure on the nodes; nullptr: no water
   int threads = 1;
   FollowerTypes followers = {};  ///< what is measured while the run goes on; may be none
 

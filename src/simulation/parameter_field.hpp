@@ -35,9 +35,9 @@ struct FieldCover {
 
 /// What a field asks of the case beside the place.
 struct FieldNeeds {
-  bool outlines = false;           ///< the ground above a place: bodies that are drawn
-  bool stress = false;             ///< effective vertical stress: water, gravity, and bodies that are drawn
-  std::vector<FieldCover> covers;  ///< of the files that it comes from
+  bool outlines = false;                ///< the ground above a place: bodies that are drawn
+  bool stress = false;                  ///< effective vertical stress: water, gravity, and bodies that are drawn
+  std::vector<FieldCover> covers;       ///< of the files that it comes from
   std::vector<std::string> situations;  ///< names of water that it asks for
 };
 

@@ -28,8 +28,9 @@ void check_parameters(const MaterialCase& material, const MaterialType& type, co
   for (std::size_t k = 0; k < values.size(); ++k) {
     const ParameterInfo& parameter = type.parameters[k];
     if (parameter.may_vary && !parameter.range.contains(values[k]))
-      throw InputError(Problem{parameter_key(material, parameter.name), "the value is outside of its range at some point",
-          fmt::format("It is {} {} at {} m.", values[k], parameter.unit, place_text(x)), "material"});
+      throw InputError(
+          Problem{parameter_key(material, parameter.name), "the value is outside of its range at some point",
+              fmt::format("It is {} {} at {} m.", values[k], parameter.unit, place_text(x)), "material"});
   }
   for (const ParameterProblem& problem : type.check(values))
     throw InputError(Problem{parameter_key(material, problem.parameter), problem.what,
@@ -41,11 +42,9 @@ void check_parameters(const MaterialCase& material, const MaterialType& type, co
 std::string parameter_key(const MaterialCase& material, std::string_view parameter)
 {
   const bool is_plain = material.called().find_first_of(".[") == std::string::npos;
-  const std::string_view part = material.zone == Zone::below   ? ".below"
-                                : material.zone == Zone::above ? ".above"
-                                                               : "";
-  return fmt::format(fmt::runtime(is_plain ? "material.{}{}.{}" : "material.\"{}\"{}.{}"), material.called(), part,
-      parameter);
+  const std::string_view part = material.zone == Zone::below ? ".below" : material.zone == Zone::above ? ".above" : "";
+  return fmt::format(
+      fmt::runtime(is_plain ? "material.{}{}.{}" : "material.\"{}\"{}.{}"), material.called(), part, parameter);
 }
 
 std::vector<int> varying_parameters(const MaterialCase& material, const MaterialType& type)
@@ -112,8 +111,8 @@ void set_point_parameters(const Model& model, std::span<const Real> places, Stat
     const SoilMaterial& material = model.materials[block.material];
     if (!material.varies()) return;
     const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
-    const std::vector<Real> values = parameters_at(
-        model.description.materials[block.material], *material.type, {{places[2 * id], places[2 * id + 1]}, model.ground.get()});
+    const std::vector<Real> values = parameters_at(model.description.materials[block.material], *material.type,
+        {{places[2 * id], places[2 * id + 1]}, model.ground.get()});
     const LawRows rows = material.view(block, lane);
     std::size_t k = 0;
     for (const Real value : varying_values(material, values)) *rows.parameters(k++) = value;
@@ -134,8 +133,8 @@ std::vector<Stiffness> list_stiffness(const Model& model, std::span<const Index>
     for (const NewPoint& point : batch) {
       const SoilMaterial& material = model.materials[point.key.material];
       if (!material.varies()) continue;
-      std::vector<Real> values = varying_values(
-          material, parameters_at(model.description.materials[point.key.material], *material.type, {point.x, model.ground.get()}));
+      std::vector<Real> values = varying_values(material, parameters_at(model.description.materials[point.key.material],
+                                                              *material.type, {point.x, model.ground.get()}));
       const LawRows at{.state = {}, .parameters = {.data = values.data()}};
       list.push_back({point.key.material, material.law->moduli(at), material.law->viscosity(at)});
     }

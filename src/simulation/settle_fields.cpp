@@ -34,10 +34,10 @@ Problem outside_its_range(const MaterialCase& material, const ParameterInfo& inf
 {
   const bool is_number = !std::isnan(found.worst);
   const std::string got =
-      is_number ? fmt::format("It is {:.6g} {} at {} m, where it is worst,", found.worst, info.unit,
-                      place_text(found.where))
-                : fmt::format("There is no value at {} m, or what it is made of is out of range there. It is wrong",
-                      place_text(found.where));
+      is_number
+          ? fmt::format("It is {:.6g} {} at {} m, where it is worst,", found.worst, info.unit, place_text(found.where))
+          : fmt::format("There is no value at {} m, or what it is made of is out of range there. It is wrong",
+                place_text(found.where));
   return {parameter_key(material, info.name),
       fmt::format("`{}` {} in part of the soil", info.name, is_number ? "is out of range" : "has no value"),
       fmt::format("{} at {} of {} points of `{}`; allowed: {} {}{}{}.", got, found.n_outside, found.n, material.name,
@@ -72,12 +72,11 @@ void check_covers(const MaterialCase& material, const ParameterField& field, con
 {
   for (std::size_t c = 0; c < n_covered.size(); ++c)
     if (n_covered[c] == 0)
-      throw InputError(
-          Problem{parameter_key(material, material.type()->parameters[field.parameter].name),
-              fmt::format("the table `{}` covers none of the soil", field.needs.covers[c].file),
-              fmt::format("{}, where there is no `{}`. Are x and y in m, and in the axes of the case?",
-                  cover_text(field.needs.covers[c]), material.name),
-              "material"});
+      throw InputError(Problem{parameter_key(material, material.type()->parameters[field.parameter].name),
+          fmt::format("the table `{}` covers none of the soil", field.needs.covers[c].file),
+          fmt::format("{}, where there is no `{}`. Are x and y in m, and in the axes of the case?",
+              cover_text(field.needs.covers[c]), material.name),
+          "material"});
 }
 
 }  // namespace

@@ -24,8 +24,8 @@ Real reduced(Reduction reduction, Real value, Real factor)
   return value;
 }
 
-/// A parameter that was left out and has the value of another strength: a residual strength of soil that does not
-/// soften.
+/// A parameter that was left out and has the value, or the field, of another strength: a residual strength of soil that
+/// does not soften.
 bool is_another(const MaterialType& law, const MaterialCase& material, std::size_t k)
 {
   const auto other = std::ranges::find(law.parameters, law.parameters[k].fallback_of, &ParameterInfo::name);
@@ -49,10 +49,11 @@ std::vector<Strength> strengths_of(const Case& c)
     if (law == nullptr || !is_used(c, material)) continue;
     for (std::size_t k = 0; k < law->parameters.size(); ++k) {
       const ParameterInfo& p = law->parameters[k];
-      const bool varies =
-          std::ranges::any_of(material.fields, [k](const ParameterField& field) { return field.parameter == k; });
+      const auto field = std::ranges::find(material.fields, k, &ParameterField::parameter);
+      const bool varies = field != material.fields.end(),
+                 follows = varies && !p.fallback_of.empty() && field->text == p.fallback_of;
       if (is_strength(p.reduction) &&
-          (varies || (std::isfinite(material.parameters[k]) && !is_another(*law, material, k))))
+          (varies ? !follows : std::isfinite(material.parameters[k]) && !is_another(*law, material, k)))
         strengths.push_back({fmt::format("material.{}.{}", material.name, p.name), std::string(p.unit),
             varies ? std::numeric_limits<Real>::quiet_NaN() : material.parameters[k]});
     }
@@ -95,7 +96,7 @@ std::vector<std::string> check_reduced(const Case& c)
 {
   std::vector<std::string> problems;
   for (const MaterialCase& material : c.materials)
-    if (const MaterialType* law = material.type())
+    if (const MaterialType* law = material.type(); law != nullptr && material.fields.empty())  // else at each point
       for (const ParameterProblem& p : law->check(material.parameters))
         problems.push_back(fmt::format("material.{}: {}: {}", material.name, p.what, p.detail));
   return problems;

@@ -68,7 +68,8 @@ TEST(FieldKinds, RatiosOfFieldsAreFields)
 TEST(FieldKinds, PointsCarryWhatTheFormulaOfShansepSays)
 {
   const std::string shansep = "{ S = 0.3, m = 0.9, pop = { depth = [[0, \"20 kPa\"], [2, 10e3]] } }";
-  const Case c = read_case_text(wet("stiffness_ratio = 100\nsu_peak = { shansep = " + shansep + " }\n"), "c.toml").values;
+  const Case c =
+      read_case_text(wet("stiffness_ratio = 100\nsu_peak = { shansep = " + shansep + " }\n"), "c.toml").values;
   Model model = build_model(c, 1);
   const State state = build_state(model);
   Real mean = 0.0;
@@ -104,7 +105,8 @@ TEST(FieldKinds, EveryKindIsExplained)
 {
   const std::string text = describe_field_kinds();
   for (const FieldKind& kind : field_kinds()) EXPECT_THAT(text, HasSubstr(std::string(kind.form)));
-  EXPECT_THAT(text, HasSubstr("  pop           [Pa] sigma'_p - sigma'_v,daily; at least 0 Pa, usual 500 to 1000000 Pa\n"));
+  EXPECT_THAT(
+      text, HasSubstr("  pop           [Pa] sigma'_p - sigma'_v,daily; at least 0 Pa, usual 500 to 1000000 Pa\n"));
 }
 
 }  // namespace

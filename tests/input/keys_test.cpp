@@ -64,7 +64,9 @@ TEST(Keys, OfALawFollowItsTable)
 {
   const MaterialType& law = *find_material("tresca_softening");
   const auto keys = keys_of_law(law);
-  ASSERT_EQ(keys.size(), law.parameters.size());
+  ASSERT_EQ(keys.size(), law.parameters.size() + 2);
+  EXPECT_EQ(keys[law.parameters.size()].path, "material.NAME.stiffness_ratio");
+  EXPECT_EQ(keys[0].instead, "stiffness_ratio");
   EXPECT_EQ(keys[2].path, "material.NAME.su_peak");
   EXPECT_EQ(keys[2].unit, "Pa");
   EXPECT_TRUE(keys[2].required);

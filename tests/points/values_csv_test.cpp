@@ -12,8 +12,8 @@ std::string message_for(const std::string& text)
 TEST(ValuesCsv, AreBilinearOnAGridInAnyOrderAndConstantBeyondIt)
 {
   // 1000 + 100 x + 10 y + x y on x = 0, 2, 6 and y = -1, 1
-  const ValueMap map = read_values_csv_text(
-      "su.csv", "y,x,value\n1,6,1616\n-1,0,990\n-1,2,1188\n1,0,1010\n1,2,1212\n-1,6,1584\n");
+  const ValueMap map =
+      read_values_csv_text("su.csv", "y,x,value\n1,6,1616\n-1,0,990\n-1,2,1188\n1,0,1010\n1,2,1212\n-1,6,1584\n");
   EXPECT_TRUE(map.is_grid());
   EXPECT_DOUBLE_EQ(map.at({1.0, 0.5}), 1105.5);
   EXPECT_DOUBLE_EQ(map.at({4.0, -0.5}), 1393.0);
@@ -42,7 +42,8 @@ TEST(ValuesCsv, AreThoseOfTheEightNearestPlaces)
 TEST(ValuesCsv, NameTheLinesOfTheirFaults)
 {
   EXPECT_THAT(message_for("x,y,value\n1,2,3\n1,2,4\n2,2\n3,x,5\n"),
-      AllOf(StartsWith("the table of values has 3 faults:\n"), HasSubstr("su.csv:3: the place (1, 2) m is in line 2 too\n"),
+      AllOf(StartsWith("the table of values has 3 faults:\n"),
+          HasSubstr("su.csv:3: the place (1, 2) m is in line 2 too\n"),
           HasSubstr("su.csv:4: 2 values, and 3 columns\n"), HasSubstr("su.csv:5: y is `x`, which is not a number\n"),
           EndsWith("It has the columns x, y, value: m, m, and the unit of the key in SI.")));
   EXPECT_THAT(message_for("x;y;value\n"), HasSubstr("the values are separated by semicolons"));

@@ -219,7 +219,7 @@ TEST(PointParameters, OfOneMaterialAreNoneOfAnother)  // two laws with different
 TEST(PointParameters, OutsideOfTheirRangeAtSomePointAreRefused)
 {
   expect_refused(with_field("mpm_gp", su_peak, [](Vec<2> x) { return x[0] < 6.0 ? 8e3 : -5.0; }),
-      "material.clay.su_peak", "the value is outside of its range at some point", "It is -5 Pa at (6.05, 0.05) m.");
+      "material.clay.su_peak", "`su_peak` is out of range in part of the soil", "It is -5 Pa at (6.05, 0.05) m,");
   expect_refused(with_field("mpm_gp", su_peak, [](Vec<2> x) { return x[0] < 6.0 ? 8e3 : 1e3; }),
       "material.clay.su_residual", "the residual strength exceeds the peak strength",
       "At the point at (6.05, 0.05) m: ");

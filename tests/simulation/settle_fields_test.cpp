@@ -47,7 +47,8 @@ TEST(SettleFields, AFileThatCoversNoSoilIsRefusedAndOneThatCoversAPartIsDoubted)
   };
   EXPECT_THAT(refusal_of(covering({0.0, -5.0}, {8.0, -1.0})),
       ElementsAre(told("material.clay.eta", "the table `eta.csv` covers none of the soil",
-          "Its places lie in x = 0 to 8 m, y = -5 to -1 m, where there is no `clay`. Are x and y in m, and in the axes of "
+          "Its places lie in x = 0 to 8 m, y = -5 to -1 m, where there is no `clay`. Are x and y in m, and in the axes "
+          "of "
           "the case?")));
   const auto warnings_of = [](const Case& c) {
     Simulation s(c);

@@ -46,7 +46,8 @@ TEST(StrengthProfile, HasARowForEachCellFromTheTopDown)
 TEST(StrengthProfile, KeepsTheEndsAndTheChangesOfMaterialWhenThinned)
 {
   std::vector<ProfileRow> rows(20);
-  for (std::size_t k = 0; k < rows.size(); ++k) rows[k].x[1] = -1.0 * static_cast<Real>(k), rows[k].material = k < 7 ? "a" : "b";
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    rows[k].x[1] = -1.0 * static_cast<Real>(k), rows[k].material = k < 7 ? "a" : "b";
   std::vector<Real> y;
   for (const ProfileRow& row : thinned(rows, 4)) y.push_back(-row.x[1]);
   EXPECT_THAT(y, ElementsAre(0, 5, 6, 7, 10, 15, 19));

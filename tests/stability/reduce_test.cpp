@@ -62,6 +62,16 @@ TEST(Reduce, DividesAStrengthThatVariesAtEachPlace)
   EXPECT_EQ(strengths.at(1).value, 2e3);
 }
 
+TEST(Reduce, LeavesAStiffnessThatFollowsFromAStrengthAsItIs)
+{
+  Case c = column("mpm_gp");
+  const FieldValue strength = [](const PlaceInSoil& at) { return 8e3 + 100.0 * at.x[1]; };
+  c.materials[0].fields = {{0, [strength](const PlaceInSoil& at) { return 100.0 * strength(at); }}, {2, strength}};
+  const Case reduced = reduce_strength(c, 1.6);
+  EXPECT_DOUBLE_EQ(reduced.materials[0].fields[0].value_at({{0.0, 4.0}}), 840e3);
+  EXPECT_DOUBLE_EQ(reduced.materials[0].fields[1].value_at({{0.0, 4.0}}), 5250.0);
+}
+
 TEST(Reduce, DividesTheTangentsOfAngles)
 {
   Case c = column("mpm_gp");
