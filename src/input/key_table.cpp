@@ -399,6 +399,13 @@ std::vector<KeyInfo> method_keys()
           .meaning = "what a contact plane does to the remapped velocity: it stops what crosses it and acts along "
                      "itself with the strength that it left unused in pass 2, or it acts across alone, which may do "
                      "work on soil at rest"},
+      {.path = "method.relaxation_time",
+          .field = [](Case& c, std::size_t) { return &c.method.relaxation_time; },
+          .unit = "s",
+          .range = not_negative,
+          .meaning = "time constant with which points lose the part of their velocity that the mesh does not see; 0: "
+                     "they keep it (decision 0048)",
+          .equation = "v_p <- v_p + (1 - exp(-t/relaxation_time)) (sum N U_i - v_p), U_i fitted to the points"},
       {.path = "method.flip",
           .field = [](Case& c, std::size_t) { return &c.method.flip; },
           .range = between(0.0, 1.0),

@@ -83,7 +83,7 @@ struct MaterialCase {
   Real k0 = std::numeric_limits<Real>::quiet_NaN();  ///< instead of initial.k0 [-]; NaN: that
   std::string soil = {};                             ///< of one of two parts: the name that bodies use; else empty
   Zone zone = Zone::all;
-  bool ground = true;  ///< false: water, or a load on the soil; not what a slope or a dike is made of
+  bool ground = true;                  ///< false: water, or a load on the soil; not what a slope or a dike is made of
   std::vector<RatioCase> ratios = {};  ///< by the number of the parameter that follows from one; for the record
 
   /// The name that bodies use.

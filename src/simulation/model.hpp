@@ -46,19 +46,19 @@ struct Model {
   Vec<2> gravity_before{0.0, 0.0};  ///< from which the ramp of the stage starts [m/s^2]
   Damping damping;
   const Scheme* scheme = nullptr;
-  StepFunction step = nullptr;                   ///< of the same copy of the kernels as the laws and the scheme
-  Real dt = 0.0;                                 ///< [s]; end time over a whole number of steps
-  std::int64_t n_steps = 0;                      ///< at most, of all stages
-  std::int64_t first_step = 0;                   ///< step of first_time: not 0 where the run began in another time step
-  Real first_time = 0.0;                         ///< [s]
-  Stage stage;                                   ///< that the model is of
-  Ramp ramp;                                     ///< from the values of the stage before
-  Real largest_density = 0.0;                    ///< [kg/m^3], for the small-mass limit
-  std::vector<std::int64_t> history_ids;         ///< ids of the named points, in the order of the case
-  std::vector<BodyShare> bodies;                 ///< in the order of the case; filled with the first state
-  RowTable rows;                                 ///< what a point carries
-  NodeDiffusion diffusion;                       ///< of nonlocal softening; empty without
-  int inverse_extent = -1;                       ///< row of the points, with shares that overlap
+  StepFunction step = nullptr;            ///< of the same copy of the kernels as the laws and the scheme
+  Real dt = 0.0;                          ///< [s]; end time over a whole number of steps
+  std::int64_t n_steps = 0;               ///< at most, of all stages
+  std::int64_t first_step = 0;            ///< step of first_time: not 0 where the run began in another time step
+  Real first_time = 0.0;                  ///< [s]
+  Stage stage;                            ///< that the model is of
+  Ramp ramp;                              ///< from the values of the stage before
+  Real largest_density = 0.0;             ///< [kg/m^3], for the small-mass limit
+  std::vector<std::int64_t> history_ids;  ///< ids of the named points, in the order of the case
+  std::vector<BodyShare> bodies;          ///< in the order of the case; filled with the first state
+  RowTable rows;                          ///< what a point carries
+  NodeDiffusion diffusion;                ///< of nonlocal softening; empty without
+  int inverse_extent = -1;                ///< row of the points, with shares that overlap
   std::shared_ptr<const Overburden> ground = {};  ///< where a parameter varies; nullptr: none does
   std::shared_ptr<const NodalWater> water = {};   ///< pore pressure on the nodes; nullptr: no water
   int threads = 1;

@@ -15,18 +15,19 @@ namespace terp {
 /// Work done so far [J per m]; positive when it adds energy to the soil.
 struct WorkTotals {
   Real gravity = 0.0, damping = 0.0, boundary = 0.0;
-  Real clamps = 0.0;     ///< what points keep of the velocity that the boundary takes from nodes in pass 4
-  OuterWork outer{};     ///< of forces from outside: loads, water
-  Real plastic = 0.0;    ///< dissipated
-  Real internal = 0.0;   ///< of the internal forces on the nodes
-  Real exchanged = 0.0;  ///< largest sum of the sizes of gravity, damping, boundary, outer and plastic so far: what
-                         ///< swings to and fro was exchanged, too
-  Real last_step = 0.0;  ///< given() and internal, in the last step alone
+  Real clamps = 0.0;      ///< what points keep of the velocity that the boundary takes from nodes in pass 4
+  OuterWork outer{};      ///< of forces from outside: loads, water
+  Real plastic = 0.0;     ///< dissipated
+  Real internal = 0.0;    ///< of the internal forces on the nodes
+  Real relaxation = 0.0;  ///< of velocities that the mesh does not see, as they fade
+  Real exchanged = 0.0;   ///< largest sum of the sizes of gravity, damping, boundary, outer and plastic so far: what
+                          ///< swings to and fro was exchanged, too
+  Real last_step = 0.0;   ///< given() and internal, in the last step alone
 
   /// What the soil was given from outside.
   Real given() const
   {
-    Real sum = gravity + damping + boundary + clamps;
+    Real sum = gravity + damping + boundary + clamps + relaxation;
     for (const Real work : outer) sum += work;
     return sum;
   }

@@ -222,7 +222,7 @@ std::vector<ArraySource> arrays_of(const State& state)
   }
   const WorkTotals& w = state.work;
   arrays.copy("work", std::vector<Real>{w.gravity, w.damping, w.boundary, w.plastic, w.internal, w.exchanged,
-                          w.last_step, state.start_energy, state.largest_v_999, w.clamps});
+                          w.last_step, state.start_energy, state.largest_v_999, w.clamps, w.relaxation});
   if (state.first_step != 0) {
     arrays.copy("first_step", std::vector<std::int64_t>{state.first_step});
     arrays.copy("first_time", std::vector<Real>{state.first_time});
@@ -305,13 +305,14 @@ State restore(const Model& model, const StateImage& image)
   }
   get_left(arrays, state);
   check_ids(state);
-  const auto& w = arrays.reals("work", 10);
+  const auto& w = arrays.reals("work", 11);
   state.work = {.gravity = w[0],
       .damping = w[1],
       .boundary = w[2],
       .clamps = w[9],
       .plastic = w[3],
       .internal = w[4],
+      .relaxation = w[10],
       .exchanged = w[5],
       .last_step = w[6]};
   if (arrays.has("first_step")) {

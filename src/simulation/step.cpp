@@ -9,6 +9,7 @@
 #include "simulation/loads.hpp"
 #include "simulation/nodal_water.hpp"
 #include "simulation/node_passes.hpp"
+#include "simulation/point_noise.hpp"
 #include "simulation/softening_passes.hpp"
 
 namespace terp {
@@ -201,6 +202,37 @@ void spread_softening(const Model& model, State& state, Workspace& work)
   for_each_near_cell([&](Index, Index cell) { soften_points(model, state.points, cell, spread.value); });
 }
 
+/// What points move against each other unseen by the nodes fades.
+void relax_velocities(const Model& model, State& state, Workspace& work)
+{
+  const std::vector<Index>& cells = state.points.occupied();
+  const Real time = static_cast<Real>(noise_interval(model)) * model.dt;
+  const Real share = 1.0 - std::exp(-time / model.method.relaxation_time);
+  const auto for_each_cell = [&](auto&& f) {
+    work.threads.for_each_range(
+        static_cast<Index>(cells.size()), cells_per_chunk, [&](Index begin, Index end, Index chunk, int) {
+          for (Index slot = begin; slot < end; ++slot) f(slot, cells[slot], chunk);
+        });
+  };
+  const auto take_means = [&] {
+    for_each_node(work, [&](Index i, NodeSums&) { work.fitted[i] = mean_of_fits(model, state, work, i); });
+  };
+  const auto corners_of = [&](Index cell) {
+    std::array<Vec<2>, Quad4::n_corners> at;
+    for (int i = 0; i < Quad4::n_corners; ++i) at[i] = work.fitted[model.mesh->cells[cell][i]];
+    return at;
+  };
+  for_each_cell([&](Index slot, Index cell, Index) { sum_corner_fit(state.points, cell, work.fits[slot]); });
+  take_means();
+  for_each_cell([&](Index slot, Index cell, Index) { solve_corner_fit(corners_of(cell), work.fits[slot]); });
+  take_means();
+  for (CellSums& sums : work.cell_sums) sums.relaxation = 0.0;
+  for_each_cell([&](Index, Index cell, Index chunk) {
+    work.cell_sums[chunk].relaxation += relax_points(state.points, cell, corners_of(cell), share);
+  });
+  for (const CellSums& sums : work.cell_sums) state.work.relaxation += sums.relaxation;
+}
+
 }  // namespace
 
 void step_compiled(const Model& model, State& state, Workspace& work)
@@ -259,6 +291,8 @@ void step_compiled(const Model& model, State& state, Workspace& work)
   for (const ActiveFollower& active : state.followers) active.follower->step(model, work);
   const bool softens_now = model.spreads_softening() && find_softening_runs(state, work, model.diffusion);
   timed(work, move, [&] { move_leavers(model, state, work); });
+  if (model.method.relaxation_time > 0.0 && !work.settling && (state.step + 1) % noise_interval(model) == 0)
+    timed(work, relaxation, [&] { relax_velocities(model, state, work); });
   if (softens_now) timed(work, softening, [&] { spread_softening(model, state, work); });
 
   ++state.step;

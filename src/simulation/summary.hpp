@@ -90,7 +90,7 @@ struct Summary {
       reached_sides;             ///< in order of time; without open sides and those where soil lay at the start
   std::int64_t points_left = 0;  ///< through open sides
   std::vector<FootingSummary> footings;
-  std::optional<FloodSummary> flood;                 ///< none without a water level
+  std::optional<FloodSummary> flood;  ///< none without a water level
   std::vector<StageSummary> stages;
   std::map<std::string, Real, std::less<>> numbers;  ///< of followers, under the names that they declare; NaN: none
   Real v_999 = 0.0;  ///< largest 99.9 % quantile of the speed over all ledger rows [m/s]

@@ -84,6 +84,10 @@ void Workspace::fit(const Model& model, const State& state)
     softening_corners.resize(cells.size());
     group_softens.resize(Threads::n_chunks(static_cast<Index>(cells.size()), pack_width));
   }
+  if (model.method.relaxation_time > 0.0) {
+    fits.resize(cells.size());
+    fitted.resize(model.mesh->nodes.size());
+  }
   pressure.resize(state.points.n_blocks());
   const std::size_t n_gauss = model.materials.size() * state.points.n_bodies() *
                               Threads::n_chunks(static_cast<Index>(cells.size()), pack_width);

@@ -36,8 +36,9 @@ struct NodeSums {
 
 /// Sums over the cells of one chunk, and where the points are listed that left their cell.
 struct CellSums {
-  Real plastic = 0.0;  ///< work of the step [J per m]
-  int thread = 0;      ///< whose list holds the points that left
+  Real plastic = 0.0;     ///< work of the step [J per m]
+  Real relaxation = 0.0;  ///< kinetic energy that relaxed velocities gain [J per m]
+  int thread = 0;         ///< whose list holds the points that left
   std::size_t first_leaver = 0, end_of_leavers = 0;
 };
 
@@ -46,6 +47,15 @@ struct CornerSoftening {
   PerCorner<Quad4> volume;          ///< [m^2]
   PerCorner<Quad4> increment;       ///< volume times increment [m^2]
   PerCorner<Quad4> length_squared;  ///< volume times l^2 [m^4]
+};
+
+inline constexpr int n_fit_terms = Quad4::n_corners * (Quad4::n_corners + 1) / 2;
+
+/// Of the points of one cell, at its corners (point_noise.hpp).
+struct CornerFit {
+  PerCorner<Quad4> mass;                 ///< sum m_p N_i [kg per m]
+  std::array<Real, n_fit_terms> matrix;  ///< sum m_p N_i N_j, the lower half by rows [kg per m]
+  CornerVectors<Quad4> momentum;         ///< sum m_p N_i v_p, then mass times the fitted velocity [kg/s]
 };
 
 inline constexpr Index cells_per_chunk =
@@ -72,6 +82,8 @@ struct Workspace {
   NodeSpread softening;                                       ///< of nonlocal softening
   std::vector<std::uint8_t> group_softens;                    ///< whether a point of a group softened in this step
   std::vector<std::uint8_t> run_softens, run_is_near;  ///< the same of the runs of NodeDiffusion; those it can reach
+  std::vector<CornerFit> fits;                         ///< shape [n_occupied]; of velocities that relax
+  std::vector<Vec<2>> fitted;                          ///< U_i of the same [m/s], shape [n_nodes]
   ZeroedArray<NodeValues> node;                        ///< shape [n_nodes]; only those of active nodes are written
   std::vector<Index> active_nodes;                     ///< nodes of occupied cells, ascending
   std::vector<std::uint64_t> node_bits;

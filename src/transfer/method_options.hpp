@@ -24,8 +24,9 @@ struct MethodOptions {
   StateAveraging state_averaging = StateAveraging::as_declared;
   ObjectiveRate objective_rate = ObjectiveRate::none;
   RemapContact remap_contact = RemapContact::unused_strength;
-  Real flip = 1.0;         ///< 1: pure FLIP, 0: pure PIC [-]
-  Real small_mass = 1e-9;  ///< nodes lighter than this times rho V_e keep v = a = 0 [-]
+  Real relaxation_time = 0.0;  ///< with which points lose the velocity that the mesh does not see; 0: never [s]
+  Real flip = 1.0;             ///< 1: pure FLIP, 0: pure PIC [-]
+  Real small_mass = 1e-9;      ///< nodes lighter than this times rho V_e keep v = a = 0 [-]
 };
 
 }  // namespace terp

@@ -52,7 +52,8 @@ inline std::vector<TableRow> sample_ledger(Real time)
   TableRow row(sample_ledger_table());
   row["time"] = time, row["step"] = 100, row["kinetic"] = 1.25, row["kinetic_nodal"] = 0.75, row["elastic"] = 2.5;
   row["plastic"] = 3.75, row["gravity_work"] = 4.5, row["damping_work"] = -5.5, row["boundary_work"] = -6.5;
-  row["clamp_work"] = 0.375, row["water_work"] = 0.875;
+  row["clamp_work"] = 0.375, row["water_work"] = 0.875, row["load_work"] = -0.5;
+  row["relaxation_work"] = -0.25;
   row["left_energy"] = 0.125, row["numerical"] = 1e-12, row["mass"] = 31840.0, row["momentum_x"] = 7.5;
   row["momentum_y"] = -8.5, row["clamped"] = 3, row["left"] = 0, row["v_max"] = 6.25, row["v_999"] = 5.75;
   row["front_x"] = 13.1, row["crest_y"] = 1.75, row["crest_left_x"] = 3.5, row["crest_left_y"] = 1.5;

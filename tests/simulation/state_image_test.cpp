@@ -46,6 +46,7 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
       .clamps = 3.5,
       .plastic = 4.0,
       .internal = 5.0,
+      .relaxation = 5.125,
       .exchanged = 5.25,
       .last_step = 5.5};
   state.start_energy = 6.0;
@@ -62,6 +63,7 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
   EXPECT_EQ(back.work.clamps, 3.5);
   EXPECT_EQ(back.work.plastic, 4.0);
   EXPECT_EQ(back.work.internal, 5.0);
+  EXPECT_EQ(back.work.relaxation, 5.125);
   EXPECT_EQ(back.work.exchanged, 5.25);
   EXPECT_EQ(back.work.last_step, 5.5);
   EXPECT_EQ(back.start_energy, 6.0);
