@@ -19,6 +19,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <set>
 
 namespace terp {
 namespace {
@@ -168,7 +169,8 @@ void print_check(const CaseFile& file, Simulation& simulation, const RunOptions&
   fmt::print("  mass           {:.6g} kg per m\n", total_mass(state));
   print_bodies(model);
   print_sides(model);
-  for (const std::string& note : file.notes) fmt::print("  read as        {}\n", printable(note));
+  for (const std::string& note : std::set<std::string>(file.notes.begin(), file.notes.end()))  // parts of a soil share
+    fmt::print("  read as        {}\n", printable(note));
   print_profiles(options, model, state);
   if (softens_point_by_point(model))
     fmt::print(

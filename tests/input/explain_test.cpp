@@ -92,9 +92,15 @@ TEST(Explain, SaysWhichKeysOfAMeshBelongTogether)
 TEST(Explain, TellsThatAParameterDefaultsToAnother)
 {
   EXPECT_THAT(explain("mohr_coulomb"),
-      HasSubstr("cohesion_residual\n    cohesion that softening leaves\n    unit      Pa\n    allowed   a number, at "
-                "least 0 Pa\n    as text   \"1 kPa\", in kPa, Pa, MPa, GPa, N/m2, kN/m2, MN/m2, N/mm2, bar\n"
+      HasSubstr("cohesion_residual\n    cohesion that softening leaves\n    unit      Pa\n    allowed   a number or a "
+                "field, at least 0 Pa\n    as text   \"1 kPa\", in kPa, Pa, MPa, GPa, N/m2, kN/m2, MN/m2, N/mm2, bar\n"
                 "    default   the value of `cohesion`\n"));
+}
+
+TEST(Explain, ListsTheKindsOfFieldsAndWhatStandsForAParameter)
+{
+  EXPECT_THAT(explain("field"), HasSubstr("{ depth = [[0, 8e3], [5, 15e3]] }\n"));
+  EXPECT_THAT(explain("su_residual"), HasSubstr("    instead   sensitivity\n"));
 }
 
 TEST(Explain, OffersTheNearestTopic)
