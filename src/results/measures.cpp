@@ -186,8 +186,9 @@ Value softened_at(Run run, Real time)
 }
 
 /// Whether the ground holds the water.
-void add_flood(Measures& all)
+void add_flood(Measures& all, const std::vector<RunResults>& runs)
 {
+  if (std::ranges::none_of(runs, [](Run run) { return run.summary.values.flood.has_value(); })) return;
   const auto add = [&](RunMeasure measure, auto of) {
     measure.value = [of](Run run) -> Value {
       const auto& flood = run.summary.values.flood;
@@ -345,7 +346,7 @@ std::vector<RunMeasure> measures_of(const std::vector<RunResults>& runs)
   Measures all;
   all.push_back(
       {.label = "time at the end", .unit = "s", .digits = 3, .value = [](Run run) { return last_in(run, "time"); }});
-  add_flood(all);
+  add_flood(all, runs);
   add_places(all);
   add_slides(all, runs);
   add_volumes(all);

@@ -97,7 +97,10 @@ void add(FrameField field, F read, std::vector<FrameField>& fields)
 void add_pore_pressure(const Model& model, const State& state, std::vector<FrameField>& fields)
 {
   const auto pore = std::make_shared<PorePressure>();
-  model.water->renew(state.time, *pore);
+  if (const StageWater& water = model.stage.water; water.given)
+    model.water->set(water.from, water.to, model.ramp.share_at(state.time), *pore);
+  else
+    model.water->renew(state.time, *pore);
   const auto read = [&model, pore](const PointBlock<2>& block, Index lane, Real* out) {
     *out = pore_pressure_at(model, *pore, block, lane);
   };

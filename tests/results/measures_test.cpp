@@ -110,7 +110,7 @@ TEST(Measures, OfSizesWhoseVerdictDiffersSayItLoudly)
     for (const auto& [cell, verdict] : {std::pair{0.5, FloodVerdict::damaged}, std::pair{0.25, fine}}) {
       StudyRun& run = sequence.runs.emplace_back();
       run.cell = run.size = cell;
-      run.results = flooding(scratch.path() + fmt::format("/{}", cell), verdict, 4.5);
+      run.results = flooding(scratch.path() + fmt::format("/{}_{}", cell, static_cast<int>(fine)), verdict, 4.5);
     }
     return study_text(study_mesh({sequence}, 0.05));
   };

@@ -94,7 +94,7 @@ TEST(Stages, InWhichNothingChangesGiveTheBitsOfOneRun)
     EXPECT_EQ(a.model.dt, b.model.dt);
     EXPECT_EQ(b.state.stages_done.size(), 3u);
     EXPECT_EQ(different_arrays(a.save(), b.save()),
-        (std::vector<std::string>{"counts", "rows_reported/ledger", "stage", "stages_done"}));
+        (std::vector<std::string>{"counts", "stage", "stages_done"}));  // the ends of stages are due rows here
     EXPECT_EQ(a.state.clamped, b.state.clamped);
   }
 }
