@@ -76,7 +76,9 @@ struct Loop {
     const std::int64_t end = last_step_of_run(model, state);
     const double eta = done > 0.0 ? wall / done * static_cast<double>(end - state.step) : 0.0;
     const Real end_time = end == model.n_steps ? model.description.time.end : model.time_of(end);
-    const bool at_most = std::ranges::any_of(model.description.stages, ends_at_rest) || model.stage.rest.steps > 0;
+    const auto& stages = model.description.stages;
+    const auto present = stages.begin() + static_cast<std::ptrdiff_t>(std::min(model.stage.number, stages.size()));
+    const bool at_most = std::any_of(present, stages.end(), ends_at_rest) || model.stage.rest.steps > 0;
     reporter.report({.time = state.time,
         .end_time = end_time,
         .step = state.step,

@@ -239,7 +239,7 @@ TEST(Resume, OfACaseThatWasChangedIsRefusedWithWhatChanged)
                        "  Put back what it began with, or solve the changed case from its start: terp run " +
                        folder +
                        "/case.toml -o NEW_FOLDER\n"
-                       "  These may change: title, time.end, output.fields.every, output.checkpoint\n");
+                       "  These may change: title, time.end, time.at_most, output.fields.every, output.checkpoint\n");
   EXPECT_EQ(names_in(folder), before);
   edit_case(folder, "[4, 4]", "5");
   edit_case(folder, "eta = 40.0", "eta = 5.0e1");

@@ -20,7 +20,7 @@ struct Flowing : Simulation {
     make_steps(*this, 5);
   }
   StrainMemory memory;
-  TotalsRequest ask(const std::vector<Columns>& shear) { return {0.1, shear, &memory}; }
+  TotalsRequest ask(const std::vector<Columns>& shear) { return {0.1, {}, shear, &memory}; }
 };
 
 const std::vector<Columns> halves{{.left = 0.0, .width = 0.5, .n = 15}, {.left = 7.5, .width = 0.5, .n = 17}};
@@ -96,7 +96,7 @@ TEST(Totals, NameThePointsWhoseHistoryWentBack)
   StrainMemory memory = remember_strain(s.model, s.state);
   strain_to(7, 0.01);
   strain_to(9, 0.03);
-  const Totals totals = kernels().add_up(s.model, s.state, s.work.threads, {0.1, {}, &memory});
+  const Totals totals = kernels().add_up(s.model, s.state, s.work.threads, {0.1, {}, {}, &memory});
   EXPECT_THAT(totals.fell, ElementsAre(7));
   EXPECT_THAT(totals.rose, ElementsAre(7));  // its strength rose with it
   EXPECT_EQ(std::count(totals.strained.begin(), totals.strained.end(), 1), 1);
