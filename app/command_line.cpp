@@ -292,7 +292,8 @@ void declare_guides(CLI::App& app, CommandLine& line)
       ->option_text("FILE");
   check
       ->add_option("--profile", line.options.profiles,
-          "strength, stiffness and vertical stress with depth, at each x in m; default: a few where a strength varies")
+          "strength, stiffness and vertical stress with depth,\n"
+          "at each x in m; default: a few, where a strength varies")
       ->delimiter(',')
       ->option_text("X,X");
   CLI::App* explain = add_command(app, "explain", "Understand", "a key, material or scheme: meaning, unit, range",

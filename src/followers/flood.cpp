@@ -107,17 +107,19 @@ class Flood : public Follower {
 
   void save(ArrayWriter& arrays) const override
   {
-    const Real river = !river_ ? never : outwards(*river_);
-    arrays.copy("ground", std::vector<Real>{static_cast<Real>(range_.first), static_cast<Real>(range_.last),
-                              first_height_, settles_, river});
+    arrays.copy("columns", std::vector<std::int64_t>{range_.first, range_.last});
+    arrays.copy("ground", std::vector<Real>{first_height_, settles_});
+    arrays.copy("river", std::vector<std::int64_t>{!river_ ? 0 : static_cast<std::int64_t>(outwards(*river_))});
     arrays.copy("times", std::vector<Real>{time_damaged_, time_below_});
   }
   void load(const Model&, const State&, const ArrayReader& arrays) override
   {
-    const auto &ground = arrays.reals("ground", 5), &times = arrays.reals("times", 2);
-    range_ = {static_cast<Index>(ground[0]), static_cast<Index>(ground[1])};
-    first_height_ = ground[2], settles_ = ground[3];
-    river_ = std::isnan(ground[4]) ? std::nullopt : std::optional(ground[4] > 0.0 ? Facing::right : Facing::left);
+    const auto &ground = arrays.reals("ground", 2), &times = arrays.reals("times", 2);
+    const auto& columns = arrays.wholes("columns", 2);
+    range_ = {static_cast<Index>(columns[0]), static_cast<Index>(columns[1])};
+    first_height_ = ground[0], settles_ = ground[1];
+    const std::int64_t river = arrays.wholes("river", 1)[0];
+    river_ = river == 0 ? std::nullopt : std::optional(river > 0 ? Facing::right : Facing::left);
     time_damaged_ = times[0], time_below_ = times[1];
   }
 };

@@ -50,7 +50,8 @@ inline std::vector<TableRow> sample_history(Real time)
 inline std::vector<TableRow> sample_ledger(Real time)
 {
   TableRow row(sample_ledger_table());
-  row["time"] = time, row["step"] = 100, row["kinetic"] = 1.25, row["kinetic_nodal"] = 0.75, row["elastic"] = 2.5;
+  row["time"] = time, row["step"] = 100, row["stage"] = 2, row["kinetic"] = 1.25, row["kinetic_nodal"] = 0.75,
+  row["elastic"] = 2.5;
   row["plastic"] = 3.75, row["gravity_work"] = 4.5, row["damping_work"] = -5.5, row["boundary_work"] = -6.5;
   row["clamp_work"] = 0.375, row["water_work"] = 0.875, row["load_work"] = -0.5;
   row["relaxation_work"] = -0.25;

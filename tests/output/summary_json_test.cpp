@@ -69,7 +69,7 @@ TEST(SummaryJson, HoldsEveryNumberUnderItsName)
     "points_eps_eq_p_fell": 3, "points_su_rose": 4, "energy_balance_error": 1e-3, "clamped_points": 6,
     "points_left": 2, "reached_sides": [{"side": "right", "time": 1.5, "rose": true}],
     "footings": [{"name": "plate", "displacement": [0.5, -0.25], "reaction": [3.0, 4.5],
-    "largest_reaction": 7.0, "work": 12.5}], "v_999": 5.5, "residual_height": 3.5,
+    "largest_reaction": 7.0, "work": 12.5}], "stages": [], "v_999": 5.5, "residual_height": 3.5,
     "flood": {"verdict": "floods", "water_level": 4.0, "river": "left", "residual_height": 3.5, "freeboard": -0.5,
     "width_at_level": 0.0, "intact_width": 0.0, "first_time_damaged": 0.75, "first_time_below": 1.25,
     "criterion": "why"},
