@@ -87,10 +87,9 @@ struct MohrCoulomb {
       "eps_eq_p = sum sqrt(1/2 de_p : de_p), de_p the deviator of the plastic strain         Eq. (6)\n"
       "opening  = volume strain beyond the apex, where all three stresses meet their limit; closes before pressure "
       "returns\n"
-      "phi = psi = 0 is Tresca's law with c = S_u. There is no pore water: give effective strength, density and "
-      "stiffness\n"
-      "of drained soil, or phi = 0, c = S_u and saturated density for total stress in undrained soil "
-      "(docs/methods.md).\n";
+      "phi = psi = 0 is Tresca's law with c = S_u. With [water] drained soil has the pore pressure of its place; give\n"
+      "c', phi', stiffness of drained soil and the density of the soil with its water. For total stress in undrained\n"
+      "soil: phi = 0, c = S_u and saturated density (docs/methods.md).\n";
   static constexpr std::array parameters{
       shear_modulus_info,
       poisson_ratio_info,
