@@ -51,8 +51,10 @@ class Flood : public Follower {
   std::optional<Facing> river_;
   Real time_damaged_ = never, time_below_ = never;  ///< the first ones; but for slides [s]
 
+  /// A verdict is one of all stages: a stage that sets displacements to zero begins no new one.
   void start(const Model& model, const State& state) override
   {
+    if (state.stage > 0 && !std::isnan(first_height_)) return;
     const StandingGround ground = standing_ground(model, state.points);
     range_ = columns_of_barrier(ground);
     first_height_ = find_barrier(ground, range_).height;

@@ -290,7 +290,7 @@ void enter_next_stage(Model& model, State& state, Workspace& work)
   model = model_for(std::move(next), state);
   if (model.description.stages[model.stage.number].reset_displacement) {
     reset_displacement(state);
-    start_followers(model, state);
+    for (const ActiveFollower& active : state.followers) active.follower->start(model, state);
   }
   work.damping_local = model.damping.local;
   work.water_share = std::numeric_limits<Real>::quiet_NaN();

@@ -84,6 +84,19 @@ TEST(Flood, ADikeThatCameDownBelowTheWaterFloodsFromThatTimeOn)
   EXPECT_EQ(flood_sentence(flood).substr(0, 23), "floods, from 1.30 s on:");
 }
 
+TEST(Flood, AStageThatResetsDisplacementBeginsNoNewVerdict)
+{
+  Drawn s;
+  s.become([](Vec<2> x) { return Vec<2>{x[0], std::min(x[1], 0.6 * x[1] + 0.4)}; });
+  const FloodSummary before = s.flood();
+  ASSERT_TRUE(before.first_time_below);
+  s.state.stage = 1;
+  for (const ActiveFollower& active : s.state.followers) active.follower->start(s.model, s.state);
+  s.look();
+  EXPECT_EQ(s.flood().first_time_below, before.first_time_below);
+  EXPECT_EQ(s.flood().first_time_damaged, before.first_time_damaged);
+}
+
 TEST(Flood, AllThatStandsBetweenRiverAndLandCounts)
 {
   Drawn s;  // both slopes slide and leave a wall of 1.5 m with nearly the first height
