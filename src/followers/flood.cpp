@@ -44,6 +44,7 @@ std::string criterion_text(const FloodCase& flood)
   return text;
 }
 
+/// A verdict is one of all stages: it stays where displacement is counted anew.
 class Flood : public Follower {
   ColumnRange range_;          ///< of the ground that counts
   Real first_height_ = never;  ///< of the barrier at t = 0 [m]
@@ -51,10 +52,8 @@ class Flood : public Follower {
   std::optional<Facing> river_;
   Real time_damaged_ = never, time_below_ = never;  ///< the first ones; but for slides [s]
 
-  /// A verdict is one of all stages: a stage that sets displacements to zero begins no new one.
   void start(const Model& model, const State& state) override
   {
-    if (state.stage > 0 && !std::isnan(first_height_)) return;
     const StandingGround ground = standing_ground(model, state.points);
     range_ = columns_of_barrier(ground);
     first_height_ = find_barrier(ground, range_).height;
@@ -98,9 +97,8 @@ class Flood : public Follower {
     f.width_at_level = barrier.width;
     f.intact_width = barrier.intact_width;
     f.first_time_below = known(time_below_);
-    f.first_time_damaged = known(time_damaged_);
-    for (const SlideSummary& slide : s.slides)  // those of the slopes, which are asked before
-      f.first_time_damaged = std::fmin(f.first_time_damaged.value_or(never), slide.slide.begins);
+    f.first_time_damaged =  // the slopes are asked before
+        known(std::fmin(time_damaged_, s.first_slide_time.value_or(never)));
     f.verdict = f.first_time_below     ? FloodVerdict::floods
                 : f.first_time_damaged ? FloodVerdict::damaged
                                        : FloodVerdict::stands;

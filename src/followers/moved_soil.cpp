@@ -38,6 +38,7 @@ class MovedSoilFollower : public Follower {
     ground_ = ground_of(model);
     distance_ = moved_distance(first_section(model, state.points, ground_));
   }
+  void count_displacement_anew(const Model& model, const State& state) override { start(model, state); }
   void request(TotalsRequest& request) override { request.moved_distance = distance_, request.ground = ground_; }
   void row(const LedgerContext& context, std::span<Real> values) override
   {

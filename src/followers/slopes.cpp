@@ -202,6 +202,7 @@ SlipSurface next_slip(const Real* head, const std::vector<Real>& places, std::si
 
 class Slopes : public Follower {
   Followed all_;
+  Real first_slide_before_ = std::nan("");  ///< before displacement was last counted anew [s]
 
   void start(const Model& model, const State& state) override
   {
@@ -210,7 +211,30 @@ class Slopes : public Follower {
         .slopes = {},
         .extent = extent_in_x(*model.mesh, state.points, ground),
         .ground = ground};
+    first_slide_before_ = std::nan("");
     find_slopes_of_section();
+  }
+
+  void count_displacement_anew(const Model& model, const State& state) override
+  {
+    const Real first = first_slide_time(model, state);
+    start(model, state);
+    first_slide_before_ = first;
+  }
+
+  /// NaN if there was no slide in any stage [s].
+  Real first_slide_time(const Model& model, const State& state) const
+  {
+    const Fronts fronts = find_fronts(model, state, all_, moved_of(state));
+    Real first = first_slide_before_;
+    for (const SlopeFailure& slope : all_.slopes)
+      for (const SlideSummary& slide : slides_of(all_, fronts, slope)) first = std::fmin(first, slide.slide.begins);
+    return first;
+  }
+
+  MovedSoil moved_of(const State& state) const
+  {
+    return find_moved(state.points, state.x_initial, moved_distance(all_.section), all_.ground);
   }
 
   void find_slopes_of_section()
@@ -253,8 +277,8 @@ class Slopes : public Follower {
 
   void summarise(const Model& model, const State& state, Summary& s) const override
   {
-    const MovedSoil moved = find_moved(state.points, state.x_initial, moved_distance(all_.section), all_.ground);
-    const Fronts fronts = find_fronts(model, state, all_, moved);
+    const Fronts fronts = find_fronts(model, state, all_, moved_of(state));
+    s.first_slide_time = finite(first_slide_time(model, state));
     if (const SlopeFailure* main = main_slope(all_, fronts)) summarise_slope(model, state, fronts, *main, s);
     for (const SlopeFailure& slope : all_.slopes)
       for (SlideSummary& slide : slides_of(all_, fronts, slope)) s.slides.push_back(std::move(slide));
@@ -285,6 +309,7 @@ class Slopes : public Follower {
     arrays.refer("heights", all_.section.heights);
     arrays.copy("columns", std::vector<Real>{columns.left, columns.width, all_.section.base});
     arrays.copy("extent", std::vector<Real>{all_.extent[0], all_.extent[1]});
+    arrays.copy("first_slide_before", std::vector<Real>{first_slide_before_});
     for (std::size_t k = 0; k < all_.slopes.size(); ++k) {
       const SlopeFailure& slope = all_.slopes[k];
       ArrayWriter of_slope = arrays.below(fmt::format("slope_{}", k));
@@ -310,6 +335,7 @@ class Slopes : public Follower {
     if (!fits) throw FileError("the checkpoint does not fit this case: its first surface has no columns");
     all_ = {{{columns[0], columns[1], static_cast<Index>(heights.size())}, heights, columns[2]}, {},
         {extent[0], extent[1]}, ground_of(model)};
+    first_slide_before_ = arrays.reals("first_slide_before", 1)[0];
     find_slopes_of_section();
     for (std::size_t k = 0; k < all_.slopes.size(); ++k) {
       const ArrayReader of_slope = arrays.below(fmt::format("slope_{}", k));

@@ -37,6 +37,8 @@ class Follower {
   virtual std::vector<TableRow> rows(const Model&, const State&) { return {}; }
   /// Somebody else has set values of the points.
   virtual void points_were_set(const Model&, const State&) {}
+  /// A stage counts displacement and strain from now on; the state still has those of before.
+  virtual void count_displacement_anew(const Model&, const State&) {}
   /// At each frame.
   virtual void frame(const Model&, const State&) {}
   /// What the summary says of it.

@@ -60,13 +60,21 @@ void check_lengths(const Case& whole, Real dt)
   }
 }
 
-/// Body of each point, by id: points keep the order in which they are seeded.
-std::vector<Index> bodies_by_id(const Model& first_stage)
-{
+/// Body and place of each point as it is seeded, by id. Displacement may be counted from later places.
+struct Seeds {
   std::vector<Index> bodies;
-  for (const auto& batch : make_points(first_stage))
-    for (const NewPoint& p : batch) bodies.push_back(p.body);
-  return bodies;
+  std::vector<Real> places;  ///< [m], shape [n, 2]
+};
+
+Seeds seeds_of(const Model& model)
+{
+  Seeds seeds;
+  for (const auto& batch : make_points(model))
+    for (const NewPoint& p : batch) {
+      seeds.bodies.push_back(p.body);
+      seeds.places.insert(seeds.places.end(), p.x.begin(), p.x.end());
+    }
+  return seeds;
 }
 
 /// Gives a point of another material the mass of that material and the rows that only its law has.
@@ -84,14 +92,13 @@ struct MovedPoint {
 };
 
 /// Takes the points out of their blocks whose body is of another material than they are.
-std::vector<MovedPoint> take_changed_points(const Model& model, State& state)
+std::vector<MovedPoint> take_changed_points(const Model& model, const std::vector<Index>& body, State& state)
 {
   const auto target = [&model](const BodyCase& body, Index from) {
     const MaterialCase& now = model.description.materials[from];
     const bool stays = !body.points_file.empty() || now.called() == body.material;
     return stays ? from : material_number(model, body.material, now.zone);  // what was below the water line stays so
   };
-  const std::vector<Index> body = bodies_by_id(model);
   std::vector<MovedPoint> moved;
   for (const Index cell : state.points.occupied())
     for (Index b = state.points.first_block(cell); b >= 0; b = state.points.block(b).next)
@@ -226,11 +233,12 @@ bool ends_now(const Model& model, const Workspace& work, State& state)
 
 void change_materials(const Model& model, State& state)
 {
-  std::vector<MovedPoint> moved = take_changed_points(model, state);
+  const Seeds seeds = seeds_of(model);
+  std::vector<MovedPoint> moved = take_changed_points(model, seeds.bodies, state);
   for (auto point = moved.rbegin(); point != moved.rend(); ++point) state.points.add(point->key, point->values);
   state.points.update_occupied();
   const auto varies = [&](const MovedPoint& point) { return model.materials[point.key.material].varies(); };
-  if (std::ranges::any_of(moved, varies)) set_point_parameters(model, state.x_initial, state);
+  if (std::ranges::any_of(moved, varies)) set_point_parameters(model, seeds.places, state);
 }
 
 Model model_for(Model model, const State& state)
@@ -281,7 +289,7 @@ void enter_next_stage(Model& model, State& state, Workspace& work)
     change_materials(next, state);
   const auto is_of_material = [](const auto& change) { return change.first.starts_with("material"); };
   if (std::ranges::any_of(model.description.stages[next.stage.number].changes, is_of_material))
-    set_point_parameters(next, state.x_initial, state);
+    set_point_parameters(next, seeds_of(next).places, state);
   state.start_energy += kinetic_and_elastic_energy(next, state) - before;
   place_new_loads(model, next, state);
   ++state.stage;
@@ -289,8 +297,8 @@ void enter_next_stage(Model& model, State& state, Workspace& work)
   state.quiet_steps = 0;
   model = model_for(std::move(next), state);
   if (model.description.stages[model.stage.number].reset_displacement) {
+    for (const ActiveFollower& active : state.followers) active.follower->count_displacement_anew(model, state);
     reset_displacement(state);
-    for (const ActiveFollower& active : state.followers) active.follower->start(model, state);
   }
   work.damping_local = model.damping.local;
   work.water_share = std::numeric_limits<Real>::quiet_NaN();

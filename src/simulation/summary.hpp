@@ -76,6 +76,7 @@ struct Summary {
   Real moved_fraction = 0.0;                              ///< of all volume [-]
   std::optional<Real> intact_fraction;      ///< of the volume that moved, with an eps_eq_p below `intact_strain` [-]
   std::vector<SlideSummary> slides;         ///< in order of time, definition in docs/formats.md
+  std::optional<Real> first_slide_time;     ///< of all stages, also before displacement was counted anew [s]
   std::optional<Real> second_failure_time;  ///< [s], definition in docs/formats.md
   Real max_eps_eq_p = 0.0;                  ///< at the end [-]
   std::optional<Real> softened_strain;      ///< plastic strain from which soil counts as softened: the smallest of the

@@ -90,11 +90,25 @@ TEST(Flood, AStageThatResetsDisplacementBeginsNoNewVerdict)
   s.become([](Vec<2> x) { return Vec<2>{x[0], std::min(x[1], 0.6 * x[1] + 0.4)}; });
   const FloodSummary before = s.flood();
   ASSERT_TRUE(before.first_time_below);
-  s.state.stage = 1;
-  for (const ActiveFollower& active : s.state.followers) active.follower->start(s.model, s.state);
+  for (const ActiveFollower& active : s.state.followers) active.follower->count_displacement_anew(s.model, s.state);
   s.look();
   EXPECT_EQ(s.flood().first_time_below, before.first_time_below);
   EXPECT_EQ(s.flood().first_time_damaged, before.first_time_damaged);
+}
+
+TEST(Flood, ASlideBeforeDisplacementWasCountedAnewStillIsDamage)
+{
+  Drawn s;  // the land slope slides; the barrier keeps its height
+  s.become([](Vec<2> p) { return slide_right(p, 20.0, 6.0, 2.0); });
+  const Summary before = summarise(s.model, s.state);
+  ASSERT_EQ(before.slides.size(), 1u);
+  ASSERT_TRUE(before.flood->first_time_damaged);
+  for (const ActiveFollower& active : s.state.followers) active.follower->count_displacement_anew(s.model, s.state);
+  s.look();
+  const Summary after = summarise(s.model, s.state);
+  EXPECT_TRUE(after.slides.empty());
+  EXPECT_EQ(after.flood->first_time_damaged, before.flood->first_time_damaged);
+  EXPECT_EQ(after.flood->verdict, FloodVerdict::damaged);
 }
 
 TEST(Flood, AllThatStandsBetweenRiverAndLandCounts)

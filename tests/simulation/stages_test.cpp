@@ -224,6 +224,28 @@ TEST(Stages, MayCountDisplacementAnew)
   }
 }
 
+// A strength that varies with the place belongs to the place of the seed, not to where the point has come to.
+TEST(Stages, KeepTheFieldsOfTheFirstPlacesWhenDisplacementIsCountedAnew)
+{
+  constexpr std::size_t su_peak = 2;
+  Case c = column("mpm_gp");
+  c.materials[0].fields = {{su_peak, [](Vec<2> x) { return 15e3 + 1e3 * x[1]; }}};
+  StageCase anew = stage("b", 0.05), changed = stage("c", 0.05);
+  anew.reset_displacement = true;
+  changed.changes = {{"material.clay.eta", "9"}};
+  Simulation s(staged(c, {{stage("a", 0.3), {}}, {anew, {}}, {changed, {}}}));
+  const std::vector<Real> seeds = s.state.x_initial;
+  s.run();
+  const SoilMaterial& soil = s.model.materials[0];
+  Real farthest = 0.0;
+  for_each_point(s.state.points, [&](const PointBlock<2>& block, Index lane) {
+    const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
+    EXPECT_EQ(*soil.view(block, lane).parameters(0), 15e3 + 1e3 * seeds[2 * id + 1]);
+    farthest = std::max(farthest, std::abs(s.state.x_initial[2 * id + 1] - seeds[2 * id + 1]));
+  });
+  EXPECT_GT(farthest, 1e-3);
+}
+
 TEST(Stages, GoOnFromACheckpointWithTheSameBits)
 {
   Case c = settling();
