@@ -20,11 +20,11 @@ constexpr Real round_off = 1e-9;  // of heights and widths [m]
 
 std::optional<Real> known(Real value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
 
-/// The end of the section at which the river is: as the case says, or where the ground lies below the water if that at
-/// the other end does not.
-std::optional<Facing> river_side(const FloodCase& flood, const StandingGround& ground)
+/// The end of the section at which the river is: as the case or the water says, or where the ground lies below the
+/// level if that at the other end does not.
+std::optional<Facing> river_side(const FloodLevel& level, const StandingGround& ground)
 {
-  if (flood.river != RiverSide::deduced) return flood.river == RiverSide::left ? Facing::left : Facing::right;
+  if (level.river) return level.river;
   const auto stands = [](Real height) { return std::isfinite(height); };
   const auto left = std::ranges::find_if(ground.heights, stands);
   const auto right = std::find_if(ground.heights.rbegin(), ground.heights.rend(), stands);
@@ -32,15 +32,14 @@ std::optional<Facing> river_side(const FloodCase& flood, const StandingGround& g
   return *left < ground.level ? Facing::left : Facing::right;
 }
 
-std::string criterion_text(const FloodCase& flood)
+std::string criterion_text(const FloodCase& flood, Real level)
 {
-  std::string text = fmt::format("it floods where no ground between river and land stands at {:g} m or higher",
-      flood_level(flood) + flood.smallest_freeboard);
+  std::string text = fmt::format(
+      "it floods where no ground between river and land stands at {:g} m or higher", level + flood.smallest_freeboard);
   if (flood.smallest_freeboard > 0.0)
-    text += fmt::format(", {:g} m over the water at {:g} m", flood.smallest_freeboard, flood_level(flood));
+    text += fmt::format(", {:g} m over the water at {:g} m", flood.smallest_freeboard, level);
   if (flood.smallest_width > 0.0)
-    text += fmt::format(
-        ", or where the ground is less than {:g} m wide at {:g} m", flood.smallest_width, flood_level(flood));
+    text += fmt::format(", or where the ground is less than {:g} m wide at {:g} m", flood.smallest_width, level);
   return text;
 }
 
@@ -58,7 +57,7 @@ class Flood : public Follower {
     range_ = columns_of_barrier(ground);
     first_height_ = find_barrier(ground, range_).height;
     settles_ = standing_tolerance(relief(first_section(model, state.points, ground_of(model))));
-    river_ = river_side(model.description.flood, ground);
+    river_ = river_side(model.flood_level, ground);
     time_damaged_ = time_below_ = never;
   }
 
@@ -70,13 +69,14 @@ class Flood : public Follower {
   void row(const LedgerContext& context, std::span<Real> values) override
   {
     const FloodCase& flood = context.model.description.flood;
-    if (std::isnan(flood_level(flood))) return;
+    const FloodLevel& level = context.model.flood_level;
+    if (!level.is_known()) return;
     const Barrier barrier = look(context.model, context.state);
     values[0] = barrier.height, values[1] = barrier.width, values[2] = barrier.intact_width;
     const auto keep_first = [&](bool so, Real& time) {
       if (so && std::isnan(time)) time = context.state.time;
     };
-    keep_first(barrier.height < flood_level(flood) + flood.smallest_freeboard - round_off ||
+    keep_first(barrier.height < level.value + flood.smallest_freeboard - round_off ||
                    barrier.width < flood.smallest_width - round_off,
         time_below_);
     keep_first(barrier.height < first_height_ - settles_ || barrier.intact_width < flood.smallest_width - round_off,
@@ -85,12 +85,13 @@ class Flood : public Follower {
 
   void summarise(const Model& model, const State& state, Summary& s) const override
   {
-    const FloodCase& flood = model.description.flood;
+    const FloodLevel& level = model.flood_level;
     const Barrier barrier = look(model, state);
     s.residual_height = known(barrier.height);
-    if (std::isnan(flood_level(flood))) return;
+    if (!level.is_known()) return;
     FloodSummary& f = s.flood.emplace();
-    f.water_level = flood_level(flood);
+    f.water_level = level.value;
+    f.water_level_origin = level.origin;
     f.river = river_;
     f.residual_height = barrier.height;
     f.freeboard = barrier.height - f.water_level;
@@ -102,7 +103,7 @@ class Flood : public Follower {
     f.verdict = f.first_time_below     ? FloodVerdict::floods
                 : f.first_time_damaged ? FloodVerdict::damaged
                                        : FloodVerdict::stands;
-    f.criterion = criterion_text(flood);
+    f.criterion = criterion_text(model.description.flood, level.value);
   }
 
   void save(ArrayWriter& arrays) const override
@@ -129,7 +130,7 @@ class Flood : public Follower {
 const FollowerType flood_follower{.name = "flood",
     .columns = {{"residual_height", "m", "highest ground",
                     "height of the highest ground between river and land; of cases with `[flood]` (docs/flood.md)"},
-        {"width_at_level", "m", "width at the water level", "width of the ground at `flood.water_level`"},
+        {"width_at_level", "m", "width at the water level", "width of the ground at the water level of `[flood]`"},
         {"intact_width", "m", "intact width at the water level", "of that, with eps_eq_p below `flood.intact_below`"}},
     .make = make_follower<Flood>};
 

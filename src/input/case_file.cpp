@@ -113,6 +113,7 @@ CaseFile read_case_text(const std::string& text, const std::string& path, const 
   file.values.folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path().string() : ".";
   read_values(file.source.root, file.values, findings);
   set_end_of_run(file.values);
+  file.values.flood.given = find_item(file.source.root, "flood") != nullptr;
   check_case(file.source.root, file.values, findings);
   file.notes = findings.notes;
   if (findings.problems.empty()) read_stages(file.source, file.values, findings.warnings);

@@ -25,7 +25,8 @@ void check_situations(const ParameterField& field, const std::string& path, cons
         (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) +
             (names.empty()
                     ? "Give a [[water.situation]] that name, or leave it out: then the water at the start counts."
-                    : fmt::format("Situations of this case: {}. Left out: the water at the start.", plain_list(names))),
+                    : fmt::format(
+                          "Situations of this case: start, {}. Left out: that at the start.", plain_list(names))),
         "field", false, {"water"}});
   }
 }

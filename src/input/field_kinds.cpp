@@ -99,6 +99,8 @@ std::optional<FieldValue> read_csv(const Node& value, const FieldContext& contex
   }
 }
 
+constexpr std::string_view start_water = "start";  // as in `water` of a stage
+
 /// A name of a situation among the keys of a table; the start if it is left out. None if it is no text.
 std::optional<std::string> read_water(const Node& table, std::string_view name, const FieldContext& context)
 {
@@ -107,9 +109,12 @@ std::optional<std::string> read_water(const Node& table, std::string_view name, 
   if (node->kind != NodeKind::text)
     return refuse(context, join_path(context.entry.path, name), fmt::format("`{}` must be text", name),
         fmt::format("Got {}; allowed: the name of a [[water.situation]].", describe_value(*node)));
+  if (node->text == start_water) return "";
   context.needs.situations.push_back(node->text);
   return node->text;
 }
+
+std::string name_of_water(const std::string& name) { return name.empty() ? std::string(start_water) : name; }
 
 std::string water_text(const std::string& name)
 {
@@ -126,7 +131,10 @@ std::optional<FieldValue> read_table(const Node& value, const FieldContext& cont
   context.needs.stress = true;
   auto line = read_line(value, context, key_like(context.entry.key, "Pa", not_negative));
   const auto water = read_water(context.entry.node, "water", context);
-  if (water) note(context, fmt::format("sigma'_v in {}", water_text(*water)));
+  if (water) {
+    context.needs.stress_water = name_of_water(*water);
+    note(context, fmt::format("sigma'_v in {}", water_text(*water)));
+  }
   return line && water ? std::optional(by_stress(std::move(*line), *water)) : std::nullopt;
 }
 
@@ -198,6 +206,8 @@ std::optional<FieldValue> read_shansep(const Node& table, const FieldContext& ou
   if (static_cast<bool>(soil.pop) + static_cast<bool>(soil.ocr) + static_cast<bool>(soil.yield_stress) != 1)
     return refuse(context, context.entry.path, "`shansep` needs one of `pop`, `ocr` and `yield_stress`",
         "They say what sigma'_p is: sigma'_v,daily + pop, ocr sigma'_v,daily, or the stress itself. Give exactly one.");
+  context.needs.stress_water = name_of_water(*water);
+  if (!soil.yield_stress) context.needs.daily_water = name_of_water(*daily);
   note(outer, fmt::format("SHANSEP, sigma'_v in {}{}", water_text(*water),
                   soil.yield_stress ? "" : ", sigma'_p from that in " + water_text(*daily)));
   soil.water = *water;

@@ -15,8 +15,8 @@ std::vector<KeyInfo> flood_keys()
       {.path = "flood.water_level",
           .field = [](Case& c, std::size_t) { return &c.flood.water_level; },
           .unit = "m",
-          .required = true,
-          .meaning = "height of the water that the ground shall hold back"},
+          .meaning = "height of the water that the ground shall hold back; left out: the highest free water of the run "
+                     "at the river's end of the section"},
       {.path = "flood.smallest_freeboard",
           .field = [](Case& c, std::size_t) { return &c.flood.smallest_freeboard; },
           .unit = "m",
@@ -42,8 +42,8 @@ std::vector<KeyInfo> flood_keys()
                     [&river = c.flood.river](int word) { river = static_cast<RiverSide>(word); }};
               },
           .words = river_words,
-          .meaning = "end of the section at which the river is, to say which way a slide goes; deduced: where the "
-                     "ground lies below the water, if it does not at the other end"},
+          .meaning = "end of the section at which the river is; deduced: where the free water stands higher, or the "
+                     "ground lies below the level if it does not at the other end"},
   };
 }
 

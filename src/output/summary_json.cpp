@@ -46,6 +46,12 @@ void each(StageSummary& stage, F&& f)
   f("at_rest", stage.record.at_rest), f("fastest_node", stage.record.fastest);
 }
 template <class F>
+void each(StrengthWater& strength, F&& f)
+{
+  f("material", strength.material), f("parameter", strength.parameter);
+  f("stress", strength.stress), f("daily", strength.daily);
+}
+template <class F>
 void each(SlipSurface& slip, F&& f)
 {
   f("time", slip.time), f("rate", slip.rate), f("points", slip.line);
@@ -61,7 +67,8 @@ void each(SlideSummary& slide, F&& f)
 template <class F>
 void each(FloodSummary& flood, F&& f)
 {
-  f("verdict", flood.verdict), f("water_level", flood.water_level), f("river", flood.river);
+  f("verdict", flood.verdict), f("water_level", flood.water_level);
+  f("water_level_origin", flood.water_level_origin), f("river", flood.river);
   f("residual_height", flood.residual_height), f("freeboard", flood.freeboard);
   f("width_at_level", flood.width_at_level), f("intact_width", flood.intact_width);
   f("first_time_damaged", flood.first_time_damaged), f("first_time_below", flood.first_time_below);
@@ -180,6 +187,7 @@ SavedSummary read_values(const std::string& path)
   get_list(json, "reached_sides", s.reached_sides);
   get_list(json, "footings", s.footings);
   get_list(json, "stages", s.stages);
+  get_list(json, "strength_water", s.strength_water);
   get(json, "flood", s.flood);
   get_list(json, "passes", s.passes);
   for (const FollowerType* type : all_followers())
@@ -222,6 +230,7 @@ std::string summary_text(const Summary& summary, bool finished, const CaseText& 
   json["reached_sides"] = to_list(summary.reached_sides);
   json["footings"] = to_list(summary.footings);
   json["stages"] = to_list(summary.stages);
+  json["strength_water"] = to_list(summary.strength_water);
   json["flood"] = to_value(summary.flood);
   json["passes"] = to_list(summary.passes);
   for (const auto& [name, value] : summary.numbers) json[name] = value;

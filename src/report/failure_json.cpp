@@ -15,12 +15,16 @@ Json events_json(const Summary& s)
   Json slides = slides_json(s);
   const auto slide_or_null = [&](std::size_t k) { return k < slides.size() ? slides[k] : Json(); };
   Json first = slide_or_null(0), second = slide_or_null(1), slip = slides.empty() ? Json() : first["slip_surface"];
+  Json stages = Json::array();
+  for (const StageSummary& stage : s.stages)
+    stages.push_back({{"name", stage.name}, {"start", stage.record.start}, {"end", stage.record.end}});
   return {{"slides", std::move(slides)}, {"first_slide", std::move(first)}, {"second_slide", std::move(second)},
       {"moved_volume", s.moved_volume}, {"moved_fraction", s.moved_fraction}, {"moved_distance", s.moved_distance},
       {"intact_fraction", or_null(s.intact_fraction)}, {"free_toe", s.free_toe},
       {"facing", s.facing ? Json(*s.facing == Facing::left ? "left" : "right") : Json()}, {"run_out", s.run_out},
       {"front_x", s.front_x}, {"remaining_crest", {{"x", or_null(s.crest_x)}, {"y", or_null(s.crest_y)}}},
-      {"residual_height", or_null(s.residual_height)}, {"flood", flood_json(s)}, {"slip_surface", std::move(slip)}};
+      {"stages", std::move(stages)}, {"residual_height", or_null(s.residual_height)}, {"flood", flood_json(s)},
+      {"slip_surface", std::move(slip)}};
 }
 
 }  // namespace

@@ -71,7 +71,47 @@ void tell_flood(const Summary& s, std::vector<std::string>& story)
   if (!s.flood) return;
   std::string text = flood_sentence(*s.flood);
   text[0] = static_cast<char>(std::toupper(text[0]));
-  story.push_back(fmt::format("Verdict: {} The criterion: {}. {}", text, s.flood->criterion, flood_caution));
+  const std::string& origin = s.flood->water_level_origin;
+  story.push_back(fmt::format("Verdict: {} The criterion: {}. {}{}", text, s.flood->criterion,
+      origin.empty() ? "" : fmt::format("The water level is {}. ", origin), flood_caution));
+}
+
+std::string water_in_words(const std::string& name)
+{
+  return name == "start" ? "at the start" : fmt::format("of the situation `{}`", name);
+}
+
+/// Which water strengths belong to; materials with the same are one sentence.
+void tell_strength_water(const Summary& s, std::vector<std::string>& story)
+{
+  std::vector<std::pair<std::string, std::string>> sentences;  // what it is, and whose
+  for (const StrengthWater& strength : s.strength_water) {
+    std::string water = "sigma'_v is that of the water " + water_in_words(strength.stress);
+    if (strength.daily) water += ", sigma'_p follows from the water " + water_in_words(*strength.daily);
+    const std::string whose = fmt::format("{} of {}", strength.parameter, strength.material);
+    const auto same = std::ranges::find(sentences, water, &std::pair<std::string, std::string>::first);
+    if (same == sentences.end())
+      sentences.emplace_back(water, whose);
+    else
+      same->second += ", " + whose;
+  }
+  for (const auto& [water, whose] : sentences) story.push_back(fmt::format("Strength ({}): {}.", whose, water));
+}
+
+/// The stages, and how each ended.
+void tell_stages(const Summary& s, std::vector<std::string>& story)
+{
+  std::string text;
+  for (const StageSummary& stage : s.stages) {
+    if (stage.name.empty()) continue;
+    text += fmt::format("{}`{}` from {:.2f} to {:.2f} s", text.empty() ? "Stages: " : ", ", stage.name,
+        stage.record.start, stage.record.end);
+    if (stage.record.at_rest)
+      text += ", at rest";
+    else if (std::isfinite(stage.record.fastest))
+      text += fmt::format(", not at rest (the fastest node: {:.2g} m/s)", stage.record.fastest);
+  }
+  if (!text.empty()) story.push_back(text + ".");
 }
 
 void tell_slides(const RunResults& run, std::vector<std::string>& story)
@@ -155,9 +195,11 @@ std::vector<std::string> tell_story(const RunResults& run)
         extent_of(run, "time").last)};
   std::vector<std::string> story;
   tell_flood(run.summary.values, story);
+  tell_stages(run.summary.values, story);
   tell_slides(run, story);
   tell_motion(run, story);
   tell_softening(run, story);
+  tell_strength_water(run.summary.values, story);
   tell_history(run, story);
   return story;
 }

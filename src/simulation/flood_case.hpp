@@ -3,7 +3,6 @@
 
 #include "base/types.hpp"
 
-#include <cmath>
 #include <limits>
 
 namespace terp {
@@ -12,15 +11,14 @@ namespace terp {
 enum class RiverSide { deduced, left, right };
 
 struct FloodCase {
+  bool given = false;                                         ///< the case has [flood]
   Real water_level = std::numeric_limits<Real>::quiet_NaN();  ///< [m]; NaN: not given
   Real smallest_freeboard = 0.0;                              ///< height over the water level that must remain [m]
   Real smallest_width = 0.0;  ///< width of the ground at the water level that must remain [m]
   Real intact_below = 0.01;   ///< eps_eq_p below which soil counts as intact [-]
   RiverSide river = RiverSide::deduced;
-};
 
-/// The level that the ground is judged against [m]; NaN: none, and nothing is judged. The one place where a default
-/// can stand.
-inline Real flood_level(const FloodCase& flood) { return flood.water_level; }
+  bool asks() const { return given || water_level == water_level; }
+};
 
 }  // namespace terp

@@ -31,6 +31,7 @@ struct FloodSummary {
 
   FloodVerdict verdict = FloodVerdict::stands;
   Real water_level = none;                 ///< [m]
+  std::string water_level_origin = {};     ///< where it comes from, in words
   std::optional<Facing> river = {};        ///< the end of the section that the river is at
   Real residual_height = none;             ///< of the highest ground at the end [m]
   Real freeboard = none;                   ///< of it over the water level [m]

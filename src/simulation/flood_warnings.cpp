@@ -11,11 +11,32 @@
 
 namespace terp {
 
+namespace {
+
+Problem no_level(const Model& model)
+{
+  const Case& c = model.description;
+  const auto& bodies = c.bodies;
+  const bool formula = c.water.start.formula != nullptr;
+  const bool points = std::ranges::any_of(bodies, [](const BodyCase& body) { return !body.points_file.empty(); });
+  const char* why = !c.water.is_given() ? "The case has no [water], whose free water would be the level."
+                    : formula           ? "The pressure of [water] is a formula, which tells no free water."
+                    : points            ? "Bodies come as points, so the ground under the water is not known."
+                    : model.flood_level.river
+                        ? "The water of no situation stands above the ground at the river's end of the section."
+                        : "The water of no situation stands above the ground at an end of the section.";
+  return {"flood", "there is no water level, and no verdict", fmt::format("{}\nGive flood.water_level in m.", why),
+      "flood.water_level", true};
+}
+
+}  // namespace
+
 std::vector<Problem> find_flood_warnings(const Model& model, const State& state)
 {
   const FloodCase& flood = model.description.flood;
-  const Real level = flood_level(flood);
-  if (std::isnan(level)) return {};
+  const Real level = model.flood_level.value;
+  if (!flood.asks()) return {};
+  if (!model.flood_level.is_known()) return {no_level(model)};
   const StandingGround ground = standing_ground(model, state.points);
   const Barrier barrier = find_barrier(ground, columns_of_barrier(ground));
   std::vector<Real> heights;

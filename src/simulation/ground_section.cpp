@@ -28,7 +28,6 @@ Section first_section(const Model& model, const PointBlocks<2>& points, Ground g
 
 StandingGround standing_ground(const Model& model, const PointBlocks<2>& points)
 {
-  const FloodCase& flood = model.description.flood;
   const std::vector<std::uint8_t> ground = ground_of(model);
   std::vector<int> strain;
   for (const SoilMaterial& material : model.materials) strain.push_back(row_of(material, Role::plastic_strain));
@@ -36,8 +35,8 @@ StandingGround standing_ground(const Model& model, const PointBlocks<2>& points)
       {.columns = columns_of_section(*model.mesh),
           .ground = ground,
           .strain = strain,
-          .intact_below = flood.intact_below,
-          .level = flood_level(flood)});
+          .intact_below = model.description.flood.intact_below,
+          .level = model.flood_level.value});
 }
 
 }  // namespace terp

@@ -9,6 +9,7 @@
 #include "points/seed.hpp"
 #include "schemes/scheme.hpp"
 #include "simulation/case.hpp"
+#include "simulation/flood_level.hpp"
 #include "simulation/follower.hpp"
 #include "simulation/stage.hpp"
 #include "transfer/node_diffusion.hpp"
@@ -61,6 +62,7 @@ struct Model {
   int inverse_extent = -1;                ///< row of the points, with shares that overlap
   std::shared_ptr<const Overburden> ground = {};  ///< where a parameter varies; nullptr: none does
   std::shared_ptr<const NodalWater> water = {};   ///< pore pressure on the nodes; nullptr: no water
+  FloodLevel flood_level = {};                    ///< of the whole run
   int threads = 1;
   FollowerTypes followers = {};  ///< what is measured while the run goes on; may be none
 

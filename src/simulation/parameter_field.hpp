@@ -39,6 +39,8 @@ struct FieldNeeds {
   bool stress = false;                  ///< effective vertical stress: water, gravity, and bodies that are drawn
   std::vector<FieldCover> covers;       ///< of the files that it comes from
   std::vector<std::string> situations;  ///< names of water that it asks for
+  std::string stress_water = {};        ///< the water of sigma'_v, "start" that of t = 0; empty: it does not ask
+  std::string daily_water = {};         ///< the same of sigma'_v,daily, from which sigma'_p follows
 };
 
 struct ParameterField {

@@ -169,6 +169,23 @@ Outcome run(const Model& model, State& state, Workspace& work, std::span<Observe
   return made.end == LoopEnd::stopped ? Outcome::interrupted : Outcome::finished;
 }
 
+namespace {
+
+std::vector<StrengthWater> strength_water_of(const Case& description)
+{
+  std::vector<StrengthWater> strengths;
+  for (const MaterialCase& material : description.materials)
+    for (const ParameterField& field : material.fields) {
+      const FieldNeeds& needs = field.needs;
+      if (needs.stress_water.empty()) continue;
+      strengths.push_back({material.name, std::string(material.type()->parameters[field.parameter].name),
+          needs.stress_water, needs.daily_water.empty() ? std::nullopt : std::optional(needs.daily_water)});
+    }
+  return strengths;
+}
+
+}  // namespace
+
 Summary summarise(const Model& model, const State& state)
 {
   Summary s;
@@ -198,6 +215,7 @@ Summary summarise(const Model& model, const State& state)
     if (has_name || model.stage.rest.steps > 0)
       s.stages.push_back({has_name ? model.description.stages[k].name : "", state.stages_done[k]});
   }
+  s.strength_water = strength_water_of(model.description);
   s.v_999 = state.largest_v_999;
   for (const ActiveFollower& active : state.followers) active.follower->summarise(model, state, s);
   return s;

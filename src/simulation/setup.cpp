@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "forces/time_step.hpp"
 #include "mesh/mesh_error.hpp"
+#include "simulation/flood_level.hpp"
 #include "simulation/initial.hpp"
 #include "simulation/loads.hpp"
 #include "simulation/nodal_water.hpp"
@@ -261,6 +262,7 @@ Model build_stage(const Case& whole, SharedMesh mesh, int threads, std::size_t n
   if (length > 0.0) model.diffusion = make_node_diffusion(*model.mesh, length);
   set_time_step(whole, used, model);
   if (description.water.is_given()) model.water = std::make_shared<const NodalWater>(model);
+  model.flood_level = find_flood_level(whole, model);
   set_stage(whole, number, model);
   return model;
 }

@@ -40,6 +40,13 @@ struct SlideSummary {
   SlipSurface slip;
 };
 
+/// The water that a strength belongs to: names of situations, "start" for that of t = 0.
+struct StrengthWater {
+  std::string material, parameter;   ///< "peat", "su_peak"
+  std::string stress;                ///< of sigma'_v
+  std::optional<std::string> daily;  ///< of sigma'_v,daily, from which sigma'_p follows; none: it does not
+};
+
 /// A side of the mesh that soil came to during the run.
 struct ReachedSide {
   std::string side;
@@ -93,6 +100,7 @@ struct Summary {
   std::vector<FootingSummary> footings;
   std::optional<FloodSummary> flood;  ///< none without a water level
   std::vector<StageSummary> stages;
+  std::vector<StrengthWater> strength_water;         ///< of strengths that follow from the effective stress
   std::map<std::string, Real, std::less<>> numbers;  ///< of followers, under the names that they declare; NaN: none
   Real v_999 = 0.0;  ///< largest 99.9 % quantile of the speed over all ledger rows [m/s]
 };

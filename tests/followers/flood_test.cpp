@@ -3,6 +3,7 @@
 #include "simulation/flood_warnings.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/run.hpp"
+#include "simulation/setup.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
 #include "support/test.hpp"
@@ -242,6 +243,84 @@ TEST(Flood, WithoutAWaterLevelNothingIsJudged)
   EXPECT_FALSE(summarise(s.model, s.state).flood);
   EXPECT_TRUE(std::isnan(s.rows[0]["residual_height"]));
   EXPECT_NEAR(*summarise(s.model, s.state).residual_height, 5.0, 1e-9);
+}
+
+/// The same dike with the river to the left, whose water may rise after the start.
+Case dike_in_water()
+{
+  Case c = dike();
+  c.flood.given = true;
+  c.flood.water_level = std::nan("");
+  c.water.start.phreatic_line = {{0.0, 2.0}, {12.0, 2.0}, {30.0, 1.5}};  // free water of 0.5 m at the right end
+  WaterSituation high;
+  high.name = "high";
+  high.phreatic_line = {{0.0, 4.0}, {16.0, 4.0}, {30.0, 1.5}};
+  c.water.situations = {high};
+  return c;
+}
+
+FloodLevel level_of(const Case& c) { return build_model(c, 1).flood_level; }
+
+TEST(Flood, TheLevelIsTheHighestFreeWaterAtTheRiver)
+{
+  Case c = dike_in_water();
+  EXPECT_EQ(level_of(c).value, 2.0);  // no stage and no time leads to the other situation
+  EXPECT_EQ(level_of(c).origin, "the highest free water at the left end of the section");
+  c.water.situations[0].time = c.time.end / 2.0;
+  const FloodLevel level = level_of(c);
+  EXPECT_EQ(level.value, 4.0);
+  EXPECT_EQ(level.origin, "the highest free water at the left end of the section, in the situation `high`");
+  EXPECT_EQ(level.river, Facing::left);
+  const FloodSummary flood = Drawn(c).flood();
+  EXPECT_EQ(flood.water_level, 4.0);
+  EXPECT_EQ(flood.water_level_origin, level.origin);
+  EXPECT_EQ(flood.river, Facing::left);
+  EXPECT_NEAR(flood.freeboard, 1.0, 1e-9);
+}
+
+TEST(Flood, TheLevelIsThatOfTheWaterThatTheRunComesTo)
+{
+  Case c = dike_in_water();
+  c.water.situations[0].time = 2.0 * c.time.end;
+  EXPECT_NEAR(level_of(c).value, 3.0, 1e-12);  // half of the rise
+  c.water.situations[0].time = c.time.end;
+  c.water.situations.push_back(c.water.situations[0]);
+  c.water.situations[1] = {.name = "low", .time = 1.5 * c.time.end, .phreatic_line = {{0.0, 0.5}}};
+  EXPECT_EQ(level_of(c).value, 4.0);  // water that falls again does not undo it
+}
+
+TEST(Flood, TheRiverMayBeNamed)
+{
+  Case c = dike_in_water();
+  c.flood.river = RiverSide::right;
+  EXPECT_EQ(level_of(c).value, 1.5);
+  EXPECT_EQ(level_of(c).origin, "the highest free water at the right end of the section");
+  c.flood.water_level = 3.5;  // what is given counts
+  EXPECT_EQ(level_of(c).value, 3.5);
+  EXPECT_EQ(level_of(c).origin, "flood.water_level");
+  c.flood.river = RiverSide::deduced;
+  EXPECT_EQ(level_of(c).river, Facing::left);
+}
+
+TEST(Flood, WithoutALevelAndFreeWaterThereIsNoVerdict)
+{
+  const auto warning = [](const Case& c) {
+    const Drawn s(c);
+    EXPECT_FALSE(summarise(s.model, s.state).flood);
+    const auto problems = find_flood_warnings(s.model, s.state);
+    return problems.size() == 1 ? problems[0].key + ": " + problems[0].what + ". " + problems[0].detail : "";
+  };
+  Case c = dike_in_water();
+  c.water.start.phreatic_line = {{0.0, 0.5}};
+  EXPECT_EQ(warning(c),
+      "flood: there is no water level, and no verdict. The water of no situation stands above the ground at an end of "
+      "the section.\nGive flood.water_level in m.");
+  c.flood.river = RiverSide::left;
+  EXPECT_THAT(warning(c), HasSubstr("above the ground at the river's end of the section."));
+  c.water = {};
+  EXPECT_THAT(warning(c), HasSubstr("The case has no [water], whose free water would be the level."));
+  c.water.start.formula = [](Vec<2>, Real) { return 0.0; };
+  EXPECT_THAT(warning(c), HasSubstr("The pressure of [water] is a formula, which tells no free water."));
 }
 
 TEST(Flood, ARunThatResumesRemembers)

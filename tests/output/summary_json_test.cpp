@@ -29,9 +29,11 @@ Summary sample_summary()
   summary.points_eps_eq_p_fell = 3, summary.energy_balance_error = 1e-3, summary.clamped_points = 6,
   summary.points_left = 2, summary.reached_sides = {{"right", 1.5, true}},
   summary.footings = {{"plate", {0.5, -0.25}, {3.0, 4.5}, 7.0, 12.5}};
+  summary.strength_water = {{"peat", "su_peak", "high", "start"}, {"clay", "su_peak", "start", {}}};
   summary.v_999 = 5.5, summary.residual_height = 3.5;
   summary.flood = {.verdict = FloodVerdict::floods,
       .water_level = 4.0,
+      .water_level_origin = "the river",
       .river = Facing::left,
       .residual_height = 3.5,
       .freeboard = -0.5,
@@ -69,8 +71,13 @@ TEST(SummaryJson, HoldsEveryNumberUnderItsName)
     "points_eps_eq_p_fell": 3, "points_su_rose": 4, "energy_balance_error": 1e-3, "clamped_points": 6,
     "points_left": 2, "reached_sides": [{"side": "right", "time": 1.5, "rose": true}],
     "footings": [{"name": "plate", "displacement": [0.5, -0.25], "reaction": [3.0, 4.5],
-    "largest_reaction": 7.0, "work": 12.5}], "stages": [], "v_999": 5.5, "residual_height": 3.5,
-    "flood": {"verdict": "floods", "water_level": 4.0, "river": "left", "residual_height": 3.5, "freeboard": -0.5,
+    "largest_reaction": 7.0, "work": 12.5}], "stages": [],
+    "strength_water":
+    [{"material": "peat", "parameter": "su_peak", "stress": "high", "daily": "start"},
+    {"material": "clay", "parameter": "su_peak", "stress": "start", "daily": null}],
+    "v_999": 5.5, "residual_height": 3.5,
+    "flood": {"verdict": "floods", "water_level": 4.0,
+    "water_level_origin": "the river", "river": "left", "residual_height": 3.5, "freeboard": -0.5,
     "width_at_level": 0.0, "intact_width": 0.0, "first_time_damaged": 0.75, "first_time_below": 1.25,
     "criterion": "why"},
     "case_name": "model_2", "case": "title = \"column\"\n"})"));

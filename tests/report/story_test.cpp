@@ -152,6 +152,7 @@ TEST(Story, BeginsWithTheVerdictOnTheWater)
   run.summary.values.residual_height = 3.4;
   run.summary.values.flood = {.verdict = FloodVerdict::floods,
       .water_level = 4.0,
+      .water_level_origin = "that of the case",
       .river = Facing::left,
       .residual_height = 3.4,
       .freeboard = -0.6,
@@ -162,9 +163,26 @@ TEST(Story, BeginsWithTheVerdictOnTheWater)
   EXPECT_EQ(story[0],
       "Verdict: Floods, from 0.50 s on: at the end the highest ground stands at 3.40 m, 0.60 m below the water at 4.00 "
       "m. "
-      "The criterion: it floods where it is low. Water that would flow over is not simulated.");
+      "The criterion: it floods where it is low. The water level is that of the case. Water that would flow over is "
+      "not simulated.");
   EXPECT_THAT(story[1], StartsWith("The first slide begins at 0.18 s on the land's side: "));
   EXPECT_THAT(story, Contains("The highest ground that remains stands at 3.40 m."));
+}
+
+TEST(Story, TellsOfStagesAndOfTheWaterOfStrengths)
+{
+  RunResults run = sample_run();
+  run.summary.values.stages = {{"daily", {.start = 0.0, .end = 4.25, .steps = 100, .at_rest = true, .fastest = 1e-4}},
+      {"flood", {.start = 4.25, .end = 44.0, .steps = 900, .at_rest = false, .fastest = 0.0125}},
+      {"after", {.start = 44.0, .end = 45.0, .steps = 9, .at_rest = false, .fastest = std::nan("")}}};
+  run.summary.values.strength_water = {
+      {"clay", "su_peak", "flood", "start"}, {"peat", "su_peak", "flood", "start"}, {"sand", "cohesion", "start", {}}};
+  const auto story = tell_story(run);
+  EXPECT_THAT(story, Contains("Stages: `daily` from 0.00 to 4.25 s, at rest, `flood` from 4.25 to 44.00 s, not at rest "
+                              "(the fastest node: 0.013 m/s), `after` from 44.00 to 45.00 s."));
+  EXPECT_THAT(story, Contains("Strength (su_peak of clay, su_peak of peat): sigma'_v is that of the water of the "
+                              "situation `flood`, sigma'_p follows from the water at the start."));
+  EXPECT_THAT(story, Contains("Strength (cohesion of sand): sigma'_v is that of the water at the start."));
 }
 
 }  // namespace

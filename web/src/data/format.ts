@@ -75,7 +75,14 @@ export interface Flood {
   first_time_below: number | null; // s
 }
 
+export interface Stage {
+  name: string; // empty: the run has no stages and ended at rest
+  start: number;
+  end: number;
+}
+
 export interface Events {
+  stages?: Stage[]; // those that have ended
   slides?: Slide[]; // first_slide and second_slide are the first two
   first_slide?: Slide | null;
   second_slide?: Slide | null;

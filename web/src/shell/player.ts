@@ -22,6 +22,9 @@ export function marksOf(run: Run): Mark[] {
   const add = (time: number | null | undefined, sign: string, text: string) => {
     if (typeof time === "number" && Number.isFinite(time)) marks.push({ time, run: run.index, sign, text });
   };
+  (run.meta.events?.stages ?? []).filter(({ name }) => name !== "").forEach(({ name, start }) =>
+    add(start, "▸", `stage ${name} begins`));
+  add(run.meta.events?.flood?.first_time_below, "≈", "it floods");
   slidesOf(run.meta).forEach((slide, k) => {
     const name = `${ordinal[k] ?? `${k + 1}th`} slide`;
     add(slide.begins, String(k + 1), `${name} begins`);

@@ -1,0 +1,28 @@
+// The level that the ground is judged against, and the end of the section at which the river is. docs/flood.md.
+// Not for: what the ground is (ground_section), nor the verdict (followers/flood.cpp).
+#pragma once
+
+#include "events/section.hpp"
+#include "simulation/case.hpp"
+
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace terp {
+
+struct Model;
+
+struct FloodLevel {
+  Real value = std::numeric_limits<Real>::quiet_NaN();  ///< [m]; NaN: none, and nothing is judged
+  std::string origin = {};                              ///< where it comes from, in words
+  std::optional<Facing> river = {};                     ///< as the case says, or where the free water stands higher
+
+  bool is_known() const { return value == value; }
+};
+
+/// The level of [flood] or, where it gives none, the highest that the free water at the river's end has in the run. Of
+/// a case and the model of one of its stages.
+FloodLevel find_flood_level(const Case& whole, const Model& model);
+
+}  // namespace terp
