@@ -3,6 +3,7 @@
 // With p the pressure in the water, interpolated from the nodes, and s its tension above the phreatic line:
 //   drained soil, which stores effective stress:   f_i = -sum_g w_g (N_i grad p + B_i s)
 //   undrained soil, which stores total stress:     f_i = -sum_g w_g (N_i grad p + B_i p)
+//   undrained soil, which stores effective stress: as drained soil, with s - u for s; u: its excess pore pressure
 // Weights and operator are those of the internal force, Eq. (4) (decision 0047). By parts the second is the traction -p
 // n on the surface of the soil.
 #pragma once
@@ -85,6 +86,23 @@ void add_pore_force_of_points(const CellGeometry<Element>& cell, const PointBloc
       for (int i = 0; i < Element::n_corners; ++i) slope += gradient[i][d] * Pack(pore.pressure[i]);
       for (int i = 0; i < Element::n_corners; ++i) sums[d][i] -= volume * (N[i] * slope + gradient[i][d] * inside);
     }
+  }
+  for (int d = 0; d < dim; ++d) add_lanes(sums[d], force[d]);
+}
+
+/// f_i += sum_p Omega_p u_p B_i, the force of the excess pressure of the points of a block: that of the stress -u I.
+template <class Element>
+void add_excess_force_of_points(
+    const CellGeometry<Element>& cell, const PointBlock<Element::dim>& block, int row, CornerVectors<Element>& force)
+{
+  constexpr int dim = Element::dim;
+  using Rows = PointRows<dim>;
+  auto sums = zero_packs<dim, Element::n_corners>();
+  for (Index p = 0; p < block.n; p += pack_width) {
+    const auto gradient = gradients_at(cell, load_rows<dim>(block, Rows::xi, p));
+    const Pack weighted = Pack::load(block.row(Rows::volume) + p) * Pack::load(block.row(row) + p);
+    for (int d = 0; d < dim; ++d)
+      for (int i = 0; i < Element::n_corners; ++i) sums[d][i] = fma(weighted, gradient[i][d], sums[d][i]);
   }
   for (int d = 0; d < dim; ++d) add_lanes(sums[d], force[d]);
 }

@@ -39,8 +39,10 @@ void check_fields(const Case& values, std::vector<Problem>& problems);
 /// Softening that cannot be, or does nothing. The values may be incomplete.
 void check_softening(const Node& root, const Case& values, Findings& findings);
 
-/// [water], and drainage of the materials: lines that contradict each other, soil that cannot be drained. The values
-/// may be incomplete.
+/// Drainage of the materials: soil whose law does not go with it. The values may be incomplete.
+void check_drainage(const Node& root, const Case& values, Findings& findings);
+
+/// [water]: lines that contradict each other; and drainage. The values may be incomplete.
 void check_water(const Node& root, const Case& values, Findings& findings);
 
 /// What can be computed but is hardly meant, and shows before a mesh is made: gravity, damping. The values may be

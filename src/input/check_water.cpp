@@ -1,4 +1,4 @@
-// What is wrong or doubtful about [water] and about the soil that stands in it, before there is a mesh.
+// What is wrong or doubtful about [water], before there is a mesh.
 
 #include "base/closest.hpp"
 #include "input/check_case.hpp"
@@ -64,11 +64,12 @@ void check_heads(const WaterSituation& situation, const std::string& path, Findi
 void check_situation(const WaterSituation& situation, const Node* table, const std::string& path, Findings& findings)
 {
   const auto has = [&](const char* key) { return table != nullptr && find_item(*table, key) != nullptr; };
-  if (has("pressure"))
-    for (const char* key : {"phreatic_line", "head_lines", "reference_lines"})
-      if (has(key))
-        findings.problems.push_back({path + '.' + key, fmt::format("`{}` does not go with `pressure`", key),
-            "The formula gives the pressure everywhere. Remove one of the two.", "water.pressure", true});
+  for (const char* all : {"pressure", "head"})
+    for (const char* key : {"phreatic_line", "head_lines", "reference_lines", "head"})
+      if (has(all) && has(key) && std::string_view(key) != all)
+        findings.problems.push_back({path + '.' + key, fmt::format("`{}` does not go with `{}`", key, all),
+            fmt::format("`{}` says what the water is everywhere. Remove one of the two.", all), "water.pressure",
+            true});
   check_heads(situation, path, findings);
 }
 
@@ -97,30 +98,8 @@ void check_times(const WaterCase& water, Findings& findings)
 
 bool is_hydrostatic(const WaterCase& water)
 {
-  return !water.start.formula ||
-         std::ranges::any_of(water.situations, [](const WaterSituation& s) { return !s.formula; });
-}
-
-void check_drainage(const Case& values, Findings& findings)
-{
-  for (const MaterialCase& material : values.materials) {
-    const MaterialType* law = find_material(material.model);
-    if (law == nullptr) continue;
-    const std::string path = join_path(material_path(material), "drainage");
-    if (law->total_stress && material.drainage == Drainage::drained)
-      findings.problems.push_back({path, fmt::format("soil of the law {} cannot be drained", law->name),
-          "Its strength is one of total stress. Leave drainage out, or give the soil a law of effective stress: "
-          "mohr_coulomb.",
-          "material.drainage", false, {material_path(material)}});
-    const auto angle = std::ranges::find(law->parameters, "friction_angle", &ParameterInfo::name);
-    if (!values.water.is_given() || angle == law->parameters.end() || material.drainage != Drainage::by_law) continue;
-    if (material.parameters[static_cast<std::size_t>(angle - law->parameters.begin())] == 0.0)
-      findings.warnings.push_back({join_path(material_path(material), "friction_angle"),
-          fmt::format("`{}` is drained, and has no friction", material.name),
-          "A cohesion without friction is most often an undrained strength. Give drainage = \"undrained\" if it is; "
-          "with\ndrainage = \"drained\" this warning goes.",
-          "material.drainage", false, {material_path(material)}});
-  }
+  const auto is = [](const WaterSituation& s) { return !s.formula || s.formula_gives_head; };
+  return is(water.start) || std::ranges::any_of(water.situations, is);
 }
 
 void check_parts(const Case& values, Findings& findings)
@@ -143,7 +122,7 @@ void check_parts(const Case& values, Findings& findings)
 
 void check_water(const Node& root, const Case& values, Findings& findings)
 {
-  check_drainage(values, findings);
+  check_drainage(root, values, findings);
   check_parts(values, findings);
   const Node* table = find_item(root, "water");
   if (table == nullptr || table->kind != NodeKind::table) return;

@@ -6,7 +6,7 @@ namespace terp {
 namespace {
 
 // In the order of the enum.
-std::vector<std::string> drainage_words() { return {"by_law", "drained", "undrained"}; }
+std::vector<std::string> drainage_words() { return {"by_law", "drained", "undrained", "undrained_effective"}; }
 
 WordField drainage_field(Drainage& value)
 {
@@ -35,9 +35,29 @@ std::vector<KeyInfo> material_keys()
       {.path = "material.NAME.drainage",
           .field = [](Case& c, std::size_t i) { return drainage_field(c.materials[i].drainage); },
           .words = drainage_words,
+          .in_stage = true,
           .meaning =
               "what the soil stores where there is water: drained soil effective stress, undrained soil total stress. "
-              "by_law: undrained for tresca_softening and newtonian_fluid, drained for all others"},
+              "undrained_effective: effective stress, while the pore water cannot leave. by_law: undrained for "
+              "tresca_softening and newtonian_fluid, drained for all others",
+          .equation = "undrained_effective: d sigma = D' d eps + (K_w/n) tr(d eps) I"},
+      {.path = "material.NAME.undrained_poisson_ratio",
+          .field = [](Case& c, std::size_t i) { return &c.materials[i].undrained_poisson_ratio; },
+          .range = between_open(0.0, 0.5),
+          .usual = between(0.45, 0.499),
+          .in_stage = true,
+          .meaning = "Poisson's ratio nu_u of undrained_effective soil with its water, above that of the soil alone. "
+                     "The nearer to 0.5, the shorter the time step",
+          .equation = "K_w/n = 2 G (1 + nu_u) / (3 (1 - 2 nu_u)) - K', with the largest G of the soil"},
+      {.path = "material.NAME.water_stiffness",
+          .field = [](Case& c, std::size_t i) { return &c.materials[i].water_stiffness; },
+          .unit = "Pa",
+          .range = positive,
+          .usual = between(1e5, 2.2e10),
+          .in_stage = true,
+          .meaning = "K_w/n of undrained_effective soil, bulk modulus of the pore water over the porosity; instead of "
+                     "undrained_poisson_ratio",
+          .default_text = "from undrained_poisson_ratio"},
       {.path = "material.NAME.k0",
           .field = [](Case& c, std::size_t i) { return &c.materials[i].k0; },
           .range = between(0.0, 10.0),

@@ -24,6 +24,9 @@ void add_tables_of_values(const std::string& path, Node& table, std::vector<std:
     const std::string at = join_path(path, item.name);
     if (item.name == "csv" && item.kind == NodeKind::text) found.emplace_back(at, &item);
     if (item.kind == NodeKind::table) add_tables_of_values(at, item, found);
+    for (std::size_t k = 0; item.kind == NodeKind::list && k < item.items.size(); ++k)
+      if (item.items[k].kind == NodeKind::table)
+        add_tables_of_values(fmt::format("{}[{}]", at, k), item.items[k], found);
   }
 }
 
@@ -39,7 +42,8 @@ std::vector<std::pair<std::string, Node*>> find_file_keys(Node& root)
   if (Node* bodies = find_item(root, "body"))
     for (std::size_t k = 0; bodies->kind == NodeKind::list && k < bodies->items.size(); ++k)
       add(fmt::format("body[{}]", k), bodies->items[k], "points");
-  if (Node* materials = find_item(root, "material")) add_tables_of_values("material", *materials, found);
+  for (const char* section : {"material", "water"})
+    if (Node* table = find_item(root, section)) add_tables_of_values(section, *table, found);
   return found;
 }
 

@@ -1,15 +1,19 @@
 // The keys of [water] and [[water.situation]], and how their lines are read.
 
+#include "base/checksum.hpp"
 #include "input/document.hpp"
 #include "input/expression.hpp"
 #include "input/key_table.hpp"
 #include "input/key_text.hpp"
 #include "input/values.hpp"
+#include "points/values_csv.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <memory>
 
 namespace terp {
 namespace {
@@ -157,6 +161,36 @@ bool read_formula(const Entry& entry, Findings& findings, WaterSituation& situat
   return true;
 }
 
+/// { csv = "FILE.csv" }: values on a grid of places, pressures or heads.
+bool read_grid(const Entry& entry, const std::string& folder, Findings& findings, WaterSituation& situation)
+{
+  const bool is_csv =
+      entry.node.items.size() == 1 && entry.node.items[0].name == "csv" && entry.node.items[0].kind == NodeKind::text;
+  if (entry.node.kind != NodeKind::table || !is_csv) return refuse_type(entry, entry.node, entry.path, findings);
+  const std::string &name = entry.node.items[0].text, file = path_of(folder, name), path = entry.path + ".csv";
+  if (!std::filesystem::is_regular_file(file)) return false;  // check_files says so
+  try {
+    const auto map = std::make_shared<const ValueMap>(read_values_csv(file));
+    if (!map->is_grid())
+      return refuse(entry, path, "the table of the water is no grid",
+          "Give every x with every y, two or more of each: between them the values are bilinear.", findings);
+    situation.formula = [map](Vec<2> x, Real) { return map->at(x); };
+    situation.formula_text = fmt::format("csv {}", digits_of(text_of_csv(file, "the table of values")));
+    situation.formula_changes = false;
+    situation.grid_file = name;
+    situation.grid_low = map->low();
+    situation.grid_high = map->high();
+  } catch (const PointsFileError& error) {
+    return refuse(entry, path, "the table cannot be used", error.what(), findings);
+  }
+  return true;
+}
+
+std::string formula_text(const WaterSituation& situation)
+{
+  return situation.formula_text.empty() ? std::string() : quoted_list({situation.formula_text});
+}
+
 using SituationOf = WaterSituation& (*)(Case&, std::size_t);
 
 std::vector<KeyInfo> situation_keys(const std::string& section, SituationOf of)
@@ -196,15 +230,32 @@ std::vector<KeyInfo> situation_keys(const std::string& section, SituationOf of)
           .field =
               [of](Case& c, std::size_t i) {
                 WaterSituation& situation = of(c, i);
-                return OwnForm{"text: a formula of x, y and t",
-                    [&situation](const Entry& e, Findings& f) { return read_formula(e, f, situation); },
-                    [&situation] {
-                      return situation.formula_text.empty() ? std::string() : quoted_list({situation.formula_text});
-                    }};
+                return OwnForm{"text: a formula of x, y and t; or { csv = \"FILE.csv\" }",
+                    [&situation, folder = c.folder](const Entry& e, Findings& f) {
+                      return e.node.kind == NodeKind::table ? read_grid(e, folder, f, situation)
+                                                            : read_formula(e, f, situation);
+                    },
+                    [&situation] { return situation.formula_gives_head ? std::string() : formula_text(situation); }};
               },
           .unit = "Pa",
-          .meaning = "pore pressure as a formula of the place x, y [m] and the time t [s], instead of the lines: "
-                     "\"9810*max(2-y, 0)\"; what is negative counts as suction"},
+          .meaning =
+              "pore pressure as a formula of the place x, y [m] and the time t [s], instead of the lines: "
+              "\"9810*max(2-y, 0)\"; or bilinear on a grid of places, { csv = \"FILE.csv\" } with the columns x, "
+              "y, value, beyond it that of its nearest edge. What is negative counts as suction"},
+      {.path = section + ".head",
+          .field =
+              [of](Case& c, std::size_t i) {
+                WaterSituation& situation = of(c, i);
+                return OwnForm{"a table { csv = \"FILE.csv\" }",
+                    [&situation, folder = c.folder](const Entry& e, Findings& f) {
+                      situation.formula_gives_head = true;
+                      return read_grid(e, folder, f, situation);
+                    },
+                    [&situation] { return situation.formula_gives_head ? formula_text(situation) : std::string(); }};
+              },
+          .unit = "m",
+          .meaning = "elevation to which the water rises, on a grid of places as `pressure`, instead of the lines",
+          .equation = "p_w = unit_weight (head(x, y) - y)"},
   };
 }
 
@@ -249,6 +300,10 @@ void complete_situations(WaterCase& water)
       situation.formula = start.formula;
       situation.formula_text = start.formula_text;
       situation.formula_changes = start.formula_changes;
+      situation.formula_gives_head = start.formula_gives_head;
+      situation.grid_file = start.grid_file;
+      situation.grid_low = start.grid_low;
+      situation.grid_high = start.grid_high;
     }
     if (situation.formula) continue;
     if (situation.reference_lines.empty()) situation.reference_lines = start.reference_lines;

@@ -34,4 +34,10 @@ constexpr P bulk_from_poisson(P shear, P poisson)
   return 2.0 * shear * (1.0 + poisson) / (3.0 * (1.0 - 2.0 * poisson));
 }
 
+/// Poisson's ratio of isotropic moduli [-].
+constexpr Real poisson_ratio_of(const Moduli& m)
+{
+  return (3.0 * m.bulk - 2.0 * m.shear) / (2.0 * (3.0 * m.bulk + m.shear));
+}
+
 }  // namespace terp

@@ -107,9 +107,10 @@ struct LawRows {
   RowView state, parameters;
 };
 
-/// What soil stores where there is water: drained soil effective stress, undrained soil total stress. by_law: total
-/// stress where the law knows no other (MaterialType::total_stress), else effective.
-enum class Drainage { by_law, drained, undrained };
+/// What soil stores where there is water: drained soil effective stress, undrained soil total stress;
+/// undrained_effective: effective stress, and beside it the excess pressure of the pore water that cannot leave.
+/// by_law: total stress where the law knows no other (MaterialType::total_stress), else effective.
+enum class Drainage { by_law, drained, undrained, undrained_effective };
 
 /// The arrays of one call of Material::update, each of n entries, n a multiple of pack_width.
 template <int Dim>

@@ -14,6 +14,15 @@ RowInfo row_of_parameter(const ParameterInfo& parameter)
       .shown = true};
 }
 
+RowInfo row_of_excess_pressure()
+{
+  return {.name = "excess_pressure",
+      .unit = "Pa",
+      .meaning = "excess pore pressure, that which strain gave to the pore water beyond pore_pressure",
+      .owner = "water",
+      .shown = true};
+}
+
 void add_rows(Index number, SoilMaterial& material, RowTable& table)
 {
   const auto add = [&](RowInfo info) {
@@ -33,6 +42,13 @@ void add_rows(Index number, SoilMaterial& material, RowTable& table)
       scratch != material.type->state.end())
     material.increment_row = material.rows[static_cast<std::size_t>(scratch - material.type->state.begin())];
   for (const int k : material.law->varying()) add(row_of_parameter(material.type->parameters[k]));
+}
+
+void add_excess_row(Index number, SoilMaterial& material, RowTable& table)
+{
+  RowInfo row = row_of_excess_pressure();
+  row.of = {number};
+  material.excess_row = table.add(std::move(row));
 }
 
 Real strength_at(const SoilMaterial& material, const PointBlock<2>& block, Index lane, Real strain)

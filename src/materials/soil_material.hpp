@@ -14,10 +14,12 @@ struct SoilMaterial {
   Real density = 0.0;     ///< rho at t = 0 [kg/m^3]
   std::vector<int> rows;  ///< of the points: state variables, then parameters that vary, each in the order of the table
   SofteningOptions softening = {};
-  bool drained = false;                    ///< stores effective stress where there is water
+  bool stores_effective = false;           ///< effective stress where there is water, else total stress
   std::vector<Real> softening_scale = {};  ///< h/t_ref by cell, shape [n_cells]; empty: 1
   bool is_ground = true;                   ///< what a slope or dike is made of: neither water nor a load
-  int increment_row = -1;  ///< of the points: what they softened in this step; -1: by themselves, or not at all
+  int increment_row = -1;      ///< of the points: what they softened in this step; -1: by themselves, or not at all
+  int excess_row = -1;         ///< of the points: excess pore pressure; -1: no soil of the case has any
+  Real water_stiffness = 0.0;  ///< K_w/n of undrained soil that stores effective stress; 0: of all other soil [Pa]
 
   int n_state() const { return static_cast<int>(type->state.size()); }
   int n_rows() const { return static_cast<int>(rows.size()); }
@@ -34,8 +36,13 @@ struct SoilMaterial {
 /// The row of a parameter that varies.
 RowInfo row_of_parameter(const ParameterInfo& parameter);
 
+/// The row of the excess pore pressure.
+RowInfo row_of_excess_pressure();
+
 /// Adds the rows of a law to the table and enters them in the material, whose number is `number`.
 void add_rows(Index number, SoilMaterial& material, RowTable& table);
+/// The same with the row of the excess pore pressure.
+void add_excess_row(Index number, SoilMaterial& material, RowTable& table);
 
 /// Row of the points that holds the state variable with a role; -1: the law has none, or no body is of the material.
 inline int row_of(const SoilMaterial& material, Role role)

@@ -7,8 +7,6 @@
 #include "parallel/prefetch.hpp"
 #include "schemes/cell_view.hpp"
 
-#include <cmath>
-
 namespace terp {
 
 /// The blocks of one material and body in the cells of a group.
@@ -37,6 +35,7 @@ struct CellGroup {
   bool prefetch_points = false;                        ///< the points are more than the caches hold
   PatchValues* patches = nullptr;                      ///< of shares that overlap (patch_group.hpp)
   std::span<CornerVectors<Element>> water_force = {};  ///< on the corners [N per m], shape [n]; empty: no water
+  std::span<Real> excess = {};  ///< u_e [Pa], by block number; empty: no soil has excess pressure
 
   int n() const { return static_cast<int>(cells.size()); }
   CellView<Element> cell(int c) const { return {cells[c], mesh.geometry(cells[c]), points, corners[c]}; }
@@ -158,95 +157,6 @@ inline void add_internal_force(const CellGroup<Element>& group, const GeometryLa
     for (int d = 0; d < dim; ++d)
       for (int i = 0; i < Element::n_corners; ++i) group.corners[c].internal_force[d][i] += force[c][d][i];
   }
-}
-
-/// A quantity of the nodes where the points of each sub-cell lie in the mean, as Eq. (1) has their stress. With shares
-/// that overlap: in the middle of the sub-cell.
-template <class Element>
-inline PerGauss<Element, Pack> at_points_of_sub_cells(const SchemeContext& context, const CellGroup<Element>& group,
-    const BlockLayer& layer, const GaussValues<Element, Pack>& gauss, const PerCorner<Element, Pack>& corners)
-{
-  constexpr int dim = Element::dim;
-  PerDirection<Element, PerGauss<Element, Pack>> places;
-  for (int d = 0; d < dim; ++d) {
-    if (context.inverse_extent < 0) {
-      const SubCellMeans mean(gauss);
-      places[d] = sum_row(group, layer, PointRows<dim>::xi + d);
-      mean(places[d]);
-    } else {
-      for (int g = 0; g < Element::n_gauss; ++g) places[d][g] = Pack(std::copysign(0.5, Element::gauss_place(g)[d]));
-    }
-  }
-  PerGauss<Element, Pack> values;
-  for (int g = 0; g < Element::n_gauss; ++g) {
-    PerDirection<Element, Pack> place;
-    for (int d = 0; d < dim; ++d) place[d] = places[d][g];
-    const auto N = Element::shape_functions(place);
-    values[g] = N[0] * corners[0];
-    for (int i = 1; i < Element::n_corners; ++i) values[g] = fma(N[i], corners[i], values[g]);
-  }
-  return values;
-}
-
-/// Adds the force of the water on the soil of a layer, with weights and operator of its internal force.
-template <class Element>
-inline void add_water_force(const SchemeContext& context, const CellGroup<Element>& group,
-    const GeometryLanes<Element>& geometry, const BlockLayer& layer, const GaussValues<Element, Pack>& gauss)
-{
-  constexpr int dim = Element::dim;
-  std::array<CornerPore<Element>, pack_width> at{};
-  bool any = false, any_inside = false;
-  for (int c = 0; c < group.n(); ++c) {
-    if (layer.block[c] < 0) continue;
-    at[c] = pore_at_corners<Element>(
-        *context.pore, group.mesh.cells[group.cells[c]], context.materials[layer.material].drained);
-    for (int i = 0; i < Element::n_corners; ++i) {
-      any |= at[c].pressure[i] != 0.0;
-      any_inside |= at[c].inside[i] != 0.0;
-    }
-  }
-  if (!any && !any_inside) return;
-  CornerPore<Element, Pack> pore;
-  pore.pressure = to_lanes([&](int c) { return at[c].pressure.data(); });
-  pore.inside = to_lanes([&](int c) { return at[c].inside.data(); });
-  CornerVectors<Element, Pack> sums;
-  for (auto& direction : sums) direction.fill(Pack(0.0));
-  const auto inside =
-      any_inside ? at_points_of_sub_cells(context, group, layer, gauss, pore.inside) : zero_packs<Element::n_gauss>();
-  add_pore_force<GeometryLanes<Element>, Element>(
-      geometry, gauss.weight, pore.pressure, inside, context.method.force_operator, sums);
-  std::array<CornerVectors<Element>, pack_width> force;
-  for (int d = 0; d < dim; ++d) from_lanes(sums[d], [&](int c) { return force[c][d].data(); });
-  for (int c = 0; c < group.n(); ++c) {
-    if (layer.block[c] < 0) continue;
-    for (int d = 0; d < dim; ++d)
-      for (int i = 0; i < Element::n_corners; ++i) group.water_force[c][d][i] += force[c][d][i];
-  }
-}
-
-/// Gauss values, weights, smooth pressure and internal force of the cells of a group for the schemes that integrate at
-/// Gauss points. gauss_of(layer): where those of a layer are; sum(layer, gauss): their sums; finish(layer, gauss):
-/// what the scheme does before the force.
-template <class Element, class GaussOf, class Sum, class Finish>
-void gather_at_gauss_points(
-    const SchemeContext& context, const CellGroup<Element>& group, GaussOf&& gauss_of, Sum&& sum, Finish&& finish)
-{
-  PerGauss<Element, Pack> cell_volume = zero_packs<Element::n_gauss>();
-  for_each_layer(group, [&](const BlockLayer& layer) {
-    GaussValues<Element, Pack>& gauss = gauss_of(layer);
-    sum(layer, gauss);
-    for (int g = 0; g < Element::n_gauss; ++g) cell_volume[g] += gauss.volume[g];
-  });
-  const GeometryLanes<Element> geometry = geometry_of(group);
-  for_each_layer(group, [&](const BlockLayer& layer) {
-    GaussValues<Element, Pack>& gauss = gauss_of(layer);
-    set_weights(geometry, cell_volume, context.method, gauss);  // R3
-    divide_by_volume(gauss);                                    // Eq. (1)
-    smooth_pressure(gauss);                                     // Eqs. (2), (3)
-    finish(layer, gauss);
-    add_internal_force(group, geometry, layer, gauss, context.method.force_operator);  // Eq. (4)
-    if (context.pore != nullptr) add_water_force(context, group, geometry, layer, gauss);
-  });
 }
 
 /// Strain increments at the Gauss points of a group from displacements of the corners of each cell [m], shape

@@ -19,6 +19,8 @@ struct SchemeContext {
   Real dt = 0.0;                       ///< length of the step [s]
   int inverse_extent = -1;             ///< row of the points, with shares that overlap
   const PorePressure* pore = nullptr;  ///< on the nodes; nullptr: no water
+  bool all_drains = false;             ///< no soil is undrained: in the search for equilibrium
+  Real excess_kept = 1.0;              ///< part of its excess pressure that drained soil keeps in this step
 };
 
 /// One occupied cell.
@@ -33,12 +35,12 @@ struct CellView {
 /// The water at the corners of a cell, for soil of one material.
 template <class Element>
 CornerPore<Element> pore_at_corners(
-    const PorePressure& pore, const std::array<Index, Element::n_corners>& corners, bool drained)
+    const PorePressure& pore, const std::array<Index, Element::n_corners>& corners, bool stores_effective)
 {
   CornerPore<Element> at;
   for (int i = 0; i < Element::n_corners; ++i) {
     at.pressure[i] = pore.pressure[corners[i]];
-    at.inside[i] = !drained ? at.pressure[i] : pore.suction.empty() ? 0.0 : pore.suction[corners[i]];
+    at.inside[i] = !stores_effective ? at.pressure[i] : pore.suction.empty() ? 0.0 : pore.suction[corners[i]];
   }
   return at;
 }

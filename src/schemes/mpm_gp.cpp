@@ -1,5 +1,5 @@
 // MPM-GP, paper Sec. 2.2: the material points own the history; Gauss points only carry force and strain.
-#include "schemes/patch_group.hpp"
+#include "schemes/gauss_gather.hpp"
 #include "schemes/scheme.hpp"
 
 namespace terp {
@@ -29,6 +29,7 @@ struct MpmGp {
     for (int c = 0; c < group.n(); ++c) {
       prefetch_next(group, c);
       for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
+        update_excess(context, block, group.excess, b, share_of_cell_pressure(context.method), strain[c]);
         update_points(context, block, strain[c], group.pressure[b], sums);
       });
     }
@@ -73,6 +74,7 @@ struct MpmGp {
       const Real size = std::sqrt(group.mesh.geometry(group.cells[c]).volume);
       for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
         const PatchView patch = view_patch(group, b, patch_rows);
+        update_excess_from_patch(context, group, b, size, patch, patch_strain, share_of_cell_pressure(context.method));
         PressureAbove above;
         if (block.n_padded() > strip_length)  // several strips: their mean comes first
           for (Index p = 0; p < block.n_padded(); p += pack_width) {

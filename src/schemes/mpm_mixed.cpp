@@ -1,5 +1,5 @@
 // MPM-Mixed, paper Sec. 2.1: the Gauss points own the history; material points are overwritten every step.
-#include "schemes/patch_group.hpp"
+#include "schemes/gauss_gather.hpp"
 #include "schemes/scheme.hpp"
 
 namespace terp {
@@ -43,6 +43,7 @@ struct MpmMixed {
         prefetch_next(group, c);
         sums.plastic_work += plastic_work[c];
         const PointBlock<dim>& block = group.points.block(layer.block[c]);
+        update_excess(context, block, group.excess, layer.block[c], 1.0, strain[c]);
         for (Index p = 0; p < block.n; p += pack_width)
           assign_to_points(sigma[c], rows, c, strain[c], material, block, p);  // Step 4
       }
@@ -112,6 +113,7 @@ struct MpmMixed {
       for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index b) {
         const SoilMaterial& material = context.materials[block.material];
         const PatchView patch = view_patch(group, b, patch_state + material.n_state());
+        update_excess_from_patch(context, group, b, size, patch, patch_strain, 1.0);
         KeptStress kept;
         for (Index p = 0; p < block.n; p += pack_width) {
           PointShares shares;

@@ -31,6 +31,9 @@ void sum_over_patches(const SchemeContext& context, const CellGroup<Element>& gr
     for_each_block(group.points, cell, [&](const auto& block, Index b) {
       patches.partners[b] = find_block_partners(group.points, patches.cells[cell], block);
       sum_over_patch(block, context.inverse_extent, size, others(block), patches.sum_width, patches.sums_of(b));
+      if (const int row = context.materials[block.material].excess_row; row >= 0)
+        sum_row_over_patch(
+            block, row, {context.inverse_extent, size}, patches.sum_width, patches.sums_of(b) + patches.excess_place);
       fold_sums(patches.partners[b], patches.sum_width, patches.sums_of(b));
     });
   }

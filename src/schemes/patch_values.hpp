@@ -13,6 +13,7 @@ struct PatchValues {
   std::vector<BlockPartners> partners;  ///< by block
   std::vector<Pack> sums, gauss;
   int sum_width = 0, gauss_width = 0;  ///< Reals of one slot, of one Gauss point
+  int excess_place = 0;                ///< of the excess pressure among the sums
 
   /// Over the patch of block b, shape [n_slots][sum_width].
   Real* sums_of(Index b)

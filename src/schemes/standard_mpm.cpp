@@ -1,4 +1,5 @@
 // Standard MPM: force and strain at the material points, with B at the point. The baseline: it locks and oscillates.
+#include "schemes/excess_pressure.hpp"
 #include "schemes/scheme.hpp"
 
 namespace terp {
@@ -14,11 +15,13 @@ struct StandardMpm {
       for_each_block(group.points, group.cells[c], [&](const PointBlock<dim>& block, Index) {
         const CellGeometry<Element>& geometry = group.mesh.geometry(group.cells[c]);
         add_internal_force_of_points(geometry, block, group.corners[c]);
+        const SoilMaterial& material = context.materials[block.material];
         if (context.pore != nullptr)
           add_pore_force_of_points(geometry, block,
-              pore_at_corners<Element>(
-                  *context.pore, group.mesh.cells[group.cells[c]], context.materials[block.material].drained),
+              pore_at_corners<Element>(*context.pore, group.mesh.cells[group.cells[c]], material.stores_effective),
               group.water_force[c]);
+        if (material.excess_row >= 0)
+          add_excess_force_of_points(geometry, block, material.excess_row, group.water_force[c]);
       });
   }
 
@@ -41,9 +44,24 @@ struct StandardMpm {
       const Index n = std::min(strip_length, block.n_padded() - first);
       StripArrays<dim> strip;
       for (Index p = 0; p < n; p += pack_width) prepare_points(context.method, cell, du, block, first + p, strip, p);
+      update_excess(context, block, first, n, strip);
       update_strip(context, block, first, n, strip);
       sums.plastic_work += sum_plastic_work(block, first, n, strip);
       for (Index p = 0; p < n; p += pack_width) add_strain(block, first + p, strip, p);
+    }
+  }
+
+  static void update_excess(
+      const SchemeContext& context, const PointBlock<dim>& block, Index first, Index n, const StripArrays<dim>& strip)
+  {
+    const SoilMaterial& material = context.materials[block.material];
+    if (material.excess_row < 0) return;
+    const ExcessStep step(context, material);
+    for (Index p = 0; p < n; p += pack_width) {
+      Real* at = block.row(material.excess_row) + first + p;
+      Pack volumetric(0.0);
+      for (int k = 0; k < 3; ++k) volumetric += Pack::load(strip.d_eps[k] + p);
+      step(Pack::load(at), volumetric).store(at);
     }
   }
 

@@ -80,21 +80,24 @@ struct MaterialCase {
   std::vector<ParameterField> fields = {};  ///< ascending; those that the law lets vary
   SofteningOptions softening = {};
   Drainage drainage = Drainage::by_law;
-  Real k0 = std::numeric_limits<Real>::quiet_NaN();  ///< instead of initial.k0 [-]; NaN: that
-  std::string soil = {};                             ///< of one of two parts: the name that bodies use; else empty
+  Real undrained_poisson_ratio = 0.495;                           ///< nu_u of Drainage::undrained_effective [-]
+  Real water_stiffness = std::numeric_limits<Real>::quiet_NaN();  ///< K_w/n instead [Pa]; NaN: it follows from nu_u
+  Real k0 = std::numeric_limits<Real>::quiet_NaN();               ///< instead of initial.k0 [-]; NaN: that
+  std::string soil = {};  ///< of one of two parts: the name that bodies use; else empty
   Zone zone = Zone::all;
   bool ground = true;                  ///< false: water, or a load on the soil; not what a slope or a dike is made of
   std::vector<RatioCase> ratios = {};  ///< by the number of the parameter that follows from one; for the record
 
   /// The name that bodies use.
   const std::string& called() const { return soil.empty() ? name : soil; }
-  /// True if it stores effective stress where there is water.
-  bool is_drained() const
+  /// Effective stress where there is water, else total stress.
+  bool stores_effective() const
   {
-    if (drainage != Drainage::by_law) return drainage == Drainage::drained;
+    if (drainage != Drainage::by_law) return drainage != Drainage::undrained;
     const MaterialType* law = find_material(model);
     return law != nullptr && !law->total_stress;
   }
+  bool has_excess_pressure() const { return drainage == Drainage::undrained_effective; }
   /// Its law in the form that the options of softening ask for; nullptr if there is none of that name.
   const MaterialType* type() const { return find_material(model, softening); }
 };

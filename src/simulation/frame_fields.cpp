@@ -96,11 +96,7 @@ void add(FrameField field, F read, std::vector<FrameField>& fields)
 /// As the forces of the present step have it.
 void add_pore_pressure(const Model& model, const State& state, std::vector<FrameField>& fields)
 {
-  const auto pore = std::make_shared<PorePressure>();
-  if (const StageWater& water = model.stage.water; water.given)
-    model.water->set(water.from, water.to, model.ramp.share_at(state.time), *pore);
-  else
-    model.water->renew(state.time, *pore);
+  const auto pore = std::make_shared<PorePressure>(water_at(model, state.time));
   const auto read = [&model, pore](const PointBlock<2>& block, Index lane, Real* out) {
     *out = pore_pressure_at(model, *pore, block, lane);
   };
@@ -167,6 +163,7 @@ std::vector<FrameField> all_frame_fields()
     if (row.shown) fields.push_back(field_of(row));
   for (const CommonField& common : common_fields) fields.push_back(field_of(common));
   fields.push_back(field_of(CommonField{pore_pressure, 1, nullptr}));
+  fields.push_back(field_of(row_of_excess_pressure()));
   for (const MaterialType* law : all_materials())
     for (FrameField& field : frame_fields_of(*law))
       if (!has(fields, field.name)) fields.push_back(std::move(field));

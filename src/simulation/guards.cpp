@@ -80,11 +80,12 @@ Real overtaken_share(const Model& model, const State& state)
   const Real limit = model.mesh->smallest_altitude / model.dt;
   for_each_block(state.points, [&](const PointBlock<2>& block) {
     const SoilMaterial& material = model.materials[block.material];
-    Real modulus = material.law->p_wave_modulus();
+    Real modulus = material.law->p_wave_modulus() + material.water_stiffness;
     const Real *mass = block.row(Rows::mass), *volume = block.row(Rows::volume);
     for (Index lane = 0; lane < block.n; ++lane) {
       all += mass[lane];
-      if (material.varies()) modulus = material.law->moduli(material.view(block, lane)).p_wave();
+      if (material.varies())
+        modulus = material.law->moduli(material.view(block, lane)).p_wave() + material.water_stiffness;
       if (modulus * volume[lane] > limit * limit * mass[lane]) fast += mass[lane];
     }
   });

@@ -54,7 +54,7 @@ void set_initial_stress(const Model& model, State& state)
     Real vertical = model.gravity[1] * overburden.mass_above(x) - load, stored = 0.0;
     if (model.water) {
       vertical = -overburden.effective(x, c.water.start) - load;
-      stored = material.is_drained() ? 0.0 : overburden.pore_pressure(x, c.water.start);
+      stored = material.stores_effective() ? 0.0 : overburden.pore_pressure(x, c.water.start);
     }
     block.row(Rows::sigma)[lane] = k0 * vertical - stored;
     block.row(Rows::sigma + 1)[lane] = vertical - stored;

@@ -68,6 +68,10 @@ struct Model {
 
   Real time_of(std::int64_t step_number) const { return first_time + static_cast<Real>(step_number - first_step) * dt; }
   bool spreads_softening() const { return diffusion.n_substeps > 0; }
+  bool has_excess_pressure() const
+  {
+    return std::ranges::any_of(materials, [](const SoilMaterial& m) { return m.excess_row >= 0; });
+  }
 };
 
 }  // namespace terp

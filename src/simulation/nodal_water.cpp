@@ -109,6 +109,16 @@ bool NodalWater::is_dry(std::span<const Index> nodes) const
       [&](const Field& field) { return std::ranges::none_of(nodes, [&](Index i) { return field.at_node[i] > 0.0; }); });
 }
 
+PorePressure water_at(const Model& model, Real time)
+{
+  PorePressure pore;
+  if (const StageWater& water = model.stage.water; water.given)
+    model.water->set(water.from, water.to, model.ramp.share_at(time), pore);
+  else
+    model.water->renew(time, pore);
+  return pore;
+}
+
 Real pore_pressure_at(const Model& model, const PorePressure& pore, const PointBlock<2>& block, Index lane)
 {
   using Rows = PointRows<2>;

@@ -51,6 +51,9 @@ class NodalWater {
   std::vector<Field> fields_;     // by number of the situation
 };
 
+/// Water of a model that has water, at a time of its stage [s].
+PorePressure water_at(const Model& model, Real time);
+
 /// p_w at the material points of a block as the forces see it [Pa], in place of a field of its own.
 Real pore_pressure_at(const Model& model, const PorePressure& pore, const PointBlock<2>& block, Index lane);
 

@@ -5,6 +5,7 @@
 
 #include "base/errors.hpp"
 #include "forces/time_step.hpp"
+#include "materials/elastic_constants.hpp"
 #include "mesh/mesh_error.hpp"
 #include "simulation/setup_points.hpp"
 
@@ -35,6 +36,12 @@ void check_parameters(const MaterialCase& material, const MaterialType& type, co
   for (const ParameterProblem& problem : type.check(values))
     throw InputError(Problem{parameter_key(material, problem.parameter), problem.what,
         fmt::format("At the point at {} m: {}", place_text(x), problem.detail), "material"});
+}
+
+/// With the stiffness of pore water that cannot leave.
+Moduli undrained(const SoilMaterial& material, Moduli drained)
+{
+  return {drained.bulk + material.water_stiffness, drained.shear};
 }
 
 }  // namespace
@@ -95,7 +102,8 @@ void check_point_parameter(
   const Vec<2> x{state.x_initial[2 * id], state.x_initial[2 * id + 1]};
   check_parameters(model.description.materials[block.material], *material.type, values, x);
   const LawRows at{.state = rows.state, .parameters = {.data = own.data()}};
-  const Real stable = stable_step(model, {block.material, material.law->moduli(at), material.law->viscosity(at)});
+  const Real stable =
+      stable_step(model, {block.material, undrained(material, material.law->moduli(at)), material.law->viscosity(at)});
   if (stable < model.dt * (1.0 - 1e-12))  // round-off
     throw InputError(Problem{"material." + material.name, "a point is too stiff for the time step of the run",
         fmt::format(
@@ -126,7 +134,8 @@ std::vector<Stiffness> list_stiffness(const Model& model, std::span<const Index>
   for (const Index number : used) {
     const SoilMaterial& material = model.materials[number];
     any_varies |= material.varies();
-    if (!material.varies()) list.push_back({number, material.law->moduli(), material.law->viscosity()});
+    if (!material.varies())
+      list.push_back({number, undrained(material, material.law->moduli()), material.law->viscosity()});
   }
   if (!any_varies) return list;
   for (const auto& batch : make_points(model))
@@ -136,9 +145,33 @@ std::vector<Stiffness> list_stiffness(const Model& model, std::span<const Index>
       std::vector<Real> values = varying_values(material, parameters_at(model.description.materials[point.key.material],
                                                               *material.type, {point.x, model.ground.get()}));
       const LawRows at{.state = {}, .parameters = {.data = values.data()}};
-      list.push_back({point.key.material, material.law->moduli(at), material.law->viscosity(at)});
+      list.push_back({point.key.material, undrained(material, material.law->moduli(at)), material.law->viscosity(at)});
     }
   return list;
+}
+
+void set_water_stiffness(Model& model, std::span<const Index> used)
+{
+  for (const Index number : used) {
+    const MaterialCase& c = model.description.materials[number];
+    if (!c.has_excess_pressure()) continue;
+    Real& stiffness = model.materials[number].water_stiffness;
+    if (!std::isnan(c.water_stiffness)) {
+      stiffness = c.water_stiffness;
+      continue;
+    }
+    Moduli stiffest{0.0, 0.0};
+    for (const Stiffness& s : list_stiffness(model, std::array{number})) {
+      const Real nu = poisson_ratio_of(s.moduli);
+      if (!(c.undrained_poisson_ratio > nu))
+        throw InputError(Problem{parameter_key(c, "undrained_poisson_ratio"), less_compressible_than_soil,
+            fmt::format("undrained_poisson_ratio = {:g}; it must be above the Poisson's ratio of the soil, {:.4g}{}.",
+                c.undrained_poisson_ratio, nu, c.fields.empty() ? "" : " at some point"),
+            "material.undrained_poisson_ratio", false, {parameter_key(c, "drainage")}});
+      if (s.moduli.shear > stiffest.shear) stiffest = s.moduli;
+    }
+    stiffness = bulk_from_poisson(stiffest.shear, c.undrained_poisson_ratio) - stiffest.bulk;
+  }
 }
 
 }  // namespace terp

@@ -27,6 +27,13 @@ struct Stiffness {
   Real viscosity;  ///< [Pa s]
 };
 
+inline constexpr const char* less_compressible_than_soil = "undrained soil must be less compressible than its skeleton";
+
+/// K_w/n of the materials in use that are undrained and store effective stress: given, or from nu_u where the soil is
+/// stiffest, so that the time step is that of nu_u and softer soil is nearer to incompressible. Throws InputError where
+/// nu_u is not above the Poisson's ratio of the soil.
+void set_water_stiffness(Model& model, std::span<const Index> used);
+
 /// The longest time step that is stable with it [s].
 Real stable_step(const Model& model, const Stiffness& stiffness);
 

@@ -35,7 +35,7 @@ std::vector<SoilMaterial> make_materials(const Case& c)
     if (type == nullptr)
       throw InputError(Problem{"material." + m.name + ".model", "no such material model", "", "material"});
     materials.push_back({m.name, type, type->make_varying(m.parameters, varying_parameters(m, *type)), m.density, {},
-        m.softening, m.is_drained()});
+        m.softening, m.stores_effective()});
     SoilMaterial& material = materials.back();
     material.is_ground = m.ground && material.law->shear_modulus() > 0.0;  // a fluid is none
   }
@@ -91,6 +91,14 @@ std::vector<Index> used_materials(const Case& whole)
   return used;
 }
 
+/// Whether soil of some material has excess pore pressure in any stage.
+bool has_excess_pressure(const Case& whole)
+{
+  for (std::size_t k = 0; k < std::max<std::size_t>(1, whole.stages.size()); ++k)
+    if (std::ranges::any_of(case_of_stage(whole, k).materials, &MaterialCase::has_excess_pressure)) return true;
+  return false;
+}
+
 /// What limits the time step in any stage.
 struct StepLimit {
   Real stable = std::numeric_limits<Real>::infinity(), fastest = 0.0, largest_density = 0.0;
@@ -117,6 +125,7 @@ StepLimit find_step_limit(const Case& whole, const Model& model, const std::vect
     other.method = model.method;
     other.description = case_of_stage(whole, k);
     other.materials = make_materials(other.description);
+    set_water_stiffness(other, used);
     limit.enter(other, used);
   }
   return limit;
@@ -248,7 +257,12 @@ Model build_stage(const Case& whole, SharedMesh mesh, int threads, std::size_t n
   model.threads = threads;
   settle_fields(model);
   const std::vector<Index> used = used_materials(whole);
-  for (const Index m : used) add_rows(m, model.materials[m], model.rows);
+  const bool any_excess = has_excess_pressure(whole);
+  for (const Index m : used) {
+    add_rows(m, model.materials[m], model.rows);
+    if (any_excess && model.materials[m].stores_effective) add_excess_row(m, model.materials[m], model.rows);
+  }
+  set_water_stiffness(model, used);
   if (model.scheme->functions(model.method.shares).integrate != nullptr)
     model.inverse_extent = model.rows.add({.name = "inverse_extent",
         .unit = "1/m",

@@ -75,6 +75,34 @@ void find_short_averaging(const Model& model, std::vector<Problem>& warnings)
       "forces.damping.averaging_time", false, {"forces.damping"}});
 }
 
+/// Soil beyond the grid of a water situation.
+void find_uncovered_water(const Model& model, std::span<const Index> nodes, std::vector<Problem>& warnings)
+{
+  const WaterCase& water = model.description.water;
+  const Real slack = 1e-6 * model.mesh->smallest_altitude;  // round-off
+  for (std::size_t k = 0; k <= water.situations.size(); ++k) {
+    const WaterSituation& of = situation_of(water, k);
+    if (of.grid_file.empty() || (k > 0 && of.grid_file == water.start.grid_file)) continue;
+    Index n = 0;
+    Real farthest = 0.0;
+    for (const Index i : nodes) {
+      const Vec<2>& x = model.mesh->nodes[i];
+      Real beyond = 0.0;
+      for (int d = 0; d < 2; ++d) beyond = std::max({beyond, of.grid_low[d] - x[d], x[d] - of.grid_high[d]});
+      n += beyond > slack;
+      farthest = std::max(farthest, beyond);
+    }
+    if (n == 0) continue;
+    warnings.push_back({"water", fmt::format("the grid `{}` does not cover all of the soil", of.grid_file),
+        fmt::format(
+            "It covers x = {} to {} m, y = {} to {} m; {} of {} nodes at the soil lie beyond it, by up to {:.3g} "
+            "m.\nThey take the value of its nearest edge.",
+            coordinate_text(of.grid_low[0]), coordinate_text(of.grid_high[0]), coordinate_text(of.grid_low[1]),
+            coordinate_text(of.grid_high[1]), n, nodes.size(), farthest),
+        "water"});
+  }
+}
+
 void find_odd_water(const Model& model, const State& state, std::vector<Problem>& warnings)
 {
   if (!model.water) return;
@@ -87,6 +115,7 @@ void find_odd_water(const Model& model, const State& state, std::vector<Problem>
     warnings.push_back({"water", "the water touches no soil",
         "Its pressure is zero in all soil, in every situation. Elevations are in m, in the frame of the mesh.",
         "water"});
+  find_uncovered_water(model, nodes, warnings);
   const CappedWater capped = model.water->find_capped(nodes);
   if (capped.n == 0) return;
   const WaterSituation& of = situation_of(model.description.water, capped.situation);

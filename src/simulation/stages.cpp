@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/loads.hpp"
+#include "simulation/nodal_water.hpp"
 #include "simulation/point_parameters.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/setup_points.hpp"
@@ -91,21 +92,57 @@ struct MovedPoint {
   std::vector<Real> values;
 };
 
+/// Material in the stage of a model of a point that was of another one. What was below the water line stays so.
+Index material_in_stage(const Model& model, Index body, Index from)
+{
+  const BodyCase& of = model.description.bodies[body];
+  const MaterialCase& now = model.description.materials[from];
+  const bool stays = !of.points_file.empty() || now.called() == of.material;
+  return stays ? from : material_number(model, of.material, now.zone);
+}
+
+bool stores_other_stress(const Model& before, const Model& model)
+{
+  const auto kind = [](const Model& of) {
+    std::vector<bool> effective;
+    for (const SoilMaterial& material : of.materials) effective.push_back(material.stores_effective);
+    return effective;
+  };
+  const auto same_material = [](const BodyCase& a, const BodyCase& b) { return a.material == b.material; };
+  return kind(before) != kind(model) ||
+         !std::ranges::equal(before.description.bodies, model.description.bodies, same_material);
+}
+
+/// Soil that stored effective stress and stores total stress from now on, or the other way round: the stress of both
+/// differs by the pore pressure, with all that the soil had in excess.
+void change_stored_stress(const Model& before, const Model& model, State& state)
+{
+  const std::vector<Index> body = seeds_of(model).bodies;
+  const PorePressure pore = before.water ? water_at(before, state.time) : PorePressure();
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const SoilMaterial& from = before.materials[block.material];
+    const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
+    const Index to = material_in_stage(model, body[id], block.material);
+    if (from.stores_effective == model.materials[to].stores_effective) return;
+    Real pressure = before.water ? pore_pressure_at(before, pore, block, lane) : 0.0;
+    if (from.excess_row >= 0) {
+      pressure += block.row(from.excess_row)[lane];
+      block.row(from.excess_row)[lane] = 0.0;
+    }
+    for (int k = 0; k < 3; ++k) block.row(Rows::sigma + k)[lane] += from.stores_effective ? -pressure : pressure;
+  });
+}
+
 /// Takes the points out of their blocks whose body is of another material than they are.
 std::vector<MovedPoint> take_changed_points(const Model& model, const std::vector<Index>& body, State& state)
 {
-  const auto target = [&model](const BodyCase& body, Index from) {
-    const MaterialCase& now = model.description.materials[from];
-    const bool stays = !body.points_file.empty() || now.called() == body.material;
-    return stays ? from : material_number(model, body.material, now.zone);  // what was below the water line stays so
-  };
   std::vector<MovedPoint> moved;
   for (const Index cell : state.points.occupied())
     for (Index b = state.points.first_block(cell); b >= 0; b = state.points.block(b).next)
       for (Index lane = state.points.block(b).n; lane-- > 0;) {
         const PointBlock<2>& block = state.points.block(b);
         const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
-        const Index from = block.material, to = target(model.description.bodies[body[id]], from);
+        const Index from = block.material, to = material_in_stage(model, body[id], from);
         if (to == from) continue;
         MovedPoint& point =
             moved.emplace_back(MovedPoint{block, std::vector<Real>(static_cast<std::size_t>(state.points.n_rows()))});
@@ -275,6 +312,7 @@ void begin_from(Model& model, const std::string& stage_that_ended, State& state)
   state.frames_reported = 0;
   const Real before = kinetic_and_elastic_energy(model, state);
   model = model_for(std::move(model), state);
+  change_stored_stress(model, model, state);
   change_materials(model, state);
   state.start_energy += kinetic_and_elastic_energy(model, state) - before;
 }
@@ -284,6 +322,7 @@ void enter_next_stage(Model& model, State& state, Workspace& work)
   Model next = build_stage(*model.whole, model.mesh, model.threads, model.stage.number + 1);
   keep_rest_of(model, next);
   const Real before = kinetic_and_elastic_energy(model, state);
+  if (stores_other_stress(model, next)) change_stored_stress(model, next, state);
   const auto same_material = [](const BodyCase& a, const BodyCase& b) { return a.material == b.material; };
   if (!std::ranges::equal(model.description.bodies, next.description.bodies, same_material))
     change_materials(next, state);

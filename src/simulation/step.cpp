@@ -69,6 +69,13 @@ void set_water(const Model& model, const State& state, Workspace& work)
   work.water_share = share;
 }
 
+/// Part of its excess pressure that soil keeps which has become drained: it falls to zero over the ramp of the stage.
+Real excess_kept(const Model& model, const State& state)
+{
+  const Real before = 1.0 - model.ramp.share_at(state.time);
+  return before > 0.0 ? (1.0 - model.ramp.share_at(model.time_of(state.step + 1))) / before : 0.0;
+}
+
 void start_sums(Workspace& work)
 {
   for (NodeSums& sums : work.node_sums) sums = {};
@@ -238,8 +245,13 @@ void relax_velocities(const Model& model, State& state, Workspace& work)
 void step_compiled(const Model& model, State& state, Workspace& work)
 {
   const SchemeFunctions& scheme = model.scheme->functions(model.method.shares);
-  const SchemeContext context{
-      model.method, model.materials, model.dt, model.inverse_extent, model.water ? &work.pore : nullptr};
+  const SchemeContext context{.method = model.method,
+      .materials = model.materials,
+      .dt = model.dt,
+      .inverse_extent = model.inverse_extent,
+      .pore = model.water ? &work.pore : nullptr,
+      .all_drains = work.settling,
+      .excess_kept = excess_kept(model, state)};
   if (model.water) set_water(model, state, work);
   start_sums(work);
   set_gravity(model, state, work);

@@ -26,7 +26,9 @@ void start_patches(const Model& model, const State& state, Index n_gauss_rows, P
 {
   const std::size_t most = 2 * static_cast<std::size_t>(state.points.n_blocks());
   patches.cells = find_patch_partners(*model.mesh);
-  patches.sum_width = round_up_to_pack(patch_others + n_gauss_rows);
+  patches.excess_place = patch_others + n_gauss_rows;
+  patches.sum_width = round_up_to_pack(patches.excess_place + (model.has_excess_pressure() ? 1 : 0));
+  TERP_ASSERT(patches.sum_width <= PatchView::most_rows);
   patches.gauss_width = round_up_to_pack(3 * n_sym<2> + 1 + n_gauss_rows);
   TERP_ASSERT(patches.gauss_width <= PatchView::most_rows);
   patches.partners.reserve(most);
@@ -62,11 +64,12 @@ Workspace::Workspace(const Model& model, const State& state)
     run_softens.resize(model.diffusion.first_reached.size() - 1);
     run_is_near.resize(run_softens.size());
   }
-  if (model.water) {
+  if (model.water || model.has_excess_pressure()) {
     outer[outer_water].acts = true;
     outer[outer_water].node.resize(model.mesh->nodes.size());
   }
   pressure.reserve(2 * state.points.n_blocks());
+  if (model.has_excess_pressure()) excess.reserve(2 * state.points.n_blocks());
   if (model.inverse_extent >= 0) start_patches(model, state, n_gauss_rows, patches);
   load_pressure.resize(model.loads.size());
   if (!model.loads.empty()) outer[outer_load].node.resize(model.mesh->nodes.size());
@@ -89,6 +92,7 @@ void Workspace::fit(const Model& model, const State& state)
     fitted.resize(model.mesh->nodes.size());
   }
   pressure.resize(state.points.n_blocks());
+  if (model.has_excess_pressure()) excess.resize(state.points.n_blocks());
   const std::size_t n_gauss = model.materials.size() * state.points.n_bodies() *
                               Threads::n_chunks(static_cast<Index>(cells.size()), pack_width);
   if (gauss.size() < n_gauss) {

@@ -75,6 +75,7 @@ struct Workspace {
       gauss_rows;              ///< shape [n_materials * n_bodies * n_groups at least, n_gauss_rows]; used like `gauss`
   Index n_gauss_rows = 0;      ///< the most that any law adds to the points
   std::vector<Real> pressure;  ///< p_e [Pa], shape [n_blocks]; of schemes that keep no other Gauss values
+  std::vector<Real> excess;    ///< u_e [Pa], shape [n_blocks]; empty: no soil has excess pressure
   PatchValues patches;         ///< of shares that overlap
   Real water_share = std::numeric_limits<Real>::quiet_NaN();  ///< of the way of the stage's water that `pore` is of
   PorePressure pore;                                          ///< on the nodes; empty without water

@@ -1,6 +1,7 @@
 #include "stability/elastic_start.hpp"
 
 #include "base/errors.hpp"
+#include "materials/elastic_constants.hpp"
 #include "simulation/initial.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/point_parameters.hpp"
@@ -21,10 +22,7 @@ bool has_strength(const MaterialType& law)
   return std::ranges::any_of(law.parameters, [](const ParameterInfo& p) { return is_strength(p.reduction); });
 }
 
-std::vector<Real> elastic_parameters(Moduli m)
-{
-  return {m.shear, (3.0 * m.bulk - 2.0 * m.shear) / (2.0 * (3.0 * m.bulk + m.shear))};
-}
+std::vector<Real> elastic_parameters(Moduli m) { return {m.shear, poisson_ratio_of(m)}; }
 
 /// linear_elastic with the moduli of a law, at each place if any of its parameters varies. It lies where the soil lies,
 /// and stores the stress that the soil stores.
@@ -32,7 +30,7 @@ MaterialCase elastic_twin(const MaterialCase& material, const MaterialType& law)
 {
   MaterialCase twin{
       material.name, "linear_elastic", material.density, elastic_parameters(law.make(material.parameters)->moduli())};
-  twin.drainage = material.is_drained() ? Drainage::drained : Drainage::undrained;
+  twin.drainage = material.stores_effective() ? Drainage::drained : Drainage::undrained;
   twin.k0 = material.k0;
   twin.soil = material.soil;
   twin.zone = material.zone;

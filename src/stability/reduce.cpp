@@ -113,6 +113,7 @@ Case stiffen(Case c, Real s)
                                              : exponent == 0.5 ? std::sqrt(s)
                                                                : std::pow(s, exponent));
       });
+  for (MaterialCase& material : c.materials) material.water_stiffness *= s;
   c.forces.viscous_damping *= std::sqrt(s);
   c.time.end /= std::sqrt(s);
   return c;

@@ -75,6 +75,19 @@ void sum_over_patch(
   }
 }
 
+void sum_row_over_patch(const PointBlock<2>& block, int row, const PatchSize& size, int width, Real* sums)
+{
+  auto parts = zero_packs<Patch<Quad4>::n_slots>();
+  for (Index p = 0; p < block.n; p += pack_width) {
+    PointShares shares;
+    set_shares(block, p, size.inverse_extent, size.cell, shares);
+    const Pack value = Pack::load(block.row(row) + p) * Pack::load(block.row(PointRows<2>::volume) + p);
+    for (int slot = 0; slot < Patch<Quad4>::n_slots; ++slot)
+      parts[slot] = fma(value, shares.in_slot(slot), parts[slot]);
+  }
+  for (int slot = 0; slot < Patch<Quad4>::n_slots; ++slot) sums[slot * width] += sum(parts[slot]);
+}
+
 void fold_sums(const BlockPartners& partners, int width, Real* sums)
 {
   using P = Patch<Quad4>;

@@ -64,10 +64,20 @@ inline void set_shares(const PointBlock<2>& block, Index p, int inverse_extent, 
   set_shares_along(Pack::load(block.row(PointRows<2>::xi + 1) + p), scale, shares.up);
 }
 
+/// How large a point is in the local coordinates of its cell: its row of 1 / side of the square [1/m], and sqrt(V_e) of
+/// the cell [m].
+struct PatchSize {
+  int inverse_extent;
+  Real cell;
+};
+
 /// Sums over the points of a block: of share * Omega_p * row, and of share * Omega_p, into sums[slot * width + row].
 /// others: rows beyond the stress; width: Reals for each slot, a multiple of pack_width.
 void sum_over_patch(
     const PointBlock<2>& block, int inverse_extent, Real cell_size, std::span<const int> others, int width, Real* sums);
+
+/// The same of one row alone, added to sums[slot * width].
+void sum_row_over_patch(const PointBlock<2>& block, int row, const PatchSize& size, int width, Real* sums);
 
 /// Moves the sums of outer sub-cells without a partner to where they go back to.
 void fold_sums(const BlockPartners& partners, int width, Real* sums);

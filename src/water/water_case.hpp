@@ -1,4 +1,4 @@
-// Water as the user describes it, in plain numbers: lines of heads, or a formula.
+// Water as the user describes it, in plain numbers: lines of heads, a formula, or values on a grid.
 // Not for: the pressure that follows from it (water_pressure.hpp).
 #pragma once
 
@@ -29,7 +29,7 @@ struct ReferenceLine {
 /// Pressure at a place and a time [Pa]; more than zero where there is water.
 using PressureFormula = std::function<Real(Vec<2>, Real)>;
 
-/// Water at one moment: lines, or a formula.
+/// Water at one moment: lines, or a formula; a grid of values is a formula, too.
 struct WaterSituation {
   std::string name = {};
   Real time = std::numeric_limits<Real>::quiet_NaN();  ///< at which it is reached, linearly from the one before [s]
@@ -38,7 +38,10 @@ struct WaterSituation {
   std::vector<ReferenceLine> reference_lines = {};
   PressureFormula formula = {};
   std::string formula_text = {};
-  bool formula_changes = false;  ///< it speaks of the time
+  bool formula_changes = false;     ///< it speaks of the time
+  bool formula_gives_head = false;  ///< its values are heads [m]; else pressures [Pa]
+  std::string grid_file = {};       ///< that the formula takes its values from; empty: none
+  Vec<2> grid_low{}, grid_high{};   ///< box about its places; beyond it the values of its edge hold [m]
 
   bool is_given() const { return !phreatic_line.empty() || formula; }
 };

@@ -31,7 +31,8 @@ Real WaterColumn::head(Real y) const
 
 Real unlimited_pressure(const WaterCase& water, const WaterSituation& situation, Vec<2> x, Real time)
 {
-  if (situation.formula) return situation.formula(x, time);
+  if (situation.formula && !situation.formula_gives_head) return situation.formula(x, time);
+  if (situation.formula) return water.unit_weight * (situation.formula(x, time) - x[1]);
   return water.unit_weight * (WaterColumn(situation, x[0]).head(x[1]) - x[1]);
 }
 

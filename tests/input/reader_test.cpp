@@ -42,6 +42,8 @@ model = "linear_elastic"
 density = 2600
 shear_modulus = 1.0e9
 poisson_ratio = 0.25
+drainage = "undrained_effective"
+undrained_poisson_ratio = 0.4875
 [water]
 phreatic_line = [[0.0, 2.5], [8.0, 2.0], [8.0, 1.5]]
 head_lines = { aquifer = [[0, 3.0]], lower = [[0, 2.0], [8, 1.0]] }
@@ -126,6 +128,13 @@ ramp = 0.5
 water = "start"
 reset_displacement = true
 set = { "scheme" = "mpm_gp" }
+[material.clay]
+water_stiffness = 1e8
+undrained_poisson_ratio = 0.49
+[water]
+head = { csv = "heads.csv" }
+[[water.situation]]
+head = { csv = "heads.csv" }
 [mesh]
 cells = [4, 2]
 grading = [2.0, 0.5]
@@ -258,7 +267,9 @@ TEST(Reader, FillsTheWater)
   EXPECT_EQ(c.water.suction, 5000.0);
   EXPECT_EQ(c.materials[0].drainage, Drainage::undrained);
   EXPECT_EQ(c.materials[0].k0, 0.625);
-  EXPECT_TRUE(c.materials[1].is_drained());
+  EXPECT_EQ(c.materials[1].drainage, Drainage::undrained_effective);
+  EXPECT_EQ(c.materials[1].undrained_poisson_ratio, 0.4875);
+  EXPECT_TRUE(c.materials[1].stores_effective());
 }
 
 TEST(Reader, AWaterSituationTakesWhatItLeavesOutFromTheStart)
@@ -293,8 +304,8 @@ TEST(Reader, ASoilInTwoPartsIsTwoMaterials)
   EXPECT_EQ(above.model, "linear_elastic");
   EXPECT_EQ(above.density, 1600.0);
   EXPECT_THAT(above.parameters, ElementsAre(1.0e6, 0.3));
-  EXPECT_FALSE(below.is_drained());
-  EXPECT_TRUE(above.is_drained());
+  EXPECT_FALSE(below.stores_effective());
+  EXPECT_TRUE(above.stores_effective());
 }
 
 TEST(Reader, FillsSides)

@@ -1,5 +1,5 @@
 // Cells side by side in packs: two materials in a cell, and that a lane knows nothing of its neighbours.
-#include "schemes/cell_group.hpp"
+#include "schemes/gauss_gather.hpp"
 #include "support/blocks.hpp"
 #include "support/meshes.hpp"
 #include "support/random.hpp"

@@ -1,0 +1,110 @@
+// Excess pore pressure u of undrained soil that stores effective stress: from the points to the cells and back, as the
+// pressure of a total stress would go. docs/methods.md, "Water".
+//
+//   u_g = sum_p s_pg u_p Omega_p / sum_p s_pg Omega_p       as Eq. (1)
+//   u_e = sum_g u_g Omega_g / sum_g Omega_g                 as Eq. (2); the force takes it as Eq. (3) does
+//   u_p <- u_p + beta (u_e - u_p) - (K_w/n) tr(d_eps_p)     as reading R10; beta = 1 in MPM-Mixed
+//
+// In drained soil K_w/n is zero, and u_p times the part that the step keeps.
+#pragma once
+
+#include "schemes/patch_group.hpp"
+
+namespace terp {
+
+/// One row of the sums of the blocks of a layer at their Gauss points, with shares that overlap.
+template <class Element>
+GaussRow<Element> collect_row(const CellGroup<Element>& group, const BlockLayer& layer, int row)
+{
+  const int width = group.patches->sum_width;
+  alignas(64) std::array<Real, Element::n_gauss * PatchView::most_rows> sums;
+  std::array<PerGauss<Element>, pack_width> values{};
+  for (int c = 0; c < pack_width; ++c) {
+    if (layer.block[c] < 0) continue;
+    collect_sums(*group.patches, layer.block[c], sums.data());
+    for (int g = 0; g < Element::n_gauss; ++g) values[c][g] = sums[g * width + row];
+  }
+  return to_lanes([&](int c) { return values[c].data(); });
+}
+
+/// u_e of the cells of a layer [Pa], one lane per cell; keeps them in group.excess.
+template <class Element>
+Pack gather_excess(const SchemeContext& context, const CellGroup<Element>& group, const BlockLayer& layer,
+    const GaussValues<Element, Pack>& gauss)
+{
+  GaussRow<Element> excess = context.inverse_extent < 0
+                                 ? sum_row(group, layer, context.materials[layer.material].excess_row)
+                                 : collect_row(group, layer, group.patches->excess_place);
+  const SubCellMeans mean(gauss);
+  mean(excess);
+  const Pack of_cell = weighted_mean(excess, gauss.weight);
+  for (int c = 0; c < group.n(); ++c)
+    if (layer.block[c] >= 0) group.excess[layer.block[c]] = of_cell[c];
+  return of_cell;
+}
+
+/// What a step does to the excess pressure of a material.
+struct ExcessStep {
+  Pack kept, stiffness;
+
+  ExcessStep(const SchemeContext& context, const SoilMaterial& material)
+      : kept(is_undrained(context, material) ? 1.0 : context.excess_kept),
+        stiffness(is_undrained(context, material) ? material.water_stiffness : 0.0)
+  {
+  }
+  static bool is_undrained(const SchemeContext& context, const SoilMaterial& material)
+  {
+    return material.water_stiffness > 0.0 && !context.all_drains;
+  }
+  Pack operator()(Pack excess, Pack volumetric_strain) const { return kept * excess - stiffness * volumetric_strain; }
+};
+
+/// New excess pressure of the points of a block. cell: u_e; share: beta; strain: of their cell. Before the volumes
+/// change.
+template <class Element>
+void update_excess(const SchemeContext& context, const PointBlock<Element::dim>& block, std::span<const Real> cells,
+    Index b, Real share, const GaussStrain<Element>& strain)
+{
+  const SoilMaterial& material = context.materials[block.material];
+  if (material.excess_row < 0) return;
+  const ExcessStep step(context, material);
+  for (Index p = 0; p < block.n; p += pack_width) {
+    Real* at = block.row(material.excess_row) + p;
+    const Pack own = Pack::load(at), start = own + Pack(share) * (Pack(cells[b]) - own);
+    step(start, trace(strain_at_points(strain, upper_halves<Element>(block, p)))).store(at);
+  }
+}
+
+/// The same with shares that overlap. strain: patch whose rows from `first_strain` on are the strain.
+template <class Element>
+void update_excess_from_patch(const SchemeContext& context, const CellGroup<Element>& group, Index b, Real size,
+    const PatchView& strain, int first_strain, Real share)
+{
+  const PointBlock<Element::dim>& block = group.points.block(b);
+  const SoilMaterial& material = context.materials[block.material];
+  if (material.excess_row < 0) return;
+  const PatchView cells(
+      group.patches->partners[b], b, [&](Index other) { return &group.excess[other]; }, 0, 1);
+  const ExcessStep step(context, material);
+  const auto for_each_pack = [&](auto&& f) {
+    for (Index p = 0; p < block.n; p += pack_width) {
+      PointShares shares;
+      set_shares(block, p, context.inverse_extent, size, shares);
+      f(p, shares, Pack::load(block.row(material.excess_row) + p), cells.template at_points<1>(shares, 0)[0]);
+    }
+  };
+  Pack above(0.0), volume(0.0);  // of the points, above that around them; as their pressure keeps its mean
+  for_each_pack([&](Index p, const PointShares&, Pack own, Pack around) {
+    const Pack omega = Pack::load(block.row(PointRows<Element::dim>::volume) + p);
+    above = fma(omega, own - around, above);
+    volume += omega;
+  });
+  const Pack shift(sum(above) / sum(volume));
+  for_each_pack([&](Index p, const PointShares& shares, Pack own, Pack around) {
+    const auto direct = strain.at_points<3>(shares, first_strain);
+    const Pack start = own + Pack(share) * (around + shift - own);
+    step(start, direct[0] + direct[1] + direct[2]).store(block.row(material.excess_row) + p);
+  });
+}
+
+}  // namespace terp
