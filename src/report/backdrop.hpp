@@ -17,7 +17,8 @@ std::vector<float> mesh_edges(const Mesh<2>& mesh);
 std::vector<float> first_outline(const Case& description, const Mesh<2>& mesh);
 
 /// The phreatic line at a time, over the width of the mesh: x, y [m], shape [n, 2]; empty without one.
-std::vector<float> phreatic_line(const WaterCase& water, const Mesh<2>& mesh, Real time);
+std::vector<float> phreatic_line(
+    const Case& description, const std::vector<StageSummary>& stages, const Mesh<2>& mesh, Real time);
 
 /// The highest point in each column of one cell's width, from left to right: x, y [m], shape [n, 2]. Columns without a
 /// point are left out.

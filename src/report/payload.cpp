@@ -193,7 +193,7 @@ Json water_json(Chunks& chunks, const Source& source, const ShownRun& shown)
   std::vector<float> lines;
   std::vector<std::size_t> offsets{0};
   for (const Real time : shown.times) {
-    const auto line = phreatic_line(source.case_read->values.water, *source.mesh, time);
+    const auto line = phreatic_line(source.case_read->values, source.run.summary.values.stages, *source.mesh, time);
     lines.insert(lines.end(), line.begin(), line.end());
     offsets.push_back(lines.size() / 2);
   }

@@ -78,24 +78,24 @@ void tell_flood(const Summary& s, std::vector<std::string>& story)
 
 std::string water_in_words(const std::string& name)
 {
-  return name == "start" ? "at the start" : fmt::format("of the situation `{}`", name);
+  return name == "start" ? "at the start" : fmt::format("of the situation \"{}\"", name);
 }
 
 /// Which water strengths belong to; materials with the same are one sentence.
 void tell_strength_water(const Summary& s, std::vector<std::string>& story)
 {
-  std::vector<std::pair<std::string, std::string>> sentences;  // what it is, and whose
+  std::vector<std::pair<std::string, std::string>> sentences;  // what follows from which water, and whose it is
   for (const StrengthWater& strength : s.strength_water) {
-    std::string water = "sigma'_v is that of the water " + water_in_words(strength.stress);
-    if (strength.daily) water += ", sigma'_p follows from the water " + water_in_words(*strength.daily);
-    const std::string whose = fmt::format("{} of {}", strength.parameter, strength.material);
+    std::string water =
+        fmt::format("{} follows from sigma'_v in the water {}", strength.parameter, water_in_words(strength.stress));
+    if (strength.daily) water += ", and from sigma'_p in the water " + water_in_words(*strength.daily);
     const auto same = std::ranges::find(sentences, water, &std::pair<std::string, std::string>::first);
     if (same == sentences.end())
-      sentences.emplace_back(water, whose);
+      sentences.emplace_back(water, strength.material);
     else
-      same->second += ", " + whose;
+      same->second += ", " + strength.material;
   }
-  for (const auto& [water, whose] : sentences) story.push_back(fmt::format("Strength ({}): {}.", whose, water));
+  for (const auto& [water, whose] : sentences) story.push_back(fmt::format("Strength of {}: {}.", whose, water));
 }
 
 /// The stages, and how each ended.
@@ -104,7 +104,7 @@ void tell_stages(const Summary& s, std::vector<std::string>& story)
   std::string text;
   for (const StageSummary& stage : s.stages) {
     if (stage.name.empty()) continue;
-    text += fmt::format("{}`{}` from {:.2f} to {:.2f} s", text.empty() ? "Stages: " : ", ", stage.name,
+    text += fmt::format("{}{} from {:.2f} to {:.2f} s", text.empty() ? "Stages: " : "; ", stage.name,
         stage.record.start, stage.record.end);
     if (stage.record.at_rest)
       text += ", at rest";

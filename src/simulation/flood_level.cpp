@@ -96,7 +96,7 @@ FloodLevel find_flood_level(const Case& whole, const Model& model)
       !level.river                  ? "both ends"
       : level.river == Facing::left ? "the left end"
                                     : "the right end",
-      water.situation.empty() ? "" : fmt::format(", in the situation `{}`", water.situation));
+      water.situation.empty() ? "" : fmt::format(", in the situation \"{}\"", water.situation));
   return level;
 }
 

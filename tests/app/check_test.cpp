@@ -104,8 +104,8 @@ TEST(Check, SaysWhereABodyLiesOutsideTheMesh)
 TEST(Check, AVariantOfAMeshFromAPolygonHasOtherCells)
 {
   const auto told = [](const std::string& variant) {
-    return test::terp({"check", source_path("cases/dike/dike.toml"), "--set", "mesh.cell=2.0", "--set",
-        "mesh.variant=" + variant, "-j", "1"});
+    return test::terp({"check", source_path("cases/column_collapse/model_2_unstructured.toml"), "--set",
+        "mesh.cell=0.5", "--set", "mesh.variant=" + variant, "-j", "1"});
   };
   const auto mesh_line = [](const std::string& out) {
     const std::size_t begin = out.find("  mesh  ");
@@ -126,7 +126,7 @@ TEST(Check, WarnsOfAHistoryPointFarFromTheSoil)
 
 TEST(Check, PointsAtTheChangeThatSetUpCannotUse)
 {
-  const std::string dike = source_path("cases/dike/dike.toml");
+  const std::string unstructured = source_path("cases/column_collapse/model_2_unstructured.toml");
   const auto error_after = [](const std::string& file, const std::string& change) {
     return test::terp({"check", file, "--set", change}).err;
   };
@@ -134,7 +134,7 @@ TEST(Check, PointsAtTheChangeThatSetUpCannotUse)
       StartsWith("error: --set body[0].box=[[0.0, 0.0], [20.0, 2.0]]: the body lies outside the mesh\n"));
   EXPECT_THAT(error_after(column_file, "mesh.cell=1e-6"),
       HasSubstr("error: --set mesh.cell=1e-6: the mesh has too many cells\n"));
-  EXPECT_THAT(error_after(dike, "mesh.polygon=[[0, 0], [3, 0], [3, 2], [2, 3], [0, 2]]"),
+  EXPECT_THAT(error_after(unstructured, "mesh.polygon=[[0, 0], [3, 0], [3, 2], [2, 3], [0, 2]]"),
       StartsWith(
           "error: --set mesh.polygon=[[0, 0], [3, 0], [3, 2], [2, 3], [0, 2]]: the body lies outside the mesh\n"));
 }

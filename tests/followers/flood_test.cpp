@@ -269,7 +269,7 @@ TEST(Flood, TheLevelIsTheHighestFreeWaterAtTheRiver)
   c.water.situations[0].time = c.time.end / 2.0;
   const FloodLevel level = level_of(c);
   EXPECT_EQ(level.value, 4.0);
-  EXPECT_EQ(level.origin, "the highest free water at the left end of the section, in the situation `high`");
+  EXPECT_EQ(level.origin, "the highest free water at the left end of the section, in the situation \"high\"");
   EXPECT_EQ(level.river, Facing::left);
   const FloodSummary flood = Drawn(c).flood();
   EXPECT_EQ(flood.water_level, 4.0);

@@ -44,4 +44,28 @@ TEST(Backdrop, TheSurfaceIsTheHighestPointPerColumnWithoutSoilThatLeft)
   EXPECT_THAT(line, ElementsAre(0.25f, 2.0f, 1.75f, 0.5f));
 }
 
+TEST(Backdrop, ThePhreaticLineIsThatOfTheStage)
+{
+  Case c;
+  c.water.start.phreatic_line = {{0.0, 1.0}};
+  c.water.situations = {{.name = "high", .phreatic_line = {{0.0, 3.0}}}};
+  StageCase daily, flood, after;
+  daily.name = "daily", flood.name = "flood", after.name = "after";
+  flood.water = "high", flood.ramp = 4.0, after.water = "start", after.ramp = 2.0;
+  c.stages = {daily, flood, after};
+  const Mesh<2> mesh = make_rectangle({0.0, 0.0}, {3.0, 2.0}, {3, 2});
+  const std::vector<StageSummary> ended = {
+      {"daily", {.start = 0.0, .end = 2.0}}, {"flood", {.start = 2.0, .end = 10.0}}};
+  const auto level = [&](Real time) { return phreatic_line(c, ended, mesh, time).at(1); };
+  EXPECT_EQ(level(1.0), 1.0f);
+  EXPECT_EQ(level(2.0), 1.0f);
+  EXPECT_EQ(level(3.0), 1.5f);  // a quarter of the ramp
+  EXPECT_EQ(level(9.0), 3.0f);
+  EXPECT_EQ(level(11.0), 2.0f);  // of the stage that goes on
+  c.stages.clear();
+  c.water.situations[0].time = 8.0;
+  EXPECT_EQ(level(2.0), 1.5f);
+  EXPECT_EQ(level(9.0), 3.0f);
+}
+
 }  // namespace

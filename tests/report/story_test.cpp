@@ -178,11 +178,11 @@ TEST(Story, TellsOfStagesAndOfTheWaterOfStrengths)
   run.summary.values.strength_water = {
       {"clay", "su_peak", "flood", "start"}, {"peat", "su_peak", "flood", "start"}, {"sand", "cohesion", "start", {}}};
   const auto story = tell_story(run);
-  EXPECT_THAT(story, Contains("Stages: `daily` from 0.00 to 4.25 s, at rest, `flood` from 4.25 to 44.00 s, not at rest "
-                              "(the fastest node: 0.013 m/s), `after` from 44.00 to 45.00 s."));
-  EXPECT_THAT(story, Contains("Strength (su_peak of clay, su_peak of peat): sigma'_v is that of the water of the "
-                              "situation `flood`, sigma'_p follows from the water at the start."));
-  EXPECT_THAT(story, Contains("Strength (cohesion of sand): sigma'_v is that of the water at the start."));
+  EXPECT_THAT(story, Contains("Stages: daily from 0.00 to 4.25 s, at rest; flood from 4.25 to 44.00 s, not at rest "
+                              "(the fastest node: 0.013 m/s); after from 44.00 to 45.00 s."));
+  EXPECT_THAT(story, Contains("Strength of clay, peat: su_peak follows from sigma'_v in the water of the situation "
+                              "\"flood\", and from sigma'_p in the water at the start."));
+  EXPECT_THAT(story, Contains("Strength of sand: cohesion follows from sigma'_v in the water at the start."));
 }
 
 }  // namespace

@@ -152,13 +152,15 @@ function loadFields(current: Current): void {
 }
 
 /** What the signs on the bar of time, just below, stand for. */
-const MARKS = "Below: 1, 2 slide begins · ~ shears fastest · ■ stops";
+const MARKS: [string, string][] = [["1", "1, 2 slide begins"], ["~", "~ shears fastest"], ["■", "■ stops"],
+  ["▸", "▸ stage begins"], ["≈", "≈ floods"]];
 
 function colourBar(current: Current): HTMLElement {
   const canvas = element("canvas", { role: "img", "aria-label": "Colour bar" });
   const help = element("span");
-  const marks = current.report.runs.some((run) => marksOf(run).length > 0)
-    ? element("span", { class: "no-print" }, MARKS) : null;
+  const signs = new Set(current.report.runs.flatMap((run) => marksOf(run).map(({ sign }) => sign)));
+  const words = MARKS.filter(([sign]) => signs.has(sign)).map(([, text]) => text).join(" · ");
+  const marks = words ? element("span", { class: "no-print" }, `Below: ${words}`) : null;
   const root = element("div", { class: "colour-bar" }, canvas, element("p", { class: "muted small" }, help, marks));
   const draw = () => {
     const ratio = window.devicePixelRatio || 1;

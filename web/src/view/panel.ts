@@ -46,6 +46,7 @@ export function drawPanel(context: CanvasRenderingContext2D, renderer: PointRend
   context.clip();
   context.fillStyle = theme.ground;
   context.fillRect(0, 0, width, height);
+  if (state.outline) fillWater(drawing); // soil covers what is not free
   if (renderer && !renderer.lost) {
     const { table, categories } = current.colours();
     renderer.draw(run, {
@@ -99,6 +100,20 @@ function drawOutline(drawing: Drawing): void {
   context.stroke();
   context.globalAlpha = 1;
   context.setLineDash([]);
+}
+
+/** From the phreatic line down to the lowest soil. */
+function fillWater(drawing: Drawing): void {
+  const { context, theme, run, current, options } = drawing;
+  const table = run.waterTable(current.frame(run, options.time));
+  if (table.length < 4) return;
+  const lowest = run.meta.bounds[1];
+  path(drawing, [...table, table[table.length - 2]!, lowest, table[0]!, lowest]);
+  context.closePath();
+  context.globalAlpha = 0.22;
+  context.fillStyle = theme.water;
+  context.fill();
+  context.globalAlpha = 1;
 }
 
 function drawWater(drawing: Drawing): void {
