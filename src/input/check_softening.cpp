@@ -29,6 +29,7 @@ void check_lone_parameters(const MaterialCase& material, const MaterialType& law
     if (info.acts_with.empty() || is_default(info)) continue;
     const ParameterInfo& other = law.parameters[number_of(info.acts_with)];
     if (!is_default(other)) continue;
+    if (!info.fallback && std::isnan(value_of(info.fallback_of))) continue;  // missing, which is reported
     const std::string path = material_path(material);
     const std::string is = other.fallback ? fmt::format("{:g}", *other.fallback) : std::string(other.fallback_of);
     const std::string detail =

@@ -182,6 +182,11 @@ std::vector<std::string> find_blocks(const std::string& topic, Match match)
   return blocks;
 }
 
+bool is_kind_of_field(const std::string& topic)
+{
+  return std::ranges::find(field_kinds(), topic, &FieldKind::name) != field_kinds().end();
+}
+
 std::vector<std::string> all_topics()
 {
   std::vector<std::string> topics = material_model_names();
@@ -232,7 +237,7 @@ std::string explain(const std::string& topic)
 {
   if (const MaterialType* law = find_material(topic)) return describe_law(*law);
   if (const Scheme* scheme = find_scheme(topic)) return describe_scheme(*scheme);
-  if (topic == "field") return describe_field_kinds();
+  if (topic == "field" || is_kind_of_field(topic)) return describe_field_kinds();
   const std::vector<QuantityFile> files = files_of_quantities();
   for (const QuantityFile& file : files)
     if (file.name == topic) return describe_file(file);

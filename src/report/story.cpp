@@ -162,7 +162,8 @@ void tell_motion(const RunResults& run, std::vector<std::string>& story)
     story.push_back(fmt::format("The highest ground that remains stands at {:.2f} m.", *s.residual_height));
   if (!s.crest_x && !s.slides.empty()) story.push_back("Nothing of the first surface stands.");
   const bool told = !s.slides.empty() && !s.slides.back().slide.stops;
-  if (!told && kinetic.last > still_moving * kinetic.largest)
+  const bool at_rest = !s.stages.empty() && s.stages.back().record.at_rest;
+  if (!told && !at_rest && kinetic.last > still_moving * kinetic.largest)
     story.push_back(fmt::format("At the end the soil still moves, with {:.0f} % of its largest kinetic energy.",
         100.0 * kinetic.last / kinetic.largest));
 }

@@ -8,7 +8,7 @@ expected.toml holds one table per run:
     set  = ["scheme=mpm_gp"]              # further --set options
     long = true                           # only with --long (make verify); otherwise only without it
     front_x = { value = 13.03, absolute = 0.05 }   # or relative; a name is a key of summary.json, "a.0.b" goes deeper
-    energy_balance_error = { at_most = 2e-3 }
+    energy_balance_error = { at_most = 2e-3 }      # or at_least
 --only takes the tables with TEXT in their name.
 --accept writes the values that came out; the tolerances stay.
 """
@@ -45,6 +45,8 @@ def look_up(summary, key):
 
 def judge(got, expected):
     """Whether a number agrees, and what was wanted in words. A number that is null in summary.json is `never`."""
+    if "at_least" in expected:
+        return got is not None and got >= expected["at_least"], f"at least {expected['at_least']:g}"
     if "at_most" in expected:
         return got is not None and got <= expected["at_most"], f"at most {expected['at_most']:g}"
     if got is None or expected["value"] == "never":

@@ -101,6 +101,7 @@ TEST(Explain, ListsTheKindsOfFieldsAndWhatStandsForAParameter)
 {
   EXPECT_THAT(explain("field"), HasSubstr("{ depth = [[0, 8e3], [5, 15e3]] }\n"));
   EXPECT_THAT(explain("su_residual"), HasSubstr("    instead   sensitivity\n"));
+  EXPECT_EQ(explain("shansep"), explain("field"));
 }
 
 TEST(Explain, OffersTheNearestTopic)

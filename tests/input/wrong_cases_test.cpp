@@ -21,7 +21,8 @@ std::string good_case(const std::string& name)
       {"file", small_case_on("file = \"a.msh\"")},
       {"drained", replaced(small_case, "poisson_ratio = 0.48", "poisson_ratio = 0.3")}, {"two_soils", two_soils},
       {"wet", wet_soil},
-      {"heavy", small_case + "[forces]\ngravity = [0, -9.81]\n[water]\nphreatic_line = [[0, 1.5]]\n"},
+      {"heavy", small_case + "[forces]\ngravity = [0, -9.81]\n[water]\nphreatic_line = [[0, 1.5]]\n"
+                             "[initial]\nstress = \"k0\"\n"},
       {"sand", replaced_law("model = \"mohr_coulomb\"\ndensity = 1990.0\nshear_modulus = 2.0e6\npoisson_ratio = 0.3\n"
                             "cohesion = 1.0e3\nfriction_angle = 30.0\n")}};
   const auto found = made.find(name);
