@@ -126,6 +126,9 @@ void declare_solvers(CLI::App& app, CommandLine& line)
   run->add_option("--from", line.options.from,
          "begin with the end of a stage of another run of the\nsame mesh and bodies, RUN:STAGE, or with a checkpoint")
       ->option_text("RUN:STAGE");
+  run->add_option("--at-strength", line.options.at_strength,
+         "divide all strengths by this, as terp stability does:\nsets at_strength (docs/stability.md)")
+      ->option_text("F");
   run->add_flag("--force", line.options.force, "replace the results of an earlier run");
   run->add_flag("--report", line.options.report, "write the page of the run at its end: DIR/report.html");
 
@@ -148,8 +151,10 @@ void declare_solvers(CLI::App& app, CommandLine& line)
 void declare_stability(CLI::App& app, CommandLine& line)
 {
   CLI::App* stability = add_command(app, "stability", "Solve",
-      "factor of safety by strength reduction\nWrites stability.txt and stability.json (docs/stability.md).",
-      "  terp stability cases/dike/dike.toml --from 1 --to 3\n");
+      "factor of safety by strength reduction\nWrites stability.txt, stability.json and the mechanism at failure with "
+      "a picture\n(docs/stability.md).",
+      "  terp stability cases/dike/dike.toml --from 1 --to 3\n"
+      "  terp stability cases/dike/dike.toml --cells 2,1\n");
   add_case(stability, line.options);
   const auto factors = number_between(least_factor, greatest_factor), shares = number_between(0.0, 0.99);
   BisectionOptions& search = line.stability.search;
@@ -180,7 +185,13 @@ void declare_stability(CLI::App& app, CommandLine& line)
           "--stiffening", rules.stiffening, "displacements are kept so many times smaller\n(1 to 1e6; default 1000)")
       ->option_text("S")
       ->check(number_between(1.0, 1e6));
-  add_output(stability, line.options.output, "folder of the two files");
+  stability
+      ->add_option("--cells", line.stability_cells,
+          "search on cells of these sizes [m], and extrapolate to\ncells of no size (docs/stability.md)")
+      ->option_text("A,B")
+      ->delimiter(',')
+      ->check(number_between(1e-6, 1e6));
+  add_output(stability, line.options.output, "folder of the results");
   stability->add_flag("--json", line.options.json, "print stability.json");
   add_set(stability, line.options);
   add_threads(stability, line.options.threads);

@@ -7,12 +7,14 @@
 #include <CLI/CLI.hpp>
 
 #include <string>
+#include <vector>
 
 namespace terp {
 
 struct CommandLine {
   RunOptions options;
   StabilityOptions stability;
+  std::vector<double> stability_cells;  ///< of stability: sizes [m]
   VerifyOptions verify;
   ConvergeOptions converge;
   std::string topic;

@@ -23,6 +23,7 @@ struct RunOptions {
   std::string output;                ///< run folder; empty: runs/<case>
   std::string from;                  ///< of run: "RUN:STAGE", a run folder or a checkpoint to begin with; empty: none
   std::vector<std::string> changes;  ///< KEY=VALUE of --set
+  std::string at_strength;           ///< of run: value of the key at_strength; empty: as the case has it
   int threads = 0;                   ///< 0: what this job may use
   bool force = false, quiet = false, verbose = false;
   long steps = 100, warm_steps = 50;  ///< of bench: in each of five trials, and before them
@@ -73,7 +74,8 @@ int threads_of(const RunOptions& options);
 void warn_of_missing_threads(const RunOptions& options, int granted);
 
 int run_case(const RunOptions& options);
-int find_stability(const RunOptions& run, StabilityOptions options);
+/// cells: sizes [m]; empty: those of the case.
+int find_stability(const RunOptions& run, StabilityOptions options, const std::vector<double>& cells);
 int resume_run(const RunOptions& options);
 int converge_case(const ConvergeOptions& options);
 int check_case(const RunOptions& options);

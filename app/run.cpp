@@ -37,6 +37,7 @@ void print_summary(const Summary& s, const Model& model, const std::string& fold
   fmt::print("solved in {}: {} points, {} steps of {:.4g} s, {:.1f} M point-steps/s on {} thread{}\n",
       readable_duration(s.wall_s), s.n_points, s.n_steps, s.dt, s.point_steps_per_s / 1e6, s.threads,
       s.threads == 1 ? "" : "s");
+  if (s.at_strength != 1.0) fmt::print("  strengths        divided by {:g}\n", s.at_strength);
   if (s.flood) fmt::print("  water            {}\n                   {}\n", flood_sentence(*s.flood), flood_caution);
   fmt::print("  front            {}\n", std::isfinite(s.front_x) ? fmt::format("x = {:.2f} m", s.front_x) : "-");
   fmt::print("  crest            {}\n", s.crest_x ? fmt::format("x = {:.2f} m", *s.crest_x) : "-");
@@ -395,7 +396,9 @@ Simulation begin(const CaseFile& file, const RunOptions& options)
 
 int run_case(const RunOptions& options)
 {
-  CaseFile file = read_case(options.path, options.changes);
+  std::vector<std::string> changes = options.changes;
+  if (!options.at_strength.empty()) changes.push_back("at_strength=" + options.at_strength);
+  CaseFile file = read_case(options.path, changes);
   const std::string folder = options.output.empty() ? default_run_folder(options.path) : options.output;
   file.run = folder;
   if (is_alone(options)) fmt::print(stderr, "{}", render_warnings(file));

@@ -265,6 +265,7 @@ void check_case(const Node& root, const Case& values, Findings& findings)
   check_softening(root, values, findings);
   check_water(root, values, findings);
   check_fields(values, findings.problems);
+  check_at_strength(values, findings.problems);
   check_unused_materials(values, findings.warnings);
   check_output_fields(values, findings.warnings);
 }

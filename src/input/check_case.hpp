@@ -35,6 +35,7 @@ void check_method(const Node& root, const Case& values, std::vector<Problem>& wa
 
 /// What parameters that vary need: water, gravity, outlines. The values may be incomplete.
 void check_fields(const Case& values, std::vector<Problem>& problems);
+void check_at_strength(const Case& values, std::vector<Problem>& problems);
 
 /// Softening that cannot be, or does nothing. The values may be incomplete.
 void check_softening(const Node& root, const Case& values, Findings& findings);

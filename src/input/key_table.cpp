@@ -49,6 +49,13 @@ std::vector<KeyInfo> frame_keys()
           .field = [](Case& c, std::size_t) { return &c.scheme; },
           .words = scheme_words,
           .meaning = "how the soil is integrated; see `terp list`"},
+      {.path = "at_strength",
+          .field = [](Case& c, std::size_t) { return &c.at_strength; },
+          .range = positive,
+          .usual = {0.1, 10.0},
+          .in_stage = true,
+          .meaning = "all strengths of soil and contact planes are divided by this (docs/stability.md); `terp run "
+                     "--at-strength` sets it"},
   };
 }
 

@@ -27,10 +27,12 @@ constexpr Index most_cells = 40000, most_points = 20000;
 constexpr const char* soil_colours[] = {
     "#d9b98a", "#9cc3dd", "#a8cfa0", "#e8a98f", "#c9b3d9", "#e6d784", "#9fb5b0", "#c7c7c7"};
 constexpr const char* ink = "#1f2933";
+constexpr const char *shade_colour = "#c2185b", *line_colour = "#7a0c3a";
 
 class SectionDrawing {
  public:
-  SectionDrawing(const Model& model, const State& state) : model_(model), state_(state)
+  SectionDrawing(const Model& model, const State& state, const SectionOverlay& overlay)
+      : model_(model), state_(state), overlay_(overlay), is_result_(!overlay.subtitle.empty())
   {
     for (const Vec<2>& x : model.mesh->nodes)
       for (int d = 0; d < 2; ++d) low_[d] = std::min(low_[d], x[d]), high_[d] = std::max(high_[d], x[d]);
@@ -43,10 +45,13 @@ class SectionDrawing {
     cells();
     bodies();
     water();
-    mesh_lines();
+    shades();
+    if (!is_result_) mesh_lines();
     sides();
     footings();
-    named_points();
+    if (!is_result_) named_points();
+    slip_line();
+    arrows();
     gravity();
     axes();
     title();
@@ -155,16 +160,16 @@ class SectionDrawing {
     return ring(corners);
   }
 
-  /// The phreatic line of the start, and free water down to the ground.
+  /// The phreatic line at t = 0, and free water down to the ground.
   void water()
   {
-    const WaterCase& water = model_.description.water;
-    if (water.start.phreatic_line.empty()) return;
+    const WaterSituation& water = first_water(model_.description.water);
+    if (water.phreatic_line.empty()) return;
     constexpr int n = 400;  // samples over the width of the mesh
     const Overburden overburden(model_);
     std::string free, line;
     for (int k = 0; k <= n; ++k) {
-      const Real x = low_[0] + (high_[0] - low_[0]) * k / n, y = elevation_at(water.start.phreatic_line, x);
+      const Real x = low_[0] + (high_[0] - low_[0]) * k / n, y = elevation_at(water.phreatic_line, x);
       line += fmt::format("{}{:.2f} {:.2f}", k == 0 ? "M" : "L", px(x), py(y));
       if (const Real ground = std::max(overburden.ground(x).value_or(low_[1]), low_[1]); y > ground)
         free += fmt::format("M{0:.2f} {1:.2f}V{2:.2f}", px(x), py(y), py(ground));
@@ -172,7 +177,7 @@ class SectionDrawing {
     put("<path d=\"{}\" stroke=\"#5b9bd5\" stroke-opacity=\"0.35\" stroke-width=\"{:.2f}\"/>", free,
         scale_ * (high_[0] - low_[0]) / n + 0.2);
     put("<path d=\"{}\" fill=\"none\" stroke=\"#1f5fa8\" stroke-width=\"2\" stroke-dasharray=\"8 4\"/>", line);
-    for (const ReferenceLine& reference : water.start.reference_lines) {
+    for (const ReferenceLine& reference : water.reference_lines) {
       std::string path;
       for (int k = 0; k <= n; ++k) {
         const Real x = low_[0] + (high_[0] - low_[0]) * k / n;
@@ -226,7 +231,7 @@ class SectionDrawing {
       put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\"/>", path,
           kind.colour, width_of(kind));
       if (!marks.empty()) put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.2\"/>", marks, kind.colour);
-      label(side, shape, kind.colour, side.name + ": " + describe(condition));
+      if (!is_result_) label(side, shape, kind.colour, side.name + ": " + describe(condition));
     }
   }
 
@@ -313,6 +318,46 @@ class SectionDrawing {
     }
   }
 
+  /// Squares of like strength in one path: there are many.
+  void shades()
+  {
+    constexpr int n_levels = 8;
+    std::array<std::string, n_levels> paths;
+    for (const SectionOverlay::Shade& shade : overlay_.shades) {
+      const int level = std::min(static_cast<int>(shade.value * n_levels), n_levels - 1);
+      if (level <= 0) continue;
+      const Real side = scale_ * shade.size;
+      paths[static_cast<std::size_t>(level)] += fmt::format("M{:.1f} {:.1f}h{:.2f}v{:.2f}h{:.2f}z",
+          px(shade.x[0]) - 0.5 * side, py(shade.x[1]) - 0.5 * side, side, side, -side);
+    }
+    for (int level = 1; level < n_levels; ++level)
+      if (const std::string& path = paths[static_cast<std::size_t>(level)]; !path.empty())
+        put("<path d=\"{}\" fill=\"{}\" fill-opacity=\"{:.2f}\"/>", path, shade_colour,
+            static_cast<Real>(level + 1) / n_levels);
+  }
+
+  void slip_line()
+  {
+    if (overlay_.line.empty()) return;
+    std::string path;
+    for (const Vec<2>& x : overlay_.line)
+      path += fmt::format("{}{:.2f} {:.2f}", path.empty() ? "M" : "L", px(x[0]), py(x[1]));
+    put("<path d=\"{0}\" fill=\"none\" stroke=\"#ffffff\" stroke-width=\"5\" stroke-linejoin=\"round\"/><path "
+        "d=\"{0}\" fill=\"none\" stroke=\"{1}\" stroke-width=\"2.4\" stroke-linejoin=\"round\"/>",
+        path, line_colour);
+  }
+
+  void arrows()
+  {
+    for (const SectionOverlay::Arrow& a : overlay_.arrows) {
+      const Real x = px(a.from[0]), y = py(a.from[1]), dx = scale_ * a.along[0], dy = -scale_ * a.along[1];
+      put("<path d=\"M{:.1f} {:.1f}l{:.1f} {:.1f}m{:.1f} {:.1f}l{:.1f} {:.1f}l{:.1f} {:.1f}\" fill=\"none\" "
+          "stroke=\"{}\" stroke-width=\"1.3\" stroke-linejoin=\"round\"/>",
+          x, y, dx, dy, -0.3 * dx + 0.18 * dy, -0.3 * dy - 0.18 * dx, 0.3 * dx - 0.18 * dy, 0.3 * dy + 0.18 * dx,
+          -0.3 * dx - 0.18 * dy, -0.3 * dy + 0.18 * dx, ink);
+    }
+  }
+
   void gravity()
   {
     const Real g = std::hypot(model_.gravity[0], model_.gravity[1]);
@@ -348,8 +393,9 @@ class SectionDrawing {
     const Case& c = model_.description;
     text(28.0, 34.0, c.title.empty() ? c.name : c.title, "start", "font-size=\"18\" font-weight=\"bold\"");
     text(28.0, 56.0,
-        fmt::format("{}, {} cells, {} material points, before the first step", c.scheme, model_.mesh->n_cells(),
-            state_.points.n_points()),
+        is_result_ ? overlay_.subtitle
+                   : fmt::format("{}, {} cells, {} material points, before the first step", c.scheme,
+                         model_.mesh->n_cells(), state_.points.n_points()),
         "start", "fill=\"#5c6670\"");
   }
 
@@ -369,11 +415,20 @@ class SectionDrawing {
                 colour_of(static_cast<Index>(m))),
           fmt::format("{}: {}, {:.4g} kg/m³", soil.name, soil.type->name, soil.density));
     }
-    if (!model_.description.water.start.phreatic_line.empty())
+    const WaterSituation& water = first_water(model_.description.water);
+    if (!water.phreatic_line.empty())
       entry("<path d=\"M0 0H24\" stroke=\"#1f5fa8\" stroke-width=\"2\" stroke-dasharray=\"8 4\"/>",
           "phreatic line at the start");
-    if (!model_.description.water.start.reference_lines.empty())
+    if (!water.reference_lines.empty())
       entry("<path d=\"M0 0H24\" stroke=\"#1f5fa8\" stroke-width=\"1.2\" stroke-dasharray=\"2 4\"/>", "reference line");
+    if (!overlay_.line.empty())
+      entry(fmt::format("<path d=\"M0 0H24\" stroke=\"{}\" stroke-width=\"2.4\"/>", line_colour), overlay_.of_line);
+    if (!overlay_.shades.empty())
+      entry(fmt::format("<rect x=\"0\" y=\"-7\" width=\"24\" height=\"14\" fill=\"{}\"/>", shade_colour),
+          overlay_.of_shades);
+    if (!overlay_.arrows.empty())
+      entry(fmt::format("<path d=\"M0 0H24m-7 -4l7 4l-7 4\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.3\"/>", ink),
+          overlay_.of_arrows);
     std::vector<std::string_view> shown;
     for (const SideKindInfo& kind : side_kinds()) {
       const auto has_it = [&](const SideCondition& side) { return side.kind == kind.kind; };
@@ -388,6 +443,8 @@ class SectionDrawing {
 
   const Model& model_;
   const State& state_;
+  const SectionOverlay& overlay_;
+  const bool is_result_;                                         // the overlay is of one
   Vec<2> low_{INFINITY, INFINITY}, high_{-INFINITY, -INFINITY};  ///< of the mesh [m]
   Real scale_ = 1.0, offset_ = left;                             ///< [px/m], [px]
   Real legend_top_ = 0.0, legend_height_ = 0.0;                  ///< [px]
@@ -396,6 +453,9 @@ class SectionDrawing {
 
 }  // namespace
 
-std::string draw_section(const Model& model, const State& state) { return SectionDrawing(model, state).draw(); }
+std::string draw_section(const Model& model, const State& state, const SectionOverlay& overlay)
+{
+  return SectionDrawing(model, state, overlay).draw();
+}
 
 }  // namespace terp

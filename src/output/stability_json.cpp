@@ -41,13 +41,64 @@ Json trial_json(const Trial& trial)
 std::string bracket_text(const StabilityResult& r)
 {
   const Bisection& s = r.search;
-  if (s.found())
-    return fmt::format("{:.3f} +- {:.3f}   (stands at {:.3f}, does not at {:.3f})", r.factor(),
-        0.5 * (*s.failed - *s.stable), *s.stable, *s.failed);
+  if (s.found()) {
+    const Real end = *s.highest();
+    const std::string fails = s.failed ? fmt::format("fails at {:.3f}", end) : fmt::format("up to {:.3f}", end);
+    const bool creeps = !s.failed || *s.not_stable < *s.failed;
+    return fmt::format("{:.3f} +- {:.3f}   (stands at {:.3f}, {}{})", r.factor(), r.uncertainty(), *s.stable,
+        creeps ? fmt::format("creeps at {:.3f}, ", *s.not_stable) : "", fails);
+  }
   if (r.stopped) return "not found: stopped before";
   if (s.stable) return fmt::format("not found: the soil stands even at {:.3g}", *s.stable);
-  if (s.failed) return fmt::format("not found: the soil does not stand even at {:.3g}", *s.failed);
+  if (s.not_stable) return fmt::format("not found: the soil does not stand even at {:.3g}", *s.not_stable);
   return "not found: nothing was tried";
+}
+
+const char* word(Facing side) { return side == Facing::right ? "right" : "left"; }
+
+std::string place_words(Vec<2> x) { return fmt::format("({:.2f}, {:.2f}) m", x[0], x[1]); }
+
+std::string mechanism_text(const StabilityResult& r)
+{
+  if (!r.mechanism) return "";
+  const std::string head = fmt::format("  mechanism at {:.4f}: ", r.mechanism->factor);
+  if (!r.mechanism->moving) return head + "nothing moved in the last window\n";
+  const MovingSoil& m = *r.mechanism->moving;
+  std::string text =
+      head + fmt::format(
+                 "the slope on the {} of the highest ground (x = {:.2f} m) fails, its soil moves to the {}\n"
+                 "    enters at {}, comes out at {}, {:.2f} m deep, {:.4g} m^2\n",
+                 word(m.slope), m.highest_x, word(m.way), place_words(m.entry), place_words(m.exit), m.depth, m.area);
+  constexpr Real much = 0.05;
+  if (m.other_way > much)
+    text += fmt::format("    {:.0f} % of the motion goes to the other side\n", 100.0 * m.other_way);
+  return text + "    pictures and fields: mechanism.svg, mechanism/\n";
+}
+
+std::string numbers(const std::vector<SizedFactor>& sizes)
+{
+  std::string text;
+  for (const SizedFactor& size : sizes)
+    text += fmt::format("{}{:.3f} on cells of {:g} m", text.empty() ? "" : ", ", size.factor, size.cell);
+  return text;
+}
+
+/// What the cells make of the factor.
+std::string mesh_text(const StabilityResult& r)
+{
+  if (r.sizes.size() > 1) {
+    const FactorLimit limit = extrapolate_factor(r.sizes);
+    return fmt::format("  The mesh: {}.\n  On cells of no size {:.3f} ({:.3f} to {:.3f}), by the order {:.2f}, {}.\n",
+        numbers(r.sizes), limit.factor, limit.low, limit.high, limit.order,
+        limit.order_is_observed ? "observed on three sizes"
+                                : fmt::format("that of known slopes ({:g} to {:g})", lowest_order, highest_order));
+  }
+  const Real n = r.relief / r.cell;
+  return fmt::format(
+      "  The +- is that of the search alone. The mesh makes the factor too large: with {:.1f} cells of {:.3g} m over "
+      "the\n  height of the slope, {:.3g} m, by 0 to {:.0f} % on slopes with a known factor. --cells {:.3g},{:.3g} "
+      "measures it.\n",
+      n, r.cell, r.relief, 100.0 * largest_mesh_error(n), r.cell, 0.5 * r.cell);
 }
 
 /// What the bracket does not say.
@@ -57,18 +108,16 @@ std::string notes_text(const StabilityResult& r, const std::string& scheme)
   for (const Trial& trial : r.search.trials)
     if (trial.verdict == TrialVerdict::undecided)
       text += fmt::format(
-          "  At {:.4f} the soil still crept after {} windows; that counts as not standing. Larger --windows decide "
-          "it.\n",
+          "  At {:.4f} the soil still crept after {} windows: it may stand or fail, and the +- has room for both. "
+          "Larger\n  --windows decide it.\n",
           trial.factor, r.options.rules.most_windows);
   if (r.stopped) text += "  The search was stopped before the bracket was as narrow as asked for.\n";
   if (!r.search.found()) return text;
-  if (std::ranges::none_of(r.search.trials, [](const Trial& t) { return t.verdict == TrialVerdict::failed; }))
+  if (!r.search.failed)
     text +=
         "  No trial failed, so nothing bounds the factor from above but creep: it may be far larger. Try larger "
         "--windows.\n";
-  text +=
-      "  The width is that of the search alone; the mesh makes the factor too large. Halve the cells and compare "
-      "(docs/stability.md).\n";
+  text += mesh_text(r);
   if (const Scheme* known = find_scheme(scheme); known != nullptr && known->locks) {
     std::string others;
     for (const Scheme* other : all_schemes())
@@ -76,6 +125,32 @@ std::string notes_text(const StabilityResult& r, const std::string& scheme)
     text += fmt::format("  {} locks: its factor is far too large. Use {}.\n", scheme, others);
   }
   return text;
+}
+
+Json place_json(Vec<2> x) { return {x[0], x[1]}; }
+
+Json mechanism_json(const StabilityResult& r)
+{
+  if (!r.mechanism || !r.mechanism->moving) return nullptr;
+  const MovingSoil& m = *r.mechanism->moving;
+  Json line = Json::array();
+  for (const Vec<2>& x : m.line) line.push_back(place_json(x));
+  return {{"factor", r.mechanism->factor}, {"slope", word(m.slope)}, {"moves_to", word(m.way)},
+      {"highest_x", m.highest_x}, {"entry", place_json(m.entry)}, {"exit", place_json(m.exit)}, {"depth", m.depth},
+      {"area", m.area}, {"other_way", m.other_way}, {"slip_surface", line}};
+}
+
+Json mesh_json(const StabilityResult& r)
+{
+  Json json = {{"cell", r.cell}, {"slope_height", r.relief}, {"largest_error", largest_mesh_error(r.relief / r.cell)},
+      {"sizes", Json::array()}, {"extrapolated", nullptr}};
+  for (const SizedFactor& size : r.sizes)
+    json["sizes"].push_back({{"cell", size.cell}, {"factor", size.factor}, {"uncertainty", size.uncertainty}});
+  if (r.sizes.size() < 2) return json;
+  const FactorLimit limit = extrapolate_factor(r.sizes);
+  json["extrapolated"] = {{"factor", limit.factor}, {"low", limit.low}, {"high", limit.high}, {"order", limit.order},
+      {"order_is_observed", limit.order_is_observed}};
+  return json;
 }
 
 }  // namespace
@@ -90,14 +165,18 @@ std::string stability_json(const StabilityResult& r, const std::string& scheme, 
       {"scheme", scheme},
       {"points", r.n_points},
       {"factor_of_safety", r.factor()},
+      {"uncertainty", r.uncertainty()},
       {"stable_at", or_null(r.search.stable)},
-      {"not_stable_at", or_null(r.search.failed)},
+      {"not_stable_at", or_null(r.search.not_stable)},
+      {"failed_at", or_null(r.search.failed)},
       {"stopped", r.stopped},
       {"tolerance", r.options.search.tolerance},
       {"criterion", {{"local_damping", r.options.rules.damping}, {"rest", r.options.rules.rest},
                         {"failure", r.options.rules.failure}, {"most_windows", r.options.rules.most_windows},
                         {"stiffening", r.options.rules.stiffening}, {"height", r.height},
                         {"displacement_scale", r.displacement}}},
+      {"mesh", mesh_json(r)},
+      {"mechanism", mechanism_json(r)},
       {"strengths", strengths},
       {"rest_steps", r.rest_steps},
       {"trials", trials},
@@ -118,7 +197,7 @@ std::string stability_text(const StabilityResult& r, const std::string& scheme)
       r.options.rules.rest, r.options.rules.failure, r.options.rules.failure * r.displacement);
   for (const Trial& trial : r.search.trials)
     text += fmt::format("  {:8.4f}  {:<9}  {}\n", trial.factor, word(trial.verdict), trial.reason);
-  return text + notes_text(r, scheme);
+  return text + mechanism_text(r) + notes_text(r, scheme);
 }
 
 void write_stability(

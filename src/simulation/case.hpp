@@ -169,6 +169,7 @@ struct Case {
   std::string name;    ///< of the file without .toml: the run folder's name
   std::string folder;  ///< that holds the case file: other files are named relative to it
   std::string scheme = "mpm_gp";
+  Real at_strength = 1.0;  ///< all strengths are divided by this [-]
   TimeCase time;
   std::vector<StageCase> stages;
   MeshCase mesh;

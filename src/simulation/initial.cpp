@@ -4,6 +4,7 @@
 #include "simulation/no_equilibrium.hpp"
 #include "simulation/overburden.hpp"
 #include "simulation/run.hpp"
+#include "water/water_pressure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,8 +54,8 @@ void set_initial_stress(const Model& model, State& state)
     const Real load = permanent_pressure_at(model, x[0]);
     Real vertical = model.gravity[1] * overburden.mass_above(x) - load, stored = 0.0;
     if (model.water) {
-      vertical = -overburden.effective(x, c.water.start) - load;
-      stored = material.stores_effective() ? 0.0 : overburden.pore_pressure(x, c.water.start);
+      vertical = -overburden.effective(x, first_water(c.water)) - load;
+      stored = material.stores_effective() ? 0.0 : overburden.pore_pressure(x, first_water(c.water));
     }
     block.row(Rows::sigma)[lane] = k0 * vertical - stored;
     block.row(Rows::sigma + 1)[lane] = vertical - stored;

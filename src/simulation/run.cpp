@@ -2,12 +2,16 @@
 
 #include "base/errors.hpp"
 #include "parallel/instructions.hpp"
+#include "simulation/elastic_model.hpp"
 #include "simulation/guards.hpp"
 #include "simulation/initial.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/loads.hpp"
+#include "simulation/point_parameters.hpp"
 #include "simulation/reporter.hpp"
+#include "simulation/setup.hpp"
 #include "simulation/stages.hpp"
+#include "simulation/state_image.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -46,17 +50,17 @@ struct Loop {
     reporter.report_checkpoint();
   }
 
-  void report_search(Real out_of_balance)
+  void report_search(Real out_of_balance, std::int64_t steps)
   {
     const double wall = seconds_since(start);
     if (wall - last_progress < progress_every) return;
     last_progress = wall;
     const InitialCase& initial = model.description.initial;
-    const auto done = static_cast<double>(state.equilibrium_steps);
+    const auto done = static_cast<double>(steps);
     const double most = wall / done * (static_cast<double>(initial.max_steps) - done);
     reporter.report({.time = 0.0,
         .end_time = model.description.time.end,
-        .step = state.equilibrium_steps,
+        .step = steps,
         .n_steps = initial.max_steps,
         .n_points = state.points.n_points(),
         .wall_s = wall,
@@ -92,13 +96,44 @@ struct Loop {
   }
 };
 
+/// The search for equilibrium with soil that does not yield, where strengths are divided by a factor: so it exists
+/// whether or not the soil stands, and is where the trials of a factor of safety begin (docs/stability.md). The state
+/// is replaced by the one at its end. One that was stopped begins anew.
+Search settle_without_strength(const Model& model, State& state, const std::atomic<bool>& stop, Loop& loop)
+{
+  Model elastic = build_elastic_model(model.description, model.mesh, model.threads, model.rows);
+  elastic.stage = model.stage;
+  elastic.ramp = model.ramp;
+  elastic.gravity_before = model.gravity_before;
+  for (std::size_t k = 0; k < model.loads.size(); ++k) elastic.loads[k].before = model.loads[k].before;
+  State settled = build_state(elastic);
+  Workspace work(elastic, settled);
+  const Search search = seek_equilibrium(
+      elastic, settled, work, stop, [&] { loop.report_search(work.unbalanced_ratio, settled.equilibrium_steps); });
+  if (!search.reached && search.fault.empty()) return search;
+  const std::vector<Real> places = state.x_initial;
+  settled.followers = std::move(state.followers);  // those of the elastic soil, which has none, do not fit
+  state = restore(model, image_of_rows(settled, model.rows));
+  set_point_parameters(model, places, state);
+  start_followers(model, state);
+  return search;
+}
+
+Search find_start(const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop, Loop& loop)
+{
+  if (model.description.at_strength == 1.0)
+    return seek_equilibrium(
+        model, state, work, stop, [&] { loop.report_search(work.unbalanced_ratio, state.equilibrium_steps); });
+  const Search search = settle_without_strength(model, state, stop, loop);
+  work.fit(model, state);
+  return search;
+}
+
 /// What comes before the first step; reached: the first step may be made.
 Search start_run(const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop, Loop& loop)
 {
   if (model.description.initial.stress == InitialStress::equilibrium)
-    if (Search search = seek_equilibrium(model, state, work, stop, [&] { loop.report_search(work.unbalanced_ratio); });
-        !search.reached)
-      return search;
+    if (Search search = find_start(model, state, work, stop, loop); !search.reached) return search;
   start_followers(model, state);
   state.start_energy = kinetic_and_elastic_energy(model, state);
   return {.reached = true};
@@ -190,6 +225,7 @@ Summary summarise(const Model& model, const State& state)
 {
   Summary s;
   s.scheme = model.description.scheme;
+  s.at_strength = model.description.at_strength;
   s.n_points = state.points.n_points();
   s.n_cells = model.mesh->n_cells();
   s.n_steps = state.step;

@@ -8,6 +8,7 @@
 #include "simulation/loads.hpp"
 #include "simulation/nodal_water.hpp"
 #include "simulation/point_parameters.hpp"
+#include "simulation/reduce.hpp"
 #include "simulation/setup_history.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "simulation/setup_points.hpp"
@@ -99,6 +100,9 @@ bool has_excess_pressure(const Case& whole)
   return false;
 }
 
+/// The case with its strengths divided by the factor that it asks for.
+Case as_solved(const Case& c) { return c.at_strength == 1.0 ? c : reduce_strength(c, c.at_strength); }
+
 /// What limits the time step in any stage.
 struct StepLimit {
   Real stable = std::numeric_limits<Real>::infinity(), fastest = 0.0, largest_density = 0.0;
@@ -123,7 +127,7 @@ StepLimit find_step_limit(const Case& whole, const Model& model, const std::vect
     Model other;
     other.mesh = model.mesh;
     other.method = model.method;
-    other.description = case_of_stage(whole, k);
+    other.description = as_solved(case_of_stage(whole, k));
     other.materials = make_materials(other.description);
     set_water_stiffness(other, used);
     limit.enter(other, used);
@@ -231,7 +235,7 @@ Model build_model(const Case& description, SharedMesh mesh, int threads)
 Model build_stage(const Case& whole, SharedMesh mesh, int threads, std::size_t number)
 {
   Model model;
-  const Case& description = case_of_stage(whole, number);
+  const Case description = as_solved(case_of_stage(whole, number));
   model.stage.number = number;
   model.description = description;
   if (!whole.stages.empty()) {

@@ -191,6 +191,11 @@ const Case& case_of_stage(const Case& description, std::size_t number)
   return description.stages.empty() ? description : *description.stages[number].changed;
 }
 
+std::size_t water_of_last_stage(const Case& whole)
+{
+  return whole.stages.empty() ? 0 : water_of(whole, whole.stages.size() - 1).to;
+}
+
 std::string stage_file(std::size_t number, const std::string& name)
 {
   return fmt::format("stage_{:02}_{}.h5", number + 1, name);
@@ -326,7 +331,9 @@ void enter_next_stage(Model& model, State& state, Workspace& work)
   const auto same_material = [](const BodyCase& a, const BodyCase& b) { return a.material == b.material; };
   if (!std::ranges::equal(model.description.bodies, next.description.bodies, same_material))
     change_materials(next, state);
-  const auto is_of_material = [](const auto& change) { return change.first.starts_with("material"); };
+  const auto is_of_material = [](const auto& change) {
+    return change.first.starts_with("material") || change.first == "at_strength";
+  };
   if (std::ranges::any_of(model.description.stages[next.stage.number].changes, is_of_material))
     set_point_parameters(next, seeds_of(next).places, state);
   state.start_energy += kinetic_and_elastic_energy(next, state) - before;

@@ -11,6 +11,9 @@ namespace terp {
 /// The case of a stage; of a run without stages the case itself.
 const Case& case_of_stage(const Case& description, std::size_t number);
 
+/// Number of the water situation at the end of the last stage: the last that a stage names; 0: none does.
+std::size_t water_of_last_stage(const Case& whole);
+
 /// Name of the file that keeps the state at the end of a stage: "stage_01_daily.h5".
 std::string stage_file(std::size_t number, const std::string& name);
 

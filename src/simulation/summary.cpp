@@ -7,6 +7,9 @@ namespace {
 
 const SummaryQuantity quantities[] = {
     {{"scheme", "", "scheme", "`mpm_gp`, `mpm_mixed`, `standard_mpm`", true}, &Summary::scheme},
+    {{"at_strength", "-", "strengths divided by",
+         "factor by which all strengths were divided (docs/stability.md); where stages differ, that of the last"},
+        &Summary::at_strength},
     {{"points", "-", "material points", "material points, without those that left"}, &Summary::n_points},
     {{"cells", "-", "cells", "cells of the background mesh"}, &Summary::n_cells},
     {{"steps", "-", "steps", "steps done"}, &Summary::n_steps},

@@ -16,14 +16,18 @@ struct BisectionOptions {
 };
 
 struct Bisection {
-  std::optional<Real> stable;  ///< largest factor that stood
-  std::optional<Real> failed;  ///< smallest factor that did not, if any
-  std::vector<Trial> trials;   ///< in order of time
+  std::optional<Real> stable;      ///< largest factor that stood, below all that did not
+  std::optional<Real> not_stable;  ///< smallest factor that did not stand, if any
+  std::optional<Real> failed;      ///< smallest factor that failed, if any; between, trials are undecided
+  std::vector<Trial> trials;       ///< in order of time
   /// Both ends were found.
-  bool found() const { return stable.has_value() && failed.has_value(); }
+  bool found() const { return stable.has_value() && not_stable.has_value(); }
+  /// Between standing and failing; where nothing failed, up to the largest factor that crept.
+  std::optional<Real> highest() const;
 };
 
-/// The next factor to try; none: the search has ended. What is undecided counts as not standing.
+/// The next factor to try; none: the search has ended. First between the largest that stood and the smallest that did
+/// not; then, if that one was undecided, beyond it for one that fails, and between the two.
 std::optional<Real> next_factor(const Bisection& so_far, const BisectionOptions& options);
 
 /// Trials still to come, at a guess.

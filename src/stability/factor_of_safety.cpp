@@ -20,11 +20,29 @@ void check_strengths(const Case& reduced, Real factor)
         faults.front()));
 }
 
+/// All soil is judged together.
+void check_may_be_judged(const Case& c)
+{
+  const MaterialCase* material = find_not_judged(c);
+  if (material == nullptr) return;
+  const MaterialType* law = find_material(material->model);
+  throw InputError(Problem{fmt::format("material.{}.model", material->name),
+      fmt::format("a factor of safety cannot be found for soil of the law {}", law->name),
+      fmt::format("Because {}.\nGive `{}` another law, or leave it out: all soil of a case is judged together.",
+          law->not_judged, material->name),
+      "material", true});
+}
+
 }  // namespace
 
 Real StabilityResult::factor() const
 {
-  return search.found() ? 0.5 * (*search.stable + *search.failed) : std::numeric_limits<Real>::quiet_NaN();
+  return search.found() ? 0.5 * (*search.stable + *search.highest()) : std::numeric_limits<Real>::quiet_NaN();
+}
+
+Real StabilityResult::uncertainty() const
+{
+  return search.found() ? 0.5 * (*search.highest() - *search.stable) : std::numeric_limits<Real>::quiet_NaN();
 }
 
 StabilityResult find_factor_of_safety(
@@ -40,7 +58,10 @@ StabilityResult find_factor_of_safety(
         "Elastic soil does not fail. `terp list` names the laws.", "material", true});
   const auto mesh = std::make_shared<const Mesh<2>>(build_mesh(quiet));
   const ElasticStart start = settle_elastically(quiet, mesh, options.rules.stiffening, options.threads, stop);
+  result.mesh = mesh;
   result.height = start.height;
+  result.relief = start.relief;
+  result.cell = start.cell;
   result.displacement = start.displacement;
   result.rest_steps = start.steps;
   result.n_points = count_points(start.rest);
@@ -53,7 +74,10 @@ StabilityResult find_factor_of_safety(
     Trial trial = run_trial(quiet, mesh, start, *factor, options.rules, options.threads, stop, show);
     result.stopped = stop.load();
     if (result.stopped) break;  // what the trial would have shown is not known
+    const auto mechanism = std::exchange(trial.mechanism, nullptr);
     enter(std::move(trial), result.search);
+    if (result.search.not_stable == *factor) result.mechanism = mechanism;
+    if (result.mechanism && result.mechanism->factor != result.search.not_stable) result.mechanism = nullptr;
   }
   return result;
 }

@@ -3,7 +3,8 @@
 #pragma once
 
 #include "stability/bisection.hpp"
-#include "stability/reduce.hpp"
+#include "stability/mesh_error.hpp"
+#include "simulation/reduce.hpp"
 
 #include <functional>
 
@@ -20,13 +21,22 @@ struct StabilityResult {
   std::vector<Strength> strengths;  ///< that were reduced, unreduced
   StabilityOptions options;
   Real height = 0.0;        ///< H [m]
+  Real relief = 0.0;        ///< height of the slope [m]
+  Real cell = 0.0;          ///< size of a typical cell [m]
   Real displacement = 0.0;  ///< rho g H^2 / E [m]
   std::int64_t n_points = 0, rest_steps = 0;
   Bisection search;
-  bool stopped = false;  ///< from outside, before the bracket was as narrow as asked for
+  SharedMesh mesh;
+  std::vector<SizedFactor> sizes;  ///< of searches on several sizes of cells, of which this is the finest; else empty
+  bool stopped = false;            ///< from outside, before the bracket was as narrow as asked for
 
-  /// Middle of the bracket; not a number without one.
+  std::shared_ptr<const Mechanism> mechanism = {};  ///< at search.not_stable; null: none, or not known
+
+  /// Middle between the largest factor that stood and the smallest that failed: what is undecided may stand. Not a
+  /// number without both ends.
   Real factor() const;
+  /// Half of the distance between these two.
+  Real uncertainty() const;
 };
 
 /// Told after each window of a trial, and with the trials still to come after this one, at a guess.

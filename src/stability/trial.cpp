@@ -6,7 +6,7 @@
 #include "simulation/setup.hpp"
 #include "simulation/state_image.hpp"
 #include "stability/judged_soil.hpp"
-#include "stability/reduce.hpp"
+#include "simulation/reduce.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -41,6 +41,30 @@ Model build_trial(Case c, const SharedMesh& mesh, const ElasticStart& start, con
   return build_model(c, mesh, threads);
 }
 
+/// The points at the ends of the last two windows, the later one last.
+class LastWindows {
+ public:
+  void enter(const State& state)
+  {
+    std::swap(before_, now_);
+    now_ = look_at_points(state);
+    ++n_;
+  }
+
+  /// Null with fewer than two windows.
+  std::shared_ptr<const Mechanism> mechanism(const Model& model, const State& state, Real stiffening, Real factor) const
+  {
+    if (n_ < 2) return nullptr;
+    Mechanism found = find_mechanism(model, state, before_, now_, stiffening);
+    found.factor = factor;
+    return std::make_shared<const Mechanism>(std::move(found));
+  }
+
+ private:
+  PointMotion before_, now_;
+  int n_ = 0;
+};
+
 }  // namespace
 
 TrialVerdict judge(const std::vector<TrialWindow>& windows, const TrialRules& rules, const ElasticStart& start)
@@ -69,6 +93,7 @@ Trial run_trial(const Case& quiet, const SharedMesh& mesh, const ElasticStart& s
   set_point_parameters(model, start.places, state);  // reduced; the elastic soil did not look at them
   Workspace work(model, state);
   JudgedSoil soil(model, state);
+  LastWindows last;
   Trial trial;
   trial.factor = factor;
   trial.threads = work.threads.count();
@@ -76,6 +101,7 @@ Trial run_trial(const Case& quiet, const SharedMesh& mesh, const ElasticStart& s
   const auto judge_window = [&] {
     trial.windows.push_back({state.time * std::sqrt(start.stiffening),
         soil.largest_displacement(state) * start.stiffening, soil.take_out_of_balance()});
+    last.enter(state);
     trial.steps = state.step;
     trial.verdict = judge(trial.windows, rules, start);
     trial.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
@@ -95,6 +121,7 @@ Trial run_trial(const Case& quiet, const SharedMesh& mesh, const ElasticStart& s
     trial.reason = "runs away until the run stops itself: " + made.fault.substr(0, made.fault.find('\n'));
     told(trial);
   }
+  if (trial.verdict != TrialVerdict::stable) trial.mechanism = last.mechanism(model, state, start.stiffening, factor);
   return trial;
 }
 

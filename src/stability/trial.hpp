@@ -2,9 +2,11 @@
 #pragma once
 
 #include "stability/elastic_start.hpp"
+#include "stability/mechanism.hpp"
 
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -41,6 +43,7 @@ struct Trial {
   int threads = 1;  ///< that the system granted
   double wall_s = 0.0;
   std::vector<TrialWindow> windows;
+  std::shared_ptr<const Mechanism> mechanism = {};  ///< of one that did not stand and had two windows; else null
 };
 
 /// Judges the windows so far by the scales of `start`; undecided: go on, or, after the last, undecided.

@@ -63,7 +63,7 @@ std::vector<Finding> findings_of_factor(const Solve& solve, const CaseFile& solv
       solved.values, {.search = {bounds[0], bounds[1], bounds[2]}, .rules = {}, .threads = 1}, stop);
   scope.constants["factor"] = result.factor();
   scope.constants["stable_at"] = result.search.stable.value_or(nan);
-  scope.constants["not_stable_at"] = result.search.failed.value_or(nan);
+  scope.constants["not_stable_at"] = result.search.not_stable.value_or(nan);
   for (Finding& finding : findings)
     guarded(finding, [&, &f = finding] {
       if (f.quantity->kind != QuantityKind::formula)

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,6 +52,7 @@ struct WaterCase {
   Real suction = 0.0;                      ///< largest tension in the water above the phreatic line [Pa]
   WaterSituation start;                    ///< at t = 0
   std::vector<WaterSituation> situations;  ///< others, in the order of the file
+  std::optional<std::size_t> standing;     ///< number of the situation that always holds; none: they have times
 
   bool is_given() const { return start.is_given(); }
 };

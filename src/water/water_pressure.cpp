@@ -43,6 +43,7 @@ Real water_pressure(const WaterCase& water, const WaterSituation& situation, Vec
 
 std::vector<WaterKnot> knots_of(const WaterCase& water)
 {
+  if (water.standing) return {{0.0, *water.standing}};
   std::vector<WaterKnot> knots{{0.0, 0}};
   for (std::size_t k = 0; k < water.situations.size(); ++k)
     if (const Real time = water.situations[k].time; !std::isnan(time)) knots.push_back({time, k + 1});

@@ -41,6 +41,12 @@ inline const WaterSituation& situation_of(const WaterCase& water, std::size_t nu
   return number == 0 ? water.start : water.situations[number - 1];
 }
 
+/// The water at t = 0.
+inline const WaterSituation& first_water(const WaterCase& water)
+{
+  return situation_of(water, water.standing.value_or(0));
+}
+
 /// A moment from which on a situation holds: the pressure runs linearly from knot to knot, and stays after the last.
 struct WaterKnot {
   Real time;              ///< [s]

@@ -53,6 +53,44 @@ TEST(Run, SaysInItsSummaryWhereSoilSoftenedWithoutALength)
   }
 }
 
+TEST(Run, AtAStrengthIsRecordedAndResumedAndCompared)
+{
+  const ScratchFolder scratch;
+  const std::string weak = scratch.path() + "/weak", full = scratch.path() + "/full";
+  const Finished f = run_column(weak, {"--at-strength", "1.25", "--set", "output.checkpoint.every=0.1"});
+  EXPECT_EQ(f.status, 0) << f.err;
+  EXPECT_THAT(f.out, HasSubstr("\n  strengths        divided by 1.25\n"));
+  EXPECT_EQ(nlohmann::json::parse(text_of(weak + "/summary.json")).at("at_strength"), 1.25);
+  EXPECT_THAT(text_of(weak + "/case.toml"), HasSubstr("at_strength = 1.25"));
+  const std::string end = text_of(weak + "/history.csv");
+  const Finished resumed = test::terp({"resume", weak + "/checkpoint_000000033.h5", "-j", "1"});
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_THAT(resumed.out, HasSubstr("\n  strengths        divided by 1.25\n"));
+  EXPECT_EQ(text_of(weak + "/history.csv"), end);
+  EXPECT_THAT(run_column(full).out, Not(HasSubstr("strengths")));
+  EXPECT_THAT(test::terp({"compare", full, weak}).out, HasSubstr("at_strength"));
+}
+
+TEST(Run, RefusesAStrengthThatCannotBe)
+{
+  const ScratchFolder scratch;
+  const Finished zero = run_column(scratch.path() + "/run", {"--at-strength", "0"});
+  EXPECT_EQ(zero.status, 2);
+  EXPECT_THAT(zero.err, HasSubstr("`at_strength` is out of range"));
+  const Finished fluid = run_column(scratch.path() + "/run",
+      {"--at-strength", "1.2", "--set", "material.clay={model=\"newtonian_fluid\", density=1000.0, bulk_modulus=1e6}"});
+  EXPECT_EQ(fluid.status, 2);
+  EXPECT_THAT(fluid.err,
+      AllOf(HasSubstr("the strength of `clay` cannot be divided"),
+          HasSubstr("Got at_strength = 1.2. Soil of the law newtonian_fluid has none that a factor could divide")));
+  const Finished elastic = run_column(scratch.path() + "/run",
+      {"--at-strength", "1.2", "--set",
+          "material.clay={model=\"linear_elastic\", density=1000.0, shear_modulus=1e6, poisson_ratio=0.3}", "--set",
+          "boundary.bottom=\"roller\""});
+  EXPECT_EQ(elastic.status, 2);
+  EXPECT_THAT(elastic.err, HasSubstr("no material of this case has a strength to divide"));
+}
+
 TEST(Run, GoesToRunsAndTheNameOfTheCaseByDefault)
 {
   const ScratchFolder scratch;

@@ -9,6 +9,7 @@ namespace {
 /// Every key, each with a value that is not its default.
 const std::string every_key = R"(title = "all"
 scheme = "mpm_mixed"
+at_strength = 1.25
 [time]
 end = 2.5
 courant = 0.5
@@ -194,6 +195,7 @@ TEST(Reader, FillsFrameTimeAndMesh)
   EXPECT_EQ(c.title, "all");
   EXPECT_EQ(c.name, "all");
   EXPECT_EQ(c.scheme, "mpm_mixed");
+  EXPECT_EQ(c.at_strength, 1.25);
   EXPECT_EQ(c.time.end, 2.5);
   EXPECT_EQ(c.time.courant, 0.5);
   EXPECT_EQ(c.mesh.origin, (Vec<2>{-1.0, 1.0}));

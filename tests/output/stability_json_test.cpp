@@ -11,6 +11,7 @@ StabilityResult result()
   StabilityResult r;
   r.strengths = {{"material.clay.su_peak", "Pa", 8000.0}};
   r.options.search.tolerance = 0.1;
+  r.relief = 4.0, r.cell = 0.5;
   r.height = 4.0, r.displacement = 0.05, r.n_points = 900, r.rest_steps = 70;
   for (const auto& [factor, verdict] : {std::pair{1.0, TrialVerdict::stable}, {1.1, TrialVerdict::undecided}}) {
     Trial trial;
@@ -37,30 +38,91 @@ TEST(StabilityJson, HoldsTheFactorItsBracketAndTheTrials)
 TEST(StabilityJson, AFactorThatWasNotFoundIsNull)
 {
   StabilityResult r = result();
-  r.search.failed.reset();
-  EXPECT_TRUE(nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}))["factor_of_safety"].is_null());
+  r.search.not_stable.reset();
+  const auto json = nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}));
+  EXPECT_TRUE(json["factor_of_safety"].is_null() && json["uncertainty"].is_null());
   EXPECT_THAT(stability_text(r, "mpm_gp"), HasSubstr("factor of safety not found: the soil stands even at 1\n"));
 }
 
 TEST(StabilityText, SaysFactorCriterionAndTrials)
 {
   const std::string text = stability_text(result(), "mpm_gp");
-  EXPECT_THAT(text, HasSubstr("factor of safety 1.050 +- 0.050   (stands at 1.000, does not at 1.100)\n  by reduction "
-                              "of 1 strength, mpm_gp, 900 points"));
+  EXPECT_THAT(text,
+      HasSubstr("factor of safety 1.050 +- 0.050   (stands at 1.000, creeps at 1.100, up to 1.100)\n  by reduction "
+                "of 1 strength, mpm_gp, 900 points"));
   EXPECT_THAT(text, HasSubstr("    1.0000  stable     why\n    1.1000  undecided  why\n"));
-  EXPECT_THAT(text, HasSubstr("At 1.1000 the soil still crept after 200 windows; that counts as not standing. Larger "
-                              "--windows decide it.\n"));
+  EXPECT_THAT(text, HasSubstr("At 1.1000 the soil still crept after 200 windows: it may stand or fail, and the +- has "
+                              "room for both. Larger\n  --windows decide it.\n"));
+  EXPECT_THAT(
+      text, HasSubstr("with 8.0 cells of 0.5 m over the\n  height of the slope, 4 m, by 0 to 11 % on slopes with "
+                      "a known factor. --cells 0.5,0.25 measures it.\n"));
+}
+
+TEST(StabilityText, AnUndecidedEndWidensTheUncertainty)
+{
+  StabilityResult r = result();
+  Trial trial;
+  trial.factor = 1.4, trial.verdict = TrialVerdict::failed, trial.reason = "why";
+  enter(std::move(trial), r.search);
+  EXPECT_THAT(stability_text(r, "mpm_gp"),
+      StartsWith("factor of safety 1.200 +- 0.200   (stands at 1.000, creeps at 1.100, fails at 1.400)\n"));
+  const auto json = nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}));
+  EXPECT_DOUBLE_EQ(json["uncertainty"], 0.2);
+  EXPECT_EQ(json["not_stable_at"], 1.1);
+  EXPECT_EQ(json["failed_at"], 1.4);
+}
+
+TEST(StabilityText, SearchesOnSeveralSizesGiveTheFactorOnCellsOfNoSize)
+{
+  StabilityResult r = result();
+  r.sizes = {{1.0, 1.15, 0.0}, {0.5, 1.1, 0.0}};
+  EXPECT_THAT(stability_text(r, "mpm_gp"),
+      HasSubstr(
+          "  The mesh: 1.150 on cells of 1 m, 1.100 on cells of 0.5 m.\n"
+          "  On cells of no size 1.033 (1.003 to 1.061), by the order 0.80, that of known slopes (0.6 to 1.2).\n"));
+  const auto mesh = nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}))["mesh"];
+  EXPECT_EQ(mesh["sizes"][1]["factor"], 1.1);
+  EXPECT_NEAR(mesh["extrapolated"]["factor"], 1.0325, 1e-3);
+  EXPECT_FALSE(mesh["extrapolated"]["order_is_observed"]);
+}
+
+TEST(StabilityText, SaysWhichSlopeFailsAndWhere)
+{
+  StabilityResult r = result();
+  Mechanism m;
+  m.factor = 1.1;
+  m.moving = MovingSoil{.way = Facing::left,
+      .slope = Facing::left,
+      .line = {{1.0, 0.5}, {2.0, 0.0}, {3.0, 4.0}},
+      .entry = {3.0, 4.0},
+      .exit = {1.0, 0.5},
+      .highest_x = 5.0,
+      .depth = 2.5,
+      .area = 7.25,
+      .other_way = 0.1};
+  r.mechanism = std::make_shared<const Mechanism>(m);
+  EXPECT_THAT(stability_text(r, "mpm_gp"),
+      HasSubstr(
+          "  mechanism at 1.1000: the slope on the left of the highest ground (x = 5.00 m) fails, its soil moves to "
+          "the left\n    enters at (3.00, 4.00) m, comes out at (1.00, 0.50) m, 2.50 m deep, 7.25 m^2\n"
+          "    10 % of the motion goes to the other side\n"));
+  const auto json = nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}))["mechanism"];
+  EXPECT_EQ(json["slope"], "left");
+  EXPECT_EQ(json["slip_surface"][2][1], 4.0);
+  EXPECT_EQ(json["area"], 7.25);
 }
 
 TEST(StabilityText, SaysWhatTheBracketDoesNot)
 {
   StabilityResult r = result();
   const std::string creep = "No trial failed, so nothing bounds the factor from above but creep",
-                    mesh = "The width is that of the search alone";
+                    mesh = "The +- is that of the search alone";
   EXPECT_THAT(
       stability_text(r, "mpm_gp"), AllOf(HasSubstr(creep), HasSubstr(mesh), Not(HasSubstr("standard_mpm locks"))));
   EXPECT_THAT(stability_text(r, "standard_mpm"), HasSubstr("standard_mpm locks"));
-  r.search.trials[1].verdict = TrialVerdict::failed;
+  Trial failed;
+  failed.factor = 1.1, failed.verdict = TrialVerdict::failed;
+  enter(std::move(failed), r.search);
   EXPECT_THAT(stability_text(r, "mpm_gp"), AllOf(Not(HasSubstr(creep)), HasSubstr(mesh)));
   r.stopped = true;
   EXPECT_THAT(

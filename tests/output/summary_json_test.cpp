@@ -30,7 +30,7 @@ Summary sample_summary()
   summary.points_left = 2, summary.reached_sides = {{"right", 1.5, true}},
   summary.footings = {{"plate", {0.5, -0.25}, {3.0, 4.5}, 7.0, 12.5}};
   summary.strength_water = {{"peat", "su_peak", "high", "start"}, {"clay", "su_peak", "start", {}}};
-  summary.v_999 = 5.5, summary.residual_height = 3.5;
+  summary.v_999 = 5.5, summary.residual_height = 3.5, summary.at_strength = 1.25;
   summary.flood = {.verdict = FloodVerdict::floods,
       .water_level = 4.0,
       .water_level_origin = "the river",
@@ -52,11 +52,12 @@ json written(const Summary& summary, bool finished)
 
 TEST(SummaryJson, HoldsEveryNumberUnderItsName)
 {
-  EXPECT_EQ(written(sample_summary(), true),
-      json::parse(
-          R"({
+  EXPECT_EQ(
+      written(sample_summary(), true), json::parse(
+                                           R"({
     "terp_version": ")" TERP_VERSION
-          R"(", "format": 1, "finished": true, "scheme": "mpm_gp", "points": 40000, "cells": 1600, "steps": 6598,
+                                           R"(", "format": 1, "finished": true, "scheme": "mpm_gp", "at_strength": 1.25,
+    "points": 40000, "cells": 1600, "steps": 6598,
     "dt": 6.0623e-4, "wall_s": 33.5, "point_steps_per_s": 7.9e6, "threads": 2, "instructions": "avx2",
     "processor": "a processor",
     "passes": [{"name": "stress", "seconds": 1.5}], "facing": "left", "free_toe": false,

@@ -52,12 +52,44 @@ TEST(Bisection, LooksBeyondGuessesThatDoNotHold)
   EXPECT_NEAR(*above.failed, 3.1, 0.02);
 }
 
-TEST(Bisection, CreepCountsAsNotStanding)
+TEST(Bisection, WhatCreepsMayStandOrFailSoBothEndsAreSought)
 {
   const Bisection b = search(1.2, {1.0, 2.0, 0.01}, 1.4);
   EXPECT_LT(*b.stable, 1.2);
-  EXPECT_GE(*b.failed, 1.2);
-  EXPECT_LT(*b.failed, 1.22);
+  EXPECT_GE(*b.not_stable, 1.2);
+  EXPECT_LT(*b.not_stable, 1.22);
+  EXPECT_GE(*b.failed, 1.4);
+  EXPECT_LT(*b.failed, 1.42);
+  EXPECT_EQ(b.highest(), b.failed);
+}
+
+TEST(Bisection, LooksBeyondCreepForATrialThatFails)
+{
+  const Bisection b = search(1.2, {1.0, 1.25, 0.02}, 1.4);  // 1.25 creeps
+  EXPECT_GE(*b.failed, 1.4);
+  EXPECT_LT(*b.failed, 1.44);
+}
+
+TEST(Bisection, GivesUpWhereAllCreeps)
+{
+  const Bisection b = search(1.2, {1.0, 1.25, 0.02}, 1e9);
+  EXPECT_FALSE(b.failed.has_value());
+  EXPECT_GT(*b.highest(), 1.5) << "up to a factor of 1.5 over what stands";
+  EXPECT_LT(*b.highest(), 2.0);
+}
+
+TEST(Bisection, WhatStandsAboveAFailureDoesNotCount)
+{
+  Bisection b;
+  for (const auto& [factor, verdict] : {std::pair{1.0, TrialVerdict::stable}, {1.2, TrialVerdict::failed},
+           {1.3, TrialVerdict::stable}, {1.1, TrialVerdict::undecided}}) {
+    Trial trial;
+    trial.factor = factor, trial.verdict = verdict;
+    enter(std::move(trial), b);
+  }
+  EXPECT_EQ(b.stable, 1.0);
+  EXPECT_EQ(b.not_stable, 1.1);
+  EXPECT_EQ(b.failed, 1.2);
 }
 
 TEST(Bisection, GivesUpWhereNothingFailsOrNothingStands)

@@ -2,7 +2,9 @@
 #include "stability/elastic_start.hpp"
 #include "base/errors.hpp"
 #include "simulation/setup.hpp"
+#include "simulation/nodal_water.hpp"
 #include "simulation/setup_mesh.hpp"
+#include "simulation/simulation.hpp"
 #include "support/cases.hpp"
 #include "support/test.hpp"
 
@@ -75,6 +77,53 @@ TEST(QuietCase, NothingMovesButByItsWeight)
   c.bodies[0].velocity_at = c.sides.back().velocity_at = [](Vec<2> x) { return x; };
   const Case still = quiet_case(c);
   EXPECT_FALSE(still.bodies[0].velocity_at || still.sides.back().velocity_at) << "formulas";
+}
+
+/// A box with a river of three stages, the last of which names no water.
+Case staged_box()
+{
+  Case c = filled_box();
+  c.water.start.phreatic_line = {{0.0, 0.5}};
+  c.water.situations = {
+      {.name = "other", .phreatic_line = {{0.0, 1.0}}}, {.name = "flood", .phreatic_line = {{0.0, 3.0}}}};
+  const auto changed = std::make_shared<const Case>(c);
+  for (const char* water : {"other", "flood", ""}) {
+    StageCase stage;
+    stage.name = "stage " + std::to_string(c.stages.size()), stage.water = water, stage.changed = changed;
+    c.stages.push_back(stage);
+  }
+  return c;
+}
+
+TEST(QuietCase, HasTheWaterAtTheEndOfTheLastStage)
+{
+  Case c = staged_box();
+  EXPECT_EQ(quiet_case(c).water.standing, 2u) << "the last stage keeps what the one before it brought";
+  EXPECT_EQ(first_water(quiet_case(c).water).name, "flood");
+  EXPECT_EQ(quiet_case(c).water.situations.size(), 2u) << "strengths may name any of them";
+  c.stages.clear();
+  EXPECT_EQ(quiet_case(c).water.standing, 0u) << "without stages: that of the start";
+}
+
+TEST(QuietCase, ItsWaterStandsFromTheStartOn)
+{
+  const Case quiet = quiet_case(staged_box());
+  Simulation s(quiet);
+  PorePressure pore;
+  s.model.water->renew(0.0, pore);
+  const auto at_base = std::ranges::find(s.model.mesh->nodes, Vec<2>{0.0, 0.0}) - s.model.mesh->nodes.begin();
+  EXPECT_NEAR(pore.pressure[static_cast<std::size_t>(at_base)], 9810.0 * 3.0, 1e-6);
+  s.model.water->renew(1e9, pore);
+  EXPECT_NEAR(pore.pressure[static_cast<std::size_t>(at_base)], 9810.0 * 3.0, 1e-6);
+}
+
+TEST(QuietCase, IsOfTheStrengthThatTheCaseAsksFor)
+{
+  Case c = filled_box();
+  c.at_strength = 1.6;
+  const Case quiet = quiet_case(c);
+  EXPECT_DOUBLE_EQ(quiet.materials[0].parameters[2], 8000.0 / 1.6);
+  EXPECT_EQ(quiet.at_strength, 1.0);
 }
 
 }  // namespace

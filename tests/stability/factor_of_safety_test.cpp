@@ -40,6 +40,23 @@ TEST(FactorOfSafety, OfAVerticalCutTendsToTheLimitLoad)
   EXPECT_GT(fine.factor() - fall / 3.0, exact);
   EXPECT_EQ(coarse.strengths.size(), 1u) << "the residual strength is the peak strength";
   EXPECT_GT(told, 10);
+  ASSERT_NE(coarse.mechanism, nullptr);
+  EXPECT_EQ(coarse.mechanism->factor, *coarse.search.not_stable);
+  EXPECT_EQ(coarse.cell, 0.5);
+  EXPECT_NEAR(coarse.relief, 1.9, 1e-9) << "between the outer rows of points";
+}
+
+TEST(FactorOfSafety, IsBetweenWhatStandsAndWhatFailsAndCreepIsUncertain)
+{
+  StabilityResult result;
+  for (const auto& [factor, verdict] :
+      {std::pair{1.0, TrialVerdict::stable}, {1.1, TrialVerdict::undecided}, {1.4, TrialVerdict::failed}}) {
+    Trial trial;
+    trial.factor = factor, trial.verdict = verdict;
+    enter(std::move(trial), result.search);
+  }
+  EXPECT_DOUBLE_EQ(result.factor(), 1.2);
+  EXPECT_NEAR(result.uncertainty(), 0.2, 1e-12);
 }
 
 TEST(FactorOfSafety, OfParametersGivenAtEachPointIsThatOfTheNumbers)

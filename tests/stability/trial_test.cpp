@@ -110,6 +110,12 @@ TEST(Trial, StandsWithMoreStrengthAndRunsAwayWithLess)
   EXPECT_THAT(weak.reason, HasSubstr("rho g H^2/E"));
   EXPECT_GT(weak.windows.back().displacement, column.start.displacement);
   EXPECT_LT(std::ssize(weak.windows), 40);  // early
+  EXPECT_EQ(strong.mechanism, nullptr);
+  ASSERT_NE(weak.mechanism, nullptr);
+  EXPECT_EQ(weak.mechanism->factor, 2.0);
+  EXPECT_EQ(weak.mechanism->stiffening, rules.stiffening);
+  ASSERT_TRUE(weak.mechanism->moving.has_value());
+  EXPECT_EQ(weak.mechanism->moving->way, Facing::right);
 }
 
 TEST(Trial, IsTheSameEachTime)

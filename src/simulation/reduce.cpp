@@ -1,6 +1,5 @@
-#include "stability/reduce.hpp"
+#include "simulation/reduce.hpp"
 
-#include "base/errors.hpp"
 #include "materials/material.hpp"
 
 #include <algorithm>
@@ -16,10 +15,10 @@ constexpr Real degree = std::numbers::pi / 180.0;
 Real reduced(Reduction reduction, Real value, Real factor)
 {
   switch (reduction) {
-    case Reduction::none: return value;
+    case Reduction::none:
+    case Reduction::zero: return value;
     case Reduction::divide: return value / factor;
     case Reduction::divide_tangent: return std::atan(std::tan(value * degree) / factor) / degree;
-    case Reduction::zero: return 0.0;
   }
   return value;
 }
@@ -79,17 +78,22 @@ Case reduce_strength(Case c, Real factor)
   return c;
 }
 
-void check_may_be_judged(const Case& c)
+Case leave_out_rate(Case c)
 {
-  for (const MaterialCase& material : c.materials) {
+  for (MaterialCase& material : c.materials)
+    if (const MaterialType* law = find_material(material.model))
+      change_parameters(material,
+          [law](std::size_t k, Real value) { return law->parameters[k].reduction == Reduction::zero ? 0.0 : value; });
+  return c;
+}
+
+const MaterialCase* find_not_judged(const Case& c)
+{
+  const auto found = std::ranges::find_if(c.materials, [&](const MaterialCase& material) {
     const MaterialType* law = find_material(material.model);
-    if (law == nullptr || law->not_judged.empty() || !is_used(c, material)) continue;
-    throw InputError(Problem{fmt::format("material.{}.model", material.name),
-        fmt::format("a factor of safety cannot be found for soil of the law {}", law->name),
-        fmt::format("Because {}.\nGive `{}` another law, or leave it out: all soil of a case is judged together.",
-            law->not_judged, material.name),
-        "material", true});
-  }
+    return law != nullptr && !law->not_judged.empty() && is_used(c, material);
+  });
+  return found == c.materials.end() ? nullptr : &*found;
 }
 
 std::vector<std::string> check_reduced(const Case& c)

@@ -1,4 +1,5 @@
-// The strengths of a case, and the case with all of them reduced by one factor.
+// The strengths of a case, and the case with all of them divided by one factor: of `terp stability`, and of the case
+// itself (Case::at_strength).
 // Not for: which parameter is a strength (the table of the law says so: ParameterInfo::reduction).
 #pragma once
 
@@ -19,11 +20,15 @@ struct Strength {
 /// Every strength that the case has: of materials that bodies use, and of contact planes that have any.
 std::vector<Strength> strengths_of(const Case& c);
 
-/// The case with stresses divided by `factor`, and angles whose tangents are.
+/// The case with stresses divided by `factor`, and angles whose tangents are. What only fast shearing gives stays.
 Case reduce_strength(Case c, Real factor);
 
-/// Throws InputError if a body is of a law that may not be judged, with the law's reason.
-void check_may_be_judged(const Case& c);
+/// The case without what only fast shearing gives (Reduction::zero).
+Case leave_out_rate(Case c);
+
+/// A material that a body is of, whose law has no strength that a factor could divide; nullptr: none. The law says why:
+/// MaterialType::not_judged.
+const MaterialCase* find_not_judged(const Case& c);
 
 /// What the laws find wrong with the parameters of a reduced case, in one line each.
 std::vector<std::string> check_reduced(const Case& c);

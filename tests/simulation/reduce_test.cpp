@@ -1,5 +1,5 @@
 // Which parameters are strengths, and what a factor does to them.
-#include "stability/reduce.hpp"
+#include "simulation/reduce.hpp"
 #include "materials/material.hpp"
 #include "support/cases.hpp"
 #include "support/test.hpp"
@@ -91,7 +91,7 @@ TEST(Reduce, DividesTheTangentsOfAngles)
   EXPECT_TRUE(std::isinf(parameter(reduced, "tension_cutoff")));  // none stays none
 }
 
-TEST(Reduce, LeavesNothingOfWhatOnlyFastShearingGives)
+TEST(Reduce, WhatOnlyFastShearingGivesIsLeftOutByItself)
 {
   Case c = column("mpm_gp");
   c.materials[0].parameters =
@@ -100,8 +100,11 @@ TEST(Reduce, LeavesNothingOfWhatOnlyFastShearingGives)
   EXPECT_THAT(keys(c), Not(Contains("material.clay.rate_mu")));
   const MaterialCase reduced = reduce_strength(c, 1.25).materials[0];
   EXPECT_DOUBLE_EQ(parameter(reduced, "su_remoulded"), 320.0);
-  EXPECT_EQ(parameter(reduced, "rate_mu"), 0.0);
-  EXPECT_EQ(parameter(reduced, "rate_ref"), 1e-6);
+  EXPECT_EQ(parameter(reduced, "rate_mu"), 0.1);
+  const MaterialCase slow = leave_out_rate(c).materials[0];
+  EXPECT_EQ(parameter(slow, "rate_mu"), 0.0);
+  EXPECT_EQ(parameter(slow, "su_remoulded"), 400.0);
+  EXPECT_EQ(parameter(slow, "rate_ref"), 1e-6);
 }
 
 TEST(Reduce, SaysWhatALawCannotTake)
