@@ -8,6 +8,7 @@
 #include "output/files.hpp"
 #include "output/section_svg.hpp"
 #include "progress.hpp"
+#include "simulation/ground_section.hpp"
 #include "simulation/output_costs.hpp"
 #include "simulation/setup_warnings.hpp"
 #include "simulation/side_shape.hpp"
@@ -123,6 +124,20 @@ void print_loads(const Model& model, const State& state)
   }
 }
 
+/// K0 stress is at rest on level ground alone: elsewhere, how much of the weight it does not carry.
+void print_start(Simulation& simulation)
+{
+  const Model& model = simulation.model;
+  if (model.description.initial.stress != InitialStress::k0) return;
+  if (is_flat(first_section(model, simulation.state.points, ground_of(model)))) return;
+  make_steps(model, simulation.state, simulation.work, {.most_steps = 1});
+  fmt::print(
+      "  initial stress k0 on ground that is not level: {:.2g} % of the weight is out of balance at t = 0 and acts "
+      "at once;\n                 at rest begins stress = \"equilibrium\", or a first stage with until = "
+      "\"at_rest\"\n",
+      100.0 * simulation.work.unbalanced_ratio);
+}
+
 constexpr std::size_t rows_of_profile = 16;
 
 void print_profile(const Model& model, const State& state, Real x)
@@ -179,6 +194,7 @@ void print_check(const CaseFile& file, Simulation& simulation, const RunOptions&
   fmt::print("  steps          {}{} to t = {:g} s\n", ends_at_rest(file.values) ? "at most " : "", model.n_steps,
       file.values.time.end);
   print_loads(model, state);
+  print_start(simulation);
   fmt::print("  memory         {:.0f} MB\n", static_cast<double>(bytes_of(model, state)) / 1e6);
   const OutputCost cost = estimate_output(model, state);
   print_output(cost);

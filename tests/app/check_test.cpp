@@ -23,6 +23,15 @@ TEST(Check, TellsWhatWouldRun)
   EXPECT_TRUE(names_in(folder.path()).empty());
 }
 
+TEST(Check, SaysHowFarK0IsFromBalanceOnGroundThatIsNotLevel)
+{
+  const char* words = "  initial stress k0 on ground that is not level: ";
+  const Finished slope = test::terp(column_command("check", {"--set", "initial={stress=\"k0\", k0=0.5}"}));
+  EXPECT_EQ(slope.status, 0) << slope.err;
+  EXPECT_THAT(slope.out, AllOf(HasSubstr(words), HasSubstr(" % of the weight is out of balance at t = 0")));
+  EXPECT_THAT(test::terp(column_command("check")).out, Not(HasSubstr("initial stress")));
+}
+
 TEST(Check, ListsTheSidesWithTheirLengthsAndConditions)
 {
   const Finished f = test::terp(column_command("check"));
