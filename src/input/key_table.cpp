@@ -25,7 +25,7 @@ Words stress_words() { return {"none", "k0", "equilibrium"}; }
 Words footing_words() { return {"rough", "smooth"}; }
 Words weights_words() { return {"hybrid", "summed", "gauss"}; }
 Words force_operator_words() { return {"b_bar", "b"}; }
-Words shares_words() { return {"point", "overlap"}; }
+Words shares_words() { return {"by_law", "point", "overlap"}; }
 Words point_pressure_words() { return {"cell", "own", "relax"}; }
 Words state_averaging_words() { return {"as_declared", "cell", "sub_cell"}; }
 Words objective_rate_words() { return {"none", "jaumann"}; }
@@ -360,7 +360,9 @@ std::vector<KeyInfo> method_keys()
           .words = shares_words,
           .meaning =
               "where a material point counts: in the sub-cell that holds its centre (point), or in every sub-cell "
-              "by the part of its extent that lies in it (overlap)"},
+              "by the part of its extent that lies in it (overlap). by_law: overlap, but point in a case with a fluid "
+              "and "
+              "in schemes that know no other"},
       {.path = "method.weights",
           .field = [](Case& c, std::size_t) { return word_field(c.method.weights); },
           .words = weights_words,

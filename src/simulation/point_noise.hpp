@@ -11,8 +11,8 @@
 
 namespace terp {
 
-/// Pull of the fit towards the velocity of the nodes, so that corners far from all points of a cell stay near it. Ten
-/// times more takes energy from shear bands, ten times less changes nothing (decision 0048).
+/// Pull of the fit towards the velocity of the nodes, so that corners far from all points of a cell stay near it. Fifty
+/// times more takes energy from shear bands (decision 0048).
 inline constexpr Real noise_pull = 1e-3;
 
 /// Steps between two fits: four in a time constant.

@@ -43,6 +43,13 @@ std::vector<SoilMaterial> make_materials(const Case& c)
   return materials;
 }
 
+/// Water that breaks up stops itself with shares that overlap (decision 0042).
+Shares shares_by_law(const Model& model, const std::vector<Index>& used)
+{
+  const auto is_fluid = [&](Index m) { return model.materials[m].law->shear_modulus() == 0.0; };
+  return std::ranges::any_of(used, is_fluid) ? Shares::point : Shares::overlap;
+}
+
 /// A formula may give no number at some place.
 void check_velocities(const Case& c, const Mesh<2>& mesh)
 {
@@ -267,6 +274,7 @@ Model build_stage(const Case& whole, SharedMesh mesh, int threads, std::size_t n
     if (any_excess && model.materials[m].stores_effective) add_excess_row(m, model.materials[m], model.rows);
   }
   set_water_stiffness(model, used);
+  if (model.method.shares == Shares::by_law) model.method.shares = shares_by_law(model, used);
   if (model.scheme->functions(model.method.shares).integrate != nullptr)
     model.inverse_extent = model.rows.add({.name = "inverse_extent",
         .unit = "1/m",

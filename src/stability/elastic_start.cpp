@@ -66,6 +66,7 @@ Case quiet_case(Case c)
   c = leave_out_rate(reduce_strength(std::move(c), c.at_strength));
   c.at_strength = 1.0;
   c.time.until = Until::end;
+  if (c.method.shares == Shares::by_law) c.method.shares = Shares::point;  // no point comes to another sub-cell
   c.footings.clear();
   c.output.field_names.clear();
   for (LoadCase& load : c.loads) load = {load.name, load.from, load.to, load.pressure};

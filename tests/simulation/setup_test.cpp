@@ -55,6 +55,24 @@ TEST(Setup, ViscosityShortensTheTimeStep)
   EXPECT_GT(build_model(c, 1).dt, 0.9 * stable);
 }
 
+// Decision 0042: soil overlaps, water that breaks up would stop itself. What the case says is taken.
+TEST(Setup, PointsOverlapUnlessTheCaseSaysOtherwiseOrHasAFluid)
+{
+  const MaterialCase water{"water", "newtonian_fluid", 1000.0, {1e6, 0.0, 0.0}};
+  Case c = free_box("mpm_gp", {1.0, 0.5}, {1.5, 1.0});
+  const auto shares = [&c] { return build_model(c, 1).method.shares; };
+  EXPECT_EQ(shares(), Shares::overlap);
+  c.materials.push_back(water);  // of no body
+  EXPECT_EQ(shares(), Shares::overlap);
+  c.bodies.push_back(body("water", {2.0, 0.5}, {2.5, 1.0}));
+  EXPECT_EQ(shares(), Shares::point);
+  c.method.shares = Shares::overlap;
+  EXPECT_EQ(shares(), Shares::overlap);
+  c.bodies.pop_back();
+  c.method.shares = Shares::point;
+  EXPECT_EQ(shares(), Shares::point);
+}
+
 TEST(Setup, OnlyMaterialsOfBodiesDecideTheTimeStep)
 {
   Case c = column("mpm_gp");

@@ -73,6 +73,7 @@ TEST(QuietCase, NothingMovesButByItsWeight)
   const Case quiet = quiet_case(c);
   EXPECT_TRUE(quiet.footings.empty());
   EXPECT_EQ(quiet.bodies[0].velocity, (Vec<2>{0.0, 0.0}));
+  EXPECT_EQ(quiet.method.shares, Shares::point) << "no point comes to another sub-cell";
   EXPECT_EQ(quiet.sides.back().velocity, (Vec<2>{0.0, 0.0}));
   c.bodies[0].velocity_at = c.sides.back().velocity_at = [](Vec<2> x) { return x; };
   const Case still = quiet_case(c);

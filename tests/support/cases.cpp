@@ -36,6 +36,7 @@ Case column(const std::string& scheme, Real cell)
   Case c;
   c.name = "column";
   c.scheme = scheme;
+  c.method.shares = Shares::point;
   c.time.end = 4.0;
   c.mesh.size = {16.0, 3.0};
   c.mesh.cell = {cell, cell};
@@ -75,6 +76,7 @@ Case clamped_cell(const std::string& scheme)
   Case c = free_box(scheme, {0.0, 0.0}, {1.0, 1.0});
   c.mesh.size = c.mesh.cell = {1.0, 1.0};
   c.bodies[0].points_per_cell = {2, 2};
+  c.method.shares = Shares::point;
   for (const char* name : {"left", "right", "bottom", "top"}) c.sides.push_back(side(name, SideKind::fixed));
   return c;
 }
