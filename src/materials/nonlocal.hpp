@@ -10,7 +10,7 @@
 #pragma once
 
 #include "base/tensor.hpp"
-#include "materials/material.hpp"
+#include "materials/wrapped_law.hpp"
 #include "parallel/pack.hpp"
 
 #include <algorithm>
@@ -29,25 +29,15 @@ concept Softens = requires(const Law<Real>& law)
 /// spread its strain. Without this the softened zone grows with slip without end (decision 0045).
 inline constexpr Real softened_out = 7.0 / 3.0;
 
-template <class T, std::size_t n, std::size_t m>
-constexpr std::array<T, n + m> joined(const std::array<T, n>& a, const std::array<T, m>& b)
-{
-  std::array<T, n + m> all{};
-  std::ranges::copy(b, std::ranges::copy(a, all.begin()).out);
-  return all;
-}
-
-// A law is a type of its own file, and so is what is made of it; GCC warns of that in a header.
+// As in wrapped_law.hpp: a law is a type of its own file.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wsubobject-linkage"
 
 /// The law with three state variables more. P: number type of the parameters.
 template <template <class> class Law, class P>
-struct NonlocalLaw {
-  using Base = Law<P>;
-  static constexpr std::string_view equations = Base::equations;
-  static constexpr auto parameters = Base::parameters;
-  static constexpr auto derived = Base::derived;
+struct NonlocalLaw : WrappedLaw<Law, P> {
+  using Wrapped = WrappedLaw<Law, P>;
+  using Wrapped::law, Wrapped::n_own, Wrapped::strain_row, Wrapped::Wrapped, typename Wrapped::Base;
   static constexpr auto state = joined(Base::state,
       std::array{StateInfo{"eps_nonlocal", "-", Averaging::cell,
                      "over-nonlocal plastic strain, m mean + (1 - m) eps_eq_p of soil that still softens"},
@@ -58,19 +48,12 @@ struct NonlocalLaw {
               .averaging = Averaging::cell,
               .meaning = "part of its softening that the soil did in this step; below 0 where it cannot soften",
               .scratch = true}});
-  static constexpr std::size_t n_own = Base::state.size(), nonlocal_row = n_own, softening_row = n_own + 1,
-                               increment_row = n_own + 2;
-  static constexpr std::size_t strain_row = find_role(Base::state, Role::plastic_strain);
-  static constexpr bool depends_on_rate = requires { Base::depends_on_rate; };
-  static_assert(strain_row < n_own, "a law that softens has a state variable of Role::plastic_strain");
-
-  explicit NonlocalLaw(std::span<const P> values) : law(values) {}
+  static constexpr std::size_t nonlocal_row = n_own, softening_row = n_own + 1, increment_row = n_own + 2;
 
   template <class R, int Dim>
   R update(SymTensor<R, Dim>& sigma, std::array<R, n_own + 3>& at, const SymTensor<R, Dim>& d_eps, Real dt) const
   {
-    std::array<R, n_own> own;
-    std::copy_n(at.begin(), n_own, own.begin());
+    std::array<R, n_own> own = Wrapped::own_state(at);
     const R work = law.softened_at(at[softening_row]).update(sigma, own, d_eps, dt);
     const R whole(law.softened_strain());
     const R part = (own[strain_row] - at[strain_row]) / whole;
@@ -95,18 +78,10 @@ struct NonlocalLaw {
     at[softening_row] = max(at[softening_row], now);
   }
 
-  P bulk_modulus() const { return law.bulk_modulus(); }
-  P shear_modulus() const { return law.shear_modulus(); }
-  P softened_strain() const { return law.softened_strain(); }
   Real derived_value(int number, const std::array<Real, n_own + 3>& at) const
   {
-    std::array<Real, n_own> own;
-    std::copy_n(at.begin(), n_own, own.begin());
-    return law.softened_at(at[softening_row]).derived_value(number, own);
+    return law.softened_at(at[softening_row]).derived_value(number, Wrapped::own_state(at));
   }
-  std::vector<ParameterProblem> check() const { return law.check(); }
-
-  Base law;
 };
 
 #pragma GCC diagnostic pop

@@ -9,36 +9,31 @@
 #pragma once
 
 #include "base/tensor.hpp"
-#include "materials/material.hpp"
-#include "materials/nonlocal.hpp"
+#include "materials/wrapped_law.hpp"
 #include "parallel/pack.hpp"
 
 #include <array>
 
 namespace terp {
 
-// As in nonlocal.hpp: a law is a type of its own file.
+// As in wrapped_law.hpp: a law is a type of its own file.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wsubobject-linkage"
 
 /// The law with one state variable more. P: number type of the parameters.
 template <template <class> class Law, class P>
-struct ScaledLaw {
-  using Base = Law<P>;
-  static constexpr std::string_view equations = Base::equations;
-  static constexpr auto parameters = Base::parameters;
-  static constexpr auto derived = Base::derived;
+struct ScaledLaw : WrappedLaw<Law, P> {
+  using Wrapped = WrappedLaw<Law, P>;
+  using Wrapped::law, Wrapped::n_own, Wrapped::own_state, Wrapped::parameters, Wrapped::strain_row,
+      typename Wrapped::Base;
   static constexpr auto state = joined(Base::state,
       std::array{StateInfo{"eps_softening", "-", Averaging::cell,
           "strain that the strength follows, eps_eq_p scaled by cell over reference width", Role::softening}});
-  static constexpr std::size_t n_own = Base::state.size(), driver_row = n_own;
-  static constexpr std::size_t strain_row = find_role(Base::state, Role::plastic_strain);
-  static constexpr bool depends_on_rate = requires { Base::depends_on_rate; };
-  static_assert(strain_row < n_own, "a law that softens has a state variable of Role::plastic_strain");
+  static constexpr std::size_t driver_row = n_own;
   template <class R>
   using State = std::array<R, n_own + 1>;
 
-  explicit ScaledLaw(std::span<const P> given) : law(given) { std::ranges::copy(given, values.begin()); }
+  explicit ScaledLaw(std::span<const P> given) : Wrapped(given) { std::ranges::copy(given, values.begin()); }
 
   /// scale: h/t_ref.
   template <class R, int Dim>
@@ -54,23 +49,11 @@ struct ScaledLaw {
     return work;
   }
 
-  P bulk_modulus() const { return law.bulk_modulus(); }
-  P shear_modulus() const { return law.shear_modulus(); }
-  P softened_strain() const { return law.softened_strain(); }
   Real derived_value(int number, const State<Real>& at) const
   {
     std::array<Real, n_own> own = own_state(at);
     own[strain_row] = at[driver_row];
     return law.derived_value(number, own);
-  }
-  std::vector<ParameterProblem> check() const { return law.check(); }
-
-  template <class R>
-  static std::array<R, n_own> own_state(const State<R>& at)
-  {
-    std::array<R, n_own> own;
-    std::copy_n(at.begin(), n_own, own.begin());
-    return own;
   }
 
   /// The law with its shape factors times a scale.
@@ -83,7 +66,6 @@ struct ScaledLaw {
     return Law<R>(steep);
   }
 
-  Base law;
   std::array<P, parameters.size()> values;
 };
 
