@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 
 namespace terp {
 namespace {
@@ -16,6 +17,7 @@ using Problems = std::vector<Problem>;
 
 constexpr Range stiffness_over_strength = between(4.0, 1e4);  // soil: 20 to 2000
 constexpr Range stiffness_over_weight = between(2.0, 1e7);    // soil: 10 to 1e4, rock 1e5
+constexpr Real greatest_over_friction = 1e5;                  // G over rho g H/2 tan(phi); soil: 50 to 2000
 constexpr Real greatest_strength_over_weight = 50.0;          // soil: 0.02 to 5
 constexpr Real least_strength_over_weight = 1.0 / 300.0;      // a heap of slurry flows at 0.05
 constexpr Real greatest_speed = 20.0;                         // over sqrt(g H); a fall from H ends at 1.4
@@ -64,6 +66,7 @@ class MaterialScales {
   void check()
   {
     check_stiffness();
+    check_friction();
     for (std::size_t k = 0; k < material_.type->parameters.size(); ++k)
       if (is_strength(material_.type->parameters[k]) && values_.parameters[k] > 0.0)
         check_strength(std::string(material_.type->parameters[k].name), values_.parameters[k]);
@@ -75,12 +78,12 @@ class MaterialScales {
   {
     return fmt::format("rho g H = {} Pa (H = {} m of soil)", number(weight()), number(soil_.height));
   }
-  bool has_friction() const
+  /// Of the angles of a law, friction is the first; 0 if it has none [deg].
+  Real friction_angle() const
   {
     for (std::size_t k = 0; k < values_.parameters.size(); ++k)
-      if (material_.type->parameters[k].reduction == Reduction::divide_tangent && values_.parameters[k] > 0.0)
-        return true;
-    return false;
+      if (material_.type->parameters[k].reduction == Reduction::divide_tangent) return values_.parameters[k];
+    return 0.0;
   }
 
   void warn(const std::string& parameter, std::string what, std::string detail)
@@ -102,6 +105,18 @@ class MaterialScales {
             number(stiffness / weight()), weight_text()));
   }
 
+  /// G against the strength that friction gives at mid-height.
+  void check_friction()
+  {
+    const Real shear = material_.law->shear_modulus(), angle = friction_angle();
+    const Real strength = 0.5 * weight() * std::tan(angle * std::numbers::pi / 180.0);
+    if (!(angle > 0.0) || !(strength > 0.0) || shear <= greatest_over_friction * strength) return;
+    warn(stiffness_name(), fmt::format("`{}` is very stiff beside its friction", values_.name),
+        fmt::format("G = {} Pa is {} times rho g H/2 tan(phi) = {} Pa, its strength at mid-height (H = {} m of soil).\n"
+                    "Usual: 20 to 2000 times.",
+            number(shear), number(shear / strength), number(strength), number(soil_.height)));
+  }
+
   std::string stiffness_name() const
   {
     for (const ParameterInfo& info : material_.type->parameters)
@@ -112,7 +127,7 @@ class MaterialScales {
   void check_strength(const std::string& name, Real strength)
   {
     const Real shear = material_.law->shear_modulus();
-    const bool friction = has_friction();
+    const bool friction = friction_angle() > 0.0;
     const Range usual = friction ? Range{stiffness_over_strength.low} : stiffness_over_strength;
     if (shear > 0.0 && !usual.contains(shear / strength))
       return warn(name, fmt::format("`{}` and the stiffness of `{}` do not fit together", name, values_.name),

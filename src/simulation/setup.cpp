@@ -241,6 +241,8 @@ Model build_model(const Case& description, SharedMesh mesh, int threads)
 
 Model build_stage(const Case& whole, SharedMesh mesh, int threads, std::size_t number)
 {
+  if (threads < 1)
+    throw InputError(Problem{"threads", "a run needs at least one thread", fmt::format("Got {}.", threads), ""});
   Model model;
   const Case description = as_solved(case_of_stage(whole, number));
   model.stage.number = number;

@@ -71,6 +71,15 @@ TEST(ScaleWarnings, SandWithHardlyAnyCohesionIsUsual)
   EXPECT_EQ(warnings_of(c).size(), 1u);
 }
 
+TEST(ScaleWarnings, SandAThousandTimesTooStiffStandsOutBesideItsFriction)
+{
+  Case c = column("mpm_gp");
+  c.materials = {{"clay", "mohr_coulomb", 1900.0, {2e10, 0.3, 10.0, 33.0, 0.0, 1e30, 10.0, 33.0, 0.0, 0.0}}};
+  EXPECT_THAT(warnings_of(c),
+      ElementsAre(told("material.\"clay\".shear_modulus", "`clay` is very stiff beside its friction",
+          HasSubstr("G = 2e+10 Pa is 1.74e+06 times rho g H/2 tan(phi) = 1.15e+04 Pa, its strength at mid-height"))));
+}
+
 TEST(ScaleWarnings, AVelocityInMillimetresPerSecondIsTooFast)
 {
   Case c = column("mpm_gp");

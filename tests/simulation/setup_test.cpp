@@ -264,6 +264,12 @@ TEST(Setup, ATimeStepThatHasCollapsedIsRefused)
       p.detail, "1 s need 7.07e+10 steps of 1.41e-11 s (smallest cell altitude 0.25 m, wave speed 1.732e+10 m/s).");
 }
 
+TEST(Setup, NoThreadIsRefused)
+{
+  EXPECT_THAT(problems_of([] { build_model(column("mpm_gp"), 0); }),
+      ElementsAre(told("threads", "a run needs at least one thread", "Got 0.")));
+}
+
 TEST(Setup, AnUnknownSchemeModelOrMaterialIsRefused)
 {
   Case c = column("mpm_gpp");
