@@ -5,7 +5,8 @@
 //   undrained soil, which stores total stress:     f_i = -sum_g w_g (N_i grad p + B_i p)
 //   undrained soil, which stores effective stress: as drained soil, with s - u for s; u: its excess pore pressure
 // Weights and operator are those of the internal force, Eq. (4) (decision 0047). By parts the second is the traction -p
-// n on the surface of the soil.
+// n on the surface of the soil. The pull of grad p on drained soil is that on the volume m/rho that the soil had at t =
+// 0: water that enters as it opens brings its own weight, which that water carries.
 #pragma once
 
 #include "forces/point_gradients.hpp"
@@ -66,10 +67,24 @@ void add_pore_force(const Geometry& cell, const PerGauss<Element, R>& weight, co
       for (int i = 0; i < Element::n_corners; ++i) force[d][i] -= R(cell.centre_gradient[i][d]) * centre;
 }
 
-/// The same with the volumes and the places of the points of a block instead of Gauss weights.
+/// Volume at t = 0 of the points of a block over that of now [-].
+template <int dim>
+Real first_volume_over_present(const PointBlock<dim>& block, Real density)
+{
+  using Rows = PointRows<dim>;
+  Real mass = 0.0, volume = 0.0;
+  for (Index p = 0; p < block.n; ++p) {
+    mass += block.row(Rows::mass)[p];
+    volume += block.row(Rows::volume)[p];
+  }
+  return mass / (density * volume);
+}
+
+/// The same with the volumes and the places of the points of a block instead of Gauss weights. density: of drained
+/// soil, whose volume at t = 0 is pulled; 0: of other soil [kg/m^3].
 template <class Element>
 void add_pore_force_of_points(const CellGeometry<Element>& cell, const PointBlock<Element::dim>& block,
-    const CornerPore<Element>& pore, CornerVectors<Element>& force)
+    const CornerPore<Element>& pore, Real density, CornerVectors<Element>& force)
 {
   constexpr int dim = Element::dim;
   using Rows = PointRows<dim>;
@@ -79,12 +94,14 @@ void add_pore_force_of_points(const CellGeometry<Element>& cell, const PointBloc
     const auto N = Element::shape_functions(local);
     const auto gradient = gradients_at(cell, local);
     const Pack volume = Pack::load(block.row(Rows::volume) + p);
+    const Pack pulled = density > 0.0 ? Pack::load(block.row(Rows::mass) + p) * Pack(1.0 / density) : volume;
     Pack inside(0.0);
     for (int i = 0; i < Element::n_corners; ++i) inside += N[i] * Pack(pore.inside[i]);
     for (int d = 0; d < dim; ++d) {
       Pack slope(0.0);
       for (int i = 0; i < Element::n_corners; ++i) slope += gradient[i][d] * Pack(pore.pressure[i]);
-      for (int i = 0; i < Element::n_corners; ++i) sums[d][i] -= volume * (N[i] * slope + gradient[i][d] * inside);
+      for (int i = 0; i < Element::n_corners; ++i)
+        sums[d][i] -= pulled * N[i] * slope + volume * gradient[i][d] * inside;
     }
   }
   for (int d = 0; d < dim; ++d) add_lanes(sums[d], force[d]);

@@ -21,6 +21,8 @@ struct SoilMaterial {
   int excess_row = -1;         ///< of the points: excess pore pressure; -1: no soil of the case has any
   Real water_stiffness = 0.0;  ///< K_w/n of undrained soil that stores effective stress; 0: of all other soil [Pa]
 
+  /// Water enters and leaves as its volume changes.
+  bool is_drained() const { return stores_effective && water_stiffness == 0.0; }
   int n_state() const { return static_cast<int>(type->state.size()); }
   int n_rows() const { return static_cast<int>(rows.size()); }
   bool varies() const { return n_rows() > n_state(); }

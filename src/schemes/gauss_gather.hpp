@@ -55,6 +55,12 @@ inline void add_water_force(const SchemeContext& context, const CellGroup<Elemen
   }
   const bool has_excess = material.excess_row >= 0;
   if (!any && !any_inside && !has_excess) return;
+  if (any && material.is_drained())
+    for (int c = 0; c < group.n(); ++c) {
+      if (layer.block[c] < 0) continue;
+      const Real share = first_volume_over_present(group.points.block(layer.block[c]), material.density);
+      for (Real& pressure : at[c].pressure) pressure *= share;
+    }
   CornerPore<Element, Pack> pore;
   pore.pressure = to_lanes([&](int c) { return at[c].pressure.data(); });
   pore.inside = to_lanes([&](int c) { return at[c].inside.data(); });

@@ -19,7 +19,7 @@ struct StandardMpm {
         if (context.pore != nullptr)
           add_pore_force_of_points(geometry, block,
               pore_at_corners<Element>(*context.pore, group.mesh.cells[group.cells[c]], material.stores_effective),
-              group.water_force[c]);
+              material.is_drained() ? material.density : 0.0, group.water_force[c]);
         if (material.excess_row >= 0)
           add_excess_force_of_points(geometry, block, material.excess_row, group.water_force[c]);
       });

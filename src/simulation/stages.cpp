@@ -319,6 +319,7 @@ void begin_from(Model& model, const std::string& stage_that_ended, State& state)
   model = model_for(std::move(model), state);
   change_stored_stress(model, model, state);
   change_materials(model, state);
+  set_point_parameters(model, seeds_of(model).places, state);  // fields of this case, not of the other run
   state.start_energy += kinetic_and_elastic_energy(model, state) - before;
 }
 

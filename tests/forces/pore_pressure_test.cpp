@@ -99,6 +99,26 @@ TEST_P(PoreForce, OnDrainedSoilIsThePullOfTheGradient)
   }
 }
 
+/// Soil that has opened to twice its volume holds as much more water, which carries its own weight.
+TEST_P(PoreForce, OnDrainedSoilDoesNotGrowAsTheSoilOpens)
+{
+  Case c = block_in_water(GetParam(), Drainage::drained);
+  c.bodies[0] = body("elastic", {0.3 * h, 0.3 * h}, {1.3 * h, 1.3 * h});
+  c.bodies[0].points_per_cell = {4, 4};
+  c.bodies[0].material = c.materials[0].name;
+  const auto pull = [&c](Real opened) {
+    Simulation s = simulate_on(distorted(4), c);
+    edit_points(
+        s.state, [opened](const PointBlock<2>& block, Index lane) { block.row(PointRows<2>::volume)[lane] *= opened; });
+    make_steps(s, 1);
+    Vec<2> sum{0.0, 0.0};
+    for (const Vec<2>& force : s.work.outer[outer_water].node) sum = {sum[0] + force[0], sum[1] + force[1]};
+    return sum;
+  };
+  const Vec<2> first = pull(1.0), opened = pull(1.05);
+  for (int d = 0; d < 2; ++d) EXPECT_NEAR(opened[d], first[d], 1e-3 * std::abs(first[d])) << d;
+}
+
 TEST(PoreForceOfPoints, HaveTheSameSumOnDrainedSoil)
 {
   Simulation s = simulate_on(distorted(5), block_in_water("standard_mpm", Drainage::drained));

@@ -225,6 +225,25 @@ TEST(Stages, MayCountDisplacementAnew)
   }
 }
 
+// Of a run that goes on from another one the strengths are those of its own case, fields too.
+TEST(Stages, BeginWithTheEndOfAnotherRunAndFieldsOfTheirOwn)
+{
+  constexpr std::size_t su_peak = 2;
+  Case c = column("mpm_gp");
+  c.time.end = 0.1;
+  c.materials[0].fields = {{su_peak, [](Vec<2> x) { return 15e3 + 1e3 * x[1]; }}};
+  Simulation first(c);
+  first.run();
+  c.materials[0].fields = {{su_peak, [](Vec<2> x) { return 9e3 + 1e3 * x[1]; }}};
+  Model model = build_model(c, 1);
+  State state = restore(model, first.save());
+  begin_from(model, "", state);
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
+    EXPECT_EQ(*model.materials[0].view(block, lane).parameters(0), 9e3 + 1e3 * state.x_initial[2 * id + 1]);
+  });
+}
+
 // A strength that varies with the place belongs to the place of the seed, not to where the point has come to.
 TEST(Stages, KeepTheFieldsOfTheFirstPlacesWhenDisplacementIsCountedAnew)
 {
