@@ -4,6 +4,7 @@
 #include "simulation/setup_mesh.hpp"
 #include "simulation/state_image.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <limits>
 
@@ -37,12 +38,13 @@ void check_may_be_judged(const Case& c)
 
 Real StabilityResult::factor() const
 {
-  return search.found() ? 0.5 * (*search.stable + *search.highest()) : std::numeric_limits<Real>::quiet_NaN();
+  return search.found() ? 0.5 * (*search.stable + *search.not_stable) : std::numeric_limits<Real>::quiet_NaN();
 }
 
 Real StabilityResult::uncertainty() const
 {
-  return search.found() ? 0.5 * (*search.highest() - *search.stable) : std::numeric_limits<Real>::quiet_NaN();
+  return search.found() ? std::max(factor() - *search.stable, *search.highest() - factor())
+                        : std::numeric_limits<Real>::quiet_NaN();
 }
 
 StabilityResult find_factor_of_safety(
