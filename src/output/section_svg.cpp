@@ -418,7 +418,7 @@ class SectionDrawing {
     const WaterSituation& water = first_water(model_.description.water);
     if (!water.phreatic_line.empty())
       entry("<path d=\"M0 0H24\" stroke=\"#1f5fa8\" stroke-width=\"2\" stroke-dasharray=\"8 4\"/>",
-          "phreatic line at the start");
+          overlay_.line.empty() ? "phreatic line at the start" : "phreatic line");
     if (!water.reference_lines.empty())
       entry("<path d=\"M0 0H24\" stroke=\"#1f5fa8\" stroke-width=\"1.2\" stroke-dasharray=\"2 4\"/>", "reference line");
     if (!overlay_.line.empty())
