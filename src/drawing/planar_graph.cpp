@@ -1,0 +1,369 @@
+// Edges are cut in rounds until none is near a place or crosses another. Places never move, so their distance stays at
+// least the snap distance; each round bends edges by at most that.
+
+#include "drawing/planar_graph.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+#include <unordered_map>
+
+namespace terp {
+namespace {
+
+constexpr int most_rounds = 60;
+
+Real cross(Vec<2> a, Vec<2> b, Vec<2> c) { return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]); }
+Real distance(Vec<2> a, Vec<2> b) { return std::hypot(b[0] - a[0], b[1] - a[1]); }
+
+/// Places in square buckets as wide as the snap distance.
+class PlaceTable {
+ public:
+  PlaceTable(std::vector<Vec<2>>& places, Real snap) : places_(places), snap_(snap) {}
+
+  /// The place nearest to x within the snap distance, or x itself as a new place.
+  Index at(Vec<2> x)
+  {
+    const auto [i, j] = bucket(x);
+    Index nearest = -1;
+    for (std::int64_t di = -1; di <= 1; ++di)
+      for (std::int64_t dj = -1; dj <= 1; ++dj)
+        if (const auto found = buckets_.find(key(i + di, j + dj)); found != buckets_.end())
+          for (const Index k : found->second)
+            if (distance(places_[k], x) <= snap_ &&
+                (nearest < 0 || distance(places_[k], x) < distance(places_[nearest], x)))
+              nearest = k;
+    if (nearest >= 0) return nearest;
+    places_.push_back(x);
+    buckets_[key(i, j)].push_back(static_cast<Index>(places_.size()) - 1);
+    return static_cast<Index>(places_.size()) - 1;
+  }
+
+ private:
+  std::array<std::int64_t, 2> bucket(Vec<2> x) const
+  {
+    return {static_cast<std::int64_t>(std::floor(x[0] / snap_)), static_cast<std::int64_t>(std::floor(x[1] / snap_))};
+  }
+  static std::uint64_t key(std::int64_t i, std::int64_t j)
+  {
+    return static_cast<std::uint64_t>(i) * 0x9e3779b97f4a7c15u ^ static_cast<std::uint64_t>(j);
+  }
+
+  std::vector<Vec<2>>& places_;
+  Real snap_;
+  std::unordered_map<std::uint64_t, std::vector<Index>> buckets_;
+};
+
+using Ends = std::pair<Index, Index>;
+
+/// Edges by their ends, the lower number first; an outline that passes twice cancels.
+class EdgeTable {
+ public:
+  void add(Index a, Index b, const std::vector<int>& owners, bool cancels)
+  {
+    if (a == b) return;
+    auto& known = edges_[std::minmax(a, b)];
+    for (const int owner : owners) {
+      const auto at = std::ranges::lower_bound(known, owner);
+      const bool is_there = at != known.end() && *at == owner;
+      if (is_there && cancels) known.erase(at);
+      if (!is_there) known.insert(at, owner);
+    }
+  }
+  std::map<Ends, std::vector<int>>& all() { return edges_; }
+
+ private:
+  std::map<Ends, std::vector<int>> edges_;
+};
+
+struct Box {
+  Vec<2> low, high;
+};
+
+Box box_of(Vec<2> a, Vec<2> b, Real margin)
+{
+  return {{std::min(a[0], b[0]) - margin, std::min(a[1], b[1]) - margin},
+      {std::max(a[0], b[0]) + margin, std::max(a[1], b[1]) + margin}};
+}
+
+bool meet(const Box& a, const Box& b)
+{
+  return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] && b.low[1] <= a.high[1];
+}
+
+class Joiner {
+ public:
+  Joiner(const std::vector<DrawnLine>& lines, Real snap) : snap_(snap), table_(graph_.places, snap)
+  {
+    for (const DrawnLine& line : lines) {
+      std::vector<Index> at;
+      for (const Vec<2>& x : line.places) at.push_back(known_place(x));
+      const std::size_t n = at.size() - (line.closed ? 0 : 1);
+      EdgeTable& edges = line.closed ? outlines_ : open_;
+      for (std::size_t k = 0; k < n && !at.empty(); ++k)
+        edges.add(at[k], at[(k + 1) % at.size()], {line.owner}, line.closed);
+    }
+  }
+
+  PlanarGraph join()
+  {
+    for (int round = 0; cut_round(); ++round)
+      if (round == most_rounds) throw std::logic_error("lines of a drawing could not be joined");
+    for (const auto& [ends, owners] : open_.all()) outlines_.add(ends.first, ends.second, owners, false);
+    for (auto& [ends, owners] : outlines_.all())
+      if (!owners.empty()) graph_.edges.push_back({ends.first, ends.second, std::move(owners)});
+    drop_loose_ends();
+    return std::move(graph_);
+  }
+
+ private:
+  Index known_place(Vec<2> x)
+  {
+    const std::size_t before = graph_.places.size();
+    const Index at = table_.at(x);
+    const Real moved = distance(graph_.places[at], x);
+    if (graph_.places.size() == before && moved > 0.0) ++graph_.counts.merged;
+    graph_.counts.largest = std::max(graph_.counts.largest, moved);
+    return at;
+  }
+
+  /// True if an edge was cut.
+  bool cut_round()
+  {
+    std::vector<Ends> all;
+    for (EdgeTable* table : {&outlines_, &open_})
+      for (const auto& [ends, owners] : table->all()) all.push_back(ends);
+    std::ranges::sort(all);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    cuts_.clear();
+    collect_places_near(all);
+    if (cuts_.empty()) collect_crossings(all);
+    for (auto& [ends, places] : cuts_) {
+      const Vec<2> a = graph_.places[ends.first];
+      std::ranges::sort(places, {}, [&](Index k) { return distance(a, graph_.places[k]); });
+      places.erase(std::unique(places.begin(), places.end()), places.end());
+    }
+    if (!cuts_.empty()) {
+      outlines_ = cut_edges(outlines_, true);
+      open_ = cut_edges(open_, false);
+    }
+    return !cuts_.empty();
+  }
+
+  EdgeTable cut_edges(EdgeTable& table, bool cancels) const
+  {
+    EdgeTable parts;
+    for (const auto& [ends, owners] : table.all()) {
+      Index from = ends.first;
+      if (const auto cut = cuts_.find(ends); cut != cuts_.end())
+        for (const Index k : cut->second) {
+          parts.add(from, k, owners, cancels);
+          from = k;
+        }
+      parts.add(from, ends.second, owners, cancels);
+    }
+    return parts;
+  }
+
+  void collect_places_near(const std::vector<Ends>& all)
+  {
+    std::vector<Index> by_x(graph_.places.size());
+    std::iota(by_x.begin(), by_x.end(), Index{0});
+    const auto x_of = [&](Index k) { return graph_.places[k][0]; };
+    std::ranges::sort(by_x, {}, x_of);
+    for (const auto& [i, j] : all) {
+      const Vec<2> a = graph_.places[i], b = graph_.places[j];
+      const Box box = box_of(a, b, snap_);
+      for (auto k = std::ranges::lower_bound(by_x, box.low[0], {}, x_of); k != by_x.end() && x_of(*k) <= box.high[0];
+           ++k) {
+        const Vec<2> x = graph_.places[*k];
+        if (*k == i || *k == j || x[1] < box.low[1] || x[1] > box.high[1]) continue;
+        const Real along = (x[0] - a[0]) * (b[0] - a[0]) + (x[1] - a[1]) * (b[1] - a[1]);
+        const Real length = distance(a, b), off = std::abs(cross(a, b, x)) / length;
+        if (along <= 0.0 || along >= length * length || off > snap_) continue;
+        cuts_[{i, j}].push_back(*k);
+        ++graph_.counts.joined;
+        graph_.counts.largest = std::max(graph_.counts.largest, off);
+      }
+    }
+  }
+
+  void collect_crossings(std::vector<Ends> all)
+  {
+    const auto left = [&](const Ends& e) { return std::min(graph_.places[e.first][0], graph_.places[e.second][0]); };
+    std::ranges::sort(all, {}, left);
+    std::vector<Box> boxes;
+    for (const auto& [i, j] : all) boxes.push_back(box_of(graph_.places[i], graph_.places[j], 0.0));
+    for (std::size_t k = 0; k < all.size(); ++k)
+      for (std::size_t other = k + 1; other < all.size() && boxes[other].low[0] <= boxes[k].high[0]; ++other) {
+        Vec<2> x;
+        if (!meet(boxes[k], boxes[other])) continue;
+        if (!lines_cross(graph_.places[all[k].first], graph_.places[all[k].second], graph_.places[all[other].first],
+                graph_.places[all[other].second], x))
+          continue;
+        const Index at = table_.at(x);
+        ++graph_.counts.crossings;
+        for (const Ends& ends : {all[k], all[other]})
+          if (at != ends.first && at != ends.second) cuts_[ends].push_back(at);
+      }
+  }
+
+  void drop_loose_ends()
+  {
+    std::vector<int> uses(graph_.places.size(), 0);
+    for (const GraphEdge& e : graph_.edges) ++uses[e.a], ++uses[e.b];
+    const auto is_loose = [&](const GraphEdge& e) { return uses[e.a] == 1 || uses[e.b] == 1; };
+    for (bool found = true; found;) {
+      found = false;
+      for (const GraphEdge& e : graph_.edges)
+        if (is_loose(e) && ++graph_.counts.loose_ends == 1)
+          graph_.counts.loose_at = graph_.places[uses[e.a] == 1 ? e.a : e.b];
+      std::vector<GraphEdge> kept;
+      std::vector<int> left(graph_.places.size(), 0);
+      for (GraphEdge& e : graph_.edges) {
+        if (is_loose(e)) {
+          found = true;
+          continue;
+        }
+        ++left[e.a], ++left[e.b];
+        kept.push_back(std::move(e));
+      }
+      graph_.edges = std::move(kept);
+      uses = std::move(left);
+    }
+  }
+
+  Real snap_;
+  PlanarGraph graph_;
+  PlaceTable table_;
+  EdgeTable outlines_, open_;
+  std::map<Ends, std::vector<Index>> cuts_;
+};
+
+/// Both directions of edge k are 2k and 2k + 1: from a to b, from b to a.
+class FaceWalk {
+ public:
+  explicit FaceWalk(const PlanarGraph& graph) : graph_(graph), leaving_(graph.places.size())
+  {
+    const Index n = 2 * static_cast<Index>(graph.edges.size());
+    for (Index half = 0; half < n; ++half) leaving_[from(half)].push_back(half);
+    for (auto& halves : leaving_)
+      std::ranges::sort(halves, {}, [&](Index half) {
+        const Vec<2> a = graph_.places[from(half)], b = graph_.places[from(half ^ 1)];
+        return std::atan2(b[1] - a[1], b[0] - a[0]);
+      });
+    ring_of_.assign(n, -1);
+    for (Index start = 0; start < n; ++start)
+      if (ring_of_[start] < 0) walk(start);
+    number_parts();
+  }
+
+  PlanarFaces faces()
+  {
+    PlanarFaces found;
+    found.rings.emplace_back();
+    std::vector<Index> face_of_ring(rings_.size(), 0);
+    std::vector<Polygon> corners;
+    std::vector<Real> areas;
+    for (const FaceRing& ring : rings_) {
+      corners.push_back(corners_of(graph_, ring));
+      areas.push_back(signed_area(corners.back()));
+    }
+    for (std::size_t k = 0; k < rings_.size(); ++k)
+      if (areas[k] > 0.0) {
+        face_of_ring[k] = static_cast<Index>(found.rings.size());
+        found.rings.push_back({rings_[k]});
+      }
+    for (std::size_t hole = 0; hole < rings_.size(); ++hole) {
+      if (areas[hole] > 0.0) continue;
+      std::size_t around = rings_.size();
+      for (std::size_t k = 0; k < rings_.size(); ++k)
+        if (areas[k] > 0.0 && part_of(k) != part_of(hole) && (around == rings_.size() || areas[k] < areas[around]) &&
+            contains(corners[k], corners[hole][0]))
+          around = k;
+      if (around < rings_.size()) face_of_ring[hole] = face_of_ring[around];
+      found.rings[face_of_ring[hole]].push_back(rings_[hole]);
+    }
+    for (std::size_t k = 0; k < graph_.edges.size(); ++k) {
+      found.left.push_back(face_of_ring[ring_of_[2 * k]]);
+      found.right.push_back(face_of_ring[ring_of_[2 * k + 1]]);
+    }
+    return found;
+  }
+
+ private:
+  Index from(Index half) const { return half % 2 == 0 ? graph_.edges[half / 2].a : graph_.edges[half / 2].b; }
+
+  /// The sharpest turn to the left: the one before the way back, counter-clockwise.
+  Index next(Index half) const
+  {
+    const auto& halves = leaving_[from(half ^ 1)];
+    const auto back = std::ranges::find(halves, half ^ 1) - halves.begin();
+    return halves[(back + static_cast<Index>(halves.size()) - 1) % halves.size()];
+  }
+
+  void walk(Index start)
+  {
+    FaceRing ring;
+    for (Index half = start; ring_of_[half] < 0; half = next(half)) {
+      ring_of_[half] = static_cast<Index>(rings_.size());
+      ring.places.push_back(from(half));
+      ring.edges.push_back(half / 2);
+    }
+    rings_.push_back(std::move(ring));
+  }
+
+  void number_parts()
+  {
+    part_.resize(graph_.places.size());
+    std::iota(part_.begin(), part_.end(), Index{0});
+    for (const GraphEdge& e : graph_.edges) part_[root(e.a)] = root(e.b);
+  }
+  Index root(Index k)
+  {
+    while (part_[k] != k) k = part_[k] = part_[part_[k]];
+    return k;
+  }
+  Index part_of(std::size_t ring) { return root(rings_[ring].places[0]); }
+
+  const PlanarGraph& graph_;
+  std::vector<std::vector<Index>> leaving_;  ///< directions that leave a place, counter-clockwise
+  std::vector<Index> ring_of_;
+  std::vector<FaceRing> rings_;
+  std::vector<Index> part_;
+};
+
+}  // namespace
+
+bool lines_cross(Vec<2> a, Vec<2> b, Vec<2> c, Vec<2> d, Vec<2>& x)
+{
+  const Real at_a = cross(c, d, a), at_b = cross(c, d, b), at_c = cross(a, b, c), at_d = cross(a, b, d);
+  if (!(at_a * at_b < 0.0 && at_c * at_d < 0.0)) return false;
+  const Real t = at_a / (at_a - at_b);
+  x = {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
+  return true;
+}
+
+PlanarGraph join_lines(const std::vector<DrawnLine>& lines, Real snap) { return Joiner(lines, snap).join(); }
+
+PlanarFaces find_faces(const PlanarGraph& graph) { return FaceWalk(graph).faces(); }
+
+Polygon corners_of(const PlanarGraph& graph, const FaceRing& ring)
+{
+  Polygon corners;
+  for (const Index k : ring.places) corners.push_back(graph.places[k]);
+  return corners;
+}
+
+Real area_of_face(const PlanarGraph& graph, const std::vector<FaceRing>& rings)
+{
+  Real sum = 0.0;
+  for (const FaceRing& ring : rings) sum += signed_area(corners_of(graph, ring));
+  return sum;
+}
+
+}  // namespace terp

@@ -1,0 +1,70 @@
+// Lines of a drawing as a planar graph: places, edges that meet only at places, and the faces between them.
+// Not for: which soil a face belongs to (clean_regions.hpp); cutting the domain of a mesh (meshing/planar_map.hpp),
+// whose polygon must never move.
+#pragma once
+
+#include "points/polygon.hpp"
+
+#include <string>
+#include <vector>
+
+namespace terp {
+
+/// A line of a drawing, with the number of what it belongs to.
+struct DrawnLine {
+  std::vector<Vec<2>> places;  ///< [m]
+  bool closed;                 ///< an outline: an owner that passes an edge twice cancels
+  int owner;
+};
+
+/// From place a to place b, both numbers of PlanarGraph::places.
+struct GraphEdge {
+  Index a, b;
+  std::vector<int> owners;  ///< ascending, each once
+};
+
+/// What joining the lines took.
+struct SnapCounts {
+  Index merged = 0;           ///< places that became another one
+  Index joined = 0;           ///< edges that were bent to a place beside them: T-junctions
+  Index crossings = 0;        ///< places added where edges cross
+  Index loose_ends = 0;       ///< edges that bound no face, left out
+  Real largest = 0.0;         ///< distance over which a place or an edge moved, at most [m]
+  Vec<2> loose_at{0.0, 0.0};  ///< a place of the first loose end [m]
+};
+
+struct PlanarGraph {
+  std::vector<Vec<2>> places;  ///< [m]; at least the snap distance apart
+  std::vector<GraphEdge> edges;
+  SnapCounts counts;
+};
+
+/// Merges places closer than `snap` [m], bends edges to places closer than that, and cuts edges where they cross. No
+/// place moves: later ones become earlier ones. Edges without owners and loose ends are left out.
+PlanarGraph join_lines(const std::vector<DrawnLine>& lines, Real snap);
+
+/// A closed walk with one face to its left.
+struct FaceRing {
+  std::vector<Index> places;  ///< in order
+  std::vector<Index> edges;   ///< edge k goes from places[k] to the next
+};
+
+/// Faces of a graph. Face 0 is everything outside; its rings run clockwise. The first ring of any other face is its
+/// outline, counter-clockwise; the others are its holes, clockwise.
+struct PlanarFaces {
+  std::vector<std::vector<FaceRing>> rings;  ///< by face
+  std::vector<Index> left, right;            ///< face on each side of each edge, looking from a to b
+};
+
+PlanarFaces find_faces(const PlanarGraph& graph);
+
+/// Corners of a ring [m].
+Polygon corners_of(const PlanarGraph& graph, const FaceRing& ring);
+
+/// Area of a face [m^2]; of face 0 it is less than zero.
+Real area_of_face(const PlanarGraph& graph, const std::vector<FaceRing>& rings);
+
+/// Where the lines a-b and c-d cross, both in their interiors.
+bool lines_cross(Vec<2> a, Vec<2> b, Vec<2> c, Vec<2> d, Vec<2>& x);
+
+}  // namespace terp
