@@ -275,6 +275,16 @@ void declare_viewers(CLI::App& app, CommandLine& line)
   add_output(exported, line.exported.folder, "folder (default: RUN/csv)");
 }
 
+void declare_import(CLI::App& app, ImportCommand& command)
+{
+  CLI::App* import = add_command(app, "import", "Understand",
+      "what a D-Stability file (.stix) holds\nScenarios, stages, calculations with their stored results, soils, and "
+      "what is left\nout (docs/dstability.md).",
+      "  terp import section.stix\n");
+  import->add_option("FILE.stix", command.path, "of D-Stability 2020 to 2026")->option_text(" ")->required();
+  import->add_flag("--json", command.json, "the same for a program");
+}
+
 void declare_verify(CLI::App& app, VerifyOptions& options)
 {
   CLI::App* verify = add_command(app, "verify", "Understand",
@@ -375,6 +385,7 @@ void declare(CLI::App& app, CommandLine& line)
   declare_viewers(app, line);
   declare_guides(app, line);
   declare_verify(app, line.verify);
+  declare_import(app, line.imported);
 }
 
 std::string help_on(const CLI::App& app, const std::string& command)

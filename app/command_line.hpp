@@ -21,6 +21,7 @@ struct CommandLine {
   ReportCommand report;
   ExportCommand exported;
   WatchCommand watch;
+  ImportCommand imported;
 };
 
 /// Declares all commands; what is parsed goes to `line`, which must outlive the app.

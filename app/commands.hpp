@@ -61,6 +61,12 @@ struct ExportCommand {
   std::vector<std::string> fields;
 };
 
+struct ImportCommand {
+  std::string path;    ///< of the .stix file
+  std::string slices;  ///< CSV file of computed and stored values; empty: none
+  bool json = false;
+};
+
 struct WatchCommand {
   std::string run;
   double every = 2.0;  ///< [s]
@@ -85,5 +91,6 @@ int report_runs(const ReportCommand& command);
 int compare_folders(const ReportCommand& command);
 int export_run(const ExportCommand& command);
 int watch_run(const WatchCommand& command);
+int import_stix(const ImportCommand& command);
 
 }  // namespace terp

@@ -1,0 +1,199 @@
+#include "dstability/json_cursor.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace terp {
+namespace {
+
+constexpr std::size_t most_faults = 10;
+constexpr Real farthest = 1e7;          // [m]; coordinates of national grids are below 1e6 m
+constexpr std::size_t most_shown = 40;  // bytes of a text in a message
+
+const JsonNode nothing{.kind = JsonKind::object};
+
+/// What stands there, as a message shows it.
+std::string shown(const JsonNode& node)
+{
+  if (node.kind == JsonKind::number) return fmt::format("the number {}", node.number);
+  if (node.kind == JsonKind::text)
+    return fmt::format(
+        "the text \"{}{}\"", node.text.substr(0, most_shown), node.text.size() > most_shown ? "..." : "");
+  return words_of(node.kind);
+}
+
+bool is_empty_number(const std::string& text) { return text == "NaN" || text == "-" || text.empty(); }
+
+/// The place without the numbers of members and list entries: "scenarios/scenario.json, Stages[].Label".
+std::string without_numbers(const std::string& where)
+{
+  std::string text;
+  for (std::size_t k = 0; k < where.size(); ++k) {
+    if (where[k] == '[' || (where[k] == '_' && where.find(".json", k) != std::string::npos)) {
+      std::size_t end = k + 1;
+      while (end < where.size() && std::isdigit(static_cast<unsigned char>(where[end])) != 0) ++end;
+      if (where[k] == '[') text += '[';
+      k = end - 1;
+      continue;
+    }
+    text += where[k];
+  }
+  return text;
+}
+
+}  // namespace
+
+void StixNotes::fault(const std::string& where, const std::string& what, const std::string& detail)
+{
+  faults_.push_back({.key = path_ + ", " + where, .what = what, .detail = detail, .topic = ""});
+  if (faults_.size() >= most_faults) throw InputError(faults_);
+}
+
+void StixNotes::unknown_key(const std::string& where, const std::string& key)
+{
+  ++unknown_[fmt::format("{}{}{}", without_numbers(where), where.find(", ") == std::string::npos ? ", " : ".", key)];
+}
+
+std::vector<StixRemark> StixNotes::finish()
+{
+  if (!faults_.empty()) throw InputError(faults_);
+  for (const auto& [where, n] : unknown_)
+    remarks_.push_back({where, fmt::format("This key is not known to Terp and was not used{}.",
+                                   n == 1 ? std::string() : fmt::format(" ({} times)", n))});
+  return std::move(remarks_);
+}
+
+bool JsonCursor::has(std::string_view key) const
+{
+  const JsonNode* const value = node_->find(key);
+  return value != nullptr && value->kind != JsonKind::null;
+}
+
+const JsonNode* JsonCursor::find(const char* key)
+{
+  asked_.insert(key);
+  return node_->find(key);
+}
+
+const JsonNode* JsonCursor::find(const char* key, JsonKind kind, const char* wanted)
+{
+  const JsonNode* const value = find(key);
+  if (value == nullptr || value->kind == JsonKind::null) return nullptr;
+  if (value->kind == kind) return value;
+  fault(
+      key, fmt::format("is not {}", wanted), fmt::format("Got {}. Correct the file, or save it anew.", shown(*value)));
+  return nullptr;
+}
+
+Real JsonCursor::number(const char* key)
+{
+  const JsonNode* const value = find(key);
+  if (value == nullptr || value->kind == JsonKind::null) return not_given;
+  if (value->kind == JsonKind::number) return value->number;
+  if (value->kind != JsonKind::text || !is_empty_number(value->text))
+    fault(key, "is no number", fmt::format("Got {}. An empty number is \"NaN\" or null.", shown(*value)));
+  return not_given;
+}
+
+Real JsonCursor::required(const char* key, Real unit)
+{
+  const JsonNode* const value = find(key);
+  if (value != nullptr && value->kind == JsonKind::number) return unit * value->number;
+  fault(key, "needs a number", fmt::format("Got {}.", value == nullptr ? "nothing" : shown(*value)));
+  return 0.0;
+}
+
+bool JsonCursor::flag(const char* key)
+{
+  const JsonNode* const value = find(key, JsonKind::boolean, "true or false");
+  return value != nullptr && value->number != 0.0;
+}
+
+std::string JsonCursor::text(const char* key)
+{
+  const JsonNode* const value = find(key, JsonKind::text, "a text");
+  return value == nullptr ? std::string() : value->text;
+}
+
+std::string JsonCursor::id(const char* key)
+{
+  const JsonNode* const value = find(key, JsonKind::text, "a text");
+  if (value != nullptr && !value->text.empty()) return value->text;
+  if (!has(key) || value != nullptr) fault(key, "needs an id", "Got nothing. Ids link the parts of the file.");
+  return {};
+}
+
+JsonCursor JsonCursor::object(const char* key)
+{
+  const JsonNode* const value = find(key, JsonKind::object, "an object");
+  const std::string dot = where_.find(", ") == std::string::npos ? ", " : ".";
+  return {value == nullptr ? nothing : *value, where_ + dot + key, *notes_};
+}
+
+std::vector<JsonCursor> JsonCursor::list(const char* key)
+{
+  std::vector<JsonCursor> entries;
+  const JsonNode* const value = find(key, JsonKind::list, "a list");
+  if (value == nullptr) return entries;
+  const std::string dot = where_.find(", ") == std::string::npos ? ", " : ".";
+  entries.reserve(value->members.size());
+  for (const auto& [none, entry] : value->members) {
+    const std::string where = fmt::format("{}{}{}[{}]", where_, dot, key, entries.size());
+    if (entry.kind != JsonKind::object)
+      notes_->fault(where, "is not an object", fmt::format("Got {}.", shown(entry)));
+    else
+      entries.emplace_back(entry, where, *notes_);
+  }
+  return entries;
+}
+
+std::vector<std::string> JsonCursor::texts(const char* key)
+{
+  std::vector<std::string> values;
+  const JsonNode* const value = find(key, JsonKind::list, "a list");
+  if (value == nullptr) return values;
+  for (const auto& [none, entry] : value->members) {
+    if (entry.kind != JsonKind::text) fault(key, "is no list of texts", fmt::format("Got {} in it.", shown(entry)));
+    values.push_back(entry.text);
+  }
+  return values;
+}
+
+Vec<2> JsonCursor::as_place()
+{
+  const Vec<2> place{required("X"), required("Z")};
+  for (std::size_t k = 0; k < 2; ++k)
+    if (std::abs(place[k]) > farthest)
+      fault(k == 0 ? "X" : "Z", "is out of range",
+          fmt::format("Got {} m, at most {:g} m either way.", place[k], farthest));
+  return place;
+}
+
+Vec<2> JsonCursor::place(const char* key)
+{
+  if (!has(key)) fault(key, "needs a place", "Got nothing; an object with X and Z in m.");
+  return has(key) ? object(key).as_place() : Vec<2>{};
+}
+
+StixLine JsonCursor::line(const char* key, std::size_t least)
+{
+  StixLine places;
+  for (JsonCursor& entry : list(key)) places.push_back(entry.as_place());
+  if (places.size() < least)
+    fault(key, "has too few places", fmt::format("Got {}, at least {}.", places.size(), least));
+  return places;
+}
+
+void JsonCursor::tell_unknown() const
+{
+  for (const auto& [key, value] : node_->members)
+    if (!asked_.contains(key)) notes_->unknown_key(where_, key);
+}
+
+void JsonCursor::fault(const char* key, const std::string& what, const std::string& detail) const
+{
+  notes_->fault(where_ + (where_.find(", ") == std::string::npos ? ", " : ".") + key, what, detail);
+}
+
+}  // namespace terp

@@ -1,0 +1,82 @@
+// Settings of calculations, and stored results with their slices.
+
+#include "dstability/stix_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace terp {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, StixCalculationKind>, 4> kinds{
+    {{"Deterministic", StixCalculationKind::deterministic}, {"Design", StixCalculationKind::design},
+        {"Mean", StixCalculationKind::mean}, {"Probabilistic", StixCalculationKind::probabilistic}}};
+
+/// s_u: up to version 2024.01 SuOutput; from then on that is s_u over the factor of safety, and SuInput has s_u.
+Real su_of(JsonCursor& slice)
+{
+  const bool has_input = slice.has("SuInput");
+  const Real input = slice.number("SuInput"), output = slice.number("SuOutput");
+  return pa_per_kpa * (has_input ? input : output);
+}
+
+StixSlice read_slice(JsonCursor& from)
+{
+  StixSlice slice{.bottom_left = from.place("BottomLeft"),
+      .bottom_right = from.place("BottomRight"),
+      .top_left = from.place("TopLeft"),
+      .top_right = from.place("TopRight")};
+  const auto stress = [&](const char* key) { return pa_per_kpa * from.number(key); };
+  slice.total_stress = stress("TotalStress");
+  slice.load_stress = stress("LoadStress");
+  slice.pore_pressure = stress("TotalPorePressure");
+  slice.uncapped_pressure = stress("PiezometricPorePressure");
+  slice.effective_stress = stress("EffectiveStress");
+  slice.normal_stress = stress("NormalStress");
+  slice.yield_stress = stress("YieldStress");
+  slice.pop = stress("Pop");
+  slice.su = su_of(from);
+  slice.cohesion = stress("CohesionInput");
+  slice.friction = from.number("PhiInput");
+  slice.dilatancy = from.number("DilatancyInput");
+  slice.shear_stress = stress(from.has("ShearStress") ? "ShearStress" : "OutputShearStress");
+  slice.model = from.text("ShearStrengthModelType");
+  return slice;
+}
+
+}  // namespace
+
+void read_settings(JsonCursor& file, StixParts& parts)
+{
+  StixCalculation settings{.method = file.text("AnalysisType"), .kind_word = file.text("CalculationType")};
+  const auto found = std::ranges::find(kinds, settings.kind_word, [](const auto& k) { return k.first; });
+  settings.kind = found == kinds.end() ? StixCalculationKind::unknown : found->second;
+  if (found == kinds.end())
+    file.remark(fmt::format("The CalculationType `{}` is not known to Terp.", settings.kind_word));
+  settings.model_factor = file.number("ModelFactorMean");
+  settings.model_factor_deviation = file.number("ModelFactorStandardDeviation");
+  const Real least = pa_per_kpa * file.number("MinimumEffectiveStress");
+  settings.least_effective_stress = std::isnan(least) ? 0.0 : least;
+  parts.settings.add(file.id("Id"), file, std::move(settings));
+  // Where D-Stability looked for slip planes has no meaning here: its keys are not asked for.
+}
+
+void read_result(JsonCursor& file, const std::string& name, StixParts& parts)
+{
+  StixResult result{.id = file.id("Id"), .name = name};
+  result.is_reliability = name.substr(0, name.find('/')).ends_with("reliability");
+  result.factor_of_safety = file.number("FactorOfSafety");
+  result.reliability_index = file.number("ReliabilityIndex");
+  result.failure_probability = file.number("FailureProbability");
+  if (file.has("Converged")) result.converged = file.flag("Converged");
+  if (file.has("Points")) result.slip_plane = file.line("Points", 0);
+  if (result.slip_plane.empty() && file.has("SlipPlane")) result.slip_plane = file.line("SlipPlane", 0);
+  for (JsonCursor& entry : file.list("Slices")) result.slices.push_back(read_slice(entry));
+  const std::string id = result.id;
+  parts.results.add(id, file, std::move(result));
+}
+
+}  // namespace terp

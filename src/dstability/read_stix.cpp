@@ -1,0 +1,340 @@
+#include "dstability/read_stix.hpp"
+
+#include "dstability/stix_parts.hpp"
+#include "output/files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace terp {
+namespace {
+
+/// A member that is still to be read, and what it is.
+struct Member {
+  std::string name;  ///< "geometries/geometry_3.json"
+  std::string kind;  ///< "geometries": its folder; of one without, its name without ending: "soils"
+  JsonNode content;
+};
+
+struct StixSource {
+  StixNotes notes;
+  std::vector<Member> members;
+  StixParts parts;
+  StixProject project;
+
+  JsonCursor cursor(const Member& member) { return {member.content, member.name, notes}; }
+};
+
+using ReadMember = void (*)(JsonCursor&, StixParts&);
+struct PartKind {
+  std::string_view kind;
+  ReadMember read;
+};
+
+constexpr std::array part_kinds{PartKind{"geometries", read_geometry}, PartKind{"soillayers", read_soil_layers},
+    PartKind{"waternets", read_waternet}, PartKind{"watermeshes", read_water_mesh},
+    PartKind{"waternetcreatorsettings", read_waternet_creator}, PartKind{"states", read_states},
+    PartKind{"statecorrelations", read_state_correlations}, PartKind{"loads", read_loads},
+    PartKind{"reinforcements", read_reinforcements}, PartKind{"decorations", read_decorations},
+    PartKind{"calculationsettings", read_settings}, PartKind{"soilvisualizations", read_colours}};
+
+/// Known, and without meaning here.
+constexpr std::array passed_over{std::string_view("nailpropertiesforsoils")};
+/// Read by name in `read_project`.
+constexpr std::array read_by_name{std::string_view("projectinfo"), std::string_view("soils"),
+    std::string_view("soilcorrelations"), std::string_view("scenarios"), std::string_view("stages"),
+    std::string_view("results")};
+
+std::string kind_of(const std::string& name)
+{
+  const std::size_t slash = name.find('/');
+  return slash != std::string::npos ? name.substr(0, slash) : name.substr(0, name.rfind(".json"));
+}
+
+bool is_read(const std::string& kind)
+{
+  return std::ranges::find(part_kinds, kind, &PartKind::kind) != part_kinds.end() ||
+         std::ranges::find(read_by_name, kind) != read_by_name.end();
+}
+
+void unpack(StixSource& source, ZipMembers& zip)
+{
+  for (std::size_t k = 0; k < zip.names().size(); ++k) {
+    const std::string& name = zip.names()[k];
+    const std::string kind = kind_of(name);
+    if (name == "checksum" || std::ranges::find(passed_over, kind) != passed_over.end()) continue;
+    if (!name.ends_with(".json") || !is_read(kind))
+      source.notes.remark(name, "This member is not known to Terp and was not read.");
+    else
+      source.members.push_back({name, kind,
+          read_json(zip.text(k), source.project.path + ", " + name,
+              {"SlipPlaneResults"})});  // all planes tried: most of the bytes
+  }
+}
+
+/// What has a version is of one that Terp knows, or is told.
+void check_versions(StixSource& source)
+{
+  for (const Member& member : source.members) {
+    JsonCursor file = source.cursor(member);
+    if (member.content.kind != JsonKind::object) {
+      source.notes.fault(member.name, "is no object", fmt::format("Got {}.", words_of(member.content.kind)));
+      continue;
+    }
+    const std::string version = file.has("ContentVersion") ? file.text("ContentVersion") : "";
+    if (!version.empty() && version != "1" && version != "2")
+      file.remark(fmt::format("ContentVersion is \"{}\"; Terp knows 1 and 2. It was read as 2.", version));
+    if (member.kind == "projectinfo") {
+      source.project.content_version = version;
+      source.project.application =
+          file.text(file.has("ApplicationModified") ? "ApplicationModified" : "ApplicationCreated");
+    }
+  }
+}
+
+void read_members(StixSource& source)
+{
+  for (const Member& member : source.members) {
+    JsonCursor file = source.cursor(member);
+    const auto part = std::ranges::find(part_kinds, member.kind, &PartKind::kind);
+    if (part != part_kinds.end()) part->read(file, source.parts);
+    if (member.kind == "soils") read_soils(file, source.project.soils);
+    if (member.kind == "results") {
+      const std::size_t start = std::string_view("results/").size();
+      read_result(
+          file, member.name.substr(start, member.name.size() - start - std::string_view(".json").size()), source.parts);
+    }
+    if (member.kind == "soilcorrelations")
+      for (JsonCursor& entry : file.list("SoilCorrelations"))
+        source.project.soil_correlations.push_back(entry.texts("CorrelatedSoilIds"));
+  }
+  for (StixSoil& soil : source.project.soils)
+    if (const auto found = source.parts.colours.find(soil.id); found != source.parts.colours.end())
+      soil.colour = found->second;
+}
+
+/// The part that an id names; null without an id. A name of nothing is a fault.
+template <class T>
+const T* part_of(JsonCursor& from, const char* key, const StixById<T>& things, bool is_needed = false)
+{
+  const std::string id = is_needed ? from.id(key) : from.text(key);
+  if (id.empty()) return nullptr;
+  const T* const thing = things.find(id);
+  if (thing == nullptr)
+    from.fault(key, "names what is not in the file",
+        fmt::format("Got the id {}. The file is not complete: save it anew in D-Stability.", id));
+  return thing;
+}
+
+void set_soils(
+    JsonCursor& from, const std::map<std::string, std::string>& soils, const StixProject& project, StixStage& stage)
+{
+  for (const auto& [layer, soil] : soils) {
+    const auto found = std::ranges::find(stage.layers, layer, &StixLayer::id);
+    if (found == stage.layers.end() || soil.empty()) continue;
+    const auto of_project = std::ranges::find(project.soils, soil, &StixSoil::id);
+    if (of_project == project.soils.end())
+      from.fault("SoilLayersId", "leads to a soil that is not in soils.json",
+          fmt::format("The layer `{}` has the soil with the id {}.", found->label, soil));
+    else
+      found->soil = static_cast<std::size_t>(of_project - project.soils.begin());
+  }
+}
+
+void set_water(JsonCursor& from, const StixParts& parts, StixStage& stage)
+{
+  const auto* const lines = part_of(from, "WaternetId", parts.waternets);
+  if (lines != nullptr) stage.water = *lines;
+  const std::string kind = from.text("WaterDefinitionType");
+  const auto* const mesh = part_of(from, "WaterMeshId", parts.water_meshes);
+  if (kind == "WaterMesh") {
+    if (mesh == nullptr || mesh->mesh.empty())
+      from.fault("WaterMeshId", "has no water mesh", "WaterDefinitionType is WaterMesh.");
+    else
+      stage.water = *mesh;
+  } else if (!kind.empty() && kind != "WaterLines")
+    from.fault(
+        "WaterDefinitionType", "is none that Terp knows", fmt::format("Got \"{}\"; WaterLines or WaterMesh.", kind));
+}
+
+StixStage read_stage(JsonCursor& from, const StixParts& parts, const StixProject& project)
+{
+  StixStage stage{.id = from.id("Id"), .label = from.text("Label"), .notes = from.text("Notes")};
+  if (const auto* layers = part_of(from, "GeometryId", parts.geometries, true)) stage.layers = *layers;
+  if (const auto* soils = part_of(from, "SoilLayersId", parts.soil_layers, true))
+    set_soils(from, *soils, project, stage);
+  set_water(from, parts, stage);
+  if (const auto* states = part_of(from, "StateId", parts.states)) {
+    stage.state_points = states->points;
+    stage.state_lines = states->lines;
+  }
+  if (const auto* decorations = part_of(from, "DecorationsId", parts.decorations)) {
+    stage.excavations = decorations->excavations;
+    stage.added_layers = decorations->added_layers;
+  }
+  if (const auto* loads = part_of(from, "LoadsId", parts.loads)) {
+    stage.loads = loads->uniform;
+    stage.layer_loads = loads->layers;
+    stage.line_loads = loads->line_loads;
+    stage.trees = loads->trees;
+    stage.has_earthquake = loads->has_earthquake;
+  }
+  if (const auto* all = part_of(from, "ReinforcementsId", parts.reinforcements)) {
+    stage.forbidden_lines = all->forbidden_lines;
+    stage.geotextiles = all->geotextiles;
+    stage.nails = all->nails;
+  }
+  if (const auto* at = part_of(from, "WaternetCreatorSettingsId", parts.embankments)) stage.embankment = *at;
+  part_of(from, "StateCorrelationsId", parts.state_correlations);
+  return stage;
+}
+
+/// Settings and result that a calculation names, or, of data model 1, a stage.
+StixCalculation read_calculation(JsonCursor& from, const StixParts& parts, std::size_t stage)
+{
+  StixCalculation calculation;
+  if (const auto* settings = part_of(from, "CalculationSettingsId", parts.settings)) calculation = *settings;
+  calculation.id = from.text("Id");
+  calculation.label = from.text("Label");
+  calculation.stage = stage;
+  if (const auto* result = part_of(from, "ResultId", parts.results)) calculation.result = *result;
+  return calculation;
+}
+
+StixScenario read_scenario(JsonCursor& file, const StixParts& parts, const StixProject& project)
+{
+  StixScenario scenario{.id = file.id("Id"), .label = file.text("Label"), .notes = file.text("Notes")};
+  for (JsonCursor& entry : file.list("Stages")) {
+    scenario.stages.push_back(read_stage(entry, parts, project));
+    entry.tell_unknown();
+  }
+  for (JsonCursor& entry : file.list("Calculations")) {
+    scenario.calculations.push_back(
+        read_calculation(entry, parts, scenario.stages.empty() ? 0 : scenario.stages.size() - 1));
+    entry.pass_over({"Notes"});
+    entry.tell_unknown();
+  }
+  if (scenario.stages.empty()) file.fault("Stages", "has no stage", "A scenario has one at least.");
+  file.pass_over({"ContentVersion"});
+  file.tell_unknown();
+  return scenario;
+}
+
+/// Data model 1: the stages of the file are one sequence, which stands in `members`.
+StixScenario read_stages(StixSource& source, const std::vector<const Member*>& members)
+{
+  StixScenario scenario;
+  for (const Member* const member : members) {
+    JsonCursor file = source.cursor(*member);
+    const std::size_t number = scenario.stages.size();
+    scenario.stages.push_back(read_stage(file, source.parts, source.project));
+    scenario.calculations.push_back(read_calculation(file, source.parts, number));
+    file.pass_over({"ContentVersion"});
+    file.tell_unknown();
+  }
+  return scenario;
+}
+
+/// Scenarios, or stages of data model 1, in the order of their ids. D-Stability numbers all that it writes anew. The
+/// names of members say less: other programs sort them as texts, _10 before _2, and write them in that order.
+std::vector<const Member*> members_of(StixSource& source, std::string_view kind)
+{
+  std::vector<const Member*> members;
+  for (const Member& member : source.members)
+    if (member.kind == kind) members.push_back(&member);
+  std::ranges::stable_sort(members, {}, [](const Member* member) {
+    const JsonNode* const id = member->content.find("Id");
+    const std::string digits = id == nullptr ? "" : id->text;
+    return std::pair(digits.size(), digits);  // whole numbers without leading zeros
+  });
+  return members;
+}
+
+void read_scenarios(StixSource& source)
+{
+  for (const Member* const member : members_of(source, "scenarios")) {
+    JsonCursor file = source.cursor(*member);
+    source.project.scenarios.push_back(read_scenario(file, source.parts, source.project));
+  }
+  const auto stages = members_of(source, "stages");
+  if (!stages.empty()) source.project.scenarios.push_back(read_stages(source, stages));
+  if (source.project.scenarios.empty())
+    source.notes.fault("scenarios/", "is missing, and so is stages/", "The file has no stage that could be read.");
+  const auto has_layers = [](const StixStage& stage) { return !stage.layers.empty(); };
+  if (std::ranges::none_of(
+          source.project.scenarios, [&](const StixScenario& s) { return std::ranges::any_of(s.stages, has_layers); }))
+    source.notes.fault("geometries/", "has no soil layer in any stage",
+        "There is nothing to read. Draw the section in D-Stability and save it.");
+}
+
+// ---- what is kept for the reader of the results, not for the run ----
+
+std::string list_of(const std::vector<StixDrawnLine>& lines)
+{
+  std::string text;
+  for (const StixDrawnLine& line : lines)
+    text += fmt::format("{}`{}` at x = {:.2f} m", text.empty() ? "" : ", ", line.label, line.start[0]);
+  return text;
+}
+
+void remark_on_stage(StixNotes& notes, const std::string& where, const StixStage& stage)
+{
+  const auto left_out = [&](const std::vector<StixDrawnLine>& lines, const char* what) {
+    if (!lines.empty()) notes.remark(where, fmt::format("{}: {}. {}", what, list_of(lines), "Left out."));
+  };
+  left_out(stage.forbidden_lines, "Forbidden lines, which no slip plane of D-Stability crosses, often sheet piles");
+  left_out(stage.geotextiles, "Geotextiles");
+  left_out(stage.nails, "Nails");
+  if (stage.line_loads > 0) notes.remark(where, fmt::format("Line loads: {}. Left out.", stage.line_loads));
+  if (stage.trees > 0) notes.remark(where, fmt::format("Trees: {}. Their wind load is left out.", stage.trees));
+  if (stage.has_earthquake) notes.remark(where, "An earthquake is switched on. Left out.");
+  for (const StixLayerLoad& load : stage.layer_loads)
+    if (std::ranges::any_of(load.consolidation, [](const auto& d) { return d.second < 100.0; }))
+      notes.remark(
+          where, fmt::format("The layer with the id {} is a load with less than 100 % consolidation. Its excess "
+                             "pore pressure is left out.",
+                     load.layer));
+  for (const StixLayer& layer : stage.layers)
+    if (!layer.soil)
+      notes.remark(where,
+          fmt::format("The layer `{}` (id {}) has no soil. This stage cannot be computed.", layer.label, layer.id));
+  if (stage.layers.empty()) notes.remark(where, "This stage has no soil layers and cannot be computed.");
+}
+
+void remark_on_stages(StixSource& source)
+{
+  for (std::size_t s = 0; s < source.project.scenarios.size(); ++s) {
+    const StixScenario& scenario = source.project.scenarios[s];
+    for (std::size_t k = 0; k < scenario.stages.size(); ++k)
+      remark_on_stage(source.notes, fmt::format("scenario {}, stage {}", s + 1, k + 1), scenario.stages[k]);
+  }
+}
+
+}  // namespace
+
+StixProject read_stix_bytes(std::string bytes, const std::string& path, ZipLimits limits)
+{
+  StixSource source{.notes = StixNotes(path), .members = {}, .parts = {}, .project = {}};
+  source.project.path = path;
+  ZipMembers zip(path, std::move(bytes), limits);
+  unpack(source, zip);
+  check_versions(source);
+  if (std::ranges::none_of(source.members, [](const Member& m) { return m.kind == "soils"; }))
+    source.notes.fault("soils.json", "is missing", "This is no file of D-Stability, or one of another program.");
+  read_members(source);
+  read_scenarios(source);
+  remark_on_stages(source);
+  source.project.remarks = source.notes.finish();
+  return std::move(source.project);
+}
+
+StixProject read_stix(const std::string& path)
+{
+  check_is_file(path);
+  return read_stix_bytes(read_file(path), path);
+}
+
+}  // namespace terp

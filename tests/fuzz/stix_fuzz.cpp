@@ -1,0 +1,54 @@
+// D-Stability files: any bytes give a project, or an InputError. Bytes that begin with `=` are the members of a file as
+// plain text, each below a line `=NAME`; they are packed first, so that the fuzzer need not find checksums.
+#include "base/errors.hpp"
+#include "dstability/listing.hpp"
+#include "dstability/read_stix.hpp"
+
+#include <list>
+#include <zip.h>
+
+namespace {
+
+std::string packed(const std::string& members)
+{
+  zip_error_t error;
+  zip_error_init(&error);
+  zip_source_t* const target = zip_source_buffer_create(nullptr, 0, 0, &error);
+  zip_source_keep(target);
+  zip_t* const zip = zip_open_from_source(target, ZIP_TRUNCATE, &error);
+  std::list<std::string> texts;  // must outlive zip_close
+  for (std::size_t at = 0; at < members.size();) {
+    const std::size_t line = std::min(members.find('\n', at), members.size());
+    const std::size_t next = std::min(members.find("\n=", line), members.size());
+    texts.push_back(members.substr(line, next - line));
+    const std::string name = members.substr(at + 1, line - at - 1);
+    zip_source_t* const text = zip_source_buffer(zip, texts.back().data(), texts.back().size(), 0);
+    if (zip_file_add(zip, name.c_str(), text, 0) < 0) zip_source_free(text);
+    at = next + 1;
+  }
+  std::string bytes;
+  zip_stat_t info;
+  if (zip_close(zip) != 0)
+    zip_discard(zip);
+  else if (zip_source_stat(target, &info) == 0 && zip_source_open(target) == 0) {
+    bytes.resize(info.size);
+    zip_source_read(target, bytes.data(), bytes.size());
+    zip_source_close(target);
+  }
+  zip_source_free(target);
+  return bytes;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
+{
+  std::string bytes(reinterpret_cast<const char*>(data), size);
+  if (bytes.starts_with('=')) bytes = packed(bytes);
+  const terp::ZipLimits limits{.members = 100, .member_bytes = 1 << 20, .total_bytes = 1 << 22, .ratio = 200};
+  try {
+    terp::listing_of(terp::read_stix_bytes(std::move(bytes), "f.stix", limits), [](auto, auto) { return ""; });
+  } catch (const terp::InputError&) {
+  }
+  return 0;
+}
