@@ -257,7 +257,7 @@ CleanSection clean_regions(const std::vector<DrawnRegion>& drawn, const std::vec
   Assignment assignment(drawn, graph, faces);
   const std::vector<int> region = assignment.assign(options.shortest_edge, section);
   const std::vector<Real> asked = assignment.areas_asked(region);
-  const ChainMap joined = find_chains(graph, faces, region, options.snap);
+  const ChainMap joined = find_chains(graph, faces, region, edge_reach * options.snap);
   const Real grid = grid_share * options.snap;
   for (const bool simpler : {true, false}) {
     ChainMap map = joined;

@@ -128,7 +128,7 @@ class DxfReader {
     std::string_view text = pair_.value;
     if (text.starts_with('+')) text.remove_prefix(1);
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !(std::abs(value) < 1e12))
+    if (error != std::errc() || end != text.data() + text.size() || !(std::abs(value) < 2e9))
       refuse("has a value that is no number", fmt::format("Line {}: group code {} needs a number, got `{}`.",
                                                   pair_.line, pair_.code, std::string(pair_.value.substr(0, 40))));
     return value;

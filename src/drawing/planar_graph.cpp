@@ -1,7 +1,10 @@
 // Edges are cut in rounds until none is near a place or crosses another. Places never move, so their distance stays at
-// least the snap distance; each round bends edges by at most that.
+// least the snap distance. An edge is bent to places that are nearer than 0.7 of it: then no end of the edge is near
+// its own parts, and cutting comes to an end.
 
 #include "drawing/planar_graph.hpp"
+
+#include "base/errors.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +12,6 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <stdexcept>
 #include <unordered_map>
 
 namespace terp {
@@ -112,7 +114,12 @@ class Joiner {
   PlanarGraph join()
   {
     for (int round = 0; cut_round(); ++round)
-      if (round == most_rounds) throw std::logic_error("lines of a drawing could not be joined");
+      if (round == most_rounds)
+        throw InputError({"", "the lines of the drawing lie too near to each other",
+            fmt::format("They could not be joined within {:g} m. Give a smaller distance, or check the unit of the "
+                        "drawing.",
+                snap_),
+            ""});
     for (const auto& [ends, owners] : open_.all()) outlines_.add(ends.first, ends.second, owners, false);
     for (auto& [ends, owners] : outlines_.all())
       if (!owners.empty()) graph_.edges.push_back({ends.first, ends.second, std::move(owners)});
@@ -184,7 +191,7 @@ class Joiner {
         if (*k == i || *k == j || x[1] < box.low[1] || x[1] > box.high[1]) continue;
         const Real along = (x[0] - a[0]) * (b[0] - a[0]) + (x[1] - a[1]) * (b[1] - a[1]);
         const Real length = distance(a, b), off = std::abs(cross(a, b, x)) / length;
-        if (along <= 0.0 || along >= length * length || off > snap_) continue;
+        if (along <= 0.0 || along >= length * length || off > edge_reach * snap_) continue;
         cuts_[{i, j}].push_back(*k);
         ++graph_.counts.joined;
         graph_.counts.largest = std::max(graph_.counts.largest, off);
@@ -205,11 +212,19 @@ class Joiner {
         if (!lines_cross(graph_.places[all[k].first], graph_.places[all[k].second], graph_.places[all[other].first],
                 graph_.places[all[other].second], x))
           continue;
-        const Index at = table_.at(x);
+        const Index at = crossing_place(all[k], all[other], x);
         ++graph_.counts.crossings;
         for (const Ends& ends : {all[k], all[other]})
           if (at != ends.first && at != ends.second) cuts_[ends].push_back(at);
       }
+  }
+
+  /// An end of either edge if one is near the crossing, else the place there.
+  Index crossing_place(const Ends& one, const Ends& two, Vec<2> x)
+  {
+    for (const Index end : {one.first, one.second, two.first, two.second})
+      if (distance(graph_.places[end], x) <= snap_) return end;
+    return table_.at(x);
   }
 
   void drop_loose_ends()

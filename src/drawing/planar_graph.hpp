@@ -10,6 +10,9 @@
 
 namespace terp {
 
+/// An edge takes up places beside it that are nearer than this share of the snap distance: 1/sqrt(2), rounded down.
+inline constexpr Real edge_reach = 0.7;
+
 /// A line of a drawing, with the number of what it belongs to.
 struct DrawnLine {
   std::vector<Vec<2>> places;  ///< [m]
@@ -39,8 +42,9 @@ struct PlanarGraph {
   SnapCounts counts;
 };
 
-/// Merges places closer than `snap` [m], bends edges to places closer than that, and cuts edges where they cross. No
-/// place moves: later ones become earlier ones. Edges without owners and loose ends are left out.
+/// Merges places closer than `snap` [m], bends edges to places closer than 0.7 of that, and cuts edges where they
+/// cross. No place moves: later ones become earlier ones. Edges without owners and loose ends are left out. Throws
+/// InputError if the lines are so many and so near to each other that this comes to no end.
 PlanarGraph join_lines(const std::vector<DrawnLine>& lines, Real snap);
 
 /// A closed walk with one face to its left.

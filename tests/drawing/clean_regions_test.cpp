@@ -244,10 +244,14 @@ TEST_P(UnpleasantSection, KeepsItsAreasAndHasOneRegionAtEachPlace)
   const Drawing drawing = unpleasant_section(GetParam());
   const CleaningOptions options;
   const auto section = clean_regions(drawing.regions, drawing.excavations, options);
+  Real faults = 0.0;  // slivers between corners that lie beside edges
+  for (const auto* all : {&section.gaps, &section.overlaps})
+    for (const DrawingFault& fault : *all) faults += fault.area;
+  EXPECT_LT(faults, 0.02);
   for (std::size_t k = 0; k < drawing.areas.size(); ++k) {
     EXPECT_NEAR(section.changes[k].area, section.changes[k].drawn_area, 1e-10 * section.changes[k].drawn_area) << k;
     if (drawing.areas[k] > 0.0) {
-      EXPECT_NEAR(section.changes[k].area, drawing.areas[k], 1e-9 * drawing.areas[k]) << k;
+      EXPECT_NEAR(section.changes[k].area, drawing.areas[k], 1e-9 * drawing.areas[k] + faults) << k;
     }
   }
   const Real moved =
@@ -265,7 +269,7 @@ TEST_P(UnpleasantSection, KeepsItsAreasAndHasOneRegionAtEachPlace)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, UnpleasantSection, testing::Range(0, 60));
+INSTANTIATE_TEST_SUITE_P(Seeds, UnpleasantSection, testing::Range(0, 100));
 
 TEST(CleanRegions, SimplifyALaserScanWithinTheTolerance)
 {
