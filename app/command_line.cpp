@@ -187,7 +187,7 @@ void declare_stability(CLI::App& app, CommandLine& line)
       ->check(number_between(1.0, 1e6));
   stability
       ->add_option("--cells", line.stability_cells,
-          "search on cells of these sizes [m], and extrapolate to\ncells of no size (docs/stability.md)")
+          "search on cells of these sizes [m], and extrapolate to\nthe limit of small cells (docs/stability.md)")
       ->option_text("A,B")
       ->delimiter(',')
       ->check(number_between(1e-6, 1e6));

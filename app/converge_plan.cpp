@@ -26,10 +26,7 @@ constexpr double trial_seconds = 0.5;
 
 std::vector<double> sizes_of(const ConvergeOptions& options)
 {
-  std::vector<double> cells = options.cells;
-  std::ranges::sort(cells, std::greater<>());
-  if (const auto twice = std::ranges::adjacent_find(cells); twice != cells.end())
-    throw CaseError(fmt::format("error: --cells: the size {:g} m is given twice\n  Give each size once.\n", *twice));
+  const std::vector<double> cells = descending_sizes(options.cells);
   if (cells.size() < 2)
     throw CaseError(
         "error: --cells: one size says nothing of the mesh\n"

@@ -111,8 +111,7 @@ int find_stability(const RunOptions& run, StabilityOptions options, const std::v
   warn_of_motion(given.values);
   options.threads = threads_of(run);
   listen_for_stop();
-  std::vector<double> todo = cells.empty() ? std::vector<double>{0.0} : cells;  // from the largest on
-  std::ranges::sort(todo, std::ranges::greater{});
+  const std::vector<double> todo = cells.empty() ? std::vector<double>{0.0} : descending_sizes(cells);
   std::vector<CaseFile> files;
   for (const double cell : todo) files.push_back(read_sized(run, given, cell));
   std::vector<SizedFactor> sizes;

@@ -171,7 +171,7 @@ try {
     bytes += point.material + '\n';
   }
   return digits_of(bytes);
-} catch (const PointsFileError& error) {
+} catch (const CsvError& error) {
   throw FileError(error.what());
 }
 

@@ -127,4 +127,12 @@ std::vector<std::string> changes_to_cell_size(const CaseFile& file, Real cell)
   }
 }
 
+std::vector<Real> descending_sizes(std::vector<Real> cells)
+{
+  std::ranges::sort(cells, std::ranges::greater{});
+  if (const auto twice = std::ranges::adjacent_find(cells); twice != cells.end())
+    throw CaseError(fmt::format("error: --cells: the size {:g} m is given twice\n  Give each size once.\n", *twice));
+  return cells;
+}
+
 }  // namespace terp

@@ -13,4 +13,7 @@ namespace terp {
 /// its grading, and `cell` is the root of the mean area of its cells. Throws CaseError where no such mesh can be made.
 std::vector<std::string> changes_to_cell_size(const CaseFile& file, Real cell);
 
+/// The sizes of --cells [m], the largest first. Throws CaseError if one is given twice: nothing follows from that.
+std::vector<Real> descending_sizes(std::vector<Real> cells);
+
 }  // namespace terp

@@ -18,8 +18,10 @@ Real parameter_of(const MaterialCase& material, const MaterialType& law, std::st
 {
   const auto at = std::ranges::find(law.parameters, name, &ParameterInfo::name);
   const auto k = static_cast<std::size_t>(at - law.parameters.begin());
-  return k < law.parameters.size() && k < material.parameters.size() ? material.parameters[k]
-                                                                     : std::numeric_limits<Real>::quiet_NaN();
+  const bool varies = std::ranges::find(material.fields, k, &ParameterField::parameter) != material.fields.end();
+  return k < law.parameters.size() && k < material.parameters.size() && !varies
+             ? material.parameters[k]
+             : std::numeric_limits<Real>::quiet_NaN();
 }
 
 /// Whether the file gives a key of a material, in its part or beside the parts.

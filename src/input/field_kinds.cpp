@@ -94,7 +94,7 @@ std::optional<FieldValue> read_csv(const Node& value, const FieldContext& contex
     ValueMap map = read_values_csv(file);
     context.needs.covers.push_back({value.text, map.low(), map.high()});
     return by_map(std::move(map));
-  } catch (const PointsFileError& error) {
+  } catch (const CsvError& error) {
     return refuse(context, path, "the table cannot be used", error.what());
   }
 }
@@ -265,7 +265,7 @@ void replace_files(Node& node, const std::string& folder)
 {
   if (node.name == "csv" && node.kind == NodeKind::text) try {
       node.text = digits_of(text_of_csv(path_of(folder, node.text), "the table of values"));
-    } catch (const PointsFileError&) {  // reported where it is read
+    } catch (const CsvError&) {  // reported where it is read
     }
   for (Node& item : node.items) replace_files(item, folder);
 }

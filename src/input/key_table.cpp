@@ -221,7 +221,7 @@ std::vector<KeyInfo> force_keys()
           .field = [](Case& c, std::size_t) { return &c.forces.gravity; },
           .unit = "m/s^2",
           .in_stage = true,
-          .meaning = "acceleration of gravity, acting fully from t = 0"},
+          .meaning = "acceleration of gravity, acts fully from t = 0; over the `ramp` of a stage that changes it"},
       {.path = "forces.damping.local",
           .field = [](Case& c, std::size_t) { return &c.forces.local_damping; },
           .range = {0.0, 1.0, false, true},

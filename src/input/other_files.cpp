@@ -44,6 +44,10 @@ std::vector<std::pair<std::string, Node*>> find_file_keys(Node& root)
       add(fmt::format("body[{}]", k), bodies->items[k], "points");
   for (const char* section : {"material", "water"})
     if (Node* table = find_item(root, section)) add_tables_of_values(section, *table, found);
+  if (Node* stages = find_item(root, "stage"))
+    for (std::size_t k = 0; stages->kind == NodeKind::list && k < stages->items.size(); ++k)
+      if (Node* set = find_item(stages->items[k], "set"))
+        add_tables_of_values(fmt::format("stage[{}].set", k), *set, found);
   return found;
 }
 

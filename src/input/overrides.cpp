@@ -1,6 +1,7 @@
 #include "input/overrides.hpp"
 
 #include "base/closest.hpp"
+#include "input/field_kinds.hpp"
 #include "input/key_text.hpp"
 #include "input/keys.hpp"
 
@@ -192,11 +193,51 @@ std::optional<Problem> refuse_new_material(const Node& root, const Parts& parts,
       "material"};
 }
 
+/// Makes a value, or a field of another kind, a table for the kind of field that the keys go on with: su_peak.csv.
+void change_kind_of_field(Node* value, const Parts& parts, std::size_t first)
+{
+  const auto is_kind = [](const std::string& name) {
+    return std::ranges::find(field_kinds(), name, &FieldKind::name) != field_kinds().end();
+  };
+  for (std::size_t k = first; value != nullptr && k < parts.size(); ++k) {
+    const bool has_it = value->kind == NodeKind::table && find_item(*value, parts[k]) != nullptr;
+    if (!has_it && is_kind(parts[k])) {
+      value->kind = NodeKind::table;
+      value->items.clear();
+    }
+    value = find_item(*value, parts[k]);
+  }
+}
+
+/// What is set takes the place of what says the same in another way: another kind of field; a ratio (sensitivity) or
+/// the parameter that follows from it (su_residual).
+void drop_alternatives(Node& root, const Parts& parts)
+{
+  Node* materials = find_item(root, "material");
+  Node* material =
+      materials != nullptr && parts[0] == "material" && parts.size() > 2 ? find_item(*materials, parts[1]) : nullptr;
+  if (material == nullptr) return;
+  const bool in_part = parts.size() > 3 && (parts[2] == "below" || parts[2] == "above");
+  Node* holder = in_part ? find_item(*material, parts[2]) : material;
+  if (holder == nullptr || holder->kind != NodeKind::table) return;
+  const std::size_t k = in_part ? 3 : 2;
+  const Node* model = find_item(*holder, "model");
+  if (model == nullptr) model = find_item(*material, "model");
+  const MaterialType* law = model != nullptr ? find_material(model->text) : nullptr;
+  for (std::size_t n = 0; law != nullptr && n < law->parameters.size(); ++n) {
+    const std::string name(law->parameters[n].name), ratio(law->parameters[n].ratio.name);
+    if (ratio.empty() || (parts[k] != name && parts[k] != ratio)) continue;
+    std::erase_if(holder->items, [&](const Node& item) { return item.name == (parts[k] == name ? ratio : name); });
+  }
+  change_kind_of_field(find_item(*holder, parts[k]), parts, k + 1);
+}
+
 /// override_text: what the nodes on the way carry that are made.
 std::optional<Problem> set_one(
     Node& root, const Parts& parts, const Node& value, const std::string& where, const std::string& override_text)
 {
   if (auto problem = refuse_new_material(root, parts, where)) return problem;
+  drop_alternatives(root, parts);
   Node* node = &root;
   std::string path;
   for (const std::string& part : parts) {

@@ -92,7 +92,9 @@ void set_values(const std::string& path, const Node& set, Node& root, std::vecto
   const Node values = set;  // the list of stages is a part of the tree that changes
   for (const auto& [key, value] : leaves_of(values)) {
     const auto refuse = [&](const std::vector<std::string>& parts) -> std::optional<Problem> {
-      if (parts.size() > 1 && (parts[0] == "load" || parts[0] == "body") && !parts[1].starts_with('['))
+      const bool is_list = parts[0] == "load" || parts[0] == "body";
+      const bool by_number = parts.size() > 1 && parts[1].find_first_not_of("[]0123456789") == std::string::npos;
+      if (is_list && parts.size() > 1 && !by_number)
         return Problem{path + ".set", fmt::format("this case has no `{}.{}`", parts[0], parts[1]),
             "Give the number of the entry, counted from 0, or its `name`.", "stage.set"};
       if (may_change(parts)) return std::nullopt;
@@ -121,7 +123,7 @@ void read_stages(const Document& document, Case& values, std::vector<Problem>& w
     if (const Node* set = find_node(document.root, path + ".set"))
       set_values(path, *set, changed.root, findings.problems);
     Case now;
-    now.name = values.name, now.folder = values.folder;
+    now.name = values.name, now.folder = values.folder, now.flood.given = values.flood.given;
     if (findings.problems.empty()) {
       read_values(changed.root, now, findings);
       set_end_of_run(now);

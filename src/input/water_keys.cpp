@@ -180,7 +180,7 @@ bool read_grid(const Entry& entry, const std::string& folder, Findings& findings
     situation.grid_file = name;
     situation.grid_low = map->low();
     situation.grid_high = map->high();
-  } catch (const PointsFileError& error) {
+  } catch (const CsvError& error) {
     return refuse(entry, path, "the table cannot be used", error.what(), findings);
   }
   return true;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
 #include <map>
 
@@ -100,8 +101,14 @@ std::string draw_mechanism(const Case& quiet, const StabilityResult& result)
 void write_mechanism(
     const std::string& folder, const Case& quiet, const StabilityResult& result, const std::string& run)
 {
-  if (!result.mechanism) return;
   const std::string own = path_in(folder, mechanism_folder);
+  if (!result.mechanism) {  // one of an earlier search would pass for that of this one
+    std::error_code ignored;
+    std::filesystem::remove(path_in(folder, mechanism_picture), ignored);
+    remove_run(own);
+    std::filesystem::remove(own, ignored);  // if nothing else is in it
+    return;
+  }
   make_folder(own);
   PointFrameWriter({own, point_frames, run}).append(result.mechanism->frame);
   write_mesh(path_in(own, mesh_file), *result.mesh, run);

@@ -163,13 +163,19 @@ FolderLock prepare_run_folder(const std::string& folder, bool force, const std::
                       "to continue it.",
               folder));
     }
-    remove_files(folder, is_written_by_terp);
-    const std::string frames = path_in(folder, frames_folder);
-    remove_files(frames, is_frame);
-    fs::remove(frames, error);  // if nothing else is in it
+    remove_run(folder);
   }
   write_contents(contents, folder);
   return lock;
+}
+
+void remove_run(const std::string& folder)
+{
+  remove_files(folder, is_written_by_terp);
+  const std::string frames = path_in(folder, frames_folder);
+  remove_files(frames, is_frame);
+  std::error_code not_empty;
+  fs::remove(frames, not_empty);  // if nothing else is in it
 }
 
 void remove_unfinished(const std::string& folder)

@@ -45,6 +45,9 @@ void copy_inputs(const std::vector<InputFile>& files, const std::string& folder)
 /// Removes what a run that was killed left under temporary names.
 void remove_unfinished(const std::string& folder);
 
+/// Removes the files of a run, and no others. FileError if one cannot be removed.
+void remove_run(const std::string& folder);
+
 /// Keeps a second Terp out of a run folder for as long as it lives. The system lets go of it if the process dies.
 class FolderLock {
  public:

@@ -88,7 +88,8 @@ std::string mesh_text(const StabilityResult& r)
 {
   if (r.sizes.size() > 1) {
     const FactorLimit limit = extrapolate_factor(r.sizes);
-    return fmt::format("  The mesh: {}.\n  On cells of no size {:.3f} ({:.3f} to {:.3f}), by the order {:.2f}, {}.\n",
+    return fmt::format(
+        "  The mesh: {}.\n  In the limit of small cells {:.3f} ({:.3f} to {:.3f}), by the order {:.2f}, {}.\n",
         numbers(r.sizes), limit.factor, limit.low, limit.high, limit.order,
         limit.order_is_observed ? "observed on three sizes"
                                 : fmt::format("that of known slopes ({:g} to {:g})", lowest_order, highest_order));

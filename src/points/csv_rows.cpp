@@ -91,7 +91,7 @@ void CsvFaults::stop_if_any() const
   if (n_ == 0) return;
   std::string text = fmt::format("{} has {} fault{}:{}", what_, n_, n_ == 1 ? "" : "s", text_);
   if (n_ > most_shown) text += fmt::format("\n  and {} more", n_ - most_shown);
-  throw PointsFileError(text + "\n  " + cure_);
+  throw CsvError(text + "\n  " + cure_);
 }
 
 std::optional<Real> number_in_csv(std::string_view text)
@@ -142,7 +142,7 @@ void read_csv_rows(const std::string& text, std::span<const std::string> columns
     for (const std::size_t place : *places) in_order.push_back(cells[place]);
     row(in_order, number);
   }
-  if (!any) faults.add(1, places ? "no points below the names of the columns" : "the file is empty");
+  if (!any) faults.add(1, places ? "no rows below the names of the columns" : "the file is empty");
   faults.stop_if_any();
 }
 
@@ -151,7 +151,7 @@ std::string text_of_csv(const std::string& path, const std::string& what)
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   if (file) text << file.rdbuf();
-  if (!file || file.bad()) throw PointsFileError(fmt::format("cannot read {} {}", what, path));
+  if (!file || file.bad()) throw CsvError(fmt::format("cannot read {} {}", what, path));
   return text.str();
 }
 

@@ -15,7 +15,7 @@
 namespace terp {
 
 /// A table cannot be used. The text has every fault found with FILE:LINE, up to ten, and what to do.
-class PointsFileError : public std::runtime_error {
+class CsvError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
@@ -26,7 +26,7 @@ class CsvFaults {
   /// what: the table, in words: "the table of points"; cure: the last line of the text.
   CsvFaults(std::string path, std::string what, std::string cure);
   void add(Index line, const std::string& what);
-  /// Throws PointsFileError.
+  /// Throws CsvError.
   void stop_if_any() const;
 
  private:
@@ -42,11 +42,11 @@ Real finite_number_in_csv(std::string_view text, std::string_view column, Index 
 
 /// Calls row(cells, line) for each line below the first, which names the columns in any order; cells in the order of
 /// `columns`. Cells are apart by commas, spaces around them do not count, a text may stand in double quotes; empty
-/// lines and lines from # on are passed over. Throws PointsFileError, also for faults that `row` noted.
+/// lines and lines from # on are passed over. Throws CsvError, also for faults that `row` noted.
 void read_csv_rows(const std::string& text, std::span<const std::string> columns, CsvFaults& faults,
     const std::function<void(std::span<const std::string_view>, Index)>& row);
 
-/// The bytes of a file. Throws PointsFileError.
+/// The bytes of a file. Throws CsvError.
 std::string text_of_csv(const std::string& path, const std::string& what);
 
 }  // namespace terp

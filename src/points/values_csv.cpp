@@ -91,7 +91,7 @@ ValueMap read_values_csv_text(const std::string& path, const std::string& text)
   });
   ValueMap map(std::move(values));
   if (!map.is_grid() && lines.size() > ValueMap::most_scattered)
-    throw PointsFileError(
+    throw CsvError(
         fmt::format("{} {} has {} places that form no grid; at most {}. Give them on a grid: each x "
                     "with each y.",
             what, path, lines.size(), ValueMap::most_scattered));

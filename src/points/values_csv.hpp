@@ -39,7 +39,7 @@ class ValueMap {
   Vec<2> low_{}, high_{};
 };
 
-/// Throws PointsFileError: faults of the file, two lines of one place, more than most_scattered of them.
+/// Throws CsvError: faults of the file, two lines of one place, more than most_scattered of them.
 ValueMap read_values_csv(const std::string& path);
 
 /// The same from the text of a file; path: for messages.

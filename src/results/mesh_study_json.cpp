@@ -66,7 +66,7 @@ const Entry entries[] = {
         [](Q q) { return or_null(std::isfinite(q.estimate.order), q.estimate.order); }},
     {{"order_is_usable", "", "", "p lies between 1/2 and 2, and the steps can be told from none"},
         [](Q q) { return Json(q.has_order); }},
-    {{"limit", "unit", "", "extrapolated to cells of no size; `null` without a usable order"},
+    {{"limit", "unit", "", "extrapolated to the limit of small cells; `null` without a usable order"},
         [](Q q) { return or_null(q.has_order, q.estimate.limit); }},
     {{"error", "unit", "",
          "of the finest value: grid convergence index, as a difference; `null` without a usable order"},

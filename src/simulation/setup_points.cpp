@@ -101,11 +101,10 @@ Index material_of_point(const Model& model, const std::string& path, const CsvPo
     if (material.called() == p.material) return material_at(model, p.material, p.x);
     if (material.zone != Zone::above) known += (known.empty() ? "" : ", ") + material.called();
   }
-  throw PointsFileError(
-      fmt::format("{}:{}: no material `{}`. Materials of this case: {}", path, p.line, p.material, known));
+  throw CsvError(fmt::format("{}:{}: no material `{}`. Materials of this case: {}", path, p.line, p.material, known));
 }
 
-/// Points of one file, each found in the mesh. Throws PointsFileError.
+/// Points of one file, each found in the mesh. Throws CsvError.
 void add_points_of_file(const Model& model, std::size_t b, PointBatches& points)
 {
   const BodyCase& body = model.description.bodies[b];
@@ -127,7 +126,7 @@ void try_points_of_file(const Model& model, std::size_t b, PointBatches& points)
 {
   try {
     add_points_of_file(model, b, points);
-  } catch (const PointsFileError& error) {
+  } catch (const CsvError& error) {
     throw InputError(Problem{body_key(b, "points"), "the file of points cannot be used", error.what(), "body"});
   }
 }

@@ -32,10 +32,9 @@ struct StabilityResult {
 
   std::shared_ptr<const Mechanism> mechanism = {};  ///< at search.not_stable; null: none, or not known
 
-  /// Middle between the largest factor that stood and the smallest that failed: what is undecided may stand. Not a
-  /// number without both ends.
+  /// Middle between the largest factor that stood and the smallest that did not. Not a number without both ends.
   Real factor() const;
-  /// Half of the distance between these two.
+  /// From there to the farther of the largest that stood and the smallest that failed: what creeps may do either.
   Real uncertainty() const;
 };
 

@@ -14,7 +14,7 @@ struct SizedFactor {
   Real factor = 0.0, uncertainty = 0.0;  ///< [-]
 };
 
-/// The factor on cells of no size.
+/// The factor in the limit of small cells.
 struct FactorLimit {
   Real factor = 0.0, low = 0.0, high = 0.0;  ///< [-]
   Real order = 0.0;                          ///< in the size of the cells [-]

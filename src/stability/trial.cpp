@@ -78,9 +78,10 @@ TrialVerdict judge(const std::vector<TrialWindow>& windows, const TrialRules& ru
   Real most = 0.0;
   for (std::ptrdiff_t back = 0; back < windows_at_rest; ++back) most = std::max(most, std::abs(moved(back)));
   if (most < rules.rest * start.free_motion) return TrialVerdict::stable;
+  const bool far = windows.back().displacement > rules.failure * start.displacement;
+  const bool moves_on = std::min(moved(0), moved(1)) > rules.rest * start.free_motion;  // not at rest, no rebound
   const bool slows_down = moved(0) < 0.98 * moved(1);
-  return windows.back().displacement > rules.failure * start.displacement && !slows_down ? TrialVerdict::failed
-                                                                                         : TrialVerdict::undecided;
+  return far && moves_on && !slows_down ? TrialVerdict::failed : TrialVerdict::undecided;
 }
 
 Trial run_trial(const Case& quiet, const SharedMesh& mesh, const ElasticStart& start, Real factor,

@@ -16,7 +16,7 @@ TEST(Stability, LeavesItsResultsTheMechanismAndAPicture)
   EXPECT_EQ(f.status, 0) << f.err;
   EXPECT_THAT(f.out, AllOf(HasSubstr("factor of safety 1."), HasSubstr("the slope on the right of the highest ground"),
                          HasSubstr("its soil moves to the right"), HasSubstr(" on cells of 1 m, "),
-                         HasSubstr(" on cells of 0.5 m.\n  On cells of no size ")));
+                         HasSubstr(" on cells of 0.5 m.\n  In the limit of small cells ")));
   const auto json = nlohmann::json::parse(text_of(folder + "/stability.json"));
   EXPECT_EQ(json.at("mechanism").at("slope"), "right");
   EXPECT_NEAR(json.at("mechanism").at("exit").at(0), 5.0, 1.0) << "the toe of the cut";
@@ -26,6 +26,13 @@ TEST(Stability, LeavesItsResultsTheMechanismAndAPicture)
   for (const char* file : {"/stability.txt", "/mechanism.svg", "/mechanism/results.vtkhdf.series",
            "/mechanism/mesh.vtkhdf", "/mechanism/frames/points_00000.vtkhdf", "/cells_1/stability.json"})
     EXPECT_TRUE(std::filesystem::exists(folder + file)) << file;
+}
+
+TEST(Stability, TakesDifferentSizesOfCells)
+{
+  const Finished f = test::terp({"stability", cut, "--cells", "1,1"});
+  EXPECT_EQ(f.status, 2);
+  EXPECT_EQ(f.err, "error: --cells: the size 1 m is given twice\n  Give each size once.\n");
 }
 
 }  // namespace

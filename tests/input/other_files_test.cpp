@@ -26,6 +26,10 @@ TEST(OtherFiles, AreNamedAsTheirCopiesAreCalled)
   EXPECT_EQ(files[1].copy, "points_1.csv");
   EXPECT_FALSE(name_copies(root, "/elsewhere", again));
   EXPECT_EQ(again[0].path, "/elsewhere/mesh.msh");
+  root = parse_toml("[[stage]]\nset = { \"material.clay.su_peak\" = { csv = \"su.csv\" } }\n");
+  EXPECT_TRUE(name_copies(root, "/somewhere", files));
+  EXPECT_EQ(files.back().path, "/somewhere/su.csv");
+  EXPECT_EQ(files.back().copy, "values_1.csv");
   root = parse_toml("[mesh]\nfile = \"dike.unv\"\n");  // its ending says how it is read
   EXPECT_TRUE(name_copies(root, "/somewhere", files));
   EXPECT_EQ(find_node(root, "mesh.file")->text, "mesh.unv");

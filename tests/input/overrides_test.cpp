@@ -95,6 +95,21 @@ TEST(Overrides, APatternOfVeryManyStarsIsRefusedInNoTime)
       HasSubstr("the pattern fits nothing"));
 }
 
+TEST(Overrides, TakeThePlaceOfWhatSaysTheSameInAnotherWay)
+{
+  constexpr std::size_t su_peak = 2, su_residual = 3;
+  const MaterialCase by_depth = with({"material.clay.su_peak.depth=[[0,8000],[3,9000]]"}).materials[0];
+  ASSERT_EQ(by_depth.fields.size(), 1u);
+  EXPECT_EQ(by_depth.fields[0].parameter, su_peak);
+  const MaterialCase by_height =
+      with({"material.clay.su_peak.depth=[[0,8000],[3,9000]]", "material.clay.su_peak.elevation=[[0,9000],[3,8000]]"})
+          .materials[0];
+  ASSERT_EQ(by_height.fields.size(), 1u);
+  EXPECT_EQ(with({"material.clay.sensitivity=4"}).materials[0].parameters[su_residual], 2e3);
+  EXPECT_EQ(
+      with({"material.clay.sensitivity=4", "material.clay.su_residual=1e3"}).materials[0].parameters[su_residual], 1e3);
+}
+
 TEST(Overrides, AreAppliedInOrder) { EXPECT_EQ(with({"time.end=1", "time.end=2"}).time.end, 2.0); }
 
 }  // namespace

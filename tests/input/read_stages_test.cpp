@@ -67,6 +67,28 @@ TEST(ReadStages, WhatAStageSetsStaysForThoseAfterIt)
   }
 }
 
+TEST(ReadStages, NameAnEntryOfAListByItsNumberToo)
+{
+  for (const char* key : {"load.0.pressure", "load[0].pressure", "load.traffic.pressure"}) {
+    const std::string text = replaced(stages, "load.traffic.pressure", key);
+    EXPECT_EQ(read_case_text(replaced(small_case, "end = 4.0", "courant = 0.9") + text, "a.toml")
+                  .values.stages[1]
+                  .changed->loads[0]
+                  .pressure,
+        13e3)
+        << key;
+  }
+}
+
+TEST(ReadStages, KnowThatTheCaseAsksAboutAFlood)
+{
+  const Case c = read_case_text(
+      replaced(small_case, "end = 4.0", "courant = 0.9") + stages + "[flood]\nsmallest_width = 1.0\n", "a.toml")
+                     .values;
+  EXPECT_TRUE(c.stages[0].changed->flood.given);
+  EXPECT_FALSE(read().stages[0].changed->flood.given);
+}
+
 TEST(ReadStages, TheirTimesAddUpAsOneWouldWriteTheSum)
 {
   const std::string three = "[[stage]]\nname = \"a\"\nduration = 0.1\n[[stage]]\nname = \"b\"\nduration = 0.2\n";

@@ -39,6 +39,8 @@ TEST(MechanismFiles, AreAFrameTheMeshAndAPicture)
   EXPECT_TRUE(std::filesystem::exists(folder + "/mechanism/mesh.vtkhdf"));
   EXPECT_TRUE(std::filesystem::exists(folder + "/mechanism/results.vtkhdf.series"));
   write_mechanism(folder, c, r, "0123456789abcdef");  // once more: the same names
+  write_mechanism(folder, c, {}, "0123456789abcdef");
+  EXPECT_TRUE(std::filesystem::is_empty(folder)) << "without a mechanism none of an earlier search stays";
   std::filesystem::remove_all(folder);
   write_mechanism(folder, c, {}, "0123456789abcdef");
   EXPECT_FALSE(std::filesystem::exists(folder)) << "nothing without a mechanism";

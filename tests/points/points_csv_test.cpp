@@ -7,7 +7,7 @@ namespace {
 
 std::string message_for(const std::string& text)
 {
-  return refusal<PointsFileError>([&] { read_points_csv_text("points.csv", text); });
+  return refusal<CsvError>([&] { read_points_csv_text("points.csv", text); });
 }
 
 TEST(PointsCsv, ReadsPointsInTheOrderOfTheFile)
@@ -104,7 +104,7 @@ TEST(PointsCsv, RefusesATableWithoutPoints)
 {
   EXPECT_THAT(message_for(""), HasSubstr("points.csv:1: the file is empty\n"));
   EXPECT_THAT(
-      message_for("x,y,volume,material\n"), HasSubstr("points.csv:1: no points below the names of the columns\n"));
+      message_for("x,y,volume,material\n"), HasSubstr("points.csv:1: no rows below the names of the columns\n"));
 }
 
 TEST(PointsCsv, ReadsAFileAndSaysWhichOneItCannotRead)
@@ -113,7 +113,7 @@ TEST(PointsCsv, ReadsAFileAndSaysWhichOneItCannotRead)
   const std::string path = folder.path() + "/points.csv";
   std::ofstream(path) << "x,y,volume,material\n1,2,0.5,clay\n";
   EXPECT_EQ(read_points_csv(path).size(), 1u);
-  EXPECT_EQ(refusal<PointsFileError>([&] { read_points_csv(folder.path() + "/other.csv"); }),
+  EXPECT_EQ(refusal<CsvError>([&] { read_points_csv(folder.path() + "/other.csv"); }),
       "cannot read the table of points " + folder.path() + "/other.csv");
 }
 

@@ -6,7 +6,7 @@ namespace {
 
 std::string message_for(const std::string& text)
 {
-  return refusal<PointsFileError>([&] { read_values_csv_text("su.csv", text); });
+  return refusal<CsvError>([&] { read_values_csv_text("su.csv", text); });
 }
 
 TEST(ValuesCsv, AreBilinearOnAGridInAnyOrderAndConstantBeyondIt)

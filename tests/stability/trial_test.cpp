@@ -37,6 +37,15 @@ TEST(Judge, StandsWhenItHardlyMovedInThreeWindowsInARow)
   EXPECT_EQ(judge(moving({0.0002, 0.0003, 0.0004}), rules, scales()), TrialVerdict::stable);
 }
 
+TEST(Judge, DoesNotFailFarFromItsStartOnceItStopsOrSpringsBack)
+{
+  EXPECT_EQ(judge(moving({0.1, 0.2500, 0.2505, 0.2505}), rules, scales()), TrialVerdict::undecided);  // stops
+  EXPECT_EQ(judge(moving({0.1, 0.2500, 0.2505, 0.2504}), rules, scales()), TrialVerdict::undecided);  // springs back
+  EXPECT_EQ(judge(moving({0.1, 0.2500, 0.2400, 0.2300}), rules, scales()), TrialVerdict::undecided);  // goes on so
+  EXPECT_EQ(judge(moving({0.1, 0.2500, 0.2400, 0.2500}), rules, scales()), TrialVerdict::undecided);  // swings
+  EXPECT_EQ(judge(moving({0.1, 0.2500, 0.2505, 0.2510, 0.2515}), rules, scales()), TrialVerdict::stable);
+}
+
 TEST(Judge, FailsWhenItMovedFarAndDoesNotSlowDown)
 {
   EXPECT_EQ(judge(moving({0.01, 0.03, 0.06}), rules, scales()), TrialVerdict::failed);
