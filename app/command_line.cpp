@@ -280,9 +280,14 @@ void declare_import(CLI::App& app, ImportCommand& command)
   CLI::App* import = add_command(app, "import", "Understand",
       "what a D-Stability file (.stix) holds\nScenarios, stages, calculations with their stored results, soils, and "
       "what is left\nout (docs/dstability.md).",
-      "  terp import section.stix\n");
+      "  terp import section.stix\n  terp import section.stix --slices slices.csv\n");
   import->add_option("FILE.stix", command.path, "of D-Stability 2020 to 2026")->option_text(" ")->required();
-  import->add_flag("--json", command.json, "the same for a program");
+  CLI::Option* json = import->add_flag("--json", command.json, "the same for a program");
+  import
+      ->add_option("--slices", command.slices,
+          "write what Terp computes at the feet of all stored\nslices beside what is stored")
+      ->option_text("FILE")
+      ->excludes(json);
 }
 
 void declare_verify(CLI::App& app, VerifyOptions& options)

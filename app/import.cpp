@@ -3,12 +3,16 @@
 #include "commands.hpp"
 #include "dstability/listing.hpp"
 #include "dstability/read_stix.hpp"
+#include "dstability/slices.hpp"
 #include "input/case_file.hpp"
 #include "input/printable.hpp"
+#include "output/files.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <fstream>
 
 namespace terp {
 namespace {
@@ -23,12 +27,57 @@ namespace {
   throw CaseError(printable(text));
 }
 
+/// A table may replace an earlier one, nothing else: not the file that it was made of.
+void refuse_other_files(const std::string& path)
+{
+  std::ifstream file(path);
+  std::string first;
+  if (file && std::getline(file, first) && !first.starts_with("result,x,z,"))
+    throw CaseError(printable(fmt::format(
+        "error: {} is there already, and it is no table of slices\n  Choose another name: --slices slices.csv\n",
+        path)));
+}
+
+/// What the list says of a stored result: whether it fits the section of the file.
+std::string verdict_of(const std::vector<ResultSlices>& results, std::size_t scenario, std::size_t calculation)
+{
+  const auto found = std::ranges::find_if(
+      results, [&](const ResultSlices& r) { return r.scenario == scenario && r.calculation == calculation; });
+  if (found == results.end()) return "no slices";
+  if (!found->trouble.empty()) return "not computed";
+  return found->stale.empty() ? "fits" : "stale";
+}
+
+/// One line per result: how far the computed values are from the stored ones.
+void print_deviations(const std::vector<ResultSlices>& results)
+{
+  fmt::print(
+      "largest difference from the stored slices\n{:<56} {:>6} {:>7} {:>7} {:>7} {:>9}\n{:<56} {:>6} {:>7} {:>7} "
+      "{:>7} {:>9}\n",
+      "", "", "sigma_v", "u", "sigma_y", "s_u", "result", "slices", "kPa", "kPa", "kPa", "%");
+  for (const ResultSlices& result : results) {
+    const SliceDeviation most = largest_deviation(result);
+    fmt::print("{:<56} {:>6} {:>7.4f} {:>7.4f} {:>7.4f} {:>9.4f}{}\n", result.name, result.rows.size(),
+        most.total_stress / 1e3, most.pore_pressure / 1e3, most.yield_stress / 1e3, 100.0 * most.su,
+        result.stale.empty() ? "" : "\n  stale: " + result.stale);
+    if (!result.trouble.empty()) fmt::print(stderr, "warning: {}: {}\n", result.name, printable(result.trouble));
+  }
+}
+
 }  // namespace
 
 int import_stix(const ImportCommand& command)
 try {
+  if (!command.slices.empty()) refuse_other_files(command.slices);
   const StixProject project = read_stix(command.path);
-  const StixVerdict verdict = [](std::size_t, std::size_t) { return std::string(); };
+  const std::vector<ResultSlices> results = compare_slices(project);
+  if (!command.slices.empty()) {
+    write_file_atomically(command.slices, slices_csv(results));
+    print_deviations(results);
+    fmt::print("{} results in {}\n", results.size(), command.slices);
+    return solved;
+  }
+  const StixVerdict verdict = [&](std::size_t s, std::size_t k) { return verdict_of(results, s, k); };
   fmt::print("{}", command.json ? listing_json(project, verdict) : printable(listing_of(project, verdict)));
   return solved;
 } catch (const InputError& error) {

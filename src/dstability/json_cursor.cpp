@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace terp {
@@ -182,6 +183,15 @@ StixLine JsonCursor::line(const char* key, std::size_t least)
   for (JsonCursor& entry : list(key)) places.push_back(entry.as_place());
   if (places.size() < least)
     fault(key, "has too few places", fmt::format("Got {}, at least {}.", places.size(), least));
+  return places;
+}
+
+StixLine JsonCursor::line_to_the_right(const char* key)
+{
+  StixLine places = line(key, 1);
+  if (!places.empty() && places.back()[0] < places.front()[0]) std::ranges::reverse(places);
+  if (!std::ranges::is_sorted(places, {}, [](const Vec<2>& p) { return p[0]; }))
+    remark("This line runs back; where it has several elevations at one x, that of the first part holds.");
   return places;
 }
 

@@ -55,6 +55,7 @@ class JsonCursor {
   std::vector<std::string> texts(const char* key);    ///< a list of them
   Vec<2> place(const char* key);                      ///< an object with X and Z [m]; required
   StixLine line(const char* key, std::size_t least);  ///< of at least so many places
+  StixLine line_to_the_right(const char* key);        ///< of one place at least, turned round if it runs to the left
 
   /// Keys that are known and have no meaning here.
   void pass_over(std::initializer_list<const char*> keys) { asked_.insert(keys.begin(), keys.end()); }

@@ -70,7 +70,7 @@ std::string calculation_lines(const StixProject& project, std::size_t s, const S
   const StixScenario& scenario = project.scenarios[s];
   for (std::size_t k = 0; k < scenario.calculations.size(); ++k) {
     const StixCalculation& c = scenario.calculations[k];
-    text += fmt::format("  calculation {:<2} {:<36} {:<22} {:<13} {:<14} {:<9} {}\n", k + 1,
+    text += fmt::format("  calculation {:<2} {:<36} {:<22} {:<13} {:<14} {:<12} {}\n", k + 1,
         fmt::format("\"{}\"{}", c.label,
             scenario.calculations.size() > 1 && c.stage + 1 != scenario.stages.size()
                 ? fmt::format(" of stage {}", c.stage + 1)

@@ -174,8 +174,8 @@ struct StixSlice {
   Real yield_stress = not_given, pop = not_given;                          ///< [Pa]
   Real su = not_given;                                                     ///< [Pa]
   Real cohesion = not_given, friction = not_given, dilatancy = not_given;  ///< input [Pa, degrees]
-  Real shear_stress = not_given;  ///< strength, or strength over factor of safety [Pa]; depends on the version
-  std::string model = {};         ///< ShearStrengthModelType
+  Real strength = not_given;                                               ///< in shear, along the slip plane [Pa]
+  std::string model = {};                                                  ///< ShearStrengthModelType
 };
 
 struct StixResult {

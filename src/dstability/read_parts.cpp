@@ -71,7 +71,7 @@ StixPreload read_preload(JsonCursor from)
 
 StixStateLine read_state_line(JsonCursor& from)
 {
-  StixStateLine state{.line = from.line("Points", 1), .values = {}};
+  StixStateLine state{.line = from.line_to_the_right("Points"), .values = {}};
   for (JsonCursor& entry : from.list("Values")) {
     state.values.push_back({.id = entry.text("Id"),
         .label = entry.text("Label"),
@@ -99,7 +99,7 @@ std::optional<std::size_t> number_of(const StixWater& water, JsonCursor& from, c
 /// A line without a head says nothing of the water.
 void read_reference_line(StixWater& water, JsonCursor& from)
 {
-  StixReferenceLine line{.label = from.text("Label"), .line = from.line("Points", 1)};
+  StixReferenceLine line{.label = from.text("Label"), .line = from.line_to_the_right("Points")};
   const auto top = number_of(water, from, "TopHeadLineId"), bottom = number_of(water, from, "BottomHeadLineId");
   if (top || bottom) {
     line.top_head = top ? *top : *bottom;
@@ -163,7 +163,7 @@ void read_waternet(JsonCursor& file, StixParts& parts)
     const std::string id = entry.id("Id");
     if (std::ranges::find(water.head_lines, id, &StixHeadLine::id) != water.head_lines.end())
       entry.fault("Id", "is there twice", fmt::format("Got {}, which another head line has.", id));
-    water.head_lines.push_back({id, entry.text("Label"), entry.line("Points", 1)});
+    water.head_lines.push_back({id, entry.text("Label"), entry.line_to_the_right("Points")});
     end_entry(entry);
   }
   for (JsonCursor& entry : file.list("ReferenceLines")) read_reference_line(water, entry);

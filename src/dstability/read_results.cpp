@@ -23,7 +23,16 @@ Real su_of(JsonCursor& slice)
   return pa_per_kpa * (has_input ? input : output);
 }
 
-StixSlice read_slice(JsonCursor& from)
+/// Strength in shear. ShearStress is the strength, but that of Spencer's method and OutputShearStress, which is there
+/// from version 2024.02 on instead, are the strength over the factor of safety.
+Real strength_of(JsonCursor& slice, const StixResult& result)
+{
+  const bool has_strength = slice.has("ShearStress") && !result.name.starts_with("spencer");
+  const Real stress = pa_per_kpa * slice.number(slice.has("ShearStress") ? "ShearStress" : "OutputShearStress");
+  return has_strength ? stress : result.factor_of_safety * stress;
+}
+
+StixSlice read_slice(JsonCursor& from, const StixResult& result)
 {
   StixSlice slice{.bottom_left = from.place("BottomLeft"),
       .bottom_right = from.place("BottomRight"),
@@ -42,7 +51,7 @@ StixSlice read_slice(JsonCursor& from)
   slice.cohesion = stress("CohesionInput");
   slice.friction = from.number("PhiInput");
   slice.dilatancy = from.number("DilatancyInput");
-  slice.shear_stress = stress(from.has("ShearStress") ? "ShearStress" : "OutputShearStress");
+  slice.strength = strength_of(from, result);
   slice.model = from.text("ShearStrengthModelType");
   return slice;
 }
@@ -74,7 +83,7 @@ void read_result(JsonCursor& file, const std::string& name, StixParts& parts)
   if (file.has("Converged")) result.converged = file.flag("Converged");
   if (file.has("Points")) result.slip_plane = file.line("Points", 0);
   if (result.slip_plane.empty() && file.has("SlipPlane")) result.slip_plane = file.line("SlipPlane", 0);
-  for (JsonCursor& entry : file.list("Slices")) result.slices.push_back(read_slice(entry));
+  for (JsonCursor& entry : file.list("Slices")) result.slices.push_back(read_slice(entry, result));
   const std::string id = result.id;
   parts.results.add(id, file, std::move(result));
 }

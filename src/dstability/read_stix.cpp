@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace terp {
 namespace {
@@ -95,6 +96,13 @@ void check_versions(StixSource& source)
   }
 }
 
+/// "bishop/bishopresult_1" of results/bishop/bishopresult_1.json.
+std::string result_name(const Member& member)
+{
+  const std::size_t start = std::min(member.name.find('/') + 1, member.name.size()), end = member.name.rfind(".json");
+  return member.name.substr(start, end - start);
+}
+
 void read_members(StixSource& source)
 {
   for (const Member& member : source.members) {
@@ -102,11 +110,7 @@ void read_members(StixSource& source)
     const auto part = std::ranges::find(part_kinds, member.kind, &PartKind::kind);
     if (part != part_kinds.end()) part->read(file, source.parts);
     if (member.kind == "soils") read_soils(file, source.project.soils);
-    if (member.kind == "results") {
-      const std::size_t start = std::string_view("results/").size();
-      read_result(
-          file, member.name.substr(start, member.name.size() - start - std::string_view(".json").size()), source.parts);
-    }
+    if (member.kind == "results") read_result(file, result_name(member), source.parts);
     if (member.kind == "soilcorrelations")
       for (JsonCursor& entry : file.list("SoilCorrelations"))
         source.project.soil_correlations.push_back(entry.texts("CorrelatedSoilIds"));
@@ -155,7 +159,11 @@ void set_water(JsonCursor& from, const StixParts& parts, StixStage& stage)
       from.fault("WaterMeshId", "has no water mesh", "WaterDefinitionType is WaterMesh.");
     else
       stage.water = *mesh;
-  } else if (!kind.empty() && kind != "WaterLines")
+  }
+  if ((stage.water.is_mesh || stage.water.phreatic) && !(stage.water.unit_weight > 0.0))
+    from.fault(stage.water.is_mesh ? "WaterMeshId" : "WaternetId", "leads to water without weight",
+        "UnitWeightWater must be more than zero.");
+  if (!kind.empty() && kind != "WaterLines" && kind != "WaterMesh")
     from.fault(
         "WaterDefinitionType", "is none that Terp knows", fmt::format("Got \"{}\"; WaterLines or WaterMesh.", kind));
 }
@@ -190,6 +198,18 @@ StixStage read_stage(JsonCursor& from, const StixParts& parts, const StixProject
   if (const auto* at = part_of(from, "WaternetCreatorSettingsId", parts.embankments)) stage.embankment = *at;
   part_of(from, "StateCorrelationsId", parts.state_correlations);
   return stage;
+}
+
+/// A result that no calculation names is not shown, but told.
+void remark_on_results(StixSource& source)
+{
+  std::set<std::string> named;
+  for (const StixScenario& scenario : source.project.scenarios)
+    for (const StixCalculation& calculation : scenario.calculations)
+      if (calculation.result) named.insert(calculation.result->name);
+  for (const Member& member : source.members)
+    if (member.kind == "results" && !named.contains(result_name(member)))
+      source.notes.remark(member.name, "No calculation names this result. It was not used.");
 }
 
 /// Settings and result that a calculation names, or, of data model 1, a stage.
@@ -327,6 +347,7 @@ StixProject read_stix_bytes(std::string bytes, const std::string& path, ZipLimit
   read_members(source);
   read_scenarios(source);
   remark_on_stages(source);
+  remark_on_results(source);
   source.project.remarks = source.notes.finish();
   return std::move(source.project);
 }

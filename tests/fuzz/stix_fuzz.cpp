@@ -1,8 +1,11 @@
-// D-Stability files: any bytes give a project, or an InputError. Bytes that begin with `=` are the members of a file as
-// plain text, each below a line `=NAME`; they are packed first, so that the fuzzer need not find checksums.
+// D-Stability files: any bytes give a project that can be evaluated, or an InputError. Bytes that begin with `=` are
+// the members of a file as plain text, each below a line `=NAME`; they are packed first, so that the fuzzer need not
+// find checksums.
 #include "base/errors.hpp"
 #include "dstability/listing.hpp"
 #include "dstability/read_stix.hpp"
+#include "dstability/section.hpp"
+#include "dstability/slices.hpp"
 
 #include <list>
 #include <zip.h>
@@ -39,6 +42,16 @@ std::string packed(const std::string& members)
   return bytes;
 }
 
+void evaluate(const terp::StixProject& project)
+{
+  terp::slices_csv(terp::compare_slices(project));
+  for (std::size_t s = 0; s < project.scenarios.size(); ++s) {
+    const terp::StixSection section(project, s, project.scenarios[s].stages.size() - 1, terp::StixBasis::design);
+    for (const double x : {-1e9, 20.0, 40.0, 50.5, 1e9})
+      for (const double z : {-1e9, -8.0, 0.0, 1e9}) section.at({x, z});
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
@@ -47,7 +60,11 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   if (bytes.starts_with('=')) bytes = packed(bytes);
   const terp::ZipLimits limits{.members = 100, .member_bytes = 1 << 20, .total_bytes = 1 << 22, .ratio = 200};
   try {
-    terp::listing_of(terp::read_stix_bytes(std::move(bytes), "f.stix", limits), [](auto, auto) { return ""; });
+    const terp::StixProject project = terp::read_stix_bytes(std::move(bytes), "f.stix", limits);
+    const terp::StixVerdict verdict = [](std::size_t, std::size_t) { return ""; };
+    terp::listing_of(project, verdict);
+    terp::listing_json(project, verdict);
+    evaluate(project);
   } catch (const terp::InputError&) {
   }
   return 0;

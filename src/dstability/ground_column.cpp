@@ -1,0 +1,123 @@
+#include "dstability/ground_column.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace terp {
+namespace {
+
+/// Ends of the section [m].
+struct Reach {
+  Real low = std::numeric_limits<Real>::infinity(), high = -low;
+};
+
+Reach reach_of(const StixStage& stage)
+{
+  Reach reach;
+  for (const StixLayer& layer : stage.layers)
+    for (const Vec<2>& place : layer.outline) {
+      reach.low = std::min(reach.low, place[0]);
+      reach.high = std::max(reach.high, place[0]);
+    }
+  return reach;
+}
+
+/// Elevations at which an outline crosses the vertical line, ascending. An edge belongs to its left end and not to its
+/// right one, so that a corner counts once; at the right end of the section the other way round.
+std::vector<Real> crossings(const StixLine& outline, Real x, bool at_right_end)
+{
+  std::vector<Real> levels;
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    const Vec<2> a = outline[k], b = outline[k + 1 < outline.size() ? k + 1 : 0];
+    const Real left = std::min(a[0], b[0]), right = std::max(a[0], b[0]);
+    const bool spans = at_right_end ? left < x && x <= right : left <= x && x < right;
+    if (spans) levels.push_back(a[1] + (b[1] - a[1]) * ((x - a[0]) / (b[0] - a[0])));
+  }
+  std::ranges::sort(levels);
+  return levels;
+}
+
+/// Twice the area of an outline [m^2].
+Real twice_area(const StixLine& outline)
+{
+  Real sum = 0.0;
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    const Vec<2> a = outline[k], b = outline[k + 1 < outline.size() ? k + 1 : 0];
+    sum += a[0] * b[1] - b[0] * a[1];
+  }
+  return std::abs(sum);
+}
+
+struct Crossed {
+  std::size_t layer;
+  Real area;
+  std::vector<Real> levels;
+
+  bool contains(Real z) const
+  {
+    return std::ranges::count_if(levels, [z](Real level) { return level < z; }) % 2 == 1;
+  }
+};
+
+/// Where the excavations leave ground at most [m].
+Real dug_to(const std::vector<StixLine>& excavations, Real x)
+{
+  Real lowest = std::numeric_limits<Real>::infinity();
+  for (const StixLine& line : excavations)
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      const Vec<2> a = line[k], b = line[k + 1];
+      if (x < std::min(a[0], b[0]) || x > std::max(a[0], b[0])) continue;
+      const Real z = a[0] == b[0] ? std::min(a[1], b[1]) : a[1] + (b[1] - a[1]) * ((x - a[0]) / (b[0] - a[0]));
+      lowest = std::min(lowest, z);
+    }
+  return lowest;
+}
+
+}  // namespace
+
+std::vector<SoilBand> soil_bands(const StixStage& stage, Real x)
+{
+  const Reach reach = reach_of(stage);
+  const Real inside = std::clamp(x, reach.low, std::max(reach.low, reach.high));
+  std::vector<Crossed> crossed;
+  std::vector<Real> levels;
+  for (std::size_t k = 0; k < stage.layers.size(); ++k) {
+    const StixLine& outline = stage.layers[k].outline;
+    std::vector<Real> at = crossings(outline, inside, inside >= reach.high);
+    if (at.empty()) continue;
+    levels.insert(levels.end(), at.begin(), at.end());
+    crossed.push_back({k, twice_area(outline), std::move(at)});
+  }
+  std::ranges::sort(levels, std::ranges::greater{});
+  std::ranges::sort(crossed, {}, &Crossed::area);
+  const Real limit = dug_to(stage.excavations, inside);
+  std::vector<SoilBand> bands;
+  for (std::size_t k = 0; k + 1 < levels.size(); ++k) {
+    const Real top = std::min(levels[k], limit), bottom = levels[k + 1];
+    if (!(top > bottom)) continue;
+    const Real middle = std::midpoint(levels[k], bottom);
+    const auto holds = std::ranges::find_if(crossed, [middle](const Crossed& c) { return c.contains(middle); });
+    if (holds == crossed.end()) continue;
+    if (!bands.empty() && bands.back().layer == holds->layer && bands.back().bottom == top)
+      bands.back().bottom = bottom;
+    else
+      bands.push_back({top, bottom, holds->layer});
+  }
+  return bands;
+}
+
+const SoilBand* band_at(const std::vector<SoilBand>& bands, Real z)
+{
+  if (bands.empty() || z > bands.front().top) return nullptr;
+  const SoilBand* nearest = &bands.front();
+  Real distance = std::numeric_limits<Real>::infinity();
+  for (const SoilBand& band : bands) {
+    const Real away = std::max({band.bottom - z, z - band.top, 0.0});
+    if (away < distance) distance = away, nearest = &band;
+  }
+  return nearest;
+}
+
+}  // namespace terp

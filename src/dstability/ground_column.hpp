@@ -1,0 +1,24 @@
+// The soil of a stage along a vertical line: which layer lies where, after excavations, and where the ground is.
+// Not for: stresses (stage_column.hpp).
+#pragma once
+
+#include "dstability/project.hpp"
+
+#include <vector>
+
+namespace terp {
+
+/// A piece of the vertical line within one layer.
+struct SoilBand {
+  Real top, bottom;   ///< [m]
+  std::size_t layer;  ///< number in StixStage::layers
+};
+
+/// From the top down. Of layers inside each other the smaller one holds; what an excavation removes is not there.
+/// Beyond both ends of the section it is as at the end.
+std::vector<SoilBand> soil_bands(const StixStage& stage, Real x);
+
+/// The band at z: above the ground null; in a gap between outlines the nearest one.
+const SoilBand* band_at(const std::vector<SoilBand>& bands, Real z);
+
+}  // namespace terp

@@ -1,0 +1,106 @@
+// One stage of a scenario with the stages before it: soil, stresses and strength at any place. docs/dstability.md.
+// Not for: reading the file (read_stix.hpp), comparing with stored slices (slices.hpp).
+#pragma once
+
+#include "dstability/ground_column.hpp"
+#include "dstability/soil_strength.hpp"
+#include "dstability/water_column.hpp"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace terp {
+
+/// What holds at a place of the soil. Stresses are vertical, pressures positive [Pa].
+struct StixPlace {
+  std::size_t layer = 0;      ///< number in StixStage::layers
+  const StixSoil* soil = {};  ///< of the project
+  bool below_water = false;   ///< below the phreatic line
+  Real total_stress = 0.0;    ///< with free water and loads
+  Real load_stress = 0.0;     ///< the part of the uniform loads
+  Real pore_pressure = 0.0;   ///< of the water and of loads that are not consolidated, at most the total stress
+  Real effective_stress = 0.0;
+  Real yield_stress = 0.0;  ///< the largest effective stress plus POP of this stage and those before it
+  StixStrengthModel model = StixStrengthModel::none;  ///< the one that holds above or below the phreatic line
+  Real su = not_given;                                ///< [Pa]; of `shansep` and `su_table`
+  Real ratio = not_given, exponent = not_given;       ///< S and m [-]; of `shansep`
+  Real cohesion = not_given, friction = not_given;    ///< after the Davis reduction [Pa, degrees]; of drained soil
+};
+
+class StixColumn;
+
+/// A stage, ready to be evaluated. The project must outlive it.
+class StixSection {
+ public:
+  /// scenario, stage: numbers from 0. Throws InputError if a layer of this stage or one before it has no soil, or a
+  /// soil has no unit weight.
+  StixSection(const StixProject& project, std::size_t scenario, std::size_t stage, StixBasis basis);
+  ~StixSection();
+
+  const StixProject& project() const { return *project_; }
+  const StixStage& stage() const { return *stages_.back(); }
+  StixBasis basis() const { return basis_; }
+
+  /// All that depends on x alone: one per x, for many z. The section must outlive it.
+  StixColumn column(Real x) const;
+  /// At one place; empty above the ground.
+  std::optional<StixPlace> at(Vec<2> place) const;
+
+ private:
+  friend class StixColumn;
+  void check(std::size_t scenario) const;
+  void set_preloads();
+
+  const StixProject* project_;
+  std::vector<const StixStage*> stages_;  ///< of the history; the last is the one that is asked for
+  StixBasis basis_;
+  std::vector<std::vector<Real>> point_pops_;  ///< POP of each state point of each stage [Pa]
+  struct LinePops {
+    std::vector<Vec<2>> above, below;  ///< POP over x [m, Pa]
+  };
+  std::vector<std::vector<LinePops>> line_pops_;  ///< of each state line of each stage
+};
+
+/// One stage along a vertical line, without its history.
+class StixStageColumn {
+ public:
+  StixStageColumn(const StixProject& project, const StixStage& stage, Real x);
+
+  const std::vector<SoilBand>& bands() const { return bands_; }
+  const StixWaterColumn& water() const { return water_; }
+  Real ground() const { return ground_; }  ///< elevation [m]; not a number where there is no soil
+  Real load_stress(Real z) const;          ///< of uniform loads, by their spread [Pa]
+  Real total_stress(Real z) const;         ///< vertical [Pa]
+  Real pore_pressure(Real z) const;        ///< capped [Pa]
+  Real effective_stress(Real z) const { return total_stress(z) - pore_pressure(z); }
+
+ private:
+  const StixProject* project_;
+  const StixStage* stage_;
+  Real x_;
+  std::vector<SoilBand> bands_;
+  Real ground_;
+  StixWaterColumn water_;
+};
+
+class StixColumn {
+ public:
+  StixColumn(const StixSection& section, Real x);
+
+  Real ground() const { return now().ground(); }
+  const StixStageColumn& now() const { return stages_.back(); }  ///< the stage that is asked for
+  std::optional<StixPlace> at(Real z) const;                     ///< empty above the ground
+  Real largest_effective_stress(Real z) const;                   ///< vertical, of all stages so far [Pa]
+
+ private:
+  Real pop(std::size_t stage, Real z) const;
+  Real yield_stress(Real z) const;
+  void set_strength(StixPlace& place) const;
+
+  const StixSection* section_;
+  Real x_;
+  std::vector<StixStageColumn> stages_;
+};
+
+}  // namespace terp

@@ -1,0 +1,58 @@
+#include "dstability/soil_strength.hpp"
+
+#include "base/interpolate.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace terp {
+namespace {
+
+constexpr Real normal_fractile_5 = -1.6448536269514722;  // of the standard normal distribution
+constexpr Real radians_per_degree = std::numbers::pi / 180.0;
+
+}  // namespace
+
+StixBasis basis_of(StixCalculationKind kind)
+{
+  if (kind == StixCalculationKind::design) return StixBasis::design;
+  return kind == StixCalculationKind::mean ? StixBasis::mean : StixBasis::deterministic;
+}
+
+Real lognormal_fractile_5(Real mean, Real deviation)
+{
+  if (!(mean > 0.0) || !(deviation > 0.0)) return mean;
+  const Real variance_of_log = std::log1p((deviation / mean) * (deviation / mean));
+  return mean * std::exp(-0.5 * variance_of_log + normal_fractile_5 * std::sqrt(variance_of_log));
+}
+
+Real value_of(const StixParameter& parameter, StixBasis basis)
+{
+  if (basis == StixBasis::deterministic || !parameter.is_probabilistic || std::isnan(parameter.mean))
+    return parameter.value;
+  return basis == StixBasis::mean ? parameter.mean : lognormal_fractile_5(parameter.mean, parameter.deviation);
+}
+
+Real shansep_strength(Real ratio, Real exponent, Real effective_stress, Real yield_stress)
+{
+  if (!(effective_stress > 0.0)) return 0.0;
+  return ratio * effective_stress * std::pow(yield_stress / effective_stress, exponent);
+}
+
+Real table_strength(const StixTable& table, Real effective_stress, StixBasis basis)
+{
+  if (table.rows.empty()) return not_given;
+  const Real share =
+      basis == StixBasis::design && table.is_probabilistic ? lognormal_fractile_5(1.0, table.variation) : 1.0;
+  return share * interpolate(table.rows, effective_stress);
+}
+
+DavisStrength davis_reduced(Real cohesion, Real friction, Real dilatancy)
+{
+  const Real phi = friction * radians_per_degree, psi = dilatancy * radians_per_degree;
+  const Real divisor = 1.0 - std::sin(psi) * std::sin(phi);
+  return {cohesion * std::cos(psi) * std::cos(phi) / divisor,
+      std::atan(std::cos(psi) * std::sin(phi) / divisor) / radians_per_degree};
+}
+
+}  // namespace terp
