@@ -3,6 +3,7 @@
 #include "command_line.hpp"
 #include "input/case_file.hpp"
 #include "base/closest.hpp"
+#include "input/case_schema.hpp"
 #include "input/explain.hpp"
 #include "input/printable.hpp"
 #include "parallel/instructions.hpp"
@@ -61,6 +62,7 @@ int call(const CLI::App& app, const terp::CommandLine& line)
   if (app.got_subcommand("watch")) return terp::watch_run(line.watch);
   if (app.got_subcommand("bench")) return terp::bench_case(line.options);
   if (app.got_subcommand("verify")) return terp::verify_cases(line.verify);
+  if (app.got_subcommand("schema")) return fmt::print("{}", terp::case_schema()), terp::solved;
   fmt::print("{}", app.got_subcommand("explain") ? terp::explain(line.topic) : terp::list());
   return terp::solved;
 }

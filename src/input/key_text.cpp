@@ -8,13 +8,6 @@
 namespace terp {
 namespace {
 
-template <class... Ts>
-struct Overload : Ts... {
-  using Ts::operator()...;
-};
-template <class... Ts>
-Overload(Ts...) -> Overload<Ts...>;
-
 /// A case with one of everything, so that every key's field exists.
 Case& prototype()
 {
@@ -95,6 +88,8 @@ std::string type_text(const KeyInfo& key)
   const Field field = key.field(prototype(), 0);
   return std::visit(type, field);
 }
+
+Field example_of(const KeyInfo& key) { return key.field(prototype(), 0); }
 
 std::string allowed_text(const KeyInfo& key)
 {

@@ -8,6 +8,16 @@
 
 namespace terp {
 
+/// One function for each type that a Field may hold.
+template <class... Ts>
+struct Overload : Ts... {
+  using Ts::operator()...;
+};
+template <class... Ts>
+Overload(Ts...) -> Overload<Ts...>;
+
+Field example_of(const KeyInfo& key);  ///< of a case with one of everything: for the type, not for the value
+
 std::string number_text(Real value, std::string_view unit);         ///< "2e+06 Pa", "0.3"
 std::string range_text(const Range& range, std::string_view unit);  ///< "more than 0 s"; empty if any number will do
 std::string usual_text(const Range& usual, std::string_view unit);  ///< "500 to 5000 kg/m^3"

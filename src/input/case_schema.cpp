@@ -1,0 +1,161 @@
+// Each key becomes a property of the object that its path leads to. Names that the user chooses (of materials, head
+// lines, points, sides of a mesh) are additional properties. A number with a unit may be a text.
+#include "input/case_schema.hpp"
+
+#include "input/document.hpp"
+#include "input/key_text.hpp"
+#include "input/keys.hpp"
+#include "materials/material.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace terp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number_schema(const KeyInfo& key)
+{
+  Json number = {{"type", key.unit == "-" ? Json("number") : Json({"number", "string"})}};
+  if (std::isfinite(key.range.low)) number[key.range.low_open ? "exclusiveMinimum" : "minimum"] = key.range.low;
+  if (std::isfinite(key.range.high)) number[key.range.high_open ? "exclusiveMaximum" : "maximum"] = key.range.high;
+  return number;
+}
+
+Json count_schema(const KeyInfo& key)
+{
+  Json count = number_schema(key);
+  count["type"] = "integer";
+  return count;
+}
+
+Json list_of(Json item, int least, int most = 0)
+{
+  Json list = {{"type", "array"}, {"items", std::move(item)}, {"minItems", least}};
+  if (most > 0) list["maxItems"] = most;
+  return list;
+}
+
+Json either(Json a, Json b) { return {{"anyOf", {std::move(a), std::move(b)}}}; }
+Json table_of(Json value) { return {{"type", "object"}, {"additionalProperties", std::move(value)}}; }
+
+Json text_schema(const KeyInfo& key)
+{
+  Json text = {{"type", "string"}};
+  if (key.words != nullptr) text["enum"] = key.words();
+  return text;
+}
+
+/// What a value may be, by the kind of its key.
+Json value_schema(const KeyInfo& key)
+{
+  const Json number = number_schema(key), place = list_of({{"type", {"number", "string"}}}, 2, 2);
+  const Overload schema{
+      [&](Real*) { return number; },
+      [&](const VaryingNumber&) {
+        return either(number, {{"type", {"string", "object"}}});
+      },
+      [&](Index*) { return count_schema(key); },
+      [](bool*) {
+        return Json{{"type", "boolean"}};
+      },
+      [&](std::string*) { return text_schema(key); },
+      [&](Vec<2>*) { return list_of(number, 2, 2); },
+      [&](const WordField&) { return text_schema(key); },
+      [&](const NumberOrPair&) { return either(number, list_of(number, 2, 2)); },
+      [&](const CountOrPair&) { return either(count_schema(key), list_of(count_schema(key), 2, 2)); },
+      [&](const Box&) { return list_of(place, 2, 2); },
+      [&](const BoxCorners&) { return list_of(place, 2, 2); },
+      [&](const PolygonField&) { return list_of(place, 3); },
+      [&](const PolygonList&) { return list_of(list_of(place, 3), 0); },
+      [&](const Polyline&) { return list_of(place, 1); },
+      [](const EdgesList&) {
+        return table_of(list_of({{"type", "integer"}}, 1));
+      },
+      [&](const VelocityPair&) { return place; },
+      [&](const NameList&) { return list_of(text_schema(key), 0); },
+      [&](const NamedPlaces&) { return table_of(place); },
+      [](const OwnForm&) { return Json::object(); },
+  };
+  return std::visit(schema, example_of(key));
+}
+
+Json property(const KeyInfo& key)
+{
+  Json value = value_schema(key);
+  const std::string unit = key.unit == "-" ? "" : fmt::format(" [{}]", key.unit);
+  value["description"] = fmt::format("{}{}. Allowed: {}.{}", key.meaning, unit, allowed_text(key),
+      key.default_text.empty() ? "" : fmt::format(" Default: {}.", key.default_text));
+  return value;
+}
+
+/// What stands at a path, made on the way there: of a table "properties", of a list of tables "items", of names that
+/// the user chooses "additionalProperties".
+Json& value_at(Json& root, const std::string& path)
+{
+  Json* here = &root;
+  const auto enter = [&](const char* type, const char* kind) -> Json& {
+    (*here)["type"] = type;
+    return (*here)[kind];
+  };
+  for (const std::string& part : split_path(path)) {
+    const bool is_name = part == "NAME" || part == "SIDE";
+    if (part.starts_with('['))
+      here = &enter("array", "items");
+    else
+      here = is_name ? &enter("object", "additionalProperties") : &enter("object", "properties")[part];
+    if (!here->is_object()) *here = Json::object();
+  }
+  return *here;
+}
+
+/// Tables have no keys but those that are named.
+void close_tables(Json& value)
+{
+  if (value.is_array())
+    for (Json& item : value) close_tables(item);
+  if (!value.is_object()) return;
+  for (auto& [name, item] : value.items()) close_tables(item);
+  if (value.contains("properties") && value["properties"].is_object() && !value.contains("additionalProperties"))
+    value["additionalProperties"] = false;
+}
+
+/// A side is a word, or a table of keys.
+void add(Json& root, const KeyInfo& key)
+{
+  Json& value = value_at(root, key.path);
+  value = value.contains("properties") ? either(property(key), Json(value)) : property(key);
+}
+
+std::vector<KeyInfo> keys_and_those_of_laws()
+{
+  std::vector<KeyInfo> keys = all_keys();
+  for (const std::string& name : material_model_names())
+    for (KeyInfo& key : keys_of_law(*find_material(name))) keys.push_back(std::move(key));
+  std::ranges::stable_sort(
+      keys, std::ranges::greater{}, [](const KeyInfo& key) { return split_path(key.path).size(); });
+  return keys;  // the longest first: what a key shares its path with is there
+}
+
+}  // namespace
+
+std::string case_schema()
+{
+  Json root = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "Case file of Terp"}};
+  for (const SectionInfo& section : all_sections())
+    if (!section.path.empty()) value_at(root, section.path)["description"] = section.meaning;
+  for (const KeyInfo& key : keys_and_those_of_laws()) add(root, key);
+  Json& material = value_at(root, "material.NAME");
+  Json& density = material["properties"]["density"];  // "below" and "above" the phreatic line, as the whole soil
+  density = either(density, table_of(density));
+  Json part = material;
+  for (const char* name : {"below", "above"}) part["properties"].erase(name);
+  for (const char* name : {"below", "above"}) material["properties"][name] = part;
+  close_tables(root);
+  return root.dump(2) + '\n';
+}
+
+}  // namespace terp

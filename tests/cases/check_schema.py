@@ -1,0 +1,53 @@
+"""`terp schema` takes every case of the repository, and none of a few with a mistake.
+
+usage: check_schema.py TERP CASES_FOLDER
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tomllib
+
+import jsonschema
+
+MISTAKES = {  # what an editor should mark: KEY of a good case, and the value that is wrong
+    ("scheme",): "mpm_gpp",
+    ("mesh", "cel"): 0.1,
+    ("mesh", "cell"): -0.1,
+    ("body", 0, "material"): 3,
+    ("material", "clay", "densety"): 1990.0,
+    ("forces", "damping", "local"): 1.5,
+    ("method", "shares"): "overlapping",
+    ("output", "fields", "names"): ["stresses"],
+}
+
+
+def with_mistake(case, keys, value):
+    """The case with one value set; lists and tables on the way exist or are made."""
+    here = case = json.loads(json.dumps(case))
+    for key in keys[:-1]:
+        here = here[key] if isinstance(key, int) else here.setdefault(key, {})
+    here[keys[-1]] = value
+    return case
+
+
+def main(terp, cases):
+    """Exits with 1 and the faults if there are any."""
+    schema = json.loads(subprocess.run([terp, "schema"], check=True, capture_output=True).stdout)
+    jsonschema.Draft7Validator.check_schema(schema)
+    validator = jsonschema.Draft7Validator(schema)
+    files = [path for path in pathlib.Path(cases).rglob("*.toml") if path.name != "expected.toml"]
+    faults = []
+    for path in files:
+        for error in validator.iter_errors(tomllib.loads(path.read_text())):
+            faults.append(f"{path}: {'.'.join(map(str, error.absolute_path))}: {error.message[:200]}")
+    good = tomllib.loads((pathlib.Path(cases) / "column_collapse" / "model_2.toml").read_text())
+    for keys, value in MISTAKES.items():
+        if validator.is_valid(with_mistake(good, keys, value)):
+            faults.append(f"{'.'.join(map(str, keys))} = {value!r} was taken")
+    print(f"{len(files)} cases, {len(MISTAKES)} mistakes")
+    sys.exit("\n".join(faults) if faults or len(files) < 50 else 0)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
