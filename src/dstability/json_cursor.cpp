@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace terp {
@@ -24,7 +25,12 @@ std::string shown(const JsonNode& node)
   return words_of(node.kind);
 }
 
-bool is_empty_number(const std::string& text) { return text == "NaN" || text == "-" || text.empty(); }
+/// What programs write for a number that they do not have.
+bool is_empty_number(const std::string& text)
+{
+  constexpr std::array<std::string_view, 5> words{"", "-", "NaN", "Infinity", "-Infinity"};
+  return std::ranges::find(words, text) != words.end();
+}
 
 /// The place without the numbers of members and list entries: "scenarios/scenario.json, Stages[].Label".
 std::string without_numbers(const std::string& where)
@@ -186,9 +192,24 @@ StixLine JsonCursor::line(const char* key, std::size_t least)
   return places;
 }
 
+Vec<2> JsonCursor::place_if_given(const char* key)
+{
+  JsonCursor place = object(key);
+  return {place.number("X"), place.number("Z")};
+}
+
+StixLine JsonCursor::places_given(const char* key)
+{
+  StixLine places;
+  for (JsonCursor& entry : list(key))
+    if (const Vec<2> place{entry.number("X"), entry.number("Z")}; !std::isnan(place[0] + place[1]))
+      places.push_back(place);
+  return places;
+}
+
 StixLine JsonCursor::line_to_the_right(const char* key)
 {
-  StixLine places = line(key, 1);
+  StixLine places = line(key, 0);
   if (!places.empty() && places.back()[0] < places.front()[0]) std::ranges::reverse(places);
   if (!std::ranges::is_sorted(places, {}, [](const Vec<2>& p) { return p[0]; }))
     remark("This line runs back; where it has several elevations at one x, that of the first part holds.");

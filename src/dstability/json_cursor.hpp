@@ -43,7 +43,7 @@ class JsonCursor {
   const std::string& where() const { return where_; }
   bool has(std::string_view key) const;  ///< with a value that is not null
 
-  /// A finite number. "NaN", "-", null and no such key: not given.
+  /// A finite number. "NaN", "Infinity", "-", null and no such key: not given.
   Real number(const char* key);
   /// The same times `unit`, which must be given in the file.
   Real required(const char* key, Real unit = 1.0);
@@ -55,7 +55,9 @@ class JsonCursor {
   std::vector<std::string> texts(const char* key);    ///< a list of them
   Vec<2> place(const char* key);                      ///< an object with X and Z [m]; required
   StixLine line(const char* key, std::size_t least);  ///< of at least so many places
-  StixLine line_to_the_right(const char* key);        ///< of one place at least, turned round if it runs to the left
+  Vec<2> place_if_given(const char* key);             ///< the same, not given where there is none
+  StixLine places_given(const char* key);             ///< those that have X and Z
+  StixLine line_to_the_right(const char* key);        ///< turned round if it runs to the left
 
   /// Keys that are known and have no meaning here.
   void pass_over(std::initializer_list<const char*> keys) { asked_.insert(keys.begin(), keys.end()); }

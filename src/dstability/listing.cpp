@@ -64,21 +64,44 @@ std::string result_text(const StixCalculation& calculation)
   return "F = " + number(result.factor_of_safety, 4);
 }
 
+/// Letters of a UTF-8 text.
+std::size_t letters_in(const std::string& text)
+{
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+/// Rows with the columns of one width each, two spaces apart; the last column is as wide as it is.
+std::string aligned(const std::vector<std::vector<std::string>>& rows)
+{
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows)
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      if (k == widths.size()) widths.push_back(0);
+      widths[k] = std::max(widths[k], letters_in(row[k]));
+    }
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line = " ";
+    for (std::size_t k = 0; k < row.size(); ++k) line += fmt::format(" {:<{}}", row[k], widths[k] + 1);
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
 std::string calculation_lines(const StixProject& project, std::size_t s, const StixVerdict& verdict)
 {
-  std::string text;
+  std::vector<std::vector<std::string>> rows;
   const StixScenario& scenario = project.scenarios[s];
   for (std::size_t k = 0; k < scenario.calculations.size(); ++k) {
     const StixCalculation& c = scenario.calculations[k];
-    text += fmt::format("  calculation {:<2} {:<36} {:<22} {:<13} {:<14} {:<12} {}\n", k + 1,
-        fmt::format("\"{}\"{}", c.label,
-            scenario.calculations.size() > 1 && c.stage + 1 != scenario.stages.size()
-                ? fmt::format(" of stage {}", c.stage + 1)
-                : std::string()),
+    const bool is_of_last = c.stage + 1 == scenario.stages.size();
+    rows.push_back({fmt::format("calculation {}", k + 1),
+        fmt::format("\"{}\"{}", c.label, is_of_last ? "" : fmt::format(" of stage {}", c.stage + 1)),
         c.method.empty() ? "-" : c.method, c.kind_word.empty() ? "-" : c.kind_word, result_text(c),
-        c.result ? verdict(s, k) : "", c.result ? c.result->name : "");
+        c.result ? verdict(s, k) : "", c.result ? c.result->name : ""});
   }
-  return text;
+  return aligned(rows);
 }
 
 /// "Su S 0.22, m 0.90": a model with its parameters.
@@ -120,16 +143,15 @@ std::set<std::size_t> soils_in_use(const StixProject& project)
 
 std::string soil_table(const StixProject& project)
 {
-  const auto used = soils_in_use(project);
-  std::string text = fmt::format("soils in use: {} of {}\n  {:<24} {:>15}  {:<34} {}\n", used.size(),
-      project.soils.size(), "", "weight [kN/m3]", "strength above the phreatic line", "below it");
-  for (const std::size_t k : used) {
+  std::vector<std::vector<std::string>> rows{
+      {"", "weight [kN/m3]", "strength above the phreatic line", "and below it"}};
+  for (const std::size_t k : soils_in_use(project)) {
     const StixSoil& soil = project.soils[k];
-    text += fmt::format("  {:<24} {:>15}  {:<34} {}\n", soil.name,
-        number(soil.weight_above / pa_per_kpa) + " / " + number(soil.weight_below / pa_per_kpa),
-        strength_of(soil, soil.above, soil.above_word), strength_of(soil, soil.below, soil.below_word));
+    rows.push_back({soil.name, number(soil.weight_above / pa_per_kpa) + " / " + number(soil.weight_below / pa_per_kpa),
+        strength_of(soil, soil.above, soil.above_word), strength_of(soil, soil.below, soil.below_word)});
   }
-  return text + "  c' in kPa, angles in degrees; (mean; standard deviation) of what is probabilistic\n";
+  return fmt::format("soils in use: {} of {}\n", rows.size() - 1, project.soils.size()) + aligned(rows) +
+         "  c' in kPa, angles in degrees; (mean; standard deviation) of what is probabilistic\n";
 }
 
 }  // namespace

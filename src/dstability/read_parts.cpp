@@ -69,7 +69,7 @@ StixPreload read_preload(JsonCursor from)
   return preload;
 }
 
-StixStateLine read_state_line(JsonCursor& from)
+void read_state_line(JsonCursor& from, std::vector<StixStateLine>& lines)
 {
   StixStateLine state{.line = from.line_to_the_right("Points"), .values = {}};
   for (JsonCursor& entry : from.list("Values")) {
@@ -83,7 +83,9 @@ StixStateLine read_state_line(JsonCursor& from)
   }
   std::ranges::stable_sort(state.values, {}, &StixStateLine::Value::x);
   end_entry(from);
-  return state;
+  if (state.line.empty() || state.values.empty())
+    return from.remark("This state line has no places or no values. Left out.");
+  lines.push_back(std::move(state));
 }
 
 std::optional<std::size_t> number_of(const StixWater& water, JsonCursor& from, const char* key)
@@ -91,8 +93,12 @@ std::optional<std::size_t> number_of(const StixWater& water, JsonCursor& from, c
   const std::string id = from.text(key);
   if (id.empty()) return std::nullopt;
   const auto found = std::ranges::find(water.head_lines, id, &StixHeadLine::id);
-  if (found != water.head_lines.end()) return static_cast<std::size_t>(found - water.head_lines.begin());
-  from.fault(key, "names a head line that is not there", fmt::format("Got {}.", id));
+  if (found == water.head_lines.end())
+    from.fault(key, "names a head line that is not there", fmt::format("Got {}.", id));
+  else if (found->line.empty())
+    from.fault(key, "names a head line without places", fmt::format("The head line `{}`.", found->label));
+  else
+    return static_cast<std::size_t>(found - water.head_lines.begin());
   return std::nullopt;
 }
 
@@ -101,12 +107,13 @@ void read_reference_line(StixWater& water, JsonCursor& from)
 {
   StixReferenceLine line{.label = from.text("Label"), .line = from.line_to_the_right("Points")};
   const auto top = number_of(water, from, "TopHeadLineId"), bottom = number_of(water, from, "BottomHeadLineId");
-  if (top || bottom) {
+  if ((top || bottom) && !line.line.empty()) {
     line.top_head = top ? *top : *bottom;
     line.bottom_head = bottom ? *bottom : *top;
     water.reference_lines.push_back(std::move(line));
-  } else if (!from.has("TopHeadLineId") && !from.has("BottomHeadLineId"))
-    from.remark(fmt::format("The reference line `{}` has no head line. Left out.", line.label));
+  } else if (line.line.empty() || (!from.has("TopHeadLineId") && !from.has("BottomHeadLineId")))
+    from.remark(fmt::format(
+        "The reference line `{}` has no {}. Left out.", line.label, line.line.empty() ? "places" : "head line"));
   end_entry(from);
 }
 
@@ -143,7 +150,11 @@ void read_decorations(JsonCursor& file, StixParts& parts)
 {
   StixDecorations decorations;
   for (JsonCursor& entry : file.list("Excavations")) {
-    decorations.excavations.push_back(entry.line("Points", 2));
+    StixLine line = entry.line("Points", 0);
+    if (line.size() < 2)
+      entry.remark("This excavation has no line. It takes nothing away.");
+    else
+      decorations.excavations.push_back(std::move(line));
     end_entry(entry);
   }
   for (const char* key : {"Elevations", "Berms"})  // Berms: data model 1
@@ -214,14 +225,14 @@ void read_states(JsonCursor& file, StixParts& parts)
   for (JsonCursor& entry : file.list("StatePoints")) {
     StixStatePoint point{.id = entry.text("Id"),
         .label = entry.text("Label"),
-        .layer = entry.id("LayerId"),
+        .layer = entry.text("LayerId"),
         .place = entry.place("Point"),
         .preload = read_preload(entry.object("Stress"))};
     states.points.push_back(std::move(point));
     entry.pass_over({"IsProbabilistic"});
     end_entry(entry);
   }
-  for (JsonCursor& entry : file.list("StateLines")) states.lines.push_back(read_state_line(entry));
+  for (JsonCursor& entry : file.list("StateLines")) read_state_line(entry, states.lines);
   parts.states.add(file.id("Id"), file, std::move(states));
   end(file);
 }

@@ -34,10 +34,10 @@ Real strength_of(JsonCursor& slice, const StixResult& result)
 
 StixSlice read_slice(JsonCursor& from, const StixResult& result)
 {
-  StixSlice slice{.bottom_left = from.place("BottomLeft"),
-      .bottom_right = from.place("BottomRight"),
-      .top_left = from.place("TopLeft"),
-      .top_right = from.place("TopRight")};
+  StixSlice slice{.bottom_left = from.place_if_given("BottomLeft"),
+      .bottom_right = from.place_if_given("BottomRight"),
+      .top_left = from.place_if_given("TopLeft"),
+      .top_right = from.place_if_given("TopRight")};
   const auto stress = [&](const char* key) { return pa_per_kpa * from.number(key); };
   slice.total_stress = stress("TotalStress");
   slice.load_stress = stress("LoadStress");
@@ -81,9 +81,17 @@ void read_result(JsonCursor& file, const std::string& name, StixParts& parts)
   result.reliability_index = file.number("ReliabilityIndex");
   result.failure_probability = file.number("FailureProbability");
   if (file.has("Converged")) result.converged = file.flag("Converged");
-  if (file.has("Points")) result.slip_plane = file.line("Points", 0);
-  if (result.slip_plane.empty() && file.has("SlipPlane")) result.slip_plane = file.line("SlipPlane", 0);
-  for (JsonCursor& entry : file.list("Slices")) result.slices.push_back(read_slice(entry, result));
+  if (file.has("Points")) result.slip_plane = file.places_given("Points");
+  if (result.slip_plane.empty() && file.has("SlipPlane")) result.slip_plane = file.places_given("SlipPlane");
+  std::size_t n_without_foot = 0;
+  for (JsonCursor& entry : file.list("Slices")) {
+    StixSlice slice = read_slice(entry, result);
+    if (std::isfinite(slice.bottom_left[0] + slice.bottom_left[1] + slice.bottom_right[0] + slice.bottom_right[1]))
+      result.slices.push_back(std::move(slice));
+    else
+      ++n_without_foot;
+  }
+  if (n_without_foot > 0) file.remark(fmt::format("{} slices have no foot. Left out.", n_without_foot));
   const std::string id = result.id;
   parts.results.add(id, file, std::move(result));
 }

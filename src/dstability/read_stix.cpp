@@ -42,6 +42,9 @@ constexpr std::array part_kinds{PartKind{"geometries", read_geometry}, PartKind{
     PartKind{"reinforcements", read_reinforcements}, PartKind{"decorations", read_decorations},
     PartKind{"calculationsettings", read_settings}, PartKind{"soilvisualizations", read_colours}};
 
+/// All slip planes that were tried: most of the bytes of a file.
+const std::vector<std::string> all_planes{"SlipPlaneResults"};
+
 /// Known, and without meaning here.
 constexpr std::array passed_over{std::string_view("nailpropertiesforsoils")};
 /// Read by name in `read_project`.
@@ -69,10 +72,11 @@ void unpack(StixSource& source, ZipMembers& zip)
     if (name == "checksum" || std::ranges::find(passed_over, kind) != passed_over.end()) continue;
     if (!name.ends_with(".json") || !is_read(kind))
       source.notes.remark(name, "This member is not known to Terp and was not read.");
-    else
-      source.members.push_back({name, kind,
-          read_json(zip.text(k), source.project.path + ", " + name,
-              {"SlipPlaneResults"})});  // all planes tried: most of the bytes
+    else {
+      const std::string text = zip.text(k), sound = as_utf8(text);
+      if (sound != text) source.notes.remark(name, "Some letters are not UTF-8. They were read as the sign U+FFFD.");
+      source.members.push_back({name, kind, read_json(sound, source.project.path + ", " + name, all_planes)});
+    }
   }
 }
 
@@ -120,14 +124,19 @@ void read_members(StixSource& source)
       soil.colour = found->second;
 }
 
-/// The part that an id names; null without an id. A name of nothing is a fault.
+/// What is wrong if an id is empty, or names nothing: both; the latter; nothing, and it is told.
+enum class Need { must_be_named, must_exist, may_be_missing };
+
+/// The part that an id names; null without one.
 template <class T>
-const T* part_of(JsonCursor& from, const char* key, const StixById<T>& things, bool is_needed = false)
+const T* part_of(JsonCursor& from, const char* key, const StixById<T>& things, Need need = Need::must_exist)
 {
-  const std::string id = is_needed ? from.id(key) : from.text(key);
+  const std::string id = need == Need::must_be_named ? from.id(key) : from.text(key);
   if (id.empty()) return nullptr;
   const T* const thing = things.find(id);
-  if (thing == nullptr)
+  if (thing == nullptr && need == Need::may_be_missing)
+    from.remark(fmt::format("{} names what is not in the file (id {}).", key, id));
+  else if (thing == nullptr)
     from.fault(key, "names what is not in the file",
         fmt::format("Got the id {}. The file is not complete: save it anew in D-Stability.", id));
   return thing;
@@ -153,7 +162,8 @@ void set_water(JsonCursor& from, const StixParts& parts, StixStage& stage)
   const auto* const lines = part_of(from, "WaternetId", parts.waternets);
   if (lines != nullptr) stage.water = *lines;
   const std::string kind = from.text("WaterDefinitionType");
-  const auto* const mesh = part_of(from, "WaterMeshId", parts.water_meshes);
+  const Need need = kind == "WaterMesh" ? Need::must_exist : Need::may_be_missing;
+  const auto* const mesh = part_of(from, "WaterMeshId", parts.water_meshes, need);
   if (kind == "WaterMesh") {
     if (mesh == nullptr || mesh->mesh.empty())
       from.fault("WaterMeshId", "has no water mesh", "WaterDefinitionType is WaterMesh.");
@@ -171,8 +181,8 @@ void set_water(JsonCursor& from, const StixParts& parts, StixStage& stage)
 StixStage read_stage(JsonCursor& from, const StixParts& parts, const StixProject& project)
 {
   StixStage stage{.id = from.id("Id"), .label = from.text("Label"), .notes = from.text("Notes")};
-  if (const auto* layers = part_of(from, "GeometryId", parts.geometries, true)) stage.layers = *layers;
-  if (const auto* soils = part_of(from, "SoilLayersId", parts.soil_layers, true))
+  if (const auto* layers = part_of(from, "GeometryId", parts.geometries, Need::must_be_named)) stage.layers = *layers;
+  if (const auto* soils = part_of(from, "SoilLayersId", parts.soil_layers, Need::must_be_named))
     set_soils(from, *soils, project, stage);
   set_water(from, parts, stage);
   if (const auto* states = part_of(from, "StateId", parts.states)) {
@@ -195,8 +205,9 @@ StixStage read_stage(JsonCursor& from, const StixParts& parts, const StixProject
     stage.geotextiles = all->geotextiles;
     stage.nails = all->nails;
   }
-  if (const auto* at = part_of(from, "WaternetCreatorSettingsId", parts.embankments)) stage.embankment = *at;
-  part_of(from, "StateCorrelationsId", parts.state_correlations);
+  if (const auto* at = part_of(from, "WaternetCreatorSettingsId", parts.embankments, Need::may_be_missing))
+    stage.embankment = *at;
+  part_of(from, "StateCorrelationsId", parts.state_correlations, Need::may_be_missing);
   return stage;
 }
 
@@ -216,11 +227,12 @@ void remark_on_results(StixSource& source)
 StixCalculation read_calculation(JsonCursor& from, const StixParts& parts, std::size_t stage)
 {
   StixCalculation calculation;
-  if (const auto* settings = part_of(from, "CalculationSettingsId", parts.settings)) calculation = *settings;
+  if (const auto* settings = part_of(from, "CalculationSettingsId", parts.settings, Need::may_be_missing))
+    calculation = *settings;
   calculation.id = from.text("Id");
   calculation.label = from.text("Label");
   calculation.stage = stage;
-  if (const auto* result = part_of(from, "ResultId", parts.results)) calculation.result = *result;
+  if (const auto* result = part_of(from, "ResultId", parts.results, Need::may_be_missing)) calculation.result = *result;
   return calculation;
 }
 
@@ -321,6 +333,12 @@ void remark_on_stage(StixNotes& notes, const std::string& where, const StixStage
     if (!layer.soil)
       notes.remark(where,
           fmt::format("The layer `{}` (id {}) has no soil. This stage cannot be computed.", layer.label, layer.id));
+  for (const StixStatePoint& point : stage.state_points)
+    if (std::ranges::find(stage.layers, point.layer, &StixLayer::id) == stage.layers.end())
+      notes.remark(
+          where, fmt::format("The state point `{}` is of a layer that this stage does not have (id `{}`). Left "
+                             "out.",
+                     point.label, point.layer));
   if (stage.layers.empty()) notes.remark(where, "This stage has no soil layers and cannot be computed.");
 }
 

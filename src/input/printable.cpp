@@ -5,8 +5,16 @@
 namespace terp {
 namespace {
 
-/// Bytes of the UTF-8 character that `text` starts with; 0 if it starts with none (RFC 3629).
-std::size_t length_of_character(std::string_view text)
+bool is_control(std::string_view character)
+{
+  const auto first = static_cast<unsigned char>(character[0]);
+  if (character.size() == 1) return (first < 0x20 && first != '\t' && first != '\n') || first == 0x7F;
+  return first == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0;  // U+0080 to U+009F
+}
+
+}  // namespace
+
+std::size_t utf8_length(std::string_view text)
 {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
   const std::size_t length = byte(0) < 0x80   ? 1
@@ -24,20 +32,11 @@ std::size_t length_of_character(std::string_view text)
   return overlong || beyond ? 0 : length;
 }
 
-bool is_control(std::string_view character)
-{
-  const auto first = static_cast<unsigned char>(character[0]);
-  if (character.size() == 1) return (first < 0x20 && first != '\t' && first != '\n') || first == 0x7F;
-  return first == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0;  // U+0080 to U+009F
-}
-
-}  // namespace
-
 std::string printable(std::string_view text)
 {
   std::string shown;
   for (std::size_t k = 0; k < text.size();) {
-    const std::size_t length = length_of_character(text.substr(k));
+    const std::size_t length = utf8_length(text.substr(k));
     const std::string_view character = text.substr(k, std::max<std::size_t>(length, 1));
     if (length == 0 || is_control(character))
       shown += '?';

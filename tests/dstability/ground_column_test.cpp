@@ -1,5 +1,8 @@
 // Which layer holds where: nested ones, excavations, ends of the section, gaps.
+#include "points/polygon.hpp"
 #include "sections.hpp"
+
+#include <random>
 
 namespace {
 
@@ -41,6 +44,35 @@ TEST(GroundColumn, TakesAwayWhatAnExcavationRemovesBetweenItsEnds)
   EXPECT_EQ(deep[0].top, -6.5);
   EXPECT_EQ(soil_bands(stage, 3.9).front().top, 0.0);
   EXPECT_EQ(soil_bands(stage, 8.1).front().top, 0.0);
+}
+
+TEST(GroundColumn, AgreesWithTheOutlinesAtRandomPlaces)
+{
+  std::mt19937 random(7);
+  const auto real = [&](Real low, Real high) { return std::uniform_real_distribution<Real>(low, high)(random); };
+  for (int section = 0; section < 50; ++section) {
+    StixStage stage;
+    stage.layers = {box_layer("all", {-10.0, -10.0}, {10.0, 10.0}, 0)};
+    for (int n = 0; n < 4; ++n) {  // stars about the middle, each inside the one before
+      StixLayer star{.id = std::to_string(n), .label = "", .outline = {}, .soil = 1};
+      const Real largest = 8.0 / (1 << n);
+      for (int k = 0; k < 12; ++k) {
+        const Real angle = std::numbers::pi * k / 6.0, r = real(0.55, 0.95) * largest;
+        star.outline.push_back({r * std::cos(angle), r * std::sin(angle)});
+      }
+      stage.layers.insert(stage.layers.begin() + static_cast<int>(random() % stage.layers.size()), star);
+    }
+    for (int k = 0; k < 20; ++k) {
+      const Vec<2> place{real(-10.0, 10.0), real(-10.0, 10.0)};
+      const StixLayer* expected = nullptr;
+      for (const StixLayer& layer : stage.layers)
+        if (contains(layer.outline, place) &&
+            (expected == nullptr || std::abs(signed_area(layer.outline)) < std::abs(signed_area(expected->outline))))
+          expected = &layer;
+      const auto bands = soil_bands(stage, place[0]);
+      EXPECT_EQ(&stage.layers[band_at(bands, place[1])->layer], expected);
+    }
+  }
 }
 
 TEST(GroundColumn, HasSoilAtBothEndsAndBeyond)

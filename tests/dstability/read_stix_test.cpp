@@ -111,6 +111,37 @@ TEST(ReadStix, TakesAByteOrderMarkAndEmptyNumbers)
   EXPECT_TRUE(std::isnan(project.soils[0].advanced.dilatancy.value));
 }
 
+TEST(ReadStix, LeavesOutWhatHasNoPlacesAndTellsOfIt)
+{
+  EXPECT_THAT(remarks_of(read_changed("decorations/decorations.json", "\"Excavations\":[", "\"Excavations\":[{}")),
+      ElementsAre(HasSubstr("Excavations[0]: This excavation has no line. It takes nothing away.")));
+  EXPECT_THAT(remarks_of(read_changed("states/states.json", "\"StateLines\":[", "\"StateLines\":[{}")),
+      ElementsAre(HasSubstr("StateLines[0]: This state line has no places or no values. Left out.")));
+  EXPECT_THAT(remarks_of(read_changed(
+                  "waternets/waternets.json", "\"ReferenceLines\":[", "\"ReferenceLines\":[{\"Label\":\"r\"}")),
+      ElementsAre(HasSubstr("The reference line `r` has no places. Left out.")));
+  EXPECT_THAT(remarks_of(read_changed("states/states.json", "\"LayerId\":\"", "\"LayerId\":\"9")),
+      ElementsAre(
+          HasSubstr("scenario 1, stage 1: The state point `SP 1` is of a layer that this stage does not have")));
+  EXPECT_THAT(remarks_of(read_changed("scenarios/scenario.json", "\"ResultId\":\"", "\"ResultId\":\"9")),
+      ElementsAre(HasSubstr("Calculations[0]: ResultId names what is not in the file"),
+          "results/bishopbruteforce/bishopbruteforceresult.json: No calculation names this result. It was not used."));
+}
+
+TEST(ReadStix, TurnsLinesThatRunToTheLeft)
+{
+  Members members = compact_sample(berm);
+  for (auto& [name, text] : members)
+    if (name == "waternets/waternets.json") {
+      auto water = nlohmann::ordered_json::parse(text);
+      auto& points = water["HeadLines"][0]["Points"];
+      std::reverse(points.begin(), points.end());
+      text = water.dump();
+    }
+  const auto line = [](const StixProject& p) { return p.scenarios[0].stages[0].water.head_lines[0].line; };
+  EXPECT_EQ(line(read_stix_bytes(zip_of(members), "x.stix")), line(read_stix(sample_path(berm))));
+}
+
 TEST(ReadStix, SaysWhichLinkLeadsNowhere)
 {
   EXPECT_THAT(refusal_after("scenarios/scenario.json", "\"GeometryId\":\"", "\"GeometryId\":\"9"),
