@@ -10,7 +10,7 @@ CASES    = cases/column_collapse
 PYTHON   = PYTHONPATH=python /usr/bin/python3
 
 .DEFAULT_GOAL := help
-.PHONY: help install build demo test test-web vtk verify verify-paper kill fuzz sanitize lint accept clean
+.PHONY: help install build demo test package test-web vtk verify verify-paper kill fuzz sanitize lint accept clean
 
 help:            ## this list
 	@echo "Terp: explicit material point method for soil that softens and fails"
@@ -40,6 +40,10 @@ test: install    ## install, build and run the tests
 	@cmake -S . -B $(BUILD) -G Ninja -DTERP_TESTS=ON >/dev/null
 	@cmake --build $(BUILD)
 	@ctest --test-dir $(BUILD) --output-on-failure -j 2 -LE verify
+
+package: build   ## a Debian package: program, Python package, documents, cases, manual page, completion
+	@cmake --build $(BUILD) --target manual
+	@cd $(BUILD) && cpack >/dev/null && ls terp_*.deb
 
 verify: build    ## the verification ledger: all cases with a known answer; writes build/ and docs/verification.md
 	@$(TERP) verify --markdown $(BUILD)/verification.md --overview docs/verification.md

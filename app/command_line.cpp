@@ -329,7 +329,7 @@ void declare_guides(CLI::App& app, CommandLine& line)
       ->required();
   add_command(app, "list", "Understand", "materials, schemes and outputs in this build", "  terp list\n");
   add_command(app, "schema", "Understand",
-      "a JSON Schema of the case file, with which editors complete\nand check it (docs/conventions.md)",
+      "a JSON Schema of the case file, for editors\nThey complete keys with it, and check them (docs/conventions.md).",
       "  terp schema > terp.schema.json\n");
   CLI::App* bench = add_command(app, "bench", "Understand",
       "how fast the step is here, pass by pass\nWithout a case: the paper's column.", "  terp bench --threads 2\n");

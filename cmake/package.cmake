@@ -1,0 +1,40 @@
+# `make package`: a Debian package with the program, the Python package, documents, cases, manual page and completion.
+# Headers and library are a component of their own, "development", which is not in it: `cmake --install` installs both.
+set(TERP_MANUAL ${PROJECT_BINARY_DIR}/terp.1)
+add_custom_command(OUTPUT ${TERP_MANUAL}
+                   COMMAND ${PROJECT_SOURCE_DIR}/packaging/make_man $<TARGET_FILE:terp> > ${TERP_MANUAL}
+                   DEPENDS terp ${PROJECT_SOURCE_DIR}/packaging/make_man)
+set(TERP_SCHEMA ${PROJECT_BINARY_DIR}/terp.schema.json)
+add_custom_command(OUTPUT ${TERP_SCHEMA} COMMAND terp schema > ${TERP_SCHEMA} DEPENDS terp)
+add_custom_target(manual DEPENDS ${TERP_MANUAL} ${TERP_SCHEMA})
+
+set(python_packages lib/python3/dist-packages)
+install(FILES ${TERP_MANUAL} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT user EXCLUDE_FROM_ALL)
+install(FILES ${PROJECT_SOURCE_DIR}/packaging/terp.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+        RENAME terp COMPONENT user EXCLUDE_FROM_ALL)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/terp DESTINATION ${python_packages} COMPONENT user EXCLUDE_FROM_ALL
+        PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/cases DESTINATION ${CMAKE_INSTALL_DATADIR}/terp COMPONENT user
+        EXCLUDE_FROM_ALL PATTERN __pycache__ EXCLUDE)
+install(FILES ${TERP_SCHEMA} DESTINATION ${CMAKE_INSTALL_DATADIR}/terp COMPONENT user EXCLUDE_FROM_ALL)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT user EXCLUDE_FROM_ALL)
+install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        COMPONENT user EXCLUDE_FROM_ALL)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT user
+        EXCLUDE_FROM_ALL)
+install(TARGETS terp COMPONENT user EXCLUDE_FROM_ALL)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME terp)
+set(CPACK_PACKAGE_CONTACT "The authors of Terp")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Explicit material point method for soil that softens and fails")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_COMPONENTS_ALL user)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_USER_PACKAGE_NAME terp)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gmsh, python3-numpy, python3-h5py, python3-matplotlib, bash-completion")
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_STRIP_FILES ON)
+include(CPack)
