@@ -50,6 +50,11 @@ StixPreload read_preload(JsonCursor from)
 {
   StixPreload preload;
   const std::string kind = from.text("StateType");
+  if (kind.empty()) {
+    from.remark("There is no StateType here. The soil counts as normally consolidated.");
+    preload.pop.value = 0.0;
+    return preload;
+  }
   if (kind == "Ocr")
     preload.kind = StixPreload::Kind::ocr;
   else if (kind == "YieldStress")
@@ -62,7 +67,7 @@ StixPreload read_preload(JsonCursor from)
   const Real needed = preload.kind == StixPreload::Kind::pop   ? preload.pop.value
                       : preload.kind == StixPreload::Kind::ocr ? preload.ocr
                                                                : preload.yield_stress;
-  if (std::isnan(needed) && !kind.empty())
+  if (std::isnan(needed))
     from.fault(kind.c_str(), "needs a number", fmt::format("It is the state that holds, as StateType is {}.", kind));
   from.pass_over({"OcrStochasticParameter", "YieldStressStochasticParameter"});
   from.tell_unknown();

@@ -229,6 +229,8 @@ StixCalculation read_calculation(JsonCursor& from, const StixParts& parts, std::
   StixCalculation calculation;
   if (const auto* settings = part_of(from, "CalculationSettingsId", parts.settings, Need::may_be_missing))
     calculation = *settings;
+  const std::string method = from.text("AnalysisType");  // of a stage of data model 1 that another program wrote
+  if (calculation.method.empty()) calculation.method = method;
   calculation.id = from.text("Id");
   calculation.label = from.text("Label");
   calculation.stage = stage;

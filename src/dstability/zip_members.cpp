@@ -72,6 +72,7 @@ void ZipMembers::Archive::list()
     if (raw == nullptr) fail(fmt::format("member {}", k + 1), "has no name", words_of(zip));
     std::string name = raw;
     std::ranges::replace(name, '\\', '/');
+    for (std::size_t at = 0; (at = name.find("//", at)) != std::string::npos;) name.erase(at, 1);
     if (name.empty() || name.ends_with('/')) continue;
     if (!seen.insert(name).second)
       fail(name, "is there twice", "Which one holds cannot be known. Save the file anew in D-Stability.");

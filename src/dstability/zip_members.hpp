@@ -27,7 +27,7 @@ class ZipMembers {
   ~ZipMembers();
   ZipMembers(ZipMembers&&) noexcept;
 
-  /// Names with `/` between folders, whatever the file has, in its order; folders are left out.
+  /// Names with one `/` between folders, whatever the file has, in its order; folders are left out.
   const std::vector<std::string>& names() const;
   /// Unpacked. Throws InputError if it is damaged, encrypted, or beyond the limits.
   std::string text(std::size_t number);

@@ -128,6 +128,16 @@ TEST(ReadStix, LeavesOutWhatHasNoPlacesAndTellsOfIt)
           "results/bishopbruteforce/bishopbruteforceresult.json: No calculation names this result. It was not used."));
 }
 
+TEST(ReadStix, TakesAStateWithoutTypeAsNone)
+{
+  const StixProject project = read_changed("states/states.json", "\"StateType\":\"Pop\"", "\"StateType\":null");
+  EXPECT_EQ(project.scenarios[0].stages[0].state_points[0].preload.pop.value, 0.0);
+  EXPECT_THAT(remarks_of(project), Contains(HasSubstr("StatePoints[0].Stress: There is no StateType here.")));
+  EXPECT_THAT(refusal_after("states/states.json", "\"StateType\":\"Pop\"", "\"StateType\":\"Overburden\""),
+      HasSubstr(
+          "StatePoints[0].Stress.StateType: is none that Terp knows\n  Got \"Overburden\"; Pop, Ocr or YieldStress."));
+}
+
 TEST(ReadStix, TurnsLinesThatRunToTheLeft)
 {
   Members members = compact_sample(berm);

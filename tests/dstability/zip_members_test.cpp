@@ -15,8 +15,9 @@ std::string refusal_of_all(const std::string& bytes, ZipLimits limits = {})
 
 TEST(ZipMembers, AreNamedWithSlashesAndUnpacked)
 {
-  ZipMembers zip("a.stix", zip_of({{"states\\states_1.json", "abc"}, {"checksum", ""}}));
-  EXPECT_THAT(zip.names(), ElementsAre("states/states_1.json", "checksum"));
+  ZipMembers zip(
+      "a.stix", zip_of({{"states\\states_1.json", "abc"}, {"checksum", ""}, {"results/bishop//b.json", ""}}));
+  EXPECT_THAT(zip.names(), ElementsAre("states/states_1.json", "checksum", "results/bishop/b.json"));
   EXPECT_EQ(zip.text(0), "abc");
   EXPECT_EQ(zip.text(1), "");
 }
