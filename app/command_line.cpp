@@ -282,7 +282,7 @@ void declare_import(CLI::App& app, ImportCommand& command)
       "what is left\nout (docs/dstability.md).",
       "  terp import section.stix\n  terp import section.stix --slices slices.csv\n");
   import->add_option("FILE.stix", command.path, "of D-Stability 2020 to 2026")->option_text(" ")->required();
-  CLI::Option* json = import->add_flag("--json", command.json, "the same for a program");
+  CLI::Option* json = import->add_flag("--json", command.json, "the same for a program")->option_text(" ");
   import
       ->add_option("--slices", command.slices,
           "write what Terp computes at the feet of all stored\nslices beside what is stored")

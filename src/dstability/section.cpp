@@ -77,7 +77,7 @@ Real StixStageColumn::pore_pressure(Real z) const
 {
   Real pressure = water_.pressure(z);
   const SoilBand* const band = band_at(bands_, z);
-  if (band != nullptr && z < water_.phreatic())
+  if (band != nullptr && water_.is_below(z))
     for (const StixUniformLoad& load : stage_->loads) {
       const auto found = load.consolidation.find(stage_->layers[band->layer].id);
       const Real degree = found == load.consolidation.end() ? full_consolidation : found->second;
@@ -228,7 +228,7 @@ std::optional<StixPlace> StixColumn::at(Real z) const
   if (band == nullptr) return std::nullopt;
   StixPlace place{.layer = band->layer};
   place.soil = &section_->project_->soils[*section_->stage().layers[band->layer].soil];
-  place.below_water = z < stage.water().phreatic();
+  place.below_water = stage.water().is_below(z);
   place.total_stress = stage.total_stress(z);
   place.load_stress = stage.load_stress(z);
   place.pore_pressure = stage.pore_pressure(z);

@@ -38,7 +38,7 @@ std::vector<MeshCut> cut(const StixWaterTriangle& triangle, Real x)
 }  // namespace
 
 StixWaterColumn::StixWaterColumn(const StixWater& water, Real x, Real ground)
-    : unit_weight_(water.unit_weight), ground_(ground), phreatic_(no_water)
+    : is_mesh_(water.is_mesh), unit_weight_(water.unit_weight), ground_(ground), phreatic_(no_water)
 {
   if (water.is_mesh)
     read_mesh(water, x);
@@ -91,7 +91,8 @@ Real StixWaterColumn::pressure(Real z) const
   const auto below = std::ranges::find_if(levels_, [z](const Level& level) { return level.z <= z; });
   const Level& upper = *(below - 1);
   if (below == levels_.end()) return upper.below + unit_weight_ * (upper.z - z);
-  return std::lerp(upper.below, below->above, (upper.z - z) / (upper.z - below->z));
+  const Real between = std::lerp(upper.below, below->above, (upper.z - z) / (upper.z - below->z));
+  return is_mesh_ ? std::max(between, 0.0) : between;  // a seepage analysis may have suction under wet soil
 }
 
 }  // namespace terp

@@ -20,6 +20,8 @@ class StixWaterColumn {
   Real unit_weight() const { return unit_weight_; }  ///< [N/m^3]
   /// Pressure of the water alone, before any cap [Pa]; zero above the phreatic line.
   Real pressure(Real z) const;
+  /// Whether the soil at z counts as below the water: below the phreatic line, in a mesh where there is pressure.
+  bool is_below(Real z) const { return is_mesh_ ? pressure(z) > 0.0 : z < phreatic_; }
 
  private:
   /// An elevation with the pressure just above and just below it.
@@ -29,6 +31,7 @@ class StixWaterColumn {
   void read_lines(const StixWater& water, Real x);
   void read_mesh(const StixWater& water, Real x);
 
+  bool is_mesh_;
   Real unit_weight_, ground_, phreatic_;
   std::vector<Level> levels_;  ///< from the highest down; the pressure is linear between two, hydrostatic beyond
 };

@@ -94,4 +94,22 @@ TEST(WaterColumn, IsLinearInTheTrianglesOfAMesh)
   EXPECT_NEAR(StixWaterColumn(water, 9.0, 4.0).pressure(1.0), 24e3, 1e-9);  // beyond: as at its end
 }
 
+TEST(WaterColumn, HasNoSuctionInAMesh)
+{
+  StixWater water{.unit_weight = 10e3, .is_mesh = true};
+  const auto strip = [&](Real low, Real high, Real at_low, Real at_high) {  // x from 0 to 2, linear in z
+    water.mesh.push_back({{{{0.0, low}, {2.0, low}, {0.0, high}}}, {at_low, at_low, at_high}});
+    water.mesh.push_back({{{{2.0, low}, {2.0, high}, {0.0, high}}}, {at_low, at_high, at_high}});
+  };
+  strip(2.0, 4.0, 5e3, -5e3);    // wet up to z = 3
+  strip(0.0, 2.0, -5e3, 5e3);    // dry under it, down to z = 1
+  strip(-2.0, 0.0, 15e3, -5e3);  // wet again below z = -0.5
+  const StixWaterColumn column(water, 1.0, 4.0);
+  EXPECT_NEAR(column.phreatic(), 3.0, 1e-12);
+  EXPECT_EQ(column.pressure(0.5), 0.0);
+  EXPECT_FALSE(column.is_below(0.5));
+  EXPECT_TRUE(column.is_below(2.5));
+  EXPECT_NEAR(column.pressure(-1.5), 10e3, 1e-9);
+}
+
 }  // namespace
