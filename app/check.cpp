@@ -51,8 +51,10 @@ void print_bodies(const Model& model)
 {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyShare& body = model.bodies[b];
-    fmt::print("  {:<14} {}, {:.6g} m^2, {:.6g} kg per m, {} points\n", fmt::format("body {}", b),
-        printable(body.material), body.area, body.mass, body.n_points);
+    const std::string& name = model.description.bodies[b].name;
+    fmt::print("  {:<14} {}, {:.6g} m^2, {:.6g} kg per m, {} points\n",
+        name.empty() ? fmt::format("body {}", b) : "body " + printable(name), printable(body.material), body.area,
+        body.mass, body.n_points);
   }
 }
 
@@ -106,7 +108,7 @@ void print_stages(const Model& model, double all_s)
     const bool rests = stage.until == Until::at_rest;
     std::string changes;
     for (const auto& [key, value] : stage.changes) changes += (changes.empty() ? ": " : ", ") + key + " = " + value;
-    fmt::print("  stage {:<9}{:g} to {}{:g} s, {}{}{}\n", stage.name, start, rests ? "at most " : "",
+    fmt::print("  stage {:<9}t = {:g} to {}{:g} s, solved in {}{}{}\n", stage.name, start, rests ? "at most " : "",
         start + stage.longest(), rests ? "at most " : "",
         readable_duration(all_s * stage.longest() / model.description.time.end), printable(changes));
     start += stage.longest();

@@ -59,7 +59,8 @@ int report_runs(const ReportCommand& command)
   for (const auto& warning : payload.warnings) fmt::print(stderr, "warning: {}\n", warning);
   if (!has_page())
     fmt::print(stderr, "warning: this terp was built without its report page; {} holds the data alone\n", path);
-  fmt::print("report in {} ({:.1f} MB)\n", path, static_cast<double>(std::filesystem::file_size(path)) / 1e6);
+  fmt::print("{} in {} ({:.1f} MB)\n", has_page() ? "report" : "data of the report", path,
+      static_cast<double>(std::filesystem::file_size(path)) / 1e6);
   return solved;
 }
 

@@ -87,6 +87,11 @@ void check_bodies(const Node& root, const Case& values, Findings& findings)
       check_body_keys(list->items[k], path, values.mesh.kind, findings);
     }
     check_holes(values.bodies[k], path, findings.warnings);
+    const auto same_name = [&](const BodyCase& other) { return other.name == values.bodies[k].name; };
+    if (const auto here = values.bodies.begin() + static_cast<std::ptrdiff_t>(k);
+        !values.bodies[k].name.empty() && std::any_of(values.bodies.begin(), here, same_name))
+      problems.push_back({path + ".name", fmt::format("two bodies have the name `{}`", values.bodies[k].name),
+          "Give each its own, as in name = \"berm\".", "body.name"});
     const bool named = !name.empty() && values.bodies[k].points_file.empty();
     if (!named || names.empty() || std::ranges::find(names, name) != names.end()) continue;
     const std::string nearest = closest(name, names);

@@ -9,31 +9,38 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace terp {
 namespace {
 
-/// Two reference lines lie one above the other at some x and the other way round at another. Both are straight between
-/// the places of either, so that it is enough to look there.
-bool cross(const ReferenceLine& a, const ReferenceLine& b, Real& where)
+/// Where two reference lines cross [m]; none if one lies above the other at every x. Both are straight between the
+/// places of either.
+std::optional<Real> crossing_of(const ReferenceLine& a, const ReferenceLine& b)
 {
-  Real highest = 0.0, lowest = 0.0;
+  std::vector<Real> places;
   for (const ReferenceLine* line : {&a, &b})
-    for (const Vec<2>& x : line->places) {
-      const Real above = elevation_at(a.places, x[0]) - elevation_at(b.places, x[0]);
-      if ((above > 0.0 && lowest < 0.0) || (above < 0.0 && highest > 0.0)) where = x[0];
-      highest = std::max(highest, above);
-      lowest = std::min(lowest, above);
-    }
-  return highest > 0.0 && lowest < 0.0;
+    for (const Vec<2>& x : line->places) places.push_back(x[0]);
+  std::ranges::sort(places);
+  Real x_before = 0.0, before = 0.0;  // the last place where they are apart
+  for (const Real x : places) {
+    const Real above = elevation_at(a.places, x) - elevation_at(b.places, x);
+    if (above * before < 0.0) return x_before + (x - x_before) * before / (before - above);
+    if (above != 0.0) x_before = x, before = above;
+  }
+  return std::nullopt;
 }
 
-void check_heads(const WaterSituation& situation, const std::string& path, Findings& findings)
+/// given: the list of reference lines, and the table of head lines, that the situation has itself. It takes others from
+/// the start, where they are checked.
+void check_heads(const WaterSituation& situation, const std::string& path, const Node* given, Findings& findings)
 {
+  const bool own_lines = given != nullptr && find_item(*given, "reference_lines") != nullptr;
+  const Node* own_heads = given != nullptr ? find_item(*given, "head_lines") : nullptr;
   std::vector<std::string> names{std::string(phreatic_head)};
   for (const HeadLine& line : situation.head_lines) names.push_back(line.name);
   const auto& lines = situation.reference_lines;
-  for (std::size_t k = 0; k < lines.size(); ++k) {
+  for (std::size_t k = 0; own_lines && k < lines.size(); ++k) {
     const std::string here = fmt::format("{}.reference_lines[{}]", path, k);
     for (const std::string& head : {lines[k].head, lines[k].head_bottom}) {
       if (head.empty() || std::ranges::find(names, head) != names.end()) continue;
@@ -45,15 +52,16 @@ void check_heads(const WaterSituation& situation, const std::string& path, Findi
       break;
     }
     for (std::size_t other = 0; other < k; ++other)
-      if (Real x = 0.0; !lines[k].places.empty() && !lines[other].places.empty() && cross(lines[k], lines[other], x))
+      if (const auto x = crossing_of(lines[k], lines[other]))
         findings.problems.push_back({here, fmt::format("the reference lines {} and {} cross", other, k),
-            fmt::format("One is above the other on one side of x = {} m, below it on the other. Give each layer its "
-                        "own line from one end to the other.",
-                x),
+            fmt::format("One is above the other on one side of x = {:.4g} m, below it on the other. Give each layer "
+                        "its own line from one end to the other.",
+                *x),
             "water.reference_lines", false, {path + ".reference_lines"}});
   }
   for (const HeadLine& line : situation.head_lines)
-    if (std::ranges::none_of(
+    if (own_heads != nullptr && find_item(*own_heads, line.name) != nullptr &&
+        std::ranges::none_of(
             lines, [&](const ReferenceLine& r) { return r.head == line.name || r.head_bottom == line.name; }))
       findings.warnings.push_back({join_path(path + ".head_lines", line.name),
           fmt::format("no reference line uses the head line `{}`", line.name),
@@ -70,7 +78,7 @@ void check_situation(const WaterSituation& situation, const Node* table, const s
         findings.problems.push_back({path + '.' + key, fmt::format("`{}` does not go with `{}`", key, all),
             fmt::format("`{}` says what the water is everywhere. Remove one of the two.", all), "water.pressure",
             true});
-  check_heads(situation, path, findings);
+  check_heads(situation, path, table, findings);
 }
 
 void check_times(const WaterCase& water, Findings& findings)

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace terp {
 namespace {
@@ -39,7 +40,12 @@ bool means(const std::string& topic, const std::string& pattern)
   return asked == known;
 }
 
-bool is_last_part(const std::string& topic, const std::string& path) { return topic == last_part(path); }
+/// Whether the path ends in the topic: "length" and "softening.length" of "material.NAME.softening.length".
+bool is_end(const std::string& topic, const std::string& path)
+{
+  const auto asked = named_parts(topic), known = named_parts(path);
+  return asked.size() <= known.size() && std::equal(asked.rbegin(), asked.rend(), known.rbegin());
+}
 
 std::string row(std::string_view label, const std::string& text)
 {
@@ -231,9 +237,8 @@ std::string list_of(const char* title, const Infos& infos)
   return out;
 }
 
-}  // namespace
-
-std::string explain(const std::string& topic)
+/// What is known of a topic; empty: nothing.
+std::string find_explanation(const std::string& topic)
 {
   if (const MaterialType* law = find_material(topic)) return describe_law(*law);
   if (const Scheme* scheme = find_scheme(topic)) return describe_scheme(*scheme);
@@ -242,17 +247,28 @@ std::string explain(const std::string& topic)
   for (const QuantityFile& file : files)
     if (file.name == topic) return describe_file(file);
   auto blocks = find_blocks(topic, means);
-  if (blocks.empty()) blocks = find_blocks(topic, is_last_part);
+  if (blocks.empty()) blocks = find_blocks(topic, is_end);
   for (const QuantityFile& file : files)
     for (const QuantityInfo& quantity : file.quantities)
       if (quantity.name == topic) blocks.push_back(fmt::format("in {}\n", file.name) + describe_quantity(quantity));
   for (const FrameField& field : all_frame_fields())
     if (field.name == topic)
       blocks.push_back("in the frames\n" + describe_quantity({field.name, field.unit, field.label, field.meaning}));
-  if (blocks.empty()) refuse_topic(topic);
+  if (blocks.empty() && is_key_of_shansep(topic)) return describe_field_kinds();
   std::string out;
   for (const std::string& block : blocks) out += (out.empty() ? "" : "\n") + block;
   return out;
+}
+
+}  // namespace
+
+std::string explain(const std::string& topic)
+{
+  if (const std::string found = find_explanation(topic); !found.empty()) return found;
+  std::string small = topic;  // SHANSEP, POP
+  std::ranges::transform(small, small.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (const std::string found = find_explanation(small); !found.empty()) return found;
+  refuse_topic(topic);
 }
 
 std::string list()

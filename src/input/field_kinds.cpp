@@ -295,6 +295,12 @@ const std::vector<FieldKind>& field_kinds()
   return kinds;
 }
 
+bool is_key_of_shansep(std::string_view name)
+{
+  return std::ranges::find(shansep_keys, name, &ShansepKey::name) != std::end(shansep_keys) ||
+         std::ranges::find(water_options, name) != std::end(water_options);
+}
+
 bool is_formula(const Node& node)
 {
   if (node.kind != NodeKind::text) return false;

@@ -40,6 +40,9 @@ std::optional<FieldValue> read_field(const FieldContext& context);
 /// The field as text, on which resuming decides whether the case is the same; files by what is in them.
 std::string field_text(const Node& node, const std::string& folder);
 
+/// Whether a table `shansep` has a key of that name.
+bool is_key_of_shansep(std::string_view name);
+
 /// What `terp explain field` prints.
 std::string describe_field_kinds();
 

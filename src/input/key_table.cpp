@@ -173,6 +173,10 @@ std::vector<KeyInfo> mesh_keys()
 std::vector<KeyInfo> body_keys()
 {
   return {
+      {.path = "body[].name",
+          .field = [](Case& c, std::size_t i) { return &c.bodies[i].name; },
+          .meaning = "its name in messages, tables and pictures, and in `set`, `place` and `remove` of a stage; each "
+                     "body needs its own"},
       {.path = "body[].material",
           .field = [](Case& c, std::size_t i) { return &c.bodies[i].material; },
           .required_for = "a body with box, polygon or region",

@@ -45,6 +45,12 @@ std::string with_unit(std::string text, std::string_view unit)
 
 std::string number_text(Real value, std::string_view unit) { return with_unit(fmt::format("{}", value), unit); }
 
+std::string converted_text(Real value, std::string_view unit)
+{
+  const Real rounded = std::stod(fmt::format("{:.6g}", value));  // then as short as it can be: 4000000, not 4e+06
+  return number_text(std::isfinite(value) ? rounded : value, unit);
+}
+
 std::string range_text(const Range& range, std::string_view unit)
 {
   std::string text;

@@ -18,7 +18,9 @@ Overload(Ts...) -> Overload<Ts...>;
 
 Field example_of(const KeyInfo& key);  ///< of a case with one of everything: for the type, not for the value
 
-std::string number_text(Real value, std::string_view unit);         ///< "2e+06 Pa", "0.3"
+std::string number_text(Real value, std::string_view unit);  ///< "2e+06 Pa", "0.3"
+/// A number that was converted from another unit: six digits are more than what was typed has.
+std::string converted_text(Real value, std::string_view unit);
 std::string range_text(const Range& range, std::string_view unit);  ///< "more than 0 s"; empty if any number will do
 std::string usual_text(const Range& usual, std::string_view unit);  ///< "500 to 5000 kg/m^3"
 std::string type_text(const KeyInfo& key);                          ///< "a number", "true or false", "[x, y]"

@@ -23,12 +23,11 @@ const ParameterField* field_of(const MaterialCase& material, std::size_t k)
   return found == material.fields.end() ? nullptr : &*found;
 }
 
-/// needs: of what the field has beside another one, whose needs are checked with that.
-void add_field(MaterialCase& material, std::size_t k, FieldValue value, std::string text, FieldNeeds needs)
+/// The needs of the field are those that it has beside another one, whose needs are checked with that.
+void add_field(MaterialCase& material, ParameterField field)
 {
-  const auto at = std::ranges::lower_bound(material.fields, k, {}, &ParameterField::parameter);
-  material.fields.insert(
-      at, {.parameter = k, .value_at = std::move(value), .text = std::move(text), .needs = std::move(needs)});
+  const auto at = std::ranges::lower_bound(material.fields, field.parameter, {}, &ParameterField::parameter);
+  material.fields.insert(at, std::move(field));
 }
 
 FieldValue value_of(const ParameterField* field, Real number)
@@ -49,15 +48,16 @@ void follow_ratio(const MaterialType& law, std::size_t k, MaterialCase& material
     return;
   }
   material.parameters[k] = law.parameters[k].typical;
-  add_field(
-      material, k,
-      [found, a = value_of(other, material.parameters[of]), b = value_of(factor, ratio.value), range = info.range](
-          const PlaceInSoil& at) {
-        const Real by = b(at);
-        return range.contains(by) ? found(a(at), by) : std::numeric_limits<Real>::quiet_NaN();
-      },
-      fmt::format("{} {} {}", info.of, info.divides ? '/' : '*', info.name),
-      factor != nullptr ? factor->needs : FieldNeeds{});
+  add_field(material, {.parameter = k,
+                          .value_at =
+                              [found, a = value_of(other, material.parameters[of]), b = value_of(factor, ratio.value),
+                                  range = info.range](const PlaceInSoil& at) {
+                                const Real by = b(at);
+                                return range.contains(by) ? found(a(at), by) : std::numeric_limits<Real>::quiet_NaN();
+                              },
+                          .text = fmt::format("{} {} {}", info.of, info.divides ? '/' : '*', info.name),
+                          .needs = factor != nullptr ? factor->needs : FieldNeeds{},
+                          .follows = other != nullptr ? std::optional(of) : std::nullopt});
 }
 
 }  // namespace
@@ -84,7 +84,10 @@ std::vector<Problem> complete_parameters(const MaterialType& law, MaterialCase& 
     const std::string_view from = law.parameters[k].fallback_of;
     if (from.empty() || is_given(k) || !law.parameters[k].may_vary) continue;
     if (const ParameterField* other = field_of(material, number_of(law, from)))
-      add_field(material, k, FieldValue(other->value_at), std::string(from), {});
+      add_field(material, {.parameter = k,
+                              .value_at = FieldValue(other->value_at),
+                              .text = std::string(from),
+                              .follows = number_of(law, from)});
   }
   material.parameters = law.complete(material.parameters);
   return problems;

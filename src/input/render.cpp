@@ -107,7 +107,8 @@ Spot find_spot(const Problem& problem, const Document& document)
     const bool exact = path == problem.key;
     const bool at_key = (problem.at_key || !exact) && node->key.line > 0;
     Place place = at_key ? node->key : node->value;
-    const bool is_header = node->kind == NodeKind::table && node->key.line > 0 && node->value.line == node->key.line;
+    const bool is_header = node->kind == NodeKind::table && node->key.line > 0 && node->value.line == node->key.line &&
+                           node->value.column <= node->key.column;
     if (is_header && !at_key) place = node->key;
     return {place, node->override_text, exact};
   }

@@ -195,8 +195,8 @@ bool ValueReader::read_number(const Node& node, const std::string& path, Real& v
   const auto in_si = number_of(node, key_.unit);
   if (!in_si) return quantity ? wrong_unit(node, path, *quantity) : wrong_type(node, path);
   const Real number = *in_si;
-  const std::string si = number_text(number, key_.unit);
-  const std::string got = quantity ? fmt::format("\"{}\", {}", node.text, si) : si;
+  const std::string got = quantity ? fmt::format("\"{}\", {}", node.text, converted_text(number, key_.unit))
+                                   : number_text(number, key_.unit);
   if (!std::isfinite(number) && !key_.may_be_infinite) return not_finite(path, number);
   if (!key_.range.contains(number)) return out_of_range(path, got);
   if (quantity) findings_.notes.push_back(fmt::format("{}: {}", path, got));

@@ -1,9 +1,10 @@
 // One drawing from back to front: cells, bodies, lines of the mesh, conditions, footings, points, axes, legend.
-// Coordinates of the drawing are pixels, y downward; Canvas turns metres into them.
+// Coordinates of the drawing are pixels, y downward; SectionCanvas turns metres into them.
 
 #include "output/section_svg.hpp"
 
 #include "boundary/conditions.hpp"
+#include "output/section_canvas.hpp"
 #include "output/svg.hpp"
 #include "simulation/overburden.hpp"
 #include "simulation/setup_points.hpp"
@@ -18,26 +19,25 @@
 namespace terp {
 namespace {
 
-constexpr Real width = 1200.0, left = 92.0, right = 92.0, top = 96.0;  // of the page and its margins [px]
-constexpr Real highest = 640.0;                                        // of the section [px]
-constexpr Real smallest_cell = 4.0;                                    // that is drawn [px]
+constexpr Real smallest_cell = 4.0;  // that is drawn [px]
 constexpr Index most_cells = 40000, most_points = 20000;
 
 // Soil colours that stay apart in grey and for most colour-blind eyes (Okabe and Ito, made lighter).
 constexpr const char* soil_colours[] = {
     "#d9b98a", "#9cc3dd", "#a8cfa0", "#e8a98f", "#c9b3d9", "#e6d784", "#9fb5b0", "#c7c7c7"};
-constexpr const char* ink = "#1f2933";
+constexpr Real weight_of_a_mass = 9.81e-3;  // [kN/kg], as kN/m3 of a case file is read
+constexpr const char *load_colour = "#b4371e", *later_colour = "#2f7ed8", *level_colour = "#0b3d6e";
 constexpr const char *shade_colour = "#c2185b", *line_colour = "#7a0c3a";
 
-class SectionDrawing {
+class SectionDrawing : SectionCanvas {
  public:
   SectionDrawing(const Model& model, const State& state, const SectionOverlay& overlay)
-      : model_(model), state_(state), overlay_(overlay), is_result_(!overlay.subtitle.empty())
+      : SectionCanvas(*model.mesh),
+        model_(model),
+        state_(state),
+        overlay_(overlay),
+        is_result_(!overlay.subtitle.empty())
   {
-    for (const Vec<2>& x : model.mesh->nodes)
-      for (int d = 0; d < 2; ++d) low_[d] = std::min(low_[d], x[d]), high_[d] = std::max(high_[d], x[d]);
-    scale_ = std::min((width - left - right) / (high_[0] - low_[0]), highest / (high_[1] - low_[1]));
-    offset_ = 0.5 * (width - scale_ * (high_[0] - low_[0]));
   }
 
   std::string draw()
@@ -45,15 +45,17 @@ class SectionDrawing {
     cells();
     bodies();
     water();
+    if (!is_result_) later_water();
     shades();
     if (!is_result_) mesh_lines();
     sides();
     footings();
+    loads();
     if (!is_result_) named_points();
     slip_line();
     arrows();
     gravity();
-    axes();
+    legend_top_ = axes();
     title();
     legend();
     const Real height = legend_top_ + legend_height_ + 24.0;
@@ -65,31 +67,6 @@ class SectionDrawing {
   }
 
  private:
-  Real px(Real x) const { return offset_ + scale_ * (x - low_[0]); }
-  Real py(Real y) const { return top + scale_ * (high_[1] - y); }
-  Real floor_px() const { return py(low_[1]); }
-
-  template <class... Args>
-  void put(fmt::format_string<Args...> text, Args&&... args)
-  {
-    fmt::format_to(std::back_inserter(out_), text, std::forward<Args>(args)...);
-    out_ += '\n';
-  }
-
-  void text(Real x, Real y, std::string_view words, const char* anchor = "start", const std::string& style = "")
-  {
-    put("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" {}>{}</text>", x, y, anchor, style,
-        escaped_for_markup(words));
-  }
-
-  std::string ring(const std::vector<Vec<2>>& corners) const
-  {
-    std::string path;
-    for (std::size_t k = 0; k < corners.size(); ++k)
-      path += fmt::format("{}{:.2f} {:.2f}", k == 0 ? "M" : "L", px(corners[k][0]), py(corners[k][1]));
-    return path + "Z";
-  }
-
   std::string cell_path(Index cell) const
   {
     const auto x = model_.mesh->corners(cell);
@@ -103,11 +80,6 @@ class SectionDrawing {
     std::string path;
     for_each_edge([&](const Side& edge, bool) { path += line(edge); }, true);
     put("<path d=\"{}\" fill=\"none\" stroke=\"#8a94a0\" stroke-width=\"1\"/>", path);
-  }
-
-  std::string line(const Side& s) const
-  {
-    return fmt::format("M{:.2f} {:.2f}L{:.2f} {:.2f}", px(s.a[0]), py(s.a[1]), px(s.b[0]), py(s.b[1]));
   }
 
   /// Every edge once; outer: those of the boundary alone.
@@ -158,6 +130,29 @@ class SectionDrawing {
       if (x[0] > low_[0] && x[0] < high_[0]) corners.push_back(x);
     corners.push_back({high_[0], elevation_at(line, high_[0])});
     return ring(corners);
+  }
+
+  /// The phreatic lines of the other situations with their names, and the level that the ground is judged against.
+  void later_water()
+  {
+    const WaterCase& water = model_.description.water;
+    for (const WaterSituation& of : water.situations) {
+      if (of.phreatic_line.empty() || of.phreatic_line == first_water(water).phreatic_line) continue;
+      std::string path = fmt::format("M{:.2f} {:.2f}", px(low_[0]), py(elevation_at(of.phreatic_line, low_[0])));
+      for (const Vec<2>& x : of.phreatic_line)
+        if (x[0] > low_[0] && x[0] < high_[0]) path += fmt::format("L{:.2f} {:.2f}", px(x[0]), py(x[1]));
+      const Real end = elevation_at(of.phreatic_line, high_[0]), begin = elevation_at(of.phreatic_line, low_[0]);
+      put("<path d=\"{}L{:.2f} {:.2f}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\" stroke-dasharray=\"3 3\"/>",
+          path, px(high_[0]), py(end), later_colour);
+      text(px(low_[0]) + 6.0, py(begin) - 5.0, of.name.empty() ? fmt::format("t = {:g} s", of.time) : of.name, "start",
+          fmt::format("font-size=\"12\" fill=\"{}\"", later_colour));
+    }
+    if (!model_.flood_level.is_known()) return;
+    const Real y = py(model_.flood_level.value);
+    put("<path d=\"M{:.2f} {:.2f}H{:.2f}\" stroke=\"{}\" stroke-width=\"1.2\" stroke-dasharray=\"12 3 2 3\"/>",
+        px(low_[0]), y, px(high_[0]), level_colour);
+    text(px(high_[0]) - 4.0, y - 5.0, fmt::format("level of [flood] {:.4g} m", model_.flood_level.value), "end",
+        fmt::format("font-size=\"12\" fill=\"{}\"", level_colour));
   }
 
   /// The phreatic line at t = 0, and free water down to the ground.
@@ -284,17 +279,6 @@ class SectionDrawing {
         x, y, colour, angle, escaped_for_markup(words));
   }
 
-  void arrow(Real x, Real y, Vec<2> direction, Real size, const char* colour)
-  {
-    const Real n = std::hypot(direction[0], direction[1]), dx = direction[0] / n, dy = -direction[1] / n;
-    const Real ex = x + size * dx, ey = y + size * dy;
-    put("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}\" fill=\"none\" "
-        "stroke=\"{}\" "
-        "stroke-width=\"2.4\" stroke-linecap=\"round\" stroke-linejoin=\"round\"/>",
-        x, y, ex, ey, ex - 9 * dx + 5 * dy, ey - 9 * dy - 5 * dx, ex, ey, ex - 9 * dx - 5 * dy, ey - 9 * dy + 5 * dx,
-        colour);
-  }
-
   void footings()
   {
     for (const FootingCase& f : model_.description.footings) {
@@ -305,6 +289,27 @@ class SectionDrawing {
       text(x, y - 8.0, f.name, "middle", "font-weight=\"bold\"");
       if (std::hypot(f.velocity[0], f.velocity[1]) > 0.0)
         arrow(x, 0.5 * (y + py(f.low[1])), f.velocity, 34.0, "#ffffff");
+    }
+  }
+
+  /// Each load as a row of arrows down to the highest ground on its stretch.
+  void loads()
+  {
+    constexpr Real height = 26.0, apart = 16.0;  // [px]
+    const Overburden overburden(model_);
+    for (const LoadCase& load : model_.description.loads) {
+      const Real a = px(load.from), b = px(load.to);
+      const int n = std::max(1, static_cast<int>((b - a) / apart));
+      Real ground = low_[1];
+      for (int k = 0; k <= n; ++k)
+        ground = std::max(ground, overburden.ground(load.from + (load.to - load.from) * k / n).value_or(low_[1]));
+      const Real foot = py(ground) - 2.0;
+      std::string path = fmt::format("M{:.2f} {:.2f}H{:.2f}", a, foot - height, b);
+      for (int k = 0; k <= n; ++k)
+        path += fmt::format("M{0:.2f} {1:.2f}v{2:.2f}m-3 -6l3 6l3 -6", a + (b - a) * k / n, foot - height, height);
+      put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\"/>", path, load_colour);
+      text(0.5 * (a + b), foot - height - 6.0, fmt::format("{}, {:.4g} kPa", load.name, load.pressure / 1e3), "middle",
+          fmt::format("font-size=\"12\" fill=\"{}\"", load_colour));
     }
   }
 
@@ -366,28 +371,6 @@ class SectionDrawing {
     text(width - 76.0, 46.0, fmt::format("g = {:.4g} m/s²", g), "end");
   }
 
-  void axes()
-  {
-    const Real bottom = floor_px() + 44.0, side = px(low_[0]) - 44.0;
-    put("<path d=\"M{0:.1f} {2:.1f}H{1:.1f}M{3:.1f} {4:.1f}V{5:.1f}\" stroke=\"#5c6670\" fill=\"none\"/>", px(low_[0]),
-        px(high_[0]), bottom, side, py(low_[1]), py(high_[1]));
-    const auto each = [&](int d, auto&& f) {
-      constexpr Real between_ticks = 55.0;  // at least [px]
-      const Real range = high_[d] - low_[d], step = nice_step(range, std::max(1.0, scale_ * range / between_ticks));
-      for (Real k = std::ceil(low_[d] / step - 1e-9); k * step <= high_[d] + 1e-9 * step; ++k) f(k * step + 0.0);
-    };
-    each(0, [&](Real x) {
-      put("<path d=\"M{:.1f} {:.1f}v5\" stroke=\"#5c6670\"/>", px(x), bottom);
-      text(px(x), bottom + 18.0, fmt::format("{:.6g}", x), "middle", "font-size=\"12\" fill=\"#5c6670\"");
-    });
-    each(1, [&](Real y) {
-      put("<path d=\"M{:.1f} {:.1f}h-5\" stroke=\"#5c6670\"/>", side, py(y));
-      text(side - 8.0, py(y) + 4.0, fmt::format("{:.6g}", y), "end", "font-size=\"12\" fill=\"#5c6670\"");
-    });
-    text(px(high_[0]) + 26.0, bottom + 18.0, "m", "start", "font-size=\"12\" fill=\"#5c6670\"");
-    legend_top_ = bottom + 40.0;
-  }
-
   void title()
   {
     const Case& c = model_.description;
@@ -413,7 +396,8 @@ class SectionDrawing {
       const SoilMaterial& soil = model_.materials[m];
       entry(fmt::format("<rect x=\"0\" y=\"-7\" width=\"24\" height=\"14\" fill=\"{}\" stroke=\"#5b4a33\"/>",
                 colour_of(static_cast<Index>(m))),
-          fmt::format("{}: {}, {:.4g} kg/m³", soil.name, soil.type->name, soil.density));
+          fmt::format("{}: {}, {:.4g} kg/m³ = {:.4g} kN/m³", soil.name, soil.type->name, soil.density,
+              soil.density * weight_of_a_mass));
     }
     const WaterSituation& water = first_water(model_.description.water);
     if (!water.phreatic_line.empty())
@@ -421,6 +405,13 @@ class SectionDrawing {
           overlay_.line.empty() ? "phreatic line at the start" : "phreatic line");
     if (!water.reference_lines.empty())
       entry("<path d=\"M0 0H24\" stroke=\"#1f5fa8\" stroke-width=\"1.2\" stroke-dasharray=\"2 4\"/>", "reference line");
+    const auto is_another = [&](const WaterSituation& of) {
+      return !of.phreatic_line.empty() && of.phreatic_line != water.phreatic_line;
+    };
+    if (!is_result_ && std::ranges::any_of(model_.description.water.situations, is_another))
+      entry(fmt::format(
+                "<path d=\"M0 0H24\" stroke=\"{}\" stroke-width=\"1.6\" stroke-dasharray=\"3 3\"/>", later_colour),
+          "phreatic line of another situation");
     if (!overlay_.line.empty())
       entry(fmt::format("<path d=\"M0 0H24\" stroke=\"{}\" stroke-width=\"2.4\"/>", line_colour), overlay_.of_line);
     if (!overlay_.shades.empty())
@@ -444,11 +435,8 @@ class SectionDrawing {
   const Model& model_;
   const State& state_;
   const SectionOverlay& overlay_;
-  const bool is_result_;                                         // the overlay is of one
-  Vec<2> low_{INFINITY, INFINITY}, high_{-INFINITY, -INFINITY};  ///< of the mesh [m]
-  Real scale_ = 1.0, offset_ = left;                             ///< [px/m], [px]
-  Real legend_top_ = 0.0, legend_height_ = 0.0;                  ///< [px]
-  std::string out_;
+  const bool is_result_;                         // the overlay is of one
+  Real legend_top_ = 0.0, legend_height_ = 0.0;  ///< [px]
 };
 
 }  // namespace

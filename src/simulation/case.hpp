@@ -58,6 +58,7 @@ struct MeshCase {
 
 /// Exactly one of polygon, region and points_file says where a body is.
 struct BodyCase {
+  std::string name;  ///< empty: it has none
   std::string material;
   std::vector<Vec<2>> polygon;             ///< corners [m]; a box is stored as its four corners, counter-clockwise
   std::vector<std::vector<Vec<2>>> holes;  ///< [m]
@@ -67,6 +68,12 @@ struct BodyCase {
   Vec<2> velocity{0.0, 0.0};  ///< at t = 0 [m/s]
   VelocityField velocity_at;  ///< instead of velocity
 };
+
+/// A body in messages: "body `berm`", or without a name "body 4".
+inline std::string called(const BodyCase& body, std::size_t number)
+{
+  return "body " + (body.name.empty() ? std::to_string(number) : '`' + body.name + '`');
+}
 
 /// Which part of a soil a material is, by the phreatic line at t = 0.
 enum class Zone { all, below, above };

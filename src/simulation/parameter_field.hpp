@@ -48,6 +48,7 @@ struct ParameterField {
   FieldValue value_at;
   std::string text = {};  ///< as the case file has it, on one line
   FieldNeeds needs = {};
+  std::optional<std::size_t> follows = {};  ///< number of the parameter, which varies, that it is found from
 };
 
 /// A number beside which another parameter is found: a sensitivity. Not a number: not given.

@@ -200,7 +200,7 @@ void check_speeds(const Model& model, const Soil& soil, Problems& warnings)
   const Case& c = model.description;
   for (std::size_t b = 0; b < c.bodies.size(); ++b)
     warn_of_speed(
-        fmt::format("body[{}].velocity", b), fmt::format("body {}", b), size(c.bodies[b].velocity), soil, warnings);
+        fmt::format("body[{}].velocity", b), called(c.bodies[b], b), size(c.bodies[b].velocity), soil, warnings);
   for (const SideCondition& side : c.sides) {
     const std::string key = fmt::format("boundary.\"{}\".velocity", side.side);
     warn_of_speed(key, fmt::format("the side `{}`", side.side), size(side.velocity), soil, warnings);

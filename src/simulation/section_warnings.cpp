@@ -70,7 +70,7 @@ class SectionCheck {
     for (std::size_t b = 0; b < model.description.bodies.size(); ++b) {
       if (!model.description.bodies[b].points_file.empty()) continue;
       number_.push_back(b);
-      obstacles_.push_back({fmt::format("body {}", b), outline_sides(*model.mesh, outlines[k++])});
+      obstacles_.push_back({called(model.description.bodies[b], b), outline_sides(*model.mesh, outlines[k++])});
     }
     n_bodies_ = obstacles_.size();
     for (const SideCondition& side : model.description.sides) {
@@ -151,7 +151,7 @@ class SectionCheck {
     if (std::ranges::find(reported_, pair) != reported_.end()) return;
     reported_.push_back(pair);
     warnings.push_back({fmt::format("body[{}]", number_[body]),
-        fmt::format("a gap between body {} and {}", number_[body], obstacles_[other].name),
+        fmt::format("a gap between {} and {}", obstacles_[body].name, obstacles_[other].name),
         fmt::format(
             "It is {:.3g} m wide at {} m, less than a cell of {:.3g} m. Soil on both sides of it acts on the same "
             "nodes,\nand falls by the gap. Draw the two along one line.",
@@ -173,7 +173,7 @@ class SectionCheck {
       const BodyCase& body = model_.description.bodies[number_[b]];
       if (held[b] || model_.bodies[number_[b]].n_points == 0 || body.velocity_at || body.velocity != Vec<2>{0.0, 0.0})
         continue;
-      warnings.push_back({fmt::format("body[{}]", number_[b]), fmt::format("body {} hangs in the air", number_[b]),
+      warnings.push_back({fmt::format("body[{}]", number_[b]), obstacles_[b].name + " hangs in the air",
           fmt::format("It touches no other body and no side with a condition. {}", fall_of(b)), "body", false,
           keys_of_outline(number_[b])});
     }

@@ -68,6 +68,15 @@ void for_each_new_point(const Model& model, Visit visit)
     for (const NewPoint& point : batch) visit(point.key.material, point.x);
 }
 
+/// Whether the parameter that a field is found from is wrong somewhere: then that is reported, and not what follows.
+bool follows_a_wrong_one(
+    const MaterialCase& material, const ParameterField& field, const std::vector<FieldRange>& found)
+{
+  for (std::size_t f = 0; field.follows && f < found.size(); ++f)
+    if (material.fields[f].parameter == *field.follows) return found[f].n_outside > 0;
+  return false;
+}
+
 void check_covers(const MaterialCase& material, const ParameterField& field, const std::vector<Index>& n_covered)
 {
   for (std::size_t c = 0; c < n_covered.size(); ++c)
@@ -109,7 +118,8 @@ void settle_fields(Model& model)
       if (values.n == 0) continue;
       check_covers(materials[m], field, n_covered[m][f]);
       const ParameterInfo& info = model.materials[m].type->parameters[field.parameter];
-      if (values.n_outside > 0) problems.push_back(outside_its_range(materials[m], info, values));
+      if (values.n_outside > 0 && !follows_a_wrong_one(materials[m], field, found[m]))
+        problems.push_back(outside_its_range(materials[m], info, values));
       materials[m].parameters[field.parameter] = values.sum / static_cast<Real>(values.n);
     }
   }

@@ -136,6 +136,8 @@ StepLimit find_step_limit(const Case& whole, const Model& model, const std::vect
     other.method = model.method;
     other.description = as_solved(case_of_stage(whole, k));
     other.materials = make_materials(other.description);
+    other.gravity = other.description.forces.gravity;
+    settle_fields(other);
     set_water_stiffness(other, used);
     limit.enter(other, used);
   }

@@ -3,11 +3,11 @@
 #include "mesh/mesh_error.hpp"
 #include "simulation/flood_warnings.hpp"
 #include "simulation/footings.hpp"
-#include "simulation/nodal_water.hpp"
 #include "simulation/reference_width.hpp"
 #include "simulation/settle_fields.hpp"
 #include "simulation/setup_history.hpp"
 #include "simulation/softening_scales.hpp"
+#include "simulation/water_warnings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,8 @@ void find_empty_bodies(const Model& model, std::vector<Problem>& warnings)
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     if (model.bodies[b].n_points > 0) continue;
     const std::string of = model.bodies[b].material.empty() ? "" : fmt::format(" of `{}`", model.bodies[b].material);
-    warnings.push_back({fmt::format("body[{}]", b), fmt::format("body {}{} has no material points", b, of),
+    warnings.push_back({fmt::format("body[{}]", b),
+        fmt::format("{}{} has no material points", called(model.description.bodies[b], b), of),
         "Later bodies cover it wholly: where bodies overlap, the last one counts. Change the order of the bodies, or "
         "leave it out.",
         "body"});
@@ -73,58 +74,6 @@ void find_short_averaging(const Model& model, std::vector<Problem>& warnings)
                   "time in which a\ncompression wave crosses the soil once or twice, 0.02 s for 2 m of clay.",
           time, model.dt),
       "forces.damping.averaging_time", false, {"forces.damping"}});
-}
-
-/// Soil beyond the grid of a water situation.
-void find_uncovered_water(const Model& model, std::span<const Index> nodes, std::vector<Problem>& warnings)
-{
-  const WaterCase& water = model.description.water;
-  const Real slack = 1e-6 * model.mesh->smallest_altitude;  // round-off
-  for (std::size_t k = 0; k <= water.situations.size(); ++k) {
-    const WaterSituation& of = situation_of(water, k);
-    if (of.grid_file.empty() || (k > 0 && of.grid_file == water.start.grid_file)) continue;
-    Index n = 0;
-    Real farthest = 0.0;
-    for (const Index i : nodes) {
-      const Vec<2>& x = model.mesh->nodes[i];
-      Real beyond = 0.0;
-      for (int d = 0; d < 2; ++d) beyond = std::max({beyond, of.grid_low[d] - x[d], x[d] - of.grid_high[d]});
-      n += beyond > slack;
-      farthest = std::max(farthest, beyond);
-    }
-    if (n == 0) continue;
-    warnings.push_back({"water", fmt::format("the grid `{}` does not cover all of the soil", of.grid_file),
-        fmt::format(
-            "It covers x = {} to {} m, y = {} to {} m; {} of {} nodes at the soil lie beyond it, by up to {:.3g} "
-            "m.\nThey take the value of its nearest edge.",
-            coordinate_text(of.grid_low[0]), coordinate_text(of.grid_high[0]), coordinate_text(of.grid_low[1]),
-            coordinate_text(of.grid_high[1]), n, nodes.size(), farthest),
-        "water"});
-  }
-}
-
-void find_odd_water(const Model& model, const State& state, std::vector<Problem>& warnings)
-{
-  if (!model.water) return;
-  std::vector<Index> nodes;
-  for (const Index cell : state.points.occupied())
-    nodes.insert(nodes.end(), model.mesh->cells[cell].begin(), model.mesh->cells[cell].end());
-  std::ranges::sort(nodes);
-  nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
-  if (model.water->is_dry(nodes))
-    warnings.push_back({"water", "the water touches no soil",
-        "Its pressure is zero in all soil, in every situation. Elevations are in m, in the frame of the mesh.",
-        "water"});
-  find_uncovered_water(model, nodes, warnings);
-  const CappedWater capped = model.water->find_capped(nodes);
-  if (capped.n == 0) return;
-  const WaterSituation& of = situation_of(model.description.water, capped.situation);
-  warnings.push_back({"water", fmt::format("the pore pressure was cut at {} of {} nodes", capped.n, nodes.size()),
-      fmt::format("It was up to {:.3g} kPa more than the weight of the soil and the water above, most at {} m{}.\n"
-                  "There the effective stress is zero: the soil is on the point of uplift.",
-          1e-3 * capped.most, place_text(capped.where),
-          of.name.empty() ? "" : fmt::format(", in the situation `{}`", of.name)),
-      "water", true});
 }
 
 }  // namespace

@@ -68,21 +68,46 @@ void check_softening_lengths(const Model& model, const State& state)
 
 void find_odd_softening_lengths(const Model& model, const State& state, std::vector<Problem>& warnings)
 {
-  const auto warn = [&](const SofteningScale& scale, std::string what, std::string detail) {
-    warnings.push_back(
-        {key_of(model, scale), std::move(what), std::move(detail), "material.softening", false, {"mesh.cell", "mesh"}});
-  };
-  for (const SofteningScale& scale : softening_scales(model, state)) {
-    if (scale.length < resolved * scale.cell * (1.0 - round_off))
-      warn(scale, "the softening length holds less than two cells",
-          fmt::format("Got {:.4g} m; cells with this soil measure up to {:.4g} m. A slip surface takes up to 14 % "
-                      "more energy than on fine cells.\nUsual: at least {:.4g} m, or cells of at most {:.4g} m.",
-              scale.length, scale.cell, resolved * scale.cell, scale.length / resolved));
-    if (scale.height > 0.0 && scale.length > scale.height / part_of_height * (1.0 + half_spacing))
-      warn(scale, "the softening length is long beside the section",
-          fmt::format("Got {:.4g} m; the soil is H = {:.4g} m high. Soil within about 2 l of a slip surface softens "
-                      "though it never sheared.\nUsual: at most H/{:g} = {:.4g} m, better H/50 = {:.4g} m.",
-              scale.length, scale.height, part_of_height, scale.height / part_of_height, scale.height / 50.0));
+  std::vector<SofteningScale> said;
+  const std::vector<SofteningScale> scales = softening_scales(model, state);
+  for (const SofteningScale& scale : scales) {
+    const auto is_like = [&](const SofteningScale& other) {
+      return other.length == scale.length && std::abs(other.cell - scale.cell) <= round_off * scale.cell;
+    };
+    if (std::ranges::any_of(said, is_like)) continue;
+    said.push_back(scale);
+    std::string soils;
+    for (const SofteningScale& other : scales)
+      if (is_like(other))
+        soils += fmt::format("{}`{}`", soils.empty() ? "" : ", ", model.materials[other.material].name);
+    const bool is_short = scale.length < resolved * scale.cell * (1.0 - round_off);
+    const bool is_long = scale.height > 0.0 && scale.length > scale.height / part_of_height * (1.0 + half_spacing);
+    const Real longest = scale.height / part_of_height;
+    const std::string got = fmt::format("Got {:.4g} m for {}; ", scale.length, soils);
+    const std::string cells = fmt::format("cells with this soil measure up to {:.4g} m", scale.cell),
+                      height = fmt::format("the soil is H = {:.4g} m high", scale.height);
+    const auto warn = [&](std::string what, std::string detail) {
+      warnings.push_back({key_of(model, scale), std::move(what), got + std::move(detail), "material.softening", false,
+          {"mesh.cell", "mesh"}});
+    };
+    if (is_short && is_long)
+      warn("the cells are too large for a softening length that suits the section",
+          fmt::format(
+              "{}, {}.\nOf less than two cells, a slip surface takes up to 14 % more energy than on fine cells; "
+              "longer than H/{:g}, soil\nwithin about 2 l of it softens though it never sheared.\n"
+              "Usual: {:.4g} m (H/{:g}) on cells of at most {:.4g} m.",
+              cells, height, part_of_height, longest, part_of_height, longest / resolved));
+    else if (is_short)
+      warn("the softening length holds less than two cells",
+          fmt::format(
+              "{}. A slip surface takes up to 14 % more energy than on fine cells.\nUsual: at least {:.4g} m, or "
+              "cells of at most {:.4g} m.",
+              cells, resolved * scale.cell, scale.length / resolved));
+    else if (is_long)
+      warn("the softening length is long beside the section",
+          fmt::format("{}. Soil within about 2 l of a slip surface softens though it never sheared.\nUsual: at most "
+                      "H/{:g} = {:.4g} m, better H/50 = {:.4g} m.",
+              height, part_of_height, longest, scale.height / 50.0));
   }
 }
 

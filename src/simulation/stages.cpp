@@ -327,6 +327,7 @@ void enter_next_stage(Model& model, State& state, Workspace& work)
 {
   Model next = build_stage(*model.whole, model.mesh, model.threads, model.stage.number + 1);
   keep_rest_of(model, next);
+  TERP_ASSERT(next.dt == model.dt);  // or the clock would jump
   const Real before = kinetic_and_elastic_energy(model, state);
   if (stores_other_stress(model, next)) change_stored_stress(model, next, state);
   const auto same_material = [](const BodyCase& a, const BodyCase& b) { return a.material == b.material; };

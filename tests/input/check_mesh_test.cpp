@@ -1,4 +1,4 @@
-// Every kind of mesh arrives in the case; keys that are wrong together: wrong_cases/small_case.wrong.
+// Every kind of mesh arrives in the case; keys that are wrong together: wrong_cases/meshes.wrong.
 #include "input/check_case.hpp"
 #include "input/samples.hpp"
 #include "support/paths.hpp"

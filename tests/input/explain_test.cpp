@@ -64,6 +64,7 @@ TEST(Explain, TakesKeysAsTheyStandInACase)
   EXPECT_THAT(explain("material.clay.eta"), HasSubstr("shape factor"));
   EXPECT_THAT(explain("body[0].box"), HasSubstr("lower left"));
   EXPECT_THAT(explain("boundary.bottom.adhesion"), HasSubstr("unit      Pa"));
+  EXPECT_EQ(explain("softening.length"), explain("material.softening.length"));
   EXPECT_THAT(explain("su_peak"), HasSubstr("key of material model `tresca_softening`"));
 }
 
@@ -102,6 +103,7 @@ TEST(Explain, ListsTheKindsOfFieldsAndWhatStandsForAParameter)
   EXPECT_THAT(explain("field"), HasSubstr("{ depth = [[0, 8e3], [5, 15e3]] }\n"));
   EXPECT_THAT(explain("su_residual"), HasSubstr("    instead   sensitivity\n"));
   EXPECT_EQ(explain("shansep"), explain("field"));
+  for (const char* word : {"SHANSEP", "pop", "POP", "yield_stress"}) EXPECT_EQ(explain(word), explain("field")) << word;
 }
 
 TEST(Explain, OffersTheNearestTopic)

@@ -18,6 +18,7 @@ origin = [-1.0, 1.0]
 size = [16.0, 3.0]
 cell = [0.5, 0.25]
 [[body]]
+name = "base"
 material = "clay"
 box = [[0.0, 1.0], [8.0, 2.0]]
 points_per_cell = [3, 4]

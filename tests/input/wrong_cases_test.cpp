@@ -75,8 +75,10 @@ TEST_F(WrongCases, ThatAreFilesHaveTheMessageOfTheCatalogue)
 
 TEST_F(WrongCases, ThatAreChangesOfASmallCaseHaveTheMessageOfTheCatalogue)
 {
-  const auto rows = read_catalogue(folder + "small_case.wrong");
-  EXPECT_GE(rows.size(), 200u);
+  std::vector<WrongRow> rows;
+  for (const char* subject : {"small_case", "stages", "meshes", "water", "strength"})
+    std::ranges::copy(read_catalogue(folder + subject + ".wrong"), std::back_inserter(rows));
+  EXPECT_GE(rows.size(), 400u);
   for (const WrongRow& row : rows) {
     const std::string good = good_case(row.name), path = scratch_.path() + "/case.toml";
     EXPECT_THAT(message_of(good, path, {}, false), StartsWith("accepted\n")) << row.name;
@@ -103,6 +105,36 @@ TEST_F(WrongCases, HaveAtMostEightFootings)
     nine +=
         std::string("[[footing]]\nbox = [[1.0, 2.0], [2.0, 2.5]]\nvelocity = [0.0, -0.1]\nname = \"") + name + "\"\n";
   EXPECT_THAT(message_for(nine), HasSubstr("a case has at most 8 footings"));
+}
+
+TEST_F(WrongCases, WithOneMistakeHaveOneMessage)
+{
+  const auto with_water = [](const std::string& water) {
+    const std::string shansep = "su_peak = { shansep = { S = 0.23, m = 0.9, pop = 15e3, water = \"high\" } }";
+    std::string text = replaced(two_soils, "su_peak = 8.0e3", shansep);
+    text = replaced(replaced(text, "su_peak = 4.0e3", shansep), "material = \"clay\"", "material = \"peat\"");
+    return text + "[[body]]\nmaterial = \"clay\"\nbox = [[8.0, 0.0], [9.0, 1.0]]\n[[body]]\nmaterial = \"sand\"\n" +
+           "box = [[9.0, 0.0], [9.5, 1.0]]\n[forces]\ngravity = [0, -9.81]\n" + water;
+  };
+  const auto said = [&](const std::string& text) { return message_of(text, scratch_.path() + "/case.toml", {}, true); };
+  const std::string high = "[[water.situation]]\nname = \"high\"\nphreatic_line = [[0, 2.5]]\n";
+  EXPECT_THAT(said(with_water("[water]\nphreatic_line = [[0, 1]]\n" + high)), StartsWith("accepted\n"));
+  for (const auto& [water, message] :
+      {std::pair<std::string, std::string>{
+           "[water]\nphreatic_line = [[5, 1], [0, 2]]\n" + high, "case.toml:42:17: `phreatic_line` goes back in x"},
+          {"[water]\nphreatic_line = [[0, 1]]\nreference_lines = [{ line = [[0, 0]], head = \"aquifer\" }]\n" + high,
+              "there is no head line `aquifer`"},
+          {"[water]\nphreatic_line = [[0, 1]]\nhead_lines = { a = [[0, 1]] }\nreference_lines = [{ line = [[0, 1], [8, "
+           "0]], "
+           "head = \"a\" }, { line = [[0, 0], [8, 1]], head = \"a\" }]\n" +
+                  high,
+              "One is above the other on one side of x = 4 m, below it on the other."}}) {
+    EXPECT_THAT(said(with_water(water)), AllOf(HasSubstr(message), EndsWith("\n1 error; nothing was run.\n")));
+  }
+  std::string field = replaced(small_case, "su_peak = 8.0e3", "su_peak = \"1e3 - 1e3*y\"\nsensitivity = 2.0");
+  field = replaced(replaced(field, "su_residual = 2.0e3\n", ""), "shear_modulus = 2.0e6", "stiffness_ratio = 100");
+  EXPECT_THAT(said(field), AllOf(StartsWith("error: case.toml:13:11: `su_peak` is out of range in part of the soil"),
+                               EndsWith("\n1 error; nothing was run.\n")));
 }
 
 TEST_F(WrongCases, PointAtTheChangeThatMadeAnOptionUseless)

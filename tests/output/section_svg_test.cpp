@@ -20,9 +20,23 @@ TEST(SectionSvg, NamesBodiesSidesPointsAndGravity)
   c.output.history_points = {{"A", {1.0, 1.0}}};
   c.footings = {{.name = "plate", .low = {1.0, 2.0}, .high = {2.0, 2.5}, .velocity = {0.0, -0.01}}};
   const std::string svg = drawing_of(c);
-  for (const char* part : {"<svg xmlns=", "clay &lt; sand", "clay: tresca_softening, 1990 kg/m³",
+  for (const char* part : {"<svg xmlns=", "clay &lt; sand", "clay: tresca_softening, 1990 kg/m³ = 19.52 kN/m³",
            "bottom: contact that never opens, adhesion 8 kPa", "left: roller, no motion across", "top: free",
            ">A</text>", ">plate</text>", "g = 9.81 m/s²", "192 cells, 1600 material points", "</svg>\n"})
+    EXPECT_THAT(svg, HasSubstr(part));
+}
+
+TEST(SectionSvg, DrawsLoadsAndTheWaterToCome)
+{
+  Case c = column("mpm_gp");
+  c.loads = {{.name = "traffic", .from = 1.0, .to = 3.0, .pressure = 13e3}};
+  c.water.start.phreatic_line = {{0.0, 1.0}};
+  c.water.situations = {{.name = "high", .phreatic_line = {{0.0, 2.5}, {8.0, 1.5}}}};
+  c.flood.water_level = 1.8;
+  c.flood.given = true;
+  const std::string svg = drawing_of(c);
+  for (const char* part : {">traffic, 13 kPa</text>", ">high</text>", "phreatic line of another situation",
+           ">level of [flood] 1.8 m</text>"})
     EXPECT_THAT(svg, HasSubstr(part));
 }
 

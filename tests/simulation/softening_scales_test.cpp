@@ -45,7 +45,8 @@ TEST(SofteningScales, ALengthOfLessThanTwoCellsIsDoubted)
 {
   EXPECT_THAT(with_length(0.08),
       ElementsAre(told("material.\"clay\".softening.length", "the softening length holds less than two cells",
-          "Got 0.08 m; cells with this soil measure up to 0.05 m. A slip surface takes up to 14 % more energy than on "
+          "Got 0.08 m for `clay`; cells with this soil measure up to 0.05 m. A slip surface takes up to 14 % more "
+          "energy than on "
           "fine cells.\nUsual: at least 0.1 m, or cells of at most 0.04 m.")));
 }
 
@@ -53,8 +54,29 @@ TEST(SofteningScales, ALengthThatIsLongBesideTheSectionIsDoubted)
 {
   EXPECT_THAT(with_length(0.2),
       ElementsAre(told("material.\"clay\".softening.length", "the softening length is long beside the section",
-          "Got 0.2 m; the soil is H = 1.99 m high. Soil within about 2 l of a slip surface softens though it never "
-          "sheared.\nUsual: at most H/20 = 0.0995 m, better H/50 = 0.0398 m.")));
+          "Got 0.2 m for `clay`; the soil is H = 1.99 m high. Soil within about 2 l of a slip surface softens though "
+          "it "
+          "never sheared.\nUsual: at most H/20 = 0.0995 m, better H/50 = 0.0398 m.")));
+}
+
+TEST(SofteningScales, ALengthThatSuitsNeitherCellsNorSectionIsToldOnceForAllSoils)
+{
+  Case c = column("mpm_gp", 0.25);
+  c.materials[0].softening.length = 0.3;
+  c.materials.push_back(c.materials[0]);
+  c.materials[1].name = "peat";
+  c.bodies = {body("clay", {0.0, 0.0}, {8.0, 1.0}), body("peat", {0.0, 1.0}, {8.0, 2.0})};
+  Model model = build_model(c, 1);
+  const State state = build_state(model);
+  std::vector<Problem> warnings;
+  find_odd_softening_lengths(model, state, warnings);
+  EXPECT_THAT(
+      warnings, ElementsAre(told("material.\"clay\".softening.length",
+                    "the cells are too large for a softening length that suits the section",
+                    "Got 0.3 m for `clay`, `peat`; cells with this soil measure up to 0.25 m, the soil is H = "
+                    "1.95 m high.\nOf less than two cells, a slip surface takes up to 14 % more energy than on "
+                    "fine cells; longer than H/20, soil\nwithin about 2 l of it softens though it never sheared.\n"
+                    "Usual: 0.0975 m (H/20) on cells of at most 0.04875 m.")));
 }
 
 TEST(SofteningScales, ALengthShorterThanACellIsRefused)

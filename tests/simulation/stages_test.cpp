@@ -244,6 +244,56 @@ TEST(Stages, BeginWithTheEndOfAnotherRunAndFieldsOfTheirOwn)
   });
 }
 
+/// Times of the rows of each table.
+struct Times : Observer {
+  void rows(const std::vector<TableRow>& rows) override
+  {
+    of[std::string(rows[0].table->name)].push_back(rows[0]["time"]);
+  }
+  std::map<std::string, std::vector<Real>> of;
+};
+
+// The step of all stages is one, also where a stage changes what its values follow from.
+TEST(Stages, OfWhateverChangeLoseAndRepeatNoRow)
+{
+  constexpr std::size_t shear_modulus = 0, su_peak = 2;
+  const auto change_of = [](auto change) { return Change(change); };
+  const auto vary = [](Real base) { return [base](Vec<2> x) { return base * (1.0 + 0.1 * x[1]); }; };
+  const std::vector<std::pair<const char*, Change>> changes = {{"nothing", change_of([](Case&) {})},
+      {"stiffness", change_of([&](Case& c) { c.materials[0].fields[0].value_at = vary(5e5); })},
+      {"strength", change_of([&](Case& c) { c.materials[0].fields[1].value_at = vary(5e3); })},
+      {"material", change_of([](Case& c) { c.bodies[1].material = "stiff"; })},
+      {"density", change_of([](Case& c) { c.materials[1].density = 1500.0; })}, {"gravity", change_of([](Case& c) {
+                                                                                   c.forces.gravity = {0.0, -5.0};
+                                                                                 })},
+      {"damping", change_of([](Case& c) { c.forces.local_damping = 0.7; })},
+      {"load", change_of([](Case& c) { c.loads[0].pressure = 1e3; })},
+      {"side", change_of([](Case& c) { c.sides[1].kind = SideKind::free; })}};
+  Case c = column("mpm_gp");
+  c.materials[0].fields = {{shear_modulus, vary(2e6)}, {su_peak, vary(8e3)}};
+  c.materials.push_back(elastic(1e6, 0.3, 1900.0));
+  c.materials[1].name = "stiff";
+  c.bodies = {body("clay", {0.0, 0.0}, {8.0, 1.0}), body("clay", {0.0, 1.0}, {8.0, 2.0})};
+  c.loads = {{.name = "q", .from = 1.0, .to = 2.0, .pressure = 0.0}};
+  c.output.ledger_every = c.output.history_every = 0.02;
+  c.output.history_points = {{"A", {1.0, 1.0}}};
+  for (const auto& [name, change] : changes) {
+    Simulation s(staged(c, {{stage("a", 0.11), {}}, {stage("b", 0.11), change}}));
+    Times times;
+    s.observers = {&times};
+    s.run();
+    EXPECT_EQ(s.state.time, s.model.time_of(s.state.step)) << name;
+    for (const char* table : {"ledger", "history"}) {
+      const std::vector<Real>& at = times.of[table];
+      EXPECT_EQ(at.size(), 13u) << table << ", " << name << ": 0, 0.02 to 0.22 and 0.11 s";
+      for (std::size_t k = 1; k < at.size(); ++k) {
+        EXPECT_GT(at[k], at[k - 1]) << table << ", " << name;
+        EXPECT_LT(at[k] - at[k - 1], 0.02 + 1.5 * s.model.dt) << table << ", " << name;
+      }
+    }
+  }
+}
+
 // A strength that varies with the place belongs to the place of the seed, not to where the point has come to.
 TEST(Stages, KeepTheFieldsOfTheFirstPlacesWhenDisplacementIsCountedAnew)
 {

@@ -1,0 +1,181 @@
+// Warnings of a case that has just been set up: lines and grids of water that do not fit the soil.
+
+#include "simulation/water_warnings.hpp"
+
+#include "events/section.hpp"
+#include "mesh/mesh_error.hpp"
+#include "simulation/ground_section.hpp"
+#include "simulation/nodal_water.hpp"
+#include "simulation/overburden.hpp"
+#include "simulation/setup_mesh.hpp"
+#include "water/water_pressure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+/// Soil beyond the grid of a water situation.
+void find_uncovered_water(const Model& model, std::span<const Index> nodes, std::vector<Problem>& warnings)
+{
+  const WaterCase& water = model.description.water;
+  const Real slack = 1e-6 * model.mesh->smallest_altitude;  // round-off
+  for (std::size_t k = 0; k <= water.situations.size(); ++k) {
+    const WaterSituation& of = situation_of(water, k);
+    if (of.grid_file.empty() || (k > 0 && of.grid_file == water.start.grid_file)) continue;
+    Index n = 0;
+    Real farthest = 0.0;
+    for (const Index i : nodes) {
+      const Vec<2>& x = model.mesh->nodes[i];
+      Real beyond = 0.0;
+      for (int d = 0; d < 2; ++d) beyond = std::max({beyond, of.grid_low[d] - x[d], x[d] - of.grid_high[d]});
+      n += beyond > slack;
+      farthest = std::max(farthest, beyond);
+    }
+    if (n == 0) continue;
+    warnings.push_back({"water", fmt::format("the grid `{}` does not cover all of the soil", of.grid_file),
+        fmt::format(
+            "It covers x = {} to {} m, y = {} to {} m; {} of {} nodes at the soil lie beyond it, by up to {:.3g} "
+            "m.\nThey take the value of its nearest edge.",
+            coordinate_text(of.grid_low[0]), coordinate_text(of.grid_high[0]), coordinate_text(of.grid_low[1]),
+            coordinate_text(of.grid_high[1]), n, nodes.size(), farthest),
+        "water"});
+  }
+}
+
+/// A line of water over x, by its key and its name in a message.
+struct NamedLine {
+  std::string key, name;
+  std::vector<Vec<2>> places;  ///< [m]
+};
+
+/// The lines of all situations, each once: a situation has those of the start that it does not give itself.
+std::vector<NamedLine> lines_of(const WaterCase& water)
+{
+  std::vector<NamedLine> lines;
+  const auto add = [&](NamedLine line) {
+    const auto same = [&](const NamedLine& other) { return other.places == line.places; };
+    if (line.places.size() > 1 && std::ranges::none_of(lines, same)) lines.push_back(std::move(line));
+  };
+  for (std::size_t k = 0; k <= water.situations.size(); ++k) {
+    const WaterSituation& of = situation_of(water, k);
+    const std::string path = k == 0 ? "water" : fmt::format("water.situation[{}]", k - 1);
+    const std::string in = of.name.empty() ? "" : fmt::format(" of `{}`", of.name);
+    add({path + ".phreatic_line", "the phreatic line" + in, of.phreatic_line});
+    for (const HeadLine& line : of.head_lines)
+      add({fmt::format("{}.head_lines.\"{}\"", path, line.name), fmt::format("the head line `{}`{}", line.name, in),
+          line.places});
+    for (std::size_t r = 0; r < of.reference_lines.size(); ++r)
+      add({fmt::format("{}.reference_lines[{}]", path, r), fmt::format("the reference line {}{}", r, in),
+          of.reference_lines[r].places});
+  }
+  return lines;
+}
+
+/// Least and largest x of the points at t = 0 [m].
+std::array<Real, 2> ends_of_soil(const State& state)
+{
+  std::array<Real, 2> ends{INFINITY, -INFINITY};
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const Real x = block.row(PointRows<2>::x)[lane];
+    ends = {std::min(ends[0], x), std::max(ends[1], x)};
+  });
+  return ends;
+}
+
+/// Lines that do not reach over the soil: beyond its ends a line keeps its level, which is meant only where it is level
+/// there, or has one place.
+void find_short_lines(const Model& model, const State& state, std::vector<Problem>& warnings)
+{
+  constexpr Real little = 0.05;  // of the width of the soil
+  const auto [low, high] = ends_of_soil(state);
+  const Real most = std::max(little * (high - low), typical_cell_size(*model.mesh));
+  for (const NamedLine& line : lines_of(model.description.water)) {
+    const Vec<2>&first = line.places.front(), &last = line.places.back();
+    const auto warn = [&](std::string what, const std::string& where) {
+      warnings.push_back({line.key, std::move(what),
+          fmt::format("It runs from x = {:.4g} to {:.4g} m, the soil from {:.4g} to {:.4g} m. {}", first[0], last[0],
+              low, high, where),
+          "water", false, {"water"}});
+    };
+    if (last[0] < low || first[0] > high) {
+      warn(line.name + " lies beside the soil",
+          fmt::format(
+              "Beyond its ends a line keeps its level: {:.4g} m in all of the soil.\nx is in m, in the frame of "
+              "the mesh. For a level line one place is enough.",
+              last[0] < low ? last[1] : first[1]));
+      continue;
+    }
+    const bool rises_first = line.places[1][1] != first[1], rises_last = line.places.rbegin()[1][1] != last[1];
+    const bool short_left = rises_first && first[0] - low > most, short_right = rises_last && high - last[0] > most;
+    if (!short_left && !short_right) continue;
+    const Vec<2>& end = short_right ? last : first;
+    warn(line.name + " ends within the soil",
+        fmt::format("From x = {:.4g} m on to the {} it keeps the level {:.4g} m.\nContinue the line to the end of the "
+                    "soil; a level part at its end says that this is meant.",
+            end[0], short_right ? "right" : "left", end[1]));
+  }
+}
+
+/// A phreatic line above all of the soil, where some soil is land.
+void find_drowned_soil(const Model& model, std::vector<Problem>& warnings)
+{
+  const Overburden overburden(model);
+  const WaterCase& water = model.description.water;
+  if (!overburden.is_known()) return;
+  const Columns columns = columns_of_section(*model.mesh);
+  for (std::size_t k = 0; k <= water.situations.size(); ++k) {
+    const WaterSituation& of = situation_of(water, k);
+    if (of.phreatic_line.empty() || (k > 0 && of.phreatic_line == water.start.phreatic_line)) continue;
+    Real least = INFINITY, top = -INFINITY, x_top = 0.0;  // depth of the water; the highest ground
+    for (Index c = 0; c < columns.n; ++c) {
+      const Real x = columns.left + (static_cast<Real>(c) + 0.5) * columns.width;
+      const std::optional<Real> ground = overburden.ground(x);
+      if (!ground) continue;
+      least = std::min(least, elevation_at(of.phreatic_line, x) - *ground);
+      if (*ground > top) top = *ground, x_top = x;
+    }
+    if (!std::isfinite(least) || !(least > 0.0)) continue;
+    warnings.push_back({k == 0 ? "water.phreatic_line" : fmt::format("water.situation[{}].phreatic_line", k - 1),
+        fmt::format("the water{} stands above all of the soil", of.name.empty() ? "" : fmt::format(" `{}`", of.name)),
+        fmt::format(
+            "It is {:.3g} m above the highest ground, at x = {:.4g} m, y = {:.4g} m. Terp then computes soil "
+            "under still water:\nwater that flows over the ground is not simulated. Elevations are in m, in the "
+            "frame of the mesh.",
+            elevation_at(of.phreatic_line, x_top) - top, x_top, top),
+        "water.phreatic_line", false, {"water"}});
+  }
+}
+
+}  // namespace
+
+void find_odd_water(const Model& model, const State& state, std::vector<Problem>& warnings)
+{
+  if (!model.water) return;
+  find_short_lines(model, state, warnings);
+  find_drowned_soil(model, warnings);
+  std::vector<Index> nodes;
+  for (const Index cell : state.points.occupied())
+    nodes.insert(nodes.end(), model.mesh->cells[cell].begin(), model.mesh->cells[cell].end());
+  std::ranges::sort(nodes);
+  nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
+  if (model.water->is_dry(nodes))
+    warnings.push_back({"water", "the water touches no soil",
+        "Its pressure is zero in all soil, in every situation. Elevations are in m, in the frame of the mesh.",
+        "water"});
+  find_uncovered_water(model, nodes, warnings);
+  const CappedWater capped = model.water->find_capped(nodes);
+  if (capped.n == 0) return;
+  const WaterSituation& of = situation_of(model.description.water, capped.situation);
+  warnings.push_back({"water", fmt::format("the pore pressure was cut at {} of {} nodes", capped.n, nodes.size()),
+      fmt::format("It was up to {:.3g} kPa more than the weight of the soil and the water above, most at {} m{}.\n"
+                  "There the effective stress is zero: the soil is on the point of uplift.",
+          1e-3 * capped.most, place_text(capped.where),
+          of.name.empty() ? "" : fmt::format(", in the situation `{}`", of.name)),
+      "water", true});
+}
+
+}  // namespace terp

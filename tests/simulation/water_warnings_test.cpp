@@ -1,0 +1,73 @@
+// Lines of water that do not fit the soil. Grids: input/water_keys_test.cpp; dry and lifted soil:
+// setup_warnings_test.cpp.
+#include "simulation/water_warnings.hpp"
+
+#include "simulation/setup.hpp"
+#include "support/cases.hpp"
+#include "support/problems.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+using Line = std::vector<Vec<2>>;
+
+/// Elastic soil of 4 m x 1 m whose points lie from x = 0.025 to 3.975 m, cells of 0.25 m.
+Case wet(const Line& phreatic_line)
+{
+  Case c = free_box("mpm_gp", {0.0, 0.0}, {4.0, 1.0}, elastic(2e6, 0.3, 2000.0));
+  c.forces.gravity = {0.0, -9.81};
+  c.water.start.phreatic_line = phreatic_line;
+  return c;
+}
+
+std::vector<Problem> warnings_of(const Case& c)
+{
+  Model model = build_model(c, 1);
+  const State state = build_state(model);
+  std::vector<Problem> warnings;
+  find_odd_water(model, state, warnings);
+  return warnings;
+}
+
+TEST(WaterWarnings, AreSilentWhereLinesReachOverTheSoilOrAreLevelAtTheirEnds)
+{
+  for (const Line& line : {Line{{0.0, 0.8}, {4.0, 0.6}}, Line{{-1.0, 0.8}, {5.0, 0.6}}, Line{{2.0, 0.8}},
+           Line{{1.0, 0.8}, {1.5, 0.8}, {2.0, 0.6}, {3.0, 0.6}}, Line{{0.2, 0.8}, {3.8, 0.6}}})
+    EXPECT_THAT(warnings_of(wet(line)), IsEmpty());
+}
+
+TEST(WaterWarnings, ALineBesideTheSoilIsTold)
+{
+  EXPECT_THAT(warnings_of(wet({{-9.0, 0.8}, {-1.0, 0.7}})),
+      ElementsAre(told("water.phreatic_line", "the phreatic line lies beside the soil",
+          "It runs from x = -9 to -1 m, the soil from 0.025 to 3.975 m. Beyond its ends a line keeps its level: 0.7 m "
+          "in "
+          "all of the soil.\nx is in m, in the frame of the mesh. For a level line one place is enough.")));
+  EXPECT_THAT(warnings_of(wet({{5.0, 0.6}, {9.0, 0.7}})),
+      ElementsAre(told("water.phreatic_line", "the phreatic line lies beside the soil", HasSubstr("level: 0.6 m in"))));
+}
+
+TEST(WaterWarnings, ALineThatEndsWithinTheSoilIsTold)
+{
+  EXPECT_THAT(warnings_of(wet({{0.0, 0.8}, {2.0, 0.6}})),
+      ElementsAre(told("water.phreatic_line", "the phreatic line ends within the soil",
+          "It runs from x = 0 to 2 m, the soil from 0.025 to 3.975 m. From x = 2 m on to the right it keeps the level "
+          "0.6 "
+          "m.\nContinue the line to the end of the soil; a level part at its end says that this is meant.")));
+  Case c = wet({{0.0, 0.8}});
+  c.water.situations = {{.name = "high", .phreatic_line = {{1.0, 0.9}, {4.0, 0.6}}}};
+  EXPECT_THAT(warnings_of(c),
+      ElementsAre(told("water.situation[0].phreatic_line", "the phreatic line of `high` ends within the soil",
+          HasSubstr("From x = 1 m on to the left it keeps the level 0.9 m."))));
+}
+
+TEST(WaterWarnings, WaterAboveAllOfTheSoilIsTold)
+{
+  EXPECT_THAT(warnings_of(wet({{0.0, 0.9}, {4.0, 1.5}})), IsEmpty()) << "land on the left";
+  EXPECT_THAT(warnings_of(wet({{0.0, 8.0}})),
+      ElementsAre(told("water.phreatic_line", "the water stands above all of the soil",
+          "It is 7 m above the highest ground, at x = 0.125 m, y = 1 m. Terp then computes soil under still water:\n"
+          "water that flows over the ground is not simulated. Elevations are in m, in the frame of the mesh.")));
+}
+
+}  // namespace
