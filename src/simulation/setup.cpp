@@ -138,6 +138,7 @@ StepLimit find_step_limit(const Case& whole, const Model& model, const std::vect
     other.materials = make_materials(other.description);
     other.gravity = other.description.forces.gravity;
     settle_fields(other);
+    for (const Index m : used) add_rows(m, other.materials[m], other.rows);
     set_water_stiffness(other, used);
     limit.enter(other, used);
   }

@@ -121,7 +121,7 @@ TEST_F(WrongCases, WithOneMistakeHaveOneMessage)
   EXPECT_THAT(said(with_water("[water]\nphreatic_line = [[0, 1]]\n" + high)), StartsWith("accepted\n"));
   for (const auto& [water, message] :
       {std::pair<std::string, std::string>{
-           "[water]\nphreatic_line = [[5, 1], [0, 2]]\n" + high, "case.toml:42:17: `phreatic_line` goes back in x"},
+           "[water]\nphreatic_line = [[5, 1], [0, 2]]\n" + high, "case.toml:39:26: `phreatic_line` goes back in x"},
           {"[water]\nphreatic_line = [[0, 1]]\nreference_lines = [{ line = [[0, 0]], head = \"aquifer\" }]\n" + high,
               "there is no head line `aquifer`"},
           {"[water]\nphreatic_line = [[0, 1]]\nhead_lines = { a = [[0, 1]] }\nreference_lines = [{ line = [[0, 1], [8, "
@@ -133,7 +133,7 @@ TEST_F(WrongCases, WithOneMistakeHaveOneMessage)
   }
   std::string field = replaced(small_case, "su_peak = 8.0e3", "su_peak = \"1e3 - 1e3*y\"\nsensitivity = 2.0");
   field = replaced(replaced(field, "su_residual = 2.0e3\n", ""), "shear_modulus = 2.0e6", "stiffness_ratio = 100");
-  EXPECT_THAT(said(field), AllOf(StartsWith("error: case.toml:13:11: `su_peak` is out of range in part of the soil"),
+  EXPECT_THAT(said(field), AllOf(StartsWith("error: case.toml:14:11: `su_peak` is out of range in part of the soil"),
                                EndsWith("\n1 error; nothing was run.\n")));
 }
 

@@ -285,7 +285,8 @@ TEST(Stages, OfWhateverChangeLoseAndRepeatNoRow)
     EXPECT_EQ(s.state.time, s.model.time_of(s.state.step)) << name;
     for (const char* table : {"ledger", "history"}) {
       const std::vector<Real>& at = times.of[table];
-      EXPECT_EQ(at.size(), 13u) << table << ", " << name << ": 0, 0.02 to 0.22 and 0.11 s";
+      EXPECT_EQ(at.size(), 13u) << table << ", " << name << ": 0, 0.02 to 0.22 and 0.11 s, but "
+                                << testing::PrintToString(at);
       for (std::size_t k = 1; k < at.size(); ++k) {
         EXPECT_GT(at[k], at[k - 1]) << table << ", " << name;
         EXPECT_LT(at[k] - at[k - 1], 0.02 + 1.5 * s.model.dt) << table << ", " << name;
