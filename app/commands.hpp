@@ -62,9 +62,18 @@ struct ExportCommand {
 };
 
 struct ImportCommand {
-  std::string path;    ///< of the .stix file
+  std::string path;    ///< of the .stix or .dxf file
   std::string slices;  ///< CSV file of computed and stored values; empty: none
   bool json = false;
+  std::string output;           ///< case folder; empty: none
+  bool force = false;           ///< replace a case that is there
+  int scenario = 0, stage = 0;  ///< numbers from 1; 0: left out
+  std::string strength;         ///< deterministic, design, mean; empty: deterministic
+  double cell = 0.0;            ///< [m]; 0: from the section
+  std::vector<double> between;  ///< x of the part of the section that is taken over [m]; empty: all
+  std::string unit;             ///< of a drawing; empty: that of its header
+  std::string soil_defaults;    ///< CSV file; empty: the table of the program
+  bool print_defaults = false;
 };
 
 struct WatchCommand {
@@ -91,6 +100,8 @@ int report_runs(const ReportCommand& command);
 int compare_folders(const ReportCommand& command);
 int export_run(const ExportCommand& command);
 int watch_run(const WatchCommand& command);
+int import_file(const ImportCommand& command);
+/// The list of a D-Stability file, and its slices.
 int import_stix(const ImportCommand& command);
 
 }  // namespace terp

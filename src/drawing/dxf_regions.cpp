@@ -10,20 +10,6 @@
 namespace terp {
 namespace {
 
-/// A place inside a face, not on its outline: beside the middle of its longest edge, to the left.
-Vec<2> place_in(const Polygon& outline)
-{
-  std::size_t longest = 0;
-  Real most = 0.0;
-  for (std::size_t k = 0; k < outline.size(); ++k) {
-    const Vec<2> a = outline[k], b = outline[(k + 1) % outline.size()];
-    if (const Real length = std::hypot(b[0] - a[0], b[1] - a[1]); length > most) most = length, longest = k;
-  }
-  const Vec<2> a = outline[longest], b = outline[(longest + 1) % outline.size()];
-  const Real off = 1e-6;  // of the edge
-  return {0.5 * (a[0] + b[0]) - off * (b[1] - a[1]), 0.5 * (a[1] + b[1]) + off * (b[0] - a[0])};
-}
-
 std::string name_of(const DxfDrawing& drawing, const PlanarGraph& graph, const FaceRing& ring, const Polygon& outline)
 {
   const DxfLine* around = nullptr;

@@ -363,6 +363,19 @@ bool lines_cross(Vec<2> a, Vec<2> b, Vec<2> c, Vec<2> d, Vec<2>& x)
   return true;
 }
 
+Vec<2> place_in(const Polygon& outline)
+{
+  std::size_t longest = 0;
+  Real most = 0.0;
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    const Vec<2> a = outline[k], b = outline[(k + 1) % outline.size()];
+    if (const Real length = std::hypot(b[0] - a[0], b[1] - a[1]); length > most) most = length, longest = k;
+  }
+  const Vec<2> a = outline[longest], b = outline[(longest + 1) % outline.size()];
+  const Real off = 1e-7;  // of the edge, to its left
+  return {0.5 * (a[0] + b[0]) - off * (b[1] - a[1]), 0.5 * (a[1] + b[1]) + off * (b[0] - a[0])};
+}
+
 PlanarGraph join_lines(const std::vector<DrawnLine>& lines, Real snap) { return Joiner(lines, snap).join(); }
 
 PlanarFaces find_faces(const PlanarGraph& graph) { return FaceWalk(graph).faces(); }

@@ -68,6 +68,9 @@ Polygon corners_of(const PlanarGraph& graph, const FaceRing& ring);
 /// Area of a face [m^2]; of face 0 it is less than zero.
 Real area_of_face(const PlanarGraph& graph, const std::vector<FaceRing>& rings);
 
+/// A place within an outline that runs counter-clockwise, beside the middle of its longest edge [m].
+Vec<2> place_in(const Polygon& outline);
+
 /// Where the lines a-b and c-d cross, both in their interiors.
 bool lines_cross(Vec<2> a, Vec<2> b, Vec<2> c, Vec<2> d, Vec<2>& x);
 

@@ -1,0 +1,485 @@
+#include "dstability/case_folder.hpp"
+
+#include "base/errors.hpp"
+#include "dstability/section_layout.hpp"
+#include "dstability/soil_text.hpp"
+#include "dstability/water_text.hpp"
+#include "points/body_outline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace terp {
+namespace {
+
+constexpr Real least_river = 0.05;  // [m] of water on the ground at an end of the section
+constexpr Real same_pop = 100.0;    // [Pa] by which the POP of a layer may vary and still be one number
+
+/// One body before it is text.
+struct Piece {
+  CleanRegion region;
+  std::size_t soil;
+  int zone;  ///< 0: the soil is alike above and below; 1: below the phreatic line, 2: above
+};
+
+bool is_shansep(const StixSoil& soil, int zone)
+{
+  return (zone == 2 ? soil.above : soil.below) == StixStrengthModel::shansep;
+}
+
+class FolderMaker {
+ public:
+  FolderMaker(const StixProject& project, const FolderOptions& options)
+      : project_(project),
+        options_(options),
+        section_(project, options.scenario, options.stage, options.basis),
+        first_(project, options.scenario, 0, options.basis),
+        stage_(section_.stage())
+  {
+    if (stage_.layers.empty())
+      throw InputError({stage_.label, "this stage has no layers", "There is nothing to make a case of.", ""});
+    for (const StixLayer& layer : stage_.layers)
+      drawn_.push_back({layer.label.empty() ? layer.id : layer.label, layer.outline});
+    for (std::size_t k = 0; k < drawn_.size(); ++k) layers_.push_back(k);
+    if (options.between) cut_ends(*options.between);
+    for (const StixLine& pit : stage_.excavations)
+      pits_.push_back({fmt::format("excavation {}", pits_.size() + 1), pit});
+    find_river();
+    layout_ = layout_of(drawn_, pits_, options.cell,
+        river_.empty()     ? LandEnd::lower
+        : river_ == "left" ? LandEnd::right
+                           : LandEnd::left);
+    cleaning_ = cleaning_for(layout_.cell);
+    clean_ = clean_regions(drawn_, pits_, cleaning_);
+    is_staged_ = options.stage > 0;
+  }
+
+  CaseFolder make()
+  {
+    make_water();
+    make_pieces();
+    make_bodies();
+    make_flood();
+    make_loads();
+    text_.title = fmt::format("{}: {}", scenario().label, stage_.label);
+    text_.head = head_comments();
+    text_.before.push_back(mesh_table(layout_));
+    make_time();
+    for (CaseTableText& table : common_tables(layout_)) text_.after.push_back(std::move(table));
+    CaseFolder folder;
+    folder.files.push_back({"case.toml", text_of(text_)});
+    for (auto& file : files_) folder.files.push_back(std::move(file));
+    folder.files.push_back({"report.md", report()});
+    folder.notes = notes_;
+    return folder;
+  }
+
+ private:
+  const StixScenario& scenario() const { return project_.scenarios[options_.scenario]; }
+
+  void cut_ends(Vec<2> between)
+  {
+    drawn_ = part_between(drawn_, between);
+    std::vector<DrawnRegion> kept;
+    layers_.clear();
+    for (std::size_t k = 0; k < drawn_.size(); ++k)
+      if (std::abs(signed_area(drawn_[k].polygon)) > 1e-6) {
+        kept.push_back(drawn_[k]);
+        layers_.push_back(k);
+      }
+    drawn_ = std::move(kept);
+    geometry_.push_back(fmt::format(
+        "Only the part from x = {:g} to {:g} m was taken over, as --between asks.", between[0], between[1]));
+  }
+
+  const StixLayer& layer_of(int drawn) const { return stage_.layers[layers_[drawn]]; }
+
+  // ---------------------------------------------------------------------------------------------------------- water
+
+  void make_water()
+  {
+    WaterText start = is_staged_ ? water_text(first_, layout_, "water_start", false) : WaterText{};
+    const bool has_start = !start.lines.empty();
+    WaterText now = water_text(section_, layout_, "water", has_start);
+    if (now.lines.empty()) {
+      assumed_.push_back("The stage has no water: the case has none, and all soil is dry.");
+      return;
+    }
+    situation_ = has_start ? key_of_name(stage_.label) + "_water" : "";
+    phreatic_ = now.phreatic;
+    const auto unit = CaseLine{"unit_weight", quoted(kilo_text(stage_.water.unit_weight, "kN/m3")), ""};
+    const auto add = [&](WaterText& water, const std::string& header, const std::string& comment,
+                         std::vector<CaseLine> lines) {
+      lines.insert(lines.end(), water.lines.begin(), water.lines.end());
+      text_.after.push_back({header, comment, lines});
+      if (!water.grid_file.empty()) files_.push_back({water.grid_file, std::move(water.grid)});
+      water_notes_.push_back(water.on_grid
+                                 ? fmt::format("{}: on a grid of {} m, as the file's water cannot be said with lines.",
+                                       header, number_text(layout_.cell))
+                                 : fmt::format("{}: lines; they give the pressures of the file within {:.2f} kPa.",
+                                       header, water.deviation / 1e3));
+    };
+    if (has_start) {
+      add(start, "[water]", fmt::format("Stage {}", quoted(scenario().stages.front().label)), {unit});
+      add(now, "[[water.situation]]", fmt::format("Stage {}", quoted(stage_.label)),
+          {{"name", quoted(situation_), ""}});
+    } else {
+      add(now, "[water]", fmt::format("Stage {}", quoted(stage_.label)), {unit});
+      if (is_staged_)
+        assumed_.push_back("The first stage has no water: the run begins with that of the analysed stage.");
+    }
+  }
+
+  // --------------------------------------------------------------------------------------------------------- bodies
+
+  void make_pieces()
+  {
+    Real left_there = 0.0;
+    for (const CleanRegion& region : clean_.regions) {
+      const std::size_t soil = *layer_of(region.drawn).soil;
+      if (same_above_and_below(project_.soils[soil]) || phreatic_.empty()) {
+        pieces_.push_back({region, soil, phreatic_.empty() && !same_above_and_below(project_.soils[soil]) ? 2 : 0});
+        continue;
+      }
+      for (CutRegion& cut : cut_along(region, phreatic_, 0.05 * layout_.cell, left_there))
+        pieces_.push_back({std::move(cut.region), soil, cut.above ? 2 : 1});
+    }
+    if (left_there > 0.0)
+      geometry_.push_back(fmt::format(
+          "{:.3g} m2 in slivers along the phreatic line count with the soil on its other side.", left_there));
+    if (!phreatic_.empty())
+      geometry_.push_back(
+          "Soils that differ above and below the phreatic line are cut along the line of the analysed stage. They stay "
+          "as they are if you change the line in the case.");
+    const BaseFill fill = base_fill(layout_, clean_.regions);
+    if (fill.drawn < 0) return;
+    const std::size_t soil = *layer_of(fill.drawn).soil;
+    pieces_.insert(
+        pieces_.begin(), Piece{{fill.drawn, fill.box, {}}, soil, same_above_and_below(project_.soils[soil]) ? 0 : 1});
+    base_ = fill.area;
+    geometry_.push_back(
+        fmt::format("The base of the section is not level: {:.3f} m2 below it, down to {:.2f} m, were "
+                    "filled with the soil above (first body).",
+            fill.area, layout_.low[1]));
+  }
+
+  void make_bodies()
+  {
+    BodyOrder order;
+    for (const Piece& piece : pieces_) {
+      const StixSoil& soil = project_.soils[piece.soil];
+      const StixLayer& layer = layer_of(piece.region.drawn);
+      const std::string material = material_of(piece);
+      const std::string zone = piece.zone == 0 ? "" : piece.zone == 1 ? ", below the phreatic line" : ", above it";
+      order.bodies.push_back({material,
+          fmt::format("Layer {} (id {}), soil {}{}", quoted(layer.label), layer.id, quoted(soil.name), zone), {}, {}});
+      order.regions.push_back(piece.region);
+      const Real weight = piece.zone == 2 ? soil.weight_above : soil.weight_below;
+      const Real area = terp::area(BodyOutline{piece.region.polygon, {1, 1}, piece.region.holes});
+      if (!(base_ > 0.0 && &piece == &pieces_.front())) weights_[material] += Vec2Sum{area, area * weight};
+    }
+    put_on_top(order);
+    text_.bodies = std::move(order.bodies);
+    for (const auto& [key, use] : uses_) {
+      SoilText soil = soil_text(use, options_.basis, options_.kinds);
+      text_.materials.push_back(std::move(soil.material));
+      assumed_.insert(assumed_.end(), soil.assumed.begin(), soil.assumed.end());
+    }
+  }
+
+  /// The material of a piece; layers of one soil and one preload share it.
+  std::string material_of(const Piece& piece)
+  {
+    const StixSoil& soil = project_.soils[piece.soil];
+    PreloadText preload;
+    Real largest = 0.0;
+    std::vector<Piece> same{piece};
+    const int layer = piece.region.drawn;
+    if (is_shansep(soil, piece.zone)) preload = constant_pop(piece);
+    const bool on_grid = is_shansep(soil, piece.zone) && preload.value.empty();
+    const std::string key = fmt::format("{}/{}/{}", piece.soil, piece.zone, on_grid ? "grid" : preload.value);
+    if (const auto known = uses_.find(key); known != uses_.end()) return known->second.name;
+    for (const auto& [x, z] : sample_places(piece.region, 2.0 * layout_.cell))
+      if (const auto at = section_.at({x, z})) largest = std::max(largest, at->effective_stress);
+    std::string name = key_of_name(soil.name) + (piece.zone == 1 ? "_below" : piece.zone == 2 ? "_above" : "");
+    if (names_.contains(name)) name += "_" + key_of_name(layer_of(layer).label);
+    for (int k = 2; names_.contains(name); ++k) name = key_of_name(soil.name) + fmt::format("_{}", k);
+    names_.insert(name);
+    if (on_grid) preload = yield_grid(piece, name);
+    const std::string where = piece.zone == 0 ? ""
+                                              : fmt::format("{} the phreatic line of the analysed stage",
+                                                    piece.zone == 1 ? "below" : "above");
+    uses_.emplace(key, SoilUse{&soil, piece.zone == 2, name, where, situation_, preload, largest});
+    return name;
+  }
+
+  /// Places in a region on a grid.
+  static std::vector<Vec<2>> sample_places(const CleanRegion& region, Real step)
+  {
+    const BoundingBox box = box_around(region.polygon);
+    std::vector<Vec<2>> places;
+    for (Real x = box.low[0] + 0.5 * step; x < box.high[0]; x += step)
+      for (Real z = box.low[1] + 0.5 * step; z < box.high[1]; z += step)
+        if (contains(region.polygon, {x, z}) && std::ranges::none_of(region.holes, [&](const Polygon& hole) {
+              return contains(hole, {x, z});
+            }))
+          places.push_back({x, z});
+    if (places.empty()) places.push_back(place_in(region.polygon));
+    return places;
+  }
+
+  bool same_ground_in_all_stages() const
+  {
+    const auto& stages = scenario().stages;
+    for (std::size_t s = 0; s < options_.stage; ++s) {
+      if (stages[s].layers.size() != stage_.layers.size() || stages[s].excavations != stage_.excavations) return false;
+      for (std::size_t k = 0; k < stage_.layers.size(); ++k)
+        if (stages[s].layers[k].outline != stage_.layers[k].outline) return false;
+    }
+    return stages[0].loads.empty();
+  }
+
+  /// POP as one number, if the yield stress is that of the first stage plus one POP; else empty.
+  PreloadText constant_pop(const Piece& piece) const
+  {
+    if (!same_ground_in_all_stages()) return {};
+    Real low = 1e30, high = -1e30;
+    for (const auto& [x, z] : sample_places(piece.region, layout_.cell)) {
+      const auto now = section_.at({x, z});
+      const auto before = first_.at({x, z});
+      if (!now || !before || now->load_stress > 0.0 || now->layer != layers_[piece.region.drawn]) continue;
+      low = std::min(low, now->yield_stress - before->effective_stress);
+      high = std::max(high, now->yield_stress - before->effective_stress);
+    }
+    if (!(high - low < same_pop) || low < 0.0) return {};
+    return {fmt::format("pop = \"{:g} kPa\"", std::round(0.5 * (low + high)) / 1e3),
+        fmt::format("POP of the file's states, over sigma'_v of {}", is_staged_ ? "the first stage" : "this stage")};
+  }
+
+  PreloadText yield_grid(const Piece& piece, const std::string& name)
+  {
+    BoundingBox box = box_around(piece.region.polygon);
+    for (const Piece& other : pieces_)
+      if (other.soil == piece.soil && other.zone == piece.zone && constant_pop(other).value.empty())
+        for (const BoundingBox more = box_around(other.region.polygon); const int d : {0, 1}) {
+          box.low[d] = std::min(box.low[d], more.low[d]);
+          box.high[d] = std::max(box.high[d], more.high[d]);
+        }
+    const Real dx = layout_.cell, dz = 0.5 * layout_.cell;
+    const auto nx = static_cast<int>(std::ceil((box.high[0] - box.low[0]) / dx));
+    const auto nz = static_cast<int>(std::ceil((box.high[1] - box.low[1]) / dz));
+    std::string text = "x,y,value\n";
+    for (int i = 0; i <= nx; ++i) {
+      const Real x = std::min(box.low[0] + i * dx, layout_.high[0] - 1e-6);
+      const StixColumn column = section_.column(x);
+      Real last = 1e3;
+      for (int j = 0; j <= nz; ++j) {
+        const Real z = std::max(box.low[1] + j * dz, layout_.low[1] + 1e-6);
+        if (const auto at = column.at(z)) last = std::max(at->yield_stress, 1e3);
+        text += fmt::format("{:.6g},{:.6g},{:.1f}\n", box.low[0] + i * dx, box.low[1] + j * dz, last);
+      }
+    }
+    files_.push_back({fmt::format("yield_stress_{}.csv", name), std::move(text)});
+    return {fmt::format("yield_stress = {{ csv = {} }}", quoted(files_.back().first)),
+        fmt::format(
+            "yield stress of {} on a grid, from the states of the file", is_staged_ ? "all stages" : "this stage")};
+  }
+
+  // ------------------------------------------------------------------------------------------- river, loads, stages
+
+  /// The end at which the water stands on the ground, and higher than at the other.
+  void find_river()
+  {
+    Real ends[2] = {1e30, -1e30};
+    for (const DrawnRegion& region : drawn_)
+      for (const Vec<2>& x : region.polygon) ends[0] = std::min(ends[0], x[0]), ends[1] = std::max(ends[1], x[0]);
+    const auto free_water = [&](Real x) { return section_.column(x).now().water().free_water(); };
+    const Real left = free_water(ends[0] + 1e-6), right = free_water(ends[1] - 1e-6);
+    if (std::max(left, right) > least_river) river_ = left >= right ? "left" : "right";
+  }
+
+  void make_flood()
+  {
+    if (river_.empty()) {
+      assumed_.push_back(
+          "No water stands on the ground at either end of the section: the case has no [flood], and no "
+          "verdict on flooding.");
+      return;
+    }
+    const Real level = section_.column(river_ == "left" ? layout_.low[0] : layout_.high[0]).now().water().phreatic();
+    std::vector<CaseLine> lines{{"river", quoted(river_), "the end where the water stands higher"}};
+    if (level < layout_.crest[1]) {
+      lines.push_back({"water_level", number_text(level), "m: phreatic line at that end"});
+    } else {
+      const Real below = layout_.crest[1] - 0.1 * layout_.height;
+      const std::string text = fmt::format(
+          "The river of this stage ({:.2f} m) stands above the crest ({:.2f} m): it floods without any slide. "
+          "To judge the slide, the level is a tenth of the height of the dike below the crest. Change it.",
+          level, layout_.crest[1]);
+      lines.push_back({"water_level", number_text(std::round(100.0 * below) / 100.0), text});
+      assumed_.push_back(text);
+      notes_.push_back(text);
+    }
+    text_.after.push_back({"[flood]", "Does the ground hold the river back? (docs/flood.md)", lines});
+  }
+
+  void make_loads()
+  {
+    int number = 0;
+    for (const StixUniformLoad& load : stage_.loads) {
+      const Real from = std::max(std::min(load.start, load.end), layout_.low[0]);
+      const Real to = std::min(std::max(load.start, load.end), layout_.high[0]);
+      const std::string label = load.label.empty() ? fmt::format("load_{}", ++number) : key_of_name(load.label);
+      if (!(to > from) || !(load.magnitude > 0.0)) {
+        left_out_.push_back(fmt::format("Load {}: it has no width or no size in the section.", label));
+        continue;
+      }
+      const auto is_same = [&](const StixUniformLoad& other) {
+        return other.start == load.start && other.end == load.end && other.magnitude == load.magnitude;
+      };
+      const bool always = !is_staged_ || std::ranges::any_of(scenario().stages.front().loads, is_same);
+      text_.after.push_back(
+          {"[[load]]", fmt::format("Uniform load of {:g} kPa, spread {:g} degrees", load.magnitude / 1e3, load.spread),
+              {{"name", quoted(label), ""}, {"from", number_text(from), "m"}, {"to", number_text(to), "m"},
+                  {"pressure", always ? quoted(kilo_text(load.magnitude, "kPa")) : "0.0",
+                      always ? "" : "put on in the last stage"}}});
+      if (!always) stage_sets_.push_back(fmt::format("\"load.{}.pressure\" = {:g}", label, load.magnitude));
+      note_load(load, label);
+    }
+    if (!stage_.layer_loads.empty() && std::ranges::any_of(stage_.layer_loads, [](const StixLayerLoad& load) {
+          return std::ranges::any_of(load.consolidation, [](const auto& entry) { return entry.second < 100.0; });
+        }))
+      left_out_.push_back("Layers that count as loads without full consolidation: their excess pore pressure.");
+  }
+
+  void note_load(const StixUniformLoad& load, const std::string& label)
+  {
+    if (load.spread != 0.0)
+      assumed_.push_back(fmt::format(
+          "Load {}: its spread of {:g} degrees is not set; the run computes how it spreads.", label, load.spread));
+    if (std::ranges::any_of(load.consolidation, [](const auto& entry) { return entry.second > 0.0; }))
+      assumed_.push_back(
+          fmt::format("Load {}: undrained soil does not gain strength from it, whatever its degree of "
+                      "consolidation; drained soil does at once, as at 100 %.",
+              label));
+  }
+
+  void make_time()
+  {
+    if (!is_staged_) {
+      text_.before.push_back({"[time]", "", {{"until", "\"at_rest\"", ""}, {"at_most", "30.0", "s"}}});
+      return;
+    }
+    const std::string first = key_of_name(scenario().stages.front().label);
+    std::string last = key_of_name(stage_.label);
+    if (last == first) last += "_2";
+    text_.after.push_back({"[[stage]]", fmt::format("Stage {} of the file", quoted(scenario().stages.front().label)),
+        {{"name", quoted(first), ""}, {"until", "\"at_rest\"", ""}, {"at_most", "20.0", "s"},
+            {"set", "{ \"forces.damping.local\" = 0.5 }", ""}}});
+    std::string sets = "\"forces.damping.local\" = 0.05";
+    for (const std::string& set : stage_sets_) sets += ", " + set;
+    std::vector<CaseLine> lines{{"name", quoted(last), ""}};
+    if (!situation_.empty()) lines.push_back({"water", quoted(situation_), ""});
+    lines.insert(
+        lines.end(), {{"ramp", "10.0", "s: slow beside the vibrations of the section; nothing drains meanwhile"},
+                         {"until", "\"at_rest\"", ""}, {"at_most", "30.0", "s"}, {"set", "{ " + sets + " }", ""},
+                         {"reset_displacement", "true", ""}});
+    text_.after.push_back({"[[stage]]", fmt::format("Stage {} of the file", quoted(stage_.label)), lines});
+    if (!same_ground_in_all_stages())
+      assumed_.push_back(
+          "Ground or loads change between the stages of the file: the run has those of the analysed stage "
+          "from the start. The yield stresses are those of the whole history.");
+  }
+
+  // --------------------------------------------------------------------------------------------------------- report
+
+  std::vector<std::string> head_comments() const
+  {
+    const char* const basis = options_.basis == StixBasis::design ? "design values (5 % fractiles)"
+                              : options_.basis == StixBasis::mean ? "means"
+                                                                  : "deterministic values";
+    return {fmt::format("Written by terp import from {} ({}, content version {}).", project_.path, project_.application,
+                project_.content_version),
+        fmt::format("Scenario {} {}, stage {} {}. Strengths: {}. What was assumed, moved and left out: report.md.",
+            options_.scenario + 1, quoted(scenario().label), options_.stage + 1, quoted(stage_.label), basis),
+        "Units: m, s, Pa, kg unless one stands with the number. x and y are the file's x and z."};
+  }
+
+  std::string report() const
+  {
+    std::string text = fmt::format("# {}\n\n", text_.title);
+    for (const std::string& line : head_comments()) text += line + "\n";
+    const auto section = [&](const std::string& title, const std::vector<std::string>& lines) {
+      text += fmt::format("\n## {}\n\n", title);
+      for (const std::string& line : lines) text += "- " + line + "\n";
+      if (lines.empty()) text += "- nothing\n";
+    };
+    text += "\n## Weight\n\n| material | area [m2] | weight [kN/m] |\n|---|---|---|\n";
+    Vec2Sum all;
+    for (const auto& [material, sum] : weights_) {
+      text += fmt::format("| {} | {:.6f} | {:.6f} |\n", material, sum.area, sum.weight / 1e3);
+      all += sum;
+    }
+    text += fmt::format("| all | {:.6f} | {:.6f} |\n", all.area, all.weight / 1e3);
+    std::vector<std::string> geometry = describe(clean_, drawn_, cleaning_);
+    geometry.insert(geometry.end(), geometry_.begin(), geometry_.end());
+    section("Geometry: what moved", geometry);
+    section("Water", water_notes_);
+    section("Assumed", assumed_);
+    std::vector<std::string> left = left_out_;
+    for (const StixRemark& remark : project_.remarks) left.push_back(fmt::format("{}: {}", remark.where, remark.what));
+    section("Left out, or not understood", left);
+    section("Not in any file of this kind",
+        {"Softening: the soils of this case do not soften. Give `sensitivity` and `eta` (docs/softening_laws.md), and "
+         "a "
+         "softening length, to see how far a slide goes.",
+            "Stiffness and K0: defaults by kind of soil. `terp import --soil-defaults-table` prints them, "
+            "`--soil-defaults FILE` takes others."});
+    return text;
+  }
+
+  struct Vec2Sum {
+    Real area = 0.0, weight = 0.0;  ///< [m^2], [N/m]
+    Vec2Sum& operator+=(const Vec2Sum& other)
+    {
+      area += other.area;
+      weight += other.weight;
+      return *this;
+    }
+  };
+
+  const StixProject& project_;
+  const FolderOptions& options_;
+  StixSection section_, first_;
+  const StixStage& stage_;
+  std::vector<DrawnRegion> drawn_;
+  std::vector<std::size_t> layers_;  ///< of the stage, by drawn region
+  std::vector<DrawnExcavation> pits_;
+  SectionLayout layout_;
+  CleaningOptions cleaning_;
+  CleanSection clean_;
+  bool is_staged_ = false;
+  std::string situation_, river_;
+  std::vector<Vec<2>> phreatic_;
+  std::vector<Piece> pieces_;
+  Real base_ = 0.0;
+  std::map<std::string, SoilUse> uses_;
+  std::set<std::string> names_;
+  std::map<std::string, Vec2Sum> weights_;
+  SectionText text_;
+  std::vector<std::pair<std::string, std::string>> files_;
+  std::vector<std::string> notes_, geometry_, water_notes_, assumed_, left_out_, stage_sets_;
+};
+
+}  // namespace
+
+CaseFolder case_folder_of(const StixProject& project, const FolderOptions& options)
+{
+  return FolderMaker(project, options).make();
+}
+
+}  // namespace terp

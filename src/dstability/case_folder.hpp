@@ -1,0 +1,25 @@
+// A stage of a D-Stability file as a case folder: case.toml, the tables that it names, and a report of what was read,
+// assumed, moved and left out. docs/dstability.md, "The case folder".
+// Not for: writing it; drawings (drawing_folder.hpp).
+#pragma once
+
+#include "dstability/case_text.hpp"
+#include "dstability/section.hpp"
+#include "dstability/soil_defaults.hpp"
+
+#include <optional>
+
+namespace terp {
+
+struct FolderOptions {
+  std::size_t scenario = 0, stage = 0;  ///< numbers from 0
+  Real cell = 0.0;                      ///< size of the cells [m]; 0: from the section
+  std::optional<Vec<2>> between = {};   ///< x of the part of the section that is taken over [m]; none: all
+  StixBasis basis = StixBasis::deterministic;
+  std::vector<SoilKind> kinds;  ///< soil defaults
+};
+
+/// Throws InputError if the stage has no layer, or something in it cannot be taken over.
+CaseFolder case_folder_of(const StixProject& project, const FolderOptions& options);
+
+}  // namespace terp

@@ -1,0 +1,137 @@
+#include "dstability/case_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace terp {
+namespace {
+
+constexpr std::size_t most_columns = 120, comment_column = 41;
+
+std::string comment_text(const std::string& comment)
+{
+  std::string text;
+  std::size_t from = 0;
+  while (from < comment.size()) {
+    const std::size_t end = std::min(comment.find('\n', from), comment.size());
+    std::string line = comment.substr(from, end - from);
+    while (line.size() > most_columns - 2) {
+      std::size_t cut = line.rfind(' ', most_columns - 2);
+      if (cut == std::string::npos || cut == 0) cut = most_columns - 2;
+      text += "# " + line.substr(0, cut) + "\n";
+      line = line.substr(std::min(cut + 1, line.size()));
+    }
+    text += "# " + line + "\n";
+    from = end + 1;
+  }
+  return text;
+}
+
+std::string lines_text(const std::vector<CaseLine>& lines)
+{
+  std::size_t width = 0;
+  for (const CaseLine& line : lines) width = std::max(width, line.key.size());
+  std::string text;
+  for (const CaseLine& line : lines) {
+    const std::string pair = fmt::format("{:<{}} = {}", line.key, width, line.value);
+    if (line.comment.empty()) {
+      text += pair + "\n";
+    } else if (const std::string whole = fmt::format("{:<{}}# {}", pair, comment_column, line.comment);
+               whole.size() <= most_columns && pair.size() < comment_column) {
+      text += whole + "\n";
+    } else {
+      text += comment_text(line.comment) + pair + "\n";
+    }
+  }
+  return text;
+}
+
+std::string table_text(const CaseTableText& table)
+{
+  return "\n" + comment_text(table.comment) + table.header + "\n" + lines_text(table.lines);
+}
+
+std::string body_text(const CaseBodyText& body)
+{
+  std::string text = "\n" + comment_text(body.comment) + "[[body]]\n";
+  text += fmt::format("material = {}\n", quoted(body.material));
+  text += "polygon  = " + places_text(body.polygon, 2, 11) + "\n";
+  if (!body.holes.empty()) {
+    text += "holes    = [\n";
+    for (const Polygon& hole : body.holes) text += "  " + places_text(hole, 4, 2) + ",\n";
+    text += "]\n";
+  }
+  return text + "points_per_cell = [3, 3]\n";
+}
+
+}  // namespace
+
+std::string quoted(const std::string& text)
+{
+  std::string out = "\"";
+  for (const char c : text)
+    if (c == '"' || c == '\\')
+      out += std::string("\\") + c;
+    else if (static_cast<unsigned char>(c) < 32 || c == 127)
+      out += ' ';
+    else
+      out += c;
+  return out + "\"";
+}
+
+std::string number_text(Real value)
+{
+  std::string text = fmt::format("{:.10f}", value);
+  while (text.back() == '0' && text[text.size() - 2] != '.') text.pop_back();
+  return text == "-0.0" ? "0.0" : text;
+}
+
+std::string places_text(const std::vector<Vec<2>>& places, std::size_t indent, std::size_t first_column)
+{
+  std::string text = "[", line(first_column + 1, ' ');
+  bool is_first_line = true;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const std::string place = fmt::format(
+        "[{}, {}]{}", number_text(places[k][0]), number_text(places[k][1]), k + 1 == places.size() ? "]" : ", ");
+    if (line.size() + place.size() > most_columns) {
+      while (line.ends_with(' ')) line.pop_back();
+      text += is_first_line ? line.substr(std::min(first_column + 1, line.size())) : line;
+      text += "\n";
+      line = std::string(indent, ' ');
+      is_first_line = false;
+    }
+    line += place;
+  }
+  return text + (is_first_line ? line.substr(first_column + 1) : line);
+}
+
+std::string key_of_name(const std::string& name)
+{
+  std::string key;
+  for (const char c : name) {
+    const auto letter = static_cast<unsigned char>(c);
+    if (letter < 128 && std::isalnum(letter))
+      key += static_cast<char>(std::tolower(letter));
+    else if (!key.empty() && key.back() != '_')
+      key += '_';
+  }
+  while (key.ends_with('_')) key.pop_back();
+  return key.empty() ? "soil" : key;
+}
+
+std::string text_of(const SectionText& text)
+{
+  std::string out;
+  for (const std::string& line : text.head) out += comment_text(line);
+  out += fmt::format("\ntitle  = {}\nscheme = \"mpm_gp\"\n", quoted(text.title));
+  for (const CaseTableText& table : text.before) out += table_text(table);
+  for (const CaseBodyText& body : text.bodies) out += body_text(body);
+  for (const CaseMaterialText& material : text.materials)
+    out += table_text({fmt::format("[material.{}]", material.name), material.comment, material.lines});
+  for (const CaseTableText& table : text.after) out += table_text(table);
+  return out;
+}
+
+}  // namespace terp

@@ -1,0 +1,66 @@
+// A case folder before it is written: what case.toml says, with a comment for each value, and its text.
+// Not for: where the values come from (case_folder.hpp, drawing_folder.hpp).
+#pragma once
+
+#include "points/polygon.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace terp {
+
+/// A line `key = value  # comment`; the value as TOML has it.
+struct CaseLine {
+  std::string key, value, comment;
+};
+
+struct CaseBodyText {
+  std::string material, comment;
+  Polygon polygon;             ///< [m]
+  std::vector<Polygon> holes;  ///< that no other body fills [m]
+};
+
+struct CaseMaterialText {
+  std::string name, comment;
+  std::vector<CaseLine> lines;
+};
+
+/// A table of its own: [water], [[water.situation]], [[load]], [[stage]], ...
+struct CaseTableText {
+  std::string header;   ///< with its brackets
+  std::string comment;  ///< may have several lines; stands above it
+  std::vector<CaseLine> lines;
+};
+
+struct SectionText {
+  std::string title;
+  std::vector<std::string> head;  ///< comments at the top of the file
+  std::vector<CaseTableText> before;
+  std::vector<CaseBodyText> bodies;
+  std::vector<CaseMaterialText> materials;
+  std::vector<CaseTableText> after;
+};
+
+/// case.toml.
+std::string text_of(const SectionText& text);
+
+/// A text in quotes.
+std::string quoted(const std::string& text);
+
+/// A number as short as it can be with ten decimals.
+std::string number_text(Real value);
+
+/// [[x, y], ...], in lines of at most 120 columns that begin `indent` columns to the right, but for the first.
+std::string places_text(const std::vector<Vec<2>>& places, std::size_t indent, std::size_t first_column);
+
+/// A name that TOML takes as a key: lower case letters, digits, _.
+std::string key_of_name(const std::string& name);
+
+/// A folder that is to be written.
+struct CaseFolder {
+  std::vector<std::pair<std::string, std::string>> files;  ///< name, contents; case.toml first
+  std::vector<std::string> notes;                          ///< what is worth a line on the terminal
+};
+
+}  // namespace terp

@@ -1,0 +1,99 @@
+#include "dstability/drawing_folder.hpp"
+
+#include "dstability/section_layout.hpp"
+#include "dstability/soil_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace terp {
+namespace {
+
+std::string list_text(const std::vector<std::string>& lines)
+{
+  std::string text;
+  for (const std::string& line : lines) text += "- " + line + "\n";
+  return text.empty() ? "- nothing\n" : text;
+}
+
+CaseTableText water_table(const SectionLayout& layout)
+{
+  const Real level = std::round(10.0 * (std::min(layout.left, layout.right) - 0.5)) / 10.0;
+  return {"[water]",
+      "Not in the drawing: assumed half a metre below the lower end of the ground. Give your own (docs/water.md).",
+      {{"phreatic_line", fmt::format("[[{}, {}]]", number_text(layout.low[0]), number_text(level)), "m"}}};
+}
+
+}  // namespace
+
+CaseFolder drawing_folder_of(
+    const DxfRegions& whole, const std::vector<std::string>& notes, const DrawingFolderOptions& options)
+{
+  DxfRegions drawing = whole;
+  if (options.between) drawing.regions = part_between(whole.regions, *options.between);
+  std::erase_if(drawing.regions, [](const DrawnRegion& r) { return std::abs(signed_area(r.polygon)) < 1e-6; });
+  const SectionLayout layout = layout_of(drawing.regions, {}, options.cell);
+  const CleaningOptions cleaning = cleaning_for(layout.cell);
+  const CleanSection clean = clean_regions(drawing.regions, {}, cleaning);
+  SectionText text;
+  text.title = "Section of " + options.path;
+  text.head = {
+      fmt::format("Written by terp import from the drawing {}. A skeleton: a drawing says nothing of soils and "
+                  "water. Fill in what is a default.",
+          options.path),
+      "Units: m, s, Pa, kg unless one stands with the number."};
+  text.before = {mesh_table(layout), {"[time]", "", {{"until", "\"at_rest\"", ""}, {"at_most", "30.0", "s"}}}};
+  BodyOrder order;
+  std::map<std::string, std::string> materials;  // name of a layer -> key
+  for (const CleanRegion& region : clean.regions) {
+    const std::string& name = drawing.regions[region.drawn].name;
+    std::string& key = materials[name];
+    if (key.empty()) {
+      key = key_of_name(name);
+      const auto uses = [&](const CaseMaterialText& known) { return known.name == key; };
+      while (std::ranges::any_of(text.materials, uses)) key += "_2";
+      text.materials.push_back(default_soil_text(key, name, kind_of_soil(options.kinds, name)));
+    }
+    order.bodies.push_back({key, fmt::format("Layer {} of the drawing", quoted(name)), {}, {}});
+    order.regions.push_back(region);
+  }
+  const BaseFill fill = base_fill(layout, clean.regions);
+  put_on_top(order);
+  if (fill.drawn >= 0)
+    order.bodies.insert(order.bodies.begin(), {materials[drawing.regions[fill.drawn].name],
+                                                  "Not in the drawing: fills what is below its base", fill.box, {}});
+  text.bodies = std::move(order.bodies);
+  text.after = common_tables(layout);
+  text.after.insert(text.after.begin(), water_table(layout));
+  CaseFolder folder;
+  folder.files.push_back({"case.toml", text_of(text)});
+  std::string report = fmt::format("# {}\n\n## Read\n\n", text.title) + list_text(notes) + list_text(drawing.notes);
+  report += "\n## Geometry: what moved\n\n" + list_text(describe(clean, drawing.regions, cleaning));
+  if (fill.area > 0.0) report += fmt::format("- {:.3f} m2 below the base were filled.\n", fill.area);
+  report += "\n## Assumed\n\n- All soils and the water: see the comments of case.toml.\n";
+  folder.files.push_back({"report.md", report});
+  return folder;
+}
+
+std::string drawing_listing(const DxfRegions& drawing, const std::vector<std::string>& notes)
+{
+  const CleanSection clean = clean_regions(drawing.regions, {}, {});
+  std::string text = fmt::format("{:<28} {:>12} {:>8}   {}\n", "region", "area [m2]", "corners", "box [m]");
+  Real sum = 0.0;
+  for (std::size_t k = 0; k < drawing.regions.size(); ++k) {
+    const BoundingBox box = box_around(drawing.regions[k].polygon);
+    text += fmt::format("{:<28} {:>12.3f} {:>8}   {:.2f} to {:.2f}, {:.2f} to {:.2f}\n", drawing.regions[k].name,
+        clean.changes[k].area, drawing.regions[k].polygon.size(), box.low[0], box.high[0], box.low[1], box.high[1]);
+    sum += clean.changes[k].area;
+  }
+  text += fmt::format("{:<28} {:>12.3f}\n", "all", sum);
+  for (const auto* lines : {&notes, &drawing.notes})
+    for (const std::string& line : *lines) text += line + "\n";
+  for (const std::string& line : describe(clean, drawing.regions, {})) text += line + "\n";
+  return text;
+}
+
+}  // namespace terp

@@ -1,0 +1,68 @@
+// The background mesh and the bodies of an imported section: cell size, limits, order, soil below an uneven base.
+// Not for: soils (soil_text.hpp), water (water_text.hpp).
+#pragma once
+
+#include "drawing/clean_regions.hpp"
+#include "dstability/case_text.hpp"
+
+#include <functional>
+#include <optional>
+
+namespace terp {
+
+struct SectionLayout {
+  Vec<2> low{}, high{};          ///< corners of the box about the soil [m]
+  Vec<2> crest{};                ///< highest place of the ground [m]
+  Real left = 0.0, right = 0.0;  ///< elevation of the ground at both ends [m]
+  Real height = 0.0;             ///< of the dike: crest over the higher end; of level ground half its thickness [m]
+  Real cell = 0.0;               ///< size of the cells [m]
+};
+
+enum class LandEnd { left, right, lower };
+
+/// cell: 0: a tenth of the height, a round number, and so that there are at most 60 000 cells. land: the end that the
+/// height is over.
+SectionLayout layout_of(const std::vector<DrawnRegion>& drawn, const std::vector<DrawnExcavation>& excavations,
+    Real cell, LandEnd land = LandEnd::lower);
+
+/// The part of each outline between two x [m]; nothing left of one: its polygon is empty. Throws InputError if nothing
+/// is left of any.
+std::vector<DrawnRegion> part_between(const std::vector<DrawnRegion>& drawn, Vec<2> between);
+
+/// Tolerances that fit the cells.
+CleaningOptions cleaning_for(Real cell);
+
+/// [mesh]: whole cells from limit to limit, two cells of air above the crest.
+CaseTableText mesh_table(const SectionLayout& layout);
+
+/// [boundary], [forces], [method], [initial], [output].
+std::vector<CaseTableText> common_tables(const SectionLayout& layout);
+
+/// What lies on one side of a line that cuts a region.
+struct CutRegion {
+  CleanRegion region;
+  bool above = false;
+};
+
+/// The region cut along a line over x, level beyond its ends. Pieces thinner than `thin` [m] on average stay with the
+/// other side; their area is added to `left_there` [m^2].
+std::vector<CutRegion> cut_along(
+    const CleanRegion& region, const std::vector<Vec<2>>& line, Real thin, Real& left_there);
+
+/// Outlines in the order in which later ones lie on top; a hole that other bodies fill is left out.
+struct BodyOrder {
+  std::vector<CaseBodyText> bodies;
+  std::vector<CleanRegion> regions;  ///< of the same bodies
+};
+void put_on_top(BodyOrder& order);
+
+/// Area between the lower limit of the section and a base that is not level [m^2], and its polygon from limit to limit;
+/// empty: the base is level.
+struct BaseFill {
+  Polygon box;
+  Real area = 0.0;
+  int drawn = -1;  ///< region whose soil it gets: the one above most of it
+};
+BaseFill base_fill(const SectionLayout& layout, const std::vector<CleanRegion>& regions);
+
+}  // namespace terp

@@ -1,0 +1,206 @@
+// Terp shears drained soil with the flow rule of its dilatancy. On a plane of shear that gives the strength with the
+// Davis reduction of D-Stability's model, so the file's own phi, c and psi go into the case (docs/stability.md,
+// "Non-associated friction"). Reduced values would be reduced twice.
+
+#include "dstability/soil_text.hpp"
+
+#include "base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace terp {
+namespace {
+
+constexpr Real degrees = 180.0 / std::numbers::pi;
+
+[[noreturn]] void refuse(const SoilUse& use, const std::string& word)
+{
+  throw InputError({use.soil->name, "this soil has no strength that Terp can take over",
+      fmt::format("Its strength {} the phreatic line is `{}`; known are MohrCoulombAdvanced, MohrCoulombClassic, CPhi, "
+                  "Su, SuTable and SigmaTauTable. Choose one of these in D-Stability.",
+          use.above ? "above" : "below", word),
+      ""});
+}
+
+void add_common(const SoilUse& use, const SoilKind& kind, bool drained, SoilText& text)
+{
+  const Real weight = use.above ? use.soil->weight_above : use.soil->weight_below;
+  auto& lines = text.material.lines;
+  lines.push_back({"density", quoted(kilo_text(weight, "kN/m3")),
+      fmt::format("weight {} the phreatic line", use.above ? "above" : "below")});
+  const std::string origin = fmt::format("not in the file: default of {}", kind.kind);
+  if (drained)
+    lines.push_back({"shear_modulus", quoted(fmt::format("{:g} MPa", kind.shear_modulus)), origin});
+  else
+    lines.push_back({"stiffness_ratio", fmt::format("{:g}", kind.stiffness_ratio), "G over su_peak; " + origin});
+  lines.push_back(
+      {"poisson_ratio", fmt::format("{:g}", drained ? kind.poisson_drained : kind.poisson_undrained), origin});
+  lines.push_back({"k0", fmt::format("{:g}", kind.k0), origin});
+}
+
+void add_friction(SoilText& text, Real cohesion, Real friction, Real dilatancy, const std::string& origin)
+{
+  auto& lines = text.material.lines;
+  lines.push_back({"friction_angle", fmt::format("{:.6g}", friction), "degrees; " + origin});
+  lines.push_back({"cohesion", quoted(kilo_text(cohesion, "kPa")), origin});
+  lines.push_back({"dilatancy_angle", fmt::format("{:.6g}", dilatancy), origin});
+}
+
+/// The straight line nearest to a table up to a stress: cohesion [Pa] and tan of its slope.
+Vec<2> line_through(const StixTable& table, Real largest_stress, StixBasis basis)
+{
+  Real n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+  for (int k = 0; k <= 20; ++k) {
+    const Real stress = largest_stress * k / 20.0, strength = table_strength(table, stress, basis);
+    n += 1.0, x += stress, y += strength, xx += stress * stress, xy += stress * strength;
+  }
+  const Real slope = std::max(0.0, (n * xy - x * y) / (n * xx - x * x));
+  return {std::max(0.0, (y - slope * x) / n), slope};
+}
+
+/// A strength c + sigma tan a on planes of shear, as soil without dilatancy: sin phi = tan a, c' = c / cos phi.
+void add_plane_strength(SoilText& text, Real cohesion, Real slope, const std::string& origin)
+{
+  const Real sine = std::min(slope, std::sin(60.0 / degrees));  // the law takes no more than 60 degrees
+  add_friction(text, cohesion / std::sqrt(1.0 - sine * sine), degrees * std::asin(sine), 0.0, origin);
+}
+
+/// Soil that the file gives no strength at all: D-Stability takes none, a run cannot begin with none.
+bool has_no_strength(const StixFriction& f, StixBasis basis)
+{
+  return !(value_of(f.cohesion, basis) > 0.0) && !(value_of(f.friction, basis) > 0.0);
+}
+
+void add_drained(const SoilUse& use, StixStrengthModel model, StixBasis basis, const SoilKind& kind, SoilText& text)
+{
+  const StixSoil& soil = *use.soil;
+  if (model != StixStrengthModel::sigma_tau_table &&
+      has_no_strength(model == StixStrengthModel::advanced ? soil.advanced : soil.classic, basis)) {
+    add_friction(text, 1e3 * kind.least_strength, 0.0, 0.0, fmt::format("none in the file: least_su of {}", kind.kind));
+    text.material.lines.push_back({"drainage", "\"drained\"", ""});
+    text.assumed.push_back(
+        fmt::format("{}: the file has c' = 0 and phi' = 0 {} the phreatic line; taken was c' = {:g} "
+                    "kPa, so that the soil does not flow like water.",
+            soil.name, use.above ? "above" : "below", kind.least_strength));
+    return;
+  }
+  if (model == StixStrengthModel::advanced) {
+    const StixFriction& f = soil.advanced;
+    const Real dilatancy = value_of(f.dilatancy, basis);
+    add_friction(text, value_of(f.cohesion, basis), value_of(f.friction, basis),
+        std::isnan(dilatancy) ? 0.0 : dilatancy, "of the file");
+  } else if (model == StixStrengthModel::classic) {
+    const Real phi = value_of(soil.classic.friction, basis);
+    add_plane_strength(text, value_of(soil.classic.cohesion, basis), std::tan(phi / degrees),
+        fmt::format("MohrCoulombClassic, phi {:g} on slip planes: sin phi' = tan phi", phi));
+    text.assumed.push_back(
+        fmt::format("{}: MohrCoulombClassic has no reduction for dilatancy. phi' and c' are those of "
+                    "soil without dilatancy that is as strong on its planes of shear.",
+            soil.name));
+  } else {
+    const Vec<2> line = line_through(soil.sigma_tau_table, std::max(use.largest_stress, 10e3), basis);
+    add_plane_strength(text, line[0], line[1], "straight line through the file's SigmaTauTable");
+    text.assumed.push_back(
+        fmt::format("{}: its SigmaTauTable was replaced by the straight line nearest to it from 0 to "
+                    "{:.0f} kPa: {:.2f} kPa + {:.3f} sigma'_n.",
+            soil.name, std::max(use.largest_stress, 10e3) / 1e3, line[0] / 1e3, line[1]));
+  }
+}
+
+std::string water_option(const SoilUse& use)
+{
+  return use.strength_water.empty() ? "" : fmt::format(", water = {}", quoted(use.strength_water));
+}
+
+void add_undrained(const SoilUse& use, StixStrengthModel model, StixBasis basis, const SoilKind& kind, SoilText& text)
+{
+  const StixSoil& soil = *use.soil;
+  auto& lines = text.material.lines;
+  if (model == StixStrengthModel::shansep) {
+    lines.push_back({"su_peak",
+        fmt::format("{{ shansep = {{ S = {:.6g}, m = {:.6g}, {}{}, minimum = \"{:g} kPa\" }} }}",
+            value_of(soil.ratio, basis), value_of(soil.exponent, basis), use.preload.value, water_option(use),
+            kind.least_strength),
+        fmt::format("S and m of the file; {}; minimum: default of {}", use.preload.comment, kind.kind)});
+  } else {
+    std::string rows;
+    for (const Vec<2>& row : soil.su_table.rows)
+      rows += fmt::format("{}[{}, {}]", rows.empty() ? "" : ", ", quoted(kilo_text(row[0], "kPa")),
+          quoted(kilo_text(std::max(table_strength(soil.su_table, row[0], basis), 1e3 * kind.least_strength), "kPa")));
+    lines.push_back({"su_peak", fmt::format("{{ table = [{}]{} }}", rows, water_option(use)),
+        fmt::format(
+            "SuTable of the file over sigma'_v; at least {:g} kPa: default of {}", kind.least_strength, kind.kind)});
+  }
+  text.assumed.push_back(fmt::format("{}: s_u is at least {:g} kPa; in D-Stability it is zero where sigma'_v is zero.",
+      use.name, kind.least_strength));
+}
+
+}  // namespace
+
+std::string kilo_text(Real value, const char* unit) { return fmt::format("{:.9g} {}", value / 1e3, unit); }
+
+bool same_above_and_below(const StixSoil& soil)
+{
+  return soil.above == soil.below && soil.weight_above == soil.weight_below;
+}
+
+SoilText soil_text(const SoilUse& use, StixBasis basis, const std::vector<SoilKind>& kinds)
+{
+  const StixSoil& soil = *use.soil;
+  const StixStrengthModel model = use.above ? soil.above : soil.below;
+  const SoilKind& kind = kind_of_soil(kinds, soil.name);
+  SoilText text;
+  text.material.name = use.name;
+  text.material.comment = fmt::format("Soil {} ({}){}{}: {} of the file. Kind: {}.", quoted(soil.name), soil.code,
+      use.where.empty() ? "" : ", ", use.where, use.above ? soil.above_word : soil.below_word, kind.kind);
+  auto& lines = text.material.lines;
+  switch (model) {
+    case StixStrengthModel::advanced:
+    case StixStrengthModel::classic:
+    case StixStrengthModel::sigma_tau_table:
+      lines.push_back({"model", "\"mohr_coulomb\"", "drained"});
+      add_common(use, kind, true, text);
+      add_drained(use, model, basis, kind, text);
+      break;
+    case StixStrengthModel::shansep:
+    case StixStrengthModel::su_table:
+      lines.push_back({"model", "\"tresca_softening\"", "undrained, without softening"});
+      add_common(use, kind, false, text);
+      add_undrained(use, model, basis, kind, text);
+      break;
+    default: refuse(use, use.above ? soil.above_word : soil.below_word);
+  }
+  text.assumed.push_back(fmt::format("{}: stiffness, Poisson's ratio and K0 are defaults of {}.", use.name, kind.kind));
+  return text;
+}
+
+CaseMaterialText default_soil_text(const std::string& name, const std::string& label, const SoilKind& kind)
+{
+  const std::string origin = fmt::format("default of {}: fill in your own", kind.kind);
+  CaseMaterialText text{
+      name, fmt::format("Layer {} of the drawing. Nothing but its name is known.", quoted(label)), {}};
+  const bool drained = kind.ratio == 0.0;
+  text.lines = {{"model", drained ? "\"mohr_coulomb\"" : "\"tresca_softening\"",
+                    drained ? "drained" : "undrained, without softening"},
+      {"density", fmt::format("\"{:g} kN/m3\"", kind.weight), origin}};
+  if (drained) {
+    text.lines.push_back({"shear_modulus", fmt::format("\"{:g} MPa\"", kind.shear_modulus), origin});
+    text.lines.push_back({"friction_angle", fmt::format("{:g}", kind.friction), "degrees; " + origin});
+    text.lines.push_back({"cohesion", fmt::format("\"{:g} kPa\"", kind.cohesion), origin});
+  } else {
+    text.lines.push_back({"stiffness_ratio", fmt::format("{:g}", kind.stiffness_ratio), "G over su_peak; " + origin});
+    text.lines.push_back({"su_peak",
+        fmt::format("{{ shansep = {{ S = {:g}, m = {:g}, pop = \"{:g} kPa\", minimum = \"{:g} kPa\" }} }}", kind.ratio,
+            kind.exponent, kind.pop, kind.least_strength),
+        origin});
+  }
+  text.lines.push_back(
+      {"poisson_ratio", fmt::format("{:g}", drained ? kind.poisson_drained : kind.poisson_undrained), origin});
+  text.lines.push_back({"k0", fmt::format("{:g}", kind.k0), origin});
+  return text;
+}
+
+}  // namespace terp

@@ -1,0 +1,94 @@
+// terp import -o, and of drawings, as a user meets them.
+#include "support/process.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+const std::string tutorial = source_path("tests/dstability/samples/tutorial-2023.stix");
+
+std::string write_drawing(const ScratchFolder& scratch, const std::string& more = "")
+{
+  const std::string path = scratch.path() + "/section.dxf";
+  const auto outline = [](const std::string& layer, const std::string& places) {
+    return "0\nLWPOLYLINE\n5\n2B\n8\n" + layer + "\n90\n4\n70\n1\n" + places;
+  };
+  std::ofstream(path) << "0\nSECTION\n2\nENTITIES\n"
+                      << outline("zand", "10\n0\n20\n0\n10\n40\n20\n0\n10\n40\n20\n3\n10\n0\n20\n3\n")
+                      << outline("klei", "10\n0\n20\n3\n10\n40\n20\n3\n10\n25\n20\n6\n10\n15\n20\n6\n") << more
+                      << "0\nENDSEC\n0\nEOF\n";
+  return path;
+}
+
+TEST(ImportFolder, WritesAStageThatTerpChecks)
+{
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/section";
+  const Finished f =
+      test::terp({"import", tutorial, "--scenario", "2", "--between", "-30,60", "--cell", "1", "-o", folder});
+  EXPECT_EQ(f.status, 0) << f.err;
+  EXPECT_THAT(f.out, HasSubstr("Next: terp check " + folder + "/case.toml"));
+  EXPECT_THAT(text_of(folder + "/report.md"), HasSubstr("Only the part from x = -30 to 60 m was taken over"));
+  const Finished check = test::terp({"check", folder + "/case.toml"});
+  EXPECT_EQ(check.status, 0) << check.err;
+  EXPECT_THAT(check.out, HasSubstr("su_peak"));
+
+  const Finished again = test::terp({"import", tutorial, "--scenario", "2", "-o", folder});
+  EXPECT_EQ(again.status, 2);
+  EXPECT_EQ(again.err,
+      "error: " + folder + "/case.toml is there already\n  Choose another folder: -o FOLDER. --force replaces it.\n");
+}
+
+TEST(ImportFolder, AsksWhichScenarioAndRefusesOthers)
+{
+  const auto said = [](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"import", tutorial, "-o", "/tmp/none"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Finished f = test::terp(arguments);
+    EXPECT_EQ(f.status, 2);
+    return f.err;
+  };
+  EXPECT_THAT(said({}), HasSubstr("has 3 scenarios\n  Choose one: --scenario 1 to 3. terp import "));
+  EXPECT_THAT(said({"--scenario", "7"}), HasSubstr("has no scenario 7\n  It has 3.\n"));
+  EXPECT_THAT(said({"--scenario", "2", "--stage", "3"}), HasSubstr("scenario 2 of " + tutorial + " has no stage 3"));
+  EXPECT_THAT(said({"--scenario", "2", "--between", "60,-30"}), HasSubstr("--between goes from 60 m to -30 m"));
+  EXPECT_THAT(said({"--scenario", "2", "--soil-defaults", tutorial}), HasSubstr("error: "));
+}
+
+TEST(ImportFolder, ListsTheRegionsOfADrawing)
+{
+  const ScratchFolder scratch;
+  const Finished f = test::terp({"import", write_drawing(scratch)});
+  EXPECT_EQ(f.status, 0) << f.err;
+  EXPECT_THAT(f.out, ContainsRegex("zand +120\\.000 +4   0\\.00 to 40\\.00, 0\\.00 to 3\\.00"));
+  EXPECT_THAT(f.out, ContainsRegex("all +195\\.000"));
+  EXPECT_THAT(f.out, HasSubstr("The drawing has no unit ($INSUNITS): one unit was taken as 1 m."));
+}
+
+TEST(ImportFolder, WritesADrawingAsACaseToFillIn)
+{
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/section";
+  const Finished f = test::terp({"import", write_drawing(scratch), "-o", folder});
+  EXPECT_EQ(f.status, 0) << f.err;
+  const Finished check = test::terp({"check", folder + "/case.toml"});
+  EXPECT_EQ(check.status, 0) << check.err;
+}
+
+TEST(ImportFolder, RefusesADrawingByEntityAndUnit)
+{
+  const ScratchFolder scratch;
+  const std::string path = write_drawing(scratch, "0\nARC\n5\n3C\n8\nklei\n");
+  const Finished f = test::terp({"import", path});
+  EXPECT_EQ(f.status, 2);
+  EXPECT_THAT(f.err, HasSubstr("error: " + path + ": ARC with handle 3C: is not read\n  It is on layer klei."));
+  EXPECT_THAT(test::terp({"import", path, "--unit", "mile"}).err,
+      HasSubstr("there is no unit `mile` of drawings\n  Units: m, dm, cm, mm, ft, in.\n"));
+  EXPECT_THAT(test::terp({"import"}).err, HasSubstr("`terp import` needs a file\n  Give a .stix or a .dxf"));
+}
+
+TEST(ImportFolder, PrintsTheTableOfDefaults)
+{
+  EXPECT_THAT(test::terp({"import", "--soil-defaults-table"}).out, HasSubstr("\npeat,peat veen,10.8,50,"));
+}
+
+}  // namespace

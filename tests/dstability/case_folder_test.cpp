@@ -1,0 +1,205 @@
+// Case folders of D-Stability files and drawings: they can be read, weigh what the file says, and say what was assumed.
+#include "base/errors.hpp"
+#include "dstability/case_folder.hpp"
+#include "dstability/drawing_folder.hpp"
+#include "dstability/read_stix.hpp"
+#include "input/case_file.hpp"
+#include "points/overlay.hpp"
+#include "support/paths.hpp"
+#include "support/problems.hpp"
+#include "support/test.hpp"
+
+#include <fmt/format.h>
+
+namespace {
+
+const std::vector<SoilKind>& kinds()
+{
+  static const auto table = read_soil_defaults("table", soil_defaults_table());
+  return table;
+}
+
+std::string sample(const std::string& name) { return source_path("tests/dstability/samples/" + name + ".stix"); }
+
+/// Writes the folder, and reads its case.
+CaseFile read_folder(const CaseFolder& folder, const std::string& name)
+{
+  const std::string path = testing::TempDir() + name;
+  std::filesystem::create_directories(path);
+  for (const auto& [file, contents] : folder.files) std::ofstream(path + "/" + file) << contents;
+  return read_case(path + "/case.toml");
+}
+
+/// Area of each polygon that is not covered by a later one: by the strips of one vast cell.
+std::vector<Real> areas_on_top(const std::vector<Polygon>& polygons)
+{
+  Vec<2> low{1e30, 1e30}, high{-1e30, -1e30};
+  Overlay overlay;
+  for (const Polygon& polygon : polygons) {
+    overlay.rings.push_back({polygon, static_cast<Index>(overlay.rings.size()), false});
+    for (const Vec<2>& x : polygon)
+      for (int d = 0; d < 2; ++d) low[d] = std::min(low[d], x[d] - 1.0), high[d] = std::max(high[d], x[d] + 1.0);
+  }
+  std::vector<Real> areas(polygons.size(), 0.0);
+  for (const Part& part : share_out(overlay, {low, Vec<2>{high[0], low[1]}, high, Vec<2>{low[0], high[1]}}))
+    areas[part.body] += part.area;
+  return areas;
+}
+
+/// Weight of the layers of a file, the smaller ones on top [N/m]; soils weigh the same above the phreatic line.
+Real weight_of_file(const StixProject& project, const StixStage& stage)
+{
+  std::vector<StixLayer> layers = stage.layers;
+  std::ranges::stable_sort(
+      layers, std::greater{}, [](const StixLayer& l) { return std::abs(signed_area(Polygon(l.outline))); });
+  std::vector<Polygon> polygons;
+  for (const StixLayer& layer : layers) polygons.push_back(layer.outline);
+  const std::vector<Real> areas = areas_on_top(polygons);
+  Real weight = 0.0;
+  for (std::size_t k = 0; k < layers.size(); ++k) weight += areas[k] * project.soils[*layers[k].soil].weight_below;
+  return weight;
+}
+
+Real weight_of_case(const Case& description)
+{
+  std::vector<Polygon> polygons;
+  for (const BodyCase& body : description.bodies) polygons.push_back(body.polygon);
+  const std::vector<Real> areas = areas_on_top(polygons);
+  Real weight = 0.0;
+  for (std::size_t k = 0; k < areas.size(); ++k)
+    for (const MaterialCase& material : description.materials)
+      if (material.name == description.bodies[k].material) weight += areas[k] * material.density * 9.81;
+  return weight;
+}
+
+struct Wanted {
+  const char* name;
+  std::size_t scenario, stage;
+};
+
+class Sample : public testing::TestWithParam<Wanted> {};
+
+TEST_P(Sample, GivesACaseThatIsReadAndWeighsWhatItsPolygonsWeigh)
+{
+  const auto [name, scenario, stage] = GetParam();
+  const StixProject project = read_stix(sample(name));
+  const CaseFolder folder = case_folder_of(project, {.scenario = scenario, .stage = stage, .kinds = kinds()});
+  const CaseFile file = read_folder(folder, fmt::format("folder_of_{}_{}_{}", name, scenario, stage));
+  const StixStage& from = project.scenarios[scenario].stages[stage];
+  if (from.excavations.empty()) {
+    const Real weight = weight_of_file(project, from);
+    EXPECT_NEAR(weight_of_case(file.values), weight, 1e-9 * weight);
+  }
+  EXPECT_EQ(folder.files.front().first, "case.toml");
+  EXPECT_EQ(folder.files.back().first, "report.md");
+  for (const MaterialCase& material : file.values.materials) EXPECT_GT(material.density, 900.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, Sample,
+    testing::Values(Wanted{"tutorial-2023", 0, 0}, Wanted{"tutorial-2023", 1, 1}, Wanted{"tutorial-2023", 2, 2},
+        Wanted{"tutorial-2026.01", 1, 1}, Wanted{"tutorial-2026.01", 4, 0}, Wanted{"tutorial-2022.01-v1", 0, 7},
+        Wanted{"tutorial-2020-v1", 0, 1}, Wanted{"berm-fragility-2023", 0, 0}, Wanted{"example-2020.03-v1", 0, 1},
+        Wanted{"all-result-kinds-stale", 0, 0}));
+
+const CaseFolder& tutorial()
+{
+  static const CaseFolder folder = [] {
+    const StixProject project = read_stix(sample("tutorial-2023"));
+    return case_folder_of(project, {.scenario = 1, .stage = 1, .kinds = kinds()});
+  }();
+  return folder;
+}
+
+TEST(CaseFolder, SaysTheStrengthOfTheFileWithItsHistory)
+{
+  const std::string& text = tutorial().files.front().second;
+  EXPECT_THAT(text, HasSubstr("[material.clay_shallow]"));
+  EXPECT_THAT(
+      text, HasSubstr("shansep = { S = 0.23, m = 0.9, pop = \"10 kPa\", water = \"high_water_water\", minimum"));
+  EXPECT_THAT(text, HasSubstr("friction_angle  = 30                     # degrees; of the file"));
+  EXPECT_THAT(text, HasSubstr("shear_modulus   = \"12 MPa\"               # not in the file: default of sand"));
+}
+
+TEST(CaseFolder, GoesFromDailyWaterToTheAnalysedStage)
+{
+  const Case description = read_folder(tutorial(), "folder_of_tutorial").values;
+  ASSERT_EQ(description.stages.size(), 2u);
+  EXPECT_EQ(description.stages[0].name, "daily_conditions");
+  ASSERT_EQ(description.water.situations.size(), 1u);
+  EXPECT_EQ(description.water.situations[0].reference_lines.size(), 3u);
+  EXPECT_EQ(description.flood.river, RiverSide::left);
+  EXPECT_EQ(description.flood.water_level, 12.0);
+  ASSERT_EQ(description.loads.size(), 1u);
+  EXPECT_EQ(description.loads[0].pressure, 0.0);  // 13 kPa in the last stage
+  EXPECT_EQ(description.mesh.cell[0], 0.5);       // a tenth of 5.9 m, a round number
+}
+
+TEST(CaseFolder, CutsASoilThatDiffersAboveThePhreaticLine)
+{
+  const Case description = read_folder(tutorial(), "folder_of_tutorial").values;
+  std::set<std::string> names;
+  for (const BodyCase& body : description.bodies) names.insert(body.material);
+  EXPECT_TRUE(names.contains("sand_with_clay_above"));
+  EXPECT_TRUE(names.contains("sand_with_clay_below"));
+}
+
+TEST(CaseFolder, ReportsWhatWasAssumed)
+{
+  const std::string& report = tutorial().files.back().second;
+  EXPECT_THAT(report, HasSubstr("| all | 5929.7"));
+  EXPECT_THAT(report, HasSubstr("- 173 corners were drawn, "));
+  EXPECT_THAT(
+      report, HasSubstr("clay_shallow: s_u is at least 2 kPa; in D-Stability it is zero where sigma'_v is zero."));
+  EXPECT_THAT(report, HasSubstr("Softening: the soils of this case do not soften."));
+}
+
+TEST(CaseFolder, WritesTheYieldStressOnAGridWhereTheGroundChanged)
+{
+  const StixProject project = read_stix(sample("tutorial-2023"));
+  const CaseFolder folder = case_folder_of(project, {.scenario = 2, .stage = 2, .kinds = kinds()});
+  const auto is_grid = [](const auto& file) { return file.first.starts_with("yield_stress_"); };
+  const auto grid = std::ranges::find_if(folder.files, is_grid);
+  ASSERT_NE(grid, folder.files.end());
+  EXPECT_THAT(grid->second, HasSubstr("x,y,value\n"));
+  EXPECT_THAT(folder.files.front().second, HasSubstr("yield_stress = { csv = \"" + grid->first + "\" }"));
+}
+
+TEST(CaseFolder, TakesAPartOfTheSection)
+{
+  const StixProject project = read_stix(sample("tutorial-2023"));
+  const CaseFolder folder =
+      case_folder_of(project, {.scenario = 1, .stage = 1, .between = Vec<2>{-30.0, 60.0}, .kinds = kinds()});
+  const Case description = read_folder(folder, "folder_of_part").values;
+  EXPECT_EQ(description.mesh.origin[0], -30.0);
+  EXPECT_EQ(description.mesh.size[0], 90.0);
+  EXPECT_THAT(problems_of([&] {
+    case_folder_of(project, {.scenario = 1, .stage = 1, .between = Vec<2>{900.0, 990.0}, .kinds = kinds()});
+  }),
+      ElementsAre(told("", "there is no soil between these x", HasSubstr("Got --between 900,990."))));
+}
+
+TEST(CaseFolder, OfADrawingIsASkeletonThatCanBeRead)
+{
+  const DxfRegions drawing{{{"Sand 1", {{0, 0}, {40, 0}, {40, 2}, {0, 2}}},
+                               {"klei", {{0, 2}, {40, 2}, {40, 4}, {25, 4}, {22, 7}, {18, 7}, {12, 4}, {0, 4}}}},
+      {}};
+  const CaseFolder folder =
+      drawing_folder_of(drawing, {"The unit of the drawing is m."}, {.path = "d.dxf", .kinds = kinds()});
+  const Case description = read_folder(folder, "folder_of_drawing").values;
+  ASSERT_EQ(description.bodies.size(), 2u);
+  EXPECT_EQ(description.bodies[1].material, "klei");
+  EXPECT_EQ(description.materials[0].model, "mohr_coulomb");
+  EXPECT_EQ(description.materials[1].model, "tresca_softening");
+  EXPECT_THAT(folder.files.front().second, HasSubstr("default of clay: fill in your own"));
+  EXPECT_THAT(drawing_listing(drawing, {}), HasSubstr("klei"));
+}
+
+TEST(CaseFolder, FillsBelowABaseThatIsNotLevel)
+{
+  const DxfRegions drawing{{{"sand", {{0, 0}, {20, 1}, {20, 4}, {0, 4}}}}, {}};
+  const CaseFolder folder = drawing_folder_of(drawing, {}, {.path = "d.dxf", .kinds = kinds()});
+  EXPECT_EQ(read_folder(folder, "folder_of_base").values.bodies.size(), 2u);
+  EXPECT_THAT(folder.files.back().second, HasSubstr("10.000 m2 below the base were filled."));
+}
+
+}  // namespace

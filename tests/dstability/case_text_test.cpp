@@ -1,0 +1,45 @@
+// Text of case.toml: numbers, names, places and comments.
+#include "dstability/case_text.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+TEST(SectionTextOf, NumbersAreShortAndExactEnough)
+{
+  EXPECT_EQ(number_text(2.0), "2.0");
+  EXPECT_EQ(number_text(-0.0), "0.0");
+  EXPECT_EQ(number_text(0.1), "0.1");
+  EXPECT_EQ(number_text(12.34999998765), "12.3499999876");
+}
+
+TEST(SectionTextOf, NamesAreKeys)
+{
+  EXPECT_EQ(key_of_name("Clay, shallow (1)"), "clay_shallow_1");
+  EXPECT_EQ(key_of_name("--"), "soil");
+  EXPECT_EQ(quoted("a \"b\" \\ c\n"), R"("a \"b\" \\ c ")");
+}
+
+TEST(SectionTextOf, PlacesBreakBeforeTheMargin)
+{
+  std::vector<Vec<2>> places;
+  for (int k = 0; k < 40; ++k) places.push_back({0.125 * k, 1.5});
+  const std::string text = "polygon  = " + places_text(places, 2, 11);
+  std::istringstream lines(text);
+  int n = 0;
+  for (std::string line; std::getline(lines, line); ++n) EXPECT_LE(line.size(), 120u);
+  EXPECT_EQ(n, 5);
+  EXPECT_EQ(places_text({{1, 2}, {3, 4}}, 2, 11), "[[1.0, 2.0], [3.0, 4.0]]");
+}
+
+TEST(SectionTextOf, CommentsStandBesideTheirValuesOrAboveThem)
+{
+  SectionText text;
+  text.title = "t";
+  text.after.push_back(
+      {"[forces]", "why", {{"gravity", "[0.0, -9.81]", "m/s2"}, {"long", std::string(50, '1'), "above"}}});
+  const std::string toml = text_of(text);
+  EXPECT_THAT(
+      toml, HasSubstr("# why\n[forces]\ngravity = [0.0, -9.81]                   # m/s2\n# above\nlong    = 1111"));
+}
+
+}  // namespace
