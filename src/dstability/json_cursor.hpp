@@ -38,7 +38,10 @@ class StixNotes {
 class JsonCursor {
  public:
   /// where: the member. The tree and the notes must outlive the cursor.
-  JsonCursor(const JsonNode& node, std::string where, StixNotes& notes) : node_(&node), where_(where), notes_(&notes) {}
+  JsonCursor(const JsonNode& node, std::string where, StixNotes& notes)
+      : node_(&node), where_(std::move(where)), notes_(&notes)
+  {
+  }
 
   const std::string& where() const { return where_; }
   bool has(std::string_view key) const;  ///< with a value that is not null

@@ -72,4 +72,25 @@ inline std::string refusal_of(const Members& members)
   return refusal<InputError>([&] { read_stix_bytes(zip_of(members), "dike.stix"); });
 }
 
+/// The smallest sample.
+inline const std::string berm = "berm-fragility-2023";
+
+/// What the reader says to that sample with something changed.
+inline std::string refusal_after(const std::string& member, const std::string& from, const std::string& to)
+{
+  return refusal_of(changed(compact_sample(berm), member, from, to));
+}
+
+inline std::vector<std::string> remarks_of(const StixProject& project)
+{
+  std::vector<std::string> texts;
+  for (const StixRemark& remark : project.remarks) texts.push_back(remark.where + ": " + remark.what);
+  return texts;
+}
+
+inline StixProject read_changed(const std::string& member, const std::string& from, const std::string& to)
+{
+  return read_stix_bytes(zip_of(changed(compact_sample(berm), member, from, to)), "dike.stix");
+}
+
 }  // namespace terp::test

@@ -53,4 +53,19 @@ inline StixPlace place_in(const StixProject& project, Vec<2> place, StixBasis ba
   return found.value_or(StixPlace{});
 }
 
+/// A project with a calculation that has a result, one that has none, and a remark.
+inline StixProject listed_project()
+{
+  StixProject project = project_of({clay_on_sand()});
+  project.application = "D-Stability 2026.01";
+  project.content_version = "2";
+  StixCalculation c{.label = "Bishop \xC3\xA9\xC3\xA9n", .method = "Bishop", .kind_word = "Design"};
+  c.result = StixResult{.name = "bishop/bishopresult", .factor_of_safety = 1.23456};
+  project.scenarios[0].calculations = {c, {.label = "Later", .method = "Spencer", .kind_word = "Deterministic"}};
+  project.remarks = {{"soils.json", "A remark."}};
+  return project;
+}
+
+inline const auto always_fits = [](std::size_t, std::size_t) { return std::string("fits"); };
+
 }  // namespace terp::test

@@ -1,0 +1,67 @@
+// The members that make a stage: what is taken, turned, left out and refused.
+#include "archives.hpp"
+
+namespace {
+
+TEST(ReadParts, LeavesOutWhatHasNoPlacesAndTellsOfIt)
+{
+  EXPECT_THAT(remarks_of(read_changed("decorations/decorations.json", "\"Excavations\":[", "\"Excavations\":[{}")),
+      ElementsAre(HasSubstr("Excavations[0]: This excavation has no line. It takes nothing away.")));
+  EXPECT_THAT(remarks_of(read_changed("states/states.json", "\"StateLines\":[", "\"StateLines\":[{}")),
+      ElementsAre(HasSubstr("StateLines[0]: This state line has no places or no values. Left out.")));
+  EXPECT_THAT(remarks_of(read_changed(
+                  "waternets/waternets.json", "\"ReferenceLines\":[", "\"ReferenceLines\":[{\"Label\":\"r\"}")),
+      ElementsAre(HasSubstr("The reference line `r` has no places. Left out.")));
+  EXPECT_THAT(remarks_of(read_changed("states/states.json", "\"LayerId\":\"", "\"LayerId\":\"9")),
+      ElementsAre(
+          HasSubstr("scenario 1, stage 1: The state point `SP 1` is of a layer that this stage does not have")));
+  EXPECT_THAT(remarks_of(read_changed("scenarios/scenario.json", "\"ResultId\":\"", "\"ResultId\":\"9")),
+      ElementsAre(HasSubstr("Calculations[0]: ResultId names what is not in the file"),
+          "results/bishopbruteforce/bishopbruteforceresult.json: No calculation names this result. It was not used."));
+}
+
+TEST(ReadParts, TakesAStateWithoutTypeAsNone)
+{
+  const StixProject project = read_changed("states/states.json", "\"StateType\":\"Pop\"", "\"StateType\":null");
+  EXPECT_EQ(project.scenarios[0].stages[0].state_points[0].preload.pop.value, 0.0);
+  EXPECT_THAT(remarks_of(project), Contains(HasSubstr("StatePoints[0].Stress: There is no StateType here.")));
+  EXPECT_THAT(refusal_after("states/states.json", "\"StateType\":\"Pop\"", "\"StateType\":\"Overburden\""),
+      HasSubstr(
+          "StatePoints[0].Stress.StateType: is none that Terp knows\n  Got \"Overburden\"; Pop, Ocr or YieldStress."));
+}
+
+TEST(ReadParts, TurnsLinesThatRunToTheLeft)
+{
+  Members members = compact_sample(berm);
+  for (auto& [name, text] : members)
+    if (name == "waternets/waternets.json") {
+      auto water = nlohmann::ordered_json::parse(text);
+      auto& points = water["HeadLines"][0]["Points"];
+      std::reverse(points.begin(), points.end());
+      text = water.dump();
+    }
+  const auto line = [](const StixProject& p) { return p.scenarios[0].stages[0].water.head_lines[0].line; };
+  EXPECT_EQ(line(read_stix_bytes(zip_of(members), "x.stix")), line(read_stix(sample_path(berm))));
+}
+
+TEST(ReadParts, GivesLoadsWithTheirConsolidation)
+{
+  const StixProject project = read_stix(sample_path("tutorial-2026.01"));
+  const StixUniformLoad& traffic = project.scenarios[1].stages[1].loads.at(0);
+  EXPECT_EQ(traffic.magnitude, 13e3);
+  EXPECT_EQ(traffic.consolidation.size(), project.scenarios[1].stages[1].layers.size());
+  EXPECT_THAT(traffic.consolidation, Each(testing::Pair(_, AnyOf(10.0, 100.0))));
+  EXPECT_THAT(
+      refusal_after("loads/loads.json", "\"Degree\":", "\"Degree\":9"), HasSubstr("Degree: is out of range\n  Got "));
+}
+
+TEST(ReadParts, ResolvesTheHeadsOfReferenceLines)
+{
+  const StixWater water = read_stix(sample_path("tutorial-2026.01")).scenarios[1].stages[1].water;
+  ASSERT_THAT(water.reference_lines, SizeIs(2));
+  EXPECT_EQ(water.head_lines[*water.phreatic].label, "Freatic high");
+  EXPECT_EQ(water.reference_lines[0].top_head, *water.phreatic);
+  EXPECT_EQ(water.head_lines[water.reference_lines[1].bottom_head].label, "Pressure aquifer");
+}
+
+}  // namespace
