@@ -44,8 +44,11 @@ RowTable joined(RowTable table, const RowTable& other)
 }
 
 /// The case without a limit to any strength: laws are elastic, contact planes that hold along themselves do not let go.
+/// No stage could give the soil its laws back.
 Case elastic_case(Case c)
 {
+  c.stages.clear();
+  c.at_strength = 1.0;
   for (MaterialCase& material : c.materials) {
     const MaterialType* law = find_material(material.model);
     if (has_strength(*law)) material = elastic_twin(material, *law);

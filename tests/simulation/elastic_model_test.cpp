@@ -77,6 +77,21 @@ TEST(AtStrength, BeginsAtRestWhereTheSoilCannotStand)
   EXPECT_GT(largest, 8e3 / 0.99) << "no strength limits the stress of the start";
 }
 
+TEST(AtStrength, StagesDoNotGiveTheSoilItsStrengthBackInTheSearch)
+{
+  const Case plain = cut(0.99);
+  StageCase stage;
+  stage.name = "only";
+  stage.duration = plain.time.end;
+  stage.changed = std::make_shared<const Case>(plain);
+  Case staged = plain;
+  staged.stages = {stage};
+  Simulation s(plain), t(staged);
+  s.start(), t.start();
+  const auto a = points_by_id(s.state), b = points_by_id(t.state);
+  for (std::size_t k = 0; k < a.size(); ++k) ASSERT_EQ(a[k].sigma, b[k].sigma);
+}
+
 TEST(AtStrength, ASearchThatWasStoppedBeginsAnew)
 {
   Simulation stopped(cut(0.95)), whole(cut(0.95));
