@@ -261,7 +261,7 @@ void declare_viewers(CLI::App& app, CommandLine& line)
   CLI::App* exported = add_command(app, "export", "Look",
       "frames of a run as CSV\nWrites a table per frame into RUN/csv, and a list of them (docs/formats.md).\nParaView, "
       "VTK and h5py read the frames as they are (docs/python.md).",
-      "  terp export runs/dike --frames 0,10:20,last\n");
+      "  terp export runs/dike --frames 0,10:20,last\n  terp export runs/dike --dxf after.dxf --profile after.csv\n");
   exported->add_option("RUN", line.exported.run, "run folder")->option_text(" ")->required();
   exported->add_option("--format", line.exported.format, "csv")->option_text("F")->group("");
   exported->add_option("--field", line.exported.fields, "only this field; may be given several times")
@@ -273,6 +273,10 @@ void declare_viewers(CLI::App& app, CommandLine& line)
           "--frames", line.exported.frames, "numbers, ranges with both ends, `last`:\n0,5,10:20,last (default: all)")
       ->option_text("LIST");
   add_output(exported, line.exported.folder, "folder (default: RUN/csv)");
+  exported->add_option("--dxf", line.exported.dxf, "instead: the section at the end (docs/dxf.md)")
+      ->option_text("FILE");
+  exported->add_option("--profile", line.exported.profile, "instead: the ground before and after, as a table")
+      ->option_text("FILE");
 }
 
 void declare_import_folder(CLI::App* import, ImportCommand& command)
@@ -306,13 +310,12 @@ void declare_import_folder(CLI::App* import, ImportCommand& command)
 void declare_import(CLI::App& app, ImportCommand& command)
 {
   CLI::App* import = add_command(app, "import", "Understand",
-      "what a D-Stability file (.stix) or a drawing (.dxf) holds\nScenarios, stages, calculations with their stored "
-      "results, soils, and what is left\nout; regions of a drawing. With -o a case folder (docs/dstability.md, "
+      "what a D-Stability file or a drawing (DXF) holds\nScenarios, stages, calculations with their stored "
+      "results, soils, and what\nis left out; regions of a drawing. With -o a case folder\n(docs/dstability.md, "
       "docs/dxf.md).",
       "  terp import section.stix --slices slices.csv\n  terp import section.stix --scenario 1 --stage 2 -o "
       "section\n  terp import section.dxf -o section\n");
-  import->add_option("FILE", command.path, "of D-Stability 2020 to 2026 (.stix), or a drawing (.dxf)")
-      ->option_text(" ");
+  import->add_option("FILE", command.path, "D-Stability file (.stix) or drawing (.dxf)")->option_text(" ");
   CLI::Option* json = import->add_flag("--json", command.json, "the list for a program")->option_text(" ");
   import
       ->add_option("--slices", command.slices,

@@ -58,6 +58,7 @@ struct ReportCommand {
 
 struct ExportCommand {
   std::string run, format = "csv", frames, folder;
+  std::string dxf, profile;  ///< files of the section at the end; empty: none
   std::vector<std::string> fields;
 };
 

@@ -7,6 +7,7 @@
 #include "report/page.hpp"
 #include "results/compare.hpp"
 #include "results/export.hpp"
+#include "results/section_export.hpp"
 
 #include <cctype>
 #include <chrono>
@@ -71,6 +72,16 @@ int export_run(const ExportCommand& command)
         fmt::format("error: there is no format `{}`\n  Formats: csv. The frames of a run are VTKHDF files, which "
                     "ParaView, VTK and h5py read as they are: docs/python.md\n",
             command.format));
+  if (!command.dxf.empty() || !command.profile.empty()) {
+    const SectionExport section = export_section(read_run(command.run));
+    for (const auto& [path, text] :
+        {std::pair{command.dxf, section.dxf}, std::pair{command.profile, section.profile}}) {
+      if (path.empty()) continue;
+      write_file_atomically(path, text);
+      fmt::print("section in {}\n", path);
+    }
+    return solved;
+  }
   Frames frames = read_run(command.run).frames();
   const std::string folder = command.folder.empty() ? path_in(command.run, command.format) : command.folder;
   const auto paths = export_frames(frames, {command.fields, command.frames, folder});

@@ -1,0 +1,46 @@
+#include "results/section_export.hpp"
+
+#include "base/errors.hpp"
+#include "base/interpolate.hpp"
+#include "drawing/dxf_file.hpp"
+#include "drawing/point_section.hpp"
+#include "input/case_file.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+PointSection section_of_frame(const Frames& frames, std::size_t k)
+{
+  const std::vector<Real> x = frames.places(k), materials = frames.read("material", k);
+  std::vector<Vec<2>> places;
+  for (std::size_t p = 0; p < x.size() / 2; ++p) places.push_back({x[2 * p], x[2 * p + 1]});
+  return section_of_points(places, frames.read("volume", k), std::vector<int>(materials.begin(), materials.end()));
+}
+
+}  // namespace
+
+SectionExport export_section(const RunResults& run)
+{
+  const Frames frames = run.frames();
+  const std::size_t n = frames.times().size();
+  if (n == 0) throw FileError(fmt::format("{} has no frame: there is no section to export", run.folder));
+  const PointSection start = section_of_frame(frames, 0), end = section_of_frame(frames, n - 1);
+  const Case description = read_case_text(run.case_toml, run.folder + "/case.toml").values;
+  std::vector<DxfLine> lines{{"ground_start", start.ground, false, ""}, {"ground_end", end.ground, false, ""}};
+  for (const CleanRegion& region : end.regions) {
+    const auto number = static_cast<std::size_t>(region.drawn);
+    const std::string name =
+        number < description.materials.size() ? description.materials[number].name : fmt::format("{}", number);
+    lines.push_back({name, region.polygon, true, ""});
+    for (const Polygon& hole : region.holes) lines.push_back({name, hole, true, ""});
+  }
+  SectionExport text{dxf_text(lines), "x,start,end\n"};
+  for (const Vec<2>& x : end.ground)
+    text.profile += fmt::format("{:.4f},{:.4f},{:.4f}\n", x[0], interpolate(start.ground, x[0]), x[1]);
+  return text;
+}
+
+}  // namespace terp

@@ -1,0 +1,19 @@
+// The section that a run leaves, for CAD and spreadsheets: ground at the start and the end, outlines of materials.
+#pragma once
+
+#include "results/run_results.hpp"
+
+#include <string>
+
+namespace terp {
+
+/// Both as text.
+struct SectionExport {
+  std::string dxf;      ///< layers ground_start, ground_end, and one for each material: its outlines at the end
+  std::string profile;  ///< x,start,end: elevation of the ground [m]
+};
+
+/// Throws FileError if the run has no frame.
+SectionExport export_section(const RunResults& run);
+
+}  // namespace terp

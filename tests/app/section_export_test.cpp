@@ -1,0 +1,29 @@
+// terp export --dxf and --profile: the section of a run for CAD.
+#include "coarse_column.hpp"
+#include "drawing/dxf_file.hpp"
+#include "points/polygon.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+TEST(SectionExport, DrawsTheGroundAndTheOutlinesOfARun)
+{
+  const ScratchFolder scratch;
+  const std::string run = scratch.path() + "/run", dxf = scratch.path() + "/after.dxf",
+                    csv = scratch.path() + "/after.csv";
+  ASSERT_EQ(test::run_column(run).status, 0);
+  const Finished f = test::terp({"export", run, "--dxf", dxf, "--profile", csv});
+  EXPECT_EQ(f.status, 0) << f.err;
+  EXPECT_EQ(f.out, "section in " + dxf + "\nsection in " + csv + "\n");
+  const DxfDrawing drawing = read_dxf(dxf);
+  ASSERT_GE(drawing.lines.size(), 3u);
+  EXPECT_EQ(drawing.lines[0].layer, "ground_start");
+  EXPECT_EQ(drawing.lines[1].layer, "ground_end");
+  Real area = 0.0;
+  for (const DxfLine& line : drawing.lines)
+    if (line.closed) area += signed_area(line.places);
+  EXPECT_NEAR(area, 16.0, 1.0);  // the column is 8 by 2 m
+  EXPECT_THAT(text_of(csv), StartsWith("x,start,end\n"));
+}
+
+}  // namespace
