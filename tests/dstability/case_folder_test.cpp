@@ -8,6 +8,7 @@
 #include "support/paths.hpp"
 #include "support/problems.hpp"
 #include "support/test.hpp"
+#include "water/water_pressure.hpp"
 
 #include <fmt/format.h>
 
@@ -132,6 +133,22 @@ TEST(CaseFolder, GoesFromDailyWaterToTheAnalysedStage)
   ASSERT_EQ(description.loads.size(), 1u);
   EXPECT_EQ(description.loads[0].pressure, 0.0);  // 13 kPa in the last stage
   EXPECT_EQ(description.mesh.cell[0], 0.5);       // a tenth of 5.9 m, a round number
+}
+
+TEST(CaseFolder, HasTheWaterPressuresOfTheFile)
+{
+  const StixProject project = read_stix(sample("tutorial-2023"));
+  const StixSection section(project, 1, 1, StixBasis::deterministic);
+  const WaterCase water = read_folder(tutorial(), "folder_of_tutorial").values.water;
+  Real most = 0.0;
+  for (Real x = -95.0; x < 150.0; x += 3.7) {
+    const StixColumn column = section.column(x);
+    for (Real z = -14.0; z < column.ground(); z += 0.9)
+      most = std::max(
+          most, std::abs(water_pressure(water, water.situations[0], {x, z}, 0.0) - column.now().water().pressure(z)));
+  }
+  EXPECT_LT(most, 500.0);
+  EXPECT_GT(most, 0.0);
 }
 
 TEST(CaseFolder, CutsASoilThatDiffersAboveThePhreaticLine)
