@@ -1,6 +1,7 @@
 #include "command_line.hpp"
 
 #include "base/closest.hpp"
+#include "report/payload.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -109,6 +110,13 @@ void add_set(CLI::App* command, RunOptions& options)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+void add_language(CLI::App* command, std::string& language)
+{
+  command->add_option("--language", language, "of the page: en, nl (default en); the page itself can change it")
+      ->option_text("L")
+      ->check(CLI::IsMember(std::vector<std::string>(report_languages.begin(), report_languages.end())));
+}
+
 void add_output(CLI::App* command, std::string& output, const char* what, const char* text = "DIR")
 {
   command->add_option("-o,--output", output, what)->option_text(text);
@@ -131,6 +139,7 @@ void declare_solvers(CLI::App& app, CommandLine& line)
       ->option_text("F");
   run->add_flag("--force", line.options.force, "replace the results of an earlier run");
   run->add_flag("--report", line.options.report, "write the page of the run at its end: DIR/report.html");
+  add_language(run, line.options.language);
 
   CLI::App* resume = add_command(app, "resume", "Solve",
       "go on from the newest checkpoint of a run folder\nor from the checkpoint file that is named. The case in the "
@@ -140,6 +149,7 @@ void declare_solvers(CLI::App& app, CommandLine& line)
       "  terp resume runs/dike --report\n");
   resume->add_option("RUN", line.options.path, "run folder, or one of its checkpoints")->option_text(" ")->required();
   resume->add_flag("--report", line.options.report, "write the page of the run at its end: RUN/report.html");
+  add_language(resume, line.options.language);
 
   add_set(run, line.options);
   for (CLI::App* command : {run, resume}) {
@@ -250,6 +260,7 @@ void declare_viewers(CLI::App& app, CommandLine& line)
       "  terp report runs/gp runs/mixed -o both.html\n");
   report->add_option("RUN", line.report.runs, "run folders")->option_text(" ")->required();
   add_output(report, line.report.output, "the file (default: report.html)", "FILE");
+  add_language(report, line.report.language);
 
   CLI::App* compare = add_command(app, "compare", "Look",
       "table of what differs between runs\nThe first run against each of the others, in numbers and in words, with the "

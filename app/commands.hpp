@@ -29,6 +29,7 @@ struct RunOptions {
   long steps = 100, warm_steps = 50;  ///< of bench: in each of five trials, and before them
   bool json = false;                  ///< of bench
   bool report = false;                ///< write the page of the run at its end
+  std::string language = "en";        ///< of that page
   std::string picture;                ///< of check: SVG file of the section; empty: none
   std::vector<double> profiles;       ///< of check: x of vertical lines [m]
   const PartOfSet* part = nullptr;    ///< of run and resume
@@ -54,6 +55,7 @@ struct ReportCommand {
   std::vector<std::string> runs;  ///< folders
   std::string output;             ///< HTML file; empty: report.html
   bool json = false;              ///< of compare
+  std::string language = "en";    ///< of the page: one of report_languages
 };
 
 struct ExportCommand {

@@ -52,6 +52,7 @@ int report_runs(const ReportCommand& command)
   const std::string path = command.output.empty() ? "report.html" : command.output;
   refuse_other_files(path);
   ReportOptions options;
+  options.language = command.language;
   options.written = fmt::format(
       "{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
   const Payload payload = make_payload(command.runs, options);

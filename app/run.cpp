@@ -224,7 +224,8 @@ int solve(Simulation& simulation, RunWriter& writer, const RunOptions& options, 
 int solve_and_show(Simulation& simulation, RunWriter& writer, const RunOptions& options, const std::string& folder)
 {
   const int status = solve(simulation, writer, options, folder);
-  if (options.report && status == solved) report_runs({.runs = {folder}, .output = path_in(folder, report_file)});
+  if (options.report && status == solved)
+    report_runs({.runs = {folder}, .output = path_in(folder, report_file), .language = options.language});
   return status;
 }
 

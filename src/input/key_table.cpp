@@ -486,7 +486,7 @@ std::vector<KeyInfo> key_table()
 {
   std::vector<KeyInfo> list;
   for (auto part : {frame_keys, time_keys, stage_keys, mesh_keys, body_keys, material_keys, force_keys, water_keys,
-           flood_keys, side_keys, footing_keys, surface_load_keys, method_keys, output_keys})
+           flood_keys, side_keys, footing_keys, surface_load_keys, method_keys, output_keys, reference_keys})
     for (KeyInfo& key : part()) list.push_back(std::move(key));
   return list;
 }

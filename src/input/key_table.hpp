@@ -11,7 +11,8 @@ std::vector<KeyInfo> key_table();
 std::vector<KeyInfo> material_keys();
 /// Those of water (water_keys.cpp).
 std::vector<KeyInfo> water_keys();
-std::vector<KeyInfo> flood_keys();  ///< of [flood]
+std::vector<KeyInfo> flood_keys();      ///< of [flood]
+std::vector<KeyInfo> reference_keys();  ///< of [reference]
 
 /// Gives the other situations of the water what they leave out: that of the start.
 void complete_situations(WaterCase& water);

@@ -67,6 +67,7 @@ const std::vector<SectionInfo>& all_sections()
       {"output.history", "named points over time: history.csv"},
       {"output.ledger", "balances over time: ledger.csv"},
       {"output.checkpoint", "files to resume from"},
+      {"reference", "results of other methods, which pictures show beside those of the run; no number depends on them"},
   };
   return sections;
 }

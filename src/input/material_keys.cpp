@@ -1,6 +1,11 @@
 // The keys of [material.NAME] and of the tables in it, but for the parameters of the laws.
 
+#include "input/document.hpp"
 #include "input/key_table.hpp"
+#include "input/key_text.hpp"
+#include "input/values.hpp"
+
+#include <fmt/format.h>
 
 namespace terp {
 namespace {
@@ -11,6 +16,26 @@ std::vector<std::string> drainage_words() { return {"by_law", "drained", "undrai
 WordField drainage_field(Drainage& value)
 {
   return {[&value] { return static_cast<int>(value); }, [&value](int word) { value = static_cast<Drainage>(word); }};
+}
+
+/// "#rrggbb".
+OwnForm color_field(std::string& color)
+{
+  constexpr std::string_view form = "text: a colour \"#rrggbb\"";
+  return {std::string(form),
+      [&color, form](const Entry& entry, Findings& findings) {
+        const std::string& text = entry.node.text;
+        const bool good = entry.node.kind == NodeKind::text && text.size() == 7 && text[0] == '#' &&
+                          text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+        if (good)
+          color = text;
+        else
+          findings.problems.push_back({entry.path, fmt::format("`{}` is no colour", last_part(entry.path)),
+              fmt::format("Got {}; allowed: {}, as \"#d9b98a\".", describe_value(entry.node), form),
+              topic_of(entry.key.path)});
+        return good;
+      },
+      [&color] { return color.empty() ? std::string() : quoted_list({color}); }};
 }
 
 }  // namespace
@@ -67,6 +92,10 @@ std::vector<KeyInfo> material_keys()
           .field = [](Case& c, std::size_t i) { return &c.materials[i].ground; },
           .meaning = "whether slopes and dikes are made of it; false of a load that lies on the soil. A fluid is never "
                      "ground. Front, crest, slides, moved soil and [flood] look at ground alone"},
+      {.path = "material.NAME.color",
+          .field = [](Case& c, std::size_t i) { return color_field(c.materials[i].color); },
+          .meaning = "of the soil in pictures, red, green and blue in hexadecimal digits: \"#d9b98a\"",
+          .default_text = "by the name of the soil: sand, clay, peat, loam, gravel, dike; else one of eight"},
       {.path = "material.NAME.softening.length",
           .field = [](Case& c, std::size_t i) { return &c.materials[i].softening.length; },
           .unit = "m",

@@ -5,6 +5,7 @@
 
 #include "boundary/conditions.hpp"
 #include "output/section_canvas.hpp"
+#include "output/soil_colours.hpp"
 #include "output/svg.hpp"
 #include "simulation/overburden.hpp"
 #include "simulation/setup_points.hpp"
@@ -22,9 +23,6 @@ namespace {
 constexpr Real smallest_cell = 4.0;  // that is drawn [px]
 constexpr Index most_cells = 40000, most_points = 20000;
 
-// Soil colours that stay apart in grey and for most colour-blind eyes (Okabe and Ito, made lighter).
-constexpr const char* soil_colours[] = {
-    "#d9b98a", "#9cc3dd", "#a8cfa0", "#e8a98f", "#c9b3d9", "#e6d784", "#9fb5b0", "#c7c7c7"};
 constexpr Real weight_of_a_mass = 9.81e-3;  // [kN/kg], as kN/m3 of a case file is read
 constexpr const char *load_colour = "#b4371e", *later_colour = "#2f7ed8", *level_colour = "#0b3d6e";
 constexpr const char *shade_colour = "#c2185b", *line_colour = "#7a0c3a";
@@ -36,7 +34,8 @@ class SectionDrawing : SectionCanvas {
         model_(model),
         state_(state),
         overlay_(overlay),
-        is_result_(!overlay.subtitle.empty())
+        is_result_(!overlay.subtitle.empty()),
+        colours_(soil_colours(model.description.materials))
   {
   }
 
@@ -73,7 +72,7 @@ class SectionDrawing : SectionCanvas {
     return ring({x.begin(), x.end()});
   }
 
-  const char* colour_of(Index material) const { return soil_colours[material % std::ssize(soil_colours)]; }
+  const std::string& colour_of(Index material) const { return colours_[static_cast<std::size_t>(material)]; }
 
   void cells()
   {
@@ -100,8 +99,8 @@ class SectionDrawing : SectionCanvas {
     for (const BodyCase& body : model_.description.bodies) {
       if (!body.points_file.empty()) continue;
       const BodyOutline& outline = outlines[k++];
-      const char* colour = colour_of(material_number(model_, body.material, Zone::above));
-      const char* colour_below = colour_of(material_number(model_, body.material, Zone::below));
+      const std::string& colour = colour_of(material_number(model_, body.material, Zone::above));
+      const std::string& colour_below = colour_of(material_number(model_, body.material, Zone::below));
       std::string path;
       if (outline.cells.empty()) {
         path = ring(outline.polygon);
@@ -436,6 +435,7 @@ class SectionDrawing : SectionCanvas {
   const State& state_;
   const SectionOverlay& overlay_;
   const bool is_result_;                         // the overlay is of one
+  const std::vector<std::string> colours_;       ///< of the materials
   Real legend_top_ = 0.0, legend_height_ = 0.0;  ///< [px]
 };
 

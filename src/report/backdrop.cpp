@@ -125,17 +125,17 @@ std::vector<float> phreatic_line(
   return out;
 }
 
-std::vector<float> surface_line(const std::vector<Real>& places, const std::vector<Real>& material, Real column_width)
+std::vector<float> surface_line(
+    const std::vector<Real>& places, const std::vector<Real>& material, const SurfaceColumns& columns)
 {
-  std::map<long, Real> height;  // by column
+  std::map<long, std::size_t> highest;  // point by column
   for (std::size_t p = 0; p < material.size(); ++p) {
     if (material[p] < 0.0) continue;  // left the mesh
-    const auto [entry, fresh] =
-        height.try_emplace(std::lround(std::floor(places[2 * p] / column_width)), places[2 * p + 1]);
-    if (!fresh) entry->second = std::max(entry->second, places[2 * p + 1]);
+    const auto [entry, fresh] = highest.try_emplace(std::lround(std::floor(places[2 * p] / columns.width)), p);
+    if (!fresh && places[2 * p + 1] > places[2 * entry->second + 1]) entry->second = p;
   }
   std::vector<float> line;
-  for (const auto& [column, y] : height) add_place(line, {(static_cast<Real>(column) + 0.5) * column_width, y});
+  for (const auto& [column, p] : highest) add_place(line, {places[2 * p], places[2 * p + 1] + columns.half_point});
   return line;
 }
 

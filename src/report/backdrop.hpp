@@ -20,8 +20,14 @@ std::vector<float> first_outline(const Case& description, const Mesh<2>& mesh);
 std::vector<float> phreatic_line(
     const Case& description, const std::vector<StageSummary>& stages, const Mesh<2>& mesh, Real time);
 
-/// The highest point in each column of one cell's width, from left to right: x, y [m], shape [n, 2]. Columns without a
-/// point are left out.
-std::vector<float> surface_line(const std::vector<Real>& places, const std::vector<Real>& material, Real column_width);
+/// Columns for the free surface, and how far the soil of a point reaches above it [m].
+struct SurfaceColumns {
+  Real width = 0.0, half_point = 0.0;
+};
+
+/// The top of the highest point in each column, from left to right: x, y [m], shape [n, 2]. Columns without a point are
+/// left out.
+std::vector<float> surface_line(
+    const std::vector<Real>& places, const std::vector<Real>& material, const SurfaceColumns& columns);
 
 }  // namespace terp

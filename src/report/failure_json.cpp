@@ -1,6 +1,6 @@
 #include "report/failure_json.hpp"
 
-#include "report/story.hpp"
+#include "report/entry_point.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -9,10 +9,21 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json events_json(const Summary& s)
+/// The slides of summary.json, each with the place at which it enters the ground.
+Json slides_with_entries(const Summary& s, std::span<const float> first_surface)
+{
+  Json slides = slides_json(s);
+  for (std::size_t k = 0; k < s.slides.size(); ++k) {
+    const auto entry = entry_point(s.slides[k], first_surface);
+    slides[k]["entry"] = entry ? Json{{"x", entry->x}, {"y", entry->y}, {"zone", entry->zone}} : Json();
+  }
+  return slides;
+}
+
+Json events_json(const Summary& s, std::span<const float> first_surface)
 {
   const auto or_null = [](const std::optional<Real>& value) { return value ? Json(*value) : Json(); };
-  Json slides = slides_json(s);
+  Json slides = slides_with_entries(s, first_surface);
   const auto slide_or_null = [&](std::size_t k) { return k < slides.size() ? slides[k] : Json(); };
   Json first = slide_or_null(0), second = slide_or_null(1), slip = slides.empty() ? Json() : first["slip_surface"];
   Json stages = Json::array();
@@ -29,22 +40,13 @@ Json events_json(const Summary& s)
 
 }  // namespace
 
-Json failure_json(const RunResults& run, const std::vector<std::string>& warnings)
+Json failure_json(const RunResults& run, std::span<const float> first_surface, const std::vector<std::string>& warnings)
 {
   const Summary& s = run.summary.values;
-  const bool behind = summary_is_behind(run);
-  Json passes = Json::array(), checks = Json::array(), audit;
+  Json passes = Json::array();
   for (const PassTime& pass : s.passes) passes.push_back({{"name", pass.name}, {"seconds", pass.seconds}});
-  for (const Check& check : list_checks(run))
-    checks.push_back({{"name", check.name}, {"value", check.value}, {"passed", check.passed}});
-  if (!behind)
-    audit = {{"points", s.n_points}, {"points_eps_eq_p_fell", s.points_eps_eq_p_fell},
-        {"points_su_rose", s.points_su_rose}, {"energy_balance_error", s.energy_balance_error},
-        {"clamped_points", s.clamped_points}, {"points_left", s.points_left}};
-  std::vector<std::string> cautions = find_cautions(run);
-  cautions.insert(cautions.end(), warnings.begin(), warnings.end());
-  return {{"passes", std::move(passes)}, {"events", behind ? Json() : events_json(s)}, {"story", tell_story(run)},
-      {"warnings", cautions}, {"checks", std::move(checks)}, {"audit", std::move(audit)}};
+  return {{"passes", std::move(passes)}, {"events", summary_is_behind(run) ? Json() : events_json(s, first_surface)},
+      {"warnings", warnings}};
 }
 
 }  // namespace terp

@@ -1,10 +1,13 @@
 #include "report/payload.hpp"
 
+#include "base/checksum.hpp"
 #include "base/errors.hpp"
 #include "input/case_file.hpp"
 #include "output/compress.hpp"
+#include "output/soil_colours.hpp"
 #include "report/backdrop.hpp"
 #include "report/failure_json.hpp"
+#include "report/layers.hpp"
 #include "report/shown.hpp"
 #include "results/compare.hpp"
 #include "simulation/setup_mesh.hpp"
@@ -12,7 +15,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -155,9 +160,12 @@ Json fields_json(Chunks& chunks, const ShownRun& shown)
 Json materials_json(const Source& source)
 {
   Json materials = Json::array();
-  if (source.case_read)
-    for (const auto& material : source.case_read->values.materials)
-      materials.push_back({{"id", materials.size()}, {"name", material.name}});
+  if (!source.case_read) return materials;
+  const std::vector<std::string> colours = soil_colours(source.case_read->values.materials);
+  for (const auto& material : source.case_read->values.materials) {
+    const std::size_t id = materials.size();
+    materials.push_back({{"id", id}, {"name", material.name}, {"soil", material.called()}, {"color", colours[id]}});
+  }
   return materials;
 }
 
@@ -170,34 +178,115 @@ std::pair<std::vector<float>, std::vector<float>> backdrop(const Source& source)
   return {std::move(edges), first_outline(source.case_read->values, *source.mesh)};
 }
 
-Json surfaces_json(Chunks& chunks, const Source& source, const ShownRun& shown)
+/// Lines, frame after frame; frame f has the places offsets[f] to offsets[f + 1] - 1.
+struct LinesOfFrames {
+  std::vector<float> places = {};  ///< x, y [m], shape [n, 2]
+  std::vector<std::size_t> offsets{0};
+
+  void add(const std::vector<float>& line)
+  {
+    places.insert(places.end(), line.begin(), line.end());
+    offsets.push_back(places.size() / 2);
+  }
+  std::span<const float> first() const { return {places.data(), 2 * offsets[1]}; }
+  Json json(Chunks& chunks) const { return {{"chunk", chunks.add(places)}, {"offsets", offsets}}; }
+};
+
+/// Of all points of a frame; negative: it has left.
+std::vector<Real> materials_in(const Frames& frames, std::size_t k)
+{
+  return frames.has("material") ? frames.read("material", k)
+                                : std::vector<Real>(static_cast<std::size_t>(frames.n_points()), 0.0);
+}
+
+LinesOfFrames surfaces_of(const Source& source, const ShownRun& shown)
 {
   const Frames& frames = source.frames;
-  const Real width = source.mesh ? typical_cell_size(*source.mesh) : 4.0 * shown.point_size;
-  std::vector<float> lines;
-  std::vector<std::size_t> offsets{0};
-  for (const std::size_t k : shown.frames) {
-    const auto material = frames.has("material") ? frames.read("material", k)
-                                                 : std::vector<Real>(static_cast<std::size_t>(shown.n_points), 0.0);
-    const auto line = surface_line(frames.places(k), material, width);
-    lines.insert(lines.end(), line.begin(), line.end());
-    offsets.push_back(lines.size() / 2);
-  }
-  return {{"chunk", chunks.add(lines)}, {"offsets", offsets}};
+  const Real share = static_cast<Real>(shown.ids.size()) / static_cast<Real>(std::max<std::int64_t>(1, shown.n_points));
+  const SurfaceColumns columns{source.mesh ? typical_cell_size(*source.mesh) : 4.0 * shown.point_size,
+      0.5 * shown.point_size * std::sqrt(share)};
+  LinesOfFrames surfaces;
+  for (const std::size_t k : shown.frames)
+    surfaces.add(surface_line(frames.places(k), materials_in(frames, k), columns));
+  return surfaces;
 }
 
 /// The phreatic line of each frame; null without one.
 Json water_json(Chunks& chunks, const Source& source, const ShownRun& shown)
 {
   if (!source.mesh || source.case_read->values.water.start.phreatic_line.empty()) return nullptr;
-  std::vector<float> lines;
-  std::vector<std::size_t> offsets{0};
-  for (const Real time : shown.times) {
-    const auto line = phreatic_line(source.case_read->values, source.run.summary.values.stages, *source.mesh, time);
-    lines.insert(lines.end(), line.begin(), line.end());
-    offsets.push_back(lines.size() / 2);
+  LinesOfFrames lines;
+  for (const Real time : shown.times)
+    lines.add(phreatic_line(source.case_read->values, source.run.summary.values.stages, *source.mesh, time));
+  return lines.json(chunks);
+}
+
+Json attached_json(Chunks& chunks, const AttachedLines& lines)
+{
+  if (lines.is_empty()) return nullptr;
+  return {{"points", chunks.add(lines.points)}, {"offsets", chunks.add(lines.offsets)}, {"count", lines.points.size()}};
+}
+
+/// The points shown, as they are in frame k.
+struct ShownPoints {
+  std::vector<Real> places, materials;
+
+  ShownPoints(const Frames& frames, const ShownRun& shown, std::size_t k)
+  {
+    const std::vector<Real> all = frames.places(k), material = materials_in(frames, k);
+    for (const std::uint32_t id : shown.ids) {
+      places.insert(places.end(), {all[2 * id], all[2 * id + 1]});
+      materials.push_back(material[id]);
+    }
   }
-  return {{"chunk", chunks.add(lines)}, {"offsets", offsets}};
+  PointsAtStart with_spacing(Real spacing) const { return {places, materials, spacing}; }
+};
+
+Json layers_json(Chunks& chunks, const Source& source, const ShownRun& shown)
+{
+  Json layers = Json::array();
+  if (!source.mesh) return layers;
+  const ShownPoints points(source.frames, shown, shown.frames.front());
+  for (const SoilLayer& layer :
+      attach_layers(source.case_read->values, *source.mesh, points.with_spacing(shown.point_size)))
+    layers.push_back({{"soil", layer.soil}, {"lines", attached_json(chunks, layer.lines)},
+        {"middle", attached_json(chunks, layer.middle)}});
+  return layers;
+}
+
+/// Each load where it was put on, and its rows of loads.csv.
+Json loads_json(Chunks& chunks, const Source& source, const ShownRun& shown)
+{
+  Json loads = Json::array();
+  const std::string path = path_in(source.run.folder, "loads.csv");
+  if (!source.case_read || source.case_read->values.loads.empty() || !std::filesystem::exists(path)) return loads;
+  const std::vector<PointTable> tables = read_history(path, "load");
+  for (const LoadCase& load : source.case_read->values.loads) {
+    const auto table = std::ranges::find(tables, load.name, &PointTable::point);
+    if (table == tables.end()) continue;
+    const auto begins = std::ranges::lower_bound(shown.times, load.start);
+    const std::size_t f = std::min(static_cast<std::size_t>(begins - shown.times.begin()), shown.times.size() - 1);
+    const ShownPoints points(source.frames, shown, shown.frames[f]);
+    Json json{{"name", load.name}, {"frame", f},
+        {"lines", attached_json(chunks, attach_surface(points.with_spacing(shown.point_size), load.from, load.to))}};
+    json.update(table_json(chunks, table->table));
+    loads.push_back(std::move(json));
+  }
+  return loads;
+}
+
+Json slip_planes_json(const Source& source)
+{
+  Json planes = Json::array();
+  if (!source.case_read) return planes;
+  for (const SlipPlaneCase& plane : source.case_read->values.slip_planes) {
+    Json line = Json::array();
+    for (const Vec<2> x : plane.line) line.push_back({x[0], x[1]});
+    planes.push_back({{"name", plane.name}, {"method", plane.method},
+        {"factor_of_safety", std::isnan(plane.factor_of_safety) ? Json() : Json(plane.factor_of_safety)},
+        {"points", std::move(line)}});
+  }
+  return planes;
 }
 
 Json histories_json(Chunks& chunks, const RunResults& run)
@@ -229,7 +318,8 @@ Json head_json(const Source& source, const ShownRun& shown)
 {
   const Summary& s = source.run.summary.values;
   return {{"name", source.name}, {"title", source.case_read ? source.case_read->values.title : ""},
-      {"scheme", s.scheme}, {"case_toml", source.run.case_toml},
+      {"scheme", s.scheme}, {"case_toml", source.run.case_toml}, {"case_path", path_in(source.run.folder, case_file)},
+      {"case_digits", digits_of(source.run.case_toml)},
       {"machine", fmt::format("{} ({})", s.processor.empty() ? "unknown processor" : s.processor, s.instructions)},
       {"threads", s.threads}, {"wall_seconds", s.wall_s}, {"finished", source.run.summary.finished},
       {"n_points", shown.n_points}, {"n_shown", shown.ids.size()}, {"n_frames_in_run", shown.n_frames_in_run},
@@ -248,12 +338,16 @@ Json run_json(Chunks& chunks, const Source& source, const ShownRun& shown)
   json["fields"] = fields_json(chunks, shown);
   json["mesh"]["edges"] = {{"chunk", chunks.add(edges)}, {"count", edges.size() / 4}};
   json["outline"] = {{"chunk", chunks.add(outline)}, {"count", outline.size() / 2}};
-  json["surfaces"] = surfaces_json(chunks, source, shown);
+  const LinesOfFrames surfaces = surfaces_of(source, shown);
+  json["surfaces"] = surfaces.json(chunks);
   json["water"] = water_json(chunks, source, shown);
+  json["layers"] = layers_json(chunks, source, shown);
+  json["loads"] = loads_json(chunks, source, shown);
+  json["slip_planes"] = slip_planes_json(source);
   json["velocity_vectors"] = nullptr;
   json["histories"] = histories_json(chunks, source.run);
   json["series"] = table_json(chunks, source.run.ledger);
-  json.update(failure_json(source.run, source.warnings));
+  json.update(failure_json(source.run, surfaces.first(), source.warnings));
   json["summary"] = Json::parse(source.run.summary.text);
   return json;
 }
@@ -309,7 +403,8 @@ Payload make_payload(const std::vector<std::string>& folders, const ReportOption
 
   Payload payload;
   Chunks chunks;
-  Json document{{"format", 1}, {"terp", TERP_VERSION}, {"written", options.written}, {"runs", Json::array()}};
+  Json document{{"format", 1}, {"terp", TERP_VERSION}, {"written", options.written}, {"language", options.language},
+      {"runs", Json::array()}};
   for (std::size_t k = 0; k < sources.size(); ++k) {
     document["runs"].push_back(run_json(chunks, sources[k], shown[k]));
     payload.notes.push_back(note_on(names[k], shown[k]));

@@ -4,15 +4,19 @@
 
 #include "results/run_results.hpp"
 
+#include <array>
 #include <string>
 #include <vector>
 
 namespace terp {
 
+inline constexpr std::array<const char*, 2> report_languages{"en", "nl"};
+
 struct ReportOptions {
   std::size_t most_bytes = 14'000'000;  ///< of the data, as they stand in the page
   std::int64_t most_points = 200'000;   ///< per run
   std::string written;                  ///< time of writing, UTC, ISO 8601
+  std::string language = "en";          ///< of the page to begin with: one of report_languages
 };
 
 struct Payload {

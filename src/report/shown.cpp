@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 
 namespace terp {
 namespace {
@@ -14,6 +15,8 @@ namespace {
 constexpr Real places_per_spacing = 50.0;  // steps of a place between two neighbouring points, at first
 constexpr Real outliers = 0.001;           // share of the values that this range leaves out at each end
 constexpr Real strained = 0.06;  // strain of soil by which a range of colours ends: a matter of the picture alone
+
+constexpr Real softened_to = 0.9, few_softened = 0.01;  // of the first strength; share of the points: of colours alone
 
 using Values = std::vector<std::vector<float>>;  // by frame and point
 
@@ -52,7 +55,9 @@ std::vector<Recipe> all_recipes(const Frames& frames)
   };
   for (const ResultField& field : frames.fields())  // state and derived fields of other laws
     if (field.n_components == 1 && !known(field.name))
-      recipes.insert(recipes.end() - 1, {field.name, field.name, field.name, "", field.unit, "sequential"});
+      recipes.insert(recipes.end() - 1, field.unit == "Pa"
+                                            ? Recipe{field.name, field.name, field.name, "", "kPa", "sequential", 1e-3}
+                                            : Recipe{field.name, field.name, field.name, "", field.unit, "sequential"});
   std::erase_if(recipes, [&](const Recipe& r) {
     return !frames.has(r.source) || (r.take == Take::mean_stress && frames.field(r.source).n_components < 3);
   });
@@ -160,6 +165,28 @@ ShownField make_field(const Recipe& recipe, const Values& values)
   return field;
 }
 
+/// The strength with which soil began that has softened by a tenth or more: a strong layer below it, which nothing
+/// shears, would take most of the colours. None if hardly any has softened.
+std::optional<Real> end_of_strength_scale(const Values& values)
+{
+  std::vector<float> first;
+  for (std::size_t p = 0; p < values[0].size(); ++p)
+    if (values.back()[p] < softened_to * values[0][p]) first.push_back(values[0][p]);
+  if (static_cast<Real>(first.size()) < few_softened * static_cast<Real>(values[0].size())) return std::nullopt;
+  std::ranges::sort(first);
+  return round_up(quantile(first, 0.99));
+}
+
+/// Ratios run to 1, and down to the tenth that the smallest of them reaches; to a half where little softens.
+Real begin_of_ratio_scale(const Values& values)
+{
+  Real least = 0.5;
+  for (std::size_t p = 0; p < values[0].size(); ++p)
+    if (values[0][p] > 0.0f && std::isfinite(values.back()[p]))
+      least = std::min<Real>(least, values.back()[p] / values[0][p]);
+  return std::max(0.0, std::floor(10.0 * least) / 10.0);
+}
+
 /// S_u over its first value. Where all points began with one strength, it has the codes of S_u.
 ShownField strength_ratio(const ShownField& su, int index, const Values& values)
 {
@@ -168,7 +195,7 @@ ShownField strength_ratio(const ShownField& su, int index, const Values& values)
       .label = "strength left of the first",
       .unit = "-",
       .kind = "sequential",
-      .low = 0.0,
+      .low = begin_of_ratio_scale(values),
       .high = 1.0,
       .scale = {},
       .frames = {},
@@ -183,7 +210,7 @@ ShownField strength_ratio(const ShownField& su, int index, const Values& values)
     for (std::size_t p = 0; p < frame.size(); ++p) frame[p] /= first[p];
   const Recipe recipe{ratio.name, "su", ratio.symbol, ratio.label, ratio.unit, ratio.kind};
   ShownField own = make_field(recipe, ratios);
-  own.low = 0.0, own.high = 1.0;
+  own.low = ratio.low, own.high = 1.0;
   return own;
 }
 
@@ -253,6 +280,7 @@ void read_fields(const Frames& frames, ShownRun& shown)
     shown.fields.push_back(make_field(recipe, values));
     if (recipe.name == "su") {
       ShownField ratio = strength_ratio(shown.fields.back(), static_cast<int>(shown.fields.size()) - 1, values);
+      if (const auto end = end_of_strength_scale(values)) shown.fields.back().high = *end;
       shown.fields.push_back(std::move(ratio));
     }
   }

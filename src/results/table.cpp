@@ -82,11 +82,11 @@ Table read_number_table(const std::string& path)
   return table;
 }
 
-std::vector<PointTable> read_history(const std::string& path)
+std::vector<PointTable> read_history(const std::string& path, std::string_view name_column)
 {
   const auto rows = read_cells(path);
-  const auto point = static_cast<std::size_t>(std::ranges::find(rows[0], "point") - rows[0].begin());
-  if (point == rows[0].size()) throw FileError(fmt::format("cannot read {}: it has no column `point`", path));
+  const auto point = static_cast<std::size_t>(std::ranges::find(rows[0], name_column) - rows[0].begin());
+  if (point == rows[0].size()) throw FileError(fmt::format("cannot read {}: it has no column `{}`", path, name_column));
   std::vector<PointTable> tables;
   std::map<std::string, std::size_t> places;
   for (std::size_t r = 1; r < rows.size(); ++r) {

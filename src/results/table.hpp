@@ -21,7 +21,7 @@ struct Table {
   const std::vector<Real>* find(std::string_view name) const;
 };
 
-/// A table of a named point.
+/// A table of a named point, or of a load.
 struct PointTable {
   std::string point;
   Table table;
@@ -30,8 +30,8 @@ struct PointTable {
 /// Rows of a file like ledger.csv; a last line that is being written is left out. Throws FileError.
 Table read_number_table(const std::string& path);
 
-/// The rows of history.csv by point, in the order of the file.
-std::vector<PointTable> read_history(const std::string& path);
+/// The rows of history.csv by point, or of loads.csv by `load`, in the order of the file.
+std::vector<PointTable> read_history(const std::string& path, std::string_view name_column = "point");
 
 /// Of a column of a table of a run; one that is not known is called by its name. For axes and legends.
 QuantityInfo describe_column(std::string_view name);

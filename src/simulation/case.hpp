@@ -94,6 +94,7 @@ struct MaterialCase {
   Zone zone = Zone::all;
   bool ground = true;                  ///< false: water, or a load on the soil; not what a slope or a dike is made of
   std::vector<RatioCase> ratios = {};  ///< by the number of the parameter that follows from one; for the record
+  std::string color = {};              ///< of the soil in pictures, "#rrggbb"; empty: they choose one
 
   /// The name that bodies use.
   const std::string& called() const { return soil.empty() ? name : soil; }
@@ -158,6 +159,13 @@ struct OutputCase {
   bool mesh = false;  ///< whether mesh.vtkhdf also says what the mesh carries at the times of the fields
 };
 
+/// A slip plane that another method found, to be drawn over the slip surface. The run does not look at it.
+struct SlipPlaneCase {
+  std::string name, method;                                        ///< "D-Stability, flood", "Uplift-Van"
+  Real factor_of_safety = std::numeric_limits<Real>::quiet_NaN();  ///< NaN: not given
+  std::vector<Vec<2>> line;                                        ///< [m]
+};
+
 /// The velocity that a body or a side has at a place [m/s].
 template <class BodyOrSide>
 Vec<2> velocity_of(const BodyOrSide& which, Vec<2> x)
@@ -191,6 +199,7 @@ struct Case {
   MethodOptions method;
   OutputCase output;
   FloodCase flood;
+  std::vector<SlipPlaneCase> slip_planes;
 };
 
 }  // namespace terp

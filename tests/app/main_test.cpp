@@ -112,6 +112,13 @@ TEST(CommandLine, WhatIsNotANumberIsNotInRange)
   }
 }
 
+TEST(CommandLine, PagesAreInEnglishOrDutch)
+{
+  const Finished f = test::terp({"report", "runs/a", "--language", "fr"});
+  EXPECT_EQ(f.status, 2);
+  EXPECT_THAT(f.err, StartsWith("error: --language: fr not in {en,nl}"));
+}
+
 TEST(Explain, TellsOfAMaterialASchemeAndAKey)
 {
   const Finished law = test::terp({"explain", "tresca_softening"});

@@ -31,6 +31,7 @@ points_per_cell = 2
 model = "tresca_softening"
 density = 1990.0
 ground = false
+color = "#a1B2c3"
 shear_modulus = 2.0e6
 poisson_ratio = 0.48
 su_peak = 8.0e3
@@ -111,6 +112,10 @@ ledger = { every = 0.03 }
 checkpoint = { every = 1.5, keep = 3 }
 deviatoric_norm = "von_mises"
 mesh = true
+[reference]
+slip_planes = [
+  { name = "wall side", method = "Bishop", factor_of_safety = 1.25, line = [[1, 2], [3, 0.5], [6, 1]] },
+  { name = "by hand", line = [[0, 0], [1, 1]] }]
 )";
 
 Case read_every_key() { return read_case_text(every_key, "folder/all.toml").values; }
@@ -188,6 +193,20 @@ TEST(Reader, FillsTheFloodAndWhatIsGround)
   EXPECT_EQ(c.flood.river, RiverSide::right);
   EXPECT_FALSE(c.materials[0].ground);
   EXPECT_TRUE(c.materials[1].ground);
+}
+
+TEST(Reader, FillsWhatPicturesShow)
+{
+  const Case c = read_every_key();
+  EXPECT_EQ(c.materials[0].color, "#a1B2c3");
+  EXPECT_EQ(c.materials[1].color, "");
+  ASSERT_EQ(c.slip_planes.size(), 2u);
+  EXPECT_EQ(c.slip_planes[0].name, "wall side");
+  EXPECT_EQ(c.slip_planes[0].method, "Bishop");
+  EXPECT_EQ(c.slip_planes[0].factor_of_safety, 1.25);
+  EXPECT_THAT(c.slip_planes[0].line, ElementsAre(Vec<2>{1.0, 2.0}, Vec<2>{3.0, 0.5}, Vec<2>{6.0, 1.0}));
+  EXPECT_EQ(c.slip_planes[1].method, "");
+  EXPECT_TRUE(std::isnan(c.slip_planes[1].factor_of_safety));
 }
 
 TEST(Reader, FillsFrameTimeAndMesh)

@@ -40,8 +40,8 @@ TEST(Backdrop, ABodyOfCellsHasTheirOutline)
 
 TEST(Backdrop, TheSurfaceIsTheHighestPointPerColumnWithoutSoilThatLeft)
 {
-  const auto line = surface_line({0.1, 1.0, 0.4, 2.0, 1.6, 0.5, 0.7, 9.0}, {0.0, 0.0, 0.0, -1.0}, 0.5);
-  EXPECT_THAT(line, ElementsAre(0.25f, 2.0f, 1.75f, 0.5f));
+  const auto line = surface_line({0.1, 1.0, 0.4, 2.0, 1.6, 0.5, 0.7, 9.0}, {0.0, 0.0, 0.0, -1.0}, {0.5, 0.125});
+  EXPECT_THAT(line, ElementsAre(0.4f, 2.125f, 1.6f, 0.625f));
 }
 
 TEST(Backdrop, ThePhreaticLineIsThatOfTheStage)

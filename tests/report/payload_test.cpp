@@ -105,6 +105,42 @@ TEST_F(PayloadTest, HasMeshOutlineAndSurfaces)
   EXPECT_EQ(floats(run["surfaces"]).size(), 2 * run["surfaces"]["offsets"][3].get<std::size_t>());
 }
 
+TEST_F(PayloadTest, HasSoilsTheirColoursAndTheCaseThatGaveThem)
+{
+  const json& run = document["runs"][0];
+  EXPECT_EQ(document["language"], "en");
+  EXPECT_EQ(run["materials"][0]["soil"], "clay");
+  EXPECT_EQ(run["materials"][0]["color"], "#a3c293");
+  EXPECT_EQ(run["layers"][0]["soil"], "clay");
+  EXPECT_TRUE(run["loads"].empty());
+  EXPECT_TRUE(run["slip_planes"].empty());
+  EXPECT_EQ(run["case_path"], scratch.path() + "/mixed/case.toml");
+  EXPECT_EQ(run["case_digits"].get<std::string>().size(), 16u);
+}
+
+TEST_F(PayloadTest, HasLoadsAndSlipPlanesOfTheCase)
+{
+  const std::string folder = scratch.path() + "/gp", path = path_in(folder, case_file);
+  write_file_atomically(
+      path, read_file(path) +
+                "\n[[load]]\nname = \"traffic\"\nfrom = 0\nto = 4\npressure = \"13 kPa\"\n"
+                "[reference]\nslip_planes = [{ name = \"a\", method = \"Bishop\", factor_of_safety = 1.25, "
+                "line = [[1, 2], [3, 0.5]] }, { name = \"b\", line = [[0, 0], [1, 1]] }]\n");
+  write_file_atomically(path_in(folder, "loads.csv"),
+      "time,load,pressure,width,force,x,y\n0,traffic,13000,4,52000,2,1\n0.2,traffic,13000,4,52000,2.5,1\n");
+  payload = make_payload({folder}, {.written = "", .language = "nl"});
+  document = json::parse(payload.json);
+  EXPECT_EQ(document["language"], "nl");
+  const json& run = document["runs"][0];
+  ASSERT_EQ(run["loads"].size(), 1);
+  EXPECT_EQ(run["loads"][0]["name"], "traffic");
+  EXPECT_EQ(floats(run["loads"][0])[2], 13.0f);  // kPa; after the two times
+  ASSERT_EQ(run["slip_planes"].size(), 2);
+  EXPECT_EQ(run["slip_planes"][0]["factor_of_safety"], 1.25);
+  EXPECT_EQ(run["slip_planes"][0]["points"][1][0], 3.0);
+  EXPECT_TRUE(run["slip_planes"][1]["factor_of_safety"].is_null());
+}
+
 TEST_F(PayloadTest, ACaseThatCannotBeReadCostsTheMeshAndSaysSo)
 {
   write_file_atomically(scratch.path() + "/gp/case.toml", "title = ");

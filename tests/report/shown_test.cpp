@@ -88,6 +88,29 @@ TEST(Shown, TheStrengthRatioHasTheCodesOfTheStrengthWhereAllBeganAlike)
   EXPECT_NEAR(ratio.scale.lo + ratio.scale.step * run.fields[0].frames[2][4], 0.9, 1e-3);
 }
 
+TEST(Shown, TheScaleOfStrengthIsThatOfSoilThatSoftens)
+{
+  const ScratchFolder scratch;
+  const std::string path = write_run(scratch.path() + "/run");
+  std::filesystem::remove_all(path_in(path, frames_folder));
+  PointFrameWriter results({path, point_frames, "0123456789abcdef"});
+  for (int k = 0; k < 2; ++k) {
+    Frame frame{.time = 0.1 * k, .step = k, .x = {}, .fields = {{"su", "Pa", 1, {}}, {"cohesion", "Pa", 1, {}}}};
+    for (int p = 0; p < 20; ++p) {  // half of it strong, which stays; half weak, which falls to 0.55
+      frame.x.insert(frame.x.end(), {0.5 * p, 0.25 * p});
+      frame.fields[0].values.push_back(p % 2 == 0 ? 100e3 : k == 0 ? 20e3 : 11e3);
+      frame.fields[1].values.push_back(2e3);
+    }
+    results.append(frame);
+  }
+  const ShownRun run = read_shown(Frames(path), 1000);
+  EXPECT_EQ(field_of(run, "su").high, 20.0);
+  EXPECT_EQ(field_of(run, "su_ratio").low, 0.5);
+  EXPECT_EQ(field_of(run, "su_ratio").high, 1.0);
+  EXPECT_EQ(field_of(run, "cohesion").unit, "kPa");  // and so its values
+  EXPECT_NEAR(field_of(run, "cohesion").high, 2.0, 1e-9);
+}
+
 TEST(Shown, MorePointsThanAllowedAreSampledTheSameWayEachTime)
 {
   const Folder folder(2000, 2);

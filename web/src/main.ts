@@ -6,6 +6,8 @@ import { textInPage } from "./data/chunks";
 import { Report } from "./data/report";
 import { element } from "./shell/element";
 import { buildPage } from "./page";
+import { languageIn } from "./shell/address";
+import { chooseLanguage, currentLanguage } from "./logic/texts";
 
 async function start(): Promise<void> {
   const page = document.getElementById("page")!;
@@ -18,6 +20,8 @@ async function start(): Promise<void> {
         "Chrome and Edge from 80, Firefox from 113, Safari from 16.4 can.");
     const report = new Report(JSON.parse(data) as ReportMeta, textInPage);
     if (report.runs.length === 0) throw new Error("The report holds no run.");
+    chooseLanguage(languageIn(location.hash) ?? report.meta.language);
+    document.documentElement.lang = currentLanguage();
     await report.open();
     buildPage(report, page);
   } catch (error) {

@@ -1,40 +1,51 @@
 // The page: header, views with their controls beside the story, pictures, charts, tables, runs.
 
 import type { Report } from "./data/report";
+import type { FieldMeta } from "./data/format";
 import { Store, type ViewState } from "./logic/store";
 import { toScreen } from "./logic/camera";
 import { speeds } from "./logic/time";
 import { fieldHelp } from "./logic/labels";
 import { numberText, withUnit } from "./logic/numbers";
+import { currentLanguage, LANGUAGES, say, type TextKey } from "./logic/texts";
 import { Current } from "./view/current";
 import { Viewer } from "./view/viewer";
 import { Figure, pngOf, save } from "./view/figure";
-import { BAR_HEIGHT, drawColourBar } from "./view/colour_bar";
+import { BAR_HEIGHT, drawColourBar, fieldLabel } from "./view/colour_bar";
 import { record, videoEnding, videoType } from "./view/video";
 import { marksOf, Player } from "./shell/player";
 import { fieldControls, layerControls, zoomButtons } from "./shell/controls";
 import { Keys, type Actions } from "./shell/keys";
-import { keepInAddress } from "./shell/address";
+import { keepInAddress, openIn } from "./shell/address";
 import { Notice } from "./shell/notice";
 import { element, icon, iconButton } from "./shell/element";
 import { storiesSection, summarySection } from "./sections/summary";
 import { comparisonSection } from "./sections/comparison";
 import { chartsSection } from "./sections/charts";
+import { profileCards } from "./sections/profile";
+import { strengthCard } from "./sections/strength";
+import { hasWater, verdictSection } from "./sections/verdict";
 import { momentsSection } from "./sections/moments";
 import { aboutSection } from "./sections/about";
 import { Pinned } from "./sections/pinned";
 
 function startState(report: Report): ViewState {
-  const [first] = report.runs;
   const times = report.runs.flatMap((run) => [run.meta.times[0]!, run.meta.times[run.meta.times.length - 1]!]);
-  const field = first!.meta.fields[0];
+  const field = startField(report);
   return {
     time: Math.max(...times), playing: false, again: false,
       speed: speeds(Math.max(...times) - Math.min(...times)).start,
-    field: field?.name ?? "", map: "viridis", rangeMode: "run", fixed: field?.range ?? [0, 1], log: field?.log ?? false,
-    mesh: false, outline: true, slip: true, surfaces: report.runs.length > 1, names: false, pointScale: 1,
+    field: field?.name ?? "", map: "auto", rangeMode: "run", fixed: field?.range ?? [0, 1], log: field?.log ?? false,
+    mesh: false, layers: true, water: true, outline: true, slip: true, surfaces: report.runs.length > 1,
+    names: false, pointScale: 1, profileX: null,
     camera: null, layout: "auto", hover: null, pin: null, shown: report.runs.map(() => true), dark: startDark(),
   };
+}
+
+/** Of a dike what is left of its strength, where it is written: it suits layers of any strength. Else the first. */
+function startField(report: Report): FieldMeta | undefined {
+  const { fields } = report.runs[0]!.meta;
+  return (report.runs.some(hasWater) && fields.find(({ name }) => name === "su_ratio")) || fields[0];
 }
 
 function startDark(): boolean {
@@ -46,7 +57,8 @@ const WIDE = 3.5; // length over height; beside the story such a section gets le
 export function titleOf(report: Report): string {
   const titles = [...new Set(report.runs.map((run) => run.meta.title).filter(Boolean))];
   if (titles.length === 1) return titles[0]!;
-  return report.runs.map((run) => run.meta.name).join(" and ");
+  const names = report.runs.map((run) => run.meta.name);
+  return names.slice(1).reduce((text, name) => say("and", { a: text, b: name }), names[0] ?? "");
 }
 
 export function buildPage(report: Report, page: HTMLElement): void {
@@ -65,7 +77,10 @@ export function buildPage(report: Report, page: HTMLElement): void {
   const keys = new Keys(current, viewer, player, actions);
   const pinned = new Pinned(current);
 
+  const before = element("canvas", { class: "before" });
+  const paper = report.runs.length === 1 && hasWater(report.runs[0]!) && report.runs[0]!.fieldMeta("material");
   see.append(
+    paper ? element("figure", { class: "paper-only" }, element("figcaption", {}, say("before")), before) : "",
     viewer.trouble ? element("p", { class: "notice" }, viewer.trouble) : "",
     element("div", { class: "stage" }, viewer.root, zoomButtons(current, viewer)),
     colourBar(current), player.root,
@@ -73,22 +88,31 @@ export function buildPage(report: Report, page: HTMLElement): void {
       layerControls(current, viewer)),
     sampling(report));
   page.replaceChildren(
-    header(report, title, actions, keys),
-    element("main", {},
+    header(report, title, actions, keys, store),
+    element("main", { class: report.runs.some(hasWater) ? "dike" : "" },
+      verdictSection(report, store) ?? "",
       element("div", { class: isWide(viewer) ? "first wide" : "first" }, see,
-        element("div", { class: "beside" }, pinned.root, summarySection(report, store))),
+        element("div", { class: "beside" }, pinned.root, ...summarySection(report, store))),
       storiesSection(report, store) ?? "",
+      remainsSection(current) ?? "",
       momentsSection(current, viewer) ?? "",
       comparisonSection(report, store) ?? "",
       chartsSection(current),
       aboutSection(report, store)),
     element("footer", {},
-      `Written by Terp ${report.meta.terp}, ${report.meta.written.replace("T", " ").replace("Z", " UTC")}. ` +
-        "This file holds all data that it shows."),
+      say("footer", { version: report.meta.terp, time: report.meta.written.replace("T", " ").replace("Z", " UTC") })),
     notice.root, keys.help);
   keepInAddress(store, report.fieldNames(), player.span);
-  printLight(store, viewer);
+  printLight(store, viewer, paper ? before : null);
   window.terp = probe(current, viewer);
+}
+
+/** What remains of a dike, and the strength along a vertical. */
+function remainsSection(current: Current): HTMLElement | null {
+  const cards = [...profileCards(current), strengthCard(current)].filter((card) => card !== null);
+  if (cards.length === 0) return null;
+  return element("section", { id: "remains", "aria-label": say("profile_title") },
+    element("div", { class: "cards" }, ...cards));
 }
 
 /** A section much longer than high: the views take the whole width of the page, the story stands below them. */
@@ -128,21 +152,33 @@ function probe(current: Current, viewer: Viewer): Probe {
   return made;
 }
 
-function header(report: Report, title: string, actions: Actions, keys: Keys): HTMLElement {
+function languageChoice(store: Store): HTMLElement {
+  const select = element("select", { class: "language", "aria-label": say("language"),
+    onchange: () => openIn(store, select.value) },
+  ...LANGUAGES.map(({ code, name }) => element("option", { value: code }, name)));
+  select.value = currentLanguage();
+  return select;
+}
+
+function header(report: Report, title: string, actions: Actions, keys: Keys, store: Store): HTMLElement {
   const names = report.runs.map((run) => run.meta.name).join(" · ");
   return element("header", { class: "top" },
     element("span", { class: "mark-name" }, "Terp"),
     element("div", { class: "titles" }, element("h1", {}, title), element("p", { class: "muted" }, names)),
-    element("nav", { class: "no-print", "aria-label": "Page" },
-      iconButton("print", "Print, or save as PDF", "P", actions.print),
-        iconButton("theme", "Light, dark", "T", actions.theme),
-        iconButton("help", "Keys", "?", () => keys.toggleHelp())));
+    element("nav", { class: "no-print", "aria-label": say("page_nav") },
+      languageChoice(store),
+      iconButton("print", say("print"), "P", actions.print),
+        iconButton("theme", say("theme"), "T", actions.theme),
+        iconButton("help", say("keys"), "?", () => keys.toggleHelp())));
 }
 
 /** The chosen field of the shown runs first; the others when they are asked for. */
 function loadFields(current: Current): void {
   current.store.watch(["field", "shown"], ({ field }) => {
-    for (const run of current.shownRuns()) void run.field(field);
+    for (const run of current.shownRuns()) {
+      void run.field(field);
+      void run.field("material"); // colours the points that have no value
+    }
   });
   current.store.on((state, changed) => {
     if (!changed.has("field")) return;
@@ -152,15 +188,15 @@ function loadFields(current: Current): void {
 }
 
 /** What the signs on the bar of time, just below, stand for. */
-const MARKS: [string, string][] = [["1", "1, 2 slide begins"], ["~", "~ shears fastest"], ["■", "■ stops"],
-  ["▸", "▸ stage begins"], ["≈", "≈ floods"]];
+const MARKS: [string, TextKey][] = [["1", "sign_slide"], ["~", "sign_fastest"], ["■", "sign_stops"],
+  ["▸", "sign_stage"], ["≈", "sign_floods"]];
 
 function colourBar(current: Current): HTMLElement {
-  const canvas = element("canvas", { role: "img", "aria-label": "Colour bar" });
+  const canvas = element("canvas", { role: "img", "aria-label": say("colour_bar") });
   const help = element("span");
   const signs = new Set(current.report.runs.flatMap((run) => marksOf(run).map(({ sign }) => sign)));
-  const words = MARKS.filter(([sign]) => signs.has(sign)).map(([, text]) => text).join(" · ");
-  const marks = words ? element("span", { class: "no-print" }, `Below: ${words}`) : null;
+  const words = MARKS.filter(([sign]) => signs.has(sign)).map(([, key]) => say(key)).join(" · ");
+  const marks = words ? element("span", { class: "no-print" }, say("below", { signs: words })) : null;
   const root = element("div", { class: "colour-bar" }, canvas, element("p", { class: "muted small" }, help, marks));
   const draw = () => {
     const ratio = window.devicePixelRatio || 1;
@@ -173,7 +209,8 @@ function colourBar(current: Current): HTMLElement {
     const { lo, hi } = current.range();
     const meta = current.fieldMeta();
     canvas.setAttribute("aria-label",
-      `Colours: ${meta?.label} from ${numberText(lo, 3)} to ${withUnit(hi, meta?.unit ?? "", 3)}`);
+      say("colours_from", { label: fieldLabel(current, store.state.field), lo: numberText(lo, 3),
+        hi: withUnit(hi, meta?.unit ?? "", 3) }));
   };
   const { store, report } = current;
   store.watch(["field"], ({ field }) => (help.textContent = fieldHelp(field)));
@@ -191,9 +228,9 @@ function exportButtons(actions: Actions): HTMLElement {
     element("button", { type: "button", class: "text-button", title, "aria-label": title, onclick: act }, icon(name),
     element("span", {}, text));
   return element("div", { class: "controls exports" },
-    button("image", "Image", "Save the views as a PNG (E)", actions.image),
-    button("film", "Video", "Save the animation (V)", actions.video),
-    button("full", "Full screen", "Views on the full screen (F)", actions.fullScreen));
+    button("image", say("image"), say("save_image"), actions.image),
+    button("film", say("video"), say("save_video"), actions.video),
+    button("full", say("full_screen"), say("full_screen_views"), actions.fullScreen));
 }
 
 function sampling(report: Report): HTMLElement | string {
@@ -202,9 +239,8 @@ function sampling(report: Report): HTMLElement | string {
   const [run] = sampled;
   const every = Math.round(run!.meta.n_points / run!.meta.n_shown);
   return element("p", { class: "muted small" },
-    `One material point in ${every} is shown: ${numberText(run!.meta.n_shown, 9)} of ` +
-      `${numberText(run!.meta.n_points, 9)}. ` +
-      "All are in the frames of the run.");
+    say("sampling",
+      { every, shown: numberText(run!.meta.n_shown, 9), all: numberText(run!.meta.n_points, 9) }));
 }
 
 function makeActions(current: Current, viewer: Viewer, player: Player, notice: Notice, title: string,
@@ -218,35 +254,42 @@ function makeActions(current: Current, viewer: Viewer, player: Player, notice: N
       (error: Error) => notice.say(error.message)),
     video: () => {
       const type = videoType();
-      if (!type) return notice.say("This browser cannot record a video. Chrome, Edge and Firefox can.");
+      if (!type) return notice.say(say("no_video"));
       store.set({ playing: false });
       const recording = record(figure, type, player.span, store.state.speed,
-        (part) => notice.progress("Recording the video", part, () => recording.cancel()));
+        (part) => notice.progress(say("recording"), part, () => recording.cancel()));
       recording.done.then((blob) => {
         notice.hide();
         if (blob) save(blob, `${name}.${videoEnding(type)}`);
       }, (error: Error) => notice.say(error.message));
     },
     fullScreen: () => void (document.fullscreenElement ? document.exitFullscreen()
-      : see.requestFullscreen?.())?.catch?.(() => notice.say("This browser does not allow the full screen here.")),
+      : see.requestFullscreen?.())?.catch?.(() => notice.say(say("no_full_screen"))),
     theme: () => store.set({ dark: !store.state.dark }),
     print: () => window.print(),
   };
 }
 
-/** Paper is white, and nothing on it can be opened: prints in light colours with the case files, then goes back. */
-function printLight(store: Store, viewer: Viewer): void {
+/** The section as it was drawn, in the colours of its soils: on paper it stands above the view. */
+function drawBefore(store: Store, viewer: Viewer, before: HTMLCanvasElement): void {
+  const { time, field, log, rangeMode, slip } = store.state;
+  store.set({ time: 0, field: "material", slip: false });
+  viewer.draw();
+  const view = viewer.root.querySelector("canvas")!;
+  [before.width, before.height] = [view.width, view.height];
+  before.getContext("2d")!.drawImage(view, 0, 0);
+  store.set({ time, field, slip });
+  store.set({ log, rangeMode });
+}
+
+/** Paper is white: prints in light colours, then goes back. Case files stay folded. */
+function printLight(store: Store, viewer: Viewer, before: HTMLCanvasElement | null): void {
   let dark = false;
-  let opened: HTMLDetailsElement[] = [];
   window.addEventListener("beforeprint", () => {
     dark = store.state.dark;
-    opened = [...document.querySelectorAll<HTMLDetailsElement>("details:not([open])")];
-    for (const details of opened) details.open = true;
     store.set({ dark: false, playing: false });
+    if (before) drawBefore(store, viewer, before);
     viewer.draw();
   });
-  window.addEventListener("afterprint", () => {
-    store.set({ dark });
-    for (const details of opened) details.open = false;
-  });
+  window.addEventListener("afterprint", () => store.set({ dark }));
 }

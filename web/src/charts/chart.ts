@@ -6,6 +6,7 @@ import "uplot/dist/uPlot.min.css";
 import type { Store } from "../logic/store";
 import { canvasTheme, FONT } from "../view/theme";
 import { numberText, readableUnit, unitSuffix } from "../logic/numbers";
+import { say } from "../logic/texts";
 import { element } from "../shell/element";
 
 export interface Line {
@@ -87,7 +88,8 @@ export class Chart {
     this.plot.over.setAttribute("aria-hidden", "true");
     this.holder.setAttribute("role", "img");
     this.holder.setAttribute("aria-label",
-      `${this.options.title}: ${this.lines.map((line) => line.label).join(", ")} against ${this.options.xLabel}`);
+      say("chart_of_against", { title: this.options.title, lines: this.lines.map((line) => line.label).join(", "),
+        axis: this.options.xLabel }));
   }
 
   private settings(): uPlot.Options {

@@ -57,7 +57,15 @@ export interface Slide {
   crest_from?: number | null;
   crest_to?: number | null;
   kinetic_peak?: number | null; // J/m
+  entry?: EntryPoint | null;
   slip_surface?: SlipSurface | null;
+}
+
+/** Upper end of a slip surface, on the ground of t = 0. */
+export interface EntryPoint {
+  x: number;
+  y: number;
+  zone: "beyond_crest" | "crest" | "upper_half" | "lower_half"; // of the slope that slides
 }
 
 export interface SlipSurface {
@@ -67,6 +75,8 @@ export interface SlipSurface {
 
 export interface Flood {
   verdict: "stands" | "damaged" | "floods";
+  water_level?: number | null; // m
+  river?: "left" | "right" | null; // end of the section
   residual_height: number | null; // m, of the highest ground at the end
   freeboard: number | null; // m, of it over the water
   width_at_level: number | null; // m
@@ -102,10 +112,32 @@ export interface Events {
   [name: string]: unknown;
 }
 
-export interface Check {
+/** Places that go each with a point: numbers of points (uint32, 2^32 - 1 between two lines), offsets dx, dy [m]. */
+export interface AttachedMeta {
+  points: number; // chunk
+  offsets: number; // chunk
+  count: number;
+}
+
+export interface LayerMeta {
+  soil: string;
+  lines: AttachedMeta | null; // outlines of its bodies
+  middle: AttachedMeta | null; // one place, for its name
+}
+
+/** A stretch of ground that carries a load from a frame on, and its rows of loads.csv. */
+export interface LoadMeta extends TableMeta {
   name: string;
-  value: string;
-  passed: boolean;
+  frame: number;
+  lines: AttachedMeta | null;
+}
+
+/** Of another method, to be drawn over the slip surface. */
+export interface SlipPlane {
+  name: string;
+  method: string;
+  factor_of_safety: number | null;
+  points: [number, number][];
 }
 
 export interface RunMeta {
@@ -113,6 +145,8 @@ export interface RunMeta {
   title: string;
   scheme: string;
   case_toml: string;
+  case_path: string;
+  case_digits: string; // checksum of the case file
   machine: string;
   threads: number;
   wall_seconds: number;
@@ -124,7 +158,7 @@ export interface RunMeta {
   position_precision: number;
   bounds: [number, number, number, number];
   point_size: number;
-  materials: { id: number; name: string }[];
+  materials: { id: number; name: string; soil?: string; color?: string }[];
   positions: { x: QuantisedMeta; y: QuantisedMeta };
   ids: { chunk: number };
   fields: FieldMeta[];
@@ -132,14 +166,14 @@ export interface RunMeta {
   outline: { chunk: number; count: number } | null;
   surfaces: { chunk: number; offsets: number[] } | null;
   water: { chunk: number; offsets: number[] } | null;
+  layers: LayerMeta[];
+  loads: LoadMeta[];
+  slip_planes: SlipPlane[];
   histories: HistoryMeta[];
   series: TableMeta | null;
   passes: { name: string; seconds: number }[];
   events: Events | null;
-  story: string[];
-  audit: Record<string, unknown> | null;
-  warnings: string[];
-  checks: Check[];
+  warnings: string[]; // of the writer; the rest follows from the summary
   summary: Record<string, unknown>;
 }
 
@@ -153,6 +187,7 @@ export interface ReportMeta {
   format: number;
   terp: string;
   written: string;
+  language?: string; // to begin with
   runs: RunMeta[];
   comparison: Comparison | null;
 }

@@ -1,11 +1,21 @@
 // One run of the report: what its JSON says, and its arrays, each decoded when it is first asked for.
 
-import type { FieldMeta, QuantisedMeta, RunMeta } from "./format";
+import type { AttachedMeta, FieldMeta, QuantisedMeta, RunMeta } from "./format";
 import { Chunks } from "./chunks";
 import { decodeFrames, FULL, Quantised, valueOf } from "./quantised";
 import { Table } from "./table";
 
 export type Polyline = Float32Array; // x, y, x, y, ... [m]; NaN, NaN between polylines
+
+/** Places that go each with a point shown. */
+export interface Attached {
+  points: Uint32Array; // GAP between two lines
+  offsets: Float32Array; // dx, dy [m]
+}
+
+const LOAD_ROOM = 0.1; // of the height of the section, above it
+const GAP = 0xffffffff;
+const TORN = 6; // spacings of points between two places beyond which soil has come apart
 
 export class Run {
   readonly fields = new Map<string, Quantised>();
@@ -19,6 +29,8 @@ export class Run {
   private water: Float32Array = new Float32Array(0);
   series: Table | null = null;
   histories: { name: string; x: number; y: number; table: Table }[] = [];
+  layers: { soil: string; lines: Attached | null; middle: Attached | null }[] = [];
+  loads: { name: string; frame: number; lines: Attached | null; table: Table }[] = [];
   /** Called when a field has been decoded. */
   readonly onField: (() => void)[] = [];
 
@@ -46,6 +58,34 @@ export class Run {
       const table = Table.of(history, await chunks.floats(history.chunk));
       this.histories.push({ name: history.name, x: history.x, y: history.y, table });
     }
+    for (const { soil, lines, middle } of meta.layers)
+      this.layers.push({ soil, lines: await this.readAttached(lines), middle: await this.readAttached(middle) });
+    for (const load of meta.loads) {
+      const table = Table.of(load, await chunks.floats(load.chunk));
+      this.loads.push({ name: load.name, frame: load.frame, lines: await this.readAttached(load.lines), table });
+    }
+  }
+
+  private async readAttached(meta: AttachedMeta | null): Promise<Attached | null> {
+    if (!meta) return null;
+    return { points: await this.chunks.numbers(meta.points), offsets: await this.chunks.floats(meta.offsets) };
+  }
+
+  /** Where attached places are in a frame: x, y, ...; NaN, NaN between lines and where the soil came apart. */
+  places(frame: number, { points, offsets }: Attached): number[] {
+    const places: number[] = [];
+    const torn = TORN * this.meta.point_size;
+    let [beforeX, beforeY] = [NaN, NaN];
+    for (let k = 0; k < points.length; k++) {
+      const point = points[k]!;
+      const here = point !== GAP && this.present(frame, point);
+      const [px, py] = here ? this.place(frame, point) : [NaN, NaN];
+      const [x, y] = [px + offsets[2 * k]!, py + offsets[2 * k + 1]!];
+      if (Math.hypot(x - beforeX, y - beforeY) > torn) places.push(NaN, NaN);
+      places.push(x, y);
+      [beforeX, beforeY] = [x, y];
+    }
+    return places;
   }
 
   get frames(): number {
@@ -139,6 +179,7 @@ export class Run {
       [box[0], box[1], box[2], box[3]] =
         [Math.min(box[0], px), Math.min(box[1], py), Math.max(box[2], px), Math.max(box[3], py)];
     }
+    if (this.loads.length > 0) box[3] += LOAD_ROOM * (box[3] - box[1]); // for their arrows
     return box;
   }
 }

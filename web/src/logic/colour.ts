@@ -1,26 +1,27 @@
 // From a value to a colour. Maps are safe for the colour-blind; the tables come from d3-scale-chromatic.
 
-import { interpolateBrBG, interpolateCividis, interpolateMagma, interpolatePuOr, interpolateRdBu,
+import { interpolateBrBG, interpolateCividis, interpolateMagma, interpolateOrRd, interpolatePuOr, interpolateRdBu,
   interpolateViridis } from "d3-scale-chromatic";
 import type { FieldKind } from "../data/format";
 import { numberText } from "./numbers";
+import { say, TEXTS, type TextKey } from "./texts";
 
 export interface ColourMap {
   name: string;
-  label: string;
   kind: FieldKind;
   at: (t: number) => string; // 0...1 -> CSS colour
 }
 
 export const MAPS: ColourMap[] = [
-  { name: "viridis", label: "viridis", kind: "sequential", at: interpolateViridis },
-  { name: "cividis", label: "cividis", kind: "sequential", at: interpolateCividis },
-  { name: "magma", label: "magma", kind: "sequential", at: interpolateMagma },
-  { name: "grey", label: "grey", kind: "sequential",
+  { name: "viridis", kind: "sequential", at: interpolateViridis },
+  { name: "cividis", kind: "sequential", at: interpolateCividis },
+  { name: "magma", kind: "sequential", at: interpolateMagma },
+  { name: "loss", kind: "sequential", at: (t) => interpolateOrRd(1 - t) },
+  { name: "grey", kind: "sequential",
     at: (t) => `rgb(${[0, 1, 2].map(() => Math.round(40 + 200 * t)).join(",")})` },
-  { name: "RdBu", label: "blue to red", kind: "diverging", at: (t) => interpolateRdBu(1 - t) },
-  { name: "PuOr", label: "purple to orange", kind: "diverging", at: (t) => interpolatePuOr(1 - t) },
-  { name: "BrBG", label: "brown to green", kind: "diverging", at: interpolateBrBG },
+  { name: "RdBu", kind: "diverging", at: (t) => interpolateRdBu(1 - t) },
+  { name: "PuOr", kind: "diverging", at: (t) => interpolatePuOr(1 - t) },
+  { name: "BrBG", kind: "diverging", at: interpolateBrBG },
 ];
 
 /** Okabe and Ito's colours for categories (materials, lines), without black and yellow, which vanish on a ground. */
@@ -31,6 +32,16 @@ const ON_DARK = ["#56a8e0", "#f0b84a", "#2fc79a", "#e79bc6", "#a5dbf7", "#ff8a4d
 /** Colour of the k-th of several lines. */
 export function lineColour(k: number, dark: boolean): string {
   return (dark ? ON_DARK : CATEGORIES)[k % CATEGORIES.length]!;
+}
+
+/** The map that suits a field best: of what is left of the strength one in which sound soil is pale. */
+export function preferredMap(field: string): string {
+  return field === "su_ratio" ? "loss" : "viridis";
+}
+
+export function mapLabel({ name }: ColourMap): string {
+  const key = `map_${name}`;
+  return key in TEXTS ? say(key as TextKey) : name;
 }
 
 export function mapNamed(name: string): ColourMap {
@@ -104,10 +115,15 @@ export function table(map: ColourMap, size = 256): Uint8Array {
   return bytes;
 }
 
-export function categoryTable(size = 256): Uint8Array {
+/** Colours of categories by number; those that the writer gave no colour have one of ours. */
+export function categoryTable(given: readonly (string | undefined)[] = [], size = 256): Uint8Array {
   const bytes = new Uint8Array(4 * size);
-  for (let k = 0; k < size; k++) bytes.set([...rgb(CATEGORIES[k % CATEGORIES.length]!), 255], 4 * k);
+  for (let k = 0; k < size; k++) bytes.set([...rgb(categoryColour(given, k)), 255], 4 * k);
   return bytes;
+}
+
+export function categoryColour(given: readonly (string | undefined)[], k: number): string {
+  return given[k] ?? CATEGORIES[k % CATEGORIES.length]!;
 }
 
 /** "#rrggbb" or "rgb(r, g, b)" -> three bytes. */

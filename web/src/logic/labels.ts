@@ -1,6 +1,7 @@
 // How runs are called on the page: by scheme where that tells them apart, else by name.
 
 import type { RunMeta } from "../data/format";
+import { say, TEXTS, type TextKey } from "./texts";
 
 const SCHEMES: Record<string, string> = { mpm_gp: "MPM-GP", mpm_mixed: "MPM-Mixed", standard_mpm: "standard MPM" };
 
@@ -20,18 +21,9 @@ export function runLabels(runs: readonly Pick<RunMeta, "name" | "scheme">[]): st
 
 /** What low and high values of a field say about the soil; empty for fields that the page does not know. */
 export function fieldHelp(name: string): string {
-  return HELP[name] ?? "";
+  const key = `help_${name}`;
+  return key in TEXTS ? say(key as TextKey) : "";
 }
-
-const HELP: Record<string, string> = {
-  eps_eq_p: "Low: intact soil. High: soil that was sheared beyond yield and has softened.",
-  eps_deviatoric: "Low: soil that kept its shape. High: soil that was sheared.",
-  su: "Low: soil that has softened. High: soil that still has its strength.",
-  su_ratio: "1: full strength. Low: soil that has softened.",
-  pressure: "Negative: compression. Positive: tension.",
-  velocity: "Low: soil at rest. High: soil on the move.",
-  displacement: "How far each point came from where it began.",
-};
 
 /** "front_x" -> "front x", for names that the writer gave no label. */
 export function spoken(name: string): string {

@@ -1,5 +1,7 @@
 // Numbers as text: a few significant digits, a prefix of the unit where it helps.
 
+import { decimalSign } from "./texts";
+
 const SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 const THIN = "\u202f";
 
@@ -15,18 +17,33 @@ export function numberText(value: number | null | undefined, digits = 4): string
   const size = Math.abs(value);
   if (size < 1e-3 || size >= 1e7) {
     const [mantissa, exponent] = value.toExponential(Math.max(0, digits - 2)).split("e");
-    return `${Number(mantissa)}·${exponentText(Number(exponent))}`.replace("-", "−");
+    return decimalSign(`${Number(mantissa)}·${exponentText(Number(exponent))}`.replace("-", "−"));
   }
   const decimals = Math.max(0, digits - 1 - Math.floor(Math.log10(size)));
   const plain = Number(value.toFixed(decimals)).toString();
   const [whole, part] = plain.replace("-", "−").split(".");
   const grouped = whole!.replace(/\B(?=(\d{3})+(?!\d))/g, size >= 1e4 ? THIN : "");
-  return part ? `${grouped}.${part}` : grouped;
+  return part ? decimalSign(`${grouped}.${part}`) : grouped;
 }
 
 export function withUnit(value: number | null | undefined, unit: string, digits = 4): string {
   const text = numberText(value, digits);
   return text === "–" || unit === "-" || unit === "" ? text : `${text}${unit === "%" ? THIN : "\u00a0"}${unit}`;
+}
+
+/** With so many decimals, and a unit as it is; "–" for what is not known. */
+export function fixed(value: number | null | undefined, decimals: number, unit: string): string {
+  if (typeof value !== "number" || !Number.isFinite(value)) return "–";
+  return decimalSign(`${value.toFixed(decimals).replace("-", "−")}${unit}`);
+}
+
+export function metres(value: number | null | undefined): string {
+  return fixed(value, 2, "\u00a0m");
+}
+
+/** Of a share of one. */
+export function percent(part: number | null | undefined): string {
+  return fixed(typeof part === "number" ? 100 * part : null, 1, `${THIN}%`);
 }
 
 export function unitSuffix(unit: string): string {
@@ -44,7 +61,7 @@ export function readableUnit(unit: string, size: number): { factor: number; unit
 
 /** Seconds with so many decimals that neighbouring frames differ. */
 export function timeText(seconds: number, decimals: number): string {
-  return `${seconds.toFixed(decimals)}\u00a0s`;
+  return decimalSign(`${seconds.toFixed(decimals)}\u00a0s`);
 }
 
 export function timeDecimals(times: readonly number[]): number {

@@ -20,11 +20,14 @@ export interface ViewState {
   fixed: [number, number];
   log: boolean;
   mesh: boolean;
+  layers: boolean; // outlines and names of soils
+  water: boolean; // and loads
   outline: boolean;
   slip: boolean;
   surfaces: boolean;
   names: boolean;
   pointScale: number;
+  profileX: number | null; // m, where the strength profile is taken
   camera: Camera | null; // null: fitted to all runs
   layout: "auto" | "rows" | "columns";
   hover: Pin | null;

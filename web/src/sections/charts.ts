@@ -6,10 +6,14 @@ import type { Run } from "../data/run";
 import { Chart, type Line } from "../charts/chart";
 import { CATEGORIES, lineColour } from "../logic/colour";
 import { runLabels, spoken } from "../logic/labels";
+import { quantityLabel } from "../logic/quantities";
+import { say } from "../logic/texts";
+import type { Table } from "../data/table";
 import { durationText, numberText } from "../logic/numbers";
 import { heightsAt, places } from "../logic/surface";
 import { runColour } from "../view/theme";
 import { element } from "../shell/element";
+import { heightCards } from "./profile";
 import { coloured } from "./summary";
 
 const DASH = [7, 4];
@@ -17,11 +21,11 @@ const DASH = [7, 4];
 export function chartsSection(current: Current): HTMLElement {
   const { report } = current;
   const labels = runLabels(report.runs.map((run) => run.meta));
-  const cards = [frontAndCrest(current, labels), kinetic(current, labels), surfaces(current, labels),
-    ...energies(current, labels)];
+  const cards = [...heightCards(current), frontAndCrest(current, labels), kinetic(current, labels),
+    surfaces(current, labels), ...energies(current, labels)];
   return element("section", { id: "charts", "aria-labelledby": "charts-title" },
-    element("h2", { id: "charts-title" }, "Over time"),
-    element("p", { class: "muted no-print" }, "Drag to zoom, double click for all, click to show that time above."),
+    element("h2", { id: "charts-title" }, say("over_time")),
+    element("p", { class: "muted no-print" }, say("charts_help")),
     element("div", { class: "cards" }, ...cards.filter((card) => card !== null)),
     histories(current, labels),
     passes(report, labels, current));
@@ -32,6 +36,12 @@ function runLine(run: Run, label: string, column: string, dash?: number[]): Line
   const [x, y] = [run.series?.column("time"), run.series?.column(column)];
   return x && y?.some((value) => Number.isFinite(value))
     ? { label, x, y, dash, colour: (dark) => runColour(run.index, dark) } : null;
+}
+
+/** The label of the program, in the language of the page. */
+function columnLabel(table: Table, name: string): string {
+  const label = table.label(name);
+  return quantityLabel(name, label === name ? spoken(name) : label);
 }
 
 function present(lines: (Line | null)[]): Line[] {
@@ -48,13 +58,13 @@ function named(labels: string[], run: Run, what: string): string {
 
 function frontAndCrest(current: Current, labels: string[]): HTMLElement | null {
   const lines = present(current.report.runs.flatMap((run) => [
-    runLine(run, named(labels, run, "front"), "front_x"),
-    runLine(run, named(labels, run, "crest"), "crest_x", DASH),
-    runLine(run, named(labels, run, "front to the left"), "front_left_x"),
-    runLine(run, named(labels, run, "crest to the left"), "crest_left_x", DASH),
+    runLine(run, named(labels, run, say("front")), "front_x"),
+    runLine(run, named(labels, run, say("crest")), "crest_x", DASH),
+    runLine(run, named(labels, run, say("front_left")), "front_left_x"),
+    runLine(run, named(labels, run, say("crest_left")), "crest_left_x", DASH),
   ]));
   if (lines.length === 0) return null;
-  const chart = new Chart(current.store, { title: "Front (solid) and crest (dashed)", xLabel: "time [s]", unit: "m" });
+  const chart = new Chart(current.store, { title: say("chart_front"), xLabel: say("time_axis"), unit: "m" });
   chart.show(lines);
   return card(chart);
 }
@@ -63,12 +73,12 @@ function kinetic(current: Current, labels: string[]): HTMLElement | null {
   const column = (run: Run) => (run.series?.has("kinetic_nodal") ? "kinetic_nodal" : "kinetic");
   const several = (run: Run) => column(run) !== "kinetic";
   const lines = present(current.report.runs.flatMap((run) => [
-    runLine(run, named(labels, run, several(run) ? "of the nodes" : "of the points"), column(run)),
-    several(run) ? runLine(run, named(labels, run, "of the points"), "kinetic", DASH) : null,
+    runLine(run, named(labels, run, say(several(run) ? "of_nodes" : "of_points")), column(run)),
+    several(run) ? runLine(run, named(labels, run, say("of_points")), "kinetic", DASH) : null,
   ]));
   if (lines.length === 0) return null;
   const chart = new Chart(current.store,
-    { title: "Kinetic energy", xLabel: "time [s]", unit: unitOf(current.report, column), fromZero: true });
+    { title: say("chart_kinetic"), xLabel: say("time_axis"), unit: unitOf(current.report, column), fromZero: true });
   chart.show(lines);
   return card(chart);
 }
@@ -88,14 +98,19 @@ function energies(current: Current, labels: string[]): HTMLElement[] {
       && series.column(name)!.some((v) => v !== 0));
     if (!x || columns.length === 0) return [];
     const lines = columns.map(({ name }, k): Line => ({
-      label: series.label(name) === name ? spoken(name) : series.label(name), x, y: series.column(name)!,
+      label: columnLabel(series, name), x, y: series.column(name)!,
       colour: (dark) => lineColour(k, dark), dash: name === "numerical" ? [2, 3] : undefined,
     }));
-    const title = `Energy ledger${labels.length > 1 ? `, ${labels[run.index]}` : ""}`;
-    const chart = new Chart(current.store, { title, xLabel: "time [s]", unit: columns[0]!.unit });
+    const title = `${say("chart_energy")}${labels.length > 1 ? `, ${labels[run.index]}` : ""}`;
+    const chart = new Chart(current.store, { title, xLabel: say("time_axis"), unit: columns[0]!.unit });
     chart.show(lines);
-    return [card(chart)];
+    return [withClass("energy", card(chart))];
   });
+}
+
+function withClass(name: string, made: HTMLElement): HTMLElement {
+  made.classList.add(name);
+  return made;
 }
 
 /** Free surfaces at the present time, and the second less the first. */
@@ -108,7 +123,7 @@ function surfaces(current: Current, labels: string[]): HTMLElement | null {
     [Math.min(low, line[k]!), Math.max(high, line[k]!)];
   if (runs.length > 1) low = Math.min(low, -0.45 * high);
   const chart = new Chart(current.store,
-    { title: "Free surface", xLabel: "x [m]", unit: "m", overTime: false, yRange: [low, 1.05 * high] });
+    { title: say("chart_surface"), xLabel: "x [m]", unit: "m", overTime: false, yRange: [low, 1.05 * high] });
   let drawn = "";
   current.store.watch(["time"], ({ time }) => {
     const frames = runs.map((run) => current.frame(run, time)).join();
@@ -125,10 +140,11 @@ function surfaces(current: Current, labels: string[]): HTMLElement | null {
       shown.push({ label: `${labels[runs[1]!.index]} − ${labels[runs[0]!.index]}`, x, y: difference,
         colour: () => "#8a94a0", dash: [3, 3] });
     }
-    chart.title = `Free surface${runs.length > 1 ? "s and their difference" : ""} at ${numberText(time, 3)} s`;
+    chart.title = say(runs.length > 1 ? "chart_surfaces_at" : "chart_surface_at",
+      { time: `${numberText(time, 3)}\u00a0s` });
     chart.show(shown);
   });
-  return card(chart);
+  return withClass("surfaces", card(chart));
 }
 
 /** Named points: one chart per run with the same scale, the quantity to be chosen. */
@@ -138,8 +154,8 @@ function histories(current: Current, labels: string[]): HTMLElement | null {
   if (!first) return null;
   const names = first.columns.map((column) => column.name).filter((name) => !["time", "id"].includes(name));
   const charts = runs.map((run) =>
-    new Chart(current.store, { title: labels[run.index]!, xLabel: "time [s]", unit: "-", height: 260 }));
-  const quantity = (name: string) => (first.label(name) === name ? spoken(name) : first.label(name));
+    new Chart(current.store, { title: labels[run.index]!, xLabel: say("time_axis"), unit: "-", height: 260 }));
+  const quantity = (name: string) => columnLabel(first, name);
   const select = element("select", { id: "history", onchange: () => show(select.value) },
     ...names.map((name) => element("option", { value: name }, quantity(name))));
   const show = (name: string) => {
@@ -158,8 +174,8 @@ function histories(current: Current, labels: string[]): HTMLElement | null {
     ?? names[0]!;
   show(select.value);
   return element("div", { class: "histories" },
-    element("div", { class: "heading" }, element("h3", {}, "Named points"),
-      element("label", { class: "no-print" }, element("span", {}, "Quantity"), select)),
+    element("div", { class: "heading" }, element("h3", {}, say("named_points")),
+      element("label", { class: "no-print" }, element("span", {}, say("quantity")), select)),
     element("div", { class: "cards" },
       ...charts.map((chart, k) =>
       element("article", { class: "card" }, coloured(chart.root, runs[k]!, current.store)))));
@@ -189,12 +205,13 @@ function passes(report: Report, labels: string[], current: Current): HTMLElement
     const rows = run.meta.passes.map(({ name, seconds }) => {
       const bar = element("div", { class: "bar" });
       bar.style.width = `${(100 * seconds) / longest}%`;
-      return element("tr", {}, element("th", { scope: "row" }, name), element("td", { class: "bar-cell" }, bar),
+      return element("tr", {}, element("th", { scope: "row" }, quantityLabel(name, name)),
+        element("td", { class: "bar-cell" }, bar),
         element("td", {}, durationText(seconds)), element("td", {}, `${Math.round((100 * seconds) / total)}\u202f%`));
     });
     return coloured(element("article", { class: "card" }, element("h4", {}, labels[run.index]!),
       element("table", { class: "bars" }, element("tbody", {}, ...rows))), run, current.store);
   });
-  return element("div", {}, element("h3", {}, "Time per pass of the step"),
+  return element("div", { class: "passes" }, element("h3", {}, say("passes")),
     element("div", { class: "cards" }, ...cards));
 }

@@ -5,6 +5,7 @@ import { runLabels } from "../logic/labels";
 import { symbolic, unitText } from "../logic/symbols";
 import { numberText } from "../logic/numbers";
 import type { Store } from "../logic/store";
+import { say } from "../logic/texts";
 import { element } from "../shell/element";
 import { coloured } from "./summary";
 
@@ -24,10 +25,10 @@ export function comparisonSection(report: Report, store: Store): HTMLElement | n
     element("td", { class: "unit" }, unitText(unit))));
   const half = rows.length > 12 ? Math.ceil(rows.length / 2) : rows.length;
   const table = (part: HTMLElement[]) => element("div", { class: "scroll" }, element("table", { class: "numbers" },
-    element("thead", {}, element("tr", {}, element("td"), ...heads(), element("td", { class: "unit" }, "unit"))),
+    element("thead", {}, element("tr", {}, element("td"), ...heads(), element("td", { class: "unit" }, say("unit")))),
     element("tbody", {}, ...part)));
   return element("section", { id: "comparison", "aria-labelledby": "comparison-title" },
-    element("h2", { id: "comparison-title" }, "Comparison"),
+    element("h2", { id: "comparison-title" }, say("comparison")),
     element("div", { class: "halves" }, table(rows.slice(0, half)),
       half < rows.length ? table(rows.slice(half)) : null));
 }

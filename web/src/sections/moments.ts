@@ -5,6 +5,7 @@ import type { Run } from "../data/run";
 import type { Viewer } from "../view/viewer";
 import { drawPanel } from "../view/panel";
 import { timeDecimals, timeText } from "../logic/numbers";
+import { say } from "../logic/texts";
 import { marksOf } from "../shell/player";
 import { element } from "../shell/element";
 import { coloured } from "./summary";
@@ -20,10 +21,9 @@ interface Moment {
 /** Start, events, end; times that fall on one frame are one moment. */
 export function momentsOf(run: Run, frameOf: (time: number) => number): Moment[] {
   const { times } = run.meta;
-  const first = { time: times[0]!, text: "start" };
-  const last = { time: times[times.length - 1]!, text: run.meta.finished ? "end" : "so far" };
-  const events = marksOf(run).filter(({ text }) =>
-    !/stops|(second|third|fourth|fifth|th) slide shears/.test(text)).map(({ time, text }) => ({ time, text }));
+  const first = { time: times[0]!, text: say("start") };
+  const last = { time: times[times.length - 1]!, text: say(run.meta.finished ? "end" : "so_far") };
+  const events = marksOf(run).filter(({ minor }) => !minor).map(({ time, text }) => ({ time, text }));
   const taken = new Set([frameOf(first.time)]);
   const fresh = ({ time }: Moment) => {
     const frame = frameOf(time);
@@ -49,7 +49,7 @@ export function momentsSection(current: Current, viewer: Viewer): HTMLElement | 
       const canvas = element("canvas", { width: 2 * WIDTH, height: 2 * height, "aria-hidden": "true" });
       pictures.push({ run, time, canvas });
       return element("li", {},
-        element("button", { type: "button", title: "Show this time above",
+        element("button", { type: "button", title: say("show_this_time_above"),
         onclick: () => store.set({ time, playing: false }) },
         canvas, element("span", {}, element("b", {}, timeText(run.meta.times[current.frame(run, time)]!, decimals)),
           text ? ` ${text}` : "")));
@@ -72,9 +72,10 @@ export function momentsSection(current: Current, viewer: Viewer): HTMLElement | 
     clearTimeout(waiting);
     waiting = window.setTimeout(draw, 120);
   };
-  store.watch(["field", "map", "rangeMode", "fixed", "log", "mesh", "outline", "slip", "pointScale"], later);
+  store.watch(["field", "map", "rangeMode", "fixed", "log", "mesh", "layers", "water", "outline", "slip", "pointScale"],
+    later);
   store.on((_, changed) => changed.has("dark") && draw()); // at once: paper does not wait
   for (const run of report.runs) run.onField.push(later);
   return element("section", { id: "moments", "aria-labelledby": "moments-title" },
-    element("h2", { id: "moments-title" }, "In pictures"), ...rows);
+    element("h2", { id: "moments-title" }, say("in_pictures")), ...rows);
 }

@@ -6,12 +6,14 @@ import { Chart, type Line } from "../charts/chart";
 import { runLabels } from "../logic/labels";
 import { numberText, withUnit } from "../logic/numbers";
 import { sameBody } from "../logic/same_body";
+import { fieldLabel } from "../view/colour_bar";
 import { pointValues } from "../view/tip";
+import { say } from "../logic/texts";
 import { runColour } from "../view/theme";
 import { element, iconButton } from "../shell/element";
 
 export class Pinned {
-  readonly root = element("section", { class: "pinned card", hidden: true, "aria-label": "Pinned point" });
+  readonly root = element("section", { class: "pinned card", hidden: true, "aria-label": say("pinned") });
   private readonly title = element("h3");
   private readonly values = element("table", { class: "values" });
   private readonly nothing = element("p", { class: "muted", hidden: true });
@@ -21,10 +23,10 @@ export class Pinned {
   constructor(private readonly current: Current) {
     const { store, report } = current;
     this.labels = runLabels(report.runs.map((run) => run.meta));
-    this.chart = new Chart(store, { title: "", xLabel: "time [s]", unit: "-", height: 210 });
+    this.chart = new Chart(store, { title: "", xLabel: say("time_axis"), unit: "-", height: 210 });
     this.root.append(
       element("header", {}, this.title,
-        iconButton("close", "Let go of the point", "Esc", () => store.set({ pin: null }))),
+        iconButton("close", say("let_go"), "Esc", () => store.set({ pin: null }))),
       element("div", { class: "pinned-body" }, element("div", { class: "scroll" }, this.values), this.nothing,
         this.chart.root));
     store.on((_, changed) => {
@@ -49,7 +51,7 @@ export class Pinned {
     if (all.length === 0) return;
     const { field } = this.current.state;
     const { run, point } = all[0]!; // the id is the same in all
-    this.title.textContent = `Point ${numberText(run.ids[point], 9)}`;
+    this.title.textContent = say("point", { id: numberText(run.ids[point], 9) });
     await Promise.all(all.flatMap(({ run: r }) => r.meta.fields.map((meta) => r.field(meta.name))));
     if (field !== this.current.state.field) return;
     this.showValues();
@@ -66,10 +68,10 @@ export class Pinned {
     this.chart.root.hidden = !hasValues;
     if (!hasValues) {
       this.nothing.textContent =
-        `This point has no value of ${meta?.label ?? field}: its material has no such quantity.`;
+        say("no_value", { label: fieldLabel(this.current, field) });
       return;
     }
-    this.chart.title = `Its ${meta?.label ?? field} over the frames`;
+    this.chart.title = say("over_frames", { label: fieldLabel(this.current, field) });
     this.chart.show(lines, { unit: meta?.unit ?? "-" });
   }
 
@@ -91,6 +93,7 @@ export class Pinned {
       element("tbody", {}, ...rows.map(({ name, label }) =>
         element("tr", name === this.current.state.field ? { class: "chosen" } : {},
         element("th", { scope: "row" }, label),
-        ...columns.map((column) => element("td", {}, column?.find((row) => row.name === name)?.value ?? "left"))))));
+        ...columns.map((column) =>
+          element("td", {}, column?.find((row) => row.name === name)?.value ?? say("left_mesh")))))));
   }
 }

@@ -4,17 +4,21 @@
 import type { Store, ViewState } from "../logic/store";
 
 type Kept = Partial<Pick<ViewState,
-  "time" | "field" | "map" | "rangeMode" | "fixed" | "log" | "mesh" | "outline" | "slip" | "surfaces" |
-  "names" | "camera">>;
+  "time" | "field" | "map" | "rangeMode" | "fixed" | "log" | "mesh" | "layers" | "water" | "outline" | "slip" |
+  "surfaces" |
+  "names" | "camera" | "profileX">>;
 
-const FLAGS = ["log", "mesh", "outline", "slip", "surfaces", "names"] as const;
+const FLAGS = ["log", "mesh", "layers", "water", "outline", "slip", "surfaces", "names"] as const;
 
-export function toHash(state: ViewState): string {
+/** language: the one that the reader chose; null: none. */
+export function toHash(state: ViewState, language: string | null = null): string {
   const parts = new URLSearchParams({ t: state.time.toPrecision(6), field: state.field, map: state.map,
     range: state.rangeMode });
   if (state.rangeMode === "fixed") parts.set("fixed", state.fixed.join("_"));
   if (state.camera) parts.set("camera",
     [state.camera.x, state.camera.y, state.camera.scale].map((v) => Number(v.toPrecision(6))).join("_"));
+  if (state.profileX !== null) parts.set("x", String(Number(state.profileX.toPrecision(6))));
+  if (language) parts.set("lang", language);
   parts.set("show", FLAGS.filter((flag) => state[flag]).join("_"));
   return `#${parts.toString()}`;
 }
@@ -38,9 +42,22 @@ export function fromHash(hash: string, fields: readonly string[], span: [number,
   const [x, y, scale, ...more] = numbers("camera");
   if (more.length === 0 && [x, y, scale].every(Number.isFinite) && scale! > 0) kept.camera = { x: x!, y: y!,
     scale: scale! };
+  const profile = Number(parts.get("x") ?? NaN);
+  if (Number.isFinite(profile)) kept.profileX = profile;
   const show = parts.get("show");
   if (show !== null) for (const flag of FLAGS) kept[flag] = show.split("_").includes(flag);
   return kept;
+}
+
+/** The language that the reader chose; null: none. */
+export function languageIn(hash: string): string | null {
+  return new URLSearchParams(hash.replace(/^#/, "")).get("lang");
+}
+
+/** Opens the page anew in another language, with what is on show. */
+export function openIn(store: Store, language: string): void {
+  history.replaceState(null, "", toHash(store.state, language));
+  location.reload();
 }
 
 /** Takes what the address says, then keeps it up to date while nothing plays. */
@@ -51,6 +68,7 @@ export function keepInAddress(store: Store, fields: readonly string[], span: [nu
   let waiting = 0;
   store.on(() => {
     clearTimeout(waiting);
-    waiting = window.setTimeout(() => !store.state.playing && history.replaceState(null, "", toHash(store.state)), 300);
+    waiting = window.setTimeout(() => !store.state.playing && history.replaceState(null, "",
+      toHash(store.state, languageIn(location.hash))), 300);
   });
 }

@@ -4,19 +4,22 @@ import type { Current } from "../view/current";
 import type { Viewer } from "../view/viewer";
 import type { RangeMode, ViewState } from "../logic/store";
 import { slidesOf, slipAt } from "../logic/slides";
-import { mapsFor } from "../logic/colour";
+import { say } from "../logic/texts";
+import { mapLabel, mapsFor } from "../logic/colour";
+import { fieldLabel } from "../view/colour_bar";
+import type { Run } from "../data/run";
 import { element, iconButton } from "./element";
 
-type Flag = "mesh" | "outline" | "slip" | "surfaces" | "names";
+type Flag = "mesh" | "layers" | "water" | "outline" | "slip" | "surfaces" | "names";
 
 export function fieldControls(current: Current): HTMLElement {
   const { store, report } = current;
   const field = element("select", { id: "field", onchange: () => store.set({ field: field.value }) },
-    ...report.fieldNames().map((name) => element("option", { value: name }, current.fieldMeta(name)?.label ?? name)));
+    ...report.fieldNames().map((name) => element("option", { value: name }, fieldLabel(current, name))));
   const map = element("select", { id: "map", onchange: () => store.set({ map: map.value }) });
   const mode = element("select", { id: "range", onchange: () => chooseMode(current, mode.value as RangeMode) },
-    element("option", { value: "run" }, "whole run"), element("option", { value: "frame" }, "this time"),
-      element("option", { value: "fixed" }, "fixed"));
+    element("option", { value: "run" }, say("range_run")), element("option", { value: "frame" }, say("range_frame")),
+      element("option", { value: "fixed" }, say("range_fixed")));
   const bound = (k: 0 | 1, label: string) => {
     const input = element("input", { type: "number", step: "any", class: "bound", "aria-label": label, onchange: () => {
       const fixed: [number, number] = [...store.state.fixed];
@@ -25,13 +28,13 @@ export function fieldControls(current: Current): HTMLElement {
     } });
     return input;
   };
-  const [low, high] = [bound(0, "Lower end of the range"), bound(1, "Upper end of the range")];
-  const log = toggle(current, "log", "log scale", "L");
+  const [low, high] = [bound(0, say("range_low")), bound(1, say("range_high"))];
+  const log = toggle(current, "log", say("log"), "L");
   store.watch(["field"], (state) => {
     field.value = state.field;
     const meta = current.fieldMeta();
     map.replaceChildren(...mapsFor(meta?.kind ?? "sequential").map((m) =>
-      element("option", { value: m.name }, m.label)));
+      element("option", { value: m.name }, mapLabel(m))));
     map.value = current.map().name;
     for (const control of [map, mode]) control.disabled = meta?.kind === "category";
     log.hidden = meta?.kind !== "sequential";
@@ -42,8 +45,8 @@ export function fieldControls(current: Current): HTMLElement {
     low.hidden = high.hidden = rangeMode !== "fixed";
     [low.value, high.value] = fixed.map((value) => String(Number(value.toPrecision(4)))) as [string, string];
   });
-  return element("div", { class: "controls" }, labelled("Colour by", field), labelled("Map", map),
-    labelled("Range", mode), low, high, log);
+  return element("div", { class: "controls" }, labelled(say("colour_by"), field), labelled(say("map"), map),
+    labelled(say("range"), mode), low, high, log);
 }
 
 /** A range that becomes fixed begins as the one on show. */
@@ -68,17 +71,22 @@ function toggle(current: Current, key: Flag | "log", text: string, letter: strin
 export function layerControls(current: Current, viewer: Viewer): HTMLElement {
   const { store, report } = current;
   const runs = report.runs;
-  const buttons = [toggle(current, "mesh", "mesh", "M"), toggle(current, "outline", "outline", "O")];
-  if (runs.some((run) => slipAt(slidesOf(run.meta), Infinity))) buttons.push(toggle(current, "slip", "slip surface",
-    "S"));
-  if (runs.some((run) => run.histories.length > 0)) buttons.push(toggle(current, "names", "named points", "N"));
-  if (runs.length > 1) buttons.push(toggle(current, "surfaces", "other surface", "D"));
+  const buttons = [toggle(current, "mesh", say("mesh"), "M")];
+  const add = (key: Flag, letter: string, wanted: (run: Run) => unknown) => {
+    if (runs.some(wanted)) buttons.push(toggle(current, key, say(key), letter));
+  };
+  add("layers", "Y", (run) => run.layers.length > 0);
+  add("water", "W", (run) => run.meta.water || run.loads.length > 0);
+  add("outline", "O", () => true);
+  add("slip", "S", (run) => slipAt(slidesOf(run.meta), Infinity) || run.meta.slip_planes.length > 0);
+  add("names", "N", (run) => run.histories.length > 0);
+  add("surfaces", "D", () => runs.length > 1);
   const size = element("input",
-    { type: "range", min: 0.4, max: 2, step: 0.1, class: "point-size", "aria-label": "Size of the points",
+    { type: "range", min: 0.4, max: 2, step: 0.1, class: "point-size", "aria-label": say("point_size"),
     oninput: () => store.set({ pointScale: size.valueAsNumber }) });
   store.watch(["pointScale"], ({ pointScale }) => (size.value = String(pointScale)));
-  return element("div", { class: "controls" }, element("span", { class: "caption" }, "Show"), ...buttons,
-    element("label", {}, element("span", {}, "Points"), size),
+  return element("div", { class: "controls" }, element("span", { class: "caption" }, say("show")), ...buttons,
+    element("label", {}, element("span", {}, say("points")), size),
       ...(runs.length > 1 ? [runChoice(current, viewer), layoutChoice(current)] : []));
 }
 
@@ -99,15 +107,16 @@ function layoutChoice(current: Current): HTMLElement {
   const { store } = current;
   const select = element("select",
     { id: "layout", onchange: () => store.set({ layout: select.value as ViewState["layout"] }) },
-    element("option", { value: "auto" }, "as fits"), element("option", { value: "columns" }, "side by side"),
-      element("option", { value: "rows" }, "stacked"));
+    element("option", { value: "auto" }, say("as_fits")),
+    element("option", { value: "columns" }, say("side_by_side")),
+    element("option", { value: "rows" }, say("stacked")));
   store.watch(["layout"], ({ layout }) => (select.value = layout));
-  return labelled("Views", select);
+  return labelled(say("views"), select);
 }
 
 export function zoomButtons(current: Current, viewer: Viewer): HTMLElement {
   return element("div", { class: "zoom" },
-    iconButton("plus", "Zoom in", "+", () => viewer.zoom(1.3)),
-    iconButton("minus", "Zoom out", "−", () => viewer.zoom(1 / 1.3)),
-    iconButton("fit", "Show all", "0", () => current.store.set({ camera: null })));
+    iconButton("plus", say("zoom_in"), "+", () => viewer.zoom(1.3)),
+    iconButton("minus", say("zoom_out"), "−", () => viewer.zoom(1 / 1.3)),
+    iconButton("fit", say("show_all"), "0", () => current.store.set({ camera: null })));
 }

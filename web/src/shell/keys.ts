@@ -4,6 +4,7 @@ import type { Current } from "../view/current";
 import type { Viewer } from "../view/viewer";
 import type { Player } from "./player";
 import type { ViewState } from "../logic/store";
+import { say } from "../logic/texts";
 import { chooseMode } from "./controls";
 import { element, iconButton } from "./element";
 
@@ -28,47 +29,49 @@ export class Keys {
 
   constructor(current: Current, viewer: Viewer, player: Player, actions: Actions) {
     const { store } = current;
-    const flip = (key: "mesh" | "outline" | "slip" | "surfaces" | "names" | "log") => () =>
+    const flip = (key: "mesh" | "layers" | "water" | "outline" | "slip" | "surfaces" | "names" | "log") => () =>
       store.set({ [key]: !store.state[key] } as Partial<ViewState>);
     const arrow = (frames: number, dx: number) => (event: KeyboardEvent) =>
       (event.shiftKey ? viewer.move(dx, 0) : player.step(frames));
     this.keys = [
-      { keys: [" "], show: "Space", does: "play, pause", act: () => player.toggle() },
-      { keys: ["ArrowLeft"], show: "←", does: "one frame back", act: arrow(-1, 60) },
-      { keys: ["ArrowRight"], show: "→", does: "one frame on", act: arrow(1, -60) },
-      { keys: ["PageUp", "j"], show: "J", does: "ten frames back", act: () => player.step(-10) },
-      { keys: ["PageDown", "k"], show: "K", does: "ten frames on", act: () => player.step(10) },
-      { keys: ["Home"], show: "Home", does: "first frame, in a view that was clicked", act: () => player.step(-1e9) },
-      { keys: ["End"], show: "End", does: "last frame, in a view that was clicked", act: () => player.step(1e9) },
-      { keys: ["<", ","], show: ",", does: "slower", act: () => player.changeSpeed(-1) },
-      { keys: [">", "."], show: ".", does: "faster", act: () => player.changeSpeed(1) },
-      { keys: ["1", "2", "3", "4", "5", "6", "7", "8", "9"], show: "1 … 9", does: "colour by the first … ninth field",
+      { keys: [" "], show: "Space", does: say("key_play"), act: () => player.toggle() },
+      { keys: ["ArrowLeft"], show: "←", does: say("key_back"), act: arrow(-1, 60) },
+      { keys: ["ArrowRight"], show: "→", does: say("key_on"), act: arrow(1, -60) },
+      { keys: ["PageUp", "j"], show: "J", does: say("key_back_10"), act: () => player.step(-10) },
+      { keys: ["PageDown", "k"], show: "K", does: say("key_on_10"), act: () => player.step(10) },
+      { keys: ["Home"], show: "Home", does: say("key_first"), act: () => player.step(-1e9) },
+      { keys: ["End"], show: "End", does: say("key_last"), act: () => player.step(1e9) },
+      { keys: ["<", ","], show: ",", does: say("key_slower"), act: () => player.changeSpeed(-1) },
+      { keys: [">", "."], show: ".", does: say("key_faster"), act: () => player.changeSpeed(1) },
+      { keys: ["1", "2", "3", "4", "5", "6", "7", "8", "9"], show: "1 … 9", does: say("key_field"),
         act: (event) => {
         const name = current.report.fieldNames()[Number(event.key) - 1];
         if (name) store.set({ field: name });
       } },
-      { keys: ["r"], show: "R", does: "range: whole run, this time, fixed",
+      { keys: ["r"], show: "R", does: say("key_range"),
         act: () => chooseMode(current,
         ({ run: "frame", frame: "fixed", fixed: "run" } as const)[store.state.rangeMode]) },
-      { keys: ["l"], show: "L", does: "logarithmic scale", act: flip("log") },
-      { keys: ["+", "="], show: "+", does: "zoom in (also wheel in a view that was clicked, or Ctrl and wheel)",
+      { keys: ["l"], show: "L", does: say("key_log"), act: flip("log") },
+      { keys: ["+", "="], show: "+", does: say("key_zoom_in"),
         act: () => viewer.zoom(1.3) },
-      { keys: ["-"], show: "−", does: "zoom out", act: () => viewer.zoom(1 / 1.3) },
-      { keys: ["ArrowUp", "ArrowDown"], show: "Shift arrows", does: "move (also drag)",
+      { keys: ["-"], show: "−", does: say("key_zoom_out"), act: () => viewer.zoom(1 / 1.3) },
+      { keys: ["ArrowUp", "ArrowDown"], show: "Shift arrows", does: say("key_move"),
         act: (event) => event.shiftKey && viewer.move(0, event.key === "ArrowUp" ? 60 : -60) },
-      { keys: ["0"], show: "0", does: "show all (also double click)", act: () => store.set({ camera: null }) },
-      { keys: ["m"], show: "M", does: "background mesh", act: flip("mesh") },
-      { keys: ["o"], show: "O", does: "initial outline", act: flip("outline") },
-      { keys: ["s"], show: "S", does: "slip surface", act: flip("slip") },
-      { keys: ["n"], show: "N", does: "named points", act: flip("names") },
-      { keys: ["d"], show: "D", does: "surface of the other run", act: flip("surfaces") },
-      { keys: ["e"], show: "E", does: "save the views as an image", act: actions.image },
-      { keys: ["v"], show: "V", does: "save the animation as a video", act: actions.video },
-      { keys: ["f"], show: "F", does: "views on the full screen", act: actions.fullScreen },
-      { keys: ["t"], show: "T", does: "light, dark", act: actions.theme },
-      { keys: ["p"], show: "P", does: "print, or save as PDF", act: actions.print },
-      { keys: ["Escape"], show: "Esc", does: "let go of the pinned point, close", act: () => store.set({ pin: null }) },
-      { keys: ["?"], show: "?", does: "this list", act: () => this.toggleHelp() },
+      { keys: ["0"], show: "0", does: say("key_all"), act: () => store.set({ camera: null }) },
+      { keys: ["m"], show: "M", does: say("key_mesh"), act: flip("mesh") },
+      { keys: ["y"], show: "Y", does: say("key_layers"), act: flip("layers") },
+      { keys: ["w"], show: "W", does: say("key_water"), act: flip("water") },
+      { keys: ["o"], show: "O", does: say("key_outline"), act: flip("outline") },
+      { keys: ["s"], show: "S", does: say("key_slip"), act: flip("slip") },
+      { keys: ["n"], show: "N", does: say("key_names"), act: flip("names") },
+      { keys: ["d"], show: "D", does: say("key_surfaces"), act: flip("surfaces") },
+      { keys: ["e"], show: "E", does: say("key_image"), act: actions.image },
+      { keys: ["v"], show: "V", does: say("key_video"), act: actions.video },
+      { keys: ["f"], show: "F", does: say("key_full"), act: actions.fullScreen },
+      { keys: ["t"], show: "T", does: say("key_theme"), act: actions.theme },
+      { keys: ["p"], show: "P", does: say("key_print"), act: actions.print },
+      { keys: ["Escape"], show: "Esc", does: say("key_escape"), act: () => store.set({ pin: null }) },
+      { keys: ["?"], show: "?", does: say("key_help"), act: () => this.toggleHelp() },
     ];
     this.help = this.makeHelp();
     document.addEventListener("keydown", (event) => this.press(event));
@@ -96,12 +99,12 @@ export class Keys {
   }
 
   private makeHelp(): HTMLDialogElement {
-    const close = iconButton("close", "Close", "Esc", () => this.help.close());
+    const close = iconButton("close", say("close"), "Esc", () => this.help.close());
     const rows = this.keys.map(({ show, does }) =>
       element("div", {}, element("dt", {},
       ...show.split(" ").map((part) => (part.length > 1 || /\S/.test(part) ? element("kbd", {}, part) : null))),
       element("dd", {}, does)));
     return element("dialog", { class: "keys", "aria-labelledby": "keys-title" },
-      element("header", {}, element("h2", { id: "keys-title" }, "Keys"), close), element("dl", {}, ...rows));
+      element("header", {}, element("h2", { id: "keys-title" }, say("keys")), close), element("dl", {}, ...rows));
   }
 }

@@ -1,5 +1,6 @@
 // A line at the foot of the window: what could not be done, or how far something is.
 
+import { say } from "../logic/texts";
 import { element } from "./element";
 
 export class Notice {
@@ -17,7 +18,7 @@ export class Notice {
     clearTimeout(this.timer);
     if (this.root.hidden || !this.root.querySelector("progress")) {
       this.root.replaceChildren(element("span", {}, text), element("progress", { max: 1 }),
-        element("button", { type: "button", class: "text-button", onclick: cancel }, "Cancel"));
+        element("button", { type: "button", class: "text-button", onclick: cancel }, say("cancel")));
       this.root.hidden = false;
     }
     this.root.querySelector("progress")!.value = part;

@@ -6,6 +6,7 @@ import { advance, allTimes, speeds, stepTime } from "../logic/time";
 import { numberText, timeDecimals, timeText } from "../logic/numbers";
 import { slidesOf } from "../logic/slides";
 import { runLabels } from "../logic/labels";
+import { ordinal, say } from "../logic/texts";
 import { runColour } from "../view/theme";
 import { element, icon, iconButton } from "./element";
 
@@ -14,22 +15,22 @@ interface Mark {
   run: number;
   sign: string;
   text: string;
+  minor: boolean; // has no picture of its own
 }
 
 export function marksOf(run: Run): Mark[] {
-  const ordinal = ["first", "second", "third", "fourth", "fifth"];
   const marks: Mark[] = [];
-  const add = (time: number | null | undefined, sign: string, text: string) => {
-    if (typeof time === "number" && Number.isFinite(time)) marks.push({ time, run: run.index, sign, text });
+  const add = (time: number | null | undefined, sign: string, text: string, minor = false) => {
+    if (typeof time === "number" && Number.isFinite(time)) marks.push({ time, run: run.index, sign, text, minor });
   };
   (run.meta.events?.stages ?? []).filter(({ name }) => name !== "").forEach(({ name, start }) =>
-    add(start, "▸", `stage ${name} begins`));
-  add(run.meta.events?.flood?.first_time_below, "≈", "it floods");
+    add(start, "▸", say("mark_stage", { name })));
+  add(run.meta.events?.flood?.first_time_below, "≈", say("mark_floods"));
   slidesOf(run.meta).forEach((slide, k) => {
-    const name = `${ordinal[k] ?? `${k + 1}th`} slide`;
-    add(slide.begins, String(k + 1), `${name} begins`);
-    add(slide.slip_surface?.time, "~", `${name} shears fastest`);
-    add(slide.stops, "■", `${name} stops`);
+    const which = { ordinal: ordinal(k) };
+    add(slide.begins, String(k + 1), say("mark_begins", which));
+    add(slide.slip_surface?.time, "~", say("mark_fastest", which), k > 0);
+    add(slide.stops, "■", say("mark_stops", which), true);
   });
   return marks;
 }
@@ -48,23 +49,23 @@ export class Player {
     this.span = [this.times[0] ?? 0, this.times[this.times.length - 1] ?? 0];
     this.decimals = timeDecimals(this.times);
     this.bar = element("input",
-      { type: "range", class: "scrub", min: this.span[0], max: this.span[1], step: "any", "aria-label": "Time",
+      { type: "range", class: "scrub", min: this.span[0], max: this.span[1], step: "any", "aria-label": say("time"),
       oninput: () => store.set({ time: this.bar.valueAsNumber, playing: false }) });
-    const play = iconButton("play", "Play", "Space", () => this.toggle());
+    const play = iconButton("play", say("play"), "Space", () => this.toggle());
     play.classList.add("primary");
-    const again = iconButton("again", "Begin again at the end", "", () => store.set({ again: !store.state.again }));
+    const again = iconButton("again", say("again"), "", () => store.set({ again: !store.state.again }));
     const now = element("output", { class: "now", "aria-live": "off" });
     this.root = element("div", { class: "player" },
       element("div", { class: "buttons" },
-        iconButton("back", "One frame back", "←", () => this.step(-1)), play,
-          iconButton("forward", "One frame on", "→", () => this.step(1)), again),
+        iconButton("back", say("frame_back"), "←", () => this.step(-1)), play,
+          iconButton("forward", say("frame_on"), "→", () => this.step(1)), again),
       element("div", { class: "track" }, this.bar, this.marks()),
       now,
       this.speedChoice(),
     );
     store.watch(["playing"], ({ playing }) => {
       play.replaceChildren(icon(playing ? "pause" : "play"));
-      play.setAttribute("aria-label", playing ? "Pause" : "Play");
+      play.setAttribute("aria-label", say(playing ? "pause" : "play"));
     });
     store.watch(["again"], (state) => again.setAttribute("aria-pressed", String(state.again)));
     store.watch(["time"], ({ time }) => {
@@ -83,7 +84,7 @@ export class Player {
       for (const mark of marksOf(run)) {
         const text = `${labels[run.index]}: ${mark.text}, ${timeText(mark.time, this.decimals)}`;
         const button = element("button",
-          { type: "button", class: "mark", title: text, "aria-label": `Go to ${text}`,
+          { type: "button", class: "mark", title: text, "aria-label": say("go_to", { text }),
           onclick: () => store.set({ time: mark.time, playing: false }) }, mark.sign);
         button.style.left = `${(100 * (mark.time - this.span[0])) / length}%`;
         row.append(button);
@@ -98,12 +99,13 @@ export class Player {
     const { store } = this.current;
     const { all } = speeds(this.span[1] - this.span[0]);
     const select = element("select",
-      { "aria-label": "Speed, in seconds of the run per second",
+      { "aria-label": say("speed_help"),
       onchange: () => store.set({ speed: Number(select.value) }) },
       ...all.map((speed) =>
-        element("option", { value: speed }, speed === 1 ? "real time" : `${numberText(speed)} × real time`)));
+        element("option", { value: speed },
+          speed === 1 ? say("real_time") : say("times_real_time", { factor: numberText(speed) }))));
     store.watch(["speed"], ({ speed }) => (select.value = String(speed)));
-    return element("label", { class: "speed" }, element("span", {}, "Speed"), select);
+    return element("label", { class: "speed" }, element("span", {}, say("speed")), select);
   }
 
   changeSpeed(by: number): void {

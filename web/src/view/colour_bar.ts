@@ -1,11 +1,18 @@
 // The colour bar below the views, on the page and in exports.
 
 import type { Current } from "./current";
-import { barTicks, CATEGORIES, mapNamed, type Range } from "../logic/colour";
+import { barTicks, categoryColour, mapNamed, type Range } from "../logic/colour";
 import { niceTicks, unitSuffix } from "../logic/numbers";
+import { quantityLabel } from "../logic/quantities";
+import { spoken } from "../logic/labels";
 import { canvasTheme, FONT } from "./theme";
 
 export const BAR_HEIGHT = 40;
+
+/** What a field is called in the language of the page. */
+export function fieldLabel(current: Current, name: string): string {
+  return quantityLabel(name, current.fieldMeta(name)?.label ?? name);
+}
 
 /** Draws the bar in a box of that width and of BAR_HEIGHT, CSS pixels. */
 export function drawColourBar(context: CanvasRenderingContext2D, current: Current, width: number,
@@ -17,7 +24,7 @@ export function drawColourBar(context: CanvasRenderingContext2D, current: Curren
   context.textAlign = "left";
   context.font = `600 12px ${FONT}`;
   context.fillStyle = theme.text;
-  const full = `${meta.label}${unitSuffix(meta.unit)}`;
+  const full = `${quantityLabel(meta.name, meta.label)}${unitSuffix(meta.unit)}`;
   const title = meta.symbol && context.measureText(full).width > 0.4 * width
     ? `${meta.symbol.replace("_", "\u2009")}${unitSuffix(meta.unit)}` : full;
   context.fillText(title, 0, 12);
@@ -31,14 +38,15 @@ function drawCategories(context: CanvasRenderingContext2D, current: Current, lef
   let x = left;
   const seen = new Set<string>();
   for (const run of current.shownRuns()) {
+    const given = run.meta.materials.map(({ color }) => color);
     for (const { id, name } of run.meta.materials) {
       if (seen.has(name)) continue;
       seen.add(name);
-      context.fillStyle = CATEGORIES[id % CATEGORIES.length]!;
+      context.fillStyle = categoryColour(given, id);
       context.fillRect(x, 5, 14, 14);
       context.fillStyle = text;
-      context.fillText(name, x + 20, 12.5);
-      x += 40 + context.measureText(name).width;
+      context.fillText(spoken(name), x + 20, 12.5);
+      x += 40 + context.measureText(spoken(name)).width;
     }
   }
 }

@@ -4,7 +4,7 @@ import type { Report } from "../data/report";
 import type { Run } from "../data/run";
 import type { FieldMeta } from "../data/format";
 import type { Store, ViewState } from "../logic/store";
-import { categoryTable, mapNamed, mapsFor, symmetric, table, validRange, type ColourMap,
+import { categoryTable, mapNamed, mapsFor, preferredMap, symmetric, table, validRange, type ColourMap,
   type Range } from "../logic/colour";
 import { FULL, NONE, valueOf } from "../data/quantised";
 import { frameAt } from "../logic/time";
@@ -41,19 +41,25 @@ export class Current {
   /** The chosen map, or the first that suits the field. */
   map(): ColourMap {
     const kind = this.fieldMeta()?.kind ?? "sequential";
-    const chosen = mapNamed(this.state.map);
+    const chosen = mapNamed(this.state.map === "auto" ? preferredMap(this.state.field) : this.state.map);
     return chosen.kind === kind || kind === "category" ? chosen : mapsFor(kind)[0]!;
   }
 
-  colours(): { table: Uint8Array; categories: number } {
-    const category = this.fieldMeta()?.kind === "category";
-    const name = category ? "category" : this.map().name;
-    let made = this.tables.get(name);
-    if (!made) {
-      made = category ? categoryTable() : table(this.map());
-      this.tables.set(name, made);
-    }
-    return { table: made, categories: category ? made.length / 4 : 0 };
+  colours(run: Run): { table: Uint8Array; categories: number } {
+    if (this.fieldMeta()?.kind === "category") return { table: this.soilColours(run), categories: 256 };
+    const map = this.map();
+    return { table: this.kept(map.name, () => table(map)), categories: 0 };
+  }
+
+  /** Of the materials of a run. */
+  soilColours(run: Run): Uint8Array {
+    return this.kept(`soils ${run.index}`, () => categoryTable(run.meta.materials.map(({ color }) => color)));
+  }
+
+  private kept(name: string, make: () => Uint8Array): Uint8Array {
+    const made = this.tables.get(name) ?? make();
+    this.tables.set(name, made);
+    return made;
   }
 
   /** Range of the colour bar, the same for all runs. */

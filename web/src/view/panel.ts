@@ -4,34 +4,22 @@
 import type { Run } from "../data/run";
 import type { Current } from "./current";
 import type { PointRenderer } from "./points";
-import type { Camera, Padding, Size } from "../logic/camera";
+import type { Padding } from "../logic/camera";
 import { toScreen, toWorld } from "../logic/camera";
 import { niceLength, niceTicks, numberText, timeDecimals, timeText } from "../logic/numbers";
 import { slidesOf, slipAt } from "../logic/slides";
 import { sameBody } from "../logic/same_body";
-import { canvasTheme, FONT, runColour, type CanvasTheme } from "./theme";
+import { planeText } from "../logic/story";
+import { say } from "../logic/texts";
+import { haloText, line, path, timeOf, type Drawing, type PanelOptions } from "./drawing";
+import { drawFloodLevel, drawLayers, drawLoads, drawProfilePlace, drawSlip, drawSlipPlanes, drawSoilNames, drawWater,
+  fillWater, planeDash } from "./section";
+import { canvasTheme, FONT, runColour } from "./theme";
 
 export const PADDING: Padding = { left: 40, right: 16, top: 38, bottom: 30 };
 
-export interface PanelOptions {
-  camera: Camera;
-  size: Size; // CSS pixels
-  ratio: number;
-  time: number;
-  names: string[]; // of all runs
-  label: string;
-  note: string; // after the label, muted
-  bare: boolean; // small pictures: no axes, names and notes
-}
-
-interface Drawing {
-  context: CanvasRenderingContext2D;
-  run: Run;
-  current: Current;
-  options: PanelOptions;
-  theme: CanvasTheme;
-  frame: number;
-}
+const LIGHT_PAPER: [number, number, number] = [1, 1, 1];
+const DARK_PAPER: [number, number, number] = [0.07, 0.09, 0.11];
 
 export function drawPanel(context: CanvasRenderingContext2D, renderer: PointRenderer | null, run: Run, current: Current,
   options: PanelOptions): void {
@@ -46,24 +34,36 @@ export function drawPanel(context: CanvasRenderingContext2D, renderer: PointRend
   context.clip();
   context.fillStyle = theme.ground;
   context.fillRect(0, 0, width, height);
-  if (state.outline) fillWater(drawing); // soil covers what is not free
+  if (state.water) fillWater(drawing); // soil covers what is not free
   if (renderer && !renderer.lost) {
-    const { table, categories } = current.colours();
+    const { table, categories } = current.colours(run);
     renderer.draw(run, {
       camera: options.camera, size: options.size, ratio: options.ratio, frame,
       field: run.fields.get(state.field) ?? null,
       range: current.range(options.time), colours: table, categories,
+      material: run.fields.get("material") ?? null, soils: current.soilColours(run),
+      paper: state.dark ? DARK_PAPER : LIGHT_PAPER,
       pointScale: state.pointScale, mesh: state.mesh, meshColour: theme.mesh,
     });
     context.imageSmoothingEnabled = false;
     context.drawImage(renderer.canvas, 0, 0, width, height);
     context.imageSmoothingEnabled = true;
   }
+  if (state.layers) drawLayers(drawing);
   if (state.outline) drawOutline(drawing);
-  if (state.outline) drawWater(drawing);
+  if (state.water) {
+    drawWater(drawing);
+    drawFloodLevel(drawing);
+    drawLoads(drawing);
+  }
   if (state.surfaces && !options.bare) drawOtherSurfaces(drawing);
-  if (state.slip) drawSlip(drawing);
+  if (state.slip) {
+    drawSlip(drawing);
+    drawSlipPlanes(drawing);
+  }
   if (!options.bare) {
+    if (state.layers) drawSoilNames(drawing);
+    drawProfilePlace(drawing);
     if (state.names) drawNames(drawing);
     drawMarks(drawing);
     drawAxes(drawing);
@@ -74,56 +74,17 @@ export function drawPanel(context: CanvasRenderingContext2D, renderer: PointRend
   context.restore();
 }
 
-function path(drawing: Drawing, points: ArrayLike<number>): void {
-  const { context, options } = drawing;
-  context.beginPath();
-  let down = false;
-  for (let k = 0; k + 1 < points.length; k += 2) {
-    if (!Number.isFinite(points[k]!)) {
-      down = false;
-      continue;
-    }
-    const [px, py] = toScreen(options.camera, options.size, points[k]!, points[k + 1]!);
-    if (down) context.lineTo(px, py);
-    else context.moveTo(px, py);
-    down = true;
-  }
-}
-
+/** Of a section of several soils, whose layers are drawn where they are now, the first ground; else all outlines. */
 function drawOutline(drawing: Drawing): void {
   const { context, theme, run, options } = drawing;
-  path(drawing, run.outline);
-  context.setLineDash(options.bare ? [3, 3] : [6, 4]);
-  context.lineWidth = options.bare ? 1 : 1.4;
-  context.strokeStyle = theme.ghost;
+  path(drawing, hasLayers(drawing) ? run.surface(0) : run.outline);
   context.globalAlpha = 0.75;
-  context.stroke();
-  context.globalAlpha = 1;
-  context.setLineDash([]);
-}
-
-/** From the phreatic line down to the lowest soil. */
-function fillWater(drawing: Drawing): void {
-  const { context, theme, run, current, options } = drawing;
-  const table = run.waterTable(current.frame(run, options.time));
-  if (table.length < 4) return;
-  const lowest = run.meta.bounds[1];
-  path(drawing, [...table, table[table.length - 2]!, lowest, table[0]!, lowest]);
-  context.closePath();
-  context.globalAlpha = 0.22;
-  context.fillStyle = theme.water;
-  context.fill();
+  line(context, theme.ghost, options.bare ? 1 : 1.4, options.bare ? [3, 3] : [6, 4]);
   context.globalAlpha = 1;
 }
 
-function drawWater(drawing: Drawing): void {
-  const { context, theme, run, current, options } = drawing;
-  path(drawing, run.waterTable(current.frame(run, options.time)));
-  context.setLineDash(options.bare ? [5, 3] : [10, 5]);
-  context.lineWidth = options.bare ? 1 : 2;
-  context.strokeStyle = theme.water;
-  context.stroke();
-  context.setLineDash([]);
+function hasLayers({ run, current }: Drawing): boolean {
+  return current.state.layers && run.layers.length > 1;
 }
 
 function drawOtherSurfaces(drawing: Drawing): void {
@@ -134,31 +95,6 @@ function drawOtherSurfaces(drawing: Drawing): void {
     line(context, theme.halo, 4);
     line(context, runColour(other.index, current.state.dark), 2);
   }
-}
-
-function line(context: CanvasRenderingContext2D, colour: string, width: number): void {
-  context.lineJoin = "round";
-  context.lineCap = "round";
-  context.lineWidth = width;
-  context.strokeStyle = colour;
-  context.stroke();
-}
-
-function drawSlip(drawing: Drawing): void {
-  const { context, run, theme, options } = drawing;
-  const slip = slipAt(slidesOf(run.meta), timeOf(drawing));
-  const acting = slip?.phase === "acting";
-  if (!slip || (!acting && options.bare)) return;
-  path(drawing, slip.surface.points.flat());
-  if (acting) line(context, theme.slipEdge, options.bare ? 3 : 5);
-  else context.setLineDash([3, 6]);
-  line(context, theme.slip, options.bare || !acting ? 1.5 : 2.5);
-  context.setLineDash([]);
-}
-
-/** Of the frame on show, which may differ a little from the time asked for. */
-function timeOf({ run, frame }: Drawing): number {
-  return run.meta.times[frame]!;
 }
 
 function drawNames(drawing: Drawing): void {
@@ -183,16 +119,6 @@ function drawNames(drawing: Drawing): void {
     line(context, theme.text, 1.5);
     haloText(drawing, history.name, px + 6, py - 6, theme.text);
   }
-}
-
-function haloText(drawing: Drawing, text: string, x: number, y: number, colour: string): void {
-  const { context, theme } = drawing;
-  context.lineWidth = 3.5;
-  context.lineJoin = "round";
-  context.strokeStyle = theme.halo;
-  context.strokeText(text, x, y);
-  context.fillStyle = colour;
-  context.fillText(text, x, y);
 }
 
 /** Rings around the pinned point and the point under the pointer, also in the runs that have a point of the same id. */
@@ -295,6 +221,8 @@ function drawHead(drawing: Drawing): void {
   drawKey(drawing, used + 16, options.size.width - 30 - context.measureText(stamp).width, decimals);
 }
 
+const SLIP_TEXT = { acting: "slip_at", "to come": "slip_to_come", past: "slip_past" } as const;
+
 /**
  * What the lines mean, between name and time, as far as there is room; at the end, if there is still, the run's name.
  */
@@ -305,13 +233,15 @@ function drawKey(drawing: Drawing, from: number, to: number, decimals: number): 
   const others = state.surfaces ? current.shownRuns().filter((other) => other !== run) : [];
   const entries = [
     ...others.map((other) =>
-      ({ text: `surface of ${options.names[other.index]}`, colour: runColour(other.index, state.dark),
+      ({ text: say("surface_of", { run: options.names[other.index]! }), colour: runColour(other.index, state.dark),
       dash: [] as number[] })),
-    slip && {
-      text: `slip surface of ${timeText(slip.time, decimals)}${slip.phase === "acting" ? "" : `, ${slip.phase}`}`,
+    slip && { text: say(SLIP_TEXT[slip.phase], { time: timeText(slip.time, decimals) }),
       colour: theme.slip, dash: slip.phase === "acting" ? [] : [2, 4] },
-    state.outline && { text: "initial outline", colour: theme.ghost, dash: [4, 3] },
-    state.outline && run.meta.water && { text: "phreatic line", colour: theme.water, dash: [8, 4] },
+    ...(state.slip ? run.meta.slip_planes : []).map((plane, k) =>
+      ({ text: planeText(plane), colour: theme.plane, dash: planeDash(k) })),
+    state.outline && { text: say(hasLayers(drawing) ? "initial_ground" : "initial_outline"), colour: theme.ghost,
+      dash: [4, 3] },
+    state.water && run.meta.water && { text: say("phreatic_line"), colour: theme.water, dash: [8, 4] },
     options.note !== options.label && { text: options.note, colour: "", dash: [] },
   ];
   context.font = `12px ${FONT}`;
@@ -325,9 +255,7 @@ function drawKey(drawing: Drawing, from: number, to: number, decimals: number): 
       context.beginPath();
       context.moveTo(x, 16);
       context.lineTo(x + 18, 16);
-      context.setLineDash(entry.dash);
-      line(context, entry.colour, 2);
-      context.setLineDash([]);
+      line(context, entry.colour, 2, entry.dash);
     }
     context.fillStyle = theme.muted;
     context.fillText(entry.text, x + (entry.colour ? 24 : 0), 16.5);
@@ -341,5 +269,5 @@ function missing(drawing: Drawing): void {
   context.textAlign = "center";
   context.textBaseline = "middle";
   context.fillStyle = theme.muted;
-  context.fillText("This run was written without that field.", options.size.width / 2, options.size.height / 2);
+  context.fillText(say("no_field"), options.size.width / 2, options.size.height / 2);
 }

@@ -7,12 +7,14 @@ import type { Quantised } from "../data/quantised";
 import type { Camera, Size } from "../logic/camera";
 import type { Range } from "../logic/colour";
 import { FULL } from "../data/quantised";
+import { say } from "../logic/texts";
 
 const POINTS_VERTEX = `#version 300 es
 precision highp float;
 in uint qx;
 in uint qy;
 in uint qv;
+in uint qm;                         // material
 uniform vec2 x_range, y_range;      // lo, hi [m]
 uniform vec2 v_range;               // lo, hi of the field
 uniform bool v_log, bar_log;
@@ -20,8 +22,9 @@ uniform vec2 bar;                   // lo, hi of the colour bar
 uniform vec2 centre, per_metre;     // camera: [m], clip units per metre
 uniform float size;                 // pixels
 uniform int categories;             // number of colours in use for categories; 0: a scale
-uniform sampler2D colours;
-uniform vec3 no_value;
+uniform sampler2D colours, soils;
+uniform vec2 m_range;               // lo, hi of the material; lo = hi: not there yet
+uniform vec3 no_value, paper;       // paper: what soil without a value is made paler with
 flat out vec3 colour;
 
 void main() {
@@ -31,7 +34,9 @@ void main() {
   gl_Position = absent ? vec4(9.0, 9.0, 9.0, 1.0) : vec4((place - centre) * per_metre, 0.0, 1.0);
   gl_PointSize = size;
   if (qv == ${FULL}u) {
-    colour = no_value;
+    float m = mix(m_range.x, m_range.y, float(qm) / ${FULL}.0);
+    vec3 soil = texelFetch(soils, ivec2(int(round(m)) & 255, 0), 0).rgb;
+    colour = m_range.x < m_range.y ? mix(soil, paper, 0.35) : no_value;
     return;
   }
   float w = float(qv) / ${FULL}.0;
@@ -76,6 +81,9 @@ export interface Picture {
   range: Range;
   colours: Uint8Array;
   categories: number;
+  material: Quantised | null; // colours the points that have no value
+  soils: Uint8Array; // by material
+  paper: [number, number, number];
   pointScale: number;
   mesh: boolean;
   meshColour: [number, number, number, number];
@@ -85,10 +93,12 @@ interface Buffers {
   x: WebGLBuffer;
   y: WebGLBuffer;
   v: WebGLBuffer;
+  m: WebGLBuffer;
   vao: WebGLVertexArrayObject;
   frame: number;
   field: Quantised | null;
   valueFrame: number;
+  material: Quantised | null;
   edges: WebGLBuffer | null;
   edgesVao: WebGLVertexArrayObject | null;
 }
@@ -98,8 +108,7 @@ export class PointRenderer {
   private readonly gl: WebGL2RenderingContext;
   private readonly points: twgl.ProgramInfo;
   private readonly lines: twgl.ProgramInfo;
-  private readonly texture: WebGLTexture;
-  private colours: Uint8Array | null = null;
+  private readonly textures: { texture: WebGLTexture; colours: Uint8Array | null }[]; // of the field, of the soils
   private readonly buffers = new Map<Run, Buffers>();
   lost = false;
 
@@ -107,12 +116,11 @@ export class PointRenderer {
     const gl = this.canvas.getContext("webgl2",
       { antialias: false, alpha: true, premultipliedAlpha: true, preserveDrawingBuffer: false });
     if (!gl)
-      throw new Error("This browser offers no WebGL 2, which draws the material points. " +
-        "Charts and texts below work without it.");
+      throw new Error(say("no_webgl"));
     this.gl = gl;
     this.points = twgl.createProgramInfo(gl, [POINTS_VERTEX, POINTS_FRAGMENT]);
     this.lines = twgl.createProgramInfo(gl, [LINES_VERTEX, LINES_FRAGMENT]);
-    this.texture = gl.createTexture()!;
+    this.textures = [0, 1].map(() => ({ texture: gl.createTexture()!, colours: null }));
     this.canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault();
       this.lost = true;
@@ -153,7 +161,8 @@ export class PointRenderer {
     const [x, y, v] = [run.x.meta, run.y.meta, field.meta];
     gl.useProgram(this.points.program);
     gl.bindVertexArray(buffers.vao);
-    this.setColours(picture.colours);
+    const [colours, soils] = [picture.colours, picture.soils].map((table, k) => this.textureOf(k, table));
+    const materials = picture.material?.meta;
     twgl.setUniforms(this.points, {
       ...common,
       x_range: [x.lo, x.hi],
@@ -164,21 +173,26 @@ export class PointRenderer {
       bar: [picture.range.lo, picture.range.hi],
       size: Math.max(2, 1.6 * spacing), // overlap enough that sound soil has no gaps
       categories: picture.categories,
-      colours: this.texture,
+      colours,
+      soils,
+      m_range: materials ? [materials.lo, materials.hi] : [0, 0],
+      paper: picture.paper,
       no_value: [0.6, 0.62, 0.64],
       discs,
     });
     gl.drawArrays(gl.POINTS, 0, run.points);
   }
 
-  private setColours(colours: Uint8Array): void {
-    if (colours === this.colours) return;
+  private textureOf(k: number, colours: Uint8Array): WebGLTexture {
     const { gl } = this;
-    this.colours = colours;
-    gl.bindTexture(gl.TEXTURE_2D, this.texture);
+    const kept = this.textures[k]!;
+    if (colours === kept.colours) return kept.texture;
+    kept.colours = colours;
+    gl.bindTexture(gl.TEXTURE_2D, kept.texture);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, colours.length / 4, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, colours);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+    return kept.texture;
   }
 
   /** Brings frame and field to the GPU, as the 16-bit numbers that they are; nothing if they are there. */
@@ -198,6 +212,10 @@ export class PointRenderer {
       this.fill(buffers.v, picture.field.frame(picture.frame));
       buffers.field = picture.field;
       buffers.valueFrame = picture.frame;
+    }
+    if (picture.material && buffers.material !== picture.material) {
+      this.fill(buffers.m, picture.material.frame(0));
+      buffers.material = picture.material;
     }
     gl.bindBuffer(gl.ARRAY_BUFFER, null);
     return buffers;
@@ -222,8 +240,8 @@ export class PointRenderer {
       return buffer;
     };
     const made: Buffers = {
-      x: attribute("qx"), y: attribute("qy"), v: attribute("qv"), vao,
-      frame: -1, field: null, valueFrame: -1, edges: null, edgesVao: null,
+      x: attribute("qx"), y: attribute("qy"), v: attribute("qv"), m: attribute("qm"), vao,
+      frame: -1, field: null, valueFrame: -1, material: null, edges: null, edgesVao: null,
     };
     if (run.edges.length > 0) {
       made.edgesVao = gl.createVertexArray()!;

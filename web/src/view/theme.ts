@@ -7,6 +7,11 @@ export interface CanvasTheme {
   muted: string;
   ghost: string;
   water: string;
+  slit: string; // between points of a section with water
+  layer: string; // outlines of soils
+  level: string; // the water to hold back
+  load: string;
+  plane: string; // slip planes of other methods
   slip: string;
   slipEdge: string;
   halo: string;
@@ -20,6 +25,11 @@ export const LIGHT: CanvasTheme = {
   muted: "#5a6673",
   ghost: "#3c4854",
   water: "#1668c4",
+  slit: "#b5a392",
+  layer: "#4a3b28",
+  level: "#0b3f86",
+  load: "#7a2e00",
+  plane: "#6a1b9a",
   slip: "#e8175d",
   slipEdge: "rgba(255,255,255,0.9)",
   halo: "rgba(255,255,255,0.85)",
@@ -33,6 +43,11 @@ export const DARK: CanvasTheme = {
   muted: "#9aa7b4",
   ghost: "#c6d0da",
   water: "#5aa9ff",
+  slit: "#5d5246",
+  layer: "#d8c8ae",
+  level: "#9cc9ff",
+  load: "#ffb27a",
+  plane: "#d39bff",
   slip: "#ff5c93",
   slipEdge: "rgba(0,0,0,0.8)",
   halo: "rgba(12,16,20,0.8)",

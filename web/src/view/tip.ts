@@ -4,7 +4,10 @@
 import type { Current } from "./current";
 import type { Run } from "../data/run";
 import { element } from "../shell/element";
-import { numberText, withUnit } from "../logic/numbers";
+import { quantityLabel } from "../logic/quantities";
+import { spoken } from "../logic/labels";
+import { say } from "../logic/texts";
+import { fixed, numberText, withUnit } from "../logic/numbers";
 
 /** Name, value and unit of fields of a point (by default all); "…" while a field is being decoded. */
 export function pointValues(run: Run, frame: number, point: number, fields = run.meta.fields): { name: string;
@@ -15,11 +18,11 @@ export function pointValues(run: Run, frame: number, point: number, fields = run
     if (field) {
       const number = field.value(frame, point);
       const material = run.meta.materials.find((m) => m.id === Math.round(number));
-      value = meta.kind === "category" && material ? material.name : withUnit(number, meta.unit, 3);
+      value = meta.kind === "category" && material ? spoken(material.name) : withUnit(number, meta.unit, 3);
     } else {
       void run.field(meta.name);
     }
-    return { name: meta.name, label: meta.label, value };
+    return { name: meta.name, label: quantityLabel(meta.name, meta.label), value };
   });
 }
 
@@ -52,9 +55,9 @@ export class Tip {
     const chosen = pointValues(run, frame, hover.point, run.meta.fields.filter(({ name }) => name === field));
     this.root.replaceChildren(
       element("table", {},
-        row("x, y", `${x.toFixed(2)}, ${withUnit(Number(y.toFixed(2)), "m")}`),
+        row("x, y", `${fixed(x, 2, "")}; ${withUnit(Number(y.toFixed(2)), "m")}`),
         ...chosen.map(({ label, value }) => row(label, value))),
-      element("div", { class: "tip-more" }, `point ${numberText(run.ids[hover.point], 9)}; click for all its values`),
+      element("div", { class: "tip-more" }, say("tip_point", { id: numberText(run.ids[hover.point], 9) })),
     );
   }
 }

@@ -8,6 +8,7 @@ import { Tip } from "./tip";
 import { bestColumns, fit, pan, toWorld, union, zoomAt, type Box, type Camera, type Size } from "../logic/camera";
 import { nearestPoint } from "../logic/nearest";
 import { runLabels } from "../logic/labels";
+import { say } from "../logic/texts";
 import { element } from "../shell/element";
 
 interface View {
@@ -57,7 +58,7 @@ export class Viewer {
   private makeCanvas(run: Run): HTMLCanvasElement {
     const canvas = element("canvas", {
       class: "view", tabindex: 0, role: "img",
-      "aria-label": `Material points of ${this.labels[run.index]}. Wheel zooms, dragging moves, a click pins a point.`,
+      "aria-label": say("view_of", { run: this.labels[run.index]! }),
     });
     this.listen(canvas, run);
     return canvas;

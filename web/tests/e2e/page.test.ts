@@ -6,7 +6,7 @@ import { PNG } from "pngjs";
 import type { Browser, Page } from "playwright-core";
 import type { ReportMeta } from "../../src/data/format";
 import { launch, open, until, type Opened } from "../support/browser";
-import { examplePage, realRuns } from "../support/fixture";
+import { dikePage, examplePage, realDike, realRuns } from "../support/fixture";
 
 let browser: Browser;
 beforeAll(async () => {
@@ -140,6 +140,7 @@ describe.each(pages)("the page of %s", (_, make) => {
   });
 
   it("shows the values of a point under the pointer, and pins it with its history in both runs", async () => {
+    await page.locator(".player").scrollIntoViewIfNeeded();
     const box = (await page.locator(".view").first().boundingBox())!;
     const [x, y] = (await page.evaluate("window.terp.place(0, 3)")) as [number, number];
     await page.mouse.move(box.x + x, box.y + y);
@@ -302,7 +303,7 @@ describe("the page", () => {
   it("says that only some of many points are shown, that a run is under way, and what to beware of", async () => {
     const { page, errors } = await open(browser, examplePage(20, 1, (report) => Object.assign(report.runs[0]!, { n_points: 4000, finished: false, warnings: ["Beware."] })));
     expect(await page.locator(".see").textContent()).toContain("One material point in 10 is shown: 400 of 4000.");
-    expect(await page.locator(".story").textContent()).toMatch(/has not reached its end.*up to 3.s.*Beware\./);
+    expect(await page.locator(".beside").textContent()).toMatch(/has not reached its end.*up to 3.s.*Beware\./);
     expect(errors).toEqual([]);
     await page.context().close();
   });
@@ -347,6 +348,49 @@ describe("the page", () => {
     await page.context().close();
   });
 
+  it("of a dike tells the verdict, draws layers, loads and slip planes, and colours by the strength that is left", async () => {
+    const { page, errors } = await open(browser, dikePage());
+    expect(await page.locator(".verdict-word").textContent()).toBe("Damaged, holds the water");
+    expect(await page.locator(".tiles").textContent()).toMatch(/First slide0\.20.s.*Entry pointx = 2\.00.m.*Freeboard0\.40.m/);
+    expect(await state<string>(page, "field")).toBe("su_ratio");
+    for (const key of ["layers", "water", "slip"]) {
+      await settled(page);
+      const before = await pixels(page, 0);
+      await page.evaluate(`window.terp.store.set({ ${key}: false })`);
+      await settled(page);
+      expect((await pixels(page, 0)).data.equals(before.data), key).toBe(false);
+    }
+    expect(await page.locator(".strength h3").textContent()).toMatch(/^Undrained strength at x = /);
+    await page.locator(".strength button").first().click();
+    expect(await state<number>(page, "profileX")).toBeGreaterThan(0);
+    expect(errors).toEqual([]);
+    await page.context().close();
+  });
+
+  it("of a dike prints on two sheets, with the path and the checksum of its case", async () => {
+    const { page, errors } = await open(browser, dikePage());
+    const pdf = await page.pdf({ preferCSSPageSize: true, printBackground: true });
+    expect(pdf.toString("latin1").match(/\/Type \/Page\b/g)).toHaveLength(2);
+    await page.emulateMedia({ media: "print" });
+    expect(await page.locator(".about-run pre").isVisible()).toBe(false);
+    expect(await page.locator(".about-run .pairs").innerText()).toContain("runs/example/case.toml, checksum 0123456789abcdef");
+    expect(await state<string>(page, "field")).toBe("su_ratio"); // printing showed the soils, and went back
+    expect(errors).toEqual([]);
+    await page.context().close();
+  });
+
+  it("speaks Dutch where the report says so, or the reader chooses it", async () => {
+    const { page, errors } = await open(browser, dikePage((report) => (report.language = "nl")));
+    const words = () => page.locator("body").innerText();
+    expect(await words()).toMatch(/Beschadigd, keert het water.*Waakhoogte.*0,40.m.*Restprofiel/s);
+    expect(await words()).not.toMatch(/\b(slide|what happened|residual|colour by|named points|checks)\b/i);
+    await page.selectOption(".language", "en");
+    await until(page, `document.readyState === "complete" && window.terp && document.querySelector(".verdict-word")?.textContent.startsWith("Damaged")`);
+    expect(page.url()).toContain("lang=en");
+    expect(errors).toEqual([]);
+    await page.context().close();
+  });
+
   it("without data says how to get some", async () => {
     const context = await browser.newContext();
     const page = await context.newPage();
@@ -362,6 +406,24 @@ describe("the page", () => {
     const rate = (await page.evaluate(`new Promise((done) => { const [n, t] = [window.terp.drawn, performance.now()]; setTimeout(() => done(1000 * (window.terp.drawn - n) / (performance.now() - t)), 4000); })`)) as number;
     console.log(`two runs of 40 000 points, software rendering: ${rate.toFixed(1)} pictures per second`);
     expect(rate).toBeGreaterThan(2);
+    await page.context().close();
+  });
+});
+
+describe.runIf(process.env.TERP)("the page of a dike of the program", () => {
+  it("is in Dutch where it was asked for, prints on two sheets, and draws all that a section has", async () => {
+    const path = realDike();
+    const { page, errors } = await open(browser, path);
+    expect(await page.locator(".verdict-word").textContent()).toBe("Overstroming");
+    expect(await page.locator(".tile").count()).toBe(6);
+    expect(await page.locator(".toggle:visible").allTextContents()).toEqual(
+      expect.arrayContaining(["grondlagen", "water en belasting", "omtrek", "glijvlak", "punten"]));
+    expect(await page.locator("#field option").allTextContents()).toEqual(expect.arrayContaining(["waterspanning", "grondsoort"]));
+    const words = await page.evaluate(`[document.querySelector("main").innerText, ...[...document.querySelectorAll("#field option, .u-legend")].map((e) => e.textContent)].join(" ").replace(/[\\w/.]*report[\\w/.]*/g, "")`);
+    expect(words).not.toMatch(/\b(the|work|energy|strain|strength|slide|slip|stress|speed|share|shown)\b/i);
+    const pdf = await page.pdf({ preferCSSPageSize: true, printBackground: true });
+    expect(pdf.toString("latin1").match(/\/Type \/Page\b/g)).toHaveLength(2);
+    expect(errors).toEqual([]);
     await page.context().close();
   });
 });

@@ -13,8 +13,7 @@ interface Made {
 }
 
 /** `side` x `side` points per run. */
-export function exampleReport(side = 40, runs = 2): Made {
-  const writer = new ChunkWriter();
+export function exampleReport(side = 40, runs = 2, writer = new ChunkWriter()): Made {
   const schemes = ["mpm_mixed", "mpm_gp", "standard_mpm"];
   const report: ReportMeta = {
     format: 1, terp: "0.1.0", written: "2026-01-02T10:00:00Z",
@@ -57,7 +56,7 @@ function exampleRun(writer: ChunkWriter, side: number, k: number, scheme: string
   const crest = times.map((t) => WIDTH - 1.6 * share(t));
   const name = `example_${scheme}`;
   return {
-    name, title: "Example: a block slides off a column", scheme, case_toml: `# made up\n[mesh]\nsize = 0.25 # m\nname = "left # right"\n[[body]]\nmaterial = "clay"\n`,
+    name, title: "Example: a block slides off a column", scheme, case_path: "runs/example/case.toml", case_digits: "0123456789abcdef", case_toml: `# made up\n[mesh]\nsize = 0.25 # m\nname = "left # right"\n[[body]]\nmaterial = "clay"\n`,
     machine: "a machine, 2 processors", threads: 2, wall_seconds: 83.4, finished: true,
     n_points: n, n_shown: n, n_frames_in_run: FRAMES, times, position_precision: 1e-4,
     bounds: [0, 0, 8, 6], point_size: WIDTH / side, materials: [{ id: 0, name: "clay" }, { id: 1, name: "sand" }],
@@ -69,7 +68,7 @@ function exampleRun(writer: ChunkWriter, side: number, k: number, scheme: string
       field("material", "material", "-", "category", times.map(() => start.map(([, py]) => (py > 3 ? 1 : 0)))),
     ],
     mesh: meshOf(writer), outline: outlineOf(writer),
-    surfaces: surfacesOf(writer, places), water: null,
+    surfaces: surfacesOf(writer, places), water: null, layers: [], loads: [], slip_planes: [],
     histories: ["A", "B", "C"].map((letter, h) => {
       const p = Math.floor(side * (side - 1) - side / (h + 2));
       const columns = [times, places.map((row) => row[p]![0]), places.map((row) => row[p]![1]), strain.map((row) => row[p]!)];
@@ -88,11 +87,37 @@ function exampleRun(writer: ChunkWriter, side: number, k: number, scheme: string
         width_at_level: k ? 0 : 1.2, intact_width: k ? 0 : 0.7, first_time_damaged: 0.2, first_time_below: k ? 1.1 : null },
       slip_surface: { time: 1, points: Array.from({ length: 12 }, (_, i) => [0.9 + 0.28 * i, slipLine(0.9 + 0.28 * i)] as [number, number]) },
     },
-    story: ["The column begins to slide at 0.2 s.", `Its front comes to rest ${reach.toFixed(1)} m from where it stood.`],
-    audit: { points_eps_eq_p_fell: 0, points_su_rose: 0 }, warnings: k ? [] : ["Only an example </script> & <b>no</b> physics."],
-    checks: [{ name: "energy balance", value: "0.4 %", passed: true }, { name: "mass", value: "0", passed: true }],
+    warnings: k ? [] : ["Only an example </script> & <b>no</b> physics."],
     summary: { terp_version: "0.1.0", cells: 1024, steps: 3000, dt: 0.001, instructions: "avx2" },
   };
+}
+
+/** The first of the runs above with what only a dike has. */
+export function exampleDike(side = 40): Made {
+  const writer = new ChunkWriter();
+  const { runs: [run], ...rest } = exampleReport(side, 1, writer).report;
+  const last = side * side - side; // the first point of the top row
+  const top = Array.from({ length: side / 2 }, (_, k) => last + k);
+  const attached = (points: number[]) => ({ points: writer.numbers(points), offsets: writer.floats(points.flatMap(() => [0, 0])), count: points.length });
+  const strength = run!.fields[0]!;
+  const flat = (level: number) => Array.from({ length: FRAMES }, () => [0, level, 8, level]).flat();
+  Object.assign(run!, {
+    materials: [{ id: 0, name: "clay", soil: "clay", color: "#a3c293" }, { id: 1, name: "sand", soil: "sand", color: "#ead592" }],
+    fields: [...run!.fields.slice(0, 1), { ...strength, name: "su", label: "undrained shear strength", unit: "kPa" },
+      { ...strength, name: "su_ratio", label: "strength left of the first" }, ...run!.fields.slice(1)],
+    water: { chunk: writer.floats(flat(5.6)), offsets: Array.from({ length: FRAMES + 1 }, (_, f) => 2 * f) },
+    layers: [{ soil: "clay", lines: attached(Array.from({ length: side }, (_, k) => k)), middle: attached([side / 2]) },
+      { soil: "sand", lines: attached(top), middle: attached([last]) }],
+    loads: [{ name: "traffic", frame: 0, lines: attached(top), columns: [{ name: "time", unit: "s" }, { name: "pressure", unit: "kPa" }],
+      chunk: writer.floats([0, DURATION, 13, 13]), rows: 2 }],
+    slip_planes: [{ name: "D-Stability", method: "Bishop", factor_of_safety: 1.05, points: [[1, 5], [3, 2], [5, 1]] }],
+  });
+  const events = run!.events!;
+  Object.assign(events.first_slide!, { entry: { x: 2, y: 5, zone: "crest" }, crest_from: 4, crest_to: 3, facing: "right", kinetic_peak: 1e4 });
+  Object.assign(events, { facing: "right" });
+  Object.assign(events.flood!, { water_level: 5.6, river: "left" });
+  Object.assign(run!.summary, { format: 1, stages: [{ name: "daily", start: 0, end: 3, at_rest: true }] });
+  return { report: { ...rest, runs: [run!] }, chunks: writer.texts };
 }
 
 function meshOf(writer: ChunkWriter): RunMeta["mesh"] {

@@ -5,7 +5,7 @@ import { existsSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import type { ReportMeta } from "../../src/data/format";
-import { exampleReport } from "./example";
+import { exampleDike, exampleReport } from "./example";
 import { fillTemplate } from "./encode";
 
 const ROOT = resolve(__dirname, "../../..");
@@ -25,12 +25,31 @@ export function examplePage(side: number, runs = 2, change: (report: ReportMeta)
   return path;
 }
 
+/** A page with one made-up run that has all of a dike: soils, a load, free water, a slip plane of another method. */
+export function dikePage(change: (report: ReportMeta) => void = () => undefined): string {
+  const made = exampleDike();
+  change(made.report);
+  const path = join(mkdtempSync(join(tmpdir(), "terp-web-")), "dike.html");
+  writeFileSync(path, fillTemplate(template(), made.report, made.chunks));
+  return path;
+}
+
 export interface RealRuns {
   runs: string[]; // folders
   page: string;
 }
 
 let made: RealRuns | null = null;
+
+/** The dike on coarse cells, and its page in Dutch, by the program that TERP names. */
+export function realDike(): string {
+  const program = resolve(process.env.INIT_CWD ?? ".", process.env.TERP!);
+  const folder = mkdtempSync(join(tmpdir(), "terp-web-"));
+  const settings = ["mesh.cell=1", "output.fields.every=2"].flatMap((text) => ["--set", text]);
+  execFileSync(program, ["run", join(ROOT, "cases/dike/dike.toml"), ...settings, "-o", join(folder, "dike"), "--report", "--language", "nl"],
+    { stdio: "pipe" });
+  return join(folder, "dike", "report.html");
+}
 
 /** Model 2 on coarse cells with both schemes, and their page, by the program that TERP names. Made once. */
 export function realRuns(): RealRuns {

@@ -76,10 +76,10 @@ describe("a report", () => {
 
   it("may leave out what a writer does not know", async () => {
     const { report, chunks } = exampleReport(10);
-    for (const key of ["events", "story", "passes", "audit", "checks", "warnings"] as const) delete (report.runs[0] as Partial<(typeof report.runs)[0]>)[key];
+    for (const key of ["events", "layers", "loads", "passes", "warnings"] as const) delete (report.runs[0] as Partial<(typeof report.runs)[0]>)[key];
     const made = new Report(report, (k) => chunks[k]!);
     await made.open();
-    expect(made.runs[0]!.meta.story).toEqual([]);
+    expect(made.runs[0]!.layers).toEqual([]);
   });
 
   it("has tables by column", async () => {

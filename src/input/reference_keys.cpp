@@ -1,0 +1,98 @@
+// The keys of [reference]: what other methods found, for pictures to show beside the run.
+
+#include "input/document.hpp"
+#include "input/key_table.hpp"
+#include "input/key_text.hpp"
+#include "input/units.hpp"
+#include "input/values.hpp"
+
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+constexpr const char* keys_of_plane = "Keys of a slip plane: name, method, factor_of_safety, line";
+
+bool refuse(const Entry& entry, const std::string& path, std::string what, std::string detail, Findings& findings)
+{
+  findings.problems.push_back({path, std::move(what), std::move(detail), topic_of(entry.key.path)});
+  return false;
+}
+
+bool refuse_value(
+    const Entry& entry, const Node& item, const std::string& path, const char* allowed, Findings& findings)
+{
+  return refuse(entry, path, fmt::format("`{}` of a slip plane must be {}", item.name, allowed),
+      fmt::format("Got {}; allowed: {}.", describe_value(item), allowed), findings);
+}
+
+bool read_item(const Entry& entry, const Node& item, const std::string& path, Findings& findings, SlipPlaneCase& plane)
+{
+  if (item.name == "line") {
+    if (!read_places(entry, item, path, findings, plane.line)) return false;
+    return plane.line.size() >= 2 || refuse_value(entry, item, path, "two or more places [[x, y], ...]", findings);
+  }
+  if (item.name == "factor_of_safety") {
+    const auto number = number_of(item, "-");
+    if (!number || !positive.contains(*number))
+      return refuse_value(entry, item, path, "a number, more than 0", findings);
+    plane.factor_of_safety = *number;
+    return true;
+  }
+  if (item.name != "name" && item.name != "method")
+    return refuse(entry, path, fmt::format("unknown key `{}`", item.name), keys_of_plane, findings);
+  if (item.kind != NodeKind::text) return refuse_value(entry, item, path, "text", findings);
+  (item.name == "name" ? plane.name : plane.method) = item.text;
+  return true;
+}
+
+bool read_slip_planes(const Entry& entry, Findings& findings, std::vector<SlipPlaneCase>& planes)
+{
+  if (entry.node.kind != NodeKind::list)
+    return refuse(entry, entry.path, fmt::format("`{}` must be {}", last_part(entry.path), type_text(entry.key)),
+        fmt::format("Got {}.", describe_value(entry.node)), findings);
+  bool good = true;
+  for (std::size_t k = 0; k < entry.node.items.size(); ++k) {
+    const Node& table = entry.node.items[k];
+    const std::string path = fmt::format("{}[{}]", entry.path, k);
+    SlipPlaneCase& plane = planes.emplace_back();
+    for (const Node& item : table.items)
+      good = read_item(entry, item, join_path(path, item.name), findings, plane) && good;
+    if (good && (plane.name.empty() || plane.line.empty()))
+      good = refuse(entry, path, fmt::format("a slip plane has no `{}`", plane.name.empty() ? "name" : "line"),
+          "Give name = \"TEXT\" and line = [[x, y], ...] in m; method and factor_of_safety may be left out.", findings);
+  }
+  return good;
+}
+
+std::string slip_planes_text(const std::vector<SlipPlaneCase>& planes)
+{
+  std::string text;
+  for (const SlipPlaneCase& plane : planes) {
+    text += fmt::format("{}{{{}, {}, {}", text.empty() ? "" : ", ", plane.name, plane.method, plane.factor_of_safety);
+    for (const Vec<2>& x : plane.line) text += fmt::format(", [{}, {}]", x[0], x[1]);
+    text += '}';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<KeyInfo> reference_keys()
+{
+  return {{.path = "reference.slip_planes",
+      .field =
+          [](Case& c, std::size_t) {
+            std::vector<SlipPlaneCase>& planes = c.slip_planes;
+            return OwnForm{
+                "a list of tables { name = \"...\", method = \"...\", factor_of_safety = F, line = [[x, y], ...] }",
+                [&planes](const Entry& e, Findings& f) { return read_slip_planes(e, f, planes); },
+                [&planes] { return slip_planes_text(planes); }};
+          },
+      .unit = "m",
+      .meaning = "slip planes that another method found, which the report page draws over the slip surface; method and "
+                 "factor_of_safety may be left out",
+      .default_text = "none"}};
+}
+
+}  // namespace terp

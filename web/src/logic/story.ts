@@ -1,0 +1,231 @@
+// What happened in a run, in sentences: the numbers of summary.json and of the events, in the words of texts.ts.
+// Nothing is worked out here.
+
+import type { RunMeta, Slide } from "../data/format";
+import type { Run } from "../data/run";
+import { schemeLabel, spoken } from "./labels";
+import { fixed, metres, numberText, percent, withUnit } from "./numbers";
+import { slidesOf } from "./slides";
+import { ordinal, say, type TextKey } from "./texts";
+
+const HARDLY_MOVED = 0.01; // share of the volume
+const STILL_MOVING = 0.01; // kinetic energy at the end over its largest
+const MUCH_IMBALANCE = 0.05; // of the energy exchanged; also the limit of the program's warning
+
+interface StageOfSummary {
+  name: string;
+  start: number;
+  end: number;
+  at_rest?: boolean;
+  fastest_node?: number | null;
+}
+
+interface StrengthWater {
+  material: string;
+  parameter: string;
+  stress: string;
+  daily?: string | null;
+}
+
+const numberOf = (run: Pick<Run, "meta">, key: string): number => {
+  const value = run.meta.summary[key];
+  return typeof value === "number" ? value : 0;
+};
+
+function listOf<T>(meta: RunMeta, key: string): T[] {
+  const value = meta.summary[key];
+  return Array.isArray(value) ? (value as T[]) : [];
+}
+
+export const seconds = (value: number | null | undefined): string => fixed(value, 2, "\u00a0s");
+
+/** A share of one, in percent without decimals. */
+const wholePercent = (part: number): string => `${(100 * part).toFixed(0)}\u202f%`;
+
+/** Last and largest kinetic energy, of the nodes where the run has it. */
+function kineticOf(run: Run): { last: number; largest: number } {
+  const column = run.series?.column("kinetic_nodal") ?? run.series?.column("kinetic");
+  if (!column || column.length === 0) return { last: 0, largest: 0 };
+  return { last: column[column.length - 1]!, largest: column.reduce((most, value) => Math.max(most, value), 0) };
+}
+
+/** Time of the last row of the ledger, else of the last frame. */
+export function lastTime(run: Run): number {
+  const times = run.series?.column("time");
+  return times && times.length > 0 ? times[times.length - 1]! : run.meta.times[run.meta.times.length - 1]!;
+}
+
+/** "on the land's side"; empty where all slides go to the right and no river says more. */
+export function sideOf(meta: RunMeta, slide: Slide): string {
+  const river = meta.events?.flood?.river;
+  if (river) return say(slide.facing === river ? "side_river" : "side_land");
+  if (slidesOf(meta).every(({ facing }) => facing !== "left")) return "";
+  return say(slide.facing === "left" ? "side_left" : "side_right");
+}
+
+/** On which part of the dike a slide enters the ground. */
+export function zoneText(meta: RunMeta, slide: Slide): string {
+  if (!slide.entry) return "";
+  const river = meta.events?.flood?.river;
+  const [slope, other] = !river ? ["slope", "other_slope"] as const
+    : slide.facing === river ? ["outer_slope", "inner_slope"] as const : ["inner_slope", "outer_slope"] as const;
+  return say(`zone_${slide.entry.zone}`, { slope: say(slope), other: say(other) });
+}
+
+function tellStages(meta: RunMeta): string[] {
+  const stages = listOf<StageOfSummary>(meta, "stages").filter(({ name }) => name !== "");
+  if (stages.length === 0) return [];
+  const texts = stages.map(({ name, start, end, at_rest: rest, fastest_node: fastest }) => {
+    const values = { name, start: seconds(start), end: seconds(end) };
+    if (rest) return say("stage_rest", values);
+    return typeof fastest === "number" ? say("stage_moving", { ...values, speed: withUnit(fastest, "m/s", 2) })
+      : say("stage_plain", values);
+  });
+  return [say("story_stages", { stages: texts.join("; ") })];
+}
+
+function endOfSlide(run: Run, slides: Slide[], k: number): string {
+  const { stops, kinetic_peak: peak } = slides[k]!;
+  if (typeof stops === "number") return say("story_stopped", { time: seconds(stops) });
+  if (k + 1 < slides.length) return say("story_overtaken");
+  const { last } = kineticOf(run);
+  if (!peak) return "";
+  const factor = run.series?.unit("kinetic") === "kJ/m" ? 1e3 : 1; // the peak is in J/m
+  return say("story_goes_on", { time: seconds(lastTime(run)), percent: wholePercent((factor * last) / peak) });
+}
+
+function tellSlides(run: Run): string[] {
+  const { meta } = run;
+  const slides = slidesOf(meta);
+  if (slides.length === 0)
+    return [say((meta.events?.moved_fraction ?? 0) < HARDLY_MOVED ? "story_holds" : "story_creeps")];
+  return slides.map((slide, k) => {
+    const side = sideOf(meta, slide);
+    const { entry } = slide;
+    return [say("story_slide", { ordinal: ordinal(k), time: seconds(slide.begins), side: side && ` ${side}`,
+      from: metres(slide.crest_from), to: metres(slide.crest_to) }),
+    entry ? say("story_entry", { x: metres(entry.x), zone: zoneText(meta, slide) }) : "",
+    endOfSlide(run, slides, k)].filter(Boolean).join(" ");
+  });
+}
+
+/** How far the front came, or why there is none. */
+function frontText(meta: RunMeta): string {
+  const events = meta.events!;
+  if (!events.facing) return say("story_no_slope");
+  const known = typeof events.front_x === "number" && typeof events.run_out === "number";
+  if (events.free_toe !== false)
+    return known ? say("story_front", { distance: metres(events.run_out), x: metres(events.front_x) })
+      : say("story_no_soil");
+  if (!known) return say("story_toe_none");
+  const where = events.run_out! > 0 ? say("beyond_toe", { distance: metres(events.run_out) }) : say("not_beyond_toe");
+  return say("story_toe", { x: metres(events.front_x), where });
+}
+
+function tellMotion(run: Run): string[] {
+  const { meta } = run;
+  const events = meta.events!;
+  const slides = slidesOf(meta);
+  const moved = say("story_moved",
+    { time: seconds(lastTime(run)), volume: fixed(events.moved_volume, 2, "\u00a0m²"),
+      percent: percent(events.moved_fraction), distance: withUnit(events.moved_distance, "m", 2) });
+  const texts = [`${moved} ${frontText(meta)}`];
+  if (typeof events.intact_fraction === "number" && (events.moved_fraction ?? 0) > HARDLY_MOVED)
+    texts.push(say("story_intact", { percent: percent(events.intact_fraction) }));
+  const { x, y } = events.remaining_crest ?? {};
+  if (typeof x === "number" && typeof y === "number") texts.push(say("story_crest", { x: metres(x), y: metres(y) }));
+  else if (typeof x !== "number" && slides.length > 0) texts.push(say("story_no_crest"));
+  if (typeof events.residual_height === "number")
+    texts.push(say("story_height", { height: metres(events.residual_height) }));
+  const last = slides[slides.length - 1];
+  const stages = listOf<StageOfSummary>(meta, "stages");
+  const atRest = stages[stages.length - 1]?.at_rest === true;
+  const kinetic = kineticOf(run);
+  const told = last !== undefined && typeof last.stops !== "number";
+  if (!told && !atRest && kinetic.last > STILL_MOVING * kinetic.largest)
+    texts.push(say("story_still", { percent: wholePercent(kinetic.last / kinetic.largest) }));
+  return texts;
+}
+
+function tellStrength(meta: RunMeta): string[] {
+  const softened = listOf<{ fraction: number }>(meta, "softened_fraction");
+  const share = softened[softened.length - 1]?.fraction ?? 0;
+  const texts = share > 0 ? [say("story_softened", { percent: percent(share) })] : [];
+  const water = (name: string) => (name === "start" ? say("water_start") : say("water_situation", { name }));
+  const groups = new Map<string, { of: StrengthWater; soils: string[] }>();
+  for (const of of listOf<StrengthWater>(meta, "strength_water")) {
+    const key = [of.parameter, of.stress, of.daily ?? ""].join("\n");
+    const group = groups.get(key) ?? { of, soils: [] };
+    group.soils.push(spoken(of.material));
+    groups.set(key, group);
+  }
+  for (const { of, soils } of groups.values()) {
+    const values = { soils: soils.join(", "), parameter: of.parameter, water: water(of.stress) };
+    texts.push(of.daily ? say("story_strength_daily", { ...values, daily: water(of.daily) })
+      : say("story_strength", values));
+  }
+  return texts;
+}
+
+function tellHistory(run: Run): string[] {
+  const fell = numberOf(run, "points_eps_eq_p_fell");
+  if (fell === 0) return [];
+  const values = { n: fell, all: run.meta.n_points, scheme: schemeLabel(run.meta.scheme) };
+  return [say(numberOf(run, "points_su_rose") > 0 ? "story_fell_back" : "story_fell", values)];
+}
+
+function tellPlanes({ slip_planes: planes }: RunMeta): string[] {
+  return planes.length === 0 ? [] : [say("story_planes", { planes: planes.map(planeText).join("; ") })];
+}
+
+/** "D-Stability: Bishop, F = 1.05" */
+export function planeText(plane: RunMeta["slip_planes"][number]): string {
+  const factor = plane.factor_of_safety === null ? "" : `F = ${numberText(plane.factor_of_safety, 4)}`;
+  const details = [plane.method, factor].filter(Boolean).join(", ");
+  return details ? `${plane.name}: ${details}` : plane.name;
+}
+
+/** Sentences for a person who sees the run for the first time. */
+export function tellStory(run: Run): string[] {
+  if (!run.meta.events) return [say("story_running", { time: seconds(lastTime(run)) })];
+  return [...tellStages(run.meta), ...tellSlides(run), ...tellMotion(run), ...tellStrength(run.meta),
+    ...tellHistory(run), ...tellPlanes(run.meta)];
+}
+
+export interface Check {
+  name: string;
+  value: string;
+  passed: boolean;
+}
+
+export function listChecks(run: Run): Check[] {
+  const { meta } = run;
+  if (!meta.events) return [{ name: say("check_end"), value: say("no"), passed: false }]; // the rest is not known yet
+  const error = numberOf(run, "energy_balance_error");
+  const count = (key: TextKey, column: string): Check =>
+    ({ name: say(key), value: String(numberOf(run, column)), passed: numberOf(run, column) === 0 });
+  return [
+    { name: say("check_end"), value: say(meta.finished ? "yes" : "no"), passed: meta.finished },
+    { name: say("check_energy"), value: withUnit(100 * error, "%", 2), passed: error <= MUCH_IMBALANCE },
+    count("check_clamped", "clamped_points"),
+    count("check_fell", "points_eps_eq_p_fell"),
+    count("check_rose", "points_su_rose"),
+  ];
+}
+
+/** What the reader must know before trusting the numbers, of the program and of the numbers themselves. */
+export function listWarnings(run: Run): string[] {
+  const { meta } = run;
+  const error = numberOf(run, "energy_balance_error");
+  const warnings: string[] = [];
+  if (!meta.finished) warnings.push(say("warn_unfinished", { time: withUnit(lastTime(run), "s", 3) }));
+  if (meta.events) {
+    if (error > MUCH_IMBALANCE) warnings.push(say("warn_energy", { percent: withUnit(100 * error, "%", 2) }));
+    for (const [key, column] of [["warn_clamped", "clamped_points"], ["warn_left", "points_left"]] as const)
+      if (numberOf(run, column) > 0) warnings.push(say(key, { n: numberOf(run, column) }));
+  }
+  const told = new Set([say("check_end"), say("check_energy"), say("check_clamped")]);
+  const failed = listChecks(run).filter((check) => !check.passed && !told.has(check.name));
+  return [...warnings, ...meta.warnings,
+    ...failed.map(({ name, value }) => say("warn_check", { name, value }))];
+}

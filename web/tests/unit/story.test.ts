@@ -1,0 +1,118 @@
+// The words about a run, from its numbers.
+
+import { afterEach, describe, expect, it } from "vitest";
+import type { Run } from "../../src/data/run";
+import { Table } from "../../src/data/table";
+import { listChecks, listWarnings, tellStory } from "../../src/logic/story";
+import { chooseLanguage } from "../../src/logic/texts";
+
+afterEach(() => chooseLanguage("en"));
+
+/** A run of 4 s that ends with a fifth of its largest kinetic energy, 1000 J/m. */
+function sampleRun(events: object = {}, summary: object = {}, kinetic = [0, 1, 0.2]): Run {
+  const columns = [{ name: "time", unit: "s" }, { name: "kinetic", unit: "kJ/m" }];
+  return {
+    meta: {
+      finished: true, scheme: "mpm_gp", n_points: 500, times: [0, 4], warnings: [], slip_planes: [],
+      events: { facing: "right", front_x: 13.06, run_out: 5.07, moved_volume: 6.47, moved_fraction: 0.404, moved_distance: 0.1,
+        remaining_crest: { x: 4.1, y: 1.96 }, slides: [], ...events },
+      summary: { ...summary },
+    },
+    series: new Table(columns, 3, Float32Array.from([0, 1, 4, ...kinetic])),
+  } as unknown as Run;
+}
+
+const slide = (begins: number, stops: number | null, more = {}) =>
+  ({ begins, stops, crest_from: 8, crest_to: 6, kinetic_peak: 1000, facing: "right", ...more });
+const plain = (texts: string[]) => texts.map((text) => text.replace(/[\u00a0\u202f]/g, " "));
+
+describe("the story", () => {
+  it("tells each slide, motion and crest", () => {
+    expect(plain(tellStory(sampleRun({ slides: [slide(0.18, 2.16), slide(2.52, null)] })))).toEqual([
+      "The first slide begins at 0.18 s: the crest retreats from x = 8.00 m to 6.00 m. At 2.16 s it has slowed to a tenth of its largest kinetic energy.",
+      "The second slide begins at 2.52 s: the crest retreats from x = 8.00 m to 6.00 m. It still moves at 4.00 s, with 20 % of its largest kinetic energy.",
+      "By 4.00 s, 6.47 m² of soil (40.4 % of the section) have moved by more than 0.1 m. The front has run out by 5.07 m, to x = 13.06 m.",
+      "The first surface still stands up to x = 4.10 m, y = 1.96 m.",
+    ]);
+  });
+
+  it("says when a slide is overtaken by the next, and that soil still moves", () => {
+    const texts = plain(tellStory(sampleRun({ slides: [slide(0.18, null), slide(2.52, 3)] })));
+    expect(texts[0]).toContain("It has not slowed to a tenth of its largest kinetic energy when the next one begins.");
+    expect(texts).toContain("At the end the soil still moves, with 20 % of its largest kinetic energy.");
+  });
+
+  it("says where a slide enters the ground, and on whose side it is", () => {
+    const entry = { x: 7.2, y: 2, zone: "upper_half" };
+    const [text] = plain(tellStory(sampleRun({ slides: [slide(0.18, 2.16, { entry })], flood: { river: "left" } })));
+    expect(text).toContain("begins at 0.18 s on the land's side: ");
+    expect(text).toContain("Its slip surface enters the ground at x = 7.20 m, in the upper half of the inner slope.");
+    const [left] = tellStory(sampleRun({ slides: [slide(0.18, 2.16, { facing: "left" })] }));
+    expect(left).toContain(" on the slope to the left: ");
+  });
+
+  it("says that soil holds, or only creeps", () => {
+    expect(tellStory(sampleRun({ moved_fraction: 0 }))[0]).toBe("The soil holds: there is no slide.");
+    expect(tellStory(sampleRun({ moved_fraction: 0.3 }))[0]).toBe("Soil moves, but the crest does not retreat as in a slide.");
+  });
+
+  it("of a run that goes on waits for its summary", () => {
+    const run = sampleRun();
+    run.meta.events = null;
+    expect(plain(tellStory(run))).toEqual(["The run has come to 4.00 s. What happened is told when it ends or is stopped."]);
+    expect(listChecks(run)).toEqual([{ name: "The run reached its end", value: "no", passed: false }]);
+  });
+
+  it("says that the toe is not free, and how far soil came", () => {
+    const of = (more: object) => plain(tellStory(sampleRun({ free_toe: false, ...more })))[1];
+    expect(of({})).toMatch(/its toe is not free: what moved reaches x = 13.06 m, 5.07 m beyond the toe of the slope\.$/);
+    expect(of({ front_x: null })).toMatch(/its toe is not free: no soil has come out of the slope\.$/);
+    expect(of({ facing: null })).toMatch(/The section has no slope: there is no front and no crest\.$/);
+  });
+
+  it("tells of stages, of softening and of the water of strengths", () => {
+    const summary = {
+      stages: [{ name: "daily", start: 0, end: 4.25, at_rest: true }, { name: "flood", start: 4.25, end: 44, at_rest: false, fastest_node: 0.0125 }],
+      strength_water: [{ material: "clay", parameter: "su_peak", stress: "flood", daily: "start" },
+        { material: "peat", parameter: "su_peak", stress: "flood", daily: "start" }, { material: "sand", parameter: "cohesion", stress: "start" }],
+      softened_fraction: [{ time: 4, fraction: 0.417 }], points_eps_eq_p_fell: 16, points_su_rose: 14,
+    };
+    const texts = plain(tellStory(sampleRun({ intact_fraction: 0.248 }, summary)));
+    expect(texts).toContain("Stages: daily from 0.00 s to 4.25 s, at rest; flood from 4.25 s to 44.00 s, not at rest (the fastest node: 0.013 m/s).");
+    expect(texts).toContain("Strength of clay, peat: su_peak follows from sigma'_v in the water of the situation “flood”, and from sigma'_p in the water at the start.");
+    expect(texts).toContain("Strength of sand: cohesion follows from sigma'_v in the water at the start.");
+    expect(texts).toContain("41.7 % of the soil has lost more than half of its strength.");
+    expect(texts).toContain("Of the soil that moved, 24.8 % is intact: its plastic strain is below 0.01.");
+    expect(texts.some((text) => /^At 16 of 500 points the plastic strain fell at some time and strength came back\./.test(text))).toBe(true);
+  });
+
+  it("names the slip planes of other methods", () => {
+    const run = sampleRun();
+    run.meta.slip_planes = [{ name: "D-Stability", method: "Bishop", factor_of_safety: 1.046, points: [[0, 1], [1, 0]] },
+      { name: "sketch", method: "", factor_of_safety: null, points: [[0, 1], [1, 0]] }];
+    expect(tellStory(run)).toContain("Slip planes of other methods are drawn over it: D-Stability: Bishop, F = 1.046; sketch.");
+  });
+
+  it("is told in Dutch too, without a word of English", () => {
+    chooseLanguage("nl");
+    const texts = plain(tellStory(sampleRun({ slides: [slide(0.18, 2.16)] })));
+    expect(texts[0]).toBe("De eerste afschuiving begint op 0,18 s: de kruin gaat terug van x = 8,00 m naar 6,00 m. Op 2,16 s is zij vertraagd tot een tiende van haar grootste bewegingsenergie.");
+    expect(texts.join(" ")).not.toMatch(/\b(the|of|slide|soil|water level)\b/i);
+  });
+});
+
+describe("warnings and checks", () => {
+  it("are none for a good run", () => {
+    expect(listWarnings(sampleRun())).toEqual([]);
+    for (const check of listChecks(sampleRun())) expect(check.passed).toBe(true);
+  });
+
+  it("name what is not as it should be, each once", () => {
+    const run = sampleRun({}, { energy_balance_error: 0.06, clamped_points: 3, points_left: 7, points_su_rose: 2 });
+    run.meta.finished = false;
+    run.meta.warnings = ["A frame is missing."];
+    expect(plain(listWarnings(run))).toEqual(["The run has not reached its end: the last row of its ledger is at 4 s.",
+      "The energy balance is off by 6 % of the energy exchanged.", "3 points had to be put back at a wall of the mesh.",
+      "7 points left the mesh through open sides.", "A frame is missing.", "Check not passed: Points whose strength ever rose: 2."]);
+  });
+});
