@@ -1,6 +1,7 @@
 #include "dstability/case_folder.hpp"
 
 #include "base/errors.hpp"
+#include "dstability/reference_text.hpp"
 #include "dstability/section_layout.hpp"
 #include "dstability/soil_text.hpp"
 #include "dstability/water_text.hpp"
@@ -70,6 +71,8 @@ class FolderMaker {
     text_.before.push_back(mesh_table(layout_));
     make_time();
     for (CaseTableText& table : common_tables(layout_)) text_.after.push_back(std::move(table));
+    for (CaseTableText& table : reference_texts(project_, options_.scenario, options_.stage))
+      text_.after.push_back(std::move(table));
     CaseFolder folder;
     folder.files.push_back({"case.toml", text_of(text_)});
     for (auto& file : files_) folder.files.push_back(std::move(file));

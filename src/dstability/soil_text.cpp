@@ -173,6 +173,9 @@ SoilText soil_text(const SoilUse& use, StixBasis basis, const std::vector<SoilKi
       break;
     default: refuse(use, use.above ? soil.above_word : soil.below_word);
   }
+  const bool has_colour =
+      soil.colour.size() == 9 && soil.colour.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+  if (has_colour) lines.push_back({"color", quoted('#' + soil.colour.substr(3)), "of the file"});
   text.assumed.push_back(fmt::format("{}: stiffness, Poisson's ratio and K0 are defaults of {}.", use.name, kind.kind));
   return text;
 }

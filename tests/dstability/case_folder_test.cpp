@@ -160,6 +160,22 @@ TEST(CaseFolder, CutsASoilThatDiffersAboveThePhreaticLine)
   EXPECT_TRUE(names.contains("sand_with_clay_below"));
 }
 
+TEST(CaseFolder, HasTheColoursAndSlipPlanesOfTheFile)
+{
+  const Case description = read_folder(tutorial(), "folder_of_tutorial").values;
+  const StixProject project = read_stix(sample("tutorial-2023"));
+  std::vector<StixCalculation> stored = project.scenarios[1].calculations;
+  std::erase_if(stored, [](const StixCalculation& c) { return c.result->slip_plane.empty(); });  // probabilistic
+  ASSERT_EQ(stored.size(), 3u);
+  ASSERT_EQ(description.slip_planes.size(), stored.size());
+  for (std::size_t k = 0; k < stored.size(); ++k) {
+    EXPECT_EQ(description.slip_planes[k].method, stored[k].method);
+    EXPECT_NEAR(description.slip_planes[k].factor_of_safety, stored[k].result->factor_of_safety, 1e-4);
+    EXPECT_EQ(description.slip_planes[k].line.size(), stored[k].result->slip_plane.size());
+  }
+  for (const MaterialCase& material : description.materials) EXPECT_EQ(material.color.size(), 7u) << material.name;
+}
+
 TEST(CaseFolder, ReportsWhatWasAssumed)
 {
   const std::string& report = tutorial().files.back().second;
