@@ -11,6 +11,7 @@
 #include "output/summary_json.hpp"
 #include "parallel/instructions.hpp"
 #include "progress.hpp"
+#include "simulation/other_run.hpp"
 #include "simulation/setup_warnings.hpp"
 #include "simulation/simulation.hpp"
 #include "simulation/softening_scales.hpp"
@@ -260,18 +261,24 @@ Checkpoint find_checkpoint(const std::string& path)
   return {found.path, std::move(*found.image)};
 }
 
-/// What changed in the case since the run began, of what may. Throws FileError at anything else: no result may come
-/// from two cases.
-std::vector<ChangedValue> check_unchanged(const std::string& folder, const StateImage& image, const CaseRecord& now)
+/// What changed in the case since the run began, of what may, and the lines of what may not.
+std::vector<ChangedValue> split_changes(const StateImage& image, const CaseRecord& now, std::string& refused)
 {
   std::vector<ChangedValue> allowed;
-  std::string refused;
   for (ChangedValue& change : changes_since(image.case_record, now)) {
     if (!may_change_on_resume(change.key))
       refused += "\n  " + change.text();
     else
       allowed.push_back(std::move(change));
   }
+  return allowed;
+}
+
+/// Throws FileError where anything else changed: no result may come from two cases.
+std::vector<ChangedValue> check_unchanged(const std::string& folder, const StateImage& image, const CaseRecord& now)
+{
+  std::string refused;
+  std::vector<ChangedValue> allowed = split_changes(image, now, refused);
   if (refused.empty()) return allowed;
   throw FileError(fmt::format(
       "cannot resume from step {0}: {1} was changed since the run began{2}\n"
@@ -297,15 +304,16 @@ Case with_first_end(Case description, const StateImage& image)
   return description;
 }
 
-/// The end as the case has it now; the time step stays.
-void set_end(const Case& now, const StateImage& image, Model& model)
+/// The end as the case has it now must lie after the checkpoint. Of a run that began with the end of another, time.end
+/// counts from there.
+void check_end(const Case& now, const Model& model, const State& state)
 {
-  if (now.time.end != model.description.time.end) move_end(model, now.time.end);
-  if (model.n_steps < image.step)
-    throw FileError(
-        fmt::format("cannot resume from step {}, t = {:.4g} s: time.end = {} s lies before it\n"
-                    "  Set a later time.end in {} of the folder, or name an earlier checkpoint.",
-            image.step, image.time, now.time.end, case_file));
+  if (last_step_of_run(model, state) >= state.step) return;
+  throw FileError(fmt::format(
+      "cannot resume from step {}, t = {:.4g} s: time.end = {} s{} lies before it\n"
+      "  Set a later time.end in {} of the folder, or name an earlier checkpoint.",
+      state.step, state.time, now.time.end,
+      state.stage_start > 0 ? fmt::format(" from t = {:.4g} s on", model.time_of(state.stage_start)) : "", case_file));
 }
 
 /// Finds the history points; the case must still seed the points of the checkpoint.
@@ -338,6 +346,7 @@ std::string unquoted(const std::string& text)
 
 /// Where a run begins that goes on from another one.
 struct Beginning {
+  std::string path;  ///< of the checkpoint
   StateImage image;
   std::string stage;  ///< that ended there; empty: none
 };
@@ -354,7 +363,8 @@ Beginning find_beginning(const std::string& from)
         fmt::format("{}: there is no such run or checkpoint\n  Give RUN:STAGE, the end of a stage of a run, "
                     "a run folder, or a checkpoint in it.",
             from));
-  Beginning found{find_checkpoint(path).image, ""};
+  auto [checkpoint, image] = find_checkpoint(path);
+  Beginning found{std::move(checkpoint), std::move(image), ""};
   const ArrayReader arrays(found.image);
   if (!arrays.has("stages_done")) return found;
   const auto number = arrays.wholes("stage", 3)[0];
@@ -379,6 +389,27 @@ void check_same_soil(const std::string& from, const StateImage& image, const Cas
           from, refused));
 }
 
+/// The model of the run that another one begins with, from the case in its folder.
+Model model_before(const Beginning& beginning, const SharedMesh& mesh, int threads)
+{
+  const std::string folder = folder_of(beginning.path), path = path_in(folder, case_file);
+  const std::string why =
+      "\n  What the soil of the checkpoint is made of stands there: its drainage, densities and loads.";
+  if (!std::filesystem::exists(path))
+    throw FileError(fmt::format("cannot begin with {}: there is no {} beside it{}", beginning.path, case_file, why));
+  const CaseFile file = read_case(path);
+  std::string refused;
+  split_changes(beginning.image, make_case_record(file, *mesh), refused);
+  if (!refused.empty())
+    throw FileError(
+        fmt::format("cannot begin with {}: {} was changed since that run began{}{}\n  Put back what it "
+                    "began with.",
+            beginning.path, path, refused, why));
+  Model model = build_model(with_first_end(file.values, beginning.image), mesh, threads);
+  model.followers = all_followers();
+  return model;
+}
+
 /// The simulation at the state with which it begins.
 Simulation begin(const CaseFile& file, const RunOptions& options)
 {
@@ -388,8 +419,10 @@ Simulation begin(const CaseFile& file, const RunOptions& options)
   model.followers = all_followers();
   check_same_soil(options.from, beginning.image, make_case_record(file, *model.mesh));
   seed_again(beginning.image, model);
-  State state = restore_from(options.from, model, beginning.image);
-  begin_from(model, beginning.stage, state);
+  Model before = model_before(beginning, model.mesh, threads_of(options));
+  State state = restore_from(options.from, before, beginning.image);
+  before = model_for(std::move(before), state);
+  begin_from(before, beginning.stage, model, state);
   return Simulation(std::move(model), std::move(state));
 }
 
@@ -432,9 +465,10 @@ int resume_run(const RunOptions& options)
     const CaseRecord record = make_case_record(file, *model.mesh);
     const auto changes = check_unchanged(folder, image, record);
     seed_again(image, model);
-    set_end(file.values, image, model);
+    if (file.values.time.end != model.description.time.end) move_end(model, file.values.time.end);
     State restored = restore_from(checkpoint, model, image);
     Simulation simulation(std::move(model), std::move(restored));
+    check_end(file.values, simulation.model, simulation.state);
     warn_of_missing_threads(options, simulation.model.threads);
     const State& state = simulation.state;
     const Summary before = summary_so_far(folder);

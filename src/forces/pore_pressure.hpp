@@ -19,9 +19,8 @@ namespace terp {
 
 /// Water on the nodes of the mesh at the time of a step.
 struct PorePressure {
-  Real time = std::numeric_limits<Real>::quiet_NaN();  ///< [s]; NaN: not yet set
-  std::vector<Real> pressure;                          ///< p, at least 0 [Pa], shape [n_nodes]
-  std::vector<Real> suction;                           ///< s, at least 0 [Pa], shape [n_nodes]; empty: none anywhere
+  std::vector<Real> pressure;  ///< p, at least 0 [Pa], shape [n_nodes]
+  std::vector<Real> suction;   ///< s, at least 0 [Pa], shape [n_nodes]; empty: none anywhere
 };
 
 /// Values of the nodes at the corners of one cell, or of eight in packs.

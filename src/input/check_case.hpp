@@ -24,6 +24,10 @@ void turn_counter_clockwise(MeshCase& mesh);
 /// The end of a run that ends at rest or has stages, from what they say.
 void set_end_of_run(Case& values);
 
+/// What moves for ever, or changes for ever: rest would say nothing, or never come. Of a case, or a stage, that is to
+/// end at rest.
+void check_what_goes_on(const Case& values, std::vector<Problem>& warnings);
+
 /// [time] and [[stage]]: ends that contradict each other, names that two stages share.
 void check_stages(const Node& root, const Case& values, Findings& findings);
 

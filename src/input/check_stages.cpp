@@ -58,7 +58,7 @@ void check_water_of_stage(const Case& values, std::size_t k, Findings& findings)
   if (name.empty()) return;
   std::vector<std::string> known;
   bool timed = false;
-  if (values.water.is_given()) known.emplace_back("start");
+  if (values.water.is_given()) known.emplace_back(name_of_start);
   for (const WaterSituation& situation : values.water.situations) {
     known.push_back(situation.name);
     timed = timed || std::isfinite(situation.time);
@@ -89,6 +89,20 @@ void check_stage(const Node& root, const Case& values, std::size_t k, Findings& 
         fmt::format("Got {:g} s; allowed: at most {:g} s.", stage.ramp, stage.longest()), "stage.ramp", false, {path}});
 }
 
+/// Largest speed that the conditions of a case prescribe [m/s], and the key that does.
+std::pair<Real, std::string> driven(const Case& values)
+{
+  std::pair<Real, std::string> fastest{0.0, ""};
+  const auto look = [&](Vec<2> v, std::string key) {
+    if (const Real speed = std::hypot(v[0], v[1]); speed > fastest.first) fastest = {speed, std::move(key)};
+  };
+  for (const SideCondition& side : values.sides)
+    look(side.velocity_at ? Vec<2>{INFINITY, 0.0} : side.velocity, join_path("boundary", side.side) + ".velocity");
+  for (std::size_t k = 0; k < values.footings.size(); ++k)
+    look(values.footings[k].velocity, fmt::format("footing[{}].velocity", k));
+  return fastest;
+}
+
 /// What keeps soil from coming to rest.
 void check_rest(const Node& root, const Case& values, Findings& findings)
 {
@@ -98,6 +112,7 @@ void check_rest(const Node& root, const Case& values, Findings& findings)
     if (!any && find_node(root, key) != nullptr)
       findings.warnings.push_back({key, fmt::format("`{}` has no effect", key + 5),
           "Nothing ends at rest: it counts with until = \"at_rest\".", key, true});
+  if (values.stages.empty() && any) check_what_goes_on(values, findings.warnings);
   if (any && values.forces.local_damping == 0.0 && values.forces.viscous_damping == 0.0)
     findings.warnings.push_back(
         {values.time.until == Until::at_rest ? "time.until" : "stage", "without damping soil hardly comes to rest",
@@ -106,6 +121,28 @@ void check_rest(const Node& root, const Case& values, Findings& findings)
 }
 
 }  // namespace
+
+void check_what_goes_on(const Case& values, std::vector<Problem>& warnings)
+{
+  const auto changes = [](const WaterSituation& of) { return of.formula_changes; };
+  if (changes(values.water.start) || std::ranges::any_of(values.water.situations, changes))
+    warnings.push_back({"water", "water that follows a formula of t never stands still",
+        "What ends at rest then ends with its longest time. Give the water as situations with a `time`, or a fixed "
+        "time of the end.",
+        "time.until", true});
+  const auto [speed, key] = driven(values);
+  if (speed == 0.0) return;
+  if (speed < values.time.rest_speed)
+    warnings.push_back({key, "soil that is pushed this slowly counts as at rest",
+        fmt::format("It is {:.3g} m/s; time.rest_speed is {:.3g} m/s. What ends at rest ends while it is still pushed. "
+                    "Give rest_speed below it, or a fixed time of the end.",
+            speed, values.time.rest_speed),
+        "time.rest_speed", false, {"time"}});
+  else
+    warnings.push_back({key, "soil that is pushed does not come to rest",
+        "What ends at rest then ends with its longest time. Give a fixed time of the end.", "time.until", false,
+        {"time"}});
+}
 
 void set_end_of_run(Case& values)
 {

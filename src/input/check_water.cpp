@@ -90,6 +90,9 @@ void check_times(const WaterCase& water, Findings& findings)
       findings.problems.push_back({path, "a water situation needs a `time` or a `name`",
           "Give time = T, in s, at which this water is reached; or a name by which something else asks for it.",
           "water.situation", true});
+    if (list[k].name == name_of_start)
+      findings.problems.push_back({path + ".name", "`start` is the name of the water of [water]",
+          "Stages and strengths ask for that of t = 0 by it. Give this situation another name.", "water.situation"});
     for (std::size_t other = 0; other < k; ++other) {
       if (list[k].time == list[other].time)
         findings.problems.push_back({path + ".time", "two water situations have the same `time`",

@@ -129,6 +129,7 @@ void read_stages(const Document& document, Case& values, std::vector<Problem>& w
       set_end_of_run(now);
       check_case(changed.root, now, findings);
       check_fields_of_laws(values, now, findings.problems);
+      if (stage.until == Until::at_rest) check_what_goes_on(now, findings.warnings);
     }
     if (!findings.problems.empty()) throw CaseError(render_errors(findings.problems, changed));
     for (const Problem& w : findings.warnings)

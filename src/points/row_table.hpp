@@ -34,6 +34,7 @@ struct RowInfo {
   int first = 0;  ///< set by the table
 
   bool is_of(Index material) const;
+  bool operator==(const RowInfo&) const = default;
 };
 
 class RowTable {
@@ -49,6 +50,7 @@ class RowTable {
   /// Those beyond the fixed ones.
   std::span<const RowInfo> added() const { return entries().subspan(n_fixed_); }
   int n_rows() const;
+  bool operator==(const RowTable&) const = default;
 
  private:
   std::vector<RowInfo> entries_;

@@ -1,6 +1,7 @@
 #include "report/backdrop.hpp"
 
 #include "points/body_outline.hpp"
+#include "simulation/stages.hpp"
 #include "water/water_pressure.hpp"
 
 #include <algorithm>
@@ -45,39 +46,16 @@ void add_region(std::vector<float>& line, const Mesh<2>& mesh, const std::string
   }
 }
 
-/// Between two situations, by their numbers.
-struct WaterAt {
-  std::size_t from = 0, to = 0;
-  Real share = 1.0;  ///< of the second
-};
-
 /// The water of the stage that has a time, on its ramp; where no stage names any, that of the times of the situations.
-/// stages: those that have ended.
-WaterAt water_at(const Case& description, const std::vector<StageSummary>& stages, Real time)
+/// stages: those that have ended. begin: time with which the run begins [s].
+WaterWay water_at(const Case& description, const std::vector<StageSummary>& stages, Real begin, Real time)
 {
-  const WaterCase& water = description.water;
-  const auto names_water = [](const StageCase& stage) { return !stage.water.empty(); };
-  if (std::ranges::none_of(description.stages, names_water)) {
-    const std::vector<WaterKnot> knots = knots_of(water);
-    const auto after = std::ranges::find_if(knots, [time](const WaterKnot& knot) { return knot.time > time; });
-    const WaterKnot &a = *(after - 1), &b = after == knots.end() ? a : *after;
-    return {a.situation, b.situation, b.time > a.time ? (time - a.time) / (b.time - a.time) : 0.0};
-  }
-  WaterAt now;
-  Real start = 0.0;
-  for (std::size_t k = 0; k < description.stages.size(); ++k) {
-    const StageCase& stage = description.stages[k];
-    now.from = now.to;
-    const auto named = std::ranges::find(water.situations, stage.water, &WaterSituation::name);
-    if (named != water.situations.end())
-      now.to = static_cast<std::size_t>(named - water.situations.begin()) + 1;
-    else if (!stage.water.empty())
-      now.to = 0;
-    now.share = Ramp{start, stage.ramp}.share_at(time);
-    if (k >= stages.size() || time <= stages[k].record.end) break;
-    start = stages[k].record.end;
-  }
-  return now;
+  std::size_t k = 0;
+  while (k + 1 < description.stages.size() && k < stages.size() && time > stages[k].record.end) ++k;
+  const StageWater water = water_of_stage(description, k);
+  if (!water.given) return way_at(knots_of(description.water), time);
+  const Real start = k > 0 ? stages[k - 1].record.end : begin;
+  return {water.from, water.to, Ramp{start, description.stages[k].ramp}.share_at(time)};
 }
 
 }  // namespace
@@ -106,11 +84,11 @@ std::vector<float> first_outline(const Case& description, const Mesh<2>& mesh)
 }
 
 std::vector<float> phreatic_line(
-    const Case& description, const std::vector<StageSummary>& stages, const Mesh<2>& mesh, Real time)
+    const Case& description, const std::vector<StageSummary>& stages, const Mesh<2>& mesh, Real begin, Real time)
 {
   const WaterCase& water = description.water;
   if (water.start.phreatic_line.empty()) return {};
-  const WaterAt now = water_at(description, stages, time);
+  const WaterWay now = water_at(description, stages, begin, time);
   const auto &from = situation_of(water, now.from).phreatic_line, &to = situation_of(water, now.to).phreatic_line;
   if (from.empty() || to.empty()) return {};  // a formula
   const Real share = now.share;

@@ -16,9 +16,10 @@ std::vector<float> mesh_edges(const Mesh<2>& mesh);
 /// come as points have none.
 std::vector<float> first_outline(const Case& description, const Mesh<2>& mesh);
 
-/// The phreatic line at a time, over the width of the mesh: x, y [m], shape [n, 2]; empty without one.
+/// The phreatic line at a time, over the width of the mesh: x, y [m], shape [n, 2]; empty without one. begin: time with
+/// which the run begins, not 0 where it goes on from another one [s].
 std::vector<float> phreatic_line(
-    const Case& description, const std::vector<StageSummary>& stages, const Mesh<2>& mesh, Real time);
+    const Case& description, const std::vector<StageSummary>& stages, const Mesh<2>& mesh, Real begin, Real time);
 
 /// Columns for the free surface, and how far the soil of a point reaches above it [m].
 struct SurfaceColumns {

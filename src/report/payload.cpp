@@ -217,7 +217,8 @@ Json water_json(Chunks& chunks, const Source& source, const ShownRun& shown)
   if (!source.mesh || source.case_read->values.water.start.phreatic_line.empty()) return nullptr;
   LinesOfFrames lines;
   for (const Real time : shown.times)
-    lines.add(phreatic_line(source.case_read->values, source.run.summary.values.stages, *source.mesh, time));
+    lines.add(phreatic_line(
+        source.case_read->values, source.run.summary.values.stages, *source.mesh, shown.times.front(), time));
   return lines.json(chunks);
 }
 

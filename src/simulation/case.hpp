@@ -13,6 +13,7 @@
 #include "water/water_case.hpp"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -200,6 +201,8 @@ struct Case {
   OutputCase output;
   FloodCase flood;
   std::vector<SlipPlaneCase> slip_planes;
+  /// The case of the whole run, whose ground at t = 0 strengths follow from; none: it is this one.
+  std::shared_ptr<const Case> ground_of = nullptr;
 };
 
 }  // namespace terp

@@ -2,6 +2,7 @@
 
 #include "simulation/ground_section.hpp"
 #include "simulation/overburden.hpp"
+#include "simulation/stages.hpp"
 #include "water/water_pressure.hpp"
 
 #include <array>
@@ -17,19 +18,12 @@ namespace {
 constexpr Real least_depth = 1e-6;  // of water that counts as free [m]
 constexpr Real no_water = -std::numeric_limits<Real>::infinity();
 
-/// Water that a run comes to: between two situations, or one of them.
-struct WaterReached {
-  std::size_t before, after;  ///< numbers of the situations
-  Real share;                 ///< of the second
-};
-
 /// The start, the water of each stage or each time of a situation, and the end of the run.
-std::vector<WaterReached> waters_of(const Case& c)
+std::vector<WaterWay> waters_of(const Case& c)
 {
-  std::vector<WaterReached> waters{{0, 0, 0.0}};
-  for (const StageCase& stage : c.stages)
-    for (std::size_t k = 0; k < c.water.situations.size(); ++k)
-      if (!stage.water.empty() && c.water.situations[k].name == stage.water) waters.push_back({k + 1, k + 1, 0.0});
+  std::vector<WaterWay> waters{{0, 0, 0.0}};
+  for (std::size_t k = 0; k < c.stages.size(); ++k)
+    if (const StageWater water = water_of_stage(c, k); water.given) waters.push_back({water.to, water.to, 0.0});
   const std::vector<WaterKnot> knots = knots_of(c.water);
   for (std::size_t k = 1; k < knots.size() && knots[k - 1].time < c.time.end; ++k) {
     const Real length = knots[k].time - knots[k - 1].time;
@@ -49,8 +43,8 @@ struct FreeWater {
 FreeWater highest_at(Real x, Real ground, const Case& c)
 {
   FreeWater highest;
-  for (const WaterReached& water : waters_of(c)) {
-    const WaterSituation &a = situation_of(c.water, water.before), &b = situation_of(c.water, water.after);
+  for (const WaterWay& water : waters_of(c)) {
+    const WaterSituation &a = situation_of(c.water, water.from), &b = situation_of(c.water, water.to);
     if (a.formula || b.formula) continue;
     const Real level = std::lerp(elevation_at(a.phreatic_line, x), elevation_at(b.phreatic_line, x), water.share);
     if (level > ground + least_depth && level > highest.level) highest = {level, b.name};

@@ -1,6 +1,6 @@
 #include "simulation/initial.hpp"
 
-#include "simulation/loads.hpp"
+#include "simulation/nodal_water.hpp"
 #include "simulation/no_equilibrium.hpp"
 #include "simulation/overburden.hpp"
 #include "simulation/run.hpp"
@@ -45,18 +45,16 @@ void set_initial_stress(const Model& model, State& state)
   const Case& c = model.description;
   const bool first_guess = c.initial.stress == InitialStress::equilibrium && model.water;
   if (c.initial.stress != InitialStress::k0 && !first_guess) return;
-  const Overburden overburden(model);
+  const Overburden overburden(model, -model.gravity_at(0.0)[1]);
   if (first_guess && !overburden.is_known()) return;
+  const WaterWay way = water_way(model, 0.0, model.ramp.share_at(0.0));
+  const WaterSituation& water = situation_of(c.water, way.share > 0.0 ? way.to : way.from);
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const Vec<2> x{block.row(Rows::x)[lane], block.row(Rows::x + 1)[lane]};
     const MaterialCase& material = c.materials[block.material];
     const Real k0 = std::isnan(material.k0) ? c.initial.k0 : material.k0;
-    const Real load = permanent_pressure_at(model, x[0]);
-    Real vertical = model.gravity[1] * overburden.mass_above(x) - load, stored = 0.0;
-    if (model.water) {
-      vertical = -overburden.effective(x, first_water(c.water)) - load;
-      stored = material.stores_effective() ? 0.0 : overburden.pore_pressure(x, first_water(c.water));
-    }
+    const Real vertical = -overburden.effective(x, water),
+               stored = material.stores_effective() ? 0.0 : overburden.pore_pressure(x, water);
     block.row(Rows::sigma)[lane] = k0 * vertical - stored;
     block.row(Rows::sigma + 1)[lane] = vertical - stored;
     block.row(Rows::sigma + 2)[lane] = k0 * vertical - stored;

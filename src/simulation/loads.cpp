@@ -71,17 +71,23 @@ std::vector<TopPoint> top_points_at(const Load& load, const State& state)
 
 }  // namespace
 
-std::vector<Load> make_loads(const Case& description, RowTable& rows)
+std::vector<Load> make_loads(const Case& description, const Case& before)
 {
   std::vector<Load> loads;
-  for (const LoadCase& c : description.loads) {
-    const int row = rows.add({.name = fmt::format("load_{}", loads.size()),
-        .unit = "m",
-        .meaning = fmt::format("part of the stretch of the load `{}` that the point carries", c.name),
-        .owner = "load"});
-    loads.push_back({c.name, c.from, c.to, c.pressure, c.start, c.end, c.ramp, c.pressure, row});
+  for (std::size_t k = 0; k < description.loads.size(); ++k) {
+    const LoadCase& c = description.loads[k];
+    loads.push_back({c.name, c.from, c.to, c.pressure, c.start, c.end, c.ramp, before.loads[k].pressure, -1});
   }
   return loads;
+}
+
+void add_rows_of_loads(std::vector<Load>& loads, RowTable& rows)
+{
+  for (std::size_t k = 0; k < loads.size(); ++k)
+    loads[k].row = rows.add({.name = fmt::format("load_{}", k),
+        .unit = "m",
+        .meaning = fmt::format("part of the stretch of the load `{}` that the point carries", loads[k].name),
+        .owner = "load"});
 }
 
 std::string place_load(const Load& load, State& state)
@@ -119,14 +125,6 @@ std::string place_due_loads(const Model& model, State& state)
   return {};
 }
 
-Real permanent_pressure_at(const Model& model, Real x)
-{
-  Real pressure = 0.0;
-  for (const Load& load : model.loads)
-    if (load.is_permanent() && x >= load.from && x <= load.to) pressure += load.pressure;
-  return pressure;
-}
-
 void set_load_pressures(const Model& model, const State& state, Workspace& work)
 {
   const Real time = state.time + 0.5 * model.dt;
@@ -134,7 +132,7 @@ void set_load_pressures(const Model& model, const State& state, Workspace& work)
   for (std::size_t k = 0; k < model.loads.size(); ++k) {
     const Load& load = model.loads[k];
     const bool waits = work.settling && !load.is_permanent();
-    work.load_pressure[k] = waits ? 0.0 : load.pressure_at(time, model.ramp.share_at(time));
+    work.load_pressure[k] = waits ? 0.0 : model.pressure_of(load, time);
     acts |= work.load_pressure[k] != 0.0;
   }
   work.outer[outer_load].acts = acts;

@@ -12,8 +12,11 @@
 
 namespace terp {
 
-/// Gives each load of the case its row of the points.
-std::vector<Load> make_loads(const Case& description, RowTable& rows);
+/// The loads of a stage of a case, with what they were before.
+std::vector<Load> make_loads(const Case& description, const Case& before);
+
+/// Gives each load its row of the points.
+void add_rows_of_loads(std::vector<Load>& loads, RowTable& rows);
 
 /// Lets the points at the surface carry a load that begins now: each the part of the stretch that lies nearer to it
 /// than to its neighbours, by linear shares, so that sum and first moment of the load are those of the stretch. Returns
@@ -25,9 +28,6 @@ void place_first_loads(const Model& model, State& state);
 
 /// Before a step: places the loads that begin with it. Returns why the run must stop itself, or nothing.
 std::string place_due_loads(const Model& model, State& state);
-
-/// What the loads that were always there add to the overburden at x [Pa].
-Real permanent_pressure_at(const Model& model, Real x);
 
 /// Says which loads act in the coming step, and with which pressure: that in the middle of the step.
 void set_load_pressures(const Model& model, const State& state, Workspace& work);

@@ -60,13 +60,21 @@ struct Model {
   RowTable rows;                          ///< what a point carries
   NodeDiffusion diffusion;                ///< of nonlocal softening; empty without
   int inverse_extent = -1;                ///< row of the points, with shares that overlap
-  std::shared_ptr<const Overburden> ground = {};  ///< where a parameter varies; nullptr: none does
+  std::shared_ptr<const Overburden> ground = {};  ///< of the run at t = 0, where a parameter varies; nullptr: none
   std::shared_ptr<const NodalWater> water = {};   ///< pore pressure on the nodes; nullptr: no water
   FloodLevel flood_level = {};                    ///< of the whole run
   int threads = 1;
   FollowerTypes followers = {};  ///< what is measured while the run goes on; may be none
 
   Real time_of(std::int64_t step_number) const { return first_time + static_cast<Real>(step_number - first_step) * dt; }
+  Vec<2> gravity_at(Real time) const
+  {
+    const Real share = ramp.share_at(time);
+    if (!(share < 1.0)) return gravity;
+    return {gravity_before[0] + share * (gravity[0] - gravity_before[0]),
+        gravity_before[1] + share * (gravity[1] - gravity_before[1])};
+  }
+  Real pressure_of(const Load& load, Real time) const { return load.pressure_at(time, ramp.share_at(time)); }
   bool spreads_softening() const { return diffusion.n_substeps > 0; }
   bool has_excess_pressure() const
   {

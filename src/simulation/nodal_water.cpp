@@ -14,20 +14,36 @@ constexpr Real round_off = 1e-9;  // over the size of a cell: nodes on the surfa
 }  // namespace
 
 NodalWater::NodalWater(const Model& model)
-    : water_(model.description.water), mesh_(model.mesh), knots_(knots_of(model.description.water))
+    : water_(model.description.water),
+      mesh_(model.mesh),
+      knots_(knots_of(model.description.water)),
+      gravity_(-model.gravity[1])
 {
   const Overburden overburden(model);
+  const bool has_weight = overburden.is_known() && std::min(model.gravity[1], model.gravity_before[1]) < 0.0;
   for (Vec<2> x : mesh_->nodes) {
     // A vertical line along the right end of a body crosses no side: just left of it, it does.
     if (!overburden.ground(x[0])) x[0] -= round_off * mesh_->smallest_altitude;
     const Real ground = overburden.ground(x[0]).value_or(-infinity);
-    const bool below =
-        overburden.is_known() && model.gravity[1] < 0.0 && x[1] <= ground + round_off * mesh_->smallest_altitude;
     ground_.push_back(ground);
-    soil_above_.push_back(below ? -model.gravity[1] * overburden.mass_above(x) : infinity);
+    const bool below = has_weight && x[1] <= ground + round_off * mesh_->smallest_altitude;
+    mass_above_.push_back(below ? overburden.mass_above(x) : infinity);
   }
-  for (std::size_t k = 0; k <= water_.situations.size(); ++k)
-    fields_.push_back(field_of(situation_of(water_, k), knots_.front().time));
+  for (std::size_t k = 0; k <= water_.situations.size(); ++k) fields_.push_back(field_of(situation_of(water_, k), 0.0));
+  for (const Load& load : model.loads) {
+    stretches_.push_back({load.from, load.to});
+    first_loads_.push_back(model.pressure_of(load, 0.0));
+  }
+}
+
+Real NodalWater::weight_above(std::size_t node, Real gravity, std::span<const Real> loads) const
+{
+  if (mass_above_[node] == infinity) return infinity;
+  Real weight = gravity * mass_above_[node];
+  const Real x = mesh_->nodes[node][0];
+  for (std::size_t k = 0; k < loads.size(); ++k)
+    if (x >= stretches_[k].from && x <= stretches_[k].to) weight += loads[k];
+  return std::max(weight, 0.0);
 }
 
 NodalWater::Field NodalWater::field_of(const WaterSituation& situation, Real time) const
@@ -36,52 +52,30 @@ NodalWater::Field NodalWater::field_of(const WaterSituation& situation, Real tim
   for (std::size_t i = 0; i < mesh_->nodes.size(); ++i) {
     const Vec<2>& x = mesh_->nodes[i];
     field.at_node.push_back(unlimited_pressure(water_, situation, x, time));
-    field.at_ground.push_back(soil_above_[i] == infinity
+    field.at_ground.push_back(mass_above_[i] == infinity
                                   ? 0.0
                                   : unlimited_pressure(water_, situation, {x[0], std::max(ground_[i], x[1])}, time));
   }
   return field;
 }
 
-bool NodalWater::changes_between(Real a, Real b) const
+void NodalWater::set(const WaterMoment& moment, std::span<const Real> loads, PorePressure& pore) const
 {
-  if (std::ranges::any_of(
-          knots_, [&](const WaterKnot& k) { return situation_of(water_, k.situation).formula_changes; }))
-    return a != b;
-  return a != b && std::min(a, b) < knots_.back().time;
-}
-
-void NodalWater::renew(Real time, PorePressure& pore) const
-{
-  if (!std::isnan(pore.time) && !changes_between(pore.time, time)) return;
-  const auto after = std::ranges::find_if(knots_, [time](const WaterKnot& knot) { return knot.time > time; });
-  const WaterKnot& a = *(after - 1);
-  const WaterKnot& b = after == knots_.end() ? a : *after;
-  const Real share = b.time > a.time ? (time - a.time) / (b.time - a.time) : 0.0;
-  const auto now = [&](std::size_t situation) {
-    const WaterSituation& of = situation_of(water_, situation);
-    return of.formula_changes ? field_of(of, time) : Field();
+  const auto now = [&](std::size_t number) {
+    const WaterSituation& of = situation_of(water_, number);
+    return of.formula_changes ? field_of(of, moment.time) : Field();
   };
-  const Field from = now(a.situation), to = now(b.situation);
-  set(from.at_node.empty() ? fields_[a.situation] : from, to.at_node.empty() ? fields_[b.situation] : to, share, pore);
-  pore.time = time;
-}
-
-void NodalWater::set(std::size_t from, std::size_t to, Real share, PorePressure& pore) const
-{
-  set(fields_[from], fields_[to], share, pore);
-}
-
-void NodalWater::set(const Field& from, const Field& to, Real share, PorePressure& pore) const
-{
+  const Field at_from = now(moment.way.from), at_to = now(moment.way.to);
+  const Field& from = at_from.at_node.empty() ? fields_[moment.way.from] : at_from;
+  const Field& to = at_to.at_node.empty() ? fields_[moment.way.to] : at_to;
   const std::size_t n = mesh_->nodes.size();
   pore.pressure.resize(n);
   pore.suction.resize(water_.suction > 0.0 ? n : 0);
-  const auto between = [share](Real a, Real b) { return a + share * (b - a); };
+  const auto between = [share = moment.way.share](Real a, Real b) { return a + share * (b - a); };
   for (std::size_t i = 0; i < n; ++i) {
     const Real pressure = between(from.at_node[i], to.at_node[i]);
     const Real free_water = std::max(between(from.at_ground[i], to.at_ground[i]), 0.0);
-    pore.pressure[i] = std::clamp(pressure, 0.0, soil_above_[i] + free_water);
+    pore.pressure[i] = std::clamp(pressure, 0.0, weight_above(i, moment.gravity, loads) + free_water);
     if (!pore.suction.empty()) pore.suction[i] = std::clamp(-pressure, 0.0, water_.suction);
   }
 }
@@ -93,7 +87,8 @@ CappedWater NodalWater::find_capped(std::span<const Index> nodes) const
   std::vector<bool> is_cut(mesh_->nodes.size(), false);
   for (std::size_t k = 0; k < fields_.size(); ++k)
     for (const Index i : nodes) {
-      const Real free_water = std::max(fields_[k].at_ground[i], 0.0), most = soil_above_[i] + free_water;
+      const Real free_water = std::max(fields_[k].at_ground[i], 0.0),
+                 most = weight_above(i, gravity_, first_loads_) + free_water;
       const Real cut = fields_[k].at_node[i] - most;
       if (!(cut > negligible)) continue;
       is_cut[i] = true;
@@ -109,13 +104,28 @@ bool NodalWater::is_dry(std::span<const Index> nodes) const
       [&](const Field& field) { return std::ranges::none_of(nodes, [&](Index i) { return field.at_node[i] > 0.0; }); });
 }
 
+WaterWay water_way(const Model& model, Real time, Real share_of_stage)
+{
+  const StageWater& water = model.stage.water;
+  if (water.given) return {water.from, water.to, share_of_stage};
+  return model.water ? model.water->way_at(time) : WaterWay{};
+}
+
+WaterMoment water_moment(const Model& model, const WaterWay& way, Real time, Real gravity)
+{
+  const auto changes = [&](std::size_t number) {
+    return situation_of(model.description.water, number).formula_changes;
+  };
+  return {way, changes(way.from) || changes(way.to) ? time : 0.0, gravity};
+}
+
 PorePressure water_at(const Model& model, Real time)
 {
+  std::vector<Real> loads;
+  for (const Load& load : model.loads) loads.push_back(model.pressure_of(load, time));
   PorePressure pore;
-  if (const StageWater& water = model.stage.water; water.given)
-    model.water->set(water.from, water.to, model.ramp.share_at(time), pore);
-  else
-    model.water->renew(time, pore);
+  const WaterWay way = water_way(model, time, model.ramp.share_at(time));
+  model.water->set(water_moment(model, way, time, -model.gravity_at(time)[1]), loads, pore);
   return pore;
 }
 

@@ -4,6 +4,7 @@
 
 #include "forces/pore_pressure.hpp"
 #include "simulation/model.hpp"
+#include "simulation/workspace.hpp"
 #include "water/water_pressure.hpp"
 
 namespace terp {
@@ -18,16 +19,16 @@ struct CappedWater {
 
 class NodalWater {
  public:
-  /// Of a model whose mesh, materials and gravity are set.
+  /// Of a model whose mesh, materials, gravity, loads and ramp are set.
   explicit NodalWater(const Model& model);
 
-  /// Sets the pressures of a time [s]; does nothing if they are the same as before.
-  void renew(Real time, PorePressure& pore) const;
+  /// Sets the pressures of a moment, cut to the weight that then lies above. loads: pressure of each [Pa].
+  void set(const WaterMoment& moment, std::span<const Real> loads, PorePressure& pore) const;
 
-  /// Of the way from one situation to another: share 0 is the first, 1 the second.
-  void set(std::size_t from, std::size_t to, Real share, PorePressure& pore) const;
+  /// By the times of the situations.
+  WaterWay way_at(Real time) const { return terp::way_at(knots_, time); }
 
-  /// Over all situations, at the given nodes.
+  /// Over all situations, at the given nodes, under gravity in full and the loads of t = 0.
   CappedWater find_capped(std::span<const Index> nodes) const;
 
   /// True if there is no water at any of the nodes, in no situation.
@@ -39,17 +40,31 @@ class NodalWater {
     std::vector<Real> at_node, at_ground;  // at_ground: at the surface of the soil above the node
   };
 
+  /// The part of the surface that a load stands on.
+  struct Stretch {
+    Real from, to;  // [m]
+  };
+
   Field field_of(const WaterSituation& situation, Real time) const;
-  bool changes_between(Real a, Real b) const;
-  void set(const Field& from, const Field& to, Real share, PorePressure& pore) const;
+  /// Weight per area of soil and loads above a node [Pa]; infinite above the ground: no limit.
+  Real weight_above(std::size_t node, Real gravity, std::span<const Real> loads) const;
 
   const WaterCase water_;
   SharedMesh mesh_;
   std::vector<WaterKnot> knots_;
   std::vector<Real> ground_;      // elevation above or below each node [m]; -infinity: no soil
-  std::vector<Real> soil_above_;  // weight per area [Pa]; infinite at nodes above the ground: no cap
-  std::vector<Field> fields_;     // by number of the situation
+  std::vector<Real> mass_above_;  // per area [kg/m^2]; infinite at nodes above the ground: no limit
+  std::vector<Field> fields_;     // by number of the situation, at t = 0
+  std::vector<Stretch> stretches_;
+  std::vector<Real> first_loads_;  // pressures at t = 0 [Pa]
+  Real gravity_;                   // in full, downwards [m/s^2]
 };
+
+/// Way of the water of a model: of its stage, where one has said, or of the times of the situations [s].
+WaterWay water_way(const Model& model, Real time, Real share_of_stage);
+
+/// The moment of a time [s]. gravity: downwards [m/s^2].
+WaterMoment water_moment(const Model& model, const WaterWay& way, Real time, Real gravity);
 
 /// Water of a model that has water, at a time of its stage [s].
 PorePressure water_at(const Model& model, Real time);

@@ -16,8 +16,10 @@ struct Crossing {
 
 }  // namespace
 
-Overburden::Overburden(const Model& model) : water_(model.description.water), gravity_(-model.gravity[1])
+Overburden::Overburden(const Model& model, Real gravity) : water_(model.description.water), gravity_(gravity)
 {
+  for (const Load& load : model.loads)
+    if (load.is_permanent()) loads_.push_back({load.from, load.to, model.pressure_of(load, 0.0)});
   const std::vector<BodyOutline> outlines = outlines_of(model);
   std::size_t k = 0;
   for (const BodyCase& body : model.description.bodies) {
@@ -75,9 +77,17 @@ Real Overburden::free_water(Vec<2> x, const WaterSituation& situation, Real time
   return water_pressure(water_, situation, {x[0], surface}, time);
 }
 
+Real Overburden::loads_on(Vec<2> x) const
+{
+  Real pressure = 0.0;
+  for (const LoadAbove& load : loads_)
+    if (x[0] >= load.from && x[0] <= load.to) pressure += load.pressure;
+  return pressure > 0.0 && x[1] <= ground(x[0]).value_or(x[1]) ? pressure : 0.0;
+}
+
 Real Overburden::total(Vec<2> x, const WaterSituation& situation, Real time) const
 {
-  return gravity_ * mass_above(x) + free_water(x, situation, time);
+  return gravity_ * mass_above(x) + free_water(x, situation, time) + loads_on(x);
 }
 
 Real Overburden::pore_pressure(Vec<2> x, const WaterSituation& situation, Real time) const

@@ -1,5 +1,6 @@
-// What lies above a place at t = 0: weight of soil and free water, pore pressure, and the effective vertical stress
-// that is left. Pressures are positive here. docs/methods.md, "Start".
+// What lies above a place at t = 0: weight of soil, free water and loads, pore pressure, and the effective vertical
+// stress that is left. A load counts where it stands, not beside it. Pressures are positive here. docs/methods.md,
+// "Start".
 // Not for: stress that points already have.
 #pragma once
 
@@ -12,8 +13,10 @@ namespace terp {
 
 class Overburden {
  public:
-  /// Of the bodies of a model whose mesh, materials and gravity are set.
-  explicit Overburden(const Model& model);
+  /// Of the bodies of a model whose mesh, materials, gravity, loads and ramp are set, with its gravity in full.
+  explicit Overburden(const Model& model) : Overburden(model, -model.gravity[1]) {}
+  /// The same with another gravity, downwards [m/s^2].
+  Overburden(const Model& model, Real gravity);
 
   /// False where a body came as a file of points, which has no outline: then its weight is not in the numbers below.
   bool is_known() const { return is_known_; }
@@ -26,7 +29,7 @@ class Overburden {
   /// Elevation of the highest soil on the vertical line through x [m]; none: no soil there.
   std::optional<Real> ground(Real x) const;
 
-  /// Weight per area of all that is above a place: soil, and the free water on it [Pa].
+  /// Weight per area of all that is above a place: soil, the free water on it, and the loads of t = 0 [Pa].
   Real total(Vec<2> x, const WaterSituation& situation, Real time = 0.0) const;
 
   /// In the water at a place: p_w, at least zero and at most total() below the ground [Pa].
@@ -44,10 +47,18 @@ class Overburden {
 
   Real mass_between(const DrawnBody& body, Real x, Real low, Real high) const;
   Real free_water(Vec<2> x, const WaterSituation& situation, Real time) const;
+  Real loads_on(Vec<2> x) const;
+
+  /// Of a load that stands on the ground at t = 0.
+  struct LoadAbove {
+    Real from, to;  // [m]
+    Real pressure;  // [Pa]
+  };
 
   WaterCase water_;
   Real gravity_;  // downwards [m/s^2]
   std::vector<DrawnBody> drawn_;
+  std::vector<LoadAbove> loads_;
   bool is_known_ = true;
 };
 

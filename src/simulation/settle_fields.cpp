@@ -94,7 +94,7 @@ void settle_fields(Model& model)
 {
   std::vector<MaterialCase>& materials = model.description.materials;
   if (std::ranges::all_of(materials, [](const MaterialCase& m) { return m.fields.empty(); })) return;
-  model.ground = std::make_shared<const Overburden>(model);
+  TERP_ASSERT(model.ground != nullptr);
   std::vector<std::vector<FieldRange>> found(materials.size());
   std::vector<std::vector<std::vector<Index>>> n_covered(materials.size());  // of each material, field and file
   for (std::size_t m = 0; m < materials.size(); ++m) {

@@ -10,9 +10,9 @@
 
 namespace terp {
 
-/// Where parameters vary: sets Model::ground, and gives the laws, and the description, the mean over the points as the
-/// value of each. Throws InputError where a field leaves its range, with the place where it is worst, and where the
-/// file of a field covers none of its soil. Of a model whose mesh, materials and gravity are set.
+/// Where parameters vary: gives the laws, and the description, the mean over the points as the value of each. Throws
+/// InputError where a field leaves its range, with the place where it is worst, and where the file of a field covers
+/// none of its soil. Of a model whose mesh, materials and ground are set.
 void settle_fields(Model& model);
 
 /// Fields from files that do not cover all of their soil.

@@ -7,6 +7,7 @@
 #include "simulation/initial.hpp"
 #include "simulation/loads.hpp"
 #include "simulation/nodal_water.hpp"
+#include "simulation/overburden.hpp"
 #include "simulation/point_parameters.hpp"
 #include "simulation/reduce.hpp"
 #include "simulation/setup_history.hpp"
@@ -99,12 +100,25 @@ std::vector<Index> used_materials(const Case& whole)
   return used;
 }
 
-/// Whether soil of some material has excess pore pressure in any stage.
-bool has_excess_pressure(const Case& whole)
+/// Whether of(its case) holds in any stage.
+template <class Of>
+bool in_any_stage(const Case& whole, Of&& of)
 {
-  for (std::size_t k = 0; k < std::max<std::size_t>(1, whole.stages.size()); ++k)
-    if (std::ranges::any_of(case_of_stage(whole, k).materials, &MaterialCase::has_excess_pressure)) return true;
-  return false;
+  bool any = of(case_of_stage(whole, 0));
+  for (std::size_t k = 1; k < whole.stages.size(); ++k) any = any || of(case_of_stage(whole, k));
+  return any;
+}
+
+/// The rows are those of the whole run, whatever soil is in the stage: the state goes through all of them.
+void add_rows_of_materials(const Case& whole, const std::vector<Index>& used, Model& model)
+{
+  const bool any_excess = in_any_stage(
+      whole, [](const Case& c) { return std::ranges::any_of(c.materials, &MaterialCase::has_excess_pressure); });
+  for (const Index m : used) {
+    add_rows(m, model.materials[m], model.rows);
+    if (any_excess && in_any_stage(whole, [m](const Case& c) { return c.materials[m].stores_effective(); }))
+      add_excess_row(m, model.materials[m], model.rows);
+  }
 }
 
 /// The case with its strengths divided by the factor that it asks for.
@@ -125,6 +139,14 @@ struct StepLimit {
   }
 };
 
+/// The laws of a stage, with all that they need to have a stiffness at every point.
+void settle_laws(const Case& whole, const std::vector<Index>& used, Model& model)
+{
+  settle_fields(model);
+  add_rows_of_materials(whole, used, model);
+  set_water_stiffness(model, used);
+}
+
 StepLimit find_step_limit(const Case& whole, const Model& model, const std::vector<Index>& used)
 {
   StepLimit limit;
@@ -136,10 +158,8 @@ StepLimit find_step_limit(const Case& whole, const Model& model, const std::vect
     other.method = model.method;
     other.description = as_solved(case_of_stage(whole, k));
     other.materials = make_materials(other.description);
-    other.gravity = other.description.forces.gravity;
-    settle_fields(other);
-    for (const Index m : used) add_rows(m, other.materials[m], other.rows);
-    set_water_stiffness(other, used);
+    other.ground = model.ground;
+    settle_laws(whole, used, other);
     limit.enter(other, used);
   }
   return limit;
@@ -159,6 +179,31 @@ void set_time_step(const Case& whole, const std::vector<Index>& used, Model& mod
         "time", false, {"mesh", "material", "time"}});
   model.n_steps = static_cast<std::int64_t>(n);
   model.dt = time.end / n;
+}
+
+/// The time step of all stages, and the number of steps that they take together.
+void take_time_step(const Model& of_run, Model& model)
+{
+  model.largest_density = of_run.largest_density;
+  model.n_steps = of_run.n_steps;
+  model.dt = of_run.dt;
+}
+
+/// What lies above places at t = 0: the soil of the first stage with its gravity in full. Loads do not count: whether
+/// undrained soil has settled under one, as under a road, or not, as under traffic, the case does not say, and strength
+/// that it may not have is not on the safe side. Where no parameter varies, none is needed.
+std::shared_ptr<const Overburden> first_ground(const Case& whole, const SharedMesh& mesh)
+{
+  const auto has_field = [](const MaterialCase& m) { return !m.fields.empty(); };
+  if (!in_any_stage(whole, [&](const Case& c) { return std::ranges::any_of(c.materials, has_field); })) return nullptr;
+  const Case& of = whole.ground_of ? *whole.ground_of : whole;
+  Model first;
+  first.mesh = mesh;
+  first.description = case_of_stage(of, 0);
+  first.materials = make_materials(first.description);
+  set_ramp(of, 0, first);
+  first.loads.clear();
+  return std::make_shared<const Overburden>(first);
 }
 
 /// Every corner of every body must lie in the built-in rectangle (other meshes: setup_points).
@@ -229,20 +274,8 @@ std::size_t count_all(const PointBatches& points)
   return n;
 }
 
-}  // namespace
-
-Model build_model(const Case& description, int threads)
-{
-  check_bodies_in_mesh(description);
-  return build_model(description, std::make_shared<const Mesh<2>>(build_mesh(description)), threads);
-}
-
-Model build_model(const Case& description, SharedMesh mesh, int threads)
-{
-  return build_stage(description, std::move(mesh), threads, 0);
-}
-
-Model build_stage(const Case& whole, SharedMesh mesh, int threads, std::size_t number)
+/// of_run: another stage of the same run; nullptr: this is the first model of it.
+Model build(const Case& whole, SharedMesh mesh, int threads, std::size_t number, const Model* of_run)
 {
   if (threads < 1)
     throw InputError(Problem{"threads", "a run needs at least one thread", fmt::format("Got {}.", threads), ""});
@@ -253,6 +286,7 @@ Model build_stage(const Case& whole, SharedMesh mesh, int threads, std::size_t n
   if (!whole.stages.empty()) {
     model.whole = std::make_shared<const Case>(whole);
     model.description.stages = whole.stages;
+    model.description.ground_of = whole.ground_of ? whole.ground_of : model.whole;
   }
   model.mesh = std::move(mesh);
   model.materials = make_materials(description);
@@ -261,7 +295,7 @@ Model build_stage(const Case& whole, SharedMesh mesh, int threads, std::size_t n
   model.boundary = Boundary(*model.mesh, description.sides);
   model.footings = make_footings(description);
   model.open_sides = make_open_sides(description, *model.mesh);
-  model.gravity = description.forces.gravity;
+  set_ramp(whole, number, model);
   model.damping = {.local = description.forces.local_damping,
       .averaging_time = description.forces.averaging_time,
       .viscous = description.forces.viscous_damping};
@@ -271,30 +305,48 @@ Model build_stage(const Case& whole, SharedMesh mesh, int threads, std::size_t n
   model.step = kernels().step;
   if (model.scheme == nullptr) throw InputError(Problem{"scheme", "no such scheme", "", "scheme"});
   model.threads = threads;
-  settle_fields(model);
+  model.ground = of_run != nullptr ? of_run->ground : first_ground(whole, model.mesh);
   const std::vector<Index> used = used_materials(whole);
-  const bool any_excess = has_excess_pressure(whole);
-  for (const Index m : used) {
-    add_rows(m, model.materials[m], model.rows);
-    if (any_excess && model.materials[m].stores_effective) add_excess_row(m, model.materials[m], model.rows);
-  }
-  set_water_stiffness(model, used);
+  settle_laws(whole, used, model);
   if (model.method.shares == Shares::by_law) model.method.shares = shares_by_law(model, used);
   if (model.scheme->functions(model.method.shares).integrate != nullptr)
     model.inverse_extent = model.rows.add({.name = "inverse_extent",
         .unit = "1/m",
         .meaning = "1 / side of the square by which the point counts in sub-cells",
         .owner = "method"});
-  model.loads = make_loads(description, model.rows);
+  add_rows_of_loads(model.loads, model.rows);
   Real length = 0.0;  // the largest of those in use
   for (const Index m : used)
     if (model.materials[m].increment_row >= 0) length = std::max(length, model.materials[m].softening.length);
   for (const Index m : used) model.materials[m].softening_scale = scale_by_cell(*model.mesh, model.materials[m]);
   if (length > 0.0) model.diffusion = make_node_diffusion(*model.mesh, length);
-  set_time_step(whole, used, model);
+  if (of_run != nullptr)
+    take_time_step(*of_run, model);
+  else
+    set_time_step(whole, used, model);
   if (description.water.is_given()) model.water = std::make_shared<const NodalWater>(model);
   model.flood_level = find_flood_level(whole, model);
   set_stage(whole, number, model);
+  return model;
+}
+
+}  // namespace
+
+Model build_model(const Case& description, int threads)
+{
+  check_bodies_in_mesh(description);
+  return build_model(description, std::make_shared<const Mesh<2>>(build_mesh(description)), threads);
+}
+
+Model build_model(const Case& description, SharedMesh mesh, int threads)
+{
+  return build(description, std::move(mesh), threads, 0, nullptr);
+}
+
+Model build_stage(const Model& of_run, std::size_t number)
+{
+  Model model = build(*of_run.whole, of_run.mesh, of_run.threads, number, &of_run);
+  TERP_ASSERT(model.rows == of_run.rows);
   return model;
 }
 

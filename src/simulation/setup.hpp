@@ -14,8 +14,9 @@ Model build_model(const Case& description, int threads);
 /// The same on a mesh that is already there and may be shared; what the case says of the mesh is not used.
 Model build_model(const Case& description, SharedMesh mesh, int threads);
 
-/// The same of one stage of the case. build_model builds the first.
-Model build_stage(const Case& whole, SharedMesh mesh, int threads, std::size_t number);
+/// Another stage of the run of a model. Rows of the points, time step, and the ground that strengths follow from are
+/// those of the whole run. build_model builds the first stage.
+Model build_stage(const Model& of_run, std::size_t number);
 
 /// Another end with the time step that the model has: the first step at or after it [s]. For a run that goes on.
 void move_end(Model& model, Real end);

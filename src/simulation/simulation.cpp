@@ -109,6 +109,7 @@ void Simulation::restore(const StateImage& image)
   model = model_for(std::move(model), state);
   work.settling = false;
   work.damping_local = model.damping.local;
+  work.forget_water();
   work.fit(model, state);
 }
 

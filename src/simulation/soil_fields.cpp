@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "base/interpolate.hpp"
 #include "simulation/overburden.hpp"
+#include "water/water_pressure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +18,7 @@ Real effective_stress(const PlaceInSoil& at, const std::string& water)
 {
   TERP_ASSERT(at.ground != nullptr);
   const WaterCase& all = at.ground->water();
-  const auto named = std::ranges::find(all.situations, water, &WaterSituation::name);
-  const WaterSituation& situation = water.empty() || named == all.situations.end() ? all.start : *named;
+  const WaterSituation& situation = situation_of(all, situation_number(all, water));
   return at.ground->effective(at.x, situation, std::isnan(situation.time) ? 0.0 : situation.time);
 }
 

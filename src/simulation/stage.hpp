@@ -24,7 +24,7 @@ struct Ramp {
 struct RestRule {
   Real speed = 0.0;        ///< [m/s]
   std::int64_t steps = 0;  ///< in which all nodes are slower than that; 0: rest ends nothing
-  Real last_change = 0.0;  ///< time of the last change of loads that the case orders [s]
+  Real last_change = 0.0;  ///< time of the last change of loads or water that the case orders [s]; infinite: no end
 };
 
 /// The water of a stage: on the way from one situation to another, by their numbers.

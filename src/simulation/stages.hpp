@@ -11,14 +11,17 @@ namespace terp {
 /// The case of a stage; of a run without stages the case itself.
 const Case& case_of_stage(const Case& description, std::size_t number);
 
-/// Number of the water situation at the end of the last stage: the last that a stage names; 0: none does.
-std::size_t water_of_last_stage(const Case& whole);
+/// The water of a stage: from that of the stages before it to the last that one names; of a run without stages none.
+StageWater water_of_stage(const Case& whole, std::size_t number);
 
 /// Name of the file that keeps the state at the end of a stage: "stage_01_daily.h5".
 std::string stage_file(std::size_t number, const std::string& name);
 
-/// Sets what the case says of the end of the stage of a model whose time step is known, and its ramp as of a stage that
-/// begins at t = 0. Throws InputError for a stage that is shorter than a time step.
+/// Sets gravity, loads and water of a stage, and their ramp as of a stage that begins at t = 0.
+void set_ramp(const Case& whole, std::size_t number, Model& model);
+
+/// Sets what the case says of the end of the stage of a model whose time step is known. Throws InputError for a stage
+/// that is shorter than a time step.
 void set_stage(const Case& whole, std::size_t number, Model& model);
 
 /// The step at which the stage ends at the latest.
@@ -34,15 +37,6 @@ void watch_rest(const Model& model, const Workspace& work, State& state);
 
 /// True at the very step with which the stage ends; enters it in the records of the state.
 bool ends_now(const Model& model, const Workspace& work, State& state);
-
-/// Gives each point the material that its body has in the stage of the model. Stress, strain and what both laws know
-/// stay; what only the new law knows begins anew, and the mass follows the density.
-void change_materials(const Model& model, State& state);
-
-/// Makes a state that another run has saved the beginning of this one: of the stages of the case those up to
-/// `stage_that_ended` are done, if the case has one of this name, else none. Time goes on. The model becomes that of
-/// the stage.
-void begin_from(Model& model, const std::string& stage_that_ended, State& state);
 
 /// The model of the stage that a state is in: this one, or another of the same case.
 Model model_for(Model model, const State& state);

@@ -227,7 +227,8 @@ std::vector<ArraySource> arrays_of(const State& state)
     arrays.copy("first_step", std::vector<std::int64_t>{state.first_step});
     arrays.copy("first_time", std::vector<Real>{state.first_time});
   }
-  const bool has_stage = state.stage != 0 || state.quiet_steps != 0 || !state.stages_done.empty();
+  const bool has_stage =
+      state.stage != 0 || state.stage_start != 0 || state.quiet_steps != 0 || !state.stages_done.empty();
   if (has_stage) {
     arrays.copy("stage", std::vector<std::int64_t>{state.stage, state.stage_start, state.quiet_steps});
     arrays.copy("stages_done", values_of(state.stages_done));

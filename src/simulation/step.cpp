@@ -49,24 +49,16 @@ void for_each_node(Workspace& work, F&& f)
       });
 }
 
-/// That of the middle of the step, while a ramp is under way.
-void set_gravity(const Model& model, const State& state, Workspace& work)
-{
-  const Real share = model.ramp.share_at(state.time + 0.5 * model.dt);
-  for (int d = 0; d < 2; ++d)
-    work.gravity[d] =
-        share < 1.0 ? model.gravity_before[d] + share * (model.gravity[d] - model.gravity_before[d]) : model.gravity[d];
-}
-
-/// Water of the time of the step, or of the stage; renewed only where it changes.
+/// Water of the time of the step, or of the stage, under the gravity and the loads of the step; set anew only where any
+/// of these changes.
 void set_water(const Model& model, const State& state, Workspace& work)
 {
-  const StageWater& water = model.stage.water;
-  if (!water.given) return model.water->renew(state.time, work.pore);
-  const Real share = model.ramp.share_at(state.time + 0.5 * model.dt);
-  if (share == work.water_share) return;
-  model.water->set(water.from, water.to, share, work.pore);
-  work.water_share = share;
+  const WaterWay way = water_way(model, state.time, model.ramp.share_at(state.time + 0.5 * model.dt));
+  const WaterMoment moment = water_moment(model, way, state.time, -work.gravity[1]);
+  if (moment == work.water_moment && work.load_pressure == work.water_loads) return;
+  model.water->set(moment, work.load_pressure, work.pore);
+  work.water_moment = moment;
+  work.water_loads = work.load_pressure;
 }
 
 /// Part of its excess pressure that soil keeps which has become drained: it falls to zero over the ramp of the stage.
@@ -252,11 +244,11 @@ void step_compiled(const Model& model, State& state, Workspace& work)
       .pore = model.water ? &work.pore : nullptr,
       .all_drains = work.settling,
       .excess_kept = excess_kept(model, state)};
-  if (model.water) set_water(model, state, work);
   start_sums(work);
-  set_gravity(model, state, work);
+  work.gravity = model.gravity_at(state.time + 0.5 * model.dt);  // of the middle of the step
   place_footings(model, state, work);
   if (!model.loads.empty()) set_load_pressures(model, state, work);
+  if (model.water) set_water(model, state, work);
 
   timed(work, points_to_cells, [&] {
     for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums&, auto&) {

@@ -64,7 +64,8 @@ ProfileRow row_of(const Model& model, const Overburden& above, const PointBlock<
 
 std::vector<ProfileRow> strength_profile(const Model& model, const State& state, Real x)
 {
-  const Overburden above(model);
+  const Overburden own(model);
+  const Overburden& above = model.ground ? *model.ground : own;  // that strengths follow from
   std::vector<ProfileRow> rows;
   for_each_block(state.points, [&](const PointBlock<2>& block) {
     if (block.n == 0 || !is_crossed(*model.mesh, block.cell, x)) return;

@@ -9,6 +9,7 @@
 #include "simulation/outer_forces.hpp"
 #include "simulation/passes.hpp"
 #include "transfer/node_diffusion.hpp"
+#include "water/water_pressure.hpp"
 
 #include <chrono>
 
@@ -21,6 +22,15 @@ struct NodeValues {
   Vec<2> dv{0.0, 0.0};  ///< a_i dt [m/s]
   Vec<2> internal{0.0, 0.0}, damping{0.0, 0.0},
       boundary{0.0, 0.0};  ///< forces of the step, kept for the ledger [N per m]
+};
+
+/// What the pressure of the water on the nodes follows from, beside the loads.
+struct WaterMoment {
+  WaterWay way;
+  Real time = std::numeric_limits<Real>::quiet_NaN();  ///< of formulas [s]; 0: none speaks of it; NaN: no moment
+  Real gravity = 0.0;                                  ///< downwards [m/s^2]
+
+  bool operator==(const WaterMoment&) const = default;
 };
 
 /// Sums over the nodes of one chunk.
@@ -67,6 +77,8 @@ struct Workspace {
 
   /// Fits the arrays to the occupied cells; asks for memory only when they grew.
   void fit(const Model& model, const State& state);
+  /// The pressures on the nodes are of another stage, or of another time: the next step sets them.
+  void forget_water() { water_moment.time = std::numeric_limits<Real>::quiet_NaN(); }
   Threads threads;
   std::vector<CornerSums<Quad4>> corners;  ///< shape [n_occupied]
   ZeroedArray<GaussValues<Quad4, Pack>>
@@ -77,11 +89,12 @@ struct Workspace {
   std::vector<Real> pressure;  ///< p_e [Pa], shape [n_blocks]; of schemes that keep no other Gauss values
   std::vector<Real> excess;    ///< u_e [Pa], shape [n_blocks]; empty: no soil has excess pressure
   PatchValues patches;         ///< of shares that overlap
-  Real water_share = std::numeric_limits<Real>::quiet_NaN();  ///< of the way of the stage's water that `pore` is of
-  PorePressure pore;                                          ///< on the nodes; empty without water
-  std::vector<CornerSoftening> softening_corners;             ///< shape [n_occupied]; of nonlocal softening
-  NodeSpread softening;                                       ///< of nonlocal softening
-  std::vector<std::uint8_t> group_softens;                    ///< whether a point of a group softened in this step
+  WaterMoment water_moment;    ///< that `pore` is of, with
+  std::vector<Real> water_loads;                       ///< the pressures of the loads [Pa]
+  PorePressure pore;                                   ///< on the nodes; empty without water
+  std::vector<CornerSoftening> softening_corners;      ///< shape [n_occupied]; of nonlocal softening
+  NodeSpread softening;                                ///< of nonlocal softening
+  std::vector<std::uint8_t> group_softens;             ///< whether a point of a group softened in this step
   std::vector<std::uint8_t> run_softens, run_is_near;  ///< the same of the runs of NodeDiffusion; those it can reach
   std::vector<CornerFit> fits;                         ///< shape [n_occupied]; of velocities that relax
   std::vector<Vec<2>> fitted;                          ///< U_i of the same [m/s], shape [n_nodes]

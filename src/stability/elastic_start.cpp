@@ -61,10 +61,13 @@ void stop_formula(WaterSituation& situation)
 
 Case quiet_case(Case c)
 {
-  const std::size_t standing = water_of_last_stage(c);
+  if (!c.ground_of) c.ground_of = std::make_shared<const Case>(c);
+  const auto ground_of = c.ground_of;
+  const std::size_t standing = c.stages.empty() ? 0 : water_of_stage(c, c.stages.size() - 1).to;
   if (!c.stages.empty()) c = Case(*c.stages.back().changed);
   c = leave_out_rate(reduce_strength(std::move(c), c.at_strength));
   c.at_strength = 1.0;
+  c.ground_of = ground_of;
   c.time.until = Until::end;
   if (c.method.shares == Shares::by_law) c.method.shares = Shares::point;  // no point comes to another sub-cell
   c.footings.clear();

@@ -14,6 +14,7 @@
 namespace terp {
 
 inline constexpr std::string_view phreatic_head = "phreatic";  ///< name of the head of the phreatic line
+inline constexpr std::string_view name_of_start = "start";     ///< name of the water of [water]
 
 /// The head of a layer: elevation to which its water rises, over x.
 struct HeadLine {

@@ -51,4 +51,20 @@ std::vector<WaterKnot> knots_of(const WaterCase& water)
   return knots;
 }
 
+WaterWay way_at(std::span<const WaterKnot> knots, Real time)
+{
+  const auto after = std::ranges::find_if(knots, [time](const WaterKnot& knot) { return knot.time > time; });
+  const WaterKnot& a = *(after - 1);
+  const WaterKnot& b = after == knots.end() ? a : *after;
+  return {a.situation, b.situation, b.time > a.time ? (time - a.time) / (b.time - a.time) : 0.0};
+}
+
+std::size_t situation_number(const WaterCase& water, std::string_view name)
+{
+  const auto found = std::ranges::find(water.situations, name, &WaterSituation::name);
+  return name.empty() || found == water.situations.end()
+             ? 0
+             : static_cast<std::size_t>(found - water.situations.begin()) + 1;
+}
+
 }  // namespace terp

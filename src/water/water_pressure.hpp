@@ -53,7 +53,21 @@ struct WaterKnot {
   std::size_t situation;  ///< its number
 };
 
+/// The water on its way from one situation to another, by their numbers.
+struct WaterWay {
+  std::size_t from = 0, to = 0;
+  Real share = 0.0;  ///< of the second
+
+  bool operator==(const WaterWay&) const = default;
+};
+
 /// The start, then the situations that have a time, in the order of their times.
 std::vector<WaterKnot> knots_of(const WaterCase& water);
+
+/// Between the knots about a time [s].
+WaterWay way_at(std::span<const WaterKnot> knots, Real time);
+
+/// Number of the situation of a name; that of the start where there is none, as for name_of_start.
+std::size_t situation_number(const WaterCase& water, std::string_view name);
 
 }  // namespace terp

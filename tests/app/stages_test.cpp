@@ -134,6 +134,32 @@ TEST(StagesOfARun, AreBeginningsOfOtherRuns)
   EXPECT_EQ(resumed.status, 0) << resumed.err;
 }
 
+// A run that begins with another one, in its first stage or without any, goes on from all of its checkpoints.
+TEST(StagesOfARun, GoOnWhereTheyBeganWithAnotherRun)
+{
+  for (const std::string& end : {std::string("[time]\nend = 0.4\n"), stages}) {
+    const Files files(end + soil);
+    const std::vector<std::string> brief{"-q", "--set", "initial.stress=\"k0\""};
+    ASSERT_EQ(files.solve("first", brief).status, 0);
+    std::vector<std::string> more = brief;
+    more.insert(more.end(), {"--from", files.run("first") + (end == stages ? "/stage_02_load.h5" : "")});
+    if (end == stages) more.insert(more.end(), {"--set", "stage[1].name=\"other\"", "--set", "stage[0].ramp=0.3"});
+    ASSERT_EQ(files.solve("whole", more).status, 0);
+    std::vector<std::string> checkpoints;
+    for (const std::string& name : names_in(files.run("whole")))
+      if (name.starts_with("checkpoint_")) checkpoints.push_back(name);
+    std::ranges::sort(checkpoints);
+    ASSERT_GT(checkpoints.size(), 2u);
+    for (const std::size_t k : {std::size_t{0}, checkpoints.size() - 2}) {
+      std::filesystem::copy(files.run("whole"), files.run("again"), std::filesystem::copy_options::recursive);
+      const Finished f = test::terp({"resume", files.run("again") + '/' + checkpoints[k], "-j", "1"});
+      EXPECT_EQ(f.status, 0) << f.err;
+      expect_same_results(files.run("whole"), files.run("again"), '/' + checkpoints.back());
+      std::filesystem::remove_all(files.run("again"));
+    }
+  }
+}
+
 TEST(StagesOfARun, ThatAreNoBeginningAreRefused)
 {
   const Files files(stages + soil);
@@ -148,6 +174,18 @@ TEST(StagesOfARun, ThatAreNoBeginningAreRefused)
   EXPECT_EQ(mesh.status, 1);
   EXPECT_THAT(mesh.err, HasSubstr("it is of another mesh, other bodies or another scheme\n  mesh.cell ([0.5, 0.5], now "
                                   "[0.25, 0.25])"));
+  const Finished nothing = files.solve("d", {"--from", files.run("whole") + ":load"});
+  EXPECT_EQ(nothing.status, 2);
+  EXPECT_THAT(nothing.err, HasSubstr("the run begins with the end of the stage `load`, the last of this case"));
+  std::ofstream(files.run("whole") + "/case.toml", std::ios::app) << "[flood]\nwater_level = 1.0\n";
+  const Finished changed = files.solve("e", {"--from", files.run("whole") + ":settle"});
+  EXPECT_EQ(changed.status, 1);
+  EXPECT_THAT(
+      changed.err, HasSubstr("/case.toml was changed since that run began\n  flood.water_level (not set, now 1"));
+  std::filesystem::remove(files.run("whole") + "/case.toml");
+  const Finished alone = files.solve("f", {"--from", files.run("whole") + ":settle"});
+  EXPECT_EQ(alone.status, 1);
+  EXPECT_THAT(alone.err, HasSubstr("there is no case.toml beside it\n  What the soil of the checkpoint is made of"));
 }
 
 TEST(ARunUntilRest, EndsThereOrSaysThatItDidNot)

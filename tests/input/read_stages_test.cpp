@@ -1,5 +1,6 @@
 // The cases of the stages of a run.
 #include "input/read_stages.hpp"
+#include "input/render.hpp"
 #include "input/samples.hpp"
 #include "support/test.hpp"
 
@@ -93,6 +94,21 @@ TEST(ReadStages, TheirTimesAddUpAsOneWouldWriteTheSum)
 {
   const std::string three = "[[stage]]\nname = \"a\"\nduration = 0.1\n[[stage]]\nname = \"b\"\nduration = 0.2\n";
   EXPECT_EQ(read_case_text(replaced(small_case, "[time]\nend = 4.0\n", three), "a.toml").values.time.end, 0.3);
+}
+
+// A side that a later stage pushes keeps no earlier stage from its rest.
+TEST(ReadStages, WarnOfWhatGoesOnInStagesThatEndAtRestAlone)
+{
+  const auto warnings = [](const std::string& until) {
+    return render_warnings(read_case_text(
+        replaced(small_case, "end = 4.0", "courant = 0.9") +
+            "[forces]\ndamping = { local = 0.3 }\n[[stage]]\nname = \"a\"\nuntil = \"at_rest\"\nat_most = 9.0\n"
+            "[[stage]]\nname = \"push\"\n" +
+            until + "\nset = { boundary.left = { velocity = [0.1, 0.0] } }\n",
+        "a.toml"));
+  };
+  EXPECT_THAT(warnings("duration = 1.0"), Not(HasSubstr("does not come to rest")));
+  EXPECT_THAT(warnings("until = \"at_rest\"\nat_most = 1.0"), HasSubstr("soil that is pushed does not come to rest"));
 }
 
 TEST(ReadStages, ACaseWithoutThemHasNone) { EXPECT_TRUE(read_case_text(small_case, "a.toml").values.stages.empty()); }

@@ -56,7 +56,8 @@ TEST(Backdrop, ThePhreaticLineIsThatOfTheStage)
   const Mesh<2> mesh = make_rectangle({0.0, 0.0}, {3.0, 2.0}, {3, 2});
   const std::vector<StageSummary> ended = {
       {"daily", {.start = 0.0, .end = 2.0}}, {"flood", {.start = 2.0, .end = 10.0}}};
-  const auto level = [&](Real time) { return phreatic_line(c, ended, mesh, time).at(1); };
+  Real begin = 0.0;
+  const auto level = [&](Real time) { return phreatic_line(c, ended, mesh, begin, time).at(1); };
   EXPECT_EQ(level(1.0), 1.0f);
   EXPECT_EQ(level(2.0), 1.0f);
   EXPECT_EQ(level(3.0), 1.5f);  // a quarter of the ramp
@@ -66,6 +67,21 @@ TEST(Backdrop, ThePhreaticLineIsThatOfTheStage)
   c.water.situations[0].time = 8.0;
   EXPECT_EQ(level(2.0), 1.5f);
   EXPECT_EQ(level(9.0), 3.0f);
+}
+
+// A run that goes on from another one does not begin at t = 0.
+TEST(Backdrop, TheRampOfTheFirstStageBeginsWithTheRun)
+{
+  Case c;
+  c.water.start.phreatic_line = {{0.0, 1.0}};
+  c.water.situations = {{.name = "high", .phreatic_line = {{0.0, 3.0}}}};
+  StageCase flood;
+  flood.name = "flood", flood.water = "high", flood.ramp = 4.0;
+  c.stages = {flood};
+  const Mesh<2> mesh = make_rectangle({0.0, 0.0}, {3.0, 2.0}, {3, 2});
+  EXPECT_EQ(phreatic_line(c, {}, mesh, 10.0, 10.0).at(1), 1.0f);
+  EXPECT_EQ(phreatic_line(c, {}, mesh, 10.0, 11.0).at(1), 1.5f);
+  EXPECT_EQ(phreatic_line(c, {{"flood", {.start = 10.0, .end = 20.0}}}, mesh, 10.0, 11.0).at(1), 1.5f);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ TEST(NodalWater, ASituationIsReachedLinearlyAndStays)
   PorePressure pore;
   for (const auto& [time, level] :
       {std::pair(0.0, 1.5), std::pair(1.0, 2.0), std::pair(4.0, 3.5), std::pair(9.0, 3.5)}) {
-    model.water->renew(time, pore);
+    pore = water_at(model, time);
     EXPECT_DOUBLE_EQ(at(model, pore.pressure, {1.0, 0.5}), gamma_w * (level - 0.5)) << time;
     EXPECT_DOUBLE_EQ(at(model, pore.pressure, {1.0, 1.75}), gamma_w * std::max(level - 1.75, 0.0)) << time;
   }
@@ -51,7 +51,7 @@ TEST(NodalWater, IsCutToTheWeightOfSoilAndFreeWaterAbove)
   c.water.start.reference_lines = {{{{0.0, 0.6}}, "aquifer", "aquifer"}};
   const Model model = build_model(c, 1);
   PorePressure pore;
-  model.water->renew(0.0, pore);
+  pore = water_at(model, 0.0);
   EXPECT_DOUBLE_EQ(at(model, pore.pressure, {1.0, 0.5}), 2000.0 * 9.81 * 0.5 + gamma_w * 0.5);
   EXPECT_DOUBLE_EQ(at(model, pore.pressure, {1.0, 0.75}), gamma_w * 0.75);
   std::vector<Index> all(static_cast<std::size_t>(model.mesh->n_nodes()));
@@ -62,6 +62,24 @@ TEST(NodalWater, IsCutToTheWeightOfSoilAndFreeWaterAbove)
   EXPECT_DOUBLE_EQ(capped.most, gamma_w * 8.5 - 2000.0 * 9.81 * 0.5 - gamma_w * 0.5);
 }
 
+// A load holds down what the water lifts, from when it stands there.
+TEST(NodalWater, IsCutToTheWeightOfTheLoadsOfItsTime)
+{
+  Case c = wet_box();
+  c.water.start.head_lines = {{"aquifer", {{0.0, 9.0}}}};
+  c.water.start.reference_lines = {{{{0.0, 0.6}}, "aquifer", "aquifer"}};
+  c.loads = {{.name = "q", .from = 0.5, .to = 1.5, .pressure = 20e3},
+      {.name = "later", .from = 0.5, .to = 1.5, .pressure = 8e3, .start = 1.0, .ramp = 1.0}};
+  const Model model = build_model(c, 1);
+  const Real weight = 2000.0 * 9.81 * 0.5 + gamma_w * 0.5;
+  EXPECT_DOUBLE_EQ(at(model, water_at(model, 0.0).pressure, {1.0, 0.5}), weight + 20e3);
+  EXPECT_DOUBLE_EQ(at(model, water_at(model, 1.5).pressure, {1.0, 0.5}), weight + 24e3);
+  EXPECT_DOUBLE_EQ(at(model, water_at(model, 1.5).pressure, {2.0, 0.5}), weight);
+  std::vector<Index> all(static_cast<std::size_t>(model.mesh->n_nodes()));
+  std::iota(all.begin(), all.end(), 0);
+  EXPECT_DOUBLE_EQ(model.water->find_capped(all).most, gamma_w * 8.5 - weight);  // beside the load
+}
+
 TEST(NodalWater, SuctionHasItsOwnLimit)
 {
   Case c = wet_box();
@@ -69,7 +87,7 @@ TEST(NodalWater, SuctionHasItsOwnLimit)
   c.water.suction = 2.0e3;
   const Model model = build_model(c, 1);
   PorePressure pore;
-  model.water->renew(0.0, pore);
+  pore = water_at(model, 0.0);
   EXPECT_EQ(at(model, pore.pressure, {1.0, 0.75}), 0.0);
   EXPECT_DOUBLE_EQ(at(model, pore.suction, {1.0, 0.5}), 0.0);
   EXPECT_DOUBLE_EQ(at(model, pore.suction, {1.0, 0.75}), 2.0e3);
@@ -85,7 +103,7 @@ TEST(NodalWater, AFormulaOfTimeIsRenewedInEveryStep)
   const Model model = build_model(c, 1);
   PorePressure pore;
   for (const Real time : {0.0, 0.25, 2.0}) {
-    model.water->renew(time, pore);
+    pore = water_at(model, time);
     EXPECT_DOUBLE_EQ(at(model, pore.pressure, {1.0, 0.5}), 750.0 * time);
   }
 }
@@ -94,7 +112,7 @@ TEST(NodalWater, APointHasThePressureOfItsPlace)
 {
   Simulation s(wet_box());
   PorePressure pore;
-  s.model.water->renew(0.0, pore);
+  pore = water_at(s.model, 0.0);
   for_each_point(s.state.points, [&](const PointBlock<2>& block, Index lane) {
     const Real y = block.row(PointRows<2>::x + 1)[lane];
     EXPECT_NEAR(pore_pressure_at(s.model, pore, block, lane), gamma_w * (1.5 - y), 1e-8);

@@ -78,4 +78,22 @@ TEST(Overburden, CutsThePorePressureToTheWeightAbove)
   EXPECT_EQ(overburden.effective({1.0, 0.5}, c.water.start), 0.0);
 }
 
+// Loads that are there from the start, at their pressure of then: in the weight, the cap and the effective stress.
+TEST(Overburden, CarriesTheLoadsOfTheStartWhereTheyStand)
+{
+  Case c = two_layers();
+  WaterSituation& artesian = c.water.situations.emplace_back();
+  artesian.phreatic_line = {{0.0, 9.0}};
+  c.loads = {{.name = "q", .from = 0.0, .to = 2.0, .pressure = 30e3},
+      {.name = "later", .from = 0.0, .to = 4.0, .pressure = 90e3, .start = 1.0}};
+  const Model model = build_model(c, 1);
+  const Overburden overburden(model);
+  const Real soil = g * (1500.0 * 0.25 + 1700.0 * 0.25 + 2000.0 * 0.5);
+  EXPECT_DOUBLE_EQ(overburden.total({1.0, 0.5}, c.water.start), soil + 30e3);
+  EXPECT_DOUBLE_EQ(overburden.total({3.0, 0.5}, c.water.start), soil);
+  EXPECT_DOUBLE_EQ(overburden.effective({1.0, 0.5}, c.water.start), soil + 30e3 - gamma_w * 0.75);
+  EXPECT_DOUBLE_EQ(overburden.total({1.0, 2.0}, c.water.start), 0.0);  // above the ground
+  EXPECT_DOUBLE_EQ(Overburden(model, 2.0).total({1.0, 0.5}, c.water.start), soil / g * 2.0 + 30e3);
+}
+
 }  // namespace

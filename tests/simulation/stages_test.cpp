@@ -6,55 +6,10 @@
 #include "simulation/state_image.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/stages.hpp"
 #include "support/test.hpp"
 
-#include <functional>
-
 namespace {
-
-using Change = std::function<void(Case&)>;
-
-/// The case with stages, each with what it changes.
-Case staged(const Case& base, const std::vector<std::pair<StageCase, Change>>& stages)
-{
-  Case whole = base, now = base;
-  whole.time.end = 0.0;
-  for (const auto& [stage, change] : stages) {
-    whole.time.end += stage.longest();
-    whole.stages.push_back(stage);
-  }
-  for (std::size_t k = 0; k < stages.size(); ++k) {
-    now.time.end = whole.time.end;
-    if (stages[k].second) stages[k].second(now);
-    whole.stages[k].changed = std::make_shared<const Case>(now);
-  }
-  return whole;
-}
-
-StageCase stage(const std::string& name, Real duration)
-{
-  StageCase made;
-  made.name = name, made.duration = duration;
-  return made;
-}
-
-StageCase resting(const std::string& name, Real at_most)
-{
-  StageCase made;
-  made.name = name, made.until = Until::at_rest, made.at_most = at_most;
-  return made;
-}
-
-/// Elastic soil between smooth walls, 4 m x 1 m, that gravity compresses; cells of 0.25 m.
-Case settling()
-{
-  Case c = free_box("mpm_gp", {0.0, 0.0}, {4.0, 1.0}, elastic(2e6, 0.3, 2000.0));
-  c.forces.gravity = {0.0, -10.0};
-  c.forces.local_damping = 0.5;
-  c.sides = {side("left", SideKind::roller), side("right", SideKind::roller), side("bottom", SideKind::roller)};
-  c.time.end = 5.0;
-  return c;
-}
 
 /// Mean of sigma_yy over the lowest points [Pa].
 Real stress_at_base(const State& state)
@@ -63,22 +18,6 @@ Real stress_at_base(const State& state)
   for (const Point& p : points_by_id(state))
     if (p.x[1] < 0.25) sum += p.sigma[1], n += 1.0;
   return sum / n;
-}
-
-/// Names of the arrays that differ in any bit, or are in one image alone.
-std::vector<std::string> different_arrays(const StateImage& a, const StateImage& b)
-{
-  std::set<std::string> names;
-  const auto look = [&](const StateImage& one, const StateImage& other) {
-    for (const NamedArray& array : one.arrays) {
-      const auto same = [&](const NamedArray& there) {
-        return there.name == array.name && there.values == array.values;
-      };
-      if (std::ranges::none_of(other.arrays, same)) names.insert(array.name);
-    }
-  };
-  look(a, b), look(b, a);
-  return {names.begin(), names.end()};
 }
 
 TEST(Stages, InWhichNothingChangesGiveTheBitsOfOneRun)
@@ -160,6 +99,29 @@ TEST(Stages, RestWaitsForRampsAndLoadsThatAreToCome)
   EXPECT_NEAR(stress_at_base(s.state), -(2000.0 * 10.0 * 0.875 + 5e3), 250.0);
 }
 
+// A dike is not at rest before the river comes.
+TEST(Stages, RestWaitsForWaterThatIsToCome)
+{
+  Case c = settling();
+  c.time.rest_time = 0.1;
+  c.time.until = Until::at_rest;
+  c.time.end = c.time.at_most = 4.0;
+  c.water.start.phreatic_line = {{0.0, 0.2}};
+  c.water.situations = {{.name = "still", .time = 2.0, .phreatic_line = {{0.0, 0.2}}},
+      {.name = "flood", .time = 2.5, .phreatic_line = {{0.0, 0.9}}}};
+  Simulation s(c);
+  s.run();
+  EXPECT_GT(s.state.time, 2.5);
+  EXPECT_LT(s.state.time, 4.0);
+  c.water = {};
+  c.water.start.formula = [](Vec<2> x, Real t) { return std::max(0.0, 9810.0 * (0.2 + 1e-9 * t - x[1])); };
+  c.water.start.formula_changes = true;
+  c.time.end = c.time.at_most = 1.5;
+  Simulation never(c);
+  never.run();
+  EXPECT_FALSE(never.state.stages_done.at(0).at_rest);
+}
+
 TEST(Stages, ChangeLoadsAndGravity)
 {
   Case c = settling();
@@ -223,25 +185,6 @@ TEST(Stages, MayCountDisplacementAnew)
     EXPECT_EQ(s.state.x_initial[2 * k + 1], before[k].x[1]);
     EXPECT_LT(std::abs(after[k].strain[1]), 1e-3 * std::abs(before[k].strain[1]) + 1e-6);
   }
-}
-
-// Of a run that goes on from another one the strengths are those of its own case, fields too.
-TEST(Stages, BeginWithTheEndOfAnotherRunAndFieldsOfTheirOwn)
-{
-  constexpr std::size_t su_peak = 2;
-  Case c = column("mpm_gp");
-  c.time.end = 0.1;
-  c.materials[0].fields = {{su_peak, [](Vec<2> x) { return 15e3 + 1e3 * x[1]; }}};
-  Simulation first(c);
-  first.run();
-  c.materials[0].fields = {{su_peak, [](Vec<2> x) { return 9e3 + 1e3 * x[1]; }}};
-  Model model = build_model(c, 1);
-  State state = restore(model, first.save());
-  begin_from(model, "", state);
-  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
-    const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
-    EXPECT_EQ(*model.materials[0].view(block, lane).parameters(0), 9e3 + 1e3 * state.x_initial[2 * id + 1]);
-  });
 }
 
 /// Times of the rows of each table.
@@ -333,43 +276,6 @@ TEST(Stages, GoOnFromACheckpointWithTheSameBits)
     second_half.run();
     EXPECT_EQ(first_difference(whole.save(), second_half.save()), "") << t;
   }
-}
-
-TEST(Stages, BeginWithTheEndOfAnotherRun)
-{
-  Case c = settling();
-  c.loads = {{.name = "q", .from = 1.0, .to = 2.0, .pressure = 0.0}};
-  const Case chain = staged(c, {{stage("a", 0.2), {}}, {stage("b", 0.2), [](Case& n) { n.loads[0].pressure = 8e3; }}});
-  Simulation whole(chain), first(chain);
-  whole.run();
-  first.advance_to(0.2);
-  Model model = build_model(chain, 1);
-  State state = restore(model, first.save());
-  begin_from(model, "a", state);
-  Simulation rest(std::move(model), std::move(state));
-  rest.run();
-  EXPECT_EQ(first_difference(whole.save(), rest.save()).substr(0, 6), "counts");  // frames and rows that were reported
-  EXPECT_EQ(points_by_id(whole.state).back().v, points_by_id(rest.state).back().v);
-  EXPECT_EQ(whole.state.work.outer[outer_load], rest.state.work.outer[outer_load]);
-}
-
-TEST(Stages, OfAStateWithAnotherTimeStepKeepTheTime)
-{
-  Case slow = settling(), fast = settling();
-  fast.materials[0].parameters[0] *= 4.0;  // half of the time step
-  Simulation first(staged(slow, {{stage("a", 0.2), {}}, {stage("b", 0.2), {}}}));
-  first.advance_to(0.2);
-  const Case chain = staged(fast, {{stage("a", 0.2), {}}, {stage("b", 0.2), {}}});
-  Model model = build_model(chain, 1);
-  State state = restore(model, first.save());
-  begin_from(model, "a", state);
-  Simulation s(std::move(model), std::move(state));
-  s.step(1);
-  EXPECT_NEAR(s.state.time, first.state.time + s.model.dt, 1e-12);
-  s.run();
-  EXPECT_NEAR(s.state.time, 0.4, 2.0 * s.model.dt);
-  Simulation again(build_model(chain, 1), restore(s.model, s.save()));
-  EXPECT_EQ(again.model.first_time, first.state.time);
 }
 
 TEST(Stages, ShorterThanAStepAreRefused)

@@ -111,10 +111,10 @@ TEST(QuietCase, ItsWaterStandsFromTheStartOn)
   const Case quiet = quiet_case(staged_box());
   Simulation s(quiet);
   PorePressure pore;
-  s.model.water->renew(0.0, pore);
+  pore = water_at(s.model, 0.0);
   const auto at_base = std::ranges::find(s.model.mesh->nodes, Vec<2>{0.0, 0.0}) - s.model.mesh->nodes.begin();
   EXPECT_NEAR(pore.pressure[static_cast<std::size_t>(at_base)], 9810.0 * 3.0, 1e-6);
-  s.model.water->renew(1e9, pore);
+  pore = water_at(s.model, 1e9);
   EXPECT_NEAR(pore.pressure[static_cast<std::size_t>(at_base)], 9810.0 * 3.0, 1e-6);
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <set>
 
 namespace terp::test {
 
@@ -114,6 +115,19 @@ std::string first_difference(const StateImage& a, const StateImage& b)
   for (std::size_t k = 0; k < a.arrays.size(); ++k)
     if (!same_array(a.arrays[k], b.arrays[k])) return a.arrays[k].name;
   return "";
+}
+
+std::vector<std::string> different_arrays(const StateImage& a, const StateImage& b)
+{
+  std::set<std::string> names;
+  const auto look = [&](const StateImage& one, const StateImage& other) {
+    for (const NamedArray& array : one.arrays) {
+      const auto same = [&](const NamedArray& there) { return same_array(there, array); };
+      if (std::ranges::none_of(other.arrays, same)) names.insert(array.name);
+    }
+  };
+  look(a, b), look(b, a);
+  return {names.begin(), names.end()};
 }
 
 void draw_points(Simulation& s, const std::function<Vec<2>(Vec<2>)>& place)

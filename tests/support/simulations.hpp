@@ -54,5 +54,7 @@ void draw_points(Simulation& s, const std::function<Vec<2>(Vec<2>)>& place);
 
 /// Name of the first array that differs in any bit, "" if none does.
 std::string first_difference(const StateImage& a, const StateImage& b);
+/// Names of all arrays that differ in any bit, or are in one image alone, sorted.
+std::vector<std::string> different_arrays(const StateImage& a, const StateImage& b);
 
 }  // namespace terp::test

@@ -1,0 +1,118 @@
+#include "simulation/change_soil.hpp"
+
+#include "simulation/nodal_water.hpp"
+#include "simulation/point_parameters.hpp"
+#include "simulation/setup_points.hpp"
+
+#include <algorithm>
+
+namespace terp {
+namespace {
+
+using Rows = PointRows<2>;
+
+/// Gives a point of another material the mass of that material and the rows that only its law has.
+void change_row_values(const Model& model, Index from, Index to, std::vector<Real>& values)
+{
+  values[Rows::mass] *= model.materials[to].density / model.materials[from].density;
+  for (const RowInfo& row : model.rows.added())
+    if (row.is_of(to) && !row.is_of(from)) std::fill_n(values.begin() + row.first, row.n, row.initial);
+}
+
+/// A point on its way to a block of another material.
+struct MovedPoint {
+  BlockKey key;
+  std::vector<Real> values;
+};
+
+/// Material in the stage of a model of a point that was of another one. What was below the water line stays so.
+Index material_in_stage(const Model& model, Index body, Index from)
+{
+  const BodyCase& of = model.description.bodies[body];
+  const MaterialCase& now = model.description.materials[from];
+  const bool stays = !of.points_file.empty() || now.called() == of.material;
+  return stays ? from : material_number(model, of.material, now.zone);
+}
+
+/// Takes the points out of their blocks whose body is of another material than they are.
+std::vector<MovedPoint> take_changed_points(const Model& model, const std::vector<Index>& body, State& state)
+{
+  std::vector<MovedPoint> moved;
+  for (const Index cell : state.points.occupied())
+    for (Index b = state.points.first_block(cell); b >= 0; b = state.points.block(b).next)
+      for (Index lane = state.points.block(b).n; lane-- > 0;) {
+        const PointBlock<2>& block = state.points.block(b);
+        const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
+        const Index from = block.material, to = material_in_stage(model, body[id], from);
+        if (to == from) continue;
+        MovedPoint& point =
+            moved.emplace_back(MovedPoint{block, std::vector<Real>(static_cast<std::size_t>(state.points.n_rows()))});
+        state.points.take(b, lane, point.values);
+        change_row_values(model, from, to, point.values);
+        point.key.material = to;
+      }
+  return moved;
+}
+
+}  // namespace
+
+Seeds seeds_of(const Model& model)
+{
+  Seeds seeds;
+  for (const auto& batch : make_points(model))
+    for (const NewPoint& p : batch) {
+      seeds.bodies.push_back(p.body);
+      seeds.places.insert(seeds.places.end(), p.x.begin(), p.x.end());
+    }
+  return seeds;
+}
+
+bool have_same_materials(const Model& a, const Model& b)
+{
+  return std::ranges::equal(a.description.bodies, b.description.bodies, {}, &BodyCase::material, &BodyCase::material);
+}
+
+bool stores_other_stress(const Model& before, const Model& model)
+{
+  return !have_same_materials(before, model) || !std::ranges::equal(before.materials, model.materials, {},
+                                                    &SoilMaterial::stores_effective, &SoilMaterial::stores_effective);
+}
+
+void change_stored_stress(const Model& before, const Model& model, State& state)
+{
+  const std::vector<Index> body = seeds_of(model).bodies;
+  const PorePressure pore = before.water ? water_at(before, state.time) : PorePressure();
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const SoilMaterial& from = before.materials[block.material];
+    const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
+    const Index to = material_in_stage(model, body[id], block.material);
+    if (from.stores_effective == model.materials[to].stores_effective) return;
+    Real pressure = before.water ? pore_pressure_at(before, pore, block, lane) : 0.0;
+    if (from.excess_row >= 0) {
+      pressure += block.row(from.excess_row)[lane];
+      block.row(from.excess_row)[lane] = 0.0;
+    }
+    for (int k = 0; k < 3; ++k) block.row(Rows::sigma + k)[lane] += from.stores_effective ? -pressure : pressure;
+  });
+}
+
+void change_materials(const Model& model, State& state)
+{
+  const Seeds seeds = seeds_of(model);
+  std::vector<MovedPoint> moved = take_changed_points(model, seeds.bodies, state);
+  for (auto point = moved.rbegin(); point != moved.rend(); ++point) state.points.add(point->key, point->values);
+  state.points.update_occupied();
+  const auto varies = [&](const MovedPoint& point) { return model.materials[point.key.material].varies(); };
+  if (std::ranges::any_of(moved, varies)) set_point_parameters(model, seeds.places, state);
+}
+
+void change_densities(const Model& before, const Model& model, State& state)
+{
+  for_each_block(state.points, [&](const PointBlock<2>& block) {
+    const Real was = before.materials[block.material].density, is = model.materials[block.material].density;
+    if (is == was) return;
+    for (Index lane = 0; lane < block.n; ++lane) block.row(Rows::mass)[lane] *= is / was;
+  });
+}
+
+}  // namespace terp
