@@ -88,7 +88,7 @@ class Flood : public Follower {
     const FloodLevel& level = model.flood_level;
     const Barrier barrier = look(model, state);
     s.residual_height = known(barrier.height);
-    if (!level.is_known()) return;
+    if (!level.is_known() || state.has_no_start) return;
     FloodSummary& f = s.flood.emplace();
     f.water_level = level.value;
     f.water_level_origin = level.origin;

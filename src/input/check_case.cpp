@@ -194,8 +194,8 @@ void check_initial(const Node& root, const Case& values, Findings& findings)
   for (std::size_t k = 0; k < values.bodies.size() && stress == InitialStress::equilibrium; ++k)
     if (values.bodies[k].velocity != Vec<2>{0.0, 0.0} || values.bodies[k].velocity_at)
       findings.warnings.push_back({fmt::format("body[{}].velocity", k), "`velocity` has no effect",
-          "With initial.stress = \"equilibrium\" all soil is at rest at t = 0; the search for it "
-          "starts with this velocity.\nUse stress = \"k0\" or \"none\" for a body that moves.",
+          "With initial.stress = \"equilibrium\" all soil is at rest at t = 0.\nUse stress = \"k0\" or \"none\" for a "
+          "body that moves.",
           "body.velocity", true, {"initial.stress"}});
 }
 

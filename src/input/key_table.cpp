@@ -250,21 +250,24 @@ std::vector<KeyInfo> force_keys()
       {.path = "initial.stress",
           .field = [](Case& c, std::size_t) { return word_field(c.initial.stress); },
           .words = stress_words,
-          .meaning = "stress at t = 0 (reading R14): none, from the overburden (k0), or by settling under gravity with "
-                     "strong damping, after which displacements and strains are set to zero (equilibrium)"},
+          .meaning =
+              "stress at t = 0 (reading R14): none, from the overburden (k0), or that with which the section rests "
+              "as it is drawn, sought with small displacements from that of k0 where there is water, else from "
+              "none (equilibrium)"},
       {.path = "initial.k0",
           .field = [](Case& c, std::size_t) { return &c.initial.k0; },
           .range = not_negative,
           .usual = {0.2, 4.0},
-          .meaning = "horizontal over vertical stress, for stress = \"k0\""},
+          .meaning = "horizontal over vertical effective stress, for stress = \"k0\", and \"equilibrium\" with water"},
       {.path = "initial.damping",
           .field = [](Case& c, std::size_t) { return &c.initial.damping; },
           .range = {0.0, 1.0, false, true},
-          .meaning = "local damping while seeking equilibrium"},
+          .meaning = "local damping while seeking equilibrium, beside the damping that follows the slowest motion"},
       {.path = "initial.limit",
           .field = [](Case& c, std::size_t) { return &c.initial.limit; },
           .range = between_open(0.0, 1.0),
-          .meaning = "out-of-balance force over weight at which equilibrium is reached"},
+          .meaning =
+              "out-of-balance force over weight below which the soil may be at rest; docs/methods.md says what else"},
       {.path = "initial.max_steps",
           .field = [](Case& c, std::size_t) { return &c.initial.max_steps; },
           .range = {1.0},

@@ -10,7 +10,7 @@ namespace terp {
 struct SoilMaterial {
   std::string name;  ///< the user's: "clay"
   const MaterialType* type = nullptr;
-  std::unique_ptr<Material> law;
+  std::shared_ptr<const Material> law;
   Real density = 0.0;     ///< rho at t = 0 [kg/m^3]
   std::vector<int> rows;  ///< of the points: state variables, then parameters that vary, each in the order of the table
   SofteningOptions softening = {};

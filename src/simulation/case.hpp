@@ -143,8 +143,8 @@ struct ForcesCase {
 struct InitialCase {
   InitialStress stress = InitialStress::none;
   Real k0 = 1.0;            ///< horizontal over vertical stress, InitialStress::k0 [-]
-  Real damping = 0.8;       ///< local damping while seeking equilibrium [-]
-  Real limit = 1e-3;        ///< out-of-balance force over weight at which equilibrium is reached [-]
+  Real damping = 0.2;       ///< local damping while seeking equilibrium [-]
+  Real limit = 1e-4;        ///< out-of-balance force over weight at which equilibrium is reached [-]
   Index max_steps = 20000;  ///< give up after this many steps
 };
 

@@ -52,7 +52,7 @@ std::string describe_unbalanced(const Model& model, const State& state, const Wo
 }
 
 /// The point that moved furthest.
-std::string describe_moved(const Model& model, const State& state)
+std::string describe_moved(const Model& model, const State& state, Real stiffening)
 {
   Real furthest = -1.0;
   std::string text;
@@ -63,42 +63,27 @@ std::string describe_moved(const Model& model, const State& state)
     const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
     text = fmt::format("soil moved furthest from {} m, in `{}`: by {:.3g} m",
         place_text({state.x_initial[2 * id], state.x_initial[2 * id + 1]}), model.materials[block.material].name,
-        moved);
+        stiffening * moved);
   });
   return text;
 }
 
 }  // namespace
 
-Flow find_flow(const Model& model, const State& state)
-{
-  constexpr Real yielded = 0.1;  // eps_eq_p; single points at a toe come to 0.09 in soil that stands
-  Flow flow;
-  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
-    const int strain = row_of(model.materials[block.material], Role::plastic_strain);
-    if (strain < 0 || block.row(strain)[lane] < yielded) return;
-    const Real way = distance_moved(state, block, lane);
-    const Vec<2> a = model.mesh->nodes[model.mesh->cells[block.cell][0]],
-                 c = model.mesh->nodes[model.mesh->cells[block.cell][2]];
-    if (way <= std::hypot(c[0] - a[0], c[1] - a[1])) return;
-    ++flow.n;
-    flow.way = std::max(flow.way, way);
-  });
-  return flow;
-}
-
-std::string describe_flow(const Model& model, const State& state, const Flow& flow)
+std::string describe_failure(const Model& model, const State& state, Real moved, Real stiffening)
 {
   return fmt::format(
-      "no equilibrium: the body came to rest only after {:.2g} % of its soil had yielded and moved by up to {:.3g} "
-      "m\n\n"
+      "no equilibrium: the soil fails in the section as it is drawn; after {} steps a hundredth of it had moved by "
+      "more "
+      "than {:.2g} m, ever faster\n\n"
       "  where    {}\n"
-      "  likely   the body cannot stand under its own weight\n"
-      "  try      initial.stress = \"none\" or \"k0\", or a stronger soil (docs/troubleshooting.md#no-equilibrium)",
-      100.0 * static_cast<Real>(flow.n) / static_cast<Real>(state.n_ids()), flow.way, describe_moved(model, state));
+      "  likely   it cannot stand under its weight, its water and its loads\n"
+      "  try      initial.stress = \"k0\", to see it fail; a stronger soil; or at_strength below 1 in a first stage "
+      "(docs/troubleshooting.md#no-equilibrium)",
+      state.equilibrium_steps, moved, describe_moved(model, state, stiffening));
 }
 
-std::string describe_no_equilibrium(const Model& model, const State& state, const Workspace& work)
+std::string describe_no_equilibrium(const Model& model, const State& state, const Workspace& work, Real stiffening)
 {
   const InitialCase& initial = model.description.initial;
   return fmt::format(
@@ -109,7 +94,7 @@ std::string describe_no_equilibrium(const Model& model, const State& state, cons
       "  try      initial.stress = \"none\" or \"k0\", a stronger soil, or a larger initial.max_steps "
       "(docs/troubleshooting.md#no-equilibrium)",
       initial.max_steps, work.unbalanced_ratio, initial.limit, describe_unbalanced(model, state, work),
-      describe_moved(model, state));
+      describe_moved(model, state, stiffening));
 }
 
 }  // namespace terp

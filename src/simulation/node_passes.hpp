@@ -75,6 +75,23 @@ inline void push_by_footing(const PlacedFooting& footing, Real mass, Vec<2>& v, 
   for (int d = 0; d < 2; ++d) impulse[d] += mass * (v[d] - before[d]);
 }
 
+/// In the search for equilibrium the first forces out of balance come on by and by: what has not come is held.
+inline void hold_back(SearchForces& search, Index i, Vec<2>& out_of_balance)
+{
+  if (search.share == 0.0) search.held[i] = {-out_of_balance[0], -out_of_balance[1]};
+  for (int d = 0; d < 2; ++d) out_of_balance[d] += (1.0 - search.share) * search.held[i][d];
+}
+
+/// What the search needs for damping that follows the slowest motion: v . dR/dt and v . M v.
+inline void follow_motion(SearchForces& search, Index i, Vec<2> force, Vec<2> v, Real momentum_per_v, NodeSums& sums)
+{
+  for (int d = 0; d < 2; ++d) {
+    sums.stiffness += v[d] * (search.last[i][d] - force[d]);
+    sums.inertia += momentum_per_v * v[d] * v[d];
+    search.last[i][d] = force[d];
+  }
+}
+
 /// Step 2: out-of-balance force, damping, acceleration, boundary.
 inline void accelerate_node(
     const Model& model, State& state, const NodeGather& sum, Index i, Workspace& work, NodeSums& sums)
@@ -100,13 +117,17 @@ inline void accelerate_node(
       if (kind.acts) out_of_balance[d] += kind.node[i][d];
     node.internal[d] = -sum.internal_force[d];
   }
+  if (work.settling) hold_back(work.search, i, out_of_balance);
   sums.kinetic += 0.5 * sum.mass * (v_0[0] * v_0[0] + v_0[1] * v_0[1]);
   const int k = footing_at(work, model.mesh->nodes[i]);
   const PlacedFooting* const footing = k < 0 ? nullptr : &work.footings[k];
   const auto beside = [&](Vec<2> value) { return footing == nullptr ? value : footing->free_part(value); };
   Vec<2> force = beside(model.boundary.free_force(i, out_of_balance)),
          v = beside(model.boundary.free_velocity(i, v_0, out_of_balance));
-  if (damping.averaging_time > 0.0 && !work.settling) {
+  if (work.settling) {
+    damping.viscous += work.search.viscous;
+    follow_motion(work.search, i, force, v, sum.mass * model.dt, sums);
+  } else if (damping.averaging_time > 0.0) {
     follow_force(damping, force, model.dt, state.mean_force[i]);
     force = state.mean_force[i];
   }
@@ -118,7 +139,7 @@ inline void accelerate_node(
   for (int d = 0; d < 2; ++d) {
     node.dv[d] = node.v[d] - v_0[d];
     node.boundary[d] = sum.mass * (node.v[d] - v_free[d]) / model.dt;
-    sums.unbalanced += std::abs(sum.mass * node.dv[d] / model.dt);
+    sums.unbalanced += std::abs(sum.mass * node.dv[d] / model.dt - node.damping[d]);
     sums.weight += std::abs(sum.mass * work.gravity[d]);
     sums.finite &= std::isfinite(node.dv[d]);
   }

@@ -2,12 +2,10 @@
 
 #include "base/errors.hpp"
 #include "parallel/instructions.hpp"
-#include "simulation/elastic_model.hpp"
+#include "simulation/equilibrium.hpp"
 #include "simulation/guards.hpp"
-#include "simulation/initial.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/loads.hpp"
-#include "simulation/point_parameters.hpp"
 #include "simulation/reporter.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/stages.hpp"
@@ -50,24 +48,25 @@ struct Loop {
     reporter.report_checkpoint();
   }
 
-  void report_search(Real out_of_balance, std::int64_t steps)
+  void report_search(const SearchProgress& so_far)
   {
     const double wall = seconds_since(start);
     if (wall - last_progress < progress_every) return;
     last_progress = wall;
     const InitialCase& initial = model.description.initial;
-    const auto done = static_cast<double>(steps);
-    const double most = wall / done * (static_cast<double>(initial.max_steps) - done);
+    const auto done = static_cast<double>(so_far.steps);
+    const auto more = static_cast<double>(so_far.more_steps.value_or(initial.max_steps - so_far.steps));
     reporter.report({.time = 0.0,
         .end_time = model.description.time.end,
-        .step = steps,
+        .step = so_far.steps,
         .n_steps = initial.max_steps,
         .n_points = state.points.n_points(),
         .wall_s = wall,
         .point_steps_per_s = done * static_cast<double>(state.points.n_points()) / wall,
-        .eta_s = most,
-        .out_of_balance = out_of_balance,
-        .limit = initial.limit});
+        .eta_s = wall / done * more,
+        .out_of_balance = so_far.out_of_balance,
+        .limit = initial.limit,
+        .at_most = !so_far.more_steps});
   }
 
   void report_progress(bool last)
@@ -96,44 +95,14 @@ struct Loop {
   }
 };
 
-/// The search for equilibrium with soil that does not yield, where strengths are divided by a factor: so it exists
-/// whether or not the soil stands, and is where the trials of a factor of safety begin (docs/stability.md). The state
-/// is replaced by the one at its end. One that was stopped begins anew.
-Search settle_without_strength(const Model& model, State& state, const std::atomic<bool>& stop, Loop& loop)
-{
-  Model elastic = build_elastic_model(model.description, model.mesh, model.threads, model.rows);
-  elastic.stage = model.stage;
-  elastic.ramp = model.ramp;
-  elastic.gravity_before = model.gravity_before;
-  for (std::size_t k = 0; k < model.loads.size(); ++k) elastic.loads[k].before = model.loads[k].before;
-  State settled = build_state(elastic);
-  Workspace work(elastic, settled);
-  const Search search = seek_equilibrium(
-      elastic, settled, work, stop, [&] { loop.report_search(work.unbalanced_ratio, settled.equilibrium_steps); });
-  if (!search.reached && search.fault.empty()) return search;
-  const std::vector<Real> places = state.x_initial;
-  settled.followers = std::move(state.followers);  // those of the elastic soil, which has none, do not fit
-  state = restore(model, image_of_rows(settled, model.rows));
-  set_point_parameters(model, places, state);
-  start_followers(model, state);
-  return search;
-}
-
-Search find_start(const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop, Loop& loop)
-{
-  if (model.description.at_strength == 1.0)
-    return seek_equilibrium(
-        model, state, work, stop, [&] { loop.report_search(work.unbalanced_ratio, state.equilibrium_steps); });
-  const Search search = settle_without_strength(model, state, stop, loop);
-  work.fit(model, state);
-  return search;
-}
-
 /// What comes before the first step; reached: the first step may be made.
-Search start_run(const Model& model, State& state, Workspace& work, const std::atomic<bool>& stop, Loop& loop)
+Search start_run(const Model& model, State& state, const std::atomic<bool>& stop, Loop& loop)
 {
   if (model.description.initial.stress == InitialStress::equilibrium)
-    if (Search search = find_start(model, state, work, stop, loop); !search.reached) return search;
+    if (Search search =
+            find_equilibrium(model, state, stop, [&](const SearchProgress& so_far) { loop.report_search(so_far); });
+        !search.reached)
+      return search;
   start_followers(model, state);
   state.start_energy = kinetic_and_elastic_energy(model, state);
   return {.reached = true};
@@ -173,7 +142,7 @@ Outcome run(const Model& model, State& state, Workspace& work, std::span<Observe
 {
   Loop loop{.model = model, .state = state, .reporter = Reporter(model, state, work, observers)};
   if (!has_started(state)) {
-    const Search search = start_run(model, state, work, stop, loop);
+    const Search search = start_run(model, state, stop, loop);
     if (!search.fault.empty()) {
       loop.report_due(false);  // the state as the search left it, to look at
       loop.reporter.stop_run(search.fault);

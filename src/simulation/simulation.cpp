@@ -107,7 +107,6 @@ void Simulation::restore(const StateImage& image)
             saved.step, saved.time, model.dt, time));
   state = std::move(saved);
   model = model_for(std::move(model), state);
-  work.settling = false;
   work.damping_local = model.damping.local;
   work.forget_water();
   work.fit(model, state);

@@ -42,6 +42,7 @@ struct State {
   /// Running mean of the out-of-balance force, of damping with an averaging time [N per m]; shape [n_nodes], or empty.
   std::vector<Vec<2>> mean_force;
   std::int64_t equilibrium_steps = 0;    ///< made in the search for equilibrium, while the clock stands at 0
+  bool has_no_start = false;             ///< the search found no equilibrium, so that nothing can be judged
   Real start_energy = 0.0;               ///< kinetic + elastic at t = 0 [J per m]
   std::int64_t first_step = 0;           ///< Model::first_step and first_time
   Real first_time = 0.0;                 ///< [s]

@@ -86,6 +86,8 @@ void finish_sums(State& state, Workspace& work)
     total.clamps += sums.clamps;
     for (int kind = 0; kind < n_outer_kinds; ++kind) total.outer[kind] += sums.outer[kind];
     total.internal += sums.internal;
+    total.stiffness += sums.stiffness;
+    total.inertia += sums.inertia;
     total.unbalanced += sums.unbalanced;
     total.weight += sums.weight;
     total.kinetic += sums.kinetic;
@@ -111,6 +113,8 @@ void finish_sums(State& state, Workspace& work)
   work.finite = total.finite;
   work.kinetic_nodal = total.kinetic;
   work.fastest_node = std::sqrt(total.fastest);
+  work.search.stiffness = total.stiffness;
+  work.search.inertia = total.inertia;
   work.unbalanced_ratio = total.weight > 0.0 ? total.unbalanced / total.weight : 0.0;
 }
 

@@ -33,13 +33,23 @@ struct WaterMoment {
   bool operator==(const WaterMoment&) const = default;
 };
 
+/// Of the search for equilibrium, which adds and follows forces of its own (equilibrium.hpp).
+struct SearchForces {
+  std::vector<Vec<2>> held;             ///< what held each node at rest in the first step [N per m], shape [n_nodes]
+  std::vector<Vec<2>> last;             ///< out of balance at the last step [N per m], shape [n_nodes]
+  Real share = 0.0;                     ///< of the held forces that has been let go; 0: of the first step
+  Real viscous = 0.0;                   ///< damping in proportion to the nodal mass [1/s]
+  Real stiffness = 0.0, inertia = 0.0;  ///< v K v and v M v in the last step [N m/s^2 per m]
+};
+
 /// Sums over the nodes of one chunk.
 struct NodeSums {
   Real gravity = 0.0, damping = 0.0, boundary = 0.0, clamps = 0.0, internal = 0.0;  ///< work of the step [J per m]
   OuterWork outer{};                            ///< the same of forces from outside [J per m]
-  Real unbalanced = 0.0, weight = 0.0;          ///< sum of |m a|, of |m g| [N per m]
+  Real unbalanced = 0.0, weight = 0.0;          ///< sum of |m a| but for damping, of |m g| [N per m]
   Real fastest = 0.0;                           ///< largest squared speed of a node that counts for rest [m^2/s^2]
   Real kinetic = 0.0;                           ///< of the nodes at the start of the step [J per m]
+  Real stiffness = 0.0, inertia = 0.0;          ///< of SearchForces
   std::array<Vec<2>, most_footings> footing{};  ///< impulse of each footing on its nodes [N s per m]
   bool finite = true;
 };
@@ -111,12 +121,13 @@ struct Workspace {
   std::array<OuterForces, n_outer_kinds> outer;         ///< forces from outside
   std::vector<Real> load_pressure;                      ///< of each load in this step [Pa]
   bool settling = false;        ///< in the search for equilibrium, which knows neither footings nor loads for a time
+  SearchForces search = {};     ///< of the same
   Vec<2> gravity{0.0, 0.0};     ///< in this step [m/s^2]
   bool watches_rest = false;    ///< `fastest_node` is wanted
   Real fastest_node = 0.0;      ///< largest speed of a node that counts for rest, in the last step [m/s]
   Real damping_local = 0.0;     ///< alpha in force: the model's, or that of the search for equilibrium
   bool finite = true;           ///< no nodal value was NaN or infinite in the last step
-  Real unbalanced_ratio = 0.0;  ///< sum |m a| over sum |m g| in the last step
+  Real unbalanced_ratio = 0.0;  ///< sum |m a|, but for damping, over sum |m g| in the last step
   Real kinetic_nodal = 0.0;     ///< 1/2 sum m_i |v_i|^2 at the start of the last step [J per m]
 };
 

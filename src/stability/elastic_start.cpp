@@ -3,7 +3,7 @@
 #include "base/errors.hpp"
 #include "simulation/elastic_model.hpp"
 #include "simulation/ground_section.hpp"
-#include "simulation/initial.hpp"
+#include "simulation/equilibrium.hpp"
 #include "simulation/point_parameters.hpp"
 #include "simulation/reduce.hpp"
 #include "simulation/setup.hpp"
@@ -98,7 +98,7 @@ ElasticStart settle_elastically(
   const Section section = first_section(model, state.points, ground_of(model));
   start.relief = is_flat(section) ? start.height : relief(section);
   Workspace work(model, state);
-  const Search search = seek_equilibrium(model, state, work, stop);
+  const Search search = settle(model, state, work, stiffening, stop);
   if (!search.fault.empty()) throw RunError(search.fault);
   if (!search.reached) throw RunError("stopped in the search for the state at rest; nothing was found");
   start.steps = state.equilibrium_steps;

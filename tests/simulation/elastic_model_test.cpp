@@ -56,7 +56,7 @@ TEST(AtStrength, OneChangesNoBit)
 
 TEST(AtStrength, JustAboveTheFactorOfSafetyItFailsAndBelowItStands)
 {
-  const Real stands = run_out(cut(0.88)), fails = run_out(cut(1.0));
+  const Real stands = run_out(cut(0.88)), fails = run_out(cut(1.01));
   EXPECT_LT(stands, 0.1);
   EXPECT_GT(fails, 3.0 * stands);
   EXPECT_GT(fails, 0.1) << "until it is flat enough to stand";
@@ -90,6 +90,15 @@ TEST(AtStrength, StagesDoNotGiveTheSoilItsStrengthBackInTheSearch)
   s.start(), t.start();
   const auto a = points_by_id(s.state), b = points_by_id(t.state);
   for (std::size_t k = 0; k < a.size(); ++k) ASSERT_EQ(a[k].sigma, b[k].sigma);
+}
+
+TEST(AtStrength, BeginsInTheSectionAsDrawn)
+{
+  Simulation s(cut(1.0 / 0.7));
+  const std::vector<Real> drawn = s.state.x_initial;
+  s.start();
+  for (const Point& p : points_by_id(s.state))
+    for (int d = 0; d < 2; ++d) EXPECT_EQ(p.x[d], drawn[2 * static_cast<std::size_t>(p.id) + d]);
 }
 
 TEST(AtStrength, ASearchThatWasStoppedBeginsAnew)

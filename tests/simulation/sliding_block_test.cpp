@@ -1,5 +1,5 @@
 // A stiff elastic block on a contact base, against the motion of a rigid one.
-#include "simulation/initial.hpp"
+#include "simulation/equilibrium.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
 #include "support/test.hpp"
@@ -103,7 +103,7 @@ TEST_P(SlidingBlock, SoilAtRestOnAnAdhesiveSlopeGainsNoEnergy)
   c.initial.stress = InitialStress::equilibrium;
   Simulation s(c);
   const std::atomic<bool> stop{false};
-  ASSERT_TRUE(seek_equilibrium(s.model, s.state, s.work, stop).reached);
+  ASSERT_TRUE(find_equilibrium(s.model, s.state, stop).reached);
   s.step(static_cast<std::int64_t>(4.0 / s.model.dt));
   EXPECT_LT(std::abs(s.state.work.boundary), 1e-6);
   EXPECT_LT(kinetic_energy(points_by_id(s.state)), 0.01);

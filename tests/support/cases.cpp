@@ -71,6 +71,16 @@ Case free_box(const std::string& scheme, Vec<2> low, Vec<2> high, const Material
   return c;
 }
 
+Case confined_box(InitialStress stress)
+{
+  Case c = free_box("mpm_gp", {0.0, 0.0}, {4.0, 1.5}, elastic(2e6, 0.3, 2000.0));
+  c.forces.gravity = {0.0, -9.81};
+  c.forces.local_damping = 0.1;
+  c.initial.stress = stress;
+  for (const char* name : {"left", "right", "bottom"}) c.sides.push_back(side(name, SideKind::roller));
+  return c;
+}
+
 Case clamped_cell(const std::string& scheme)
 {
   Case c = free_box(scheme, {0.0, 0.0}, {1.0, 1.0});

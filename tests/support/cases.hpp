@@ -31,6 +31,9 @@ Case column_without_softening(const std::string& scheme, Real cell = 0.5);
 /// A box of one material alone in a mesh of 4 m x 2 m, cells of 0.25 m: no gravity, no damping, no sides.
 Case free_box(const std::string& scheme, Vec<2> low, Vec<2> high, const MaterialCase& material = clay());
 
+/// An elastic box of 4 m x 1.5 m between rollers, under gravity.
+Case confined_box(InitialStress stress);
+
 /// One cell of 1 m x 1 m, full of 2 x 2 points, whose nodes never move: a step changes nothing but by averaging, that
 /// of the paper.
 Case clamped_cell(const std::string& scheme);

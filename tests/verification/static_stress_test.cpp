@@ -7,7 +7,7 @@
 #include "support/meshes.hpp"
 #include "support/paths.hpp"
 #include "support/verification.hpp"
-#include "simulation/initial.hpp"
+#include "simulation/equilibrium.hpp"
 #include "support/test.hpp"
 #include <atomic>
 #include <iostream>
@@ -62,7 +62,7 @@ std::array<Real, 3> stress_error(const Layer& layer, const std::string& scheme, 
   const Case c = settling(layer, scheme, points_file);
   const auto n = [h](Real length) { return static_cast<Index>(std::lround(length / h)); };
   Simulation s = simulate_on(distorted_rectangle(n(layer.width), n(layer.height) + 2, h, 0.25, 5), c);
-  EXPECT_EQ(seek_equilibrium(s.model, s.state, s.work, std::atomic<bool>{false}).fault, "");
+  EXPECT_EQ(find_equilibrium(s.model, s.state, std::atomic<bool>{false}).fault, "");
   std::array<Real, 3> square{};
   Real count = 0.0;
   for (const Point& p : points_by_id(s.state)) {

@@ -1,0 +1,93 @@
+#include "simulation/search_windows.hpp"
+
+#include "events/section.hpp"
+#include "simulation/ground_section.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace terp {
+namespace {
+
+using Rows = PointRows<2>;
+
+/// Time in which a shear wave crosses the soil along gravity, by the mean of its slowness; of a fluid a sound wave [s].
+Real time_to_cross(const Model& model, const State& state)
+{
+  Real low = std::numeric_limits<Real>::infinity(), high = -low, slowness = 0.0, volume = 0.0;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const SoilMaterial& material = model.materials[block.material];
+    const Moduli m = material.varies() ? material.law->moduli(material.view(block, lane)) : material.law->moduli();
+    const Real depth =
+        block.row(Rows::x)[lane] * model.damping.down[0] + block.row(Rows::x + 1)[lane] * model.damping.down[1];
+    low = std::min(low, depth), high = std::max(high, depth);
+    const Real stiffness = m.shear > 0.0 ? m.shear : m.bulk, part = block.row(Rows::volume)[lane];
+    slowness += part * std::sqrt(material.density / stiffness);
+    volume += part;
+  });
+  return volume > 0.0 ? (high - low) * slowness / volume : 0.0;
+}
+
+/// What 99 % of the points moved less than [m].
+Real moved_by_most(const State& state)
+{
+  std::vector<Real> squares;
+  squares.reserve(static_cast<std::size_t>(state.points.n_points()));
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const auto id = static_cast<std::size_t>(block.row(Rows::id)[lane]);
+    const Real dx = block.row(Rows::x)[lane] - state.x_initial[2 * id],
+               dy = block.row(Rows::x + 1)[lane] - state.x_initial[2 * id + 1];
+    squares.push_back(dx * dx + dy * dy);
+  });
+  if (squares.empty()) return 0.0;
+  const auto at = squares.end() - static_cast<std::ptrdiff_t>(squares.size() / 100) - 1;
+  std::nth_element(squares.begin(), at, squares.end());
+  return std::sqrt(*at);
+}
+
+}  // namespace
+
+SearchWindows::SearchWindows(const Model& model, const State& state, Real stiffening) : stiffening_(stiffening)
+{
+  constexpr Real part_out_of_balance = 1e-3;  // of its weight
+  const Real window = 2.0 * time_to_cross(model, state);
+  steps_ = std::max<std::int64_t>(1, std::llround(window / model.dt));
+  // A part with the share e of its weight out of balance goes e g/c fast under the critical damping c = 2 pi/T of a
+  // layer, so e g T^2/(2 pi) in a window T.
+  const Real g = std::hypot(model.gravity[0], model.gravity[1]);
+  still_ = part_out_of_balance * g * stiffening * window * window / (2.0 * std::numbers::pi);
+  failed_ = moved_distance(first_section(model, state.points, ground_of(model)));
+}
+
+void SearchWindows::enter(const State& state, Real out_of_balance, bool counts)
+{
+  const Real moved = stiffening_ * moved_by_most(state);
+  if (!counts) moved_.clear(), out_of_balance_.clear();
+  moved_.push_back(moved);
+  out_of_balance_.push_back(out_of_balance);
+}
+
+/// In the last window, or in one further back [m].
+Real SearchWindows::moved_in(std::size_t back) const
+{
+  const std::size_t last = moved_.size() - 1 - back;
+  return moved_[last] - moved_[last - 1];
+}
+
+bool SearchWindows::at_rest() const { return moved_.size() > 1 && std::abs(moved_in(0)) <= still_; }
+
+bool SearchWindows::runs_away() const
+{
+  return moved_.size() > 3 && moved_.back() > failed_ && moved_in(0) > moved_in(1) && moved_in(1) > moved_in(2);
+}
+
+std::optional<std::int64_t> SearchWindows::more_steps(Real out_of_balance, Real limit) const
+{
+  const std::size_t n = out_of_balance_.size();
+  if (n < 2 || !(out_of_balance_[n - 1] < out_of_balance_[n - 2]) || !(out_of_balance > limit)) return std::nullopt;
+  const Real per_window = std::log(out_of_balance_[n - 2] / out_of_balance_[n - 1]);
+  return std::llround(static_cast<Real>(steps_) * std::log(out_of_balance / limit) / per_window);
+}
+
+}  // namespace terp
