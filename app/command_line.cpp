@@ -112,7 +112,7 @@ void add_set(CLI::App* command, RunOptions& options)
 
 void add_language(CLI::App* command, std::string& language)
 {
-  command->add_option("--language", language, "of the page: en, nl (default en); the page itself can change it")
+  command->add_option("--language", language, "of the page: en, nl (default en); it can be\nchanged on the page")
       ->option_text("L")
       ->check(CLI::IsMember(std::vector<std::string>(report_languages.begin(), report_languages.end())));
 }

@@ -147,9 +147,7 @@ Search settle(
   SearchWindows windows(model, state, s);
   const std::int64_t ramp = ramp_windows * windows.steps();
   work.damping_local = initial.damping;
-  work.settling = true;
-  work.search = {.held = std::vector<Vec<2>>(model.mesh->nodes.size(), Vec<2>{0.0, 0.0}), .last = {}};
-  work.search.last = work.search.held;
+  work.begin_search();
   state.equilibrium_steps = 0;
   const auto goes_on = [&] {
     const std::int64_t n = ++state.equilibrium_steps;

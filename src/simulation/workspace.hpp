@@ -129,6 +129,14 @@ struct Workspace {
   bool finite = true;           ///< no nodal value was NaN or infinite in the last step
   Real unbalanced_ratio = 0.0;  ///< sum |m a|, but for damping, over sum |m g| in the last step
   Real kinetic_nodal = 0.0;     ///< 1/2 sum m_i |v_i|^2 at the start of the last step [J per m]
+
+  /// From the next step on the soil settles, its first forces out of balance held.
+  void begin_search()
+  {
+    const std::vector<Vec<2>> none(node.size(), Vec<2>{0.0, 0.0});
+    settling = true;
+    search = {.held = none, .last = none};
+  }
 };
 
 }  // namespace terp

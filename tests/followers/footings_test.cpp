@@ -141,7 +141,8 @@ TEST(Footings, GiveTheSameBitsOnAnyNumberOfThreads)
 TEST(Footings, AreAwayWhileTheSoilSettles)
 {
   Simulation s = followed(pushed("mpm_gp"));
-  s.work.settling = true;
+  s.work.begin_search();
+  s.work.search.share = 1.0;
   make_steps(s, 5);
   EXPECT_TRUE(s.work.footings.empty());
   EXPECT_EQ(momentum(s.state)[1], 0.0);
