@@ -108,7 +108,7 @@ void print_stages(const Model& model, double all_s)
     const bool rests = stage.until == Until::at_rest;
     std::string changes;
     for (const auto& [key, value] : stage.changes) changes += (changes.empty() ? ": " : ", ") + key + " = " + value;
-    fmt::print("  stage {:<9}t = {:g} to {}{:g} s, solved in {}{}{}\n", stage.name, start, rests ? "at most " : "",
+    fmt::print("  stage {:<8} t = {:g} to {}{:g} s, solved in {}{}{}\n", stage.name, start, rests ? "at most " : "",
         start + stage.longest(), rests ? "at most " : "",
         readable_duration(all_s * stage.longest() / model.description.time.end), printable(changes));
     start += stage.longest();
