@@ -384,8 +384,10 @@ describe("the page", () => {
     const words = () => page.locator("body").innerText();
     expect(await words()).toMatch(/Beschadigd, keert het water.*Waakhoogte.*0,40.m.*Restprofiel/s);
     expect(await words()).not.toMatch(/\b(slide|what happened|residual|colour by|named points|checks)\b/i);
+    const again = page.waitForEvent("load"); // the page loads anew in the other language
     await page.selectOption(".language", "en");
-    await until(page, `document.readyState === "complete" && window.terp && document.querySelector(".verdict-word")?.textContent.startsWith("Damaged")`);
+    await again;
+    await until(page, `document.querySelector(".verdict-word")?.textContent.startsWith("Damaged")`);
     expect(page.url()).toContain("lang=en");
     expect(errors).toEqual([]);
     await page.context().close();
