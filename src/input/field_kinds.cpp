@@ -4,6 +4,7 @@
 #include "base/closest.hpp"
 #include "input/expression.hpp"
 #include "input/key_text.hpp"
+#include "input/random_kind.hpp"
 #include "input/units.hpp"
 #include "simulation/soil_fields.hpp"
 
@@ -15,27 +16,10 @@
 namespace terp {
 namespace {
 
-std::nullopt_t refuse(const FieldContext& context, const std::string& path, std::string what, std::string detail)
-{
-  context.findings.problems.push_back({path, std::move(what), std::move(detail), "field"});
-  return std::nullopt;
-}
-
 bool read_number(
     const FieldContext& context, const Node& node, const std::string& path, const KeyInfo& key, Real& value)
 {
   return store_value({node, path, key}, &value, context.findings);
-}
-
-/// The same key with another unit, range and usual range.
-KeyInfo key_like(const KeyInfo& key, std::string_view unit, Range range, Range usual = any_number)
-{
-  KeyInfo other = key;
-  other.unit = unit;
-  other.range = range;
-  other.usual = usual;
-  other.field = [](Case& c, std::size_t) { return &c.time.end; };  // a number, for messages
-  return other;
 }
 
 /// [[argument, value], ...]; the arguments ascend, or descend if `either`.
@@ -44,7 +28,7 @@ std::optional<std::vector<Vec<2>>> read_line(
 {
   const std::string path = join_path(context.entry.path, list.name);
   if (list.kind != NodeKind::list || list.items.empty())
-    return refuse(context, path, fmt::format("`{}` must be a list of pairs", list.name),
+    return refuse_field(context, path, fmt::format("`{}` must be a list of pairs", list.name),
         fmt::format("Got {}; allowed: one pair or more, [[{}, value], ...].", describe_value(list), argument.unit));
   const KeyInfo& given = context.entry.key;
   const KeyInfo number = key_like(given, given.unit, given.range, given.usual);
@@ -53,7 +37,7 @@ std::optional<std::vector<Vec<2>>> read_line(
     const Node& pair = list.items[k];
     const std::string at = fmt::format("{}[{}]", path, k);
     if (pair.kind != NodeKind::list || pair.items.size() != 2)
-      return refuse(context, at, fmt::format("`{}` must be a list of pairs", list.name),
+      return refuse_field(context, at, fmt::format("`{}` must be a list of pairs", list.name),
           fmt::format("Got {}; a pair has two numbers.", describe_value(pair)));
     Vec<2>& place = line.emplace_back();
     if (!read_number(context, pair.items[0], at + "[0]", argument, place[0]) ||
@@ -63,7 +47,7 @@ std::optional<std::vector<Vec<2>>> read_line(
   if (either && line.front()[0] > line.back()[0]) std::ranges::reverse(line);
   for (std::size_t k = 1; k < line.size(); ++k)
     if (line[k][0] < line[k - 1][0])
-      return refuse(context, path, fmt::format("`{}` goes back", list.name),
+      return refuse_field(context, path, fmt::format("`{}` goes back", list.name),
           fmt::format("{} {} stands beside {} {}. Give the pairs in order; a step, two pairs with one {}, is allowed.",
               line[k - 1][0], argument.unit, line[k][0], argument.unit, argument.unit));
   return line;
@@ -86,7 +70,7 @@ std::optional<FieldValue> read_csv(const Node& value, const FieldContext& contex
 {
   const std::string path = join_path(context.entry.path, value.name);
   if (value.kind != NodeKind::text)
-    return refuse(context, path, "`csv` must be text",
+    return refuse_field(context, path, "`csv` must be text",
         fmt::format("Got {}; allowed: the name of a file, relative to the case file.", describe_value(value)));
   const std::string file = path_of(context.folder, value.text);
   if (!std::filesystem::is_regular_file(file)) return std::nullopt;  // check_files says so
@@ -95,7 +79,7 @@ std::optional<FieldValue> read_csv(const Node& value, const FieldContext& contex
     context.needs.covers.push_back({value.text, map.low(), map.high()});
     return by_map(std::move(map));
   } catch (const CsvError& error) {
-    return refuse(context, path, "the table cannot be used", error.what());
+    return refuse_field(context, path, "the table cannot be used", error.what());
   }
 }
 
@@ -107,7 +91,7 @@ std::optional<std::string> read_water(const Node& table, std::string_view name, 
   const Node* node = find_item(table, name);
   if (node == nullptr) return "";
   if (node->kind != NodeKind::text)
-    return refuse(context, join_path(context.entry.path, name), fmt::format("`{}` must be text", name),
+    return refuse_field(context, join_path(context.entry.path, name), fmt::format("`{}` must be text", name),
         fmt::format("Got {}; allowed: the name of a [[water.situation]].", describe_value(*node)));
   if (node->text == start_water) return "";
   context.needs.situations.push_back(node->text);
@@ -175,10 +159,10 @@ std::optional<FieldValue> read_shansep(const Node& table, const FieldContext& ou
   const FieldContext context{
       {table, join_path(outer.entry.path, table.name), outer.entry.key}, outer.folder, outer.findings, outer.needs};
   if (outer.entry.key.unit != "Pa")
-    return refuse(outer, context.entry.path, "SHANSEP gives a strength",
+    return refuse_field(outer, context.entry.path, "SHANSEP gives a strength",
         fmt::format("It is in Pa; `{}` is in {}.", last_part(outer.entry.path), outer.entry.key.unit));
   if (table.kind != NodeKind::table)
-    return refuse(outer, context.entry.path, "`shansep` must be a table",
+    return refuse_field(outer, context.entry.path, "`shansep` must be a table",
         fmt::format("Got {}; write {{ S = 0.23, m = 0.9, pop = \"15 kPa\" }}.", describe_value(table)));
   std::vector<std::string> names;
   for (const ShansepKey& key : shansep_keys) names.emplace_back(key.name);
@@ -191,7 +175,7 @@ std::optional<FieldValue> read_shansep(const Node& table, const FieldContext& ou
       good = read_shansep_key(item, *key, context, soil) && good;
     } else if (std::ranges::find(names, item.name) == names.end()) {
       const std::string nearest = closest(item.name, names);
-      refuse(context, join_path(context.entry.path, item.name), fmt::format("unknown key `{}`", item.name),
+      refuse_field(context, join_path(context.entry.path, item.name), fmt::format("unknown key `{}`", item.name),
           (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) +
               "Keys of shansep: " + plain_list(names));
       context.findings.problems.back().at_key = true;
@@ -201,10 +185,10 @@ std::optional<FieldValue> read_shansep(const Node& table, const FieldContext& ou
   const auto water = read_water(table, "water", context), daily = read_water(table, "daily_water", context);
   if (!good || !water || !daily) return std::nullopt;
   if (!soil.S || !soil.m)
-    return refuse(context, context.entry.path, fmt::format("`shansep` has no `{}`", soil.S ? "m" : "S"),
+    return refuse_field(context, context.entry.path, fmt::format("`shansep` has no `{}`", soil.S ? "m" : "S"),
         "S_u = S sigma'_v (sigma'_p / sigma'_v)^m. Dutch defaults: clay S = 0.22, m = 0.9; peat S = 0.27, m = 0.9.");
   if (static_cast<bool>(soil.pop) + static_cast<bool>(soil.ocr) + static_cast<bool>(soil.yield_stress) != 1)
-    return refuse(context, context.entry.path, "`shansep` needs one of `pop`, `ocr` and `yield_stress`",
+    return refuse_field(context, context.entry.path, "`shansep` needs one of `pop`, `ocr` and `yield_stress`",
         "They say what sigma'_p is: sigma'_v,daily + pop, ocr sigma'_v,daily, or the stress itself. Give exactly one.");
   context.needs.stress_water = name_of_water(*water);
   if (!soil.yield_stress) context.needs.daily_water = name_of_water(*daily);
@@ -222,7 +206,7 @@ std::optional<FieldValue> read_formula(const FieldContext& context)
     const Expression formula(text, {"x", "y"}, {});
     return [formula](const PlaceInSoil& at) { return formula(at.x); };
   } catch (const ExpressionError& error) {
-    return refuse(context, context.entry.path,
+    return refuse_field(context, context.entry.path,
         fmt::format("`{}` is not a formula of x and y", last_part(context.entry.path)),
         fmt::format("{}\nGot \"{}\"; its numbers are in SI: {}.", error.what(), text,
             context.entry.key.unit == "-" ? "x and y in m" : "x and y in m, the value in " + context.entry.key.unit));
@@ -238,7 +222,7 @@ std::optional<FieldValue> read_kind(const FieldContext& context)
     names.emplace_back(kind.name);
     if (find_item(table, kind.name) == nullptr) continue;
     if (found != nullptr)
-      return refuse(context, context.entry.path,
+      return refuse_field(context, context.entry.path,
           fmt::format(
               "`{}` is given in two ways, `{}` and `{}`", last_part(context.entry.path), found->name, kind.name),
           "Remove one of the two.");
@@ -249,14 +233,14 @@ std::optional<FieldValue> read_kind(const FieldContext& context)
         (item.name == found->name || std::ranges::find(found->options, item.name) != found->options.end()))
       continue;
     const std::string nearest = closest(item.name, names);
-    return refuse(context, join_path(context.entry.path, item.name),
+    return refuse_field(context, join_path(context.entry.path, item.name),
         fmt::format("`{}` is no kind of field{}", item.name,
             found == nullptr ? "" : fmt::format(", nor an option of `{}`", found->name)),
         (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) + "Kinds: " + plain_list(names));
   }
   if (found == nullptr)
-    return refuse(context, context.entry.path, fmt::format("`{}` is an empty table", last_part(context.entry.path)),
-        "Kinds of field: " + plain_list(names));
+    return refuse_field(context, context.entry.path,
+        fmt::format("`{}` is an empty table", last_part(context.entry.path)), "Kinds of field: " + plain_list(names));
   return found->read(*find_item(table, found->name), context);
 }
 
@@ -271,6 +255,22 @@ void replace_files(Node& node, const std::string& folder)
 }
 
 }  // namespace
+
+std::nullopt_t refuse_field(const FieldContext& context, const std::string& path, std::string what, std::string detail)
+{
+  context.findings.problems.push_back({path, std::move(what), std::move(detail), "field"});
+  return std::nullopt;
+}
+
+KeyInfo key_like(const KeyInfo& key, std::string_view unit, Range range, Range usual)
+{
+  KeyInfo other = key;
+  other.unit = unit;
+  other.range = range;
+  other.usual = usual;
+  other.field = [](Case& c, std::size_t) { return &c.time.end; };  // a number, for messages
+  return other;
+}
 
 const std::vector<FieldKind>& field_kinds()
 {
@@ -291,6 +291,8 @@ const std::vector<FieldKind>& field_kinds()
           "S_u = S sigma'_v (sigma'_p / sigma'_v)^m, sigma'_p = sigma'_v,daily + pop, or by ocr or yield_stress; also "
           "minimum, water and daily_water: situations of sigma'_v and sigma'_v,daily, if not the start",
           {}, read_shansep},
+      {"random", "{ random = { mean = 20e3, cov = 0.2, theta = [10, 0.5], box = [[0, -5], [40, 0]], seed = 1 } }",
+          "a random field about a mean, with a separable Markov correlation; the same on any mesh", {}, read_random},
   };
   return kinds;
 }
@@ -338,7 +340,7 @@ std::string describe_field_kinds()
   for (const ShansepKey& key : shansep_keys)
     out += fmt::format("  {:<14}[{}] {}; {}, usual {}\n", key.name, key.unit, key.meaning,
         range_text(key.range, key.unit), usual_text(key.usual, key.unit));
-  return out;
+  return out + "\nKeys of random\n" + describe_random_keys();
 }
 
 }  // namespace terp

@@ -3,6 +3,7 @@
 // Not for: the values themselves (simulation/soil_fields).
 #pragma once
 
+#include "input/keys.hpp"
 #include "input/values.hpp"
 
 #include <optional>
@@ -36,6 +37,12 @@ bool is_formula(const Node& node);
 
 /// A number, a formula or a table of one kind, as the value at a place; none, with a problem added, if it is neither.
 std::optional<FieldValue> read_field(const FieldContext& context);
+
+/// Adds a problem of the field.
+std::nullopt_t refuse_field(const FieldContext& context, const std::string& path, std::string what, std::string detail);
+
+/// The same key with another unit, range and usual range.
+KeyInfo key_like(const KeyInfo& key, std::string_view unit, Range range, Range usual = any_number);
 
 /// The field as text, on which resuming decides whether the case is the same; files by what is in them.
 std::string field_text(const Node& node, const std::string& folder);

@@ -101,6 +101,39 @@ TEST(FieldKinds, FilesAreReadBesideTheCaseAndRecordedByTheirContent)
   EXPECT_NE(record("c.csv", "0,0,7e3\n8,0,7e3\n0,2,9e3\n8,2,9e3\n9,9,9\n0,9,9\n9,0,9\n9,2,9\n8,9,9\n"), before);
 }
 
+const std::string random_su =
+    "su_peak = { random = { mean = MEAN, cov = 0.2, theta = [4, 0.5], box = [[0, 0], [8, 2]], seed = 1, "
+    "realisation = 3 } }\n";
+
+TEST(FieldKinds, ARandomFieldMultipliesItsMean)
+{
+  const auto value = [](const std::string& mean, Vec<2> x) {
+    return material_of("shear_modulus = 2e6\n" + replaced(random_su, "MEAN", mean)).fields[0].value_at({x});
+  };
+  const Real factor = value("1.0", {3.0, 1.0});
+  EXPECT_NE(factor, 1.0);
+  EXPECT_DOUBLE_EQ(value("\"20 kPa\"", {3.0, 1.0}), 20e3 * factor);
+  EXPECT_DOUBLE_EQ(value("{ elevation = [[0, 10e3], [2, 6e3]] }", {3.0, 1.0}), 8e3 * factor);
+  EXPECT_TRUE(std::isnan(value("1.0", {9.0, 1.0}))) << "beyond the box";
+}
+
+TEST(FieldKinds, OtherParametersFollowARandomField)
+{
+  const MaterialCase clay =
+      material_of("stiffness_ratio = 100\n" + replaced(random_su, "MEAN", "8e3") + "sensitivity = 2\n");
+  const PlaceInSoil at{{3.0, 1.0}};
+  ASSERT_EQ(clay.fields.size(), 4u);
+  const Real su = clay.fields[1].value_at(at);
+  EXPECT_DOUBLE_EQ(clay.fields[0].value_at(at), 100.0 * su);
+  EXPECT_DOUBLE_EQ(clay.fields[2].value_at(at), su / 2.0);
+}
+
+TEST(FieldKinds, ARandomFieldHasTheValuesThatAreKnown)
+{
+  const std::string known = replaced(replaced(random_su, "MEAN", "8e3"), "seed", "known = [[3, 1, \"5 kPa\"]], seed");
+  EXPECT_NEAR(material_of("shear_modulus = 2e6\n" + known).fields[0].value_at({{3.0, 1.0}}), 5e3, 1e-9);
+}
+
 TEST(FieldKinds, EveryKindIsExplained)
 {
   const std::string text = describe_field_kinds();

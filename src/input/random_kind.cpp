@@ -1,0 +1,234 @@
+#include "input/random_kind.hpp"
+
+#include "base/closest.hpp"
+#include "input/key_text.hpp"
+#include "simulation/gaussian_field.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace terp {
+namespace {
+
+constexpr Real most_seed = 2147483647.0;
+constexpr std::size_t most_known = 1000;  // the cost of conditioning grows with its cube
+constexpr double most_nodes = 2e7;        // 0.2 GB, seconds
+
+struct RandomText {
+  GaussianFieldCase field;
+  Index seed = 0, realisation = 0, number = 0;
+  std::string distribution = "lognormal";
+  Real cov = 0.0;
+  std::vector<Vec<2>> mix;
+};
+
+struct RandomKey {
+  std::string_view name, unit;
+  Range range, usual;
+  bool required;
+  Field (*field)(RandomText&);
+  std::string_view meaning;
+};
+
+constexpr Range whole{0.0, most_seed};
+
+// Usual values: docs/probability.md.
+const RandomKey random_keys[] = {
+    {"cov", "-", {0.0, 3.0, true, false}, between(0.02, 0.8), true, [](RandomText& t) -> Field { return &t.cov; },
+        "coefficient of variation"},
+    {"theta", "m", positive, between(0.05, 200.0), true, [](RandomText& t) -> Field { return &t.field.scale; },
+        "scales of fluctuation along x and y"},
+    {"box", "m", any_number, any_number, true,
+        [](RandomText& t) -> Field {
+          return BoxCorners{&t.field.low, &t.field.high};
+        },
+        "[[x, y], [x, y]], where the field has values"},
+    {"seed", "-", whole, any_number, false, [](RandomText& t) -> Field { return &t.seed; }, "of the random numbers"},
+    {"realisation", "-", whole, any_number, false, [](RandomText& t) -> Field { return &t.realisation; },
+        "number of the draw"},
+    {"field", "-", {0.0, 1e6}, any_number, false, [](RandomText& t) -> Field { return &t.number; },
+        "number of the field: fields of one number are the same"},
+    {"mix", "-", any_number, any_number, false, [](RandomText& t) -> Field { return Polyline{&t.mix}; },
+        "[[field, weight], ...] instead of field: the sum of several, squares of the weights adding up to one"},
+    {"distribution", "", any_number, any_number, false, [](RandomText& t) -> Field { return &t.distribution; },
+        "lognormal or normal"},
+};
+constexpr std::string_view own_keys[] = {"mean", "known"};
+
+std::vector<std::string> names_of_keys()
+{
+  std::vector<std::string> names(std::begin(own_keys), std::end(own_keys));
+  for (const RandomKey& key : random_keys) names.emplace_back(key.name);
+  return names;
+}
+
+bool read_keys(const Node& table, const FieldContext& context, RandomText& text)
+{
+  bool good = true;
+  for (const RandomKey& info : random_keys) {
+    const Node* item = find_item(table, info.name);
+    const std::string path = join_path(context.entry.path, info.name);
+    if (item == nullptr) {
+      if (info.required)
+        refuse_field(context, context.entry.path, fmt::format("`random` needs `{}`", info.name),
+            fmt::format("It is {}{}.", info.meaning, info.unit == "-" ? "" : fmt::format(" [{}]", info.unit)));
+      good = good && !info.required;
+      continue;
+    }
+    KeyInfo key = key_like(context.entry.key, info.unit, info.range, info.usual);
+    key.field = {}, key.path = info.name;
+    if (info.name == "distribution") key.words = random_distributions;
+    const std::size_t before = context.findings.problems.size();
+    const Field field = info.field(text);
+    key.field = [field](Case&, std::size_t) { return field; };  // its type, for messages
+    good = store_value({*item, path, key}, field, context.findings) && good;
+    for (std::size_t k = before; k < context.findings.problems.size(); ++k)
+      context.findings.problems[k].topic = "field";
+  }
+  return good;
+}
+
+bool refuse_unknown(const Node& table, const FieldContext& context)
+{
+  const std::vector<std::string> names = names_of_keys();
+  for (const Node& item : table.items) {
+    if (std::ranges::find(names, item.name) != names.end()) continue;
+    const std::string nearest = closest(item.name, names);
+    refuse_field(context, join_path(context.entry.path, item.name), fmt::format("unknown key `{}`", item.name),
+        (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) + "Keys of random: " + plain_list(names));
+    context.findings.problems.back().at_key = true;
+    return false;
+  }
+  return true;
+}
+
+/// Which independent fields it is the sum of.
+bool set_parts(const FieldContext& context, RandomText& text)
+{
+  const std::string path = join_path(context.entry.path, "mix");
+  if (text.mix.empty()) {
+    text.field.parts = {{static_cast<std::uint32_t>(text.number), 1.0}};
+    return true;
+  }
+  text.field.parts.clear();
+  Real squares = 0.0;
+  for (const Vec<2>& part : text.mix) {
+    if (part[0] < 0.0 || part[0] > 1e6 || part[0] != std::floor(part[0]))
+      return refuse_field(context, path, fmt::format("{} is no number of a field", part[0]), "A whole number, from 0."),
+             false;
+    text.field.parts.emplace_back(static_cast<std::uint32_t>(part[0]), part[1]);
+    squares += part[1] * part[1];
+  }
+  if (std::abs(squares - 1.0) > 1e-9)
+    return refuse_field(context, path, "the squares of the weights of `mix` must add up to one",
+               fmt::format("Got {}; else the field has another variance than `cov` says.", squares)),
+           false;
+  return true;
+}
+
+/// Beyond that share of places where the value is not positive a normal field is refused.
+constexpr Real widest_normal = 0.25;  // Phi(-1/0.25) = 3e-5
+
+bool check_text(const FieldContext& context, const RandomText& text)
+{
+  if (text.distribution == "normal" && text.cov > widest_normal)
+    return refuse_field(context, join_path(context.entry.path, "cov"), "a normal field so wide has negative values",
+               fmt::format("Got a coefficient of variation of {}; allowed for a normal field: at most {}, where 3 of "
+                           "100 000 values are below zero.\nA lognormal field has none.",
+                   text.cov, widest_normal)),
+           false;
+  const double n = GaussianField::n_nodes(text.field);
+  if (n > most_nodes)
+    return refuse_field(context, context.entry.path, "the random field has too many nodes",
+               fmt::format("{:.2g}, eight along each theta, from x = y = 0 over all of the box; allowed: {:.2g}.\nGive "
+                           "larger scales of fluctuation, or a smaller box nearer to x = y = 0.",
+                   n, most_nodes)),
+           false;
+  return true;
+}
+
+/// [[x, y, value], ...] -> scores.
+bool read_known(const Node& list, const FieldContext& context, const FieldValue& mean, RandomText& text)
+{
+  const std::string path = join_path(context.entry.path, list.name);
+  const auto fail = [&](const std::string& at, const std::string& what, const std::string& detail) {
+    refuse_field(context, at, what, detail);
+    return false;
+  };
+  if (list.kind != NodeKind::list || list.items.empty() || list.items.size() > most_known)
+    return fail(path, "`known` must be a list of places with their values",
+        fmt::format("Got {}; allowed: 1 to {} of [x, y, value].", describe_value(list), most_known));
+  if (context.needs.outlines || context.needs.stress)
+    return fail(path, "`known` needs a mean that follows from the place alone",
+        "The mean follows from the ground above. Condition its parameters instead, as S or pop.");
+  if (text.field.parts.size() > 1)
+    return fail(path, "`known` and `mix` cannot be combined", "Leave out the correlation or the known values.");
+  const KeyInfo place = key_like(context.entry.key, "m", any_number);
+  const FieldMarginal marginal = text.distribution == "normal" ? FieldMarginal::normal : FieldMarginal::lognormal;
+  for (std::size_t k = 0; k < list.items.size(); ++k) {
+    const Node& item = list.items[k];
+    const std::string at = fmt::format("{}[{}]", path, k);
+    if (item.kind != NodeKind::list || item.items.size() != 3)
+      return fail(at, "`known` must be a list of places with their values",
+          fmt::format("Got {}; a place has three numbers, [x, y, value].", describe_value(item)));
+    Vec<2> x{};
+    Real value = 0.0;
+    if (!store_value({item.items[0], at + "[0]", place}, &x[0], context.findings) ||
+        !store_value({item.items[1], at + "[1]", place}, &x[1], context.findings) ||
+        !store_value({item.items[2], at + "[2]", context.entry.key}, &value, context.findings))
+      return false;
+    for (std::size_t d = 0; d < 2; ++d)
+      if (x[d] < text.field.low[d] || x[d] > text.field.high[d])
+        return fail(at, "a known value lies outside of the box of the field",
+            fmt::format("At ({:g}, {:g}) m; the box is from ({:g}, {:g}) to ({:g}, {:g}) m.", x[0], x[1],
+                text.field.low[0], text.field.low[1], text.field.high[0], text.field.high[1]));
+    const Real score = score_of(marginal, text.cov, value / mean({x}));
+    if (!std::isfinite(score))
+      return fail(at, "the distribution has no such value",
+          fmt::format("Got {} {} where the mean is {:g}.", value, context.entry.key.unit, mean({x})));
+    text.field.known.push_back({x, score});
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<std::string> random_distributions() { return {"lognormal", "normal"}; }
+
+std::optional<FieldValue> read_random(const Node& table, const FieldContext& outer)
+{
+  const FieldContext context{
+      {table, join_path(outer.entry.path, table.name), outer.entry.key}, outer.folder, outer.findings, outer.needs};
+  if (table.kind != NodeKind::table)
+    return refuse_field(outer, context.entry.path, "`random` must be a table",
+        fmt::format("Got {}; keys of random: {}.", describe_value(table), plain_list(names_of_keys())));
+  const Node* mean = find_item(table, "mean");
+  if (mean == nullptr)
+    return refuse_field(outer, context.entry.path, "`random` needs `mean`", "A number, or a field: the trend.");
+  RandomText text;
+  if (!refuse_unknown(table, context)) return std::nullopt;
+  const bool good = read_keys(table, context, text);
+  const FieldContext inner{
+      {*mean, join_path(context.entry.path, "mean"), outer.entry.key}, outer.folder, outer.findings, outer.needs};
+  const auto trend = read_field(inner);
+  if (!good || !trend || !set_parts(context, text) || !check_text(context, text)) return std::nullopt;
+  text.field.seed = static_cast<std::uint32_t>(text.seed);
+  text.field.realisation = static_cast<std::uint32_t>(text.realisation);
+  const Node* known = find_item(table, "known");
+  if (known != nullptr && !read_known(*known, context, *trend, text)) return std::nullopt;
+  return by_random(
+      text.field, text.distribution == "normal" ? FieldMarginal::normal : FieldMarginal::lognormal, text.cov, *trend);
+}
+
+std::string describe_random_keys()
+{
+  std::string out = "  mean          a number or a field: the trend\n";
+  for (const RandomKey& key : random_keys)
+    out += fmt::format("  {:<14}{}{}\n", key.name,
+        key.unit == "-" || key.unit.empty() ? "" : fmt::format("[{}] ", key.unit), key.meaning);
+  return out + "  known         [[x, y, value], ...]: values from soundings, which every draw has there\n";
+}
+
+}  // namespace terp
