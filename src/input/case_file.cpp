@@ -114,6 +114,7 @@ CaseFile read_case_text(const std::string& text, const std::string& path, const 
   read_values(file.source.root, file.values, findings);
   set_end_of_run(file.values);
   file.values.flood.given = find_item(file.source.root, "flood") != nullptr;
+  set_start(file.source.root, file.values, findings);
   check_case(file.source.root, file.values, findings);
   file.notes = findings.notes;
   if (findings.problems.empty()) read_stages(file.source, file.values, findings.warnings);

@@ -252,6 +252,15 @@ const MaterialType* complete_law(const MaterialCase& material)
   return is_complete ? material.type() : nullptr;
 }
 
+void set_start(const Node& root, Case& values, Findings& findings)
+{
+  const bool weighs = values.forces.gravity != Vec<2>{0.0, 0.0};
+  const bool is_dike = values.water.is_given() || values.flood.given;
+  if (!weighs || !is_dike || find_node(root, "initial.stress") != nullptr) return;
+  values.initial.stress = InitialStress::equilibrium;
+  findings.notes.push_back("initial.stress: not given; \"equilibrium\", since the case has water");
+}
+
 void check_case(const Node& root, const Case& values, Findings& findings)
 {
   check_mesh(root, values.mesh, findings);

@@ -24,6 +24,9 @@ void turn_counter_clockwise(MeshCase& mesh);
 /// The end of a run that ends at rest or has stages, from what they say.
 void set_end_of_run(Case& values);
 
+/// How soil starts that the file says nothing of: at rest under gravity, where there is water or a river.
+void set_start(const Node& root, Case& values, Findings& findings);
+
 /// What moves for ever, or changes for ever: rest would say nothing, or never come. Of a case, or a stage, that is to
 /// end at rest.
 void check_what_goes_on(const Case& values, std::vector<Problem>& warnings);

@@ -253,7 +253,8 @@ std::vector<KeyInfo> force_keys()
           .meaning =
               "stress at t = 0 (reading R14): none, from the overburden (k0), or that with which the section rests "
               "as it is drawn, sought with small displacements from that of k0 where there is water, else from "
-              "none (equilibrium)"},
+              "none (equilibrium)",
+          .default_text = "\"equilibrium\" in a case with gravity and [water] or [flood], else \"none\""},
       {.path = "initial.k0",
           .field = [](Case& c, std::size_t) { return &c.initial.k0; },
           .range = not_negative,

@@ -79,7 +79,10 @@ bool SearchWindows::at_rest() const { return moved_.size() > 1 && std::abs(moved
 
 bool SearchWindows::runs_away() const
 {
-  return moved_.size() > 3 && moved_.back() > failed_ && moved_in(0) > moved_in(1) && moved_in(1) > moved_in(2);
+  const std::size_t n = moved_.size();
+  if (n <= 3 || moved_.back() <= failed_) return false;
+  const bool ever_faster = moved_in(0) > moved_in(1) && moved_in(1) > moved_in(2);
+  return ever_faster && out_of_balance_[n - 1] >= out_of_balance_[n - 3];
 }
 
 std::optional<std::int64_t> SearchWindows::more_steps(Real out_of_balance, Real limit) const

@@ -21,8 +21,9 @@ class SearchWindows {
 
   /// In the last window no hundredth of the soil moved as if more than a thousandth of its weight were out of balance.
   bool at_rest() const;
-  /// A hundredth of the soil moved further than what counts as moved (docs/formats.md), more in each of the last
-  /// windows than in the one before.
+  /// A hundredth of the soil moved further than what counts as moved (docs/formats.md), more in each of the last two
+  /// windows than in the one before, and no force became smaller meanwhile. Soil that comes to rest may move faster for
+  /// some windows; the force out of balance then falls.
   bool runs_away() const;
   /// What 99 % of the points moved less than, by the end of the last window [m].
   Real moved() const { return moved_.empty() ? 0.0 : moved_.back(); }

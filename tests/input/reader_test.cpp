@@ -258,6 +258,22 @@ TEST(Reader, FillsBodiesAndMaterials)
   EXPECT_THAT(c.materials[1].parameters, ElementsAre(1.0e9, 0.25));
 }
 
+TEST(Reader, StartsAtRestWhereThereIsWaterAndGravity)
+{
+  const auto start = [](const std::string& more) {
+    return read_case_text(small_case + more, "case.toml").values.initial.stress;
+  };
+  const std::string gravity = "[forces]\ngravity = [0.0, -9.81]\n", water = "[water]\nphreatic_line = [[0, 1]]\n";
+  EXPECT_EQ(start(gravity + water), InitialStress::equilibrium);
+  EXPECT_EQ(start(gravity + "[flood]\nwater_level = 1.0\n"), InitialStress::equilibrium);
+  EXPECT_EQ(start(gravity), InitialStress::none);
+  EXPECT_EQ(start(water), InitialStress::none);
+  EXPECT_EQ(start(gravity + water + "[initial]\nstress = \"k0\"\n"), InitialStress::k0);
+  EXPECT_EQ(start(gravity + water + "[initial]\nstress = \"none\"\n"), InitialStress::none);
+  EXPECT_THAT(read_case_text(small_case + gravity + water, "case.toml").notes,
+      Contains("initial.stress: not given; \"equilibrium\", since the case has water"));
+}
+
 TEST(Reader, FillsForcesAndInitialState)
 {
   const Case c = read_every_key();

@@ -1,0 +1,43 @@
+// When the search for equilibrium takes soil for at rest, and when for failing.
+#include "simulation/search_windows.hpp"
+#include "support/cases.hpp"
+#include "support/simulations.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+struct Window {
+  Real moved, out_of_balance;  ///< since the last window [m]; force over weight [-]
+};
+
+/// What the last of these windows is taken for; the section is moved as a whole.
+SearchWindows after(const std::vector<Window>& seen)
+{
+  Simulation s(column("mpm_gp", 0.5));
+  SearchWindows windows(s.model, s.state, 1.0);
+  for (const Window& window : seen) {
+    edit_points(
+        s.state, [&](const PointBlock<2>& block, Index lane) { block.row(PointRows<2>::x)[lane] += window.moved; });
+    windows.enter(s.state, window.out_of_balance, true);
+  }
+  return windows;
+}
+
+TEST(SearchWindows, SoilThatMovesEverFasterUnderAForceThatDoesNotFallRunsAway)
+{
+  EXPECT_TRUE(after({{0.5, 1e-3}, {0.01, 1e-3}, {0.02, 1e-3}, {0.03, 1e-3}}).runs_away());
+  EXPECT_FALSE(after({{0.01, 1e-3}, {0.01, 1e-3}, {0.02, 1e-3}, {0.03, 1e-3}}).runs_away()) << "not far enough";
+  EXPECT_FALSE(after({{0.5, 1e-3}, {0.03, 1e-3}, {0.02, 1e-3}, {0.03, 1e-3}}).runs_away()) << "once faster";
+}
+
+TEST(SearchWindows, SoilThatMovesFasterWhileTheForceFallsMayStillComeToRest)
+{
+  const std::vector<Window> falls{{0.5, 4e-4}, {0.01, 3e-4}, {0.02, 2.4e-4}, {0.03, 1.9e-4}};
+  EXPECT_FALSE(after(falls).runs_away());
+  EXPECT_FALSE(after(falls).at_rest());
+  std::vector<Window> rises = falls;
+  rises.insert(rises.end(), {{0.04, 2e-4}, {0.05, 2.1e-4}});
+  EXPECT_TRUE(after(rises).runs_away()) << "and if it rises again, it does not";
+}
+
+}  // namespace
