@@ -9,6 +9,7 @@
 #include "output/mesh_file.hpp"
 #include "output/run_writer.hpp"
 #include "output/summary_json.hpp"
+#include "output/summary_keeper.hpp"
 #include "parallel/instructions.hpp"
 #include "progress.hpp"
 #include "simulation/other_run.hpp"
@@ -134,24 +135,6 @@ std::string hint_to_go_on(const std::string& folder, const RunOptions& options)
     return "";  // the folder is gone
   }
 }
-
-/// Renews the summary with each checkpoint, so that it says how long a run took that is killed later.
-class SummaryKeeper : public Observer {
- public:
-  SummaryKeeper(const Model& model, const State& state, RunWriter& writer)
-      : model_(model), state_(state), writer_(writer)
-  {
-  }
-  void checkpoint(const std::shared_ptr<const StateImage>& image) override
-  {
-    if (image->last) writer_.summary(summarise(model_, state_), false);
-  }
-
- private:
-  const Model& model_;
-  const State& state_;
-  RunWriter& writer_;
-};
 
 /// What the summary of a run says; as of a run that has not begun where it cannot be read.
 Summary summary_so_far(const std::string& folder)

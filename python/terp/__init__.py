@@ -1,4 +1,4 @@
-"""Read the results of Terp runs.
+"""Solve cases of Terp, and read the results of runs.
 
     import terp
 
@@ -10,18 +10,40 @@
     from terp import plot
     plot.field(run, "eps_eq_p", 2.5).figure.savefig("slip.png")
 
+With the compiled part of the package a run is an object:
+
+    simulation = terp.Simulation("cases/dike/case.toml", threads=2)
+    simulation.run(every=1.0, call=lambda s: print(s.time, s.field("eps_eq_p").max()))
+    simulation.flood                      # the verdict on the water
+
 Described in docs/python.md. The paper's figures: `python3 -m terp.figures`; a field at some times:
 `python3 -m terp.sections`; runs compared in numbers: the program itself, `terp compare`.
 """
 
 import json
 import pathlib
+import pkgutil
 
-from terp.errors import RunError
+from terp.errors import CaseError, RunError, SolveError
 from terp.run import Frame, Mesh, Run
 from terp.tables import to_pandas
 
-__all__ = ["Frame", "Mesh", "Run", "RunError", "convergence", "open", "to_pandas"]
+__all__ = ["Case", "CaseError", "Frame", "Mesh", "Run", "RunError", "Simulation", "SolveError", "convergence", "open",
+           "to_pandas"]
+__path__ = pkgutil.extend_path(__path__, __name__)  # the compiled part may lie in a build folder
+
+
+def __getattr__(name):
+    """Case and Simulation, read when they are first asked for: results can be read without the compiled part."""
+    if name not in ("Case", "Simulation"):
+        raise AttributeError(f"module `terp` has no attribute `{name}`")
+    try:
+        from terp import simulation
+    except ImportError as error:
+        raise ImportError(f"terp.{name} needs the compiled part of the package, which is not here or is of another "
+                          f"Python ({error}). In a build of Terp it lies in build/python: put that folder into "
+                          "PYTHONPATH, too.") from error
+    return getattr(simulation, name)
 
 
 def open(folder):  # noqa: A001 (terp.open is meant to read like the built-in)

@@ -1,10 +1,18 @@
-"""The one error that this package raises itself."""
+"""The errors that this package raises itself."""
 
 import difflib
 
 
 class RunError(Exception):
     """A run folder does not hold what was asked of it. The message says which file and what to do."""
+
+
+class CaseError(ValueError):
+    """A case cannot be run. The message is that of `terp check`: where, what, got and allowed, what to do."""
+
+
+class SolveError(RuntimeError):
+    """A run stopped itself. The message says at which point and step, and the likely cause."""
 
 
 def unknown(name, known, kind, place):

@@ -53,7 +53,7 @@ Outcome Simulation::step(std::int64_t n, const std::atomic<bool>& stop)
 
 Outcome Simulation::advance_to(Real t, const std::atomic<bool>& stop)
 {
-  const Real step = static_cast<Real>(model.first_step) + std::ceil((t - model.first_time) / model.dt * (1.0 - 1e-12));
+  const Real step = step_at(t);
   if (!(step >= static_cast<Real>(state.step) && step < static_cast<Real>(most_steps)))
     throw InputError(Problem{"advance_to", fmt::format("the run cannot advance to t = {} s", t),
         fmt::format("It is at t = {:.4g} s and makes steps of {:.4g} s. `restore` goes back to a saved state.",
@@ -62,9 +62,15 @@ Outcome Simulation::advance_to(Real t, const std::atomic<bool>& stop)
   return advance(static_cast<std::int64_t>(step), true, stop);
 }
 
-Outcome Simulation::run(const std::atomic<bool>& stop)
+Outcome Simulation::run(const std::atomic<bool>& stop, Real until)
 {
-  return advance(std::numeric_limits<std::int64_t>::max(), false, stop);
+  const Real step = step_at(until);
+  return advance(step < static_cast<Real>(most_steps) ? static_cast<std::int64_t>(step) : most_steps, false, stop);
+}
+
+Real Simulation::step_at(Real t) const
+{
+  return static_cast<Real>(model.first_step) + std::ceil((t - model.first_time) / model.dt * (1.0 - 1e-12));
 }
 
 Outcome Simulation::advance(std::int64_t until, bool beyond, const std::atomic<bool>& stop)

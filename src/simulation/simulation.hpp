@@ -5,6 +5,8 @@
 #include "simulation/run.hpp"
 #include "simulation/setup.hpp"
 
+#include <limits>
+
 namespace terp {
 
 /// Nobody stops a run that is given this.
@@ -35,8 +37,9 @@ struct Simulation {
   /// does, and where t lies before the present.
   Outcome advance_to(Real t, const std::atomic<bool>& stop = never_stop);
 
-  /// Makes the steps that are left to the end of the case, stage by stage. Throws RunError as step() does.
-  Outcome run(const std::atomic<bool>& stop = never_stop);
+  /// Makes the steps that are left to the end of the case, stage by stage, or those up to the first one at or after
+  /// `until` [s]. Throws RunError as step() does.
+  Outcome run(const std::atomic<bool>& stop = never_stop, Real until = std::numeric_limits<Real>::infinity());
 
   /// A field of all points by its name in results ("velocity", "stress", "eps_eq_p", ...), or "position": shape
   /// [n_points, n_components], sorted by id. NaN where the material of a point has no such variable. Points that left
@@ -62,6 +65,8 @@ struct Simulation {
  private:
   /// Makes steps up to `until`, from stage to stage. beyond: also after the end of the last one.
   Outcome advance(std::int64_t until, bool beyond, const std::atomic<bool>& stop);
+  /// The first step at or after t, as a number that may be too large for one.
+  Real step_at(Real t) const;
 };
 
 }  // namespace terp

@@ -1,0 +1,279 @@
+// The compiled part of the Python package: a case, and a run in memory as numpy sees it (docs/python.md).
+// Not for: conveniences of Python, which are in python/terp/simulation.py.
+
+#include "followers/followers.hpp"
+#include "input/case_file.hpp"
+#include "input/case_record.hpp"
+#include "output/summary_json.hpp"
+#include "run_files.hpp"
+#include "simulation/setup_warnings.hpp"
+#include "simulation/simulation.hpp"
+#include "simulation/stages.hpp"
+
+#include <mutex>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+namespace py = pybind11;
+
+namespace terp {
+namespace {
+
+/// Python owns the values from here on; nothing is copied.
+py::array_t<double> as_array(std::vector<Real>&& values, int n_components)
+{
+  auto* kept = new std::vector<Real>(std::move(values));
+  const py::capsule owner(kept, [](void* p) { delete static_cast<std::vector<Real>*>(p); });
+  std::vector<py::ssize_t> shape{std::ssize(*kept) / n_components};
+  if (n_components > 1) shape.push_back(n_components);
+  return py::array_t<double>(shape, kept->data(), owner);
+}
+
+py::array read_only(py::array array)
+{
+  array.attr("setflags")(py::arg("write") = false);
+  return array;
+}
+
+/// Asks Python between steps whether the user pressed Ctrl-C; the run then ends after the step that it is in.
+class SignalWatch : public Observer {
+ public:
+  std::atomic<bool> stop{false};
+
+  void progress(const Progress&) override
+  {
+    const py::gil_scoped_acquire python;
+    if (!stop && PyErr_CheckSignals() != 0) stop = true;
+  }
+};
+
+/// The mesh of a case is that of another one. Throws CaseError with the first value in which they differ.
+void check_same_mesh(const CaseFile& file, const CaseFile& other, const Mesh<2>& mesh)
+{
+  const bool of_bodies = file.values.mesh.kind == MeshKind::polygon && file.values.mesh.follow_bodies;
+  for (const ChangedValue& change :
+      changes_since(record_text(make_case_record(other, mesh)), make_case_record(file, mesh)))
+    if (change.key.starts_with("mesh") ||
+        (of_bodies && change.key.starts_with("body") && !change.key.ends_with(".material")))
+      throw CaseError("mesh_of: that simulation is of another mesh: " + change.text());
+}
+
+/// A run in memory. Python's lock is free while it computes; a second thread of Python that calls it is refused.
+class PythonSimulation {
+ public:
+  PythonSimulation(std::shared_ptr<const CaseFile> file, int threads, const PythonSimulation* mesh_of,
+      const std::string& output, bool force)
+      : file_(std::move(file))
+  {
+    alone([&] {
+      if (mesh_of != nullptr) check_same_mesh(*file_, *mesh_of->file_, *mesh_of->run_->model.mesh);
+      run_ = mesh_of == nullptr ? std::make_unique<Simulation>(file_->values, threads, all_followers())
+                                : std::make_unique<Simulation>(
+                                      file_->values, mesh_of->run_->model.mesh, threads, all_followers());
+      if (!output.empty()) files_ = std::make_unique<RunFiles>(*file_, *run_, output, force);
+    });
+    if (files_) run_->observers = files_->observers();
+    run_->observers.push_back(&watch_);
+  }
+
+  const Simulation& run() const { return *run_; }
+  bool has_ended() const { return run_->model.stage.is_last() && terp::has_ended(run_->model, run_->state); }
+
+  void start() { solve([&] { return run_->start(watch_.stop); }); }
+  void step(std::int64_t n) { solve([&] { return run_->step(n, watch_.stop); }); }
+  void advance_to(Real time) { solve([&] { return run_->advance_to(time, watch_.stop); }); }
+  void run_until(Real time) { solve([&] { return run_->run(watch_.stop, time); }); }
+
+  py::array_t<double> field(const std::string& name)
+  {
+    PointField found;
+    alone([&] { found = run_->field(name); });
+    return as_array(std::move(found.values), found.n_components);
+  }
+
+  void set_field(const std::string& name, const py::array_t<double, py::array::c_style | py::array::forcecast>& values)
+  {
+    const std::vector<Real> copy(values.data(), values.data() + values.size());
+    alone([&] { run_->set_field(name, copy); });
+  }
+
+  /// Views of a row of the points, one for each block, in the order of cells.
+  std::vector<py::array> blocks(const std::string& name)
+  {
+    const RowInfo* row = nullptr;
+    std::string names;
+    for (const RowInfo& entry : run_->model.rows.entries()) {
+      if (entry.name == name) row = &entry;
+      names += (names.empty() ? "" : ", ") + entry.name;
+    }
+    if (row == nullptr)
+      throw InputError(Problem{name, "points carry no row of this name", "They carry: " + names + ".", ""});
+    std::vector<py::array> views;
+    for_each_block(run_->state.points, [&](const PointBlock<2>& block) {
+      if (!row->is_of(block.material)) return;
+      const py::capsule owner(new Viewed{views_, py::cast(this)}, [](void* p) { delete static_cast<Viewed*>(p); });
+      std::vector<py::ssize_t> shape{block.n}, strides{sizeof(Real)};
+      if (row->n > 1) shape.push_back(row->n), strides.push_back(block.capacity * static_cast<py::ssize_t>(sizeof(Real)));
+      views.push_back(read_only(py::array_t<double>(shape, strides, block.row(row->first), owner)));
+    });
+    return views;
+  }
+
+  StateImage save() const { return run_->save(); }
+  void restore(const StateImage& image)
+  {
+    if (views_.use_count() > 1)
+      throw py::buffer_error("views from blocks() are still in use: delete them before restore()");
+    alone([&] { run_->restore(image); });
+  }
+
+  std::string summary() const
+  {
+    return summary_text(summarise(run_->model, run_->state), has_ended(), {file_->values.name, file_->text});
+  }
+  std::string warnings() const { return render_warnings(find_warnings(run_->model, run_->state), *file_); }
+
+  /// The files of the run as far as it is, with a checkpoint from which `terp resume` goes on.
+  void finish()
+  {
+    if (files_) alone([&] { files_->finish(has_ended()); });
+  }
+
+ private:
+  /// Without Python's lock, by one thread at a time. What is wrong with the case is told in the words of its file.
+  template <class F>
+  void alone(F&& f)
+  {
+    const std::unique_lock lock(in_use_, std::try_to_lock);
+    if (!lock.owns_lock())
+      throw std::runtime_error("this simulation is in use by another thread: give each thread one of its own");
+    const py::gil_scoped_release others_go_on;
+    try {
+      f();
+    } catch (const InputError& error) {
+      throw CaseError(render(error.problems(), *file_));
+    }
+  }
+
+  template <class F>
+  void solve(F&& f)
+  {
+    watch_.stop = false;
+    alone(f);
+    if (watch_.stop) throw py::error_already_set();
+    if (files_ && has_ended()) finish();
+  }
+
+  /// What a view of the points' memory keeps alive.
+  struct Viewed {
+    std::shared_ptr<int> count;
+    py::object simulation;
+  };
+
+  std::shared_ptr<const CaseFile> file_;
+  std::unique_ptr<Simulation> run_;
+  std::unique_ptr<RunFiles> files_;
+  SignalWatch watch_;
+  std::mutex in_use_;
+  std::shared_ptr<int> views_ = std::make_shared<int>(0);  // shared by views of the points' memory
+};
+
+/// A view of what never changes, kept alive by the mesh that it is of.
+template <class Value, class Entries>
+py::array of_mesh(const SharedMesh& mesh, const Entries& entries, py::ssize_t n_columns)
+{
+  const py::capsule owner(new SharedMesh(mesh), [](void* p) { delete static_cast<SharedMesh*>(p); });
+  return read_only(py::array_t<Value>(
+      {std::ssize(entries), n_columns}, reinterpret_cast<const Value*>(entries.data()), owner));
+}
+
+/// Errors of Terp as those of the package, with the same message.
+void translate_errors()
+{
+  py::register_exception_translator([](std::exception_ptr error) {
+    const auto raise = [](const char* name, const char* what) {
+      PyErr_SetString(py::module_::import("terp.errors").attr(name).ptr(), what);
+    };
+    try {
+      if (error) std::rethrow_exception(error);
+    } catch (const CaseError& e) {
+      raise("CaseError", e.what());
+    } catch (const InputError& e) {
+      raise("CaseError", e.what());
+    } catch (const RunError& e) {
+      raise("SolveError", e.what());
+    } catch (const FileError& e) {
+      raise("RunError", e.what());
+    }
+  });
+}
+
+using SharedCase = std::shared_ptr<CaseFile>;
+
+void bind_case(py::module_& module)
+{
+  py::class_<CaseFile, SharedCase>(module, "CaseFile")
+      .def_readonly("text", &CaseFile::text)
+      .def_readonly("path", &CaseFile::path)
+      .def_property_readonly("title", [](const CaseFile& file) { return file.values.title; })
+      .def_property_readonly("name", [](const CaseFile& file) { return file.values.name; })
+      .def_property_readonly("warnings", [](const CaseFile& file) { return render_warnings(file); });
+  module.def("read_case",
+      [](const std::string& path, const std::vector<std::string>& changes) {
+        return std::make_shared<CaseFile>(read_case(path, changes));
+      });
+  module.def("read_case_text",
+      [](const std::string& text, const std::string& path, const std::vector<std::string>& changes) {
+        return std::make_shared<CaseFile>(read_case_text(text, path, changes));
+      });
+}
+
+void bind_simulation(py::module_& module)
+{
+  using S = PythonSimulation;
+  py::class_<StateImage>(module, "SavedState")
+      .def_readonly("time", &StateImage::time)
+      .def_readonly("step", &StateImage::step);
+  py::class_<S>(module, "Simulation")
+      .def(py::init([](const SharedCase& file, int threads, const S* mesh_of, const std::string& output, bool force) {
+        return std::make_unique<S>(file, threads, mesh_of, output, force);
+      }))
+      .def("start", &S::start)
+      .def("step", &S::step)
+      .def("advance_to", &S::advance_to)
+      .def("run_until", &S::run_until)
+      .def("field", &S::field)
+      .def("set_field", &S::set_field)
+      .def("blocks", &S::blocks)
+      .def("save", &S::save)
+      .def("restore", &S::restore)
+      .def("finish", &S::finish)
+      .def_property_readonly("summary", &S::summary)
+      .def_property_readonly("warnings", &S::warnings)
+      .def_property_readonly("has_ended", &S::has_ended)
+      .def_property_readonly("time", [](const S& s) { return s.run().state.time; })
+      .def_property_readonly("n_steps", [](const S& s) { return s.run().state.step; })
+      .def_property_readonly("dt", [](const S& s) { return s.run().model.dt; })
+      .def_property_readonly("stage", [](const S& s) { return s.run().model.stage.name; })
+      .def_property_readonly("end_time",
+          [](const S& s) { return s.run().model.time_of(last_step_of_run(s.run().model, s.run().state)); })
+      .def_property_readonly("n_points", [](const S& s) { return s.run().state.n_ids(); })
+      .def_property_readonly(
+          "nodes", [](const S& s) { return of_mesh<double>(s.run().model.mesh, s.run().model.mesh->nodes, 2); })
+      .def_property_readonly(
+          "cells", [](const S& s) { return of_mesh<Index>(s.run().model.mesh, s.run().model.mesh->cells, 4); });
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_core, module)
+{
+  module.doc() = "The compiled part of terp. Use terp.Case and terp.Simulation.";
+  module.attr("version") = TERP_VERSION;
+  translate_errors();
+  bind_case(module);
+  bind_simulation(module);
+}
+
+}  // namespace terp

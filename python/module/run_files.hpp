@@ -1,0 +1,33 @@
+// The folder of a run that Python drives: the same files as `terp run` writes.
+#pragma once
+
+#include "input/case_file.hpp"
+#include "output/mesh_file.hpp"
+#include "output/run_writer.hpp"
+#include "output/summary_keeper.hpp"
+#include "simulation/simulation.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace terp {
+
+class RunFiles {
+ public:
+  /// Begins the folder. Throws FileError where it holds something, unless `force`: then the run there is removed.
+  RunFiles(const CaseFile& file, const Simulation& run, const std::string& folder, bool force);
+
+  /// To be connected to the run.
+  std::vector<Observer*> observers() { return {writer_.get(), &mesh_, &keeper_}; }
+  /// Writes the summary, and returns when all is on the disk.
+  void finish(bool has_ended);
+
+ private:
+  const Simulation& run_;
+  std::unique_ptr<RunWriter> writer_;
+  MeshWriter mesh_;
+  SummaryKeeper keeper_;
+};
+
+}  // namespace terp

@@ -1,0 +1,181 @@
+"""Cases and runs in memory, from the compiled part of the package: docs/python.md."""
+
+import json
+import os
+import pathlib
+
+import numpy
+
+from terp import _core
+from terp.errors import CaseError
+from terp.toml import toml_text, toml_value
+
+
+class Case:
+    """A case: the path of a case file, or a dictionary with the keys of one.
+
+    changes: values by dotted key, as `--set` takes them: {"material.clay.eta": 40, "mesh.cell": "0.5 m"}.
+    folder: of a dictionary; where the files lie that it names.
+    Raises CaseError with the program's message, which says where, what, and what to do."""
+
+    def __init__(self, source, changes=None, folder="."):
+        self._source, self._folder, self._changes = source, folder, dict(changes or {})
+        words = [f"{key}={toml_value(value)}" for key, value in self._changes.items()]
+        if isinstance(source, (str, os.PathLike)):
+            self._file = _core.read_case(os.fspath(source), words)
+        elif isinstance(source, dict):
+            self._file = _core.read_case_text(toml_text(source), str(pathlib.Path(folder) / "dictionary"), words)
+        else:
+            raise CaseError(f"a case is a path or a dictionary, not {type(source).__name__}")
+
+    def changed(self, changes):
+        """The same case with further changes; this one stays as it is."""
+        return Case(self._source, {**self._changes, **changes}, self._folder)
+
+    @property
+    def text(self):
+        """The case as TOML, with its changes."""
+        return self._file.text
+
+    @property
+    def title(self):
+        return self._file.title
+
+    @property
+    def warnings(self):
+        """What `terp check` would say of the case alone; empty if nothing."""
+        return self._file.warnings
+
+
+class Simulation:
+    """A run in memory. It begins when it is first asked for a step.
+
+    case: a Case, or what makes one. threads: of this run; the results have the same bits on any number.
+    output: a folder for the files that `terp run` writes, for terp.open, `terp report` and `terp resume`; None: no
+    files. force: remove the run that lies there. mesh_of: a Simulation of the same mesh, which is then shared.
+
+    Several simulations can run at once, each in a thread of its own. Raises CaseError for a case that cannot be set
+    up, SolveError where the run stops itself, RunError for files. Ctrl-C ends a run after the step that it is in."""
+
+    def __init__(self, case, threads=1, output=None, force=False, mesh_of=None):
+        self.case = case if isinstance(case, Case) else Case(case)
+        self._run = _core.Simulation(self.case._file, threads, mesh_of and mesh_of._run,
+                                     "" if output is None else os.fspath(output), force)
+
+    def start(self):
+        """Finds the initial stress. The first step does it, too; after it, fields can be set."""
+        self._run.start()
+
+    def step(self, n=1):
+        """Makes n steps, beyond the end of the case if n says so."""
+        self._run.step(n)
+
+    def advance_to(self, time):
+        """Makes steps up to the first one at or after `time` [s], which may lie beyond the end of the case."""
+        self._run.advance_to(time)
+
+    def run(self, until=float("inf"), every=None, call=None):
+        """Solves to the end of the case, or to `until` [s]. call: a function that is given this simulation now, then
+        every `every` seconds of its time, and at the end; where it returns False the run ends there."""
+        if (every is None) != (call is None):
+            raise ValueError("give both `every` and `call`, or none of them")
+        if call is None:
+            self._run.run_until(until)
+            return
+        if not every > 0:
+            raise ValueError(f"every must be a time above 0, not {every}")
+        self.start()
+        first, k = self.time, 0
+        while call(self) is not False and not self.has_ended and self.time < until:
+            k += 1
+            self._run.run_until(min(first + k * every, until))
+
+    def field(self, name):
+        """A field of all points: "position", "velocity", "stress", "eps_eq_p", ...; shape [n_points] or
+        [n_points, n_components], sorted by number of the point, SI units. NaN where a material has no such variable."""
+        return self._run.field(name)
+
+    def set_field(self, name, values):
+        """Sets velocity, stress, strain, volume or a variable of the laws; shape and order as field() gives them."""
+        self._run.set_field(name, numpy.asarray(values, dtype=float))
+
+    def blocks(self, name):
+        """A row of the points without a copy: views of memory, one for each block of points of a cell, which change as
+        the run goes on. Points move between blocks: ask again after steps. Read-only. Names: those of checkpoints."""
+        return self._run.blocks(name)
+
+    def save(self):
+        """The state, for restore()."""
+        return self._run.save()
+
+    def restore(self, state):
+        """Back to a saved state of this case, also of another Simulation of it. Laws may have other parameters."""
+        self._run.restore(state)
+
+    def close(self):
+        """Writes the summary of a run with files that is not at its end."""
+        self._run.finish()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *error):
+        self.close()
+
+    @property
+    def summary(self):
+        """What summary.json says of the run as it is, as a dictionary: docs/formats.md."""
+        return json.loads(self._run.summary)
+
+    @property
+    def flood(self):
+        """The verdict on the water, summary["flood"]; None without a water level, or before the first step."""
+        return self.summary["flood"]
+
+    @property
+    def warnings(self):
+        """What `terp check` would say of the section; empty if nothing."""
+        return self.case.warnings + self._run.warnings
+
+    @property
+    def time(self):
+        """[s]"""
+        return self._run.time
+
+    @property
+    def end_time(self):
+        """At which the case ends at the latest [s]."""
+        return self._run.end_time
+
+    @property
+    def has_ended(self):
+        return self._run.has_ended
+
+    @property
+    def stage(self):
+        """Name of the stage that it is in; empty without stages."""
+        return self._run.stage
+
+    @property
+    def n_steps(self):
+        """Made so far."""
+        return self._run.n_steps
+
+    @property
+    def dt(self):
+        """Time step [s]."""
+        return self._run.dt
+
+    @property
+    def n_points(self):
+        return self._run.n_points
+
+    @property
+    def nodes(self):
+        """Of the background mesh [m], shape [n_nodes, 2]; a view, read-only."""
+        return self._run.nodes
+
+    @property
+    def cells(self):
+        """Nodes of each cell, counter-clockwise, shape [n_cells, 4]; a view, read-only."""
+        return self._run.cells

@@ -1,0 +1,193 @@
+"""A run in memory, driven from Python: the same bits as the program, views, threads, errors."""
+
+import concurrent.futures
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import tomllib
+import unittest
+
+import support
+
+import numpy as np
+import terp
+
+ROOT = support.HERE.parents[1]
+PROGRAM = os.environ.get("TERP")
+CASE = ROOT / "cases" / "column_collapse" / "model_2.toml"
+COARSE = {"mesh.cell": 0.25, "time.end": 0.3, "output.fields.every": 0.1}
+try:
+    from terp import _core  # noqa: F401
+except ImportError:
+    _core = None
+
+
+@unittest.skipUnless(_core, "the compiled part of the package was not built")
+class SimulationInMemory(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.case = terp.Case(CASE, COARSE)
+        cls.solved = terp.Simulation(cls.case)
+        cls.solved.run()
+
+    def same_bits(self, other):
+        for name in ("position", "velocity", "stress", "eps_eq_p", "su"):
+            self.assertEqual(self.solved.field(name).tobytes(), other.field(name).tobytes(), name)
+
+    def test_steps_in_parts_and_threads_give_the_same_bits(self):
+        parts = terp.Simulation(self.case, threads=2)
+        parts.step(7)
+        parts.run(until=0.1)
+        self.assertAlmostEqual(parts.time, 0.1, delta=parts.dt)
+        parts.run()
+        self.assertTrue(parts.has_ended)
+        self.same_bits(parts)
+
+    @unittest.skipUnless(PROGRAM, "TERP names no program")
+    def test_its_folder_is_that_of_the_program(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            there, here = pathlib.Path(scratch) / "program", pathlib.Path(scratch) / "python"
+            changes = [word for key, value in COARSE.items() for word in ("--set", f"{key}={value}")]
+            subprocess.run([PROGRAM, "run", str(CASE), "-q", "-j", "1", "-o", str(there), *changes], check=True)
+            terp.Simulation(self.case, output=here).run()
+            self.assertEqual(sorted(p.name for p in there.rglob("*")), sorted(p.name for p in here.rglob("*")))
+            for name in ("ledger.csv", "history.csv", "case.toml", "frames/points_00003.vtkhdf", "mesh.vtkhdf"):
+                self.assertEqual((there / name).read_bytes(), (here / name).read_bytes(), name)
+            self.assertTrue(terp.open(here).finished)
+            with self.assertRaisesRegex(terp.RunError, "force"):
+                terp.Simulation(self.case, output=here)
+
+    def test_a_dictionary_is_a_case(self):
+        keys = tomllib.loads(CASE.read_text())
+        keys["mesh"]["cell"], keys["time"]["end"] = COARSE["mesh.cell"], np.float64(COARSE["time.end"])
+        run = terp.Simulation(keys)
+        run.run()
+        self.same_bits(run)
+        self.assertEqual(tomllib.loads(terp.Case(keys).text)["material"], keys["material"])
+
+    def test_a_function_is_called_at_times_and_may_end_the_run(self):
+        times = []
+        run = terp.Simulation(self.case)
+        run.run(every=0.1, call=lambda s: times.append(s.time))
+        np.testing.assert_allclose(times, [0, 0.1, 0.2, 0.3], atol=run.dt)
+        self.same_bits(run)
+        ends = terp.Simulation(self.case)
+        ends.run(every=0.1, call=lambda s: s.time < 0.15)
+        self.assertAlmostEqual(ends.time, 0.2, delta=ends.dt)
+
+    def test_an_error_of_the_function_comes_through(self):
+        def fails(_):
+            raise KeyError("mine")
+        with self.assertRaises(KeyError):
+            terp.Simulation(self.case).run(every=0.1, call=fails)
+
+    def test_blocks_are_views_of_all_points(self):
+        run = terp.Simulation(self.case)
+        run.step(3)
+        views = run.blocks("velocity")
+        self.assertEqual(sum(len(v) for v in views), run.n_points)
+        numbers = np.concatenate(run.blocks("id")).astype(int)
+        np.testing.assert_array_equal(np.concatenate(views), run.field("velocity")[numbers][:, :2])
+        before = views[0].copy()
+        run.step(20)
+        self.assertFalse(np.array_equal(before, views[0]), "a view shows the present")
+        with self.assertRaises(ValueError):
+            views[0][0] = 1.0
+        saved = run.save()
+        with self.assertRaisesRegex(BufferError, "delete them"):
+            run.restore(saved)
+        del run
+        self.assertTrue(np.isfinite(views[0]).all(), "a view keeps the memory that it shows")
+
+    def test_it_goes_back_to_a_saved_state(self):
+        run = terp.Simulation(self.case)
+        run.run(until=0.15)
+        saved = run.save()
+        run.run()
+        run.restore(saved)
+        self.assertAlmostEqual(run.time, 0.15, delta=run.dt)
+        run.run()
+        self.same_bits(run)
+
+    def test_fields_can_be_set(self):
+        run = terp.Simulation(self.case)
+        run.start()
+        velocity = run.field("velocity")
+        velocity[:, 0] = 0.5
+        run.set_field("velocity", velocity)
+        np.testing.assert_array_equal(run.field("velocity"), velocity)
+        with self.assertRaisesRegex(terp.CaseError, "values were given"):
+            run.set_field("velocity", velocity[:5])
+        velocity[7, 0] = np.nan
+        with self.assertRaisesRegex(terp.CaseError, "material point 7 is not a finite number"):
+            run.set_field("velocity", velocity)
+
+    def test_many_run_at_once_on_one_mesh(self):
+        def solve(eta):
+            run = terp.Simulation(self.case.changed({"material.clay.eta": eta}), mesh_of=self.solved)
+            run.run()
+            return run.field("eps_eq_p")
+        etas = [20, 30, 40, 50]
+        with concurrent.futures.ThreadPoolExecutor(4) as pool:
+            at_once = list(pool.map(solve, etas))
+        for eta, field in zip(etas, at_once):
+            np.testing.assert_array_equal(field, solve(eta))
+        with self.assertRaisesRegex(terp.CaseError, r"another mesh: mesh.cell \(\[0.25, 0.25\], now \[0.2, 0.2\]\)"):
+            terp.Simulation(self.case.changed({"mesh.cell": 0.2}), mesh_of=self.solved)
+
+    def test_two_threads_cannot_drive_one(self):
+        run = terp.Simulation(self.case.changed({"mesh.cell": 0.1}))
+        first = threading.Thread(target=run.run)
+        first.start()
+        while run.n_steps == 0:
+            time.sleep(0.001)
+        with self.assertRaisesRegex(RuntimeError, "in use by another thread"):
+            run.step()
+        first.join()
+        self.assertTrue(run.has_ended)
+
+    def test_errors_have_the_words_of_the_program(self):
+        with self.assertRaisesRegex(terp.CaseError, "(?s)unknown key `cel`.*Did you mean `cell`"):
+            self.case.changed({"mesh.cel": 1})
+        with self.assertRaisesRegex(terp.CaseError, "dictionary:2"):
+            terp.Case({"mesh": {"cell": "wide"}})
+        with self.assertRaisesRegex(terp.CaseError, "no field of this name"):
+            self.solved.field("strees")
+        with self.assertRaisesRegex(terp.CaseError, "a set cannot stand in a case"):
+            terp.Case({"mesh": {"cell": {1}}})
+        with self.assertRaisesRegex(terp.CaseError, "no such file|cannot be read|not found"):
+            terp.Case("nowhere.toml")
+
+    def test_a_run_that_stops_itself_says_why(self):
+        run = terp.Simulation(self.case)
+        run.start()
+        run.set_field("velocity", run.field("velocity") + np.array([1e5, 0, 0]))
+        with self.assertRaisesRegex(terp.SolveError, "(?i)step|energy|wall"):
+            run.run()
+
+    def test_control_c_ends_it_and_it_goes_on(self):
+        run = terp.Simulation(self.case.changed({"mesh.cell": 0.1, "time.end": 30.0}))
+        threading.Timer(1.0, os.kill, (os.getpid(), signal.SIGINT)).start()
+        with self.assertRaises(KeyboardInterrupt):
+            run.run()
+        self.assertFalse(run.has_ended)
+        before = run.n_steps
+        run.step()
+        self.assertEqual(run.n_steps, before + 1)
+
+
+class WithoutTheCompiledPart(unittest.TestCase):
+    def test_results_can_be_read_and_simulations_say_what_is_missing(self):
+        words = ("import sys; sys.modules['terp._core'] = None; import terp\n"
+                 "print(terp.open)\n"
+                 "try: terp.Simulation\n"
+                 "except ImportError as error: print(error)")
+        told = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True, check=True,
+                              env={**os.environ, "PYTHONPATH": str(ROOT / "python")}).stdout
+        self.assertIn("function open", told)
+        self.assertIn("needs the compiled part", told)
