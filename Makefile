@@ -10,7 +10,7 @@ CASES    = cases/column_collapse
 PYTHON   = PYTHONPATH=python /usr/bin/python3
 
 .DEFAULT_GOAL := help
-.PHONY: help install build demo test package test-web vtk verify verify-paper kill fuzz sanitize lint accept clean
+.PHONY: help install build demo test package wheel test-web vtk verify verify-paper kill fuzz sanitize lint accept clean
 
 help:            ## this list
 	@echo "Terp: explicit material point method for soil that softens and fails"
@@ -44,6 +44,9 @@ test: install    ## install, build and run the tests
 package: build   ## a Debian package: program, Python package, documents, cases, manual page, completion
 	@cmake --build $(BUILD) --target manual
 	@cd $(BUILD) && cpack >/dev/null && ls terp_*.deb
+
+wheel: build     ## a wheel of the Python package with its compiled part
+	@packaging/make_wheel $(BUILD)
 
 verify: build    ## the verification ledger: all cases with a known answer; writes build/ and docs/verification.md
 	@$(TERP) verify --markdown $(BUILD)/verification.md --overview docs/verification.md

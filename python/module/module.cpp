@@ -68,9 +68,9 @@ class PythonSimulation {
   {
     alone([&] {
       if (mesh_of != nullptr) check_same_mesh(*file_, *mesh_of->file_, *mesh_of->run_->model.mesh);
-      run_ = mesh_of == nullptr ? std::make_unique<Simulation>(file_->values, threads, all_followers())
-                                : std::make_unique<Simulation>(
-                                      file_->values, mesh_of->run_->model.mesh, threads, all_followers());
+      run_ = mesh_of == nullptr
+                 ? std::make_unique<Simulation>(file_->values, threads, all_followers())
+                 : std::make_unique<Simulation>(file_->values, mesh_of->run_->model.mesh, threads, all_followers());
       if (!output.empty()) files_ = std::make_unique<RunFiles>(*file_, *run_, output, force);
     });
     if (files_) run_->observers = files_->observers();
@@ -80,10 +80,22 @@ class PythonSimulation {
   const Simulation& run() const { return *run_; }
   bool has_ended() const { return run_->model.stage.is_last() && terp::has_ended(run_->model, run_->state); }
 
-  void start() { solve([&] { return run_->start(watch_.stop); }); }
-  void step(std::int64_t n) { solve([&] { return run_->step(n, watch_.stop); }); }
-  void advance_to(Real time) { solve([&] { return run_->advance_to(time, watch_.stop); }); }
-  void run_until(Real time) { solve([&] { return run_->run(watch_.stop, time); }); }
+  void start()
+  {
+    solve([&] { return run_->start(watch_.stop); });
+  }
+  void step(std::int64_t n)
+  {
+    solve([&] { return run_->step(n, watch_.stop); });
+  }
+  void advance_to(Real time)
+  {
+    solve([&] { return run_->advance_to(time, watch_.stop); });
+  }
+  void run_until(Real time)
+  {
+    solve([&] { return run_->run(watch_.stop, time); });
+  }
 
   py::array_t<double> field(const std::string& name)
   {
@@ -114,7 +126,8 @@ class PythonSimulation {
       if (!row->is_of(block.material)) return;
       const py::capsule owner(new Viewed{views_, py::cast(this)}, [](void* p) { delete static_cast<Viewed*>(p); });
       std::vector<py::ssize_t> shape{block.n}, strides{sizeof(Real)};
-      if (row->n > 1) shape.push_back(row->n), strides.push_back(block.capacity * static_cast<py::ssize_t>(sizeof(Real)));
+      if (row->n > 1)
+        shape.push_back(row->n), strides.push_back(block.capacity * static_cast<py::ssize_t>(sizeof(Real)));
       views.push_back(read_only(py::array_t<double>(shape, strides, block.row(row->first), owner)));
     });
     return views;
@@ -184,8 +197,8 @@ template <class Value, class Entries>
 py::array of_mesh(const SharedMesh& mesh, const Entries& entries, py::ssize_t n_columns)
 {
   const py::capsule owner(new SharedMesh(mesh), [](void* p) { delete static_cast<SharedMesh*>(p); });
-  return read_only(py::array_t<Value>(
-      {std::ssize(entries), n_columns}, reinterpret_cast<const Value*>(entries.data()), owner));
+  return read_only(
+      py::array_t<Value>({std::ssize(entries), n_columns}, reinterpret_cast<const Value*>(entries.data()), owner));
 }
 
 /// Errors of Terp as those of the package, with the same message.
@@ -219,12 +232,11 @@ void bind_case(py::module_& module)
       .def_property_readonly("title", [](const CaseFile& file) { return file.values.title; })
       .def_property_readonly("name", [](const CaseFile& file) { return file.values.name; })
       .def_property_readonly("warnings", [](const CaseFile& file) { return render_warnings(file); });
-  module.def("read_case",
-      [](const std::string& path, const std::vector<std::string>& changes) {
-        return std::make_shared<CaseFile>(read_case(path, changes));
-      });
-  module.def("read_case_text",
-      [](const std::string& text, const std::string& path, const std::vector<std::string>& changes) {
+  module.def("read_case", [](const std::string& path, const std::vector<std::string>& changes) {
+    return std::make_shared<CaseFile>(read_case(path, changes));
+  });
+  module.def(
+      "read_case_text", [](const std::string& text, const std::string& path, const std::vector<std::string>& changes) {
         return std::make_shared<CaseFile>(read_case_text(text, path, changes));
       });
 }
@@ -256,8 +268,8 @@ void bind_simulation(py::module_& module)
       .def_property_readonly("n_steps", [](const S& s) { return s.run().state.step; })
       .def_property_readonly("dt", [](const S& s) { return s.run().model.dt; })
       .def_property_readonly("stage", [](const S& s) { return s.run().model.stage.name; })
-      .def_property_readonly("end_time",
-          [](const S& s) { return s.run().model.time_of(last_step_of_run(s.run().model, s.run().state)); })
+      .def_property_readonly(
+          "end_time", [](const S& s) { return s.run().model.time_of(last_step_of_run(s.run().model, s.run().state)); })
       .def_property_readonly("n_points", [](const S& s) { return s.run().state.n_ids(); })
       .def_property_readonly(
           "nodes", [](const S& s) { return of_mesh<double>(s.run().model.mesh, s.run().model.mesh->nodes, 2); })

@@ -3,8 +3,10 @@
 import json
 import os
 import pathlib
+from collections.abc import Callable
 
 import numpy
+import numpy.typing
 
 from terp import _core
 from terp.errors import CaseError
@@ -18,7 +20,7 @@ class Case:
     folder: of a dictionary; where the files lie that it names.
     Raises CaseError with the program's message, which says where, what, and what to do."""
 
-    def __init__(self, source, changes=None, folder="."):
+    def __init__(self, source: str | os.PathLike | dict, changes: dict | None = None, folder: str = "."):
         self._source, self._folder, self._changes = source, folder, dict(changes or {})
         words = [f"{key}={toml_value(value)}" for key, value in self._changes.items()]
         if isinstance(source, (str, os.PathLike)):
@@ -28,21 +30,21 @@ class Case:
         else:
             raise CaseError(f"a case is a path or a dictionary, not {type(source).__name__}")
 
-    def changed(self, changes):
+    def changed(self, changes: dict) -> "Case":
         """The same case with further changes; this one stays as it is."""
         return Case(self._source, {**self._changes, **changes}, self._folder)
 
     @property
-    def text(self):
+    def text(self) -> str:
         """The case as TOML, with its changes."""
         return self._file.text
 
     @property
-    def title(self):
+    def title(self) -> str:
         return self._file.title
 
     @property
-    def warnings(self):
+    def warnings(self) -> str:
         """What `terp check` would say of the case alone; empty if nothing."""
         return self._file.warnings
 
@@ -57,24 +59,26 @@ class Simulation:
     Several simulations can run at once, each in a thread of its own. Raises CaseError for a case that cannot be set
     up, SolveError where the run stops itself, RunError for files. Ctrl-C ends a run after the step that it is in."""
 
-    def __init__(self, case, threads=1, output=None, force=False, mesh_of=None):
+    def __init__(self, case: Case | str | os.PathLike | dict, threads: int = 1,
+                 output: str | os.PathLike | None = None, force: bool = False, mesh_of: "Simulation | None" = None):
         self.case = case if isinstance(case, Case) else Case(case)
         self._run = _core.Simulation(self.case._file, threads, mesh_of and mesh_of._run,
                                      "" if output is None else os.fspath(output), force)
 
-    def start(self):
+    def start(self) -> None:
         """Finds the initial stress. The first step does it, too; after it, fields can be set."""
         self._run.start()
 
-    def step(self, n=1):
+    def step(self, n: int = 1) -> None:
         """Makes n steps, beyond the end of the case if n says so."""
         self._run.step(n)
 
-    def advance_to(self, time):
+    def advance_to(self, time: float) -> None:
         """Makes steps up to the first one at or after `time` [s], which may lie beyond the end of the case."""
         self._run.advance_to(time)
 
-    def run(self, until=float("inf"), every=None, call=None):
+    def run(self, until: float = float("inf"), every: float | None = None,
+            call: Callable[["Simulation"], object] | None = None) -> None:
         """Solves to the end of the case, or to `until` [s]. call: a function that is given this simulation now, then
         every `every` seconds of its time, and at the end; where it returns False the run ends there."""
         if (every is None) != (call is None):
@@ -90,92 +94,92 @@ class Simulation:
             k += 1
             self._run.run_until(min(first + k * every, until))
 
-    def field(self, name):
+    def field(self, name: str) -> numpy.ndarray:
         """A field of all points: "position", "velocity", "stress", "eps_eq_p", ...; shape [n_points] or
         [n_points, n_components], sorted by number of the point, SI units. NaN where a material has no such variable."""
         return self._run.field(name)
 
-    def set_field(self, name, values):
+    def set_field(self, name: str, values: numpy.typing.ArrayLike) -> None:
         """Sets velocity, stress, strain, volume or a variable of the laws; shape and order as field() gives them."""
         self._run.set_field(name, numpy.asarray(values, dtype=float))
 
-    def blocks(self, name):
+    def blocks(self, name: str) -> list[numpy.ndarray]:
         """A row of the points without a copy: views of memory, one for each block of points of a cell, which change as
         the run goes on. Points move between blocks: ask again after steps. Read-only. Names: those of checkpoints."""
         return self._run.blocks(name)
 
-    def save(self):
+    def save(self) -> _core.SavedState:
         """The state, for restore()."""
         return self._run.save()
 
-    def restore(self, state):
+    def restore(self, state: _core.SavedState) -> None:
         """Back to a saved state of this case, also of another Simulation of it. Laws may have other parameters."""
         self._run.restore(state)
 
-    def close(self):
+    def close(self) -> None:
         """Writes the summary of a run with files that is not at its end."""
         self._run.finish()
 
-    def __enter__(self):
+    def __enter__(self) -> "Simulation":
         return self
 
-    def __exit__(self, *error):
+    def __exit__(self, *error) -> None:
         self.close()
 
     @property
-    def summary(self):
+    def summary(self) -> dict:
         """What summary.json says of the run as it is, as a dictionary: docs/formats.md."""
         return json.loads(self._run.summary)
 
     @property
-    def flood(self):
+    def flood(self) -> dict | None:
         """The verdict on the water, summary["flood"]; None without a water level, or before the first step."""
         return self.summary["flood"]
 
     @property
-    def warnings(self):
+    def warnings(self) -> str:
         """What `terp check` would say of the section; empty if nothing."""
         return self.case.warnings + self._run.warnings
 
     @property
-    def time(self):
+    def time(self) -> float:
         """[s]"""
         return self._run.time
 
     @property
-    def end_time(self):
+    def end_time(self) -> float:
         """At which the case ends at the latest [s]."""
         return self._run.end_time
 
     @property
-    def has_ended(self):
+    def has_ended(self) -> bool:
         return self._run.has_ended
 
     @property
-    def stage(self):
+    def stage(self) -> str:
         """Name of the stage that it is in; empty without stages."""
         return self._run.stage
 
     @property
-    def n_steps(self):
+    def n_steps(self) -> int:
         """Made so far."""
         return self._run.n_steps
 
     @property
-    def dt(self):
+    def dt(self) -> float:
         """Time step [s]."""
         return self._run.dt
 
     @property
-    def n_points(self):
+    def n_points(self) -> int:
         return self._run.n_points
 
     @property
-    def nodes(self):
+    def nodes(self) -> numpy.ndarray:
         """Of the background mesh [m], shape [n_nodes, 2]; a view, read-only."""
         return self._run.nodes
 
     @property
-    def cells(self):
+    def cells(self) -> numpy.ndarray:
         """Nodes of each cell, counter-clockwise, shape [n_cells, 4]; a view, read-only."""
         return self._run.cells
