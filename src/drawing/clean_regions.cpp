@@ -26,12 +26,18 @@ Real perimeter(const PlanarGraph& graph, const std::vector<FaceRing>& rings)
   return sum;
 }
 
-void check_drawn(const std::vector<DrawnRegion>& drawn, const std::vector<DrawnExcavation>& excavations)
+std::vector<Problem> problems_of_outlines(const std::vector<DrawnRegion>& drawn)
 {
   std::vector<Problem> problems;
   for (const DrawnRegion& region : drawn)
     for (const std::string& text : check_outline({region.polygon, {1, 1}}))
       problems.push_back({region.name, "this outline is no layer", text + ". Correct it in the drawing.", ""});
+  return problems;
+}
+
+void check_drawn(const std::vector<DrawnRegion>& drawn, const std::vector<DrawnExcavation>& excavations)
+{
+  std::vector<Problem> problems = problems_of_outlines(drawn);
   for (const DrawnExcavation& line : excavations)
     if (line.places.size() < 2)
       problems.push_back({line.name, "this excavation is no line",
@@ -245,6 +251,12 @@ Real area_of(const CleanRegion& region)
 }
 
 }  // namespace
+
+void check_outlines(const std::vector<DrawnRegion>& drawn)
+{
+  if (std::vector<Problem> problems = problems_of_outlines(drawn); !problems.empty())
+    throw InputError(std::move(problems));
+}
 
 CleanSection clean_regions(const std::vector<DrawnRegion>& drawn, const std::vector<DrawnExcavation>& excavations,
     const CleaningOptions& options)

@@ -59,7 +59,10 @@ struct CleanSection {
 };
 
 /// Throws InputError, one problem for each outline that cannot be used: too few corners, sides that cross, no area.
-/// Its key is the name of the outline.
+/// Its key is the name of the outline. Before outlines are clipped, which hides such faults.
+void check_outlines(const std::vector<DrawnRegion>& drawn);
+
+/// Checks outlines in the same way.
 CleanSection clean_regions(const std::vector<DrawnRegion>& drawn, const std::vector<DrawnExcavation>& excavations,
     const CleaningOptions& options);
 

@@ -1,6 +1,7 @@
 #include "dstability/case_folder.hpp"
 
 #include "base/errors.hpp"
+#include "dstability/preload.hpp"
 #include "dstability/reference_text.hpp"
 #include "dstability/section_layout.hpp"
 #include "dstability/soil_text.hpp"
@@ -18,13 +19,14 @@ namespace terp {
 namespace {
 
 constexpr Real least_river = 0.05;  // [m] of water on the ground at an end of the section
-constexpr Real same_pop = 100.0;    // [Pa] by which the POP of a layer may vary and still be one number
 
 /// One body before it is text.
 struct Piece {
   CleanRegion region;
   std::size_t soil;
-  int zone;  ///< 0: the soil is alike above and below; 1: below the phreatic line, 2: above
+  int zone;                      ///< 0: the soil is alike above and below; 1: below the phreatic line, 2: above
+  std::optional<Real> pop = {};  ///< of SHANSEP soil [Pa]; none: its yield stress is on a grid
+  std::string history = {};      ///< of its preload: pieces of one soil and history share a grid
 };
 
 bool is_shansep(const StixSoil& soil, int zone)
@@ -50,10 +52,11 @@ class FolderMaker {
     for (const StixLine& pit : stage_.excavations)
       pits_.push_back({fmt::format("excavation {}", pits_.size() + 1), pit});
     find_river();
-    layout_ = layout_of(drawn_, pits_, options.cell,
-        river_.empty()     ? LandEnd::lower
-        : river_ == "left" ? LandEnd::right
-                           : LandEnd::left);
+    LayoutWishes wishes{.cell = options.cell};
+    if (!river_.empty()) wishes.land = river_ == "left" ? LandEnd::right : LandEnd::left;
+    const auto [one, other] = std::minmax(stage_.embankment.top_water, stage_.embankment.top_land);
+    if (std::isfinite(one + other)) wishes.crest = Vec<2>{one, other};
+    layout_ = layout_of(drawn_, pits_, wishes);
     cleaning_ = cleaning_for(layout_.cell);
     clean_ = clean_regions(drawn_, pits_, cleaning_);
     is_staged_ = options.stage > 0;
@@ -86,6 +89,7 @@ class FolderMaker {
 
   void cut_ends(Vec<2> between)
   {
+    check_outlines(drawn_);
     drawn_ = part_between(drawn_, between);
     std::vector<DrawnRegion> kept;
     layers_.clear();
@@ -106,15 +110,22 @@ class FolderMaker {
   void make_water()
   {
     WaterText start = is_staged_ ? water_text(first_, layout_, "water_start", false) : WaterText{};
-    const bool has_start = !start.lines.empty();
-    WaterText now = water_text(section_, layout_, "water", has_start);
-    if (now.lines.empty()) {
+    WaterText now = water_text(section_, layout_, "water", !start.lines.empty());
+    if (now.lines.empty() && start.lines.empty()) {
       assumed_.push_back("The stage has no water: the case has none, and all soil is dry.");
       return;
     }
+    const bool has_start = is_staged_, is_dry = now.lines.empty();
+    for (auto& [water, stage] : {std::pair{&start, &first_.stage()}, {&now, &stage_}})
+      if (is_staged_ && water->lines.empty()) {
+        *water = water_below(layout_);
+        assumed_.push_back(
+            fmt::format("Stage {} has no water: in the case it stands below the section.", quoted(stage->label)));
+      }
     situation_ = has_start ? key_of_name(stage_.label) + "_water" : "";
     phreatic_ = now.phreatic;
-    const auto unit = CaseLine{"unit_weight", quoted(kilo_text(stage_.water.unit_weight, "kN/m3")), ""};
+    const auto unit =
+        CaseLine{"unit_weight", quoted(kilo_text((is_dry ? first_.stage() : stage_).water.unit_weight, "kN/m3")), ""};
     const auto add = [&](WaterText& water, const std::string& header, const std::string& comment,
                          std::vector<CaseLine> lines) {
       lines.insert(lines.end(), water.lines.begin(), water.lines.end());
@@ -132,8 +143,6 @@ class FolderMaker {
           {{"name", quoted(situation_), ""}});
     } else {
       add(now, "[water]", fmt::format("Stage {}", quoted(stage_.label)), {unit});
-      if (is_staged_)
-        assumed_.push_back("The first stage has no water: the run begins with that of the analysed stage.");
     }
   }
 
@@ -141,16 +150,14 @@ class FolderMaker {
 
   void make_pieces()
   {
-    Real left_there = 0.0;
-    for (const CleanRegion& region : clean_.regions) {
-      const std::size_t soil = *layer_of(region.drawn).soil;
-      if (same_above_and_below(project_.soils[soil]) || phreatic_.empty()) {
-        pieces_.push_back({region, soil, phreatic_.empty() && !same_above_and_below(project_.soils[soil]) ? 2 : 0});
-        continue;
-      }
-      for (CutRegion& cut : cut_along(region, phreatic_, 0.05 * layout_.cell, left_there))
-        pieces_.push_back({std::move(cut.region), soil, cut.above ? 2 : 1});
+    Real left_there = 0.0, filled = 0.0;
+    for (const CleanRegion& region : clean_.regions) add_pieces(pieces_, region, left_there);
+    for (const CleanRegion& region : base_fill(layout_, clean_.regions)) {
+      add_pieces(base_, region, left_there);
+      filled += signed_area(region.polygon);
     }
+    for (std::vector<Piece>* pieces : {&pieces_, &base_})
+      for (Piece& piece : *pieces) set_preload(piece);
     if (left_there > 0.0)
       geometry_.push_back(fmt::format(
           "{:.3g} m2 in slivers along the phreatic line count with the soil on its other side.", left_there));
@@ -158,16 +165,33 @@ class FolderMaker {
       geometry_.push_back(
           "Soils that differ above and below the phreatic line are cut along the line of the analysed stage. They stay "
           "as they are if you change the line in the case.");
-    const BaseFill fill = base_fill(layout_, clean_.regions);
-    if (fill.drawn < 0) return;
-    const std::size_t soil = *layer_of(fill.drawn).soil;
-    pieces_.insert(
-        pieces_.begin(), Piece{{fill.drawn, fill.box, {}}, soil, same_above_and_below(project_.soils[soil]) ? 0 : 1});
-    base_ = fill.area;
-    geometry_.push_back(
-        fmt::format("The base of the section is not level: {:.3f} m2 below it, down to {:.2f} m, were "
-                    "filled with the soil above (first body).",
-            fill.area, layout_.low[1]));
+    if (!base_.empty())
+      geometry_.push_back(
+          fmt::format("The base of the section is not level: {:.3f} m2 below it, down to {:.2f} m, were "
+                      "filled with the soil above (first bodies: {}).",
+              filled, layout_.low[1], base_.size()));
+  }
+
+  void add_pieces(std::vector<Piece>& pieces, const CleanRegion& region, Real& left_there)
+  {
+    const std::size_t soil = *layer_of(region.drawn).soil;
+    if (same_above_and_below(project_.soils[soil]))
+      pieces.push_back({region, soil, 0});
+    else if (phreatic_.empty())
+      pieces.push_back({region, soil, 2});
+    else
+      for (CutRegion& cut : cut_along(region, phreatic_, 0.05 * layout_.cell, left_there))
+        pieces.push_back({std::move(cut.region), soil, cut.above ? 2 : 1});
+  }
+
+  LayerPiece layer_piece(const Piece& piece) const { return {&piece.region, layers_[piece.region.drawn]}; }
+
+  void set_preload(Piece& piece) const
+  {
+    if (!is_shansep(project_.soils[piece.soil], piece.zone)) return;
+    if (same_ground_until(scenario(), options_.stage))
+      piece.pop = constant_pop(section_, first_, layer_piece(piece), layout_.cell);
+    if (!piece.pop) piece.history = pop_history(section_, layer_piece(piece), layout_.cell);
   }
 
   void make_bodies()
@@ -175,18 +199,20 @@ class FolderMaker {
     BodyOrder order;
     for (const Piece& piece : pieces_) {
       const StixSoil& soil = project_.soils[piece.soil];
-      const StixLayer& layer = layer_of(piece.region.drawn);
-      const std::string material = material_of(piece);
-      const std::string zone = piece.zone == 0 ? "" : piece.zone == 1 ? ", below the phreatic line" : ", above it";
-      order.bodies.push_back({material,
-          fmt::format("Layer {} (id {}), soil {}{}", quoted(layer.label), layer.id, quoted(soil.name), zone), {}, {}});
+      order.bodies.push_back(body_of(piece));
       order.regions.push_back(piece.region);
       const Real weight = piece.zone == 2 ? soil.weight_above : soil.weight_below;
       const Real area = terp::area(BodyOutline{piece.region.polygon, {1, 1}, piece.region.holes});
-      if (!(base_ > 0.0 && &piece == &pieces_.front())) weights_[material] += Vec2Sum{area, area * weight};
+      weights_[order.bodies.back().material] += Vec2Sum{area, area * weight};
     }
     put_on_top(order);
-    text_.bodies = std::move(order.bodies);
+    for (const Piece& piece : base_) {
+      text_.bodies.push_back(body_of(piece));
+      text_.bodies.back().comment = "Not in the file, fills what is below its base. " + text_.bodies.back().comment;
+      text_.bodies.back().polygon = piece.region.polygon;
+      text_.bodies.back().holes = piece.region.holes;
+    }
+    std::ranges::move(order.bodies, std::back_inserter(text_.bodies));
     for (const auto& [key, use] : uses_) {
       SoilText soil = soil_text(use, options_.basis, options_.kinds);
       text_.materials.push_back(std::move(soil.material));
@@ -194,99 +220,66 @@ class FolderMaker {
     }
   }
 
-  /// The material of a piece; layers of one soil and one preload share it.
+  /// Its outline is still to be set.
+  CaseBodyText body_of(const Piece& piece)
+  {
+    const StixLayer& layer = layer_of(piece.region.drawn);
+    const std::string zone = piece.zone == 0 ? "" : piece.zone == 1 ? ", below the phreatic line" : ", above it";
+    return {material_of(piece),
+        fmt::format("Layer {} (id {}), soil {}{}", quoted(layer.label), layer.id,
+            quoted(project_.soils[piece.soil].name), zone),
+        {}, {}};
+  }
+
+  /// The material of a piece; pieces of one soil and one preload share it.
   std::string material_of(const Piece& piece)
   {
     const StixSoil& soil = project_.soils[piece.soil];
-    PreloadText preload;
-    Real largest = 0.0;
-    std::vector<Piece> same{piece};
-    const int layer = piece.region.drawn;
-    if (is_shansep(soil, piece.zone)) preload = constant_pop(piece);
-    const bool on_grid = is_shansep(soil, piece.zone) && preload.value.empty();
-    const std::string key = fmt::format("{}/{}/{}", piece.soil, piece.zone, on_grid ? "grid" : preload.value);
+    const std::string preload = piece.pop ? fmt::format("{:g} kPa", *piece.pop / 1e3) : "grid " + piece.history;
+    const std::string key = fmt::format("{}/{}/{}", piece.soil, piece.zone, preload);
     if (const auto known = uses_.find(key); known != uses_.end()) return known->second.name;
-    for (const auto& [x, z] : sample_places(piece.region, 2.0 * layout_.cell))
-      if (const auto at = section_.at({x, z})) largest = std::max(largest, at->effective_stress);
     std::string name = key_of_name(soil.name) + (piece.zone == 1 ? "_below" : piece.zone == 2 ? "_above" : "");
-    if (names_.contains(name)) name += "_" + key_of_name(layer_of(layer).label);
+    if (names_.contains(name)) name += "_" + key_of_name(layer_of(piece.region.drawn).label);
     for (int k = 2; names_.contains(name); ++k) name = key_of_name(soil.name) + fmt::format("_{}", k);
     names_.insert(name);
-    if (on_grid) preload = yield_grid(piece, name);
     const std::string where = piece.zone == 0 ? ""
                                               : fmt::format("{} the phreatic line of the analysed stage",
                                                     piece.zone == 1 ? "below" : "above");
-    uses_.emplace(key, SoilUse{&soil, piece.zone == 2, name, where, situation_, preload, largest});
+    SoilUse use{&soil, piece.zone == 2, name, where, situation_, {}, largest_stress(piece)};
+    if (piece.pop)
+      use.preload = {fmt::format("pop = \"{}\"", preload),
+          fmt::format("POP of the file's states, over sigma'_v of {}", is_staged_ ? "the first stage" : "this stage")};
+    else if (is_shansep(soil, piece.zone))
+      use.preload = yield_grid_of(piece, name);
+    uses_.emplace(key, use);
     return name;
   }
 
-  /// Places in a region on a grid.
-  static std::vector<Vec<2>> sample_places(const CleanRegion& region, Real step)
+  /// The largest vertical effective stress in all pieces of this soil above or below the water [Pa]. Only a straight
+  /// line through a table of strength asks for it.
+  Real largest_stress(const Piece& piece) const
   {
-    const BoundingBox box = box_around(region.polygon);
-    std::vector<Vec<2>> places;
-    for (Real x = box.low[0] + 0.5 * step; x < box.high[0]; x += step)
-      for (Real z = box.low[1] + 0.5 * step; z < box.high[1]; z += step)
-        if (contains(region.polygon, {x, z}) && std::ranges::none_of(region.holes, [&](const Polygon& hole) {
-              return contains(hole, {x, z});
-            }))
-          places.push_back({x, z});
-    if (places.empty()) places.push_back(place_in(region.polygon));
-    return places;
-  }
-
-  bool same_ground_in_all_stages() const
-  {
-    const auto& stages = scenario().stages;
-    for (std::size_t s = 0; s < options_.stage; ++s) {
-      if (stages[s].layers.size() != stage_.layers.size() || stages[s].excavations != stage_.excavations) return false;
-      for (std::size_t k = 0; k < stage_.layers.size(); ++k)
-        if (stages[s].layers[k].outline != stage_.layers[k].outline) return false;
-    }
-    return stages[0].loads.empty();
-  }
-
-  /// POP as one number, if the yield stress is that of the first stage plus one POP; else empty.
-  PreloadText constant_pop(const Piece& piece) const
-  {
-    if (!same_ground_in_all_stages()) return {};
-    Real low = 1e30, high = -1e30;
-    for (const auto& [x, z] : sample_places(piece.region, layout_.cell)) {
-      const auto now = section_.at({x, z});
-      const auto before = first_.at({x, z});
-      if (!now || !before || now->load_stress > 0.0 || now->layer != layers_[piece.region.drawn]) continue;
-      low = std::min(low, now->yield_stress - before->effective_stress);
-      high = std::max(high, now->yield_stress - before->effective_stress);
-    }
-    if (!(high - low < same_pop) || low < 0.0) return {};
-    return {fmt::format("pop = \"{:g} kPa\"", std::round(0.5 * (low + high)) / 1e3),
-        fmt::format("POP of the file's states, over sigma'_v of {}", is_staged_ ? "the first stage" : "this stage")};
-  }
-
-  PreloadText yield_grid(const Piece& piece, const std::string& name)
-  {
-    BoundingBox box = box_around(piece.region.polygon);
+    const StixSoil& soil = project_.soils[piece.soil];
+    if ((piece.zone == 2 ? soil.above : soil.below) != StixStrengthModel::sigma_tau_table) return 0.0;
+    Real largest = 0.0;
     for (const Piece& other : pieces_)
-      if (other.soil == piece.soil && other.zone == piece.zone && constant_pop(other).value.empty())
-        for (const BoundingBox more = box_around(other.region.polygon); const int d : {0, 1}) {
-          box.low[d] = std::min(box.low[d], more.low[d]);
-          box.high[d] = std::max(box.high[d], more.high[d]);
-        }
-    const Real dx = layout_.cell, dz = 0.5 * layout_.cell;
-    const auto nx = static_cast<int>(std::ceil((box.high[0] - box.low[0]) / dx));
-    const auto nz = static_cast<int>(std::ceil((box.high[1] - box.low[1]) / dz));
-    std::string text = "x,y,value\n";
-    for (int i = 0; i <= nx; ++i) {
-      const Real x = std::min(box.low[0] + i * dx, layout_.high[0] - 1e-6);
-      const StixColumn column = section_.column(x);
-      Real last = 1e3;
-      for (int j = 0; j <= nz; ++j) {
-        const Real z = std::max(box.low[1] + j * dz, layout_.low[1] + 1e-6);
-        if (const auto at = column.at(z)) last = std::max(at->yield_stress, 1e3);
-        text += fmt::format("{:.6g},{:.6g},{:.1f}\n", box.low[0] + i * dx, box.low[1] + j * dz, last);
-      }
-    }
-    files_.push_back({fmt::format("yield_stress_{}.csv", name), std::move(text)});
+      if (other.soil == piece.soil && other.zone == piece.zone)
+        for (const Vec<2>& place : places_in(other.region, 2.0 * layout_.cell))
+          if (const auto at = section_.at(place)) largest = std::max(largest, at->effective_stress);
+    return largest;
+  }
+
+  PreloadText yield_grid_of(const Piece& piece, const std::string& name)
+  {
+    std::vector<LayerPiece> alike;
+    for (const std::vector<Piece>* pieces : {&pieces_, &base_})
+      for (const Piece& other : *pieces)
+        if (other.soil == piece.soil && other.zone == piece.zone && !other.pop && other.history == piece.history)
+          alike.push_back(layer_piece(other));
+    YieldGrid grid = yield_grid(section_, alike, layout_.cell);
+    files_.push_back({fmt::format("yield_stress_{}.csv", name), std::move(grid.csv)});
+    assumed_.push_back(fmt::format(
+        "{}: its grid of yield stresses gives those of the file within {:.1f} kPa.", name, grid.deviation / 1e3));
     return {fmt::format("yield_stress = {{ csv = {} }}", quoted(files_.back().first)),
         fmt::format(
             "yield stress of {} on a grid, from the states of the file", is_staged_ ? "all stages" : "this stage")};
@@ -294,15 +287,18 @@ class FolderMaker {
 
   // ------------------------------------------------------------------------------------------- river, loads, stages
 
-  /// The end at which the water stands on the ground, and higher than at the other.
+  /// The end at which water stands on the ground; of two the one with the higher level.
   void find_river()
   {
     Real ends[2] = {1e30, -1e30};
     for (const DrawnRegion& region : drawn_)
       for (const Vec<2>& x : region.polygon) ends[0] = std::min(ends[0], x[0]), ends[1] = std::max(ends[1], x[0]);
-    const auto free_water = [&](Real x) { return section_.column(x).now().water().free_water(); };
-    const Real left = free_water(ends[0] + 1e-6), right = free_water(ends[1] - 1e-6);
-    if (std::max(left, right) > least_river) river_ = left >= right ? "left" : "right";
+    const auto level = [&](Real x) {
+      const StixWaterColumn water = section_.column(x).now().water();
+      return water.free_water() > least_river ? water.phreatic() : -1e30;
+    };
+    const Real left = level(ends[0] + 1e-6), right = level(ends[1] - 1e-6);
+    if (std::max(left, right) > -1e30) river_ = left >= right ? "left" : "right";
   }
 
   void make_flood()
@@ -332,11 +328,13 @@ class FolderMaker {
 
   void make_loads()
   {
-    int number = 0;
+    std::set<std::string> labels;
     for (const StixUniformLoad& load : stage_.loads) {
       const Real from = std::max(std::min(load.start, load.end), layout_.low[0]);
       const Real to = std::min(std::max(load.start, load.end), layout_.high[0]);
-      const std::string label = load.label.empty() ? fmt::format("load_{}", ++number) : key_of_name(load.label);
+      const std::string wanted = load.label.empty() ? "load" : key_of_name(load.label);
+      std::string label = wanted;
+      for (int k = 2; !labels.insert(label).second; ++k) label = fmt::format("{}_{}", wanted, k);
       if (!(to > from) || !(load.magnitude > 0.0)) {
         left_out_.push_back(fmt::format("Load {}: it has no width or no size in the section.", label));
         continue;
@@ -392,7 +390,7 @@ class FolderMaker {
                          {"until", "\"at_rest\"", ""}, {"at_most", "30.0", "s"}, {"set", "{ " + sets + " }", ""},
                          {"reset_displacement", "true", ""}});
     text_.after.push_back({"[[stage]]", fmt::format("Stage {} of the file", quoted(stage_.label)), lines});
-    if (!same_ground_in_all_stages())
+    if (!same_ground_until(scenario(), options_.stage))
       assumed_.push_back(
           "Ground or loads change between the stages of the file: the run has those of the analysed stage "
           "from the start. The yield stresses are those of the whole history.");
@@ -468,8 +466,7 @@ class FolderMaker {
   bool is_staged_ = false;
   std::string situation_, river_;
   std::vector<Vec<2>> phreatic_;
-  std::vector<Piece> pieces_;
-  Real base_ = 0.0;
+  std::vector<Piece> pieces_, base_;  ///< of the file; below its base
   std::map<std::string, SoilUse> uses_;
   std::set<std::string> names_;
   std::map<std::string, Vec2Sum> weights_;

@@ -32,10 +32,11 @@ CaseTableText water_table(const SectionLayout& layout)
 CaseFolder drawing_folder_of(
     const DxfRegions& whole, const std::vector<std::string>& notes, const DrawingFolderOptions& options)
 {
+  check_outlines(whole.regions);
   DxfRegions drawing = whole;
   if (options.between) drawing.regions = part_between(whole.regions, *options.between);
   std::erase_if(drawing.regions, [](const DrawnRegion& r) { return std::abs(signed_area(r.polygon)) < 1e-6; });
-  const SectionLayout layout = layout_of(drawing.regions, {}, options.cell);
+  const SectionLayout layout = layout_of(drawing.regions, {}, {.cell = options.cell});
   const CleaningOptions cleaning = cleaning_for(layout.cell);
   const CleanSection clean = clean_regions(drawing.regions, {}, cleaning);
   SectionText text;
@@ -60,19 +61,21 @@ CaseFolder drawing_folder_of(
     order.bodies.push_back({key, fmt::format("Layer {} of the drawing", quoted(name)), {}, {}});
     order.regions.push_back(region);
   }
-  const BaseFill fill = base_fill(layout, clean.regions);
   put_on_top(order);
-  if (fill.drawn >= 0)
-    order.bodies.insert(order.bodies.begin(), {materials[drawing.regions[fill.drawn].name],
-                                                  "Not in the drawing: fills what is below its base", fill.box, {}});
-  text.bodies = std::move(order.bodies);
+  Real filled = 0.0;
+  for (const CleanRegion& fill : base_fill(layout, clean.regions)) {
+    text.bodies.push_back({materials[drawing.regions[fill.drawn].name],
+        "Not in the drawing: fills what is below its base", fill.polygon, {}});
+    filled += signed_area(fill.polygon);
+  }
+  std::ranges::move(order.bodies, std::back_inserter(text.bodies));
   text.after = common_tables(layout);
   text.after.insert(text.after.begin(), water_table(layout));
   CaseFolder folder;
   folder.files.push_back({"case.toml", text_of(text)});
   std::string report = fmt::format("# {}\n\n## Read\n\n", text.title) + list_text(notes) + list_text(drawing.notes);
   report += "\n## Geometry: what moved\n\n" + list_text(describe(clean, drawing.regions, cleaning));
-  if (fill.area > 0.0) report += fmt::format("- {:.3f} m2 below the base were filled.\n", fill.area);
+  if (filled > 0.0) report += fmt::format("- {:.3f} m2 below the base were filled.\n", filled);
   report += "\n## Assumed\n\n- All soils and the water: see the comments of case.toml.\n";
   folder.files.push_back({"report.md", report});
   return folder;

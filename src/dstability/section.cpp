@@ -184,6 +184,14 @@ Real StixColumn::yield_stress(Real z) const
   return largest;
 }
 
+std::vector<Real> StixColumn::pops(Real z) const
+{
+  std::vector<Real> all;
+  for (std::size_t k = 0; k < stages_.size(); ++k)
+    all.push_back(band_at(stages_[k].bands(), z) != nullptr ? pop(k, z) : 0.0);
+  return all;
+}
+
 Real StixColumn::largest_effective_stress(Real z) const
 {
   Real largest = 0.0;

@@ -92,6 +92,7 @@ class StixColumn {
   const StixStageColumn& now() const { return stages_.back(); }  ///< the stage that is asked for
   std::optional<StixPlace> at(Real z) const;                     ///< empty above the ground
   Real largest_effective_stress(Real z) const;                   ///< vertical, of all stages so far [Pa]
+  std::vector<Real> pops(Real z) const;                          ///< of each stage; where it has no soil zero [Pa]
 
  private:
   Real pop(std::size_t stage, Real z) const;

@@ -14,7 +14,9 @@
 namespace terp {
 namespace {
 
-constexpr Real most_cells = 60000.0;
+constexpr Real most_cells = 60000.0;        // that Terp chooses itself
+constexpr Real most_cells_asked_for = 4e6;  // some 36 million points
+constexpr Real least_dike = 0.25;           // of the height of the ground: what is lower is no dike, but a field
 constexpr Real round_cells[] = {0.05, 0.1, 0.125, 0.2, 0.25, 0.4, 0.5, 0.8, 1.0, 1.25, 2.0, 2.5, 4.0, 5.0, 10.0};
 
 /// Highest and lowest soil of a region at x.
@@ -30,6 +32,76 @@ void stretch(const std::vector<Polygon>& outlines, Real x, Real& low, Real& high
     }
 }
 
+Real length_of(const Polygon& outline)
+{
+  Real sum = 0.0;
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    const Vec<2> a = outline[k], b = outline[(k + 1) % outline.size()];
+    sum += std::hypot(b[0] - a[0], b[1] - a[1]);
+  }
+  return sum;
+}
+
+/// The lowest edge of all regions over an interval without corners: its height at both ends.
+struct Bottom {
+  Real left = 1e30, right = 1e30;
+  int drawn = -1;  ///< none: no soil is there
+};
+
+Bottom bottom_between(const std::vector<CleanRegion>& regions, Real left, Real right)
+{
+  Bottom lowest;
+  for (const CleanRegion& region : regions)
+    for (std::size_t k = 0; k < region.polygon.size(); ++k) {
+      Vec<2> a = region.polygon[k], b = region.polygon[(k + 1) % region.polygon.size()];
+      if (a[0] > b[0]) std::swap(a, b);
+      if (a[0] > left || b[0] < right) continue;
+      const auto at = [&](Real x) { return std::lerp(a[1], b[1], (x - a[0]) / (b[0] - a[0])); };
+      if (at(left) + at(right) < lowest.left + lowest.right) lowest = {at(left), at(right), region.drawn};
+    }
+  return lowest;
+}
+
+/// The outline without corners that are there twice, or at which it goes straight on.
+Polygon without_straight_corners(Polygon outline)
+{
+  outline.erase(std::unique(outline.begin(), outline.end()), outline.end());
+  while (outline.size() > 1 && outline.front() == outline.back()) outline.pop_back();
+  Polygon kept;
+  const std::size_t n = outline.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec<2> a = kept.empty() ? outline[n - 1] : kept.back(), b = outline[k], c = outline[(k + 1) % n];
+    const Real twice = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+    if (std::abs(twice) > 1e-9 * std::hypot(c[0] - a[0], c[1] - a[1])) kept.push_back(b);
+  }
+  return kept;
+}
+
+/// Place of the crest of a dike on the ground: the highest one between two x; without them, the one that is highest
+/// over the lower one of what is lowest to its left and to its right. Level ground and slopes: the highest of all.
+Vec<2> crest_of(const std::vector<Vec<2>>& ground, const std::optional<Vec<2>>& between)
+{
+  const auto higher = [](const Vec<2>& a, const Vec<2>& b) { return a[1] < b[1]; };
+  if (between) {
+    std::vector<Vec<2>> part;
+    std::ranges::copy_if(ground, std::back_inserter(part),
+        [&](const Vec<2>& x) { return x[0] >= (*between)[0] && x[0] <= (*between)[1]; });
+    if (!part.empty()) return *std::ranges::max_element(part, higher);
+  }
+  std::vector<Real> lowest_behind(ground.size());
+  for (std::size_t k = ground.size(); k-- > 0;)
+    lowest_behind[k] = k + 1 < ground.size() ? std::min(ground[k][1], lowest_behind[k + 1]) : ground[k][1];
+  const auto [low, high] = std::ranges::minmax_element(ground, higher);
+  Vec<2> crest = *high;
+  Real most = least_dike * ((*high)[1] - (*low)[1]), lowest = ground.front()[1];
+  for (std::size_t k = 0; k < ground.size(); ++k) {
+    lowest = std::min(lowest, ground[k][1]);
+    if (const Real rise = ground[k][1] - std::max(lowest, lowest_behind[k]); rise > most)
+      most = rise, crest = ground[k];
+  }
+  return crest;
+}
+
 Real round_cell(Real wanted, Real area)
 {
   Real best = std::end(round_cells)[-1];
@@ -43,7 +115,7 @@ Real round_cell(Real wanted, Real area)
 }  // namespace
 
 SectionLayout layout_of(
-    const std::vector<DrawnRegion>& drawn, const std::vector<DrawnExcavation>& excavations, Real cell, LandEnd land)
+    const std::vector<DrawnRegion>& drawn, const std::vector<DrawnExcavation>& excavations, const LayoutWishes& wishes)
 {
   const Real far = 1e30;
   SectionLayout layout{{far, far}, {-far, -far}};
@@ -74,17 +146,28 @@ SectionLayout layout_of(
   const Real width = layout.high[0] - layout.low[0], inside = 1e-6 * width;
   layout.left = ground(layout.low[0] + inside);
   layout.right = ground(layout.high[0] - inside);
-  layout.crest = {layout.low[0], -far};
+  if (wishes.crest)
+    for (const Real x : *wishes.crest) places.insert(std::clamp(x, layout.low[0], layout.high[0]));
+  std::vector<Vec<2>> surface;
   for (const Real x : places)
     for (const Real at : {x - inside, x + inside})
-      if (const Real y = ground(at); y > layout.crest[1]) layout.crest = {at, y};
-  const Real foot = land == LandEnd::left    ? layout.left
-                    : land == LandEnd::right ? layout.right
-                                             : std::min(layout.left, layout.right);
-  layout.height = layout.crest[1] - foot;
+      if (const Real y = ground(at); y > -far) surface.push_back({at, y});
+  layout.crest = crest_of(surface, wishes.crest);
+  layout.top = std::ranges::max(surface, {}, [](const Vec<2>& x) { return x[1]; })[1];
+  const bool is_left = wishes.land == LandEnd::left || (wishes.land == LandEnd::lower && layout.left < layout.right);
+  layout.height = layout.crest[1] - (is_left ? layout.left : layout.right);
   const Real thickness = layout.crest[1] - layout.low[1];
+  if (layout.height < 0.05 * thickness)  // the land rises behind the dike
+    for (const Vec<2>& x : surface)
+      if ((x[0] < layout.crest[0]) == is_left) layout.height = std::max(layout.height, layout.crest[1] - x[1]);
   if (layout.height < 0.05 * thickness) layout.height = 0.5 * thickness;
-  layout.cell = cell > 0.0 ? cell : round_cell(0.1 * layout.height, area);
+  layout.cell = wishes.cell > 0.0 ? wishes.cell : round_cell(0.1 * layout.height, area);
+  if (const Real cells = area / (layout.cell * layout.cell); cells > most_cells_asked_for)
+    throw InputError({"", fmt::format("cells of {:g} m are too small for this section", layout.cell),
+        fmt::format("The soil would have {:.2g} of them, at most {:.2g}. Give larger ones, from {:.2g} m on, or a part "
+                    "of the section: --cell H, --between X,X.",
+            cells, most_cells_asked_for, std::sqrt(area / most_cells_asked_for)),
+        ""});
   return layout;
 }
 
@@ -104,6 +187,19 @@ std::vector<DrawnRegion> part_between(const std::vector<DrawnRegion>& drawn, Vec
   return part;
 }
 
+std::vector<Vec<2>> places_in(const CleanRegion& region, Real step)
+{
+  const BoundingBox box = box_around(region.polygon);
+  const auto holds = [](Vec<2> place) { return [place](const Polygon& outline) { return contains(outline, place); }; };
+  std::vector<Vec<2>> places;
+  for (Real x = box.low[0] + 0.5 * step; x < box.high[0]; x += step)
+    for (Real z = box.low[1] + 0.5 * step; z < box.high[1]; z += step)
+      if (contains(region.polygon, {x, z}) && std::ranges::none_of(region.holes, holds({x, z})))
+        places.push_back({x, z});
+  if (places.empty()) places.push_back(place_in(region.polygon));
+  return places;
+}
+
 CleaningOptions cleaning_for(Real cell)
 {
   return {.snap = 1e-3, .shortest_edge = std::min(0.05, 0.1 * cell), .tolerance = std::min(0.02, 0.04 * cell)};
@@ -113,7 +209,7 @@ CaseTableText mesh_table(const SectionLayout& layout)
 {
   const Real width = layout.high[0] - layout.low[0];
   const Real cell_x = width / std::max(1.0, std::round(width / layout.cell));
-  const Real rows = std::ceil((layout.crest[1] - layout.low[1]) / layout.cell) + 2.0;
+  const Real rows = std::ceil((layout.top - layout.low[1]) / layout.cell) + 2.0;
   return {"[mesh]",
       fmt::format("Cells of about a tenth of the height of the dike ({:.2f} m), whole ones from limit to limit. Those "
                   "above the ground cost nothing.",
@@ -149,31 +245,50 @@ std::vector<CutRegion> cut_along(
   cut.places.push_back({std::max(box.high[0], line.back()[0]) + 1.0, line.back()[1]});
   std::vector<DrawnLine> lines{{region.polygon, true, 0}, cut};
   for (const Polygon& hole : region.holes) lines.push_back({hole, true, 0});
-  const PlanarGraph graph = join_lines(lines, 1e-8);
+  PlanarGraph graph = join_lines(lines, 1e-8);
   const PlanarFaces faces = find_faces(graph);
-  std::vector<CutRegion> pieces;
-  Real thick[2] = {0.0, 0.0}, slivers[2] = {0.0, 0.0};
-  for (std::size_t k = 1; k < faces.rings.size(); ++k) {
-    CleanRegion piece{region.drawn, corners_of(graph, faces.rings[k][0]), {}};
-    const Vec<2> x = place_in(piece.polygon);
+  std::vector<int> side(faces.rings.size(), -1);  // of the line, by face; 0 below, 1 above, -1 not of the region
+  std::vector<char> is_thin(faces.rings.size(), 0);
+  const auto is_of_region = [&](Vec<2> x) {
     const auto in = [&](const Polygon& outline) { return contains(outline, x); };
-    if (!in(region.polygon) || std::ranges::any_of(region.holes, in)) continue;
-    Real length = 0.0;
-    for (std::size_t i = 0; i < piece.polygon.size(); ++i) {
-      const Vec<2> a = piece.polygon[i], b = piece.polygon[(i + 1) % piece.polygon.size()];
-      length += std::hypot(b[0] - a[0], b[1] - a[1]);
-    }
-    for (std::size_t i = 1; i < faces.rings[k].size(); ++i) piece.holes.push_back(corners_of(graph, faces.rings[k][i]));
-    const bool above = x[1] > interpolate(cut.places, x[0]);
-    const Real area = area_of_face(graph, faces.rings[k]);
-    (2.0 * area < thin * length ? slivers : thick)[above] += area;
-    pieces.push_back({std::move(piece), above});
+    return in(region.polygon) && std::ranges::none_of(region.holes, in);
+  };
+  for (std::size_t k = 1; k < faces.rings.size(); ++k) {
+    const Polygon outline = corners_of(graph, faces.rings[k][0]);
+    const Vec<2> x = place_in(outline);
+    if (!is_of_region(x)) continue;
+    side[k] = x[1] > interpolate(cut.places, x[0]) ? 1 : 0;
+    is_thin[k] = 2.0 * area_of_face(graph, faces.rings[k]) < thin * length_of(outline);
   }
-  for (const bool side : {false, true})
-    if (thick[side] == 0.0 && thick[!side] > 0.0) {
-      left_there += slivers[side];
-      return {{region, !side}};
+  // A thin face goes to what it touches across the line, if that is thick.
+  std::vector<int> kept = side;
+  for (std::size_t e = 0; e < graph.edges.size(); ++e)
+    for (const auto& [one, other] : {std::pair{faces.left[e], faces.right[e]}, {faces.right[e], faces.left[e]}})
+      if (is_thin[one] && !is_thin[other] && side[one] >= 0 && side[other] == 1 - side[one] && kept[one] == side[one]) {
+        kept[one] = side[other];
+        left_there += area_of_face(graph, faces.rings[one]);
+      }
+  const auto is_of_side = [&](int wanted) { return std::ranges::find(kept, wanted) != kept.end(); };
+  if (!is_of_side(0) || !is_of_side(1)) return {{region, is_of_side(1)}};
+  std::vector<GraphEdge> edges;
+  std::vector<std::pair<int, int>> sides;  // left and right of the edges that part them
+  for (std::size_t e = 0; e < graph.edges.size(); ++e)
+    if (kept[faces.left[e]] != kept[faces.right[e]]) {
+      edges.push_back(graph.edges[e]);
+      sides.emplace_back(kept[faces.left[e]], kept[faces.right[e]]);
     }
+  graph.edges = std::move(edges);
+  const PlanarFaces joined = find_faces(graph);
+  std::vector<CutRegion> pieces;
+  for (std::size_t k = 1; k < joined.rings.size(); ++k) {
+    const auto edge = static_cast<std::size_t>(joined.rings[k][0].edges[0]);
+    const int of = joined.left[edge] == static_cast<Index>(k) ? sides[edge].first : sides[edge].second;
+    if (of < 0) continue;
+    CutRegion piece{{region.drawn, corners_of(graph, joined.rings[k][0]), {}}, of == 1};
+    for (std::size_t i = 1; i < joined.rings[k].size(); ++i)
+      piece.region.holes.push_back(corners_of(graph, joined.rings[k][i]));
+    pieces.push_back(std::move(piece));
+  }
   return pieces;
 }
 
@@ -211,37 +326,38 @@ void put_on_top(BodyOrder& order)
   order = std::move(sorted);
 }
 
-BaseFill base_fill(const SectionLayout& layout, const std::vector<CleanRegion>& regions)
+std::vector<CleanRegion> base_fill(const SectionLayout& layout, const std::vector<CleanRegion>& regions)
 {
   std::set<Real> corners;
   for (const CleanRegion& region : regions)
     for (const Vec<2>& x : region.polygon) corners.insert(x[0]);
-  BaseFill fill;
-  std::map<int, Real> above;
-  Real highest = layout.low[1], before = layout.low[0];
-  for (const Real x : corners) {
-    Real lows[2] = {1e30, 1e30};  // at both ends of the interval
-    int drawn = -1;
-    for (const CleanRegion& region : regions)
-      for (const int end : {0, 1}) {
-        Real low = 1e30, high = -1e30;
-        stretch({region.polygon}, before + (end == 0 ? 1e-9 : 1.0 - 1e-9) * (x - before), low, high);
-        if (low < lows[end]) lows[end] = low, drawn = region.drawn;
-      }
-    const Real lowest = std::max(lows[0], lows[1]);
-    if (drawn >= 0 && lowest < 1e30 && lowest > layout.low[1] + 1e-6) {
-      fill.area += (0.5 * (lows[0] + lows[1]) - layout.low[1]) * (x - before);
-      above[drawn] += x - before;
-      highest = std::max(highest, lowest);
+  std::vector<CleanRegion> fills;
+  Polygon base;               // of the piece that is being made, from left to right
+  std::map<int, Real> above;  // width of each drawn region over it
+  const auto finish = [&] {
+    if (base.empty()) return;
+    const auto most = std::ranges::max_element(above, {}, [](const auto& entry) { return entry.second; });
+    Polygon outline{{base.front()[0], layout.low[1]}, {base.back()[0], layout.low[1]}};
+    outline.insert(outline.end(), base.rbegin(), base.rend());
+    fills.push_back({most->first, without_straight_corners(outline), {}});
+    base.clear();
+    above.clear();
+  };
+  const auto lies_low = [&](Real z) { return z < layout.low[1] + 1e-6; };
+  for (auto left = corners.begin(), right = std::next(left); right != corners.end(); left = right++) {
+    const Bottom bottom = bottom_between(regions, *left, *right);
+    if (bottom.drawn < 0 || (lies_low(bottom.left) && lies_low(bottom.right))) {
+      finish();
+      continue;
     }
-    before = x;
+    if (!base.empty() && lies_low(bottom.left)) finish();
+    base.push_back({*left, bottom.left});
+    base.push_back({*right, bottom.right});
+    above[bottom.drawn] += *right - *left;
+    if (lies_low(bottom.right)) finish();
   }
-  if (fill.area <= 1e-9) return {};
-  const auto most = std::ranges::max_element(above, {}, [](const auto& entry) { return entry.second; });
-  fill.drawn = most->first;
-  // As high as the highest place of the base: what it would cover of the section lies on top of it.
-  fill.box = {layout.low, {layout.high[0], layout.low[1]}, {layout.high[0], highest}, {layout.low[0], highest}};
-  return fill;
+  finish();
+  return fills;
 }
 
 }  // namespace terp

@@ -5,14 +5,14 @@
 #include "drawing/clean_regions.hpp"
 #include "dstability/case_text.hpp"
 
-#include <functional>
 #include <optional>
 
 namespace terp {
 
 struct SectionLayout {
   Vec<2> low{}, high{};          ///< corners of the box about the soil [m]
-  Vec<2> crest{};                ///< highest place of the ground [m]
+  Vec<2> crest{};                ///< of the dike; of level ground its highest place [m]
+  Real top = 0.0;                ///< of the ground [m]
   Real left = 0.0, right = 0.0;  ///< elevation of the ground at both ends [m]
   Real height = 0.0;             ///< of the dike: crest over the higher end; of level ground half its thickness [m]
   Real cell = 0.0;               ///< size of the cells [m]
@@ -20,19 +20,29 @@ struct SectionLayout {
 
 enum class LandEnd { left, right, lower };
 
-/// cell: 0: a tenth of the height, a round number, and so that there are at most 60 000 cells. land: the end that the
-/// height is over.
-SectionLayout layout_of(const std::vector<DrawnRegion>& drawn, const std::vector<DrawnExcavation>& excavations,
-    Real cell, LandEnd land = LandEnd::lower);
+/// What is known of a section before it is laid out.
+struct LayoutWishes {
+  Real cell = 0.0;  ///< [m]; 0: a tenth of the height, a round number, and so that there are at most 60 000
+  LandEnd land = LandEnd::lower;     ///< the end that the height is over
+  std::optional<Vec<2>> crest = {};  ///< the dike has its crest between these x [m]; none: where the ground is highest
+                                     ///< over the lowest ground on both of its sides
+};
+
+/// Throws InputError if the cells asked for are more than four million.
+SectionLayout layout_of(
+    const std::vector<DrawnRegion>& drawn, const std::vector<DrawnExcavation>& excavations, const LayoutWishes& wishes);
 
 /// The part of each outline between two x [m]; nothing left of one: its polygon is empty. Throws InputError if nothing
 /// is left of any.
 std::vector<DrawnRegion> part_between(const std::vector<DrawnRegion>& drawn, Vec<2> between);
 
+/// Places in a region on a grid [m]; at least one.
+std::vector<Vec<2>> places_in(const CleanRegion& region, Real step);
+
 /// Tolerances that fit the cells.
 CleaningOptions cleaning_for(Real cell);
 
-/// [mesh]: whole cells from limit to limit, two cells of air above the crest.
+/// [mesh]: whole cells from limit to limit, two cells of air above the ground.
 CaseTableText mesh_table(const SectionLayout& layout);
 
 /// [boundary], [forces], [method], [initial], [output].
@@ -56,13 +66,8 @@ struct BodyOrder {
 };
 void put_on_top(BodyOrder& order);
 
-/// Area between the lower limit of the section and a base that is not level [m^2], and its polygon from limit to limit;
-/// empty: the base is level.
-struct BaseFill {
-  Polygon box;
-  Real area = 0.0;
-  int drawn = -1;  ///< region whose soil it gets: the one above most of it
-};
-BaseFill base_fill(const SectionLayout& layout, const std::vector<CleanRegion>& regions);
+/// What lies between the lower limit of the section and a base that is not level, in pieces where the base meets the
+/// limit or the soil has a gap. Each has the number of the drawn region that is above most of it, and no holes.
+std::vector<CleanRegion> base_fill(const SectionLayout& layout, const std::vector<CleanRegion>& regions);
 
 }  // namespace terp

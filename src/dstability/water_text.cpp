@@ -27,6 +27,16 @@ std::vector<Vec<2>> left_to_right(const StixLine& line)
   return places;
 }
 
+/// The line up to both ends of the section: beyond its own it is level, which is said where it slopes there.
+std::vector<Vec<2>> to_both_ends(std::vector<Vec<2>> line, const SectionLayout& layout)
+{
+  if (line.size() < 2) return line;
+  const Vec<2> first = line.front(), last = line.back();
+  if (first[0] > layout.low[0] && line[1][1] != first[1]) line.insert(line.begin(), {layout.low[0], first[1]});
+  if (last[0] < layout.high[0] && line.rbegin()[1][1] != last[1]) line.push_back({layout.high[0], last[1]});
+  return line;
+}
+
 /// x of all corners that matter between the limits, and places between them.
 std::vector<Real> stations(const StixSection& section, const SectionLayout& layout)
 {
@@ -107,19 +117,21 @@ std::vector<Vec<2>> held_below(const std::vector<Vec<2>>& line, const std::vecto
 }
 
 /// The water in the words of a case; no phreatic line: it cannot be said with lines.
-WaterSituation as_lines(const StixSection& section, const std::vector<Real>& xs, bool with_lines)
+WaterSituation as_lines(
+    const StixSection& section, const SectionLayout& layout, const std::vector<Real>& xs, bool with_lines)
 {
   const StixWater& water = section.stage().water;
   WaterSituation lines;
   if (water.is_mesh || !water.phreatic) return lines;
-  lines.phreatic_line = left_to_right(water.head_lines[*water.phreatic].line);
+  const auto places_of = [&](const StixLine& line) { return to_both_ends(left_to_right(line), layout); };
+  lines.phreatic_line = places_of(water.head_lines[*water.phreatic].line);
   if (lines.phreatic_line.empty() || (water.reference_lines.empty() && !with_lines)) return lines;
   std::vector<std::string> names;
   for (std::size_t k = 0; k < water.head_lines.size(); ++k) {
     const std::string key = key_of_name(water.head_lines[k].label);
     names.push_back(k == *water.phreatic ? std::string(phreatic_head) : fmt::format("{}_{}", key, k + 1));
     if (k == *water.phreatic) continue;
-    lines.head_lines.push_back({names.back(), left_to_right(water.head_lines[k].line)});
+    lines.head_lines.push_back({names.back(), places_of(water.head_lines[k].line)});
     if (lines.head_lines.back().places.empty()) return {};
   }
   std::vector<const StixReferenceLine*> order;
@@ -131,7 +143,7 @@ WaterSituation as_lines(const StixSection& section, const std::vector<Real>& xs,
   });
   lines.reference_lines.push_back({water_top(section, xs), std::string(phreatic_head), std::string(phreatic_head)});
   for (const StixReferenceLine* line : order) {
-    const auto places = left_to_right(line->line);
+    const auto places = places_of(line->line);
     if (places.empty()) return {};
     lines.reference_lines.push_back(
         {held_below(places, lines.reference_lines.back().places), names[line->top_head], names[line->bottom_head]});
@@ -143,7 +155,7 @@ WaterSituation as_lines(const StixSection& section, const std::vector<Real>& xs,
 std::vector<Real> heights(const SectionLayout& layout, Real step)
 {
   std::vector<Real> all;
-  const auto n = static_cast<int>(std::ceil((layout.crest[1] + 2.0 * layout.cell - layout.low[1]) / step));
+  const auto n = static_cast<int>(std::ceil((layout.top + 2.0 * layout.cell - layout.low[1]) / step));
   for (int k = 0; k <= n; ++k) all.push_back(layout.low[1] + step * k);
   return all;
 }
@@ -173,7 +185,7 @@ std::string grid_text(const StixSection& section, const SectionLayout& layout)
     const Real x = std::min(layout.low[0] + k * layout.cell, layout.high[0]);
     const StixColumn column = section.column(x);
     for (const Real z : heights(layout, 0.5 * layout.cell))
-      text += fmt::format("{:.6g},{:.6g},{:.1f}\n", x, z, column.now().water().pressure(z));
+      text += fmt::format("{},{},{:.1f}\n", number_text(x), number_text(z), column.now().water().pressure(z));
   }
   return text;
 }
@@ -193,13 +205,22 @@ std::string reference_text(const WaterSituation& lines)
 
 }  // namespace
 
+WaterText water_below(const SectionLayout& layout)
+{
+  const Real level = layout.low[1] - 1.0;
+  WaterText text;
+  text.lines.push_back({"phreatic_line", places_text({{layout.low[0], level}, {layout.high[0], level}}, 2, 16),
+      "below the section: this stage has no water"});
+  return text;
+}
+
 WaterText water_text(const StixSection& section, const SectionLayout& layout, const std::string& name, bool with_lines)
 {
   WaterText text;
   const StixWater& water = section.stage().water;
   if (!water.is_mesh && !water.phreatic) return text;
   const std::vector<Real> xs = stations(section, layout);
-  const WaterSituation lines = as_lines(section, xs, with_lines);
+  const WaterSituation lines = as_lines(section, layout, xs, with_lines);
   if (!lines.phreatic_line.empty()) text.deviation = largest_deviation(section, layout, lines);
   text.on_grid = lines.phreatic_line.empty() || text.deviation > near_enough;
   if (text.on_grid) {

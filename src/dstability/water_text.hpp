@@ -21,4 +21,7 @@ struct WaterText {
 /// must give its own.
 WaterText water_text(const StixSection& section, const SectionLayout& layout, const std::string& name, bool with_lines);
 
+/// The same of a stage without water in a case that has some in another stage.
+WaterText water_below(const SectionLayout& layout);
+
 }  // namespace terp

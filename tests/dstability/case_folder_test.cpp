@@ -5,6 +5,7 @@
 #include "dstability/read_stix.hpp"
 #include "input/case_file.hpp"
 #include "points/overlay.hpp"
+#include "sections.hpp"
 #include "support/paths.hpp"
 #include "support/problems.hpp"
 #include "support/test.hpp"
@@ -233,6 +234,131 @@ TEST(CaseFolder, FillsBelowABaseThatIsNotLevel)
   const CaseFolder folder = drawing_folder_of(drawing, {}, {.path = "d.dxf", .kinds = kinds()});
   EXPECT_EQ(read_folder(folder, "folder_of_base").values.bodies.size(), 2u);
   EXPECT_THAT(folder.files.back().second, HasSubstr("10.000 m2 below the base were filled."));
+}
+
+// ---- sections made by hand ----
+
+StixStage stage_of(const std::vector<StixLayer>& layers, const StixLine& phreatic, const std::string& label = "stage")
+{
+  StixStage stage = clay_on_sand();
+  stage.label = label;
+  stage.layers = layers;
+  stage.water.head_lines[0].line = phreatic;
+  if (phreatic.empty()) stage.water.phreatic.reset();
+  return stage;
+}
+
+CaseFolder last_stage(const StixProject& project)
+{
+  return case_folder_of(project, {.stage = project.scenarios[0].stages.size() - 1, .kinds = kinds()});
+}
+
+Case case_of(const StixProject& project, const std::string& name)
+{
+  return read_folder(last_stage(project), name).values;
+}
+
+TEST(HandSection, HasItsRiverWhereTheWaterStandsHigherNotDeeper)
+{
+  // 2 m of water on the foreland at +4 m, 4 m in a lake in the polder at -1 m.
+  const StixLayer sand{.id = "s",
+      .label = "s",
+      .outline = {{0, 2}, {20, 2}, {30, 6}, {35, 6}, {50, -1}, {60, -5}, {80, -5}, {80, -15}, {0, -15}},
+      .soil = 0};
+  const Case lake = case_of(project_of({stage_of({sand}, {{0, 4}, {25, 4}, {50, -1}, {80, -1}})}), "lake");
+  EXPECT_EQ(lake.flood.river, RiverSide::left);
+  EXPECT_EQ(lake.flood.water_level, 4.0);
+}
+
+TEST(HandSection, NamesTwoLoadsOfOneLabelApart)
+{
+  StixStage stage = clay_on_sand();
+  stage.loads = {{.label = "Traffic", .start = 2, .end = 4, .magnitude = 13e3},
+      {.label = "Traffic", .start = 8, .end = 9, .magnitude = 5e3}, {.start = 12, .end = 13, .magnitude = 5e3}};
+  const Case two = case_of(project_of({stage}), "two_loads");
+  ASSERT_EQ(two.loads.size(), 3u);
+  EXPECT_EQ(two.loads[0].name, "traffic");
+  EXPECT_EQ(two.loads[1].name, "traffic_2");
+  EXPECT_EQ(two.loads[2].name, "load");
+}
+
+TEST(HandSection, KeepsTheWaterOfTheFirstStageWhereTheAnalysedOneIsDry)
+{
+  const auto layers = clay_on_sand().layers;
+  const CaseFolder folder = last_stage(project_of({clay_on_sand(), stage_of(layers, {}, "dry")}));
+  const Case dry = read_folder(folder, "dry").values;
+  EXPECT_EQ(dry.water.start.phreatic_line[0][1], -1.0);
+  ASSERT_EQ(dry.water.situations.size(), 1u);
+  EXPECT_EQ(water_pressure(dry.water, dry.water.situations[0], {10.0, -10.0}, 0.0), 0.0);
+  EXPECT_THAT(
+      folder.files.back().second, HasSubstr("Stage \"dry\" has no water: in the case it stands below the section."));
+  const Case wet = case_of(project_of({stage_of(layers, {}, "dry"), clay_on_sand()}), "wet");
+  EXPECT_EQ(water_pressure(wet.water, wet.water.start, {10.0, -10.0}, 0.0), 0.0);
+  EXPECT_EQ(water_pressure(wet.water, wet.water.situations[0], {10.0, -10.0}, 0.0), 90e3);
+}
+
+TEST(HandSection, HasItsBaseBelowAllLayers)
+{
+  // Two layers on a base that is not level: what fills it may cover neither.
+  const StixLayer left{
+      .id = "l", .label = "l", .outline = {{0, 0.5}, {40, 0}, {60, 0}, {80, 0.4}, {80, 10}, {0, 10}}, .soil = 0},
+      right{.id = "r", .label = "r", .outline = {{80, 0.4}, {90, .5}, {100, .5}, {100, 10}, {80, 10}}, .soil = 1};
+  const Case described = case_of(project_of({stage_of({left, right}, {{0, 20}})}), "base");
+  std::vector<Polygon> polygons;
+  for (const BodyCase& body : described.bodies) polygons.push_back(body.polygon);
+  const std::vector<Real> areas = areas_on_top(polygons);
+  ASSERT_EQ(areas.size(), 4u);  // a piece on each side of the lowest place
+  const Real of_left = std::abs(signed_area(Polygon(left.outline))),
+             of_right = std::abs(signed_area(Polygon(right.outline)));
+  EXPECT_NEAR(areas[0] + areas[1], 1000.0 - of_left - of_right, 1e-8);
+  EXPECT_NEAR(areas[2], of_left, 1e-8);
+  EXPECT_NEAR(areas[3], of_right, 1e-8);
+}
+
+TEST(HandSection, FitsATableOfStrengthToTheDeepestPieceInWhateverOrder)
+{
+  StixStage stage = stage_of({box_layer("top", {0, -1}, {50, 0}, 0), box_layer("clay", {0, -5}, {50, -1}, 1),
+                                 box_layer("deep", {0, -20}, {50, -5}, 0)},
+      {{0, -1}});
+  StixStage turned = stage;
+  std::ranges::reverse(turned.layers);
+  std::vector<std::string> angles;
+  for (const StixStage& of : {stage, turned}) {
+    StixProject project = project_of({of});
+    project.soils[0].above = project.soils[0].below = StixStrengthModel::sigma_tau_table;
+    project.soils[0].weight_above = project.soils[0].weight_below;
+    project.soils[0].sigma_tau_table.rows = {{0, 0}, {20e3, 20e3}, {200e3, 60e3}};
+    const std::string text = last_stage(project).files.front().second;
+    const std::size_t at = text.find("friction_angle", text.find("[material.sand]"));
+    angles.push_back(text.substr(at, text.find('#', at) - at));
+  }
+  EXPECT_EQ(angles[0], angles[1]);
+  EXPECT_LT(std::stod(angles[0].substr(angles[0].find('=') + 1)), 25.0);  // 45 degrees in the top metre alone
+}
+
+TEST(HandSection, SaysThatALineIsLevelBeyondItsEnds)
+{
+  const StixLine phreatic{{2, -1}, {8, -1}, {12, -2}};
+  const Case described = case_of(project_of({stage_of(clay_on_sand().layers, phreatic)}), "level");
+  EXPECT_THAT(
+      described.water.start.phreatic_line, ElementsAre(Vec<2>{2, -1}, Vec<2>{8, -1}, Vec<2>{12, -2}, Vec<2>{20, -2}));
+}
+
+TEST(HandSection, RefusesACrossedOutlineAlsoWhereAPartIsTaken)
+{
+  StixStage stage = clay_on_sand();
+  stage.layers.push_back({.id = "x", .label = "bow", .outline = {{5, -2}, {8, -5}, {8, -2}, {5, -5}}, .soil = 0});
+  EXPECT_THAT(problems_of([&] {
+    case_folder_of(project_of({stage}), {.between = Vec<2>{1.0, 19.0}, .kinds = kinds()});
+  }),
+      ElementsAre(told("bow", "this outline is no layer", HasSubstr("the polygon crosses itself"))));
+}
+
+TEST(HandSection, OfADrawingRefusesWhatIsNoOutline)
+{
+  const DxfRegions drawing{{{"a", {{0, 0}, {40, 0}, {40, 5}, {0, 5}}}, {"b", {{1, 1}, {2, 2}}}}, {}};
+  EXPECT_THAT(problems_of([&] { drawing_folder_of(drawing, {}, {.path = "d.dxf", .kinds = kinds()}); }),
+      ElementsAre(told("b", "this outline is no layer", HasSubstr("it needs at least 3"))));
 }
 
 }  // namespace
