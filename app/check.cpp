@@ -33,20 +33,6 @@ Real total_mass(const State& state)
   return mass;
 }
 
-/// What a run holds, frames and checkpoints in the making not counted.
-std::int64_t bytes_of(const Model& model, const State& state)
-{
-  constexpr std::int64_t per_cell_of_the_mesh = 160,
-                         per_point = 27;  // of the mesh, counted; first place, audit and flags by id
-  const auto cells = static_cast<std::int64_t>(state.points.occupied().size());
-  const std::int64_t gauss =
-      model.scheme->keeps_gauss_values
-          ? sizeof(GaussValues<Quad4>) + Quad4::n_gauss * sizeof(Real) * (model.rows.n_rows() - PointRows<2>::state)
-          : sizeof(Real);
-  return state.points.bytes() + per_point * state.points.n_points() + per_cell_of_the_mesh * model.mesh->n_cells() +
-         cells * (std::int64_t{sizeof(CornerSums<Quad4>) + sizeof(NodeValues)} + gauss);
-}
-
 void print_bodies(const Model& model)
 {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {

@@ -1,126 +1,15 @@
 #include "command_line.hpp"
 
 #include "base/closest.hpp"
-#include "report/payload.hpp"
+#include "command_parts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
-#include <memory>
 #include <vector>
 
 namespace terp {
 namespace {
-
-constexpr const char* exit_statuses = "Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else";
-
-/// CLI11's page with our layout: commands in one line each, no remark on how many of them are required.
-class HelpPage : public CLI::Formatter {
- public:
-  HelpPage()
-  {
-    column_width(25);
-    label("OPTIONS", "options");
-    label("SUBCOMMAND", "COMMAND");
-    label("Positionals", "Arguments");
-  }
-  std::string make_description(const CLI::App* app) const override
-  {
-    std::string text = app->get_description();
-    if (app->get_parent() != nullptr) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-    return text + "\n\n";
-  }
-  std::string make_option_name(const CLI::Option* option, bool is_positional) const override
-  {
-    const std::string name = CLI::Formatter::make_option_name(option, is_positional);
-    const std::size_t comma = name.find(',');  // "-o,--output"
-    return comma == std::string::npos ? name : name.substr(0, comma) + ", " + name.substr(comma + 1);
-  }
-  std::string make_subcommand(const CLI::App* command) const override
-  {
-    const std::string text = command->get_description();
-    return fmt::format("  {:<23}{}\n", command->get_name() + arguments_of(*command), text.substr(0, text.find('\n')));
-  }
-
- private:
-  static std::string arguments_of(const CLI::App& command)
-  {
-    std::string names;
-    for (const CLI::Option* option : command.get_options([](const CLI::Option* o) { return o->get_positional(); }))
-      names +=
-          (option->get_required() ? " " : " [") + option->get_name(true, false) + (option->get_required() ? "" : "]");
-    return names;
-  }
-};
-
-/// A number from `least` to `most`. CLI::Range alone lets "nan" through, as no comparison with it holds.
-CLI::Validator number_between(double least, double most)
-{
-  const CLI::Validator range = CLI::Range(least, most);
-  return CLI::Validator(
-      [range, least, most](std::string& text) {
-        double value = 0.0;
-        if (CLI::detail::lexical_cast(text, value) && std::isnan(value))
-          return fmt::format("Value {} not in range {:f} to {:f}", text, least, most);
-        return range(text);
-      },
-      range.get_description());
-}
-
-CLI::App* add_command(CLI::App& app, const char* name, const char* group, const char* what, const std::string& example)
-{
-  CLI::App* command = app.add_subcommand(name, what);
-  command->group(group);
-  command->formatter(std::make_shared<HelpPage>());
-  command->set_help_flag();
-  command->footer((example.empty() ? "" : "Examples:\n" + example + "\n") + exit_statuses);
-  return command;
-}
-
-void add_case(CLI::App* command, RunOptions& options, bool required = true)
-{
-  command->add_option("CASE.toml", options.path, "the case file (terp explain, docs/conventions.md)")
-      ->option_text(" ")
-      ->required(required);
-}
-
-void add_threads(CLI::App* command, int& threads)
-{
-  command
-      ->add_option("-j,--threads", threads,
-          "CPU threads (default: what this job may use);\nresults have the same bits on any number")
-      ->option_text("N")
-      ->check(CLI::Range(1, 1024));
-}
-
-void add_loudness(CLI::App* command, RunOptions& options)
-{
-  command->add_flag("-q,--quiet", options.quiet, "no progress, no summary; warnings stay");
-  command->add_flag("-v,--verbose", options.verbose, "time per pass as well");
-}
-
-void add_set(CLI::App* command, RunOptions& options)
-{
-  command
-      ->add_option("--set", options.changes,
-          "change one key of the case; may be given several\ntimes. * stands for any name: material.*.eta=40")
-      ->option_text("KEY=VALUE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
-
-void add_language(CLI::App* command, std::string& language)
-{
-  command->add_option("--language", language, "of the page: en, nl (default en); it can be\nchanged on the page")
-      ->option_text("L")
-      ->check(CLI::IsMember(std::vector<std::string>(report_languages.begin(), report_languages.end())));
-}
-
-void add_output(CLI::App* command, std::string& output, const char* what, const char* text = "DIR")
-{
-  command->add_option("-o,--output", output, what)->option_text(text);
-}
 
 void declare_solvers(CLI::App& app, CommandLine& line)
 {
@@ -240,6 +129,49 @@ void declare_converge(CLI::App& app, ConvergeOptions& options)
   add_set(converge, options.run);
   add_threads(converge, options.run.threads);
   converge->add_flag("-q,--quiet", options.run.quiet, "no progress, no table; warnings stay");
+}
+
+void declare_study(CLI::App& app, StudyCommand& command)
+{
+  CLI::App* study = add_command(app, "study", "Solve",
+      "how probable a slide and a flood are\nSolves many realisations of a case with random numbers and fields, or a "
+      "table "
+      "of\nits keys (docs/probability.md). What is solved is kept: after a kill the same\ncommand goes on.\n\nACTION\n"
+      "  check   what would run, how long, on what\n"
+      "  sample  what would be drawn: histograms of the input\n"
+      "  run     solve, or go on; results go to runs/NAME/\n"
+      "  status  what the realisations that are solved say\n"
+      "  report  the same, with the page report.html and the table results.csv",
+      "  terp study check cases/dike_study/dike_study.toml\n  terp study run cases/dike_study/dike_study.toml -j 2\n"
+      "  terp study run dike_study.toml --part 3/100\n  terp study report runs/dike_study\n");
+  study->add_option("ACTION", command.action, "check, sample, run, status or report")
+      ->option_text(" ")
+      ->required()
+      ->check(CLI::IsMember({"check", "sample", "run", "status", "report"}));
+  study->add_option("STUDY", command.path, "study file (.toml), or the folder of a study")
+      ->option_text(" ")
+      ->required();
+  add_output(study, command.output, "folder of the study (default: runs/NAME)");
+  study
+      ->add_option(
+          "--part", command.part, "of run: every N-th realisation, from the K-th; for arrays of\nbatch systems")
+      ->option_text("K/N");
+  study
+      ->add_option("--keep", command.keep,
+          "of run: solve these realisations once more, with all\nthe files of a run, in DIR/kept; counted from 0")
+      ->option_text("A,B")
+      ->delimiter(',');
+  study->add_option("--samples", command.samples, "of sample: how many (default 1000)")
+      ->option_text("N")
+      ->check(CLI::Range(1, 1000000));
+  study->add_flag("--force", command.force, "of run: remove what is solved, and begin anew");
+  study
+      ->add_option("-j,--threads", command.threads,
+          "realisations at a time (default: what this job may use);\nresults "
+          "have the same bits on any number")
+      ->option_text("N")
+      ->check(CLI::Range(1, 1024));
+  study->add_flag("-q,--quiet", command.quiet, "no progress, no result; warnings stay");
 }
 
 void declare_watch(CLI::App& app, WatchCommand& options)
@@ -424,7 +356,7 @@ void declare(CLI::App& app, CommandLine& line)
 {
   app.description("terp: explicit material point method for soil (MPM-Mixed and MPM-GP)");
   app.name("terp");
-  app.formatter(std::make_shared<HelpPage>());
+  app.formatter(help_page());
   app.set_help_flag();
   app.set_help_all_flag();
   app.require_subcommand(1);
@@ -435,6 +367,7 @@ void declare(CLI::App& app, CommandLine& line)
   declare_solvers(app, line);
   declare_stability(app, line);
   declare_converge(app, line.converge);
+  declare_study(app, line.study);
   declare_watch(app, line.watch);
   declare_viewers(app, line);
   declare_guides(app, line);

@@ -17,6 +17,7 @@ struct CommandLine {
   std::vector<double> stability_cells;  ///< of stability: sizes [m]
   VerifyOptions verify;
   ConvergeOptions converge;
+  StudyCommand study;
   std::string topic;
   ReportCommand report;
   ExportCommand exported;

@@ -79,6 +79,17 @@ struct ImportCommand {
   bool print_defaults = false;
 };
 
+struct StudyCommand {
+  std::string action;     ///< check, run, status, report, sample
+  std::string path;       ///< study file, or folder of a study
+  std::string output;     ///< folder; empty: runs/NAME
+  std::string part;       ///< of run: "K/N"; empty: all
+  std::vector<int> keep;  ///< of run: realisations to solve once more, with all files
+  int threads = 0;        ///< 0: what this job may use
+  int samples = 1000;     ///< of sample
+  bool force = false, quiet = false;
+};
+
 struct WatchCommand {
   std::string run;
   double every = 2.0;  ///< [s]
@@ -96,6 +107,7 @@ int run_case(const RunOptions& options);
 int find_stability(const RunOptions& run, StabilityOptions options, const std::vector<double>& cells);
 int resume_run(const RunOptions& options);
 int converge_case(const ConvergeOptions& options);
+int study_case(const StudyCommand& command);
 int check_case(const RunOptions& options);
 int bench_case(const RunOptions& options);
 int verify_cases(const VerifyOptions& options);

@@ -35,4 +35,17 @@ double seconds_of_steps(const Model& model, double step_s)
   return failing * step_s * static_cast<double>(model.n_steps);
 }
 
+std::int64_t bytes_of(const Model& model, const State& state)
+{
+  constexpr std::int64_t per_cell_of_the_mesh = 160,
+                         per_point = 27;  // of the mesh, counted; first place, audit and flags by id
+  const auto cells = static_cast<std::int64_t>(state.points.occupied().size());
+  const std::int64_t gauss =
+      model.scheme->keeps_gauss_values
+          ? sizeof(GaussValues<Quad4>) + Quad4::n_gauss * sizeof(Real) * (model.rows.n_rows() - PointRows<2>::state)
+          : sizeof(Real);
+  return state.points.bytes() + per_point * state.points.n_points() + per_cell_of_the_mesh * model.mesh->n_cells() +
+         cells * (std::int64_t{sizeof(CornerSums<Quad4>) + sizeof(NodeValues)} + gauss);
+}
+
 }  // namespace terp

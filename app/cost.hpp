@@ -12,4 +12,7 @@ double time_a_step(Simulation& simulation, double seconds = 1.0);
 /// Time of the steps of the whole run [s]. step_s: of a step in a trial.
 double seconds_of_steps(const Model& model, double step_s);
 
+/// What a run holds, frames and checkpoints in the making not counted.
+std::int64_t bytes_of(const Model& model, const State& state);
+
 }  // namespace terp

@@ -224,15 +224,7 @@ std::string write_toml(const Node& root)
   return out;
 }
 
-std::string toml_value(const Node& node)
-{
-  Node root, item = node;
-  item.name = "value";
-  root.items.push_back(std::move(item));
-  const std::string text = write_toml(root);
-  const std::size_t begin = text.find("= "), end = text.find_last_not_of('\n');
-  return begin == std::string::npos ? text : text.substr(begin + 2, end - begin - 1);
-}
+std::string toml_value(const Node& node) { return write_value(node); }
 
 std::vector<std::pair<std::string, const Node*>> leaves_of(const Node& table)
 {

@@ -63,7 +63,7 @@ Node parse_toml(std::string_view text);
 /// TOML text of a tree: comments are lost, values are kept to the bit.
 std::string write_toml(const Node& root);
 
-/// TOML text of one value.
+/// TOML text of one value, on one line.
 std::string toml_value(const Node& node);
 
 /// The values below a table and their keys, "material.clay.eta"; keys that are quoted as a whole stay as they are.

@@ -21,7 +21,6 @@ struct RandomText {
   Index seed = 0, realisation = 0, number = 0;
   std::string distribution = "lognormal";
   Real cov = 0.0;
-  std::vector<Vec<2>> mix;
 };
 
 struct RandomKey {
@@ -50,12 +49,10 @@ const RandomKey random_keys[] = {
         "number of the draw"},
     {"field", "-", {0.0, 1e6}, any_number, false, [](RandomText& t) -> Field { return &t.number; },
         "number of the field: fields of one number are the same"},
-    {"mix", "-", any_number, any_number, false, [](RandomText& t) -> Field { return Polyline{&t.mix}; },
-        "[[field, weight], ...] instead of field: the sum of several, squares of the weights adding up to one"},
     {"distribution", "", any_number, any_number, false, [](RandomText& t) -> Field { return &t.distribution; },
         "lognormal or normal"},
 };
-constexpr std::string_view own_keys[] = {"mean", "known"};
+constexpr std::string_view own_keys[] = {"mean", "known", "mix"};
 
 std::vector<std::string> names_of_keys()
 {
@@ -108,13 +105,18 @@ bool refuse_unknown(const Node& table, const FieldContext& context)
 bool set_parts(const FieldContext& context, RandomText& text)
 {
   const std::string path = join_path(context.entry.path, "mix");
-  if (text.mix.empty()) {
+  const Node* mix = find_item(context.entry.node, "mix");
+  if (mix == nullptr) {
     text.field.parts = {{static_cast<std::uint32_t>(text.number), 1.0}};
     return true;
   }
   text.field.parts.clear();
   Real squares = 0.0;
-  for (const Vec<2>& part : text.mix) {
+  KeyInfo pairs = key_like(context.entry.key, "-", any_number);
+  pairs.field = [](Case&, std::size_t) { return OwnForm{"a list [[field, weight], ...]", {}, {}}; };
+  std::vector<Vec<2>> parts;
+  if (!read_places({*mix, path, pairs}, *mix, path, context.findings, parts)) return false;
+  for (const Vec<2>& part : parts) {
     if (part[0] < 0.0 || part[0] > 1e6 || part[0] != std::floor(part[0]))
       return refuse_field(context, path, fmt::format("{} is no number of a field", part[0]), "A whole number, from 0."),
              false;
@@ -228,7 +230,10 @@ std::string describe_random_keys()
   for (const RandomKey& key : random_keys)
     out += fmt::format("  {:<14}{}{}\n", key.name,
         key.unit == "-" || key.unit.empty() ? "" : fmt::format("[{}] ", key.unit), key.meaning);
-  return out + "  known         [[x, y, value], ...]: values from soundings, which every draw has there\n";
+  return out +
+         "  known         [[x, y, value], ...]: values from soundings, which every draw has there\n"
+         "  mix           [[field, weight], ...] instead of field: the sum of several, squares of the weights adding "
+         "up to one\n";
 }
 
 }  // namespace terp

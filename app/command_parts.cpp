@@ -1,0 +1,124 @@
+#include "command_parts.hpp"
+
+#include "report/payload.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cmath>
+#include <vector>
+
+namespace terp {
+namespace {
+
+/// CLI11's page with our layout: commands in one line each, no remark on how many of them are required.
+class HelpPage : public CLI::Formatter {
+ public:
+  HelpPage()
+  {
+    column_width(25);
+    label("OPTIONS", "options");
+    label("SUBCOMMAND", "COMMAND");
+    label("Positionals", "Arguments");
+  }
+  std::string make_description(const CLI::App* app) const override
+  {
+    std::string text = app->get_description();
+    if (app->get_parent() != nullptr) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text + "\n\n";
+  }
+  std::string make_option_name(const CLI::Option* option, bool is_positional) const override
+  {
+    const std::string name = CLI::Formatter::make_option_name(option, is_positional);
+    const std::size_t comma = name.find(',');  // "-o,--output"
+    return comma == std::string::npos ? name : name.substr(0, comma) + ", " + name.substr(comma + 1);
+  }
+  std::string make_subcommand(const CLI::App* command) const override
+  {
+    const std::string text = command->get_description();
+    return fmt::format("  {:<23}{}\n", command->get_name() + arguments_of(*command), text.substr(0, text.find('\n')));
+  }
+
+ private:
+  static std::string arguments_of(const CLI::App& command)
+  {
+    std::string names;
+    for (const CLI::Option* option : command.get_options([](const CLI::Option* o) { return o->get_positional(); }))
+      names +=
+          (option->get_required() ? " " : " [") + option->get_name(true, false) + (option->get_required() ? "" : "]");
+    return names;
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<CLI::Formatter> help_page() { return std::make_shared<HelpPage>(); }
+
+CLI::Validator number_between(double least, double most)
+{
+  const CLI::Validator range = CLI::Range(least, most);
+  return CLI::Validator(
+      [range, least, most](std::string& text) {
+        double value = 0.0;
+        if (CLI::detail::lexical_cast(text, value) && std::isnan(value))
+          return fmt::format("Value {} not in range {:f} to {:f}", text, least, most);
+        return range(text);
+      },
+      range.get_description());
+}
+
+CLI::App* add_command(CLI::App& app, const char* name, const char* group, const char* what, const std::string& example)
+{
+  CLI::App* command = app.add_subcommand(name, what);
+  command->group(group);
+  command->formatter(help_page());
+  command->set_help_flag();
+  command->footer((example.empty() ? "" : "Examples:\n" + example + "\n") + exit_statuses);
+  return command;
+}
+
+void add_case(CLI::App* command, RunOptions& options, bool required)
+{
+  command->add_option("CASE.toml", options.path, "the case file (terp explain, docs/conventions.md)")
+      ->option_text(" ")
+      ->required(required);
+}
+
+void add_threads(CLI::App* command, int& threads)
+{
+  command
+      ->add_option("-j,--threads", threads,
+          "CPU threads (default: what this job may use);\nresults have the same bits on any number")
+      ->option_text("N")
+      ->check(CLI::Range(1, 1024));
+}
+
+void add_loudness(CLI::App* command, RunOptions& options)
+{
+  command->add_flag("-q,--quiet", options.quiet, "no progress, no summary; warnings stay");
+  command->add_flag("-v,--verbose", options.verbose, "time per pass as well");
+}
+
+void add_set(CLI::App* command, RunOptions& options)
+{
+  command
+      ->add_option("--set", options.changes,
+          "change one key of the case; may be given several\ntimes. * stands for any name: material.*.eta=40")
+      ->option_text("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_language(CLI::App* command, std::string& language)
+{
+  command->add_option("--language", language, "of the page: en, nl (default en); it can be\nchanged on the page")
+      ->option_text("L")
+      ->check(CLI::IsMember(std::vector<std::string>(report_languages.begin(), report_languages.end())));
+}
+
+void add_output(CLI::App* command, std::string& output, const char* what, const char* text)
+{
+  command->add_option("-o,--output", output, what)->option_text(text);
+}
+
+}  // namespace terp

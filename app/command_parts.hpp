@@ -1,0 +1,30 @@
+// Parts that the commands on the command line share.
+#pragma once
+
+#include "commands.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <string>
+
+namespace terp {
+
+inline constexpr const char* exit_statuses =
+    "Exit status: 0 solved, 2 bad input, 3 the run stopped itself, 1 anything else";
+
+/// CLI11's page with our layout.
+std::shared_ptr<CLI::Formatter> help_page();
+
+/// A number from `least` to `most`. CLI::Range alone lets "nan" through, as no comparison with it holds.
+CLI::Validator number_between(double least, double most);
+
+CLI::App* add_command(CLI::App& app, const char* name, const char* group, const char* what, const std::string& example);
+void add_case(CLI::App* command, RunOptions& options, bool required = true);
+void add_threads(CLI::App* command, int& threads);
+void add_loudness(CLI::App* command, RunOptions& options);
+void add_set(CLI::App* command, RunOptions& options);
+void add_language(CLI::App* command, std::string& language);
+void add_output(CLI::App* command, std::string& output, const char* what, const char* text = "DIR");
+
+}  // namespace terp

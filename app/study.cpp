@@ -1,0 +1,270 @@
+// terp study: how probable a slide and a flood are; many runs of one case, or a table of its keys.
+
+#include "commands.hpp"
+#include "cost.hpp"
+#include "input/printable.hpp"
+#include "input/render.hpp"
+#include "output/run_folder.hpp"
+#include "output/summary_json.hpp"
+#include "parallel/threads.hpp"
+#include "progress.hpp"
+#include "simulation/setup_mesh.hpp"
+#include "stop.hpp"
+#include "study/engine.hpp"
+#include "study/study_folder.hpp"
+#include "study/study_page.hpp"
+#include "study/study_text.hpp"
+
+#include <charconv>
+#include <chrono>
+#include <filesystem>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace terp {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::string now_in_utc()
+{
+  return fmt::format(
+      "{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+}
+
+/// "3/100"; empty: all.
+StudyPart part_of(const std::string& text)
+{
+  StudyPart part;
+  if (text.empty()) return part;
+  const char *end = text.data() + text.size(), *slash = text.data() + std::min(text.find('/'), text.size());
+  const auto first = std::from_chars(text.data(), slash, part.number);
+  const auto second = slash == end ? first : std::from_chars(slash + 1, end, part.n_all);
+  if (slash == end || first.ec != std::errc() || first.ptr != slash || second.ec != std::errc() || second.ptr != end ||
+      part.number < 1 || part.n_all < part.number)
+    throw CaseError(printable(fmt::format(
+        "error: --part {}: a part is K/N, K from 1 to N\n  As in --part 3/100, of the third of a hundred tasks.\n",
+        text)));
+  return part;
+}
+
+/// How far a study is, on one line that renews itself on a terminal.
+class StudyProgress {
+ public:
+  StudyProgress(const Study& study, const StudyPart& part, int threads, bool quiet)
+      : study_(study), part_(part), threads_(threads), quiet_(quiet), terminal_(isatty(STDOUT_FILENO) == 1)
+  {
+  }
+
+  void show(const Realisation& newest, const Realisations& all)
+  {
+    ++made_;
+    spent_ += newest.wall_s;
+    const double now = std::chrono::duration<double>(Clock::now() - start_).count();
+    if (quiet_ || (now < next_ && !terminal_)) return;
+    next_ = now + 10.0;
+    Index done = 0, n_all = 0;
+    std::int64_t slid = 0, flooded = 0, solved = 0, failed = 0;
+    for (const auto& [number, r] : all) {
+      if (!part_.has(number)) continue;
+      ++done, solved += r.solved(), failed += !r.solved(), slid += r.slid, flooded += r.flooded;
+    }
+    for (Index n = 0; n < study_.n_realisations; ++n) n_all += part_.has(n);
+    const Real confidence = study_.settings.confidence;
+    std::string line = fmt::format("[{}/{}] {} failed", done, n_all, failed);
+    if (study_.settings.estimator != Estimator::sweep) {
+      line += "  P(I) " + estimate_text(estimate_event(slid, solved, failed, confidence));
+      if (newest.judges_flood) line += "  P(F) " + estimate_text(estimate_event(flooded, solved, failed, confidence));
+    }
+    const double each = spent_ / static_cast<double>(made_);
+    line += fmt::format("  ETA {}{}", study_.settings.stop.cov > 0.0 ? "at most " : "",
+        readable_duration(each * static_cast<double>(n_all - done) / threads_));
+    terp::show(stdout, terminal_ ? "\r\033[K" + line : line + '\n');
+    open_ = terminal_;
+  }
+
+  void finish()
+  {
+    if (open_) terp::show(stdout, "\n");
+    open_ = false;
+  }
+
+ private:
+  const Study& study_;
+  const StudyPart& part_;
+  int threads_;
+  bool quiet_, terminal_, open_ = false;
+  Clock::time_point start_ = Clock::now();
+  double spent_ = 0.0, next_ = 0.0;
+  Index made_ = 0;
+};
+
+std::string quantile_line(const RandomNumber& number)
+{
+  const Distribution& d = number.distribution;
+  return fmt::format("  random         {}: {}, 5 % {:.4g}, 50 % {:.4g}, 95 % {:.4g}\n", number.key,
+      all_distributions()[static_cast<std::size_t>(d.kind)].name, d.quantile(0.05), d.quantile(0.5), d.quantile(0.95));
+}
+
+void print_input(const Study& study)
+{
+  const StudySettings& s = study.settings;
+  for (const SweepKey& sweep : s.sweep) fmt::print("  sweep          {}: {} values\n", sweep.key, sweep.values.size());
+  for (const RandomNumber& number : s.numbers) fmt::print("{}", quantile_line(number));
+  for (std::size_t k = 0; k < s.fields.size(); ++k) {
+    const RandomFieldKey& f = s.fields[k];
+    const auto& box = study.boxes[k];
+    fmt::print("  field          {}: {}, cov {:g}, theta {:g} and {:g} m, from ({:g}, {:g}) to ({:g}, {:g}) m\n", f.key,
+        f.distribution, f.cov, f.scale[0], f.scale[1], box[0][0], box[0][1], box[1][0], box[1][1]);
+  }
+  for (const StudyCorrelation& c : s.correlations)
+    fmt::print("  correlation    {:g} between {} and {}\n", c.value, c.a, c.b);
+}
+
+int check_study(const Study& study, int threads)
+{
+  const StudySettings& s = study.settings;
+  fmt::print("{}\n  case           {}\n", printable(s.title.empty() ? s.name : s.title), printable(study.case_path));
+  print_input(study);
+  fmt::print("  realisations   {}{}, {}\n", s.stop.cov > 0.0 ? "at most " : "", study.n_realisations,
+      s.estimator == Estimator::sweep         ? "a sweep"
+      : s.estimator == Estimator::monte_carlo ? "Monte Carlo"
+                                              : "Latin hypercube");
+  if (s.stop.cov > 0.0) fmt::print("  stops          at a coefficient of variation of P of {:g}\n", s.stop.cov);
+  if (s.stop.time > 0.0) fmt::print("  stops          after {}\n", readable_duration(s.stop.time));
+  fmt::print("  I              {}\n", slide_words(s));
+  fmt::print(
+      "  mesh           {}\n", study.shares_mesh ? "one for all realisations" : "made anew for each realisation");
+  try {
+    Simulation simulation(study.base.values, study.mesh, 1);
+    const double each = seconds_of_steps(simulation.model, time_a_step(simulation));
+    fmt::print("  memory         {:.0f} MB for each of {} threads\n",
+        static_cast<double>(bytes_of(simulation.model, simulation.state)) / 1e6, threads);
+    fmt::print("  expected time  at most {} each, at most {} in all\n", readable_duration(each),
+        readable_duration(each * study.n_realisations / threads));
+    if (s.stop.time > 0.0 && each > s.stop.time)
+      fmt::print(stderr, "warning: one realisation may take longer than `stop.time`\n");
+  } catch (const RunError& error) {
+    fmt::print("  expected time  unknown: the case as it is stops itself: {}\n", error.what());
+  } catch (const InputError& error) {
+    throw CaseError(render(error.problems(), study.base));
+  }
+  fmt::print("nothing was run\n");
+  return solved;
+}
+
+int report_study(const Study& study, const std::string& folder, bool writes)
+{
+  const StoredStudy stored = read_store(study, folder);
+  if (stored.n_files == 0)
+    throw FileError(fmt::format("{}: there are no results of this study yet\n  Begin with: terp study run", folder));
+  fmt::print("{}", study_text(study, stored.rows));
+  if (stored.n_broken > 0)
+    fmt::print(
+        "  note: {} lines of the store were cut by a kill; their realisations are made again\n", stored.n_broken);
+  if (!writes) return solved;
+  write_results(study, folder, stored.rows, now_in_utc());
+  fmt::print("page in {}, table in {}\n", path_in(folder, study_report), study_results);
+  return solved;
+}
+
+int sample_study(const Study& study, const std::string& folder, const StudyCommand& command)
+{
+  const Index n = std::min<Index>(study.n_realisations, command.samples);
+  make_folder(folder);
+  const std::string page = path_in(folder, "sample.html");
+  write_file_atomically(page, page_of_samples(study, n, now_in_utc()));
+  const auto names = study.input_names();
+  for (Index k = 0; k < std::min<Index>(n, 10); ++k) {
+    const Draw draw = draw_realisation(study, k);
+    fmt::print("realisation {}\n", k);
+    for (std::size_t i = 0; i < names.size(); ++i)
+      fmt::print("  {:>12}  {}\n", input_text(study, i, draw.inputs[i]), names[i]);
+  }
+  fmt::print("histograms of {} in {}\n", n, page);
+  return solved;
+}
+
+/// Solves a realisation once more as a run with all its files, and compares it with the store.
+int keep(const Study& study, const std::string& folder, Index number, const StudyCommand& command)
+{
+  if (number < 0 || number >= study.n_realisations)
+    throw CaseError(fmt::format("error: --keep {}: there is no such realisation\n  They are numbered 0 to {}.\n",
+        number, study.n_realisations - 1));
+  RunOptions run;
+  run.path = study.case_path;
+  run.changes = draw_realisation(study, number).changes;
+  run.output = path_in(folder, fmt::format("kept/{}", number));
+  run.threads = command.threads;
+  run.force = run.report = true;
+  run.quiet = command.quiet;
+  const int status = run_case(run);
+  const Realisations rows = read_store(study, folder).rows;
+  const auto there = rows.find(number);
+  if (status != solved || there == rows.end() || !there->second.solved()) return status;
+  const Summary summary = read_summary(path_in(run.output, summary_file)).values;
+  const std::vector<Real>& kept = there->second.outcomes;
+  if (summary.max_eps_eq_p != kept[outcome_number("max_eps_eq_p")])
+    throw FileError(
+        fmt::format("realisation {} has other results than in the store\n  It was solved by another program "
+                    "or machine: AVX-512 and AVX2 give the same bits, SSE2 others.",
+            number));
+  if (!command.quiet) fmt::print("realisation {} has the results of the store, to the bit\n", number);
+  return status;
+}
+
+int run_study(const Study& study, const std::string& folder, const StudyCommand& command)
+{
+  const StudyPart part = part_of(command.part);
+  std::error_code none;
+  if (command.force && std::filesystem::exists(path_in(folder, study_copy), none)) clear_study(folder);
+  const std::string lock_folder = path_in(folder, fmt::format("locks/part_{}_of_{}", part.number, part.n_all));
+  make_folder(lock_folder);
+  const FolderLock lock(lock_folder);
+  prepare_study_folder(study, folder, part);
+  Realisations rows = read_store(study, folder).rows;
+  const int threads = command.threads > 0 ? command.threads : available_processors();
+  StudyProgress progress(study, part, threads, command.quiet);
+  listen_for_stop();
+  const StudyEnd end = run_realisations(study, folder,
+      {.threads = threads,
+          .part = part,
+          .show = [&](const Realisation& newest, const Realisations& all) { progress.show(newest, all); }},
+      stop_requested, rows);
+  progress.finish();
+  if (end == StudyEnd::stopped) {
+    fmt::print(stderr, "stopped; what is solved is kept in {}. Go on with the same command\n", folder);
+    return failed;
+  }
+  if (part.n_all > 1) {
+    if (!command.quiet)
+      fmt::print("part {} of {} is done; all of them: terp study report {}\n", part.number, part.n_all, folder);
+    return solved;
+  }
+  write_results(study, folder, rows, now_in_utc());
+  if (!command.quiet) {
+    fmt::print("{}", study_text(study, rows));
+    fmt::print("page in {}, table in {}\n", path_in(folder, study_report), study_results);
+  }
+  return solved;
+}
+
+}  // namespace
+
+int study_case(const StudyCommand& command)
+{
+  const Study study = open_study(command.path);
+  const std::string folder = folder_of_study(command.path, command.output, study);
+  fmt::print(stderr, "{}{}", render_warnings(study.base), render_warnings(find_doubts(study), study.settings.source));
+  const int threads = command.threads > 0 ? command.threads : available_processors();
+  if (command.action == "check") return check_study(study, threads);
+  if (command.action == "sample") return sample_study(study, folder, command);
+  if (command.action == "status") return report_study(study, folder, false);
+  if (command.action == "report") return report_study(study, folder, true);
+  int status = solved;
+  for (const int number : command.keep) status = std::max(status, keep(study, folder, number, command));
+  return command.keep.empty() ? run_study(study, folder, command) : status;
+}
+
+}  // namespace terp

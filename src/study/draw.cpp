@@ -1,0 +1,163 @@
+// How it thinks: every random number is counted, not drawn in turn (base/philox.hpp). The counter is (realisation,
+// number of the variable, stream, 0), the key the seed; fields count in the case (simulation/gaussian_field).
+
+#include "study/study.hpp"
+
+#include "base/philox.hpp"
+#include "input/overrides.hpp"
+#include "simulation/gaussian_field.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace terp {
+namespace {
+
+constexpr std::uint32_t stream_of_values = 0;
+
+Real uniform_of(const Study& study, std::size_t number, Index realisation)
+{
+  const StudySettings& s = study.settings;
+  const Real u =
+      philox_uniform({static_cast<std::uint32_t>(realisation), static_cast<std::uint32_t>(number), stream_of_values, 0},
+          {static_cast<std::uint32_t>(s.seed), 0});
+  if (s.estimator != Estimator::latin_hypercube) return u;
+  const auto stratum = study.strata[number][static_cast<std::size_t>(realisation)];
+  return (static_cast<Real>(stratum) + u) / static_cast<Real>(study.n_realisations);
+}
+
+/// Gaussian copula: the scores are correlated, each number keeps its own distribution.
+std::vector<Real> draw_numbers(const Study& study, Index realisation)
+{
+  const StudySettings& s = study.settings;
+  const std::size_t n = s.numbers.size();
+  std::vector<Real> scores(n), values(n);
+  for (std::size_t k = 0; k < n; ++k) scores[k] = normal_quantile(uniform_of(study, k, realisation));
+  scores = times(study.of_numbers, scores);
+  constexpr Real least = 1e-16;
+  for (std::size_t k = 0; k < n; ++k)
+    values[k] = s.numbers[k].distribution.quantile(std::clamp(normal_probability(scores[k]), least, 1.0 - least));
+  return values;
+}
+
+/// Twelve digits: what libraries of other machines give differs beyond them.
+std::string digits(Real value) { return fmt::format("{:.12g}", value); }
+
+/// Which combination of a sweep a realisation is: the last key turns fastest.
+std::vector<std::size_t> sweep_choice(const StudySettings& s, Index realisation)
+{
+  std::vector<std::size_t> choice(s.sweep.size(), static_cast<std::size_t>(realisation));
+  if (s.form == SweepForm::table) return choice;
+  auto rest = static_cast<std::size_t>(realisation);
+  for (std::size_t k = s.sweep.size(); k-- > 0;) {
+    choice[k] = rest % s.sweep[k].values.size();
+    rest /= s.sweep[k].values.size();
+  }
+  return choice;
+}
+
+std::string pair_text(Vec<2> x) { return fmt::format("[{}, {}]", x[0], x[1]); }
+
+/// "field = 2", or the fields that a correlated one is the sum of.
+std::string parts_text(const Study& study, std::size_t number)
+{
+  std::string parts;
+  int n = 0;
+  for (std::size_t k = 0; k <= number; ++k)
+    if (const Real weight = study.of_fields.at(number, k); weight != 0.0) {
+      parts += fmt::format("{}[{}, {}]", parts.empty() ? "" : ", ", k, weight);
+      ++n;
+    }
+  return n == 1 ? fmt::format("field = {}", number) : fmt::format("mix = [{}]", parts);
+}
+
+/// mean: TOML.
+std::string field_text(const Study& study, std::size_t number, Index realisation, const std::string& mean)
+{
+  const RandomFieldKey& f = study.settings.fields[number];
+  const auto& box = study.boxes[number];
+  return fmt::format(
+      "{{ random = {{ mean = {}, cov = {}, theta = {}, box = [{}, {}], distribution = \"{}\", seed = {}, realisation "
+      "= {}, {}{} }} }}",
+      mean, f.cov, pair_text(f.scale), pair_text(box[0]), pair_text(box[1]), f.distribution, study.settings.seed,
+      realisation, parts_text(study, number), f.known.empty() ? "" : ", known = " + f.known);
+}
+
+/// Mean over the box of the field over its trend. Of one with known values: of the field before it is conditioned.
+Real mean_of_field(const Study& study, std::size_t number, Index realisation)
+{
+  const RandomFieldKey& f = study.settings.fields[number];
+  GaussianFieldCase field{.seed = static_cast<std::uint32_t>(study.settings.seed),
+      .realisation = static_cast<std::uint32_t>(realisation),
+      .scale = f.scale,
+      .low = study.boxes[number][0],
+      .high = study.boxes[number][1],
+      .parts = {}};
+  for (std::size_t k = 0; k <= number; ++k)
+    if (const Real weight = study.of_fields.at(number, k); weight != 0.0)
+      field.parts.emplace_back(static_cast<std::uint32_t>(k), weight);
+  const FieldMarginal marginal = f.distribution == "normal" ? FieldMarginal::normal : FieldMarginal::lognormal;
+  const GaussianField made(field);
+  constexpr int n = 40;
+  Real sum = 0.0;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const Vec<2> share{(i + 0.5) / n, (j + 0.5) / n};
+      sum += value_over_mean(marginal, f.cov,
+          made.at({field.low[0] + share[0] * (field.high[0] - field.low[0]),
+              field.low[1] + share[1] * (field.high[1] - field.low[1])}));
+    }
+  return sum / (n * n);
+}
+
+}  // namespace
+
+Draw draw_realisation(const Study& study, Index realisation)
+{
+  const StudySettings& s = study.settings;
+  Draw draw{.changes = s.set};
+  const auto choice = sweep_choice(s, realisation);
+  for (std::size_t k = 0; k < s.sweep.size(); ++k) {
+    const Node& value = s.sweep[k].values[choice[k]];
+    draw.changes.push_back(s.sweep[k].key + "=" + toml_value(value));
+    draw.inputs.push_back(value.kind == NodeKind::number    ? value.number
+                          : value.kind == NodeKind::integer ? static_cast<Real>(value.integer)
+                                                            : static_cast<Real>(choice[k]));
+  }
+  const std::vector<Real> values = draw_numbers(study, realisation);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const std::string text = digits(values[k]);
+    draw.changes.push_back(s.numbers[k].key + "=" + text);
+    draw.inputs.push_back(std::stod(text));
+  }
+  if (s.fields.empty()) return draw;
+  Node root = study.base.source.root;
+  for (const std::string& change : draw.changes) apply_override(root, change);
+  for (std::size_t k = 0; k < s.fields.size(); ++k) {
+    const RandomFieldKey& f = s.fields[k];
+    const Node* own = find_node(root, f.key);
+    const std::string mean = !f.mean.empty() ? f.mean : own != nullptr ? toml_value(*own) : std::string("0.0");
+    draw.changes.push_back(f.key + "=" + field_text(study, k, realisation, mean));
+    draw.inputs.push_back(mean_of_field(study, k, realisation));
+  }
+  return draw;
+}
+
+CaseFile case_of(const Study& study, const Draw& draw)
+{
+  return read_case_text(study.case_text, study.case_path, draw.changes);
+}
+
+std::string input_text(const Study& study, std::size_t number, Real value)
+{
+  const auto& sweep = study.settings.sweep;
+  if (number < sweep.size())
+    for (const Node& item : sweep[number].values)
+      if (item.kind == NodeKind::text && &item - sweep[number].values.data() == static_cast<std::ptrdiff_t>(value))
+        return item.text;
+  return fmt::format("{:.6g}", value);
+}
+
+}  // namespace terp

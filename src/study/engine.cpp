@@ -1,0 +1,98 @@
+// How it thinks: workers take the next number, solve it, and give the result to one thread in the background, which
+// appends it to the store and looks whether the rule is met. Which numbers are in the table follows from the numbers
+// alone (count_in_table), so that workers may finish in any order.
+
+#include "study/engine.hpp"
+
+#include "output/run_folder.hpp"
+#include "parallel/background.hpp"
+#include "parallel/threads.hpp"
+
+#include <chrono>
+#include <exception>
+
+namespace terp {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+class Team {
+ public:
+  Team(const Study& study, const std::string& folder, const EngineOptions& options, const std::atomic<bool>& stop,
+      Realisations& rows)
+      : study_(study), options_(options), stop_(stop), rows_(rows), store_(study, folder, options.part)
+  {
+    for (Index n = 0; n < study.n_realisations; ++n)
+      if (options.part.has(n) && !rows.contains(n)) todo_.push_back(n);
+  }
+
+  StudyEnd run()
+  {
+    bool met = false;
+    count_in_table(study_, rows_, met);
+    if (met || todo_.empty()) return StudyEnd::rule_met;
+    const auto n = static_cast<int>(std::min<std::size_t>(todo_.size(), static_cast<std::size_t>(options_.threads)));
+    Threads threads(n);
+    threads.for_each_chunk(n, [this](Index, int) { work(); });
+    background_.finish();
+    if (error_) std::rethrow_exception(error_);
+    if (stop_.load()) return StudyEnd::stopped;
+    return out_of_time_.load() ? StudyEnd::out_of_time : StudyEnd::rule_met;
+  }
+
+ private:
+  bool may_go_on()
+  {
+    const Real limit = study_.settings.stop.time;
+    if (limit > 0.0 && std::chrono::duration<double>(Clock::now() - start_).count() > limit) out_of_time_ = true;
+    return !stop_.load() && !enough_.load() && !out_of_time_.load();
+  }
+
+  void work()
+  {
+    try {
+      while (may_go_on()) {
+        const std::size_t k = next_.fetch_add(1);
+        if (k >= todo_.size()) return;
+        auto result = realise(study_, todo_[k], stop_);
+        if (!result) return;
+        background_.add([this, r = std::move(*result)] { take(r); });
+      }
+    } catch (...) {
+      if (!failed_.exchange(true)) error_ = std::current_exception();
+      enough_ = true;
+    }
+  }
+
+  void take(const Realisation& newest)
+  {
+    store_.append(newest);
+    rows_.emplace(newest.number, newest);
+    bool met = false;
+    if (study_.settings.stop.cov > 0.0 && options_.part.n_all == 1) count_in_table(study_, rows_, met);
+    if (met) enough_ = true;
+    if (options_.show) options_.show(newest, rows_);
+  }
+
+  const Study& study_;
+  const EngineOptions& options_;
+  const std::atomic<bool>& stop_;
+  Realisations& rows_;
+  StoreWriter store_;
+  std::vector<Index> todo_;
+  const Clock::time_point start_ = Clock::now();
+  std::atomic<std::size_t> next_{0};
+  std::atomic<bool> enough_{false}, out_of_time_{false}, failed_{false};
+  std::exception_ptr error_;
+  Background background_{64};  // last: its tasks use the rest
+};
+
+}  // namespace
+
+StudyEnd run_realisations(const Study& study, const std::string& folder, const EngineOptions& options,
+    const std::atomic<bool>& stop, Realisations& rows)
+{
+  return Team(study, folder, options, stop, rows).run();
+}
+
+}  // namespace terp

@@ -1,0 +1,24 @@
+// All realisations of a study, each on one thread, until the rule stops them.
+#pragma once
+
+#include "study/estimates.hpp"
+
+#include <functional>
+
+namespace terp {
+
+struct EngineOptions {
+  int threads = 1;
+  StudyPart part = {};
+  /// Called after each realisation, by one thread at a time. all: with what was there before.
+  std::function<void(const Realisation& newest, const Realisations& all)> show = {};
+};
+
+enum class StudyEnd { rule_met, out_of_time, stopped };
+
+/// Makes what is missing of a part in the folder, which must be there, and appends it to the store. rows: what is there
+/// already; filled. Throws FileError, and std::bad_alloc where the workers need more memory than there is.
+StudyEnd run_realisations(const Study& study, const std::string& folder, const EngineOptions& options,
+    const std::atomic<bool>& stop, Realisations& rows);
+
+}  // namespace terp

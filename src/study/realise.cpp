@@ -1,0 +1,147 @@
+#include "study/realise.hpp"
+
+#include "events/moved.hpp"
+#include "followers/followers.hpp"
+#include "input/printable.hpp"
+#include "simulation/ground_section.hpp"
+#include "simulation/setup_mesh.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+
+namespace terp {
+namespace {
+
+constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
+
+Real moved_volume_of(const Simulation& s, const Summary&, const EventRule& event)
+{
+  const std::vector<std::uint8_t> ground = ground_of(s.model);
+  Real volume = find_moved(s.state.points, s.state.x_initial, event.displacement, ground).volume;
+  for (const LeftPoint& point : s.state.left) volume += point.volume;
+  return volume;
+}
+
+template <Real FloodSummary::*member>
+Real of_flood(const Simulation&, const Summary& summary, const EventRule&)
+{
+  return summary.flood ? (*summary.flood).*member : none;
+}
+
+template <std::optional<Real> Summary::*member>
+Real of_summary(const Simulation&, const Summary& summary, const EventRule&)
+{
+  return (summary.*member).value_or(none);
+}
+
+const OutcomeInfo outcomes[] = {
+    {{"slide_volume", "m^2", "volume that slid", "volume that moved farther than the displacement of the event"},
+        moved_volume_of},
+    {{"residual_height", "m", "highest ground that remains", "at the end (docs/flood.md)"},
+        of_summary<&Summary::residual_height>},
+    {{"freeboard", "m", "freeboard that remains", "of the highest ground over the water, at the end"},
+        of_flood<&FloodSummary::freeboard>},
+    {{"width_at_level", "m", "width at the water level", "of the ground, at the end"},
+        of_flood<&FloodSummary::width_at_level>},
+    {{"slides", "-", "slides", "how often the crest retreated by much (docs/formats.md)"},
+        [](const Simulation&, const Summary& s, const EventRule&) { return static_cast<Real>(s.slides.size()); }},
+    {{"first_slide_time", "s", "time of the first slide", "when the crest began to retreat"},
+        of_summary<&Summary::first_slide_time>},
+    {{"flood_time", "s", "time of the flood", "first time the ground no longer held the water"},
+        [](const Simulation&, const Summary& s, const EventRule&) {
+          return s.flood ? s.flood->first_time_below.value_or(none) : none;
+        }},
+    {{"max_eps_eq_p", "-", "largest eps_eq_p", "at the end"},
+        [](const Simulation&, const Summary& s, const EventRule&) { return s.max_eps_eq_p; }},
+    {{"end_time", "s", "time at the end", "of the run"},
+        [](const Simulation& s, const Summary&, const EventRule&) { return s.state.time; }},
+};
+
+std::string on_one_line(std::string text)
+{
+  for (char& c : text)
+    if (c == '\n' || c == '\t' || c == '\r') c = ' ';
+  constexpr std::size_t longest = 400;
+  return printable(text.substr(0, longest));
+}
+
+/// "error: case.toml:12:3: what" -> what of the first error that the case reports.
+std::string fault_of_case(const std::string& message)
+{
+  const std::size_t begin = message.find("error: ");
+  std::string text = begin == std::string::npos ? message : message.substr(begin + 7);
+  if (const std::size_t more = text.find("error: "); more != std::string::npos) text.resize(more);
+  if (const std::size_t end = text.find("nothing was run"); end != std::string::npos)
+    text.resize(text.rfind('\n', end));
+  return text;
+}
+
+bool same_bits(const std::vector<Real>& a, const std::vector<Real>& b)
+{
+  return std::ranges::equal(a, b, [](Real x, Real y) {
+    return (std::isnan(x) && std::isnan(y)) || std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+  });
+}
+
+/// False: stopped before its end.
+bool solve(const Study& study, const Draw& draw, const std::atomic<bool>& stop, Realisation& result)
+{
+  const CaseFile file = case_of(study, draw);
+  const SharedMesh mesh = study.shares_mesh ? study.mesh : std::make_shared<const Mesh<2>>(build_mesh(file.values));
+  Simulation simulation(file.values, mesh, 1, all_followers());
+  if (simulation.run(stop) != Outcome::finished) return false;
+  read_outcomes(simulation, study.settings.event, result);
+  return true;
+}
+
+}  // namespace
+
+std::span<const OutcomeInfo> study_outcomes() { return outcomes; }
+
+std::size_t outcome_number(std::string_view name)
+{
+  const auto found = std::ranges::find(outcomes, name, [](const OutcomeInfo& outcome) { return outcome.info.name; });
+  TERP_ASSERT(found != std::end(outcomes));
+  return static_cast<std::size_t>(found - std::begin(outcomes));
+}
+
+bool Realisation::same_as(const Realisation& other) const
+{
+  return number == other.number && fault == other.fault && slid == other.slid && flooded == other.flooded &&
+         judges_flood == other.judges_flood && same_bits(inputs, other.inputs) && same_bits(outcomes, other.outcomes);
+}
+
+void read_outcomes(const Simulation& simulation, const EventRule& event, Realisation& r)
+{
+  const Summary summary = summarise(simulation.model, simulation.state);
+  for (const OutcomeInfo& outcome : outcomes) r.outcomes.push_back(outcome.read(simulation, summary, event));
+  r.slid = r.outcomes[outcome_number("slide_volume")] >= event.volume;
+  r.judges_flood = summary.flood.has_value();
+  r.flooded = r.judges_flood && summary.flood->verdict == FloodVerdict::floods;
+}
+
+std::optional<Realisation> realise(const Study& study, Index number, const std::atomic<bool>& stop)
+{
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  Realisation result{.number = number};
+  try {
+    const Draw draw = draw_realisation(study, number);
+    result.inputs = draw.inputs;
+    if (!solve(study, draw, stop, result)) return std::nullopt;
+  } catch (const CaseError& error) {
+    result.fault = on_one_line("refused: " + fault_of_case(error.what()));
+  } catch (const InputError& error) {
+    result.fault = on_one_line(std::string("refused: ") + error.what());
+  } catch (const RunError& error) {
+    if (stop.load()) return std::nullopt;
+    result.fault = on_one_line(std::string("stopped itself: ") + error.what());
+  }
+  if (!result.solved()) result.outcomes.clear();
+  result.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
+  return result;
+}
+
+}  // namespace terp

@@ -1,0 +1,49 @@
+// One realisation: drawn, solved in memory on the caller's thread, and what of it is kept.
+// Not for: runs with files, which `terp run` makes of the same changes.
+#pragma once
+
+#include "base/quantity.hpp"
+#include "simulation/simulation.hpp"
+#include "study/study.hpp"
+
+#include <atomic>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace terp {
+
+/// A number that is kept of a realisation.
+struct OutcomeInfo {
+  QuantityInfo info;
+  Real (*read)(const Simulation& simulation, const Summary& summary, const EventRule& event);  ///< NaN: not defined
+};
+/// In the order of the store and of the table. A new one is an entry in realise.cpp.
+std::span<const OutcomeInfo> study_outcomes();
+/// Number of the outcome of that name; it must be there.
+std::size_t outcome_number(std::string_view name);
+
+struct Realisation {
+  Index number = 0;
+  std::vector<Real> inputs = {};  ///< as Study::input_names()
+  std::string fault = {};         ///< why there is no result, on one line; empty: solved
+  bool slid = false;              ///< I
+  bool flooded = false;           ///< F; false where nothing is said of water
+  bool judges_flood = false;
+  std::vector<Real> outcomes = {};  ///< as study_outcomes(); empty of a failed one
+  double wall_s = 0.0;
+
+  bool solved() const { return fault.empty(); }
+  /// But for the clock.
+  bool same_as(const Realisation& other) const;
+};
+
+/// None: stopped before its end. Memory and disks that fail are thrown on; a case that is refused and a run that stops
+/// itself are faults of the realisation.
+std::optional<Realisation> realise(const Study& study, Index number, const std::atomic<bool>& stop);
+
+/// The same of a run that was solved.
+void read_outcomes(const Simulation& simulation, const EventRule& event, Realisation& realisation);
+
+}  // namespace terp

@@ -1,0 +1,160 @@
+#include "study/store.hpp"
+
+#include "base/checksum.hpp"
+#include "base/errors.hpp"
+#include "output/run_folder.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <filesystem>
+
+namespace terp {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t n_digits = 16;  // of a checksum
+constexpr const char* ending = ".rows";
+
+std::string with_checksum(const std::string& line) { return digits_of(line) + '\t' + line + '\n'; }
+
+/// The line without its checksum; none if it does not fit.
+std::optional<std::string_view> checked(std::string_view line)
+{
+  if (line.size() <= n_digits + 1 || line[n_digits] != '\t') return std::nullopt;
+  const std::string_view text = line.substr(n_digits + 1);
+  return digits_of(text) == line.substr(0, n_digits) ? std::optional(text) : std::nullopt;
+}
+
+std::string head_of(const Study& study)
+{
+  return fmt::format("terp study\t1\t{}\t{}\t{}", TERP_VERSION, study.case_digits, study.study_digits);
+}
+
+std::vector<std::string_view> split(std::string_view text, char at)
+{
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t end = text.find(at);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+template <class Number>
+bool to_number(std::string_view text, Number& value)
+{
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  return result.ec == std::errc() && result.ptr == text.data() + text.size();
+}
+
+bool to_numbers(std::string_view text, std::size_t n, std::vector<Real>& values)
+{
+  if (text.empty()) return n == 0;
+  for (const std::string_view part : split(text, ' '))
+    if (!to_number(part, values.emplace_back())) return false;
+  return values.size() == n;
+}
+
+void check_head(const Study& study, const std::string& path, std::string_view head)
+{
+  const auto is = split(head, '\t');
+  if (is.size() != 5 || is[0] != "terp study" || is[1] != "1")
+    throw FileError(fmt::format("{}: this is no store of a study\n  Choose another folder: -o DIR", path));
+  std::string why;
+  if (is[2] != TERP_VERSION) why = fmt::format("it was solved by terp {}, this is {}", is[2], TERP_VERSION);
+  if (is[3] != study.case_digits) why = "the case is another one, or its mesh";
+  if (is[4] != study.study_digits) why = "what is drawn, its seed or the events are others";
+  if (!why.empty())
+    throw FileError(fmt::format(
+        "{}: this is the store of another study: {}\n  Give it a folder of its own, -o DIR, or remove what is there.",
+        path, why));
+}
+
+void take(const std::string& path, Realisation row, StoredStudy& stored)
+{
+  const Index number = row.number;
+  const auto there = stored.rows.find(number);
+  if (there != stored.rows.end() && !there->second.same_as(row))
+    throw FileError(
+        fmt::format("{}: realisation {} has two results that differ\n  They were solved by different "
+                    "programs or machines. Remove one of the files.",
+            path, number));
+  stored.rows.try_emplace(number, std::move(row));
+}
+
+void read_part(const Study& study, const std::string& path, StoredStudy& stored)
+{
+  const std::string text = read_file(path);
+  const std::size_t n_inputs = study.input_names().size();
+  bool is_head = true;
+  for (const std::string_view line : split(text, '\n')) {
+    if (line.empty()) continue;
+    const auto content = checked(line);
+    if (!content) {
+      ++stored.n_broken;
+      continue;
+    }
+    if (is_head || content->starts_with("terp study\t")) {
+      check_head(study, path, *content);
+      is_head = false;
+      continue;
+    }
+    auto row = realisation_of(*content, n_inputs);
+    if (!row) throw FileError(fmt::format("{}: a line is whole, but no realisation of this study", path));
+    take(path, std::move(*row), stored);
+  }
+}
+
+}  // namespace
+
+std::string StudyPart::file() const { return fmt::format("part_{}_of_{}{}", number, n_all, ending); }
+
+std::string line_of(const Realisation& r)
+{
+  return fmt::format("{}\t{:.3f}\t{}\t{}{}{}\t{}\t{}", r.number, r.wall_s, fmt::join(r.inputs, " "), r.slid ? 'I' : '-',
+      r.flooded ? 'F' : '-', r.judges_flood ? 'w' : '-', fmt::join(r.outcomes, " "), r.fault);
+}
+
+std::optional<Realisation> realisation_of(std::string_view line, std::size_t n_inputs)
+{
+  const auto parts = split(line, '\t');
+  Realisation r;
+  if (parts.size() != 6 || parts[3].size() != 3) return std::nullopt;
+  r.fault = parts[5];
+  const std::size_t n_outcomes = r.solved() ? study_outcomes().size() : 0;
+  if (!to_number(parts[0], r.number) || !to_number(parts[1], r.wall_s) || !to_numbers(parts[2], n_inputs, r.inputs) ||
+      !to_numbers(parts[4], n_outcomes, r.outcomes))
+    return std::nullopt;
+  r.slid = parts[3][0] == 'I', r.flooded = parts[3][1] == 'F', r.judges_flood = parts[3][2] == 'w';
+  return r;
+}
+
+StoredStudy read_store(const Study& study, const std::string& folder)
+{
+  StoredStudy stored;
+  std::error_code none;
+  if (!fs::is_directory(folder, none)) return stored;
+  std::vector<std::string> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ending) files.push_back(entry.path().string());
+  std::ranges::sort(files);
+  for (const std::string& file : files) read_part(study, file, stored);
+  stored.n_files = static_cast<int>(files.size());
+  return stored;
+}
+
+StoreWriter::StoreWriter(const Study& study, const std::string& folder, const StudyPart& part)
+    : file_(path_in(folder, part.file()))
+{
+  const std::string text = read_file(path_in(folder, part.file()));
+  if (!text.empty() && text.back() != '\n') file_.append("\n");  // a line that a kill has cut
+  if (text.find("terp study\t") == std::string::npos) file_.append(with_checksum(head_of(study)));
+}
+
+void StoreWriter::append(const Realisation& realisation) { file_.append(with_checksum(line_of(realisation))); }
+
+}  // namespace terp

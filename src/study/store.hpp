@@ -1,0 +1,49 @@
+// The results of a study on the disk: text files that only grow, one line with a checksum per realisation, one file per
+// part of the study. A line that a kill has cut is left out, and its realisation is made again.
+// Format: docs/formats.md.
+#pragma once
+
+#include "output/files.hpp"
+#include "study/realise.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace terp {
+
+/// Part `number` of `n_all`, from 1: every n_all-th realisation, for the arrays of batch systems.
+struct StudyPart {
+  Index number = 1, n_all = 1;
+  bool has(Index realisation) const { return realisation % n_all == number - 1; }
+  std::string file() const;  ///< "part_1_of_4.rows"
+};
+
+using Realisations = std::map<Index, Realisation>;
+
+/// What is there of a study.
+struct StoredStudy {
+  Realisations rows;
+  int n_files = 0;
+  int n_broken = 0;  ///< lines that a kill has cut
+};
+
+/// Reads all parts in a folder. Throws FileError: a store of another study or another version, or two results of one
+/// realisation that differ.
+StoredStudy read_store(const Study& study, const std::string& folder);
+
+/// Grows by one part. Whoever writes must hold the lock of the part.
+class StoreWriter {
+ public:
+  StoreWriter(const Study& study, const std::string& folder, const StudyPart& part);
+  void append(const Realisation& realisation);
+
+ private:
+  AppendFile file_;
+};
+
+/// A line of the store, without the checksum and the end of the line; and back. None: it is no such line.
+std::string line_of(const Realisation& realisation);
+std::optional<Realisation> realisation_of(std::string_view line, std::size_t n_inputs);
+
+}  // namespace terp

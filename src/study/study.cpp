@@ -1,0 +1,274 @@
+#include "study/study.hpp"
+
+#include "base/checksum.hpp"
+#include "base/philox.hpp"
+#include "input/case_record.hpp"
+#include "input/printable.hpp"
+#include "output/files.hpp"
+#include "simulation/setup.hpp"
+#include "simulation/setup_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace terp {
+namespace {
+
+constexpr Index most_realisations = 10'000'000;
+
+std::string indented_message(const std::string& message)
+{
+  std::string out;
+  std::size_t begin = 0;
+  while (begin < message.size()) {
+    const std::size_t end = std::min(message.find('\n', begin), message.size());
+    const std::string line = message.substr(begin, end - begin);
+    if (line.find("nothing was run") == std::string::npos && !line.empty()) out += line + '\n';
+    begin = end + 1;
+  }
+  if (!out.empty()) out.pop_back();
+  return out;
+}
+
+/// What the case says of these changes; empty: it takes them.
+std::string refusal_of(const Study& study, const std::vector<std::string>& changes)
+{
+  try {
+    read_case_text(study.case_text, study.case_path, changes);
+    return "";
+  } catch (const CaseError& error) {
+    return indented_message(error.what());
+  }
+}
+
+std::vector<std::string> with(const Study& study, const std::string& change)
+{
+  std::vector<std::string> changes = study.settings.set;
+  changes.push_back(change);
+  return changes;
+}
+
+/// The case must take what each number may be, alone: its median, and its tails.
+void check_numbers(const Study& study, std::vector<Problem>& problems)
+{
+  for (const RandomNumber& number : study.settings.numbers) {
+    const auto refusal = [&](Real p) {
+      return refusal_of(study, with(study, fmt::format("{}={:.12g}", number.key, number.distribution.quantile(p))));
+    };
+    if (const std::string why = refusal(0.5); !why.empty()) {
+      problems.push_back(
+          {join_path(number.path, "key"), fmt::format("the case does not take `{}`", number.key), why, ""});
+      continue;
+    }
+    const Real tail = std::clamp(0.1 / static_cast<Real>(study.n_realisations), 1e-9, 1e-3);
+    for (const Real p : {tail, 1.0 - tail})
+      if (const std::string why = refusal(p); !why.empty()) {
+        problems.push_back({number.path, fmt::format("`{}` is drawn where the case refuses it", number.key),
+            fmt::format("With probability {:.2g} it is {} {:.4g}. {}. What the case says:\n{}", tail,
+                p < 0.5 ? "at most" : "at least", number.distribution.quantile(p),
+                number.distribution.kind == DistributionKind::lognormal
+                    ? "Give a smaller `cov`, or correct what it contradicts"
+                    : "Give a distribution without such values: lognormal, or truncated_normal",
+                why),
+            ""});
+        break;
+      }
+  }
+}
+
+/// Corners of the box about the bodies of a material: "material.NAME. ...". None if they are not drawn.
+std::optional<std::array<Vec<2>, 2>> box_of_material(const Case& c, const std::string& key)
+{
+  const auto parts = split_path(key);
+  if (parts.size() < 3 || parts[0] != "material") return std::nullopt;
+  constexpr Real far = std::numeric_limits<Real>::infinity();
+  std::array<Vec<2>, 2> box{Vec<2>{far, far}, Vec<2>{-far, -far}};
+  for (const BodyCase& body : c.bodies) {
+    if (body.material != parts[1]) continue;
+    if (body.polygon.empty()) return std::nullopt;
+    for (const Vec<2>& corner : body.polygon)
+      for (std::size_t d = 0; d < 2; ++d)
+        box[0][d] = std::min(box[0][d], corner[d]), box[1][d] = std::max(box[1][d], corner[d]);
+  }
+  return box[0][0] < box[1][0] ? std::optional(box) : std::nullopt;
+}
+
+void find_boxes(Study& study, std::vector<Problem>& problems)
+{
+  for (const RandomFieldKey& field : study.settings.fields) {
+    const auto box = field.box ? field.box : box_of_material(study.base.values, field.key);
+    if (!box)
+      problems.push_back({field.path, fmt::format("the field of `{}` needs `box`", field.key),
+          "Its material has no body that is drawn. Give [[x, y], [x, y]] in m, around all of its soil.", ""});
+    study.boxes.push_back(box.value_or(std::array<Vec<2>, 2>{}));
+    if (field.mean.empty() && find_node(study.base.source.root, field.key) == nullptr)
+      problems.push_back({field.path, fmt::format("the field of `{}` needs `mean`", field.key),
+          "The case does not give the key. If its name is misspelt, see the case file.", ""});
+  }
+}
+
+void set_factors(Study& study, std::vector<Problem>& problems)
+{
+  const StudySettings& s = study.settings;
+  const auto factor = [&](const auto& list) {
+    SquareMatrix matrix = SquareMatrix::unit(list.size());
+    const auto number_of = [&](const std::string& key) {
+      return static_cast<std::size_t>(
+          std::ranges::find_if(list, [&](const auto& item) { return item.key == key; }) - list.begin());
+    };
+    for (const StudyCorrelation& c : s.correlations) {
+      const std::size_t a = number_of(c.a), b = number_of(c.b);
+      if (a < list.size() && b < list.size()) matrix.at(a, b) = matrix.at(b, a) = c.value;
+    }
+    CholeskyResult result = cholesky(matrix);
+    if (!result.fault) return result.factor;
+    const std::string &first = list[result.fault->a].key, &second = list[result.fault->b].key;
+    const auto at = std::ranges::find_if(s.correlations,
+        [&](const StudyCorrelation& c) { return (c.a == first && c.b == second) || (c.a == second && c.b == first); });
+    problems.push_back({at != s.correlations.end() ? join_path(at->path, "value") : "correlation",
+        "the correlations contradict each other",
+        fmt::format("Between `{}` and `{}` it is {:g}, which does not go with those before: the matrix is not positive "
+                    "definite.",
+            first, second, matrix.at(result.fault->a, result.fault->b)),
+        ""});
+    return SquareMatrix::unit(list.size());
+  };
+  study.of_numbers = factor(s.numbers);
+  study.of_fields = factor(s.fields);
+}
+
+/// The fields one by one, so that the message is of the field.
+void check_fields_of_study(Study& study, std::vector<Problem>& problems)
+{
+  const Draw draw = draw_realisation(study, 0);
+  for (const RandomFieldKey& field : study.settings.fields) {
+    const auto change = std::ranges::find_if(
+        draw.changes, [&](const std::string& text) { return text.starts_with(field.key + "={ random"); });
+    std::string why = refusal_of(study, with(study, *change));
+    if (why.empty()) try {
+        const CaseFile file = read_case_text(study.case_text, study.case_path, with(study, *change));
+        build_model(file.values, study.mesh, 1);
+      } catch (const InputError& error) {
+        why = error.what();
+      }
+    if (!why.empty())
+      problems.push_back(
+          {join_path(field.path, "key"), fmt::format("the case does not take the field of `{}`", field.key), why, ""});
+  }
+}
+
+void check_sweep(const Study& study, std::vector<Problem>& problems)
+{
+  for (const SweepKey& sweep : study.settings.sweep)
+    for (std::size_t k = 0; k < sweep.values.size(); ++k)
+      if (const std::string why = refusal_of(study, with(study, sweep.key + "=" + toml_value(sweep.values[k])));
+          !why.empty() && study.settings.form == SweepForm::grid) {
+        problems.push_back({fmt::format("{}[{}]", join_path(sweep.path, "values"), k),
+            fmt::format("the case does not take `{}`", sweep.key), why, ""});
+        break;
+      }
+}
+
+bool changes_mesh(const std::string& key)
+{
+  return key.starts_with("mesh") || key.starts_with("body") || key.starts_with("footing");
+}
+
+Index count_realisations(const StudySettings& s)
+{
+  if (s.estimator != Estimator::sweep) return s.stop.number;
+  std::size_t n = s.form == SweepForm::table ? s.sweep.front().values.size() : 1;
+  if (s.form == SweepForm::grid)
+    for (const SweepKey& sweep : s.sweep) n = std::min<std::size_t>(n * sweep.values.size(), most_realisations + 1);
+  return static_cast<Index>(n);
+}
+
+/// For each number a permutation of the realisations, by the order of counted random numbers.
+void set_strata(Study& study)
+{
+  constexpr std::uint32_t stream_of_strata = 1;
+  if (study.settings.estimator != Estimator::latin_hypercube) return;
+  const auto n = static_cast<std::size_t>(study.n_realisations);
+  for (std::size_t number = 0; number < study.settings.numbers.size(); ++number) {
+    std::vector<std::pair<Real, Index>> order(n);
+    for (std::size_t k = 0; k < n; ++k)
+      order[k] = {
+          philox_uniform({static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(number), stream_of_strata, 0},
+              {static_cast<std::uint32_t>(study.settings.seed), 0}),
+          static_cast<Index>(k)};
+    std::ranges::sort(order);
+    auto& strata = study.strata.emplace_back(n);
+    for (std::size_t k = 0; k < n; ++k) strata[k] = order[k].second;
+  }
+}
+
+std::string case_in(const StudySettings& s) { return path_of(s.folder, s.case_path); }
+
+}  // namespace
+
+std::vector<std::string> Study::input_names() const
+{
+  std::vector<std::string> names;
+  for (const SweepKey& sweep : settings.sweep) names.push_back(sweep.key);
+  for (const RandomNumber& number : settings.numbers) names.push_back(number.key);
+  for (const RandomFieldKey& field : settings.fields)
+    names.push_back(field.key + " (mean of the field over its trend)");
+  return names;
+}
+
+Study prepare_study(StudySettings settings)
+{
+  Study study{.settings = std::move(settings)};
+  const StudySettings& s = study.settings;
+  study.case_path = case_in(s);
+  study.base = read_case(study.case_path, s.set);
+  study.case_text = study.base.source.text;
+  study.n_realisations = count_realisations(s);
+  std::vector<Problem> problems;
+  if (study.n_realisations > most_realisations)
+    problems.push_back(
+        {"sweep", "the grid has too many combinations", fmt::format("At most {}.", most_realisations), ""});
+  refuse_if_any(problems, s);
+  set_factors(study, problems);
+  find_boxes(study, problems);
+  check_numbers(study, problems);
+  check_sweep(study, problems);
+  refuse_if_any(problems, s);
+  set_strata(study);
+  try {
+    study.mesh = std::make_shared<const Mesh<2>>(build_mesh(study.base.values));
+  } catch (const InputError& error) {
+    throw CaseError(render(error.problems(), study.base));
+  }
+  if (!s.fields.empty()) check_fields_of_study(study, problems);
+  refuse_if_any(problems, s);
+  for (const RandomNumber& number : s.numbers) study.shares_mesh = study.shares_mesh && !changes_mesh(number.key);
+  for (const SweepKey& sweep : s.sweep) study.shares_mesh = study.shares_mesh && !changes_mesh(sweep.key);
+  study.case_digits = digits_of(record_text(make_case_record(study.base, *study.mesh)));
+  study.study_digits = digits_of(identity_text(s));
+  return study;
+}
+
+std::vector<Problem> find_doubts(const Study& study)
+{
+  std::vector<Problem> doubts = study.settings.warnings;
+  const Real cell = typical_cell_size(*study.mesh);
+  for (const RandomFieldKey& field : study.settings.fields) {
+    const Real least = std::min(field.scale[0], field.scale[1]);
+    if (cell <= 0.25 * least) continue;
+    const Real ratio = 2.0 * cell / least,
+               share = std::sqrt(2.0 / (ratio * ratio) * (ratio + std::exp(-ratio) - 1.0));  // Vanmarcke 1983
+    doubts.push_back({join_path(field.path, "theta"), "the cells hardly resolve the random field",
+        fmt::format(
+            "Cells of {:.2g} m, a scale of fluctuation of {:g} m; a quarter of it or less resolves it. The mean "
+            "over\na cell has {:.0f} % of the standard deviation of a point, along the shorter scale.",
+            cell, least, 100.0 * share),
+        ""});
+  }
+  return doubts;
+}
+
+}  // namespace terp

@@ -1,0 +1,52 @@
+// A study that is ready to run: its file, its case, the mesh that realisations share, and what each of them changes.
+// Not for: solving them (realise.hpp).
+#pragma once
+
+#include "input/case_file.hpp"
+#include "simulation/model.hpp"
+#include "study/correlation.hpp"
+#include "study/study_file.hpp"
+
+#include <string>
+#include <vector>
+
+namespace terp {
+
+struct Study {
+  StudySettings settings;
+  std::string case_path = {}, case_text = {};
+  CaseFile base = {};                               ///< the case with `set`, as it is without any draw
+  SharedMesh mesh = {};                             ///< of the base
+  bool shares_mesh = true;                          ///< no draw changes it
+  Index n_realisations = 0;                         ///< at most
+  SquareMatrix of_numbers = {}, of_fields = {};     ///< Cholesky factors of the correlations
+  std::vector<std::vector<Index>> strata = {};      ///< of a Latin hypercube: by number, then by realisation
+  std::vector<std::array<Vec<2>, 2>> boxes = {};    ///< of the fields
+  std::string case_digits = {}, study_digits = {};  ///< of what decides the results
+
+  /// What realisations are told apart by: numbers that are drawn, means of fields over their trend, keys of a sweep.
+  std::vector<std::string> input_names() const;
+};
+
+/// Reads the case, checks that it takes what is drawn, and builds the mesh. Throws CaseError, FileError.
+Study prepare_study(StudySettings settings);
+
+/// What a realisation is.
+struct Draw {
+  std::vector<std::string> changes;  ///< KEY=VALUE, as of --set, `set` included
+  std::vector<Real> inputs = {};     ///< as input_names(); of a word of a sweep its number in `values`
+};
+
+/// realisation: from 0. The same on any machine, in any order.
+Draw draw_realisation(const Study& study, Index realisation);
+
+/// The case of a draw. Throws CaseError where it refuses what was drawn.
+CaseFile case_of(const Study& study, const Draw& draw);
+
+/// An input as text: numbers to 6 digits, words of a sweep as they are.
+std::string input_text(const Study& study, std::size_t number, Real value);
+
+/// What is doubtful: fields that the cells average, as warnings of the study file.
+std::vector<Problem> find_doubts(const Study& study);
+
+}  // namespace terp

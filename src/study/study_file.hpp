@@ -1,0 +1,93 @@
+// What a study file says: which numbers of a case are random, how many realisations, what counts as a slide. Keys:
+// study_keys.cpp, docs/probability.md.
+// Not for: whether the case takes what is drawn (study.hpp).
+#pragma once
+
+#include "input/document.hpp"
+#include "input/values.hpp"
+#include "study/distribution.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace terp {
+
+/// A key of the case that is drawn, one number for all of the soil.
+struct RandomNumber {
+  std::string key = {};   ///< of the case: "material.peat.su_peak.shansep.pop"
+  std::string path = {};  ///< in the study file: "random[0]"
+  Distribution distribution = {};
+};
+
+/// A parameter that varies from place to place. What is kept as TOML goes to the case as it is.
+struct RandomFieldKey {
+  std::string key = {}, path = {};
+  std::string distribution = "lognormal";
+  Real cov = 0.0;
+  Vec<2> scale{0.0, 0.0};                         ///< of fluctuation, along x and y [m]
+  std::string mean = {}, known = {};              ///< TOML; empty: that of the case; none
+  std::optional<std::array<Vec<2>, 2>> box = {};  ///< none: about the bodies of the material
+};
+
+/// Of the standard normal scores of two random numbers, or of two fields.
+struct StudyCorrelation {
+  std::string a = {}, b = {}, path = {};
+  Real value = 0.0;
+};
+
+enum class Estimator { monte_carlo, latin_hypercube, sweep };
+enum class SweepForm { grid, table };
+
+/// A key of the case with the values that it takes in turn.
+struct SweepKey {
+  std::string key = {}, path = {};
+  std::vector<Node> values = {};
+};
+
+/// When a study ends: at the first of these.
+struct StopRule {
+  Index number = 0;  ///< of realisations
+  Real cov = 0.0;    ///< of the estimate of P; 0: none
+  Real time = 0.0;   ///< of one call of the program [s]; 0: none
+};
+
+/// What counts as a slide (I).
+struct EventRule {
+  Real volume = 1.0;        ///< that moved, at least [m^2]
+  Real displacement = 0.5;  ///< from where on soil counts as moved [m]
+};
+
+struct StudySettings {
+  Document source;     ///< of the study file
+  std::string name;    ///< of the study file without .toml; of NAME/study.toml NAME
+  std::string folder;  ///< that holds it
+  std::string title, case_path;
+  Index seed = 1;
+  Real confidence = 0.95;
+  std::vector<std::string> set;  ///< KEY=VALUE, changes of the case in all realisations
+  std::vector<RandomNumber> numbers;
+  std::vector<RandomFieldKey> fields;
+  std::vector<StudyCorrelation> correlations;
+  Estimator estimator = Estimator::monte_carlo;
+  SweepForm form = SweepForm::grid;
+  std::vector<SweepKey> sweep;
+  StopRule stop;
+  EventRule event;
+  std::vector<Problem> warnings;
+};
+
+/// Reads a study file. Throws CaseError with what is wrong where, at most ten faults.
+StudySettings read_study(const std::string& path);
+/// The same for a text in memory; path: what messages call it.
+StudySettings read_study_text(const std::string& text, const std::string& path);
+
+/// Throws CaseError if there are problems.
+void refuse_if_any(const std::vector<Problem>& problems, const StudySettings& settings);
+
+/// What decides the results of realisations: the file without its comments, title and stop rule.
+std::string identity_text(const StudySettings& settings);
+
+}  // namespace terp

@@ -1,0 +1,263 @@
+#include "study/study_page.hpp"
+
+#include "report/plain_page.hpp"
+#include "study/study_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace terp {
+namespace {
+
+constexpr Index most_rows = 500;  // of the table; results.csv has all
+
+std::string bounds_cell(const EventEstimate& e)
+{
+  if (e.solved + e.failed == 0) return html_cell("td", "-");
+  return html_cell("td", fmt::format("{:.3g} to {:.3g}", e.bounds.low, e.bounds.high));
+}
+
+std::string event_row(const char* name, const char* meaning, const EventEstimate& e)
+{
+  const auto p = e.probability();
+  return "<tr>" + html_cell("th", name) + html_cell("td", p ? fmt::format("{:.3g}", *p) : "-") + bounds_cell(e) +
+         html_cell("td", fmt::format("{} of {}", e.happened, e.solved)) + html_cell("td", meaning) + "</tr>\n";
+}
+
+std::string head_of_table(const std::vector<std::string>& titles)
+{
+  std::string head = "<div class=\"scroll\"><table><thead><tr>";
+  for (const std::string& title : titles) head += html_cell("th", title);
+  return head + "</tr></thead>\n<tbody>";
+}
+constexpr const char* end_of_table = "</tbody></table></div>\n";
+
+std::string answer(const Study& study, const StudyEstimates& e)
+{
+  const EventEstimate& event = e.judges_flood ? e.flood : e.slide;
+  const auto p = event.probability();
+  if (!p) return "No realisation is solved yet.";
+  const std::string what = e.judges_flood ? "The land floods" : "The slope slides";
+  std::string text =
+      fmt::format("{} with probability {:.2g}; with {:g} % confidence it lies between {:.2g} and {:.2g}.", what, *p,
+          100.0 * study.settings.confidence, event.bounds.low, event.bounds.high);
+  if (e.judges_flood && e.slide.probability())
+    text += fmt::format(
+        " A slide happens with probability {:.2g}. {}", *e.slide.probability(), worth_of_residual_strength(e));
+  return text;
+}
+
+std::string probability_section(const Study& study, const StudyEstimates& e)
+{
+  std::string out = "<section><h2>Probabilities</h2>\n" + html_cell("p", answer(study, e), " class=\"answer\"") + '\n' +
+                    head_of_table({"", "estimate", fmt::format("{:g} % bounds", 100.0 * study.settings.confidence),
+                        "realisations", "meaning"});
+  out += event_row("P(I)", slide_words(study.settings).c_str(), e.slide);
+  if (e.judges_flood) {
+    out += event_row("P(F)", flood_words, e.flood);
+    out += event_row("P(F|I)", "the land floods, where there is a slide", e.flood_after_slide);
+  }
+  out += end_of_table;
+  return out +
+         "<p class=\"muted\">The probability is that of this section with the random input of the study file, under "
+         "the "
+         "load and the water of the case: not per year, and not of the length of a dike. Bounds by Clopper and "
+         "Pearson: "
+         "of all studies like this one at least that share has the true probability between them. They hold what the "
+         "number of realisations leaves open, not what the model or the input leave open.</p></section>\n";
+}
+
+ChartLine line_of(const char* name, std::size_t style, int dashes)
+{
+  return {.name = name, .points = {}, .style = style, .dashes = dashes, .marks = false};
+}
+
+LineChart convergence_chart(const Study& study, const Realisations& rows, bool of_flood)
+{
+  LineChart chart{.title = of_flood ? "P(F) over the realisations" : "P(I) over the realisations",
+      .x_label = "realisations",
+      .y_label = "-"};
+  const std::size_t style = of_flood ? 1 : 0;
+  chart.lines = {line_of("estimate", style, 0), line_of("bounds", style, 2), line_of("", style, 2)};
+  for (const RunningEstimate& at : running_estimates(study, rows, of_flood)) {
+    const auto n = static_cast<Real>(at.n);
+    chart.lines[0].points.push_back({n, at.event.probability().value_or(std::nan(""))});
+    chart.lines[1].points.push_back({n, at.event.bounds.low});
+    chart.lines[2].points.push_back({n, at.event.bounds.high});
+  }
+  return chart;
+}
+
+/// Values as a line of steps over equal classes.
+LineChart histogram(const std::string& title, const std::string& label, std::vector<Real> values)
+{
+  LineChart chart{.title = title, .x_label = label, .y_label = "realisations"};
+  std::erase_if(values, [](Real value) { return !std::isfinite(value); });
+  if (values.size() < 2) return chart;
+  const auto [low, high] = std::ranges::minmax(values);
+  const auto n = static_cast<std::size_t>(
+      std::clamp(2.0 * std::cbrt(static_cast<Real>(values.size())), 5.0, 40.0));  // rule of Rice
+  const Real size = high > low ? (high - low) / static_cast<Real>(n) : 1.0;
+  std::vector<Real> counts(n, 0.0);
+  for (const Real value : values)
+    counts[std::min(n - 1, static_cast<std::size_t>(std::max((value - low) / size, 0.0)))] += 1.0;
+  ChartLine line{.name = "", .points = {{low, 0.0}}, .style = 0, .dashes = 0, .marks = false};
+  for (std::size_t k = 0; k < n; ++k) {
+    line.points.push_back({low + static_cast<Real>(k) * size, counts[k]});
+    line.points.push_back({low + static_cast<Real>(k + 1) * size, counts[k]});
+  }
+  line.points.push_back({low + static_cast<Real>(n) * size, 0.0});
+  chart.lines.push_back(std::move(line));
+  return chart;
+}
+
+std::vector<Real> outcomes_of(const Realisations& rows, Index n, std::string_view name)
+{
+  std::vector<Real> values;
+  for (Index k = 0; k < n; ++k)
+    if (rows.at(k).solved()) values.push_back(rows.at(k).outcomes[outcome_number(name)]);
+  return values;
+}
+
+std::string bar(const std::optional<Real>& rho)
+{
+  if (!rho) return html_cell("td", "-");
+  constexpr Real half = 60.0;  // [px]
+  const Real size = std::abs(*rho) * half, left = *rho < 0.0 ? half - size : half;
+  return fmt::format(
+      "<td><svg viewBox=\"0 0 170 14\" style=\"width:170px\" role=\"img\" aria-label=\"{0:+.2f}\"><path d=\"M60 0v14\" "
+      "stroke=\"#566270\"/><rect x=\"{1:.1f}\" y=\"2\" width=\"{2:.1f}\" height=\"10\" fill=\"{3}\"/><text x=\"166\" "
+      "y=\"12\" text-anchor=\"end\" font-size=\"12\">{0:+.2f}</text></svg></td>",
+      *rho, left, size, *rho < 0.0 ? "#c14f00" : "#0067a5");
+}
+
+std::string sensitivity_section(const StudyEstimates& e)
+{
+  std::string out =
+      "<section><h2>What matters</h2>\n" + head_of_table({"", "with a slide", "with the height that remains"});
+  for (const Sensitivity& s : e.sensitivities)
+    out += "<tr>" + html_cell("th", s.input) + bar(s.with_slide) + bar(s.with_height) + "</tr>\n";
+  return out + end_of_table +
+         "<p class=\"muted\">Spearman's rank correlation: +1 or -1 where the input decides alone, near 0 where it does "
+         "not matter. Of n realisations, one below 2/sqrt(n) may be chance.</p></section>\n";
+}
+
+std::string realisation_row(const Study& study, const Realisation& r)
+{
+  std::string row = "<tr>" + html_cell("th", fmt::format("{}", r.number));
+  row += html_cell("td", !r.solved() ? "failed" : r.slid ? "slide" : "stands");
+  row += html_cell("td", !r.solved() || !r.judges_flood ? "-" : r.flooded ? "floods" : "holds");
+  for (std::size_t i = 0; i < r.inputs.size(); ++i) row += html_cell("td", input_text(study, i, r.inputs[i]));
+  for (const char* name : {"slide_volume", "residual_height", "first_slide_time", "flood_time"}) {
+    const Real value = r.solved() ? r.outcomes[outcome_number(name)] : std::nan("");
+    row += html_cell("td", std::isfinite(value) ? fmt::format("{:.4g}", value) : "-");
+  }
+  return row + html_cell("td", r.fault) + "</tr>\n";
+}
+
+std::string realisations_section(const Study& study, const Realisations& rows, Index n)
+{
+  std::vector<std::string> titles = {"", "I", "F"};
+  for (const std::string& name : study.input_names()) titles.push_back(name);
+  for (const char* title : {"slid [m^2]", "remains [m]", "slides at [s]", "floods at [s]", ""})
+    titles.emplace_back(title);
+  std::string out = "<section><h2>Realisations</h2>\n" + head_of_table(titles);
+  for (Index k = 0; k < std::min(n, most_rows); ++k) out += realisation_row(study, rows.at(k));
+  return out + end_of_table +
+         fmt::format(
+             "<p class=\"muted\">{}<code>terp study run STUDY.toml --keep 17</code> solves realisation 17 once "
+             "more, with the same bits, and with all that the report of a run shows.</p></section>\n",
+             n > most_rows ? fmt::format("The first {} of {}; results.csv has all. ", most_rows, n) : "");
+}
+
+/// Result against parameter: of the first numeric key, a line for each combination of the others.
+std::string sweep_section(const Study& study, const Realisations& rows, Index n)
+{
+  const auto& sweep = study.settings.sweep;
+  std::vector<LineChart> charts;
+  for (const OutcomeInfo& outcome : study_outcomes()) {
+    LineChart chart{.title = std::string(outcome.info.label),
+        .x_label = sweep.front().key,
+        .y_label = std::string(outcome.info.unit)};
+    std::map<std::string, ChartLine> lines;
+    for (Index k = 0; k < n; ++k) {
+      const Realisation& r = rows.at(k);
+      if (!r.solved()) continue;
+      std::string others;
+      for (std::size_t i = 1; i < sweep.size(); ++i)
+        others += (others.empty() ? "" : ", ") + input_text(study, i, r.inputs[i]);
+      lines[others].points.push_back({r.inputs[0], r.outcomes[outcome_number(outcome.info.name)]});
+    }
+    constexpr std::size_t most_lines = 6;
+    for (auto& [name, line] : lines) {
+      if (chart.lines.size() == most_lines) break;
+      line.name = name, line.style = chart.lines.size(), line.dashes = static_cast<int>(chart.lines.size());
+      line.marks = true;
+      chart.lines.push_back(std::move(line));
+    }
+    charts.push_back(std::move(chart));
+  }
+  return "<section><h2>Results over " + html_cell("code", sweep.front().key) + "</h2>\n" + html_figures(charts) +
+         "</section>\n";
+}
+
+std::string notes(const std::vector<std::string>& remarks)
+{
+  return remarks.empty() ? "" : "<div class=\"notice\">" + html_list(remarks, "") + "</div>\n";
+}
+
+std::string footer(const std::string& written, const char* more)
+{
+  return fmt::format("terp {}, {}.{}", TERP_VERSION, written, more);
+}
+
+const std::string& title_of(const StudySettings& s) { return s.title.empty() ? s.name : s.title; }
+
+}  // namespace
+
+std::string page_of_study(const Study& study, const Realisations& rows, const std::string& written)
+{
+  const StudyEstimates e = estimate(study, rows);
+  std::string body = notes(remarks_on_study(study, e));
+  if (study.settings.estimator == Estimator::sweep) {
+    body += sweep_section(study, rows, e.n_made);
+  } else {
+    body += probability_section(study, e);
+    std::vector<LineChart> charts;
+    if (e.judges_flood) charts.push_back(convergence_chart(study, rows, true));
+    charts.push_back(convergence_chart(study, rows, false));
+    charts.push_back(histogram(
+        "Highest ground that remains", "height at the end [m]", outcomes_of(rows, e.n_made, "residual_height")));
+    charts.push_back(histogram("Volume that slid", "m^2", outcomes_of(rows, e.n_made, "slide_volume")));
+    body += "<section><h2>How sure, and what remains</h2>\n" + html_figures(charts) + "</section>\n";
+    body += sensitivity_section(e);
+  }
+  body += realisations_section(study, rows, e.n_made);
+  return plain_page({.title = title_of(study.settings),
+      .name = title_of(study.settings) + ": study",
+      .subtitle = fmt::format("{} realisations of {}, {} solved, {} failed", e.n_made, study.settings.case_path,
+          e.slide.solved, e.slide.failed),
+      .body = body,
+      .footer = footer(written, " All realisations: results.csv")});
+}
+
+std::string page_of_samples(const Study& study, Index n, const std::string& written)
+{
+  const std::vector<std::string> names = study.input_names();
+  std::vector<std::vector<Real>> columns(names.size());
+  for (Index k = 0; k < n; ++k) {
+    const Draw draw = draw_realisation(study, k);
+    for (std::size_t i = 0; i < names.size(); ++i) columns[i].push_back(draw.inputs[i]);
+  }
+  std::vector<LineChart> charts;
+  for (std::size_t i = 0; i < names.size(); ++i) charts.push_back(histogram(names[i], names[i], columns[i]));
+  return plain_page({.title = title_of(study.settings),
+      .name = title_of(study.settings) + ": samples",
+      .subtitle = fmt::format("What {} realisations of {} would be drawn with", n, study.settings.case_path),
+      .body = "<section><h2>Histograms of the input</h2>\n" + html_figures(charts) + "</section>\n",
+      .footer = footer(written, "")});
+}
+
+}  // namespace terp

@@ -1,0 +1,16 @@
+// The page of a study: one HTML file with everything in it, without the viewer of runs.
+#pragma once
+
+#include "study/estimates.hpp"
+
+#include <string>
+
+namespace terp {
+
+/// written: when, in UTC.
+std::string page_of_study(const Study& study, const Realisations& rows, const std::string& written);
+
+/// The page of `terp study sample`: what would be drawn, before a long run.
+std::string page_of_samples(const Study& study, Index n, const std::string& written);
+
+}  // namespace terp

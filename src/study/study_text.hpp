@@ -1,0 +1,29 @@
+// What a study found, as text for a terminal and as a table.
+#pragma once
+
+#include "study/estimates.hpp"
+
+#include <string>
+
+namespace terp {
+
+/// "0.125, 0.082 to 0.18"; "-" of nothing.
+std::string estimate_text(const EventEstimate& event);
+
+/// What the events are, for people.
+std::string slide_words(const StudySettings& settings);
+inline constexpr const char* flood_words = "the land floods (docs/flood.md)";
+
+/// How many of the slides end in a flood, in a sentence; empty where floods are not judged or nothing slid.
+std::string worth_of_residual_strength(const StudyEstimates& estimates);
+
+/// What to know before the numbers are used: failures, the stop rule, the estimator.
+std::vector<std::string> remarks_on_study(const Study& study, const StudyEstimates& estimates);
+
+/// The whole result.
+std::string study_text(const Study& study, const Realisations& rows);
+
+/// results.csv: a line per realisation of the table; numbers to the bit, nan where there is none.
+std::string study_csv(const Study& study, const Realisations& rows);
+
+}  // namespace terp

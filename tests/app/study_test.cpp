@@ -1,0 +1,78 @@
+// terp study, as a user runs it.
+#include "../study/samples.hpp"
+#include "support/process.hpp"
+#include "support/test.hpp"
+
+#include <csignal>
+#include <thread>
+
+namespace {
+
+TEST(StudyCommand, ChecksRunsAndReports)
+{
+  const ScratchFolder folder;
+  const std::string study = write_study(folder.path(), column_study);
+  const Finished check = test::terp({"study", "check", study}, folder.path());
+  EXPECT_EQ(check.status, 0) << check.err;
+  EXPECT_THAT(
+      check.out, HasSubstr("  random         material.clay.su_peak: lognormal, 5 % 3941, 50 % 7428, 95 % 1.4e+04\n"));
+  EXPECT_THAT(check.out, HasSubstr("  realisations   12, Monte Carlo\n"));
+  EXPECT_THAT(check.out, HasSubstr("nothing was run\n"));
+  const Finished run = test::terp({"study", "run", study, "-j", "2"}, folder.path());
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("  probabilities with 95 % bounds\n"));
+  EXPECT_THAT(run.out, HasSubstr("a slide: 1 m^2 or more moved by more than 0.3 m\n"));
+  EXPECT_THAT(names_in(folder.path() + "/runs/demo"),
+      ElementsAre("case.toml", "locks", "part_1_of_1.rows", "report.html", "results.csv", "study.toml"));
+  const Finished again = test::terp({"study", "report", "runs/demo"}, folder.path());
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_THAT(again.out, HasSubstr("12 realisations, 12 solved, 0 failed"));
+  EXPECT_THAT(test::terp({"study", "status", study}, folder.path()).out, HasSubstr("P(I)"));
+}
+
+TEST(StudyCommand, ARealisationIsKeptWithTheSameResults)
+{
+  const ScratchFolder folder;
+  const std::string study = write_study(folder.path(), field_study);
+  ASSERT_EQ(test::terp({"study", "run", study, "-q"}, folder.path()).status, 0);
+  const Finished keep = test::terp({"study", "run", study, "--keep", "4", "-j", "2"}, folder.path());
+  EXPECT_EQ(keep.status, 0) << keep.err;
+  EXPECT_THAT(keep.out, HasSubstr("realisation 4 has the results of the store, to the bit\n"));
+  EXPECT_THAT(text_of(folder.path() + "/runs/demo/kept/4/case.toml"), HasSubstr("realisation = 4"));
+  EXPECT_THAT(test::terp({"study", "run", study, "--keep", "6"}, folder.path()).err, HasSubstr("numbered 0 to 5"));
+}
+
+TEST(StudyCommand, IsKilledAgainAndAgainAndEndsInTheSameTable)
+{
+  const ScratchFolder folder;
+  const std::string longer = changed(column_study, "number = 12", "number = 60"),
+                    study = write_study(folder.path(), longer, changed(column_case, "end = 0.8", "end = 3.0"));
+  ASSERT_EQ(test::terp({"study", "run", study, "-q", "-j", "1", "-o", "whole"}, folder.path()).status, 0);
+  const std::string table = text_of(folder.path() + "/whole/results.csv");
+  int kills = 0;
+  for (int k = 0; k < 8; ++k) {
+    Process process({"study", "run", study, "-q", "-j", std::to_string(1 + k % 4), "-o", "killed"}, folder.path());
+    std::this_thread::sleep_for(std::chrono::milliseconds(60 + 35 * k));
+    process.send(SIGKILL);
+    kills += process.wait().status == 128 + SIGKILL;
+  }
+  EXPECT_GT(kills, 2);
+  ASSERT_EQ(test::terp({"study", "run", study, "-q", "-j", "2", "-o", "killed"}, folder.path()).status, 0);
+  EXPECT_EQ(text_of(folder.path() + "/killed/results.csv"), table);
+}
+
+TEST(StudyCommand, RefusesWrongWords)
+{
+  const ScratchFolder folder;
+  const std::string study = write_study(folder.path(), column_study);
+  EXPECT_EQ(test::terp({"study", "run", study, "--part", "3/2"}, folder.path()).err,
+      "error: --part 3/2: a part is K/N, K from 1 to N\n  As in --part 3/100, of the third of a hundred tasks.\n");
+  EXPECT_THAT(test::terp({"study", "go", study}).err, HasSubstr("ACTION: go not in {check,sample,run,status,report}"));
+  EXPECT_THAT(test::terp({"study", "run", "none.toml"}).err, HasSubstr("none.toml: there is no such file"));
+  EXPECT_THAT(
+      test::terp({"study", "report", study}, folder.path()).err, HasSubstr("there are no results of this study"));
+  EXPECT_EQ(test::terp({"study", "run", study, "-q", "--part", "2/3"}, folder.path()).status, 0);
+  EXPECT_THAT(test::terp({"study", "status", study}, folder.path()).out, HasSubstr("0 realisations"));
+}
+
+}  // namespace

@@ -1,0 +1,83 @@
+// Which realisations count, and what they say.
+#include "study/estimates.hpp"
+
+#include "study/samples.hpp"
+#include "study/study_page.hpp"
+#include "study/study_text.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+Study study_of(const std::string& rule)
+{
+  const ScratchFolder folder;
+  return prepare_study(read_study(write_study(folder.path(), changed(column_study, "number = 12", rule))));
+}
+
+/// Every third slides, every sixth floods too; the input falls with the number of the slide.
+Realisations rows_of(Index n)
+{
+  Realisations rows;
+  for (Index k = 0; k < n; ++k) {
+    Realisation r{.number = k,
+        .inputs = {k % 3 == 0 ? 4e3 + k : 9e3 + k},
+        .slid = k % 3 == 0,
+        .flooded = k % 6 == 0,
+        .judges_flood = true,
+        .wall_s = 2.0};
+    r.outcomes.assign(study_outcomes().size(), 1.0);
+    r.outcomes[outcome_number("residual_height")] = r.slid ? 3.0 : 5.0;
+    rows.emplace(k, r);
+  }
+  return rows;
+}
+
+TEST(Estimates, ProbabilitiesOfEventsWithTheirBounds)
+{
+  const Study study = study_of("number = 60");
+  const StudyEstimates e = estimate(study, rows_of(60));
+  EXPECT_TRUE(e.rule_met);
+  EXPECT_EQ(e.slide.happened, 20);
+  EXPECT_EQ(e.flood.happened, 10);
+  EXPECT_DOUBLE_EQ(*e.flood_after_slide.probability(), 0.5);
+  EXPECT_EQ(e.flood_after_slide.bounds.low, clopper_pearson(10, 20, 0.95).low);
+  EXPECT_DOUBLE_EQ(*e.flood.cov(), std::sqrt(50.0 / 60.0 / 10.0));
+  EXPECT_LT(*e.sensitivities[0].with_slide, -0.7);
+  EXPECT_GT(*e.sensitivities[0].with_height, 0.7);
+  EXPECT_THAT(study_text(study, rows_of(60)),
+      AllOf(HasSubstr("  P(I)    0.333, 0.217 to 0.467"), HasSubstr("Of 100 slides 50 flood the land (27 to 73)")));
+}
+
+TEST(Estimates, OnlyWhatHasNoGapBeforeItCounts)
+{
+  Realisations rows = rows_of(60);
+  rows.erase(7), rows.erase(30);
+  const StudyEstimates e = estimate(study_of("number = 60"), rows);
+  EXPECT_EQ(e.n_made, 7) << "the quick ones behind it would have more say than the slow one that is missing";
+  EXPECT_EQ(e.n_beyond, 51);
+  EXPECT_FALSE(e.rule_met);
+}
+
+TEST(Estimates, ARuleOnTheCoefficientOfVariationStopsAtTheSameRealisation)
+{
+  const Study study = study_of("number = 600\ncov = 0.2");
+  bool met = false;
+  // F in every sixth: sqrt((1 - P)/(n P)) = 0.2 at n = 125, P = 1/6
+  const Index n = count_in_table(study, rows_of(200), met);
+  EXPECT_TRUE(met);
+  EXPECT_NEAR(n, 121, 6);
+  EXPECT_EQ(count_in_table(study, rows_of(600), met), n);
+}
+
+TEST(Estimates, ThePageStandsAloneAndSaysWhatTheNumbersMean)
+{
+  const std::string page = page_of_study(study_of("number = 60"), rows_of(60), "now");
+  EXPECT_THAT(page, StartsWith("<!doctype html>"));
+  EXPECT_THAT(page, HasSubstr("The land floods with probability 0.17; with 95 % confidence it lies between"));
+  EXPECT_THAT(page, HasSubstr("P(F) over the realisations"));
+  EXPECT_THAT(page, HasSubstr("not per year"));
+  EXPECT_THAT(page, Not(HasSubstr("http://www.example")));
+  EXPECT_THAT(page, Not(HasSubstr("src=")));
+}
+
+}  // namespace

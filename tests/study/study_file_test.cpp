@@ -1,0 +1,145 @@
+// What a study file may say, and what is said of one that is wrong.
+#include "study/study_file.hpp"
+
+#include "input/case_file.hpp"
+#include "study/samples.hpp"
+#include "study/study.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+TEST(StudyFile, IsReadWithUnitsOfTheKeysThatAreDrawn)
+{
+  const StudySettings s = read_study_text(column_study, "studies/demo.toml");
+  EXPECT_EQ(s.name, "demo");
+  EXPECT_EQ(s.folder, "studies");
+  ASSERT_EQ(s.numbers.size(), 1u);
+  EXPECT_EQ(s.numbers[0].distribution.mean, 8e3);
+  EXPECT_DOUBLE_EQ(s.numbers[0].distribution.sd, 3.2e3);
+  EXPECT_EQ(s.stop.number, 12);
+  EXPECT_EQ(s.event.displacement, 0.3);
+}
+
+TEST(StudyFile, TitleAndStopRuleDoNotChangeWhichStudyItIs)
+{
+  const auto identity = [](const std::string& text) { return identity_text(read_study_text(text, "demo.toml")); };
+  const std::string first = identity(column_study);
+  EXPECT_EQ(identity("title = \"other\"\n" + changed(column_study, "number = 12", "number = 99")), first);
+  EXPECT_NE(identity(changed(column_study, "seed = 3", "seed = 4")), first);
+  EXPECT_NE(identity(changed(column_study, "volume = 1.0", "volume = 2.0")), first);
+  const std::string cube = changed(column_study, "monte_carlo", "latin_hypercube");
+  EXPECT_NE(identity(changed(cube, "number = 12", "number = 99")), identity(cube)) << "its points depend on it";
+}
+
+struct Row {
+  const char *from, *to, *expected;
+};
+
+/// Of the study with one change; "" where it is taken.
+std::string message_on(const std::string& good, const Row& row)
+{
+  const ScratchFolder folder;
+  const std::string path = write_study(folder.path(), changed(good, row.from, row.to));
+  std::string message = refusal<CaseError>([&] { prepare_study(read_study(path)); });
+  for (std::size_t at; (at = message.find(folder.path() + '/')) != std::string::npos;)
+    message.erase(at, folder.path().size() + 1);
+  return message;
+}
+
+TEST(StudyFile, WithOneMistakeHasOneMessage)
+{
+  const Row rows[] = {
+      {"seed = 3", "sed = 3",
+          "error: demo.toml:2:1: unknown key `sed`\n\n    2 | sed = 3\n      | ^^^\n  Did you mean `seed`?"},
+      {"seed = 3", "seed = -3", "`seed` is out of range"},
+      {"case = \"column.toml\"\n", "", "`case` is missing"},
+      {"su_peak", "su_pek", "`material.clay.su_pek` is no key of a case\n\n    4 | key = \"material.clay.su_pek\""},
+      {"su_peak", "su_pek", "Did you mean `material.clay.su_peak`?"},
+      {"clay.su_peak", "clya.su_peak", "Did you mean `material.clay.su_peak`?"},
+      {"lognormal", "lognomal", "`distribution` cannot be \"lognomal\"\n\n    5 | distribution = \"lognomal\""},
+      {"cov = 0.4", "", "the distribution needs `sd` or `cov`"},
+      {"cov = 0.4", "cov = 0.4\nsd = 3", "`sd` and `cov` are both given"},
+      {"cov = 0.4", "cov = 0.4\nlowest = 3", "a lognormal distribution has no `lowest`"},
+      {"mean = \"8 kPa\"", "mean = \"8 m\"", "`mean` cannot be in m"},
+      {"mean = \"8 kPa\"", "mean = -8.0", "a lognormal distribution has a positive mean"},
+      {"lognormal", "normal", "`material.clay.su_peak` is drawn where the case refuses it"},
+      {"lognormal", "normal",
+          "With probability 0.001 it is at most -1889. Give a distribution without such values: lognormal, or "
+          "truncated_normal."},
+      {"cov = 0.4",
+          "cov = 0.4\n[[correlation]]\nbetween = [\"material.clay.su_peak\", \"material.clay.eta\"]\nvalue = 0.5",
+          "`material.clay.eta` is not random in this study"},
+      {"cov = 0.4",
+          "cov = 0.4\n[[random]]\nkey = \"material.clay.su_peak\"\ndistribution = \"uniform\"\nlowest = 1\nhighest "
+          "= 2",
+          "`material.clay.su_peak` is given twice"},
+      {"number = 12", "", "the stop rule cannot be met: `number` is missing"},
+      {"number = 12", "number = 12\ncov = 0.1", "the stop rule cannot be met by so few realisations"},
+      {"monte_carlo", "monte_crlo", "`kind` cannot be \"monte_crlo\"\n\n    9 | kind = \"monte_crlo\""},
+      {"monte_carlo", "sweep", "a sweep ends with its last combination"},
+      {"number = 12", "number = 12\n[[sweep]]\nkey = \"material.clay.eta\"\nvalues = [1, 2]",
+          "is of `kind = \"sweep\"`"},
+      {"[[random]]", "[random]", "write [[random]], once for each"},
+  };
+  for (const Row& row : rows) EXPECT_THAT(message_on(column_study, row), HasSubstr(row.expected)) << row.to;
+}
+
+TEST(StudyFile, FieldsThatTheCaseDoesNotTakeAreRefused)
+{
+  const Row rows[] = {
+      {"su_peak", "su_remoulded", "the field of `material.clay.su_remoulded` needs `mean`"},
+      {"material.clay.su_peak", "mesh.cell", "the field of `mesh.cell` needs `box`"},
+      {"key = \"material.clay.su_peak\"", "key = \"material.clay.density\"\nbox = [[0, 0], [4, 2]]",
+          "the case does not take the field of `material.clay.density`"},
+      {"cov = 0.3", "cov = 0.3\ndistribution = \"normal\"", "a normal field so wide has negative values"},
+      {"theta = [8.0, 4.0]", "theta = [8.0, 0.0]", "`theta` is out of range"},
+      {"theta = [8.0, 4.0]", "theta = [8.0, 4.0]\nbox = [[0, 0], [3, 2]]",
+          "`su_peak` has no value in part of the soil"},
+  };
+  for (const Row& row : rows) EXPECT_THAT(message_on(field_study, row), HasSubstr(row.expected)) << row.to;
+}
+
+TEST(StudyFile, AContradictingCorrelationNamesItsPair)
+{
+  const std::string more = R"([[random]]
+key = "material.clay.eta"
+distribution = "uniform"
+lowest = 1
+highest = 9
+[[random]]
+key = "material.clay.shear_modulus"
+distribution = "lognormal"
+mean = 1e6
+cov = 0.1
+[[correlation]]
+between = ["material.clay.su_peak", "material.clay.eta"]
+value = 0.9
+[[correlation]]
+between = ["material.clay.su_peak", "material.clay.shear_modulus"]
+value = 0.3
+[[correlation]]
+between = ["material.clay.eta", "material.clay.shear_modulus"]
+value = -0.8
+)";
+  const std::string message = message_on(column_study + more, {"seed = 3", "seed = 3", ""});
+  EXPECT_THAT(message, HasSubstr(": the correlations contradict each other\n"));
+  EXPECT_THAT(message, HasSubstr("value = -0.8"));
+  EXPECT_THAT(message, HasSubstr("Between `material.clay.eta` and `material.clay.shear_modulus` it is -0.8, which does "
+                                 "not go with those before: the matrix is not positive definite."));
+}
+
+TEST(StudyFile, CellsThatAverageAFieldAreDoubted)
+{
+  const ScratchFolder folder;
+  const auto doubts = [&](const std::string& text) {
+    return find_doubts(prepare_study(read_study(write_study(folder.path(), text))));
+  };
+  EXPECT_TRUE(doubts(field_study).empty());
+  const auto found = doubts(changed(field_study, "[8.0, 4.0]", "[8.0, 2.0]"));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].what, "the cells hardly resolve the random field");
+  EXPECT_THAT(found[0].detail, HasSubstr("has 86 % of the standard deviation of a point"))
+      << "sqrt(2 (1 + exp(-1) - 1))";
+}
+
+}  // namespace
