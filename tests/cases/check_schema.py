@@ -36,7 +36,8 @@ def main(terp, cases):
     schema = json.loads(subprocess.run([terp, "schema"], check=True, capture_output=True).stdout)
     jsonschema.Draft7Validator.check_schema(schema)
     validator = jsonschema.Draft7Validator(schema)
-    files = [path for path in pathlib.Path(cases).rglob("*.toml") if path.name != "expected.toml"]
+    files = [path for path in pathlib.Path(cases).rglob("*.toml") if path.name != "expected.toml"
+             and "estimator" not in tomllib.loads(path.read_text())]  # studies have keys of their own
     faults = []
     for path in files:
         for error in validator.iter_errors(tomllib.loads(path.read_text())):
