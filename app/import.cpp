@@ -57,10 +57,11 @@ void print_deviations(const std::vector<ResultSlices>& results)
       "", "", "sigma_v", "u", "sigma_y", "s_u", "result", "slices", "kPa", "kPa", "kPa", "%");
   for (const ResultSlices& result : results) {
     const SliceDeviation most = largest_deviation(result);
-    fmt::print("{:<56} {:>6} {:>7.4f} {:>7.4f} {:>7.4f} {:>9.4f}{}\n", result.name, result.rows.size(),
+    fmt::print("{:<56} {:>6} {:>7.4f} {:>7.4f} {:>7.4f} {:>9.4f}{}{}\n", printable(result.name), result.rows.size(),
         most.total_stress / 1e3, most.pore_pressure / 1e3, most.yield_stress / 1e3, 100.0 * most.su,
+        most.missing == 0 ? "" : fmt::format("\n  {} stored numbers have no computed one", most.missing),
         result.stale.empty() ? "" : "\n  stale: " + result.stale);
-    if (!result.trouble.empty()) fmt::print(stderr, "warning: {}: {}\n", result.name, printable(result.trouble));
+    if (!result.trouble.empty()) fmt::print(stderr, "warning: {}\n", printable(result.name + ": " + result.trouble));
   }
 }
 

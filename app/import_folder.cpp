@@ -5,6 +5,7 @@
 #include "dstability/case_folder.hpp"
 #include "dstability/drawing_folder.hpp"
 #include "dstability/read_stix.hpp"
+#include "import_checks.hpp"
 #include "input/case_file.hpp"
 #include "input/printable.hpp"
 #include "output/files.hpp"
@@ -125,6 +126,7 @@ try {
     return solved;
   }
   if (command.path.empty()) refuse("`terp import` needs a file", "Give a .stix or a .dxf: terp import section.stix");
+  refuse_unused_options(command, is_drawing(command.path));
   if (is_drawing(command.path)) return import_drawing(command);
   if (command.output.empty()) return import_stix(command);
   const StixProject project = read_stix(command.path);

@@ -3,6 +3,7 @@
 #include "drawing/dxf_file.hpp"
 
 #include "base/errors.hpp"
+#include "drawing/dxf_letters.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -19,6 +21,8 @@ namespace terp {
 namespace {
 
 constexpr std::size_t most_problems = 10;
+constexpr int comment = 999;
+constexpr Real missing = std::numeric_limits<Real>::quiet_NaN();
 constexpr Real most_metres = 1e7;  // a coordinate beyond the Earth's grids is a fault of the file
 
 struct Unit {
@@ -48,11 +52,10 @@ class DxfReader {
 
   DxfDrawing read()
   {
+    if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);  // a byte order mark
     if (rest_.starts_with("AutoCAD Binary DXF")) refuse("is a binary DXF file", "Save the drawing as ASCII DXF.");
     if (rest_.starts_with("AC10")) refuse("is a DWG file", "Save the drawing as ASCII DXF.");
     if (!next()) refuse("is no DXF file", "It is empty.");
-    while (pair_.code == 999 && next()) {
-    }
     for (bool more = true; more;) more = read_section();
     if (!has_entities_) refuse("has no entities", "A DXF drawing has a section ENTITIES. Save it once more as DXF.");
     finish();
@@ -74,7 +77,15 @@ class DxfReader {
     return text;
   }
 
+  /// The next pair that is no comment.
   bool next()
+  {
+    while (next_of_any_kind())
+      if (pair_.code != comment) return true;
+    return false;
+  }
+
+  bool next_of_any_kind()
   {
     if (rest_.empty() || trimmed(rest_) == "\n") return false;
     const std::string_view code = line();
@@ -118,6 +129,7 @@ class DxfReader {
     for (; more && !begins("ENDSEC"); more = next()) {
       if (pair_.code == 9) variable = pair_.value;
       if (variable == "$INSUNITS" && pair_.code == 70) header_unit_ = static_cast<int>(number());
+      if (variable == "$DWGCODEPAGE" && pair_.code == 3) code_page_ = pair_.value;
     }
     return more;
   }
@@ -138,10 +150,11 @@ class DxfReader {
     std::string kind;
     std::string handle = {}, layer = "0";
     std::vector<Vec<2>> places = {};
-    Vec<2> end{0.0, 0.0};
+    Vec<2> end{missing, missing};
+    std::vector<Real> z = {};  ///< all that are given
     int flags = 0;
     std::size_t bulges = 0;
-    bool on_paper = false, turned = false;
+    bool on_paper = false, turned = false, hidden = false;
   };
 
   /// One entity with its groups; stops at the next code 0.
@@ -151,13 +164,16 @@ class DxfReader {
     for (; more && pair_.code != 0; more = next()) switch (pair_.code) {
         case 5: entity.handle = pair_.value; break;
         case 8: entity.layer = pair_.value; break;
-        case 10: entity.places.push_back({number(), 0.0}); break;
+        case 10: entity.places.push_back({number(), missing}); break;
         case 20:
           if (!entity.places.empty()) entity.places.back()[1] = number();
           break;
         case 11: entity.end[0] = number(); break;
         case 21: entity.end[1] = number(); break;
+        case 30:
+        case 31: entity.z.push_back(number()); break;
         case 42: entity.bulges += number() != 0.0 ? 1 : 0; break;
+        case 60: entity.hidden = number() != 0.0; break;
         case 67: entity.on_paper = number() != 0.0; break;
         case 70: entity.flags = static_cast<int>(number()); break;
         case 230: entity.turned = std::abs(number() - 1.0) > 1e-9; break;
@@ -173,12 +189,14 @@ class DxfReader {
     const bool is_old_polyline = entity.kind == "POLYLINE";
     if (is_old_polyline) {
       entity.places.clear();  // of a POLYLINE itself: no place
+      entity.z.clear();
       for (; more && begins("VERTEX");) {
         Entity vertex{"VERTEX"};
         more = read_groups(vertex);
         entity.bulges += vertex.bulges;
         if (vertex.flags & 16) continue;  // a control point of a curve; the curve's own places come as well
-        if (!vertex.places.empty()) entity.places.push_back(vertex.places[0]);
+        entity.z.insert(entity.z.end(), vertex.z.begin(), vertex.z.end());
+        entity.places.push_back(vertex.places.empty() ? Vec<2>{missing, missing} : vertex.places[0]);
       }
       if (more && begins("SEQEND")) {
         Entity end{"SEQEND"};
@@ -187,6 +205,8 @@ class DxfReader {
     }
     if (entity.on_paper)
       ++n_on_paper_;
+    else if (entity.hidden)
+      ++n_hidden_;
     else
       take(entity, is_old_polyline);
     return more;
@@ -214,13 +234,20 @@ class DxfReader {
     if (entity.turned)
       return problem(entity, "does not lie in the plane of the drawing",
           "Its normal (code 210 to 230) is not 0, 0, 1. Draw the section in the plane of x and y.");
+    if (std::ranges::any_of(entity.z, [&](Real z) { return std::abs(z - entity.z[0]) > 1e-9; }))
+      return problem(entity, "does not lie in one plane",
+          fmt::format("Its z goes from {:g} to {:g}. The elevation is y in a section: draw it in the plane of x and y.",
+              std::ranges::min(entity.z), std::ranges::max(entity.z)));
     if (is_line) entity.places.push_back(entity.end);
+    if (std::ranges::any_of(entity.places, [](const Vec<2>& x) { return std::isnan(x[0] + x[1]); }))
+      return problem(entity, "has a place without x or y",
+          "Codes 10 and 20 give x and y of a place, 11 and 21 of the end of a LINE. Save the drawing once more.");
     if (entity.places.size() < 2)
       return problem(entity, "has fewer than two places", fmt::format("Got {}. Delete it.", entity.places.size()));
     bool closed = !is_line && (entity.flags & 1);
     if (!is_line && !closed && entity.places.size() > 3 && entity.places.front() == entity.places.back()) closed = true;
     if (closed && entity.places.front() == entity.places.back()) entity.places.pop_back();
-    drawing_.lines.push_back({entity.layer, std::move(entity.places), closed, entity.handle});
+    drawing_.lines.push_back({dxf_letters(entity.layer, code_page_), std::move(entity.places), closed, entity.handle});
   }
 
   void finish()
@@ -231,6 +258,8 @@ class DxfReader {
     if (drawing_.lines.empty()) refuse("has no lines", "Its section ENTITIES has no LINE, LWPOLYLINE or POLYLINE.");
     if (n_on_paper_ > 0)
       drawing_.notes.push_back(fmt::format("{} entities of layouts (paper space) were left out.", n_on_paper_));
+    if (n_hidden_ > 0)
+      drawing_.notes.push_back(fmt::format("{} entities that the drawing hides (code 60) were left out.", n_hidden_));
     const Real scale = unit_ > 0.0 ? unit_ : unit_of_header();
     for (DxfLine& line : drawing_.lines)
       for (Vec<2>& x : line.places) {
@@ -261,7 +290,8 @@ class DxfReader {
   const std::string& path_;
   std::string_view rest_;
   Real unit_;
-  std::size_t line_ = 0, n_problems_ = 0, n_on_paper_ = 0;
+  std::size_t line_ = 0, n_problems_ = 0, n_on_paper_ = 0, n_hidden_ = 0;
+  std::string code_page_;  ///< of releases before 2007
   Pair pair_{};
   bool has_entities_ = false;
   std::optional<int> header_unit_;

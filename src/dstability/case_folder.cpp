@@ -6,6 +6,7 @@
 #include "dstability/section_layout.hpp"
 #include "dstability/soil_text.hpp"
 #include "dstability/water_text.hpp"
+#include "input/printable.hpp"
 #include "points/body_outline.hpp"
 
 #include <fmt/format.h>
@@ -79,7 +80,7 @@ class FolderMaker {
     CaseFolder folder;
     folder.files.push_back({"case.toml", text_of(text_)});
     for (auto& file : files_) folder.files.push_back(std::move(file));
-    folder.files.push_back({"report.md", report()});
+    folder.files.push_back({"report.md", printable(report())});
     folder.notes = notes_;
     return folder;
   }
@@ -213,11 +214,15 @@ class FolderMaker {
       text_.bodies.back().holes = piece.region.holes;
     }
     std::ranges::move(order.bodies, std::back_inserter(text_.bodies));
-    for (const auto& [key, use] : uses_) {
-      SoilText soil = soil_text(use, options_.basis, options_.kinds);
-      text_.materials.push_back(std::move(soil.material));
-      assumed_.insert(assumed_.end(), soil.assumed.begin(), soil.assumed.end());
-    }
+    std::vector<Problem> problems;
+    for (const auto& [key, use] : uses_) try {
+        SoilText soil = soil_text(use, options_.basis, options_.kinds);
+        text_.materials.push_back(std::move(soil.material));
+        assumed_.insert(assumed_.end(), soil.assumed.begin(), soil.assumed.end());
+      } catch (const InputError& error) {
+        problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+      }
+    if (!problems.empty()) throw InputError(problems);
   }
 
   /// Its outline is still to be set.
@@ -245,7 +250,7 @@ class FolderMaker {
     const std::string where = piece.zone == 0 ? ""
                                               : fmt::format("{} the phreatic line of the analysed stage",
                                                     piece.zone == 1 ? "below" : "above");
-    SoilUse use{&soil, piece.zone == 2, name, where, situation_, {}, largest_stress(piece)};
+    SoilUse use{&soil, piece.zone == 2, name, where, stage_.label, situation_, {}, largest_stress(piece)};
     if (piece.pop)
       use.preload = {fmt::format("pop = \"{}\"", preload),
           fmt::format("POP of the file's states, over sigma'_v of {}", is_staged_ ? "the first stage" : "this stage")};

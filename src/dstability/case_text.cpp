@@ -1,5 +1,8 @@
 #include "dstability/case_text.hpp"
 
+#include "base/utf8.hpp"
+#include "input/printable.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,8 +13,9 @@ namespace {
 
 constexpr std::size_t most_columns = 120, comment_column = 41;
 
-std::string comment_text(const std::string& comment)
+std::string comment_text(const std::string& raw)
 {
+  const std::string comment = printable(raw);
   std::string text;
   std::size_t from = 0;
   while (from < comment.size()) {
@@ -19,9 +23,10 @@ std::string comment_text(const std::string& comment)
     std::string line = comment.substr(from, end - from);
     while (line.size() > most_columns - 2) {
       std::size_t cut = line.rfind(' ', most_columns - 2);
-      if (cut == std::string::npos || cut == 0) cut = most_columns - 2;
+      if (cut == std::string::npos || cut == 0)  // no space: between two letters
+        for (cut = most_columns - 2; (static_cast<unsigned char>(line[cut]) & 0xC0U) == 0x80U;) --cut;
       text += "# " + line.substr(0, cut) + "\n";
-      line = line.substr(std::min(cut + 1, line.size()));
+      line = line.substr(line[cut] == ' ' ? cut + 1 : cut);
     }
     text += "# " + line + "\n";
     from = end + 1;
@@ -68,10 +73,10 @@ std::string body_text(const CaseBodyText& body)
 
 }  // namespace
 
-std::string quoted(const std::string& text)
+std::string quoted(const std::string& raw)
 {
   std::string out = "\"";
-  for (const char c : text)
+  for (const char c : as_utf8(raw))
     if (c == '"' || c == '\\')
       out += std::string("\\") + c;
     else if (static_cast<unsigned char>(c) < 32 || c == 127)

@@ -42,10 +42,10 @@ struct SectionText {
   std::vector<CaseTableText> after;
 };
 
-/// case.toml.
+/// case.toml. Comments have question marks for control characters and for what is not UTF-8.
 std::string text_of(const SectionText& text);
 
-/// A text in quotes.
+/// A text in quotes; control characters are spaces, what is not UTF-8 is U+FFFD.
 std::string quoted(const std::string& text);
 
 /// A number as short as it can be with ten decimals.

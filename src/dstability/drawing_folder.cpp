@@ -2,6 +2,7 @@
 
 #include "dstability/section_layout.hpp"
 #include "dstability/soil_text.hpp"
+#include "input/printable.hpp"
 
 #include <fmt/format.h>
 
@@ -77,7 +78,7 @@ CaseFolder drawing_folder_of(
   report += "\n## Geometry: what moved\n\n" + list_text(describe(clean, drawing.regions, cleaning));
   if (filled > 0.0) report += fmt::format("- {:.3f} m2 below the base were filled.\n", filled);
   report += "\n## Assumed\n\n- All soils and the water: see the comments of case.toml.\n";
-  folder.files.push_back({"report.md", report});
+  folder.files.push_back({"report.md", printable(report)});
   return folder;
 }
 

@@ -1,5 +1,5 @@
 // The soil of a stage along a vertical line: which layer lies where, after excavations, and where the ground is.
-// Not for: stresses (stage_column.hpp).
+// Not for: stresses (section.hpp).
 #pragma once
 
 #include "dstability/project.hpp"

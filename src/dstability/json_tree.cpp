@@ -1,7 +1,6 @@
 #include "dstability/json_tree.hpp"
 
 #include "base/errors.hpp"
-#include "input/printable.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -135,18 +134,6 @@ const char* words_of(JsonKind kind)
     case JsonKind::object: return "an object";
   }
   return "";
-}
-
-std::string as_utf8(std::string_view text)
-{
-  std::string sound;
-  sound.reserve(text.size());
-  for (std::size_t k = 0; k < text.size();) {
-    const std::size_t length = utf8_length(text.substr(k));
-    sound += length == 0 ? std::string_view("\xEF\xBF\xBD") : text.substr(k, length);
-    k += std::max<std::size_t>(length, 1);
-  }
-  return sound;
 }
 
 JsonNode read_json(std::string_view text, const std::string& where, const std::vector<std::string>& skipped)

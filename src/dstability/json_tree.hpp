@@ -25,9 +25,6 @@ struct JsonNode {
 /// "a number", "a text": what stands there, in words.
 const char* words_of(JsonKind kind);
 
-/// The text with U+FFFD in place of every byte that is not UTF-8.
-std::string as_utf8(std::string_view text);
-
 /// Reads UTF-8, with or without a byte order mark. The values of keys in `skipped` are checked and thrown away. Throws
 /// InputError at `where` if the text is no JSON, has a key twice in one object, or more than 64 levels.
 JsonNode read_json(std::string_view text, const std::string& where, const std::vector<std::string>& skipped = {});

@@ -28,11 +28,10 @@ StixConsolidation read_consolidation(JsonCursor& from)
 {
   StixConsolidation degrees;
   for (JsonCursor& entry : from.list("Consolidations")) {
-    const Real degree = entry.number("Degree");
-    if (!std::isnan(degree)) degrees[entry.id("LayerId")] = degree;
+    const Real degree = entry.required("Degree");
     if (degree < 0.0 || degree > 100.0)
       entry.fault("Degree", "is out of range", fmt::format("Got {} %, allowed are 0 to 100 %.", degree));
-    entry.pass_over({"LayerId"});
+    degrees[entry.id("LayerId")] = degree;
     entry.tell_unknown();
   }
   return degrees;
@@ -41,8 +40,11 @@ StixConsolidation read_consolidation(JsonCursor& from)
 std::vector<StixDrawnLine> read_drawn_lines(JsonCursor& from, const char* key)
 {
   std::vector<StixDrawnLine> lines;
-  for (JsonCursor& entry : from.list(key))
-    lines.push_back({entry.text("Label"), entry.place("Start"), entry.place("End")});
+  for (JsonCursor& entry : from.list(key)) {
+    lines.push_back({entry.text("Label"), entry.place_if_given("Start"), entry.place_if_given("End")});
+    entry.pass_over({"ReductionArea", "TensileStrength"});  // of geotextiles
+    end_entry(entry);
+  }
   return lines;
 }
 
@@ -283,7 +285,7 @@ void read_reinforcements(JsonCursor& file, StixParts& parts)
 {
   StixReinforcements all{read_drawn_lines(file, "ForbiddenLines"), read_drawn_lines(file, "Geotextiles"), {}};
   for (JsonCursor& entry : file.list("Nails")) {
-    const Vec<2> place = entry.place("Location");
+    const Vec<2> place = entry.place_if_given("Location");
     all.nails.push_back({entry.text("Label"), place, place});
   }
   parts.reinforcements.add(file.id("Id"), file, std::move(all));

@@ -1,5 +1,7 @@
 #include "dstability/read_stix.hpp"
 
+#include "base/utf8.hpp"
+#include "dstability/section.hpp"
 #include "dstability/stix_parts.hpp"
 #include "output/files.hpp"
 
@@ -287,6 +289,29 @@ std::vector<const Member*> members_of(StixSource& source, std::string_view kind)
   return members;
 }
 
+/// Scenarios, their stages and their calculations have ids that nothing else has.
+void check_ids(StixSource& source)
+{
+  std::map<std::string, std::string> known;  // id -> what has it
+  const auto add = [&](const std::string& id, const std::string& what) {
+    if (id.empty()) return;
+    const auto [entry, is_new] = known.try_emplace(id, what);
+    if (!is_new)
+      source.notes.fault(what, fmt::format("has the id {}, which {} has", id, entry->second),
+          "Ids link the parts of the file. Save it anew in D-Stability.");
+  };
+  for (std::size_t s = 0; s < source.project.scenarios.size(); ++s) {
+    const StixScenario& scenario = source.project.scenarios[s];
+    const std::string name = fmt::format("scenario {}", s + 1);
+    add(scenario.id, name);
+    for (std::size_t k = 0; k < scenario.stages.size(); ++k)
+      add(scenario.stages[k].id, fmt::format("{}, stage {}", name, k + 1));
+    if (scenario.id.empty()) continue;  // of data model 1 a calculation is a part of its stage
+    for (std::size_t k = 0; k < scenario.calculations.size(); ++k)
+      add(scenario.calculations[k].id, fmt::format("{}, calculation {}", name, k + 1));
+  }
+}
+
 void read_scenarios(StixSource& source)
 {
   for (const Member* const member : members_of(source, "scenarios")) {
@@ -295,6 +320,7 @@ void read_scenarios(StixSource& source)
   }
   const auto stages = members_of(source, "stages");
   if (!stages.empty()) source.project.scenarios.push_back(read_stages(source, stages));
+  check_ids(source);
   if (source.project.scenarios.empty())
     source.notes.fault("scenarios/", "is missing, and so is stages/", "The file has no stage that could be read.");
   const auto has_layers = [](const StixStage& stage) { return !stage.layers.empty(); };
@@ -310,7 +336,8 @@ std::string list_of(const std::vector<StixDrawnLine>& lines)
 {
   std::string text;
   for (const StixDrawnLine& line : lines)
-    text += fmt::format("{}`{}` at x = {:.2f} m", text.empty() ? "" : ", ", line.label, line.start[0]);
+    text += fmt::format("{}`{}`{}", text.empty() ? "" : ", ", line.label,
+        std::isnan(line.start[0]) ? "" : fmt::format(" at x = {:.2f} m", line.start[0]));
   return text;
 }
 
@@ -341,6 +368,10 @@ void remark_on_stage(StixNotes& notes, const std::string& where, const StixStage
           where, fmt::format("The state point `{}` is of a layer that this stage does not have (id `{}`). Left "
                              "out.",
                      point.label, point.layer));
+  for (const std::string& layer : layers_with_two_states(stage))
+    notes.remark(where,
+        fmt::format(
+            "The layer with the id {} has two state points. This stage and later ones cannot be computed.", layer));
   if (stage.layers.empty()) notes.remark(where, "This stage has no soil layers and cannot be computed.");
 }
 
@@ -363,7 +394,10 @@ StixProject read_stix_bytes(std::string bytes, const std::string& path, ZipLimit
   unpack(source, zip);
   check_versions(source);
   if (std::ranges::none_of(source.members, [](const Member& m) { return m.kind == "soils"; }))
-    source.notes.fault("soils.json", "is missing", "This is no file of D-Stability, or one of another program.");
+    source.notes.fault("soils.json", "is missing",
+        std::ranges::any_of(zip.names(), [](const std::string& name) { return name.ends_with("/soils.json"); })
+            ? "All members lie in a folder. Zip the files in it, not the folder itself."
+            : "This is no file of D-Stability, or one of another program.");
   read_members(source);
   read_scenarios(source);
   remark_on_stages(source);

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
 
 namespace terp {
 namespace {
@@ -39,6 +40,14 @@ Real pop_of(const StixPreload& preload, Real effective_stress, StixBasis basis)
 bool needs_stress(const StixPreload& preload) { return preload.kind != StixPreload::Kind::pop; }
 
 }  // namespace
+
+std::vector<std::string> layers_with_two_states(const StixStage& stage)
+{
+  std::set<std::string> seen, twice;
+  for (const StixStatePoint& point : stage.state_points)
+    if (!seen.insert(point.layer).second) twice.insert(point.layer);
+  return {twice.begin(), twice.end()};
+}
 
 // ---- one stage along a vertical line ----
 
@@ -107,6 +116,9 @@ void StixSection::check(std::size_t scenario) const
       problems.push_back({.key = where, .what = what, .detail = detail, .topic = ""});
     };
     if (stages_[k]->layers.empty()) fault("has no soil layers", "Draw the section in D-Stability.");
+    for (const std::string& layer : layers_with_two_states(*stages_[k]))
+      fault(fmt::format("the layer with the id {} has two state points", layer),
+          "Which one holds cannot be known. Take one out in D-Stability.");
     for (const StixLayer& layer : stages_[k]->layers) {
       const std::string name = fmt::format("the layer `{}` (id {})", layer.label, layer.id);
       if (!layer.soil)
@@ -122,23 +134,32 @@ void StixSection::check(std::size_t scenario) const
 
 void StixSection::set_preloads()
 {
+  std::vector<Problem> problems;
+  const auto pop_at = [&](const StixStage& stage, const StixPreload& preload, Vec<2> place, const std::string& state) {
+    const Real stress =
+        needs_stress(preload) ? StixStageColumn(*project_, stage, place[0]).effective_stress(place[1]) : 0.0;
+    const Real pop = pop_of(preload, stress, basis_);
+    if (!(pop >= 0.0 && std::isfinite(pop)))
+      problems.push_back({fmt::format("{}, stage `{}`, state `{}`", project_->path, stage.label, state),
+          std::isnan(pop) ? "its POP has no value" : fmt::format("its POP is {:g} kPa", pop / 1e3),
+          "It is at least zero. Design values need a mean and a standard deviation.", ""});
+    return pop;
+  };
   for (const StixStage* stage : stages_) {
-    const auto effective_stress = [&](const StixPreload& preload, Vec<2> place) {
-      return needs_stress(preload) ? StixStageColumn(*project_, *stage, place[0]).effective_stress(place[1]) : 0.0;
-    };
     auto& points = point_pops_.emplace_back();
     for (const StixStatePoint& point : stage->state_points)
-      points.push_back(pop_of(point.preload, effective_stress(point.preload, point.place), basis_));
+      points.push_back(pop_at(*stage, point.preload, point.place, point.label));
     auto& lines = line_pops_.emplace_back();
     for (const StixStateLine& line : stage->state_lines) {
       LinePops& pops = lines.emplace_back();
       for (const StixStateLine::Value& value : line.values) {
         const Vec<2> place{value.x, interpolate(line.line, value.x)};
-        pops.above.push_back({value.x, pop_of(value.above, effective_stress(value.above, place), basis_)});
-        pops.below.push_back({value.x, pop_of(value.below, effective_stress(value.below, place), basis_)});
+        pops.above.push_back({value.x, pop_at(*stage, value.above, place, value.label)});
+        pops.below.push_back({value.x, pop_at(*stage, value.below, place, value.label)});
       }
     }
   }
+  if (!problems.empty()) throw InputError(problems);
 }
 
 StixColumn StixSection::column(Real x) const { return {*this, x}; }

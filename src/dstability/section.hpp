@@ -30,11 +30,14 @@ struct StixPlace {
 
 class StixColumn;
 
+/// Ids of layers that have more than one state point: which one holds cannot be known.
+std::vector<std::string> layers_with_two_states(const StixStage& stage);
+
 /// A stage, ready to be evaluated. The project must outlive it.
 class StixSection {
  public:
-  /// scenario, stage: numbers from 0. Throws InputError if a layer of this stage or one before it has no soil, or a
-  /// soil has no unit weight.
+  /// scenario, stage: numbers from 0. Throws InputError if a layer of this stage or one before it has no soil or two
+  /// state points, a soil no unit weight, or a state no POP.
   StixSection(const StixProject& project, std::size_t scenario, std::size_t stage, StixBasis basis);
   ~StixSection();
 

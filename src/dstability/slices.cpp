@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "dstability/section.hpp"
 #include "dstability/stix_parts.hpp"
+#include "input/printable.hpp"
 
 #include <fmt/format.h>
 
@@ -60,10 +61,21 @@ std::string stale_by(const ResultSlices& result)
   return {};
 }
 
-void widen(Real& largest, const Real (&pair)[2], Real unit)
+void widen(SliceDeviation& all, Real& largest, const Real (&pair)[2], Real unit)
 {
+  if (std::isnan(pair[1])) return;
+  ++(std::isnan(pair[0]) ? all.missing : all.compared);
   const Real difference = std::abs(pair[0] - pair[1]) / unit;
   if (difference > largest) largest = difference;
+}
+
+/// As CSV has a text: in quotes where it has commas or quotes.
+std::string cell_text(const std::string& text)
+{
+  if (text.find_first_of(",\"") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
 }
 
 }  // namespace
@@ -98,7 +110,8 @@ std::string slices_csv(const std::vector<ResultSlices>& results)
   text += "\n";
   for (const ResultSlices& result : results)
     for (const SliceRow& row : result.rows) {
-      text += fmt::format("{},{},{},{}", result.name, row.place[0], row.place[1], result.stale.empty() ? 0 : 1);
+      text += fmt::format(
+          "{},{},{},{}", cell_text(printable(result.name)), row.place[0], row.place[1], result.stale.empty() ? 0 : 1);
       for (const auto* pair : {&row.total_stress, &row.pore_pressure, &row.yield_stress, &row.su})
         text += fmt::format(",{},{}", (*pair)[0], (*pair)[1]);
       text += "\n";
@@ -110,10 +123,10 @@ SliceDeviation largest_deviation(const ResultSlices& result)
 {
   SliceDeviation largest;
   for (const SliceRow& row : result.rows) {
-    widen(largest.total_stress, row.total_stress, 1.0);
-    widen(largest.pore_pressure, row.pore_pressure, 1.0);
-    widen(largest.yield_stress, row.yield_stress, 1.0);
-    widen(largest.su, row.su, std::max(std::abs(row.su[1]), 1.0));
+    widen(largest, largest.total_stress, row.total_stress, 1.0);
+    widen(largest, largest.pore_pressure, row.pore_pressure, 1.0);
+    widen(largest, largest.yield_stress, row.yield_stress, 1.0);
+    widen(largest, largest.su, row.su, std::max(std::abs(row.su[1]), 1.0));
   }
   return largest;
 }

@@ -34,10 +34,12 @@ std::vector<ResultSlices> compare_slices(const StixProject& project);
 /// bits; not a number is `nan`.
 std::string slices_csv(const std::vector<ResultSlices>& results);
 
-/// The largest difference of each quantity over the slices that both have.
+/// The largest difference of each quantity over the slices that both have, and how many stored numbers have no computed
+/// one beside them.
 struct SliceDeviation {
   Real total_stress = 0.0, pore_pressure = 0.0, yield_stress = 0.0;  ///< [Pa]
   Real su = 0.0;                                                     ///< relative
+  std::size_t missing = 0, compared = 0;                             ///< numbers of all quantities
 };
 SliceDeviation largest_deviation(const ResultSlices& result);
 

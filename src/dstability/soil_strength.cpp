@@ -21,6 +21,7 @@ StixBasis basis_of(StixCalculationKind kind)
 
 Real lognormal_fractile_5(Real mean, Real deviation)
 {
+  if (std::isnan(deviation)) return not_given;
   if (!(mean > 0.0) || !(deviation > 0.0)) return mean;
   const Real variance_of_log = std::log1p((deviation / mean) * (deviation / mean));
   return mean * std::exp(-0.5 * variance_of_log + normal_fractile_5 * std::sqrt(variance_of_log));
@@ -28,8 +29,7 @@ Real lognormal_fractile_5(Real mean, Real deviation)
 
 Real value_of(const StixParameter& parameter, StixBasis basis)
 {
-  if (basis == StixBasis::deterministic || !parameter.is_probabilistic || std::isnan(parameter.mean))
-    return parameter.value;
+  if (basis == StixBasis::deterministic || !parameter.is_probabilistic) return parameter.value;
   return basis == StixBasis::mean ? parameter.mean : lognormal_fractile_5(parameter.mean, parameter.deviation);
 }
 

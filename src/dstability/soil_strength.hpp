@@ -16,9 +16,11 @@ enum class StixBasis {
 /// What a calculation takes; of a probabilistic one the plain values.
 StixBasis basis_of(StixCalculationKind kind);
 
-/// x that a lognormal variable of this mean and standard deviation falls below in 5 % of cases; in their unit.
+/// x that a lognormal variable of this mean and standard deviation falls below in 5 % of cases; in their unit. Not a
+/// number without a deviation.
 Real lognormal_fractile_5(Real mean, Real deviation);
 
+/// Not a number where the file leaves it empty, or a mean or deviation that it follows from.
 Real value_of(const StixParameter& parameter, StixBasis basis);
 
 /// s_u = S sigma'_v (sigma'_y / sigma'_v)^m [Pa]; zero without effective stress. Stresses [Pa].

@@ -15,14 +15,107 @@ namespace terp {
 namespace {
 
 constexpr Real degrees = 180.0 / std::numbers::pi;
+constexpr Real largest_friction = 60.0;  // [degrees] that the law takes
 
-[[noreturn]] void refuse(const SoilUse& use, const std::string& word)
+/// A number of a soil: what it is called, its unit, and what a case takes.
+struct SoilNumber {
+  const char *name, *unit;
+  Real si;  ///< one of its unit
+  Real low, high;
+};
+constexpr SoilNumber weight_of_soil{"unit weight", "kN/m3", 1e3, 0.1, 100.0};
+constexpr SoilNumber cohesion_of_soil{"cohesion", "kPa", 1e3, 0.0, 1e4};
+constexpr SoilNumber friction_of_soil{"friction angle", "degrees", 1.0, 0.0, largest_friction};
+constexpr SoilNumber dilatancy_of_soil{"dilatancy", "degrees", 1.0, 0.0, largest_friction};
+constexpr SoilNumber ratio_of_soil{"shear strength ratio S", "", 1.0, 1e-3, 2.0};
+constexpr SoilNumber exponent_of_soil{"strength increase exponent m", "", 1.0, 1e-3, 1.0};
+constexpr SoilNumber table_of_soil{"table of strength", "kPa", 1e3, 0.0, 1e5};
+
+/// The numbers of a soil as the calculation takes them. Faults are collected.
+class SoilNumbers {
+ public:
+  SoilNumbers(const SoilUse& use, StixBasis basis) : use_(use), basis_(basis) {}
+
+  Real at(const StixParameter& parameter, const SoilNumber& number)
+  {
+    const Real value = value_of(parameter, basis_);
+    if (std::isnan(value) && basis_ != StixBasis::deterministic && parameter.is_probabilistic)
+      add(fmt::format("its {} has no {}", number.name, basis_ == StixBasis::mean ? "mean" : "design value"),
+          basis_ == StixBasis::mean ? "A mean is not in the file." : "It needs a mean and a standard deviation.");
+    else
+      check(value, number);
+    return value;
+  }
+
+  void check(Real value, const SoilNumber& number)
+  {
+    const bool is_empty = std::isnan(value);
+    if (value >= number.low * number.si && value <= number.high * number.si) return;
+    add(fmt::format("its {} {}", number.name,
+            is_empty ? "is empty" : fmt::format("is {:g} {}", value / number.si, number.unit)),
+        fmt::format("Allowed are {:g} to {:g} {}.", number.low, number.high, number.unit));
+  }
+
+  void check_table(const StixTable& table, const char* name)
+  {
+    if (table.rows.empty()) add(fmt::format("its {} has no rows", name), "A strength needs one at least.");
+    for (const Vec<2>& row : table.rows) check(row[1], table_of_soil);
+    if (basis_ == StixBasis::design && table.is_probabilistic && std::isnan(table.variation))
+      add(fmt::format("its {} has no design value", name), "It needs a coefficient of variation.");
+  }
+
+  void add(const std::string& what, const std::string& detail)
+  {
+    problems_.push_back({fmt::format("soil `{}`", use_.soil->name), what,
+        fmt::format("{} It is asked for {} the phreatic line in stage `{}`. Correct it in D-Stability.", detail,
+            use_.above ? "above" : "below", use_.stage),
+        ""});
+  }
+
+  void stop_if_any() const
+  {
+    if (!problems_.empty()) throw InputError(problems_);
+  }
+
+ private:
+  const SoilUse& use_;
+  StixBasis basis_;
+  std::vector<Problem> problems_;
+};
+
+/// Throws InputError, a problem for each number that is empty or out of range.
+void check_numbers(const SoilUse& use, StixStrengthModel model, StixBasis basis, const std::string& word)
 {
-  throw InputError({use.soil->name, "this soil has no strength that Terp can take over",
-      fmt::format("Its strength {} the phreatic line is `{}`; known are MohrCoulombAdvanced, MohrCoulombClassic, CPhi, "
-                  "Su, SuTable and SigmaTauTable. Choose one of these in D-Stability.",
-          use.above ? "above" : "below", word),
-      ""});
+  const StixSoil& soil = *use.soil;
+  SoilNumbers numbers(use, basis);
+  numbers.check(use.above ? soil.weight_above : soil.weight_below, weight_of_soil);
+  const auto check_friction = [&](const StixFriction& f) {
+    numbers.at(f.cohesion, cohesion_of_soil);
+    return numbers.at(f.friction, friction_of_soil);
+  };
+  switch (model) {
+    case StixStrengthModel::advanced: {
+      const Real friction = check_friction(soil.advanced), dilatancy = value_of(soil.advanced.dilatancy, basis);
+      if (std::isnan(dilatancy)) break;  // taken as zero, which the report says
+      numbers.check(dilatancy, dilatancy_of_soil);
+      if (dilatancy > friction)
+        numbers.add(fmt::format("its dilatancy is {:g} degrees", dilatancy),
+            fmt::format("At most the friction angle, {:g} degrees.", friction));
+      break;
+    }
+    case StixStrengthModel::classic: check_friction(soil.classic); break;
+    case StixStrengthModel::shansep:
+      numbers.at(soil.ratio, ratio_of_soil);
+      numbers.at(soil.exponent, exponent_of_soil);
+      break;
+    case StixStrengthModel::su_table: numbers.check_table(soil.su_table, "SuTable"); break;
+    case StixStrengthModel::sigma_tau_table: numbers.check_table(soil.sigma_tau_table, "SigmaTauTable"); break;
+    case StixStrengthModel::none:
+    case StixStrengthModel::unknown:
+      numbers.add(fmt::format("its strength is `{}`, which Terp cannot take over", word),
+          "Known are MohrCoulombAdvanced, MohrCoulombClassic, CPhi, Su, SuTable and SigmaTauTable.");
+  }
+  numbers.stop_if_any();
 }
 
 void add_common(const SoilUse& use, const SoilKind& kind, bool drained, SoilText& text)
@@ -44,9 +137,9 @@ void add_common(const SoilUse& use, const SoilKind& kind, bool drained, SoilText
 void add_friction(SoilText& text, Real cohesion, Real friction, Real dilatancy, const std::string& origin)
 {
   auto& lines = text.material.lines;
-  lines.push_back({"friction_angle", fmt::format("{:.6g}", friction), "degrees; " + origin});
+  lines.push_back({"friction_angle", fmt::format("{:.9g}", friction), "degrees; " + origin});
   lines.push_back({"cohesion", quoted(kilo_text(cohesion, "kPa")), origin});
-  lines.push_back({"dilatancy_angle", fmt::format("{:.6g}", dilatancy), origin});
+  lines.push_back({"dilatancy_angle", fmt::format("{:.9g}", dilatancy), origin});
 }
 
 /// The straight line nearest to a table up to a stress: cohesion [Pa] and tan of its slope.
@@ -62,9 +155,14 @@ Vec<2> line_through(const StixTable& table, Real largest_stress, StixBasis basis
 }
 
 /// A strength c + sigma tan a on planes of shear, as soil without dilatancy: sin phi = tan a, c' = c / cos phi.
-void add_plane_strength(SoilText& text, Real cohesion, Real slope, const std::string& origin)
+void add_plane_strength(const SoilUse& use, SoilText& text, Real cohesion, Real slope, const std::string& origin)
 {
-  const Real sine = std::min(slope, std::sin(60.0 / degrees));  // the law takes no more than 60 degrees
+  const Real sine = std::min(slope, std::sin(largest_friction / degrees));
+  if (sine < slope)
+    text.assumed.push_back(
+        fmt::format("{}: tan phi on its planes of shear is {:.3f}; taken was {:.3f}, the most that the law takes "
+                    "(phi' = {:g} degrees). The soil is weaker than in the file.",
+            use.name, slope, sine, largest_friction));
   add_friction(text, cohesion / std::sqrt(1.0 - sine * sine), degrees * std::asin(sine), 0.0, origin);
 }
 
@@ -90,11 +188,13 @@ void add_drained(const SoilUse& use, StixStrengthModel model, StixBasis basis, c
   if (model == StixStrengthModel::advanced) {
     const StixFriction& f = soil.advanced;
     const Real dilatancy = value_of(f.dilatancy, basis);
+    if (std::isnan(dilatancy))
+      text.assumed.push_back(fmt::format("{}: its dilatancy is empty in the file; taken was 0.", use.name));
     add_friction(text, value_of(f.cohesion, basis), value_of(f.friction, basis),
         std::isnan(dilatancy) ? 0.0 : dilatancy, "of the file");
   } else if (model == StixStrengthModel::classic) {
     const Real phi = value_of(soil.classic.friction, basis);
-    add_plane_strength(text, value_of(soil.classic.cohesion, basis), std::tan(phi / degrees),
+    add_plane_strength(use, text, value_of(soil.classic.cohesion, basis), std::tan(phi / degrees),
         fmt::format("MohrCoulombClassic, phi {:g} on slip planes: sin phi' = tan phi", phi));
     text.assumed.push_back(
         fmt::format("{}: MohrCoulombClassic has no reduction for dilatancy. phi' and c' are those of "
@@ -102,7 +202,7 @@ void add_drained(const SoilUse& use, StixStrengthModel model, StixBasis basis, c
             soil.name));
   } else {
     const Vec<2> line = line_through(soil.sigma_tau_table, std::max(use.largest_stress, 10e3), basis);
-    add_plane_strength(text, line[0], line[1], "straight line through the file's SigmaTauTable");
+    add_plane_strength(use, text, line[0], line[1], "straight line through the file's SigmaTauTable");
     text.assumed.push_back(
         fmt::format("{}: its SigmaTauTable was replaced by the straight line nearest to it from 0 to "
                     "{:.0f} kPa: {:.2f} kPa + {:.3f} sigma'_n.",
@@ -121,7 +221,7 @@ void add_undrained(const SoilUse& use, StixStrengthModel model, StixBasis basis,
   auto& lines = text.material.lines;
   if (model == StixStrengthModel::shansep) {
     lines.push_back({"su_peak",
-        fmt::format("{{ shansep = {{ S = {:.6g}, m = {:.6g}, {}{}, minimum = \"{:g} kPa\" }} }}",
+        fmt::format("{{ shansep = {{ S = {:.9g}, m = {:.9g}, {}{}, minimum = \"{:g} kPa\" }} }}",
             value_of(soil.ratio, basis), value_of(soil.exponent, basis), use.preload.value, water_option(use),
             kind.least_strength),
         fmt::format("S and m of the file; {}; minimum: default of {}", use.preload.comment, kind.kind)});
@@ -152,27 +252,20 @@ SoilText soil_text(const SoilUse& use, StixBasis basis, const std::vector<SoilKi
   const StixSoil& soil = *use.soil;
   const StixStrengthModel model = use.above ? soil.above : soil.below;
   const SoilKind& kind = kind_of_soil(kinds, soil.name);
+  check_numbers(use, model, basis, use.above ? soil.above_word : soil.below_word);
   SoilText text;
   text.material.name = use.name;
   text.material.comment = fmt::format("Soil {} ({}){}{}: {} of the file. Kind: {}.", quoted(soil.name), soil.code,
       use.where.empty() ? "" : ", ", use.where, use.above ? soil.above_word : soil.below_word, kind.kind);
   auto& lines = text.material.lines;
-  switch (model) {
-    case StixStrengthModel::advanced:
-    case StixStrengthModel::classic:
-    case StixStrengthModel::sigma_tau_table:
-      lines.push_back({"model", "\"mohr_coulomb\"", "drained"});
-      add_common(use, kind, true, text);
-      add_drained(use, model, basis, kind, text);
-      break;
-    case StixStrengthModel::shansep:
-    case StixStrengthModel::su_table:
-      lines.push_back({"model", "\"tresca_softening\"", "undrained, without softening"});
-      add_common(use, kind, false, text);
-      add_undrained(use, model, basis, kind, text);
-      break;
-    default: refuse(use, use.above ? soil.above_word : soil.below_word);
-  }
+  const bool drained = model != StixStrengthModel::shansep && model != StixStrengthModel::su_table;
+  lines.push_back(drained ? CaseLine{"model", "\"mohr_coulomb\"", "drained"}
+                          : CaseLine{"model", "\"tresca_softening\"", "undrained, without softening"});
+  add_common(use, kind, drained, text);
+  if (drained)
+    add_drained(use, model, basis, kind, text);
+  else
+    add_undrained(use, model, basis, kind, text);
   const bool has_colour =
       soil.colour.size() == 9 && soil.colour.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
   if (has_colour) lines.push_back({"color", quoted('#' + soil.colour.substr(3)), "of the file"});

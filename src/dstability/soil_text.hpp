@@ -21,6 +21,7 @@ struct SoilUse {
   const StixSoil* soil = nullptr;
   bool above = false;          ///< of the two models and weights
   std::string name, where;     ///< key in the case; "below the phreatic line" or empty
+  std::string stage;           ///< label of the analysed stage
   std::string strength_water;  ///< the [[water.situation]] of its strength; empty: that of the start
   PreloadText preload = {};    ///< of SHANSEP
   Real largest_stress = 0.0;   ///< vertical effective stress in it, at most [Pa]
@@ -31,7 +32,8 @@ struct SoilText {
   std::vector<std::string> assumed;  ///< sentences for the report
 };
 
-/// Throws InputError if the soil has no strength that Terp can take over.
+/// Throws InputError, one problem for each number of the soil that is empty or out of range, or if it has no strength
+/// that Terp can take over. The key is the soil; the detail names the stage.
 SoilText soil_text(const SoilUse& use, StixBasis basis, const std::vector<SoilKind>& kinds);
 
 /// A soil of which nothing but its name is known: all from the defaults.

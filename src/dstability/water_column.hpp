@@ -1,5 +1,5 @@
 // The water of a stage along a vertical line. docs/dstability.md.
-// Not for: the cap by the total stress and the pressure of loads (stage_column.hpp), the water of a case (water/).
+// Not for: the cap by the total stress and the pressure of loads (section.hpp), the water of a case (water/).
 #pragma once
 
 #include "dstability/project.hpp"

@@ -1,5 +1,7 @@
 #include "input/printable.hpp"
 
+#include "base/utf8.hpp"
+
 #include <algorithm>
 
 namespace terp {
@@ -13,24 +15,6 @@ bool is_control(std::string_view character)
 }
 
 }  // namespace
-
-std::size_t utf8_length(std::string_view text)
-{
-  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
-  const std::size_t length = byte(0) < 0x80   ? 1
-                             : byte(0) < 0xC2 ? 0
-                             : byte(0) < 0xE0 ? 2
-                             : byte(0) < 0xF0 ? 3
-                             : byte(0) < 0xF5 ? 4
-                                              : 0;
-  if (length > text.size()) return 0;
-  for (std::size_t k = 1; k < length; ++k)
-    if ((byte(k) & 0xC0) != 0x80) return 0;
-  const bool overlong = (byte(0) == 0xE0 && byte(1) < 0xA0) || (byte(0) == 0xF0 && byte(1) < 0x90);
-  const bool beyond =
-      (byte(0) == 0xED && byte(1) >= 0xA0) || (byte(0) == 0xF4 && byte(1) >= 0x90);  // surrogates; above U+10FFFF
-  return overlong || beyond ? 0 : length;
-}
 
 std::string printable(std::string_view text)
 {

@@ -86,6 +86,43 @@ TEST(ImportFolder, RefusesADrawingByEntityAndUnit)
   EXPECT_THAT(test::terp({"import"}).err, HasSubstr("`terp import` needs a file\n  Give a .stix or a .dxf"));
 }
 
+TEST(ImportFolder, RefusesOptionsThatWouldHaveNoEffect)
+{
+  const ScratchFolder scratch;
+  const std::string drawing = write_drawing(scratch), folder = scratch.path() + "/none";
+  const auto said = [](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "import");
+    const Finished f = test::terp(arguments);
+    EXPECT_EQ(f.status, 2);
+    return f.err;
+  };
+  EXPECT_EQ(said({tutorial, "--unit", "mm"}),
+      "error: --unit is of drawings\n  " + tutorial + " is a D-Stability file. Leave the option out.\n");
+  EXPECT_EQ(said({drawing, "--stage", "2", "-o", folder}),
+      "error: --stage is of D-Stability files\n  " + drawing + " is a drawing. Leave the option out.\n");
+  EXPECT_EQ(said({drawing, "--cell", "1"}),
+      "error: --cell has no effect without -o\n  Give a folder for the case, -o FOLDER, or leave it out.\n");
+  for (const char* option : {"--scenario", "--stage"})
+    EXPECT_THAT(said({tutorial, option, "1"}), HasSubstr(std::string(option) + " has no effect without -o"));
+  const std::vector<std::string> to_folder{tutorial, "--scenario", "2", "-o", folder};
+  for (const std::vector<std::string>& list :
+      {std::vector<std::string>{"--json"}, {"--slices", scratch.path() + "/s.csv"}}) {
+    auto both = to_folder;
+    both.insert(both.end(), list.begin(), list.end());
+    EXPECT_EQ(said(both),
+        "error: " + list[0] + " is not written with -o\n  Make the list and the case one after the other.\n");
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder));
+}
+
+TEST(ImportFolder, RefusesCellsThatAreTooMany)
+{
+  const Finished f = test::terp({"import", tutorial, "--scenario", "2", "--cell", "0.002", "-o", "/tmp/none"});
+  EXPECT_EQ(f.status, 2);
+  EXPECT_THAT(
+      f.err, HasSubstr("cells of 0.002 m are too small for this section\n  The soil would have 1.5e+09 of them"));
+}
+
 TEST(ImportFolder, PrintsTheTableOfDefaults)
 {
   EXPECT_THAT(test::terp({"import", "--soil-defaults-table"}).out, HasSubstr("\npeat,peat veen,10.8,50,"));

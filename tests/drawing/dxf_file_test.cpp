@@ -97,6 +97,54 @@ TEST(Dxf, LeavesOutLayouts)
   EXPECT_THAT(read.notes[0], HasSubstr("1 entities of layouts (paper space) were left out."));
 }
 
+TEST(Dxf, RefusesPlacesWithoutXOrY)
+{
+  const std::string said = "has a place without x or y. It is on layer";
+  EXPECT_THAT(refused(drawing("0\nLINE\n8\na\n10\n40\n20\n0\n")), HasSubstr("LINE without a handle " + said));
+  EXPECT_THAT(refused(drawing("0\nLWPOLYLINE\n8\na\n70\n1\n10\n0\n20\n0\n10\n40\n10\n40\n20\n5\n")), HasSubstr(said));
+  EXPECT_THAT(
+      refused(drawing("0\nPOLYLINE\n8\na\n0\nVERTEX\n20\n2\n0\nVERTEX\n10\n3\n20\n2\n0\nSEQEND\n")), HasSubstr(said));
+}
+
+TEST(Dxf, RefusesAZThatVariesInOneEntity)
+{
+  std::string line_in_space = line;
+  line_in_space.replace(line_in_space.find("31\n0.0"), 6, "31\n99");
+  EXPECT_THAT(refused(drawing(line_in_space)),
+      HasSubstr("LINE with handle 1A does not lie in one plane. It is on layer clay. Its z goes from 0 to 99."));
+  EXPECT_THAT(
+      refused(drawing("0\nPOLYLINE\n70\n9\n30\n5\n0\nVERTEX\n10\n1\n20\n2\n30\n0\n0\nVERTEX\n10\n3\n20\n2\n30\n7\n"
+                      "0\nVERTEX\n10\n3\n20\n5\n30\n14\n0\nSEQEND\n")),
+      HasSubstr("does not lie in one plane"));
+  EXPECT_EQ(read_dxf_text(
+                "d.dxf", drawing("0\nPOLYLINE\n30\n5\n0\nVERTEX\n10\n1\n20\n2\n30\n0\n0\nVERTEX\n10\n3\n20\n2\n30\n0\n"
+                                 "0\nSEQEND\n"))
+                .lines.size(),
+      1u);
+}
+
+TEST(Dxf, LeavesOutWhatTheDrawingHides)
+{
+  const auto read = read_dxf_text("d.dxf", drawing(std::string(line) + polyline + "60\n1\n"));
+  EXPECT_EQ(read.lines.size(), 1u);
+  EXPECT_THAT(read.notes[0], HasSubstr("1 entities that the drawing hides (code 60) were left out."));
+}
+
+TEST(Dxf, PassesOverAByteOrderMarkAndCommentsAnywhere)
+{
+  std::string text = "\xEF\xBB\xBF" + drawing(std::string(line) + polyline);
+  for (const char* at : {"0\nSECTION\n2\nENT", "8\nsand", "0\nENDSEC\n0\nEOF"})
+    text.insert(text.find(at), "999\nhello\n");
+  EXPECT_EQ(read_dxf_text("d.dxf", text).lines.size(), 2u);
+}
+
+TEST(Dxf, ReadsNamesOfLayersInTheCodePageOfTheHeader)
+{
+  std::string old = polyline;
+  old.replace(old.find("sand"), 4, "kle\xEF");
+  EXPECT_EQ(read_dxf_text("d.dxf", drawing(old, "9\n$DWGCODEPAGE\n3\nANSI_1252\n")).lines[0].layer, "kle\xC3\xAF");
+}
+
 TEST(Dxf, RefusesWhatIsNoDrawing)
 {
   EXPECT_THAT(refused(""), HasSubstr("d.dxf is no DXF file. It is empty."));
@@ -110,7 +158,8 @@ TEST(Dxf, RefusesWhatIsNoDrawing)
   EXPECT_THAT(refused(drawing("")), HasSubstr("has no lines"));
   EXPECT_THAT(refused(drawing("0\nLINE\n10\nabc\n")),
       HasSubstr("has a value that is no number. Line 16: group code 10 needs a number, got `abc`."));
-  EXPECT_THAT(refused(drawing("0\nLINE\n10\n1e9\n20\n0\n")), HasSubstr("has a place beyond all maps. 1e+09, 0 m on"));
+  EXPECT_THAT(refused(drawing("0\nLINE\n10\n1e9\n20\n0\n11\n0\n21\n0\n")),
+      HasSubstr("has a place beyond all maps. 1e+09, 0 m on"));
 }
 
 TEST(Dxf, ReadsWhatItWrites)

@@ -1,5 +1,6 @@
 // Text of case.toml: numbers, names, places and comments.
 #include "dstability/case_text.hpp"
+#include "input/printable.hpp"
 #include "support/test.hpp"
 
 namespace {
@@ -40,6 +41,30 @@ TEST(SectionTextOf, CommentsStandBesideTheirValuesOrAboveThem)
   const std::string toml = text_of(text);
   EXPECT_THAT(
       toml, HasSubstr("# why\n[forces]\ngravity = [0.0, -9.81]                   # m/s2\n# above\nlong    = 1111"));
+}
+
+TEST(CaseText, HasNoControlCharactersAndOnlyUtf8)
+{
+  SectionText text;
+  text.title = "a\x01 \xEF";
+  text.head = {"code a\rb\x1B[31m \xEFlayer"};
+  const std::string toml = text_of(text);
+  EXPECT_THAT(toml, StartsWith("# code a?b?[31m ?layer\n"));
+  EXPECT_THAT(toml, HasSubstr("title  = \"a  \xEF\xBF\xBD\""));
+}
+
+TEST(CaseText, WrapsBetweenLettersAndLosesNone)
+{
+  std::string name = "x";
+  for (int k = 0; k < 150; ++k) name += "\xC3\xA9";  // two bytes each: a cut at a fixed byte would part one
+  SectionText text;
+  text.head = {name};
+  std::string toml = text_of(text), together;
+  for (std::istringstream lines(toml.substr(0, toml.find("\ntitle"))); std::getline(lines, toml);) {
+    EXPECT_EQ(printable(toml), toml);
+    together += toml.substr(2);
+  }
+  EXPECT_EQ(together, name);
 }
 
 }  // namespace

@@ -46,13 +46,6 @@ TEST(JsonTree, SaysWhereTheTextIsNoJson)
   EXPECT_THAT(refusal_of("{\"A\":1e999}"), HasSubstr("is no sound JSON"));
 }
 
-TEST(JsonTree, IsOfUtf8)
-{
-  EXPECT_EQ(as_utf8("d\xC3\xAFjk"), "d\xC3\xAFjk");
-  EXPECT_EQ(as_utf8("d\xEFjk"), "d\xEF\xBF\xBDjk");  // Windows-1252
-  EXPECT_EQ(as_utf8("\xEF\xBB\xBF{}"), "\xEF\xBB\xBF{}");
-}
-
 TEST(JsonTree, RefusesTwoMeaningsAndShapesThatTakeAllMemory)
 {
   EXPECT_THAT(refusal_of("{\"A\":1,\"A\":2}"), HasSubstr("has the key `A` twice in one object"));

@@ -64,4 +64,19 @@ TEST(ReadParts, ResolvesTheHeadsOfReferenceLines)
   EXPECT_EQ(water.head_lines[water.reference_lines[1].bottom_head].label, "Pressure aquifer");
 }
 
+TEST(ReadParts, RefusesAnEmptyDegreeOfConsolidation)
+{
+  EXPECT_THAT(refusal_after("loads/loads.json", "\"Degree\":100.0", "\"Degree\":\"NaN\""),
+      HasSubstr("Consolidations[0].Degree: needs a number\n  Got the text \"NaN\"."));
+}
+
+TEST(ReadParts, TellsOfUnknownKeysAndMissingPlacesOfWhatItLeavesOut)
+{
+  EXPECT_THAT(remarks_of(read_changed("reinforcements/reinforcements.json", "\"ForbiddenLines\":[",
+                  "\"ForbiddenLines\":[{\"Label\":\"wall\",\"Start\":null,\"End\":null,\"Depth\":5}")),
+      UnorderedElementsAre(
+          "reinforcements/reinforcements.json, ForbiddenLines[].Depth: This key is not known to Terp and was not used.",
+          HasSubstr("often sheet piles: `wall`. Left out.")));
+}
+
 }  // namespace

@@ -1,5 +1,6 @@
 // D-Stability files of both data models, and what is wrong with damaged ones.
 #include "archives.hpp"
+#include "dstability/section.hpp"
 
 namespace {
 
@@ -149,6 +150,34 @@ TEST(ReadStix, ReadsEverySampleButTheEmptyOne)
     if (entry.path().extension() != ".stix" || entry.path().stem() == "empty-2023") continue;
     EXPECT_EQ(refusal([&] { read_stix(entry.path().string()); }), "") << entry.path();
   }
+}
+
+TEST(ReadStix, RefusesIdsThatAreThereTwice)
+{
+  EXPECT_THAT(refusal_after("scenarios/scenario.json", "\"Stages\":[{\"Id\":\"1\"", "\"Stages\":[{\"Id\":\"0\""),
+      HasSubstr("scenario 1, stage 1: has the id 0, which scenario 1 has\n"));
+  EXPECT_THAT(
+      refusal_after("scenarios/scenario.json", "\"Calculations\":[{\"Id\":\"2\"", "\"Calculations\":[{\"Id\":\"1\""),
+      HasSubstr("scenario 1, calculation 1: has the id 1, which scenario 1, stage 1 has\n"));
+}
+
+TEST(ReadStix, TellsOfALayerWithTwoStatePoints)
+{
+  const StixProject project =
+      read_changed("states/states.json", "\"Id\":\"25\",\"LayerId\":\"17\"", "\"Id\":\"25\",\"LayerId\":\"16\"");
+  EXPECT_THAT(
+      remarks_of(project), ElementsAre("scenario 1, stage 1: The layer with the id 16 has two state points. This stage "
+                                       "and later ones cannot be computed."));
+  EXPECT_THAT(refusal<InputError>([&] { StixSection(project, 0, 0, StixBasis::deterministic); }),
+      HasSubstr("the layer with the id 16 has two state points\n  Which one holds cannot be known."));
+}
+
+TEST(ReadStix, SaysThatTheFolderWasZippedAsAWhole)
+{
+  Members members = compact_sample(berm);
+  for (auto& [name, text] : members) name = "berm/" + name;
+  EXPECT_THAT(
+      refusal_of(members), HasSubstr("soils.json: is missing\n  All members lie in a folder. Zip the files in it"));
 }
 
 }  // namespace

@@ -34,6 +34,8 @@ TEST(Slices, FitInAllSamplesThatAreNotStale)
       EXPECT_EQ(result.trouble, "");
       if (!result.stale.empty()) continue;
       const SliceDeviation most = largest_deviation(result);
+      EXPECT_EQ(most.missing, 0u) << sample.sample << name;
+      EXPECT_GE(most.compared, 2 * result.rows.size()) << sample.sample << name;
       EXPECT_LT(most.total_stress, 50.0) << sample.sample << name;
       EXPECT_LT(most.pore_pressure, 50.0) << sample.sample << name;
       EXPECT_LT(most.yield_stress, 100.0) << sample.sample << name;
@@ -114,6 +116,23 @@ TEST(Slices, OfAStageThatCannotBeComputedSayWhy)
   EXPECT_THAT(results[0].trouble, HasSubstr("has no soil"));
   EXPECT_NE(results[0].stale, "");
   EXPECT_THAT(slices_csv(results), HasSubstr(",1,nan,"));
+}
+
+TEST(Slices, WithoutAComputedNumberAreCounted)
+{
+  StixProject project = read_stix(sample_path("berm-fragility-2023"));
+  StixSlice& first = project.scenarios[0].calculations[0].result->slices[0];
+  first.bottom_left[1] = first.bottom_right[1] = 500.0;  // far above the ground: nothing is computed there
+  const SliceDeviation most = largest_deviation(compare_slices(project)[0]);
+  EXPECT_EQ(most.missing, 2u);  // total stress and pore pressure; this slice is of drained soil
+}
+
+TEST(Slices, HaveNamesInQuotesWhereTheTableNeedsThem)
+{
+  ResultSlices result;
+  result.name = "bishop/a,\"b\"\x1B[31m";
+  result.rows.resize(1);
+  EXPECT_THAT(slices_csv({result}), HasSubstr("\n\"bishop/a,\"\"b\"\"?[31m\","));
 }
 
 }  // namespace

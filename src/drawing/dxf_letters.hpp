@@ -1,0 +1,14 @@
+// Letters of a DXF text. Up to the release of 2004 they are in a code page of the header, from 2007 on in UTF-8; any
+// may also stand as \U+XXXX. Not for: what the text says (dxf_file.hpp).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace terp {
+
+/// The text in UTF-8. What is UTF-8 already stays. Bytes of the code page "ANSI_1252", which is also that of an empty
+/// name, are its letters; of other pages each byte above 0x7F is U+FFFD.
+std::string dxf_letters(std::string_view text, std::string_view code_page);
+
+}  // namespace terp
