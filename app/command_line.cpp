@@ -239,10 +239,11 @@ void declare_import_folder(CLI::App* import, ImportCommand& command)
       ->check(number_between(1e-3, 1e3));
   import
       ->add_option("--between", command.between,
-          "take over this part of the section only, from x to x\n[m]; far ends cost time and decide nothing")
+          "part of the section that is taken over, from x to x\n[m] (default: the dike and room for its slides)")
       ->option_text("X,X")
       ->delimiter(',')
       ->expected(2);
+  import->add_option("--base", command.base, "level above which it is taken over [m]")->option_text("Z");
   import->add_option("--unit", command.unit, "of a drawing: m, dm, cm, mm, ft, in\n(default: that of its header)")
       ->option_text("U");
   import->add_option("--soil-defaults", command.soil_defaults, "table of what the file does not say of soils")

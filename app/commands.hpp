@@ -73,7 +73,8 @@ struct ImportCommand {
   int scenario = 0, stage = 0;  ///< numbers from 1; 0: left out
   std::string strength;         ///< deterministic, design, mean; empty: deterministic
   double cell = 0.0;            ///< [m]; 0: from the section
-  std::vector<double> between;  ///< x of the part of the section that is taken over [m]; empty: all
+  std::vector<double> between;  ///< x of the part of the section that is taken over [m]; empty: what matters
+  std::optional<double> base;   ///< level above which it is taken over [m]; none: what matters
   std::string unit;             ///< of a drawing; empty: that of its header
   std::string soil_defaults;    ///< CSV file; empty: the table of the program
   bool print_defaults = false;

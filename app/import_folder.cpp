@@ -88,7 +88,7 @@ int import_drawing(const ImportCommand& command)
     return solved;
   }
   write_folder(command, drawing_folder_of(regions, drawing.notes,
-                            {command.path, command.cell, between_of(command), soil_kinds(command)}));
+                            {command.path, command.cell, between_of(command), command.base, soil_kinds(command)}));
   return solved;
 }
 
@@ -111,6 +111,7 @@ FolderOptions folder_options(const StixProject& project, const ImportCommand& co
       .stage = static_cast<std::size_t>(stage - 1),
       .cell = command.cell,
       .between = between_of(command),
+      .base = command.base,
       .kinds = soil_kinds(command)};
   if (command.strength == "design") options.basis = StixBasis::design;
   if (command.strength == "mean") options.basis = StixBasis::mean;

@@ -4,6 +4,7 @@
 #include "dstability/preload.hpp"
 #include "dstability/reference_text.hpp"
 #include "dstability/section_layout.hpp"
+#include "dstability/section_part.hpp"
 #include "dstability/soil_text.hpp"
 #include "dstability/water_text.hpp"
 #include "input/printable.hpp"
@@ -30,11 +31,6 @@ struct Piece {
   std::string history = {};      ///< of its preload: pieces of one soil and history share a grid
 };
 
-bool is_shansep(const StixSoil& soil, int zone)
-{
-  return (zone == 2 ? soil.above : soil.below) == StixStrengthModel::shansep;
-}
-
 class FolderMaker {
  public:
   FolderMaker(const StixProject& project, const FolderOptions& options)
@@ -48,16 +44,13 @@ class FolderMaker {
       throw InputError({stage_.label, "this stage has no layers", "There is nothing to make a case of.", ""});
     for (const StixLayer& layer : stage_.layers)
       drawn_.push_back({layer.label.empty() ? layer.id : layer.label, layer.outline});
-    for (std::size_t k = 0; k < drawn_.size(); ++k) layers_.push_back(k);
-    if (options.between) cut_ends(*options.between);
+    check_outlines(drawn_);
     for (const StixLine& pit : stage_.excavations)
       pits_.push_back({fmt::format("excavation {}", pits_.size() + 1), pit});
     find_river();
-    LayoutWishes wishes{.cell = options.cell};
-    if (!river_.empty()) wishes.land = river_ == "left" ? LandEnd::right : LandEnd::left;
-    const auto [one, other] = std::minmax(stage_.embankment.top_water, stage_.embankment.top_land);
-    if (std::isfinite(one + other)) wishes.crest = Vec<2>{one, other};
-    layout_ = layout_of(drawn_, pits_, wishes);
+    take_part();
+    find_river();
+    layout_ = layout_of(drawn_, pits_, wishes_for(options.cell));
     cleaning_ = cleaning_for(layout_.cell);
     clean_ = clean_regions(drawn_, pits_, cleaning_);
     is_staged_ = options.stage > 0;
@@ -73,6 +66,7 @@ class FolderMaker {
     text_.title = fmt::format("{}: {}", scenario().label, stage_.label);
     text_.head = head_comments();
     text_.before.push_back(mesh_table(layout_));
+    if (!part_.empty()) text_.before.back().comment += "\n" + part_;
     make_time();
     for (CaseTableText& table : common_tables(layout_)) text_.after.push_back(std::move(table));
     for (CaseTableText& table : reference_texts(project_, options_.scenario, options_.stage))
@@ -88,20 +82,34 @@ class FolderMaker {
  private:
   const StixScenario& scenario() const { return project_.scenarios[options_.scenario]; }
 
-  void cut_ends(Vec<2> between)
+  LayoutWishes wishes_for(Real cell) const
   {
-    check_outlines(drawn_);
-    drawn_ = part_between(drawn_, between);
-    std::vector<DrawnRegion> kept;
-    layers_.clear();
-    for (std::size_t k = 0; k < drawn_.size(); ++k)
-      if (std::abs(signed_area(drawn_[k].polygon)) > 1e-6) {
-        kept.push_back(drawn_[k]);
-        layers_.push_back(k);
-      }
-    drawn_ = std::move(kept);
-    geometry_.push_back(fmt::format(
-        "Only the part from x = {:g} to {:g} m was taken over, as --between asks.", between[0], between[1]));
+    LayoutWishes wishes{.cell = cell};
+    if (!river_.empty()) wishes.land = river_ == "left" ? LandEnd::right : LandEnd::left;
+    const auto [one, other] = std::minmax(stage_.embankment.top_water, stage_.embankment.top_land);
+    if (std::isfinite(one + other)) wishes.crest = Vec<2>{one, other};
+    return wishes;
+  }
+
+  /// Without other wishes the part that matters; an end at which the river stands stays if the river would be lost.
+  void take_part()
+  {
+    std::vector<bool> is_undrained;
+    for (const StixLayer& layer : stage_.layers) is_undrained.push_back(has_su(project_.soils[*layer.soil]));
+    const Vec<2> crest = layout_of(drawn_, pits_, wishes_for(1e3)).crest;
+    SectionPart part = part_that_matters(drawn_, pits_, crest, is_undrained);
+    const BoundingBox box = box_around(drawn_);
+    if (river_ == "left" && !(river_level(part.between[0]) > -1e30)) part.between[0] = box.low[0];
+    if (river_ == "right" && !(river_level(part.between[1]) > -1e30)) part.between[1] = box.high[0];
+    if (options_.between || options_.base) part.why.clear();
+    part.between = options_.between.value_or(part.between);
+    part.base = options_.base.value_or(part.base);
+    part_ = describe(part, drawn_);
+    if (!part_.empty()) geometry_.push_back(part_);
+    const std::vector<DrawnRegion> taken = part_of(drawn_, part);
+    drawn_.clear();
+    for (std::size_t k = 0; k < taken.size(); ++k)
+      if (!taken[k].polygon.empty()) drawn_.push_back(taken[k]), layers_.push_back(k);
   }
 
   const StixLayer& layer_of(int drawn) const { return stage_.layers[layers_[drawn]]; }
@@ -292,17 +300,19 @@ class FolderMaker {
 
   // ------------------------------------------------------------------------------------------- river, loads, stages
 
+  /// Of water that stands on the ground at x; very low where none does [m].
+  Real river_level(Real x) const
+  {
+    const StixWaterColumn water = section_.column(x).now().water();
+    return water.free_water() > least_river ? water.phreatic() : -1e30;
+  }
+
   /// The end at which water stands on the ground; of two the one with the higher level.
   void find_river()
   {
-    Real ends[2] = {1e30, -1e30};
-    for (const DrawnRegion& region : drawn_)
-      for (const Vec<2>& x : region.polygon) ends[0] = std::min(ends[0], x[0]), ends[1] = std::max(ends[1], x[0]);
-    const auto level = [&](Real x) {
-      const StixWaterColumn water = section_.column(x).now().water();
-      return water.free_water() > least_river ? water.phreatic() : -1e30;
-    };
-    const Real left = level(ends[0] + 1e-6), right = level(ends[1] - 1e-6);
+    const BoundingBox box = box_around(drawn_);
+    const Real left = river_level(box.low[0] + 1e-6), right = river_level(box.high[0] - 1e-6);
+    river_.clear();
     if (std::max(left, right) > -1e30) river_ = left >= right ? "left" : "right";
   }
 
@@ -376,10 +386,8 @@ class FolderMaker {
 
   void make_time()
   {
-    if (!is_staged_) {
-      text_.before.push_back({"[time]", "", {{"until", "\"at_rest\"", ""}, {"at_most", "30.0", "s"}}});
-      return;
-    }
+    text_.before.push_back(time_table(!is_staged_));
+    if (!is_staged_) return;
     const std::string first = key_of_name(scenario().stages.front().label);
     std::string last = key_of_name(stage_.label);
     if (last == first) last += "_2";
@@ -469,7 +477,7 @@ class FolderMaker {
   CleaningOptions cleaning_;
   CleanSection clean_;
   bool is_staged_ = false;
-  std::string situation_, river_;
+  std::string situation_, river_, part_;
   std::vector<Vec<2>> phreatic_;
   std::vector<Piece> pieces_, base_;  ///< of the file; below its base
   std::map<std::string, SoilUse> uses_;

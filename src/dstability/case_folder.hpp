@@ -14,7 +14,9 @@ namespace terp {
 struct FolderOptions {
   std::size_t scenario = 0, stage = 0;  ///< numbers from 0
   Real cell = 0.0;                      ///< size of the cells [m]; 0: from the section
-  std::optional<Vec<2>> between = {};   ///< x of the part of the section that is taken over [m]; none: all
+  /// What is taken over of the section: between two x, and above a level [m]; none: section_part.hpp chooses.
+  std::optional<Vec<2>> between = {};
+  std::optional<Real> base = {};
   StixBasis basis = StixBasis::deterministic;
   std::vector<SoilKind> kinds;  ///< soil defaults
 };

@@ -68,7 +68,7 @@ std::string body_text(const CaseBodyText& body)
     for (const Polygon& hole : body.holes) text += "  " + places_text(hole, 4, 2) + ",\n";
     text += "]\n";
   }
-  return text + "points_per_cell = [3, 3]\n";
+  return text + "points_per_cell = [4, 4]\n";
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "dstability/drawing_folder.hpp"
 
 #include "dstability/section_layout.hpp"
+#include "dstability/section_part.hpp"
 #include "dstability/soil_text.hpp"
 #include "input/printable.hpp"
 
@@ -35,8 +36,11 @@ CaseFolder drawing_folder_of(
 {
   check_outlines(whole.regions);
   DxfRegions drawing = whole;
-  if (options.between) drawing.regions = part_between(whole.regions, *options.between);
-  std::erase_if(drawing.regions, [](const DrawnRegion& r) { return std::abs(signed_area(r.polygon)) < 1e-6; });
+  SectionPart part;
+  part.between = options.between.value_or(part.between);
+  part.base = options.base.value_or(part.base);
+  drawing.regions = part_of(whole.regions, part);
+  std::erase_if(drawing.regions, [](const DrawnRegion& r) { return r.polygon.empty(); });
   const SectionLayout layout = layout_of(drawing.regions, {}, {.cell = options.cell});
   const CleaningOptions cleaning = cleaning_for(layout.cell);
   const CleanSection clean = clean_regions(drawing.regions, {}, cleaning);
@@ -47,7 +51,7 @@ CaseFolder drawing_folder_of(
                   "water. Fill in what is a default.",
           options.path),
       "Units: m, s, Pa, kg unless one stands with the number."};
-  text.before = {mesh_table(layout), {"[time]", "", {{"until", "\"at_rest\"", ""}, {"at_most", "30.0", "s"}}}};
+  text.before = {mesh_table(layout), time_table(true)};
   BodyOrder order;
   std::map<std::string, std::string> materials;  // name of a layer -> key
   for (const CleanRegion& region : clean.regions) {

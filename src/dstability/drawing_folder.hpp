@@ -14,6 +14,7 @@ struct DrawingFolderOptions {
   std::string path;                    ///< of the drawing, for comments
   Real cell = 0.0;                     ///< size of the cells [m]; 0: from the section
   std::optional<Vec<2>> between = {};  ///< x of the part that is taken over [m]; none: all
+  std::optional<Real> base = {};       ///< level above which it is taken over [m]; none: all
   std::vector<SoilKind> kinds;
 };
 

@@ -19,17 +19,23 @@ constexpr Real most_cells_asked_for = 4e6;  // some 36 million points
 constexpr Real least_dike = 0.25;           // of the height of the ground: what is lower is no dike, but a field
 constexpr Real round_cells[] = {0.05, 0.1, 0.125, 0.2, 0.25, 0.4, 0.5, 0.8, 1.0, 1.25, 2.0, 2.5, 4.0, 5.0, 10.0};
 
-/// Highest and lowest soil of a region at x.
-void stretch(const std::vector<Polygon>& outlines, Real x, Real& low, Real& high)
+/// Elevation of the ground at x, excavations cut; very low where there is no soil [m].
+Real ground_at(const std::vector<DrawnRegion>& drawn, const std::vector<DrawnExcavation>& excavations, Real x)
 {
-  for (const Polygon& p : outlines)
+  Real high = -1e30;
+  for (const DrawnRegion& region : drawn) {
+    const Polygon& p = region.polygon;
     for (std::size_t k = 0; k < p.size(); ++k) {
       const Vec<2>&a = p[k], &b = p[(k + 1) % p.size()];
-      if ((a[0] > x) == (b[0] > x)) continue;
-      const Real y = a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]);
-      low = std::min(low, y);
-      high = std::max(high, y);
+      if ((a[0] > x) != (b[0] > x)) high = std::max(high, a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]));
     }
+  }
+  for (const DrawnExcavation& pit : excavations) {
+    auto line = pit.places;
+    std::ranges::sort(line, {}, [](const Vec<2>& at) { return at[0]; });
+    if (line.size() > 1 && x > line.front()[0] && x < line.back()[0]) high = std::min(high, interpolate(line, x));
+  }
+  return high;
 }
 
 Real length_of(const Polygon& outline)
@@ -114,44 +120,45 @@ Real round_cell(Real wanted, Real area)
 
 }  // namespace
 
+BoundingBox box_around(const std::vector<DrawnRegion>& drawn)
+{
+  BoundingBox all{{1e30, 1e30}, {-1e30, -1e30}};
+  for (const DrawnRegion& region : drawn)
+    for (const Vec<2>& x : region.polygon)
+      for (int d = 0; d < 2; ++d) all.low[d] = std::min(all.low[d], x[d]), all.high[d] = std::max(all.high[d], x[d]);
+  return all;
+}
+
+std::vector<Vec<2>> ground_line(const std::vector<DrawnRegion>& drawn, const std::vector<DrawnExcavation>& excavations,
+    const std::optional<Vec<2>>& more)
+{
+  const BoundingBox box = box_around(drawn);
+  std::set<Real> places;
+  const auto insert = [&](Real x) { places.insert(std::clamp(x, box.low[0], box.high[0])); };
+  for (const DrawnRegion& region : drawn)
+    for (const Vec<2>& x : region.polygon) insert(x[0]);
+  for (const DrawnExcavation& pit : excavations)
+    for (const Vec<2>& x : pit.places) insert(x[0]);
+  if (more)
+    for (const Real x : *more) insert(x);
+  const Real inside = 1e-6 * (box.high[0] - box.low[0]);
+  std::vector<Vec<2>> line;
+  for (const Real place : places)
+    for (const Real x : {place - inside, place + inside})
+      if (const Real y = ground_at(drawn, excavations, x); y > -1e30) line.push_back({x, y});
+  return line;
+}
+
 SectionLayout layout_of(
     const std::vector<DrawnRegion>& drawn, const std::vector<DrawnExcavation>& excavations, const LayoutWishes& wishes)
 {
-  const Real far = 1e30;
-  SectionLayout layout{{far, far}, {-far, -far}};
-  std::vector<Polygon> outlines;
-  std::set<Real> places;
+  const BoundingBox box = box_around(drawn);
+  SectionLayout layout{box.low, box.high};
   Real area = 0.0;
-  for (const DrawnRegion& region : drawn) {
-    outlines.push_back(region.polygon);
-    area += std::abs(signed_area(region.polygon));
-    for (const Vec<2>& x : region.polygon) {
-      places.insert(x[0]);
-      for (int d = 0; d < 2; ++d) {
-        layout.low[d] = std::min(layout.low[d], x[d]);
-        layout.high[d] = std::max(layout.high[d], x[d]);
-      }
-    }
-  }
-  const auto ground = [&](Real x) {
-    Real low = far, high = -far;
-    stretch(outlines, x, low, high);
-    for (const DrawnExcavation& pit : excavations) {
-      auto line = pit.places;
-      std::ranges::sort(line, {}, [](const Vec<2>& at) { return at[0]; });
-      if (line.size() > 1 && x > line.front()[0] && x < line.back()[0]) high = std::min(high, interpolate(line, x));
-    }
-    return high;
-  };
-  const Real width = layout.high[0] - layout.low[0], inside = 1e-6 * width;
-  layout.left = ground(layout.low[0] + inside);
-  layout.right = ground(layout.high[0] - inside);
-  if (wishes.crest)
-    for (const Real x : *wishes.crest) places.insert(std::clamp(x, layout.low[0], layout.high[0]));
-  std::vector<Vec<2>> surface;
-  for (const Real x : places)
-    for (const Real at : {x - inside, x + inside})
-      if (const Real y = ground(at); y > -far) surface.push_back({at, y});
+  for (const DrawnRegion& region : drawn) area += std::abs(signed_area(region.polygon));
+  const std::vector<Vec<2>> surface = ground_line(drawn, excavations, wishes.crest);
+  layout.left = surface.front()[1];
+  layout.right = surface.back()[1];
   layout.crest = crest_of(surface, wishes.crest);
   layout.top = std::ranges::max(surface, {}, [](const Vec<2>& x) { return x[1]; })[1];
   const bool is_left = wishes.land == LandEnd::left || (wishes.land == LandEnd::lower && layout.left < layout.right);
@@ -169,22 +176,6 @@ SectionLayout layout_of(
             cells, most_cells_asked_for, std::sqrt(area / most_cells_asked_for)),
         ""});
   return layout;
-}
-
-std::vector<DrawnRegion> part_between(const std::vector<DrawnRegion>& drawn, Vec<2> between)
-{
-  std::vector<DrawnRegion> part;
-  for (const DrawnRegion& region : drawn) {
-    Polygon polygon = clip_to_box(region.polygon, {{between[0], -1e9}, {between[1], 1e9}});
-    polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
-    part.push_back({region.name, std::move(polygon)});
-  }
-  const auto is_empty = [](const DrawnRegion& r) { return std::abs(signed_area(r.polygon)) < 1e-6; };
-  if (std::ranges::all_of(part, is_empty))
-    throw InputError({"", "there is no soil between these x",
-        fmt::format("Got --between {:g},{:g}. terp import FILE lists where the section is.", between[0], between[1]),
-        ""});
-  return part;
 }
 
 std::vector<Vec<2>> places_in(const CleanRegion& region, Real step)
@@ -234,6 +225,16 @@ std::vector<CaseTableText> common_tables(const SectionLayout& layout)
       {"[output.history]", "",
           {{"every", "0.1", "s"},
               {"points", fmt::format("{{ crest = [{:.2f}, {:.2f}] }}", layout.crest[0], layout.crest[1] - 0.3), ""}}}};
+}
+
+CaseTableText time_table(bool is_one_stage)
+{
+  CaseTableText table{"[time]",
+      "At rest: soil with 2e-4 of its weight out of balance gains this speed in this time, half a period of soft soil "
+      "of some 25 m.",
+      {{"rest_speed", "4e-3", "m/s"}, {"rest_time", "2.0", "s"}}};
+  if (is_one_stage) table.lines.insert(table.lines.begin(), {{"until", "\"at_rest\"", ""}, {"at_most", "30.0", "s"}});
+  return table;
 }
 
 std::vector<CutRegion> cut_along(

@@ -32,9 +32,13 @@ struct LayoutWishes {
 SectionLayout layout_of(
     const std::vector<DrawnRegion>& drawn, const std::vector<DrawnExcavation>& excavations, const LayoutWishes& wishes);
 
-/// The part of each outline between two x [m]; nothing left of one: its polygon is empty. Throws InputError if nothing
-/// is left of any.
-std::vector<DrawnRegion> part_between(const std::vector<DrawnRegion>& drawn, Vec<2> between);
+/// Limits of the soil [m].
+BoundingBox box_around(const std::vector<DrawnRegion>& drawn);
+
+/// The ground from left to right [m], excavations cut: two places at each corner, close to its left and its right.
+/// more: x of further places.
+std::vector<Vec<2>> ground_line(const std::vector<DrawnRegion>& drawn, const std::vector<DrawnExcavation>& excavations,
+    const std::optional<Vec<2>>& more = {});
 
 /// Places in a region on a grid [m]; at least one.
 std::vector<Vec<2>> places_in(const CleanRegion& region, Real step);
@@ -47,6 +51,9 @@ CaseTableText mesh_table(const SectionLayout& layout);
 
 /// [boundary], [forces], [method], [initial], [output].
 std::vector<CaseTableText> common_tables(const SectionLayout& layout);
+
+/// [time]: what counts as rest; of a run of one stage its end, too.
+CaseTableText time_table(bool is_one_stage);
 
 /// What lies on one side of a line that cuts a region.
 struct CutRegion {

@@ -247,6 +247,19 @@ bool same_above_and_below(const StixSoil& soil)
   return soil.above == soil.below && soil.weight_above == soil.weight_below;
 }
 
+bool has_su(const StixSoil& soil)
+{
+  const auto is_su = [](StixStrengthModel m) {
+    return m == StixStrengthModel::shansep || m == StixStrengthModel::su_table;
+  };
+  return is_su(soil.below) || is_su(soil.above);
+}
+
+bool is_shansep(const StixSoil& soil, int zone)
+{
+  return (zone == 2 ? soil.above : soil.below) == StixStrengthModel::shansep;
+}
+
 SoilText soil_text(const SoilUse& use, StixBasis basis, const std::vector<SoilKind>& kinds)
 {
   const StixSoil& soil = *use.soil;

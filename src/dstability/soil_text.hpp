@@ -42,6 +42,11 @@ CaseMaterialText default_soil_text(const std::string& name, const std::string& l
 /// True if both sides of the phreatic line have the same strength and weight.
 bool same_above_and_below(const StixSoil& soil);
 
+/// Its strength below the phreatic line or above it is an undrained one.
+bool has_su(const StixSoil& soil);
+/// zone: 2: above the phreatic line, else below it.
+bool is_shansep(const StixSoil& soil, int zone);
+
 /// "18 kN/m3", "12.5 kPa".
 std::string kilo_text(Real value, const char* unit);
 

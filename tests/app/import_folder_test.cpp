@@ -27,7 +27,7 @@ TEST(ImportFolder, WritesAStageThatTerpChecks)
       test::terp({"import", tutorial, "--scenario", "2", "--between", "-30,60", "--cell", "1", "-o", folder});
   EXPECT_EQ(f.status, 0) << f.err;
   EXPECT_THAT(f.out, HasSubstr("Next: terp check " + folder + "/case.toml"));
-  EXPECT_THAT(text_of(folder + "/report.md"), HasSubstr("Only the part from x = -30 to 60 m was taken over"));
+  EXPECT_THAT(text_of(folder + "/report.md"), HasSubstr("Only the part from x = -30 to 60 m and above z = -9 m was"));
   const Finished check = test::terp({"check", folder + "/case.toml"});
   EXPECT_EQ(check.status, 0) << check.err;
   EXPECT_THAT(check.out, HasSubstr("su_peak"));

@@ -143,12 +143,4 @@ TEST(PutOnTop, PutsTheInnerRegionBehindTheOuterOne)
   EXPECT_TRUE(order.bodies[0].holes.empty());  // the inner one fills it
 }
 
-TEST(PartBetween, ClipsOutlines)
-{
-  const auto part =
-      part_between({{"a", {{0, 0}, {10, 0}, {10, 4}, {0, 4}}}, {"b", {{50, 0}, {60, 0}, {60, 4}}}}, {5, 20});
-  EXPECT_NEAR(std::abs(signed_area(part[0].polygon)), 20.0, 1e-12);
-  EXPECT_EQ(std::abs(signed_area(part[1].polygon)), 0.0);
-}
-
 }  // namespace
