@@ -62,8 +62,8 @@ class StudyProgress {
     ++made_;
     spent_ += newest.wall_s;
     const double now = std::chrono::duration<double>(Clock::now() - start_).count();
-    if (quiet_ || (now < next_ && !terminal_)) return;
-    next_ = now + 10.0;
+    if (quiet_ || now < next_) return;
+    next_ = now + (terminal_ ? 0.2 : 10.0);
     Index done = 0, n_all = 0;
     std::int64_t slid = 0, flooded = 0, solved = 0, failed = 0;
     for (const auto& [number, r] : all) {

@@ -85,34 +85,42 @@ std::string field_text(const Study& study, std::size_t number, Index realisation
       realisation, parts_text(study, number), f.known.empty() ? "" : ", known = " + f.known);
 }
 
-/// Mean over the box of the field over its trend. Of one with known values: of the field before it is conditioned.
-Real mean_of_field(const Study& study, std::size_t number, Index realisation)
+GaussianFieldCase field_case(const Study& study, std::size_t number, Index realisation)
 {
-  const RandomFieldKey& f = study.settings.fields[number];
   GaussianFieldCase field{.seed = static_cast<std::uint32_t>(study.settings.seed),
       .realisation = static_cast<std::uint32_t>(realisation),
-      .scale = f.scale,
+      .scale = study.settings.fields[number].scale,
       .low = study.boxes[number][0],
       .high = study.boxes[number][1],
       .parts = {}};
   for (std::size_t k = 0; k <= number; ++k)
     if (const Real weight = study.of_fields.at(number, k); weight != 0.0)
       field.parts.emplace_back(static_cast<std::uint32_t>(k), weight);
-  const FieldMarginal marginal = f.distribution == "normal" ? FieldMarginal::normal : FieldMarginal::lognormal;
-  const GaussianField made(field);
+  return field;
+}
+
+/// Mean over the box of the field over its trend, in n x n places.
+Real mean_of_field(const Study& study, std::size_t number, Index realisation)
+{
+  const FieldOverTrend field(study, number, realisation);
+  const auto& [low, high] = study.boxes[number];
   constexpr int n = 40;
   Real sum = 0.0;
   for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) {
-      const Vec<2> share{(i + 0.5) / n, (j + 0.5) / n};
-      sum += value_over_mean(marginal, f.cov,
-          made.at({field.low[0] + share[0] * (field.high[0] - field.low[0]),
-              field.low[1] + share[1] * (field.high[1] - field.low[1])}));
-    }
+    for (int j = 0; j < n; ++j)
+      sum += field.at({low[0] + (i + 0.5) / n * (high[0] - low[0]), low[1] + (j + 0.5) / n * (high[1] - low[1])});
   return sum / (n * n);
 }
 
 }  // namespace
+
+FieldOverTrend::FieldOverTrend(const Study& study, std::size_t field, Index realisation)
+    : marginal_(
+          study.settings.fields[field].distribution == "normal" ? FieldMarginal::normal : FieldMarginal::lognormal),
+      cov_(study.settings.fields[field].cov),
+      field_(field_case(study, field, realisation))
+{
+}
 
 Draw draw_realisation(const Study& study, Index realisation)
 {

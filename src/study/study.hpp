@@ -3,6 +3,7 @@
 #pragma once
 
 #include "input/case_file.hpp"
+#include "simulation/gaussian_field.hpp"
 #include "simulation/model.hpp"
 #include "study/correlation.hpp"
 #include "study/study_file.hpp"
@@ -42,6 +43,18 @@ Draw draw_realisation(const Study& study, Index realisation);
 
 /// The case of a draw. Throws CaseError where it refuses what was drawn.
 CaseFile case_of(const Study& study, const Draw& draw);
+
+/// A field of a realisation over its trend; without the values of soundings.
+class FieldOverTrend {
+ public:
+  FieldOverTrend(const Study& study, std::size_t field, Index realisation);
+  Real at(Vec<2> x) const { return value_over_mean(marginal_, cov_, field_.at(x)); }
+
+ private:
+  FieldMarginal marginal_;
+  Real cov_;
+  GaussianField field_;
+};
 
 /// An input as text: numbers to 6 digits, words of a sweep as they are.
 std::string input_text(const Study& study, std::size_t number, Real value);

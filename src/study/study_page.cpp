@@ -1,6 +1,7 @@
 #include "study/study_page.hpp"
 
 #include "report/plain_page.hpp"
+#include "study/field_picture.hpp"
 #include "study/study_text.hpp"
 
 #include <fmt/format.h>
@@ -253,10 +254,19 @@ std::string page_of_samples(const Study& study, Index n, const std::string& writ
   }
   std::vector<LineChart> charts;
   for (std::size_t i = 0; i < names.size(); ++i) charts.push_back(histogram(names[i], names[i], columns[i]));
+  std::string fields;
+  constexpr Index n_pictures = 4;
+  for (std::size_t k = 0; k < study.settings.fields.size(); ++k) {
+    fields +=
+        "<section><h2>Field of " + html_cell("code", study.settings.fields[k].key) + "</h2>\n<div class=\"charts\">";
+    for (Index r = 0; r < std::min(n, n_pictures); ++r)
+      fields += "<figure>" + field_picture(study, k, r) + "</figure>\n";
+    fields += "</div></section>\n";
+  }
   return plain_page({.title = title_of(study.settings),
       .name = title_of(study.settings) + ": samples",
       .subtitle = fmt::format("What {} realisations of {} would be drawn with", n, study.settings.case_path),
-      .body = "<section><h2>Histograms of the input</h2>\n" + html_figures(charts) + "</section>\n",
+      .body = "<section><h2>Histograms of the input</h2>\n" + html_figures(charts) + "</section>\n" + fields,
       .footer = footer(written, "")});
 }
 

@@ -80,4 +80,14 @@ TEST(Estimates, ThePageStandsAloneAndSaysWhatTheNumbersMean)
   EXPECT_THAT(page, Not(HasSubstr("src=")));
 }
 
+TEST(Estimates, APageOfSamplesShowsHistogramsAndFields)
+{
+  const ScratchFolder folder;
+  const Study study = prepare_study(read_study(write_study(folder.path(), field_study)));
+  const std::string page = page_of_samples(study, 6, "now");
+  EXPECT_THAT(page, HasSubstr("Field of <code>material.clay.su_peak</code>"));
+  EXPECT_THAT(page, HasSubstr("realisation 3, over the trend: dark 0.5, bright 2"));
+  EXPECT_THAT(page, HasSubstr("What 6 realisations of column.toml would be drawn with"));
+}
+
 }  // namespace
