@@ -273,7 +273,12 @@ std::vector<ChangedValue> check_unchanged(const std::string& folder, const State
 State restore_from(const std::string& path, const Model& model, const StateImage& image)
 {
   try {
-    return restore(model, image);
+    State state = restore(model, image);
+    if (state.has_no_start)
+      throw FileError(
+          "it is the end of a search for equilibrium that found none, kept to look at: nothing can be "
+          "judged that goes on from there");
+    return state;
   } catch (const FileError& error) {
     throw FileError(fmt::format("{}: {}\n  Resume from another: terp resume CHECKPOINT", path, error.what()));
   }

@@ -16,7 +16,8 @@ namespace terp {
 namespace {
 
 constexpr Real never = std::numeric_limits<Real>::quiet_NaN();
-constexpr Real round_off = 1e-9;  // of heights and widths [m]
+constexpr Real round_off = 1e-9;   // of heights and widths [m]
+constexpr Real slid_share = 0.05;  // of the square of the relief: a small slide of a toe or a berm
 
 std::optional<Real> known(Real value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
 
@@ -43,11 +44,21 @@ std::string criterion_text(const FloodCase& flood, Real level)
   return text;
 }
 
+/// Whether two models judge the same ground against the same water by the same criterion.
+bool is_judged_alike(const Model& a, const Model& b)
+{
+  const FloodCase &of_a = a.description.flood, &of_b = b.description.flood;
+  return a.flood_level.is_known() && a.flood_level.value == b.flood_level.value &&
+         a.flood_level.river == b.flood_level.river && of_a.smallest_freeboard == of_b.smallest_freeboard &&
+         of_a.smallest_width == of_b.smallest_width && of_a.intact_below == of_b.intact_below;
+}
+
 /// A verdict is one of all stages: it stays where displacement is counted anew.
 class Flood : public Follower {
   ColumnRange range_;          ///< of the ground that counts
   Real first_height_ = never;  ///< of the barrier at t = 0 [m]
   Real settles_ = 0.0;         ///< fall of the barrier from which on the ground is damaged [m]
+  Real slides_ = 0.0;          ///< volume of ground that moved, from which on it is [m^2]
   std::optional<Facing> river_;
   Real time_damaged_ = never, time_below_ = never;  ///< the first ones; but for slides [s]
 
@@ -56,7 +67,9 @@ class Flood : public Follower {
     const StandingGround ground = standing_ground(model, state.points);
     range_ = columns_of_barrier(ground);
     first_height_ = find_barrier(ground, range_).height;
-    settles_ = standing_tolerance(relief(first_section(model, state.points, ground_of(model))));
+    const Real height = relief(first_section(model, state.points, ground_of(model)));
+    settles_ = standing_tolerance(height);
+    slides_ = slid_share * height * height;
     river_ = river_side(model.flood_level, ground);
     time_damaged_ = time_below_ = never;
   }
@@ -79,7 +92,9 @@ class Flood : public Follower {
     keep_first(barrier.height < level.value + flood.smallest_freeboard - round_off ||
                    barrier.width < flood.smallest_width - round_off,
         time_below_);
-    keep_first(barrier.height < first_height_ - settles_ || barrier.intact_width < flood.smallest_width - round_off,
+    const Real moved = context.totals.moved.volume + volume_that_left(context.state);
+    keep_first(barrier.height < first_height_ - settles_ || barrier.intact_width < flood.smallest_width - round_off ||
+                   moved > slides_,
         time_damaged_);
   }
 
@@ -109,19 +124,28 @@ class Flood : public Follower {
   void save(ArrayWriter& arrays) const override
   {
     arrays.copy("columns", std::vector<std::int64_t>{range_.first, range_.last});
-    arrays.copy("ground", std::vector<Real>{first_height_, settles_});
+    arrays.copy("ground", std::vector<Real>{first_height_, settles_, slides_});
     arrays.copy("river", std::vector<std::int64_t>{!river_ ? 0 : static_cast<std::int64_t>(outwards(*river_))});
     arrays.copy("times", std::vector<Real>{time_damaged_, time_below_});
   }
   void load(const Model&, const State&, const ArrayReader& arrays) override
   {
-    const auto &ground = arrays.reals("ground", 2), &times = arrays.reals("times", 2);
+    const auto &ground = arrays.reals("ground", 3), &times = arrays.reals("times", 2);
     const auto& columns = arrays.wholes("columns", 2);
     range_ = {static_cast<Index>(columns[0]), static_cast<Index>(columns[1])};
-    first_height_ = ground[0], settles_ = ground[1];
+    first_height_ = ground[0], settles_ = ground[1], slides_ = ground[2];
     const std::int64_t river = arrays.wholes("river", 1)[0];
     river_ = river == 0 ? std::nullopt : std::optional(river > 0 ? Facing::right : Facing::left);
     time_damaged_ = times[0], time_below_ = times[1];
+  }
+
+  /// What the other run counted holds if it was judged against the same. Else only the ground of t = 0 is looked at,
+  /// and times begin here.
+  void begin_from(const Model& before, const Model& model, const State& first) override
+  {
+    const Real damaged = time_damaged_, below = time_below_;
+    start(model, first);
+    if (is_judged_alike(before, model)) time_damaged_ = damaged, time_below_ = below;
   }
 };
 

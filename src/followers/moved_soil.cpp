@@ -13,13 +13,6 @@
 namespace terp {
 namespace {
 
-Real volume_that_left(const State& state)
-{
-  Real volume = 0.0;
-  for (const LeftPoint& p : state.left) volume += p.volume;
-  return volume;
-}
-
 Real total_volume(const PointBlocks<2>& points, Ground ground)
 {
   Real volume = 0.0;

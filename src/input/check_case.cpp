@@ -92,6 +92,11 @@ void check_bodies(const Node& root, const Case& values, Findings& findings)
         !values.bodies[k].name.empty() && std::any_of(values.bodies.begin(), here, same_name))
       problems.push_back({path + ".name", fmt::format("two bodies have the name `{}`", values.bodies[k].name),
           "Give each its own, as in name = \"berm\".", "body.name"});
+    if (const std::string& own = values.bodies[k].name;
+        !own.empty() && own.find_first_not_of("0123456789") == std::string::npos)
+      problems.push_back({path + ".name", fmt::format("`{}` is no name of a body, but a number of one", own),
+          fmt::format("`--set body.{}.material=...` changes the body of that number. Give a name with a letter.", own),
+          "body.name"});
     const bool named = !name.empty() && values.bodies[k].points_file.empty();
     if (!named || names.empty() || std::ranges::find(names, name) != names.end()) continue;
     const std::string nearest = closest(name, names);

@@ -91,7 +91,16 @@ void check_water_stiffness(
 
 void check_friction(const Case& values, const MaterialCase& material, const MaterialType& law, Findings& findings)
 {
-  if (!values.water.is_given() || material.drainage != Drainage::by_law) return;
+  if (!values.water.is_given()) return;
+  if (const Real phi = parameter_of(material, law, "friction_angle");
+      material.drainage == Drainage::undrained && phi > 0.0)
+    findings.warnings.push_back({join_path(material_path(material), "drainage"),
+        fmt::format("the friction of `{}` carries the weight of the water, too", material.name),
+        fmt::format("It is undrained in total stress with friction_angle = {:g} deg: too strong where there is water. "
+                    "Give\ndrainage = \"undrained_effective\", or a strength without friction.",
+            phi),
+        "material.drainage", false, {material_path(material)}});
+  if (material.drainage != Drainage::by_law) return;
   if (parameter_of(material, law, "friction_angle") != 0.0) return;
   findings.warnings.push_back({join_path(material_path(material), "friction_angle"),
       fmt::format("`{}` is drained, and has no friction", material.name),

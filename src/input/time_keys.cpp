@@ -63,6 +63,7 @@ std::vector<KeyInfo> time_keys()
           .field = [](Case& c, std::size_t) { return &c.time.rest_speed; },
           .unit = "m/s",
           .range = positive,
+          .usual = {1e-5, 5e-3},
           .meaning = "the soil is at rest when all nodes with soil are slower than this; those with less than 0.05 of "
                      "the mass of a full cell do not count"},
       {.path = "time.rest_time",

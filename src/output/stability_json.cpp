@@ -171,6 +171,7 @@ std::string stability_json(const StabilityResult& r, const std::string& scheme, 
       {"not_stable_at", or_null(r.search.not_stable)},
       {"failed_at", or_null(r.search.failed)},
       {"stopped", r.stopped},
+      {"water", r.water.empty() ? Json(nullptr) : Json(r.water)},
       {"tolerance", r.options.search.tolerance},
       {"criterion", {{"local_damping", r.options.rules.damping}, {"rest", r.options.rules.rest},
                         {"failure", r.options.rules.failure}, {"most_windows", r.options.rules.most_windows},
@@ -196,6 +197,10 @@ std::string stability_text(const StabilityResult& r, const std::string& scheme)
       "  stands: moves as if below {:.1e} of its weight were out of balance; fails: moved {:g} rho g H^2/E = {:.3g} m "
       "and does not slow down\n",
       r.options.rules.rest, r.options.rules.failure, r.options.rules.failure * r.displacement);
+  if (!r.water.empty())
+    text += fmt::format("  with the water {}{}\n",
+        r.water == "start" ? "of t = 0" : fmt::format("of the situation `{}`", r.water),
+        r.later_water ? "; situations with a `time` are not looked at: give them as stages" : "");
   for (const Trial& trial : r.search.trials)
     text += fmt::format("  {:8.4f}  {:<9}  {}\n", trial.factor, word(trial.verdict), trial.reason);
   return text + mechanism_text(r) + notes_text(r, scheme);

@@ -5,6 +5,7 @@
 #include "simulation/stages.hpp"
 #include "water/water_pressure.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -18,19 +19,15 @@ namespace {
 constexpr Real least_depth = 1e-6;  // of water that counts as free [m]
 constexpr Real no_water = -std::numeric_limits<Real>::infinity();
 
-/// The start, the water of each stage or each time of a situation, and the end of the run.
-std::vector<WaterWay> waters_of(const Case& c)
+/// The situations that the case asks for, by their numbers: that of the start, of each stage, and those with a time. Of
+/// the last ones all count, whenever the run ends: a run that goes on later is judged against the same level.
+std::vector<std::size_t> situations_asked_for(const Case& c)
 {
-  std::vector<WaterWay> waters{{0, 0, 0.0}};
+  std::vector<std::size_t> numbers{0};
   for (std::size_t k = 0; k < c.stages.size(); ++k)
-    if (const StageWater water = water_of_stage(c, k); water.given) waters.push_back({water.to, water.to, 0.0});
-  const std::vector<WaterKnot> knots = knots_of(c.water);
-  for (std::size_t k = 1; k < knots.size() && knots[k - 1].time < c.time.end; ++k) {
-    const Real length = knots[k].time - knots[k - 1].time;
-    const Real share = length > 0.0 ? std::min((c.time.end - knots[k - 1].time) / length, Real(1.0)) : 1.0;
-    waters.push_back({knots[k - 1].situation, knots[k].situation, share});
-  }
-  return waters;
+    if (const StageWater water = water_of_stage(c, k); water.given) numbers.push_back(water.to);
+  for (const WaterKnot& knot : knots_of(c.water)) numbers.push_back(knot.situation);
+  return numbers;
 }
 
 /// The free water at an end of the section, and the situation in which it stands highest.
@@ -39,15 +36,21 @@ struct FreeWater {
   std::string situation = {};
 };
 
+/// To which the water at the ground rises: the phreatic line, or what the pressure of a formula there says [m].
+Real level_at(Real x, Real ground, const WaterCase& water, const WaterSituation& situation)
+{
+  if (!situation.formula) return elevation_at(situation.phreatic_line, x);
+  return ground + unlimited_pressure(water, situation, {x, ground}, 0.0) / water.unit_weight;
+}
+
 /// x: where the soil ends [m].
 FreeWater highest_at(Real x, Real ground, const Case& c)
 {
   FreeWater highest;
-  for (const WaterWay& water : waters_of(c)) {
-    const WaterSituation &a = situation_of(c.water, water.from), &b = situation_of(c.water, water.to);
-    if (a.formula || b.formula) continue;
-    const Real level = std::lerp(elevation_at(a.phreatic_line, x), elevation_at(b.phreatic_line, x), water.share);
-    if (level > ground + least_depth && level > highest.level) highest = {level, b.name};
+  for (const std::size_t number : situations_asked_for(c)) {
+    const WaterSituation& situation = situation_of(c.water, number);
+    const Real level = level_at(x, ground, c.water, situation);
+    if (level > ground + least_depth && level > highest.level) highest = {level, situation.name};
   }
   return highest;
 }
@@ -57,7 +60,7 @@ std::array<FreeWater, 2> free_water_at_ends(const Case& c, const Model& model)
 {
   std::array<FreeWater, 2> ends;
   const Overburden overburden(model);
-  if (!c.water.is_given() || !overburden.is_known()) return ends;
+  if (!c.water.is_given() || changes_with_time(c) || !overburden.is_known()) return ends;
   const Columns columns = columns_of_section(*model.mesh);
   bool found_soil = false;
   for (Index k = 0; k < columns.n; ++k) {
@@ -73,12 +76,19 @@ std::array<FreeWater, 2> free_water_at_ends(const Case& c, const Model& model)
 
 }  // namespace
 
+bool changes_with_time(const Case& c)
+{
+  return std::ranges::any_of(
+      situations_asked_for(c), [&](std::size_t k) { return situation_of(c.water, k).formula_changes; });
+}
+
 FloodLevel find_flood_level(const Case& whole, const Model& model)
 {
   const FloodCase& flood = whole.flood;
   if (!flood.asks()) return {};
   const std::array<FreeWater, 2> ends = free_water_at_ends(whole, model);
-  FloodLevel level{.value = flood.water_level, .origin = "flood.water_level", .river = {}};
+  const bool both = ends[0].level != no_water && ends[0].level == ends[1].level;
+  FloodLevel level{.value = flood.water_level, .origin = "flood.water_level", .river = {}, .at_both_ends = both};
   if (flood.river != RiverSide::deduced) level.river = flood.river == RiverSide::left ? Facing::left : Facing::right;
   const bool differ = ends[0].level != ends[1].level;
   if (!level.river && differ) level.river = ends[0].level > ends[1].level ? Facing::left : Facing::right;

@@ -17,11 +17,11 @@ Problem no_level(const Model& model)
 {
   const Case& c = model.description;
   const auto& bodies = c.bodies;
-  const bool formula = c.water.start.formula != nullptr;
+  const bool formula = c.water.is_given() && changes_with_time(model.whole ? *model.whole : c);
   const bool points = std::ranges::any_of(bodies, [](const BodyCase& body) { return !body.points_file.empty(); });
   const char* why = !c.water.is_given() ? "The case has no [water], whose free water would be the level."
-                    : formula           ? "The pressure of [water] is a formula, which tells no free water."
-                    : points            ? "Bodies come as points, so the ground under the water is not known."
+                    : formula ? "The pressure of the water is a formula of the time, from which no level follows."
+                    : points  ? "Bodies come as points, so the ground under the water is not known."
                     : model.flood_level.river
                         ? "The water of no situation stands above the ground at the river's end of the section."
                         : "The water of no situation stands above the ground at an end of the section.";
@@ -55,7 +55,12 @@ std::vector<Problem> find_flood_warnings(const Model& model, const State& state)
     warn("smallest_width", "it floods from the start",
         fmt::format("The ground is {:.4g} m wide at {:.4g} m, less than {:.4g} m.", barrier.width, level,
             flood.smallest_width));
-  if (std::ranges::min(heights) >= level)
+  if (model.flood_level.at_both_ends && barrier.height >= level)
+    warn("river", "the water stands equally high at both ends of the section",
+        fmt::format("It is {:.4g} m there, and the ground between reaches {:.4g} m: nothing has to be kept dry.\n"
+                    "Beyond its ends a phreatic line keeps its level; let it fall to that of the land.",
+            level, barrier.height));
+  else if (std::ranges::min(heights) >= level)
     warn("water_level", "no ground lies below the water",
         fmt::format("The lowest ground stands at {:.4g} m: nothing has to be kept dry at {:.4g} m.",
             std::ranges::min(heights), level));

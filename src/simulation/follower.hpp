@@ -47,6 +47,9 @@ class Follower {
   virtual void save(ArrayWriter&) const {}
   /// From a checkpoint; points, clock and works of the state are there. Throws FileError if an array does not fit.
   virtual void load(const Model&, const State&, const ArrayReader&) {}
+  /// After load(), in a run that begins with the end of another one. `before` is the model of that one, the state that
+  /// of this run at t = 0, as if it had begun there.
+  virtual void begin_from(const Model& /*before*/, const Model&, const State& /*first*/) {}
 };
 
 /// A kind of follower and what it reports.

@@ -7,6 +7,14 @@
 
 namespace terp {
 
+/// Of the points that left through open sides [m^2].
+inline Real volume_that_left(const State& state)
+{
+  Real volume = 0.0;
+  for (const LeftPoint& p : state.left) volume += p.volume;
+  return volume;
+}
+
 struct LedgerContext {
   const Model& model;
   const State& state;

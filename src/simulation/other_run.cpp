@@ -5,6 +5,7 @@
 #include "simulation/ledger.hpp"
 #include "simulation/loads.hpp"
 #include "simulation/point_parameters.hpp"
+#include "simulation/setup.hpp"
 #include "simulation/stages.hpp"
 #include "simulation/state_arrays.hpp"
 #include "simulation/state_image.hpp"
@@ -146,6 +147,8 @@ void begin_from(const Model& before, const std::string& stage_that_ended, Model&
   change_materials(model, own);
   set_point_parameters(model, seeds_of(model).places, own);
   place_loads(before, state, model, own);
+  const State first = build_state(model);
+  for (ActiveFollower& active : own.followers) active.follower->begin_from(before, model, first);
   state = std::move(own);
   state.start_energy += kinetic_and_elastic_energy(model, state) - energy;
 }

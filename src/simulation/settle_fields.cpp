@@ -24,7 +24,7 @@ struct FieldRange {
   {
     ++n;
     sum += value;
-    if (range.contains(value)) return;
+    if (std::isfinite(value) && range.contains(value)) return;
     const auto beyond = [&](Real v) { return std::isnan(v) ? INFINITY : std::max(range.low - v, v - range.high); };
     if (++n_outside == 1 || beyond(value) > beyond(worst)) worst = value, where = x;
   }

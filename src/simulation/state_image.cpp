@@ -236,6 +236,7 @@ std::vector<ArraySource> arrays_of(const State& state)
   if (state.work.outer != OuterWork{})
     arrays.copy("work_from_outside", std::vector<Real>(state.work.outer.begin(), state.work.outer.end()));
   arrays.copy("counts", std::vector<std::int64_t>{state.clamped, state.equilibrium_steps, state.frames_reported});
+  if (state.has_no_start) arrays.copy("has_no_start", std::vector<std::int64_t>{1});
   for (const auto& [table, n] : state.rows_reported)
     arrays.copy("rows_reported/" + table, std::vector<std::int64_t>{n});
   add_left(state, arrays);
@@ -336,6 +337,7 @@ State restore(const Model& model, const StateImage& image)
   state.clamped = counts[0];
   state.equilibrium_steps = counts[1];
   state.frames_reported = counts[2];
+  state.has_no_start = arrays.has("has_no_start");
   get_reported(image, arrays, state);
   state.put_back = arrays.flags("put_back", static_cast<std::size_t>(state.n_ids()));
   load_followers(model, arrays, state);

@@ -150,11 +150,47 @@ void find_drowned_soil(const Model& model, std::vector<Problem>& warnings)
   }
 }
 
+/// Whether a stage or a strength asks for the situation of a name.
+bool is_asked_for(const Case& whole, const std::string& name)
+{
+  const auto asks = [&](const MaterialCase& material) {
+    return std::ranges::any_of(material.fields, [&](const ParameterField& field) {
+      return std::ranges::find(field.needs.situations, name) != field.needs.situations.end();
+    });
+  };
+  const auto changes = [&](const StageCase& stage) {
+    return stage.water == name || (stage.changed != nullptr && std::ranges::any_of(stage.changed->materials, asks));
+  };
+  return std::ranges::any_of(whole.stages, changes) || std::ranges::any_of(whole.materials, asks);
+}
+
+/// Situations that never come: nothing asks for them, or the run ends before their time.
+void find_idle_water(const Model& model, std::vector<Problem>& warnings)
+{
+  const Case& whole = model.whole ? *model.whole : model.description;
+  const WaterCase& water = whole.water;
+  for (std::size_t k = 0; k < water.situations.size(); ++k) {
+    const WaterSituation& situation = water.situations[k];
+    const std::string path = fmt::format("water.situation[{}]", k);
+    const std::string called = situation.name.empty() ? "" : fmt::format(" `{}`", situation.name);
+    if (std::isnan(situation.time) && !water.standing && !is_asked_for(whole, situation.name))
+      warnings.push_back({path, fmt::format("nothing asks for the water{}", called),
+          fmt::format("Give water = \"{}\" in a stage, or time = T in s.", situation.name), "water.situation", true,
+          {"water", "stage"}});
+    if (situation.time > whole.time.end)
+      warnings.push_back({path + ".time", fmt::format("the run ends before the water{} is reached", called),
+          fmt::format(
+              "It is reached at {:.4g} s, and the run ends at {:.4g} s at the latest.", situation.time, whole.time.end),
+          "water.situation", false, {"time.end", "time.at_most"}});
+  }
+}
+
 }  // namespace
 
 void find_odd_water(const Model& model, const State& state, std::vector<Problem>& warnings)
 {
   if (!model.water) return;
+  find_idle_water(model, warnings);
   find_short_lines(model, state, warnings);
   find_drowned_soil(model, warnings);
   std::vector<Index> nodes;

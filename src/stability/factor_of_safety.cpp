@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "simulation/state_image.hpp"
+#include "water/water_pressure.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -55,6 +56,11 @@ StabilityResult find_factor_of_safety(
   StabilityResult result;
   result.options = options;
   result.strengths = strengths_of(quiet);
+  if (quiet.water.is_given()) {
+    const std::string& name = first_water(quiet.water).name;
+    result.water = name.empty() ? std::string(name_of_start) : name;
+    result.later_water = c.stages.empty() && knots_of(c.water).size() > 1;
+  }
   if (result.strengths.empty())
     throw InputError(Problem{"material", "no material of this case has a strength to reduce",
         "Elastic soil does not fail. `terp list` names the laws.", "material", true});

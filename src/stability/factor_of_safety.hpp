@@ -20,10 +20,12 @@ struct StabilityOptions {
 struct StabilityResult {
   std::vector<Strength> strengths;  ///< that were reduced, unreduced
   StabilityOptions options;
-  Real height = 0.0;        ///< H [m]
-  Real relief = 0.0;        ///< height of the slope [m]
-  Real cell = 0.0;          ///< size of a typical cell [m]
-  Real displacement = 0.0;  ///< rho g H^2 / E [m]
+  std::string water;         ///< name of the situation that is judged, "start" for that of t = 0; empty: no water
+  bool later_water = false;  ///< situations with a time are not looked at
+  Real height = 0.0;         ///< H [m]
+  Real relief = 0.0;         ///< height of the slope [m]
+  Real cell = 0.0;           ///< size of a typical cell [m]
+  Real displacement = 0.0;   ///< rho g H^2 / E [m]
   std::int64_t n_points = 0, rest_steps = 0;
   Bisection search;
   SharedMesh mesh;

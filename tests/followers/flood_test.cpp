@@ -2,9 +2,12 @@
 #include "followers/followers.hpp"
 #include "simulation/flood_warnings.hpp"
 #include "simulation/ledger.hpp"
+#include "simulation/other_run.hpp"
 #include "simulation/run.hpp"
 #include "simulation/setup.hpp"
+#include "simulation/state_image.hpp"
 #include "support/cases.hpp"
+#include "support/problems.hpp"
 #include "support/simulations.hpp"
 #include "support/test.hpp"
 
@@ -278,15 +281,101 @@ TEST(Flood, TheLevelIsTheHighestFreeWaterAtTheRiver)
   EXPECT_NEAR(flood.freeboard, 1.0, 1e-9);
 }
 
-TEST(Flood, TheLevelIsThatOfTheWaterThatTheRunComesTo)
+// A run that is resumed with a later end, or begins with the end of another one, is judged against the same level.
+TEST(Flood, TheLevelDoesNotDependOnTheEndOfTheRun)
 {
   Case c = dike_in_water();
   c.water.situations[0].time = 2.0 * c.time.end;
-  EXPECT_NEAR(level_of(c).value, 3.0, 1e-12);  // half of the rise
+  EXPECT_EQ(level_of(c).value, 4.0);
   c.water.situations[0].time = c.time.end;
   c.water.situations.push_back(c.water.situations[0]);
   c.water.situations[1] = {.name = "low", .time = 1.5 * c.time.end, .phreatic_line = {{0.0, 0.5}}};
   EXPECT_EQ(level_of(c).value, 4.0);  // water that falls again does not undo it
+}
+
+TEST(Flood, TheLevelOfAFormulaIsThatOfItsPressureAtTheGround)
+{
+  Case c = dike_in_water();
+  WaterSituation& high = c.water.situations[0];
+  high.time = c.time.end;
+  high.phreatic_line.clear();
+  high.formula = [](Vec<2> x, Real) { return x[0] < 16.0 ? 9810.0 * (4.0 - x[1]) : 0.0; };
+  EXPECT_NEAR(level_of(c).value, 4.0, 1e-12);
+  EXPECT_EQ(level_of(c).river, Facing::left);
+  high.formula = [](Vec<2> x, Real) { return x[0] < 16.0 ? 4.0 - x[1] : 0.0; };
+  high.formula_gives_head = true;
+  high.formula = [](Vec<2>, Real) { return 4.0; };
+  EXPECT_NEAR(level_of(c).value, 4.0, 1e-12);
+}
+
+TEST(Flood, WaterThatStandsEquallyHighAtBothEndsIsDoubted)
+{
+  Case c = dike_in_water();
+  c.water.situations[0].time = c.time.end;
+  const auto warnings = [&] {
+    const Drawn s(c);
+    return find_flood_warnings(s.model, s.state);
+  };
+  EXPECT_THAT(warnings(), IsEmpty());
+  c.water.situations[0].phreatic_line = {{0.0, 4.0}, {18.0, 4.0}};  // the line stops in the dike
+  EXPECT_THAT(warnings(), ElementsAre(told("flood.river", "the water stands equally high at both ends of the section",
+                              "It is 4 m there, and the ground between reaches 5 m: nothing has to be kept dry.\n"
+                              "Beyond its ends a phreatic line keeps its level; let it fall to that of the land.")));
+}
+
+TEST(Flood, ABermThatSlidIsDamageThoughTheCrestStands)
+{
+  const auto lower_slope_moves = [](Real by) {
+    Drawn s;
+    s.become([&](Vec<2> p) { return p[0] > 26.0 && p[1] > 1.0 ? Vec<2>{p[0] + by, p[1]} : p; });
+    return s.flood();
+  };
+  EXPECT_EQ(lower_slope_moves(0.19).verdict, FloodVerdict::stands) << "less than a twentieth of the relief";
+  const FloodSummary slid = lower_slope_moves(2.0);
+  EXPECT_EQ(slid.verdict, FloodVerdict::damaged);
+  EXPECT_NEAR(slid.residual_height, 5.0, 1e-9);
+}
+
+/// A run of the case that begins with the present state of another one.
+FloodSummary after(const Drawn& other, const Case& c)
+{
+  Model before = build_model(other.model.description, 1), model = build_model(c, 1);
+  before.followers = model.followers = all_followers();
+  State state = restore(before, other.save());
+  begin_from(before, "", model, state);
+  Simulation s(std::move(model), std::move(state));
+  keep_ledger(s.model, s.state, s.work);
+  return *summarise(s.model, s.state).flood;
+}
+
+TEST(Flood, ARunThatBeginsWithAnotherOneKeepsItsVerdictIfItAsksForTheSame)
+{
+  Drawn fell;
+  fell.become([](Vec<2> p) { return Vec<2>{p[0], 0.7 * p[1]}; }).become([](Vec<2> p) { return p; });
+  fell.state.time = 0.0;  // of its step
+  EXPECT_EQ(after(fell, dike()).verdict, FloodVerdict::floods);
+  Case lower = dike();
+  lower.flood.water_level = 3.0;  // to which the ground never came down
+  const FloodSummary other = after(fell, lower);
+  EXPECT_EQ(other.verdict, FloodVerdict::stands);
+  EXPECT_NEAR(other.freeboard, 2.0, 1e-9);
+}
+
+TEST(Flood, ARunThatBeginsWithAnotherOneComparesWithItsOwnGroundAtTheStart)
+{
+  Case dry = dike();
+  dry.flood = {};  // the other run did not ask, so all of its ground counts
+  BodyCase hill = dry.bodies[0];
+  hill.polygon = {{34.0, 1.0}, {40.0, 1.0}, {40.0, 6.0}, {34.0, 6.0}};  // high land behind the dike
+  dry.bodies.push_back(hill);
+  Drawn fell(dry);
+  fell.become([](Vec<2> p) { return p[0] < 33.0 ? Vec<2>{p[0], 0.7 * p[1]} : p; });
+  fell.state.time = 0.0;
+  Case asks = dry;
+  asks.flood.water_level = 4.0;
+  const FloodSummary flood = after(fell, asks);
+  EXPECT_EQ(flood.verdict, FloodVerdict::floods);
+  EXPECT_LT(flood.residual_height, 4.0);
 }
 
 TEST(Flood, TheRiverMayBeNamed)
@@ -320,7 +409,9 @@ TEST(Flood, WithoutALevelAndFreeWaterThereIsNoVerdict)
   c.water = {};
   EXPECT_THAT(warning(c), HasSubstr("The case has no [water], whose free water would be the level."));
   c.water.start.formula = [](Vec<2>, Real) { return 0.0; };
-  EXPECT_THAT(warning(c), HasSubstr("The pressure of [water] is a formula, which tells no free water."));
+  EXPECT_THAT(warning(c), HasSubstr("The water of no situation stands above the ground"));
+  c.water.start.formula_changes = true;
+  EXPECT_THAT(warning(c), HasSubstr("The pressure of the water is a formula of the time"));
 }
 
 TEST(Flood, ARunThatResumesRemembers)

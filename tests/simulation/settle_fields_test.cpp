@@ -35,6 +35,9 @@ TEST(SettleFields, NameThePlaceWhereAValueIsWorst)
       ElementsAre(told("material.clay.su_peak", "`su_peak` is out of range in part of the soil",
           AllOf(StartsWith("It is -3925 Pa at (7.95, 0.05) m, where it is worst, at "),
               EndsWith(" points of `clay`; allowed: more than 0 Pa.")))));
+  EXPECT_THAT(refusal_of(with_field({su_peak, [](Vec<2>) { return INFINITY; }})),
+      ElementsAre(
+          told("material.clay.su_peak", "`su_peak` is out of range in part of the soil", StartsWith("It is inf Pa"))));
   EXPECT_THAT(refusal_of(with_field({su_peak, [](Vec<2>) { return std::nan(""); }})),
       ElementsAre(told("material.clay.su_peak", "`su_peak` has no value in part of the soil",
           StartsWith("There is no value at (0.05, 0.05) m, or what it is made of is out of range there."))));

@@ -54,9 +54,11 @@ TEST(StateImage, HoldsEverythingThatAStateRemembers)
   state.rows_reported["ledger"] = 11;
   state.frames_reported = 12;
   state.largest_v_999 = 9.0;
+  state.has_no_start = true;
   const State back = restore(s.model, make_image(state));
   EXPECT_EQ(back.step, 3);
   EXPECT_EQ(back.time, state.time);
+  EXPECT_TRUE(back.has_no_start);
   EXPECT_EQ(back.work.gravity, 1.0);
   EXPECT_EQ(back.work.damping, 2.0);
   EXPECT_EQ(back.work.boundary, 3.0);

@@ -47,6 +47,21 @@ TEST(WaterWarnings, ALineBesideTheSoilIsTold)
       ElementsAre(told("water.phreatic_line", "the phreatic line lies beside the soil", HasSubstr("level: 0.6 m in"))));
 }
 
+TEST(WaterWarnings, WaterThatNeverComesIsTold)
+{
+  Case c = wet({{0.0, 0.8}});
+  c.time.end = 1.0;
+  c.water.situations = {{.name = "high", .phreatic_line = {{0.0, 0.9}}}};
+  EXPECT_THAT(warnings_of(c), ElementsAre(told("water.situation[0]", "nothing asks for the water `high`",
+                                  "Give water = \"high\" in a stage, or time = T in s.")));
+  c.water.situations[0].time = 2.0;
+  EXPECT_THAT(
+      warnings_of(c), ElementsAre(told("water.situation[0].time", "the run ends before the water `high` is reached",
+                          "It is reached at 2 s, and the run ends at 1 s at the latest.")));
+  c.time.end = 2.0;
+  EXPECT_THAT(warnings_of(c), IsEmpty());
+}
+
 TEST(WaterWarnings, ALineThatEndsWithinTheSoilIsTold)
 {
   EXPECT_THAT(warnings_of(wet({{0.0, 0.8}, {2.0, 0.6}})),
@@ -55,7 +70,7 @@ TEST(WaterWarnings, ALineThatEndsWithinTheSoilIsTold)
           "0.6 "
           "m.\nContinue the line to the end of the soil; a level part at its end says that this is meant.")));
   Case c = wet({{0.0, 0.8}});
-  c.water.situations = {{.name = "high", .phreatic_line = {{1.0, 0.9}, {4.0, 0.6}}}};
+  c.water.situations = {{.name = "high", .time = 0.0, .phreatic_line = {{1.0, 0.9}, {4.0, 0.6}}}};
   EXPECT_THAT(warnings_of(c),
       ElementsAre(told("water.situation[0].phreatic_line", "the phreatic line of `high` ends within the soil",
           HasSubstr("From x = 1 m on to the left it keeps the level 0.9 m."))));
