@@ -1,10 +1,12 @@
 #include "drawing/region_chains.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <queue>
 #include <set>
 
 namespace terp {
@@ -84,111 +86,150 @@ Vec<2> area_keeping_corner(Vec<2> a, Vec<2> b, Vec<2> c, Vec<2> d, Real more)
   return between(from, to, height / rise);
 }
 
-/// One chain while corners are taken out.
+/// One chain while corners are taken out. Its corners are nodes of a list, numbered as they were drawn. What may be
+/// taken out waits in a heap; after each step only the corners about it are looked at again.
 class ChainSimplifier {
  public:
   ChainSimplifier(ChainMap& map, Index chain, const ChainLimits& limits, ChainChanges& changes)
       : map_(map), chain_(map.chains[chain]), limits_(limits), changes_(changes), drawn_(polyline(map, chain_))
   {
-    for (std::size_t k = 0; k < drawn_.size(); ++k) spans_.push_back({k, k});
+    for (std::size_t k = 0; k < drawn_.size(); ++k)
+      nodes_.push_back({chain_.places[k], k - 1, k + 1, k, k, 0});  // the first has no one before it: never asked for
+    n_left_ = nodes_.size();
   }
 
   void run()
   {
-    while (take_out_best()) {
+    // A corner that something stands beside may come out after that has gone: once more, until nothing changes.
+    for (bool changed = true; changed;) {
+      for (std::size_t k = 1; k + 2 < nodes_.size(); ++k)
+        if (nodes_[k].next != gone) push(k);
+      changed = false;
+      while (!heap_.empty()) changed = take_out_best() || changed;
     }
+    chain_.places.clear();
+    for (std::size_t k = 0; k < nodes_.size(); k = nodes_[k].next) chain_.places.push_back(nodes_[k].place);
   }
 
  private:
-  struct Span {
-    std::size_t first, last;  ///< of the drawn corners that a corner stands for
+  static constexpr std::size_t gone = std::numeric_limits<std::size_t>::max() - 1;
+  struct Node {
+    Index place;
+    std::size_t before, next;  ///< next: `gone` of a corner that was taken out
+    std::size_t first, last;   ///< of the drawn corners that it stands for
+    int version;               ///< counts the changes about it: older entries of the heap do not hold
   };
   struct Candidate {
     std::size_t corner;  ///< b of a-b-c-d
     Vec<2> x;
     Real moved;
+    int version;
+
+    bool operator<(const Candidate& other) const  // the one that moves least is on top of the heap
+    {
+      return moved > other.moved || (moved == other.moved && corner > other.corner);
+    }
   };
 
-  Vec<2> at(std::size_t k) const { return map_.places[chain_.places[k]]; }
+  Vec<2> at(std::size_t k) const { return map_.places[nodes_[k].place]; }
+
+  void push(std::size_t b)
+  {
+    if (b == 0 || nodes_[b].next >= nodes_.size() || nodes_[nodes_[b].next].next >= nodes_.size()) return;
+    if (const Candidate found = candidate(b); std::isfinite(found.moved)) heap_.push(found);
+  }
 
   Candidate candidate(std::size_t b) const
   {
-    const Vec<2> a = at(b - 1), d = at(b + 2);
-    Candidate found{b, area_keeping_corner(a, at(b), at(b + 1), d, debt_), std::numeric_limits<Real>::infinity()};
+    const std::size_t before = nodes_[b].before, c = nodes_[b].next, next = nodes_[c].next;
+    const Vec<2> a = at(before), d = at(next);
+    Candidate found{
+        b, area_keeping_corner(a, at(b), at(c), d, debt_), std::numeric_limits<Real>::infinity(), nodes_[b].version};
     for (Real& coordinate : found.x) coordinate = std::round(coordinate / limits_.grid) * limits_.grid;
     if (!std::isfinite(found.x[0] + found.x[1])) return found;
-    const std::size_t first = spans_[b - 1].first, last = spans_[b + 2].last;
     const Polygon path{a, found.x, d};
-    Real moved = distance_to(drawn_, first, last, found.x);
-    for (std::size_t k = spans_[b - 1].last + 1; k < spans_[b + 2].first; ++k)
+    Real moved = distance_to(drawn_, nodes_[before].first, nodes_[next].last, found.x);
+    for (std::size_t k = nodes_[before].last + 1; k < nodes_[next].first; ++k)
       moved = std::max(moved, distance_to(path, 0, 2, drawn_[k]));
-    const Real shortest = std::min({distance(a, at(b)), distance(at(b), at(b + 1)), distance(at(b + 1), d)});
+    const Real shortest = std::min({distance(a, at(b)), distance(at(b), at(c)), distance(at(c), d)});
     const bool is_short = shortest < limits_.shortest_edge;
     if (moved <= (is_short ? std::max(limits_.tolerance, limits_.shortest_edge) : limits_.tolerance))
       found.moved = moved;
     return found;
   }
 
+  /// True if the best candidate was taken out; it leaves the heap in any case.
   bool take_out_best()
   {
-    std::vector<Candidate> all;
-    for (std::size_t b = 1; b + 2 < chain_.places.size(); ++b)
-      if (chain_.places.size() > (is_closed() ? 4u : 3u))
-        if (const Candidate c = candidate(b); std::isfinite(c.moved)) all.push_back(c);
-    std::ranges::sort(all, {}, &Candidate::moved);
-    for (const Candidate& c : all)
-      if (stays_apart(c)) {
-        take_out(c);
-        return true;
-      }
-    return false;
-  }
-
-  bool is_closed() const { return chain_.places.front() == chain_.places.back(); }
-
-  /// The new lines touch nothing else, and nothing lies between them and the old ones.
-  bool stays_apart(const Candidate& c) const
-  {
-    const Vec<2> a = at(c.corner - 1), d = at(c.corner + 2);
-    const Polygon swept{a, at(c.corner), at(c.corner + 1), d, c.x};
-    const Real touch = 0.5 * limits_.grid;
-    const BoundingBox box = box_around(swept);
-    Vec<2> x;
-    if (distance(a, c.x) < limits_.grid || distance(d, c.x) < limits_.grid) return false;
-    for (const Chain& chain : map_.chains)
-      for (std::size_t k = 0; k + 1 < chain.places.size(); ++k) {
-        const Vec<2> p = map_.places[chain.places[k]], q = map_.places[chain.places[k + 1]];
-        if (std::min(p[0], q[0]) > box.high[0] + touch || std::max(p[0], q[0]) < box.low[0] - touch ||
-            std::min(p[1], q[1]) > box.high[1] + touch || std::max(p[1], q[1]) < box.low[1] - touch)
-          continue;
-        const bool is_own = &chain == &chain_ && k + 1 >= c.corner && k <= c.corner + 1;
-        if (is_own) continue;
-        if (lines_cross(p, q, a, c.x, x) || lines_cross(p, q, c.x, d, x)) return false;
-        const Polygon line{p, q};
-        if (distance_to(line, 0, 1, c.x) <= touch) return false;
-        for (const Index end : {chain.places[k], chain.places[k + 1]}) {
-          if (end == chain_.places[c.corner - 1] || end == chain_.places[c.corner + 2]) continue;
-          if (distance_to({a, c.x, d}, 0, 2, map_.places[end]) <= touch || contains(swept, map_.places[end]))
-            return false;
-        }
-      }
+    const Candidate best = heap_.top();
+    heap_.pop();
+    if (best.version != nodes_[best.corner].version || n_left_ <= (is_closed() ? 4u : 3u)) return false;
+    const Candidate now = candidate(best.corner);  // the debt has changed since
+    if (!std::isfinite(now.moved)) return false;
+    if (!heap_.empty() && now.moved > heap_.top().moved) {
+      heap_.push(now);
+      return false;
+    }
+    if (!stays_apart(now)) return false;
+    take_out(now);
     return true;
   }
 
-  void take_out(const Candidate& c)
+  bool is_closed() const { return nodes_.front().place == nodes_.back().place; }
+
+  /// The new lines touch nothing else, and nothing lies between them and the old ones.
+  bool stays_apart(const Candidate& found) const
   {
-    const std::size_t b = c.corner;
-    const Vec<2> a = at(b - 1), d = at(b + 2);
-    debt_ += 0.5 * (cross(a, at(b), at(b + 1)) + cross(a, at(b + 1), d)) - 0.5 * cross(a, c.x, d);
-    changes_.largest = std::max(changes_.largest, c.moved);
+    const std::size_t b = found.corner, before = nodes_[b].before, c = nodes_[b].next, next = nodes_[c].next;
+    const Vec<2> a = at(before), d = at(next), x = found.x;
+    const Polygon swept{a, at(b), at(c), d, x}, path{a, x, d};
+    const Real touch = 0.5 * limits_.grid;
+    const BoundingBox box = box_around(swept);
+    if (distance(a, x) < limits_.grid || distance(d, x) < limits_.grid) return false;
+    const auto is_clear_of = [&](Index one, Index other) {
+      const Vec<2> p = map_.places[one], q = map_.places[other];
+      if (std::min(p[0], q[0]) > box.high[0] + touch || std::max(p[0], q[0]) < box.low[0] - touch ||
+          std::min(p[1], q[1]) > box.high[1] + touch || std::max(p[1], q[1]) < box.low[1] - touch)
+        return true;
+      Vec<2> crossing;
+      if (lines_cross(p, q, a, x, crossing) || lines_cross(p, q, x, d, crossing)) return false;
+      if (distance_to({p, q}, 0, 1, x) <= touch) return false;
+      return std::ranges::all_of(std::array{one, other}, [&](Index end) {
+        if (end == nodes_[before].place || end == nodes_[next].place) return true;
+        return distance_to(path, 0, 2, map_.places[end]) > touch && !contains(swept, map_.places[end]);
+      });
+    };
+    for (const Chain& chain : map_.chains)
+      if (&chain != &chain_)
+        for (std::size_t k = 0; k + 1 < chain.places.size(); ++k)
+          if (!is_clear_of(chain.places[k], chain.places[k + 1])) return false;
+    for (std::size_t k = 0; nodes_[k].next < nodes_.size(); k = nodes_[k].next)
+      if (k != before && k != b && k != c && !is_clear_of(nodes_[k].place, nodes_[nodes_[k].next].place)) return false;
+    return true;
+  }
+
+  void take_out(const Candidate& found)
+  {
+    const std::size_t b = found.corner, before = nodes_[b].before, c = nodes_[b].next, next = nodes_[c].next;
+    const Vec<2> a = at(before), d = at(next);
+    debt_ += 0.5 * (cross(a, at(b), at(c)) + cross(a, at(c), d)) - 0.5 * cross(a, found.x, d);
+    changes_.largest = std::max(changes_.largest, found.moved);
     ++changes_.removed;
-    map_.places.push_back(c.x);
+    map_.places.push_back(found.x);
     map_.limits.push_back(0);
     map_.junction.push_back(0);
-    chain_.places[b] = static_cast<Index>(map_.places.size()) - 1;
-    chain_.places.erase(chain_.places.begin() + static_cast<std::ptrdiff_t>(b) + 1);
-    spans_[b] = {spans_[b].first, spans_[b + 1].last};
-    spans_.erase(spans_.begin() + static_cast<std::ptrdiff_t>(b) + 1);
+    nodes_[b].place = static_cast<Index>(map_.places.size()) - 1;
+    nodes_[b].last = nodes_[c].last;
+    nodes_[b].next = next;
+    nodes_[next].before = b;
+    nodes_[c].next = gone;
+    ++nodes_[c].version;
+    --n_left_;
+    std::size_t k = before > 0 ? nodes_[before].before : before;  // from here on four have another a, b, c or d
+    for (int count = 0; count < 4 && k < nodes_.size(); ++count, k = nodes_[k].next) {
+      ++nodes_[k].version;
+      push(k);
+    }
   }
 
   ChainMap& map_;
@@ -196,7 +237,9 @@ class ChainSimplifier {
   const ChainLimits& limits_;
   ChainChanges& changes_;
   const Polygon drawn_;
-  std::vector<Span> spans_;
+  std::vector<Node> nodes_;
+  std::size_t n_left_ = 0;
+  std::priority_queue<Candidate> heap_;
   Real debt_ = 0.0;  ///< area that rounding took from the left side so far [m^2]
 };
 

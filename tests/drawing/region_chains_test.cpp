@@ -46,6 +46,21 @@ TEST(Chains, KeepTheAreaOnBothSidesWhenCornersAreTakenOut)
   EXPECT_THAT(region_areas(map, 2)[0], DoubleNear(before[0], 1e-5));  // the grid rounds corners by up to 0.5e-6 m
 }
 
+TEST(Chains, OfManyCornersStayNearTheDrawnLineAndKeepTheirArea)
+{
+  Polygon rough{{0, 3}};
+  for (int k = 1; k < 2000; ++k) rough.push_back({0.005 * k, 3.0 + 0.01 * std::sin(0.1 * k) + 0.004 * (k % 3)});
+  rough.push_back({10, 3});
+  auto map = two_layers(rough);
+  const auto before = region_areas(map, 2);
+  ChainChanges changes;
+  simplify(map, {0.05, 0.02, 1e-6}, changes);
+  EXPECT_GE(changes.removed, 1800);
+  EXPECT_LE(changes.largest, 0.05);
+  EXPECT_THAT(region_areas(map, 2)[0], DoubleNear(before[0], 1e-5));
+  EXPECT_TRUE(lines_are_apart(graph_of(map)));
+}
+
 TEST(Chains, LeaveCornersThatLieFartherThanTheTolerance)
 {
   auto map = two_layers({{0, 3}, {3, 3.1}, {5, 2.9}, {7, 3.1}, {10, 3}});
