@@ -89,4 +89,29 @@ std::vector<Vec<2>> find_slip_line(const PointBlocks<2>& points, std::span<const
   return line;
 }
 
+std::vector<Vec<2>> part_below_motion(
+    const std::vector<Vec<2>>& line, const PointBlocks<2>& points, Ground ground, const Columns& columns, Facing facing)
+{
+  constexpr Real nowhere = std::numeric_limits<Real>::infinity();
+  std::vector<Real> bottom(static_cast<std::size_t>(columns.n), nowhere), momentum(bottom.size(), 0.0);
+  for (const Vec<2>& x : line)
+    if (const Index c = column_of(x[0], columns); c >= 0) bottom[static_cast<std::size_t>(c)] = x[1];
+  for_each_point(points, [&](const PointBlock<2>& block, Index lane) {
+    const Index c = column_of(block.row(Rows::x)[lane], columns);
+    if (c < 0 || !is_ground(ground, block) || block.row(Rows::x + 1)[lane] < bottom[static_cast<std::size_t>(c)])
+      return;
+    momentum[static_cast<std::size_t>(c)] += block.row(Rows::mass)[lane] * block.row(Rows::v)[lane];
+  });
+  std::vector<Vec<2>> part, longest;
+  for (const Vec<2>& x : line) {
+    const Index c = column_of(x[0], columns);
+    if (c >= 0 && outwards(facing) * momentum[static_cast<std::size_t>(c)] > 0.0)
+      part.push_back(x);
+    else
+      part.clear();
+    if (part.size() > longest.size()) longest = part;
+  }
+  return longest;
+}
+
 }  // namespace terp

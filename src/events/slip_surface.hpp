@@ -2,7 +2,7 @@
 // Definition: docs/formats.md.
 #pragma once
 
-#include "events/surface.hpp"
+#include "events/section.hpp"
 #include "mesh/mesh.hpp"
 
 #include <span>
@@ -25,5 +25,11 @@ std::vector<float> mean_over_nodes(const Mesh<2>& mesh, const PointBlocks<2>& po
 /// that most is a tenth of what all but 0.1 % of the points stay below. growth: of eps_eq_p, in the order of
 /// for_each_point.
 std::vector<Vec<2>> find_slip_line(const PointBlocks<2>& points, std::span<const float> growth, const Columns& columns);
+
+/// Of a slip line the longest part over which the ground moves the way that a slope faces: the sign of the sum of mass
+/// times horizontal velocity over the ground in the column, from the line upwards. Where both slopes of a section slide
+/// at once, each keeps its own.
+std::vector<Vec<2>> part_below_motion(const std::vector<Vec<2>>& line, const PointBlocks<2>& points, Ground ground,
+    const Columns& columns, Facing facing);
 
 }  // namespace terp

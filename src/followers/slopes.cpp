@@ -26,6 +26,7 @@ constexpr Real same_distance = 0.1;
 struct SlopeFailure {
   CrestHistory crest;             ///< without what the other slope took of it
   std::vector<SlipSurface> slip;  ///< of each slide so far, when its strain grew fastest; one before there is any slide
+  std::vector<SlipSurface> onset;  ///< of each slide so far, when it was first seen
 };
 
 struct Followed {
@@ -42,7 +43,7 @@ std::size_t count_slides(const SlopeFailure& slope)
   const auto& x = slope.crest.x;
   const Real out = outwards(slope.crest.slope.facing);
   const bool same = x.size() > 1 && out * x.back() >= out * x[x.size() - 2];
-  return same ? slope.slip.size() : find_slides(slope.crest).size();
+  return same ? slope.onset.size() : find_slides(slope.crest).size();
 }
 
 /// Columns in which a slope may shear: all but those beyond the toe of the other slope.
@@ -79,15 +80,19 @@ void follow_slip(const LedgerContext& context, std::size_t k, Followed& all)
   SlopeFailure& slope = all.slopes[k];
   const auto& time = slope.crest.time;
   if (time.size() < 2 || context.request.memory == nullptr) return;
-  slope.slip.resize(std::max({std::size_t{1}, slope.slip.size(), count_slides(slope)}));
-  SlipSurface& slip = slope.slip.back();
+  const std::size_t n_slides = count_slides(slope);
+  slope.slip.resize(std::max({std::size_t{1}, slope.slip.size(), n_slides}));
+  const bool is_new = n_slides > slope.onset.size();
   const Real rate = context.totals.growth[k] / (time.back() - time[time.size() - 2]);
-  if (!(rate > slip.rate)) return;
+  if (!is_new && !(rate > slope.slip.back().rate)) return;
   const PointBlocks<2>& points = context.state.points;
   const auto smooth = mean_over_nodes(
       *context.model.mesh, points, growth_of_strain(context.model, context.state, *context.request.memory));
-  slip = {
-      .time = time.back(), .rate = rate, .line = find_slip_line(points, smooth, columns_of(all, slope.crest.slope))};
+  const Columns columns = columns_of(all, slope.crest.slope);
+  SlipSurface now{.time = time.back(), .rate = rate, .line = find_slip_line(points, smooth, columns)};
+  if (!all.alone()) now.line = part_below_motion(now.line, points, all.ground, columns, slope.crest.slope.facing);
+  if (is_new) slope.onset.resize(n_slides, now);
+  if (rate > slope.slip.back().rate) slope.slip.back() = std::move(now);
 }
 
 /// Where the fronts of the slopes to the left and to the right are [m]; NaN where nothing came that way yet and the toe
@@ -117,6 +122,11 @@ Real run_out_of(const Followed& all, const Fronts& fronts, const Slope& slope)
   return slope.free_toe || std::isnan(distance) ? distance : std::max(distance, 0.0);
 }
 
+SlipSurface of_slide(const std::vector<SlipSurface>& surfaces, std::size_t k)
+{
+  return k < surfaces.size() ? surfaces[k] : SlipSurface{};
+}
+
 /// The slides of a slope. Of two slopes one may merely lose the soil that slides the other way: its front did not come
 /// out.
 std::vector<SlideSummary> slides_of(const Followed& all, const Fronts& fronts, const SlopeFailure& slope)
@@ -125,7 +135,7 @@ std::vector<SlideSummary> slides_of(const Followed& all, const Fronts& fronts, c
   const Real run_out = run_out_of(all, fronts, slope.crest.slope);
   if (all.slopes.size() > 1 && !(slope.crest.slope.free_toe ? run_out > 0.0 : run_out >= 0.0)) return list;
   for (const Slide& slide : find_slides(slope.crest))
-    list.push_back({slide, list.size() < slope.slip.size() ? slope.slip[list.size()] : SlipSurface{}});
+    list.push_back({slide, of_slide(slope.slip, list.size()), of_slide(slope.onset, list.size())});
   return list;
 }
 
@@ -200,6 +210,29 @@ SlipSurface next_slip(const Real* head, const std::vector<Real>& places, std::si
   return slip;
 }
 
+/// Time, rate and number of places of each slip surface, and the places of all.
+void save_surfaces(const std::vector<SlipSurface>& all, const std::string& name, const ArrayWriter& arrays)
+{
+  std::vector<Real> surfaces, places;
+  for (const SlipSurface& slip : all) {
+    surfaces.insert(surfaces.end(), {slip.time, slip.rate, static_cast<Real>(slip.line.size())});
+    for (const Vec<2>& x : slip.line) places.insert(places.end(), {x[0], x[1]});
+  }
+  ArrayWriter below = arrays;
+  below.copy(name + "_surfaces", std::move(surfaces));
+  below.copy(name + "_places", std::move(places));
+}
+
+std::vector<SlipSurface> load_surfaces(const std::string& name, const ArrayReader& arrays)
+{
+  std::vector<SlipSurface> all;
+  if (!arrays.has(name + "_surfaces")) return all;  // of an older checkpoint
+  const auto &surfaces = arrays.reals(name + "_surfaces"), &places = arrays.reals(name + "_places");
+  std::size_t next = 0;
+  for (std::size_t j = 0; j + 2 < surfaces.size(); j += 3) all.push_back(next_slip(&surfaces[j], places, next));
+  return all;
+}
+
 class Slopes : public Follower {
   Followed all_;
   Real first_slide_before_ = std::nan("");  ///< before displacement was last counted anew [s]
@@ -245,7 +278,7 @@ class Slopes : public Follower {
       CrestHistory crest{.slope = slope, .width = columns.width, .time = {}, .x = {}, .kinetic = {}};
       if (slopes.size() > 1)
         crest.ends = columns.left + columns.width * (slope.facing == Facing::right ? slope.first : slope.last);
-      all_.slopes.push_back({std::move(crest), {}});
+      all_.slopes.push_back({std::move(crest), {}, {}});
     }
   }
 
@@ -301,8 +334,7 @@ class Slopes : public Follower {
     s.second_failure_time = slides.size() > 1 ? std::optional(slides[1].slide.begins) : std::nullopt;
   }
 
-  /// The first surface and extent, and of each slope its crest over time; time, rate and number of places of each slip
-  /// surface, and the places of all.
+  /// The first surface and extent, and of each slope its crest over time and its slip surfaces.
   void save(ArrayWriter& arrays) const override
   {
     const Columns& columns = all_.section.columns;
@@ -316,13 +348,8 @@ class Slopes : public Follower {
       of_slope.refer("time", slope.crest.time);
       of_slope.refer("crest", slope.crest.x);
       of_slope.refer("kinetic", slope.crest.kinetic);
-      std::vector<Real> surfaces, places;
-      for (const SlipSurface& slip : slope.slip) {
-        surfaces.insert(surfaces.end(), {slip.time, slip.rate, static_cast<Real>(slip.line.size())});
-        for (const Vec<2>& x : slip.line) places.insert(places.end(), {x[0], x[1]});
-      }
-      of_slope.copy("slip_surfaces", std::move(surfaces));
-      of_slope.copy("slip_places", std::move(places));
+      save_surfaces(slope.slip, "slip", of_slope);
+      save_surfaces(slope.onset, "onset", of_slope);
     }
   }
 
@@ -343,10 +370,8 @@ class Slopes : public Follower {
       crest.time = of_slope.reals("time");
       crest.x = of_slope.reals("crest", crest.time.size());
       crest.kinetic = of_slope.reals("kinetic", crest.time.size());
-      const auto &surfaces = of_slope.reals("slip_surfaces"), &places = of_slope.reals("slip_places");
-      std::size_t next = 0;
-      for (std::size_t j = 0; j + 2 < surfaces.size(); j += 3)
-        all_.slopes[k].slip.push_back(next_slip(&surfaces[j], places, next));
+      all_.slopes[k].slip = load_surfaces("slip", of_slope);
+      all_.slopes[k].onset = load_surfaces("onset", of_slope);
     }
   }
 };

@@ -1,14 +1,26 @@
-// How much of the soil has lost more than half of its strength, at each frame.
+// How much of the soil has lost more than half of what softening can take from its strength, at each frame.
 
 #include "followers/followers.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/state_arrays.hpp"
 #include "simulation/summary.hpp"
 
+#include <limits>
+
 namespace terp {
 namespace {
 
-/// Share of the volume whose S_u is below half of its first value [-].
+constexpr Real round_off = 1e-9;  // of a strength, relative [-]
+
+/// S_u in the middle between peak and least; 0 for soil that does not soften [Pa].
+Real half_softened(const SoilMaterial& material, const PointBlock<2>& block, Index lane)
+{
+  const Real peak = strength_at(material, block, lane, 0.0);
+  const Real least = strength_at(material, block, lane, std::numeric_limits<Real>::infinity());
+  return peak - least > round_off * peak ? 0.5 * (peak + least) : 0.0;
+}
+
+/// Share of the volume whose S_u has lost more than half of the way from its peak to the least.
 Real softened_fraction(const Model& model, const State& state)
 {
   Real soft = 0.0, all = 0.0;
@@ -18,7 +30,7 @@ Real softened_fraction(const Model& model, const State& state)
     for (Index lane = 0; lane < block.n; ++lane) {
       const Real volume = block.row(PointRows<2>::volume)[lane];
       all += volume;
-      if (softens && strength_of(material, block, lane) < 0.5 * strength_at(material, block, lane, 0.0)) soft += volume;
+      if (softens && strength_of(material, block, lane) < half_softened(material, block, lane)) soft += volume;
     }
   });
   return all > 0.0 ? soft / all : 0.0;

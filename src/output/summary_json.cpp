@@ -61,7 +61,7 @@ void each(SlideSummary& slide, F&& f)
 {
   f("facing", slide.slide.facing), f("begins", slide.slide.begins), f("stops", slide.slide.stops);
   f("crest_from", slide.slide.crest_from), f("crest_to", slide.slide.crest_to);
-  f("kinetic_peak", slide.slide.kinetic_peak), f("slip_surface", slide.slip);
+  f("kinetic_peak", slide.slide.kinetic_peak), f("slip_surface", slide.slip), f("onset", slide.onset);
 }
 
 template <class F>
@@ -231,7 +231,9 @@ std::string summary_text(const Summary& summary, bool finished, const CaseText& 
   json["footings"] = to_list(summary.footings);
   json["stages"] = to_list(summary.stages);
   json["strength_water"] = to_list(summary.strength_water);
-  json["flood"] = to_value(summary.flood);
+  std::optional<FloodSummary> flood = summary.flood;
+  if (flood && !finished) withhold_verdict(*flood);
+  json["flood"] = to_value(flood);
   json["passes"] = to_list(summary.passes);
   for (const auto& [name, value] : summary.numbers) json[name] = value;
   json["case_name"] = case_text.name;

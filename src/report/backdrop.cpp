@@ -1,5 +1,6 @@
 #include "report/backdrop.hpp"
 
+#include "base/interpolate.hpp"
 #include "points/body_outline.hpp"
 #include "simulation/stages.hpp"
 #include "water/water_pressure.hpp"
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 
 namespace terp {
 namespace {
@@ -58,6 +60,14 @@ WaterWay water_at(const Case& description, const std::vector<StageSummary>& stag
   return {water.from, water.to, Ramp{start, description.stages[k].ramp}.share_at(time)};
 }
 
+/// Elevation of a line just left of x [m].
+Real elevation_left_of(std::span<const Vec<2>> line, Real x)
+{
+  for (const Vec<2>& place : line)
+    if (place[0] == x) return place[1];  // the first of a vertical step
+  return elevation_at(line, x);
+}
+
 }  // namespace
 
 std::vector<float> mesh_edges(const Mesh<2>& mesh)
@@ -98,8 +108,14 @@ std::vector<float> phreatic_line(
     for (const Vec<2>& x : *line)
       if (x[0] > first[0] && x[0] < last[0]) places.push_back(x[0]);
   std::ranges::sort(places);
+  places.erase(std::ranges::unique(places).begin(), places.end());
   std::vector<float> out;
-  for (const Real x : places) add_place(out, {x, std::lerp(elevation_at(from, x), elevation_at(to, x), share)});
+  for (const Real x : places) {
+    const Real left = std::lerp(elevation_left_of(from, x), elevation_left_of(to, x), share);
+    const Real here = std::lerp(elevation_at(from, x), elevation_at(to, x), share);
+    if (left != here) add_place(out, {x, left});  // a vertical step
+    add_place(out, {x, here});
+  }
   return out;
 }
 
@@ -115,6 +131,40 @@ std::vector<float> surface_line(
   std::vector<float> line;
   for (const auto& [column, p] : highest) add_place(line, {places[2 * p], places[2 * p + 1] + columns.half_point});
   return line;
+}
+
+std::vector<Vec<2>> places_of(std::span<const float> line)
+{
+  std::vector<Vec<2>> places;
+  for (std::size_t k = 0; k + 1 < line.size(); k += 2) places.push_back({line[k], line[k + 1]});
+  return places;
+}
+
+std::optional<Real> corner_near(std::span<const float> outline, Real x, Real reach)
+{
+  std::optional<Vec<2>> best;
+  for (const Vec<2>& corner : places_of(outline)) {
+    if (!(std::abs(corner[0] - x) <= reach * (1.0 + 1e-6))) continue;
+    const bool is_nearer = best && corner[1] == (*best)[1] && std::abs(corner[0] - x) < std::abs((*best)[0] - x);
+    if (!best || corner[1] > (*best)[1] || is_nearer) best = corner;
+  }
+  return best ? std::optional((*best)[0]) : std::nullopt;
+}
+
+Real water_in_gap(
+    std::span<const float> first_ground, std::span<const float> ground, std::span<const float> water, Facing river)
+{
+  constexpr Real shallow = 0.1;  // m; the surface of points is no sharper
+  const std::vector<Vec<2>> first = places_of(first_ground), now = places_of(ground), table = places_of(water);
+  if (first.empty() || now.empty() || table.empty()) return 0.0;
+  const Real highest = std::ranges::max(now, {}, [](const Vec<2>& place) { return place[1]; })[0];
+  Real most = 0.0;
+  for (const Vec<2>& place : now) {
+    const Real level = interpolate(table, place[0]);
+    if (outwards(river) * (place[0] - highest) >= 0.0 || level > interpolate(first, place[0]) + shallow) continue;
+    most = std::max(most, level - place[1]);
+  }
+  return most > shallow ? most : 0.0;
 }
 
 }  // namespace terp

@@ -5,6 +5,8 @@
 #include "results/run_results.hpp"
 #include "simulation/case.hpp"
 
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace terp {
@@ -30,5 +32,18 @@ struct SurfaceColumns {
 /// left out.
 std::vector<float> surface_line(
     const std::vector<Real>& places, const std::vector<Real>& material, const SurfaceColumns& columns);
+
+/// x, y, x, y, ... as places.
+std::vector<Vec<2>> places_of(std::span<const float> line);
+
+/// The highest corner of an outline that lies within `reach` of x [m]: its place; none without one. A crest is seen as
+/// the edge of a column, and its true edge is a corner of the drawing near by. outline: as of first_outline.
+std::optional<Real> corner_near(std::span<const float> outline, Real x, Real reach);
+
+/// How deep water stands at most where ground slid away, behind the highest ground as seen from the river [m]: the
+/// phreatic line above the ground as it is, where it lay in the ground at t = 0. It does not follow the soil, so this
+/// water acts on what still stands. 0: nowhere deeper than 0.1 m. Lines: x, y [m], shape [n, 2].
+Real water_in_gap(
+    std::span<const float> first_ground, std::span<const float> ground, std::span<const float> water, Facing river);
 
 }  // namespace terp

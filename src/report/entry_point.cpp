@@ -1,5 +1,8 @@
 #include "report/entry_point.hpp"
 
+#include "base/interpolate.hpp"
+#include "report/backdrop.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,39 +10,73 @@ namespace terp {
 namespace {
 
 constexpr Real crest_share = 0.05;  // of the height of the slope below the highest ground still counts as crest
+constexpr Real deepest = 0.4;       // of the height of the slope: an end below that does not come up to the ground
+constexpr Real little = 0.05;       // of the height of the slope: an end above the ground by less lies at it
 
-/// Height of the ground at x; none beyond its ends.
-std::optional<Real> height_at(std::span<const float> ground, Real x)
+/// How the upper end of a line rises backwards over its last piece that is at least `length` long; at least 45 degrees
+/// [-]. line: from the upper end on.
+Real steepness(std::span<const Vec<2>> line, Real length)
 {
-  for (std::size_t k = 2; k + 1 < ground.size(); k += 2) {
-    const Real a = ground[k - 2], b = ground[k];
-    if (x >= a && x <= b) return std::lerp(Real{ground[k - 1]}, Real{ground[k + 1]}, b > a ? (x - a) / (b - a) : 0.0);
+  Real rise = 1.0;
+  for (const Vec<2>& x : line.subspan(1)) {
+    const Real run = std::abs(x[0] - line[0][0]);
+    if (run > 0.0) rise = std::max(1.0, (line[0][1] - x[1]) / run);
+    if (run >= length) break;
+  }
+  return rise;
+}
+
+/// Where a line from `end` backwards, which rises by `rise` per metre, meets the ground; none within `longest` [m].
+std::optional<Vec<2>> come_up(std::span<const Vec<2>> ground, Vec<2> end, Real backwards, Real rise, Real longest)
+{
+  constexpr int steps = 200;
+  Real before = 0.0;
+  for (int k = 0; k <= steps; ++k) {
+    const Real run = longest * k / steps, x = end[0] + backwards * run;
+    if (x < ground.front()[0] || x > ground.back()[0]) return std::nullopt;
+    const Real gap = interpolate(ground, x) - (end[1] + rise * run);
+    if (gap <= 0.0) {
+      const Real there = k == 0 ? 0.0 : run - longest / steps * (-gap) / (before - gap);
+      const Real at = end[0] + backwards * there;
+      return Vec<2>{at, interpolate(ground, at)};
+    }
+    before = gap;
   }
   return std::nullopt;
 }
 
+std::string_view zone_of(std::span<const Vec<2>> ground, Vec<2> entry, bool to_the_right, Real foot, Real top)
+{
+  const auto in_crest = [&](const Vec<2>& place) { return place[1] >= top - crest_share * (top - foot); };
+  const auto highest = std::ranges::max_element(ground, {}, [](const Vec<2>& place) { return place[1]; });
+  auto low = highest, high = highest;  // ends of the crest
+  while (low != ground.begin() && in_crest(*(low - 1))) --low;
+  while (high + 1 != ground.end() && in_crest(*(high + 1))) ++high;
+  const Real x = entry[0], left = (*low)[0], right = (*high)[0];
+  if (x >= left && x <= right) return "crest";
+  if (to_the_right ? x < left : x > right) return "beyond_crest";
+  return entry[1] - foot >= 0.5 * (top - foot) ? "upper_half" : "lower_half";
+}
+
 }  // namespace
 
-std::optional<EntryPoint> entry_point(const SlideSummary& slide, std::span<const float> ground)
+std::optional<EntryPoint> entry_point(const SlideSummary& slide, std::span<const float> places)
 {
-  const auto& line = slide.slip.line;
-  if (line.empty() || ground.size() < 4) return std::nullopt;
+  std::vector<Vec<2>> line = slide.onset.line;
+  const std::vector<Vec<2>> ground = places_of(places);
+  if (line.empty() || ground.size() < 2 || !(slide.onset.time < slide.slip.time)) return std::nullopt;
   const bool to_the_right = slide.slide.facing == Facing::right;
-  const Real x = to_the_right ? line.front()[0] : line.back()[0];
-  const std::optional<Real> y = height_at(ground, x);
-  if (!y) return std::nullopt;
-  std::size_t top = 1;  // number of the height of the highest ground
-  for (std::size_t k = 1; k < ground.size(); k += 2)
-    if (ground[k] > ground[top]) top = k;
-  const Real foot = to_the_right ? ground.back() : ground[1], height = ground[top] - foot;
-  const Real lowest_crest = ground[top] - crest_share * height;
-  std::size_t low = top, high = top;  // ends of the crest
-  while (low >= 3 && ground[low - 2] >= lowest_crest) low -= 2;
-  while (high + 2 < ground.size() && ground[high + 2] >= lowest_crest) high += 2;
-  const Real left = ground[low - 1], right = ground[high - 1];
-  if (x >= left && x <= right) return EntryPoint{x, *y, "crest"};
-  if (to_the_right ? x < left : x > right) return EntryPoint{x, *y, "beyond_crest"};
-  return EntryPoint{x, *y, *y - foot >= 0.5 * height ? "upper_half" : "lower_half"};
+  if (!to_the_right) std::ranges::reverse(line);
+  const Vec<2> end = line.front();
+  if (end[0] < ground.front()[0] || end[0] > ground.back()[0]) return std::nullopt;
+  const Real foot = to_the_right ? ground.back()[1] : ground.front()[1];
+  const Real top = std::ranges::max(ground, {}, [](const Vec<2>& place) { return place[1]; })[1];
+  const Real depth = interpolate(ground, end[0]) - end[1];
+  if (depth > deepest * (top - foot) || depth < -little * (top - foot)) return std::nullopt;
+  const Real backwards = to_the_right ? -1.0 : 1.0;
+  const auto entry = come_up(ground, end, backwards, steepness(line, depth), std::max(depth, 0.0) + little);
+  if (!entry) return std::nullopt;
+  return EntryPoint{(*entry)[0], (*entry)[1], zone_of(ground, *entry, to_the_right, foot, top)};
 }
 
 }  // namespace terp

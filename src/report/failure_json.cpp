@@ -1,6 +1,9 @@
 #include "report/failure_json.hpp"
 
+#include "report/backdrop.hpp"
 #include "report/entry_point.hpp"
+
+#include <algorithm>
 
 #include <nlohmann/json.hpp>
 
@@ -9,43 +12,45 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The slides of summary.json, each with the place at which it enters the ground.
-Json slides_with_entries(const Summary& s, std::span<const float> first_surface)
+/// The slides of summary.json, each with the place at which it enters the ground. The first of each slope with the edge
+/// of the crest as it was drawn.
+Json slides_of(const Summary& s, const FirstGround& first)
 {
   Json slides = slides_json(s);
   for (std::size_t k = 0; k < s.slides.size(); ++k) {
-    const auto entry = entry_point(s.slides[k], first_surface);
+    const Slide& slide = s.slides[k].slide;
+    const auto entry = entry_point(s.slides[k], first.surface);
+    slides[k].erase("onset");
     slides[k]["entry"] = entry ? Json{{"x", entry->x}, {"y", entry->y}, {"zone", entry->zone}} : Json();
+    const bool is_first = std::none_of(s.slides.begin(), s.slides.begin() + static_cast<std::ptrdiff_t>(k),
+        [&](const SlideSummary& before) { return before.slide.facing == slide.facing; });
+    const auto edge = is_first ? corner_near(first.outline, slide.crest_from, first.column) : std::nullopt;
+    slides[k]["crest_edge"] = edge ? Json(*edge) : Json();
   }
   return slides;
 }
 
-Json events_json(const Summary& s, std::span<const float> first_surface)
+Json events_json(const Summary& s, const FirstGround& first)
 {
   const auto or_null = [](const std::optional<Real>& value) { return value ? Json(*value) : Json(); };
-  Json slides = slides_with_entries(s, first_surface);
-  const auto slide_or_null = [&](std::size_t k) { return k < slides.size() ? slides[k] : Json(); };
-  Json first = slide_or_null(0), second = slide_or_null(1), slip = slides.empty() ? Json() : first["slip_surface"];
   Json stages = Json::array();
   for (const StageSummary& stage : s.stages)
     stages.push_back({{"name", stage.name}, {"start", stage.record.start}, {"end", stage.record.end}});
-  return {{"slides", std::move(slides)}, {"first_slide", std::move(first)}, {"second_slide", std::move(second)},
-      {"moved_volume", s.moved_volume}, {"moved_fraction", s.moved_fraction}, {"moved_distance", s.moved_distance},
-      {"intact_fraction", or_null(s.intact_fraction)}, {"free_toe", s.free_toe},
+  return {{"slides", slides_of(s, first)}, {"moved_volume", s.moved_volume}, {"moved_fraction", s.moved_fraction},
+      {"moved_distance", s.moved_distance}, {"intact_fraction", or_null(s.intact_fraction)}, {"free_toe", s.free_toe},
       {"facing", s.facing ? Json(*s.facing == Facing::left ? "left" : "right") : Json()}, {"run_out", s.run_out},
       {"front_x", s.front_x}, {"remaining_crest", {{"x", or_null(s.crest_x)}, {"y", or_null(s.crest_y)}}},
-      {"stages", std::move(stages)}, {"residual_height", or_null(s.residual_height)}, {"flood", flood_json(s)},
-      {"slip_surface", std::move(slip)}};
+      {"stages", std::move(stages)}, {"residual_height", or_null(s.residual_height)}, {"flood", flood_json(s)}};
 }
 
 }  // namespace
 
-Json failure_json(const RunResults& run, std::span<const float> first_surface, const std::vector<std::string>& warnings)
+Json failure_json(const RunResults& run, const FirstGround& first, const std::vector<std::string>& warnings)
 {
   const Summary& s = run.summary.values;
   Json passes = Json::array();
   for (const PassTime& pass : s.passes) passes.push_back({{"name", pass.name}, {"seconds", pass.seconds}});
-  return {{"passes", std::move(passes)}, {"events", summary_is_behind(run) ? Json() : events_json(s, first_surface)},
+  return {{"passes", std::move(passes)}, {"events", summary_is_behind(run) ? Json() : events_json(s, first)},
       {"warnings", warnings}};
 }
 

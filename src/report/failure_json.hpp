@@ -10,8 +10,15 @@
 
 namespace terp {
 
-/// An object with the keys passes, events and warnings. first_surface: x, y of the ground at t = 0 [m], shape [n, 2].
+/// The ground at t = 0.
+struct FirstGround {
+  std::span<const float> surface;  ///< x, y [m], shape [n, 2]
+  std::span<const float> outline;  ///< of the bodies, as of first_outline
+  Real column = 0.0;               ///< width of the columns in which crests are seen [m]
+};
+
+/// An object with the keys passes, events and warnings.
 nlohmann::ordered_json failure_json(
-    const RunResults& run, std::span<const float> first_surface, const std::vector<std::string>& warnings);
+    const RunResults& run, const FirstGround& first, const std::vector<std::string>& warnings);
 
 }  // namespace terp

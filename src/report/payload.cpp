@@ -188,7 +188,12 @@ struct LinesOfFrames {
     places.insert(places.end(), line.begin(), line.end());
     offsets.push_back(places.size() / 2);
   }
-  std::span<const float> first() const { return {places.data(), 2 * offsets[1]}; }
+  std::span<const float> line(std::size_t frame) const
+  {
+    return std::span(places).subspan(2 * offsets[frame], 2 * (offsets[frame + 1] - offsets[frame]));
+  }
+  std::span<const float> first() const { return line(0); }
+  std::span<const float> last() const { return line(offsets.size() - 2); }
   Json json(Chunks& chunks) const { return {{"chunk", chunks.add(places)}, {"offsets", offsets}}; }
 };
 
@@ -211,15 +216,23 @@ LinesOfFrames surfaces_of(const Source& source, const ShownRun& shown)
   return surfaces;
 }
 
-/// The phreatic line of each frame; null without one.
-Json water_json(Chunks& chunks, const Source& source, const ShownRun& shown)
+/// The phreatic line of each frame; none without one.
+std::optional<LinesOfFrames> water_of(const Source& source, const ShownRun& shown)
 {
-  if (!source.mesh || source.case_read->values.water.start.phreatic_line.empty()) return nullptr;
+  if (!source.mesh || source.case_read->values.water.start.phreatic_line.empty()) return std::nullopt;
   LinesOfFrames lines;
   for (const Real time : shown.times)
     lines.add(phreatic_line(
         source.case_read->values, source.run.summary.values.stages, *source.mesh, shown.times.front(), time));
-  return lines.json(chunks);
+  return lines;
+}
+
+/// Of the end; null where nobody knows where the river is.
+Json gap_json(const Source& source, const LinesOfFrames& surfaces, const std::optional<LinesOfFrames>& water)
+{
+  const auto& flood = source.run.summary.values.flood;
+  if (!water || !flood || !flood->river) return nullptr;
+  return water_in_gap(surfaces.first(), surfaces.last(), water->last(), *flood->river);
 }
 
 Json attached_json(Chunks& chunks, const AttachedLines& lines)
@@ -325,7 +338,7 @@ Json head_json(const Source& source, const ShownRun& shown)
       {"threads", s.threads}, {"wall_seconds", s.wall_s}, {"finished", source.run.summary.finished},
       {"n_points", shown.n_points}, {"n_shown", shown.ids.size()}, {"n_frames_in_run", shown.n_frames_in_run},
       {"times", shown.times}, {"position_precision", std::max(shown.x.step, shown.y.step)},
-      {"point_size", shown.point_size}};
+      {"point_size", shown.point_size}, {"cell", source.mesh ? Json(typical_cell_size(*source.mesh)) : Json()}};
 }
 
 Json run_json(Chunks& chunks, const Source& source, const ShownRun& shown)
@@ -341,14 +354,16 @@ Json run_json(Chunks& chunks, const Source& source, const ShownRun& shown)
   json["outline"] = {{"chunk", chunks.add(outline)}, {"count", outline.size() / 2}};
   const LinesOfFrames surfaces = surfaces_of(source, shown);
   json["surfaces"] = surfaces.json(chunks);
-  json["water"] = water_json(chunks, source, shown);
+  const std::optional<LinesOfFrames> water = water_of(source, shown);
+  json["water"] = water ? water->json(chunks) : Json();
+  json["water_in_gap"] = gap_json(source, surfaces, water);
   json["layers"] = layers_json(chunks, source, shown);
   json["loads"] = loads_json(chunks, source, shown);
   json["slip_planes"] = slip_planes_json(source);
-  json["velocity_vectors"] = nullptr;
   json["histories"] = histories_json(chunks, source.run);
   json["series"] = table_json(chunks, source.run.ledger);
-  json.update(failure_json(source.run, surfaces.first(), source.warnings));
+  const Real column = source.mesh ? typical_cell_size(*source.mesh) : 0.0;
+  json.update(failure_json(source.run, {surfaces.first(), outline, column}, source.warnings));
   json["summary"] = Json::parse(source.run.summary.text);
   return json;
 }

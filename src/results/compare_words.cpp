@@ -91,13 +91,14 @@ std::string flood_sentence(const std::vector<RunResults>& runs, std::size_t othe
 {
   const auto &a = runs[0].summary.values.flood, &b = runs[other].summary.values.flood;
   if (!a || !b) return "";
-  if (a->verdict != b->verdict)
-    return fmt::format(
-        "They differ in the verdict: with {} {}, with {} {}.", who.a, flood_sentence(*a), who.b, flood_sentence(*b));
+  if (!a->verdict || !b->verdict || a->verdict != b->verdict)
+    return fmt::format("{}with {} {}; with {} {}.",
+        a->verdict && b->verdict ? "They differ in the verdict: " : "The verdicts cannot be compared: ", who.a,
+        flood_clause(*a), who.b, flood_clause(*b));
   return fmt::format(
       "The verdict is the same, {}: the highest ground that remains stands at {:.2f} m with {}, at {:.2f} m "
       "with {}.",
-      info_of(a->verdict).words, a->residual_height, who.a, b->residual_height, who.b);
+      info_of(*a->verdict).words, a->residual_height, who.a, b->residual_height, who.b);
 }
 
 std::string softening_sentence(const Comparison& c, std::size_t other, const Pair& who)
@@ -107,7 +108,8 @@ std::string softening_sentence(const Comparison& c, std::size_t other, const Pai
     if (row.label.starts_with("softened volume")) last = &row;
   if (last == nullptr || !last->values[0] || !last->values[other]) return "";
   const std::string when = end_together(c) ? "At the end" : "At" + last->label.substr(last->label.rfind(" at ") + 3);
-  return fmt::format("{} {:.1f} % of the soil has lost more than half of its strength with {}, {:.1f} % with {}.", when,
+  return fmt::format(
+      "{} {:.1f} % of the soil has lost more than half of what softening takes with {}, {:.1f} % with {}.", when,
       *last->values[0], who.a, *last->values[other], who.b);
 }
 

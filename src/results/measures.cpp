@@ -177,7 +177,7 @@ void add_volumes(Measures& all)
   all.push_back(of_summary("max_eps_eq_p", 2));
 }
 
-/// Share of the volume whose strength is below half of its peak, at a time [%].
+/// Share of the volume that has lost more than half of what softening takes, at a time [%].
 Value softened_at(Run run, Real time)
 {
   for (const auto& [t, fraction] : run.summary.values.softened_fraction)
@@ -203,7 +203,7 @@ void add_flood(Measures& all, const std::vector<RunResults>& runs)
           .unit = "-",
           .kind = MeasureKind::word,
           .words = words},
-      [](const FloodSummary& f) { return Value(static_cast<Real>(f.verdict)); });
+      [](const FloodSummary& f) { return f.verdict ? Value(static_cast<Real>(*f.verdict)) : std::nullopt; });
   RunMeasure freeboard{.name = "freeboard",
       .label = "freeboard that remains",
       .unit = "m",

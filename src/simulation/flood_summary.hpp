@@ -29,7 +29,7 @@ inline const FloodVerdictInfo& info_of(FloodVerdict verdict)
 struct FloodSummary {
   static constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
 
-  FloodVerdict verdict = FloodVerdict::stands;
+  std::optional<FloodVerdict> verdict;     ///< of the run so far; none: the run has not ended, and did not flood
   Real water_level = none;                 ///< [m]
   std::string water_level_origin = {};     ///< where it comes from, in words
   std::optional<Facing> river = {};        ///< the end of the section that the river is at
@@ -42,8 +42,11 @@ struct FloodSummary {
   std::string criterion = {};              ///< by which it floods, in words
 };
 
-/// The verdict, with its numbers and the times at which it was first true.
-std::string flood_sentence(const FloodSummary& flood);
+/// A run that has not ended has a verdict only where that is for good: it floods.
+void withhold_verdict(FloodSummary& flood);
+
+/// The verdict, with its numbers and the times at which it was first true: a clause, without the stop at its end.
+std::string flood_clause(const FloodSummary& flood);
 
 /// What the verdict does not know.
 inline constexpr std::string_view flood_caution = "Water that would flow over is not simulated.";

@@ -220,6 +220,12 @@ Summary summarise(const Model& model, const State& state)
     if (has_name || model.stage.rest.steps > 0)
       s.stages.push_back({has_name ? model.description.stages[k].name : "", state.stages_done[k]});
   }
+  if (const auto k = state.stages_done.size(); k < model.description.stages.size() && k == model.stage.number) {
+    StageSummary& runs = s.stages.emplace_back();
+    runs.name = model.description.stages[k].name;
+    runs.record.start = model.time_of(state.stage_start);
+    runs.record.steps = state.step - state.stage_start;
+  }
   s.strength_water = strength_water_of(model.description);
   s.v_999 = state.largest_v_999;
   for (const ActiveFollower& active : state.followers) active.follower->summarise(model, state, s);

@@ -28,16 +28,20 @@ struct FootingSummary {
   Real work = 0.0;                ///< done on the soil [J per m]
 };
 
-/// A stage that has ended; of a run that ends at rest and has no stages: the run, without a name.
+/// A stage that has ended, or the one that runs; of a run that ended at rest and has no stages: the run, without a
+/// name.
 struct StageSummary {
+  static constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
+
   std::string name;
-  StageRecord record;
+  StageRecord record{.end = none, .fastest = none};  ///< without an end: it runs
 };
 
-/// A slide, and where the soil sheared when it sheared fastest.
+/// A slide, and where the soil sheared when it sheared fastest, and when the slide was first seen.
 struct SlideSummary {
   Slide slide;
   SlipSurface slip;
+  SlipSurface onset = {};
 };
 
 /// The water that a strength belongs to: names of situations, "start" for that of t = 0.
@@ -90,7 +94,7 @@ struct Summary {
   std::optional<Real> softened_strain;      ///< plastic strain from which soil counts as softened: the smallest of the
                                             ///< laws in use, Material::softened_strain() [-]; none: nothing softens
   std::vector<std::pair<Real, Real>>
-      softened_fraction;                  ///< (time [s], share of the volume with S_u below half its peak [-])
+      softened_fraction;                  ///< (time [s], share of the volume that lost half of its drop [-])
   std::int64_t points_eps_eq_p_fell = 0;  ///< points whose eps_eq_p ever fell between two ledger rows
   std::int64_t points_su_rose = 0;        ///< points whose S_u ever rose between two ledger rows
   Real energy_balance_error = 0.0;  ///< |numerical| at the end over the energy exchanged: works, plastic, start [-]

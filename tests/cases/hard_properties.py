@@ -27,7 +27,7 @@ def run(terp, case, settings, folder):
 
 
 def softened(model_run, time):
-    """Share of the volume with S_u below half its peak, at the output time nearest to `time`."""
+    """Share of the volume that lost half of what softening takes, at the output time nearest to `time`."""
     return min(model_run.summary["softened_fraction"], key=lambda row: abs(row["time"] - time))["fraction"]
 
 

@@ -51,6 +51,23 @@ TEST(SlipSurface, LeavesOutColumnsThatHardlyShear)
   EXPECT_TRUE(find_slip_line(still.points, still.growth, columns).empty());
 }
 
+TEST(SlipSurface, OfASlopeIsThePartBelowGroundThatGoesItsWay)
+{
+  Soil soil([](Vec<2> x) { return x[1] > 0.5 ? 0.02 : 0.0; });
+  for_each_point(soil.points, [](const PointBlock<2>& block,
+                                  Index lane) {  // parts at x = 3 m; what lies below the band
+    const Real x = block.row(PointRows<2>::x)[lane], y = block.row(PointRows<2>::x + 1)[lane];  // moves the other way
+    block.row(PointRows<2>::v)[lane] = (y > 0.5 ? 1.0 : -5.0) * (x > 3.0 && std::abs(x - 7.0) > 0.2 ? 1.0 : -1.0);
+  });
+  const auto line = find_slip_line(soil.points, soil.growth, columns);
+  ASSERT_EQ(line.size(), 32);
+  const auto part = [&](Facing facing) { return part_below_motion(line, soil.points, {}, columns, facing); };
+  EXPECT_EQ(part(Facing::right).front()[0], 3.125);
+  EXPECT_EQ(part(Facing::right).back()[0], 6.625);  // the longest part
+  EXPECT_EQ(part(Facing::left).front()[0], 0.125);
+  EXPECT_EQ(part(Facing::left).back()[0], 2.875);
+}
+
 TEST(MeanOverNodes, KeepsWhatIsLinearAndErasesACheckerboard)
 {
   const Soil linear([](Vec<2> x) { return 0.01 * x[0] + 0.02 * x[1]; });

@@ -85,7 +85,21 @@ TEST(Flood, ADikeThatCameDownBelowTheWaterFloodsFromThatTimeOn)
   EXPECT_EQ(flood.verdict, FloodVerdict::floods);
   EXPECT_NEAR(*flood.first_time_below, 1.3, 1e-9);
   EXPECT_NEAR(flood.residual_height, 5.0, 1e-9);
-  EXPECT_EQ(flood_sentence(flood).substr(0, 23), "floods, from 1.30 s on:");
+  EXPECT_EQ(flood_clause(flood).substr(0, 23), "floods, from 1.30 s on:");
+  FloodSummary kept = flood;
+  withhold_verdict(kept);
+  EXPECT_EQ(kept.verdict, FloodVerdict::floods);
+}
+
+TEST(Flood, OfARunThatHasNotEndedTheClauseSaysSo)
+{
+  FloodSummary flood = Drawn().flood();
+  EXPECT_THAT(flood_clause(flood), StartsWith("stands: at the end the highest ground stands at 5.00 m, 1.00 m above"));
+  withhold_verdict(flood);
+  flood.first_time_damaged = 2.0;
+  EXPECT_THAT(
+      flood_clause(flood), StartsWith("no verdict before the end of the run, damaged from 2.00 s on: so far the "
+                                      "highest ground stands at 5.00 m, "));
 }
 
 TEST(Flood, AStageThatResetsDisplacementBeginsNoNewVerdict)
@@ -423,7 +437,7 @@ TEST(Flood, ARunThatResumesRemembers)
   Drawn other;
   other.restore(s.save());
   EXPECT_EQ(array_of(other.state, "followers/flood/times"), times);
-  EXPECT_EQ(flood_sentence(other.flood()), flood_sentence(s.flood()));
+  EXPECT_EQ(flood_clause(other.flood()), flood_clause(s.flood()));
 }
 
 }  // namespace

@@ -29,12 +29,15 @@ TEST(Slopes, OfTheColumnIsASlideWithASlipSurfaceFromTheCrestToTheToe)
   const Collapse s(1.2);
   const Summary summary = summarise(s.model, s.state);
   ASSERT_EQ(summary.slides.size(), 1);
-  const auto& [slide, slip] = summary.slides[0];
+  const auto& [slide, slip, onset] = summary.slides[0];
   EXPECT_GT(slide.begins, 0.1);
   EXPECT_LT(slide.begins, 0.3);
   EXPECT_EQ(slide.crest_from, 8.0);
   EXPECT_LT(slide.crest_to, 7.5);
   EXPECT_GT(slip.time, slide.begins);
+  EXPECT_GE(onset.time, slide.begins);
+  EXPECT_LE(onset.time, slip.time);
+  EXPECT_GT(onset.line.size(), 4);
   ASSERT_GT(slip.line.size(), 8);
   EXPECT_GT(slip.line.front()[1], 1.0);  // up at the crest
   EXPECT_LT(slip.line.back()[1], 0.3);   // down at the base
@@ -129,7 +132,12 @@ TEST(Slopes, OfASymmetricEmbankmentIsASlideToEachSide)
   EXPECT_EQ(a.begins, b.begins);
   EXPECT_NEAR(a.crest_from, 24.0 - b.crest_from, 1e-9);
   EXPECT_NEAR(a.crest_to, 24.0 - b.crest_to, 1e-9);
-  EXPECT_EQ(summary.facing, Facing::right);  // both came equally far
+  EXPECT_EQ(summary.facing, Facing::right);      // both came equally far
+  for (const SlideSummary& of : summary.slides)  // each has the soil that goes its way, from the middle on
+    for (const SlipSurface* slip : {&of.slip, &of.onset}) {
+      ASSERT_GT(slip->line.size(), 4u);
+      for (const Vec<2>& x : slip->line) EXPECT_GT(outwards(of.slide.facing) * (x[0] - 12.0), -0.5) << slip->time;
+    }
   const TableRow& last = s.rows.back();
   EXPECT_NEAR(last["front_x"], 24.0 - last["front_left_x"], 1e-3);
   EXPECT_GT(last["front_x"], 17.0);

@@ -23,7 +23,8 @@ Summary sample_summary()
   summary.intact_fraction = 0.25;
   summary.slides.push_back(
       {{.begins = 0.2, .stops = {}, .crest_from = 8.0, .crest_to = 6.0, .kinetic_peak = 11.5, .facing = Facing::left},
-          {.time = 0.7, .rate = 4.5, .line = {{6.0, 1.9}, {7.5, 0.1}}}});
+          {.time = 0.7, .rate = 4.5, .line = {{6.0, 1.9}, {7.5, 0.1}}},
+          {.time = 0.3, .rate = 1.5, .line = {{6.5, 1.5}}}});
   summary.max_eps_eq_p = 2.5, summary.softened_strain = 0.0625, summary.softened_fraction = {{0.5, 0.125}, {1.0, 0.25}},
   summary.points_su_rose = 4;
   summary.points_eps_eq_p_fell = 3, summary.energy_balance_error = 1e-3, summary.clamped_points = 6,
@@ -66,7 +67,8 @@ TEST(SummaryJson, HoldsEveryNumberUnderItsName)
     "moved_volume": 6.5, "moved_fraction": 0.4, "intact_fraction": 0.25,
     "slides": [{"facing": "left", "begins": 0.2, "stops": null,
     "crest_from": 8.0, "crest_to": 6.0, "kinetic_peak": 11.5,
-    "slip_surface": {"time": 0.7, "rate": 4.5, "points": [[6.0, 1.9], [7.5, 0.1]]}}],
+    "slip_surface": {"time": 0.7, "rate": 4.5, "points": [[6.0, 1.9], [7.5, 0.1]]},
+    "onset": {"time": 0.3, "rate": 1.5, "points": [[6.5, 1.5]]}}],
     "second_failure_time": null, "max_eps_eq_p": 2.5, "softened_strain": 0.0625,
     "softened_fraction": [{"time": 0.5, "fraction": 0.125}, {"time": 1.0, "fraction": 0.25}],
     "points_eps_eq_p_fell": 3, "points_su_rose": 4, "energy_balance_error": 1e-3, "clamped_points": 6,
@@ -108,6 +110,35 @@ TEST(SummaryJson, WhatIsNotANumberIsNull)
   EXPECT_TRUE(text["energy_balance_error"].is_null());
   EXPECT_TRUE(text["softened_fraction"][0]["fraction"].is_null());
   EXPECT_EQ(text["finished"], false);
+}
+
+TEST(SummaryJson, ARunThatHasNotEndedHasNoVerdictUnlessItFloods)
+{
+  Summary summary = sample_summary();
+  EXPECT_EQ(written(summary, false)["flood"]["verdict"], "floods");  // for good
+  for (const FloodVerdict verdict : {FloodVerdict::stands, FloodVerdict::damaged}) {
+    summary.flood->verdict = verdict;
+    EXPECT_TRUE(written(summary, false)["flood"]["verdict"].is_null());
+    EXPECT_EQ(written(summary, true)["flood"]["verdict"], info_of(verdict).name);
+  }
+  const ScratchFolder folder;
+  const std::string path = folder.path() + "/summary.json";
+  write_summary(path, summary, false, {"model_2", "title = \"column\"\n"});
+  EXPECT_FALSE(read_summary(path).values.flood->verdict);
+  EXPECT_EQ(read_summary(path).values.flood->first_time_damaged, 0.75);
+}
+
+TEST(SummaryJson, TheStageThatRunsHasNoEnd)
+{
+  Summary summary = sample_summary();
+  summary.stages = {{"flood", {.start = 0.5, .end = std::nan(""), .steps = 7, .fastest = std::nan("")}}};
+  const json stage = written(summary, false)["stages"][0];
+  EXPECT_EQ(stage["start"], 0.5);
+  EXPECT_TRUE(stage["end"].is_null() && stage["fastest_node"].is_null());
+  const ScratchFolder folder;
+  const std::string path = folder.path() + "/summary.json";
+  write_summary(path, summary, false, {"model_2", "title = \"column\"\n"});
+  EXPECT_TRUE(std::isnan(read_summary(path).values.stages[0].record.end));
 }
 
 TEST(SummaryJson, NumbersComeBackToTheBit)

@@ -84,4 +84,23 @@ TEST(Backdrop, TheRampOfTheFirstStageBeginsWithTheRun)
   EXPECT_EQ(phreatic_line(c, {{"flood", {.start = 10.0, .end = 20.0}}}, mesh, 10.0, 11.0).at(1), 1.5f);
 }
 
+TEST(Backdrop, AStepOfThePhreaticLineIsVertical)
+{
+  Case c;
+  c.water.start.phreatic_line = {{0.0, 1.0}, {1.0, 1.0}, {1.0, 0.5}, {3.0, 0.5}};
+  const Mesh<2> mesh = make_rectangle({0.0, 0.0}, {3.0, 2.0}, {3, 2});
+  EXPECT_EQ(phreatic_line(c, {}, mesh, 0.0, 0.0), (std::vector<float>{0, 1, 1, 1, 1, 0.5, 3, 0.5}));
+}
+
+// A dike from x = 2 to 8 m, whose right half has come down by 2 m; the river is to the left.
+TEST(Backdrop, WaterStandsWhereGroundSlidAwayBelowThePhreaticLine)
+{
+  const std::vector<float> first{0, 0, 2, 0, 4, 4, 6, 4, 8, 0, 10, 0}, slid{0, 0, 2, 0, 4, 4, 5, 4, 6, 2, 8, 0, 10, 0};
+  const std::vector<float> river{0, 3, 4, 3, 6, 2.8f, 10, -1};
+  EXPECT_NEAR(water_in_gap(first, slid, river, Facing::left), 0.8, 1e-6);
+  EXPECT_EQ(water_in_gap(first, first, river, Facing::left), 0.0);
+  EXPECT_EQ(water_in_gap(first, slid, river, Facing::right), 0.0);  // then it is the river that stands there
+  EXPECT_EQ(water_in_gap(first, slid, {}, Facing::left), 0.0);
+}
+
 }  // namespace

@@ -5,11 +5,11 @@
 
 namespace {
 
-const std::vector<float> ground = {0, 2, 6, 2, 8, 0, 12, 0};
+const std::vector<float> ground = {0, 2, 6, 2, 8, 0, 12, 0}, outline = {0, 0, 12, 0, 7.75f, 0.5f, 7.6f, 1, 0, 1};
 
 nlohmann::json written(const RunResults& run)
 {
-  return nlohmann::json::parse(failure_json(run, ground, {"a warning"}).dump());
+  return nlohmann::json::parse(failure_json(run, {ground, outline, 0.5}, {"a warning"}).dump());
 }
 
 TEST(FailureJson, HasTheEventsUnderTheirNames)
@@ -20,29 +20,35 @@ TEST(FailureJson, HasTheEventsUnderTheirNames)
   s.passes = {{"stress", 1.5}};
   s.moved_volume = 6.5, s.crest_x = 4.0;
   s.slides.push_back({{.begins = 0.2, .stops = {}, .crest_from = 8.0, .crest_to = 6.0, .kinetic_peak = 11.0},
-      {.time = 0.7, .rate = 4.0, .line = {{6.0, 1.5}, {7.0, 0.5}}}});
+      {.time = 0.7, .rate = 4.0, .line = {{6.0, 1.5}, {7.0, 0.5}}},
+      {.time = 0.3, .rate = 2.0, .line = {{6.0, 2.0}, {7.0, 0.5}}}});
   const auto json = written(run);
   EXPECT_EQ(json["passes"][0]["name"], "stress");
-  EXPECT_EQ(json["events"]["first_slide"]["begins"], 0.2);
-  EXPECT_TRUE(json["events"]["first_slide"]["stops"].is_null());
-  EXPECT_TRUE(json["events"]["second_slide"].is_null());
   EXPECT_EQ(json["events"]["slides"].size(), 1);
-  EXPECT_EQ(json["events"]["slip_surface"]["points"][1][0], 7.0);
+  EXPECT_EQ(json["events"]["slides"][0]["begins"], 0.2);
+  EXPECT_TRUE(json["events"]["slides"][0]["stops"].is_null());
+  EXPECT_EQ(json["events"]["slides"][0]["slip_surface"]["points"][1][0], 7.0);
   EXPECT_EQ(json["events"]["moved_volume"], 6.5);
   EXPECT_EQ(json["events"]["remaining_crest"]["x"], 4.0);
   EXPECT_TRUE(json["events"]["remaining_crest"]["y"].is_null());
   EXPECT_EQ(json["warnings"].back(), "a warning");
   EXPECT_EQ(json["events"]["slides"][0]["entry"]["zone"], "crest");
   EXPECT_EQ(json["events"]["slides"][0]["entry"]["y"], 2.0);
+  EXPECT_FLOAT_EQ(json["events"]["slides"][0]["crest_edge"].get<float>(), 7.6f);  // near 8
+  s.slides.push_back(s.slides[0]);
+  EXPECT_TRUE(written(run)["events"]["slides"][1]["crest_edge"].is_null());
+  s.slides[1].slide.facing = Facing::left;
+  EXPECT_FALSE(written(run)["events"]["slides"][1]["crest_edge"].is_null());
 }
 
-TEST(FailureJson, HasNoSlipSurfaceWithoutASlide)
+TEST(FailureJson, HasTheStageThatRunsWithoutAnEnd)
 {
   RunResults run;
   run.summary.values.n_steps = 100;
-  const auto json = written(run);
-  EXPECT_TRUE(json["events"]["slip_surface"].is_null());
-  EXPECT_TRUE(json["events"]["first_slide"].is_null());
+  run.summary.values.stages = {{"daily", {.start = 0.0, .end = 0.5}}, {"flood", {.start = 0.5, .end = std::nan("")}}};
+  const auto stages = written(run)["events"]["stages"];
+  EXPECT_EQ(stages[1]["start"], 0.5);
+  EXPECT_TRUE(stages[1]["end"].is_null());
 }
 
 TEST(FailureJson, HasNoEventsOfASummaryThatIsStillEmpty)

@@ -21,7 +21,8 @@ TEST(MeshStudyPage, HasAnswerTableChartsAndNothingFromOutside)
   study.title = "<column>";
   const std::string page = study_page(study, "2026-01-02T03:04:05Z");
   EXPECT_THAT(page, AllOf(StartsWith("<!doctype html>"), HasSubstr("<h1>&lt;column&gt;</h1>"),
-                        HasSubstr("<th>front at the end</th>"), HasSubstr("tends to a limit"), HasSubstr("<svg ")));
+                        HasSubstr("<th>front at the end</th>"), HasSubstr("tends to a limit"), HasSubstr("<svg "),
+                        HasSubstr("content=\"default-src 'none'; style-src 'unsafe-inline'\"")));
   EXPECT_THAT(page, Not(AnyOf(HasSubstr("src="), HasSubstr("href="), HasSubstr("nan"))));
 }
 

@@ -66,7 +66,8 @@ TEST_F(CompareTest, SaysTheDifferencesInWords)
       "blocks that slide in one piece survive with "
       "MPM-GP and are erased with MPM-Mixed.");
   EXPECT_EQ(comparison.text[3],
-      "At the end 41.7 % of the soil has lost more than half of its strength with MPM-Mixed, 31.1 % with MPM-GP.");
+      "At the end 41.7 % of the soil has lost more than half of what softening takes with MPM-Mixed, 31.1 % with "
+      "MPM-GP.");
   EXPECT_EQ(comparison.text[4],
       "With MPM-Mixed the plastic strain fell at 2 of 5 points, so that soil regained strength, which its law forbids; "
       "with MPM-GP no point loses any of its plastic strain.");

@@ -18,7 +18,8 @@ TEST(CompareWords, SaysThatRunsEndAtDifferentTimes)
       "The runs end at different times, short at 0.20 s and long at 0.25 s: what they say of the end is not of one "
       "time.");
   EXPECT_THAT(text,
-      Contains("At 0.2 s 10.0 % of the soil has lost more than half of its strength with short, 10.0 % with long."));
+      Contains(
+          "At 0.2 s 10.0 % of the soil has lost more than half of what softening takes with short, 10.0 % with long."));
 }
 
 TEST(CompareWords, SaysNothingOfTheEndOfARunThatGoesOn)
@@ -70,6 +71,30 @@ TEST(CompareWords, OfMoreThanTwoCallsThemByName)
   runs[0].summary.values.scheme = "mpm_mixed";
   EXPECT_THAT(compare_runs(runs, {"a", "b", "c"}).text,
       Contains("With a no point loses any of its plastic strain; with c no point loses any of its plastic strain."));
+}
+
+TEST(CompareWords, SetsTwoVerdictsInOneSentence)
+{
+  FloodSummary one, two;
+  one.water_level = two.water_level = 4.5;
+  one.verdict = FloodVerdict::damaged, one.residual_height = 4.9, one.freeboard = 0.4, one.first_time_damaged = 11.0;
+  two.verdict = FloodVerdict::floods, two.residual_height = 3.7, two.freeboard = -0.8, two.first_time_below = 12.7;
+  const auto sentence = [&] {
+    const auto text =
+        words_on([&](RunResults& a, RunResults& b) { a.summary.values.flood = one, b.summary.values.flood = two; });
+    return *std::ranges::find_if(text, [](const std::string& s) { return s.find("erdict") != s.npos; });
+  };
+  const std::string damaged =
+                        "damaged from 11.00 s on: at the end the highest ground stands at 4.90 m, 0.40 m above "
+                        "the water at 4.50 m",
+                    floods =
+                        "floods, from 12.70 s on: at the end the highest ground stands at 3.70 m, 0.80 m below "
+                        "the water at 4.50 m";
+  EXPECT_EQ(sentence(),
+      "They differ in the verdict: with a damaged, holds the water, " + damaged + "; with b " + floods + ".");
+  withhold_verdict(one);
+  EXPECT_THAT(sentence(), StartsWith("The verdicts cannot be compared: with a no verdict before the end of the run, "
+                                     "damaged from 11.00 s on: so far the highest ground stands at 4.90 m"));
 }
 
 TEST(CompareWords, SaysInWhatTheCasesDiffer)

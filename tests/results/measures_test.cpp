@@ -99,6 +99,9 @@ TEST(Measures, TheVerdictOnTheWaterIsAWord)
   EXPECT_EQ(measure(all, "freeboard").value(runs[0]), 0.5);
   EXPECT_EQ(measure(all, "residual_height").value(runs[0]), 4.5);
   EXPECT_FALSE(measure(all, "first_time_below").value(runs[0]));
+  RunResults stopped = runs[0];
+  stopped.summary.values.flood->verdict.reset();
+  EXPECT_FALSE(verdict.value(stopped));
 }
 
 TEST(Measures, OfSizesWhoseVerdictDiffersSayItLoudly)

@@ -42,7 +42,14 @@ TEST(Stages, EndAtWholeStepsNearestToTheirTimes)
 {
   const Case chain = staged(settling(), {{stage("a", 1.0), {}}, {stage("b", 2.5), {}}, {stage("c", 0.5), {}}});
   Simulation s(chain);
+  s.advance_to(2.0);
+  const std::vector<StageSummary> so_far = summarise(s.model, s.state).stages;
+  ASSERT_EQ(so_far.size(), 2u);
+  EXPECT_EQ(so_far[1].name, "b");  // it runs
+  EXPECT_EQ(so_far[1].record.start, so_far[0].record.end);
+  EXPECT_TRUE(std::isnan(so_far[1].record.end));
   s.run();
+  EXPECT_EQ(summarise(s.model, s.state).stages.size(), 3u);
   ASSERT_EQ(s.state.stages_done.size(), 3u);
   EXPECT_NEAR(s.state.stages_done[0].end, 1.0, 0.5 * s.model.dt);
   EXPECT_NEAR(s.state.stages_done[1].end, 3.5, 0.5 * s.model.dt);

@@ -2,7 +2,7 @@
 
 import type { Report } from "./data/report";
 import type { FieldMeta } from "./data/format";
-import { Store, type ViewState } from "./logic/store";
+import { pixelRatio, Store, type ViewState } from "./logic/store";
 import { toScreen } from "./logic/camera";
 import { speeds } from "./logic/time";
 import { fieldHelp } from "./logic/labels";
@@ -18,6 +18,7 @@ import { fieldControls, layerControls, zoomButtons } from "./shell/controls";
 import { Keys, type Actions } from "./shell/keys";
 import { keepInAddress, openIn } from "./shell/address";
 import { Notice } from "./shell/notice";
+import { printOnPaper } from "./shell/paper";
 import { element, icon, iconButton } from "./shell/element";
 import { storiesSection, summarySection } from "./sections/summary";
 import { comparisonSection } from "./sections/comparison";
@@ -39,13 +40,19 @@ function startState(report: Report): ViewState {
     mesh: false, layers: true, water: true, outline: true, slip: true, surfaces: report.runs.length > 1,
     names: false, pointScale: 1, profileX: null,
     camera: null, layout: "auto", hover: null, pin: null, shown: report.runs.map(() => true), dark: startDark(),
+    paper: false,
   };
 }
 
-/** Of a dike what is left of its strength, where it is written: it suits layers of any strength. Else the first. */
-function startField(report: Report): FieldMeta | undefined {
-  const { fields } = report.runs[0]!.meta;
-  return (report.runs.some(hasWater) && fields.find(({ name }) => name === "su_ratio")) || fields[0];
+/**
+ * Of a dike what is left of its strength, which suits layers of any strength; where nothing softens its soils. Else the
+ * first.
+ */
+export function startField({ runs }: Pick<Report, "runs">): FieldMeta | undefined {
+  const { fields } = runs[0]!.meta;
+  const softens = runs.some(({ meta }) => meta.summary.softened_strain !== null);
+  const name = softens ? "su_ratio" : "material";
+  return (runs.some(hasWater) && fields.find((field) => field.name === name)) || fields[0];
 }
 
 function startDark(): boolean {
@@ -103,7 +110,7 @@ export function buildPage(report: Report, page: HTMLElement): void {
       say("footer", { version: report.meta.terp, time: report.meta.written.replace("T", " ").replace("Z", " UTC") })),
     notice.root, keys.help);
   keepInAddress(store, report.fieldNames(), player.span);
-  printLight(store, viewer, paper ? before : null);
+  printOnPaper(store, viewer, paper ? before : null);
   window.terp = probe(current, viewer);
 }
 
@@ -199,7 +206,7 @@ function colourBar(current: Current): HTMLElement {
   const marks = words ? element("span", { class: "no-print" }, say("below", { signs: words })) : null;
   const root = element("div", { class: "colour-bar" }, canvas, element("p", { class: "muted small" }, help, marks));
   const draw = () => {
-    const ratio = window.devicePixelRatio || 1;
+    const ratio = pixelRatio(store.state);
     const width = root.clientWidth;
     if (width === 0) return;
     [canvas.width, canvas.height] = [Math.round(width * ratio), Math.round(BAR_HEIGHT * ratio)];
@@ -215,7 +222,7 @@ function colourBar(current: Current): HTMLElement {
   const { store, report } = current;
   store.watch(["field"], ({ field }) => (help.textContent = fieldHelp(field)));
   store.on((state, changed) => {
-    const keys = ["field", "map", "rangeMode", "fixed", "log", "dark", "shown"] as const;
+    const keys = ["field", "map", "rangeMode", "fixed", "log", "dark", "shown", "paper"] as const;
     if (keys.some((key) => changed.has(key)) || (changed.has("time") && state.rangeMode === "frame")) draw();
   });
   for (const run of report.runs) run.onField.push(draw);
@@ -268,28 +275,4 @@ function makeActions(current: Current, viewer: Viewer, player: Player, notice: N
     theme: () => store.set({ dark: !store.state.dark }),
     print: () => window.print(),
   };
-}
-
-/** The section as it was drawn, in the colours of its soils: on paper it stands above the view. */
-function drawBefore(store: Store, viewer: Viewer, before: HTMLCanvasElement): void {
-  const { time, field, log, rangeMode, slip } = store.state;
-  store.set({ time: 0, field: "material", slip: false });
-  viewer.draw();
-  const view = viewer.root.querySelector("canvas")!;
-  [before.width, before.height] = [view.width, view.height];
-  before.getContext("2d")!.drawImage(view, 0, 0);
-  store.set({ time, field, slip });
-  store.set({ log, rangeMode });
-}
-
-/** Paper is white: prints in light colours, then goes back. Case files stay folded. */
-function printLight(store: Store, viewer: Viewer, before: HTMLCanvasElement | null): void {
-  let dark = false;
-  window.addEventListener("beforeprint", () => {
-    dark = store.state.dark;
-    store.set({ dark: false, playing: false });
-    if (before) drawBefore(store, viewer, before);
-    viewer.draw();
-  });
-  window.addEventListener("afterprint", () => store.set({ dark }));
 }

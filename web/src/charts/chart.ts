@@ -3,7 +3,7 @@
 
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
-import type { Store } from "../logic/store";
+import { pixelRatio, type Store } from "../logic/store";
 import { canvasTheme, FONT } from "../view/theme";
 import { numberText, readableUnit, unitSuffix } from "../logic/numbers";
 import { say } from "../logic/texts";
@@ -22,11 +22,20 @@ export interface ChartOptions {
   title: string;
   xLabel: string;
   unit: string;
+  yLabel?: string; // before the unit
   height?: number;
   overTime?: boolean; // the x axis is the time of the run
   yRange?: [number, number]; // fixed; otherwise from the data
   fromZero?: boolean;
   nameEnds?: boolean; // each line's label at its right end
+}
+
+/** Distinct patterns of lines, for those of one colour. */
+export const DASHES = [[], [7, 4], [2, 3], [9, 3, 2, 3]];
+
+/** The nearest that the legend has. */
+function borderOf(dash: number[] | undefined): string {
+  return !dash || dash.length === 0 ? "solid" : dash.length === 2 && dash[0]! < 3 ? "dotted" : "dashed";
 }
 
 const SYNC = uPlot.sync("terp");
@@ -48,7 +57,7 @@ export class Chart {
     this.root = element("figure", { class: "chart" }, element("figcaption", {}, options.title), this.holder);
     new ResizeObserver(() => this.resize()).observe(this.holder);
     if (this.options.overTime) store.on((_, changed) => changed.has("time") && this.placeNow());
-    store.on((_, changed) => changed.has("dark") && this.build());
+    store.on((_, changed) => (changed.has("dark") || changed.has("paper")) && this.build());
   }
 
   set title(text: string) {
@@ -96,36 +105,47 @@ export class Chart {
     const { dark } = this.store.state;
     const theme = canvasTheme(dark);
     const { unit } = this.scaled();
+    const s = this.sharpness();
+    const font = `${11 * s}px ${FONT}`;
     const axis: uPlot.Axis = {
-      stroke: theme.muted, font: `11px ${FONT}`, labelFont: `11px ${FONT}`, labelSize: 18,
-      grid: { stroke: theme.frame, width: 0.5 }, ticks: { stroke: theme.frame, width: 1, size: 4 }, gap: 4,
+      stroke: theme.muted, font, labelFont: font, labelSize: 18 * s,
+      grid: { stroke: theme.frame, width: 0.5 * s }, ticks: { stroke: theme.frame, width: s, size: 4 * s }, gap: 4 * s,
+      space: (_, axisIdx) => (axisIdx === 0 ? 50 : 30) * s,
     };
     const text = (_: uPlot, v: number | null) => (v === null || v === undefined ? "" : numberText(v, 4));
     return {
-      width: this.holder.clientWidth,
-      height: this.height(),
-      padding: [8, this.options.nameEnds ? 24 : 12, 0, 0],
+      width: this.holder.clientWidth * s,
+      height: this.height() * s,
+      padding: [8 * s, (this.options.nameEnds ? this.longestName() + 10 : 12) * s, 0, 0],
       scales: { x: { time: false }, y: { range: this.options.yRange ? () => this.options.yRange! : this.rangeY() } },
       axes: [
-        { ...axis, label: this.options.xLabel, size: 26, values: (_, ticks) => ticks.map((t) => numberText(t)) },
-        { ...axis, label: unitSuffix(unit).trim(),
-          size: (_, values) => 14 + 6.4 * Math.max(2, ...(values ?? []).map((v) => v.length)),
+        { ...axis, label: this.options.xLabel, size: 26 * s, values: (_, ticks) => ticks.map((t) => numberText(t)) },
+        { ...axis, label: `${this.options.yLabel ?? ""}${unitSuffix(unit)}`.trim(),
+          size: (_, values) => (14 + 6.4 * Math.max(2, ...(values ?? []).map((v) => v.length))) * s,
           values: (_, ticks) => ticks.map((t) => numberText(t)) },
       ],
       series: [
         { label: this.options.xLabel.replace(/ \[.*/, ""), value: text },
         ...this.lines.map((line) => ({
-          label: line.label, stroke: line.colour(dark), width: line.width ?? 1.6, dash: line.dash, spanGaps: true,
+          label: line.label, stroke: line.colour(dark), width: (line.width ?? 1.6) * s,
+            dash: line.dash?.map((part) => part * s), spanGaps: true,
             points: { show: false }, value: text,
         })),
       ],
       cursor: { sync: this.options.overTime ? { key: SYNC.key, setSeries: false, scales: ["x", null] } : undefined,
         drag: { x: true, y: false }, focus: { prox: 16 }, points: { size: 6 } },
       focus: { alpha: 0.35 },
-      legend: { live: true, markers: { width: 2, dash: (_, k) => (this.lines[k - 1]?.dash ? "dashed" : "solid") } },
+      legend: { live: true, markers: { width: 2, dash: (_, k) => borderOf(this.lines[k - 1]?.dash) } },
       hooks: { draw: [(plot) => this.drawNames(plot), () => this.placeNow()], ready: [(plot) => this.listen(plot)],
         setScale: [(plot, key) => key === "x" && this.noteZoom(plot)] },
     };
+  }
+
+  /** Width of the longest label [CSS pixels]. */
+  private longestName(): number {
+    const context = document.createElement("canvas").getContext("2d")!;
+    context.font = `600 11px ${FONT}`;
+    return Math.max(0, ...this.lines.map(({ label }) => context.measureText(label).width));
   }
 
   private rangeY(): uPlot.Range.Function {
@@ -137,8 +157,14 @@ export class Chart {
     };
   }
 
+  /** On paper a chart is drawn larger than it is shown. */
+  private sharpness(): number {
+    return this.store.state.paper ? pixelRatio(this.store.state) / (window.devicePixelRatio || 1) : 1;
+  }
+
   private height(): number {
-    return this.options.height ?? 220;
+    const height = this.options.height ?? 220;
+    return this.store.state.paper ? 0.8 * height : height;
   }
 
   /** The line at the present time: an element, as moving it is cheap beside drawing the chart anew. */
@@ -154,7 +180,7 @@ export class Chart {
   private drawNames(plot: uPlot): void {
     if (!this.options.nameEnds) return;
     const { left, top, width, height } = plot.bbox;
-    const ratio = devicePixelRatio;
+    const ratio = devicePixelRatio * this.sharpness();
     const names = this.lines.map((line, k) => {
       const y = plot.data[k + 1]!;
       let last = y.length - 1;
@@ -202,6 +228,6 @@ export class Chart {
     const width = this.holder.clientWidth;
     if (width === 0) return;
     if (!this.plot) this.build();
-    else if (this.plot.width !== width) this.plot.setSize({ width, height: this.height() });
+    else if (!this.store.state.paper && this.plot.width !== width) this.plot.setSize({ width, height: this.height() });
   }
 }

@@ -54,7 +54,8 @@ export interface Slide {
   facing?: "right" | "left"; // of the slope that slides
   begins: number | null;
   stops?: number | null;
-  crest_from?: number | null;
+  crest_from?: number | null; // the edge of a column, as crest_to
+  crest_edge?: number | null; // of the first slide of a slope: the corner of the drawing that this edge stands for
   crest_to?: number | null;
   kinetic_peak?: number | null; // J/m
   entry?: EntryPoint | null;
@@ -74,7 +75,7 @@ export interface SlipSurface {
 }
 
 export interface Flood {
-  verdict: "stands" | "damaged" | "floods";
+  verdict: "stands" | "damaged" | "floods" | null; // null: the run has not ended, and did not flood
   water_level?: number | null; // m
   river?: "left" | "right" | null; // end of the section
   residual_height: number | null; // m, of the highest ground at the end
@@ -88,14 +89,12 @@ export interface Flood {
 export interface Stage {
   name: string; // empty: the run has no stages and ended at rest
   start: number;
-  end: number;
+  end: number | null; // null: it runs
 }
 
 export interface Events {
-  stages?: Stage[]; // those that have ended
-  slides?: Slide[]; // first_slide and second_slide are the first two
-  first_slide?: Slide | null;
-  second_slide?: Slide | null;
+  stages?: Stage[]; // those that have ended, and the one that runs
+  slides?: Slide[];
   moved_volume?: number | null;
   moved_distance?: number | null; // m, from which on soil counts as moved
   moved_fraction?: number | null;
@@ -108,7 +107,6 @@ export interface Events {
   remaining_crest?: Place | null;
   residual_height?: number | null;
   flood?: Flood | null;
-  slip_surface?: SlipSurface | null;
   [name: string]: unknown;
 }
 
@@ -158,6 +156,7 @@ export interface RunMeta {
   position_precision: number;
   bounds: [number, number, number, number];
   point_size: number;
+  cell?: number | null; // typical size, the width of the columns in which crests are seen [m]
   materials: { id: number; name: string; soil?: string; color?: string }[];
   positions: { x: QuantisedMeta; y: QuantisedMeta };
   ids: { chunk: number };
@@ -166,6 +165,7 @@ export interface RunMeta {
   outline: { chunk: number; count: number } | null;
   surfaces: { chunk: number; offsets: number[] } | null;
   water: { chunk: number; offsets: number[] } | null;
+  water_in_gap?: number | null; // depth of water where ground slid away behind the barrier, at the end [m]
   layers: LayerMeta[];
   loads: LoadMeta[];
   slip_planes: SlipPlane[];

@@ -41,6 +41,13 @@ export function metres(value: number | null | undefined): string {
   return fixed(value, 2, "\u00a0m");
 }
 
+/** A place that is the edge of a column, with no more decimals than the edges have: "21 m". */
+export function columnPlace(value: number | null | undefined, column: number | null | undefined): string {
+  let decimals = 0;
+  while (column && decimals < 2 && Math.abs(column - Number(column.toFixed(decimals))) > 1e-6 * column) decimals++;
+  return fixed(value, column ? decimals : 2, "\u00a0m");
+}
+
 /** Of a share of one. */
 export function percent(part: number | null | undefined): string {
   return fixed(typeof part === "number" ? 100 * part : null, 1, `${THIN}%`);

@@ -34,6 +34,12 @@ export interface ViewState {
   pin: Pin | null;
   shown: boolean[]; // runs that are shown
   dark: boolean;
+  paper: boolean; // laid out for a print
+}
+
+/** Pixels of a canvas per CSS pixel; on paper 240 per inch. */
+export function pixelRatio({ paper }: ViewState): number {
+  return paper ? 2.5 : window.devicePixelRatio || 1;
 }
 
 export type Listener = (state: ViewState, changed: Set<keyof ViewState>) => void;

@@ -4,20 +4,29 @@
 import type { RunMeta, Slide } from "../data/format";
 import type { Run } from "../data/run";
 import { schemeLabel, spoken } from "./labels";
-import { fixed, metres, numberText, percent, withUnit } from "./numbers";
-import { slidesOf } from "./slides";
+import { columnPlace, fixed, metres, numberText, percent, withUnit } from "./numbers";
+import { nextOf, slidesOf } from "./slides";
 import { ordinal, say, type TextKey } from "./texts";
 
 const HARDLY_MOVED = 0.01; // share of the volume
 const STILL_MOVING = 0.01; // kinetic energy at the end over its largest
-const MUCH_IMBALANCE = 0.05; // of the energy exchanged; also the limit of the program's warning
+// Limits of the warnings of the program, app/run.cpp and simulation/softening_scales.cpp
+const MUCH_IMBALANCE = 0.05; // of the energy exchanged
+const MUCH_DAMPING = 7; // times what the factor promises
+const LEAST_CELLS = 2; // in a softening length
 
 interface StageOfSummary {
   name: string;
   start: number;
-  end: number;
+  end: number | null; // null: it runs
   at_rest?: boolean;
   fastest_node?: number | null;
+}
+
+interface ReachedSide {
+  side: string;
+  time: number;
+  rose: boolean;
 }
 
 interface StrengthWater {
@@ -55,6 +64,33 @@ export function lastTime(run: Run): number {
   return times && times.length > 0 ? times[times.length - 1]! : run.meta.times[run.meta.times.length - 1]!;
 }
 
+/** The crest before a slide: where it was drawn, else the edge of a column. */
+export function crestFrom({ cell }: RunMeta, slide: Slide): string {
+  return typeof slide.crest_edge === "number" ? metres(slide.crest_edge) : columnPlace(slide.crest_from, cell);
+}
+
+/** How sharply crests are seen: "(by columns of 1 m)". */
+export function byColumns({ cell }: RunMeta): string {
+  return cell ? say("by_columns", { column: withUnit(cell, "m", 2) }) : "";
+}
+
+/** That the last stage, or the run, was to end at rest and did not. */
+export function restDoubt({ meta }: Run): string[] {
+  const stages = listOf<StageOfSummary>(meta, "stages");
+  const last = stages[stages.length - 1];
+  return last && isRestless(last) ? [say("note_rest", { speed: withUnit(last.fastest_node, "m/s", 2) })] : [];
+}
+
+function isRestless({ end, at_rest: rest, fastest_node: fastest }: StageOfSummary): boolean {
+  return end !== null && !rest && typeof fastest === "number";
+}
+
+/** That soil came to sides of the mesh. */
+export function sideDoubts({ meta }: Run): string[] {
+  return listOf<ReachedSide>(meta, "reached_sides").map(({ side, time, rose }) =>
+    say(rose ? "note_side_rose" : "note_side", { side, time: seconds(time) }));
+}
+
 /** "on the land's side"; empty where all slides go to the right and no river says more. */
 export function sideOf(meta: RunMeta, slide: Slide): string {
   const river = meta.events?.flood?.river;
@@ -77,6 +113,7 @@ function tellStages(meta: RunMeta): string[] {
   if (stages.length === 0) return [];
   const texts = stages.map(({ name, start, end, at_rest: rest, fastest_node: fastest }) => {
     const values = { name, start: seconds(start), end: seconds(end) };
+    if (end === null) return say("stage_runs", values);
     if (rest) return say("stage_rest", values);
     return typeof fastest === "number" ? say("stage_moving", { ...values, speed: withUnit(fastest, "m/s", 2) })
       : say("stage_plain", values);
@@ -87,7 +124,7 @@ function tellStages(meta: RunMeta): string[] {
 function endOfSlide(run: Run, slides: Slide[], k: number): string {
   const { stops, kinetic_peak: peak } = slides[k]!;
   if (typeof stops === "number") return say("story_stopped", { time: seconds(stops) });
-  if (k + 1 < slides.length) return say("story_overtaken");
+  if (nextOf(slides, k)) return say("story_overtaken");
   const { last } = kineticOf(run);
   if (!peak) return "";
   const factor = run.series?.unit("kinetic") === "kJ/m" ? 1e3 : 1; // the peak is in J/m
@@ -97,16 +134,22 @@ function endOfSlide(run: Run, slides: Slide[], k: number): string {
 function tellSlides(run: Run): string[] {
   const { meta } = run;
   const slides = slidesOf(meta);
-  if (slides.length === 0)
-    return [say((meta.events?.moved_fraction ?? 0) < HARDLY_MOVED ? "story_holds" : "story_creeps")];
+  if (slides.length === 0) {
+    if ((meta.events?.moved_fraction ?? 0) >= HARDLY_MOVED) return [say("story_creeps")];
+    return [say(meta.finished ? "story_holds" : "story_holds_so_far", { time: seconds(lastTime(run)) })];
+  }
   return slides.map((slide, k) => {
     const side = sideOf(meta, slide);
     const { entry } = slide;
     return [say("story_slide", { ordinal: ordinal(k), time: seconds(slide.begins), side: side && ` ${side}`,
-      from: metres(slide.crest_from), to: metres(slide.crest_to) }),
+      from: crestFrom(meta, slide), to: columnPlace(slide.crest_to, meta.cell), column: spaced(byColumns(meta)) }),
     entry ? say("story_entry", { x: metres(entry.x), zone: zoneText(meta, slide) }) : "",
     endOfSlide(run, slides, k)].filter(Boolean).join(" ");
   });
+}
+
+function spaced(text: string): string {
+  return text && ` ${text}`;
 }
 
 /** How far the front came, or why there is none. */
@@ -133,7 +176,8 @@ function tellMotion(run: Run): string[] {
   if (typeof events.intact_fraction === "number" && (events.moved_fraction ?? 0) > HARDLY_MOVED)
     texts.push(say("story_intact", { percent: percent(events.intact_fraction) }));
   const { x, y } = events.remaining_crest ?? {};
-  if (typeof x === "number" && typeof y === "number") texts.push(say("story_crest", { x: metres(x), y: metres(y) }));
+  if (typeof x === "number" && typeof y === "number") texts.push(say("story_crest",
+    { x: columnPlace(x, meta.cell), y: metres(y), column: spaced(byColumns(meta)) }));
   else if (typeof x !== "number" && slides.length > 0) texts.push(say("story_no_crest"));
   if (typeof events.residual_height === "number")
     texts.push(say("story_height", { height: metres(events.residual_height) }));
@@ -150,7 +194,8 @@ function tellMotion(run: Run): string[] {
 function tellStrength(meta: RunMeta): string[] {
   const softened = listOf<{ fraction: number }>(meta, "softened_fraction");
   const share = softened[softened.length - 1]?.fraction ?? 0;
-  const texts = share > 0 ? [say("story_softened", { percent: percent(share) })] : [];
+  const texts = share > 0 ? [say("story_softened", { percent: percent(share) })]
+    : meta.summary.softened_strain === null ? [say("story_no_softening")] : [];
   const water = (name: string) => (name === "start" ? say("water_start") : say("water_situation", { name }));
   const groups = new Map<string, { of: StrengthWater; soils: string[] }>();
   for (const of of listOf<StrengthWater>(meta, "strength_water")) {
@@ -178,10 +223,16 @@ function tellPlanes({ slip_planes: planes }: RunMeta): string[] {
   return planes.length === 0 ? [] : [say("story_planes", { planes: planes.map(planeText).join("; ") })];
 }
 
-/** "D-Stability: Bishop, F = 1.05" */
+/** "UpliftVanParticleSwarm" -> "Uplift-Van": the method, without the search for its plane. */
+function methodText(method: string): string {
+  const known = ["Bishop", "Spencer", "UpliftVan"].find((name) => method.startsWith(name));
+  return known === "UpliftVan" ? "Uplift-Van" : (known ?? method);
+}
+
+/** "Design values: Bishop, F = 1.05" */
 export function planeText(plane: RunMeta["slip_planes"][number]): string {
   const factor = plane.factor_of_safety === null ? "" : `F = ${numberText(plane.factor_of_safety, 4)}`;
-  const details = [plane.method, factor].filter(Boolean).join(", ");
+  const details = [methodText(plane.method), factor].filter(Boolean).join(", ");
   return details ? `${plane.name}: ${details}` : plane.name;
 }
 
@@ -213,6 +264,20 @@ export function listChecks(run: Run): Check[] {
   ];
 }
 
+/** What the program said at the end of the run: no rest, sides that were reached, damping, a short softening length. */
+function warnOfSoil(run: Run): string[] {
+  const restless = listOf<StageOfSummary>(run.meta, "stages").filter(isRestless);
+  const rest = restless.map(({ name, end, fastest_node: fastest }) =>
+    say(name ? "warn_rest" : "warn_rest_run", { name, end: seconds(end), speed: withUnit(fastest, "m/s", 2) }));
+  const damping = numberOf(run, "damping_over_promised");
+  const cells = numberOf(run, "softening_length_over_cell");
+  const texts = [...rest, ...sideDoubts(run),
+    damping > MUCH_DAMPING && numberOf(run, "damping_fraction") > MUCH_IMBALANCE
+      ? say("warn_damping", { factor: numberText(damping, 2) }) : "",
+    cells > 0 && cells < LEAST_CELLS * (1 - 1e-9) ? say("warn_length", { cells: numberText(cells, 3) }) : ""];
+  return texts.filter(Boolean);
+}
+
 /** What the reader must know before trusting the numbers, of the program and of the numbers themselves. */
 export function listWarnings(run: Run): string[] {
   const { meta } = run;
@@ -221,6 +286,7 @@ export function listWarnings(run: Run): string[] {
   if (!meta.finished) warnings.push(say("warn_unfinished", { time: withUnit(lastTime(run), "s", 3) }));
   if (meta.events) {
     if (error > MUCH_IMBALANCE) warnings.push(say("warn_energy", { percent: withUnit(100 * error, "%", 2) }));
+    warnings.push(...warnOfSoil(run));
     for (const [key, column] of [["warn_clamped", "clamped_points"], ["warn_left", "points_left"]] as const)
       if (numberOf(run, column) > 0) warnings.push(say(key, { n: numberOf(run, column) }));
   }

@@ -1,16 +1,19 @@
 // Heights of free surfaces at common places, so that two of them can be subtracted.
 
-/** Height of the polyline x, y, x, y, ... (x ascending) at each place; null outside it. */
-export function heightsAt(line: Float32Array, places: readonly number[]): (number | null)[] {
-  const n = line.length / 2;
-  let k = 0;
-  return places.map((x) => {
-    if (n === 0 || x < line[0]! || x > line[2 * (n - 1)]!) return null;
-    while (k + 1 < n - 1 && line[2 * (k + 1)]! < x) k++;
-    if (n === 1) return line[1]!;
-    const [x0, y0, x1, y1] = [line[2 * k]!, line[2 * k + 1]!, line[2 * k + 2]!, line[2 * k + 3]!];
-    return x1 > x0 ? y0 + ((y1 - y0) * (x - x0)) / (x1 - x0) : y1;
-  });
+/** Height of the polyline x, y, x, y, ... (x ascending) at x; level beyond its ends. */
+export function heightAt(line: ArrayLike<number>, x: number): number {
+  let after = 0;
+  while (after + 1 < line.length && line[after]! <= x) after += 2;
+  if (after === 0) return line[1]!;
+  const [x0, y0] = [line[after - 2]!, line[after - 1]!];
+  if (after + 1 >= line.length) return y0;
+  return y0 + ((line[after + 1]! - y0) * (x - x0)) / (line[after]! - x0);
+}
+
+/** Its heights at places; null beyond its ends. */
+export function heightsAt(line: ArrayLike<number>, places: readonly number[]): (number | null)[] {
+  const [first, last] = [line[0] ?? NaN, line[line.length - 2] ?? NaN];
+  return places.map((x) => (x >= first && x <= last ? heightAt(line, x) : null));
 }
 
 /** All places of the polylines, ascending, each once. */

@@ -3,7 +3,7 @@
 import type { Report } from "../data/report";
 import type { Current } from "../view/current";
 import type { Run } from "../data/run";
-import { Chart, type Line } from "../charts/chart";
+import { Chart, DASHES, type Line } from "../charts/chart";
 import { CATEGORIES, lineColour } from "../logic/colour";
 import { runLabels, spoken } from "../logic/labels";
 import { quantityLabel } from "../logic/quantities";
@@ -16,7 +16,6 @@ import { element } from "../shell/element";
 import { heightCards } from "./profile";
 import { coloured } from "./summary";
 
-const DASH = [7, 4];
 
 export function chartsSection(current: Current): HTMLElement {
   const { report } = current;
@@ -58,13 +57,14 @@ function named(labels: string[], run: Run, what: string): string {
 
 function frontAndCrest(current: Current, labels: string[]): HTMLElement | null {
   const lines = present(current.report.runs.flatMap((run) => [
-    runLine(run, named(labels, run, say("front")), "front_x"),
-    runLine(run, named(labels, run, say("crest")), "crest_x", DASH),
-    runLine(run, named(labels, run, say("front_left")), "front_left_x"),
-    runLine(run, named(labels, run, say("crest_left")), "crest_left_x", DASH),
+    runLine(run, named(labels, run, say("front")), "front_x", DASHES[0]),
+    runLine(run, named(labels, run, say("crest")), "crest_x", DASHES[1]),
+    runLine(run, named(labels, run, say("front_left")), "front_left_x", DASHES[2]),
+    runLine(run, named(labels, run, say("crest_left")), "crest_left_x", DASHES[3]),
   ]));
   if (lines.length === 0) return null;
-  const chart = new Chart(current.store, { title: say("chart_front"), xLabel: say("time_axis"), unit: "m" });
+  const chart = new Chart(current.store,
+    { title: say("chart_front"), xLabel: say("time_axis"), yLabel: "x", unit: "m" });
   chart.show(lines);
   return card(chart);
 }
@@ -74,7 +74,7 @@ function kinetic(current: Current, labels: string[]): HTMLElement | null {
   const several = (run: Run) => column(run) !== "kinetic";
   const lines = present(current.report.runs.flatMap((run) => [
     runLine(run, named(labels, run, say(several(run) ? "of_nodes" : "of_points")), column(run)),
-    several(run) ? runLine(run, named(labels, run, say("of_points")), "kinetic", DASH) : null,
+    several(run) ? runLine(run, named(labels, run, say("of_points")), "kinetic", DASHES[1]) : null,
   ]));
   if (lines.length === 0) return null;
   const chart = new Chart(current.store,
@@ -123,7 +123,8 @@ function surfaces(current: Current, labels: string[]): HTMLElement | null {
     [Math.min(low, line[k]!), Math.max(high, line[k]!)];
   if (runs.length > 1) low = Math.min(low, -0.45 * high);
   const chart = new Chart(current.store,
-    { title: say("chart_surface"), xLabel: "x [m]", unit: "m", overTime: false, yRange: [low, 1.05 * high] });
+    { title: say("chart_surface"), xLabel: "x [m]", yLabel: "y", unit: "m", overTime: false,
+      yRange: [low, 1.05 * high] });
   let drawn = "";
   current.store.watch(["time"], ({ time }) => {
     const frames = runs.map((run) => current.frame(run, time)).join();

@@ -51,7 +51,7 @@ export function momentsSection(current: Current, viewer: Viewer): HTMLElement | 
       return element("li", {},
         element("button", { type: "button", title: say("show_this_time_above"),
         onclick: () => store.set({ time, playing: false }) },
-        canvas, element("span", {}, element("b", {}, timeText(run.meta.times[current.frame(run, time)]!, decimals)),
+        canvas, element("span", {}, element("b", {}, timeText(time, decimals)),
           text ? ` ${text}` : "")));
     });
     return element("div", { class: "moments-row" }, coloured(element("h3", {}, viewer.labels[run.index]!), run, store),

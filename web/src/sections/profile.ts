@@ -5,7 +5,7 @@ import type { Run } from "../data/run";
 import { Chart, type Line } from "../charts/chart";
 import { runLabels } from "../logic/labels";
 import { timeDecimals, timeText } from "../logic/numbers";
-import { slidesOf } from "../logic/slides";
+import { nextOf, slidesOf } from "../logic/slides";
 import { ordinal, say } from "../logic/texts";
 import { canvasTheme, runColour } from "../view/theme";
 import { element } from "../shell/element";
@@ -43,9 +43,9 @@ export function groundsOf(run: Run, frameOf: (time: number) => number): Ground[]
   const slides = slidesOf(run.meta);
   const last = times.length - 1;
   const after = slides.map((slide, k) => {
-    const time = slide.stops ?? slides[k + 1]?.begins ?? times[last]!;
+    const time = slide.stops ?? nextOf(slides, k)?.begins ?? times[last]!;
     const frame = frameOf(time);
-    return { frame, label: say("profile_after", { ordinal: ordinal(k), time: timeText(times[frame]!, decimals) }) };
+    return { frame, label: say("profile_after", { ordinal: ordinal(k), time: timeText(time, decimals) }) };
   }).filter(({ frame }) => frame > 0 && frame < last);
   return [{ frame: 0, label: say("profile_before") }, ...after.slice(-MOST_SLIDES),
     { frame: last, label: say("profile_end", { time: timeText(times[last]!, decimals) }) }];
@@ -53,7 +53,7 @@ export function groundsOf(run: Run, frameOf: (time: number) => number): Ground[]
 
 function profile(current: Current, run: Run, name: string): HTMLElement {
   const chart = new Chart(current.store,
-    { title: `${say("profile_title")}${name}`, xLabel: "x [m]", unit: "m", overTime: false, height: 250 });
+    { title: `${say("profile_title")}${name}`, xLabel: "x [m]", yLabel: "y", unit: "m", overTime: false, height: 250 });
   const grounds = groundsOf(run, (time) => current.frame(run, time));
   const line = ({ frame, label }: Ground, k: number): Line => {
     const ground = run.surface(frame);

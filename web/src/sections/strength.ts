@@ -4,13 +4,14 @@
 import type { Current } from "../view/current";
 import type { Run } from "../data/run";
 import type { Quantised } from "../data/quantised";
+import { pixelRatio } from "../logic/store";
 import { metres, niceTicks, numberText, timeDecimals, timeText, unitSuffix } from "../logic/numbers";
 import { say } from "../logic/texts";
 import { canvasTheme, FONT, runColour } from "../view/theme";
 import { element } from "../shell/element";
 import { hasWater } from "./verdict";
 
-const HEIGHT = 250; // CSS pixels of the drawing
+const [HEIGHT, ON_PAPER] = [250, 185]; // CSS pixels of the drawing
 const MARGIN = { left: 46, right: 14, top: 10, bottom: 34 };
 const BAND = 14; // width of the soils beside the axis
 const REACH = 1.5; // spacings of points on either side of the vertical
@@ -82,10 +83,11 @@ export function strengthCard(current: Current): HTMLElement | null {
     const x = store.state.profileX!;
     title.textContent = say("strength_title", { x: metres(x) });
     slider.value = String(x);
+    slider.setAttribute("aria-valuetext", metres(x));
     canvas.setAttribute("aria-label", title.textContent);
     drawProfile(canvas, current, run, x);
   };
-  store.watch(["profileX", "time", "dark"], draw);
+  store.watch(["profileX", "time", "dark", "paper"], draw);
   store.on(({ pin }, changed) => {
     if (!changed.has("pin") || !pin || current.report.runs[pin.run] !== run) return;
     store.set({ profileX: run.place(current.frame(run), pin.point)[0] });
@@ -106,8 +108,10 @@ function drawProfile(canvas: HTMLCanvasElement, current: Current, run: Run, x: n
   const width = canvas.clientWidth;
   const [field, material] = [run.fields.get("su"), run.fields.get("material") ?? null];
   if (width === 0 || !field) return;
-  const ratio = Math.max(2, window.devicePixelRatio || 1);
-  [canvas.width, canvas.height] = [Math.round(width * ratio), Math.round(HEIGHT * ratio)];
+  const height = current.state.paper ? ON_PAPER : HEIGHT;
+  canvas.style.height = `${height}px`;
+  const ratio = Math.max(2, pixelRatio(current.state));
+  [canvas.width, canvas.height] = [Math.round(width * ratio), Math.round(height * ratio)];
   const context = canvas.getContext("2d")!;
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   const theme = canvasTheme(current.state.dark);
@@ -116,13 +120,13 @@ function drawProfile(canvas: HTMLCanvasElement, current: Current, run: Run, x: n
   const values = [...before, ...now].map(({ value }) => value).filter(Number.isFinite);
   context.font = `11px ${FONT}`;
   context.fillStyle = theme.muted;
-  if (values.length === 0) return context.fillText(say("strength_none"), MARGIN.left, HEIGHT / 2);
+  if (values.length === 0) return context.fillText(say("strength_none"), MARGIN.left, height / 2);
   const ys = [...before, ...now].map(({ y }) => y);
   const [low, high] = [Math.min(...ys), Math.max(...ys)];
   const most = 1.1 * Math.max(...values);
   const left = MARGIN.left + BAND + 2;
   const axes: Axes = { context, px: (value) => left + ((width - left - MARGIN.right) * value) / most,
-    py: (y) => HEIGHT - MARGIN.bottom - ((HEIGHT - MARGIN.bottom - MARGIN.top) * (y - low)) / (high - low || 1) };
+    py: (y) => height - MARGIN.bottom - ((height - MARGIN.bottom - MARGIN.top) * (y - low)) / (high - low || 1) };
   drawGrid(axes, theme, most, [low, high], unitSuffix(run.fieldMeta("su")!.unit));
   drawSoils(axes, run, now);
   const spacing = run.meta.point_size;

@@ -4,9 +4,10 @@ import type { Report } from "../data/report";
 import type { Run } from "../data/run";
 import type { Store } from "../logic/store";
 import { runLabels, schemeLabel } from "../logic/labels";
-import { slidesOf } from "../logic/slides";
-import { fixed, metres, percent, withUnit } from "../logic/numbers";
+import { slidesBySlope } from "../logic/slides";
+import { columnPlace, fixed, metres, percent, withUnit } from "../logic/numbers";
 import { listWarnings, tellStory } from "../logic/story";
+import { kindOf } from "../logic/verdict";
 import { say, type TextKey } from "../logic/texts";
 import { runColour } from "../view/theme";
 import { element } from "../shell/element";
@@ -19,7 +20,10 @@ interface Fact {
 }
 
 const FACTS: Fact[] = [
-  { name: "flood", value: ({ meta: { events } }) => events?.flood ? say(`fact_flood_${events.flood.verdict}`) : "–",
+  { name: "flood", value: (run) => {
+    const kind = kindOf(run);
+    return run.meta.events?.flood && kind !== "none" ? say(`fact_flood_${kind}`) : "–";
+  },
     time: ({ meta: { events } }) => events?.flood?.first_time_below ?? events?.flood?.first_time_damaged },
   { name: "height", value: (run) => metres(run.meta.events?.residual_height) },
   { name: "freeboard", value: (run) => metres(run.meta.events?.flood?.freeboard) },
@@ -29,9 +33,13 @@ const FACTS: Fact[] = [
   { name: "stops_1", help: "fact_stops_help", ...slideTime(0, "stops") },
   { name: "begins_2", ...slideTime(1, "begins") },
   { name: "stops_2", help: "fact_stops_help", ...slideTime(1, "stops") },
+  { name: "other", value: (run) => {
+    const [other] = slidesBySlope(run.meta).other;
+    return other ? fixed(other.begins, 2, "\u00a0s") : "–";
+  }, time: (run) => slidesBySlope(run.meta).other[0]?.begins },
   { name: "run_out", value: runOut },
   { name: "front", value: (run) => metres(run.meta.events?.front_x) },
-  { name: "crest", value: (run) => metres(run.meta.events?.remaining_crest?.x) },
+  { name: "crest", value: ({ meta }) => columnPlace(meta.events?.remaining_crest?.x, meta.cell) },
   { name: "moved", value: (run) => fixed(run.meta.events?.moved_volume, 2, "\u00a0m²") },
   { name: "share", value: (run) => percent(run.meta.events?.moved_fraction) },
   { name: "moved_intact", value: (run) => percent(run.meta.events?.intact_fraction) },
@@ -39,7 +47,7 @@ const FACTS: Fact[] = [
 
 /** A slide that is not there has no times; one that is there may not stop. */
 function slideTime(k: number, what: "begins" | "stops"): Pick<Fact, "value" | "time"> {
-  const slide = (run: Run) => slidesOf(run.meta)[k];
+  const slide = (run: Run) => slidesBySlope(run.meta).own[k];
   return {
     time: (run) => slide(run)?.[what],
     value: (run) => {
@@ -47,7 +55,7 @@ function slideTime(k: number, what: "begins" | "stops"): Pick<Fact, "value" | "t
       const time = slide(run)?.[what];
       if (typeof time === "number") return fixed(time, 2, "\u00a0s");
       if (time !== null) return what === "begins" ? say("none") : "–";
-      const next = slidesOf(run.meta)[k + 1]?.begins;
+      const next = slidesBySlope(run.meta).own[k + 1]?.begins;
       return typeof next === "number" ? say("overtaken") : say("not_yet");
     },
   };

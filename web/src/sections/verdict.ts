@@ -1,12 +1,14 @@
 // The verdict on the water, in the words and numbers of a dike engineer: what happened first, where, what remains.
 
 import type { Report } from "../data/report";
+import type { RunMeta, Slide } from "../data/format";
 import type { Run } from "../data/run";
 import { runLabels } from "../logic/labels";
-import { fixed, metres } from "../logic/numbers";
-import { slidesOf } from "../logic/slides";
-import { lastTime, seconds, sideOf, zoneText } from "../logic/story";
+import { columnPlace, fixed, metres } from "../logic/numbers";
+import { slidesBySlope } from "../logic/slides";
+import { byColumns, crestFrom, lastTime, seconds, sideOf, zoneText } from "../logic/story";
 import type { Store } from "../logic/store";
+import { doubts, kindOf, type Kind } from "../logic/verdict";
 import { say, type TextKey } from "../logic/texts";
 import { element } from "../shell/element";
 import { coloured } from "./summary";
@@ -31,25 +33,32 @@ export function verdictSection(report: Report, store: Store): HTMLElement | null
 
 function verdictOf(run: Run, name: HTMLElement | null, store: Store): HTMLElement {
   const { events } = run.meta;
-  const flood = events?.flood;
-  const kind = !events ? "running" : (flood?.verdict ?? "none");
+  const kind = kindOf(run);
+  const notes = [events?.flood ? say("not_simulated") : "", ...doubts(run)].filter(Boolean);
   return element("article", { class: `card verdict ${kind}` },
     element("div", { class: "verdict-head" }, name,
-      element("p", { class: "verdict-word" }, say(`verdict_${kind}`)),
-      element("p", {}, sentence(run), flood ? ` ${say("not_simulated")}` : "")),
+      element("h2", { class: "verdict-word" }, say(`verdict_${kind}`)),
+      element("p", {}, sentence(run, kind)),
+      ...notes.map((note) => element("p", { class: "verdict-note" }, note))),
     events ? element("dl", { class: "tiles" }, ...tilesOf(run).map((tile) => tileElement(tile, store))) : null);
 }
 
-function sentence(run: Run): string {
+function sentence(run: Run, kind: Kind): string {
   const { events } = run.meta;
-  if (!events) return say("running_text", { time: seconds(lastTime(run)) });
+  const time = seconds(lastTime(run));
+  if (!events) return say("running_text", { time });
   const { flood } = events;
+  const values = { height: metres(flood?.residual_height), freeboard: metres(flood?.freeboard),
+    level: metres(flood?.water_level) };
+  if (kind === "running") {
+    if (!flood) return say("so_far_none_text", { time });
+    const from = flood.first_time_damaged;
+    return from === null ? say("so_far_text", { time })
+      : say("so_far_damaged_text", { ...values, time, from: seconds(from) });
+  }
   if (!flood) return say("no_verdict_text");
-  const values = { height: metres(flood.residual_height), freeboard: metres(flood.freeboard),
-    level: metres(flood.water_level) };
-  if (flood.verdict === "stands") return say("stands_text", values);
-  if (flood.verdict === "damaged")
-    return say("damaged_text", { ...values, time: seconds(flood.first_time_damaged) });
+  if (kind === "stands") return say("stands_text", values);
+  if (kind === "damaged") return say("damaged_text", { ...values, time: seconds(flood.first_time_damaged) });
   const below = flood.freeboard ?? 0;
   return say(below < 0 ? "floods_below_text" : "floods_text",
     { ...values, below: metres(-below), time: seconds(flood.first_time_below) });
@@ -65,18 +74,19 @@ interface Tile {
 function tilesOf(run: Run): Tile[] {
   const { meta } = run;
   const events = meta.events!;
-  const slides = slidesOf(meta);
-  const [first] = slides;
-  const until = say("until_end", { time: seconds(lastTime(run)) });
+  const { own, other } = slidesBySlope(meta);
+  const [first] = own;
+  const until = say(meta.finished ? "until_end" : "until_now", { time: seconds(lastTime(run)) });
   const slideTiles: Tile[] = first ? [
     { label: "tile_slide", value: seconds(first.begins), notes: [sideOf(meta, first), stageAt(run, first.begins)],
       time: first.begins },
     { label: "tile_entry", value: first.entry ? `x = ${metres(first.entry.x)}` : say("unknown"),
-      notes: [first.entry ? zoneText(meta, first) : say("no_slip")], time: first.slip_surface?.time },
+      notes: [first.entry ? zoneText(meta, first) : first.slip_surface?.points.length ? "" : say("no_slip")],
+      time: first.begins },
     { label: "tile_retrogression",
-      value: slides.length > 1 ? say("further_slides", { n: slides.length - 1 }) : say("no_further"),
-      notes: [say("crest_back", { from: metres(first.crest_from), to: metres(slides[slides.length - 1]!.crest_to) }),
-        slides.length > 1 ? "" : until], time: slides[1]?.begins },
+      value: own.length > 1 ? say("further_slides", { n: own.length - 1 }) : say("no_further"),
+      notes: [crestBack(meta, own), own.length > 1 ? "" : until,
+        other.length > 0 ? say("other_slope_slides", { n: other.length }) : ""], time: own[1]?.begins },
   ] : [{ label: "tile_slide", value: say("none"), notes: [until] }];
   const { flood } = events;
   const before = run.series?.column("residual_height")?.[0] ?? NaN;
@@ -90,6 +100,12 @@ function tilesOf(run: Run): Tile[] {
     { label: "tile_width", value: metres(flood.width_at_level),
       notes: [say("intact_of", { width: fixed(flood.intact_width, 2, "\u00a0m") })] });
   return [...slideTiles, ...remains];
+}
+
+function crestBack(meta: RunMeta, own: Slide[]): string {
+  const last = own[own.length - 1]!;
+  const places = { from: crestFrom(meta, own[0]!), to: columnPlace(last.crest_to, meta.cell) };
+  return `${say("crest_back", places)} ${byColumns(meta)}`;
 }
 
 /** How long after the stage began in which it falls; empty without stages. */

@@ -11,7 +11,7 @@ import { slidesOf, slipAt } from "../logic/slides";
 import { sameBody } from "../logic/same_body";
 import { planeText } from "../logic/story";
 import { say } from "../logic/texts";
-import { haloText, line, path, timeOf, type Drawing, type PanelOptions } from "./drawing";
+import { haloText, letters, line, path, timeOf, type Drawing, type PanelOptions } from "./drawing";
 import { drawFloodLevel, drawLayers, drawLoads, drawProfilePlace, drawSlip, drawSlipPlanes, drawSoilNames, drawWater,
   fillWater, planeDash } from "./section";
 import { canvasTheme, FONT, runColour } from "./theme";
@@ -223,8 +223,11 @@ function drawHead(drawing: Drawing): void {
 
 const SLIP_TEXT = { acting: "slip_at", "to come": "slip_to_come", past: "slip_past" } as const;
 
+const KEY_LINE = 16; // pixels between two rows of the key
+
 /**
- * What the lines mean, between name and time, as far as there is room; at the end, if there is still, the run's name.
+ * What the lines mean, between name and time, as far as there is room; slip planes are always named. At the end, if
+ * there is room, the run's name.
  */
 function drawKey(drawing: Drawing, from: number, to: number, decimals: number): void {
   const { context, run, current, theme, options } = drawing;
@@ -244,23 +247,41 @@ function drawKey(drawing: Drawing, from: number, to: number, decimals: number): 
     state.water && run.meta.water && { text: say("phreatic_line"), colour: theme.water, dash: [8, 4] },
     options.note !== options.label && { text: options.note, colour: "", dash: [] },
   ];
-  context.font = `12px ${FONT}`;
-  context.textAlign = "left";
+  letters(drawing, 12, 400);
   let x = from;
+  let row = PADDING.top + 6; // of slip planes that find no room at the head: below it, on the left
   for (const entry of entries) {
     if (!entry) continue;
     const width = context.measureText(entry.text).width + (entry.colour ? 24 : 0);
-    if (x + width > to) continue;
-    if (entry.colour) {
-      context.beginPath();
-      context.moveTo(x, 16);
-      context.lineTo(x + 18, 16);
-      line(context, entry.colour, 2, entry.dash);
+    if (x + width <= to) {
+      keyEntry(drawing, entry, x, 16);
+      x += width + 18;
+    } else if (entry.colour === theme.plane) {
+      context.globalAlpha = 0.85;
+      context.fillStyle = theme.ground;
+      context.fillRect(PADDING.left - 4, row - 8, width + 8, KEY_LINE);
+      context.globalAlpha = 1;
+      keyEntry(drawing, entry, PADDING.left, row);
+      row += KEY_LINE;
     }
-    context.fillStyle = theme.muted;
-    context.fillText(entry.text, x + (entry.colour ? 24 : 0), 16.5);
-    x += width + 18;
   }
+}
+
+interface KeyEntry {
+  text: string;
+  colour: string;
+  dash: number[];
+}
+
+function keyEntry({ context, theme }: Drawing, { text, colour, dash }: KeyEntry, x: number, y: number): void {
+  if (colour) {
+    context.beginPath();
+    context.moveTo(x, y);
+    context.lineTo(x + 18, y);
+    line(context, colour, 2, dash);
+  }
+  context.fillStyle = theme.muted;
+  context.fillText(text, x + (colour ? 24 : 0), y + 0.5);
 }
 
 function missing(drawing: Drawing): void {

@@ -5,6 +5,7 @@ import type { Run } from "../data/run";
 import { spoken } from "../logic/labels";
 import { metres, numberText, withUnit } from "../logic/numbers";
 import { slidesOf, slipAt } from "../logic/slides";
+import { heightAt } from "../logic/surface";
 import { say } from "../logic/texts";
 import { at, haloText, letters, line, path, timeOf, type Drawing } from "./drawing";
 
@@ -12,6 +13,7 @@ const SLIT = 3; // spacings of points below the surface from which on gaps are f
 const LINE = 13; // pixels between names
 const NARROW = 520; // pixels of a view in which the level has no name
 const SCALE_BAR = 190; // pixels at the right end of a view that the bar of lengths takes
+const HEAD = 38; // pixels at the top of a view above which no name stands
 const ROOM = 44; // pixels at the left end of a view that names keep free
 
 /** Outlines of all soils, where they are now. */
@@ -96,25 +98,15 @@ function freeWater(run: Run, frame: number): [number, number] | null {
   const table = run.waterTable(frame);
   const ground = run.surface(frame);
   const n = ground.length / 2;
-  const above = (k: number) => heightOf(table, ground[2 * k]!) > ground[2 * k + 1]! + 0.1;
+  const above = (k: number) => heightAt(table, ground[2 * k]!) > ground[2 * k + 1]! + 0.1;
   for (const [first, step] of [[0, 1], [n - 1, -1]] as const) {
     let k = first;
     while (k >= 0 && k < n && above(k)) k += step;
     if (Math.abs(k - first) < 2) continue;
     const x = (ground[2 * first]! + ground[2 * (k - step)]!) / 2;
-    return [x, heightOf(table, x)];
+    return [x, heightAt(table, x)];
   }
   return null;
-}
-
-function heightOf(polyline: ArrayLike<number>, x: number): number {
-  for (let k = 2; k + 1 < polyline.length; k += 2) {
-    const [a, b] = [polyline[k - 2]!, polyline[k]!];
-    if (x < a || x > b) continue;
-    const share = b > a ? (x - a) / (b - a) : 0;
-    return polyline[k - 1]! + share * (polyline[k + 1]! - polyline[k - 1]!);
-  }
-  return x < polyline[0]! ? polyline[1]! : polyline[polyline.length - 1]!;
 }
 
 /** The water that the ground shall hold back, right across the section. */
@@ -156,7 +148,8 @@ export function drawLoads(drawing: Drawing): void {
     if (options.bare) continue;
     letters(drawing, 11);
     const text = `${spoken(load.name)} ${withUnit(pressure, load.table.unit("pressure"), 3)}`;
-    haloText(drawing, text, (left + right - context.measureText(text).width) / 2, top - size - 9, theme.load);
+    const middle = (left + right - context.measureText(text).width) / 2;
+    haloText(drawing, text, middle, Math.max(top - size - 9, HEAD), theme.load);
   }
 
   function arrow(on: CanvasRenderingContext2D, px: number, py: number, size: number): void {

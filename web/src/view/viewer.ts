@@ -8,6 +8,7 @@ import { Tip } from "./tip";
 import { bestColumns, fit, pan, toWorld, union, zoomAt, type Box, type Camera, type Size } from "../logic/camera";
 import { nearestPoint } from "../logic/nearest";
 import { runLabels } from "../logic/labels";
+import { pixelRatio } from "../logic/store";
 import { say } from "../logic/texts";
 import { element } from "../shell/element";
 
@@ -18,6 +19,7 @@ interface View {
 
 const LEAST = 190; // height of a view in three rows and more [px]; the page is then longer than the screen
 const GAP = 8; // CSS pixels between views
+const PER_MM = 96 / 25.4; // CSS pixels
 
 export class Viewer {
   readonly root = element("div", { class: "views" });
@@ -66,7 +68,8 @@ export class Viewer {
 
   /** Sizes of the canvases: as many columns as show most, unless the reader chose. */
   arrange(): void {
-    const { layout, shown } = this.current.state;
+    const { layout, shown, paper } = this.current.state;
+    if (paper) return; // drawOnPaper has arranged them
     const visible = this.views.filter((view) => shown[view.run.index]);
     for (const view of this.views) view.canvas.hidden = !visible.includes(view);
     const area = this.room(visible.length);
@@ -141,7 +144,7 @@ export class Viewer {
 
   draw(): void {
     this.drawnFrames = this.frames();
-    const ratio = window.devicePixelRatio || 1;
+    const ratio = pixelRatio(this.current.state);
     for (const { run, canvas } of this.views) {
       if (canvas.hidden) continue;
       const context = canvas.getContext("2d")!;
@@ -153,6 +156,22 @@ export class Viewer {
     }
     this.tip.update();
     this.onDrawn();
+  }
+
+  /** All views, one below the other, at the size that they have on a sheet. */
+  drawOnPaper(): void {
+    const width = this.root.clientWidth;
+    const full = (width - PADDING.left - PADDING.right) / (this.box[2] - this.box[0]);
+    const enough = 1.06 * full * (this.box[3] - this.box[1]) + PADDING.top + PADDING.bottom;
+    const high = parseFloat(getComputedStyle(this.root).getPropertyValue("--paper-height")) * PER_MM;
+    this.size = { width, height: Math.round(Math.min(enough, high)) };
+    const ratio = pixelRatio(this.current.state);
+    for (const { canvas } of this.views) {
+      canvas.width = Math.round(this.size.width * ratio);
+      canvas.height = Math.round(this.size.height * ratio);
+      canvas.style.height = `${this.size.height}px`;
+    }
+    this.draw();
   }
 
   zoom(factor: number, px = this.size.width / 2, py = this.size.height / 2): void {

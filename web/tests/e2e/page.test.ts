@@ -363,7 +363,48 @@ describe("the page", () => {
     expect(await page.locator(".strength h3").textContent()).toMatch(/^Undrained strength at x = /);
     await page.locator(".strength button").first().click();
     expect(await state<number>(page, "profileX")).toBeGreaterThan(0);
+    expect(await page.locator(".profile-x").getAttribute("aria-valuetext")).toMatch(/^\d+\.\d\d.m$/);
     expect(errors).toEqual([]);
+    await page.context().close();
+  });
+
+  it("of a dike whose run was stopped gives no verdict, and where nothing softens shows its soils", async () => {
+    const { page } = await open(browser, dikePage(({ runs: [run] }) => {
+      run!.finished = false;
+      run!.summary.softened_strain = null;
+      Object.assign(run!.events!.flood!, { verdict: "stands", first_time_damaged: null }); // as an older terp wrote it
+      run!.events!.slides = [];
+      run!.events!.moved_fraction = 0;
+      run!.summary.reached_sides = [{ side: "right", time: 2, rose: false }];
+      run!.water_in_gap = 0.5;
+    }));
+    expect(await page.getByRole("heading", { name: "No verdict yet: not at its end" }).count()).toBe(1);
+    expect(await page.locator("article.verdict").getAttribute("class")).toContain("running");
+    const words = await page.locator("main").innerText();
+    expect(words).toContain("so far, to 3.00");
+    expect(words).toContain("Soil came to the side “right” of the mesh at 2.00");
+    expect(words).toContain("the verdict is on the unsafe side");
+    expect(words).not.toMatch(/stands\b.*at the end|The soil holds/);
+    expect(await state<string>(page, "field")).toBe("material");
+    await page.context().close();
+  });
+
+  it("draws charts and views for a sheet at the size that they have there", async () => {
+    const { page } = await open(browser, dikePage());
+    await page.evaluate(`window.addEventListener("beforeprint", () => {
+      const shown = (canvas) => ({ width: canvas.width / canvas.clientWidth, height: canvas.height / canvas.clientHeight });
+      window.drawn = [...document.querySelectorAll(".view, .strength canvas, #charts .card:not(.energy, .surfaces) .u-wrap canvas")].map(shown);
+      window.tall = document.querySelector(".view").clientHeight;
+    })`);
+    await page.pdf({ preferCSSPageSize: true, printBackground: true });
+    const drawn = (await page.evaluate("window.drawn")) as { width: number; height: number }[];
+    expect(drawn.length).toBeGreaterThan(3);
+    for (const { width, height } of drawn) {
+      expect(width).toBeGreaterThan(1.9); // pixels per CSS pixel: sharp
+      expect(width / height).toBeCloseTo(1, 1); // and not squashed
+    }
+    expect(await page.evaluate("window.tall")).toBeGreaterThan(200);
+    await expect.poll(async () => page.evaluate("document.body.style.width"), { timeout: 5000 }).toBe("");
     await page.context().close();
   });
 

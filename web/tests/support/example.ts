@@ -55,6 +55,7 @@ function exampleRun(writer: ChunkWriter, side: number, k: number, scheme: string
   const front = places.map((row) => row.reduce((most, [px]) => Math.max(most, px), 0));
   const crest = times.map((t) => WIDTH - 1.6 * share(t));
   const name = `example_${scheme}`;
+  const slip = { time: 1, points: Array.from({ length: 12 }, (_, i) => [0.9 + 0.28 * i, slipLine(0.9 + 0.28 * i)] as [number, number]) };
   return {
     name, title: "Example: a block slides off a column", scheme, case_path: "runs/example/case.toml", case_digits: "0123456789abcdef", case_toml: `# made up\n[mesh]\nsize = 0.25 # m\nname = "left # right"\n[[body]]\nmaterial = "clay"\n`,
     machine: "a machine, 2 processors", threads: 2, wall_seconds: 83.4, finished: true,
@@ -80,12 +81,11 @@ function exampleRun(writer: ChunkWriter, side: number, k: number, scheme: string
     },
     passes: [{ name: "points to cells", seconds: 30.1 }, { name: "nodes", seconds: 4.2 }, { name: "stress", seconds: 41 }],
     events: {
-      first_slide: { begins: 0.2, stops: 1.8 }, second_slide: k ? { begins: 1.8 } : null, moved_volume: 7.9, moved_fraction: 0.49,
+      slides: [{ begins: 0.2, stops: 1.8, slip_surface: slip }, ...(k ? [{ begins: 1.8 }] : [])], moved_volume: 7.9, moved_fraction: 0.49,
       run_out: reach, front_x: front[FRAMES - 1]!, remaining_crest: { x: crest[FRAMES - 1]!, y: BASE + HEIGHT },
       moved_distance: 0.1, residual_height: BASE + (k ? 0.6 : 1.4),
       flood: { verdict: k ? "floods" : "damaged", residual_height: BASE + (k ? 0.6 : 1.4), freeboard: k ? -0.4 : 0.4,
         width_at_level: k ? 0 : 1.2, intact_width: k ? 0 : 0.7, first_time_damaged: 0.2, first_time_below: k ? 1.1 : null },
-      slip_surface: { time: 1, points: Array.from({ length: 12 }, (_, i) => [0.9 + 0.28 * i, slipLine(0.9 + 0.28 * i)] as [number, number]) },
     },
     warnings: k ? [] : ["Only an example </script> & <b>no</b> physics."],
     summary: { terp_version: "0.1.0", cells: 1024, steps: 3000, dt: 0.001, instructions: "avx2" },
@@ -113,10 +113,10 @@ export function exampleDike(side = 40): Made {
     slip_planes: [{ name: "D-Stability", method: "Bishop", factor_of_safety: 1.05, points: [[1, 5], [3, 2], [5, 1]] }],
   });
   const events = run!.events!;
-  Object.assign(events.first_slide!, { entry: { x: 2, y: 5, zone: "crest" }, crest_from: 4, crest_to: 3, facing: "right", kinetic_peak: 1e4 });
+  Object.assign(events.slides![0]!, { entry: { x: 2, y: 5, zone: "crest" }, crest_from: 4, crest_to: 3, facing: "right", kinetic_peak: 1e4 });
   Object.assign(events, { facing: "right" });
   Object.assign(events.flood!, { water_level: 5.6, river: "left" });
-  Object.assign(run!.summary, { format: 1, stages: [{ name: "daily", start: 0, end: 3, at_rest: true }] });
+  Object.assign(run!.summary, { format: 1, softened_strain: 0.06, stages: [{ name: "daily", start: 0, end: 3, at_rest: true }] });
   return { report: { ...rest, runs: [run!] }, chunks: writer.texts };
 }
 

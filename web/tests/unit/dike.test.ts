@@ -45,11 +45,11 @@ describe("lines that go with points", () => {
 describe("the residual profile", () => {
   it("has the ground before, after each slide and at the end, no frame twice", async () => {
     const run = await dike();
-    run.meta.events!.slides = [{ begins: 0.2, stops: 1 }, { begins: 1.5, stops: null }] as never;
-    const frameOf = (time: number) => Math.round(time * 20);
+    run.meta.events!.slides = [{ begins: 0.2, stops: 1.01 }, { begins: 1.5, stops: null }] as never;
+    const frameOf = (time: number) => Math.round(time * 20); // of 0.05 s
     expect(groundsOf(run, frameOf).map(({ frame }) => frame)).toEqual([0, 20, 60]); // the second lasts to the end
     chooseLanguage("nl");
-    expect(groundsOf(run, frameOf)[1]!.label).toBe("na de eerste afschuiving, 1,00\u00a0s");
+    expect(groundsOf(run, frameOf)[1]!.label).toBe("na de eerste afschuiving, 1,01\u00a0s");
   });
 });
 
@@ -83,4 +83,7 @@ it("names a slip plane by what is known of it", () => {
   expect(planeText({ ...plane, factor_of_safety: null })).toBe("a: Bishop");
   expect(planeText({ ...plane, method: "" })).toBe("a: F = 1.5");
   expect(planeText({ ...plane, method: "", factor_of_safety: null })).toBe("a");
+  const methods = ["BishopBruteForce", "SpencerGenetic", "UpliftVanParticleSwarm", "Janbu"];
+  expect(methods.map((method) => planeText({ ...plane, method, factor_of_safety: null }))).toEqual(
+    ["a: Bishop", "a: Spencer", "a: Uplift-Van", "a: Janbu"]);
 });

@@ -40,6 +40,8 @@ describe("the story", () => {
     const texts = plain(tellStory(sampleRun({ slides: [slide(0.18, null), slide(2.52, 3)] })));
     expect(texts[0]).toContain("It has not slowed to a tenth of its largest kinetic energy when the next one begins.");
     expect(texts).toContain("At the end the soil still moves, with 20 % of its largest kinetic energy.");
+    const other = plain(tellStory(sampleRun({ slides: [slide(0.18, null), slide(2.52, 3, { facing: "left" })] })));
+    expect(other[0]).toContain("It still moves at 4.00 s, with 20 % of its largest kinetic energy."); // the other slope overtakes nothing
   });
 
   it("says where a slide enters the ground, and on whose side it is", () => {
@@ -54,6 +56,29 @@ describe("the story", () => {
   it("says that soil holds, or only creeps", () => {
     expect(tellStory(sampleRun({ moved_fraction: 0 }))[0]).toBe("The soil holds: there is no slide.");
     expect(tellStory(sampleRun({ moved_fraction: 0.3 }))[0]).toBe("Soil moves, but the crest does not retreat as in a slide.");
+  });
+
+  it("of a run that was stopped says no more than that no slide came so far, and names the stage that runs", () => {
+    const run = sampleRun({ moved_fraction: 0 }, { stages: [{ name: "daily", start: 0, end: 1, at_rest: true },
+      { name: "flood", start: 1, end: null, at_rest: false, fastest_node: null }] });
+    run.meta.finished = false;
+    expect(plain(tellStory(run)).slice(0, 2)).toEqual([
+      "Stages: daily from 0.00 s to 1.00 s, at rest; flood from 1.00 s on, not at its end.",
+      "Up to 4.00 s there is no slide. The run has not reached its end."]);
+  });
+
+  it("gives the crest as it was drawn, then by the columns in which it is seen", () => {
+    const run = sampleRun({ slides: [slide(0.18, 2.16, { crest_from: 8, crest_edge: 7.6 })] });
+    run.meta.cell = 0.5;
+    const texts = plain(tellStory(run));
+    expect(texts[0]).toContain("from x = 7.60 m to 6.0 m (by columns of 0.5 m).");
+    expect(texts).toContain("The first surface still stands up to x = 4.1 m (by columns of 0.5 m), y = 1.96 m.");
+  });
+
+  it("says that no soil of the case softens", () => {
+    const sentence = "No soil of this case softens: each keeps its strength however far it is sheared.";
+    expect(tellStory(sampleRun({}, { softened_strain: null }))).toContain(sentence);
+    expect(tellStory(sampleRun({}, { softened_strain: 0.06 }))).not.toContain(sentence);
   });
 
   it("of a run that goes on waits for its summary", () => {
@@ -81,7 +106,7 @@ describe("the story", () => {
     expect(texts).toContain("Stages: daily from 0.00 s to 4.25 s, at rest; flood from 4.25 s to 44.00 s, not at rest (the fastest node: 0.013 m/s).");
     expect(texts).toContain("Strength of clay, peat: su_peak follows from sigma'_v in the water of the situation “flood”, and from sigma'_p in the water at the start.");
     expect(texts).toContain("Strength of sand: cohesion follows from sigma'_v in the water at the start.");
-    expect(texts).toContain("41.7 % of the soil has lost more than half of its strength.");
+    expect(texts).toContain("41.7 % of the soil has lost more than half of what softening takes from its strength.");
     expect(texts).toContain("Of the soil that moved, 24.8 % is intact: its plastic strain is below 0.01.");
     expect(texts.some((text) => /^At 16 of 500 points the plastic strain fell at some time and strength came back\./.test(text))).toBe(true);
   });
@@ -90,13 +115,13 @@ describe("the story", () => {
     const run = sampleRun();
     run.meta.slip_planes = [{ name: "D-Stability", method: "Bishop", factor_of_safety: 1.046, points: [[0, 1], [1, 0]] },
       { name: "sketch", method: "", factor_of_safety: null, points: [[0, 1], [1, 0]] }];
-    expect(tellStory(run)).toContain("Slip planes of other methods are drawn over it: D-Stability: Bishop, F = 1.046; sketch.");
+    expect(tellStory(run)).toContain("Slip planes of other methods are drawn over it: D-Stability: Bishop, F = 1.046; sketch. Each belongs to the strengths and the water of its own calculation, which need not be those of this run.");
   });
 
   it("is told in Dutch too, without a word of English", () => {
     chooseLanguage("nl");
     const texts = plain(tellStory(sampleRun({ slides: [slide(0.18, 2.16)] })));
-    expect(texts[0]).toBe("De eerste afschuiving begint op 0,18 s: de kruin gaat terug van x = 8,00 m naar 6,00 m. Op 2,16 s is zij vertraagd tot een tiende van haar grootste bewegingsenergie.");
+    expect(texts[0]).toBe("De eerste afschuiving begint op 0,18 s: de kruin gaat terug van x = 8,00 m naar 6,00 m. Op 2,16 s is zij vertraagd tot een tiende van haar grootste kinetische energie.");
     expect(texts.join(" ")).not.toMatch(/\b(the|of|slide|soil|water level)\b/i);
   });
 });
@@ -114,5 +139,18 @@ describe("warnings and checks", () => {
     expect(plain(listWarnings(run))).toEqual(["The run has not reached its end: the last row of its ledger is at 4 s.",
       "The energy balance is off by 6 % of the energy exchanged.", "3 points had to be put back at a wall of the mesh.",
       "7 points left the mesh through open sides.", "A frame is missing.", "Check not passed: Points whose strength ever rose: 2."]);
+  });
+
+  it("repeat what the program says of rest, sides, damping and the softening length", () => {
+    const stages = [{ name: "daily", start: 0, end: 1, at_rest: false, fastest_node: 0.5 }, { name: "", start: 1, end: 4, at_rest: false, fastest_node: 0.25 }];
+    expect(plain(listWarnings(sampleRun({}, { stages, reached_sides: [{ side: "right", time: 3, rose: false }],
+      damping_over_promised: 8, damping_fraction: 0.06, softening_length_over_cell: 1 })))).toEqual([
+      "Stage “daily” ended at 1.00 s before the soil was at rest: its fastest node moved with 0.5 m/s.",
+      "The run ended at 4.00 s before the soil was at rest: its fastest node moved with 0.25 m/s.",
+      "Soil came to the side “right” of the mesh at 3.00 s, which acts on it from then on.",
+      "Local damping took 8 times the energy that its factor promises: noise brakes the soil.",
+      "The softening length is 1 times the size of a cell, less than twice: a slip surface takes up to 14 % more energy than on fine cells."]);
+    expect(listWarnings(sampleRun({}, { damping_over_promised: 8, damping_fraction: 0.01, softening_length_over_cell: 2 }))).toEqual([]);
+    expect(listWarnings(sampleRun({}, { softening_length_over_cell: null }))).toEqual([]);
   });
 });

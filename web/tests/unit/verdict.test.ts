@@ -1,0 +1,64 @@
+// The verdict on the water: what may be said of it, and what must be read with it.
+
+import { afterEach, describe, expect, it } from "vitest";
+import type { Run } from "../../src/data/run";
+import { slidesBySlope } from "../../src/logic/slides";
+import { columnPlace } from "../../src/logic/numbers";
+import { chooseLanguage } from "../../src/logic/texts";
+import { doubts, kindOf } from "../../src/logic/verdict";
+
+afterEach(() => chooseLanguage("en"));
+
+function runWith(verdict: string | null, finished: boolean, more: object = {}, summary: object = {}): Run {
+  return { meta: { finished, times: [0, 4], events: { slides: [], flood: verdict === "no level" ? null : { verdict } },
+    summary, ...more }, series: null } as unknown as Run;
+}
+const plain = (texts: string[]) => texts.map((text) => text.replace(/[\u00a0\u202f]/g, " "));
+
+describe("the verdict", () => {
+  it("of a run that has not ended is none, unless it floods for good", () => {
+    for (const verdict of ["stands", "damaged", null, "no level"]) expect(kindOf(runWith(verdict, false))).toBe("running");
+    expect(kindOf(runWith("floods", false))).toBe("floods");
+    expect(kindOf(runWith("stands", true))).toBe("stands");
+    expect(kindOf(runWith("no level", true))).toBe("none");
+    expect(kindOf(runWith("stands", true, { events: null }))).toBe("running");
+  });
+
+  it("comes with what speaks against it", () => {
+    expect(doubts(runWith("stands", true))).toEqual([]);
+    const summary = { stages: [{ name: "daily", start: 0, end: 1, at_rest: false, fastest_node: 0.5 },
+      { name: "flood", start: 1, end: 4, at_rest: false, fastest_node: 0.025 }],
+    reached_sides: [{ side: "right", time: 3, rose: false }, { side: "left", time: 2, rose: true }] };
+    expect(plain(doubts(runWith("damaged", true, { water_in_gap: 1.25 }, summary)))).toEqual([
+      "The soil had not come to rest at the end: its fastest node moved with 0.025 m/s.",
+      "Soil came to the side “right” of the mesh at 3.00 s, which acts on it from then on.",
+      "Soil rose at the side “left” of the mesh by 2.00 s, which holds it back.",
+      "Up to 1.25 m of water stand where ground slid away, as the phreatic line does not follow the soil. This water " +
+        "supports what still stands: the verdict is on the unsafe side.",
+    ]);
+    expect(doubts(runWith("floods", true, { water_in_gap: 1.25 }))).toEqual([]);
+    const rest = (last: object) => doubts(runWith("stands", true, {}, { stages: [{ name: "a", start: 0, end: 1, ...last }] }));
+    expect(rest({ at_rest: true, fastest_node: 1e-4 })).toEqual([]);
+    expect(rest({ at_rest: false, fastest_node: null })).toEqual([]); // it was not to end at rest
+    expect(rest({ end: null, at_rest: false, fastest_node: null })).toEqual([]); // it runs
+  });
+});
+
+it("retrogression is of the slope that slid first", () => {
+  const slide = (facing: string, begins: number) => ({ facing, begins });
+  const slides = [slide("right", 1), slide("left", 2), slide("right", 3), slide("left", 4)];
+  const { own, other } = slidesBySlope({ events: { slides } } as never);
+  expect(own.map(({ begins }) => begins)).toEqual([1, 3]);
+  expect(other.map(({ begins }) => begins)).toEqual([2, 4]);
+  expect(slidesBySlope({ events: null })).toEqual({ own: [], other: [] });
+});
+
+it("edges of columns have no more decimals than the columns", () => {
+  const text = (x: number, column: number | null) => columnPlace(x, column).replace("\u00a0", " ");
+  expect(text(21, 1)).toBe("21 m");
+  expect(text(21.5, 0.5)).toBe("21.5 m");
+  expect(text(21.75, 0.25)).toBe("21.75 m");
+  expect(text(21.123, 0.123)).toBe("21.12 m");
+  expect(text(21, null)).toBe("21.00 m");
+  expect(columnPlace(null, 1)).toBe("–");
+});
