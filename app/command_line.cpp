@@ -243,7 +243,9 @@ void declare_import_folder(CLI::App* import, ImportCommand& command)
       ->option_text("X,X")
       ->delimiter(',')
       ->expected(2);
-  import->add_option("--base", command.base, "level above which it is taken over [m]")->option_text("Z");
+  import->add_option("--base", command.base, "level above which it is taken over [m]")
+      ->option_text("Z")
+      ->check(number_between(-1e5, 1e5));
   import->add_option("--unit", command.unit, "of a drawing: m, dm, cm, mm, ft, in\n(default: that of its header)")
       ->option_text("U");
   import->add_option("--soil-defaults", command.soil_defaults, "table of what the file does not say of soils")

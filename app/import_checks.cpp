@@ -34,6 +34,7 @@ void refuse_unused_options(const ImportCommand& command, bool is_drawing)
       {"--strength", !command.strength.empty(), Of::stix, In::case_folder},
       {"--cell", command.cell != 0.0, Of::both, In::case_folder},
       {"--between", !command.between.empty(), Of::both, In::case_folder},
+      {"--base", command.base.has_value(), Of::both, In::case_folder},
       {"--unit", !command.unit.empty(), Of::drawing, In::both},
       {"--soil-defaults", !command.soil_defaults.empty(), Of::both, In::case_folder}};
   const Of file = is_drawing ? Of::drawing : Of::stix;

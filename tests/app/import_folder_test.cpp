@@ -51,6 +51,8 @@ TEST(ImportFolder, AsksWhichScenarioAndRefusesOthers)
   EXPECT_THAT(said({"--scenario", "7"}), HasSubstr("has no scenario 7\n  It has 3.\n"));
   EXPECT_THAT(said({"--scenario", "2", "--stage", "3"}), HasSubstr("scenario 2 of " + tutorial + " has no stage 3"));
   EXPECT_THAT(said({"--scenario", "2", "--between", "60,-30"}), HasSubstr("--between goes from 60 m to -30 m"));
+  EXPECT_THAT(said({"--scenario", "2", "--base", "13"}), HasSubstr("there is no soil in this part of the section"));
+  EXPECT_THAT(said({"--scenario", "2", "--base", "nan"}), HasSubstr("--base"));
   EXPECT_THAT(said({"--scenario", "2", "--soil-defaults", tutorial}), HasSubstr("error: "));
 }
 
@@ -102,7 +104,7 @@ TEST(ImportFolder, RefusesOptionsThatWouldHaveNoEffect)
       "error: --stage is of D-Stability files\n  " + drawing + " is a drawing. Leave the option out.\n");
   EXPECT_EQ(said({drawing, "--cell", "1"}),
       "error: --cell has no effect without -o\n  Give a folder for the case, -o FOLDER, or leave it out.\n");
-  for (const char* option : {"--scenario", "--stage"})
+  for (const char* option : {"--scenario", "--stage", "--base"})
     EXPECT_THAT(said({tutorial, option, "1"}), HasSubstr(std::string(option) + " has no effect without -o"));
   const std::vector<std::string> to_folder{tutorial, "--scenario", "2", "-o", folder};
   for (const std::vector<std::string>& list :
@@ -120,7 +122,7 @@ TEST(ImportFolder, RefusesCellsThatAreTooMany)
   const Finished f = test::terp({"import", tutorial, "--scenario", "2", "--cell", "0.002", "-o", "/tmp/none"});
   EXPECT_EQ(f.status, 2);
   EXPECT_THAT(
-      f.err, HasSubstr("cells of 0.002 m are too small for this section\n  The soil would have 1.5e+09 of them"));
+      f.err, HasSubstr("cells of 0.002 m are too small for this section\n  The soil would have 6.9e+08 of them"));
 }
 
 TEST(ImportFolder, PrintsTheTableOfDefaults)
