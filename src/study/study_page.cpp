@@ -79,7 +79,7 @@ LineChart convergence_chart(const Study& study, const Realisations& rows, bool o
 {
   LineChart chart{.title = of_flood ? "P(F) over the realisations" : "P(I) over the realisations",
       .x_label = "realisations",
-      .y_label = "-"};
+      .y_label = "probability"};
   const std::size_t style = of_flood ? 1 : 0;
   chart.lines = {line_of("estimate", style, 0), line_of("bounds", style, 2), line_of("", style, 2)};
   for (const RunningEstimate& at : running_estimates(study, rows, of_flood)) {
