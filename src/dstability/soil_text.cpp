@@ -53,7 +53,8 @@ class SoilNumbers {
     if (value >= number.low * number.si && value <= number.high * number.si) return;
     add(fmt::format("its {} {}", number.name,
             is_empty ? "is empty" : fmt::format("is {:g} {}", value / number.si, number.unit)),
-        fmt::format("Allowed are {:g} to {:g} {}.", number.low, number.high, number.unit));
+        fmt::format(
+            "Allowed are {:g} to {:g}{}{}.", number.low, number.high, *number.unit == 0 ? "" : " ", number.unit));
   }
 
   void check_table(const StixTable& table, const char* name)

@@ -88,7 +88,8 @@ TEST(SoilText, RefusesEmptyNumbersWithSoilParameterAndStage)
           told("soil `sand`", "its friction angle is empty")));
   StixSoil clay = two_soils()[1];
   clay.ratio.value = not_given;
-  EXPECT_THAT(problems_with(clay), ElementsAre(told("soil `clay`", "its shear strength ratio S is empty")));
+  EXPECT_THAT(problems_with(clay), ElementsAre(told("soil `clay`", "its shear strength ratio S is empty",
+                                       StartsWith("Allowed are 0.001 to 2. It"))));
   clay.below = StixStrengthModel::su_table;
   EXPECT_THAT(problems_with(clay), ElementsAre(told("soil `clay`", "its SuTable has no rows")));
   clay.below = StixStrengthModel::none;
