@@ -33,14 +33,23 @@ Real total_mass(const State& state)
   return mass;
 }
 
+/// Of a body that comes or goes: in which stages.
+std::string stages_text(const Model& model, std::size_t b)
+{
+  const BodyCase& body = model.description.bodies[b];
+  const auto name = [&](StageNumber number) { return model.description.stages[number - 1].name; };
+  return (body.placed > 0 ? fmt::format(", placed in the stage `{}`", name(body.placed)) : "") +
+         (body.removed != never ? fmt::format(", removed in the stage `{}`", name(body.removed)) : "");
+}
+
 void print_bodies(const Model& model)
 {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyShare& body = model.bodies[b];
     const std::string& name = model.description.bodies[b].name;
-    fmt::print("  {:<14} {}, {:.6g} m^2, {:.6g} kg per m, {} points\n",
+    fmt::print("  {:<14} {}, {:.6g} m^2, {:.6g} kg per m, {} points{}\n",
         name.empty() ? fmt::format("body {}", b) : "body " + printable(name), printable(body.material), body.area,
-        body.mass, body.n_points);
+        body.mass, body.n_points, stages_text(model, b));
   }
 }
 
@@ -93,6 +102,8 @@ void print_stages(const Model& model, double all_s)
   for (const StageCase& stage : model.description.stages) {
     const bool rests = stage.until == Until::at_rest;
     std::string changes;
+    for (const std::string& name : stage.place) changes += (changes.empty() ? ": places " : ", places ") + name;
+    for (const std::string& name : stage.remove) changes += (changes.empty() ? ": removes " : ", removes ") + name;
     for (const auto& [key, value] : stage.changes) changes += (changes.empty() ? ": " : ", ") + key + " = " + value;
     fmt::print("  stage {:<8} t = {:g} to {}{:g} s, solved in {}{}{}\n", stage.name, start, rests ? "at most " : "",
         start + stage.longest(), rests ? "at most " : "",
@@ -135,9 +146,19 @@ void print_profile(const Model& model, const State& state, Real x)
     fmt::print("  profile        no soil at x = {:g} m\n", x);
     return;
   }
-  fmt::print("  profile at x = {:g} m, water at the start\n", x);
-  fmt::print("    {:>8}{:>9}  {:<14}{:>13}{:>10}{:>10}  {}\n", "depth m", "y m", "material", "sigma'_v kPa", "p_w kPa",
-      "G MPa", "strength");
+  const auto has = [&](Real ProfileRow::*value) {
+    return std::ranges::any_of(rows, [&](const ProfileRow& row) { return !std::isnan(row.*value); });
+  };
+  const bool has_last = has(&ProfileRow::last_stress), has_yield = has(&ProfileRow::yield_stress);
+  const auto column = [](bool shown, const std::string& text) { return shown ? fmt::format("{:>15}", text) : ""; };
+  std::string last_water;  // its name
+  for (const StageCase& stage : model.description.stages)
+    if (!stage.water.empty()) last_water = stage.water;
+  fmt::print("  profile at x = {:g} m, water at the start{}{}\n", x,
+      has_last ? fmt::format("; last sigma'_v: in the water `{}`", printable(last_water)) : "",
+      has_yield ? "; sigma'_p: yield stress of SHANSEP" : "");
+  fmt::print("    {:>8}{:>9}  {:<14}{:>13}{:>10}{}{}{:>10}  {}\n", "depth m", "y m", "material", "sigma'_v kPa",
+      "p_w kPa", column(has_last, "last sigma'_v"), column(has_yield, "sigma'_p kPa"), "G MPa", "strength");
   const auto number = [](Real value, Real scale) {
     return std::isnan(value) ? std::string("-") : fmt::format("{:.2f}", value / scale);
   };
@@ -146,8 +167,10 @@ void print_profile(const Model& model, const State& state, Real x)
     for (const ProfileStrength& s : row.strengths)
       strengths += fmt::format("{}{} {:.2f} {}", strengths.empty() ? "" : ", ", s.name,
           s.unit == "Pa" ? s.value / 1e3 : s.value, s.unit == "Pa" ? "kPa" : s.unit);
-    fmt::print("    {:>8}{:>9.2f}  {:<14}{:>13}{:>10}{:>10}  {}\n", number(row.depth, 1.0), row.x[1],
-        printable(row.material), number(row.stress, 1e3), number(row.pore, 1e3), number(row.shear, 1e6), strengths);
+    fmt::print("    {:>8}{:>9.2f}  {:<14}{:>13}{:>10}{}{}{:>10}  {}\n", number(row.depth, 1.0), row.x[1],
+        printable(row.material), number(row.stress, 1e3), number(row.pore, 1e3),
+        column(has_last, number(row.last_stress, 1e3)), column(has_yield, number(row.yield_stress, 1e3)),
+        number(row.shear, 1e6), strengths);
   }
 }
 

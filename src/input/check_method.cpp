@@ -46,6 +46,15 @@ void check_relaxation(const Node& method, const MethodOptions& options, Problems
     warnings.push_back(no_effect("pressure_relaxation", "It counts with point_pressure = \"relax\" only."));
 }
 
+/// No side has a contact plane, in no stage that is known here.
+void check_contact(const Node& method, const Case& values, Problems& warnings)
+{
+  const auto is_contact = [](const SideCondition& side) { return info_of(side.kind).key == "contact"; };
+  if (find_item(method, "remap_contact") != nullptr && values.stages.empty() &&
+      std::ranges::none_of(values.sides, is_contact))
+    warnings.push_back(no_effect("remap_contact", "No side is a contact plane: give one `contact` in [boundary]."));
+}
+
 std::string schemes_with_b_bar()
 {
   std::string names;
@@ -89,6 +98,7 @@ void check_method(const Node& root, const Case& values, Problems& warnings)
   if (looks_at(*scheme, "b_bar") && looks_at(*scheme, "force_operator"))
     check_operators(*method, values.method, warnings);
   if (looks_at(*scheme, "pressure_relaxation")) check_relaxation(*method, values.method, warnings);
+  check_contact(*method, values, warnings);
 }
 
 }  // namespace terp

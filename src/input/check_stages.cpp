@@ -1,8 +1,8 @@
 // [time] and [[stage]]: ends that contradict each other, names that are none.
 // Not for: the values that a stage sets (read_stages).
 
+#include "base/closest.hpp"
 #include "input/check_case.hpp"
-
 #include "input/key_text.hpp"
 
 #include <fmt/format.h>
@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace terp {
@@ -69,6 +70,91 @@ void check_water_of_stage(const Case& values, std::size_t k, Findings& findings)
   else if (timed)
     findings.problems.push_back({path, "water that changes with the time cannot change with the stages, too",
         "Remove `time` from every [[water.situation]], or `water` from every stage.", "stage.water", false, {"water"}});
+}
+
+/// What the stages do with a body.
+struct BodyChange {
+  StageNumber placed = 0, removed = never;
+  std::string place_key, remove_key;  ///< where they say so
+};
+
+/// The number of a body in a list of a stage, if there is one of that name that may come or go.
+std::optional<std::size_t> find_body(
+    const Case& values, std::size_t k, const char* key, std::size_t entry, const std::string& name, Findings& findings)
+{
+  const std::string path = fmt::format("stage[{}].{}[{}]", k, key, entry);
+  const auto refuse = [&](std::string what, std::string detail) {
+    findings.problems.push_back({path, std::move(what), std::move(detail), fmt::format("stage.{}", key)});
+    return std::nullopt;
+  };
+  std::vector<std::string> names;
+  for (const BodyCase& body : values.bodies)
+    if (!body.name.empty()) names.push_back(body.name);
+  const auto found = std::ranges::find(values.bodies, name, &BodyCase::name);
+  if (name.empty() || found == values.bodies.end()) {
+    const std::string nearest = closest(name, names);
+    return refuse(fmt::format("there is no body `{}`", name),
+        (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) +
+            (names.empty() ? "No [[body]] of this case has a name: give it name = \"berm\"."
+                           : "Bodies with a name: " + plain_list(names)));
+  }
+  if (k == 0)
+    return refuse(fmt::format("the first stage cannot {} a body", key),
+        "It begins with the soil as it is at the start. Draw the section so, or give a stage before it.");
+  return static_cast<std::size_t>(found - values.bodies.begin());
+}
+
+/// Enters what one list of a stage says.
+void read_bodies_of_stage(
+    const Case& values, std::size_t k, bool places, std::vector<BodyChange>& bodies, Findings& findings)
+{
+  const char* const key = places ? "place" : "remove";
+  const std::vector<std::string>& names = places ? values.stages[k].place : values.stages[k].remove;
+  for (std::size_t entry = 0; entry < names.size(); ++entry) {
+    const auto b = find_body(values, k, key, entry, names[entry], findings);
+    if (!b) continue;
+    std::string& said = places ? bodies[*b].place_key : bodies[*b].remove_key;
+    const std::string path = fmt::format("stage[{}].{}[{}]", k, key, entry);
+    if (!said.empty())
+      findings.problems.push_back({path,
+          fmt::format("the body `{}` is {} twice", names[entry], places ? "placed" : "removed"),
+          "A body comes once and goes once: draw another one, with a name of its own.", fmt::format("stage.{}", key)});
+    else
+      said = path, (places ? bodies[*b].placed : bodies[*b].removed) = k + 1;
+  }
+}
+
+/// Bodies that come and go: `place` and `remove` of all stages.
+void check_bodies_of_stages(const Case& values, Findings& findings)
+{
+  std::vector<BodyChange> bodies(values.bodies.size());
+  for (std::size_t k = 0; k < values.stages.size(); ++k) {
+    for (const bool places : {true, false}) read_bodies_of_stage(values, k, places, bodies, findings);
+    const StageCase& stage = values.stages[k];
+    if (!stage.remove.empty() && stage.longest() > 0.0 && stage.ramp == stage.longest())
+      findings.problems.push_back({fmt::format("stage[{}].ramp", k), "a body is not gone before the stage ends",
+          fmt::format("It goes at the end of the ramp, {:g} s, and that is the time of the stage. Give a shorter ramp.",
+              stage.ramp),
+          "stage.remove"});
+    if (!stage.place.empty() && stage.ramp == 0.0)
+      findings.warnings.push_back({fmt::format("stage[{}].place", k), "the weight of a body comes at once",
+          "Soil below it then takes up to twice that weight for a moment. Give the stage a `ramp` of a second or more.",
+          "stage.ramp"});
+  }
+  if (!bodies.empty() && std::ranges::all_of(bodies, [](const BodyChange& body) { return body.placed > 0; }))
+    findings.problems.push_back({bodies[0].place_key, "no body is there at the start",
+        "Stages place all of them. Leave one that the others come to lie on.", "stage.place"});
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const BodyCase& body = values.bodies[b];
+    if (bodies[b].placed > 0 && bodies[b].removed <= bodies[b].placed)
+      findings.problems.push_back(
+          {bodies[b].remove_key, fmt::format("the body `{}` is removed before it is there", body.name),
+              "Remove it in a stage after the one that places it.", "stage.remove"});
+    if (bodies[b].placed > 0 && (body.velocity != Vec<2>{0.0, 0.0} || body.velocity_at))
+      findings.problems.push_back({fmt::format("body[{}].velocity", b),
+          fmt::format("the body `{}` comes with a velocity", body.name),
+          "A body that a stage places is at rest. Leave `velocity` out.", "stage.place", false, {bodies[b].place_key}});
+  }
 }
 
 void check_stage(const Node& root, const Case& values, std::size_t k, Findings& findings)
@@ -166,6 +252,7 @@ void check_stages(const Node& root, const Case& values, Findings& findings)
             "The stages say when they end, and the run ends with the last of them. Remove it here.", "stage", true,
             {"stage"}});
     for (std::size_t k = 0; k < values.stages.size(); ++k) check_stage(root, values, k, findings);
+    check_bodies_of_stages(values, findings);
   }
   check_rest(root, values, findings);
 }

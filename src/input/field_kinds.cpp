@@ -196,7 +196,8 @@ std::optional<FieldValue> read_shansep(const Node& table, const FieldContext& ou
                   soil.yield_stress ? "" : ", sigma'_p from that in " + water_text(*daily)));
   soil.water = *water;
   soil.daily = *daily;
-  return by_shansep(std::move(soil));
+  context.needs.yield_stress = yield_stress_of(soil);
+  return by_shansep(soil);
 }
 
 std::optional<FieldValue> read_formula(const FieldContext& context)

@@ -159,7 +159,7 @@ std::string default_text(const KeyInfo& key)
       [](const BoxCorners&) { return std::string(); },
       [](const PolygonList&) { return std::string("none"); },
       [](const EdgesList&) { return std::string("none"); },
-      [](const NameList&) { return std::string("all"); },
+      [&](const NameList&) { return std::string(key.words != nullptr ? "all" : "none"); },
       [](const NamedPlaces&) { return std::string("none"); },
       [&](const auto& kept) {
         const std::string text = value_text(key, kept);

@@ -107,6 +107,21 @@ void set_values(const std::string& path, const Node& set, Node& root, std::vecto
   }
 }
 
+/// Enters in the bodies which stages place and remove them, and whether they are there in the stage of a number,
+/// counted from 1; 0: at the start.
+void enter_bodies(const std::vector<StageCase>& stages, StageNumber now, std::vector<BodyCase>& bodies)
+{
+  const auto enter = [&](const std::vector<std::string>& names, StageNumber BodyCase::*number, StageNumber stage) {
+    for (BodyCase& body : bodies)
+      if (!body.name.empty() && std::ranges::find(names, body.name) != names.end()) body.*number = stage;
+  };
+  for (std::size_t k = 0; k < stages.size(); ++k) {
+    enter(stages[k].place, &BodyCase::placed, k + 1);
+    enter(stages[k].remove, &BodyCase::removed, k + 1);
+  }
+  for (BodyCase& body : bodies) body.is_there = body.placed <= now && body.removed > now;
+}
+
 }  // namespace
 
 void read_stages(const Document& document, Case& values, std::vector<Problem>& warnings)
@@ -136,9 +151,11 @@ void read_stages(const Document& document, Case& values, std::vector<Problem>& w
       if (!known(w) && !is_of_use(w) && !(stage.until == Until::at_rest && w.key.starts_with("forces.damping")))
         warnings.push_back(w);
     turn_counter_clockwise(now.mesh);
+    enter_bodies(values.stages, k + 1, now.bodies);
     now.stages.clear();
     stage.changed = std::make_shared<const Case>(std::move(now));
   }
+  enter_bodies(values.stages, 0, values.bodies);
   drop_used_materials(values.stages, warnings);
 }
 

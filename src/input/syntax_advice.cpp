@@ -41,6 +41,28 @@ struct Habit {
 
 #define TERP_NUMBER R"([-+]?\d[\d_]*(?:\.\d+)?(?:[eE][-+]?\d+)?)"
 const Habit habits[] = {
+    {R"(^\s*([A-Za-z]\w*)[ \t]+([A-Za-z]\w*)\s*=)", "a key is one word",
+        [](const std::smatch& m) { return fmt::format("Write {}_{} = ...", m.str(1), m.str(2)); }},
+    {R"([=\[,]\s*([-+]?\d{1,3})((?:\.\d{3})+),(\d+)\s*(?:#.*)?$)", "a number has a decimal point, no comma",
+        [](const std::smatch& m) {
+          std::string rest = m.str(2);
+          std::erase(rest, '.');
+          return fmt::format("Write {}{}.{}: one point, and none between thousands.", m.str(1), rest, m.str(3));
+        }},
+    {R"(^[^"'#]*==)", "a value stands behind one equals sign",
+        [](const std::smatch&) { return std::string("Remove one."); }},
+    {R"(=\s*(?:#.*)?$)", "a key has no value",
+        [](const std::smatch&) { return std::string("Write it behind the equals sign, in the same line."); }},
+    {R"(^[^"'#]*=\s*\()", "a list stands in square brackets",
+        [](const std::smatch&) { return std::string("Write [1.0, 2.0], not (1.0, 2.0)."); }},
+    {R"(^[^"'#]*;\s*(?:#.*)?$)", "a line ends without a semicolon",
+        [](const std::smatch&) { return std::string("Remove it."); }},
+    {R"(\d\s*;\s*[-+]?[\d.])", "a comma stands between the entries of a list",
+        [](const std::smatch&) { return std::string("Write [1.0, 2.0], not [1.0; 2.0]."); }},
+    {R"([\[,]\s*)" TERP_NUMBER R"([ \t]+[-+]?\d+\.)", "a comma stands between the entries of a list",
+        [](const std::smatch&) { return std::string("Write [1.0, 2.0], not [1.0 2.0]."); }},
+    {R"(^[^"'#]*\s(//|/\*))", "a comment begins with #",
+        [](const std::smatch& m) { return fmt::format("Write # in place of {}.", m.str(1)); }},
     {R"([=\[,]\s*([-+]?\d+),(\d+)\s*(?:#.*)?$)", "a number has a decimal point, no comma",
         [](const std::smatch& m) { return fmt::format("Write {}.{}.", m.str(1), m.str(2)); }},
     {R"([=\[,]\s*([-+]?)(\.\d+))", "a number has a digit before its decimal point",
@@ -114,6 +136,22 @@ std::optional<SyntaxAdvice> advise_on_bracket(std::string_view text, const Synta
           elsewhere ? fmt::format("; it is missed in line {}", error.place.line) : "")};
 }
 
+/// A line in which more brackets are closed than open, where none was open before.
+std::optional<SyntaxAdvice> advise_on_extra_bracket(const std::string& line, const SyntaxError& error)
+{
+  int open = 0;
+  for (std::size_t k = 0; k < line.size() && line[k] != '#'; ++k) {
+    if (line[k] == '"' || line[k] == '\'') {
+      k = skip_string(line, k) - 1;
+      continue;
+    }
+    open += line[k] == '[' || line[k] == '{' ? 1 : line[k] == ']' || line[k] == '}' ? -1 : 0;
+    if (open < 0)
+      return SyntaxAdvice{error.place, "a bracket is closed that nobody opened", "Remove it, or open it before."};
+  }
+  return std::nullopt;
+}
+
 /// "cannot redefine existing table 'x'".
 std::optional<SyntaxAdvice> advise_on_second(const SyntaxError& error)
 {
@@ -128,15 +166,34 @@ std::optional<SyntaxAdvice> advise_on_second(const SyntaxError& error)
           : "Remove one of the two."};
 }
 
+/// A letter that is no plain one: of a word processor, or of another encoding.
+std::optional<SyntaxAdvice> advise_on_letter(std::string_view text, const SyntaxError& error)
+{
+  const std::string why = error.what();
+  if (why.find("invalid utf-8") != std::string::npos)
+    return SyntaxAdvice{
+        error.place, "this letter is not UTF-8", "Save the file as UTF-8: in the editor, \"Save as\", encoding UTF-8."};
+  const std::string_view at = text.substr(offset_of(text, error.place));
+  for (const std::string_view quote : {"\u201C", "\u201D", "\u201E", "\u2018", "\u2019", "\u00AB", "\u00BB"})
+    if (at.starts_with(quote))
+      return SyntaxAdvice{error.place, "a text stands between plain quotes",
+          "Write \"clay\": a word processor has made others of them."};
+  if (at.starts_with("\u00B0"))
+    return SyntaxAdvice{error.place, "a number with a unit stands in quotes", "Write \"30 deg\", in quotes, or 30."};
+  return std::nullopt;
+}
+
 }  // namespace
 
 SyntaxAdvice advise_on_syntax(std::string_view text, const SyntaxError& error)
 {
   if (const auto second = advise_on_second(error)) return *second;
   const std::string why = error.what(), line(line_at(text, error.place.line));
-  if (why.find("parsing string") != std::string::npos)
+  if (const auto letter = advise_on_letter(text, error)) return *letter;
+  if (why.find("parsing string") != std::string::npos || why.find("parsing literal string") != std::string::npos)
     return {error.place, "a text has no closing quote", "A text stands in one line, between two quotes: \"clay\"."};
   if (const auto bracket = advise_on_bracket(text, error)) return *bracket;
+  if (const auto bracket = advise_on_extra_bracket(line, error)) return *bracket;
   const bool of_parser = why.find("rror while parsing") != std::string::npos;
   for (const Habit& habit : habits) {
     std::smatch found;

@@ -114,6 +114,15 @@ std::vector<KeyInfo> stage_keys()
           .field = [](Case& c, std::size_t i) { return &c.stages[i].water; },
           .meaning = "name of the [[water.situation]] that the water goes to over `ramp`; \"start\": that of [water]. "
                      "Left out: it stays as it is"},
+      {.path = "stage[].place",
+          .field = [](Case& c, std::size_t i) { return NameList{&c.stages[i].place}; },
+          .meaning = "names of bodies that come in this stage: they appear where they are drawn, without stress, and "
+                     "their weight grows over `ramp`; before it they are not there (docs/stages.md)"},
+      {.path = "stage[].remove",
+          .field = [](Case& c, std::size_t i) { return NameList{&c.stages[i].remove}; },
+          .meaning =
+              "names of bodies that are dug away in this stage: their weight goes over `ramp`, then their points "
+              "are taken out"},
       {.path = "stage[].reset_displacement",
           .field = [](Case& c, std::size_t i) { return &c.stages[i].reset_displacement; },
           .meaning = "whether displacement and strain are zero at its start, and slides are looked for anew; plastic "

@@ -46,12 +46,6 @@ std::string folder_of_run(const std::string& path)
 /// What is dropped: all that comes later. A run at its start shows that start again.
 Real last_time(const ResumePoint& from) { return from.step == 0 ? -std::numeric_limits<Real>::infinity() : from.time; }
 
-/// One line per table of a run, "ledger.csv = 85944171f73967e8": its checksum.
-std::string table_line(std::string_view name, const std::string& checksum)
-{
-  return fmt::format("{} = {}\n", name, checksum);
-}
-
 void check_table(const std::string& folder, const RunTable& table, const ResumePoint& from)
 {
   const std::string path = path_in(folder, table.file());

@@ -24,6 +24,7 @@ constexpr Real smallest_cell = 4.0;  // that is drawn [px]
 constexpr Index most_cells = 40000, most_points = 20000;
 
 constexpr Real weight_of_a_mass = 9.81e-3;  // [kN/kg], as kN/m3 of a case file is read
+constexpr const char *placed_colour = "#1b7f4b", *removed_colour = "#a11d2e";
 constexpr const char *load_colour = "#b4371e", *later_colour = "#2f7ed8", *level_colour = "#0b3d6e";
 constexpr const char *shade_colour = "#c2185b", *line_colour = "#7a0c3a";
 
@@ -99,6 +100,7 @@ class SectionDrawing : SectionCanvas {
     for (const BodyCase& body : model_.description.bodies) {
       if (!body.points_file.empty()) continue;
       const BodyOutline& outline = outlines[k++];
+      if (!body.is_there) continue;
       const std::string& colour = colour_of(material_number(model_, body.material, Zone::above));
       const std::string& colour_below = colour_of(material_number(model_, body.material, Zone::below));
       std::string path;
@@ -117,6 +119,30 @@ class SectionDrawing : SectionCanvas {
       }
     }
     points_of_files();
+    for (std::size_t b = 0, drawn = 0; b < model_.description.bodies.size(); ++b)
+      if (model_.description.bodies[b].points_file.empty()) coming_or_going(b, outlines[drawn++]);
+  }
+
+  /// The outline of a body that a stage places or removes, with its name and what is done.
+  void coming_or_going(std::size_t b, const BodyOutline& outline)
+  {
+    const BodyCase& body = model_.description.bodies[b];
+    if (is_result_ || !comes_or_goes(body) || outline.polygon.empty()) return;
+    const char* colour = body.placed > 0 ? placed_colour : removed_colour;
+    put("<path d=\"{}\" fill=\"{}\" fill-opacity=\"0.12\" stroke=\"{}\" stroke-width=\"1.6\" stroke-dasharray=\"6 "
+        "4\"/>",
+        ring(outline.polygon), colour, colour);
+    Vec<2> mean{0.0, 0.0};
+    for (const Vec<2>& x : outline.polygon)
+      for (int d = 0; d < 2; ++d) mean[d] += x[d] / static_cast<Real>(outline.polygon.size());
+    const auto& stages = model_.description.stages;
+    const auto in = [&](const char* what, StageNumber number) {
+      return number == 0 || number > stages.size() ? std::string()
+                                                   : fmt::format(", {} in {}", what, stages[number - 1].name);
+    };
+    text(px(mean[0]), py(mean[1]) + 4.0, body.name + in("placed", body.placed) + in("removed", body.removed), "middle",
+        fmt::format(
+            "font-size=\"12\" fill=\"{}\" stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"", colour));
   }
 
   /// All of the section below the phreatic line of the start.

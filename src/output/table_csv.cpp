@@ -95,6 +95,11 @@ std::string csv_lines(const std::vector<TableRow>& rows)
   return lines;
 }
 
+std::string table_line(std::string_view file, const std::string& checksum)
+{
+  return fmt::format("{} = {}\n", file, checksum);
+}
+
 TablePart read_part_until(const std::string& path, std::string_view header, Real time)
 {
   if (!std::filesystem::exists(path)) return {};

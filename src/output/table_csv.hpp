@@ -23,6 +23,9 @@ struct TablePart {
   std::string checksum;     ///< over every byte, header included; empty without a file
 };
 
+/// What a checkpoint says of a table of its run, one line each: "ledger.csv = 85944171f73967e8".
+std::string table_line(std::string_view file, const std::string& checksum);
+
 /// Up to the last whole row with a time of at most `time` [s]. Throws FileError if the columns are not those of
 /// `header`.
 TablePart read_part_until(const std::string& path, std::string_view header, Real time);

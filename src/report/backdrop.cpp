@@ -86,6 +86,7 @@ std::vector<float> first_outline(const Case& description, const Mesh<2>& mesh)
 {
   std::vector<float> line;
   for (const BodyCase& body : description.bodies) {
+    if (body.placed > 0) continue;
     if (!body.polygon.empty()) add_ring(line, body.polygon);
     for (const auto& hole : body.holes) add_ring(line, hole);
     if (!body.region.empty()) add_region(line, mesh, body.region);

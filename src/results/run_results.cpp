@@ -2,8 +2,10 @@
 
 #include "base/errors.hpp"
 #include "input/units.hpp"
+#include "output/checkpoint.hpp"
 #include "output/files.hpp"
 #include "output/run_folder.hpp"
+#include "output/table_csv.hpp"
 #include "simulation/case.hpp"
 
 #include <algorithm>
@@ -98,6 +100,24 @@ void require_whole_history(const RunResults& run)
   }
 }
 
+/// The tables are those that the run wrote, up to its newest checkpoint, which has their checksums.
+void require_unaltered_tables(const std::string& folder)
+{
+  const std::optional<WrittenTables> written = newest_tables(folder);
+  if (!written) return;
+  for (const std::string_view name : {ledger_file, history_file}) {
+    const std::string path = path_in(folder, name);
+    if (!fs::exists(path) || written->lines.find(name) == std::string::npos) continue;
+    const std::string text = read_file(path);
+    const TablePart part = read_part_until(path, text.substr(0, text.find('\n')), written->time);
+    if (written->lines.find(table_line(name, part.checksum)) == std::string::npos)
+      throw FileError(
+          fmt::format("{}: this is not what the run wrote: rows up to t = {:.4g} s were altered\n"
+                      "  Copy the folder again, or solve the case again.",
+              path, written->time));
+  }
+}
+
 }  // namespace
 
 RunResults read_run(const std::string& folder)
@@ -120,6 +140,7 @@ RunResults read_run(const std::string& folder)
     run.history = read_history(path_in(folder, history_file));
     require_whole_history(run);
   }
+  require_unaltered_tables(folder);
   return run;
 }
 

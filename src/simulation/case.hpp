@@ -13,6 +13,7 @@
 #include "water/water_case.hpp"
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -57,6 +58,9 @@ struct MeshCase {
   Index variant = 0;  ///< polygon: 1, 2, ... are other meshes of the same size, to see what depends on the mesh
 };
 
+using StageNumber = std::size_t;
+inline constexpr StageNumber never = std::numeric_limits<StageNumber>::max();
+
 /// Exactly one of polygon, region and points_file says where a body is.
 struct BodyCase {
   std::string name;  ///< empty: it has none
@@ -66,8 +70,11 @@ struct BodyCase {
   std::string region;                      ///< of a mesh file: all its cells
   std::string points_file;                 ///< CSV with header x,y,volume,material, relative to the case file
   std::array<Index, 2> points_per_cell{5, 5};
-  Vec<2> velocity{0.0, 0.0};  ///< at t = 0 [m/s]
-  VelocityField velocity_at;  ///< instead of velocity
+  Vec<2> velocity{0.0, 0.0};    ///< at t = 0 [m/s]
+  VelocityField velocity_at;    ///< instead of velocity
+  StageNumber placed = 0;       ///< by the stage of this number, counted from 1; 0: it is there from the start
+  StageNumber removed = never;  ///< dug away by the stage of this number, counted from 1
+  bool is_there = true;         ///< in this case: that of a stage, or of the start
 };
 
 /// A body in messages: "body `berm`", or without a name "body 4".
@@ -166,6 +173,9 @@ struct SlipPlaneCase {
   Real factor_of_safety = std::numeric_limits<Real>::quiet_NaN();  ///< NaN: not given
   std::vector<Vec<2>> line;                                        ///< [m]
 };
+
+/// Whether a stage places or removes the body.
+inline bool comes_or_goes(const BodyCase& body) { return body.placed > 0 || body.removed != never; }
 
 /// The velocity that a body or a side has at a place [m/s].
 template <class BodyOrSide>

@@ -59,7 +59,18 @@ inline void map_mass_and_momentum(const CellGroup<Quad4>& group, int c)
       view.points, view.cell, [&](const PointBlock<2>& block, Index) { map_mass_and_momentum(block, view.corners); });
 }
 
-/// Forces of the loads at the corners of cell c.
+/// grad p at the centre of a cell [Pa/m]; 0 without water.
+inline Vec<2> pressure_gradient(const Model& model, Index cell, std::span<const Real> pressure)
+{
+  Vec<2> gradient{0.0, 0.0};
+  if (pressure.empty()) return gradient;
+  for (int i = 0; i < Quad4::n_corners; ++i)
+    for (int d = 0; d < 2; ++d)
+      gradient[d] += pressure[model.mesh->cells[cell][i]] * model.mesh->geometry(cell).centre_gradient[i][d];
+  return gradient;
+}
+
+/// Forces of the loads at the corners of cell c, and of what holds the weight of bodies that come or go.
 inline void map_loads(const Model& model, const CellGroup<Quad4>& group, int c, Workspace& work)
 {
   const Index cell = group.cells[c];
@@ -70,6 +81,9 @@ inline void map_loads(const Model& model, const CellGroup<Quad4>& group, int c, 
       if (work.load_pressure[k] != 0.0)
         map_load(block, model.loads[k].row, work.load_pressure[k], model.mesh->geometry(cell),
             model.mesh->centres[cell], force);
+    if (work.held.act())
+      map_held_weight<Quad4>(
+          block, model.held_row, work.held, work.gravity, pressure_gradient(model, cell, work.pore.pressure), force);
   });
 }
 

@@ -56,17 +56,6 @@ std::vector<MovedPoint> take_changed_points(const Model& model, const std::vecto
 
 }  // namespace
 
-Seeds seeds_of(const Model& model)
-{
-  Seeds seeds;
-  for (const auto& batch : make_points(model))
-    for (const NewPoint& p : batch) {
-      seeds.bodies.push_back(p.body);
-      seeds.places.insert(seeds.places.end(), p.x.begin(), p.x.end());
-    }
-  return seeds;
-}
-
 bool have_same_materials(const Model& a, const Model& b)
 {
   return std::ranges::equal(a.description.bodies, b.description.bodies, {}, &BodyCase::material, &BodyCase::material);

@@ -5,17 +5,7 @@
 #include "simulation/model.hpp"
 #include "simulation/state.hpp"
 
-#include <vector>
-
 namespace terp {
-
-/// Body and place of each point as it is seeded, by id. Displacement may be counted from later places.
-struct Seeds {
-  std::vector<Index> bodies;
-  std::vector<Real> places;  ///< [m], shape [n, 2]
-};
-
-Seeds seeds_of(const Model& model);
 
 /// Whether each body is of the same material in both.
 bool have_same_materials(const Model& a, const Model& b);

@@ -20,6 +20,16 @@ bool wanted(const Model& model, const FrameField& field)
   return names.empty() ? field.by_default : std::ranges::find(names, field.name) != names.end();
 }
 
+/// Points of bodies that are not there, or no longer: at their first place, with volume 0, material -1 and cell -1.
+void mark_absent(const State& state, Frame& frame)
+{
+  if (state.points.n_points() + std::ssize(state.left) == state.n_ids()) return;
+  const auto first = state.x_initial.begin() + static_cast<std::ptrdiff_t>(2 * frame.first);
+  std::copy_n(first, frame.x.size(), frame.x.begin());
+  for (PointField& field : frame.fields)
+    if (field.name == "material" || field.name == "cell") std::ranges::fill(field.values, -1.0);
+}
+
 /// Points that left the mesh stay in the frames where they left, with volume 0, material -1 and cell -1.
 void mark_left(const State& state, Frame& frame)
 {
@@ -45,6 +55,7 @@ Frame gather_frame(const State& state, const std::vector<FrameField>& fields, st
   for (const FrameField& field : fields)
     frame.fields.push_back(
         {field.name, field.unit, field.n_components, std::vector<Real>(size * field.n_components, 0.0)});
+  mark_absent(state, frame);
   std::vector<std::size_t> places;
   for_each_block(state.points, [&](const PointBlock<2>& block) {
     places.clear();

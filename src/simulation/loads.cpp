@@ -1,6 +1,7 @@
 #include "simulation/loads.hpp"
 
 #include "events/top_points.hpp"
+#include "simulation/placed_bodies.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -135,7 +136,8 @@ void set_load_pressures(const Model& model, const State& state, Workspace& work)
     work.load_pressure[k] = waits ? 0.0 : model.pressure_of(load, time);
     acts |= work.load_pressure[k] != 0.0;
   }
-  work.outer[outer_load].acts = acts;
+  set_held_shares(model, state, work);
+  work.outer[outer_load].acts = acts || work.held.act();
 }
 
 }  // namespace terp

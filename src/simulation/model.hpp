@@ -14,6 +14,8 @@
 #include "simulation/stage.hpp"
 #include "transfer/node_diffusion.hpp"
 
+#include <map>
+
 namespace terp {
 
 /// What came of a body at t = 0.
@@ -61,11 +63,21 @@ struct Model {
   NodeDiffusion diffusion;                ///< of nonlocal softening; empty without
   int inverse_extent = -1;                ///< row of the points, with shares that overlap
   std::shared_ptr<const Overburden> ground = {};  ///< of the run at t = 0, where a parameter varies; nullptr: none
-  std::shared_ptr<const NodalWater> water = {};   ///< pore pressure on the nodes; nullptr: no water
-  FloodLevel flood_level = {};                    ///< of the whole run
+  /// The same in each stage that places bodies, by its number; empty: parameters do not vary, or no stage does.
+  std::map<StageNumber, std::shared_ptr<const Overburden>> later_ground = {};
+  /// Row of the points: whose weight is held (placed_bodies.hpp); -1: no stage places or removes bodies.
+  int held_row = -1;
+  std::shared_ptr<const NodalWater> water = {};  ///< pore pressure on the nodes; nullptr: no water
+  FloodLevel flood_level = {};                   ///< of the whole run
   int threads = 1;
   FollowerTypes followers = {};  ///< what is measured while the run goes on; may be none
 
+  /// What lay above the points of a body when it came: parameters that vary follow from that.
+  const Overburden* ground_with(Index body) const
+  {
+    const StageNumber stage = later_ground.empty() ? 0 : description.bodies[static_cast<std::size_t>(body)].placed;
+    return stage == 0 ? ground.get() : later_ground.at(stage).get();
+  }
   Real time_of(std::int64_t step_number) const { return first_time + static_cast<Real>(step_number - first_step) * dt; }
   Vec<2> gravity_at(Real time) const
   {

@@ -4,8 +4,10 @@
 #include "simulation/change_soil.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/loads.hpp"
+#include "simulation/placed_bodies.hpp"
 #include "simulation/point_parameters.hpp"
 #include "simulation/setup.hpp"
+#include "simulation/setup_points.hpp"
 #include "simulation/stages.hpp"
 #include "simulation/state_arrays.hpp"
 #include "simulation/state_image.hpp"
@@ -43,7 +45,7 @@ std::string row_name(const Model& model, int first)
 /// run.
 bool may_differ(const RowInfo& row)
 {
-  return row.owner == "load" || row.owner == "water" || row.name.starts_with("parameter_");
+  return row.owner == "load" || row.owner == "water" || row.owner == "stage" || row.name.starts_with("parameter_");
 }
 
 /// The state with the rows of this run. Loads keep their points; rows that the other run did not have begin with their
@@ -75,6 +77,15 @@ StateImage image_for(const Model& before, const Model& model, const State& state
   if (model.damping.averaging_time > 0.0 && state.mean_force.empty())
     image.arrays.push_back({"mean_force", {static_cast<std::int64_t>(n_forces)}, std::vector<Real>(n_forces, 0.0), 0});
   return image;
+}
+
+/// Points have their numbers in the order in which stages place their bodies.
+void check_same_points(const Model& before, const Model& model)
+{
+  if (seeds_of(before) == seeds_of(model)) return;
+  throw InputError(Problem{"stage", "the points of the other run have other numbers",
+      "Stages place other bodies there, or in another order. Place the same bodies in the same order as its case.toml.",
+      "stage.place", true});
 }
 
 /// Loads that stand on the soil in this run and did not in the other one, or elsewhere, take their place.
@@ -126,6 +137,7 @@ std::size_t count_done(const Model& model, const std::string& stage_that_ended)
 
 void begin_from(const Model& before, const std::string& stage_that_ended, Model& model, State& state)
 {
+  check_same_points(before, model);
   const Real energy = kinetic_and_elastic_energy(before, state);
   const std::size_t n_done = count_done(model, stage_that_ended);
   state.stages_done = records_of(before, model, n_done, state);
@@ -146,11 +158,13 @@ void begin_from(const Model& before, const std::string& stage_that_ended, Model&
   State own = restore(model, image_for(before, model, state));
   change_materials(model, own);
   set_point_parameters(model, seeds_of(model).places, own);
+  change_bodies(model, own);
   place_loads(before, state, model, own);
   const State first = build_state(model);
   for (ActiveFollower& active : own.followers) active.follower->begin_from(before, model, first);
   state = std::move(own);
   state.start_energy += kinetic_and_elastic_energy(model, state) - energy;
+  remove_held_bodies(model, state);
 }
 
 }  // namespace terp

@@ -23,7 +23,12 @@ Overburden::Overburden(const Model& model, Real gravity) : water_(model.descript
   const std::vector<BodyOutline> outlines = outlines_of(model);
   std::size_t k = 0;
   for (const BodyCase& body : model.description.bodies) {
-    if (!body.points_file.empty()) {
+    const bool has_outline = body.points_file.empty();
+    if (!body.is_there) {
+      k += has_outline;
+      continue;
+    }
+    if (!has_outline) {
       is_known_ = false;
       continue;
     }

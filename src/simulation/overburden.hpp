@@ -13,7 +13,8 @@ namespace terp {
 
 class Overburden {
  public:
-  /// Of the bodies of a model whose mesh, materials, gravity, loads and ramp are set, with its gravity in full.
+  /// Of the bodies that are there in a model whose mesh, materials, gravity, loads and ramp are set, with its gravity
+  /// in full.
   explicit Overburden(const Model& model) : Overburden(model, -model.gravity[1]) {}
   /// The same with another gravity, downwards [m/s^2].
   Overburden(const Model& model, Real gravity);

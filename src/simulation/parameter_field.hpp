@@ -41,6 +41,7 @@ struct FieldNeeds {
   std::vector<std::string> situations;  ///< names of water that it asks for
   std::string stress_water = {};        ///< the water of sigma'_v, "start" that of t = 0; empty: it does not ask
   std::string daily_water = {};         ///< the same of sigma'_v,daily, from which sigma'_p follows
+  FieldValue yield_stress = {};         ///< sigma'_p [Pa], of SHANSEP
 };
 
 struct ParameterField {

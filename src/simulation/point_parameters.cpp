@@ -113,14 +113,20 @@ void check_point_parameter(
         "material"});
 }
 
-void set_point_parameters(const Model& model, std::span<const Real> places, State& state)
+void set_point_parameters(
+    const Model& model, std::span<const Real> places, State& state, const std::vector<bool>& of_bodies)
 {
+  if (!model.ground) return;
+  const bool asks = !of_bodies.empty() || !model.later_ground.empty();
+  const std::vector<Index> bodies = asks ? seeds_of(model).bodies : std::vector<Index>();
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const SoilMaterial& material = model.materials[block.material];
     if (!material.varies()) return;
     const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
+    const Index body = asks ? bodies[id] : 0;
+    if (!of_bodies.empty() && !of_bodies[static_cast<std::size_t>(body)]) return;
     const std::vector<Real> values = parameters_at(model.description.materials[block.material], *material.type,
-        {{places[2 * id], places[2 * id + 1]}, model.ground.get()});
+        {{places[2 * id], places[2 * id + 1]}, model.ground_with(body)});
     const LawRows rows = material.view(block, lane);
     std::size_t k = 0;
     for (const Real value : varying_values(material, values)) *rows.parameters(k++) = value;
@@ -141,9 +147,10 @@ std::vector<Stiffness> list_stiffness(const Model& model, std::span<const Index>
   for (const auto& batch : make_points(model))
     for (const NewPoint& point : batch) {
       const SoilMaterial& material = model.materials[point.key.material];
-      if (!material.varies()) continue;
-      std::vector<Real> values = varying_values(material, parameters_at(model.description.materials[point.key.material],
-                                                              *material.type, {point.x, model.ground.get()}));
+      if (!material.varies() || !model.description.bodies[static_cast<std::size_t>(point.body)].is_there) continue;
+      std::vector<Real> values =
+          varying_values(material, parameters_at(model.description.materials[point.key.material], *material.type,
+                                       {point.x, model.ground_with(point.body)}));
       const LawRows at{.state = {}, .parameters = {.data = values.data()}};
       list.push_back({point.key.material, undrained(material, material.law->moduli(at)), material.law->viscosity(at)});
     }

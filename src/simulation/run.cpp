@@ -6,6 +6,7 @@
 #include "simulation/guards.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/loads.hpp"
+#include "simulation/placed_bodies.hpp"
 #include "simulation/reporter.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/stages.hpp"
@@ -126,6 +127,7 @@ StepsMade make_steps(const Model& model, State& state, Workspace& work, const St
     if (may_stop && policy.stop->load(std::memory_order_relaxed)) return {.end = LoopEnd::stopped};
     if (std::string fault = policy.clock_stands ? "" : place_due_loads(model, state); !fault.empty())
       return {.end = LoopEnd::fault, .fault = std::move(fault)};
+    if (!policy.clock_stands && remove_due_bodies(model, state)) work.fit(model, state);
     model.step(model, state, work);
     if (policy.clock_stands) state.step = 0, state.time = 0.0;
     if (std::string fault = find_fault(model, state, work, state.largest_v_999); !fault.empty())

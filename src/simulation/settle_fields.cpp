@@ -60,12 +60,14 @@ std::string cover_text(const FieldCover& cover)
       coordinate_text(cover.high[0]), coordinate_text(cover.low[1]), coordinate_text(cover.high[1]));
 }
 
-/// Calls visit(material number, place) for each point to be.
+/// Calls visit(material number, place in the soil) for each point to be of the bodies that are there.
 template <class Visit>
 void for_each_new_point(const Model& model, Visit visit)
 {
   for (const auto& batch : make_points(model))
-    for (const NewPoint& point : batch) visit(point.key.material, point.x);
+    for (const NewPoint& point : batch)
+      if (model.description.bodies[static_cast<std::size_t>(point.body)].is_there)
+        visit(point.key.material, PlaceInSoil{point.x, model.ground_with(point.body)});
 }
 
 /// Whether the parameter that a field is found from is wrong somewhere: then that is reported, and not what follows.
@@ -101,12 +103,11 @@ void settle_fields(Model& model)
     found[m].resize(materials[m].fields.size());
     for (const ParameterField& field : materials[m].fields) n_covered[m].emplace_back(field.needs.covers.size());
   }
-  for_each_new_point(model, [&](Index m, Vec<2> x) {
+  for_each_new_point(model, [&](Index m, const PlaceInSoil& x) {
     const MaterialCase& material = materials[m];
     for (std::size_t f = 0; f < material.fields.size(); ++f) {
       const ParameterField& field = material.fields[f];
-      found[m][f].add(
-          field.value_at({x, model.ground.get()}), model.materials[m].type->parameters[field.parameter].range, x);
+      found[m][f].add(field.value_at(x), model.materials[m].type->parameters[field.parameter].range, x);
       for (std::size_t c = 0; c < field.needs.covers.size(); ++c) n_covered[m][f][c] += is_in(field.needs.covers[c], x);
     }
   });

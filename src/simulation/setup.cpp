@@ -3,11 +3,13 @@
 #include "base/errors.hpp"
 #include "forces/time_step.hpp"
 #include "mesh/mesh_error.hpp"
+#include "simulation/add_points.hpp"
 #include "simulation/flood_level.hpp"
 #include "simulation/initial.hpp"
 #include "simulation/loads.hpp"
 #include "simulation/nodal_water.hpp"
 #include "simulation/overburden.hpp"
+#include "simulation/placed_bodies.hpp"
 #include "simulation/point_parameters.hpp"
 #include "simulation/reduce.hpp"
 #include "simulation/setup_history.hpp"
@@ -159,6 +161,7 @@ StepLimit find_step_limit(const Case& whole, const Model& model, const std::vect
     other.description = as_solved(case_of_stage(whole, k));
     other.materials = make_materials(other.description);
     other.ground = model.ground;
+    other.later_ground = model.later_ground;
     settle_laws(whole, used, other);
     limit.enter(other, used);
   }
@@ -189,21 +192,30 @@ void take_time_step(const Model& of_run, Model& model)
   model.dt = of_run.dt;
 }
 
-/// What lies above places at t = 0: the soil of the first stage with its gravity in full. Loads do not count: whether
-/// undrained soil has settled under one, as under a road, or not, as under traffic, the case does not say, and strength
-/// that it may not have is not on the safe side. Where no parameter varies, none is needed.
-std::shared_ptr<const Overburden> first_ground(const Case& whole, const SharedMesh& mesh)
+/// What lies above places in a stage: its soil with its gravity in full. Loads do not count: whether undrained soil has
+/// settled under one, as under a road, or not, as under traffic, the case does not say, and strength that it may not
+/// have is not on the safe side.
+std::shared_ptr<const Overburden> ground_in(const Case& whole, std::size_t number, const SharedMesh& mesh)
+{
+  Model model;
+  model.mesh = mesh;
+  model.description = case_of_stage(whole, number);
+  model.materials = make_materials(model.description);
+  set_ramp(whole, number, model);
+  model.loads.clear();
+  return std::make_shared<const Overburden>(model);
+}
+
+/// The ground at t = 0, and in each stage that places bodies. Where no parameter varies, none is needed.
+void set_ground(const Case& whole, Model& model)
 {
   const auto has_field = [](const MaterialCase& m) { return !m.fields.empty(); };
-  if (!in_any_stage(whole, [&](const Case& c) { return std::ranges::any_of(c.materials, has_field); })) return nullptr;
+  if (!in_any_stage(whole, [&](const Case& c) { return std::ranges::any_of(c.materials, has_field); })) return;
   const Case& of = whole.ground_of ? *whole.ground_of : whole;
-  Model first;
-  first.mesh = mesh;
-  first.description = case_of_stage(of, 0);
-  first.materials = make_materials(first.description);
-  set_ramp(of, 0, first);
-  first.loads.clear();
-  return std::make_shared<const Overburden>(first);
+  model.ground = ground_in(of, 0, model.mesh);
+  for (const BodyCase& body : of.bodies)
+    if (body.placed > 0 && !model.later_ground.contains(body.placed))
+      model.later_ground.emplace(body.placed, ground_in(of, body.placed - 1, model.mesh));
 }
 
 /// Every corner of every body must lie in the built-in rectangle (other meshes: setup_points).
@@ -225,53 +237,12 @@ void check_bodies_in_mesh(const Case& c)
       }
 }
 
-/// Makes blocks of the right size before they are filled: no growth, no waste.
-void expect_points(const std::vector<NewPoint>& points, State& state)
+std::vector<Real> first_places(const PointBatches& points)
 {
-  std::vector<BlockKey> keys;
-  for (const NewPoint& p : points) keys.push_back(p.key);
-  std::sort(keys.begin(), keys.end());
-  for (std::size_t k = 0, end = 0; k < keys.size(); k = end) {
-    while (end < keys.size() && keys[end] == keys[k]) ++end;
-    state.points.expect(keys[k], static_cast<Index>(end - k));
-  }
-}
-
-/// values: what all points begin with, shape [n_rows].
-void add_point(const Model& model, const NewPoint& p, std::size_t id, std::vector<Real>& values, State& state)
-{
-  using Rows = PointRows<2>;
-  for (int d = 0; d < 2; ++d) {
-    values[Rows::x + d] = p.x[d];
-    values[Rows::xi + d] = p.local[d];
-    values[Rows::v + d] = p.v[d];
-    state.x_initial[2 * id + d] = p.x[d];
-  }
-  values[Rows::mass] = p.volume * model.materials[p.key.material].density;
-  values[Rows::volume] = p.volume;
-  if (model.inverse_extent >= 0) values[model.inverse_extent] = 1.0 / std::sqrt(p.volume);
-  values[Rows::id] = static_cast<Real>(id);
-  state.points.add(p.key, values);
-}
-
-/// Drops each batch when it is in: points and blocks together would be the most that a run ever holds.
-void add_points(const Model& model, PointBatches points, State& state)
-{
-  std::vector<Real> values(static_cast<std::size_t>(model.rows.n_rows()));
-  for (const RowInfo& row : model.rows.entries()) std::fill_n(values.begin() + row.first, row.n, row.initial);
-  std::size_t id = 0;
-  for (auto& batch : points) {
-    expect_points(batch, state);
-    for (const NewPoint& p : batch) add_point(model, p, id++, values, state);
-    PointBatches::value_type().swap(batch);
-  }
-}
-
-std::size_t count_all(const PointBatches& points)
-{
-  std::size_t n = 0;
-  for (const auto& batch : points) n += batch.size();
-  return n;
+  std::vector<Real> places;
+  for (const auto& batch : points)
+    for (const NewPoint& p : batch) places.insert(places.end(), p.x.begin(), p.x.end());
+  return places;
 }
 
 /// of_run: another stage of the same run; nullptr: this is the first model of it.
@@ -305,7 +276,10 @@ Model build(const Case& whole, SharedMesh mesh, int threads, std::size_t number,
   model.step = kernels().step;
   if (model.scheme == nullptr) throw InputError(Problem{"scheme", "no such scheme", "", "scheme"});
   model.threads = threads;
-  model.ground = of_run != nullptr ? of_run->ground : first_ground(whole, model.mesh);
+  if (of_run != nullptr)
+    model.ground = of_run->ground, model.later_ground = of_run->later_ground;
+  else
+    set_ground(whole, model);
   const std::vector<Index> used = used_materials(whole);
   settle_laws(whole, used, model);
   if (model.method.shares == Shares::by_law) model.method.shares = shares_by_law(model, used);
@@ -315,6 +289,7 @@ Model build(const Case& whole, SharedMesh mesh, int threads, std::size_t number,
         .meaning = "1 / side of the square by which the point counts in sub-cells",
         .owner = "method"});
   add_rows_of_loads(model.loads, model.rows);
+  if (std::ranges::any_of(description.bodies, comes_or_goes)) model.held_row = add_held_row(model.rows);
   Real length = 0.0;  // the largest of those in use
   for (const Index m : used)
     if (model.materials[m].increment_row >= 0) length = std::max(length, model.materials[m].softening.length);
@@ -365,12 +340,14 @@ State build_state(Model& model)
 {
   PointBatches points = make_points(model);
   model.bodies = shares_of_bodies(model, points);
-  const std::size_t n = count_all(points);
   State state;
   state.points = PointBlocks<2>(model.mesh->n_cells(), model.rows);
-  state.x_initial.resize(2 * n);
+  state.x_initial = first_places(points);
+  const auto n = static_cast<std::size_t>(state.n_ids());
   state.put_back.assign(n, false);
-  add_points(model, std::move(points), state);
+  check_placed_bodies(model, points);
+  add_points(
+      model, std::move(points), [](const BodyCase& body) { return body.is_there; }, state);
   state.points.update_occupied();
   check_softening_lengths(model, state);
   check_reference_widths(model, state);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <set>
 
 namespace terp {
 namespace {
@@ -162,6 +163,17 @@ Index material_number(const Model& model, const std::string& name, Zone zone)
   throw InputError(Problem{"material", "no material `" + name + "`", "", "body"});
 }
 
+Seeds seeds_of(const Model& model)
+{
+  Seeds seeds;
+  for (const auto& batch : make_points(model))
+    for (const NewPoint& p : batch) {
+      seeds.bodies.push_back(p.body);
+      seeds.places.insert(seeds.places.end(), p.x.begin(), p.x.end());
+    }
+  return seeds;
+}
+
 std::vector<BodyShare> shares_of_bodies(const Model& model, const PointBatches& points)
 {
   std::vector<BodyShare> shares(model.description.bodies.size());
@@ -193,21 +205,30 @@ std::vector<BodyOutline> outlines_of(const Model& model)
 
 PointBatches make_points(const Model& model)
 {
+  const std::vector<BodyCase>& bodies = model.description.bodies;
   const auto outlines = outlines_of(model);
   check_outlines(model, outlines);
   std::vector<std::size_t> drawn;  // number of each outline among the bodies of the case
-  for (std::size_t b = 0; b < model.description.bodies.size(); ++b)
-    if (model.description.bodies[b].points_file.empty()) drawn.push_back(b);
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    if (bodies[b].points_file.empty()) drawn.push_back(b);
+  std::set<StageNumber> stages;
+  for (const BodyCase& body : bodies) stages.insert(body.placed);
 
   PointBatches points;
-  for (const Seed& seed : seed_points(*model.mesh, outlines)) {
-    const BodyCase& body = model.description.bodies[drawn[seed.body]];
-    add_point({seed.x, seed.local, finite_velocity(body, drawn[seed.body], seed.x), seed.volume,
-                  {seed.cell, material_at(model, body.material, seed.x)}, static_cast<Index>(drawn[seed.body])},
-        points);
+  for (const StageNumber stage : stages) {  // bodies cut each other out where they are drawn together alone
+    std::vector<BodyOutline> together;
+    std::vector<std::size_t> number;
+    for (std::size_t k = 0; k < drawn.size(); ++k)
+      if (bodies[drawn[k]].placed == stage) together.push_back(outlines[k]), number.push_back(drawn[k]);
+    for (const Seed& seed : seed_points(*model.mesh, together)) {
+      const std::size_t b = number[seed.body];
+      add_point({seed.x, seed.local, finite_velocity(bodies[b], b, seed.x), seed.volume,
+                    {seed.cell, material_at(model, bodies[b].material, seed.x)}, static_cast<Index>(b)},
+          points);
+    }
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      if (!bodies[b].points_file.empty() && bodies[b].placed == stage) try_points_of_file(model, b, points);
   }
-  for (std::size_t b = 0; b < model.description.bodies.size(); ++b)
-    if (!model.description.bodies[b].points_file.empty()) try_points_of_file(model, b, points);
   if (points.empty())
     throw InputError(Problem{"body[0]", "no material points",
         "The bodies hold no point of the seeding lattice. Use a larger body, smaller cells or more points per cell.",

@@ -19,8 +19,19 @@ struct NewPoint {
 /// Points in batches that can be dropped one by one.
 using PointBatches = std::vector<std::vector<NewPoint>>;
 
-/// All points, in the order of their ids. Throws InputError.
+/// All points, in the order of their ids, also of bodies that are not there in the stage of the model: first those of
+/// the start, then those of each stage that places some. Throws InputError.
 PointBatches make_points(const Model& model);
+
+/// Body and place of each point as it is seeded, by id. Displacement may be counted from later places.
+struct Seeds {
+  std::vector<Index> bodies;
+  std::vector<Real> places;  ///< [m], shape [n, 2]
+
+  bool operator==(const Seeds&) const = default;
+};
+
+Seeds seeds_of(const Model& model);
 
 /// How points, area and mass are shared among the bodies.
 std::vector<BodyShare> shares_of_bodies(const Model& model, const PointBatches& points);

@@ -49,14 +49,19 @@ FieldValue by_map(ValueMap map)
   return [map = std::move(map)](const PlaceInSoil& at) { return map.at(at.x); };
 }
 
-FieldValue by_shansep(Shansep soil)
+FieldValue yield_stress_of(const Shansep& soil)
 {
-  return [soil = std::move(soil)](const PlaceInSoil& at) {
-    const Real now = effective_stress(at, soil.water);
-    const Real daily = soil.daily == soil.water || soil.yield_stress ? now : effective_stress(at, soil.daily);
-    const Real yield = soil.yield_stress ? soil.yield_stress(at)
-                       : soil.ocr        ? soil.ocr(at) * daily
-                                         : daily + soil.pop(at);
+  if (soil.yield_stress) return soil.yield_stress;
+  return [soil](const PlaceInSoil& at) {
+    const Real daily = effective_stress(at, soil.daily);
+    return soil.ocr ? soil.ocr(at) * daily : daily + soil.pop(at);
+  };
+}
+
+FieldValue by_shansep(const Shansep& soil)
+{
+  return [soil, yield_stress = yield_stress_of(soil)](const PlaceInSoil& at) {
+    const Real now = effective_stress(at, soil.water), yield = yield_stress(at);
     const Real m = soil.m(at), strength = soil.S(at) * std::pow(now, 1.0 - m) * std::pow(yield, m);
     const Real least = soil.minimum ? soil.minimum(at) : 0.0;
     return strength < least || std::isnan(least) ? least : strength;

@@ -32,7 +32,9 @@ struct Shansep {
   FieldValue minimum;                 ///< [Pa]; may be empty
   std::string water, daily;           ///< situations of sigma'_v and of sigma'_v,daily; empty: the start
 };
-FieldValue by_shansep(Shansep soil);
+FieldValue by_shansep(const Shansep& soil);
+/// sigma'_p of it [Pa].
+FieldValue yield_stress_of(const Shansep& soil);
 
 /// Not a number where the value does not lie in the range.
 FieldValue within(Range range, FieldValue value);

@@ -4,6 +4,7 @@
 #include "simulation/change_soil.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/loads.hpp"
+#include "simulation/placed_bodies.hpp"
 #include "simulation/point_parameters.hpp"
 #include "simulation/setup.hpp"
 #include "water/water_pressure.hpp"
@@ -206,6 +207,8 @@ void enter_next_stage(Model& model, State& state, Workspace& work)
   Model next = build_stage(model, model.stage.number + 1);
   keep_rest_of(model, next);
   TERP_ASSERT(next.dt == model.dt);  // or the clock would jump
+  next.ramp.start = model.time_of(state.step);
+  remove_held_bodies(model, state);
   const Real before = kinetic_and_elastic_energy(model, state);
   if (stores_other_stress(model, next)) change_stored_stress(model, next, state);
   if (!have_same_materials(model, next)) change_materials(next, state);
@@ -214,6 +217,7 @@ void enter_next_stage(Model& model, State& state, Workspace& work)
   };
   if (std::ranges::any_of(model.description.stages[next.stage.number].changes, is_of_material))
     set_point_parameters(next, seeds_of(next).places, state);
+  change_bodies(next, state);
   state.start_energy += kinetic_and_elastic_energy(next, state) - before;
   place_new_loads(model, next, state);
   ++state.stage;

@@ -43,6 +43,8 @@ struct State {
   std::vector<Vec<2>> mean_force;
   std::int64_t equilibrium_steps = 0;    ///< made in the search for equilibrium, while the clock stands at 0
   bool has_no_start = false;             ///< the search found no equilibrium, so that nothing can be judged
+  Real mass_placed = 0.0;                ///< of bodies that stages placed so far [kg per m]
+  Real mass_removed = 0.0;               ///< of bodies that stages dug away so far [kg per m]
   Real start_energy = 0.0;               ///< kinetic + elastic at t = 0 [J per m]
   std::int64_t first_step = 0;           ///< Model::first_step and first_time
   Real first_time = 0.0;                 ///< [s]
@@ -57,7 +59,7 @@ struct State {
   std::int64_t frames_reported = 0;
   std::vector<ActiveFollower> followers;  ///< of the model, in its order; each saves itself
   Real largest_v_999 = 0.0;               ///< [m/s]
-  /// Points at t = 0; ids run from 0 to this.
+  /// Points of all bodies, also of those that are not there yet or no longer; ids run from 0 to this.
   std::int64_t n_ids() const { return static_cast<std::int64_t>(x_initial.size() / 2); }
   double wall_s = 0.0;            ///< spent solving, over all processes
   std::string instructions = {};  ///< sets that the run was solved with, in their order; empty: that of this process

@@ -197,11 +197,12 @@ void load_followers(const Model& model, const ArrayReader& arrays, State& state)
 
 /// Every id, of points and of those that left, must lie in the range that x_initial spans: other arrays are indexed by
 /// it.
-void check_ids(const State& state)
+void check_ids(const Model& model, const State& state)
 {
   const auto n = static_cast<Real>(state.n_ids());
   const auto fits = [n](Real id) { return id >= 0.0 && id < n && id == std::floor(id); };
-  bool all_fit = static_cast<Real>(state.points.n_points()) + static_cast<Real>(state.left.size()) == n;
+  const Real n_there = static_cast<Real>(state.points.n_points()) + static_cast<Real>(state.left.size());
+  bool all_fit = std::ranges::any_of(model.description.bodies, comes_or_goes) ? n_there <= n : n_there == n;
   for_each_point(
       state.points, [&](const PointBlock<2>& block, Index lane) { all_fit &= fits(block.row(Rows::id)[lane]); });
   for (const LeftPoint& p : state.left) all_fit &= fits(static_cast<Real>(p.id));
@@ -233,6 +234,8 @@ std::vector<ArraySource> arrays_of(const State& state)
     arrays.copy("stage", std::vector<std::int64_t>{state.stage, state.stage_start, state.quiet_steps});
     arrays.copy("stages_done", values_of(state.stages_done));
   }
+  if (state.mass_placed != 0.0 || state.mass_removed != 0.0)
+    arrays.copy("mass_of_bodies", std::vector<Real>{state.mass_placed, state.mass_removed});
   if (state.work.outer != OuterWork{})
     arrays.copy("work_from_outside", std::vector<Real>(state.work.outer.begin(), state.work.outer.end()));
   arrays.copy("counts", std::vector<std::int64_t>{state.clamped, state.equilibrium_steps, state.frames_reported});
@@ -306,7 +309,7 @@ State restore(const Model& model, const StateImage& image)
     for (std::size_t i = 0; i < state.mean_force.size(); ++i) state.mean_force[i] = {values[2 * i], values[2 * i + 1]};
   }
   get_left(arrays, state);
-  check_ids(state);
+  check_ids(model, state);
   const auto& w = arrays.reals("work", 11);
   state.work = {.gravity = w[0],
       .damping = w[1],
@@ -328,6 +331,10 @@ State restore(const Model& model, const StateImage& image)
     const auto n = std::max<std::int64_t>(1, std::ssize(model.description.stages));
     if (state.stage < 0 || state.stage >= n || state.stage_start < 0 || state.stage_start > state.step)
       throw FileError("the checkpoint does not fit this case: it is of a stage that the case does not have");
+  }
+  if (arrays.has("mass_of_bodies")) {
+    const auto& mass = arrays.reals("mass_of_bodies", 2);
+    state.mass_placed = mass[0], state.mass_removed = mass[1];
   }
   if (arrays.has("work_from_outside"))
     std::ranges::copy(arrays.reals("work_from_outside", n_outer_kinds), state.work.outer.begin());

@@ -251,7 +251,7 @@ void step_compiled(const Model& model, State& state, Workspace& work)
   start_sums(work);
   work.gravity = model.gravity_at(state.time + 0.5 * model.dt);  // of the middle of the step
   place_footings(model, state, work);
-  if (!model.loads.empty()) set_load_pressures(model, state, work);
+  if (!model.loads.empty() || model.held_row >= 0) set_load_pressures(model, state, work);
   if (model.water) set_water(model, state, work);
 
   timed(work, points_to_cells, [&] {

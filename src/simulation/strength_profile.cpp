@@ -2,6 +2,8 @@
 
 #include "simulation/overburden.hpp"
 #include "simulation/point_parameters.hpp"
+#include "simulation/stages.hpp"
+#include "water/water_pressure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,6 +53,11 @@ ProfileRow row_of(const Model& model, const Overburden& above, const PointBlock<
       .shear = material.law->moduli(material.view(block, lane)).shear,
       .material = material.name,
       .strengths = {}};
+  const Case& whole = model.whole ? *model.whole : model.description;
+  if (const std::size_t last = water_of_stage(whole, whole.stages.size()).to; last > 0 && above.is_known())
+    row.last_stress = above.effective(x, situation_of(whole.water, last));
+  for (const ParameterField& field : model.description.materials[block.material].fields)
+    if (field.needs.yield_stress) row.yield_stress = field.needs.yield_stress({x, model.ground.get()});
   const std::vector<Real> values = parameters_of(model, block, lane);
   for (std::size_t k = 0; k < values.size(); ++k) {
     const ParameterInfo& info = material.type->parameters[k];

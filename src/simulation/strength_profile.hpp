@@ -5,6 +5,7 @@
 #include "simulation/model.hpp"
 #include "simulation/state.hpp"
 
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,7 +24,9 @@ struct ProfileRow {
   Real depth;   ///< below the ground at its x [m]; not a number if that is not known
   Real stress;  ///< sigma'_v in the water at the start [Pa]; not a number if the weight above is not known
   Real pore;    ///< p_w in that water [Pa]
-  Real shear;   ///< G [Pa]
+  Real last_stress = std::numeric_limits<Real>::quiet_NaN();   ///< sigma'_v in the water of the last stage [Pa]
+  Real yield_stress = std::numeric_limits<Real>::quiet_NaN();  ///< sigma'_p of SHANSEP [Pa]
+  Real shear;                                                  ///< G [Pa]
   std::string material;
   std::vector<ProfileStrength> strengths;  ///< those that have no default
 };

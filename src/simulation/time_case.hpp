@@ -31,6 +31,7 @@ struct StageCase {
   Real at_most = 0.0;                                        ///< of one that ends at rest [s]
   Real ramp = 0.0;                                           ///< over which gravity, loads and water change [s]
   std::string water;                                         ///< situation that the water goes to; empty: it stays
+  std::vector<std::string> place, remove;                    ///< names of bodies
   bool reset_displacement = false;                           ///< displacement and strain are zero at its start
   std::vector<std::pair<std::string, std::string>> changes;  ///< keys and their values as TOML, as written
   std::shared_ptr<const Case> changed = nullptr;  ///< the case with the changes of this stage and all before it

@@ -72,7 +72,7 @@ Workspace::Workspace(const Model& model, const State& state)
   if (model.has_excess_pressure()) excess.reserve(2 * state.points.n_blocks());
   if (model.inverse_extent >= 0) start_patches(model, state, n_gauss_rows, patches);
   load_pressure.resize(model.loads.size());
-  if (!model.loads.empty()) outer[outer_load].node.resize(model.mesh->nodes.size());
+  if (!model.loads.empty() || model.held_row >= 0) outer[outer_load].node.resize(model.mesh->nodes.size());
   for (OuterForces& kind : outer)
     if (!kind.node.empty()) kind.corners.reserve(most_cells);
   cell_sums.reserve(Threads::n_chunks(static_cast<Index>(most_cells), cells_per_chunk));

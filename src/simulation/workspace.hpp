@@ -8,6 +8,7 @@
 #include "simulation/model.hpp"
 #include "simulation/outer_forces.hpp"
 #include "simulation/passes.hpp"
+#include "transfer/map_held_weight.hpp"
 #include "transfer/node_diffusion.hpp"
 #include "water/water_pressure.hpp"
 
@@ -119,6 +120,7 @@ struct Workspace {
   std::vector<PlacedFooting> footings;           ///< in this step
   std::array<Vec<2>, most_footings> footing_impulse{};  ///< of each on its nodes, in the last step [N s per m]
   std::array<OuterForces, n_outer_kinds> outer;         ///< forces from outside
+  HeldShares held;                                      ///< of the weight of bodies that come or go, in this step
   std::vector<Real> load_pressure;                      ///< of each load in this step [Pa]
   bool settling = false;        ///< in the search for equilibrium, which knows neither footings nor loads for a time
   SearchForces search = {};     ///< of the same

@@ -133,6 +133,8 @@ until = "at_rest"
 at_most = 9.0
 ramp = 0.5
 water = "start"
+place = ["base"]
+remove = ["top"]
 reset_displacement = true
 set = { "scheme" = "mpm_gp" }
 [material.clay]

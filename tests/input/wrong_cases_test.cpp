@@ -23,6 +23,12 @@ std::string good_case(const std::string& name)
       {"wet", wet_soil},
       {"heavy", small_case + "[forces]\ngravity = [0, -9.81]\n[water]\nphreatic_line = [[0, 1.5]]\n"
                              "[initial]\nstress = \"k0\"\n"},
+      {"staged", replaced(replaced(small_case, "[time]\nend = 4.0\n", ""), "box = [[0.0, 0.0], [8.0, 2.0]]\n",
+                     "box = [[0.0, 0.0], [8.0, 2.0]]\n[[body]]\nname = \"berm\"\nmaterial = \"clay\"\n"
+                     "box = [[8.0, 0.0], [9.0, 1.0]]\n") +
+                     "[[stage]]\nname = \"a\"\nduration = 1.0\nramp = 0.0\n[[stage]]\nname = \"b\"\nduration = 1.0\n"
+                     "ramp = 0.5\nplace = [\"berm\"]\n[[stage]]\nname = \"c\"\nduration = 1.0\nramp = 0.25\n"
+                     "remove = [\"berm\"]\n"},
       {"sand", replaced_law("model = \"mohr_coulomb\"\ndensity = 1990.0\nshear_modulus = 2.0e6\npoisson_ratio = 0.3\n"
                             "cohesion = 1.0e3\nfriction_angle = 30.0\n")}};
   const auto found = made.find(name);
@@ -105,6 +111,21 @@ TEST_F(WrongCases, HaveAtMostEightFootings)
     nine +=
         std::string("[[footing]]\nbox = [[1.0, 2.0], [2.0, 2.5]]\nvelocity = [0.0, -0.1]\nname = \"") + name + "\"\n";
   EXPECT_THAT(message_for(nine), HasSubstr("a case has at most 8 footings"));
+}
+
+TEST_F(WrongCases, ABodyThatAStagePlacesInSoilOrOutsideOfTheMeshIsRefused)
+{
+  const auto said = [&](const std::string& box) {
+    return message_of(
+        replaced(good_case("staged"), "box = [[8.0, 0.0], [9.0, 1.0]]", box), scratch_.path() + "/case.toml", {}, true);
+  };
+  EXPECT_EQ(said("box = [[8.0, 0.0], [9.0, 1.0]]"), "accepted\n");
+  EXPECT_THAT(said("box = [[7.0, 0.0], [9.0, 1.0]]"),
+      HasSubstr(
+          "error: case.toml:7:1: body `berm` is placed where body 0 is\n\n    7 | [[body]]\n      | ^^^^^^^^\n"
+          "  100 of its points lie in it, the first at (7.05, 0.05) m. Draw it beside the other, or let an earlier "
+          "stage remove that.\n"));
+  EXPECT_THAT(said("box = [[15.0, 0.0], [17.0, 1.0]]"), HasSubstr("the body lies outside the mesh"));
 }
 
 TEST_F(WrongCases, WithOneMistakeHaveOneMessage)

@@ -56,6 +56,7 @@ inline std::vector<TableRow> sample_ledger(Real time)
   row["clamp_work"] = 0.375, row["water_work"] = 0.875, row["load_work"] = -0.5;
   row["relaxation_work"] = -0.25;
   row["left_energy"] = 0.125, row["numerical"] = 1e-12, row["mass"] = 31840.0, row["momentum_x"] = 7.5;
+  row["mass_placed"] = 640.0, row["mass_removed"] = 320.0;
   row["momentum_y"] = -8.5, row["clamped"] = 3, row["left"] = 0, row["v_max"] = 6.25, row["v_999"] = 5.75;
   row["front_x"] = 13.1, row["crest_y"] = 1.75, row["crest_left_x"] = 3.5, row["crest_left_y"] = 1.5;
   row["moved_volume"] = 4.25, row["residual_height"] = 3.25, row["width_at_level"] = 5.125, row["intact_width"] = 4.5;

@@ -1,5 +1,8 @@
 // A run folder as a whole.
 #include "results/run_results.hpp"
+#include "output/checkpoint.hpp"
+#include "output/run_folder.hpp"
+#include "output/table_csv.hpp"
 #include "results/runs.hpp"
 #include "simulation/history.hpp"
 #include "support/test.hpp"
@@ -58,6 +61,30 @@ TEST(RunResults, AHistoryThatWasDoubledCutOrHasAGapIsRefused)
   gap.erase(gap.find("\n0.05,"), gap.find("\n0.07,") - gap.find("\n0.05,"));
   EXPECT_THAT(error_with(gap), HasSubstr("point A: rows between t = 0.04 s and 0.07 s are missing\n  The table was"));
   EXPECT_THAT(error_with(rows.substr(0, rows.rfind("0.25,B"))), HasSubstr("point B: it ends at t = 0.24 s"));
+}
+
+TEST(RunResults, WhoseTableWasAlteredBeforeItsNewestCheckpointIsRefused)
+{
+  const ScratchFolder scratch;
+  const std::string folder = write_run(scratch.path() + "/run", [](Summary&s) { s.dt = 0.001; }),
+                    path = folder + "/history.csv", head = header_of(*history_table());
+  std::string table = head + '\n';
+  for (int k = 0; k <= 25; ++k) table += csv_lines(sample_history(0.01 * k));
+  write_file_atomically(path, table);
+  StateImage image = sample_image(5);
+  image.time = 0.25;
+  image.tables = table_line("history.csv", read_part_until(path, head, image.time).checksum);
+  write_checkpoint(folder + '/' + checkpoint_file(5), image);
+  EXPECT_EQ(file_error_of([&] { read_run(folder); }), "");
+  std::string altered = table;
+  altered.replace(altered.find("\n0.1,A,7,1.5"), 12, "\n0.1,A,7,1.6");
+  write_file_atomically(path, altered);
+  EXPECT_EQ(file_error_of([&] { read_run(folder); }),
+      path +
+          ": this is not what the run wrote: rows up to t = 0.25 s were altered\n  Copy the folder again, or solve the "
+          "case again.");
+  write_file_atomically(path, table + csv_lines(sample_history(0.26)));  // later rows: the run goes on
+  EXPECT_EQ(file_error_of([&] { read_run(folder); }), "");
 }
 
 TEST(RunResults, DoesWithoutTables)

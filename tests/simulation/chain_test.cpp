@@ -113,6 +113,30 @@ TEST(Chain, HasTheTimeStepOfItsStiffestStage)
   }
 }
 
+/// Resumed or begun with the end of any of its stages, a chain ends in the bits of the whole run.
+void expect_same_bits_from_everywhere(const Case& chain)
+{
+  Simulation whole(chain), first(chain);
+  whole.run();
+  const StateImage end = whole.save();
+  std::vector<StateImage> ends;
+  for (std::size_t k = 0; k + 1 < chain.stages.size(); ++k) {
+    while (first.state.stages_done.size() <= k) first.step(1);
+    ends.push_back(first.save());
+    Simulation resumed(build_model(chain, 1), restore(first.model, ends.back()));
+    resumed.run();
+    EXPECT_EQ(first_difference(end, resumed.save()), "") << k;
+    Simulation from = after_stage(chain, ends.back(), chain.stages[k].name);
+    from.run();
+    EXPECT_EQ(different_arrays(end, from.save()), (std::vector<std::string>{"counts", "rows_reported/ledger"})) << k;
+  }
+  for (const StateImage& image : {ends[2], ends[0], ends[1]}) {  // also back to an earlier stage
+    whole.restore(image);
+    whole.run();
+    EXPECT_EQ(first_difference(end, whole.save()), "");
+  }
+}
+
 // With all that a stage may change: gravity, drainage, water, a field of stiffness, loads, materials of bodies.
 TEST(Chain, EndsInTheSameBitsFromWhereverItGoesOn)
 {
@@ -138,25 +162,28 @@ TEST(Chain, EndsInTheSameBitsFromWhereverItGoesOn)
                                       n.bodies[1].material = "berm";
                                       n.materials[0].drainage = Drainage::drained;
                                     }}});
-  Simulation whole(chain), first(chain);
-  whole.run();
-  const StateImage end = whole.save();
-  std::vector<StateImage> ends;
-  for (std::size_t k = 0; k + 1 < chain.stages.size(); ++k) {
-    while (first.state.stages_done.size() <= k) first.step(1);
-    ends.push_back(first.save());
-    Simulation resumed(build_model(chain, 1), restore(first.model, ends.back()));
-    resumed.run();
-    EXPECT_EQ(first_difference(end, resumed.save()), "") << k;
-    Simulation from = after_stage(chain, ends.back(), chain.stages[k].name);
-    from.run();
-    EXPECT_EQ(different_arrays(end, from.save()), (std::vector<std::string>{"counts", "rows_reported/ledger"})) << k;
-  }
-  for (const StateImage& image : {ends[2], ends[0], ends[1]}) {  // also back to an earlier stage
-    whole.restore(image);
-    whole.run();
-    EXPECT_EQ(first_difference(end, whole.save()), "");
-  }
+  expect_same_bits_from_everywhere(chain);
+}
+
+// Bodies come and go over ramps, the last one until the end; their stiffness follows the weight above it.
+TEST(Chain, EndsInTheSameBitsWhereBodiesComeAndGo)
+{
+  Case c = layers();
+  c.loads.clear();
+  c.materials.push_back(frictional("berm", 2e3, Drainage::drained));
+  for (MaterialCase& m : c.materials)
+    m.fields = {{0, [](const PlaceInSoil& at) { return 1e6 + 50.0 * at.ground->mass_above(at.x); }}};
+  c.bodies.push_back(body("berm", {1.0, 1.0}, {3.0, 1.25}));
+  c.bodies.push_back(body("berm", {3.0, 1.0}, {4.0, 1.25}));
+  c.bodies[2].placed = 2, c.bodies[2].removed = 3, c.bodies[3].placed = 4;
+  c.bodies[2].is_there = c.bodies[3].is_there = false;
+  StageCase flood = ramped("flood", 0.1, 0.05);
+  flood.water = "high", flood.reset_displacement = true;
+  const Case chain =
+      staged(c, {{stage("settle", 0.1), {}}, {ramped("berm", 0.1, 0.06), [](Case& n) { n.bodies[2].is_there = true; }},
+                    {ramped("dig", 0.1, 0.06), [](Case& n) { n.bodies[2].is_there = false; }},
+                    {flood, [](Case& n) { n.bodies[3].is_there = true; }}});
+  expect_same_bits_from_everywhere(chain);
 }
 
 // A strength that follows from the weight above it belongs to the ground at t = 0.

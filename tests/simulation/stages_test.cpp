@@ -11,15 +11,6 @@
 
 namespace {
 
-/// Mean of sigma_yy over the lowest points [Pa].
-Real stress_at_base(const State& state)
-{
-  Real sum = 0.0, n = 0.0;
-  for (const Point& p : points_by_id(state))
-    if (p.x[1] < 0.25) sum += p.sigma[1], n += 1.0;
-  return sum / n;
-}
-
 TEST(Stages, InWhichNothingChangesGiveTheBitsOfOneRun)
 {
   for (const char* scheme : {"mpm_mixed", "mpm_gp"}) {

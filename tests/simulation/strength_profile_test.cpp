@@ -43,6 +43,27 @@ TEST(StrengthProfile, HasARowForEachCellFromTheTopDown)
   EXPECT_TRUE(strength_profile(s.model, s.state, 9.0).empty()) << "no soil there";
 }
 
+TEST(StrengthProfile, HasTheStressInTheWaterOfTheLastStageAndTheYieldStress)
+{
+  Case c = two_layers();
+  c.materials[1].fields[0].needs.yield_stress = [](const PlaceInSoil& at) { return 30e3 - 1e3 * at.x[1]; };
+  c.water.situations = {{.name = "high", .phreatic_line = {{0.0, 2.0}}}};
+  StageCase stage;
+  stage.name = "flood", stage.water = "high", stage.duration = 4.0;
+  c.stages = {stage};
+  c.stages[0].changed = std::make_shared<const Case>(c);
+  c.time.end = 4.0;
+  const Simulation s(c);
+  for (const ProfileRow& row : strength_profile(s.model, s.state, 3.2)) {
+    const Real y = row.x[1], below = std::max(1.0 - y, 0.0);
+    EXPECT_NEAR(row.stress - row.last_stress, 9810.0 * (2.0 - y - below), 1e-6);
+    EXPECT_EQ(std::isnan(row.yield_stress), row.material == "clay");
+    if (row.material == "peat") {
+      EXPECT_DOUBLE_EQ(row.yield_stress, 30e3 - 1e3 * y);
+    }
+  }
+}
+
 TEST(StrengthProfile, KeepsTheEndsAndTheChangesOfMaterialWhenThinned)
 {
   std::vector<ProfileRow> rows(20);

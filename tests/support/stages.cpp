@@ -1,5 +1,6 @@
 #include "support/stages.hpp"
 #include "support/cases.hpp"
+#include "support/simulations.hpp"
 
 #include <memory>
 
@@ -50,6 +51,14 @@ Case settling()
   c.sides = {side("left", SideKind::roller), side("right", SideKind::roller), side("bottom", SideKind::roller)};
   c.time.end = 5.0;
   return c;
+}
+
+Real stress_at_base(const State& state)
+{
+  Real sum = 0.0, n = 0.0;
+  for (const Point& p : points_by_id(state))
+    if (p.x[1] < 0.25) sum += p.sigma[1], n += 1.0;
+  return sum / n;
 }
 
 }  // namespace terp::test

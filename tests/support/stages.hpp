@@ -2,6 +2,7 @@
 #pragma once
 
 #include "simulation/case.hpp"
+#include "simulation/state.hpp"
 
 #include <functional>
 #include <string>
@@ -21,5 +22,8 @@ StageCase resting(const std::string& name, Real at_most);
 
 /// Elastic soil between smooth walls, 4 m x 1 m, that gravity compresses; cells of 0.25 m.
 Case settling();
+
+/// Mean of sigma_yy over the lowest points [Pa].
+Real stress_at_base(const State& state);
 
 }  // namespace terp::test

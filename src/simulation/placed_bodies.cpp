@@ -1,0 +1,214 @@
+#include "simulation/placed_bodies.hpp"
+
+#include "base/errors.hpp"
+#include "mesh/mesh_error.hpp"
+#include "simulation/add_points.hpp"
+#include "simulation/ledger.hpp"
+#include "simulation/nodal_water.hpp"
+#include "simulation/point_parameters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+using Rows = PointRows<2>;
+
+bool is_inside(const std::vector<Side>& sides, Vec<2> x)
+{
+  const std::vector<Real> crossings = crossings_of_vertical(sides, x[0]);
+  return std::ranges::count_if(crossings, [&](Real y) { return y > x[1]; }) % 2 == 1;
+}
+
+/// The points of a body that are to come where another one is drawn.
+struct Overlap {
+  Index n = 0;
+  Vec<2> first{0.0, 0.0};  ///< [m]
+};
+
+/// By the bodies that are drawn.
+std::vector<Overlap> overlaps_of(
+    const Model& model, const PointBatches& points, std::size_t body, const std::vector<BodyOutline>& outlines)
+{
+  const std::vector<BodyCase>& bodies = model.description.bodies;
+  std::vector<Overlap> overlaps(bodies.size());
+  std::size_t k = 0;
+  for (std::size_t other = 0; other < bodies.size(); ++other) {
+    if (!bodies[other].points_file.empty()) continue;
+    const BodyOutline& outline = outlines[k++];
+    if (bodies[other].placed >= bodies[body].placed || bodies[other].removed < bodies[body].placed) continue;
+    const std::vector<Side> sides = outline_sides(*model.mesh, outline);
+    for (const auto& batch : points)
+      for (const NewPoint& p : batch)
+        if (static_cast<std::size_t>(p.body) == body && is_inside(sides, p.x))
+          if (overlaps[other].n++ == 0) overlaps[other].first = p.x;
+  }
+  return overlaps;
+}
+
+/// Where soil has moved to the place of new points: by how much a cell is overfull, and where most.
+struct Crowd {
+  Real area = 0.0, worst = 0.0;  ///< [m^2]
+  Vec<2> where{0.0, 0.0};        ///< [m]
+};
+
+/// is_new: of cells.
+Crowd find_crowd(const Model& model, const State& state, const std::vector<bool>& is_new)
+{
+  Crowd crowd;
+  for (const Index cell : state.points.occupied()) {
+    if (!is_new[static_cast<std::size_t>(cell)]) continue;
+    Real volume = -model.mesh->geometry(cell).volume;
+    for_each_block(state.points, cell, [&](const PointBlock<2>& block, Index) {
+      for (Index lane = 0; lane < block.n; ++lane) volume += block.row(Rows::volume)[lane];
+    });
+    crowd.area += std::max(volume, Real(0.0));
+    if (volume > crowd.worst) crowd.worst = volume, crowd.where = model.mesh->centres[cell];
+  }
+  return crowd;
+}
+
+/// What of the bodies is in the state, by number.
+std::vector<bool> bodies_in(const State& state, const std::vector<Index>& body, std::size_t n)
+{
+  std::vector<bool> there(n, false);
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    there[static_cast<std::size_t>(body[static_cast<std::size_t>(block.row(Rows::id)[lane])])] = true;
+  });
+  for (const LeftPoint& p : state.left) there[static_cast<std::size_t>(body[static_cast<std::size_t>(p.id)])] = true;
+  return there;
+}
+
+/// Total stress of soil that stores it: that of the water around it.
+void start_stress(const Model& model, const PorePressure& pore, const PointBlock<2>& block, Index lane)
+{
+  if (!model.water || model.materials[block.material].stores_effective) return;
+  const Real pressure = pore_pressure_at(model, pore, block, lane);
+  for (int k = 0; k < 3; ++k) block.row(Rows::sigma + k)[lane] = -pressure;
+}
+
+void place(const Model& model, const std::vector<Index>& body, const std::vector<bool>& comes, State& state)
+{
+  const BodyCase* first = model.description.bodies.data();
+  add_points(
+      model, make_points(model), [&](const BodyCase& b) { return comes[static_cast<std::size_t>(&b - first)]; }, state);
+  state.points.update_occupied();
+  const PorePressure pore = model.water ? water_at(model, state.time) : PorePressure();
+  std::vector<bool> is_new(model.mesh->cells.size(), false);
+  Real area = 0.0;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    if (!comes[static_cast<std::size_t>(body[static_cast<std::size_t>(block.row(Rows::id)[lane])])]) return;
+    block.row(model.held_row)[lane] = 1.0;
+    start_stress(model, pore, block, lane);
+    state.mass_placed += block.row(Rows::mass)[lane];
+    area += block.row(Rows::volume)[lane];
+    is_new[static_cast<std::size_t>(block.cell)] = true;
+  });
+  constexpr Real most = 0.1;  // of the area of the new bodies
+  if (const Crowd crowd = find_crowd(model, state, is_new); crowd.area > most * area)
+    throw RunError(fmt::format(
+        "t = {:.4f} s: soil has moved to where the stage `{}` places a body: {:.3g} m^2 of {:.3g} m^2, most at {} m\n"
+        "  Draw the body where there is room then, or place it in an earlier stage "
+        "(docs/stages.md#bodies-that-come-and-go)",
+        state.time, model.stage.name, crowd.area, area, place_text(crowd.where)));
+}
+
+}  // namespace
+
+int add_held_row(RowTable& rows)
+{
+  return rows.add({.name = "held",
+      .unit = "-",
+      .meaning = "1: of a body that the stage places, -1: of one that it digs away, 0: of any other",
+      .owner = "stage"});
+}
+
+void check_placed_bodies(const Model& model, const PointBatches& points)
+{
+  const std::vector<BodyCase>& bodies = model.description.bodies;
+  if (model.held_row < 0) return;
+  const std::vector<BodyOutline> outlines = outlines_of(model);
+  std::vector<Problem> problems;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (bodies[b].placed == 0) continue;
+    const std::vector<Overlap> overlaps = overlaps_of(model, points, b, outlines);
+    for (std::size_t other = 0; other < bodies.size(); ++other)
+      if (overlaps[other].n > 0)
+        problems.push_back({fmt::format("body[{}]", b),
+            fmt::format("{} is placed where {} is", called(bodies[b], b), called(bodies[other], other)),
+            fmt::format(
+                "{} of its points lie in it, the first at {} m. Draw it beside the other, or let an earlier stage "
+                "remove that.",
+                overlaps[other].n, place_text(overlaps[other].first)),
+            "stage.place", false, keys_of_outline(b)});
+  }
+  if (!problems.empty()) throw InputError(std::move(problems));
+}
+
+void change_bodies(const Model& model, State& state)
+{
+  if (model.held_row < 0) return;
+  const std::vector<BodyCase>& bodies = model.description.bodies;
+  const std::vector<Index> body = seeds_of(model).bodies;
+  std::vector<bool> comes = bodies_in(state, body, bodies.size()), goes = comes;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    comes[b] = !comes[b] && bodies[b].is_there;
+    goes[b] = goes[b] && !bodies[b].is_there;
+  }
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const auto of = static_cast<std::size_t>(body[static_cast<std::size_t>(block.row(Rows::id)[lane])]);
+    block.row(model.held_row)[lane] = goes[of] ? -1.0 : 0.0;
+  });
+  if (std::ranges::find(comes, true) == comes.end()) return;
+  place(model, body, comes, state);
+  set_point_parameters(model, seeds_of(model).places, state, comes);
+}
+
+void remove_held_bodies(const Model& model, State& state)
+{
+  if (model.held_row < 0) return;
+  const Real before = kinetic_and_elastic_energy(model, state);
+  std::vector<Real> values(static_cast<std::size_t>(state.points.n_rows()));
+  bool any = false;
+  for (const Index cell : state.points.occupied())
+    for (Index b = state.points.first_block(cell); b >= 0; b = state.points.block(b).next)
+      for (Index lane = state.points.block(b).n; lane-- > 0;) {
+        if (!(state.points.block(b).row(model.held_row)[lane] < 0.0)) continue;
+        state.points.take(b, lane, values);
+        state.mass_removed += values[Rows::mass];
+        any = true;
+      }
+  if (!any) return;
+  state.points.update_occupied();
+  state.start_energy += kinetic_and_elastic_energy(model, state) - before;
+}
+
+/// Step before which the marked points are taken out.
+static std::int64_t step_of_removal(const Model& model, const State& state)
+{
+  return state.stage_start + std::llround(model.ramp.duration / model.dt);
+}
+
+bool remove_due_bodies(const Model& model, State& state)
+{
+  if (model.held_row < 0 || state.step != step_of_removal(model, state)) return false;
+  const std::int64_t n = state.points.n_points();
+  remove_held_bodies(model, state);
+  return state.points.n_points() != n;
+}
+
+void set_held_shares(const Model& model, const State& state, Workspace& work)
+{
+  work.held = {};
+  if (model.held_row < 0 || work.settling) return;
+  const Real let_go = model.ramp.share_at(state.time + 0.5 * model.dt);
+  const StageNumber number = model.stage.number + 1;
+  for (const BodyCase& body : model.description.bodies) {
+    if (body.placed == number) work.held.placed = 1.0 - let_go;
+    if (body.removed == number && state.step < step_of_removal(model, state)) work.held.removed = let_go;
+  }
+}
+
+}  // namespace terp

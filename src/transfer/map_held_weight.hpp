@@ -1,0 +1,41 @@
+// The force of what holds the weight of points while their body is placed or dug away (simulation/placed_bodies).
+#pragma once
+
+#include "transfer/cell_sums.hpp"
+
+namespace terp {
+
+/// Part of the weight that is held, of bodies that are placed and of those that are dug away.
+struct HeldShares {
+  Real placed = 0.0, removed = 0.0;
+
+  bool act() const { return placed != 0.0 || removed != 0.0; }
+};
+
+/// f_i += N_i(x_p) share_p (V_p grad p - m_p g): what the points weigh in their water, the other way round.
+///
+/// row       of the points: 1: placed, -1: dug away, 0: neither
+/// gravity   [m/s^2]
+/// gradient  of the pressure in the water, in this cell [Pa/m]
+template <class Element>
+inline void map_held_weight(const PointBlock<2>& block, int row, const HeldShares& shares, Vec<2> gravity,
+    Vec<2> gradient, CornerVectors<Element>& force)
+{
+  using Rows = PointRows<2>;
+  for (Index p = 0; p < block.n; p += pack_width) {
+    const Mask in_use = lane_numbers() < Pack(static_cast<Real>(block.n - p));
+    const Pack held = Pack::load(block.row(row) + p);
+    const Pack of_kind =
+        select(held > Pack(0.0), Pack(shares.placed), select(held < Pack(0.0), Pack(shares.removed), Pack(0.0)));
+    const Pack share = select(in_use, of_kind, Pack(0.0));
+    if (to_bits((share > Pack(0.0)) | (share < Pack(0.0))) == 0) continue;
+    const auto N = Element::shape_functions(load_rows<2>(block, Rows::xi, p));
+    const Pack mass = Pack::load(block.row(Rows::mass) + p), volume = Pack::load(block.row(Rows::volume) + p);
+    for (int d = 0; d < 2; ++d) {
+      const Pack pull = share * (volume * Pack(gradient[d]) - mass * Pack(gravity[d]));
+      for (int i = 0; i < Element::n_corners; ++i) force[d][i] += sum(select(in_use, N[i] * pull, Pack(0.0)));
+    }
+  }
+}
+
+}  // namespace terp
