@@ -226,16 +226,52 @@ void save_surfaces(const std::vector<SlipSurface>& all, const std::string& name,
 std::vector<SlipSurface> load_surfaces(const std::string& name, const ArrayReader& arrays)
 {
   std::vector<SlipSurface> all;
-  if (!arrays.has(name + "_surfaces")) return all;  // of an older checkpoint
   const auto &surfaces = arrays.reals(name + "_surfaces"), &places = arrays.reals(name + "_places");
   std::size_t next = 0;
   for (std::size_t j = 0; j + 2 < surfaces.size(); j += 3) all.push_back(next_slip(&surfaces[j], places, next));
   return all;
 }
 
+void save_slides(const std::vector<SlideSummary>& slides, ArrayWriter arrays)
+{
+  std::vector<Real> values;
+  std::vector<SlipSurface> slips, onsets;
+  for (const auto& [slide, slip, onset, stage] : slides) {
+    values.insert(values.end(), {slide.begins, slide.stops.value_or(std::nan("")), slide.crest_from, slide.crest_to,
+                                    slide.kinetic_peak, outwards(slide.facing)});
+    slips.push_back(slip);
+    onsets.push_back(onset);
+  }
+  arrays.copy("slides", std::move(values));
+  save_surfaces(slips, "slip", arrays);
+  save_surfaces(onsets, "onset", arrays);
+}
+
+std::vector<SlideSummary> load_slides(const ArrayReader& arrays)
+{
+  const std::vector<Real>& values = arrays.reals("slides");
+  const std::vector<SlipSurface> slips = load_surfaces("slip", arrays), onsets = load_surfaces("onset", arrays);
+  std::vector<SlideSummary> slides;
+  for (std::size_t k = 0; 6 * k + 5 < values.size() && k < std::min(slips.size(), onsets.size()); ++k) {
+    const Real* v = &values[6 * k];
+    const Facing facing = v[5] < 0.0 ? Facing::left : Facing::right;
+    slides.push_back({{v[0], finite(v[1]), v[2], v[3], v[4], facing}, slips[k], onsets[k]});
+  }
+  return slides;
+}
+
+/// Name of the stage in which a time lies, its end included; empty: it lies in none of this case.
+std::string stage_at(const Model& model, const State& state, Real time)
+{
+  const auto& stages = model.description.stages;
+  for (std::size_t k = 0; k < std::min(stages.size(), state.stages_done.size()); ++k)
+    if (time > state.stages_done[k].start && time <= state.stages_done[k].end) return stages[k].name;
+  return time > model.time_of(state.stage_start) ? model.stage.name : "";
+}
+
 class Slopes : public Follower {
   Followed all_;
-  Real first_slide_before_ = std::nan("");  ///< before displacement was last counted anew [s]
+  std::vector<SlideSummary> before_;  ///< that began before displacement was last counted anew
 
   void start(const Model& model, const State& state) override
   {
@@ -244,25 +280,25 @@ class Slopes : public Follower {
         .slopes = {},
         .extent = extent_in_x(*model.mesh, state.points, ground),
         .ground = ground};
-    first_slide_before_ = std::nan("");
+    before_.clear();
     find_slopes_of_section();
   }
 
   void count_displacement_anew(const Model& model, const State& state) override
   {
-    const Real first = first_slide_time(model, state);
+    std::vector<SlideSummary> slides = all_slides(find_fronts(model, state, all_, moved_of(state)));
     start(model, state);
-    first_slide_before_ = first;
+    before_ = std::move(slides);
   }
 
-  /// NaN if there was no slide in any stage [s].
-  Real first_slide_time(const Model& model, const State& state) const
+  /// Of all stages, in order of time.
+  std::vector<SlideSummary> all_slides(const Fronts& fronts) const
   {
-    const Fronts fronts = find_fronts(model, state, all_, moved_of(state));
-    Real first = first_slide_before_;
+    std::vector<SlideSummary> slides = before_;
     for (const SlopeFailure& slope : all_.slopes)
-      for (const SlideSummary& slide : slides_of(all_, fronts, slope)) first = std::fmin(first, slide.slide.begins);
-    return first;
+      for (SlideSummary& slide : slides_of(all_, fronts, slope)) slides.push_back(std::move(slide));
+    std::ranges::stable_sort(slides, {}, [](const SlideSummary& slide) { return slide.slide.begins; });
+    return slides;
   }
 
   MovedSoil moved_of(const State& state) const
@@ -311,11 +347,10 @@ class Slopes : public Follower {
   void summarise(const Model& model, const State& state, Summary& s) const override
   {
     const Fronts fronts = find_fronts(model, state, all_, moved_of(state));
-    s.first_slide_time = finite(first_slide_time(model, state));
     if (const SlopeFailure* main = main_slope(all_, fronts)) summarise_slope(model, state, fronts, *main, s);
-    for (const SlopeFailure& slope : all_.slopes)
-      for (SlideSummary& slide : slides_of(all_, fronts, slope)) s.slides.push_back(std::move(slide));
-    std::ranges::stable_sort(s.slides, {}, [](const SlideSummary& slide) { return slide.slide.begins; });
+    s.slides = all_slides(fronts);
+    for (SlideSummary& slide : s.slides) slide.stage = stage_at(model, state, slide.slide.begins);
+    if (!s.slides.empty()) s.first_slide_time = s.slides.front().slide.begins;
   }
 
   void summarise_slope(
@@ -334,14 +369,14 @@ class Slopes : public Follower {
     s.second_failure_time = slides.size() > 1 ? std::optional(slides[1].slide.begins) : std::nullopt;
   }
 
-  /// The first surface and extent, and of each slope its crest over time and its slip surfaces.
+  /// The first surface and extent, slides before, and of each slope its crest over time and its slip surfaces.
   void save(ArrayWriter& arrays) const override
   {
     const Columns& columns = all_.section.columns;
     arrays.refer("heights", all_.section.heights);
     arrays.copy("columns", std::vector<Real>{columns.left, columns.width, all_.section.base});
     arrays.copy("extent", std::vector<Real>{all_.extent[0], all_.extent[1]});
-    arrays.copy("first_slide_before", std::vector<Real>{first_slide_before_});
+    save_slides(before_, arrays.below("before"));
     for (std::size_t k = 0; k < all_.slopes.size(); ++k) {
       const SlopeFailure& slope = all_.slopes[k];
       ArrayWriter of_slope = arrays.below(fmt::format("slope_{}", k));
@@ -362,7 +397,7 @@ class Slopes : public Follower {
     if (!fits) throw FileError("the checkpoint does not fit this case: its first surface has no columns");
     all_ = {{{columns[0], columns[1], static_cast<Index>(heights.size())}, heights, columns[2]}, {},
         {extent[0], extent[1]}, ground_of(model)};
-    first_slide_before_ = arrays.reals("first_slide_before", 1)[0];
+    before_ = load_slides(arrays.below("before"));
     find_slopes_of_section();
     for (std::size_t k = 0; k < all_.slopes.size(); ++k) {
       const ArrayReader of_slope = arrays.below(fmt::format("slope_{}", k));

@@ -59,7 +59,8 @@ void each(SlipSurface& slip, F&& f)
 template <class F>
 void each(SlideSummary& slide, F&& f)
 {
-  f("facing", slide.slide.facing), f("begins", slide.slide.begins), f("stops", slide.slide.stops);
+  f("facing", slide.slide.facing), f("stage", slide.stage), f("begins", slide.slide.begins);
+  f("stops", slide.slide.stops);
   f("crest_from", slide.slide.crest_from), f("crest_to", slide.slide.crest_to);
   f("kinetic_peak", slide.slide.kinetic_peak), f("slip_surface", slide.slip), f("onset", slide.onset);
 }

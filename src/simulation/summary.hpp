@@ -42,6 +42,7 @@ struct SlideSummary {
   Slide slide;
   SlipSurface slip;
   SlipSurface onset = {};
+  std::string stage = {};  ///< name of that in which it began; empty: of none
 };
 
 /// The water that a strength belongs to: names of situations, "start" for that of t = 0.
@@ -87,8 +88,8 @@ struct Summary {
   Real moved_volume = 0.0;                                ///< at the end [m^2]
   Real moved_fraction = 0.0;                              ///< of all volume [-]
   std::optional<Real> intact_fraction;      ///< of the volume that moved, with an eps_eq_p below `intact_strain` [-]
-  std::vector<SlideSummary> slides;         ///< in order of time, definition in docs/formats.md
-  std::optional<Real> first_slide_time;     ///< of all stages, also before displacement was counted anew [s]
+  std::vector<SlideSummary> slides;         ///< of all stages, in order of time, definition in docs/formats.md
+  std::optional<Real> first_slide_time;     ///< of all stages [s]
   std::optional<Real> second_failure_time;  ///< [s], definition in docs/formats.md
   Real max_eps_eq_p = 0.0;                  ///< at the end [-]
   std::optional<Real> softened_strain;      ///< plastic strain from which soil counts as softened: the smallest of the

@@ -4,6 +4,7 @@
 #include "simulation/run.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/stages.hpp"
 #include "support/test.hpp"
 
 namespace {
@@ -29,7 +30,8 @@ TEST(Slopes, OfTheColumnIsASlideWithASlipSurfaceFromTheCrestToTheToe)
   const Collapse s(1.2);
   const Summary summary = summarise(s.model, s.state);
   ASSERT_EQ(summary.slides.size(), 1);
-  const auto& [slide, slip, onset] = summary.slides[0];
+  const auto& [slide, slip, onset, stage] = summary.slides[0];
+  EXPECT_EQ(stage, "") << "the run has none";
   EXPECT_GT(slide.begins, 0.1);
   EXPECT_LT(slide.begins, 0.3);
   EXPECT_EQ(slide.crest_from, 8.0);
@@ -43,6 +45,39 @@ TEST(Slopes, OfTheColumnIsASlideWithASlipSurfaceFromTheCrestToTheToe)
   EXPECT_LT(slip.line.back()[1], 0.3);   // down at the base
   EXPECT_LT(slip.line.front()[0], 7.0);
   EXPECT_GT(slip.line.back()[0], 8.0);
+}
+
+// Each stage has a slide of its own: the second begins in the section that the first has left.
+TEST(Slopes, OfEarlierStagesStayInTheList)
+{
+  Case c = column("mpm_gp", 0.25);
+  c.output.ledger_every = 0.02;
+  StageCase weaker = stage("weaker", 0.8);
+  weaker.reset_displacement = true;
+  const Case chain =
+      staged(c, {{stage("first", 1.2), {}},
+                    {weaker, [](Case& n) { n.materials = {clay({.su_peak = 3e3, .su_residual = 500.0})}; }}});
+  Simulation s(chain, 1, all_followers());
+  while (s.state.stages_done.empty()) s.step(1);
+  const Summary first = summarise(s.model, s.state);
+  ASSERT_EQ(first.slides.size(), 1);
+  s.run();
+  Summary all = summarise(s.model, s.state);
+  ASSERT_EQ(all.slides.size(), 2);
+  EXPECT_EQ(all.slides[0].stage, "first");
+  EXPECT_EQ(all.slides[1].stage, "weaker");
+  EXPECT_EQ(all.first_slide_time, all.slides[0].slide.begins);
+  EXPECT_EQ(all.slides[0].slide.begins, first.slides[0].slide.begins);
+  EXPECT_EQ(all.slides[0].slip.line, first.slides[0].slip.line);
+  EXPECT_GT(all.slides[1].slide.begins, 1.2);
+  Simulation resumed(chain, 1, all_followers());
+  resumed.restore(s.save());
+  const Summary again = summarise(resumed.model, resumed.state);
+  ASSERT_EQ(again.slides.size(), 2);
+  EXPECT_EQ(again.slides[0].slip.line, all.slides[0].slip.line);
+  EXPECT_EQ(again.slides[0].slide.stops, all.slides[0].slide.stops);
+  EXPECT_EQ(again.slides[0].slide.crest_to, all.slides[0].slide.crest_to);
+  EXPECT_EQ(again.slides[0].stage, "first");
 }
 
 /// The column at the left wall, or at the right wall, where it falls to the left. Of 5 x 5 points the middle ones lie

@@ -24,7 +24,7 @@ Summary sample_summary()
   summary.slides.push_back(
       {{.begins = 0.2, .stops = {}, .crest_from = 8.0, .crest_to = 6.0, .kinetic_peak = 11.5, .facing = Facing::left},
           {.time = 0.7, .rate = 4.5, .line = {{6.0, 1.9}, {7.5, 0.1}}},
-          {.time = 0.3, .rate = 1.5, .line = {{6.5, 1.5}}}});
+          {.time = 0.3, .rate = 1.5, .line = {{6.5, 1.5}}}, "flood"});
   summary.max_eps_eq_p = 2.5, summary.softened_strain = 0.0625, summary.softened_fraction = {{0.5, 0.125}, {1.0, 0.25}},
   summary.points_su_rose = 4;
   summary.points_eps_eq_p_fell = 3, summary.energy_balance_error = 1e-3, summary.clamped_points = 6,
@@ -65,7 +65,7 @@ TEST(SummaryJson, HoldsEveryNumberUnderItsName)
     "front_x": 13.25, "crest_x": 3.75, "crest_y": 1.9, "run_out": 5.25,
     "moved_distance": 0.1,
     "moved_volume": 6.5, "moved_fraction": 0.4, "intact_fraction": 0.25,
-    "slides": [{"facing": "left", "begins": 0.2, "stops": null,
+    "slides": [{"facing": "left", "stage": "flood", "begins": 0.2, "stops": null,
     "crest_from": 8.0, "crest_to": 6.0, "kinetic_peak": 11.5,
     "slip_surface": {"time": 0.7, "rate": 4.5, "points": [[6.0, 1.9], [7.5, 0.1]]},
     "onset": {"time": 0.3, "rate": 1.5, "points": [[6.5, 1.5]]}}],

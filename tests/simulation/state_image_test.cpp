@@ -122,6 +122,10 @@ TEST(StateImage, WhatFollowersRememberComesFromTheImage)
     if (!array.name.starts_with("followers/") || array.name == "followers/points_that_left/reported") continue;
     if (array.name.ends_with("/slip_surfaces")) array = {array.name, {6}, std::vector<Real>{0.5, 2, 0, 0.75, 3, 2}};
     if (array.name.ends_with("/slip_places")) array = {array.name, {4}, std::vector<Real>{1, 2, 3, 4}};
+    if (array.name.ends_with("/before/onset_surfaces"))
+      array = {array.name, {6}, std::vector<Real>{0.25, 1, 0, 0.5, 2, 0}};
+    if (array.name.ends_with("/before/slides"))
+      array = {array.name, {12}, std::vector<Real>{0.5, 0.75, 8, 6, 11, 1, 1.5, std::nan(""), 2, 3, 4, -1}};
     if (array.name.starts_with("followers/slopes/")) continue;
     if (auto* reals = std::get_if<std::vector<Real>>(&array.values))
       for (Real& value : *reals) value = std::isnan(value) ? 3.0 : value + 0.125;

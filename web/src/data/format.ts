@@ -52,6 +52,7 @@ export interface Place {
 
 export interface Slide {
   facing?: "right" | "left"; // of the slope that slides
+  stage?: string; // in which it began; empty: of none
   begins: number | null;
   stops?: number | null;
   crest_from?: number | null; // the edge of a column, as crest_to
