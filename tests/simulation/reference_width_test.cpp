@@ -110,11 +110,7 @@ TEST(ReferenceWidth, WithoutItNothingIsKept)
 std::vector<Problem> told_of(const Case& c)
 {
   try {
-    Model model = build_model(c, 1);
-    const State state = build_state(model);
-    std::vector<Problem> warnings;
-    find_wide_cells(model, state, warnings);
-    return warnings;
+    return warnings_from(find_wide_cells, c);
   } catch (const InputError& error) {
     return error.problems();
   }

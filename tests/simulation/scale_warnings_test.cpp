@@ -1,22 +1,15 @@
 // Quantities off by a unit are compared with each other; soil as it is usually is not warned of.
 #include "simulation/setup_warnings.hpp"
-#include "simulation/setup.hpp"
 #include "support/cases.hpp"
 #include "support/problems.hpp"
+#include "support/simulations.hpp"
 #include "support/test.hpp"
 
 namespace {
 
 using testing::Field;
 
-std::vector<Problem> warnings_of(const Case& c)
-{
-  Model model = build_model(c, 1);
-  const State state = build_state(model);
-  std::vector<Problem> warnings;
-  find_odd_scales(model, state, warnings);
-  return warnings;
-}
+std::vector<Problem> warnings_of(const Case& c) { return warnings_from(find_odd_scales, c); }
 
 /// The column, 2 m high, with other clay; rho g H = 3.7e4 Pa.
 std::vector<Problem> with_clay(const Clay& clay)

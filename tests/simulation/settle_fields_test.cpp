@@ -4,6 +4,7 @@
 #include "simulation/simulation.hpp"
 #include "support/cases.hpp"
 #include "support/problems.hpp"
+#include "support/simulations.hpp"
 #include "support/test.hpp"
 
 namespace {
@@ -53,16 +54,10 @@ TEST(SettleFields, AFileThatCoversNoSoilIsRefusedAndOneThatCoversAPartIsDoubted)
           "Its places lie in x = 0 to 8 m, y = -5 to -1 m, where there is no `clay`. Are x and y in m, and in the axes "
           "of "
           "the case?")));
-  const auto warnings_of = [](const Case& c) {
-    Simulation s(c);
-    std::vector<Problem> warnings;
-    find_uncovered_soil(s.model, s.state, warnings);
-    return warnings;
-  };
-  EXPECT_THAT(warnings_of(covering({0.0, 0.0}, {6.0, 2.0})),
+  EXPECT_THAT(warnings_from(find_uncovered_soil, covering({0.0, 0.0}, {6.0, 2.0})),
       ElementsAre(told("material.clay.eta", "the table `eta.csv` does not cover all of the soil",
           EndsWith("of `clay` lie outside, by up to 1.95 m. They take the value of the nearest places."))));
-  EXPECT_THAT(warnings_of(covering({0.0, 0.0}, {8.0, 2.0})), IsEmpty());
+  EXPECT_THAT(warnings_from(find_uncovered_soil, covering({0.0, 0.0}, {8.0, 2.0})), IsEmpty());
 }
 
 }  // namespace

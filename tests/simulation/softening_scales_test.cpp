@@ -4,6 +4,7 @@
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
 #include "support/problems.hpp"
+#include "support/simulations.hpp"
 #include "support/test.hpp"
 
 namespace {
@@ -13,11 +14,7 @@ std::vector<Problem> with_length(Real length, Real cell = 0.05)
 {
   Case c = column("mpm_gp", cell);
   c.materials[0].softening.length = length;
-  Model model = build_model(c, 1);
-  const State state = build_state(model);
-  std::vector<Problem> warnings;
-  find_odd_softening_lengths(model, state, warnings);
-  return warnings;
+  return warnings_from(find_odd_softening_lengths, c);
 }
 
 TEST(SofteningScales, SoilSoftensPointByPointWithoutALengthOrAReferenceWidth)
@@ -66,17 +63,13 @@ TEST(SofteningScales, ALengthThatSuitsNeitherCellsNorSectionIsToldOnceForAllSoil
   c.materials.push_back(c.materials[0]);
   c.materials[1].name = "peat";
   c.bodies = {body("clay", {0.0, 0.0}, {8.0, 1.0}), body("peat", {0.0, 1.0}, {8.0, 2.0})};
-  Model model = build_model(c, 1);
-  const State state = build_state(model);
-  std::vector<Problem> warnings;
-  find_odd_softening_lengths(model, state, warnings);
-  EXPECT_THAT(
-      warnings, ElementsAre(told("material.\"clay\".softening.length",
-                    "the cells are too large for a softening length that suits the section",
-                    "Got 0.3 m for `clay`, `peat`; cells with this soil measure up to 0.25 m, the soil is H = "
-                    "1.95 m high.\nOf less than two cells, a slip surface takes up to 14 % more energy than on "
-                    "fine cells; longer than H/20, soil\nwithin about 2 l of it softens though it never sheared.\n"
-                    "Usual: 0.0975 m (H/20) on cells of at most 0.04875 m.")));
+  EXPECT_THAT(warnings_from(find_odd_softening_lengths, c),
+      ElementsAre(told("material.\"clay\".softening.length",
+          "the cells are too large for a softening length that suits the section",
+          "Got 0.3 m for `clay`, `peat`; cells with this soil measure up to 0.25 m, the soil is H = "
+          "1.95 m high.\nOf less than two cells, a slip surface takes up to 14 % more energy than on "
+          "fine cells; longer than H/20, soil\nwithin about 2 l of it softens though it never sheared.\n"
+          "Usual: 0.0975 m (H/20) on cells of at most 0.04875 m.")));
 }
 
 TEST(SofteningScales, ALengthShorterThanACellIsRefused)

@@ -2,9 +2,9 @@
 // setup_warnings_test.cpp.
 #include "simulation/water_warnings.hpp"
 
-#include "simulation/setup.hpp"
 #include "support/cases.hpp"
 #include "support/problems.hpp"
+#include "support/simulations.hpp"
 #include "support/test.hpp"
 
 namespace {
@@ -20,14 +20,7 @@ Case wet(const Line& phreatic_line)
   return c;
 }
 
-std::vector<Problem> warnings_of(const Case& c)
-{
-  Model model = build_model(c, 1);
-  const State state = build_state(model);
-  std::vector<Problem> warnings;
-  find_odd_water(model, state, warnings);
-  return warnings;
-}
+std::vector<Problem> warnings_of(const Case& c) { return warnings_from(find_odd_water, c); }
 
 TEST(WaterWarnings, AreSilentWhereLinesReachOverTheSoilOrAreLevelAtTheirEnds)
 {

@@ -3,6 +3,7 @@
 #include "mesh/locate.hpp"
 
 #include "followers/followers.hpp"
+#include "simulation/setup.hpp"
 #include "simulation/state_arrays.hpp"
 #include "simulation/state_image.hpp"
 
@@ -20,6 +21,16 @@ Simulation followed(const Case& description, int threads) { return Simulation(de
 void make_steps(Simulation& s, std::int64_t n)
 {
   for (std::int64_t k = 0; k < n; ++k) s.model.step(s.model, s.state, s.work);
+}
+
+std::vector<Problem> warnings_from(
+    void (*find)(const Model&, const State&, std::vector<Problem>&), const Case& description)
+{
+  Model model = build_model(description, 1);
+  const State state = build_state(model);
+  std::vector<Problem> warnings;
+  find(model, state, warnings);
+  return warnings;
 }
 
 std::vector<Point> points_by_id(const State& state)

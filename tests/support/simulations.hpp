@@ -1,6 +1,7 @@
 // The material points of a simulation as a test looks at them.
 #pragma once
 
+#include "base/errors.hpp"
 #include "simulation/simulation.hpp"
 
 #include <functional>
@@ -10,6 +11,10 @@ namespace terp::test {
 
 /// A run that all followers look at.
 Simulation followed(const Case& description, int threads = 1);
+
+/// What one of the functions warns of that look at a case before its run.
+std::vector<Problem> warnings_from(
+    void (*find)(const Model&, const State&, std::vector<Problem>&), const Case& description);
 
 /// Makes steps and nothing else: no start, no guards, no rows. For states that no case describes, or that a test
 /// spoils.
