@@ -222,55 +222,6 @@ void declare_viewers(CLI::App& app, CommandLine& line)
       ->option_text("FILE");
 }
 
-void declare_import_folder(CLI::App* import, ImportCommand& command)
-{
-  add_output(import, command.output, "write a case folder: case.toml, its tables, report.md");
-  import->add_flag("--force", command.force, "replace the case that is in the folder");
-  const auto number = CLI::Range(1, 100000);
-  import->add_option("--scenario", command.scenario, "of the list, from 1")->option_text("N")->check(number);
-  import->add_option("--stage", command.stage, "of the scenario, from 1 (default: its last)")
-      ->option_text("N")
-      ->check(number);
-  import->add_option("--strength", command.strength, "deterministic, design or mean (default: deterministic)")
-      ->option_text("S")
-      ->check(CLI::IsMember({"deterministic", "design", "mean"}));
-  import->add_option("--cell", command.cell, "size of the cells [m] (default: a tenth of the dike)")
-      ->option_text("H")
-      ->check(number_between(1e-3, 1e3));
-  import
-      ->add_option("--between", command.between,
-          "part of the section that is taken over, from x to x\n[m] (default: the dike and room for its slides)")
-      ->option_text("X,X")
-      ->delimiter(',')
-      ->expected(2);
-  import->add_option("--base", command.base, "level above which it is taken over [m]")
-      ->option_text("Z")
-      ->check(number_between(-1e5, 1e5));
-  import->add_option("--unit", command.unit, "of a drawing: m, dm, cm, mm, ft, in\n(default: that of its header)")
-      ->option_text("U");
-  import->add_option("--soil-defaults", command.soil_defaults, "table of what the file does not say of soils")
-      ->option_text("FILE");
-  import->add_flag("--soil-defaults-table", command.print_defaults, "print the table that holds without it");
-}
-
-void declare_import(CLI::App& app, ImportCommand& command)
-{
-  CLI::App* import = add_command(app, "import", "Understand",
-      "what a D-Stability file or a drawing (DXF) holds\nScenarios, stages, calculations with their stored "
-      "results, soils, and what\nis left out; regions of a drawing. With -o a case folder\n(docs/dstability.md, "
-      "docs/dxf.md).",
-      "  terp import section.stix --slices slices.csv\n  terp import section.stix --scenario 1 --stage 2 -o "
-      "section\n  terp import section.dxf -o section\n");
-  import->add_option("FILE", command.path, "D-Stability file (.stix) or drawing (.dxf)")->option_text(" ");
-  CLI::Option* json = import->add_flag("--json", command.json, "the list for a program")->option_text(" ");
-  import
-      ->add_option("--slices", command.slices,
-          "write what Terp computes at the feet of all stored\nslices beside what is stored")
-      ->option_text("FILE")
-      ->excludes(json);
-  declare_import_folder(import, command);
-}
-
 void declare_verify(CLI::App& app, VerifyOptions& options)
 {
   CLI::App* verify = add_command(app, "verify", "Understand",
@@ -376,6 +327,7 @@ void declare(CLI::App& app, CommandLine& line)
   declare_guides(app, line);
   declare_verify(app, line.verify);
   declare_import(app, line.imported);
+  declare_assess(app, line.assess);
 }
 
 std::string help_on(const CLI::App& app, const std::string& command)

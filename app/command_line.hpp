@@ -23,6 +23,7 @@ struct CommandLine {
   ExportCommand exported;
   WatchCommand watch;
   ImportCommand imported;
+  AssessCommand assess;
 };
 
 /// Declares all commands; what is parsed goes to `line`, which must outlive the app.

@@ -27,4 +27,8 @@ void add_set(CLI::App* command, RunOptions& options);
 void add_language(CLI::App* command, std::string& language);
 void add_output(CLI::App* command, std::string& output, const char* what, const char* text = "DIR");
 
+/// Commands that begin with files of D-Stability (command_line_sections.cpp).
+void declare_import(CLI::App& app, ImportCommand& command);
+void declare_assess(CLI::App& app, AssessCommand& command);
+
 }  // namespace terp

@@ -1,6 +1,7 @@
 // The commands of the program, one function each. Each returns the exit status.
 #pragma once
 
+#include "simulation/observer.hpp"
 #include "stability/factor_of_safety.hpp"
 
 #include <string>
@@ -16,6 +17,7 @@ struct PartOfSet {
   std::string label;             ///< "[2/3] cells of 0.5 m  "
   double later_s = 0.0;          ///< expected time of the runs after it [s]
   std::string* fault = nullptr;  ///< is given why the run stopped itself
+  Observer* observer = nullptr;  ///< sees the run as well
 };
 
 struct RunOptions {
@@ -77,6 +79,8 @@ struct ImportCommand {
   std::optional<double> base;   ///< level above which it is taken over [m]; none: what matters
   std::string unit;             ///< of a drawing; empty: that of its header
   std::string soil_defaults;    ///< CSV file; empty: the table of the program
+  bool is_held = false;         ///< the section cannot stand: hold it until it is at rest
+  std::string trigger;          ///< "strength", "strength=1.2", "water", "water=12.5"; empty: none
   bool print_defaults = false;
 };
 
@@ -89,6 +93,18 @@ struct StudyCommand {
   int threads = 0;        ///< 0: what this job may use
   int samples = 1000;     ///< of sample
   bool force = false, quiet = false;
+};
+
+struct AssessCommand {
+  std::vector<std::string> files;  ///< .stix, case.toml, or folders of one
+  std::string output;              ///< folder of the reach
+  ImportCommand import;            ///< options of `terp import`
+  bool stability = false;          ///< find the factor of safety, too
+  bool estimate = false;           ///< import and check, say what would run and how long, and end
+  bool force = false;              ///< solve all anew
+  int sections = 0;                ///< at once; 0: as many as there are processors
+  int threads = 0;                 ///< of each; 0: processors over sections
+  std::string language = "en";     ///< of the pages
 };
 
 struct WatchCommand {
@@ -106,6 +122,9 @@ void warn_of_missing_threads(const RunOptions& options, int granted);
 int run_case(const RunOptions& options);
 /// cells: sizes [m]; empty: those of the case.
 int find_stability(const RunOptions& run, StabilityOptions options, const std::vector<double>& cells);
+/// The search of `terp stability` on the cells of the case; results in run.output. Throws RunError if the soil cannot
+/// be settled, or it was stopped before that.
+StabilityResult search_stability(const RunOptions& run, StabilityOptions options = {});
 int resume_run(const RunOptions& options);
 int converge_case(const ConvergeOptions& options);
 int study_case(const StudyCommand& command);
@@ -117,6 +136,7 @@ int compare_folders(const ReportCommand& command);
 int export_run(const ExportCommand& command);
 int watch_run(const WatchCommand& command);
 int import_file(const ImportCommand& command);
+int assess_reach(AssessCommand command);
 /// The list of a D-Stability file, and its slices.
 int import_stix(const ImportCommand& command);
 

@@ -7,7 +7,6 @@
 #include "output/run_folder.hpp"
 #include "output/summary_json.hpp"
 #include "progress.hpp"
-#include "simulation/output_costs.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "simulation/setup_warnings.hpp"
 
@@ -144,17 +143,11 @@ class Warnings {
   std::set<std::string> seen_;
 };
 
-/// What is still to be solved of a run costs this much [s]; 0 where its first steps already fail.
-double expected_seconds(Simulation& simulation, std::int64_t step)
+/// Of a run that has come to a step already [s].
+double expected_rest(Simulation& simulation, std::int64_t step)
 {
-  const Model& model = simulation.model;
-  const double part = 1.0 - static_cast<double>(step) / static_cast<double>(std::max<std::int64_t>(model.n_steps, 1));
-  const double output_s = estimate_output(model, simulation.state).seconds;
-  try {
-    return part * (seconds_of_steps(model, time_a_step(simulation, trial_seconds)) + output_s);
-  } catch (const RunError&) {
-    return 0.0;  // the run itself says so
-  }
+  const auto n_steps = static_cast<double>(std::max<std::int64_t>(simulation.model.n_steps, 1));
+  return (1.0 - static_cast<double>(step) / n_steps) * expected_seconds(simulation, trial_seconds);
 }
 
 struct Planner {
@@ -228,7 +221,7 @@ struct Planner {
     run.what = fmt::format(
         "{} cells, {} points, {} steps", mesh->n_cells(), simulation.state.points.n_points(), model.n_steps);
     if (step > 0) run.what += fmt::format(" of which {} are done", step);
-    run.seconds = expected_seconds(simulation, step);
+    run.seconds = expected_rest(simulation, step);
   }
 };
 

@@ -1,6 +1,7 @@
 #include "cost.hpp"
 
 #include "base/errors.hpp"
+#include "simulation/output_costs.hpp"
 
 #include <chrono>
 
@@ -46,6 +47,16 @@ std::int64_t bytes_of(const Model& model, const State& state)
           : sizeof(Real);
   return state.points.bytes() + per_point * state.points.n_points() + per_cell_of_the_mesh * model.mesh->n_cells() +
          cells * (std::int64_t{sizeof(CornerSums<Quad4>) + sizeof(NodeValues)} + gauss);
+}
+
+double expected_seconds(Simulation& simulation, double trial_seconds)
+{
+  const double output_s = estimate_output(simulation.model, simulation.state).seconds;
+  try {
+    return seconds_of_steps(simulation.model, time_a_step(simulation, trial_seconds)) + output_s;
+  } catch (const RunError&) {
+    return 0.0;  // the run itself says so
+  }
 }
 
 }  // namespace terp

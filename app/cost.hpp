@@ -9,6 +9,9 @@ namespace terp {
 /// them.
 double time_a_step(Simulation& simulation, double seconds = 1.0);
 
+/// Time of the run with its output [s]; 0 where its first steps already fail.
+double expected_seconds(Simulation& simulation, double trial_seconds);
+
 /// Time of the steps of the whole run [s]. step_s: of a step in a trial.
 double seconds_of_steps(const Model& model, double step_s);
 

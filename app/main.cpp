@@ -60,6 +60,7 @@ int call(const CLI::App& app, const terp::CommandLine& line)
   if (app.got_subcommand("compare")) return terp::compare_folders(line.report);
   if (app.got_subcommand("export")) return terp::export_run(line.exported);
   if (app.got_subcommand("import")) return terp::import_file(line.imported);
+  if (app.got_subcommand("assess")) return terp::assess_reach(line.assess);
   if (app.got_subcommand("watch")) return terp::watch_run(line.watch);
   if (app.got_subcommand("bench")) return terp::bench_case(line.options);
   if (app.got_subcommand("verify")) return terp::verify_cases(line.verify);

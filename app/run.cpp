@@ -177,6 +177,7 @@ int solve(Simulation& simulation, RunWriter& writer, const RunOptions& options, 
     MeshWriter mesh(folder, writer.frames_of_mesh(), model, state);
     SummaryKeeper keeper(model, state, writer);
     simulation.observers = {&writer, &mesh, &keeper, &progress};
+    if (part.observer != nullptr) simulation.observers.push_back(part.observer);
     writer.summary(summarise(model, state), false);  // also names the case for `resume`
     const Outcome outcome = simulation.run(stop_requested);
     progress.finish();

@@ -102,6 +102,19 @@ StabilityResult search_and_write(const RunOptions& run, const CaseFile& file, co
 
 }  // namespace
 
+StabilityResult search_stability(const RunOptions& run, StabilityOptions options)
+{
+  const CaseFile file = read_case(run.path, run.changes);
+  options.threads = threads_of(run);
+  listen_for_stop();
+  std::vector<SizedFactor> sizes;
+  try {
+    return search_and_write(run, file, options, run.output, sizes);
+  } catch (const InputError& error) {
+    throw CaseError(render(error.problems(), file));
+  }
+}
+
 int find_stability(const RunOptions& run, StabilityOptions options, const std::vector<double>& cells)
 {
   check_options(options.search);

@@ -1,11 +1,13 @@
 #include "dstability/case_folder.hpp"
 
 #include "base/errors.hpp"
+#include "dstability/folder_report.hpp"
 #include "dstability/preload.hpp"
 #include "dstability/reference_text.hpp"
 #include "dstability/section_layout.hpp"
 #include "dstability/section_part.hpp"
 #include "dstability/soil_text.hpp"
+#include "dstability/stage_text.hpp"
 #include "dstability/water_text.hpp"
 #include "input/printable.hpp"
 #include "points/body_outline.hpp"
@@ -21,6 +23,7 @@ namespace terp {
 namespace {
 
 constexpr Real least_river = 0.05;  // [m] of water on the ground at an end of the section
+constexpr const char* raised_water = "raised_water";
 
 /// One body before it is text.
 struct Piece {
@@ -61,10 +64,11 @@ class FolderMaker {
     make_water();
     make_pieces();
     make_bodies();
+    make_trigger();
     make_flood();
     make_loads();
-    text_.title = fmt::format("{}: {}", scenario().label, stage_.label);
-    text_.head = head_comments();
+    text_.title = scenario().label.empty() ? stage_.label : fmt::format("{}: {}", scenario().label, stage_.label);
+    text_.head = origin_comments(project_, options_.scenario, options_.stage, options_.basis);
     text_.before.push_back(mesh_table(layout_));
     if (!part_.empty()) text_.before.back().comment += "\n" + part_;
     make_time();
@@ -135,24 +139,31 @@ class FolderMaker {
     phreatic_ = now.phreatic;
     const auto unit =
         CaseLine{"unit_weight", quoted(kilo_text((is_dry ? first_.stage() : stage_).water.unit_weight, "kN/m3")), ""};
-    const auto add = [&](WaterText& water, const std::string& header, const std::string& comment,
-                         std::vector<CaseLine> lines) {
-      lines.insert(lines.end(), water.lines.begin(), water.lines.end());
-      text_.after.push_back({header, comment, lines});
-      if (!water.grid_file.empty()) files_.push_back({water.grid_file, std::move(water.grid)});
-      water_notes_.push_back(water.on_grid
-                                 ? fmt::format("{}: on a grid of {} m, as the file's water cannot be said with lines.",
-                                       header, number_text(layout_.cell))
-                                 : fmt::format("{}: lines; they give the pressures of the file within {:.2f} kPa.",
-                                       header, water.deviation / 1e3));
-    };
     if (has_start) {
-      add(start, "[water]", fmt::format("Stage {}", quoted(scenario().stages.front().label)), {unit});
-      add(now, "[[water.situation]]", fmt::format("Stage {}", quoted(stage_.label)),
+      add_water(start, "[water]", fmt::format("Stage {}", quoted(scenario().stages.front().label)), {unit});
+      add_water(now, "[[water.situation]]", fmt::format("Stage {}", quoted(stage_.label)),
           {{"name", quoted(situation_), ""}});
     } else {
-      add(now, "[water]", fmt::format("Stage {}", quoted(stage_.label)), {unit});
+      add_water(now, "[water]", fmt::format("Stage {}", quoted(stage_.label)), {unit});
     }
+  }
+
+  void add_water(
+      const WaterText& water, const std::string& header, const std::string& comment, std::vector<CaseLine> lines)
+  {
+    lines.insert(lines.end(), water.lines.begin(), water.lines.end());
+    text_.after.push_back({header, comment, lines});
+    if (!water.grid_file.empty()) files_.push_back({water.grid_file, water.grid});
+    water_notes_.push_back(water.on_grid
+                               ? fmt::format("{}: on a grid of {} m, as the file's water cannot be said with lines.",
+                                     comment, number_text(layout_.cell))
+                               : fmt::format("{}: lines; they give the pressures of the file within {:.2f} kPa.",
+                                     comment, water.deviation / 1e3));
+  }
+
+  Real level_at_end(bool left) const
+  {
+    return section_.column(left ? layout_.low[0] : layout_.high[0]).now().water().phreatic();
   }
 
   // --------------------------------------------------------------------------------------------------------- bodies
@@ -212,7 +223,7 @@ class FolderMaker {
       order.regions.push_back(piece.region);
       const Real weight = piece.zone == 2 ? soil.weight_above : soil.weight_below;
       const Real area = terp::area(BodyOutline{piece.region.polygon, {1, 1}, piece.region.holes});
-      weights_[order.bodies.back().material] += Vec2Sum{area, area * weight};
+      weights_[order.bodies.back().material] += SoilSum{area, area * weight};
     }
     put_on_top(order);
     for (const Piece& piece : base_) {
@@ -324,10 +335,11 @@ class FolderMaker {
           "verdict on flooding.");
       return;
     }
-    const Real level = section_.column(river_ == "left" ? layout_.low[0] : layout_.high[0]).now().water().phreatic();
+    const Real level = river_level_.value_or(level_at_end(river_ == "left"));
     std::vector<CaseLine> lines{{"river", quoted(river_), "the end where the water stands higher"}};
     if (level < layout_.crest[1]) {
-      lines.push_back({"water_level", number_text(level), "m: phreatic line at that end"});
+      lines.push_back({"water_level", number_text(level),
+          river_level_ ? "m: that of the trigger" : "m: phreatic line at that end"});
     } else {
       const Real below = layout_.crest[1] - 0.1 * layout_.height;
       const std::string text = fmt::format(
@@ -364,7 +376,7 @@ class FolderMaker {
                   {"pressure", always ? quoted(kilo_text(load.magnitude, "kPa")) : "0.0",
                       always ? "" : "put on in the last stage"}}});
       if (!always) stage_sets_.push_back(fmt::format("\"load.{}.pressure\" = {:g}", label, load.magnitude));
-      note_load(load, label);
+      std::ranges::move(remarks_on(load, label), std::back_inserter(assumed_));
     }
     if (!stage_.layer_loads.empty() && std::ranges::any_of(stage_.layer_loads, [](const StixLayerLoad& load) {
           return std::ranges::any_of(load.consolidation, [](const auto& entry) { return entry.second < 100.0; });
@@ -372,99 +384,79 @@ class FolderMaker {
       left_out_.push_back("Layers that count as loads without full consolidation: their excess pore pressure.");
   }
 
-  void note_load(const StixUniformLoad& load, const std::string& label)
-  {
-    if (load.spread != 0.0)
-      assumed_.push_back(fmt::format(
-          "Load {}: its spread of {:g} degrees is not set; the run computes how it spreads.", label, load.spread));
-    if (std::ranges::any_of(load.consolidation, [](const auto& entry) { return entry.second > 0.0; }))
-      assumed_.push_back(
-          fmt::format("Load {}: undrained soil does not gain strength from it, whatever its degree of "
-                      "consolidation; drained soil does at once, as at 100 %.",
-              label));
-  }
-
   void make_time()
   {
-    text_.before.push_back(time_table(!is_staged_));
-    if (!is_staged_) return;
-    const std::string first = key_of_name(scenario().stages.front().label);
-    std::string last = key_of_name(stage_.label);
-    if (last == first) last += "_2";
-    text_.after.push_back({"[[stage]]", fmt::format("Stage {} of the file", quoted(scenario().stages.front().label)),
-        {{"name", quoted(first), ""}, {"until", "\"at_rest\"", ""}, {"at_most", "20.0", "s"},
-            {"set", "{ \"forces.damping.local\" = 0.5 }", ""}}});
-    std::string sets = "\"forces.damping.local\" = 0.05";
-    for (const std::string& set : stage_sets_) sets += ", " + set;
-    std::vector<CaseLine> lines{{"name", quoted(last), ""}};
-    if (!situation_.empty()) lines.push_back({"water", quoted(situation_), ""});
-    lines.insert(
-        lines.end(), {{"ramp", "10.0", "s: slow beside the vibrations of the section; nothing drains meanwhile"},
-                         {"until", "\"at_rest\"", ""}, {"at_most", "30.0", "s"}, {"set", "{ " + sets + " }", ""},
-                         {"reset_displacement", "true", ""}});
-    text_.after.push_back({"[[stage]]", fmt::format("Stage {} of the file", quoted(stage_.label)), lines});
-    if (!same_ground_until(scenario(), options_.stage))
+    const StagePlan plan{.first = is_staged_ ? scenario().stages.front().label : "",
+        .analysed = stage_.label,
+        .water = situation_,
+        .sets = stage_sets_,
+        .is_held = options_.is_held,
+        .trigger = trigger_};
+    if (options_.is_held) assumed_.push_back(held_sentence);
+    const std::vector<CaseTableText> stages = stage_tables(plan);
+    text_.before.push_back(time_table(stages.empty()));
+    text_.after.insert(text_.after.end(), stages.begin(), stages.end());
+    if (is_staged_ && !same_ground_until(scenario(), options_.stage))
       assumed_.push_back(
           "Ground or loads change between the stages of the file: the run has those of the analysed stage "
           "from the start. The yield stresses are those of the whole history.");
   }
 
-  // --------------------------------------------------------------------------------------------------------- report
+  // -------------------------------------------------------------------------------------------------------- trigger
 
-  std::vector<std::string> head_comments() const
+  void make_trigger()
   {
-    const char* const basis = options_.basis == StixBasis::design ? "design values (5 % fractiles)"
-                              : options_.basis == StixBasis::mean ? "means"
-                                                                  : "deterministic values";
-    return {fmt::format("Written by terp import from {} ({}, content version {}).", project_.path, project_.application,
-                project_.content_version),
-        fmt::format("Scenario {} {}, stage {} {}. Strengths: {}. What was assumed, moved and left out: report.md.",
-            options_.scenario + 1, quoted(scenario().label), options_.stage + 1, quoted(stage_.label), basis),
-        "Units: m, s, Pa, kg unless one stands with the number. x and y are the file's x and z."};
+    if (options_.trigger.kind == TriggerKind::strength) weaken();
+    if (options_.trigger.kind == TriggerKind::water) bring_river_to_the_crest();
+    if (options_.trigger.kind == TriggerKind::none && !options_.trigger.origin.empty())
+      trigger_notes_.push_back(options_.trigger.origin);
+    if (!trigger_.comment.empty()) trigger_notes_.push_back(trigger_.comment);
   }
+  void weaken()
+  {
+    const std::string factor = number_text(options_.trigger.value);
+    trigger_ = {"weaker_soil",
+        fmt::format("Trigger: all strengths are divided by {}. {}", factor, options_.trigger.origin), "",
+        {"at_strength = " + factor}};
+  }
+
+  void bring_river_to_the_crest()
+  {
+    if (river_.empty()) refuse_dry_trigger(stage_);
+    const RaisedRiver raised = raise_river(section_,
+        {.at_left = river_ == "left",
+            .ends = {layout_.low[0], layout_.high[0]},
+            .level = level_at_end(river_ == "left"),
+            .inland = level_at_end(river_ != "left"),
+            .crest = layout_.crest[1],
+            .height = layout_.height},
+        options_.trigger.value);
+    const StixProject project = with_stage(project_, options_.scenario, options_.stage, raised.stage);
+    const StixSection section(project, options_.scenario, options_.stage + 1, options_.basis);
+    add_water(water_text(section, layout_, "water_raised", true), "[[water.situation]]",
+        "The river at the level of the trigger", {{"name", quoted(raised_water), ""}});
+    river_level_ = raised.level;
+    trigger_ = {"raised_river", raised.comment, raised_water, {}};
+    for (const auto& [key, use] : uses_)
+      if (const std::string path = strength_water_key(use); !path.empty())
+        trigger_.sets.push_back(fmt::format("\"{}\" = {}", path, quoted(raised_water)));
+  }
+
+  // --------------------------------------------------------------------------------------------------------- report
 
   std::string report() const
   {
-    std::string text = fmt::format("# {}\n\n", text_.title);
-    for (const std::string& line : head_comments()) text += line + "\n";
-    const auto section = [&](const std::string& title, const std::vector<std::string>& lines) {
-      text += fmt::format("\n## {}\n\n", title);
-      for (const std::string& line : lines) text += "- " + line + "\n";
-      if (lines.empty()) text += "- nothing\n";
-    };
-    text += "\n## Weight\n\n| material | area [m2] | weight [kN/m] |\n|---|---|---|\n";
-    Vec2Sum all;
-    for (const auto& [material, sum] : weights_) {
-      text += fmt::format("| {} | {:.6f} | {:.6f} |\n", material, sum.area, sum.weight / 1e3);
-      all += sum;
-    }
-    text += fmt::format("| all | {:.6f} | {:.6f} |\n", all.area, all.weight / 1e3);
     std::vector<std::string> geometry = describe(clean_, drawn_, cleaning_);
     geometry.insert(geometry.end(), geometry_.begin(), geometry_.end());
-    section("Geometry: what moved", geometry);
-    section("Water", water_notes_);
-    section("Assumed", assumed_);
     std::vector<std::string> left = left_out_;
     for (const StixRemark& remark : project_.remarks) left.push_back(fmt::format("{}: {}", remark.where, remark.what));
-    section("Left out, or not understood", left);
-    section("Not in any file of this kind",
-        {"Softening: the soils of this case do not soften. Give `sensitivity` and `eta` (docs/softening_laws.md), and "
-         "a "
-         "softening length, to see how far a slide goes.",
-            "Stiffness and K0: defaults by kind of soil. `terp import --soil-defaults-table` prints them, "
-            "`--soil-defaults FILE` takes others."});
-    return text;
+    return text_of(FolderReport{.title = text_.title,
+        .head = text_.head,
+        .weights = weights_,
+        .sections = {{"Geometry: what moved", geometry}, {"Water", water_notes_},
+            {"Trigger: what makes the section fail", trigger_notes_}, {"Assumed", assumed_},
+            {"Left out, or not understood", left}}});
   }
-
-  struct Vec2Sum {
-    Real area = 0.0, weight = 0.0;  ///< [m^2], [N/m]
-    Vec2Sum& operator+=(const Vec2Sum& other)
-    {
-      area += other.area;
-      weight += other.weight;
-      return *this;
-    }
-  };
 
   const StixProject& project_;
   const FolderOptions& options_;
@@ -478,14 +470,16 @@ class FolderMaker {
   CleanSection clean_;
   bool is_staged_ = false;
   std::string situation_, river_, part_;
+  TriggerStage trigger_;
+  std::optional<Real> river_level_;  ///< of the trigger [m]
   std::vector<Vec<2>> phreatic_;
   std::vector<Piece> pieces_, base_;  ///< of the file; below its base
   std::map<std::string, SoilUse> uses_;
   std::set<std::string> names_;
-  std::map<std::string, Vec2Sum> weights_;
+  std::map<std::string, SoilSum> weights_;
   SectionText text_;
   std::vector<std::pair<std::string, std::string>> files_;
-  std::vector<std::string> notes_, geometry_, water_notes_, assumed_, left_out_, stage_sets_;
+  std::vector<std::string> notes_, geometry_, water_notes_, assumed_, left_out_, stage_sets_, trigger_notes_;
 };
 
 }  // namespace

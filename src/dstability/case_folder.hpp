@@ -6,6 +6,7 @@
 #include "dstability/case_text.hpp"
 #include "dstability/section.hpp"
 #include "dstability/soil_defaults.hpp"
+#include "dstability/trigger.hpp"
 
 #include <optional>
 
@@ -19,6 +20,8 @@ struct FolderOptions {
   std::optional<Real> base = {};
   StixBasis basis = StixBasis::deterministic;
   std::vector<SoilKind> kinds;  ///< soil defaults
+  bool is_held = false;         ///< the soil is held until it is at rest: for a section that cannot stand
+  FolderTrigger trigger = {};
 };
 
 /// Throws InputError if the stage has no layer, or something in it cannot be taken over.

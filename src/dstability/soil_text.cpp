@@ -287,6 +287,13 @@ SoilText soil_text(const SoilUse& use, StixBasis basis, const std::vector<SoilKi
   return text;
 }
 
+std::string strength_water_key(const SoilUse& use)
+{
+  const StixStrengthModel model = use.above ? use.soil->above : use.soil->below;
+  if (model == StixStrengthModel::shansep) return fmt::format("material.{}.su_peak.shansep.water", use.name);
+  return model == StixStrengthModel::su_table ? fmt::format("material.{}.su_peak.water", use.name) : "";
+}
+
 CaseMaterialText default_soil_text(const std::string& name, const std::string& label, const SoilKind& kind)
 {
   const std::string origin = fmt::format("default of {}: fill in your own", kind.kind);

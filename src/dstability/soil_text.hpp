@@ -36,6 +36,9 @@ struct SoilText {
 /// that Terp can take over. The key is the soil; the detail names the stage.
 SoilText soil_text(const SoilUse& use, StixBasis basis, const std::vector<SoilKind>& kinds);
 
+/// Key of the water that an undrained strength follows from; empty: it follows from none.
+std::string strength_water_key(const SoilUse& use);
+
 /// A soil of which nothing but its name is known: all from the defaults.
 CaseMaterialText default_soil_text(const std::string& name, const std::string& label, const SoilKind& kind);
 

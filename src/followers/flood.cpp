@@ -53,6 +53,47 @@ bool is_judged_alike(const Model& a, const Model& b)
          of_a.smallest_width == of_b.smallest_width && of_a.intact_below == of_b.intact_below;
 }
 
+/// Level of the river in the water of a stage [m]; none: the stage has no water of its own, or none of lines.
+std::optional<Real> river_of(const Case& c, const StageCase& stage, std::optional<Facing> river)
+{
+  const auto is_named = [&](const WaterSituation& water) { return water.name == stage.water; };
+  const auto found = std::ranges::find_if(c.water.situations, is_named);
+  if (stage.water.empty() || found == c.water.situations.end() || found->phreatic_line.empty()) return std::nullopt;
+  return river == Facing::right ? found->phreatic_line.back()[1] : found->phreatic_line.front()[1];
+}
+
+/// The first stage so far that is there to make the section fail, or from which on strengths are divided.
+std::optional<std::size_t> trigger_stage(const Case& c, std::size_t now)
+{
+  std::optional<std::size_t> first;
+  bool is_weaker = true;  // from here to the present stage
+  for (std::size_t k = now + 1; k-- > 0;) {
+    is_weaker = is_weaker && c.stages[k].changed->at_strength != 1.0;
+    if (is_weaker || c.stages[k].trigger) first = k;
+  }
+  return first;
+}
+
+/// What makes the section fail so far. times: from which on it is damaged and floods; NaN: it does not [s].
+std::optional<FloodTrigger> trigger_of(
+    const Case& c, const State& state, std::optional<Facing> river, const std::array<Real, 2>& times)
+{
+  FloodTrigger trigger{.at_strength = c.at_strength};
+  if (c.stages.empty()) return c.at_strength != 1.0 ? std::optional(trigger) : std::nullopt;
+  const auto now = static_cast<std::size_t>(state.stage);
+  const std::optional<std::size_t> first = trigger_stage(c, now);
+  if (!first) return std::nullopt;
+  trigger.stage = c.stages[*first].name;
+  for (std::size_t k = *first; k <= now; ++k)
+    if (const auto level = river_of(c, c.stages[k], river); c.stages[k].trigger && level) trigger.river = level;
+  if (*first == 0) return trigger;
+  const Real begins = state.stages_done[*first - 1].end;
+  trigger.before = times[1] <= begins   ? FloodVerdict::floods
+                   : times[0] <= begins ? FloodVerdict::damaged
+                                        : FloodVerdict::stands;
+  return trigger;
+}
+
 /// A verdict is one of all stages: it stays where displacement is counted anew.
 class Flood : public Follower {
   ColumnRange range_;          ///< of the ground that counts
@@ -118,6 +159,7 @@ class Flood : public Follower {
     f.verdict = f.first_time_below     ? FloodVerdict::floods
                 : f.first_time_damaged ? FloodVerdict::damaged
                                        : FloodVerdict::stands;
+    f.trigger = trigger_of(model.description, state, river_, {f.first_time_damaged.value_or(never), time_below_});
     f.criterion = criterion_text(model.description.flood, level.value);
   }
 

@@ -127,6 +127,11 @@ std::vector<KeyInfo> stage_keys()
           .field = [](Case& c, std::size_t i) { return &c.stages[i].reset_displacement; },
           .meaning = "whether displacement and strain are zero at its start, and slides are looked for anew; plastic "
                      "strain stays"},
+      {.path = "stage[].trigger",
+          .field = [](Case& c, std::size_t i) { return &c.stages[i].trigger; },
+          .meaning =
+              "whether the stage is there to make the section fail, as by weaker soil or a higher river: from its "
+              "start on the verdict says so, and says what it was before (docs/flood.md)"},
       {.path = "stage[].set",
           .field = [](Case& c, std::size_t i) { return changes_field(c.stages[i].changes); },
           .meaning = "keys of the case and the values that they have from this stage on, written as for --set: "

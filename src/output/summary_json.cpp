@@ -66,6 +66,12 @@ void each(SlideSummary& slide, F&& f)
 }
 
 template <class F>
+void each(FloodTrigger& trigger, F&& f)
+{
+  f("stage", trigger.stage), f("at_strength", trigger.at_strength), f("river", trigger.river);
+  f("before", trigger.before);
+}
+template <class F>
 void each(FloodSummary& flood, F&& f)
 {
   f("verdict", flood.verdict), f("water_level", flood.water_level);
@@ -73,7 +79,7 @@ void each(FloodSummary& flood, F&& f)
   f("residual_height", flood.residual_height), f("freeboard", flood.freeboard);
   f("width_at_level", flood.width_at_level), f("intact_width", flood.intact_width);
   f("first_time_damaged", flood.first_time_damaged), f("first_time_below", flood.first_time_below);
-  f("criterion", flood.criterion);
+  f("criterion", flood.criterion), f("trigger", flood.trigger);
 }
 
 template <class T>

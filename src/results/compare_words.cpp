@@ -91,10 +91,12 @@ std::string flood_sentence(const std::vector<RunResults>& runs, std::size_t othe
 {
   const auto &a = runs[0].summary.values.flood, &b = runs[other].summary.values.flood;
   if (!a || !b) return "";
-  if (!a->verdict || !b->verdict || a->verdict != b->verdict)
+  if (!a->verdict || !b->verdict || a->verdict != b->verdict || a->trigger || b->trigger)
     return fmt::format("{}with {} {}; with {} {}.",
-        a->verdict && b->verdict ? "They differ in the verdict: " : "The verdicts cannot be compared: ", who.a,
-        flood_clause(*a), who.b, flood_clause(*b));
+        !a->verdict || !b->verdict ? "The verdicts cannot be compared: "
+        : a->verdict != b->verdict ? "They differ in the verdict: "
+                                   : "The verdict is the same: ",
+        who.a, flood_clause(*a), who.b, flood_clause(*b));
   return fmt::format(
       "The verdict is the same, {}: the highest ground that remains stands at {:.2f} m with {}, at {:.2f} m "
       "with {}.",

@@ -163,6 +163,15 @@ std::string sentence_on(const StudyQuantity& q)
   return fmt::format("{}: {}", label, all_values(q));
 }
 
+/// " after strengths were divided by 1.12"; empty: the verdict is that of the section as it is.
+std::string trigger_of(const StudySequence& sequence)
+{
+  for (const StudyRun& run : sequence.runs)
+    if (const auto& flood = run.results.summary.values.flood; flood && flood->trigger)
+      return ' ' + trigger_words(*flood->trigger);
+  return "";
+}
+
 /// Whether all sizes say the same of the water; empty where nothing is said of it.
 std::string answer_on_flood(const StudiedSequence& sequence)
 {
@@ -170,9 +179,10 @@ std::string answer_on_flood(const StudiedSequence& sequence)
       std::ranges::find_if(sequence.quantities, [](const StudyQuantity& q) { return q.measure.name == flood_measure; });
   if (found == sequence.quantities.end() || !found->has_values()) return "";
   if (found->answer == MeshAnswer::same)
-    return fmt::format("All sizes agree: {}. ", text_of(found->measure, last_value(*found)));
-  return fmt::format(
-      "WHETHER IT FLOODS CHANGES WITH THE MESH: {} on cells of {}. ", all_values(*found), size_list(sequence.sequence));
+    return fmt::format(
+        "All sizes agree: {}{}. ", text_of(found->measure, last_value(*found)), trigger_of(sequence.sequence));
+  return fmt::format("WHETHER IT FLOODS{} CHANGES WITH THE MESH: {} on cells of {}. ", trigger_of(sequence.sequence),
+      all_values(*found), size_list(sequence.sequence));
 }
 
 std::string answer_of(const StudiedSequence& sequence, Real tolerance)

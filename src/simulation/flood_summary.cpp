@@ -6,6 +6,28 @@
 
 namespace terp {
 
+namespace {
+
+/// "after strengths were divided by 1.12 (before that: stands): "
+std::string trigger_phrase(const std::optional<FloodTrigger>& trigger)
+{
+  if (!trigger) return "";
+  return trigger_words(*trigger) +
+         (trigger->before ? fmt::format(" (before that: {}): ", info_of(*trigger->before).words) : ": ");
+}
+
+}  // namespace
+
+std::string trigger_words(const FloodTrigger& trigger)
+{
+  std::string words;
+  if (trigger.at_strength != 1.0) words = fmt::format("after strengths were divided by {:g}", trigger.at_strength);
+  if (trigger.river)
+    words += fmt::format("{} the river {}brought to {:.2f} m", words.empty() ? "after" : " and",
+        words.empty() ? "was " : "", *trigger.river);
+  return words.empty() ? fmt::format("after the stage `{}`", trigger.stage) : words;
+}
+
 void withhold_verdict(FloodSummary& flood)
 {
   if (flood.verdict != FloodVerdict::floods) flood.verdict.reset();
@@ -17,7 +39,9 @@ std::string flood_clause(const FloodSummary& flood)
   const auto from = [](const char* what, const std::optional<Real>& time) {
     return time ? fmt::format(", {} {:.2f} s on", what, *time) : std::string();
   };
-  const std::string verdict(flood.verdict ? info_of(*flood.verdict).words : "no verdict before the end of the run");
+  const std::string verdict =
+      trigger_phrase(flood.trigger) +
+      std::string(flood.verdict ? info_of(*flood.verdict).words : "no verdict before the end of the run");
   const std::string since =
       floods ? from("from", flood.first_time_below) : from("damaged from", flood.first_time_damaged);
   if (!std::isfinite(flood.residual_height)) return fmt::format("{}{}: no ground remains", verdict, since);

@@ -26,6 +26,17 @@ inline const FloodVerdictInfo& info_of(FloodVerdict verdict)
   return flood_verdicts[static_cast<std::size_t>(verdict)];
 }
 
+/// What was done to the section to make it fail: the verdict is not that of the section as it is.
+struct FloodTrigger {
+  std::string stage = {};                   ///< with which it began; empty: it acts in the whole run
+  Real at_strength = 1.0;                   ///< all strengths were divided by it [-]
+  std::optional<Real> river = {};           ///< level to which the river was brought [m]
+  std::optional<FloodVerdict> before = {};  ///< verdict when it began; none: it acts in the whole run
+};
+
+/// "after strengths were divided by 1.12".
+std::string trigger_words(const FloodTrigger& trigger);
+
 struct FloodSummary {
   static constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
 
@@ -40,12 +51,14 @@ struct FloodSummary {
   std::optional<Real> first_time_damaged;  ///< [s]
   std::optional<Real> first_time_below;    ///< of the flood [s]
   std::string criterion = {};              ///< by which it floods, in words
+  std::optional<FloodTrigger> trigger;     ///< none: the verdict is that of the section as it is
 };
 
 /// A run that has not ended has a verdict only where that is for good: it floods.
 void withhold_verdict(FloodSummary& flood);
 
-/// The verdict, with its numbers and the times at which it was first true: a clause, without the stop at its end.
+/// The verdict, with its numbers and the times at which it was first true: a clause, without the stop at its
+/// end. What triggered it stands first.
 std::string flood_clause(const FloodSummary& flood);
 
 /// What the verdict does not know.

@@ -33,6 +33,7 @@ struct StageCase {
   std::string water;                                         ///< situation that the water goes to; empty: it stays
   std::vector<std::string> place, remove;                    ///< names of bodies
   bool reset_displacement = false;                           ///< displacement and strain are zero at its start
+  bool trigger = false;                                      ///< it makes the section fail: FloodTrigger
   std::vector<std::pair<std::string, std::string>> changes;  ///< keys and their values as TOML, as written
   std::shared_ptr<const Case> changed = nullptr;  ///< the case with the changes of this stage and all before it
 

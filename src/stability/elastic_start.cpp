@@ -63,6 +63,7 @@ Case quiet_case(Case c)
 {
   if (!c.ground_of) c.ground_of = std::make_shared<const Case>(c);
   const auto ground_of = c.ground_of;
+  while (!c.stages.empty() && c.stages.back().trigger) c.stages.pop_back();  // of the section as it is
   const std::size_t standing = c.stages.empty() ? 0 : water_of_stage(c, c.stages.size() - 1).to;
   if (!c.stages.empty()) c = Case(*c.stages.back().changed);
   c = leave_out_rate(reduce_strength(std::move(c), c.at_strength));

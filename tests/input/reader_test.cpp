@@ -136,6 +136,7 @@ water = "start"
 place = ["base"]
 remove = ["top"]
 reset_displacement = true
+trigger = true
 set = { "scheme" = "mpm_gp" }
 [material.clay]
 water_stiffness = 1e8

@@ -75,6 +75,14 @@ export interface SlipSurface {
   points: [number, number][];
 }
 
+/** What was done to make the section fail: the verdict is not that of the section as it is. */
+export interface Trigger {
+  stage: string; // with which it began
+  at_strength: number; // by which strengths were divided
+  river: number | null; // m, to which it was brought
+  before: Flood["verdict"] | null; // null: it acts in the whole run
+}
+
 export interface Flood {
   verdict: "stands" | "damaged" | "floods" | null; // null: the run has not ended, and did not flood
   water_level?: number | null; // m
@@ -85,6 +93,7 @@ export interface Flood {
   intact_width: number | null; // m, of that
   first_time_damaged: number | null; // s
   first_time_below: number | null; // s
+  trigger?: Trigger | null; // null: the verdict is that of the section as it is
 }
 
 export interface Stage {

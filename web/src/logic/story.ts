@@ -295,3 +295,11 @@ export function listWarnings(run: Run): string[] {
   return [...warnings, ...meta.warnings,
     ...failed.map(({ name, value }) => say("warn_check", { name, value }))];
 }
+
+/** ", after strengths were divided by 1.12": a verdict under a trigger never stands without it. */
+export function triggerWords(trigger: Trigger | null | undefined): string {
+  if (!trigger) return "";
+  const parts = [trigger.at_strength !== 1 ? say("trigger_strength", { factor: `${trigger.at_strength}` }) : "",
+    typeof trigger.river === "number" ? say("trigger_river", { level: metres(trigger.river) }) : ""].filter(Boolean);
+  return `, ${parts.length > 0 ? parts.join(say("trigger_and")) : say("trigger_stage", { stage: trigger.stage })}`;
+}

@@ -6,7 +6,7 @@ import type { Store } from "../logic/store";
 import { runLabels, schemeLabel } from "../logic/labels";
 import { slidesBySlope } from "../logic/slides";
 import { columnPlace, fixed, metres, percent, withUnit } from "../logic/numbers";
-import { listWarnings, tellStory } from "../logic/story";
+import { listWarnings, tellStory, triggerWords } from "../logic/story";
 import { kindOf } from "../logic/verdict";
 import { say, type TextKey } from "../logic/texts";
 import { runColour } from "../view/theme";
@@ -22,7 +22,8 @@ interface Fact {
 const FACTS: Fact[] = [
   { name: "flood", value: (run) => {
     const kind = kindOf(run);
-    return run.meta.events?.flood && kind !== "none" ? say(`fact_flood_${kind}`) : "–";
+    return run.meta.events?.flood && kind !== "none" ? say(`fact_flood_${kind}`) +
+      triggerWords(run.meta.events.flood.trigger) : "–";
   },
     time: ({ meta: { events } }) => events?.flood?.first_time_below ?? events?.flood?.first_time_damaged },
   { name: "height", value: (run) => metres(run.meta.events?.residual_height) },

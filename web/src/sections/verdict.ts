@@ -1,12 +1,12 @@
 // The verdict on the water, in the words and numbers of a dike engineer: what happened first, where, what remains.
 
 import type { Report } from "../data/report";
-import type { RunMeta, Slide } from "../data/format";
+import type { RunMeta, Slide, Trigger } from "../data/format";
 import type { Run } from "../data/run";
 import { runLabels } from "../logic/labels";
 import { columnPlace, fixed, metres } from "../logic/numbers";
 import { slidesBySlope } from "../logic/slides";
-import { byColumns, crestFrom, lastTime, seconds, sideOf, zoneText } from "../logic/story";
+import { byColumns, crestFrom, lastTime, seconds, sideOf, triggerWords, zoneText } from "../logic/story";
 import type { Store } from "../logic/store";
 import { doubts, kindOf, type Kind } from "../logic/verdict";
 import { say, type TextKey } from "../logic/texts";
@@ -34,13 +34,18 @@ export function verdictSection(report: Report, store: Store): HTMLElement | null
 function verdictOf(run: Run, name: HTMLElement | null, store: Store): HTMLElement {
   const { events } = run.meta;
   const kind = kindOf(run);
+  const trigger = events?.flood?.trigger;
   const notes = [events?.flood ? say("not_simulated") : "", ...doubts(run)].filter(Boolean);
   return element("article", { class: `card verdict ${kind}` },
     element("div", { class: "verdict-head" }, name,
-      element("h2", { class: "verdict-word" }, say(`verdict_${kind}`)),
-      element("p", {}, sentence(run, kind)),
+      element("h2", { class: "verdict-word" }, say(`verdict_${kind}`), triggerWords(trigger)),
+      element("p", {}, beforeTrigger(trigger), sentence(run, kind)),
       ...notes.map((note) => element("p", { class: "verdict-note" }, note))),
     events ? element("dl", { class: "tiles" }, ...tilesOf(run).map((tile) => tileElement(tile, store))) : null);
+}
+
+function beforeTrigger(trigger: Trigger | null | undefined): string {
+  return trigger?.before ? `${say(`before_trigger_${trigger.before}`)} ` : "";
 }
 
 function sentence(run: Run, kind: Kind): string {

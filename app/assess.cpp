@@ -1,0 +1,313 @@
+// terp assess: the sections of a reach, each from its file to its verdict, and a page of all.
+//
+// How it thinks: each section is solved by a process of its own, made with fork() before this one has any thread. What
+// befalls it (a fault of ours, the end of memory) ends that process and no other. This one only waits and counts.
+
+#include "assess.hpp"
+#include "input/case_file.hpp"
+#include "input/printable.hpp"
+#include "output/files.hpp"
+#include "output/run_folder.hpp"
+#include "parallel/threads.hpp"
+#include "progress.hpp"
+#include "report/reach_page.hpp"
+#include "stop.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <map>
+#include <new>
+#include <set>
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace terp {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* page_file = "index.html";
+constexpr const char* csv_file = "reach.csv";
+constexpr const char* json_file = "reach.json";
+constexpr const char* log_file = "log.txt";
+
+/// Of a file or of the folder of a case: letters, digits, . - _.
+std::string name_for(const std::string& file)
+{
+  const fs::path path = fs::path(file).lexically_normal();
+  const fs::path folder = path.has_filename() ? path : path.parent_path();
+  const std::string text = path.filename() == case_file ? path.parent_path().filename().string()
+                           : fs::is_directory(path)     ? folder.filename().string()
+                                                        : path.stem().string();
+  std::string name;
+  for (const unsigned char c : text)
+    name += std::isalnum(c) != 0 || c == '.' || c == '-' || c == '_' ? static_cast<char>(c) : '_';
+  return name.find_first_not_of("._") == std::string::npos ? "section" : name;
+}
+
+std::vector<PlannedSection> plan_of(const AssessCommand& command)
+{
+  std::vector<PlannedSection> plan;
+  std::set<std::string> names;
+  std::map<std::string, std::string> paths;
+  for (const std::string& file : command.files) {
+    const std::string path = fs::absolute(file).lexically_normal().string();
+    if (const auto [known, is_new] = paths.emplace(path, file); !is_new)
+      throw CaseError(printable(fmt::format("error: {} is given twice\n  Name each section once.\n", file)));
+    const std::string first = name_for(file);
+    std::string name = first;
+    for (int k = 2; !names.insert(name).second; ++k) name = fmt::format("{}_{}", first, k);
+    const std::string folder = path_in(command.output, name);
+    plan.push_back({.file = file, .name = name, .folder = folder, .record = read_record(folder)});
+  }
+  if (fs::exists(path_in(command.output, case_file)))
+    throw FileError(
+        fmt::format("{}: this is the folder of one case; sections get folders of their own\n  Choose another: -o DIR",
+            command.output));
+  return plan;
+}
+
+/// What the processes tell, one entry per section.
+class SharedProgress {
+ public:
+  explicit SharedProgress(std::size_t n) : bytes_(n * sizeof(SectionProgress))
+  {
+    void* const memory = ::mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) throw std::bad_alloc();
+    all_ = static_cast<SectionProgress*>(memory);
+    for (std::size_t k = 0; k < n; ++k) new (all_ + k) SectionProgress;
+  }
+  ~SharedProgress() { ::munmap(all_, bytes_); }
+  SharedProgress(const SharedProgress&) = delete;
+  SharedProgress& operator=(const SharedProgress&) = delete;
+  SectionProgress& operator[](std::size_t k) { return all_[k]; }
+
+ private:
+  std::size_t bytes_;
+  SectionProgress* all_;
+};
+
+/// What the process of a section prints goes to its log.
+void print_to_log(const std::string& folder)
+{
+  make_folder(folder);
+  const int log = ::open(path_in(folder, log_file).c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (log < 0) return;
+  ::dup2(log, STDOUT_FILENO);
+  ::dup2(log, STDERR_FILENO);
+}
+
+/// Ends the process.
+[[noreturn]] void solve_here(const PlannedSection& section, const AssessCommand& command, SectionProgress& progress)
+{
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // a run then writes a checkpoint and ends
+  bool goes_on = false;
+  try {
+    print_to_log(section.folder);
+    goes_on = assess_section(section, command, progress);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+  }
+  std::fflush(nullptr);
+  ::_exit(goes_on ? solved : failed);
+}
+
+struct Running {
+  std::size_t section;
+  Clock::time_point start;
+};
+
+class Reach {
+ public:
+  Reach(std::vector<PlannedSection>& plan, const AssessCommand& command)
+      : plan_(plan), command_(command), told_(plan.size())
+  {
+    for (std::size_t k = 0; k < plan.size(); ++k)
+      if (is_done(plan[k], command))
+        ++n_done_, show(stdout, fmt::format("[{}/{}] {}  kept, solved before\n", n_done_, plan.size(), plan[k].name));
+      else
+        waiting_.push_back(k);
+  }
+
+  /// False: stopped before the last one was done.
+  bool solve()
+  {
+    while ((!waiting_.empty() && !stop_requested) || !running_.empty()) {
+      while (!stop_requested && !waiting_.empty() && std::ssize(running_) < command_.sections) begin_next();
+      wait_for_one();
+      if (stop_requested && !told_to_stop_)
+        for (const auto& [pid, running] : running_) ::kill(pid, SIGTERM), told_to_stop_ = true;
+    }
+    clear_line();
+    return !stop_requested;
+  }
+
+ private:
+  void begin_next()
+  {
+    const std::size_t k = waiting_.front();
+    waiting_.erase(waiting_.begin());
+    std::fflush(nullptr);
+    const pid_t pid = ::fork();
+    if (pid == 0) solve_here(plan_[k], command_, told_[k]);
+    if (pid < 0) throw FileError(fmt::format("no process for {}: {}", plan_[k].name, std::strerror(errno)));
+    running_[pid] = {k, Clock::now()};
+  }
+
+  void wait_for_one()
+  {
+    int status = 0;
+    const pid_t pid = ::waitpid(-1, &status, WNOHANG);
+    if (pid <= 0) {
+      show_line();
+      ::usleep(100'000);
+      return;
+    }
+    const auto found = running_.find(pid);
+    if (found == running_.end()) return;
+    const auto [k, start] = found->second;
+    running_.erase(found);
+    note_end(k, status, std::chrono::duration<double>(Clock::now() - start).count());
+  }
+
+  void note_end(std::size_t k, int status, double seconds)
+  {
+    PlannedSection& section = plan_[k];
+    section.record = read_record(section.folder);
+    if (WIFSIGNALED(status)) {
+      section.record.name = section.name, section.record.file = section.file;
+      section.record.fault = fmt::format("its process was ended by signal {} ({}) during: {}", WTERMSIG(status),
+          ::strsignal(WTERMSIG(status)), section_steps[told_[k].step.load()]);
+      write_file_atomically(path_in(section.folder, record_file), record_text(section.record));
+    }
+    if (stop_requested) return;
+    ++n_done_, seconds_done_ += seconds, ++n_solved_here_;
+    clear_line();
+    const std::string& fault = section.record.fault;
+    const std::string done = command_.estimate ? "checked" : "solved";
+    show(stdout, printable(fmt::format("[{}/{}] {}  {}{}\n", n_done_, plan_.size(), section.name,
+                     fault.empty() ? fmt::format("{} in {}", done, readable_duration(seconds))
+                                   : "no result: " + fault.substr(0, fault.find('\n')),
+                     waiting_.empty() && running_.empty() ? "" : "; ETA " + readable_duration(time_left()))));
+  }
+
+  /// As long as the sections so far have taken on average; of runs under way what they say themselves [s].
+  double time_left()
+  {
+    const double mean = n_solved_here_ > 0 ? seconds_done_ / n_solved_here_ : -1.0;
+    double all = 0.0, longest = 0.0;
+    for (const auto& [pid, running] : running_) {
+      const double spent = std::chrono::duration<double>(Clock::now() - running.start).count();
+      const double told = told_[running.section].left_s;
+      const double left = told >= 0.0 ? told : std::max(mean - spent, 0.0);
+      all += left, longest = std::max(longest, left);
+    }
+    if (mean < 0.0 && (!waiting_.empty() || longest == 0.0)) return 1e9;  // not known
+    all += mean * static_cast<double>(waiting_.size());
+    return std::max(longest, all / std::max(1, command_.sections));
+  }
+
+  void show_line()
+  {
+    if (!terminal_) return;
+    std::string line = fmt::format("\r\033[K{} of {} done", n_done_, plan_.size());
+    for (const auto& [pid, running] : running_) {
+      const SectionProgress& told = told_[running.section];
+      line += fmt::format("; {}: {}", plan_[running.section].name, section_steps[told.step.load()]);
+      if (told.left_s >= 0.0) line += ", " + readable_duration(told.left_s);
+    }
+    show(stdout, line + "; ETA " + readable_duration(time_left()));
+    open_ = true;
+  }
+  void clear_line()
+  {
+    if (open_) show(stdout, "\r\033[K");
+    open_ = false;
+  }
+
+  std::vector<PlannedSection>& plan_;
+  const AssessCommand& command_;
+  SharedProgress told_;
+  std::vector<std::size_t> waiting_;
+  std::map<pid_t, Running> running_;
+  std::size_t n_done_ = 0;
+  int n_solved_here_ = 0;
+  double seconds_done_ = 0.0;
+  bool terminal_ = isatty(STDOUT_FILENO) == 1, open_ = false, told_to_stop_ = false;
+};
+
+/// What would run, and how long.
+int print_estimate(const std::vector<PlannedSection>& plan, const AssessCommand& command)
+{
+  double seconds = 0.0;
+  int n_refused = 0;
+  for (const PlannedSection& section : plan) {
+    const SectionRecord record = read_record(section.folder);
+    if (!record.fault.empty() || record.n_points == 0) {
+      fmt::print("  {:<30} refused: {}\n", section.name, printable(record.fault.substr(0, record.fault.find('\n'))));
+      ++n_refused;
+      continue;
+    }
+    seconds += record.expected_s;
+    fmt::print("  {:<30} {}, cells of {:.3g} m, {} points, at most {}\n", section.name, printable(record.title),
+        record.cell, record.n_points, readable_duration(record.expected_s));
+  }
+  fmt::print(
+      "all runs: at most {} with {} at once, without searches for factors of safety\ncases in {}; nothing was run\n",
+      readable_duration(seconds / command.sections), command.sections, command.output);
+  return n_refused == 0 ? solved : stopped_itself;
+}
+
+int write_reach(const std::vector<PlannedSection>& plan, const AssessCommand& command)
+{
+  std::vector<ReachSection> sections;
+  int n_faults = 0;
+  for (const PlannedSection& section : plan) {
+    sections.push_back(read_section(section.folder));
+    ReachSection& s = sections.back();
+    s.record.name = section.name, s.record.file = section.file;
+    n_faults += s.is_solved ? 0 : 1;
+  }
+  const std::string now = fmt::format(
+      "{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+  write_file_atomically(path_in(command.output, page_file), reach_page(sections, command.language, now));
+  write_file_atomically(path_in(command.output, csv_file), reach_csv(sections));
+  write_file_atomically(path_in(command.output, json_file), reach_json(sections, now));
+  for (const ReachSection& s : sections) fmt::print("  {:<30} {}\n", s.record.name, printable(sentence_on(s)));
+  fmt::print("{} of {} sections have a result; page in {}, tables in {} and {}\n", plan.size() - n_faults, plan.size(),
+      path_in(command.output, page_file), csv_file, json_file);
+  return n_faults == 0 ? solved : stopped_itself;
+}
+
+}  // namespace
+
+int assess_reach(AssessCommand command)
+{
+  const int processors = available_processors();
+  if (command.sections == 0) command.sections = processors;
+  command.sections = std::min(command.sections, static_cast<int>(command.files.size()));
+  if (command.threads == 0) command.threads = std::max(1, processors / command.sections);
+  std::vector<PlannedSection> plan = plan_of(command);
+  make_folder(command.output);
+  const FolderLock lock(command.output);
+  listen_for_stop();
+  if (!Reach(plan, command).solve()) {
+    fmt::print(stderr, "stopped; what is solved is kept in {}. Go on with the same command\n", command.output);
+    return failed;
+  }
+  return command.estimate ? print_estimate(plan, command) : write_reach(plan, command);
+}
+
+}  // namespace terp

@@ -1,0 +1,35 @@
+// What `terp import` and `terp assess` make of the options that they share.
+#pragma once
+
+#include "base/errors.hpp"
+#include "commands.hpp"
+#include "dstability/case_folder.hpp"
+
+#include <optional>
+
+namespace terp {
+
+/// Throws CaseError: what is wrong, and what to do.
+[[noreturn]] void refuse_import(const std::string& what, const std::string& cure);
+/// Faults of a file in the words of the other commands.
+[[noreturn]] void refuse_import(const std::string& path, const InputError& error);
+
+std::vector<SoilKind> soil_kinds(const ImportCommand& command);
+std::optional<Vec<2>> between_of(const ImportCommand& command);
+
+/// Numbers as the list has them, from 1. Left out: the only scenario, its last stage.
+FolderOptions folder_options(const StixProject& project, const ImportCommand& command);
+
+/// Whether the trigger needs the factor of safety first.
+bool asks_for_search(const FolderTrigger& trigger);
+
+/// Finds by how much the soil must be weaker to slide. The case as it is stands in the folder afterwards, the search in
+/// its folder stability/. Throws RunError where no factor was found, or the search was stopped.
+FolderTrigger find_weakness(
+    const StixProject& project, FolderOptions options, const std::string& folder, const RunOptions& run);
+/// The same from the factors of a search that was made. Throws RunError where it found nothing.
+FolderTrigger trigger_after(std::optional<Real> stands, std::optional<Real> fails);
+
+void write_case_folder(const std::string& path, const CaseFolder& folder);
+
+}  // namespace terp

@@ -1,0 +1,94 @@
+#include "dstability/trigger.hpp"
+
+#include "base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace terp {
+namespace {
+
+constexpr Real step = 0.05;  // [m] along the section, in the search for the shore
+
+/// x at which the ground first stands at the level, from the river on; the other end where it nowhere does.
+Real shore(const StixSection& section, const RiverInStage& river, Real level)
+{
+  const Real from = river.ends[river.at_left ? 0 : 1], to = river.ends[river.at_left ? 1 : 0];
+  const Real onwards = to > from ? 1.0 : -1.0;
+  for (Real x = from + onwards * 1e-6; onwards * (to - x) > 0.0; x += onwards * step)
+    if (section.column(x).ground() >= level) return x;
+  return to;
+}
+
+/// Level from the river to the shore, then as it is.
+StixLine with_shore(StixLine line, const RiverInStage& river, Real shore, Real level)
+{
+  if (!line.empty() && line.front()[0] > line.back()[0]) std::ranges::reverse(line);
+  std::erase_if(line, [&](const Vec<2>& x) { return river.at_left ? x[0] <= shore : x[0] >= shore; });
+  const Vec<2> far{river.ends[river.at_left ? 0 : 1], level}, near{shore, level};
+  if (river.at_left)
+    line.insert(line.begin(), {far, near});
+  else
+    line.insert(line.end(), {near, far});
+  return line;
+}
+
+}  // namespace
+
+Real river_below_crest(Real height_of_dike) { return std::max(0.05, height_of_dike / 40.0); }
+
+StixStage with_river_at(const StixSection& section, const RiverInStage& river, Real level)
+{
+  StixStage stage = section.stage();
+  if (stage.water.is_mesh || !stage.water.phreatic)
+    throw InputError({stage.label, "its water is a mesh of pressures, in which no river can be raised",
+        "Make a stage with the higher river in D-Stability, and import that one.", ""});
+  const Real rise = level - river.level, over_land = river.level - river.inland;
+  for (StixHeadLine& head : stage.water.head_lines)
+    for (Vec<2>& x : head.line) {
+      const Real share =
+          over_land > 0.0 ? std::clamp((x[1] - river.inland) / over_land, 0.0, 1.0) : (x[1] >= river.level ? 1.0 : 0.0);
+      const bool is_phreatic = &head == &stage.water.head_lines[*stage.water.phreatic];
+      const Real ground = is_phreatic ? section.column(x[0]).ground() : not_given;
+      const Real risen = x[1] + share * rise;
+      x[1] = x[1] <= ground && risen > ground ? ground : risen;
+    }
+  StixLine& phreatic = stage.water.head_lines[*stage.water.phreatic].line;
+  phreatic = with_shore(phreatic, river, shore(section, river, level), level);
+  return stage;
+}
+
+RaisedRiver raise_river(const StixSection& section, const RiverInStage& river, Real asked)
+{
+  const Real highest = std::floor(100.0 * (river.crest - river_below_crest(river.height))) / 100.0;
+  const Real level = std::isnan(asked) ? highest : asked;
+  if (!(level > river.level && level <= river.crest))
+    throw InputError({section.stage().label, fmt::format("the river cannot be raised to {:.2f} m", level),
+        fmt::format("It stands at {:.2f} m in this stage, the crest at {:.2f} m. Give a level between: --trigger "
+                    "water=LEVEL.",
+            river.level, river.crest),
+        ""});
+  return {level, with_river_at(section, river, level),
+      fmt::format("Trigger: the river rises from {:.2f} to {:.2f} m, {:.2f} m below the crest. The heads in the ground "
+                  "rise in proportion to their height over the phreatic line at the land's end ({:.2f} m). Undrained "
+                  "strengths are those of this water.",
+          river.level, level, river.crest - level, river.inland)};
+}
+
+void refuse_dry_trigger(const StixStage& stage)
+{
+  throw InputError({stage.label, "there is no river to raise",
+      "No water stands on the ground at either end of the section. Try --trigger strength.", ""});
+}
+
+StixProject with_stage(StixProject project, std::size_t scenario, std::size_t after, StixStage stage)
+{
+  auto& stages = project.scenarios[scenario].stages;
+  stages.resize(after + 1);
+  stages.push_back(std::move(stage));
+  return project;
+}
+
+}  // namespace terp

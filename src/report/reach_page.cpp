@@ -1,0 +1,224 @@
+#include "report/reach_page.hpp"
+
+#include "output/run_folder.hpp"
+#include "output/svg.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+// The look of the report page (web/src/style.css) where it has the same parts.
+constexpr const char* style = R"(
+:root { font: 15px/1.5 "Segoe UI", system-ui, -apple-system, "Helvetica Neue", "Noto Sans", "Liberation Sans", Arial,
+  sans-serif; font-variant-numeric: tabular-nums; color-scheme: light; }
+body { margin: 0; background: #f3f5f7; color: #18212b; }
+h1, p, table { margin: 0; padding: 0; } h1 { font-size: 1.2rem; font-weight: 650; }
+.top { padding: 12px 24px; background: #fff; border-bottom: 1px solid #d5dbe1; }
+.muted, footer { color: #566270; font-size: 0.87rem; }
+main { padding: 16px 24px 24px; overflow-x: auto; }
+table { background: #fff; border: 1px solid #d5dbe1; border-radius: 8px; border-spacing: 0; font-size: 0.9rem; }
+th, td { padding: 6px 12px; border-top: 1px solid #eaeef2; text-align: right; vertical-align: top; }
+thead th { border-top: 0; font-weight: 650; vertical-align: bottom; }
+.text { text-align: left; } td.words { text-align: left; max-width: 26em; }
+td p + p { color: #566270; font-size: 0.87rem; }
+.verdict { font-weight: 650; } .stands .verdict { color: #00694b; } .damaged .verdict { color: #8a5a00; }
+.floods .verdict, .fault .verdict { color: #b3261e; }
+a { color: #0b5f9e; } svg { display: block; width: 210px; height: auto; }
+footer { padding: 0 24px 28px; }
+@media print { @page { size: A4 landscape; margin: 12mm; } :root { font-size: 9pt; } body { background: #fff; }
+  main { padding: 0; overflow: visible; } tr { break-inside: avoid; } th, td { padding: 3px 6px; }
+  svg { width: 40mm; } }
+)";
+
+/// A text of the page in English and Dutch.
+struct Words {
+  const char *en, *nl;
+  const char* in(bool dutch) const { return dutch ? nl : en; }
+};
+
+constexpr Words title{"Sections of a reach", "Doorsneden van een traject"},
+    counts{"{} of {} sections are solved: {} stand, {} are damaged and hold the water, {} flood. {} have no result.",
+        "{} van {} doorsneden zijn berekend: {} blijven staan, {} beschadigd maar waterkerend, {} overstromen. {} "
+        "zonder "
+        "resultaat."},
+    section{"Section", "Doorsnede"}, picture{"Ground before and after", "Maaiveld voor en na"},
+    verdict{"Verdict", "Oordeel"}, height{"Height that remains", "Resthoogte"}, freeboard{"Freeboard", "Waakhoogte"},
+    factor{"Factor of safety", "Stabiliteitsfactor"}, stored{"stored", "opgeslagen"}, time{"Time", "Rekentijd"},
+    stands{"stands", "blijft staan"}, damaged{"damaged, holds the water", "beschadigd, keert het water"},
+    floods{"floods", "overstroming"}, no_flood{"no verdict on the water", "geen oordeel over het water"},
+    refused{"refused", "geweigerd"}, failed{"failed", "mislukt"}, open{"not finished", "niet afgerond"},
+    divided{"after strengths were divided by {:g}", "nadat de sterktes door {:g} zijn gedeeld"},
+    raised{"after the river was brought to {:.2f} m", "nadat de rivier op {:.2f} m is gebracht"},
+    after_stage{"after the stage {}", "na fase {}"}, before{"As it is: {}.", "Zoals zij is: {}."},
+    report{"report page", "rapport"}, assumed{"what was assumed", "aannamen"},
+    caution{
+        "Water that would flow over is not simulated. A verdict after a trigger is not that of the section as it is.",
+        "Water dat zou overstromen is niet berekend. Een oordeel na een ingreep is niet dat van de doorsnede zoals zij "
+        "is."},
+    made{"Written {} by terp {}. The same as tables: reach.csv, reach.json.",
+        "Geschreven {} door terp {}. Hetzelfde als tabel: reach.csv, reach.json."};
+
+const Words& words_of(FloodVerdict verdict)
+{
+  return verdict == FloodVerdict::stands ? stands : verdict == FloodVerdict::damaged ? damaged : floods;
+}
+
+template <class... Args>
+std::string filled(const Words& words, bool dutch, const Args&... args)
+{
+  return fmt::format(fmt::runtime(words.in(dutch)), args...);
+}
+
+std::string paragraph(const std::string& text, const char* attributes = "")
+{
+  return text.empty() ? "" : fmt::format("<p{}>{}</p>", attributes, escaped_for_markup(text));
+}
+
+std::string trigger_in(const FloodTrigger& trigger, bool dutch)
+{
+  std::string text = trigger.at_strength != 1.0 ? filled(divided, dutch, trigger.at_strength) : "";
+  if (trigger.river) text += (text.empty() ? "" : dutch ? " en " : " and ") + filled(raised, dutch, *trigger.river);
+  return text.empty() ? filled(after_stage, dutch, trigger.stage) : text;
+}
+
+std::string metres(std::optional<Real> value)
+{
+  return value && std::isfinite(*value) ? fmt::format("{:.2f}&nbsp;m", *value) : "&ndash;";
+}
+
+std::string class_of(const ReachSection& s)
+{
+  if (!s.is_solved) return "fault";
+  const auto& flood = s.summary.flood;
+  return flood && flood->verdict ? std::string(info_of(*flood->verdict).name) : "";
+}
+
+/// The verdict with what triggered it, or why there is none.
+std::string verdict_cell(const ReachSection& s, bool dutch)
+{
+  std::string text;
+  const auto& flood = s.summary.flood;
+  if (!s.is_solved) {
+    const std::string state = state_of(s);
+    text = paragraph((state == "refused"     ? refused
+                         : state == "failed" ? failed
+                                             : open)
+                         .in(dutch),
+               " class=\"verdict\"") +
+           paragraph(s.record.fault);
+  } else if (!flood || !flood->verdict) {
+    text = paragraph(no_flood.in(dutch), " class=\"verdict\"");
+  } else {
+    const auto& trigger = flood->trigger;
+    text = paragraph(words_of(*flood->verdict).in(dutch) + (trigger ? ", " + trigger_in(*trigger, dutch) : ""),
+        " class=\"verdict\"");
+    if (trigger && trigger->before) text += paragraph(filled(before, dutch, words_of(*trigger->before).in(dutch)));
+  }
+  if (s.is_solved) text += paragraph(s.record.trigger);
+  return "<td class=\"words\">" + text + "</td>";
+}
+
+std::string name_cell(const ReachSection& s, bool dutch)
+{
+  const std::string folder = escaped_for_markup(s.record.name);
+  std::string text = s.is_solved ? fmt::format("<p><a href=\"{0}/{1}/{2}\" title=\"{3}\">{0}</a></p>", folder,
+                                       run_of_section, report_file, report.in(dutch))
+                                 : paragraph(s.record.name);
+  text += paragraph(s.record.title);
+  if (s.record.has_report) text += fmt::format("<p><a href=\"{}/report.md\">{}</a></p>", folder, assumed.in(dutch));
+  return "<th class=\"text\" scope=\"row\">" + text + "</th>";
+}
+
+std::string factor_cell(const ReachSection& s, bool dutch)
+{
+  std::string text;
+  if (s.record.factor)
+    text = paragraph(fmt::format("{:.3f} ± {:.3f}", *s.record.factor, s.record.uncertainty.value_or(0.0)));
+  if (!s.record.stored.empty())
+    text += paragraph(fmt::format("{}: {}", stored.in(dutch), stored_text(s.record)), " class=\"muted\"");
+  return "<td class=\"words\">" + text + "</td>";
+}
+
+std::string row_of(const ReachSection& s, bool dutch)
+{
+  const auto& flood = s.summary.flood;
+  const auto of_flood = [&](Real FloodSummary::*member) {
+    return s.is_solved && flood ? std::optional((*flood).*member) : std::nullopt;
+  };
+  return fmt::format("<tr class=\"{}\">{}<td>{}</td>{}<td>{}</td><td>{}</td>{}<td>{:.0f}&nbsp;s</td></tr>\n",
+      class_of(s), name_cell(s, dutch), reach_picture(s), verdict_cell(s, dutch),
+      metres(s.is_solved ? s.summary.residual_height : std::nullopt), metres(of_flood(&FloodSummary::freeboard)),
+      factor_cell(s, dutch), s.record.seconds);
+}
+
+std::string counts_in(const std::vector<ReachSection>& sections, bool dutch)
+{
+  int n[3] = {0, 0, 0}, n_solved = 0;
+  for (const ReachSection& s : sections) {
+    n_solved += s.is_solved ? 1 : 0;
+    if (const auto& flood = s.summary.flood; s.is_solved && flood && flood->verdict)
+      ++n[static_cast<int>(*flood->verdict)];
+  }
+  const auto n_all = static_cast<int>(sections.size());
+  return filled(counts, dutch, n_solved, n_all, n[0], n[1], n[2], n_all - n_solved);
+}
+
+std::string polyline(const std::vector<std::array<Real, 2>>& places, const char* style_of)
+{
+  std::string text = fmt::format("<polyline fill=\"none\" {} points=\"", style_of);
+  for (const auto& [x, y] : places) text += fmt::format("{:.1f},{:.1f} ", x, y);
+  return text + "\"/>";
+}
+
+}  // namespace
+
+std::string reach_picture(const ReachSection& section)
+{
+  constexpr Real wide = 240.0, high = 80.0, edge = 4.0;
+  std::array<Real, 2> low{1e30, 1e30}, top{-1e30, -1e30};
+  const auto reach = [&](int d, Real value) {
+    if (std::isfinite(value)) low[d] = std::min(low[d], value), top[d] = std::max(top[d], value);
+  };
+  for (const auto& [x, start, end] : section.profile) reach(0, x), reach(1, start), reach(1, end);
+  if (section.water_level) reach(1, *section.water_level);
+  if (!(low[0] < top[0] && low[1] < top[1])) return "";
+  const auto px = [&](Real x) { return edge + (x - low[0]) / (top[0] - low[0]) * (wide - 2.0 * edge); };
+  const auto py = [&](Real y) { return high - edge - (y - low[1]) / (top[1] - low[1]) * (high - 2.0 * edge); };
+  const auto line = [&](std::size_t column) {
+    std::vector<std::array<Real, 2>> places;
+    for (const auto& row : section.profile)
+      if (std::isfinite(row[column])) places.push_back({px(row[0]), py(row[column])});
+    return places;
+  };
+  std::string text = fmt::format("<svg viewBox=\"0 0 {:g} {:g}\" role=\"img\">", wide, high);
+  if (section.water_level)
+    text += polyline({{edge, py(*section.water_level)}, {wide - edge, py(*section.water_level)}},
+        "stroke=\"#3a86c8\" stroke-dasharray=\"3 3\"");
+  text += polyline(line(1), "stroke=\"#98a3ae\" stroke-width=\"1.5\"");
+  return text + polyline(line(2), "stroke=\"#18212b\" stroke-width=\"1.5\"") + "</svg>";
+}
+
+std::string reach_page(
+    const std::vector<ReachSection>& sections, const std::string& language, const std::string& written)
+{
+  const bool dutch = language == "nl";
+  std::string head;
+  for (const auto& [words, is_text] : {std::pair{&section, true}, {&picture, true}, {&verdict, true}, {&height, false},
+           {&freeboard, false}, {&factor, true}, {&time, false}})
+    head += fmt::format("<th scope=\"col\"{}>{}</th>", is_text ? " class=\"text\"" : "", words->in(dutch));
+  std::string rows;
+  for (const ReachSection& s : sections) rows += row_of(s, dutch);
+  return fmt::format(
+      "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+      "content=\"width=device-width\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<div "
+      "class=\"top\"><h1>{}</h1><p>{}</p><p class=\"muted\">{}</p></div>\n<main><table>\n<thead><tr>{}"
+      "</tr></thead>\n<tbody>\n{}</tbody></table></main>\n<footer>{}</footer>\n</body>\n</html>\n",
+      dutch ? "nl" : "en", title.in(dutch), style, title.in(dutch), counts_in(sections, dutch), caution.in(dutch), head,
+      rows, filled(made, dutch, written, TERP_VERSION));
+}
+
+}  // namespace terp

@@ -1,0 +1,255 @@
+#include "results/reach.hpp"
+
+#include "base/errors.hpp"
+
+#include "output/files.hpp"
+#include "output/run_folder.hpp"
+#include "output/summary_json.hpp"
+#include "results/section_export.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace terp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int reach_format = 1;
+
+/// Calls f(key, member) for each entry of a record: written and read alike.
+template <class Record, class F>
+void each(Record& r, F&& f)
+{
+  f("name", r.name), f("file", r.file), f("title", r.title), f("question", r.question);
+  f("case_found", r.case_found), f("run_of", r.run_of), f("step", r.step), f("fault", r.fault), f("is_done", r.is_done);
+  f("has_report", r.has_report), f("has_trigger", r.has_trigger), f("is_held", r.is_held), f("trigger", r.trigger),
+      f("factor", r.factor), f("uncertainty", r.uncertainty);
+  f("stands", r.stands), f("fails", r.fails);
+  f("cell", r.cell), f("points", r.n_points), f("expected_s", r.expected_s), f("seconds", r.seconds);
+}
+
+template <class T>
+Json value_of(const T& value)
+{
+  return value;
+}
+template <class T>
+Json value_of(const std::optional<T>& value)
+{
+  return value ? Json(*value) : Json(nullptr);
+}
+
+template <class T>
+void get(const Json& json, T& value)
+{
+  value = json.get<T>();
+}
+template <class T>
+void get(const Json& json, std::optional<T>& value)
+{
+  if (!json.is_null()) value = json.get<T>();
+}
+
+Json stored_json(const SectionRecord& record)
+{
+  Json list = Json::array();
+  for (const StoredFactor& s : record.stored)
+    list.push_back({{"method", s.method}, {"factor", s.factor}, {"stale", s.stale}});
+  return list;
+}
+
+Json record_json(const SectionRecord& record)
+{
+  Json json;
+  each(record, [&](const char* key, const auto& value) { json[key] = value_of(value); });
+  json["stored"] = stored_json(record);
+  return json;
+}
+
+Real number_in(std::string_view text)
+{
+  Real value = std::numeric_limits<Real>::quiet_NaN();
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+/// Of the table `x,start,end`.
+std::vector<std::array<Real, 3>> rows_of(const std::string& profile)
+{
+  std::vector<std::array<Real, 3>> rows;
+  std::istringstream lines(profile);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t first = line.find(','), second = line.find(',', first + 1);
+    if (second == std::string::npos) continue;
+    const std::string_view all = line;
+    const std::array<Real, 3> row{number_in(all.substr(0, first)), number_in(all.substr(first + 1, second - first - 1)),
+        number_in(all.substr(second + 1))};
+    if (std::isfinite(row[0])) rows.push_back(row);
+  }
+  return rows;
+}
+
+std::string in_quotes(const std::string& text)
+{
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : c == '\n' ? "; " : std::string(1, c);
+  return quoted + '"';
+}
+
+/// A column of reach.csv.
+struct Column {
+  const char* name;
+  std::string (*text)(const ReachSection&);
+};
+
+using S = const ReachSection&;
+
+std::string number(Real value, const char* form = "{:.4g}")
+{
+  return std::isfinite(value) ? fmt::format(fmt::runtime(form), value) : "";
+}
+std::string number(std::optional<Real> value, const char* form = "{:.4g}") { return value ? number(*value, form) : ""; }
+
+template <class F>
+std::string of_flood(S s, F&& f)
+{
+  return s.is_solved && s.summary.flood ? f(*s.summary.flood) : std::string();
+}
+
+/// In the order of the file. A new column is one entry here and a row of docs/assess.md.
+const Column columns[] = {
+    {"section", [](S s) { return in_quotes(s.record.name); }},
+    {"file", [](S s) { return in_quotes(s.record.file); }},
+    {"title", [](S s) { return in_quotes(s.record.title); }},
+    {"state", [](S s) { return state_of(s); }},
+    {"reason", [](S s) { return in_quotes(s.record.fault); }},
+    {"verdict",
+        [](S s) {
+          return of_flood(
+              s, [](const FloodSummary& f) { return std::string(f.verdict ? info_of(*f.verdict).name : ""); });
+        }},
+    {"trigger",
+        [](S s) {
+          return of_flood(
+              s, [](const FloodSummary& f) { return in_quotes(f.trigger ? trigger_words(*f.trigger) : ""); });
+        }},
+    {"verdict_before",
+        [](S s) {
+          return of_flood(s, [](const FloodSummary& f) {
+            return f.trigger && f.trigger->before ? std::string(info_of(*f.trigger->before).name) : std::string();
+          });
+        }},
+    {"water_level_m",
+        [](S s) { return of_flood(s, [](const FloodSummary& f) { return number(f.water_level, "{:.2f}"); }); }},
+    {"residual_height_m", [](S s) { return s.is_solved ? number(s.summary.residual_height, "{:.2f}") : ""; }},
+    {"freeboard_m",
+        [](S s) { return of_flood(s, [](const FloodSummary& f) { return number(f.freeboard, "{:.2f}"); }); }},
+    {"width_at_level_m",
+        [](S s) { return of_flood(s, [](const FloodSummary& f) { return number(f.width_at_level, "{:.2f}"); }); }},
+    {"first_slide_s", [](S s) { return s.is_solved ? number(s.summary.first_slide_time, "{:.2f}") : ""; }},
+    {"floods_from_s",
+        [](S s) { return of_flood(s, [](const FloodSummary& f) { return number(f.first_time_below, "{:.2f}"); }); }},
+    {"factor", [](S s) { return number(s.record.factor, "{:.3f}"); }},
+    {"factor_uncertainty", [](S s) { return number(s.record.uncertainty, "{:.3f}"); }},
+    {"stored_factors", [](S s) { return in_quotes(stored_text(s.record)); }},
+    {"cell_m", [](S s) { return number(s.record.cell); }},
+    {"points", [](S s) { return fmt::format("{}", s.record.n_points); }},
+    {"expected_s", [](S s) { return number(s.record.expected_s, "{:.0f}"); }},
+    {"seconds", [](S s) { return number(s.record.seconds, "{:.0f}"); }},
+};
+
+}  // namespace
+
+std::string record_text(const SectionRecord& record) { return record_json(record).dump(2) + "\n"; }
+
+SectionRecord read_record(const std::string& folder)
+{
+  SectionRecord record;
+  try {
+    const Json json = Json::parse(read_file(path_in(folder, record_file)));
+    each(record, [&](const char* key, auto& value) { get(json.at(key), value); });
+    for (const Json& s : json.at("stored"))
+      record.stored.push_back(
+          {s.at("method").get<std::string>(), s.at("factor").get<Real>(), s.at("stale").get<bool>()});
+    return record;
+  } catch (const FileError&) {
+  } catch (const Json::exception&) {
+  }
+  return {};
+}
+
+ReachSection read_section(const std::string& folder)
+{
+  ReachSection section{.record = read_record(folder)};
+  const std::string run = path_in(folder, run_of_section);
+  if (!section.record.is_done || !section.record.fault.empty()) return section;
+  try {
+    SavedSummary saved = read_summary(path_in(run, summary_file));
+    section.is_solved = saved.finished;
+    section.summary = std::move(saved.values);
+    if (section.summary.flood) section.water_level = section.summary.flood->water_level;
+    section.profile = rows_of(export_section(read_run(run)).profile);
+  } catch (const FileError& error) {
+    section.record.fault = error.what();
+  }
+  return section;
+}
+
+std::string state_of(const ReachSection& section)
+{
+  if (section.is_solved) return "solved";
+  if (section.record.fault.empty()) return "not finished";
+  return section.record.step == "import" || section.record.step == "check" ? "refused" : "failed";
+}
+
+std::string sentence_on(const ReachSection& section)
+{
+  if (!section.is_solved) return fmt::format("{}: {}", state_of(section), section.record.fault);
+  return section.summary.flood ? flood_clause(*section.summary.flood)
+                               : "solved; the case asks for no verdict on the water";
+}
+
+std::string stored_text(const SectionRecord& record)
+{
+  std::string text;
+  for (const StoredFactor& s : record.stored)
+    text += fmt::format("{}{} {:.3f}{}", text.empty() ? "" : ", ", s.method, s.factor, s.stale ? " (stale)" : "");
+  return text;
+}
+
+std::string reach_csv(const std::vector<ReachSection>& sections)
+{
+  std::string text;
+  for (const Column& column : columns) text += fmt::format("{}{}", text.empty() ? "" : ",", column.name);
+  for (const ReachSection& section : sections) {
+    std::string row;
+    for (const Column& column : columns) row += (&column == columns ? "" : ",") + column.text(section);
+    text += '\n' + row;
+  }
+  return text + '\n';
+}
+
+std::string reach_json(const std::vector<ReachSection>& sections, const std::string& written)
+{
+  Json list = Json::array();
+  for (const ReachSection& section : sections) {
+    Json json = record_json(section.record);
+    json["state"] = state_of(section);
+    json["flood"] = section.is_solved ? flood_json(section.summary) : Json(nullptr);
+    json["residual_height"] = value_of(section.is_solved ? section.summary.residual_height : std::nullopt);
+    json["first_slide_time"] = value_of(section.is_solved ? section.summary.first_slide_time : std::nullopt);
+    list.push_back(std::move(json));
+  }
+  return Json{{"format", reach_format}, {"terp_version", TERP_VERSION}, {"written", written}, {"sections", list}}.dump(
+             2) +
+         "\n";
+}
+
+}  // namespace terp

@@ -1,0 +1,76 @@
+// A reach of sections, each imported and solved in a folder of its own: what became of them, as tables for programs.
+// Not for: solving them (app/assess), the page (report/reach_page).
+#pragma once
+
+#include "simulation/summary.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace terp {
+
+/// A result that the file of a section holds.
+struct StoredFactor {
+  std::string method = {};  ///< "Bishop", "UpliftVanParticleSwarm"
+  Real factor = 0.0;        ///< [-]
+  bool stale = false;       ///< of another section than the one in the file
+};
+
+/// What section.json holds: written after each step, so that a later process goes on with the next one.
+struct SectionRecord {
+  std::string name = {};            ///< of its folder
+  std::string file = {};            ///< as the user gave it
+  std::string title = {};           ///< of the case
+  std::string question = {};        ///< digits that change with the file and the options
+  std::string case_found = {};      ///< digits of the case file that the results are of
+  std::string run_of = {};          ///< digits of the case that the run was begun with
+  std::string step = {};            ///< the last one that was begun: "import", "check", "stability", "run"
+  std::string fault = {};           ///< why there is no result; empty: none so far
+  bool is_done = false;             ///< all steps were made, or one has failed
+  bool has_report = false;          ///< it was imported: report.md says what was assumed
+  bool has_trigger = false;         ///< the case has its trigger, or needs none
+  bool is_held = false;             ///< it does not stand by itself, and is held until it is at rest
+  std::string trigger = {};         ///< why it has none, if one was asked for
+  std::optional<Real> factor = {};  ///< of safety, by strength reduction [-]
+  std::optional<Real> uncertainty = {};
+  std::optional<Real> stands = {}, fails = {};  ///< factors between which it lies
+  std::vector<StoredFactor> stored = {};
+  Real cell = 0.0;            ///< size [m]
+  std::int64_t n_points = 0;  ///< material points
+  double expected_s = 0.0;    ///< of the run, before it
+  double seconds = 0.0;       ///< spent on it, without what a killed process spent
+};
+
+std::string record_text(const SectionRecord& record);
+/// An empty record where there is none, or none that can be read.
+SectionRecord read_record(const std::string& folder);
+
+inline constexpr const char* record_file = "section.json";
+inline constexpr const char* run_of_section = "run";  ///< folder of its run, in its own
+
+/// A section with what its run says.
+struct ReachSection {
+  SectionRecord record;
+  bool is_solved = false;                         ///< its run has come to its end
+  Summary summary = {};                           ///< of such a run
+  std::vector<std::array<Real, 3>> profile = {};  ///< x, ground at the start and at the end [m]; NaN: none there
+  std::optional<Real> water_level = {};           ///< [m]
+};
+
+/// What there is in the folder of a section.
+ReachSection read_section(const std::string& folder);
+
+/// "solved", "refused", "stopped itself", "not finished".
+std::string state_of(const ReachSection& section);
+/// Its verdict, or why it has none.
+std::string sentence_on(const ReachSection& section);
+/// "Bishop 1.004, Spencer 1.085 (stale)"; empty: none.
+std::string stored_text(const SectionRecord& record);
+
+/// One line per section.
+std::string reach_csv(const std::vector<ReachSection>& sections);
+std::string reach_json(const std::vector<ReachSection>& sections, const std::string& written);
+
+}  // namespace terp

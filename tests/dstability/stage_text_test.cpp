@@ -1,0 +1,52 @@
+// Stages of an imported case as text.
+#include "dstability/stage_text.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+std::string lines_of(const CaseTableText& table)
+{
+  std::string text = table.header;
+  for (const CaseLine& line : table.lines) text += "; " + line.key + " = " + line.value;
+  return text;
+}
+
+TEST(StageText, OfOneStageThereAreNoneUnlessItIsHeld)
+{
+  EXPECT_TRUE(stage_tables({.analysed = "Stage 1"}).empty());
+  const auto held = stage_tables({.analysed = "Stage 1", .is_held = true});
+  ASSERT_EQ(held.size(), 2u);
+  EXPECT_EQ(lines_of(held[0]),
+      "[[stage]]; name = \"held\"; until = \"at_rest\"; at_most = 20.0; set = { at_strength = 0.5 }");
+  EXPECT_EQ(lines_of(held[1]),
+      "[[stage]]; name = \"stage_1\"; until = \"at_rest\"; at_most = 30.0; set = { at_strength = 1.0 }");
+}
+
+TEST(StageText, GoesFromTheFirstStageToTheAnalysedOne)
+{
+  const auto tables =
+      stage_tables({.first = "Daily", .analysed = "Daily", .water = "high", .sets = {"\"load.q.pressure\" = 5000"}});
+  ASSERT_EQ(tables.size(), 2u);
+  EXPECT_EQ(lines_of(tables[0]),
+      "[[stage]]; name = \"daily\"; until = \"at_rest\"; at_most = 20.0; set = { \"forces.damping.local\" = 0.5 }");
+  EXPECT_EQ(lines_of(tables[1]),
+      "[[stage]]; name = \"daily_2\"; water = \"high\"; ramp = 10.0; until = \"at_rest\"; at_most = 30.0; set = { "
+      "\"forces.damping.local\" = 0.05, \"load.q.pressure\" = 5000 }; reset_displacement = true");
+}
+
+TEST(StageText, ATriggerIsTheLastStage)
+{
+  const auto tables =
+      stage_tables({.analysed = "Stage 1", .trigger = {.name = "weaker_soil", .sets = {"at_strength = 1.2"}}});
+  ASSERT_EQ(tables.size(), 2u);
+  EXPECT_EQ(lines_of(tables[0]), "[[stage]]; name = \"stage_1\"; until = \"at_rest\"; at_most = 30.0");
+  EXPECT_EQ(lines_of(tables[1]),
+      "[[stage]]; name = \"weaker_soil\"; trigger = true; until = \"at_rest\"; at_most = 30.0; set = { at_strength = "
+      "1.2 "
+      "}; reset_displacement = true");
+  const auto water =
+      stage_tables({.analysed = "Stage 1", .trigger = {.name = "raised_river", .water = "raised_water"}});
+  EXPECT_THAT(lines_of(water[1]), HasSubstr("trigger = true; water = \"raised_water\"; ramp = 10.0; until"));
+}
+
+}  // namespace

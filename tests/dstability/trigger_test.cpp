@@ -1,0 +1,126 @@
+// The river of a stage at another level, and the case that goes there.
+#include "dstability/case_folder.hpp"
+#include "dstability/read_stix.hpp"
+#include "dstability/sections.hpp"
+#include "dstability/trigger.hpp"
+#include "support/paths.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+/// A dike of 4 m on ground at 0 m, its slopes of 1:2; river of 2 m at the left, a head of 1 m below.
+StixProject dike()
+{
+  StixStage stage = clay_on_sand();
+  stage.layers[0].outline = {
+      {-20.0, 0.0}, {-4.0, 0.0}, {4.0, 4.0}, {8.0, 4.0}, {16.0, 0.0}, {40.0, 0.0}, {40.0, -6.0}, {-20.0, -6.0}};
+  stage.layers[1] = box_layer("sand", {-20.0, -10.0}, {40.0, -6.0}, 0);
+  stage.water.head_lines = {
+      {.id = "p", .label = "phreatic", .line = {{-20.0, 2.0}, {0.0, 2.0}, {16.0, -1.0}, {40.0, -1.0}}},
+      {.id = "h", .label = "aquifer", .line = {{-20.0, 1.0}, {40.0, 0.5}}}};
+  stage.water.reference_lines = {
+      {.label = "top", .line = {{-20.0, -6.0}, {40.0, -6.0}}, .top_head = 1, .bottom_head = 1}};
+  return project_of({stage});
+}
+
+constexpr RiverInStage river{.at_left = true, .ends = {-20.0, 40.0}, .level = 2.0, .inland = -1.0};
+
+TEST(Trigger, TheRiverRisesToTheShoreAndHeadsInProportion)
+{
+  const StixProject project = dike();
+  const StixStage stage = with_river_at(StixSection(project, 0, 0, StixBasis::deterministic), river, 3.2);
+  const StixLine& phreatic = stage.water.head_lines[0].line;
+  ASSERT_EQ(phreatic.size(), 4u);
+  EXPECT_EQ(phreatic[0], (Vec<2>{-20.0, 3.2}));
+  EXPECT_NEAR(phreatic[1][0], 2.4, 0.051);  // the slope is at 3.2 m there
+  EXPECT_EQ(phreatic[1][1], 3.2);
+  EXPECT_EQ(phreatic[2], (Vec<2>{16.0, -1.0}));
+  const StixLine& aquifer = stage.water.head_lines[1].line;
+  EXPECT_NEAR(aquifer[0][1], 1.0 + 1.2 * 2.0 / 3.0, 1e-12);  // 2 m over the land of -1 m, the river 3 m
+  EXPECT_NEAR(aquifer[1][1], 0.5 + 1.2 * 1.5 / 3.0, 1e-12);
+}
+
+TEST(Trigger, ARiverAtTheRightRisesLikeItsMirrorImage)
+{
+  StixProject project = dike();
+  StixStage& stage = project.scenarios[0].stages[0];
+  const auto mirror = [](StixLine& line) {
+    for (Vec<2>& x : line) x[0] = 20.0 - x[0];
+    std::ranges::reverse(line);
+  };
+  for (StixLayer& layer : stage.layers) mirror(layer.outline);
+  for (StixHeadLine& head : stage.water.head_lines) mirror(head.line);
+  for (StixReferenceLine& line : stage.water.reference_lines) mirror(line.line);
+  RiverInStage right = river;
+  right.at_left = false;
+  right.ends = {-20.0, 40.0};
+  const StixStage raised = with_river_at(StixSection(project, 0, 0, StixBasis::deterministic), right, 3.2);
+  const StixLine& phreatic = raised.water.head_lines[0].line;
+  ASSERT_EQ(phreatic.size(), 4u);
+  EXPECT_EQ(phreatic[3], (Vec<2>{40.0, 3.2}));
+  EXPECT_NEAR(phreatic[2][0], 20.0 - 2.4, 0.051);
+  EXPECT_EQ(phreatic[1], (Vec<2>{4.0, -1.0}));
+}
+
+TEST(Trigger, GroundThatWasDryStaysSo)
+{
+  StixProject project = dike();
+  project.scenarios[0].stages[0].water.head_lines[0].line[2] = {14.0, 0.9};  // the slope is at 1 m there
+  const StixStage stage = with_river_at(StixSection(project, 0, 0, StixBasis::deterministic), river, 3.5);
+  EXPECT_NEAR(stage.water.head_lines[0].line[2][1], 1.0, 1e-9);
+}
+
+TEST(Trigger, WaterOfAMeshIsRefused)
+{
+  StixProject project = dike();
+  project.scenarios[0].stages[0].water.is_mesh = true;
+  project.scenarios[0].stages[0].water.mesh = {
+      {.corners = {{{-20.0, -10.0}, {40.0, -10.0}, {0.0, 4.0}}}, .pressure = {}}};
+  EXPECT_THAT(
+      refusal<InputError>([&] { with_river_at(StixSection(project, 0, 0, StixBasis::deterministic), river, 3.0); }),
+      HasSubstr("its water is a mesh of pressures, in which no river can be raised"));
+}
+
+CaseFolder folder_with(const FolderTrigger& trigger, const StixProject& project = dike())
+{
+  return case_folder_of(project, {.kinds = read_soil_defaults("table", soil_defaults_table()), .trigger = trigger});
+}
+
+TEST(Trigger, OfWeakerSoilIsALastStageThatTheReportExplains)
+{
+  const CaseFolder folder = folder_with({TriggerKind::strength, 1.25, "It was given."});
+  EXPECT_THAT(
+      folder.files.front().second, HasSubstr("name               = \"weaker_soil\"\ntrigger            = true"));
+  EXPECT_THAT(folder.files.front().second, HasSubstr("{ at_strength = 1.25 }"));
+  EXPECT_THAT(folder.files.back().second,
+      HasSubstr(
+          "## Trigger: what makes the section fail\n\n- Trigger: all strengths are divided by 1.25. It was given.\n"));
+  const CaseFolder none = folder_with({.origin = "No trigger was needed."});
+  EXPECT_THAT(none.files.front().second, testing::Not(HasSubstr("trigger")));
+  EXPECT_THAT(none.files.back().second, HasSubstr("- No trigger was needed.\n"));
+}
+
+TEST(Trigger, OfWaterBringsTheRiverToTheCrestAndStrengthsFollowIt)
+{
+  const std::string text = folder_with({.kind = TriggerKind::water}).files.front().second;
+  EXPECT_THAT(text, HasSubstr("water_level = 3.9"));  // 4 m less a fortieth of 4 m
+  EXPECT_THAT(text, HasSubstr("# m: that of the trigger"));
+  EXPECT_THAT(text, HasSubstr("\"material.clay_below.su_peak.shansep.water\" = \"raised_water\""));
+  EXPECT_THAT(text, HasSubstr("water              = \"raised_water\""));
+  EXPECT_THAT(folder_with({TriggerKind::water, 3.0}).files.front().second, HasSubstr("water_level = 3.0"));
+}
+
+TEST(Trigger, OfWaterNeedsARiverBelowTheCrest)
+{
+  const auto said = [](const FolderTrigger& trigger, const StixProject& project) {
+    return refusal<InputError>([&] { folder_with(trigger, project); });
+  };
+  EXPECT_THAT(said({TriggerKind::water, 1.5}, dike()),
+      HasSubstr("the river cannot be raised to 1.50 m\n  It stands at 2.00 m in this stage, the crest at 4.00 m."));
+  EXPECT_THAT(said({TriggerKind::water, 4.5}, dike()), HasSubstr("the river cannot be raised to 4.50 m"));
+  StixProject dry = dike();
+  dry.scenarios[0].stages[0].water.head_lines[0].line = {{0.0, -2.0}};
+  EXPECT_THAT(said({.kind = TriggerKind::water}, dry), HasSubstr("there is no river to raise"));
+}
+
+}  // namespace

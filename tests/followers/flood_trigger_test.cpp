@@ -1,0 +1,77 @@
+// Verdicts on the water of a section that was made to fail.
+#include "followers/flood_dike.hpp"
+
+namespace {
+
+/// The dike with a stage that changes nothing, one of weaker soil, and one with a higher river.
+Case triggered_dike()
+{
+  Case c = dike();
+  c.at_strength = 1.25;
+  c.flood.river = RiverSide::left;
+  c.water.situations = {{.name = "raised", .phreatic_line = {{0.0, 4.5}, {40.0, 1.0}}}};
+  for (const char* name : {"as_it_is", "weaker", "higher"}) {
+    StageCase stage;
+    stage.name = name, stage.duration = 1.0;
+    auto changed = std::make_shared<Case>(c);
+    changed->stages.clear();
+    changed->at_strength = c.stages.empty() ? 1.0 : 1.25;
+    stage.changed = changed;
+    c.stages.push_back(stage);
+  }
+  c.stages[2].trigger = true, c.stages[2].water = "raised";
+  return c;
+}
+
+/// Its verdict in a stage. The first one has taken 2 s, damage and flood are of these times.
+FloodSummary verdict_in_stage(std::size_t number, Case c)
+{
+  c.at_strength = c.stages[number].changed->at_strength;
+  Drawn s;
+  s.become([](Vec<2> p) { return p; }).become([](Vec<2> p) { return Vec<2>{p[0], 0.7 * p[1]}; });  // from 1.3 s on
+  s.model.description.stages = c.stages, s.model.description.water = c.water;
+  s.model.description.at_strength = c.at_strength, s.model.flood_level.river = Facing::left;
+  s.state.stage = static_cast<int>(number);
+  s.state.stages_done.assign(number, {.start = 0.0, .end = 1.0});
+  return s.flood();
+}
+
+TEST(Flood, AVerdictUnderATriggerSaysSoAndWhatItWasBefore)
+{
+  const Case c = triggered_dike();
+  EXPECT_FALSE(verdict_in_stage(0, c).trigger);
+  const FloodSummary weaker = verdict_in_stage(1, c);
+  ASSERT_TRUE(weaker.trigger);
+  EXPECT_EQ(weaker.trigger->stage, "weaker");
+  EXPECT_EQ(weaker.trigger->at_strength, 1.25);
+  EXPECT_EQ(weaker.trigger->before, FloodVerdict::stands);
+  EXPECT_FALSE(weaker.trigger->river);
+  EXPECT_THAT(flood_clause(weaker),
+      testing::StartsWith("after strengths were divided by 1.25 (before that: stands): floods, from 1.30 s on:"));
+  EXPECT_THAT(flood_clause(verdict_in_stage(2, c)),
+      testing::StartsWith("after strengths were divided by 1.25 and the river brought to 4.50 m (before that: "));
+}
+
+TEST(Flood, DamageBeforeTheTriggerIsOfTheSectionAsItIs)
+{
+  Case c = triggered_dike();
+  c.stages[1].trigger = true;  // strengths are divided in the first stage, too
+  auto first = std::make_shared<Case>(*c.stages[0].changed);
+  first->at_strength = 1.25;
+  c.stages[0].changed = first;
+  EXPECT_FALSE(verdict_in_stage(1, c).trigger->before);
+  EXPECT_EQ(verdict_in_stage(1, c).trigger->stage, "as_it_is");
+  EXPECT_THAT(flood_clause(verdict_in_stage(1, c)), testing::StartsWith("after strengths were divided by 1.25: "));
+}
+
+TEST(Flood, OfDividedStrengthsWithoutStagesIsUnderATrigger)
+{
+  Drawn s;
+  EXPECT_FALSE(s.flood().trigger);
+  s.model.description.at_strength = 1.5;
+  EXPECT_EQ(s.flood().trigger->at_strength, 1.5);
+  EXPECT_EQ(trigger_words({.stage = "traffic"}), "after the stage `traffic`");
+  EXPECT_EQ(trigger_words({.stage = "w", .river = 3.0}), "after the river was brought to 3.00 m");
+}
+
+}  // namespace

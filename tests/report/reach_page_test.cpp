@@ -1,0 +1,64 @@
+// The page of a reach.
+#include "report/reach_page.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+ReachSection section_with(FloodVerdict verdict, const std::string& name)
+{
+  ReachSection section{.record = {.name = name, .title = "High & low"}, .is_solved = true};
+  section.summary.residual_height = 3.5;
+  section.summary.flood.emplace();
+  section.summary.flood->verdict = verdict;
+  section.summary.flood->freeboard = -0.5;
+  section.record.factor = 1.11, section.record.uncertainty = 0.01;
+  section.record.stored = {{"Bishop", 1.004, false}};
+  section.profile = {{0.0, 1.0, 1.0}, {5.0, 5.0, 3.5}, {10.0, 1.0, 2.0}};
+  section.water_level = 4.0;
+  return section;
+}
+
+std::vector<ReachSection> sample()
+{
+  ReachSection slid = section_with(FloodVerdict::floods, "b");
+  slid.summary.flood->trigger =
+      FloodTrigger{.stage = "weaker_soil", .at_strength = 1.12, .river = 3.5, .before = FloodVerdict::stands};
+  ReachSection refused{.record = {.name = "c", .step = "import", .fault = "it is <no> zip file"}};
+  return {section_with(FloodVerdict::stands, "a"), slid, refused};
+}
+
+TEST(ReachPage, HasTheVerdictOfEachSectionAndALink)
+{
+  const std::string page = reach_page(sample(), "en", "2026-01-02T03:04:05Z");
+  EXPECT_THAT(page, testing::StartsWith("<!doctype html>\n<html lang=\"en\">"));
+  EXPECT_THAT(
+      page, HasSubstr("2 of 3 sections are solved: 1 stand, 0 are damaged and hold the water, 1 flood. 1 have no"));
+  EXPECT_THAT(page, HasSubstr("<a href=\"a/run/report.html\" title=\"report page\">a</a>"));
+  EXPECT_THAT(page, HasSubstr("<p>High &amp; low</p>"));
+  EXPECT_THAT(page, HasSubstr("<p class=\"verdict\">refused</p><p>it is &lt;no&gt; zip file</p>"));
+  EXPECT_THAT(page, HasSubstr("<p>1.110 ± 0.010</p><p class=\"muted\">stored: Bishop 1.004</p>"));
+  EXPECT_THAT(page, HasSubstr("3.50&nbsp;m</td><td>-0.50&nbsp;m"));
+  EXPECT_THAT(page, testing::Not(HasSubstr("http")));
+}
+
+TEST(ReachPage, SaysATriggerInTheVerdictItself)
+{
+  EXPECT_THAT(reach_page(sample(), "en", ""),
+      HasSubstr("<p class=\"verdict\">floods, after strengths were divided by 1.12 and after the river was brought to "
+                "3.50 m</p><p>As it is: stands.</p>"));
+  EXPECT_THAT(reach_page(sample(), "nl", ""),
+      HasSubstr(
+          "<p class=\"verdict\">overstroming, nadat de sterktes door 1.12 zijn gedeeld en nadat de rivier op 3.50 m "
+          "is gebracht</p><p>Zoals zij is: blijft staan.</p>"));
+}
+
+TEST(ReachPage, DrawsTheGroundBeforeAndAfter)
+{
+  const std::string picture = reach_picture(sample().front());
+  EXPECT_THAT(picture, HasSubstr("points=\"4.0,76.0 120.0,4.0 236.0,76.0 \""));
+  EXPECT_THAT(picture, HasSubstr("points=\"4.0,76.0 120.0,31.0 236.0,58.0 \""));
+  EXPECT_THAT(picture, HasSubstr("stroke-dasharray=\"3 3\" points=\"4.0,22.0 236.0,22.0 \""));
+  EXPECT_EQ(reach_picture({}), "");
+}
+
+}  // namespace
