@@ -85,8 +85,8 @@ TEST(CommandLine, NamesAWordThatIsNoCommandAndTheNearestThatIs)
   EXPECT_EQ(f.status, 2);
   EXPECT_EQ(f.out, "");
   EXPECT_EQ(f.err,
-      "error: there is no command `rnu`\n  Did you mean `run`?\n  Commands: run, resume, stability, converge, watch, "
-      "report, compare, export, check, explain, list, schema, bench, verify, import\n"
+      "error: there is no command `rnu`\n  Did you mean `run`?\n  Commands: run, resume, stability, converge, study, "
+      "watch, report, compare, export, check, explain, list, schema, bench, verify, import, assess\n"
       "Usage: terp COMMAND [options]; see terp --help\n");
   EXPECT_THAT(test::terp({"bogus"}).err, StartsWith("error: there is no command `bogus`\n  Commands: run, "));
   EXPECT_THAT(test::terp({"cases/a.toml"}).err, HasSubstr("  To solve that case: terp run cases/a.toml\n"));

@@ -1,7 +1,7 @@
 // What happened in a run, in sentences: the numbers of summary.json and of the events, in the words of texts.ts.
 // Nothing is worked out here.
 
-import type { RunMeta, Slide } from "../data/format";
+import type { RunMeta, Slide, Trigger } from "../data/format";
 import type { Run } from "../data/run";
 import { schemeLabel, spoken } from "./labels";
 import { columnPlace, fixed, metres, numberText, percent, withUnit } from "./numbers";
