@@ -1,6 +1,8 @@
 // All words of the page, in English and Dutch. {name} stands for a value. Labels of fields and columns come from the
 // program in English; their Dutch is in quantities.ts.
 
+import { DIKE_TEXTS } from "./texts_dike";
+
 export type Language = "en" | "nl";
 export const LANGUAGES: { code: Language; name: string }[] =
   [{ code: "en", name: "English" }, { code: "nl", name: "Nederlands" }];
@@ -176,92 +178,7 @@ export const TEXTS = {
   over_frames: ["Its {label} over the frames", "{label} van dit punt over de beelden"],
   left_mesh: ["left", "weg"],
 
-  // The dike: verdict
-  verdict: ["Verdict", "Oordeel"],
-  verdict_stands: ["Stands", "Blijft staan"],
-  verdict_damaged: ["Damaged, holds the water", "Beschadigd, keert het water"],
-  verdict_floods: ["Floods", "Overstroming"],
-  verdict_none: ["No verdict on the water", "Geen oordeel over het water"],
-  verdict_running: ["No verdict yet: not at its end", "Nog geen oordeel: niet aan het einde"],
-  stands_text: ["No slide, and the crest keeps its height: it stands {freeboard} over the water at {level}.",
-    "Geen afschuiving, en de kruin houdt zijn hoogte: hij ligt {freeboard} boven het water op {level}."],
-  damaged_text: ["Damaged from {time} on. At the end the highest ground stands at {height}, {freeboard} over the " +
-    "water at {level}: it still holds the water.",
-  "Beschadigd vanaf {time}. Aan het einde ligt de resthoogte op {height}, {freeboard} boven het water op {level}: " +
-    "het restprofiel keert het water nog."],
-  floods_below_text: ["It floods from {time} on. At the end the highest ground stands at {height}, {below} below the " +
-    "water at {level}.",
-  "Overstroming vanaf {time}. Aan het einde ligt de resthoogte op {height}, {below} onder het water op {level}."],
-  floods_text: ["It floods from {time} on. At the end the highest ground stands at {height}, {freeboard} over the " +
-    "water at {level}: less than the case demands of height or width.",
-  "Overstroming vanaf {time}. Aan het einde ligt de resthoogte op {height}, {freeboard} boven het water op {level}: " +
-    "minder hoog of minder breed dan de invoer eist."],
-  no_verdict_text: ["The summary holds none: the case has no water level, and no free water to take it from.",
-    "De samenvatting heeft er geen: de invoer heeft geen waterstand, en geen vrij water om hem uit af te leiden."],
-  running_text: ["It has come to {time}. The verdict follows when it ends.",
-    "Zij is tot {time} gekomen. Het oordeel volgt wanneer zij eindigt."],
-  so_far_text: ["The run has come to {time}. Up to there no slide, and the crest keeps its height. The verdict " +
-    "follows at its end.",
-  "De berekening is tot {time} gekomen. Tot daar geen afschuiving, en de kruin houdt zijn hoogte. Het oordeel volgt " +
-    "aan het einde."],
-  so_far_damaged_text: ["The run has come to {time}. It is damaged from {from} on; the highest ground so far stands " +
-    "at {height}, {freeboard} over the water at {level}. The verdict follows at its end.",
-  "De berekening is tot {time} gekomen. Beschadigd vanaf {from}; de resthoogte is tot nu toe {height}, {freeboard} " +
-    "boven het water op {level}. Het oordeel volgt aan het einde."],
-  so_far_none_text: ["The run has come to {time}, and has not reached its end.",
-    "De berekening is tot {time} gekomen, en nog niet aan het einde."],
-  note_rest: ["The soil had not come to rest at the end: its fastest node moved with {speed}.",
-    "De grond was aan het einde niet tot rust gekomen: de snelste knoop bewoog met {speed}."],
-  note_side: ["Soil came to the side “{side}” of the mesh at {time}, which acts on it from then on.",
-    "Grond bereikte op {time} de rand “{side}” van het rekenrooster, die er vanaf dan op werkt."],
-  note_side_rose: ["Soil rose at the side “{side}” of the mesh by {time}, which holds it back.",
-    "Grond kwam tot {time} omhoog bij de rand “{side}” van het rekenrooster, die haar tegenhoudt."],
-  note_gap: ["Up to {depth} of water stand where ground slid away, as the phreatic line does not follow the soil. " +
-    "This water supports what still stands: the verdict is on the unsafe side.",
-  "Waar grond is afgeschoven staat tot {depth} water, want de freatische lijn volgt de grond niet. Dit water steunt " +
-    "wat nog staat: het oordeel is aan de onveilige kant."],
-  trigger_strength: ["after strengths were divided by {factor}", "nadat de sterktes door {factor} zijn gedeeld"],
-  trigger_river: ["after the river was brought to {level}", "nadat de rivier op {level} is gebracht"],
-  trigger_and: [" and ", " en "],
-  trigger_stage: ["after the stage “{stage}”", "na fase “{stage}”"],
-  before_trigger_stands: ["As it is, the section stands.", "Zoals zij is, blijft de doorsnede staan."],
-  before_trigger_damaged: ["As it is, the section is damaged and holds the water.",
-    "Zoals zij is, raakt de doorsnede beschadigd en keert zij het water."],
-  before_trigger_floods: ["It floods already as the section is.", "Ook zoals de doorsnede is, stroomt zij over."],
-  not_simulated: ["Water that would flow over is not simulated.", "Overlopend water is niet berekend."],
-  tile_slide: ["First slide", "Eerste afschuiving"],
-  tile_entry: ["Entry point", "Intredepunt"],
-  tile_retrogression: ["Retrogression", "Vervolgafschuivingen"],
-  tile_crest: ["Height that remains", "Resthoogte"],
-  tile_freeboard: ["Freeboard", "Waakhoogte"],
-  tile_width: ["Width at the water", "Restbreedte"],
-  none: ["none", "geen"],
-  unknown: ["not known", "niet bekend"],
-  until_end: ["until the end, {time}", "tot het einde, {time}"],
-  until_now: ["so far, to {time}", "tot nu toe, tot {time}"],
-  side_land: ["on the land's side", "aan de landzijde"],
-  side_river: ["on the river's side", "aan de rivierzijde"],
-  side_left: ["on the slope to the left", "op het talud links"],
-  side_right: ["on the slope to the right", "op het talud rechts"],
-  in_stage: ["{time} after stage “{stage}” began", "{time} na het begin van fase “{stage}”"],
-  zone_crest: ["in the crest", "in de kruin"],
-  zone_beyond_crest: ["behind the crest, in {other}", "achter de kruin, in {other}"],
-  zone_upper_half: ["in the upper half of {slope}", "in de bovenste helft van {slope}"],
-  zone_lower_half: ["in the lower half of {slope}, or beyond its toe",
-    "in de onderste helft van {slope}, of voorbij de teen"],
-  slope: ["the slope", "het talud"],
-  other_slope: ["the other slope", "het andere talud"],
-  inner_slope: ["the inner slope", "het binnentalud"],
-  outer_slope: ["the outer slope", "het buitentalud"],
-  no_slip: ["no slip surface was found", "er is geen glijvlak gevonden"],
-  further_slides: ["{n} more", "nog {n}"],
-  no_further: ["none", "geen"],
-  crest_back: ["crest back from x = {from} to {to}", "kruin terug van x = {from} naar {to}"],
-  by_columns: ["(by columns of {column})", "(per kolom van {column})"],
-  other_slope_slides: ["{n} on the other slope", "{n} op het andere talud"],
-  crest_was: ["was {height}", "was {height}"],
-  water_at: ["water at {level}", "water op {level}"],
-  intact_of: ["{width} of it intact", "waarvan {width} intact"],
+  ...DIKE_TEXTS,
 
   // What happened
   what_happened: ["What happened", "Wat er gebeurde"],
