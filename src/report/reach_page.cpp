@@ -26,7 +26,7 @@ thead th { border-top: 0; font-weight: 650; vertical-align: bottom; }
 .text { text-align: left; } td.words { text-align: left; max-width: 26em; }
 td p + p { color: #566270; font-size: 0.87rem; }
 .verdict { font-weight: 650; } .stands .verdict { color: #00694b; } .damaged .verdict { color: #8a5a00; }
-.floods .verdict, .fault .verdict { color: #b3261e; }
+.floods .verdict, .fault .verdict { color: #b3261e; } .fault p { white-space: pre-line; }
 a { color: #0b5f9e; } svg { display: block; width: 210px; height: auto; }
 footer { padding: 0 24px 28px; }
 @media print { @page { size: A4 landscape; margin: 12mm; } :root { font-size: 9pt; } body { background: #fff; }
@@ -41,10 +41,9 @@ struct Words {
 };
 
 constexpr Words title{"Sections of a reach", "Doorsneden van een traject"},
-    counts{"{} of {} sections are solved: {} stand, {} are damaged and hold the water, {} flood. {} have no result.",
-        "{} van {} doorsneden zijn berekend: {} blijven staan, {} beschadigd maar waterkerend, {} overstromen. {} "
-        "zonder "
-        "resultaat."},
+    counts{"Solved: {} of {} sections. Stands: {}; damaged, holds the water: {}; floods: {}; no result: {}.",
+        "Berekend: {} van {} doorsneden. Blijft staan: {}; beschadigd, keert het water: {}; overstroming: {}; zonder "
+        "resultaat: {}."},
     section{"Section", "Doorsnede"}, picture{"Ground before and after", "Maaiveld voor en na"},
     verdict{"Verdict", "Oordeel"}, height{"Height that remains", "Resthoogte"}, freeboard{"Freeboard", "Waakhoogte"},
     factor{"Factor of safety", "Stabiliteitsfactor"}, stored{"stored", "opgeslagen"}, time{"Time", "Rekentijd"},

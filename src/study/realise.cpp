@@ -64,7 +64,7 @@ std::string on_one_line(std::string text)
   for (char& c : text)
     if (c == '\n' || c == '\t' || c == '\r') c = ' ';
   constexpr std::size_t longest = 400;
-  return printable(text.substr(0, longest));
+  return printable(text.size() > longest ? text.substr(0, longest) + " ..." : text);
 }
 
 /// "error: case.toml:12:3: what" -> what of the first error that the case reports.

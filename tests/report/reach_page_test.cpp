@@ -32,7 +32,7 @@ TEST(ReachPage, HasTheVerdictOfEachSectionAndALink)
   const std::string page = reach_page(sample(), "en", "2026-01-02T03:04:05Z");
   EXPECT_THAT(page, testing::StartsWith("<!doctype html>\n<html lang=\"en\">"));
   EXPECT_THAT(
-      page, HasSubstr("2 of 3 sections are solved: 1 stand, 0 are damaged and hold the water, 1 flood. 1 have no"));
+      page, HasSubstr("Solved: 2 of 3 sections. Stands: 1; damaged, holds the water: 0; floods: 1; no result: 1."));
   EXPECT_THAT(page, HasSubstr("<a href=\"a/run/report.html\" title=\"report page\">a</a>"));
   EXPECT_THAT(page, HasSubstr("<p>High &amp; low</p>"));
   EXPECT_THAT(page, HasSubstr("<p class=\"verdict\">refused</p><p>it is &lt;no&gt; zip file</p>"));
