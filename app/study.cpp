@@ -73,7 +73,7 @@ class StudyProgress {
     for (Index n = 0; n < study_.n_realisations; ++n) n_all += part_.has(n);
     const Real confidence = study_.settings.confidence;
     std::string line = fmt::format("[{}/{}] {} failed", done, n_all, failed);
-    if (study_.settings.estimator != Estimator::sweep) {
+    if (study_.settings.estimator != Estimator::sweep && !study_.settings.fragility) {
       line += "  P(I) " + estimate_text(estimate_event(slid, solved, failed, confidence));
       if (newest.judges_flood) line += "  P(F) " + estimate_text(estimate_event(flooded, solved, failed, confidence));
     }
@@ -111,6 +111,9 @@ void print_input(const Study& study)
 {
   const StudySettings& s = study.settings;
   for (const SweepKey& sweep : s.sweep) fmt::print("  sweep          {}: {} values\n", sweep.key, sweep.values.size());
+  if (s.fragility)
+    fmt::print("  load           {}: {} levels from {:g} to {:g}, the same samples at each\n", s.fragility->label(),
+        s.fragility->levels.size(), s.fragility->levels.front(), s.fragility->levels.back());
   for (const RandomNumber& number : s.numbers) fmt::print("{}", quantile_line(number));
   for (std::size_t k = 0; k < s.fields.size(); ++k) {
     const RandomFieldKey& f = s.fields[k];
@@ -171,14 +174,14 @@ int report_study(const Study& study, const std::string& folder, bool writes)
 
 int sample_study(const Study& study, const std::string& folder, const StudyCommand& command)
 {
-  const Index n = std::min<Index>(study.n_realisations, command.samples);
+  const Index n = std::min<Index>(study.n_realisations / study.n_levels(), command.samples);
   make_folder(folder);
   const std::string page = path_in(folder, "sample.html");
   write_file_atomically(page, page_of_samples(study, n, now_in_utc()));
   const auto names = study.input_names();
   for (Index k = 0; k < std::min<Index>(n, 10); ++k) {
-    const Draw draw = draw_realisation(study, k);
-    fmt::print("realisation {}\n", k);
+    const Draw draw = draw_realisation(study, k * study.n_levels());
+    fmt::print("realisation {}\n", k * study.n_levels());
     for (std::size_t i = 0; i < names.size(); ++i)
       fmt::print("  {:>12}  {}\n", input_text(study, i, draw.inputs[i]), names[i]);
   }

@@ -21,6 +21,8 @@ struct Distribution {
 
   /// The value that is not exceeded with probability p, 0 < p < 1.
   Real quantile(Real p) const;
+  /// The probability that x is not exceeded.
+  Real probability(Real x) const;
 };
 
 struct DistributionInfo {
@@ -32,6 +34,10 @@ struct DistributionInfo {
 };
 /// In the order of the enum.
 const std::vector<DistributionInfo>& all_distributions();
+
+/// Gumbel's distribution by its location, the value that is most probable, and its decimation height: the rise for
+/// which large values become ten times rarer.
+Distribution gumbel_of(Real location, Real decimation_height);
 
 /// Phi(z) of the standard normal distribution.
 Real normal_probability(Real z);

@@ -1,4 +1,4 @@
-// How it thinks: every random number is counted, not drawn in turn (base/philox.hpp). The counter is (realisation,
+// How it thinks: every random number is counted, not drawn in turn (base/philox.hpp). The counter is (sample,
 // number of the variable, stream, 0), the key the seed; fields count in the case (simulation/gaussian_field).
 
 #include "study/study.hpp"
@@ -17,24 +17,24 @@ namespace {
 
 constexpr std::uint32_t stream_of_values = 0;
 
-Real uniform_of(const Study& study, std::size_t number, Index realisation)
+Real uniform_of(const Study& study, std::size_t number, Index sample)
 {
   const StudySettings& s = study.settings;
   const Real u =
-      philox_uniform({static_cast<std::uint32_t>(realisation), static_cast<std::uint32_t>(number), stream_of_values, 0},
+      philox_uniform({static_cast<std::uint32_t>(sample), static_cast<std::uint32_t>(number), stream_of_values, 0},
           {static_cast<std::uint32_t>(s.seed), 0});
   if (s.estimator != Estimator::latin_hypercube) return u;
-  const auto stratum = study.strata[number][static_cast<std::size_t>(realisation)];
-  return (static_cast<Real>(stratum) + u) / static_cast<Real>(study.n_realisations);
+  const auto stratum = study.strata[number][static_cast<std::size_t>(sample)];
+  return (static_cast<Real>(stratum) + u) / static_cast<Real>(study.settings.stop.number);
 }
 
 /// Gaussian copula: the scores are correlated, each number keeps its own distribution.
-std::vector<Real> draw_numbers(const Study& study, Index realisation)
+std::vector<Real> draw_numbers(const Study& study, Index sample)
 {
   const StudySettings& s = study.settings;
   const std::size_t n = s.numbers.size();
   std::vector<Real> scores(n), values(n);
-  for (std::size_t k = 0; k < n; ++k) scores[k] = normal_quantile(uniform_of(study, k, realisation));
+  for (std::size_t k = 0; k < n; ++k) scores[k] = normal_quantile(uniform_of(study, k, sample));
   scores = times(study.of_numbers, scores);
   constexpr Real least = 1e-16;
   for (std::size_t k = 0; k < n; ++k)
@@ -74,7 +74,7 @@ std::string parts_text(const Study& study, std::size_t number)
 }
 
 /// mean: TOML.
-std::string field_text(const Study& study, std::size_t number, Index realisation, const std::string& mean)
+std::string field_text(const Study& study, std::size_t number, Index sample, const std::string& mean)
 {
   const RandomFieldKey& f = study.settings.fields[number];
   const auto& box = study.boxes[number];
@@ -82,13 +82,13 @@ std::string field_text(const Study& study, std::size_t number, Index realisation
       "{{ random = {{ mean = {}, cov = {}, theta = {}, box = [{}, {}], distribution = \"{}\", seed = {}, realisation "
       "= {}, {}{} }} }}",
       mean, f.cov, pair_text(f.scale), pair_text(box[0]), pair_text(box[1]), f.distribution, study.settings.seed,
-      realisation, parts_text(study, number), f.known.empty() ? "" : ", known = " + f.known);
+      sample, parts_text(study, number), f.known.empty() ? "" : ", known = " + f.known);
 }
 
-GaussianFieldCase field_case(const Study& study, std::size_t number, Index realisation)
+GaussianFieldCase field_case(const Study& study, std::size_t number, Index sample)
 {
   GaussianFieldCase field{.seed = static_cast<std::uint32_t>(study.settings.seed),
-      .realisation = static_cast<std::uint32_t>(realisation),
+      .realisation = static_cast<std::uint32_t>(sample),
       .scale = study.settings.fields[number].scale,
       .low = study.boxes[number][0],
       .high = study.boxes[number][1],
@@ -100,9 +100,9 @@ GaussianFieldCase field_case(const Study& study, std::size_t number, Index reali
 }
 
 /// Mean over the box of the field over its trend, in n x n places.
-Real mean_of_field(const Study& study, std::size_t number, Index realisation)
+Real mean_of_field(const Study& study, std::size_t number, Index sample)
 {
-  const FieldOverTrend field(study, number, realisation);
+  const FieldOverTrend field(study, number, sample);
   const auto& [low, high] = study.boxes[number];
   constexpr int n = 40;
   Real sum = 0.0;
@@ -114,11 +114,11 @@ Real mean_of_field(const Study& study, std::size_t number, Index realisation)
 
 }  // namespace
 
-FieldOverTrend::FieldOverTrend(const Study& study, std::size_t field, Index realisation)
+FieldOverTrend::FieldOverTrend(const Study& study, std::size_t field, Index sample)
     : marginal_(
           study.settings.fields[field].distribution == "normal" ? FieldMarginal::normal : FieldMarginal::lognormal),
       cov_(study.settings.fields[field].cov),
-      field_(field_case(study, field, realisation))
+      field_(field_case(study, field, sample))
 {
 }
 
@@ -134,7 +134,13 @@ Draw draw_realisation(const Study& study, Index realisation)
                           : value.kind == NodeKind::integer ? static_cast<Real>(value.integer)
                                                             : static_cast<Real>(choice[k]));
   }
-  const std::vector<Real> values = draw_numbers(study, realisation);
+  const Index sample = study.sample_of(realisation);
+  if (s.fragility) {
+    const Real level = s.fragility->levels[study.level_of(realisation)];
+    for (std::string& change : s.fragility->changes_at(level)) draw.changes.push_back(std::move(change));
+    draw.inputs.push_back(level);
+  }
+  const std::vector<Real> values = draw_numbers(study, sample);
   for (std::size_t k = 0; k < values.size(); ++k) {
     const std::string text = digits(values[k]);
     draw.changes.push_back(s.numbers[k].key + "=" + text);
@@ -147,8 +153,8 @@ Draw draw_realisation(const Study& study, Index realisation)
     const RandomFieldKey& f = s.fields[k];
     const Node* own = find_node(root, f.key);
     const std::string mean = !f.mean.empty() ? f.mean : own != nullptr ? toml_value(*own) : std::string("0.0");
-    draw.changes.push_back(f.key + "=" + field_text(study, k, realisation, mean));
-    draw.inputs.push_back(mean_of_field(study, k, realisation));
+    draw.changes.push_back(f.key + "=" + field_text(study, k, sample, mean));
+    draw.inputs.push_back(mean_of_field(study, k, sample));
   }
   return draw;
 }

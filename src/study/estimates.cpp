@@ -6,35 +6,11 @@
 namespace terp {
 namespace {
 
-/// Sums over a table that grows by one realisation after another.
-struct Counts {
-  std::int64_t solved = 0, failed = 0, slid = 0, flooded = 0, flooded_after_slide = 0, judged = 0;
-
-  void take(const Realisation& r)
-  {
-    if (!r.solved()) {
-      ++failed;
-      return;
-    }
-    ++solved;
-    slid += r.slid, flooded += r.flooded, flooded_after_slide += r.slid && r.flooded, judged += r.judges_flood;
-  }
-};
-
-/// The coefficient of variation that the rule looks at: of F where floods are judged, else of I.
-std::optional<Real> cov_of(const Counts& c, Real confidence)
+/// Of F where floods are judged, else of I.
+bool meets_rule(const Study& study, const EventCounts& c)
 {
-  return estimate_event(c.judged > 0 ? c.flooded : c.slid, c.solved, c.failed, confidence).cov();
-}
-
-constexpr std::int64_t fewest_events = 10;  // before a coefficient of variation is believed
-
-bool meets_rule(const Study& study, const Counts& c)
-{
-  const StopRule& stop = study.settings.stop;
-  if (stop.cov <= 0.0 || (c.judged > 0 ? c.flooded : c.slid) < fewest_events) return false;
-  const auto cov = cov_of(c, study.settings.confidence);
-  return cov && *cov <= stop.cov;
+  const std::int64_t needed = study.settings.stop.events();
+  return needed > 0 && (c.judged > 0 ? c.flooded : c.slid) >= needed;
 }
 
 /// What stays the same in a message: before its numbers.
@@ -74,6 +50,23 @@ std::vector<Sensitivity> find_sensitivities(const Study& study, const Realisatio
 
 }  // namespace
 
+void EventCounts::take(const Realisation& r)
+{
+  if (!r.solved()) {
+    ++failed;
+    return;
+  }
+  ++solved;
+  slid += r.slid, flooded += r.flooded, flooded_after_slide += r.slid && r.flooded, judged += r.judges_flood;
+}
+
+EventEstimate EventCounts::slide(Real confidence) const { return estimate_event(slid, solved, failed, confidence); }
+EventEstimate EventCounts::flood(Real confidence) const { return estimate_event(flooded, solved, failed, confidence); }
+EventEstimate EventCounts::flood_after_slide(Real confidence) const
+{
+  return estimate_event(flooded_after_slide, slid, failed, confidence);
+}
+
 std::optional<Real> EventEstimate::probability() const
 {
   if (solved == 0) return std::nullopt;
@@ -97,7 +90,7 @@ EventEstimate estimate_event(std::int64_t happened, std::int64_t solved, std::in
 
 Index count_in_table(const Study& study, const Realisations& rows, bool& rule_met)
 {
-  Counts counts;
+  EventCounts counts;
   Index n = 0;
   rule_met = false;
   while (n < study.n_realisations && !rule_met) {
@@ -115,7 +108,7 @@ StudyEstimates estimate(const Study& study, const Realisations& rows)
   StudyEstimates e;
   e.n_made = count_in_table(study, rows, e.rule_met);
   e.n_beyond = static_cast<Index>(rows.size()) - e.n_made;
-  Counts c;
+  EventCounts c;
   for (Index n = 0; n < e.n_made; ++n) {
     const Realisation& r = rows.at(n);
     c.take(r);
@@ -124,9 +117,7 @@ StudyEstimates estimate(const Study& study, const Realisations& rows)
   }
   const Real confidence = study.settings.confidence;
   e.judges_flood = c.judged > 0;
-  e.slide = estimate_event(c.slid, c.solved, c.failed, confidence);
-  e.flood = estimate_event(c.flooded, c.solved, c.failed, confidence);
-  e.flood_after_slide = estimate_event(c.flooded_after_slide, c.slid, c.failed, confidence);
+  e.slide = c.slide(confidence), e.flood = c.flood(confidence), e.flood_after_slide = c.flood_after_slide(confidence);
   e.sensitivities = find_sensitivities(study, rows, e.n_made);
   return e;
 }
@@ -138,12 +129,11 @@ std::vector<RunningEstimate> running_estimates(
   const Index n_made = count_in_table(study, rows, met);
   const Index stride = 1 + n_made / static_cast<Index>(most);
   std::vector<RunningEstimate> list;
-  Counts c;
+  EventCounts c;
   for (Index n = 0; n < n_made; ++n) {
     c.take(rows.at(n));
     if ((n + 1) % stride == 0 || n + 1 == n_made)
-      list.push_back(
-          {n + 1, estimate_event(of_flood ? c.flooded : c.slid, c.solved, c.failed, study.settings.confidence)});
+      list.push_back({n + 1, of_flood ? c.flood(study.settings.confidence) : c.slide(study.settings.confidence)});
   }
   return list;
 }

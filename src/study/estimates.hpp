@@ -18,7 +18,18 @@ struct EventEstimate {
   std::optional<Real> probability() const;  ///< of what was solved; none of nothing
   std::optional<Real> cov() const;          ///< of that estimate; none where nothing happened
 };
+/// happened out of solved; failed: of which nothing is known.
 EventEstimate estimate_event(std::int64_t happened, std::int64_t solved, std::int64_t failed, Real confidence);
+
+/// Sums over a table that grows by one realisation after another.
+struct EventCounts {
+  std::int64_t solved = 0, failed = 0, slid = 0, flooded = 0, flooded_after_slide = 0, judged = 0;
+
+  void take(const Realisation& realisation);
+  EventEstimate slide(Real confidence) const;
+  EventEstimate flood(Real confidence) const;
+  EventEstimate flood_after_slide(Real confidence) const;
+};
 
 /// How an input goes with the outcomes: rank correlations.
 struct Sensitivity {

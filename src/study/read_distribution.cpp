@@ -89,6 +89,22 @@ void check_shape(const Reader& r, const Distribution& d)
         fmt::format("Of a normal one of mean {:g} and standard deviation {:g}: {:.2g}.", d.mean, d.sd, share));
 }
 
+/// By location and decimation height instead of mean and spread. False: it is given the other way.
+bool read_gumbel(const Reader& r, Distribution& d)
+{
+  if (!r.has("location") && !r.has("decimation_height")) return false;
+  Real location = 0.0, decimation_height = 0.0;
+  for (const char* other : {"mean", "sd", "cov"})
+    if (r.has(other))
+      r.fail(other, "the distribution is given twice", "By `mean` and `sd`, or by `location` and `decimation_height`.");
+  for (const char* name : {"location", "decimation_height"})
+    if (!r.has(name)) r.fail("", fmt::format("a gumbel distribution needs `{}` too", name), "");
+  if (r.number("location", r.unit, any_number, location) &&
+      r.number("decimation_height", r.unit, positive, decimation_height))
+    d = gumbel_of(location, decimation_height);
+  return true;
+}
+
 bool has_spread(const DistributionInfo& info) { return std::ranges::find(info.needed, "spread") != info.needed.end(); }
 
 bool takes(const DistributionInfo& info, std::string_view key)
@@ -100,7 +116,10 @@ bool takes(const DistributionInfo& info, std::string_view key)
 
 }  // namespace
 
-std::vector<std::string> distribution_keys() { return {"mean", "sd", "cov", "lowest", "highest", "table"}; }
+std::vector<std::string> distribution_keys()
+{
+  return {"mean", "sd", "cov", "lowest", "highest", "location", "decimation_height", "table"};
+}
 
 Distribution read_distribution(const Node& table, const std::string& path, const std::string& unit, Findings& findings)
 {
@@ -117,6 +136,7 @@ Distribution read_distribution(const Node& table, const std::string& path, const
   for (const std::string& key : distribution_keys())
     if (r.has(key) && !takes(*info, key))
       r.fail(key, fmt::format("a {} distribution has no `{}`", name, key), fmt::format("It is: {}.", info->meaning));
+  if (findings.problems.size() == before && d.kind == DistributionKind::gumbel && read_gumbel(r, d)) return d;
   for (const std::string_view key : info->needed)
     if (key != "spread" && !r.has(key))
       r.fail("", fmt::format("a {} distribution needs `{}`", name, key), fmt::format("It is: {}.", info->meaning));

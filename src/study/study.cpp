@@ -172,6 +172,22 @@ void check_sweep(const Study& study, std::vector<Problem>& problems)
       }
 }
 
+/// At each level, and without the draws.
+void check_levels(const Study& study, std::vector<Problem>& problems)
+{
+  if (!study.settings.fragility) return;
+  const FragilityLoad& load = *study.settings.fragility;
+  for (std::size_t k = 0; k < load.levels.size(); ++k) {
+    std::vector<std::string> changes = study.settings.set;
+    for (std::string& change : load.changes_at(load.levels[k])) changes.push_back(std::move(change));
+    const std::string why = refusal_of(study, changes);
+    if (why.empty()) continue;
+    problems.push_back({fmt::format("fragility.levels[{}]", k),
+        fmt::format("the case does not take h = {:g}", load.levels[k]), why, ""});
+    return;
+  }
+}
+
 bool changes_mesh(const std::string& key)
 {
   return key.starts_with("mesh") || key.starts_with("body") || key.starts_with("footing");
@@ -179,6 +195,7 @@ bool changes_mesh(const std::string& key)
 
 Index count_realisations(const StudySettings& s)
 {
+  if (s.fragility) return s.stop.number * static_cast<Index>(s.fragility->levels.size());
   if (s.estimator != Estimator::sweep) return s.stop.number;
   std::size_t n = s.form == SweepForm::table ? s.sweep.front().values.size() : 1;
   if (s.form == SweepForm::grid)
@@ -191,7 +208,7 @@ void set_strata(Study& study)
 {
   constexpr std::uint32_t stream_of_strata = 1;
   if (study.settings.estimator != Estimator::latin_hypercube) return;
-  const auto n = static_cast<std::size_t>(study.n_realisations);
+  const auto n = static_cast<std::size_t>(study.settings.stop.number);
   for (std::size_t number = 0; number < study.settings.numbers.size(); ++number) {
     std::vector<std::pair<Real, Index>> order(n);
     for (std::size_t k = 0; k < n; ++k)
@@ -209,9 +226,12 @@ std::string case_in(const StudySettings& s) { return path_of(s.folder, s.case_pa
 
 }  // namespace
 
+Index Study::n_levels() const { return settings.fragility ? static_cast<Index>(settings.fragility->levels.size()) : 1; }
+
 std::vector<std::string> Study::input_names() const
 {
   std::vector<std::string> names;
+  if (settings.fragility) names.push_back(settings.fragility->label());
   for (const SweepKey& sweep : settings.sweep) names.push_back(sweep.key);
   for (const RandomNumber& number : settings.numbers) names.push_back(number.key);
   for (const RandomFieldKey& field : settings.fields)
@@ -236,6 +256,7 @@ Study prepare_study(StudySettings settings)
   find_boxes(study, problems);
   check_numbers(study, problems);
   check_sweep(study, problems);
+  check_levels(study, problems);
   refuse_if_any(problems, s);
   set_strata(study);
   try {
@@ -246,6 +267,8 @@ Study prepare_study(StudySettings settings)
   if (!s.fields.empty()) check_fields_of_study(study, problems);
   refuse_if_any(problems, s);
   for (const RandomNumber& number : s.numbers) study.shares_mesh = study.shares_mesh && !changes_mesh(number.key);
+  if (s.fragility)
+    for (const auto& [key, value] : s.fragility->set) study.shares_mesh = study.shares_mesh && !changes_mesh(key);
   for (const SweepKey& sweep : s.sweep) study.shares_mesh = study.shares_mesh && !changes_mesh(sweep.key);
   study.case_digits = digits_of(record_text(make_case_record(study.base, *study.mesh)));
   study.study_digits = digits_of(identity_text(s));

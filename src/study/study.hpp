@@ -19,13 +19,20 @@ struct Study {
   CaseFile base = {};                               ///< the case with `set`, as it is without any draw
   SharedMesh mesh = {};                             ///< of the base
   bool shares_mesh = true;                          ///< no draw changes it
-  Index n_realisations = 0;                         ///< at most
+  Index n_realisations = 0;                         ///< at most; of a fragility curve: of all levels
   SquareMatrix of_numbers = {}, of_fields = {};     ///< Cholesky factors of the correlations
   std::vector<std::vector<Index>> strata = {};      ///< of a Latin hypercube: by number, then by realisation
   std::vector<std::array<Vec<2>, 2>> boxes = {};    ///< of the fields
   std::string case_digits = {}, study_digits = {};  ///< of what decides the results
 
-  /// What realisations are told apart by: numbers that are drawn, means of fields over their trend, keys of a sweep.
+  /// Levels of a fragility curve, else 1. Realisation r is sample r / n_levels() at level r % n_levels(): the samples
+  /// are the same at all levels, and each count from 0 has all levels equally often.
+  Index n_levels() const;
+  Index sample_of(Index realisation) const { return realisation / n_levels(); }
+  std::size_t level_of(Index realisation) const { return static_cast<std::size_t>(realisation % n_levels()); }
+
+  /// What realisations are told apart by: the level of the load, numbers that are drawn, means of fields over their
+  /// trend, keys of a sweep.
   std::vector<std::string> input_names() const;
 };
 
@@ -44,10 +51,10 @@ Draw draw_realisation(const Study& study, Index realisation);
 /// The case of a draw. Throws CaseError where it refuses what was drawn.
 CaseFile case_of(const Study& study, const Draw& draw);
 
-/// A field of a realisation over its trend; without the values of soundings.
+/// A field of a sample over its trend; without the values of soundings.
 class FieldOverTrend {
  public:
-  FieldOverTrend(const Study& study, std::size_t field, Index realisation);
+  FieldOverTrend(const Study& study, std::size_t field, Index sample);
   Real at(Vec<2> x) const { return value_over_mean(marginal_, cov_, field_.at(x)); }
 
  private:

@@ -8,6 +8,7 @@
 #include "input/render.hpp"
 #include "output/files.hpp"
 #include "study/read_distribution.hpp"
+#include "study/read_fragility.hpp"
 #include "study/study_keys.hpp"
 
 #include <fmt/format.h>
@@ -156,7 +157,7 @@ void read_top(const Node& root, StudySettings& s, Findings& findings)
       {{"title", "", any_number, false, &s.title}, {"case", "", any_number, true, &s.case_path},
           {"seed", "-", {0.0, 2147483647.0}, false, &s.seed},
           {"confidence", "-", between(0.5, 0.9999), false, &s.confidence}},
-      {"set", "random", "field", "correlation", "sweep", "estimator", "stop", "events"}, findings);
+      {"set", "random", "field", "correlation", "sweep", "fragility", "estimator", "stop", "events"}, findings);
   const auto section = [&](const char* name, const std::vector<StudyKey>& keys) {
     if (const Node* table = find_item(root, name)) read_section(*table, name, keys, {}, findings);
   };
@@ -186,6 +187,8 @@ void check_keys(const StudySettings& s, Findings& findings)
   for (const RandomNumber& number : s.numbers) take(number.key, number.path, &numbers);
   for (const RandomFieldKey& field : s.fields) take(field.key, field.path, &fields);
   for (const SweepKey& sweep : s.sweep) take(sweep.key, sweep.path, nullptr);
+  if (s.fragility)
+    for (const auto& [key, value] : s.fragility->set) take(key, join_path("fragility.set", key), nullptr);
   const auto is_in = [](const Paths& list, const std::string& key) {
     return std::ranges::find(list, key) != list.end();
   };
@@ -231,6 +234,7 @@ void check_stop(const StudySettings& s, Findings& findings)
     if (s.stop.number > 0 || s.stop.cov > 0.0)
       fail("stop", "a sweep ends with its last combination", "Leave [stop] out, or give `time` alone.");
     if (s.sweep.empty()) fail("estimator", "a sweep needs [[sweep]] with keys and values", "");
+    if (s.fragility) fail("fragility", "a sweep has no fragility curve", "Choose monte_carlo, or leave it out.");
     if (!s.numbers.empty() || !s.fields.empty())
       fail("estimator", "a sweep draws nothing", "Leave [[random]] and [[field]] out, or choose monte_carlo.");
     for (const SweepKey& sweep : s.sweep)
@@ -248,13 +252,15 @@ void check_stop(const StudySettings& s, Findings& findings)
         "Give the most realisations that may be made: a rare event may never reach `cov`.");
   if (s.estimator == Estimator::latin_hypercube && s.stop.cov > 0.0)
     fail("stop.cov", "a Latin hypercube ends with its last point", "Leave `cov` out, or choose monte_carlo.");
-  // cov^2 = (1 - P)/(n P): met by n realisations where P is at least 1/(1 + n cov^2)
-  const Real least = 1.0 / (1.0 + static_cast<Real>(s.stop.number) * s.stop.cov * s.stop.cov);
-  if (s.stop.cov > 0.0 && s.estimator == Estimator::monte_carlo && least > 0.5)
+  if (s.fragility && s.stop.cov > 0.0)
+    return fail("stop.cov", "a fragility curve has the same number of realisations at each level",
+        "Leave `cov` out; `number` is that of one level.");
+  const auto events = static_cast<Real>(s.stop.events());
+  if (s.stop.cov > 0.0 && s.estimator == Estimator::monte_carlo && 2.0 * events > static_cast<Real>(s.stop.number))
     fail("stop.cov", "the stop rule cannot be met by so few realisations",
-        fmt::format("{} realisations reach a coefficient of variation of {:g} only of events more probable than "
-                    "{:.2g}.\nGive a larger number: {:.0f} reach it of P = 0.1.",
-            s.stop.number, s.stop.cov, least, std::ceil(9.0 / (s.stop.cov * s.stop.cov))));
+        fmt::format("A coefficient of variation of {:g} takes {:g} events, which {} realisations have only where P is "
+                    "above {:.2g}.\nGive a larger number: {:g} have them of P = 0.1.",
+            s.stop.cov, events, s.stop.number, events / static_cast<Real>(s.stop.number), 10.0 * events));
 }
 
 Document parse_study(const std::string& text, const std::string& path)
@@ -290,6 +296,7 @@ StudySettings read_study_text(const std::string& text, const std::string& path)
   read_fields(root, s, findings);
   read_correlations(root, s, findings);
   read_sweep(root, s, findings);
+  s.fragility = read_fragility(root, findings);
   check_keys(s, findings);
   check_field_pairs(s, findings);
   if (findings.problems.empty()) check_stop(s, findings);
@@ -307,6 +314,13 @@ StudySettings read_study(const std::string& path)
   return read_study_text(read_file(path), path);
 }
 
+std::int64_t StopRule::events() const
+{
+  constexpr std::int64_t fewest = 10;  // before a coefficient of variation is believed
+  constexpr Real rounding = 1e-9;
+  return cov > 0.0 ? std::max(fewest, static_cast<std::int64_t>(std::ceil(1.0 / (cov * cov) - rounding))) : 0;
+}
+
 std::string identity_text(const StudySettings& settings)
 {
   Node root = settings.source.root;
@@ -315,6 +329,7 @@ std::string identity_text(const StudySettings& settings)
     return item.name == "title" || item.name == "confidence" || item.name == "case" ||
            (item.name == "stop" && !keeps_number);
   });
+  if (Node* load = find_item(root, "fragility")) drop_distribution(*load);
   for (Node& item : root.items)
     if (item.name == "stop") std::erase_if(item.items, [](const Node& key) { return key.name != "number"; });
   return write_toml(root);

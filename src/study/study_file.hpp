@@ -38,6 +38,18 @@ struct StudyCorrelation {
   Real value = 0.0;
 };
 
+/// The load of a fragility curve: P is found at each of its levels, with the same random numbers.
+struct FragilityLoad {
+  std::string name = "load", unit = {};                ///< of the axis
+  std::vector<Real> levels = {};                       ///< ascending
+  std::vector<std::pair<std::string, Node>> set = {};  ///< keys of the case; texts in them are formulas of h
+  std::optional<Distribution> distribution = {};       ///< of the load, over which the curve is integrated
+
+  std::string label() const { return unit.empty() ? name : name + " [" + unit + "]"; }
+  /// KEY=VALUE at a level, as of --set. Throws ExpressionError.
+  std::vector<std::string> changes_at(Real level) const;
+};
+
 enum class Estimator { monte_carlo, latin_hypercube, sweep };
 enum class SweepForm { grid, table };
 
@@ -52,6 +64,10 @@ struct StopRule {
   Index number = 0;  ///< of realisations
   Real cov = 0.0;    ///< of the estimate of P; 0: none
   Real time = 0.0;   ///< of one call of the program [s]; 0: none
+
+  /// Events that `cov` asks for: 1/cov^2, at least 10. The study ends with the last of them, so that the bounds of
+  /// Clopper and Pearson hold (docs/probability.md). 0: none.
+  std::int64_t events() const;
 };
 
 /// What counts as a slide (I).
@@ -74,6 +90,7 @@ struct StudySettings {
   Estimator estimator = Estimator::monte_carlo;
   SweepForm form = SweepForm::grid;
   std::vector<SweepKey> sweep;
+  std::optional<FragilityLoad> fragility;
   StopRule stop;
   EventRule event;
   std::vector<Problem> warnings;

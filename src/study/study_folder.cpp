@@ -1,6 +1,7 @@
 #include "study/study_folder.hpp"
 
 #include "output/run_folder.hpp"
+#include "study/fragility_text.hpp"
 #include "study/study_page.hpp"
 #include "study/study_text.hpp"
 
@@ -49,12 +50,12 @@ void clear_study(const std::string& folder)
 {
   std::error_code none;
   if (!fs::is_directory(folder, none)) return;
+  const std::initializer_list<std::string_view> own = {
+      study_copy, case_file, study_results, study_report, fragility_table, fragility_of_slides, fragility_of_floods};
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    if (name.ends_with(".rows") || name == study_copy || name == case_file || name == study_results ||
-        name == study_report)
-      files.push_back(entry.path());
+    if (name.ends_with(".rows") || std::ranges::find(own, name) != own.end()) files.push_back(entry.path());
   }
   for (const fs::path& file : files) fs::remove(file);
 }
@@ -62,6 +63,13 @@ void clear_study(const std::string& folder)
 void write_results(const Study& study, const std::string& folder, const Realisations& rows, const std::string& written)
 {
   write_file_atomically(path_in(folder, study_results), study_csv(study, rows));
+  if (study.settings.fragility) {
+    const FragilityCurve curve = estimate_fragility(study, rows);
+    write_file_atomically(path_in(folder, fragility_table), fragility_csv(study, curve));
+    write_file_atomically(path_in(folder, fragility_of_slides), dstability_curve(study, curve, false));
+    if (curve.judges_flood)
+      write_file_atomically(path_in(folder, fragility_of_floods), dstability_curve(study, curve, true));
+  }
   write_file_atomically(path_in(folder, study_report), page_of_study(study, rows, written));
 }
 

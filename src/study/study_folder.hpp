@@ -11,6 +11,9 @@ namespace terp {
 inline constexpr const char* study_copy = "study.toml";
 inline constexpr const char* study_results = "results.csv";
 inline constexpr const char* study_report = "report.html";
+inline constexpr const char* fragility_table = "fragility.csv";
+inline constexpr const char* fragility_of_slides = "fragility_slide.json";
+inline constexpr const char* fragility_of_floods = "fragility_flood.json";
 
 /// runs/NAME.
 std::string default_study_folder(const StudySettings& settings);

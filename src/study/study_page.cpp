@@ -2,6 +2,7 @@
 
 #include "report/plain_page.hpp"
 #include "study/field_picture.hpp"
+#include "study/fragility_text.hpp"
 #include "study/study_text.hpp"
 
 #include <fmt/format.h>
@@ -221,14 +222,18 @@ const std::string& title_of(const StudySettings& s) { return s.title.empty() ? s
 std::string page_of_study(const Study& study, const Realisations& rows, const std::string& written)
 {
   const StudyEstimates e = estimate(study, rows);
-  std::string body = notes(remarks_on_study(study, e));
+  std::string body = notes(remarks_on_study(study, rows, e));
   if (study.settings.estimator == Estimator::sweep) {
     body += sweep_section(study, rows, e.n_made);
   } else {
-    body += probability_section(study, e);
     std::vector<LineChart> charts;
-    if (e.judges_flood) charts.push_back(convergence_chart(study, rows, true));
-    charts.push_back(convergence_chart(study, rows, false));
+    if (study.settings.fragility) {
+      body += fragility_section(study, estimate_fragility(study, rows));
+    } else {
+      body += probability_section(study, e);
+      if (e.judges_flood) charts.push_back(convergence_chart(study, rows, true));
+      charts.push_back(convergence_chart(study, rows, false));
+    }
     charts.push_back(histogram(
         "Highest ground that remains", "height at the end [m]", outcomes_of(rows, e.n_made, "residual_height")));
     charts.push_back(histogram("Volume that slid", "m^2", outcomes_of(rows, e.n_made, "slide_volume")));
@@ -249,7 +254,7 @@ std::string page_of_samples(const Study& study, Index n, const std::string& writ
   const std::vector<std::string> names = study.input_names();
   std::vector<std::vector<Real>> columns(names.size());
   for (Index k = 0; k < n; ++k) {
-    const Draw draw = draw_realisation(study, k);
+    const Draw draw = draw_realisation(study, k * study.n_levels());
     for (std::size_t i = 0; i < names.size(); ++i) columns[i].push_back(draw.inputs[i]);
   }
   std::vector<LineChart> charts;

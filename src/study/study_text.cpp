@@ -1,5 +1,7 @@
 #include "study/study_text.hpp"
 
+#include "study/fragility_text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -75,7 +77,7 @@ std::string worth_of_residual_strength(const StudyEstimates& e)
       100.0 * p.value_or(0.0), 100.0 * e.flood_after_slide.bounds.low, 100.0 * e.flood_after_slide.bounds.high);
 }
 
-std::vector<std::string> remarks_on_study(const Study& study, const StudyEstimates& e)
+std::vector<std::string> remarks_on_study(const Study& study, const Realisations& rows, const StudyEstimates& e)
 {
   std::vector<std::string> remarks;
   for (const FaultCount& fault : e.faults)
@@ -98,6 +100,9 @@ std::vector<std::string> remarks_on_study(const Study& study, const StudyEstimat
     remarks.push_back(
         "The bounds are those of independent realisations. A Latin hypercube is usually better, never "
         "known to be: no bound is proven for it.");
+  if (study.settings.fragility)
+    for (std::string& remark : remarks_on_fragility(study, estimate_fragility(study, rows)))
+      remarks.push_back(std::move(remark));
   if (!e.judges_flood) remarks.push_back("Nothing is said of a flood: the case has no water level (docs/flood.md).");
   return remarks;
 }
@@ -110,6 +115,8 @@ std::string study_text(const Study& study, const Realisations& rows)
       s.title.empty() ? s.name : s.title, e.n_made, e.slide.solved, e.slide.failed, e.mean_wall_s);
   if (s.estimator == Estimator::sweep) {
     out += sweep_lines(study, rows, e.n_made);
+  } else if (s.fragility) {
+    out += fragility_text(study, estimate_fragility(study, rows)) + sensitivity_lines(e);
   } else {
     out += fmt::format("  probabilities with {:g} % bounds\n", 100.0 * s.confidence);
     out += line_of_event("P(I)", e.slide, slide_words(s));
@@ -120,7 +127,7 @@ std::string study_text(const Study& study, const Realisations& rows)
     if (const std::string worth = worth_of_residual_strength(e); !worth.empty()) out += "  " + worth + '\n';
     out += sensitivity_lines(e);
   }
-  for (const std::string& remark : remarks_on_study(study, e)) out += "  note: " + remark + '\n';
+  for (const std::string& remark : remarks_on_study(study, rows, e)) out += "  note: " + remark + '\n';
   return out;
 }
 

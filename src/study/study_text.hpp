@@ -18,7 +18,8 @@ inline constexpr const char* flood_words = "the land floods (docs/flood.md)";
 std::string worth_of_residual_strength(const StudyEstimates& estimates);
 
 /// What to know before the numbers are used: failures, the stop rule, the estimator.
-std::vector<std::string> remarks_on_study(const Study& study, const StudyEstimates& estimates);
+std::vector<std::string> remarks_on_study(
+    const Study& study, const Realisations& rows, const StudyEstimates& estimates);
 
 /// The whole result.
 std::string study_text(const Study& study, const Realisations& rows);

@@ -40,6 +40,29 @@ TEST(Distribution, ATableIsLinearBetweenItsQuantiles)
   EXPECT_DOUBLE_EQ(table.quantile(0.95), 10.0);
 }
 
+TEST(Distribution, ProbabilityIsTheInverseOfTheQuantile)
+{
+  using enum DistributionKind;
+  const Distribution all[] = {{.kind = normal, .mean = -2.0, .sd = 3.0}, {.kind = lognormal, .mean = 20e3, .sd = 6e3},
+      {.kind = truncated_normal, .mean = 10.0, .sd = 4.0, .lowest = 0.0, .highest = 15.0},
+      {.kind = uniform, .lowest = 2.0, .highest = 6.0}, {.kind = gumbel, .mean = 3.0, .sd = 0.5},
+      {.kind = quantiles, .table = {{0.0, 1.0}, {0.5, 2.0}, {1.0, 10.0}}}};
+  for (const Distribution& d : all) {
+    for (const Real p : {0.01, 0.3, 0.5, 0.9, 0.999})
+      EXPECT_NEAR(d.probability(d.quantile(p)), p, 1e-12) << static_cast<int>(d.kind);
+    EXPECT_NEAR(d.probability(-1e6), 0.0, 1e-12);
+    EXPECT_NEAR(d.probability(1e9), 1.0, 1e-12);
+  }
+}
+
+// F = exp(-exp(-(h - location)/s)): at the location 1/e; high up a decimation height makes exceedance ten times rarer.
+TEST(Distribution, AGumbelOneByLocationAndDecimationHeight)
+{
+  const Distribution water = gumbel_of(3.0, 0.6);
+  EXPECT_NEAR(water.probability(3.0), std::exp(-1.0), 1e-14);
+  EXPECT_NEAR((1.0 - water.probability(6.0)) / (1.0 - water.probability(6.6)), 10.0, 1e-3);
+}
+
 TEST(Distribution, KindsStandInTheOrderOfTheirTable)
 {
   for (std::size_t k = 0; k < all_distributions().size(); ++k)

@@ -19,6 +19,33 @@ TEST(Statistics, BoundsOfClopperAndPearson)
   expect(0, 0, 0.0, 1.0);
 }
 
+// The rule `cov` ends a study with the r-th event, or at n realisations. The share of studies whose bounds hold P is a
+// finite sum: the r-th event comes at m with probability C(m - 1, r - 1) P^r (1 - P)^(m - r).
+TEST(Statistics, BoundsHoldWhereTheLastEventEndsTheStudy)
+{
+  constexpr std::int64_t r = 11, most = 400;  // cov = 0.3
+  const auto holds = [](std::int64_t k, std::int64_t n, Real p) {
+    const Bounds b = clopper_pearson(k, n, 0.95);
+    return b.low <= p && p <= b.high;
+  };
+  const auto binomial = [](std::int64_t k, std::int64_t n, Real p) {
+    const auto x = static_cast<Real>(k), m = static_cast<Real>(n);
+    return std::exp(std::lgamma(m + 1.0) - std::lgamma(x + 1.0) - std::lgamma(m - x + 1.0) + x * std::log(p) +
+                    (m - x) * std::log1p(-p));
+  };
+  for (Real p = 0.004; p < 0.95; p *= 1.13) {
+    Real all = 0.0, held = 0.0;
+    const auto take = [&](std::int64_t k, std::int64_t n, Real probability) {
+      all += probability;
+      if (holds(k, n, p)) held += probability;
+    };
+    for (std::int64_t m = r; m <= most; ++m) take(r, m, binomial(r - 1, m - 1, p) * p);
+    for (std::int64_t k = 0; k < r; ++k) take(k, most, binomial(k, most, p));
+    EXPECT_NEAR(all, 1.0, 1e-9);
+    EXPECT_GE(held, 0.95) << p;
+  }
+}
+
 TEST(Statistics, RankCorrelation)
 {
   EXPECT_NEAR(*spearman({1, 2, 3, 4, 5, 6}, {0, 0, 1, 0, 1, 1}), 0.6831300510639732, 1e-14) << "ties";

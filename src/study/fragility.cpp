@@ -1,0 +1,126 @@
+#include "study/fragility.hpp"
+
+#include "simulation/gaussian_field.hpp"
+
+#include <boost/math/quadrature/gauss.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace terp {
+namespace {
+
+using OfLevel = EventEstimate (EventCounts::*)(Real) const;
+
+/// int_a^b G(h) dh of a distribution function G.
+Real integral_of_probability(const Distribution& g, Real a, Real b)
+{
+  constexpr int n_pieces = 16;  // a table of quantiles has kinks
+  Real sum = 0.0;
+  for (int k = 0; k < n_pieces; ++k)
+    sum += boost::math::quadrature::gauss<Real, 15>::integrate(
+        [&g](Real h) { return g.probability(h); }, a + (b - a) * k / n_pieces, a + (b - a) * (k + 1) / n_pieces);
+  return sum;
+}
+
+struct LevelCounts {
+  std::vector<EventCounts> levels;
+  Index n_falling_slides = 0, n_falling_floods = 0;
+};
+
+LevelCounts count_levels(const Study& study, const Realisations& rows)
+{
+  LevelCounts counts;
+  counts.levels.resize(static_cast<std::size_t>(study.n_levels()));
+  bool met = false;
+  const Index n = count_in_table(study, rows, met);
+  for (Index k = 0; k < n; ++k) {
+    const Realisation& r = rows.at(k);
+    counts.levels[study.level_of(k)].take(r);
+    if (study.level_of(k) == 0) continue;
+    const Realisation& below = rows.at(k - 1);  // the same sample
+    counts.n_falling_slides += r.solved() && below.slid && !r.slid;
+    counts.n_falling_floods += r.solved() && below.flooded && !r.flooded;
+  }
+  return counts;
+}
+
+/// Bounds of a curve that does not fall: those of lower levels hold from below, those of higher ones from above.
+void narrow_to_rising(std::vector<Bounds>& bounds)
+{
+  for (std::size_t k = 1; k < bounds.size(); ++k) bounds[k].low = std::max(bounds[k].low, bounds[k - 1].low);
+  for (std::size_t k = bounds.size() - 1; k-- > 0;) bounds[k].high = std::min(bounds[k].high, bounds[k + 1].high);
+}
+
+CurveIntegral integrate(const FragilityLoad& load, const LevelCounts& counts, OfLevel event, Real confidence)
+{
+  const std::vector<Real>& h = load.levels;
+  const std::size_t n = h.size();
+  const std::vector<Real> weights = level_weights(h, *load.distribution);
+  const Real confidence_of_each = 1.0 - (1.0 - confidence) / static_cast<Real>(n);
+  CurveIntegral integral;
+  integral.of_line = {0.0, 0.0};
+  std::vector<Bounds> bounds;
+  std::vector<Real> p;
+  for (std::size_t k = 0; k < n; ++k) {
+    const EventEstimate e = (counts.levels[k].*event)(confidence_of_each);
+    p.push_back(e.probability().value_or(std::numeric_limits<Real>::quiet_NaN()));
+    bounds.push_back(e.bounds);
+    integral.probability += weights[k] * p[k];
+    integral.of_line.low += weights[k] * e.bounds.low, integral.of_line.high += weights[k] * e.bounds.high;
+  }
+  const auto up_to = [&](std::size_t k) { return load.distribution->probability(h[k]); };
+  integral.beyond = up_to(0) * p[0] + (1.0 - up_to(n - 1)) * p[n - 1];
+  narrow_to_rising(bounds);
+  integral.rising.high = up_to(0) * bounds[0].high + 1.0 - up_to(n - 1);
+  integral.rising.low = (1.0 - up_to(n - 1)) * bounds[n - 1].low;
+  for (std::size_t k = 1; k < n; ++k) {
+    const Real share = up_to(k) - up_to(k - 1);
+    integral.rising.low += share * bounds[k - 1].low, integral.rising.high += share * bounds[k].high;
+  }
+  return integral;
+}
+
+}  // namespace
+
+Real reliability_index(Real p)
+{
+  constexpr Real infinite = std::numeric_limits<Real>::infinity();
+  return p <= 0.0 ? infinite : p >= 1.0 ? -infinite : -normal_quantile(p);
+}
+
+// int (h - a)/(b - a) dG = G(b) - int G dh / (b - a), by parts.
+std::vector<Real> level_weights(const std::vector<Real>& h, const Distribution& distribution)
+{
+  std::vector<Real> weights(h.size(), 0.0);
+  weights.front() += distribution.probability(h.front());
+  weights.back() += 1.0 - distribution.probability(h.back());
+  for (std::size_t k = 1; k < h.size(); ++k) {
+    const Real mean = integral_of_probability(distribution, h[k - 1], h[k]) / (h[k] - h[k - 1]);
+    weights[k] += distribution.probability(h[k]) - mean;
+    weights[k - 1] += mean - distribution.probability(h[k - 1]);
+  }
+  return weights;
+}
+
+FragilityCurve estimate_fragility(const Study& study, const Realisations& rows)
+{
+  const FragilityLoad& load = *study.settings.fragility;
+  const Real confidence = study.settings.confidence;
+  const LevelCounts counts = count_levels(study, rows);
+  FragilityCurve curve;
+  curve.n_falling_slides = counts.n_falling_slides, curve.n_falling_floods = counts.n_falling_floods;
+  bool has_all = true;
+  for (std::size_t k = 0; k < load.levels.size(); ++k) {
+    const EventCounts& c = counts.levels[k];
+    curve.levels.push_back({load.levels[k], c.slide(confidence), c.flood(confidence), c.flood_after_slide(confidence)});
+    curve.judges_flood = curve.judges_flood || c.judged > 0;
+    has_all = has_all && c.solved > 0;
+  }
+  if (!load.distribution || !has_all) return curve;
+  curve.slide = integrate(load, counts, &EventCounts::slide, confidence);
+  if (curve.judges_flood) curve.flood = integrate(load, counts, &EventCounts::flood, confidence);
+  return curve;
+}
+
+}  // namespace terp

@@ -1,0 +1,124 @@
+// The section of the page. Not for: what it says in text (fragility_text).
+
+#include "report/plain_page.hpp"
+#include "study/fragility_text.hpp"
+#include "study/study_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace terp {
+namespace {
+
+using OfLevel = EventEstimate LevelEstimate::*;
+
+void add_curve(const FragilityCurve& curve, const char* name, OfLevel event, std::size_t style, LineChart& chart)
+{
+  ChartLine p{.name = name, .points = {}, .style = style, .dashes = 0, .marks = true},
+      low{.name = fmt::format("{}, bounds", name), .points = {}, .style = style, .dashes = 2, .marks = false},
+      high{.name = "", .points = {}, .style = style, .dashes = 2, .marks = false};
+  for (const LevelEstimate& at : curve.levels) {
+    const EventEstimate& e = at.*event;
+    if (e.solved + e.failed == 0) continue;
+    p.points.push_back({at.level, e.probability().value_or(std::nan(""))});
+    low.points.push_back({at.level, e.bounds.low});
+    high.points.push_back({at.level, e.bounds.high});
+  }
+  for (ChartLine* line : {&p, &low, &high}) chart.lines.push_back(std::move(*line));
+}
+
+std::vector<LineChart> charts_of(const Study& study, const FragilityCurve& curve)
+{
+  const FragilityLoad& load = *study.settings.fragility;
+  std::vector<LineChart> charts;
+  LineChart fragility{.title = "Fragility curve", .x_label = load.label(), .y_label = "probability"};
+  add_curve(curve, "slide, P(I|h)", &LevelEstimate::slide, 0, fragility);
+  if (curve.judges_flood) add_curve(curve, "flood, P(F|h)", &LevelEstimate::flood, 1, fragility);
+  charts.push_back(std::move(fragility));
+  if (curve.judges_flood) {
+    LineChart worth{.title = "Floods among slides", .x_label = load.label(), .y_label = "probability"};
+    add_curve(curve, "P(F|I, h)", &LevelEstimate::flood_after_slide, 2, worth);
+    charts.push_back(std::move(worth));
+  }
+  if (load.distribution) {
+    LineChart loads{
+        .title = "Distribution of the load", .x_label = load.label(), .y_label = "probability not exceeded"};
+    ChartLine line{.name = "", .points = {}, .style = 3, .dashes = 0, .marks = false};
+    constexpr int n = 100;
+    const Real low = std::min(load.levels.front(), load.distribution->quantile(0.01)),
+               high = std::max(load.levels.back(), load.distribution->quantile(0.99));
+    for (int k = 0; k <= n; ++k) {
+      const Real h = low + (high - low) * k / n;
+      line.points.push_back({h, load.distribution->probability(h)});
+    }
+    loads.lines.push_back(std::move(line));
+    charts.push_back(std::move(loads));
+  }
+  return charts;
+}
+
+std::string cells_of(const EventEstimate& e, bool with_beta)
+{
+  const auto p = e.probability();
+  std::string cells = html_cell("td", p ? fmt::format("{:.3g}", *p) : "-") +
+                      html_cell("td", p ? fmt::format("{:.3g} to {:.3g}", e.bounds.low, e.bounds.high) : "-");
+  if (with_beta) cells += html_cell("td", p ? fmt::format("{:.2f}", reliability_index(*p)) : "-");
+  return cells;
+}
+
+std::string table_of_levels(const Study& study, const FragilityCurve& curve)
+{
+  const std::string bounds = fmt::format("{:g} % bounds", 100.0 * study.settings.confidence);
+  std::string out = "<div class=\"scroll\"><table><thead><tr>";
+  for (const std::string& title : {study.settings.fragility->label(), std::string("P(I|h)"), bounds,
+           std::string("beta"), std::string("P(F|h)"), bounds, std::string("beta"), std::string("P(F|I, h)"), bounds})
+    out += html_cell("th", title);
+  out += "</tr></thead>\n<tbody>";
+  const EventEstimate none;
+  for (const LevelEstimate& at : curve.levels)
+    out += "<tr>" + html_cell("th", fmt::format("{:g}", at.level)) + cells_of(at.slide, true) +
+           cells_of(curve.judges_flood ? at.flood : none, true) +
+           cells_of(curve.judges_flood ? at.flood_after_slide : none, false) + "</tr>\n";
+  return out + "</tbody></table></div>\n";
+}
+
+std::string answer(const Study& study, const FragilityCurve& curve)
+{
+  const FragilityLoad& load = *study.settings.fragility;
+  const auto& integral = curve.flood ? curve.flood : curve.slide;
+  const char* event = curve.judges_flood ? "The land floods" : "The slope slides";
+  if (!integral)
+    return fmt::format(
+        "{} with the probabilities below, at each {}. For one probability over all levels, give the "
+        "distribution of the load in [fragility].",
+        event, load.name);
+  std::string text = fmt::format(
+      "{} with probability {:.2g}, over the distribution of the {}. ", event, integral->probability, load.name);
+  text += fmt::format(
+      "With {:g} % confidence it lies between {:.2g} and {:.2g} if the curve is straight between its levels, and "
+      "between {:.2g} and {:.2g} if it is only known to rise.",
+      100.0 * study.settings.confidence, integral->of_line.low, integral->of_line.high, integral->rising.low,
+      integral->rising.high);
+  if (curve.flood) text += fmt::format(" A slide happens with probability {:.2g}.", curve.slide->probability);
+  return text;
+}
+
+}  // namespace
+
+std::string fragility_section(const Study& study, const FragilityCurve& curve)
+{
+  return "<section><h2>Fragility</h2>\n" + html_cell("p", answer(study, curve), " class=\"answer\"") + '\n' +
+         html_figures(charts_of(study, curve)) + table_of_levels(study, curve) +
+         html_cell("p",
+             fmt::format("I is {}; F is: {}. The samples are the same at all levels. Bounds of a level are those of "
+                         "Clopper and Pearson; bounds over all levels hold at all of them at once. Where the load is a "
+                         "year's highest water, the probability is per year; it is of this section alone. "
+                         "fragility.csv has the table, fragility_slide.json and fragility_flood.json have it for "
+                         "D-Stability.",
+                 slide_words(study.settings), flood_words),
+             " class=\"muted\"") +
+         "</section>\n";
+}
+
+}  // namespace terp

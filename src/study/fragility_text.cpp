@@ -1,0 +1,137 @@
+#include "study/fragility_text.hpp"
+
+#include "study/study_text.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace terp {
+namespace {
+
+std::string beta_text(const EventEstimate& e)
+{
+  const auto p = e.probability();
+  return p ? fmt::format("{:.2f}", reliability_index(*p)) : "-";
+}
+
+std::string line_of_integral(const char* name, const CurveIntegral& i)
+{
+  return fmt::format("  {:<8}{:.3g}; straight between levels {:.3g} to {:.3g}; never falling {:.3g} to {:.3g}\n", name,
+      i.probability, i.of_line.low, i.of_line.high, i.rising.low, i.rising.high);
+}
+
+std::string distribution_words(const FragilityLoad& load)
+{
+  const Distribution& d = *load.distribution;
+  return fmt::format("{} distribution with 50 % {:.4g}, 90 % {:.4g}, 99 % {:.4g}",
+      all_distributions()[static_cast<std::size_t>(d.kind)].name, d.quantile(0.5), d.quantile(0.9), d.quantile(0.99));
+}
+
+std::string csv_of(const EventEstimate& e)
+{
+  const auto p = e.probability();
+  return p ? fmt::format(",{},{},{},{}", *p, e.bounds.low, e.bounds.high, reliability_index(*p)) : ",nan,nan,nan,nan";
+}
+
+void add_remarks(const FragilityLoad& load, const char* name, const std::optional<CurveIntegral>& i,
+    std::vector<std::string>& remarks)
+{
+  constexpr Real much = 0.1;
+  if (i && i->probability > 0.0 && i->beyond > much * i->probability)
+    remarks.push_back(
+        fmt::format("{:.0f} % of {} come from loads beyond {:g} to {:g}, where the curve is not known and is taken "
+                    "as at its ends. Add levels there.",
+            100.0 * i->beyond / i->probability, name, load.levels.front(), load.levels.back()));
+}
+
+void add_falling(Index n, const char* what, std::vector<std::string>& remarks)
+{
+  if (n > 0)
+    remarks.push_back(
+        fmt::format("In {} case{} the same sample {} at one level and does not at the next higher one: the curve need "
+                    "not rise, and the bounds of a curve that never falls do not hold.",
+            n, n == 1 ? "" : "s", what));
+}
+
+struct PointOfCurve {
+  Real beta = 0.0;
+  std::string remark;
+};
+
+/// None: nothing is known at the level.
+std::optional<PointOfCurve> point_of(const EventEstimate& e)
+{
+  const auto p = e.probability();
+  if (!p) return std::nullopt;
+  if (e.happened == 0)
+    return PointOfCurve{reliability_index(e.bounds.high), fmt::format(", none of {}: upper bound of P", e.solved)};
+  if (e.happened == e.solved)
+    return PointOfCurve{reliability_index(e.bounds.low), fmt::format(", all of {}: lower bound of P", e.solved)};
+  return PointOfCurve{reliability_index(*p), fmt::format(", {} of {}", e.happened, e.solved)};
+}
+
+}  // namespace
+
+std::string fragility_text(const Study& study, const FragilityCurve& curve)
+{
+  const FragilityLoad& load = *study.settings.fragility;
+  std::string out = fmt::format(
+      "  {}, at each level, with {:g} % bounds; beta = -Phi^-1(P)\n", load.label(), 100.0 * study.settings.confidence);
+  out += fmt::format(
+      "  {:>9}  {:<28}{:>6}  {:<28}{:>6}  {}\n", load.name.substr(0, 9), "P(I)", "beta", "P(F)", "beta", "P(F|I)");
+  for (const LevelEstimate& at : curve.levels)
+    out += fmt::format("  {:>9.5g}  {:<28}{:>6}  {:<28}{:>6}  {}\n", at.level, estimate_text(at.slide),
+        beta_text(at.slide), curve.judges_flood ? estimate_text(at.flood) : "-",
+        curve.judges_flood ? beta_text(at.flood) : "-", curve.judges_flood ? estimate_text(at.flood_after_slide) : "-");
+  if (!curve.slide) return out;
+  out += fmt::format("  over the {}\n", distribution_words(load)) + line_of_integral("P(I)", *curve.slide);
+  if (curve.flood) out += line_of_integral("P(F)", *curve.flood);
+  return out;
+}
+
+std::vector<std::string> remarks_on_fragility(const Study& study, const FragilityCurve& curve)
+{
+  std::vector<std::string> remarks;
+  const FragilityLoad& load = *study.settings.fragility;
+  add_falling(curve.n_falling_slides, "slides", remarks);
+  add_falling(curve.n_falling_floods, "floods the land", remarks);
+  add_remarks(load, "P(I)", curve.slide, remarks);
+  add_remarks(load, "P(F)", curve.flood, remarks);
+  return remarks;
+}
+
+std::string fragility_csv(const Study& study, const FragilityCurve& curve)
+{
+  const FragilityLoad& load = *study.settings.fragility;
+  std::vector<Real> weights(load.levels.size(), std::nan(""));
+  if (load.distribution) weights = level_weights(load.levels, *load.distribution);
+  std::string out = "level,solved,failed,slides,floods";
+  for (const char* event : {"I", "F", "F_after_I"}) out += fmt::format(",P_{0},P_{0}_low,P_{0}_high,beta_{0}", event);
+  out += ",weight\n";
+  for (std::size_t k = 0; k < curve.levels.size(); ++k) {
+    const LevelEstimate& at = curve.levels[k];
+    const EventEstimate none;
+    out += fmt::format("{},{},{},{},{}", at.level, at.slide.solved, at.slide.failed, at.slide.happened,
+        curve.judges_flood ? fmt::format("{}", at.flood.happened) : "nan");
+    out += csv_of(at.slide) + csv_of(curve.judges_flood ? at.flood : none) +
+           csv_of(curve.judges_flood ? at.flood_after_slide : none) + fmt::format(",{}\n", weights[k]);
+  }
+  return out;
+}
+
+std::string dstability_curve(const Study& study, const FragilityCurve& curve, bool of_flood)
+{
+  nlohmann::ordered_json points = nlohmann::ordered_json::array();
+  for (const LevelEstimate& at : curve.levels)
+    if (const auto point = point_of(of_flood ? at.flood : at.slide))
+      points.push_back({{"Label", fmt::format("{} {:g}{}", study.settings.fragility->name, at.level, point->remark)},
+          {"Beta", point->beta}, {"WaterLevel", at.level}, {"Contributions", nlohmann::ordered_json::array()}});
+  return nlohmann::ordered_json{{"Calculations", points}, {"Stochasts", nlohmann::ordered_json::array()},
+             {"Correlations", nlohmann::ordered_json::array()}}
+             .dump(2) +
+         '\n';
+}
+
+}  // namespace terp

@@ -1,0 +1,27 @@
+// A fragility curve for a terminal, as a table, as a section of the page, and as D-Stability takes it.
+#pragma once
+
+#include "study/fragility.hpp"
+
+#include <string>
+#include <vector>
+
+namespace terp {
+
+std::string fragility_text(const Study& study, const FragilityCurve& curve);
+
+/// What to know before the curve is used.
+std::vector<std::string> remarks_on_fragility(const Study& study, const FragilityCurve& curve);
+
+/// fragility.csv: a line per level; numbers to the bit, nan or inf where there is no finite one.
+std::string fragility_csv(const Study& study, const FragilityCurve& curve);
+
+/// <section> with the curve as a picture and as a table.
+std::string fragility_section(const Study& study, const FragilityCurve& curve);
+
+/// A curve in the form in which D-Stability exports its own: reliability indices by water level, without influence
+/// factors (Monte Carlo has none). Where nothing happened, beta is that of the upper bound; where all happened, that of
+/// the lower one; the label says so.
+std::string dstability_curve(const Study& study, const FragilityCurve& curve, bool of_flood);
+
+}  // namespace terp
