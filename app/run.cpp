@@ -65,19 +65,30 @@ void print_summary(const Summary& s, const Model& model, const std::string& fold
   fmt::print("results in {}\n", folder);
 }
 
-/// Stages, or the run, that were to end at rest and did not.
+/// Stages, or the run, that were to end at rest and did not; a verdict on soil that still moves.
 void warn_of_no_rest(const Summary& s, const Model& model, const std::string& folder)
 {
+  const TimeCase& time = model.description.time;
   for (const StageSummary& stage : s.stages) {
     const StageRecord& r = stage.record;
     if (r.at_rest || !std::isfinite(r.fastest)) continue;
+    const std::string why =
+        r.fastest < time.rest_speed
+            ? fmt::format("was not slower than {:.2g} m/s for {:g} s after the last change of water and loads",
+                  time.rest_speed, time.rest_time)
+            : fmt::format("moved with {:.2g} m/s, limit {:.2g} m/s", r.fastest, time.rest_speed);
     fmt::print(stderr,
-        "warning: {}: {} ended after {:.4g} s, at t = {:.4g} s, before the soil was at rest: its fastest node moved "
-        "with "
-        "{:.2g} m/s, limit {:.2g} m/s; see docs/stages.md#at-rest\n",
+        "warning: {}: {} ended after {:.4g} s, at t = {:.4g} s, before the soil was at rest: its fastest node {}; see "
+        "docs/stages.md#at-rest\n",
         folder, stage.name.empty() ? "the run" : fmt::format("the stage `{}`", stage.name), r.end - r.start, r.end,
-        r.fastest, model.description.time.rest_speed);
+        why);
   }
+  const bool ends_at_rest = !s.stages.empty() && std::isfinite(s.stages.back().record.fastest);
+  if (!ends_at_rest && s.flood && s.flood->still_moves && s.flood->verdict != FloodVerdict::floods)
+    fmt::print(stderr,
+        "warning: {}: the soil still moves at the end, its fastest node with {:.2g} m/s, so the verdict may change: "
+        "end the run at rest; see docs/stages.md#at-rest\n",
+        folder, *s.flood->fastest_node);
 }
 
 /// What the numbers say against themselves.

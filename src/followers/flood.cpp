@@ -102,6 +102,7 @@ class Flood : public Follower {
   Real slides_ = 0.0;          ///< volume of ground that moved, from which on it is [m^2]
   std::optional<Facing> river_;
   Real time_damaged_ = never, time_below_ = never;  ///< the first ones; but for slides [s]
+  Real fastest_node_ = never;                       ///< in the last row [m/s]
 
   void start(const Model& model, const State& state) override
   {
@@ -127,6 +128,7 @@ class Flood : public Follower {
     if (!level.is_known()) return;
     const Barrier barrier = look(context.model, context.state);
     values[0] = barrier.height, values[1] = barrier.width, values[2] = barrier.intact_width;
+    fastest_node_ = context.fastest_node;
     const auto keep_first = [&](bool so, Real& time) {
       if (so && std::isnan(time)) time = context.state.time;
     };
@@ -156,6 +158,9 @@ class Flood : public Follower {
     f.first_time_below = known(time_below_);
     f.first_time_damaged =  // the slopes are asked before
         known(std::fmin(time_damaged_, s.first_slide_time.value_or(never)));
+    f.fastest_node = known(fastest_node_);
+    const bool rests = !state.stages_done.empty() && state.stages_done.back().at_rest;
+    f.still_moves = !rests && f.fastest_node && *f.fastest_node * state.time > settles_;
     f.verdict = f.first_time_below     ? FloodVerdict::floods
                 : f.first_time_damaged ? FloodVerdict::damaged
                                        : FloodVerdict::stands;
@@ -169,6 +174,7 @@ class Flood : public Follower {
     arrays.copy("ground", std::vector<Real>{first_height_, settles_, slides_});
     arrays.copy("river", std::vector<std::int64_t>{!river_ ? 0 : static_cast<std::int64_t>(outwards(*river_))});
     arrays.copy("times", std::vector<Real>{time_damaged_, time_below_});
+    arrays.copy("speed", std::vector<Real>{fastest_node_});
   }
   void load(const Model&, const State&, const ArrayReader& arrays) override
   {
@@ -179,6 +185,7 @@ class Flood : public Follower {
     const std::int64_t river = arrays.wholes("river", 1)[0];
     river_ = river == 0 ? std::nullopt : std::optional(river > 0 ? Facing::right : Facing::left);
     time_damaged_ = times[0], time_below_ = times[1];
+    if (arrays.has("speed")) fastest_node_ = arrays.reals("speed", 1)[0];
   }
 
   /// What the other run counted holds if it was judged against the same. Else only the ground of t = 0 is looked at,

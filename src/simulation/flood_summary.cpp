@@ -49,9 +49,12 @@ std::string flood_clause(const FloodSummary& flood)
                                 ? fmt::format("; the ground is {:.2f} m wide there, {:.2f} m of it intact",
                                       flood.width_at_level, flood.intact_width)
                                 : "";
-  return fmt::format("{}{}: {} the highest ground stands at {:.2f} m, {:.2f} m {} the water at {:.2f} m{}", verdict,
+  const std::string motion = flood.still_moves && flood.verdict && !floods
+                                 ? fmt::format("; the soil still moves, {:.2g} m/s", *flood.fastest_node)
+                                 : "";
+  return fmt::format("{}{}: {} the highest ground stands at {:.2f} m, {:.2f} m {} the water at {:.2f} m{}{}", verdict,
       since, flood.verdict ? "at the end" : "so far", flood.residual_height, std::abs(flood.freeboard),
-      flood.freeboard < 0.0 ? "below" : "above", flood.water_level, width);
+      flood.freeboard < 0.0 ? "below" : "above", flood.water_level, width, motion);
 }
 
 }  // namespace terp

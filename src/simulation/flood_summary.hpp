@@ -50,6 +50,8 @@ struct FloodSummary {
   Real intact_width = none;                ///< of that, with eps_eq_p below the limit [m]
   std::optional<Real> first_time_damaged;  ///< [s]
   std::optional<Real> first_time_below;    ///< of the flood [s]
+  std::optional<Real> fastest_node;        ///< at the end [m/s]
+  bool still_moves = false;                ///< so fast that, for as long again, the soil would go far enough to matter
   std::string criterion = {};              ///< by which it floods, in words
   std::optional<FloodTrigger> trigger;     ///< none: the verdict is that of the section as it is
 };

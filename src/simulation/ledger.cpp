@@ -152,7 +152,8 @@ TableRow keep_ledger(const Model& model, State& state, Workspace& work)
       .request = request,
       .totals = totals,
       .kinetic_nodal = state.step == 0 ? kinetic_energy(map_motion(model, state)) : work.kinetic_nodal,
-      .left_energy = kinetic_and_elastic_energy(state.left)};
+      .left_energy = kinetic_and_elastic_energy(state.left),
+      .fastest_node = work.watches_rest ? work.fastest_node : NAN};
   state.largest_v_999 = std::max(state.largest_v_999, totals.v_999);
   FollowerTypes types;
   for (const ActiveFollower& active : state.followers) types.push_back(active.type);

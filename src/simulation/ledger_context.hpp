@@ -22,6 +22,7 @@ struct LedgerContext {
   const Totals& totals;
   Real kinetic_nodal;  ///< of the nodes at the start of the last step [J per m]
   Real left_energy;    ///< of the points that left, when they did [J per m]
+  Real fastest_node;   ///< of those that hold soil, in the last step [m/s]; NaN: not looked at, or no step yet
 };
 
 }  // namespace terp

@@ -156,7 +156,7 @@ Outcome run(const Model& model, State& state, Workspace& work, std::span<Observe
     loop.report_due(false);
   }
   if (state.rows_reported.empty()) loop.report_due(true);  // it begins with the state of another run
-  work.watches_rest = model.stage.rest.steps > 0;
+  work.watches_rest = model.stage.rest.steps > 0 || model.flood_level.is_known();
   const auto report_what_is_due = [&] {
     watch_rest(model, work, state);
     const bool ends = ends_now(model, work, state);

@@ -126,7 +126,7 @@ struct Workspace {
   SearchForces search = {};     ///< of the same
   Vec<2> gravity{0.0, 0.0};     ///< in this step [m/s^2]
   bool watches_rest = false;    ///< `fastest_node` is wanted
-  Real fastest_node = 0.0;      ///< largest speed of a node that counts for rest, in the last step [m/s]
+  Real fastest_node = std::numeric_limits<Real>::quiet_NaN();  ///< largest speed of a node that counts for rest [m/s]
   Real damping_local = 0.0;     ///< alpha in force: the model's, or that of the search for equilibrium
   bool finite = true;           ///< no nodal value was NaN or infinite in the last step
   Real unbalanced_ratio = 0.0;  ///< sum |m a|, but for damping, over sum |m g| in the last step

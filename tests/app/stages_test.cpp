@@ -200,6 +200,22 @@ TEST(ARunUntilRest, EndsThereOrSaysThatItDidNot)
   EXPECT_THAT(late.err, HasSubstr("late: the run ended after 0.1 s, at t = 0.1 s, before the soil was at rest: its "
                                   "fastest node moved with "));
   EXPECT_EQ(summary_of(files.run("late")).at("stages").at(0).at("at_rest"), false);
+  const Finished brief = files.solve("brief", {"--set", "time.at_most=0.1", "--set", "time.rest_speed=1e3"});
+  EXPECT_THAT(brief.err, HasSubstr("its fastest node was not slower than 1e+03 m/s for 0.5 s after the last change"));
+}
+
+TEST(ARunWithAFixedEnd, WarnsOfAVerdictOnSoilThatStillMoves)
+{
+  const Files files("[time]\nend = 0.3\n[flood]\nwater_level = 0.1\n" + soil);
+  const Finished early =
+      files.solve("early", {"--set", "initial.stress=\"none\"", "--set", "material.soil.shear_modulus=2e4"});
+  ASSERT_EQ(early.status, 0) << early.err;
+  EXPECT_THAT(early.err, HasSubstr("early: the soil still moves at the end, its fastest node with "));
+  EXPECT_THAT(early.out, HasSubstr("; the soil still moves, "));
+  const Finished rested = files.solve("rested", {"--set", "time.end=10.0"});
+  ASSERT_EQ(rested.status, 0) << rested.err;
+  EXPECT_EQ(summary_of(files.run("rested")).at("flood").at("still_moves"), false);
+  EXPECT_THAT(rested.err, testing::Not(HasSubstr("still moves")));
 }
 
 }  // namespace

@@ -74,11 +74,13 @@ export function byColumns({ cell }: RunMeta): string {
   return cell ? say("by_columns", { column: withUnit(cell, "m", 2) }) : "";
 }
 
-/** That the last stage, or the run, was to end at rest and did not. */
+/** That the last stage, or the run, was to end at rest and did not, or that soil under a verdict still moves. */
 export function restDoubt({ meta }: Run): string[] {
   const stages = listOf<StageOfSummary>(meta, "stages");
   const last = stages[stages.length - 1];
-  return last && isRestless(last) ? [say("note_rest", { speed: withUnit(last.fastest_node, "m/s", 2) })] : [];
+  const flood = meta.events?.flood;
+  const speed = last && isRestless(last) ? last.fastest_node : flood?.still_moves ? flood.fastest_node : null;
+  return typeof speed === "number" ? [say("note_rest", { speed: withUnit(speed, "m/s", 2) })] : [];
 }
 
 function isRestless({ end, at_rest: rest, fastest_node: fastest }: StageOfSummary): boolean {

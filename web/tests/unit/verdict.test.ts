@@ -39,6 +39,9 @@ describe("the verdict", () => {
     expect(doubts(runWith("floods", true, { water_in_gap: 1.25 }))).toEqual([]);
     const rest = (last: object) => doubts(runWith("stands", true, {}, { stages: [{ name: "a", start: 0, end: 1, ...last }] }));
     expect(rest({ at_rest: true, fastest_node: 1e-4 })).toEqual([]);
+    expect(plain(doubts(runWith("stands", true,
+      { events: { slides: [], flood: { verdict: "stands", fastest_node: 0.5, still_moves: true } } })))).toEqual([
+      "The soil had not come to rest at the end: its fastest node moved with 0.5 m/s."]);
     expect(rest({ at_rest: false, fastest_node: null })).toEqual([]); // it was not to end at rest
     expect(rest({ end: null, at_rest: false, fastest_node: null })).toEqual([]); // it runs
   });
