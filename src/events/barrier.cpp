@@ -14,6 +14,7 @@ namespace terp {
 namespace {
 
 constexpr Real none = -std::numeric_limits<Real>::infinity();
+constexpr Real carries = 1.0 / 3.0;  // part of a cell that ground must fill to connect its neighbours with the base
 
 /// What a cell holds of ground.
 struct CellContent {
@@ -41,7 +42,13 @@ bool is_at_boundary(const Mesh<2>& mesh, Index cell)
          mesh.neighbours[static_cast<std::size_t>(cell)].end();
 }
 
-/// Which of the occupied cells rest on the boundary of the mesh, or on others that do.
+Real area_of(const std::array<Vec<2>, 4>& x)
+{
+  return 0.5 * ((x[2][0] - x[0][0]) * (x[3][1] - x[1][1]) - (x[3][0] - x[1][0]) * (x[2][1] - x[0][1]));
+}
+
+/// Which of the occupied cells rest on the boundary of the mesh, or on others that do. A thread of points through cells
+/// that are nearly empty connects nothing.
 std::vector<std::uint8_t> find_connected(
     const Mesh<2>& mesh, const PointBlocks<2>& points, const std::vector<CellContent>& contents)
 {
@@ -51,7 +58,7 @@ std::vector<std::uint8_t> find_connected(
   const auto enter = [&](Index slot) {
     if (slot < 0 || connected[slot] != 0 || !(contents[slot].volume > 0.0)) return;
     connected[slot] = 1;
-    open.push_back(slot);
+    if (contents[slot].volume >= carries * area_of(mesh.corners(cells[slot]))) open.push_back(slot);
   };
   for (Index slot = 0; slot < static_cast<Index>(cells.size()); ++slot)
     if (is_at_boundary(mesh, cells[slot])) enter(slot);
@@ -76,11 +83,6 @@ std::array<Real, 2> stretch_at(const std::array<Vec<2>, 4>& corners, Real x)
       stretch = {std::min(stretch[0], y), std::max(stretch[1], y)};
   }
   return stretch;
-}
-
-Real area_of(const std::array<Vec<2>, 4>& x)
-{
-  return 0.5 * ((x[2][0] - x[0][0]) * (x[3][1] - x[1][1]) - (x[3][0] - x[1][0]) * (x[2][1] - x[0][1]));
 }
 
 void enter_cell(const std::array<Vec<2>, 4>& corners, const CellContent& content, StandingGround& ground)
@@ -153,8 +155,11 @@ ColumnRange columns_of_barrier(const StandingGround& ground)
 {
   const Index n = ground.columns.n;
   const auto reaches = [&](Index k) { return ground.heights[k] >= ground.level; };
-  Index left = 0, right = n;  // the high land at both ends
+  const auto is_empty = [&](Index k) { return ground.heights[k] == none; };
+  Index left = 0, right = n;  // the high land at both ends of the soil, which may end before the mesh
+  while (left < n && is_empty(left)) ++left;
   while (left < n && reaches(left)) ++left;
+  while (right > 0 && is_empty(right - 1)) --right;
   while (right > 0 && reaches(right - 1)) --right;
   for (Index k = left; k < right; ++k)
     if (reaches(k)) return {left, right};

@@ -60,11 +60,12 @@ std::size_t find_settled(const CrestHistory& crest, std::size_t k)
   return k;
 }
 
-/// First row after k by which the crest has retreated by `length` within `settled_for`: a slide, not creep.
+/// First row after k by which the crest has retreated by `length` within `settled_for`, or from one row to the next if
+/// rows are rarer: a slide, not creep.
 std::size_t find_slide(const CrestHistory& crest, std::size_t k, Real length)
 {
   for (std::size_t end = k; end < crest.x.size(); ++end) {
-    while (crest.time[end] - crest.time[k] > settled_for + round_off) ++k;
+    while (k + 1 < end && crest.time[end] - crest.time[k] > settled_for + round_off) ++k;
     for (std::size_t from = k; from < end; ++from)
       if (place(crest, end) <= place(crest, from) - length + round_off) return end;
   }

@@ -22,13 +22,14 @@ bool hides(const TopPoint& above, const TopPoint& below)
   return dx < beside * above.size || (dx < reach * above.size && dy > steep * dx);
 }
 
-std::vector<TopPoint> collect(const PointBlocks<2>& points, Real left, Real right)
+std::vector<TopPoint> collect(const PointBlocks<2>& points, Real left, Real right, int held_row)
 {
   std::vector<TopPoint> found;
   for (const Index cell : points.occupied())
     for_each_block(points, cell, [&](const PointBlock<2>& block, Index b) {
       for (Index lane = 0; lane < block.n; ++lane)
-        if (const Real x = block.row(Rows::x)[lane]; x >= left && x <= right)
+        if (const Real x = block.row(Rows::x)[lane];
+            x >= left && x <= right && (held_row < 0 || block.row(held_row)[lane] >= 0.0))
           found.push_back({{b, lane}, {x, block.row(Rows::x + 1)[lane]}, std::sqrt(block.row(Rows::volume)[lane])});
     });
   return found;
@@ -36,9 +37,9 @@ std::vector<TopPoint> collect(const PointBlocks<2>& points, Real left, Real righ
 
 }  // namespace
 
-std::vector<TopPoint> find_top_points(const PointBlocks<2>& points, Real left, Real right)
+std::vector<TopPoint> find_top_points(const PointBlocks<2>& points, Real left, Real right, int held_row)
 {
-  std::vector<TopPoint> all = collect(points, left, right);
+  std::vector<TopPoint> all = collect(points, left, right, held_row);
   // From the highest down: what is hidden by a hidden point is hidden by one above that, or near enough.
   std::ranges::sort(
       all, [](const TopPoint& a, const TopPoint& b) { return a.x[1] != b.x[1] ? a.x[1] > b.x[1] : a.x[0] < b.x[0]; });

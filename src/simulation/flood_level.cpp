@@ -87,10 +87,10 @@ FloodLevel find_flood_level(const Case& whole, const Model& model)
   const FloodCase& flood = whole.flood;
   if (!flood.asks()) return {};
   const std::array<FreeWater, 2> ends = free_water_at_ends(whole, model);
-  const bool both = ends[0].level != no_water && ends[0].level == ends[1].level;
+  const bool differ = std::abs(ends[0].level - ends[1].level) > least_depth;
+  const bool both = ends[0].level != no_water && !differ;
   FloodLevel level{.value = flood.water_level, .origin = "flood.water_level", .river = {}, .at_both_ends = both};
   if (flood.river != RiverSide::deduced) level.river = flood.river == RiverSide::left ? Facing::left : Facing::right;
-  const bool differ = ends[0].level != ends[1].level;
   if (!level.river && differ) level.river = ends[0].level > ends[1].level ? Facing::left : Facing::right;
   if (level.is_known()) return level;
   const FreeWater& water = ends[level.river == Facing::right ? 1 : 0];

@@ -59,15 +59,15 @@ std::vector<Real> share_stretch(const std::vector<TopPoint>& tops, Real from, Re
   return width;
 }
 
-/// The top points that can carry a part of the stretch: those on it and one on each side.
-std::vector<TopPoint> top_points_at(const Load& load, const State& state)
+/// The top points that can carry a part of the stretch: those on it and one on each side, of ground that stays.
+std::vector<TopPoint> top_points_at(const Model& model, const Load& load, const State& state)
 {
   Real largest = 0.0;
   for_each_block(state.points, [&](const PointBlock<2>& block) {
     for (Index lane = 0; lane < block.n; ++lane) largest = std::max(largest, block.row(PointRows<2>::volume)[lane]);
   });
   const Real margin = 4.0 * std::sqrt(largest);  // what hides the neighbours of the ends lies within it
-  return find_top_points(state.points, load.from - margin, load.to + margin);
+  return find_top_points(state.points, load.from - margin, load.to + margin, model.held_row);
 }
 
 }  // namespace
@@ -91,9 +91,9 @@ void add_rows_of_loads(std::vector<Load>& loads, RowTable& rows)
         .owner = "load"});
 }
 
-std::string place_load(const Load& load, State& state)
+std::string place_load(const Model& model, const Load& load, State& state)
 {
-  const std::vector<TopPoint> tops = top_points_at(load, state);
+  const std::vector<TopPoint> tops = top_points_at(model, load, state);
   if (const Gap gap = find_gap(tops, load.from, load.to); gap.from < gap.to) return describe_gap(load, gap, state);
   const std::vector<Real> width = share_stretch(tops, load.from, load.to);
   for_each_block(state.points, [&](const PointBlock<2>& block) { std::fill_n(block.row(load.row), block.n, 0.0); });
@@ -102,11 +102,21 @@ std::string place_load(const Load& load, State& state)
   return {};
 }
 
+bool stands_on_what_goes(const Model& model, const Load& load, const State& state)
+{
+  if (model.held_row < 0) return false;
+  bool any = false;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    any = any || (block.row(model.held_row)[lane] < 0.0 && block.row(load.row)[lane] != 0.0);
+  });
+  return any;
+}
+
 void place_first_loads(const Model& model, State& state)
 {
   for (std::size_t k = 0; k < model.loads.size(); ++k) {
     const Load& load = model.loads[k];
-    if (std::string why = place_load(load, state); !why.empty())
+    if (std::string why = place_load(model, load, state); !why.empty())
       throw InputError(
           Problem{fmt::format("load[{}].from", k), fmt::format("there is no ground under the load `{}`", load.name),
               why, "load", false, {fmt::format("load[{}].to", k), "body"}});
@@ -119,7 +129,7 @@ std::string place_due_loads(const Model& model, State& state)
 {
   for (const Load& load : model.loads) {
     if (load.is_permanent() || model.first_step + load.first_step(model.dt, model.first_time) != state.step) continue;
-    if (const std::string why = place_load(load, state); !why.empty())
+    if (const std::string why = place_load(model, load, state); !why.empty())
       return fmt::format("step {}, t = {:.4f} s: there is no ground under the load `{}`, which begins now\n  {}",
           state.step, state.time, load.name, why);
   }

@@ -21,7 +21,11 @@ void add_rows_of_loads(std::vector<Load>& loads, RowTable& rows);
 /// Lets the points at the surface carry a load that begins now: each the part of the stretch that lies nearer to it
 /// than to its neighbours, by linear shares, so that sum and first moment of the load are those of the stretch. Returns
 /// why that cannot be, or nothing: there is no ground under a part of the stretch.
-std::string place_load(const Load& load, State& state);
+/// Points that the present stage digs away carry nothing.
+std::string place_load(const Model& model, const Load& load, State& state);
+
+/// Whether points that the present stage digs away carry a part of the load.
+bool stands_on_what_goes(const Model& model, const Load& load, const State& state);
 
 /// Places the loads that were always there, and looks whether there is ground for the others now. Throws InputError.
 void place_first_loads(const Model& model, State& state);

@@ -94,8 +94,9 @@ void place_loads(const Model& before, const State& at_end, const Model& model, S
   for (std::size_t k = 0; k < model.loads.size(); ++k) {
     const Load& load = model.loads[k];
     const Load* other = same_load(before, load);
-    if (!was_placed(model, state, load) || (other != nullptr && was_placed(before, at_end, *other))) continue;
-    if (const std::string why = place_load(load, state); !why.empty())
+    const bool stays = other != nullptr && was_placed(before, at_end, *other);
+    if (!was_placed(model, state, load) || (stays && !stands_on_what_goes(model, load, state))) continue;
+    if (const std::string why = place_load(model, load, state); !why.empty())
       throw InputError(Problem{fmt::format("load[{}].from", k),
           fmt::format("there is no ground under the load `{}` where the run begins", load.name), why, "load", false,
           {fmt::format("load[{}].to", k)}});

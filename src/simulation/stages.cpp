@@ -67,16 +67,17 @@ void reset_displacement(State& state)
   });
 }
 
-/// Loads of which there was nothing take their place on the ground as it is now.
+/// Loads of which there was nothing take their place on the ground as it is now. So do those that stand on what the
+/// stage digs away.
 void place_new_loads(const Model& before, const Model& model, State& state)
 {
   for (std::size_t k = 0; k < model.loads.size(); ++k) {
     const Load& load = model.loads[k];
-    if (!load.is_permanent() || before.loads[k].pressure > 0.0 || !(load.pressure > 0.0)) continue;
-    if (const std::string why = place_load(load, state); !why.empty())
-      throw RunError(
-          fmt::format("t = {:.4f} s: there is no ground under the load `{}`, which the stage `{}` puts on\n  {}",
-              state.time, load.name, model.stage.name, why));
+    const bool is_new = load.is_permanent() && !(before.loads[k].pressure > 0.0) && load.pressure > 0.0;
+    if (!is_new && !stands_on_what_goes(model, load, state)) continue;
+    if (const std::string why = place_load(model, load, state); !why.empty())
+      throw RunError(fmt::format("t = {:.4f} s: there is no ground under the load `{}`, which the stage `{}` {}\n  {}",
+          state.time, load.name, model.stage.name, is_new ? "puts on" : "digs the ground away from", why));
   }
 }
 

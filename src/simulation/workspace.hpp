@@ -122,10 +122,10 @@ struct Workspace {
   std::array<OuterForces, n_outer_kinds> outer;         ///< forces from outside
   HeldShares held;                                      ///< of the weight of bodies that come or go, in this step
   std::vector<Real> load_pressure;                      ///< of each load in this step [Pa]
-  bool settling = false;        ///< in the search for equilibrium, which knows neither footings nor loads for a time
-  SearchForces search = {};     ///< of the same
-  Vec<2> gravity{0.0, 0.0};     ///< in this step [m/s^2]
-  bool watches_rest = false;    ///< `fastest_node` is wanted
+  bool settling = false;      ///< in the search for equilibrium, which knows neither footings nor loads for a time
+  SearchForces search = {};   ///< of the same
+  Vec<2> gravity{0.0, 0.0};   ///< in this step [m/s^2]
+  bool watches_rest = false;  ///< `fastest_node` is wanted
   Real fastest_node = std::numeric_limits<Real>::quiet_NaN();  ///< largest speed of a node that counts for rest [m/s]
   Real damping_local = 0.0;     ///< alpha in force: the model's, or that of the search for equilibrium
   bool finite = true;           ///< no nodal value was NaN or infinite in the last step

@@ -87,6 +87,14 @@ TEST(Barrier, IsNoSoilInTheAir)
   EXPECT_DOUBLE_EQ(dike().box({9.0, 4.0}, {10.0, 5.0}).at(2.5).height, 5.0);  // this stands on it
 }
 
+TEST(Barrier, IsNoThreadOfPoints)
+{
+  Drawing drawing = dike();
+  for (int k = 0; k < 10; ++k) drawing.point({10.1, 4.1 + 0.125 * k}, 1.0 / 64.0);  // a cell of it is a quarter full
+  EXPECT_NEAR(drawing.at(2.5).height, 4.0 + size / 4.0, 1e-9);
+  EXPECT_NEAR(dike().box({9.0, 4.0}, {9.25, 5.0}).at(2.5).height, 4.75, 1e-9);  // a wall of half a cell
+}
+
 TEST(Barrier, MayOverhang)  // water finds no way through a hollow that leads nowhere
 {
   const Barrier barrier = dike().box({12.0, 3.5}, {14.0, 4.5}).at(3.75);
@@ -136,6 +144,9 @@ TEST(Barrier, HighLandBehindThePolderHoldsNoWater)
   EXPECT_EQ(range.first, 0);
   EXPECT_EQ(range.last, 34);
   EXPECT_DOUBLE_EQ(find_barrier(ground, range).height, 4.0);
+  Drawing short_of_the_end;  // the soil ends before the mesh
+  short_of_the_end.box({0.0, 0.0}, {18.0, 1.0}).box({8.0, 1.0}, {12.0, 4.0}).box({15.0, 1.0}, {18.0, 5.0});
+  EXPECT_DOUBLE_EQ(short_of_the_end.at(3.0).height, 4.0);
   Drawing bank;  // high land alone is the barrier itself
   bank.box({0.0, 0.0}, {20.0, 1.0}).box({8.0, 1.0}, {20.0, 4.0});
   EXPECT_NEAR(bank.at(3.0).width, 12.0, 0.26);

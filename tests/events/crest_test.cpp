@@ -50,6 +50,16 @@ TEST(SecondFailure, IsTheTimeAtWhichTheSettledCrestBeginsToSlideAgain)
   EXPECT_NEAR(*second_failure_time(crest), 2.0, 0.05);  // in whole columns, of which the first is within the tolerance
 }
 
+TEST(SecondFailure, IsSeenInRowsThatAreRare)
+{
+  CrestHistory crest = column_history();
+  for (const auto& [time, x] :
+      {std::pair(0.0, 8.0), {0.5, 8.0}, {1.0, 6.0}, {1.5, 6.0}, {2.0, 6.0}, {2.5, 4.5}, {3.0, 4.5}})
+    crest.time.push_back(time), crest.x.push_back(x);
+  ASSERT_TRUE(second_failure_time(crest).has_value());
+  EXPECT_DOUBLE_EQ(*second_failure_time(crest), 2.5);
+}
+
 TEST(Slides, BeginWhenTheCrestLeavesForGoodNotWhenItFlickers)
 {
   CrestHistory crest = column_history();

@@ -274,4 +274,30 @@ TEST(PlacedBodies, LeaveTheStrengthOfTheSoilBelowThem)
   });
 }
 
+// The fill is there from the start; the load on it, which stood before, goes to the ground below when the fill goes.
+TEST(PlacedBodies, ThatGoLeaveTheLoadOnThemToTheGroundBelow)
+{
+  Case c = settling();
+  c.time.rest_time = 0.2;
+  c.bodies.push_back(c.bodies[0]);
+  c.bodies[1].name = "fill";
+  c.bodies[1].polygon = body("fill", {0.0, 1.0}, {4.0, 1.5}).polygon;
+  c.bodies[1].removed = 2;
+  c.loads.push_back({.name = "road", .from = 0.5, .to = 3.5, .pressure = 4e3});
+  StageCase dig = resting("dig", 8.0);
+  dig.ramp = 0.5;
+  Simulation s(staged(c, {{resting("settle", 8.0), {}}, {dig, [](Case& now) { now.bodies.back().is_there = false; }}}));
+  const auto force = [&] {
+    Real width = 0.0;
+    for_each_point(s.state.points,
+        [&](const PointBlock<2>& block, Index lane) { width += block.row(s.model.loads[0].row)[lane]; });
+    return width * s.model.loads[0].pressure;
+  };
+  EXPECT_NEAR(force(), 12e3, 1e-6);
+  const Real with_fill = (run_stages(s, 1), stress_at_base(s.state));
+  run_stages(s, 2);
+  EXPECT_NEAR(force(), 12e3, 1e-6);
+  EXPECT_NEAR(stress_at_base(s.state) - with_fill, of_ground * g * 0.5, 0.02 * of_ground * g * 0.5);
+}
+
 }  // namespace
