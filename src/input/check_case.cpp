@@ -189,7 +189,12 @@ void check_initial(const Node& root, const Case& values, Findings& findings)
           fmt::format("It counts with stress = \"{}\" only.", word), path, true});
   };
   const bool takes_k0 =
-      stress == InitialStress::k0 || (stress == InitialStress::equilibrium && values.water.is_given());
+      stress == InitialStress::k0 ||
+      (stress == InitialStress::equilibrium &&
+          (values.water.is_given() || std::ranges::any_of(values.materials, [](const MaterialCase& m) {
+            const MaterialType* law = find_material(m.model);
+            return law != nullptr && law->stiffness_by_stress;
+          })));
   if (!takes_k0) warn_unless("k0", InitialStress::k0, "k0");
   for (const MaterialCase& material : values.materials)
     if (!takes_k0 && !std::isnan(material.k0))

@@ -40,6 +40,11 @@ bool a_stage_changes_drainage(const Case& values)
 
 void check_law(const MaterialCase& material, const MaterialType& law, Findings& findings)
 {
+  if (law.stiffness_by_stress && material.drainage == Drainage::undrained)
+    findings.problems.push_back({join_path(material_path(material), "drainage"),
+        fmt::format("soil of the law {} needs effective stress", law.name),
+        "Its strength and stiffness follow from it. Give drainage = \"undrained_effective\", or \"drained\".",
+        "material.drainage", false, {material_path(material)}});
   const bool effective = material.drainage == Drainage::drained || material.has_excess_pressure();
   if (!law.total_stress || !effective) return;
   const bool drained = material.drainage == Drainage::drained;
@@ -47,7 +52,7 @@ void check_law(const MaterialCase& material, const MaterialType& law, Findings& 
       drained ? fmt::format("soil of the law {} cannot be drained", law.name)
               : fmt::format("soil of the law {} has no effective stress", law.name),
       "Its strength is one of total stress. Leave drainage out, or give the soil a law of effective stress: "
-      "mohr_coulomb.",
+      "mohr_coulomb, modified_cam_clay.",
       "material.drainage", false, {material_path(material)}});
 }
 

@@ -200,6 +200,24 @@ std::optional<FieldValue> read_shansep(const Node& table, const FieldContext& ou
   return by_shansep(soil);
 }
 
+/// sigma'_p by `pop` or `ocr`, the name of the item: what SHANSEP has for both.
+std::optional<FieldValue> read_yield_stress(const Node& value, const FieldContext& context)
+{
+  context.needs.stress = true;
+  if (context.entry.key.unit != "Pa")
+    return refuse_field(context, join_path(context.entry.path, value.name),
+        fmt::format("`{}` gives a yield stress", value.name),
+        fmt::format("It is in Pa; `{}` is in {}.", last_part(context.entry.path), context.entry.key.unit));
+  Shansep soil;
+  const auto daily = read_water(context.entry.node, "daily_water", context);
+  const auto* key = std::ranges::find(shansep_keys, value.name, &ShansepKey::name);
+  if (!daily || !read_shansep_key(value, *key, context, soil)) return std::nullopt;
+  soil.daily = *daily;
+  context.needs.daily_water = name_of_water(*daily);
+  note(context, fmt::format("sigma'_p from sigma'_v in {}", water_text(*daily)));
+  return context.needs.yield_stress = yield_stress_of(soil);
+}
+
 std::optional<FieldValue> read_formula(const FieldContext& context)
 {
   const std::string& text = context.entry.node.text;
@@ -292,6 +310,11 @@ const std::vector<FieldKind>& field_kinds()
           "S_u = S sigma'_v (sigma'_p / sigma'_v)^m, sigma'_p = sigma'_v,daily + pop, or by ocr or yield_stress; also "
           "minimum, water and daily_water: situations of sigma'_v and sigma'_v,daily, if not the start",
           {}, read_shansep},
+      {"pop", "{ pop = 15e3 }",
+          "of a yield stress: sigma'_v,daily + pop; daily_water: the situation of sigma'_v,daily, if not the start",
+          {"daily_water"}, read_yield_stress},
+      {"ocr", "{ ocr = 1.3 }", "of a yield stress: ocr times sigma'_v,daily; daily_water as of pop", {"daily_water"},
+          read_yield_stress},
       {"random", "{ random = { mean = 20e3, cov = 0.2, theta = [10, 0.5], box = [[0, -5], [40, 0]], seed = 1 } }",
           "a random field about a mean, with a separable Markov correlation; the same on any mesh", {}, read_random},
   };

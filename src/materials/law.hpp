@@ -30,6 +30,11 @@ namespace terp {
 /// `depends_on_rate = true` where the update looks at dt, be it viscosity or a strength that the rate raises;
 /// `not_judged`, a reason why `terp stability` would give a number that is none.
 ///
+/// Where the stiffness follows the stress, bulk_modulus() and shear_modulus() are those of the stiffest state, which
+/// the time step holds for. The law then has moduli_at(sigma) and stored_energy(sigma) [J/m^3], too. Where the strength
+/// follows the stress: check_start(sigma), problems of a stress at t = 0, and start(sigma, state), which makes the
+/// state one that admits the stress.
+///
 /// A law that softens also has template <class R> Law<R> softened_at(R k) const, the same law with the strengths that
 /// it has at the plastic strain k, which they then keep. With that it has a nonlocal form (nonlocal.hpp).
 /// check_within_point(): problems of softening in a point by itself, which a nonlocal form does not have.
@@ -74,6 +79,30 @@ class MaterialOf final : public Material {
   {
     const Uniform law = law_of(at);
     return {law.bulk_modulus(), law.shear_modulus()};
+  }
+  Moduli moduli_at(const LawRows& at, const SymTensor<Real, 2>& sigma) const override
+  {
+    if constexpr (requires { law_.moduli_at(sigma); }) return law_of(at).moduli_at(sigma);
+    return moduli(at);
+  }
+  Real stored_energy(const LawRows& at, const SymTensor<Real, 2>& sigma) const override
+  {
+    if constexpr (requires { law_.stored_energy(sigma); }) return law_of(at).stored_energy(sigma);
+    return 0.0;
+  }
+  std::vector<ParameterProblem> check_start(const LawRows& at, const SymTensor<Real, 2>& sigma) const override
+  {
+    if constexpr (requires { law_.check_start(sigma); }) return law_of(at).check_start(sigma);
+    return {};
+  }
+  void start(const LawRows& at, const SymTensor<Real, 2>& sigma) const override
+  {
+    std::array<Real, n_state> state;
+    if constexpr (requires { law_.start(sigma, state); }) {
+      for (std::size_t s = 0; s < n_state; ++s) state[s] = *at.state(s);
+      law_of(at).start(sigma, state);
+      for (std::size_t s = 0; s < n_state; ++s) *at.state(s) = state[s];
+    }
   }
   Real viscosity() const override { return viscosity_of(law_); }
   Real viscosity(const LawRows& at) const override { return viscosity_of(law_of(at)); }
@@ -186,6 +215,12 @@ constexpr bool law_has_total_stress()
 }
 
 template <class Law>
+constexpr bool law_stiffens_with_stress()
+{
+  return requires(const Law& law, SymTensor<Real, 2> sigma) { law.moduli_at(sigma); };
+}
+
+template <class Law>
 constexpr std::string_view reason_not_to_judge()
 {
   if constexpr (requires { Law::not_judged; }) return Law::not_judged;
@@ -232,6 +267,7 @@ constexpr MaterialType describe_law(std::string_view name, std::string_view summ
   type.derived = Law::derived;
   type.total_stress = law_has_total_stress<Law>();
   type.depends_on_rate = law_depends_on_rate<Law>();
+  type.stiffness_by_stress = law_stiffens_with_stress<Law>();
   type.not_judged = reason_not_to_judge<Law>();
   return type;
 }

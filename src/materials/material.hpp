@@ -2,6 +2,7 @@
 // Not for: any particular law (one file each), nor for where the arrays come from (the schemes).
 #pragma once
 
+#include "base/tensor.hpp"
 #include "points/row_table.hpp"
 
 #include <limits>
@@ -157,6 +158,11 @@ struct Moduli {
   Real p_wave() const { return bulk + 4.0 / 3.0 * shear; }  ///< K + 4G/3
 };
 
+/// What is wrong with a set of parameters that are each in range.
+struct ParameterProblem {
+  std::string parameter, what, detail;
+};
+
 /// A law with its parameters. `at` is one point: pointers to its numbers.
 class Material {
  public:
@@ -164,7 +170,14 @@ class Material {
   virtual void update(const StressArrays<2>& arrays) const = 0;
   /// Renews what drives the strength of the next step. Of laws that are MaterialType::nonlocal; others do nothing.
   virtual void soften(const SofteningOptions& options, const SofteningArrays& arrays) const = 0;
-  virtual Moduli moduli(const LawRows& at) const = 0;
+  virtual Moduli moduli(const LawRows& at) const = 0;  ///< of the stiffest state, where they follow the stress
+  virtual Moduli moduli_at(const LawRows& at, const SymTensor<Real, 2>&) const { return moduli(at); }
+  /// Elastic energy per volume [J/m^3]. Of laws that are MaterialType::stiffness_by_stress; p^2/2K + s:s/4G of others.
+  virtual Real stored_energy(const LawRows&, const SymTensor<Real, 2>&) const { return 0.0; }
+  /// Why a stress cannot be that of t = 0; of laws whose strength follows the stress.
+  virtual std::vector<ParameterProblem> check_start(const LawRows&, const SymTensor<Real, 2>&) const { return {}; }
+  /// Makes the state one that admits the stress, which a search for equilibrium found.
+  virtual void start(const LawRows&, const SymTensor<Real, 2>&) const {}
   virtual Real viscosity(const LawRows& at) const = 0;  ///< mu [Pa s], for the time step; 0 where the stress knows none
   /// Value of derived field k (order of MaterialType::derived).
   virtual Real derived(int k, const LawRows& at) const = 0;
@@ -181,11 +194,6 @@ class Material {
   virtual Real viscosity() const = 0;
 };
 
-/// What is wrong with a set of parameters that are each in range.
-struct ParameterProblem {
-  std::string parameter, what, detail;
-};
-
 /// A law without its parameters: what materials.def lists.
 struct MaterialType {
   std::string_view name;
@@ -196,6 +204,7 @@ struct MaterialType {
   std::span<const DerivedInfo> derived;
   bool total_stress;            ///< its strength is one of total stress, or it is a fluid: never drained
   bool depends_on_rate;         ///< the stress at the end of a step depends on its length
+  bool stiffness_by_stress;     ///< its elastic moduli follow the stress; Material::moduli() are the largest
   std::string_view not_judged;  ///< why `terp stability` may not judge soil of this law; empty: it may
   /// values: one per entry of `parameters`, in that order, each in its range.
   std::vector<ParameterProblem> (*check)(std::span<const Real> values);

@@ -46,6 +46,14 @@ void add_rows(Index number, SoilMaterial& material, RowTable& table);
 /// The same with the row of the excess pore pressure.
 void add_excess_row(Index number, SoilMaterial& material, RowTable& table);
 
+/// Stress of a point [Pa].
+inline SymTensor<Real, 2> stress_at(const PointBlock<2>& block, Index lane)
+{
+  SymTensor<Real, 2> sigma;
+  for (int k = 0; k < n_sym<2>; ++k) sigma[k] = block.row(PointRows<2>::sigma + k)[lane];
+  return sigma;
+}
+
 /// Row of the points that holds the state variable with a role; -1: the law has none, or no body is of the material.
 inline int row_of(const SoilMaterial& material, Role role)
 {

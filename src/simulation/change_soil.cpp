@@ -1,10 +1,12 @@
 #include "simulation/change_soil.hpp"
 
+#include "simulation/initial.hpp"
 #include "simulation/nodal_water.hpp"
 #include "simulation/point_parameters.hpp"
 #include "simulation/setup_points.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace terp {
 namespace {
@@ -93,6 +95,10 @@ void change_materials(const Model& model, State& state)
   state.points.update_occupied();
   const auto varies = [&](const MovedPoint& point) { return model.materials[point.key.material].varies(); };
   if (std::ranges::any_of(moved, varies)) set_point_parameters(model, seeds.places, state);
+  std::vector<bool> is_moved(static_cast<std::size_t>(state.n_ids()));
+  for (const MovedPoint& point : moved) is_moved[static_cast<std::size_t>(point.values[Rows::id])] = true;
+  if (const auto wrong = find_wrong_start(model, state, [&](std::size_t id) { return is_moved[id]; }))
+    throw RunError(fmt::format("t = {:.4f} s: {}: {}\n  {}", state.time, wrong->key, wrong->what, wrong->detail));
 }
 
 void change_densities(const Model& before, const Model& model, State& state)

@@ -1,17 +1,57 @@
 #include "simulation/initial.hpp"
 
+#include "mesh/mesh_error.hpp"
 #include "simulation/nodal_water.hpp"
 #include "simulation/overburden.hpp"
+#include "simulation/point_parameters.hpp"
 #include "water/water_pressure.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace terp {
+namespace {
+
+bool stiffens_with_stress(const Model& model)
+{
+  return std::ranges::any_of(model.materials, [](const SoilMaterial& m) { return m.type->stiffness_by_stress; });
+}
+
+}  // namespace
+
+std::optional<Problem> find_wrong_start(
+    const Model& model, const State& state, const std::function<bool(std::size_t)>& look)
+{
+  std::optional<Problem> found;
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const SoilMaterial& material = model.materials[block.material];
+    const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
+    if (found || !look(id)) return;
+    const Vec<2> x{block.row(PointRows<2>::x)[lane], block.row(PointRows<2>::x + 1)[lane]};
+    for (const ParameterProblem& problem :
+        material.law->check_start(material.view(block, lane), stress_at(block, lane)))
+      found = Problem{parameter_key(model.description.materials[block.material], problem.parameter), problem.what,
+          fmt::format("At the point at {} m: {}", place_text(x), problem.detail), "material", false,
+          {"initial.stress", "initial.k0"}};
+  });
+  return found;
+}
+
+void start_soil(const Model& model, State& state)
+{
+  for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
+    const SoilMaterial& material = model.materials[block.material];
+    material.law->start(material.view(block, lane), stress_at(block, lane));
+  });
+}
+
 void set_initial_stress(const Model& model, State& state)
 {
   using Rows = PointRows<2>;
   const Case& c = model.description;
-  const bool first_guess = c.initial.stress == InitialStress::equilibrium && model.water;
+  const bool first_guess =
+      c.initial.stress == InitialStress::equilibrium && (model.water || stiffens_with_stress(model));
   if (c.initial.stress != InitialStress::k0 && !first_guess) return;
   const Overburden overburden(model, -model.gravity_at(0.0)[1]);
   if (first_guess && !overburden.is_known()) return;
@@ -27,6 +67,9 @@ void set_initial_stress(const Model& model, State& state)
     block.row(Rows::sigma + 1)[lane] = vertical - stored;
     block.row(Rows::sigma + 2)[lane] = k0 * vertical - stored;
   });
+  if (first_guess) return;
+  if (std::optional<Problem> wrong = find_wrong_start(model, state, [](std::size_t) { return true; }))
+    throw InputError(std::move(*wrong));
 }
 
 }  // namespace terp

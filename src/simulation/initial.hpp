@@ -1,14 +1,27 @@
 // The stress with which a run starts (reading R14). Not for: the search for equilibrium (equilibrium.hpp).
 #pragma once
 
+#include "base/errors.hpp"
 #include "simulation/model.hpp"
 #include "simulation/state.hpp"
+
+#include <functional>
+#include <optional>
 
 namespace terp {
 
 /// InitialStress::k0: effective sigma_yy = weight of soil, free water and permanent loads above, as all of these are at
 /// t = 0, less p_w, effective sigma_xx = sigma_zz = k0 sigma_yy; undrained soil stores them less p_w. None: zero.
-/// With water the search for equilibrium begins with the same stress, where all bodies have outlines.
+/// With water, or soil whose stiffness follows its stress, the search for equilibrium begins with the same stress,
+/// where all bodies have outlines. Throws InputError if a law cannot start with the K0 stress.
 void set_initial_stress(const Model& model, State& state);
+
+/// The first point whose law cannot start with the stress that it has, among those for which look(id) is true: a
+/// problem with its place. Laws whose strength follows the stress look at it.
+std::optional<Problem> find_wrong_start(
+    const Model& model, const State& state, const std::function<bool(std::size_t)>& look);
+
+/// Gives the points the history that admits the stress of a search for equilibrium.
+void start_soil(const Model& model, State& state);
 
 }  // namespace terp

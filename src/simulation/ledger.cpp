@@ -93,6 +93,12 @@ Real elastic_energy(Moduli moduli, std::array<Real, 4> sigma, Real volume)
   return volume * ElasticEnergy<Real>(moduli)(sigma[0], sigma[1], sigma[2], sigma[3]);
 }
 
+Real elastic_energy(const SoilMaterial& material, const LawRows& at, const SymTensor<Real, 2>& sigma, Real volume)
+{
+  if (material.type->stiffness_by_stress) return volume * material.law->stored_energy(at, sigma);
+  return elastic_energy(material.law->moduli(at), sigma.c, volume);
+}
+
 Real kinetic_and_elastic_energy(const Model& model, const State& state)
 {
   Books books;

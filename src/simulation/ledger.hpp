@@ -13,6 +13,9 @@ namespace terp {
 /// Elastic energy stored in a point [J per m]; sigma: xx yy zz xy [Pa], volume [m^2].
 Real elastic_energy(Moduli moduli, std::array<Real, 4> sigma, Real volume);
 
+/// The same of a point of a material.
+Real elastic_energy(const SoilMaterial& material, const LawRows& at, const SymTensor<Real, 2>& sigma, Real volume);
+
 /// Kinetic energy of the points plus elastic energy stored in them, and what those that left took along [J per m].
 Real kinetic_and_elastic_energy(const Model& model, const State& state);
 

@@ -4,6 +4,7 @@
 #include "parallel/instructions.hpp"
 #include "simulation/equilibrium.hpp"
 #include "simulation/guards.hpp"
+#include "simulation/initial.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/loads.hpp"
 #include "simulation/placed_bodies.hpp"
@@ -99,11 +100,12 @@ struct Loop {
 /// What comes before the first step; reached: the first step may be made.
 Search start_run(const Model& model, State& state, const std::atomic<bool>& stop, Loop& loop)
 {
-  if (model.description.initial.stress == InitialStress::equilibrium)
-    if (Search search =
-            find_equilibrium(model, state, stop, [&](const SearchProgress& so_far) { loop.report_search(so_far); });
-        !search.reached)
-      return search;
+  if (model.description.initial.stress == InitialStress::equilibrium) {
+    Search search =
+        find_equilibrium(model, state, stop, [&](const SearchProgress& so_far) { loop.report_search(so_far); });
+    if (!search.reached) return search;
+    start_soil(model, state);
+  }
   start_followers(model, state);
   state.start_energy = kinetic_and_elastic_energy(model, state);
   return {.reached = true};

@@ -18,7 +18,10 @@ Real time_to_cross(const Model& model, const State& state)
   Real low = std::numeric_limits<Real>::infinity(), high = -low, slowness = 0.0, volume = 0.0;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const SoilMaterial& material = model.materials[block.material];
-    const Moduli m = material.varies() ? material.law->moduli(material.view(block, lane)) : material.law->moduli();
+    const Moduli m = material.type->stiffness_by_stress
+                         ? material.law->moduli_at(material.view(block, lane), stress_at(block, lane))
+                     : material.varies() ? material.law->moduli(material.view(block, lane))
+                                         : material.law->moduli();
     const Real depth =
         block.row(Rows::x)[lane] * model.damping.down[0] + block.row(Rows::x + 1)[lane] * model.damping.down[1];
     low = std::min(low, depth), high = std::max(high, depth);

@@ -123,14 +123,14 @@ void enter_left(const Model& model, Index number, std::span<Real> values, State&
 {
   using Rows = PointRows<2>;
   const SoilMaterial& material = model.materials[number];
-  const std::array<Real, 4> sigma{
-      values[Rows::sigma], values[Rows::sigma + 1], values[Rows::sigma + 2], values[Rows::sigma + 3]};
+  const SymTensor<Real, 2> sigma{
+      {values[Rows::sigma], values[Rows::sigma + 1], values[Rows::sigma + 2], values[Rows::sigma + 3]}};
   state.left.push_back({.time = model.time_of(state.step + 1),
       .id = static_cast<std::int64_t>(values[Rows::id]),
       .x = {values[Rows::x], values[Rows::x + 1]},
       .v = {values[Rows::v], values[Rows::v + 1]},
       .mass = values[Rows::mass],
-      .elastic = elastic_energy(material.law->moduli(material.view(values.data(), 1)), sigma, values[Rows::volume]),
+      .elastic = elastic_energy(material, material.view(values.data(), 1), sigma, values[Rows::volume]),
       .volume = values[Rows::volume]});
 }
 

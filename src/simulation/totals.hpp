@@ -74,6 +74,15 @@ inline ElasticEnergy<Pack> elastic_energy_of_points(const SoilMaterial& material
   return {Pack::load(over_bulk), Pack::load(over_shear)};
 }
 
+/// Of the points p ... p + 7 of a block whose stiffness follows their stress, per volume.
+inline Pack stored_energy_of_points(const SoilMaterial& material, const PointBlock<2>& block, Index p)
+{
+  alignas(64) Real energy[pack_width] = {};
+  for (Index lane = p; lane < std::min<Index>(p + pack_width, block.n); ++lane)
+    energy[lane - p] = material.law->stored_energy(material.view(block, lane), stress_at(block, lane));
+  return Pack::load(energy);
+}
+
 /// Sums by lane. Lanes that hold no point have no mass and no volume.
 struct Books {
   Pack mass{0.0}, momentum_x{0.0}, momentum_y{0.0}, twice_kinetic{0.0}, elastic{0.0};
@@ -81,15 +90,17 @@ struct Books {
   /// Adds the points p ... p + 7 of a block. energy: of the material if its parameters do not vary.
   void enter(const SoilMaterial& material, const ElasticEnergy<Real>& energy, const PointBlock<2>& block, Index p)
   {
-    if (material.varies())
+    if (material.type->stiffness_by_stress)
+      enter([&](Pack, Pack, Pack, Pack) { return stored_energy_of_points(material, block, p); }, block, p);
+    else if (material.varies())
       enter(elastic_energy_of_points(material, block, p), block, p);
     else
       enter(energy, block, p);
   }
 
  private:
-  template <class P>
-  void enter(const ElasticEnergy<P>& energy, const PointBlock<2>& block, Index p)
+  template <class Energy>
+  void enter(const Energy& energy, const PointBlock<2>& block, Index p)
   {
     using Rows = PointRows<2>;
     const auto at = [&](int r) { return Pack::load(block.row(r) + p); };

@@ -103,7 +103,8 @@ TEST(Explain, ListsTheKindsOfFieldsAndWhatStandsForAParameter)
   EXPECT_THAT(explain("field"), HasSubstr("{ depth = [[0, 8e3], [5, 15e3]] }\n"));
   EXPECT_THAT(explain("su_residual"), HasSubstr("    instead   sensitivity\n"));
   EXPECT_EQ(explain("shansep"), explain("field"));
-  for (const char* word : {"SHANSEP", "pop", "POP", "yield_stress"}) EXPECT_EQ(explain(word), explain("field")) << word;
+  for (const char* word : {"SHANSEP", "pop", "POP", "ocr"}) EXPECT_EQ(explain(word), explain("field")) << word;
+  EXPECT_THAT(explain("yield_stress"), HasSubstr("key of material model `modified_cam_clay`"));
 }
 
 TEST(Explain, OffersTheNearestTopic)

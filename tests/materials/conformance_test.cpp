@@ -272,14 +272,31 @@ TEST_P(EveryMaterial, StaysFiniteAndInsideItsYieldSurfaceOnRandomWalks)
 TEST_P(EveryMaterial, IsIsotropicElasticNearTheOriginAndViscousWhereItSaysSo)
 {
   Probe point = probe();
-  const Real K = point.law().bulk_modulus(), G = point.law().shear_modulus();
+  const auto [K, G] = point.moduli();
   const Real twice = 2.0 * (G + point.law().viscosity() / point.dt);
   point.strain({{-3e-6, 1e-6, -2e-6, 5e-7}});
   const Real volumetric = -4e-6, mean = volumetric / 3.0;
   const Real expected[] = {K * volumetric + twice * (-3e-6 - mean), K * volumetric + twice * (1e-6 - mean),
       K * volumetric + twice * (-2e-6 - mean), twice * 5e-7};
   for (int c = 0; c < 4; ++c) EXPECT_NEAR(point.sigma[c], expected[c], -1e-12 * K * volumetric);
+  if (type().stiffness_by_stress) return;
+  EXPECT_DOUBLE_EQ(K, point.law().bulk_modulus());
+  EXPECT_DOUBLE_EQ(G, point.law().shear_modulus());
   EXPECT_DOUBLE_EQ(point.law().p_wave_modulus(), K + 4.0 * G / 3.0);
+}
+
+TEST_P(EveryMaterial, IsNeverStifferThanTheModuliThatTheTimeStepHoldsFor)
+{
+  Probe point = probe();
+  Random random(58);
+  for (int step = 0; step < 1000; ++step) {
+    point.strain(random_increment(step % 2 ? 0.02 : 0.0005, random));
+    const Moduli now = point.moduli();
+    ASSERT_LE(now.bulk, point.law().bulk_modulus()) << "step " << step;
+    ASSERT_LE(now.shear, point.law().shear_modulus()) << "step " << step;
+    ASSERT_GE(now.shear, 0.0);
+    ASSERT_GT(now.bulk, 0.0);
+  }
 }
 
 TEST_P(EveryMaterial, HasTheSameStressesAtSmallerStrainsInShorterTimesWhenScaledAsItsTableSays)

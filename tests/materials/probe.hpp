@@ -68,6 +68,8 @@ class Probe {
 
   const MaterialType& type() const { return *type_; }
   const Material& law() const { return *law_; }
+  /// Elastic moduli at its stress.
+  Moduli moduli() { return law_->moduli_at({{.data = state.data()}, {.data = own_parameters.data()}}, sigma); }
   /// Derived field k as the point is.
   Real derived(int k) { return law_->derived(k, {{.data = state.data()}, {.data = own_parameters.data()}}); }
 
@@ -102,7 +104,7 @@ class Probe {
     }
   };
   const MaterialType* type_;
-  std::unique_ptr<Material> law_;
+  std::shared_ptr<const Material> law_;  // a copy of a point has the same law
 };
 
 /// Principal stresses from large to small, by the textbook formula [Pa].

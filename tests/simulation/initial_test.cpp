@@ -3,6 +3,7 @@
 #include "simulation/setup.hpp"
 #include "support/cases.hpp"
 #include "support/simulations.hpp"
+#include "support/stages.hpp"
 #include "support/test.hpp"
 
 namespace {
@@ -115,6 +116,60 @@ TEST(InitialStress, K0SkipsTheGapUnderAnOverhang)
     if (p.x[0] < 1.0 || p.x[0] > 3.0 || p.x[1] > 0.5) continue;
     EXPECT_NEAR(p.sigma[1], -2000.0 * g * (0.5 - p.x[1] + 0.5), 1e-9);
   }
+}
+
+/// The confined box of Modified Cam-Clay, without water [Pa].
+Case box_of_cam_clay(InitialStress stress, Real yield_stress, Real largest = 100e3)
+{
+  Case c = confined_box(stress);
+  c.materials = {{"clay", "modified_cam_clay", 1600.0, {30.0, 0.3, 0.05, 1.8, 0.2, yield_stress, largest, 1e3}}};
+  c.bodies[0].material = "clay";
+  c.initial.k0 = 0.5;
+  return c;
+}
+
+TEST(InitialStress, K0OutsideAYieldSurfaceIsRefusedWithItsPlace)
+{
+  EXPECT_EQ(refusal([] { Simulation(box_of_cam_clay(InitialStress::k0, 25e3)); }), "");
+  EXPECT_THAT(refusal([] { Simulation(box_of_cam_clay(InitialStress::k0, 15e3)); }),
+      AllOf(HasSubstr("the starting stress lies outside the yield surface"), HasSubstr("At the point at ("),
+          HasSubstr("times the yield_stress")));
+  EXPECT_THAT(refusal([] { Simulation(box_of_cam_clay(InitialStress::k0, 25e3, 10e3)); }),
+      HasSubstr("the soil starts with more than its largest mean stress"));
+}
+
+TEST(InitialStress, SoilThatYieldsInTheSearchForEquilibriumStartsWithTheYieldSurfaceOfItsStress)
+{
+  for (const Real yield_stress : {15e3, 60e3}) {
+    Simulation s(box_of_cam_clay(InitialStress::equilibrium, yield_stress));
+    const Real first = s.model.materials[0].law->derived(0, s.model.materials[0].view(s.state.points.block(0), 0));
+    ASSERT_EQ(s.start(), Outcome::finished);
+    Index n_grown = 0;
+    for_each_point(s.state.points, [&](const PointBlock<2>& block, Index lane) {
+      const SoilMaterial& clay = s.model.materials[block.material];
+      EXPECT_TRUE(yield_stress < 25e3 || clay.law->check_start(clay.view(block, lane), stress_at(block, lane)).empty());
+      n_grown += clay.law->derived(0, clay.view(block, lane)) > first * (1.0 + 1e-6);
+      EXPECT_GE(clay.law->derived(0, clay.view(block, lane)), first * (1.0 - 1e-12));
+    });
+    EXPECT_EQ(n_grown > 0, yield_stress < 25e3);
+  }
+}
+
+TEST(InitialStress, AStageGivesNoLawThatDoesNotAdmitTheStress)
+{
+  const auto changed = [](Real yield_stress) {
+    Case c = confined_box(InitialStress::k0);
+    c.materials.push_back(box_of_cam_clay(InitialStress::k0, yield_stress).materials[0]);
+    c.initial.k0 = 0.5;
+    Simulation s(
+        staged(c, {{stage("a", 0.05), {}}, {stage("b", 0.05), [](Case& now) { now.bodies[0].material = "clay"; }}}));
+    return refusal([&] { s.run(); });
+  };
+  EXPECT_EQ(changed(60e3), "");
+  EXPECT_THAT(
+      changed(10e3), AllOf(HasSubstr("s: material.clay.yield_stress: the starting stress lies outside the yield "
+                                     "surface"),
+                         HasSubstr("At the point at (")));
 }
 
 }  // namespace
