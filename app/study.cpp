@@ -53,7 +53,12 @@ StudyPart part_of(const std::string& text)
 class StudyProgress {
  public:
   StudyProgress(const Study& study, const StudyPart& part, int threads, bool quiet)
-      : study_(study), part_(part), threads_(threads), quiet_(quiet), terminal_(isatty(STDOUT_FILENO) == 1)
+      : study_(study),
+        part_(part),
+        threads_(threads),
+        quiet_(quiet),
+        terminal_(isatty(STDOUT_FILENO) == 1),
+        shows_p_(info_of(study.settings.estimator).counts_alike && !study.settings.fragility)
   {
   }
 
@@ -68,12 +73,12 @@ class StudyProgress {
     std::int64_t slid = 0, flooded = 0, solved = 0, failed = 0;
     for (const auto& [number, r] : all) {
       if (!part_.has(number)) continue;
-      ++done, solved += r.solved(), failed += !r.solved(), slid += r.slid, flooded += r.flooded;
+      ++done, solved += r.solved(), failed += r.failed(), slid += r.slid, flooded += r.flooded;
     }
     for (Index n = 0; n < study_.n_realisations; ++n) n_all += part_.has(n);
     const Real confidence = study_.settings.confidence;
     std::string line = fmt::format("[{}/{}] {} failed", done, n_all, failed);
-    if (study_.settings.estimator != Estimator::sweep && !study_.settings.fragility) {
+    if (shows_p_) {
       line += "  P(I) " + estimate_text(estimate_event(slid, solved, failed, confidence));
       if (newest.judges_flood) line += "  P(F) " + estimate_text(estimate_event(flooded, solved, failed, confidence));
     }
@@ -94,7 +99,7 @@ class StudyProgress {
   const Study& study_;
   const StudyPart& part_;
   int threads_;
-  bool quiet_, terminal_, open_ = false;
+  bool quiet_, terminal_, shows_p_, open_ = false;
   Clock::time_point start_ = Clock::now();
   double spent_ = 0.0, next_ = 0.0;
   Index made_ = 0;
@@ -131,9 +136,10 @@ int check_study(const Study& study, int threads)
   fmt::print("{}\n  case           {}\n", printable(s.title.empty() ? s.name : s.title), printable(study.case_path));
   print_input(study);
   fmt::print("  realisations   {}{}, {}\n", s.stop.cov > 0.0 ? "at most " : "", study.n_realisations,
-      s.estimator == Estimator::sweep         ? "a sweep"
-      : s.estimator == Estimator::monte_carlo ? "Monte Carlo"
-                                              : "Latin hypercube");
+      info_of(s.estimator).title);
+  if (s.estimator == Estimator::two_stage)
+    fmt::print("  two stages     run in full: what does not stand at a factor of {:g}, and {:g} of the others\n",
+        s.two_stage.factor, s.two_stage.audit);
   if (s.stop.cov > 0.0) fmt::print("  stops          at a coefficient of variation of P of {:g}\n", s.stop.cov);
   if (s.stop.time > 0.0) fmt::print("  stops          after {}\n", readable_duration(s.stop.time));
   fmt::print("  I              {}\n", slide_words(s));

@@ -22,19 +22,6 @@ void check_strengths(const Case& reduced, Real factor)
         faults.front()));
 }
 
-/// All soil is judged together.
-void check_may_be_judged(const Case& c)
-{
-  const MaterialCase* material = find_not_judged(c);
-  if (material == nullptr) return;
-  const MaterialType* law = find_material(material->model);
-  throw InputError(Problem{fmt::format("material.{}.model", material->name),
-      fmt::format("a factor of safety cannot be found for soil of the law {}", law->name),
-      fmt::format("Because {}.\nGive `{}` another law, or leave it out: all soil of a case is judged together.",
-          law->not_judged, material->name),
-      "material", true});
-}
-
 }  // namespace
 
 Real StabilityResult::factor() const
@@ -46,6 +33,31 @@ Real StabilityResult::uncertainty() const
 {
   return search.found() ? std::max(factor() - *search.stable, *search.highest() - factor())
                         : std::numeric_limits<Real>::quiet_NaN();
+}
+
+void check_may_be_judged(const Case& c)
+{
+  if (const MaterialCase* material = find_not_judged(c)) {
+    const MaterialType* law = find_material(material->model);
+    throw InputError(Problem{fmt::format("material.{}.model", material->name),
+        fmt::format("a factor of safety cannot be found for soil of the law {}", law->name),
+        fmt::format("Because {}.\nGive `{}` another law, or leave it out: all soil of a case is judged together.",
+            law->not_judged, material->name),
+        "material", true});
+  }
+  if (strengths_of(quiet_case(c)).empty())
+    throw InputError(Problem{"material", "no material of this case has a strength to reduce",
+        "Elastic soil does not fail. `terp list` names the laws.", "material", true});
+}
+
+Trial try_factor(const Case& c, Real factor, const StabilityOptions& options, const std::atomic<bool>& stop)
+{
+  check_may_be_judged(c);
+  const Case quiet = quiet_case(c);
+  const auto mesh = std::make_shared<const Mesh<2>>(build_mesh(quiet));
+  const ElasticStart start = settle_elastically(quiet, mesh, options.rules.stiffening, options.threads, stop);
+  check_strengths(reduce_strength(quiet, factor), factor);
+  return run_trial(quiet, mesh, start, factor, options.rules, options.threads, stop, [](const Trial&) {});
 }
 
 StabilityResult find_factor_of_safety(
@@ -61,9 +73,6 @@ StabilityResult find_factor_of_safety(
     result.water = name.empty() ? std::string(name_of_start) : name;
     result.later_water = c.stages.empty() && knots_of(c.water).size() > 1;
   }
-  if (result.strengths.empty())
-    throw InputError(Problem{"material", "no material of this case has a strength to reduce",
-        "Elastic soil does not fail. `terp list` names the laws.", "material", true});
   const auto mesh = std::make_shared<const Mesh<2>>(build_mesh(quiet));
   const ElasticStart start = settle_elastically(quiet, mesh, options.rules.stiffening, options.threads, stop);
   result.mesh = mesh;

@@ -48,4 +48,10 @@ using TrialTold = std::function<void(const Trial&, const StabilityResult& so_far
 StabilityResult find_factor_of_safety(
     const Case& c, const StabilityOptions& options, const std::atomic<bool>& stop, const TrialTold& told = {});
 
+/// Throws InputError for a case without strength, or with soil that is not judged.
+void check_may_be_judged(const Case& c);
+
+/// One trial at a factor, from the start that a search has. Throws as find_factor_of_safety does.
+Trial try_factor(const Case& c, Real factor, const StabilityOptions& options, const std::atomic<bool>& stop);
+
 }  // namespace terp

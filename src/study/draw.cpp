@@ -6,6 +6,7 @@
 #include "base/philox.hpp"
 #include "input/overrides.hpp"
 #include "simulation/gaussian_field.hpp"
+#include "study/points.hpp"
 
 #include <fmt/format.h>
 
@@ -15,17 +16,11 @@
 namespace terp {
 namespace {
 
-constexpr std::uint32_t stream_of_values = 0;
-
 Real uniform_of(const Study& study, std::size_t number, Index sample)
 {
-  const StudySettings& s = study.settings;
-  const Real u =
-      philox_uniform({static_cast<std::uint32_t>(sample), static_cast<std::uint32_t>(number), stream_of_values, 0},
-          {static_cast<std::uint32_t>(s.seed), 0});
-  if (s.estimator != Estimator::latin_hypercube) return u;
-  const auto stratum = study.strata[number][static_cast<std::size_t>(sample)];
-  return (static_cast<Real>(stratum) + u) / static_cast<Real>(study.settings.stop.number);
+  if (!study.points.empty()) return study.points[number][static_cast<std::size_t>(sample)];
+  return philox_uniform({static_cast<std::uint32_t>(sample), static_cast<std::uint32_t>(number), stream_of_values, 0},
+      {static_cast<std::uint32_t>(study.settings.seed), 0});
 }
 
 /// Gaussian copula: the scores are correlated, each number keeps its own distribution.

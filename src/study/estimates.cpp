@@ -6,11 +6,10 @@
 namespace terp {
 namespace {
 
-/// Of F where floods are judged, else of I.
-bool meets_rule(const Study& study, const EventCounts& c)
+bool meets_rule(const Study& study, const Sample& sample)
 {
   const std::int64_t needed = study.settings.stop.events();
-  return needed > 0 && (c.judged > 0 ? c.flooded : c.slid) >= needed;
+  return needed > 0 && sample.rule_events() >= needed;
 }
 
 /// What stays the same in a message: before its numbers.
@@ -39,8 +38,10 @@ std::vector<Sensitivity> find_sensitivities(const Study& study, const Realisatio
     std::vector<Real> all, slid, with_height, heights;
     for (Index i = 0; i < n; ++i) {
       const Realisation& r = rows.at(i);
+      if (r.failed()) continue;
+      const bool falls = study.settings.estimator == Estimator::two_stage ? r.screening == Screening::falls : r.slid;
+      all.push_back(r.inputs[k]), slid.push_back(falls ? 1.0 : 0.0);
       if (!r.solved()) continue;
-      all.push_back(r.inputs[k]), slid.push_back(r.slid ? 1.0 : 0.0);
       if (std::isfinite(r.outcomes[height])) with_height.push_back(r.inputs[k]), heights.push_back(r.outcomes[height]);
     }
     list.push_back({names[k], spearman(all, slid), spearman(with_height, heights)});
@@ -52,7 +53,7 @@ std::vector<Sensitivity> find_sensitivities(const Study& study, const Realisatio
 
 void EventCounts::take(const Realisation& r)
 {
-  if (!r.solved()) {
+  if (r.failed()) {
     ++failed;
     return;
   }
@@ -67,8 +68,63 @@ EventEstimate EventCounts::flood_after_slide(Real confidence) const
   return estimate_event(flooded_after_slide, slid, failed, confidence);
 }
 
+void Sample::take(const Realisation& r)
+{
+  if (r.skipped())
+    ++n_skipped_;
+  else
+    (r.screening == Screening::audited ? audited_ : all_).take(r);
+}
+
+EventEstimate Sample::estimate(std::int64_t EventCounts::*event) const
+{
+  const Real confidence = settings_->confidence;
+  return settings_->estimator == Estimator::two_stage
+             ? weigh(event, confidence)
+             : estimate_event(all_.*event, all_.solved, all_.failed, confidence);
+}
+
+// An audited realisation stands for 1/audit of those that stand at the factor (Horvitz & Thompson 1952). Both numbers
+// of events, below the factor and in the audit, are binomial out of all n: each takes half of what the bounds may err.
+EventEstimate Sample::weigh(std::int64_t EventCounts::*event, Real confidence) const
+{
+  const Real audit = settings_->two_stage.audit, of_each = 0.5 + 0.5 * confidence;
+  const std::int64_t n = all_.solved + all_.failed + audited_.solved + audited_.failed + n_skipped_;
+  EventEstimate e{all_.*event + audited_.*event, all_.solved + audited_.solved, all_.failed + audited_.failed};
+  const Real known = static_cast<Real>(n - all_.failed) -
+                     static_cast<Real>(audited_.failed) / audit;  // as Monte Carlo leaves them out
+  if (known > 0.0) e.weighted = (static_cast<Real>(all_.*event) + static_cast<Real>(audited_.*event) / audit) / known;
+  const auto bounds = [&](const EventCounts& c) {
+    return Bounds{clopper_pearson(c.*event, n, of_each).low, clopper_pearson(c.*event + c.failed, n, of_each).high};
+  };
+  const Bounds below = bounds(all_), above = bounds(audited_);
+  e.bounds = {below.low + above.low / audit, std::min(1.0, below.high + above.high / audit)};
+  return e;
+}
+
+EventEstimate Sample::flood_after_slide() const
+{
+  if (settings_->estimator != Estimator::two_stage) return all_.flood_after_slide(settings_->confidence);
+  const Real of_each = 0.5 + 0.5 * settings_->confidence;
+  const EventEstimate both = weigh(&EventCounts::flooded_after_slide, of_each),
+                      slide = weigh(&EventCounts::slid, of_each);
+  EventEstimate e{both.happened, slide.happened, both.failed};
+  if (both.weighted && slide.weighted && *slide.weighted > 0.0) e.weighted = *both.weighted / *slide.weighted;
+  e.bounds.low = slide.bounds.high > 0.0 ? both.bounds.low / slide.bounds.high : 0.0;
+  e.bounds.high = slide.bounds.low > 0.0 ? std::min(1.0, both.bounds.high / slide.bounds.low) : 1.0;
+  return e;
+}
+
+EventEstimate Sample::trusting(bool of_flood) const
+{
+  const std::int64_t stand = audited_.solved + n_skipped_;
+  return estimate_event(
+      of_flood ? all_.flooded : all_.slid, all_.solved + stand, all_.failed + audited_.failed, settings_->confidence);
+}
+
 std::optional<Real> EventEstimate::probability() const
 {
+  if (weighted) return weighted;
   if (solved == 0) return std::nullopt;
   return static_cast<Real>(happened) / static_cast<Real>(solved);
 }
@@ -76,7 +132,7 @@ std::optional<Real> EventEstimate::probability() const
 std::optional<Real> EventEstimate::cov() const
 {
   const auto p = probability();
-  if (!p || *p == 0.0) return std::nullopt;
+  if (!p || *p == 0.0 || weighted) return std::nullopt;
   return std::sqrt((1.0 - *p) / (static_cast<Real>(solved) * *p));
 }
 
@@ -90,7 +146,7 @@ EventEstimate estimate_event(std::int64_t happened, std::int64_t solved, std::in
 
 Index count_in_table(const Study& study, const Realisations& rows, bool& rule_met)
 {
-  EventCounts counts;
+  Sample counts(study.settings);
   Index n = 0;
   rule_met = false;
   while (n < study.n_realisations && !rule_met) {
@@ -105,19 +161,24 @@ Index count_in_table(const Study& study, const Realisations& rows, bool& rule_me
 
 StudyEstimates estimate(const Study& study, const Realisations& rows)
 {
-  StudyEstimates e;
+  StudyEstimates e(study.settings);
   e.n_made = count_in_table(study, rows, e.rule_met);
   e.n_beyond = static_cast<Index>(rows.size()) - e.n_made;
-  EventCounts c;
+  Index n_skipped = 0;
+  double skipped_wall_s = 0.0;
   for (Index n = 0; n < e.n_made; ++n) {
     const Realisation& r = rows.at(n);
-    c.take(r);
+    e.sample.take(r);
     e.mean_wall_s += r.wall_s / e.n_made;
-    if (!r.solved()) count_fault(r, e.faults);
+    if (r.skipped()) ++n_skipped, skipped_wall_s += r.wall_s;
+    if (r.failed()) count_fault(r, e.faults);
   }
-  const Real confidence = study.settings.confidence;
-  e.judges_flood = c.judged > 0;
-  e.slide = c.slide(confidence), e.flood = c.flood(confidence), e.flood_after_slide = c.flood_after_slide(confidence);
+  if (n_skipped > 0 && n_skipped < e.n_made) {
+    e.screening_wall_s = skipped_wall_s / n_skipped;
+    e.full_wall_s = (e.mean_wall_s * e.n_made - skipped_wall_s) / (e.n_made - n_skipped) - e.screening_wall_s;
+  }
+  e.judges_flood = e.sample.judges_flood();
+  e.slide = e.sample.slide(), e.flood = e.sample.flood(), e.flood_after_slide = e.sample.flood_after_slide();
   e.sensitivities = find_sensitivities(study, rows, e.n_made);
   return e;
 }
@@ -129,11 +190,10 @@ std::vector<RunningEstimate> running_estimates(
   const Index n_made = count_in_table(study, rows, met);
   const Index stride = 1 + n_made / static_cast<Index>(most);
   std::vector<RunningEstimate> list;
-  EventCounts c;
+  Sample sample(study.settings);
   for (Index n = 0; n < n_made; ++n) {
-    c.take(rows.at(n));
-    if ((n + 1) % stride == 0 || n + 1 == n_made)
-      list.push_back({n + 1, of_flood ? c.flood(study.settings.confidence) : c.slide(study.settings.confidence)});
+    sample.take(rows.at(n));
+    if ((n + 1) % stride == 0 || n + 1 == n_made) list.push_back({n + 1, of_flood ? sample.flood() : sample.slide()});
   }
   return list;
 }

@@ -14,9 +14,10 @@ namespace terp {
 struct EventEstimate {
   std::int64_t happened = 0, solved = 0, failed = 0;
   Bounds bounds = {};
+  std::optional<Real> weighted = {};  ///< P of a sample whose realisations do not count alike
 
   std::optional<Real> probability() const;  ///< of what was solved; none of nothing
-  std::optional<Real> cov() const;          ///< of that estimate; none where nothing happened
+  std::optional<Real> cov() const;          ///< of that estimate; none where nothing happened, or of a weighted one
 };
 /// happened out of solved; failed: of which nothing is known.
 EventEstimate estimate_event(std::int64_t happened, std::int64_t solved, std::int64_t failed, Real confidence);
@@ -31,10 +32,39 @@ struct EventCounts {
   EventEstimate flood_after_slide(Real confidence) const;
 };
 
+/// The table of a study in one or two stages.
+class Sample {
+ public:
+  explicit Sample(const StudySettings& settings) : settings_(&settings) {}
+
+  void take(const Realisation& realisation);
+  EventEstimate slide() const { return estimate(&EventCounts::slid); }
+  EventEstimate flood() const { return estimate(&EventCounts::flooded); }
+  EventEstimate flood_after_slide() const;
+  /// As if nothing above the factor of a two-stage study could happen.
+  EventEstimate trusting(bool of_flood) const;
+
+  const EventCounts& run_for_falling() const { return all_; }
+  const EventCounts& audited() const { return audited_; }
+  std::int64_t n_skipped() const { return n_skipped_; }
+  bool judges_flood() const { return all_.judged + audited_.judged > 0; }
+  /// Those that the rule of the study counts: F where floods are judged, else I.
+  std::int64_t rule_events() const { return all_.judged > 0 ? all_.flooded : all_.slid; }
+
+ private:
+  EventEstimate estimate(std::int64_t EventCounts::*event) const;
+  EventEstimate weigh(std::int64_t EventCounts::*event, Real confidence) const;
+
+  const StudySettings* settings_;
+  EventCounts all_ = {};  ///< of two stages: those that fall at the factor
+  EventCounts audited_ = {};
+  std::int64_t n_skipped_ = 0;
+};
+
 /// How an input goes with the outcomes: rank correlations.
 struct Sensitivity {
   std::string input;
-  std::optional<Real> with_slide, with_height;
+  std::optional<Real> with_slide, with_height;  ///< with_slide: of two stages, with falling at the factor
 };
 
 /// One kind of failed realisation.
@@ -45,14 +75,18 @@ struct FaultCount {
 };
 
 struct StudyEstimates {
+  explicit StudyEstimates(const StudySettings& settings) : sample(settings) {}
+
   Index n_made = 0;    ///< realisations of the table: 0 ... n_made - 1
   Index n_beyond = 0;  ///< solved, but after a gap, or after the rule has stopped: not in the table
   bool judges_flood = false;
   EventEstimate slide, flood, flood_after_slide;
   std::vector<Sensitivity> sensitivities;
   std::vector<FaultCount> faults;
+  Sample sample;
   double mean_wall_s = 0.0;
-  bool rule_met = false;  ///< the stop rule
+  double screening_wall_s = 0.0, full_wall_s = 0.0;  ///< means of the two stages; 0: not known
+  bool rule_met = false;                             ///< the stop rule
 };
 
 /// The realisations that count: the first ones without a gap, up to the one at which the rule stops. So neither the

@@ -2,9 +2,12 @@
 
 #include "events/moved.hpp"
 #include "followers/followers.hpp"
+#include "base/philox.hpp"
 #include "input/printable.hpp"
 #include "simulation/ground_section.hpp"
 #include "simulation/setup_mesh.hpp"
+#include "stability/factor_of_safety.hpp"
+#include "study/points.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -24,6 +27,24 @@ Real moved_volume_of(const Simulation& s, const Summary&, const EventRule& event
   return volume;
 }
 
+/// The largest displacement beyond which the volume of the event lies, to 12 digits: it varies with the input even
+/// where nothing slides.
+Real displacement_of_volume(const Simulation& s, const Summary& summary, const EventRule& event)
+{
+  const auto moved = [&](Real displacement) {
+    return moved_volume_of(s, summary, {event.volume, displacement}) >= event.volume;
+  };
+  constexpr Real least = 1e-12, most = 1e6;  // [m]
+  constexpr int n_halvings = 46;
+  if (!moved(least)) return 0.0;
+  Real low = std::log(least), high = std::log(most);
+  for (int k = 0; k < n_halvings; ++k) {
+    const Real middle = 0.5 * (low + high);
+    (moved(std::exp(middle)) ? low : high) = middle;
+  }
+  return std::exp(low);
+}
+
 template <Real FloodSummary::*member>
 Real of_flood(const Simulation&, const Summary& summary, const EventRule&)
 {
@@ -39,6 +60,8 @@ Real of_summary(const Simulation&, const Summary& summary, const EventRule&)
 const OutcomeInfo outcomes[] = {
     {{"slide_volume", "m^2", "volume that slid", "volume that moved farther than the displacement of the event"},
         moved_volume_of},
+    {{"event_displacement", "m", "displacement of the event's volume", "as much soil as makes the event moved farther"},
+        displacement_of_volume},
     {{"residual_height", "m", "highest ground that remains", "at the end (docs/flood.md)"},
         of_summary<&Summary::residual_height>},
     {{"freeboard", "m", "freeboard that remains", "of the highest ground over the water, at the end"},
@@ -85,10 +108,33 @@ bool same_bits(const std::vector<Real>& a, const std::vector<Real>& b)
   });
 }
 
+bool is_audited(const Study& study, Index number)
+{
+  const Real u = philox_uniform({static_cast<std::uint32_t>(number), 0, stream_of_audit, 0},
+      {static_cast<std::uint32_t>(study.settings.seed), 0});
+  return u < study.settings.two_stage.audit;
+}
+
+/// What is not known to stand is run. So a search that fails costs time, and no truth.
+Screening screen(const Study& study, const Case& c, Index number, const std::atomic<bool>& stop)
+{
+  if (study.settings.estimator != Estimator::two_stage) return Screening::none;
+  try {
+    if (try_factor(c, study.settings.two_stage.factor, {}, stop).verdict != TrialVerdict::stable)
+      return Screening::falls;
+  } catch (const RunError&) {
+    return Screening::falls;
+  }
+  return is_audited(study, number) ? Screening::audited : Screening::skipped;
+}
+
 /// False: stopped before its end.
 bool solve(const Study& study, const Draw& draw, const std::atomic<bool>& stop, Realisation& result)
 {
   const CaseFile file = case_of(study, draw);
+  result.screening = screen(study, file.values, result.number, stop);
+  if (stop.load()) return false;
+  if (result.skipped()) return true;
   const SharedMesh mesh = study.shares_mesh ? study.mesh : std::make_shared<const Mesh<2>>(build_mesh(file.values));
   Simulation simulation(file.values, mesh, 1, all_followers());
   if (simulation.run(stop) != Outcome::finished) return false;
@@ -109,8 +155,9 @@ std::size_t outcome_number(std::string_view name)
 
 bool Realisation::same_as(const Realisation& other) const
 {
-  return number == other.number && fault == other.fault && slid == other.slid && flooded == other.flooded &&
-         judges_flood == other.judges_flood && same_bits(inputs, other.inputs) && same_bits(outcomes, other.outcomes);
+  return number == other.number && fault == other.fault && screening == other.screening && slid == other.slid &&
+         flooded == other.flooded && judges_flood == other.judges_flood && same_bits(inputs, other.inputs) &&
+         same_bits(outcomes, other.outcomes);
 }
 
 void read_outcomes(const Simulation& simulation, const EventRule& event, Realisation& r)

@@ -24,17 +24,23 @@ std::span<const OutcomeInfo> study_outcomes();
 /// Number of the outcome of that name; it must be there.
 std::size_t outcome_number(std::string_view name);
 
+/// What the first of two stages says of a realisation.
+enum class Screening { none, falls, audited, skipped };  ///< the last two stand; a part of them is run all the same
+
 struct Realisation {
   Index number = 0;
   std::vector<Real> inputs = {};  ///< as Study::input_names()
-  std::string fault = {};         ///< why there is no result, on one line; empty: solved
-  bool slid = false;              ///< I
-  bool flooded = false;           ///< F; false where nothing is said of water
+  std::string fault = {};         ///< why there is no result, on one line; empty: none
+  Screening screening = Screening::none;
+  bool slid = false;     ///< I
+  bool flooded = false;  ///< F; false where nothing is said of water
   bool judges_flood = false;
-  std::vector<Real> outcomes = {};  ///< as study_outcomes(); empty of a failed one
+  std::vector<Real> outcomes = {};  ///< as study_outcomes(); empty where it is not solved
   double wall_s = 0.0;
 
-  bool solved() const { return fault.empty(); }
+  bool failed() const { return !fault.empty(); }
+  bool skipped() const { return screening == Screening::skipped; }
+  bool solved() const { return !failed() && !skipped(); }
   /// But for the clock.
   bool same_as(const Realisation& other) const;
 };

@@ -17,6 +17,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t n_digits = 16;  // of a checksum
 constexpr const char* ending = ".rows";
+constexpr std::string_view screening_letters = "-xas";  // in the order of Screening
+constexpr const char* format_number = "2";
 
 std::string with_checksum(const std::string& line) { return digits_of(line) + '\t' + line + '\n'; }
 
@@ -30,7 +32,7 @@ std::optional<std::string_view> checked(std::string_view line)
 
 std::string head_of(const Study& study)
 {
-  return fmt::format("terp study\t1\t{}\t{}\t{}", TERP_VERSION, study.case_digits, study.study_digits);
+  return fmt::format("terp study\t{}\t{}\t{}\t{}", format_number, TERP_VERSION, study.case_digits, study.study_digits);
 }
 
 std::vector<std::string_view> split(std::string_view text, char at)
@@ -62,9 +64,10 @@ bool to_numbers(std::string_view text, std::size_t n, std::vector<Real>& values)
 void check_head(const Study& study, const std::string& path, std::string_view head)
 {
   const auto is = split(head, '\t');
-  if (is.size() != 5 || is[0] != "terp study" || is[1] != "1")
+  if (is.size() != 5 || is[0] != "terp study")
     throw FileError(fmt::format("{}: this is no store of a study\n  Choose another folder: -o DIR", path));
   std::string why;
+  if (is[1] != format_number) why = fmt::format("its format is {}, that of this terp is {}", is[1], format_number);
   if (is[2] != TERP_VERSION) why = fmt::format("it was solved by terp {}, this is {}", is[2], TERP_VERSION);
   if (is[3] != study.case_digits) why = "the case is another one, or its mesh";
   if (is[4] != study.study_digits) why = "what is drawn, its seed or the events are others";
@@ -115,16 +118,19 @@ std::string StudyPart::file() const { return fmt::format("part_{}_of_{}{}", numb
 
 std::string line_of(const Realisation& r)
 {
-  return fmt::format("{}\t{:.3f}\t{}\t{}{}{}\t{}\t{}", r.number, r.wall_s, fmt::join(r.inputs, " "), r.slid ? 'I' : '-',
-      r.flooded ? 'F' : '-', r.judges_flood ? 'w' : '-', fmt::join(r.outcomes, " "), r.fault);
+  return fmt::format("{}\t{:.3f}\t{}\t{}{}{}{}\t{}\t{}", r.number, r.wall_s, fmt::join(r.inputs, " "),
+      r.slid ? 'I' : '-', r.flooded ? 'F' : '-', r.judges_flood ? 'w' : '-',
+      screening_letters[static_cast<std::size_t>(r.screening)], fmt::join(r.outcomes, " "), r.fault);
 }
 
 std::optional<Realisation> realisation_of(std::string_view line, std::size_t n_inputs)
 {
   const auto parts = split(line, '\t');
   Realisation r;
-  if (parts.size() != 6 || parts[3].size() != 3) return std::nullopt;
-  r.fault = parts[5];
+  if (parts.size() != 6 || parts[3].size() != 4) return std::nullopt;
+  const std::size_t screening = screening_letters.find(parts[3][3]);
+  if (screening == std::string_view::npos) return std::nullopt;
+  r.fault = parts[5], r.screening = static_cast<Screening>(screening);
   const std::size_t n_outcomes = r.solved() ? study_outcomes().size() : 0;
   if (!to_number(parts[0], r.number) || !to_number(parts[1], r.wall_s) || !to_numbers(parts[2], n_inputs, r.inputs) ||
       !to_numbers(parts[4], n_outcomes, r.outcomes))

@@ -1,16 +1,18 @@
 #include "study/study.hpp"
 
 #include "base/checksum.hpp"
-#include "base/philox.hpp"
 #include "input/case_record.hpp"
 #include "input/printable.hpp"
 #include "output/files.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/setup_mesh.hpp"
+#include "stability/factor_of_safety.hpp"
+#include "study/points.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -188,6 +190,12 @@ void check_levels(const Study& study, std::vector<Problem>& problems)
   }
 }
 
+/// All soil of a two-stage study is judged by its factor of safety.
+void check_judged(const Study& study)
+{
+  if (study.settings.estimator == Estimator::two_stage) check_may_be_judged(study.base.values);
+}
+
 bool changes_mesh(const std::string& key)
 {
   return key.starts_with("mesh") || key.starts_with("body") || key.starts_with("footing");
@@ -201,25 +209,6 @@ Index count_realisations(const StudySettings& s)
   if (s.form == SweepForm::grid)
     for (const SweepKey& sweep : s.sweep) n = std::min<std::size_t>(n * sweep.values.size(), most_realisations + 1);
   return static_cast<Index>(n);
-}
-
-/// For each number a permutation of the realisations, by the order of counted random numbers.
-void set_strata(Study& study)
-{
-  constexpr std::uint32_t stream_of_strata = 1;
-  if (study.settings.estimator != Estimator::latin_hypercube) return;
-  const auto n = static_cast<std::size_t>(study.settings.stop.number);
-  for (std::size_t number = 0; number < study.settings.numbers.size(); ++number) {
-    std::vector<std::pair<Real, Index>> order(n);
-    for (std::size_t k = 0; k < n; ++k)
-      order[k] = {
-          philox_uniform({static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(number), stream_of_strata, 0},
-              {static_cast<std::uint32_t>(study.settings.seed), 0}),
-          static_cast<Index>(k)};
-    std::ranges::sort(order);
-    auto& strata = study.strata.emplace_back(n);
-    for (std::size_t k = 0; k < n; ++k) strata[k] = order[k].second;
-  }
 }
 
 std::string case_in(const StudySettings& s) { return path_of(s.folder, s.case_path); }
@@ -258,8 +247,9 @@ Study prepare_study(StudySettings settings)
   check_sweep(study, problems);
   check_levels(study, problems);
   refuse_if_any(problems, s);
-  set_strata(study);
+  study.points = make_points(study.settings);
   try {
+    check_judged(study);
     study.mesh = std::make_shared<const Mesh<2>>(build_mesh(study.base.values));
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), study.base));
@@ -278,6 +268,11 @@ Study prepare_study(StudySettings settings)
 std::vector<Problem> find_doubts(const Study& study)
 {
   std::vector<Problem> doubts = study.settings.warnings;
+  if (const Index n = study.settings.stop.number; study.settings.estimator == Estimator::sobol && (n & (n - 1)) != 0)
+    doubts.push_back({"stop.number", "Sobol points are even in powers of two",
+        fmt::format("Got {}. Take {} or {}.", n, std::bit_floor(static_cast<std::uint32_t>(n)),
+            std::bit_ceil(static_cast<std::uint32_t>(n))),
+        ""});
   const Real cell = typical_cell_size(*study.mesh);
   for (const RandomFieldKey& field : study.settings.fields) {
     const Real least = std::min(field.scale[0], field.scale[1]);

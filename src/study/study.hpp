@@ -21,7 +21,7 @@ struct Study {
   bool shares_mesh = true;                          ///< no draw changes it
   Index n_realisations = 0;                         ///< at most; of a fragility curve: of all levels
   SquareMatrix of_numbers = {}, of_fields = {};     ///< Cholesky factors of the correlations
-  std::vector<std::vector<Index>> strata = {};      ///< of a Latin hypercube: by number, then by realisation
+  std::vector<std::vector<Real>> points = {};       ///< of a sampler that fills the space: by number, then by sample
   std::vector<std::array<Vec<2>, 2>> boxes = {};    ///< of the fields
   std::string case_digits = {}, study_digits = {};  ///< of what decides the results
 

@@ -151,6 +151,13 @@ void read_set(const Node& root, StudySettings& s, Findings& findings)
   }
 }
 
+Paths names_of_estimators()
+{
+  Paths names;
+  for (const EstimatorInfo& info : all_estimators()) names.emplace_back(info.name);
+  return names;
+}
+
 void read_top(const Node& root, StudySettings& s, Findings& findings)
 {
   read_section(root, "",
@@ -161,11 +168,13 @@ void read_top(const Node& root, StudySettings& s, Findings& findings)
   const auto section = [&](const char* name, const std::vector<StudyKey>& keys) {
     if (const Node* table = find_item(root, name)) read_section(*table, name, keys, {}, findings);
   };
-  static const Paths kinds = {"monte_carlo", "latin_hypercube", "sweep"}, forms = {"grid", "table"};
+  static const Paths forms = {"grid", "table"};
   const WordField estimator{[] { return 0; }, [&s](int k) { s.estimator = static_cast<Estimator>(k); }},
       form{[] { return 0; }, [&s](int k) { s.form = static_cast<SweepForm>(k); }};
-  section("estimator", {{"kind", "", any_number, true, estimator, [] { return kinds; }},
-                           {"form", "", any_number, false, form, [] { return forms; }}});
+  section("estimator", {{"kind", "", any_number, true, estimator, names_of_estimators},
+                           {"form", "", any_number, false, form, [] { return forms; }},
+                           {"factor", "-", between(1.0, 10.0), false, &s.two_stage.factor},
+                           {"audit", "-", between(0.001, 1.0), false, &s.two_stage.audit}});
   section(
       "stop", {{"number", "-", {1.0, most}, false, &s.stop.number},
                   {"cov", "-", between(1e-3, 1.0), false, &s.stop.cov}, {"time", "s", positive, false, &s.stop.time}});
@@ -225,6 +234,24 @@ void check_field_pairs(const StudySettings& s, Findings& findings)
   }
 }
 
+template <class Fail>
+void check_two_stage(const StudySettings& s, const Fail& fail)
+{
+  const Node* table = find_item(s.source.root, "estimator");
+  if (table == nullptr) return;
+  if (s.estimator != Estimator::two_stage) {
+    for (const char* key : {"factor", "audit"})
+      if (find_item(*table, key) != nullptr)
+        fail(join_path("estimator", key), fmt::format("`{}` is of `kind = \"two_stage\"`", key), "");
+    return;
+  }
+  if (find_item(*table, "factor") == nullptr)
+    fail("estimator", "`two_stage` needs `factor`",
+        "What stands with strengths divided by it is not run, but for the audit. As in factor = 1.2.");
+  if (s.fragility)
+    fail("fragility", "a fragility curve is not found in two stages", "Choose monte_carlo, or leave it out.");
+}
+
 void check_stop(const StudySettings& s, Findings& findings)
 {
   const auto fail = [&](const std::string& at, std::string what, std::string detail) {
@@ -250,8 +277,10 @@ void check_stop(const StudySettings& s, Findings& findings)
   if (s.stop.number == 0)
     return fail("stop", "the stop rule cannot be met: `number` is missing",
         "Give the most realisations that may be made: a rare event may never reach `cov`.");
-  if (s.estimator == Estimator::latin_hypercube && s.stop.cov > 0.0)
-    fail("stop.cov", "a Latin hypercube ends with its last point", "Leave `cov` out, or choose monte_carlo.");
+  if (const EstimatorInfo& info = info_of(s.estimator); !info.takes_cov && s.stop.cov > 0.0)
+    fail("stop.cov", fmt::format("`{}` ends with its `number` of realisations", info.name),
+        "Leave `cov` out, or choose monte_carlo.");
+  check_two_stage(s, fail);
   if (s.fragility && s.stop.cov > 0.0)
     return fail("stop.cov", "a fragility curve has the same number of realisations at each level",
         "Leave `cov` out; `number` is that of one level.");
@@ -312,6 +341,22 @@ StudySettings read_study(const std::string& path)
     throw CaseError(
         printable(fmt::format("error: {}: there is no such file\n  Give the TOML file of a study.\n", path)));
   return read_study_text(read_file(path), path);
+}
+
+const std::vector<EstimatorInfo>& all_estimators()
+{
+  using enum Estimator;
+  constexpr const char* of_points =
+      "The bounds are those of independent realisations. Points that fill the space evenly are usually better, never "
+      "known to be: no bound is proven for them.";
+  static const std::vector<EstimatorInfo> all = {
+      {monte_carlo, "monte_carlo", "Monte Carlo", true, true, ""},
+      {latin_hypercube, "latin_hypercube", "Latin hypercube", false, true, of_points},
+      {sobol, "sobol", "Sobol points", false, true, of_points},
+      {two_stage, "two_stage", "two stages", false, false, ""},
+      {sweep, "sweep", "a sweep", false, false, ""},
+  };
+  return all;
 }
 
 std::int64_t StopRule::events() const

@@ -50,7 +50,24 @@ struct FragilityLoad {
   std::vector<std::string> changes_at(Real level) const;
 };
 
-enum class Estimator { monte_carlo, latin_hypercube, sweep };
+enum class Estimator { monte_carlo, latin_hypercube, sobol, two_stage, sweep };
+struct EstimatorInfo {
+  Estimator kind;
+  std::string_view name, title;
+  bool takes_cov;           ///< a study may end by the coefficient of variation
+  bool counts_alike;        ///< P is the share of realisations with an event
+  std::string_view remark;  ///< on its bounds; empty: they are proven
+};
+/// In the order of the enum.
+const std::vector<EstimatorInfo>& all_estimators();
+inline const EstimatorInfo& info_of(Estimator kind) { return all_estimators()[static_cast<std::size_t>(kind)]; }
+
+/// Which realisations of a two-stage study are run in full.
+struct TwoStageRule {
+  Real factor = 0.0;  ///< those that do not stand with strengths reduced by it
+  Real audit = 0.1;   ///< and this share of the others
+};
+
 enum class SweepForm { grid, table };
 
 /// A key of the case with the values that it takes in turn.
@@ -89,6 +106,7 @@ struct StudySettings {
   std::vector<StudyCorrelation> correlations;
   Estimator estimator = Estimator::monte_carlo;
   SweepForm form = SweepForm::grid;
+  TwoStageRule two_stage;
   std::vector<SweepKey> sweep;
   std::optional<FragilityLoad> fragility;
   StopRule stop;

@@ -137,8 +137,9 @@ std::string bar(const std::optional<Real>& rho)
 
 std::string sensitivity_section(const StudyEstimates& e)
 {
-  std::string out =
-      "<section><h2>What matters</h2>\n" + head_of_table({"", "with a slide", "with the height that remains"});
+  std::string out = "<section><h2>What matters</h2>\n" +
+                    head_of_table({"", e.sample.n_skipped() > 0 ? "with falling at the factor" : "with a slide",
+                        "with the height that remains"});
   for (const Sensitivity& s : e.sensitivities)
     out += "<tr>" + html_cell("th", s.input) + bar(s.with_slide) + bar(s.with_height) + "</tr>\n";
   return out + end_of_table +
@@ -149,7 +150,7 @@ std::string sensitivity_section(const StudyEstimates& e)
 std::string realisation_row(const Study& study, const Realisation& r)
 {
   std::string row = "<tr>" + html_cell("th", fmt::format("{}", r.number));
-  row += html_cell("td", !r.solved() ? "failed" : r.slid ? "slide" : "stands");
+  row += html_cell("td", r.failed() ? "failed" : r.skipped() ? "not run" : r.slid ? "slide" : "stands");
   row += html_cell("td", !r.solved() || !r.judges_flood ? "-" : r.flooded ? "floods" : "holds");
   for (std::size_t i = 0; i < r.inputs.size(); ++i) row += html_cell("td", input_text(study, i, r.inputs[i]));
   for (const char* name : {"slide_volume", "residual_height", "first_slide_time", "flood_time"}) {

@@ -5,9 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace terp {
 namespace {
+
+constexpr std::array<const char*, 4> words_of_screening = {"none", "falls", "audited", "skipped"};
 
 std::string p_text(Real p) { return fmt::format("{:.3g}", p); }
 
@@ -18,9 +21,15 @@ std::string line_of_event(const char* name, const EventEstimate& e, const std::s
 
 std::string rho(const std::optional<Real>& value) { return value ? fmt::format("{:+.2f}", *value) : "-"; }
 
+const char* words_of_falling(const StudyEstimates& e)
+{
+  return e.sample.n_skipped() > 0 ? "falling at the factor" : "a slide";
+}
+
 std::string sensitivity_lines(const StudyEstimates& e)
 {
-  std::string out = "  what matters: rank correlation of inputs with a slide, and with the height that remains\n";
+  std::string out = fmt::format(
+      "  what matters: rank correlation of inputs with {}, and with the height that remains\n", words_of_falling(e));
   for (const Sensitivity& s : e.sensitivities)
     out += fmt::format("    {:>6}{:>8}  {}\n", rho(s.with_slide), rho(s.with_height), s.input);
   return out;
@@ -45,6 +54,26 @@ std::string sweep_lines(const Study& study, const Realisations& rows, Index n)
                       : "  " + r.fault + '\n';
   }
   return out;
+}
+
+void add_two_stage_remarks(const Study& study, const StudyEstimates& e, std::vector<std::string>& remarks)
+{
+  const Sample& s = e.sample;
+  const TwoStageRule& rule = study.settings.two_stage;
+  const EventCounts &falling = s.run_for_falling(), &audited = s.audited();
+  remarks.push_back(fmt::format(
+      "At the factor {:g} {} of {} realisations do not stand, and are run. Of those that stand {} are run as "
+      "the audit, a share of {:g}, and stand for the rest.",
+      rule.factor, falling.solved + falling.failed, e.n_made, audited.solved + audited.failed, rule.audit));
+  const EventEstimate trusting = s.trusting(e.judges_flood);
+  remarks.push_back(fmt::format("{} in the audit. If nothing above the factor can {}, {} is {}.",
+      audited.slid == 0 ? std::string("Nothing slid")
+                        : fmt::format("{} slid, {} flooded", audited.slid, audited.flooded),
+      e.judges_flood ? "flood" : "slide", e.judges_flood ? "P(F)" : "P(I)", estimate_text(trusting)));
+  if (e.full_wall_s > 0.0)
+    remarks.push_back(fmt::format(
+        "The first stage took {:.2g} s each, a run {:.2g} s; Monte Carlo would have taken {:.2g} times as long.",
+        e.screening_wall_s, e.full_wall_s, e.full_wall_s / e.mean_wall_s));
 }
 
 std::string quoted(const std::string& text)
@@ -96,10 +125,9 @@ std::vector<std::string> remarks_on_study(const Study& study, const Realisations
         fmt::format("{} more realisations are solved, but lie behind a gap or behind the stop rule; they "
                     "are not in the table.",
             e.n_beyond));
-  if (study.settings.estimator == Estimator::latin_hypercube)
-    remarks.push_back(
-        "The bounds are those of independent realisations. A Latin hypercube is usually better, never "
-        "known to be: no bound is proven for it.");
+  if (const std::string_view remark = info_of(study.settings.estimator).remark; !remark.empty())
+    remarks.emplace_back(remark);
+  if (study.settings.estimator == Estimator::two_stage) add_two_stage_remarks(study, e, remarks);
   if (study.settings.fragility)
     for (std::string& remark : remarks_on_fragility(study, estimate_fragility(study, rows)))
       remarks.push_back(std::move(remark));
@@ -135,13 +163,16 @@ std::string study_csv(const Study& study, const Realisations& rows)
 {
   bool met = false;
   const Index n = count_in_table(study, rows, met);
-  std::string out = "realisation,solved,slide,flood";
+  const bool two_stage = study.settings.estimator == Estimator::two_stage;
+  std::string out = fmt::format("realisation,solved{},slide,flood", two_stage ? ",screening" : "");
   for (const std::string& name : study.input_names()) out += ',' + quoted(name);
   for (const OutcomeInfo& outcome : study_outcomes()) out += fmt::format(",{}", outcome.info.name);
   out += ",fault\n";
   for (Index k = 0; k < n; ++k) {
     const Realisation& r = rows.at(k);
-    out += fmt::format("{},{:d},{:d},{}", k, r.solved(), r.slid, r.judges_flood ? (r.flooded ? "1" : "0") : "nan");
+    out += fmt::format("{},{:d}", k, r.solved());
+    if (two_stage) out += fmt::format(",{}", words_of_screening[static_cast<std::size_t>(r.screening)]);
+    out += r.solved() ? fmt::format(",{:d},{}", r.slid, r.judges_flood ? (r.flooded ? "1" : "0") : "nan") : ",nan,nan";
     for (std::size_t i = 0; i < r.inputs.size(); ++i)
       out += i < study.settings.sweep.size() ? ',' + quoted(input_text(study, i, r.inputs[i]))
                                              : fmt::format(",{}", r.inputs[i]);

@@ -97,6 +97,20 @@ TEST(Engine, RealisationsThatFailAreCountedAndBoundP)
   EXPECT_THAT(study_text(place.study, rows), HasSubstr("Failed realisations count in both bounds"));
 }
 
+// The volume of the event has moved as far as its displacement where, and only where, the event happened.
+TEST(Engine, TheDisplacementOfTheVolumeSaysHowFarAwayTheEventIs)
+{
+  const Place place(column_study);
+  Real of_what_stands = 0.0;
+  for (const auto& [number, r] : place.run("all")) {
+    const Real moved = r.outcomes[outcome_number("event_displacement")];
+    EXPECT_EQ(moved >= 0.3, r.slid) << number << ": " << moved << " m";
+    EXPECT_GT(moved, 0.0) << "soil that stands moves a little";
+    if (!r.slid) of_what_stands = std::max(of_what_stands, moved);
+  }
+  EXPECT_GT(of_what_stands, 1e-4);
+}
+
 TEST(Engine, ACopyOfTheStudyReadsItsStore)
 {
   const Place place(field_study);

@@ -1,0 +1,83 @@
+// Points of samplers that fill the space evenly.
+#include "study/points.hpp"
+
+#include "study/samples.hpp"
+#include "study/study.hpp"
+#include "support/test.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+namespace {
+
+StudySettings settings_of(const std::string& kind, Index n, int seed = 3)
+{
+  const std::string text =
+      changed(changed(column_study, "monte_carlo", kind), "number = 12", fmt::format("number = {}", n));
+  return read_study_text(changed(text, "seed = 3", fmt::format("seed = {}", seed)) + R"([[random]]
+key = "material.clay.eta"
+distribution = "uniform"
+lowest = 2.0
+highest = 8.0
+)",
+      "demo.toml");
+}
+
+// The first two coordinates are a (0, 2)-sequence in base 2: of 2^m points each box of 2^-a x 2^-(m - a) has one.
+TEST(Points, SobolPointsHaveOneInEachBox)
+{
+  constexpr int m = 6, n = 1 << m;
+  for (const int seed : {3, 4}) {
+    const auto points = make_points(settings_of("sobol", n, seed));
+    ASSERT_EQ(points.size(), 2u);
+    for (int a = 0; a <= m; ++a) {
+      std::set<std::pair<int, int>> boxes;
+      for (std::size_t k = 0; k < n; ++k)
+        boxes.insert({static_cast<int>(points[0][k] * (1 << a)), static_cast<int>(points[1][k] * (1 << (m - a)))});
+      EXPECT_EQ(boxes.size(), static_cast<std::size_t>(n)) << "seed " << seed << ", " << (1 << a) << " columns";
+    }
+  }
+  EXPECT_NE(make_points(settings_of("sobol", n, 3))[0], make_points(settings_of("sobol", n, 4))[0]);
+  const auto few = make_points(settings_of("sobol", 16)), many = make_points(settings_of("sobol", 64));
+  for (std::size_t k = 0; k < 16; ++k) EXPECT_EQ(few[1][k], many[1][k]) << "a larger number goes on";
+}
+
+TEST(Points, AShiftMakesEachPointUniform)
+{
+  Real sum = 0.0, squares = 0.0;
+  constexpr int n = 2000;
+  for (int seed = 0; seed < n; ++seed) {
+    const Real u = make_points(settings_of("sobol", 4, seed))[1][2];
+    EXPECT_GT(u, 0.0);
+    EXPECT_LT(u, 1.0);
+    sum += u, squares += u * u;
+  }
+  EXPECT_NEAR(sum / n, 0.5, 4.0 * std::sqrt(1.0 / 12.0 / n));
+  EXPECT_NEAR(squares / n, 1.0 / 3.0, 4.0 * std::sqrt(4.0 / 45.0 / n));
+}
+
+TEST(Points, ALatinHypercubeHasOneInEachStratum)
+{
+  const auto points = make_points(settings_of("latin_hypercube", 40));
+  for (const auto& column : points) {
+    std::set<int> strata;
+    for (const Real u : column) strata.insert(static_cast<int>(u * 40.0));
+    EXPECT_EQ(strata.size(), 40u);
+  }
+}
+
+TEST(Points, ANumberThatIsNoPowerOfTwoIsDoubted)
+{
+  const ScratchFolder folder;
+  const auto doubts = [&](const char* number) {
+    const std::string text = changed(changed(column_study, "monte_carlo", "sobol"), "number = 12", number);
+    return find_doubts(prepare_study(read_study(write_study(folder.path(), text))));
+  };
+  EXPECT_TRUE(doubts("number = 16").empty());
+  ASSERT_EQ(doubts("number = 12").size(), 1u);
+  EXPECT_EQ(doubts("number = 12")[0].what, "Sobol points are even in powers of two");
+  EXPECT_EQ(doubts("number = 12")[0].detail, "Got 12. Take 8 or 16.");
+}
+
+}  // namespace

@@ -1,0 +1,133 @@
+// Runs in full only what does not stand at a factor, and an audit of the rest.
+#include "base/philox.hpp"
+#include "study/engine.hpp"
+#include "study/samples.hpp"
+#include "study/study_text.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+const std::string two_stage_study =
+    changed(column_study, "kind = \"monte_carlo\"", "kind = \"two_stage\"\nfactor = 1.3\naudit = 0.25");
+
+StudySettings settings_of(const std::string& text) { return read_study_text(text, "demo.toml"); }
+
+/// A realisation as it is drawn: it falls at the factor with probability 0.3; of those that fall a half slides and a
+/// quarter floods, of those that stand 2 % slide and 1 % flood. So P(I) = 0.164 and P(F) = 0.082.
+Realisation synthetic(std::uint32_t study, std::uint32_t number, Real audit)
+{
+  const auto u = [&](std::uint32_t which) { return philox_uniform({number, which, 77, 0}, {study, 0}); };
+  const bool falls = u(0) < 0.3;
+  Realisation r{.number = static_cast<Index>(number), .judges_flood = true};
+  r.screening = falls ? Screening::falls : u(1) < audit ? Screening::audited : Screening::skipped;
+  if (r.skipped()) return r;
+  const Real chance = u(2);
+  r.slid = chance < (falls ? 0.5 : 0.02), r.flooded = chance < (falls ? 0.25 : 0.01);
+  return r;
+}
+
+TEST(TwoStage, TheEstimateHasNoBiasAndItsBoundsHoldTheTruth)
+{
+  const StudySettings s = settings_of(two_stage_study);
+  constexpr int n_studies = 600, n = 150;
+  Real sum = 0.0, squares = 0.0;
+  int held = 0, held_flood = 0, held_worth = 0, trusting_held = 0;
+  for (std::uint32_t study = 0; study < n_studies; ++study) {
+    Sample sample(s);
+    for (std::uint32_t k = 0; k < n; ++k) sample.take(synthetic(study, k, 0.25));
+    const auto holds = [](const EventEstimate& e, Real p) { return e.bounds.low <= p && p <= e.bounds.high; };
+    const EventEstimate e = sample.slide();
+    const Real p = *e.probability();
+    sum += p, squares += p * p;
+    held += holds(e, 0.164), held_flood += holds(sample.flood(), 0.082);
+    held_worth += holds(sample.flood_after_slide(), 0.5), trusting_held += holds(sample.trusting(false), 0.164);
+  }
+  const Real mean = sum / n_studies, error = std::sqrt((squares / n_studies - mean * mean) / n_studies);
+  EXPECT_NEAR(mean, 0.164, 4.0 * error);
+  EXPECT_LT(error, 0.003);
+  EXPECT_GE(held, 0.95 * n_studies);
+  EXPECT_GE(held_flood, 0.95 * n_studies);
+  EXPECT_GE(held_worth, 0.95 * n_studies);
+  EXPECT_LT(trusting_held, held) << "who trusts the factor misses what happens above it";
+}
+
+TEST(TwoStage, RunsWhatFallsAndTheAuditAndSaysWhatItSaves)
+{
+  const ScratchFolder folder;
+  const Study study = prepare_study(read_study(write_study(folder.path(), two_stage_study)));
+  Realisations rows;
+  run_realisations(study, folder.path(), {.threads = 2}, never_stop, rows);
+  const StudyEstimates e = estimate(study, rows);
+  EXPECT_EQ(e.n_made, 12);
+  EXPECT_GT(e.sample.run_for_falling().solved, 0);
+  EXPECT_GT(e.sample.n_skipped(), 0);
+  Real strongest_that_falls = 0.0, weakest_that_stands = 1e9;
+  for (const auto& [number, r] : rows) {
+    EXPECT_EQ(r.outcomes.empty(), r.skipped());
+    if (r.screening == Screening::falls)
+      strongest_that_falls = std::max(strongest_that_falls, r.inputs[0]);
+    else
+      weakest_that_stands = std::min(weakest_that_stands, r.inputs[0]);
+  }
+  EXPECT_LT(strongest_that_falls, weakest_that_stands) << "one strength decides";
+  const Realisations again = read_store(study, folder.path()).rows;
+  for (const auto& [number, r] : rows) EXPECT_TRUE(r.same_as(again.at(number))) << number;
+  const std::string text = study_text(study, rows);
+  EXPECT_THAT(text, HasSubstr("At the factor 1.3 "));
+  EXPECT_THAT(text, HasSubstr("Monte Carlo would have taken"));
+  EXPECT_THAT(study_csv(study, rows), HasSubstr("realisation,solved,screening,slide,flood,"));
+}
+
+TEST(TwoStage, WithAWholeAuditItIsMonteCarlo)
+{
+  const ScratchFolder whole_folder, plain_folder;
+  const Study whole = prepare_study(read_study(
+                  write_study(whole_folder.path(), changed(two_stage_study, "audit = 0.25", "audit = 1.0")))),
+              plain = prepare_study(read_study(write_study(plain_folder.path(), column_study)));
+  Realisations a, b;
+  run_realisations(whole, whole_folder.path(), {.threads = 2}, never_stop, a);
+  run_realisations(plain, plain_folder.path(), {.threads = 2}, never_stop, b);
+  EXPECT_DOUBLE_EQ(*estimate(whole, a).slide.probability(), *estimate(plain, b).slide.probability());
+  for (auto& [number, r] : b) {
+    r.screening = a.at(number).screening;
+    EXPECT_TRUE(r.same_as(a.at(number))) << number;
+  }
+}
+
+TEST(TwoStage, WithOneMistakeHasOneMessage)
+{
+  struct Row {
+    const char *from, *to, *expected;
+  };
+  const Row rows[] = {
+      {"factor = 1.3\n", "", "`two_stage` needs `factor`"},
+      {"factor = 1.3", "factor = 0.9", "`factor` is out of range"},
+      {"audit = 0.25", "audit = 0", "`audit` is out of range"},
+      {"two_stage", "sobol", "`factor` is of `kind = \"two_stage\"`"},
+      {"number = 12", "number = 1200\ncov = 0.3", "`two_stage` ends with its `number` of realisations"},
+      {"[stop]", "[fragility]\nlevels = [1, 2]\nset = { \"material.clay.eta\" = \"h\" }\n[stop]",
+          "a fragility curve is not found in two stages"},
+  };
+  for (const Row& row : rows)
+
+    EXPECT_THAT(
+        refusal<CaseError>([&] { settings_of(changed(two_stage_study, row.from, row.to)); }), HasSubstr(row.expected))
+        << row.to;
+  const ScratchFolder folder;
+  const std::string elastic = R"(
+[material.clay]
+model = "linear_elastic"
+density = 1900.0
+shear_modulus = 1.0e6
+poisson_ratio = 0.45
+)";
+  std::string column = column_case;
+  const std::size_t from = column.find("\n[material.clay]"), to = column.find("[forces]");
+  column.replace(from, to - from, elastic);
+  const std::string study =
+      changed(changed(two_stage_study, "su_peak", "density"), "mean = \"8 kPa\"", "mean = 1900.0");
+  EXPECT_THAT(refusal<CaseError>([&] { prepare_study(read_study(write_study(folder.path(), study, column))); }),
+      HasSubstr("no material of this case has a strength to reduce"));
+}
+
+}  // namespace
