@@ -26,10 +26,11 @@ import pkgutil
 
 from terp.errors import CaseError, RunError, SolveError
 from terp.run import Frame, Mesh, Run
+from terp.study import Event, Study
 from terp.tables import to_pandas
 
-__all__ = ["Case", "CaseError", "Frame", "Mesh", "Run", "RunError", "Simulation", "SolveError", "convergence", "open",
-           "to_pandas"]
+__all__ = ["Case", "CaseError", "Event", "Frame", "Mesh", "Run", "RunError", "Simulation", "SolveError", "Study",
+           "convergence", "open", "open_study", "to_pandas"]
 __path__ = pkgutil.extend_path(__path__, __name__)  # the compiled part may lie in a build folder
 
 
@@ -49,6 +50,11 @@ def __getattr__(name):
 def open(folder):  # noqa: A001 (terp.open is meant to read like the built-in)
     """The run whose results lie in `folder`, as a terp.Run. Files are read when they are asked for."""
     return Run(folder)
+
+
+def open_study(folder):
+    """The study whose results lie in `folder`, as a terp.Study. Raises RunError if there is no report of one."""
+    return Study(folder)
 
 
 def convergence(folder):

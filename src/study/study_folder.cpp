@@ -2,6 +2,7 @@
 
 #include "output/run_folder.hpp"
 #include "study/fragility_text.hpp"
+#include "study/study_json.hpp"
 #include "study/study_page.hpp"
 #include "study/study_text.hpp"
 
@@ -50,8 +51,8 @@ void clear_study(const std::string& folder)
 {
   std::error_code none;
   if (!fs::is_directory(folder, none)) return;
-  const std::initializer_list<std::string_view> own = {
-      study_copy, case_file, study_results, study_report, fragility_table, fragility_of_slides, fragility_of_floods};
+  const std::initializer_list<std::string_view> own = {study_copy, case_file, study_results, study_numbers,
+      study_report, fragility_table, fragility_of_slides, fragility_of_floods};
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
@@ -63,6 +64,7 @@ void clear_study(const std::string& folder)
 void write_results(const Study& study, const std::string& folder, const Realisations& rows, const std::string& written)
 {
   write_file_atomically(path_in(folder, study_results), study_csv(study, rows));
+  write_file_atomically(path_in(folder, study_numbers), study_json(study, rows));
   if (study.settings.fragility) {
     const FragilityCurve curve = estimate_fragility(study, rows);
     write_file_atomically(path_in(folder, fragility_table), fragility_csv(study, curve));

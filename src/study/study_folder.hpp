@@ -10,6 +10,7 @@ namespace terp {
 
 inline constexpr const char* study_copy = "study.toml";
 inline constexpr const char* study_results = "results.csv";
+inline constexpr const char* study_numbers = "results.json";
 inline constexpr const char* study_report = "report.html";
 inline constexpr const char* fragility_table = "fragility.csv";
 inline constexpr const char* fragility_of_slides = "fragility_slide.json";
@@ -30,7 +31,7 @@ void prepare_study_folder(const Study& study, const std::string& folder, const S
 /// Removes the store and what was said of it.
 void clear_study(const std::string& folder);
 
-/// Writes results.csv and the page. written: when, for the page.
+/// Writes results.csv, results.json, what a fragility curve adds, and the page. written: when, for the page.
 void write_results(const Study& study, const std::string& folder, const Realisations& rows, const std::string& written);
 
 }  // namespace terp

@@ -1,0 +1,127 @@
+"""terp.open_study on a study that the program made, and on folders that hold none."""
+
+import math
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import support  # noqa: F401 (finds the package)
+
+import numpy as np
+import terp
+
+PROGRAM = os.environ.get("TERP")
+CASE = """
+[time]
+end = 0.4
+[mesh]
+size = [10.0, 3.0]
+cell = 1.0
+[[body]]
+material = "clay"
+box = [[0.0, 0.0], [4.0, 2.0]]
+points_per_cell = [2, 2]
+[material.clay]
+model = "tresca_softening"
+density = 1900.0
+shear_modulus = 1.0e6
+poisson_ratio = 0.45
+su_peak = 6.0e3
+sensitivity = 2.0
+eta = 5.0
+[forces]
+gravity = [0.0, -9.81]
+[boundary]
+left = "roller"
+bottom = "fixed"
+"""
+STUDY = """
+case = "column.toml"
+[[random]]
+key = "material.clay.su_peak"
+distribution = "lognormal"
+mean = "8 kPa"
+cov = 0.4
+[estimator]
+kind = "monte_carlo"
+[stop]
+number = 8
+[events]
+volume = 1.0
+displacement = 0.1
+"""
+CURVE = STUDY + """
+[fragility]
+name = "weight"
+levels = [0.3, 1.0, 2.0]
+set = { "forces.gravity" = [0.0, "-9.81*h"] }
+distribution = "uniform"
+lowest = 0.3
+highest = 2.0
+"""
+
+
+class FolderWithoutAStudy(unittest.TestCase):
+    def test_says_what_to_do(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with self.assertRaisesRegex(terp.RunError, "has no results.json: write it with `terp study report"):
+                terp.open_study(folder)
+            (pathlib.Path(folder) / "results.json").write_text("{", encoding="utf-8")
+            with self.assertRaisesRegex(terp.RunError, "results.json cannot be read"):
+                terp.open_study(folder)
+
+
+@unittest.skipUnless(PROGRAM, "TERP names no program")
+class StudyOfTheProgram(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(scratch.cleanup)
+        cls.folder = pathlib.Path(scratch.name)
+        (cls.folder / "column.toml").write_text(CASE, encoding="utf-8")
+        cls.study = cls.made("plain", STUDY)
+        cls.curve = cls.made("curve", CURVE)
+
+    @classmethod
+    def made(cls, name, text):
+        (cls.folder / f"{name}.toml").write_text(text, encoding="utf-8")
+        subprocess.run([PROGRAM, "study", "run", str(cls.folder / f"{name}.toml"), "-o", str(cls.folder / name), "-q",
+                        "-j", "1"], check=True)
+        return terp.open_study(cls.folder / name)
+
+    def test_probabilities_are_those_of_the_table(self):
+        table = self.study.table
+        self.assertEqual(len(table), 8)
+        solved = table["solved"] == 1
+        self.assertAlmostEqual(self.study.slide.probability, np.mean(table["slide"][solved]))
+        self.assertLess(self.study.slide.low, self.study.slide.probability)
+        self.assertLess(self.study.slide.probability, self.study.slide.high)
+        self.assertTrue(math.isnan(self.study.flood.probability), "no water is judged")
+        self.assertEqual(self.study.inputs, ["material.clay.su_peak"])
+        self.assertLess(self.study.sensitivities["material.clay.su_peak"][0], 0.0, "weaker soil slides")
+
+    def test_a_curve_has_a_row_per_level(self):
+        levels = self.curve.levels
+        np.testing.assert_array_equal(levels["level"], [0.3, 1.0, 2.0])
+        self.assertLess(levels["P_I"][0], levels["P_I"][2])
+        self.assertAlmostEqual(sum(levels["weight"]), 1.0)
+        over = self.curve.results["slide_over_levels"]["probability"]
+        self.assertAlmostEqual(over, float(np.dot(levels["weight"], levels["P_I"])))
+        self.assertTrue(math.isnan(self.curve.slide.probability), "a mean over levels is nobody's probability")
+        with self.assertRaisesRegex(terp.RunError, "there is no .*fragility.csv"):
+            self.study.levels
+
+    def test_a_realisation_is_solved_once_more(self):
+        run = self.study.run_of(1, program=PROGRAM)
+        self.assertEqual(run.summary["max_eps_eq_p"], self.study.table["max_eps_eq_p"][1])
+        self.assertGreater(len(run.field("displacement", -1)), 0)
+        with self.assertRaisesRegex(terp.RunError, "cannot start `no_terp`"):
+            self.study.run_of(2, program="no_terp")
+        with self.assertRaisesRegex(terp.RunError, "was not solved: error: --keep 99"):
+            self.study.run_of(99, program=PROGRAM)
+
+
+if __name__ == "__main__":
+    unittest.main()
