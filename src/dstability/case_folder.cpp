@@ -4,6 +4,7 @@
 #include "dstability/folder_report.hpp"
 #include "dstability/preload.hpp"
 #include "dstability/reference_text.hpp"
+#include "dstability/river_side.hpp"
 #include "dstability/section_layout.hpp"
 #include "dstability/section_part.hpp"
 #include "dstability/soil_text.hpp"
@@ -22,7 +23,6 @@
 namespace terp {
 namespace {
 
-constexpr Real least_river = 0.05;  // [m] of water on the ground at an end of the section
 constexpr const char* raised_water = "raised_water";
 
 /// One body before it is text.
@@ -50,9 +50,9 @@ class FolderMaker {
     check_outlines(drawn_);
     for (const StixLine& pit : stage_.excavations)
       pits_.push_back({fmt::format("excavation {}", pits_.size() + 1), pit});
-    find_river();
+    const BoundingBox box = box_around(drawn_);
+    river_ = find_river(section_, {box.low[0], box.high[0]});
     take_part();
-    find_river();
     layout_ = layout_of(drawn_, pits_, wishes_for(options.cell));
     cleaning_ = cleaning_for(layout_.cell);
     clean_ = clean_regions(drawn_, pits_, cleaning_);
@@ -89,7 +89,7 @@ class FolderMaker {
   LayoutWishes wishes_for(Real cell) const
   {
     LayoutWishes wishes{.cell = cell};
-    if (!river_.empty()) wishes.land = river_ == "left" ? LandEnd::right : LandEnd::left;
+    if (!river_.side.empty()) wishes.land = river_.side == "left" ? LandEnd::right : LandEnd::left;
     const auto [one, other] = std::minmax(stage_.embankment.top_water, stage_.embankment.top_land);
     if (std::isfinite(one + other)) wishes.crest = Vec<2>{one, other};
     return wishes;
@@ -103,8 +103,8 @@ class FolderMaker {
     const Vec<2> crest = layout_of(drawn_, pits_, wishes_for(1e3)).crest;
     SectionPart part = part_that_matters(drawn_, pits_, crest, is_undrained);
     const BoundingBox box = box_around(drawn_);
-    if (river_ == "left" && !(river_level(part.between[0]) > -1e30)) part.between[0] = box.low[0];
-    if (river_ == "right" && !(river_level(part.between[1]) > -1e30)) part.between[1] = box.high[0];
+    if (river_.side == "left" && !water_stands_at(section_, part.between[0])) part.between[0] = box.low[0];
+    if (river_.side == "right" && !water_stands_at(section_, part.between[1])) part.between[1] = box.high[0];
     if (options_.between || options_.base) part.why.clear();
     part.between = options_.between.value_or(part.between);
     part.base = options_.base.value_or(part.base);
@@ -311,42 +311,33 @@ class FolderMaker {
 
   // ------------------------------------------------------------------------------------------- river, loads, stages
 
-  /// Of water that stands on the ground at x; very low where none does [m].
-  Real river_level(Real x) const
-  {
-    const StixWaterColumn water = section_.column(x).now().water();
-    return water.free_water() > least_river ? water.phreatic() : -1e30;
-  }
-
-  /// The end at which water stands on the ground; of two the one with the higher level.
-  void find_river()
-  {
-    const BoundingBox box = box_around(drawn_);
-    const Real left = river_level(box.low[0] + 1e-6), right = river_level(box.high[0] - 1e-6);
-    river_.clear();
-    if (std::max(left, right) > -1e30) river_ = left >= right ? "left" : "right";
-  }
+  /// x of the river's end of the part that is taken over; where the river may be at both, of the left one.
+  Real river_end() const { return river_.side == "right" ? layout_.high[0] - 1e-6 : layout_.low[0] + 1e-6; }
 
   void make_flood()
   {
-    if (river_.empty()) {
+    if (!river_.doubt.empty()) {
+      assumed_.push_back(river_.doubt);
+      notes_.push_back(river_.doubt);
+    }
+    if (!river_level_ && !water_stands_at(section_, river_end())) {
       assumed_.push_back(
-          "No water stands on the ground at either end of the section: the case has no [flood], and no "
-          "verdict on flooding.");
+          fmt::format("No water stands on the ground at {} of the section: the case has no [flood], and no verdict on "
+                      "flooding.",
+              river_.side.empty() ? "either end" : fmt::format("the river's end ({})", river_.side)));
       return;
     }
-    const Real level = river_level_.value_or(level_at_end(river_ == "left"));
-    std::vector<CaseLine> lines{{"river", quoted(river_), "the end where the water stands higher"}};
-    if (level < layout_.crest[1]) {
-      lines.push_back({"water_level", number_text(level),
-          river_level_ ? "m: that of the trigger" : "m: phreatic line at that end"});
-    } else {
-      const Real below = layout_.crest[1] - 0.1 * layout_.height;
+    const Real level = river_level_.value_or(level_at_end(river_.side != "right"));
+    std::vector<CaseLine> lines;
+    if (!river_.side.empty()) lines.push_back({"river", quoted(river_.side), river_.origin});
+    lines.push_back(
+        {"water_level", number_text(level), river_level_ ? "m: that of the trigger" : "m: phreatic line at that end"});
+    if (level >= layout_.crest[1]) {
       const std::string text = fmt::format(
-          "The river of this stage ({:.2f} m) stands above the crest ({:.2f} m): it floods without any slide. "
-          "To judge the slide, the level is a tenth of the height of the dike below the crest. Change it.",
+          "The river of this stage ({:.2f} m) stands above the crest ({:.2f} m): it floods without any slide. A lower "
+          "water_level judges a slide.",
           level, layout_.crest[1]);
-      lines.push_back({"water_level", number_text(std::round(100.0 * below) / 100.0), text});
+      lines.back().comment = text;
       assumed_.push_back(text);
       notes_.push_back(text);
     }
@@ -422,12 +413,13 @@ class FolderMaker {
 
   void bring_river_to_the_crest()
   {
-    if (river_.empty()) refuse_dry_trigger(stage_);
+    check_river_to_raise(section_, river_, river_end());
+    const bool at_left = river_.side == "left";
     const RaisedRiver raised = raise_river(section_,
-        {.at_left = river_ == "left",
+        {.at_left = at_left,
             .ends = {layout_.low[0], layout_.high[0]},
-            .level = level_at_end(river_ == "left"),
-            .inland = level_at_end(river_ != "left"),
+            .level = level_at_end(at_left),
+            .inland = level_at_end(!at_left),
             .crest = layout_.crest[1],
             .height = layout_.height},
         options_.trigger.value);
@@ -469,7 +461,8 @@ class FolderMaker {
   CleaningOptions cleaning_;
   CleanSection clean_;
   bool is_staged_ = false;
-  std::string situation_, river_, part_;
+  std::string situation_, part_;
+  StixRiver river_;
   TriggerStage trigger_;
   std::optional<Real> river_level_;  ///< of the trigger [m]
   std::vector<Vec<2>> phreatic_;

@@ -77,12 +77,6 @@ RaisedRiver raise_river(const StixSection& section, const RiverInStage& river, R
           river.level, level, river.crest - level, river.inland)};
 }
 
-void refuse_dry_trigger(const StixStage& stage)
-{
-  throw InputError({stage.label, "there is no river to raise",
-      "No water stands on the ground at either end of the section. Try --trigger strength.", ""});
-}
-
 StixProject with_stage(StixProject project, std::size_t scenario, std::size_t after, StixStage stage)
 {
   auto& stages = project.scenarios[scenario].stages;

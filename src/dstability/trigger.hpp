@@ -43,9 +43,6 @@ struct RaisedRiver {
 /// between the river and the crest.
 RaisedRiver raise_river(const StixSection& section, const RiverInStage& river, Real asked);
 
-/// Throws InputError: there is no river.
-[[noreturn]] void refuse_dry_trigger(const StixStage& stage);
-
 /// The project with one more stage after one of a scenario, in place of those that followed it.
 StixProject with_stage(StixProject project, std::size_t scenario, std::size_t after, StixStage stage);
 

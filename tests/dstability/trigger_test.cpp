@@ -121,6 +121,17 @@ TEST(Trigger, OfWaterNeedsARiverBelowTheCrest)
   StixProject dry = dike();
   dry.scenarios[0].stages[0].water.head_lines[0].line = {{0.0, -2.0}};
   EXPECT_THAT(said({.kind = TriggerKind::water}, dry), HasSubstr("there is no river to raise"));
+  StixProject polder = dike();  // the foreland is dry, and its water higher than that on the polder
+  polder.scenarios[0].stages[0].water.head_lines[0].line = {{-20.0, -0.5}, {4.0, -0.5}, {16.0, -1.0}, {40.0, 0.2}};
+  polder.scenarios[0].stages[0].layers[0].outline[0][1] = polder.scenarios[0].stages[0].layers[0].outline[1][1] = 1.0;
+  polder.scenarios[0].stages[0].water.head_lines[0].line[0][1] = 0.6;
+  EXPECT_THAT(
+      said({.kind = TriggerKind::water}, polder), HasSubstr("the side of the river is in doubt: it is not raised"));
+  polder.scenarios[0].stages[0].embankment.top_water = 4.0;
+  polder.scenarios[0].stages[0].embankment.top_land = 8.0;
+  const std::string text = folder_with({.kind = TriggerKind::water}, polder).files.front().second;
+  EXPECT_THAT(text, ContainsRegex("river +=  *\"left\""));
+  EXPECT_THAT(text, HasSubstr("water_level = 3.9"));
 }
 
 }  // namespace

@@ -1,0 +1,27 @@
+// At which end of a stage the river is: what the file says, or its water. docs/dstability.md, "The river".
+// Not for: its level under a trigger (trigger.hpp).
+#pragma once
+
+#include "dstability/section.hpp"
+
+#include <string>
+
+namespace terp {
+
+struct StixRiver {
+  std::string side = {};    ///< "left", "right"; empty: it cannot be told
+  std::string origin = {};  ///< how the side is known, in words
+  std::string doubt = {};   ///< what speaks against it, a sentence; empty: nothing
+};
+
+/// Whether water stands on the ground at x.
+bool water_stands_at(const StixSection& section, Real x);
+
+/// Between two ends [m].
+StixRiver find_river(const StixSection& section, Vec<2> ends);
+
+/// Throws InputError unless the river of the stage can be raised: its side is known without doubt, and its water.
+/// x: of its end [m].
+void check_river_to_raise(const StixSection& section, const StixRiver& river, Real x);
+
+}  // namespace terp
