@@ -48,9 +48,10 @@ std::string name_for(const std::string& file)
 {
   const fs::path path = fs::path(file).lexically_normal();
   const fs::path folder = path.has_filename() ? path : path.parent_path();
-  const std::string text = path.filename() == case_file ? path.parent_path().filename().string()
-                           : fs::is_directory(path)     ? folder.filename().string()
-                                                        : path.stem().string();
+  std::error_code none;
+  const std::string text = path.filename() == case_file   ? path.parent_path().filename().string()
+                           : fs::is_directory(path, none) ? folder.filename().string()
+                                                          : path.stem().string();
   std::string name;
   for (const unsigned char c : text)
     name += std::isalnum(c) != 0 || c == '.' || c == '-' || c == '_' ? static_cast<char>(c) : '_';
@@ -60,7 +61,7 @@ std::string name_for(const std::string& file)
 std::vector<PlannedSection> plan_of(const AssessCommand& command)
 {
   std::vector<PlannedSection> plan;
-  std::set<std::string> names;
+  std::set<std::string> names{page_file, csv_file, json_file};  // of the reach itself
   std::map<std::string, std::string> paths;
   for (const std::string& file : command.files) {
     const std::string path = fs::absolute(file).lexically_normal().string();
@@ -186,13 +187,12 @@ class Reach {
   {
     PlannedSection& section = plan_[k];
     section.record = read_record(section.folder);
-    if (WIFSIGNALED(status)) {
-      section.record.name = section.name, section.record.file = section.file;
-      section.record.fault = fmt::format("its process was ended by signal {} ({}) during: {}", WTERMSIG(status),
-          ::strsignal(WTERMSIG(status)), section_steps[told_[k].step.load()]);
-      write_file_atomically(path_in(section.folder, record_file), record_text(section.record));
-    }
     if (stop_requested) return;
+    if (WIFSIGNALED(status))
+      note_fault(
+          section, k, fmt::format("was ended by signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status))));
+    else if (WEXITSTATUS(status) != 0 && section.record.fault.empty())
+      note_fault(section, k, fmt::format("ended with status {}", WEXITSTATUS(status)));
     ++n_done_, seconds_done_ += seconds, ++n_solved_here_;
     clear_line();
     const std::string& fault = section.record.fault;
@@ -201,6 +201,19 @@ class Reach {
                      fault.empty() ? fmt::format("{} in {}", done, readable_duration(seconds))
                                    : "no result: " + fault.substr(0, fault.find('\n')),
                      waiting_.empty() && running_.empty() ? "" : "; ETA " + readable_duration(time_left()))));
+  }
+
+  /// The process of a section could not say itself what befell it.
+  void note_fault(PlannedSection& section, std::size_t k, const std::string& what)
+  {
+    section.record.name = section.name, section.record.file = printable(section.file);
+    section.record.fault = fmt::format("its process {} during: {}\n  {} has what it printed.", what,
+        section_steps[told_[k].step.load()], path_in(section.folder, log_file));
+    try {
+      write_file_atomically(path_in(section.folder, record_file), record_text(section.record));
+    } catch (const FileError& error) {  // of a folder that cannot be made
+      section.record.fault += fmt::format("\n  {}", error.what());
+    }
   }
 
   /// As long as the sections so far have taken on average; of runs under way what they say themselves [s].
@@ -275,9 +288,10 @@ int write_reach(const std::vector<PlannedSection>& plan, const AssessCommand& co
   std::vector<ReachSection> sections;
   int n_faults = 0;
   for (const PlannedSection& section : plan) {
-    sections.push_back(read_section(section.folder));
+    const bool is_known = section.record.fault.empty();  // a folder that cannot be written does not say the fault
+    sections.push_back(is_known ? read_section(section.folder) : ReachSection{.record = section.record});
     ReachSection& s = sections.back();
-    s.record.name = section.name, s.record.file = section.file;
+    s.record.name = section.name, s.record.file = printable(section.file);
     n_faults += s.is_solved ? 0 : 1;
   }
   const std::string now = fmt::format(

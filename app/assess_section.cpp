@@ -7,8 +7,10 @@
 #include "cost.hpp"
 #include "dstability/read_stix.hpp"
 #include "dstability/slices.hpp"
+#include "dstability/soil_defaults.hpp"
 #include "import_options.hpp"
 #include "input/case_file.hpp"
+#include "input/printable.hpp"
 #include "output/files.hpp"
 #include "output/run_folder.hpp"
 #include "output/summary_json.hpp"
@@ -28,6 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double trial_seconds = 0.5;
+constexpr const char* anew_or_elsewhere = "--force imports it anew. Or choose another folder: -o FOLDER.";
 
 bool is_stix(const std::string& file) { return fs::path(file).extension() == ".stix"; }
 
@@ -46,17 +49,60 @@ std::string question_of(const PlannedSection& section, const AssessCommand& comm
       command.stability);
   if (import.base) text += fmt::format("|{}", *import.base);
   for (const double x : import.between) text += fmt::format("|{}", x);
-  if (!import.soil_defaults.empty()) text += read_file(import.soil_defaults);
-  return digits_of(text);
+  return digits_of(text + (import.soil_defaults.empty() ? soil_defaults_table() : read_file(import.soil_defaults)));
 }
 
-/// Digits that change with the case and with every table that it names.
-std::string digits_of_case(const PlannedSection& section)
+/// Digits of this build of terp: another one may import and solve otherwise.
+const std::string& this_program()
 {
-  const CaseFile file = read_case(case_of(section));
+  static const std::string digits = [] {
+    try {
+      return digits_of(read_file("/proc/self/exe"));
+    } catch (const FileError&) {
+      return digits_of(TERP_VERSION);
+    }
+  }();
+  return digits;
+}
+
+/// Digits that change with a case and with every table that it names. Throws CaseError, FileError.
+std::string digits_of_case(const std::string& path)
+{
+  const CaseFile file = read_case(path);
   std::string all = file.text;
   for (const InputFile& input : file.inputs) all += read_file(input.path);
   return digits_of(all);
+}
+
+/// The same; none of a case that cannot be read.
+std::optional<std::string> digits_if_read(const std::string& path)
+{
+  try {
+    if (fs::exists(path)) return digits_of_case(path);
+  } catch (const CaseError&) {
+  } catch (const FileError&) {
+  }
+  return std::nullopt;
+}
+
+/// The folder holds a run of this case that came to its end.
+bool has_finished(const std::string& folder, const std::string& digits)
+{
+  const std::string summary = path_in(folder, summary_file);
+  try {
+    return fs::exists(summary) && read_summary(summary).finished &&
+           digits_if_read(path_in(folder, case_file)) == digits;
+  } catch (const FileError&) {
+    return false;
+  }
+}
+
+/// Another terp may be writing to it: FileError.
+void remove_run_alone(const std::string& folder)
+{
+  if (!fs::exists(folder)) return;
+  const FolderLock lock(folder);
+  remove_run(folder);
 }
 
 /// Sees how long the run still takes.
@@ -81,26 +127,31 @@ class Assessment {
   {
     make_folder(section_.folder);
     const std::string question = question_of(section_, command_);
-    const bool is_changed = is_changed_by_hand();
-    if (record_.question != question || command_.force) {
-      if (is_changed && !command_.force)
-        refuse_import(
-            fmt::format("{} was changed by hand, and the file or the options changed, too", case_of(section_)),
-            "--force imports it anew. Or choose another folder: -o FOLDER.");
-      record_ = {.question = question};
+    const bool is_edited = !command_.force && is_changed_by_hand();
+    if (is_edited && record_.question != question) {
+      record_.step = section_steps[0];
+      refuse_import(fmt::format("{} was changed by hand, and the file or the options changed, too", case_of(section_)),
+          anew_or_elsewhere);
     }
-    if (is_changed && !command_.force) take_changed_case();
+    const bool is_other_program = record_.program != this_program();
+    if (command_.force || record_.question != question || (is_other_program && !is_edited))
+      record_ = {.question = question, .case_imported = record_.case_imported};
+    if (is_other_program || digits_if_read(case_of(section_)) != record_.case_found) forget_results();
+    record_.program = this_program();
+    record_.is_done = false;
     record_.fault.clear();
-    record_.name = section_.name, record_.file = section_.file;
+    record_.name = section_.name, record_.file = printable(section_.file);
+    note_time();
     const bool goes_on = make_steps();
-    record_.is_done = goes_on;
+    record_.is_done = goes_on && !command_.estimate;
     if (goes_on) note_time();
     return goes_on;
   }
 
   void note_fault(const std::string& text)
   {
-    record_.fault = text.starts_with("error: ") ? text.substr(7) : text;
+    record_.name = section_.name, record_.file = printable(section_.file);
+    record_.fault = printable(text.starts_with("error: ") ? text.substr(7) : text);
     while (record_.fault.ends_with('\n')) record_.fault.pop_back();
     record_.is_done = true;
     note_time();
@@ -109,7 +160,7 @@ class Assessment {
  private:
   bool make_steps()
   {
-    if (is_stix(section_.file) && (record_.case_found.empty() || !fs::exists(case_of(section_)))) {
+    if (is_stix(section_.file) && (!record_.has_report || !fs::exists(case_of(section_)))) {
       begin_step(0);
       import();
     }
@@ -139,21 +190,21 @@ class Assessment {
     write_file_atomically(path_in(section_.folder, record_file), record_text(record_));
   }
 
-  void note_case() { record_.case_found = digits_of_case(section_); }
-
+  /// The case in the folder of a D-Stability file is not the one that terp wrote there.
   bool is_changed_by_hand() const
   {
     const std::string path = case_of(section_);
-    return !record_.case_found.empty() && fs::exists(path) && digits_of_case(section_) != record_.case_found;
+    return is_stix(section_.file) && !record_.case_imported.empty() && fs::exists(path) &&
+           digits_if_read(path) != record_.case_imported;
   }
 
-  /// The case is as the user wants it: nothing is known of it, and no trigger is put into it.
-  void take_changed_case()
+  /// Those of another case.
+  void forget_results()
   {
-    record_.factor = record_.uncertainty = std::nullopt;
-    record_.has_trigger = true;
-    record_.trigger.clear();
-    note_case();
+    record_.factor = record_.uncertainty = record_.stands = record_.fails = std::nullopt;
+    record_.run_of.clear(), record_.trigger.clear();
+    record_.has_trigger = false;
+    record_.case_found = digits_if_read(case_of(section_)).value_or("");
   }
 
   // --------------------------------------------------------------------------------------------------- file to case
@@ -168,7 +219,19 @@ class Assessment {
     options_ = folder_options(project_, import);
   }
 
-  bool needs_search() const { return is_stix(section_.file) && command_.import.trigger == "strength"; }
+  bool needs_search() const
+  {
+    return is_stix(section_.file) && command_.import.trigger == "strength" && !is_changed_by_hand();
+  }
+
+  /// A case that terp did not write stays as it is, also where nothing is known of it.
+  bool may_write(const CaseFolder& folder) const
+  {
+    const std::string path = case_of(section_);
+    if (is_forced_ || !fs::exists(path)) return true;
+    if (!record_.case_imported.empty()) return !is_changed_by_hand();
+    return read_file(path) == folder.files.front().second;
+  }
 
   void write_case(const FolderTrigger& trigger)
   {
@@ -176,10 +239,13 @@ class Assessment {
     options.trigger = trigger;
     options.is_held = record_.is_held;
     const CaseFolder folder = case_folder_of(project_, options);
+    if (!may_write(folder))
+      refuse_import(fmt::format("{} is not as terp wrote it", case_of(section_)), anew_or_elsewhere);
+    is_forced_ = false;
     write_case_folder(section_.folder, folder);
     for (const std::string& note : folder.notes) fmt::print("warning: {}\n", note);
     record_.has_report = true;
-    note_case();
+    record_.case_imported = record_.case_found = digits_of_case(case_of(section_));
   }
 
   void import()
@@ -189,7 +255,7 @@ class Assessment {
       remember_stored();
       record_.has_trigger = options_.trigger.kind == TriggerKind::none;
       write_case({});
-      remove_run(path_in(section_.folder, run_of_section));
+      remove_run_alone(path_in(section_.folder, run_of_section));
     } catch (const InputError& error) {
       refuse_import(section_.file, error);
     }
@@ -212,17 +278,23 @@ class Assessment {
 
   void add_trigger()
   {
-    if (is_stix(section_.file)) {
-      try {
-        read_project();
-        FolderTrigger trigger = options_.trigger;
-        if (asks_for_search(trigger)) trigger = trigger_after(record_.stands, record_.fails);
-        if (trigger.kind == TriggerKind::none) record_.trigger = trigger.origin;
-        record_.is_held = record_.is_held || (trigger.kind == TriggerKind::none && needs_search());
-        write_case(trigger);
-      } catch (const InputError& error) {
-        refuse_import(section_.file, error);
-      }
+    if (!is_stix(section_.file) || is_changed_by_hand()) {
+      if (!command_.import.trigger.empty())
+        record_.trigger = fmt::format("--trigger {} was not applied: {}", command_.import.trigger,
+            is_stix(section_.file)
+                ? "the case was changed by hand, and is solved as it stands. --force imports it anew."
+                : "a case file is run as it is.");
+      return note_time();
+    }
+    try {
+      read_project();
+      FolderTrigger trigger = options_.trigger;
+      if (asks_for_search(trigger)) trigger = trigger_after(record_.stands, record_.fails);
+      if (trigger.kind == TriggerKind::none) record_.trigger = trigger.origin;
+      record_.is_held = record_.is_held || (trigger.kind == TriggerKind::none && needs_search());
+      write_case(trigger);
+    } catch (const InputError& error) {
+      refuse_import(section_.file, error);
     }
     record_.has_trigger = true;
     note_time();
@@ -234,7 +306,7 @@ class Assessment {
   {
     const CaseFile file = read_case(case_of(section_));
     fmt::print("{}", render_warnings(file));
-    record_.title = file.values.title.empty() ? file.values.name : file.values.title;
+    record_.title = printable(file.values.title.empty() ? file.values.name : file.values.title);
     try {
       Simulation simulation(file.values, command_.threads);
       record_.cell = typical_cell_size(*simulation.model.mesh);
@@ -243,7 +315,6 @@ class Assessment {
     } catch (const InputError& error) {
       throw CaseError(render(error.problems(), file));
     }
-    if (record_.case_found.empty()) note_case();
     note_time();
   }
 
@@ -271,11 +342,12 @@ class Assessment {
   bool run()
   {
     const std::string folder = path_in(section_.folder, run_of_section);
-    const std::string found = digits_of_case(section_);
+    const std::string found = digits_of_case(case_of(section_));
     const bool is_same = record_.run_of == found;
+    if (!is_same) remove_run_alone(folder);  // before the record says that the run is of this case
     record_.run_of = found;
     note_time();
-    if (!is_same || !has_finished(folder)) {
+    if (!has_finished(folder, found)) {
       RunWatcher watcher(progress_);
       std::string fault;
       const PartOfSet part{.label = section_.name + "  ", .fault = &fault, .observer = &watcher};
@@ -289,28 +361,29 @@ class Assessment {
         run_case(options);
       }
       if (stop_requested) return false;
-      if (fault.starts_with("no equilibrium") && hold()) return run();
+      if (fault.starts_with("no equilibrium") && hold(fault)) return run();
       if (!fault.empty()) throw RunError(fault);
     }
     begin_step(4);
     report_runs({.runs = {folder}, .output = path_in(folder, report_file), .language = command_.language});
+    record_.language = command_.language;
     record_.step = section_steps[3];
     return true;
   }
 
   /// A section that does not stand by itself is held until it is at rest. False: it was, or is no file of D-Stability.
-  bool hold()
+  bool hold(const std::string& fault)
   {
-    if (record_.is_held || !is_stix(section_.file) || is_changed_by_hand()) return false;
+    if (record_.is_held || !is_stix(section_.file)) return false;
+    if (is_changed_by_hand())
+      throw RunError(
+          fault +
+          "\n  The case was changed by hand, so it is not imported anew with held soil. Write the stages for "
+          "that yourself (docs/dstability.md, \"Soil that cannot stand\"), or import it anew: --force.");
     fmt::print("it does not stand by itself: held until it is at rest\n");
     record_.is_held = true;
     add_trigger();
     return true;
-  }
-
-  static bool has_finished(const std::string& folder)
-  {
-    return fs::exists(path_in(folder, summary_file)) && read_summary(path_in(folder, summary_file)).finished;
   }
 
   static bool has_checkpoint(const std::string& folder)
@@ -328,6 +401,7 @@ class Assessment {
   SectionRecord record_;
   StixProject project_;
   FolderOptions options_;
+  bool is_forced_ = command_.force;  ///< whatever case is in the folder, the import replaces it
   Clock::time_point last_ = Clock::now();
 };
 
@@ -337,12 +411,12 @@ bool is_done(const PlannedSection& section, const AssessCommand& command)
 {
   const SectionRecord& record = section.record;
   if (command.force || !record.is_done || !record.fault.empty()) return false;
-  const std::string summary = path_in(path_in(section.folder, run_of_section), summary_file);
-  if (!fs::exists(section.file) || !fs::exists(case_of(section)) || !fs::exists(summary)) return false;
+  if (record.program != this_program() || record.language != command.language) return false;
   try {
-    return record.question == question_of(section, command) && record.run_of == digits_of_case(section) &&
-           read_summary(summary).finished;
-  } catch (const CaseError&) {
+    return record.question == question_of(section, command) &&
+           record.run_of == digits_if_read(case_of(section)).value_or("") &&
+           has_finished(path_in(section.folder, run_of_section), record.run_of);
+  } catch (const std::exception&) {  // of whatever cannot be read: its own process says what is wrong
     return false;
   }
 }

@@ -27,6 +27,7 @@ thead th { border-top: 0; font-weight: 650; vertical-align: bottom; }
 td p + p { color: #566270; font-size: 0.87rem; }
 .verdict { font-weight: 650; } .stands .verdict { color: #00694b; } .damaged .verdict { color: #8a5a00; }
 .floods .verdict, .fault .verdict { color: #b3261e; } .fault p { white-space: pre-line; }
+td .mark { color: #8a5a00; }
 a { color: #0b5f9e; } svg { display: block; width: 210px; height: auto; }
 footer { padding: 0 24px 28px; }
 @media print { @page { size: A4 landscape; margin: 12mm; } :root { font-size: 9pt; } body { background: #fff; }
@@ -53,6 +54,7 @@ constexpr Words title{"Sections of a reach", "Doorsneden van een traject"},
     divided{"after strengths were divided by {:g}", "nadat de sterktes door {:g} zijn gedeeld"},
     raised{"after the river was brought to {:.2f} m", "nadat de rivier op {:.2f} m is gebracht"},
     after_stage{"after the stage {}", "na fase {}"}, before{"As it is: {}.", "Zoals zij is: {}."},
+    at_rest{"not at rest", "niet in rust"}, moving{" Not at rest at the end: {}.", " Aan het eind niet in rust: {}."},
     report{"report page", "rapport"}, assumed{"what was assumed", "aannamen"},
     caution{
         "Water that would flow over is not simulated. A verdict after a trigger is not that of the section as it is.",
@@ -96,6 +98,8 @@ std::string class_of(const ReachSection& s)
   return flood && flood->verdict ? std::string(info_of(*flood->verdict).name) : "";
 }
 
+bool is_moving(const ReachSection& s) { return std::ranges::count(hints_on(s), Hint::moves) > 0; }
+
 /// The verdict with what triggered it, or why there is none.
 std::string verdict_cell(const ReachSection& s, bool dutch)
 {
@@ -113,10 +117,12 @@ std::string verdict_cell(const ReachSection& s, bool dutch)
     text = paragraph(no_flood.in(dutch), " class=\"verdict\"");
   } else {
     const auto& trigger = flood->trigger;
-    text = paragraph(words_of(*flood->verdict).in(dutch) + (trigger ? ", " + trigger_in(*trigger, dutch) : ""),
-        " class=\"verdict\"");
+    text = fmt::format("<p class=\"verdict\">{}{}</p>",
+        escaped_for_markup(words_of(*flood->verdict).in(dutch) + (trigger ? ", " + trigger_in(*trigger, dutch) : "")),
+        is_moving(s) ? fmt::format(" <span class=\"mark\">&#9888; {}</span>", at_rest.in(dutch)) : "");
     if (trigger && trigger->before) text += paragraph(filled(before, dutch, words_of(*trigger->before).in(dutch)));
   }
+  for (const Hint hint : hints_on(s)) text += paragraph(words_of(hint, s, dutch), " class=\"mark\"");
   if (s.is_solved) text += paragraph(s.record.trigger);
   return "<td class=\"words\">" + text + "</td>";
 }
@@ -156,14 +162,15 @@ std::string row_of(const ReachSection& s, bool dutch)
 
 std::string counts_in(const std::vector<ReachSection>& sections, bool dutch)
 {
-  int n[3] = {0, 0, 0}, n_solved = 0;
+  int n[3] = {0, 0, 0}, n_solved = 0, n_moving = 0;
   for (const ReachSection& s : sections) {
-    n_solved += s.is_solved ? 1 : 0;
+    n_solved += s.is_solved ? 1 : 0, n_moving += is_moving(s) ? 1 : 0;
     if (const auto& flood = s.summary.flood; s.is_solved && flood && flood->verdict)
       ++n[static_cast<int>(*flood->verdict)];
   }
   const auto n_all = static_cast<int>(sections.size());
-  return filled(counts, dutch, n_solved, n_all, n[0], n[1], n[2], n_all - n_solved);
+  return filled(counts, dutch, n_solved, n_all, n[0], n[1], n[2], n_all - n_solved) +
+         (n_moving > 0 ? filled(moving, dutch, n_moving) : "");
 }
 
 std::string polyline(const std::vector<std::array<Real, 2>>& places, const char* style_of)

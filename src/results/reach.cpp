@@ -7,6 +7,7 @@
 #include "output/summary_json.hpp"
 #include "results/section_export.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -28,6 +29,7 @@ template <class Record, class F>
 void each(Record& r, F&& f)
 {
   f("name", r.name), f("file", r.file), f("title", r.title), f("question", r.question);
+  f("program", r.program), f("language", r.language), f("case_imported", r.case_imported);
   f("case_found", r.case_found), f("run_of", r.run_of), f("step", r.step), f("fault", r.fault), f("is_done", r.is_done);
   f("has_report", r.has_report), f("has_trigger", r.has_trigger), f("is_held", r.is_held), f("trigger", r.trigger),
       f("factor", r.factor), f("uncertainty", r.uncertainty);
@@ -56,6 +58,9 @@ void get(const Json& json, std::optional<T>& value)
 {
   if (!json.is_null()) value = json.get<T>();
 }
+
+/// Bytes that are no UTF-8 are replaced.
+std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 Json stored_json(const SectionRecord& record)
 {
@@ -103,6 +108,30 @@ std::string in_quotes(const std::string& text)
   return quoted + '"';
 }
 
+/// Least of the stored factors that are of the section; infinite: there is none.
+Real least_stored(const SectionRecord& record)
+{
+  Real least = std::numeric_limits<Real>::infinity();
+  for (const StoredFactor& s : record.stored)
+    if (!s.stale) least = std::min(least, s.factor);
+  return least;
+}
+
+/// Of the section as it is, without what a trigger does.
+std::optional<FloodVerdict> verdict_as_it_is(const ReachSection& section)
+{
+  if (!section.is_solved || !section.summary.flood) return std::nullopt;
+  const FloodSummary& flood = *section.summary.flood;
+  return flood.trigger ? flood.trigger->before : flood.verdict;
+}
+
+std::string hints_text(const ReachSection& section)
+{
+  std::string text;
+  for (const Hint hint : hints_on(section)) text += (text.empty() ? "" : "; ") + words_of(hint, section, false);
+  return text;
+}
+
 /// A column of reach.csv.
 struct Column {
   const char* name;
@@ -146,6 +175,15 @@ const Column columns[] = {
             return f.trigger && f.trigger->before ? std::string(info_of(*f.trigger->before).name) : std::string();
           });
         }},
+    {"held", [](S s) { return std::string(s.record.is_held ? "yes" : "no"); }},
+    {"at_rest",
+        [](S s) {
+          const auto at_rest = ended_at_rest(s);
+          return std::string(at_rest ? *at_rest ? "yes" : "no" : "");
+        }},
+    {"fastest_node_m_s",
+        [](S s) { return of_flood(s, [](const FloodSummary& f) { return number(f.fastest_node, "{:.2g}"); }); }},
+    {"hints", [](S s) { return in_quotes(hints_text(s)); }},
     {"water_level_m",
         [](S s) { return of_flood(s, [](const FloodSummary& f) { return number(f.water_level, "{:.2f}"); }); }},
     {"residual_height_m", [](S s) { return s.is_solved ? number(s.summary.residual_height, "{:.2f}") : ""; }},
@@ -167,7 +205,7 @@ const Column columns[] = {
 
 }  // namespace
 
-std::string record_text(const SectionRecord& record) { return record_json(record).dump(2) + "\n"; }
+std::string record_text(const SectionRecord& record) { return text_of(record_json(record)); }
 
 SectionRecord read_record(const std::string& folder)
 {
@@ -196,7 +234,8 @@ ReachSection read_section(const std::string& folder)
     section.summary = std::move(saved.values);
     if (section.summary.flood) section.water_level = section.summary.flood->water_level;
     section.profile = rows_of(export_section(read_run(run)).profile);
-  } catch (const FileError& error) {
+  } catch (const std::exception& error) {  // of whatever is damaged there
+    section.is_solved = false;
     section.record.fault = error.what();
   }
   return section;
@@ -209,11 +248,57 @@ std::string state_of(const ReachSection& section)
   return section.record.step == "import" || section.record.step == "check" ? "refused" : "failed";
 }
 
+std::optional<bool> ended_at_rest(const ReachSection& section)
+{
+  if (!section.is_solved || section.summary.stages.empty()) return std::nullopt;
+  return section.summary.stages.back().record.at_rest;
+}
+
+std::vector<Hint> hints_on(const ReachSection& section)
+{
+  std::vector<Hint> hints;
+  if (!section.is_solved) return hints;
+  const auto& flood = section.summary.flood;
+  const bool moves = !ended_at_rest(section).value_or(true) || (flood && flood->still_moves);
+  if (moves && !(flood && flood->verdict == FloodVerdict::floods)) hints.push_back(Hint::moves);
+  if (section.record.is_held) hints.push_back(Hint::held);
+  const Real least = least_stored(section.record);
+  const auto verdict = verdict_as_it_is(section);
+  if (verdict == FloodVerdict::stands && least < 1.0) hints.push_back(Hint::stored_below);
+  if (verdict == FloodVerdict::floods && least >= 1.0 && std::isfinite(least)) hints.push_back(Hint::stored_above);
+  return hints;
+}
+
+std::string words_of(Hint hint, const ReachSection& section, bool dutch)
+{
+  const auto& flood = section.summary.flood;
+  const std::string speed = flood && flood->fastest_node ? fmt::format(" ({:.2g} m/s)", *flood->fastest_node) : "";
+  switch (hint) {
+    case Hint::moves:
+      return dutch ? fmt::format("aan het eind niet in rust{}: het oordeel kan veranderen", speed)
+                   : fmt::format("not at rest at the end{}: the verdict may change", speed);
+    case Hint::held:
+      return dutch ? "vastgehouden tot rust: de grond staat niet uit zichzelf"
+                   : "held until it was at rest: the soil does not stand by itself";
+    case Hint::stored_below:
+      return fmt::format(fmt::runtime(dutch ? "blijft staan, maar een opgeslagen factor is {:.3f}, kleiner dan 1"
+                                            : "stands, but a stored factor is {:.3f}, below 1"),
+          least_stored(section.record));
+    case Hint::stored_above:
+      return fmt::format(fmt::runtime(dutch ? "overstroomt, maar elke opgeslagen factor is ten minste {:.3f}"
+                                            : "floods, but every stored factor is at least {:.3f}"),
+          least_stored(section.record));
+  }
+  return "";
+}
+
 std::string sentence_on(const ReachSection& section)
 {
   if (!section.is_solved) return fmt::format("{}: {}", state_of(section), section.record.fault);
-  return section.summary.flood ? flood_clause(*section.summary.flood)
-                               : "solved; the case asks for no verdict on the water";
+  const std::string hints = hints_text(section);
+  return (section.summary.flood ? flood_clause(*section.summary.flood)
+                                : "solved; the case asks for no verdict on the water") +
+         (hints.empty() ? "" : fmt::format(" ({})", hints));
 }
 
 std::string stored_text(const SectionRecord& record)
@@ -242,14 +327,15 @@ std::string reach_json(const std::vector<ReachSection>& sections, const std::str
   for (const ReachSection& section : sections) {
     Json json = record_json(section.record);
     json["state"] = state_of(section);
+    json["at_rest"] = value_of(ended_at_rest(section));
+    json["hints"] = Json::array();
+    for (const Hint hint : hints_on(section)) json["hints"].push_back(words_of(hint, section, false));
     json["flood"] = section.is_solved ? flood_json(section.summary) : Json(nullptr);
     json["residual_height"] = value_of(section.is_solved ? section.summary.residual_height : std::nullopt);
     json["first_slide_time"] = value_of(section.is_solved ? section.summary.first_slide_time : std::nullopt);
     list.push_back(std::move(json));
   }
-  return Json{{"format", reach_format}, {"terp_version", TERP_VERSION}, {"written", written}, {"sections", list}}.dump(
-             2) +
-         "\n";
+  return text_of({{"format", reach_format}, {"terp_version", TERP_VERSION}, {"written", written}, {"sections", list}});
 }
 
 }  // namespace terp

@@ -24,7 +24,10 @@ struct SectionRecord {
   std::string file = {};            ///< as the user gave it
   std::string title = {};           ///< of the case
   std::string question = {};        ///< digits that change with the file and the options
-  std::string case_found = {};      ///< digits of the case file that the results are of
+  std::string program = {};         ///< digits of the build of terp that the results are of
+  std::string language = {};        ///< of the report page
+  std::string case_imported = {};   ///< digits of the case as terp wrote it; another one was changed by hand
+  std::string case_found = {};      ///< digits of the case that the factor of safety is of
   std::string run_of = {};          ///< digits of the case that the run was begun with
   std::string step = {};            ///< the last one that was begun: "import", "check", "stability", "run"
   std::string fault = {};           ///< why there is no result; empty: none so far
@@ -61,6 +64,20 @@ struct ReachSection {
 
 /// What there is in the folder of a section.
 ReachSection read_section(const std::string& folder);
+
+/// Whether its run, or the last stage of it, ended at rest; none: nothing looked for rest.
+std::optional<bool> ended_at_rest(const ReachSection& section);
+
+/// What a reader of its verdict must know.
+enum class Hint {
+  moves,         ///< it stands or is damaged, but was not at rest at the end
+  held,          ///< it does not stand by itself
+  stored_below,  ///< it stands as it is, though a stored factor is below one
+  stored_above,  ///< it floods as it is, though all stored factors are at least one
+};
+std::vector<Hint> hints_on(const ReachSection& section);
+/// In English, or in Dutch.
+std::string words_of(Hint hint, const ReachSection& section, bool dutch);
 
 /// "solved", "refused", "stopped itself", "not finished".
 std::string state_of(const ReachSection& section);

@@ -1,4 +1,5 @@
 // terp assess, as a user meets it: a reach of small sections, one of which cannot be read.
+#include "output/run_folder.hpp"
 #include "support/process.hpp"
 #include "support/test.hpp"
 #include <csignal>
@@ -118,6 +119,105 @@ TEST(Assess, DoesNotOverwriteACaseThatWasChangedByHand)
       test::terp(assess_command(folder, {example}, {"--estimate", "--strength", "mean", "--force"}));
   EXPECT_EQ(forced.status, 0) << forced.out;
   EXPECT_THAT(text_of(path), testing::Not(HasSubstr("# by hand")));
+}
+
+TEST(Assess, KeepsACaseThatWasChangedByHandAfterItWasSolvedToo)
+{
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/reach", section = folder + "/example-2020.03-v1";
+  ASSERT_EQ(test::terp(assess_command(folder, {example}, {"--estimate"})).status, 0);
+  std::ofstream(section + "/case.toml", std::ios::app) << "# by hand\n";
+  const Finished solved = test::terp(assess_command(folder, {example}));
+  EXPECT_EQ(solved.status, 0) << solved.out << solved.err;
+  const Finished other = test::terp(assess_command(folder, {example}, {"--strength", "mean"}));
+  EXPECT_EQ(other.status, 3);
+  EXPECT_THAT(other.out, HasSubstr("case.toml was changed by hand, and the file or the options changed, too"));
+  EXPECT_EQ(reach_in(folder)["sections"][0]["state"], "refused");
+  EXPECT_THAT(text_of(section + "/case.toml"), HasSubstr("# by hand"));
+
+  fs::remove(section + "/section.json");  // nothing is known of the case that is there
+  const Finished unknown = test::terp(assess_command(folder, {example}));
+  EXPECT_THAT(unknown.out, HasSubstr("case.toml is not as terp wrote it"));
+  EXPECT_THAT(text_of(section + "/case.toml"), HasSubstr("# by hand"));
+}
+
+TEST(Assess, DoesNotHoldAChangedCaseAndSaysThatItsTriggerWasNotApplied)
+{
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/reach", section = folder + "/berm-fragility-2023";
+  const std::vector<std::string> trigger{"--trigger", "strength=1.3"};
+  ASSERT_EQ(test::terp(assess_command(folder, {berm}, {"--estimate", trigger[0], trigger[1]})).status, 0);
+  std::ofstream(section + "/case.toml", std::ios::app) << "# by hand\n";
+  EXPECT_EQ(test::terp(assess_command(folder, {berm}, trigger)).status, 3);
+  EXPECT_THAT(text_of(section + "/case.toml"), HasSubstr("# by hand"));
+  const auto record = reach_in(folder)["sections"][0];
+  EXPECT_THAT(record["fault"], testing::StartsWith("no equilibrium"));
+  EXPECT_THAT(record["fault"].get<std::string>(),
+      HasSubstr("The case was changed by hand, so it is not imported anew with held soil."));
+  EXPECT_EQ(record["trigger"],
+      "--trigger strength=1.3 was not applied: the case was changed by hand, and is solved as it stands. --force "
+      "imports it anew.");
+}
+
+TEST(Assess, TakesNoRunOfAnOlderCaseForThatOfTheCase)
+{
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/reach", section = folder + "/example-2020.03-v1";
+  ASSERT_EQ(test::terp(assess_command(folder, {example})).status, 0);
+  std::ofstream(section + "/case.toml", std::ios::app) << "# by hand\n";
+  {
+    const FolderLock other(section + "/run");
+    EXPECT_EQ(test::terp(assess_command(folder, {example})).status, 3);
+    EXPECT_THAT(reach_in(folder)["sections"][0]["fault"], testing::StartsWith("another terp is writing to the run"));
+  }
+  const Finished f = test::terp(assess_command(folder, {example}));
+  EXPECT_EQ(f.status, 0) << f.out;
+  EXPECT_THAT(text_of(section + "/run/case.toml"), HasSubstr("# by hand"));
+
+  std::ofstream(section + "/run/summary.json") << "{";  // a result that is damaged is made again
+  const Finished again = test::terp(assess_command(folder, {example}));
+  EXPECT_EQ(again.status, 0) << again.out << again.err;
+  EXPECT_THAT(again.out, testing::Not(HasSubstr("kept")));
+}
+
+TEST(Assess, IsStoppedByNoBadFile)
+{
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/reach";
+  std::vector<std::string> files;
+  for (const char* name : {"d\xE9.stix", "reach.csv.stix", "c.stix"}) {
+    files.push_back(scratch.path() + "/" + name);
+    fs::copy_file(nothing, files.back());
+  }
+  fs::create_directories(folder);
+  std::ofstream(folder + "/c") << "no folder\n";
+  const Finished f = test::terp(assess_command(folder, files));
+  EXPECT_EQ(f.status, 3) << f.err;
+  const auto sections = reach_in(folder)["sections"];
+  EXPECT_EQ(sections[0]["file"], scratch.path() + "/d?.stix");
+  EXPECT_EQ(sections[0]["state"], "refused");
+  EXPECT_EQ(sections[1]["name"], "reach.csv_2");
+  EXPECT_THAT(text_of(folder + "/reach.csv"), testing::StartsWith("section,file,"));
+  EXPECT_THAT(sections[2]["fault"], testing::StartsWith("its process ended with status 1 during: import"));
+}
+
+TEST(Assess, AReportInAnotherLanguageIsMadeAnew)
+{
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/reach", section = folder + "/example-2020.03-v1";
+  ASSERT_EQ(test::terp(assess_command(folder, {example})).status, 0);
+  const std::string ledger = text_of(section + "/run/ledger.csv"), english = text_of(section + "/run/report.html");
+  const Finished dutch = test::terp(assess_command(folder, {example}, {"--language", "nl"}));
+  EXPECT_THAT(dutch.out, testing::Not(HasSubstr("kept")));
+  EXPECT_NE(text_of(section + "/run/report.html"), english);
+  EXPECT_EQ(text_of(section + "/run/ledger.csv"), ledger);
+  std::string record = text_of(section + "/section.json");
+  const std::size_t at = record.find("\"program\": \"") + 11;
+  record[at] = record[at] == '0' ? '1' : '0';  // of another program
+  std::ofstream(section + "/section.json") << record;
+  EXPECT_THAT(test::terp(assess_command(folder, {example}, {"--language", "nl"})).out, testing::Not(HasSubstr("kept")));
+  EXPECT_THAT(text_of(section + "/log.txt"), HasSubstr("report\n"));
+  EXPECT_THAT(test::terp(assess_command(folder, {example}, {"--language", "nl"})).out, HasSubstr("kept"));
 }
 
 }  // namespace

@@ -52,6 +52,18 @@ TEST(ReachPage, SaysATriggerInTheVerdictItself)
           "is gebracht</p><p>Zoals zij is: blijft staan.</p>"));
 }
 
+TEST(ReachPage, MarksAVerdictOnSoilThatMoves)
+{
+  auto sections = sample();
+  sections[0].summary.flood->still_moves = true, sections[0].summary.flood->fastest_node = 0.021;
+  EXPECT_THAT(reach_page(sections, "en", ""),
+      HasSubstr("<p class=\"verdict\">stands <span class=\"mark\">&#9888; not at rest</span></p>"
+                "<p class=\"mark\">not at rest at the end (0.021 m/s): the verdict may change</p>"));
+  EXPECT_THAT(reach_page(sections, "en", ""), HasSubstr("no result: 1. Not at rest at the end: 1."));
+  EXPECT_THAT(reach_page(sections, "nl", ""), HasSubstr("&#9888; niet in rust</span>"));
+  EXPECT_THAT(reach_page(sample(), "en", ""), testing::Not(HasSubstr("at rest")));
+}
+
 TEST(ReachPage, DrawsTheGroundBeforeAndAfter)
 {
   const std::string picture = reach_picture(sample().front());

@@ -13,6 +13,9 @@ SectionRecord sample_record()
       .file = "dike \"1\".stix",
       .title = "High: High",
       .question = "12",
+      .program = "78",
+      .language = "nl",
+      .case_imported = "34",
       .case_found = "34",
       .run_of = "56",
       .step = "run",
@@ -41,7 +44,9 @@ ReachSection solved_section()
   FloodSummary& flood = *section.summary.flood;
   flood.verdict = FloodVerdict::floods;
   flood.water_level = 4.0, flood.residual_height = 3.5, flood.freeboard = -0.5;
-  flood.first_time_below = 3.0;
+  flood.first_time_below = 3.0, flood.fastest_node = 0.25;
+  section.summary.stages.resize(2);
+  section.summary.stages[0].record.at_rest = true;
   flood.trigger = FloodTrigger{.stage = "weaker_soil", .at_strength = 1.12, .before = FloodVerdict::stands};
   return section;
 }
@@ -57,6 +62,11 @@ TEST(Reach, ARecordIsReadAsItWasWritten)
   EXPECT_EQ(read_record(scratch.path()).name, "");
 }
 
+TEST(Reach, BytesThatAreNoUtf8DoNotStopARecord)
+{
+  EXPECT_THAT(record_text({.file = "d\xE9.stix"}), HasSubstr("d\xEF\xBF\xBD.stix"));
+}
+
 TEST(Reach, ATableHasALinePerSection)
 {
   ReachSection refused{
@@ -65,12 +75,39 @@ TEST(Reach, ATableHasALinePerSection)
   EXPECT_EQ(sentence_on(refused), "refused: it is no zip file\n  Try.");
   EXPECT_THAT(sentence_on(solved_section()), testing::StartsWith("after strengths were divided by 1.12"));
   EXPECT_EQ(reach_csv({solved_section(), refused}),
-      "section,file,title,state,reason,verdict,trigger,verdict_before,water_level_m,residual_height_m,freeboard_m,"
-      "width_at_level_m,first_slide_s,floods_from_s,factor,factor_uncertainty,stored_factors,cell_m,points,expected_s,"
+      "section,file,title,state,reason,verdict,trigger,verdict_before,held,at_rest,fastest_node_m_s,hints,"
+      "water_level_m,residual_height_m,freeboard_m,width_at_level_m,first_slide_s,floods_from_s,factor,factor_"
+      "uncertainty,stored_factors,cell_m,points,expected_s,"
       "seconds\n"
       "\"dike_1\",\"dike \"\"1\"\".stix\",\"High: High\",solved,\"\",floods,\"after strengths were divided by 1.12\","
-      "stands,4.00,3.50,-0.50,,2.25,3.00,1.110,0.010,\"Bishop 1.004, Spencer 1.085 (stale)\",0.5,4000,60,76\n"
-      "\"b\",\"b.stix\",\"\",refused,\"it is no zip file;   Try.\",,,,,,,,,,,,\"\",0,0,0,0\n");
+      "stands,yes,no,0.25,\"held until it was at rest: the soil does not stand by "
+      "itself\",4.00,3.50,-0.50,,2.25,3.00,1.110,0.010,\"Bishop 1.004, Spencer 1.085 (stale)\",0.5,4000,60,76\n"
+      "\"b\",\"b.stix\",\"\",refused,\"it is no zip file;   Try.\",,,,no,,,\"\",,,,,,,,,\"\",0,0,0,0\n");
+}
+
+TEST(Reach, SaysWhereTheVerdictAndTheStoredFactorsOrTheMotionOfTheSoilDisagree)
+{
+  ReachSection section = solved_section();
+  section.record.is_held = false;
+  section.record.stored = {{"Bishop", 0.984, false}, {"Spencer", 0.5, true}};
+  EXPECT_THAT(hints_on(section), testing::ElementsAre(Hint::stored_below));  // before the trigger
+  EXPECT_EQ(words_of(Hint::stored_below, section, false), "stands, but a stored factor is 0.984, below 1");
+  FloodSummary& flood = *section.summary.flood;
+  flood.trigger.reset();
+  EXPECT_THAT(hints_on(section), testing::ElementsAre());  // it floods, and may move
+  section.record.stored[0].factor = 1.0;
+  EXPECT_THAT(hints_on(section), testing::ElementsAre(Hint::stored_above));
+  EXPECT_EQ(
+      words_of(Hint::stored_above, section, true), "overstroomt, maar elke opgeslagen factor is ten minste 1.000");
+  flood.verdict = FloodVerdict::stands;
+  EXPECT_THAT(hints_on(section), testing::ElementsAre(Hint::moves));
+  EXPECT_EQ(words_of(Hint::moves, section, false), "not at rest at the end (0.25 m/s): the verdict may change");
+  EXPECT_THAT(sentence_on(section), testing::EndsWith(" (not at rest at the end (0.25 m/s): the verdict may change)"));
+  section.summary.stages.clear();
+  EXPECT_EQ(ended_at_rest(section), std::nullopt);
+  EXPECT_THAT(hints_on(section), testing::ElementsAre());
+  flood.still_moves = true;
+  EXPECT_THAT(hints_on(section), testing::ElementsAre(Hint::moves));
 }
 
 TEST(Reach, TheSameForAProgram)
@@ -82,6 +119,8 @@ TEST(Reach, TheSameForAProgram)
   EXPECT_EQ(section["flood"]["trigger"]["before"], "stands");
   EXPECT_EQ(section["stored"][1]["stale"], true);
   EXPECT_EQ(section["residual_height"], 3.5);
+  EXPECT_EQ(section["at_rest"], false);
+  EXPECT_EQ(section["hints"].size(), 1u);
 }
 
 TEST(Reach, ASectionWithoutItsRunHasNoResult)
