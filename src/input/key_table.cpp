@@ -22,21 +22,8 @@ Words scheme_words()
 }
 // In the order of the enums in case.hpp and method_options.hpp.
 Words stress_words() { return {"none", "k0", "equilibrium"}; }
-Words footing_words() { return {"rough", "smooth"}; }
-Words weights_words() { return {"hybrid", "summed", "gauss"}; }
-Words force_operator_words() { return {"b_bar", "b"}; }
-Words shares_words() { return {"by_law", "point", "overlap"}; }
-Words point_pressure_words() { return {"cell", "own", "relax"}; }
-Words state_averaging_words() { return {"as_declared", "cell", "sub_cell"}; }
-Words objective_rate_words() { return {"none", "jaumann"}; }
-Words remap_contact_words() { return {"unused_strength", "across"}; }
 Words deviatoric_norm_words() { return {"half", "von_mises"}; }
-
-template <class Enum>
-WordField word_field(Enum& value)
-{
-  return {[&value] { return static_cast<int>(value); }, [&value](int word) { value = static_cast<Enum>(word); }};
-}
+Words footing_words() { return {"rough", "smooth"}; }
 
 Words side_words() { return side_kind_words(""); }
 Words contact_words() { return side_kind_words("contact"); }
@@ -61,7 +48,7 @@ std::vector<KeyInfo> frame_keys()
 
 constexpr Range cell_sizes = between(1e-3, 1e2);  // usual ones [m]
 
-std::vector<KeyInfo> mesh_keys()
+std::vector<KeyInfo> rectangle_keys()
 {
   return {
       {.path = "mesh.origin",
@@ -93,6 +80,12 @@ std::vector<KeyInfo> mesh_keys()
           .usual = {0.01, 100.0},
           .meaning = "size of the last cell over the size of the first, along x and along y; 1: all equal",
           .equation = "h_k = h_1 grading^((k - 1) / (n - 1)), k = 1 to n"},
+  };
+}
+
+std::vector<KeyInfo> mesh_shape_keys()
+{
+  return {
       {.path = "mesh.file",
           .field = [](Case& c, std::size_t) { return &c.mesh.file; },
           .required_for = "a mesh from a file",
@@ -121,28 +114,29 @@ std::vector<KeyInfo> mesh_keys()
           .meaning =
               "another mesh of the same size and shape: to see how much a result depends on the mesh; for a polygon, "
               "0 is the best mesh, 1, 2, ... are others"},
+  };
+}
 
-      {.path = "mesh.sides.bottom",
-          .field = [](Case& c, std::size_t) { return Polyline{&c.mesh.sides[0]}; },
-          .unit = "m",
-          .required = true,
-          .meaning = "line from the lower left to the lower right corner of the grid"},
-      {.path = "mesh.sides.right",
-          .field = [](Case& c, std::size_t) { return Polyline{&c.mesh.sides[1]}; },
-          .unit = "m",
-          .required = true,
-          .meaning = "line from the lower right to the upper right corner of the grid"},
-      {.path = "mesh.sides.top",
-          .field = [](Case& c, std::size_t) { return Polyline{&c.mesh.sides[2]}; },
-          .unit = "m",
-          .required = true,
-          .meaning = "line from the upper left to the upper right corner of the grid"},
-      {.path = "mesh.sides.left",
-          .field = [](Case& c, std::size_t) { return Polyline{&c.mesh.sides[3]}; },
-          .unit = "m",
-          .required = true,
-          .meaning = "line from the lower left to the upper left corner of the grid"},
+KeyInfo side_line_key(const std::string& side, std::size_t number, const std::string& course)
+{
+  return {.path = "mesh.sides." + side,
+      .field = [number](Case& c, std::size_t) { return Polyline{&c.mesh.sides[number]}; },
+      .unit = "m",
+      .required = true,
+      .meaning = "line from the " + course + " corner of the grid"};
+}
 
+std::vector<KeyInfo> side_line_keys()
+{
+  return {side_line_key("bottom", 0, "lower left to the lower right"),
+      side_line_key("right", 1, "lower right to the upper right"),
+      side_line_key("top", 2, "upper left to the upper right"),
+      side_line_key("left", 3, "lower left to the upper left")};
+}
+
+std::vector<KeyInfo> refine_keys()
+{
+  return {
       {.path = "mesh.refine[].line",
           .field = [](Case& c, std::size_t i) { return Polyline{&c.mesh.refine[i].line}; },
           .unit = "m",
@@ -360,82 +354,6 @@ std::vector<KeyInfo> footing_keys()
   };
 }
 
-std::vector<KeyInfo> method_keys()
-{
-  return {
-      {.path = "method.shares",
-          .field = [](Case& c, std::size_t) { return word_field(c.method.shares); },
-          .words = shares_words,
-          .meaning =
-              "where a material point counts: in the sub-cell that holds its centre (point), or in every sub-cell "
-              "by the part of its extent that lies in it (overlap). by_law: overlap, but point in a case with a fluid "
-              "and "
-              "in schemes that know no other"},
-      {.path = "method.weights",
-          .field = [](Case& c, std::size_t) { return word_field(c.method.weights); },
-          .words = weights_words,
-          .meaning =
-              "weight of a Gauss point (reading R3): the Gauss rule in filled cells and the volume of the points "
-              "elsewhere (hybrid), the volume of the points (summed), the Gauss rule (gauss)"},
-      {.path = "method.filled_fraction",
-          .field = [](Case& c, std::size_t) { return &c.method.filled_fraction; },
-          .range = {0.0, 1.0, true, false},
-          .meaning = "a cell is filled when its points fill at least this part of it (reading R3)",
-          .equation = "sum_p Omega_p >= filled_fraction V_e"},
-      {.path = "method.b_bar",
-          .field = [](Case& c, std::size_t) { return &c.method.b_bar; },
-          .meaning = "volumetric strain of the cell centre at all Gauss points, against locking (reading R5)",
-          .equation = "d_eps_bar = d_eps + (theta_0 - tr d_eps) I / 3,  theta_0 = tr d_eps(0)"},
-      {.path = "method.force_operator",
-          .field = [](Case& c, std::size_t) { return word_field(c.method.force_operator); },
-          .words = force_operator_words,
-          .meaning = "operator of the internal force, Eq. (4) (reading R4)"},
-      {.path = "method.point_pressure",
-          .field = [](Case& c, std::size_t) { return word_field(c.method.point_pressure); },
-          .words = point_pressure_words,
-          .meaning = "pressure of a material point in mpm_gp (reading R10): of its cell, its own, or its own drawn "
-                     "towards that of the cell (relax)"},
-      {.path = "method.pressure_relaxation",
-          .field = [](Case& c, std::size_t) { return &c.method.pressure_relaxation; },
-          .range = between(0.0, 1.0),
-          .meaning = "share of the cell's pressure that a point takes per step, for point_pressure = \"relax\""},
-      {.path = "method.state_averaging",
-          .field = [](Case& c, std::size_t) { return word_field(c.method.state_averaging); },
-          .words = state_averaging_words,
-          .meaning =
-              "how mpm_mixed averages the state (reading R9): as each state variable declares, or all by cell or "
-              "by sub-cell"},
-      {.path = "method.objective_rate",
-          .field = [](Case& c, std::size_t) { return word_field(c.method.objective_rate); },
-          .words = objective_rate_words,
-          .meaning = "whether the stress turns with the soil (reading R17)",
-          .equation = "jaumann: sigma += (d_omega sigma - sigma d_omega)"},
-      {.path = "method.remap_contact",
-          .field = [](Case& c, std::size_t) { return word_field(c.method.remap_contact); },
-          .words = remap_contact_words,
-          .meaning = "what a contact plane does to the remapped velocity: it stops what crosses it and acts along "
-                     "itself with the strength that it left unused in pass 2, or it acts across alone, which may do "
-                     "work on soil at rest"},
-      {.path = "method.relaxation_time",
-          .field = [](Case& c, std::size_t) { return &c.method.relaxation_time; },
-          .unit = "s",
-          .range = not_negative,
-          .meaning = "time constant with which points lose the part of their velocity that the mesh does not see; 0: "
-                     "they keep it (decision 0048)",
-          .equation = "v_p <- v_p + (1 - exp(-t/relaxation_time)) (sum N U_i - v_p), U_i fitted to the points"},
-      {.path = "method.flip",
-          .field = [](Case& c, std::size_t) { return &c.method.flip; },
-          .range = between(0.0, 1.0),
-          .meaning = "share of FLIP in the velocity of the points; 0: pure PIC",
-          .equation = "v_p <- flip (v_p + dt sum N a_i) + (1 - flip) sum N v*_i"},
-      {.path = "method.small_mass",
-          .field = [](Case& c, std::size_t) { return &c.method.small_mass; },
-          .range = {0.0, 1.0, false, true},
-          .meaning = "nodes lighter than this part of a full cell are not accelerated; they move with their points",
-          .equation = "m_i < small_mass rho V_e: a_i = 0"},
-  };
-}
-
 std::vector<KeyInfo> output_keys()
 {
   return {
@@ -489,8 +407,9 @@ std::vector<KeyInfo> output_keys()
 std::vector<KeyInfo> key_table()
 {
   std::vector<KeyInfo> list;
-  for (auto part : {frame_keys, time_keys, stage_keys, mesh_keys, body_keys, material_keys, force_keys, water_keys,
-           flood_keys, side_keys, footing_keys, surface_load_keys, method_keys, output_keys, reference_keys})
+  for (auto part : {frame_keys, time_keys, stage_keys, rectangle_keys, mesh_shape_keys, side_line_keys, refine_keys,
+           body_keys, material_keys, softening_keys, force_keys, water_keys, flood_keys, side_keys, footing_keys,
+           surface_load_keys, method_keys, motion_keys, output_keys, reference_keys})
     for (KeyInfo& key : part()) list.push_back(std::move(key));
   return list;
 }

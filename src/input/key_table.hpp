@@ -5,10 +5,22 @@
 
 namespace terp {
 
+/// Words for the values of an enum, in its order.
+template <class Enum>
+WordField word_field(Enum& value)
+{
+  return {[&value] { return static_cast<int>(value); }, [&value](int word) { value = static_cast<Enum>(word); }};
+}
+
 /// All keys but those of laws, in the order of the case file, without the text of their defaults.
 std::vector<KeyInfo> key_table();
 /// Those of them that belong to a material.
 std::vector<KeyInfo> material_keys();
+/// Those of [material.NAME.softening].
+std::vector<KeyInfo> softening_keys();
+/// Those of [method]: of stresses, and of motion.
+std::vector<KeyInfo> method_keys();
+std::vector<KeyInfo> motion_keys();
 /// Those of water (water_keys.cpp).
 std::vector<KeyInfo> water_keys();
 std::vector<KeyInfo> flood_keys();      ///< of [flood]

@@ -96,6 +96,12 @@ std::vector<KeyInfo> material_keys()
           .field = [](Case& c, std::size_t i) { return color_field(c.materials[i].color); },
           .meaning = "of the soil in pictures, red, green and blue in hexadecimal digits: \"#d9b98a\"",
           .default_text = "by the name of the soil: sand, clay, peat, loam, gravel, dike; else one of eight"},
+  };
+}
+
+std::vector<KeyInfo> softening_keys()
+{
+  return {
       {.path = "material.NAME.softening.length",
           .field = [](Case& c, std::size_t i) { return &c.materials[i].softening.length; },
           .unit = "m",

@@ -191,6 +191,25 @@ std::string formula_text(const WaterSituation& situation)
   return situation.formula_text.empty() ? std::string() : quoted_list({situation.formula_text});
 }
 
+OwnForm pressure_field(WaterSituation& situation, const std::string& folder)
+{
+  return {"text: a formula of x, y and t; or { csv = \"FILE.csv\" }",
+      [&situation, folder](const Entry& e, Findings& f) {
+        return e.node.kind == NodeKind::table ? read_grid(e, folder, f, situation) : read_formula(e, f, situation);
+      },
+      [&situation] { return situation.formula_gives_head ? std::string() : formula_text(situation); }};
+}
+
+OwnForm head_field(WaterSituation& situation, const std::string& folder)
+{
+  return {"a table { csv = \"FILE.csv\" }",
+      [&situation, folder](const Entry& e, Findings& f) {
+        situation.formula_gives_head = true;
+        return read_grid(e, folder, f, situation);
+      },
+      [&situation] { return situation.formula_gives_head ? formula_text(situation) : std::string(); }};
+}
+
 using SituationOf = WaterSituation& (*)(Case&, std::size_t);
 
 std::vector<KeyInfo> situation_keys(const std::string& section, SituationOf of)
@@ -227,32 +246,14 @@ std::vector<KeyInfo> situation_keys(const std::string& section, SituationOf of)
               "head_top and head_bottom, instead of head: just above the line and just below it",
           .equation = "p_w = unit_weight (head(x, y) - y)"},
       {.path = section + ".pressure",
-          .field =
-              [of](Case& c, std::size_t i) {
-                WaterSituation& situation = of(c, i);
-                return OwnForm{"text: a formula of x, y and t; or { csv = \"FILE.csv\" }",
-                    [&situation, folder = c.folder](const Entry& e, Findings& f) {
-                      return e.node.kind == NodeKind::table ? read_grid(e, folder, f, situation)
-                                                            : read_formula(e, f, situation);
-                    },
-                    [&situation] { return situation.formula_gives_head ? std::string() : formula_text(situation); }};
-              },
+          .field = [of](Case& c, std::size_t i) { return pressure_field(of(c, i), c.folder); },
           .unit = "Pa",
           .meaning =
               "pore pressure as a formula of the place x, y [m] and the time t [s], instead of the lines: "
               "\"9810*max(2-y, 0)\"; or bilinear on a grid of places, { csv = \"FILE.csv\" } with the columns x, "
               "y, value, beyond it that of its nearest edge. What is negative counts as suction"},
       {.path = section + ".head",
-          .field =
-              [of](Case& c, std::size_t i) {
-                WaterSituation& situation = of(c, i);
-                return OwnForm{"a table { csv = \"FILE.csv\" }",
-                    [&situation, folder = c.folder](const Entry& e, Findings& f) {
-                      situation.formula_gives_head = true;
-                      return read_grid(e, folder, f, situation);
-                    },
-                    [&situation] { return situation.formula_gives_head ? formula_text(situation) : std::string(); }};
-              },
+          .field = [of](Case& c, std::size_t i) { return head_field(of(c, i), c.folder); },
           .unit = "m",
           .meaning = "elevation to which the water rises, on a grid of places as `pressure`, instead of the lines",
           .equation = "p_w = unit_weight (head(x, y) - y)"},

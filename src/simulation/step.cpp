@@ -236,6 +236,27 @@ void relax_velocities(const Model& model, State& state, Workspace& work)
   for (const CellSums& sums : work.cell_sums) state.work.relaxation += sums.relaxation;
 }
 
+/// Steps 2 to 4, or Sec. 2.2; then the points go on.
+void update_stress_and_places(const Model& model, const SchemeContext& context, State& state, Workspace& work)
+{
+  const SchemeFunctions& scheme = model.scheme->functions(model.method.shares);
+  if (scheme.strain != nullptr)
+    for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums& sums, auto&) {
+      StressSums stress_sums;
+      scheme.strain(context, group, displacements(model, work.node, group), stress_sums);
+      sums.plastic += stress_sums.plastic_work;
+    });
+  for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums& sums, auto& leavers) {
+    const auto du = displacements(model, work.node, group);
+    StressSums stress_sums;
+    scheme.update_stress(context, group, du, stress_sums);
+    sums.plastic += stress_sums.plastic_work;
+    if (model.spreads_softening()) work.group_softens[group.number] = softens(model, group);
+    for (int c = 0; c < group.n(); ++c)
+      advance_points(group.cell(c), model.mesh->centres[group.cells[c]], du[c], leavers);
+  });
+}
+
 }  // namespace
 
 void step_compiled(const Model& model, State& state, Workspace& work)
@@ -278,23 +299,7 @@ void step_compiled(const Model& model, State& state, Workspace& work)
     for_each_node(
         work, [&](Index i, NodeSums& sums) { remap_velocity(model, sum_cells(model, state, work, i), i, work, sums); });
   });
-  timed(work, stress, [&] {
-    if (scheme.strain != nullptr)
-      for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums& sums, auto&) {
-        StressSums stress_sums;
-        scheme.strain(context, group, displacements(model, work.node, group), stress_sums);
-        sums.plastic += stress_sums.plastic_work;
-      });
-    for_each_group(model, state, work, [&](const CellGroup<Quad4>& group, CellSums& sums, auto& leavers) {
-      const auto du = displacements(model, work.node, group);
-      StressSums stress_sums;
-      scheme.update_stress(context, group, du, stress_sums);  // Steps 2 to 4, or Sec. 2.2
-      sums.plastic += stress_sums.plastic_work;
-      if (model.spreads_softening()) work.group_softens[group.number] = softens(model, group);
-      for (int c = 0; c < group.n(); ++c)
-        advance_points(group.cell(c), model.mesh->centres[group.cells[c]], du[c], leavers);
-    });
-  });
+  timed(work, stress, [&] { update_stress_and_places(model, context, state, work); });
   finish_sums(state, work);  // before points move and the chunks change
   for (const ActiveFollower& active : state.followers) active.follower->step(model, work);
   const bool softens_now = model.spreads_softening() && find_softening_runs(state, work, model.diffusion);
