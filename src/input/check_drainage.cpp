@@ -1,14 +1,17 @@
-// Drainage of the materials: soil whose law does not go with it, and the keys of pore water that cannot leave.
+// What the materials are beside their softening: drainage that a law does not go with, keys of pore water that cannot
+// leave, axes that do not follow gravity.
 
 #include "input/check_case.hpp"
 #include "input/key_text.hpp"
 #include "materials/elastic_constants.hpp"
+#include "materials/material_axes.hpp"
 #include "simulation/point_parameters.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace terp {
 namespace {
@@ -94,6 +97,21 @@ void check_water_stiffness(
             "material.undrained_poisson_ratio", false, {path}});
 }
 
+/// The axes of soil whose strength depends on the direction of shearing are turned against gravity.
+void check_axes(const Case& values, const MaterialCase& material, const MaterialType& law, Findings& findings)
+{
+  const Vec<2> g = values.forces.gravity;
+  const Real angle = parameter_of(material, law, axis_angle_info.name), degree = std::numbers::pi / 180.0;
+  const Real upright = std::atan2(g[0], -g[1]) / degree;
+  if (std::isnan(angle) || g == Vec<2>{0.0, 0.0} || std::abs(angle - upright) < 1.0) return;
+  findings.warnings.push_back({join_path(material_path(material), axis_angle_info.name),
+      fmt::format("the axes of `{}` are turned against gravity", material.name),
+      fmt::format("Got {:g} deg; gravity acts along [{:g}, {:g}], of which the vertical is at {:.4g} deg. Strengths "
+                  "are active, direct and\npassive in the axes of the soil.",
+          angle, g[0], g[1], upright),
+      std::string(law.name), false, {"forces.gravity", material_path(material)}});
+}
+
 void check_friction(const Case& values, const MaterialCase& material, const MaterialType& law, Findings& findings)
 {
   if (!values.water.is_given()) return;
@@ -124,6 +142,7 @@ void check_drainage(const Node& root, const Case& values, Findings& findings)
     check_law(material, *law, findings);
     if (!law->total_stress) check_water_stiffness(root, values, material, *law, findings);
     check_friction(values, material, *law, findings);
+    check_axes(values, material, *law, findings);
   }
 }
 

@@ -64,7 +64,7 @@ std::vector<KeyInfo> material_keys()
           .meaning =
               "what the soil stores where there is water: drained soil effective stress, undrained soil total stress. "
               "undrained_effective: effective stress, while the pore water cannot leave. by_law: undrained for "
-              "tresca_softening and newtonian_fluid, drained for all others",
+              "tresca_softening, ngi_adp and newtonian_fluid, drained for all others",
           .equation = "undrained_effective: d sigma = D' d eps + (K_w/n) tr(d eps) I"},
       {.path = "material.NAME.undrained_poisson_ratio",
           .field = [](Case& c, std::size_t i) { return &c.materials[i].undrained_poisson_ratio; },

@@ -1,0 +1,126 @@
+// Strength by direction of shearing against its closed forms, and against Tresca's law where all directions are equal.
+#include "materials/probe.hpp"
+#include "support/random.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+constexpr Real G = 2.0e6, nu = 0.49, active = 14e3, direct = 9e3, passive = 6e3;
+constexpr Real a = 0.5 * (active + passive), b = direct, c = 0.5 * (active - passive);
+
+const MaterialType& type() { return *find_material("ngi_adp"); }
+Probe soil(Real share = 1.0, Real eta = 0.0, Real angle = 0.0)
+{
+  return Probe(type(), {G, nu, active, direct, passive, share, eta, angle});
+}
+
+void strain(Probe& point, const Stress& d_eps, int n)
+{
+  Stress part = d_eps;
+  for (int k = 0; k < 4; ++k) part[k] /= n;
+  for (int k = 0; k < n; ++k) point.strain(part);
+}
+
+Real x_of(const Probe& point) { return 0.5 * (point.sigma[0] - point.sigma[1]); }
+
+TEST(NgiAdp, HasItsThreeStrengthsInTheirTests)
+{
+  Probe compressed = soil(), extended = soil(), sheared = soil();
+  strain(compressed, {{0.1, -0.1, 0.0, 0.0}}, 500);
+  strain(extended, {{-0.1, 0.1, 0.0, 0.0}}, 500);
+  strain(sheared, {{0.0, 0.0, 0.0, 0.2}}, 500);
+  EXPECT_NEAR(x_of(compressed), active, 1e-8);
+  EXPECT_NEAR(x_of(extended), -passive, 1e-8);
+  EXPECT_NEAR(sheared.sigma[3], direct, 1e-8);
+  EXPECT_NEAR(x_of(sheared), c, 1e-8);
+}
+
+TEST(NgiAdp, ResistsSlipAlongAPlaneOfAnyDirectionAsItsEllipseSays)
+{
+  for (const Real beta : {-0.7, -0.3, 0.1, 0.4, 0.785, 1.2}) {  // slip along (cos, -sin)
+    Probe point = soil();
+    const Real s = std::sin(2.0 * beta), k = std::cos(2.0 * beta);
+    strain(point, {{0.2 * s, -0.2 * s, 0.0, 0.2 * k}}, 4000);
+    EXPECT_NEAR(x_of(point) * s + point.sigma[3] * k, c * s + std::sqrt(a * a * s * s + b * b * k * k), 1e-6) << beta;
+  }
+}
+
+TEST(NgiAdp, TurnsItsStrengthsWithItsAxes)
+{
+  constexpr Real angle = 25.0 * std::numbers::pi / 180.0;
+  Probe upright = soil(), turned = soil(1.0, 0.0, 25.0);
+  const Stress d{{0.01, -0.012, 0.0, 0.02}};
+  strain(upright, d, 50);
+  strain(turned, rotated(d, -angle), 50);
+  const Stress back = rotated(turned.sigma, angle);
+  for (int k = 0; k < 4; ++k) EXPECT_NEAR(back[k], upright.sigma[k], 1e-7) << k;
+}
+
+TEST(NgiAdp, IsTrescasLawWhereAllStrengthsAreEqual)
+{
+  for (const bool softens : {false, true}) {
+    const Real eta = softens ? 40.0 : 0.0;
+    Probe adp(type(), {G, nu, 8e3, 8e3, 8e3, 0.25, eta, 0.0});
+    Probe tresca(*find_material("tresca_softening"), {G, nu, 8e3, 2e3, eta});
+    Random random(3);
+    for (int step = 0; step < 400; ++step) {
+      const Real size = step % 3 ? 2e-4 : 1e-2, shear = random.between(-size, size);
+      const Stress d{{shear, -shear, 0.0, random.between(-size, size)}};  // sigma_zz is the middle one
+      adp.strain(d);
+      tresca.strain(d);
+      for (int k = 0; k < 4; ++k) ASSERT_NEAR(adp.sigma[k], tresca.sigma[k], 1e-9 * 8e3) << "step " << step;
+      ASSERT_NEAR(adp.state[0], tresca.state[0], 1e-10 * (1.0 + tresca.state[0]));
+      ASSERT_NEAR(adp.plastic_work, tresca.plastic_work, 1e-8 * (1.0 + tresca.plastic_work));
+    }
+  }
+}
+
+TEST(NgiAdp, EndsEveryStepOnOrInsideTheEllipseOfItsStrainAndDissipates)
+{
+  for (const bool softens : {false, true}) {
+    Probe point = softens ? soil(0.3, 50.0) : soil();
+    Random random(5);
+    for (int step = 0; step < 2000; ++step) {
+      Stress d;
+      const Real size = std::pow(10.0, random.between(-6.0, -1.0));
+      for (int k = 0; k < 4; ++k) d[k] = random.between(-size, size);
+      const Real before = point.state[0];
+      point.strain(d);
+      const Real share = softens ? 0.3 + 0.7 * std::exp(-50.0 * point.state[0]) : 1.0;
+      EXPECT_NEAR(point.derived(0), active * share, 1e-9 * active);
+      const Real u = (x_of(point) - c * share) / (a * share), v = point.sigma[3] / (b * share);
+      ASSERT_LE(u * u + v * v, 1.0 + 1e-9) << "step " << step;
+      ASSERT_GE(point.state[0], before);
+      ASSERT_GE(point.plastic_work, 0.0);
+    }
+  }
+}
+
+TEST(NgiAdp, GoesToTheNearestPointOfTheEllipse)  // found by walking around it
+{
+  Random random(9);
+  for (int trial = 0; trial < 50; ++trial) {
+    Probe point = soil();
+    const Real x = random.between(-0.02, 0.02), y = random.between(-0.02, 0.02);
+    point.strain({{x, -x, 0.0, y}});
+    const Real X = 2.0 * G * x, Y = 2.0 * G * y;
+    if (std::pow((X - c) / a, 2) + std::pow(Y / b, 2) < 1.0) continue;
+    Real nearest = 1e30;
+    for (int k = 0; k < 20000; ++k) {
+      const Real t = 2.0 * std::numbers::pi * k / 20000.0;
+      nearest = std::min(nearest, std::hypot(X - c - a * std::cos(t), Y - b * std::sin(t)));
+    }
+    EXPECT_NEAR(std::hypot(X - x_of(point), Y - point.sigma[3]), nearest, 1.0);
+    EXPECT_NEAR(point.state[0], nearest / (2.0 * G), 1e-6);
+  }
+}
+
+TEST(NgiAdp, RefusesSofteningThatIsTooSteep)
+{
+  EXPECT_THAT(type().check(std::vector<Real>{1e5, nu, active, direct, passive, 0.5, 50.0, 0.0}),
+      ElementsAre(problem("eta", "softening is too steep",
+          "eta (1 - residual_share) (|c| + max(a, b)) = 3.5e+05 Pa, at most 1.5 G = 1.5e+05 Pa\n"
+          "(beyond 2 G the return mapping has no unique answer). Use eta <= 21.4, or a stiffer soil.")));
+}
+
+}  // namespace
