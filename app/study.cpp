@@ -70,17 +70,18 @@ class StudyProgress {
     if (quiet_ || now < next_) return;
     next_ = now + (terminal_ ? 0.2 : 10.0);
     Index done = 0, n_all = 0;
-    std::int64_t slid = 0, flooded = 0, solved = 0, failed = 0;
+    EventCounts counts;
     for (const auto& [number, r] : all) {
       if (!part_.has(number)) continue;
-      ++done, solved += r.solved(), failed += r.failed(), slid += r.slid, flooded += r.flooded;
+      ++done;
+      if (!r.skipped()) counts.take(r);
     }
     for (Index n = 0; n < study_.n_realisations; ++n) n_all += part_.has(n);
     const Real confidence = study_.settings.confidence;
-    std::string line = fmt::format("[{}/{}] {} failed", done, n_all, failed);
+    std::string line = fmt::format("[{}/{}] {} failed", done, n_all, counts.failed);
     if (shows_p_) {
-      line += "  P(I) " + estimate_text(estimate_event(slid, solved, failed, confidence));
-      if (newest.judges_flood) line += "  P(F) " + estimate_text(estimate_event(flooded, solved, failed, confidence));
+      line += "  P(I) " + estimate_text(counts.slide(confidence));
+      if (newest.judges_flood) line += "  P(F) " + estimate_text(counts.flood(confidence));
     }
     const double each = spent_ / static_cast<double>(made_);
     line += fmt::format("  ETA {}{}", study_.settings.stop.cov > 0.0 ? "at most " : "",
@@ -165,6 +166,7 @@ int check_study(const Study& study, int threads)
 
 int report_study(const Study& study, const std::string& folder, bool writes)
 {
+  if (writes) check_study_folder(study, folder);
   const StoredStudy stored = read_store(study, folder);
   if (stored.n_files == 0)
     throw FileError(fmt::format("{}: there are no results of this study yet\n  Begin with: terp study run", folder));
@@ -173,7 +175,9 @@ int report_study(const Study& study, const std::string& folder, bool writes)
     fmt::print(
         "  note: {} lines of the store were cut by a kill; their realisations are made again\n", stored.n_broken);
   if (!writes) return solved;
-  write_results(study, folder, stored.rows, now_in_utc());
+  const StudyPlace place(folder, "report");
+  write_copies(study, place);
+  write_results(study, place, stored.rows, now_in_utc());
   fmt::print("page in {}, table in {}\n", path_in(folder, study_report), study_results);
   return solved;
 }
@@ -181,6 +185,7 @@ int report_study(const Study& study, const std::string& folder, bool writes)
 int sample_study(const Study& study, const std::string& folder, const StudyCommand& command)
 {
   const Index n = std::min<Index>(study.n_realisations / study.n_levels(), command.samples);
+  check_study_folder(study, folder);
   make_folder(folder);
   const std::string page = path_in(folder, "sample.html");
   write_file_atomically(page, page_of_samples(study, n, now_in_utc()));
@@ -226,13 +231,16 @@ int keep(const Study& study, const std::string& folder, Index number, const Stud
 int run_study(const Study& study, const std::string& folder, const StudyCommand& command)
 {
   const StudyPart part = part_of(command.part);
-  std::error_code none;
-  if (command.force && std::filesystem::exists(path_in(folder, study_copy), none)) clear_study(folder);
-  const std::string lock_folder = path_in(folder, fmt::format("locks/part_{}_of_{}", part.number, part.n_all));
-  make_folder(lock_folder);
-  const FolderLock lock(lock_folder);
-  prepare_study_folder(study, folder, part);
+  if (command.force && part.n_all > 1)
+    throw CaseError(printable(
+        fmt::format("error: --force with --part {}: a part does not begin anew, as it would remove what others solved\n"
+                    "  Remove the folder once, before the parts begin: rm -r {}\n",
+            command.part, folder)));
+  check_study_folder(study, folder);
+  const StudyPlace place(folder, fmt::format("part_{}_of_{}", part.number, part.n_all));
+  if (command.force) place.clear();
   Realisations rows = read_store(study, folder).rows;
+  write_copies(study, place);
   const int threads = command.threads > 0 ? command.threads : available_processors();
   StudyProgress progress(study, part, threads, command.quiet);
   listen_for_stop();
@@ -251,7 +259,7 @@ int run_study(const Study& study, const std::string& folder, const StudyCommand&
       fmt::print("part {} of {} is done; all of them: terp study report {}\n", part.number, part.n_all, folder);
     return solved;
   }
-  write_results(study, folder, rows, now_in_utc());
+  write_results(study, place, rows, now_in_utc());
   if (!command.quiet) {
     fmt::print("{}", study_text(study, rows));
     fmt::print("page in {}, table in {}\n", path_in(folder, study_report), study_results);

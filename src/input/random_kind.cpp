@@ -120,7 +120,13 @@ bool set_parts(const FieldContext& context, RandomText& text)
     if (part[0] < 0.0 || part[0] > 1e6 || part[0] != std::floor(part[0]))
       return refuse_field(context, path, fmt::format("{} is no number of a field", part[0]), "A whole number, from 0."),
              false;
-    text.field.parts.emplace_back(static_cast<std::uint32_t>(part[0]), part[1]);
+    const auto number = static_cast<std::uint32_t>(part[0]);
+    if (std::ranges::find(text.field.parts, number, [](const auto& other) { return other.first; }) !=
+        text.field.parts.end())
+      return refuse_field(context, path, fmt::format("field {} stands twice in `mix`", number),
+                 "Its weights would add up, and the field have another variance than `cov` says. Give each once."),
+             false;
+    text.field.parts.emplace_back(number, part[1]);
     squares += part[1] * part[1];
   }
   if (std::abs(squares - 1.0) > 1e-9)

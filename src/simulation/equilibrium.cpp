@@ -165,7 +165,8 @@ Search settle(
   if (made.end == LoopEnd::stopped) return {};
   if (made.end == LoopEnd::all_steps) return {.fault = describe_no_equilibrium(model, state, work, s)};
   if (!state.left.empty()) return {.fault = soil_left};
-  if (windows.runs_away()) return {.fault = describe_failure(model, state, windows.moved(), s)};
+  if (windows.runs_away())
+    return {.fault = describe_failure(model, state, windows.moved(), s), .slides_as_drawn = true};
   work.damping_local = model.damping.local;
   work.settling = false;
   work.search = {};
@@ -191,6 +192,7 @@ Search find_equilibrium(const Model& model, State& state, const std::atomic<bool
   state = restore(model, image_of_rows(settled, model.rows));
   set_point_parameters(model, places, state);
   state.has_no_start = true;
+  search.slides_as_drawn = search.slides_as_drawn && model.description.at_strength == 1.0;  // else it was elastic
   return search;
 }
 

@@ -16,7 +16,8 @@ namespace terp {
 /// How the search ended; neither: it was stopped, and begins anew later.
 struct Search {
   bool reached = false;
-  std::string fault = {};  ///< what went wrong
+  std::string fault = {};        ///< what went wrong
+  bool slides_as_drawn = false;  ///< soil runs away with the strength that it has
 };
 
 struct SearchProgress {

@@ -2,10 +2,18 @@
 // (equilibrium.hpp).
 #pragma once
 
+#include "base/errors.hpp"
 #include "simulation/state.hpp"
 #include "simulation/workspace.hpp"
 
 namespace terp {
+
+/// The soil cannot stand in the section as it is drawn, and slides before the run begins. Not thrown where a search
+/// only ran out of steps: then nothing is known.
+class SlidesAsDrawn : public RunError {
+ public:
+  using RunError::RunError;
+};
 
 /// The soil runs away in the search: a hundredth of it had moved further than `moved` [m]. stiffening: of the model.
 std::string describe_failure(const Model& model, const State& state, Real moved, Real stiffening);

@@ -85,14 +85,16 @@ void Reporter::report(const Progress& progress) const
   tell([&](Observer& o) { o.progress(progress); });
 }
 
-void Reporter::stop_run(std::string message)
+std::string Reporter::keep_evidence(std::string message)
 {
   report_rows_between();
   for (Observer* observer : observers_) {
     const std::string saved = observer->save_failed(make_image(state_));
     if (!saved.empty()) message += "\n  saved    " + saved;
   }
-  throw RunError(message);
+  return message;
 }
+
+void Reporter::stop_run(std::string message) { throw RunError(keep_evidence(std::move(message))); }
 
 }  // namespace terp

@@ -26,7 +26,9 @@ class Reporter {
   std::string report_due(bool last);
   void report_checkpoint();
   void report(const Progress& progress) const;
-  /// Keeps the evidence of a run that must stop, and stops it: throws RunError.
+  /// Keeps the evidence of a run that must stop. Returns the message with where it is.
+  std::string keep_evidence(std::string message);
+  /// The same, and stops it: throws RunError.
   [[noreturn]] void stop_run(std::string message);
 
  private:

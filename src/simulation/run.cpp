@@ -7,6 +7,7 @@
 #include "simulation/initial.hpp"
 #include "simulation/ledger.hpp"
 #include "simulation/loads.hpp"
+#include "simulation/no_equilibrium.hpp"
 #include "simulation/placed_bodies.hpp"
 #include "simulation/reporter.hpp"
 #include "simulation/setup.hpp"
@@ -149,6 +150,7 @@ Outcome run(const Model& model, State& state, Workspace& work, std::span<Observe
     const Search search = start_run(model, state, stop, loop);
     if (!search.fault.empty()) {
       loop.report_due(false);  // the state as the search left it, to look at
+      if (search.slides_as_drawn) throw SlidesAsDrawn(loop.reporter.keep_evidence(search.fault));
       loop.reporter.stop_run(search.fault);
     }
     if (!search.reached) {

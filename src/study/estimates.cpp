@@ -24,7 +24,7 @@ void count_fault(const Realisation& r, std::vector<FaultCount>& faults)
   const std::string kind = kind_of_fault(r.fault);
   const auto found = std::ranges::find_if(faults, [&](const FaultCount& f) { return kind_of_fault(f.what) == kind; });
   if (found == faults.end())
-    faults.push_back({r.fault, r.number, 1});
+    faults.push_back({r.fault, r.number, 1, r.slid});
   else
     ++found->n;
 }
@@ -41,8 +41,8 @@ std::vector<Sensitivity> find_sensitivities(const Study& study, const Realisatio
       if (r.failed()) continue;
       const bool falls = study.settings.estimator == Estimator::two_stage ? r.screening == Screening::falls : r.slid;
       all.push_back(r.inputs[k]), slid.push_back(falls ? 1.0 : 0.0);
-      if (!r.solved()) continue;
-      if (std::isfinite(r.outcomes[height])) with_height.push_back(r.inputs[k]), heights.push_back(r.outcomes[height]);
+      if (r.solved() && std::isfinite(r.outcomes[height]))
+        with_height.push_back(r.inputs[k]), heights.push_back(r.outcomes[height]);
     }
     list.push_back({names[k], spearman(all, slid), spearman(with_height, heights)});
   }
@@ -57,15 +57,35 @@ void EventCounts::take(const Realisation& r)
     ++failed;
     return;
   }
-  ++solved;
+  (r.solved() ? solved : slid_as_drawn) += 1;
   slid += r.slid, flooded += r.flooded, flooded_after_slide += r.slid && r.flooded, judged += r.judges_flood;
 }
 
-EventEstimate EventCounts::slide(Real confidence) const { return estimate_event(slid, solved, failed, confidence); }
-EventEstimate EventCounts::flood(Real confidence) const { return estimate_event(flooded, solved, failed, confidence); }
+std::int64_t EventCounts::unknown(std::int64_t EventCounts::*event) const
+{
+  return event == &EventCounts::slid ? failed : failed + slid_as_drawn;
+}
+
+EventEstimate EventCounts::slide(Real confidence) const
+{
+  return estimate_event(slid, n() - failed, failed, confidence);
+}
+EventEstimate EventCounts::flood(Real confidence) const
+{
+  return estimate_event(flooded, solved, failed + slid_as_drawn, confidence);
+}
 EventEstimate EventCounts::flood_after_slide(Real confidence) const
 {
-  return estimate_event(flooded_after_slide, slid, failed, confidence);
+  return estimate_event(flooded_after_slide, slid - slid_as_drawn, failed + slid_as_drawn, confidence);
+}
+
+EventCounts Sample::counts() const
+{
+  EventCounts sum;
+  for (const auto member : {&EventCounts::solved, &EventCounts::failed, &EventCounts::slid, &EventCounts::flooded,
+           &EventCounts::flooded_after_slide, &EventCounts::judged, &EventCounts::slid_as_drawn})
+    sum.*member = all_.*member + audited_.*member;
+  return sum;
 }
 
 void Sample::take(const Realisation& r)
@@ -81,7 +101,7 @@ EventEstimate Sample::estimate(std::int64_t EventCounts::*event) const
   const Real confidence = settings_->confidence;
   return settings_->estimator == Estimator::two_stage
              ? weigh(event, confidence)
-             : estimate_event(all_.*event, all_.solved, all_.failed, confidence);
+             : estimate_event(all_.*event, all_.n() - all_.unknown(event), all_.unknown(event), confidence);
 }
 
 // An audited realisation stands for 1/audit of those that stand at the factor (Horvitz & Thompson 1952). Both numbers
@@ -89,13 +109,16 @@ EventEstimate Sample::estimate(std::int64_t EventCounts::*event) const
 EventEstimate Sample::weigh(std::int64_t EventCounts::*event, Real confidence) const
 {
   const Real audit = settings_->two_stage.audit, of_each = 0.5 + 0.5 * confidence;
-  const std::int64_t n = all_.solved + all_.failed + audited_.solved + audited_.failed + n_skipped_;
-  EventEstimate e{all_.*event + audited_.*event, all_.solved + audited_.solved, all_.failed + audited_.failed};
-  const Real known = static_cast<Real>(n - all_.failed) -
-                     static_cast<Real>(audited_.failed) / audit;  // as Monte Carlo leaves them out
+  const std::int64_t n = all_.n() + audited_.n() + n_skipped_, unknown = all_.unknown(event),
+                     unknown_of_audit = audited_.unknown(event);
+  EventEstimate e{
+      all_.*event + audited_.*event, n - n_skipped_ - unknown - unknown_of_audit, unknown + unknown_of_audit};
+  const Real known =
+      static_cast<Real>(n - unknown) - static_cast<Real>(unknown_of_audit) / audit;  // as Monte Carlo leaves them out
   if (known > 0.0) e.weighted = (static_cast<Real>(all_.*event) + static_cast<Real>(audited_.*event) / audit) / known;
   const auto bounds = [&](const EventCounts& c) {
-    return Bounds{clopper_pearson(c.*event, n, of_each).low, clopper_pearson(c.*event + c.failed, n, of_each).high};
+    return Bounds{
+        clopper_pearson(c.*event, n, of_each).low, clopper_pearson(c.*event + c.unknown(event), n, of_each).high};
   };
   const Bounds below = bounds(all_), above = bounds(audited_);
   e.bounds = {below.low + above.low / audit, std::min(1.0, below.high + above.high / audit)};
@@ -108,8 +131,13 @@ EventEstimate Sample::flood_after_slide() const
   const Real of_each = 0.5 + 0.5 * settings_->confidence;
   const EventEstimate both = weigh(&EventCounts::flooded_after_slide, of_each),
                       slide = weigh(&EventCounts::slid, of_each);
-  EventEstimate e{both.happened, slide.happened, both.failed};
-  if (both.weighted && slide.weighted && *slide.weighted > 0.0) e.weighted = *both.weighted / *slide.weighted;
+  const auto weigh_up = [&](std::int64_t below, std::int64_t audited) {
+    return static_cast<Real>(below) + static_cast<Real>(audited) / settings_->two_stage.audit;
+  };
+  const std::int64_t below = all_.slid - all_.slid_as_drawn, above = audited_.slid - audited_.slid_as_drawn;
+  EventEstimate e{both.happened, below + above, both.failed};
+  if (below + above > 0)
+    e.weighted = weigh_up(all_.flooded_after_slide, audited_.flooded_after_slide) / weigh_up(below, above);
   e.bounds.low = slide.bounds.high > 0.0 ? both.bounds.low / slide.bounds.high : 0.0;
   e.bounds.high = slide.bounds.low > 0.0 ? std::min(1.0, both.bounds.high / slide.bounds.low) : 1.0;
   return e;
@@ -117,9 +145,9 @@ EventEstimate Sample::flood_after_slide() const
 
 EventEstimate Sample::trusting(bool of_flood) const
 {
-  const std::int64_t stand = audited_.solved + n_skipped_;
-  return estimate_event(
-      of_flood ? all_.flooded : all_.slid, all_.solved + stand, all_.failed + audited_.failed, settings_->confidence);
+  const auto event = of_flood ? &EventCounts::flooded : &EventCounts::slid;
+  const std::int64_t unknown = all_.unknown(event) + audited_.unknown(event);
+  return estimate_event(all_.*event, all_.n() + audited_.n() + n_skipped_ - unknown, unknown, settings_->confidence);
 }
 
 std::optional<Real> EventEstimate::probability() const
@@ -171,12 +199,13 @@ StudyEstimates estimate(const Study& study, const Realisations& rows)
     e.sample.take(r);
     e.mean_wall_s += r.wall_s / e.n_made;
     if (r.skipped()) ++n_skipped, skipped_wall_s += r.wall_s;
-    if (r.failed()) count_fault(r, e.faults);
+    if (!r.fault.empty()) count_fault(r, e.faults);
   }
   if (n_skipped > 0 && n_skipped < e.n_made) {
     e.screening_wall_s = skipped_wall_s / n_skipped;
     e.full_wall_s = (e.mean_wall_s * e.n_made - skipped_wall_s) / (e.n_made - n_skipped) - e.screening_wall_s;
   }
+  e.counts = e.sample.counts();
   e.judges_flood = e.sample.judges_flood();
   e.slide = e.sample.slide(), e.flood = e.sample.flood(), e.flood_after_slide = e.sample.flood_after_slide();
   e.sensitivities = find_sensitivities(study, rows, e.n_made);

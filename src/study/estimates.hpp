@@ -9,22 +9,27 @@
 
 namespace terp {
 
-/// An event in a sample. What failed may have been either: it counts as not happened in the lower bound, as happened in
-/// the upper one.
+/// An event in a sample. solved: of which it is known; failed: of which it is not. These may have been either: they
+/// count as not happened in the lower bound, as happened in the upper one.
 struct EventEstimate {
   std::int64_t happened = 0, solved = 0, failed = 0;
   Bounds bounds = {};
   std::optional<Real> weighted = {};  ///< P of a sample whose realisations do not count alike
 
-  std::optional<Real> probability() const;  ///< of what was solved; none of nothing
-  std::optional<Real> cov() const;          ///< of that estimate; none where nothing happened, or of a weighted one
+  /// Share of what is known; none of nothing. Where some failed it is biased: these are no random sample.
+  std::optional<Real> probability() const;
+  std::optional<Real> cov() const;  ///< of that estimate; none where nothing happened, or of a weighted one
 };
-/// happened out of solved; failed: of which nothing is known.
 EventEstimate estimate_event(std::int64_t happened, std::int64_t solved, std::int64_t failed, Real confidence);
 
 /// Sums over a table that grows by one realisation after another.
 struct EventCounts {
   std::int64_t solved = 0, failed = 0, slid = 0, flooded = 0, flooded_after_slide = 0, judged = 0;
+  std::int64_t slid_as_drawn = 0;  ///< of `slid`; neither solved nor failed, as I is known and F is not
+
+  std::int64_t n() const { return solved + failed + slid_as_drawn; }
+  /// Realisations of which a member, a number of events, is not known.
+  std::int64_t unknown(std::int64_t EventCounts::*event) const;
 
   void take(const Realisation& realisation);
   EventEstimate slide(Real confidence) const;
@@ -46,6 +51,7 @@ class Sample {
 
   const EventCounts& run_for_falling() const { return all_; }
   const EventCounts& audited() const { return audited_; }
+  EventCounts counts() const;  ///< of all that were run, as if they counted alike
   std::int64_t n_skipped() const { return n_skipped_; }
   bool judges_flood() const { return all_.judged + audited_.judged > 0; }
   /// Those that the rule of the study counts: F where floods are judged, else I.
@@ -67,11 +73,12 @@ struct Sensitivity {
   std::optional<Real> with_slide, with_height;  ///< with_slide: of two stages, with falling at the factor
 };
 
-/// One kind of failed realisation.
+/// One kind of realisation without a result.
 struct FaultCount {
   std::string what;
   Index first = 0;
   int n = 0;
+  bool slides = false;  ///< as drawn
 };
 
 struct StudyEstimates {
@@ -80,6 +87,7 @@ struct StudyEstimates {
   Index n_made = 0;    ///< realisations of the table: 0 ... n_made - 1
   Index n_beyond = 0;  ///< solved, but after a gap, or after the rule has stopped: not in the table
   bool judges_flood = false;
+  EventCounts counts = {};
   EventEstimate slide, flood, flood_after_slide;
   std::vector<Sensitivity> sensitivities;
   std::vector<FaultCount> faults;

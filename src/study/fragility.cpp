@@ -110,16 +110,17 @@ FragilityCurve estimate_fragility(const Study& study, const Realisations& rows)
   const LevelCounts counts = count_levels(study, rows);
   FragilityCurve curve;
   curve.n_falling_slides = counts.n_falling_slides, curve.n_falling_floods = counts.n_falling_floods;
-  bool has_all = true;
+  bool has_all = true, has_all_floods = true;
   for (std::size_t k = 0; k < load.levels.size(); ++k) {
     const EventCounts& c = counts.levels[k];
     curve.levels.push_back({load.levels[k], c.slide(confidence), c.flood(confidence), c.flood_after_slide(confidence)});
     curve.judges_flood = curve.judges_flood || c.judged > 0;
-    has_all = has_all && c.solved > 0;
+    has_all = has_all && curve.levels.back().slide.solved > 0;
+    has_all_floods = has_all_floods && curve.levels.back().flood.solved > 0;
   }
   if (!load.distribution || !has_all) return curve;
   curve.slide = integrate(load, counts, &EventCounts::slide, confidence);
-  if (curve.judges_flood) curve.flood = integrate(load, counts, &EventCounts::flood, confidence);
+  if (curve.judges_flood && has_all_floods) curve.flood = integrate(load, counts, &EventCounts::flood, confidence);
   return curve;
 }
 

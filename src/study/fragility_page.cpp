@@ -86,13 +86,19 @@ std::string table_of_levels(const Study& study, const FragilityCurve& curve)
 std::string answer(const Study& study, const FragilityCurve& curve)
 {
   const FragilityLoad& load = *study.settings.fragility;
-  const auto& integral = curve.flood ? curve.flood : curve.slide;
+  const auto& integral = curve.judges_flood ? curve.flood : curve.slide;
   const char* event = curve.judges_flood ? "The land floods" : "The slope slides";
+  EventEstimate all;
+  for (const LevelEstimate& at : curve.levels) {
+    const EventEstimate& e = curve.judges_flood ? at.flood : at.slide;
+    all.solved += e.solved, all.failed += e.failed;
+  }
+  const std::string missing = all.failed > 0 ? ' ' + missing_words(all) : "";
   if (!integral)
-    return fmt::format(
-        "{} with the probabilities below, at each {}. For one probability over all levels, give the "
-        "distribution of the load in [fragility].",
-        event, load.name);
+    return fmt::format("{} with the probabilities below, at each {}. {}{}", event, load.name,
+        load.distribution ? "For one probability over all levels, each level needs realisations of which it is known."
+                          : "For one probability over all levels, give the distribution of the load in [fragility].",
+        missing);
   std::string text = fmt::format(
       "{} with probability {:.2g}, over the distribution of the {}. ", event, integral->probability, load.name);
   text += fmt::format(
@@ -100,8 +106,8 @@ std::string answer(const Study& study, const FragilityCurve& curve)
       "between {:.2g} and {:.2g} if it is only known to rise.",
       100.0 * study.settings.confidence, integral->of_line.low, integral->of_line.high, integral->rising.low,
       integral->rising.high);
-  if (curve.flood) text += fmt::format(" A slide happens with probability {:.2g}.", curve.slide->probability);
-  return text;
+  if (curve.judges_flood) text += fmt::format(" A slide happens with probability {:.2g}.", curve.slide->probability);
+  return text + missing;
 }
 
 }  // namespace

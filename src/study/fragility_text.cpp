@@ -65,11 +65,12 @@ std::optional<PointOfCurve> point_of(const EventEstimate& e)
 {
   const auto p = e.probability();
   if (!p) return std::nullopt;
+  const std::string of = fmt::format("of {}{}", e.solved, e.failed > 0 ? fmt::format(", {} unknown", e.failed) : "");
   if (e.happened == 0)
-    return PointOfCurve{reliability_index(e.bounds.high), fmt::format(", none of {}: upper bound of P", e.solved)};
+    return PointOfCurve{reliability_index(e.bounds.high), fmt::format(", none {}: upper bound of P", of)};
   if (e.happened == e.solved)
-    return PointOfCurve{reliability_index(e.bounds.low), fmt::format(", all of {}: lower bound of P", e.solved)};
-  return PointOfCurve{reliability_index(*p), fmt::format(", {} of {}", e.happened, e.solved)};
+    return PointOfCurve{reliability_index(e.bounds.low), fmt::format(", all {}: lower bound of P", of)};
+  return PointOfCurve{reliability_index(*p), fmt::format(", {} {}", e.happened, of)};
 }
 
 }  // namespace

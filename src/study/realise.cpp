@@ -5,6 +5,7 @@
 #include "base/philox.hpp"
 #include "input/printable.hpp"
 #include "simulation/ground_section.hpp"
+#include "simulation/no_equilibrium.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "stability/factor_of_safety.hpp"
 #include "study/points.hpp"
@@ -86,6 +87,8 @@ std::string on_one_line(std::string text)
 {
   for (char& c : text)
     if (c == '\n' || c == '\t' || c == '\r') c = ' ';
+  const auto both_blank = [](char a, char b) { return a == ' ' && b == ' '; };
+  text.erase(std::unique(text.begin(), text.end(), both_blank), text.end());
   constexpr std::size_t longest = 400;
   return printable(text.size() > longest ? text.substr(0, longest) + " ..." : text);
 }
@@ -137,6 +140,7 @@ bool solve(const Study& study, const Draw& draw, const std::atomic<bool>& stop, 
   if (result.skipped()) return true;
   const SharedMesh mesh = study.shares_mesh ? study.mesh : std::make_shared<const Mesh<2>>(build_mesh(file.values));
   Simulation simulation(file.values, mesh, 1, all_followers());
+  result.judges_flood = simulation.model.flood_level.is_known();
   if (simulation.run(stop) != Outcome::finished) return false;
   read_outcomes(simulation, study.settings.event, result);
   return true;
@@ -182,6 +186,10 @@ std::optional<Realisation> realise(const Study& study, Index number, const std::
     result.fault = on_one_line("refused: " + fault_of_case(error.what()));
   } catch (const InputError& error) {
     result.fault = on_one_line(std::string("refused: ") + error.what());
+  } catch (const SlidesAsDrawn& error) {
+    result.slid = true;
+    const std::string why = error.what();
+    result.fault = on_one_line("slides as drawn: " + why.substr(0, why.find("\n  likely")));
   } catch (const RunError& error) {
     if (stop.load()) return std::nullopt;
     result.fault = on_one_line(std::string("stopped itself: ") + error.what());

@@ -32,15 +32,18 @@ struct Realisation {
   std::vector<Real> inputs = {};  ///< as Study::input_names()
   std::string fault = {};         ///< why there is no result, on one line; empty: none
   Screening screening = Screening::none;
-  bool slid = false;     ///< I
+  bool slid = false;     ///< I; with a fault: the soil slides as it is drawn, and no more is known
   bool flooded = false;  ///< F; false where nothing is said of water
   bool judges_flood = false;
   std::vector<Real> outcomes = {};  ///< as study_outcomes(); empty where it is not solved
   double wall_s = 0.0;
 
-  bool failed() const { return !fault.empty(); }
   bool skipped() const { return screening == Screening::skipped; }
-  bool solved() const { return !failed() && !skipped(); }
+  bool solved() const { return fault.empty() && !skipped(); }
+  /// It cannot stand in the section as it is drawn: an event I, of which F is not known.
+  bool slides_as_drawn() const { return !fault.empty() && slid; }
+  /// It was run, and neither I nor F is known.
+  bool failed() const { return !fault.empty() && !slid; }
   /// But for the clock.
   bool same_as(const Realisation& other) const;
 };

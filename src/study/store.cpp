@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 
@@ -18,7 +19,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t n_digits = 16;  // of a checksum
 constexpr const char* ending = ".rows";
 constexpr std::string_view screening_letters = "-xas";  // in the order of Screening
-constexpr const char* format_number = "2";
+constexpr const char* head_begin = "terp study\t";
+constexpr const char* store_format = "3";  // before: soil that slides as it is drawn had failed
 
 std::string with_checksum(const std::string& line) { return digits_of(line) + '\t' + line + '\n'; }
 
@@ -32,7 +34,7 @@ std::optional<std::string_view> checked(std::string_view line)
 
 std::string head_of(const Study& study)
 {
-  return fmt::format("terp study\t{}\t{}\t{}\t{}", format_number, TERP_VERSION, study.case_digits, study.study_digits);
+  return fmt::format("terp study\t{}\t{}\t{}\t{}", store_format, TERP_VERSION, study.case_digits, study.study_digits);
 }
 
 std::vector<std::string_view> split(std::string_view text, char at)
@@ -64,10 +66,14 @@ bool to_numbers(std::string_view text, std::size_t n, std::vector<Real>& values)
 void check_head(const Study& study, const std::string& path, std::string_view head)
 {
   const auto is = split(head, '\t');
-  if (is.size() != 5 || is[0] != "terp study")
+  if (is.size() < 2 || is[0] != "terp study" || (is[1] == store_format && is.size() != 5))
     throw FileError(fmt::format("{}: this is no store of a study\n  Choose another folder: -o DIR", path));
+  if (is[1] != store_format)
+    throw FileError(
+        fmt::format("{}: this store has format {}, and this terp reads format {}\n  Solve it anew: terp study run "
+                    "STUDY.toml --force, or give it another folder, -o DIR.",
+            path, is[1], store_format));
   std::string why;
-  if (is[1] != format_number) why = fmt::format("its format is {}, that of this terp is {}", is[1], format_number);
   if (is[2] != TERP_VERSION) why = fmt::format("it was solved by terp {}, this is {}", is[2], TERP_VERSION);
   if (is[3] != study.case_digits) why = "the case is another one, or its mesh";
   if (is[4] != study.study_digits) why = "what is drawn, its seed or the events are others";
@@ -101,7 +107,7 @@ void read_part(const Study& study, const std::string& path, StoredStudy& stored)
       ++stored.n_broken;
       continue;
     }
-    if (is_head || content->starts_with("terp study\t")) {
+    if (is_head || content->starts_with(head_begin)) {
       check_head(study, path, *content);
       is_head = false;
       continue;
@@ -115,6 +121,8 @@ void read_part(const Study& study, const std::string& path, StoredStudy& stored)
 }  // namespace
 
 std::string StudyPart::file() const { return fmt::format("part_{}_of_{}{}", number, n_all, ending); }
+
+bool is_part_of_store(std::string_view name) { return name.starts_with("part_") && name.ends_with(ending); }
 
 std::string line_of(const Realisation& r)
 {
@@ -146,7 +154,7 @@ StoredStudy read_store(const Study& study, const std::string& folder)
   if (!fs::is_directory(folder, none)) return stored;
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ending) files.push_back(entry.path().string());
+    if (is_part_of_store(entry.path().filename().string())) files.push_back(entry.path().string());
   std::ranges::sort(files);
   for (const std::string& file : files) read_part(study, file, stored);
   stored.n_files = static_cast<int>(files.size());
@@ -158,7 +166,11 @@ StoreWriter::StoreWriter(const Study& study, const std::string& folder, const St
 {
   const std::string text = read_file(path_in(folder, part.file()));
   if (!text.empty() && text.back() != '\n') file_.append("\n");  // a line that a kill has cut
-  if (text.find("terp study\t") == std::string::npos) file_.append(with_checksum(head_of(study)));
+  const auto is_head = [](std::string_view line) {
+    const auto content = checked(line);
+    return content && content->starts_with(head_begin);
+  };
+  if (std::ranges::none_of(split(text, '\n'), is_head)) file_.append(with_checksum(head_of(study)));
 }
 
 void StoreWriter::append(const Realisation& realisation) { file_.append(with_checksum(line_of(realisation))); }

@@ -32,6 +32,9 @@ struct StoredStudy {
 /// realisation that differ.
 StoredStudy read_store(const Study& study, const std::string& folder);
 
+/// Of the names of files.
+bool is_part_of_store(std::string_view name);
+
 /// Grows by one part. Whoever writes must hold the lock of the part.
 class StoreWriter {
  public:

@@ -9,6 +9,7 @@
 #include "output/files.hpp"
 #include "study/read_distribution.hpp"
 #include "study/read_fragility.hpp"
+#include "study/study_inputs.hpp"
 #include "study/study_keys.hpp"
 
 #include <fmt/format.h>
@@ -374,6 +375,7 @@ std::string identity_text(const StudySettings& settings)
     return item.name == "title" || item.name == "confidence" || item.name == "case" ||
            (item.name == "stop" && !keeps_number);
   });
+  name_digits_of_files(root, folder_of(path_of(settings.folder, settings.case_path)));
   if (Node* load = find_item(root, "fragility")) drop_distribution(*load);
   for (Node& item : root.items)
     if (item.name == "stop") std::erase_if(item.items, [](const Node& key) { return key.name != "number"; });

@@ -122,7 +122,8 @@ StudySettings read_study_text(const std::string& text, const std::string& path);
 /// Throws CaseError if there are problems.
 void refuse_if_any(const std::vector<Problem>& problems, const StudySettings& settings);
 
-/// What decides the results of realisations: the file without its comments, title and stop rule.
+/// What decides the results of realisations: the file without its comments, title and stop rule, and with the digits
+/// of the files that it names. Throws FileError where one cannot be read.
 std::string identity_text(const StudySettings& settings);
 
 }  // namespace terp

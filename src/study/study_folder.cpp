@@ -1,11 +1,18 @@
 #include "study/study_folder.hpp"
 
-#include "output/run_folder.hpp"
+#include "input/printable.hpp"
 #include "study/fragility_text.hpp"
 #include "study/study_json.hpp"
+#include "study/study_inputs.hpp"
 #include "study/study_page.hpp"
 #include "study/study_text.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
 #include <filesystem>
 
 namespace terp {
@@ -13,13 +20,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The study file with the case beside it, without comments.
-std::string copied_study(const StudySettings& settings)
+/// First words of a copy: the mark by which a folder is one of Terp's.
+constexpr std::string_view mark = "# The copy of ";
+
+/// The study file with the case and other files beside it, without comments. files: to be copied.
+std::string copied_study(const Study& study, std::vector<InputFile>& files)
 {
-  Node root = settings.source.root;
+  Node root = study.settings.source.root;
+  for (InputFile& file : name_copies_of_files(root, study.base.values.folder)) files.push_back(std::move(file));
   find_item(root, "case")->text = case_file;
-  return "# The copy of " + settings.source.path + "\n\n" + write_toml(root);
+  return fmt::format("{}{}\n\n{}", mark, study.settings.source.path, write_toml(root));
 }
+
+bool is_copy(std::string_view text) { return text.starts_with(mark); }
+
+bool lies_in(const std::string& file, const std::string& folder)
+{
+  std::error_code none;
+  return fs::equivalent(folder_of(file), folder, none);
+}
+
+bool is_read_from_copy(const Study& study, const std::string& folder)
+{
+  const Document& source = study.settings.source;
+  return fs::path(source.path).filename() == study_copy && lies_in(source.path, folder) && is_copy(source.text);
+}
+
+constexpr std::array<std::string_view, 6> result_files = {
+    study_results, study_numbers, study_report, fragility_table, fragility_of_slides, fragility_of_floods};
 
 }  // namespace
 
@@ -38,41 +66,83 @@ std::string folder_of_study(const std::string& path, const std::string& output, 
   return fs::is_directory(path, none) ? path : default_study_folder(study.settings);
 }
 
-void prepare_study_folder(const Study& study, const std::string& folder, const StudyPart& part)
+void check_study_folder(const Study& study, const std::string& folder)
 {
-  make_folder(folder);
-  if (part.number != 1 || fs::exists(path_in(folder, study_copy))) return;
-  copy_inputs(study.base.inputs, folder);
-  write_file_atomically(path_in(folder, case_file), study.base.text);
-  write_file_atomically(path_in(folder, study_copy), copied_study(study.settings));
+  const auto refuse = [&](const std::string& what) {
+    throw FileError(fmt::format(
+        "{}: the folder holds {}\n  Give the results a folder of their own: -o DIR", printable(folder), what));
+  };
+  std::error_code none;
+  if (!fs::is_directory(folder, none) || is_read_from_copy(study, folder)) return;
+  if (lies_in(study.settings.source.path, folder)) refuse("the study file, in whose place a copy would be written");
+  if (lies_in(study.case_path, folder)) refuse("the case, in whose place a copy could be written");
+  const std::string copy = path_in(folder, study_copy);
+  if (fs::exists(copy, none)) {
+    if (!is_copy(read_file(copy))) refuse(fmt::format("a {} that Terp did not write", study_copy));
+    return;
+  }
+  for (const std::string_view name : result_files)
+    if (fs::exists(path_in(folder, name), none)) refuse(fmt::format("a {} of something else", name));
+  if (fs::exists(path_in(folder, case_file), none)) refuse(fmt::format("a {} of something else", case_file));
 }
 
-void clear_study(const std::string& folder)
+StudyPlace::StudyPlace(std::string folder, const std::string& lock)
+    : folder_(std::move(folder)),
+      own_(path_in(folder_, fmt::format("locks/{}", lock))),
+      lock_((make_folder(own_), own_))
 {
+}
+
+void StudyPlace::write(const std::string& name, const std::string& content) const
+{
+  const std::string path = path_in(folder_, name), own = path_in(own_, name);
   std::error_code none;
-  if (!fs::is_directory(folder, none)) return;
-  const std::initializer_list<std::string_view> own = {study_copy, case_file, study_results, study_numbers,
-      study_report, fragility_table, fragility_of_slides, fragility_of_floods};
+  if (fs::exists(path, none) && read_file(path) == content) return;
+  write_file_atomically(own, content);
+  if (std::rename(own.c_str(), path.c_str()) != 0) throw_file_error("write", path, errno);
+}
+
+void StudyPlace::clear() const
+{
+  std::vector<FolderLock> parts;
+  for (const auto& entry : fs::directory_iterator(path_in(folder_, "locks"))) {
+    const std::string other = entry.path().string();
+    if (!entry.is_directory() || other == own_) continue;
+    if (is_being_written(other))
+      throw FileError(
+          fmt::format("{}: another terp writes {} of this study; nothing was removed\n  Wait for it, or stop it first.",
+              printable(folder_), entry.path().filename().string()));
+    parts.emplace_back(other);
+  }
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
+  for (const auto& entry : fs::directory_iterator(folder_)) {
     const std::string name = entry.path().filename().string();
-    if (name.ends_with(".rows") || std::ranges::find(own, name) != own.end()) files.push_back(entry.path());
+    if (is_part_of_store(name) || std::ranges::find(result_files, name) != result_files.end())
+      files.push_back(entry.path());
   }
   for (const fs::path& file : files) fs::remove(file);
 }
 
-void write_results(const Study& study, const std::string& folder, const Realisations& rows, const std::string& written)
+void write_copies(const Study& study, const StudyPlace& place)
 {
-  write_file_atomically(path_in(folder, study_results), study_csv(study, rows));
-  write_file_atomically(path_in(folder, study_numbers), study_json(study, rows));
+  if (is_read_from_copy(study, place.folder())) return;
+  std::vector<InputFile> files = study.base.inputs;
+  place.write(study_copy, copied_study(study, files));
+  place.write(std::string(case_file), study.base.text);
+  for (const InputFile& file : files) place.write(file.copy, read_file(file.path));
+}
+
+void write_results(const Study& study, const StudyPlace& place, const Realisations& rows, const std::string& written)
+{
+  place.write(study_results, study_csv(study, rows));
+  place.write(study_numbers, study_json(study, rows));
   if (study.settings.fragility) {
     const FragilityCurve curve = estimate_fragility(study, rows);
-    write_file_atomically(path_in(folder, fragility_table), fragility_csv(study, curve));
-    write_file_atomically(path_in(folder, fragility_of_slides), dstability_curve(study, curve, false));
-    if (curve.judges_flood)
-      write_file_atomically(path_in(folder, fragility_of_floods), dstability_curve(study, curve, true));
+    place.write(fragility_table, fragility_csv(study, curve));
+    place.write(fragility_of_slides, dstability_curve(study, curve, false));
+    if (curve.judges_flood) place.write(fragility_of_floods, dstability_curve(study, curve, true));
   }
-  write_file_atomically(path_in(folder, study_report), page_of_study(study, rows, written));
+  place.write(study_report, page_of_study(study, rows, written));
 }
 
 }  // namespace terp

@@ -2,6 +2,7 @@
 // the originals are gone.
 #pragma once
 
+#include "output/run_folder.hpp"
 #include "study/store.hpp"
 
 #include <string>
@@ -25,13 +26,33 @@ Study open_study(const std::string& path);
 /// The folder of what `open_study` took: itself, or by default.
 std::string folder_of_study(const std::string& path, const std::string& output, const Study& study);
 
-/// Makes the folder with the copies, where they are not there yet. Part 1 alone writes them.
-void prepare_study_folder(const Study& study, const std::string& folder, const StudyPart& part);
+/// Refuses, with FileError, to write results where the study or its case lies that the user wrote, and where other
+/// things lie under the names of results. Makes nothing.
+void check_study_folder(const Study& study, const std::string& folder);
 
-/// Removes the store and what was said of it.
-void clear_study(const std::string& folder);
+/// A study folder in which this process may write: it holds a lock of that name. Files come from a folder of the lock
+/// under their own names, so that no two processes write to one file.
+class StudyPlace {
+ public:
+  /// Makes the folder. Throws FileError where another process holds the lock.
+  StudyPlace(std::string folder, const std::string& lock);
+  const std::string& folder() const { return folder_; }
+  /// Replaces a file, whole or not at all; one that has this content is left.
+  void write(const std::string& name, const std::string& content) const;
+  /// Removes the store and what was said of it, of a study that Terp wrote, but for the copies of study and case.
+  /// Throws FileError, and removes nothing, while another process writes a part.
+  void clear() const;
+
+ private:
+  std::string folder_, own_;
+  FolderLock lock_;
+};
+
+/// Writes the copies of study and case, and of the files that they name; where the study was read from the copy there,
+/// they are.
+void write_copies(const Study& study, const StudyPlace& place);
 
 /// Writes results.csv, results.json, what a fragility curve adds, and the page. written: when, for the page.
-void write_results(const Study& study, const std::string& folder, const Realisations& rows, const std::string& written);
+void write_results(const Study& study, const StudyPlace& place, const Realisations& rows, const std::string& written);
 
 }  // namespace terp

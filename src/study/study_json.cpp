@@ -46,8 +46,8 @@ std::string study_json(const Study& study, const Realisations& rows)
   const StudyEstimates e = estimate(study, rows);
   const StudySettings& s = study.settings;
   Json json{{"title", s.title.empty() ? s.name : s.title}, {"estimator", info_of(s.estimator).name},
-      {"realisations", e.n_made}, {"solved", e.slide.solved}, {"failed", e.slide.failed}, {"rule_met", e.rule_met},
-      {"confidence", s.confidence}};
+      {"realisations", e.n_made}, {"solved", e.counts.solved}, {"slid_as_drawn", e.counts.slid_as_drawn},
+      {"failed", e.counts.failed}, {"rule_met", e.rule_met}, {"confidence", s.confidence}};
   add_events(study, rows, e, json);
   json["sensitivities"] = Json::array();
   for (const Sensitivity& x : e.sensitivities)

@@ -25,7 +25,9 @@ std::string event_row(const char* name, const char* meaning, const EventEstimate
 {
   const auto p = e.probability();
   return "<tr>" + html_cell("th", name) + html_cell("td", p ? fmt::format("{:.3g}", *p) : "-") + bounds_cell(e) +
-         html_cell("td", fmt::format("{} of {}", e.happened, e.solved)) + html_cell("td", meaning) + "</tr>\n";
+         html_cell("td", fmt::format("{} of {}{}", e.happened, e.solved,
+                             e.failed > 0 ? fmt::format(", {} unknown", e.failed) : "")) +
+         html_cell("td", meaning) + "</tr>\n";
 }
 
 std::string head_of_table(const std::vector<std::string>& titles)
@@ -45,6 +47,7 @@ std::string answer(const Study& study, const StudyEstimates& e)
   std::string text =
       fmt::format("{} with probability {:.2g}; with {:g} % confidence it lies between {:.2g} and {:.2g}.", what, *p,
           100.0 * study.settings.confidence, event.bounds.low, event.bounds.high);
+  if (event.failed > 0) text += ' ' + missing_words(event);
   if (e.judges_flood && e.slide.probability())
     text += fmt::format(
         " A slide happens with probability {:.2g}. {}", *e.slide.probability(), worth_of_residual_strength(e));
@@ -151,7 +154,10 @@ std::string realisation_row(const Study& study, const Realisation& r)
 {
   std::string row = "<tr>" + html_cell("th", fmt::format("{}", r.number));
   row += html_cell("td", r.failed() ? "failed" : r.skipped() ? "not run" : r.slid ? "slide" : "stands");
-  row += html_cell("td", !r.solved() || !r.judges_flood ? "-" : r.flooded ? "floods" : "holds");
+  row += html_cell("td", r.failed() || r.skipped() || !r.judges_flood ? "-"
+                         : r.slides_as_drawn()                        ? "not known"
+                         : r.flooded                                  ? "floods"
+                                                                      : "holds");
   for (std::size_t i = 0; i < r.inputs.size(); ++i) row += html_cell("td", input_text(study, i, r.inputs[i]));
   for (const char* name : {"slide_volume", "residual_height", "first_slide_time", "flood_time"}) {
     const Real value = r.solved() ? r.outcomes[outcome_number(name)] : std::nan("");
@@ -244,8 +250,7 @@ std::string page_of_study(const Study& study, const Realisations& rows, const st
   body += realisations_section(study, rows, e.n_made);
   return plain_page({.title = title_of(study.settings),
       .name = title_of(study.settings) + ": study",
-      .subtitle = fmt::format("{} realisations of {}, {} solved, {} failed", e.n_made, study.settings.case_path,
-          e.slide.solved, e.slide.failed),
+      .subtitle = fmt::format("{} realisations of {}, {}", e.n_made, study.settings.case_path, counts_text(e.counts)),
       .body = body,
       .footer = footer(written, " All realisations: results.csv")});
 }

@@ -16,7 +16,8 @@ std::string p_text(Real p) { return fmt::format("{:.3g}", p); }
 
 std::string line_of_event(const char* name, const EventEstimate& e, const std::string& words)
 {
-  return fmt::format("  {:<8}{:<36}{} of {}  {}\n", name, estimate_text(e), e.happened, e.solved, words);
+  return fmt::format("  {:<8}{:<36}{} of {}{}  {}\n", name, estimate_text(e), e.happened, e.solved,
+      e.failed > 0 ? fmt::format(", {} unknown", e.failed) : "", words);
 }
 
 std::string rho(const std::optional<Real>& value) { return value ? fmt::format("{:+.2f}", *value) : "-"; }
@@ -51,7 +52,7 @@ std::string sweep_lines(const Study& study, const Realisations& rows, Index n)
                             : r.flooded     ? "yes"
                                             : "no",
                             r.outcomes[outcome_number("slide_volume")], r.outcomes[outcome_number("residual_height")])
-                      : "  " + r.fault + '\n';
+                      : fmt::format("  {:>5}  {}\n", r.slid ? "yes" : "-", r.fault);
   }
   return out;
 }
@@ -64,7 +65,7 @@ void add_two_stage_remarks(const Study& study, const StudyEstimates& e, std::vec
   remarks.push_back(fmt::format(
       "At the factor {:g} {} of {} realisations do not stand, and are run. Of those that stand {} are run as "
       "the audit, a share of {:g}, and stand for the rest.",
-      rule.factor, falling.solved + falling.failed, e.n_made, audited.solved + audited.failed, rule.audit));
+      rule.factor, falling.n(), e.n_made, audited.n(), rule.audit));
   const EventEstimate trusting = s.trusting(e.judges_flood);
   remarks.push_back(fmt::format("{} in the audit. If nothing above the factor can {}, {} is {}.",
       audited.slid == 0 ? std::string("Nothing slid")
@@ -75,6 +76,7 @@ void add_two_stage_remarks(const Study& study, const StudyEstimates& e, std::vec
         "The first stage took {:.2g} s each, a run {:.2g} s; Monte Carlo would have taken {:.2g} times as long.",
         e.screening_wall_s, e.full_wall_s, e.full_wall_s / e.mean_wall_s));
 }
+const char* zero_or_one(bool value) { return value ? "1" : "0"; }
 
 std::string quoted(const std::string& text)
 {
@@ -90,6 +92,21 @@ std::string estimate_text(const EventEstimate& event)
   if (event.solved + event.failed == 0) return "-";
   const auto p = event.probability();
   return fmt::format("{}, {} to {}", p ? p_text(*p) : "-", p_text(event.bounds.low), p_text(event.bounds.high));
+}
+
+std::string missing_words(const EventEstimate& e)
+{
+  if (e.failed == 0) return "";
+  return fmt::format(
+      "Of {} of {} realisations it is not known. They are no random sample, as it is weak soil that a "
+      "run fails with, so the estimate may be too low: use the bounds, in which each counts as both.",
+      e.failed, e.solved + e.failed);
+}
+
+std::string counts_text(const EventCounts& c)
+{
+  return fmt::format("{} solved, {}{} failed", c.solved,
+      c.slid_as_drawn > 0 ? fmt::format("{} slide as drawn, ", c.slid_as_drawn) : "", c.failed);
 }
 
 std::string slide_words(const StudySettings& s)
@@ -110,12 +127,17 @@ std::vector<std::string> remarks_on_study(const Study& study, const Realisations
 {
   std::vector<std::string> remarks;
   for (const FaultCount& fault : e.faults)
-    remarks.push_back(fmt::format(
-        "{} realisation{} failed, first {}: {}", fault.n, fault.n == 1 ? "" : "s", fault.first, fault.what));
-  if (!e.faults.empty())
+    remarks.push_back(fmt::format("{} realisation{} {}, first {}: {}", fault.n, fault.n == 1 ? "" : "s",
+        fault.slides ? fault.n == 1 ? "slides" : "slide" : "failed", fault.first, fault.what));
+  if (e.counts.slid_as_drawn > 0)
+    remarks.push_back(
+        "Soil that cannot stand in the section as it is drawn slides before the run begins: it is a slide in P(I), "
+        "whatever its volume. What is left then is not known, so it counts as unknown in P(F) and P(F|I), and "
+        "histograms leave it out. A case with initial.stress = \"k0\" solves it, too.");
+  if (e.counts.failed > 0)
     remarks.push_back(
         "Failed realisations count in both bounds: as if nothing happened in the lower one, as if it did in "
-        "the upper one.");
+        "the upper one. They are no random sample: the estimates are of the others alone.");
   if (!e.rule_met)
     remarks.push_back(
         fmt::format("The stop rule is not met yet: {} of at most {} realisations. The same command goes on.", e.n_made,
@@ -139,8 +161,8 @@ std::string study_text(const Study& study, const Realisations& rows)
 {
   const StudySettings& s = study.settings;
   const StudyEstimates e = estimate(study, rows);
-  std::string out = fmt::format("{}: {} realisations, {} solved, {} failed, {:.2g} s each\n",
-      s.title.empty() ? s.name : s.title, e.n_made, e.slide.solved, e.slide.failed, e.mean_wall_s);
+  std::string out = fmt::format("{}: {} realisations, {}, {:.2g} s each\n", s.title.empty() ? s.name : s.title,
+      e.n_made, counts_text(e.counts), e.mean_wall_s);
   if (s.estimator == Estimator::sweep) {
     out += sweep_lines(study, rows, e.n_made);
   } else if (s.fragility) {
@@ -172,7 +194,8 @@ std::string study_csv(const Study& study, const Realisations& rows)
     const Realisation& r = rows.at(k);
     out += fmt::format("{},{:d}", k, r.solved());
     if (two_stage) out += fmt::format(",{}", words_of_screening[static_cast<std::size_t>(r.screening)]);
-    out += r.solved() ? fmt::format(",{:d},{}", r.slid, r.judges_flood ? (r.flooded ? "1" : "0") : "nan") : ",nan,nan";
+    out += fmt::format(",{},{}", r.failed() || r.skipped() ? "nan" : zero_or_one(r.slid),
+        r.solved() && r.judges_flood ? zero_or_one(r.flooded) : "nan");
     for (std::size_t i = 0; i < r.inputs.size(); ++i)
       out += i < study.settings.sweep.size() ? ',' + quoted(input_text(study, i, r.inputs[i]))
                                              : fmt::format(",{}", r.inputs[i]);

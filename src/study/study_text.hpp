@@ -10,6 +10,12 @@ namespace terp {
 /// "0.125, 0.082 to 0.18"; "-" of nothing.
 std::string estimate_text(const EventEstimate& event);
 
+/// What to think of an estimate of which some realisations are missing, as a sentence; empty where none is.
+std::string missing_words(const EventEstimate& event);
+
+/// "12 solved, 3 slide as drawn, 0 failed".
+std::string counts_text(const EventCounts& counts);
+
 /// What the events are, for people.
 std::string slide_words(const StudySettings& settings);
 inline constexpr const char* flood_words = "the land floods (docs/flood.md)";

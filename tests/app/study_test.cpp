@@ -1,5 +1,6 @@
 // terp study, as a user runs it.
 #include "../study/samples.hpp"
+#include "output/run_folder.hpp"
 #include "support/process.hpp"
 #include "support/test.hpp"
 
@@ -59,6 +60,31 @@ TEST(StudyCommand, IsKilledAgainAndAgainAndEndsInTheSameTable)
   EXPECT_GT(kills, 0);
   ASSERT_EQ(test::terp({"study", "run", study, "-q", "-j", "2", "-o", "killed"}, folder.path()).status, 0);
   EXPECT_EQ(text_of(folder.path() + "/killed/results.csv"), table);
+}
+
+TEST(StudyCommand, BeginsAnewOnlyWhereNobodyElseWrites)
+{
+  const ScratchFolder folder;
+  const std::string study = write_study(folder.path(), column_study);
+  ASSERT_EQ(test::terp({"study", "run", study, "-q"}, folder.path()).status, 0);
+  const std::string rows = folder.path() + "/runs/demo/part_1_of_1.rows", before = text_of(rows);
+  {
+    const FolderLock lock(folder.path() + "/runs/demo/locks/part_1_of_1");
+    const Finished forced = test::terp({"study", "run", study, "-q", "--force"}, folder.path());
+    EXPECT_EQ(forced.status, 1);
+    EXPECT_THAT(forced.err, HasSubstr("another terp is writing to the run folder runs/demo/locks/part_1_of_1"));
+  }
+  EXPECT_EQ(text_of(rows), before) << "the store of a study that runs stays";
+  EXPECT_EQ(test::terp({"study", "run", study, "--force", "--part", "2/3"}, folder.path()).err,
+      "error: --force with --part 2/3: a part does not begin anew, as it would remove what others solved\n"
+      "  Remove the folder once, before the parts begin: rm -r runs/demo\n");
+  EXPECT_EQ(test::terp({"study", "run", "runs/demo", "-q", "--force"}, folder.path()).status, 0);
+  EXPECT_THAT(names_in(folder.path() + "/runs/demo"),
+      ElementsAre("case.toml", "locks", "part_1_of_1.rows", "report.html", "results.csv", "study.toml"));
+  const Finished here = test::terp({"study", "run", study, "-q", "--force", "-o", "."}, folder.path());
+  EXPECT_EQ(here.status, 1);
+  EXPECT_THAT(here.err, HasSubstr("the folder holds the study file"));
+  EXPECT_EQ(text_of(study), column_study);
 }
 
 TEST(StudyCommand, RefusesWrongWords)

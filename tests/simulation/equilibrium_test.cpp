@@ -1,6 +1,7 @@
 // The search for equilibrium.
 #include "simulation/equilibrium.hpp"
 #include "base/errors.hpp"
+#include "simulation/no_equilibrium.hpp"
 #include "simulation/run.hpp"
 #include "simulation/setup.hpp"
 #include "simulation/state_image.hpp"
@@ -134,6 +135,22 @@ TEST(Equilibrium, AColumnThatCannotStandIsRefused)
         std::max(farthest, std::hypot(p.x[0] - s.state.x_initial[2 * p.id], p.x[1] - s.state.x_initial[2 * p.id + 1]));
   EXPECT_GT(farthest, 0.1) << "displacements are those of the soil as it is";
   for (const Point& p : points) EXPECT_LT(p.x[0], 8.01) << "and its places those of the section";
+}
+
+TEST(Equilibrium, SoilThatSlidesAsDrawnIsToldApartFromASearchThatEndsTooSoon)
+{
+  Case c = column("mpm_gp", 0.25);
+  c.initial.stress = InitialStress::equilibrium;
+  Simulation weak(c);
+  EXPECT_THAT([&] { weak.start(); }, ThrowsMessage<SlidesAsDrawn>(StartsWith("no equilibrium: the soil fails in ")));
+  c.initial.max_steps = 50;
+  Simulation brief(c);
+  try {
+    brief.start();
+    FAIL() << "50 steps are too few";
+  } catch (const RunError& error) {
+    EXPECT_EQ(dynamic_cast<const SlidesAsDrawn*>(&error), nullptr) << "nothing is known of it";
+  }
 }
 
 TEST(Equilibrium, TooFewStepsAreRefused)

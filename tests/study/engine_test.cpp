@@ -1,6 +1,7 @@
 // The same table on any number of threads, in parts, and after a part of it was lost.
 #include "study/engine.hpp"
 
+#include "base/checksum.hpp"
 #include <fmt/format.h>
 
 #include "output/run_folder.hpp"
@@ -64,6 +65,7 @@ TEST(Engine, WhatAKillHasCutIsMadeAgain)
     write_file_atomically(place.of("cut") + "/part_1_of_1.rows", text.substr(0, size));
     EXPECT_LE(read_store(place.study, place.of("cut")).rows.size(), size + 1 < text.size() ? 11u : 12u);
     EXPECT_EQ(study_csv(place.study, place.run("cut", {.threads = 2})), table) << size;
+    EXPECT_EQ(study_csv(place.study, read_store(place.study, place.of("cut")).rows), table) << "read again, " << size;
   }
 }
 
@@ -75,6 +77,10 @@ TEST(Engine, AStoreOfAnotherStudyIsRefused)
       HasSubstr("this is the store of another study: what is drawn, its seed or the events are others"));
   const Place stiffer(changed(column_study, "seed = 3", "seed = 3\nset = { \"material.clay.density\" = 2000.0 }"));
   EXPECT_THAT(refusal<FileError>([&] { read_store(stiffer.study, place.of("done")); }), HasSubstr("another study"));
+  const std::string row = digits_of("terp study\t1\t0.1.0\ta\tb") + "\tterp study\t1\t0.1.0\ta\tb\n";
+  write_file_atomically(place.of("old") + "/part_1_of_1.rows", row);
+  EXPECT_THAT(refusal<FileError>([&] { read_store(place.study, place.of("old")); }),
+      HasSubstr("this store has format 1, and this terp reads format 3\n  Solve it anew: terp study run"));
   write_file_atomically(place.of("bad") + "/part_1_of_1.rows", "0123456789abcdef\tother\n");
   EXPECT_EQ(read_store(place.study, place.of("bad")).n_broken, 1);
 }
@@ -111,15 +117,125 @@ TEST(Engine, TheDisplacementOfTheVolumeSaysHowFarAwayTheEventIs)
   EXPECT_GT(of_what_stands, 1e-4);
 }
 
+TEST(Engine, SoilTooWeakToStandAsDrawnIsCountedAsASlide)
+{
+  const Place place(changed(column_study, "number = 12", "number = 6"),
+      changed(column_case, "su_peak = 6.0e3\nsensitivity = 2.0", "su_peak = 6.0e3\nsensitivity = 1.0") +
+          "[initial]\nstress = \"equilibrium\"\n");
+  const Realisations rows = place.run("weak");
+  const StudyEstimates e = estimate(place.study, rows);
+  ASSERT_GT(e.counts.slid_as_drawn, 0);
+  EXPECT_EQ(e.counts.failed, 0);
+  Real weakest = 1e9, strongest = 0.0;
+  for (const auto& [number, r] : rows) {
+    if (r.slides_as_drawn()) strongest = std::max(strongest, r.inputs[0]);
+    if (r.solved() && !r.slid) weakest = std::min(weakest, r.inputs[0]);
+    if (!r.slides_as_drawn()) continue;
+    EXPECT_THAT(r.fault, MatchesRegex("slides as drawn: no equilibrium: the soil fails in the section as it is drawn; "
+                                      "after .* where soil moved furthest from [^\n]* by [0-9.]+ m"));
+  }
+  EXPECT_LT(strongest, weakest) << "they are the weakest: without them P is too low";
+  EXPECT_EQ(study_csv(place.study, read_store(place.study, place.of("weak")).rows), study_csv(place.study, rows));
+}
+
 TEST(Engine, ACopyOfTheStudyReadsItsStore)
 {
   const Place place(field_study);
   const std::string folder = place.of("copied");
-  prepare_study_folder(place.study, folder, {});
+  write_copies(place.study, StudyPlace(folder, "part_1_of_1"));
   const std::string table = study_csv(place.study, place.run("copied"));
   std::filesystem::remove(place.folder.path() + "/column.toml");
   const Study copy = open_study(folder);
   EXPECT_EQ(study_csv(copy, read_store(copy, folder).rows), table);
+}
+
+TEST(Engine, FilesThatTheStudyNamesArePartOfIt)
+{
+  const ScratchFolder folder;
+  const std::string table = folder.path() + "/su.csv";
+  write_file_atomically(table, "x,y,value\n0,0,6e3\n4,2,9e3\n");
+  const std::string text = changed(field_study, "cov = 0.3", "cov = 0.3\nmean = { csv = \"su.csv\" }");
+  const std::string path = write_study(folder.path(), text), results = folder.path() + "/results";
+  const Study study = open_study(path);
+  write_copies(study, StudyPlace(results, "part_1_of_1"));
+  EXPECT_THAT(read_file(results + "/study.toml"), HasSubstr("csv = \"study_file_1.csv\""));
+  EXPECT_EQ(read_file(results + "/study_file_1.csv"), read_file(table));
+  EXPECT_EQ(open_study(results).study_digits, study.study_digits) << "under another name";
+  EXPECT_EQ(draw_realisation(open_study(results), 1).inputs, draw_realisation(study, 1).inputs);
+  write_file_atomically(table, "x,y,value\n0,0,6e3\n4,2,9.5e3\n");
+  EXPECT_NE(open_study(path).study_digits, study.study_digits) << "another strength, another study";
+  const std::string sweep = R"(case = "column.toml"
+[estimator]
+kind = "sweep"
+[[sweep]]
+key = "material.clay.su_peak"
+values = [6e3, { csv = "su.csv" }]
+)";
+  write_file_atomically(path, sweep);
+  const std::string before = open_study(path).study_digits;
+  write_file_atomically(table, "x,y,value\n0,0,6e3\n4,2,9.7e3\n");
+  EXPECT_NE(open_study(path).study_digits, before);
+}
+
+TEST(Engine, ACopyFollowsTheStudyAsLongAsItIsTheSame)
+{
+  const Place place(column_study);
+  const std::string folder = place.of("results");
+  write_copies(place.study, StudyPlace(folder, "report"));
+  const std::string path =
+      write_study(place.folder.path(), changed(column_study, "seed = 3", "seed = 3\nconfidence = 0.8"));
+  write_copies(open_study(path), StudyPlace(folder, "report"));
+  EXPECT_EQ(open_study(folder).settings.confidence, 0.8);
+  const std::string copy = read_file(folder + "/study.toml");
+  write_copies(open_study(folder), StudyPlace(folder, "report"));
+  EXPECT_EQ(read_file(folder + "/study.toml"), copy) << "a copy is not copied onto itself";
+}
+
+TEST(Engine, FoldersOfTheUserAreLeftAlone)
+{
+  const Place place(column_study);
+  const auto refused = [&](const std::string& folder) {
+    return refusal<FileError>([&] { check_study_folder(place.study, folder); });
+  };
+  EXPECT_THAT(refused(place.folder.path()),
+      HasSubstr(
+          "the folder holds the study file, in whose place a copy would be written\n  Give the results a folder of "
+          "their own: -o DIR"));
+  EXPECT_EQ(refused(place.of("empty")), "");
+  write_file_atomically(place.of("other") + "/study.toml", "case = \"mine.toml\"\n");
+  EXPECT_THAT(refused(place.of("other")), HasSubstr("the folder holds a study.toml that Terp did not write"));
+  write_file_atomically(place.of("run") + "/case.toml", column_case);
+  EXPECT_THAT(refused(place.of("run")), HasSubstr("the folder holds a case.toml of something else"));
+  const std::string own = place.of("own");
+  write_file_atomically(own + "/study.toml", column_study);
+  write_file_atomically(own + "/column.toml", column_case);
+  EXPECT_THAT(refusal<FileError>([&] { check_study_folder(open_study(own), own); }), HasSubstr("holds the study file"));
+  write_copies(place.study, StudyPlace(place.of("copied"), "report"));
+  EXPECT_EQ(refused(place.of("copied")), "");
+  EXPECT_EQ(refusal<FileError>([&] { check_study_folder(open_study(place.of("copied")), place.of("copied")); }), "");
+}
+
+TEST(Engine, AStoreIsClearedByWhoHoldsAllOfItAlone)
+{
+  const Place place(column_study);
+  const std::string folder = place.of("results");
+  {
+    const StudyPlace writer(folder, "part_1_of_1");
+    write_copies(place.study, writer);
+    write_results(place.study, writer, place.run("results"), "now");
+  }
+  const StudyPlace again(folder, "part_1_of_1");
+  EXPECT_THROW(StudyPlace(folder, "part_1_of_1"), FileError);
+  {
+    const StudyPlace other(folder, "part_2_of_3");
+    EXPECT_THAT(refusal<FileError>([&] { again.clear(); }),
+        HasSubstr("another terp writes part_2_of_3 of this study; nothing was removed"));
+  }
+  EXPECT_EQ(read_store(place.study, folder).rows.size(), 12u);
+  again.clear();
+  EXPECT_TRUE(read_store(place.study, folder).rows.empty());
+  EXPECT_FALSE(std::filesystem::exists(folder + "/results.csv"));
+  EXPECT_TRUE(std::filesystem::exists(folder + "/study.toml")) << "it may be what was read";
 }
 
 }  // namespace

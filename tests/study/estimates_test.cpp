@@ -48,6 +48,35 @@ TEST(Estimates, ProbabilitiesOfEventsWithTheirBounds)
       AllOf(HasSubstr("  P(I)    0.333, 0.217 to 0.467"), HasSubstr("Of 100 slides 50 flood the land (27 to 73)")));
 }
 
+TEST(Estimates, SoilThatSlidesAsDrawnIsASlideOfWhichTheFloodIsNotKnown)
+{
+  const Study study = study_of("number = 60");
+  Realisations rows = rows_of(60);
+  for (const Index k : {0, 6, 12}) {  // slid and flooded
+    rows.at(k).fault = "slides as drawn: no equilibrium", rows.at(k).flooded = false;
+    rows.at(k).outcomes.clear();
+  }
+  rows.at(1).fault = "stopped itself: no number", rows.at(1).outcomes.clear();
+  const StudyEstimates e = estimate(study, rows);
+  EXPECT_EQ(e.slide.happened, 20) << "as before: these are slides";
+  EXPECT_EQ(e.slide.solved, 59);
+  EXPECT_EQ(e.flood.happened, 7);
+  EXPECT_EQ(e.flood.failed, 4);
+  EXPECT_EQ(e.flood.bounds.low, clopper_pearson(7, 60, 0.95).low) << "none of them floods";
+  EXPECT_EQ(e.flood.bounds.high, clopper_pearson(11, 60, 0.95).high) << "all of them flood";
+  EXPECT_EQ(e.flood_after_slide.solved, 17);
+  EXPECT_EQ(e.flood_after_slide.bounds.high, clopper_pearson(11, 21, 0.95).high);
+  EXPECT_LT(*e.sensitivities[0].with_slide, -0.7) << "the weakest are among them";
+  EXPECT_THAT(study_text(study, rows),
+      AllOf(HasSubstr("60 realisations, 56 solved, 3 slide as drawn, 1 failed"), HasSubstr("20 of 59, 1 unknown"),
+          HasSubstr("3 realisations slide, first 0: slides as drawn"),
+          HasSubstr("it is a slide in P(I), whatever its volume"), HasSubstr("They are no random sample")));
+  EXPECT_THAT(page_of_study(study, rows, "now"),
+      AllOf(HasSubstr("Of 4 of 60 realisations it is not known. They are no random sample"),
+          HasSubstr("not known</td>"), HasSubstr("7 of 56, 4 unknown")));
+  EXPECT_THAT(study_csv(study, rows), AllOf(HasSubstr("\n0,0,1,nan,4000,nan"), HasSubstr("\n1,0,nan,nan,9001,nan")));
+}
+
 TEST(Estimates, OnlyWhatHasNoGapBeforeItCounts)
 {
   Realisations rows = rows_of(60);

@@ -156,7 +156,7 @@ TEST(Fragility, ARunSlidesMoreOftenUnderMoreWeight)
   EXPECT_EQ(curve.levels[0].slide.solved, 8);
   EXPECT_LT(curve.levels[0].slide.happened, curve.levels[2].slide.happened);
   EXPECT_EQ(curve.n_falling_slides, 0);
-  write_results(study, folder.path(), rows, "now");
+  write_results(study, StudyPlace(folder.path(), "report"), rows, "now");
   for (const char* file : {fragility_table, fragility_of_slides})
     EXPECT_TRUE(std::filesystem::exists(folder.path() + '/' + file)) << file;
   const Study other = prepare_study(read_study(
