@@ -15,6 +15,7 @@
 #include "simulation/simulation.hpp"
 #include "simulation/softening_scales.hpp"
 #include "simulation/strength_profile.hpp"
+#include "user_laws/law_cost.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -183,6 +184,29 @@ void print_profiles(const RunOptions& options, const Model& model, const State& 
     print_profile(model, state, x);
 }
 
+/// What laws from libraries cost, which Terp cannot know. Throws RunError where one fails.
+void print_laws(const Model& model, const State& state)
+{
+  for (Index m = 0; m < std::ssize(model.materials); ++m) {
+    const MaterialCase& material = model.description.materials[static_cast<std::size_t>(m)];
+    const PointBlock<2>* first = nullptr;
+    Index n = 0;
+    for_each_block(state.points, [&](const PointBlock<2>& block) {
+      if (block.material != m) return;
+      n += block.n;
+      if (first == nullptr || block.n > first->n) first = &block;
+    });
+    if (material.from_library == nullptr || first == nullptr) continue;
+    const LawCost cost = time_law(model.materials[m], *first, model.dt);
+    if (!cost.fault.empty()) throw RunError(cost.fault);
+    const int threads = material.library.thread_safe ? model.threads : 1;
+    const double all = cost.seconds * static_cast<double>(n) * static_cast<double>(model.n_steps) / threads;
+    fmt::print("  law of {:<8}{}: {:.2g} us per point and step, {} of all steps{}\n", printable(material.name),
+        printable(material.library.file), 1e6 * cost.seconds, readable_duration(all),
+        material.library.thread_safe ? "" : ", one thread at a time (thread_safe = false)");
+  }
+}
+
 void print_check(const CaseFile& file, Simulation& simulation, const RunOptions& options)
 {
   const Model& model = simulation.model;
@@ -209,6 +233,7 @@ void print_check(const CaseFile& file, Simulation& simulation, const RunOptions&
   fmt::print("  memory         {:.0f} MB\n", static_cast<double>(bytes_of(model, state)) / 1e6);
   const OutputCost cost = estimate_output(model, state);
   print_output(cost);
+  print_laws(model, state);
   const double step_s = time_a_step(simulation);
   print_stages(model, seconds_of_steps(model, step_s));
   fmt::print("  expected time  {} on {}, {} of it for output ({:.1f} M point-steps/s in a trial)\n",

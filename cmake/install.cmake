@@ -12,7 +12,7 @@ target_compile_options(terp_core INTERFACE $<INSTALL_INTERFACE:-Wno-psabi>)  # p
 install(TARGETS terp_core EXPORT terpTargets ARCHIVE INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/terp)
 install(TARGETS terp)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/terp
-        FILES_MATCHING PATTERN "*.hpp" PATTERN "*.def")
+        FILES_MATCHING PATTERN "*.hpp" PATTERN "*.def" PATTERN "*.h")
 install(EXPORT terpTargets NAMESPACE terp:: DESTINATION ${TERP_PACKAGE_FOLDER})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/terpConfigVersion.cmake COMPATIBILITY ExactVersion)
 install(FILES ${PROJECT_SOURCE_DIR}/cmake/terpConfig.cmake ${PROJECT_BINARY_DIR}/terpConfigVersion.cmake

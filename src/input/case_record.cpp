@@ -132,7 +132,8 @@ void Recorder::add_keys()
   }
   for (std::size_t k = 0; k < values_.materials.size(); ++k)
     for (const KeyInfo& key : keys_of_law(*find_material(values_.materials[k].model)))
-      add_key(key, join_path(material_path(values_.materials[k]), last_part(key.path)), k);
+      if (key.path != "material.NAME.library")  // add_files
+        add_key(key, join_path(material_path(values_.materials[k]), last_part(key.path)), k);
 }
 
 void Recorder::add_outlines()
@@ -182,6 +183,10 @@ void Recorder::add_files()
   for (std::size_t k = 0; k < values_.bodies.size(); ++k)
     if (const std::string& name = values_.bodies[k].points_file; !name.empty())
       add(fmt::format("body[{}].points (content)", k), points_key(path_of(values_.folder, name)));
+  for (const MaterialCase& material : values_.materials)
+    if (material.from_library != nullptr)
+      add(join_path(material_path(material), "library (content)"),
+          content_of_file(path_of(values_.folder, material.library.file)));
 }
 
 std::string cells_key(const Mesh<2>& mesh)

@@ -239,18 +239,34 @@ bool has_field(const MaterialCase& material, const MaterialType& law, const std:
   return std::ranges::find(material.fields, number, &ParameterField::parameter) != material.fields.end();
 }
 
-/// Fields of laws that no material of this case has.
-void check_output_fields(const Case& values, Problems& warnings)
+/// The law of a material, in the form that has its fields.
+const MaterialType* law_with_fields(const MaterialCase& material)
 {
+  return material.from_library != nullptr ? material.from_library.get() : find_material(material.model);
+}
+
+/// Fields that nothing has, and fields of laws that no material of this case has.
+void check_output_fields(const Case& values, Findings& findings)
+{
+  std::vector<std::string> names = output_field_names();
+  for (const MaterialCase& material : values.materials)
+    if (material.from_library != nullptr)
+      for (const FrameField& field : frame_fields_of(*material.from_library)) names.push_back(field.name);
   for (std::size_t k = 0; k < values.output.field_names.size(); ++k) {
-    const std::string& field = values.output.field_names[k];
+    const std::string &field = values.output.field_names[k], path = fmt::format("output.fields.names[{}]", k);
     bool of_a_law = false, given = false;
     for (const MaterialType* law : all_materials()) of_a_law = of_a_law || is_among(frame_fields_of(*law), field);
     for (const MaterialCase& material : values.materials)
-      if (const MaterialType* law = find_material(material.model)) given = given || has_field(material, *law, field);
-    if (of_a_law && !given)
-      warnings.push_back({fmt::format("output.fields.names[{}]", k),
-          fmt::format("no material of this case has `{}`", field), "", "output.fields.names"});
+      if (const MaterialType* law = law_with_fields(material)) given = given || has_field(material, *law, field);
+    if (std::ranges::find(names, field) == names.end()) {
+      const std::string nearest = closest(field, names);
+      findings.problems.push_back({path, fmt::format("`names` cannot be \"{}\"", field),
+          (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) + "Allowed: " + quoted_list(names),
+          "output.fields.names"});
+    } else if (of_a_law && !given) {
+      findings.warnings.push_back(
+          {path, fmt::format("no material of this case has `{}`", field), "", "output.fields.names"});
+    }
   }
 }
 
@@ -291,7 +307,7 @@ void check_case(const Node& root, const Case& values, Findings& findings)
   check_fields(values, findings.problems);
   check_at_strength(values, findings.problems);
   check_unused_materials(values, findings.warnings);
-  check_output_fields(values, findings.warnings);
+  check_output_fields(values, findings);
 }
 
 }  // namespace terp

@@ -370,6 +370,7 @@ std::vector<KeyInfo> output_keys()
       {.path = "output.fields.names",
           .field = [](Case& c, std::size_t) { return NameList{&c.output.field_names}; },
           .words = output_field_names,
+          .more_words = true,
           .meaning = "fields to write besides position and id; left out or empty: all"},
       {.path = "output.history.every",
           .field = [](Case& c, std::size_t) { return &c.output.history_every; },

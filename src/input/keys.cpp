@@ -5,6 +5,7 @@
 #include "input/document.hpp"
 #include "input/key_table.hpp"
 #include "input/key_text.hpp"
+#include "input/library_keys.hpp"
 #include "simulation/frame_fields.hpp"
 
 #include <fmt/format.h>
@@ -138,6 +139,11 @@ KeyInfo key_of(const RatioInfo& ratio, std::size_t k)
 std::vector<KeyInfo> keys_of_law(const MaterialType& law)
 {
   std::vector<KeyInfo> keys;
+  if (law.by_library) {
+    keys = library_keys();
+    for (KeyInfo& key : keys)
+      if (key.default_text.empty()) key.default_text = default_text(key);
+  }
   for (std::size_t k = 0; k < law.parameters.size(); ++k) keys.push_back(key_of(law.parameters[k], k));
   for (std::size_t k = 0; k < law.parameters.size(); ++k)
     if (const RatioInfo& ratio = law.parameters[k].ratio; !ratio.name.empty()) keys.push_back(key_of(ratio, k));

@@ -83,6 +83,7 @@ struct KeyInfo {
   Range range = any_number;                       ///< of the number or of each of its numbers
   Range usual = any_number;                       ///< of |number|; outside, but not 0: warn
   std::vector<std::string> (*words)() = nullptr;  ///< allowed texts; none: any
+  bool more_words = false;                        ///< of a case: texts that a check of the whole case allows, too
   bool required = false;
   std::string instead = "";       ///< key of the same section that may stand for it
   std::string required_for = "";  ///< where it is not always required: what needs it, in words

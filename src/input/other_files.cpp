@@ -17,16 +17,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Keys `csv` at any depth of a table.
-void add_tables_of_values(const std::string& path, Node& table, std::vector<std::pair<std::string, Node*>>& found)
+/// Keys `csv` and `library` at any depth of a table.
+void add_named_files(const std::string& path, Node& table, std::vector<std::pair<std::string, Node*>>& found)
 {
   for (Node& item : table.items) {
     const std::string at = join_path(path, item.name);
-    if (item.name == "csv" && item.kind == NodeKind::text) found.emplace_back(at, &item);
-    if (item.kind == NodeKind::table) add_tables_of_values(at, item, found);
+    if ((item.name == "csv" || item.name == "library") && item.kind == NodeKind::text) found.emplace_back(at, &item);
+    if (item.kind == NodeKind::table) add_named_files(at, item, found);
     for (std::size_t k = 0; item.kind == NodeKind::list && k < item.items.size(); ++k)
-      if (item.items[k].kind == NodeKind::table)
-        add_tables_of_values(fmt::format("{}[{}]", at, k), item.items[k], found);
+      if (item.items[k].kind == NodeKind::table) add_named_files(fmt::format("{}[{}]", at, k), item.items[k], found);
   }
 }
 
@@ -43,15 +42,15 @@ std::vector<std::pair<std::string, Node*>> find_file_keys(Node& root)
     for (std::size_t k = 0; bodies->kind == NodeKind::list && k < bodies->items.size(); ++k)
       add(fmt::format("body[{}]", k), bodies->items[k], "points");
   for (const char* section : {"material", "water"})
-    if (Node* table = find_item(root, section)) add_tables_of_values(section, *table, found);
+    if (Node* table = find_item(root, section)) add_named_files(section, *table, found);
   if (Node* stages = find_item(root, "stage"))
     for (std::size_t k = 0; stages->kind == NodeKind::list && k < stages->items.size(); ++k)
-      if (Node* set = find_item(stages->items[k], "set"))
-        add_tables_of_values(fmt::format("stage[{}].set", k), *set, found);
+      if (Node* set = find_item(stages->items[k], "set")) add_named_files(fmt::format("stage[{}].set", k), *set, found);
   return found;
 }
 
 bool is_table_of_values(const std::string& path) { return path.ends_with(".csv"); }
+bool is_library(const std::string& path) { return path.ends_with(".library"); }
 
 std::string fault_of_file(const fs::path& path)
 {
@@ -87,7 +86,8 @@ void check_files(const Node& root, const std::string& folder, std::vector<Proble
     const fs::path file = fs::path(folder) / node->text;
     const std::string fault = fault_of_file(file);
     if (fault.empty()) continue;
-    const std::string similar = similar_file(file.string(), path == "mesh.file" ? ".msh" : ".csv");
+    const std::string ending = path == "mesh.file" ? ".msh" : is_library(path) ? ".so" : ".csv";
+    const std::string similar = similar_file(file.string(), ending);
     std::string detail =
         similar.empty() ? "" : fmt::format("Did you mean `{}`?\n", fs::path(similar).filename().string());
     detail +=
@@ -95,6 +95,7 @@ void check_files(const Node& root, const std::string& folder, std::vector<Proble
     problems.push_back({path, fault, detail,
         path == "mesh.file"        ? path
         : is_table_of_values(path) ? "field"
+        : is_library(path)         ? "library"
                                    : "body.points"});
   }
 }
@@ -102,10 +103,11 @@ void check_files(const Node& root, const std::string& folder, std::vector<Proble
 bool name_copies(Node& root, const std::string& folder, std::vector<InputFile>& files)
 {
   bool changed = false;
-  int n_points = 0, n_values = 0;
+  int n_points = 0, n_values = 0, n_libraries = 0;
   for (const auto& [path, node] : find_file_keys(root)) {
     const std::string copy = path == "mesh.file"        ? copy_of_mesh(node->text)
                              : is_table_of_values(path) ? fmt::format("values_{}.csv", ++n_values)
+                             : is_library(path)         ? fmt::format("library_{}.so", ++n_libraries)
                                                         : fmt::format("points_{}.csv", ++n_points);
     files.push_back({path_of(folder, node->text), copy});
     changed |= node->text != copy;

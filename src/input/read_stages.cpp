@@ -6,6 +6,7 @@
 #include "input/case_file.hpp"
 #include "input/check_case.hpp"
 #include "input/key_text.hpp"
+#include "input/library_keys.hpp"
 #include "input/overrides.hpp"
 #include "input/reader.hpp"
 #include "input/render.hpp"
@@ -141,9 +142,11 @@ void read_stages(const Document& document, Case& values, std::vector<Problem>& w
     now.name = values.name, now.folder = values.folder, now.flood.given = values.flood.given;
     if (findings.problems.empty()) {
       read_values(changed.root, now, findings);
+      load_libraries(now, findings.problems);
       set_end_of_run(now);
       check_case(changed.root, now, findings);
       check_fields_of_laws(values, now, findings.problems);
+      check_libraries_of_stage(values, now, findings.problems);
       if (stage.until == Until::at_rest) check_what_goes_on(now, findings.warnings);
     }
     if (!findings.problems.empty()) throw CaseError(render_errors(findings.problems, changed));

@@ -239,7 +239,7 @@ bool ValueReader::read_places(const Node& list, const std::string& path, std::ve
 bool ValueReader::read_word(const Node& node, const std::string& path)
 {
   if (node.kind != NodeKind::text) return wrong_type(node, path);
-  if (key_.words == nullptr) return true;
+  if (key_.words == nullptr || key_.more_words) return true;
   const auto words = key_.words();
   if (std::ranges::find(words, node.text) != words.end()) return true;
   const std::string nearest = closest(node.text, words);

@@ -195,7 +195,7 @@ std::vector<ParameterProblem> check_law(std::span<const Real> values)
 }
 
 template <template <class> class Law>
-std::unique_ptr<Material> make_law(std::span<const Real> values, std::span<const int> varying)
+std::unique_ptr<Material> make_law(const MaterialType&, std::span<const Real> values, std::span<const int> varying)
 {
   return std::make_unique<MaterialOf<Law>>(values, varying);
 }
@@ -278,7 +278,7 @@ constexpr MaterialType define_law(std::string_view name, std::string_view summar
 {
   MaterialType type = describe_law<Law<Real>>(name, summary);
   type.check = &check_law<Law>;
-  type.make_varying = &make_law<Law>;
+  type.maker = &make_law<Law>;
   type.nonlocal = nonlocal;
   type.scaled = scaled;
   return type;

@@ -84,6 +84,7 @@ struct StateInfo {
   Role role = Role::none;
   Real initial = 0.0;    ///< at t = 0
   bool scratch = false;  ///< every step writes it before it is read: neither shown nor saved
+  bool shown = true;     ///< in frames, unless it is scratch
 };
 
 /// A field that results show and that follows from the state, e.g. the current strength.
@@ -113,6 +114,20 @@ struct LawRows {
 /// by_law: total stress where the law knows no other (MaterialType::total_stress), else effective.
 enum class Drainage { by_law, drained, undrained, undrained_effective };
 
+/// Where the entries of a call of Material::update are, and what moves them: of laws that are
+/// MaterialType::looks_around.
+template <int Dim>
+struct Surroundings {
+  Real time = 0.0;                        ///< at the start of the step [s]
+  std::int64_t step = 0;                  ///< number of the step, from 0
+  std::span<const Index> cells = {};      ///< entry i lies in cells[i % size]; -1: it stands for no soil
+  std::span<const Real> cell_sizes = {};  ///< sqrt(V_e), in the order of `cells` [m]
+  std::array<const Real*, Dim> x = {};    ///< places, of each entry [m]
+  const Real* d_spin = nullptr;           ///< spin of the step, of each entry, positive counter-clockwise [-]
+  bool turned = false;                    ///< whether sigma has been turned by d_spin
+  const Real* id = nullptr;               ///< numbers of the material points; nullptr: the entries are Gauss points
+};
+
 /// The arrays of one call of Material::update, each of n entries, n a multiple of pack_width.
 template <int Dim>
 struct StressArrays {
@@ -124,6 +139,7 @@ struct StressArrays {
   Index n;
   Index n_points;  ///< of the n entries; those beyond are padding, which has no parameters of its own
   Real dt;         ///< length of the step [s]
+  const Surroundings<Dim>* around = nullptr;  ///< of laws that look around
 };
 
 /// How softening in a material spreads over a distance: the keys of [material.NAME.softening].
@@ -185,6 +201,8 @@ class Material {
   virtual Real softened_strain() const = 0;
   /// Numbers of the parameters that vary from point to point; those of a point are in LawRows::parameters.
   virtual std::span<const int> varying() const = 0;
+  /// What went wrong in a law that can fail, in words for the user; empty: nothing.
+  virtual std::string fault() const { return {}; }
 
   // Of the parameters that are the same for all points, and of the reference values of those that vary.
   virtual Moduli moduli() const = 0;
@@ -206,16 +224,23 @@ struct MaterialType {
   bool depends_on_rate;         ///< the stress at the end of a step depends on its length
   bool stiffness_by_stress;     ///< its elastic moduli follow the stress; Material::moduli() are the largest
   std::string_view not_judged;  ///< why `terp stability` may not judge soil of this law; empty: it may
+  bool by_library;              ///< its update, its state and some of its parameters come from a library of the user
+  bool looks_around;            ///< its update needs StressArrays::around
   /// values: one per entry of `parameters`, in that order, each in its range.
   std::vector<ParameterProblem> (*check)(std::span<const Real> values);
-  /// varying: ascending numbers of the parameters that the points bring with them.
-  std::unique_ptr<Material> (*make_varying)(std::span<const Real> values, std::span<const int> varying);
+  std::unique_ptr<Material> (*maker)(
+      const MaterialType& type, std::span<const Real> values, std::span<const int> varying);
 
   /// The same law with a strength that follows a nonlocal strain (nonlocal.hpp); nullptr: the law does not soften.
   const MaterialType* nonlocal;
   /// The same law with a strength that follows a plastic strain scaled by the cell (scaled_softening.hpp), or nullptr.
   const MaterialType* scaled;
 
+  /// varying: ascending numbers of the parameters that the points bring with them.
+  std::unique_ptr<Material> make_varying(std::span<const Real> values, std::span<const int> varying) const
+  {
+    return maker(*this, values, varying);
+  }
   std::unique_ptr<Material> make(std::span<const Real> values) const { return make_varying(values, {}); }
   /// Values of all parameters: those left out, being no number or beyond the end, at their defaults if they have any.
   std::vector<Real> complete(std::span<const Real> given) const;

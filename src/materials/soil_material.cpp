@@ -36,7 +36,7 @@ void add_rows(Index number, SoilMaterial& material, RowTable& table)
         .owner = "law",
         .averaging = state.averaging,
         .initial = state.initial,
-        .shown = !state.scratch,
+        .shown = state.shown && !state.scratch,
         .saved = !state.scratch});
   if (const auto scratch = std::ranges::find(material.type->state, true, &StateInfo::scratch);
       scratch != material.type->state.end())

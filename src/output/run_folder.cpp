@@ -86,9 +86,12 @@ void remove_files(const std::string& folder, Meant&& is_meant)
 bool is_copy_of_input(std::string_view name)
 {
   if (std::ranges::find(mesh_copies, name) != std::end(mesh_copies)) return true;
-  constexpr std::string_view begin = "points_", end = ".csv";
-  return name.starts_with(begin) && name.ends_with(end) && name.size() > begin.size() + end.size() &&
-         std::all_of(name.begin() + begin.size(), name.end() - end.size(), [](char c) { return c >= '0' && c <= '9'; });
+  const auto is_numbered = [&](std::string_view begin, std::string_view end) {
+    return name.starts_with(begin) && name.ends_with(end) && name.size() > begin.size() + end.size() &&
+           std::all_of(
+               name.begin() + begin.size(), name.end() - end.size(), [](char c) { return c >= '0' && c <= '9'; });
+  };
+  return is_numbered("points_", ".csv") || is_numbered("library_", ".so");
 }
 
 using Contents = std::vector<std::pair<std::string, std::string>>;

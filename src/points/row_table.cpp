@@ -9,6 +9,12 @@ namespace terp {
 
 bool RowInfo::is_of(Index material) const { return of.empty() || std::ranges::find(of, material) != of.end(); }
 
+Real RowInfo::initial_in(Index material) const
+{
+  const auto own = std::ranges::find(initials, material, &std::pair<Index, Real>::first);
+  return own != initials.end() ? own->second : initial;
+}
+
 RowTable::RowTable()
 {
   using Rows = PointRows<2>;
@@ -33,8 +39,10 @@ int RowTable::add(RowInfo info)
 {
   for (RowInfo& known : entries_) {
     if (known.name != info.name) continue;
-    TERP_ASSERT(known.owner == info.owner && known.unit == info.unit && known.n == info.n &&
-                known.averaging == info.averaging && known.initial == info.initial);
+    TERP_ASSERT(
+        known.owner == info.owner && known.unit == info.unit && known.n == info.n && known.averaging == info.averaging);
+    if (info.initial != known.initial)
+      for (const Index material : info.of) known.initials.emplace_back(material, info.initial);
     known.of.insert(known.of.end(), info.of.begin(), info.of.end());
     return known.first;
   }

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace terp {
@@ -26,14 +27,16 @@ struct RowInfo {
   std::string meaning;
   std::string owner;  ///< what added it: "motion", "law"
   Averaging averaging = Averaging::keep;
-  Real initial = 0.0;          ///< value of each component at t = 0
-  bool shown = false;          ///< in frames
-  bool saved = true;           ///< in checkpoints
+  Real initial = 0.0;                                 ///< value of each component at t = 0
+  std::vector<std::pair<Index, Real>> initials = {};  ///< the same of materials that have another, by their numbers
+  bool shown = false;                                 ///< in frames
+  bool saved = true;                                  ///< in checkpoints
   std::vector<Index> of = {};  ///< numbers of the materials whose points have it; empty: all points do
   int n = 1;
   int first = 0;  ///< set by the table
 
   bool is_of(Index material) const;
+  Real initial_in(Index material) const;
   bool operator==(const RowInfo&) const = default;
 };
 
@@ -42,8 +45,8 @@ class RowTable {
   /// The fixed rows of PointRows<2>.
   RowTable();
 
-  /// Adds a row and returns its number. A row of the same name is shared: it must agree in unit, averaging and initial
-  /// value, and its materials are joined.
+  /// Adds a row and returns its number. A row of the same name is shared: it must agree in unit and averaging, and its
+  /// materials are joined.
   int add(RowInfo info);
 
   std::span<const RowInfo> entries() const { return entries_; }

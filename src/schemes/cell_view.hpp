@@ -21,6 +21,9 @@ struct SchemeContext {
   const PorePressure* pore = nullptr;  ///< on the nodes; nullptr: no water
   bool all_drains = false;             ///< no soil is undrained: in the search for equilibrium
   Real excess_kept = 1.0;              ///< part of its excess pressure that drained soil keeps in this step
+  const Mesh<2>* mesh = nullptr;       ///< of laws that look around
+  Real time = 0.0;                     ///< at the start of the step [s]
+  std::int64_t step = 0;
 };
 
 /// One occupied cell.
@@ -58,12 +61,35 @@ template <int Dim>
 struct alignas(64) StripArrays {
   Real d_eps[n_sym<Dim>][strip_length];
   Real plastic_work[strip_length];
+  Real d_spin[strip_length];  ///< set where a law looks around
 };
 
 template <int Dim>
 inline void store_strain(const SymTensor<Pack, Dim>& d_eps, StripArrays<Dim>& strip, Index at)
 {
   for (int k = 0; k < n_sym<Dim>; ++k) d_eps[k].store(strip.d_eps[k] + at);
+}
+
+inline bool looks_around(const SchemeContext& context, Index material)
+{
+  return context.materials[material].type->looks_around;
+}
+
+/// What a law sees around the points of a block from `first` on.
+template <int Dim>
+inline Surroundings<Dim> surroundings_of(
+    const SchemeContext& context, const PointBlock<Dim>& block, Index first, const Real* d_spin, const Real& cell_size)
+{
+  using Rows = PointRows<Dim>;
+  Surroundings<Dim> around{.time = context.time,
+      .step = context.step,
+      .cells = {&block.cell, 1},
+      .cell_sizes = {&cell_size, 1},
+      .d_spin = d_spin,
+      .turned = context.method.objective_rate == ObjectiveRate::jaumann,
+      .id = block.row(Rows::id) + first};
+  for (int d = 0; d < Dim; ++d) around.x[d] = block.row(Rows::x + d) + first;
+  return around;
 }
 
 /// Runs the law on n entries of a block from point `first` on, padding included.
@@ -84,6 +110,13 @@ inline void update_strip(
   if (!material.softening_scale.empty()) {
     std::fill_n(scale, n, material.softening_scale[block.cell]);
     arrays.softening_scale = scale;
+  }
+  Surroundings<Dim> around;
+  Real cell_size = 0.0;
+  if (material.type->looks_around) {
+    cell_size = std::sqrt(context.mesh->geometry(block.cell).volume);
+    around = surroundings_of(context, block, first, strip.d_spin, cell_size);
+    arrays.around = &around;
   }
   material.law->update(arrays);
 }

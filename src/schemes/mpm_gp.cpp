@@ -61,7 +61,7 @@ struct MpmGp {
     for_each_layer(group, [&](const BlockLayer& layer) {
       leave_four_rows(
           group, layer, patch_strain, [&](int k) -> const auto& { return strain.d_eps[k]; });
-      if (rotates) leave_row(group, layer, patch_spin, strain.d_spin);
+      if (rotates || looks_around(context, layer.material)) leave_row(group, layer, patch_spin, strain.d_spin);
     });
   }
 
@@ -126,8 +126,9 @@ struct MpmGp {
   {
     const Index n = std::min(strip_length, block.n_padded() - first);
     StripArrays<dim> strip;
-    alignas(64) Real pressure[strip_length], spin[strip_length];
+    alignas(64) Real pressure[strip_length];
     const bool rotates = context.method.objective_rate == ObjectiveRate::jaumann;
+    const bool needs_spin = rotates || looks_around(context, block.material);
     for (Index p = 0; p < n; p += pack_width) {
       PointShares shares;
       set_shares(block, first + p, context.inverse_extent, size, shares);
@@ -136,14 +137,14 @@ struct MpmGp {
       for (int k = 0; k < n_sym<dim>; ++k) d_eps[k] = values[k];
       store_strain(d_eps, strip, p);
       values[patch_pressure].store(pressure + p);
-      if (rotates) patch.at_points<1>(shares, patch_spin)[0].store(spin + p);
+      if (needs_spin) patch.at_points<1>(shares, patch_spin)[0].store(strip.d_spin + p);
       if (block.n_padded() <= strip_length) above.add(block, first + p, values[patch_pressure]);
     }
     const Pack shift = above.mean(), share(share_of_cell_pressure(context.method));
     for (Index p = 0; p < n; p += pack_width) {
       SymTensor<Pack, dim> sigma = stress_of(block, first + p);
       add_isotropic(sigma, share * (Pack::load(pressure + p) + shift - mean_stress(sigma)));
-      if (rotates) rotate_stress(sigma, Pack::load(spin + p));
+      if (rotates) rotate_stress(sigma, Pack::load(strip.d_spin + p));
       store_rows(sigma.c, block, PointRows<dim>::sigma, first + p);
     }
     update_strip(context, block, first, n, strip);
@@ -169,6 +170,9 @@ struct MpmGp {
       StripArrays<dim> strip;
       for (Index p = 0; p < n; p += pack_width)
         prepare_points(context.method, block, first + p, strain, cell_pressure, strip, p);
+      if (looks_around(context, block.material))
+        for (Index p = 0; p < n; p += pack_width)
+          Element::at_sub_cell(strain.d_spin, upper_halves<Element>(block, first + p)).store(strip.d_spin + p);
       update_strip(context, block, first, n, strip);
       sums.plastic_work += sum_plastic_work(block, first, n, strip);
       for (Index p = 0; p < n; p += pack_width) add_strain(block, first + p, strip, p);

@@ -35,7 +35,7 @@ struct MpmMixed {
       const SoilMaterial& material = context.materials[layer.material];
       GaussValues<Element, Pack>& gauss = group.gauss_of(layer);
       GaussRow<Element>* rows = group.rows_of(layer);
-      const Pack plastic_work = update_gauss_points(context, group, material, lanes, gauss, rows);  // Step 3
+      const Pack plastic_work = update_gauss_points(context, group, layer, lanes, gauss, rows);  // Step 3
       const auto sigma = by_cell(gauss);
       for (int k = 0; k < material.n_state(); ++k) turn_by_cell(rows[k]);
       for (int c = 0; c < group.n(); ++c) {
@@ -86,7 +86,7 @@ struct MpmMixed {
       const SoilMaterial& material = context.materials[layer.material];
       GaussValues<Element, Pack>& gauss = group.gauss_of(layer);
       GaussRow<Element>* rows = group.rows_of(layer);
-      const Pack plastic_work = update_gauss_points(context, group, material, strain, gauss, rows);  // Step 3
+      const Pack plastic_work = update_gauss_points(context, group, layer, strain, gauss, rows);  // Step 3
       for (int c = 0; c < group.n(); ++c)
         if (layer.block[c] >= 0) sums.plastic_work += plastic_work[c];
       leave_four_rows(
@@ -244,9 +244,10 @@ struct MpmMixed {
 
   /// Runs the law on the Gauss points of eight cells. Returns the plastic work of each cell [J per m].
   static Pack update_gauss_points(const SchemeContext& context, const CellGroup<Element>& group,
-      const SoilMaterial& material, const GaussStrain<Element, Pack>& strain, GaussValues<Element, Pack>& gauss,
+      const BlockLayer& layer, const GaussStrain<Element, Pack>& strain, GaussValues<Element, Pack>& gauss,
       GaussRow<Element>* rows)
   {
+    const SoilMaterial& material = context.materials[layer.material];
     if (rotates(context)) rotate_gauss_points(strain, gauss);
     constexpr Index n = Element::n_gauss * pack_width;  // numbers of a row
     PerGauss<Element, Pack> plastic_work;
@@ -266,11 +267,44 @@ struct MpmMixed {
       scale.fill(Pack::load(of_cells));
       arrays.softening_scale = numbers_of(scale);
     }
-    material.law->update(arrays);
+    if (material.type->looks_around)
+      update_with_surroundings(context, group, layer, strain, arrays);
+    else
+      material.law->update(arrays);
 
     Pack work(0.0);
     for (int g = 0; g < Element::n_gauss; ++g) work += plastic_work[g] * gauss.weight[g];
     return work;
+  }
+
+  /// Runs a law that looks around: lanes whose cell has no such soil are marked.
+  static void update_with_surroundings(const SchemeContext& context, const CellGroup<Element>& group,
+      const BlockLayer& layer, const GaussStrain<Element, Pack>& strain, StressArrays<dim> arrays)
+  {
+    std::array<Index, pack_width> cells;
+    std::array<Real, pack_width> sizes{};
+    alignas(64) Real x[dim][Element::n_gauss * pack_width] = {};
+    cells.fill(-1);
+    for (int c = 0; c < group.n(); ++c) {
+      if (layer.block[c] < 0) continue;
+      cells[c] = group.cells[c];
+      sizes[c] = std::sqrt(group.mesh.geometry(cells[c]).volume);
+      for (int g = 0; g < Element::n_gauss; ++g) {
+        const auto N = Element::shape_functions(Element::gauss_place(g));
+        for (int d = 0; d < dim; ++d)
+          for (int i = 0; i < Element::n_corners; ++i)
+            x[d][g * pack_width + c] += N[i] * group.mesh.nodes[group.mesh.cells[cells[c]][i]][d];
+      }
+    }
+    Surroundings<dim> around{.time = context.time,
+        .step = context.step,
+        .cells = cells,
+        .cell_sizes = sizes,
+        .d_spin = numbers_of(strain.d_spin),
+        .turned = rotates(context)};
+    for (int d = 0; d < dim; ++d) around.x[d] = x[d];
+    arrays.around = &around;
+    context.materials[layer.material].law->update(arrays);
   }
 
   static void rotate_gauss_points(const GaussStrain<Element, Pack>& strain, GaussValues<Element, Pack>& gauss)

@@ -44,6 +44,8 @@ struct StandardMpm {
       const Index n = std::min(strip_length, block.n_padded() - first);
       StripArrays<dim> strip;
       for (Index p = 0; p < n; p += pack_width) prepare_points(context.method, cell, du, block, first + p, strip, p);
+      if (looks_around(context, block.material))
+        for (Index p = 0; p < n; p += pack_width) spin_of_points(cell, du, block, first + p).store(strip.d_spin + p);
       update_excess(context, block, first, n, strip);
       update_strip(context, block, first, n, strip);
       sums.plastic_work += sum_plastic_work(block, first, n, strip);
@@ -77,6 +79,13 @@ struct StandardMpm {
     SymTensor<Pack, dim> sigma = stress_of(block, p);
     rotate_stress(sigma, (l[1][0] - l[0][1]) * Pack(0.5));
     store_rows(sigma.c, block, Rows::sigma, p);
+  }
+
+  static Pack spin_of_points(
+      const CellGeometry<Element>& cell, const CornerVectors<Element>& du, const PointBlock<dim>& block, Index p)
+  {
+    const auto l = displacement_gradient(gradients_at(cell, load_rows<dim>(block, PointRows<dim>::xi, p)), du);
+    return (l[1][0] - l[0][1]) * Pack(0.5);
   }
 };
 

@@ -28,6 +28,8 @@ void add_point(const Model& model, const NewPoint& p, std::size_t id, std::vecto
   }
   values[Rows::mass] = p.volume * model.materials[p.key.material].density;
   values[Rows::volume] = p.volume;
+  for (const RowInfo& row : model.rows.added())
+    if (!row.initials.empty()) values[row.first] = row.initial_in(p.key.material);
   if (model.inverse_extent >= 0) values[model.inverse_extent] = 1.0 / std::sqrt(p.volume);
   values[Rows::id] = static_cast<Real>(id);
   state.points.add(p.key, values);

@@ -10,6 +10,7 @@
 #include "simulation/time_case.hpp"
 #include "simulation/parameter_field.hpp"
 #include "transfer/method_options.hpp"
+#include "user_laws/library_case.hpp"
 #include "water/water_case.hpp"
 
 #include <functional>
@@ -103,6 +104,8 @@ struct MaterialCase {
   bool ground = true;                  ///< false: water, or a load on the soil; not what a slope or a dike is made of
   std::vector<RatioCase> ratios = {};  ///< by the number of the parameter that follows from one; for the record
   std::string color = {};              ///< of the soil in pictures, "#rrggbb"; empty: they choose one
+  LibraryCase library = {};            ///< of the model "library"
+  std::shared_ptr<const MaterialType> from_library = nullptr;  ///< its law, once it was loaded
 
   /// The name that bodies use.
   const std::string& called() const { return soil.empty() ? name : soil; }
@@ -115,7 +118,11 @@ struct MaterialCase {
   }
   bool has_excess_pressure() const { return drainage == Drainage::undrained_effective; }
   /// Its law in the form that the options of softening ask for; nullptr if there is none of that name.
-  const MaterialType* type() const { return find_material(model, softening); }
+  const MaterialType* type() const
+  {
+    const MaterialType* law = find_material(model, softening);
+    return law != nullptr && law->by_library ? from_library.get() : law;
+  }
 };
 
 /// Replaces every parameter of a material by change(its number, value), those that vary at each place.

@@ -18,7 +18,7 @@ void change_row_values(const Model& model, Index from, Index to, std::vector<Rea
 {
   values[Rows::mass] *= model.materials[to].density / model.materials[from].density;
   for (const RowInfo& row : model.rows.added())
-    if (row.is_of(to) && !row.is_of(from)) std::fill_n(values.begin() + row.first, row.n, row.initial);
+    if (row.is_of(to) && !row.is_of(from)) std::fill_n(values.begin() + row.first, row.n, row.initial_in(to));
 }
 
 /// A point on its way to a block of another material.

@@ -38,7 +38,7 @@ void reset_history(const RowTable& table, State& state)
     }
     for (int k = 0; k < n_sym<2>; ++k) block.row(Rows::strain + k)[lane] = 0.0;
     for (const RowInfo& row : table.added())
-      if (row.averaging != Averaging::keep) block.row(row.first)[lane] = row.initial;
+      if (row.averaging != Averaging::keep) block.row(row.first)[lane] = row.initial_in(block.material);
   });
   state.work = {};
   state.clamped = 0;

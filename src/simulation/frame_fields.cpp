@@ -148,7 +148,7 @@ std::vector<FrameField> frame_fields_of(const MaterialType& law)
 {
   std::vector<FrameField> fields;
   for (const StateInfo& state : law.nonlocal != nullptr ? law.nonlocal->state : law.state)
-    if (!state.scratch) fields.push_back(field_of(state));
+    if (state.shown && !state.scratch) fields.push_back(field_of(state));
   for (const DerivedInfo& derived : law.derived) fields.push_back(field_of(derived));
   for (const ParameterInfo& parameter : law.parameters)
     if (parameter.may_vary) fields.push_back(field_of(row_of_parameter(parameter)));

@@ -147,6 +147,9 @@ std::string describe_not_finite(const Model& model, const State& state, const Wo
 
 std::string find_fault(const Model& model, const State& state, const Workspace& work, Real speed)
 {
+  for (const SoilMaterial& material : model.materials)
+    if (const std::string fault = material.law->fault(); !fault.empty())
+      return fmt::format("step {}, t = {:.4f} s: {}", state.step, state.time, fault);
   if (!work.finite) return describe_not_finite(model, state, work, speed);
   if (static_cast<Real>(state.clamped) > most_clamped * static_cast<Real>(state.points.n_points()) + 1.0)
     return describe_clamped(state);

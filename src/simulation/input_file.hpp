@@ -11,7 +11,8 @@ struct InputFile {
   std::string path, copy;
 };
 
-/// What the copy of `mesh.file` is called, by its ending; those of `body.points` are points_1.csv, points_2.csv, ...
+/// What the copy of `mesh.file` is called, by its ending; those of `body.points` are points_1.csv, points_2.csv, ...,
+/// of libraries library_1.so, library_2.so, ...
 inline constexpr std::string_view mesh_copies[] = {"mesh.msh", "mesh.unv", "mesh.bdf", "mesh.nas", "mesh.vtk"};
 
 }  // namespace terp

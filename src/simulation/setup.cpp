@@ -20,6 +20,7 @@
 #include "simulation/stages.hpp"
 #include "simulation/reference_width.hpp"
 #include "simulation/kernels.hpp"
+#include "transfer/overlap.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,8 @@
 
 namespace terp {
 namespace {
+
+constexpr int most_rows_of_law = PatchView::most_rows - 3 * n_sym<2> - 1;  // with shares that overlap
 
 /// Steps to the end; the tolerance is round-off of an end that is a whole number of steps.
 Real steps_to(Real end, Real step) { return std::ceil(end / step * (1.0 - 1e-12)); }
@@ -44,6 +47,21 @@ std::vector<SoilMaterial> make_materials(const Case& c)
     material.is_ground = m.ground && material.law->shear_modulus() > 0.0;  // a fluid is none
   }
   return materials;
+}
+
+/// What cells take from their neighbours has room for so many numbers of a law.
+void check_room_for_state(const Model& model, const std::vector<Index>& used)
+{
+  if (!model.scheme->keeps_gauss_values || model.method.shares != Shares::overlap) return;
+  for (const Index m : used) {
+    const SoilMaterial& material = model.materials[m];
+    if (material.n_rows() <= most_rows_of_law) continue;
+    throw InputError(Problem{"material." + material.name, "the law has too many state variables for this scheme",
+        fmt::format("{} numbers of each point; {} has room for {} with method.shares = \"overlap\".\n"
+                    "Use scheme = \"mpm_gp\", or method.shares = \"point\".",
+            material.n_rows(), model.scheme->name, most_rows_of_law),
+        "method.shares", false, {"scheme", "method.shares"}});
+  }
 }
 
 /// Water that breaks up stops itself with shares that overlap (decision 0042).
@@ -283,6 +301,7 @@ Model build(const Case& whole, SharedMesh mesh, int threads, std::size_t number,
   const std::vector<Index> used = used_materials(whole);
   settle_laws(whole, used, model);
   if (model.method.shares == Shares::by_law) model.method.shares = shares_by_law(model, used);
+  check_room_for_state(model, used);
   if (model.scheme->functions(model.method.shares).integrate != nullptr)
     model.inverse_extent = model.rows.add({.name = "inverse_extent",
         .unit = "1/m",

@@ -268,7 +268,10 @@ void step_compiled(const Model& model, State& state, Workspace& work)
       .inverse_extent = model.inverse_extent,
       .pore = model.water ? &work.pore : nullptr,
       .all_drains = work.settling,
-      .excess_kept = excess_kept(model, state)};
+      .excess_kept = excess_kept(model, state),
+      .mesh = model.mesh.get(),
+      .time = state.time,
+      .step = state.step};
   start_sums(work);
   work.gravity = model.gravity_at(state.time + 0.5 * model.dt);  // of the middle of the step
   place_footings(model, state, work);

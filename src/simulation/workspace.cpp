@@ -50,7 +50,8 @@ Workspace::Workspace(const Model& model, const State& state)
     : threads(model.threads), softening(model.diffusion), gravity(model.gravity), damping_local(model.damping.local)
 {
   node.make_anew(model.mesh->nodes.size());
-  for (const SoilMaterial& material : model.materials) n_gauss_rows = std::max(n_gauss_rows, material.n_rows());
+  if (model.scheme->keeps_gauss_values)
+    for (const SoilMaterial& material : model.materials) n_gauss_rows = std::max(n_gauss_rows, material.n_rows());
   active_nodes.reserve(model.mesh->nodes.size());
   node_sums.reserve(Threads::n_chunks(model.mesh->n_nodes(), nodes_per_chunk));
   leaver.resize(state.points.n_rows());

@@ -3,6 +3,7 @@
 #include "input/samples.hpp"
 #include "simulation/setup.hpp"
 #include "support/catalogue.hpp"
+#include "support/laws.hpp"
 #include "support/paths.hpp"
 #include "support/process.hpp"
 #include "support/test.hpp"
@@ -29,6 +30,11 @@ std::string good_case(const std::string& name)
                      "[[stage]]\nname = \"a\"\nduration = 1.0\nramp = 0.0\n[[stage]]\nname = \"b\"\nduration = 1.0\n"
                      "ramp = 0.5\nplace = [\"berm\"]\n[[stage]]\nname = \"c\"\nduration = 1.0\nramp = 0.25\n"
                      "remove = [\"berm\"]\n"},
+      {"user_law",
+          replaced_law("model = \"library\"\nlibrary = \"" + law_folder() +
+                       "/elastic.so\"\ninterface = \"native\"\nparameters = { stiffness = 2e6, poisson = 0.3 }\n"
+                       "state = { shear_path = 0.5 }\ndensity = 1990.0\nshear_modulus = 2.0e6\n"
+                       "poisson_ratio = 0.3\n")},
       {"sand", replaced_law("model = \"mohr_coulomb\"\ndensity = 1990.0\nshear_modulus = 2.0e6\npoisson_ratio = 0.3\n"
                             "cohesion = 1.0e3\nfriction_angle = 30.0\n")}};
   const auto found = made.find(name);
@@ -82,7 +88,7 @@ TEST_F(WrongCases, ThatAreFilesHaveTheMessageOfTheCatalogue)
 TEST_F(WrongCases, ThatAreChangesOfASmallCaseHaveTheMessageOfTheCatalogue)
 {
   std::vector<WrongRow> rows;
-  for (const char* subject : {"small_case", "stages", "meshes", "water", "strength"})
+  for (const char* subject : {"small_case", "stages", "meshes", "water", "strength", "library"})
     std::ranges::copy(read_catalogue(folder + subject + ".wrong"), std::back_inserter(rows));
   EXPECT_GE(rows.size(), 400u);
   for (const WrongRow& row : rows) {

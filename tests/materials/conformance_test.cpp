@@ -344,7 +344,8 @@ std::vector<Setting> all_settings()
 {
   std::vector<Setting> settings;
   for (const MaterialType* type : all_materials())
-    for (const bool on : {true, false}) settings.push_back({type, on});
+    for (const bool on : {true, false})
+      if (!type->by_library) settings.push_back({type, on});
   return settings;
 }
 
@@ -356,6 +357,7 @@ TEST(AllMaterials, ShareRowsOnlyWhereTheyMeanTheSame)  // one table for all of t
 {
   RowTable table;
   for (const MaterialType* type : all_materials()) {
+    if (type->by_library) continue;
     SoilMaterial material{
         "soil", type, type->make_varying(typical_parameters(*type), all_that_may_vary(*type)), 1.0, {}};
     add_rows(0, material, table);

@@ -1,0 +1,265 @@
+#include "input/library_keys.hpp"
+
+#include "input/document.hpp"
+#include "input/key_text.hpp"
+#include "simulation/frame_fields.hpp"
+#include "user_laws/interface.hpp"
+#include "user_laws/user_law.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace terp {
+namespace {
+
+constexpr const char* kinematics_words[] = {"strain", "deformation_gradient"};
+
+std::vector<std::string> interface_words()
+{
+  std::vector<std::string> words;
+  for (const InterfaceInfo& info : law_interfaces()) words.emplace_back(info.name);
+  return words;
+}
+
+std::vector<std::string> words_of_kinematics() { return {std::begin(kinematics_words), std::end(kinematics_words)}; }
+
+std::string interface_meanings()
+{
+  std::string text = "how the functions of the library are called";
+  for (const InterfaceInfo& info : law_interfaces())
+    text += fmt::format("{} {}: {}", text.ends_with("called") ? "." : ";", info.name, info.meaning);
+  return text;
+}
+
+constexpr Index most_state = 100;
+
+/// Numbers in a list, or with names in a table.
+struct NumbersReader {
+  std::string_view form;
+  bool takes_names;  ///< a list of names, whose numbers are 0
+  bool takes_count;  ///< an integer: that many numbers 0
+
+  bool wrong(const Entry& entry, const Node& node, const std::string& path, Findings& findings) const
+  {
+    findings.problems.push_back({path, fmt::format("`{}` cannot be {}", last_part(entry.path), describe_value(node)),
+        fmt::format("Allowed: {}.", form), topic_of(entry.key.path)});
+    return false;
+  }
+
+  bool read(const Entry& entry, std::vector<NamedNumber>& numbers, Findings& findings) const
+  {
+    const Node& node = entry.node;
+    numbers.clear();
+    if (node.kind == NodeKind::integer && takes_count) {
+      if (node.integer < 0 || node.integer > most_state) return wrong(entry, node, entry.path, findings);
+      for (Index k = 1; k <= node.integer; ++k) numbers.push_back({fmt::format("state_{}", k), 0.0});
+      return true;
+    }
+    if (node.kind != NodeKind::list && node.kind != NodeKind::table) return wrong(entry, node, entry.path, findings);
+    for (std::size_t k = 0; k < node.items.size(); ++k) {
+      const Node& item = node.items[k];
+      const bool is_list = node.kind == NodeKind::list;
+      const std::string path = is_list ? fmt::format("{}[{}]", entry.path, k) : join_path(entry.path, item.name);
+      if (is_list && takes_names) {
+        if (item.kind != NodeKind::text) return wrong(entry, item, path, findings);
+        numbers.push_back({item.text, 0.0});
+        continue;
+      }
+      const bool is_integer = item.kind == NodeKind::integer;
+      const Real value = is_integer ? static_cast<Real>(item.integer) : item.number;
+      if ((!is_integer && item.kind != NodeKind::number) || !std::isfinite(value))
+        return wrong(entry, item, path, findings);
+      numbers.push_back({item.name, value});
+    }
+    return true;
+  }
+};
+
+std::string numbers_text(const std::vector<NamedNumber>& numbers)
+{
+  std::string text;
+  for (const NamedNumber& number : numbers)
+    text +=
+        fmt::format("{}{}{}", text.empty() ? "" : ", ", number.name.empty() ? "" : number.name + " = ", number.value);
+  return text.empty() ? text : '[' + text + ']';
+}
+
+OwnForm numbers_field(std::vector<NamedNumber>& numbers, NumbersReader reader)
+{
+  return {std::string(reader.form),
+      [&numbers, reader](const Entry& entry, Findings& findings) { return reader.read(entry, numbers, findings); },
+      [&numbers] { return numbers_text(numbers); }};
+}
+
+WordField interface_field(LawInterface& value)
+{
+  return {
+      [&value] { return static_cast<int>(value); }, [&value](int word) { value = static_cast<LawInterface>(word); }};
+}
+
+constexpr Real stress_units[] = {1.0, 1e3, 1e6};
+std::vector<std::string> stress_unit_words() { return {"Pa", "kPa", "MPa"}; }
+
+WordField stress_unit_field(Real& value)
+{
+  return {[&value] { return static_cast<int>(std::ranges::find(stress_units, value) - std::begin(stress_units)); },
+      [&value](int word) { value = stress_units[word]; }};
+}
+
+}  // namespace
+
+std::vector<KeyInfo> library_keys()
+{
+  return {
+      {.path = "material.NAME.library",
+          .field = [](Case& c, std::size_t i) { return &c.materials[i].library.file; },
+          .required = true,
+          .meaning =
+              "file of the shared library that has the law, relative to the case file. It is copied into the run "
+              "folder. Loading a library runs its code: take one from people you trust"},
+      {.path = "material.NAME.interface",
+          .field = [](Case& c, std::size_t i) { return interface_field(c.materials[i].library.interface); },
+          .words = interface_words,
+          .required = true,
+          .meaning = interface_meanings()},
+      {.path = "material.NAME.symbol",
+          .field = [](Case& c, std::size_t i) { return &c.materials[i].library.symbol; },
+          .meaning = "name of the function in the library",
+          .default_text = "the usual one of the interface: terp_law; umat_, umat or UMAT; esm_, esm or ESM"},
+      {.path = "material.NAME.parameters",
+          .field =
+              [](Case& c, std::size_t i) {
+                return numbers_field(c.materials[i].library.parameters,
+                    {"numbers [a, b, ...], or with names { NAME = a, NAME = b }, in the order of the library", false,
+                        false});
+              },
+          .meaning = "numbers that the law is given: PROPS of a UMAT. Names are for the reader; those of a native "
+                     "library are looked up, in any order",
+          .default_text = "none"},
+      {.path = "material.NAME.state",
+          .field =
+              [](Case& c, std::size_t i) {
+                return numbers_field(
+                    c.materials[i].library.state, {"the number of state variables, at most 100, a list of their names, "
+                                                   "or a table { NAME = value at t = 0 }",
+                                                      true, true});
+              },
+          .meaning =
+              "what each point remembers for the law: STATEV of a UMAT, zero at t = 0 unless a value is given. A "
+              "native library names its own. `eps_eq_p` counts as the equivalent plastic strain",
+          .default_text = "none"},
+      {.path = "material.NAME.kinematics",
+          .field = [](Case& c, std::size_t i) { return NameList{&c.materials[i].library.kinematics}; },
+          .words = words_of_kinematics,
+          .meaning =
+              "what Terp keeps for a law that looks at it: STRAN, DFGRD0 and DFGRD1 of a UMAT. Left out, these are "
+              "not a number. Each costs memory: 4 and 5 numbers per point",
+          .default_text = "none"},
+      {.path = "material.NAME.stress_unit",
+          .field = [](Case& c, std::size_t i) { return stress_unit_field(c.materials[i].library.stress_unit); },
+          .words = stress_unit_words,
+          .meaning =
+              "unit in which the library has its stresses; its `parameters` are given in the library's own units"},
+      {.path = "material.NAME.porosity",
+          .field = [](Case& c, std::size_t i) { return &c.materials[i].library.porosity; },
+          .range = between_open(0.0, 1.0),
+          .meaning = "porosity that an ESM is told; left out, it is told a number that is none",
+          .default_text = "not given"},
+      {.path = "material.NAME.thread_safe",
+          .field = [](Case& c, std::size_t i) { return &c.materials[i].library.thread_safe; },
+          .meaning =
+              "whether several threads may call the law at the same time: true only of a law without SAVE, COMMON "
+              "or static variables. A native library says it itself"},
+  };
+}
+
+namespace {
+
+std::filesystem::path file_of(const Case& values, const MaterialCase& material)
+{
+  return path_of(values.folder, material.library.file);
+}
+
+bool is_row(const std::string& name)
+{
+  const RowTable any_point;
+  return std::ranges::find(any_point.entries(), name, &RowInfo::name) != any_point.entries().end();
+}
+
+/// Names that results have already, of any point or of Terp's own laws: a state variable may not be another thing of
+/// the same name.
+void check_names_of_state(const MaterialCase& material, std::vector<Problem>& problems)
+{
+  for (const NamedNumber& number : material.library.state) {
+    const auto fields = all_frame_fields();
+    const auto taken = std::ranges::find(fields, number.name, &FrameField::name);
+    const bool is_shared = number.name == "eps_eq_p";
+    if ((taken == fields.end() || is_shared) && !number.name.starts_with("law_") && !is_row(number.name)) continue;
+    problems.push_back({join_path(material_path(material), "state"),
+        fmt::format("`{}` cannot be the name of a state variable", number.name),
+        "Results have another quantity of this name (`terp list`), or it begins with law_. Give it another.",
+        "library"});
+  }
+}
+
+void load_library(Case& values, MaterialCase& material, std::vector<Problem>& problems)
+{
+  const std::string path = material_path(material);
+  if (material.library.interface == LawInterface::native && !material.library.kinematics.empty())
+    problems.push_back({join_path(path, "kinematics"), "a native library keeps what it needs itself",
+        "Remove `kinematics`; a state variable can add up the strain increments.", "library", true});
+  if (material.library.interface == LawInterface::esm && !material.library.kinematics.empty())
+    problems.push_back({join_path(path, "kinematics"), "an ESM has no place for strain or deformation gradient",
+        "Remove `kinematics`.", "library", true});
+  if (material.library.interface != LawInterface::esm && !std::isnan(material.library.porosity))
+    problems.push_back({join_path(path, "porosity"), "only an ESM is told a porosity",
+        "Remove `porosity`, or give it as one of the `parameters`.", "library", true});
+  try {
+    material.from_library = load_user_law(material.name, values.folder, material.parameters, material.library);
+    check_names_of_state(material, problems);
+  } catch (const InputError& error) {
+    for (Problem problem : error.problems()) {
+      problem.key = join_path(path, problem.key);
+      problem.others = {path};
+      problems.push_back(std::move(problem));
+    }
+  }
+}
+
+}  // namespace
+
+void load_libraries(Case& values, std::vector<Problem>& problems)
+{
+  for (MaterialCase& material : values.materials) {
+    const MaterialType* law = find_material(material.model);
+    std::error_code ignored;
+    const auto is_of_material = [&](const Problem& problem) {
+      return problem.key.starts_with(join_path("material", material.called()));
+    };
+    if (law == nullptr || !law->by_library || material.library.file.empty() ||
+        std::ranges::any_of(problems, is_of_material) ||
+        !std::filesystem::is_regular_file(file_of(values, material), ignored) ||
+        std::ranges::any_of(material.parameters, [](Real value) { return std::isnan(value); }))
+      continue;
+    load_library(values, material, problems);
+  }
+}
+
+void check_libraries_of_stage(const Case& before, const Case& now, std::vector<Problem>& problems)
+{
+  for (std::size_t m = 0; m < std::min(before.materials.size(), now.materials.size()); ++m) {
+    const LibraryCase &a = before.materials[m].library, &b = now.materials[m].library;
+    const auto same = [](const NamedNumber& x, const NamedNumber& y) { return x.name == y.name && x.value == y.value; };
+    if (a.file == b.file && a.interface == b.interface && a.symbol == b.symbol && a.kinematics == b.kinematics &&
+        std::ranges::equal(a.state, b.state, same))
+      continue;
+    problems.push_back({join_path("material", now.materials[m].name), "a stage cannot change where a law comes from",
+        "Its `parameters` may change; library, interface, symbol, state and kinematics are those of the whole run.",
+        "stage.set", true});
+  }
+}
+
+}  // namespace terp

@@ -1,0 +1,29 @@
+// Calls of code that Terp did not compile and cannot trust: a fault in it comes back as words.
+// Not for: how that code is found (shared_library.hpp).
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace terp {
+
+/// Calls of several threads, one after the other.
+class OneAtATime {
+ public:
+  OneAtATime();
+  ~OneAtATime();
+  void operator()(const std::function<void()>& call) const;
+
+ private:
+  struct Lock;
+  std::unique_ptr<Lock> lock_;
+};
+
+/// Calls f(argument). Returns "" or why it did not return by itself: a signal as an access to memory that is not there
+/// (not on Windows), or an exception. Objects of f and of what it calls are then not destroyed: f should have none. The
+/// floating-point environment is put back afterwards. A call of exit() in f ends the program with status 3 and the text
+/// that describe_exit(argument) gives.
+std::string call_guarded(void (*f)(void*), std::string (*describe_exit)(void*), void* argument);
+
+}  // namespace terp

@@ -1,0 +1,153 @@
+#include "user_laws/describe_library.hpp"
+
+#include "base/closest.hpp"
+#include "base/errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <limits>
+
+namespace terp {
+namespace {
+
+using Variables = std::vector<LawVariables::Variable>;
+
+[[noreturn]] void refuse(const std::string& key, const std::string& what, const std::string& detail)
+{
+  throw InputError(Problem{key, what, detail, "library"});
+}
+
+std::string advice_on_opening(const std::string& why)
+{
+  if (why.find("undefined symbol") != std::string::npos)
+    return "The library calls a function that it does not contain: give the linker the file or library that has it "
+           "(docs/user_laws.md).";
+  if (why.find("cannot open shared object") != std::string::npos)
+    return "Another library that it needs is not installed; `ldd` lists what it needs.";
+  if (why.find("invalid ELF header") != std::string::npos || why.find("file too short") != std::string::npos)
+    return "This is no shared library. Build it with `-shared -fPIC`, as in docs/user_laws.md.";
+  return "Build it on this machine with `-shared -fPIC`, as in docs/user_laws.md.";
+}
+
+bool is_name(const std::string& text)
+{
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  return !text.empty() && is_letter(text[0]) &&
+         std::ranges::all_of(text, [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; });
+}
+
+void check_names(const std::string& key, const char* what, const std::vector<NamedNumber>& numbers)
+{
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const std::string& name = numbers[k].name;
+    if (!name.empty() && !is_name(name))
+      refuse(key, fmt::format("`{}` is no name of a {}", name, what), "Names have letters, digits and _ only.");
+    const auto same = [&](const NamedNumber& other) { return other.name == name; };
+    if (!name.empty() && std::count_if(numbers.begin(), numbers.end(), same) > 1)
+      refuse(key, fmt::format("two entries have the name `{}`", name), "Give each its own.");
+  }
+}
+
+std::string names_of(const Variables& variables)
+{
+  std::vector<std::string> names;
+  for (const auto& variable : variables) names.push_back(variable.name);
+  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::size_t number_of(const std::string& key, const char* what, const Variables& known, const std::string& name)
+{
+  const auto found = std::ranges::find(known, name, &LawVariables::Variable::name);
+  if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
+  std::vector<std::string> names;
+  for (const auto& variable : known) names.push_back(variable.name);
+  const std::string nearest = closest(name, names);
+  refuse(key, fmt::format("the library has no {} `{}`", what, name),
+      (nearest.empty() ? "" : fmt::format("Did you mean `{}`?\n", nearest)) +
+          fmt::format("Those of the library, in its order: {}.", names_of(known)));
+}
+
+/// Parameters in the order of the library, all of them.
+void order_parameters(const Variables& known, std::vector<NamedNumber>& given)
+{
+  const auto refuse_count = [&](std::size_t n) {
+    refuse("parameters", fmt::format("the library takes {} parameters, the case gives {}", known.size(), n),
+        fmt::format("Those of the library, in its order: {}.", names_of(known)));
+  };
+  std::vector<NamedNumber> ordered;
+  for (const auto& variable : known) ordered.push_back({variable.name, std::numeric_limits<Real>::quiet_NaN()});
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    if (given[k].name.empty() && given.size() != known.size()) refuse_count(given.size());
+    ordered[given[k].name.empty() ? k : number_of("parameters", "parameter", known, given[k].name)].value =
+        given[k].value;
+  }
+  for (const NamedNumber& number : ordered)
+    if (std::isnan(number.value))
+      refuse("parameters", fmt::format("the parameter `{}` of the library is missing", number.name),
+          fmt::format("Those of the library, in its order: {}.", names_of(known)));
+  given = std::move(ordered);
+}
+
+/// The state that the library names; the case may give other initial values, by name.
+void order_state(const Variables& known, std::vector<NamedNumber>& given)
+{
+  std::vector<NamedNumber> ordered;
+  for (const auto& variable : known) ordered.push_back({variable.name, variable.initial});
+  for (const NamedNumber& number : given)
+    ordered[number_of("state", "state variable", known, number.name)].value = number.value;
+  given = std::move(ordered);
+}
+
+}  // namespace
+
+FoundLibrary find_library(const std::string& folder, const LibraryCase& library)
+{
+  FoundLibrary found;
+  found.path = library.file.starts_with('/') || folder.empty() ? library.file : folder + '/' + library.file;
+  try {
+    found.library = std::make_shared<const SharedLibrary>(found.path);
+  } catch (const FileError& error) {
+    refuse("library", "the library cannot be opened",
+        fmt::format("The system says: {}\n{}", error.what(), advice_on_opening(error.what())));
+  }
+  const InterfaceInfo& interface = info_of(library.interface);
+  std::vector<std::string> symbols(interface.usual_symbols.begin(), interface.usual_symbols.end());
+  if (!library.symbol.empty()) symbols = {library.symbol};
+  for (const std::string& symbol : symbols)
+    if (found.function = found.library->find(symbol); found.function != nullptr) {
+      found.symbol = symbol;
+      return found;
+    }
+  refuse(library.symbol.empty() ? "library" : "symbol",
+      fmt::format("the library has no function {}", fmt::join(symbols, " or ")),
+      fmt::format("`nm -D {}` lists what it offers. Name the function with `symbol`; gfortran writes names in small "
+                  "letters with _ at the end.",
+          library.file));
+}
+
+std::optional<LawVariables> describe_library(const FoundLibrary& found, LibraryCase& library)
+{
+  check_names("parameters", "parameter", library.parameters);
+  check_names("state", "state variable", library.state);
+  std::optional<LawVariables> said;
+  try {
+    said = info_of(library.interface).describe(found.function);
+  } catch (const InputError& error) {
+    const Problem& problem = error.problems().front();
+    refuse("library", problem.what, problem.detail);
+  }
+  if (!said) return said;
+  for (const Variables* variables : {&said->parameters, &said->state})
+    for (const auto& variable : *variables)
+      if (!is_name(variable.name))
+        refuse("library", fmt::format("the library has a variable named `{}`", variable.name),
+            "Names have letters, digits and _ only.");
+  order_parameters(said->parameters, library.parameters);
+  order_state(said->state, library.state);
+  library.thread_safe = library.thread_safe || said->thread_safe;
+  return said;
+}
+
+}  // namespace terp

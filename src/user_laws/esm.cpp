@@ -1,0 +1,79 @@
+// ESM, the external soil model of Anura3D, in plane strain: NTENS 4, components 11 22 33 12, engineering shear, tension
+// positive. One call for each point. It has no way to ask for a smaller step, and is not told of rotations.
+//
+// Laws set their state variables when IStep and TimeStep are 1, which Anura3D has in its very first step. Here a point
+// has it in the first call for its soil, which a row of its own remembers.
+
+#include "user_laws/interface.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace terp {
+namespace {
+
+using Esm = void (*)(int* npt, int* noel, int* idset, double* stress, double* eunloading, double* plasticmultiplier,
+    double* dstran, int* nstatev, double* statev, int* naddvar, double* additionalvar, char* cmname, int* nprops,
+    double* props, int* numberofphases, int* ntens, std::size_t length_of_cmname);
+
+constexpr int n_tens = 4, n_additional = 12;
+constexpr std::size_t name_length = 80;
+constexpr Real not_known = std::numeric_limits<Real>::quiet_NaN();
+
+class EsmCalls final : public LawCalls {
+ public:
+  EsmCalls(void* symbol, const LibraryCase& library, const std::string& material)
+      : esm_(reinterpret_cast<Esm>(symbol)), n_state_(library.state.size()), porosity_(library.porosity)
+  {
+    for (const NamedNumber& number : library.parameters) parameters_.push_back(number.value);
+    name_.fill(' ');
+    std::copy_n(material.begin(), std::min(material.size(), name_length), name_.begin());
+  }
+
+  /// State of a point, and parameters that the law may overwrite.
+  std::size_t n_scratch() const override { return n_state_ + parameters_.size() + 2; }
+
+  void run(LawPoints& points) const override
+  {
+    for (points.at = 0; points.at < points.n; ++points.at) call(points, points.at);
+  }
+
+ private:
+  void call(LawPoints& points, int p) const
+  {
+    double stress[n_tens], dstran[n_tens], unloading = 0.0, multiplier = 0.0;
+    double *state = points.scratch.data(), *props = state + n_state_;
+    for (int k = 0; k < n_tens; ++k) stress[k] = points.sigma[k][p];
+    for (int k = 0; k < n_tens; ++k) dstran[k] = (k < 3 ? 1.0 : 2.0) * points.d_eps[k][p];
+    for (std::size_t k = 0; k < n_state_; ++k) state[k] = points.state[k][p];
+    std::ranges::copy(parameters_, props);
+    Real& was_called = points.state[n_state_][p];
+    const double step = was_called > 0.0 ? static_cast<double>(points.step) + 2.0 : 1.0;
+    double additional[n_additional] = {
+        porosity_, not_known, not_known, 0.0, 0.0, 1.0, points.time, points.time, points.dt, 1.0, step, not_known};
+    int npt = int(points.id[p]) + 1, noel = points.cell[p] + 1, idset = 1, nstatev = int(n_state_);
+    int naddvar = n_additional, nprops = int(parameters_.size()), phases = 1, ntens = n_tens;
+    char name[name_length];
+    std::copy_n(name_.data(), name_length, name);
+    esm_(&npt, &noel, &idset, stress, &unloading, &multiplier, dstran, &nstatev, state, &naddvar, additional, name,
+        &nprops, props, &phases, &ntens, name_length);
+    for (int k = 0; k < n_tens; ++k) points.sigma[k][p] = stress[k];
+    for (std::size_t k = 0; k < n_state_; ++k) points.state[k][p] = state[k];
+    was_called = 1.0;
+  }
+
+  Esm esm_;
+  std::size_t n_state_;
+  Real porosity_;
+  std::vector<Real> parameters_;
+  std::array<char, name_length> name_;
+};
+
+}  // namespace
+
+std::unique_ptr<LawCalls> make_esm(void* symbol, const LibraryCase& library, const std::string& material)
+{
+  return std::make_unique<EsmCalls>(symbol, library, material);
+}
+
+}  // namespace terp

@@ -1,0 +1,144 @@
+// Terp's own interface (terp_law.h): one call for a block of points. Where the law asks for a smaller step, all points
+// of the block are taken in halves of the step, then quarters.
+
+#include "user_laws/interface.hpp"
+#include "base/errors.hpp"
+#include "parallel/guarded_call.hpp"
+#include "user_laws/terp_law.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+constexpr int most_halvings = 12;
+static_assert(smallest_part == 1.0 / (1 << most_halvings));
+
+class NativeCalls final : public LawCalls {
+ public:
+  NativeCalls(const terp_law_description& law, const LibraryCase& library)
+      : update_(law.update), n_state_(library.state.size())
+  {
+    for (const NamedNumber& number : library.parameters) parameters_.push_back(number.value);
+  }
+
+  /// The start of the part, 4 rows of stress and those of the state, and the increment of the part.
+  std::size_t n_scratch() const override { return (8 + n_state_) * most_points_of_call; }
+
+  void run(LawPoints& points) const override
+  {
+    const int n = points.n;
+    Real *start = points.scratch.data(), *increment = start + (4 + n_state_) * most_points_of_call;
+    const auto for_each_row = [&](auto&& f) {
+      for (std::size_t k = 0; k < 4 + n_state_; ++k)
+        f(start + k * most_points_of_call, k < 4 ? points.sigma[k].data() : points.state[k - 4]);
+    };
+    int done = 0, halvings = 0;  // parts done, of 2^halvings
+    while (done < (1 << halvings)) {
+      const Real part = 1.0 / (1 << halvings);
+      for_each_row([n](Real* kept, const Real* row) { std::copy_n(row, n, kept); });
+      for (int k = 0; k < 4; ++k)
+        for (int p = 0; p < n; ++p) increment[k * most_points_of_call + p] = part * points.d_eps[k][p];
+      const int answer = call(points, increment, part, done);
+      if (answer == TERP_LAW_OK) {
+        ++done;
+        continue;
+      }
+      if (answer != TERP_LAW_SMALLER_STEP || halvings == most_halvings) {
+        points.failed = true;
+        points.wants_smaller = answer == TERP_LAW_SMALLER_STEP;
+        return;
+      }
+      for_each_row([n](const Real* kept, Real* row) { std::copy_n(kept, n, row); });
+      done *= 2, ++halvings;
+    }
+  }
+
+ private:
+  int call(LawPoints& points, const Real* increment, Real part, int done) const
+  {
+    terp_law_points given{};
+    given.n = points.n;
+    given.time = points.time + done * part * points.dt;
+    given.dt = part * points.dt;
+    given.parameters = parameters_.data();
+    for (int k = 0; k < 4; ++k) {
+      given.stress[k] = points.sigma[k].data();
+      given.strain_increment[k] = increment + k * most_points_of_call;
+    }
+    given.state = points.state.data();
+    static constexpr LawPoints::Row<Real> no_spin{};
+    given.spin = done == 0 ? points.d_spin.data() : no_spin.data();
+    given.turned = points.turned;
+    given.x = points.x[0].data(), given.y = points.x[1].data();
+    given.cell_size = points.cell_size.data();
+    const int answer = update_(&given);
+    if (answer == TERP_LAW_OK) return answer;
+    points.at = std::clamp(given.point, 0, points.n - 1);
+    if (answer == TERP_LAW_SMALLER_STEP)
+      std::snprintf(points.why.data(), points.why.size(), "the law asks for parts of the step smaller than 1/%d of it",
+          1 << most_halvings);
+    else
+      std::snprintf(points.why.data(), points.why.size(), "the law says: %.200s",
+          given.message == nullptr ? "nothing, but that it failed" : given.message);
+    return answer;
+  }
+
+  int (*update_)(terp_law_points*);
+  std::size_t n_state_;
+  std::vector<Real> parameters_;
+};
+
+const terp_law_description& description_of(void* symbol)
+{
+  struct Asked {
+    const terp_law_description* (*function)();
+    const terp_law_description* law;
+  } asked{reinterpret_cast<const terp_law_description* (*)()>(symbol), nullptr};
+  const std::string fault = call_guarded(
+      [](void* a) { static_cast<Asked*>(a)->law = static_cast<Asked*>(a)->function(); },
+      [](void*) { return std::string("the library ended the program when it was asked to describe its law"); }, &asked);
+  const terp_law_description* law = asked.law;
+  const auto refuse = [](const std::string& what, const std::string& detail) {
+    throw InputError(Problem{"", what, detail, "library"});
+  };
+  if (!fault.empty()) refuse("the library failed when it was asked to describe its law", "It " + fault + '.');
+  if (law == nullptr) refuse("the library returns no description of its law", "Its function returned NULL.");
+  if (law->version != TERP_LAW_VERSION)
+    refuse("the library was built for another version of the interface",
+        fmt::format(
+            "Its description has version {}, this Terp has {}. Build it again with the terp_law.h of this Terp.",
+            law->version, TERP_LAW_VERSION));
+  if (law->update == nullptr || law->n_parameters < 0 || law->n_state < 0 ||
+      (law->n_parameters > 0 && law->parameters == nullptr) || (law->n_state > 0 && law->state == nullptr))
+    refuse("the description of the law is not complete",
+        "It needs `update`, and tables of as many `parameters` and `state` as it says.");
+  return *law;
+}
+
+std::vector<LawVariables::Variable> variables_of(const terp_law_variable* table, int n)
+{
+  const auto text = [](const char* given) { return given == nullptr ? std::string() : std::string(given); };
+  std::vector<LawVariables::Variable> list;
+  for (int k = 0; k < n; ++k)
+    list.push_back({text(table[k].name), text(table[k].unit), text(table[k].meaning), table[k].initial});
+  return list;
+}
+
+}  // namespace
+
+std::optional<LawVariables> describe_native(void* symbol)
+{
+  const terp_law_description& law = description_of(symbol);
+  return LawVariables{
+      variables_of(law.parameters, law.n_parameters), variables_of(law.state, law.n_state), law.thread_safe != 0};
+}
+
+std::unique_ptr<LawCalls> make_native(void* symbol, const LibraryCase& library, const std::string&)
+{
+  return std::make_unique<NativeCalls>(description_of(symbol), library);
+}
+
+}  // namespace terp

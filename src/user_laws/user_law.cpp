@@ -1,0 +1,88 @@
+#include "user_laws/user_law.hpp"
+
+#include "user_laws/describe_library.hpp"
+#include "user_laws/library_material.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace terp {
+namespace {
+
+/// Keeps the texts that the tables of a MaterialType point at.
+struct UserLaw final : MaterialType, std::enable_shared_from_this<UserLaw> {
+  std::vector<StateInfo> own_state;
+  std::vector<std::unique_ptr<std::string>> texts;
+  LibraryInUse in_use;
+
+  std::string_view keep(std::string text)
+  {
+    texts.push_back(std::make_unique<std::string>(std::move(text)));
+    return *texts.back();
+  }
+};
+
+constexpr std::string_view plastic_strain_name = "eps_eq_p";  ///< as in Terp's own laws
+
+void add_state(const LibraryCase& library, const std::optional<LawVariables>& said, UserLaw& law)
+{
+  for (std::size_t k = 0; k < library.state.size(); ++k) {
+    const NamedNumber& number = library.state[k];
+    const LawVariables::Variable known = said ? said->state[k] : LawVariables::Variable{};
+    law.own_state.push_back({.name = law.keep(number.name),
+        .unit = law.keep(known.unit.empty() ? "-" : known.unit),
+        .averaging = Averaging::cell,
+        .meaning =
+            law.keep(known.meaning.empty() ? fmt::format("state variable {} of the library", k + 1) : known.meaning),
+        .role = number.name == plastic_strain_name ? Role::plastic_strain : Role::none,
+        .initial = number.value});
+  }
+  const auto add_kept = [&](const char* name, Real initial) {
+    law.own_state.push_back({.name = name,
+        .unit = "-",
+        .averaging = Averaging::sub_cell,
+        .meaning = "kept for the law",
+        .initial = initial,
+        .shown = false});
+  };
+  if (library.interface == LawInterface::esm) add_kept("law_was_called", 0.0);
+  if (keeps(library, "strain"))
+    for (const char* name : {"law_strain_xx", "law_strain_yy", "law_strain_zz", "law_strain_xy"}) add_kept(name, 0.0);
+  if (keeps(library, "deformation_gradient")) {
+    for (const char* name : {"law_gradient_xx", "law_gradient_xy", "law_gradient_yx", "law_gradient_yy"})
+      add_kept(name, name[13] == name[14] ? 1.0 : 0.0);
+    add_kept("law_gradient_zz", 1.0);
+  }
+}
+
+std::unique_ptr<Material> make_library_law(const MaterialType& type, std::span<const Real> values, std::span<const int>)
+{
+  const auto& law = static_cast<const UserLaw&>(type);
+  return std::make_unique<LibraryMaterial>(law.shared_from_this(), law.in_use, values);
+}
+
+}  // namespace
+
+std::shared_ptr<const MaterialType> load_user_law(
+    const std::string& material, const std::string& folder, std::span<const Real> moduli, LibraryCase& library)
+{
+  const FoundLibrary found = find_library(folder, library);
+  const std::optional<LawVariables> said = describe_library(found, library);
+  const auto law = std::make_shared<UserLaw>();
+  static_cast<MaterialType&>(*law) = *find_material("library");
+  law->maker = &make_library_law;
+  add_state(library, said, *law);
+  law->state = law->own_state;
+  law->in_use = {.material = material,
+      .title = fmt::format("{} ({}, {})", library.file, info_of(library.interface).name, found.symbol),
+      .library = found.library,
+      .calls = info_of(library.interface).make(found.function, library, material),
+      .turns = library.thread_safe ? nullptr : turns_of(found.path),
+      .n_state = law->own_state.size(),
+      .stress_unit = library.stress_unit,
+      .shear_modulus = moduli[0]};
+  return law;
+}
+
+}  // namespace terp

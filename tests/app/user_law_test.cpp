@@ -1,0 +1,91 @@
+// A law from a library in the program: checked, run, resumed in a folder that was moved, refused where it must be.
+#include "support/laws.hpp"
+#include "support/process.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+/// A case with wrong_umat.c beside it. kind, time: what its law does wrong, from when [s].
+class UserLawProgram : public testing::Test {
+ protected:
+  UserLawProgram() { std::filesystem::copy(law_folder() + "/wrong_umat.so", path("law.so")); }
+
+  std::string path(const std::string& name) const { return scratch_.path() + '/' + name; }
+
+  std::string case_with(int kind, double time) const
+  {
+    std::ofstream(path("case.toml"))
+        << "[time]\nend = 0.2\n[mesh]\nsize = [4.0, 2.0]\ncell = 0.5\n[[body]]\nmaterial = \"clay\"\n"
+           "box = [[0.0, 0.0], [2.0, 1.0]]\n[material.clay]\nmodel = \"library\"\nlibrary = \"law.so\"\n"
+           "interface = \"umat\"\nparameters = [2e6, 0.3, "
+        << kind << ", " << time
+        << ", -1.0, 0.0]\nstate = { calls = 3.0 }\ndensity = 1990.0\nshear_modulus = 2e6\npoisson_ratio = 0.3\n"
+           "[forces]\ngravity = [0.0, -9.81]\n[boundary]\nbottom = \"fixed\"\n[output]\ncheckpoint = { every = 0.05, "
+           "keep = 0 }\n";
+    return path("case.toml");
+  }
+
+  const ScratchFolder scratch_;
+};
+
+TEST_F(UserLawProgram, SaysWhatTheLawCosts)
+{
+  const Finished check = test::terp({"check", case_with(0, 0.0)});
+  EXPECT_EQ(check.status, 0) << check.err;
+  EXPECT_THAT(check.out, HasSubstr("  law of clay    law.so: "));
+  EXPECT_THAT(check.out, HasSubstr(" us per point and step, "));
+  EXPECT_THAT(check.out, HasSubstr("one thread at a time (thread_safe = false)"));
+}
+
+TEST_F(UserLawProgram, ResumesInAFolderThatWasMovedWithTheSameBits)
+{
+  const std::string file = case_with(0, 0.0);
+  EXPECT_EQ(test::terp({"run", file, "-q", "-o", path("whole")}).status, 0);
+  EXPECT_EQ(test::terp({"run", file, "-q", "-o", path("part"), "--set", "time.end=0.2"}).status, 0);
+  std::filesystem::rename(path("part"), path("moved"));
+  std::filesystem::remove(path("law.so"));
+  std::filesystem::path first;
+  for (const auto& entry : std::filesystem::directory_iterator(path("moved")))
+    if (entry.path().filename().string().starts_with("checkpoint_") && (first.empty() || entry.path() < first))
+      first = entry.path();
+  const Finished resumed = test::terp({"resume", first.string(), "-q"});
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_EQ(text_of(path("moved/ledger.csv")), text_of(path("whole/ledger.csv")));
+}
+
+TEST_F(UserLawProgram, DoesNotResumeWithAnotherLibrary)
+{
+  EXPECT_EQ(test::terp({"run", case_with(0, 0.0), "-q", "-o", path("run")}).status, 0);
+  std::filesystem::copy(
+      law_folder() + "/wrong_umat.so", path("run/library_1.so"), std::filesystem::copy_options::overwrite_existing);
+  std::ofstream(path("run/library_1.so"), std::ios::app) << "rebuilt";
+  const Finished resumed = test::terp({"resume", path("run"), "-q"});
+  EXPECT_EQ(resumed.status, 1);
+  EXPECT_THAT(resumed.err, HasSubstr("material.clay.library (content)"));
+}
+
+TEST_F(UserLawProgram, KeepsTheCheckpointsOfARunWhoseLawCrashes)
+{
+  const Finished run = test::terp({"run", case_with(3, 0.12), "-q", "-o", path("run")});
+  EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(run.err, HasSubstr("the law used memory that is not its own (SIGSEGV)"));
+  EXPECT_THAT(run.err, HasSubstr("material `clay`, material point "));
+  const Finished mended = test::terp({"run", case_with(0, 0.0), "-q", "--from", path("run"), "-o", path("mended")});
+  EXPECT_EQ(mended.status, 0) << mended.err;
+}
+
+TEST_F(UserLawProgram, StopsWithItsOwnStatusWhereTheLawEndsTheProgram)
+{
+  const Finished run = test::terp({"run", case_with(6, 0.12), "-q", "-o", path("run")});
+  EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(run.err, HasSubstr("error: the law of material `clay` ended the program"));
+}
+
+TEST_F(UserLawProgram, IsNotJudgedForItsFactorOfSafety)
+{
+  const Finished judged = test::terp({"stability", case_with(0, 0.0), "-o", path("stability")});
+  EXPECT_EQ(judged.status, 2);
+  EXPECT_THAT(judged.err, HasSubstr("Terp cannot know which of the library's parameters are strengths"));
+}
+
+}  // namespace

@@ -1,0 +1,51 @@
+#include "parallel/guarded_call.hpp"
+#include "support/test.hpp"
+
+#include <cfenv>
+#include <csignal>
+#include <stdexcept>
+
+namespace {
+
+std::string guarded(void (*f)(void*), void* argument = nullptr)
+{
+  return call_guarded(
+      f, [](void*) { return std::string("it left"); }, argument);
+}
+
+TEST(GuardedCall, ThatReturnsIsSilent)
+{
+  int called = 0;
+  EXPECT_EQ(guarded([](void* n) { ++*static_cast<int*>(n); }, &called), "");
+  EXPECT_EQ(called, 1);
+}
+
+TEST(GuardedCall, ThatFailsComesBackWithWords)
+{
+  EXPECT_EQ(guarded([](void*) { std::raise(SIGSEGV); }), "used memory that is not its own (SIGSEGV)");
+  EXPECT_EQ(
+      guarded([](void*) { std::raise(SIGILL); }), "has an instruction that this processor does not know (SIGILL)");
+  EXPECT_EQ(guarded([](void*) { std::abort(); }), "called abort()");
+  EXPECT_EQ(guarded([](void*) { throw std::runtime_error("no convergence"); }), "threw an exception: no convergence");
+  EXPECT_EQ(guarded([](void*) { throw 3; }), "threw an exception");
+}
+
+TEST(GuardedCall, ThatChangesTheRoundingChangesItForNobodyElse)
+{
+  EXPECT_EQ(guarded([](void*) { std::fesetround(FE_UPWARD); }), "");
+  EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+}
+
+TEST(GuardedCallDeathTest, ThatEndsTheProgramIsDescribed)
+{
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(guarded([](void*) { std::exit(0); }), testing::ExitedWithCode(3), "error: it left");
+}
+
+TEST(GuardedCallDeathTest, LeavesSignalsOfOtherCodeAsTheyAre)
+{
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT((guarded([](void*) {}), std::raise(SIGSEGV)), testing::KilledBySignal(SIGSEGV), "");
+}
+
+}  // namespace

@@ -1,0 +1,81 @@
+// What is said of a library that does not go with its case.
+#include "user_laws/describe_library.hpp"
+#include "base/errors.hpp"
+#include "materials/material.hpp"
+#include "support/laws.hpp"
+#include "support/problems.hpp"
+#include "support/test.hpp"
+#include "user_laws/user_law.hpp"
+
+namespace {
+
+std::vector<Problem> problems_with(LibraryCase library)
+{
+  const std::array<Real, 2> moduli{1e6, 0.3};
+  return problems_of([&] { load_user_law("clay", law_folder(), moduli, library); });
+}
+
+TEST(Library, ThatIsNoLibraryIsRefused)
+{
+  const ScratchFolder scratch;
+  std::ofstream(scratch.path() + "/text.so")
+      << "this is text, and long enough to be looked at as a library by its head";
+  EXPECT_THAT(problems_with({.file = scratch.path() + "/text.so"}),
+      ElementsAre(told("library", "the library cannot be opened", HasSubstr("This is no shared library"))));
+}
+
+TEST(Library, WithoutTheFunctionIsRefused)
+{
+  EXPECT_THAT(problems_with({.file = "wrong_umat.so", .symbol = "umat_clay"}),
+      ElementsAre(told("symbol", "the library has no function umat_clay", HasSubstr("`nm -D wrong_umat.so` lists"))));
+  EXPECT_THAT(problems_with({.file = "wrong_native.so", .interface = LawInterface::umat}),
+      ElementsAre(told("library", "the library has no function umat_ or umat or UMAT")));
+}
+
+TEST(Library, WhoseDescriptionIsWrongIsRefused)
+{
+  const auto said = [](const char* symbol, const char* what, const char* detail) {
+    EXPECT_THAT(problems_with({.file = "wrong_native.so", .symbol = symbol}),
+        ElementsAre(told("library", what, HasSubstr(detail))));
+  };
+  said("old_law", "the library was built for another version of the interface", "has version 2, this Terp has 1.");
+  said("empty_law", "the description of the law is not complete", "tables of as many");
+  said("no_law", "the library returns no description of its law", "returned NULL");
+  said("crashing_law", "the library failed when it was asked to describe its law", "(SIGSEGV)");
+  said("named_law", "the library has a variable named `two words`", "letters, digits and _");
+}
+
+TEST(Library, ThatTakesOtherParametersIsRefused)
+{
+  LibraryCase library{.file = "elastic.so", .parameters = {{"", 1e6}}};
+  EXPECT_THAT(problems_with(library), ElementsAre(told("parameters", "the library takes 2 parameters, the case gives 1",
+                                          HasSubstr("stiffness, poisson"))));
+  library.parameters = {{"stifness", 1e6}, {"poisson", 0.3}};
+  EXPECT_THAT(problems_with(library), ElementsAre(told("parameters", "the library has no parameter `stifness`",
+                                          StartsWith("Did you mean `stiffness`?"))));
+  library.parameters = {{"stiffness", 1e6}};
+  EXPECT_THAT(
+      problems_with(library), ElementsAre(told("parameters", "the parameter `poisson` of the library is missing")));
+  library.parameters = {{"poisson", 0.3}, {"poisson", 0.2}};
+  EXPECT_THAT(problems_with(library), ElementsAre(told("parameters", "two entries have the name `poisson`")));
+}
+
+TEST(Library, WhoseStateHasOtherNamesIsRefused)
+{
+  LibraryCase library{.file = "elastic.so", .parameters = {{"", 1e6}, {"", 0.3}}, .state = {{"void_ratio", 0.8}}};
+  EXPECT_THAT(problems_with(library), ElementsAre(told("state", "the library has no state variable `void_ratio`")));
+  library = {.file = "wrong_umat.so", .interface = LawInterface::umat, .state = {{"e 0", 0.8}}};
+  EXPECT_THAT(problems_with(library), ElementsAre(told("state", "`e 0` is no name of a state variable")));
+}
+
+TEST(Library, BeginsWithTheStateOfTheCase)
+{
+  LibraryCase library{.file = "elastic.so", .parameters = {{"", 1e6}, {"", 0.3}}, .state = {{"shear_path", 0.5}}};
+  const auto law = load_user_law("clay", law_folder(), std::array<Real, 2>{1e6, 0.3}, library);
+  ASSERT_EQ(law->state.size(), 1u);
+  EXPECT_EQ(law->state[0].name, "shear_path");
+  EXPECT_EQ(law->state[0].initial, 0.5);
+  EXPECT_EQ(law->state[0].meaning, "sum of the shear strain increments");
+}
+
+}  // namespace

@@ -1,0 +1,60 @@
+/* A user material that is elastic, and does what PROPS(3) says from the time PROPS(4) on, at points right of PROPS(5).
+ * PROPS: shear modulus [Pa], Poisson's ratio, kind, time [s], x [m]. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { elastic, nan_stress, nan_state, bad_memory, divides, aborts, leaves, never_small, small_parts, overflows,
+       counts, turns, changes_rounding };
+
+static volatile int zero = 0;
+static int calls = 0;
+
+static int deepen(volatile char* above)
+{
+  volatile char here[4096];
+  here[0] = above[0];
+  return deepen(here) + here[1];
+}
+
+void umat_(double* stress, double* statev, double* ddsdde, double* sse, double* spd, double* scd, double* rpl,
+    double* ddsddt, double* drplde, double* drpldt, double* stran, double* dstran, double* time, double* dtime,
+    double* temp, double* dtemp, double* predef, double* dpred, char* cmname, int* ndi, int* nshr, int* ntens,
+    int* nstatv, double* props, int* nprops, double* coords, double* drot, double* pnewdt, double* celent,
+    double* dfgrd0, double* dfgrd1, int* noel, int* npt, int* layer, int* kspt, int* jstep, int* kinc, size_t length)
+{
+  (void)ddsdde, (void)sse, (void)spd, (void)scd, (void)rpl, (void)ddsddt, (void)drplde, (void)drpldt, (void)stran;
+  (void)temp, (void)dtemp, (void)predef, (void)dpred, (void)cmname, (void)ndi, (void)nshr, (void)ntens, (void)nprops;
+  (void)dfgrd0, (void)layer, (void)kspt, (void)jstep, (void)kinc, (void)length, (void)noel, (void)npt, (void)celent;
+  const double shear = props[0], lame = 2 * props[0] * props[1] / (1 - 2 * props[1]);
+  const double volume = dstran[0] + dstran[1] + dstran[2];
+  const int kind = (int)props[2];
+  for (int k = 0; k < 3; ++k) stress[k] += lame * volume + 2 * shear * dstran[k];
+  stress[3] += shear * dstran[3];
+  props[0] = -1.0; /* a law may use PROPS as it likes */
+  if (*nstatv > 0) statev[0] += 1.0;
+  if (*nstatv == 5) { /* what it was given, for a test to look at */
+    statev[1] = *dtime, statev[2] = dfgrd1[0], statev[3] = dfgrd1[3], statev[4] = stran[0] + dstran[0];
+  }
+  if (time[1] < props[3] || coords[0] < props[4]) return;
+  switch (kind) {
+    case nan_stress: stress[1] = NAN; break;
+    case nan_state: statev[0] = NAN; break;
+    case bad_memory: *(volatile double*)(size_t)(8 * zero + 8) = 1.0; break;
+    case divides: stress[0] = (kind + 7) / zero; break;
+    case aborts: abort();
+    case leaves: exit(0);
+    case never_small: *pnewdt = 0.5; break;
+    case small_parts:
+      if (fabs(dstran[0]) + fabs(dstran[1]) > props[5]) *pnewdt = 0.5, stress[0] = NAN;
+      break;
+    case overflows: {
+      volatile char first = 0;
+      stress[0] = deepen(&first);
+      break;
+    }
+    case counts: statev[0] = ++calls; break;
+    case turns: statev[0] = drot[1]; break;
+    default: break;
+  }
+}

@@ -1,0 +1,269 @@
+// Laws that fail: what is said, and that the run stops with everything else whole.
+#include "user_laws/library_material.hpp"
+#include "base/errors.hpp"
+#include "simulation/simulation.hpp"
+#include "support/cases.hpp"
+#include "support/laws.hpp"
+#include "support/simulations.hpp"
+#include "support/test.hpp"
+#include "user_laws/user_law.hpp"
+
+namespace {
+
+/// PROPS(3) of wrong_umat.c, in its order.
+enum Kind {
+  elastic_law,
+  nan_stress,
+  nan_state,
+  bad_memory,
+  divides,
+  aborts,
+  leaves,
+  never_small,
+  small_parts,
+  overflows,
+  counts,
+  turns
+};
+
+constexpr Real shear = 3.0e6, poisson = 0.3;
+
+MaterialCase of_library(LibraryCase library)
+{
+  MaterialCase material = elastic(shear, poisson, 1900.0);
+  material.model = "library";
+  material.library = std::move(library);
+  material.from_library = load_user_law("soft clay", law_folder(), material.parameters, material.library);
+  return material;
+}
+
+/// A law of wrong_umat.c that goes wrong from a time [s] on, right of x [m].
+MaterialCase wrong_umat(Kind kind, Real time = 0.0, Real x = -100.0, std::size_t n_state = 1, Real limit = 0.0)
+{
+  LibraryCase library{.file = "wrong_umat.so", .interface = LawInterface::umat};
+  for (const Real value : {shear, poisson, Real(kind), time, x, limit}) library.parameters.push_back({"", value});
+  for (std::size_t k = 0; k < n_state; ++k) library.state.push_back({"state_" + std::to_string(k + 1), 0.0});
+  return of_library(library);
+}
+
+/// Soil that falls and hits the ground.
+Case moving_box(const std::string& scheme, const MaterialCase& material)
+{
+  Case c = free_box(scheme, {0.5, 0.0}, {3.5, 1.0}, material);
+  c.bodies[0].velocity = {0.0, -1.0};
+  c.sides = {side("bottom", SideKind::fixed)};
+  return c;
+}
+
+/// What stops the run.
+std::string fault_of(const std::string& scheme, const MaterialCase& material)
+{
+  Simulation s(moving_box(scheme, material), 2);
+  return refusal<RunError>([&] { s.step(20); });
+}
+
+TEST(LibraryMaterial, ThatReturnsNoNumberStopsTheRunAndSaysWhichPoint)
+{
+  const std::string said = fault_of("mpm_gp", wrong_umat(nan_stress, 0.0, 2.0));
+  EXPECT_THAT(said, HasSubstr("step 1, t = "));
+  EXPECT_THAT(said, HasSubstr("the law returned a stress that is not a number\n\n  where    material `soft clay`, "
+                              "material point "));
+  EXPECT_THAT(said, HasSubstr(" at x = 2."));
+  EXPECT_THAT(said, HasSubstr("library  wrong_umat.so (umat, umat_)"));
+  EXPECT_THAT(said, HasSubstr("before   stress xx yy zz xy = "));
+  EXPECT_THAT(said, HasSubstr("terp run CASE.toml --from RUN_FOLDER"));
+  EXPECT_THAT(fault_of("mpm_mixed", wrong_umat(nan_state, 0.0, 2.0)),
+      AllOf(HasSubstr("a state variable that is not a number"), HasSubstr("Gauss point ")));
+}
+
+TEST(LibraryMaterial, ThatCrashesStopsTheRunAlone)
+{
+  EXPECT_THAT(
+      fault_of("mpm_gp", wrong_umat(bad_memory)), HasSubstr("the law used memory that is not its own (SIGSEGV)"));
+  EXPECT_THAT(fault_of("mpm_mixed", wrong_umat(bad_memory)), HasSubstr("(SIGSEGV)"));
+  EXPECT_THAT(fault_of("mpm_gp", wrong_umat(divides)), HasSubstr("the law divided a whole number by zero"));
+  EXPECT_THAT(fault_of("mpm_gp", wrong_umat(aborts)), HasSubstr("the law called abort()"));
+  EXPECT_THAT(fault_of("mpm_gp", wrong_umat(overflows)), HasSubstr("(SIGSEGV)"));
+}
+
+TEST(LibraryMaterial, ThatCrashedLeavesTheStateOfTheStepBeforeInNumbers)
+{
+  Simulation s(moving_box("mpm_gp", wrong_umat(bad_memory, 5e-3)), 1);
+  EXPECT_THAT(refusal<RunError>([&] { s.step(100); }), HasSubstr("SIGSEGV"));
+  EXPECT_GT(s.state.step, 2);
+  for (const Point& p : points_by_id(s.state))
+    for (const Real value : p.sigma) EXPECT_TRUE(std::isfinite(value));
+}
+
+using LibraryMaterialDeathTest = testing::Test;
+
+TEST(LibraryMaterialDeathTest, ThatEndsTheProgramIsNamed)
+{
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(fault_of("mpm_gp", wrong_umat(leaves)), testing::ExitedWithCode(3),
+      "the law of material `soft clay` ended the program \\(STOP, XIT or exit\\) in the step after t = 0.0000 s");
+}
+
+TEST(LibraryMaterial, ThatWantsEverSmallerStepsStopsTheRun)
+{
+  EXPECT_THAT(fault_of("mpm_gp", wrong_umat(never_small)),
+      AllOf(HasSubstr("the law asks for parts of the step smaller than 1/4096 of it (PNEWDT = 0.5)"),
+          HasSubstr("try      a lower time.courant")));
+}
+
+TEST(LibraryMaterial, ThatWantsSmallerStepsIsGivenThem)
+{
+  Simulation parts(moving_box("mpm_gp", wrong_umat(small_parts, 0.0, -100.0, 1, 1e-4)), 1);
+  Simulation whole(moving_box("mpm_gp", wrong_umat(elastic_law)), 1);
+  parts.step(10), whole.step(10);
+  const std::vector<Point> a = points_by_id(parts.state), b = points_by_id(whole.state);
+  Real most_calls = 0.0, scale = 0.0;
+  for (const Point& p : b) scale = std::max(scale, std::abs(p.sigma[1]));
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    for (int c = 0; c < 4; ++c) EXPECT_NEAR(a[k].sigma[c], b[k].sigma[c], 1e-12 * scale);
+    most_calls = std::max(most_calls, a[k].values[0]);
+    EXPECT_EQ(b[k].values[0], 10.0);
+  }
+  EXPECT_GT(most_calls, 20.0);  // its state counts the calls that were taken
+}
+
+TEST(LibraryMaterial, IsElasticWhereItsLawIs)
+{
+  for (const char* scheme : {"mpm_gp", "mpm_mixed", "standard_mpm"}) {
+    Simulation mine(moving_box(scheme, wrong_umat(elastic_law)), 1);
+    Simulation own(moving_box(scheme, elastic(shear, poisson, 1900.0)), 1);
+    mine.step(30), own.step(30);
+    const std::vector<Point> a = points_by_id(mine.state), b = points_by_id(own.state);
+    Real scale = 0.0;
+    for (const Point& p : b) scale = std::max(scale, std::abs(p.sigma[1]));
+    EXPECT_GT(scale, 1e4);
+    for (std::size_t k = 0; k < a.size(); ++k)
+      for (int c = 0; c < 4; ++c) EXPECT_NEAR(a[k].sigma[c], b[k].sigma[c], 1e-12 * scale);
+    EXPECT_NEAR(mine.state.work.plastic, 0.0, 1e-12 * 2850.0);  // of the energy of its motion [J]
+  }
+}
+
+TEST(LibraryMaterial, ThatIsNotThreadSafeIsCalledByOneThreadAtATime)
+{
+  Simulation s(moving_box("mpm_gp", wrong_umat(counts)), 2);  // a static counter
+  s.step(3);
+  std::set<Real> counts_seen;
+  for (const Point& p : points_by_id(s.state)) counts_seen.insert(p.values[0]);
+  EXPECT_EQ(counts_seen.size(), points_by_id(s.state).size());  // no number twice, none lost
+  EXPECT_EQ(*counts_seen.rbegin() - *counts_seen.begin(), static_cast<Real>(counts_seen.size() - 1));
+}
+
+TEST(LibraryMaterial, KeepsStrainAndDeformationGradientForALawThatAsks)
+{
+  LibraryCase library{.file = "wrong_umat.so", .interface = LawInterface::umat};
+  for (const Real value : {shear, poisson, 0.0, 0.0, -100.0, 0.0}) library.parameters.push_back({"", value});
+  for (const char* name : {"calls", "seen_dt", "seen_f11", "seen_f12", "seen_strain"})
+    library.state.push_back({name, 0.0});
+  library.kinematics = {"strain", "deformation_gradient"};
+  Case c = free_box("mpm_gp", {0.5, 0.5}, {3.5, 1.5}, of_library(library));
+  c.bodies[0].velocity_at = [](Vec<2> x) -> Vec<2> { return {0.5 * (x[0] - 2.0), 0.0}; };  // extension along x
+  Simulation s(c);
+  s.step(10);
+  for (const Point& p : points_by_id(s.state)) {
+    if (std::abs(p.x[0] - 2.0) > 0.5 || std::abs(p.x[1] - 1.0) > 0.3) continue;
+    EXPECT_EQ(p.values[1], s.model.dt);
+    EXPECT_NEAR(p.values[4], p.strain[0], 1e-14);
+    EXPECT_NEAR(p.values[2], std::exp(p.strain[0]), 0.3 * p.strain[0] * p.strain[0] + 1e-4);
+  }
+  EXPECT_EQ(s.model.rows.added().size(), 5u + 9u + 1u);  // and the extent of overlapping shares
+}
+
+TEST(LibraryMaterial, WithMoreStateThanCellsTakeFromTheirNeighboursIsRefused)
+{
+  const MaterialCase material = wrong_umat(elastic_law, 0.0, -100.0, 20);
+  EXPECT_THAT(refusal<InputError>([&] { build_model(moving_box("mpm_mixed", material), 1); }),
+      AllOf(HasSubstr("the law has too many state variables for this scheme"),
+          HasSubstr("20 numbers of each point; mpm_mixed has room for 19")));
+  Simulation s(moving_box("mpm_gp", material), 1);
+  s.step(2);
+  EXPECT_EQ(points_by_id(s.state)[0].values[0], 2.0);
+}
+
+TEST(LibraryMaterial, IsToldOfTheRotationThatItsStressHasMade)
+{
+  for (const bool turned : {true, false}) {
+    Case c = free_box("mpm_gp", {1.0, 0.5}, {3.0, 1.5}, wrong_umat(turns));
+    c.method.objective_rate = turned ? ObjectiveRate::jaumann : ObjectiveRate::none;
+    c.bodies[0].velocity_at = [](Vec<2> x) -> Vec<2> { return {-0.4 * (x[1] - 1.0), 0.4 * (x[0] - 2.0)}; };
+    Simulation s(c);
+    s.step(1);
+    for (const Point& p : points_by_id(s.state))
+      if (std::abs(p.x[0] - 2.0) < 0.5 && std::abs(p.x[1] - 1.0) < 0.25) {
+        EXPECT_NEAR(p.values[0], turned ? std::sin(0.4 * s.model.dt) : 0.0, 1e-9);  // DROT(2, 1)
+      }
+  }
+}
+
+TEST(NativeLaw, GivesTheNumbersOfTerpsOwnElasticSoil)
+{
+  LibraryCase library{.file = "elastic.so", .parameters = {{"poisson", poisson}, {"stiffness", shear}}};
+  const MaterialCase material = of_library(library);
+  EXPECT_EQ(material.library.parameters[0].name, "stiffness");  // as the library orders them
+  EXPECT_TRUE(material.library.thread_safe);
+  for (const char* scheme : {"mpm_gp", "mpm_mixed"}) {
+    Simulation mine(moving_box(scheme, material), 2), own(moving_box(scheme, elastic(shear, poisson, 1900.0)), 1);
+    mine.step(30), own.step(30);
+    const std::vector<Point> a = points_by_id(mine.state), b = points_by_id(own.state);
+    Real scale = 0.0;
+    for (const Point& p : b) scale = std::max(scale, std::abs(p.sigma[1]));
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      for (int c = 0; c < 4; ++c) EXPECT_NEAR(a[k].sigma[c], b[k].sigma[c], 1e-12 * scale);
+      EXPECT_GT(a[k].values[0], 0.0);
+    }
+  }
+}
+
+TEST(NativeLaw, IsGivenHalvesOfAStepUntilItTakesThem)
+{
+  LibraryCase library{.file = "wrong_native.so", .parameters = {{"", 2.0 * shear}, {"", 1e-4}}};
+  Simulation s(moving_box("standard_mpm", of_library(library)), 1);  // whose points keep their own pressure
+  s.step(10);
+  Real most_calls = 0.0;
+  for (const Point& p : points_by_id(s.state)) {
+    most_calls = std::max(most_calls, p.values[1]);
+    EXPECT_NEAR(p.values[0], 0.25 + p.strain[0], 1e-14);  // its initial value, and what it added up
+    EXPECT_NEAR(p.sigma[0], 2.0 * shear * p.strain[0], 1e-8);
+  }
+  EXPECT_GT(most_calls, 20.0);
+}
+
+TEST(NativeLaw, SaysWhyItFails)
+{
+  LibraryCase library{.file = "wrong_native.so", .symbol = "failing_law", .parameters = {{"", shear}, {"", 1.0}}};
+  EXPECT_THAT(fault_of("mpm_gp", of_library(library)),
+      AllOf(HasSubstr("the law says: the void ratio is negative"), HasSubstr("(native, failing_law)")));
+}
+
+TEST(Esm, SetsItsStateInItsFirstCallAndKeepsItsStressInItsOwnUnit)
+{
+  if (!is_built("esm_hardening.so")) GTEST_SKIP() << "there is no gfortran";
+  constexpr Real strength = 2e3;
+  LibraryCase library{.file = "esm_hardening.so", .interface = LawInterface::esm};
+  library.parameters = {{"G", shear / 1e3}, {"nu", poisson}, {"k", strength / 1e3}};  // kPa
+  library.state = {{"k", 0.0}, {"calls", 0.0}};
+  library.stress_unit = 1e3;
+  for (const char* scheme : {"mpm_gp", "mpm_mixed"}) {
+    Case c = moving_box(scheme, of_library(library));
+    c.method.shares = Shares::point;
+    Simulation s(c, 1);
+    s.step(20);
+    Real largest = 0.0;
+    for (const Point& p : points_by_id(s.state)) {
+      const Real mean = (p.sigma[0] + p.sigma[1] + p.sigma[2]) / 3.0;
+      Real square = p.sigma[3] * p.sigma[3];
+      for (int k = 0; k < 3; ++k) square += 0.5 * (p.sigma[k] - mean) * (p.sigma[k] - mean);
+      largest = std::max(largest, std::sqrt(square));
+      EXPECT_NEAR(p.values[0], strength / 1e3, 1e-12);
+      EXPECT_NEAR(p.values[1], 20.0, 1e-9);
+    }
+    EXPECT_NEAR(largest, strength, 1e-6 * strength);
+    EXPECT_GT(s.state.work.plastic, 0.0);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,94 @@
+// Laws from libraries in runs: the Fortran example against Terp's own law, threads, schemes, resuming.
+#include "input/case_file.hpp"
+#include "simulation/setup.hpp"
+#include "simulation/state_image.hpp"
+#include "support/laws.hpp"
+#include "support/simulations.hpp"
+#include "support/test.hpp"
+
+namespace {
+
+const std::string example = source_path("cases/user_law/column.toml");
+
+std::string read_text(const std::string& path)
+{
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// The example as a case whose libraries lie in the folder of the tests.
+Case case_with(const std::vector<std::string>& changes)
+{
+  return read_case_text(read_text(example), law_folder() + "/column.toml", changes).values;
+}
+
+const std::vector<std::string> own_law{"material.clay.model=\"tresca_softening\"", "material.clay.su_peak=8e3",
+    "material.clay.su_residual=2e3", "material.clay.eta=50.0"};
+
+/// The example with Terp's own law instead.
+Case case_of_own_law(const std::vector<std::string>& changes)
+{
+  std::string text;
+  std::istringstream lines(read_text(example));
+  for (std::string line; std::getline(lines, line);) {
+    const auto begins = [&](const char* key) { return line.starts_with(key); };
+    if (!begins("library") && !begins("interface") && !begins("parameters") && !begins("state") &&
+        !begins("thread_safe"))
+      text += line + '\n';
+  }
+  std::vector<std::string> all = changes;
+  all.insert(all.end(), own_law.begin(), own_law.end());
+  return read_case_text(text, law_folder() + "/column.toml", all).values;
+}
+
+/// Largest difference of a number of the points, over its largest size.
+Real difference(const std::vector<Point>& a, const std::vector<Point>& b, const std::function<Real(const Point&)>& of)
+{
+  Real most = 0.0, scale = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    most = std::max(most, std::abs(of(a[k]) - of(b[k])));
+    scale = std::max(scale, std::abs(of(b[k])));
+  }
+  return most / scale;
+}
+
+class UserLaw : public testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override
+  {
+    if (!is_built("tresca.so")) GTEST_SKIP() << "there is no gfortran";
+  }
+};
+
+TEST_P(UserLaw, OfTrescaInFortranGivesTheNumbersOfTerpsOwn)
+{
+  // Local damping and contact follow the sign of velocities, be they round-off: not here.
+  const std::vector<std::string> changes{std::string("scheme=\"") + GetParam() + '"', "mesh.cell=0.5",
+      "forces.damping.local=0", "boundary.bottom=\"fixed\""};
+  Simulation mine(case_with(changes)), own(case_of_own_law(changes));
+  make_steps(mine, 100), make_steps(own, 100);
+  const std::vector<Point> a = points_by_id(mine.state), b = points_by_id(own.state);
+  EXPECT_GT(std::ranges::max(b, {}, &Point::eps_eq_p).eps_eq_p(), 0.01);  // it has failed and softened
+  for (int k = 0; k < 4; ++k) EXPECT_LT(difference(a, b, [k](const Point& p) { return p.sigma[k]; }), 1e-12);
+  EXPECT_LT(difference(a, b, [](const Point& p) { return p.eps_eq_p(); }), 1e-12);
+  EXPECT_LT(difference(a, b, [](const Point& p) { return p.x[0]; }), 1e-12);
+  EXPECT_NEAR(mine.state.work.plastic, own.state.work.plastic, 1e-12 * own.state.work.plastic);
+}
+
+TEST_P(UserLaw, GivesTheSameBitsOnOneAndTwoThreads)
+{
+  for (const char* safe : {"true", "false"}) {
+    const std::vector<std::string> changes{
+        std::string("scheme=\"") + GetParam() + '"', std::string("material.clay.thread_safe=") + safe};
+    Simulation one(case_with(changes), 1), two(case_with(changes), 2);
+    make_steps(one, 60), make_steps(two, 60);
+    EXPECT_EQ(first_difference(make_image(one.state), make_image(two.state)), "");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Schemes, UserLaw, testing::Values("mpm_gp", "mpm_mixed", "standard_mpm"),
+    [](const auto& info) { return info.param; });
+
+}  // namespace
