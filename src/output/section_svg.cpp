@@ -8,6 +8,7 @@
 #include "output/soil_colours.hpp"
 #include "output/svg.hpp"
 #include "simulation/overburden.hpp"
+#include "simulation/slip_planes.hpp"
 #include "simulation/setup_points.hpp"
 #include "simulation/side_shape.hpp"
 #include "water/water_pressure.hpp"
@@ -27,6 +28,7 @@ constexpr Real weight_of_a_mass = 9.81e-3;  // [kN/kg], as kN/m3 of a case file 
 constexpr const char *placed_colour = "#1b7f4b", *removed_colour = "#a11d2e";
 constexpr const char *load_colour = "#b4371e", *later_colour = "#2f7ed8", *level_colour = "#0b3d6e";
 constexpr const char *shade_colour = "#c2185b", *line_colour = "#7a0c3a";
+constexpr const char* plane_colours[] = {"#14532d", "#1d4ed8", "#9a3412", "#6d28d9"};  // of other methods, in turn
 
 class SectionDrawing : SectionCanvas {
  public:
@@ -52,6 +54,7 @@ class SectionDrawing : SectionCanvas {
     footings();
     loads();
     if (!is_result_) named_points();
+    slip_planes();
     slip_line();
     arrows();
     gravity();
@@ -366,15 +369,28 @@ class SectionDrawing : SectionCanvas {
             static_cast<Real>(level + 1) / n_levels);
   }
 
+  std::string open_path(const std::vector<Vec<2>>& places) const
+  {
+    std::string path;
+    for (const Vec<2>& x : places) path += fmt::format("{}{:.2f} {:.2f}", path.empty() ? "M" : "L", px(x[0]), py(x[1]));
+    return path;
+  }
+
   void slip_line()
   {
     if (overlay_.line.empty()) return;
-    std::string path;
-    for (const Vec<2>& x : overlay_.line)
-      path += fmt::format("{}{:.2f} {:.2f}", path.empty() ? "M" : "L", px(x[0]), py(x[1]));
     put("<path d=\"{0}\" fill=\"none\" stroke=\"#ffffff\" stroke-width=\"5\" stroke-linejoin=\"round\"/><path "
         "d=\"{0}\" fill=\"none\" stroke=\"{1}\" stroke-width=\"2.4\" stroke-linejoin=\"round\"/>",
-        path, line_colour);
+        open_path(overlay_.line), line_colour);
+  }
+
+  /// Those that other methods found.
+  void slip_planes()
+  {
+    std::size_t k = 0;
+    for (const SlipPlaneCase& plane : model_.description.slip_planes)
+      put("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2.2\" stroke-dasharray=\"9 5\"/>",
+          open_path(plane.line), plane_colours[k++ % std::size(plane_colours)]);
   }
 
   void arrows()
@@ -439,6 +455,11 @@ class SectionDrawing : SectionCanvas {
           "phreatic line of another situation");
     if (!overlay_.line.empty())
       entry(fmt::format("<path d=\"M0 0H24\" stroke=\"{}\" stroke-width=\"2.4\"/>", line_colour), overlay_.of_line);
+    std::size_t k = 0;
+    for (const SlipPlaneCase& plane : model_.description.slip_planes)
+      entry(fmt::format("<path d=\"M0 0H24\" stroke=\"{}\" stroke-width=\"2.2\" stroke-dasharray=\"9 5\"/>",
+                plane_colours[k++ % std::size(plane_colours)]),
+          words_of(plane));
     if (!overlay_.shades.empty())
       entry(fmt::format("<rect x=\"0\" y=\"-7\" width=\"24\" height=\"14\" fill=\"{}\"/>", shade_colour),
           overlay_.of_shades);

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "output/files.hpp"
 #include "schemes/scheme.hpp"
+#include "simulation/slip_planes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -102,6 +103,26 @@ std::string mesh_text(const StabilityResult& r)
       n, r.cell, r.relief, 100.0 * largest_mesh_error(n), r.cell, 0.5 * r.cell);
 }
 
+/// The factors of other methods that the case names.
+std::string others_text(const StabilityResult& r)
+{
+  std::string text;
+  for (const SlipPlaneCase& plane : r.slip_planes)
+    if (r.search.found() && !std::isnan(plane.factor_of_safety))
+      text += fmt::format(
+          "    {}: this is {:+.1f} % from it\n", words_of(plane), 100.0 * (r.factor() / plane.factor_of_safety - 1.0));
+  return text.empty() ? text : "  beside the factors of other methods:\n" + text;
+}
+
+Json others_json(const StabilityResult& r)
+{
+  Json json = Json::array();
+  for (const SlipPlaneCase& plane : r.slip_planes)
+    json.push_back({{"name", plane.name}, {"method", plane.method},
+        {"factor_of_safety", std::isnan(plane.factor_of_safety) ? Json() : Json(plane.factor_of_safety)}});
+  return json;
+}
+
 /// What the bracket does not say.
 std::string notes_text(const StabilityResult& r, const std::string& scheme)
 {
@@ -179,6 +200,7 @@ std::string stability_json(const StabilityResult& r, const std::string& scheme, 
                         {"displacement_scale", r.displacement}}},
       {"mesh", mesh_json(r)},
       {"mechanism", mechanism_json(r)},
+      {"other_methods", others_json(r)},
       {"strengths", strengths},
       {"rest_steps", r.rest_steps},
       {"trials", trials},
@@ -203,7 +225,7 @@ std::string stability_text(const StabilityResult& r, const std::string& scheme)
         r.later_water ? "; situations with a `time` are not looked at: give them as stages" : "");
   for (const Trial& trial : r.search.trials)
     text += fmt::format("  {:8.4f}  {:<9}  {}\n", trial.factor, word(trial.verdict), trial.reason);
-  return text + mechanism_text(r) + notes_text(r, scheme);
+  return text + mechanism_text(r) + others_text(r) + notes_text(r, scheme);
 }
 
 void write_stability(

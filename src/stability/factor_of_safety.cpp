@@ -68,6 +68,7 @@ StabilityResult find_factor_of_safety(
   StabilityResult result;
   result.options = options;
   result.strengths = strengths_of(quiet);
+  result.slip_planes = quiet.slip_planes;
   if (quiet.water.is_given()) {
     const std::string& name = first_water(quiet.water).name;
     result.water = name.empty() ? std::string(name_of_start) : name;

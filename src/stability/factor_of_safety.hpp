@@ -30,7 +30,8 @@ struct StabilityResult {
   Bisection search;
   SharedMesh mesh;
   std::vector<SizedFactor> sizes;  ///< of searches on several sizes of cells, of which this is the finest; else empty
-  bool stopped = false;            ///< from outside, before the bracket was as narrow as asked for
+  std::vector<SlipPlaneCase> slip_planes;  ///< that the case has from other methods
+  bool stopped = false;                    ///< from outside, before the bracket was as narrow as asked for
 
   std::shared_ptr<const Mechanism> mechanism = {};  ///< at search.not_stable; null: none, or not known
 

@@ -40,6 +40,21 @@ TEST(SectionSvg, DrawsLoadsAndTheWaterToCome)
     EXPECT_THAT(svg, HasSubstr(part));
 }
 
+TEST(SectionSvg, DrawsTheSlipPlanesOfOtherMethods)
+{
+  Case c = column("mpm_gp");
+  c.slip_planes = {{.name = "flood", .method = "Spencer", .factor_of_safety = 1.2345, .line = {{2.0, 1.0}, {3.0, 0.5}}},
+      {.name = "by hand", .method = "", .line = {{1.0, 1.0}, {3.0, 1.5}}}};
+  const std::string svg = drawing_of(c);
+  EXPECT_THAT(svg, AllOf(HasSubstr(">flood, Spencer, 1.234</text>"), HasSubstr(">by hand</text>")));
+  const auto dashes = [&] {
+    std::size_t n = 0;
+    for (std::size_t at = 0; (at = svg.find("stroke-dasharray=\"9 5\"", at)) != std::string::npos; ++at) ++n;
+    return n;
+  };
+  EXPECT_EQ(dashes(), 4u) << "two lines, and their samples in the legend";
+}
+
 TEST(SectionSvg, DrawsNoSideInRedThatIsFree)
 {
   Case c = column("mpm_gp");

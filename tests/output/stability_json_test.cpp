@@ -111,6 +111,22 @@ TEST(StabilityText, SaysWhichSlopeFailsAndWhere)
   EXPECT_EQ(json["area"], 7.25);
 }
 
+TEST(StabilityText, PutsTheFactorsOfOtherMethodsBesideItsOwn)
+{
+  StabilityResult r = result();
+  SlipPlaneCase bishop, by_hand;
+  bishop.name = "flood", bishop.method = "Bishop", bishop.factor_of_safety = 1.0, by_hand.name = "by hand";
+  r.slip_planes = {bishop, by_hand};
+  EXPECT_THAT(stability_text(r, "mpm_gp"),
+      HasSubstr("  beside the factors of other methods:\n    flood, Bishop, 1.000: this is +5.0 % from it\n  At 1.1"));
+  const auto json = nlohmann::json::parse(stability_json(r, "mpm_gp", {"cut", ""}))["other_methods"];
+  EXPECT_EQ(json[0]["factor_of_safety"], 1.0);
+  EXPECT_EQ(json[0]["method"], "Bishop");
+  EXPECT_TRUE(json[1]["factor_of_safety"].is_null());
+  r.slip_planes.clear();
+  EXPECT_THAT(stability_text(r, "mpm_gp"), Not(HasSubstr("other methods")));
+}
+
 TEST(StabilityText, SaysWhatTheBracketDoesNot)
 {
   StabilityResult r = result();
