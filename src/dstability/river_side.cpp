@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace terp {
@@ -11,6 +12,7 @@ namespace {
 
 constexpr Real least_river = 0.05;  // [m] of water on the ground at an end of the section
 constexpr Real least_apart = 0.01;  // [m] between the phreatic lines at both ends; nearer ones are level
+constexpr Real least_dike = 0.1;    // of the relief, over the ground at an end that is no high land
 constexpr Real inside = 1e-6;       // [m] from an end
 
 /// The end that the file names by its points of the embankment; empty: it names none.
@@ -21,6 +23,18 @@ std::string named_side(const StixEmbankment& at)
   if (std::isfinite(at.toe_water - at.toe_land) && at.toe_water != at.toe_land)
     return at.toe_water < at.toe_land ? "left" : "right";
   return "";
+}
+
+/// No dike lies between an end and the highest ground: the water in it is that of the land.
+bool is_high_land(const StixSection& section, Vec<2> ends, Real end)
+{
+  constexpr int n = 200;
+  Real high = -1e30, low = 1e30;
+  for (int k = 0; k <= n; ++k) {
+    const Real ground = section.column(std::lerp(ends[0] + inside, ends[1] - inside, Real(k) / n)).ground();
+    if (std::isfinite(ground)) high = std::max(high, ground), low = std::min(low, ground);
+  }
+  return high - section.column(end).ground() < least_dike * (high - low);
 }
 
 const char* other_end(const std::string& side) { return side == "left" ? "right" : "left"; }
@@ -58,7 +72,9 @@ StixRiver find_river(const StixSection& section, Vec<2> ends)
                 "Water stands equally high on the ground at both ends of the section ({:.2f} m), and the file names no "
                 "water side of the embankment: the end of the river is not known.",
                 level[0])};
-  if (higher.empty()) return {.side = is_wet[0] ? "left" : "right", .origin = "the end where water stands"};
+  const bool is_land = !higher.empty() && !is_wet[at_end(higher)] && is_high_land(section, ends, at[at_end(higher)]);
+  if (higher.empty() || is_land)
+    return {.side = is_wet[0] ? "left" : "right", .origin = "the end where water stands on the ground"};
   StixRiver river{.side = higher, .origin = "the end where the water stands higher"};
   if (!is_wet[at_end(higher)])
     river.doubt = fmt::format(

@@ -65,6 +65,19 @@ TEST(RiverSide, WithoutASideInTheFileIsThatOfTheHigherPhreaticLine)
   EXPECT_EQ(river_of(dike({{-20.0, -2.0}, {40.0, -3.0}})).side, "");     // no river
 }
 
+TEST(RiverSide, IsNotInHighLandThoughItsWaterIsHigher)
+{
+  StixProject slope = dike({{-20.0, 3.0}, {8.0, 3.0}, {16.0, 1.0}, {40.0, 1.0}});
+  StixLine& outline = slope.scenarios[0].stages[0].layers[0].outline;
+  outline[0][1] = outline[1][1] = 3.9;  // as high as the crest
+  const StixRiver river = river_of(slope);
+  EXPECT_EQ(river.side, "right");
+  EXPECT_EQ(river.doubt, "");
+  EXPECT_THAT(text_of(slope), HasSubstr("water_level = 1.0"));
+  outline[0][1] = outline[1][1] = 3.2;
+  EXPECT_NE(river_of(slope).doubt, "");
+}
+
 TEST(RiverSide, OfTwoEqualWatersIsNotKnown)
 {
   const StixRiver river = river_of(dike(level));
