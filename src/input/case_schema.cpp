@@ -45,7 +45,7 @@ Json table_of(Json value) { return {{"type", "object"}, {"additionalProperties",
 Json text_schema(const KeyInfo& key)
 {
   Json text = {{"type", "string"}};
-  if (key.words != nullptr && !key.more_words) text["enum"] = key.words();
+  if (key.words != nullptr) text["enum"] = key.words();
   return text;
 }
 
