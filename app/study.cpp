@@ -80,7 +80,7 @@ class StudyProgress {
     const Real confidence = study_.settings.confidence;
     std::string line = fmt::format("[{}/{}] {} failed", done, n_all, counts.failed);
     if (shows_p_) {
-      line += "  P(I) " + estimate_text(counts.slide(confidence));
+      line += "  so far P(I) " + estimate_text(counts.slide(confidence));
       if (newest.judges_flood) line += "  P(F) " + estimate_text(counts.flood(confidence));
     }
     const double each = spent_ / static_cast<double>(made_);
@@ -131,6 +131,20 @@ void print_input(const Study& study)
     fmt::print("  correlation    {:g} between {} and {}\n", c.value, c.a, c.b);
 }
 
+/// All that is drawn at once, which the checks of single keys do not see.
+void check_first_draw(const Study& study)
+{
+  try {
+    const CaseFile file = case_of(study, draw_realisation(study, 0));
+    const Simulation simulation(file.values, std::make_shared<const Mesh<2>>(build_mesh(file.values)), 1);
+    fmt::print("  realisation 0  can be solved: {} material points\n", simulation.state.points.n_points());
+  } catch (const InputError& error) {
+    fmt::print(stderr, "warning: the case refuses realisation 0: {}\n", error.what());
+  } catch (const CaseError& error) {
+    fmt::print(stderr, "warning: the case refuses realisation 0:\n{}", error.what());
+  }
+}
+
 int check_study(const Study& study, int threads)
 {
   const StudySettings& s = study.settings;
@@ -160,6 +174,7 @@ int check_study(const Study& study, int threads)
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), study.base));
   }
+  check_first_draw(study);
   fmt::print("nothing was run\n");
   return solved;
 }
@@ -264,7 +279,9 @@ int run_study(const Study& study, const std::string& folder, const StudyCommand&
     fmt::print("{}", study_text(study, rows));
     fmt::print("page in {}, table in {}\n", path_in(folder, study_report), study_results);
   }
-  return solved;
+  if (!std::ranges::all_of(rows, [](const auto& row) { return row.second.failed(); })) return solved;
+  fmt::print(stderr, "error: all {} realisations failed, the first one: {}\n", rows.size(), rows.begin()->second.fault);
+  return stopped_itself;
 }
 
 }  // namespace

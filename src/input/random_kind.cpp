@@ -2,7 +2,6 @@
 
 #include "base/closest.hpp"
 #include "input/key_text.hpp"
-#include "simulation/gaussian_field.hpp"
 
 #include <fmt/format.h>
 
@@ -205,16 +204,18 @@ bool read_known(const Node& list, const FieldContext& context, const FieldValue&
 
 std::vector<std::string> random_distributions() { return {"lognormal", "normal"}; }
 
-std::optional<FieldValue> read_random(const Node& table, const FieldContext& outer)
+std::optional<RandomField> read_random_field(const Node& table, const FieldContext& outer)
 {
   const FieldContext context{
       {table, join_path(outer.entry.path, table.name), outer.entry.key}, outer.folder, outer.findings, outer.needs};
   if (table.kind != NodeKind::table)
     return refuse_field(outer, context.entry.path, "`random` must be a table",
-        fmt::format("Got {}; keys of random: {}.", describe_value(table), plain_list(names_of_keys())));
+               fmt::format("Got {}; keys of random: {}.", describe_value(table), plain_list(names_of_keys()))),
+           std::nullopt;
   const Node* mean = find_item(table, "mean");
   if (mean == nullptr)
-    return refuse_field(outer, context.entry.path, "`random` needs `mean`", "A number, or a field: the trend.");
+    return refuse_field(outer, context.entry.path, "`random` needs `mean`", "A number, or a field: the trend."),
+           std::nullopt;
   RandomText text;
   if (!refuse_unknown(table, context)) return std::nullopt;
   const bool good = read_keys(table, context, text);
@@ -226,8 +227,15 @@ std::optional<FieldValue> read_random(const Node& table, const FieldContext& out
   text.field.realisation = static_cast<std::uint32_t>(text.realisation);
   const Node* known = find_item(table, "known");
   if (known != nullptr && !read_known(*known, context, *trend, text)) return std::nullopt;
-  return by_random(
-      text.field, text.distribution == "normal" ? FieldMarginal::normal : FieldMarginal::lognormal, text.cov, *trend);
+  const FieldMarginal marginal = text.distribution == "normal" ? FieldMarginal::normal : FieldMarginal::lognormal;
+  return RandomField{std::move(text.field), marginal, text.cov, *trend};
+}
+
+std::optional<FieldValue> read_random(const Node& table, const FieldContext& context)
+{
+  const auto random = read_random_field(table, context);
+  if (!random) return std::nullopt;
+  return by_random(random->field, random->marginal, random->cov, random->mean);
 }
 
 std::string describe_random_keys()

@@ -2,10 +2,21 @@
 #pragma once
 
 #include "input/field_kinds.hpp"
+#include "simulation/gaussian_field.hpp"
 
 namespace terp {
 
+/// What the table says.
+struct RandomField {
+  GaussianFieldCase field;
+  FieldMarginal marginal = FieldMarginal::lognormal;
+  Real cov = 0.0;
+  FieldValue mean;
+};
 /// value: the table of the key `random`. None, with a problem added, if it is not allowed.
+std::optional<RandomField> read_random_field(const Node& value, const FieldContext& context);
+
+/// The same as a value at each place. None, with a problem added, if it is not allowed.
 std::optional<FieldValue> read_random(const Node& value, const FieldContext& context);
 
 /// Words of `distribution`, in the order of FieldMarginal.

@@ -5,6 +5,7 @@
 
 #include "base/philox.hpp"
 #include "input/overrides.hpp"
+#include "input/random_kind.hpp"
 #include "simulation/gaussian_field.hpp"
 #include "study/points.hpp"
 
@@ -80,18 +81,26 @@ std::string field_text(const Study& study, std::size_t number, Index sample, con
       sample, parts_text(study, number), f.known.empty() ? "" : ", known = " + f.known);
 }
 
-GaussianFieldCase field_case(const Study& study, std::size_t number, Index sample)
+/// The field as the case reads it, with what soundings know of it.
+RandomField read_field_of(const Study& study, std::size_t number, Index sample)
 {
-  GaussianFieldCase field{.seed = static_cast<std::uint32_t>(study.settings.seed),
-      .realisation = static_cast<std::uint32_t>(sample),
-      .scale = study.settings.fields[number].scale,
-      .low = study.boxes[number][0],
-      .high = study.boxes[number][1],
-      .parts = {}};
-  for (std::size_t k = 0; k <= number; ++k)
-    if (const Real weight = study.of_fields.at(number, k); weight != 0.0)
-      field.parts.emplace_back(static_cast<std::uint32_t>(k), weight);
-  return field;
+  const RandomFieldKey& f = study.settings.fields[number];
+  const Node* own = find_node(study.base.source.root, f.key);
+  const std::string mean = f.known.empty()   ? "1.0"  // of no say in the field over its trend
+                           : !f.mean.empty() ? f.mean
+                           : own != nullptr  ? toml_value(*own)
+                                             : std::string("1.0");
+  const Node root = parse_toml("field = " + field_text(study, number, sample, mean));
+  KeyInfo key;
+  key.path = f.key, key.unit = unit_at(f.key);
+  key.field = [](Case& c, std::size_t) -> Field { return &c.at_strength; };  // a number
+  Findings findings;
+  FieldNeeds needs;
+  const Node& field = root.items.front();
+  const auto random =
+      read_random_field(field.items.front(), {{field, f.key, key}, study.base.values.folder, findings, needs});
+  if (!random) throw InputError(findings.problems);
+  return *random;
 }
 
 /// Mean over the box of the field over its trend, in n x n places.
@@ -110,14 +119,16 @@ Real mean_of_field(const Study& study, std::size_t number, Index sample)
 }  // namespace
 
 FieldOverTrend::FieldOverTrend(const Study& study, std::size_t field, Index sample)
-    : marginal_(
-          study.settings.fields[field].distribution == "normal" ? FieldMarginal::normal : FieldMarginal::lognormal),
-      cov_(study.settings.fields[field].cov),
-      field_(field_case(study, field, sample))
+    : FieldOverTrend(read_field_of(study, field, sample))
 {
 }
 
-Draw draw_realisation(const Study& study, Index realisation)
+FieldOverTrend::FieldOverTrend(const RandomField& random)
+    : marginal_(random.marginal), cov_(random.cov), field_(random.field)
+{
+}
+
+Draw draw_changes(const Study& study, Index realisation)
 {
   const StudySettings& s = study.settings;
   Draw draw{.changes = s.set};
@@ -125,9 +136,9 @@ Draw draw_realisation(const Study& study, Index realisation)
   for (std::size_t k = 0; k < s.sweep.size(); ++k) {
     const Node& value = s.sweep[k].values[choice[k]];
     draw.changes.push_back(s.sweep[k].key + "=" + toml_value(value));
-    draw.inputs.push_back(value.kind == NodeKind::number    ? value.number
+    draw.inputs.push_back(!s.sweep[k].is_of_numbers()       ? static_cast<Real>(choice[k])
                           : value.kind == NodeKind::integer ? static_cast<Real>(value.integer)
-                                                            : static_cast<Real>(choice[k]));
+                                                            : value.number);
   }
   const Index sample = study.sample_of(realisation);
   if (s.fragility) {
@@ -149,8 +160,15 @@ Draw draw_realisation(const Study& study, Index realisation)
     const Node* own = find_node(root, f.key);
     const std::string mean = !f.mean.empty() ? f.mean : own != nullptr ? toml_value(*own) : std::string("0.0");
     draw.changes.push_back(f.key + "=" + field_text(study, k, sample, mean));
-    draw.inputs.push_back(mean_of_field(study, k, sample));
   }
+  return draw;
+}
+
+Draw draw_realisation(const Study& study, Index realisation)
+{
+  Draw draw = draw_changes(study, realisation);
+  for (std::size_t k = 0; k < study.settings.fields.size(); ++k)
+    draw.inputs.push_back(mean_of_field(study, k, study.sample_of(realisation)));
   return draw;
 }
 
@@ -162,10 +180,10 @@ CaseFile case_of(const Study& study, const Draw& draw)
 std::string input_text(const Study& study, std::size_t number, Real value)
 {
   const auto& sweep = study.settings.sweep;
-  if (number < sweep.size())
-    for (const Node& item : sweep[number].values)
-      if (item.kind == NodeKind::text && &item - sweep[number].values.data() == static_cast<std::ptrdiff_t>(value))
-        return item.text;
+  if (number < sweep.size() && !sweep[number].is_of_numbers()) {
+    const Node& item = sweep[number].values[static_cast<std::size_t>(value)];
+    return item.kind == NodeKind::text ? item.text : toml_value(item);
+  }
   return fmt::format("{:.6g}", value);
 }
 

@@ -20,7 +20,7 @@ class Team {
  public:
   Team(const Study& study, const std::string& folder, const EngineOptions& options, const std::atomic<bool>& stop,
       Realisations& rows)
-      : study_(study), options_(options), stop_(stop), rows_(rows), store_(study, folder, options.part)
+      : study_(study), options_(options), stop_(stop), rows_(rows), store_(study, folder, options.part), table_(study)
   {
     for (Index n = 0; n < study.n_realisations; ++n)
       if (options.part.has(n) && !rows.contains(n)) todo_.push_back(n);
@@ -28,9 +28,8 @@ class Team {
 
   StudyEnd run()
   {
-    bool met = false;
-    count_in_table(study_, rows_, met);
-    if (met || todo_.empty()) return StudyEnd::rule_met;
+    table_.take(rows_);
+    if (table_.rule_met() || todo_.empty()) return StudyEnd::rule_met;
     const auto n = static_cast<int>(std::min<std::size_t>(todo_.size(), static_cast<std::size_t>(options_.threads)));
     Threads threads(n);
     threads.for_each_chunk(n, [this](Index, int) { work(); });
@@ -68,9 +67,8 @@ class Team {
   {
     store_.append(newest);
     rows_.emplace(newest.number, newest);
-    bool met = false;
-    if (study_.settings.stop.cov > 0.0 && options_.part.n_all == 1) count_in_table(study_, rows_, met);
-    if (met) enough_ = true;
+    if (study_.settings.stop.cov > 0.0 && options_.part.n_all == 1) table_.take(rows_);
+    if (table_.rule_met()) enough_ = true;
     if (options_.show) options_.show(newest, rows_);
   }
 
@@ -79,6 +77,7 @@ class Team {
   const std::atomic<bool>& stop_;
   Realisations& rows_;
   StoreWriter store_;
+  TableCounter table_;
   std::vector<Index> todo_;
   const Clock::time_point start_ = Clock::now();
   std::atomic<std::size_t> next_{0};

@@ -172,19 +172,21 @@ EventEstimate estimate_event(std::int64_t happened, std::int64_t solved, std::in
   return e;
 }
 
+void TableCounter::take(const Realisations& rows)
+{
+  for (auto row = rows.find(n_); row != rows.end() && row->first == n_ && !rule_met_; ++row) {
+    counts_.take(row->second);
+    ++n_;
+    rule_met_ = n_ == study_.n_realisations || meets_rule(study_, counts_);
+  }
+}
+
 Index count_in_table(const Study& study, const Realisations& rows, bool& rule_met)
 {
-  Sample counts(study.settings);
-  Index n = 0;
-  rule_met = false;
-  while (n < study.n_realisations && !rule_met) {
-    const auto row = rows.find(n);
-    if (row == rows.end()) return n;
-    counts.take(row->second);
-    ++n;
-    rule_met = n == study.n_realisations || meets_rule(study, counts);
-  }
-  return n;
+  TableCounter counter(study);
+  counter.take(rows);
+  rule_met = counter.rule_met();
+  return counter.n();
 }
 
 StudyEstimates estimate(const Study& study, const Realisations& rows)

@@ -97,6 +97,21 @@ struct StudyEstimates {
   bool rule_met = false;                             ///< the stop rule
 };
 
+/// Counts a table as it grows, each realisation once: the first ones without a gap, up to where the rule stops.
+class TableCounter {
+ public:
+  explicit TableCounter(const Study& study) : study_(study), counts_(study.settings) {}
+  void take(const Realisations& rows);
+  Index n() const { return n_; }
+  bool rule_met() const { return rule_met_; }
+
+ private:
+  const Study& study_;
+  Sample counts_;
+  Index n_ = 0;
+  bool rule_met_ = false;
+};
+
 /// The realisations that count: the first ones without a gap, up to the one at which the rule stops. So neither the
 /// order in which they were solved nor how long each took has a say in P.
 Index count_in_table(const Study& study, const Realisations& rows, bool& rule_met);

@@ -7,6 +7,7 @@
 #include "simulation/setup.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "stability/factor_of_safety.hpp"
+#include "study/overlaps.hpp"
 #include "study/points.hpp"
 
 #include <fmt/format.h>
@@ -98,6 +99,31 @@ std::optional<std::array<Vec<2>, 2>> box_of_material(const Case& c, const std::s
   return box[0][0] < box[1][0] ? std::optional(box) : std::nullopt;
 }
 
+/// Paths of random fields in a table.
+void add_random(const std::string& path, const Node& node, std::vector<std::string>& found)
+{
+  if (node.kind == NodeKind::table && find_item(node, "random") != nullptr) found.push_back(path);
+  for (std::size_t k = 0; k < node.items.size(); ++k)
+    add_random(node.kind == NodeKind::list ? fmt::format("{}[{}]", path, k) : join_path(path, node.items[k].name),
+        node.items[k], found);
+}
+
+/// The mean of a field must not be a field that is not drawn.
+void check_mean(const Study& study, const RandomFieldKey& field, std::vector<Problem>& problems)
+{
+  const Node* own = find_node(study.base.source.root, field.key);
+  std::vector<std::string> found;
+  if (!field.mean.empty())
+    add_random(join_path(field.path, "mean"), parse_toml("mean = " + field.mean), found);
+  else if (own != nullptr)
+    add_random(field.key, *own, found);
+  if (!found.empty())
+    problems.push_back({field.path, fmt::format("the mean of the field of `{}` is a random field itself", field.key),
+        field.mean.empty() ? "The case has one there. Give `mean`, or take it out of the case."
+                           : "Give a mean without `random`.",
+        ""});
+}
+
 void find_boxes(Study& study, std::vector<Problem>& problems)
 {
   for (const RandomFieldKey& field : study.settings.fields) {
@@ -105,6 +131,7 @@ void find_boxes(Study& study, std::vector<Problem>& problems)
     if (!box)
       problems.push_back({field.path, fmt::format("the field of `{}` needs `box`", field.key),
           "Its material has no body that is drawn. Give [[x, y], [x, y]] in m, around all of its soil.", ""});
+    check_mean(study, field, problems);
     study.boxes.push_back(box.value_or(std::array<Vec<2>, 2>{}));
     if (field.mean.empty() && find_node(study.base.source.root, field.key) == nullptr)
       problems.push_back({field.path, fmt::format("the field of `{}` needs `mean`", field.key),
@@ -145,7 +172,7 @@ void set_factors(Study& study, std::vector<Problem>& problems)
 /// The fields one by one, so that the message is of the field.
 void check_fields_of_study(Study& study, std::vector<Problem>& problems)
 {
-  const Draw draw = draw_realisation(study, 0);
+  const Draw draw = draw_changes(study, 0);
   for (const RandomFieldKey& field : study.settings.fields) {
     const auto change = std::ranges::find_if(
         draw.changes, [&](const std::string& text) { return text.starts_with(field.key + "={ random"); });
@@ -162,12 +189,25 @@ void check_fields_of_study(Study& study, std::vector<Problem>& problems)
   }
 }
 
+/// Row by row, as they are taken.
+void check_table(const Study& study, std::vector<Problem>& problems)
+{
+  for (Index row = 0; row < study.n_realisations; ++row) {
+    const std::string why = refusal_of(study, draw_changes(study, row).changes);
+    if (why.empty()) continue;
+    problems.push_back({fmt::format("{}[{}]", join_path(study.settings.sweep.front().path, "values"), row),
+        fmt::format("the case does not take row {} of the table", row), why, ""});
+    return;
+  }
+}
+
 void check_sweep(const Study& study, std::vector<Problem>& problems)
 {
+  if (study.settings.form == SweepForm::table) return check_table(study, problems);
   for (const SweepKey& sweep : study.settings.sweep)
     for (std::size_t k = 0; k < sweep.values.size(); ++k)
       if (const std::string why = refusal_of(study, with(study, sweep.key + "=" + toml_value(sweep.values[k])));
-          !why.empty() && study.settings.form == SweepForm::grid) {
+          !why.empty()) {
         problems.push_back({fmt::format("{}[{}]", join_path(sweep.path, "values"), k),
             fmt::format("the case does not take `{}`", sweep.key), why, ""});
         break;
@@ -238,11 +278,16 @@ Study prepare_study(StudySettings settings)
   study.n_realisations = count_realisations(s);
   std::vector<Problem> problems;
   if (study.n_realisations > most_realisations)
-    problems.push_back(
-        {"sweep", "the grid has too many combinations", fmt::format("At most {}.", most_realisations), ""});
+    problems.push_back({s.estimator == Estimator::sweep ? "sweep" : "stop.number",
+        s.estimator == Estimator::sweep ? "the sweep has too many combinations"
+        : s.fragility                   ? "the study has too many realisations over all levels"
+                                        : "the study has too many realisations",
+        fmt::format("At most {}.", most_realisations), ""});
   refuse_if_any(problems, s);
   set_factors(study, problems);
   find_boxes(study, problems);
+  refuse_overlaps(study, problems);
+  refuse_if_any(problems, s);
   check_numbers(study, problems);
   check_sweep(study, problems);
   check_levels(study, problems);
@@ -273,6 +318,16 @@ std::vector<Problem> find_doubts(const Study& study)
         fmt::format("Got {}. Take {} or {}.", n, std::bit_floor(static_cast<std::uint32_t>(n)),
             std::bit_ceil(static_cast<std::uint32_t>(n))),
         ""});
+  std::vector<std::string> fixed;
+  add_random("", study.base.source.root, fixed);
+  for (const std::string& path : fixed) {
+    const auto is_drawn = [&](const RandomFieldKey& field) {
+      return path == field.key || path.starts_with(field.key + '.');
+    };
+    if (std::ranges::none_of(study.settings.fields, is_drawn))
+      doubts.push_back({"case", fmt::format("the case has a random field at `{}` that this study does not draw", path),
+          "It is the same in all realisations. Give it as [[field]] to draw it.", ""});
+  }
   const Real cell = typical_cell_size(*study.mesh);
   for (const RandomFieldKey& field : study.settings.fields) {
     const Real least = std::min(field.scale[0], field.scale[1]);

@@ -42,8 +42,11 @@ Study prepare_study(StudySettings settings);
 /// What a realisation is.
 struct Draw {
   std::vector<std::string> changes;  ///< KEY=VALUE, as of --set, `set` included
-  std::vector<Real> inputs = {};     ///< as input_names(); of a word of a sweep its number in `values`
+  std::vector<Real> inputs = {};  ///< as input_names(); of a sweep that is not of numbers alone, the place in `values`
 };
+
+/// Its changes, without the means of fields among the inputs: makes no field.
+Draw draw_changes(const Study& study, Index realisation);
 
 /// realisation: from 0. The same on any machine, in any order.
 Draw draw_realisation(const Study& study, Index realisation);
@@ -51,13 +54,14 @@ Draw draw_realisation(const Study& study, Index realisation);
 /// The case of a draw. Throws CaseError where it refuses what was drawn.
 CaseFile case_of(const Study& study, const Draw& draw);
 
-/// A field of a sample over its trend; without the values of soundings.
+/// A field of a sample over its trend, with the values of soundings.
 class FieldOverTrend {
  public:
   FieldOverTrend(const Study& study, std::size_t field, Index sample);
   Real at(Vec<2> x) const { return value_over_mean(marginal_, cov_, field_.at(x)); }
 
  private:
+  explicit FieldOverTrend(const struct RandomField& random);
   FieldMarginal marginal_;
   Real cov_;
   GaussianField field_;

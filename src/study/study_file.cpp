@@ -111,7 +111,7 @@ void read_correlations(const Node& root, StudySettings& s, Findings& findings)
     std::vector<std::string> between_keys;
     read_section(*table, path,
         {{"between", "", any_number, true, NameList{&between_keys}},
-            {"value", "-", between(-1.0, 1.0), true, &c.value}},
+            {"value", "-", {-1.0, 1.0, true, true}, true, &c.value}},
         {}, findings);
     if (between_keys.size() == 2)
       c.a = between_keys[0], c.b = between_keys[1];
@@ -211,6 +211,12 @@ void check_keys(const StudySettings& s, Findings& findings)
       const std::string nearest = closest(key, all);
       findings.problems.push_back({at, fmt::format("`{}` is not random in this study", key),
           nearest.empty() ? "Name keys of [[random]] or [[field]]." : fmt::format("Did you mean `{}`?", nearest), ""});
+    }
+    for (const StudyCorrelation& other : s.correlations) {
+      if (&other == &c) break;
+      if (known && ((other.a == c.a && other.b == c.b) || (other.a == c.b && other.b == c.a)))
+        findings.problems.push_back({at, fmt::format("`{}` and `{}` are correlated twice", c.a, c.b),
+            fmt::format("{:g} and {:g}. Leave one of the two out.", other.value, c.value), ""});
     }
     if (known && c.a == c.b)
       findings.problems.push_back({at, "a correlation is between two keys", "Both are the same.", ""});
@@ -358,6 +364,12 @@ const std::vector<EstimatorInfo>& all_estimators()
       {sweep, "sweep", "a sweep", false, false, ""},
   };
   return all;
+}
+
+bool SweepKey::is_of_numbers() const
+{
+  return std::ranges::all_of(
+      values, [](const Node& value) { return value.kind == NodeKind::number || value.kind == NodeKind::integer; });
 }
 
 std::int64_t StopRule::events() const

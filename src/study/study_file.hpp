@@ -74,6 +74,9 @@ enum class SweepForm { grid, table };
 struct SweepKey {
   std::string key = {}, path = {};
   std::vector<Node> values = {};
+
+  /// All values are numbers without units: they are inputs as they are.
+  bool is_of_numbers() const;
 };
 
 /// When a study ends: at the first of these.

@@ -44,9 +44,10 @@ std::string answer(const Study& study, const StudyEstimates& e)
   const auto p = event.probability();
   if (!p) return "No realisation is solved yet.";
   const std::string what = e.judges_flood ? "The land floods" : "The slope slides";
-  std::string text =
-      fmt::format("{} with probability {:.2g}; with {:g} % confidence it lies between {:.2g} and {:.2g}.", what, *p,
-          100.0 * study.settings.confidence, event.bounds.low, event.bounds.high);
+  std::string text = fmt::format("{} with probability {:.2g}; {} {:g} % confidence it lies between {:.2g} and {:.2g}.",
+      what, *p, is_of_points(study.settings.estimator) ? "as far as independent realisations would say, with" : "with",
+      100.0 * study.settings.confidence, event.bounds.low, event.bounds.high);
+  if (is_of_points(study.settings.estimator)) text += " No bound is proven for points that fill the space evenly.";
   if (event.failed > 0) text += ' ' + missing_words(event);
   if (e.judges_flood && e.slide.probability())
     text += fmt::format(
@@ -56,9 +57,12 @@ std::string answer(const Study& study, const StudyEstimates& e)
 
 std::string probability_section(const Study& study, const StudyEstimates& e)
 {
-  std::string out = "<section><h2>Probabilities</h2>\n" + html_cell("p", answer(study, e), " class=\"answer\"") + '\n' +
-                    head_of_table({"", "estimate", fmt::format("{:g} % bounds", 100.0 * study.settings.confidence),
-                        "realisations", "meaning"});
+  const bool is_cube = is_of_points(study.settings.estimator);
+  std::string out =
+      "<section><h2>Probabilities</h2>\n" + html_cell("p", answer(study, e), " class=\"answer\"") + '\n' +
+      head_of_table({"", "estimate",
+          fmt::format("{:g} % bounds{}", 100.0 * study.settings.confidence, is_cube ? ", if independent" : ""),
+          "realisations", "meaning"});
   out += event_row("P(I)", slide_words(study.settings).c_str(), e.slide);
   if (e.judges_flood) {
     out += event_row("P(F)", flood_words, e.flood);
@@ -69,8 +73,10 @@ std::string probability_section(const Study& study, const StudyEstimates& e)
          "<p class=\"muted\">The probability is that of this section with the random input of the study file, under "
          "the "
          "load and the water of the case: not per year, and not of the length of a dike. Bounds by Clopper and "
-         "Pearson: "
-         "of all studies like this one at least that share has the true probability between them. They hold what the "
+         "Pearson" +
+         std::string(
+             is_cube ? ", as of independent realisations: of studies of these " : ": of all studies like this one ") +
+         "at least that share has the true probability between them. They hold what the "
          "number of realisations leaves open, not what the model or the input leave open.</p></section>\n";
 }
 
@@ -85,7 +91,7 @@ LineChart convergence_chart(const Study& study, const Realisations& rows, bool o
       .x_label = "realisations",
       .y_label = "probability"};
   const std::size_t style = of_flood ? 1 : 0;
-  chart.lines = {line_of("estimate", style, 0), line_of("bounds", style, 2), line_of("", style, 2)};
+  chart.lines = {line_of("estimate", style, 0), line_of("bounds, of each n alone", style, 2), line_of("", style, 2)};
   for (const RunningEstimate& at : running_estimates(study, rows, of_flood)) {
     const auto n = static_cast<Real>(at.n);
     chart.lines[0].points.push_back({n, at.event.probability().value_or(std::nan(""))});

@@ -147,6 +147,25 @@ std::vector<std::string> remarks_on_study(const Study& study, const Realisations
         fmt::format("{} more realisations are solved, but lie behind a gap or behind the stop rule; they "
                     "are not in the table.",
             e.n_beyond));
+  const StopRule& rule = study.settings.stop;
+  const EventEstimate& of_rule = e.judges_flood ? e.flood : e.slide;
+  if (rule.events() > 0 && of_rule.happened >= rule.events() && of_rule.failed == 0)
+    remarks.push_back(fmt::format(
+        "The rule ends the study with an event, so k/n is on average too large by a share of (1 - P)/k; (k - 1)/(n - "
+        "1) = {:.3g} is not. The bounds hold.",
+        static_cast<Real>(of_rule.happened - 1) / static_cast<Real>(of_rule.solved - 1)));
+  const Case& base = study.base.values;
+  if (base.at_strength != 1.0)
+    remarks.push_back(
+        fmt::format("All strengths are divided by {:g} (at_strength): P is that of weaker soil, not of the "
+                    "section as it is.",
+            base.at_strength));
+  if (const auto stage = std::ranges::find_if(base.stages, [](const StageCase& s) { return s.trigger; });
+      stage != base.stages.end())
+    remarks.push_back(
+        fmt::format("The case has the trigger `{}`: P is that of a slide or a flood once the trigger acts, "
+                    "not of the section as it is.",
+            stage->name));
   if (const std::string_view remark = info_of(study.settings.estimator).remark; !remark.empty())
     remarks.emplace_back(remark);
   if (study.settings.estimator == Estimator::two_stage) add_two_stage_remarks(study, e, remarks);
@@ -168,7 +187,8 @@ std::string study_text(const Study& study, const Realisations& rows)
   } else if (s.fragility) {
     out += fragility_text(study, estimate_fragility(study, rows)) + sensitivity_lines(e);
   } else {
-    out += fmt::format("  probabilities with {:g} % bounds\n", 100.0 * s.confidence);
+    out += fmt::format("  probabilities with {:g} % bounds{}\n", 100.0 * s.confidence,
+        is_of_points(s.estimator) ? " of independent realisations" : "");
     out += line_of_event("P(I)", e.slide, slide_words(s));
     if (e.judges_flood) {
       out += line_of_event("P(F)", e.flood, flood_words);

@@ -16,6 +16,9 @@ std::string missing_words(const EventEstimate& event);
 /// "12 solved, 3 slide as drawn, 0 failed".
 std::string counts_text(const EventCounts& counts);
 
+/// The points are not independent, and no bound is proven: Latin hypercube, Sobol.
+inline bool is_of_points(Estimator kind) { return kind == Estimator::latin_hypercube || kind == Estimator::sobol; }
+
 /// What the events are, for people.
 std::string slide_words(const StudySettings& settings);
 inline constexpr const char* flood_words = "the land floods (docs/flood.md)";

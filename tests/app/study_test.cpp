@@ -23,8 +23,8 @@ TEST(StudyCommand, ChecksRunsAndReports)
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("  probabilities with 95 % bounds\n"));
   EXPECT_THAT(run.out, HasSubstr("a slide: 1 m^2 or more moved by more than 0.3 m\n"));
-  EXPECT_THAT(names_in(folder.path() + "/runs/demo"),
-      ElementsAre("case.toml", "locks", "part_1_of_1.rows", "report.html", "results.csv", "study.toml"));
+  EXPECT_THAT(names_in(folder.path() + "/runs/demo"), ElementsAre("case.toml", "locks", "part_1_of_1.rows",
+                                                          "report.html", "results.csv", "results.json", "study.toml"));
   const Finished again = test::terp({"study", "report", "runs/demo"}, folder.path());
   EXPECT_EQ(again.status, 0) << again.err;
   EXPECT_THAT(again.out, HasSubstr("12 realisations, 12 solved, 0 failed"));
@@ -79,8 +79,8 @@ TEST(StudyCommand, BeginsAnewOnlyWhereNobodyElseWrites)
       "error: --force with --part 2/3: a part does not begin anew, as it would remove what others solved\n"
       "  Remove the folder once, before the parts begin: rm -r runs/demo\n");
   EXPECT_EQ(test::terp({"study", "run", "runs/demo", "-q", "--force"}, folder.path()).status, 0);
-  EXPECT_THAT(names_in(folder.path() + "/runs/demo"),
-      ElementsAre("case.toml", "locks", "part_1_of_1.rows", "report.html", "results.csv", "study.toml"));
+  EXPECT_THAT(names_in(folder.path() + "/runs/demo"), ElementsAre("case.toml", "locks", "part_1_of_1.rows",
+                                                          "report.html", "results.csv", "results.json", "study.toml"));
   const Finished here = test::terp({"study", "run", study, "-q", "--force", "-o", "."}, folder.path());
   EXPECT_EQ(here.status, 1);
   EXPECT_THAT(here.err, HasSubstr("the folder holds the study file"));

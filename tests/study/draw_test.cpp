@@ -80,6 +80,13 @@ TEST(Draw, AFieldGoesToTheCaseAndMultipliesWhatStandsThere)
       << "su_residual and su_remoulded follow it";
 }
 
+TEST(Draw, AFieldHasTheValuesOfSoundingsInItsPicturesToo)
+{
+  const Study study = study_of(changed(field_study, "cov = 0.3", "cov = 0.3\nknown = [[1.0, 1.0, 12e3]]"));
+  for (const Index sample : {0, 3})
+    EXPECT_NEAR(FieldOverTrend(study, 0, sample).at({1.0, 1.0}), 2.0, 1e-9) << "12 kPa over a trend of 6 kPa";
+}
+
 TEST(Draw, FieldsThatAreCorrelatedShareAPart)
 {
   const Study study = study_of(field_study + R"([[field]]

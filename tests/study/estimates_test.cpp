@@ -77,6 +77,21 @@ TEST(Estimates, SoilThatSlidesAsDrawnIsASlideOfWhichTheFloodIsNotKnown)
   EXPECT_THAT(study_csv(study, rows), AllOf(HasSubstr("\n0,0,1,nan,4000,nan"), HasSubstr("\n1,0,nan,nan,9001,nan")));
 }
 
+TEST(Estimates, BoundsAndStopRulesSayWhatTheyAreWorth)
+{
+  const Study cov = study_of("number = 600\ncov = 0.3");
+  EXPECT_THAT(study_text(cov, rows_of(600)), HasSubstr("(k - 1)/(n - 1) = "));
+  const ScratchFolder folder;
+  const Study cube =
+      prepare_study(read_study(write_study(folder.path(), changed(column_study, "monte_carlo", "latin_hypercube"))));
+  const std::string page = page_of_study(cube, rows_of(12), "now");
+  EXPECT_THAT(page, HasSubstr("as far as independent realisations would say, with 95 % confidence"));
+  EXPECT_THAT(page, Not(HasSubstr("of all studies like this one")));
+  const Study weak = prepare_study(read_study(
+      write_study(folder.path(), changed(column_study, "seed = 3", "seed = 3\nset = { at_strength = 1.2 }"))));
+  EXPECT_THAT(study_text(weak, rows_of(12)), HasSubstr("All strengths are divided by 1.2 (at_strength)"));
+}
+
 TEST(Estimates, OnlyWhatHasNoGapBeforeItCounts)
 {
   Realisations rows = rows_of(60);

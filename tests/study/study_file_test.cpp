@@ -4,6 +4,7 @@
 #include "input/case_file.hpp"
 #include "study/samples.hpp"
 #include "study/study.hpp"
+#include "study/study_folder.hpp"
 #include "support/test.hpp"
 
 namespace {
@@ -82,6 +83,68 @@ TEST(StudyFile, WithOneMistakeHasOneMessage)
       {"[[random]]", "[random]", "write [[random]], once for each"},
   };
   for (const Row& row : rows) EXPECT_THAT(message_on(column_study, row), HasSubstr(row.expected)) << row.to;
+}
+
+TEST(StudyFile, KeysThatUndoEachOtherAreRefusedWithBothNames)
+{
+  const auto message = [](const std::string& first, const std::string& second) {
+    const auto table = [](const std::string& key) {
+      return "[[random]]\nkey = \"" + key + "\"\ndistribution = \"uniform\"\nlowest = 2\nhighest = 8\n";
+    };
+    const std::string more = table(first) + table(second) + "[estimator]";
+    return message_on(column_study, {"[estimator]", more.c_str(), ""});
+  };
+  EXPECT_THAT(message("material.clay.sensitivity", "material.clay.su_residual"),
+      HasSubstr("`material.clay.sensitivity` and `material.clay.su_residual` set the same value"));
+  EXPECT_THAT(message("material.*.eta", "material.clay.eta"),
+      HasSubstr("`material.*.eta` and `material.clay.eta` set the same value"));
+  EXPECT_EQ(message("material.clay.eta", "material.clay.sensitivity"), "");
+  const Row nested{"[estimator]",
+      "[[field]]\nkey = \"material.clay.su_peak.shansep.S\"\nmean = 0.3\ncov = 0.3\ntheta = [8.0, 4.0]\n[estimator]",
+      ""};
+  EXPECT_THAT(message_on(field_study, nested),
+      HasSubstr("`material.clay.su_peak` and `material.clay.su_peak.shansep.S` set the same value"));
+}
+
+TEST(StudyFile, WhatIsDrawnTwiceOrNotAtAllIsTold)
+{
+  const std::string pair = "\n[[correlation]]\nbetween = [\"material.clay.su_peak\", \"material.clay.eta\"]\nvalue = ";
+  const std::string eta =
+      "\n[[random]]\nkey = \"material.clay.eta\"\ndistribution = \"uniform\"\nlowest = 2\nhighest = 8";
+  const std::string twice = "cov = 0.4" + eta + pair + "0.9" + pair + "-0.5", one = "cov = 0.4" + eta + pair + "1.0";
+  EXPECT_THAT(message_on(column_study, {"cov = 0.4", twice.c_str(), ""}),
+      HasSubstr("`material.clay.su_peak` and `material.clay.eta` are correlated twice"));
+  EXPECT_THAT(message_on(column_study, {"cov = 0.4", one.c_str(), ""}), HasSubstr("`value` is out of range"));
+  EXPECT_THAT(message_on(column_study, {"number = 12", "number = 20000000", ""}),
+      HasSubstr("the study has too many realisations\n\n"));
+  const std::string random = "{ random = { mean = 6e3, cov = 0.2, theta = [8.0, 4.0], box = [[0, 0], [4, 2]] } }";
+  const ScratchFolder folder;
+  const std::string column = changed(column_case, "su_peak = 6.0e3", "su_peak = " + random);
+  EXPECT_THAT(refusal<CaseError>([&] { open_study(write_study(folder.path(), field_study, column)); }),
+      HasSubstr("the mean of the field of `material.clay.su_peak` is a random field itself"));
+  const std::string other =
+      changed(changed(column_study, "material.clay.su_peak", "material.clay.eta"), "\"8 kPa\"", "8");
+  const auto doubts = find_doubts(open_study(write_study(folder.path(), other, column)));
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_EQ(doubts[0].what, "the case has a random field at `material.clay.su_peak` that this study does not draw");
+}
+
+TEST(StudyFile, RowsOfATableAreChecked)
+{
+  const ScratchFolder folder;
+  const std::string text = R"(case = "column.toml"
+[estimator]
+kind = "sweep"
+form = "table"
+[[sweep]]
+key = "material.clay.eta"
+values = [5, "8", -1]
+)";
+  EXPECT_THAT(refusal<CaseError>([&] { open_study(write_study(folder.path(), text)); }),
+      HasSubstr("the case does not take row 2 of the table"));
+  const Study study = open_study(write_study(folder.path(), changed(text, "-1", "1")));
+  EXPECT_EQ(input_text(study, 0, draw_realisation(study, 1).inputs[0]), "8");
+  EXPECT_EQ(input_text(study, 0, draw_realisation(study, 2).inputs[0]), "1") << "not the word at place 1";
 }
 
 TEST(StudyFile, FieldsThatTheCaseDoesNotTakeAreRefused)

@@ -1,0 +1,77 @@
+// How it thinks: two changes that have nothing to do with each other give the same case in either order.
+
+#include "study/overlaps.hpp"
+
+#include "input/overrides.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace terp {
+namespace {
+
+struct Change {
+  std::string key, path, value;
+  bool takes_mean = false;  ///< a field about what the case has, numbers that are drawn included
+};
+
+std::vector<Change> changes_of(const StudySettings& s)
+{
+  std::vector<Change> changes;
+  const auto number = [&] { return fmt::format("{}", 1.0625 + static_cast<Real>(changes.size())); };
+  for (const SweepKey& sweep : s.sweep) changes.push_back({sweep.key, join_path(sweep.path, "key"), number()});
+  if (s.fragility)
+    for (const auto& [key, value] : s.fragility->set)
+      changes.push_back({key, join_path("fragility.set", key), number()});
+  for (const RandomNumber& random : s.numbers) changes.push_back({random.key, join_path(random.path, "key"), number()});
+  for (const RandomFieldKey& field : s.fields)
+    changes.push_back({field.key, join_path(field.path, "key"), fmt::format("{{ random = {{ mean = {} }} }}", number()),
+        field.mean.empty()});
+  return changes;
+}
+
+/// Cheap, and true of all that overlap: materials and other parts of the case do not mix.
+bool may_overlap(const Change& a, const Change& b)
+{
+  const auto x = split_path(a.key), y = split_path(b.key);
+  const auto is_open = [](const std::string& part) { return part.find_first_of("*[") != std::string::npos; };
+  for (std::size_t k = 0; k < std::min<std::size_t>({x.size(), y.size(), 2}); ++k)
+    if (x[k] != y[k] && !is_open(x[k]) && !is_open(y[k])) return false;
+  return true;
+}
+
+void sort_tables(Node& node)
+{
+  if (node.kind == NodeKind::table) std::ranges::sort(node.items, {}, &Node::name);
+  for (Node& item : node.items) sort_tables(item);
+}
+
+/// The case after one change and then another; empty where it does not take one of them.
+std::string case_after(const Node& root, const Change& first, const Change& second)
+{
+  Node node = root;
+  for (const Change* change : {&first, &second})
+    if (apply_override(node, change->key + "=" + change->value)) return "";
+  sort_tables(node);
+  return write_toml(node);
+}
+
+}  // namespace
+
+void refuse_overlaps(const Study& study, std::vector<Problem>& problems)
+{
+  const std::vector<Change> changes = changes_of(study.settings);
+  for (std::size_t b = 1; b < changes.size(); ++b)
+    for (std::size_t a = 0; a < b; ++a) {
+      const Change &first = changes[a], &second = changes[b];
+      const bool is_part_of_mean = second.takes_mean && !first.takes_mean && first.key.starts_with(second.key + '.');
+      if (is_part_of_mean || !may_overlap(first, second)) continue;
+      const Node& root = study.base.source.root;
+      if (case_after(root, first, second) == case_after(root, second, first)) continue;
+      problems.push_back({second.path, fmt::format("`{}` and `{}` set the same value", first.key, second.key),
+          "One of the two would be lost without a word. Leave one out.", ""});
+    }
+}
+
+}  // namespace terp
