@@ -10,7 +10,7 @@
 #include "progress.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "stop.hpp"
-#include "study/engine.hpp"
+#include "study/adaptive.hpp"
 #include "study/study_folder.hpp"
 #include "study/study_page.hpp"
 #include "study/study_text.hpp"
@@ -78,14 +78,17 @@ class StudyProgress {
     }
     for (Index n = 0; n < study_.n_realisations; ++n) n_all += part_.has(n);
     const Real confidence = study_.settings.confidence;
-    std::string line = fmt::format("[{}/{}] {} failed", done, n_all, counts.failed);
+    const bool adaptive = info_of(study_.settings.estimator).adaptive;  // its end is not known before
+    std::string line = adaptive ? fmt::format("[{}] {} failed", done, counts.failed)
+                                : fmt::format("[{}/{}] {} failed", done, n_all, counts.failed);
     if (shows_p_) {
       line += "  so far P(I) " + estimate_text(counts.slide(confidence));
       if (newest.judges_flood) line += "  P(F) " + estimate_text(counts.flood(confidence));
     }
     const double each = spent_ / static_cast<double>(made_);
-    line += fmt::format("  ETA {}{}", study_.settings.stop.cov > 0.0 ? "at most " : "",
-        readable_duration(each * static_cast<double>(n_all - done) / threads_));
+    if (!adaptive)
+      line += fmt::format("  ETA {}{}", study_.settings.stop.cov > 0.0 ? "at most " : "",
+          readable_duration(each * static_cast<double>(n_all - done) / threads_));
     terp::show(stdout, terminal_ ? "\r\033[K" + line : line + '\n');
     open_ = terminal_;
   }
@@ -223,14 +226,16 @@ int keep(const Study& study, const std::string& folder, Index number, const Stud
         number, study.n_realisations - 1));
   RunOptions run;
   run.path = study.case_path;
-  run.changes = draw_realisation(study, number).changes;
+  const Realisations rows = read_store(study, folder).rows;
+  const auto there = rows.find(number);
+  if (there == rows.end() && info_of(study.settings.estimator).adaptive)
+    throw CaseError(fmt::format("error: --keep {}: the method has not come to this realisation\n", number));
+  run.changes = draw_again(study, number, there != rows.end() ? there->second.inputs : std::vector<Real>{}).changes;
   run.output = path_in(folder, fmt::format("kept/{}", number));
   run.threads = command.threads;
   run.force = run.report = true;
   run.quiet = command.quiet;
   const int status = run_case(run);
-  const Realisations rows = read_store(study, folder).rows;
-  const auto there = rows.find(number);
   if (status != solved || there == rows.end() || !there->second.solved()) return status;
   const Summary summary = read_summary(path_in(run.output, summary_file)).values;
   const std::vector<Real>& kept = there->second.outcomes;
@@ -259,7 +264,13 @@ int run_study(const Study& study, const std::string& folder, const StudyCommand&
   const int threads = command.threads > 0 ? command.threads : available_processors();
   StudyProgress progress(study, part, threads, command.quiet);
   listen_for_stop();
-  const StudyEnd end = run_realisations(study, folder,
+  const bool adaptive = info_of(study.settings.estimator).adaptive;
+  if (adaptive && part.n_all > 1)
+    throw CaseError(
+        fmt::format("error: --part {}: `{}` chooses its realisations one after another\n  Its parts cannot "
+                    "be made apart. Give -j alone.\n",
+            command.part, info_of(study.settings.estimator).name));
+  const StudyEnd end = (adaptive ? run_adaptive : run_realisations)(study, folder,
       {.threads = threads,
           .part = part,
           .show = [&](const Realisation& newest, const Realisations& all) { progress.show(newest, all); }},

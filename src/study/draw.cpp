@@ -24,14 +24,20 @@ Real uniform_of(const Study& study, std::size_t number, Index sample)
       {static_cast<std::uint32_t>(study.settings.seed), 0});
 }
 
+std::vector<Real> draw_scores(const Study& study, Index sample)
+{
+  std::vector<Real> scores(study.settings.numbers.size());
+  for (std::size_t k = 0; k < scores.size(); ++k) scores[k] = normal_quantile(uniform_of(study, k, sample));
+  return scores;
+}
+
 /// Gaussian copula: the scores are correlated, each number keeps its own distribution.
-std::vector<Real> draw_numbers(const Study& study, Index sample)
+std::vector<Real> numbers_of(const Study& study, const std::vector<Real>& independent)
 {
   const StudySettings& s = study.settings;
   const std::size_t n = s.numbers.size();
-  std::vector<Real> scores(n), values(n);
-  for (std::size_t k = 0; k < n; ++k) scores[k] = normal_quantile(uniform_of(study, k, sample));
-  scores = times(study.of_numbers, scores);
+  std::vector<Real> values(n);
+  const std::vector<Real> scores = times(study.of_numbers, independent);
   constexpr Real least = 1e-16;
   for (std::size_t k = 0; k < n; ++k)
     values[k] = s.numbers[k].distribution.quantile(std::clamp(normal_probability(scores[k]), least, 1.0 - least));
@@ -40,6 +46,15 @@ std::vector<Real> draw_numbers(const Study& study, Index sample)
 
 /// Twelve digits: what libraries of other machines give differs beyond them.
 std::string digits(Real value) { return fmt::format("{:.12g}", value); }
+
+void add_numbers(const Study& study, const std::vector<Real>& values, Draw& draw)
+{
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const std::string text = digits(values[k]);
+    draw.changes.push_back(study.settings.numbers[k].key + "=" + text);
+    draw.inputs.push_back(std::stod(text));
+  }
+}
 
 /// Which combination of a sweep a realisation is: the last key turns fastest.
 std::vector<std::size_t> sweep_choice(const StudySettings& s, Index realisation)
@@ -128,6 +143,21 @@ FieldOverTrend::FieldOverTrend(const RandomField& random)
 {
 }
 
+Draw draw_at(const Study& study, const std::vector<Real>& scores)
+{
+  Draw draw{.changes = study.settings.set};
+  add_numbers(study, numbers_of(study, scores), draw);
+  return draw;
+}
+
+Draw draw_again(const Study& study, Index realisation, const std::vector<Real>& inputs)
+{
+  if (!info_of(study.settings.estimator).adaptive) return draw_realisation(study, realisation);
+  Draw draw{.changes = study.settings.set};
+  add_numbers(study, inputs, draw);
+  return draw;
+}
+
 Draw draw_changes(const Study& study, Index realisation)
 {
   const StudySettings& s = study.settings;
@@ -146,12 +176,7 @@ Draw draw_changes(const Study& study, Index realisation)
     for (std::string& change : s.fragility->changes_at(level)) draw.changes.push_back(std::move(change));
     draw.inputs.push_back(level);
   }
-  const std::vector<Real> values = draw_numbers(study, sample);
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const std::string text = digits(values[k]);
-    draw.changes.push_back(s.numbers[k].key + "=" + text);
-    draw.inputs.push_back(std::stod(text));
-  }
+  add_numbers(study, numbers_of(study, draw_scores(study, sample)), draw);
   if (s.fields.empty()) return draw;
   Node root = study.base.source.root;
   for (const std::string& change : draw.changes) apply_override(root, change);

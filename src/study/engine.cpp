@@ -10,6 +10,7 @@
 
 #include <chrono>
 #include <exception>
+#include <numeric>
 
 namespace terp {
 namespace {
@@ -19,10 +20,16 @@ using Clock = std::chrono::steady_clock;
 class Team {
  public:
   Team(const Study& study, const std::string& folder, const EngineOptions& options, const std::atomic<bool>& stop,
-      Realisations& rows)
-      : study_(study), options_(options), stop_(stop), rows_(rows), store_(study, folder, options.part), table_(study)
+      const std::vector<Index>& numbers, std::function<Draw(Index)> draw, Realisations& rows)
+      : study_(study),
+        options_(options),
+        stop_(stop),
+        draw_(std::move(draw)),
+        rows_(rows),
+        store_(study, folder, options.part),
+        table_(study)
   {
-    for (Index n = 0; n < study.n_realisations; ++n)
+    for (const Index n : numbers)
       if (options.part.has(n) && !rows.contains(n)) todo_.push_back(n);
   }
 
@@ -53,7 +60,7 @@ class Team {
       while (may_go_on()) {
         const std::size_t k = next_.fetch_add(1);
         if (k >= todo_.size()) return;
-        auto result = realise(study_, todo_[k], stop_);
+        auto result = realise(study_, todo_[k], draw_(todo_[k]), stop_);
         if (!result) return;
         background_.add([this, r = std::move(*result)] { take(r); });
       }
@@ -75,6 +82,7 @@ class Team {
   const Study& study_;
   const EngineOptions& options_;
   const std::atomic<bool>& stop_;
+  std::function<Draw(Index)> draw_;
   Realisations& rows_;
   StoreWriter store_;
   TableCounter table_;
@@ -91,7 +99,17 @@ class Team {
 StudyEnd run_realisations(const Study& study, const std::string& folder, const EngineOptions& options,
     const std::atomic<bool>& stop, Realisations& rows)
 {
-  return Team(study, folder, options, stop, rows).run();
+  std::vector<Index> numbers(static_cast<std::size_t>(study.n_realisations));
+  std::iota(numbers.begin(), numbers.end(), Index{0});
+  return solve_realisations(
+      study, folder, options, stop, numbers, [&study](Index n) { return draw_realisation(study, n); }, rows);
+}
+
+StudyEnd solve_realisations(const Study& study, const std::string& folder, const EngineOptions& options,
+    const std::atomic<bool>& stop, const std::vector<Index>& numbers, const std::function<Draw(Index)>& draw,
+    Realisations& rows)
+{
+  return Team(study, folder, options, stop, numbers, draw, rows).run();
 }
 
 }  // namespace terp

@@ -16,6 +16,11 @@ struct EngineOptions {
 
 enum class StudyEnd { rule_met, out_of_time, stopped };
 
+/// Makes those of the numbers that are missing, drawn as the caller says, and appends them to the store.
+StudyEnd solve_realisations(const Study& study, const std::string& folder, const EngineOptions& options,
+    const std::atomic<bool>& stop, const std::vector<Index>& numbers, const std::function<Draw(Index)>& draw,
+    Realisations& rows);
+
 /// Makes what is missing of a part in the folder, which must be there, and appends it to the store. rows: what is there
 /// already; filled. Throws FileError, and std::bad_alloc where the workers need more memory than there is.
 StudyEnd run_realisations(const Study& study, const std::string& folder, const EngineOptions& options,

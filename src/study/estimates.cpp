@@ -8,6 +8,7 @@ namespace {
 
 bool meets_rule(const Study& study, const Sample& sample)
 {
+  if (info_of(study.settings.estimator).adaptive) return false;
   const std::int64_t needed = study.settings.stop.events();
   return needed > 0 && sample.rule_events() >= needed;
 }

@@ -173,13 +173,12 @@ void read_outcomes(const Simulation& simulation, const EventRule& event, Realisa
   r.flooded = r.judges_flood && summary.flood->verdict == FloodVerdict::floods;
 }
 
-std::optional<Realisation> realise(const Study& study, Index number, const std::atomic<bool>& stop)
+std::optional<Realisation> realise(const Study& study, Index number, const Draw& draw, const std::atomic<bool>& stop)
 {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   Realisation result{.number = number};
   try {
-    const Draw draw = draw_realisation(study, number);
     result.inputs = draw.inputs;
     if (!solve(study, draw, stop, result)) return std::nullopt;
   } catch (const CaseError& error) {

@@ -50,7 +50,7 @@ struct Realisation {
 
 /// None: stopped before its end. Memory and disks that fail are thrown on; a case that is refused and a run that stops
 /// itself are faults of the realisation.
-std::optional<Realisation> realise(const Study& study, Index number, const std::atomic<bool>& stop);
+std::optional<Realisation> realise(const Study& study, Index number, const Draw& draw, const std::atomic<bool>& stop);
 
 /// The same of a run that was solved.
 void read_outcomes(const Simulation& simulation, const EventRule& event, Realisation& realisation);

@@ -9,6 +9,7 @@
 #include "stability/factor_of_safety.hpp"
 #include "study/overlaps.hpp"
 #include "study/points.hpp"
+#include "study/reliability.hpp"
 
 #include <fmt/format.h>
 
@@ -243,6 +244,7 @@ bool changes_mesh(const std::string& key)
 
 Index count_realisations(const StudySettings& s)
 {
+  if (info_of(s.estimator).adaptive) return std::min(most_realisations, 10 * s.stop.number + 1000);
   if (s.fragility) return s.stop.number * static_cast<Index>(s.fragility->levels.size());
   if (s.estimator != Estimator::sweep) return s.stop.number;
   std::size_t n = s.form == SweepForm::table ? s.sweep.front().values.size() : 1;
@@ -272,6 +274,7 @@ Study prepare_study(StudySettings settings)
 {
   Study study{.settings = std::move(settings)};
   const StudySettings& s = study.settings;
+  if (info_of(s.estimator).adaptive && !has_openturns()) find_probability({.kind = s.estimator}, {});
   study.case_path = case_in(s);
   study.base = read_case(study.case_path, s.set);
   study.case_text = study.base.source.text;

@@ -51,6 +51,12 @@ Draw draw_changes(const Study& study, Index realisation);
 /// realisation: from 0. The same on any machine, in any order.
 Draw draw_realisation(const Study& study, Index realisation);
 
+/// The realisation at a place in the space of independent standard normal scores, one of each number.
+Draw draw_at(const Study& study, const std::vector<Real>& scores);
+
+/// What a realisation that is kept was drawn with.
+Draw draw_again(const Study& study, Index realisation, const std::vector<Real>& inputs);
+
 /// The case of a draw. Throws CaseError where it refuses what was drawn.
 CaseFile case_of(const Study& study, const Draw& draw);
 

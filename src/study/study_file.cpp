@@ -169,11 +169,14 @@ void read_top(const Node& root, StudySettings& s, Findings& findings)
   const auto section = [&](const char* name, const std::vector<StudyKey>& keys) {
     if (const Node* table = find_item(root, name)) read_section(*table, name, keys, {}, findings);
   };
-  static const Paths forms = {"grid", "table"};
+  static const Paths forms = {"grid", "table"}, events = {"slide", "flood"};
   const WordField estimator{[] { return 0; }, [&s](int k) { s.estimator = static_cast<Estimator>(k); }},
-      form{[] { return 0; }, [&s](int k) { s.form = static_cast<SweepForm>(k); }};
+      form{[] { return 0; }, [&s](int k) { s.form = static_cast<SweepForm>(k); }},
+      event{[] { return 0; }, [&s](int k) { s.adaptive.of_flood = k == 1; }};
   section("estimator", {{"kind", "", any_number, true, estimator, names_of_estimators},
                            {"form", "", any_number, false, form, [] { return forms; }},
+                           {"event", "", any_number, false, event, [] { return events; }},
+                           {"block", "-", {1.0, 10000.0}, false, &s.adaptive.block},
                            {"factor", "-", between(1.0, 10.0), false, &s.two_stage.factor},
                            {"audit", "-", between(0.001, 1.0), false, &s.two_stage.audit}});
   section(
@@ -259,6 +262,23 @@ void check_two_stage(const StudySettings& s, const Fail& fail)
     fail("fragility", "a fragility curve is not found in two stages", "Choose monte_carlo, or leave it out.");
 }
 
+template <class Fail>
+void check_adaptive(const StudySettings& s, const Fail& fail)
+{
+  const EstimatorInfo& info = info_of(s.estimator);
+  if (const Node* table = find_item(s.source.root, "estimator"); table != nullptr && !info.adaptive)
+    for (const char* key : {"event", "block"})
+      if (find_item(*table, key) != nullptr)
+        fail(join_path("estimator", key), fmt::format("`{}` is of a method that chooses its realisations", key),
+            "That is form, importance_sampling or subset.");
+  if (!info.adaptive) return;
+  if (!s.fields.empty())
+    fail(s.fields.front().path, fmt::format("`{}` draws no fields", info.name),
+        "Its space is that of the random numbers. Choose monte_carlo or two_stage, or give [[random]] alone.");
+  if (s.fragility)
+    fail("fragility", "a fragility curve needs independent samples", "Choose monte_carlo, or leave it out.");
+}
+
 void check_stop(const StudySettings& s, Findings& findings)
 {
   const auto fail = [&](const std::string& at, std::string what, std::string detail) {
@@ -288,6 +308,7 @@ void check_stop(const StudySettings& s, Findings& findings)
     fail("stop.cov", fmt::format("`{}` ends with its `number` of realisations", info.name),
         "Leave `cov` out, or choose monte_carlo.");
   check_two_stage(s, fail);
+  check_adaptive(s, fail);
   if (s.fragility && s.stop.cov > 0.0)
     return fail("stop.cov", "a fragility curve has the same number of realisations at each level",
         "Leave `cov` out; `number` is that of one level.");
@@ -357,11 +378,20 @@ const std::vector<EstimatorInfo>& all_estimators()
       "The bounds are those of independent realisations. Points that fill the space evenly are usually better, never "
       "known to be: no bound is proven for them.";
   static const std::vector<EstimatorInfo> all = {
-      {monte_carlo, "monte_carlo", "Monte Carlo", true, true, ""},
-      {latin_hypercube, "latin_hypercube", "Latin hypercube", false, true, of_points},
-      {sobol, "sobol", "Sobol points", false, true, of_points},
-      {two_stage, "two_stage", "two stages", false, false, ""},
-      {sweep, "sweep", "a sweep", false, false, ""},
+      {monte_carlo, "monte_carlo", "Monte Carlo", true, false, true, ""},
+      {latin_hypercube, "latin_hypercube", "Latin hypercube", false, false, true, of_points},
+      {sobol, "sobol", "Sobol points", false, false, true, of_points},
+      {two_stage, "two_stage", "two stages", false, false, false, ""},
+      {form, "form", "FORM", false, true, false,
+          "FORM takes the limit state for a plane at the design point: no bound is known, and a second design point is "
+          "not seen."},
+      {importance_sampling, "importance_sampling", "importance sampling", true, true, false,
+          "The bounds are those of a normal distribution, for many places, and not proven. The samples lie about one "
+          "design point: a second one far from it is hardly seen."},
+      {subset, "subset", "subset simulation", false, true, false,
+          "The bounds are those of a normal distribution, and not proven. The method takes its chains for less "
+          "correlated than they are: in 100 variables the true spread was 1.3 times the one that is shown."},
+      {sweep, "sweep", "a sweep", false, false, false, ""},
   };
   return all;
 }

@@ -1,5 +1,6 @@
 #include "study/study_json.hpp"
 
+#include "study/adaptive.hpp"
 #include "study/fragility.hpp"
 #include "study/study_text.hpp"
 
@@ -28,7 +29,15 @@ Json integral_json(const std::optional<CurveIntegral>& i)
 /// P at all levels together is nobody's probability: a curve has its own.
 void add_events(const Study& study, const Realisations& rows, const StudyEstimates& e, Json& json)
 {
-  const bool one_p = study.settings.estimator != Estimator::sweep && !study.settings.fragility;
+  if (info_of(study.settings.estimator).adaptive) {
+    const auto found = replay_adaptive(study, rows);
+    json["method"] = found ? Json{{"probability", found->probability}, {"cov", or_null(found->cov)},
+                                 {"design_point", found->design_point}, {"influence", found->importance}}
+                           : Json();
+    json["remarks"] = remarks_on_adaptive(study, rows, found);
+  }
+  const bool one_p = study.settings.estimator != Estimator::sweep && !info_of(study.settings.estimator).adaptive &&
+                     !study.settings.fragility;
   json["slide"] = one_p ? event_json(e.slide) : Json();
   json["flood"] = one_p && e.judges_flood ? event_json(e.flood) : Json();
   json["flood_after_slide"] = one_p && e.judges_flood ? event_json(e.flood_after_slide) : Json();
@@ -56,7 +65,7 @@ std::string study_json(const Study& study, const Realisations& rows)
   json["faults"] = Json::array();
   for (const FaultCount& fault : e.faults)
     json["faults"].push_back({{"what", fault.what}, {"first", fault.first}, {"count", fault.n}});
-  json["remarks"] = remarks_on_study(study, rows, e);
+  if (!json.contains("remarks")) json["remarks"] = remarks_on_study(study, rows, e);
   return json.dump(2) + '\n';
 }
 

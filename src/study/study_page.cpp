@@ -1,6 +1,7 @@
 #include "study/study_page.hpp"
 
 #include "report/plain_page.hpp"
+#include "study/adaptive.hpp"
 #include "study/field_picture.hpp"
 #include "study/fragility_text.hpp"
 #include "study/study_text.hpp"
@@ -235,9 +236,13 @@ const std::string& title_of(const StudySettings& s) { return s.title.empty() ? s
 std::string page_of_study(const Study& study, const Realisations& rows, const std::string& written)
 {
   const StudyEstimates e = estimate(study, rows);
-  std::string body = notes(remarks_on_study(study, rows, e));
+  const bool adaptive = info_of(study.settings.estimator).adaptive;
+  const auto found = adaptive ? replay_adaptive(study, rows) : std::nullopt;
+  std::string body = notes(adaptive ? remarks_on_adaptive(study, rows, found) : remarks_on_study(study, rows, e));
   if (study.settings.estimator == Estimator::sweep) {
     body += sweep_section(study, rows, e.n_made);
+  } else if (adaptive) {
+    body += adaptive_section(study, found);
   } else {
     std::vector<LineChart> charts;
     if (study.settings.fragility) {

@@ -1,5 +1,6 @@
 #include "study/study_text.hpp"
 
+#include "study/adaptive.hpp"
 #include "study/fragility_text.hpp"
 
 #include <fmt/format.h>
@@ -77,6 +78,21 @@ void add_two_stage_remarks(const Study& study, const StudyEstimates& e, std::vec
         e.screening_wall_s, e.full_wall_s, e.full_wall_s / e.mean_wall_s));
 }
 const char* zero_or_one(bool value) { return value ? "1" : "0"; }
+
+std::string head_line(const StudySettings& s, const StudyEstimates& e)
+{
+  return fmt::format("{}: {} realisations, {}, {:.2g} s each\n", s.title.empty() ? s.name : s.title, e.n_made,
+      counts_text(e.counts), e.mean_wall_s);
+}
+
+std::string adaptive_study_text(const Study& study, const Realisations& rows, const StudyEstimates& e)
+{
+  const auto result = replay_adaptive(study, rows);
+  std::string out = head_line(study.settings, e);
+  if (result) out += adaptive_text(study, rows, *result);
+  for (const std::string& remark : remarks_on_adaptive(study, rows, result)) out += "  note: " + remark + '\n';
+  return out;
+}
 
 std::string quoted(const std::string& text)
 {
@@ -180,8 +196,8 @@ std::string study_text(const Study& study, const Realisations& rows)
 {
   const StudySettings& s = study.settings;
   const StudyEstimates e = estimate(study, rows);
-  std::string out = fmt::format("{}: {} realisations, {}, {:.2g} s each\n", s.title.empty() ? s.name : s.title,
-      e.n_made, counts_text(e.counts), e.mean_wall_s);
+  if (info_of(s.estimator).adaptive) return adaptive_study_text(study, rows, e);
+  std::string out = head_line(s, e);
   if (s.estimator == Estimator::sweep) {
     out += sweep_lines(study, rows, e.n_made);
   } else if (s.fragility) {

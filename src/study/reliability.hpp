@@ -1,0 +1,40 @@
+// Probability of an event by methods that choose the next realisations from the last ones: FORM, importance sampling,
+// subset simulation. OpenTURNS has them; it is known to openturns.cpp alone, and a build may lack it.
+#pragma once
+
+#include "study/study_file.hpp"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace terp {
+
+/// Values of a limit state at places in the space of independent standard normal scores, shape [n, numbers]: the event
+/// happens where it is not above 0. The places of one call are what workers share.
+using LimitState = std::function<std::vector<Real>(const std::vector<std::vector<Real>>& scores)>;
+
+struct ReliabilityRule {
+  Estimator kind = Estimator::form;
+  std::size_t n_numbers = 1;
+  Index seed = 1;
+  Index number = 1000;  ///< of places at most; of subset simulation in each of its levels
+  Index block = 16;     ///< places of one call
+  Real cov = 0.0;       ///< at which importance sampling ends; 0: at `number`
+};
+
+struct ReliabilityResult {
+  Real probability = 0.0;
+  std::optional<Real> cov = {};         ///< of the estimate, as the method itself says; FORM has none
+  std::vector<Real> design_point = {};  ///< of FORM and importance sampling, in scores
+  std::vector<Real> importance = {};    ///< squares of the direction cosines of the design point; sum 1
+  Index n_places = 0;                   ///< at which the limit state was found
+  bool converged = true;                ///< FORM found a design point on the limit state
+};
+
+bool has_openturns();
+
+/// Throws what `limit` throws, and CaseError where this build has no OpenTURNS.
+ReliabilityResult find_probability(const ReliabilityRule& rule, const LimitState& limit);
+
+}  // namespace terp
