@@ -238,12 +238,11 @@ int keep(const Study& study, const std::string& folder, Index number, const Stud
   const int status = run_case(run);
   if (status != solved || there == rows.end() || !there->second.solved()) return status;
   const Summary summary = read_summary(path_in(run.output, summary_file)).values;
-  const std::vector<Real>& kept = there->second.outcomes;
-  if (summary.max_eps_eq_p != kept[outcome_number("max_eps_eq_p")])
+  if (const std::vector<std::string> names = differing_outcomes(there->second.outcomes, summary); !names.empty())
     throw FileError(
-        fmt::format("realisation {} has other results than in the store\n  It was solved by another program "
+        fmt::format("realisation {} has other results than in the store: {}\n  It was solved by another program "
                     "or machine: AVX-512 and AVX2 give the same bits, SSE2 others.",
-            number));
+            number, fmt::join(names, ", ")));
   if (!command.quiet) fmt::print("realisation {} has the results of the store, to the bit\n", number);
   return status;
 }

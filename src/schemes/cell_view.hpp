@@ -5,6 +5,7 @@
 #include "forces/internal_force.hpp"
 #include "forces/pore_pressure.hpp"
 #include "materials/soil_material.hpp"
+#include "mesh/mesh.hpp"
 #include "transfer/gauss_average.hpp"
 
 #include <algorithm>

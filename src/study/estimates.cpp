@@ -195,6 +195,7 @@ StudyEstimates estimate(const Study& study, const Realisations& rows)
   StudyEstimates e(study.settings);
   e.n_made = count_in_table(study, rows, e.rule_met);
   e.n_beyond = static_cast<Index>(rows.size()) - e.n_made;
+  const std::size_t moves = outcome_number("still_moves");
   Index n_skipped = 0;
   double skipped_wall_s = 0.0;
   for (Index n = 0; n < e.n_made; ++n) {
@@ -203,6 +204,7 @@ StudyEstimates estimate(const Study& study, const Realisations& rows)
     e.mean_wall_s += r.wall_s / e.n_made;
     if (r.skipped()) ++n_skipped, skipped_wall_s += r.wall_s;
     if (!r.fault.empty()) count_fault(r, e.faults);
+    if (r.solved() && !r.flooded && r.outcomes[moves] == 1.0) ++e.n_still_moving;
   }
   if (n_skipped > 0 && n_skipped < e.n_made) {
     e.screening_wall_s = skipped_wall_s / n_skipped;

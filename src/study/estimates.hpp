@@ -84,8 +84,9 @@ struct FaultCount {
 struct StudyEstimates {
   explicit StudyEstimates(const StudySettings& settings) : sample(settings) {}
 
-  Index n_made = 0;    ///< realisations of the table: 0 ... n_made - 1
-  Index n_beyond = 0;  ///< solved, but after a gap, or after the rule has stopped: not in the table
+  Index n_made = 0;          ///< realisations of the table: 0 ... n_made - 1
+  Index n_beyond = 0;        ///< solved, but after a gap, or after the rule has stopped: not in the table
+  Index n_still_moving = 0;  ///< of those, solved without a flood while soil still moves at the end
   bool judges_flood = false;
   EventCounts counts = {};
   EventEstimate slide, flood, flood_after_slide;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
 
-Real moved_volume_of(const Simulation& s, const Summary&, const EventRule& event)
+Real moved_volume_of(const Simulation& s, const EventRule& event)
 {
   const std::vector<std::uint8_t> ground = ground_of(s.model);
   Real volume = find_moved(s.state.points, s.state.x_initial, event.displacement, ground).volume;
@@ -30,10 +30,10 @@ Real moved_volume_of(const Simulation& s, const Summary&, const EventRule& event
 
 /// The largest displacement beyond which the volume of the event lies, to 12 digits: it varies with the input even
 /// where nothing slides.
-Real displacement_of_volume(const Simulation& s, const Summary& summary, const EventRule& event)
+Real displacement_of_volume(const Simulation& s, const EventRule& event)
 {
   const auto moved = [&](Real displacement) {
-    return moved_volume_of(s, summary, {event.volume, displacement}) >= event.volume;
+    return moved_volume_of(s, {event.volume, displacement}) >= event.volume;
   };
   constexpr Real least = 1e-12, most = 1e6;  // [m]
   constexpr int n_halvings = 46;
@@ -47,22 +47,22 @@ Real displacement_of_volume(const Simulation& s, const Summary& summary, const E
 }
 
 template <Real FloodSummary::*member>
-Real of_flood(const Simulation&, const Summary& summary, const EventRule&)
+Real of_flood(const Summary& summary)
 {
-  return summary.flood ? (*summary.flood).*member : none;
+  return summary.flood && std::isfinite((*summary.flood).*member) ? (*summary.flood).*member : none;
 }
 
 template <std::optional<Real> Summary::*member>
-Real of_summary(const Simulation&, const Summary& summary, const EventRule&)
+Real of_summary(const Summary& summary)
 {
   return (summary.*member).value_or(none);
 }
 
 const OutcomeInfo outcomes[] = {
     {{"slide_volume", "m^2", "volume that slid", "volume that moved farther than the displacement of the event"},
-        moved_volume_of},
+        nullptr, moved_volume_of},
     {{"event_displacement", "m", "displacement of the event's volume", "as much soil as makes the event moved farther"},
-        displacement_of_volume},
+        nullptr, displacement_of_volume},
     {{"residual_height", "m", "highest ground that remains", "at the end (docs/flood.md)"},
         of_summary<&Summary::residual_height>},
     {{"freeboard", "m", "freeboard that remains", "of the highest ground over the water, at the end"},
@@ -70,17 +70,16 @@ const OutcomeInfo outcomes[] = {
     {{"width_at_level", "m", "width at the water level", "of the ground, at the end"},
         of_flood<&FloodSummary::width_at_level>},
     {{"slides", "-", "slides", "how often the crest retreated by much (docs/formats.md)"},
-        [](const Simulation&, const Summary& s, const EventRule&) { return static_cast<Real>(s.slides.size()); }},
+        [](const Summary& s) { return static_cast<Real>(s.slides.size()); }},
     {{"first_slide_time", "s", "time of the first slide", "when the crest began to retreat"},
         of_summary<&Summary::first_slide_time>},
     {{"flood_time", "s", "time of the flood", "first time the ground no longer held the water"},
-        [](const Simulation&, const Summary& s, const EventRule&) {
-          return s.flood ? s.flood->first_time_below.value_or(none) : none;
-        }},
-    {{"max_eps_eq_p", "-", "largest eps_eq_p", "at the end"},
-        [](const Simulation&, const Summary& s, const EventRule&) { return s.max_eps_eq_p; }},
-    {{"end_time", "s", "time at the end", "of the run"},
-        [](const Simulation& s, const Summary&, const EventRule&) { return s.state.time; }},
+        [](const Summary& s) { return s.flood ? s.flood->first_time_below.value_or(none) : none; }},
+    {{"still_moves", "-", "still moves", "1 where soil moves so fast at the end that the verdict may change"},
+        [](const Summary& s) { return s.flood ? (s.flood->still_moves ? 1.0 : 0.0) : none; }},
+    {{"max_eps_eq_p", "-", "largest eps_eq_p", "at the end"}, [](const Summary& s) { return s.max_eps_eq_p; }},
+    {{"end_time", "s", "time at the end", "of the run"}, nullptr,
+        [](const Simulation& s, const EventRule&) { return s.state.time; }},
 };
 
 std::string on_one_line(std::string text)
@@ -157,6 +156,15 @@ std::size_t outcome_number(std::string_view name)
   return static_cast<std::size_t>(found - std::begin(outcomes));
 }
 
+std::vector<std::string> differing_outcomes(const std::vector<Real>& kept, const Summary& summary)
+{
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < std::size(outcomes); ++k)
+    if (outcomes[k].of_summary != nullptr && !same_bits({kept[k]}, {outcomes[k].of_summary(summary)}))
+      names.emplace_back(outcomes[k].info.name);
+  return names;
+}
+
 bool Realisation::same_as(const Realisation& other) const
 {
   return number == other.number && fault == other.fault && screening == other.screening && slid == other.slid &&
@@ -167,7 +175,9 @@ bool Realisation::same_as(const Realisation& other) const
 void read_outcomes(const Simulation& simulation, const EventRule& event, Realisation& r)
 {
   const Summary summary = summarise(simulation.model, simulation.state);
-  for (const OutcomeInfo& outcome : outcomes) r.outcomes.push_back(outcome.read(simulation, summary, event));
+  for (const OutcomeInfo& outcome : outcomes)
+    r.outcomes.push_back(
+        outcome.of_summary != nullptr ? outcome.of_summary(summary) : outcome.of_run(simulation, event));
   r.slid = r.outcomes[outcome_number("slide_volume")] >= event.volume;
   r.judges_flood = summary.flood.has_value();
   r.flooded = r.judges_flood && summary.flood->verdict == FloodVerdict::floods;

@@ -17,12 +17,16 @@ namespace terp {
 /// A number that is kept of a realisation.
 struct OutcomeInfo {
   QuantityInfo info;
-  Real (*read)(const Simulation& simulation, const Summary& summary, const EventRule& event);  ///< NaN: not defined
+  Real (*of_summary)(const Summary& summary);  ///< NaN: not defined. Null: it needs the points of the run
+  Real (*of_run)(const Simulation& simulation, const EventRule& event) = nullptr;
 };
 /// In the order of the store and of the table. A new one is an entry in realise.cpp.
 std::span<const OutcomeInfo> study_outcomes();
 /// Number of the outcome of that name; it must be there.
 std::size_t outcome_number(std::string_view name);
+
+/// Names of outcomes that differ from those of a summary of the same realisation.
+std::vector<std::string> differing_outcomes(const std::vector<Real>& outcomes, const Summary& summary);
 
 /// What the first of two stages says of a realisation.
 enum class Screening { none, falls, audited, skipped };  ///< the last two stand; a part of them is run all the same

@@ -20,7 +20,7 @@ constexpr std::size_t n_digits = 16;  // of a checksum
 constexpr const char* ending = ".rows";
 constexpr std::string_view screening_letters = "-xas";  // in the order of Screening
 constexpr const char* head_begin = "terp study\t";
-constexpr const char* store_format = "3";  // before: soil that slides as it is drawn had failed
+constexpr const char* store_format = "4";  // before: no word of soil that still moves at the end
 
 std::string with_checksum(const std::string& line) { return digits_of(line) + '\t' + line + '\n'; }
 

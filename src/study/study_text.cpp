@@ -154,6 +154,11 @@ std::vector<std::string> remarks_on_study(const Study& study, const Realisations
     remarks.push_back(
         "Failed realisations count in both bounds: as if nothing happened in the lower one, as if it did in "
         "the upper one. They are no random sample: the estimates are of the others alone.");
+  if (e.n_still_moving > 0)
+    remarks.push_back(
+        fmt::format("{} realisations end without a flood while their soil still moves: P(F) may be too "
+                    "low. End the case at rest, or later.",
+            e.n_still_moving));
   if (!e.rule_met)
     remarks.push_back(
         fmt::format("The stop rule is not met yet: {} of at most {} realisations. The same command goes on.", e.n_made,

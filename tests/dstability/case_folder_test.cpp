@@ -23,13 +23,12 @@ const std::vector<SoilKind>& kinds()
 
 std::string sample(const std::string& name) { return source_path("tests/dstability/samples/" + name + ".stix"); }
 
-/// Writes the folder, and reads its case.
-CaseFile read_folder(const CaseFolder& folder, const std::string& name)
+/// Writes the folder to a place of its own, as tests run side by side, and reads its case.
+CaseFile read_folder(const CaseFolder& folder)
 {
-  const std::string path = testing::TempDir() + name;
-  std::filesystem::create_directories(path);
-  for (const auto& [file, contents] : folder.files) std::ofstream(path + "/" + file) << contents;
-  return read_case(path + "/case.toml");
+  const ScratchFolder own;
+  for (const auto& [file, contents] : folder.files) std::ofstream(own.path() + "/" + file) << contents;
+  return read_case(own.path() + "/case.toml");
 }
 
 /// Area of each polygon that is not covered by a later one: by the strips of one vast cell.
@@ -94,7 +93,7 @@ TEST_P(Sample, GivesACaseThatIsReadAndWeighsWhatItsPolygonsWeigh)
   const StixProject project = read_stix(sample(name));
   const CaseFolder folder = case_folder_of(
       project, {.scenario = scenario, .stage = stage, .between = Vec<2>{-1e4, 1e4}, .base = -1e4, .kinds = kinds()});
-  const CaseFile file = read_folder(folder, fmt::format("folder_of_{}_{}_{}", name, scenario, stage));
+  const CaseFile file = read_folder(folder);
   const StixStage& from = project.scenarios[scenario].stages[stage];
   const Real weight = weight_of_file(project, from);
   const Real near = from.excavations.empty() ? 1e-9 : 1e-7;  // the edge of a pit may move by 1 mm
@@ -131,7 +130,7 @@ TEST(CaseFolder, SaysTheStrengthOfTheFileWithItsHistory)
 
 TEST(CaseFolder, GoesFromDailyWaterToTheAnalysedStage)
 {
-  const Case description = read_folder(tutorial(), "folder_of_tutorial").values;
+  const Case description = read_folder(tutorial()).values;
   ASSERT_EQ(description.stages.size(), 2u);
   EXPECT_EQ(description.stages[0].name, "daily_conditions");
   ASSERT_EQ(description.water.situations.size(), 1u);
@@ -147,7 +146,7 @@ TEST(CaseFolder, HasTheWaterPressuresOfTheFile)
 {
   const StixProject project = read_stix(sample("tutorial-2023"));
   const StixSection section(project, 1, 1, StixBasis::deterministic);
-  const WaterCase water = read_folder(tutorial(), "folder_of_tutorial").values.water;
+  const WaterCase water = read_folder(tutorial()).values.water;
   Real most = 0.0;
   for (Real x = -61.0; x < 85.0; x += 3.7) {
     const StixColumn column = section.column(x);
@@ -161,7 +160,7 @@ TEST(CaseFolder, HasTheWaterPressuresOfTheFile)
 
 TEST(CaseFolder, CutsASoilThatDiffersAboveThePhreaticLine)
 {
-  const Case description = read_folder(tutorial(), "folder_of_tutorial").values;
+  const Case description = read_folder(tutorial()).values;
   std::set<std::string> names;
   for (const BodyCase& body : description.bodies) names.insert(body.material);
   EXPECT_TRUE(names.contains("sand_with_clay_above"));
@@ -170,7 +169,7 @@ TEST(CaseFolder, CutsASoilThatDiffersAboveThePhreaticLine)
 
 TEST(CaseFolder, HasTheColoursAndSlipPlanesOfTheFile)
 {
-  const Case description = read_folder(tutorial(), "folder_of_tutorial").values;
+  const Case description = read_folder(tutorial()).values;
   const StixProject project = read_stix(sample("tutorial-2023"));
   std::vector<StixCalculation> stored = project.scenarios[1].calculations;
   std::erase_if(stored, [](const StixCalculation& c) { return c.result->slip_plane.empty(); });  // probabilistic
@@ -211,7 +210,7 @@ TEST(CaseFolder, TakesAPartOfTheSection)
   const StixProject project = read_stix(sample("tutorial-2023"));
   const CaseFolder folder =
       case_folder_of(project, {.scenario = 1, .stage = 1, .between = Vec<2>{-30.0, 60.0}, .kinds = kinds()});
-  const Case description = read_folder(folder, "folder_of_part").values;
+  const Case description = read_folder(folder).values;
   EXPECT_EQ(description.mesh.origin[0], -30.0);
   EXPECT_EQ(description.mesh.size[0], 90.0);
   EXPECT_EQ(description.mesh.origin[1], -9.0);  // the base is still that which matters
@@ -229,7 +228,7 @@ TEST(CaseFolder, OfADrawingIsASkeletonThatCanBeRead)
       {}};
   const CaseFolder folder =
       drawing_folder_of(drawing, {"The unit of the drawing is m."}, {.path = "d.dxf", .kinds = kinds()});
-  const Case description = read_folder(folder, "folder_of_drawing").values;
+  const Case description = read_folder(folder).values;
   ASSERT_EQ(description.bodies.size(), 2u);
   EXPECT_EQ(description.bodies[1].material, "klei");
   EXPECT_EQ(description.materials[0].model, "mohr_coulomb");
@@ -242,7 +241,7 @@ TEST(CaseFolder, FillsBelowABaseThatIsNotLevel)
 {
   const DxfRegions drawing{{{"sand", {{0, 0}, {20, 1}, {20, 4}, {0, 4}}}}, {}};
   const CaseFolder folder = drawing_folder_of(drawing, {}, {.path = "d.dxf", .kinds = kinds()});
-  EXPECT_EQ(read_folder(folder, "folder_of_base").values.bodies.size(), 2u);
+  EXPECT_EQ(read_folder(folder).values.bodies.size(), 2u);
   EXPECT_THAT(folder.files.back().second, HasSubstr("10.000 m2 below the base were filled."));
 }
 
@@ -263,10 +262,7 @@ CaseFolder last_stage(const StixProject& project)
   return case_folder_of(project, {.stage = project.scenarios[0].stages.size() - 1, .kinds = kinds()});
 }
 
-Case case_of(const StixProject& project, const std::string& name)
-{
-  return read_folder(last_stage(project), name).values;
-}
+Case case_of(const StixProject& project) { return read_folder(last_stage(project)).values; }
 
 TEST(HandSection, HasItsRiverWhereTheWaterStandsHigherNotDeeper)
 {
@@ -275,7 +271,7 @@ TEST(HandSection, HasItsRiverWhereTheWaterStandsHigherNotDeeper)
       .label = "s",
       .outline = {{0, 2}, {20, 2}, {30, 6}, {35, 6}, {50, -1}, {60, -5}, {80, -5}, {80, -15}, {0, -15}},
       .soil = 0};
-  const Case lake = case_of(project_of({stage_of({sand}, {{0, 4}, {25, 4}, {50, -1}, {80, -1}})}), "lake");
+  const Case lake = case_of(project_of({stage_of({sand}, {{0, 4}, {25, 4}, {50, -1}, {80, -1}})}));
   EXPECT_EQ(lake.flood.river, RiverSide::left);
   EXPECT_EQ(lake.flood.water_level, 4.0);
 }
@@ -285,7 +281,7 @@ TEST(HandSection, NamesTwoLoadsOfOneLabelApart)
   StixStage stage = clay_on_sand();
   stage.loads = {{.label = "Traffic", .start = 2, .end = 4, .magnitude = 13e3},
       {.label = "Traffic", .start = 8, .end = 9, .magnitude = 5e3}, {.start = 12, .end = 13, .magnitude = 5e3}};
-  const Case two = case_of(project_of({stage}), "two_loads");
+  const Case two = case_of(project_of({stage}));
   ASSERT_EQ(two.loads.size(), 3u);
   EXPECT_EQ(two.loads[0].name, "traffic");
   EXPECT_EQ(two.loads[1].name, "traffic_2");
@@ -296,13 +292,13 @@ TEST(HandSection, KeepsTheWaterOfTheFirstStageWhereTheAnalysedOneIsDry)
 {
   const auto layers = clay_on_sand().layers;
   const CaseFolder folder = last_stage(project_of({clay_on_sand(), stage_of(layers, {}, "dry")}));
-  const Case dry = read_folder(folder, "dry").values;
+  const Case dry = read_folder(folder).values;
   EXPECT_EQ(dry.water.start.phreatic_line[0][1], -1.0);
   ASSERT_EQ(dry.water.situations.size(), 1u);
   EXPECT_EQ(water_pressure(dry.water, dry.water.situations[0], {10.0, -10.0}, 0.0), 0.0);
   EXPECT_THAT(
       folder.files.back().second, HasSubstr("Stage \"dry\" has no water: in the case it stands below the section."));
-  const Case wet = case_of(project_of({stage_of(layers, {}, "dry"), clay_on_sand()}), "wet");
+  const Case wet = case_of(project_of({stage_of(layers, {}, "dry"), clay_on_sand()}));
   EXPECT_EQ(water_pressure(wet.water, wet.water.start, {10.0, -10.0}, 0.0), 0.0);
   EXPECT_EQ(water_pressure(wet.water, wet.water.situations[0], {10.0, -10.0}, 0.0), 90e3);
 }
@@ -313,7 +309,7 @@ TEST(HandSection, HasItsBaseBelowAllLayers)
   const StixLayer left{
       .id = "l", .label = "l", .outline = {{0, 0.5}, {40, 0}, {60, 0}, {80, 0.4}, {80, 10}, {0, 10}}, .soil = 0},
       right{.id = "r", .label = "r", .outline = {{80, 0.4}, {90, .5}, {100, .5}, {100, 10}, {80, 10}}, .soil = 1};
-  const Case described = case_of(project_of({stage_of({left, right}, {{0, 20}})}), "base");
+  const Case described = case_of(project_of({stage_of({left, right}, {{0, 20}})}));
   std::vector<Polygon> polygons;
   for (const BodyCase& body : described.bodies) polygons.push_back(body.polygon);
   const std::vector<Real> areas = areas_on_top(polygons);
@@ -349,7 +345,7 @@ TEST(HandSection, FitsATableOfStrengthToTheDeepestPieceInWhateverOrder)
 TEST(HandSection, SaysThatALineIsLevelBeyondItsEnds)
 {
   const StixLine phreatic{{2, -1}, {8, -1}, {12, -2}};
-  const Case described = case_of(project_of({stage_of(clay_on_sand().layers, phreatic)}), "level");
+  const Case described = case_of(project_of({stage_of(clay_on_sand().layers, phreatic)}));
   EXPECT_THAT(
       described.water.start.phreatic_line, ElementsAre(Vec<2>{2, -1}, Vec<2>{8, -1}, Vec<2>{12, -2}, Vec<2>{20, -2}));
 }

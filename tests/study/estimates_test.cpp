@@ -27,6 +27,7 @@ Realisations rows_of(Index n)
         .wall_s = 2.0};
     r.outcomes.assign(study_outcomes().size(), 1.0);
     r.outcomes[outcome_number("residual_height")] = r.slid ? 3.0 : 5.0;
+    r.outcomes[outcome_number("still_moves")] = k % 12 == 3 ? 1.0 : 0.0;
     rows.emplace(k, r);
   }
   return rows;
@@ -37,6 +38,7 @@ TEST(Estimates, ProbabilitiesOfEventsWithTheirBounds)
   const Study study = study_of("number = 60");
   const StudyEstimates e = estimate(study, rows_of(60));
   EXPECT_TRUE(e.rule_met);
+  EXPECT_EQ(e.n_still_moving, 5);
   EXPECT_EQ(e.slide.happened, 20);
   EXPECT_EQ(e.flood.happened, 10);
   EXPECT_DOUBLE_EQ(*e.flood_after_slide.probability(), 0.5);

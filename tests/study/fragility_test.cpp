@@ -44,7 +44,7 @@ Realisations rows_of(const Study& study, const std::vector<Index>& slides, const
         .slid = sample < slides[level],
         .flooded = sample < floods[level],
         .judges_flood = true};
-    r.outcomes.assign(study_outcomes().size(), 1.0);
+    r.outcomes.assign(study_outcomes().size(), 0.0);
     rows.emplace(k, r);
   }
   return rows;
