@@ -122,6 +122,12 @@ int main(int argc, char** argv)
   } catch (const std::filesystem::filesystem_error& error) {
     fmt::print(stderr, "error: cannot use {}: {}\n", error.path1().string(), error.code().message());
     return terp::failed;
+  } catch (const std::system_error& error) {
+    if (std::ferror(stdout) != 0)  // of a long answer; of a short one the end of main notices
+      fmt::print(stderr, "error: what was to be printed is not complete: {}\n", error.code().message());
+    else
+      fmt::print(stderr, "error: {}\n", error.what());
+    return terp::failed;
   } catch (const std::exception& error) {
     fmt::print(stderr, "error: {}\n", error.what());
     return terp::failed;

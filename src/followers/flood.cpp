@@ -185,7 +185,7 @@ class Flood : public Follower {
     const std::int64_t river = arrays.wholes("river", 1)[0];
     river_ = river == 0 ? std::nullopt : std::optional(river > 0 ? Facing::right : Facing::left);
     time_damaged_ = times[0], time_below_ = times[1];
-    if (arrays.has("speed")) fastest_node_ = arrays.reals("speed", 1)[0];
+    fastest_node_ = arrays.reals("speed", 1)[0];
   }
 
   /// What the other run counted holds if it was judged against the same. Else only the ground of t = 0 is looked at,
