@@ -160,7 +160,8 @@ std::vector<std::string> differing_outcomes(const std::vector<Real>& kept, const
 {
   std::vector<std::string> names;
   for (std::size_t k = 0; k < std::size(outcomes); ++k)
-    if (outcomes[k].of_summary != nullptr && !same_bits({kept[k]}, {outcomes[k].of_summary(summary)}))
+    if (const Real now = outcomes[k].of_summary != nullptr ? outcomes[k].of_summary(summary) : none;
+        !std::isnan(now) && !same_bits({kept[k]}, {now}))  // summary.json does not hold all of them
       names.emplace_back(outcomes[k].info.name);
   return names;
 }
