@@ -48,8 +48,8 @@ package: build   ## a Debian package: program, Python package, documents, cases,
 wheel: build     ## a wheel of the Python package with its compiled part
 	@packaging/make_wheel $(BUILD)
 
-verify: build    ## the verification ledger: all cases with a known answer; writes build/ and docs/verification.md
-	@$(TERP) verify --markdown $(BUILD)/verification.md --overview docs/verification.md
+verify: build    ## all cases with a known answer, or CASE="name name"; writes build/ and docs/verification.md
+	@$(TERP) verify $(CASE) --markdown $(BUILD)/verification.md --overview docs/verification.md
 
 test-web: build  ## the report page: unit tests, and end-to-end tests in Chromium on runs of the program
 	@tools/install-dependencies --web

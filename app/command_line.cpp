@@ -231,10 +231,15 @@ void declare_verify(CLI::App& app, VerifyOptions& options)
   verify->add_option("CASE", options.names, "names of cases")->option_text(" ");
   verify->add_flag("--list", options.list, "names and titles");
   CLI::Option* only_short = verify->add_flag("--short", options.only_short, "only those that take seconds");
-  verify->add_flag("--long", options.only_long, "only those that take minutes")->option_text(" ")->excludes(only_short);
+  CLI::Option* only_long = verify->add_flag("--long", options.only_long, "only those that take minutes");
+  only_long->option_text(" ")->excludes(only_short);
   verify->add_option("--markdown", options.markdown, "write the ledger as a page")->option_text("FILE");
-  verify->add_option("--overview", options.overview, "write one line per case, and what does not agree")
-      ->option_text("FILE");
+  verify
+      ->add_option("--overview", options.overview,
+          "write one line per case, and what does not agree; a page that is there keeps the cases that are not solved")
+      ->option_text("FILE")
+      ->excludes(only_short)
+      ->excludes(only_long);
   verify->add_option("--cases", options.cases, "folder of the cases")->option_text("DIR");
   add_threads(verify, options.threads);
 }

@@ -9,7 +9,7 @@
 #include "progress.hpp"
 #include "stop.hpp"
 #include "verification/find_cases.hpp"
-#include "verification/report.hpp"
+#include "verification/overview.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -141,6 +141,15 @@ void write_page(const std::string& path, const std::string& text)
   fmt::print("written: {}\n", path);
 }
 
+/// The short page. Cases that were not asked for keep what the page says of them.
+std::string overview_with(const std::vector<CaseRows>& pages, const VerifyOptions& options, const std::string& head)
+{
+  Overview overview = overview_of(pages);
+  if (!options.names.empty() && std::filesystem::exists(options.overview))
+    overview.merge(read_overview(read_file(options.overview)));
+  return overview_page(overview, head);
+}
+
 void list_cases(const std::vector<std::unique_ptr<VerificationCase>>& cases, const VerifyOptions& options)
 {
   for (const auto& c : cases) {
@@ -181,7 +190,7 @@ int verify_cases(const VerifyOptions& options)
     pages.push_back(std::move(page));
   }
   if (!options.markdown.empty()) write_page(options.markdown, markdown_page(pages, head_of_page(folder)));
-  if (!options.overview.empty()) write_page(options.overview, markdown_overview(pages, head_of_page(folder)));
+  if (!options.overview.empty()) write_page(options.overview, overview_with(pages, options, head_of_page(folder)));
   const Counts counts = count(pages);
   fmt::print("{}\n", counts_text(counts));
   return counts.fail == 0 ? Status::solved : failed;

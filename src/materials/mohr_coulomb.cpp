@@ -10,6 +10,7 @@
 #include "materials/elastic_constants.hpp"
 #include "materials/law.hpp"
 #include "materials/mohr_coulomb_return.hpp"
+#include "materials/softening_shape.hpp"
 
 #include <fmt/format.h>
 
@@ -109,14 +110,7 @@ struct MohrCoulomb {
       with_usual(residual_of("dilatancy_angle",
                      angle_info("dilatancy_angle_residual", 0.0, "dilatancy angle that softening leaves")),
           usual_dilatancy),
-      ParameterInfo{.name = "eta",
-          .unit = "-",
-          .range = not_negative,
-          .typical = 50.0,
-          .meaning = "shape factor of the softening; 95 % of it is done at a strain of 3/eta",
-          .fallback = 0.0,
-          .strain_exponent = 1.0,
-          .may_vary = true},
+      eta_info,
   };
   static constexpr std::array state{
       StateInfo{

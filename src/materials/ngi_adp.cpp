@@ -13,6 +13,7 @@
 #include "materials/elastic_constants.hpp"
 #include "materials/law.hpp"
 #include "materials/material_axes.hpp"
+#include "materials/softening_shape.hpp"
 
 #include <fmt/format.h>
 
@@ -66,14 +67,7 @@ struct NgiAdp {
           .fallback = 1.0,
           .acts_with = "eta",
           .may_vary = true},
-      ParameterInfo{.name = "eta",
-          .unit = "-",
-          .range = not_negative,
-          .typical = 50.0,
-          .meaning = "shape factor of the softening; 95 % of it is done at a strain of 3/eta",
-          .fallback = 0.0,
-          .strain_exponent = 1.0,
-          .may_vary = true},
+      eta_info,
       axis_angle_info,
   };
   static constexpr std::array state{

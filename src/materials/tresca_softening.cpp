@@ -13,6 +13,7 @@
 #include "materials/law.hpp"
 #include "materials/principal.hpp"
 #include "materials/rate_factor.hpp"
+#include "materials/softening_shape.hpp"
 
 #include <fmt/format.h>
 
@@ -80,14 +81,7 @@ struct TrescaSoftening {
               .range = Range{1.0},
               .usual = between(1.0, 20.0),
               .meaning = "S_u,p / S_u,r, instead of su_residual: su_residual = su_peak / sensitivity"}},
-      ParameterInfo{.name = "eta",
-          .unit = "-",
-          .range = not_negative,
-          .typical = 50.0,
-          .meaning = "shape factor of Eq. (5); S_u is 95 % softened at a strain of 3/eta",
-          .fallback = 0.0,
-          .strain_exponent = 1.0,
-          .may_vary = true},
+      eta_info,
       ParameterInfo{.name = "su_remoulded",
           .unit = "Pa",
           .range = positive,

@@ -73,12 +73,12 @@ std::string html_figures(const std::vector<LineChart>& charts)
 std::string plain_page(const PlainPage& page)
 {
   return fmt::format(
-      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta http-equiv=\"Content-Security-Policy\" "
+      "<!doctype html>\n<html lang=\"{}\"><head><meta charset=\"utf-8\"><meta http-equiv=\"Content-Security-Policy\" "
       "content=\"default-src 'none'; style-src 'unsafe-inline'\"><meta name=\"viewport\" "
-      "content=\"width=device-width\"><title>{}</title><style>{}</style></head>\n<body>\n<header "
+      "content=\"width=device-width\"><title>{}</title><style>{}{}</style></head>\n<body>\n<header "
       "class=\"top\"><h1>{}</h1><p>{}</p></header>\n<main>{}</main>\n<footer>{}</footer>\n</body></html>\n",
-      escaped_for_markup(page.name), style, escaped_for_markup(page.title), escaped_for_markup(page.subtitle),
-      page.body, escaped_for_markup(page.footer));
+      page.language, escaped_for_markup(page.name), style, page.style, escaped_for_markup(page.title),
+      escaped_for_markup(page.subtitle), page.body, escaped_for_markup(page.footer));
 }
 
 }  // namespace terp

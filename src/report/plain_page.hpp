@@ -12,6 +12,8 @@ struct PlainPage {
   std::string title, name, subtitle;  ///< of its head; name: of the window
   std::string body;                   ///< HTML
   std::string footer;
+  std::string language = "en";  ///< of its text, ISO 639-1
+  std::string style = {};       ///< CSS rules that this page adds to the common ones
 };
 std::string plain_page(const PlainPage& page);
 

@@ -2,6 +2,7 @@
 
 #include "output/run_folder.hpp"
 #include "output/svg.hpp"
+#include "report/plain_page.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,28 +12,16 @@
 namespace terp {
 namespace {
 
-// The look of the report page (web/src/style.css) where it has the same parts.
 constexpr const char* style = R"(
-:root { font: 15px/1.5 "Segoe UI", system-ui, -apple-system, "Helvetica Neue", "Noto Sans", "Liberation Sans", Arial,
-  sans-serif; font-variant-numeric: tabular-nums; color-scheme: light; }
-body { margin: 0; background: #f3f5f7; color: #18212b; }
-h1, p, table { margin: 0; padding: 0; } h1 { font-size: 1.2rem; font-weight: 650; }
-.top { padding: 12px 24px; background: #fff; border-bottom: 1px solid #d5dbe1; }
-.muted, footer { color: #566270; font-size: 0.87rem; }
-main { padding: 16px 24px 24px; overflow-x: auto; }
-table { background: #fff; border: 1px solid #d5dbe1; border-radius: 8px; border-spacing: 0; font-size: 0.9rem; }
-th, td { padding: 6px 12px; border-top: 1px solid #eaeef2; text-align: right; vertical-align: top; }
-thead th { border-top: 0; font-weight: 650; vertical-align: bottom; }
-.text { text-align: left; } td.words { text-align: left; max-width: 26em; }
+th, td { padding: 6px 12px; vertical-align: top; white-space: normal; } thead th { vertical-align: bottom; }
+td:last-child, thead th:last-child { text-align: right; white-space: nowrap; }
+th.text, td.words { text-align: left; } td.words { max-width: 26em; }
 td p + p { color: #566270; font-size: 0.87rem; }
 .verdict { font-weight: 650; } .stands .verdict { color: #00694b; } .damaged .verdict { color: #8a5a00; }
 .floods .verdict, .fault .verdict { color: #b3261e; } .fault p { white-space: pre-line; }
 td .mark { color: #8a5a00; }
-a { color: #0b5f9e; } svg { display: block; width: 210px; height: auto; }
-footer { padding: 0 24px 28px; }
-@media print { @page { size: A4 landscape; margin: 12mm; } :root { font-size: 9pt; } body { background: #fff; }
-  main { padding: 0; overflow: visible; } tr { break-inside: avoid; } th, td { padding: 3px 6px; }
-  svg { width: 40mm; } }
+a { color: #0b5f9e; } td svg { width: 210px; }
+@media print { @page { size: A4 landscape; } td svg { width: 40mm; } }
 )";
 
 /// A text of the page in English and Dutch.
@@ -218,13 +207,14 @@ std::string reach_page(
     head += fmt::format("<th scope=\"col\"{}>{}</th>", is_text ? " class=\"text\"" : "", words->in(dutch));
   std::string rows;
   for (const ReachSection& s : sections) rows += row_of(s, dutch);
-  return fmt::format(
-      "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-      "content=\"width=device-width\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<div "
-      "class=\"top\"><h1>{}</h1><p>{}</p><p class=\"muted\">{}</p></div>\n<main><table>\n<thead><tr>{}"
-      "</tr></thead>\n<tbody>\n{}</tbody></table></main>\n<footer>{}</footer>\n</body>\n</html>\n",
-      dutch ? "nl" : "en", title.in(dutch), style, title.in(dutch), counts_in(sections, dutch), caution.in(dutch), head,
-      rows, filled(made, dutch, written, TERP_VERSION));
+  return plain_page({.title = title.in(dutch),
+      .name = title.in(dutch),
+      .subtitle = counts_in(sections, dutch),
+      .body = paragraph(caution.in(dutch), " class=\"notice\"") + "<div class=\"scroll\"><table>\n<thead><tr>" + head +
+              "</tr></thead>\n<tbody>\n" + rows + "</tbody></table></div>",
+      .footer = filled(made, dutch, written, TERP_VERSION),
+      .language = dutch ? "nl" : "en",
+      .style = style});
 }
 
 }  // namespace terp

@@ -7,6 +7,13 @@
 namespace terp {
 namespace {
 
+std::string replaced(std::string text, const std::string& what, const std::string& by)
+{
+  for (std::size_t k = text.find(what); k != std::string::npos; k = text.find(what, k + by.size()))
+    text.replace(k, what.size(), by);
+  return text;
+}
+
 constexpr int n_columns = 8;
 constexpr std::array<const char*, n_columns> heads{
     "quantity", "run", "reference", "Terp", "error", "tolerance", "result", "source"};
@@ -21,18 +28,25 @@ std::array<std::string, n_columns> cells_of(const Row& r)
   return {r.quantity, r.run, r.reference, r.terp, r.error, r.tolerance, word(r.verdict), r.source};
 }
 
-std::size_t width_of(const std::string& text)
+std::string padded(const std::string& text, std::size_t width)
+{
+  return text + std::string(width - std::min(width, width_of_text(text)), ' ');
+}
+
+std::string markdown_head(const std::vector<CaseRows>& cases, const std::string& head)
+{
+  return fmt::format("# Verification\n\nWritten by `terp verify`; not to be changed by hand.\n\n{}.\n\n{}\n",
+      counts_text(count(cases)), head);
+}
+
+}  // namespace
+
+std::size_t width_of_text(const std::string& text)
 {
   return static_cast<std::size_t>(
       std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-std::string padded(const std::string& text, std::size_t width)
-{
-  return text + std::string(width - std::min(width, width_of(text)), ' ');
-}
-
-/// Of a row that does not agree; empty if it does.
 std::string remark_of(const Row& r)
 {
   if (r.verdict == Verdict::pass || r.remark.empty()) return "";
@@ -49,46 +63,10 @@ std::vector<std::string> remarks_of(const CaseRows& c)
   return remarks;
 }
 
-std::string replaced(std::string text, const std::string& what, const std::string& by)
-{
-  for (std::size_t k = text.find(what); k != std::string::npos; k = text.find(what, k + by.size()))
-    text.replace(k, what.size(), by);
-  return text;
-}
-
 std::string for_markdown(const std::string& text)
 {
   return replaced(replaced(replaced(replaced(text, "<", "\\<"), "|", "\\|"), "*", "\\*"), "\n", " ");
 }
-
-std::string markdown_head(const std::vector<CaseRows>& cases, const std::string& head)
-{
-  return fmt::format("# Verification\n\nWritten by `terp verify`; not to be changed by hand.\n\n{}.\n\n{}\n",
-      counts_text(count(cases)), head);
-}
-
-std::string nearest_to_bound(const CaseRows& c)
-{
-  const Row* nearest = nullptr;
-  for (const Row& r : c.rows)
-    if (r.verdict == Verdict::pass && r.used >= 0.0 && (nearest == nullptr || r.used > nearest->used)) nearest = &r;
-  if (nearest == nullptr) return "-";
-  return fmt::format(
-      "{:.0f} % of {}: {}, {}", 100.0 * nearest->used, nearest->tolerance, nearest->quantity, nearest->run);
-}
-
-/// The reasons of rows that do not agree, each once with the number of its rows.
-std::string reasons(const CaseRows& c)
-{
-  std::string out;
-  for (const std::string& remark : remarks_of(c)) {
-    const auto n = std::ranges::count_if(c.rows, [&](const Row& r) { return remark_of(r) == remark; });
-    out += fmt::format("- **{}**, {} row{}: {}\n", c.name, n, n == 1 ? "" : "s", for_markdown(remark));
-  }
-  return out;
-}
-
-}  // namespace
 
 Counts count(const std::vector<CaseRows>& cases)
 {
@@ -113,10 +91,10 @@ std::string counts_text(const Counts& n)
 std::string text_table(const CaseRows& c)
 {
   std::array<std::size_t, n_columns> widths{};
-  for (int k = 0; k < n_columns; ++k) widths[k] = width_of(heads[k]);
+  for (int k = 0; k < n_columns; ++k) widths[k] = width_of_text(heads[k]);
   for (const Row& r : c.rows) {
     const auto cells = cells_of(r);
-    for (int k = 0; k < n_columns; ++k) widths[k] = std::max(widths[k], width_of(cells[k]));
+    for (int k = 0; k < n_columns; ++k) widths[k] = std::max(widths[k], width_of_text(cells[k]));
   }
   std::string out = fmt::format("{}: {}\n ", c.name, c.title);
   for (int k = 0; k + 1 < n_columns; ++k) out += " " + padded(heads[k], widths[k]) + " ";
@@ -155,20 +133,6 @@ std::string markdown_page(const std::vector<CaseRows>& cases, const std::string&
     for (const std::string& remark : remarks_of(c)) out += fmt::format("\n**Red.** {}\n", for_markdown(remark));
   }
   return out;
-}
-
-std::string markdown_overview(const std::vector<CaseRows>& cases, const std::string& head)
-{
-  std::string out =
-      markdown_head(cases, head) + "| case | | rows | red | nearest to its bound |\n|---|---|---|---|---|\n";
-  std::string red;
-  for (const CaseRows& c : cases) {
-    const Counts n = count({c});
-    out += fmt::format("| [{0}](../cases/verification/{0}/README.md) | {1} | {2} | {3} | {4} |\n", c.name,
-        for_markdown(c.title), c.rows.size(), n.red + n.fail, for_markdown(nearest_to_bound(c)));
-    red += reasons(c);
-  }
-  return red.empty() ? out : out + "\n## Red\n\n" + red;
 }
 
 }  // namespace terp

@@ -1,4 +1,4 @@
-// The ledger as text for a terminal, and as a Markdown page, long or short.
+// The ledger as text for a terminal, and as a Markdown page with all rows. The short page: overview.hpp.
 #pragma once
 
 #include "verification/judge.hpp"
@@ -26,8 +26,16 @@ std::string text_table(const CaseRows& rows);
 /// head: Markdown that stands above the tables, after the title.
 std::string markdown_page(const std::vector<CaseRows>& cases, const std::string& head);
 
-/// One line per case with the row that comes nearest to its bound, and what does not agree with its reason. head: as
-/// above.
-std::string markdown_overview(const std::vector<CaseRows>& cases, const std::string& head);
+/// What a row that does not agree says; empty: it agrees, or has no reason.
+std::string remark_of(const Row& row);
+
+/// Those of the rows of a case, each once.
+std::vector<std::string> remarks_of(const CaseRows& rows);
+
+/// Text without what Markdown would take for marks.
+std::string for_markdown(const std::string& text);
+
+/// Letters of a text in UTF-8.
+std::size_t width_of_text(const std::string& text);
 
 }  // namespace terp

@@ -62,6 +62,11 @@ TEST(Verify, WritesThePages)
   EXPECT_EQ(ledger.verify({"--markdown", page + ".md", "--overview", page + "_short.md"}).status, 0);
   EXPECT_TRUE(std::filesystem::file_size(page + ".md") > 100);
   EXPECT_THAT(text_of(page + "_short.md"), HasSubstr("| Flight | 1 | 0 | "));
+
+  ledger.add("fall", path_is("1.0"));
+  EXPECT_EQ(ledger.verify({"fall", "--overview", page + "_short.md"}).status, 0);
+  EXPECT_THAT(
+      text_of(page + "_short.md"), AllOf(HasSubstr("2 rows: 2 pass"), HasSubstr("[fall]"), HasSubstr("[flight]")));
 }
 
 TEST(Verify, PagesThatCannotBeWrittenAreRefusedBeforeAnythingIsSolved)

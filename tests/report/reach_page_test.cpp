@@ -38,7 +38,7 @@ TEST(ReachPage, HasTheVerdictOfEachSectionAndALink)
   EXPECT_THAT(page, HasSubstr("<p class=\"verdict\">refused</p><p>it is &lt;no&gt; zip file</p>"));
   EXPECT_THAT(page, HasSubstr("<p>1.110 ± 0.010</p><p class=\"muted\">stored: Bishop 1.004</p>"));
   EXPECT_THAT(page, HasSubstr("3.50&nbsp;m</td><td>-0.50&nbsp;m"));
-  EXPECT_THAT(page, testing::Not(HasSubstr("http")));
+  EXPECT_THAT(page, testing::Not(HasSubstr("://")));
 }
 
 TEST(ReachPage, SaysATriggerInTheVerdictItself)

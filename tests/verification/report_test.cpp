@@ -51,18 +51,4 @@ TEST(Report, MarkdownKeepsItsColumns)
   EXPECT_THAT(page, HasSubstr("**Red.** stress \\<zz>: too coarse"));
 }
 
-TEST(Report, TheOverviewHasOneLinePerCaseAndEachReasonOnce)
-{
-  auto pages = sample();
-  pages[0].rows[0].used = 0.5;
-  pages[0].rows[1].used = 1.5;  // does not agree, so not the nearest
-  pages[0].rows.push_back(pages[0].rows[1]);
-  pages[0].rows.push_back(pages[0].rows[0]);
-  pages[0].rows.back().used = 0.7, pages[0].rows.back().quantity = "strain";
-  EXPECT_THAT(markdown_overview(pages, "How to read it."),
-      EndsWith("How to read it.\n| case | | rows | red | nearest to its bound |\n|---|---|---|---|---|\n"
-               "| [bar](../cases/verification/bar/README.md) | A bar | 5 | 3 | 70 % of 0.2: strain, h = 1 m, mpm_gp |\n"
-               "\n## Red\n\n- **bar**, 2 rows: stress \\<zz>: too coarse\n"));
-}
-
 }  // namespace

@@ -1,0 +1,117 @@
+// The page is its own store: a line of the table begins with the name of its case as a link, an item of the list of
+// reasons with the name in bold. Reading takes these two marks and nothing else, so the words around them may change.
+#include "verification/overview.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <fmt/format.h>
+#include <sstream>
+
+namespace terp {
+namespace {
+
+constexpr std::size_t widest = 120;  // columns of a line of the documents
+
+std::string nearest_to_bound(const CaseRows& c)
+{
+  const Row* nearest = nullptr;
+  for (const Row& r : c.rows)
+    if (r.verdict == Verdict::pass && r.used >= 0.0 && (nearest == nullptr || r.used > nearest->used)) nearest = &r;
+  if (nearest == nullptr) return "-";
+  return fmt::format(
+      "{:.0f} % of {}: {}, {}", 100.0 * nearest->used, nearest->tolerance, nearest->quantity, nearest->run);
+}
+
+/// Lines of a document, those after the first indented by two.
+std::string wrapped(const std::string& text)
+{
+  std::string out, word;
+  std::size_t column = 0;
+  for (std::istringstream words(text); words >> word;) {
+    if (column > 0 && column + 1 + width_of_text(word) > widest) out += "\n ", column = 1;
+    if (column > 0) out += ' ', ++column;
+    out += word, column += width_of_text(word);
+  }
+  return out + '\n';
+}
+
+/// The reasons of rows that do not agree, each once with the number of its rows.
+std::string reasons_of(const CaseRows& c)
+{
+  std::string out;
+  for (const std::string& remark : remarks_of(c)) {
+    const auto n = std::ranges::count_if(c.rows, [&](const Row& r) { return remark_of(r) == remark; });
+    out += wrapped(fmt::format("- **{}**, {} row{}: {}", c.name, n, n == 1 ? "" : "s", for_markdown(remark)));
+  }
+  return out;
+}
+
+/// Text between two marks; empty: they are not there.
+std::string between(const std::string& text, std::string_view before, std::string_view after)
+{
+  if (!text.starts_with(before)) return "";
+  const std::size_t end = text.find(after, before.size());
+  return end == std::string::npos ? "" : text.substr(before.size(), end - before.size());
+}
+
+/// Number at the start of a column of a line of the table; 0: there is none.
+int number_in(const std::string& line, int column)
+{
+  std::size_t start = 0;  // behind the bar that begins the column
+  for (int bars = 0; start < line.size() && bars <= column; ++start)
+    bars += line[start] == '|' && (start == 0 || line[start - 1] != '\\') ? 1 : 0;
+  int number = 0;
+  if (start + 1 < line.size()) std::from_chars(line.data() + start + 1, line.data() + line.size(), number);
+  return number;
+}
+
+}  // namespace
+
+Overview overview_of(const std::vector<CaseRows>& cases)
+{
+  Overview overview;
+  for (const CaseRows& c : cases) {
+    const Counts n = count({c});
+    const std::string fail = n.fail > 0 ? fmt::format(" ({} FAIL)", n.fail) : "";
+    overview[c.name] = {
+        .line = fmt::format("| [{0}](../cases/verification/{0}/README.md) | {1} | {2} | {3}{4} | {5} |", c.name,
+            for_markdown(c.title), c.rows.size(), n.red + n.fail, fail, for_markdown(nearest_to_bound(c))),
+        .rows = static_cast<int>(c.rows.size()),
+        .red = n.red + n.fail,
+        .reasons = reasons_of(c)};
+  }
+  return overview;
+}
+
+Overview read_overview(const std::string& page)
+{
+  Overview overview;
+  std::string line, *reasons = nullptr;
+  for (std::istringstream lines(page); std::getline(lines, line);) {
+    if (const std::string name = between(line, "| [", "]"); !name.empty())
+      overview[name].line = line, overview[name].rows = number_in(line, 2), overview[name].red = number_in(line, 3);
+    else if (const std::string of = between(line, "- **", "**"); !of.empty() && overview.contains(of))
+      reasons = &overview[of].reasons, *reasons += line + '\n';
+    else if (reasons != nullptr && line.starts_with("  "))
+      *reasons += line + '\n';
+    else
+      reasons = nullptr;
+  }
+  return overview;
+}
+
+std::string overview_page(const Overview& overview, const std::string& head)
+{
+  int rows = 0, red = 0;
+  std::string table, reasons;
+  for (const auto& [name, entry] : overview) {
+    rows += entry.rows, red += entry.red;
+    table += entry.line + '\n', reasons += entry.reasons;
+  }
+  return fmt::format(
+      "# Verification\n\nWritten by `terp verify`; not to be changed by hand.\n\n{} rows: {} pass, {} "
+      "red.\n\n{}\n| case | | rows | red | nearest to its bound |\n|---|---|---|---|---|\n{}{}{}",
+      rows, rows - red, red, head, table, reasons.empty() ? "" : "\n## Red\n\n", reasons);
+}
+
+}  // namespace terp

@@ -1,0 +1,62 @@
+#include "verification/overview.hpp"
+#include "support/test.hpp"
+
+#include <sstream>
+
+namespace {
+
+/// A case with a row that passes, two of one reason, and one that fails without a reason.
+CaseRows rows_of(const std::string& name, const std::string& remark)
+{
+  const Row good{.case_name = name,
+      .run = "h = 1 m, mpm_gp",
+      .quantity = "stress <zz>",
+      .reference = "a|b",
+      .source = "Euler",
+      .terp = "2",
+      .error = "0.1",
+      .tolerance = "0.2",
+      .verdict = Verdict::pass,
+      .used = 0.5};
+  Row strain = good, red = good, fail = good;
+  strain.used = 0.7, strain.quantity = "strain";
+  red.verdict = Verdict::red, red.remark = remark, red.used = 1.5;  // does not agree, so not the nearest
+  fail.verdict = Verdict::fail;
+  return {name, "A " + name, {good, strain, red, red, fail}};
+}
+
+TEST(Overview, HasOneLinePerCaseAndEachReasonOnce)
+{
+  const Overview overview = overview_of({rows_of("bar", "too coarse")});
+  EXPECT_THAT(overview_page(overview, "How to read it."),
+      EndsWith("5 rows: 2 pass, 3 red.\n\nHow to read it.\n| case | | rows | red | nearest to its bound |\n"
+               "|---|---|---|---|---|\n| [bar](../cases/verification/bar/README.md) | A bar | 5 | 3 (1 FAIL) | "
+               "70 % of 0.2: strain, h = 1 m, mpm_gp |\n"
+               "\n## Red\n\n- **bar**, 2 rows: stress \\<zz>: too coarse\n"));
+}
+
+TEST(Overview, ACaseThatIsNotSolvedKeepsWhatThePageSays)
+{
+  std::string reason = "coarse";
+  for (int k = 0; k < 30; ++k) reason += " | and coarse";
+  const std::string page = overview_page(overview_of({rows_of("bar", reason), rows_of("rod", "thin")}), "Head.");
+  EXPECT_THAT(page, HasSubstr("10 rows: 4 pass, 6 red."));
+  std::istringstream lines(page);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("-") || line.starts_with(" ")) {
+      EXPECT_LE(line.size(), 120u);
+    }
+  }
+
+  EXPECT_EQ(overview_page(read_overview(page), "Head."), page);
+
+  CaseRows better = rows_of("rod", "");
+  better.rows.resize(2);
+  Overview merged = overview_of({better});
+  merged.merge(read_overview(page));
+  const std::string now = overview_page(merged, "Head.");
+  EXPECT_THAT(now, AllOf(HasSubstr("7 rows: 4 pass, 3 red."), HasSubstr("| A rod | 2 | 0 |"), HasSubstr("- **bar**")));
+  EXPECT_THAT(now, Not(HasSubstr("thin")));
+}
+
+}  // namespace
