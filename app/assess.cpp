@@ -1,7 +1,7 @@
 // terp assess: the sections of a reach, each from its file to its verdict, and a page of all.
 //
-// How it thinks: each section is solved by a process of its own, made with fork() before this one has any thread. What
-// befalls it (a fault of ours, the end of memory) ends that process and no other. This one only waits and counts.
+// How it thinks: each section is solved by a process of its own, this program with the same command line. What befalls
+// it (a fault of ours, the end of memory) ends that process and no other. This one only waits and counts.
 
 #include "assess.hpp"
 #include "input/case_file.hpp"
@@ -11,26 +11,21 @@
 #include "parallel/threads.hpp"
 #include "progress.hpp"
 #include "report/reach_page.hpp"
-#include "stop.hpp"
+#include "system/children.hpp"
+#include "system/files.hpp"
+#include "system/stop.hpp"
+#include "system/terminal.hpp"
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <chrono>
-#include <csignal>
-#include <cstring>
 #include <filesystem>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <map>
 #include <new>
+#include <optional>
 #include <set>
-
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace terp {
 namespace {
@@ -80,61 +75,27 @@ std::vector<PlannedSection> plan_of(const AssessCommand& command)
   return plan;
 }
 
-/// What the processes tell, one entry per section.
-class SharedProgress {
- public:
-  explicit SharedProgress(std::size_t n) : bytes_(n * sizeof(SectionProgress))
-  {
-    void* const memory = ::mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (memory == MAP_FAILED) throw std::bad_alloc();
-    all_ = static_cast<SectionProgress*>(memory);
-    for (std::size_t k = 0; k < n; ++k) new (all_ + k) SectionProgress;
-  }
-  ~SharedProgress() { ::munmap(all_, bytes_); }
-  SharedProgress(const SharedProgress&) = delete;
-  SharedProgress& operator=(const SharedProgress&) = delete;
-  SectionProgress& operator[](std::size_t k) { return all_[k]; }
-
- private:
-  std::size_t bytes_;
-  SectionProgress* all_;
-};
-
-/// What the process of a section prints goes to its log.
-void print_to_log(const std::string& folder)
+/// What the process of a section prints goes to its log. Its exit status.
+int solve_here(const PlannedSection& section, const AssessCommand& command, SectionProgress& progress)
 {
-  make_folder(folder);
-  const int log = ::open(path_in(folder, log_file).c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (log < 0) return;
-  ::dup2(log, STDOUT_FILENO);
-  ::dup2(log, STDERR_FILENO);
-}
-
-/// Ends the process.
-[[noreturn]] void solve_here(const PlannedSection& section, const AssessCommand& command, SectionProgress& progress)
-{
-  ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // a run then writes a checkpoint and ends
-  bool goes_on = false;
+  listen_for_stop();
   try {
-    print_to_log(section.folder);
-    goes_on = assess_section(section, command, progress);
+    make_folder(section.folder);
+    print_to_file(path_in(section.folder, log_file));
+    return assess_section(section, command, progress) ? solved : failed;
   } catch (const std::exception& error) {
     fmt::print(stderr, "error: {}\n", error.what());
   }
-  std::fflush(nullptr);
-  ::_exit(goes_on ? solved : failed);
+  return failed;
 }
-
-struct Running {
-  std::size_t section;
-  Clock::time_point start;
-};
 
 class Reach {
  public:
   Reach(std::vector<PlannedSection>& plan, const AssessCommand& command)
-      : plan_(plan), command_(command), told_(plan.size())
+      : plan_(plan), command_(command), children_(plan.size() * sizeof(SectionProgress))
   {
+    told_ = static_cast<SectionProgress*>(children_.shared());
+    for (std::size_t k = 0; k < plan.size(); ++k) new (told_ + k) SectionProgress;
     for (std::size_t k = 0; k < plan.size(); ++k)
       if (is_done(plan[k], command))
         ++n_done_, show(stdout, fmt::format("[{}/{}] {}  kept, solved before\n", n_done_, plan.size(), plan[k].name));
@@ -148,8 +109,7 @@ class Reach {
     while ((!waiting_.empty() && !stop_requested) || !running_.empty()) {
       while (!stop_requested && !waiting_.empty() && std::ssize(running_) < command_.sections) begin_next();
       wait_for_one();
-      if (stop_requested && !told_to_stop_)
-        for (const auto& [pid, running] : running_) ::kill(pid, SIGTERM), told_to_stop_ = true;
+      if (stop_requested && !told_to_stop_ && !running_.empty()) children_.ask_to_stop(), told_to_stop_ = true;
     }
     clear_line();
     return !stop_requested;
@@ -160,39 +120,33 @@ class Reach {
   {
     const std::size_t k = waiting_.front();
     waiting_.erase(waiting_.begin());
-    std::fflush(nullptr);
-    const pid_t pid = ::fork();
-    if (pid == 0) solve_here(plan_[k], command_, told_[k]);
-    if (pid < 0) throw FileError(fmt::format("no process for {}: {}", plan_[k].name, std::strerror(errno)));
-    running_[pid] = {k, Clock::now()};
+    children_.begin(k, plan_[k].name);
+    running_[k] = Clock::now();
   }
 
   void wait_for_one()
   {
-    int status = 0;
-    const pid_t pid = ::waitpid(-1, &status, WNOHANG);
-    if (pid <= 0) {
+    const std::optional<ChildEnd> end = children_.next_end();
+    if (!end) {
       show_line();
-      ::usleep(100'000);
+      wait_seconds(0.1);
       return;
     }
-    const auto found = running_.find(pid);
-    if (found == running_.end()) return;
-    const auto [k, start] = found->second;
-    running_.erase(found);
-    note_end(k, status, std::chrono::duration<double>(Clock::now() - start).count());
+    const auto start = running_.at(end->number);
+    running_.erase(end->number);
+    note_end(*end, std::chrono::duration<double>(Clock::now() - start).count());
   }
 
-  void note_end(std::size_t k, int status, double seconds)
+  void note_end(const ChildEnd& end, double seconds)
   {
+    const std::size_t k = end.number;
     PlannedSection& section = plan_[k];
     section.record = read_record(section.folder);
     if (stop_requested) return;
-    if (WIFSIGNALED(status))
-      note_fault(
-          section, k, fmt::format("was ended by signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status))));
-    else if (WEXITSTATUS(status) != 0 && section.record.fault.empty())
-      note_fault(section, k, fmt::format("ended with status {}", WEXITSTATUS(status)));
+    if (!end.killed_by.empty())
+      note_fault(section, k, fmt::format("was ended by {}", end.killed_by));
+    else if (end.status != 0 && section.record.fault.empty())
+      note_fault(section, k, fmt::format("ended with status {}", end.status));
     ++n_done_, seconds_done_ += seconds, ++n_solved_here_;
     clear_line();
     const std::string& fault = section.record.fault;
@@ -221,9 +175,9 @@ class Reach {
   {
     const double mean = n_solved_here_ > 0 ? seconds_done_ / n_solved_here_ : -1.0;
     double all = 0.0, longest = 0.0;
-    for (const auto& [pid, running] : running_) {
-      const double spent = std::chrono::duration<double>(Clock::now() - running.start).count();
-      const double told = told_[running.section].left_s;
+    for (const auto& [k, start] : running_) {
+      const double spent = std::chrono::duration<double>(Clock::now() - start).count();
+      const double told = told_[k].left_s;
       const double left = told >= 0.0 ? told : std::max(mean - spent, 0.0);
       all += left, longest = std::max(longest, left);
     }
@@ -236,9 +190,9 @@ class Reach {
   {
     if (!terminal_) return;
     std::string line = fmt::format("\r\033[K{} of {} done", n_done_, plan_.size());
-    for (const auto& [pid, running] : running_) {
-      const SectionProgress& told = told_[running.section];
-      line += fmt::format("; {}: {}", plan_[running.section].name, section_steps[told.step.load()]);
+    for (const auto& [k, start] : running_) {
+      const SectionProgress& told = told_[k];
+      line += fmt::format("; {}: {}", plan_[k].name, section_steps[told.step.load()]);
       if (told.left_s >= 0.0) line += ", " + readable_duration(told.left_s);
     }
     show(stdout, line + "; ETA " + readable_duration(time_left()));
@@ -252,13 +206,14 @@ class Reach {
 
   std::vector<PlannedSection>& plan_;
   const AssessCommand& command_;
-  SharedProgress told_;
+  Children children_;
+  SectionProgress* told_ = nullptr;  ///< one entry per section, in the memory that the processes share
   std::vector<std::size_t> waiting_;
-  std::map<pid_t, Running> running_;
+  std::map<std::size_t, Clock::time_point> running_;  ///< sections and their start
   std::size_t n_done_ = 0;
   int n_solved_here_ = 0;
   double seconds_done_ = 0.0;
-  bool terminal_ = isatty(STDOUT_FILENO) == 1, open_ = false, told_to_stop_ = false;
+  bool terminal_ = is_terminal(stdout), open_ = false, told_to_stop_ = false;
 };
 
 /// What would run, and how long.
@@ -314,6 +269,8 @@ int assess_reach(AssessCommand command)
   command.sections = std::min(command.sections, static_cast<int>(command.files.size()));
   if (command.threads == 0) command.threads = std::max(1, processors / command.sections);
   std::vector<PlannedSection> plan = plan_of(command);
+  if (const std::optional<OwnTask> own = own_task(); own && own->number < plan.size())
+    return solve_here(plan[own->number], command, static_cast<SectionProgress*>(own->shared)[own->number]);
   make_folder(command.output);
   const FolderLock lock(command.output);
   listen_for_stop();

@@ -15,7 +15,7 @@
 #include "output/run_folder.hpp"
 #include "output/summary_json.hpp"
 #include "simulation/setup_mesh.hpp"
-#include "stop.hpp"
+#include "system/stop.hpp"
 
 #include <algorithm>
 #include <chrono>

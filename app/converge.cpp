@@ -5,7 +5,7 @@
 #include "output/run_folder.hpp"
 #include "progress.hpp"
 #include "report/mesh_study_page.hpp"
-#include "stop.hpp"
+#include "system/stop.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -8,6 +8,7 @@
 #include "input/printable.hpp"
 #include "parallel/instructions.hpp"
 #include "parallel/memory.hpp"
+#include "system/terminal.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,19 +20,7 @@
 #include <filesystem>
 #include <string>
 
-#include <fcntl.h>
-#include <unistd.h>
-
 namespace {
-
-/// Gives standard input, output and error a place if whoever started us closed them: a table would get their numbers
-/// otherwise, and with it all that we print. POSIX hands out the lowest free number, so each one opened fills the gap.
-bool keep_standard_streams()
-{
-  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if (::fcntl(descriptor, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) != descriptor) return false;
-  return true;
-}
 
 void check_command(const CLI::App& app, const std::string& word)
 {
@@ -96,7 +85,7 @@ int print_the_rest(int status, bool writes_a_run)
 
 int main(int argc, char** argv)
 {
-  if (!keep_standard_streams()) return terp::failed;  // nobody could be told
+  if (!terp::prepare_standard_streams()) return terp::failed;  // nobody could be told
   terp::return_large_arrays_when_freed();
   CLI::App app;
   terp::CommandLine line;

@@ -1,8 +1,9 @@
 #include "progress.hpp"
 
+#include "system/terminal.hpp"
+
 #include <cmath>
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace terp {
 
@@ -24,7 +25,7 @@ void show(std::FILE* to, const std::string& text)
 
 ProgressLine::ProgressLine(bool quiet, std::string label, double later_s)
     : quiet_(quiet),
-      terminal_(isatty(STDOUT_FILENO) == 1),
+      terminal_(is_terminal(stdout)),
       label_(std::move(label)),
       later_s_(later_s),
       next_tenth_(label_.empty() ? 1 : 5)

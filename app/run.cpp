@@ -19,7 +19,7 @@
 #include "simulation/stages.hpp"
 #include "simulation/state_arrays.hpp"
 #include "simulation/state_image.hpp"
-#include "stop.hpp"
+#include "system/stop.hpp"
 
 #include <charconv>
 #include <cmath>

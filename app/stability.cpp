@@ -9,11 +9,11 @@
 #include "output/mechanism_files.hpp"
 #include "output/stability_json.hpp"
 #include "progress.hpp"
-#include "stop.hpp"
+#include "system/stop.hpp"
+#include "system/terminal.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace terp {
 namespace {
@@ -21,7 +21,7 @@ namespace {
 /// One line per trial, renewed after each window on a terminal.
 class TrialLine {
  public:
-  explicit TrialLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
+  explicit TrialLine(bool quiet) : quiet_(quiet), terminal_(is_terminal(stderr)) {}
 
   void show(const Trial& trial, const StabilityResult& so_far, int trials_left)
   {

@@ -9,7 +9,8 @@
 #include "parallel/threads.hpp"
 #include "progress.hpp"
 #include "simulation/setup_mesh.hpp"
-#include "stop.hpp"
+#include "system/stop.hpp"
+#include "system/terminal.hpp"
 #include "study/adaptive.hpp"
 #include "study/study_folder.hpp"
 #include "study/study_page.hpp"
@@ -20,7 +21,6 @@
 #include <filesystem>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace terp {
 namespace {
@@ -57,7 +57,7 @@ class StudyProgress {
         part_(part),
         threads_(threads),
         quiet_(quiet),
-        terminal_(isatty(STDOUT_FILENO) == 1),
+        terminal_(is_terminal(stdout)),
         shows_p_(info_of(study.settings.estimator).counts_alike && !study.settings.fragility)
   {
   }

@@ -7,7 +7,9 @@
 #include "output/files.hpp"
 #include "parallel/threads.hpp"
 #include "progress.hpp"
-#include "stop.hpp"
+#include "system/files.hpp"
+#include "system/stop.hpp"
+#include "system/terminal.hpp"
 #include "verification/find_cases.hpp"
 #include "verification/overview.hpp"
 
@@ -19,7 +21,6 @@
 #include <fstream>
 #include <memory>
 #include <numeric>
-#include <unistd.h>
 
 namespace terp {
 namespace {
@@ -72,7 +73,7 @@ class VerifyProgress {
  private:
   std::size_t n_runs_;
   double seconds_;
-  bool terminal_ = isatty(STDERR_FILENO) == 1;
+  bool terminal_ = is_terminal(stderr);
   Clock::time_point start_ = Clock::now();
   std::atomic<std::size_t> n_done_{0};
   std::atomic<double> done_seconds_{0.0};
@@ -126,9 +127,8 @@ void check_page(const std::string& path)
 {
   if (path.empty()) return;
   const std::filesystem::path parent = std::filesystem::path(path).parent_path();
-  const bool writable = access(path.c_str(), F_OK) == 0
-                            ? access(path.c_str(), W_OK) == 0 && !std::filesystem::is_directory(path)
-                            : access(parent.empty() ? "." : parent.c_str(), W_OK) == 0;
+  const bool writable = std::filesystem::exists(path) ? may_write(path) == 0 && !std::filesystem::is_directory(path)
+                                                      : may_write(parent.empty() ? "." : parent.string()) == 0;
   if (!writable) throw FileError(fmt::format("{}: the page cannot be written; nothing was solved", path));
 }
 

@@ -6,13 +6,12 @@
 #include "output/run_folder.hpp"
 #include "progress.hpp"
 #include "results/table.hpp"
+#include "system/terminal.hpp"
 
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
-#include <poll.h>
-#include <unistd.h>
 
 namespace terp {
 namespace {
@@ -81,7 +80,7 @@ int watch_run(const WatchCommand& command)
   if (!fs::exists(path_in(folder, case_file)))
     throw FileError(fmt::format("{}: this is no run folder, it holds no {}", folder, case_file));
   const Real end = read_case(path_in(folder, case_file)).values.time.end;
-  const bool terminal = isatty(STDOUT_FILENO) == 1;
+  const bool terminal = is_terminal(stdout);
   Reading before{.age = 0.0, .time = 0.0};
   for (;;) {
     const bool running = is_being_written(folder);
@@ -95,7 +94,7 @@ int watch_run(const WatchCommand& command)
       return solved;
     }
     if (now.time > before.time) before = now;
-    poll(nullptr, 0, static_cast<int>(1e3 * command.every));
+    wait_seconds(command.every);
   }
 }
 

@@ -2,7 +2,7 @@
 // Not for: what it is asked to do. generate.hpp makes meshes, gmsh_file.hpp has files of other formats converted.
 #pragma once
 
-#include "meshing/process.hpp"
+#include "system/process.hpp"
 
 #include <functional>
 #include <string>
@@ -22,7 +22,7 @@ class WorkFolder {
 
  private:
   std::string path_;
-  int lock_;  ///< the folder, open and locked as long as this process works in it
+  int claim_ = -1;  ///< on the folder, as long as this process works in it
 };
 
 /// gmsh with a home in `folder`. seconds: that it may take. waiting: called now and then with the seconds that have

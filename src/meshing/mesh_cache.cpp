@@ -1,8 +1,8 @@
 #include "meshing/mesh_cache.hpp"
 
-#include <fmt/format.h>
+#include "system/files.hpp"
 
-#include <unistd.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -20,7 +20,7 @@ bool write_whole(const fs::path& path, const std::string& bytes)
 {
   std::error_code problem;
   fs::create_directories(path.parent_path(), problem);
-  const fs::path unfinished = path.string() + fmt::format(".{}", getpid());
+  const fs::path unfinished = path.string() + fmt::format(".{}", process_number());
   std::ofstream file(unfinished, std::ios::binary);
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.close();

@@ -1,6 +1,7 @@
 #include "output/files.hpp"
 
 #include "base/errors.hpp"
+#include "system/files.hpp"
 
 #include <cerrno>
 #include <filesystem>
@@ -8,27 +9,9 @@
 #include <iterator>
 #include <utility>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace terp {
-namespace {
-
-/// 0, or the errno of the write that failed.
-int write_all(int descriptor, std::string_view text)
-{
-  while (!text.empty()) {
-    const ssize_t n = ::write(descriptor, text.data(), text.size());
-    if (n < 0 && errno != EINTR) return errno;
-    if (n > 0) text.remove_prefix(static_cast<std::size_t>(n));
-  }
-  return 0;
-}
-
-}  // namespace
-
 void throw_file_error(std::string_view doing, const std::string& path, int error_number)
 {
   throw FileError(fmt::format("cannot {} {}: {}", doing, path, std::generic_category().message(error_number)));
@@ -60,7 +43,7 @@ void check_is_file(const std::string& path)
 
 void check_readable(const std::string& path)
 {
-  if (::access(path.c_str(), R_OK) != 0) throw_file_error("read", path, errno);
+  if (const int error = may_read(path); error != 0) throw_file_error("read", path, error);
 }
 
 std::string read_file(const std::string& path)
@@ -75,13 +58,14 @@ std::string read_file(const std::string& path)
 
 TemporaryFile::~TemporaryFile()
 {
-  if (!name_.empty()) ::unlink(name_.c_str());
+  std::error_code ignored;
+  if (!name_.empty()) std::filesystem::remove(name_, ignored);
 }
 
 void TemporaryFile::move_into_place()
 {
   sync_to_disk(name_);
-  if (::rename(name_.c_str(), path_.c_str()) != 0) throw_file_error("write", path_, errno);
+  if (const int error = replace_file(name_, path_); error != 0) throw_file_error("write", path_, error);
   name_.clear();
   sync_to_disk(folder_of(path_));
 }
@@ -89,44 +73,38 @@ void TemporaryFile::move_into_place()
 void write_file_atomically(const std::string& path, std::string_view text)
 {
   TemporaryFile file(path);
-  const int descriptor = ::open(file.name().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  const int descriptor = open_to_write(file.name(), OpenAs::new_file);
   if (descriptor < 0) throw_file_error("write", path, errno);
   int error = write_all(descriptor, text);
-  if (::close(descriptor) != 0 && error == 0) error = errno;
+  if (const int at_close = close_file(descriptor); error == 0) error = at_close;
   if (error != 0) throw_file_error("write", path, error);
   file.move_into_place();
 }
 
 void sync_to_disk(const std::string& path)
 {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throw_file_error("open", path, errno);
-  const int error = ::fsync(descriptor) == 0 ? 0 : errno;
-  ::close(descriptor);
-  if (error != 0 && error != EINVAL) throw_file_error("write", path, error);  // EINVAL: not a thing to sync
+  if (const int error = wait_for_disk(path); error != 0) throw_file_error("write", path, error);
 }
 
 void reserve_space(const std::string& path, std::int64_t n_bytes)
 {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  const int descriptor = open_to_write(path, OpenAs::there_already);
   if (descriptor < 0) throw_file_error("write", path, errno);
-  struct stat before = {};
-  int error = ::fstat(descriptor, &before) == 0 ? 0 : errno;
-  if (error == 0) error = ::posix_fallocate(descriptor, before.st_size, n_bytes);
-  const bool restored = error == 0 || ::ftruncate(descriptor, before.st_size) == 0;
-  ::close(descriptor);
+  const std::int64_t before = size_of(descriptor);
+  const int error = reserve(descriptor, n_bytes);
+  const bool restored = error == 0 || before < 0 || resize(descriptor, before) == 0;
+  close_file(descriptor);
   if (error != 0) throw_file_error(restored ? "write" : "restore", path, error);
 }
 
-AppendFile::AppendFile(const std::string& path) : path_(path)
+AppendFile::AppendFile(const std::string& path) : path_(path), descriptor_(open_to_write(path, OpenAs::end_of_file))
 {
-  descriptor_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (descriptor_ < 0) throw_file_error("write", path, errno);
 }
 
 AppendFile::~AppendFile()
 {
-  if (descriptor_ >= 0) ::close(descriptor_);
+  if (descriptor_ >= 0) close_file(descriptor_);
 }
 
 AppendFile::AppendFile(AppendFile&& other) noexcept
@@ -136,11 +114,11 @@ AppendFile::AppendFile(AppendFile&& other) noexcept
 
 void AppendFile::append(std::string_view text)
 {
-  struct stat before = {};
-  const bool has_size = ::fstat(descriptor_, &before) == 0 && S_ISREG(before.st_mode);
+  const std::int64_t before = size_of(descriptor_);
   const int error = write_all(descriptor_, text);
   if (error == 0) return;
-  if (has_size && ::ftruncate(descriptor_, before.st_size) != 0) throw_file_error("restore", path_, errno);
+  if (const int problem = before < 0 ? 0 : resize(descriptor_, before); problem != 0)
+    throw_file_error("restore", path_, problem);
   throw_file_error("write", path_, error);
 }
 

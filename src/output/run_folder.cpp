@@ -4,6 +4,7 @@
 #include "followers/followers.hpp"
 #include "output/files.hpp"
 #include "output/frame_files.hpp"
+#include "system/folder_claim.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,11 +13,8 @@
 #include <filesystem>
 #include <utility>
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 namespace terp {
 namespace {
@@ -192,26 +190,20 @@ void remove_unfinished(const std::string& folder)
 
 FolderLock::FolderLock(const std::string& folder)
 {
-  descriptor_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor_ < 0) throw_file_error("open the run folder", folder, errno);
-  if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;  // some network disks have no locks
-  ::close(descriptor_);
-  throw FileError(fmt::format("another terp is writing to the run folder {}", folder));
+  const ClaimResult result = claim_folder(folder, descriptor_);
+  if (result == ClaimResult::no_folder) throw_file_error("open the run folder", folder, errno);
+  if (result == ClaimResult::held_by_another)
+    throw FileError(fmt::format("another terp is writing to the run folder {}", folder));
 }
 
 bool is_being_written(const std::string& folder)
 {
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) throw_file_error("open the run folder", folder, errno);
-  const bool held = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-  ::close(descriptor);
-  return held;
+  const ClaimResult result = look_at_claim(folder);
+  if (result == ClaimResult::no_folder) throw_file_error("open the run folder", folder, errno);
+  return result == ClaimResult::held_by_another;
 }
 
-FolderLock::~FolderLock()
-{
-  if (descriptor_ >= 0) ::close(descriptor_);
-}
+FolderLock::~FolderLock() { release_claim(descriptor_); }
 
 FolderLock::FolderLock(FolderLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
 

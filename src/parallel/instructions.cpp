@@ -1,9 +1,7 @@
 #include "parallel/instructions.hpp"
 
 #include <cstdlib>
-#include <fstream>
 #include <string>
-#include <thread>
 
 namespace terp {
 namespace {
@@ -64,17 +62,5 @@ std::size_t chosen_set()
 }
 
 std::string_view instructions() { return instruction_sets()[chosen_set()].name; }
-
-std::string processor_name()
-{
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);) {
-    if (!line.starts_with("model name")) continue;
-    const std::size_t name = line.find_first_not_of(" \t", line.find(':') + 1);
-    if (name == std::string::npos) break;
-    return line.substr(name) + ", " + std::to_string(std::thread::hardware_concurrency()) + " processors";
-  }
-  return {};
-}
 
 }  // namespace terp

@@ -1,10 +1,7 @@
 #include "parallel/threads.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <sched.h>
-#include <string>
+#include "parallel/sleep.hpp"
+
 #include <system_error>
 
 #if defined(__x86_64__)
@@ -25,16 +22,6 @@ void pause_briefly()
 #endif
 }
 
-/// Processors that the control group grants (cgroup v2), or a large number.
-int control_group_processors()
-{
-  std::ifstream file("/sys/fs/cgroup/cpu.max");
-  std::string quota;
-  double period = 0.0;
-  if (!(file >> quota >> period) || quota == "max" || period <= 0.0) return 1 << 20;
-  return std::max(1, static_cast<int>(std::lround(std::stod(quota) / period)));
-}
-
 /// First chunk of a thread's part.
 Index first_of_part(Index n_chunks, int thread, int n_threads)
 {
@@ -42,15 +29,6 @@ Index first_of_part(Index n_chunks, int thread, int n_threads)
 }
 
 }  // namespace
-
-int available_processors()
-{
-  cpu_set_t set;
-  CPU_ZERO(&set);
-  int allowed = static_cast<int>(std::thread::hardware_concurrency());
-  if (sched_getaffinity(0, sizeof set, &set) == 0) allowed = CPU_COUNT(&set);
-  return std::max(1, std::min(allowed, control_group_processors()));
-}
 
 Threads::Threads(int n) : shares_(std::make_unique<Share[]>(n))
 {
@@ -64,7 +42,7 @@ Threads::Threads(int n) : shares_(std::make_unique<Share[]>(n))
 Threads::~Threads()
 {
   job_.fetch_or(leave);
-  job_.notify_all();
+  wake_all(job_);
   for (auto& worker : workers_) worker.join();
 }
 
@@ -87,7 +65,7 @@ void Threads::run(Index n_chunks, Task task, void* context)
   for (int t = 0; t < count(); ++t)
     shares_[t].next.store(numbered(static_cast<std::uint32_t>(first_of_part(n_chunks, t, count()))));
   job_.store(job);
-  if (sleepers_.load() > 0) job_.notify_all();
+  if (sleepers_.load() > 0) wake_all(job_);
   work(0, job);
   wait_until_done(n_chunks);
 }
@@ -99,7 +77,7 @@ void Threads::wait_until_done(Index n_chunks)
     pause_briefly();
   }
   caller_sleeps_.store(true);  // before done_ is read again: who finishes the last chunk sees this, or we see its chunk
-  for (Index done = done_.load(); done != n_chunks; done = done_.load()) done_.wait(done);
+  for (Index done = done_.load(); done != n_chunks; done = done_.load()) sleep_while(done_, done);
   caller_sleeps_.store(false);
 }
 
@@ -117,7 +95,7 @@ void Threads::work(int thread, std::uint32_t job)
     while (next >> 32 == job && static_cast<std::uint32_t>(next) < end) {
       if (!shares_[part].next.compare_exchange_weak(next, next + 1)) continue;
       task(context, static_cast<Index>(static_cast<std::uint32_t>(next)), thread);
-      if (done_.fetch_add(1) + 1 == n && caller_sleeps_.load()) done_.notify_one();
+      if (done_.fetch_add(1) + 1 == n && caller_sleeps_.load()) wake_one(done_);
       next = shares_[part].next.load();
     }
   }
@@ -134,7 +112,7 @@ void Threads::wait_for_jobs(int thread)
     }
     if (job == seen) {
       sleepers_.fetch_add(1);
-      job_.wait(seen);
+      sleep_while(job_, seen);
       sleepers_.fetch_sub(1);
       job = job_.load();
     }

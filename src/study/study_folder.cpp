@@ -6,6 +6,7 @@
 #include "study/study_inputs.hpp"
 #include "study/study_page.hpp"
 #include "study/study_text.hpp"
+#include "system/files.hpp"
 
 #include <fmt/format.h>
 
@@ -99,7 +100,7 @@ void StudyPlace::write(const std::string& name, const std::string& content) cons
   std::error_code none;
   if (fs::exists(path, none) && read_file(path) == content) return;
   write_file_atomically(own, content);
-  if (std::rename(own.c_str(), path.c_str()) != 0) throw_file_error("write", path, errno);
+  if (const int error = replace_file(own, path); error != 0) throw_file_error("write", path, error);
 }
 
 void StudyPlace::clear() const

@@ -1,7 +1,7 @@
 // Files in other formats, converted by gmsh: the same mesh, and what is said where that is not possible.
 #include "meshing/convert.hpp"
 #include "meshing/msh_text.hpp"
-#include "meshing/process.hpp"
+#include "system/process.hpp"
 #include "support/environment.hpp"
 #include "support/process.hpp"
 #include "support/test.hpp"

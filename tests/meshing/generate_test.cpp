@@ -4,7 +4,7 @@
 #include "mesh/check_mesh.hpp"
 #include "meshing/gmsh_file.hpp"
 #include "mesh/mesh_quality.hpp"
-#include "meshing/process.hpp"
+#include "system/process.hpp"
 #include "support/environment.hpp"
 #include "support/meshes.hpp"
 #include "support/process.hpp"

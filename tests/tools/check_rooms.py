@@ -35,6 +35,10 @@ assert complaints(input__a="using Ring = int;\n", points__b="struct B {\n  using
 assert complaints(base__a='#include "mesh/b.hpp"\n', mesh__b="") == [
     "src/base/a.hpp:1: base may not include mesh: mesh stands to its right"]
 
+alone = "belongs to files NAME_posix.cpp and NAME_win32.cpp alone"
+for header in ("unistd.h", "sys/mman.h", "windows.h"):
+    assert complaints(output__a=f"#include <{header}>\n") == [f"src/output/a.hpp:1: <{header}> {alone}"], header
+
 right = "parallel may not include simulation: simulation stands to its right"
 for declaration in ("struct Model;", "class Model;", "  struct Model;", "template <int Dim> struct Model;"):
     assert complaints(parallel__a=f"\n{declaration}\n", simulation__model=MODEL) == [

@@ -1,4 +1,4 @@
-#include "meshing/process.hpp"
+#include "system/process.hpp"
 
 #include "base/errors.hpp"
 
@@ -158,12 +158,17 @@ ProcessResult run_process(const std::vector<std::string>& arguments, double seco
   result.timed_out = !ended && !result.interrupted;
   const int status = wait_for(pid);
   if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
+  result.ended_by_keyboard = result.signal == SIGINT;
   if (WIFEXITED(status)) result.status = WEXITSTATUS(status);
   if (result.output.size() > most_output) result.output.erase(0, result.output.size() - most_output);
   return result;
 }
 
-SignalsHeld::SignalsHeld()
+struct SignalsHeld::Held {
+  sigset_t set;
+};
+
+SignalsHeld::SignalsHeld() : before_(std::make_unique<Held>())
 {
   sigset_t held;
   sigemptyset(&held);
@@ -171,9 +176,9 @@ SignalsHeld::SignalsHeld()
     struct sigaction action {};
     if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) sigaddset(&held, signal);
   }
-  pthread_sigmask(SIG_BLOCK, &held, &before_);
+  pthread_sigmask(SIG_BLOCK, &held, &before_->set);
 }
 
-SignalsHeld::~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+SignalsHeld::~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_->set, nullptr); }
 
 }  // namespace terp

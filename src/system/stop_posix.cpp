@@ -1,7 +1,7 @@
 // How it thinks: one request may arrive as several signals. GNU `timeout` sends to its child and to the process group,
 // a batch system warns, and sends SIGTERM after it; a person who presses Ctrl-C again after a second means it.
 
-#include "stop.hpp"
+#include "system/stop.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -19,7 +19,7 @@ namespace {
 constexpr int outputs[] = {STDOUT_FILENO, STDERR_FILENO};
 bool is_terminal[std::size(outputs)] = {};
 
-using Clock = std::chrono::steady_clock;  // clock_gettime, which a signal handler may call
+using Clock = std::chrono::steady_clock;  // a signal handler may read it
 constexpr Clock::rep none = 0;
 std::atomic<Clock::rep> first_request{none};
 static_assert(std::atomic<Clock::rep>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);

@@ -1,20 +1,21 @@
 // Runs another program and waits for it: no shell, its output kept for a message.
 #pragma once
 
-#include <csignal>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace terp {
 
 struct ProcessResult {
-  bool found = false;        ///< false: no such program in PATH
-  bool timed_out = false;    ///< it was ended after its time
-  bool interrupted = false;  ///< it was ended because a signal waits for us (SignalsHeld)
-  int signal = 0;            ///< that ended it; 0: none did
-  int status = 0;            ///< its exit status
-  std::string output;        ///< both its streams, in order, at most the last 16 kB
+  bool found = false;              ///< false: no such program in PATH
+  bool timed_out = false;          ///< it was ended after its time
+  bool interrupted = false;        ///< it was ended because a signal waits for us (SignalsHeld)
+  bool ended_by_keyboard = false;  ///< Ctrl-C ended it
+  int signal = 0;                  ///< that ended it; 0: none did
+  int status = 0;                  ///< its exit status
+  std::string output;              ///< both its streams, in order, at most the last 16 kB
 
   bool succeeded() const { return found && !timed_out && signal == 0 && status == 0; }
 };
@@ -36,7 +37,8 @@ class SignalsHeld {
   SignalsHeld& operator=(const SignalsHeld&) = delete;
 
  private:
-  sigset_t before_;
+  struct Held;
+  std::unique_ptr<Held> before_;
 };
 
 }  // namespace terp

@@ -1,5 +1,5 @@
 // Which signals ask a run to stop, and which end it at once.
-#include "stop.hpp"
+#include "system/stop.hpp"
 #include "support/test.hpp"
 #include <csignal>
 #include <sys/wait.h>

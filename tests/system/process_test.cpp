@@ -1,5 +1,5 @@
 // Other programs: their output, their status, their end.
-#include "meshing/process.hpp"
+#include "system/process.hpp"
 #include "support/test.hpp"
 #include <chrono>
 #include <csignal>
