@@ -104,9 +104,9 @@ def shares(chart, runs):
             share = [np.average(f.scalar("su")[clay] < 5e3, weights=f.scalar("volume")[clay]) for f in frames]
             chart.plot([f.time for f in frames], 100.0 * np.array(share), color=colour, ls=dashes,
                        label=MESHES[mesh][0] if kind == "length" else None)
-    chart.set(xlabel="time (s)", ylabel="softened share of the clay (%)", xlim=(0, TIME), ylim=(0, 45))
+    chart.set(xlabel="time (s)", ylabel="softened share of the clay (%)", xlim=(0, TIME), ylim=(0, 55))
     chart.set_title("(c) column; dashed: point by point", loc="left", pad=3)
-    chart.legend(loc="lower right", fontsize=6.5)
+    chart.legend(loc="upper left", fontsize=6.5, ncol=2)
 
 
 def loads(chart, folder):
