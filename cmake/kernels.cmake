@@ -71,6 +71,22 @@ function(add_kernels target sets)
   endforeach()
 endfunction()
 
+# The same for Windows. The compiler must not move vectors as if they were aligned on the stack, which is aligned to 16
+# bytes there (GCC's bug 54412): tools/check_vector_moves sees that the assembler was told.
+function(close_kernels_windows kernels set whole object)
+  target_compile_options(${kernels} PRIVATE -Wa,-muse-unaligned-vector-move)
+  list(TRANSFORM TERP_KERNEL_ROOMS REPLACE "(.+)" "terp_\\1_${set}" OUTPUT_VARIABLE names)
+  add_custom_command(
+    OUTPUT ${object}
+    COMMAND ${CMAKE_COMMAND} -DLINKER=${CMAKE_LINKER} -DOBJCOPY=${CMAKE_OBJCOPY}
+            "-DOBJECTS=$<JOIN:$<TARGET_OBJECTS:${kernels}>,,>" -DWHOLE=${whole} -DOBJECT=${object}
+            "-DKEEP=$<JOIN:${names},,>" -P ${PROJECT_SOURCE_DIR}/cmake/close_kernels_windows.cmake
+    COMMAND ${PROJECT_SOURCE_DIR}/tools/check_vector_moves ${object}
+    DEPENDS $<TARGET_OBJECTS:${kernels}> ${PROJECT_SOURCE_DIR}/cmake/close_kernels_windows.cmake
+            ${PROJECT_SOURCE_DIR}/tools/check_vector_moves
+    COMMENT "Closing the kernels for ${set}" VERBATIM)
+endfunction()
+
 # One relocatable object per set, with one global name per table. Inline functions and templates would else be merged
 # between the copies and with the rest of the program by the linker, which takes any: --force-group-allocation ends
 # their COMDAT groups, and objcopy makes their names local.
@@ -83,6 +99,11 @@ function(add_kernel_copy target set)
   target_compile_definitions(terp_kernels_${set} PRIVATE TERP_KERNEL_COPY=${set})
   set(whole ${PROJECT_BINARY_DIR}/kernels_${set}_whole.o)
   set(object ${PROJECT_BINARY_DIR}/kernels_${set}.o)
+  if(WIN32)
+    close_kernels_windows(terp_kernels_${set} ${set} ${whole} ${object})
+    link_object(${target} ${object})
+    return()
+  endif()
   list(TRANSFORM TERP_KERNEL_ROOMS REPLACE "(.+)" "--keep-global-symbol=terp_\\1_${set}" OUTPUT_VARIABLE keep)
   add_custom_command(
     OUTPUT ${object}

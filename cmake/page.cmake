@@ -25,7 +25,11 @@ function(add_page target)
     file(WRITE ${page} "\n")
   endif()
   set(object ${PROJECT_BINARY_DIR}/page/page.o)
-  add_custom_command(OUTPUT ${object} COMMAND ${CMAKE_LINKER} -r -b binary -z noexecstack -o ${object} page.html
+  set(options -z noexecstack)
+  if(WIN32)  # whose object files say nothing of stacks
+    set(options "")
+  endif()
+  add_custom_command(OUTPUT ${object} COMMAND ${CMAKE_LINKER} -r -b binary ${options} -o ${object} page.html
                      WORKING_DIRECTORY ${PROJECT_BINARY_DIR}/page DEPENDS ${page}
                      COMMENT "Putting the report page into the program" VERBATIM)
   link_object(${target} ${object})

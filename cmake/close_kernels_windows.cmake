@@ -1,0 +1,32 @@
+# What cmake/kernels.cmake does with ld and objcopy, for the object files of Windows. There a COMDAT is not a group but
+# a mark on a section, which the linker keeps: a script merges the sections, and objcopy takes the mark off. Until then
+# objcopy warns that the names of sections and symbols differ; its words are shown if it fails.
+# Run with LINKER, OBJCOPY, OBJECTS, WHOLE, OBJECT and KEEP (names that stay global), lists separated by commas.
+string(REPLACE "," ";" OBJECTS "${OBJECTS}")
+string(REPLACE "," ";" KEEP "${KEEP}")
+file(WRITE ${WHOLE}.ld "OUTPUT_FORMAT(pe-x86-64)
+SECTIONS
+{
+  .text : { *(.text .text$* .text.*) }
+  .rdata : { *(.rdata .rdata$*) }
+  .data : { *(.data .data$*) }
+  .bss : { *(.bss .bss$*) }
+  .xdata : { *(.xdata .xdata$*) }
+  .pdata : { *(.pdata .pdata$*) }
+}
+")
+list(JOIN OBJECTS "\n" names)
+file(WRITE ${WHOLE}.objects "${names}\n")  # too many for the command line of some systems
+set(flags --set-section-flags .text=alloc,load,readonly,code,contents)
+foreach(section .rdata .xdata .pdata)
+  list(APPEND flags --set-section-flags ${section}=alloc,load,readonly,data,contents)
+endforeach()
+list(TRANSFORM KEEP PREPEND --keep-global-symbol=)
+execute_process(COMMAND ${LINKER} -r -T ${WHOLE}.ld -o ${WHOLE} @${WHOLE}.objects RESULT_VARIABLE status
+                ERROR_VARIABLE words)
+if(status EQUAL 0)
+  execute_process(COMMAND ${OBJCOPY} ${flags} ${KEEP} ${WHOLE} ${OBJECT} RESULT_VARIABLE status ERROR_VARIABLE words)
+endif()
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "the kernels cannot be closed: ${words}")
+endif()
