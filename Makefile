@@ -10,7 +10,8 @@ CASES    = cases/column_collapse
 PYTHON   = PYTHONPATH=python /usr/bin/python3
 
 .DEFAULT_GOAL := help
-.PHONY: help install build demo test package wheel test-web vtk verify verify-paper kill fuzz sanitize lint accept clean
+.PHONY: help install build demo test package wheel test-web vtk verify verify-paper kill test-cluster fuzz sanitize lint
+.PHONY: accept clean
 
 help:            ## this list
 	@echo "Terp: explicit material point method for soil that softens and fails"
@@ -72,6 +73,10 @@ kill: install    ## kill KILLS=200 runs at random moments, resume them, compare 
 	@cmake --build $(BUILD) --target terp kill_at_call
 	@/usr/bin/python3 tests/reliability/kill_runs.py $(TERP) --kills $(KILLS) \
 	   --library $(BUILD)/tests/reliability/libkill_at_call.so
+
+test-cluster: build  ## as root: kill studies on threads, ranks of mpirun, tasks of a real Slurm; compare their tables
+	@tools/install-dependencies --cluster
+	@tests/cluster/kill_studies.py $(TERP)
 
 fuzz: install    ## fuzz each reader of files with libFuzzer (clang), FUZZ_SECONDS=600 fast, as many with sanitizers
 	@tools/install-dependencies --checks

@@ -9,105 +9,17 @@
 #include "parallel/threads.hpp"
 #include "progress.hpp"
 #include "simulation/setup_mesh.hpp"
-#include "system/stop.hpp"
-#include "system/terminal.hpp"
-#include "study/adaptive.hpp"
 #include "study/study_folder.hpp"
 #include "study/study_page.hpp"
 #include "study/study_text.hpp"
+#include "study_run.hpp"
 
-#include <charconv>
-#include <chrono>
+#include <cstdlib>
 #include <filesystem>
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 namespace terp {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-std::string now_in_utc()
-{
-  return fmt::format(
-      "{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
-}
-
-/// "3/100"; empty: all.
-StudyPart part_of(const std::string& text)
-{
-  StudyPart part;
-  if (text.empty()) return part;
-  const char *end = text.data() + text.size(), *slash = text.data() + std::min(text.find('/'), text.size());
-  const auto first = std::from_chars(text.data(), slash, part.number);
-  const auto second = slash == end ? first : std::from_chars(slash + 1, end, part.n_all);
-  if (slash == end || first.ec != std::errc() || first.ptr != slash || second.ec != std::errc() || second.ptr != end ||
-      part.number < 1 || part.n_all < part.number)
-    throw CaseError(printable(fmt::format(
-        "error: --part {}: a part is K/N, K from 1 to N\n  As in --part 3/100, of the third of a hundred tasks.\n",
-        text)));
-  return part;
-}
-
-/// How far a study is, on one line that renews itself on a terminal.
-class StudyProgress {
- public:
-  StudyProgress(const Study& study, const StudyPart& part, int threads, bool quiet)
-      : study_(study),
-        part_(part),
-        threads_(threads),
-        quiet_(quiet),
-        terminal_(is_terminal(stdout)),
-        shows_p_(info_of(study.settings.estimator).counts_alike && !study.settings.fragility)
-  {
-  }
-
-  void show(const Realisation& newest, const Realisations& all)
-  {
-    ++made_;
-    spent_ += newest.wall_s;
-    const double now = std::chrono::duration<double>(Clock::now() - start_).count();
-    if (quiet_ || now < next_) return;
-    next_ = now + (terminal_ ? 0.2 : 10.0);
-    Index done = 0, n_all = 0;
-    EventCounts counts;
-    for (const auto& [number, r] : all) {
-      if (!part_.has(number)) continue;
-      ++done;
-      if (!r.skipped()) counts.take(r);
-    }
-    for (Index n = 0; n < study_.n_realisations; ++n) n_all += part_.has(n);
-    const Real confidence = study_.settings.confidence;
-    const bool adaptive = info_of(study_.settings.estimator).adaptive;  // its end is not known before
-    std::string line = adaptive ? fmt::format("[{}] {} failed", done, counts.failed)
-                                : fmt::format("[{}/{}] {} failed", done, n_all, counts.failed);
-    if (shows_p_) {
-      line += "  so far P(I) " + estimate_text(counts.slide(confidence));
-      if (newest.judges_flood) line += "  P(F) " + estimate_text(counts.flood(confidence));
-    }
-    const double each = spent_ / static_cast<double>(made_);
-    if (!adaptive)
-      line += fmt::format("  ETA {}{}", study_.settings.stop.cov > 0.0 ? "at most " : "",
-          readable_duration(each * static_cast<double>(n_all - done) / threads_));
-    terp::show(stdout, terminal_ ? "\r\033[K" + line : line + '\n');
-    open_ = terminal_;
-  }
-
-  void finish()
-  {
-    if (open_) terp::show(stdout, "\n");
-    open_ = false;
-  }
-
- private:
-  const Study& study_;
-  const StudyPart& part_;
-  int threads_;
-  bool quiet_, terminal_, shows_p_, open_ = false;
-  Clock::time_point start_ = Clock::now();
-  double spent_ = 0.0, next_ = 0.0;
-  Index made_ = 0;
-};
 
 std::string quantile_line(const RandomNumber& number)
 {
@@ -247,57 +159,18 @@ int keep(const Study& study, const std::string& folder, Index number, const Stud
   return status;
 }
 
-int run_study(const Study& study, const std::string& folder, const StudyCommand& command)
-{
-  const StudyPart part = part_of(command.part);
-  if (command.force && part.n_all > 1)
-    throw CaseError(printable(
-        fmt::format("error: --force with --part {}: a part does not begin anew, as it would remove what others solved\n"
-                    "  Remove the folder once, before the parts begin: rm -r {}\n",
-            command.part, folder)));
-  check_study_folder(study, folder);
-  const StudyPlace place(folder, fmt::format("part_{}_of_{}", part.number, part.n_all));
-  if (command.force) place.clear();
-  Realisations rows = read_store(study, folder).rows;
-  write_copies(study, place);
-  const int threads = command.threads > 0 ? command.threads : available_processors();
-  StudyProgress progress(study, part, threads, command.quiet);
-  listen_for_stop();
-  const bool adaptive = info_of(study.settings.estimator).adaptive;
-  if (adaptive && part.n_all > 1)
-    throw CaseError(
-        fmt::format("error: --part {}: `{}` chooses its realisations one after another\n  Its parts cannot "
-                    "be made apart. Give -j alone.\n",
-            command.part, info_of(study.settings.estimator).name));
-  const StudyEnd end = (adaptive ? run_adaptive : run_realisations)(study, folder,
-      {.threads = threads,
-          .part = part,
-          .show = [&](const Realisation& newest, const Realisations& all) { progress.show(newest, all); }},
-      stop_requested, rows);
-  progress.finish();
-  if (end == StudyEnd::stopped) {
-    fmt::print(stderr, "stopped; what is solved is kept in {}. Go on with the same command\n", folder);
-    return failed;
-  }
-  if (part.n_all > 1) {
-    if (!command.quiet)
-      fmt::print("part {} of {} is done; all of them: terp study report {}\n", part.number, part.n_all, folder);
-    return solved;
-  }
-  write_results(study, place, rows, now_in_utc());
-  if (!command.quiet) {
-    fmt::print("{}", study_text(study, rows));
-    fmt::print("page in {}, table in {}\n", path_in(folder, study_report), study_results);
-  }
-  if (!std::ranges::all_of(rows, [](const auto& row) { return row.second.failed(); })) return solved;
-  fmt::print(stderr, "error: all {} realisations failed, the first one: {}\n", rows.size(), rows.begin()->second.fault);
-  return stopped_itself;
-}
-
 }  // namespace
 
 int study_case(const StudyCommand& command)
 {
+  const Launched launched = find_launch([](const char* name) { return std::getenv(name); });
+  std::optional<Children> worker;
+  if (!launched.is_alone()) {
+    const bool solves = command.action == "run" && command.keep.empty();
+    if (!solves && launched.rank > 0) return solved;  // rank 0 answers
+    if (solves)
+      if (const auto status = begin_worker(command, launched, worker.emplace(1))) return *status;
+  }
   const Study study = open_study(command.path);
   const std::string folder = folder_of_study(command.path, command.output, study);
   fmt::print(stderr, "{}{}", render_warnings(study.base), render_warnings(find_doubts(study), study.settings.source));
@@ -308,7 +181,7 @@ int study_case(const StudyCommand& command)
   if (command.action == "report") return report_study(study, folder, true);
   int status = solved;
   for (const int number : command.keep) status = std::max(status, keep(study, folder, number, command));
-  return command.keep.empty() ? run_study(study, folder, command) : status;
+  return command.keep.empty() ? run_study(study, folder, command, launched) : status;
 }
 
 }  // namespace terp

@@ -1,12 +1,16 @@
 // How it thinks: workers take the next number, solve it, and give the result to one thread in the background, which
-// appends it to the store and looks whether the rule is met. Which numbers are in the table follows from the numbers
-// alone (count_in_table), so that workers may finish in any order.
+// appends it to the store and looks whether the rule is met. Where workers are processes (ranks.hpp), that is the
+// thread which hands out. Which numbers are in the table follows from the numbers alone (count_in_table), so that
+// workers may finish in any order.
 
 #include "study/engine.hpp"
 
 #include "output/run_folder.hpp"
 #include "parallel/background.hpp"
 #include "parallel/threads.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <chrono>
 #include <exception>
@@ -37,11 +41,7 @@ class Team {
   {
     table_.take(rows_);
     if (table_.rule_met() || todo_.empty()) return StudyEnd::rule_met;
-    const auto n = static_cast<int>(std::min<std::size_t>(todo_.size(), static_cast<std::size_t>(options_.threads)));
-    Threads threads(n);
-    threads.for_each_chunk(n, [this](Index, int) { work(); });
-    background_.finish();
-    if (error_) std::rethrow_exception(error_);
+    options_.ranks != nullptr ? hand_out() : use_threads();
     if (stop_.load()) return StudyEnd::stopped;
     return out_of_time_.load() ? StudyEnd::out_of_time : StudyEnd::rule_met;
   }
@@ -52,6 +52,29 @@ class Team {
     const Real limit = study_.settings.stop.time;
     if (limit > 0.0 && std::chrono::duration<double>(Clock::now() - start_).count() > limit) out_of_time_ = true;
     return !stop_.load() && !enough_.load() && !out_of_time_.load();
+  }
+
+  void use_threads()
+  {
+    const auto n = static_cast<int>(std::min<std::size_t>(todo_.size(), static_cast<std::size_t>(options_.threads)));
+    Threads threads(n);
+    threads.for_each_chunk(n, [this](Index, int) { work(); });
+    background_.finish();
+    if (error_) std::rethrow_exception(error_);
+  }
+
+  void hand_out()
+  {
+    const bool adaptive = info_of(study_.settings.estimator).adaptive;
+    options_.ranks->solve({.goes_on = [this] { return may_go_on(); },
+        .is_stopped = [this] { return stop_.load(); },
+        .next = [this]() -> std::optional<Index> {
+          const std::size_t k = next_.fetch_add(1);
+          return k < todo_.size() ? std::optional(todo_[k]) : std::nullopt;
+        },
+        .inputs_of = [this, adaptive](
+                         Index n) { return adaptive ? fmt::format("{}", fmt::join(draw_(n).inputs, " ")) : ""; },
+        .take = [this](const Realisation& newest) { take(newest); }});
   }
 
   void work()

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "study/estimates.hpp"
+#include "study/ranks.hpp"
 
 #include <functional>
 
@@ -10,6 +11,7 @@ namespace terp {
 struct EngineOptions {
   int threads = 1;
   StudyPart part = {};
+  RankServer* ranks = nullptr;  ///< whose workers solve; null: threads of this process
   /// Called after each realisation, by one thread at a time. all: with what was there before.
   std::function<void(const Realisation& newest, const Realisations& all)> show = {};
 };

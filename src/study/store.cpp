@@ -19,8 +19,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t n_digits = 16;  // of a checksum
 constexpr const char* ending = ".rows";
 constexpr std::string_view screening_letters = "-xas";  // in the order of Screening
-constexpr const char* head_begin = "terp study\t";
-constexpr const char* store_format = "4";  // before: no word of soil that still moves at the end
 
 std::string with_checksum(const std::string& line) { return digits_of(line) + '\t' + line + '\n'; }
 
@@ -30,11 +28,6 @@ std::optional<std::string_view> checked(std::string_view line)
   if (line.size() <= n_digits + 1 || line[n_digits] != '\t') return std::nullopt;
   const std::string_view text = line.substr(n_digits + 1);
   return digits_of(text) == line.substr(0, n_digits) ? std::optional(text) : std::nullopt;
-}
-
-std::string head_of(const Study& study)
-{
-  return fmt::format("terp study\t{}\t{}\t{}\t{}", store_format, TERP_VERSION, study.case_digits, study.study_digits);
 }
 
 std::vector<std::string_view> split(std::string_view text, char at)
@@ -63,24 +56,20 @@ bool to_numbers(std::string_view text, std::size_t n, std::vector<Real>& values)
   return values.size() == n;
 }
 
-void check_head(const Study& study, const std::string& path, std::string_view head)
+StoreHead check_head(const Study& study, const std::string& path, std::string_view line)
 {
-  const auto is = split(head, '\t');
-  if (is.size() < 2 || is[0] != "terp study" || (is[1] == store_format && is.size() != 5))
-    throw FileError(fmt::format("{}: this is no store of a study\n  Choose another folder: -o DIR", path));
-  if (is[1] != store_format)
-    throw FileError(
-        fmt::format("{}: this store has format {}, and this terp reads format {}\n  Solve it anew: terp study run "
-                    "STUDY.toml --force, or give it another folder, -o DIR.",
-            path, is[1], store_format));
-  std::string why;
-  if (is[2] != TERP_VERSION) why = fmt::format("it was solved by terp {}, this is {}", is[2], TERP_VERSION);
-  if (is[3] != study.case_digits) why = "the case is another one, or its mesh";
-  if (is[4] != study.study_digits) why = "what is drawn, its seed or the events are others";
-  if (!why.empty())
+  const StoreHead head = read_head(line, path);
+  if (const std::string why = why_of_another_study(head, head_of(study)); !why.empty())
     throw FileError(fmt::format(
         "{}: this is the store of another study: {}\n  Give it a folder of its own, -o DIR, or remove what is there.",
         path, why));
+  return head;
+}
+
+SolvedUnder& solved_under(const StoreHead& head, StoredStudy& stored)
+{
+  const auto there = std::ranges::find(stored.solvers, head, &SolvedUnder::head);
+  return there != stored.solvers.end() ? *there : stored.solvers.emplace_back(head);
 }
 
 void take(const std::string& path, Realisation row, StoredStudy& stored)
@@ -99,7 +88,7 @@ void read_part(const Study& study, const std::string& path, StoredStudy& stored)
 {
   const std::string text = read_file(path);
   const std::size_t n_inputs = study.input_names().size();
-  bool is_head = true;
+  std::optional<StoreHead> head;
   for (const std::string_view line : split(text, '\n')) {
     if (line.empty()) continue;
     const auto content = checked(line);
@@ -107,20 +96,23 @@ void read_part(const Study& study, const std::string& path, StoredStudy& stored)
       ++stored.n_broken;
       continue;
     }
-    if (is_head || content->starts_with(head_begin)) {
-      check_head(study, path, *content);
-      is_head = false;
+    if (!head || is_head(*content)) {
+      head = check_head(study, path, *content);
       continue;
     }
     auto row = realisation_of(*content, n_inputs);
     if (!row) throw FileError(fmt::format("{}: a line is whole, but no realisation of this study", path));
+    SolvedUnder& under = solved_under(*head, stored);
+    if (row->solved() && !under.first_solved) under.first_solved = row->number;
     take(path, std::move(*row), stored);
   }
 }
 
 }  // namespace
 
-std::string StudyPart::file() const { return fmt::format("part_{}_of_{}{}", number, n_all, ending); }
+std::string StudyPart::name() const { return fmt::format("part_{}_of_{}", number, n_all); }
+
+std::string StudyPart::file() const { return name() + ending; }
 
 bool is_part_of_store(std::string_view name) { return name.starts_with("part_") && name.ends_with(ending); }
 
@@ -166,11 +158,11 @@ StoreWriter::StoreWriter(const Study& study, const std::string& folder, const St
 {
   const std::string text = read_file(path_in(folder, part.file()));
   if (!text.empty() && text.back() != '\n') file_.append("\n");  // a line that a kill has cut
-  const auto is_head = [](std::string_view line) {
-    const auto content = checked(line);
-    return content && content->starts_with(head_begin);
-  };
-  if (std::ranges::none_of(split(text, '\n'), is_head)) file_.append(with_checksum(head_of(study)));
+  const std::string own = line_of(head_of(study));
+  std::string last;
+  for (const std::string_view line : split(text, '\n'))
+    if (const auto content = checked(line); content && is_head(*content)) last = *content;
+  if (last != own) file_.append(with_checksum(own));
 }
 
 void StoreWriter::append(const Realisation& realisation) { file_.append(with_checksum(line_of(realisation))); }

@@ -5,6 +5,7 @@
 
 #include "output/files.hpp"
 #include "study/realise.hpp"
+#include "study/store_head.hpp"
 
 #include <map>
 #include <string>
@@ -16,14 +17,22 @@ namespace terp {
 struct StudyPart {
   Index number = 1, n_all = 1;
   bool has(Index realisation) const { return realisation % n_all == number - 1; }
+  std::string name() const;  ///< "part_1_of_4"
   std::string file() const;  ///< "part_1_of_4.rows"
 };
 
 using Realisations = std::map<Index, Realisation>;
 
+/// Who solved a part of what is there.
+struct SolvedUnder {
+  StoreHead head = {};
+  std::optional<Index> first_solved = {};  ///< none: all that is under it failed or was skipped
+};
+
 /// What is there of a study.
 struct StoredStudy {
   Realisations rows;
+  std::vector<SolvedUnder> solvers;  ///< builds and instruction sets, each once
   int n_files = 0;
   int n_broken = 0;  ///< lines that a kill has cut
 };

@@ -87,10 +87,13 @@ void check_study_folder(const Study& study, const std::string& folder)
   if (fs::exists(path_in(folder, case_file), none)) refuse(fmt::format("a {} of something else", case_file));
 }
 
+std::string lock_folder_of(const std::string& folder, const std::string& lock)
+{
+  return path_in(folder, fmt::format("locks/{}", lock));
+}
+
 StudyPlace::StudyPlace(std::string folder, const std::string& lock)
-    : folder_(std::move(folder)),
-      own_(path_in(folder_, fmt::format("locks/{}", lock))),
-      lock_((make_folder(own_), own_))
+    : folder_(std::move(folder)), own_(lock_folder_of(folder_, lock)), lock_((make_folder(own_), own_))
 {
 }
 

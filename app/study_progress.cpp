@@ -1,0 +1,61 @@
+#include "study_progress.hpp"
+
+#include "progress.hpp"
+#include "study/study_text.hpp"
+#include "system/terminal.hpp"
+
+#include <fmt/format.h>
+
+namespace terp {
+
+StudyProgress::StudyProgress(const Study& study, const StudyPart& part, std::function<int()> n_at_a_time, bool quiet)
+    : study_(study),
+      part_(part),
+      n_at_a_time_(std::move(n_at_a_time)),
+      quiet_(quiet),
+      terminal_(is_terminal(stdout)),
+      shows_p_(info_of(study.settings.estimator).counts_alike && !study.settings.fragility)
+{
+  for (Index n = 0; n < study.n_realisations; ++n) n_all_ += part.has(n);
+}
+
+void StudyProgress::count(const Realisation& r)
+{
+  if (!part_.has(r.number)) return;
+  ++done_;
+  if (!r.skipped()) counts_.take(r);
+}
+
+void StudyProgress::show(const Realisation& newest, const Realisations& all)
+{
+  if (++made_ == 1)
+    for (const auto& [number, r] : all) count(r);
+  else
+    count(newest);
+  spent_ += newest.wall_s;
+  const double now = std::chrono::duration<double>(Clock::now() - start_).count();
+  if (quiet_ || now < next_) return;
+  next_ = now + (terminal_ ? 0.2 : 10.0);
+  const Real confidence = study_.settings.confidence;
+  const bool adaptive = info_of(study_.settings.estimator).adaptive;  // its end is not known before
+  std::string line = adaptive ? fmt::format("[{}] {} failed", done_, counts_.failed)
+                              : fmt::format("[{}/{}] {} failed", done_, n_all_, counts_.failed);
+  if (shows_p_) {
+    line += "  so far P(I) " + estimate_text(counts_.slide(confidence));
+    if (newest.judges_flood) line += "  P(F) " + estimate_text(counts_.flood(confidence));
+  }
+  const double each = spent_ / static_cast<double>(made_);
+  if (!adaptive)
+    line += fmt::format("  ETA {}{}", study_.settings.stop.cov > 0.0 ? "at most " : "",
+        readable_duration(each * static_cast<double>(n_all_ - done_) / n_at_a_time_()));
+  terp::show(stdout, terminal_ ? "\r\033[K" + line : line + '\n');
+  open_ = terminal_;
+}
+
+void StudyProgress::finish()
+{
+  if (open_) terp::show(stdout, "\n");
+  open_ = false;
+}
+
+}  // namespace terp

@@ -1,0 +1,33 @@
+// How far a study is, on one line that renews itself on a terminal.
+#pragma once
+
+#include "study/store.hpp"
+#include "study/estimates.hpp"
+
+#include <chrono>
+#include <functional>
+
+namespace terp {
+
+class StudyProgress {
+ public:
+  /// n_at_a_time: realisations that are solved at once.
+  StudyProgress(const Study& study, const StudyPart& part, std::function<int()> n_at_a_time, bool quiet);
+  void show(const Realisation& newest, const Realisations& all);
+  void finish();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void count(const Realisation& r);
+
+  const Study& study_;
+  StudyPart part_;
+  std::function<int()> n_at_a_time_;
+  bool quiet_, terminal_, shows_p_, open_ = false;
+  Clock::time_point start_ = Clock::now();
+  double spent_ = 0.0, next_ = 0.0;
+  Index made_ = 0, done_ = 0, n_all_ = 0;
+  EventCounts counts_ = {};
+};
+
+}  // namespace terp

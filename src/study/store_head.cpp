@@ -1,0 +1,85 @@
+#include "study/store_head.hpp"
+
+#include "base/errors.hpp"
+#include "system/build_id.hpp"
+#include "parallel/instructions.hpp"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+namespace terp {
+namespace {
+
+constexpr std::string_view begin = "terp study\t";
+constexpr std::string_view store_format = "5";  // before: no word of the build and the instruction set
+constexpr std::size_t n_words = 7;
+
+std::vector<std::string> words_of(std::string_view line)
+{
+  std::vector<std::string> words;
+  for (;;) {
+    const std::size_t end = line.find('\t');
+    words.emplace_back(line.substr(0, end));
+    if (end == std::string_view::npos) return words;
+    line.remove_prefix(end + 1);
+  }
+}
+
+bool has_fused_products(const std::string& instructions) { return instructions.starts_with("avx"); }
+
+}  // namespace
+
+StoreHead head_of(const Study& study)
+{
+  return {.version = TERP_VERSION,
+      .case_digits = study.case_digits,
+      .study_digits = study.study_digits,
+      .build = build_id(),
+      .instructions = std::string(instructions())};
+}
+
+std::string line_of(const StoreHead& head)
+{
+  return fmt::format("{}{}\t{}\t{}\t{}\t{}\t{}", begin, store_format, head.version, head.case_digits, head.study_digits,
+      head.build, head.instructions);
+}
+
+bool is_head(std::string_view line) { return line.starts_with(begin); }
+
+StoreHead read_head(std::string_view line, const std::string& path)
+{
+  const std::vector<std::string> words = words_of(line);
+  if (!is_head(line) || (words[1] == store_format && words.size() != n_words))
+    throw FileError(fmt::format("{}: this is no store of a study\n  Choose another folder: -o DIR", path));
+  if (words[1] != store_format)
+    throw FileError(
+        fmt::format("{}: this store has format {}, and this terp reads format {}\n  Solve it anew: terp study run "
+                    "STUDY.toml --force, or give it another folder, -o DIR.",
+            path, words[1], store_format));
+  return {.version = words[2],
+      .case_digits = words[3],
+      .study_digits = words[4],
+      .build = words[5],
+      .instructions = words[6]};
+}
+
+std::string why_of_another_study(const StoreHead& head, const StoreHead& own)
+{
+  if (head.study_digits != own.study_digits) return "what is drawn, its seed or the events are others";
+  if (head.case_digits != own.case_digits) return "the case is another one, or its mesh";
+  if (head.version != own.version)
+    return fmt::format("it was solved by terp {}, this is {}", head.version, own.version);
+  return "";
+}
+
+SameBits same_bits(const StoreHead& a, const StoreHead& b)
+{
+  const auto is_known = [](const std::string& set) { return set == "sse2" || has_fused_products(set); };
+  const bool both_known = is_known(a.instructions) && is_known(b.instructions);
+  if (both_known && has_fused_products(a.instructions) != has_fused_products(b.instructions)) return SameBits::no;
+  if (a.build != b.build || a.build == "unknown") return SameBits::unknown;
+  return both_known || a.instructions == b.instructions ? SameBits::yes : SameBits::unknown;
+}
+
+}  // namespace terp
