@@ -200,14 +200,18 @@ std::optional<FieldValue> read_shansep(const Node& table, const FieldContext& ou
   return by_shansep(soil);
 }
 
+constexpr std::string_view yield_stress_name = "yield_stress";  ///< of laws and of SHANSEP
+
 /// sigma'_p by `pop` or `ocr`, the name of the item: what SHANSEP has for both.
 std::optional<FieldValue> read_yield_stress(const Node& value, const FieldContext& context)
 {
   context.needs.stress = true;
-  if (context.entry.key.unit != "Pa")
+  if (last_part(context.entry.key.path) != yield_stress_name && last_part(context.entry.path) != yield_stress_name)
     return refuse_field(context, join_path(context.entry.path, value.name),
         fmt::format("`{}` gives a yield stress", value.name),
-        fmt::format("It is in Pa; `{}` is in {}.", last_part(context.entry.path), context.entry.key.unit));
+        fmt::format("`{}` is none: this kind of field is for `{}` alone.{}", last_part(context.entry.path),
+            yield_stress_name,
+            context.entry.key.unit == "Pa" ? " A strength by it is shansep = { S, m, pop or ocr }." : ""));
   Shansep soil;
   const auto daily = read_water(context.entry.node, "daily_water", context);
   const auto* key = std::ranges::find(shansep_keys, value.name, &ShansepKey::name);

@@ -2,6 +2,7 @@
 
 #include "input/document.hpp"
 #include "input/key_text.hpp"
+#include "schemes/scheme.hpp"
 #include "simulation/frame_fields.hpp"
 #include "user_laws/interface.hpp"
 #include "user_laws/user_law.hpp"
@@ -59,6 +60,7 @@ struct NumbersReader {
       return true;
     }
     if (node.kind != NodeKind::list && node.kind != NodeKind::table) return wrong(entry, node, entry.path, findings);
+    if (takes_count && std::ssize(node.items) > most_state) return wrong(entry, node, entry.path, findings);
     for (std::size_t k = 0; k < node.items.size(); ++k) {
       const Node& item = node.items[k];
       const bool is_list = node.kind == NodeKind::list;
@@ -109,9 +111,7 @@ WordField stress_unit_field(Real& value)
       [&value](int word) { value = stress_units[word]; }};
 }
 
-}  // namespace
-
-std::vector<KeyInfo> library_keys()
+std::vector<KeyInfo> keys_of_law_itself()
 {
   return {
       {.path = "material.NAME.library",
@@ -142,15 +142,21 @@ std::vector<KeyInfo> library_keys()
       {.path = "material.NAME.state",
           .field =
               [](Case& c, std::size_t i) {
-                return numbers_field(
-                    c.materials[i].library.state, {"the number of state variables, at most 100, a list of their names, "
-                                                   "or a table { NAME = value at t = 0 }",
-                                                      true, true});
+                return numbers_field(c.materials[i].library.state,
+                    {"the number of state variables, a list of their names, or a table { NAME = value at t = 0 }; at "
+                     "most 100",
+                        true, true});
               },
           .meaning =
               "what each point remembers for the law: STATEV of a UMAT, zero at t = 0 unless a value is given. A "
               "native library names its own. `eps_eq_p` counts as the equivalent plastic strain",
           .default_text = "none"},
+  };
+}
+
+std::vector<KeyInfo> keys_of_surroundings()
+{
+  return {
       {.path = "material.NAME.kinematics",
           .field = [](Case& c, std::size_t i) { return NameList{&c.materials[i].library.kinematics}; },
           .words = words_of_kinematics,
@@ -172,11 +178,10 @@ std::vector<KeyInfo> library_keys()
           .field = [](Case& c, std::size_t i) { return &c.materials[i].library.thread_safe; },
           .meaning =
               "whether several threads may call the law at the same time: true only of a law without SAVE, COMMON "
-              "or static variables. A native library says it itself"},
+              "or static variables. A native library says it itself, and false "
+              "outweighs that"},
   };
 }
-
-namespace {
 
 std::filesystem::path file_of(const Case& values, const MaterialCase& material)
 {
@@ -205,9 +210,10 @@ void check_names_of_state(const MaterialCase& material, std::vector<Problem>& pr
   }
 }
 
-void load_library(Case& values, MaterialCase& material, std::vector<Problem>& problems)
+void load_library(const Node& root, const Case& values, MaterialCase& material, std::vector<Problem>& problems)
 {
   const std::string path = material_path(material);
+  const bool takes_turns = find_node(root, join_path(path, "thread_safe")) != nullptr && !material.library.thread_safe;
   if (material.library.interface == LawInterface::native && !material.library.kinematics.empty())
     problems.push_back({join_path(path, "kinematics"), "a native library keeps what it needs itself",
         "Remove `kinematics`; a state variable can add up the strain increments.", "library", true});
@@ -218,7 +224,8 @@ void load_library(Case& values, MaterialCase& material, std::vector<Problem>& pr
     problems.push_back({join_path(path, "porosity"), "only an ESM is told a porosity",
         "Remove `porosity`, or give it as one of the `parameters`.", "library", true});
   try {
-    material.from_library = load_user_law(material.name, values.folder, material.parameters, material.library);
+    material.from_library =
+        load_user_law(material.name, values.folder, material.parameters, material.library, takes_turns);
     check_names_of_state(material, problems);
   } catch (const InputError& error) {
     for (Problem problem : error.problems()) {
@@ -229,9 +236,25 @@ void load_library(Case& values, MaterialCase& material, std::vector<Problem>& pr
   }
 }
 
+/// Whether an ESM of these materials sets the state of the soil `name` in its first call.
+bool sets_state_in_first_call(const Case& values, const std::string& name)
+{
+  return std::ranges::any_of(values.materials, [&](const MaterialCase& m) {
+    return m.called() == name && m.model == "library" && m.library.interface == LawInterface::esm &&
+           !m.library.state.empty();
+  });
+}
+
 }  // namespace
 
-void load_libraries(Case& values, std::vector<Problem>& problems)
+std::vector<KeyInfo> library_keys()
+{
+  std::vector<KeyInfo> keys = keys_of_law_itself();
+  std::ranges::move(keys_of_surroundings(), std::back_inserter(keys));
+  return keys;
+}
+
+void load_libraries(const Node& root, Case& values, std::vector<Problem>& problems)
 {
   for (MaterialCase& material : values.materials) {
     const MaterialType* law = find_material(material.model);
@@ -244,7 +267,7 @@ void load_libraries(Case& values, std::vector<Problem>& problems)
         !std::filesystem::is_regular_file(file_of(values, material), ignored) ||
         std::ranges::any_of(material.parameters, [](Real value) { return std::isnan(value); }))
       continue;
-    load_library(values, material, problems);
+    load_library(root, values, material, problems);
   }
 }
 
@@ -253,12 +276,36 @@ void check_libraries_of_stage(const Case& before, const Case& now, std::vector<P
   for (std::size_t m = 0; m < std::min(before.materials.size(), now.materials.size()); ++m) {
     const LibraryCase &a = before.materials[m].library, &b = now.materials[m].library;
     const auto same = [](const NamedNumber& x, const NamedNumber& y) { return x.name == y.name && x.value == y.value; };
+    const bool same_porosity = a.porosity == b.porosity || (std::isnan(a.porosity) && std::isnan(b.porosity));
     if (a.file == b.file && a.interface == b.interface && a.symbol == b.symbol && a.kinematics == b.kinematics &&
+        a.stress_unit == b.stress_unit && a.thread_safe == b.thread_safe && same_porosity &&
         std::ranges::equal(a.state, b.state, same))
       continue;
     problems.push_back({join_path("material", now.materials[m].name), "a stage cannot change where a law comes from",
-        "Its `parameters` may change; library, interface, symbol, state and kinematics are those of the whole run.",
-        "stage.set", true});
+        "Its `parameters` and moduli may change; all else that the law is given is that of the whole run.", "stage.set",
+        true});
+  }
+}
+
+void check_first_calls(const Case& before, const Case& now, std::size_t stage, std::vector<Problem>& problems)
+{
+  const Scheme* scheme = find_scheme(now.scheme);
+  if (scheme == nullptr || !scheme->keeps_gauss_values) return;
+  const std::vector<std::string>& placed = now.stages[stage].place;
+  for (std::size_t b = 0; b < now.bodies.size(); ++b) {
+    const BodyCase& body = now.bodies[b];
+    const bool is_placed = !body.name.empty() && std::ranges::find(placed, body.name) != placed.end();
+    if (!is_placed && body.material == before.bodies[b].material) continue;
+    const bool has_company = std::ranges::any_of(before.bodies, [&](const BodyCase& other) {
+      return &other != &before.bodies[b] && other.is_there && other.material == body.material;
+    });
+    if (!has_company || !sets_state_in_first_call(now, body.material)) continue;
+    problems.push_back({fmt::format("stage[{}].{}", stage, is_placed ? "place" : "set"),
+        fmt::format("soil of the ESM `{}` cannot come to soil of it that is there", body.material),
+        fmt::format("An ESM sets the state of a point in its first call, and {} has one call for all points of a cell. "
+                    "Give the body a\nmaterial of its own, or use scheme = \"mpm_gp\".",
+            now.scheme),
+        "library", true});
   }
 }
 

@@ -10,10 +10,14 @@ namespace terp {
 std::vector<KeyInfo> library_keys();
 
 /// Opens the libraries of the materials and asks them for their laws. Libraries whose file is not there are left:
-/// check_files tells of them.
-void load_libraries(Case& values, std::vector<Problem>& problems);
+/// check_files tells of them. root: of the case file that the values are read from.
+void load_libraries(const Node& root, Case& values, std::vector<Problem>& problems);
 
-/// What a stage may not change of a law from a library: all but its parameters.
+/// What a stage may not change of a law from a library: all but its parameters and moduli.
 void check_libraries_of_stage(const Case& before, const Case& now, std::vector<Problem>& problems);
+
+/// Refuses soil that a stage places, or gives this law, beside soil that has it, where the first call of a law would
+/// be one for both. before: the case until then.
+void check_first_calls(const Case& before, const Case& now, std::size_t stage, std::vector<Problem>& problems);
 
 }  // namespace terp

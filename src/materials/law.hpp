@@ -32,8 +32,8 @@ namespace terp {
 ///
 /// Where the stiffness follows the stress, bulk_modulus() and shear_modulus() are those of the stiffest state, which
 /// the time step holds for. The law then has moduli_at(sigma) and stored_energy(sigma) [J/m^3], too. Where the strength
-/// follows the stress: check_start(sigma), problems of a stress at t = 0, and start(sigma, state), which makes the
-/// state one that admits the stress.
+/// follows the stress: check_start(sigma, state), problems of a stress that soil begins with, and start(sigma, state),
+/// which makes the state one that admits the stress.
 ///
 /// A law that softens also has template <class R> Law<R> softened_at(R k) const, the same law with the strengths that
 /// it has at the plastic strain k, which they then keep. With that it has a nonlocal form (nonlocal.hpp).
@@ -92,7 +92,11 @@ class MaterialOf final : public Material {
   }
   std::vector<ParameterProblem> check_start(const LawRows& at, const SymTensor<Real, 2>& sigma) const override
   {
-    if constexpr (requires { law_.check_start(sigma); }) return law_of(at).check_start(sigma);
+    std::array<Real, n_state> state;
+    if constexpr (requires { law_.check_start(sigma, state); }) {
+      for (std::size_t s = 0; s < n_state; ++s) state[s] = *at.state(s);
+      return law_of(at).check_start(sigma, state);
+    }
     return {};
   }
   void start(const LawRows& at, const SymTensor<Real, 2>& sigma) const override

@@ -301,19 +301,22 @@ struct ModifiedCamClay {
       at[1] = std::log(needed / start_p_c);
   }
 
+  static Real J_squared(SymTensor<Real, 2> sigma)
+  {
+    add_isotropic(sigma, -mean(sigma));
+    return 0.5 * double_dot(sigma, sigma);
+  }
+
   /// Of the yield surface through a stress [Pa]; infinite without pressure.
   Real p_c_of(const SymTensor<Real, 2>& sigma) const
   {
-    const Real p = -mean(sigma);
-    SymTensor<Real, 2> s = sigma;
-    add_isotropic(s, p);
-    const Real JJ = 0.5 * double_dot(s, s);
+    const Real p = -mean(sigma), JJ = J_squared(sigma);
     if (!(JJ > 0.0)) return std::max(p, 0.0);
     return p > 0.0 ? p + JJ / (sin_phi * sin_phi * p) : std::numeric_limits<Real>::infinity();
   }
 
   std::vector<ParameterProblem> check() const;
-  std::vector<ParameterProblem> check_start(const SymTensor<Real, 2>& sigma) const;
+  std::vector<ParameterProblem> check_start(const SymTensor<Real, 2>& sigma, const std::array<Real, 2>& at) const;
 
   static constexpr Real tiny = 1e-30;          // keeps 0/0 from stresses without shear
   static constexpr Real settled_part = 4e-15;  // of kappa*: p' to its round-off
@@ -348,20 +351,27 @@ std::vector<ParameterProblem> ModifiedCamClay<P>::check() const
 }
 
 template <class P>
-std::vector<ParameterProblem> ModifiedCamClay<P>::check_start(const SymTensor<Real, 2>& sigma) const
+std::vector<ParameterProblem> ModifiedCamClay<P>::check_start(
+    const SymTensor<Real, 2>& sigma, const std::array<Real, 2>& at) const
 {
   std::vector<ParameterProblem> problems;
-  const Real p = -mean(sigma), needed = p_c_of(sigma), scale = needed / start_p_c;
+  const Real p = -mean(sigma), J = std::sqrt(J_squared(sigma));
+  const Real p_c = p_c_at(at[1]), needed = p_c_of(sigma), scale = needed / p_c;
   if (p > pressure.most)
     problems.push_back({"largest_mean_stress", "the soil starts with more than its largest mean stress",
         fmt::format(
             "p' = {:.4g} Pa, largest_mean_stress = {:.4g} Pa. Give the largest that will occur.", p, pressure.most)});
-  else if (scale > 1.0 + start_slack)
-    problems.push_back({"yield_stress", "the starting stress lies outside the yield surface",
+  else if (!(p > 0.0) && std::max(-p, J) > start_slack * p_c)
+    problems.push_back({"model", "the soil starts without pressure",
         fmt::format(
-            "p' = {:.4g} Pa, J = {:.4g} Pa need p_c = {:.4g} Pa; yield_stress gives {:.4g} Pa. Give {:.3g} times "
-            "the yield_stress\nor more, by ocr or pop, or a k0 nearer to 1 - sin(phi) = {:.3g}.",
-            p, sin_phi * std::sqrt(std::max(0.0, p * (needed - p))), needed, start_p_c, scale, 1.0 - sin_phi)});
+            "p' = {:.4g} Pa, J = {:.4g} Pa, and this law carries no tension. Look at k0 and at the water there, "
+            "or give the\nbody another law.",
+            p, J)});
+  else if (p > 0.0 && scale > 1.0 + start_slack)
+    problems.push_back({"yield_stress", "the starting stress lies outside the yield surface",
+        fmt::format("p' = {:.4g} Pa, J = {:.4g} Pa need p_c = {:.4g} Pa; {} {:.4g} Pa. Give {:.3g} times "
+                    "the yield_stress\nor more, by ocr or pop, or a k0 nearer to 1 - sin(phi) = {:.3g}.",
+            p, J, needed, at[1] == 0.0 ? "yield_stress gives" : "the soil was loaded to", p_c, scale, 1.0 - sin_phi)});
   return problems;
 }
 

@@ -7,6 +7,8 @@
 namespace terp {
 
 /// Calls f(argument). Returns "" or in words what the system stopped it for, as an access to memory that is not there.
-std::string call_with_faults(void (*f)(void*), void* argument);
+/// After abort(), or a fault inside the C library, nobody can ask for memory: then it calls end(why), which must end
+/// the program without that.
+std::string call_with_faults(void (*f)(void*), void* argument, void (*end)(const char* why));
 
 }  // namespace terp

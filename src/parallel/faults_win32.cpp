@@ -73,7 +73,7 @@ struct Guard {
 
 }  // namespace
 
-std::string call_with_faults(void (*f)(void*), void* argument)
+std::string call_with_faults(void (*f)(void*), void* argument, void (*)(const char*))
 {
   static const Guard guard;
   inside = true;

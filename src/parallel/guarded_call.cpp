@@ -2,11 +2,15 @@
 
 #include "parallel/faults.hpp"
 
+#include <array>
+#include <atomic>
 #include <cfenv>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <mutex>
+#include <thread>
 
 namespace terp {
 
@@ -30,34 +34,52 @@ constexpr int stopped_itself = 3;  // exit status of a run that stops itself
 /// The call that a thread is in.
 struct Call {
   void* argument = nullptr;
-  std::string (*describe_exit)(void*) = nullptr;
+  DescribeExit describe_exit = nullptr;
 };
 thread_local Call* present = nullptr;
 
+/// Of threads that come here at once the first has the word, and the others wait for the end.
+void end_program(const char* why)
+{
+  static std::atomic_flag has_the_word;
+  while (has_the_word.test_and_set()) std::this_thread::sleep_for(std::chrono::seconds(1));
+  std::array<char, 4096> text{};
+  present->describe_exit(present->argument, why, text.data(), text.size());
+  std::fputs("error: ", stderr);
+  std::fputs(text.data(), stderr);
+  std::fputs("\n", stderr);
+  std::_Exit(stopped_itself);
+}
+
 /// exit() in the guarded code, as STOP of Fortran calls it.
-void end_program()
+void end_at_exit()
 {
   if (present == nullptr) return;
-  const std::string text = present->describe_exit(present->argument);
-  present = nullptr;
-  std::fprintf(stderr, "error: %s\n", text.c_str());
   std::fflush(nullptr);
-  std::_Exit(stopped_itself);
+  end_program("ended the program (STOP, XIT or exit)");
+}
+
+/// exit() calls a function once for each time that it was registered: each thread that is in a law needs one.
+bool register_end()
+{
+  constexpr int most_threads = 1024;
+  for (int k = 0; k < most_threads; ++k) std::atexit(end_at_exit);
+  return true;
 }
 
 }  // namespace
 
-std::string call_guarded(void (*f)(void*), std::string (*describe_exit)(void*), void* argument)
+std::string call_guarded(void (*f)(void*), DescribeExit describe_exit, void* argument)
 {
-  static const int at_exit = std::atexit(end_program);
-  static_cast<void>(at_exit);
+  static const bool registered = register_end();
+  static_cast<void>(registered);
   Call call{argument, describe_exit};
   std::fenv_t environment;
   std::fegetenv(&environment);
   present = &call;
   std::string fault;
   try {
-    fault = call_with_faults(f, argument);
+    fault = call_with_faults(f, argument, end_program);
   } catch (const std::exception& error) {
     fault = std::string("threw an exception: ") + error.what();
   } catch (...) {

@@ -4,6 +4,7 @@
 #include "points/point_blocks.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace terp {
 
@@ -39,8 +40,12 @@ int RowTable::add(RowInfo info)
 {
   for (RowInfo& known : entries_) {
     if (known.name != info.name) continue;
-    TERP_ASSERT(
-        known.owner == info.owner && known.unit == info.unit && known.n == info.n && known.averaging == info.averaging);
+    if (known.owner != info.owner || known.unit != info.unit || known.n != info.n || known.averaging != info.averaging)
+      throw InputError(Problem{"material", fmt::format("two quantities of the points have the name `{}`", info.name),
+          fmt::format("One is \"{}\" in {}, the other \"{}\" in {}. Give the state variable of the library another "
+                      "name.",
+              known.meaning, known.unit, info.meaning, info.unit),
+          "library"});
     if (info.initial != known.initial)
       for (const Index material : info.of) known.initials.emplace_back(material, info.initial);
     known.of.insert(known.of.end(), info.of.begin(), info.of.end());

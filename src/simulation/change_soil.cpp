@@ -6,6 +6,7 @@
 #include "simulation/setup_points.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace terp {
@@ -13,13 +14,41 @@ namespace {
 
 using Rows = PointRows<2>;
 
+/// Whether a state variable of one means the same in the other. Names of libraries are the user's: two of them may name
+/// other things alike.
+bool share_state(const MaterialCase& a, const MaterialCase& b)
+{
+  const LibraryCase &of_a = a.library, &of_b = b.library;
+  return of_a.file == of_b.file && of_a.interface == of_b.interface && of_a.symbol == of_b.symbol;
+}
+
 /// Gives a point of another material the mass of that material and the rows that only its law has.
 void change_row_values(const Model& model, Index from, Index to, std::vector<Real>& values)
 {
   values[Rows::mass] *= model.materials[to].density / model.materials[from].density;
-  for (const RowInfo& row : model.rows.added())
-    if (row.is_of(to) && !row.is_of(from)) std::fill_n(values.begin() + row.first, row.n, row.initial_in(to));
+  const bool shared = share_state(model.description.materials[from], model.description.materials[to]);
+  const int plastic_strain = row_of(model.materials[to], Role::plastic_strain);
+  for (const RowInfo& row : model.rows.added()) {
+    const bool is_other = !shared && row.owner == "law" && row.first != plastic_strain;
+    if (row.is_of(to) && (!row.is_of(from) || is_other))
+      std::fill_n(values.begin() + row.first, row.n, row.initial_in(to));
+  }
 }
+
+/// Where a law has the largest pressure that its soil was loaded to, and the logarithm that it remembers that by.
+struct CarriedPressure {
+  int row = -1;      ///< of the points; -1: the law knows none
+  int derived = -1;  ///< number of the field
+
+  explicit CarriedPressure(const SoilMaterial& material)
+  {
+    const auto state = std::ranges::find(material.type->state, "hardening", &StateInfo::name);
+    const auto field = std::ranges::find(material.type->derived, "p_c", &DerivedInfo::name);
+    if (state == material.type->state.end() || field == material.type->derived.end() || material.rows.empty()) return;
+    row = material.rows[static_cast<std::size_t>(state - material.type->state.begin())];
+    derived = static_cast<int>(field - material.type->derived.begin());
+  }
+};
 
 /// A point on its way to a block of another material.
 struct MovedPoint {
@@ -58,6 +87,34 @@ std::vector<MovedPoint> take_changed_points(const Model& model, const std::vecto
 
 }  // namespace
 
+std::vector<Real> carried_pressures(const Model& model, const State& state)
+{
+  std::vector<Real> carried(static_cast<std::size_t>(state.n_ids()), std::numeric_limits<Real>::quiet_NaN());
+  for_each_block(state.points, [&](const PointBlock<2>& block) {
+    const SoilMaterial& material = model.materials[block.material];
+    const CarriedPressure of(material);
+    if (of.row < 0) return;
+    for (Index lane = 0; lane < block.n; ++lane)
+      carried[static_cast<std::size_t>(block.row(Rows::id)[lane])] =
+          material.law->derived(of.derived, material.view(block, lane));
+  });
+  return carried;
+}
+
+void keep_carried_pressures(const Model& model, const std::vector<Real>& carried, State& state)
+{
+  for_each_block(state.points, [&](const PointBlock<2>& block) {
+    const SoilMaterial& material = model.materials[block.material];
+    const CarriedPressure of(material);
+    if (of.row < 0) return;
+    for (Index lane = 0; lane < block.n; ++lane) {
+      const Real before = carried[static_cast<std::size_t>(block.row(Rows::id)[lane])];
+      const Real now = material.law->derived(of.derived, material.view(block, lane));
+      if (std::isfinite(before) && before != now) block.row(of.row)[lane] += std::log(before / now);
+    }
+  });
+}
+
 bool have_same_materials(const Model& a, const Model& b)
 {
   return std::ranges::equal(a.description.bodies, b.description.bodies, {}, &BodyCase::material, &BodyCase::material);
@@ -87,7 +144,7 @@ void change_stored_stress(const Model& before, const Model& model, State& state)
   });
 }
 
-void change_materials(const Model& model, State& state)
+void change_materials(const Model& model, const std::vector<Real>& carried, State& state)
 {
   const Seeds seeds = seeds_of(model);
   std::vector<MovedPoint> moved = take_changed_points(model, seeds.bodies, state);
@@ -96,7 +153,12 @@ void change_materials(const Model& model, State& state)
   const auto varies = [&](const MovedPoint& point) { return model.materials[point.key.material].varies(); };
   if (std::ranges::any_of(moved, varies)) set_point_parameters(model, seeds.places, state);
   std::vector<bool> is_moved(static_cast<std::size_t>(state.n_ids()));
-  for (const MovedPoint& point : moved) is_moved[static_cast<std::size_t>(point.values[Rows::id])] = true;
+  std::vector<Real> of_moved(is_moved.size(), std::numeric_limits<Real>::quiet_NaN());
+  for (const MovedPoint& point : moved) {
+    const auto id = static_cast<std::size_t>(point.values[Rows::id]);
+    is_moved[id] = true, of_moved[id] = carried[id];
+  }
+  keep_carried_pressures(model, of_moved, state);
   if (const auto wrong = find_wrong_start(model, state, [&](std::size_t id) { return is_moved[id]; }))
     throw RunError(fmt::format("t = {:.4f} s: {}: {}\n  {}", state.time, wrong->key, wrong->what, wrong->detail));
 }

@@ -20,8 +20,17 @@ void change_stored_stress(const Model& before, const Model& model, State& state)
 /// The mass of points whose material has another density than before follows it.
 void change_densities(const Model& before, const Model& model, State& state);
 
+/// The largest pressure that the soil of each point has been loaded to, by its number [Pa]; NaN: its law knows none.
+std::vector<Real> carried_pressures(const Model& model, const State& state);
+
+/// Gives points of a law that knows it the pressure that they had before, whatever yield stress the parameters of the
+/// model give. The law counts from those.
+void keep_carried_pressures(const Model& model, const std::vector<Real>& carried, State& state);
+
 /// Gives each point the material that its body has in the stage of the model. Stress, strain and what both laws know
-/// stay; what only the new law knows begins anew, and the mass follows the density.
-void change_materials(const Model& model, State& state);
+/// stay; what only the new law knows begins anew, and the mass follows the density. Of two laws of libraries, if they
+/// are not the same one, only the plastic strain stays. carried: of the soil before. Throws RunError where a law does
+/// not admit the stress of a point that is given to it.
+void change_materials(const Model& model, const std::vector<Real>& carried, State& state);
 
 }  // namespace terp

@@ -18,24 +18,41 @@ bool stiffens_with_stress(const Model& model)
   return std::ranges::any_of(model.materials, [](const SoilMaterial& m) { return m.type->stiffness_by_stress; });
 }
 
-}  // namespace
-
-std::optional<Problem> find_wrong_start(
-    const Model& model, const State& state, const std::function<bool(std::size_t)>& look)
+/// The first problem of a point that a stress of its law has.
+std::optional<Problem> find_problem(
+    const Model& model, const State& state, const std::function<bool(std::size_t, const ParameterProblem&)>& counts)
 {
   std::optional<Problem> found;
   for_each_point(state.points, [&](const PointBlock<2>& block, Index lane) {
     const SoilMaterial& material = model.materials[block.material];
     const auto id = static_cast<std::size_t>(block.row(PointRows<2>::id)[lane]);
-    if (found || !look(id)) return;
+    if (found) return;
     const Vec<2> x{block.row(PointRows<2>::x)[lane], block.row(PointRows<2>::x + 1)[lane]};
     for (const ParameterProblem& problem :
         material.law->check_start(material.view(block, lane), stress_at(block, lane)))
-      found = Problem{parameter_key(model.description.materials[block.material], problem.parameter), problem.what,
-          fmt::format("At the point at {} m: {}", place_text(x), problem.detail), "material", false,
-          {"initial.stress", "initial.k0"}};
+      if (counts(id, problem))
+        found = Problem{parameter_key(model.description.materials[block.material], problem.parameter), problem.what,
+            fmt::format("At the point at {} m: {}", place_text(x), problem.detail), "material", false,
+            {"initial.stress", "initial.k0"}};
   });
   return found;
+}
+
+}  // namespace
+
+std::optional<Problem> find_wrong_start(
+    const Model& model, const State& state, const std::function<bool(std::size_t)>& look)
+{
+  return find_problem(model, state, [&](std::size_t id, const ParameterProblem&) { return look(id); });
+}
+
+std::string describe_overload(const Model& model, const State& state)
+{
+  const auto found = find_problem(model, state,
+      [](std::size_t, const ParameterProblem& problem) { return problem.parameter == "largest_mean_stress"; });
+  if (!found) return {};
+  return fmt::format("at t = {:.4g} s soil carries more than `{}`, beyond which the law grows no stiffer. {}",
+      state.time, found->key, found->detail);
 }
 
 void start_soil(const Model& model, State& state)

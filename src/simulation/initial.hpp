@@ -21,6 +21,9 @@ void set_initial_stress(const Model& model, State& state);
 std::optional<Problem> find_wrong_start(
     const Model& model, const State& state, const std::function<bool(std::size_t)>& look);
 
+/// Words on the first point that carries more than the largest mean stress of its law; empty: none does.
+std::string describe_overload(const Model& model, const State& state);
+
 /// Gives the points the history that admits the stress of a search for equilibrium.
 void start_soil(const Model& model, State& state);
 

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace terp {
 namespace {
@@ -106,6 +107,8 @@ Search start_run(const Model& model, State& state, const std::atomic<bool>& stop
         find_equilibrium(model, state, stop, [&](const SearchProgress& so_far) { loop.report_search(so_far); });
     if (!search.reached) return search;
     start_soil(model, state);
+    if (const auto wrong = find_wrong_start(model, state, [](std::size_t) { return true; }))
+      return {.fault = fmt::format("{}: {}\n  {}", wrong->key, wrong->what, wrong->detail)};
   }
   start_followers(model, state);
   state.start_energy = kinetic_and_elastic_energy(model, state);

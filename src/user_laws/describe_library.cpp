@@ -2,6 +2,7 @@
 
 #include "base/closest.hpp"
 #include "base/errors.hpp"
+#include "system/files.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,8 @@ void check_names(const std::string& key, const char* what, const std::vector<Nam
 {
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     const std::string& name = numbers[k].name;
+    if (name.empty() && key == "state")
+      refuse(key, "a state variable has no name", "Give each a name, or their number alone.");
     if (!name.empty() && !is_name(name))
       refuse(key, fmt::format("`{}` is no name of a {}", name, what), "Names have letters, digits and _ only.");
     const auto same = [&](const NamedNumber& other) { return other.name == name; };
@@ -105,7 +108,7 @@ void order_state(const Variables& known, std::vector<NamedNumber>& given)
 FoundLibrary find_library(const std::string& folder, const LibraryCase& library)
 {
   FoundLibrary found;
-  found.path = library.file.starts_with('/') || folder.empty() ? library.file : folder + '/' + library.file;
+  found.path = is_absolute(library.file) || folder.empty() ? library.file : folder + '/' + library.file;
   try {
     found.library = std::make_shared<const SharedLibrary>(found.path);
   } catch (const FileError& error) {
@@ -146,7 +149,9 @@ std::optional<LawVariables> describe_library(const FoundLibrary& found, LibraryC
             "Names have letters, digits and _ only.");
   order_parameters(said->parameters, library.parameters);
   order_state(said->state, library.state);
-  library.thread_safe = library.thread_safe || said->thread_safe;
+  if (library.thread_safe && !said->thread_safe)
+    refuse("thread_safe", "the library says of itself that it is not thread safe", "Remove `thread_safe`.");
+  library.thread_safe = said->thread_safe;
   return said;
 }
 

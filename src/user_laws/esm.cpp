@@ -4,7 +4,7 @@
 // Laws set their state variables when IStep and TimeStep are 1, which Anura3D has in its very first step. Here a point
 // has it in the first call for its soil, which a row of its own remembers.
 
-#include "user_laws/interface.hpp"
+#include "user_laws/fenced_arrays.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -30,19 +30,23 @@ class EsmCalls final : public LawCalls {
     std::copy_n(material.begin(), std::min(material.size(), name_length), name_.begin());
   }
 
-  /// State of a point, and parameters that the law may overwrite.
-  std::size_t n_scratch() const override { return n_state_ + parameters_.size() + 2; }
+  /// State of a point and parameters, which the law may overwrite.
+  std::size_t n_scratch() const override { return FencedArrays::n_numbers(n_state_, parameters_.size()); }
 
   void run(LawPoints& points) const override
   {
-    for (points.at = 0; points.at < points.n; ++points.at) call(points, points.at);
+    const FencedArrays arrays(points.scratch.data(), n_state_, parameters_.size());
+    for (points.at = 0; points.at < points.n; ++points.at) {
+      call(points, arrays, points.at);
+      if (points.failed) return;
+    }
   }
 
  private:
-  void call(LawPoints& points, int p) const
+  void call(LawPoints& points, const FencedArrays& arrays, int p) const
   {
     double stress[n_tens], dstran[n_tens], unloading = 0.0, multiplier = 0.0;
-    double *state = points.scratch.data(), *props = state + n_state_;
+    double *state = arrays.state(), *props = arrays.parameters();
     for (int k = 0; k < n_tens; ++k) stress[k] = points.sigma[k][p];
     for (int k = 0; k < n_tens; ++k) dstran[k] = (k < 3 ? 1.0 : 2.0) * points.d_eps[k][p];
     for (std::size_t k = 0; k < n_state_; ++k) state[k] = points.state[k][p];
@@ -57,6 +61,7 @@ class EsmCalls final : public LawCalls {
     std::copy_n(name_.data(), name_length, name);
     esm_(&npt, &noel, &idset, stress, &unloading, &multiplier, dstran, &nstatev, state, &naddvar, additional, name,
         &nprops, props, &phases, &ntens, name_length);
+    arrays.check(points);
     for (int k = 0; k < n_tens; ++k) points.sigma[k][p] = stress[k];
     for (std::size_t k = 0; k < n_state_; ++k) points.state[k][p] = state[k];
     was_called = 1.0;

@@ -43,10 +43,13 @@ struct LawPoints {
   std::vector<Real> scratch;  ///< for the interface: LawCalls::n_scratch numbers
 
   /// What the interface reports: where it is, and why it stopped there.
-  int at = 0;  ///< number of the point
+  static constexpr int unknown = -1;
+  int at = unknown;  ///< number of the point
   bool failed = false;
   bool wants_smaller = false;  ///< it stopped as no part of the increment was small enough
   std::array<char, 256> why{};
+
+  bool is_at_a_point() const { return at >= 0 && at < n; }
 };
 
 /// The smallest part of a step that a law may ask for.

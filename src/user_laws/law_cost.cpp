@@ -6,7 +6,7 @@
 
 namespace terp {
 
-LawCost time_law(const SoilMaterial& material, const PointBlock<2>& block, Real dt)
+LawCost time_law(const SoilMaterial& material, const PointBlock<2>& block, Real cell_size, Real dt)
 {
   using Rows = PointRows<2>;
   constexpr double long_enough = 0.02;  // [s]
@@ -20,7 +20,6 @@ LawCost time_law(const SoilMaterial& material, const PointBlock<2>& block, Real 
     const std::vector<Real> row = copy_of(material.rows[k]);
     state.insert(state.end(), row.begin(), row.end());
   }
-  const Real cell_size = 1.0;
   const Surroundings<2> around{.cells = {&block.cell, 1},
       .cell_sizes = {&cell_size, 1},
       .x = {block.row(Rows::x), block.row(Rows::x + 1)},
@@ -37,13 +36,17 @@ LawCost time_law(const SoilMaterial& material, const PointBlock<2>& block, Real 
   arrays.around = &around;
 
   using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
+  const auto stress_before = sigma;
+  const auto state_before = state;
   std::int64_t calls = 0;
   double seconds = 0.0;
   while (seconds < long_enough && material.law->fault().empty()) {
+    for (int k = 0; k < n_sym<2>; ++k) std::ranges::copy(stress_before[k], sigma[k].begin());
+    std::ranges::copy(state_before, state.begin());
+    const auto start = Clock::now();
     material.law->update(arrays);
+    seconds += std::chrono::duration<double>(Clock::now() - start).count();
     ++calls;
-    seconds = std::chrono::duration<double>(Clock::now() - start).count();
   }
   return {seconds / static_cast<double>(std::max<std::int64_t>(1, calls) * std::max<Index>(1, block.n)),
       material.law->fault()};

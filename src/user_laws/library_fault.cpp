@@ -2,6 +2,7 @@
 
 #include "user_laws/library_material.hpp"
 
+#include <cstdio>
 #include <fmt/format.h>
 
 namespace terp {
@@ -20,44 +21,67 @@ constexpr const char* what_is_left =
 
 }  // namespace
 
-std::string LibraryMaterial::describe_place(const LawPoints& points) const
+/// Asks for no memory.
+void LibraryMaterial::describe_place(const LawPoints& points, std::array<char, 256>& text) const
 {
-  const int p = points.at < points.n ? points.at : 0;
-  return fmt::format("{} {} of cell {} at x = {:.4g} m, y = {:.4g} m",
-      points.of_gauss_points ? "Gauss point" : "material point", points.id[p], points.cell[p], points.x[0][p],
-      points.x[1][p]);
+  const char* const what = points.of_gauss_points ? "Gauss point" : "material point";
+  const auto number = [&](int p) { return static_cast<long long>(points.id[p]); };
+  const bool known = points.is_at_a_point() || points.n == 1;
+  const int p = points.is_at_a_point() ? points.at : 0, last = points.n - 1;
+  if (known)
+    std::snprintf(text.data(), text.size(), "%s %lld of cell %d at x = %.4g m, y = %.4g m", what, number(p),
+        points.cell[p], points.x[0][p], points.x[1][p]);
+  else
+    std::snprintf(text.data(), text.size(),
+        "one of %d %ss that it had at once, from %lld of cell %d at x = %.4g m, y = %.4g m to %lld of cell %d at x = "
+        "%.4g m, y = %.4g m",
+        points.n, what, number(0), points.cell[0], points.x[0][0], points.x[1][0], number(last), points.cell[last],
+        points.x[0][last], points.x[1][last]);
 }
 
-std::string LibraryMaterial::describe_exit(const LawPoints& points) const
+/// Asks for no memory.
+void LibraryMaterial::describe_exit(const LawPoints& points, const char* why, char* text, std::size_t n) const
 {
+  std::array<char, 256> place;
+  describe_place(points, place);
+  std::snprintf(text, n,
+      "the law of material `%s` %s in the step after t = %.4f s\n\n"
+      "  where    %s\n"
+      "  library  %s\n%s",
+      in_use_.material.c_str(), why, points.time, place.data(), in_use_.title.c_str(), what_is_left);
+}
+
+std::string LibraryMaterial::describe_input(const LawPoints& points, const PointsBefore& before) const
+{
+  if (!points.is_at_a_point()) return {};
+  const int p = points.at;
   return fmt::format(
-      "the law of material `{}` ended the program (STOP, XIT or exit) in the step after t = {:.4f} s\n\n"
-      "  where    {}\n"
-      "  library  {}\n{}",
-      in_use_.material, points.time, describe_place(points), in_use_.title, what_is_left);
+      "  before   stress xx yy zz xy = {} Pa; strain increment {}; dt = {:.3g} s\n"
+      "           state {}\n",
+      list_of(4, [&](int k) { return before.sigma[k][p] * in_use_.stress_unit; }),
+      list_of(4, [&](int k) { return points.d_eps[k][p]; }), points.dt,
+      list_of(static_cast<int>(in_use_.n_state), [&](int k) { return before.state[k * most_points_of_call + p]; }));
 }
 
 void LibraryMaterial::keep_fault(const LawPoints& points, const PointsBefore& before) const
 {
-  const int p = points.at;
   const auto advice = points.wants_smaller ? "a lower time.courant, or a law that takes larger increments"
                                            : "the law with these numbers by itself; then mend the library";
+  std::array<char, 256> place;
+  describe_place(points, place);
   std::string text = fmt::format(
       "{}\n\n"
       "  where    material `{}`, {}\n"
       "  library  {}\n"
-      "  before   stress xx yy zz xy = {} Pa; strain increment {}; dt = {:.3g} s\n"
-      "           state {}\n"
+      "{}"
       "  try      {}\n{}",
-      points.why.data(), in_use_.material, describe_place(points), in_use_.title,
-      list_of(4, [&](int k) { return before.sigma[k][p] * in_use_.stress_unit; }),
-      list_of(4, [&](int k) { return points.d_eps[k][p]; }), points.dt,
-      list_of(static_cast<int>(in_use_.n_state), [&](int k) { return before.state[k * most_points_of_call + p]; }),
-      advice, what_is_left);
+      points.why.data(), in_use_.material, place.data(), in_use_.title, describe_input(points, before), advice,
+      what_is_left);
   faults_([&] {
-    const std::pair place(points.cell[p], points.id[p]);
-    if (has_fault_ && place >= place_of_fault_) return;
-    place_of_fault_ = place;
+    const int p = points.is_at_a_point() ? points.at : 0;
+    const std::pair number(points.cell[p], points.id[p]);
+    if (has_fault_ && number >= place_of_fault_) return;
+    place_of_fault_ = number;
     fault_ = std::move(text);
     has_fault_ = true;
   });

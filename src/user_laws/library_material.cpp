@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <filesystem>
 #include <limits>
-#include <map>
 
 namespace terp {
 namespace {
@@ -25,7 +25,7 @@ struct Room {
     points.state.resize(n_state);
     for (std::size_t k = 0; k < n_state; ++k) points.state[k] = numbers.data() + k * most_points_of_call;
     points.failed = points.wants_smaller = false;
-    points.at = 0;
+    points.at = LawPoints::unknown;
     points.why[0] = '\0';
   }
 };
@@ -57,12 +57,15 @@ Real plastic_work(const std::array<Real, 4>& sigma, const std::array<Real, 4>& b
 std::shared_ptr<const OneAtATime> turns_of(const std::string& path)
 {
   static const OneAtATime one;
-  static std::map<std::string, std::shared_ptr<const OneAtATime>> of_files;
+  static std::vector<std::pair<std::string, std::shared_ptr<const OneAtATime>>> of_files;
   std::shared_ptr<const OneAtATime> found;
   one([&] {
-    auto& known = of_files[path];
-    if (known == nullptr) known = std::make_shared<const OneAtATime>();
-    found = known;
+    const auto known = std::ranges::find_if(of_files, [&](const auto& file) {
+      std::error_code ignored;
+      return file.first == path || std::filesystem::equivalent(file.first, path, ignored);
+    });
+    found = known != of_files.end() ? known->second
+                                    : of_files.emplace_back(path, std::make_shared<const OneAtATime>()).second;
   });
   return found;
 }
@@ -146,9 +149,9 @@ void LibraryMaterial::call(LawPoints& points) const
           const Called& at = *static_cast<Called*>(c);
           at.calls.run(at.points);
         },
-        [](void* c) {
+        [](void* c, const char* why, char* text, std::size_t n) {
           const Called& at = *static_cast<Called*>(c);
-          return at.material.describe_exit(at.points);
+          at.material.describe_exit(at.points, why, text, n);
         },
         &called);
   };
@@ -159,7 +162,6 @@ void LibraryMaterial::call(LawPoints& points) const
   if (fault.empty()) return;
   crashed_ = true;
   points.failed = true;
-  points.at = std::clamp(points.at, 0, points.n - 1);
   fmt::format_to_n(points.why.data(), points.why.size() - 1, "the law {}", fault).out[0] = '\0';
 }
 

@@ -23,7 +23,7 @@ struct LibraryInUse {
   Real shear_modulus = 0.0;                 ///< of the case [Pa]
 };
 
-/// Shared by all materials whose library is this file.
+/// Shared by all materials whose library is this file, whatever its path is written like: it is loaded once.
 std::shared_ptr<const OneAtATime> turns_of(const std::string& path);
 
 /// Of the points of a call, for messages.
@@ -55,8 +55,9 @@ class LibraryMaterial final : public Material {
   void check(LawPoints& points) const;
   void give_back(const LawPoints& points, const std::vector<Index>& entries, const StressArrays<2>& arrays) const;
   void keep_fault(const LawPoints& points, const PointsBefore& before) const;
-  std::string describe_place(const LawPoints& points) const;
-  std::string describe_exit(const LawPoints& points) const;
+  void describe_place(const LawPoints& points, std::array<char, 256>& text) const;
+  std::string describe_input(const LawPoints& points, const PointsBefore& before) const;
+  void describe_exit(const LawPoints& points, const char* why, char* text, std::size_t n) const;
 
   std::shared_ptr<const MaterialType> type_;  // its texts stay as long as the law does
   LibraryInUse in_use_;

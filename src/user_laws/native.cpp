@@ -7,6 +7,7 @@
 #include "user_laws/terp_law.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
 
@@ -74,6 +75,7 @@ class NativeCalls final : public LawCalls {
     given.turned = points.turned;
     given.x = points.x[0].data(), given.y = points.x[1].data();
     given.cell_size = points.cell_size.data();
+    points.at = LawPoints::unknown;
     const int answer = update_(&given);
     if (answer == TERP_LAW_OK) return answer;
     points.at = std::clamp(given.point, 0, points.n - 1);
@@ -91,21 +93,45 @@ class NativeCalls final : public LawCalls {
   std::vector<Real> parameters_;
 };
 
-const terp_law_description& description_of(void* symbol)
+constexpr int most_parameters = 1000, most_state = 100;
+
+[[noreturn]] void refuse(const std::string& what, const std::string& detail)
+{
+  throw InputError(Problem{"", what, detail, "library"});
+}
+
+/// Looks at what the library says of itself, which may be anywhere.
+template <class T>
+void ask_guarded(void (*look)(T&), T& asked)
+{
+  struct Call {
+    void (*look)(T&);
+    T& asked;
+  } call{look, asked};
+  const std::string fault = call_guarded([](void* c) { static_cast<Call*>(c)->look(static_cast<Call*>(c)->asked); },
+      [](void*, const char* why, char* text, std::size_t n) {
+        std::snprintf(text, n, "the library %s when it was asked to describe its law", why);
+      },
+      &call);
+  if (!fault.empty()) refuse("the library failed when it was asked to describe its law", "It " + fault + '.');
+}
+
+terp_law_description description_of(void* symbol)
 {
   struct Asked {
     const terp_law_description* (*function)();
-    const terp_law_description* law;
-  } asked{reinterpret_cast<const terp_law_description* (*)()>(symbol), nullptr};
-  const std::string fault = call_guarded(
-      [](void* a) { static_cast<Asked*>(a)->law = static_cast<Asked*>(a)->function(); },
-      [](void*) { return std::string("the library ended the program when it was asked to describe its law"); }, &asked);
-  const terp_law_description* law = asked.law;
-  const auto refuse = [](const std::string& what, const std::string& detail) {
-    throw InputError(Problem{"", what, detail, "library"});
-  };
-  if (!fault.empty()) refuse("the library failed when it was asked to describe its law", "It " + fault + '.');
-  if (law == nullptr) refuse("the library returns no description of its law", "Its function returned NULL.");
+    bool found;
+    terp_law_description law;
+  } asked{reinterpret_cast<const terp_law_description* (*)()>(symbol), false, {}};
+  ask_guarded<Asked>(
+      [](Asked& a) {
+        const terp_law_description* law = a.function();
+        a.found = law != nullptr;
+        if (a.found) a.law = *law;
+      },
+      asked);
+  const terp_law_description* law = &asked.law;
+  if (!asked.found) refuse("the library returns no description of its law", "Its function returned NULL.");
   if (law->version != TERP_LAW_VERSION)
     refuse("the library was built for another version of the interface",
         fmt::format(
@@ -115,15 +141,46 @@ const terp_law_description& description_of(void* symbol)
       (law->n_parameters > 0 && law->parameters == nullptr) || (law->n_state > 0 && law->state == nullptr))
     refuse("the description of the law is not complete",
         "It needs `update`, and tables of as many `parameters` and `state` as it says.");
-  return *law;
+  if (law->n_parameters > most_parameters || law->n_state > most_state)
+    refuse(
+        "the law has too many variables", fmt::format("It has {} parameters and {} state variables; at most {} and {}.",
+                                              law->n_parameters, law->n_state, most_parameters, most_state));
+  return asked.law;
+}
+
+/// A text of the library up to the end of `to`.
+template <std::size_t size>
+void copy_text(const char* from, std::array<char, size>& to)
+{
+  std::size_t k = 0;
+  for (; from != nullptr && k + 1 < size && from[k] != '\0'; ++k) to[k] = from[k];
+  to[k] = '\0';
 }
 
 std::vector<LawVariables::Variable> variables_of(const terp_law_variable* table, int n)
 {
-  const auto text = [](const char* given) { return given == nullptr ? std::string() : std::string(given); };
+  struct Copy {
+    std::array<char, 128> name, unit;
+    std::array<char, 512> meaning;
+    double initial;
+  };
+  struct Asked {
+    const terp_law_variable* table;
+    std::vector<Copy> copies;
+  } asked{table, std::vector<Copy>(static_cast<std::size_t>(n))};
+  ask_guarded<Asked>(
+      [](Asked& a) {
+        for (std::size_t k = 0; k < a.copies.size(); ++k) {
+          copy_text(a.table[k].name, a.copies[k].name);
+          copy_text(a.table[k].unit, a.copies[k].unit);
+          copy_text(a.table[k].meaning, a.copies[k].meaning);
+          a.copies[k].initial = a.table[k].initial;
+        }
+      },
+      asked);
   std::vector<LawVariables::Variable> list;
-  for (int k = 0; k < n; ++k)
-    list.push_back({text(table[k].name), text(table[k].unit), text(table[k].meaning), table[k].initial});
+  for (const Copy& copy : asked.copies)
+    list.push_back({copy.name.data(), copy.unit.data(), copy.meaning.data(), copy.initial});
   return list;
 }
 
@@ -131,9 +188,14 @@ std::vector<LawVariables::Variable> variables_of(const terp_law_variable* table,
 
 std::optional<LawVariables> describe_native(void* symbol)
 {
-  const terp_law_description& law = description_of(symbol);
-  return LawVariables{
+  const terp_law_description law = description_of(symbol);
+  LawVariables said{
       variables_of(law.parameters, law.n_parameters), variables_of(law.state, law.n_state), law.thread_safe != 0};
+  for (const LawVariables::Variable& variable : said.state)
+    if (!std::isfinite(variable.initial))
+      refuse(fmt::format("the state variable `{}` of the library begins with no number", variable.name),
+          fmt::format("Its `initial` is {}.", variable.initial));
+  return said;
 }
 
 std::unique_ptr<LawCalls> make_native(void* symbol, const LibraryCase& library, const std::string&)

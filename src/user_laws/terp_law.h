@@ -3,7 +3,8 @@
  * The library has one function without arguments, `terp_law` unless the case file names another `symbol`. It returns
  * the description of the law. Build:   cc -O2 -fPIC -shared -I FOLDER_OF_THIS_HEADER law.c -o law.so
  *
- * Stress and strain: tension positive, components xx yy zz xy, tensorial shear (half the engineering shear). SI units.
+ * Stress and strain: tension positive, components xx yy zz xy, tensorial shear (half the engineering shear). SI units,
+ * but stresses are in the `stress_unit` of the case, Pa unless it gives another.
  * The zz component of the strain increment is small but not zero with B-bar.
  */
 #ifndef TERP_LAW_H

@@ -4,7 +4,7 @@
 // DROT is what Terp turned the stress by before the call: with method.objective_rate = "none" the unit tensor. DFGRD0
 // and STRAN are kept for laws that ask for them, and are not a number for others. DDSDDE is not used.
 
-#include "user_laws/interface.hpp"
+#include "user_laws/fenced_arrays.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,14 +65,15 @@ class UmatCalls final : public LawCalls {
     std::ranges::transform(name_, name_.begin(), [](char c) { return c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c; });
   }
 
-  /// State of a part and of its start, and parameters that the law may overwrite.
-  std::size_t n_scratch() const override { return 2 * n_state_ + parameters_.size() + 3; }
+  /// State of a part and parameters, which the law may overwrite, and the state at the start of the part.
+  std::size_t n_scratch() const override { return n_state_ + FencedArrays::n_numbers(n_state_, parameters_.size()); }
 
   void run(LawPoints& points) const override
   {
-    for (points.at = 0; points.at < points.n && !points.failed; ++points.at) {
+    const FencedArrays arrays(points.scratch.data() + n_state_, n_state_, parameters_.size());
+    for (points.at = 0; points.at < points.n; ++points.at) {
       PointOfUmat point = point_of(points, points.at);
-      advance(points, points.at, point);
+      advance(points, arrays, point);
       if (points.failed) return;
       keep(point, points);
     }
@@ -120,24 +121,27 @@ class UmatCalls final : public LawCalls {
   }
 
   /// The whole step in as many parts as the law asks for.
-  void advance(LawPoints& points, int p, PointOfUmat& point) const
+  void advance(LawPoints& points, const FencedArrays& arrays, PointOfUmat& point) const
   {
+    const int p = points.at;
     Real done = 0.0, part = 1.0;
     double stress[n_tens];
-    double *state = points.scratch.data(), *before = state + n_state_;
+    double *state = arrays.state(), *before = points.scratch.data();
     for (int k = 0; k < n_tens; ++k) stress[k] = points.sigma[k][p];
     for (std::size_t k = 0; k < n_state_; ++k) state[k] = points.state[k][p];
     if (points.turned && point.knows_strain) turn_strain(point);
     while (done < 1.0) {
-      part = std::min(part, 1.0 - done);
+      const bool is_last = done + part > 1.0 - 0.5 * smallest_part;  // or round-off would be left
+      if (is_last) part = 1.0 - done;
       double start[n_tens];
       std::copy_n(stress, n_tens, start);
       std::copy_n(state, n_state_, before);
-      const Real answer = call(points, p, point, done, part, stress, state);
-      if (answer >= 1.0 || std::isnan(answer)) {
+      const Real answer = call(points, arrays, point, done, part, stress);
+      if (points.failed) return;
+      if (answer >= 1.0) {
         if (point.knows_gradient) point.gradient = moved(point, part);
         for (int k = 0; k < n_tens; ++k) point.strain[k] += part * point.d_strain[k];
-        done += part;
+        done = is_last ? 1.0 : done + part;
         continue;
       }
       std::copy_n(start, n_tens, stress);
@@ -164,9 +168,10 @@ class UmatCalls final : public LawCalls {
   }
 
   /// One part of the step, of which `done` is done. Returns PNEWDT.
-  Real call(
-      LawPoints& points, int p, const PointOfUmat& point, Real done, Real part, double* stress, double* state) const
+  Real call(LawPoints& points, const FencedArrays& arrays, const PointOfUmat& point, Real done, Real part,
+      double* stress) const
   {
+    const int p = points.at;
     double ddsdde[n_tens * n_tens] = {}, ddsddt[n_tens] = {}, drplde[n_tens] = {};
     double sse = 0.0, spd = 0.0, scd = 0.0, rpl = 0.0, drpldt = 0.0, temp = 0.0, dtemp = 0.0, pnewdt = 1.0;
     double predef[1] = {}, dpred[1] = {}, stran[n_tens], dstran[n_tens];
@@ -181,11 +186,16 @@ class UmatCalls final : public LawCalls {
     int kinc = int(points.step) + 1;
     char name[name_length];
     std::copy_n(name_.data(), name_length, name);
-    double* props = points.scratch.data() + 2 * n_state_;
-    std::ranges::copy(parameters_, props);
-    umat_(stress, state, ddsdde, &sse, &spd, &scd, &rpl, ddsddt, drplde, &drpldt, stran, dstran, time, &dtime, &temp,
-        &dtemp, predef, dpred, name, &ndi, &nshr, &ntens, &nstatv, props, &nprops, coords, turn.data(), &pnewdt,
-        &celent, dfgrd0.data(), dfgrd1.data(), &noel, &npt, &layer, &kspt, jstep, &kinc, name_length);
+    std::ranges::copy(parameters_, arrays.parameters());
+    umat_(stress, arrays.state(), ddsdde, &sse, &spd, &scd, &rpl, ddsddt, drplde, &drpldt, stran, dstran, time, &dtime,
+        &temp, &dtemp, predef, dpred, name, &ndi, &nshr, &ntens, &nstatv, arrays.parameters(), &nprops, coords,
+        turn.data(), &pnewdt, &celent, dfgrd0.data(), dfgrd1.data(), &noel, &npt, &layer, &kspt, jstep, &kinc,
+        name_length);
+    arrays.check(points);
+    if (!points.failed && std::isnan(pnewdt)) {
+      points.failed = true;
+      std::snprintf(points.why.data(), points.why.size(), "the law returned a PNEWDT that is not a number");
+    }
     return pnewdt;
   }
 

@@ -64,11 +64,12 @@ std::unique_ptr<Material> make_library_law(const MaterialType& type, std::span<c
 
 }  // namespace
 
-std::shared_ptr<const MaterialType> load_user_law(
-    const std::string& material, const std::string& folder, std::span<const Real> moduli, LibraryCase& library)
+std::shared_ptr<const MaterialType> load_user_law(const std::string& material, const std::string& folder,
+    std::span<const Real> moduli, LibraryCase& library, bool takes_turns)
 {
   const FoundLibrary found = find_library(folder, library);
   const std::optional<LawVariables> said = describe_library(found, library);
+  if (takes_turns) library.thread_safe = false;
   const auto law = std::make_shared<UserLaw>();
   static_cast<MaterialType&>(*law) = *find_material("library");
   law->maker = &make_library_law;

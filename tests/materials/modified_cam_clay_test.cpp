@@ -277,7 +277,15 @@ TEST(ModifiedCamClay, DissipatesInEveryStepWhateverTheStress)
 TEST(ModifiedCamClay, SaysWhichStartingStressItDoesNotAdmit)
 {
   const Probe point = soil();
-  const auto told = [&](Real yy, Real across) { return point.law().check_start({}, {{across, yy, across, 0.0}}); };
+  Probe loaded = point;
+  loaded.state[1] = std::log(2.0);  // p_c is twice that of the start
+  const auto told_of = [](Probe& of, Real yy, Real across) {
+    return of.law().check_start({.state = {.data = of.state.data()}, .parameters = {}}, {{across, yy, across, 0.0}});
+  };
+  const auto told = [&](Real yy, Real across) {
+    Probe fresh = point;
+    return told_of(fresh, yy, across);
+  };
   EXPECT_TRUE(told(-yield_stress, -(1.0 - sin_phi) * yield_stress).empty()) << "normally consolidated";
   EXPECT_TRUE(told(0.0, 0.0).empty());
   EXPECT_THAT(told(-1.2 * yield_stress, -0.6 * yield_stress),
@@ -287,6 +295,27 @@ TEST(ModifiedCamClay, SaysWhichStartingStressItDoesNotAdmit)
   EXPECT_THAT(told(-3e6, -3e6),
       ElementsAre(problem("largest_mean_stress", "the soil starts with more than its largest mean stress",
           "p' = 3e+06 Pa, largest_mean_stress = 2e+06 Pa. Give the largest that will occur.")));
+  EXPECT_TRUE(told_of(loaded, -1.9 * yield_stress, -0.95 * yield_stress).empty());
+  EXPECT_THAT(told_of(loaded, -2.4 * yield_stress, -1.2 * yield_stress),
+      ElementsAre(problem("yield_stress", "the starting stress lies outside the yield surface",
+          "p' = 1.28e+05 Pa, J = 5.543e+04 Pa need p_c = 2.24e+05 Pa; the soil was loaded to 1.867e+05 Pa. Give 1.2 "
+          "times the yield_stress\nor more, by ocr or pop, or a k0 nearer to 1 - sin(phi) = 0.5.")));
+}
+
+TEST(ModifiedCamClay, DoesNotStartInTension)
+{
+  Probe point = soil();
+  const auto told = [&](Real yy, Real across) {
+    return point.law().check_start(
+        {.state = {.data = point.state.data()}, .parameters = {}}, {{across, yy, across, 0.0}});
+  };
+  EXPECT_THAT(told(9e3, 3e3),
+      ElementsAre(problem("model", "the soil starts without pressure",
+          "p' = -5000 Pa, J = 3464 Pa, and this law carries no tension. Look at k0 and at the water there, or give "
+          "the\nbody another law.")));
+  EXPECT_EQ(told(5e3, 5e3).size(), 1u);
+  EXPECT_EQ(told(-4e3, 2e3).size(), 1u) << "no pressure, but shear";
+  EXPECT_TRUE(told(1.0, 1.0).empty()) << "round-off";
 }
 
 TEST(ModifiedCamClay, TakesTheYieldSurfaceThroughAStressThatASearchFound)

@@ -42,6 +42,9 @@ TEST(Library, WhoseDescriptionIsWrongIsRefused)
   said("empty_law", "the description of the law is not complete", "tables of as many");
   said("no_law", "the library returns no description of its law", "returned NULL");
   said("crashing_law", "the library failed when it was asked to describe its law", "(SIGSEGV)");
+  said("torn_law", "the library failed when it was asked to describe its law", "(SIGSEGV)");
+  said("huge_law", "the law has too many variables", "0 parameters and 1000000 state variables; at most 1000 and 100.");
+  said("nan_law", "the state variable `void_ratio` of the library begins with no number", "`initial` is nan");
   said("named_law", "the library has a variable named `two words`", "letters, digits and _");
 }
 
@@ -66,6 +69,21 @@ TEST(Library, WhoseStateHasOtherNamesIsRefused)
   EXPECT_THAT(problems_with(library), ElementsAre(told("state", "the library has no state variable `void_ratio`")));
   library = {.file = "wrong_umat.so", .interface = LawInterface::umat, .state = {{"e 0", 0.8}}};
   EXPECT_THAT(problems_with(library), ElementsAre(told("state", "`e 0` is no name of a state variable")));
+  library.state = {{"", 0.8}};
+  EXPECT_THAT(problems_with(library), ElementsAre(told("state", "a state variable has no name")));
+}
+
+TEST(Library, IsCalledByOneThreadAtATimeIfTheCaseOrTheLibrarySaysSo)
+{
+  const std::array<Real, 2> moduli{1e6, 0.3};
+  LibraryCase library{.file = "elastic.so", .parameters = {{"", 1e6}, {"", 0.3}}};
+  load_user_law("clay", law_folder(), moduli, library);
+  EXPECT_TRUE(library.thread_safe) << "it says so itself";
+  load_user_law("clay", law_folder(), moduli, library, true);
+  EXPECT_FALSE(library.thread_safe);
+  library = {.file = "wrong_native.so", .parameters = {{"", 1e6}, {"", 0.3}}, .thread_safe = true};
+  EXPECT_THAT(problems_with(library),
+      ElementsAre(told("thread_safe", "the library says of itself that it is not thread safe")));
 }
 
 TEST(Library, BeginsWithTheStateOfTheCase)

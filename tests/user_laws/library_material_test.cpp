@@ -4,9 +4,14 @@
 #include "simulation/simulation.hpp"
 #include "support/cases.hpp"
 #include "support/laws.hpp"
+#include "support/process.hpp"
 #include "support/simulations.hpp"
+#include "support/stages.hpp"
 #include "support/test.hpp"
+#include "user_laws/law_cost.hpp"
 #include "user_laws/user_law.hpp"
+
+#include <cfenv>
 
 namespace {
 
@@ -23,7 +28,16 @@ enum Kind {
   small_parts,
   overflows,
   counts,
-  turns
+  turns,
+  changes_rounding,
+  tenths,
+  nan_answer,
+  beyond_state,
+  beyond_props,
+  reads_props,
+  has_strength,
+  has_size,
+  crashes_in_c
 };
 
 constexpr Real shear = 3.0e6, poisson = 0.3;
@@ -82,7 +96,6 @@ TEST(LibraryMaterial, ThatCrashesStopsTheRunAlone)
       fault_of("mpm_gp", wrong_umat(bad_memory)), HasSubstr("the law used memory that is not its own (SIGSEGV)"));
   EXPECT_THAT(fault_of("mpm_mixed", wrong_umat(bad_memory)), HasSubstr("(SIGSEGV)"));
   EXPECT_THAT(fault_of("mpm_gp", wrong_umat(divides)), HasSubstr("the law divided a whole number by zero"));
-  EXPECT_THAT(fault_of("mpm_gp", wrong_umat(aborts)), HasSubstr("the law called abort()"));
   EXPECT_THAT(fault_of("mpm_gp", wrong_umat(overflows)), HasSubstr("(SIGSEGV)"));
 }
 
@@ -102,6 +115,26 @@ TEST(LibraryMaterialDeathTest, ThatEndsTheProgramIsNamed)
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(fault_of("mpm_gp", wrong_umat(leaves)), testing::ExitedWithCode(3),
       "the law of material `soft clay` ended the program \\(STOP, XIT or exit\\) in the step after t = 0.0000 s");
+  EXPECT_EXIT(fault_of("mpm_gp", wrong_umat(aborts)), testing::ExitedWithCode(3),
+      "the law of material `soft clay` called abort\\(\\) in the step after t = 0.0000 s");
+}
+
+// After a fault in there the next call for memory may wait for ever.
+TEST(LibraryMaterialDeathTest, ThatCrashesInTheCLibraryEndsTheProgram)
+{
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(fault_of("mpm_gp", wrong_umat(crashes_in_c)), testing::ExitedWithCode(3),
+      "the law of material `soft clay` used memory that is not its own \\(SIGSEGV\\) in the step");
+}
+
+TEST(LibraryMaterialDeathTest, ThatEndsTheProgramOnTwoThreadsSaysSoOnce)
+{
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  MaterialCase material = wrong_umat(leaves);
+  material.library.thread_safe = true;
+  material = of_library(material.library);
+  EXPECT_EXIT(fault_of("mpm_gp", material), testing::ExitedWithCode(3),
+      "^error: the law of material `soft clay` ended the program[^`]*$");
 }
 
 TEST(LibraryMaterial, ThatWantsEverSmallerStepsStopsTheRun)
@@ -125,6 +158,60 @@ TEST(LibraryMaterial, ThatWantsSmallerStepsIsGivenThem)
     EXPECT_EQ(b[k].values[0], 10.0);
   }
   EXPECT_GT(most_calls, 20.0);  // its state counts the calls that were taken
+}
+
+TEST(LibraryMaterial, ThatWantsTenthsOfAStepIsCalledTenTimes)
+{
+  const Real dt = Simulation(moving_box("mpm_gp", wrong_umat(elastic_law)), 1).model.dt;
+  Simulation s(moving_box("mpm_gp", wrong_umat(tenths, 0.0, -100.0, 1, 0.15 * dt)), 1);
+  s.step(1);
+  for (const Point& p : points_by_id(s.state)) EXPECT_EQ(p.values[0], 10.0);
+}
+
+TEST(LibraryMaterial, ThatReturnsNoPartOfTheStepStopsTheRun)
+{
+  EXPECT_THAT(fault_of("mpm_gp", wrong_umat(nan_answer)), HasSubstr("the law returned a PNEWDT that is not a number"));
+}
+
+TEST(LibraryMaterial, ThatTakesItsArraysForLongerThanTheyAreStopsTheRun)
+{
+  EXPECT_THAT(fault_of("mpm_gp", wrong_umat(beyond_state)),
+      HasSubstr("the law writes beyond its array STATEV, of 1 numbers: look at `state` of the case"));
+  EXPECT_THAT(fault_of("mpm_mixed", wrong_umat(beyond_state, 0.0, -100.0, 0)), HasSubstr("STATEV, of 0 numbers"));
+  EXPECT_THAT(fault_of("mpm_gp", wrong_umat(beyond_props)), HasSubstr("array PROPS, of 6 numbers: look at `param"));
+  EXPECT_THAT(fault_of("mpm_gp", wrong_umat(reads_props)), HasSubstr("a stress that is not a number"));
+  LibraryCase library{.file = "wrong_umat.so", .interface = LawInterface::esm, .state = {{"a", 0.0}, {"b", 0.0}}};
+  EXPECT_THAT(fault_of("mpm_gp", of_library(library)), HasSubstr("STATEV, of 2 numbers"));
+}
+
+TEST(LibraryMaterial, ThatChangesRoundingChangesThatOfItsOwnCallsAlone)
+{
+  Simulation s(moving_box("mpm_gp", wrong_umat(changes_rounding)), 1);
+  s.step(2);
+  EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+}
+
+TEST(LibraryMaterial, WhoseStateHasTheNameOfARowOfAnotherKindIsRefused)
+{
+  LibraryCase library{.file = "wrong_umat.so", .interface = LawInterface::umat, .state = {{"inverse_extent", 0.0}}};
+  EXPECT_THAT(refusal<InputError>([&] { build_model(moving_box("mpm_gp", of_library(library)), 1); }),
+      HasSubstr("two quantities of the points have the name `inverse_extent`"));
+  Case c = moving_box("mpm_gp", of_library({.file = "wrong_native.so", .symbol = "held_law"}));
+  library.state = {{"held", 0.0}};
+  c.materials.push_back(of_library(library));
+  c.materials[1].name = "other";
+  c.bodies.push_back(body("other", {0.5, 1.0}, {3.5, 1.5}));
+  EXPECT_THAT(refusal<InputError>([&] { build_model(c, 1); }), HasSubstr("in Pa, the other"));
+}
+
+TEST(LibraryMaterial, TakesTurnsWithAllOfTheSameFileWhateverItsPath)
+{
+  const ScratchFolder scratch;
+  const std::string file = law_folder() + "/wrong_umat.so", link = scratch.path() + "/law.so";
+  std::filesystem::create_symlink(file, link);
+  EXPECT_EQ(turns_of(file), turns_of(law_folder() + "/./wrong_umat.so"));
+  EXPECT_EQ(turns_of(file), turns_of(link));
+  EXPECT_NE(turns_of(file), turns_of(law_folder() + "/elastic.so"));
 }
 
 TEST(LibraryMaterial, IsElasticWhereItsLawIs)
@@ -195,6 +282,132 @@ TEST(LibraryMaterial, IsToldOfTheRotationThatItsStressHasMade)
     for (const Point& p : points_by_id(s.state))
       if (std::abs(p.x[0] - 2.0) < 0.5 && std::abs(p.x[1] - 1.0) < 0.25) {
         EXPECT_NEAR(p.values[0], turned ? std::sin(0.4 * s.model.dt) : 0.0, 1e-9);  // DROT(2, 1)
+      }
+  }
+}
+
+// Stretched in the first step, turned in the second, by velocities that are linear in the place. Almost no stress.
+TEST(LibraryMaterial, IsToldTheStrainAndTheDeformationGradientOfSoilThatStretchesAndTurns)
+{
+  LibraryCase library{.file = "wrong_umat.so", .interface = LawInterface::umat};
+  for (const Real value : {1.0, poisson, 0.0, 0.0, -100.0, 0.0}) library.parameters.push_back({"", value});
+  for (int k = 0; k < 8; ++k) library.state.push_back({"seen_" + std::to_string(k), 0.0});
+  library.kinematics = {"strain", "deformation_gradient"};
+  Case c = free_box("mpm_gp", {0.5, 0.25}, {3.5, 1.75}, of_library(library));
+  c.method.objective_rate = ObjectiveRate::jaumann;
+  constexpr Real a = 8.0, b = 6.0, w = 10.0;  // [1/s]
+  c.bodies[0].velocity_at = [](Vec<2> x) -> Vec<2> { return {a * (x[0] - 2.0) + 2.0 * b * (x[1] - 1.0), 0.0}; };
+  Simulation s(c);
+  s.step(1);
+  edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
+    block.row(PointRows<2>::v)[lane] = -w * (block.row(PointRows<2>::x + 1)[lane] - 1.0);
+    block.row(PointRows<2>::v + 1)[lane] = w * (block.row(PointRows<2>::x)[lane] - 2.0);
+  });
+  s.step(1);
+  const Real dt = s.model.dt, t = w * dt, e = a * dt, g = b * dt;  // g: tensorial shear strain, and -spin
+  const Real expected[] = {1.0 + e, 2.0 * g - t, t * (1.0 + e), 1.0 + 2.0 * g * t,
+      e * std::cos(t) * std::cos(t) - g * std::sin(2.0 * t), e * std::sin(t) * std::sin(t) + g * std::sin(2.0 * t),
+      e * std::sin(2.0 * t) + 2.0 * g * std::cos(2.0 * t)};
+  for (const Point& p : points_by_id(s.state)) {
+    if (std::abs(p.x[0] - 2.0) > 0.5 || std::abs(p.x[1] - 1.0) > 0.25) continue;
+    for (std::size_t k = 0; k < 7; ++k)
+      EXPECT_NEAR(p.values[k + 1], expected[k], 0.2 * e * t) << k;  // a wrong sign is e t or more
+  }
+}
+
+/// Soil of a library that rests under gravity, and begins so.
+Case resting_box(MaterialCase material)
+{
+  Case c = confined_box(InitialStress::equilibrium);
+  material.name = c.materials[0].name, material.density = c.materials[0].density;
+  c.materials[0] = std::move(material);
+  return c;
+}
+
+TEST(LibraryMaterial, FindsTheEquilibriumOfTerpsOwnElasticSoilWithTheStateOfTheStart)
+{
+  const std::vector<Real> moduli = confined_box(InitialStress::equilibrium).materials[0].parameters;
+  LibraryCase native{
+      .file = "elastic.so", .parameters = {{"", moduli[0]}, {"", moduli[1]}}, .state = {{"shear_path", 0.5}}};
+  LibraryCase umat{.file = "wrong_umat.so", .interface = LawInterface::umat, .state = {{"calls", 7.0}}};
+  for (const Real value : {moduli[0], moduli[1], 0.0, 0.0, 0.0, 0.0}) umat.parameters.push_back({"", value});
+  Simulation own(confined_box(InitialStress::equilibrium));
+  own.start();
+  const std::vector<Point> b = points_by_id(own.state);
+  for (LibraryCase& library : std::vector<LibraryCase>{native, umat}) {
+    MaterialCase material = confined_box(InitialStress::equilibrium).materials[0];
+    material.model = "library";
+    material.library = library;
+    material.from_library = load_user_law("clay", law_folder(), material.parameters, material.library);
+    Simulation mine(resting_box(material));
+    mine.start();
+    const std::vector<Point> a = points_by_id(mine.state);
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      for (int d = 0; d < 4; ++d) EXPECT_NEAR(a[k].sigma[d], b[k].sigma[d], 1e-6 * 2000.0 * 9.81 * 1.5);
+      EXPECT_EQ(a[k].values[0], library.state[0].value);
+    }
+  }
+}
+
+TEST(LibraryMaterial, ThatAStageGivesToSoilOfAnotherKeepsItsPlasticStrainAlone)
+{
+  LibraryCase first{.file = "wrong_umat.so", .interface = LawInterface::umat, .state = {{"eps_eq_p", 0.0}, {"n", 3.0}}};
+  for (const Real value : {shear, poisson, 0.0, 0.0, 0.0, 0.0}) first.parameters.push_back({"", value});
+  for (const bool same : {true, false}) {
+    LibraryCase second = first;
+    if (!same) second.file = "./wrong_umat.so", second.state[1].value = 5.0;
+    Case c = moving_box("mpm_gp", of_library(first));
+    c.materials.push_back(of_library(second));
+    c.materials[1].name = "second";
+    Simulation s(
+        staged(c, {{stage("a", 0.01), {}}, {stage("b", 0.01), [](Case& now) { now.bodies[0].material = "second"; }}}));
+    while (s.state.stages_done.empty()) s.step(1);
+    const Real calls = static_cast<Real>(s.state.step);
+    edit_points(
+        s.state, [&](const PointBlock<2>& block, Index lane) { block.row(PointRows<2>::state + 1)[lane] = 8.0; });
+    s.step(1);
+    for (const Point& p : points_by_id(s.state)) {
+      EXPECT_EQ(p.material, 1);
+      EXPECT_EQ(p.values[0], calls + 1.0);  // it counts the calls
+      EXPECT_EQ(p.values[1], same ? 8.0 : 5.0);
+    }
+  }
+}
+
+TEST(LawCost, IsThatOfAStepFromTheStateOfTheCase)
+{
+  const auto fault = [](Kind kind, Real limit) {
+    const Simulation s(moving_box("mpm_gp", wrong_umat(kind, 0.0, -100.0, 1, limit)), 1);
+    const LawCost cost = time_law(s.model.materials[0], s.state.points.block(0), 0.25, s.model.dt);
+    EXPECT_GT(cost.seconds, 0.0);
+    return cost.fault;
+  };
+  EXPECT_EQ(fault(has_strength, 10.0 * shear * 2e-6), "") << "the strains of its calls do not add up";
+  EXPECT_EQ(fault(has_size, 0.25), "");
+  EXPECT_THAT(fault(has_size, 1.0), HasSubstr("not a number"));
+}
+
+TEST(NativeLaw, ThatCrashesIsToldOfWithAllThePointsThatItHad)
+{
+  const std::string said = fault_of("mpm_gp",
+      of_library({.file = "wrong_native.so", .symbol = "crashing_update_law", .parameters = {{"", 1.0}, {"", 1.0}}}));
+  EXPECT_THAT(said, HasSubstr("material points that it had at once, from "));
+  EXPECT_THAT(said, Not(HasSubstr("before   stress")));
+}
+
+TEST(NativeLaw, IsToldOfTheSpinAndWhetherItsStressWasTurned)
+{
+  for (const bool turned : {true, false}) {
+    Case c = free_box("mpm_gp", {1.0, 0.5}, {3.0, 1.5},
+        of_library({.file = "wrong_native.so", .symbol = "spinning_law", .parameters = {{"", 1.0}, {"", 1.0}}}));
+    c.method.objective_rate = turned ? ObjectiveRate::jaumann : ObjectiveRate::none;
+    c.bodies[0].velocity_at = [](Vec<2> x) -> Vec<2> { return {-0.4 * (x[1] - 1.0), 0.4 * (x[0] - 2.0)}; };
+    Simulation s(c);
+    s.step(1);
+    for (const Point& p : points_by_id(s.state))
+      if (std::abs(p.x[0] - 2.0) < 0.5 && std::abs(p.x[1] - 1.0) < 0.25) {
+        EXPECT_NEAR(p.values[0], 0.4 * s.model.dt, 1e-9);
+        EXPECT_EQ(p.values[1], turned ? 1.0 : 0.0);
       }
   }
 }

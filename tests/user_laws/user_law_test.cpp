@@ -88,7 +88,41 @@ TEST_P(UserLaw, GivesTheSameBitsOnOneAndTwoThreads)
   }
 }
 
+TEST_P(UserLaw, GoesOnFromACheckpointWithTheSameBits)
+{
+  const std::vector<std::string> changes{std::string("scheme=\"") + GetParam() + '"', "mesh.cell=0.5"};
+  Simulation whole(case_with(changes), 1), first(case_with(changes), 1), second(case_with(changes), 2);
+  make_steps(whole, 60), make_steps(first, 30);
+  second.restore(first.save());
+  make_steps(second, 30);
+  EXPECT_EQ(first_difference(whole.save(), second.save()), "");
+}
+
 INSTANTIATE_TEST_SUITE_P(Schemes, UserLaw, testing::Values("mpm_gp", "mpm_mixed", "standard_mpm"),
     [](const auto& info) { return info.param; });
+
+/// A case of two bodies of an ESM, one of which a stage places.
+std::string message_of_esm(const std::string& scheme, const std::string& material)
+{
+  const std::string law =
+      "model = \"library\"\nlibrary = \"wrong_umat.so\"\ninterface = \"esm\"\nstate = 1\ndensity = 2000.0\n"
+      "shear_modulus = 1e6\npoisson_ratio = 0.3\n";
+  const std::string text = "scheme = \"" + scheme +
+                           "\"\n[mesh]\nsize = [4.0, 2.0]\ncell = 0.5\n[[body]]\nmaterial = \"clay\"\n"
+                           "box = [[0, 0], [4, 1]]\n[[body]]\nname = \"berm\"\nmaterial = \"" +
+                           material +
+                           "\"\nbox = [[0, 1], [2, 2]]\n[[stage]]\nname = \"a\"\nduration = 1\n[[stage]]\n"
+                           "name = \"b\"\nduration = 1\nramp = 0.5\nplace = [\"berm\"]\n[material.clay]\n" +
+                           law + "[material.sand]\n" + law;
+  return refusal<CaseError>([&] { read_case_text(text, law_folder() + "/esm.toml", {}); });
+}
+
+TEST(EsmInStages, ThatSetsItsStateInItsFirstCallIsNotPlacedBesideItselfInASchemeThatAverages)
+{
+  EXPECT_THAT(message_of_esm("mpm_mixed", "clay"),
+      AllOf(HasSubstr("soil of the ESM `clay` cannot come to soil of it that is there"), HasSubstr("place = [")));
+  EXPECT_EQ(message_of_esm("mpm_mixed", "sand"), "");
+  EXPECT_EQ(message_of_esm("mpm_gp", "clay"), "");
+}
 
 }  // namespace

@@ -32,6 +32,27 @@ static int complains(terp_law_points* at)
   return TERP_LAW_FAILED;
 }
 
+static int crashes(terp_law_points* at)
+{
+  at->stress[0][0] = *(const double* volatile*)(size_t)8 == NULL;
+  return TERP_LAW_OK;
+}
+
+static int sees_spin(terp_law_points* at)
+{
+  for (int p = 0; p < at->n; ++p) at->state[0][p] = at->spin[p], at->state[1][p] = at->turned;
+  return TERP_LAW_OK;
+}
+
+static const terp_law_variable no_number[] = {{"void_ratio", NULL, NULL, NAN}};
+static const terp_law_variable in_pascal[] = {{"held", "Pa", NULL, 0.0}};
+
+static const terp_law_description crashing = {TERP_LAW_VERSION, 2, modulus, 2, state, 0, crashes};
+static const terp_law_description spinning = {TERP_LAW_VERSION, 2, modulus, 2, state, 0, sees_spin};
+static const terp_law_description torn = {TERP_LAW_VERSION, 0, NULL, 2, (const terp_law_variable*)8, 0, stiff};
+static const terp_law_description huge = {TERP_LAW_VERSION, 0, NULL, 1000000, state, 0, stiff};
+static const terp_law_description nan_state = {TERP_LAW_VERSION, 0, NULL, 1, no_number, 0, stiff};
+static const terp_law_description held = {TERP_LAW_VERSION, 0, NULL, 1, in_pascal, 0, stiff};
 static const terp_law_description good = {TERP_LAW_VERSION, 2, modulus, 2, state, 0, stiff};
 static const terp_law_description failing = {TERP_LAW_VERSION, 2, modulus, 2, state, 1, complains};
 static const terp_law_description old = {TERP_LAW_VERSION + 1, 0, NULL, 0, NULL, 0, stiff};
@@ -43,5 +64,11 @@ const terp_law_description* failing_law(void) { return &failing; }
 const terp_law_description* old_law(void) { return &old; }
 const terp_law_description* empty_law(void) { return &empty; }
 const terp_law_description* named_law(void) { return &named; }
+const terp_law_description* crashing_update_law(void) { return &crashing; }
+const terp_law_description* spinning_law(void) { return &spinning; }
+const terp_law_description* torn_law(void) { return &torn; }
+const terp_law_description* huge_law(void) { return &huge; }
+const terp_law_description* nan_law(void) { return &nan_state; }
+const terp_law_description* held_law(void) { return &held; }
 const terp_law_description* no_law(void) { return NULL; }
 const terp_law_description* crashing_law(void) { return *(const terp_law_description* volatile*)(size_t)8; }

@@ -1,11 +1,13 @@
 /* A user material that is elastic, and does what PROPS(3) says from the time PROPS(4) on, at points right of PROPS(5).
- * PROPS: shear modulus [Pa], Poisson's ratio, kind, time [s], x [m]. */
+ * PROPS: shear modulus [Pa], Poisson's ratio, kind, time [s], x [m], a limit. */
+#include <fenv.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 enum { elastic, nan_stress, nan_state, bad_memory, divides, aborts, leaves, never_small, small_parts, overflows,
-       counts, turns, changes_rounding };
+       counts, turns, changes_rounding, tenths, nan_answer, beyond_state, beyond_props, reads_props, has_strength,
+       has_size, crashes_in_c };
 
 static volatile int zero = 0;
 static int calls = 0;
@@ -24,8 +26,8 @@ void umat_(double* stress, double* statev, double* ddsdde, double* sse, double* 
     double* dfgrd0, double* dfgrd1, int* noel, int* npt, int* layer, int* kspt, int* jstep, int* kinc, size_t length)
 {
   (void)ddsdde, (void)sse, (void)spd, (void)scd, (void)rpl, (void)ddsddt, (void)drplde, (void)drpldt, (void)stran;
-  (void)temp, (void)dtemp, (void)predef, (void)dpred, (void)cmname, (void)ndi, (void)nshr, (void)ntens, (void)nprops;
-  (void)dfgrd0, (void)layer, (void)kspt, (void)jstep, (void)kinc, (void)length, (void)noel, (void)npt, (void)celent;
+  (void)temp, (void)dtemp, (void)predef, (void)dpred, (void)cmname, (void)ndi, (void)nshr, (void)ntens;
+  (void)dfgrd0, (void)layer, (void)kspt, (void)jstep, (void)kinc, (void)length, (void)noel, (void)npt;
   const double shear = props[0], lame = 2 * props[0] * props[1] / (1 - 2 * props[1]);
   const double volume = dstran[0] + dstran[1] + dstran[2];
   const int kind = (int)props[2];
@@ -35,6 +37,10 @@ void umat_(double* stress, double* statev, double* ddsdde, double* sse, double* 
   if (*nstatv > 0) statev[0] += 1.0;
   if (*nstatv == 5) { /* what it was given, for a test to look at */
     statev[1] = *dtime, statev[2] = dfgrd1[0], statev[3] = dfgrd1[3], statev[4] = stran[0] + dstran[0];
+  }
+  if (*nstatv == 8) {
+    statev[1] = dfgrd1[0], statev[2] = dfgrd1[3], statev[3] = dfgrd1[1], statev[4] = dfgrd1[4];
+    statev[5] = stran[0] + dstran[0], statev[6] = stran[1] + dstran[1], statev[7] = stran[3] + dstran[3];
   }
   if (time[1] < props[3] || coords[0] < props[4]) return;
   switch (kind) {
@@ -55,6 +61,29 @@ void umat_(double* stress, double* statev, double* ddsdde, double* sse, double* 
     }
     case counts: statev[0] = ++calls; break;
     case turns: statev[0] = drot[1]; break;
+    case changes_rounding: fesetround(FE_UPWARD); break;
+    case tenths:
+      if (*dtime > props[5]) *pnewdt = 0.1;
+      break;
+    case nan_answer: *pnewdt = NAN; break;
+    case beyond_state: statev[*nstatv] = 1.0; break;
+    case beyond_props: props[*nprops] = 1.0; break;
+    case reads_props: stress[0] += props[*nprops]; break;
+    case has_strength:
+      if (fabs(stress[3]) > props[5]) stress[3] = NAN;
+      break;
+    case has_size:
+      if (*celent != props[5]) stress[0] = NAN;
+      break;
+    case crashes_in_c: puts((const char*)(size_t)(8 * zero + 8)); break;
     default: break;
   }
+}
+
+/* An external soil model that takes STATEV for longer than it is. */
+void esm_(int* npt, int* noel, int* idset, double* stress, double* eunloading, double* plasticmultiplier,
+    double* dstran, int* nstatev, double* statev)
+{
+  (void)npt, (void)noel, (void)idset, (void)stress, (void)eunloading, (void)plasticmultiplier, (void)dstran;
+  statev[*nstatev] = 1.0;
 }

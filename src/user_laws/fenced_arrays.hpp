@@ -1,0 +1,58 @@
+// The arrays that a law in Fortran is given, with numbers between them that it must leave alone: a law that takes an
+// array for longer than it was told is noticed where it writes, and gets no number where it reads.
+// Not for: other memory (parallel/guarded_call.hpp).
+#pragma once
+
+#include "user_laws/interface.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+
+namespace terp {
+
+class FencedArrays {
+  static constexpr std::size_t fence = 128;                     // more than the numbers of state that a case may give
+  static constexpr std::uint64_t mark = 0x7ff8'5465'7270'4c61;  // as a double: not a number
+  static constexpr auto marks = [] {
+    std::array<std::uint64_t, fence> all;
+    all.fill(mark);
+    return all;
+  }();
+
+ public:
+  static std::size_t n_numbers(std::size_t n_state, std::size_t n_parameters)
+  {
+    return n_state + n_parameters + 3 * fence;
+  }
+
+  /// memory: of n_numbers.
+  FencedArrays(double* memory, std::size_t n_state, std::size_t n_parameters)
+      : first_(memory), n_state_(n_state), n_parameters_(n_parameters)
+  {
+    for (double* at : {first_, state() + n_state_, parameters() + n_parameters_})
+      std::memcpy(at, marks.data(), sizeof marks);
+  }
+
+  double* state() const { return first_ + fence; }
+  double* parameters() const { return state() + n_state_ + fence; }
+
+  /// Says so in `points` where the law wrote beyond its arrays.
+  void check(LawPoints& points) const
+  {
+    const auto is_whole = [](const double* at) { return std::memcmp(at, marks.data(), sizeof marks) == 0; };
+    const auto fail = [&](const char* array, std::size_t n, const char* key) {
+      points.failed = true;
+      std::snprintf(points.why.data(), points.why.size(),
+          "the law writes beyond its array %s, of %zu numbers: look at `%s` of the case", array, n, key);
+    };
+    if (!is_whole(first_) || !is_whole(state() + n_state_)) return fail("STATEV", n_state_, "state");
+    if (!is_whole(parameters() + n_parameters_)) fail("PROPS", n_parameters_, "parameters");
+  }
+
+ private:
+  double* first_;
+  std::size_t n_state_, n_parameters_;
+};
+
+}  // namespace terp
