@@ -5,7 +5,6 @@
 #include "input/printable.hpp"
 #include "input/render.hpp"
 #include "output/run_folder.hpp"
-#include "output/summary_json.hpp"
 #include "parallel/threads.hpp"
 #include "progress.hpp"
 #include "simulation/setup_mesh.hpp"
@@ -65,8 +64,8 @@ int check_study(const Study& study, int threads)
   const StudySettings& s = study.settings;
   fmt::print("{}\n  case           {}\n", printable(s.title.empty() ? s.name : s.title), printable(study.case_path));
   print_input(study);
-  fmt::print("  realisations   {}{}, {}\n", s.stop.cov > 0.0 ? "at most " : "", study.n_realisations,
-      info_of(s.estimator).title);
+  fmt::print("  realisations   {}{}, {}\n", s.stop.cov > 0.0 || info_of(s.estimator).adaptive ? "at most " : "",
+      study.n_realisations, info_of(s.estimator).title);
   if (s.estimator == Estimator::two_stage)
     fmt::print("  two stages     run in full: what does not stand at a factor of {:g}, and {:g} of the others\n",
         s.two_stage.factor, s.two_stage.audit);
@@ -143,19 +142,26 @@ int keep(const Study& study, const std::string& folder, Index number, const Stud
   if (there == rows.end() && info_of(study.settings.estimator).adaptive)
     throw CaseError(fmt::format("error: --keep {}: the method has not come to this realisation\n", number));
   run.changes = draw_again(study, number, there != rows.end() ? there->second.inputs : std::vector<Real>{}).changes;
-  run.output = path_in(folder, fmt::format("kept/{}", number));
+  run.output = path_in(folder, fmt::format("{}/{}", kept_runs, number));
   run.threads = command.threads;
   run.force = run.report = true;
   run.quiet = command.quiet;
+  Realisation again;
+  run.at_end = [&](const Simulation& simulation) { read_outcomes(simulation, study.settings.event, again); };
+  const std::string kept = path_in(run.output, kept_mark);
+  std::filesystem::remove(kept);
   const int status = run_case(run);
-  if (status != solved || there == rows.end() || !there->second.solved()) return status;
-  const Summary summary = read_summary(path_in(run.output, summary_file)).values;
-  if (const std::vector<std::string> names = differing_outcomes(there->second.outcomes, summary); !names.empty())
+  if (status != solved) return status;
+  const bool is_known = there != rows.end() && there->second.solved();
+  if (const auto names =
+          is_known ? differing_outcomes(there->second.outcomes, again.outcomes) : std::vector<std::string>();
+      !names.empty())
     throw FileError(
         fmt::format("realisation {} has other results than in the store: {}\n  It was solved by another program "
                     "or machine: AVX-512 and AVX2 give the same bits, SSE2 others.",
             number, fmt::join(names, ", ")));
-  if (!command.quiet) fmt::print("realisation {} has the results of the store, to the bit\n", number);
+  write_file_atomically(kept, digits_of_study(study) + '\n');
+  if (is_known && !command.quiet) fmt::print("realisation {} has the results of the store, to the bit\n", number);
   return status;
 }
 

@@ -13,7 +13,7 @@ from terp.errors import RunError
 from terp.run import Run
 
 _TEXT = {"fault", "screening"}
-_INTEGER = {"realisation", "solved", "failed", "slides"}
+_INTEGER = {"results.csv": {"realisation", "solved"}, "fragility.csv": {"solved", "failed", "slides"}}
 
 
 class Event(NamedTuple):
@@ -80,15 +80,15 @@ class Study:
 
     def run_of(self, realisation, program="terp"):
         """The terp.Run of a realisation, with all its fields. It is solved once more by the program, to the same bits,
-        unless that was done before. Raises RunError with what the program says."""
+        unless that was done before and the study is the same. Raises RunError with what the program says."""
         folder = self.folder / "kept" / str(int(realisation))
-        if not (folder / "summary.json").exists():
+        if _mark_of(folder) != self.results.get("digits", math.nan):
             command = [program, "study", "run", str(self.folder), "--keep", str(int(realisation)), "-q"]
             try:
                 done = subprocess.run(command, capture_output=True, text=True, check=False)
             except OSError as error:
                 raise RunError(f"cannot start `{program}`: {error.strerror}. Give the path of the program") from error
-            if not (folder / "summary.json").exists():
+            if done.returncode != 0:
                 raise RunError(f"realisation {realisation} was not solved: {done.stderr.strip()}")
         return Run(folder)
 
@@ -98,10 +98,18 @@ class Study:
         return self._tables[name]
 
 
+def _mark_of(folder):
+    """Digits of the study, in a run folder that is whole; None: there is no such."""
+    try:
+        return (folder / "of_study.txt").read_text(encoding="utf-8").strip()
+    except FileNotFoundError:
+        return None
+
+
 def _event(row):
     if row is None:
         return Event(math.nan, math.nan, math.nan)
-    return Event(_number(row["probability"]), row["low"], row["high"])
+    return Event(*(_number(row[name]) for name in Event._fields))
 
 
 def _number(value):
@@ -115,14 +123,15 @@ def _read(path):
     except FileNotFoundError as error:
         raise RunError(f"there is no {path}: the study has no such table, or no report yet") from error
     columns = list(zip(*rows)) if rows else [()] * len(head)
-    table = np.empty(len(rows), np.dtype([(name, _type(name, column)) for name, column in zip(head, columns)]))
+    table = np.empty(len(rows), np.dtype([(name, _type(path.name, name, column))
+                                          for name, column in zip(head, columns)]))
     for name, column in zip(head, columns):
         table[name] = column
     return table
 
 
-def _type(name, column):
-    if name in _INTEGER:
+def _type(file, name, column):
+    if name in _INTEGER[file]:
         return np.int64
     try:
         np.array(column, float)

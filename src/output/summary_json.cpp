@@ -191,6 +191,7 @@ SavedSummary read_values(const std::string& path)
     std::visit([&](auto member) { get(json, quantity.info.name.data(), s.*member); }, quantity.member);
   get(json, "facing", s.facing);
   get_list(json, "slides", s.slides);
+  if (!s.slides.empty()) s.first_slide_time = s.slides.front().slide.begins;
   get_list(json, "softened_fraction", s.softened_fraction);
   get_list(json, "reached_sides", s.reached_sides);
   get_list(json, "footings", s.footings);

@@ -8,7 +8,6 @@
 #include "input/case_file.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace terp {
@@ -45,9 +44,9 @@ class Replay {
     const Index first = next_;
     next_ += static_cast<Index>(draws.size());
     if (next_ > study_.n_realisations)
-      throw CaseError(std::to_string(study_.n_realisations) +
-                      " realisations are not enough for the method\n  The event is rarer than it finds, or nothing "
-                      "changes with the input. See results.csv.\n");
+      throw MethodFault(std::to_string(study_.n_realisations) +
+                        " realisations are not enough for the method: the event is rarer than it finds, or nothing "
+                        "changes with the input. See results.csv.");
     for (Index n = first; n < next_; ++n)
       if (!rows_.contains(n)) {
         solve_(first, draws);
@@ -77,23 +76,20 @@ class Replay {
 
 Real limit_state_of(const StudySettings& settings, const Realisation& r)
 {
-  if (!r.solved()) return -1.0;  // as adaptive.hpp says
+  if (!r.solved() || (settings.adaptive.of_flood && !r.judges_flood)) return -1.0;  // as adaptive.hpp says
   constexpr Real least = 1e-12, above = 1e-9;
   const auto outcome = [&](const char* name) { return r.outcomes[outcome_number(name)]; };
   const Real decades = std::log10(settings.event.displacement / std::max(least, outcome("event_displacement")));
   if (!settings.adaptive.of_flood) return r.slid ? std::min(decades, 0.0) : std::max(decades, above);
-  if (!r.judges_flood)
-    throw CaseError(
-        "error: `event = \"flood\"` needs a case with a water level\n  See docs/flood.md, or choose "
-        "`event = \"slide\"`.\n");
-  const Real distance = outcome("freeboard") + std::max(decades, 0.0);
+  const Real freeboard = outcome("freeboard");
+  if (!std::isfinite(freeboard)) return -1.0;  // no ground is left
+  const Real distance = freeboard + std::max(decades, 0.0);
   return r.flooded ? std::min(distance, 0.0) : std::max(distance, above);
 }
 
 StudyEnd run_adaptive(const Study& study, const std::string& folder, const EngineOptions& options,
     const std::atomic<bool>& stop, Realisations& rows)
 {
-  const auto start = std::chrono::steady_clock::now();
   const auto solve = [&](Index first, const std::vector<Draw>& draws) {
     std::vector<Index> numbers;
     for (Index n = first; n < first + static_cast<Index>(draws.size()); ++n) numbers.push_back(n);
@@ -101,25 +97,26 @@ StudyEnd run_adaptive(const Study& study, const std::string& folder, const Engin
         study, folder, options, stop, numbers, [&](Index n) { return draws[static_cast<std::size_t>(n - first)]; },
         rows);
     if (end != StudyEnd::rule_met) throw Ended{end};
-    const Real limit = study.settings.stop.time;
-    if (limit > 0.0 && std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > limit)
-      throw Ended{StudyEnd::out_of_time};
   };
   try {
     find_probability(rule_of(study.settings), Replay(study, rows, solve));
     return StudyEnd::rule_met;
   } catch (const Ended& ended) {
     return ended.why;
+  } catch (const MethodFault&) {
+    return StudyEnd::rule_met;  // the report says why
   }
 }
 
-std::optional<ReliabilityResult> replay_adaptive(const Study& study, const Realisations& rows)
+AdaptiveFound replay_adaptive(const Study& study, const Realisations& rows)
 {
   try {
-    return find_probability(
-        rule_of(study.settings), Replay(study, rows, [](Index, const std::vector<Draw>&) { throw NotKept{}; }));
+    return {.result = find_probability(rule_of(study.settings),
+                Replay(study, rows, [](Index, const std::vector<Draw>&) { throw NotKept{}; }))};
   } catch (const NotKept&) {
-    return std::nullopt;
+    return {};
+  } catch (const MethodFault& fault) {
+    return {.fault = fault.what()};
   }
 }
 

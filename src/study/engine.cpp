@@ -50,7 +50,8 @@ class Team {
   bool may_go_on()
   {
     const Real limit = study_.settings.stop.time;
-    if (limit > 0.0 && std::chrono::duration<double>(Clock::now() - start_).count() > limit) out_of_time_ = true;
+    if (limit > 0.0 && std::chrono::duration<double>(Clock::now() - options_.begin).count() > limit)
+      out_of_time_ = true;
     return !stop_.load() && !enough_.load() && !out_of_time_.load();
   }
 
@@ -110,7 +111,6 @@ class Team {
   StoreWriter store_;
   TableCounter table_;
   std::vector<Index> todo_;
-  const Clock::time_point start_ = Clock::now();
   std::atomic<std::size_t> next_{0};
   std::atomic<bool> enough_{false}, out_of_time_{false}, failed_{false};
   std::exception_ptr error_;

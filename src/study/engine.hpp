@@ -4,6 +4,7 @@
 #include "study/estimates.hpp"
 #include "study/ranks.hpp"
 
+#include <chrono>
 #include <functional>
 
 namespace terp {
@@ -12,6 +13,7 @@ struct EngineOptions {
   int threads = 1;
   StudyPart part = {};
   RankServer* ranks = nullptr;  ///< whose workers solve; null: threads of this process
+  std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();  ///< from which `stop.time` counts
   /// Called after each realisation, by one thread at a time. all: with what was there before.
   std::function<void(const Realisation& newest, const Realisations& all)> show = {};
 };

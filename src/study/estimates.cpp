@@ -59,12 +59,14 @@ void EventCounts::take(const Realisation& r)
     return;
   }
   (r.solved() ? solved : slid_as_drawn) += 1;
-  slid += r.slid, flooded += r.flooded, flooded_after_slide += r.slid && r.flooded, judged += r.judges_flood;
+  slid += r.slid, flooded += r.flooded, flooded_after_slide += r.slid && r.flooded;
+  if (r.solved() && r.judges_flood) ++judged, slid_judged += r.slid;
 }
 
 std::int64_t EventCounts::unknown(std::int64_t EventCounts::*event) const
 {
-  return event == &EventCounts::slid ? failed : failed + slid_as_drawn;
+  if (event == &EventCounts::slid) return failed;
+  return event == &EventCounts::flooded ? n() - judged : failed + slid - slid_judged;
 }
 
 EventEstimate EventCounts::slide(Real confidence) const
@@ -73,24 +75,26 @@ EventEstimate EventCounts::slide(Real confidence) const
 }
 EventEstimate EventCounts::flood(Real confidence) const
 {
-  return estimate_event(flooded, solved, failed + slid_as_drawn, confidence);
+  return estimate_event(flooded, judged, n() - judged, confidence);
 }
 EventEstimate EventCounts::flood_after_slide(Real confidence) const
 {
-  return estimate_event(flooded_after_slide, slid - slid_as_drawn, failed + slid_as_drawn, confidence);
+  return estimate_event(flooded_after_slide, slid_judged, failed + slid - slid_judged, confidence);
 }
 
 EventCounts Sample::counts() const
 {
   EventCounts sum;
   for (const auto member : {&EventCounts::solved, &EventCounts::failed, &EventCounts::slid, &EventCounts::flooded,
-           &EventCounts::flooded_after_slide, &EventCounts::judged, &EventCounts::slid_as_drawn})
+           &EventCounts::flooded_after_slide, &EventCounts::judged, &EventCounts::slid_judged,
+           &EventCounts::slid_as_drawn})
     sum.*member = all_.*member + audited_.*member;
   return sum;
 }
 
 void Sample::take(const Realisation& r)
 {
+  judges_flood_ = judges_flood_ || r.judges_flood;
   if (r.skipped())
     ++n_skipped_;
   else
@@ -105,8 +109,9 @@ EventEstimate Sample::estimate(std::int64_t EventCounts::*event) const
              : estimate_event(all_.*event, all_.n() - all_.unknown(event), all_.unknown(event), confidence);
 }
 
-// An audited realisation stands for 1/audit of those that stand at the factor (Horvitz & Thompson 1952). Both numbers
-// of events, below the factor and in the audit, are binomial out of all n: each takes half of what the bounds may err.
+// The audit is a random part of what stands at the factor, so its share of events is that of all of these: the sum of
+// the two strata, each with the share of what is known there. It cannot exceed 1. Both numbers of events, below the
+// factor and in the audit, are binomial out of all n: each takes half of what the bounds may err.
 EventEstimate Sample::weigh(std::int64_t EventCounts::*event, Real confidence) const
 {
   const Real audit = settings_->two_stage.audit, of_each = 0.5 + 0.5 * confidence;
@@ -114,15 +119,21 @@ EventEstimate Sample::weigh(std::int64_t EventCounts::*event, Real confidence) c
                      unknown_of_audit = audited_.unknown(event);
   EventEstimate e{
       all_.*event + audited_.*event, n - n_skipped_ - unknown - unknown_of_audit, unknown + unknown_of_audit};
-  const Real known =
-      static_cast<Real>(n - unknown) - static_cast<Real>(unknown_of_audit) / audit;  // as Monte Carlo leaves them out
-  if (known > 0.0) e.weighted = (static_cast<Real>(all_.*event) + static_cast<Real>(audited_.*event) / audit) / known;
+  e.counts_alike = false;
+  const auto part = [&](const EventCounts& c, std::int64_t size) -> std::optional<Real> {
+    const std::int64_t known = c.n() - c.unknown(event);
+    if (size == 0) return 0.0;
+    if (known == 0) return std::nullopt;
+    return static_cast<Real>(size) / static_cast<Real>(n) * static_cast<Real>(c.*event) / static_cast<Real>(known);
+  };
+  const auto falls = part(all_, all_.n()), stands = part(audited_, audited_.n() + n_skipped_);
+  if (n > 0 && falls && stands) e.weighted = *falls + *stands;
   const auto bounds = [&](const EventCounts& c) {
     return Bounds{
         clopper_pearson(c.*event, n, of_each).low, clopper_pearson(c.*event + c.unknown(event), n, of_each).high};
   };
   const Bounds below = bounds(all_), above = bounds(audited_);
-  e.bounds = {below.low + above.low / audit, std::min(1.0, below.high + above.high / audit)};
+  e.bounds = {std::min(1.0, below.low + above.low / audit), std::min(1.0, below.high + above.high / audit)};
   return e;
 }
 
@@ -132,13 +143,16 @@ EventEstimate Sample::flood_after_slide() const
   const Real of_each = 0.5 + 0.5 * settings_->confidence;
   const EventEstimate both = weigh(&EventCounts::flooded_after_slide, of_each),
                       slide = weigh(&EventCounts::slid, of_each);
-  const auto weigh_up = [&](std::int64_t below, std::int64_t audited) {
-    return static_cast<Real>(below) + static_cast<Real>(audited) / settings_->two_stage.audit;
-  };
-  const std::int64_t below = all_.slid - all_.slid_as_drawn, above = audited_.slid - audited_.slid_as_drawn;
+  const std::int64_t below = all_.slid_judged, above = audited_.slid_judged, audited = audited_.n() - audited_.failed;
   EventEstimate e{both.happened, below + above, both.failed};
-  if (below + above > 0)
-    e.weighted = weigh_up(all_.flooded_after_slide, audited_.flooded_after_slide) / weigh_up(below, above);
+  e.counts_alike = false;
+  if (below + above > 0 && (audited > 0 || n_skipped_ == 0)) {
+    const Real weight = audited > 0 ? static_cast<Real>(audited_.n() + n_skipped_) / static_cast<Real>(audited) : 0.0;
+    const auto sum = [&](std::int64_t falls, std::int64_t stands) {
+      return static_cast<Real>(falls) + weight * static_cast<Real>(stands);
+    };
+    e.weighted = sum(all_.flooded_after_slide, audited_.flooded_after_slide) / sum(below, above);
+  }
   e.bounds.low = slide.bounds.high > 0.0 ? both.bounds.low / slide.bounds.high : 0.0;
   e.bounds.high = slide.bounds.low > 0.0 ? std::min(1.0, both.bounds.high / slide.bounds.low) : 1.0;
   return e;
@@ -153,16 +167,9 @@ EventEstimate Sample::trusting(bool of_flood) const
 
 std::optional<Real> EventEstimate::probability() const
 {
-  if (weighted) return weighted;
+  if (!counts_alike) return weighted;
   if (solved == 0) return std::nullopt;
   return static_cast<Real>(happened) / static_cast<Real>(solved);
-}
-
-std::optional<Real> EventEstimate::cov() const
-{
-  const auto p = probability();
-  if (!p || *p == 0.0 || weighted) return std::nullopt;
-  return std::sqrt((1.0 - *p) / (static_cast<Real>(solved) * *p));
 }
 
 EventEstimate estimate_event(std::int64_t happened, std::int64_t solved, std::int64_t failed, Real confidence)
@@ -204,7 +211,8 @@ StudyEstimates estimate(const Study& study, const Realisations& rows)
     e.mean_wall_s += r.wall_s / e.n_made;
     if (r.skipped()) ++n_skipped, skipped_wall_s += r.wall_s;
     if (!r.fault.empty()) count_fault(r, e.faults);
-    if (r.solved() && !r.flooded && r.outcomes[moves] == 1.0) ++e.n_still_moving;
+    if (r.solved() && r.outcomes[moves] == 1.0)
+      e.n_moving_without_slide += !r.slid, e.n_moving_without_flood += r.judges_flood && !r.flooded;
   }
   if (n_skipped > 0 && n_skipped < e.n_made) {
     e.screening_wall_s = skipped_wall_s / n_skipped;

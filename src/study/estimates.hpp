@@ -14,18 +14,19 @@ namespace terp {
 struct EventEstimate {
   std::int64_t happened = 0, solved = 0, failed = 0;
   Bounds bounds = {};
-  std::optional<Real> weighted = {};  ///< P of a sample whose realisations do not count alike
+  bool counts_alike = true;
+  std::optional<Real> weighted = {};  ///< P of a sample whose realisations do not count alike; none: not known
 
   /// Share of what is known; none of nothing. Where some failed it is biased: these are no random sample.
   std::optional<Real> probability() const;
-  std::optional<Real> cov() const;  ///< of that estimate; none where nothing happened, or of a weighted one
 };
 EventEstimate estimate_event(std::int64_t happened, std::int64_t solved, std::int64_t failed, Real confidence);
 
 /// Sums over a table that grows by one realisation after another.
 struct EventCounts {
-  std::int64_t solved = 0, failed = 0, slid = 0, flooded = 0, flooded_after_slide = 0, judged = 0;
-  std::int64_t slid_as_drawn = 0;  ///< of `slid`; neither solved nor failed, as I is known and F is not
+  std::int64_t solved = 0, failed = 0, slid = 0, flooded = 0, flooded_after_slide = 0;
+  std::int64_t judged = 0, slid_judged = 0;  ///< solved with a water level, so that F is known
+  std::int64_t slid_as_drawn = 0;            ///< of `slid`; neither solved nor failed, as I is known and F is not
 
   std::int64_t n() const { return solved + failed + slid_as_drawn; }
   /// Realisations of which a member, a number of events, is not known.
@@ -53,9 +54,9 @@ class Sample {
   const EventCounts& audited() const { return audited_; }
   EventCounts counts() const;  ///< of all that were run, as if they counted alike
   std::int64_t n_skipped() const { return n_skipped_; }
-  bool judges_flood() const { return all_.judged + audited_.judged > 0; }
+  bool judges_flood() const { return judges_flood_; }
   /// Those that the rule of the study counts: F where floods are judged, else I.
-  std::int64_t rule_events() const { return all_.judged > 0 ? all_.flooded : all_.slid; }
+  std::int64_t rule_events() const { return judges_flood_ ? all_.flooded : all_.slid; }
 
  private:
   EventEstimate estimate(std::int64_t EventCounts::*event) const;
@@ -65,6 +66,7 @@ class Sample {
   EventCounts all_ = {};  ///< of two stages: those that fall at the factor
   EventCounts audited_ = {};
   std::int64_t n_skipped_ = 0;
+  bool judges_flood_ = false;  ///< any of them
 };
 
 /// How an input goes with the outcomes: rank correlations.
@@ -84,9 +86,10 @@ struct FaultCount {
 struct StudyEstimates {
   explicit StudyEstimates(const StudySettings& settings) : sample(settings) {}
 
-  Index n_made = 0;          ///< realisations of the table: 0 ... n_made - 1
-  Index n_beyond = 0;        ///< solved, but after a gap, or after the rule has stopped: not in the table
-  Index n_still_moving = 0;  ///< of those, solved without a flood while soil still moves at the end
+  Index n_made = 0;    ///< realisations of the table: 0 ... n_made - 1
+  Index n_beyond = 0;  ///< solved, but after a gap, or after the rule has stopped: not in the table
+  /// Of those, solved without the event while soil still moves at the end.
+  Index n_moving_without_slide = 0, n_moving_without_flood = 0;
   bool judges_flood = false;
   EventCounts counts = {};
   EventEstimate slide, flood, flood_after_slide;

@@ -26,6 +26,7 @@ Real integral_of_probability(const Distribution& g, Real a, Real b)
 struct LevelCounts {
   std::vector<EventCounts> levels;
   Index n_falling_slides = 0, n_falling_floods = 0;
+  bool judges_flood = false;
 };
 
 LevelCounts count_levels(const Study& study, const Realisations& rows)
@@ -34,13 +35,16 @@ LevelCounts count_levels(const Study& study, const Realisations& rows)
   counts.levels.resize(static_cast<std::size_t>(study.n_levels()));
   bool met = false;
   const Index n = count_in_table(study, rows, met);
+  bool slid = false, flooded = false;  // of this sample, at the last level where it is known
   for (Index k = 0; k < n; ++k) {
     const Realisation& r = rows.at(k);
     counts.levels[study.level_of(k)].take(r);
-    if (study.level_of(k) == 0) continue;
-    const Realisation& below = rows.at(k - 1);  // the same sample
-    counts.n_falling_slides += r.solved() && below.slid && !r.slid;
-    counts.n_falling_floods += r.solved() && below.flooded && !r.flooded;
+    counts.judges_flood = counts.judges_flood || r.judges_flood;
+    if (study.level_of(k) == 0) slid = flooded = false;  // another sample
+    counts.n_falling_slides += r.solved() && slid && !r.slid;
+    counts.n_falling_floods += r.solved() && r.judges_flood && flooded && !r.flooded;
+    if (r.solved() || r.slid) slid = r.slid;  // a level that failed says nothing
+    if (r.solved() && r.judges_flood) flooded = r.flooded;
   }
   return counts;
 }
@@ -70,13 +74,15 @@ CurveIntegral integrate(const FragilityLoad& load, const LevelCounts& counts, Of
     integral.of_line.low += weights[k] * e.bounds.low, integral.of_line.high += weights[k] * e.bounds.high;
   }
   const auto up_to = [&](std::size_t k) { return load.distribution->probability(h[k]); };
-  integral.beyond = up_to(0) * p[0] + (1.0 - up_to(n - 1)) * p[n - 1];
+  const auto beyond = [&](Real first, Real last) { return up_to(0) * first + (1.0 - up_to(n - 1)) * last; };
+  integral.beyond = beyond(p.front(), p.back());
+  integral.beyond_at_most = beyond(bounds.front().high, bounds.back().high);
   narrow_to_rising(bounds);
-  integral.rising.high = up_to(0) * bounds[0].high + 1.0 - up_to(n - 1);
-  integral.rising.low = (1.0 - up_to(n - 1)) * bounds[n - 1].low;
+  if (std::ranges::any_of(bounds, [](const Bounds& b) { return b.low > b.high; })) return integral;  // it falls
+  integral.rising = {(1.0 - up_to(n - 1)) * bounds[n - 1].low, up_to(0) * bounds[0].high + 1.0 - up_to(n - 1)};
   for (std::size_t k = 1; k < n; ++k) {
     const Real share = up_to(k) - up_to(k - 1);
-    integral.rising.low += share * bounds[k - 1].low, integral.rising.high += share * bounds[k].high;
+    integral.rising->low += share * bounds[k - 1].low, integral.rising->high += share * bounds[k].high;
   }
   return integral;
 }
@@ -110,11 +116,11 @@ FragilityCurve estimate_fragility(const Study& study, const Realisations& rows)
   const LevelCounts counts = count_levels(study, rows);
   FragilityCurve curve;
   curve.n_falling_slides = counts.n_falling_slides, curve.n_falling_floods = counts.n_falling_floods;
+  curve.judges_flood = counts.judges_flood;
   bool has_all = true, has_all_floods = true;
   for (std::size_t k = 0; k < load.levels.size(); ++k) {
     const EventCounts& c = counts.levels[k];
     curve.levels.push_back({load.levels[k], c.slide(confidence), c.flood(confidence), c.flood_after_slide(confidence)});
-    curve.judges_flood = curve.judges_flood || c.judged > 0;
     has_all = has_all && curve.levels.back().slide.solved > 0;
     has_all_floods = has_all_floods && curve.levels.back().flood.solved > 0;
   }

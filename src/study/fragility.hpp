@@ -18,15 +18,18 @@ struct LevelEstimate {
 struct CurveIntegral {
   Real probability = 0.0;  ///< P(h) linear between the levels, constant beyond the first and the last
   Bounds of_line = {};     ///< what the sample leaves open of that
-  Bounds rising = {};      ///< of any P(h) that does not fall, whatever it does between the levels and beyond
-  Real beyond = 0.0;       ///< part of the probability that comes from loads beyond the first and last level
+  /// Of any P(h) that does not fall, whatever it does between the levels and beyond; none: the sample says that it
+  /// falls.
+  std::optional<Bounds> rising = {};
+  Real beyond = 0.0;          ///< part of the probability that comes from loads beyond the first and last level
+  Real beyond_at_most = 0.0;  ///< the same part of of_line.high
 };
 
 struct FragilityCurve {
   std::vector<LevelEstimate> levels;
   bool judges_flood = false;
   std::optional<CurveIntegral> slide, flood;  ///< none: the load has no distribution
-  /// Samples with an event at a level that is gone at the next one.
+  /// Samples with an event at a level that is gone at the next one that was solved.
   Index n_falling_slides = 0, n_falling_floods = 0;
 };
 

@@ -102,10 +102,13 @@ std::string answer(const Study& study, const FragilityCurve& curve)
   std::string text = fmt::format(
       "{} with probability {:.2g}, over the distribution of the {}. ", event, integral->probability, load.name);
   text += fmt::format(
-      "With {:g} % confidence it lies between {:.2g} and {:.2g} if the curve is straight between its levels, and "
-      "between {:.2g} and {:.2g} if it is only known to rise.",
-      100.0 * study.settings.confidence, integral->of_line.low, integral->of_line.high, integral->rising.low,
-      integral->rising.high);
+      "With {:g} % confidence it lies between {:.2g} and {:.2g} if the curve is straight between its levels and level "
+      "beyond them{}.",
+      100.0 * study.settings.confidence, integral->of_line.low, integral->of_line.high,
+      integral->rising
+          ? fmt::format(", and between {:.2g} and {:.2g} if it is only known to rise", integral->rising->low,
+                integral->rising->high)
+          : "; it falls from one level to a higher one by more than chance, so that no bounds of a rising curve hold");
   if (curve.judges_flood) text += fmt::format(" A slide happens with probability {:.2g}.", curve.slide->probability);
   return text + missing;
 }
@@ -120,9 +123,11 @@ std::string fragility_section(const Study& study, const FragilityCurve& curve)
              fmt::format("I is {}; F is: {}. The samples are the same at all levels. Bounds of a level are those of "
                          "Clopper and Pearson; bounds over all levels hold at all of them at once. Where the load is a "
                          "year's highest water, the probability is per year; it is of this section alone. "
-                         "fragility.csv has the table, fragility_slide.json and fragility_flood.json have it for "
-                         "D-Stability.",
-                 slide_words(study.settings), flood_words),
+                         "fragility.csv has the table{}.",
+                 slide_words(study.settings), flood_words,
+                 is_water_level(*study.settings.fragility)
+                     ? ", fragility_slide.json and fragility_flood.json have it for D-Stability"
+                     : ""),
              " class=\"muted\"") +
          "</section>\n";
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace terp {
@@ -18,8 +19,10 @@ std::string beta_text(const EventEstimate& e)
 
 std::string line_of_integral(const char* name, const CurveIntegral& i)
 {
-  return fmt::format("  {:<8}{:.3g}; straight between levels {:.3g} to {:.3g}; never falling {:.3g} to {:.3g}\n", name,
-      i.probability, i.of_line.low, i.of_line.high, i.rising.low, i.rising.high);
+  return fmt::format("  {:<8}{:.3g}; straight between levels, level beyond {:.3g} to {:.3g}; {}\n", name, i.probability,
+      i.of_line.low, i.of_line.high,
+      i.rising ? fmt::format("never falling {:.3g} to {:.3g}", i.rising->low, i.rising->high)
+               : "no bounds of a curve that never falls");
 }
 
 std::string distribution_words(const FragilityLoad& load)
@@ -39,41 +42,56 @@ void add_remarks(const FragilityLoad& load, const char* name, const std::optiona
     std::vector<std::string>& remarks)
 {
   constexpr Real much = 0.1;
-  if (i && i->probability > 0.0 && i->beyond > much * i->probability)
+  if (!i) return;
+  const auto share = [](Real part, Real all) { return all > 0.0 ? part / all : 0.0; };
+  const Real of_p = share(i->beyond, i->probability), of_most = share(i->beyond_at_most, i->of_line.high);
+  if (std::max(of_p, of_most) > much)
     remarks.push_back(
-        fmt::format("{:.0f} % of {} come from loads beyond {:g} to {:g}, where the curve is not known and is taken "
-                    "as at its ends. Add levels there.",
-            100.0 * i->beyond / i->probability, name, load.levels.front(), load.levels.back()));
+        fmt::format("{:.0f} % of {}, and {:.0f} % of its upper bound, come from loads beyond {:g} to {:g}, where the "
+                    "curve is not known and is taken as at its ends. Add levels there.",
+            100.0 * of_p, name, 100.0 * of_most, load.levels.front(), load.levels.back()));
+  if (!i->rising)
+    remarks.push_back(fmt::format(
+        "{} is lower at a higher level, by more than chance: a curve that never falls has no bounds here.", name));
 }
 
 void add_falling(Index n, const char* what, std::vector<std::string>& remarks)
 {
   if (n > 0)
-    remarks.push_back(
-        fmt::format("In {} case{} the same sample {} at one level and does not at the next higher one: the curve need "
-                    "not rise, and the bounds of a curve that never falls do not hold.",
-            n, n == 1 ? "" : "s", what));
+    remarks.push_back(fmt::format(
+        "In {} case{} the same sample {} at one level and does not at a higher one: the curve need not rise, "
+        "and the bounds of a curve that never falls do not hold.",
+        n, n == 1 ? "" : "s", what));
 }
 
-struct PointOfCurve {
-  Real beta = 0.0;
-  std::string remark;
-};
-
-/// None: nothing is known at the level.
-std::optional<PointOfCurve> point_of(const EventEstimate& e)
+bool has_finite_index(const EventEstimate& e)
 {
   const auto p = e.probability();
-  if (!p) return std::nullopt;
-  const std::string of = fmt::format("of {}{}", e.solved, e.failed > 0 ? fmt::format(", {} unknown", e.failed) : "");
-  if (e.happened == 0)
-    return PointOfCurve{reliability_index(e.bounds.high), fmt::format(", none {}: upper bound of P", of)};
-  if (e.happened == e.solved)
-    return PointOfCurve{reliability_index(e.bounds.low), fmt::format(", all {}: lower bound of P", of)};
-  return PointOfCurve{reliability_index(*p), fmt::format(", {} {}", e.happened, of)};
+  return p && *p > 0.0 && *p < 1.0;
+}
+
+void add_left_out(const FragilityCurve& curve, std::vector<std::string>& remarks)
+{
+  const auto n_without = [&](EventEstimate LevelEstimate::*event) {
+    return std::ranges::count_if(curve.levels, [&](const LevelEstimate& at) { return !has_finite_index(at.*event); });
+  };
+  const auto slides = n_without(&LevelEstimate::slide),
+             floods = curve.judges_flood ? n_without(&LevelEstimate::flood) : 0;
+  if (slides + floods > 0)
+    remarks.push_back(fmt::format(
+        "Where nothing happened, or all, beta is not finite: the curve for D-Stability lacks {} of {} levels for I{}.",
+        slides, curve.levels.size(), curve.judges_flood ? fmt::format(", {} for F", floods) : ""));
 }
 
 }  // namespace
+
+bool is_water_level(const FragilityLoad& load)
+{
+  const auto is_of_water = [](const auto& change) {
+    return change.first.starts_with("water.") || change.first == "flood.water_level";
+  };
+  return load.unit == "m" && std::ranges::any_of(load.set, is_of_water);
+}
 
 std::string fragility_text(const Study& study, const FragilityCurve& curve)
 {
@@ -100,6 +118,7 @@ std::vector<std::string> remarks_on_fragility(const Study& study, const Fragilit
   add_falling(curve.n_falling_floods, "floods the land", remarks);
   add_remarks(load, "P(I)", curve.slide, remarks);
   add_remarks(load, "P(F)", curve.flood, remarks);
+  if (is_water_level(load)) add_left_out(curve, remarks);
   return remarks;
 }
 
@@ -125,10 +144,14 @@ std::string fragility_csv(const Study& study, const FragilityCurve& curve)
 std::string dstability_curve(const Study& study, const FragilityCurve& curve, bool of_flood)
 {
   nlohmann::ordered_json points = nlohmann::ordered_json::array();
-  for (const LevelEstimate& at : curve.levels)
-    if (const auto point = point_of(of_flood ? at.flood : at.slide))
-      points.push_back({{"Label", fmt::format("{} {:g}{}", study.settings.fragility->name, at.level, point->remark)},
-          {"Beta", point->beta}, {"WaterLevel", at.level}, {"Contributions", nlohmann::ordered_json::array()}});
+  for (const LevelEstimate& at : curve.levels) {
+    const EventEstimate& e = of_flood ? at.flood : at.slide;
+    if (!has_finite_index(e)) continue;
+    points.push_back({{"Label", fmt::format("{} {:g}, {} of {}{}", study.settings.fragility->name, at.level, e.happened,
+                                    e.solved, e.failed > 0 ? fmt::format(", {} unknown", e.failed) : "")},
+        {"Beta", reliability_index(*e.probability())}, {"WaterLevel", at.level},
+        {"Contributions", nlohmann::ordered_json::array()}});
+  }
   return nlohmann::ordered_json{{"Calculations", points}, {"Stochasts", nlohmann::ordered_json::array()},
              {"Correlations", nlohmann::ordered_json::array()}}
              .dump(2) +

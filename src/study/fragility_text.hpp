@@ -19,9 +19,11 @@ std::string fragility_csv(const Study& study, const FragilityCurve& curve);
 /// <section> with the curve as a picture and as a table.
 std::string fragility_section(const Study& study, const FragilityCurve& curve);
 
+/// The load is a water level in m, as D-Stability has it.
+bool is_water_level(const FragilityLoad& load);
+
 /// A curve in the form in which D-Stability exports its own: reliability indices by water level, without influence
-/// factors (Monte Carlo has none). Where nothing happened, beta is that of the upper bound; where all happened, that of
-/// the lower one; the label says so.
+/// factors (Monte Carlo has none). Levels where nothing happened, or all, have no finite index and are left out.
 std::string dstability_curve(const Study& study, const FragilityCurve& curve, bool of_flood);
 
 }  // namespace terp

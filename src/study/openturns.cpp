@@ -7,12 +7,10 @@
 #include <openturns/CompositeRandomVector.hxx>
 #include <openturns/FORM.hxx>
 #include <openturns/Function.hxx>
-#include <openturns/ImportanceSamplingExperiment.hxx>
 #include <openturns/LessOrEqual.hxx>
 #include <openturns/Log.hxx>
 #include <openturns/NonCenteredFiniteDifferenceGradient.hxx>
 #include <openturns/Normal.hxx>
-#include <openturns/ProbabilitySimulationAlgorithm.hxx>
 #include <openturns/RandomGenerator.hxx>
 #include <openturns/SubsetSampling.hxx>
 #include <openturns/ThresholdEvent.hxx>
@@ -76,16 +74,74 @@ void find_design_point(const ReliabilityRule& rule, const OT::ThresholdEvent& ev
   for (const Real u : result.design_point) result.importance.push_back(square > 0.0 ? u * u / square : 0.0);
 }
 
-template <class Algorithm>
-void simulate(const ReliabilityRule& rule, Index number, Algorithm& algorithm, ReliabilityResult& result)
+/// Where levels no longer fall towards the event, OpenTURNS gives the probability of the last one: an upper bound.
+void find_by_subsets(const ReliabilityRule& rule, const OT::ThresholdEvent& event, ReliabilityResult& result)
 {
-  const Index block = std::min(rule.block, number);
-  algorithm.setBlockSize(static_cast<OT::UnsignedInteger>(block));
-  algorithm.setMaximumOuterSampling(static_cast<OT::UnsignedInteger>(std::max<Index>(1, number / block)));
-  algorithm.run();
-  const auto found = algorithm.getResult();
-  result.probability = found.getProbabilityEstimate();
-  if (result.probability > 0.0) result.cov = found.getCoefficientOfVariation();
+  constexpr Real least = 1e-9;  // beyond, no P is worth a run
+  OT::SubsetSampling subset(event);
+  subset.setMinimumProbability(least);
+  subset.setBlockSize(static_cast<OT::UnsignedInteger>(rule.block));
+  subset.setMaximumOuterSampling(static_cast<OT::UnsignedInteger>(std::max(fewest_blocks, rule.number / rule.block)));
+  const auto last = [](const OT::Point& of_steps) {
+    return of_steps.isEmpty() ? 1.0 : of_steps[of_steps.getSize() - 1];
+  };
+  try {
+    subset.run();
+  } catch (const OT::Exception&) {  // also of a P below the least
+    constexpr Real near = 1e3;      // a level is at least ten times rarer, by chance more
+    if (last(subset.getProbabilityEstimatePerStep()) > near * least) throw;
+  }
+  if (last(subset.getThresholdPerStep()) > 0.0) {
+    result.at_most = last(subset.getProbabilityEstimatePerStep());
+    return;
+  }
+  result.probability = subset.getResult().getProbabilityEstimate();
+  result.cov = subset.getResult().getCoefficientOfVariation();
+}
+
+/// Samples of a normal distribution about the design point c; that at c + z has the weight phi(c + z)/phi(z).
+void sample_about_design_point(const ReliabilityRule& rule, const LimitState& limit, ReliabilityResult& result)
+{
+  const std::vector<Real>& centre = result.design_point;
+  const OT::Normal normal(static_cast<OT::UnsignedInteger>(rule.n_numbers));
+  Real sum = 0.0, squares = 0.0;
+  Index n = 0;
+  const Index number = std::max(rule.number, fewest_samples);
+  while (n < number) {
+    const auto block = static_cast<OT::UnsignedInteger>(std::min(rule.block, number - n));
+    const OT::Sample z = normal.getSample(block);
+    std::vector<std::vector<Real>> scores(block, centre);
+    std::vector<Real> logs(block, 0.0);
+    for (std::size_t i = 0; i < block; ++i)
+      for (std::size_t k = 0; k < centre.size(); ++k)
+        scores[i][k] += z(i, k), logs[i] -= centre[k] * (z(i, k) + 0.5 * centre[k]);
+    const std::vector<Real> values = limit(scores);
+    for (std::size_t i = 0; i < block; ++i) {
+      const Real weight = values[i] <= 0.0 ? std::exp(logs[i]) : 0.0;
+      sum += weight, squares += weight * weight;
+    }
+    n += static_cast<Index>(block);
+    const auto all = static_cast<Real>(n);
+    result.probability = sum / all;
+    if (sum > 0.0) result.cov = std::sqrt(std::max(0.0, squares / (sum * sum) - 1.0 / all));
+    if (n >= fewest_samples && result.cov && *result.cov <= rule.cov) break;
+  }
+  result.n_places += n;
+}
+
+ReliabilityResult find(const ReliabilityRule& rule, const LimitState& limit)
+{
+  ReliabilityResult result;
+  const OT::ThresholdEvent event = event_of(Evaluation(limit, rule.n_numbers, result.n_places));
+  if (rule.kind == Estimator::subset) {
+    find_by_subsets(rule, event, result);
+    return result;
+  }
+  find_design_point(rule, event, result);
+  result.converged = std::abs(limit({result.design_point}).front()) < 0.05;
+  ++result.n_places;
+  if (rule.kind == Estimator::importance_sampling) sample_about_design_point(rule, limit, result);
+  return result;
 }
 
 }  // namespace
@@ -96,23 +152,11 @@ ReliabilityResult find_probability(const ReliabilityRule& rule, const LimitState
 {
   OT::Log::Show(OT::Log::NONE);
   OT::RandomGenerator::SetSeed(static_cast<OT::UnsignedInteger>(rule.seed));
-  ReliabilityResult result;
-  const OT::ThresholdEvent event = event_of(Evaluation(limit, rule.n_numbers, result.n_places));
-  if (rule.kind == Estimator::subset) {
-    OT::SubsetSampling subset(event);
-    simulate(rule, rule.number, subset, result);
-    return result;
+  try {
+    return find(rule, limit);
+  } catch (const OT::Exception& error) {
+    throw MethodFault(std::string("OpenTURNS ended the method: ") + error.what());
   }
-  find_design_point(rule, event, result);
-  result.converged = std::abs(limit({result.design_point}).front()) < 0.05;
-  ++result.n_places;
-  if (rule.kind == Estimator::form) return result;
-  OT::Point centre(result.design_point.begin(), result.design_point.end());
-  OT::ProbabilitySimulationAlgorithm sampling(
-      event, OT::ImportanceSamplingExperiment(OT::Normal(centre, OT::CovarianceMatrix(rule.n_numbers))));
-  sampling.setMaximumCoefficientOfVariation(rule.cov);
-  simulate(rule, std::max<Index>(1, rule.number - result.n_places), sampling, result);
-  return result;
 }
 
 }  // namespace terp

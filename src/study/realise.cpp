@@ -6,6 +6,7 @@
 #include "input/printable.hpp"
 #include "simulation/ground_section.hpp"
 #include "simulation/no_equilibrium.hpp"
+#include "simulation/node_motion.hpp"
 #include "simulation/setup_mesh.hpp"
 #include "stability/factor_of_safety.hpp"
 #include "study/points.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
 
-Real moved_volume_of(const Simulation& s, const EventRule& event)
+Real moved_volume_of(const Simulation& s, const Summary&, const EventRule& event)
 {
   const std::vector<std::uint8_t> ground = ground_of(s.model);
   Real volume = find_moved(s.state.points, s.state.x_initial, event.displacement, ground).volume;
@@ -30,10 +31,10 @@ Real moved_volume_of(const Simulation& s, const EventRule& event)
 
 /// The largest displacement beyond which the volume of the event lies, to 12 digits: it varies with the input even
 /// where nothing slides.
-Real displacement_of_volume(const Simulation& s, const EventRule& event)
+Real displacement_of_volume(const Simulation& s, const Summary& summary, const EventRule& event)
 {
   const auto moved = [&](Real displacement) {
-    return moved_volume_of(s, {event.volume, displacement}) >= event.volume;
+    return moved_volume_of(s, summary, {event.volume, displacement}) >= event.volume;
   };
   constexpr Real least = 1e-12, most = 1e6;  // [m]
   constexpr int n_halvings = 46;
@@ -44,6 +45,19 @@ Real displacement_of_volume(const Simulation& s, const EventRule& event)
     (moved(std::exp(middle)) ? low : high) = middle;
   }
   return std::exp(low);
+}
+
+/// 1 where soil moves so fast at the end that, for as long again, it would go as far as the event asks, or far enough
+/// to change the verdict.
+Real still_moves(const Simulation& s, const Summary& summary, const EventRule& event)
+{
+  if (!s.state.stages_done.empty() && s.state.stages_done.back().at_rest) return 0.0;
+  const NodeMotion motion = map_motion(s.model, s.state);  // points move against each other at rest, too
+  Real fastest = 0.0;                                      // [m/s]
+  for (std::size_t k = 0; k < motion.mass.size(); ++k)
+    fastest = std::max(fastest, std::hypot(motion.velocity[2 * k], motion.velocity[2 * k + 1]));
+  const bool of_verdict = summary.flood && summary.flood->still_moves;
+  return of_verdict || fastest * s.state.time > event.displacement ? 1.0 : 0.0;
 }
 
 template <Real FloodSummary::*member>
@@ -75,11 +89,11 @@ const OutcomeInfo outcomes[] = {
         of_summary<&Summary::first_slide_time>},
     {{"flood_time", "s", "time of the flood", "first time the ground no longer held the water"},
         [](const Summary& s) { return s.flood ? s.flood->first_time_below.value_or(none) : none; }},
-    {{"still_moves", "-", "still moves", "1 where soil moves so fast at the end that the verdict may change"},
-        [](const Summary& s) { return s.flood ? (s.flood->still_moves ? 1.0 : 0.0) : none; }},
+    {{"still_moves", "-", "still moves", "1 where soil moves so fast at the end that I or F may change"}, nullptr,
+        still_moves},
     {{"max_eps_eq_p", "-", "largest eps_eq_p", "at the end"}, [](const Summary& s) { return s.max_eps_eq_p; }},
     {{"end_time", "s", "time at the end", "of the run"}, nullptr,
-        [](const Simulation& s, const EventRule&) { return s.state.time; }},
+        [](const Simulation& s, const Summary&, const EventRule&) { return s.state.time; }},
 };
 
 std::string on_one_line(std::string text)
@@ -156,13 +170,11 @@ std::size_t outcome_number(std::string_view name)
   return static_cast<std::size_t>(found - std::begin(outcomes));
 }
 
-std::vector<std::string> differing_outcomes(const std::vector<Real>& kept, const Summary& summary)
+std::vector<std::string> differing_outcomes(const std::vector<Real>& kept, const std::vector<Real>& now)
 {
   std::vector<std::string> names;
   for (std::size_t k = 0; k < std::size(outcomes); ++k)
-    if (const Real now = outcomes[k].of_summary != nullptr ? outcomes[k].of_summary(summary) : none;
-        !std::isnan(now) && !same_bits({kept[k]}, {now}))  // summary.json does not hold all of them
-      names.emplace_back(outcomes[k].info.name);
+    if (!same_bits({kept[k]}, {now[k]})) names.emplace_back(outcomes[k].info.name);
   return names;
 }
 
@@ -178,7 +190,7 @@ void read_outcomes(const Simulation& simulation, const EventRule& event, Realisa
   const Summary summary = summarise(simulation.model, simulation.state);
   for (const OutcomeInfo& outcome : outcomes)
     r.outcomes.push_back(
-        outcome.of_summary != nullptr ? outcome.of_summary(summary) : outcome.of_run(simulation, event));
+        outcome.of_summary != nullptr ? outcome.of_summary(summary) : outcome.of_run(simulation, summary, event));
   r.slid = r.outcomes[outcome_number("slide_volume")] >= event.volume;
   r.judges_flood = summary.flood.has_value();
   r.flooded = r.judges_flood && summary.flood->verdict == FloodVerdict::floods;

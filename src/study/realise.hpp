@@ -18,15 +18,15 @@ namespace terp {
 struct OutcomeInfo {
   QuantityInfo info;
   Real (*of_summary)(const Summary& summary);  ///< NaN: not defined. Null: it needs the points of the run
-  Real (*of_run)(const Simulation& simulation, const EventRule& event) = nullptr;
+  Real (*of_run)(const Simulation& simulation, const Summary& summary, const EventRule& event) = nullptr;
 };
 /// In the order of the store and of the table. A new one is an entry in realise.cpp.
 std::span<const OutcomeInfo> study_outcomes();
 /// Number of the outcome of that name; it must be there.
 std::size_t outcome_number(std::string_view name);
 
-/// Names of outcomes that differ from those of a summary of the same realisation.
-std::vector<std::string> differing_outcomes(const std::vector<Real>& outcomes, const Summary& summary);
+/// Names of outcomes of which one is not the other, to the bit; NaN is a value.
+std::vector<std::string> differing_outcomes(const std::vector<Real>& kept, const std::vector<Real>& now);
 
 /// What the first of two stages says of a realisation.
 enum class Screening { none, falls, audited, skipped };  ///< the last two stand; a part of them is run all the same

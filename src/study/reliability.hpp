@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 namespace terp {
@@ -18,13 +19,25 @@ struct ReliabilityRule {
   Estimator kind = Estimator::form;
   std::size_t n_numbers = 1;
   Index seed = 1;
-  Index number = 1000;  ///< of places at most; of subset simulation in each of its levels
-  Index block = 16;     ///< places of one call
-  Real cov = 0.0;       ///< at which importance sampling ends; 0: at `number`
+  /// Of places: of FORM, after which its search ends with the step that it is in; of importance sampling also of the
+  /// samples that follow the search; of subset simulation in each of its levels.
+  Index number = 1000;
+  Index block = 16;  ///< places of one call
+  Real cov = 0.0;    ///< at which importance sampling ends, after `fewest_samples`; 0: at `number`
+};
+
+/// Fewer say nothing of their own spread.
+inline constexpr Index fewest_samples = 100;
+inline constexpr Index fewest_blocks = 10;  ///< of a level of subset simulation
+
+/// The method ended without a result; what() says why, in a sentence.
+struct MethodFault : std::runtime_error {
+  using runtime_error::runtime_error;
 };
 
 struct ReliabilityResult {
-  Real probability = 0.0;
+  Real probability = 0.0;               ///< 0: no place hit the event, so that there is no estimate
+  Real at_most = 1.0;                   ///< where no place hit it: P is roughly not above
   std::optional<Real> cov = {};         ///< of the estimate, as the method itself says; FORM has none
   std::vector<Real> design_point = {};  ///< of FORM and importance sampling, in scores
   std::vector<Real> importance = {};    ///< squares of the direction cosines of the design point; sum 1
@@ -34,7 +47,7 @@ struct ReliabilityResult {
 
 bool has_openturns();
 
-/// Throws what `limit` throws, and CaseError where this build has no OpenTURNS.
+/// Throws what `limit` throws, MethodFault, and CaseError where this build has no OpenTURNS.
 ReliabilityResult find_probability(const ReliabilityRule& rule, const LimitState& limit);
 
 }  // namespace terp

@@ -231,6 +231,38 @@ void check_levels(const Study& study, std::vector<Problem>& problems)
   }
 }
 
+FloodLevel flood_level_of(const Study& study, const Case& c)
+{
+  return build_model(c, study.shares_mesh ? study.mesh : std::make_shared<const Mesh<2>>(build_mesh(c)), 1).flood_level;
+}
+
+/// F at one level is that at the others only if each is judged, and against the water of the same end.
+void check_water_of_levels(const Study& study, std::vector<Problem>& problems)
+{
+  if (!study.settings.fragility) return;
+  const FragilityLoad& load = *study.settings.fragility;
+  std::optional<FloodLevel> first;
+  for (std::size_t k = 0; k < load.levels.size(); ++k) {
+    std::vector<std::string> changes = study.settings.set;
+    for (std::string& change : load.changes_at(load.levels[k])) changes.push_back(std::move(change));
+    const Case c = read_case_text(study.case_text, study.case_path, changes).values;
+    if (!c.flood.asks() || std::isfinite(c.flood.water_level)) return;
+    const FloodLevel now = flood_level_of(study, c);
+    if (!first) first = now;
+    const bool other_end = first->river && now.river && *first->river != *now.river;
+    if (first->is_known() == now.is_known() && !other_end) continue;
+    problems.push_back({fmt::format("fragility.levels[{}]", k),
+        other_end ? fmt::format("the free water stands higher at the other end of the section than at h = {:g}",
+                        load.levels.front())
+                  : fmt::format("free water stands above the ground at h = {:g} and not at h = {:g}",
+                        load.levels[first->is_known() ? 0 : k], load.levels[first->is_known() ? k : 0]),
+        "F would be judged against another water, or not at all. Say which level counts, as in\n[fragility.set]\n"
+        "\"flood.water_level\" = \"h\"",
+        ""});
+    return;
+  }
+}
+
 /// All soil of a two-stage study is judged by its factor of safety.
 void check_judged(const Study& study)
 {
@@ -240,6 +272,16 @@ void check_judged(const Study& study)
 bool changes_mesh(const std::string& key)
 {
   return key.starts_with("mesh") || key.starts_with("body") || key.starts_with("footing");
+}
+
+void set_shares_mesh(Study& study)
+{
+  const StudySettings& s = study.settings;
+  const auto take = [&](const std::string& key) { study.shares_mesh = study.shares_mesh && !changes_mesh(key); };
+  for (const RandomNumber& number : s.numbers) take(number.key);
+  for (const SweepKey& sweep : s.sweep) take(sweep.key);
+  if (s.fragility)
+    for (const auto& [key, value] : s.fragility->set) take(key);
 }
 
 Index count_realisations(const StudySettings& s)
@@ -296,18 +338,19 @@ Study prepare_study(StudySettings settings)
   check_levels(study, problems);
   refuse_if_any(problems, s);
   study.points = make_points(study.settings);
+  set_shares_mesh(study);
   try {
     check_judged(study);
     study.mesh = std::make_shared<const Mesh<2>>(build_mesh(study.base.values));
+    if (s.adaptive.of_flood && !flood_level_of(study, study.base.values).is_known())
+      problems.push_back({"estimator.event", "`event = \"flood\"` needs a case with a water level",
+          "See docs/flood.md, or choose `event = \"slide\"`.", ""});
+    check_water_of_levels(study, problems);
   } catch (const InputError& error) {
     throw CaseError(render(error.problems(), study.base));
   }
   if (!s.fields.empty()) check_fields_of_study(study, problems);
   refuse_if_any(problems, s);
-  for (const RandomNumber& number : s.numbers) study.shares_mesh = study.shares_mesh && !changes_mesh(number.key);
-  if (s.fragility)
-    for (const auto& [key, value] : s.fragility->set) study.shares_mesh = study.shares_mesh && !changes_mesh(key);
-  for (const SweepKey& sweep : s.sweep) study.shares_mesh = study.shares_mesh && !changes_mesh(sweep.key);
   study.case_digits = digits_of(record_text(make_case_record(study.base, *study.mesh)));
   study.study_digits = digits_of(identity_text(s));
   return study;

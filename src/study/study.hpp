@@ -36,6 +36,12 @@ struct Study {
   std::vector<std::string> input_names() const;
 };
 
+/// Of what decides the results: of the program, the case with its mesh, and what is drawn.
+inline std::string digits_of_study(const Study& study)
+{
+  return std::string(TERP_VERSION) + ' ' + study.case_digits + ' ' + study.study_digits;
+}
+
 /// Reads the case, checks that it takes what is drawn, and builds the mesh. Throws CaseError, FileError.
 Study prepare_study(StudySettings settings);
 

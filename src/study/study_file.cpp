@@ -8,7 +8,9 @@
 #include "input/render.hpp"
 #include "output/files.hpp"
 #include "study/read_distribution.hpp"
+#include "study/points.hpp"
 #include "study/read_fragility.hpp"
+#include "study/reliability.hpp"
 #include "study/study_inputs.hpp"
 #include "study/study_keys.hpp"
 
@@ -272,6 +274,13 @@ void check_adaptive(const StudySettings& s, const Fail& fail)
         fail(join_path("estimator", key), fmt::format("`{}` is of a method that chooses its realisations", key),
             "That is form, importance_sampling or subset.");
   if (!info.adaptive) return;
+  const Index least = s.estimator == Estimator::form     ? 1
+                      : s.estimator == Estimator::subset ? std::max(fewest_samples, fewest_blocks * s.adaptive.block)
+                                                         : fewest_samples;
+  if (s.stop.number < least)
+    fail("stop.number", fmt::format("`{}` takes {} realisations or more", info.name, least),
+        fmt::format("Fewer say nothing of their own spread.{}",
+            s.estimator == Estimator::subset ? " Each level needs ten blocks (`block`)." : ""));
   if (!s.fields.empty())
     fail(s.fields.front().path, fmt::format("`{}` draws no fields", info.name),
         "Its space is that of the random numbers. Choose monte_carlo or two_stage, or give [[random]] alone.");
@@ -307,6 +316,9 @@ void check_stop(const StudySettings& s, Findings& findings)
   if (const EstimatorInfo& info = info_of(s.estimator); !info.takes_cov && s.stop.cov > 0.0)
     fail("stop.cov", fmt::format("`{}` ends with its `number` of realisations", info.name),
         "Leave `cov` out, or choose monte_carlo.");
+  if (s.estimator == Estimator::sobol && s.numbers.size() > most_sobol_numbers())
+    fail("estimator.kind", fmt::format("Sobol points are known for {} random numbers", most_sobol_numbers()),
+        fmt::format("Got {}. Choose monte_carlo or latin_hypercube.", s.numbers.size()));
   check_two_stage(s, fail);
   check_adaptive(s, fail);
   if (s.fragility && s.stop.cov > 0.0)
@@ -386,11 +398,13 @@ const std::vector<EstimatorInfo>& all_estimators()
           "FORM takes the limit state for a plane at the design point: no bound is known, and a second design point is "
           "not seen."},
       {importance_sampling, "importance_sampling", "importance sampling", true, true, false,
-          "The bounds are those of a normal distribution, for many places, and not proven. The samples lie about one "
+          "The bounds are those of a lognormal distribution, for many places, and not proven. The samples lie about "
+          "one "
           "design point: a second one far from it is hardly seen."},
       {subset, "subset", "subset simulation", false, true, false,
-          "The bounds are those of a normal distribution, and not proven. The method takes its chains for less "
-          "correlated than they are: in 100 variables the true spread was 1.3 times the one that is shown."},
+          "The bounds are those of a lognormal distribution, and not proven. The method takes its chains for less "
+          "correlated than they are, the more so the more variables: in 100 of them the true spread was 1.3 times the "
+          "one that is shown, in 2 it was as shown."},
       {sweep, "sweep", "a sweep", false, false, false, ""},
   };
   return all;
@@ -413,7 +427,7 @@ std::string identity_text(const StudySettings& settings)
 {
   Node root = settings.source.root;
   std::erase_if(root.items, [&](const Node& item) {
-    const bool keeps_number = settings.estimator == Estimator::latin_hypercube;
+    const bool keeps_number = settings.estimator == Estimator::latin_hypercube || info_of(settings.estimator).adaptive;
     return item.name == "title" || item.name == "confidence" || item.name == "case" ||
            (item.name == "stop" && !keeps_number);
   });

@@ -125,6 +125,7 @@ void StudyPlace::clear() const
       files.push_back(entry.path());
   }
   for (const fs::path& file : files) fs::remove(file);
+  fs::remove_all(path_in(folder_, kept_runs));
 }
 
 void write_copies(const Study& study, const StudyPlace& place)
@@ -143,8 +144,9 @@ void write_results(const Study& study, const StudyPlace& place, const Realisatio
   if (study.settings.fragility) {
     const FragilityCurve curve = estimate_fragility(study, rows);
     place.write(fragility_table, fragility_csv(study, curve));
-    place.write(fragility_of_slides, dstability_curve(study, curve, false));
-    if (curve.judges_flood) place.write(fragility_of_floods, dstability_curve(study, curve, true));
+    const bool is_water = is_water_level(*study.settings.fragility);
+    if (is_water) place.write(fragility_of_slides, dstability_curve(study, curve, false));
+    if (is_water && curve.judges_flood) place.write(fragility_of_floods, dstability_curve(study, curve, true));
   }
   place.write(study_report, page_of_study(study, rows, written));
 }

@@ -16,6 +16,8 @@ inline constexpr const char* study_report = "report.html";
 inline constexpr const char* fragility_table = "fragility.csv";
 inline constexpr const char* fragility_of_slides = "fragility_slide.json";
 inline constexpr const char* fragility_of_floods = "fragility_flood.json";
+inline constexpr const char* kept_runs = "kept";          ///< folder of the run folders of --keep
+inline constexpr const char* kept_mark = "of_study.txt";  ///< in each that is whole: digits_of_study()
 
 /// runs/NAME.
 std::string default_study_folder(const StudySettings& settings);
@@ -43,7 +45,7 @@ class StudyPlace {
   const std::string& lock_folder() const { return own_; }
   /// Replaces a file, whole or not at all; one that has this content is left.
   void write(const std::string& name, const std::string& content) const;
-  /// Removes the store and what was said of it, of a study that Terp wrote, but for the copies of study and case.
+  /// Removes the store, what was said of it and runs of --keep, but for the copies of study and case.
   /// Throws FileError, and removes nothing, while another process writes a part.
   void clear() const;
 

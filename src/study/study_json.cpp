@@ -23,21 +23,38 @@ Json integral_json(const std::optional<CurveIntegral>& i)
 {
   if (!i) return {};
   return {{"probability", i->probability}, {"straight", {i->of_line.low, i->of_line.high}},
-      {"never_falling", {i->rising.low, i->rising.high}}, {"beyond", i->beyond}};
+      {"never_falling", i->rising ? Json{i->rising->low, i->rising->high} : Json()}, {"beyond", i->beyond}};
+}
+
+/// Only the event that the method looks for has a P: its realisations are no random sample.
+void add_method(const Study& study, const Realisations& rows, const StudyEstimates& e, Json& json)
+{
+  const AdaptiveFound found = replay_adaptive(study, rows);
+  const auto& r = found.result;
+  const auto bounds = r ? rough_bounds(study, *r) : std::nullopt;
+  const bool is_hit = r && r->probability > 0.0;
+  json["rule_met"] = r.has_value();
+  const Json event = is_hit ? Json{{"probability", r->probability}, {"low", bounds ? Json(bounds->low) : Json()},
+                                  {"high", bounds ? Json(bounds->high) : Json()}}
+                            : Json();
+  json["slide"] = study.settings.adaptive.of_flood ? Json() : event;
+  json["flood"] = study.settings.adaptive.of_flood ? event : Json();
+  json["flood_after_slide"] = Json();
+  json["method"] = r ? Json{{"probability", is_hit ? Json(r->probability) : Json()},
+                           {"at_most", is_hit ? Json() : Json(r->at_most)}, {"cov", or_null(r->cov)},
+                           {"converged", r->converged}, {"design_point", r->design_point}, {"influence", r->importance}}
+                     : Json();
+  json["remarks"] = remarks_on_adaptive(study, rows, e, found);
 }
 
 /// P at all levels together is nobody's probability: a curve has its own.
 void add_events(const Study& study, const Realisations& rows, const StudyEstimates& e, Json& json)
 {
   if (info_of(study.settings.estimator).adaptive) {
-    const auto found = replay_adaptive(study, rows);
-    json["method"] = found ? Json{{"probability", found->probability}, {"cov", or_null(found->cov)},
-                                 {"design_point", found->design_point}, {"influence", found->importance}}
-                           : Json();
-    json["remarks"] = remarks_on_adaptive(study, rows, found);
+    add_method(study, rows, e, json);
+    return;
   }
-  const bool one_p = study.settings.estimator != Estimator::sweep && !info_of(study.settings.estimator).adaptive &&
-                     !study.settings.fragility;
+  const bool one_p = study.settings.estimator != Estimator::sweep && !study.settings.fragility;
   json["slide"] = one_p ? event_json(e.slide) : Json();
   json["flood"] = one_p && e.judges_flood ? event_json(e.flood) : Json();
   json["flood_after_slide"] = one_p && e.judges_flood ? event_json(e.flood_after_slide) : Json();
@@ -56,12 +73,14 @@ std::string study_json(const Study& study, const Realisations& rows)
   const StudySettings& s = study.settings;
   Json json{{"title", s.title.empty() ? s.name : s.title}, {"estimator", info_of(s.estimator).name},
       {"realisations", e.n_made}, {"solved", e.counts.solved}, {"slid_as_drawn", e.counts.slid_as_drawn},
-      {"failed", e.counts.failed}, {"rule_met", e.rule_met}, {"confidence", s.confidence}};
+      {"failed", e.counts.failed}, {"rule_met", e.rule_met}, {"confidence", s.confidence},
+      {"digits", digits_of_study(study)}};
   add_events(study, rows, e, json);
   json["sensitivities"] = Json::array();
+  const bool at_random = !info_of(s.estimator).adaptive;
   for (const Sensitivity& x : e.sensitivities)
-    json["sensitivities"].push_back(
-        {{"input", x.input}, {"with_slide", or_null(x.with_slide)}, {"with_height", or_null(x.with_height)}});
+    json["sensitivities"].push_back({{"input", x.input}, {"with_slide", at_random ? or_null(x.with_slide) : Json()},
+        {"with_height", at_random ? or_null(x.with_height) : Json()}});
   json["faults"] = Json::array();
   for (const FaultCount& fault : e.faults)
     json["faults"].push_back({{"what", fault.what}, {"first", fault.first}, {"count", fault.n}});

@@ -1,5 +1,6 @@
 #include "study/study_page.hpp"
 
+#include "input/keys.hpp"
 #include "report/plain_page.hpp"
 #include "study/adaptive.hpp"
 #include "study/field_picture.hpp"
@@ -43,8 +44,14 @@ std::string answer(const Study& study, const StudyEstimates& e)
 {
   const EventEstimate& event = e.judges_flood ? e.flood : e.slide;
   const auto p = event.probability();
-  if (!p) return "No realisation is solved yet.";
   const std::string what = e.judges_flood ? "The land floods" : "The slope slides";
+  if (!p)
+    return event.solved + event.failed == 0
+               ? "No realisation is solved yet."
+               : fmt::format(
+                     "{} with a probability that is not known; with {:g} % confidence it lies between {:.2g} and "
+                     "{:.2g}.",
+                     what, 100.0 * study.settings.confidence, event.bounds.low, event.bounds.high);
   std::string text = fmt::format("{} with probability {:.2g}; {} {:g} % confidence it lies between {:.2g} and {:.2g}.",
       what, *p, is_of_points(study.settings.estimator) ? "as far as independent realisations would say, with" : "with",
       100.0 * study.settings.confidence, event.bounds.low, event.bounds.high);
@@ -71,14 +78,14 @@ std::string probability_section(const Study& study, const StudyEstimates& e)
   }
   out += end_of_table;
   return out +
-         "<p class=\"muted\">The probability is that of this section with the random input of the study file, under "
-         "the "
-         "load and the water of the case: not per year, and not of the length of a dike. Bounds by Clopper and "
-         "Pearson" +
-         std::string(
-             is_cube ? ", as of independent realisations: of studies of these " : ": of all studies like this one ") +
-         "at least that share has the true probability between them. They hold what the "
-         "number of realisations leaves open, not what the model or the input leave open.</p></section>\n";
+         html_cell("p",
+             words_of_probability +
+                 std::string(
+                     is_cube ? " They are by Clopper and Pearson, as of independent realisations: of studies of these "
+                             : " They are by Clopper and Pearson: of all studies like this one ") +
+                 "at least that share has the true probability between them.",
+             " class=\"muted\"") +
+         "</section>\n";
 }
 
 ChartLine line_of(const char* name, std::size_t style, int dashes)
@@ -145,11 +152,11 @@ std::string bar(const std::optional<Real>& rho)
       *rho, left, size, *rho < 0.0 ? "#c14f00" : "#0067a5");
 }
 
-std::string sensitivity_section(const StudyEstimates& e)
+std::string sensitivity_section(const Study& study, const StudyEstimates& e)
 {
-  std::string out = "<section><h2>What matters</h2>\n" +
-                    head_of_table({"", e.sample.n_skipped() > 0 ? "with falling at the factor" : "with a slide",
-                        "with the height that remains"});
+  std::string out =
+      "<section><h2>What matters</h2>\n" +
+      head_of_table({"", fmt::format("with {}", words_of_sensitivity(study)), "with the height that remains"});
   for (const Sensitivity& s : e.sensitivities)
     out += "<tr>" + html_cell("th", s.input) + bar(s.with_slide) + bar(s.with_height) + "</tr>\n";
   return out + end_of_table +
@@ -177,7 +184,7 @@ std::string realisations_section(const Study& study, const Realisations& rows, I
 {
   std::vector<std::string> titles = {"", "I", "F"};
   for (const std::string& name : study.input_names()) titles.push_back(name);
-  for (const char* title : {"slid [m^2]", "remains [m]", "slides at [s]", "floods at [s]", ""})
+  for (const char* title : {"slid [m^2]", "remains [m]", "slides at [s]", "floods at [s]", "why there is no result"})
     titles.emplace_back(title);
   std::string out = "<section><h2>Realisations</h2>\n" + head_of_table(titles);
   for (Index k = 0; k < std::min(n, most_rows); ++k) out += realisation_row(study, rows.at(k));
@@ -188,35 +195,48 @@ std::string realisations_section(const Study& study, const Realisations& rows, I
              n > most_rows ? fmt::format("The first {} of {}; results.csv has all. ", most_rows, n) : "");
 }
 
-/// Result against parameter: of the first numeric key, a line for each combination of the others.
+std::string with_unit(std::string_view label, std::string_view unit)
+{
+  return unit.empty() || unit == "-" ? std::string(label) : fmt::format("{} [{}]", label, unit);
+}
+
+/// An outcome over a key, a line for each combination of the other keys.
+LineChart chart_over(const Study& study, const Realisations& rows, Index n, std::size_t key, const OutcomeInfo& outcome)
+{
+  const auto& sweep = study.settings.sweep;
+  LineChart chart{.title = std::string(outcome.info.label),
+      .x_label = with_unit(sweep[key].key, unit_at(sweep[key].key)),
+      .y_label = with_unit(outcome.info.label, outcome.info.unit)};
+  std::map<std::string, ChartLine> lines;
+  for (Index k = 0; k < n; ++k) {
+    const Realisation& r = rows.at(k);
+    if (!r.solved()) continue;
+    std::string others;
+    for (std::size_t i = 0; i < sweep.size(); ++i)
+      if (i != key) others += (others.empty() ? "" : ", ") + input_text(study, i, r.inputs[i]);
+    lines[others].points.push_back({r.inputs[key], r.outcomes[outcome_number(outcome.info.name)]});
+  }
+  constexpr std::size_t most_lines = 6;
+  for (auto& [name, line] : lines) {
+    if (chart.lines.size() == most_lines) break;
+    line.name = name, line.style = chart.lines.size(), line.dashes = static_cast<int>(chart.lines.size());
+    line.marks = true;
+    chart.lines.push_back(std::move(line));
+  }
+  if (lines.size() > most_lines) chart.title += fmt::format(", {} of {} combinations", most_lines, lines.size());
+  return chart;
+}
+
+/// Result against parameter: of the first key that takes numbers.
 std::string sweep_section(const Study& study, const Realisations& rows, Index n)
 {
   const auto& sweep = study.settings.sweep;
+  const auto key = std::ranges::find_if(sweep, &SweepKey::is_of_numbers);
+  if (key == sweep.end()) return "";  // the table says it all
   std::vector<LineChart> charts;
-  for (const OutcomeInfo& outcome : study_outcomes()) {
-    LineChart chart{.title = std::string(outcome.info.label),
-        .x_label = sweep.front().key,
-        .y_label = std::string(outcome.info.unit)};
-    std::map<std::string, ChartLine> lines;
-    for (Index k = 0; k < n; ++k) {
-      const Realisation& r = rows.at(k);
-      if (!r.solved()) continue;
-      std::string others;
-      for (std::size_t i = 1; i < sweep.size(); ++i)
-        others += (others.empty() ? "" : ", ") + input_text(study, i, r.inputs[i]);
-      lines[others].points.push_back({r.inputs[0], r.outcomes[outcome_number(outcome.info.name)]});
-    }
-    constexpr std::size_t most_lines = 6;
-    for (auto& [name, line] : lines) {
-      if (chart.lines.size() == most_lines) break;
-      line.name = name, line.style = chart.lines.size(), line.dashes = static_cast<int>(chart.lines.size());
-      line.marks = true;
-      chart.lines.push_back(std::move(line));
-    }
-    charts.push_back(std::move(chart));
-  }
-  return "<section><h2>Results over " + html_cell("code", sweep.front().key) + "</h2>\n" + html_figures(charts) +
-         "</section>\n";
+  for (const OutcomeInfo& outcome : study_outcomes())
+    charts.push_back(chart_over(study, rows, n, static_cast<std::size_t>(key - sweep.begin()), outcome));
+  return "<section><h2>Results over " + html_cell("code", key->key) + "</h2>\n" + html_figures(charts) + "</section>\n";
 }
 
 std::string notes(const std::vector<std::string>& remarks)
@@ -237,12 +257,12 @@ std::string page_of_study(const Study& study, const Realisations& rows, const st
 {
   const StudyEstimates e = estimate(study, rows);
   const bool adaptive = info_of(study.settings.estimator).adaptive;
-  const auto found = adaptive ? replay_adaptive(study, rows) : std::nullopt;
-  std::string body = notes(adaptive ? remarks_on_adaptive(study, rows, found) : remarks_on_study(study, rows, e));
+  const AdaptiveFound found = adaptive ? replay_adaptive(study, rows) : AdaptiveFound{};
+  std::string body = notes(adaptive ? remarks_on_adaptive(study, rows, e, found) : remarks_on_study(study, rows, e));
   if (study.settings.estimator == Estimator::sweep) {
     body += sweep_section(study, rows, e.n_made);
   } else if (adaptive) {
-    body += adaptive_section(study, found);
+    body += adaptive_section(study, found.result);
   } else {
     std::vector<LineChart> charts;
     if (study.settings.fragility) {
@@ -254,9 +274,10 @@ std::string page_of_study(const Study& study, const Realisations& rows, const st
     }
     charts.push_back(histogram(
         "Highest ground that remains", "height at the end [m]", outcomes_of(rows, e.n_made, "residual_height")));
-    charts.push_back(histogram("Volume that slid", "m^2", outcomes_of(rows, e.n_made, "slide_volume")));
+    charts.push_back(
+        histogram("Volume that slid", "volume that slid [m^2]", outcomes_of(rows, e.n_made, "slide_volume")));
     body += "<section><h2>How sure, and what remains</h2>\n" + html_figures(charts) + "</section>\n";
-    body += sensitivity_section(e);
+    body += sensitivity_section(study, e);
   }
   body += realisations_section(study, rows, e.n_made);
   return plain_page({.title = title_of(study.settings),

@@ -23,15 +23,11 @@ std::string line_of_event(const char* name, const EventEstimate& e, const std::s
 
 std::string rho(const std::optional<Real>& value) { return value ? fmt::format("{:+.2f}", *value) : "-"; }
 
-const char* words_of_falling(const StudyEstimates& e)
+std::string sensitivity_lines(const Study& study, const StudyEstimates& e)
 {
-  return e.sample.n_skipped() > 0 ? "falling at the factor" : "a slide";
-}
-
-std::string sensitivity_lines(const StudyEstimates& e)
-{
-  std::string out = fmt::format(
-      "  what matters: rank correlation of inputs with {}, and with the height that remains\n", words_of_falling(e));
+  std::string out =
+      fmt::format("  what matters: rank correlation of inputs with {}, and with the height that remains\n",
+          words_of_sensitivity(study));
   for (const Sensitivity& s : e.sensitivities)
     out += fmt::format("    {:>6}{:>8}  {}\n", rho(s.with_slide), rho(s.with_height), s.input);
   return out;
@@ -87,14 +83,14 @@ std::string head_line(const StudySettings& s, const StudyEstimates& e)
 
 std::string adaptive_study_text(const Study& study, const Realisations& rows, const StudyEstimates& e)
 {
-  const auto result = replay_adaptive(study, rows);
+  const AdaptiveFound found = replay_adaptive(study, rows);
   std::string out = head_line(study.settings, e);
-  if (result) out += adaptive_text(study, rows, *result);
-  for (const std::string& remark : remarks_on_adaptive(study, rows, result)) out += "  note: " + remark + '\n';
+  if (found.result) out += adaptive_text(study, rows, *found.result);
+  for (const std::string& remark : remarks_on_adaptive(study, rows, e, found)) out += "  note: " + remark + '\n';
   return out;
 }
 
-std::string quoted(const std::string& text)
+std::string in_quotes(const std::string& text)
 {
   std::string out = "\"";
   for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -114,7 +110,7 @@ std::string missing_words(const EventEstimate& e)
 {
   if (e.failed == 0) return "";
   return fmt::format(
-      "Of {} of {} realisations it is not known. They are no random sample, as it is weak soil that a "
+      "Of {} of {} realisations it is not known. They are no random sample, as it is mostly weak soil that a "
       "run fails with, so the estimate may be too low: use the bounds, in which each counts as both.",
       e.failed, e.solved + e.failed);
 }
@@ -123,6 +119,11 @@ std::string counts_text(const EventCounts& c)
 {
   return fmt::format("{} solved, {}{} failed", c.solved,
       c.slid_as_drawn > 0 ? fmt::format("{} slide as drawn, ", c.slid_as_drawn) : "", c.failed);
+}
+
+const char* words_of_sensitivity(const Study& study)
+{
+  return study.settings.estimator == Estimator::two_stage ? "falling at the factor" : "a slide";
 }
 
 std::string slide_words(const StudySettings& s)
@@ -134,17 +135,47 @@ std::string worth_of_residual_strength(const StudyEstimates& e)
 {
   if (!e.judges_flood || e.slide.happened == 0) return "";
   const auto p = e.flood_after_slide.probability();
+  const std::string bounds =
+      fmt::format("{:.0f} to {:.0f}", 100.0 * e.flood_after_slide.bounds.low, 100.0 * e.flood_after_slide.bounds.high);
+  if (!p) return fmt::format("How many of 100 slides flood the land is not known: {}.", bounds);
   return fmt::format(
-      "Of 100 slides {:.0f} flood the land ({:.0f} to {:.0f}): that is what the residual strength is worth.",
-      100.0 * p.value_or(0.0), 100.0 * e.flood_after_slide.bounds.low, 100.0 * e.flood_after_slide.bounds.high);
+      "Of 100 slides {:.0f} flood the land ({}): that is what the residual strength is worth.", 100.0 * *p, bounds);
 }
 
-std::vector<std::string> remarks_on_study(const Study& study, const Realisations& rows, const StudyEstimates& e)
+std::vector<std::string> remarks_on_realisations(const Study& study, const StudyEstimates& e)
 {
   std::vector<std::string> remarks;
   for (const FaultCount& fault : e.faults)
     remarks.push_back(fmt::format("{} realisation{} {}, first {}: {}", fault.n, fault.n == 1 ? "" : "s",
         fault.slides ? fault.n == 1 ? "slides" : "slide" : "failed", fault.first, fault.what));
+  const bool adaptive = info_of(study.settings.estimator).adaptive, of_flood = study.settings.adaptive.of_flood;
+  const auto add_moving = [&](Index n, const char* event, const char* p) {
+    if (n > 0)
+      remarks.push_back(
+          fmt::format("{} realisations end without a {} while their soil still moves: {} may be too low. "
+                      "End the case at rest, or later.",
+              n, event, p));
+  };
+  if (!adaptive || !of_flood) add_moving(e.n_moving_without_slide, "slide", "P(I)");
+  if (!adaptive || of_flood) add_moving(e.n_moving_without_flood, "flood", "P(F)");
+  const Case& base = study.base.values;
+  if (base.at_strength != 1.0)
+    remarks.push_back(
+        fmt::format("All strengths are divided by {:g} (at_strength): P is that of weaker soil, not of the "
+                    "section as it is.",
+            base.at_strength));
+  if (const auto stage = std::ranges::find_if(base.stages, [](const StageCase& s) { return s.trigger; });
+      stage != base.stages.end())
+    remarks.push_back(
+        fmt::format("The case has the trigger `{}`: P is that of a slide or a flood once the trigger acts, "
+                    "not of the section as it is.",
+            stage->name));
+  return remarks;
+}
+
+std::vector<std::string> remarks_on_study(const Study& study, const Realisations& rows, const StudyEstimates& e)
+{
+  std::vector<std::string> remarks = remarks_on_realisations(study, e);
   if (e.counts.slid_as_drawn > 0)
     remarks.push_back(
         "Soil that cannot stand in the section as it is drawn slides before the run begins: it is a slide in P(I), "
@@ -154,11 +185,11 @@ std::vector<std::string> remarks_on_study(const Study& study, const Realisations
     remarks.push_back(
         "Failed realisations count in both bounds: as if nothing happened in the lower one, as if it did in "
         "the upper one. They are no random sample: the estimates are of the others alone.");
-  if (e.n_still_moving > 0)
-    remarks.push_back(
-        fmt::format("{} realisations end without a flood while their soil still moves: P(F) may be too "
-                    "low. End the case at rest, or later.",
-            e.n_still_moving));
+  if (const std::int64_t n = e.counts.solved - e.counts.judged; e.judges_flood && n > 0)
+    remarks.push_back(fmt::format(
+        "In {} realisations no water stands above the ground, so that no level is known: each counts as unknown in "
+        "P(F) and P(F|I). Give the case flood.water_level.",
+        n));
   if (!e.rule_met)
     remarks.push_back(
         fmt::format("The stop rule is not met yet: {} of at most {} realisations. The same command goes on.", e.n_made,
@@ -175,18 +206,6 @@ std::vector<std::string> remarks_on_study(const Study& study, const Realisations
         "The rule ends the study with an event, so k/n is on average too large by a share of (1 - P)/k; (k - 1)/(n - "
         "1) = {:.3g} is not. The bounds hold.",
         static_cast<Real>(of_rule.happened - 1) / static_cast<Real>(of_rule.solved - 1)));
-  const Case& base = study.base.values;
-  if (base.at_strength != 1.0)
-    remarks.push_back(
-        fmt::format("All strengths are divided by {:g} (at_strength): P is that of weaker soil, not of the "
-                    "section as it is.",
-            base.at_strength));
-  if (const auto stage = std::ranges::find_if(base.stages, [](const StageCase& s) { return s.trigger; });
-      stage != base.stages.end())
-    remarks.push_back(
-        fmt::format("The case has the trigger `{}`: P is that of a slide or a flood once the trigger acts, "
-                    "not of the section as it is.",
-            stage->name));
   if (const std::string_view remark = info_of(study.settings.estimator).remark; !remark.empty())
     remarks.emplace_back(remark);
   if (study.settings.estimator == Estimator::two_stage) add_two_stage_remarks(study, e, remarks);
@@ -206,7 +225,7 @@ std::string study_text(const Study& study, const Realisations& rows)
   if (s.estimator == Estimator::sweep) {
     out += sweep_lines(study, rows, e.n_made);
   } else if (s.fragility) {
-    out += fragility_text(study, estimate_fragility(study, rows)) + sensitivity_lines(e);
+    out += fragility_text(study, estimate_fragility(study, rows)) + sensitivity_lines(study, e);
   } else {
     out += fmt::format("  probabilities with {:g} % bounds{}\n", 100.0 * s.confidence,
         is_of_points(s.estimator) ? " of independent realisations" : "");
@@ -216,7 +235,7 @@ std::string study_text(const Study& study, const Realisations& rows)
       out += line_of_event("P(F|I)", e.flood_after_slide, "of the slides");
     }
     if (const std::string worth = worth_of_residual_strength(e); !worth.empty()) out += "  " + worth + '\n';
-    out += sensitivity_lines(e);
+    out += sensitivity_lines(study, e);
   }
   for (const std::string& remark : remarks_on_study(study, rows, e)) out += "  note: " + remark + '\n';
   return out;
@@ -228,7 +247,7 @@ std::string study_csv(const Study& study, const Realisations& rows)
   const Index n = count_in_table(study, rows, met);
   const bool two_stage = study.settings.estimator == Estimator::two_stage;
   std::string out = fmt::format("realisation,solved{},slide,flood", two_stage ? ",screening" : "");
-  for (const std::string& name : study.input_names()) out += ',' + quoted(name);
+  for (const std::string& name : study.input_names()) out += ',' + in_quotes(name);
   for (const OutcomeInfo& outcome : study_outcomes()) out += fmt::format(",{}", outcome.info.name);
   out += ",fault\n";
   for (Index k = 0; k < n; ++k) {
@@ -238,11 +257,11 @@ std::string study_csv(const Study& study, const Realisations& rows)
     out += fmt::format(",{},{}", r.failed() || r.skipped() ? "nan" : zero_or_one(r.slid),
         r.solved() && r.judges_flood ? zero_or_one(r.flooded) : "nan");
     for (std::size_t i = 0; i < r.inputs.size(); ++i)
-      out += i < study.settings.sweep.size() ? ',' + quoted(input_text(study, i, r.inputs[i]))
+      out += i < study.settings.sweep.size() ? ',' + in_quotes(input_text(study, i, r.inputs[i]))
                                              : fmt::format(",{}", r.inputs[i]);
     for (std::size_t i = 0; i < study_outcomes().size(); ++i)
       out += r.solved() ? fmt::format(",{}", r.outcomes[i]) : ",nan";
-    out += ',' + (r.fault.empty() ? "" : quoted(r.fault)) + '\n';
+    out += ',' + (r.fault.empty() ? "" : in_quotes(r.fault)) + '\n';
   }
   return out;
 }

@@ -19,12 +19,24 @@ std::string counts_text(const EventCounts& counts);
 /// The points are not independent, and no bound is proven: Latin hypercube, Sobol.
 inline bool is_of_points(Estimator kind) { return kind == Estimator::latin_hypercube || kind == Estimator::sobol; }
 
+/// What inputs are correlated with: of two stages the first one, which all realisations pass.
+const char* words_of_sensitivity(const Study& study);
+
 /// What the events are, for people.
 std::string slide_words(const StudySettings& settings);
 inline constexpr const char* flood_words = "the land floods (docs/flood.md)";
 
 /// How many of the slides end in a flood, in a sentence; empty where floods are not judged or nothing slid.
 std::string worth_of_residual_strength(const StudyEstimates& estimates);
+
+/// What P is, and what it is not.
+inline constexpr const char* words_of_probability =
+    "The probability is that of this section with the random input of the study file, under the load and the water of "
+    "the case: not per year, and not of the length of a dike. Bounds hold what the number of realisations leaves open, "
+    "not what the model or the input leave open.";
+
+/// What the realisations and the case say against the numbers, whatever the estimator.
+std::vector<std::string> remarks_on_realisations(const Study& study, const StudyEstimates& estimates);
 
 /// What to know before the numbers are used: failures, the stop rule, the estimator.
 std::vector<std::string> remarks_on_study(

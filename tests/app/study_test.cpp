@@ -1,6 +1,7 @@
 // terp study, as a user runs it.
 #include "../study/samples.hpp"
 #include "output/run_folder.hpp"
+#include "study/study_folder.hpp"
 #include "support/process.hpp"
 #include "support/test.hpp"
 
@@ -41,6 +42,26 @@ TEST(StudyCommand, ARealisationIsKeptWithTheSameResults)
   EXPECT_THAT(keep.out, HasSubstr("realisation 4 has the results of the store, to the bit\n"));
   EXPECT_THAT(text_of(folder.path() + "/runs/demo/kept/4/case.toml"), HasSubstr("realisation = 4"));
   EXPECT_THAT(test::terp({"study", "run", study, "--keep", "6"}, folder.path()).err, HasSubstr("numbered 0 to 5"));
+}
+
+TEST(StudyCommand, ARealisationWithOtherResultsThanInTheStoreIsToldAndNotKept)
+{
+  const ScratchFolder folder;
+  const std::string study = write_study(folder.path(), field_study),
+                    mark = folder.path() + "/runs/demo/kept/4/of_study.txt";
+  ASSERT_EQ(test::terp({"study", "run", study, "-q"}, folder.path()).status, 0);
+  ASSERT_EQ(test::terp({"study", "run", study, "--keep", "4", "-q"}, folder.path()).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(mark));
+  const Study read = open_study(study);
+  Realisations rows = read_store(read, folder.path() + "/runs/demo").rows;
+  rows.at(4).outcomes[outcome_number("slide_volume")] += 1e-9;
+  std::filesystem::remove(folder.path() + "/runs/demo/part_1_of_1.rows");
+  StoreWriter store(read, folder.path() + "/runs/demo", {});
+  for (const auto& [number, r] : rows) store.append(r);
+  const Finished keep = test::terp({"study", "run", study, "--keep", "4", "-q"}, folder.path());
+  EXPECT_EQ(keep.status, 1);
+  EXPECT_THAT(keep.err, HasSubstr("realisation 4 has other results than in the store: slide_volume\n"));
+  EXPECT_FALSE(std::filesystem::exists(mark));
 }
 
 TEST(StudyCommand, IsKilledAgainAndAgainAndEndsInTheSameTable)

@@ -165,6 +165,7 @@ TEST(SummaryJson, ReadBackItSaysTheSame)
   const SavedSummary back = read_summary(path);
   EXPECT_EQ(summary_text(back.values, back.finished, {"model_2", "title = \"column\"\n"}), back.text);
   EXPECT_EQ(back.terp_version, TERP_VERSION);
+  EXPECT_EQ(back.values.first_slide_time, 0.2);
 }
 
 TEST(SummaryJson, WhatAnOlderFileLacksKeepsItsDefault)

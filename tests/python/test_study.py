@@ -113,6 +113,37 @@ class StudyOfTheProgram(unittest.TestCase):
         with self.assertRaisesRegex(terp.RunError, "there is no .*fragility.csv"):
             self.study.levels
 
+    def test_a_table_has_rows_without_results(self):
+        text = STUDY.replace("[[random]]", "[[field]]").replace('mean = "8 kPa"\n', "theta = [8.0, 4.0]\n").replace(
+            'distribution = "lognormal"\n', "").replace("cov = 0.4", "cov = 0.3").replace("number = 8", "number = 12")
+        (self.folder / "column.toml").write_text(CASE.replace("sensitivity = 2.0", "su_residual = 4.5e3"),
+                                                 encoding="utf-8")
+        failed = self.made("failed", "seed = 3\n" + text).table
+        (self.folder / "column.toml").write_text(CASE, encoding="utf-8")
+        text = STUDY.replace('"monte_carlo"', '"two_stage"\nfactor = 1.1\naudit = 0.1')
+        skipped = self.made("skipped", text).table
+        for table in failed, skipped:
+            self.assertGreater(np.sum(table["solved"] == 1), 0)
+            np.testing.assert_array_equal(np.isnan(table["slides"]), table["solved"] == 0)
+            self.assertGreater(np.sum(table["solved"] == 0), 0)
+        self.assertIn("skipped", skipped["screening"])
+
+    def test_a_run_of_another_study_or_without_its_end_is_solved_again(self):
+        text = STUDY.replace("number = 8", "number = 2")
+        first = self.made("again", text).run_of(1, program=PROGRAM).summary["max_eps_eq_p"]
+        mark = self.folder / "again" / "kept" / "1" / "of_study.txt"
+        (self.folder / "again.toml").write_text("seed = 9\n" + text, encoding="utf-8")
+        subprocess.run([PROGRAM, "study", "run", str(self.folder / "again.toml"), "-o", str(self.folder / "again"),
+                        "-q", "--force"], check=True)
+        self.assertFalse(mark.exists(), "of the study before")
+        study = terp.open_study(self.folder / "again")
+        second = study.run_of(1, program=PROGRAM).summary["max_eps_eq_p"]
+        self.assertNotEqual(first, second)
+        self.assertEqual(second, study.table["max_eps_eq_p"][1])
+        mark.unlink()  # as of a run that was interrupted
+        with self.assertRaisesRegex(terp.RunError, "cannot start `no_terp`"):
+            study.run_of(1, program="no_terp")
+
     def test_a_realisation_is_solved_once_more(self):
         run = self.study.run_of(1, program=PROGRAM)
         self.assertEqual(run.summary["max_eps_eq_p"], self.study.table["max_eps_eq_p"][1])

@@ -4,6 +4,8 @@
 #include "base/checksum.hpp"
 #include <fmt/format.h>
 
+#include <regex>
+
 #include "output/run_folder.hpp"
 #include "study/samples.hpp"
 #include "study/study_folder.hpp"
@@ -85,6 +87,17 @@ TEST(Engine, AStoreOfAnotherStudyIsRefused)
   EXPECT_EQ(read_store(place.study, place.of("bad")).n_broken, 1);
 }
 
+TEST(Engine, TheFormatOfTheStoreIsThatOfTheDocuments)
+{
+  const Place place(column_study);
+  place.run("one");
+  const std::string head = read_file(place.of("one") + "/part_1_of_1.rows");
+  std::smatch format;
+  ASSERT_TRUE(std::regex_search(head, format, std::regex("\tterp study\t([0-9]+)\t")));
+  EXPECT_THAT(read_file(source_path("docs/formats.md")),
+      HasSubstr(fmt::format("the number of the format ({})", format[1].str())));
+}
+
 TEST(Engine, RealisationsThatFailAreCountedAndBoundP)
 {
   // Where the field falls below the residual strength, the case is refused.
@@ -115,6 +128,35 @@ TEST(Engine, TheDisplacementOfTheVolumeSaysHowFarAwayTheEventIs)
     if (!r.slid) of_what_stands = std::max(of_what_stands, moved);
   }
   EXPECT_GT(of_what_stands, 1e-4);
+}
+
+TEST(Engine, ARunThatEndsWhileSoilFallsSaysSo)
+{
+  // Without damping what stands goes on vibrating.
+  const std::string damped = changed(column_case, "-9.81]\n", "-9.81]\ndamping = { local = 0.3 }\n");
+  const Place soon(column_study, damped), late(column_study, changed(damped, "end = 0.8", "end = 4.0"));
+  const auto early = soon.run("soon"), rest = late.run("late");
+  int n_moving = 0, n_later = 0;
+  for (const auto& [number, r] : early) {
+    const bool moves = !r.slid && r.outcomes[outcome_number("still_moves")] == 1.0;
+    n_moving += moves, n_later += moves && rest.at(number).slid;
+    if (!rest.at(number).slid) {
+      EXPECT_EQ(rest.at(number).outcomes[outcome_number("still_moves")], 0.0) << number << " rests";
+    }
+  }
+  EXPECT_GT(n_moving, 0);
+  EXPECT_GT(n_later, 0) << "P(I) of the early end is too low";
+}
+
+TEST(Engine, AResultThatDiffersIsNamed)
+{
+  std::vector<Real> kept(study_outcomes().size(), 0.1), now = kept;
+  kept[outcome_number("flood_time")] = now[outcome_number("flood_time")] = std::nan("");
+  EXPECT_TRUE(differing_outcomes(kept, now).empty());
+  now[outcome_number("slide_volume")] = std::nextafter(0.1, 1.0);
+  now[outcome_number("flood_time")] = 0.5;
+  kept[outcome_number("first_slide_time")] = std::nan("");
+  EXPECT_THAT(differing_outcomes(kept, now), ElementsAre("slide_volume", "first_slide_time", "flood_time"));
 }
 
 TEST(Engine, SoilTooWeakToStandAsDrawnIsCountedAsASlide)
@@ -232,7 +274,9 @@ TEST(Engine, AStoreIsClearedByWhoHoldsAllOfItAlone)
         HasSubstr("another terp writes part_2_of_3 of this study; nothing was removed"));
   }
   EXPECT_EQ(read_store(place.study, folder).rows.size(), 12u);
+  std::filesystem::create_directories(folder + "/kept/3");
   again.clear();
+  EXPECT_FALSE(std::filesystem::exists(folder + "/kept")) << "runs of realisations that may change";
   EXPECT_TRUE(read_store(place.study, folder).rows.empty());
   EXPECT_FALSE(std::filesystem::exists(folder + "/results.csv"));
   EXPECT_TRUE(std::filesystem::exists(folder + "/study.toml")) << "it may be what was read";

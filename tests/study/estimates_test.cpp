@@ -38,12 +38,12 @@ TEST(Estimates, ProbabilitiesOfEventsWithTheirBounds)
   const Study study = study_of("number = 60");
   const StudyEstimates e = estimate(study, rows_of(60));
   EXPECT_TRUE(e.rule_met);
-  EXPECT_EQ(e.n_still_moving, 5);
+  EXPECT_EQ(e.n_moving_without_slide, 0) << "all that move have slid";
+  EXPECT_EQ(e.n_moving_without_flood, 5);
   EXPECT_EQ(e.slide.happened, 20);
   EXPECT_EQ(e.flood.happened, 10);
   EXPECT_DOUBLE_EQ(*e.flood_after_slide.probability(), 0.5);
   EXPECT_EQ(e.flood_after_slide.bounds.low, clopper_pearson(10, 20, 0.95).low);
-  EXPECT_DOUBLE_EQ(*e.flood.cov(), std::sqrt(50.0 / 60.0 / 10.0));
   EXPECT_LT(*e.sensitivities[0].with_slide, -0.7);
   EXPECT_GT(*e.sensitivities[0].with_height, 0.7);
   EXPECT_THAT(study_text(study, rows_of(60)),
@@ -77,6 +77,45 @@ TEST(Estimates, SoilThatSlidesAsDrawnIsASlideOfWhichTheFloodIsNotKnown)
       AllOf(HasSubstr("Of 4 of 60 realisations it is not known. They are no random sample"),
           HasSubstr("not known</td>"), HasSubstr("7 of 56, 4 unknown")));
   EXPECT_THAT(study_csv(study, rows), AllOf(HasSubstr("\n0,0,1,nan,4000,nan"), HasSubstr("\n1,0,nan,nan,9001,nan")));
+}
+
+TEST(Estimates, WhatIsNotKnownOfSlidesIsNotZero)
+{
+  const Study study = study_of("number = 60");
+  Realisations rows = rows_of(60);
+  for (auto& [number, r] : rows)
+    if (r.slid) r.fault = "slides as drawn: no equilibrium", r.flooded = false, r.outcomes.clear();
+  const std::string text = study_text(study, rows),
+                    words = "How many of 100 slides flood the land is not known: 0 to 100";
+  EXPECT_THAT(text, HasSubstr(words));
+  EXPECT_THAT(page_of_study(study, rows, "now"), HasSubstr(words));
+  EXPECT_THAT(text, Not(HasSubstr("Of 100 slides")));
+}
+
+TEST(Estimates, AFloodThatIsNotJudgedIsNotKnown)
+{
+  const Study study = study_of("number = 60");
+  Realisations rows = rows_of(60);
+  for (const Index k : {1, 3}) rows.at(k).judges_flood = false;  // the second has slid
+  const StudyEstimates e = estimate(study, rows);
+  EXPECT_EQ(e.slide.solved, 60);
+  EXPECT_EQ(e.flood.solved, 58);
+  EXPECT_EQ(e.flood.failed, 2);
+  EXPECT_EQ(e.flood.bounds.high, clopper_pearson(12, 60, 0.95).high);
+  EXPECT_EQ(e.flood_after_slide.solved, 19);
+  EXPECT_EQ(e.flood_after_slide.bounds.high, clopper_pearson(11, 20, 0.95).high);
+  EXPECT_EQ(e.n_moving_without_flood, 4) << "of what is judged";
+  EXPECT_THAT(study_text(study, rows), HasSubstr("In 2 realisations no water stands above the ground"));
+}
+
+TEST(Estimates, SoilThatMovesAtTheEndMaySlideLater)
+{
+  const Study study = study_of("number = 60");
+  Realisations rows = rows_of(60);
+  for (auto& [number, r] : rows) r.judges_flood = r.flooded = false;
+  for (const Index k : {1, 2, 3}) rows.at(k).outcomes[outcome_number("still_moves")] = 1.0;
+  EXPECT_THAT(
+      study_text(study, rows), HasSubstr("2 realisations end without a slide while their soil still moves: P(I)"));
 }
 
 TEST(Estimates, BoundsAndStopRulesSayWhatTheyAreWorth)
@@ -124,6 +163,35 @@ TEST(Estimates, ThePageStandsAloneAndSaysWhatTheNumbersMean)
   EXPECT_THAT(page, HasSubstr("not per year"));
   EXPECT_THAT(page, Not(HasSubstr("http://www.example")));
   EXPECT_THAT(page, Not(HasSubstr("src=")));
+}
+
+TEST(Estimates, APageOfASweepShowsTheFirstKeyOfNumbers)
+{
+  const ScratchFolder folder;
+  const std::string text = R"(case = "column.toml"
+[estimator]
+kind = "sweep"
+[[sweep]]
+key = "scheme"
+values = ["mpm_gp", "mpm_mixed"]
+[[sweep]]
+key = "material.clay.su_peak"
+values = [6e3, 7e3]
+[[sweep]]
+key = "material.clay.eta"
+values = [5, 6, 7, 8]
+)";
+  const Study study = prepare_study(read_study(write_study(folder.path(), text)));
+  Realisations rows;
+  for (Index k = 0; k < study.n_realisations; ++k) {
+    Realisation r{.number = k, .inputs = draw_realisation(study, k).inputs};
+    r.outcomes.assign(study_outcomes().size(), static_cast<Real>(k));
+    rows.emplace(k, r);
+  }
+  const std::string page = page_of_study(study, rows, "now");
+  EXPECT_THAT(page, AllOf(HasSubstr("Results over <code>material.clay.su_peak</code>"),
+                        HasSubstr("material.clay.su_peak [Pa]"), HasSubstr("volume that slid [m^2]"),
+                        HasSubstr("volume that slid, 6 of 8 combinations"), HasSubstr("why there is no result")));
 }
 
 TEST(Estimates, APageOfSamplesShowsHistogramsAndFields)

@@ -112,11 +112,78 @@ TEST(Fragility, LevelsHaveTheirOwnEventsAndTheIntegralItsBounds)
   const Real each = 1.0 - 0.05 / 3.0;
   EXPECT_NEAR(
       curve.slide->of_line.low, w[1] * clopper_pearson(2, 8, each).low + w[2] * clopper_pearson(8, 8, each).low, 1e-14);
-  EXPECT_LT(curve.slide->rising.low, curve.slide->of_line.low) << "less is known of the curve";
-  EXPECT_GT(curve.slide->rising.high, curve.slide->of_line.high);
+  EXPECT_LT(curve.slide->rising->low, curve.slide->of_line.low) << "less is known of the curve";
+  EXPECT_GT(curve.slide->rising->high, curve.slide->of_line.high);
   const Real above = 1.0 - gumbel_of(0.5, 0.4).probability(1.6);
   EXPECT_NEAR(curve.slide->beyond, above, 1e-14) << "P = 1 at the highest level, 0 at the lowest";
   EXPECT_EQ(estimate_fragility(study, rows_of(study, {3, 2, 8}, {0, 0, 0})).n_falling_slides, 1);
+}
+
+TEST(Fragility, ACurveThatFallsHasNoBoundsOfARisingOne)
+{
+  const Study study = study_of(curve_text);
+  const Realisations rows = rows_of(study, {8, 8, 0}, {0, 0, 0});
+  const FragilityCurve curve = estimate_fragility(study, rows);
+  EXPECT_FALSE(curve.slide->rising);
+  EXPECT_TRUE(curve.flood->rising);
+  EXPECT_THAT(study_text(study, rows),
+      AllOf(HasSubstr("no bounds of a curve that never falls"), HasSubstr("P(I) is lower at a higher level")));
+  EXPECT_THAT(page_of_study(study, rows, "now"), HasSubstr("level beyond them"));
+  Realisations gap = rows_of(study, {3, 2, 2}, {0, 0, 0});  // sample 2 slides at the first level alone
+  gap.at(2 * 3 + 1).fault = "stopped itself";
+  EXPECT_EQ(estimate_fragility(study, gap).n_falling_slides, 1) << "it falls across a level that failed";
+}
+
+TEST(Fragility, WhatLiesBeyondIsJudgedByItsUpperBoundToo)
+{
+  const Study study = study_of(changed(curve_text, "location = 0.5", "location = 2.5"));
+  const Realisations rows = rows_of(study, {0, 0, 0}, {0, 0, 0});
+  EXPECT_EQ(estimate_fragility(study, rows).slide->probability, 0.0);
+  EXPECT_THAT(study_text(study, rows), HasSubstr("of its upper bound, come from loads beyond 0.4 to 1.6"));
+}
+
+const std::string dike_case = R"([time]
+end = 0.8
+[mesh]
+size = [8.0, 3.0]
+cell = 0.5
+[[body]]
+material = "clay"
+polygon = [[0.0, 0.0], [8.0, 0.0], [5.0, 2.0], [3.0, 2.0]]
+points_per_cell = [2, 2]
+[material.clay]
+model = "tresca_softening"
+density = 1900.0
+shear_modulus = 1.0e6
+poisson_ratio = 0.45
+su_peak = 6.0e3
+sensitivity = 2.0
+eta = 5.0
+drainage = "undrained"
+[forces]
+gravity = [0.0, -9.81]
+[boundary]
+bottom = "fixed"
+[water]
+phreatic_line = [[0.0, 1.0], [8.0, 0.0]]
+[flood]
+)";
+
+TEST(Fragility, EveryLevelIsJudgedAgainstTheWaterOfOneEnd)
+{
+  const ScratchFolder folder;
+  const auto study = [&](const std::string& land, const std::string& more) {
+    const std::string text = changed(curve_text, "\"forces.gravity\" = [0.0, \"-9.81 * h\"]",
+        "\"water.phreatic_line\" = [[0.0, \"h\"], [8.0, \"" + land + " + 0*h\"]]" + more);
+    return refusal<CaseError>([&] { prepare_study(read_study(write_study(folder.path(), text, dike_case))); });
+  };
+  EXPECT_EQ(study("0", ""), "");
+  EXPECT_THAT(
+      study("1", ""), HasSubstr("the free water stands higher at the other end of the section than at h = 0.4"));
+  EXPECT_EQ(study("1", "\n\"flood.water_level\" = \"h\""), "");
+  const Study river = prepare_study(read_study(folder.path() + "/demo.toml"));
+  EXPECT_FALSE(is_water_level(*river.settings.fragility)) << "its unit is none";
+  EXPECT_THAT(study("-12", ""), HasSubstr("free water stands above the ground at h = 0.8 and not at h = 0.4"));
 }
 
 TEST(Fragility, IsSaidInTextTableAndPageAndForDStability)
@@ -137,12 +204,16 @@ TEST(Fragility, IsSaidInTextTableAndPageAndForDStability)
   EXPECT_THAT(page, HasSubstr("over the distribution of the weight"));
   EXPECT_THAT(page, Not(HasSubstr("P(I) over the realisations"))) << "a mean over levels is nobody's probability";
   const auto json = nlohmann::json::parse(dstability_curve(study, curve, false));
-  ASSERT_EQ(json["Calculations"].size(), 3u);
-  EXPECT_EQ(json["Calculations"][1]["WaterLevel"], 0.8);
-  EXPECT_NEAR(json["Calculations"][1]["Beta"].get<Real>(), 0.6745, 1e-4);
-  EXPECT_EQ(json["Calculations"][1]["Label"], "weight 0.8, 2 of 8");
-  EXPECT_NEAR(json["Calculations"][0]["Beta"].get<Real>(), reliability_index(clopper_pearson(0, 8, 0.95).high), 1e-12);
-  EXPECT_EQ(json["Calculations"][0]["Label"], "weight 0.4, none of 8: upper bound of P");
+  ASSERT_EQ(json["Calculations"].size(), 1u) << "beta is not finite where nothing happened, or all";
+  EXPECT_EQ(json["Calculations"][0]["WaterLevel"], 0.8);
+  EXPECT_NEAR(json["Calculations"][0]["Beta"].get<Real>(), 0.6745, 1e-4);
+  EXPECT_EQ(json["Calculations"][0]["Label"], "weight 0.8, 2 of 8");
+  EXPECT_FALSE(is_water_level(*study.settings.fragility)) << "it is a weight";
+  EXPECT_THAT(text, Not(HasSubstr("D-Stability")));
+  FragilityLoad river{.unit = "m", .set = {{"water.phreatic_line", {}}}};
+  EXPECT_TRUE(is_water_level(river));
+  river.unit = "kPa";
+  EXPECT_FALSE(is_water_level(river));
   EXPECT_TRUE(json["Stochasts"].empty());
 }
 
@@ -157,8 +228,8 @@ TEST(Fragility, ARunSlidesMoreOftenUnderMoreWeight)
   EXPECT_LT(curve.levels[0].slide.happened, curve.levels[2].slide.happened);
   EXPECT_EQ(curve.n_falling_slides, 0);
   write_results(study, StudyPlace(folder.path(), "report"), rows, "now");
-  for (const char* file : {fragility_table, fragility_of_slides})
-    EXPECT_TRUE(std::filesystem::exists(folder.path() + '/' + file)) << file;
+  EXPECT_TRUE(std::filesystem::exists(folder.path() + '/' + fragility_table));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() + '/' + fragility_of_slides)) << "gravity is no water level";
   const Study other = prepare_study(read_study(
       write_study(folder.path(), changed(curve_text, "decimation_height = 0.4", "decimation_height = 0.7"))));
   EXPECT_EQ(other.study_digits, study.study_digits) << "the distribution of the load needs no new runs";

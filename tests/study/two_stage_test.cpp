@@ -51,6 +51,47 @@ TEST(TwoStage, TheEstimateHasNoBiasAndItsBoundsHoldTheTruth)
   EXPECT_LT(trusting_held, held) << "who trusts the factor misses what happens above it";
 }
 
+/// Numbers of realisations that fall, of those that are audited and of those that are skipped, the last two standing.
+struct Stages {
+  int falls = 0, falls_slid = 0, falls_failed = 0, audited = 0, audited_slid = 0, audited_failed = 0, skipped = 0;
+};
+Sample sample_of(const StudySettings& s, const Stages& n)
+{
+  Sample sample(s);
+  const auto take = [&](int count, Screening screening, bool slid, const char* fault) {
+    for (int k = 0; k < count; ++k)
+      sample.take({.fault = fault, .screening = screening, .slid = slid, .flooded = slid, .judges_flood = true});
+  };
+  take(n.falls_slid, Screening::falls, true, ""), take(n.falls_failed, Screening::falls, false, "stopped");
+  take(n.falls - n.falls_slid - n.falls_failed, Screening::falls, false, "");
+  take(n.audited_slid, Screening::audited, true, ""), take(n.audited_failed, Screening::audited, false, "stopped");
+  take(n.audited - n.audited_slid - n.audited_failed, Screening::audited, false, "");
+  take(n.skipped, Screening::skipped, false, "");
+  return sample;
+}
+
+TEST(TwoStage, TheEstimateIsAProbabilityWhateverTheAuditFinds)
+{
+  const StudySettings s = settings_of(changed(two_stage_study, "audit = 0.25", "audit = 0.1"));
+  const auto p = [&](const Stages& n) { return sample_of(s, n).slide().probability(); };
+  EXPECT_DOUBLE_EQ(*p({.audited = 2, .audited_slid = 2, .skipped = 10}), 1.0) << "not 20/12";
+  EXPECT_DOUBLE_EQ(*p({.falls = 4, .falls_slid = 3, .audited = 2, .audited_slid = 1, .skipped = 6}), 0.25 + 8.0 / 24.0);
+  EXPECT_DOUBLE_EQ(
+      *p({.falls = 4, .falls_slid = 3, .audited = 2, .audited_slid = 1, .audited_failed = 1, .skipped = 6}),
+      0.25 + 8.0 / 12.0)
+      << "what failed stands for nothing";
+  EXPECT_DOUBLE_EQ(*p({.falls = 4, .falls_slid = 1, .falls_failed = 2, .audited = 2, .skipped = 6}), 2.0 / 12.0);
+  EXPECT_FALSE(p({.falls = 4, .falls_slid = 3, .audited = 1, .audited_failed = 1, .skipped = 7}))
+      << "no audit is known";
+  EXPECT_FALSE(p({.falls = 4, .falls_slid = 3, .skipped = 8})) << "nothing was audited";
+  const Sample none = sample_of(s, {.falls = 4, .falls_slid = 3, .skipped = 8});
+  EXPECT_FALSE(none.flood_after_slide().probability());
+  EXPECT_THAT(estimate_text(none.slide()), StartsWith("-, "));
+  const Sample many = sample_of(s, {.audited = 60, .audited_slid = 60, .skipped = 0});
+  EXPECT_LE(many.slide().bounds.low, 1.0);
+  EXPECT_DOUBLE_EQ(*many.flood_after_slide().probability(), 1.0);
+}
+
 TEST(TwoStage, RunsWhatFallsAndTheAuditAndSaysWhatItSaves)
 {
   const ScratchFolder folder;
@@ -72,6 +113,7 @@ TEST(TwoStage, RunsWhatFallsAndTheAuditAndSaysWhatItSaves)
   EXPECT_LT(strongest_that_falls, weakest_that_stands) << "one strength decides";
   const Realisations again = read_store(study, folder.path()).rows;
   for (const auto& [number, r] : rows) EXPECT_TRUE(r.same_as(again.at(number))) << number;
+  for (auto& [number, r] : rows) r.wall_s = r.skipped() ? 1.0 : 4.0;
   const std::string text = study_text(study, rows);
   EXPECT_THAT(text, HasSubstr("At the factor 1.3 "));
   EXPECT_THAT(text, HasSubstr("Monte Carlo would have taken"));
