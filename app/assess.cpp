@@ -101,6 +101,8 @@ class Reach {
         ++n_done_, show(stdout, fmt::format("[{}/{}] {}  kept, solved before\n", n_done_, plan.size(), plan[k].name));
       else
         waiting_.push_back(k);
+    if (waiting_.empty()) return;
+    for (const char* file : {page_file, csv_file, json_file}) remove_table(path_in(command.output, file));
   }
 
   /// False: stopped before the last one was done.
@@ -116,6 +118,14 @@ class Reach {
   }
 
  private:
+  /// Of an earlier command: it would say what no longer holds. It is written at the end.
+  static void remove_table(const std::string& path)
+  {
+    std::error_code error;
+    fs::remove(path, error);
+    if (error) throw_file_error("remove", path, error.value());
+  }
+
   void begin_next()
   {
     const std::size_t k = waiting_.front();
@@ -161,6 +171,7 @@ class Reach {
   void note_fault(PlannedSection& section, std::size_t k, const std::string& what)
   {
     section.record.name = section.name, section.record.file = printable(section.file);
+    section.record.is_refused = false;
     section.record.fault = fmt::format("its process {} during: {}\n  {} has what it printed.", what,
         section_steps[told_[k].step.load()], path_in(section.folder, log_file));
     try {
@@ -224,7 +235,8 @@ int print_estimate(const std::vector<PlannedSection>& plan, const AssessCommand&
   for (const PlannedSection& section : plan) {
     const SectionRecord record = read_record(section.folder);
     if (!record.fault.empty() || record.n_points == 0) {
-      fmt::print("  {:<30} refused: {}\n", section.name, printable(record.fault.substr(0, record.fault.find('\n'))));
+      fmt::print("  {:<30} {}: {}\n", section.name, state_of({.record = record}),
+          printable(record.fault.substr(0, record.fault.find('\n'))));
       ++n_refused;
       continue;
     }
@@ -236,6 +248,18 @@ int print_estimate(const std::vector<PlannedSection>& plan, const AssessCommand&
       "all runs: at most {} with {} at once, without searches for factors of safety\ncases in {}; nothing was run\n",
       readable_duration(seconds / command.sections), command.sections, command.output);
   return n_refused == 0 ? solved : stopped_itself;
+}
+
+/// --estimate runs nothing, so it must not take the place of what was solved.
+void refuse_to_replace(const std::vector<PlannedSection>& plan, const AssessCommand& command)
+{
+  for (const PlannedSection& section : plan)
+    if (would_replace_result(section, command))
+      throw CaseError(printable(fmt::format(
+          "error: {} has a result of another file, other options or another build of terp\n  --estimate leaves it as "
+          "it is. Choose another folder: -o FOLDER. --force replaces the case; the same command without --estimate "
+          "solves it anew.\n",
+          section.folder)));
 }
 
 int write_reach(const std::vector<PlannedSection>& plan, const AssessCommand& command)
@@ -274,6 +298,7 @@ int assess_reach(AssessCommand command)
   make_folder(command.output);
   const FolderLock lock(command.output);
   listen_for_stop();
+  if (command.estimate) refuse_to_replace(plan, command);
   if (!Reach(plan, command).solve()) {
     fmt::print(stderr, "stopped; what is solved is kept in {}. Go on with the same command\n", command.output);
     return failed;

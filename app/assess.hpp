@@ -28,6 +28,9 @@ struct PlannedSection {
 /// The result of the section is there, and is of this file, these options and the case as it stands in its folder.
 bool is_done(const PlannedSection& section, const AssessCommand& command);
 
+/// The section has a result of another file, other options or another program, which an import would overwrite.
+bool would_replace_result(const PlannedSection& section, const AssessCommand& command);
+
 /// Makes what is left to do, and notes each step in section.json. False: stopped from outside.
 bool assess_section(const PlannedSection& section, const AssessCommand& command, SectionProgress& progress);
 

@@ -7,6 +7,7 @@
 #include "cost.hpp"
 #include "dstability/read_stix.hpp"
 #include "dstability/slices.hpp"
+#include "dstability/soil_strength.hpp"
 #include "dstability/soil_defaults.hpp"
 #include "import_options.hpp"
 #include "input/case_file.hpp"
@@ -22,6 +23,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <map>
 #include <new>
 
 namespace terp {
@@ -30,6 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double trial_seconds = 0.5;
+constexpr const char* report_of_import = "report.md";
 constexpr const char* anew_or_elsewhere = "--force imports it anew. Or choose another folder: -o FOLDER.";
 
 bool is_stix(const std::string& file) { return fs::path(file).extension() == ".stix"; }
@@ -65,11 +68,13 @@ const std::string& this_program()
   return digits;
 }
 
-/// Digits that change with a case and with every table that it names. Throws CaseError, FileError.
+/// Digits that change with what a case says, and with every table that it names. Comments at its head do not count:
+/// those of a case with tables name its path as it was given. Throws CaseError, FileError.
 std::string digits_of_case(const std::string& path)
 {
   const CaseFile file = read_case(path);
   std::string all = file.text;
+  while (all.starts_with('#') || all.starts_with('\n')) all.erase(0, std::min(all.find('\n'), all.size() - 1) + 1);
   for (const InputFile& input : file.inputs) all += read_file(input.path);
   return digits_of(all);
 }
@@ -83,6 +88,23 @@ std::optional<std::string> digits_if_read(const std::string& path)
   } catch (const FileError&) {
   }
   return std::nullopt;
+}
+
+/// Digits of the files of a case that are to be written, by their names.
+std::map<std::string, std::string> digits_by_name(const CaseFolder& folder)
+{
+  std::map<std::string, std::string> digits;
+  for (const auto& [name, contents] : folder.files)
+    if (name != report_of_import) digits[name] = digits_of(contents);
+  return digits;
+}
+
+/// The case makes the section fail by itself.
+bool has_trigger(const Case& c)
+{
+  return c.at_strength > 1.0 || std::ranges::any_of(c.stages, [](const StageCase& stage) {
+    return stage.trigger || stage.changed->at_strength > 1.0;
+  });
 }
 
 /// The folder holds a run of this case that came to its end.
@@ -125,21 +147,21 @@ class Assessment {
   /// False: stopped from outside.
   bool make()
   {
+    record_.step = section_steps[0];
     make_folder(section_.folder);
-    const std::string question = question_of(section_, command_);
+    const std::string question = question_or_refusal();
     const bool is_edited = !command_.force && is_changed_by_hand();
-    if (is_edited && record_.question != question) {
-      record_.step = section_steps[0];
+    if (is_edited && record_.question != question)
       refuse_import(fmt::format("{} was changed by hand, and the file or the options changed, too", case_of(section_)),
           anew_or_elsewhere);
-    }
     const bool is_other_program = record_.program != this_program();
     if (command_.force || record_.question != question || (is_other_program && !is_edited))
-      record_ = {.question = question, .case_imported = record_.case_imported};
+      record_ = {.question = question, .files = record_.files, .files_next = record_.files_next};
+    if (!record_.files_next.empty()) record_.has_report = false;  // a kill cut the import short: once more
     if (is_other_program || digits_if_read(case_of(section_)) != record_.case_found) forget_results();
     record_.program = this_program();
     record_.is_done = false;
-    record_.fault.clear();
+    record_.fault.clear(), record_.is_refused = false;
     record_.name = section_.name, record_.file = printable(section_.file);
     note_time();
     const bool goes_on = make_steps();
@@ -148,8 +170,10 @@ class Assessment {
     return goes_on;
   }
 
-  void note_fault(const std::string& text)
+  /// is_refused: it is one of the file, the case or the options.
+  void note_fault(const std::string& text, bool is_refused)
   {
+    record_.is_refused = is_refused;
     record_.name = section_.name, record_.file = printable(section_.file);
     record_.fault = printable(text.starts_with("error: ") ? text.substr(7) : text);
     while (record_.fault.ends_with('\n')) record_.fault.pop_back();
@@ -158,6 +182,15 @@ class Assessment {
   }
 
  private:
+  std::string question_or_refusal() const
+  {
+    try {
+      return question_of(section_, command_);
+    } catch (const FileError& error) {
+      throw CaseError(error.what());
+    }
+  }
+
   bool make_steps()
   {
     if (is_stix(section_.file) && (!record_.has_report || !fs::exists(case_of(section_)))) {
@@ -193,15 +226,19 @@ class Assessment {
   /// The case in the folder of a D-Stability file is not the one that terp wrote there.
   bool is_changed_by_hand() const
   {
-    const std::string path = case_of(section_);
-    return is_stix(section_.file) && !record_.case_imported.empty() && fs::exists(path) &&
-           digits_if_read(path) != record_.case_imported;
+    if (!is_stix(section_.file) || !fs::exists(case_of(section_))) return false;
+    return std::ranges::any_of(record_.files, [&](const auto& file) {
+      const auto& [name, digits] = file;
+      const std::string path = path_in(section_.folder, name), now = fs::exists(path) ? digits_of(read_file(path)) : "";
+      const auto next = record_.files_next.find(name);
+      return now != digits && (next == record_.files_next.end() || now != next->second);
+    });
   }
 
   /// Those of another case.
   void forget_results()
   {
-    record_.factor = record_.uncertainty = record_.stands = record_.fails = std::nullopt;
+    record_.factor = record_.uncertainty = record_.stands = record_.fails = record_.creeps = std::nullopt;
     record_.run_of.clear(), record_.trigger.clear();
     record_.has_trigger = false;
     record_.case_found = digits_if_read(case_of(section_)).value_or("");
@@ -229,7 +266,7 @@ class Assessment {
   {
     const std::string path = case_of(section_);
     if (is_forced_ || !fs::exists(path)) return true;
-    if (!record_.case_imported.empty()) return !is_changed_by_hand();
+    if (!record_.files.empty()) return !is_changed_by_hand();
     return read_file(path) == folder.files.front().second;
   }
 
@@ -242,10 +279,18 @@ class Assessment {
     if (!may_write(folder))
       refuse_import(fmt::format("{} is not as terp wrote it", case_of(section_)), anew_or_elsewhere);
     is_forced_ = false;
+    record_.files_next = digits_by_name(folder);
+    note_time();  // before the files: a kill leaves some of either case
     write_case_folder(section_.folder, folder);
-    for (const std::string& note : folder.notes) fmt::print("warning: {}\n", note);
+    record_.notes.clear();
+    for (const std::string& note : folder.notes) {
+      fmt::print("warning: {}\n", note);
+      record_.notes.push_back(printable(note));
+    }
     record_.has_report = true;
-    record_.case_imported = record_.case_found = digits_of_case(case_of(section_));
+    record_.files = std::move(record_.files_next);
+    record_.files_next.clear();
+    record_.case_found = digits_of_case(case_of(section_));
   }
 
   void import()
@@ -255,7 +300,6 @@ class Assessment {
       remember_stored();
       record_.has_trigger = options_.trigger.kind == TriggerKind::none;
       write_case({});
-      remove_run_alone(path_in(section_.folder, run_of_section));
     } catch (const InputError& error) {
       refuse_import(section_.file, error);
     }
@@ -264,6 +308,7 @@ class Assessment {
   void remember_stored()
   {
     record_.stored.clear();
+    record_.strength = strengths_of(options_.basis);
     const std::vector<ResultSlices> slices = compare_slices(project_);
     const auto& calculations = project_.scenarios[options_.scenario].calculations;
     for (std::size_t k = 0; k < calculations.size(); ++k) {
@@ -272,14 +317,14 @@ class Assessment {
       const bool stale = std::ranges::any_of(slices, [&](const ResultSlices& of) {
         return of.scenario == options_.scenario && of.calculation == k && !of.stale.empty();
       });
-      record_.stored.push_back({c.method, c.result->factor_of_safety, stale});
+      record_.stored.push_back({c.method, c.result->factor_of_safety, stale, std::string(strengths_of(c.kind))});
     }
   }
 
   void add_trigger()
   {
     if (!is_stix(section_.file) || is_changed_by_hand()) {
-      if (!command_.import.trigger.empty())
+      if (!command_.import.trigger.empty() && !has_trigger(read_case(case_of(section_)).values))
         record_.trigger = fmt::format("--trigger {} was not applied: {}", command_.import.trigger,
             is_stix(section_.file)
                 ? "the case was changed by hand, and is solved as it stands. --force imports it anew."
@@ -289,9 +334,9 @@ class Assessment {
     try {
       read_project();
       FolderTrigger trigger = options_.trigger;
-      if (asks_for_search(trigger)) trigger = trigger_after(record_.stands, record_.fails);
+      if (asks_for_search(trigger)) trigger = trigger_after({record_.stands, record_.fails, record_.creeps});
       if (trigger.kind == TriggerKind::none) record_.trigger = trigger.origin;
-      record_.is_held = record_.is_held || (trigger.kind == TriggerKind::none && needs_search());
+      record_.is_held = record_.is_held || trigger.needs_hold;
       write_case(trigger);
     } catch (const InputError& error) {
       refuse_import(section_.file, error);
@@ -306,6 +351,8 @@ class Assessment {
   {
     const CaseFile file = read_case(case_of(section_));
     fmt::print("{}", render_warnings(file));
+    const auto& stages = file.values.stages;
+    record_.is_held = !stages.empty() && stages.front().changed->at_strength < 1.0;
     record_.title = printable(file.values.title.empty() ? file.values.name : file.values.title);
     try {
       Simulation simulation(file.values, command_.threads);
@@ -325,7 +372,8 @@ class Assessment {
     search.path = case_of(section_), search.output = path_in(section_.folder, "stability");
     const StabilityResult result = search_stability(search);
     if (result.stopped || stop_requested) return false;
-    record_.stands = result.search.stable, record_.fails = result.search.highest();
+    const FoundFactors found = factors_of(result);
+    record_.stands = found.stands, record_.fails = found.fails, record_.creeps = found.creeps;
     if (result.search.found()) record_.factor = result.factor(), record_.uncertainty = result.uncertainty();
     if (!record_.has_trigger) add_trigger();
     note_time();
@@ -350,7 +398,8 @@ class Assessment {
     if (!has_finished(folder, found)) {
       RunWatcher watcher(progress_);
       std::string fault;
-      const PartOfSet part{.label = section_.name + "  ", .fault = &fault, .observer = &watcher};
+      bool slides = false;
+      const PartOfSet part{.label = section_.name + "  ", .fault = &fault, .slides = &slides, .observer = &watcher};
       RunOptions options = options_of_run();
       options.part = &part;
       if (is_same && has_checkpoint(folder)) {
@@ -361,7 +410,7 @@ class Assessment {
         run_case(options);
       }
       if (stop_requested) return false;
-      if (fault.starts_with("no equilibrium") && hold(fault)) return run();
+      if (slides && hold(fault)) return run();
       if (!fault.empty()) throw RunError(fault);
     }
     begin_step(4);
@@ -421,16 +470,28 @@ bool is_done(const PlannedSection& section, const AssessCommand& command)
   }
 }
 
+bool would_replace_result(const PlannedSection& section, const AssessCommand& command)
+{
+  const SectionRecord& record = section.record;
+  if (!is_stix(section.file) || command.force || !record.is_done || !record.fault.empty()) return false;
+  try {
+    return has_finished(path_in(section.folder, run_of_section), record.run_of) &&
+           (record.question != question_of(section, command) || record.program != this_program());
+  } catch (const std::exception&) {  // of whatever cannot be read: its own process says what is wrong
+    return false;
+  }
+}
+
 bool assess_section(const PlannedSection& section, const AssessCommand& command, SectionProgress& progress)
 {
   Assessment assessment(section, command, progress);
   try {
     return assessment.make();
   } catch (const std::bad_alloc&) {
-    assessment.note_fault("not enough memory");
+    assessment.note_fault("not enough memory", false);
   } catch (const std::exception& error) {
     if (stop_requested) return false;
-    assessment.note_fault(error.what());
+    assessment.note_fault(error.what(), dynamic_cast<const CaseError*>(&error) != nullptr);
   }
   return true;
 }

@@ -236,7 +236,7 @@ void declare_verify(CLI::App& app, VerifyOptions& options)
   verify->add_option("--markdown", options.markdown, "write the ledger as a page")->option_text("FILE");
   verify
       ->add_option("--overview", options.overview,
-          "write one line per case, and what does not agree; a page that is there keeps the cases that are not solved")
+          "write one line per case, and what does not agree;\nan old page keeps the cases that are not solved")
       ->option_text("FILE")
       ->excludes(only_short)
       ->excludes(only_long);

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "simulation/observer.hpp"
+#include "simulation/simulation.hpp"
 #include "stability/factor_of_safety.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,7 @@ struct PartOfSet {
   std::string label;             ///< "[2/3] cells of 0.5 m  "
   double later_s = 0.0;          ///< expected time of the runs after it [s]
   std::string* fault = nullptr;  ///< is given why the run stopped itself
+  bool* slides = nullptr;        ///< is given whether that is since the soil slides in the section as it is drawn
   Observer* observer = nullptr;  ///< sees the run as well
 };
 
@@ -35,6 +38,9 @@ struct RunOptions {
   std::string picture;                ///< of check: SVG file of the section; empty: none
   std::vector<double> profiles;       ///< of check: x of vertical lines [m]
   const PartOfSet* part = nullptr;    ///< of run and resume
+
+  /// Is shown a run that was solved.
+  std::function<void(const Simulation&)> at_end = {};
 };
 
 struct ConvergeOptions {

@@ -4,6 +4,7 @@
 #include "simulation/output_costs.hpp"
 
 #include <chrono>
+#include <fmt/format.h>
 
 namespace terp {
 namespace {
@@ -57,6 +58,15 @@ double expected_seconds(Simulation& simulation, double trial_seconds)
   } catch (const RunError&) {
     return 0.0;  // the run itself says so
   }
+}
+
+void print_passes(const Workspace& work)
+{
+  double total = 0.0;
+  for (const double s : work.seconds) total += s;
+  for (int pass = 0; pass < n_passes; ++pass)
+    fmt::print(
+        "  {:<16} {:8.2f} s  {:4.1f} %\n", pass_names[pass], work.seconds[pass], 100.0 * work.seconds[pass] / total);
 }
 
 }  // namespace terp

@@ -1,4 +1,4 @@
-// What a run would cost, from a trial of its first steps.
+// What a run would cost, from a trial of its first steps, and what it did cost.
 #pragma once
 
 #include "simulation/simulation.hpp"
@@ -17,5 +17,8 @@ double seconds_of_steps(const Model& model, double step_s);
 
 /// What a run holds, frames and checkpoints in the making not counted.
 std::int64_t bytes_of(const Model& model, const State& state);
+
+/// Time of each pass of the steps made so far, and its share.
+void print_passes(const Workspace& work);
 
 }  // namespace terp

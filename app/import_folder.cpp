@@ -83,7 +83,7 @@ try {
   FolderOptions options = folder_options(project, command);
   if (asks_for_search(options.trigger)) {
     options.trigger = find_weakness(project, options, command.output, {});
-    options.is_held = options.trigger.kind == TriggerKind::none;
+    options.is_held = options.is_held || options.trigger.needs_hold;
   }
   write_folder(command, case_folder_of(project, options));
   return solved;

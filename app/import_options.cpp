@@ -103,22 +103,9 @@ bool asks_for_search(const FolderTrigger& trigger)
   return trigger.kind == TriggerKind::strength && std::isnan(trigger.value);
 }
 
-FolderTrigger trigger_after(std::optional<Real> stands, std::optional<Real> fails)
+FoundFactors factors_of(const StabilityResult& result)
 {
-  if (!stands || !fails)
-    throw RunError(
-        "terp stability found no factor: nothing is known of how weak the soil must be to slide\n  Look at "
-        "stability/stability.txt in the folder. Give the factor yourself: --trigger strength=F");
-  const Real factor = std::ceil(1e4 * *fails) / 1e4;
-  if (factor <= 1.0)
-    return {.origin = fmt::format("No trigger was needed: the section fails at its own strengths. terp stability on "
-                                  "these cells: it stands at a factor of {:g}, and fails at {:g} (stability/).",
-                *stands, factor)};
-  return {.kind = TriggerKind::strength,
-      .value = factor,
-      .origin =
-          fmt::format("terp stability on these cells: it stands at a factor of {:g}, and fails at {:g} (stability/).",
-              *stands, factor)};
+  return {result.search.stable, result.search.failed, result.search.highest()};
 }
 
 FolderTrigger find_weakness(
@@ -132,7 +119,7 @@ FolderTrigger find_weakness(
   const StabilityResult result = search_stability(search);
   if (result.stopped)
     throw RunError("stopped before the factor of safety was known; the case in the folder has no trigger");
-  return trigger_after(result.search.stable, result.search.highest());
+  return trigger_after(factors_of(result));
 }
 
 void write_case_folder(const std::string& path, const CaseFolder& folder)

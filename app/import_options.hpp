@@ -27,8 +27,7 @@ bool asks_for_search(const FolderTrigger& trigger);
 /// its folder stability/. Throws RunError where no factor was found, or the search was stopped.
 FolderTrigger find_weakness(
     const StixProject& project, FolderOptions options, const std::string& folder, const RunOptions& run);
-/// The same from the factors of a search that was made. Throws RunError where it found nothing.
-FolderTrigger trigger_after(std::optional<Real> stands, std::optional<Real> fails);
+FoundFactors factors_of(const StabilityResult& result);
 
 void write_case_folder(const std::string& path, const CaseFolder& folder);
 

@@ -1,6 +1,7 @@
 // terp run and terp resume.
 
 #include "commands.hpp"
+#include "cost.hpp"
 #include "followers/followers.hpp"
 #include "input/case_file.hpp"
 #include "input/case_record.hpp"
@@ -12,6 +13,8 @@
 #include "output/summary_keeper.hpp"
 #include "parallel/instructions.hpp"
 #include "progress.hpp"
+#include "simulation/initial.hpp"
+#include "simulation/no_equilibrium.hpp"
 #include "simulation/other_run.hpp"
 #include "simulation/setup_warnings.hpp"
 #include "simulation/simulation.hpp"
@@ -117,15 +120,6 @@ void warn_of(const Summary& s, const Model& model, const std::string& folder)
         reached.rose ? "holds it back" : "acts on it from then on");
 }
 
-void print_passes(const Workspace& work)
-{
-  double total = 0.0;
-  for (const double s : work.seconds) total += s;
-  for (int pass = 0; pass < n_passes; ++pass)
-    fmt::print(
-        "  {:<16} {:8.2f} s  {:4.1f} %\n", pass_names[pass], work.seconds[pass], 100.0 * work.seconds[pass] / total);
-}
-
 std::string resume_command(const std::string& folder, const RunOptions& options)
 {
   return fmt::format("terp resume {}{}", folder, options.report ? " --report" : "");
@@ -204,11 +198,15 @@ int solve(Simulation& simulation, RunWriter& writer, const RunOptions& options, 
     }
     if (!options.quiet && is_alone(options)) print_summary(summary, model, folder);
     warn_of(summary, model, folder);
+    if (const std::string overload = describe_overload(model, state); !overload.empty())
+      fmt::print(stderr, "warning: {}: {}\n", folder, overload);
+    if (options.at_end) options.at_end(simulation);
     if (options.verbose) print_passes(simulation.work);
     return solved;
   } catch (const RunError& error) {
     progress.finish();
     if (part.fault != nullptr) *part.fault = error.what();
+    if (part.slides != nullptr) *part.slides = dynamic_cast<const SlidesAsDrawn*>(&error) != nullptr;
     if (is_alone(options)) fmt::print(stderr, "error: {}\n", error.what());
     writer.summary(summarise(model, state), false);
     return stopped_itself;

@@ -73,7 +73,7 @@ class FolderMaker {
     if (!part_.empty()) text_.before.back().comment += "\n" + part_;
     make_time();
     for (CaseTableText& table : common_tables(layout_)) text_.after.push_back(std::move(table));
-    for (CaseTableText& table : reference_texts(project_, options_.scenario, options_.stage))
+    for (CaseTableText& table : reference_texts(project_, options_.scenario, options_.stage, options_.basis))
       text_.after.push_back(std::move(table));
     CaseFolder folder;
     folder.files.push_back({"case.toml", text_of(text_)});
@@ -133,18 +133,19 @@ class FolderMaker {
       if (is_staged_ && water->lines.empty()) {
         *water = water_below(layout_);
         assumed_.push_back(
-            fmt::format("Stage {} has no water: in the case it stands below the section.", quoted(stage->label)));
+            fmt::format("Stage {} has no water: in the case it stands below the section.", in_quotes(stage->label)));
       }
     situation_ = has_start ? key_of_name(stage_.label) + "_water" : "";
+    if (situation_ == raised_water) situation_ += "_2";
     phreatic_ = now.phreatic;
-    const auto unit =
-        CaseLine{"unit_weight", quoted(kilo_text((is_dry ? first_.stage() : stage_).water.unit_weight, "kN/m3")), ""};
+    const auto unit = CaseLine{
+        "unit_weight", in_quotes(kilo_text((is_dry ? first_.stage() : stage_).water.unit_weight, "kN/m3")), ""};
     if (has_start) {
-      add_water(start, "[water]", fmt::format("Stage {}", quoted(scenario().stages.front().label)), {unit});
-      add_water(now, "[[water.situation]]", fmt::format("Stage {}", quoted(stage_.label)),
-          {{"name", quoted(situation_), ""}});
+      add_water(start, "[water]", fmt::format("Stage {}", in_quotes(scenario().stages.front().label)), {unit});
+      add_water(now, "[[water.situation]]", fmt::format("Stage {}", in_quotes(stage_.label)),
+          {{"name", in_quotes(situation_), ""}});
     } else {
-      add_water(now, "[water]", fmt::format("Stage {}", quoted(stage_.label)), {unit});
+      add_water(now, "[water]", fmt::format("Stage {}", in_quotes(stage_.label)), {unit});
     }
   }
 
@@ -250,8 +251,8 @@ class FolderMaker {
     const StixLayer& layer = layer_of(piece.region.drawn);
     const std::string zone = piece.zone == 0 ? "" : piece.zone == 1 ? ", below the phreatic line" : ", above it";
     return {material_of(piece),
-        fmt::format("Layer {} (id {}), soil {}{}", quoted(layer.label), layer.id,
-            quoted(project_.soils[piece.soil].name), zone),
+        fmt::format("Layer {} (id {}), soil {}{}", in_quotes(layer.label), layer.id,
+            in_quotes(project_.soils[piece.soil].name), zone),
         {}, {}};
   }
 
@@ -304,7 +305,7 @@ class FolderMaker {
     files_.push_back({fmt::format("yield_stress_{}.csv", name), std::move(grid.csv)});
     assumed_.push_back(fmt::format(
         "{}: its grid of yield stresses gives those of the file within {:.1f} kPa.", name, grid.deviation / 1e3));
-    return {fmt::format("yield_stress = {{ csv = {} }}", quoted(files_.back().first)),
+    return {fmt::format("yield_stress = {{ csv = {} }}", in_quotes(files_.back().first)),
         fmt::format(
             "yield stress of {} on a grid, from the states of the file", is_staged_ ? "all stages" : "this stage")};
   }
@@ -329,7 +330,7 @@ class FolderMaker {
     }
     const Real level = river_level_.value_or(level_at_end(river_.side != "right"));
     std::vector<CaseLine> lines;
-    if (!river_.side.empty()) lines.push_back({"river", quoted(river_.side), river_.origin});
+    if (!river_.side.empty()) lines.push_back({"river", in_quotes(river_.side), river_.origin});
     lines.push_back(
         {"water_level", number_text(level), river_level_ ? "m: that of the trigger" : "m: phreatic line at that end"});
     if (level >= layout_.crest[1]) {
@@ -363,8 +364,8 @@ class FolderMaker {
       const bool always = !is_staged_ || std::ranges::any_of(scenario().stages.front().loads, is_same);
       text_.after.push_back(
           {"[[load]]", fmt::format("Uniform load of {:g} kPa, spread {:g} degrees", load.magnitude / 1e3, load.spread),
-              {{"name", quoted(label), ""}, {"from", number_text(from), "m"}, {"to", number_text(to), "m"},
-                  {"pressure", always ? quoted(kilo_text(load.magnitude, "kPa")) : "0.0",
+              {{"name", in_quotes(label), ""}, {"from", number_text(from), "m"}, {"to", number_text(to), "m"},
+                  {"pressure", always ? in_quotes(kilo_text(load.magnitude, "kPa")) : "0.0",
                       always ? "" : "put on in the last stage"}}});
       if (!always) stage_sets_.push_back(fmt::format("\"load.{}.pressure\" = {:g}", label, load.magnitude));
       std::ranges::move(remarks_on(load, label), std::back_inserter(assumed_));
@@ -426,12 +427,12 @@ class FolderMaker {
     const StixProject project = with_stage(project_, options_.scenario, options_.stage, raised.stage);
     const StixSection section(project, options_.scenario, options_.stage + 1, options_.basis);
     add_water(water_text(section, layout_, "water_raised", true), "[[water.situation]]",
-        "The river at the level of the trigger", {{"name", quoted(raised_water), ""}});
+        "The river at the level of the trigger", {{"name", in_quotes(raised_water), ""}});
     river_level_ = raised.level;
     trigger_ = {"raised_river", raised.comment, raised_water, {}};
     for (const auto& [key, use] : uses_)
       if (const std::string path = strength_water_key(use); !path.empty())
-        trigger_.sets.push_back(fmt::format("\"{}\" = {}", path, quoted(raised_water)));
+        trigger_.sets.push_back(fmt::format("\"{}\" = {}", path, in_quotes(raised_water)));
   }
 
   // --------------------------------------------------------------------------------------------------------- report
@@ -446,8 +447,9 @@ class FolderMaker {
         .head = text_.head,
         .weights = weights_,
         .sections = {{"Geometry: what moved", geometry}, {"Water", water_notes_},
-            {"Trigger: what makes the section fail", trigger_notes_}, {"Assumed", assumed_},
-            {"Left out, or not understood", left}}});
+            {"Trigger: what makes the section fail", trigger_notes_},
+            {"Stored slices beside what the file gives", slices_in_words(project_, options_.scenario, options_.stage)},
+            {"Assumed", assumed_}, {"Left out, or not understood", left}}});
   }
 
   const StixProject& project_;

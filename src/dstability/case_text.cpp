@@ -61,7 +61,7 @@ std::string table_text(const CaseTableText& table)
 std::string body_text(const CaseBodyText& body)
 {
   std::string text = "\n" + comment_text(body.comment) + "[[body]]\n";
-  text += fmt::format("material = {}\n", quoted(body.material));
+  text += fmt::format("material = {}\n", in_quotes(body.material));
   text += "polygon  = " + places_text(body.polygon, 2, 11) + "\n";
   if (!body.holes.empty()) {
     text += "holes    = [\n";
@@ -73,7 +73,7 @@ std::string body_text(const CaseBodyText& body)
 
 }  // namespace
 
-std::string quoted(const std::string& raw)
+std::string in_quotes(const std::string& raw)
 {
   std::string out = "\"";
   for (const char c : as_utf8(raw))
@@ -93,23 +93,31 @@ std::string number_text(Real value)
   return text == "-0.0" ? "0.0" : text;
 }
 
-std::string places_text(const std::vector<Vec<2>>& places, std::size_t indent, std::size_t first_column)
+std::string list_text(const std::vector<std::vector<Real>>& rows, std::size_t indent, std::size_t first_column)
 {
   std::string text = "[", line(first_column + 1, ' ');
   bool is_first_line = true;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const std::string place = fmt::format(
-        "[{}, {}]{}", number_text(places[k][0]), number_text(places[k][1]), k + 1 == places.size() ? "]" : ", ");
-    if (line.size() + place.size() > most_columns) {
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    std::string row;
+    for (const Real number : rows[k]) row += (row.empty() ? "[" : ", ") + number_text(number);
+    row += k + 1 == rows.size() ? "]]" : "], ";
+    if (line.size() + row.size() > most_columns) {
       while (line.ends_with(' ')) line.pop_back();
       text += is_first_line ? line.substr(std::min(first_column + 1, line.size())) : line;
       text += "\n";
       line = std::string(indent, ' ');
       is_first_line = false;
     }
-    line += place;
+    line += row;
   }
   return text + (is_first_line ? line.substr(first_column + 1) : line);
+}
+
+std::string places_text(const std::vector<Vec<2>>& places, std::size_t indent, std::size_t first_column)
+{
+  std::vector<std::vector<Real>> rows;
+  for (const Vec<2>& place : places) rows.push_back({place[0], place[1]});
+  return list_text(rows, indent, first_column);
 }
 
 std::string key_of_name(const std::string& name)
@@ -130,7 +138,7 @@ std::string text_of(const SectionText& text)
 {
   std::string out;
   for (const std::string& line : text.head) out += comment_text(line);
-  out += fmt::format("\ntitle  = {}\nscheme = \"mpm_gp\"\n", quoted(text.title));
+  out += fmt::format("\ntitle  = {}\nscheme = \"mpm_gp\"\n", in_quotes(text.title));
   for (const CaseTableText& table : text.before) out += table_text(table);
   for (const CaseBodyText& body : text.bodies) out += body_text(body);
   for (const CaseMaterialText& material : text.materials)

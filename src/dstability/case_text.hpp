@@ -46,12 +46,15 @@ struct SectionText {
 std::string text_of(const SectionText& text);
 
 /// A text in quotes; control characters are spaces, what is not UTF-8 is U+FFFD.
-std::string quoted(const std::string& text);
+std::string in_quotes(const std::string& text);
 
 /// A number as short as it can be with ten decimals.
 std::string number_text(Real value);
 
-/// [[x, y], ...], in lines of at most 120 columns that begin `indent` columns to the right, but for the first.
+/// [[1.0, 2.0], ...], in lines of at most 120 columns that begin `indent` columns to the right, but for the first.
+std::string list_text(const std::vector<std::vector<Real>>& rows, std::size_t indent, std::size_t first_column);
+
+/// The same of places.
 std::string places_text(const std::vector<Vec<2>>& places, std::size_t indent, std::size_t first_column);
 
 /// A name that TOML takes as a key: lower case letters, digits, _.

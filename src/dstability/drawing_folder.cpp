@@ -63,7 +63,7 @@ CaseFolder drawing_folder_of(
       while (std::ranges::any_of(text.materials, uses)) key += "_2";
       text.materials.push_back(default_soil_text(key, name, kind_of_soil(options.kinds, name)));
     }
-    order.bodies.push_back({key, fmt::format("Layer {} of the drawing", quoted(name)), {}, {}});
+    order.bodies.push_back({key, fmt::format("Layer {} of the drawing", in_quotes(name)), {}, {}});
     order.regions.push_back(region);
   }
   put_on_top(order);

@@ -57,7 +57,7 @@ std::vector<std::string> origin_comments(
   return {fmt::format("Written by terp import from {} ({}, content version {}).", project.path, project.application,
               project.content_version),
       fmt::format("Scenario {} {}, stage {} {}. Strengths: {}. What was assumed, moved and left out: report.md.",
-          scenario + 1, quoted(of.label), stage + 1, quoted(of.stages[stage].label), values),
+          scenario + 1, in_quotes(of.label), stage + 1, in_quotes(of.stages[stage].label), values),
       "Units: m, s, Pa, kg unless one stands with the number. x and y are the file's x and z."};
 }
 

@@ -14,15 +14,32 @@ constexpr Real least_river = 0.05;  // [m] of water on the ground at an end of t
 constexpr Real least_apart = 0.01;  // [m] between the phreatic lines at both ends; nearer ones are level
 constexpr Real least_dike = 0.1;    // of the relief, over the ground at an end that is no high land
 constexpr Real inside = 1e-6;       // [m] from an end
+constexpr Real outside = 0.01;      // [m] beyond an end: coordinates of drawings are in cm
 
-/// The end that the file names by its points of the embankment; empty: it names none.
-std::string named_side(const StixEmbankment& at)
+/// On which side of the point of the land that of the water lies; empty: the file does not give both.
+std::string side_of(Real water, Real land)
 {
-  if (std::isfinite(at.top_water - at.top_land) && at.top_water != at.top_land)
-    return at.top_water < at.top_land ? "left" : "right";
-  if (std::isfinite(at.toe_water - at.toe_land) && at.toe_water != at.toe_land)
-    return at.toe_water < at.toe_land ? "left" : "right";
-  return "";
+  return !std::isfinite(water - land) || water == land ? "" : water < land ? "left" : "right";
+}
+
+/// The end that the file names by its points of the embankment; empty: it names none. Its doubt: that they contradict
+/// each other, or lie outside of the section.
+StixRiver named_river(const StixEmbankment& at, Vec<2> ends)
+{
+  const std::string tops = side_of(at.top_water, at.top_land), toes = side_of(at.toe_water, at.toe_land);
+  StixRiver river{.side = tops.empty() ? toes : tops, .origin = "the water side of the embankment in the file"};
+  if (!tops.empty() && !toes.empty() && tops != toes)
+    river.doubt = fmt::format(
+        "The file has the top of its embankment's water side at the {} end, but its toe at the {} end. The river is "
+        "taken to be at the {} end.",
+        tops, toes, river.side);
+  for (const Real x : {at.top_water, at.top_land, at.toe_water, at.toe_land})
+    if (!river.side.empty() && river.doubt.empty() && (x < ends[0] - outside || x > ends[1] + outside))
+      river.doubt = fmt::format(
+          "The file has a point of its embankment at x = {:.2f} m, outside of the section ({:.2f} to {:.2f} m). The "
+          "river is taken to be at the {} end.",
+          x, ends[0], ends[1], river.side);
+  return river;
 }
 
 /// No dike lies between an end and the highest ground: the water in it is that of the land.
@@ -56,10 +73,10 @@ StixRiver find_river(const StixSection& section, Vec<2> ends)
   const std::string higher = !differ ? "" : level[0] > level[1] ? "left" : "right";
   const auto at_end = [](const std::string& side) { return side == "right" ? 1 : 0; };
 
-  if (const std::string named = named_side(section.stage().embankment); !named.empty()) {
-    StixRiver river{.side = named, .origin = "the water side of the embankment in the file"};
+  if (StixRiver river = named_river(section.stage().embankment, ends); !river.side.empty()) {
+    const std::string& named = river.side;
     const char* other = other_end(named);
-    if (higher == other && is_wet[at_end(other)])
+    if (river.doubt.empty() && higher == other && is_wet[at_end(other)])
       river.doubt = fmt::format(
           "The file has its embankment's water side at the {} end, but water stands on the ground at the {} end, and "
           "higher: {:.2f} m, not {:.2f} m. The river is taken to be at the {} end.",

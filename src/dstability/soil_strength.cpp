@@ -19,6 +19,23 @@ StixBasis basis_of(StixCalculationKind kind)
   return kind == StixCalculationKind::mean ? StixBasis::mean : StixBasis::deterministic;
 }
 
+std::string_view strengths_of(StixCalculationKind kind)
+{
+  switch (kind) {
+    case StixCalculationKind::deterministic: return "deterministic";
+    case StixCalculationKind::design: return "design";
+    case StixCalculationKind::mean: return "mean";
+    case StixCalculationKind::probabilistic: return "probabilistic";
+    case StixCalculationKind::unknown: break;
+  }
+  return "unknown";
+}
+
+std::string_view strengths_of(StixBasis basis)
+{
+  return basis == StixBasis::design ? "design" : basis == StixBasis::mean ? "mean" : "deterministic";
+}
+
 Real lognormal_fractile_5(Real mean, Real deviation)
 {
   if (std::isnan(deviation)) return not_given;

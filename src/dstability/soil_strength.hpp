@@ -4,6 +4,8 @@
 
 #include "dstability/project.hpp"
 
+#include <string_view>
+
 namespace terp {
 
 /// Which number of a parameter counts.
@@ -15,6 +17,11 @@ enum class StixBasis {
 
 /// What a calculation takes; of a probabilistic one the plain values.
 StixBasis basis_of(StixCalculationKind kind);
+
+/// The strengths that a calculation takes: "deterministic", "design", "mean", "probabilistic", "unknown".
+std::string_view strengths_of(StixCalculationKind kind);
+/// Those of a case, in the same words.
+std::string_view strengths_of(StixBasis basis);
 
 /// x that a lognormal variable of this mean and standard deviation falls below in 5 % of cases; in their unit. Not a
 /// number without a deviation.

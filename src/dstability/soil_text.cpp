@@ -123,11 +123,11 @@ void add_common(const SoilUse& use, const SoilKind& kind, bool drained, SoilText
 {
   const Real weight = use.above ? use.soil->weight_above : use.soil->weight_below;
   auto& lines = text.material.lines;
-  lines.push_back({"density", quoted(kilo_text(weight, "kN/m3")),
+  lines.push_back({"density", in_quotes(kilo_text(weight, "kN/m3")),
       fmt::format("weight {} the phreatic line", use.above ? "above" : "below")});
   const std::string origin = fmt::format("not in the file: default of {}", kind.kind);
   if (drained)
-    lines.push_back({"shear_modulus", quoted(fmt::format("{:g} MPa", kind.shear_modulus)), origin});
+    lines.push_back({"shear_modulus", in_quotes(fmt::format("{:g} MPa", kind.shear_modulus)), origin});
   else
     lines.push_back({"stiffness_ratio", fmt::format("{:g}", kind.stiffness_ratio), "G over su_peak; " + origin});
   lines.push_back(
@@ -139,7 +139,7 @@ void add_friction(SoilText& text, Real cohesion, Real friction, Real dilatancy, 
 {
   auto& lines = text.material.lines;
   lines.push_back({"friction_angle", fmt::format("{:.9g}", friction), "degrees; " + origin});
-  lines.push_back({"cohesion", quoted(kilo_text(cohesion, "kPa")), origin});
+  lines.push_back({"cohesion", in_quotes(kilo_text(cohesion, "kPa")), origin});
   lines.push_back({"dilatancy_angle", fmt::format("{:.9g}", dilatancy), origin});
 }
 
@@ -213,7 +213,7 @@ void add_drained(const SoilUse& use, StixStrengthModel model, StixBasis basis, c
 
 std::string water_option(const SoilUse& use)
 {
-  return use.strength_water.empty() ? "" : fmt::format(", water = {}", quoted(use.strength_water));
+  return use.strength_water.empty() ? "" : fmt::format(", water = {}", in_quotes(use.strength_water));
 }
 
 void add_undrained(const SoilUse& use, StixStrengthModel model, StixBasis basis, const SoilKind& kind, SoilText& text)
@@ -229,8 +229,9 @@ void add_undrained(const SoilUse& use, StixStrengthModel model, StixBasis basis,
   } else {
     std::string rows;
     for (const Vec<2>& row : soil.su_table.rows)
-      rows += fmt::format("{}[{}, {}]", rows.empty() ? "" : ", ", quoted(kilo_text(row[0], "kPa")),
-          quoted(kilo_text(std::max(table_strength(soil.su_table, row[0], basis), 1e3 * kind.least_strength), "kPa")));
+      rows += fmt::format("{}[{}, {}]", rows.empty() ? "" : ", ", in_quotes(kilo_text(row[0], "kPa")),
+          in_quotes(
+              kilo_text(std::max(table_strength(soil.su_table, row[0], basis), 1e3 * kind.least_strength), "kPa")));
     lines.push_back({"su_peak", fmt::format("{{ table = [{}]{} }}", rows, water_option(use)),
         fmt::format(
             "SuTable of the file over sigma'_v; at least {:g} kPa: default of {}", kind.least_strength, kind.kind)});
@@ -269,7 +270,7 @@ SoilText soil_text(const SoilUse& use, StixBasis basis, const std::vector<SoilKi
   check_numbers(use, model, basis, use.above ? soil.above_word : soil.below_word);
   SoilText text;
   text.material.name = use.name;
-  text.material.comment = fmt::format("Soil {} ({}){}{}: {} of the file. Kind: {}.", quoted(soil.name), soil.code,
+  text.material.comment = fmt::format("Soil {} ({}){}{}: {} of the file. Kind: {}.", in_quotes(soil.name), soil.code,
       use.where.empty() ? "" : ", ", use.where, use.above ? soil.above_word : soil.below_word, kind.kind);
   auto& lines = text.material.lines;
   const bool drained = model != StixStrengthModel::shansep && model != StixStrengthModel::su_table;
@@ -282,7 +283,7 @@ SoilText soil_text(const SoilUse& use, StixBasis basis, const std::vector<SoilKi
     add_undrained(use, model, basis, kind, text);
   const bool has_colour =
       soil.colour.size() == 9 && soil.colour.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-  if (has_colour) lines.push_back({"color", quoted('#' + soil.colour.substr(3)), "of the file"});
+  if (has_colour) lines.push_back({"color", in_quotes('#' + soil.colour.substr(3)), "of the file"});
   text.assumed.push_back(fmt::format("{}: stiffness, Poisson's ratio and K0 are defaults of {}.", use.name, kind.kind));
   return text;
 }
@@ -298,7 +299,7 @@ CaseMaterialText default_soil_text(const std::string& name, const std::string& l
 {
   const std::string origin = fmt::format("default of {}: fill in your own", kind.kind);
   CaseMaterialText text{
-      name, fmt::format("Layer {} of the drawing. Nothing but its name is known.", quoted(label)), {}};
+      name, fmt::format("Layer {} of the drawing. Nothing but its name is known.", in_quotes(label)), {}};
   const bool drained = kind.ratio == 0.0;
   text.lines = {{"model", drained ? "\"mohr_coulomb\"" : "\"tresca_softening\"",
                     drained ? "drained" : "undrained, without softening"},

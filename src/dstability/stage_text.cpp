@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <set>
+
 namespace terp {
 namespace {
 
@@ -11,7 +13,8 @@ CaseLine ramp() { return {"ramp", "10.0", "s: slow beside the vibrations of the 
 /// A stage that ends at rest. longest: [s].
 CaseTableText stage_until_rest(const std::string& name, const std::string& comment, const char* longest)
 {
-  return {"[[stage]]", comment, {{"name", quoted(name), ""}, {"until", "\"at_rest\"", ""}, {"at_most", longest, "s"}}};
+  return {
+      "[[stage]]", comment, {{"name", in_quotes(name), ""}, {"until", "\"at_rest\"", ""}, {"at_most", longest, "s"}}};
 }
 
 void add_sets(const std::vector<std::string>& sets, CaseTableText& stage)
@@ -32,14 +35,14 @@ void hold(CaseTableText& stage)
 
 CaseTableText analysed_stage(const StagePlan& plan, const std::string& name)
 {
-  CaseTableText stage = stage_until_rest(name, fmt::format("Stage {} of the file", quoted(plan.analysed)), "30.0");
+  CaseTableText stage = stage_until_rest(name, fmt::format("Stage {} of the file", in_quotes(plan.analysed)), "30.0");
   const std::vector<std::string> released{"at_strength = 1.0"};
   if (plan.first.empty()) {
     if (plan.is_held) add_sets(released, stage);
     return stage;
   }
   stage.lines.insert(stage.lines.begin() + 1, ramp());
-  if (!plan.water.empty()) stage.lines.insert(stage.lines.begin() + 1, {"water", quoted(plan.water), ""});
+  if (!plan.water.empty()) stage.lines.insert(stage.lines.begin() + 1, {"water", in_quotes(plan.water), ""});
   std::vector<std::string> sets{"\"forces.damping.local\" = 0.05"};
   sets.insert(sets.end(), plan.sets.begin(), plan.sets.end());
   if (plan.is_held) sets.insert(sets.end(), released.begin(), released.end());
@@ -48,12 +51,12 @@ CaseTableText analysed_stage(const StagePlan& plan, const std::string& name)
   return stage;
 }
 
-CaseTableText trigger_stage(const TriggerStage& trigger)
+CaseTableText trigger_stage(const TriggerStage& trigger, const std::string& name)
 {
-  CaseTableText stage = stage_until_rest(trigger.name, trigger.comment, "30.0");
+  CaseTableText stage = stage_until_rest(name, trigger.comment, "30.0");
   stage.lines.insert(stage.lines.begin() + 1, {"trigger", "true", "the verdict is not that of the section as it is"});
   if (!trigger.water.empty())
-    stage.lines.insert(stage.lines.begin() + 2, {{"water", quoted(trigger.water), ""}, ramp()});
+    stage.lines.insert(stage.lines.begin() + 2, {{"water", in_quotes(trigger.water), ""}, ramp()});
   add_sets(trigger.sets, stage);
   stage.lines.push_back({"reset_displacement", "true", ""});
   return stage;
@@ -66,18 +69,22 @@ std::vector<CaseTableText> stage_tables(const StagePlan& plan)
   const bool is_triggered = !plan.trigger.name.empty();
   if (plan.first.empty() && !is_triggered && !plan.is_held) return {};
   std::vector<CaseTableText> tables;
-  const std::string first = key_of_name(plan.first);
-  std::string analysed = key_of_name(plan.analysed);
+  std::set<std::string> used;
+  const auto own_name = [&](const std::string& name) {
+    std::string own = name;
+    for (int k = 2; !used.insert(own).second; ++k) own = fmt::format("{}_{}", name, k);
+    return own;
+  };
   if (!plan.first.empty()) {
-    if (analysed == first) analysed += "_2";
-    tables.push_back(stage_until_rest(first, fmt::format("Stage {} of the file", quoted(plan.first)), "20.0"));
+    tables.push_back(stage_until_rest(
+        own_name(key_of_name(plan.first)), fmt::format("Stage {} of the file", in_quotes(plan.first)), "20.0"));
     add_sets({"\"forces.damping.local\" = 0.5"}, tables.back());
   } else if (plan.is_held) {
-    tables.push_back(stage_until_rest("held", "", "20.0"));
+    tables.push_back(stage_until_rest(own_name("held"), "", "20.0"));
   }
   if (plan.is_held) hold(tables.back());
-  tables.push_back(analysed_stage(plan, analysed));
-  if (is_triggered) tables.push_back(trigger_stage(plan.trigger));
+  tables.push_back(analysed_stage(plan, own_name(key_of_name(plan.analysed))));
+  if (is_triggered) tables.push_back(trigger_stage(plan.trigger, own_name(plan.trigger.name)));
   return tables;
 }
 

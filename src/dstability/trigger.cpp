@@ -10,7 +10,8 @@
 namespace terp {
 namespace {
 
-constexpr Real step = 0.05;  // [m] along the section, in the search for the shore
+constexpr Real ten_thousand = 1e4;  // a factor in the case has four decimals, rounded up
+constexpr Real step = 0.05;         // [m] along the section, in the search for the shore
 
 /// x at which the ground first stands at the level, from the river on; the other end where it nowhere does.
 Real shore(const StixSection& section, const RiverInStage& river, Real level)
@@ -38,6 +39,24 @@ StixLine with_shore(StixLine line, const RiverInStage& river, Real shore, Real l
 }  // namespace
 
 Real river_below_crest(Real height_of_dike) { return std::max(0.05, height_of_dike / 40.0); }
+
+FolderTrigger trigger_after(const FoundFactors& found)
+{
+  if (!found.stands || (!found.fails && !found.creeps))
+    throw RunError(
+        "terp stability found no factor: nothing is known of how weak the soil must be to slide\n  Look at "
+        "stability/stability.txt in the folder. Give the factor yourself: --trigger strength=F");
+  const std::string stands = fmt::format("terp stability on these cells: it stands at a factor of {:g}", *found.stands);
+  if (!found.fails)
+    return {.origin = fmt::format("No trigger: {}, and is undecided up to {:g}, where it creeps and does not fail "
+                                  "(stability/). Give the factor yourself: --trigger strength=F.",
+                stands, *found.creeps)};
+  const Real factor = std::ceil(ten_thousand * *found.fails) / ten_thousand;
+  const std::string bounds = fmt::format("{}, and fails at {:g} (stability/).", stands, factor);
+  if (factor <= 1.0)
+    return {.origin = "No trigger was needed: the section fails at its own strengths. " + bounds, .needs_hold = true};
+  return {.kind = TriggerKind::strength, .value = factor, .origin = bounds};
+}
 
 StixStage with_river_at(const StixSection& section, const RiverInStage& river, Real level)
 {

@@ -1,9 +1,10 @@
 // What makes an imported section fail that stands by itself: weaker soil, or a higher river. docs/dstability.md.
-// Not for: the search for the factor by which the soil must be weaker (app, stability).
+// Not for: the search for the factor by which the soil must be weaker (stability).
 #pragma once
 
 #include "dstability/section.hpp"
 
+#include <optional>
 #include <string>
 
 namespace terp {
@@ -14,7 +15,19 @@ struct FolderTrigger {
   TriggerKind kind = TriggerKind::none;
   Real value = not_given;   ///< factor by which strengths are divided [-]; level of the river [m], not given: the crest
   std::string origin = {};  ///< of the factor, a sentence
+  bool needs_hold = false;  ///< none is needed: the section fails at its own strengths
 };
+
+/// What a search for the factor of safety has found [-].
+struct FoundFactors {
+  std::optional<Real> stands = {};  ///< largest at which the section stands
+  std::optional<Real> fails = {};   ///< smallest at which it fails
+  std::optional<Real> creeps = {};  ///< largest of which nothing is known, as it only crept
+};
+
+/// The trigger of weaker soil: the smallest factor at which the section fails. Where nothing failed there is none.
+/// Throws RunError where the search found nothing.
+FolderTrigger trigger_after(const FoundFactors& found);
 
 /// How far below the crest the river is brought: by as much as the crest may settle before it counts as damage
 /// (docs/flood.md) [m].

@@ -194,9 +194,9 @@ std::string reference_text(const WaterSituation& lines)
 {
   std::string text = "[";
   for (const ReferenceLine& line : lines.reference_lines) {
-    const std::string heads = line.head == line.head_bottom ? fmt::format("head = {}", quoted(line.head))
+    const std::string heads = line.head == line.head_bottom ? fmt::format("head = {}", in_quotes(line.head))
                                                             : fmt::format("head_top = {}, head_bottom = {}",
-                                                                  quoted(line.head), quoted(line.head_bottom));
+                                                                  in_quotes(line.head), in_quotes(line.head_bottom));
     text +=
         fmt::format("{}\n  {{ line = {}, {} }}", text.size() > 1 ? "," : "", places_text(line.places, 4, 11), heads);
   }
@@ -227,7 +227,7 @@ WaterText water_text(const StixSection& section, const SectionLayout& layout, co
     text.deviation = 0.0;
     text.grid_file = name + ".csv";
     text.grid = grid_text(section, layout);
-    text.lines.push_back({"pressure", fmt::format("{{ csv = {} }}", quoted(text.grid_file)),
+    text.lines.push_back({"pressure", fmt::format("{{ csv = {} }}", in_quotes(text.grid_file)),
         "the pore pressure of the file on a grid, in Pa: its water cannot be said with lines"});
     for (const Real x : xs)
       if (const Real level = section.column(x).now().water().phreatic(); std::isfinite(level))
@@ -236,7 +236,7 @@ WaterText water_text(const StixSection& section, const SectionLayout& layout, co
   }
   text.phreatic = lines.phreatic_line;
   text.lines.push_back({"phreatic_line", places_text(lines.phreatic_line, 2, 16),
-      fmt::format("head line {}", quoted(water.head_lines[*water.phreatic].label))});
+      fmt::format("head line {}", in_quotes(water.head_lines[*water.phreatic].label))});
   if (lines.reference_lines.empty()) return text;
   if (!lines.head_lines.empty()) {
     std::string heads;

@@ -151,16 +151,16 @@ StandingGround look_at_ground(const Mesh<2>& mesh, const PointBlocks<2>& points,
   return ground;
 }
 
-ColumnRange columns_of_barrier(const StandingGround& ground)
+ColumnRange columns_of_barrier(const StandingGround& ground, std::optional<Facing> river)
 {
   const Index n = ground.columns.n;
   const auto reaches = [&](Index k) { return ground.heights[k] >= ground.level; };
   const auto is_empty = [&](Index k) { return ground.heights[k] == none; };
   Index left = 0, right = n;  // the high land at both ends of the soil, which may end before the mesh
   while (left < n && is_empty(left)) ++left;
-  while (left < n && reaches(left)) ++left;
+  while (river != Facing::left && left < n && reaches(left)) ++left;
   while (right > 0 && is_empty(right - 1)) --right;
-  while (right > 0 && reaches(right - 1)) --right;
+  while (river != Facing::right && right > 0 && reaches(right - 1)) --right;
   for (Index k = left; k < right; ++k)
     if (reaches(k)) return {left, right};
   return {0, n};

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "events/ground.hpp"
+#include "events/section.hpp"
 #include "events/surface.hpp"
 #include "mesh/mesh.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace terp {
@@ -37,8 +39,9 @@ struct ColumnRange {
 };
 
 /// The columns that hold the water back: all, but for high land behind lower land. That is ground at an end of the
-/// section that stands at the level or above, where lower ground parts it from other ground that does.
-ColumnRange columns_of_barrier(const StandingGround& ground);
+/// section that stands at the level or above, where lower ground parts it from other ground that does. It is never at
+/// the river's end, where that is known: what stands there holds the water.
+ColumnRange columns_of_barrier(const StandingGround& ground, std::optional<Facing> river);
 
 /// What remains to hold the water.
 struct Barrier {

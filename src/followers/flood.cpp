@@ -3,6 +3,7 @@
 
 #include "events/crest.hpp"
 #include "followers/followers.hpp"
+#include "simulation/free_water.hpp"
 #include "simulation/ground_section.hpp"
 #include "simulation/ledger_context.hpp"
 #include "simulation/state_arrays.hpp"
@@ -33,10 +34,12 @@ std::optional<Facing> river_side(const FloodLevel& level, const StandingGround& 
   return *left < ground.level ? Facing::left : Facing::right;
 }
 
-std::string criterion_text(const FloodCase& flood, Real level)
+std::string criterion_text(const FloodCase& flood, Real level, const RiverBeforeTrigger& river)
 {
   std::string text = fmt::format(
       "it floods where no ground between river and land stands at {:g} m or higher", level + flood.smallest_freeboard);
+  if (river.n_stages > 0 && std::isfinite(river.level))
+    text += fmt::format(" (before the trigger: {:g} m)", river.level + flood.smallest_freeboard);
   if (flood.smallest_freeboard > 0.0)
     text += fmt::format(", {:g} m over the water at {:g} m", flood.smallest_freeboard, level);
   if (flood.smallest_width > 0.0)
@@ -62,13 +65,15 @@ std::optional<Real> river_of(const Case& c, const StageCase& stage, std::optiona
   return river == Facing::right ? found->phreatic_line.back()[1] : found->phreatic_line.front()[1];
 }
 
-/// The first stage so far that is there to make the section fail, or from which on strengths are divided.
+/// The first stage so far that is there to make the section fail, or from which on strengths are divided. A stage that
+/// holds the soil for those after it is none.
 std::optional<std::size_t> trigger_stage(const Case& c, std::size_t now)
 {
   std::optional<std::size_t> first;
   bool is_weaker = true;  // from here to the present stage
   for (std::size_t k = now + 1; k-- > 0;) {
-    is_weaker = is_weaker && c.stages[k].changed->at_strength != 1.0;
+    const Real divided_by = c.stages[k].changed->at_strength;
+    is_weaker = is_weaker && (divided_by > 1.0 || (divided_by < 1.0 && now + 1 == c.stages.size()));
     if (is_weaker || c.stages[k].trigger) first = k;
   }
   return first;
@@ -87,10 +92,11 @@ std::optional<FloodTrigger> trigger_of(
   for (std::size_t k = *first; k <= now; ++k)
     if (const auto level = river_of(c, c.stages[k], river); c.stages[k].trigger && level) trigger.river = level;
   if (*first == 0) return trigger;
-  const Real begins = state.stages_done[*first - 1].end;
-  trigger.before = times[1] <= begins   ? FloodVerdict::floods
-                   : times[0] <= begins ? FloodVerdict::damaged
-                                        : FloodVerdict::stands;
+  const StageRecord& before = state.stages_done[*first - 1];
+  if (times[1] <= before.end)
+    trigger.before = FloodVerdict::floods;
+  else if (before.at_rest)
+    trigger.before = times[0] <= before.end ? FloodVerdict::damaged : FloodVerdict::stands;
   return trigger;
 }
 
@@ -101,24 +107,26 @@ class Flood : public Follower {
   Real settles_ = 0.0;         ///< fall of the barrier from which on the ground is damaged [m]
   Real slides_ = 0.0;          ///< volume of ground that moved, from which on it is [m^2]
   std::optional<Facing> river_;
+  std::optional<RiverBeforeTrigger> before_;        ///< follows from the model: looked for once
   Real time_damaged_ = never, time_below_ = never;  ///< the first ones; but for slides [s]
   Real fastest_node_ = never;                       ///< in the last row [m/s]
 
   void start(const Model& model, const State& state) override
   {
     const StandingGround ground = standing_ground(model, state.points);
-    range_ = columns_of_barrier(ground);
+    range_ = columns_of_barrier(ground, model.flood_level.river);
     first_height_ = find_barrier(ground, range_).height;
     const Real height = relief(first_section(model, state.points, ground_of(model)));
     settles_ = standing_tolerance(height);
     slides_ = slid_share * height * height;
     river_ = river_side(model.flood_level, ground);
     time_damaged_ = time_below_ = never;
+    before_.reset();
   }
 
-  Barrier look(const Model& model, const State& state) const
+  Barrier look(const Model& model, const State& state, Real level) const
   {
-    return find_barrier(standing_ground(model, state.points), range_);
+    return find_barrier(standing_ground(model, state.points, level), range_);
   }
 
   void row(const LedgerContext& context, std::span<Real> values) override
@@ -126,17 +134,21 @@ class Flood : public Follower {
     const FloodCase& flood = context.model.description.flood;
     const FloodLevel& level = context.model.flood_level;
     if (!level.is_known()) return;
-    const Barrier barrier = look(context.model, context.state);
+    if (!before_) before_ = river_before_trigger(context.model);
+    const Barrier barrier = look(context.model, context.state, level.value);
+    const bool is_before = static_cast<std::size_t>(context.state.stage) < before_->n_stages;
+    const Real river = is_before ? before_->level : level.value;
+    const Barrier judged = is_before ? look(context.model, context.state, river) : barrier;
     values[0] = barrier.height, values[1] = barrier.width, values[2] = barrier.intact_width;
     fastest_node_ = context.fastest_node;
     const auto keep_first = [&](bool so, Real& time) {
       if (so && std::isnan(time)) time = context.state.time;
     };
-    keep_first(barrier.height < level.value + flood.smallest_freeboard - round_off ||
-                   barrier.width < flood.smallest_width - round_off,
+    keep_first(
+        judged.height < river + flood.smallest_freeboard - round_off || judged.width < flood.smallest_width - round_off,
         time_below_);
     const Real moved = context.totals.moved.volume + volume_that_left(context.state);
-    keep_first(barrier.height < first_height_ - settles_ || barrier.intact_width < flood.smallest_width - round_off ||
+    keep_first(judged.height < first_height_ - settles_ || judged.intact_width < flood.smallest_width - round_off ||
                    moved > slides_,
         time_damaged_);
   }
@@ -144,7 +156,7 @@ class Flood : public Follower {
   void summarise(const Model& model, const State& state, Summary& s) const override
   {
     const FloodLevel& level = model.flood_level;
-    const Barrier barrier = look(model, state);
+    const Barrier barrier = look(model, state, level.value);
     s.residual_height = known(barrier.height);
     if (!level.is_known() || state.has_no_start) return;
     FloodSummary& f = s.flood.emplace();
@@ -160,12 +172,19 @@ class Flood : public Follower {
         known(std::fmin(time_damaged_, s.first_slide_time.value_or(never)));
     f.fastest_node = known(fastest_node_);
     const bool rests = !state.stages_done.empty() && state.stages_done.back().at_rest;
-    f.still_moves = !rests && f.fastest_node && *f.fastest_node * state.time > settles_;
+    f.still_moves = !rests && f.fastest_node && *f.fastest_node * time_to_look_ahead(model, state) > settles_;
     f.verdict = f.first_time_below     ? FloodVerdict::floods
                 : f.first_time_damaged ? FloodVerdict::damaged
                                        : FloodVerdict::stands;
     f.trigger = trigger_of(model.description, state, river_, {f.first_time_damaged.value_or(never), time_below_});
-    f.criterion = criterion_text(model.description.flood, level.value);
+    f.criterion = criterion_text(model.description.flood, level.value, before_.value_or(river_before_trigger(model)));
+  }
+
+  /// As long again as the run took; after a short one the time of a free fall through the relief [s].
+  Real time_to_look_ahead(const Model& model, const State& state) const
+  {
+    const Real g = std::hypot(model.gravity[0], model.gravity[1]), height = std::sqrt(slides_ / slid_share);
+    return g > 0.0 ? std::max(state.time, std::sqrt(2.0 * height / g)) : state.time;
   }
 
   void save(ArrayWriter& arrays) const override

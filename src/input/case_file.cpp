@@ -113,7 +113,7 @@ CaseFile read_case_text(const std::string& text, const std::string& path, const 
   file.values.name = name_of_case(path);
   file.values.folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path().string() : ".";
   read_values(file.source.root, file.values, findings);
-  load_libraries(file.values, findings.problems);
+  load_libraries(file.source.root, file.values, findings.problems);
   set_end_of_run(file.values);
   file.values.flood.given = find_item(file.source.root, "flood") != nullptr;
   set_start(file.source.root, file.values, findings);

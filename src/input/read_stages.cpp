@@ -57,13 +57,19 @@ std::string changeable_keys()
   return plain_list(names);
 }
 
+/// Of a key of a material; in a soil of two parts it stands below the name of a part.
+std::string parameter_of(const std::vector<std::string>& parts)
+{
+  if (parts[0] != "material" || parts.size() < 3) return "";
+  return parts.size() > 3 && (parts[2] == "below" || parts[2] == "above") ? parts[3] : parts[2];
+}
+
 /// True for keys that are not known either: reading says so better.
 bool may_change(const std::vector<std::string>& parts)
 {
-  if (parts[0] == "material" && parts.size() > 2) {  // of a soil in two parts the last part is the parameter, too
-    const bool in_part = parts.size() == 4 && (parts[2] == "below" || parts[2] == "above");
-    std::string rest = in_part ? parts[3] : parts[2];
-    if (!in_part && parts.size() > 3) rest += '.' + parts[3];
+  if (parts[0] == "material" && parts.size() > 2) {
+    std::string rest = parameter_of(parts);
+    if (rest == parts[2] && parts.size() > 3) rest += '.' + parts[3];
     const KeyInfo* key = find_key("material.NAME." + rest);
     return key == nullptr ? find_section("material.NAME." + rest) == nullptr : key->in_stage;
   }
@@ -98,6 +104,10 @@ void set_values(const std::string& path, const Node& set, Node& root, std::vecto
       if (is_list && parts.size() > 1 && !by_number)
         return Problem{path + ".set", fmt::format("this case has no `{}.{}`", parts[0], parts[1]),
             "Give the number of the entry, counted from 0, or its `name`.", "stage.set"};
+      if (parameter_of(parts) == "yield_stress")
+        return Problem{path + ".set", fmt::format("a stage cannot change `{}`", key),
+            "A yield stress is that of the start. What the soil has been loaded to since then stays with it.",
+            "stage.set"};
       if (may_change(parts)) return std::nullopt;
       return Problem{path + ".set", fmt::format("a stage cannot change `{}`", key),
           "These may change: " + changeable_keys() +
@@ -142,11 +152,12 @@ void read_stages(const Document& document, Case& values, std::vector<Problem>& w
     now.name = values.name, now.folder = values.folder, now.flood.given = values.flood.given;
     if (findings.problems.empty()) {
       read_values(changed.root, now, findings);
-      load_libraries(now, findings.problems);
+      load_libraries(changed.root, now, findings.problems);
       set_end_of_run(now);
       check_case(changed.root, now, findings);
       check_fields_of_laws(values, now, findings.problems);
       check_libraries_of_stage(values, now, findings.problems);
+      check_first_calls(k == 0 ? values : *values.stages[k - 1].changed, now, k, findings.problems);
       if (stage.until == Until::at_rest) check_what_goes_on(now, findings.warnings);
     }
     if (!findings.problems.empty()) throw CaseError(render_errors(findings.problems, changed));

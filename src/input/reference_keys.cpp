@@ -6,12 +6,13 @@
 #include "input/units.hpp"
 #include "input/values.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace terp {
 namespace {
 
-constexpr const char* keys_of_plane = "Keys of a slip plane: name, method, factor_of_safety, line";
+constexpr const char* keys_of_plane = "Keys of a slip plane: name, method, factor_of_safety, line, su";
 
 bool refuse(const Entry& entry, const std::string& path, std::string what, std::string detail, Findings& findings)
 {
@@ -26,12 +27,28 @@ bool refuse_value(
       fmt::format("Got {}; allowed: {}.", describe_value(item), allowed), findings);
 }
 
+/// [[x, y, S_u], ...]
+bool read_strengths(const Node& list, std::vector<SlipPlaneCase::Strength>& strengths)
+{
+  for (const Node& item : list.items) {
+    if (item.kind != NodeKind::list || item.items.size() != 3) return false;
+    const auto x = number_of(item.items[0], "m"), y = number_of(item.items[1], "m"),
+               su = number_of(item.items[2], "Pa");
+    if (!x || !y || !su || !std::isfinite(*x + *y) || !positive.contains(*su)) return false;
+    strengths.push_back({{*x, *y}, *su});
+  }
+  return list.kind == NodeKind::list && !strengths.empty();
+}
+
 bool read_item(const Entry& entry, const Node& item, const std::string& path, Findings& findings, SlipPlaneCase& plane)
 {
   if (item.name == "line") {
     if (!read_places(entry, item, path, findings, plane.line)) return false;
     return plane.line.size() >= 2 || refuse_value(entry, item, path, "two or more places [[x, y], ...]", findings);
   }
+  if (item.name == "su")
+    return read_strengths(item, plane.su) ||
+           refuse_value(entry, item, path, "a list of [x, y, S_u], S_u more than 0 Pa", findings);
   if (item.name == "factor_of_safety") {
     const auto number = number_of(item, "-");
     if (!number || !positive.contains(*number))
@@ -60,7 +77,8 @@ bool read_slip_planes(const Entry& entry, Findings& findings, std::vector<SlipPl
       good = read_item(entry, item, join_path(path, item.name), findings, plane) && good;
     if (good && (plane.name.empty() || plane.line.empty()))
       good = refuse(entry, path, fmt::format("a slip plane has no `{}`", plane.name.empty() ? "name" : "line"),
-          "Give name = \"TEXT\" and line = [[x, y], ...] in m; method and factor_of_safety may be left out.", findings);
+          "Give name = \"TEXT\" and line = [[x, y], ...] in m; method, factor_of_safety and su may be left out.",
+          findings);
   }
   return good;
 }
@@ -71,6 +89,7 @@ std::string slip_planes_text(const std::vector<SlipPlaneCase>& planes)
   for (const SlipPlaneCase& plane : planes) {
     text += fmt::format("{}{{{}, {}, {}", text.empty() ? "" : ", ", plane.name, plane.method, plane.factor_of_safety);
     for (const Vec<2>& x : plane.line) text += fmt::format(", [{}, {}]", x[0], x[1]);
+    for (const auto& [x, su] : plane.su) text += fmt::format(", [{}, {}, {}]", x[0], x[1], su);
     text += '}';
   }
   return text;
@@ -91,7 +110,8 @@ std::vector<KeyInfo> reference_keys()
           },
       .unit = "m",
       .meaning = "slip planes that another method found, which the report page draws over the slip surface; method and "
-                 "factor_of_safety may be left out",
+                 "factor_of_safety may be left out. With su = [[x, y, S_u], ...], the undrained strength [Pa] that it "
+                 "took, `terp check` compares the strength of the soil",
       .default_text = "none"}};
 }
 

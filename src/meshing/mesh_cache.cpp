@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -34,12 +33,7 @@ bool write_whole(const fs::path& path, const std::string& bytes)
 
 std::string cached_mesh_path(const std::string& key)
 {
-  const char *cache = std::getenv("XDG_CACHE_HOME"), *home = std::getenv("HOME");
-  fs::path folder;
-  if (cache != nullptr && fs::path(cache).is_absolute())  // others are to be ignored: XDG Base Directory Specification
-    folder = cache;
-  else if (home != nullptr && *home != '\0')
-    folder = fs::path(home) / ".cache";
+  const fs::path folder = cache_folder();
   return folder.empty() ? "" : (folder / "terp" / "meshes" / (key + ".msh")).string();
 }
 

@@ -7,8 +7,8 @@
 
 namespace terp {
 
-/// Path of the kept file, whether it is there or not: ${XDG_CACHE_HOME:-~/.cache}/terp/meshes/<key>.msh; empty if
-/// neither variable is set.
+/// Path of the kept file, whether it is there or not: ${XDG_CACHE_HOME:-~/.cache}/terp/meshes/<key>.msh, on Windows in
+/// %LOCALAPPDATA%; empty if neither variable is set.
 std::string cached_mesh_path(const std::string& key);
 
 /// Paths of all kept files whose keys start like this, the newest first.

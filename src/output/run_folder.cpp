@@ -89,7 +89,7 @@ bool is_copy_of_input(std::string_view name)
            std::all_of(
                name.begin() + begin.size(), name.end() - end.size(), [](char c) { return c >= '0' && c <= '9'; });
   };
-  return is_numbered("points_", ".csv") || is_numbered("library_", ".so");
+  return is_numbered("points_", ".csv") || is_numbered("values_", ".csv") || is_numbered("library_", ".so");
 }
 
 using Contents = std::vector<std::pair<std::string, std::string>>;

@@ -21,7 +21,7 @@ void add_number(std::string& line, Real value)
 }
 
 /// A name that holds a comma or a quotation mark is quoted; a line break becomes a blank.
-std::string quoted(const std::string& name)
+std::string in_quotes(const std::string& name)
 {
   const bool plain = name.find_first_of(",\"\n\r") == std::string::npos;
   if (plain) return name;
@@ -85,7 +85,7 @@ std::string csv_lines(const std::vector<TableRow>& rows)
     std::size_t k = 0;
     for (const QuantityInfo& column : row.table->columns) {
       if (column.is_text)
-        lines += quoted(row.text);
+        lines += in_quotes(row.text);
       else
         add_number(lines, row.values[k++]);
       lines += ',';

@@ -31,9 +31,11 @@ struct Words {
 };
 
 constexpr Words title{"Sections of a reach", "Doorsneden van een traject"},
-    counts{"Solved: {} of {} sections. Stands: {}; damaged, holds the water: {}; floods: {}; no result: {}.",
-        "Berekend: {} van {} doorsneden. Blijft staan: {}; beschadigd, keert het water: {}; overstroming: {}; zonder "
-        "resultaat: {}."},
+    counts{
+        "Solved: {} of {} sections. Stands: {}; damaged, holds the water: {}; floods: {}; no verdict on the water: {}; "
+        "no result: {}.",
+        "Berekend: {} van {} doorsneden. Blijft staan: {}; beschadigd, keert het water: {}; overstroming: {}; geen "
+        "oordeel over het water: {}; zonder resultaat: {}."},
     section{"Section", "Doorsnede"}, picture{"Ground before and after", "Maaiveld voor en na"},
     verdict{"Verdict", "Oordeel"}, height{"Height that remains", "Resthoogte"}, freeboard{"Freeboard", "Waakhoogte"},
     factor{"Factor of safety", "Stabiliteitsfactor"}, stored{"stored", "opgeslagen"}, time{"Time", "Rekentijd"},
@@ -43,6 +45,7 @@ constexpr Words title{"Sections of a reach", "Doorsneden van een traject"},
     divided{"after strengths were divided by {:g}", "nadat de sterktes door {:g} zijn gedeeld"},
     raised{"after the river was brought to {:.2f} m", "nadat de rivier op {:.2f} m is gebracht"},
     after_stage{"after the stage {}", "na fase {}"}, before{"As it is: {}.", "Zoals zij is: {}."},
+    moved_before{"no verdict, as it had not come to rest", "geen oordeel, want niet tot rust gekomen"},
     at_rest{"not at rest", "niet in rust"}, moving{" Not at rest at the end: {}.", " Aan het eind niet in rust: {}."},
     report{"report page", "rapport"}, assumed{"what was assumed", "aannamen"},
     caution{
@@ -67,6 +70,9 @@ std::string paragraph(const std::string& text, const char* attributes = "")
 {
   return text.empty() ? "" : fmt::format("<p{}>{}</p>", attributes, escaped_for_markup(text));
 }
+
+/// Words of the record, which has them in English alone.
+std::string english(const std::string& text, bool dutch) { return paragraph(text, dutch ? " lang=\"en\"" : ""); }
 
 std::string trigger_in(const FloodTrigger& trigger, bool dutch)
 {
@@ -101,7 +107,7 @@ std::string verdict_cell(const ReachSection& s, bool dutch)
                                              : open)
                          .in(dutch),
                " class=\"verdict\"") +
-           paragraph(s.record.fault);
+           english(s.record.fault, dutch);
   } else if (!flood || !flood->verdict) {
     text = paragraph(no_flood.in(dutch), " class=\"verdict\"");
   } else {
@@ -109,10 +115,11 @@ std::string verdict_cell(const ReachSection& s, bool dutch)
     text = fmt::format("<p class=\"verdict\">{}{}</p>",
         escaped_for_markup(words_of(*flood->verdict).in(dutch) + (trigger ? ", " + trigger_in(*trigger, dutch) : "")),
         is_moving(s) ? fmt::format(" <span class=\"mark\">&#9888; {}</span>", at_rest.in(dutch)) : "");
-    if (trigger && trigger->before) text += paragraph(filled(before, dutch, words_of(*trigger->before).in(dutch)));
+    if (trigger && (trigger->before || moved_before_trigger(s)))
+      text += paragraph(filled(before, dutch, (trigger->before ? words_of(*trigger->before) : moved_before).in(dutch)));
   }
   for (const Hint hint : hints_on(s)) text += paragraph(words_of(hint, s, dutch), " class=\"mark\"");
-  if (s.is_solved) text += paragraph(s.record.trigger);
+  if (s.is_solved) text += english(s.record.trigger, dutch);
   return "<td class=\"words\">" + text + "</td>";
 }
 
@@ -133,7 +140,7 @@ std::string factor_cell(const ReachSection& s, bool dutch)
   if (s.record.factor)
     text = paragraph(fmt::format("{:.3f} ± {:.3f}", *s.record.factor, s.record.uncertainty.value_or(0.0)));
   if (!s.record.stored.empty())
-    text += paragraph(fmt::format("{}: {}", stored.in(dutch), stored_text(s.record)), " class=\"muted\"");
+    text += paragraph(fmt::format("{}: {}", stored.in(dutch), stored_text(s.record, dutch)), " class=\"muted\"");
   return "<td class=\"words\">" + text + "</td>";
 }
 
@@ -158,7 +165,7 @@ std::string counts_in(const std::vector<ReachSection>& sections, bool dutch)
       ++n[static_cast<int>(*flood->verdict)];
   }
   const auto n_all = static_cast<int>(sections.size());
-  return filled(counts, dutch, n_solved, n_all, n[0], n[1], n[2], n_all - n_solved) +
+  return filled(counts, dutch, n_solved, n_all, n[0], n[1], n[2], n_solved - n[0] - n[1] - n[2], n_all - n_solved) +
          (n_moving > 0 ? filled(moving, dutch, n_moving) : "");
 }
 

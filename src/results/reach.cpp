@@ -15,6 +15,7 @@
 #include <sstream>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 namespace terp {
@@ -29,11 +30,13 @@ template <class Record, class F>
 void each(Record& r, F&& f)
 {
   f("name", r.name), f("file", r.file), f("title", r.title), f("question", r.question);
-  f("program", r.program), f("language", r.language), f("case_imported", r.case_imported);
+  f("program", r.program), f("language", r.language), f("strength", r.strength);
+  f("files", r.files), f("files_next", r.files_next);
   f("case_found", r.case_found), f("run_of", r.run_of), f("step", r.step), f("fault", r.fault), f("is_done", r.is_done);
+  f("is_refused", r.is_refused), f("notes", r.notes);
   f("has_report", r.has_report), f("has_trigger", r.has_trigger), f("is_held", r.is_held), f("trigger", r.trigger),
       f("factor", r.factor), f("uncertainty", r.uncertainty);
-  f("stands", r.stands), f("fails", r.fails);
+  f("stands", r.stands), f("fails", r.fails), f("creeps", r.creeps);
   f("cell", r.cell), f("points", r.n_points), f("expected_s", r.expected_s), f("seconds", r.seconds);
 }
 
@@ -66,7 +69,7 @@ Json stored_json(const SectionRecord& record)
 {
   Json list = Json::array();
   for (const StoredFactor& s : record.stored)
-    list.push_back({{"method", s.method}, {"factor", s.factor}, {"stale", s.stale}});
+    list.push_back({{"method", s.method}, {"factor", s.factor}, {"stale", s.stale}, {"strength", s.strength}});
   return list;
 }
 
@@ -108,13 +111,20 @@ std::string in_quotes(const std::string& text)
   return quoted + '"';
 }
 
-/// Least of the stored factors that are of the section; infinite: there is none.
+/// Least of the stored factors that are of the section and of the strengths of its case; infinite: there is none.
 Real least_stored(const SectionRecord& record)
 {
   Real least = std::numeric_limits<Real>::infinity();
   for (const StoredFactor& s : record.stored)
-    if (!s.stale) least = std::min(least, s.factor);
+    if (!s.stale && s.strength == record.strength) least = std::min(least, s.factor);
   return least;
+}
+
+/// "design strengths".
+std::string strength_words(const std::string& strength, bool dutch)
+{
+  if (!dutch) return strength + " strengths";
+  return strength == "design" ? "rekenwaarden" : strength == "mean" ? "gemiddelde sterktes" : "andere sterktes";
 }
 
 /// Of the section as it is, without what a trigger does.
@@ -196,7 +206,7 @@ const Column columns[] = {
         [](S s) { return of_flood(s, [](const FloodSummary& f) { return number(f.first_time_below, "{:.2f}"); }); }},
     {"factor", [](S s) { return number(s.record.factor, "{:.3f}"); }},
     {"factor_uncertainty", [](S s) { return number(s.record.uncertainty, "{:.3f}"); }},
-    {"stored_factors", [](S s) { return in_quotes(stored_text(s.record)); }},
+    {"stored_factors", [](S s) { return in_quotes(stored_text(s.record, false)); }},
     {"cell_m", [](S s) { return number(s.record.cell); }},
     {"points", [](S s) { return fmt::format("{}", s.record.n_points); }},
     {"expected_s", [](S s) { return number(s.record.expected_s, "{:.0f}"); }},
@@ -214,8 +224,8 @@ SectionRecord read_record(const std::string& folder)
     const Json json = Json::parse(read_file(path_in(folder, record_file)));
     each(record, [&](const char* key, auto& value) { get(json.at(key), value); });
     for (const Json& s : json.at("stored"))
-      record.stored.push_back(
-          {s.at("method").get<std::string>(), s.at("factor").get<Real>(), s.at("stale").get<bool>()});
+      record.stored.push_back({s.at("method").get<std::string>(), s.at("factor").get<Real>(), s.at("stale").get<bool>(),
+          s.at("strength").get<std::string>()});
     return record;
   } catch (const FileError&) {
   } catch (const Json::exception&) {
@@ -245,19 +255,30 @@ std::string state_of(const ReachSection& section)
 {
   if (section.is_solved) return "solved";
   if (section.record.fault.empty()) return "not finished";
-  return section.record.step == "import" || section.record.step == "check" ? "refused" : "failed";
+  return section.record.is_refused ? "refused" : "failed";
 }
 
 std::optional<bool> ended_at_rest(const ReachSection& section)
 {
   if (!section.is_solved || section.summary.stages.empty()) return std::nullopt;
-  return section.summary.stages.back().record.at_rest;
+  const StageRecord& last = section.summary.stages.back().record;
+  return last.at_rest || std::isfinite(last.fastest) ? std::optional(last.at_rest) : std::nullopt;
+}
+
+bool moved_before_trigger(const ReachSection& section)
+{
+  const auto& flood = section.summary.flood;
+  if (!section.is_solved || !flood || !flood->trigger || flood->trigger->before) return false;
+  const auto& stages = section.summary.stages;
+  const auto first = std::ranges::find(stages, flood->trigger->stage, &StageSummary::name);
+  return first != stages.begin() && first != stages.end() && !std::prev(first)->record.at_rest;
 }
 
 std::vector<Hint> hints_on(const ReachSection& section)
 {
   std::vector<Hint> hints;
   if (!section.is_solved) return hints;
+  if (!section.record.notes.empty()) hints.push_back(Hint::doubt);
   const auto& flood = section.summary.flood;
   const bool moves = !ended_at_rest(section).value_or(true) || (flood && flood->still_moves);
   if (moves && !(flood && flood->verdict == FloodVerdict::floods)) hints.push_back(Hint::moves);
@@ -274,6 +295,9 @@ std::string words_of(Hint hint, const ReachSection& section, bool dutch)
   const auto& flood = section.summary.flood;
   const std::string speed = flood && flood->fastest_node ? fmt::format(" ({:.2g} m/s)", *flood->fastest_node) : "";
   switch (hint) {
+    case Hint::doubt:
+      return fmt::format("{}{}", dutch ? "twijfel bij het inlezen (Engels): " : "in doubt since the import: ",
+          fmt::join(section.record.notes, " "));
     case Hint::moves:
       return dutch ? fmt::format("aan het eind niet in rust{}: het oordeel kan veranderen", speed)
                    : fmt::format("not at rest at the end{}: the verdict may change", speed);
@@ -301,11 +325,16 @@ std::string sentence_on(const ReachSection& section)
          (hints.empty() ? "" : fmt::format(" ({})", hints));
 }
 
-std::string stored_text(const SectionRecord& record)
+std::string stored_text(const SectionRecord& record, bool dutch)
 {
   std::string text;
-  for (const StoredFactor& s : record.stored)
-    text += fmt::format("{}{} {:.3f}{}", text.empty() ? "" : ", ", s.method, s.factor, s.stale ? " (stale)" : "");
+  for (const StoredFactor& s : record.stored) {
+    std::vector<std::string> remarks;
+    if (s.strength != "deterministic") remarks.push_back(strength_words(s.strength, dutch));
+    if (s.stale) remarks.emplace_back(dutch ? "verouderd" : "stale");
+    text += fmt::format("{}{} {:.3f}{}", text.empty() ? "" : ", ", s.method, s.factor,
+        remarks.empty() ? "" : fmt::format(" ({})", fmt::join(remarks, ", ")));
+  }
   return text;
 }
 

@@ -5,6 +5,7 @@
 #include "simulation/summary.hpp"
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,32 +14,40 @@ namespace terp {
 
 /// A result that the file of a section holds.
 struct StoredFactor {
-  std::string method = {};  ///< "Bishop", "UpliftVanParticleSwarm"
-  Real factor = 0.0;        ///< [-]
-  bool stale = false;       ///< of another section than the one in the file
+  std::string method = {};                 ///< "Bishop", "UpliftVanParticleSwarm"
+  Real factor = 0.0;                       ///< [-]
+  bool stale = false;                      ///< of another section than the one in the file
+  std::string strength = "deterministic";  ///< that it was computed with: deterministic, design, mean, probabilistic
 };
 
 /// What section.json holds: written after each step, so that a later process goes on with the next one.
 struct SectionRecord {
-  std::string name = {};            ///< of its folder
-  std::string file = {};            ///< as the user gave it
-  std::string title = {};           ///< of the case
-  std::string question = {};        ///< digits that change with the file and the options
-  std::string program = {};         ///< digits of the build of terp that the results are of
-  std::string language = {};        ///< of the report page
-  std::string case_imported = {};   ///< digits of the case as terp wrote it; another one was changed by hand
-  std::string case_found = {};      ///< digits of the case that the factor of safety is of
-  std::string run_of = {};          ///< digits of the case that the run was begun with
-  std::string step = {};            ///< the last one that was begun: "import", "check", "stability", "run"
-  std::string fault = {};           ///< why there is no result; empty: none so far
-  bool is_done = false;             ///< all steps were made, or one has failed
-  bool has_report = false;          ///< it was imported: report.md says what was assumed
-  bool has_trigger = false;         ///< the case has its trigger, or needs none
-  bool is_held = false;             ///< it does not stand by itself, and is held until it is at rest
-  std::string trigger = {};         ///< why it has none, if one was asked for
-  std::optional<Real> factor = {};  ///< of safety, by strength reduction [-]
+  std::string name = {};                   ///< of its folder
+  std::string file = {};                   ///< as the user gave it
+  std::string title = {};                  ///< of the case
+  std::string question = {};               ///< digits that change with the file and the options
+  std::string program = {};                ///< digits of the build of terp that the results are of
+  std::string language = {};               ///< of the report page
+  std::string strength = "deterministic";  ///< of the case
+  /// Digits of the files of the case as terp wrote them; others were changed by hand.
+  std::map<std::string, std::string> files = {};
+  /// Those that it is writing: a kill leaves files of either.
+  std::map<std::string, std::string> files_next = {};
+  std::string case_found = {};          ///< digits of the case that the factor of safety is of
+  std::string run_of = {};              ///< digits of the case that the run was begun with
+  std::string step = {};                ///< the last one that was begun: "import", "check", "stability", "run"
+  std::string fault = {};               ///< why there is no result; empty: none so far
+  bool is_refused = false;              ///< the fault is one of the file, the case or the options
+  std::vector<std::string> notes = {};  ///< what is in doubt since the import
+  bool is_done = false;                 ///< all steps were made, or one has failed
+  bool has_report = false;              ///< it was imported: report.md says what was assumed
+  bool has_trigger = false;             ///< the case has its trigger, or needs none
+  bool is_held = false;                 ///< its case holds the soil until it is at rest
+  std::string trigger = {};             ///< why it has none, if one was asked for
+  std::optional<Real> factor = {};      ///< of safety, by strength reduction [-]
   std::optional<Real> uncertainty = {};
-  std::optional<Real> stands = {}, fails = {};  ///< factors between which it lies
+  std::optional<Real> stands = {}, fails = {};  ///< factors at which it stands and fails
+  std::optional<Real> creeps = {};              ///< largest factor of which nothing is known
   std::vector<StoredFactor> stored = {};
   Real cell = 0.0;            ///< size [m]
   std::int64_t n_points = 0;  ///< material points
@@ -68,23 +77,27 @@ ReachSection read_section(const std::string& folder);
 /// Whether its run, or the last stage of it, ended at rest; none: nothing looked for rest.
 std::optional<bool> ended_at_rest(const ReachSection& section);
 
+/// The soil had not come to rest when the trigger began, so that there is no verdict before it.
+bool moved_before_trigger(const ReachSection& section);
+
 /// What a reader of its verdict must know.
 enum class Hint {
+  doubt,         ///< the import was not sure of something that decides the verdict
   moves,         ///< it stands or is damaged, but was not at rest at the end
   held,          ///< it does not stand by itself
-  stored_below,  ///< it stands as it is, though a stored factor is below one
-  stored_above,  ///< it floods as it is, though all stored factors are at least one
+  stored_below,  ///< it stands as it is, though a stored factor of the same strengths is below one
+  stored_above,  ///< it floods as it is, though all stored factors of the same strengths are at least one
 };
 std::vector<Hint> hints_on(const ReachSection& section);
 /// In English, or in Dutch.
 std::string words_of(Hint hint, const ReachSection& section, bool dutch);
 
-/// "solved", "refused", "stopped itself", "not finished".
+/// "solved", "refused", "failed", "not finished".
 std::string state_of(const ReachSection& section);
 /// Its verdict, or why it has none.
 std::string sentence_on(const ReachSection& section);
-/// "Bishop 1.004, Spencer 1.085 (stale)"; empty: none.
-std::string stored_text(const SectionRecord& record);
+/// "Bishop 1.004, Spencer 1.085 (design strengths, stale)"; empty: none.
+std::string stored_text(const SectionRecord& record, bool dutch);
 
 /// One line per section.
 std::string reach_csv(const std::vector<ReachSection>& sections);

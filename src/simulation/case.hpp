@@ -176,9 +176,15 @@ struct OutputCase {
 
 /// A slip plane that another method found, to be drawn over the slip surface. The run does not look at it.
 struct SlipPlaneCase {
+  /// The undrained strength that the other method took at a place.
+  struct Strength {
+    Vec<2> x;  ///< [m]
+    Real su;   ///< [Pa]
+  };
   std::string name, method;                                        ///< "D-Stability, flood", "Uplift-Van"
   Real factor_of_safety = std::numeric_limits<Real>::quiet_NaN();  ///< NaN: not given
   std::vector<Vec<2>> line;                                        ///< [m]
+  std::vector<Strength> su;                                        ///< empty: not given
 };
 
 /// Whether a stage places or removes the body.

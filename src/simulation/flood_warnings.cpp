@@ -13,6 +13,8 @@ namespace terp {
 
 namespace {
 
+constexpr Real slide_time = 0.3;  // in which the retreat of a crest is a slide and not creep (events/crest.cpp) [s]
+
 Problem no_level(const Model& model)
 {
   const Case& c = model.description;
@@ -38,7 +40,7 @@ std::vector<Problem> find_flood_warnings(const Model& model, const State& state)
   if (!flood.asks()) return {};
   if (!model.flood_level.is_known()) return {no_level(model)};
   const StandingGround ground = standing_ground(model, state.points);
-  const Barrier barrier = find_barrier(ground, columns_of_barrier(ground));
+  const Barrier barrier = find_barrier(ground, columns_of_barrier(ground, model.flood_level.river));
   std::vector<Real> heights;
   std::ranges::copy_if(ground.heights, std::back_inserter(heights), [](Real h) { return std::isfinite(h); });
   if (heights.empty()) return {};
@@ -64,6 +66,12 @@ std::vector<Problem> find_flood_warnings(const Model& model, const State& state)
     warn("water_level", "no ground lies below the water",
         fmt::format("The lowest ground stands at {:.4g} m: nothing has to be kept dry at {:.4g} m.",
             std::ranges::min(heights), level));
+  if (const Real every = model.description.output.ledger_every; every > slide_time)
+    warnings.push_back({"output.ledger.every", "rows of the ledger are too rare to tell slides from creep",
+        fmt::format("A crest that retreats within {:g} s slides; between rows of {:g} s creep counts as a slide, too.\n"
+                    "Give {:g} s or less.",
+            slide_time, every, slide_time),
+        "output.ledger.every"});
   const Real at_river = flood.river == RiverSide::left ? heights.front() : heights.back();
   if (flood.river != RiverSide::deduced && at_river >= level)
     warn("river", "the river's end of the section lies above the water",

@@ -26,7 +26,7 @@ Section first_section(const Model& model, const PointBlocks<2>& points, Ground g
   return look_at_section(*model.mesh, points, columns_of_section(*model.mesh), ground);
 }
 
-StandingGround standing_ground(const Model& model, const PointBlocks<2>& points)
+StandingGround standing_ground(const Model& model, const PointBlocks<2>& points, std::optional<Real> level)
 {
   const std::vector<std::uint8_t> ground = ground_of(model);
   std::vector<int> strain;
@@ -36,7 +36,7 @@ StandingGround standing_ground(const Model& model, const PointBlocks<2>& points)
           .ground = ground,
           .strain = strain,
           .intact_below = model.description.flood.intact_below,
-          .level = model.flood_level.value});
+          .level = level.value_or(model.flood_level.value)});
 }
 
 }  // namespace terp

@@ -5,6 +5,8 @@
 #include "events/section.hpp"
 #include "simulation/model.hpp"
 
+#include <optional>
+
 namespace terp {
 
 /// Which materials are ground; empty: all. Where none is, as in a column of fluid alone, what there is takes its place.
@@ -16,7 +18,8 @@ Columns columns_of_section(const Mesh<2>& mesh);
 /// The surface of the ground as it is.
 Section first_section(const Model& model, const PointBlocks<2>& points, Ground ground);
 
-/// The ground that stands, looked at where the water stands; without a water level: at no level.
-StandingGround standing_ground(const Model& model, const PointBlocks<2>& points);
+/// The ground that stands, looked at `level` [m]; left out: where the water of [flood] stands, if it is known.
+StandingGround standing_ground(
+    const Model& model, const PointBlocks<2>& points, std::optional<Real> level = std::nullopt);
 
 }  // namespace terp

@@ -154,11 +154,13 @@ void begin_from(const Model& before, const std::string& stage_that_ended, Model&
     state.first_time = state.time;
   }
   model = model_for(std::move(model), state);
+  const std::vector<Real> carried = carried_pressures(before, state);
   change_stored_stress(before, model, state);
   change_densities(before, model, state);
   State own = restore(model, image_for(before, model, state));
-  change_materials(model, own);
+  change_materials(model, carried, own);
   set_point_parameters(model, seeds_of(model).places, own);
+  keep_carried_pressures(model, carried, own);
   change_bodies(model, own);
   place_loads(before, state, model, own);
   const State first = build_state(model);

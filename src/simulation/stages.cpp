@@ -74,7 +74,7 @@ void place_new_loads(const Model& before, const Model& model, State& state)
   for (std::size_t k = 0; k < model.loads.size(); ++k) {
     const Load& load = model.loads[k];
     const bool is_new = load.is_permanent() && !(before.loads[k].pressure > 0.0) && load.pressure > 0.0;
-    if (!is_new && !stands_on_what_goes(model, load, state)) continue;
+    if (!is_new && (!(load.pressure > 0.0) || !stands_on_what_goes(model, load, state))) continue;
     if (const std::string why = place_load(model, load, state); !why.empty())
       throw RunError(fmt::format("t = {:.4f} s: there is no ground under the load `{}`, which the stage `{}` {}\n  {}",
           state.time, load.name, model.stage.name, is_new ? "puts on" : "digs the ground away from", why));
@@ -211,13 +211,15 @@ void enter_next_stage(Model& model, State& state, Workspace& work)
   next.ramp.start = model.time_of(state.step);
   remove_held_bodies(model, state);
   const Real before = kinetic_and_elastic_energy(model, state);
+  const std::vector<Real> carried = carried_pressures(model, state);
   if (stores_other_stress(model, next)) change_stored_stress(model, next, state);
-  if (!have_same_materials(model, next)) change_materials(next, state);
+  if (!have_same_materials(model, next)) change_materials(next, carried, state);
   const auto is_of_material = [](const auto& change) {
     return change.first.starts_with("material") || change.first == "at_strength";
   };
   if (std::ranges::any_of(model.description.stages[next.stage.number].changes, is_of_material))
     set_point_parameters(next, seeds_of(next).places, state);
+  keep_carried_pressures(next, carried, state);
   change_bodies(next, state);
   state.start_energy += kinetic_and_elastic_energy(next, state) - before;
   place_new_loads(model, next, state);

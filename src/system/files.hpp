@@ -37,12 +37,18 @@ int wait_for_disk(const std::string& path);
 /// Gives a file another name, in place of the file that may have it: readers see the old one or the new.
 int replace_file(const std::string& from, const std::string& to);
 
+/// Whether a path leads to its place from any folder.
+bool is_absolute(const std::string& path);
+
 /// Whether the file or folder may be read, or written to.
 int may_read(const std::string& path);
 int may_write(const std::string& path);
 
 /// Makes a folder that was not there, for this user alone: `start` and some letters. Its path; empty: it cannot.
 std::string make_unique_folder(const std::string& start);
+
+/// Of this user, for what can be made again; empty: the environment names none.
+std::string cache_folder();
 
 /// What this program prints goes to the end of a file from now on. False: it cannot, and nothing changed.
 bool print_to_file(const std::string& path);

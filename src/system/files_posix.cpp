@@ -1,6 +1,7 @@
 #include "system/files.hpp"
 
 #include <cerrno>
+#include <cstdlib>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -65,6 +66,8 @@ int replace_file(const std::string& from, const std::string& to)
   return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
+bool is_absolute(const std::string& path) { return path.starts_with('/'); }
+
 int may_read(const std::string& path) { return ::access(path.c_str(), R_OK) == 0 ? 0 : errno; }
 
 int may_write(const std::string& path) { return ::access(path.c_str(), W_OK) == 0 ? 0 : errno; }
@@ -73,6 +76,14 @@ std::string make_unique_folder(const std::string& start)
 {
   std::string pattern = start + "XXXXXX";
   return mkdtemp(pattern.data()) == nullptr ? "" : pattern;
+}
+
+std::string cache_folder()
+{
+  const char *cache = std::getenv("XDG_CACHE_HOME"), *home = std::getenv("HOME");
+  if (cache != nullptr && is_absolute(cache))
+    return cache;  // others are to be ignored: XDG Base Directory Specification
+  return home != nullptr && *home != '\0' ? std::string(home) + "/.cache" : "";
 }
 
 bool print_to_file(const std::string& path)

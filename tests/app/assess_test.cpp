@@ -27,6 +27,19 @@ std::vector<std::string> assess_command(
 
 nlohmann::json reach_in(const std::string& folder) { return nlohmann::json::parse(text_of(folder + "/reach.json")); }
 
+nlohmann::json record_in(const std::string& section)
+{
+  return nlohmann::json::parse(text_of(section + "/section.json"));
+}
+
+void replace_in(const std::string& path, const std::string& from, const std::string& to)
+{
+  std::string text = text_of(path);
+  const std::size_t at = text.find(from);
+  ASSERT_NE(at, std::string::npos) << from;
+  std::ofstream(path) << text.replace(at, from.size(), to);
+}
+
 TEST(Assess, SolvesAReachAndKeepsWhatIsSolved)
 {
   const ScratchFolder scratch;
@@ -55,6 +68,18 @@ TEST(Assess, SolvesAReachAndKeepsWhatIsSolved)
   EXPECT_THAT(again.out, HasSubstr("berm-fragility-2023  kept, solved before\n"));
   EXPECT_THAT(again.out, HasSubstr("example-2020.03-v1  kept, solved before\n"));
   EXPECT_EQ(again.status, 3);
+
+  // Changed by hand: the trigger stays in the one, and the other is no longer held.
+  std::ofstream(folder + "/example-2020.03-v1/case.toml", std::ios::app) << "# by hand\n";
+  const std::string path = folder + "/berm-fragility-2023/case.toml";
+  replace_in(path, "at_strength = 0.5", "at_strength = 1.0");
+  auto checked = words;
+  checked.push_back("--estimate");
+  EXPECT_EQ(test::terp(checked).status, 3);
+  EXPECT_EQ(record_in(folder + "/berm-fragility-2023")["is_held"], false);
+  const Finished changed = test::terp(assess_command(folder, {example}, {"--trigger", "strength=1.3"}));
+  EXPECT_EQ(changed.status, 0) << changed.out << changed.err;
+  EXPECT_EQ(reach_in(folder)["sections"][0]["trigger"], "");
 }
 
 TEST(Assess, GoesOnAfterAKill)
@@ -159,12 +184,63 @@ TEST(Assess, DoesNotHoldAChangedCaseAndSaysThatItsTriggerWasNotApplied)
       "imports it anew.");
 }
 
+TEST(Assess, KnowsItsOwnCaseHoweverItsFolderIsSpelled)
+{
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/reach", section = folder + "/tutorial-2023";
+  const std::string tutorial = source_path("tests/dstability/samples/tutorial-2023.stix");  // a case with tables
+  ASSERT_EQ(test::terp(assess_command(folder, {tutorial}, {"--estimate"})).status, 0);
+  const auto imported = record_in(section);
+  EXPECT_GT(imported["files"].size(), 1u);
+  const Finished other =
+      test::terp(assess_command(scratch.path() + "/./reach", {tutorial}, {"--estimate", "--stability"}));
+  EXPECT_EQ(other.status, 0) << other.out;
+  EXPECT_NE(record_in(section)["question"], imported["question"]);
+  EXPECT_EQ(record_in(section)["case_found"], imported["case_found"]);
+
+  auto killed = imported;  // after it had noted the files that it writes, and had written the case
+  killed["files_next"] = killed["files"];
+  killed["files"]["case.toml"] = "1";
+  std::ofstream(section + "/section.json") << killed.dump();
+  EXPECT_EQ(test::terp(assess_command(folder, {tutorial}, {"--estimate"})).status, 0);
+  EXPECT_EQ(record_in(section)["files"], imported["files"]);
+  EXPECT_TRUE(record_in(section)["files_next"].empty());
+  killed["files_next"].clear();
+  std::ofstream(section + "/section.json") << killed.dump();
+  EXPECT_THAT(test::terp(assess_command(folder, {tutorial}, {"--estimate", "--stability"})).out,
+      HasSubstr("was changed by hand"));
+}
+
+TEST(Assess, HoldsOnlySoilThatSlidesAsItIsDrawn)
+{
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/reach", path = folder + "/example-2020.03-v1/case.toml";
+  ASSERT_EQ(test::terp(assess_command(folder, {example}, {"--estimate"})).status, 0);
+  replace_in(path, "[initial]\n", "[initial]\nmax_steps = 20\n");
+  EXPECT_EQ(test::terp(assess_command(folder, {example})).status, 3);
+  const auto record = reach_in(folder)["sections"][0];
+  EXPECT_EQ(record["state"], "failed");
+  EXPECT_THAT(record["fault"], StartsWith("no equilibrium: after 20 steps"));
+  EXPECT_THAT(record["fault"], Not(HasSubstr("with held soil")));  // nothing is known of it
+}
+
 TEST(Assess, TakesNoRunOfAnOlderCaseForThatOfTheCase)
 {
   const ScratchFolder scratch;
   const std::string folder = scratch.path() + "/reach", section = folder + "/example-2020.03-v1";
   ASSERT_EQ(test::terp(assess_command(folder, {example})).status, 0);
+  const Finished estimate = test::terp(assess_command(folder, {example}, {"--estimate", "--strength", "mean"}));
+  EXPECT_EQ(estimate.status, 2);
+  EXPECT_EQ(estimate.err,
+      "error: " + section +
+          " has a result of another file, other options or another build of terp\n  --estimate leaves it as it is. "
+          "Choose another folder: -o FOLDER. --force replaces the case; the same command without --estimate solves it "
+          "anew.\n");
+  EXPECT_TRUE(fs::exists(section + "/run/summary.json") && fs::exists(folder + "/index.html"));
   std::ofstream(section + "/case.toml", std::ios::app) << "# by hand\n";
+  EXPECT_EQ(test::terp(assess_command(folder, {example}, {"--estimate"})).status, 0);
+  EXPECT_TRUE(fs::exists(section + "/run/summary.json"));
+  for (const char* file : {"/index.html", "/reach.csv", "/reach.json"}) EXPECT_FALSE(fs::exists(folder + file)) << file;
   {
     const FolderLock other(section + "/run");
     EXPECT_EQ(test::terp(assess_command(folder, {example})).status, 3);
@@ -191,9 +267,13 @@ TEST(Assess, IsStoppedByNoBadFile)
   }
   fs::create_directories(folder);
   std::ofstream(folder + "/c") << "no folder\n";
+  files.push_back(scratch.path() + "/missing.stix");
   const Finished f = test::terp(assess_command(folder, files));
   EXPECT_EQ(f.status, 3) << f.err;
   const auto sections = reach_in(folder)["sections"];
+  EXPECT_EQ(sections[2]["state"], "failed");
+  EXPECT_EQ(sections[3]["state"], "refused");
+  EXPECT_THAT(sections[3]["fault"], HasSubstr("missing.stix"));
   EXPECT_EQ(sections[0]["file"], scratch.path() + "/d?.stix");
   EXPECT_EQ(sections[0]["state"], "refused");
   EXPECT_EQ(sections[1]["name"], "reach.csv_2");

@@ -117,6 +117,16 @@ TEST(ImportFolder, RefusesOptionsThatWouldHaveNoEffect)
   EXPECT_FALSE(std::filesystem::exists(folder));
 }
 
+TEST(ImportFolder, HoldsTheSoilAsAskedAlsoWhereTheTriggerIsLookedFor)
+{
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path() + "/section";
+  const Finished f = test::terp({"import", source_path("tests/dstability/samples/example-2020.03-v1.stix"), "--cell",
+      "8", "--held", "--trigger", "strength", "-o", folder});
+  EXPECT_EQ(f.status, 0) << f.err;
+  EXPECT_THAT(text_of(folder + "/case.toml"), AllOf(HasSubstr("at_strength = 0.5"), HasSubstr("\"weaker_soil\"")));
+}
+
 TEST(ImportFolder, RefusesCellsThatAreTooMany)
 {
   const Finished f = test::terp({"import", tutorial, "--scenario", "2", "--cell", "0.002", "-o", "/tmp/none"});

@@ -17,7 +17,7 @@ TEST(SectionTextOf, NamesAreKeys)
 {
   EXPECT_EQ(key_of_name("Clay, shallow (1)"), "clay_shallow_1");
   EXPECT_EQ(key_of_name("--"), "soil");
-  EXPECT_EQ(quoted("a \"b\" \\ c\n"), R"("a \"b\" \\ c ")");
+  EXPECT_EQ(in_quotes("a \"b\" \\ c\n"), R"("a \"b\" \\ c ")");
 }
 
 TEST(SectionTextOf, PlacesBreakBeforeTheMargin)

@@ -53,6 +53,24 @@ TEST(RiverSide, IsInDoubtWhereTheFileAndTheWaterContradict)
       "higher: 2.00 m, not -1.00 m. The river is taken to be at the right end.");
 }
 
+TEST(RiverSide, IsInDoubtWhereThePointsOfTheEmbankmentContradictOrLieOutside)
+{
+  StixProject project = dike(level, {4.0, 8.0});
+  StixEmbankment& at = project.scenarios[0].stages[0].embankment;
+  at.toe_water = -2.0, at.toe_land = 16.0;
+  EXPECT_EQ(river_of(project).doubt, "");
+  std::swap(at.toe_water, at.toe_land);
+  EXPECT_EQ(river_of(project).side, "left");
+  EXPECT_EQ(river_of(project).doubt,
+      "The file has the top of its embankment's water side at the left end, but its toe at the right end. The river is "
+      "taken to be at the left end.");
+  at.toe_water = at.toe_land = not_given, at.top_land = 140.0;
+  EXPECT_EQ(river_of(project).doubt,
+      "The file has a point of its embankment at x = 140.00 m, outside of the section (-20.00 to 40.00 m). The river "
+      "is "
+      "taken to be at the left end.");
+}
+
 TEST(RiverSide, WithoutASideInTheFileIsThatOfTheHigherPhreaticLine)
 {
   EXPECT_EQ(river_of(dike({{-20.0, 2.0}, {4.0, 2.0}, {16.0, 0.0}, {40.0, -1.0}})).side, "left");

@@ -34,6 +34,22 @@ TEST(StageText, GoesFromTheFirstStageToTheAnalysedOne)
       "\"forces.damping.local\" = 0.05, \"load.q.pressure\" = 5000 }; reset_displacement = true");
 }
 
+TEST(StageText, NoTwoStagesHaveOneNameWhateverTheFileCallsThem)
+{
+  const TriggerStage weaker{.name = "weaker_soil", .sets = {"at_strength = 1.2"}};
+  const auto one = stage_tables({.analysed = "Held", .is_held = true, .trigger = weaker});
+  const auto two = stage_tables({.first = "Weaker soil", .analysed = "Weaker soil 2", .trigger = weaker});
+  const auto three = stage_tables({.first = "Weaker soil", .analysed = "Weaker soil", .trigger = weaker});
+  const auto names_in = [](const std::vector<CaseTableText>& tables) {
+    std::vector<std::string> names;
+    for (const CaseTableText& table : tables) names.push_back(table.lines[0].value);
+    return names;
+  };
+  EXPECT_THAT(names_in(one), testing::ElementsAre("\"held\"", "\"held_2\"", "\"weaker_soil\""));
+  EXPECT_THAT(names_in(two), testing::ElementsAre("\"weaker_soil\"", "\"weaker_soil_2\"", "\"weaker_soil_3\""));
+  EXPECT_THAT(names_in(three), testing::ElementsAre("\"weaker_soil\"", "\"weaker_soil_2\"", "\"weaker_soil_3\""));
+}
+
 TEST(StageText, ATriggerIsTheLastStage)
 {
   const auto tables =

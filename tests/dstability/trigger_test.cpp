@@ -100,6 +100,26 @@ TEST(Trigger, OfWeakerSoilIsALastStageThatTheReportExplains)
   EXPECT_THAT(none.files.back().second, HasSubstr("- No trigger was needed.\n"));
 }
 
+TEST(Trigger, OfWeakerSoilIsTheSmallestFactorThatFailedNotOneThatCrept)
+{
+  const FolderTrigger weaker = trigger_after({1.1, 1.12345, 1.12345});
+  EXPECT_EQ(weaker.kind, TriggerKind::strength);
+  EXPECT_DOUBLE_EQ(weaker.value, 1.1235);
+  EXPECT_EQ(weaker.origin,
+      "terp stability on these cells: it stands at a factor of 1.1, and fails at 1.1235 "
+      "(stability/).");
+  const FolderTrigger own = trigger_after({0.8, 0.9, 0.9});
+  EXPECT_EQ(own.kind, TriggerKind::none);
+  EXPECT_TRUE(own.needs_hold);
+  for (const Real creeps : {0.9, 1.3}) {
+    const FolderTrigger undecided = trigger_after({0.8, {}, creeps});
+    EXPECT_EQ(undecided.kind, TriggerKind::none);
+    EXPECT_FALSE(undecided.needs_hold);
+    EXPECT_THAT(undecided.origin, HasSubstr(fmt::format("and is undecided up to {:g}, where it creeps", creeps)));
+  }
+  EXPECT_THAT(refusal<RunError>([] { trigger_after({1.0, {}, {}}); }), HasSubstr("--trigger strength=F"));
+}
+
 TEST(Trigger, OfWaterBringsTheRiverToTheCrestAndStrengthsFollowIt)
 {
   const std::string text = folder_with({.kind = TriggerKind::water}).files.front().second;

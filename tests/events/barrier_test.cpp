@@ -40,10 +40,10 @@ class Drawing {
     return look_at_ground(
         mesh, points_, {.columns = columns, .ground = ground, .strain = strain, .intact_below = 0.01, .level = level});
   }
-  Barrier at(Real level)
+  Barrier at(Real level, std::optional<Facing> river = std::nullopt)
   {
     const StandingGround ground = look(level);
-    return find_barrier(ground, columns_of_barrier(ground));
+    return find_barrier(ground, columns_of_barrier(ground, river));
   }
 
  private:
@@ -140,7 +140,7 @@ TEST(Barrier, HighLandBehindThePolderHoldsNoWater)
   Drawing drawing = dike();
   drawing.box({17.0, 1.0}, {20.0, 5.0});
   const StandingGround ground = drawing.look(3.0);
-  const ColumnRange range = columns_of_barrier(ground);
+  const ColumnRange range = columns_of_barrier(ground, std::nullopt);
   EXPECT_EQ(range.first, 0);
   EXPECT_EQ(range.last, 34);
   EXPECT_DOUBLE_EQ(find_barrier(ground, range).height, 4.0);
@@ -151,6 +151,17 @@ TEST(Barrier, HighLandBehindThePolderHoldsNoWater)
   bank.box({0.0, 0.0}, {20.0, 1.0}).box({8.0, 1.0}, {20.0, 4.0});
   EXPECT_NEAR(bank.at(3.0).width, 12.0, 0.26);
   EXPECT_DOUBLE_EQ(bank.at(3.0).height, 4.0);
+}
+
+TEST(Barrier, AQuayAtTheRiversEndHoldsTheWaterThoughARidgeStandsBehind)
+{
+  Drawing drawing;
+  drawing.box({0.0, 0.0}, {20.0, 1.0}).box({0.0, 1.0}, {7.0, 4.0}).box({15.0, 1.0}, {18.0, 5.0});
+  EXPECT_NEAR(drawing.at(2.5, Facing::left).width, 7.0, 0.26);
+  EXPECT_DOUBLE_EQ(drawing.at(2.5, Facing::left).height, 5.0);  // lower land lies behind the ridge, too
+  drawing.box({18.0, 1.0}, {20.0, 5.0});                        // now it is high land
+  EXPECT_DOUBLE_EQ(drawing.at(2.5, Facing::left).height, 4.0);
+  EXPECT_NEAR(drawing.at(2.5, Facing::right).width, 5.0, 0.26);
 }
 
 TEST(Barrier, WithoutGroundIsNone)

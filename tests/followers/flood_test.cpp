@@ -222,6 +222,21 @@ TEST(Flood, ACaseThatFloodsFromTheStartIsDoubted)
                                                  "ground stands at 1 m")));
 }
 
+TEST(Flood, RowsTooRareToTellSlidesFromCreepAreDoubted)
+{
+  Case c = dike();
+  c.output.ledger_every = 0.3;
+  const Drawn often(c);
+  EXPECT_THAT(find_flood_warnings(often.model, often.state), IsEmpty());
+  c.output.ledger_every = 60.0;
+  const Drawn rare(c);
+  EXPECT_THAT(find_flood_warnings(rare.model, rare.state),
+      ElementsAre(told("output.ledger.every", "rows of the ledger are too rare to tell slides from creep",
+          "A crest that retreats within 0.3 s slides; between rows of 60 s creep counts as a slide, too.\nGive 0.3 s "
+          "or "
+          "less.")));
+}
+
 TEST(Flood, WithoutAWaterLevelNothingIsJudged)
 {
   Case c = dike();
@@ -396,6 +411,20 @@ TEST(Flood, WithoutALevelAndFreeWaterThereIsNoVerdict)
   EXPECT_THAT(warning(c), HasSubstr("The water of no situation stands above the ground"));
   c.water.start.formula_changes = true;
   EXPECT_THAT(warning(c), HasSubstr("The pressure of the water is a formula of the time"));
+}
+
+TEST(Flood, SoilStillMovesThatWouldGoFarInAFreeFallThroughTheReliefThoughTheRunWasShort)
+{
+  const auto still_moves = [](Real speed, Real time) {
+    Drawn s;
+    s.work.watches_rest = true, s.work.fastest_node = speed;
+    s.state.time = time;
+    s.look();
+    return s.flood().still_moves;
+  };
+  EXPECT_TRUE(still_moves(0.3, 0.3));  // 0.09 m in the time of the run; 0.27 m in that of a fall of 4 m; limit 0.1 m
+  EXPECT_FALSE(still_moves(0.1, 0.3));
+  EXPECT_TRUE(still_moves(0.1, 1.1));
 }
 
 TEST(Flood, ARunThatResumesRemembers)

@@ -114,7 +114,8 @@ deviatoric_norm = "von_mises"
 mesh = true
 [reference]
 slip_planes = [
-  { name = "wall side", method = "Bishop", factor_of_safety = 1.25, line = [[1, 2], [3, 0.5], [6, 1]] },
+  { name = "wall side", method = "Bishop", factor_of_safety = 1.25, line = [[1, 2], [3, 0.5], [6, 1]], su = [
+    [2, 1.25, 5e3], [4, 0.75, "6 kPa"]] },
   { name = "by hand", line = [[0, 0], [1, 1]] }]
 )";
 
@@ -208,6 +209,9 @@ TEST(Reader, FillsWhatPicturesShow)
   EXPECT_EQ(c.slip_planes[0].method, "Bishop");
   EXPECT_EQ(c.slip_planes[0].factor_of_safety, 1.25);
   EXPECT_THAT(c.slip_planes[0].line, ElementsAre(Vec<2>{1.0, 2.0}, Vec<2>{3.0, 0.5}, Vec<2>{6.0, 1.0}));
+  ASSERT_EQ(c.slip_planes[0].su.size(), 2u);
+  EXPECT_EQ(c.slip_planes[0].su[1].x, (Vec<2>{4.0, 0.75}));
+  EXPECT_EQ(c.slip_planes[0].su[1].su, 6e3);
   EXPECT_EQ(c.slip_planes[1].method, "");
   EXPECT_TRUE(std::isnan(c.slip_planes[1].factor_of_safety));
 }

@@ -43,8 +43,9 @@ TEST(SectionSvg, DrawsLoadsAndTheWaterToCome)
 TEST(SectionSvg, DrawsTheSlipPlanesOfOtherMethods)
 {
   Case c = column("mpm_gp");
-  c.slip_planes = {{.name = "flood", .method = "Spencer", .factor_of_safety = 1.2345, .line = {{2.0, 1.0}, {3.0, 0.5}}},
-      {.name = "by hand", .method = "", .line = {{1.0, 1.0}, {3.0, 1.5}}}};
+  c.slip_planes = {
+      {.name = "flood", .method = "Spencer", .factor_of_safety = 1.2345, .line = {{2.0, 1.0}, {3.0, 0.5}}, .su = {}},
+      {.name = "by hand", .method = "", .line = {{1.0, 1.0}, {3.0, 1.5}}, .su = {}}};
   const std::string svg = drawing_of(c);
   EXPECT_THAT(svg, AllOf(HasSubstr(">flood, Spencer, 1.234</text>"), HasSubstr(">by hand</text>")));
   const auto dashes = [&] {

@@ -15,10 +15,14 @@ SectionRecord sample_record()
       .question = "12",
       .program = "78",
       .language = "nl",
-      .case_imported = "34",
+      .strength = "deterministic",
+      .files = {{"case.toml", "34"}, {"yield.csv", "35"}},
+      .files_next = {{"case.toml", "36"}},
       .case_found = "34",
       .run_of = "56",
       .step = "run",
+      .is_refused = true,
+      .notes = {"The river may be at the left."},
       .is_done = true,
       .has_report = true,
       .has_trigger = true,
@@ -28,7 +32,8 @@ SectionRecord sample_record()
       .uncertainty = 0.01,
       .stands = 1.1,
       .fails = 1.12,
-      .stored = {{"Bishop", 1.0042, false}, {"Spencer", 1.085, true}},
+      .creeps = 1.13,
+      .stored = {{"Bishop", 1.0042, false}, {"Spencer", 1.085, true, "design"}},
       .cell = 0.5,
       .n_points = 4000,
       .expected_s = 60.0,
@@ -38,6 +43,7 @@ SectionRecord sample_record()
 ReachSection solved_section()
 {
   ReachSection section{.record = sample_record(), .is_solved = true};
+  section.record.notes.clear();
   section.summary.residual_height = 3.5;
   section.summary.first_slide_time = 2.25;
   section.summary.flood.emplace();
@@ -47,6 +53,7 @@ ReachSection solved_section()
   flood.first_time_below = 3.0, flood.fastest_node = 0.25;
   section.summary.stages.resize(2);
   section.summary.stages[0].record.at_rest = true;
+  section.summary.stages[1].record.fastest = 0.25;
   flood.trigger = FloodTrigger{.stage = "weaker_soil", .at_strength = 1.12, .before = FloodVerdict::stands};
   return section;
 }
@@ -70,9 +77,11 @@ TEST(Reach, BytesThatAreNoUtf8DoNotStopARecord)
 TEST(Reach, ATableHasALinePerSection)
 {
   ReachSection refused{
-      .record = {.name = "b", .file = "b.stix", .step = "import", .fault = "it is no zip file\n  Try."}};
+      .record = {
+          .name = "b", .file = "b.stix", .step = "import", .fault = "it is no zip file\n  Try.", .is_refused = true}};
   EXPECT_EQ(state_of(refused), "refused");
   EXPECT_EQ(sentence_on(refused), "refused: it is no zip file\n  Try.");
+  EXPECT_EQ(state_of({.record = {.step = "check", .fault = "its process was ended by signal 9"}}), "failed");
   EXPECT_THAT(sentence_on(solved_section()), testing::StartsWith("after strengths were divided by 1.12"));
   EXPECT_EQ(reach_csv({solved_section(), refused}),
       "section,file,title,state,reason,verdict,trigger,verdict_before,held,at_rest,fastest_node_m_s,hints,"
@@ -81,7 +90,8 @@ TEST(Reach, ATableHasALinePerSection)
       "seconds\n"
       "\"dike_1\",\"dike \"\"1\"\".stix\",\"High: High\",solved,\"\",floods,\"after strengths were divided by 1.12\","
       "stands,yes,no,0.25,\"held until it was at rest: the soil does not stand by "
-      "itself\",4.00,3.50,-0.50,,2.25,3.00,1.110,0.010,\"Bishop 1.004, Spencer 1.085 (stale)\",0.5,4000,60,76\n"
+      "itself\",4.00,3.50,-0.50,,2.25,3.00,1.110,0.010,\"Bishop 1.004, Spencer 1.085 (design strengths, "
+      "stale)\",0.5,4000,60,76\n"
       "\"b\",\"b.stix\",\"\",refused,\"it is no zip file;   Try.\",,,,no,,,\"\",,,,,,,,,\"\",0,0,0,0\n");
 }
 
@@ -110,6 +120,37 @@ TEST(Reach, SaysWhereTheVerdictAndTheStoredFactorsOrTheMotionOfTheSoilDisagree)
   EXPECT_THAT(hints_on(section), testing::ElementsAre(Hint::moves));
 }
 
+TEST(Reach, ComparesNoFactorOfOtherStrengthsThanThoseOfTheCase)
+{
+  ReachSection section = solved_section();
+  section.record.is_held = false;
+  section.record.stored = {{"Bishop", 0.984, false, "design"}};
+  EXPECT_THAT(hints_on(section), testing::ElementsAre());
+  section.record.strength = "design";
+  EXPECT_THAT(hints_on(section), testing::ElementsAre(Hint::stored_below));
+  EXPECT_EQ(stored_text(section.record, true), "Bishop 0.984 (rekenwaarden)");
+}
+
+TEST(Reach, SaysWhatIsInDoubtSinceTheImport)
+{
+  ReachSection section = solved_section();
+  section.record.is_held = false;
+  section.record.notes = {"The river may be at the left.", "Or at the right."};
+  ASSERT_THAT(hints_on(section), testing::ElementsAre(Hint::doubt));
+  EXPECT_THAT(sentence_on(section),
+      testing::EndsWith("(in doubt since the import: The river may be at the left. Or at the right.)"));
+}
+
+TEST(Reach, ALastStageThatEndsAtAFixedTimeSaysNothingOfRest)
+{
+  ReachSection section = solved_section();
+  section.summary.stages[1].record.fastest = std::nan("");
+  EXPECT_EQ(ended_at_rest(section), std::nullopt);
+  section.summary.flood->verdict = FloodVerdict::stands;
+  section.record.is_held = false, section.record.stored.clear();
+  EXPECT_THAT(hints_on(section), testing::ElementsAre());
+}
+
 TEST(Reach, TheSameForAProgram)
 {
   const auto json = nlohmann::json::parse(reach_json({solved_section()}, "2026-01-02T03:04:05Z"));
@@ -126,7 +167,9 @@ TEST(Reach, TheSameForAProgram)
 TEST(Reach, ASectionWithoutItsRunHasNoResult)
 {
   const ScratchFolder scratch;
-  write_file_atomically(scratch.path() + "/section.json", record_text(sample_record()));
+  SectionRecord done = sample_record();
+  done.is_refused = false;
+  write_file_atomically(scratch.path() + "/section.json", record_text(done));
   const ReachSection section = read_section(scratch.path());
   EXPECT_FALSE(section.is_solved);
   EXPECT_THAT(section.record.fault, HasSubstr("summary.json"));

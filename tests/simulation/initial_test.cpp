@@ -147,12 +147,32 @@ TEST(InitialStress, SoilThatYieldsInTheSearchForEquilibriumStartsWithTheYieldSur
     Index n_grown = 0;
     for_each_point(s.state.points, [&](const PointBlock<2>& block, Index lane) {
       const SoilMaterial& clay = s.model.materials[block.material];
-      EXPECT_TRUE(yield_stress < 25e3 || clay.law->check_start(clay.view(block, lane), stress_at(block, lane)).empty());
+      EXPECT_TRUE(clay.law->check_start(clay.view(block, lane), stress_at(block, lane)).empty());
       n_grown += clay.law->derived(0, clay.view(block, lane)) > first * (1.0 + 1e-6);
       EXPECT_GE(clay.law->derived(0, clay.view(block, lane)), first * (1.0 - 1e-12));
     });
     EXPECT_EQ(n_grown > 0, yield_stress < 25e3);
   }
+}
+
+TEST(InitialStress, ASearchThatFindsMoreThanTheLargestMeanStressStopsTheRun)
+{
+  EXPECT_THAT(refusal([] { Simulation(box_of_cam_clay(InitialStress::equilibrium, 60e3, 10e3)).start(); }),
+      AllOf(HasSubstr("material.clay.largest_mean_stress: the soil starts with more than its largest mean stress"),
+          HasSubstr("At the point at (")));
+}
+
+TEST(InitialStress, SoilThatCarriesMoreThanItsLargestMeanStressIsFound)
+{
+  Simulation s(box_of_cam_clay(InitialStress::k0, 25e3));
+  EXPECT_EQ(describe_overload(s.model, s.state), "");
+  edit_points(s.state, [](const PointBlock<2>& block, Index lane) {
+    if (block.row(PointRows<2>::id)[lane] == 7.0)
+      for (int k = 0; k < 3; ++k) block.row(PointRows<2>::sigma + k)[lane] = -120e3;
+  });
+  EXPECT_THAT(describe_overload(s.model, s.state),
+      AllOf(StartsWith("at t = 0 s soil carries more than `material.clay.largest_mean_stress`"),
+          HasSubstr("p' = 1.2e+05 Pa, largest_mean_stress = 1e+05 Pa.")));
 }
 
 TEST(InitialStress, AStageGivesNoLawThatDoesNotAdmitTheStress)

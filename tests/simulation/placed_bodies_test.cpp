@@ -300,4 +300,22 @@ TEST(PlacedBodies, ThatGoLeaveTheLoadOnThemToTheGroundBelow)
   EXPECT_NEAR(stress_at_base(s.state) - with_fill, of_ground * g * 0.5, 0.02 * of_ground * g * 0.5);
 }
 
+TEST(PlacedBodies, ThatGoWithTheLoadOnThemNeedNoGroundBelow)
+{
+  Case c = settling();
+  c.bodies.push_back(c.bodies[0]);
+  c.bodies[0].polygon = body("ground", {0.0, 0.0}, {2.0, 1.0}).polygon;
+  c.bodies[1].name = "fill", c.bodies[1].polygon = body("fill", {2.0, 0.0}, {4.0, 1.0}).polygon;
+  c.bodies[1].removed = 2;
+  c.loads.push_back({.name = "road", .from = 2.5, .to = 3.5, .pressure = 4e3});
+  const auto dig = [&](Real pressure) {
+    const auto change = [=](Case& now) { now.bodies.back().is_there = false, now.loads[0].pressure = pressure; };
+    Simulation s(staged(c, {{stage("settle", 0.05), {}}, {ramped("dig", 0.1, 0.05), change}}));
+    run_stages(s, 2);
+    return s.state.time;
+  };
+  EXPECT_THAT([&] { dig(4e3); }, ThrowsMessage<RunError>(HasSubstr("digs the ground away from")));
+  EXPECT_NEAR(dig(0.0), 0.15, 0.01);
+}
+
 }  // namespace

@@ -170,6 +170,47 @@ TEST(Stages, GiveBodiesAnotherMaterialWithItsMass)
   EXPECT_LT(s.model.dt * fastest_wave, 0.25);  // the step of all stages is that of the stiffest
 }
 
+/// The largest pressure that points of Modified Cam-Clay have been loaded to, by number [Pa].
+std::vector<Real> loaded_to(const Simulation& s)
+{
+  std::vector<Real> p_c(static_cast<std::size_t>(s.state.n_ids()));
+  for_each_point(s.state.points, [&](const PointBlock<2>& block, Index lane) {
+    const SoilMaterial& soil = s.model.materials[block.material];
+    p_c[static_cast<std::size_t>(block.row(PointRows<2>::id)[lane])] = soil.law->derived(0, soil.view(block, lane));
+  });
+  return p_c;
+}
+
+// The law counts from the yield stress of its parameters. What the soil was loaded to is its own.
+TEST(Stages, KeepThePressureThatCamClayWasLoadedTo)
+{
+  const auto soil = [](const char* name, Real angle, Real yield_stress) {
+    return MaterialCase{name, "modified_cam_clay", 1600.0, {angle, 0.3, 0.05, 1.8, 0.2, yield_stress, 100e3, 1e3}};
+  };
+  const std::vector<Change> changes = {[](Case& now) { now.bodies[0].material = "b"; },
+      [](Case& now) { now.materials[0].parameters[0] = 25.0; },
+      [](Case& now) { now.materials[0].fields[0].value_at = [](Vec<2>) { return 50e3; }; }};
+  for (const bool varies : {false, true})
+    for (std::size_t k = 0; k < (varies ? 3 : 2); ++k) {
+      Case c = settling();
+      c.materials = {soil("a", 30.0, 20e3), soil("b", 30.0, 70e3)};
+      if (varies) c.materials[0].fields = {{5, [](Vec<2> x) { return 20e3 + 1e3 * x[1]; }}};
+      c.bodies[0].material = "a";
+      StageCase second = stage("b", 0.02);
+      second.changes = {{"material.a.friction_angle", "25"}};
+      Simulation s(staged(c, {{stage("a", 0.02), {}}, {second, changes[k]}}));
+      while (s.state.stages_done.empty()) s.step(1);
+      edit_points(s.state, [&](const PointBlock<2>& block, Index lane) {
+        block.row(s.model.materials[0].rows[1])[lane] = std::log(2.0);  // it yielded
+      });
+      const std::vector<Real> before = loaded_to(s);
+      s.step(1);
+      const std::vector<Real> after = loaded_to(s);
+      for (std::size_t id = 0; id < before.size(); ++id) ASSERT_NEAR(after[id], before[id], 1e-9 * before[id]) << k;
+      EXPECT_GT(before[0], 1.9 * 20e3);
+    }
+}
+
 TEST(Stages, MayCountDisplacementAnew)
 {
   StageCase second = stage("b", 0.2);

@@ -51,6 +51,14 @@ TEST(ReplaceFile, TakesThePlaceOfAnotherFile)
   EXPECT_EQ(replace_file(a, b), ENOENT);
 }
 
+TEST(IsAbsolute, SaysWhetherAPathLeadsThereFromAnyFolder)
+{
+  EXPECT_TRUE(is_absolute("/a/b"));
+  EXPECT_FALSE(is_absolute("a/b"));
+  EXPECT_FALSE(is_absolute("../a"));
+  EXPECT_FALSE(is_absolute(""));
+}
+
 TEST(MakeUniqueFolder, MakesAnotherEachTime)
 {
   const ScratchFolder scratch;

@@ -1,4 +1,5 @@
 #include "verification/overview.hpp"
+#include "ledger_rows.hpp"
 #include "support/test.hpp"
 
 #include <sstream>
@@ -8,16 +9,8 @@ namespace {
 /// A case with a row that passes, two of one reason, and one that fails without a reason.
 CaseRows rows_of(const std::string& name, const std::string& remark)
 {
-  const Row good{.case_name = name,
-      .run = "h = 1 m, mpm_gp",
-      .quantity = "stress <zz>",
-      .reference = "a|b",
-      .source = "Euler",
-      .terp = "2",
-      .error = "0.1",
-      .tolerance = "0.2",
-      .verdict = Verdict::pass,
-      .used = 0.5};
+  Row good = row_that_passes(name);
+  good.used = 0.5;
   Row strain = good, red = good, fail = good;
   strain.used = 0.7, strain.quantity = "strain";
   red.verdict = Verdict::red, red.remark = remark, red.used = 1.5;  // does not agree, so not the nearest

@@ -1,19 +1,12 @@
 #include "verification/report.hpp"
+#include "ledger_rows.hpp"
 #include "support/test.hpp"
 
 namespace {
 
 std::vector<CaseRows> sample()
 {
-  const Row good{.case_name = "bar",
-      .run = "h = 1 m, mpm_gp",
-      .quantity = "stress <zz>",
-      .reference = "a|b",
-      .source = "Euler",
-      .terp = "2",
-      .error = "0.1",
-      .tolerance = "0.2",
-      .verdict = Verdict::pass};
+  const Row good = row_that_passes("bar");
   Row red = good, fail = good;
   red.verdict = Verdict::red, red.remark = "too coarse";
   fail.verdict = Verdict::fail;

@@ -1,7 +1,7 @@
 // What src/system and src/parallel ask of Windows, as a program of its own: it runs under Wine in seconds, without the
 // rest of Terp. Prints what fails; the exit status is the number of failures.
 //
-// usage: system_test FOLDER [child|hold|faulty]      FOLDER: empty, for its files
+// usage: check_system FOLDER [child|hold|faulty]      FOLDER: empty, for its files
 #include "base/errors.hpp"
 #include "parallel/guarded_call.hpp"
 #include "parallel/threads.hpp"
