@@ -191,15 +191,14 @@ void print_strength_beside(const Model& model, const State& state)
   for (const SlipPlaneCase& plane : model.description.slip_planes) {
     if (plane.su.empty()) continue;
     const StrengthComparison c = compare_strength(model, state, plane);
-    fmt::print(
-        "  S_u beside {:<4}{}: ", printable(plane.name), plane.method.empty() ? "" : ", " + printable(plane.method));
-    if (c.n == 0) {
-      fmt::print("none of the {} places lies in soil with an undrained strength\n", c.n_all);
-      continue;
-    }
-    fmt::print(
-        "{:.3f} times it in the mean of {} of {} places; {:.3f} at [{:.2f}, {:.2f}], {:.3f} at [{:.2f}, {:.2f}]\n",
-        c.mean, c.n, c.n_all, c.low, c.x_low[0], c.x_low[1], c.high, c.x_high[0], c.x_high[1]);
+    const std::string name = printable(plane.name) + (plane.method.empty() ? "" : ", " + printable(plane.method));
+    if (c.n == 0)
+      fmt::print("  S_u            none at the {} places of `{}`\n", c.n_all, name);
+    else
+      fmt::print(
+          "  S_u            over that of `{}`: {:.3f} in the mean of {} of {} places, {:.3f} at [{:.2f}, {:.2f}] to "
+          "{:.3f} at [{:.2f}, {:.2f}]\n",
+          name, c.mean, c.n, c.n_all, c.low, c.x_low[0], c.x_low[1], c.high, c.x_high[0], c.x_high[1]);
   }
 }
 

@@ -16,7 +16,7 @@ std::string escaped_for_markup(std::string_view text)
       out += "&amp;";
     else if (c == '"')
       out += "&quot;";
-    else if (static_cast<unsigned char>(c) >= 0x20 && c != 0x7f)
+    else if (c == '\n' || (static_cast<unsigned char>(c) >= 0x20 && c != 0x7f))
       out += c;
   }
   return out;

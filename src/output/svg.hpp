@@ -8,7 +8,8 @@
 
 namespace terp {
 
-/// Text that may stand between tags or in an attribute: without control characters, with <, >, & and " as entities.
+/// Text that may stand between tags or in an attribute: without control characters but line ends, with <, >, & and " as
+/// entities.
 std::string escaped_for_markup(std::string_view text);
 
 /// A step of 1, 2 or 5 times a power of ten that divides a range into about n parts.

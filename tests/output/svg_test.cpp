@@ -6,7 +6,7 @@ namespace {
 
 TEST(Svg, EscapesWhatMarkupWouldRead)
 {
-  EXPECT_EQ(escaped_for_markup("a<b>&\"c\"\x1b"), "a&lt;b&gt;&amp;&quot;c&quot;");
+  EXPECT_EQ(escaped_for_markup("a<b>&\"c\"\x1b\nd"), "a&lt;b&gt;&amp;&quot;c&quot;\nd");
 }
 
 TEST(Svg, StepsAreOneTwoOrFive)
