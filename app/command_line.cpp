@@ -139,7 +139,8 @@ void declare_study(CLI::App& app, StudyCommand& command)
       "of\nits keys (docs/probability.md). What is solved is kept: after a kill the same\ncommand goes on.\n\nACTION\n"
       "  check   what would run, how long, on what\n"
       "  sample  what would be drawn: histograms of the input\n"
-      "  run     solve, or go on; results go to runs/NAME/\n"
+      "  run     solve, or go on; results go to runs/NAME/. Under mpirun or srun all\n"
+      "          processes solve one study, each on -j threads (default there: 1)\n"
       "  status  what the realisations that are solved say\n"
       "  report  the same, with the page report.html and the table results.csv",
       "  terp study check cases/dike_study/dike_study.toml\n  terp study run cases/dike_study/dike_study.toml -j 2\n"
@@ -154,7 +155,7 @@ void declare_study(CLI::App& app, StudyCommand& command)
   add_output(study, command.output, "folder of the study (default: runs/NAME)");
   study
       ->add_option(
-          "--part", command.part, "of run: every N-th realisation, from the K-th; for arrays of\nbatch systems")
+          "--part", command.part, "of run: every N-th realisation, from the K-th; for\narrays of batch systems")
       ->option_text("K/N");
   study
       ->add_option("--keep", command.keep,
@@ -167,7 +168,7 @@ void declare_study(CLI::App& app, StudyCommand& command)
   study->add_flag("--force", command.force, "of run: remove what is solved, and begin anew");
   study
       ->add_option("-j,--threads", command.threads,
-          "realisations at a time (default: what this job may use);\nresults "
+          "realisations at a time (default: what this job may\nuse); results "
           "have the same bits on any number")
       ->option_text("N")
       ->check(CLI::Range(1, 1024));

@@ -74,7 +74,7 @@ void declare_assess(CLI::App& app, AssessCommand& command)
       "that cannot be read stops none of the others.",
       "  terp assess *.stix -o reach -j 2 --estimate\n  terp assess *.stix -o reach -j 2 --trigger strength --language "
       "nl\n");
-  assess->add_option("FILE", command.files, "D-Stability files, case files, or folders with a case.toml")
+  assess->add_option("FILE", command.files, "D-Stability files, case files, folders with a case.toml")
       ->option_text(" ")
       ->required();
   add_output(assess, command.output, "folder of the reach; each section has one in it");

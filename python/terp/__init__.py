@@ -12,7 +12,7 @@
 
 With the compiled part of the package a run is an object:
 
-    simulation = terp.Simulation("cases/dike/case.toml", threads=2)
+    simulation = terp.Simulation("cases/dike/dike.toml", threads=2)
     simulation.run(every=1.0, call=lambda s: print(s.time, s.field("eps_eq_p").max()))
     simulation.flood                      # the verdict on the water
 

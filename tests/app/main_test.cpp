@@ -42,6 +42,7 @@ TEST(Help, OfACommandIsItsOwnAndNamesItsOptions)
       {"check", {"--set", "--picture"}}, {"bench", {"--steps", "--warm", "--json", "--set"}}, {"report", {"--output"}},
       {"compare", {"--json"}}, {"export", {"--field", "--frames", "--output"}}, {"watch", {"--every", "--once"}},
       {"verify", {"--list", "--short", "--long", "--markdown", "--overview", "--cases", "--threads"}},
+      {"study", {"mpirun", "--part", "--keep"}}, {"assess", {"--estimate"}}, {"import", {"--slices"}},
       {"explain", {"TOPIC"}}, {"list", {}}};
   for (const auto& [command, options] : commands) {
     const Finished f = test::terp({command, "--help"});
