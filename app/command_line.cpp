@@ -104,7 +104,7 @@ void declare_converge(CLI::App& app, ConvergeOptions& options)
       "follows the\nsize, with its observed order and an estimate of the error\n(docs/convergence.md). Writes "
       "convergence.html and convergence.json. Runs that\nare there already are kept, and one that was interrupted goes "
       "on.",
-      "  terp converge cases/column_collapse/model_1.toml --cells 0.4,0.2,0.1\n"
+      "  terp converge cases/column_collapse/model_1.toml --cells 0.5,0.25,0.125\n"
       "  terp converge cases/dike/dike.toml --cells 1,0.5,0.25 --estimate\n");
   add_case(converge, options.run);
   converge->add_option("--cells", options.cells, "sizes of the cells [m]; three or more, each about half\nof the next")
