@@ -73,7 +73,9 @@ constexpr bool is_shape_factor(const ParameterInfo& info) { return info.unit == 
 /// What a quantity is to the rest of the program, whatever the law calls it: the measure of how far the soil has
 /// sheared plastically, and the strength that it has left.
 /// softening: the strain that drives the strength, where that is not the plastic strain itself (nonlocal.hpp).
-enum class Role { none, plastic_strain, strength, softening };
+/// carried_pressure: the largest pressure that the soil was loaded to [Pa]; of a state variable, ln of it over that at
+/// the start. It stays where a stage changes the soil.
+enum class Role { none, plastic_strain, strength, softening, carried_pressure };
 
 /// One history variable of a law, kept at the material points and in checkpoints.
 struct StateInfo {

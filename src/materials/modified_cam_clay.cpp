@@ -136,10 +136,10 @@ struct ModifiedCamClay {
   static constexpr std::array state{
       StateInfo{"eps_eq_p", "-", Averaging::cell, "accumulated equivalent plastic strain, sum sqrt(1/2 de_p : de_p)",
           Role::plastic_strain},
-      StateInfo{"hardening", "-", Averaging::cell, "ln of p_c over p_c at the start"},
+      StateInfo{"hardening", "-", Averaging::cell, "ln of p_c over p_c at the start", Role::carried_pressure},
   };
   static constexpr std::array derived{
-      DerivedInfo{"p_c", "Pa", "preconsolidation pressure, p' where the yield surface ends"},
+      DerivedInfo{"p_c", "Pa", "preconsolidation pressure, p' where the yield surface ends", Role::carried_pressure},
   };
   static constexpr std::string_view not_judged =
       "its strength follows from the stress path, and reducing its friction would change its yield stress, too";

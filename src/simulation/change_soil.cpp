@@ -37,16 +37,13 @@ void change_row_values(const Model& model, Index from, Index to, std::vector<Rea
 
 /// Where a law has the largest pressure that its soil was loaded to, and the logarithm that it remembers that by.
 struct CarriedPressure {
-  int row = -1;      ///< of the points; -1: the law knows none
-  int derived = -1;  ///< number of the field
+  int row;      ///< of the points; -1: the law knows none
+  int derived;  ///< number of the field; -1: the law knows none
 
   explicit CarriedPressure(const SoilMaterial& material)
+      : row(row_of(material, Role::carried_pressure)),
+        derived(find_role(material.type->derived, Role::carried_pressure))
   {
-    const auto state = std::ranges::find(material.type->state, "hardening", &StateInfo::name);
-    const auto field = std::ranges::find(material.type->derived, "p_c", &DerivedInfo::name);
-    if (state == material.type->state.end() || field == material.type->derived.end() || material.rows.empty()) return;
-    row = material.rows[static_cast<std::size_t>(state - material.type->state.begin())];
-    derived = static_cast<int>(field - material.type->derived.begin());
   }
 };
 

@@ -2,6 +2,7 @@
 #include "app/coarse_column.hpp"
 #include "support/test.hpp"
 #include <csignal>
+#include <regex>
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
@@ -24,6 +25,15 @@ bool is_checkpoint(const std::string& name) { return name.starts_with("checkpoin
 nlohmann::json study_in(const std::string& folder)
 {
   return nlohmann::json::parse(text_of(folder + "/convergence.json"));
+}
+
+TEST(Converge, TheExampleOfTheReadmeFitsItsMesh)
+{
+  const std::string readme = text_of(source_path("README.md"));
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(readme, found, std::regex("build/terp converge +(\\S+) --cells (\\S+)")));
+  const Finished f = test::terp({"converge", source_path(found[1]), "--cells", found[2], "--estimate"});
+  EXPECT_EQ(f.status, 0) << f.err;
 }
 
 TEST(Converge, SolvesAllSizesFromCoarseToFineAndAnswers)

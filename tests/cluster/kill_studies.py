@@ -16,36 +16,13 @@ import tempfile
 import time
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parent))
+sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parents[1] / "python")]
+from samples import COLUMN  # noqa: E402
 from slurm import Slurm  # noqa: E402
 
 N_REALISATIONS = 3000
 N_RANKS = 4
 N_TASKS = 6
-COLUMN = """\
-[time]
-end = 3.0
-[mesh]
-size = [10.0, 3.0]
-cell = 1.0
-[[body]]
-material = "clay"
-box = [[0.0, 0.0], [4.0, 2.0]]
-points_per_cell = [2, 2]
-[material.clay]
-model = "tresca_softening"
-density = 1900.0
-shear_modulus = 1.0e6
-poisson_ratio = 0.45
-su_peak = 6.0e3
-sensitivity = 2.0
-eta = 5.0
-[forces]
-gravity = [0.0, -9.81]
-[boundary]
-left = "roller"
-bottom = "fixed"
-"""
 STUDY = """\
 case = "column.toml"
 seed = 3
@@ -92,7 +69,7 @@ class Trial:
     def __init__(self, terp, folder, chance, n_kills):
         self.terp, self.folder, self.chance, self.n_kills = terp, Path(folder), chance, n_kills
         self.n_done = {}
-        (self.folder / "column.toml").write_text(COLUMN)
+        (self.folder / "column.toml").write_text(COLUMN.replace("end = 0.4", "end = 3.0"))
         (self.folder / "study.toml").write_text(STUDY.format(number=N_REALISATIONS))
         self.run("-j", "1", "-o", "one")
         self.table = self.table_in("one")

@@ -11,32 +11,9 @@ import support  # noqa: F401 (finds the package)
 
 import numpy as np
 import terp
+from samples import COLUMN
 
 PROGRAM = os.environ.get("TERP")
-CASE = """
-[time]
-end = 0.4
-[mesh]
-size = [10.0, 3.0]
-cell = 1.0
-[[body]]
-material = "clay"
-box = [[0.0, 0.0], [4.0, 2.0]]
-points_per_cell = [2, 2]
-[material.clay]
-model = "tresca_softening"
-density = 1900.0
-shear_modulus = 1.0e6
-poisson_ratio = 0.45
-su_peak = 6.0e3
-sensitivity = 2.0
-eta = 5.0
-[forces]
-gravity = [0.0, -9.81]
-[boundary]
-left = "roller"
-bottom = "fixed"
-"""
 STUDY = """
 case = "column.toml"
 [[random]]
@@ -80,7 +57,7 @@ class StudyOfTheProgram(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         cls.addClassCleanup(scratch.cleanup)
         cls.folder = pathlib.Path(scratch.name)
-        (cls.folder / "column.toml").write_text(CASE, encoding="utf-8")
+        (cls.folder / "column.toml").write_text(COLUMN, encoding="utf-8")
         cls.study = cls.made("plain", STUDY)
         cls.curve = cls.made("curve", CURVE)
 
@@ -116,10 +93,10 @@ class StudyOfTheProgram(unittest.TestCase):
     def test_a_table_has_rows_without_results(self):
         text = STUDY.replace("[[random]]", "[[field]]").replace('mean = "8 kPa"\n', "theta = [8.0, 4.0]\n").replace(
             'distribution = "lognormal"\n', "").replace("cov = 0.4", "cov = 0.3").replace("number = 8", "number = 12")
-        (self.folder / "column.toml").write_text(CASE.replace("sensitivity = 2.0", "su_residual = 4.5e3"),
+        (self.folder / "column.toml").write_text(COLUMN.replace("sensitivity = 2.0", "su_residual = 4.5e3"),
                                                  encoding="utf-8")
         failed = self.made("failed", "seed = 3\n" + text).table
-        (self.folder / "column.toml").write_text(CASE, encoding="utf-8")
+        (self.folder / "column.toml").write_text(COLUMN, encoding="utf-8")
         text = STUDY.replace('"monte_carlo"', '"two_stage"\nfactor = 1.1\naudit = 0.1')
         skipped = self.made("skipped", text).table
         for table in failed, skipped:

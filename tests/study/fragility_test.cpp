@@ -142,32 +142,14 @@ TEST(Fragility, WhatLiesBeyondIsJudgedByItsUpperBoundToo)
   EXPECT_THAT(study_text(study, rows), HasSubstr("of its upper bound, come from loads beyond 0.4 to 1.6"));
 }
 
-const std::string dike_case = R"([time]
-end = 0.8
-[mesh]
-size = [8.0, 3.0]
-cell = 0.5
-[[body]]
-material = "clay"
-polygon = [[0.0, 0.0], [8.0, 0.0], [5.0, 2.0], [3.0, 2.0]]
-points_per_cell = [2, 2]
-[material.clay]
-model = "tresca_softening"
-density = 1900.0
-shear_modulus = 1.0e6
-poisson_ratio = 0.45
-su_peak = 6.0e3
-sensitivity = 2.0
-eta = 5.0
-drainage = "undrained"
-[forces]
-gravity = [0.0, -9.81]
-[boundary]
-bottom = "fixed"
-[water]
-phreatic_line = [[0.0, 1.0], [8.0, 0.0]]
-[flood]
-)";
+/// A small dike with water on one side.
+std::string dike_case()
+{
+  std::string text = changed(column_case, "size = [10.0, 3.0]\ncell = 1.0", "size = [8.0, 3.0]\ncell = 0.5");
+  text = changed(text, "box = [[0.0, 0.0], [4.0, 2.0]]", "polygon = [[0.0, 0.0], [8.0, 0.0], [5.0, 2.0], [3.0, 2.0]]");
+  text = changed(text, "eta = 5.0\n", "eta = 5.0\ndrainage = \"undrained\"\n");
+  return changed(text, "left = \"roller\"\n", "") + "[water]\nphreatic_line = [[0.0, 1.0], [8.0, 0.0]]\n[flood]\n";
+}
 
 TEST(Fragility, EveryLevelIsJudgedAgainstTheWaterOfOneEnd)
 {
@@ -175,7 +157,7 @@ TEST(Fragility, EveryLevelIsJudgedAgainstTheWaterOfOneEnd)
   const auto study = [&](const std::string& land, const std::string& more) {
     const std::string text = changed(curve_text, "\"forces.gravity\" = [0.0, \"-9.81 * h\"]",
         "\"water.phreatic_line\" = [[0.0, \"h\"], [8.0, \"" + land + " + 0*h\"]]" + more);
-    return refusal<CaseError>([&] { prepare_study(read_study(write_study(folder.path(), text, dike_case))); });
+    return refusal<CaseError>([&] { prepare_study(read_study(write_study(folder.path(), text, dike_case()))); });
   };
   EXPECT_EQ(study("0", ""), "");
   EXPECT_THAT(
